@@ -1,0 +1,50 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "telar/cancel.h"
+#include "telar/image.h"
+#include "telar/limits.h"
+
+/// Image files in and out. PNG, JPEG and WebP go through their own libraries; .hdr, .exr, TIFF and PNG with an ICC
+/// profile go through OpenImageIO, which lives in a library of its own (libtelar_oiio.so) that is loaded when first needed.
+namespace telar {
+
+struct ImageHeader {
+  std::uint32_t width = 0, height = 0;
+  std::string mimeType;  ///< by magic bytes, not by name
+};
+
+/// Reads only the header. @throws Error{E_IMAGE_FORMAT, E_IMAGE_CORRUPT, L_IMAGE_*}
+ImageHeader readImageHeader(std::span<const std::byte> file, const Limits& limits);
+
+/// Decodes PNG, JPEG or WebP (by magic bytes) to 8-bit RGBA exactly as Chromium hands it to WebGL with
+/// colorSpaceConversion "none" and premultiplyAlpha "none": 16-bit PNG to its high byte as libpng's strip/scale there
+/// does, grey and palette expanded, embedded profiles ignored, EXIF orientation not applied.
+/// Limits are checked on the header before a pixel is allocated; a truncated or damaged file is an error.
+Image8 decodeImage(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel);
+
+struct OutputOptions {
+  enum class Format { kPng, kJpeg, kWebp, kTiff, kExr, kRaw } format = Format::kPng;
+  int quality = 90;      ///< JPEG, WebP: 1..100
+  int bitDepth = 8;      ///< 8 or 16: PNG, TIFF; 16 or 32 (float): EXR; 8 or 32 (float): raw
+  double ppi = 0;        ///< pixels per inch written to the file, 0 = not written
+  bool icc = false;      ///< embed an sRGB ICC profile (PNG, TIFF, JPEG)
+};
+
+/// Which frame encode() wants for these options.
+PixelType framePixelType(const OutputOptions& options);
+
+/// Encodes a frame; deterministic. JPEG has no alpha: the caller draws on an opaque background.
+/// @throws Error{X_OUTPUT, X_LIBRARY_MISSING}
+std::vector<std::byte> encode(const Frame& frame, const OutputOptions& options, const CancelToken& cancel);
+
+/// Reads an equirectangular .hdr or .exr (by magic bytes) to linear Rec.709. NaN becomes 0, values are clamped to
+/// [0, 65504] (the largest half). .hdr texels equal three.js HDRLoader's: mantissa / 255 * 2^(exponent - 128).
+/// @throws Error{E_ENVIRONMENT_FORMAT, E_ENVIRONMENT_CORRUPT, L_ENVIRONMENT_PIXELS, X_LIBRARY_MISSING}
+ImageF readEnvironment(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel);
+
+}  // namespace telar

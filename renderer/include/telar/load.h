@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "telar/cancel.h"
+#include "telar/limits.h"
+#include "telar/scene.h"
+
+namespace telar {
+
+/// Loads a .glb or .gltf by its magic bytes. External files are opened only beneath the model's folder: no absolute
+/// path, no "..", no scheme, no symbolic link, regular files only.
+/// @throws Error with a JSON pointer or a byte offset: kinds input, denied, unsupported, limit; X_CANCELLED.
+std::shared_ptr<const Scene> loadPath(const std::filesystem::path& file, const Limits& limits, const CancelToken& cancel);
+
+/// Same from memory; every external URI is denied (data: URIs are not external).
+std::shared_ptr<const Scene> loadBytes(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel);
+
+/// Facts of a scene as one JSON object, for `telar inspect` and for resolveShot(shot, facts):
+/// {bounds: {min, max} | null, size: [x, y, z] metres, nodes, meshes, drawCalls, vertices, triangles, fileBytes,
+///  materials: [{name, ...}], images: [{width, height}], lights: [...], variants: [...], extensionsUsed: [...],
+///  cameras: [{name, node, projection, fovY?, height?, near, far, position, target, up}] (degrees, world space),
+///  generator, copyright, warnings: [{code, message, pointer?}]}
+std::string describeScene(const Scene& scene);
+
+}  // namespace telar

@@ -1,0 +1,61 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "telar/cancel.h"
+#include "telar/image.h"
+#include "telar/limits.h"
+#include "telar/scene.h"
+#include "telar/shot.h"
+
+namespace telar {
+
+enum class Backend { kAuto, kEglDevice, kEglSurfaceless, kOsmesa };
+
+struct RendererOptions {
+  Backend backend = Backend::kAuto;
+  std::string assetDirectory;  ///< folder of the bundled studio environment (studio.hdr, studio.pmrem)
+  std::string cacheDirectory;  ///< prefiltered environments by content hash; empty = none
+  Limits limits;
+  bool allFeatures = false;    ///< benchmark only: compile every feature into every program
+};
+
+/// What a drawn frame was made of; toJson() is `info` of the API less what JavaScript adds.
+struct FrameInfo {
+  std::string json;
+};
+
+/// Draws scenes with one GL context, which stays current on the thread that called create(): call every method, and
+/// the destructor, on that thread.
+class Renderer {
+ public:
+  /// @throws Error{X_GL} that lists every backend tried, why each failed, and the cure.
+  static std::unique_ptr<Renderer> create(const RendererOptions& options);
+  virtual ~Renderer() = default;
+
+  /// Draws one frame. GPU copies of the scene's data are kept until the scene is released or release() is called.
+  /// @param environment file bytes when shot.environment.source is kBytes
+  /// @throws Error{X_GL, X_GL_MEMORY, X_CANCELLED, E_VARIANT, ...}; never a partial frame.
+  virtual Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& shot, std::span<const std::byte> environment,
+                     const CancelToken& cancel, FrameInfo& info) = 0;
+
+  /// Frees the GPU copies of one scene.
+  virtual void release(const Scene& scene) = 0;
+
+  /// {backend, vendor, renderer, version, ...} as JSON.
+  virtual std::string describe() const = 0;
+  /// GL names alive in this context (leak tests).
+  virtual int liveObjects() const = 0;
+};
+
+/// What draw() would compile and run for this scene and shot, without a context: {features: [...], programs: [{features}],
+/// passes: [...]} as JSON.
+std::string planFrame(const Scene& scene, const Shot& shot);
+
+/// Tries every backend and says what each gave: JSON for `telar doctor`. Never throws.
+std::string probeBackends();
+
+}  // namespace telar

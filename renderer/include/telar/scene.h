@@ -1,0 +1,141 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "telar/image.h"
+
+/// A glTF file after loading: plain data, checked, owned, free of GL. Units are glTF's: metres, radians, candela, lux.
+/// Everything an index points to exists: consumers index without checks.
+namespace telar {
+
+enum class AlphaMode { kOpaque, kMask, kBlend };
+enum class Topology { kPoints, kLines, kLineLoop, kLineStrip, kTriangles };  ///< strips and fans are made triangles
+
+/// Values are the GL enums that glTF uses (10497 REPEAT, 9729 LINEAR, 9987 LINEAR_MIPMAP_LINEAR, ...).
+struct Sampler {
+  std::uint32_t wrapS = 10497;
+  std::uint32_t wrapT = 10497;
+  std::uint32_t magFilter = 9729;
+  std::uint32_t minFilter = 9987;
+  bool operator==(const Sampler&) const = default;
+};
+
+/// One use of a texture by a material.
+struct TextureRef {
+  int image = -1;        ///< index into Scene::images, -1 = no texture
+  Sampler sampler;
+  int texCoord = 0;      ///< 0 or 1, after KHR_texture_transform's override
+  glm::mat3 uvTransform{1.0f};  ///< KHR_texture_transform as three.js builds it: uv' = uvTransform * (u, v, 1)
+  bool hasTransform = false;
+  explicit operator bool() const { return image >= 0; }
+};
+
+/// glTF metallic-roughness material. Factors are linear Rec.709.
+struct Material {
+  std::string name;
+  glm::vec4 baseColorFactor{1.0f};
+  TextureRef baseColorTexture;  ///< sRGB
+  float metallicFactor = 1.0f;
+  float roughnessFactor = 1.0f;          ///< perceptual
+  TextureRef metallicRoughnessTexture;   ///< linear: G roughness, B metalness
+  TextureRef normalTexture;              ///< linear
+  float normalScale = 1.0f;
+  TextureRef occlusionTexture;           ///< linear: R
+  float occlusionStrength = 1.0f;
+  glm::vec3 emissiveFactor{0.0f};
+  TextureRef emissiveTexture;            ///< sRGB
+  AlphaMode alphaMode = AlphaMode::kOpaque;
+  float alphaCutoff = 0.5f;
+  bool doubleSided = false;
+  bool unlit = false;                    ///< KHR_materials_unlit
+};
+
+/// Axis-aligned box in metres, in double; empty when min > max.
+struct Bounds {
+  glm::dvec3 min{std::numeric_limits<double>::infinity()};
+  glm::dvec3 max{-std::numeric_limits<double>::infinity()};
+  bool empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
+  void add(const glm::dvec3& p) { min = glm::min(min, p), max = glm::max(max, p); }
+};
+
+/// Vertex streams of one draw. A stream is empty when the file has none; else it has positions.size() entries.
+struct Primitive {
+  Topology topology = Topology::kTriangles;
+  std::vector<glm::vec3> positions;            ///< finite
+  std::vector<glm::vec3> normals;              ///< as in the file; empty = shade flat
+  std::vector<glm::vec4> tangents;             ///< w = +-1
+  std::array<std::vector<glm::vec2>, 2> uvs;
+  std::vector<glm::vec4> colors;               ///< linear, alpha 1 where the file gives RGB
+  bool colorsHaveAlpha = false;
+  std::vector<std::uint32_t> indices;          ///< empty = draw vertices in order; every index < positions.size()
+  int material = -1;                           ///< -1 = glTF's default material
+  std::vector<int> variantMaterials;           ///< by variant index; -1 = no mapping (keep `material`)
+  Bounds bounds;                               ///< of positions, in mesh space
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<Primitive> primitives;
+};
+
+enum class LightType { kDirectional, kPoint, kSpot };
+
+/// KHR_lights_punctual.
+struct ModelLight {
+  LightType type = LightType::kPoint;
+  std::string name;
+  glm::vec3 color{1.0f};        ///< linear
+  float intensity = 1.0f;       ///< lux (directional) or candela
+  float range = 0.0f;           ///< metres, 0 = infinite
+  float innerConeAngle = 0.0f;  ///< radians
+  float outerConeAngle = 0.7853982f;
+};
+
+struct ModelCamera {
+  std::string name;
+  bool perspective = true;
+  double fovY = 0;                 ///< radians
+  double aspectRatio = 0;          ///< 0 = not given
+  double xmag = 0, ymag = 0;       ///< orthographic half extents, metres
+  double near = 0, far = 0;        ///< metres, far 0 = infinite
+};
+
+/// A node that is reached from the drawn scene, parents before children.
+struct Node {
+  std::string name;
+  int parent = -1;          ///< index into Scene::nodes
+  glm::dmat4 local{1.0};    ///< column-major, column vectors
+  glm::dmat4 world{1.0};
+  int mesh = -1, light = -1, camera = -1;
+};
+
+struct Warning {
+  std::string code;     ///< W_*, a row of js/error/table.mjs
+  std::string message;
+  std::string pointer;  ///< may be empty
+};
+
+struct Scene {
+  std::string name;
+  std::string generator, copyright;
+  std::vector<Node> nodes;
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;
+  std::vector<Image8> images;             ///< decoded; width 0 = not used by any reached material
+  std::vector<ModelLight> lights;
+  std::vector<ModelCamera> cameras;
+  std::vector<std::string> variants;      ///< KHR_materials_variants names
+  std::vector<std::string> extensionsUsed;
+  std::vector<Warning> warnings;          ///< at most 100, no two alike
+  Bounds bounds;                          ///< of all drawn vertices in world space
+  std::uint64_t vertexCount = 0, triangleCount = 0, drawCount = 0;  ///< over all draws
+  std::uint64_t fileBytes = 0;
+};
+
+}  // namespace telar

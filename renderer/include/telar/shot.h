@@ -1,0 +1,59 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "telar/codec.h"
+
+namespace telar {
+
+/// A resolved shot: the JSON that js/shot's resolveShot wrote, every default in it. C++ has no defaults of its own.
+struct Shot {
+  int width = 0, height = 0;  ///< pixels
+
+  struct Camera {
+    bool perspective = true;
+    glm::dvec3 position{0}, target{0}, up{0, 1, 0};  ///< world, metres
+    double fovY = 0;     ///< degrees, vertical
+    double height = 0;   ///< metres, orthographic
+    double near = 0, far = 0;
+  } camera;
+
+  struct Environment {
+    enum class Source { kNone, kStudio, kPath, kBytes } source = Source::kNone;
+    std::string path;
+    double intensity = 1;
+    double rotation = 0;  ///< degrees about +Y, as scene.environmentRotation.y
+  } environment;
+
+  struct Light {
+    enum class Type { kAmbient, kHemisphere, kDirectional, kPoint, kSpot } type = Type::kAmbient;
+    glm::vec3 color{1};         ///< linear Rec.709
+    glm::vec3 groundColor{0};   ///< linear Rec.709, hemisphere
+    double intensity = 1;
+    glm::dvec3 position{0}, target{0};
+    double range = 0;           ///< metres, 0 = infinite
+    double angle = 0;           ///< outer half-angle, radians
+    double penumbra = 0;        ///< 0..1
+  };
+  std::vector<Light> lights;
+  bool modelLights = true;
+
+  struct Background {
+    enum class Type { kTransparent, kColor, kEnvironment } type = Type::kTransparent;
+    glm::vec3 color{0};  ///< linear Rec.709
+  } background;
+
+  std::string shading;      ///< "three"
+  std::string toneMapping;  ///< none linear reinhard cineon aces agx neutral
+  double exposure = 1;
+  int samples = 4;          ///< quality.samples: MSAA, 1 or 4
+  std::string variant;      ///< KHR_materials_variants name, empty = the file's own materials
+  OutputOptions output;
+};
+
+/// @throws Error{E_SHOT} naming the path of a missing or wrong key (a resolved shot has them all).
+Shot parseShot(std::string_view resolvedJson);
+
+}  // namespace telar
