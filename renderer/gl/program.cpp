@@ -1,0 +1,84 @@
+#include "gl/program.h"
+
+#include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
+#include <regex>
+#include <sstream>
+
+namespace telar::gl {
+namespace {
+
+constexpr int SOURCE_LINES_AROUND = 6;
+
+/// The lines of `source` around the first line number in a driver's log ("0:123(4): error").
+std::string sourceAround(const std::string& source, const std::string& log) {
+  std::smatch match;
+  if (!std::regex_search(log, match, std::regex(R"(\d+:(\d+))"))) return "";
+  const int line = std::stoi(match[1]);
+  std::istringstream in(source);
+  std::string text, out;
+  for (int i = 1; std::getline(in, text); ++i) {
+    if (i >= line - SOURCE_LINES_AROUND && i <= line + SOURCE_LINES_AROUND) out += "\n" + std::to_string(i) + ": " + text;
+  }
+  return out;
+}
+
+template <GLenum Stage>
+Shader<Stage> compile(const Functions& gl, std::string_view label, const std::string& source) {
+  Shader<Stage> shader(gl);
+  const char* text = source.c_str();
+  const auto length = static_cast<GLint>(source.size());
+  gl.ShaderSource(shader.get(), 1, &text, &length);
+  gl.CompileShader(shader.get());
+  GLint ok = GL_FALSE, logLength = 0;
+  gl.GetShaderiv(shader.get(), GL_COMPILE_STATUS, &ok);
+  if (ok) return shader;
+  gl.GetShaderiv(shader.get(), GL_INFO_LOG_LENGTH, &logLength);
+  std::string log(static_cast<std::size_t>(std::max(logLength, 1)), '\0');
+  gl.GetShaderInfoLog(shader.get(), logLength, nullptr, log.data());
+  throw Error("X_SHADER", std::string(label) + (Stage == GL_VERTEX_SHADER ? ".vert: " : ".frag: ") + log.c_str() +
+                              sourceAround(source, log));
+}
+
+}  // namespace
+
+Program::Program(const Context& context, std::string_view label, const std::string& vertex, const std::string& fragment)
+    : gl_(&context.gl()), name_(context.gl()) {
+  const Functions& gl = *gl_;
+  const auto vertexShader = compile<GL_VERTEX_SHADER>(gl, label, vertex);
+  const auto fragmentShader = compile<GL_FRAGMENT_SHADER>(gl, label, fragment);
+  gl.AttachShader(name_.get(), vertexShader.get());
+  gl.AttachShader(name_.get(), fragmentShader.get());
+  gl.LinkProgram(name_.get());
+  if (gl.ObjectLabel) gl.ObjectLabel(GL_PROGRAM, name_.get(), static_cast<GLsizei>(label.size()), label.data());
+  GLint ok = GL_FALSE, logLength = 0;
+  gl.GetProgramiv(name_.get(), GL_LINK_STATUS, &ok);
+  if (ok) return;
+  gl.GetProgramiv(name_.get(), GL_INFO_LOG_LENGTH, &logLength);
+  std::string log(static_cast<std::size_t>(std::max(logLength, 1)), '\0');
+  gl.GetProgramInfoLog(name_.get(), logLength, nullptr, log.data());
+  throw Error("X_SHADER", std::string(label) + ": link: " + log.c_str());
+}
+
+int Program::location(const char* uniform) const {
+  const auto found = locations_.find(uniform);
+  if (found != locations_.end()) return found->second;
+  return locations_[uniform] = gl_->GetUniformLocation(name_.get(), uniform);
+}
+
+void Program::set(const char* uniform, int value) const { gl_->Uniform1i(location(uniform), value); }
+void Program::set(const char* uniform, float value) const { gl_->Uniform1f(location(uniform), value); }
+void Program::set(const char* uniform, const glm::vec2& value) const { gl_->Uniform2fv(location(uniform), 1, glm::value_ptr(value)); }
+void Program::set(const char* uniform, const glm::vec3& value) const { gl_->Uniform3fv(location(uniform), 1, glm::value_ptr(value)); }
+void Program::set(const char* uniform, const glm::vec4& value) const { gl_->Uniform4fv(location(uniform), 1, glm::value_ptr(value)); }
+void Program::set(const char* uniform, const glm::mat3& value) const {
+  gl_->UniformMatrix3fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
+}
+void Program::set(const char* uniform, const glm::mat4& value) const {
+  gl_->UniformMatrix4fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
+}
+void Program::set(const char* uniform, std::span<const float> values) const {
+  gl_->Uniform1fv(location(uniform), static_cast<GLsizei>(values.size()), values.data());
+}
+
+}  // namespace telar::gl

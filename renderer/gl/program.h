@@ -1,0 +1,42 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "gl/context.h"
+#include "gl/gl_object.h"
+
+namespace telar::gl {
+
+/// A linked vertex + fragment program with its uniforms by name.
+class Program {
+ public:
+  Program() = default;
+  /// @param label name in debug tools and error messages
+  /// @throws Error{X_SHADER} with the driver's log and the source lines around it.
+  Program(const Context& context, std::string_view label, const std::string& vertex, const std::string& fragment);
+
+  void use() const { gl_->UseProgram(name_.get()); }
+  bool has(const char* uniform) const { return location(uniform) >= 0; }
+
+  // Setters need use() first; a uniform that the program does not have is skipped.
+  void set(const char* uniform, int value) const;
+  void set(const char* uniform, float value) const;
+  void set(const char* uniform, const glm::vec2& value) const;
+  void set(const char* uniform, const glm::vec3& value) const;
+  void set(const char* uniform, const glm::vec4& value) const;
+  void set(const char* uniform, const glm::mat3& value) const;
+  void set(const char* uniform, const glm::mat4& value) const;
+  void set(const char* uniform, std::span<const float> values) const;
+
+ private:
+  int location(const char* uniform) const;
+
+  const Functions* gl_ = nullptr;
+  ProgramName name_;
+  mutable std::unordered_map<std::string, int> locations_;
+};
+
+}  // namespace telar::gl
