@@ -1,0 +1,19 @@
+// Numbers that more than one term uses. Shared text: see README.md.
+
+const float PI = 3.141592653589793;
+const float RECIPROCAL_PI = 0.3183098861837907;
+
+// Smallest perceptual roughness that is shaded: keeps a mirror's highlight wider than a pixel. three r187
+const float PERCEPTUAL_ROUGHNESS_MIN = 0.045;
+
+// Normal reflectance of a dielectric with index of refraction 1.5, linear.
+const float F0_DIELECTRIC = 0.04;
+
+// Floor of the visibility denominator: 0/0 at NoV = NoL = 0 becomes 0. three r187
+const float VISIBILITY_EPSILON = 1.0e-6;
+
+// Floor of a squared length below which a sum of unit vectors has no direction.
+const float SQUARED_LENGTH_EPSILON = 1.0e-12;
+
+// Largest finite half float: brighter is white for every tone curve, and inf/inf = NaN is kept out of them.
+const float RADIANCE_MAX = 65504.0;

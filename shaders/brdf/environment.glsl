@@ -1,0 +1,23 @@
+// Reading the prefiltered environment cube. Shared text: see README.md.
+
+// Level of detail of the cube whose level k was filtered for perceptual roughness 1 - sqrt(1 - k / maxLod), [0, maxLod].
+// perceptualRoughness  [0, 1]      maxLod  [1, 8]  the roughness 1 level
+// src: three r187
+float lodFromRoughness(float perceptualRoughness, float maxLod) {
+  float r = saturate(perceptualRoughness);
+  return maxLod * r * (2.0 - r);
+}
+
+// Unit direction in which the cube is read: the mirror direction, drawn to the normal as the lobe widens.
+// perceptualRoughness  [0, 1]      n, v  unit, NoV > 0 or the mix may vanish at roughness^4 = 1/2
+// src: three r187; after Lagarde & de Rousiers 2014, "Moving Frostbite to Physically Based Rendering 3.0", listing 22
+vec3 dominantReflection(float perceptualRoughness, vec3 n, vec3 v) {
+  return normalize(mix(reflect(-v, n), n, pow4(perceptualRoughness)));
+}
+
+// Specular part of the light from the environment, the unit of its arguments, linear Rec.709.
+// radiance  prefiltered at the material's roughness      meanRadiance  irradiance / PI
+// src: Fdez-Aguera 2019, JCGT 8(1), eq. 11; order of three r187
+vec3 environmentSpecular(Scattering scattering, vec3 radiance, vec3 meanRadiance) {
+  return radiance * scattering.single + scattering.multiple * meanRadiance;
+}

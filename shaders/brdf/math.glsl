@@ -1,0 +1,22 @@
+// Small algebra. Shared text: see README.md.
+
+// return x^2
+float pow2(float x) { return x * x; }
+
+// return x^4, as the square of the square. three r187
+float pow4(float x) {
+  float x2 = x * x;
+  return x2 * x2;
+}
+
+// return the largest component
+float max3(vec3 v) { return max(max(v.x, v.y), v.z); }
+
+// return the smallest component
+float min3(vec3 v) { return min(v.x, min(v.y, v.z)); }
+
+// return x held in [0, 1]
+float saturate(float x) { return clamp(x, 0.0, 1.0); }
+
+// return each component held in [0, 1]
+vec3 saturate(vec3 v) { return clamp(v, 0.0, 1.0); }
