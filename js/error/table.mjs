@@ -1,0 +1,174 @@
+/**
+ * The one table of telar's error and warning codes: the API, `--json` of the CLI, HTTP problem+json and queue results
+ * all read it. A code is never reused for another meaning.
+ *
+ * Prefixes: E_ the caller's input, L_ a limit that the input went over, X_ this process or machine, W_ a warning.
+ */
+
+/**
+ * What a kind of error means to the caller.
+ * exit: exit code of the CLI; http: status of the HTTP service; retryable: the same call may succeed later.
+ */
+export const KINDS = Object.freeze({
+  usage: { exit: 2, http: 400, retryable: false },
+  input: { exit: 3, http: 422, retryable: false },
+  denied: { exit: 3, http: 422, retryable: false },
+  unsupported: { exit: 3, http: 415, retryable: false },
+  limit: { exit: 4, http: 413, retryable: false },
+  time: { exit: 5, http: 504, retryable: true },
+  memory: { exit: 5, http: 507, retryable: true },
+  cancelled: { exit: 5, http: 499, retryable: true },
+  busy: { exit: 5, http: 429, retryable: true },
+  machine: { exit: 6, http: 500, retryable: false },
+  internal: { exit: 7, http: 500, retryable: false },
+  warning: { exit: 0, http: 200, retryable: false },
+});
+
+/** Exit code of a comparison that ran well and found the images over the gate. Not an error, so it has no code. */
+export const EXIT_OVER_THE_GATE = 1;
+
+const FIX_FILE = 'Export the model again; gltf-validator names the same fault in more detail.';
+const RAISE = 'Reduce the file, or raise this limit for files that you trust.';
+
+/** Rows by kind: code: [meaning, cure, differences from the kind's row]. */
+const ROWS = {
+  usage: {
+    E_USAGE: ['A command, option or argument is wrong', 'See `telar --help`.'],
+    E_SHOT: ['A value of the shot is wrong', 'The message names its path, what is expected and what was given.'],
+    E_OPTION: ['An option of the API is wrong', 'The message names the option, what is expected and what was given.'],
+  },
+  input: {
+    E_EMPTY: ['The file has no bytes', 'Check the export or the upload.'],
+    E_FILE: ['A file named by the caller cannot be read', 'Check the path and the permissions.'],
+    E_NOT_GLTF: ['The file is neither GLB nor glTF JSON', 'Give a .glb or .gltf file, not an archive or a page.'],
+    E_GLB_HEADER: ['The GLB header is incomplete', FIX_FILE],
+    E_GLB_VERSION: ['The GLB container is not version 2', 'Export as glTF 2.0.'],
+    E_GLB_LENGTH: ['The GLB length does not match the file', 'The file was cut or padded: transfer it again.'],
+    E_GLB_CHUNK: ['A GLB chunk is missing, misplaced or has a wrong length', FIX_FILE],
+    E_JSON: ['The glTF JSON is not well formed', FIX_FILE],
+    E_VERSION: ['The asset is not glTF 2.x', 'Export as glTF 2.0.'],
+    E_SCHEMA: ['A glTF property is missing, of a wrong type or out of range', FIX_FILE],
+    E_REF: ['An index names an object that does not exist', FIX_FILE],
+    E_GRAPH: ['The node graph has a cycle or a node with two parents', FIX_FILE],
+    E_BUFFER: ['A buffer has fewer bytes than it declares', FIX_FILE],
+    E_BUFFERVIEW: ['A buffer view leaves its buffer', FIX_FILE],
+    E_STRIDE: ['A byte stride is wrong for its accessor', FIX_FILE],
+    E_ACCESSOR: ['An accessor leaves its buffer view or has a wrong type', FIX_FILE],
+    E_SPARSE: ['A sparse accessor is inconsistent', FIX_FILE],
+    E_INDEX: ['A vertex index is not below the vertex count', FIX_FILE],
+    E_SKIN: ['A skin is inconsistent', FIX_FILE],
+    E_MORPH: ['A morph target is inconsistent', FIX_FILE],
+    E_NO_GEOMETRY: ['The scene has nothing to draw', 'Check that the exported scene holds the garment.'],
+    E_IMAGE_FORMAT: ['A texture is not PNG, JPEG or WebP', 'Export textures as PNG, JPEG or WebP.'],
+    E_IMAGE_CORRUPT: ['A texture is damaged or cut', 'Export the texture again.'],
+    E_DRACO: ['Draco data is damaged or contradicts its accessors', FIX_FILE],
+    E_MESHOPT: ['Meshopt data is damaged or contradicts its accessors', FIX_FILE],
+    E_URI_DATA: ['A data: URI is malformed', FIX_FILE],
+    E_URI_MISSING: ['An external file is not there', 'Put it beside the model, or export a single .glb.'],
+    E_ENVIRONMENT_FORMAT: ['The environment is neither .hdr nor .exr', 'Give an equirectangular .hdr or .exr map.'],
+    E_ENVIRONMENT_CORRUPT: ['The environment is damaged or cut', 'Save the map again.'],
+    E_VARIANT: ['The model has no such material variant', '`telar inspect` lists the variants.'],
+    E_CAMERA: ['The model has no such camera', '`telar inspect` lists the cameras.'],
+  },
+  denied: {
+    E_URI_DENIED: ['A URI leads out of the model\'s folder, or there is no folder', 'Embed the file, or put it beneath the model.'],
+  },
+  unsupported: {
+    E_EXT_REQUIRED: ['The model requires a glTF extension that telar does not have', 'Export without that extension.'],
+    E_SHOT_UNAVAILABLE: ['The shot asks for something that this version does not have', 'Leave it out, or use a later version.'],
+  },
+  limit: {
+    L_FILE_BYTES: ['A file is too large', RAISE],
+    L_EXTERNAL_BYTES: ['The external files are too large together', RAISE],
+    L_EXTERNAL_FILES: ['Too many external files', RAISE],
+    L_JSON_BYTES: ['The glTF JSON is too large', RAISE],
+    L_JSON_DEPTH: ['The glTF JSON is nested too deep', RAISE],
+    L_JSON_VALUES: ['The glTF JSON has too many values', RAISE],
+    L_NODES: ['Too many nodes', RAISE],
+    L_NODE_DEPTH: ['The node tree is too deep', RAISE],
+    L_DRAW_CALLS: ['Too many primitives to draw', RAISE],
+    L_VERTICES: ['Too many vertices', RAISE],
+    L_TRIANGLES: ['Too many triangles', RAISE],
+    L_BUFFERS: ['Too many buffers', RAISE],
+    L_BUFFER_VIEWS: ['Too many buffer views', RAISE],
+    L_ACCESSORS: ['Too many accessors', RAISE],
+    L_MATERIALS: ['Too many materials', RAISE],
+    L_TEXTURES: ['Too many textures', RAISE],
+    L_IMAGES: ['Too many images', RAISE],
+    L_IMAGE_DIMENSION: ['A texture is too wide or too high', RAISE],
+    L_IMAGE_PIXELS: ['A texture has too many pixels', RAISE],
+    L_IMAGE_BYTES: ['The decoded textures are too large together', RAISE],
+    L_IMAGE_SCANS: ['A progressive JPEG has too many scans', RAISE],
+    L_LIGHTS: ['Too many lights', RAISE],
+    L_ENVIRONMENT_PIXELS: ['The environment has too many pixels', RAISE],
+    L_PROGRAMS: ['The scene needs too many shader programs', RAISE],
+    L_MORPH_TARGETS: ['Too many morph targets', RAISE],
+  },
+  time: {
+    X_TIMEOUT: ['The work took longer than allowed', 'Try again; reduce the model, the size or the quality.'],
+  },
+  memory: {
+    X_MEMORY: ['There is not enough memory', 'Reduce the model or the size, or give the process more memory.'],
+    X_GL_MEMORY: ['The GL driver has not enough memory', 'Reduce the model or the size, or use another backend.'],
+  },
+  cancelled: {
+    X_CANCELLED: ['The caller cancelled the work', 'Nothing to cure.'],
+    X_CLOSED: ['The renderer was closed', 'Create a new renderer.', { retryable: false }],
+    X_SHUTDOWN: ['The service is shutting down', 'Send the request again.', { http: 503 }],
+  },
+  busy: {
+    X_BUSY: ['Too much work is waiting', 'Send the request again later.'],
+  },
+  machine: {
+    X_GL: ['No OpenGL ES 3.0 context', '`telar doctor` says what is missing and the cure.'],
+    X_GL_LOST: ['The GL context was lost', 'Try again; a new context is made.', { retryable: true }],
+    X_OUTPUT: ['The image cannot be encoded or written', 'Check free space, the folder and its permissions.'],
+    X_NATIVE_MISSING: ['The native part of telar is not built or does not load', 'Run `npm run build`; see the message.'],
+    X_LIBRARY_MISSING: ['A library that this job needs is not installed', 'Install the package that the message names.'],
+    X_CONFIG: ['The set-up of this machine contradicts itself', 'See the message.'],
+  },
+  internal: {
+    X_INTERNAL: ['A fault of telar itself', 'Report it together with the model and the shot.'],
+    X_SHADER: ['A shader did not compile or link', 'Report it with the output of `telar doctor`.'],
+    X_CRASH: ['The render process died', 'Report it together with the model and the shot.', { retryable: true }],
+  },
+  warning: {
+    W_ANIMATION: ['Animations are not played', 'The model is drawn as it stands in the file.'],
+    W_ENUM: ['An unknown enumeration value was replaced by its default', FIX_FILE],
+    W_EXT_IGNORED: ['An optional extension is not drawn', 'The picture lacks what this extension adds.'],
+    W_GLB_CHUNK: ['An unknown GLB chunk was skipped', 'Nothing to cure.'],
+    W_IMAGE: ['An image that no material uses is damaged', 'Export the texture again.'],
+    W_IMAGE_MIME: ['An image is of another type than it declares', FIX_FILE],
+    W_MINMAX: ['The declared bounds of an accessor are wrong and were not used', FIX_FILE],
+    W_NONFINITE: ['Vertices that are not finite were dropped', FIX_FILE],
+    W_NO_SCENE: ['The file names no scene; all root nodes are drawn', FIX_FILE],
+    W_RANGE: ['A value was clamped to its range', FIX_FILE],
+    W_SAMPLER: ['A texture sampler is wrong and was replaced by the default', FIX_FILE],
+    W_TEXCOORD: ['A texture uses a UV set that the mesh does not have', FIX_FILE],
+    W_TEXTURE: ['A texture has no usable image and is not drawn', FIX_FILE],
+    W_SKIN: ['Skins are not applied', 'The mesh is drawn in its bind pose.'],
+    W_MORPH: ['Morph targets are not applied', 'The mesh is drawn in its base shape.'],
+  },
+};
+
+/**
+ * @typedef {object} ErrorRow
+ * @property {string} kind
+ * @property {number} exit exit code of the CLI
+ * @property {number} http HTTP status
+ * @property {boolean} retryable the same call may succeed later
+ * @property {string} meaning
+ * @property {string} cure
+ */
+
+/** @type {Readonly<Record<string, Readonly<ErrorRow>>>} */
+export const TABLE = Object.freeze(Object.fromEntries(Object.entries(ROWS).flatMap(([kind, rows]) =>
+  Object.entries(rows).map(([code, [meaning, cure, differences]]) =>
+    [code, Object.freeze({ kind, ...KINDS[kind], ...differences, meaning, cure })]))));
+
+/**
+ * Exit code of a run over many models: the highest of theirs, so that the most serious class is told
+ * (internal 7 over machine 6 over time or memory 5 over limit 4 over input 3 over usage 2 over done 0).
+ * @param {Iterable<number>} exits
+ */
+export const worstExit = (exits) => Math.max(0, ...exits);
