@@ -1,0 +1,12 @@
+#include "brdf/brdf.h"
+
+#include <cmath>
+
+namespace telar::brdf_d {
+namespace {
+#include "brdf/runtime.inl"
+}  // namespace
+#define float Real
+#include "brdf/definitions.inl"
+#undef float
+}  // namespace telar::brdf_d

@@ -1,0 +1,64 @@
+// Included in a namespace where Real is the scalar type and `float` stands for it. One line a function of shaders/brdf,
+// which the linker checks against the text.
+using vec2 = glm::vec<2, Real>;
+using vec3 = glm::vec<3, Real>;
+using vec4 = glm::vec<4, Real>;
+using mat3 = glm::mat<3, 3, Real>;
+
+#include "constants.glsl"
+#include "types.glsl"
+
+Real pow2(Real x);
+Real pow4(Real x);
+Real max3(vec3 v);
+Real min3(vec3 v);
+Real saturate(Real x);
+vec3 saturate(vec3 v);
+
+Real geometricRoughness(vec3 dndx, vec3 dndy);
+Real shadedRoughness(Real perceptualRoughness, Real geometric);
+Real alphaFromRoughness(Real perceptualRoughness);
+
+Real D_GGX(Real alpha, Real NoH);
+Real V_SmithGGXCorrelated(Real alpha, Real NoV, Real NoL);
+Real F_SchlickWeight(Real LoH);
+vec3 F_Schlick(vec3 f0, Real f90, Real LoH);
+vec3 specularF0(vec3 baseColor, Real metallic);
+vec3 diffuseAlbedo(vec3 baseColor, Real metallic);
+vec3 Fr_GGX(vec3 f0, Real f90, Real alpha, Real NoV, Real NoL, Real NoH, Real LoH);
+vec3 Fd_Lambert(vec3 diffuse);
+
+vec3 F_SchlickAverage(vec3 f0);
+Scattering multipleScattering(vec3 f0, Real f90, vec2 dfg);
+Scattering mixScattering(Scattering dielectric, Scattering metal, Real metallic);
+vec3 diffuseShare(Scattering dielectric);
+vec3 directCompensation(vec3 f0, vec2 dfg);
+
+vec3 halfVector(vec3 n, vec3 l, vec3 v);
+Real distanceAttenuation(Real lightDistance, Real range);
+Real spotAttenuation(Real outerCos, Real innerCos, Real angleCos);
+vec3 hemisphereIrradiance(vec3 skyColor, vec3 groundColor, Real NoUp);
+
+Real diffuseOcclusion(Real texel, Real strength);
+Real specularOcclusion(Real perceptualRoughness, Real occlusion, Real NoV);
+
+Real lodFromRoughness(Real perceptualRoughness, Real maxLod);
+vec3 dominantReflection(Real perceptualRoughness, vec3 n, vec3 v);
+vec3 environmentSpecular(Scattering scattering, vec3 radiance, vec3 meanRadiance);
+
+vec3 exposedColor(vec3 color, Real exposure);
+vec3 toneMapLinear(vec3 color, Real exposure);
+vec3 toneMapReinhard(vec3 color, Real exposure);
+vec3 toneMapCineon(vec3 color, Real exposure);
+vec3 acesCurve(vec3 x);
+vec3 toneMapAces(vec3 color, Real exposure);
+vec3 agxCurve(vec3 x);
+vec3 agxEncode(vec3 color);
+vec3 agxDecode(vec3 x);
+vec3 toneMapAgx(vec3 color, Real exposure);
+vec3 toneMapNeutral(vec3 color, Real exposure);
+
+Real srgbFromLinear(Real linear);
+vec3 srgbFromLinear(vec3 linear);
+Real linearFromSrgb(Real encoded);
+vec3 linearFromSrgb(vec3 encoded);
