@@ -5,9 +5,11 @@
 
 #include <csetjmp>
 #include <new>
+#include <utility>
 
 #include "image/decoders.h"
 #include "image/jpeg_layout.h"
+#include "image/orientation.h"
 
 namespace telar::image {
 namespace {
@@ -121,10 +123,11 @@ class JpegReader {
   jpeg_decompress_struct jpeg_ = {};
 };
 
-/// Adobe writes CMYK inverted (0 = full ink), which is what every such file in use does; so R = C K / 255. In place.
+/// Adobe writes CMYK inverted (0 = full ink), which is what every such file in use does; so R = C K / 255,
+/// rounded down as Chromium does. In place.
 void cmykToRgba(std::vector<std::uint8_t>& pixels) {
   for (std::size_t i = 0; i < pixels.size(); i += 4) {
-    for (std::size_t c = i; c < i + 3; ++c) pixels[c] = std::uint8_t((pixels[c] * pixels[i + 3] + 127) / 255);
+    for (std::size_t c = i; c < i + 3; ++c) pixels[c] = std::uint8_t(pixels[c] * pixels[i + 3] / 255);
     pixels[i + 3] = 255;
   }
 }
@@ -145,11 +148,14 @@ ImageHeader readJpegHeader(Bytes file) {
   if (std::uint64_t{layout.width} * layout.height / PIXELS_PER_BYTE_MAX > file.size()) {
     throw corrupt("JPEG", "the file is too short for its size");
   }
-  return {layout.width, layout.height, "image/jpeg"};
+  ImageHeader header{layout.width, layout.height, "image/jpeg"};
+  if (swapsSides(layout.orientation)) std::swap(header.width, header.height);
+  return header;
 }
 
 Image8 decodeJpeg(Bytes file, const Limits& limits, const CancelToken& cancel) {
-  checkLimit("L_IMAGE_SCANS", double(limits.imageScans), double(readJpegLayout(file, true).scans));
+  const JpegLayout layout = readJpegLayout(file, true);
+  checkLimit("L_IMAGE_SCANS", double(limits.imageScans), double(layout.scans));
   JpegReader reader(file, cancel);
   ImageHeader header;
   bool cmyk = false;
@@ -175,7 +181,7 @@ Image8 decodeJpeg(Bytes file, const Limits& limits, const CancelToken& cancel) {
     jpeg_finish_decompress(&jpeg);
   });
   if (cmyk) cmykToRgba(image.pixels);
-  return image;
+  return upright(std::move(image), layout.orientation);
 }
 
 }  // namespace telar::image

@@ -1,11 +1,12 @@
 #include "image/jpeg_layout.h"
 
 #include "image/decoders.h"
+#include "image/orientation.h"
 
 namespace telar::image {
 namespace {
 
-constexpr std::uint8_t SOI = 0xd8, EOI = 0xd9, SOS = 0xda, TEM = 0x01;
+constexpr std::uint8_t SOI = 0xd8, EOI = 0xd9, SOS = 0xda, APP1 = 0xe1, TEM = 0x01;
 
 bool isRestart(std::uint8_t marker) { return marker >= 0xd0 && marker <= 0xd7; }
 
@@ -42,7 +43,9 @@ void readFrame(const std::uint8_t* segment, std::size_t length, std::uint8_t mar
 }  // namespace
 
 JpegLayout readJpegLayout(Bytes file, bool wholeFile) {
+  constexpr std::string_view EXIF("Exif\0\0", 6);
   JpegLayout layout;
+  bool hasExif = false;
   const std::uint8_t* p = data(file);
   std::size_t position = 0;
   while ((position = nextMarker(file, position)) < file.size()) {
@@ -56,6 +59,10 @@ JpegLayout readJpegLayout(Bytes file, bool wholeFile) {
     }
     if (isFrame(marker)) readFrame(p + position, length, marker, layout);
     if (layout.frame && !wholeFile) return layout;
+    if (marker == APP1 && !hasExif && hasAt(file, position + 2, EXIF) && length >= 2 + EXIF.size()) {
+      hasExif = true;
+      layout.orientation = readOrientation(file.subspan(position + 2 + EXIF.size(), length - 2 - EXIF.size()));
+    }
     if (marker == SOS) ++layout.scans;
     position += length;
   }

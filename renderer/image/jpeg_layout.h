@@ -9,6 +9,7 @@ struct JpegLayout {
   int precision = 0;    ///< bits per sample
   int components = 0;
   std::uint8_t frame = 0;  ///< start-of-frame marker, 0xc0 baseline .. 0xcf
+  int orientation = 1;     ///< EXIF, 1..8
   std::uint64_t scans = 0; ///< start-of-scan markers
 };
 

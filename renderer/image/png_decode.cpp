@@ -6,9 +6,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <new>
-#include <string>
+#include <utility>
 
 #include "image/decoders.h"
+#include "image/orientation.h"
 
 namespace telar::image {
 namespace {
@@ -106,6 +107,17 @@ void expandToRgba8(png_structp png, png_infop info) {
   png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
 }
 
+/// Orientation of an eXIf chunk before the first IDAT, which is where Chromium looks.
+int pngOrientation(Bytes file) {
+  for (std::size_t chunk = IHDR_END; file.size() >= chunk + 12;) {
+    const std::size_t length = be32(data(file) + chunk);
+    if (length > file.size() - chunk - 12 || hasAt(file, chunk + 4, "IDAT")) break;
+    if (hasAt(file, chunk + 4, "eXIf")) return readOrientation(file.subspan(chunk + 8, length));
+    chunk += length + 12;
+  }
+  return 1;
+}
+
 }  // namespace
 
 ImageHeader readPngHeader(Bytes file) {
@@ -117,6 +129,7 @@ ImageHeader readPngHeader(Bytes file) {
   if (!header.width || !header.height) throw corrupt("PNG", "width or height is 0").atOffset(16);
   const std::uint64_t bits = p[24] * std::uint64_t{header.width} * header.height;  // at least one channel
   if (bits / 8 / DEFLATE_RATIO_MAX > file.size()) throw corrupt("PNG", "the file is too short for its size").atOffset(16);
+  if (swapsSides(pngOrientation(file))) std::swap(header.width, header.height);
   return header;
 }
 
@@ -148,7 +161,7 @@ Image8 decodePng(Bytes file, const CancelToken& cancel) {
     }
   }
   reader.step([](png_structp png, png_infop) { png_read_end(png, nullptr); });
-  return image;
+  return upright(std::move(image), pngOrientation(file));
 }
 
 }  // namespace telar::image

@@ -14,7 +14,7 @@
 namespace telar {
 
 struct ImageHeader {
-  std::uint32_t width = 0, height = 0;
+  std::uint32_t width = 0, height = 0;  ///< upright, as decodeImage() gives them
   std::string mimeType;  ///< by magic bytes, not by name
 };
 
@@ -22,8 +22,8 @@ struct ImageHeader {
 ImageHeader readImageHeader(std::span<const std::byte> file, const Limits& limits);
 
 /// Decodes PNG, JPEG or WebP (by magic bytes) to 8-bit RGBA exactly as Chromium hands it to WebGL with
-/// colorSpaceConversion "none" and premultiplyAlpha "none": 16-bit PNG to its high byte as libpng's strip/scale there
-/// does, grey and palette expanded, embedded profiles ignored, EXIF orientation not applied.
+/// colorSpaceConversion "none" and premultiplyAlpha "none": 16-bit PNG to its high byte, grey and palette expanded,
+/// embedded profiles ignored, EXIF orientation applied to JPEG and PNG but not to WebP (measured; three.js loads so).
 /// Limits are checked on the header before a pixel is allocated; a truncated or damaged file is an error.
 Image8 decodeImage(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel);
 

@@ -1,5 +1,5 @@
 // Image files from the command line, for tests in JavaScript.
-//   image_tool decode FILE     raw RGBA8 texels on stdout, "width height" on stderr
+//   image_tool decode FILE     width and height as 32-bit integers, then RGBA8 texels, on stdout
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -21,8 +21,9 @@ std::vector<std::byte> readFile(const char* path) {
 
 int decode(const char* path) {
   const telar::Image8 image = telar::decodeImage(readFile(path), {}, {});
+  std::fwrite(&image.width, 4, 1, stdout);
+  std::fwrite(&image.height, 4, 1, stdout);
   std::fwrite(image.pixels.data(), 1, image.pixels.size(), stdout);
-  std::fprintf(stderr, "%u %u\n", image.width, image.height);
   return 0;
 }
 
