@@ -1,0 +1,22 @@
+import { fileURLToPath } from 'node:url';
+import { ensureBuild } from '../build.mjs';
+import { ensureDebianPackages } from './debian.mjs';
+import { ensureNpmPackages } from './npm_packages.mjs';
+import { main, step } from './step.mjs';
+
+/**
+ * Everything between a clean clone and a run; each step does nothing when it is done already.
+ * @param {{groups: string[], preset: string}} what - Package groups of debian_packages.txt; a preset of CMakePresets.json.
+ */
+export async function setUp({ groups, preset }) {
+  await step('Debian packages', (begin) => ensureDebianPackages(groups, begin));
+  await step('npm packages', ensureNpmPackages);
+  await step(`Build (${preset})`, (begin) => ensureBuild(preset, begin));
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  await main(async () => {
+    await setUp({ groups: ['build', 'run'], preset: 'release' });
+    return 0;
+  });
+}

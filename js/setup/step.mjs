@@ -1,0 +1,112 @@
+import { spawn } from 'node:child_process';
+import { createWriteStream, mkdirSync } from 'node:fs';
+import { once } from 'node:events';
+import { constants } from 'node:os';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+// The set-up runs before `npm ci`: Node built-ins only in this folder.
+
+/** The checkout (or the installed package), absolute. */
+export const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+
+/** Exit code 6 of the command line: this machine, not the input. */
+const EXIT_MACHINE = 6;
+const LOG_TAIL_LINES = 25;
+
+/** Set-up cannot go on; the message ends with the cure. */
+export class SetupError extends Error {
+  /**
+   * @param {string} message - What went wrong.
+   * @param {{cure?: string, exitCode?: number, notFound?: boolean}} [facts]
+   */
+  constructor(message, { cure = '', exitCode = EXIT_MACHINE, notFound = false } = {}) {
+    super(cure ? `${message}\n  Cure: ${cure}` : message);
+    this.name = 'SetupError';
+    this.exitCode = exitCode;
+    this.notFound = notFound;
+  }
+}
+
+/**
+ * Runs one step and reports it as one line on stderr: `name: result`, or `name: what ... result (12.3 s)` when the
+ * job announces work by calling its argument.
+ * @param {string} name
+ * @param {(begin: (what: string) => void) => Promise<string>} job - Resolves to the result's few words.
+ */
+export async function step(name, job) {
+  const started = performance.now();
+  let begun = false;
+  const begin = (what) => {
+    begun = true;
+    process.stderr.write(`${name}: ${what} ... `);
+  };
+  try {
+    const result = await job(begin);
+    process.stderr.write(begun ? `${result} (${((performance.now() - started) / 1000).toFixed(1)} s)\n` : `${name}: ${result}\n`);
+  } catch (error) {
+    process.stderr.write(begun ? 'failed\n' : `${name}: failed\n`);
+    throw error;
+  }
+}
+
+/**
+ * Runs a command with its output in a log file under out/setup.
+ * @param {string} command
+ * @param {string[]} args
+ * @param {{log: string, env?: object, cure?: string}} options - `log`: file name without folder; `cure`: told on failure.
+ * @returns {Promise<string>} What it printed (stdout and stderr together).
+ * @throws {SetupError} With the last lines printed.
+ */
+export async function runLogged(command, args, { log, env = {}, cure }) {
+  const folder = path.join(ROOT, 'out', 'setup');
+  mkdirSync(folder, { recursive: true });
+  const file = createWriteStream(path.join(folder, log));
+  const child = spawn(command, args, { cwd: ROOT, env: { ...process.env, ...env }, stdio: ['ignore', 'pipe', 'pipe'] });
+  const printed = [];
+  for (const stream of [child.stdout, child.stderr]) {
+    stream.setEncoding('utf8').on('data', (text) => {
+      printed.push(text);
+      file.write(text);
+    });
+  }
+  const code = await exitCode(child, command, cure);
+  file.end();
+  await once(file, 'close');
+  const text = printed.join('');
+  if (code !== 0) {
+    const tail = text.trimEnd().split('\n').slice(-LOG_TAIL_LINES).map((line) => `  | ${line}`).join('\n');
+    throw new SetupError(`${command} ${args[0]} ended with ${code}; last lines (all in out/setup/${log}):\n${tail}`, { cure });
+  }
+  return text;
+}
+
+/**
+ * Runs a command on this terminal.
+ * @returns {Promise<number>} Its exit status; 128 + signal number stands for a signal's death.
+ */
+export async function runShown(command, args, { env = {} } = {}) {
+  const child = spawn(command, args, { cwd: ROOT, env: { ...process.env, ...env }, stdio: 'inherit' });
+  return exitCode(child, command);
+}
+
+async function exitCode(child, command, cure) {
+  try {
+    const [code, signal] = await once(child, 'close');
+    return code ?? 128 + constants.signals[signal];
+  } catch (error) {
+    if (error.code !== 'ENOENT') throw error;
+    throw new SetupError(`${command}: no such program`, { cure, notFound: true });
+  }
+}
+
+/** Runs a script's main function; a SetupError is printed without a stack. */
+export async function main(job) {
+  try {
+    process.exitCode = await job();
+  } catch (error) {
+    if (!(error instanceof SetupError)) throw error;
+    process.stderr.write(`telar: ${error.message}\n`);
+    process.exitCode = error.exitCode;
+  }
+}
