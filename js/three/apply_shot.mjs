@@ -1,0 +1,154 @@
+import { applyVariant } from './variant.mjs';
+
+/**
+ * Name of the group that holds the shot's own lights, so that the next shot can replace them.
+ */
+const LIGHT_GROUP = 'telar lights';
+
+/**
+ * Parameters that a THREE.WebGLRenderer must be built with: a canvas cannot change them later.
+ *
+ * @param {object} shot - Resolved shot.
+ * @returns {{antialias: boolean, alpha: boolean, premultipliedAlpha: boolean}} Spread into the constructor's argument.
+ */
+export function rendererParameters(shot) {
+  return { antialias: shot.quality.samples > 1, alpha: true, premultipliedAlpha: true };
+}
+
+/**
+ * Sets up a stock three.js 0.187 scene from the resolved shot that the server takes, so that both draw the same picture.
+ * Adds no default of its own: every value comes from `shot`. Calling it again replaces what the last call set.
+ *
+ * @param {object} shot - Resolved shot (`resolveShot`): explicit camera, linear Rec.709 colours, degrees for fovY and
+ *   environment.rotation, radians for cone angles, metres.
+ * @param {object} target
+ * @param {typeof import('three')} target.THREE - The client's own three.js module.
+ * @param {import('three').WebGLRenderer} target.renderer - Made with `rendererParameters(shot)`; gets size, tone mapping,
+ *   exposure and a clear alpha of 0. Its pixel ratio becomes 1: a shot's size is in pixels of the drawing buffer.
+ * @param {import('three').Scene} target.scene - Gets lights, environment and background.
+ * @param {import('three').Camera} [target.camera] - Camera to set; where it is missing or of the other projection, a new one
+ *   is made. Use the returned one.
+ * @param {object} [target.model] - What GLTFLoader gave ({scene, parser}): for `variant` and `modelLights`.
+ * @param {import('three').Texture} [target.environment] - Linear equirectangular texture; required where the shot has one.
+ * @returns {Promise<import('three').Camera>} The camera to draw with, matrices up to date.
+ * @throws {Error} When the shot needs an environment, and none was given, or names a variant that the model lacks.
+ */
+export async function applyShot(shot, { THREE, renderer, scene, camera, model, environment }) {
+  applyOutput(shot, THREE, renderer);
+  applyLights(shot, THREE, scene, model);
+  applyEnvironment(shot, THREE, scene, environment);
+  applyBackground(shot, THREE, scene);
+  if (model) await applyVariant(model, shot.variant);
+  return applyCamera(shot, THREE, camera);
+}
+
+/**
+ * three.js constant of each contract name.
+ * @param {typeof import('three')} THREE
+ * @param {string} name - none linear reinhard cineon aces agx neutral
+ */
+export function toneMappingOf(THREE, name) {
+  const table = {
+    none: THREE.NoToneMapping,
+    linear: THREE.LinearToneMapping,
+    reinhard: THREE.ReinhardToneMapping,
+    cineon: THREE.CineonToneMapping,
+    aces: THREE.ACESFilmicToneMapping,
+    agx: THREE.AgXToneMapping,
+    neutral: THREE.NeutralToneMapping,
+  };
+  if (!(name in table)) throw new Error(`shot.toneMapping: expected one of ${Object.keys(table).join(' ')}, got ${name}`);
+  return table[name];
+}
+
+function applyOutput(shot, THREE, renderer) {
+  renderer.setPixelRatio(1);
+  renderer.setSize(shot.size.width, shot.size.height, false);
+  renderer.outputColorSpace = THREE.SRGBColorSpace;
+  renderer.toneMapping = toneMappingOf(THREE, shot.toneMapping);
+  renderer.toneMappingExposure = shot.exposure;
+  renderer.setClearColor(0x000000, 0);
+}
+
+function applyCamera(shot, THREE, camera) {
+  const { projection, position, target, up, fovY, height, near, far } = shot.camera;
+  const aspect = shot.size.width / shot.size.height;
+  let result = camera;
+  if (projection === 'orthographic') {
+    if (!camera?.isOrthographicCamera) result = new THREE.OrthographicCamera();
+    Object.assign(result, { left: (-height / 2) * aspect, right: (height / 2) * aspect, top: height / 2, bottom: -height / 2 });
+  } else {
+    if (!camera?.isPerspectiveCamera) result = new THREE.PerspectiveCamera();
+    Object.assign(result, { fov: fovY, aspect });
+  }
+  Object.assign(result, { near, far, zoom: 1 });
+  result.position.fromArray(position);
+  result.up.fromArray(up);
+  result.lookAt(...target);
+  result.updateProjectionMatrix();
+  result.updateMatrixWorld(true);
+  return result;
+}
+
+/** A colour of the shot is linear Rec.709, which is three's working space. */
+function linearColor(THREE, [r, g, b]) {
+  return new THREE.Color().setRGB(r, g, b, THREE.LinearSRGBColorSpace);
+}
+
+function applyLights(shot, THREE, scene, model) {
+  scene.getObjectByName(LIGHT_GROUP)?.removeFromParent();
+  const group = new THREE.Group();
+  group.name = LIGHT_GROUP;
+  for (const light of shot.lights) addLight(THREE, group, light);
+  scene.add(group);
+  model?.scene.traverse((object) => {
+    if (object.isLight) object.visible = shot.modelLights;
+  });
+}
+
+/** three's physical decay: radiance falls with the square of the distance. */
+const INVERSE_SQUARE = 2;
+
+function addLight(THREE, group, light) {
+  const color = linearColor(THREE, light.color);
+  const { intensity, range, angle, penumbra } = light;
+  const make = {
+    ambient: () => new THREE.AmbientLight(color, intensity),
+    hemisphere: () => new THREE.HemisphereLight(color, linearColor(THREE, light.groundColor), intensity),
+    directional: () => new THREE.DirectionalLight(color, intensity),
+    point: () => new THREE.PointLight(color, intensity, range, INVERSE_SQUARE),
+    spot: () => new THREE.SpotLight(color, intensity, range, angle, penumbra, INVERSE_SQUARE),
+  }[light.type];
+  if (!make) throw new Error(`shot.lights: stock three.js has no light for the type ${light.type}`);
+  const object = make();
+  if (light.position) object.position.fromArray(light.position);
+  group.add(object);
+  if (light.target) {
+    object.target.position.fromArray(light.target);
+    group.add(object.target);
+  }
+}
+
+function applyEnvironment(shot, THREE, scene, environment) {
+  const { map, intensity, rotation } = shot.environment;
+  if (map === 'none') {
+    scene.environment = null;
+    return;
+  }
+  if (!environment) throw new Error('shot.environment: give applyShot the loaded equirectangular texture as `environment`');
+  environment.mapping = THREE.EquirectangularReflectionMapping;
+  const y = THREE.MathUtils.degToRad(rotation);
+  scene.environment = environment;
+  scene.environmentIntensity = intensity;
+  scene.environmentRotation.set(0, y, 0);
+  scene.backgroundIntensity = intensity;
+  scene.backgroundRotation.set(0, y, 0);
+}
+
+function applyBackground(shot, THREE, scene) {
+  if (shot.background === 'transparent') scene.background = null;
+  else if (shot.background === 'environment') {
+    if (!scene.environment) throw new Error('shot.background: "environment" needs an environment');
+    scene.background = scene.environment;
+  } else scene.background = linearColor(THREE, shot.background);
+}

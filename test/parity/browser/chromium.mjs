@@ -1,0 +1,108 @@
+import { chromium } from 'playwright-core';
+import { startServer } from './server.mjs';
+
+const COMMON_FLAGS = [
+  '--no-sandbox',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
+
+/** Flags by rasteriser. `mesa` is the one that parity is judged on: the server draws with the same llvmpipe. */
+const RASTERIZER_FLAGS = {
+  mesa: ['--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'],
+  swiftshader: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+};
+
+/** Executable: TELAR_CHROMIUM, else Debian's. */
+const executablePath = () => process.env.TELAR_CHROMIUM ?? '/usr/bin/chromium';
+
+/**
+ * Real headless Chromium with one page of stock three.js.
+ */
+export class Browser {
+  #server;
+  #browser;
+  #page;
+  #jobs = 0;
+
+  /**
+   * @param {object} [options]
+   * @param {'mesa' | 'swiftshader'} [options.rasterizer]
+   * @returns {Promise<Browser>}
+   * @throws {Error} With the cure, when Chromium cannot be started.
+   */
+  static async start({ rasterizer = 'mesa' } = {}) {
+    const self = new Browser();
+    try {
+      self.#browser = await chromium.launch({
+        executablePath: executablePath(),
+        args: [...COMMON_FLAGS, ...RASTERIZER_FLAGS[rasterizer]],
+      });
+    } catch (cause) {
+      const cure = 'install it with "apt-get install chromium", or name another one in TELAR_CHROMIUM';
+      throw new Error(`Chromium does not start from ${executablePath()}: ${cure}\n${cause.message}`, { cause });
+    }
+    self.#server = await startServer();
+    self.#page = await self.#browser.newPage();
+    self.#page.on('pageerror', (error) => console.error(`page: ${error.stack ?? error}`));
+    self.#page.on('console', (message) => {
+      if (['warning', 'error'].includes(message.type())) console.error(`page: ${message.text()}`);
+    });
+    await self.#page.goto(`${self.#server.origin}/test/parity/browser/page.html`);
+    await self.#page.waitForFunction('window.telarReady === true', undefined, { timeout: 30_000 });
+    return self;
+  }
+
+  /**
+   * @param {object} input
+   * @param {object} input.shot - Resolved shot.
+   * @param {Uint8Array | string} input.model - GLB bytes, or an absolute path (its folder is served).
+   * @param {Uint8Array} [input.environment] - .hdr or .exr bytes; required where the shot has an environment.
+   * @returns {Promise<{width: number, height: number, image: Uint8Array, mask: Uint8Array, facts: object}>} Drawing
+   *   buffer and the same drawn without background: RGBA8, sRGB-encoded, premultiplied, top row first.
+   */
+  async draw({ shot, model, environment }) {
+    const job = this.#job({ shot, model, environment });
+    const facts = await this.#page.evaluate((request) => window.telarDraw(request), job);
+    const { width, height } = shot.size;
+    const take = (name) => flipRows(this.#server.takeResult(`${job.result}/${name}`), width, height);
+    return { width, height, image: take('image'), mask: take('mask'), facts };
+  }
+
+  /**
+   * Values of three's own shader variables at pixels, each drawn into a float target.
+   * @param {object} input - As draw(), with `pixels`: list of [x, y], top row first, and `terms`: names or null for all.
+   * @returns {Promise<Record<string, number[][]>>} By term: one [r, g, b, a] per pixel.
+   */
+  async terms({ pixels, terms, ...input }) {
+    return this.#page.evaluate((request) => window.telarTerms(request), { ...this.#job(input), pixels, terms });
+  }
+
+  #job({ shot, model, environment }) {
+    const id = ++this.#jobs;
+    const format = environment && isExr(environment) ? 'exr' : 'hdr';
+    return {
+      shot,
+      model: typeof model === 'string' ? this.#server.offerFile(model) : this.#server.offerBytes(`${id}.glb`, model),
+      environment: environment ? { url: this.#server.offerBytes(`${id}.${format}`, environment), format } : null,
+      result: `/result/${id}`,
+    };
+  }
+
+  async close() {
+    await this.#browser?.close();
+    await this.#server?.close();
+  }
+}
+
+const isExr = (bytes) => Buffer.from(bytes.buffer, bytes.byteOffset, 4).equals(Buffer.from([0x76, 0x2f, 0x31, 0x01]));
+
+function flipRows(pixels, width, height) {
+  const stride = width * 4;
+  const flipped = new Uint8Array(pixels.length);
+  for (let y = 0; y < height; y++) flipped.set(pixels.subarray(y * stride, (y + 1) * stride), (height - 1 - y) * stride);
+  return flipped;
+}

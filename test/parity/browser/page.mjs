@@ -1,0 +1,108 @@
+// Runs in Chromium: loads a model with stock three.js, sets the shot up, and sends the drawing buffer's bytes back.
+import * as THREE from 'three';
+import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
+import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
+import { applyShot, rendererParameters } from '/js/three/index.mjs';
+import { measureTerms } from './terms.mjs';
+
+const dracoLoader = new DRACOLoader().setDecoderPath('/node_modules/three/examples/jsm/libs/draco/gltf/');
+const gltfLoader = new GLTFLoader().setDRACOLoader(dracoLoader);
+
+/** One renderer per set of context parameters: a page may hold only a few GL contexts. */
+const renderers = new Map();
+
+function rendererFor(shot) {
+  const parameters = rendererParameters(shot);
+  const key = JSON.stringify(parameters);
+  if (!renderers.has(key)) renderers.set(key, new THREE.WebGLRenderer({ ...parameters, preserveDrawingBuffer: true }));
+  return renderers.get(key);
+}
+
+function loadEnvironment({ url, format }) {
+  const loader = format === 'exr' ? new EXRLoader() : new HDRLoader();
+  return loader.loadAsync(url);
+}
+
+/** Everything that a draw needs: `job` is {shot, model: url, environment: {url, format} | null}. */
+async function prepare(job) {
+  const renderer = rendererFor(job.shot);
+  const model = await gltfLoader.loadAsync(job.model);
+  const environment = job.environment ? await loadEnvironment(job.environment) : undefined;
+  const scene = new THREE.Scene();
+  scene.add(model.scene);
+  const camera = await applyShot(job.shot, { THREE, renderer, scene, model, environment });
+  const dispose = () => {
+    disposeModel(model.scene);
+    environment?.dispose();
+  };
+  return { renderer, scene, camera, dispose };
+}
+
+function disposeModel(root) {
+  root.traverse((object) => {
+    object.geometry?.dispose();
+    for (const material of [object.material ?? []].flat()) {
+      for (const value of Object.values(material)) if (value?.isTexture) value.dispose();
+      material.dispose();
+    }
+  });
+}
+
+/** Drawing buffer as it is: RGBA8, premultiplied, bottom row first. */
+function readDrawingBuffer(renderer) {
+  const gl = renderer.getContext();
+  const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
+  const pixels = new Uint8Array(width * height * 4);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  return pixels;
+}
+
+async function send(url, bytes) {
+  const response = await fetch(url, { method: 'PUT', body: bytes });
+  if (!response.ok) throw new Error(`sending the result: HTTP ${response.status}`);
+}
+
+/**
+ * Draws a job; PUTs the picture to `${job.result}/image` and the same without background to `${job.result}/mask`.
+ * @returns {Promise<object>} Facts: GL strings, samples, draw calls, milliseconds.
+ */
+window.telarDraw = async (job) => {
+  const begin = performance.now();
+  const { renderer, scene, camera, dispose } = await prepare(job);
+  const loaded = performance.now();
+  renderer.render(scene, camera);
+  const image = readDrawingBuffer(renderer);
+  const drawn = performance.now();
+  const calls = renderer.info.render.calls;
+  scene.background = null;
+  renderer.render(scene, camera);
+  const mask = readDrawingBuffer(renderer);
+  dispose();
+  await send(`${job.result}/image`, image);
+  await send(`${job.result}/mask`, mask);
+  return { ...contextFacts(renderer), calls, loadMs: loaded - begin, drawMs: drawn - loaded };
+};
+
+function contextFacts(renderer) {
+  const gl = renderer.getContext();
+  const info = gl.getExtension('WEBGL_debug_renderer_info');
+  return {
+    three: THREE.REVISION,
+    gl: gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER),
+    samples: gl.getParameter(gl.SAMPLES),
+    error: gl.getError(),
+  };
+}
+
+/** Values of three's own shader variables at pixels: see terms.mjs. */
+window.telarTerms = async (job) => {
+  const prepared = await prepare(job);
+  const terms = measureTerms(THREE, prepared, job);
+  prepared.dispose();
+  return terms;
+};
+
+window.telarReady = true;

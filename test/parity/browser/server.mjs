@@ -1,0 +1,88 @@
+import { createReadStream } from 'node:fs';
+import { stat } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const ROOT = fileURLToPath(new URL('../../../', import.meta.url));
+
+/** Folders of the project that the page may read. */
+const SERVED = ['/node_modules/three/', '/js/', '/test/parity/browser/'];
+
+const CONTENT_TYPE = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.mjs': 'text/javascript',
+  '.wasm': 'application/wasm',
+  '.png': 'image/png',
+  '.jpg': 'image/jpeg',
+  '.gltf': 'model/gltf+json',
+};
+
+/**
+ * HTTP on the loopback interface for the parity page: the project's files, offered bytes, and results sent back by PUT.
+ *
+ * @returns {Promise<{origin: string, offerBytes: Function, offerFile: Function, takeResult: Function, close: Function}>}
+ */
+export async function startServer() {
+  const offered = new Map();
+  const folders = [];
+  const results = new Map();
+  const server = createServer((request, response) => {
+    const url = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
+    if (request.method === 'PUT') receive(request, response, results, url);
+    else if (offered.has(url)) response.end(offered.get(url));
+    else sendFile(response, resolveFile(url, folders));
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  return {
+    origin: `http://127.0.0.1:${server.address().port}`,
+    offerBytes(name, bytes) {
+      offered.set(`/data/${name}`, bytes);
+      return `/data/${name}`;
+    },
+    offerFile(file) {
+      const folder = path.dirname(file);
+      if (!folders.includes(folder)) folders.push(folder);
+      return `/folder/${folders.indexOf(folder)}/${path.basename(file)}`;
+    },
+    takeResult(url) {
+      const bytes = results.get(url);
+      if (!bytes) throw new Error(`the page sent nothing to ${url}`);
+      results.delete(url);
+      return bytes;
+    },
+    close: () => new Promise((resolve) => server.close(resolve).closeAllConnections()),
+  };
+}
+
+/** File of a URL, or null where it is not served. */
+function resolveFile(url, folders) {
+  const [, id, rest] = /^\/folder\/(\d+)\/(.+)$/.exec(url) ?? [];
+  if (id) return beneath(folders[Number(id)], rest);
+  if (SERVED.some((prefix) => url.startsWith(prefix))) return beneath(ROOT, url.slice(1));
+  return null;
+}
+
+function beneath(folder, relative) {
+  const file = path.resolve(folder, relative);
+  return file.startsWith(path.resolve(folder) + path.sep) ? file : null;
+}
+
+async function sendFile(response, file) {
+  const facts = file ? await stat(file).catch(() => null) : null;
+  if (!facts?.isFile()) {
+    response.writeHead(404).end();
+    return;
+  }
+  response.writeHead(200, { 'Content-Type': CONTENT_TYPE[path.extname(file)] ?? 'application/octet-stream' });
+  createReadStream(file).pipe(response);
+}
+
+async function receive(request, response, results, url) {
+  const chunks = [];
+  for await (const chunk of request) chunks.push(chunk);
+  const bytes = Buffer.concat(chunks);
+  results.set(url, new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.length));
+  response.writeHead(204).end();
+}
