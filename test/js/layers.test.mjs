@@ -1,0 +1,70 @@
+import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
+import path from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { layerViolations } from './layers/rules.mjs';
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+const MAX_LINES = 400;
+const { dependencies = {}, peerDependencies = {} } = JSON.parse(readFileSync(path.join(ROOT, 'package.json'), 'utf8'));
+const PACKAGES = new Set([...Object.keys(dependencies), ...Object.keys(peerDependencies)]);
+
+function sources(folders, pattern) {
+  const files = folders.flatMap((folder) =>
+    readdirSync(path.join(ROOT, folder), { recursive: true })
+      .map((name) => `${folder}/${name}`)
+      .filter((name) => pattern.test(name) && !name.startsWith('js/dist/')),
+  );
+  return new Map(files.map((file) => [file, readFileSync(path.join(ROOT, file), 'utf8')]));
+}
+
+const SOURCES = sources(['renderer', 'addon', 'js'], /\.(h|cpp|inl|mjs|cjs)$/);
+
+test('every file depends downwards only', () => {
+  assert.ok(SOURCES.size > 40, 'the sources were found');
+  assert.deepEqual(layerViolations(SOURCES, PACKAGES), []);
+});
+
+test('planted violations are found, one each', async (t) => {
+  const planted = {
+    'renderer/core/planted.cpp': '#include "gl/context.h"\n',
+    'renderer/asset/planted.h': '#include <GLES3/gl3.h>\n',
+    'renderer/shot/planted.h': '#include "image/bytes.h"\n',
+    'renderer/image/planted.cpp': '#include <OpenImageIO/imageio.h>\n',
+    'renderer/pass/planted.cpp': 'void f(const telar::gl::Functions& gl) { GLuint n; gl.GenTextures(1, &n); }\n',
+    'renderer/ibl/planted.cpp': 'void f(const telar::gl::Functions* gl) { gl->DeleteProgram(1); }\n',
+    'renderer/gl/planted.cpp': 'void f() { std::cerr << 1; }\n',
+    'renderer/brdf/planted.cpp': 'void f() { printf("x"); }\n',
+    'renderer/newlayer/planted.cpp': '\n',
+    'addon/planted.cpp': '#include "core/text.h"\n',
+    'js/shot/planted.mjs': "import fs from 'node:fs';\n",
+    'js/error/planted.mjs': "import { resolveShot } from '../shot/index.mjs';\n",
+    'js/three/planted.mjs': "import sharp from 'sharp';\n",
+    'js/cli/planted.mjs': "import { addon } from '../native.mjs';\n",
+    'js/setup/planted.mjs': "const { z } = await import('zod');\n",
+    'js/api/planted.mjs': "import { x } from '../../test/x.mjs';\n",
+  };
+  const helpers = new Map([['renderer/gl/context.h', ''], ['renderer/image/bytes.h', ''], ['renderer/core/text.h', '']]);
+  for (const [file, text] of Object.entries(planted)) {
+    await t.test(file, () => {
+      const found = layerViolations(new Map([...helpers, [file, text]]), PACKAGES);
+      assert.equal(found.length, 1, found.join('\n'));
+      assert.ok(found[0].startsWith(`${file}:1: `), found[0]);
+    });
+  }
+});
+
+test('comments and strings are no violations', () => {
+  const file = new Map([['renderer/pass/fine.cpp', '// gl.GenTextures, printf(\nconst char* f() { return "printf("; } /* std::cout */\nint g() { return std::snprintf(a, 1, "x"); }\n']]);
+  assert.deepEqual(layerViolations(file, PACKAGES), []);
+});
+
+// Not a failure: a long file is a reason to look, not to stop.
+test('file lengths', (t) => {
+  const texts = new Map([...SOURCES, ...sources(['shaders', 'test'], /\.(h|cpp|mjs|glsl|vert|frag)$/)]);
+  for (const [file, text] of texts) {
+    const lines = text.split('\n').length - 1;
+    if (lines > MAX_LINES) t.diagnostic(`warning: ${file} has ${lines} lines (over ${MAX_LINES})`);
+  }
+});

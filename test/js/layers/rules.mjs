@@ -1,0 +1,153 @@
+import path from 'node:path';
+
+// The direction of dependency (ARCHITECTURE.md draws it), as data, and the check of source texts against it.
+// Folders not named here are violations themselves: a new layer gets a row.
+
+/** C++ layers: which folders' headers a file in the folder may include by quotes. `include` is renderer/include/telar. */
+export const CPP_LAYERS = {
+  'renderer/include': [],
+  'renderer/core': ['renderer/include'],
+  'renderer/brdf': [],
+  'renderer/image': ['renderer/include', 'renderer/core'],
+  'renderer/oiio': ['renderer/include', 'renderer/core', 'renderer/image'],
+  'renderer/asset': ['renderer/include', 'renderer/core'],
+  'renderer/shot': ['renderer/include', 'renderer/core'],
+  'renderer/gl': ['renderer/include', 'renderer/core'],
+  'renderer/shader': ['renderer/include', 'renderer/core', 'renderer/gl'],
+  'renderer/ibl': ['renderer/include', 'renderer/core', 'renderer/gl', 'renderer/shader'],
+  'renderer/pass': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/gl', 'renderer/shader', 'renderer/ibl'],
+  addon: ['renderer/include'],
+};
+
+/** Libraries that live behind one layer: header pattern, and the folders that may include it. */
+export const OWNED_HEADERS = [
+  { header: /^EGL\//, folders: ['renderer/gl'] },
+  { header: /^(GLES\d|GL)\//, folders: ['renderer/gl', 'renderer/shader', 'renderer/ibl', 'renderer/pass'] },
+  { header: /^(png\.h|jpeglib\.h|jerror\.h|webp\/.*|lcms2\.h)$/, folders: ['renderer/image'] },
+  { header: /^(libdeflate|zlib)\.h$/, folders: ['renderer/image', 'renderer/ibl'] },
+  { header: /^(tiny_gltf\.h|draco\/.*|mikktspace\.h)$/, folders: ['renderer/asset'] },
+  { header: /^(OpenImageIO|OpenEXR|Imath)\//, folders: ['renderer/oiio'] },
+  { header: /^(napi|node_api|js_native_api|uv|node)\.h$/, folders: ['addon'] },
+  { header: /^iostream$/, folders: [] },
+];
+
+/** Calls that belong to one folder; the pattern is matched on text without comments and strings. */
+export const OWNED_CALLS = [
+  {
+    call: /\b(gl)?(Gen|Delete)(Buffers|Textures|Framebuffers|Renderbuffers|Samplers|VertexArrays|Queries)\b|\b(gl)?(Create|Delete)(Program|Shader)\b/,
+    folders: ['renderer/gl'],
+    why: 'GL names are made and destroyed by the classes of renderer/gl/gl_object.h alone',
+  },
+  { call: /\bstd::(cout|cerr|clog)\b|(?<![\w:])(std::)?f?(printf|puts|putchar)\s*\(/, folders: [], why: 'a library prints nothing' },
+  { call: /\bdlopen\s*\(/, folders: ['renderer/gl', 'renderer/image', 'renderer/oiio'], why: 'libraries are loaded in few places' },
+];
+
+/** JavaScript layers: which folders (or files) under js/ a module may import, and whether it must run in a browser. */
+export const JS_LAYERS = {
+  'js/error': { imports: [], browser: true },
+  'js/shot': { imports: ['js/error'], browser: true },
+  'js/three': { imports: ['js/error', 'js/shot'], browser: true },
+  'js/api': { imports: ['js/error', 'js/shot'] },
+  'js/cli': { imports: ['js/error', 'js/shot', 'js/api', 'js/index.mjs'] },
+  'js/setup': { imports: ['js/build.mjs'], builtinsOnly: true },
+  'js/assets/make': { imports: ['js/index.mjs', 'js/api'], development: true },
+  'js/docs': { imports: ['js/error', 'js/shot', 'js/cli'], development: true },
+  'js/index.mjs': { imports: ['js/api', 'js/error', 'js/shot'] },
+  'js/native.mjs': { imports: ['js/error'] },
+  'js/build.mjs': { imports: ['js/setup'], builtinsOnly: true },
+  'js/install.mjs': { imports: ['js/setup'], builtinsOnly: true },
+};
+
+const QUOTED_INCLUDE = /^\s*#\s*include\s*"([^"]+)"/;
+const ANGLE_INCLUDE = /^\s*#\s*include\s*<([^>]+)>/;
+const JS_IMPORT = /(?:^\s*(?:import|export)\b[^'"]*?\bfrom\s*|^\s*import\s*|\bimport\s*\(\s*|\brequire\s*\(\s*)['"]([^'"]+)['"]/;
+
+const within = (file, folder) => file === folder || file.startsWith(`${folder}/`);
+
+/** The longest row that the file lies in. */
+function layerOf(file, table) {
+  return Object.keys(table)
+    .filter((folder) => within(file, folder))
+    .sort((a, b) => b.length - a.length)[0];
+}
+
+/** Text with comments and string contents blanked, line numbers kept. */
+function codeOnly(text) {
+  return text
+    .replace(/\/\*[\s\S]*?\*\//g, (comment) => comment.replace(/[^\n]/g, ' '))
+    .replace(/\/\/[^\n]*/g, '')
+    .replace(/"(?:[^"\\\n]|\\.)*"/g, '""');
+}
+
+/** Where a quoted include leads: beside the file, under renderer/include, renderer/ or addon/, or nowhere of ours. */
+function includedFile(file, name, files) {
+  const candidates = [path.posix.join(path.posix.dirname(file), name), `renderer/include/${name}`, `renderer/${name}`, `addon/${name}`];
+  return candidates.find((candidate) => files.has(candidate));
+}
+
+function checkCpp(file, text, files, report) {
+  const layer = layerOf(file, CPP_LAYERS);
+  if (!layer) return report(file, 1, 'this folder has no row in CPP_LAYERS');
+  text.split('\n').forEach((line, index) => {
+    const name = (QUOTED_INCLUDE.exec(line) ?? ANGLE_INCLUDE.exec(line))?.[1];
+    if (!name || name.endsWith('.glsl')) return;
+    for (const rule of OWNED_HEADERS) {
+      if (rule.header.test(name) && !rule.folders.some((folder) => within(file, folder))) {
+        report(file, index + 1, `includes ${name}; only these may: ${rule.folders.join(', ') || 'none'}`);
+      }
+    }
+    const target = includedFile(file, name, files);
+    const targetLayer = target && layerOf(target, CPP_LAYERS);
+    if (targetLayer && targetLayer !== layer && !CPP_LAYERS[layer].includes(targetLayer)) {
+      report(file, index + 1, `${layer} includes ${target}; it may include: ${CPP_LAYERS[layer].join(', ') || 'nothing of ours'}`);
+    }
+  });
+  codeOnly(text).split('\n').forEach((line, index) => {
+    for (const rule of OWNED_CALLS) {
+      const found = rule.call.exec(line);
+      if (found && !rule.folders.some((folder) => within(file, folder))) report(file, index + 1, `${found[0]}: ${rule.why}`);
+    }
+  });
+}
+
+function checkJs(file, text, dependencies, report) {
+  const layer = layerOf(file, JS_LAYERS);
+  if (!layer) return report(file, 1, 'this folder has no row in JS_LAYERS');
+  const rule = JS_LAYERS[layer];
+  text.replace(/\/\*[\s\S]*?\*\//g, (comment) => comment.replace(/[^\n]/g, ' ')).split('\n').forEach((line, index) => {
+    const name = line.trimStart().startsWith('//') ? undefined : JS_IMPORT.exec(line)?.[1];
+    if (!name) return;
+    if (name.startsWith('node:')) {
+      if (rule.browser) report(file, index + 1, `imports ${name}, but runs in browsers too`);
+    } else if (!name.startsWith('.')) {
+      const packageName = name.split('/').slice(0, name.startsWith('@') ? 2 : 1).join('/');
+      if (rule.builtinsOnly) report(file, index + 1, `imports ${name}, but runs before npm packages are there`);
+      else if (!rule.development && packageName !== 'telar' && !dependencies.has(packageName)) report(file, index + 1, `imports ${name}, which is not in dependencies`);
+    } else {
+      const target = path.posix.join(path.posix.dirname(file), name);
+      if (!within(target, 'js')) {
+        if (!rule.development && !target.endsWith('.json') && !target.endsWith('.node')) report(file, index + 1, `imports ${target} from outside js/`);
+      } else if (!within(target, layer) && !rule.imports.some((folder) => within(target, folder)) && !isNative(target, layer)) {
+        report(file, index + 1, `${layer} imports ${target}; it may import: ${rule.imports.join(', ') || 'nothing of ours'}`);
+      }
+    }
+  });
+}
+
+/** js/native.mjs, the one door to the addon, is for the API alone. */
+const isNative = (target, layer) => target === 'js/native.mjs' && layer === 'js/api';
+
+/**
+ * @param {Map<string, string>} files - Path from the root (with /) to text: sources under renderer/, addon/ and js/.
+ * @param {Set<string>} dependencies - Names in package.json's dependencies and peerDependencies.
+ * @returns {string[]} `path:line: what is wrong`
+ */
+export function layerViolations(files, dependencies) {
+  const found = [];
+  const report = (file, line, text) => found.push(`${file}:${line}: ${text}`);
+  for (const [file, text] of files) {
+    if (/\.(h|cpp|inl)$/.test(file)) checkCpp(file, text, files, report);
+    else if (/\.(mjs|cjs)$/.test(file)) checkJs(file, text, dependencies, report);
+  }
+  return found;
+}
