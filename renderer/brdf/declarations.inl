@@ -14,6 +14,7 @@ Real max3(vec3 v);
 Real min3(vec3 v);
 Real saturate(Real x);
 vec3 saturate(vec3 v);
+vec3 safeNormalize(vec3 x, vec3 fallback);
 
 Real geometricRoughness(vec3 dndx, vec3 dndy);
 Real shadedRoughness(Real perceptualRoughness, Real geometric);

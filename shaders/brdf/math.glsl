@@ -20,3 +20,9 @@ float saturate(float x) { return clamp(x, 0.0, 1.0); }
 
 // return each component held in [0, 1]
 vec3 saturate(vec3 v) { return clamp(v, 0.0, 1.0); }
+
+// return x / |x|, or `fallback` where x has no direction
+vec3 safeNormalize(vec3 x, vec3 fallback) {
+  float squaredLength = dot(x, x);
+  return squaredLength > 1.0e-30 ? x * inversesqrt(squaredLength) : fallback;
+}

@@ -29,6 +29,7 @@ Scattering mixScattering(Scattering dielectric, Scattering metal, float metallic
 }
 
 // Share of the light that passes the dielectric interface and reaches the diffuse lobe, linear Rec.709, [0, 1].
+// dielectric  of f0 [0, 0.5]; towards f0 = 1 nothing is left and rounding may take it an ulp below 0
 // src: three r187
 vec3 diffuseShare(Scattering dielectric) {
   return 1.0 - (dielectric.single + dielectric.multiple);

@@ -1,0 +1,238 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <regex>
+
+#include "brdf/brdf.h"
+#include "brdf/terms.h"
+
+/// Energy, reciprocity and normalisation, by quadrature in double.
+namespace telar::test {
+namespace {
+
+using namespace brdf_d;
+
+constexpr double TWO_PI = 6.283185307179586;
+constexpr int STRATA = 256;  // a side
+
+vec3 direction(double cosine, double phi) {
+  const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+  return vec3(sine * std::cos(phi), sine * std::sin(phi), cosine);
+}
+
+/// Sum over light directions l of f(NoL, NoH, LoH) NoL dl, l sampled around the mirror direction of v as GGX spreads it.
+template <class Integrand>
+vec3 integrateLobe(double alpha, double NoV, Integrand f) {
+  const vec3 v = direction(NoV, 0);
+  vec3 sum(0);
+  for (int i = 0; i < STRATA; ++i) {
+    for (int j = 0; j < STRATA; ++j) {
+      const double u = (i + 0.5) / STRATA;
+      const double NoH = std::sqrt((1 - u) / (1 + (alpha * alpha - 1) * u));
+      const vec3 h = direction(NoH, TWO_PI * (j + 0.5) / STRATA);
+      const double VoH = glm::dot(v, h);
+      const vec3 l = 2.0 * VoH * h - v;
+      if (VoH <= 0 || l.z <= 0) continue;
+      const double c = NoH * NoH * (alpha * alpha - 1) + 1;
+      const double pdf = alpha * alpha / (PI * c * c) * NoH / (4 * VoH);
+      sum += f(l.z, NoH, VoH) * (l.z / pdf);
+    }
+  }
+  return sum / double(STRATA * STRATA);
+}
+
+/// Same, l sampled by its cosine: for wide lobes.
+template <class Integrand>
+vec3 integrateCosine(double NoV, Integrand f) {
+  const vec3 v = direction(NoV, 0);
+  vec3 sum(0);
+  for (int i = 0; i < STRATA; ++i) {
+    for (int j = 0; j < STRATA; ++j) {
+      const vec3 l = direction(std::sqrt((i + 0.5) / STRATA), TWO_PI * (j + 0.5) / STRATA);
+      const vec3 h = halfVector(vec3(0, 0, 1), l, v);
+      sum += f(l.z, h.z, glm::dot(l, h)) * PI;
+    }
+  }
+  return sum / double(STRATA * STRATA);
+}
+
+/// (A, B) of the split sum with the exact Schlick power, as the table holds it.
+vec2 dfg(double alpha, double NoV) {
+  const vec3 sum = integrateLobe(alpha, NoV, [&](double NoL, double NoH, double LoH) {
+    const double weight = std::pow(1 - LoH, 5);
+    return V_SmithGGXCorrelated(alpha, NoV, NoL) * D_GGX(alpha, NoH) * vec3(1 - weight, weight, 0);
+  });
+  return vec2(sum.x, sum.y);
+}
+
+TEST(Distribution, GgxProjectsToUnitArea) {
+  for (const double roughness : {0.0, 0.045, 0.1, 0.3, 0.5, 0.8, 1.0}) {
+    const double alpha = alphaFromRoughness(roughness);
+    constexpr int STEPS = 20000;
+    double sum = 0;
+    for (int i = 0; i < STEPS; ++i) {
+      // theta = pi/2 s^4 puts the nodes where a narrow lobe is.
+      const double s = (i + 0.5) / STEPS, theta = TWO_PI / 4 * s * s * s * s, step = TWO_PI * s * s * s / STEPS;
+      sum += D_GGX(alpha, std::cos(theta)) * std::cos(theta) * TWO_PI * std::sin(theta) * step;
+    }
+    EXPECT_NEAR(sum, 1, 1e-5) << "roughness " << roughness;
+  }
+}
+
+TEST(Specular, IsReciprocal) {
+  const Term* row = nullptr;
+  for (const Term& term : terms()) {
+    if (term.name == "Fr_GGX") row = &term;
+  }
+  ASSERT_TRUE(row);
+  const std::vector<float> rows = samples(*row, 4096);
+  for (std::size_t i = 0; i < rows.size(); i += MAX_COLUMNS) {
+    std::vector<double> p(rows.begin() + i, rows.begin() + i + MAX_COLUMNS);
+    const vec3 forward = row->inDouble(p.data());
+    std::swap(p[5], p[6]);  // NoV, NoL
+    const vec3 backward = row->inDouble(p.data());
+    for (int k = 0; k < 3; ++k) ASSERT_NEAR(forward[k], backward[k], 1e-5 * std::max(std::abs(forward[k]), 1e-6));
+  }
+}
+
+TEST(Specular, NeverReflectsMoreThanArrives) {
+  for (const double roughness : {0.045, 0.1, 0.3, 0.5, 0.8, 1.0}) {
+    for (const double NoV : {0.02, 0.1, 0.3, 0.6, 1.0}) {
+      const double alpha = alphaFromRoughness(roughness);
+      const vec3 albedo = integrateLobe(alpha, NoV, [&](double NoL, double NoH, double LoH) {
+        return Fr_GGX(vec3(1), 1, alpha, NoV, NoL, NoH, LoH);
+      });
+      EXPECT_LE(albedo.x, 1.001) << roughness << " " << NoV;
+      // With f0 = f90 = 1 the lobe is A + B, whatever stands for Schlick's power.
+      const vec2 ab = dfg(alpha, NoV);
+      EXPECT_NEAR(albedo.x, ab.x + ab.y, 1e-9) << roughness << " " << NoV;
+    }
+  }
+}
+
+TEST(Fresnel, ExponentialFormStaysNearTheFifthPower) {
+  for (double LoH = 0; LoH <= 1; LoH += 1e-3) EXPECT_NEAR(F_SchlickWeight(LoH), std::pow(1 - LoH, 5), 0.0038) << LoH;
+}
+
+TEST(Multiscatter, AverageReflectanceIsTheCosineMeanOfSchlick) {
+  double mean = 0;
+  constexpr int STEPS = 10000;
+  for (int i = 0; i < STEPS; ++i) {
+    const double mu = (i + 0.5) / STEPS;
+    mean += 2 * mu * (0.04 + 0.96 * std::pow(1 - mu, 5)) / STEPS;
+  }
+  EXPECT_NEAR(F_SchlickAverage(vec3(0.04)).x, mean, 1e-6);
+}
+
+/// Colour of a white material in a uniform environment of radiance 1.
+double environmentFurnace(vec2 ab, vec3 baseColor, double metallic) {
+  const Scattering dielectric = multipleScattering(vec3(F0_DIELECTRIC), 1, ab);
+  const Scattering metal = multipleScattering(baseColor, 1, ab);
+  const vec3 specular = environmentSpecular(mixScattering(dielectric, metal, metallic), vec3(1), vec3(1));
+  return (specular + diffuseAlbedo(baseColor, metallic) * diffuseShare(dielectric)).x;
+}
+
+TEST(WhiteFurnace, EnvironmentLightComesBackWhole) {
+  for (const double roughness : {0.0, 0.01, 0.089, 0.2, 0.5, 0.8, 1.0}) {
+    for (const double NoV : {0.001, 0.05, 0.1, 0.3, 0.6, 0.9, 1.0}) {
+      const vec2 ab = dfg(alphaFromRoughness(roughness), NoV);
+      for (const double metallic : {0.0, 0.5, 1.0}) {
+        EXPECT_NEAR(environmentFurnace(ab, vec3(1), metallic), 1, 1e-3) << roughness << " " << NoV << " " << metallic;
+      }
+      // A grey metal keeps less than it is white, and more than its single bounce.
+      const double grey = environmentFurnace(ab, vec3(0.5), 1);
+      EXPECT_LT(grey, 1);
+      EXPECT_GE(grey, 0.5 * ab.x + ab.y);
+    }
+  }
+}
+
+/// Albedo of a white dielectric under punctual lights from everywhere.
+double directFurnace(double roughness, double NoV) {
+  const double alpha = alphaFromRoughness(roughness);
+  const vec3 f0(F0_DIELECTRIC);
+  const vec3 specular = integrateLobe(alpha, NoV, [&](double NoL, double NoH, double LoH) {
+    return Fr_GGX(f0, 1, alpha, NoV, NoL, NoH, LoH);
+  });
+  const vec3 diffuse = integrateCosine(NoV, [&](double, double, double LoH) {
+    return Fd_Lambert(vec3(1)) * (vec3(1) - F_Schlick(f0, 1, LoH));
+  });
+  return (specular * directCompensation(f0, dfg(alpha, NoV)) + diffuse).x;
+}
+
+TEST(WhiteFurnace, DirectLightIsAsOffAsThreeIs) {
+  const double cosines[] = {0.05, 0.1, 0.3, 0.6, 1};
+  const double smooth[] = {1.33, 1.28, 1.12, 1.01, 1.00}, rough[] = {1.00, 0.99, 0.98, 0.98, 0.97};
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_NEAR(directFurnace(0.3, cosines[i]), smooth[i], 0.006) << cosines[i];
+    EXPECT_NEAR(directFurnace(1.0, cosines[i]), rough[i], 0.006) << cosines[i];
+  }
+}
+
+double half(unsigned bits) {
+  const int exponent = (bits >> 10) & 31;
+  const double fraction = bits & 1023;
+  return exponent ? std::ldexp(1 + fraction / 1024, exponent - 15) : std::ldexp(fraction, -24);
+}
+
+TEST(Environment, TableOfThreeIsTheIntegralOfTheseTerms) {
+  const std::string path = TELAR_SOURCE_DIR "/node_modules/three/src/renderers/shaders/DFGLUTData.js";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "three is not installed";
+  const std::string text = readFile(path);
+  std::vector<double> table;
+  const std::regex number("0x([0-9a-f]{4})");
+  for (std::sregex_iterator match(text.begin(), text.end(), number), end; match != end; ++match) {
+    table.push_back(half(static_cast<unsigned>(std::stoul((*match)[1], nullptr, 16))));
+  }
+  ASSERT_EQ(table.size(), 16u * 16 * 2);
+  for (int row = 0; row < 16; ++row) {
+    for (int column = 0; column < 16; ++column) {
+      const double roughness = (column + 0.5) / 16;
+      const vec2 ab = dfg(roughness * roughness, (row + 0.5) / 16);
+      EXPECT_NEAR(table[(row * 16 + column) * 2], ab.x, 0.01) << row << " " << column;
+      EXPECT_NEAR(table[(row * 16 + column) * 2 + 1], ab.y, 0.001) << row << " " << column;
+    }
+  }
+}
+
+TEST(Light, HalfVectorOfOppositeDirectionsIsTheNormal) {
+  const vec3 n(0, 0.6, 0.8);
+  EXPECT_EQ(halfVector(n, vec3(0, 0, -1), vec3(0, 0, 1)), n);
+}
+
+TEST(Light, AttenuationIsTheInverseSquareWithinItsRange) {
+  EXPECT_DOUBLE_EQ(distanceAttenuation(2, 0), 0.25);
+  EXPECT_DOUBLE_EQ(distanceAttenuation(0, 0), 100);
+  EXPECT_DOUBLE_EQ(distanceAttenuation(10, 10), 0);
+  EXPECT_DOUBLE_EQ(distanceAttenuation(20, 10), 0);
+  EXPECT_NEAR(distanceAttenuation(5, 10), 0.04 * std::pow(1 - std::pow(0.5, 4), 2), 1e-15);
+}
+
+TEST(Light, SpotConeIsHardWhereBothAnglesAreEqual) {
+  const double outer = std::cos(0.5);
+  EXPECT_EQ(spotAttenuation(outer, outer, std::cos(0.5001)), 0);
+  EXPECT_EQ(spotAttenuation(outer, outer, std::cos(0.4999)), 1);
+  EXPECT_NEAR(spotAttenuation(0.8, 0.9, 0.85), 0.5, 1e-12);
+}
+
+TEST(Environment, LodAndRoughnessAreInverse) {
+  for (const double maxLod : {5.0, 6.0, 7.0}) {
+    for (double lod = 0; lod <= maxLod; ++lod) {
+      EXPECT_NEAR(lodFromRoughness(1 - std::sqrt(1 - lod / maxLod), maxLod), lod, 1e-12);
+    }
+  }
+}
+
+TEST(Occlusion, IsOneWithoutAnyAndZeroWhenWhole) {
+  for (const double roughness : {0.0, 0.3, 1.0}) {
+    for (const double NoV : {0.0, 0.2, 1.0}) {
+      EXPECT_NEAR(specularOcclusion(roughness, 1, NoV), 1, 1e-12);
+      EXPECT_EQ(specularOcclusion(roughness, 0, NoV), NoV == 1 ? 0 : specularOcclusion(roughness, 0, NoV));
+      EXPECT_LE(specularOcclusion(roughness, 0, NoV), 1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace telar::test

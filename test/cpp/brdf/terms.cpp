@@ -1,0 +1,147 @@
+#include "brdf/terms.h"
+
+#include "brdf/brdf.h"
+
+namespace telar::test {
+namespace {
+
+const Column COSINE{0, 1, {0, 1e-6, 1e-4, 1e-2, 0.1, 0.3, 0.6, 0.9, 1}};
+const Column SIGNED_COSINE{-1, 1, {-1, -1e-6, 0, 1e-6, 0.5, 1}};
+const Column ROUGHNESS{0, 1, {0, 0.01, 0.045, 0.089, 0.2, 0.5, 0.8, 1}};
+const Column ALPHA{0.002025, 1, {0.002025, 0.008, 0.04, 0.25, 0.64, 1}};
+const Column UNIT{0, 1, {0, 0.02, 0.04, 0.5, 1}};
+const Column DIELECTRIC{0, 0.5, {0, 0.02, 0.04, 0.16}};
+const Column GRAZING{0.5, 1, {0.5, 1}};
+const Column DFG_A{0.3, 0.95, {0.3, 0.6, 0.95}};  // A + B of the table stays within [0.34, 1.0002]
+const Column DFG_B{0.04, 0.05, {0.04, 0.05}};
+const Column DERIVATIVE{-0.5, 0.5, {-2, 0, 1e-6, 2}};
+const Column DIRECTION{-1, 1, {-1, -0.25, 1e-3, 0.5, 1}};
+const Column UPWARD{0.2, 1, {0.2, 1}};  // both directions on one side: no cancellation in their sum
+const Column DISTANCE{0, 20, {0, 1e-6, 0.05, 0.1, 1, 8.4, 10, 1e4}};
+const Column RANGE{0, 20, {0, 1e-3, 10, 1e6}};
+const Column OUTER_CONE{0, 0.99, {0, 0.5, 0.9}};
+const Column INNER_CONE{0.9901, 1, {0.995, 1}};
+const Column MAX_LOD{5, 7, {5, 6, 7}};
+const Column RADIANCE{0, 3, {0, 1e-6, 0.01, 0.08, 0.18, 0.76, 1, 4, 100, 65504, 1e30}};
+const Column EXPOSURE{0, 4, {0, 1e-3, 1, 16}};
+const Column DISPLAY{0, 1, {0, 1e-6, 0.0031308, 0.04045, 0.5, 1}};
+
+// Scale of a result that is at most about 1 and a sum of parts of that size: fp32 holds it to some 1e-7, absolute.
+constexpr double OF_ONE = 0.1;
+// Scale of a result that is a product: its error is relative all the way down.
+constexpr double PRODUCT = 1e-6;
+
+// Scale of AgX's polynomial: its parts are up to 40 and cancel.
+constexpr double CANCELLING = 2;
+
+#define TERM(name, columns, scale, nonNegative, ...)                                     \
+  Term {                                                                                 \
+    name, #__VA_ARGS__, std::vector<Column> columns, scale, nonNegative,                 \
+        +[]([[maybe_unused]] const float* p) { using namespace brdf_f; return __VA_ARGS__; },  \
+        +[]([[maybe_unused]] const double* p) { using namespace brdf_d; return __VA_ARGS__; }  \
+  }
+
+std::vector<Term> algebraTerms() {
+  return {
+      TERM("pow2", ({SIGNED_COSINE}), PRODUCT, true, vec3(pow2(p[0]))),
+      TERM("pow4", ({SIGNED_COSINE}), PRODUCT, true, vec3(pow4(p[0]))),
+      TERM("max3", ({DIRECTION, DIRECTION, DIRECTION}), PRODUCT, false, vec3(max3(vec3(p[0], p[1], p[2])))),
+      TERM("min3", ({DIRECTION, DIRECTION, DIRECTION}), PRODUCT, false, vec3(min3(vec3(p[0], p[1], p[2])))),
+      TERM("saturate", ({DERIVATIVE}), PRODUCT, true, vec3(saturate(p[0]))),
+      TERM("saturate vec3", ({DERIVATIVE, RADIANCE, UNIT}), PRODUCT, true, saturate(vec3(p[0], p[1], p[2]))),
+      TERM("safeNormalize", ({DIRECTION, DIRECTION, DIRECTION, UNIT, UNIT, UNIT}), OF_ONE, false,
+           safeNormalize(vec3(p[0], p[1], p[2]), vec3(p[3], p[4], p[5]))),
+      TERM("geometricRoughness", ({DERIVATIVE, DERIVATIVE, DERIVATIVE, DERIVATIVE, DERIVATIVE, DERIVATIVE}), PRODUCT, true,
+           vec3(geometricRoughness(vec3(p[0], p[1], p[2]), vec3(p[3], p[4], p[5])))),
+      TERM("shadedRoughness", ({ROUGHNESS, UNIT}), PRODUCT, true, vec3(shadedRoughness(p[0], p[1]))),
+      TERM("alphaFromRoughness", ({ROUGHNESS}), PRODUCT, true, vec3(alphaFromRoughness(p[0]))),
+  };
+}
+
+std::vector<Term> surfaceTerms() {
+  return {
+      TERM("D_GGX", ({ALPHA, COSINE}), PRODUCT, true, vec3(D_GGX(p[0], p[1]))),
+      TERM("D_GGX of roughness", ({ROUGHNESS, COSINE}), PRODUCT, true, vec3(D_GGX(alphaFromRoughness(p[0]), p[1]))),
+      TERM("V_SmithGGXCorrelated", ({ALPHA, COSINE, COSINE}), PRODUCT, true, vec3(V_SmithGGXCorrelated(p[0], p[1], p[2]))),
+      TERM("F_SchlickWeight", ({COSINE}), PRODUCT, true, vec3(F_SchlickWeight(p[0]))),
+      TERM("F_Schlick", ({UNIT, UNIT, UNIT, UNIT, COSINE}), OF_ONE, true,
+           F_Schlick(vec3(p[0], p[1], p[2]), p[3], p[4])),
+      TERM("specularF0", ({UNIT, UNIT, UNIT, UNIT}), PRODUCT, true, specularF0(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("diffuseAlbedo", ({UNIT, UNIT, UNIT, UNIT}), PRODUCT, true, diffuseAlbedo(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("Fr_GGX", ({UNIT, UNIT, UNIT, GRAZING, ALPHA, COSINE, COSINE, COSINE, COSINE}), PRODUCT, true,
+           Fr_GGX(vec3(p[0], p[1], p[2]), p[3], p[4], p[5], p[6], p[7], p[8])),
+      TERM("Fd_Lambert", ({UNIT, UNIT, UNIT}), PRODUCT, true, Fd_Lambert(vec3(p[0], p[1], p[2]))),
+      TERM("F_SchlickAverage", ({UNIT, UNIT, UNIT}), PRODUCT, true, F_SchlickAverage(vec3(p[0], p[1], p[2]))),
+      TERM("multipleScattering single", ({UNIT, UNIT, UNIT, UNIT, DFG_A, DFG_B}), PRODUCT, true,
+           multipleScattering(vec3(p[0], p[1], p[2]), p[3], vec2(p[4], p[5])).single),
+      TERM("multipleScattering multiple", ({UNIT, UNIT, UNIT, UNIT, DFG_A, DFG_B}), OF_ONE, true,
+           multipleScattering(vec3(p[0], p[1], p[2]), p[3], vec2(p[4], p[5])).multiple),
+      TERM("mixScattering", ({UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT}), PRODUCT, true,
+           mixScattering(Scattering(vec3(p[0], p[1], p[2]), vec3(p[0])), Scattering(vec3(p[3], p[4], p[5]), vec3(p[1])), p[6])
+               .single),
+      TERM("mixScattering multiple", ({UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT}), PRODUCT, true,
+           mixScattering(Scattering(vec3(p[0]), vec3(p[0], p[1], p[2])), Scattering(vec3(p[1]), vec3(p[3], p[4], p[5])), p[6])
+               .multiple),
+      TERM("diffuseShare", ({DIELECTRIC, DIELECTRIC, DIELECTRIC, UNIT, DFG_A, DFG_B}), OF_ONE, true,
+           diffuseShare(multipleScattering(vec3(p[0], p[1], p[2]), p[3], vec2(p[4], p[5])))),
+      TERM("directCompensation", ({UNIT, UNIT, UNIT, DFG_A, DFG_B}), PRODUCT, true,
+           directCompensation(vec3(p[0], p[1], p[2]), vec2(p[3], p[4]))),
+  };
+}
+
+std::vector<Term> lightTerms() {
+  return {
+      TERM("halfVector", ({DIRECTION, DIRECTION, UPWARD, DIRECTION, DIRECTION, UPWARD, DIRECTION, DIRECTION, UPWARD}), OF_ONE, false,
+           halfVector(normalize(vec3(p[0], p[1], p[2])), normalize(vec3(p[3], p[4], p[5])), normalize(vec3(p[6], p[7], p[8])))),
+      TERM("halfVector opposite", ({DIRECTION, DIRECTION, DIRECTION, DIRECTION, DIRECTION, DIRECTION}), OF_ONE, false,
+           halfVector(normalize(vec3(p[0], p[1], p[2])), normalize(vec3(p[3], p[4], p[5])), -normalize(vec3(p[3], p[4], p[5])))),
+      TERM("distanceAttenuation", ({DISTANCE, RANGE}), PRODUCT, true, vec3(distanceAttenuation(p[0], p[1]))),
+      TERM("spotAttenuation", ({OUTER_CONE, INNER_CONE, SIGNED_COSINE}), OF_ONE, true, vec3(spotAttenuation(p[0], p[1], p[2]))),
+      TERM("spotAttenuation hard", ({OUTER_CONE, SIGNED_COSINE}), OF_ONE, true, vec3(spotAttenuation(p[0], p[0], p[1]))),
+      TERM("hemisphereIrradiance", ({UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, SIGNED_COSINE}), OF_ONE, true,
+           hemisphereIrradiance(vec3(p[0], p[1], p[2]), vec3(p[3], p[4], p[5]), p[6])),
+      TERM("diffuseOcclusion", ({UNIT, UNIT}), OF_ONE, true, vec3(diffuseOcclusion(p[0], p[1]))),
+      TERM("specularOcclusion", ({ROUGHNESS, UNIT, COSINE}), OF_ONE, true, vec3(specularOcclusion(p[0], p[1], p[2]))),
+      TERM("lodFromRoughness", ({ROUGHNESS, MAX_LOD}), PRODUCT, true, vec3(lodFromRoughness(p[0], p[1]))),
+      TERM("dominantReflection", ({ROUGHNESS, DIRECTION, DIRECTION, DIRECTION, DIRECTION, DIRECTION, DIRECTION}), OF_ONE, false,
+           dominantReflection(p[0], normalize(vec3(p[1], p[2], p[3])), normalize(vec3(p[4], p[5], p[6])))),
+      TERM("environmentSpecular", ({UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT}), PRODUCT, true,
+           environmentSpecular(Scattering(vec3(p[0], p[1], p[2]), vec3(p[3], p[4], p[5])), vec3(p[6]), vec3(p[7]))),
+  };
+}
+
+std::vector<Term> displayTerms() {
+  return {
+      TERM("exposedColor", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), PRODUCT, true, exposedColor(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("toneMapLinear", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), PRODUCT, true, toneMapLinear(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("toneMapReinhard", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), PRODUCT, true,
+           toneMapReinhard(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("toneMapCineon", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), OF_ONE, true, toneMapCineon(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("acesCurve", ({DISPLAY, DISPLAY, DISPLAY}), OF_ONE, false, acesCurve(vec3(p[0], p[1], p[2]))),
+      TERM("toneMapAces", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), OF_ONE, true, toneMapAces(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("agxCurve", ({DISPLAY, DISPLAY, DISPLAY}), CANCELLING, false, agxCurve(vec3(p[0], p[1], p[2]))),
+      TERM("agxEncode", ({RADIANCE, RADIANCE, RADIANCE}), OF_ONE, true, agxEncode(vec3(p[0], p[1], p[2]))),
+      TERM("agxDecode", ({DISPLAY, DISPLAY, DISPLAY}), OF_ONE, true, agxDecode(vec3(p[0], p[1], p[2]))),
+      TERM("toneMapAgx", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), CANCELLING, true, toneMapAgx(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("toneMapNeutral", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), OF_ONE, true,
+           toneMapNeutral(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("srgbFromLinear", ({DISPLAY, DISPLAY, DISPLAY}), PRODUCT, true, srgbFromLinear(vec3(p[0], p[1], p[2]))),
+      TERM("srgbFromLinear scalar", ({DISPLAY}), PRODUCT, true, vec3(srgbFromLinear(p[0]))),
+      TERM("linearFromSrgb", ({DISPLAY, DISPLAY, DISPLAY}), PRODUCT, true, linearFromSrgb(vec3(p[0], p[1], p[2]))),
+      TERM("linearFromSrgb scalar", ({DISPLAY}), PRODUCT, true, vec3(linearFromSrgb(p[0]))),
+  };
+}
+#undef TERM
+
+}  // namespace
+
+const std::vector<Term>& terms() {
+  static const std::vector<Term> all = [] {
+    std::vector<Term> list = algebraTerms();
+    for (auto part : {surfaceTerms(), lightTerms(), displayTerms()}) list.insert(list.end(), part.begin(), part.end());
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace telar::test
