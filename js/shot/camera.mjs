@@ -1,0 +1,98 @@
+import { TelarError } from '../error/index.mjs';
+import { nearest, shown, wrongValue } from './complain.mjs';
+import { VIEWS, cross, depthRangeOf, frameBounds, length, subtract } from './frame.mjs';
+
+const DEFAULT_FOV_Y = 30;
+
+/** Sine of the angle between `up` and the view axis below which the frame has no defined roll. */
+const PARALLEL = 1e-9;
+
+/**
+ * @param {object} camera as the schema parsed it: a view, an explicit camera or {gltf}
+ * @param {number} aspect width / height
+ * @param {ReturnType<import('./facts.mjs').readFacts>} facts
+ * @returns {object} explicit camera: {projection, position, target, up, fovY | height, near, far}
+ */
+export function resolveCamera(camera, aspect, facts) {
+  if (camera.gltf !== undefined) return complete(modelCamera(camera.gltf, facts), facts);
+  if (camera.position !== undefined) return complete(camera, facts);
+  return frameView(camera, aspect, facts);
+}
+
+function frameView(camera, aspect, facts) {
+  const { view, azimuth, elevation, projection, fit } = camera;
+  if (view !== undefined && (azimuth !== undefined || elevation !== undefined)) {
+    throw wrongValue(['camera', 'view'], 'a named view, or azimuth and elevation, not both', view);
+  }
+  const fovY = lensOf(camera, projection).fovY;
+  const angles = azimuth === undefined && elevation === undefined
+    ? VIEWS[view ?? 'front'] : { azimuth: azimuth ?? 0, elevation: elevation ?? 0 };
+  const placed = frameBounds(needBounds(facts, 'camera'), { ...angles, projection, fovY, fit }, aspect);
+  return ordered({ projection, fovY, ...placed });
+}
+
+/** fovY or height, whichever the projection has; the other one is refused. */
+function lensOf({ fovY, height }, projection) {
+  if (projection === 'perspective') {
+    if (height !== undefined) throw wrongValue(['camera', 'height'], 'no height with the perspective projection', height);
+    return { fovY: fovY ?? DEFAULT_FOV_Y };
+  }
+  if (fovY !== undefined) throw wrongValue(['camera', 'fovY'], 'no fovY with the orthographic projection', fovY);
+  return { height };
+}
+
+/** An explicit camera with everything written out. */
+function complete(camera, facts) {
+  const { position, target, up } = camera;
+  const projection = camera.projection ?? (camera.height === undefined ? 'perspective' : 'orthographic');
+  const { fovY, height } = lensOf(camera, projection);
+  if (projection === 'orthographic' && height === undefined) {
+    throw wrongValue(['camera', 'height'], 'a height in metres for the orthographic projection', height);
+  }
+  const axis = subtract(target, position);
+  if (!(length(axis) > 0)) throw wrongValue(['camera', 'target'], 'a point other than the position', target);
+  if (!(length(cross(axis, up)) > PARALLEL * length(axis) * length(up))) {
+    throw wrongValue(['camera', 'up'], 'a direction that is not along the view', up);
+  }
+  const isFitted = camera.near === undefined || camera.far === undefined;
+  const fitted = isFitted ? depthRangeOf(needBounds(facts, 'camera.near and camera.far'), position, target) : {};
+  const { near = Math.min(fitted.near, camera.far / 2 || Infinity), far = Math.max(fitted.far, 2 * camera.near || 0) } = camera;
+  if (projection === 'perspective' && !(near > 0)) throw wrongValue(['camera', 'near'], 'a distance above 0', near);
+  if (!(far > near)) throw wrongValue(['camera', 'far'], `a distance beyond near (${near})`, far);
+  return ordered({ projection, position, target, up, fovY, height, near, far });
+}
+
+function needBounds({ bounds }, what) {
+  if (bounds) return bounds;
+  throw new TelarError('E_NO_GEOMETRY', `shot.${what}: the model has nothing to frame; give an explicit camera with near and far`);
+}
+
+/** A camera of the model as an explicit one. A missing or zero far plane is infinite in glTF: it is fitted then. */
+function modelCamera(wanted, { cameras = [] }) {
+  const found = typeof wanted === 'number' ? cameras[wanted] : cameras.find(({ name }) => name === wanted);
+  if (!found) throw new TelarError('E_CAMERA', missingCamera(wanted, cameras), { pointer: '/camera/gltf' });
+  const { projection, position, target, up, fovY, height, near, far } = found;
+  return {
+    projection, position, target, up,
+    ...(projection === 'perspective' ? { fovY } : { height }),
+    ...(near && { near }),
+    ...(far && { far }),
+  };
+}
+
+function missingCamera(wanted, cameras) {
+  if (cameras.length === 0) return `shot.camera.gltf: the model has no camera ${shown(wanted)}; it has none`;
+  const names = cameras.slice(0, 8).map(({ name }, index) => `${index}${name ? ` ${shown(name)}` : ''}`).join(', ');
+  const near = typeof wanted === 'string' ? nearest(wanted, cameras.map(({ name }) => name ?? '')) : undefined;
+  return `shot.camera.gltf: the model has no camera ${shown(wanted)}; ${near ? `did you mean ${shown(near)}?` : `it has ${names}`}`;
+}
+
+const ordered = ({ projection, position, target, up, fovY, height, near, far }) => ({
+  projection,
+  position: [...position],
+  target: [...target],
+  up: [...up],
+  ...(projection === 'perspective' ? { fovY } : { height }),
+  near,
+  far,
+});

@@ -1,0 +1,137 @@
+import { TelarError } from '../error/index.mjs';
+
+/** Turns what zod found wrong into one sentence: full path, what is expected, what was given. */
+
+const MAX_SHOWN = 60;
+
+/** ["lights", 0, "color"] -> "shot.lights[0].color". */
+export function pathText(path) {
+  return path.reduce((text, key) => {
+    if (typeof key === 'number') return `${text}[${key}]`;
+    return /^[A-Za-z_$][\w$]*$/.test(key) ? `${text}.${key}` : `${text}[${shown(String(key))}]`;
+  }, 'shot');
+}
+
+/** JSON pointer (RFC 6901) into the shot. */
+const pointerText = (path) => path.map((key) => `/${String(key).replaceAll('~', '~0').replaceAll('/', '~1')}`).join('');
+
+/** A value as it may stand in a message: short, without control characters. */
+export function shown(value) {
+  if (value === undefined) return 'nothing';
+  if (typeof value === 'number' || value === null || typeof value === 'boolean') return String(value);
+  if (typeof value === 'string') return cut(JSON.stringify(value));
+  if (ArrayBuffer.isView(value)) return `${value.byteLength} bytes`;
+  if (Array.isArray(value)) return cut(`[${value.map(shown).join(', ')}]`);
+  if (typeof value === 'object') return cut(`{${Object.keys(value).map((key) => JSON.stringify(key)).join(', ')}}`);
+  return `a ${typeof value}`;
+}
+
+const cut = (text) => (text.length <= MAX_SHOWN ? text : `${text.slice(0, MAX_SHOWN - 4)}...${text.at(-1)}`);
+
+/**
+ * @param {(string | number)[]} path
+ * @param {string} expected noun phrase
+ * @param {unknown} value as given
+ */
+export function wrongValue(path, expected, value) {
+  return new TelarError('E_SHOT', `${pathText(path)}: expected ${expected}, got ${shown(value)}`, { pointer: pointerText(path) });
+}
+
+/** Number of single-character edits between two words. */
+function editDistance(a, b) {
+  let row = Array.from({ length: b.length + 1 }, (_, i) => i);
+  for (let i = 1; i <= a.length; ++i) {
+    const next = [i];
+    for (let j = 1; j <= b.length; ++j) {
+      next[j] = Math.min(row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] === b[j - 1] ? 0 : 1));
+    }
+    row = next;
+  }
+  return row[b.length];
+}
+
+/** The known word nearest to a mistyped one, or undefined when none is near. */
+export function nearest(word, known) {
+  const [best] = known
+    .map((candidate) => ({ candidate, edits: editDistance(word.toLowerCase().slice(0, 64), candidate.toLowerCase()) }))
+    .sort((a, b) => a.edits - b.edits);
+  return best && best.edits <= Math.max(1, Math.floor(word.length / 3)) ? best.candidate : undefined;
+}
+
+function unknownKey(path, key, allowed, elsewhere) {
+  const near = nearest(key, [...allowed, ...elsewhere].filter((name) => name !== key));
+  const hint = near ? `did you mean ${near}?` : `expected one of ${allowed.join(', ')}`;
+  return new TelarError('E_SHOT', `${pathText([...path, key])}: unknown key, ${hint}`, { pointer: pointerText([...path, key]) });
+}
+
+const valueAt = (root, path) => path.reduce((value, key) => value?.[key], root);
+const isPlainObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value) && !ArrayBuffer.isView(value);
+
+/** Schema behind default, optional and the like. */
+function unwrap(schema) {
+  const inner = schema?.def?.innerType ?? (schema?.def?.type === 'pipe' ? schema.def.in : undefined);
+  return inner ? unwrap(inner) : schema;
+}
+
+function child(schema, key, value) {
+  const { def } = unwrap(schema);
+  if (def.type === 'object') return def.shape[key];
+  if (def.type === 'array') return def.element;
+  if (def.type === 'tuple') return def.items[key];
+  if (def.discriminator) return def.options.find((option) => unwrap(option.def.shape[def.discriminator]).def.values[0] === value?.[def.discriminator]);
+  return undefined;
+}
+
+/** Keys that an object may have; of a union, those of all its branches. */
+function knownKeys(schema) {
+  const { def } = unwrap(schema);
+  if (def.type === 'object') return Object.keys(def.shape);
+  return def.type === 'union' ? [...new Set(def.options.flatMap(knownKeys))] : [];
+}
+
+/** The schema at the end of `path`, through the lights that the value picks; undefined inside a union's branch. */
+function schemaAt(schema, path, value) {
+  if (schema === undefined) return undefined;
+  const here = unwrap(schema);
+  if (here.def.discriminator && isPlainObject(value)) return schemaAt(child(here, undefined, value), path, value);
+  return path.length === 0 ? here : schemaAt(child(here, path[0], value), path.slice(1), value?.[path[0]]);
+}
+
+const isUnion = ({ def }) => def.type === 'union' && def.discriminator === undefined;
+
+/** What a branch of a union says of the value, when it is of the value's type. */
+function branchIssues(branch, value) {
+  const { type } = unwrap(branch).def;
+  if (isPlainObject(value) ? type !== 'object' : !Array.isArray(value) || type !== 'tuple') return [];
+  const result = branch.safeParse(value);
+  if (result.success) return [];
+  const unknown = result.error.issues.find(({ code, path }) => code === 'unrecognized_keys' && path.length === 0)?.keys.length ?? 0;
+  return [{ branch, issues: result.error.issues, unknown }];
+}
+
+/** The branch that the caller most likely meant: fewest unknown keys, then fewest complaints. */
+function likeliestBranch(union, value) {
+  return union.def.options.flatMap((branch) => branchIssues(branch, value))
+    .sort((a, b) => a.unknown - b.unknown || a.issues.length - b.issues.length)[0];
+}
+
+/**
+ * @param {import('zod').ZodError['issues']} issues
+ * @param {unknown} root the value that was parsed
+ * @param {import('zod').ZodType} schema
+ * @param {{path?: (string | number)[], known?: string[]}} [context] path of `root` in the shot; keys that a mistyped one may mean
+ * @returns {TelarError} E_SHOT about the first complaint
+ */
+export function complaint(issues, root, schema, { path: prefix = [], known = [] } = {}) {
+  // A mistyped key also makes its right name missing: the typing error explains both.
+  const issue = issues.find(({ code }) => code === 'unrecognized_keys') ?? issues[0];
+  const path = [...prefix, ...issue.path];
+  const value = valueAt(root, issue.path);
+  const here = schemaAt(schema, issue.path, root);
+  if (here && isUnion(here)) {
+    const likely = likeliestBranch(here, value);
+    if (likely) return complaint(likely.issues, value, likely.branch, { path, known: knownKeys(here) });
+  }
+  if (issue.code === 'unrecognized_keys') return unknownKey(path, issue.keys[0], knownKeys(here), known);
+  return wrongValue(path, issue.message, value);
+}

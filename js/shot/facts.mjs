@@ -1,0 +1,33 @@
+import { TelarError } from '../error/index.mjs';
+
+const AXES = ['x', 'y', 'z'];
+const isFinitePoint = (point) => point.length === 3 && point.every((x) => typeof x === 'number' && Number.isFinite(x));
+const asPoint = (value) => (Array.isArray(value) ? value : AXES.map((axis) => value?.[axis]));
+
+/**
+ * What resolveShot needs to know of a model.
+ * @param {unknown} facts of `renderer.load` or `inspect`, or a box alone: {min, max} with [x, y, z] or {x, y, z} in metres,
+ *   as THREE.Box3 has them; undefined where the shot's camera is explicit
+ * @returns {{bounds?: import('./frame.mjs').Bounds, cameras?: object[], variants?: string[]}} bounds undefined = nothing to draw
+ * @throws {TelarError} E_OPTION
+ */
+export function readFacts(facts) {
+  if (facts === undefined || facts === null) return {};
+  const isBox = facts.min !== undefined && facts.max !== undefined;
+  return {
+    bounds: readBounds(isBox ? facts : facts.bounds),
+    cameras: facts.cameras,
+    variants: facts.variants,
+  };
+}
+
+function readBounds(box) {
+  if (box === undefined || box === null) return undefined;
+  const [min, max] = [asPoint(box.min), asPoint(box.max)];
+  // An empty THREE.Box3 runs from +Infinity to -Infinity.
+  if (min.every((x) => x === Infinity) && max.every((x) => x === -Infinity)) return undefined;
+  if (!isFinitePoint(min) || !isFinitePoint(max) || min.some((low, i) => low > max[i])) {
+    throw new TelarError('E_OPTION', 'facts: expected bounds {min, max} of three finite numbers each, min <= max');
+  }
+  return { min: [...min], max: [...max] };
+}

@@ -1,0 +1,5 @@
+// telar/shot: pure, for the browser and the server alike.
+export { resolveShot } from './resolve.mjs';
+export { parseColour, srgbToLinear } from './colour.mjs';
+export { VIEWS } from './frame.mjs';
+export { TelarError } from '../error/index.mjs';

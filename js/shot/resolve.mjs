@@ -1,0 +1,108 @@
+import { TelarError } from '../error/index.mjs';
+import { resolveCamera } from './camera.mjs';
+import { complaint, nearest, shown, wrongValue } from './complain.mjs';
+import { readFacts } from './facts.mjs';
+import { PRESETS, shotSchema } from './schema.mjs';
+import { refuseUnavailable } from './unavailable.mjs';
+
+/** Bits a channel that each format can hold, the default first, and whether it can hold ppi and an ICC profile. */
+const FORMATS = {
+  png: { bitDepths: [8, 16], ppi: true, icc: true },
+  jpeg: { bitDepths: [8], ppi: true, icc: true },
+  webp: { bitDepths: [8], ppi: false, icc: false },
+  tiff: { bitDepths: [8, 16], ppi: true, icc: true },
+  exr: { bitDepths: [16, 32], ppi: false, icc: false },
+  raw: { bitDepths: [8, 32], ppi: false, icc: false },
+};
+
+const WHITE = [1, 1, 1];
+
+/**
+ * Writes out every default of a shot. Pure and synchronous, the same bits in the browser and on the server; a resolved
+ * shot resolves to itself.
+ *
+ * Lengths are metres, camera and environment angles degrees, spot cones radians; colours come out as linear Rec.709.
+ * @param {import('../index.d.ts').Shot} [shot]
+ * @param {import('../index.d.ts').ShotFacts} [facts] of the model, or its box {min, max}; needed unless the camera is
+ *   explicit with near and far
+ * @returns {import('../index.d.ts').ResolvedShot} new objects throughout; the arguments stay as they were
+ * @throws {TelarError} E_SHOT with the path, the expected thing and the value given; E_SHOT_UNAVAILABLE for what this version
+ *   does not draw; E_CAMERA, E_VARIANT, E_NO_GEOMETRY where the model lacks what the shot asks for; E_OPTION for wrong facts
+ */
+export function resolveShot(shot = {}, facts = undefined) {
+  refuseUnavailable(shot);
+  const result = shotSchema.safeParse(shot);
+  if (!result.success) throw complaint(result.error.issues, shot, shotSchema);
+  const parsed = result.data;
+  const known = readFacts(facts);
+  const output = resolveOutput(parsed.output);
+  const environment = resolveEnvironment(parsed.environment);
+  return {
+    size: parsed.size,
+    camera: resolveCamera(parsed.camera, parsed.size.width / parsed.size.height, known),
+    environment,
+    lights: resolveLights(parsed.lights),
+    modelLights: parsed.modelLights,
+    background: resolveBackground(parsed.background, output.format, environment),
+    shading: parsed.shading,
+    toneMapping: parsed.toneMapping,
+    exposure: parsed.exposure,
+    quality: resolveQuality(parsed.quality),
+    variant: resolveVariant(parsed.variant, known.variants),
+    layers: [...parsed.layers],
+    output,
+  };
+}
+
+function resolveEnvironment(environment) {
+  if (typeof environment === 'string' || environment instanceof Uint8Array) return { map: environment, intensity: 1, rotation: 0 };
+  return environment;
+}
+
+const samePoint = (a, b) => a.every((x, i) => x === b[i]);
+
+/** Defaults are copied: zod hands out the arrays of the schema itself. */
+function resolveLights(lights) {
+  return lights.map((light, i) => {
+    if (light.target && samePoint(light.target, light.position)) {
+      throw wrongValue(['lights', i, 'target'], 'a point other than the position', light.target);
+    }
+    return Object.fromEntries(Object.entries(light).map(([key, value]) => [key, Array.isArray(value) ? [...value] : value]));
+  });
+}
+
+function resolveBackground(background, format, environment) {
+  if (background === undefined) return format === 'jpeg' ? [...WHITE] : 'transparent';
+  if (background === 'transparent' && format === 'jpeg') {
+    throw wrongValue(['background'], 'a colour or "environment", as jpeg has no transparency', background);
+  }
+  if (background === 'environment' && environment.map === 'none') {
+    throw wrongValue(['background'], '"transparent" or a colour, as shot.environment is "none"', background);
+  }
+  return background;
+}
+
+function resolveQuality(quality) {
+  if (typeof quality === 'string') return { preset: quality, ...PRESETS[quality] };
+  const { preset, samples = PRESETS[preset ?? 'standard'].samples } = quality;
+  if (preset !== undefined && PRESETS[preset].samples !== samples) {
+    throw wrongValue(['quality', 'samples'], `${PRESETS[preset].samples} with preset ${shown(preset)}, or no preset`, samples);
+  }
+  return preset === undefined ? { samples } : { preset, samples };
+}
+
+function resolveVariant(variant, variants) {
+  if (variant === '' || !Array.isArray(variants) || variants.includes(variant)) return variant;
+  const near = nearest(variant, variants);
+  const hint = near ? `did you mean ${shown(near)}?` : `it has ${variants.length > 0 ? variants.slice(0, 8).map(shown).join(', ') : 'none'}`;
+  throw new TelarError('E_VARIANT', `shot.variant: the model has no variant ${shown(variant)}; ${hint}`, { pointer: '/variant' });
+}
+
+function resolveOutput(output) {
+  const { bitDepths, ppi, icc } = FORMATS[output.format];
+  const { bitDepth = bitDepths[0] } = output;
+  if (!bitDepths.includes(bitDepth)) throw wrongValue(['output', 'bitDepth'], `${bitDepths.join(' or ')} for ${output.format}`, bitDepth);
+  if (output.ppi > 0 && !ppi) throw wrongValue(['output', 'ppi'], `0, as ${output.format} holds no ppi`, output.ppi);
+  if (output.icc && !icc) throw wrongValue(['output', 'icc'], `false, as ${output.format} holds no profile here`, output.icc);
+  return { format: output.format, quality: output.quality, bitDepth, ppi: output.ppi, icc: output.icc };
+}

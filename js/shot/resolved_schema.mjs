@@ -1,0 +1,49 @@
+import { z } from 'zod';
+import { PRESETS } from './schema.mjs';
+
+/**
+ * What resolveShot returns, for types and tests; the renderer reads these keys and has no defaults of its own.
+ * Lengths in metres, camera and environment angles in degrees, spot cones in radians, colours linear Rec.709.
+ */
+const vec3 = z.tuple([z.number(), z.number(), z.number()]);
+const rgb = z.tuple([z.number().min(0), z.number().min(0), z.number().min(0)]);
+const object = (shape) => z.strictObject(shape);
+
+const placed = { position: vec3, target: vec3, up: vec3 };
+const planes = { near: z.number(), far: z.number() };
+const lit = { color: rgb, intensity: z.number() };
+
+export const resolvedShotSchema = object({
+  size: object({ width: z.int(), height: z.int() }),
+  camera: z.discriminatedUnion('projection', [
+    object({ projection: z.literal('perspective'), ...placed, fovY: z.number(), ...planes }),
+    object({ projection: z.literal('orthographic'), ...placed, height: z.number(), ...planes }),
+  ]),
+  environment: object({
+    map: z.union([z.string(), z.custom((value) => value instanceof Uint8Array).meta({ tsType: 'Uint8Array' })]),
+    intensity: z.number(),
+    rotation: z.number(),
+  }),
+  lights: z.array(z.discriminatedUnion('type', [
+    object({ type: z.literal('ambient'), ...lit }),
+    object({ type: z.literal('hemisphere'), ...lit, groundColor: rgb }),
+    object({ type: z.literal('directional'), ...lit, position: vec3, target: vec3 }),
+    object({ type: z.literal('point'), ...lit, position: vec3, range: z.number() }),
+    object({ type: z.literal('spot'), ...lit, position: vec3, target: vec3, range: z.number(), angle: z.number(), penumbra: z.number() }),
+  ])),
+  modelLights: z.boolean(),
+  background: z.union([z.enum(['transparent', 'environment']), rgb]),
+  shading: z.literal('three'),
+  toneMapping: z.enum(['neutral', 'none', 'linear', 'reinhard', 'cineon', 'aces', 'agx']),
+  exposure: z.number(),
+  quality: object({ preset: z.enum(Object.keys(PRESETS)).optional(), samples: z.literal([1, 4]) }),
+  variant: z.string(),
+  layers: z.array(z.literal('beauty')),
+  output: object({
+    format: z.enum(['png', 'jpeg', 'webp', 'tiff', 'exr', 'raw']),
+    quality: z.int(),
+    bitDepth: z.literal([8, 16, 32]),
+    ppi: z.number(),
+    icc: z.boolean(),
+  }),
+});

@@ -1,0 +1,134 @@
+import { z } from 'zod';
+import { boolean, choice, colour, number, object, text, vector } from './fields.mjs';
+import { VIEWS } from './frame.mjs';
+
+/**
+ * The one declaration of the shot: the API, the CLI, the HTTP service, the JSON Schema, the TypeScript types and the option
+ * tables all derive from it. Defaults that depend on other keys or on the model are written out in resolve.mjs.
+ */
+
+const degrees = (doc, min, max) => number(doc, { what: 'a number of degrees', min, max });
+const pixels = (doc) => number(doc, { what: 'a whole number of pixels', min: 1, max: 8192, integer: true }).default(512);
+
+const size = object('Size of the image', { width: pixels('Pixels'), height: pixels('Pixels') }).prefault({});
+
+const projection = choice('Perspective with `fovY`, or orthographic', ['perspective', 'orthographic']);
+const fovY = degrees('Vertical field of view in degrees, perspective only; default 30', 0.001, 179.999);
+const fit = number('Part of the frame that the model takes in its tighter dimension', { above: 0, max: 1 });
+
+const viewCamera = object('A view that frames the model', {
+  view: choice('Named view; the front faces +Z, "right" is seen from +X', Object.keys(VIEWS)).optional(),
+  azimuth: degrees('Instead of `view`: degrees about +Y, 0 = from +Z, 90 = from +X', -360, 360).optional(),
+  elevation: degrees('Instead of `view`: degrees above the horizon, 90 = from +Y', -90, 90).optional(),
+  projection: projection.default('perspective'),
+  fovY: fovY.optional(),
+  fit: fit.default(0.9),
+});
+
+const explicitCamera = object('A camera placed by the caller', {
+  projection: projection.optional(),
+  position: vector('Where the camera stands, metres'),
+  target: vector('The point at the centre of the frame, metres'),
+  up: vector('Direction that is up in the image', 'three numbers [x, y, z]').default([0, 1, 0]),
+  fovY: fovY.optional(),
+  height: number('Height of the frame in metres, orthographic only', { what: 'a height in metres', above: 0 }).optional(),
+  near: number('Distance of the near plane in metres; fitted to the model by default',
+    { what: 'a distance in metres', min: -1e30 }).optional(),
+  far: number('Distance of the far plane in metres; fitted to the model by default',
+    { what: 'a distance in metres', min: -1e30 }).optional(),
+});
+
+const CAMERA_INDEX = 'the index or the name of a camera in the model';
+const gltfCamera = object('A camera of the model', {
+  gltf: z.union([z.int({ error: CAMERA_INDEX }).min(0, { error: CAMERA_INDEX }), text('Name', CAMERA_INDEX)], { error: CAMERA_INDEX })
+    .describe('Index or name of a camera in the model'),
+});
+
+const camera = z.union([explicitCamera, gltfCamera, viewCamera], { error: 'an object' })
+  .describe('A named view or angles that frame the model, an explicit camera, or one of the model\'s').prefault({});
+
+const MAP = '"studio", "none", a path that ends in .hdr or .exr, or bytes';
+const environmentMap = z.union([
+  z.string({ error: MAP }).regex(/^(?:studio|none|[^\u0000-\u001f\u007f]*\.(?:hdr|exr|HDR|EXR))$/, { error: MAP }),
+  z.custom((value) => value instanceof Uint8Array, { error: MAP }).meta({ tsType: 'Uint8Array' }),
+], { error: MAP }).describe('"studio" (bundled), "none", or an equirectangular .hdr or .exr map: path, or bytes in JavaScript');
+
+const environment = z.union([environmentMap, object('Environment with settings', {
+  map: environmentMap.default('studio'),
+  intensity: number('Factor on its radiance', { min: 0 }).default(1),
+  rotation: degrees('Degrees about +Y', -360, 360).default(0),
+})], { error: MAP }).describe('Light from all around').default('studio');
+
+const light = {
+  color: colour('CSS colour (sRGB) or linear [r, g, b]').prefault('white'),
+  intensity: (unit) => number(`Intensity in ${unit}`, { min: 0 }).default(1),
+  position: (xyz) => vector('Metres').default(xyz),
+  target: vector('Point that the light shines at, metres').default([0, 0, 0]),
+  range: number('Distance in metres at which the light ends; 0 = never', { what: 'a distance in metres', min: 0 }).default(0),
+};
+const lightOf = (type, doc, shape) => object(doc, { type: z.literal(type).describe(doc), color: light.color, ...shape }, 'a light');
+
+const LIGHT_TYPES = '"ambient", "hemisphere", "directional", "point" or "spot"';
+const lights = z.array(z.discriminatedUnion('type', [
+  lightOf('ambient', 'Light from everywhere', { intensity: light.intensity('irradiance') }),
+  lightOf('hemisphere', 'Light from above in `color`, from below in `groundColor`', {
+    intensity: light.intensity('irradiance'),
+    groundColor: colour('Colour from below').prefault('white'),
+  }),
+  lightOf('directional', 'Parallel light from `position` towards `target`', {
+    intensity: light.intensity('lux'), position: light.position([0, 1, 0]), target: light.target,
+  }),
+  lightOf('point', 'Light from a point', {
+    intensity: light.intensity('candela'), position: light.position([0, 0, 0]), range: light.range,
+  }),
+  lightOf('spot', 'Cone of light from `position` towards `target`', {
+    intensity: light.intensity('candela'), position: light.position([0, 1, 0]), target: light.target, range: light.range,
+    angle: number('Outer half-angle of the cone in radians', { what: 'a number of radians', above: 0, max: Math.PI / 2 })
+      .default(Math.PI / 3),
+    penumbra: number('Part of the cone that fades out', { min: 0, max: 1 }).default(0),
+  }),
+], { error: ({ code }) => (code === 'invalid_union' ? LIGHT_TYPES : 'an object') }), { error: 'a list of lights' }).describe('Lights beside the environment and the model\'s own').default([]);
+
+export const PRESETS = Object.freeze({ standard: { samples: 4 }, draft: { samples: 1 } });
+
+const QUALITY = '"standard", "draft" or {samples}';
+const SAMPLES = '1 or 4 samples a pixel';
+const quality = z.union([
+  z.enum(Object.keys(PRESETS), { error: QUALITY }),
+  object('Explicit settings', {
+    preset: z.enum(Object.keys(PRESETS), { error: '"standard" or "draft"' }).describe('Settings to start from').optional(),
+    samples: z.literal([1, 4], { error: SAMPLES }).describe('Antialiasing samples a pixel').optional(),
+  }),
+], { error: QUALITY }).describe('"standard": 4 samples a pixel; "draft": 1').default('standard');
+
+const LAYERS = '["beauty"]';
+const layers = z.array(z.literal('beauty', { error: LAYERS }), { error: LAYERS }).length(1, { error: LAYERS })
+  .describe('Images to draw').default(['beauty']);
+
+const BIT_DEPTHS = '8, 16 or 32 bits a channel';
+const output = object('The encoded file', {
+  format: choice('File format', ['png', 'jpeg', 'webp', 'tiff', 'exr', 'raw']).default('png'),
+  quality: number('Quality of JPEG and WebP', { what: 'a whole number', min: 1, max: 100, integer: true }).default(90),
+  bitDepth: z.literal([8, 16, 32], { error: BIT_DEPTHS })
+    .describe('Bits a channel: png and tiff 8 or 16, jpeg and webp 8, exr 16 or 32 (float), raw 8 or 32 (float); default the first')
+    .optional(),
+  ppi: number('Pixels per inch written to the file; 0 = none', { min: 0, max: 65535 }).default(0),
+  icc: boolean('Embed an sRGB profile: png, tiff, jpeg').default(false),
+}).prefault({});
+
+export const shotSchema = object('What to draw', {
+  size,
+  camera,
+  environment,
+  lights,
+  modelLights: boolean('Use the lights in the model').default(true),
+  background: colour('"transparent", "environment" or a colour; default "transparent", white for jpeg', ['transparent', 'environment'])
+    .optional(),
+  shading: choice('"three": what stock three.js shows', ['three']).default('three'),
+  toneMapping: choice('As in three.js', ['neutral', 'none', 'linear', 'reinhard', 'cineon', 'aces', 'agx']).default('neutral'),
+  exposure: number('Factor on radiance before tone mapping', { min: 0 }).default(1),
+  quality,
+  variant: text('Name of a material variant of the model (KHR_materials_variants); "" = none', 'the name of a variant').default(''),
+  layers,
+  output,
+});
