@@ -1,0 +1,52 @@
+import { existsSync, readFileSync } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { boundsOf, readDocument } from './bounds.mjs';
+import { CASE_ENVIRONMENT, LIGHTS, shot } from './shot.mjs';
+
+/** Models by others, beside the project; these cases do not exist where the folder is absent. */
+export const SHARED_MODELS = fileURLToPath(new URL('../../../shared/models/', import.meta.url));
+
+/** Only files whose features are drawn today: [name, path, azimuth, elevation]. */
+const MODELS = [
+  ['box', 'Box/glTF_Binary/Box.glb', 35, 25],
+  ['box-draco', 'Box/glTF_Binary/Box_Draco.glb', 35, 25],
+  ['box-draco-gltf', 'BoxDraco/BoxDraco.gltf', 35, 25],
+  ['box-vertex-colors', 'BoxVertexColors/BoxVertexColors.glb', 35, 25],
+  ['duck', 'Duck/glTF_Binary/Duck.glb', 40, 15],
+  ['duck-gltf', 'Duck/glTF/Duck.gltf', -60, 20],
+  ['heart-draco', 'heart_draco/heart_draco.glb', 20, 10],
+  ['lights', 'Lights/Lights.glb', 30, 30],
+  ['multi-uv', 'MultiUVTest/glTF/MultiUVTest.gltf', 30, 20],
+  ['normal-tangent', 'NormalTangentTest/NormalTangentTest.glb', 0, 0],
+  ['sparse', 'SimpleSparseAccessor/glTF/SimpleSparseAccessor.gltf', 0, 0],
+  ['texture-settings', 'TextureSettingsTest/glTF/TextureSettingsTest.gltf', 0, 0],
+  ['texture-transform', 'TextureTransformTest/glTF/TextureTransformTest.gltf', 0, 0],
+  ['dense-sphere', 'TransformFunctions/DenseSphere.glb', 30, 20],
+  ['shapes', 'TransformFunctions/ShapeCollection.glb', 30, 30],
+  ['two-cubes', 'TransformFunctions/TwoCubes.glb', 30, 20],
+  ['two-sided', 'TwoSidedPlane/glTF/TwoSidedPlane.gltf', 20, 40],
+  ['two-sided-back', 'TwoSidedPlane/glTF/TwoSidedPlane.gltf', 160, -40],
+  ['unlit', 'UnlitTest/glTF/UnlitTest.gltf', 0, 0],
+  ['vertex-color', 'VertexColorTest/glTF/VertexColorTest.gltf', 0, 0],
+];
+
+/** @type {import('./cases.mjs').Case[]} */
+export const SHARED_CASES = MODELS.filter(([, file]) => existsSync(path.join(SHARED_MODELS, file))).map((row) => sharedCase(...row));
+
+function sharedCase(name, file, azimuth, elevation) {
+  const bounds = boundsOf(readDocument(readFileSync(path.join(SHARED_MODELS, file))));
+  const overrides = {
+    size: 512,
+    camera: { azimuth, elevation },
+    environment: CASE_ENVIRONMENT,
+    lights: [LIGHTS.directional],
+  };
+  return {
+    name: `shared-${name}`,
+    model: `shared:${file}`,
+    environment: 'shared:env/brown_photostudio_02_1k.hdr',
+    shot: shot(overrides, bounds),
+    fast: false,
+  };
+}

@@ -1,0 +1,62 @@
+import { spawn } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const root = (relative) => fileURLToPath(new URL(`../../${relative}`, import.meta.url));
+
+/**
+ * Opens telar: through its JavaScript API, or through the command-line tool of a C++ build where TELAR_DRAW names one.
+ * draw({shot, model, environment, bundled}) gives RGBA8, straight alpha, top row first; inputs as of inputs.mjs.
+ *
+ * @returns {Promise<{draw: Function, close: Function}>}
+ * @throws {Error} With the cure, when there is no build.
+ */
+export async function openServer() {
+  if (process.env.TELAR_DRAW) return openTool(path.resolve(process.env.TELAR_DRAW));
+  const entry = root('js/index.mjs');
+  if (!existsSync(entry)) throw new Error('telar is not built: run npm install, or set TELAR_DRAW to a telar_draw executable');
+  const { createRenderer } = await import(entry);
+  const renderer = await createRenderer();
+  return {
+    async draw({ shot, model, environment, bundled }) {
+      const { data } = await renderer.render(model, withEnvironment(shot, bundled ? 'studio' : environment));
+      return new Uint8Array(data.buffer, data.byteOffset, data.length);
+    },
+    close: () => renderer.close(),
+  };
+}
+
+/** The shot with `map` in place of the file name that stands for the case's environment. */
+const withEnvironment = (shot, map) => (map ? { ...shot, environment: { ...shot.environment, map } } : shot);
+
+/** telar_draw MODEL SHOT.json OUT.raw [--env FILE] */
+function openTool(executable) {
+  const folder = mkdtempSync(path.join(tmpdir(), 'telar-parity-'));
+  const file = (name) => path.join(folder, name);
+  return {
+    async draw({ shot, model, environment, bundled }) {
+      const modelFile = typeof model === 'string' ? model : file('model.glb');
+      if (modelFile !== model) writeFileSync(modelFile, model);
+      const own = environment && !bundled;
+      const map = bundled ? 'studio' : own && { bytes: environment.length };
+      writeFileSync(file('shot.json'), JSON.stringify(withEnvironment(shot, map)));
+      if (own) writeFileSync(file('environment.hdr'), environment);
+      const options = own ? ['--env', file('environment.hdr')] : [];
+      await execute(executable, [modelFile, file('shot.json'), file('out.raw'), ...options]);
+      return new Uint8Array(readFileSync(file('out.raw')));
+    },
+    close: async () => rmSync(folder, { recursive: true }),
+  };
+}
+
+function execute(command, args) {
+  return new Promise((resolve, reject) => {
+    const child = spawn(command, args, { stdio: ['ignore', 'inherit', 'pipe'] });
+    let text = '';
+    child.stderr.on('data', (chunk) => (text += chunk));
+    child.on('error', reject);
+    child.on('close', (code, signal) => (code === 0 ? resolve() : reject(new Error(`${path.basename(command)}: ${signal ?? `exit ${code}`}\n${text}`))));
+  });
+}
