@@ -1,0 +1,38 @@
+import assert from 'node:assert/strict';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { test } from 'node:test';
+import { npmPackagesPresent } from '../../../js/setup/npm_packages.mjs';
+
+/** A checkout whose lock file wants `wanted` and whose node_modules holds `installed`. */
+function checkout(t, wanted, installed, folders = Object.keys(installed ?? {})) {
+  const root = mkdtempSync(path.join(tmpdir(), 'telar-npm-'));
+  t.after(() => rmSync(root, { recursive: true }));
+  writeFileSync(path.join(root, 'package-lock.json'), JSON.stringify({ packages: { '': { name: 'telar' }, ...wanted } }));
+  if (!installed) return root;
+  mkdirSync(path.join(root, 'node_modules'));
+  writeFileSync(path.join(root, 'node_modules/.package-lock.json'), JSON.stringify({ packages: installed }));
+  for (const folder of folders) {
+    mkdirSync(path.join(root, folder), { recursive: true });
+    writeFileSync(path.join(root, folder, 'package.json'), '{}');
+  }
+  return root;
+}
+
+const A = { 'node_modules/a': { version: '1.0.0', integrity: 'sha512-x' } };
+const CASES = [
+  ['nothing installed', A, null, false],
+  ['the same', A, A, true],
+  ['more than wanted', A, { ...A, 'node_modules/b': { version: '2.0.0' } }, true],
+  ['another version', A, { 'node_modules/a': { version: '1.0.1', integrity: 'sha512-x' } }, false],
+  ['other bytes', A, { 'node_modules/a': { version: '1.0.0', integrity: 'sha512-y' } }, false],
+  ['one missing', { ...A, 'node_modules/b': { version: '2.0.0' } }, A, false],
+  ['an optional one missing', { ...A, 'node_modules/b': { version: '2.0.0', optional: true } }, A, true],
+];
+
+for (const [name, wanted, installed, expected] of CASES) {
+  test(`npm packages: ${name}`, (t) => assert.equal(npmPackagesPresent(checkout(t, wanted, installed)), expected));
+}
+
+test('npm packages: a folder deleted by hand', (t) => assert.equal(npmPackagesPresent(checkout(t, A, A, [])), false));
