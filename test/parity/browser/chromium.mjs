@@ -73,12 +73,16 @@ export class Browser {
   }
 
   /**
-   * Values of three's own shader variables at pixels, each drawn into a float target.
-   * @param {object} input - As draw(), with `pixels`: list of [x, y], top row first, and `terms`: names or null for all.
-   * @returns {Promise<Record<string, number[][]>>} By term: one [r, g, b, a] per pixel.
+   * Values of three's own shader variables, each drawn into a float target.
+   * @param {object} input - As draw(), with `terms`: names (browser/terms.mjs), or null for all.
+   * @returns {Promise<Record<string, Float32Array>>} By term: RGBA fp32, top row first; 0 where nothing is drawn.
    */
-  async terms({ pixels, terms, ...input }) {
-    return this.#page.evaluate((request) => window.telarTerms(request), { ...this.#job(input), pixels, terms });
+  async terms({ terms, ...input }) {
+    const job = { ...this.#job(input), terms };
+    const names = await this.#page.evaluate((request) => window.telarTerms(request), job);
+    const { width, height } = input.shot.size;
+    const take = (name) => new Float32Array(flipRows(this.#server.takeResult(`${job.result}/${name}`), width * 4, height).buffer);
+    return Object.fromEntries(names.map((name) => [name, take(name)]));
   }
 
   #job({ shot, model, environment }) {

@@ -97,12 +97,19 @@ function contextFacts(renderer) {
   };
 }
 
-/** Values of three's own shader variables at pixels: see terms.mjs. */
+/**
+ * PUTs three's own shader variables (terms.mjs) to `${job.result}/TERM`.
+ * @returns {Promise<string[]>} Their names.
+ */
 window.telarTerms = async (job) => {
   const prepared = await prepare(job);
-  const terms = measureTerms(THREE, prepared, job);
+  const names = [];
+  for (const [name, values] of measureTerms(THREE, prepared, job)) {
+    await send(`${job.result}/${name}`, values);
+    names.push(name);
+  }
   prepared.dispose();
-  return terms;
+  return names;
 };
 
 window.telarReady = true;

@@ -29,26 +29,26 @@ export const termNames = Object.keys(TERMS);
 /**
  * @param {typeof import('three')} THREE
  * @param {{renderer: object, scene: object, camera: object}} prepared
- * @param {{shot: object, pixels: [number, number][], terms: string[] | null}} job - Pixels count from the top row.
- * @returns {Record<string, number[][]>} By term, one [r, g, b, a] per pixel; null where no physical material was drawn.
+ * @param {{shot: object, terms: string[] | null}} job
+ * @returns {Generator<[string, Float32Array]>} By term: RGBA fp32 of the whole picture, bottom row first; 0 where nothing is.
  */
-export function measureTerms(THREE, { renderer, scene, camera }, { shot, pixels, terms }) {
+export function* measureTerms(THREE, { renderer, scene, camera }, { shot, terms }) {
   const { width, height } = shot.size;
   const target = new THREE.WebGLRenderTarget(width, height, { type: THREE.FloatType, samples: 0 });
   scene.background = null;
   const materials = physicalMaterials(scene);
-  const result = {};
   for (const name of terms ?? termNames) {
     if (!(name in TERMS)) throw new Error(`no term ${name}: expected one of ${termNames.join(' ')}`);
-    for (const material of materials) writeTerm(material, name);
+    for (const material of materials) writeTerm(THREE, material, name);
     renderer.setRenderTarget(target);
     renderer.clear();
     renderer.render(scene, camera);
-    result[name] = pixels.map(([x, y]) => readPixel(renderer, target, x, height - 1 - y));
+    const values = new Float32Array(width * height * 4);
+    renderer.readRenderTargetPixels(target, 0, 0, width, height, values);
+    yield [name, values];
   }
   renderer.setRenderTarget(null);
   target.dispose();
-  return result;
 }
 
 function physicalMaterials(scene) {
@@ -59,19 +59,12 @@ function physicalMaterials(scene) {
   return found;
 }
 
-function writeTerm(material, name) {
-  material.blending = 0; // NoBlending: values are read as written
+function writeTerm(THREE, material, name) {
+  material.blending = THREE.NoBlending; // values are read as written
   material.onBeforeCompile = (shader) => {
     const end = shader.fragmentShader.lastIndexOf('}');
-    // Without an environment, or for terms of a chunk that this material lacks, the variable does not exist.
     shader.fragmentShader = `${shader.fragmentShader.slice(0, end)}gl_FragColor = vec4(${TERMS[name]}, 1.0);\n}`;
   };
   material.customProgramCacheKey = () => `telar-term-${name}`;
   material.needsUpdate = true;
-}
-
-function readPixel(renderer, target, x, y) {
-  const value = new Float32Array(4);
-  renderer.readRenderTargetPixels(target, x, y, 1, 1, value);
-  return Array.from(value);
 }
