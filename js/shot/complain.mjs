@@ -37,17 +37,18 @@ export function wrongValue(path, expected, value) {
   return new TelarError('E_SHOT', `${pathText(path)}: expected ${expected}, got ${shown(value)}`, { pointer: pointerText(path) });
 }
 
-/** Number of single-character edits between two words. */
+/** Edits between two words: characters added, dropped, replaced, or two neighbours swapped. */
 function editDistance(a, b) {
-  let row = Array.from({ length: b.length + 1 }, (_, i) => i);
+  const rows = [Array.from({ length: b.length + 1 }, (_, j) => j)];
   for (let i = 1; i <= a.length; ++i) {
-    const next = [i];
+    rows[i] = [i];
     for (let j = 1; j <= b.length; ++j) {
-      next[j] = Math.min(row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] === b[j - 1] ? 0 : 1));
+      const replaced = rows[i - 1][j - 1] + (a[i - 1] === b[j - 1] ? 0 : 1);
+      const isSwap = i > 1 && j > 1 && a[i - 1] === b[j - 2] && a[i - 2] === b[j - 1];
+      rows[i][j] = Math.min(rows[i][j - 1] + 1, rows[i - 1][j] + 1, replaced, isSwap ? rows[i - 2][j - 2] + 1 : Infinity);
     }
-    row = next;
   }
-  return row[b.length];
+  return rows[a.length][b.length];
 }
 
 /** The known word nearest to a mistyped one, or undefined when none is near. */
@@ -55,7 +56,7 @@ export function nearest(word, known) {
   const [best] = known
     .map((candidate) => ({ candidate, edits: editDistance(word.toLowerCase().slice(0, 64), candidate.toLowerCase()) }))
     .sort((a, b) => a.edits - b.edits);
-  return best && best.edits <= Math.max(1, Math.floor(word.length / 3)) ? best.candidate : undefined;
+  return best && best.edits <= Math.ceil(word.length / 3) ? best.candidate : undefined;
 }
 
 function unknownKey(path, key, allowed, elsewhere) {

@@ -1,0 +1,21 @@
+import assert from 'node:assert/strict';
+import { fileURLToPath } from 'node:url';
+import { test } from 'node:test';
+import vm from 'node:vm';
+import { build } from 'esbuild';
+import { resolveShot } from '../../../js/shot/index.mjs';
+
+test('the browser bundle needs nothing of Node and resolves to the same bits', async () => {
+  const { outputFiles: [{ text }] } = await build({
+    entryPoints: [fileURLToPath(new URL('../../../js/shot/index.mjs', import.meta.url))],
+    bundle: true, minify: true, write: false, format: 'iife', globalName: 'telarShot', platform: 'browser',
+  });
+  assert.ok(text.length < 500_000, `${text.length} bytes`);
+  // A realm with the language alone: no process, no require, no Buffer.
+  const realm = vm.createContext({});
+  vm.runInContext(text, realm);
+  const shot = { camera: { azimuth: 33, elevation: 12 }, lights: [{ type: 'spot', color: 'hsl(210, 60%, 40%)' }] };
+  const box = { min: [-0.4, 0.1, -0.15], max: [0.42, 0.82, 0.17] };
+  const there = vm.runInContext(`JSON.stringify(telarShot.resolveShot(${JSON.stringify(shot)}, ${JSON.stringify(box)}))`, realm);
+  assert.equal(there, JSON.stringify(resolveShot(shot, box)));
+});

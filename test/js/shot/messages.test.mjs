@@ -1,0 +1,225 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { TelarError, resolveShot } from '../../../js/shot/index.mjs';
+import { nearest } from '../../../js/shot/complain.mjs';
+
+const box = { min: [-1, 0, -0.2], max: [1, 2, 0.2] };
+const facts = { bounds: box, variants: ['white', 'navy'], cameras: [{ name: 'shop' }] };
+
+/** Sets a dotted path in a shot: with('a.b', 1) is {a: {b: 1}}; `base` gives what must stand beside it. */
+function withValue(path, value, base = {}) {
+  const [key, ...rest] = path.split('.');
+  return { ...base, [key]: rest.length > 0 ? withValue(rest.join('.'), value, base[key]) : value };
+}
+
+function complaintOf(shot, of = facts) {
+  try {
+    resolveShot(shot, of);
+  } catch (error) {
+    assert.ok(error instanceof TelarError, `${error.stack}`);
+    return error;
+  }
+  return assert.fail(`${JSON.stringify(shot)} was accepted`);
+}
+
+const pixels = { expected: 'a whole number of pixels in [1, 8192]', good: [1, 8192], bad: [0, 8193, 1.5, -1] };
+const EXPLICIT = { camera: { position: [0, 0, 5], target: [0, 0, 0] } };
+const light = (type) => ({ lights: { 0: { type } } });
+
+/** Each numeric option: what it accepts at its ends and refuses just beyond. */
+const NUMBERS = {
+  'size.width': pixels,
+  'size.height': pixels,
+  'camera.fovY': { expected: 'a number of degrees in [0.001, 179.999]', good: [0.001, 179.999], bad: [0, -5, 180] },
+  'camera.fit': { expected: 'a number in (0, 1]', good: [1e-6, 1], bad: [0, 1.01] },
+  'camera.azimuth': { expected: 'a number of degrees in [-360, 360]', good: [-360, 360], bad: [-361, 361] },
+  'camera.elevation': { expected: 'a number of degrees in [-90, 90]', good: [-90, 90], bad: [-91, 91] },
+  'camera.height': { expected: 'a height in metres in (0, 1e30]', base: EXPLICIT, good: [1e-6, 1e6], bad: [0, -1, 2e30] },
+  'camera.near': { expected: 'a distance in metres in [-1e30, 1e30]', base: EXPLICIT, good: [1e-6, 4], bad: [2e30] },
+  'camera.far': { expected: 'a distance in metres in [-1e30, 1e30]', base: EXPLICIT, good: [1, 1e6], bad: [2e30] },
+  'environment.intensity': { expected: 'a number in [0, 1e30]', good: [0, 1e6], bad: [-1, 2e30] },
+  'environment.rotation': { expected: 'a number of degrees in [-360, 360]', good: [-360, 360], bad: [-361, 361] },
+  exposure: { expected: 'a number in [0, 1e30]', good: [0, 100], bad: [-0.1, 2e30] },
+  'output.quality': { expected: 'a whole number in [1, 100]', good: [1, 100], bad: [0, 101, 50.5] },
+  'output.ppi': { expected: 'a number in [0, 65535]', good: [0, 65535], bad: [-1, 65536] },
+};
+
+const LIGHT_NUMBERS = {
+  intensity: { type: 'ambient', expected: 'a number in [0, 1e30]', good: [0, 1e6], bad: [-1] },
+  range: { type: 'point', expected: 'a distance in metres in [0, 1e30]', good: [0, 1e6], bad: [-1] },
+  angle: { type: 'spot', expected: 'a number of radians in (0, PI / 2]', good: [1e-6, Math.PI / 2], bad: [0, 1.6] },
+  penumbra: { type: 'spot', expected: 'a number in [0, 1]', good: [0, 1], bad: [-0.1, 1.1] },
+};
+
+const WRONG_NUMBERS = [[NaN, 'NaN'], [Infinity, 'Infinity'], [-Infinity, '-Infinity'], ['5', '"5"'], [null, 'null'], [true, 'true'],
+  [[], '[]'], [{}, '{}'], [5n, 'a bigint']];
+
+const shows = (value) => [value, String(value)];
+
+test('numeric options: ends, beyond the ends, wrong types, NaN', () => {
+  for (const [path, { expected, base, good, bad }] of Object.entries(NUMBERS)) {
+    for (const value of good) resolveShot(withValue(path, value, base), facts);
+    for (const [value, text] of [...bad.map(shows), ...WRONG_NUMBERS]) {
+      const error = complaintOf(withValue(path, value, base));
+      assert.equal(error.message.replace('1e+30', '1e30').replace('2e+30', '2e30'), `shot.${path}: expected ${expected}, got ${text.replace('e+', 'e')}`);
+      assert.deepEqual([error.code, error.kind, error.exit, error.pointer], ['E_SHOT', 'usage', 2, `/${path.replaceAll('.', '/')}`]);
+    }
+  }
+});
+
+test('numbers of lights', () => {
+  for (const [key, { type, expected, good, bad }] of Object.entries(LIGHT_NUMBERS)) {
+    for (const value of good) assert.equal(resolveShot({ lights: [{ type, [key]: value }] }, facts).lights[0][key], value);
+    for (const [value, text] of [...bad.map(shows), ...WRONG_NUMBERS]) {
+      assert.equal(complaintOf({ lights: [{ type: 'ambient' }, { type, [key]: value }] }).message, `shot.lights[1].${key}: expected ${expected}, got ${text}`);
+    }
+  }
+});
+
+const COLOUR = 'a CSS colour without transparency (name, #hex, rgb(), hsl()) or a linear [r, g, b]';
+const XYZ = 'three numbers [x, y, z] in metres';
+const MAP = '"studio", "none", a path that ends in .hdr or .exr, or bytes';
+const VIEWS = '"front", "back", "left", "right", "top", "bottom" or "three-quarter"';
+
+/** [shot, message] */
+const MESSAGES = [
+  [null, 'shot: expected an object, got null'],
+  [[], 'shot: expected an object, got []'],
+  ['front', 'shot: expected an object, got "front"'],
+  [{ size: 512 }, 'shot.size: expected an object, got 512'],
+  [{ size: { widht: 5 } }, 'shot.size.widht: unknown key, did you mean width?'],
+  [{ colour: 'red' }, 'shot.colour: unknown key, expected one of size, camera, environment, lights, modelLights, background, shading, toneMapping, exposure, quality, variant, layers, output'],
+  [{ Shading: 'three' }, 'shot.Shading: unknown key, did you mean shading?'],
+  [JSON.parse('{"__proto__": {"size": 1}}'), 'shot.__proto__: unknown key, expected one of size, camera, environment, lights, modelLights, background, shading, toneMapping, exposure, quality, variant, layers, output'],
+  [{ 'a b\n': 1 }, 'shot["a b\\n"]: unknown key, expected one of size, camera, environment, lights, modelLights, background, shading, toneMapping, exposure, quality, variant, layers, output'],
+  [{ camera: 'front' }, 'shot.camera: expected an object, got "front"'],
+  [{ camera: { view: 'up' } }, `shot.camera.view: expected ${VIEWS}, got "up"`],
+  [{ camera: { veiw: 'front' } }, 'shot.camera.veiw: unknown key, did you mean view?'],
+  [{ camera: { positon: [0, 0, 5], target: [0, 0, 0] } }, 'shot.camera.positon: unknown key, did you mean position?'],
+  [{ camera: { position: [0, 0, 5], taget: [0, 0, 0] } }, 'shot.camera.taget: unknown key, did you mean target?'],
+  [{ camera: { position: [0, 0, 5] } }, `shot.camera.target: expected ${XYZ}, got nothing`],
+  [{ camera: { position: [0, 0], target: [0, 0, 0] } }, `shot.camera.position: expected ${XYZ}, got [0, 0]`],
+  [{ camera: { position: [0, 0, '5'], target: [0, 0, 0] } }, 'shot.camera.position[2]: expected a number in [-1e30, 1e30], got "5"'],
+  [{ camera: { position: [0, NaN, 5], target: [0, 0, 0] } }, 'shot.camera.position[1]: expected a number in [-1e30, 1e30], got NaN'],
+  [{ camera: { position: [1, 2, 3], target: [1, 2, 3] } }, 'shot.camera.target: expected a point other than the position, got [1, 2, 3]'],
+  [{ camera: { position: [0, 5, 0], target: [0, 0, 0] } }, 'shot.camera.up: expected a direction that is not along the view, got [0, 1, 0]'],
+  [{ camera: { position: [0, 0, 5], target: [0, 0, 0], up: [0, 0, 0] } }, 'shot.camera.up: expected a direction that is not along the view, got [0, 0, 0]'],
+  [{ camera: { view: 'front', azimuth: 3 } }, 'shot.camera.view: expected a named view, or azimuth and elevation, not both, got "front"'],
+  [{ camera: { projection: 'isometric' } }, 'shot.camera.projection: expected "perspective" or "orthographic", got "isometric"'],
+  [{ camera: { projection: 'orthographic', fovY: 30 } }, 'shot.camera.fovY: expected no fovY with the orthographic projection, got 30'],
+  [{ camera: { ...EXPLICIT.camera, projection: 'perspective', height: 1 } }, 'shot.camera.height: expected no height with the perspective projection, got 1'],
+  [{ camera: { ...EXPLICIT.camera, projection: 'orthographic' } }, 'shot.camera.height: expected a height in metres for the orthographic projection, got nothing'],
+  [{ camera: { ...EXPLICIT.camera, near: 0 } }, 'shot.camera.near: expected a distance above 0, got 0'],
+  [{ camera: { ...EXPLICIT.camera, near: 5, far: 5 } }, 'shot.camera.far: expected a distance beyond near (5), got 5'],
+  [{ camera: { gltf: -1 } }, 'shot.camera.gltf: expected the index or the name of a camera in the model, got -1'],
+  [{ camera: { gltf: 0, fovY: 3 } }, 'shot.camera.fovY: unknown key, expected one of gltf'],
+  [{ environment: 'studoi' }, `shot.environment: expected ${MAP}, got "studoi"`],
+  [{ environment: 3 }, `shot.environment: expected ${MAP}, got 3`],
+  [{ environment: { map: 'a.png' } }, `shot.environment.map: expected ${MAP}, got "a.png"`],
+  [{ environment: { mpa: 'a.hdr' } }, 'shot.environment.mpa: unknown key, did you mean map?'],
+  [{ lights: {} }, 'shot.lights: expected a list of lights, got {}'],
+  [{ lights: ['sun'] }, 'shot.lights[0]: expected an object, got "sun"'],
+  [{ lights: [{}] }, 'shot.lights[0].type: expected "ambient", "hemisphere", "directional", "point" or "spot", got nothing'],
+  [{ lights: [{ type: 'sun' }] }, 'shot.lights[0].type: expected "ambient", "hemisphere", "directional", "point" or "spot", got "sun"'],
+  [{ lights: [{ type: 'point', colour: 'red' }] }, 'shot.lights[0].colour: unknown key, did you mean color?'],
+  [{ lights: [{ type: 'point', color: 'rd' }] }, `shot.lights[0].color: expected ${COLOUR}, got "rd"`],
+  [{ lights: [{ type: 'point', color: [1, 2] }] }, `shot.lights[0].color: expected ${COLOUR}, got [1, 2]`],
+  [{ lights: [{ type: 'point', color: [1, 2, -1] }] }, 'shot.lights[0].color[2]: expected a number in [0, 1e30], got -1'],
+  [{ lights: [{ type: 'ambient', position: [0, 0, 0] }] }, 'shot.lights[0].position: unknown key, expected one of type, color, intensity'],
+  [{ lights: [{ type: 'spot', position: [0, 0, 0] }] }, 'shot.lights[0].target: expected a point other than the position, got [0, 0, 0]'],
+  [{ modelLights: 'no' }, 'shot.modelLights: expected true or false, got "no"'],
+  [{ background: 'bleu' }, `shot.background: expected "transparent", "environment", ${COLOUR}, got "bleu"`],
+  [{ background: 'rgba(1, 2, 3, 0.5)' }, `shot.background: expected "transparent", "environment", ${COLOUR}, got "rgba(1, 2, 3, 0.5)"`],
+  [{ background: null }, `shot.background: expected "transparent", "environment", ${COLOUR}, got null`],
+  [{ background: 'environment', environment: 'none' }, 'shot.background: expected "transparent" or a colour, as shot.environment is "none", got "environment"'],
+  [{ background: 'transparent', output: { format: 'jpeg' } }, 'shot.background: expected a colour or "environment", as jpeg has no transparency, got "transparent"'],
+  [{ shading: 'tree' }, 'shot.shading: expected "three", got "tree"'],
+  [{ toneMapping: 'filmic' }, 'shot.toneMapping: expected "neutral", "none", "linear", "reinhard", "cineon", "aces" or "agx", got "filmic"'],
+  [{ quality: 'best' }, 'shot.quality: expected "standard", "draft" or {samples}, got "best"'],
+  [{ quality: { samples: 2 } }, 'shot.quality.samples: expected 1 or 4 samples a pixel, got 2'],
+  [{ quality: { preset: 'draft', samples: 4 } }, 'shot.quality.samples: expected 1 with preset "draft", or no preset, got 4'],
+  [{ variant: 3 }, 'shot.variant: expected the name of a variant, got 3'],
+  [{ layers: 'beauty' }, 'shot.layers: expected ["beauty"], got "beauty"'],
+  [{ layers: [] }, 'shot.layers: expected ["beauty"], got []'],
+  [{ output: { format: 'jpg' } }, 'shot.output.format: expected "png", "jpeg", "webp", "tiff", "exr" or "raw", got "jpg"'],
+  [{ output: { format: 'jpeg', bitDepth: 16 } }, 'shot.output.bitDepth: expected 8 for jpeg, got 16'],
+  [{ output: { bitDepth: 10 } }, 'shot.output.bitDepth: expected 8, 16 or 32 bits a channel, got 10'],
+  [{ output: { format: 'webp', ppi: 72 } }, 'shot.output.ppi: expected 0, as webp holds no ppi, got 72'],
+  [{ output: { format: 'raw', icc: true } }, 'shot.output.icc: expected false, as raw holds no profile here, got true'],
+];
+
+test('exact messages', () => {
+  for (const [shot, message] of MESSAGES) {
+    const error = complaintOf(shot);
+    assert.equal(error.message, message);
+    assert.equal(error.code, 'E_SHOT');
+  }
+});
+
+const UNAVAILABLE = [
+  [{ lens: { aperture: 8 } }, 'shot.lens: a lens', '/lens'],
+  [{ ground: { shadow: true } }, 'shot.ground: a ground', '/ground'],
+  [{ pose: { time: 0 } }, 'shot.pose: a pose', '/pose'],
+  [{ shading: 'fabric' }, 'shot.shading: "fabric"', '/shading'],
+  [{ shading: 'three-r115' }, 'shot.shading: "three-r115"', '/shading'],
+  [{ shading: 'disney-2012' }, 'shot.shading: "disney-2012"', '/shading'],
+  [{ quality: 'high' }, 'shot.quality: "high"', '/quality'],
+  [{ quality: 'reference' }, 'shot.quality: "reference"', '/quality'],
+  [{ quality: { maxError: 0.01 } }, 'shot.quality.maxError: a quality by maxError', '/quality/maxError'],
+  [{ quality: { budgetMs: 9 } }, 'shot.quality.budgetMs: a quality by budgetMs', '/quality/budgetMs'],
+  [{ lights: [{ type: 'rect' }] }, 'shot.lights[0].type: "rect"', '/lights/0/type'],
+  [{ lights: [{ type: 'disk' }] }, 'shot.lights[0].type: "disk"', '/lights/0/type'],
+  [{ lights: [{ type: 'spot', castShadow: true }] }, 'shot.lights[0].castShadow: a shadow', '/lights/0/castShadow'],
+  ...['depth', 'normal', 'partId', 'ao', 'albedo', 'line', 'shadow'].map((layer) =>
+    [{ layers: ['beauty', layer] }, `shot.layers[1]: "${layer}"`, '/layers/1']),
+];
+
+test('what this version does not draw is refused by name', () => {
+  for (const [shot, what, pointer] of UNAVAILABLE) {
+    const error = complaintOf(shot);
+    assert.equal(error.message, `${what} is not available in this version of telar`);
+    assert.deepEqual([error.code, error.kind, error.exit, error.pointer], ['E_SHOT_UNAVAILABLE', 'unsupported', 3, pointer]);
+  }
+});
+
+test('what the model does not have', () => {
+  const cases = [
+    [{ variant: 'navi' }, 'E_VARIANT', 'shot.variant: the model has no variant "navi"; did you mean "navy"?'],
+    [{ variant: 'crimson' }, 'E_VARIANT', 'shot.variant: the model has no variant "crimson"; it has "white", "navy"'],
+    [{ camera: { gltf: 1 } }, 'E_CAMERA', 'shot.camera.gltf: the model has no camera 1; it has 0 "shop"'],
+    [{ camera: { gltf: 'sale' } }, 'E_CAMERA', 'shot.camera.gltf: the model has no camera "sale"; it has 0 "shop"'],
+    [{ camera: { gltf: 'shops' } }, 'E_CAMERA', 'shot.camera.gltf: the model has no camera "shops"; did you mean "shop"?'],
+  ];
+  for (const [shot, code, message] of cases) {
+    const error = complaintOf(shot);
+    assert.deepEqual([error.code, error.message, error.exit], [code, message, 3]);
+  }
+  assert.match(complaintOf({ variant: 'x' }, { bounds: box, variants: [] }).message, /it has none$/);
+  assert.match(complaintOf({ camera: { gltf: 0 } }, box).message, /it has none$/);
+});
+
+test('a model without geometry', () => {
+  const message = 'shot.camera: the model has nothing to frame; give an explicit camera with near and far';
+  assert.equal(complaintOf({}, { bounds: null }).message, message);
+  assert.equal(complaintOf({}, null).message, message);
+  assert.equal(complaintOf(EXPLICIT, null).code, 'E_NO_GEOMETRY');
+});
+
+test('wrong facts', () => {
+  for (const wrong of [{ min: [0, 0], max: [1, 1, 1] }, { min: [0, 0, NaN], max: [1, 1, 1] }, { min: [2, 0, 0], max: [1, 1, 1] },
+    { min: ['0', 0, 0], max: [1, 1, 1] }, { bounds: {} }, { bounds: { min: [0, 0, 0] } }]) {
+    assert.equal(complaintOf({}, wrong).code, 'E_OPTION', JSON.stringify(wrong));
+  }
+});
+
+test('messages stay short and clean whatever they quote', () => {
+  const { message } = complaintOf({ shading: `\u001b[31m${'x'.repeat(5000)}` });
+  assert.ok(message.length < 120);
+  assert.doesNotMatch(message, /[\u0000-\u001f]/);
+});
+
+test('the nearest word', () => {
+  assert.equal(nearest('wdth', ['width', 'height']), 'width');
+  assert.equal(nearest('zzz', ['width', 'height']), undefined);
+  assert.equal(nearest('x', []), undefined);
+});

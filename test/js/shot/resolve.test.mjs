@@ -1,0 +1,133 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { resolveShot } from '../../../js/shot/index.mjs';
+import { resolvedShotSchema } from '../../../js/shot/resolved_schema.mjs';
+
+const box = { min: [-1, 0, -0.2], max: [1, 2, 0.2] };
+const facts = {
+  bounds: box,
+  variants: ['white', 'navy'],
+  cameras: [
+    { name: 'shop', node: 1, projection: 'perspective', fovY: 40, near: 0.1, far: 0, position: [0, 1, 4], target: [0, 1, 3], up: [0, 1, 0] },
+    { name: 'plan', node: 2, projection: 'orthographic', height: 2, near: 0.01, far: 10, position: [0, 5, 0], target: [0, 4, 0], up: [0, 0, -1] },
+  ],
+};
+
+const SHOTS = [
+  {},
+  { size: { width: 800, height: 600 } },
+  { size: { width: 1 }, camera: { view: 'three-quarter', fit: 1 } },
+  { camera: { azimuth: 12.5, elevation: -7, fovY: 21 } },
+  { camera: { view: 'top', projection: 'orthographic' } },
+  { camera: { position: [1, 2, 3], target: [0, 1, 0] } },
+  { camera: { position: [0, 0, 3], target: [0, 1, 0], height: 2, near: 1, far: 5 } },
+  { camera: { gltf: 0 } },
+  { camera: { gltf: 'plan' } },
+  { environment: 'none' },
+  { environment: { map: 'maps/loft.hdr', intensity: 0.5, rotation: -90 } },
+  { environment: new Uint8Array([1, 2, 3]) },
+  { lights: ['ambient', 'hemisphere', 'directional', 'point', 'spot'].map((type) => ({ type })) },
+  { lights: [{ type: 'spot', color: 'tomato', intensity: 3, position: [1, 2, 3], target: [0, 1, 0], range: 9, angle: 0.3, penumbra: 1 }] },
+  { lights: [{ type: 'hemisphere', color: [1, 2, 3], groundColor: '#123' }], modelLights: false },
+  { background: '#eee', shading: 'three', toneMapping: 'agx', exposure: 0.5 },
+  { background: 'environment', variant: 'navy', layers: ['beauty'] },
+  { quality: 'draft' },
+  { quality: { samples: 1 } },
+  { quality: { preset: 'standard' } },
+  { output: { format: 'jpeg', quality: 80, ppi: 300, icc: true } },
+  { output: { format: 'exr', bitDepth: 32 } },
+];
+
+function deepFreeze(value) {
+  if (typeof value === 'object' && value !== null && !ArrayBuffer.isView(value)) Object.values(Object.freeze(value)).forEach(deepFreeze);
+  return value;
+}
+
+test('a resolved shot has every key, resolves to itself and survives JSON', () => {
+  for (const shot of SHOTS) {
+    const resolved = resolveShot(shot, facts);
+    const message = JSON.stringify(shot);
+    assert.equal(resolvedShotSchema.safeParse(resolved).error, undefined, message);
+    assert.deepEqual(resolveShot(resolved, facts), resolved, message);
+    assert.deepEqual(resolveShot(resolved), resolved, `${message} without facts`);
+    if (!(shot.environment instanceof Uint8Array)) assert.deepEqual(JSON.parse(JSON.stringify(resolved)), resolved, message);
+  }
+});
+
+test('arguments stay as they were, and results share nothing', () => {
+  for (const shot of SHOTS) {
+    const resolved = resolveShot(deepFreeze(shot), deepFreeze(facts));
+    const again = resolveShot(shot, facts);
+    assert.deepEqual(again, resolved);
+    // Spoil the first result in every place: a later one must not notice.
+    const spoil = (value) => Object.keys(value).forEach((key) => {
+      if (typeof value[key] === 'object' && !ArrayBuffer.isView(value[key])) spoil(value[key]);
+      else value[key] = 'spoilt';
+    });
+    spoil(resolved);
+    assert.deepEqual(resolveShot(shot, facts), again, JSON.stringify(shot));
+  }
+});
+
+test('all defaults are written out', () => {
+  const { camera, ...rest } = resolveShot({}, box);
+  assert.deepEqual(rest, {
+    size: { width: 512, height: 512 },
+    environment: { map: 'studio', intensity: 1, rotation: 0 },
+    lights: [],
+    modelLights: true,
+    background: 'transparent',
+    shading: 'three',
+    toneMapping: 'neutral',
+    exposure: 1,
+    quality: { preset: 'standard', samples: 4 },
+    variant: '',
+    layers: ['beauty'],
+    output: { format: 'png', quality: 90, bitDepth: 8, ppi: 0, icc: false },
+  });
+  assert.deepEqual(Object.keys(camera), ['projection', 'position', 'target', 'up', 'fovY', 'near', 'far']);
+  assert.equal(camera.fovY, 30);
+  assert.deepEqual(resolveShot(undefined, box), resolveShot({}, box));
+});
+
+test('defaults of lights are three.js\'s', () => {
+  const types = ['ambient', 'hemisphere', 'directional', 'point', 'spot'];
+  assert.deepEqual(resolveShot({ lights: types.map((type) => ({ type })) }, box).lights, [
+    { type: 'ambient', color: [1, 1, 1], intensity: 1 },
+    { type: 'hemisphere', color: [1, 1, 1], intensity: 1, groundColor: [1, 1, 1] },
+    { type: 'directional', color: [1, 1, 1], intensity: 1, position: [0, 1, 0], target: [0, 0, 0] },
+    { type: 'point', color: [1, 1, 1], intensity: 1, position: [0, 0, 0], range: 0 },
+    { type: 'spot', color: [1, 1, 1], intensity: 1, position: [0, 1, 0], target: [0, 0, 0], range: 0, angle: Math.PI / 3, penumbra: 0 },
+  ]);
+});
+
+test('a jpeg without a background is white: it has no transparency', () => {
+  assert.deepEqual(resolveShot({ output: { format: 'jpeg' } }, box).background, [1, 1, 1]);
+});
+
+test('bit depth follows the format', () => {
+  const depths = ['png', 'jpeg', 'webp', 'tiff', 'exr', 'raw'].map((format) => resolveShot({ output: { format } }, box).output.bitDepth);
+  assert.deepEqual(depths, [8, 8, 8, 8, 16, 8]);
+});
+
+test('a camera of the model becomes explicit; an infinite far plane is fitted', () => {
+  const shop = resolveShot({ camera: { gltf: 'shop' } }, facts).camera;
+  assert.deepEqual({ ...shop, far: 0 }, {
+    projection: 'perspective', position: [0, 1, 4], target: [0, 1, 3], up: [0, 1, 0], fovY: 40, near: 0.1, far: 0,
+  });
+  assert.ok(shop.far > 4.2 && shop.far < 4.3);
+  assert.deepEqual(resolveShot({ camera: { gltf: 1 } }, facts).camera, {
+    projection: 'orthographic', position: [0, 5, 0], target: [0, 4, 0], up: [0, 0, -1], height: 2, near: 0.01, far: 10,
+  });
+});
+
+test('height alone means orthographic', () => {
+  const { projection, fovY } = resolveShot({ camera: { position: [0, 0, 3], target: [0, 0, 0], height: 2 } }, box).camera;
+  assert.deepEqual([projection, fovY], ['orthographic', undefined]);
+});
+
+test('facts may be a THREE.Box3', async () => {
+  const { Box3, Vector3 } = await import('three');
+  assert.deepEqual(resolveShot({}, new Box3(new Vector3(...box.min), new Vector3(...box.max))), resolveShot({}, box));
+  assert.throws(() => resolveShot({}, new Box3()), { code: 'E_NO_GEOMETRY' });
+});
