@@ -78,7 +78,10 @@ void Program::set(const char* uniform, const glm::mat4& value) const {
   gl_->UniformMatrix4fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
 }
 void Program::set(const char* uniform, std::span<const float> values) const {
-  gl_->Uniform1fv(location(uniform), static_cast<GLsizei>(values.size()), values.data());
+  if (!values.empty()) gl_->Uniform1fv(location(uniform), static_cast<GLsizei>(values.size()), values.data());
+}
+void Program::set(const char* uniform, std::span<const glm::vec3> values) const {
+  if (!values.empty()) gl_->Uniform3fv(location(uniform), static_cast<GLsizei>(values.size()), glm::value_ptr(values.front()));
 }
 
 }  // namespace telar::gl

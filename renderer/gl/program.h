@@ -29,7 +29,8 @@ class Program {
   void set(const char* uniform, const glm::vec4& value) const;
   void set(const char* uniform, const glm::mat3& value) const;
   void set(const char* uniform, const glm::mat4& value) const;
-  void set(const char* uniform, std::span<const float> values) const;
+  void set(const char* uniform, std::span<const float> values) const;      ///< float[]
+  void set(const char* uniform, std::span<const glm::vec3> values) const;  ///< vec3[]
 
  private:
   int location(const char* uniform) const;

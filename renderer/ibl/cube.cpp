@@ -1,0 +1,89 @@
+#include "ibl/cube.h"
+
+#include <algorithm>
+#include <glm/gtc/packing.hpp>
+
+#include "shader/library.h"
+
+namespace telar::ibl {
+namespace {
+
+struct Face {
+  glm::vec3 centre, right, up;  // direction = centre + s right + t up, s and t in [-1, 1] (OpenGL ES 3.0 table 3.21)
+};
+
+constexpr Face FACES[6] = {
+    {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}}, {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
+    {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}}, {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}},
+};
+
+}  // namespace
+
+CubeMap createCube(const gl::Functions& gl, int faceSize, int levels) {
+  CubeMap cube{gl::Texture(gl), faceSize, levels};
+  gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.texture.get());
+  gl.TexStorage2D(GL_TEXTURE_CUBE_MAP, levels, GL_RGBA16F, faceSize, faceSize);
+  gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+  return cube;
+}
+
+void renderFaces(const gl::Functions& gl, const gl::Program& program, const CubeMap& target, int level, const CancelToken& cancel) {
+  const gl::Framebuffer framebuffer(gl);
+  const gl::VertexArray noVertices(gl);
+  const int size = target.faceSize >> level;
+  gl.BindVertexArray(noVertices.get());
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
+  gl.Viewport(0, 0, size, size);
+  for (const GLenum capability : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST}) gl.Disable(capability);
+  for (int i = 0; i < 6; ++i) {
+    cancel.check();
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i),
+                            target.texture.get(), level);
+    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+      throw Error("X_GL", "this GL driver does not render to RGBA16F cube maps");
+    }
+    program.set("faceCentre", FACES[i].centre);
+    program.set("faceRight", FACES[i].right);
+    program.set("faceUp", FACES[i].up);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.Finish();  // a long pass in pieces, so that a cancelled job stops soon
+  }
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+gl::Texture uploadEquirect(const gl::Functions& gl, const ImageF& map) {
+  const std::size_t row = static_cast<std::size_t>(map.width) * 4;
+  std::vector<std::uint16_t> halfs(row * map.height);
+  for (std::uint32_t y = 0; y < map.height; ++y) {
+    const float* from = &map.pixels[y * row];
+    std::uint16_t* to = &halfs[(map.height - 1 - y) * row];
+    std::transform(from, from + row, to, [](float x) { return glm::packHalf1x16(x); });
+  }
+  gl::Texture texture(gl);
+  gl.BindTexture(GL_TEXTURE_2D, texture.get());
+  gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA16F, static_cast<GLsizei>(map.width), static_cast<GLsizei>(map.height));
+  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<GLsizei>(map.width), static_cast<GLsizei>(map.height), GL_RGBA, GL_HALF_FLOAT,
+                   halfs.data());
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  return texture;
+}
+
+CubeMap equirectToCube(const gl::Context& context, const gl::Texture& equirect, int faceSize, int levels, bool supersample,
+                       const CancelToken& cancel) {
+  const gl::Functions& gl = context.gl();
+  CubeMap cube = createCube(gl, faceSize, levels);
+  const gl::Program program(context, "equirect_to_cube", shader::assemble("environment/cube_face.vert", {}),
+                            shader::assemble("environment/equirect_to_cube.frag", {{"SUPERSAMPLE", supersample ? 1 : 0}}));
+  program.use();
+  program.set("equirectMap", 0);
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_2D, equirect.get());
+  renderFaces(gl, program, cube, 0, cancel);
+  return cube;
+}
+
+}  // namespace telar::ibl

@@ -1,0 +1,47 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ibl/prefilter.h"
+#include "telar/limits.h"
+#include "telar/shot.h"
+
+namespace telar::ibl {
+
+/// The environment of a shot on the GPU: the prefiltered cube and, where the shot shows it, the sharp background cube.
+struct Environment {
+  CubeMap prefiltered;
+  CubeMap background;  ///< faceSize 0 until it is asked for
+  std::string source;  ///< "gpu", "bundled", "disk" or "prefiltered": where the cube came from
+};
+
+/// Keeps the environments that were used last on the GPU, and prefiltered cubes on disk by the SHA-256 of their file.
+class EnvironmentCache {
+ public:
+  /// @param assetDirectory  holds studio.hdr and studio.pmrem
+  /// @param cacheDirectory  empty = no disk cache
+  EnvironmentCache(const gl::Context& context, std::filesystem::path assetDirectory, std::filesystem::path cacheDirectory, Limits limits);
+
+  /// @param bytes  the file when the source is kBytes
+  /// @param background  also make the sharp cube (face size = height of the map, as three.js does)
+  /// @throws Error{E_ENVIRONMENT_*, X_GL, X_CANCELLED}
+  const Environment& get(const Shot::Environment& wanted, std::span<const std::byte> bytes, bool background, const CancelToken& cancel);
+
+ private:
+  struct Entry {
+    std::string key;
+    Environment environment;
+  };
+  std::vector<std::byte> fileOf(const Shot::Environment& wanted) const;
+  CubeMap prefiltered(const std::string& key, bool studio, std::span<const std::byte> file, std::string& source, const CancelToken& cancel);
+
+  const gl::Context& context_;
+  std::filesystem::path assets_, cache_;
+  Limits limits_;
+  std::vector<std::unique_ptr<Entry>> entries_;  // most recent last
+};
+
+}  // namespace telar::ibl

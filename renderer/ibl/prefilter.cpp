@@ -1,0 +1,61 @@
+#include "ibl/prefilter.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "shader/library.h"
+
+namespace telar::ibl {
+namespace {
+
+constexpr int FACE_SIZE_MIN = 256;        // px; smaller maps are enlarged so that every chain has enough levels
+constexpr int LAST_LEVEL_LOG2 = 3;        // the roughest level is 8 px
+constexpr int SAMPLES = 256;              // of the sharp levels
+constexpr int INTEGRATION_SIZE = 16;      // px of the source level that the rough levels sum
+constexpr int INTEGRATION_LEVELS = 3;     // how many rough levels
+
+double roughnessOf(int level, int maxLod) { return 1.0 - std::sqrt(1.0 - static_cast<double>(level) / maxLod); }
+
+/// log2 of the source texels that one sample covers, less what depends on the sample: three r187.
+double lodBias(int faceSize, double roughness) {
+  return roughness > 0 ? std::log2(faceSize) + 0.5 * std::log2(6.0 / (SAMPLES * std::pow(roughness, 4))) + 0.5 : 0.0;
+}
+
+}  // namespace
+
+int maxLodOf(const CubeMap& cube) { return cube.levels - 1; }
+
+CubeMap prefilterEquirect(const gl::Context& context, const ImageF& map, const CancelToken& cancel) {
+  const gl::Functions& gl = context.gl();
+  const int faceSize = std::max(FACE_SIZE_MIN, static_cast<int>(std::bit_floor(map.width / 4)));
+  const int maxLod = std::countr_zero(static_cast<unsigned>(faceSize)) - LAST_LEVEL_LOG2;
+  const gl::Texture equirect = uploadEquirect(gl, map);
+  const int sourceLevels = std::countr_zero(static_cast<unsigned>(faceSize)) + 1;
+  const CubeMap source = equirectToCube(context, equirect, faceSize, sourceLevels, true, cancel);
+  gl.BindTexture(GL_TEXTURE_CUBE_MAP, source.texture.get());
+  gl.GenerateMipmap(GL_TEXTURE_CUBE_MAP);
+
+  CubeMap target = createCube(gl, faceSize, maxLod + 1);
+  const std::string vertex = shader::assemble("environment/cube_face.vert", {});
+  const gl::Program sample(context, "prefilter_sample", vertex, shader::assemble("environment/prefilter_sample.frag", {{"SAMPLES", SAMPLES}}));
+  const gl::Program integrate(context, "prefilter_integrate", vertex, shader::assemble("environment/prefilter_integrate.frag", {}));
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_CUBE_MAP, source.texture.get());
+  for (int level = 0; level <= maxLod; ++level) {
+    const double roughness = roughnessOf(level, maxLod);
+    const bool rough = level > maxLod - INTEGRATION_LEVELS;
+    const gl::Program& program = rough ? integrate : sample;
+    program.use();
+    program.set("sourceMap", 0);
+    program.set("perceptualRoughness", static_cast<float>(roughness));
+    program.set("lodBias", static_cast<float>(lodBias(faceSize, roughness)));
+    program.set("sourceLod", static_cast<float>(std::log2(faceSize / INTEGRATION_SIZE)));
+    program.set("sourceSize", INTEGRATION_SIZE);
+    renderFaces(gl, program, target, level, cancel);
+  }
+  context.check("environment prefilter");
+  return target;
+}
+
+}  // namespace telar::ibl

@@ -1,0 +1,70 @@
+#include "pass/background_pass.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace telar::pass {
+namespace {
+
+/// Twelve triangles of a cube of edge 1, facing inwards.
+std::vector<glm::vec3> cubeTriangles() {
+  std::vector<glm::vec3> out;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float side : {-0.5f, 0.5f}) {
+      const auto corner = [&](float u, float v) {
+        glm::vec3 p(0.0f);
+        p[axis] = side;
+        p[(axis + 1) % 3] = u;
+        p[(axis + 2) % 3] = v;
+        return p;
+      };
+      for (const glm::vec2 uv : {glm::vec2(-0.5f, -0.5f), {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}}) {
+        out.push_back(corner(uv.x, uv.y));
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+void BackgroundPass::draw(const Camera& camera, const Shot& shot, const ibl::Environment& environment, const shader::VariantKey& frame) {
+  const gl::Functions& gl = context_.gl();
+  auto found = programs_.find(frame);
+  if (found == programs_.end()) {
+    const shader::Defines defines{{"TONE_MAPPING", static_cast<int>(frame.toneMapping)}, {"OUTPUT_LINEAR", frame.outputLinear ? 1 : 0}};
+    found = programs_.emplace(frame, gl::Program(context_, "background", shader::assemble("environment/background.vert", {}),
+                                                 shader::assemble("environment/background.frag", defines))).first;
+  }
+  constexpr GLsizei VERTICES = 36;
+  if (!cube_) {
+    cube_ = gl::VertexArray(gl);
+    corners_ = gl::Buffer(gl);
+    const auto triangles = cubeTriangles();
+    gl.BindVertexArray(cube_.get());
+    gl.BindBuffer(GL_ARRAY_BUFFER, corners_.get());
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec3)), triangles.data(), GL_STATIC_DRAW);
+    gl.EnableVertexAttribArray(0);
+    gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  }
+  const gl::Program& program = found->second;
+  program.use();
+  program.set("modelViewMatrix", glm::mat4(glm::dmat4(glm::dmat3(camera.view))));
+  program.set("projectionMatrix", glm::mat4(camera.projection));
+  program.set("backgroundMap", 0);
+  program.set("backgroundIntensity", static_cast<float>(shot.environment.intensity));
+  program.set("backgroundRotation", glm::transpose(glm::mat3(glm::dmat3(
+      glm::rotate(glm::dmat4(1.0), glm::radians(shot.environment.rotation), glm::dvec3(0, 1, 0))))));
+  program.set("exposure", static_cast<float>(shot.exposure));
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_CUBE_MAP, environment.background.texture.get());
+  gl.BindSampler(0, 0);
+  for (const GLenum capability : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE}) gl.Disable(capability);
+  gl.DepthMask(GL_FALSE);
+  gl.BindVertexArray(cube_.get());
+  gl.DrawArrays(GL_TRIANGLES, 0, VERTICES);
+  gl.BindVertexArray(0);
+  gl.DepthMask(GL_TRUE);
+  context_.check("background pass");
+}
+
+}  // namespace telar::pass

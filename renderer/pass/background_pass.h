@@ -1,0 +1,26 @@
+#pragma once
+#include <optional>
+
+#include "gl/program.h"
+#include "ibl/environment_cache.h"
+#include "pass/camera.h"
+#include "shader/variant_key.h"
+
+namespace telar::pass {
+
+/// The environment behind the model, sharp, tone mapped like the model.
+class BackgroundPass {
+ public:
+  explicit BackgroundPass(const gl::Context& context) : context_(context) {}
+
+  /// The target is bound and cleared.
+  void draw(const Camera& camera, const Shot& shot, const ibl::Environment& environment, const shader::VariantKey& frame);
+
+ private:
+  const gl::Context& context_;
+  std::map<shader::VariantKey, gl::Program> programs_;
+  gl::VertexArray cube_;
+  gl::Buffer corners_;
+};
+
+}  // namespace telar::pass

@@ -1,0 +1,51 @@
+#include "pass/camera.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace telar::pass {
+namespace {
+
+/// Axes as three.js Matrix4.lookAt chooses them, also where up and the view direction are parallel.
+glm::dmat4 viewMatrix(const Shot::Camera& camera) {
+  glm::dvec3 z = camera.position - camera.target;
+  z = glm::dot(z, z) > 0 ? glm::normalize(z) : glm::dvec3(0, 0, 1);
+  glm::dvec3 x = glm::cross(camera.up, z);
+  if (glm::dot(x, x) == 0) {
+    if (std::abs(camera.up.z) == 1) {
+      z.x += 0.0001;
+    } else {
+      z.z += 0.0001;
+    }
+    z = glm::normalize(z);
+    x = glm::cross(camera.up, z);
+  }
+  x = glm::normalize(x);
+  const glm::dvec3 y = glm::cross(z, x);
+  const glm::dmat4 rotation(x.x, y.x, z.x, 0, x.y, y.y, z.y, 0, x.z, y.z, z.z, 0, 0, 0, 0, 1);
+  return glm::translate(rotation, -camera.position);
+}
+
+}  // namespace
+
+Camera cameraOf(const Shot& shot) {
+  const double aspect = static_cast<double>(shot.width) / shot.height;
+  const Shot::Camera& c = shot.camera;
+  Camera camera;
+  camera.view = viewMatrix(c);
+  camera.orthographic = !c.perspective;
+  if (c.perspective) {
+    camera.projection = glm::perspective(glm::radians(c.fovY), aspect, c.near, c.far);
+  } else {
+    const double top = c.height / 2, right = top * aspect;
+    camera.projection = glm::ortho(-right, right, -top, top, c.near, c.far);
+  }
+  return camera;
+}
+
+glm::dmat4 worldToPixel(const Camera& camera, int width, int height) {
+  const glm::dmat4 toPixels(width / 2.0, 0, 0, 0, 0, -height / 2.0, 0, 0, 0, 0, 0.5, 0, width / 2.0, height / 2.0, 0.5, 1);
+  return toPixels * camera.projection * camera.view;
+}
+
+}  // namespace telar::pass

@@ -1,0 +1,20 @@
+#pragma once
+#include <glm/glm.hpp>
+
+#include "telar/shot.h"
+
+namespace telar::pass {
+
+/// Matrices of one view, in double; uploaded as float after they are multiplied with a node's.
+struct Camera {
+  glm::dmat4 view{1.0};        ///< world to view
+  glm::dmat4 projection{1.0};  ///< view to clip, OpenGL depth -1..1
+  bool orthographic = false;
+};
+
+Camera cameraOf(const Shot& shot);
+
+/// World (homogeneous) to pixels: x right and y down from the top-left corner, z 0..1 from near to far, after / w.
+glm::dmat4 worldToPixel(const Camera& camera, int width, int height);
+
+}  // namespace telar::pass

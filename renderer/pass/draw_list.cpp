@@ -1,0 +1,144 @@
+#include "pass/draw_list.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace telar::pass {
+namespace {
+
+constexpr std::size_t ALL_FEATURES_LIGHTS = 2;  // of each kind
+
+const Material DEFAULT_MATERIAL{};  // glTF's: white, metallic 1, roughness 1
+
+/// Index of the shot's variant. @throws Error{E_VARIANT}
+int variantIndex(const Scene& scene, const std::string& name) {
+  if (name.empty()) return -1;
+  const auto found = std::find(scene.variants.begin(), scene.variants.end(), name);
+  if (found != scene.variants.end()) return static_cast<int>(found - scene.variants.begin());
+  std::string known;
+  for (const std::string& variant : scene.variants) known += (known.empty() ? "" : ", ") + quoted(variant);
+  throw Error("E_VARIANT", "shot.variant: this model has no variant " + quoted(name) +
+                               (known.empty() ? "; it has none" : "; it has " + known));
+}
+
+int materialIndex(const Primitive& primitive, int variant) {
+  if (variant < 0 || static_cast<std::size_t>(variant) >= primitive.variantMaterials.size()) return primitive.material;
+  const int mapped = primitive.variantMaterials[static_cast<std::size_t>(variant)];
+  return mapped >= 0 ? mapped : primitive.material;
+}
+
+/// Texture features of a lit material; a map that is multiplied by 0 is not sampled.
+void describeMaps(const Material& m, shader::VariantKey& key) {
+  const auto use = [](const TextureRef& texture, bool matters, bool& map, bool& uv1) {
+    map = texture && matters;
+    uv1 = map && texture.texCoord == 1;
+  };
+  use(m.baseColorTexture, true, key.baseColorMap, key.baseColorUv1);
+  if (key.unlit) return;
+  use(m.metallicRoughnessTexture, m.metallicFactor != 0 || m.roughnessFactor != 0, key.metallicRoughnessMap, key.metallicRoughnessUv1);
+  use(m.normalTexture, true, key.normalMap, key.normalUv1);
+  use(m.occlusionTexture, m.occlusionStrength != 0, key.occlusionMap, key.occlusionUv1);
+  key.emissive = m.emissiveFactor != glm::vec3(0);
+  use(m.emissiveTexture, key.emissive, key.emissiveMap, key.emissiveUv1);
+}
+
+shader::VariantKey keyOf(const Primitive& primitive, const Material& material, const shader::VariantKey& frame) {
+  shader::VariantKey key;
+  key.toneMapping = frame.toneMapping;
+  key.outputLinear = frame.outputLinear;
+  key.points = primitive.topology == Topology::kPoints;
+  // three.js shows points and lines with unlit materials of the same colour.
+  key.unlit = material.unlit || primitive.topology != Topology::kTriangles;
+  key.vertexColor = !primitive.colors.empty();
+  key.alphaMask = material.alphaMode == AlphaMode::kMask && material.alphaCutoff > 0;
+  key.alphaOpaque = material.alphaMode != AlphaMode::kBlend;
+  describeMaps(material, key);
+  if (key.unlit) return key;
+  key.ambient = frame.ambient;
+  key.environment = frame.environment;
+  key.orthographic = frame.orthographic;
+  key.hemisphereLights = frame.hemisphereLights;
+  key.pointLights = frame.pointLights;
+  key.spotLights = frame.spotLights;
+  key.directionalLights = frame.directionalLights;
+  key.flatShaded = primitive.normals.empty();
+  key.tangent = key.normalMap && !key.flatShaded && !primitive.tangents.empty();
+  key.doubleSided = material.doubleSided && !key.flatShaded;
+  if (key.flatShaded && key.normalMap) key.doubleSided = material.doubleSided;
+  return key;
+}
+
+/// Everything on that does not change the picture: maps read neutral texels, lights are black.
+void forceAllFeatures(shader::VariantKey& key) {
+  if (key.unlit) return;
+  key.baseColorMap = key.metallicRoughnessMap = key.normalMap = key.occlusionMap = key.emissive = key.emissiveMap = true;
+  key.vertexColor = key.alphaMask = key.environment = true;
+}
+
+void sortDraws(DrawList& draws) {
+  // Stable: equal items keep the scene's order, which is three.js's object id.
+  std::stable_sort(draws.opaque.begin(), draws.opaque.end(), [](const DrawItem& a, const DrawItem& b) {
+    return std::tie(a.materialRank, a.depth) < std::tie(b.materialRank, b.depth);
+  });
+  std::stable_sort(draws.blended.begin(), draws.blended.end(), [](const DrawItem& a, const DrawItem& b) { return a.depth > b.depth; });
+}
+
+/// A blended double-sided surface is drawn twice, back faces first, each as if it were single-sided.
+void addBlended(std::vector<DrawItem>& list, DrawItem item) {
+  if (item.material->doubleSided && item.primitive->topology == Topology::kTriangles) {
+    item.key.doubleSided = false;
+    item.key.flipSided = true;
+    list.push_back(item);
+    item.key.flipSided = false;
+    list.push_back(item);
+  } else {
+    list.push_back(item);
+  }
+}
+
+}  // namespace
+
+FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures) {
+  FramePlan plan;
+  plan.camera = cameraOf(shot);
+  plan.lights = collectLights(scene, shot, plan.camera, limits);
+  if (allFeatures) plan.lights.pad(ALL_FEATURES_LIGHTS);
+  const bool hasEnvironment = shot.environment.source != Shot::Environment::Source::kNone;
+  plan.environmentBackground = hasEnvironment && shot.background.type == Shot::Background::Type::kEnvironment;
+
+  shader::VariantKey frame;
+  plan.lights.describe(frame);
+  frame.environment = hasEnvironment && shot.environment.intensity != 0;
+  frame.orthographic = plan.camera.orthographic;
+  frame.outputLinear = framePixelType(shot.output) == PixelType::kRgbaF32;
+  frame.toneMapping = frame.outputLinear ? shader::ToneMapping::kNone : shader::toneMappingByName(shot.toneMapping);
+
+  const int variant = variantIndex(scene, shot.variant);
+  const glm::dmat4 viewProjection = plan.camera.projection * plan.camera.view;
+  std::map<int, int> ranks;
+  for (const Node& node : scene.nodes) {
+    if (node.mesh < 0) continue;
+    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+      if (primitive.positions.empty()) continue;
+      const int index = materialIndex(primitive, variant);
+      DrawItem item{&node, &primitive, index >= 0 ? &scene.materials[static_cast<std::size_t>(index)] : &DEFAULT_MATERIAL};
+      item.key = keyOf(primitive, *item.material, frame);
+      if (allFeatures) forceAllFeatures(item.key);
+      plan.environment |= item.key.environment;
+      item.blend = item.material->alphaMode == AlphaMode::kBlend;
+      item.mirrored = glm::determinant(glm::dmat3(node.world)) < 0;
+      item.depth = (viewProjection * node.world * glm::dvec4((primitive.bounds.min + primitive.bounds.max) * 0.5, 1.0)).z;
+      item.materialRank = ranks.emplace(index, static_cast<int>(ranks.size())).first->second;
+      if (item.blend) {
+        addBlended(plan.draws.blended, item);
+      } else {
+        plan.draws.opaque.push_back(item);
+      }
+    }
+  }
+  sortDraws(plan.draws);
+  return plan;
+}
+
+}  // namespace telar::pass

@@ -1,0 +1,43 @@
+#pragma once
+#include <vector>
+
+#include "pass/camera.h"
+#include "pass/light_set.h"
+#include "shader/variant_key.h"
+#include "telar/scene.h"
+
+namespace telar::pass {
+
+/// One draw call.
+struct DrawItem {
+  const Node* node = nullptr;
+  const Primitive* primitive = nullptr;
+  const Material* material = nullptr;
+  shader::VariantKey key;
+  bool blend = false;     ///< drawn after the opaque ones, far to near, without depth writes
+  bool mirrored = false;  ///< the node's matrix turns the winding round
+  double depth = 0;       ///< clip z of the centre of the primitive's bounds
+  int materialRank = 0;   ///< order of first use
+};
+
+/// The draw calls of a frame in the order in which three.js 0.187 draws them. Points into the scene.
+struct DrawList {
+  std::vector<DrawItem> opaque;
+  std::vector<DrawItem> blended;
+};
+
+/// What a frame needs besides the draws.
+struct FramePlan {
+  Camera camera;
+  LightSet lights;
+  DrawList draws;
+  bool environment = false;            ///< a lit material samples it
+  bool environmentBackground = false;
+};
+
+/// Decides, without GL, what a frame compiles and draws: every key holds only what its material and the shot use.
+/// @param allFeatures  turn everything on (benchmark)
+/// @throws Error{E_VARIANT, L_LIGHTS}
+FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures);
+
+}  // namespace telar::pass

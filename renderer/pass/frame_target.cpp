@@ -1,0 +1,92 @@
+#include "pass/frame_target.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace telar::pass {
+namespace {
+
+/// 8-bit premultiplied to straight, rounded to nearest: what a browser's toBlob does.
+void unpremultiply(std::uint8_t* rgba, std::size_t texels) {
+  for (std::size_t i = 0; i < texels; ++i, rgba += 4) {
+    const unsigned a = rgba[3];
+    if (a == 255) continue;
+    for (int c = 0; c < 3; ++c) {
+      rgba[c] = a == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(std::min(255u, (rgba[c] * 255u + a / 2) / a));
+    }
+  }
+}
+
+}  // namespace
+
+FrameTarget::FrameTarget(const gl::Context& context, int width, int height, int samples, PixelType type)
+    : context_(context), width_(width), height_(height), samples_(samples), samplesAsked_(samples), type_(type) {
+  const int most = std::min(samples, context.capabilities().maxSamples);
+  // A GPU may lack multisampled 32-bit floats: then half floats, then one sample.
+  const bool complete = type == PixelType::kRgba8
+                            ? tryFormat(GL_RGBA8, most)
+                            : tryFormat(GL_RGBA32F, most) || tryFormat(GL_RGBA16F, most) || tryFormat(GL_RGBA16F, 1);
+  context.check("framebuffer creation");
+  if (!complete) throw Error("X_GL", "this GL driver does not render to the framebuffer of this output");
+}
+
+bool FrameTarget::tryFormat(GLenum format, int samples) {
+  const gl::Functions& gl = context_.gl();
+  samples_ = samples;
+  draw_ = gl::Framebuffer(gl);
+  color_ = gl::Renderbuffer(gl);
+  depth_ = gl::Renderbuffer(gl);
+  const GLsizei count = samples > 1 ? samples : 0;
+  gl.BindFramebuffer(GL_FRAMEBUFFER, draw_.get());
+  gl.BindRenderbuffer(GL_RENDERBUFFER, color_.get());
+  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, count, format, width_, height_);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.get());
+  gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.get());
+  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, count, GL_DEPTH24_STENCIL8, width_, height_);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth_.get());
+  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return false;
+  if (samples == 1) return true;
+  resolved_ = gl::Framebuffer(gl);
+  resolvedColor_ = gl::Renderbuffer(gl);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.get());
+  gl.BindRenderbuffer(GL_RENDERBUFFER, resolvedColor_.get());
+  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, format, width_, height_);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolvedColor_.get());
+  return gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+bool FrameTarget::matches(int width, int height, int samples, PixelType type) const {
+  return width == width_ && height == height_ && samples == samplesAsked_ && type == type_;
+}
+
+void FrameTarget::bind() const {
+  const gl::Functions& gl = context_.gl();
+  gl.BindFramebuffer(GL_FRAMEBUFFER, draw_.get());
+  gl.Viewport(0, 0, width_, height_);
+}
+
+Frame FrameTarget::read() const {
+  const gl::Functions& gl = context_.gl();
+  if (samples_ > 1) {
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, draw_.get());
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.get());
+    gl.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.get());
+  }
+  const std::size_t texelBytes = type_ == PixelType::kRgba8 ? 4 : 16;
+  const std::size_t row = static_cast<std::size_t>(width_) * texelBytes, rows = static_cast<std::size_t>(height_);
+  Frame frame{static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_), type_, std::vector<std::byte>(row * rows)};
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.ReadPixels(0, 0, width_, height_, GL_RGBA, type_ == PixelType::kRgba8 ? GL_UNSIGNED_BYTE : GL_FLOAT, frame.pixels.data());
+  context_.check("readback");
+  for (std::size_t y = 0; y < rows / 2; ++y) {
+    std::swap_ranges(frame.pixels.begin() + static_cast<std::ptrdiff_t>(y * row), frame.pixels.begin() + static_cast<std::ptrdiff_t>((y + 1) * row),
+                     frame.pixels.begin() + static_cast<std::ptrdiff_t>((rows - 1 - y) * row));
+  }
+  if (type_ == PixelType::kRgba8) {
+    unpremultiply(reinterpret_cast<std::uint8_t*>(frame.pixels.data()), static_cast<std::size_t>(width_) * rows);
+  }
+  return frame;
+}
+
+}  // namespace telar::pass

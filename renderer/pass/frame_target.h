@@ -1,0 +1,32 @@
+#pragma once
+#include "gl/context.h"
+#include "gl/gl_object.h"
+#include "telar/image.h"
+
+namespace telar::pass {
+
+/// The framebuffer of one picture. kRgba8 holds sRGB-encoded values, and the multisample resolve averages those, as the
+/// browser's drawing buffer does; kRgbaF32 holds linear radiance and resolves it.
+class FrameTarget {
+ public:
+  /// @param samples  1 or 4, lowered to what the driver has for the format
+  /// @throws Error{X_GL, X_GL_MEMORY}
+  FrameTarget(const gl::Context& context, int width, int height, int samples, PixelType type);
+
+  bool matches(int width, int height, int samples, PixelType type) const;
+  void bind() const;
+  /// Resolves and reads: row 0 is the top row; kRgba8 has straight alpha, kRgbaF32 premultiplied.
+  Frame read() const;
+  int samples() const { return samples_; }
+
+ private:
+  bool tryFormat(GLenum format, int samples);
+
+  const gl::Context& context_;
+  int width_, height_, samples_, samplesAsked_;
+  PixelType type_;
+  gl::Framebuffer draw_, resolved_;
+  gl::Renderbuffer color_, depth_, resolvedColor_;
+};
+
+}  // namespace telar::pass

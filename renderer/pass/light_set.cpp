@@ -1,0 +1,141 @@
+#include "pass/light_set.h"
+
+#include <cmath>
+
+#include "gl/program.h"
+
+namespace telar::pass {
+namespace {
+
+glm::vec3 toView(const Camera& camera, const glm::dvec3& point) { return glm::vec3(glm::dvec3(camera.view * glm::dvec4(point, 1.0))); }
+
+/// Unit direction in view space; +Y of the world where it is zero.
+glm::vec3 directionToView(const Camera& camera, glm::dvec3 direction) {
+  if (glm::dot(direction, direction) == 0) direction = {0, 1, 0};
+  return glm::vec3(glm::normalize(glm::dvec3(camera.view * glm::dvec4(glm::normalize(direction), 0.0))));
+}
+
+void addPoint(LightSet& set, const Camera& camera, const glm::vec3& color, const glm::dvec3& position, double range) {
+  set.pointPosition.push_back(toView(camera, position));
+  set.pointColor.push_back(color);
+  set.pointRange.push_back(static_cast<float>(range));
+}
+
+void addDirectional(LightSet& set, const Camera& camera, const glm::vec3& color, const glm::dvec3& toLight) {
+  set.directionalDirection.push_back(directionToView(camera, toLight));
+  set.directionalColor.push_back(color);
+}
+
+void addSpot(LightSet& set, const Camera& camera, const glm::vec3& color, const glm::dvec3& position, const glm::dvec3& toLight,
+             double range, double angle, double penumbra) {
+  set.spotPosition.push_back(toView(camera, position));
+  set.spotDirection.push_back(directionToView(camera, toLight));
+  set.spotColor.push_back(color);
+  set.spotRange.push_back(static_cast<float>(range));
+  set.spotOuterCos.push_back(static_cast<float>(std::cos(angle)));
+  set.spotInnerCos.push_back(static_cast<float>(std::cos(angle * (1.0 - penumbra))));
+}
+
+void addShotLight(LightSet& set, const Camera& camera, const Shot::Light& light) {
+  const glm::vec3 color(glm::dvec3(light.color) * light.intensity);
+  const glm::vec3 ground(glm::dvec3(light.groundColor) * light.intensity);
+  if (color == glm::vec3(0) && ground == glm::vec3(0)) return;
+  switch (light.type) {
+    case Shot::Light::Type::kAmbient:
+      set.ambient += color;
+      set.hasAmbient = true;
+      break;
+    case Shot::Light::Type::kHemisphere:
+      set.hemisphereUp.push_back(directionToView(camera, {0, 1, 0}));
+      set.hemisphereSky.push_back(color);
+      set.hemisphereGround.push_back(ground);
+      break;
+    case Shot::Light::Type::kDirectional: addDirectional(set, camera, color, light.position - light.target); break;
+    case Shot::Light::Type::kPoint: addPoint(set, camera, color, light.position, light.range); break;
+    case Shot::Light::Type::kSpot:
+      addSpot(set, camera, color, light.position, light.position - light.target, light.range, light.angle, light.penumbra);
+      break;
+  }
+}
+
+void addModelLight(LightSet& set, const Camera& camera, const ModelLight& light, const glm::dmat4& world) {
+  const glm::vec3 color(glm::dvec3(light.color) * static_cast<double>(light.intensity));
+  if (color == glm::vec3(0)) return;
+  const glm::dvec3 position(world[3]);
+  const glm::dvec3 toLight(world[2]);  // glTF lights shine along their local -Z
+  switch (light.type) {
+    case LightType::kDirectional: addDirectional(set, camera, color, toLight); break;
+    case LightType::kPoint: addPoint(set, camera, color, position, light.range); break;
+    case LightType::kSpot: {
+      const double outer = light.outerConeAngle;
+      addSpot(set, camera, color, position, toLight, light.range, outer, 1.0 - light.innerConeAngle / outer);
+      break;
+    }
+  }
+}
+
+template <class T>
+void padTo(std::vector<T>& list, std::size_t count, const T& value) {
+  if (list.size() < count) list.resize(count, value);
+}
+
+}  // namespace
+
+void LightSet::describe(shader::VariantKey& key) const {
+  key.ambient = hasAmbient;
+  key.hemisphereLights = static_cast<std::uint8_t>(hemisphereUp.size());
+  key.pointLights = static_cast<std::uint8_t>(pointPosition.size());
+  key.spotLights = static_cast<std::uint8_t>(spotPosition.size());
+  key.directionalLights = static_cast<std::uint8_t>(directionalDirection.size());
+}
+
+void LightSet::pad(std::size_t count) {
+  const glm::vec3 black(0), up(0, 1, 0);
+  hasAmbient = true;
+  padTo(hemisphereUp, count, up);
+  padTo(hemisphereSky, count, black);
+  padTo(hemisphereGround, count, black);
+  padTo(pointPosition, count, up);
+  padTo(pointColor, count, black);
+  padTo(pointRange, count, 0.0f);
+  padTo(spotPosition, count, up);
+  padTo(spotDirection, count, up);
+  padTo(spotColor, count, black);
+  padTo(spotRange, count, 0.0f);
+  padTo(spotOuterCos, count, 0.5f);
+  padTo(spotInnerCos, count, 0.9f);
+  padTo(directionalDirection, count, up);
+  padTo(directionalColor, count, black);
+}
+
+void LightSet::upload(const gl::Program& program) const {
+  program.set("ambientIrradiance", ambient);
+  program.set("hemisphereUp", hemisphereUp);
+  program.set("hemisphereSky", hemisphereSky);
+  program.set("hemisphereGround", hemisphereGround);
+  program.set("pointPosition", pointPosition);
+  program.set("pointColor", pointColor);
+  program.set("pointRange", pointRange);
+  program.set("spotPosition", spotPosition);
+  program.set("spotDirection", spotDirection);
+  program.set("spotColor", spotColor);
+  program.set("spotRange", spotRange);
+  program.set("spotOuterCos", spotOuterCos);
+  program.set("spotInnerCos", spotInnerCos);
+  program.set("directionalDirection", directionalDirection);
+  program.set("directionalColor", directionalColor);
+}
+
+LightSet collectLights(const Scene& scene, const Shot& shot, const Camera& camera, const Limits& limits) {
+  std::size_t count = shot.lights.size();
+  for (const Node& node : scene.nodes) count += shot.modelLights && node.light >= 0;
+  checkLimit("L_LIGHTS", static_cast<double>(limits.lights), static_cast<double>(count));
+  LightSet set;
+  for (const Shot::Light& light : shot.lights) addShotLight(set, camera, light);
+  for (const Node& node : scene.nodes) {
+    if (shot.modelLights && node.light >= 0) addModelLight(set, camera, scene.lights[static_cast<std::size_t>(node.light)], node.world);
+  }
+  return set;
+}
+
+}  // namespace telar::pass

@@ -1,0 +1,38 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "pass/camera.h"
+#include "shader/variant_key.h"
+#include "telar/limits.h"
+#include "telar/scene.h"
+
+namespace telar::gl {
+class Program;
+}
+
+namespace telar::pass {
+
+/// The lights of a frame as the shader takes them: view space, colour times intensity, linear Rec.709.
+struct LightSet {
+  glm::vec3 ambient{0};
+  bool hasAmbient = false;
+  std::vector<glm::vec3> hemisphereUp, hemisphereSky, hemisphereGround;
+  std::vector<glm::vec3> pointPosition, pointColor;
+  std::vector<float> pointRange;
+  std::vector<glm::vec3> spotPosition, spotDirection, spotColor;
+  std::vector<float> spotRange, spotOuterCos, spotInnerCos;
+  std::vector<glm::vec3> directionalDirection, directionalColor;
+
+  /// Writes the light counts into a key.
+  void describe(shader::VariantKey& key) const;
+  /// Adds black lights up to `count` of each kind (all-features benchmark).
+  void pad(std::size_t count);
+  void upload(const gl::Program& program) const;
+};
+
+/// The shot's lights, then the model's (KHR_lights_punctual) where shot.modelLights allows; lights of intensity 0 or
+/// black are left out. @throws Error{L_LIGHTS}
+LightSet collectLights(const Scene& scene, const Shot& shot, const Camera& camera, const Limits& limits);
+
+}  // namespace telar::pass

@@ -1,0 +1,205 @@
+#include "telar/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <glm/gtc/type_ptr.hpp>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "gl/context.h"
+#include "ibl/environment_cache.h"
+#include "pass/background_pass.h"
+#include "pass/draw_list.h"
+#include "pass/frame_target.h"
+#include "pass/gpu_scene.h"
+#include "pass/surface_pass.h"
+
+namespace telar {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using pass::FramePlan;
+
+/// Milliseconds of each stage, in order.
+class StageTimer {
+ public:
+  void lap(const char* stage) {
+    const auto now = Clock::now();
+    stages_[stage] = std::chrono::duration<double, std::milli>(now - last_).count();
+    last_ = now;
+  }
+  const Json& json() const { return stages_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+  Json stages_ = Json::object();
+};
+
+std::set<shader::VariantKey> keysOf(const FramePlan& plan) {
+  std::set<shader::VariantKey> keys;
+  for (const auto* list : {&plan.draws.opaque, &plan.draws.blended}) {
+    for (const pass::DrawItem& item : *list) keys.insert(item.key);
+  }
+  return keys;
+}
+
+/// What a plan compiles and runs, for info and `telar inspect`.
+Json describePlan(const FramePlan& plan, const Shot& shot) {
+  std::set<std::string> features;
+  Json programs = Json::array();
+  for (const shader::VariantKey& key : keysOf(plan)) {
+    const auto list = key.features();
+    features.insert(list.begin(), list.end());
+    programs.push_back({{"features", list}});
+  }
+  Json passes = Json::array();
+  if (plan.environmentBackground) passes.push_back("background");
+  if (!plan.draws.opaque.empty()) passes.push_back("opaque");
+  if (!plan.draws.blended.empty()) passes.push_back("blend");
+  if (shot.samples > 1) passes.push_back("resolve");
+  return {{"features", features}, {"programs", programs}, {"passes", passes}};
+}
+
+/// sRGB-encoded, as three.js clears the canvas: a background colour is never tone mapped.
+glm::vec3 srgbEncoded(const glm::vec3& linear) {
+  const auto encode = [](float x) { return x <= 0.0031308f ? x * 12.92f : std::pow(x, 0.41666f) * 1.055f - 0.055f; };
+  const glm::vec3 c = glm::clamp(linear, 0.0f, 1.0f);
+  return {encode(c.x), encode(c.y), encode(c.z)};
+}
+
+class GlRenderer final : public Renderer {
+ public:
+  explicit GlRenderer(const RendererOptions& options)
+      : options_(options),
+        context_(gl::Context::create(options.backend)),
+        environments_(*context_, options.assetDirectory, options.cacheDirectory, options.limits),
+        surfaces_(*context_, options.limits),
+        background_(*context_) {}
+
+  Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& shot, std::span<const std::byte> environmentFile,
+             const CancelToken& cancel, FrameInfo& info) override {
+    StageTimer timer;
+    forgetReleasedScenes();
+    checkSize(shot);
+    const FramePlan plan = pass::planDraws(*scene, shot, options_.limits, options_.allFeatures);
+    timer.lap("plan");
+    pass::GpuScene& gpu = gpuSceneOf(scene);
+    surfaces_.upload(plan, *scene, gpu, cancel);
+    timer.lap("upload");
+    const int compiled = surfaces_.prepare(plan, cancel);
+    timer.lap("compile");
+    const bool wanted = shot.environment.source != Shot::Environment::Source::kNone;
+    const ibl::Environment* environment = nullptr;
+    if (wanted && (plan.environment || plan.environmentBackground)) {
+      environment = &environments_.get(shot.environment, environmentFile, plan.environmentBackground, cancel);
+    }
+    timer.lap("environment");
+    const pass::FrameTarget& target = targetFor(shot);
+    target.bind();
+    clear(shot);
+    if (plan.environmentBackground) background_.draw(plan.camera, shot, *environment, frameKey(shot));
+    surfaces_.draw(plan, shot, *scene, gpu, environment, cancel);
+    context_->gl().Finish();
+    timer.lap("draw");
+    Frame frame = target.read();
+    timer.lap("read");
+    info.json = describeFrame(plan, shot, environment, target.samples(), compiled, timer).dump();
+    return frame;
+  }
+
+  void release(const Scene& scene) override {
+    std::erase_if(scenes_, [&](const auto& entry) { return entry.first == &scene; });
+  }
+
+  std::string describe() const override {
+    return Json{{"backend", gl::backendName(context_->backend())},
+                {"vendor", context_->vendor()},
+                {"renderer", context_->renderer()},
+                {"version", context_->version()},
+                {"robust", context_->capabilities().robust},
+                {"maxTextureSize", context_->capabilities().maxTextureSize}}
+        .dump();
+  }
+
+  int liveObjects() const override { return context_->gl().liveObjects; }
+
+ private:
+  static shader::VariantKey frameKey(const Shot& shot) {
+    shader::VariantKey key;
+    key.outputLinear = framePixelType(shot.output) == PixelType::kRgbaF32;
+    key.toneMapping = key.outputLinear ? shader::ToneMapping::kNone : shader::toneMappingByName(shot.toneMapping);
+    return key;
+  }
+
+  void checkSize(const Shot& shot) const {
+    checkLimit("L_OUTPUT_SIZE", context_->capabilities().maxTextureSize, std::max(shot.width, shot.height), "");
+  }
+
+  void forgetReleasedScenes() {
+    std::erase_if(scenes_, [](const auto& entry) { return entry.second->expired(); });
+  }
+
+  pass::GpuScene& gpuSceneOf(const std::shared_ptr<const Scene>& scene) {
+    auto& entry = scenes_[scene.get()];
+    if (!entry) entry = std::make_unique<pass::GpuScene>(*context_, scene);
+    return *entry;
+  }
+
+  const pass::FrameTarget& targetFor(const Shot& shot) {
+    const PixelType type = framePixelType(shot.output);
+    if (!target_ || !target_->matches(shot.width, shot.height, shot.samples, type)) {
+      target_.reset();
+      target_ = std::make_unique<pass::FrameTarget>(*context_, shot.width, shot.height, shot.samples, type);
+    }
+    return *target_;
+  }
+
+  void clear(const Shot& shot) const {
+    const gl::Functions& gl = context_->gl();
+    const bool color = shot.background.type == Shot::Background::Type::kColor;
+    const bool linear = framePixelType(shot.output) == PixelType::kRgbaF32;
+    const glm::vec3 c = !color ? glm::vec3(0) : linear ? shot.background.color : srgbEncoded(shot.background.color);
+    gl.Disable(GL_SCISSOR_TEST);
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl.DepthMask(GL_TRUE);
+    gl.ClearColor(c.x, c.y, c.z, color ? 1.0f : 0.0f);
+    gl.ClearDepthf(1.0f);
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  }
+
+  Json describeFrame(const FramePlan& plan, const Shot& shot, const ibl::Environment* environment, int samples, int compiled,
+                     const StageTimer& timer) const {
+    Json json = describePlan(plan, shot);
+    json["backend"] = gl::backendName(context_->backend());
+    json["gl"] = {{"vendor", context_->vendor()}, {"renderer", context_->renderer()}, {"version", context_->version()}};
+    json["samples"] = samples;
+    json["drawCalls"] = plan.draws.opaque.size() + plan.draws.blended.size();
+    json["programsCompiled"] = compiled;
+    json["environmentSource"] = environment ? Json(environment->source) : Json(nullptr);
+    json["glObjects"] = liveObjects();
+    const glm::dmat4 toPixel = pass::worldToPixel(plan.camera, shot.width, shot.height);
+    json["worldToPixel"] = std::vector<double>(glm::value_ptr(toPixel), glm::value_ptr(toPixel) + 16);
+    json["ms"] = timer.json();
+    return json;
+  }
+
+  // The context is first, so that it is destroyed after everything that owns GL names.
+  RendererOptions options_;
+  std::unique_ptr<gl::Context> context_;
+  ibl::EnvironmentCache environments_;
+  pass::SurfacePass surfaces_;
+  pass::BackgroundPass background_;
+  std::unique_ptr<pass::FrameTarget> target_;
+  std::map<const Scene*, std::unique_ptr<pass::GpuScene>> scenes_;
+};
+
+}  // namespace
+
+std::unique_ptr<Renderer> Renderer::create(const RendererOptions& options) { return std::make_unique<GlRenderer>(options); }
+
+std::string planFrame(const Scene& scene, const Shot& shot) {
+  return describePlan(pass::planDraws(scene, shot, Limits{}, false), shot).dump();
+}
+
+}  // namespace telar

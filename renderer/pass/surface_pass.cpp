@@ -1,0 +1,192 @@
+#include "pass/surface_pass.h"
+
+#include <array>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <set>
+
+#include "ibl/dfg.h"
+#include "shader/library.h"
+
+namespace telar::pass {
+namespace {
+
+enum TextureUnit : GLuint {
+  BASE_COLOR_UNIT,
+  METALLIC_ROUGHNESS_UNIT,
+  NORMAL_UNIT,
+  OCCLUSION_UNIT,
+  EMISSIVE_UNIT,
+  DFG_UNIT,
+  ENVIRONMENT_UNIT,
+  UNIT_COUNT
+};
+
+gl::Texture texelTexture(const gl::Functions& gl, const std::array<std::uint8_t, 4>& rgba) {
+  gl::Texture texture(gl);
+  gl.BindTexture(GL_TEXTURE_2D, texture.get());
+  gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, 1, 1);
+  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  return texture;
+}
+
+/// Environment reading matrix: scene.environmentRotation.y of three.js, transposed.
+glm::mat3 environmentRotation(double degrees) {
+  return glm::transpose(glm::mat3(glm::dmat3(glm::rotate(glm::dmat4(1.0), glm::radians(degrees), glm::dvec3(0, 1, 0)))));
+}
+
+std::string labelOf(const shader::VariantKey& key) {
+  std::string label = "surface";
+  for (const std::string& feature : key.features()) label += " " + feature;
+  return label;
+}
+
+}  // namespace
+
+SurfacePass::SurfacePass(const gl::Context& context, Limits limits) : context_(context), limits_(limits), dfg_(ibl::createDfgTexture(context.gl())) {}
+
+int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
+  std::set<shader::VariantKey> wanted;
+  for (const auto* list : {&plan.draws.opaque, &plan.draws.blended}) {
+    for (const DrawItem& item : *list) wanted.insert(item.key);
+  }
+  checkLimit("L_PROGRAMS", static_cast<double>(limits_.programs), static_cast<double>(wanted.size()));
+  // Programs of earlier frames are kept while they are few; a service that sees every kind of file starts afresh.
+  if (programs_.size() + wanted.size() > 4 * limits_.programs) programs_.clear();
+  int compiled = 0;
+  for (const shader::VariantKey& key : wanted) {
+    if (programs_.contains(key)) continue;
+    cancel.check();
+    const shader::Defines defines = key.defines();
+    programs_.emplace(key, gl::Program(context_, labelOf(key), shader::assemble("surface.vert", defines), shader::assemble("surface.frag", defines)));
+    ++compiled;
+  }
+  return compiled;
+}
+
+void SurfacePass::upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) const {
+  for (const auto* list : {&plan.draws.opaque, &plan.draws.blended}) {
+    for (const DrawItem& item : *list) {
+      cancel.check();
+      gpu.primitive(*item.primitive);
+      const Material& m = *item.material;
+      if (item.key.baseColorMap && m.baseColorTexture) gpu.texture(scene, m.baseColorTexture.image, true, cancel);
+      if (item.key.metallicRoughnessMap && m.metallicRoughnessTexture) gpu.texture(scene, m.metallicRoughnessTexture.image, false, cancel);
+      if (item.key.normalMap && m.normalTexture) gpu.texture(scene, m.normalTexture.image, false, cancel);
+      if (item.key.occlusionMap && m.occlusionTexture) gpu.texture(scene, m.occlusionTexture.image, false, cancel);
+      if (item.key.emissiveMap && m.emissiveTexture) gpu.texture(scene, m.emissiveTexture.image, true, cancel);
+    }
+  }
+}
+
+const gl::Program* SurfacePass::useProgram(const shader::VariantKey& key, const FramePlan& plan, const Shot& shot,
+                                           const ibl::Environment* environment) {
+  const gl::Program& program = programs_.at(key);
+  if (&program == current_) return current_;
+  current_ = &program;
+  program.use();
+  program.set("projectionMatrix", glm::mat4(plan.camera.projection));
+  program.set("exposure", static_cast<float>(shot.exposure));
+  if (key.unlit) return current_;
+  plan.lights.upload(program);
+  program.set("dfgMap", static_cast<int>(DFG_UNIT));
+  if (key.environment) {
+    program.set("environmentMap", static_cast<int>(ENVIRONMENT_UNIT));
+    program.set("environmentMaxLod", environment ? static_cast<float>(ibl::maxLodOf(environment->prefiltered)) : 1.0f);
+    program.set("environmentIntensity", environment ? static_cast<float>(shot.environment.intensity) : 0.0f);
+    program.set("environmentRotation", environmentRotation(shot.environment.rotation));
+    program.set("viewMatrix", glm::mat4(plan.camera.view));
+  }
+  return current_;
+}
+
+void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
+  const gl::Functions& gl = context_.gl();
+  const Material& m = *item.material;
+  const auto map = [&](bool used, const TextureRef& texture, bool srgb, TextureUnit unit, const char* sampler, const char* transform,
+                       const gl::Texture& standIn) {
+    if (!used) return;
+    program.set(sampler, static_cast<int>(unit));
+    program.set(transform, texture.uvTransform);
+    const GLuint name = texture ? gpu.texture(scene, texture.image, srgb, cancel) : standIn.get();
+    gl.ActiveTexture(GL_TEXTURE0 + unit);
+    gl.BindTexture(GL_TEXTURE_2D, name);
+    gl.BindSampler(unit, texture ? gpu.sampler(texture.sampler) : 0);
+  };
+  const shader::VariantKey& key = item.key;
+  map(key.baseColorMap, m.baseColorTexture, true, BASE_COLOR_UNIT, "baseColorMap", "baseColorUvTransform", white_);
+  map(key.metallicRoughnessMap, m.metallicRoughnessTexture, false, METALLIC_ROUGHNESS_UNIT, "metallicRoughnessMap",
+      "metallicRoughnessUvTransform", white_);
+  map(key.normalMap, m.normalTexture, false, NORMAL_UNIT, "normalMap", "normalUvTransform", flatNormal_);
+  map(key.occlusionMap, m.occlusionTexture, false, OCCLUSION_UNIT, "occlusionMap", "occlusionUvTransform", white_);
+  map(key.emissiveMap, m.emissiveTexture, true, EMISSIVE_UNIT, "emissiveMap", "emissiveUvTransform", white_);
+  program.set("baseColorFactor", m.baseColorFactor);
+  program.set("alphaCutoff", m.alphaMode == AlphaMode::kMask ? m.alphaCutoff : 0.0f);
+  if (key.unlit) return;
+  program.set("metallicFactor", m.metallicFactor);
+  program.set("roughnessFactor", m.roughnessFactor);
+  program.set("emissiveFactor", m.emissiveFactor);
+  program.set("occlusionStrength", m.occlusionStrength);
+  // Without vertex tangents the frame follows the texture's rows downwards: y turns round, as three.js's loader does.
+  program.set("normalScale", glm::vec2(m.normalScale, item.primitive->tangents.empty() ? -m.normalScale : m.normalScale));
+}
+
+void SurfacePass::drawItem(const DrawItem& item, const FramePlan& plan, const Shot& shot, const Scene& scene, GpuScene& gpu,
+                           const ibl::Environment* environment, const CancelToken& cancel) {
+  const gl::Functions& gl = context_.gl();
+  const gl::Program& program = *useProgram(item.key, plan, shot, environment);
+  const glm::dmat4 modelView = plan.camera.view * item.node->world;
+  program.set("modelViewMatrix", glm::mat4(modelView));
+  program.set("normalMatrix", glm::mat3(glm::inverseTranspose(glm::dmat3(modelView))));
+  bindMaterial(program, item, scene, gpu, cancel);
+
+  const bool bothSides = item.material->doubleSided && !item.blend;
+  const bool cull = !bothSides && item.primitive->topology == Topology::kTriangles;
+  cull ? gl.Enable(GL_CULL_FACE) : gl.Disable(GL_CULL_FACE);
+  gl.FrontFace(item.mirrored != item.key.flipSided ? GL_CW : GL_CCW);
+  const GpuPrimitive& primitive = gpu.primitive(*item.primitive);
+  gl.BindVertexArray(primitive.vertexArray.get());
+  if (primitive.indexed) {
+    gl.DrawElements(primitive.mode, primitive.count, GL_UNSIGNED_INT, nullptr);
+  } else {
+    gl.DrawArrays(primitive.mode, 0, primitive.count);
+  }
+}
+
+void SurfacePass::draw(const FramePlan& plan, const Shot& shot, const Scene& scene, GpuScene& gpu, const ibl::Environment* environment,
+                       const CancelToken& cancel) {
+  const gl::Functions& gl = context_.gl();
+  current_ = nullptr;
+  if (!white_) {
+    white_ = texelTexture(gl, {255, 255, 255, 255});
+    flatNormal_ = texelTexture(gl, {128, 128, 255, 255});
+    blackCube_ = ibl::createCube(gl, 1, 1).texture;
+  }
+  gl.ActiveTexture(GL_TEXTURE0 + DFG_UNIT);
+  gl.BindTexture(GL_TEXTURE_2D, dfg_.get());
+  gl.ActiveTexture(GL_TEXTURE0 + ENVIRONMENT_UNIT);
+  gl.BindTexture(GL_TEXTURE_CUBE_MAP, environment ? environment->prefiltered.texture.get() : blackCube_.get());
+  gl.VertexAttrib4f(UV0, 0, 0, 0, 1);
+  gl.VertexAttrib4f(UV1, 0, 0, 0, 1);
+  gl.VertexAttrib4f(COLOR, 1, 1, 1, 1);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LEQUAL);
+  gl.CullFace(GL_BACK);
+  gl.BlendEquation(GL_FUNC_ADD);
+  gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  for (const bool blended : {false, true}) {
+    blended ? gl.Enable(GL_BLEND) : gl.Disable(GL_BLEND);
+    gl.DepthMask(blended ? GL_FALSE : GL_TRUE);
+    for (const DrawItem& item : blended ? plan.draws.blended : plan.draws.opaque) {
+      cancel.check();
+      drawItem(item, plan, shot, scene, gpu, environment, cancel);
+    }
+  }
+  gl.DepthMask(GL_TRUE);
+  gl.BindVertexArray(0);
+  for (GLuint unit = 0; unit < UNIT_COUNT; ++unit) gl.BindSampler(unit, 0);
+  context_.check("surface pass");
+}
+
+}  // namespace telar::pass

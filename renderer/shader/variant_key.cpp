@@ -1,0 +1,53 @@
+#include "shader/variant_key.h"
+
+#include <algorithm>
+#include <array>
+
+#include "telar/error.h"
+
+namespace telar::shader {
+namespace {
+
+constexpr std::array<const char*, 7> TONE_MAPPINGS{"none", "linear", "reinhard", "cineon", "aces", "agx", "neutral"};
+
+}  // namespace
+
+ToneMapping toneMappingByName(const std::string& name) {
+  const auto found = std::find(TONE_MAPPINGS.begin(), TONE_MAPPINGS.end(), name);
+  if (found == TONE_MAPPINGS.end()) throw Error("E_SHOT", "shot.toneMapping: no tone mapping is named " + quoted(name));
+  return static_cast<ToneMapping>(found - TONE_MAPPINGS.begin());
+}
+
+Defines VariantKey::defines() const {
+  Defines list;
+#define TELAR_FEATURE_DEFINE(glsl, member, name) list.emplace_back(#glsl, member ? 1 : 0);
+  TELAR_SURFACE_FEATURES(TELAR_FEATURE_DEFINE)
+#undef TELAR_FEATURE_DEFINE
+  list.emplace_back("POINT_LIGHTS", pointLights);
+  list.emplace_back("SPOT_LIGHTS", spotLights);
+  list.emplace_back("DIRECTIONAL_LIGHTS", directionalLights);
+  list.emplace_back("HEMISPHERE_LIGHTS", hemisphereLights);
+  list.emplace_back("TONE_MAPPING", static_cast<int>(toneMapping));
+  return list;
+}
+
+std::vector<std::string> VariantKey::features() const {
+  std::vector<std::string> list;
+#define TELAR_FEATURE_NAME(define, member, name) \
+  if (member && name[0] != '\0') list.emplace_back(name);
+  TELAR_SURFACE_FEATURES(TELAR_FEATURE_NAME)
+#undef TELAR_FEATURE_NAME
+  const auto count = [&list](int n, const char* what) {
+    if (n > 0) list.push_back(std::to_string(n) + " " + what + (n > 1 ? "s" : ""));
+  };
+  count(pointLights, "point-light");
+  count(spotLights, "spot-light");
+  count(directionalLights, "directional-light");
+  count(hemisphereLights, "hemisphere-light");
+  if (toneMapping != ToneMapping::kNone) {
+    list.push_back(std::string("tone-mapping-") + TONE_MAPPINGS[static_cast<std::size_t>(toneMapping)]);
+  }
+  return list;
+}
+
+}  // namespace telar::shader

@@ -1,0 +1,63 @@
+// Everything the lights need to know of one fragment.
+
+uniform sampler2D dfgMap;  // RG = (A, B) of the split sum; x = perceptualRoughness, y = NoV, texel centres at (i + 0.5) / 16
+
+struct SurfaceInfo {
+  vec3 n;          // shading normal, view space
+  vec3 v;          // to the viewer, view space
+  vec3 baseColor;  // linear Rec.709
+  float metallic;
+  vec3 diffuse;    // albedo of the diffuse lobe
+  vec3 f0;         // of the dielectric-metal blend
+  float perceptualRoughness;  // floor and geometric roughness applied
+  float alpha;
+  float NoV;
+  vec2 dfg;
+};
+
+vec4 baseColorAndAlpha() {
+  vec4 color = baseColorFactor;
+#if BASE_COLOR_MAP
+  color *= texture(baseColorMap, vBaseColorUv);
+#endif
+#if VERTEX_COLOR
+  color *= vColor;
+#endif
+  return color;
+}
+
+#if !UNLIT
+SurfaceInfo surfaceInfo(vec3 baseColor) {
+  SurfaceInfo s;
+  float roughness = roughnessFactor;
+  s.metallic = metallicFactor;
+#if METALLIC_ROUGHNESS_MAP
+  vec4 texel = texture(metallicRoughnessMap, vMetallicRoughnessUv);
+  roughness *= texel.g;
+  s.metallic *= texel.b;
+#endif
+  Normals normals = shadingNormals();
+  s.n = normals.shading;
+#if ORTHOGRAPHIC
+  s.v = vec3(0.0, 0.0, 1.0);
+#else
+  s.v = normalize(vViewPosition);
+#endif
+  s.baseColor = baseColor;
+  s.diffuse = diffuseAlbedo(baseColor, s.metallic);
+  s.f0 = specularF0(baseColor, s.metallic);
+  s.perceptualRoughness = shadedRoughness(roughness, geometricRoughness(dFdx(normals.geometric), dFdy(normals.geometric)));
+  s.alpha = alphaFromRoughness(s.perceptualRoughness);
+  s.NoV = saturate(dot(s.n, s.v));
+  s.dfg = texture(dfgMap, vec2(s.perceptualRoughness, s.NoV)).rg;
+  return s;
+}
+
+vec3 emittedRadiance() {
+#if EMISSIVE_MAP
+  return emissiveFactor * texture(emissiveMap, vEmissiveUv).rgb;
+#else
+  return emissiveFactor;
+#endif
+}
+#endif

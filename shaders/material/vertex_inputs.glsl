@@ -1,0 +1,54 @@
+// Vertex streams and what the fragment stage takes over. Locations are those of renderer/pass/vertex_layout.h.
+layout(location = 0) in vec3 position;  // mesh space, metres
+#if !FLAT_SHADED && !UNLIT
+layout(location = 1) in vec3 normal;    // mesh space
+#endif
+#if NORMAL_MAP && TANGENT
+layout(location = 2) in vec4 tangent;   // mesh space, w = handedness
+#endif
+layout(location = 3) in vec2 uv0;
+layout(location = 4) in vec2 uv1;
+layout(location = 5) in vec4 color;     // linear Rec.709
+
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+uniform mat3 normalMatrix;  // inverse transpose of modelViewMatrix
+
+// Back faces that are drawn as front faces (the first half of a two-pass blend) turn their normals round.
+#if FLIP_SIDED
+#define NORMAL_SIGN (-1.0)
+#else
+#define NORMAL_SIGN 1.0
+#endif
+
+out vec3 vViewPosition;  // from the surface to the eye, view space
+#if !FLAT_SHADED && !UNLIT
+out vec3 vNormal;  // view space
+#if NORMAL_MAP && TANGENT
+out vec3 vTangent;
+out vec3 vBitangent;
+#endif
+#endif
+#if VERTEX_COLOR
+out vec4 vColor;
+#endif
+#if BASE_COLOR_MAP
+uniform mat3 baseColorUvTransform;
+out vec2 vBaseColorUv;
+#endif
+#if METALLIC_ROUGHNESS_MAP
+uniform mat3 metallicRoughnessUvTransform;
+out vec2 vMetallicRoughnessUv;
+#endif
+#if NORMAL_MAP
+uniform mat3 normalUvTransform;
+out vec2 vNormalUv;
+#endif
+#if OCCLUSION_MAP
+uniform mat3 occlusionUvTransform;
+out vec2 vOcclusionUv;
+#endif
+#if EMISSIVE_MAP
+uniform mat3 emissiveUvTransform;
+out vec2 vEmissiveUv;
+#endif

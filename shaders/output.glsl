@@ -1,0 +1,30 @@
+// From scene radiance to what the framebuffer holds: the one place where colour is encoded.
+uniform float exposure;
+
+vec3 toneMapped(vec3 radiance) {
+#if TONE_MAPPING == 1
+  return toneMapLinear(radiance, exposure);
+#elif TONE_MAPPING == 2
+  return toneMapReinhard(radiance, exposure);
+#elif TONE_MAPPING == 3
+  return toneMapCineon(radiance, exposure);
+#elif TONE_MAPPING == 4
+  return toneMapAces(radiance, exposure);
+#elif TONE_MAPPING == 5
+  return toneMapAgx(radiance, exposure);
+#elif TONE_MAPPING == 6
+  return toneMapNeutral(radiance, exposure);
+#else
+  return radiance;
+#endif
+}
+
+// radiance  linear Rec.709, scene light      alpha  straight
+// return    OUTPUT_LINEAR: radiance x exposure, capped to what a half holds; else tone mapped and sRGB-encoded
+vec4 outputColor(vec3 radiance, float alpha) {
+#if OUTPUT_LINEAR
+  return vec4(clamp(radiance * exposure, 0.0, RADIANCE_MAX), alpha);
+#else
+  return vec4(srgbFromLinear(toneMapped(max(radiance, 0.0))), alpha);
+#endif
+}

@@ -1,0 +1,37 @@
+// Transforms one primitive to view space. One varying a texture, because each has its own transform (KHR_texture_transform).
+
+#include "material/vertex_inputs.glsl"
+
+void main() {
+  vec4 viewSpace = modelViewMatrix * vec4(position, 1.0);
+  gl_Position = projectionMatrix * viewSpace;
+  vViewPosition = -vec3(viewSpace);
+#if !FLAT_SHADED && !UNLIT
+  vNormal = normalize(normalMatrix * normal) * NORMAL_SIGN;
+#if NORMAL_MAP && TANGENT
+  vTangent = normalize(vec3(modelViewMatrix * vec4(tangent.xyz, 0.0)));
+  vBitangent = normalize(cross(vNormal, vTangent) * tangent.w) * NORMAL_SIGN;
+#endif
+#endif
+#if VERTEX_COLOR
+  vColor = color;
+#endif
+#if BASE_COLOR_MAP
+  vBaseColorUv = vec2(baseColorUvTransform * vec3(BASE_COLOR_UV1 == 1 ? uv1 : uv0, 1.0));
+#endif
+#if METALLIC_ROUGHNESS_MAP
+  vMetallicRoughnessUv = vec2(metallicRoughnessUvTransform * vec3(METALLIC_ROUGHNESS_UV1 == 1 ? uv1 : uv0, 1.0));
+#endif
+#if NORMAL_MAP
+  vNormalUv = vec2(normalUvTransform * vec3(NORMAL_UV1 == 1 ? uv1 : uv0, 1.0));
+#endif
+#if OCCLUSION_MAP
+  vOcclusionUv = vec2(occlusionUvTransform * vec3(OCCLUSION_UV1 == 1 ? uv1 : uv0, 1.0));
+#endif
+#if EMISSIVE_MAP
+  vEmissiveUv = vec2(emissiveUvTransform * vec3(EMISSIVE_UV1 == 1 ? uv1 : uv0, 1.0));
+#endif
+#if POINTS
+  gl_PointSize = 1.0;
+#endif
+}
