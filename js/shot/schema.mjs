@@ -87,7 +87,7 @@ const lights = z.array(z.discriminatedUnion('type', [
       .default(Math.PI / 3),
     penumbra: number('Part of the cone that fades out', { min: 0, max: 1 }).default(0),
   }),
-], { error: ({ code }) => (code === 'invalid_union' ? LIGHT_TYPES : 'an object') }), { error: 'a list of lights' }).describe('Lights beside the environment and the model\'s own').default([]);
+], { error: ({ code }) => (code === 'invalid_union' ? LIGHT_TYPES : 'an object') }), { error: 'a list of lights' }).describe('Lights beside the environment and the model\'s own').prefault([]);
 
 export const PRESETS = Object.freeze({ standard: { samples: 4 }, draft: { samples: 1 } });
 

@@ -24,7 +24,6 @@ function complaintOf(shot, of = facts) {
 
 const pixels = { expected: 'a whole number of pixels in [1, 8192]', good: [1, 8192], bad: [0, 8193, 1.5, -1] };
 const EXPLICIT = { camera: { position: [0, 0, 5], target: [0, 0, 0] } };
-const light = (type) => ({ lights: { 0: { type } } });
 
 /** Each numeric option: what it accepts at its ends and refuses just beyond. */
 const NUMBERS = {

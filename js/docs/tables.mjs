@@ -1,0 +1,63 @@
+import { range } from './types.mjs';
+
+/** Markdown tables of the shot's options and of the error codes. */
+
+const code = (value) => `\`${typeof value === 'string' && value !== '' ? value : JSON.stringify(value)}\``;
+const cell = (text) => String(text).replaceAll('|', '\\|').replaceAll('\n', ' ');
+const row = (cells) => `| ${cells.map(cell).join(' | ')} |`;
+
+function valuesText(node) {
+  if (node.tsType) return node.tsType;
+  if (node.const !== undefined) return code(node.const);
+  if (node.enum) return node.enum.map(code).join(' ');
+  const branches = node.anyOf ?? node.oneOf;
+  if (branches) return [...new Set(branches.map(valuesText))].join(', ');
+  if (node.prefixItems) return '[number, number, number]';
+  if (node.type === 'array') return `list of ${valuesText(node.items)}`;
+  if (node.type === 'integer') return `integer ${range(node)}`.trim();
+  if (node.type === 'number') return `number ${range(node)}`.trim();
+  return node.type;
+}
+
+const objectsOf = (node) => (node.type === 'object' ? [node] : (node.anyOf ?? node.oneOf ?? []).flatMap(objectsOf));
+
+/** Rows of an object's keys; the objects inside follow their own row. */
+function rowsOf(path, node) {
+  return Object.entries(node.properties).flatMap(([key, property]) => {
+    const name = path ? `${path}.${key}` : key;
+    const inner = property.type === 'array' && property.items ? objectsOf(property.items) : objectsOf(property);
+    const value = property.default === undefined || JSON.stringify(property.default) === '{}' ? '' : code(property.default);
+    const own = row([code(name), valuesText(property), value, property.description ?? '']);
+    return [own, ...inner.flatMap((object) => {
+      const type = object.properties.type?.const;
+      return rowsOf(`${name}${property.type === 'array' ? `[${type ?? ''}]` : ''}`, object);
+    })].filter((line) => !/\[\w+\]\.type`/.test(line));
+  });
+}
+
+/** @param {object} schema JSON Schema of the shot */
+export function optionsPage(schema) {
+  const rows = rowsOf('', schema);
+  return [
+    '# The shot', '',
+    'What to draw: the same object for the browser client and the server. `resolveShot(shot, facts)` writes out every default.',
+    'Lengths are metres, angles degrees (spot cones: radians, as in three.js), colours CSS (sRGB) or linear `[r, g, b]`. glTF axes: +Y up, the front faces +Z.',
+    'Unknown keys, wrong types, NaN and values out of range are errors that name the path.',
+    'This page is generated from js/shot/schema.mjs by `node js/docs/generate.mjs`.', '',
+    row(['key', 'values', 'default', 'meaning']), row(['---', '---', '---', '---']), ...new Set(rows), '',
+  ].join('\n');
+}
+
+/** @param {typeof import('../error/table.mjs').TABLE} table */
+export function errorsPage(table) {
+  const rows = Object.entries(table).map(([name, { kind, exit, http, retryable, meaning, cure }]) =>
+    row([code(name), kind, exit, http, retryable ? 'yes' : 'no', meaning, cure]));
+  return [
+    '# Error and warning codes', '',
+    'The same in JavaScript (`TelarError`), `--json` of the CLI, HTTP problem+json and queue results.',
+    'Exit codes: 0 done, 1 compared and over the gate, 2 usage, 3 input, 4 limit, 5 time or memory, 6 this machine, 7 internal.',
+    'Of many models in one run, the highest exit code is told.',
+    'This page is generated from js/error/table.mjs by `node js/docs/generate.mjs`.', '',
+    row(['code', 'kind', 'exit', 'HTTP', 'retry', 'meaning', 'cure']), row(['---', '---', '---', '---', '---', '---', '---']), ...rows, '',
+  ].join('\n');
+}

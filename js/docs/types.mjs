@@ -1,0 +1,47 @@
+/** TypeScript from JSON Schema (the subset that zod writes for the shot). */
+
+const indent = (text) => text.replaceAll('\n', '\n  ');
+const literal = (value) => (typeof value === 'string' ? `'${value}'` : JSON.stringify(value));
+const identifier = (key) => (/^[A-Za-z_$][\w$]*$/.test(key) ? key : `'${key}'`);
+
+/** "0 to 1", "above 0", "" */
+export function range({ minimum, maximum, exclusiveMinimum }) {
+  const ends = [minimum, maximum].map((x) => (x === undefined || Math.abs(x) >= 1e15 ? undefined : Number(x.toPrecision(6))));
+  const low = exclusiveMinimum === undefined ? ends[0] : `above ${exclusiveMinimum}`;
+  if (low === undefined) return ends[1] === undefined ? '' : `at most ${ends[1]}`;
+  if (ends[1] !== undefined) return `${low} to ${ends[1]}`;
+  return exclusiveMinimum === undefined ? `at least ${low}` : low;
+}
+
+function comment(node) {
+  const parts = [node.description, range(node) && `Range ${range(node)}.`,
+    node.default !== undefined && JSON.stringify(node.default) !== '{}' && `@default ${JSON.stringify(node.default)}`].filter(Boolean);
+  return parts.length > 0 ? `/** ${parts.map((part) => (/[.!?]$|^@/.test(part) ? part : `${part}.`)).join(' ')} */\n` : '';
+}
+
+function objectType({ properties, required = [] }) {
+  const lines = Object.entries(properties).map(([key, node]) =>
+    `${comment(node)}${identifier(key)}${required.includes(key) ? '' : '?'}: ${typeText(node)};`);
+  return `{\n  ${indent(lines.join('\n'))}\n}`;
+}
+
+/** Type expression of a schema node. */
+export function typeText(node) {
+  if (node.tsType) return node.tsType;
+  if (node.const !== undefined) return literal(node.const);
+  if (node.enum) return node.enum.map(literal).join(' | ');
+  const branches = node.anyOf ?? node.oneOf;
+  if (branches) return branches.map(typeText).join(' | ');
+  if (node.prefixItems) return `[${node.prefixItems.map(typeText).join(', ')}]`;
+  switch (node.type) {
+    case 'object': return objectType(node);
+    case 'array': return arrayType(typeText(node.items));
+    case 'integer': return 'number';
+    case 'number': case 'string': case 'boolean': return node.type;
+    default: throw new Error(`no type for ${JSON.stringify(node)}`);
+  }
+}
+
+const arrayType = (element) => (/[|{]/.test(element) ? `Array<${element}>` : `${element}[]`);
+
+export const interfaceText = (name, doc, node) => `/** ${doc} */\nexport interface ${name} ${objectType(node)}\n`;
