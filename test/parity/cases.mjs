@@ -61,6 +61,8 @@ const furnaceCases = [0, 0.045, 0.1, 0.25, 0.5, 0.75, 1].flatMap((roughness) => 
 const environmentCases = [
   make('sweep-gradient', 'sweep', 'gradient', { camera: 'front' }, true),
   make('sweep-lamps', 'sweep', 'lamps', { camera: 'front' }),
+  make('sweep-gradient-odd', 'sweep', 'gradient-odd', { camera: 'front' }),
+  make('sweep-lamps-2k', 'sweep', 'lamps-2k', { camera: 'front' }),
   make('sweep-hot-texels', 'sweep', 'hot-texels', { camera: 'front' }),
   make('sweep-studio', 'sweep', 'studio', { camera: 'front' }),
   make('sweep-sun', 'sweep', null, { camera: 'front', lights: SUN }),

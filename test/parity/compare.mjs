@@ -4,8 +4,9 @@
 import { readFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { CASES } from './cases.mjs';
+import { compareCase } from './draw_both.mjs';
 import { loadReference } from './files.mjs';
-import { difference, premultiply } from './metrics.mjs';
+import { premultiply } from './metrics.mjs';
 import { Report } from './report.mjs';
 
 const { values, positionals } = parseArgs({ allowPositionals: true, options: { premultiplied: { type: 'boolean' } } });
@@ -16,8 +17,7 @@ if (!item || !file) throw new Error('usage: node test/parity/compare.mjs CASE FI
 const reference = loadReference(item);
 const bytes = new Uint8Array(readFileSync(file));
 const actual = values.premultiplied ? bytes : premultiply(bytes);
-const background = item.shot.background !== 'transparent';
 const report = new Report();
-console.log(report.add(item, reference, { actual, difference: difference({ ...reference, expected: reference.image, actual, background }) }));
+console.log(report.add(item, reference, { actual, difference: compareCase(item, reference, actual) }));
 console.log(await report.finish());
 process.exitCode = report.failed ? 1 : 0;

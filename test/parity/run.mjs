@@ -4,11 +4,9 @@
 import { parseArgs } from 'node:util';
 import { Browser } from './browser/chromium.mjs';
 import { selectCases } from './cases.mjs';
-import { saveReference } from './files.mjs';
-import { loadInputs } from './inputs.mjs';
+import { drawBoth, drawInBrowser } from './draw_both.mjs';
 import { Report } from './report.mjs';
 import { openServer } from './server.mjs';
-import { difference, premultiply } from './metrics.mjs';
 
 const { values, positionals } = parseArgs({
   allowPositionals: true,
@@ -33,24 +31,16 @@ if (server) console.log(await report.finish());
 process.exitCode = report.failed ? 1 : 0;
 
 async function runCase(item) {
-  const inputs = await loadInputs(item);
-  const expected = await browser.draw({ shot: item.shot, ...inputs });
-  saveReference(item, inputs, expected);
   if (!server) {
-    console.log(`${item.name}  load ${expected.facts.loadMs.toFixed()} ms, draw ${expected.facts.drawMs.toFixed()} ms`);
+    const { facts } = (await drawInBrowser(item, browser)).expected;
+    console.log(`${item.name}  load ${facts.loadMs.toFixed()} ms, draw ${facts.drawMs.toFixed()} ms`);
     return;
   }
-  const result = await drawOnServer(item, inputs, expected);
-  console.log(report.add(item, expected, result));
-}
-
-/** A picture that cannot be drawn is a failed case, not the end of the run. */
-async function drawOnServer(item, inputs, expected) {
   try {
-    const actual = premultiply(await server.draw({ shot: item.shot, ...inputs }));
-    const background = item.shot.background !== 'transparent';
-    return { actual, difference: difference({ ...expected, expected: expected.image, actual, background }) };
+    const { expected, ...result } = await drawBoth(item, browser, server);
+    console.log(report.add(item, expected, result));
   } catch (error) {
-    return { error };
+    // A picture that cannot be drawn is a failed case, not the end of the run.
+    console.log(report.add(item, null, { error }));
   }
 }

@@ -85,6 +85,17 @@ export class Browser {
     return Object.fromEntries(names.map((name) => [name, take(name)]));
   }
 
+  /**
+   * Faces of the cube that three prefilters of an environment.
+   * @param {{shot: object, environment: Uint8Array}} input - The shot only chooses the context.
+   * @returns {Promise<{name: string, size: number, values: Float32Array}[]>} As browser/prefilter.mjs.
+   */
+  async prefilter({ shot, environment }) {
+    const job = this.#job({ shot, model: '', environment });
+    const faces = await this.#page.evaluate((request) => window.telarPrefilter(request), job);
+    return faces.map((face) => ({ ...face, values: new Float32Array(this.#server.takeResult(`${job.result}/${face.name}`).slice().buffer) }));
+  }
+
   #job({ shot, model, environment }) {
     const id = ++this.#jobs;
     const format = environment && isExr(environment) ? 'exr' : 'hdr';

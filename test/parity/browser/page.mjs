@@ -5,6 +5,7 @@ import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import { applyShot, rendererParameters } from '/js/three/index.mjs';
+import { prefilteredFaces } from './prefilter.mjs';
 import { measureTerms } from './terms.mjs';
 
 const dracoLoader = new DRACOLoader().setDecoderPath('/node_modules/three/examples/jsm/libs/draco/gltf/');
@@ -110,6 +111,21 @@ window.telarTerms = async (job) => {
   }
   prepared.dispose();
   return names;
+};
+
+/**
+ * PUTs every face of the prefiltered environment (prefilter.mjs) to `${job.result}/LEVEL-FACE`.
+ * @returns {Promise<{name: string, size: number}[]>}
+ */
+window.telarPrefilter = async (job) => {
+  const environment = await loadEnvironment(job.environment);
+  const faces = [];
+  for (const { name, size, values } of prefilteredFaces(THREE, rendererFor(job.shot), environment)) {
+    await send(`${job.result}/${name}`, values);
+    faces.push({ name, size });
+  }
+  environment.dispose();
+  return faces;
 };
 
 window.telarReady = true;

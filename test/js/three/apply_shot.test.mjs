@@ -1,0 +1,138 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import * as THREE from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { resolveShot } from '../../../js/shot/index.mjs';
+import { applyShot, rendererParameters } from '../../../js/three/index.mjs';
+import { MODELS } from '../../fixtures/index.mjs';
+
+const CAMERA = { position: [1, 2, 3], target: [0, 0.5, 0], near: 0.5, far: 9 };
+const resolve = (shot = {}) => resolveShot({ environment: 'none', camera: CAMERA, ...shot });
+
+/** The part of WebGLRenderer that a shot sets; a real one needs a browser (test/parity). */
+function recorder() {
+  const calls = {};
+  const record = (name) => (...args) => (calls[name] = args);
+  return { calls, setPixelRatio: record('setPixelRatio'), setSize: record('setSize'), setClearColor: record('setClearColor') };
+}
+
+async function apply(shot, extra = {}) {
+  const scene = extra.scene ?? new THREE.Scene();
+  const renderer = recorder();
+  const camera = await applyShot(resolve(shot), { THREE, renderer, scene, ...extra });
+  return { scene, renderer, camera };
+}
+
+const load = async (name) => {
+  const bytes = await MODELS[name]();
+  return new GLTFLoader().parseAsync(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length), '');
+};
+
+test('size, tone mapping and exposure reach the renderer; the drawing buffer is cleared to nothing', async () => {
+  const { renderer } = await apply({ size: { width: 320, height: 200 }, toneMapping: 'agx', exposure: 0.7 });
+  assert.deepEqual(renderer.calls, { setPixelRatio: [1], setSize: [320, 200, false], setClearColor: [0, 0] });
+  assert.equal(renderer.toneMapping, THREE.AgXToneMapping);
+  assert.equal(renderer.toneMappingExposure, 0.7);
+  assert.equal(renderer.outputColorSpace, THREE.SRGBColorSpace);
+});
+
+test('every tone mapping of the shot has its three.js constant', async () => {
+  const names = {
+    none: THREE.NoToneMapping, linear: THREE.LinearToneMapping, reinhard: THREE.ReinhardToneMapping, cineon: THREE.CineonToneMapping,
+    aces: THREE.ACESFilmicToneMapping, agx: THREE.AgXToneMapping, neutral: THREE.NeutralToneMapping,
+  };
+  for (const [toneMapping, constant] of Object.entries(names)) assert.equal((await apply({ toneMapping })).renderer.toneMapping, constant);
+});
+
+test('a perspective camera stands, looks and clips as the shot says', async () => {
+  const { camera } = await apply({ size: { width: 300, height: 200 }, camera: { ...CAMERA, fovY: 25 } });
+  assert.ok(camera.isPerspectiveCamera);
+  assert.deepEqual([camera.fov, camera.aspect, camera.near, camera.far], [25, 1.5, 0.5, 9]);
+  const seen = new THREE.Vector3(...CAMERA.target).project(camera);
+  assert.ok(Math.hypot(seen.x, seen.y) < 1e-12);
+});
+
+test('an orthographic camera sees `height` metres; a given camera of that kind is used', async () => {
+  const given = new THREE.OrthographicCamera();
+  const { camera } = await apply({ size: { width: 300, height: 200 }, camera: { ...CAMERA, projection: 'orthographic', height: 4 } }, { camera: given });
+  assert.equal(camera, given);
+  assert.deepEqual([camera.left, camera.right, camera.top, camera.bottom], [-3, 3, 2, -2]);
+  const other = await apply({}, { camera: given });
+  assert.ok(other.camera.isPerspectiveCamera);
+});
+
+test('lights have linear colours, units and targets of the shot, and replace those of the last shot', async () => {
+  const lights = [
+    { type: 'ambient', color: [0.1, 0.2, 0.3], intensity: 2 },
+    { type: 'hemisphere', color: [1, 1, 1], groundColor: [0.5, 0.25, 0], intensity: 3 },
+    { type: 'directional', intensity: 4, position: [1, 2, 3], target: [0, 1, 0] },
+    { type: 'point', intensity: 5, position: [4, 5, 6], range: 7 },
+    { type: 'spot', intensity: 6, position: [1, 1, 1], target: [0, 0, 1], range: 8, angle: 0.4, penumbra: 0.3 },
+  ];
+  const { scene } = await apply({ lights });
+  await apply({ lights }, { scene });
+  const found = [];
+  scene.traverse((object) => object.isLight && found.push(object));
+  const [ambient, hemisphere, directional, point, spot] = found;
+  assert.equal(found.length, 5);
+  assert.deepEqual(ambient.color.toArray(), [0.1, 0.2, 0.3]);
+  assert.deepEqual([hemisphere.groundColor.toArray(), hemisphere.intensity], [[0.5, 0.25, 0], 3]);
+  assert.deepEqual([directional.position.toArray(), directional.target.position.toArray()], [[1, 2, 3], [0, 1, 0]]);
+  assert.deepEqual([point.distance, point.decay, point.intensity], [7, 2, 5]);
+  assert.deepEqual([spot.distance, spot.angle, spot.penumbra, spot.decay, spot.target.position.z], [8, 0.4, 0.3, 2, 1]);
+});
+
+test('environment: equirectangular, intensity and rotation in radians, for light and background alike', async () => {
+  const environment = new THREE.DataTexture(new Uint16Array(8 * 4 * 4), 8, 4);
+  const shot = { environment: { map: 'a.hdr', intensity: 0.5, rotation: 90 }, background: 'environment' };
+  const { scene } = await apply(shot, { environment });
+  assert.equal(environment.mapping, THREE.EquirectangularReflectionMapping);
+  assert.equal(scene.environment, environment);
+  assert.equal(scene.background, environment);
+  assert.deepEqual([scene.environmentIntensity, scene.backgroundIntensity], [0.5, 0.5]);
+  assert.deepEqual([scene.environmentRotation.y, scene.backgroundRotation.y], [Math.PI / 2, Math.PI / 2]);
+  await apply({}, { scene });
+  assert.deepEqual([scene.environment, scene.background], [null, null]);
+});
+
+test('a shot with an environment needs its texture', async () => {
+  await assert.rejects(apply({ environment: 'studio' }), /give applyShot the loaded equirectangular texture/);
+});
+
+test('a background colour is linear', async () => {
+  const { scene } = await apply({ background: 'rgb(128, 0, 255)' });
+  assert.ok(Math.abs(scene.background.r - 0.2158605) < 1e-6);
+});
+
+test('lights of the model are shown or hidden', async () => {
+  const model = await load('model-lights');
+  const visible = () => {
+    const list = [];
+    model.scene.traverse((object) => object.isLight && list.push(object.visible));
+    return list;
+  };
+  await apply({ modelLights: false }, { model });
+  assert.deepEqual(visible(), [false, false, false]);
+  await apply({}, { model });
+  assert.deepEqual(visible(), [true, true, true]);
+});
+
+test('a variant changes the meshes that it maps, and an empty one gives the file\'s own materials back', async () => {
+  const model = await load('variants');
+  const roughness = () => {
+    const list = [];
+    model.scene.traverse((object) => object.isMesh && list.push(object.material.roughness));
+    return list;
+  };
+  assert.deepEqual(roughness(), [0.5, 0.5]);
+  for (const [variant, expected] of [['blue', [0.8, 0.2]], ['red', [0.3, 0.5]], ['', [0.5, 0.5]], ['blue', [0.8, 0.2]]]) {
+    await apply({ variant }, { model });
+    assert.deepEqual(roughness().map((value) => Number(value.toFixed(6))), expected, `variant "${variant}"`);
+  }
+  await assert.rejects(apply({ variant: 'green' }, { model }), /the model has red, blue, not green/);
+});
+
+test('one sample a pixel asks for a context without antialiasing', () => {
+  assert.deepEqual(rendererParameters(resolve()), { antialias: true, alpha: true, premultipliedAlpha: true });
+  assert.equal(rendererParameters(resolve({ quality: 'draft' })).antialias, false);
+});
