@@ -1,0 +1,105 @@
+#include <napi.h>
+
+#include "convert.h"
+#include "handles.h"
+#include "state.h"
+#include "telar/load.h"
+#include "telar/shot.h"
+
+/// The export table. Every function is called by js/ alone, with arguments that js/ has checked.
+namespace telar::addon {
+namespace {
+
+/// load(path: string | Bytes, limits, token) -> Promise<{scene, facts: string}>
+Napi::Value load(const Napi::CallbackInfo& info) {
+  const Limits limits = limitsFromJs(info[1]);
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
+  std::string path;
+  std::shared_ptr<const Bytes> bytes;
+  if (info[0].IsString()) {
+    path = info[0].As<Napi::String>();
+  } else {
+    bytes = unwrap<BytesHandle>(info[0]).bytes;
+  }
+  return State::of(info.Env()).runOnPool(info.Env(), job, [job, limits, path, bytes] {
+    auto scene = bytes ? loadBytes(*bytes, limits, job->cancel) : loadPath(path, limits, job->cancel);
+    std::string facts = describeScene(*scene);
+    job->value = [scene, facts = std::move(facts)](Napi::Env env) {
+      Napi::Object result = Napi::Object::New(env);
+      result["scene"] = SceneHandle::make(env, scene);
+      result["facts"] = facts;
+      return result;
+    };
+  });
+}
+
+/// Makes the promise's value of the text that `make` returns on the pool.
+Napi::Value textOnPool(Napi::Env env, const std::shared_ptr<Job>& job, std::function<std::string()> make) {
+  return State::of(env).runOnPool(env, job, [job, make = std::move(make)] {
+    job->value = [text = make()](Napi::Env to) { return Napi::String::New(to, text); };
+  });
+}
+
+/// plan(scene, shot: string, token) -> Promise<string>
+Napi::Value plan(const Napi::CallbackInfo& info) {
+  auto scene = unwrap<SceneHandle>(info[0]).scene;
+  auto shot = stringFromJs(info[1], "the shot");
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
+  return textOnPool(info.Env(), job, [scene, shot] { return planFrame(*scene, parseShot(shot)); });
+}
+
+/// probe() -> Promise<string>
+Napi::Value probe(const Napi::CallbackInfo& info) {
+  return textOnPool(info.Env(), std::make_shared<Job>(CancelToken()), probeBackends);
+}
+
+/// createRenderer({backend, assetDirectory, cacheDirectory, limits, allFeatures, maxQueued}, token)
+///   -> Promise<{renderer, facts: string}>
+Napi::Value createRenderer(const Napi::CallbackInfo& info) {
+  const Napi::Env env = info.Env();
+  const Napi::Object object = info[0].As<Napi::Object>();
+  const RendererOptions options = rendererOptionsFromJs(object);
+  const double maxQueued = object.Get("maxQueued").ToNumber().DoubleValue();
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[1]).token);
+
+  State& state = State::of(env);
+  const std::shared_ptr<Mailbox> mailbox = state.mailbox();
+  const std::shared_ptr<GlThread> thread =
+      state.startGlThread(maxQueued >= 1 ? static_cast<std::size_t>(maxQueued) : 1);
+  const Napi::Value promise = mailbox->begin(env, job);
+  thread->post([mailbox, job, options, thread](std::unique_ptr<Renderer>& renderer) {
+    mailbox->perform(job, [&] {
+      renderer = Renderer::create(options);
+      job->value = [thread, facts = renderer->describe()](Napi::Env to) {
+        Napi::Object result = Napi::Object::New(to);
+        result["renderer"] = RendererHandle::make(to, thread);
+        result["facts"] = facts;
+        return result;
+      };
+      return true;
+    });
+    if (!renderer) thread->finish();
+  });
+  return promise;
+}
+
+Napi::Object init(Napi::Env env, Napi::Object exports) {
+  auto* state = new State(env);
+  env.SetInstanceData<State>(state);
+  state->sceneClass = Napi::Persistent(SceneHandle::define(env));
+  state->rendererClass = Napi::Persistent(RendererHandle::define(env));
+  exports["CancelToken"] = TokenHandle::define(env);
+  exports["Bytes"] = BytesHandle::define(env);
+  exports["load"] = Napi::Function::New(env, load, "load");
+  exports["plan"] = Napi::Function::New(env, plan, "plan");
+  exports["probe"] = Napi::Function::New(env, probe, "probe");
+  exports["createRenderer"] = Napi::Function::New(env, createRenderer, "createRenderer");
+  exports["limits"] = limitsToJs(env, Limits());
+  return exports;
+}
+
+}  // namespace
+}  // namespace telar::addon
+
+static Napi::Object initTelar(Napi::Env env, Napi::Object exports) { return telar::addon::init(env, exports); }
+NODE_API_MODULE(telar, initTelar)

@@ -1,0 +1,66 @@
+#include "handles.h"
+
+#include "fault.h"
+#include "state.h"
+
+namespace telar::addon {
+namespace {
+
+/// What a decoded scene holds beyond its small parts, so that V8 knows what collecting its handle would free.
+std::int64_t sceneBytes(const Scene& scene) {
+  std::size_t bytes = 0;
+  for (const Image8& image : scene.images) bytes += image.pixels.size();
+  for (const Mesh& mesh : scene.meshes) {
+    for (const Primitive& primitive : mesh.primitives) {
+      bytes += primitive.positions.size() * sizeof(glm::vec3) + primitive.normals.size() * sizeof(glm::vec3);
+      bytes += primitive.tangents.size() * sizeof(glm::vec4) + primitive.colors.size() * sizeof(glm::vec4);
+      for (const auto& uv : primitive.uvs) bytes += uv.size() * sizeof(glm::vec2);
+      bytes += primitive.indices.size() * sizeof(std::uint32_t);
+    }
+  }
+  return static_cast<std::int64_t>(bytes);
+}
+
+}  // namespace
+
+Napi::Function TokenHandle::define(Napi::Env env) {
+  return DefineClass(env, "CancelToken", {InstanceMethod("cancel", &TokenHandle::cancel)});
+}
+
+TokenHandle::TokenHandle(const Napi::CallbackInfo& info) : ObjectWrap(info) {
+  info.This().As<Napi::Object>().TypeTag(&TAG);
+}
+
+Napi::Function BytesHandle::define(Napi::Env env) { return DefineClass(env, "Bytes", {}); }
+
+BytesHandle::BytesHandle(const Napi::CallbackInfo& info) : ObjectWrap(info) {
+  info.This().As<Napi::Object>().TypeTag(&TAG);
+  try {
+    bytes = copyBytes(info[0], info[1].ToNumber().DoubleValue());
+  } catch (const Napi::Error&) {
+    throw;
+  } catch (...) {
+    throw Napi::Error(info.Env(), Fault::current().toJs(info.Env()));
+  }
+  Napi::MemoryManagement::AdjustExternalMemory(info.Env(), static_cast<std::int64_t>(bytes->size()));
+}
+
+void BytesHandle::Finalize(Napi::BasicEnv env) {
+  if (bytes) Napi::MemoryManagement::AdjustExternalMemory(env, -static_cast<std::int64_t>(bytes->size()));
+}
+
+Napi::Function SceneHandle::define(Napi::Env env) { return DefineClass(env, "Scene", {}); }
+
+Napi::Object SceneHandle::make(Napi::Env env, std::shared_ptr<const Scene> scene) {
+  return construct(State::of(env).sceneClass, std::move(scene));
+}
+
+SceneHandle::SceneHandle(const Napi::CallbackInfo& info)
+    : ObjectWrap(info), scene(take<std::shared_ptr<const Scene>>(info)), accounted_(sceneBytes(*scene)) {
+  info.This().As<Napi::Object>().TypeTag(&TAG);
+  Napi::MemoryManagement::AdjustExternalMemory(info.Env(), accounted_);
+}
+
+void SceneHandle::Finalize(Napi::BasicEnv env) { Napi::MemoryManagement::AdjustExternalMemory(env, -accounted_); }
+
+}  // namespace telar::addon

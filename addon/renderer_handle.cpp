@@ -1,0 +1,168 @@
+#include <chrono>
+
+#include "handles.h"
+#include "state.h"
+#include "telar/codec.h"
+
+namespace telar::addon {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// One render on its way: drawn on the renderer's thread, then encoded on the pool while that thread draws the next.
+struct Render {
+  std::shared_ptr<const Scene> scene;
+  std::string shotJson;
+  std::shared_ptr<const Bytes> environment;
+  bool releaseScene = false;  ///< nobody draws it again: free its GPU copies after this frame
+
+  Clock::time_point since = Clock::now();  ///< begin of the current stage
+  double queueMs = 0, drawMs = 0, encodeMs = 0;
+  OutputOptions output;
+  Frame frame;
+  FrameInfo info;
+  Bytes encoded;
+
+  double lap() {
+    const double ms = millisecondsSince(since);
+    since = Clock::now();
+    return ms;
+  }
+};
+
+void draw(Render& render, Renderer& renderer, const CancelToken& cancel) {
+  render.queueMs = render.lap();
+  const Shot shot = parseShot(render.shotJson);
+  render.output = shot.output;
+  const std::span<const std::byte> environment =
+      render.environment ? std::span(*render.environment) : std::span<const std::byte>();
+  try {
+    render.frame = renderer.draw(render.scene, shot, environment, cancel, render.info);
+  } catch (...) {
+    if (render.releaseScene) renderer.release(*render.scene);
+    throw;
+  }
+  if (render.releaseScene) renderer.release(*render.scene);
+  render.scene.reset();
+  render.drawMs = render.lap();
+}
+
+Napi::Value toJs(Napi::Env env, Render& render) {
+  Napi::Object object = Napi::Object::New(env);
+  object["data"] = bytesToJs(env, std::move(render.encoded));
+  object["width"] = render.frame.width;
+  object["height"] = render.frame.height;
+  object["info"] = render.info.json;
+  object["queueMs"] = render.queueMs;
+  object["drawMs"] = render.drawMs;
+  object["encodeMs"] = render.encodeMs;
+  return object;
+}
+
+void encodeInto(Render& render, const CancelToken& cancel) {
+  render.encoded = encode(render.frame, render.output, cancel);
+  std::vector<std::byte>().swap(render.frame.pixels);
+  render.encodeMs = render.lap();
+}
+
+}  // namespace
+
+Napi::Function RendererHandle::define(Napi::Env env) {
+  return DefineClass(
+      env, "Renderer",
+      {InstanceMethod("render", &RendererHandle::render), InstanceMethod("release", &RendererHandle::release),
+       InstanceMethod("liveObjects", &RendererHandle::liveObjects), InstanceMethod("close", &RendererHandle::close)});
+}
+
+Napi::Object RendererHandle::make(Napi::Env env, std::shared_ptr<GlThread> thread) {
+  return construct(State::of(env).rendererClass, std::move(thread));
+}
+
+RendererHandle::RendererHandle(const Napi::CallbackInfo& info)
+    : ObjectWrap(info), thread_(take<std::shared_ptr<GlThread>>(info)) {
+  info.This().As<Napi::Object>().TypeTag(&TAG);
+}
+
+RendererHandle::~RendererHandle() {
+  if (thread_) thread_->finish();
+}
+
+Napi::Value RendererHandle::run(Napi::Env env, const std::shared_ptr<Job>& job, std::function<bool(Renderer&)> work) {
+  const std::shared_ptr<Mailbox> mailbox = State::of(env).mailbox();
+  const Napi::Value promise = mailbox->begin(env, job);
+  const bool taken = thread_->post([mailbox, job, work = std::move(work)](std::unique_ptr<Renderer>& renderer) {
+    mailbox->perform(job, [&] { return work(*renderer); });
+  });
+  if (!taken) {
+    job->fault = closing_ ? Fault{"X_CLOSED", "the renderer was closed", {}, {}, {}}
+                          : Fault{"X_BUSY", "too many frames wait for this renderer; try again later", {}, {}, {}};
+    mailbox->deliver(job);
+  }
+  return promise;
+}
+
+/// render({scene, shot: string, environment?: Bytes, releaseScene: boolean}, token)
+Napi::Value RendererHandle::render(const Napi::CallbackInfo& info) {
+  const Napi::Env env = info.Env();
+  const Napi::Object request = info[0].As<Napi::Object>();
+  auto render = std::make_shared<Render>();
+  render->scene = unwrap<SceneHandle>(request.Get("scene")).scene;
+  render->shotJson = stringFromJs(request.Get("shot"), "the shot");
+  const Napi::Value environment = request.Get("environment");
+  if (!environment.IsUndefined()) render->environment = unwrap<BytesHandle>(environment).bytes;
+  render->releaseScene = request.Get("releaseScene").ToBoolean();
+
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[1]).token);
+  State& state = State::of(env);
+  return run(env, job, [render, job, mailbox = state.mailbox(), pool = state.pool()](Renderer& renderer) {
+    draw(*render, renderer, job->cancel);
+    // First in line: a drawn frame is memory that waits.
+    pool->postFirst([render, job, mailbox] {
+      mailbox->perform(job, [&] {
+        encodeInto(*render, job->cancel);
+        job->value = [render](Napi::Env to) { return toJs(to, *render); };
+        return true;
+      });
+    });
+    return false;
+  });
+}
+
+/// release(scene): frees the GPU copies of a model that is not drawn again.
+Napi::Value RendererHandle::release(const Napi::CallbackInfo& info) {
+  auto job = std::make_shared<Job>(CancelToken());
+  return run(info.Env(), job, [scene = unwrap<SceneHandle>(info[0]).scene](Renderer& renderer) {
+    renderer.release(*scene);
+    return true;
+  });
+}
+
+Napi::Value RendererHandle::liveObjects(const Napi::CallbackInfo& info) {
+  auto job = std::make_shared<Job>(CancelToken());
+  return run(info.Env(), job, [job](Renderer& renderer) {
+    const int count = renderer.liveObjects();
+    job->value = [count](Napi::Env env) { return Napi::Number::New(env, count); };
+    return true;
+  });
+}
+
+/// Resolves when every frame that waits is drawn, and the context is destroyed.
+Napi::Value RendererHandle::close(const Napi::CallbackInfo& info) {
+  const Napi::Env env = info.Env();
+  auto job = std::make_shared<Job>(CancelToken());
+  const std::shared_ptr<Mailbox> mailbox = State::of(env).mailbox();
+  const Napi::Value promise = mailbox->begin(env, job);
+  closing_ = true;
+  const bool taken = thread_->finish([mailbox, job](std::unique_ptr<Renderer>& renderer) {
+    renderer.reset();
+    mailbox->deliver(job);
+  });
+  if (!taken) mailbox->deliver(job);
+  return promise;
+}
+
+}  // namespace telar::addon

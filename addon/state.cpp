@@ -1,0 +1,72 @@
+#include "state.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace telar::addon {
+namespace {
+
+constexpr unsigned POOL_THREADS = 2;
+constexpr std::size_t POOL_QUEUE = 1024;
+/// How long an ending environment waits for its threads. Cancelled work stops within milliseconds; what takes this long
+/// is stuck in a driver, and is left behind.
+constexpr std::chrono::seconds SHUT_DOWN_WAIT{5};
+
+}  // namespace
+
+State::State(Napi::Env env) {
+  mailbox_->open(env);
+  // Hooks run last in, first out: this one runs before Node closes the thread-safe function that the mailbox opened.
+  env.AddCleanupHook([this] { shutDown(); });
+}
+
+const std::shared_ptr<TaskThreads>& State::pool() {
+  if (!pool_) pool_ = std::make_shared<TaskThreads>(POOL_THREADS, POOL_QUEUE);
+  return pool_;
+}
+
+std::shared_ptr<GlThread> State::startGlThread(std::size_t maxQueued) {
+  // The identity that forget() looks for is known only after the thread has begun, which may by then have ended.
+  auto self = std::make_shared<std::weak_ptr<GlThread>>();
+  auto thread = std::make_shared<GlThread>(
+      maxQueued, [this, self, mailbox = mailbox_] { mailbox->call([this, self] { forget(self->lock().get()); }); });
+  *self = thread;
+  glThreads_.push_back(thread);
+  return thread;
+}
+
+Napi::Value State::runOnPool(Napi::Env env, const std::shared_ptr<Job>& job, std::function<void()> work) {
+  const std::shared_ptr<TaskThreads> threads = pool();
+  const Napi::Value promise = mailbox_->begin(env, job);
+  const bool taken = threads->post([mailbox = mailbox_, job, work = std::move(work)] {
+    mailbox->perform(job, [&] {
+      work();
+      return true;
+    });
+  });
+  if (!taken) {
+    job->fault = Fault{"X_BUSY", "too many jobs wait for the loading threads; try again later", {}, {}, {}};
+    mailbox_->deliver(job);
+  }
+  return promise;
+}
+
+void State::forget(const GlThread* ended) {
+  std::erase_if(glThreads_, [&](const std::shared_ptr<GlThread>& thread) {
+    if (thread.get() != ended) return false;
+    thread->join(std::chrono::steady_clock::time_point::max());
+    return true;
+  });
+}
+
+void State::shutDown() {
+  mailbox_->cancelAll();
+  mailbox_->close();
+  for (const std::shared_ptr<GlThread>& thread : glThreads_) thread->abandon();
+  if (pool_) pool_->abandon();
+  const auto deadline = std::chrono::steady_clock::now() + SHUT_DOWN_WAIT;
+  for (const std::shared_ptr<GlThread>& thread : glThreads_) thread->join(deadline);
+  if (pool_) pool_->join(deadline);
+}
+
+}  // namespace telar::addon

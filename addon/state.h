@@ -1,0 +1,39 @@
+#pragma once
+#include <napi.h>
+
+#include <memory>
+#include <vector>
+
+#include "gl_thread.h"
+#include "job.h"
+#include "task_threads.h"
+
+namespace telar::addon {
+
+/// What the addon keeps for one Node environment (the main thread, or one worker). Nothing is shared between
+/// environments.
+class State {
+ public:
+  explicit State(Napi::Env env);
+  static State& of(Napi::Env env) { return *env.GetInstanceData<State>(); }
+
+  const std::shared_ptr<Mailbox>& mailbox() const { return mailbox_; }
+  /// Threads that load and encode; started when first asked for.
+  const std::shared_ptr<TaskThreads>& pool();
+  /// A new thread for a renderer. It is forgotten when it has ended.
+  std::shared_ptr<GlThread> startGlThread(std::size_t maxQueued);
+  /// Starts a job that runs on the pool; its promise. `work` runs there, and sets job->value.
+  Napi::Value runOnPool(Napi::Env env, const std::shared_ptr<Job>& job, std::function<void()> work);
+
+  Napi::FunctionReference sceneClass, rendererClass;
+
+ private:
+  void forget(const GlThread* ended);
+  void shutDown();
+
+  std::shared_ptr<Mailbox> mailbox_ = std::make_shared<Mailbox>();
+  std::shared_ptr<TaskThreads> pool_;
+  std::vector<std::shared_ptr<GlThread>> glThreads_;
+};
+
+}  // namespace telar::addon

@@ -1,0 +1,37 @@
+import { fromNative } from '../error/index.mjs';
+
+/** Runs `start`, which calls native code, and turns what it throws or rejects with into a TelarError. */
+async function typed(start) {
+  try {
+    return await start();
+  } catch (error) {
+    throw fromNative(error);
+  }
+}
+
+/**
+ * A native job under an AbortSignal. An abort rejects at once with the signal's reason; the job itself is told to stop
+ * and does so within milliseconds, wherever it is: waiting, loading, drawing or encoding.
+ * @param {object} native the addon's exports
+ * @param {AbortSignal | undefined} signal
+ * @param {(token: object) => Promise<T>} start makes the native call with this cancel token
+ * @param {(result: T) => void} [discard] takes a result that came after the abort
+ * @returns {Promise<T>}
+ * @template T
+ */
+export function nativeCall(native, signal, start, discard = () => {}) {
+  const token = new native.CancelToken();
+  if (!signal) return typed(() => start(token));
+  if (signal.aborted) return Promise.reject(signal.reason);
+  return new Promise((resolve, reject) => {
+    const onAbort = () => {
+      token.cancel();
+      reject(signal.reason);
+    };
+    signal.addEventListener('abort', onAbort, { once: true });
+    typed(() => start(token)).then((result) => {
+      if (signal.aborted) discard(result);
+      resolve(result);
+    }, reject).finally(() => signal.removeEventListener('abort', onAbort));
+  });
+}

@@ -1,0 +1,88 @@
+import os from 'node:os';
+import path from 'node:path';
+import { TelarError } from '../error/index.mjs';
+import { nearest, shown } from '../shot/complain.mjs';
+
+export const BACKENDS = Object.freeze(['auto', 'egl-device', 'egl-surfaceless', 'osmesa']);
+const MAX_WAITING = 1024;
+
+/** @returns {TelarError} E_OPTION */
+export const wrongOption = (name, expected, value) => new TelarError('E_OPTION', `${name}: expected ${expected}, got ${shown(value)}`);
+
+const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
+
+function checkObject(name, value, known) {
+  if (!isObject(value)) throw wrongOption(name, 'an object', value);
+  for (const key of Object.keys(value)) {
+    if (known.includes(key)) continue;
+    const near = nearest(key, known);
+    const hint = near ? `did you mean ${near}?` : `expected one of ${known.join(', ')}`;
+    throw new TelarError('E_OPTION', `${name}.${shown(key).slice(1, -1)}: unknown key, ${hint}`);
+  }
+}
+
+function count(name, value, min) {
+  if (Number.isSafeInteger(value) && value >= min) return value;
+  throw wrongOption(name, `a whole number of at least ${min}`, value);
+}
+
+function limitsOption(value, known) {
+  checkObject('options.limits', value, known);
+  return Object.fromEntries(Object.entries(value)
+    .filter(([, max]) => max !== undefined)
+    .map(([name, max]) => [name, count(`options.limits.${name}`, max, 0)]));
+}
+
+/** Where prefiltered environments are kept between processes. */
+const defaultCache = () => path.join(process.env.XDG_CACHE_HOME || path.join(os.homedir(), '.cache'), 'telar');
+
+function directory(name, value) {
+  if (value === null) return '';
+  if (typeof value !== 'string' || value === '' || value.includes('\0')) throw wrongOption(name, 'a path, or null for none', value);
+  return path.resolve(value);
+}
+
+/** @throws {TelarError} E_OPTION unless it is an AbortSignal or undefined */
+export function checkSignal(signal) {
+  if (signal === undefined || (isObject(signal) && typeof signal.aborted === 'boolean' && typeof signal.addEventListener === 'function')) return signal;
+  throw wrongOption('options.signal', 'an AbortSignal', signal);
+}
+
+/**
+ * Options of one call: {signal}.
+ * @returns {{signal: AbortSignal | undefined}}
+ */
+export function callOptions(options) {
+  checkObject('options', options, ['signal']);
+  return { signal: checkSignal(options.signal) };
+}
+
+/**
+ * Options of createRenderer with every default written out.
+ * @param {object} options see createRenderer
+ * @param {string[]} limitNames
+ */
+export function rendererOptions(options, limitNames) {
+  checkObject('options', options, ['backend', 'cacheDirectory', 'limits', 'maxWaiting', 'allFeatures', 'signal']);
+  const { backend = 'auto', cacheDirectory = defaultCache(), limits = {}, maxWaiting = MAX_WAITING, allFeatures = false, signal } = options;
+  if (!BACKENDS.includes(backend)) throw wrongOption('options.backend', BACKENDS.map((name) => JSON.stringify(name)).join(', '), backend);
+  if (typeof allFeatures !== 'boolean') throw wrongOption('options.allFeatures', 'true or false', allFeatures);
+  return {
+    backend,
+    cacheDirectory: directory('options.cacheDirectory', cacheDirectory),
+    limits: limitsOption(limits, limitNames),
+    maxWaiting: count('options.maxWaiting', maxWaiting, 0),
+    allFeatures,
+    signal: checkSignal(signal),
+  };
+}
+
+/**
+ * Options of inspect: {shot, limits, signal}.
+ * @param {string[]} limitNames
+ */
+export function inspectOptions(options, limitNames) {
+  checkObject('options', options, ['shot', 'limits', 'signal']);
+  const { shot = {}, limits = {}, signal } = options;
+  return { shot, limits: limitsOption(limits, limitNames), signal: checkSignal(signal) };
+}

@@ -1,0 +1,27 @@
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { build } from 'esbuild';
+
+// Writes js/dist/*.cjs from the ESM sources, for require('telar'): node js/build_cjs.mjs. One bundle for each entry of
+// package.json's `exports`; npm packages stay outside. Errors of either kind of module recognise each other (js/error).
+
+const JS = path.dirname(fileURLToPath(import.meta.url));
+
+export const ENTRIES = { index: 'index.mjs', shot: 'shot/index.mjs' };
+
+// The bundles lie one folder deeper than the sources that say import.meta.url.
+const BANNER = "const importMetaUrl = require('node:url').pathToFileURL(require('node:path').join(__dirname, '..', 'bundle.cjs')).href;";
+
+await build({
+  entryPoints: Object.entries(ENTRIES).map(([out, file]) => ({ in: path.join(JS, file), out })),
+  outdir: path.join(JS, 'dist'),
+  outExtension: { '.js': '.cjs' },
+  bundle: true,
+  packages: 'external',
+  platform: 'node',
+  target: 'node20',
+  format: 'cjs',
+  banner: { js: BANNER },
+  define: { 'import.meta.url': 'importMetaUrl' },
+  logLevel: 'warning',
+});

@@ -1,0 +1,36 @@
+import { inspectOptions } from './api/options.mjs';
+import { nativeCall } from './api/native_call.mjs';
+import { shotJson } from './api/shot_json.mjs';
+import { readShot, readSource } from './api/source.mjs';
+import { loadNative } from './native.mjs';
+import { Model, loadModel } from './renderer.mjs';
+
+/**
+ * What is in a model, and what a render of it would compile and run. Needs no GL.
+ * @param {string | URL | Uint8Array | ArrayBuffer} source - Path, file: URL or bytes.
+ * @param {object} [options]
+ * @param {object} [options.shot] - Shot to plan for.
+ * @param {Record<string, number>} [options.limits] - By the L_* names.
+ * @param {AbortSignal} [options.signal]
+ * @returns {Promise<object>} bounds and size in metres, counts, materials, images, lights, variants, cameras, warnings, and
+ *   `plan`: {features, programs, passes}, null when there is nothing to draw
+ */
+export async function inspect(source, options = {}) {
+  return inspectOn(loadNative(), source, options);
+}
+
+/** @internal */
+export async function inspectOn(native, source, options = {}) {
+  const { shot, limits, signal } = inspectOptions(options, Object.keys(native.limits));
+  const maxBytes = limits.L_FILE_BYTES ?? native.limits.L_FILE_BYTES;
+  const input = readSource(native, source, maxBytes);
+  const request = readShot(native, shot, maxBytes);
+  const model = await loadModel(native, input, limits, signal);
+  if (!model.facts.bounds) return { ...model.facts, plan: null };
+  const { resolveShot } = await import('./shot/index.mjs');
+  const resolved = resolveShot(request.shot, model.facts);
+  if (request.map) resolved.environment.map = request.map;
+  const json = shotJson(resolved);
+  const plan = await nativeCall(native, signal, (token) => native.plan(Model.sceneOf(model), json, token));
+  return { ...model.facts, plan: JSON.parse(plan) };
+}

@@ -1,0 +1,231 @@
+import { TelarError } from './error/index.mjs';
+import { Gate } from './api/gate.mjs';
+import { frameInfo } from './api/frame_info.mjs';
+import { nativeCall } from './api/native_call.mjs';
+import { callOptions, rendererOptions, wrongOption } from './api/options.mjs';
+import { shotJson } from './api/shot_json.mjs';
+import { readShot, readSource } from './api/source.mjs';
+import { ASSET_DIRECTORY, loadNative } from './native.mjs';
+
+/** Frames on their way at once: one is drawn while others load or are encoded. More would only hold memory. */
+const FRAMES_IN_FLIGHT = 4;
+
+/** The schema of the shot costs load time, so it comes with the first job. */
+const shotModule = () => import('./shot/index.mjs');
+
+/** A decoded model, made by `renderer.load`: draw many views of it, with any renderer of the same thread. */
+export class Model {
+  #scene;
+
+  /** @internal */
+  constructor(scene, facts) {
+    this.#scene = scene;
+    /** What is in the file: bounds, size in metres, counts, materials, variants, cameras, warnings; as `inspect` gives it. */
+    this.facts = facts;
+  }
+
+  /** @internal */
+  static sceneOf(model) {
+    return model.#scene;
+  }
+
+  /** @internal */
+  static isModel(value) {
+    return typeof value === 'object' && value !== null && #scene in value;
+  }
+}
+
+/**
+ * Decodes a source.
+ * @internal
+ * @param {object} native the addon's exports
+ * @param {string | object} input of readSource
+ * @param {object} limits
+ * @param {AbortSignal} [signal]
+ * @returns {Promise<Model>}
+ */
+export async function loadModel(native, input, limits, signal) {
+  const { scene, facts } = await nativeCall(native, signal, (token) => native.load(input, limits, token));
+  return new Model(scene, JSON.parse(facts));
+}
+
+class Renderer {
+  #native;
+  #handle;
+  #limits;
+  #gate;
+  #pending = new Set();
+  #closed;
+
+  constructor(native, handle, facts, { limits, maxWaiting }) {
+    this.#native = native;
+    this.#handle = handle;
+    this.#limits = limits;
+    this.#gate = new Gate(FRAMES_IN_FLIGHT, maxWaiting);
+    const { backend, ...gl } = facts;
+    /** Which GL gave the context: "egl-device", "egl-surfaceless" or "osmesa". */
+    this.backend = backend;
+    /** Strings of the context: vendor, renderer, version, ... */
+    this.gl = Object.freeze(gl);
+  }
+
+  get #maxBytes() {
+    return this.#limits.L_FILE_BYTES ?? this.#native.limits.L_FILE_BYTES;
+  }
+
+  /** Decodes a model once, to draw many views of it. */
+  async load(source, options = {}) {
+    this.#assertOpen();
+    const { signal } = callOptions(options);
+    const input = readSource(this.#native, source, this.#maxBytes);
+    return this.#track(this.#gate.run(() => loadModel(this.#native, input, this.#limits, signal), signal));
+  }
+
+  /** Draws one view. */
+  async render(source, shot = {}, options = {}) {
+    this.#assertOpen();
+    const { signal } = callOptions(options);
+    const request = this.#readRequest(source, shot);
+    return this.#track(this.#gate.run(() => this.#render(request, signal), signal));
+  }
+
+  /** Draws many views of one model; while one is drawn, the one before is encoded. */
+  async renderAll(source, shots, options = {}) {
+    this.#assertOpen();
+    const { signal } = callOptions(options);
+    if (!Array.isArray(shots)) throw wrongOption('shots', 'an array of shots', shots);
+    const [input, requests] = this.#readRequests(source, shots);
+    return this.#track(this.#renderAll(input, requests, signal));
+  }
+
+  /** Frees what the GPU holds of a model; it is sent there again when it is drawn again. */
+  async release(model) {
+    this.#assertOpen();
+    if (!Model.isModel(model)) throw wrongOption('model', 'a loaded model', model);
+    await this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model))));
+  }
+
+  /** Number of GL names that live in this renderer's context: what a leak would raise. */
+  async liveObjects() {
+    this.#assertOpen();
+    return this.#track(nativeCall(this.#native, undefined, () => this.#handle.liveObjects()));
+  }
+
+  /** Finishes what was asked for, then frees the context and its thread. */
+  close() {
+    this.#closed ??= this.#close();
+    return this.#closed;
+  }
+
+  [Symbol.asyncDispose]() {
+    return this.close();
+  }
+
+  async #close() {
+    await Promise.allSettled(this.#pending);
+    await nativeCall(this.#native, undefined, () => this.#handle.close());
+  }
+
+  #assertOpen() {
+    if (this.#closed) throw new TelarError('X_CLOSED', 'the renderer was closed; make a new one with createRenderer()');
+  }
+
+  /** Makes close() wait for a job. */
+  async #track(job) {
+    this.#pending.add(job);
+    try {
+      return await job;
+    } finally {
+      this.#pending.delete(job);
+    }
+  }
+
+  #readInput(source) {
+    return Model.isModel(source) ? { model: source } : { input: readSource(this.#native, source, this.#maxBytes) };
+  }
+
+  #readRequest(source, shot) {
+    return { ...this.#readInput(source), ...readShot(this.#native, shot, this.#maxBytes) };
+  }
+
+  #readRequests(source, shots) {
+    return [this.#readInput(source), shots.map((shot) => readShot(this.#native, shot, this.#maxBytes))];
+  }
+
+  async #renderAll({ input, model }, requests, outer) {
+    const scope = new AbortController();
+    const onAbort = () => scope.abort(outer.reason);
+    outer?.throwIfAborted();
+    outer?.addEventListener('abort', onAbort, { once: true });
+    const { signal } = scope;
+    try {
+      const loaded = model ?? await this.#gate.run(() => loadModel(this.#native, input, this.#limits, signal), signal);
+      const views = await Promise.all(requests.map((request) =>
+        this.#gate.run(() => this.#render({ ...request, model: loaded }, signal), signal)));
+      if (!model) await nativeCall(this.#native, signal, () => this.#handle.release(Model.sceneOf(loaded)));
+      return views;
+    } catch (error) {
+      scope.abort(error);
+      throw error;
+    } finally {
+      outer?.removeEventListener('abort', onAbort);
+    }
+  }
+
+  async #render({ input, model: given, shot, environment, map }, signal) {
+    const start = performance.now();
+    const model = given ?? await loadModel(this.#native, input, this.#limits, signal);
+    const loaded = performance.now();
+    const { resolveShot } = await shotModule();
+    const resolved = resolveShot(shot, model.facts);
+    if (map) resolved.environment.map = map;
+    const request = {
+      scene: Model.sceneOf(model),
+      shot: shotJson(resolved),
+      environment,
+      releaseScene: !given,
+    };
+    const resolvedAt = performance.now();
+    const frame = await nativeCall(this.#native, signal, (token) => this.#handle.render(request, token));
+    const milliseconds = { load: loaded - start, resolve: resolvedAt - loaded, total: performance.now() - start };
+    return { data: frame.data, info: frameInfo({ frame, resolved, milliseconds, renderer: this, warnings: model.facts.warnings }) };
+  }
+}
+
+/**
+ * Opens a GL context on a thread of its own.
+ * @param {object} [options]
+ * @param {'auto' | 'egl-device' | 'egl-surfaceless' | 'osmesa'} [options.backend='auto']
+ * @param {string | null} [options.cacheDirectory] - Prefiltered environments by content hash; default telar's folder in the
+ *   user's cache, null for none.
+ * @param {Record<string, number>} [options.limits] - What an input may cost, by the L_* names.
+ * @param {number} [options.maxWaiting=1024] - Jobs that may wait; one more rejects with X_BUSY.
+ * @param {boolean} [options.allFeatures=false] - Every feature in every shader: for benchmarks.
+ * @param {AbortSignal} [options.signal]
+ * @returns {Promise<Renderer>}
+ * @throws {TelarError} E_OPTION, X_NATIVE_MISSING, X_GL
+ */
+export async function createRenderer(options = {}) {
+  return createRendererOn(loadNative(), options);
+}
+
+/**
+ * The same on given exports of an addon.
+ * @internal
+ */
+export async function createRendererOn(native, options = {}) {
+  const { signal, ...rest } = rendererOptions(options, Object.keys(native.limits));
+  const request = {
+    backend: rest.backend,
+    assetDirectory: ASSET_DIRECTORY,
+    cacheDirectory: rest.cacheDirectory,
+    limits: rest.limits,
+    allFeatures: rest.allFeatures,
+    maxQueued: FRAMES_IN_FLIGHT * 4,
+  };
+  const closeLate = ({ renderer }) => void renderer.close();
+  // Beside the context, so that the first frame need not wait for it. A failure is the first frame's to report.
+  shotModule().catch(() => {});
+  const { renderer, facts } = await nativeCall(native, signal, (token) => native.createRenderer(request, token), closeLate);
+  return new Renderer(native, renderer, JSON.parse(facts), rest);
+}

@@ -1,0 +1,133 @@
+#include <nlohmann/json.hpp>
+
+#include "shot/json_path.h"
+#include "telar/error.h"
+#include "telar/shot.h"
+
+namespace telar {
+namespace {
+
+using shot::JsonPath;
+
+constexpr int SIZE_MAX_PX = 8192;
+constexpr int PPI_MAX = 65535;  ///< what JFIF's 16-bit density field holds
+
+Shot::Camera readCamera(const JsonPath& json) {
+  Shot::Camera camera;
+  camera.perspective = json.at("projection").choice({"orthographic", "perspective"}) == 1;
+  camera.position = json.at("position").vec3();
+  camera.target = json.at("target").vec3();
+  camera.up = json.at("up").vec3();
+  if (camera.perspective) {
+    camera.fovY = json.at("fovY").number(1e-3, 179.999);
+  } else {
+    camera.height = json.at("height").number(1e-9);
+  }
+  camera.near = json.at("near").number(camera.perspective ? 1e-9 : std::numeric_limits<double>::lowest());
+  camera.far = json.at("far").number();
+  if (!(camera.far > camera.near)) json.at("far").fail("a distance beyond near");
+  if (camera.position == camera.target) json.at("target").fail("a point other than position");
+  return camera;
+}
+
+Shot::Environment readEnvironment(const JsonPath& json) {
+  using Source = Shot::Environment::Source;
+  Shot::Environment environment;
+  const JsonPath map = json.at("map");
+  if (map.isObject()) {
+    map.at("bytes").number(1);  // the bytes themselves travel beside the JSON
+    environment.source = Source::kBytes;
+  } else {
+    const std::string name = map.string();
+    environment.source = name == "none" ? Source::kNone : name == "studio" ? Source::kStudio : Source::kPath;
+    if (name.empty()) map.fail("none, studio, or the path of an .hdr or .exr file");
+    if (environment.source == Source::kPath) environment.path = name;
+  }
+  environment.intensity = json.at("intensity").number(0);
+  environment.rotation = json.at("rotation").number();
+  return environment;
+}
+
+Shot::Light readLight(const JsonPath& json) {
+  using Type = Shot::Light::Type;
+  Shot::Light light;
+  light.type =
+      std::array{Type::kAmbient, Type::kHemisphere, Type::kDirectional, Type::kPoint,
+                 Type::kSpot}[json.at("type").choice({"ambient", "hemisphere", "directional", "point", "spot"})];
+  light.color = json.at("color").color();
+  light.intensity = json.at("intensity").number(0);
+  if (light.type == Type::kHemisphere) light.groundColor = json.at("groundColor").color();
+  if (light.type == Type::kAmbient || light.type == Type::kHemisphere) return light;
+  light.position = json.at("position").vec3();
+  if (light.type != Type::kPoint) light.target = json.at("target").vec3();
+  if (light.type == Type::kDirectional) return light;
+  light.range = json.at("range").number(0);
+  if (light.type == Type::kSpot) {
+    light.angle = json.at("angle").number(0, 1.5707963267948966);
+    light.penumbra = json.at("penumbra").number(0, 1);
+  }
+  return light;
+}
+
+Shot::Background readBackground(const JsonPath& json) {
+  using Type = Shot::Background::Type;
+  if (json.isArray()) return {Type::kColor, json.color()};
+  return {json.choice({"transparent", "environment"}) == 0 ? Type::kTransparent : Type::kEnvironment, {}};
+}
+
+OutputOptions readOutput(const JsonPath& json) {
+  using Format = OutputOptions::Format;
+  OutputOptions output;
+  output.format = std::array{Format::kPng, Format::kJpeg, Format::kWebp, Format::kTiff, Format::kExr, Format::kRaw}
+      [json.at("format").choice({"png", "jpeg", "webp", "tiff", "exr", "raw"})];
+  output.quality = json.at("quality").integer(1, 100);
+  output.bitDepth = json.at("bitDepth").integer(8, 32);
+  const int depth = output.bitDepth;
+  const bool eight = output.format != Format::kExr && depth == 8;
+  const bool sixteen =
+      (output.format == Format::kPng || output.format == Format::kTiff || output.format == Format::kExr) && depth == 16;
+  const bool floats = (output.format == Format::kExr || output.format == Format::kRaw) && depth == 32;
+  if (!eight && !sixteen && !floats)
+    json.at("bitDepth").fail("a bit depth that " + json.at("format").string() + " has");
+  output.ppi = json.at("ppi").number(0, PPI_MAX);
+  output.icc = json.at("icc").boolean();
+  return output;
+}
+
+Shot readShot(const JsonPath& json) {
+  Shot shot;
+  shot.width = json.at("size").at("width").integer(1, SIZE_MAX_PX);
+  shot.height = json.at("size").at("height").integer(1, SIZE_MAX_PX);
+  shot.camera = readCamera(json.at("camera"));
+  shot.environment = readEnvironment(json.at("environment"));
+  const JsonPath lights = json.at("lights");
+  for (std::size_t i = 0; i < lights.size(); ++i) shot.lights.push_back(readLight(lights.at(i)));
+  shot.modelLights = json.at("modelLights").boolean();
+  shot.background = readBackground(json.at("background"));
+  shot.shading = json.at("shading").string();
+  const JsonPath toneMapping = json.at("toneMapping");
+  toneMapping.choice({"none", "linear", "reinhard", "cineon", "aces", "agx", "neutral"});
+  shot.toneMapping = toneMapping.string();
+  shot.exposure = json.at("exposure").number(0);
+  const JsonPath samples = json.at("quality").at("samples");
+  shot.samples = samples.integer(1, 4);
+  if (shot.samples != 1 && shot.samples != 4) samples.fail("1 or 4");
+  const JsonPath variant = json.at("variant");
+  if (!variant.isNull()) shot.variant = variant.string();
+  shot.output = readOutput(json.at("output"));
+  return shot;
+}
+
+}  // namespace
+
+Shot parseShot(std::string_view resolvedJson) {
+  nlohmann::json root;
+  try {
+    root = nlohmann::json::parse(resolvedJson);
+  } catch (const nlohmann::json::exception&) {
+    throw Error("E_SHOT", "the shot is not JSON: pass what resolveShot returns");
+  }
+  return readShot(JsonPath(root));
+}
+
+}  // namespace telar
