@@ -22,11 +22,12 @@ enum TextureUnit : GLuint {
   UNIT_COUNT
 };
 
-gl::Texture texelTexture(const gl::Functions& gl, const std::array<std::uint8_t, 4>& rgba) {
+/// Half floats: 8 bits cannot hold the 0.5 of a flat normal.
+gl::Texture texelTexture(const gl::Functions& gl, const std::array<float, 4>& rgba) {
   gl::Texture texture(gl);
   gl.BindTexture(GL_TEXTURE_2D, texture.get());
-  gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, 1, 1);
-  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA16F, 1, 1);
+  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_FLOAT, rgba.data());
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   return texture;
 }
@@ -159,8 +160,8 @@ void SurfacePass::draw(const FramePlan& plan, const Shot& shot, const Scene& sce
   const gl::Functions& gl = context_.gl();
   current_ = nullptr;
   if (!white_) {
-    white_ = texelTexture(gl, {255, 255, 255, 255});
-    flatNormal_ = texelTexture(gl, {128, 128, 255, 255});
+    white_ = texelTexture(gl, {1, 1, 1, 1});
+    flatNormal_ = texelTexture(gl, {0.5f, 0.5f, 1, 1});
     blackCube_ = ibl::createCube(gl, 1, 1).texture;
   }
   gl.ActiveTexture(GL_TEXTURE0 + DFG_UNIT);

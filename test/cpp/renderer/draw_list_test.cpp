@@ -1,0 +1,87 @@
+#include "pass/draw_list.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "renderer/scenes.h"
+
+namespace telar {
+namespace {
+
+using test::sceneOf;
+using test::shotOf;
+using test::spherePrimitive;
+
+TEST(PlanDraws, CompilesOnlyWhatTheMaterialAndTheShotUse) {
+  const auto scene = sceneOf(spherePrimitive(1, 4));
+  const auto plan = pass::planDraws(*scene, shotOf(8), Limits{}, false);
+  ASSERT_EQ(plan.draws.opaque.size(), 1u);
+  const shader::VariantKey& key = plan.draws.opaque[0].key;
+  EXPECT_TRUE(key.features().empty()) << key.features()[0];
+  EXPECT_FALSE(plan.environment);
+}
+
+TEST(PlanDraws, AMapThatIsMultipliedByZeroIsNotSampled) {
+  Material material;
+  material.metallicFactor = material.roughnessFactor = 0;
+  material.occlusionStrength = 0;
+  material.metallicRoughnessTexture.image = material.occlusionTexture.image = material.emissiveTexture.image = 0;
+  const auto plan = pass::planDraws(*sceneOf(spherePrimitive(1, 4), material), shotOf(8), Limits{}, false);
+  EXPECT_TRUE(plan.draws.opaque[0].key.features().empty());
+}
+
+TEST(PlanDraws, ABlendedDoubleSidedSurfaceIsDrawnBackFacesFirst) {
+  Material material;
+  material.alphaMode = AlphaMode::kBlend;
+  material.doubleSided = true;
+  const auto scene = sceneOf(spherePrimitive(1, 4), material);
+  const auto plan = pass::planDraws(*scene, shotOf(8), Limits{}, false);
+  ASSERT_EQ(plan.draws.blended.size(), 2u);
+  EXPECT_TRUE(plan.draws.blended[0].key.flipSided);
+  EXPECT_FALSE(plan.draws.blended[1].key.flipSided);
+}
+
+TEST(PlanDraws, BlendedSurfacesAreDrawnFarToNear) {
+  Material material;
+  material.alphaMode = AlphaMode::kBlend;
+  const auto scene = sceneOf(spherePrimitive(0.1f, 4), material);
+  Node far = scene->nodes[0];
+  far.world[3] = glm::dvec4(0, 0, -1, 1);
+  scene->nodes.push_back(far);
+  const auto plan = pass::planDraws(*scene, shotOf(8), Limits{}, false);
+  ASSERT_EQ(plan.draws.blended.size(), 2u);
+  EXPECT_EQ(plan.draws.blended[0].node, &scene->nodes[1]);
+}
+
+TEST(PlanDraws, AnUnknownVariantNamesTheKnownOnes) {
+  const auto scene = sceneOf(spherePrimitive(1, 4));
+  scene->variants = {"natural", "indigo"};
+  Shot shot = shotOf(8);
+  shot.variant = "red";
+  try {
+    pass::planDraws(*scene, shot, Limits{}, false);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code, "E_VARIANT");
+    EXPECT_NE(std::string(error.what()).find("\"indigo\""), std::string::npos);
+  }
+}
+
+TEST(PlanDraws, AMirroredNodeTurnsTheWindingRound) {
+  const auto scene = sceneOf(spherePrimitive(1, 4));
+  scene->nodes[0].world[0][0] = -1;
+  EXPECT_TRUE(pass::planDraws(*scene, shotOf(8), Limits{}, false).draws.opaque[0].mirrored);
+}
+
+TEST(PlanFrame, NamesFeaturesAndPasses) {
+  Shot shot = shotOf(8);
+  shot.lights.push_back({Shot::Light::Type::kPoint});
+  shot.toneMapping = "agx";
+  const auto json = nlohmann::json::parse(planFrame(*sceneOf(spherePrimitive(1, 4)), shot));
+  EXPECT_EQ(json["features"], nlohmann::json::array({"1 point-light", "tone-mapping-agx"}));
+  EXPECT_EQ(json["passes"], nlohmann::json::array({"opaque", "resolve"}));
+}
+
+}  // namespace
+}  // namespace telar
