@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url';
 import { ensureBuild } from '../build.mjs';
+import { ensureBundles } from './bundles.mjs';
 import { ensureDebianPackages } from './debian.mjs';
 import { ensureNpmPackages } from './npm_packages.mjs';
 import { main, step } from './step.mjs';
@@ -11,6 +12,7 @@ import { main, step } from './step.mjs';
 export async function setUp({ groups, preset }) {
   await step('Debian packages', (begin) => ensureDebianPackages(groups, begin));
   await step('npm packages', ensureNpmPackages);
+  await step('CommonJS bundles', ensureBundles);
   await step(`Build (${preset})`, (begin) => ensureBuild(preset, begin));
 }
 

@@ -12,7 +12,8 @@ export const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 
 /** Exit code 6 of the command line: this machine, not the input. */
 const EXIT_MACHINE = 6;
-const LOG_TAIL_LINES = 25;
+const LOG_HEAD_LINES = 10;
+const LOG_TAIL_LINES = 20;
 
 /** Set-up cannot go on; the message ends with the cure. */
 export class SetupError extends Error {
@@ -75,10 +76,16 @@ export async function runLogged(command, args, { log, env = {}, cure }) {
   await once(file, 'close');
   const text = printed.join('');
   if (code !== 0) {
-    const tail = text.trimEnd().split('\n').slice(-LOG_TAIL_LINES).map((line) => `  | ${line}`).join('\n');
-    throw new SetupError(`${command} ${args[0]} ended with ${code}; last lines (all in out/setup/${log}):\n${tail}`, { cure });
+    throw new SetupError(`${path.basename(command)} ${args[0]} ended with ${code}; all it said is in out/setup/${log}:\n${excerpt(text)}`, { cure });
   }
   return text;
+}
+
+/** The first lines, which hold npm's reason, and the last, which hold the compiler's. */
+function excerpt(text) {
+  const lines = text.trimEnd().split('\n').map((line) => `  | ${line}`);
+  if (lines.length > LOG_HEAD_LINES + LOG_TAIL_LINES) lines.splice(LOG_HEAD_LINES, lines.length - LOG_HEAD_LINES - LOG_TAIL_LINES, '  ...');
+  return lines.join('\n');
 }
 
 /**

@@ -1,9 +1,10 @@
 import assert from 'node:assert/strict';
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
 import { npmPackagesPresent } from '../../../js/setup/npm_packages.mjs';
+import { ROOT } from '../../../js/setup/step.mjs';
 
 /** A checkout whose lock file wants `wanted` and whose node_modules holds `installed`. */
 function checkout(t, wanted, installed, folders = Object.keys(installed ?? {})) {
@@ -36,3 +37,15 @@ for (const [name, wanted, installed, expected] of CASES) {
 }
 
 test('npm packages: a folder deleted by hand', (t) => assert.equal(npmPackagesPresent(checkout(t, A, A, [])), false));
+
+test('the lock file is complete and names no registry', () => {
+  const { packages } = JSON.parse(readFileSync(path.join(ROOT, 'package-lock.json'), 'utf8'));
+  for (const [folder, entry] of Object.entries(packages)) {
+    if (folder !== '') assert.ok(entry.version && entry.integrity && !entry.resolved, folder);
+    // npm leaves out what a registry did not have when the lock file was made, and `npm ci` then refuses it.
+    for (const name of Object.keys({ ...entry.dependencies, ...entry.optionalDependencies })) {
+      const places = folder.split('/node_modules/').map((_, i, parts) => `${parts.slice(0, i + 1).join('/node_modules/')}/node_modules/${name}`);
+      assert.ok([`node_modules/${name}`, ...places].some((place) => packages[place]), `${folder}: ${name}`);
+    }
+  }
+});

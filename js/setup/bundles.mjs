@@ -1,0 +1,27 @@
+import { existsSync, readdirSync, statSync } from 'node:fs';
+import path from 'node:path';
+import { ROOT, runLogged } from './step.mjs';
+
+const JS = path.join(ROOT, 'js');
+const BUNDLER = path.join(JS, 'build_cjs.mjs');
+
+/** Whether every source is older than the oldest bundle. */
+function bundlesFresh() {
+  const dist = path.join(JS, 'dist');
+  if (!existsSync(dist)) return false;
+  const times = (folder, pattern) =>
+    readdirSync(folder, { recursive: true }).filter((file) => pattern.test(file) && !file.startsWith('dist')).map((file) => statSync(path.join(folder, file)).mtimeMs);
+  const bundles = times(dist, /\.cjs$/);
+  return bundles.length > 0 && Math.max(...times(JS, /\.(mjs|json)$/)) <= Math.min(...bundles);
+}
+
+/**
+ * Writes js/dist, the CommonJS side of the package, where a source is newer.
+ * @returns {Promise<string>} What was done, in a few words.
+ */
+export async function ensureBundles(begin) {
+  if (bundlesFresh()) return 'up to date';
+  begin('bundling');
+  await runLogged(process.execPath, [BUNDLER], { log: 'bundles.log', cure: 'npm ci --ignore-scripts, then the same command again' });
+  return 'done';
+}
