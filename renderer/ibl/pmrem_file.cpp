@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstring>
 #include <fstream>
+#include <thread>
 
 namespace telar::ibl {
 namespace {
@@ -145,8 +146,11 @@ std::optional<std::vector<std::byte>> readFile(const std::filesystem::path& path
 bool writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes) {
   std::error_code failure;
   std::filesystem::create_directories(path.parent_path(), failure);
-  std::string temporary = path.string() + ".XXXXXX";
-  const int file = mkstemp(temporary.data());
+  // One name a process and thread; a left-over of a process that died is written over.
+  const std::string temporary =
+      path.string() + "." + std::to_string(getpid()) + "-" + std::to_string(std::hash<std::thread::id>()(std::this_thread::get_id()));
+  constexpr mode_t MODE = 0666;  // less the process's umask
+  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, MODE);
   if (file < 0) return false;
   bool ok = true;
   for (std::size_t done = 0; ok && done < bytes.size();) {

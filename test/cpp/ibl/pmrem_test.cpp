@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "ibl/environment_cache.h"
+#include "ibl/pmrem_file.h"
+#include "ibl/prefilter.h"
+#include "telar/codec.h"
+
+namespace telar::ibl {
+namespace {
+
+/// Radiance 1 + 0.8 y.
+ImageF gradient(std::uint32_t width) {
+  ImageF map{width, width / 2, std::vector<float>(static_cast<std::size_t>(width) * width / 2 * 4, 1.0f)};
+  for (std::uint32_t y = 0; y < map.height; ++y) {
+    const double latitude = (0.5 - (y + 0.5) / map.height) * 3.14159265358979;
+    for (std::uint32_t x = 0; x < width; ++x) {
+      for (int c = 0; c < 3; ++c) map.pixels[(static_cast<std::size_t>(y) * width + x) * 4 + static_cast<std::size_t>(c)] = static_cast<float>(1 + 0.8 * std::sin(latitude));
+    }
+  }
+  return map;
+}
+
+std::vector<std::uint16_t> level(const gl::Context& context, const CubeMap& cube, int lod, GLenum face) {
+  const gl::Functions& gl = context.gl();
+  const gl::Framebuffer framebuffer(gl);
+  const int size = cube.faceSize >> lod;
+  std::vector<std::uint16_t> rgba(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, face, cube.texture.get(), lod);
+  gl.ReadPixels(0, 0, size, size, GL_RGBA, GL_HALF_FLOAT, rgba.data());
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  return rgba;
+}
+
+float half(std::uint16_t bits) { return std::ldexp(static_cast<float>((bits & 0x3ff) | 0x400), (bits >> 10) - 25); }
+
+TEST(Prefilter, TheRoughestLevelIsTheCosineMean) {
+  const auto context = gl::Context::create(Backend::kAuto);
+  const CubeMap cube = prefilterEquirect(*context, gradient(256), CancelToken());
+  EXPECT_EQ(cube.faceSize, 256);
+  EXPECT_EQ(maxLodOf(cube), 5);
+  // The mean of 1 + 0.8 y under the cosine lobe about +Y is 1 + 0.8 * 2/3; texel centres stand 1/8 off the axis.
+  const auto up = level(*context, cube, 5, GL_TEXTURE_CUBE_MAP_POSITIVE_Y);
+  EXPECT_NEAR(half(up[(3 * 8 + 3) * 4]), 1 + 0.8 * 2 / 3 * 0.985, 0.004);
+  const auto side = level(*context, cube, 5, GL_TEXTURE_CUBE_MAP_POSITIVE_X);
+  EXPECT_NEAR((half(side[(3 * 8 + 3) * 4]) + half(side[(4 * 8 + 3) * 4])) / 2, 1.0, 0.004);
+}
+
+TEST(Prefilter, FaceSizeIsAQuarterOfTheWidth) {
+  const auto context = gl::Context::create(Backend::kAuto);
+  EXPECT_EQ(prefilterEquirect(*context, gradient(2048), CancelToken()).faceSize, 512);
+}
+
+TEST(PmremFile, ComesBackBitForBit) {
+  const auto context = gl::Context::create(Backend::kAuto);
+  const CubeMap cube = prefilterEquirect(*context, gradient(128), CancelToken());
+  const auto packed = packPmrem(*context, cube);
+  const auto back = unpackPmrem(*context, packed);
+  ASSERT_TRUE(back);
+  for (int lod = 0; lod < cube.levels; ++lod) {
+    for (GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X; face < GL_TEXTURE_CUBE_MAP_POSITIVE_X + 6; ++face) {
+      EXPECT_EQ(level(*context, cube, lod, face), level(*context, *back, lod, face));
+    }
+  }
+}
+
+TEST(PmremFile, ADamagedFileIsNotAFile) {
+  const auto context = gl::Context::create(Backend::kAuto);
+  auto packed = packPmrem(*context, prefilterEquirect(*context, gradient(128), CancelToken()));
+  EXPECT_FALSE(unpackPmrem(*context, std::span(packed).first(packed.size() / 2)));
+  EXPECT_FALSE(unpackPmrem(*context, std::span(packed).first(10)));
+  for (const std::size_t at : {std::size_t{0}, std::size_t{5}, std::size_t{9}, std::size_t{13}, packed.size() - 1}) {
+    auto damaged = packed;
+    damaged[at] ^= std::byte{0x55};
+    EXPECT_FALSE(unpackPmrem(*context, damaged)) << at;
+  }
+}
+
+TEST(EnvironmentCache, TheBundledCubeIsThatOfTheBundledMap) {
+  const std::filesystem::path assets = TELAR_SOURCE_DIR "/js/assets";
+  const auto hdr = readFile(assets / "studio.hdr", 64u << 20), pmrem = readFile(assets / "studio.pmrem", 64u << 20);
+  ASSERT_TRUE(hdr && pmrem) << "run `npm run assets`";
+  const auto context = gl::Context::create(Backend::kEglSurfaceless);
+  const CubeMap made = prefilterEquirect(*context, readEnvironment(*hdr, Limits{}, CancelToken()), CancelToken());
+  const auto shipped = unpackPmrem(*context, *pmrem);
+  ASSERT_TRUE(shipped) << "run `npm run assets`";
+  ASSERT_EQ(made.faceSize, shipped->faceSize);
+  // Another processor may round a trigonometric function differently; a stale file is far off.
+  const auto a = level(*context, made, 3, GL_TEXTURE_CUBE_MAP_POSITIVE_Z), b = level(*context, *shipped, 3, GL_TEXTURE_CUBE_MAP_POSITIVE_Z);
+  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(half(a[i]), half(b[i]), 0.002f * half(a[i]) + 1e-4f) << "run `npm run assets`";
+}
+
+TEST(EnvironmentCache, KeepsAPrefilteredCubeOnDiskByContent) {
+  const auto folder = std::filesystem::temp_directory_path() / ("telar-cache-test-" + std::to_string(std::rand()));
+  std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n";
+  for (int i = 0; i < 32; ++i) file += std::string("\x80\x40\x20\x80", 4);
+  const std::span bytes(reinterpret_cast<const std::byte*>(file.data()), file.size());
+  const auto context = gl::Context::create(Backend::kAuto);
+  Shot::Environment wanted;
+  wanted.source = Shot::Environment::Source::kBytes;
+  {
+    EnvironmentCache cache(*context, "", folder, Limits{});
+    EXPECT_EQ(cache.get(wanted, bytes, false, CancelToken()).source, "prefiltered");
+    EXPECT_EQ(cache.get(wanted, bytes, false, CancelToken()).source, "gpu");
+  }
+  EnvironmentCache again(*context, "", folder, Limits{});
+  EXPECT_EQ(again.get(wanted, bytes, true, CancelToken()).source, "disk");
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace telar::ibl
