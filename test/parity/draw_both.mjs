@@ -1,6 +1,6 @@
 import { saveReference } from './files.mjs';
 import { loadInputs } from './inputs.mjs';
-import { difference, premultiply } from './metrics.mjs';
+import { difference } from './metrics.mjs';
 
 /**
  * Draws a case in the browser and on the server and compares; keeps the browser's picture (files.mjs).
@@ -11,7 +11,7 @@ import { difference, premultiply } from './metrics.mjs';
  */
 export async function drawBoth(item, browser, server) {
   const { inputs, expected } = await drawInBrowser(item, browser);
-  const actual = premultiply(await server.draw({ shot: item.shot, ...inputs }));
+  const actual = await server.draw({ shot: item.shot, ...inputs });
   return { expected, actual, difference: compareCase(item, expected, actual) };
 }
 

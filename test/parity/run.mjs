@@ -1,25 +1,25 @@
-// node test/parity/run.mjs [--browser-only] [--fast] [--rasterizer mesa|swiftshader] [filter...]
+// node test/parity/run.mjs [--browser-only | --self] [--fast] [filter...]
 // Draws every case with three.js in headless Chromium and with telar, prints a table, writes out/parity/index.html.
-// Exit code 1 when a case is over the bar.
+// Exit code 1 when a case is over the bar. --self: three.js on another rasteriser (SwiftShader) in telar's place.
 import { parseArgs } from 'node:util';
 import { Browser } from './browser/chromium.mjs';
 import { selectCases } from './cases.mjs';
 import { drawBoth, drawInBrowser } from './draw_both.mjs';
 import { Report } from './report.mjs';
-import { openServer } from './server.mjs';
+import { openSecondBrowser, openServer } from './server.mjs';
 
 const { values, positionals } = parseArgs({
   allowPositionals: true,
   options: {
     'browser-only': { type: 'boolean' },
     fast: { type: 'boolean' },
-    rasterizer: { type: 'string', default: 'mesa' },
+    self: { type: 'boolean' },
   },
 });
 
 const cases = selectCases(positionals).filter((item) => !values.fast || item.fast);
-const browser = await Browser.start({ rasterizer: values.rasterizer });
-const server = values['browser-only'] ? null : await openServer();
+const browser = await Browser.start();
+const server = values['browser-only'] ? null : await (values.self ? openSecondBrowser() : openServer());
 const report = new Report();
 try {
   for (const item of cases) await runCase(item);

@@ -3,12 +3,14 @@ import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'no
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { Browser } from './browser/chromium.mjs';
+import { premultiply } from './metrics.mjs';
 
 const root = (relative) => fileURLToPath(new URL(`../../${relative}`, import.meta.url));
 
 /**
  * Opens telar: through its JavaScript API, or through the command-line tool of a C++ build where TELAR_DRAW names one.
- * draw({shot, model, environment, bundled}) gives RGBA8, straight alpha, top row first; inputs as of inputs.mjs.
+ * draw({shot, model, environment, bundled}) gives RGBA8, premultiplied, top row first; inputs as of inputs.mjs.
  *
  * @returns {Promise<{draw: Function, close: Function}>}
  * @throws {Error} With the cure, when there is no build.
@@ -22,10 +24,19 @@ export async function openServer() {
   return {
     async draw({ shot, model, environment, bundled }) {
       const { data } = await renderer.render(model, withEnvironment(shot, bundled ? 'studio' : environment));
-      return new Uint8Array(data.buffer, data.byteOffset, data.length);
+      return premultiply(data);
     },
     close: () => renderer.close(),
   };
+}
+
+/**
+ * Chromium with its own software rasteriser in telar's place: how far the client is from itself.
+ * @returns {Promise<{draw: Function, close: Function}>}
+ */
+export async function openSecondBrowser() {
+  const browser = await Browser.start({ rasterizer: 'swiftshader' });
+  return { draw: async (input) => (await browser.draw(input)).image, close: () => browser.close() };
 }
 
 /** The shot with `map` in place of the file name that stands for the case's environment. */
@@ -45,7 +56,7 @@ function openTool(executable) {
       if (own) writeFileSync(file('environment.hdr'), environment);
       const options = own ? ['--env', file('environment.hdr')] : [];
       await execute(executable, [modelFile, file('shot.json'), file('out.raw'), ...options]);
-      return new Uint8Array(readFileSync(file('out.raw')));
+      return premultiply(readFileSync(file('out.raw')));
     },
     close: async () => rmSync(folder, { recursive: true }),
   };
@@ -53,7 +64,7 @@ function openTool(executable) {
 
 function execute(command, args) {
   return new Promise((resolve, reject) => {
-    const child = spawn(command, args, { stdio: ['ignore', 'inherit', 'pipe'] });
+    const child = spawn(command, args, { stdio: ['ignore', 'ignore', 'pipe'] });
     let text = '';
     child.stderr.on('data', (chunk) => (text += chunk));
     child.on('error', reject);
