@@ -18,9 +18,12 @@ FileFormat sniff(Bytes file) {
 
 ImageHeader readHeader(FileFormat format, Bytes file) {
   switch (format) {
-    case FileFormat::kPng: return image::readPngHeader(file);
-    case FileFormat::kJpeg: return image::readJpegHeader(file);
-    default: return image::readWebpHeader(file);
+    case FileFormat::kPng:
+      return image::readPngHeader(file);
+    case FileFormat::kJpeg:
+      return image::readJpegHeader(file);
+    default:
+      return image::readWebpHeader(file);
   }
 }
 
@@ -56,9 +59,12 @@ Image8 decodeImage(std::span<const std::byte> file, const Limits& limits, const 
   const FileFormat format = sniff(file);
   checkImageLimits(readHeader(format, file), limits);
   switch (format) {
-    case FileFormat::kPng: return image::decodePng(file, cancel);
-    case FileFormat::kJpeg: return image::decodeJpeg(file, limits, cancel);
-    default: return image::decodeWebp(file, cancel);
+    case FileFormat::kPng:
+      return image::decodePng(file, cancel);
+    case FileFormat::kJpeg:
+      return image::decodeJpeg(file, limits, cancel);
+    default:
+      return image::decodeWebp(file, cancel);
   }
 }
 

@@ -42,8 +42,10 @@ void onMessage(j_common_ptr jpeg, int level) {
     case JWRN_ADOBE_XFORM:
     case JWRN_EXTRANEOUS_DATA:
     case JWRN_JFIF_MAJOR:
-    case JWRN_TOO_MUCH_DATA: return;
-    default: onError(jpeg);
+    case JWRN_TOO_MUCH_DATA:
+      return;
+    default:
+      onError(jpeg);
   }
 }
 
@@ -135,8 +137,9 @@ void cmykToRgba(std::vector<std::uint8_t>& pixels) {
 /// Coding processes that browsers decode: Huffman, 8 bit, baseline / extended / progressive.
 void checkSupported(const JpegLayout& layout) {
   if (layout.frame > 0xc2 || layout.precision != 8) {
-    throw Error("E_IMAGE_FORMAT", "the JPEG image is lossless, arithmetic-coded or not 8 bit; export it as baseline or "
-                                  "progressive JPEG");
+    throw Error("E_IMAGE_FORMAT",
+                "the JPEG image is lossless, arithmetic-coded or not 8 bit; export it as baseline or "
+                "progressive JPEG");
   }
 }
 
@@ -145,9 +148,6 @@ void checkSupported(const JpegLayout& layout) {
 ImageHeader readJpegHeader(Bytes file) {
   const JpegLayout layout = readJpegLayout(file, false);
   checkSupported(layout);
-  if (std::uint64_t{layout.width} * layout.height / PIXELS_PER_BYTE_MAX > file.size()) {
-    throw corrupt("JPEG", "the file is too short for its size");
-  }
   ImageHeader header{layout.width, layout.height, "image/jpeg"};
   if (swapsSides(layout.orientation)) std::swap(header.width, header.height);
   return header;
@@ -156,6 +156,9 @@ ImageHeader readJpegHeader(Bytes file) {
 Image8 decodeJpeg(Bytes file, const Limits& limits, const CancelToken& cancel) {
   const JpegLayout layout = readJpegLayout(file, true);
   checkLimit("L_IMAGE_SCANS", double(limits.imageScans), double(layout.scans));
+  if (std::uint64_t{layout.width} * layout.height / PIXELS_PER_BYTE_MAX > file.size()) {
+    throw corrupt("JPEG", "the file is too short for its size");
+  }
   JpegReader reader(file, cancel);
   ImageHeader header;
   bool cmyk = false;

@@ -6,11 +6,11 @@ namespace telar::image {
 /// What the markers of a JPEG file say, read before libjpeg sees the file.
 struct JpegLayout {
   std::uint32_t width = 0, height = 0;
-  int precision = 0;    ///< bits per sample
+  int precision = 0;  ///< bits per sample
   int components = 0;
-  std::uint8_t frame = 0;  ///< start-of-frame marker, 0xc0 baseline .. 0xcf
-  int orientation = 1;     ///< EXIF, 1..8
-  std::uint64_t scans = 0; ///< start-of-scan markers
+  std::uint8_t frame = 0;   ///< start-of-frame marker, 0xc0 baseline .. 0xcf
+  int orientation = 1;      ///< EXIF, 1..8
+  std::uint64_t scans = 0;  ///< start-of-scan markers
 };
 
 /// @param wholeFile false: stop at the frame header, `scans` stays 0.

@@ -54,13 +54,27 @@ Image8 upright(Image8 stored, int orientation) {
       // Where upright (x, y) lies in the stored image; the cases are those of the EXIF standard.
       std::size_t sx = x, sy = y;
       switch (orientation) {
-        case 2: sx = w - 1 - x; break;
-        case 3: sx = w - 1 - x, sy = h - 1 - y; break;
-        case 4: sy = h - 1 - y; break;
-        case 5: sx = y, sy = x; break;
-        case 6: sx = y, sy = h - 1 - x; break;
-        case 7: sx = w - 1 - y, sy = h - 1 - x; break;
-        default: sx = w - 1 - y, sy = x; break;
+        case 2:
+          sx = w - 1 - x;
+          break;
+        case 3:
+          sx = w - 1 - x, sy = h - 1 - y;
+          break;
+        case 4:
+          sy = h - 1 - y;
+          break;
+        case 5:
+          sx = y, sy = x;
+          break;
+        case 6:
+          sx = y, sy = h - 1 - x;
+          break;
+        case 7:
+          sx = w - 1 - y, sy = h - 1 - x;
+          break;
+        default:
+          sx = w - 1 - y, sy = x;
+          break;
       }
       std::memcpy(image.pixels.data() + (y * image.width + x) * 4, stored.pixels.data() + (sy * w + sx) * 4, 4);
     }

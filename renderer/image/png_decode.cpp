@@ -14,11 +14,11 @@
 namespace telar::image {
 namespace {
 
-constexpr std::size_t IHDR_END = 33;                 // signature 8, length 4, type 4, data 13, CRC 4
+constexpr std::size_t IHDR_END = 33;                   // signature 8, length 4, type 4, data 13, CRC 4
 constexpr png_alloc_size_t CHUNK_BYTES_MAX = 8 << 20;  // one ancillary chunk
 constexpr int CHUNKS_MAX = 128;
-constexpr std::uint64_t DEFLATE_RATIO_MAX = 1032;    // 258 bytes from 2 bits: no deflate stream expands more
-constexpr std::uint32_t ROWS_PER_STEP = 64;          // between two looks at the cancel token
+constexpr std::uint64_t DEFLATE_RATIO_MAX = 1032;  // 258 bytes from 2 bits: no deflate stream expands more
+constexpr std::uint32_t ROWS_PER_STEP = 64;        // between two looks at the cancel token
 
 /// State that libpng's callbacks share; lives outside every frame that longjmp leaves.
 struct PngContext {
@@ -118,6 +118,14 @@ int pngOrientation(Bytes file) {
   return 1;
 }
 
+/// The file must be long enough to hold its pixels, before memory is taken for them.
+void checkDataExists(Bytes file) {
+  const std::uint8_t* p = data(file);
+  const std::uint64_t bits = p[24] * std::uint64_t{be32(p + 16)} * be32(p + 20);  // one channel at least
+  if (bits / 8 / DEFLATE_RATIO_MAX > file.size())
+    throw corrupt("PNG", "the file is too short for its size").atOffset(16);
+}
+
 }  // namespace
 
 ImageHeader readPngHeader(Bytes file) {
@@ -127,13 +135,12 @@ ImageHeader readPngHeader(Bytes file) {
   if (crc32(0, p + 12, 17) != be32(p + 29)) throw corrupt("PNG", "IHDR: CRC error").atOffset(29);
   ImageHeader header{be32(p + 16), be32(p + 20), "image/png"};
   if (!header.width || !header.height) throw corrupt("PNG", "width or height is 0").atOffset(16);
-  const std::uint64_t bits = p[24] * std::uint64_t{header.width} * header.height;  // at least one channel
-  if (bits / 8 / DEFLATE_RATIO_MAX > file.size()) throw corrupt("PNG", "the file is too short for its size").atOffset(16);
   if (swapsSides(pngOrientation(file))) std::swap(header.width, header.height);
   return header;
 }
 
 Image8 decodePng(Bytes file, const CancelToken& cancel) {
+  checkDataExists(file);
   PngReader reader(file);
   ImageHeader header;
   int passes = 1;

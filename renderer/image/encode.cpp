@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <string>
+
+#include "image/encoders.h"
+#include "image/oiio_bridge.h"
+
+namespace telar {
+namespace {
+
+using Format = OutputOptions::Format;
+
+[[noreturn]] void refuse(const std::string& what) { throw Error("X_OUTPUT", what); }
+
+bool isOneOf(int value, std::initializer_list<int> allowed) {
+  return std::find(allowed.begin(), allowed.end(), value) != allowed.end();
+}
+
+void checkOptions(const OutputOptions& options) {
+  const int bits = options.bitDepth;
+  switch (options.format) {
+    case Format::kPng:
+    case Format::kTiff:
+      if (!isOneOf(bits, {8, 16})) refuse("PNG and TIFF take a bit depth of 8 or 16");
+      return;
+    case Format::kExr:
+      if (!isOneOf(bits, {16, 32})) refuse("EXR takes a bit depth of 16 or 32");
+      return;
+    case Format::kRaw:
+      if (!isOneOf(bits, {8, 32})) refuse("raw takes a bit depth of 8 or 32");
+      return;
+    default:
+      if (options.quality < 1 || options.quality > 100) refuse("JPEG and WebP take a quality from 1 to 100");
+  }
+}
+
+void checkFrame(const Frame& frame, const OutputOptions& options) {
+  if (frame.type != framePixelType(options)) refuse("the frame's pixel type does not fit the output format");
+  const std::size_t pixelBytes = frame.type == PixelType::kRgba8 ? 4 : 16;
+  const std::size_t bytes = std::size_t{frame.width} * frame.height * pixelBytes;
+  if (!bytes || frame.pixels.size() != bytes) refuse("the frame's pixels do not fit its size");
+}
+
+}  // namespace
+
+PixelType framePixelType(const OutputOptions& options) {
+  const bool floats = options.format == Format::kExr || (options.format == Format::kRaw && options.bitDepth == 32);
+  return floats ? PixelType::kRgbaF32 : PixelType::kRgba8;
+}
+
+std::vector<std::byte> encode(const Frame& frame, const OutputOptions& options, const CancelToken& cancel) {
+  cancel.check();
+  checkOptions(options);
+  checkFrame(frame, options);
+  switch (options.format) {
+    case Format::kPng:
+      return options.icc ? image::encodeWithOiio(frame, options, cancel) : image::encodePng(frame, options, cancel);
+    case Format::kJpeg: {
+      const auto profile = options.icc ? image::srgbProfile() : std::vector<std::byte>();
+      return image::encodeJpeg(frame, options, profile, cancel);
+    }
+    case Format::kWebp:
+      return image::encodeWebp(frame, options, cancel);
+    case Format::kRaw:
+      return frame.pixels;
+    default:
+      return image::encodeWithOiio(frame, options, cancel);
+  }
+}
+
+}  // namespace telar

@@ -1,0 +1,49 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "image/environment_header.h"
+
+namespace telar {
+namespace {
+
+constexpr float HALF_MAX = 65504.0f;
+constexpr float HALF_NORMAL_MIN = 0x1p-14f;
+constexpr float HALF_STEP_MIN = 0x1p-24f;
+constexpr std::size_t TEXELS_PER_STEP = 1 << 20;  // between two looks at the cancel token
+
+/// OpenImageIO decodes RGBE as mantissa / 256, three.js as mantissa / 255. Both are one product in double here and in
+/// three.js, with factors that differ by a power of two, so the rounded results are equal bit for bit.
+float rescaleRgbe(float value) { return float(double(value) * (256.0 / 255.0)); }
+
+/// Largest half not above `value` in [0, 65504]: three.js drops the bits that a half has no room for.
+float truncateToHalf(float value) {
+  if (value < HALF_NORMAL_MIN) return std::floor(value / HALF_STEP_MIN) * HALF_STEP_MIN;
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) & 0xffffe000u);
+}
+
+/// NaN fails both comparisons and becomes 0.
+float clampToHalf(float value) { return value > 0 ? (value < HALF_MAX ? truncateToHalf(value) : HALF_MAX) : 0.0f; }
+
+}  // namespace
+
+ImageF readEnvironment(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel) {
+  cancel.check();
+  const image::EnvironmentHeader header = image::readEnvironmentHeader(file);
+  const double texels = double(header.width) * header.height;
+  checkLimit("L_ENVIRONMENT_PIXELS", double(limits.environmentPixels), texels);
+  ImageF out{header.width, header.height, std::vector<float>(std::size_t(texels) * 4)};
+  image::readWithOiio(file, header.format, out, cancel);
+
+  const bool rgbe = header.format == image::EnvironmentFormat::kHdr;
+  for (std::size_t i = 0; i < out.pixels.size(); i += 4) {
+    if (i % (TEXELS_PER_STEP * 4) == 0) cancel.check();
+    for (std::size_t c = i; c < i + 3; ++c) {
+      out.pixels[c] = clampToHalf(rgbe ? rescaleRgbe(out.pixels[c]) : out.pixels[c]);
+    }
+    out.pixels[i + 3] = 1;
+  }
+  return out;
+}
+
+}  // namespace telar

@@ -1,0 +1,134 @@
+#include "image/environment_header.h"
+
+#include <charconv>
+#include <string>
+
+namespace telar::image {
+namespace {
+
+constexpr std::size_t HDR_HEADER_MAX = 64 << 10;
+constexpr std::uint32_t SIDE_MAX =
+    1 << 20;  // keeps width * height far from overflow; the limit is L_ENVIRONMENT_PIXELS
+
+Error unsupported(const std::string& what) {
+  return Error("E_ENVIRONMENT_FORMAT", "the environment " + what + "; save it as an equirectangular .hdr or .exr map");
+}
+
+Error damaged(const std::string& what, std::size_t offset) {
+  return Error("E_ENVIRONMENT_CORRUPT", "the environment " + what + "; save it again").atOffset(offset);
+}
+
+/// Radiance picture format: text lines, an empty line, then "-Y height +X width".
+class HdrLines {
+ public:
+  explicit HdrLines(Bytes file) : text_(reinterpret_cast<const char*>(file.data()), file.size()) {}
+
+  std::string_view next() {
+    const std::size_t end = text_.substr(0, HDR_HEADER_MAX).find('\n', position_);
+    if (end == std::string_view::npos) throw damaged(".hdr header does not end", position_);
+    const std::string_view line = text_.substr(position_, end - position_);
+    position_ = end + 1;
+    return line;
+  }
+  std::size_t position() const { return position_; }
+
+ private:
+  std::string_view text_;
+  std::size_t position_ = 0;
+};
+
+/// Takes `label` and the number behind it off the front of `line`; 0 when they are not there.
+std::uint32_t takeSide(std::string_view& line, std::string_view label) {
+  if (!line.starts_with(label)) return 0;
+  std::uint32_t value = 0;
+  const char* end = line.data() + line.size();
+  const auto [rest, error] = std::from_chars(line.data() + label.size(), end, value);
+  if (error != std::errc()) return 0;
+  line = std::string_view(rest, std::size_t(end - rest));
+  return value;
+}
+
+EnvironmentHeader readHdr(Bytes file) {
+  HdrLines lines(file);
+  lines.next();
+  bool known = false;
+  for (std::string_view line = lines.next(); !line.empty(); line = lines.next()) {
+    if (line.starts_with("FORMAT=")) known = line == "FORMAT=32-bit_rle_rgbe";
+  }
+  if (!known) throw unsupported("is a .hdr file that does not hold RGBE pixels");
+  const std::size_t offset = lines.position();
+  std::string_view size = lines.next();
+  EnvironmentHeader header{EnvironmentFormat::kHdr};
+  header.height = takeSide(size, "-Y ");
+  header.width = takeSide(size, " +X ");
+  if (!header.width || !header.height || !size.empty()) {
+    throw damaged(".hdr file has no size line \"-Y height +X width\"", offset);
+  }
+  return header;
+}
+
+/// OpenEXR: magic, version and flags, then attributes (name, type, 32-bit size, value) up to an empty name; all
+/// little-endian. A multi-part file has one such list for each part; the first is used.
+class ExrAttributes {
+ public:
+  explicit ExrAttributes(Bytes file) : file_(file) {}
+
+  /// False behind the last attribute.
+  bool next() {
+    name = word();
+    if (name.empty()) return false;
+    type = word();
+    if (file_.size() - position_ < 4) throw damaged(".exr header is cut", file_.size());
+    const std::size_t size = le32(data(file_) + position_);
+    position_ += 4;
+    if (size > file_.size() - position_) throw damaged(".exr header has an attribute longer than the file", position_);
+    value = file_.subspan(position_, size);
+    position_ += size;
+    return true;
+  }
+
+  std::string_view name, type;
+  Bytes value;
+
+ private:
+  std::string_view word() {
+    const std::string_view text(reinterpret_cast<const char*>(file_.data()), file_.size());
+    const std::size_t end = text.find('\0', position_);
+    if (end == std::string_view::npos) throw damaged(".exr header is cut", file_.size());
+    const std::string_view found = text.substr(position_, end - position_);
+    position_ = end + 1;
+    return found;
+  }
+
+  Bytes file_;
+  std::size_t position_ = 8;
+};
+
+std::uint32_t side(const std::uint8_t* box, int axis) {
+  const std::int64_t low = std::int32_t(le32(box + 4 * axis)), high = std::int32_t(le32(box + 8 + 4 * axis));
+  const std::int64_t length = high - low + 1;
+  return length < 1 || length > SIDE_MAX ? (length < 1 ? 0 : SIDE_MAX + 1) : std::uint32_t(length);
+}
+
+EnvironmentHeader readExr(Bytes file) {
+  if (file.size() < 8) throw damaged(".exr header is cut", file.size());
+  EnvironmentHeader header{EnvironmentFormat::kExr};
+  ExrAttributes attributes(file);
+  while (attributes.next()) {
+    if (attributes.name != "dataWindow" || attributes.type != "box2i" || attributes.value.size() != 16) continue;
+    header.width = side(data(attributes.value), 0);
+    header.height = side(data(attributes.value), 1);
+  }
+  if (!header.width || !header.height) throw damaged(".exr file has no data window", 8);
+  return header;
+}
+
+}  // namespace
+
+EnvironmentHeader readEnvironmentHeader(Bytes file) {
+  if (hasAt(file, 0, "#?")) return readHdr(file);
+  if (hasAt(file, 0, "\x76\x2f\x31\x01")) return readExr(file);
+  throw unsupported(file.empty() ? "is empty" : "is neither a .hdr nor an .exr file");
+}
+
+}  // namespace telar::image

@@ -1,0 +1,23 @@
+#pragma once
+#include "image/bytes.h"
+#include "telar/cancel.h"
+#include "telar/codec.h"
+
+/// What OpenImageIO does for us, through libtelar_oiio.so. Each call loads it unless it is loaded; it is looked for in
+/// the environment variable TELAR_LIBRARY_DIR when that is set, else beside the file that holds this code.
+/// All throw Error{X_LIBRARY_MISSING, X_CANCELLED} and std::bad_alloc.
+namespace telar::image {
+
+/// PNG with ICC profile, TIFF, EXR. @throws Error{X_OUTPUT}
+std::vector<std::byte> encodeWithOiio(const Frame& frame, const OutputOptions& options, const CancelToken& cancel);
+
+/// Bytes of an sRGB ICC profile, the same in every call.
+std::vector<std::byte> srgbProfile();
+
+enum class EnvironmentFormat { kHdr, kExr };
+
+/// Fills R, G and B of `image`, whose size is the file's, with the file's values.
+/// @throws Error{E_ENVIRONMENT_FORMAT, E_ENVIRONMENT_CORRUPT}
+void readWithOiio(Bytes file, EnvironmentFormat format, ImageF& image, const CancelToken& cancel);
+
+}  // namespace telar::image

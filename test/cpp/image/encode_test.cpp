@@ -1,0 +1,191 @@
+#include <cmath>
+
+#include "image/sample_files.h"
+
+using telar::OutputOptions;
+using Format = OutputOptions::Format;
+using namespace sample;
+
+namespace {
+
+constexpr Format ALL[] = {Format::kPng, Format::kJpeg, Format::kWebp, Format::kTiff, Format::kExr, Format::kRaw};
+
+OutputOptions optionsOf(Format format) {
+  OutputOptions options;
+  options.format = format;
+  options.bitDepth = format == Format::kExr ? 16 : 8;
+  return options;
+}
+
+telar::Frame frameFor(const OutputOptions& options, std::uint32_t width, std::uint32_t height) {
+  return telar::framePixelType(options) == telar::PixelType::kRgba8 ? frame8(width, height) : frame32(width, height);
+}
+
+/// Position behind the type of the first PNG chunk of that type; 0 when there is none.
+std::size_t findChunk(const File& png, const std::string& type) {
+  const std::string text(reinterpret_cast<const char*>(png.data()), png.size());
+  const std::size_t found = text.find(type);
+  return found == std::string::npos ? 0 : found + 4;
+}
+
+std::uint32_t be32At(const File& file, std::size_t i) {
+  return std::uint32_t(at(file, i)) << 24 | at(file, i + 1) << 16 | at(file, i + 2) << 8 | at(file, i + 3);
+}
+
+double rmsDifference(const telar::Frame& frame, const telar::Image8& image, int channels) {
+  double sum = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const double d = int(frame.pixels[i]) - image.pixels[i];
+    if (int(i % 4) < channels) sum += d * d;
+  }
+  return std::sqrt(sum / (double(image.pixels.size()) / 4 * channels));
+}
+
+void expectSamePixels(const telar::Frame& frame, const File& file) {
+  const auto image = telar::decodeImage(file, {}, {});
+  ASSERT_EQ(image.width, frame.width);
+  ASSERT_EQ(image.height, frame.height);
+  EXPECT_EQ(std::memcmp(image.pixels.data(), frame.pixels.data(), frame.pixels.size()), 0);
+}
+
+}  // namespace
+
+TEST(Encode, PngKeepsEveryByte) {
+  for (const auto& [width, height] : {std::pair{1u, 1u}, {1u, 300u}, {300u, 1u}, {67u, 45u}}) {
+    const auto frame = frame8(width, height);
+    expectSamePixels(frame, encoded(frame, Format::kPng));
+    expectSamePixels(frame, encoded(frame, Format::kPng, 16));
+  }
+}
+
+TEST(Encode, PngWithProfileKeepsEveryByte) {
+  useBuiltLibrary();
+  for (const int bits : {8, 16}) {
+    auto options = optionsOf(Format::kPng);
+    options.icc = true;
+    options.bitDepth = bits;
+    options.ppi = 300;
+    const auto frame = frame8(67, 45);
+    const File file = telar::encode(frame, options, {});
+    expectSamePixels(frame, file);
+    EXPECT_EQ(at(file, 24), bits);
+    EXPECT_NE(findChunk(file, "iCCP"), 0u);
+    EXPECT_EQ(be32At(file, findChunk(file, "pHYs")), 11811u);
+  }
+}
+
+TEST(Encode, PngHoldsDensityAndColourSpace) {
+  auto options = optionsOf(Format::kPng);
+  EXPECT_EQ(findChunk(telar::encode(frame8(4, 4), options, {}), "pHYs"), 0u);
+  options.ppi = 300;
+  const File file = telar::encode(frame8(4, 4), options, {});
+  const std::size_t density = findChunk(file, "pHYs");
+  EXPECT_EQ(be32At(file, density), 11811u);  // 300 / 0.0254
+  EXPECT_EQ(be32At(file, density + 4), 11811u);
+  EXPECT_EQ(at(file, density + 8), 1);
+  EXPECT_EQ(at(file, findChunk(file, "sRGB")), 0);
+}
+
+TEST(Encode, WebpAt100IsExactAndBelowKeepsAlpha) {
+  const auto frame = frame8(67, 45);
+  expectSamePixels(frame, encoded(frame, Format::kWebp, 8, 100));
+  const auto image = telar::decodeImage(encoded(frame, Format::kWebp, 8, 80), {}, {});
+  for (std::size_t i = 3; i < image.pixels.size(); i += 4) ASSERT_EQ(image.pixels[i], int(frame.pixels[i]));
+}
+
+TEST(Encode, JpegIsCloseAndDropsChromaOnlyBelow90) {
+  const auto frame = frame8(64, 64, true);
+  const File fine = encoded(frame, Format::kJpeg, 8, 95), coarse = encoded(frame, Format::kJpeg, 8, 60);
+  EXPECT_LT(rmsDifference(frame, telar::decodeImage(fine, {}, {}), 3), 3);
+  EXPECT_LT(rmsDifference(frame, telar::decodeImage(coarse, {}, {}), 3), 12);
+  // Sampling factors stand in the frame header: ff c0, length, precision, height, width, components, id, factors.
+  const auto factors = [](const File& file) {
+    for (std::size_t i = 0; i + 11 < file.size(); ++i) {
+      if (at(file, i) == 0xff && at(file, i + 1) == 0xc0) return int(at(file, i + 11));
+    }
+    return 0;
+  };
+  EXPECT_EQ(factors(fine), 0x11);
+  EXPECT_EQ(factors(coarse), 0x22);
+}
+
+TEST(Encode, JpegHoldsDensityAndProfile) {
+  useBuiltLibrary();
+  auto options = optionsOf(Format::kJpeg);
+  options.ppi = 300;
+  options.icc = true;
+  const File file = telar::encode(frame8(16, 16, true), options, {});
+  EXPECT_EQ(at(file, 13), 1);  // JFIF: unit inch, then the two densities
+  EXPECT_EQ(at(file, 14) << 8 | at(file, 15), 300);
+  const std::string text(reinterpret_cast<const char*>(file.data()), file.size());
+  EXPECT_NE(text.find("ICC_PROFILE"), std::string::npos);
+  EXPECT_NE(text.find("acsp"), std::string::npos);
+}
+
+TEST(Encode, RawIsTheFrame) {
+  const auto bytes8 = frame8(9, 7);
+  EXPECT_EQ(encoded(bytes8, Format::kRaw), bytes8.pixels);
+  const auto floats = frame32(9, 7);
+  EXPECT_EQ(encoded(floats, Format::kRaw, 32), floats.pixels);
+}
+
+TEST(Encode, ExrReadsBackAsItWas) {
+  useBuiltLibrary();
+  const auto frame = frame32(33, 21);
+  std::vector<float> expected(33 * 21 * 4);
+  std::memcpy(expected.data(), frame.pixels.data(), frame.pixels.size());
+  for (const int bits : {16, 32}) {
+    const File file = encoded(frame, Format::kExr, bits);
+    const auto image = telar::readEnvironment(file, {}, {});
+    ASSERT_EQ(image.pixels.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      if (i % 4 == 3) continue;
+      ASSERT_NEAR(image.pixels[i], expected[i], std::abs(expected[i]) * 1e-3 + 1e-7) << bits;
+    }
+    const std::string text(reinterpret_cast<const char*>(file.data()), file.size());
+    EXPECT_NE(text.find(std::string("chromaticities\0chromaticities\0", 30)), std::string::npos);
+  }
+}
+
+TEST(Encode, SameBytesEachTime) {
+  useBuiltLibrary();
+  for (const Format format : ALL) {
+    for (const bool icc : {false, true}) {
+      auto options = optionsOf(format);
+      options.icc = icc;
+      options.ppi = 150;
+      const auto frame = frameFor(options, 61, 43);
+      EXPECT_EQ(telar::encode(frame, options, {}), telar::encode(frame, options, {})) << int(format);
+    }
+  }
+}
+
+TEST(Encode, RefusesWhatDoesNotFit) {
+  const auto encodeAs = [](telar::Frame frame, OutputOptions options) {
+    return codeOf([&] { telar::encode(frame, options, {}); });
+  };
+  auto options = optionsOf(Format::kPng);
+  EXPECT_EQ(encodeAs(frame32(4, 4), options), "X_OUTPUT");
+  EXPECT_EQ(encodeAs({}, options), "X_OUTPUT");
+  auto shortFrame = frame8(4, 4);
+  shortFrame.pixels.pop_back();
+  EXPECT_EQ(encodeAs(shortFrame, options), "X_OUTPUT");
+  options.bitDepth = 32;
+  EXPECT_EQ(encodeAs(frame8(4, 4), options), "X_OUTPUT");
+  for (const int quality : {0, 101}) {
+    options = optionsOf(Format::kJpeg);
+    options.quality = quality;
+    EXPECT_EQ(encodeAs(frame8(4, 4), options), "X_OUTPUT");
+  }
+}
+
+TEST(Encode, StopsWhenCancelled) {
+  useBuiltLibrary();
+  telar::CancelToken cancel;
+  cancel.cancel();
+  for (const Format format : ALL) {
+    const auto options = optionsOf(format);
+    const auto frame = frameFor(options, 8, 8);
+    EXPECT_EQ(codeOf([&] { telar::encode(frame, options, cancel); }), "X_CANCELLED");
+  }
+}
