@@ -1,6 +1,6 @@
-#include "brdf/brdf.h"
-
 #include <cmath>
+
+#include "brdf/brdf.h"
 
 namespace telar::brdf_d {
 namespace {

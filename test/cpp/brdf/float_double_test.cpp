@@ -35,7 +35,9 @@ TEST(FloatAgainstDouble, EveryTermIsFiniteAndWithinRounding) {
     }
     std::sort(errors.begin(), errors.end());
     std::printf("%-28s %10.1e %10.1e %10.1e\n", term.name.c_str(), errors.back(), errors[ROWS * 99 / 100], excess);
-    EXPECT_LE(excess, TOLERANCE) << term.name << " at " << (worst ? testing::PrintToString(std::vector<float>(worst, worst + MAX_COLUMNS)) : "");
+    EXPECT_LE(excess, TOLERANCE) << term.name << " at "
+                                 << (worst ? testing::PrintToString(std::vector<float>(worst, worst + MAX_COLUMNS))
+                                           : "");
   }
 }
 

@@ -20,7 +20,8 @@ constexpr double TOLERANCE = 2e-5;
 /// Evaluates terms on a real context: arguments in RGBA32F textures, one texel a row, results in an RGBA32F target.
 class Probe {
  public:
-  explicit Probe(Backend backend) : context_(gl::Context::create(backend)), framebuffer_(gl()), triangle_(gl()), result_(gl()) {
+  explicit Probe(Backend backend)
+      : context_(gl::Context::create(backend)), framebuffer_(gl()), triangle_(gl()), result_(gl()) {
     for (int i = 0; i < ARGUMENT_TEXTURES; ++i) arguments_.push_back(gl::Texture(gl()));
     for (const auto& texture : arguments_) allocate(texture);
     allocate(result_);
@@ -65,7 +66,8 @@ void main() {
       const std::string name = "arguments" + std::to_string(i), texel = "t" + std::to_string(i);
       text += "uniform sampler2D " + name + ";\n";
       load += "  vec4 " + texel + " = texelFetch(" + name + ", at, 0);\n";
-      for (int j = 0; j < 4; ++j) load += "  p[" + std::to_string(i * 4 + j) + "] = " + texel + "[" + std::to_string(j) + "];\n";
+      for (int j = 0; j < 4; ++j)
+        load += "  p[" + std::to_string(i * 4 + j) + "] = " + texel + "[" + std::to_string(j) + "];\n";
     }
     return text + "out vec4 result;\nvoid main() {\n" + load + "  result = vec4(" + expression + ", 1.0);\n}\n";
   }
@@ -91,7 +93,8 @@ class OnGpu : public testing::TestWithParam<Backend> {};
 TEST_P(OnGpu, EveryTermAgreesWithDouble) {
   Probe probe(GetParam());
   ASSERT_TRUE(probe.context().capabilities().colorBufferFloat) << "RGBA32F is not renderable here";
-  std::printf("%-28s %10s %10s %10s %10s   (%s)\n", "term", "max", "99 %", "excess", "to float", probe.context().renderer().c_str());
+  std::printf("%-28s %10s %10s %10s %10s   (%s)\n", "term", "max", "99 %", "excess", "to float",
+              probe.context().renderer().c_str());
   for (const Term& term : terms()) {
     const std::vector<float> rows = samples(term, ROWS);
     const std::vector<float> result = probe.evaluate(term.expression, rows);
@@ -113,15 +116,16 @@ TEST_P(OnGpu, EveryTermAgreesWithDouble) {
       }
     }
     std::sort(errors.begin(), errors.end());
-    std::printf("%-28s %10.1e %10.1e %10.1e %10.1e\n", term.name.c_str(), errors.back(), errors[ROWS * 99 / 100], excess, toFloat);
+    std::printf("%-28s %10.1e %10.1e %10.1e %10.1e\n", term.name.c_str(), errors.back(), errors[ROWS * 99 / 100],
+                excess, toFloat);
     EXPECT_LE(excess, TOLERANCE) << term.name << " at "
-                                 << (worst ? testing::PrintToString(std::vector<float>(worst, worst + MAX_COLUMNS)) : "");
+                                 << (worst ? testing::PrintToString(std::vector<float>(worst, worst + MAX_COLUMNS))
+                                           : "");
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, OnGpu, testing::Values(Backend::kEglSurfaceless, Backend::kOsmesa), [](const auto& tested) {
-  return tested.param == Backend::kOsmesa ? "osmesa" : "egl";
-});
+INSTANTIATE_TEST_SUITE_P(Backends, OnGpu, testing::Values(Backend::kEglSurfaceless, Backend::kOsmesa),
+                         [](const auto& tested) { return tested.param == Backend::kOsmesa ? "osmesa" : "egl"; });
 
 }  // namespace
 }  // namespace telar::test

@@ -21,7 +21,8 @@ vec3 direction(double cosine, double phi) {
   return vec3(sine * std::cos(phi), sine * std::sin(phi), cosine);
 }
 
-/// Sum over light directions l of f(NoL, NoH, LoH) NoL dl, l sampled around the mirror direction of v as GGX spreads it.
+/// Sum over light directions l of f(NoL, NoH, LoH) NoL dl, l sampled around the mirror direction of v as GGX spreads
+/// it.
 template <class Integrand>
 vec3 integrateLobe(double alpha, double NoV, Integrand f) {
   const vec3 v = direction(NoV, 0);
@@ -152,12 +153,10 @@ TEST(WhiteFurnace, EnvironmentLightComesBackWhole) {
 double directFurnace(double roughness, double NoV) {
   const double alpha = alphaFromRoughness(roughness);
   const vec3 f0(F0_DIELECTRIC);
-  const vec3 specular = integrateLobe(alpha, NoV, [&](double NoL, double NoH, double LoH) {
-    return Fr_GGX(f0, 1, alpha, NoV, NoL, NoH, LoH);
-  });
-  const vec3 diffuse = integrateCosine(NoV, [&](double, double, double LoH) {
-    return Fd_Lambert(vec3(1)) * (vec3(1) - F_Schlick(f0, 1, LoH));
-  });
+  const vec3 specular = integrateLobe(
+      alpha, NoV, [&](double NoL, double NoH, double LoH) { return Fr_GGX(f0, 1, alpha, NoV, NoL, NoH, LoH); });
+  const vec3 diffuse = integrateCosine(
+      NoV, [&](double, double, double LoH) { return Fd_Lambert(vec3(1)) * (vec3(1) - F_Schlick(f0, 1, LoH)); });
   return (specular * directCompensation(f0, dfg(alpha, NoV)) + diffuse).x;
 }
 

@@ -26,7 +26,9 @@ std::vector<fs::path> shaderFiles() {
 std::string withoutComments(const std::string& text) { return std::regex_replace(text, std::regex("//[^\n]*"), ""); }
 
 /// 1.0e-6 -> 1.0: the digits of an exponent are no integer literal.
-std::string withoutExponents(const std::string& text) { return std::regex_replace(text, std::regex(R"((\d\.\d+)e-?\d+)"), "$1"); }
+std::string withoutExponents(const std::string& text) {
+  return std::regex_replace(text, std::regex(R"((\d\.\d+)e-?\d+)"), "$1");
+}
 
 struct Rule {
   const char* what;
@@ -51,7 +53,8 @@ const Rule FORBIDDEN[] = {
 TEST(SharedText, EveryShaderIsAscii) {
   for (const fs::path& file : shaderFiles()) {
     const std::string text = readFile(file);
-    const auto odd = std::find_if(text.begin(), text.end(), [](unsigned char c) { return c > 126 || (c < 32 && c != '\n'); });
+    const auto odd =
+        std::find_if(text.begin(), text.end(), [](unsigned char c) { return c > 126 || (c < 32 && c != '\n'); });
     EXPECT_EQ(odd, text.end()) << file.filename() << ": byte " << odd - text.begin();
   }
 }

@@ -31,14 +31,20 @@ constexpr double OF_ONE = 0.1;
 // Scale of a result that is a product: its error is relative all the way down.
 constexpr double PRODUCT = 1e-6;
 
-// Scale of AgX's polynomial: its parts are up to 40 and cancel.
-constexpr double CANCELLING = 2;
+// Scale of AgX's polynomial: its parts are up to 40 and cancel. The GPU tolerance is then a twelfth of an 8-bit code.
+constexpr double CANCELLING = 16;
 
-#define TERM(name, columns, scale, nonNegative, ...)                                     \
-  Term {                                                                                 \
-    name, #__VA_ARGS__, std::vector<Column> columns, scale, nonNegative,                 \
-        +[]([[maybe_unused]] const float* p) { using namespace brdf_f; return __VA_ARGS__; },  \
-        +[]([[maybe_unused]] const double* p) { using namespace brdf_d; return __VA_ARGS__; }  \
+#define TERM(name, columns, scale, nonNegative, ...)                     \
+  Term {                                                                 \
+    name, #__VA_ARGS__, std::vector<Column> columns, scale, nonNegative, \
+        +[]([[maybe_unused]] const float*p) {                            \
+          using namespace brdf_f;                                        \
+          return __VA_ARGS__;                                            \
+        },                                                               \
+        +[]([[maybe_unused]] const double*p) {                           \
+          using namespace brdf_d;                                        \
+          return __VA_ARGS__;                                            \
+        }                                                                \
   }
 
 std::vector<Term> algebraTerms() {
@@ -51,8 +57,8 @@ std::vector<Term> algebraTerms() {
       TERM("saturate vec3", ({DERIVATIVE, RADIANCE, UNIT}), PRODUCT, true, saturate(vec3(p[0], p[1], p[2]))),
       TERM("safeNormalize", ({DIRECTION, DIRECTION, DIRECTION, UNIT, UNIT, UNIT}), OF_ONE, false,
            safeNormalize(vec3(p[0], p[1], p[2]), vec3(p[3], p[4], p[5]))),
-      TERM("geometricRoughness", ({DERIVATIVE, DERIVATIVE, DERIVATIVE, DERIVATIVE, DERIVATIVE, DERIVATIVE}), PRODUCT, true,
-           vec3(geometricRoughness(vec3(p[0], p[1], p[2]), vec3(p[3], p[4], p[5])))),
+      TERM("geometricRoughness", ({DERIVATIVE, DERIVATIVE, DERIVATIVE, DERIVATIVE, DERIVATIVE, DERIVATIVE}), PRODUCT,
+           true, vec3(geometricRoughness(vec3(p[0], p[1], p[2]), vec3(p[3], p[4], p[5])))),
       TERM("shadedRoughness", ({ROUGHNESS, UNIT}), PRODUCT, true, vec3(shadedRoughness(p[0], p[1]))),
       TERM("alphaFromRoughness", ({ROUGHNESS}), PRODUCT, true, vec3(alphaFromRoughness(p[0]))),
   };
@@ -62,7 +68,8 @@ std::vector<Term> surfaceTerms() {
   return {
       TERM("D_GGX", ({ALPHA, COSINE}), PRODUCT, true, vec3(D_GGX(p[0], p[1]))),
       TERM("D_GGX of roughness", ({ROUGHNESS, COSINE}), PRODUCT, true, vec3(D_GGX(alphaFromRoughness(p[0]), p[1]))),
-      TERM("V_SmithGGXCorrelated", ({ALPHA, COSINE, COSINE}), PRODUCT, true, vec3(V_SmithGGXCorrelated(p[0], p[1], p[2]))),
+      TERM("V_SmithGGXCorrelated", ({ALPHA, COSINE, COSINE}), PRODUCT, true,
+           vec3(V_SmithGGXCorrelated(p[0], p[1], p[2]))),
       TERM("F_SchlickWeight", ({COSINE}), PRODUCT, true, vec3(F_SchlickWeight(p[0]))),
       TERM("F_Schlick", ({UNIT, UNIT, UNIT, UNIT, COSINE}), OF_ONE, true,
            F_Schlick(vec3(p[0], p[1], p[2]), p[3], p[4])),
@@ -77,10 +84,12 @@ std::vector<Term> surfaceTerms() {
       TERM("multipleScattering multiple", ({UNIT, UNIT, UNIT, UNIT, DFG_A, DFG_B}), OF_ONE, true,
            multipleScattering(vec3(p[0], p[1], p[2]), p[3], vec2(p[4], p[5])).multiple),
       TERM("mixScattering", ({UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT}), PRODUCT, true,
-           mixScattering(Scattering(vec3(p[0], p[1], p[2]), vec3(p[0])), Scattering(vec3(p[3], p[4], p[5]), vec3(p[1])), p[6])
+           mixScattering(Scattering(vec3(p[0], p[1], p[2]), vec3(p[0])), Scattering(vec3(p[3], p[4], p[5]), vec3(p[1])),
+                         p[6])
                .single),
       TERM("mixScattering multiple", ({UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT}), PRODUCT, true,
-           mixScattering(Scattering(vec3(p[0]), vec3(p[0], p[1], p[2])), Scattering(vec3(p[1]), vec3(p[3], p[4], p[5])), p[6])
+           mixScattering(Scattering(vec3(p[0]), vec3(p[0], p[1], p[2])), Scattering(vec3(p[1]), vec3(p[3], p[4], p[5])),
+                         p[6])
                .multiple),
       TERM("diffuseShare", ({DIELECTRIC, DIELECTRIC, DIELECTRIC, UNIT, DFG_A, DFG_B}), OF_ONE, true,
            diffuseShare(multipleScattering(vec3(p[0], p[1], p[2]), p[3], vec2(p[4], p[5])))),
@@ -91,19 +100,25 @@ std::vector<Term> surfaceTerms() {
 
 std::vector<Term> lightTerms() {
   return {
-      TERM("halfVector", ({DIRECTION, DIRECTION, UPWARD, DIRECTION, DIRECTION, UPWARD, DIRECTION, DIRECTION, UPWARD}), OF_ONE, false,
-           halfVector(normalize(vec3(p[0], p[1], p[2])), normalize(vec3(p[3], p[4], p[5])), normalize(vec3(p[6], p[7], p[8])))),
+      TERM("halfVector", ({DIRECTION, DIRECTION, UPWARD, DIRECTION, DIRECTION, UPWARD, DIRECTION, DIRECTION, UPWARD}),
+           OF_ONE, false,
+           halfVector(normalize(vec3(p[0], p[1], p[2])), normalize(vec3(p[3], p[4], p[5])),
+                      normalize(vec3(p[6], p[7], p[8])))),
       TERM("halfVector opposite", ({DIRECTION, DIRECTION, DIRECTION, DIRECTION, DIRECTION, DIRECTION}), OF_ONE, false,
-           halfVector(normalize(vec3(p[0], p[1], p[2])), normalize(vec3(p[3], p[4], p[5])), -normalize(vec3(p[3], p[4], p[5])))),
+           halfVector(normalize(vec3(p[0], p[1], p[2])), normalize(vec3(p[3], p[4], p[5])),
+                      -normalize(vec3(p[3], p[4], p[5])))),
       TERM("distanceAttenuation", ({DISTANCE, RANGE}), PRODUCT, true, vec3(distanceAttenuation(p[0], p[1]))),
-      TERM("spotAttenuation", ({OUTER_CONE, INNER_CONE, SIGNED_COSINE}), OF_ONE, true, vec3(spotAttenuation(p[0], p[1], p[2]))),
-      TERM("spotAttenuation hard", ({OUTER_CONE, SIGNED_COSINE}), OF_ONE, true, vec3(spotAttenuation(p[0], p[0], p[1]))),
+      TERM("spotAttenuation", ({OUTER_CONE, INNER_CONE, SIGNED_COSINE}), OF_ONE, true,
+           vec3(spotAttenuation(p[0], p[1], p[2]))),
+      TERM("spotAttenuation hard", ({OUTER_CONE, SIGNED_COSINE}), OF_ONE, true,
+           vec3(spotAttenuation(p[0], p[0], p[1]))),
       TERM("hemisphereIrradiance", ({UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, SIGNED_COSINE}), OF_ONE, true,
            hemisphereIrradiance(vec3(p[0], p[1], p[2]), vec3(p[3], p[4], p[5]), p[6])),
       TERM("diffuseOcclusion", ({UNIT, UNIT}), OF_ONE, true, vec3(diffuseOcclusion(p[0], p[1]))),
       TERM("specularOcclusion", ({ROUGHNESS, UNIT, COSINE}), OF_ONE, true, vec3(specularOcclusion(p[0], p[1], p[2]))),
       TERM("lodFromRoughness", ({ROUGHNESS, MAX_LOD}), PRODUCT, true, vec3(lodFromRoughness(p[0], p[1]))),
-      TERM("dominantReflection", ({ROUGHNESS, DIRECTION, DIRECTION, DIRECTION, DIRECTION, DIRECTION, DIRECTION}), OF_ONE, false,
+      TERM("dominantReflection", ({ROUGHNESS, DIRECTION, DIRECTION, DIRECTION, DIRECTION, DIRECTION, DIRECTION}),
+           OF_ONE, false,
            dominantReflection(p[0], normalize(vec3(p[1], p[2], p[3])), normalize(vec3(p[4], p[5], p[6])))),
       TERM("environmentSpecular", ({UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT}), PRODUCT, true,
            environmentSpecular(Scattering(vec3(p[0], p[1], p[2]), vec3(p[3], p[4], p[5])), vec3(p[6]), vec3(p[7]))),
@@ -112,17 +127,22 @@ std::vector<Term> lightTerms() {
 
 std::vector<Term> displayTerms() {
   return {
-      TERM("exposedColor", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), PRODUCT, true, exposedColor(vec3(p[0], p[1], p[2]), p[3])),
-      TERM("toneMapLinear", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), PRODUCT, true, toneMapLinear(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("exposedColor", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), PRODUCT, true,
+           exposedColor(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("toneMapLinear", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), PRODUCT, true,
+           toneMapLinear(vec3(p[0], p[1], p[2]), p[3])),
       TERM("toneMapReinhard", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), PRODUCT, true,
            toneMapReinhard(vec3(p[0], p[1], p[2]), p[3])),
-      TERM("toneMapCineon", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), OF_ONE, true, toneMapCineon(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("toneMapCineon", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), OF_ONE, true,
+           toneMapCineon(vec3(p[0], p[1], p[2]), p[3])),
       TERM("acesCurve", ({DISPLAY, DISPLAY, DISPLAY}), OF_ONE, false, acesCurve(vec3(p[0], p[1], p[2]))),
-      TERM("toneMapAces", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), OF_ONE, true, toneMapAces(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("toneMapAces", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), OF_ONE, true,
+           toneMapAces(vec3(p[0], p[1], p[2]), p[3])),
       TERM("agxCurve", ({DISPLAY, DISPLAY, DISPLAY}), CANCELLING, false, agxCurve(vec3(p[0], p[1], p[2]))),
       TERM("agxEncode", ({RADIANCE, RADIANCE, RADIANCE}), OF_ONE, true, agxEncode(vec3(p[0], p[1], p[2]))),
       TERM("agxDecode", ({DISPLAY, DISPLAY, DISPLAY}), OF_ONE, true, agxDecode(vec3(p[0], p[1], p[2]))),
-      TERM("toneMapAgx", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), CANCELLING, true, toneMapAgx(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("toneMapAgx", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), CANCELLING, true,
+           toneMapAgx(vec3(p[0], p[1], p[2]), p[3])),
       TERM("toneMapNeutral", ({RADIANCE, RADIANCE, RADIANCE, EXPOSURE}), OF_ONE, true,
            toneMapNeutral(vec3(p[0], p[1], p[2]), p[3])),
       TERM("srgbFromLinear", ({DISPLAY, DISPLAY, DISPLAY}), PRODUCT, true, srgbFromLinear(vec3(p[0], p[1], p[2]))),

@@ -21,9 +21,12 @@ struct Greys {
 
 // Code values that three.js 0.187 draws for these greys at exposure 1; cineon from the published formula.
 const Greys GREYS[] = {
-    {"neutral", brdf_d::toneMapNeutral, {25, 105, 240, 253}}, {"aces", brdf_d::toneMapAces, {41, 127, 226, 250}},
-    {"agx", brdf_d::toneMapAgx, {61, 128, 202, 239}},         {"reinhard", brdf_d::toneMapReinhard, {55, 109, 188, 231}},
-    {"linear", brdf_d::toneMapLinear, {56, 118, 255, 255}},   {"cineon", brdf_d::toneMapCineon, {48, 131, 216, 244}},
+    {"neutral", brdf_d::toneMapNeutral, {25, 105, 240, 253}},
+    {"aces", brdf_d::toneMapAces, {41, 127, 226, 250}},
+    {"agx", brdf_d::toneMapAgx, {61, 128, 202, 239}},
+    {"reinhard", brdf_d::toneMapReinhard, {55, 109, 188, 231}},
+    {"linear", brdf_d::toneMapLinear, {56, 118, 255, 255}},
+    {"cineon", brdf_d::toneMapCineon, {48, 131, 216, 244}},
 };
 
 TEST(ToneMapping, GreysHaveTheCodeValuesOfThree) {
