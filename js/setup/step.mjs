@@ -12,8 +12,8 @@ export const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 
 /** Exit code 6 of the command line: this machine, not the input. */
 const EXIT_MACHINE = 6;
-const LOG_HEAD_LINES = 10;
-const LOG_TAIL_LINES = 20;
+const LOG_ERROR_LINES = 10;
+const LOG_TAIL_LINES = 15;
 
 /** Set-up cannot go on; the message ends with the cure. */
 export class SetupError extends Error {
@@ -81,11 +81,12 @@ export async function runLogged(command, args, { log, env = {}, cure }) {
   return text;
 }
 
-/** The first lines, which hold npm's reason, and the last, which hold the compiler's. */
+/** The first lines that speak of an error, wherever they stand, and the last lines. */
 function excerpt(text) {
-  const lines = text.trimEnd().split('\n').map((line) => `  | ${line}`);
-  if (lines.length > LOG_HEAD_LINES + LOG_TAIL_LINES) lines.splice(LOG_HEAD_LINES, lines.length - LOG_HEAD_LINES - LOG_TAIL_LINES, '  ...');
-  return lines.join('\n');
+  const lines = text.trimEnd().split('\n');
+  const tail = lines.slice(-LOG_TAIL_LINES);
+  const errors = lines.slice(0, -LOG_TAIL_LINES).filter((line) => /\berror\b/i.test(line)).slice(0, LOG_ERROR_LINES);
+  return [...errors, ...(errors.length ? ['...'] : []), ...tail].map((line) => `  | ${line}`).join('\n');
 }
 
 /**
