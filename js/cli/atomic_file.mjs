@@ -1,0 +1,109 @@
+import { randomBytes } from 'node:crypto';
+import { rmSync } from 'node:fs';
+import { mkdir, open, readdir, realpath, rename, rm, stat } from 'node:fs/promises';
+import path from 'node:path';
+import { TelarError } from '../error/index.mjs';
+import { shown } from '../shot/complain.mjs';
+
+/** Output files are written whole or not at all: a temporary file in the same folder, fsync, rename. */
+
+const TEMPORARY = /^\..+\.telar-(\d+)-[0-9a-f]{12}\.tmp$/;
+const STALE_MS = 3_600_000;
+
+/** Temporary files of this process that are not renamed yet. */
+const unfinished = new Set();
+
+/** Removes the temporary files of this process: for a signal that leaves no time to wait. */
+export function removeUnfinished() {
+  for (const file of unfinished) rmSync(file, { force: true });
+}
+
+/**
+ * @param {string} file replaced when it exists; a device or a pipe is written to instead
+ * @param {Uint8Array} data
+ * @param {AbortSignal} [signal] nothing is left behind when it aborts before the rename
+ * @throws {TelarError} X_OUTPUT; the signal's reason
+ */
+export async function writeFileAtomically(file, data, signal) {
+  try {
+    await mkdir(path.dirname(file), { recursive: true });
+    const target = await realpath(file).catch(() => file);
+    const found = await stat(target).catch(() => undefined);
+    if (found && !found.isFile() && !found.isDirectory()) await writeInPlace(target, data);
+    else await replace(target, data, signal);
+  } catch (cause) {
+    if (signal?.aborted && cause === signal.reason) throw cause;
+    throw new TelarError('X_OUTPUT', `${shown(file)} cannot be written (${cause.code ?? cause.message})`, { cause });
+  }
+}
+
+async function writeInPlace(target, data) {
+  const handle = await open(target, 'w');
+  try {
+    await handle.writeFile(data);
+  } finally {
+    await handle.close();
+  }
+}
+
+async function replace(target, data, signal) {
+  const folder = path.dirname(target);
+  const temporary = path.join(folder, `.${path.basename(target)}.telar-${process.pid}-${randomBytes(6).toString('hex')}.tmp`);
+  unfinished.add(temporary);
+  try {
+    await writeSynced(temporary, data);
+    signal?.throwIfAborted();
+    await rename(temporary, target);
+  } catch (error) {
+    await rm(temporary, { force: true });
+    throw error;
+  } finally {
+    unfinished.delete(temporary);
+  }
+  await syncFolder(folder);
+}
+
+async function writeSynced(file, data) {
+  const handle = await open(file, 'wx');
+  try {
+    await handle.writeFile(data);
+    await handle.sync();
+  } finally {
+    await handle.close();
+  }
+}
+
+/** Makes the rename itself last through a power cut. */
+async function syncFolder(folder) {
+  const handle = await open(folder, 'r');
+  try {
+    await handle.sync();
+  } finally {
+    await handle.close();
+  }
+}
+
+function isAlive(pid) {
+  try {
+    process.kill(pid, 0);
+    return true;
+  } catch (error) {
+    return error.code !== 'ESRCH';
+  }
+}
+
+/**
+ * Removes what earlier runs left in a folder when they were killed. Age counts beside the process number, which another
+ * container may use too.
+ * @param {string} folder
+ */
+export async function sweepStale(folder) {
+  const names = await readdir(folder).catch(() => []);
+  for (const name of names) {
+    const match = TEMPORARY.exec(name);
+    if (!match || isAlive(Number(match[1]))) continue;
+    const file = path.join(folder, name);
+    const { mtimeMs = Infinity } = await stat(file).catch(() => ({}));
+    if (Date.now() - mtimeMs > STALE_MS) await rm(file, { force: true });
+  }
+}

@@ -1,0 +1,31 @@
+import { TABLE } from '../error/table.mjs';
+
+/**
+ * telar doctor
+ * Which GL backends exist, which one is taken and why, what is missing and the cure.
+ * @param {object} _options
+ * @param {import('./console.mjs').Io & {api: object, console: import('./console.mjs').Console}} context
+ * @returns {Promise<number>} 0, or the exit code of a machine that cannot draw
+ */
+export async function doctor(_options, context) {
+  const report = await context.api.doctor();
+  await context.console.result(report, reportLines(report));
+  return report.ok ? 0 : TABLE.X_GL.exit;
+}
+
+function backendLines({ backend, works, failure, cure, vendor, renderer, version, software }) {
+  if (!works) return [`  ${backend}: no: ${failure}`, ...(cure ? [`    cure: ${cure}`] : [])];
+  const facts = [renderer ?? vendor, version, software ? 'in software' : undefined].filter(Boolean);
+  return [`  ${backend}: ${facts.join(', ')}`];
+}
+
+function reportLines({ versions, system, native, chosen, reason, backends }) {
+  return [
+    `telar       ${versions.telar}, node ${versions.node}`,
+    `system      ${system}`,
+    `native      ${native.error ? native.error.message : native.path}`,
+    'backends',
+    ...backends.flatMap(backendLines),
+    chosen ? `chosen      ${chosen}: ${reason}` : `chosen      none: ${reason}`,
+  ];
+}

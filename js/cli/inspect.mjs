@@ -1,0 +1,69 @@
+import { TelarError } from '../error/index.mjs';
+import { maxFileBytes, readLimits } from './limits.mjs';
+import { readShotOptions } from './shot_options.mjs';
+import { readAll } from './streams.mjs';
+
+/**
+ * telar inspect MODEL
+ * What is in the file, what a render would compile and run, warnings, sizes in metres.
+ * @param {string} model path, or - for stdin
+ * @param {object} options as commander parsed them
+ * @param {import('./console.mjs').Io & {api: object, console: import('./console.mjs').Console}} context
+ * @returns {Promise<number>} exit code
+ */
+export async function inspect(model, options, context) {
+  if (model === '-' && options.shot === '-') throw new TelarError('E_USAGE', '- (stdin) can stand for one file only');
+  const shot = await readShotOptions(options, context);
+  const limits = readLimits(options.limit);
+  const source = model === '-' ? await readAll(context.stdin, maxFileBytes(limits), context.signal) : model;
+  const facts = await context.api.inspect(source, { shot, limits, signal: context.signal });
+  for (const warning of facts.warnings ?? []) context.console.warning(warning, model);
+  await context.console.result({ ok: true, model, ...facts }, factLines(model, facts));
+  return 0;
+}
+
+const count = (n, noun, nouns = `${noun}s`) => `${n.toLocaleString('en-US')} ${n === 1 ? noun : nouns}`;
+const metres = (x) => `${Number(x.toPrecision(4))} m`;
+const named = (list) => list.map((item) => (typeof item === 'string' ? item : item.name) || '(no name)').join(', ');
+
+function materialLines(materials) {
+  return materials.map((material, i) => {
+    const { name, textures, ...rest } = material;
+    const facts = Object.entries(rest)
+      .filter(([, value]) => value === true || typeof value === 'string' || typeof value === 'number')
+      .map(([key, value]) => (value === true ? key : `${key} ${value}`));
+    return `  ${i} ${name || '(no name)'}${facts.length > 0 ? `: ${facts.join(', ')}` : ''}`;
+  });
+}
+
+function factLines(model, facts) {
+  const { size, materials = [], images = [], lights = [], cameras = [], variants = [], extensionsUsed = [], plan } = facts;
+  const lines = [
+    model === '-' ? 'stdin' : model,
+    `size        ${size ? `${size.map(metres).join(' x ')} (width x height x depth)` : 'nothing to draw'}`,
+    `geometry    ${[count(facts.triangles ?? 0, 'triangle'), count(facts.vertices ?? 0, 'vertex', 'vertices'),
+      count(facts.meshes ?? 0, 'mesh', 'meshes'), count(facts.drawCalls ?? 0, 'draw call')].join(', ')}`,
+    `file        ${count(facts.fileBytes ?? 0, 'byte')}${facts.generator ? `, by ${facts.generator}` : ''}`,
+    ...(facts.copyright ? [`copyright   ${facts.copyright}`] : []),
+    `materials   ${materials.length}`,
+    ...materialLines(materials),
+    `images      ${images.length === 0 ? 'none' : images.map(({ width, height }) => `${width}x${height}`).join(' ')}`,
+    `variants    ${variants.length === 0 ? 'none' : named(variants)}`,
+    `cameras     ${cameras.length === 0 ? 'none' : named(cameras)}`,
+    `lights      ${lights.length === 0 ? 'none' : named(lights)}`,
+    `extensions  ${extensionsUsed.length === 0 ? 'none' : extensionsUsed.join(', ')}`,
+  ];
+  return [...lines, ...planLines(plan)];
+}
+
+const textOf = (item) => (typeof item === 'string' ? item : item.name ?? JSON.stringify(item));
+
+function planLines(plan) {
+  if (!plan) return [];
+  const { features = [], programs = [], passes = [] } = plan;
+  return [
+    `features    ${features.map(textOf).join(', ') || 'none'}`,
+    `programs    ${programs.length}`,
+    `passes      ${passes.map(textOf).join(', ') || 'none'}`,
+  ];
+}

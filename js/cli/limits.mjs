@@ -1,0 +1,21 @@
+import { TelarError } from '../error/index.mjs';
+import { shown } from '../shot/complain.mjs';
+
+const FILE_BYTES = 64 * 2 ** 20;
+
+/**
+ * Limits from --limit NAME=N.
+ * @param {string[]} [assignments]
+ * @returns {Record<string, number>} by the L_* names; the API checks the names
+ * @throws {TelarError} E_USAGE
+ */
+export function readLimits(assignments = []) {
+  return Object.fromEntries(assignments.map((assignment) => {
+    const match = /^(L_[A-Z_]+)=(\d{1,15})$/.exec(assignment);
+    if (!match) throw new TelarError('E_USAGE', `--limit: expected NAME=N, as in L_TRIANGLES=30000000, got ${shown(assignment)}`);
+    return [match[1], Number(match[2])];
+  }));
+}
+
+/** How much of stdin to take. */
+export const maxFileBytes = (limits) => limits.L_FILE_BYTES ?? FILE_BYTES;

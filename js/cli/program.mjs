@@ -1,0 +1,45 @@
+import { Command, Option } from 'commander';
+import { addShotOptions } from './shot_options.mjs';
+
+/** The command line's grammar: commands, options, help. */
+
+const BACKENDS = ['auto', 'egl-device', 'egl-surfaceless', 'osmesa'];
+const EXIT_CODES = 'Exit codes: 0 done, 1 over the gate, 2 usage, 3 input, 4 limit, 5 time or memory, 6 this machine, 7 internal.\n'
+  + 'Of many models, the highest exit code is told.';
+const collect = (value, list = []) => [...list, value];
+
+const addCommon = (command) => command
+  .option('--json', 'one JSON object on stdout, logs on stderr')
+  .option('--quiet', 'no progress, notes and warnings');
+
+const addLimit = (command) => command
+  .option('--limit <name=n>', 'raise or lower a limit, as in L_TRIANGLES=30000000', collect);
+
+/**
+ * @param {string} version
+ * @param {Record<'thumbnail' | 'inspect' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
+ * @param {{writeOut: (text: string) => void, writeErr: (text: string) => void}} output of help and complaints
+ */
+export function buildProgram(version, actions, output) {
+  const program = new Command('telar')
+    .description('Draws garment models on a server as the browser client shows them')
+    .version(version, '-V, --version', 'print the version')
+    .helpOption('-h, --help', 'print this help')
+    .exitOverride()
+    .configureOutput({ ...output, getOutHelpWidth: () => 100, getErrHelpWidth: () => 100 })
+    .addHelpText('after', `\n${EXIT_CODES}`);
+  const command = (name, text) => program.command(name).description(text).allowExcessArguments(false);
+
+  addLimit(addCommon(addShotOptions(command('thumbnail', 'Draw one image a model')
+    .argument('<model...>', '.glb or .gltf files; - is stdin')
+    .requiredOption('-o, --output <out>', 'file, folder or pattern such as out/{name}.png ({name}, {index}); - is stdout; '
+      + 'the extension gives the format'))
+    .addOption(new Option('--backend <backend>', 'where GL comes from').choices(BACKENDS).default('auto'))))
+    .action(actions.thumbnail);
+  addLimit(addCommon(addShotOptions(command('inspect', 'Say what is in a model, and what a render of it would compile and run')
+    .argument('<model>', '.glb or .gltf file; - is stdin'))))
+    .action(actions.inspect);
+  addCommon(command('doctor', 'Say which GL backends this machine has, which is chosen, and how to cure a missing one'))
+    .action(actions.doctor);
+  return program;
+}

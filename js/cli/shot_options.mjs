@@ -1,0 +1,124 @@
+import { readFile } from 'node:fs/promises';
+import path from 'node:path';
+import { TelarError } from '../error/index.mjs';
+import { shown } from '../shot/complain.mjs';
+import { describe } from './describe.mjs';
+import { readAll } from './streams.mjs';
+
+/** The command line's way to a shot: --shot FILE, then the flags, then each --set in order. */
+
+const BUNDLED = ['studio', 'none'];
+const usage = (message) => new TelarError('E_USAGE', message);
+const collect = (value, list = []) => [...list, value];
+
+/** Adds the options that make a shot to a commander command. */
+export function addShotOptions(command) {
+  return command
+    .option('--shot <file>', 'JSON of a shot; relative paths in it start at the file; - is stdin')
+    .option('--set <key=value>', 'one key of the shot, as in --set camera.fit=0.8 or --set lights.0.color=red; value is JSON or text', collect)
+    .option('--view <view>', describe('camera.view'))
+    .option('--size <WxH>', `${describe('size')} in pixels, 512x512 or 512`)
+    .option('--quality <quality>', describe('quality'))
+    .option('--shading <shading>', describe('shading'))
+    .option('--environment <map>', describe('environment.map'))
+    .option('--background <colour>', describe('background'))
+    .option('--variant <name>', describe('variant'));
+}
+
+/**
+ * @param {object} options as commander parsed them
+ * @param {{stdin: import('node:stream').Readable}} io
+ * @returns {Promise<object>} shot, not yet resolved
+ * @throws {TelarError} E_USAGE, E_FILE
+ */
+export async function readShotOptions(options, io) {
+  const shot = options.shot === undefined ? {} : await readShotFile(options.shot, io);
+  applyFlags(shot, options);
+  for (const assignment of options.set ?? []) applyAssignment(shot, assignment);
+  return shot;
+}
+
+async function readShotFile(file, { stdin }) {
+  const text = await readText(file, stdin);
+  let shot;
+  try {
+    shot = JSON.parse(text);
+  } catch (error) {
+    throw usage(`--shot ${shown(file)} is not JSON: ${error.message}`);
+  }
+  if (typeof shot !== 'object' || shot === null || Array.isArray(shot)) throw usage(`--shot ${shown(file)}: expected an object, got ${shown(shot)}`);
+  return file === '-' ? shot : withPathsFrom(path.dirname(file), shot);
+}
+
+async function readText(file, stdin) {
+  if (file === '-') return (await readAll(stdin, 1 << 24)).toString('utf8');
+  try {
+    return await readFile(file, 'utf8');
+  } catch (error) {
+    throw new TelarError('E_FILE', `--shot ${shown(file)} cannot be read (${error.code})`, { cause: error });
+  }
+}
+
+/** Relative paths in a shot start at its file. */
+function withPathsFrom(folder, shot) {
+  const rebase = (map) => (typeof map === 'string' && !BUNDLED.includes(map) ? path.resolve(folder, map) : map);
+  const { environment } = shot;
+  if (typeof environment === 'string') return { ...shot, environment: rebase(environment) };
+  if (environment?.map !== undefined) return { ...shot, environment: { ...environment, map: rebase(environment.map) } };
+  return shot;
+}
+
+function applyFlags(shot, { view, size, quality, shading, environment, background, variant }) {
+  if (view !== undefined) shot.camera = { ...framingOf(shot.camera), view };
+  if (size !== undefined) shot.size = parseSize(size);
+  if (quality !== undefined) shot.quality = parseValue(quality);
+  if (shading !== undefined) shot.shading = shading;
+  if (environment !== undefined) shot.environment = { ...settingsOf(shot.environment), map: environment };
+  if (background !== undefined) shot.background = parseValue(background);
+  if (variant !== undefined) shot.variant = variant;
+}
+
+const pick = (object, keys) => Object.fromEntries(keys.filter((key) => object?.[key] !== undefined).map((key) => [key, object[key]]));
+
+/** A named view takes the place of any other camera, and keeps how that one framed. */
+const framingOf = (camera) => (camera?.position === undefined ? pick(camera, ['projection', 'fovY', 'fit']) : {});
+const settingsOf = (environment) => pick(environment, ['intensity', 'rotation']);
+
+function parseSize(text) {
+  const match = /^(\d+)(?:x(\d+))?$/i.exec(text);
+  if (!match) throw usage(`--size: expected WxH in pixels, as in 512x512, got ${shown(text)}`);
+  return { width: Number(match[1]), height: Number(match[2] ?? match[1]) };
+}
+
+/** JSON where it is JSON, else the text itself: 0.8, true, [1, 0, 0], red. */
+function parseValue(text) {
+  try {
+    return JSON.parse(text);
+  } catch {
+    return text;
+  }
+}
+
+/**
+ * Sets one key: "camera.fit=0.8", "lights.0.color=red". Only own keys are followed, so that no key reaches a prototype.
+ * A number behind a list's key is an index, which may append one item.
+ */
+function applyAssignment(shot, assignment) {
+  const equals = assignment.indexOf('=');
+  if (equals < 1) throw usage(`--set: expected key=value, as in camera.fit=0.8, got ${shown(assignment)}`);
+  const keys = assignment.slice(0, equals).split('.');
+  const value = parseValue(assignment.slice(equals + 1));
+  let node = shot;
+  keys.forEach((key, depth) => {
+    if (Array.isArray(node) && !(/^\d+$/.test(key) && Number(key) <= node.length)) {
+      throw usage(`--set ${shown(assignment)}: expected an index up to ${node.length} in place of ${shown(key)}`);
+    }
+    const isLast = depth === keys.length - 1;
+    const next = Object.hasOwn(node, key) ? node[key] : undefined;
+    const isObject = typeof next === 'object' && next !== null;
+    const fresh = /^\d+$/.test(keys[depth + 1] ?? '') ? [] : {};
+    const written = isLast ? value : isObject ? next : fresh;
+    Object.defineProperty(node, key, { value: written, enumerable: true, configurable: true, writable: true });
+    node = written;
+  });
+}

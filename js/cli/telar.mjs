@@ -1,0 +1,33 @@
+#!/usr/bin/env node
+import { removeUnfinished } from './atomic_file.mjs';
+import { run } from './run.mjs';
+
+// The first SIGINT or SIGTERM cancels the work, which removes what it has begun; then the signal is given its usual effect,
+// so that the shell sees it. A second one does not wait.
+const cancelled = new AbortController();
+let received;
+
+function onSignal(signal) {
+  if (received) {
+    removeUnfinished();
+    die(signal);
+  }
+  received = signal;
+  cancelled.abort();
+}
+
+function die(signal) {
+  process.removeAllListeners(signal);
+  process.kill(process.pid, signal);
+}
+
+for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, onSignal);
+
+const { stdin, stdout, stderr, env } = process;
+process.exitCode = await run(process.argv.slice(2), {
+  stdin, stdout, stderr, env, signal: cancelled.signal, loadApi: () => import('../index.mjs'),
+});
+if (received) {
+  removeUnfinished();
+  die(received);
+}

@@ -1,0 +1,57 @@
+import { PassThrough, Readable } from 'node:stream';
+import { TelarError } from '../../../js/error/index.mjs';
+import { resolveShot } from '../../../js/shot/index.mjs';
+import { run } from '../../../js/cli/run.mjs';
+
+const FACTS = { bounds: { min: [-1, 0, -1], max: [1, 2, 1] }, variants: ['navy'], cameras: [], size: [2, 2, 2], triangles: 12, warnings: [] };
+
+/**
+ * Stands in for the API: "draws" the resolved shot as JSON, fails for models named after an error code, and notes each call.
+ */
+export function fakeApi({ delayMs = 0 } = {}) {
+  const calls = { created: [], rendered: [], closed: 0, inspected: [] };
+  const wait = (signal) => new Promise((resolve, reject) => {
+    signal?.throwIfAborted();
+    const timer = setTimeout(resolve, delayMs);
+    signal?.addEventListener('abort', () => {
+      clearTimeout(timer);
+      reject(signal.reason);
+    });
+  });
+  const failing = (source) => /([ELX]_[A-Z_]+)/.exec(typeof source === 'string' ? source : '')?.[1];
+  const warningsOf = (source) => (/warn/.test(String(source)) ? [{ code: 'W_RANGE', message: 'clamped', pointer: '/materials/0' }] : []);
+  const render = async (source, shot, { signal }) => {
+    await wait(signal);
+    if (failing(source)) throw new TelarError(failing(source), 'it fails', { pointer: '/nodes/0' });
+    const resolved = resolveShot(shot, FACTS);
+    calls.rendered.push({ source, shot: resolved });
+    return { data: Buffer.from(JSON.stringify(resolved)), info: { width: 1, warnings: warningsOf(source), shot: resolved } };
+  };
+  const api = {
+    createRenderer: async (options) => {
+      calls.created.push(options);
+      if (options.backend === 'egl-device') throw new TelarError('X_GL', 'no device');
+      return { render, close: async () => void (calls.closed += 1) };
+    },
+    inspect: async (source, options) => {
+      calls.inspected.push({ source, options });
+      if (failing(source)) throw new TelarError(failing(source), 'it fails');
+      return { ...FACTS, warnings: warningsOf(source), plan: { features: ['normalMap'], programs: [{}], passes: ['opaque'] } };
+    },
+    doctor: async () => ({ ok: true, versions: { telar: '1', node: '20' }, system: 'Linux', native: { path: 'x' }, chosen: 'osmesa', reason: 'first',
+      backends: [{ backend: 'egl-device', works: false, failure: 'no libEGL', cure: 'apt-get install libegl1' },
+        { backend: 'osmesa', works: true, renderer: 'llvmpipe', version: 'OpenGL ES 3.2', software: true }] }),
+  };
+  return { api, calls };
+}
+
+const TERMINAL = { isTTY: true };
+
+/** Runs the command line on a fake API: {exit, stdout, stderr, calls}. */
+export async function runFake(argv, { stdin = '', env = {}, tty = false, signal, fake = fakeApi(), api = fake.api } = {}) {
+  const collected = { stdout: [], stderr: [] };
+  const sink = (name) => Object.assign(new PassThrough().on('data', (chunk) => collected[name].push(chunk)), tty && TERMINAL);
+  const [stdout, stderr] = [sink('stdout'), sink('stderr')];
+  const exit = await run(argv, { stdin: Readable.from(stdin === '' ? [] : [Buffer.from(stdin)]), stdout, stderr, env, signal, loadApi: async () => api });
+  return { exit, stdout: Buffer.concat(collected.stdout).toString(), stderr: Buffer.concat(collected.stderr).toString(), calls: fake.calls };
+}
