@@ -1,0 +1,143 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <regex>
+
+#include "brdf/gpu_probe.h"
+#include "brdf/terms.h"
+
+/// Our terms against the shader text of three.js itself, both on the GPU.
+namespace telar::test {
+namespace {
+
+const std::string CHUNKS = TELAR_SOURCE_DIR "/node_modules/three/src/renderers/shaders/ShaderChunk/";
+
+// Relative to the larger of |value| and the row's scale: a few ulps, as both sides take the same steps.
+constexpr double TOLERANCE = 2e-6;
+
+const Column UNIT{0, 1, {0, 1e-6, 0.04, 0.5, 1}};
+const Column ALPHA{0.002025, 1, {0.002025, 0.04, 1}};
+const Column DFG_A{0.3, 0.95, {0.3, 0.95}};
+const Column DFG_B{0.04, 0.05, {0.04, 0.05}};
+const Column DISTANCE{0.01, 20, {0.05, 0.1, 1, 10, 1e4}};
+const Column RANGE{0, 20, {0, 10}};
+const Column INNER_CONE{0.6, 1, {0.995, 1}};
+const Column OUTER_CONE{0, 0.59, {0, 0.5}};
+const Column SIGNED_COSINE{-1, 1, {-1, 0, 1}};
+const Column RADIANCE{0, 3, {0, 1e-4, 0.01, 0.08, 0.18, 0.76, 1, 4, 100}};
+const Column EXPOSURE{0.1, 4, {0.5, 1, 16}};
+
+struct Pair {
+  const char* ours;
+  const char* theirs;
+  std::vector<Column> columns;
+  double scale;
+};
+
+const std::vector<Column> TONE{RADIANCE, RADIANCE, RADIANCE, EXPOSURE};
+
+const Pair PAIRS[] = {
+    {"vec3(D_GGX(p[0], p[1]))", "vec3(D_GGX(p[0], p[1]))", {ALPHA, UNIT}, 1e-6},
+    {"vec3(V_SmithGGXCorrelated(p[0], p[1], p[2]))",
+     "vec3(V_GGX_SmithCorrelated(p[0], p[2], p[1]))",
+     {ALPHA, UNIT, UNIT},
+     1e-6},
+    {"F_Schlick(vec3(p[0], p[1], p[2]), p[3], p[4])",
+     "F_Schlick(vec3(p[0], p[1], p[2]), p[3], p[4])",
+     {UNIT, UNIT, UNIT, UNIT, UNIT},
+     0.1},
+    {"Fd_Lambert(vec3(p[0], p[1], p[2]))", "BRDF_Lambert(vec3(p[0], p[1], p[2]))", {UNIT, UNIT, UNIT}, 1e-6},
+    {"multipleScattering(vec3(p[0], p[1], p[2]), p[3], vec2(p[4], p[5])).single",
+     "scattering(vec2(p[4], p[5]), vec3(p[0], p[1], p[2]), p[3], 0)",
+     {UNIT, UNIT, UNIT, UNIT, DFG_A, DFG_B},
+     1e-6},
+    {"multipleScattering(vec3(p[0], p[1], p[2]), p[3], vec2(p[4], p[5])).multiple",
+     "scattering(vec2(p[4], p[5]), vec3(p[0], p[1], p[2]), p[3], 1)",
+     {UNIT, UNIT, UNIT, UNIT, DFG_A, DFG_B},
+     0.1},
+    {"vec3(distanceAttenuation(p[0], p[1]))", "vec3(getDistanceAttenuation(p[0], p[1], 2.0))", {DISTANCE, RANGE}, 1e-3},
+    {"vec3(spotAttenuation(p[0], p[1], p[2]))",
+     "vec3(getSpotAttenuation(p[0], p[1], p[2]))",
+     {OUTER_CONE, INNER_CONE, SIGNED_COSINE},
+     1e-6},
+    {"hemisphereIrradiance(vec3(p[0], p[1], p[2]), vec3(p[3], p[4], p[5]), p[6])",
+     "getHemisphereLightIrradiance(HemisphereLight(vec3(0.0, 1.0, 0.0), vec3(p[0], p[1], p[2]), vec3(p[3], p[4], "
+     "p[5])), "
+     "vec3(0.0, p[6], 0.0))",
+     {UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, SIGNED_COSINE},
+     0.1},
+    {"vec3(specularOcclusion(p[0], p[1], p[2]))",
+     "vec3(computeSpecularOcclusion(p[2], p[1], p[0]))",
+     {UNIT, UNIT, UNIT},
+     0.1},
+    {"vec3(lodFromRoughness(p[0], 6.0))", "vec3(roughnessToMip(p[0]))", {SIGNED_COSINE}, 1e-6},
+    {"vec3(alphaFromRoughness(p[0]))", "vec3(pow2(max(p[0], 0.045)))", {UNIT}, 1e-6},
+    {"toneMapLinear(vec3(p[0], p[1], p[2]), p[3])", "LinearToneMapping(vec3(p[0], p[1], p[2]))", TONE, 0.1},
+    {"toneMapReinhard(vec3(p[0], p[1], p[2]), p[3])", "ReinhardToneMapping(vec3(p[0], p[1], p[2]))", TONE, 0.1},
+    {"toneMapCineon(vec3(p[0], p[1], p[2]), p[3])", "CineonToneMapping(vec3(p[0], p[1], p[2]))", TONE, 0.1},
+    {"toneMapAces(vec3(p[0], p[1], p[2]), p[3])", "ACESFilmicToneMapping(vec3(p[0], p[1], p[2]))", TONE, 0.1},
+    {"toneMapAgx(vec3(p[0], p[1], p[2]), p[3])", "AgXToneMapping(vec3(p[0], p[1], p[2]))", TONE, 0.1},
+    {"toneMapNeutral(vec3(p[0], p[1], p[2]), p[3])", "NeutralToneMapping(vec3(p[0], p[1], p[2]))", TONE, 0.1},
+    {"srgbFromLinear(vec3(p[0], p[1], p[2]))",
+     "vec3(sRGBTransferOETF(vec4(p[0], p[1], p[2], 1.0)))",
+     {UNIT, UNIT, UNIT},
+     1e-6},
+    {"linearFromSrgb(vec3(p[0], p[1], p[2]))",
+     "vec3(sRGBTransferEOTF(vec4(p[0], p[1], p[2], 1.0)))",
+     {UNIT, UNIT, UNIT},
+     1e-6},
+};
+
+/// GLSL of one chunk, its own includes left out.
+std::string chunk(const std::string& name) {
+  const std::string file = readFile(CHUNKS + name + ".glsl.js");
+  const std::size_t begin = file.find('`') + 1;
+  return std::regex_replace(file.substr(begin, file.rfind('`') - begin), std::regex("#include[^\n]*"), "");
+}
+
+/// What WebGLRenderer puts around these chunks for a MeshStandardMaterial under one hemisphere light.
+std::string threeText() {
+  std::string text =
+      "#define texture2D texture\n#define STANDARD\n#define USE_ENVMAP\n#define ENVMAP_TYPE_PMREM\n#define "
+      "ENVMAP_MAX_LOD 6.0\n"
+      "#define NUM_SUN_LIGHTS 0\n#define NUM_DIR_LIGHTS 0\n#define NUM_POINT_LIGHTS 0\n#define NUM_SPOT_LIGHTS 0\n"
+      "#define NUM_RECT_AREA_LIGHTS 0\n#define NUM_HEMI_LIGHTS 1\nuniform mat4 viewMatrix;\n";
+  for (const char* name : {"common", "lights_pars_begin", "lights_physical_pars_fragment",
+                           "envmap_common_pars_fragment", "tonemapping_pars_fragment", "colorspace_pars_fragment"}) {
+    text += chunk(name);
+  }
+  // Exposure is an argument here.
+  text = std::regex_replace(text, std::regex("uniform float toneMappingExposure"), "float toneMappingExposure");
+  return text +
+         "vec3 scattering(vec2 fab, vec3 f0, float f90, int part) {\n  vec3 single = vec3(0.0), multiple = vec3(0.0);\n"
+         "  computeMultiscattering(fab, f0, f90, single, multiple);\n  return part == 0 ? single : multiple;\n}\n";
+}
+
+TEST(AgainstThree, EveryTermGivesItsNumbers) {
+  if (!std::filesystem::exists(CHUNKS)) GTEST_SKIP() << "three is not installed";
+  GpuProbe probe(Backend::kEglSurfaceless);
+  const std::string ourText = sharedText(), theirText = threeText();
+  for (const Pair& pair : PAIRS) {
+    const Term row{pair.ours, pair.ours, pair.columns, pair.scale, false, nullptr, nullptr};
+    const std::vector<float> arguments = samples(row, GpuProbe::ROWS);
+    const std::vector<float> ours = probe.evaluate(ourText, pair.ours, arguments);
+    const std::vector<float> theirs = probe.evaluate(theirText, pair.theirs, arguments, "toneMappingExposure = p[3];");
+    double worst = 0;
+    float largest = 0;
+    for (std::size_t i = 0; i < GpuProbe::ROWS; ++i) {
+      const glm::vec3 a(ours[4 * i], ours[4 * i + 1], ours[4 * i + 2]),
+          b(theirs[4 * i], theirs[4 * i + 1], theirs[4 * i + 2]);
+      worst = std::max(worst, relativeError(row, a, glm::dvec3(b)));
+      largest = std::max({largest, b.x, b.y, b.z});
+    }
+    std::printf("%-80s %9.1e\n", pair.ours, worst);
+    EXPECT_LE(worst, TOLERANCE) << pair.ours;
+    EXPECT_GT(largest, 0) << pair.theirs << " was not evaluated";
+  }
+}
+
+}  // namespace
+}  // namespace telar::test
