@@ -1,5 +1,7 @@
 #include <napi.h>
 
+#include <cstdlib>
+
 #include "convert.h"
 #include "handles.h"
 #include "state.h"
@@ -83,6 +85,14 @@ Napi::Value createRenderer(const Napi::CallbackInfo& info) {
   return promise;
 }
 
+/// shutDown(exitCode?: number): for the process's "exit" event. process.exit() runs no cleanup hooks on the main
+/// thread, and the GL driver's own exit handlers must not find a frame being drawn. With an exit code, a process whose
+/// driver is stuck ends here and now with that code, as those handlers would crash it.
+void shutDown(const Napi::CallbackInfo& info) {
+  const bool ended = State::of(info.Env()).shutDown();
+  if (!ended && info[0].IsNumber()) std::_Exit(info[0].As<Napi::Number>().Int32Value());
+}
+
 Napi::Object init(Napi::Env env, Napi::Object exports) {
   auto* state = new State(env);
   env.SetInstanceData<State>(state);
@@ -94,6 +104,7 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["plan"] = Napi::Function::New(env, plan, "plan");
   exports["probe"] = Napi::Function::New(env, probe, "probe");
   exports["createRenderer"] = Napi::Function::New(env, createRenderer, "createRenderer");
+  exports["shutDown"] = Napi::Function::New(env, shutDown, "shutDown");
   exports["limits"] = limitsToJs(env, Limits());
   return exports;
 }

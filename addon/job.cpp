@@ -21,6 +21,8 @@ void Mailbox::close() {
 }
 
 Napi::Value Mailbox::begin(Napi::Env env, const std::shared_ptr<Job>& job) {
+  // Only this thread writes open_.
+  if (!open_) throw Napi::Error::New(env, "this Node environment is ending");
   napi_value promise = nullptr;
   NAPI_THROW_IF_FAILED(env, napi_create_promise(env, &job->deferred_, &promise), {});
   if (live_.empty()) wake_.Ref(env);

@@ -38,6 +38,7 @@ class Mailbox : public std::enable_shared_from_this<Mailbox> {
   void close();
 
   /// JavaScript thread: a job begins; its promise. Every job that begins is delivered once, or the mailbox is closed.
+  /// @throws Napi::Error when it is closed
   Napi::Value begin(Napi::Env env, const std::shared_ptr<Job>& job);
   /// Any thread: the job is done, settle its promise.
   void deliver(std::shared_ptr<Job> job);

@@ -59,14 +59,16 @@ void State::forget(const GlThread* ended) {
   });
 }
 
-void State::shutDown() {
+bool State::shutDown() {
   mailbox_->cancelAll();
   mailbox_->close();
   for (const std::shared_ptr<GlThread>& thread : glThreads_) thread->abandon();
   if (pool_) pool_->abandon();
   const auto deadline = std::chrono::steady_clock::now() + SHUT_DOWN_WAIT;
-  for (const std::shared_ptr<GlThread>& thread : glThreads_) thread->join(deadline);
-  if (pool_) pool_->join(deadline);
+  bool all = true;
+  for (const std::shared_ptr<GlThread>& thread : glThreads_) all = thread->join(deadline) && all;
+  if (pool_) all = pool_->join(deadline) && all;
+  return all;
 }
 
 }  // namespace telar::addon

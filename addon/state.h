@@ -25,11 +25,14 @@ class State {
   /// Starts a job that runs on the pool; its promise. `work` runs there, and sets job->value.
   Napi::Value runOnPool(Napi::Env env, const std::shared_ptr<Job>& job, std::function<void()> work);
 
+  /// Cancels every job and waits until the threads have ended, a few seconds at most. From here on jobs are refused.
+  /// @return whether all have ended
+  bool shutDown();
+
   Napi::FunctionReference sceneClass, rendererClass;
 
  private:
   void forget(const GlThread* ended);
-  void shutDown();
 
   std::shared_ptr<Mailbox> mailbox_ = std::make_shared<Mailbox>();
   std::shared_ptr<TaskThreads> pool_;

@@ -2,6 +2,7 @@ import { existsSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { isMainThread } from 'node:worker_threads';
 import { TelarError } from './error/index.mjs';
 
 // The only file that loads the native part: telar.node, which the addon/ folder builds.
@@ -44,11 +45,21 @@ function load() {
     throw new TelarError('X_NATIVE_MISSING', `the native part of telar is not built (tried ${tried.map(shortened).join(', ')}): ${CURE}`);
   }
   try {
-    return { file, exports: createRequire(import.meta.url)(file) };
+    return { file, exports: endWithProcess(createRequire(import.meta.url)(file)) };
   } catch (cause) {
     const why = cause.message.split('\n')[0].replaceAll(ROOT, '');
     throw new TelarError('X_NATIVE_MISSING', `${shortened(file)} does not load (${why}): ${CURE}`, { cause });
   }
+}
+
+/**
+ * Ends the addon's threads before process.exit() runs the exit handlers of the GL driver. A worker has no such handlers,
+ * and its environment ends its threads by itself.
+ * @internal
+ */
+export function endWithProcess(native) {
+  if (isMainThread) process.once('exit', (code) => native.shutDown(code));
+  return native;
 }
 
 const shortened = (file) => (file.startsWith(ROOT) ? path.relative(ROOT, file) : path.basename(file));

@@ -2,6 +2,7 @@ import { TelarError } from './error/index.mjs';
 import { Gate } from './api/gate.mjs';
 import { frameInfo } from './api/frame_info.mjs';
 import { nativeCall } from './api/native_call.mjs';
+import { onAbort } from './api/on_abort.mjs';
 import { callOptions, rendererOptions, wrongOption } from './api/options.mjs';
 import { shotJson } from './api/shot_json.mjs';
 import { readShot, readSource } from './api/source.mjs';
@@ -102,7 +103,7 @@ class Renderer {
   async release(model) {
     this.#assertOpen();
     if (!Model.isModel(model)) throw wrongOption('model', 'a loaded model', model);
-    await this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model))));
+    await this.#releaseScene(model);
   }
 
   /** Number of GL names that live in this renderer's context: what a leak would raise. */
@@ -122,7 +123,7 @@ class Renderer {
   }
 
   async #close() {
-    await Promise.allSettled(this.#pending);
+    while (this.#pending.size > 0) await Promise.allSettled(this.#pending);
     await nativeCall(this.#native, undefined, () => this.#handle.close());
   }
 
@@ -153,23 +154,28 @@ class Renderer {
   }
 
   async #renderAll({ input, model }, requests, outer) {
-    const scope = new AbortController();
-    const onAbort = () => scope.abort(outer.reason);
     outer?.throwIfAborted();
-    outer?.addEventListener('abort', onAbort, { once: true });
+    const scope = new AbortController();
+    const stopListening = outer && onAbort(outer, (reason) => scope.abort(reason));
     const { signal } = scope;
+    let loaded = model;
     try {
-      const loaded = model ?? await this.#gate.run(() => loadModel(this.#native, input, this.#limits, signal), signal);
-      const views = await Promise.all(requests.map((request) =>
+      loaded ??= await this.#gate.run(() => loadModel(this.#native, input, this.#limits, signal), signal);
+      return await Promise.all(requests.map((request) =>
         this.#gate.run(() => this.#render({ ...request, model: loaded }, signal), signal)));
-      if (!model) await nativeCall(this.#native, signal, () => this.#handle.release(Model.sceneOf(loaded)));
-      return views;
     } catch (error) {
       scope.abort(error);
       throw error;
     } finally {
-      outer?.removeEventListener('abort', onAbort);
+      stopListening?.();
+      // Not waited for, and no news if it fails: the frames have said what is wrong with the renderer.
+      if (!model && loaded) this.#releaseScene(loaded).catch(() => {});
     }
+  }
+
+  /** After the frames that wait in the queue; close() waits for it. */
+  #releaseScene(model) {
+    return this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model))));
   }
 
   async #render({ input, model: given, shot, environment, map }, signal) {

@@ -1,4 +1,5 @@
 import { TelarError } from '../error/index.mjs';
+import { onAbort } from './on_abort.mjs';
 
 /** Lets a limited number of tasks run at once and the others wait in order of arrival, so that waiting costs no memory. */
 export class Gate {
@@ -39,16 +40,15 @@ export class Gate {
       throw new TelarError('X_BUSY', `${this.#waiting.size} jobs wait for this renderer, its maxWaiting; try again later`);
     }
     return new Promise((resolve, reject) => {
-      const onAbort = () => {
-        this.#waiting.delete(enter);
-        reject(signal.reason);
-      };
       const enter = () => {
-        signal?.removeEventListener('abort', onAbort);
+        stopListening?.();
         resolve();
       };
+      const stopListening = signal && onAbort(signal, (reason) => {
+        this.#waiting.delete(enter);
+        reject(reason);
+      });
       this.#waiting.add(enter);
-      signal?.addEventListener('abort', onAbort, { once: true });
     });
   }
 

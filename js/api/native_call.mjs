@@ -1,4 +1,5 @@
 import { fromNative } from '../error/index.mjs';
+import { onAbort } from './on_abort.mjs';
 
 /** Runs `start`, which calls native code, and turns what it throws or rejects with into a TelarError. */
 async function typed(start) {
@@ -24,14 +25,13 @@ export function nativeCall(native, signal, start, discard = () => {}) {
   if (!signal) return typed(() => start(token));
   if (signal.aborted) return Promise.reject(signal.reason);
   return new Promise((resolve, reject) => {
-    const onAbort = () => {
+    const stopListening = onAbort(signal, (reason) => {
       token.cancel();
-      reject(signal.reason);
-    };
-    signal.addEventListener('abort', onAbort, { once: true });
+      reject(reason);
+    });
     typed(() => start(token)).then((result) => {
       if (signal.aborted) discard(result);
       resolve(result);
-    }, reject).finally(() => signal.removeEventListener('abort', onAbort));
+    }, reject).finally(stopListening);
   });
 }

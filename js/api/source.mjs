@@ -5,10 +5,14 @@ import { wrongOption } from './options.mjs';
 
 const EXPECTED = 'a path, a file: URL, bytes (Buffer, Uint8Array, ArrayBuffer) or a loaded model';
 
-/** A view of the same bytes, or undefined when the value holds none. */
+/** A view of the same bytes, or undefined when the value holds none, or none any more (a transferred buffer). */
 export function bytesOf(value) {
-  if (ArrayBuffer.isView(value)) return new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
-  if (value instanceof ArrayBuffer || value instanceof SharedArrayBuffer) return new Uint8Array(value);
+  try {
+    if (ArrayBuffer.isView(value)) return new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
+    if (value instanceof ArrayBuffer || value instanceof SharedArrayBuffer) return new Uint8Array(value);
+  } catch {
+    return undefined;
+  }
   return undefined;
 }
 

@@ -2,6 +2,7 @@
 #include <cstring>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include "telar/codec.h"
@@ -51,7 +52,7 @@ class Double : public Renderer {
     if (std::this_thread::get_id() != thread_)
       throw std::logic_error("draw() was called on another thread than create()");
     const json plan = json::parse(scene->name);
-    ++scenes_;
+    scenes_.insert(scene.get());
     work(plan, "draw", cancel);
     Frame frame{static_cast<std::uint32_t>(shot.width), static_cast<std::uint32_t>(shot.height), PixelType::kRgba8, {}};
     frame.pixels.resize(std::size_t{4} * frame.width * frame.height, std::byte{0x7f});
@@ -69,15 +70,15 @@ class Double : public Renderer {
                     .dump();
     return frame;
   }
-  void release(const Scene&) override { --scenes_; }
+  void release(const Scene& scene) override { scenes_.erase(&scene); }
   std::string describe() const override {
     return R"({"backend": "double", "vendor": "telar", "renderer": "none", "version": "0"})";
   }
-  int liveObjects() const override { return scenes_; }
+  int liveObjects() const override { return static_cast<int>(scenes_.size()); }
 
  private:
   std::thread::id thread_ = std::this_thread::get_id();
-  int scenes_ = 0;
+  std::set<const Scene*> scenes_;
 };
 
 }  // namespace

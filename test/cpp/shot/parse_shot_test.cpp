@@ -1,0 +1,209 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "telar/error.h"
+#include "telar/shot.h"
+
+namespace telar {
+namespace {
+
+using nlohmann::json;
+
+// What resolveShot writes for a shot without keys (test/js/shot_native.test.mjs sends its real output through the
+// addon).
+json standard() {
+  return json::parse(R"({
+    "size": {"width": 512, "height": 256},
+    "camera": {"projection": "perspective", "position": [0, 1, 5], "target": [0, 1, 0], "up": [0, 1, 0],
+               "fovY": 30, "near": 0.5, "far": 9},
+    "environment": {"map": "studio", "intensity": 1, "rotation": 0},
+    "lights": [], "modelLights": true, "background": "transparent", "shading": "three", "toneMapping": "neutral",
+    "exposure": 1, "quality": {"preset": "standard", "samples": 4}, "variant": "", "layers": ["beauty"],
+    "output": {"format": "png", "quality": 90, "bitDepth": 8, "ppi": 0, "icc": false}})");
+}
+
+json with(const std::string& pointer, const json& value) {
+  json shot = standard();
+  shot[json::json_pointer(pointer)] = value;
+  return shot;
+}
+
+Error failure(const json& shot) {
+  try {
+    parseShot(shot.dump());
+  } catch (const Error& error) {
+    return error;
+  }
+  return {"none", "nothing was thrown"};
+}
+
+TEST(ParseShot, ReadsEveryField) {
+  json written = standard();
+  written["camera"] = {{"projection", "orthographic"},
+                       {"position", {1, 2, 3}},
+                       {"target", {4, 5, 6}},
+                       {"up", {0, 0, 1}},
+                       {"height", 2.5},
+                       {"near", -1},
+                       {"far", 8}};
+  written["environment"] = {{"map", "/maps/sky.exr"}, {"intensity", 0.5}, {"rotation", -90}};
+  written["modelLights"] = false;
+  written["background"] = {0.25, 0.5, 1};
+  written["toneMapping"] = "agx";
+  written["exposure"] = 1.5;
+  written["quality"] = {{"samples", 1}};
+  written["variant"] = "navy";
+  written["output"] = {{"format", "exr"}, {"quality", 1}, {"bitDepth", 32}, {"ppi", 300}, {"icc", true}};
+  const Shot shot = parseShot(written.dump());
+  EXPECT_EQ(shot.width, 512);
+  EXPECT_EQ(shot.height, 256);
+  EXPECT_FALSE(shot.camera.perspective);
+  EXPECT_EQ(shot.camera.position, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(shot.camera.target, glm::dvec3(4, 5, 6));
+  EXPECT_EQ(shot.camera.up, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(shot.camera.height, 2.5);
+  EXPECT_EQ(shot.camera.near, -1);
+  EXPECT_EQ(shot.camera.far, 8);
+  EXPECT_EQ(shot.environment.source, Shot::Environment::Source::kPath);
+  EXPECT_EQ(shot.environment.path, "/maps/sky.exr");
+  EXPECT_EQ(shot.environment.intensity, 0.5);
+  EXPECT_EQ(shot.environment.rotation, -90);
+  EXPECT_FALSE(shot.modelLights);
+  EXPECT_EQ(shot.background.type, Shot::Background::Type::kColor);
+  EXPECT_EQ(shot.background.color, glm::vec3(0.25f, 0.5f, 1.0f));
+  EXPECT_EQ(shot.shading, "three");
+  EXPECT_EQ(shot.toneMapping, "agx");
+  EXPECT_EQ(shot.exposure, 1.5);
+  EXPECT_EQ(shot.samples, 1);
+  EXPECT_EQ(shot.variant, "navy");
+  EXPECT_EQ(shot.output.format, OutputOptions::Format::kExr);
+  EXPECT_EQ(shot.output.quality, 1);
+  EXPECT_EQ(shot.output.bitDepth, 32);
+  EXPECT_EQ(shot.output.ppi, 300);
+  EXPECT_TRUE(shot.output.icc);
+}
+
+TEST(ParseShot, ReadsTheOtherForms) {
+  const Shot shot = parseShot(standard().dump());
+  EXPECT_TRUE(shot.camera.perspective);
+  EXPECT_EQ(shot.camera.fovY, 30);
+  EXPECT_EQ(shot.environment.source, Shot::Environment::Source::kStudio);
+  EXPECT_EQ(shot.background.type, Shot::Background::Type::kTransparent);
+  EXPECT_EQ(shot.variant, "");
+  using Source = Shot::Environment::Source;
+  EXPECT_EQ(parseShot(with("/environment/map", "none").dump()).environment.source, Source::kNone);
+  EXPECT_EQ(parseShot(with("/environment/map", {{"bytes", 12}}).dump()).environment.source, Source::kBytes);
+  EXPECT_EQ(parseShot(with("/background", "environment").dump()).background.type, Shot::Background::Type::kEnvironment);
+}
+
+TEST(ParseShot, ReadsEveryLight) {
+  const json lights = json::parse(R"([
+    {"type": "ambient", "color": [1, 0.5, 0], "intensity": 2},
+    {"type": "hemisphere", "color": [1, 1, 1], "groundColor": [0, 0, 0.5], "intensity": 3},
+    {"type": "directional", "color": [1, 1, 1], "intensity": 4, "position": [0, 1, 0], "target": [1, 0, 0]},
+    {"type": "point", "color": [1, 1, 1], "intensity": 5, "position": [0, 2, 0], "range": 6},
+    {"type": "spot", "color": [1, 1, 1], "intensity": 7, "position": [0, 3, 0], "target": [0, 0, 0], "range": 8,
+     "angle": 0.5, "penumbra": 0.25}])");
+  const std::vector<Shot::Light> read = parseShot(with("/lights", lights).dump()).lights;
+  ASSERT_EQ(read.size(), 5u);
+  using Type = Shot::Light::Type;
+  EXPECT_EQ(read[0].type, Type::kAmbient);
+  EXPECT_EQ(read[0].color, glm::vec3(1, 0.5f, 0));
+  EXPECT_EQ(read[0].intensity, 2);
+  EXPECT_EQ(read[1].type, Type::kHemisphere);
+  EXPECT_EQ(read[1].groundColor, glm::vec3(0, 0, 0.5f));
+  EXPECT_EQ(read[2].type, Type::kDirectional);
+  EXPECT_EQ(read[2].target, glm::dvec3(1, 0, 0));
+  EXPECT_EQ(read[3].type, Type::kPoint);
+  EXPECT_EQ(read[3].position, glm::dvec3(0, 2, 0));
+  EXPECT_EQ(read[3].range, 6);
+  EXPECT_EQ(read[4].type, Type::kSpot);
+  EXPECT_EQ(read[4].range, 8);
+  EXPECT_EQ(read[4].angle, 0.5);
+  EXPECT_EQ(read[4].penumbra, 0.25);
+}
+
+TEST(ParseShot, EveryKeyIsNeeded) {
+  const std::vector<std::string> optional{"/quality/preset", "/layers", "/layers/0"};
+  const json flat = standard().flatten();
+  int removed = 0;
+  for (const auto& [pointer, value] : flat.items()) {
+    if (std::ranges::find(optional, pointer) != optional.end() || pointer == "/lights") continue;
+    json shot = standard();
+    const json::json_pointer where(pointer);
+    json& parent = shot[where.parent_pointer()];
+    if (!parent.is_object()) continue;
+    parent.erase(where.back());
+    const Error error = failure(shot);
+    EXPECT_EQ(error.code, "E_SHOT") << pointer;
+    EXPECT_EQ(error.pointer, pointer);
+    EXPECT_NE(std::string(error.what()).find("expected a value, got nothing"), std::string::npos) << error.what();
+    ++removed;
+  }
+  EXPECT_GE(removed, 20);
+}
+
+struct Wrong {
+  const char* pointer;
+  json value;
+  const char* message;
+};
+
+TEST(ParseShot, NamesPathExpectationAndValue) {
+  const std::vector<Wrong> cases{
+      {"/size/width", 0, "shot.size.width: expected an integer from 1 to 8192, got 0"},
+      {"/size/width", 1.5, "shot.size.width: expected an integer from 1 to 8192, got 1.5"},
+      {"/size/height", "9", "shot.size.height: expected an integer from 1 to 8192, got \"9\""},
+      {"/camera/projection", "fish", "shot.camera.projection: expected one of orthographic, perspective, got \"fish\""},
+      {"/camera/position", {1, 2}, "shot.camera.position: expected an array of 3 numbers, got an array of 2"},
+      {"/camera/fovY", 180, "shot.camera.fovY: expected a number of at most 179.999, got 180"},
+      {"/camera/near", 0, "shot.camera.near: expected a number of at least 1e-09, got 0"},
+      {"/camera/far", 0.5, "shot.camera.far: expected a distance beyond near, got 0.5"},
+      {"/camera/target", {0, 1, 5}, "shot.camera.target: expected a point other than position, got an array of 3"},
+      {"/environment/map", "",
+       "shot.environment.map: expected none, studio, or the path of an .hdr or .exr file, got \"\""},
+      {"/environment/map", 4, "shot.environment.map: expected a string, got 4"},
+      {"/environment/intensity", -1, "shot.environment.intensity: expected a number of at least 0.0, got -1"},
+      {"/lights", {{"type", "spot"}}, "shot.lights: expected an array, got an object"},
+      {"/modelLights", 1, "shot.modelLights: expected true or false, got 1"},
+      {"/background",
+       {0, -1, 0},
+       "shot.background: expected a linear colour with components from 0 to 1000000000.0, got an array of 3"},
+      {"/background", "red", "shot.background: expected one of transparent, environment, got \"red\""},
+      {"/toneMapping", nullptr,
+       "shot.toneMapping: expected one of none, linear, reinhard, cineon, aces, agx, neutral, got null"},
+      {"/quality/samples", 3, "shot.quality.samples: expected 1 or 4, got 3"},
+      {"/variant", json::object(), "shot.variant: expected a string, got an object"},
+      {"/output/bitDepth", 16, "nothing was thrown"},
+      {"/output/bitDepth", 32, "shot.output.bitDepth: expected a bit depth that png has, got 32"},
+      {"/output/quality", 101, "shot.output.quality: expected an integer from 1 to 100, got 101"},
+  };
+  for (const Wrong& wrong : cases) {
+    const Error error = failure(with(wrong.pointer, wrong.value));
+    EXPECT_STREQ(error.what(), wrong.message);
+    if (error.code == "E_SHOT") {
+      EXPECT_EQ(error.pointer, wrong.pointer);
+    }
+  }
+}
+
+TEST(ParseShot, RefusesWhatIsNoShot) {
+  EXPECT_THROW(parseShot(""), Error);
+  EXPECT_THROW(parseShot("{"), Error);
+  EXPECT_THROW(parseShot("[]"), Error);
+  EXPECT_THROW(parseShot("null"), Error);
+  EXPECT_THROW(parseShot(R"({"size": {"width": 1e999, "height": 1}})"), Error);
+}
+
+TEST(ParseShot, NamesTheLight) {
+  const json lights = json::parse(
+      R"([{"type": "ambient", "color": [1, 1, 1], "intensity": 1}, {"type": "spot", "color": [1, "x", 1]}])");
+  const Error error = failure(with("/lights", lights));
+  EXPECT_STREQ(error.what(), "shot.lights[1].color[1]: expected a number, got \"x\"");
+  EXPECT_EQ(error.pointer, "/lights/1/color/1");
+}
+
+}  // namespace
+}  // namespace telar
