@@ -12,7 +12,16 @@ const EXTENSION_OF = { png: '.png', jpeg: '.jpg', webp: '.webp', tiff: '.tif', e
 const PATTERN = /\{(name|index)\}/g;
 
 const usage = (message) => new TelarError('E_USAGE', message);
-const isFolder = (file) => file.endsWith('/') || (statSync(file, { throwIfNoEntry: false })?.isDirectory() ?? false);
+
+function isFolder(file) {
+  if (file.endsWith('/')) return true;
+  try {
+    return statSync(file).isDirectory();
+  } catch {
+    return false; // absent or out of reach: writing will tell
+  }
+}
+
 const nameOf = (model) => (model === '-' ? 'stdin' : path.parse(model).name);
 
 /**

@@ -19,9 +19,10 @@ function comment(node) {
   return parts.length > 0 ? `/** ${parts.map((part) => (/[.!?]$|^@/.test(part) ? part : `${part}.`)).join(' ')} */\n` : '';
 }
 
-function objectType({ properties, required = [] }) {
+function objectType({ properties, required = [] }, foreign = []) {
   const lines = Object.entries(properties).map(([key, node]) =>
     `${comment(node)}${identifier(key)}${required.includes(key) ? '' : '?'}: ${typeText(node)};`);
+  lines.push(...foreign.map((key) => `${identifier(key)}?: never;`));
   return `{\n  ${indent(lines.join('\n'))}\n}`;
 }
 
@@ -30,8 +31,8 @@ export function typeText(node) {
   if (node.tsType) return node.tsType;
   if (node.const !== undefined) return literal(node.const);
   if (node.enum) return node.enum.map(literal).join(' | ');
-  const branches = node.anyOf ?? node.oneOf;
-  if (branches) return branches.map(typeText).join(' | ');
+  if (node.oneOf) return node.oneOf.map(typeText).join(' | ');
+  if (node.anyOf) return unionText(node.anyOf);
   if (node.prefixItems) return `[${node.prefixItems.map(typeText).join(', ')}]`;
   switch (node.type) {
     case 'object': return objectType(node);
@@ -40,6 +41,15 @@ export function typeText(node) {
     case 'number': case 'string': case 'boolean': return node.type;
     default: throw new Error(`no type for ${JSON.stringify(node)}`);
   }
+}
+
+/**
+ * Without a key that tells the branches apart, TypeScript lets an object mix theirs: each branch forbids the others' keys.
+ */
+function unionText(branches) {
+  const keys = new Set(branches.flatMap(({ properties = {} }) => Object.keys(properties)));
+  return branches.map((branch) =>
+    (branch.properties ? objectType(branch, [...keys].filter((key) => !Object.hasOwn(branch.properties, key))) : typeText(branch))).join(' | ');
 }
 
 const arrayType = (element) => (/[|{]/.test(element) ? `Array<${element}>` : `${element}[]`);

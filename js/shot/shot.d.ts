@@ -27,9 +27,26 @@ export interface Shot {
     near?: number;
     /** Distance of the far plane in metres; fitted to the model by default. */
     far?: number;
+    gltf?: never;
+    view?: never;
+    azimuth?: never;
+    elevation?: never;
+    fit?: never;
   } | {
     /** Index or name of a camera in the model. */
     gltf: number | string;
+    projection?: never;
+    position?: never;
+    target?: never;
+    up?: never;
+    fovY?: never;
+    height?: never;
+    near?: never;
+    far?: never;
+    view?: never;
+    azimuth?: never;
+    elevation?: never;
+    fit?: never;
   } | {
     /** Named view; the front faces +Z, "right" is seen from +X. */
     view?: 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'three-quarter';
@@ -43,6 +60,13 @@ export interface Shot {
     fovY?: number;
     /** Part of the frame that the model takes in its tighter dimension. Range above 0 to 1. @default 0.9 */
     fit?: number;
+    position?: never;
+    target?: never;
+    up?: never;
+    height?: never;
+    near?: never;
+    far?: never;
+    gltf?: never;
   };
   /** Light from all around. @default "studio" */
   environment?: string | Uint8Array | {

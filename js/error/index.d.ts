@@ -1,0 +1,48 @@
+import type { ErrorCode } from './codes.js';
+
+export type { ErrorCode };
+export type ErrorKind =
+  | 'usage' | 'input' | 'denied' | 'unsupported' | 'limit' | 'time' | 'memory' | 'cancelled' | 'busy' | 'machine' | 'internal' | 'warning';
+
+/** A limit that an input went over, in the unit that its name says. */
+export interface LimitFact {
+  name: string;
+  max: number;
+  actual: number;
+}
+
+export interface ErrorFacts {
+  pointer?: string;
+  offset?: number;
+  limit?: LimitFact;
+  cause?: unknown;
+}
+
+export interface PlainError {
+  code: ErrorCode;
+  kind: ErrorKind;
+  message: string;
+  retryable: boolean;
+  pointer?: string;
+  offset?: number;
+  limit?: LimitFact;
+}
+
+/** The one error type of telar; js/docs/errors.md is the table of its codes. */
+export class TelarError extends Error {
+  constructor(code: ErrorCode, message: string, facts?: ErrorFacts);
+  readonly code: ErrorCode;
+  readonly kind: ErrorKind;
+  /** The same call may succeed later. */
+  readonly retryable: boolean;
+  /** JSON pointer into the document that is wrong: the glTF, or the shot for E_SHOT. */
+  readonly pointer?: string;
+  /** Byte offset in the file. */
+  readonly offset?: number;
+  readonly limit?: LimitFact;
+  /** Exit code of the command line for this error. */
+  readonly exit: number;
+  /** HTTP status for this error. */
+  readonly http: number;
+  toJSON(): PlainError;
+}

@@ -1,0 +1,172 @@
+import type { CameraFact, Vec3 } from './shot/index.js';
+import type { ResolvedShot, Shot } from './shot/shot.js';
+
+export type { CameraFact, ResolvedShot, Shot, Vec3 };
+export type { Box, ShotFacts } from './shot/index.js';
+export { TelarError } from './error/index.js';
+export type { ErrorCode, ErrorKind, LimitFact, PlainError } from './error/index.js';
+
+export type Backend = 'egl-device' | 'egl-surfaceless' | 'osmesa';
+
+/** What an input may cost; js/docs/errors.md lists the L_* names. */
+export type Limits = Partial<Record<`L_${string}`, number>>;
+
+/** A path, a file: URL, or the bytes of a .glb or .gltf. */
+export type Source = string | URL | ArrayBufferView | ArrayBuffer | SharedArrayBuffer;
+
+export interface RendererOptions {
+  /** @default 'auto' */
+  backend?: 'auto' | Backend;
+  /** Where prefiltered environments are kept by content hash; default telar's folder in the user's cache, null = nowhere. */
+  cacheDirectory?: string | null;
+  limits?: Limits;
+  /** Jobs that may wait; one more rejects with X_BUSY. @default 1024 */
+  maxWaiting?: number;
+  /** Every feature in every shader: for benchmarks. @default false */
+  allFeatures?: boolean;
+  signal?: AbortSignal;
+}
+
+export interface CallOptions {
+  signal?: AbortSignal;
+}
+
+export interface Warning {
+  code: string;
+  message: string;
+  /** JSON pointer into the glTF. */
+  pointer?: string;
+}
+
+/** What is in a model file. */
+export interface ModelFacts {
+  name: string;
+  /** Metres, world space; null when there is nothing to draw. */
+  bounds: { min: Vec3; max: Vec3 } | null;
+  /** Width, height, depth in metres. */
+  size: Vec3;
+  nodes: number;
+  meshes: number;
+  drawCalls: number;
+  vertices: number;
+  triangles: number;
+  fileBytes: number;
+  materials: Array<{
+    name: string;
+    alphaMode: 'OPAQUE' | 'MASK' | 'BLEND';
+    doubleSided: boolean;
+    unlit: boolean;
+    metallic: number;
+    roughness: number;
+    textures: string[];
+  }>;
+  /** Width 0: no drawn material uses it, so it was not decoded. */
+  images: Array<{ width: number; height: number }>;
+  lights: Array<{
+    name: string;
+    type: 'directional' | 'point' | 'spot';
+    /** Linear Rec.709. */
+    color: Vec3;
+    intensity: number;
+    position: Vec3;
+    range: number;
+    innerConeAngle?: number;
+    outerConeAngle?: number;
+  }>;
+  cameras: CameraFact[];
+  variants: string[];
+  extensionsUsed: string[];
+  generator: string;
+  copyright: string;
+  warnings: Warning[];
+}
+
+/** What a render compiles and runs. */
+export interface Plan {
+  features: string[];
+  programs: Array<{ features: string[] }>;
+  passes: string[];
+}
+
+/** A decoded model: draw many views of it. */
+export interface Model {
+  readonly facts: ModelFacts;
+}
+
+/** What a frame was made of. Native code may add keys. */
+export interface FrameInfo extends Plan {
+  width: number;
+  height: number;
+  format: ResolvedShot['output']['format'];
+  backend: Backend;
+  /** Strings of the GL context. */
+  gl: Record<string, unknown>;
+  quality: ResolvedShot['quality'];
+  /** Wall-clock milliseconds of each stage. */
+  milliseconds: Record<string, number> & { load: number; resolve: number; queue: number; draw: number; encode: number; total: number };
+  warnings: Warning[];
+  /** Largest resident memory of the process so far. */
+  peakBytes: number;
+  /** Column-major 4 x 4: (X, Y, Z, W) = M (x, y, z, 1); the pixel is (X / W, Y / W) from the top left corner. */
+  worldToPixel: number[];
+  shot: ResolvedShot;
+  [key: string]: unknown;
+}
+
+export interface Image {
+  /** The encoded file. */
+  data: Buffer;
+  info: FrameInfo;
+}
+
+/** One GL context on a thread of its own. All methods reject with TelarError, or with the signal's reason. */
+export interface Renderer {
+  readonly backend: Backend;
+  readonly gl: Record<string, unknown>;
+  load(source: Source, options?: CallOptions): Promise<Model>;
+  render(source: Source | Model, shot?: Shot | ResolvedShot, options?: CallOptions): Promise<Image>;
+  renderAll(source: Source | Model, shots: ReadonlyArray<Shot | ResolvedShot>, options?: CallOptions): Promise<Image[]>;
+  /** Frees what the GPU holds of a model. */
+  release(model: Model): Promise<void>;
+  /** Number of GL names that live in the context. */
+  liveObjects(): Promise<number>;
+  /** Finishes what was asked for, then frees the context. */
+  close(): Promise<void>;
+  [Symbol.asyncDispose](): Promise<void>;
+}
+
+/** @throws {TelarError} E_OPTION, X_NATIVE_MISSING, X_GL */
+export function createRenderer(options?: RendererOptions): Promise<Renderer>;
+
+export interface InspectOptions extends CallOptions {
+  shot?: Shot | ResolvedShot;
+  limits?: Limits;
+}
+
+/** What is in a model, and what a render of it would compile and run; plan is null when there is nothing to draw. */
+export function inspect(source: Source, options?: InspectOptions): Promise<ModelFacts & { plan: Plan | null }>;
+
+export type BackendReport =
+  | { backend: Backend; works: true; vendor?: string; renderer?: string; version?: string; software?: boolean }
+  | { backend: Backend; works: false; failure: string; cure?: string };
+
+export interface DoctorReport {
+  ok: boolean;
+  versions: Versions;
+  system: string;
+  native: { path: string } | { error: import('./error/index.js').PlainError };
+  chosen: Backend | null;
+  reason: string;
+  backends: BackendReport[];
+}
+
+/** Which GL backends this machine has, which one is chosen and why, and how to cure a missing one. */
+export function doctor(): Promise<DoctorReport>;
+
+export interface Versions {
+  telar: string;
+  node: string;
+  napi: string;
+}
+
+export const versions: Readonly<Versions>;

@@ -1,0 +1,55 @@
+import type { ResolvedShot, Shot } from './shot.js';
+
+export type { ResolvedShot, Shot };
+export { TelarError } from '../error/index.js';
+
+export type Vec3 = [number, number, number];
+
+/** A camera of a model, degrees and metres, world space. */
+export interface CameraFact {
+  name: string;
+  node: number;
+  projection: 'perspective' | 'orthographic';
+  fovY?: number;
+  aspectRatio?: number;
+  height?: number;
+  width?: number;
+  near: number;
+  /** null = infinite */
+  far: number | null;
+  position: Vec3;
+  target: Vec3;
+  up: Vec3;
+}
+
+type Point = readonly [number, number, number] | readonly number[] | { x: number; y: number; z: number };
+
+/** Axis-aligned box in metres; a THREE.Box3 fits. */
+export interface Box {
+  min: Point;
+  max: Point;
+}
+
+/** What resolveShot needs to know of a model: its facts, or its box alone. */
+export type ShotFacts = Box | {
+  bounds: Box | null;
+  cameras?: readonly CameraFact[];
+  variants?: readonly string[];
+};
+
+/**
+ * Writes out every default of a shot. Pure and synchronous, the same bits in the browser and on the server; a resolved shot
+ * resolves to itself. `facts` is needed unless the camera is explicit with near and far.
+ * @throws {TelarError} E_SHOT with the path, the expected thing and the value given; E_SHOT_UNAVAILABLE; E_CAMERA; E_VARIANT;
+ *   E_NO_GEOMETRY; E_OPTION
+ */
+export function resolveShot(shot?: Shot | ResolvedShot, facts?: ShotFacts | null): ResolvedShot;
+
+/** An opaque CSS colour as linear Rec.709, the bits of THREE.Color; undefined when the text is none. */
+export function parseColour(text: string): Vec3 | undefined;
+
+/** sRGB transfer function, encoded [0, 1] to linear [0, 1]. */
+export function srgbToLinear(encoded: number): number;
+
+/** Azimuth and elevation in degrees of each named view. */
+export const VIEWS: Readonly<Record<'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'three-quarter', { azimuth: number; elevation: number }>>;

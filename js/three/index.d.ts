@@ -1,0 +1,23 @@
+import type { ResolvedShot } from '../shot/shot.js';
+
+// three.js brings no types of its own: its objects pass through as they are.
+type Three = any;
+
+/** Parameters that a THREE.WebGLRenderer must be built with. */
+export function rendererParameters(shot: ResolvedShot): { antialias: boolean; alpha: boolean; premultipliedAlpha: boolean };
+
+/**
+ * Sets up a stock three.js 0.187 scene from a resolved shot, so that browser and server draw the same picture.
+ * @returns the camera to draw with
+ */
+export function applyShot(shot: ResolvedShot, target: {
+  /** The client's own three.js module. */
+  THREE: Three;
+  renderer: Three;
+  scene: Three;
+  camera?: Three;
+  /** What GLTFLoader gave: {scene, parser}. */
+  model?: Three;
+  /** Linear equirectangular texture; required where the shot has an environment. */
+  environment?: Three;
+}): Promise<Three>;

@@ -1,0 +1,48 @@
+// Checked by tsc against the published entries, never run.
+import { TelarError, createRenderer, doctor, inspect, versions, type FrameInfo, type Model, type Shot } from 'telar';
+import { VIEWS, parseColour, resolveShot, type ResolvedShot } from 'telar/shot';
+import { applyShot, rendererParameters } from 'telar/three';
+
+const shot: Shot = {
+  size: { width: 800 },
+  camera: { view: 'three-quarter', fit: 0.95 },
+  environment: { map: new Uint8Array(4), rotation: 30 },
+  lights: [{ type: 'spot', color: [1, 0.5, 0.25], angle: 0.4 }, { type: 'ambient', color: 'white' }],
+  background: '#eee',
+  quality: { samples: 4 },
+  output: { format: 'tiff', bitDepth: 16 },
+};
+
+export async function draw(signal: AbortSignal): Promise<FrameInfo> {
+  await using renderer = await createRenderer({ backend: 'egl-surfaceless', limits: { L_NODES: 5 }, cacheDirectory: null, signal });
+  const { data, info } = await renderer.render('shirt.glb', shot, { signal });
+  const model: Model = await renderer.load(new Uint8Array(data), { signal });
+  const views = await renderer.renderAll(model, [shot, info.shot, {}]);
+  const bytes: number = views.reduce((sum, view) => sum + view.data.byteLength, 0);
+  const resolved: ResolvedShot = resolveShot(shot, model.facts);
+  resolveShot(resolved, { min: { x: 0, y: 0, z: 0 }, max: [1, 1, 1] });
+  if (resolved.camera.projection === 'orthographic') resolved.camera.height.toFixed(bytes);
+  await applyShot(resolved, { THREE: {}, renderer: {}, scene: {} });
+  rendererParameters(resolved).antialias satisfies boolean;
+  const { plan, bounds } = await inspect(new URL('file:///shirt.glb'), { shot });
+  const report = await doctor();
+  [plan?.features, bounds?.min, report.chosen, versions.telar, VIEWS.front.azimuth, parseColour('red')?.[0]].join();
+  return info;
+}
+
+export function classify(error: unknown): string {
+  return error instanceof TelarError && error.code === 'E_SHOT' ? `${error.pointer} ${error.kind} ${error.limit?.max}` : 'other';
+}
+
+// @ts-expect-error an unknown key
+export const unknownKey: Shot = { colour: 'red' };
+// @ts-expect-error an unknown view
+export const unknownView: Shot = { camera: { view: 'up' } };
+// @ts-expect-error an explicit camera has a target
+export const noTarget: Shot = { camera: { position: [0, 0, 1], fovY: 3 } };
+// @ts-expect-error a light of another type has no angle
+export const noAngle: Shot = { lights: [{ type: 'point', angle: 1 }] };
+// @ts-expect-error a backend that does not exist
+export const noBackend = createRenderer({ backend: 'glx' });
+// @ts-expect-error a code that is not in the table
+export const noCode = new TelarError('E_NOTHING', '');
