@@ -17,8 +17,14 @@ function codesIn(folder, suffixes) {
       .map(([, code]) => ({ code, file: relative(ROOT, join(path, name)) })));
 }
 
+const codes = [...codesIn('renderer', ['.cpp', '.h']), ...codesIn('addon', ['.cpp', '.h']), ...codesIn('js', ['.mjs', '.cjs'])];
+
+test('each row is a code that something raises', () => {
+  const raised = new Set(codes.map(({ code }) => code));
+  assert.deepEqual(Object.keys(TABLE).filter((code) => !raised.has(code)), []);
+});
+
 test('each code in the sources has a row', () => {
-  const codes = [...codesIn('renderer', ['.cpp', '.h']), ...codesIn('addon', ['.cpp', '.h']), ...codesIn('js', ['.mjs', '.cjs'])];
   assert.ok(codes.some(({ code }) => code === 'X_CANCELLED'), 'the search finds the code that cancel.h throws');
   const missing = codes.filter(({ code }) => !Object.hasOwn(TABLE, code));
   assert.deepEqual(missing, [], 'add these to js/error/table.mjs');
