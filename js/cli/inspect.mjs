@@ -27,27 +27,28 @@ const metres = (x) => `${Number(x.toPrecision(4))} m`;
 const named = (list) => list.map((item) => (typeof item === 'string' ? item : item.name) || '(no name)').join(', ');
 
 function materialLines(materials) {
-  return materials.map((material, i) => {
-    const { name, textures, ...rest } = material;
-    const facts = Object.entries(rest)
-      .filter(([, value]) => value === true || typeof value === 'string' || typeof value === 'number')
-      .map(([key, value]) => (value === true ? key : `${key} ${value}`));
-    return `  ${i} ${name || '(no name)'}${facts.length > 0 ? `: ${facts.join(', ')}` : ''}`;
+  return materials.map(({ name, alphaMode, doubleSided, unlit, metallic, roughness, textures = [] }, i) => {
+    const facts = [`metallic ${metallic}`, `roughness ${Number(roughness?.toPrecision(3))}`, alphaMode !== 'OPAQUE' && `alpha ${alphaMode}`,
+      doubleSided && 'double-sided', unlit && 'unlit', textures.length > 0 && `textures ${textures.join(' ')}`].filter(Boolean);
+    return `  ${i} ${name || '(no name)'}: ${facts.join(', ')}`;
   });
 }
 
+/** An image of width 0 was not decoded: no drawn material uses it. */
+const imageText = ({ width, height }) => (width > 0 ? `${width}x${height}` : 'unused');
+
 function factLines(model, facts) {
-  const { size, materials = [], images = [], lights = [], cameras = [], variants = [], extensionsUsed = [], plan } = facts;
+  const { bounds, size, materials = [], images = [], lights = [], cameras = [], variants = [], extensionsUsed = [], plan } = facts;
   const lines = [
     model === '-' ? 'stdin' : model,
-    `size        ${size ? `${size.map(metres).join(' x ')} (width x height x depth)` : 'nothing to draw'}`,
+    `size        ${bounds ? `${size.map(metres).join(' x ')} (width x height x depth)` : 'nothing to draw'}`,
     `geometry    ${[count(facts.triangles ?? 0, 'triangle'), count(facts.vertices ?? 0, 'vertex', 'vertices'),
       count(facts.meshes ?? 0, 'mesh', 'meshes'), count(facts.drawCalls ?? 0, 'draw call')].join(', ')}`,
     `file        ${count(facts.fileBytes ?? 0, 'byte')}${facts.generator ? `, by ${facts.generator}` : ''}`,
     ...(facts.copyright ? [`copyright   ${facts.copyright}`] : []),
     `materials   ${materials.length}`,
     ...materialLines(materials),
-    `images      ${images.length === 0 ? 'none' : images.map(({ width, height }) => `${width}x${height}`).join(' ')}`,
+    `images      ${images.length === 0 ? 'none' : images.map(imageText).join(' ')}`,
     `variants    ${variants.length === 0 ? 'none' : named(variants)}`,
     `cameras     ${cameras.length === 0 ? 'none' : named(cameras)}`,
     `lights      ${lights.length === 0 ? 'none' : named(lights)}`,
