@@ -26,6 +26,7 @@ struct Limits {
   std::uint64_t imagePixels = 67'108'864;          ///< L_IMAGE_PIXELS: of one image
   std::uint64_t imageBytes = 1ull << 30;           ///< L_IMAGE_BYTES: decoded RGBA8, sum over images
   std::uint64_t imageScans = 64;                   ///< L_IMAGE_SCANS: progressive JPEG scans
+  std::uint64_t morphTargets = 256;                ///< L_MORPH_TARGETS: of one primitive
   std::uint64_t lights = 64;                       ///< L_LIGHTS: the model's and the shot's
   std::uint64_t environmentPixels = 8192ull * 4096;  ///< L_ENVIRONMENT_PIXELS
   std::uint64_t programs = 64;                     ///< L_PROGRAMS: shader programs of one render

@@ -1,0 +1,36 @@
+#pragma once
+#include "asset/geometry.h"
+#include "asset/graph.h"
+#include "asset/images.h"
+
+namespace telar::asset {
+
+/// Makes the scene of a checked document: nodes of the drawn scene, the meshes, materials and images that they reach.
+/// @throws Error{E_NO_GEOMETRY, ...} as loadPath() says
+class Assembler {
+ public:
+  explicit Assembler(const GeometryReader::Sources& sources) : from_(sources), geometry_(sources) {}
+
+  Scene assemble();
+
+ private:
+  const tinygltf::Model& model() const { return from_.document.model; }
+
+  void checkWork(const std::vector<Visit>& visits) const;
+  void addNode(const Visit& visit);
+  int meshOf(const tinygltf::Node& source, int node);
+  int lightOf(const tinygltf::Node& source);
+  int cameraOf(const tinygltf::Node& source);
+  int readMesh(int mesh);
+  void placeMeshes();
+  void readMaterials();
+  void loadImages();
+  void readNames();
+
+  GeometryReader::Sources from_;
+  GeometryReader geometry_;
+  Scene scene_;
+  std::vector<int> meshes_;  ///< by mesh of the file: index into scene_.meshes, -1 = not read yet
+};
+
+}  // namespace telar::asset

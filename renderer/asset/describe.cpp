@@ -1,0 +1,135 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "telar/load.h"
+
+namespace telar {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
+json list(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+json list(const glm::vec3& v) { return list(glm::dvec3(v)); }
+
+const char* nameOf(AlphaMode mode) {
+  switch (mode) {
+    case AlphaMode::kMask: return "MASK";
+    case AlphaMode::kBlend: return "BLEND";
+    default: return "OPAQUE";
+  }
+}
+
+const char* nameOf(LightType type) {
+  switch (type) {
+    case LightType::kDirectional: return "directional";
+    case LightType::kSpot: return "spot";
+    default: return "point";
+  }
+}
+
+json describe(const Material& material) {
+  json textures = json::array();
+  const auto add = [&](const char* name, const TextureRef& texture) {
+    if (texture) textures.push_back(name);
+  };
+  add("baseColor", material.baseColorTexture);
+  add("metallicRoughness", material.metallicRoughnessTexture);
+  add("normal", material.normalTexture);
+  add("occlusion", material.occlusionTexture);
+  add("emissive", material.emissiveTexture);
+  return {{"name", material.name},       {"alphaMode", nameOf(material.alphaMode)}, {"doubleSided", material.doubleSided},
+          {"unlit", material.unlit},     {"metallic", material.metallicFactor},     {"roughness", material.roughnessFactor},
+          {"textures", textures}};
+}
+
+json describe(const ModelLight& light, const Node& node) {
+  const glm::dvec3 position(node.world[3]);
+  json out = {{"name", light.name.empty() ? node.name : light.name}, {"type", nameOf(light.type)}, {"color", list(light.color)},
+              {"intensity", light.intensity}, {"position", list(position)}, {"range", light.range}};
+  if (light.type == LightType::kSpot) {
+    out["innerConeAngle"] = light.innerConeAngle;
+    out["outerConeAngle"] = light.outerConeAngle;
+  }
+  return out;
+}
+
+glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& fallback) {
+  const double length = glm::length(v);
+  return length > 0 && std::isfinite(length) ? v / length : fallback;
+}
+
+/// Looks along the node's -Z; the target is the point of that ray which is nearest to the scene's centre.
+json describe(const ModelCamera& camera, const Node& node, std::size_t nodeIndex, const Bounds& bounds) {
+  const glm::dvec3 position(node.world[3]);
+  const glm::dvec3 forward = unit(-glm::dvec3(node.world[2]), {0, 0, -1});
+  const double distance = glm::dot((bounds.min + bounds.max) * 0.5 - position, forward);
+  const glm::dvec3 target = position + forward * (distance > 0 ? distance : 1.0);
+  json out = {{"name", camera.name.empty() ? node.name : camera.name},
+              {"node", nodeIndex},
+              {"projection", camera.perspective ? "perspective" : "orthographic"}};
+  if (camera.perspective) {
+    out["fovY"] = degrees(camera.fovY);
+    if (camera.aspectRatio > 0) out["aspectRatio"] = camera.aspectRatio;
+  } else {
+    out["height"] = 2 * camera.ymag;
+    out["width"] = 2 * camera.xmag;
+  }
+  out["near"] = camera.near;
+  out["far"] = camera.far > 0 ? json(camera.far) : json(nullptr);
+  out["position"] = list(position);
+  out["target"] = list(target);
+  out["up"] = list(unit(glm::dvec3(node.world[1]), {0, 1, 0}));
+  return out;
+}
+
+json describe(const Warning& warning) {
+  json out = {{"code", warning.code}, {"message", warning.message}};
+  if (!warning.pointer.empty()) out["pointer"] = warning.pointer;
+  return out;
+}
+
+void addNodeFacts(const Scene& scene, json& out) {
+  json lights = json::array(), cameras = json::array();
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    if (node.light >= 0) lights.push_back(describe(scene.lights[static_cast<std::size_t>(node.light)], node));
+    if (node.camera >= 0) {
+      cameras.push_back(describe(scene.cameras[static_cast<std::size_t>(node.camera)], node, i, scene.bounds));
+    }
+  }
+  out["lights"] = lights;
+  out["cameras"] = cameras;
+}
+
+}  // namespace
+
+std::string describeScene(const Scene& scene) {
+  const bool empty = scene.bounds.empty();
+  json out;
+  out["name"] = scene.name;
+  out["bounds"] = empty ? json(nullptr) : json{{"min", list(scene.bounds.min)}, {"max", list(scene.bounds.max)}};
+  out["size"] = empty ? json{0, 0, 0} : list(scene.bounds.max - scene.bounds.min);
+  out["nodes"] = scene.nodes.size();
+  out["meshes"] = scene.meshes.size();
+  out["drawCalls"] = scene.drawCount;
+  out["vertices"] = scene.vertexCount;
+  out["triangles"] = scene.triangleCount;
+  out["fileBytes"] = scene.fileBytes;
+  out["materials"] = json::array();
+  for (const Material& material : scene.materials) out["materials"].push_back(describe(material));
+  out["images"] = json::array();
+  for (const Image8& image : scene.images) out["images"].push_back({{"width", image.width}, {"height", image.height}});
+  addNodeFacts(scene, out);
+  out["variants"] = scene.variants;
+  out["extensionsUsed"] = scene.extensionsUsed;
+  out["generator"] = scene.generator;
+  out["copyright"] = scene.copyright;
+  out["warnings"] = json::array();
+  for (const Warning& warning : scene.warnings) out["warnings"].push_back(describe(warning));
+  return out.dump();
+}
+
+}  // namespace telar

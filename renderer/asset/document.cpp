@@ -1,0 +1,137 @@
+#include "asset/document.h"
+
+#include <nlohmann/json.hpp>
+
+#include "asset/camera_light.h"
+#include "asset/extensions.h"
+#include "asset/json_read.h"
+#include "asset/pointer.h"
+#include "asset/schema.h"
+
+namespace telar::asset {
+namespace {
+
+using nlohmann::json;
+
+/// Before all other checks, because a glTF 1.0 file fails those with messages that mislead.
+void checkVersion(const json& document) {
+  const auto asset = document.find("asset");
+  if (asset == document.end() || !asset->is_object()) fail("E_SCHEMA", "the property \"asset\" is missing", "/asset");
+  const auto version = asset->find("version");
+  if (version == asset->end() || !version->is_string()) {
+    fail("E_SCHEMA", "the asset gives no version", "/asset/version");
+  }
+  const auto& text = version->get_ref<const std::string&>();
+  if (text != "2" && !text.starts_with("2.")) {
+    fail("E_VERSION", "the asset is glTF " + telar::quoted(text) + ", expected 2.0", "/asset/version");
+  }
+  const auto least = asset->find("minVersion");
+  if (least != asset->end() && least->is_string() && *least != "2.0") {
+    fail("E_VERSION", "the asset needs glTF " + telar::quoted(least->get_ref<const std::string&>()) + ", telar reads 2.0",
+         "/asset/minVersion");
+  }
+}
+
+std::vector<std::string> texts(const json& document, const char* key) {
+  std::vector<std::string> out;
+  const auto list = document.find(key);
+  if (list == document.end() || !list->is_array()) return out;
+  for (const json& item : *list) {
+    if (item.is_string()) out.push_back(item.get<std::string>());
+  }
+  return out;
+}
+
+std::optional<std::string> takeUri(json& object) {
+  const auto uri = object.find("uri");
+  if (uri == object.end()) return std::nullopt;
+  return std::move(uri->get_ref<std::string&>());
+}
+
+std::vector<BufferSource> takeBuffers(json& reduced) {
+  std::vector<BufferSource> out;
+  for (json& buffer : reduced["buffers"]) {
+    out.push_back({takeUri(buffer), buffer["byteLength"].get<std::uint64_t>()});
+  }
+  reduced.erase("buffers");
+  return out;
+}
+
+std::vector<ImageSource> takeImages(json& reduced) {
+  std::vector<ImageSource> out;
+  for (json& image : reduced["images"]) {
+    ImageSource source{takeUri(image), image.value("bufferView", -1), image.value("mimeType", "")};
+    if (source.uri.has_value() == (source.bufferView >= 0)) {
+      fail("E_SCHEMA", "an image must have either a uri or a bufferView", pointer("images", out.size()));
+    }
+    out.push_back(std::move(source));
+  }
+  reduced.erase("images");
+  return out;
+}
+
+/// tinygltf refuses an index accessor without a buffer view, which Draco primitives and all-zero accessors have: they
+/// get a stand-in view while it parses.
+class StandInView {
+ public:
+  explicit StandInView(json& reduced) {
+    json& views = reduced["bufferViews"];
+    if (!views.is_array()) views = json::array();
+    view_ = static_cast<int>(views.size());
+    views.push_back({{"buffer", 0}, {"byteLength", 1}});
+    for (json& accessor : reduced["accessors"]) accessor.emplace("bufferView", view_);
+  }
+
+  void remove(tinygltf::Model& model) const {
+    model.bufferViews.pop_back();
+    for (auto& accessor : model.accessors) {
+      if (accessor.bufferView == view_) accessor.bufferView = -1;
+    }
+  }
+
+ private:
+  int view_ = 0;
+};
+
+const json* lightList(const json& document) {
+  static constexpr const char* PATH[] = {"extensions", "KHR_lights_punctual", "lights"};
+  const json* at = &document;
+  for (const char* key : PATH) {
+    const auto found = at->is_object() ? at->find(key) : at->end();
+    if (found == at->end()) return nullptr;
+    at = &*found;
+  }
+  return at;
+}
+
+}  // namespace
+
+Document readDocument(const Container& container, const Limits& limits, const CancelToken& cancel,
+                      Warnings& warnings) {
+  json document = readJson(container.json, container.jsonOffset, limits, cancel);
+  if (!document.is_object()) {
+    throw Error("E_JSON", "the top value of glTF JSON must be an object").atOffset(container.jsonOffset);
+  }
+  checkVersion(document);
+  checkExtensions(texts(document, "extensionsUsed"), texts(document, "extensionsRequired"), warnings);
+
+  json reduced = reduce(DOCUMENT_RULE, document, limits, cancel);
+  Document out;
+  const auto cameras = document.find("cameras");
+  if (cameras != document.end()) out.cameras = readCameras(*cameras, warnings);
+  if (const json* lights = lightList(document)) out.lights = readLights(*lights, warnings);
+  if (document.contains("animations")) {
+    warnings.add("W_ANIMATION", "animations are not played; the model is drawn as it stands in the file", "/animations");
+  }
+  document = nullptr;  // the largest part of the memory held here, when buffers are data: URIs
+
+  out.buffers = takeBuffers(reduced);
+  out.images = takeImages(reduced);
+  const StandInView standIn(reduced);
+  cancel.check();
+  out.model = parseModel(reduced.dump());
+  standIn.remove(out.model);
+  return out;
+}
+
+}  // namespace telar::asset

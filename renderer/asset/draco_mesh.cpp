@@ -1,0 +1,125 @@
+#include "asset/draco_mesh.h"
+
+#include <draco/compression/decode.h>
+
+#include <new>
+#include <stdexcept>
+
+#include "asset/accessor.h"
+#include "asset/pointer.h"
+
+namespace telar::asset {
+
+struct DracoMesh::Mesh {
+  std::unique_ptr<draco::Mesh> mesh;
+};
+
+namespace {
+
+void checkCounts(const DracoCounts& counts, const DracoExpectation& expected, const Limits& limits,
+                 const std::string& where) {
+  checkLimit("L_TRIANGLES", static_cast<double>(limits.triangles), static_cast<double>(counts.faces), where);
+  checkLimit("L_VERTICES", static_cast<double>(limits.vertices), static_cast<double>(counts.vertices), where);
+  if (expected.indices != 0 && counts.faces * 3 != expected.indices) {
+    fail("E_DRACO", "the Draco mesh has another number of faces than its index accessor", where);
+  }
+  // A mesh cannot use more vertices than it has corners. How many points come of them is known after decoding only.
+  if (counts.vertices > counts.faces * 3) {
+    fail("E_DRACO", "the Draco mesh declares more vertices than its faces can use", where);
+  }
+}
+
+std::unique_ptr<draco::Mesh> decodeMesh(std::span<const std::byte> data, const std::string& where) {
+  draco::DecoderBuffer buffer;
+  buffer.Init(reinterpret_cast<const char*>(data.data()), data.size());
+  draco::Decoder decoder;
+  try {
+    auto result = decoder.DecodeMeshFromBuffer(&buffer);
+    if (result.ok()) return std::move(result).value();
+  } catch (const std::bad_alloc&) {
+    fail("E_DRACO", "the Draco data asks for more memory than there is", where);
+  } catch (const std::length_error&) {
+    fail("E_DRACO", "the Draco data asks for more memory than there is", where);
+  }
+  fail("E_DRACO", "the Draco data is damaged", where);
+}
+
+std::vector<std::uint32_t> readIndices(const draco::Mesh& mesh, const std::string& where) {
+  std::vector<std::uint32_t> out;
+  out.reserve(std::size_t{mesh.num_faces()} * 3);
+  for (draco::FaceIndex face(0); face < mesh.num_faces(); ++face) {
+    for (const draco::PointIndex& point : mesh.face(face)) {
+      if (point.value() >= mesh.num_points()) fail("E_DRACO", "a Draco face names a vertex that does not exist", where);
+      out.push_back(point.value());
+    }
+  }
+  return out;
+}
+
+template <typename T>
+void convert(const draco::Mesh& mesh, const draco::PointAttribute& attribute, std::span<T> out,
+             const std::string& where) {
+  const auto components = static_cast<unsigned>(attribute.num_components());
+  if (!attribute.is_mapping_identity() && attribute.indices_map_size() < mesh.num_points()) {
+    fail("E_DRACO", "a Draco attribute has fewer entries than the mesh has vertices", where);
+  }
+  for (draco::PointIndex point(0); point < mesh.num_points(); ++point) {
+    const draco::AttributeValueIndex value = attribute.mapped_index(point);
+    if (value.value() >= attribute.size() ||
+        !attribute.ConvertValue<T>(value, attribute.num_components(), &out[std::size_t{point.value()} * components])) {
+      fail("E_DRACO", "a Draco attribute does not fit its accessor", where);
+    }
+  }
+}
+
+template <typename T>
+void convertIntegers(const draco::Mesh& mesh, const draco::PointAttribute& attribute, int componentType,
+                     bool normalized, std::span<float> out, const std::string& where) {
+  std::vector<T> values(out.size());
+  convert<T>(mesh, attribute, values, where);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    out[i] = fromComponent(static_cast<double>(values[i]), componentType, normalized);
+  }
+}
+
+}  // namespace
+
+DracoMesh::DracoMesh(std::unique_ptr<Mesh> mesh) : mesh_(std::move(mesh)) {}
+DracoMesh::DracoMesh(DracoMesh&&) noexcept = default;
+DracoMesh::~DracoMesh() = default;
+
+DracoMesh DracoMesh::decode(std::span<const std::byte> data, const DracoExpectation& expected, const Limits& limits,
+                            const std::string& where) {
+  checkCounts(readDracoCounts(data, where), expected, limits, where);
+  DracoMesh out(std::make_unique<Mesh>(Mesh{decodeMesh(data, where)}));
+  const draco::Mesh& mesh = *out.mesh_->mesh;
+  if (mesh.num_points() != expected.vertices) {
+    fail("E_DRACO", "the Draco mesh has " + std::to_string(mesh.num_points()) + " vertices, its accessors say " +
+                        std::to_string(expected.vertices), where);
+  }
+  out.indices_ = readIndices(mesh, where);
+  if (expected.indices != 0 && out.indices_.size() != expected.indices) {
+    fail("E_DRACO", "the Draco mesh has another number of indices than its index accessor", where);
+  }
+  return out;
+}
+
+void DracoMesh::readFloats(std::uint32_t uniqueId, int componentType, bool normalized, unsigned components,
+                           std::span<float> out, const std::string& where) const {
+  const draco::Mesh& mesh = *mesh_->mesh;
+  const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(uniqueId);
+  if (!attribute) fail("E_DRACO", "the Draco mesh has no attribute of this id", where);
+  if (static_cast<unsigned>(attribute->num_components()) != components) {
+    fail("E_DRACO", "the Draco attribute has another number of components than its accessor", where);
+  }
+  switch (componentType) {
+    case COMPONENT_I8: return convertIntegers<std::int8_t>(mesh, *attribute, componentType, normalized, out, where);
+    case COMPONENT_U8: return convertIntegers<std::uint8_t>(mesh, *attribute, componentType, normalized, out, where);
+    case COMPONENT_I16: return convertIntegers<std::int16_t>(mesh, *attribute, componentType, normalized, out, where);
+    case COMPONENT_U16: return convertIntegers<std::uint16_t>(mesh, *attribute, componentType, normalized, out, where);
+    case COMPONENT_U32: return convertIntegers<std::uint32_t>(mesh, *attribute, componentType, normalized, out, where);
+    default: return convert<float>(mesh, *attribute, out, where);
+  }
+}
+
+}  // namespace telar::asset

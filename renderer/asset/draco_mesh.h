@@ -1,0 +1,54 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "telar/limits.h"
+
+namespace telar::asset {
+
+/// What the accessors of a Draco primitive promise.
+struct DracoExpectation {
+  std::uint64_t vertices = 0;
+  std::uint64_t indices = 0;  ///< 0 = the primitive has no index accessor
+};
+
+/// A mesh decoded by libdraco: indices and counts are checked, attribute values may still be NaN.
+class DracoMesh {
+ public:
+  /// @param where JSON pointer of the extension object, for errors
+  /// @throws Error{E_DRACO, L_TRIANGLES, L_VERTICES}
+  static DracoMesh decode(std::span<const std::byte> data, const DracoExpectation& expected, const Limits& limits,
+                          const std::string& where);
+  DracoMesh(DracoMesh&&) noexcept;
+  ~DracoMesh();
+
+  const std::vector<std::uint32_t>& indices() const { return indices_; }
+
+  /// Reads one attribute as the values that an accessor of this type would hold.
+  /// @param out vertices * components floats
+  /// @throws Error{E_DRACO} where there is no such attribute or it does not fit the accessor
+  void readFloats(std::uint32_t uniqueId, int componentType, bool normalized, unsigned components,
+                  std::span<float> out, const std::string& where) const;
+
+ private:
+  struct Mesh;
+  explicit DracoMesh(std::unique_ptr<Mesh> mesh);
+  std::unique_ptr<Mesh> mesh_;
+  std::vector<std::uint32_t> indices_;
+};
+
+/// Counts in a Draco header, read before libdraco allocates by them. Exposed for tests.
+struct DracoCounts {
+  std::uint64_t faces = 0;
+  std::uint64_t vertices = 0;  ///< points, or encoded vertices where the mesh is edgebreaker
+};
+
+/// src: Draco bitstream specification 2.2, sections 3 "Draco Decoder" to 5 "Connectivity"
+/// @throws Error{E_DRACO} for anything but a triangular mesh of bitstream version 2.2
+DracoCounts readDracoCounts(std::span<const std::byte> data, const std::string& where);
+
+}  // namespace telar::asset

@@ -1,0 +1,41 @@
+#include "asset/extensions.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "asset/pointer.h"
+
+namespace telar::asset {
+namespace {
+
+constexpr std::string_view SUPPORTED[] = {
+    "EXT_texture_webp",        "KHR_draco_mesh_compression",     "KHR_lights_punctual",
+    "KHR_materials_unlit",     "KHR_materials_emissive_strength", "KHR_materials_variants",
+    "KHR_mesh_quantization",   "KHR_texture_transform",
+};
+
+bool supported(std::string_view name) { return std::find(std::begin(SUPPORTED), std::end(SUPPORTED), name) != std::end(SUPPORTED); }
+
+}  // namespace
+
+void checkExtensions(const std::vector<std::string>& used, const std::vector<std::string>& required,
+                     Warnings& warnings) {
+  for (std::size_t i = 0; i < required.size(); ++i) {
+    if (!supported(required[i])) {
+      fail("E_EXT_REQUIRED", "the model requires the glTF extension " + telar::quoted(required[i]) +
+                                 ", which telar does not have; export without it",
+           pointer("extensionsRequired", i));
+    }
+    if (std::find(used.begin(), used.end(), required[i]) == used.end()) {
+      warnings.add("W_EXT", "the extension " + telar::quoted(required[i]) + " is required but not listed in extensionsUsed",
+                   pointer("extensionsRequired", i));
+    }
+  }
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (supported(used[i])) continue;
+    warnings.add("W_EXT_IGNORED", "the optional extension " + telar::quoted(used[i]) + " is not drawn",
+                 pointer("extensionsUsed", i));
+  }
+}
+
+}  // namespace telar::asset

@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "asset/warnings.h"
+
+namespace telar::asset {
+
+/// @throws Error{E_EXT_REQUIRED} that names the first required extension that telar does not have.
+void checkExtensions(const std::vector<std::string>& used, const std::vector<std::string>& required,
+                     Warnings& warnings);
+
+}  // namespace telar::asset

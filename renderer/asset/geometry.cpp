@@ -1,0 +1,227 @@
+#include "asset/geometry.h"
+
+#include <cmath>
+
+#include "asset/draco_mesh.h"
+#include "asset/extension_value.h"
+#include "asset/pointer.h"
+#include "asset/repair.h"
+
+namespace telar::asset {
+namespace {
+
+constexpr const char* DRACO = "KHR_draco_mesh_compression";
+constexpr const char* UV_NAMES[] = {"TEXCOORD_0", "TEXCOORD_1"};
+
+template <typename Vector>
+std::span<float> floatsOf(std::vector<Vector>& vectors) {
+  return {reinterpret_cast<float*>(vectors.data()), vectors.size() * sizeof(Vector) / sizeof(float)};
+}
+
+}  // namespace
+
+int GeometryReader::attribute(const Source& source, const std::string& name) const {
+  const auto found = source.attributes.find(name);
+  return found == source.attributes.end() ? -1 : found->second;
+}
+
+void GeometryReader::checkAttribute(const Source& source, const std::string& name, unsigned least, unsigned most) const {
+  const int accessor = attribute(source, name);
+  if (accessor < 0) return;
+  const std::string where = where_ + pointer("attributes", name);
+  const unsigned components = from_.accessors.components(accessor);
+  const auto& info = from_.accessors.info(accessor);
+  if (components < least || components > most || info.type > TINYGLTF_TYPE_VEC4 || info.componentType == COMPONENT_U32) {
+    fail("E_ACCESSOR", "the accessor has a type that this attribute cannot have", where);
+  }
+  if (info.count != from_.accessors.count(attribute(source, "POSITION"))) {
+    fail("E_ACCESSOR", "the accessor has " + std::to_string(info.count) + " elements, POSITION has another number", where);
+  }
+}
+
+void GeometryReader::checkLayout(const Source& source) const {
+  for (const char* name : {"POSITION", "NORMAL"}) checkAttribute(source, name, 3, 3);
+  for (const char* name : UV_NAMES) checkAttribute(source, name, 2, 2);
+  checkAttribute(source, "TANGENT", 4, 4);
+  checkAttribute(source, "COLOR_0", 3, 4);
+  if (source.indices < 0) return;
+  const auto& info = from_.accessors.info(source.indices);
+  const std::string where = where_ + "/indices";
+  const bool isUnsigned = info.componentType == COMPONENT_U8 || info.componentType == COMPONENT_U16 ||
+                          info.componentType == COMPONENT_U32;
+  if (from_.accessors.components(source.indices) != 1 || !isUnsigned) {
+    fail("E_ACCESSOR", "indices must be a SCALAR accessor of unsigned integers", where);
+  }
+  const bool inView = info.bufferView >= 0;
+  if (inView && from_.document.model.bufferViews[static_cast<std::size_t>(info.bufferView)].byteStride != 0) {
+    fail("E_STRIDE", "a buffer view of indices must not have a byteStride",
+         pointer("bufferViews", info.bufferView, "byteStride"));
+  }
+}
+
+std::optional<DracoMesh> GeometryReader::decodeDraco(const Source& source) const {
+  const auto found = source.extensions.find(DRACO);
+  if (found == source.extensions.end()) return std::nullopt;
+  DracoExpectation expected;
+  expected.vertices = from_.accessors.count(attribute(source, "POSITION"));
+  // A strip's accessor counts the strip, the Draco mesh its triangles.
+  const bool counted = source.indices >= 0 && source.mode != MODE_STRIP;
+  expected.indices = counted ? from_.accessors.count(source.indices) : 0;
+  const auto data = from_.resources.view(found->second.Get("bufferView").GetNumberAsInt());
+  return DracoMesh::decode(data, expected, from_.limits, where_ + pointer("extensions", DRACO));
+}
+
+void GeometryReader::readStream(const Source& source, const DracoMesh* draco, const std::string& name,
+                                std::span<float> out) const {
+  const int accessor = attribute(source, name);
+  if (draco) {
+    const auto& ids = source.extensions.at(DRACO).Get("attributes");
+    if (ids.Has(name)) {
+      const auto& info = from_.accessors.info(accessor);
+      draco->readFloats(static_cast<std::uint32_t>(ids.Get(name).GetNumberAsInt()), info.componentType, info.normalized,
+                        from_.accessors.components(accessor), out,
+                        where_ + pointer("extensions", DRACO, "attributes", name));
+      return;
+    }
+    // Without a view either, the attribute would silently be zeros.
+    const auto& info = from_.accessors.info(accessor);
+    if (info.bufferView < 0 && !info.sparse.isSparse) {
+      fail("E_DRACO", "the Draco mesh does not hold the attribute " + telar::quoted(name) + ", and its accessor has no data",
+           where_ + pointer("extensions", DRACO, "attributes"));
+    }
+  }
+  from_.accessors.readFloats(accessor, out);
+}
+
+Order GeometryReader::readOrder(const Source& source, const DracoMesh* draco, std::size_t vertices) const {
+  if (draco) return draco->indices();
+  if (source.indices < 0) return std::nullopt;
+  std::vector<std::uint32_t> out(from_.accessors.count(source.indices));
+  from_.accessors.readUnsigned(source.indices, out);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (out[i] >= vertices) {
+      fail("E_INDEX", "index " + std::to_string(i) + " names vertex " + std::to_string(out[i]) + " of " +
+                          std::to_string(vertices), pointer("accessors", source.indices));
+    }
+  }
+  return out;
+}
+
+void GeometryReader::readElements(const Source& source, const DracoMesh* draco, const std::vector<bool>& bad,
+                                  Primitive& out) const {
+  const std::size_t vertices = out.positions.size();
+  Order order = readOrder(source, draco, vertices);
+  out.topology = toTopology(draco ? MODE_TRIANGLES : source.mode, vertices, order);
+  const std::size_t dropped = bad.empty() ? 0 : dropElements(out.topology, vertices, bad, order);
+  if (dropped > 0) {
+    from_.warnings.add("W_NONFINITE", std::to_string(dropped) + " elements touch vertices that are not finite", where_);
+  }
+  if (drawsNothing(out.topology, vertices, order)) {
+    from_.warnings.add("W_GEOMETRY", "the primitive has no complete element and was left out", where_);
+    out.positions.clear();
+  } else if (order) {
+    out.indices = std::move(*order);
+  }
+}
+
+void GeometryReader::readAttributes(const Source& source, const DracoMesh* draco, Primitive& out) const {
+  const std::size_t vertices = out.positions.size();
+  if (attribute(source, "NORMAL") >= 0) {
+    out.normals.resize(vertices);
+    readStream(source, draco, "NORMAL", floatsOf(out.normals));
+  }
+  if (attribute(source, "TANGENT") >= 0) {
+    out.tangents.resize(vertices);
+    readStream(source, draco, "TANGENT", floatsOf(out.tangents));
+  }
+  for (std::size_t set = 0; set < out.uvs.size(); ++set) {
+    if (attribute(source, UV_NAMES[set]) < 0) continue;
+    out.uvs[set].resize(vertices);
+    readStream(source, draco, UV_NAMES[set], floatsOf(out.uvs[set]));
+  }
+  const int color = attribute(source, "COLOR_0");
+  if (color < 0) return;
+  out.colorsHaveAlpha = from_.accessors.components(color) == 4;
+  out.colors.resize(vertices, glm::vec4(1));
+  if (out.colorsHaveAlpha) return readStream(source, draco, "COLOR_0", floatsOf(out.colors));
+  std::vector<glm::vec3> rgb(vertices);
+  readStream(source, draco, "COLOR_0", floatsOf(rgb));
+  for (std::size_t i = 0; i < vertices; ++i) out.colors[i] = glm::vec4(rgb[i], 1.0f);
+}
+
+void GeometryReader::repairStreams(Primitive& out) const {
+  const auto warn = [&](std::size_t changed, const char* what) {
+    if (changed == 0) return;
+    from_.warnings.add("W_NONFINITE", std::to_string(changed) + " " + what, where_);
+  };
+  warn(repairNormals(out), "normals were not usable and were replaced");
+  warn(repairTangents(out), "tangents were not usable and were replaced");
+  for (auto& uvs : out.uvs) warn(repairUvs(uvs), "texture coordinates were not finite and were set to 0");
+  warn(repairColors(out.colors), "vertex colours were out of range and were clamped");
+}
+
+void GeometryReader::readVariants(const Source& source, Primitive& out) const {
+  const auto root = from_.document.model.extensions.find("KHR_materials_variants");
+  if (root == from_.document.model.extensions.end()) return;
+  out.variantMaterials.assign(root->second.Get("variants").ArrayLen(), -1);
+  const auto found = source.extensions.find("KHR_materials_variants");
+  if (found == source.extensions.end()) return;
+  for (const auto& mapping : arrayOf(found->second, "mappings")) {
+    for (const auto& variant : arrayOf(mapping, "variants")) {
+      out.variantMaterials[static_cast<std::size_t>(variant.GetNumberAsInt())] =
+          mapping.Get("material").GetNumberAsInt();
+    }
+  }
+}
+
+/// Bounds of what is drawn, and a comparison with the declared ones, which are never used.
+void GeometryReader::measure(const Source& source, Primitive& out) const {
+  const auto used = usedVertices(out.positions.size(), out.indices);
+  if (used.empty()) {
+    for (const auto& position : out.positions) out.bounds.add(glm::dvec3(position));
+  }
+  for (const std::uint32_t index : used) out.bounds.add(glm::dvec3(out.positions[index]));
+  const int accessor = attribute(source, "POSITION");
+  const auto& info = from_.accessors.info(accessor);
+  if (info.componentType != COMPONENT_F32 || (info.minValues.empty() && info.maxValues.empty())) return;
+  bool right = info.minValues.size() == 3 && info.maxValues.size() == 3;
+  const double slack = 1e-3 * glm::length(out.bounds.max - out.bounds.min);
+  for (int i = 0; right && i < 3; ++i) {
+    const double low = info.minValues[static_cast<std::size_t>(i)], high = info.maxValues[static_cast<std::size_t>(i)];
+    right = low <= out.bounds.min[i] + slack && high >= out.bounds.max[i] - slack;
+    // Vertices that no element uses may make the declared box larger.
+    if (used.empty()) right = right && low >= out.bounds.min[i] - slack && high <= out.bounds.max[i] + slack;
+  }
+  if (right) return;
+  from_.warnings.add("W_MINMAX", "min and max do not bound the positions; the real bounds are used",
+                     pointer("accessors", accessor));
+}
+
+std::optional<Primitive> GeometryReader::read(int mesh, std::size_t primitive) {
+  const Source& source = from_.document.model.meshes[static_cast<std::size_t>(mesh)].primitives[primitive];
+  where_ = pointer("meshes", mesh, "primitives", primitive);
+  from_.cancel.check();
+  if (attribute(source, "POSITION") < 0) {
+    from_.warnings.add("W_GEOMETRY", "the primitive has no POSITION and was left out", where_);
+    return std::nullopt;
+  }
+  checkLayout(source);
+  const auto draco = decodeDraco(source);
+  const DracoMesh* mesher = draco ? &*draco : nullptr;
+  Primitive out;
+  out.positions.resize(from_.accessors.count(attribute(source, "POSITION")));
+  readStream(source, mesher, "POSITION", floatsOf(out.positions));
+  readElements(source, mesher, findBadVertices(out.positions), out);
+  if (out.positions.empty()) return std::nullopt;
+  readAttributes(source, mesher, out);
+  repairStreams(out);
+  out.material = source.material;
+  readVariants(source, out);
+  if (!source.targets.empty()) {
+    from_.warnings.add("W_MORPH", "morph targets are not applied; the base shape is drawn", where_ + "/targets");
+  }
+  measure(source, out);
+  return out;
+}
+
+}  // namespace telar::asset

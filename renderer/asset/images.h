@@ -1,0 +1,35 @@
+#pragma once
+#include <vector>
+
+#include "asset/resources.h"
+
+namespace telar::asset {
+
+/// Decodes the images that are used, each distinct one once.
+class ImageLoader {
+ public:
+  ImageLoader(const Document& document, const Resources& resources, const Limits& limits, const CancelToken& cancel,
+              Warnings& warnings)
+      : document_(document), resources_(resources), limits_(limits), cancel_(cancel), warnings_(warnings) {}
+
+  /// Index of the first image that has the same source as this one.
+  int canonical(int image) const;
+
+  /// @param used by image index, canonical ones only
+  /// @return as many images as the document has; width 0 where not used
+  /// @throws Error{E_IMAGE_*, L_IMAGE_*, E_URI_*, X_CANCELLED} with the image's pointer. What is wrong with an unused
+  ///         image inside the file is only a warning (W_IMAGE); unused external files are not opened.
+  std::vector<Image8> load(const std::vector<bool>& used) const;
+
+ private:
+  Image8 decode(std::size_t image, double& bytesSoFar) const;
+  void probeUnused(std::size_t image) const;
+
+  const Document& document_;
+  const Resources& resources_;
+  const Limits& limits_;
+  const CancelToken& cancel_;
+  Warnings& warnings_;
+};
+
+}  // namespace telar::asset

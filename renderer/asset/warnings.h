@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "telar/scene.h"
+
+namespace telar::asset {
+
+/// Collects warnings: at most 100, no two alike.
+class Warnings {
+ public:
+  void add(std::string_view code, std::string message, std::string pointer = {});
+  std::vector<Warning> take() { return std::move(list_); }
+
+ private:
+  std::vector<Warning> list_;
+};
+
+}  // namespace telar::asset
