@@ -13,7 +13,8 @@
  *   Paeth         1.6  64.7  2.1  66.0  2.8  64.5
  *   all five      2.7  64.3  3.2  65.5  5.3  64.1
  *
- *   WebP lossless, 512 x 512: level 0 7 ms 203 KB, level 1 21 ms 123 KB (chosen), level 2 34 ms 117 KB, level 6 71 ms 105 KB
+ *   WebP lossless, 512 x 512: level 0 7 ms 203 KB, level 1 21 ms 123 KB (chosen), level 2 34 ms 117 KB, level 6 71 ms
+ *   105 KB
  *   WebP quality 90, 512 x 512: method 0 7 ms 23 KB, method 2 9 ms 17 KB (chosen), method 4 19 ms 17 KB
  */
 import { execFileSync } from 'node:child_process';
@@ -26,7 +27,7 @@ import { imageTool } from '../js/image/image_tool.mjs';
 sharp.concurrency(1);
 sharp.cache(false);
 
-/** A shape in the middle of a transparent square, with folds, a weave and grain: what a thumbnail looks like to deflate. */
+/** A shape in the middle of a transparent square, with folds, a weave and grain: to deflate it looks like a thumbnail. */
 function syntheticGarment(size) {
   const pixels = Buffer.alloc(size * size * 4);
   let state = 1;
@@ -54,9 +55,10 @@ async function frameOf(size) {
 async function sharpMedian(pixels, size, method, options, repeat) {
   const times = [];
   let bytes = 0;
+  const raw = { width: size, height: size, channels: 4 };
   for (let i = 0; i < repeat; i++) {
     const start = process.cpuUsage();
-    bytes = (await sharp(pixels, { raw: { width: size, height: size, channels: 4 } })[method](options).toBuffer()).length;
+    bytes = (await sharp(pixels, { raw })[method](options).toBuffer()).length;
     const { user, system } = process.cpuUsage(start);
     times.push((user + system) / 1000);
   }
@@ -80,20 +82,24 @@ const CASES = [
 const folder = mkdtempSync(join(tmpdir(), 'telar-encode-'));
 const tool = imageTool();
 const oiio = join(dirname(tool), 'encode_oiio');
-const cell = ({ ms, bytes } = {}) => ms === undefined ? ''.padStart(22) : `${ms.toFixed(1)} ms`.padStart(11) + `${(bytes / 1000).toFixed(0)} KB`.padStart(11);
+const cell = (result) => (result ? `${result.ms.toFixed(1)} ms  ${(result.bytes / 1000).toFixed(0)} KB` : '').padStart(22);
 const ratio = (ours, other) => (other ? `${(other.ms / ours.ms).toFixed(1)}x` : '').padStart(8);
 try {
-  console.log(`${''.padEnd(24)}${'telar'.padStart(22)}${'sharp'.padStart(22)}${'OIIO default'.padStart(22)}${'sharp/'.padStart(8)}${'OIIO/'.padStart(8)}`);
+  const heads = ['telar', 'sharp', 'OIIO default'].map((name) => name.padStart(22)).join('');
+  console.log(`${''.padEnd(24)}${heads}${'sharp/'.padStart(8)}${'OIIO/'.padStart(8)}`);
   for (const size of [512, 2048]) {
     const pixels = await frameOf(size);
     const frame = join(folder, 'frame');
     writeFileSync(frame, pixels);
     const repeat = size === 512 ? 9 : 3;
     for (const [format, options, peer, oiioFormat] of CASES) {
-      const ours = run(tool, ['encode', `frame=${frame}`, `width=${size}`, `height=${size}`, `format=${format}`, ...options, `repeat=${repeat}`]);
+      const ours = run(tool, ['encode', `frame=${frame}`, `width=${size}`, `height=${size}`, `format=${format}`,
+        `repeat=${repeat}`, ...options]);
       const theirs = peer ? await sharpMedian(pixels, size, peer.method, peer.options, repeat) : undefined;
-      const plain = oiioFormat && existsSync(oiio) ? run(oiio, [frame, size, size, oiioFormat, repeat].map(String)) : undefined;
-      console.log(`${`${size} ${format} ${options.join(' ')}`.padEnd(24)}${cell(ours)}${cell(theirs)}${cell(plain)}${ratio(ours, theirs)}${ratio(ours, plain)}`);
+      const plain = oiioFormat && existsSync(oiio)
+        ? run(oiio, [frame, size, size, oiioFormat, repeat].map(String)) : undefined;
+      const name = `${size} ${format} ${options.join(' ')}`.padEnd(24);
+      console.log(name + cell(ours) + cell(theirs) + cell(plain) + ratio(ours, theirs) + ratio(ours, plain));
     }
   }
 } finally {

@@ -21,7 +21,9 @@ after(() => rmSync(folder, { recursive: true, force: true }));
 function rgbeTexels(width) {
   const texels = Buffer.alloc(width * HEIGHT * 4);
   for (let y = 0; y < HEIGHT; y++) {
-    for (let x = 0; x < width; x++) texels.set([x & 255, (x * 7 + y) & 255, 255 - (x & 255), 4 * y], (y * width + x) * 4);
+    for (let x = 0; x < width; x++) {
+      texels.set([x & 255, (x * 7 + y) & 255, 255 - (x & 255), 4 * y], (y * width + x) * 4);
+    }
   }
   return texels;
 }
@@ -43,7 +45,8 @@ function encodeRow(row, width) {
 }
 
 function hdrFile(texels, width, { rle, header = '' }) {
-  const head = Buffer.from(`#?RADIANCE\n# made by a test\n${header}FORMAT=32-bit_rle_rgbe\n\n-Y ${HEIGHT} +X ${width}\n`);
+  const size = `-Y ${HEIGHT} +X ${width}`;
+  const head = Buffer.from(`#?RADIANCE\n# made by a test\n${header}FORMAT=32-bit_rle_rgbe\n\n${size}\n`);
   const rows = Array.from({ length: HEIGHT }, (_, y) => texels.subarray(y * width * 4, (y + 1) * width * 4));
   return Buffer.concat([head, ...(rle ? rows.map((row) => encodeRow(row, width)) : rows)]);
 }
@@ -79,7 +82,8 @@ function assertSame(expected, actual) {
 }
 
 for (const [name, width, options] of [['run-length encoded', WIDTH, { rle: true }], ['flat', WIDTH, { rle: false }],
-  ['of seven columns', 7, { rle: false }], ['with GAMMA and EXPOSURE', WIDTH, { rle: true, header: 'GAMMA=2.2\nEXPOSURE=2\n' }]]) {
+  ['of seven columns', 7, { rle: false }],
+  ['with GAMMA and EXPOSURE', WIDTH, { rle: true, header: 'GAMMA=2.2\nEXPOSURE=2\n' }]]) {
   test(`.hdr ${name}`, () => {
     const texels = width === 7 ? Buffer.from(rgbeTexels(WIDTH).subarray(0, 7 * HEIGHT * 4)) : rgbeTexels(width);
     if (width === 7) for (let i = 0; i < texels.length; i += 4) texels[i + 3] = 110 + (i / 4) % 30;
@@ -91,11 +95,11 @@ for (const [name, width, options] of [['run-length encoded', WIDTH, { rle: true 
 for (const bits of [16, 32]) {
   test(`.exr of ${bits} bit`, () => {
     const values = new Float32Array(WIDTH * HEIGHT * 4);
-    for (let i = 0; i < values.length; i++) values[i] = i % 4 === 3 ? 1 : Math.fround(2 ** ((i * 37) % 9000 / 250 - 22) * 1.00003);
+    for (let i = 0; i < values.length; i++) values[i] = i % 4 === 3 ? 1 : 2 ** ((i * 37) % 9000 / 250 - 22) * 1.00003;
     const path = join(folder, 'frame');
     writeFileSync(path, Buffer.from(values.buffer));
-    const file = execFileSync(imageTool(), ['encode', `frame=${path}`, `width=${WIDTH}`, `height=${HEIGHT}`, 'format=exr',
-      `bits=${bits}`], { maxBuffer: 1 << 28 });
+    const file = execFileSync(imageTool(),
+      ['encode', `frame=${path}`, `width=${WIDTH}`, `height=${HEIGHT}`, 'format=exr', `bits=${bits}`], { maxBuffer: 1 << 28 });
     assertSame(readWithThree(EXRLoader, file, true), readWithTelar(file));
   });
 }

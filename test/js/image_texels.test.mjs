@@ -21,10 +21,11 @@ async function texelsInBrowser(base64) {
   gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
   gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
   gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
-  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
-  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, gl.getParameter(gl.TEXTURE_BINDING_2D), 0);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
   const { width, height } = bitmap;
   const pixels = new Uint8Array(width * height * 4);
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
@@ -42,8 +43,9 @@ function firstDifference(expected, actual, width) {
     max = Math.max(max, d);
   }
   const texel = first >> 2;
+  const at = (bytes) => [...bytes.subarray(texel * 4, texel * 4 + 4)];
   return first < 0 ? '' : `${count} of ${expected.length} bytes differ by up to ${max}; first at x ${texel % width}, ` +
-    `y ${Math.floor(texel / width)}: browser ${[...expected.subarray(texel * 4, texel * 4 + 4)]}, telar ${[...actual.subarray(texel * 4, texel * 4 + 4)]}`;
+    `y ${Math.floor(texel / width)}: browser ${at(expected)}, telar ${at(actual)}`;
 }
 
 let folder, browser, page;

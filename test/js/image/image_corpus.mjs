@@ -21,7 +21,8 @@ function picture(channels) {
   const bytes = Buffer.alloc(WIDTH * HEIGHT * channels);
   for (let y = 0; y < HEIGHT; y++) {
     for (let x = 0; x < WIDTH; x++) {
-      const smooth = [x * 255 / WIDTH, y * 255 / HEIGHT, ((x >> 3) + (y >> 3)) % 2 * 255, (x + y) * 255 / (WIDTH + HEIGHT)];
+      const checks = ((x >> 3) + (y >> 3)) % 2 * 255;
+      const smooth = [x * 255 / WIDTH, y * 255 / HEIGHT, checks, (x + y) * 255 / (WIDTH + HEIGHT)];
       for (let c = 0; c < channels; c++) {
         const i = (y * WIDTH + x) * channels + c;
         bytes[i] = Math.min(255, Math.max(0, smooth[channels < 3 && c === channels - 1 && c ? 3 : c] + grain[i] / 16));
@@ -56,8 +57,9 @@ function noisePng(colorType, bitDepth, extra = []) {
 
 function pngs() {
   const list = [];
-  for (const [colorType, depths] of [[0, [1, 2, 4, 8, 16]], [2, [8, 16]], [3, [1, 2, 4, 8]], [4, [8, 16]], [6, [8, 16]]]) {
-    for (const depth of depths) {
+  const depths = { 0: [1, 2, 4, 8, 16], 2: [8, 16], 3: [1, 2, 4, 8], 4: [8, 16], 6: [8, 16] };
+  for (const colorType of [0, 2, 3, 4, 6]) {
+    for (const depth of depths[colorType]) {
       const palette = colorType === 3 ? [chunk('PLTE', noise(3 << depth, 7))] : [];
       list.push([`png type ${colorType} depth ${depth}`, noisePng(colorType, depth, palette)]);
     }

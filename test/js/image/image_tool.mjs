@@ -4,7 +4,8 @@ import { join } from 'node:path';
 const ROOT = new URL('../../..', import.meta.url).pathname;
 
 /**
- * Path of the C++ tool that runs telar's image code from the command line: of TELAR_BUILD_DIR, else the newest under out/.
+ * Path of the C++ tool that runs telar's image code from the command line: in TELAR_BUILD_DIR, else the newest one
+ * under out/.
  * @throws {Error} when no build has it.
  */
 export function imageTool() {
