@@ -1,38 +1,46 @@
 import { Document, NodeIO } from '@gltf-transform/core';
 import { KHRMaterialsVariants, KHRTextureTransform } from '@gltf-transform/extensions';
-import { TILE } from './textile/knit.mjs';
 
 /** Dyes as linear-sRGB factors on the undyed yarn of the base colour maps. The first is the default. */
 export const COLOURWAYS = [
-  { name: 'natural', factor: [0.86, 0.825, 0.765] },
-  { name: 'terracotta', factor: [0.42, 0.135, 0.07] },
-  { name: 'indigo', factor: [0.034, 0.05, 0.105] },
+  { name: 'natural', factor: [0.96, 0.93, 0.872] },
+  { name: 'terracotta', factor: [0.37, 0.132, 0.078] },
+  { name: 'indigo', factor: [0.032, 0.044, 0.082] },
 ];
 
 function addTexture(document, name, image) {
   return document.createTexture(name).setImage(image).setMimeType('image/jpeg');
 }
 
+const ROUGHNESS_WITHOUT_MAP = 0.75;
+
+// Coordinates are metres on the flat pattern, v down from the lower edge of a repeat.
+function tile(transforms, info, [width, height]) {
+  info.setExtension('KHR_texture_transform', transforms.createTransform().setScale([1 / width, 1 / height]));
+}
+
+function addMaterial(document, { name, factor, textures, extent, drape, transforms }) {
+  const material = document.createMaterial(name).setBaseColorFactor([...factor, 1]).setMetallicFactor(0).setOcclusionTexture(drape);
+  material.getOcclusionTextureInfo().setTexCoord(1);
+  material.setBaseColorTexture(textures.base);
+  tile(transforms, material.getBaseColorTextureInfo(), extent);
+  if (!textures.surface) return material.setRoughnessFactor(ROUGHNESS_WITHOUT_MAP);
+  material.setNormalTexture(textures.normal).setMetallicRoughnessTexture(textures.surface);
+  tile(transforms, material.getNormalTextureInfo(), extent);
+  tile(transforms, material.getMetallicRoughnessTextureInfo(), extent);
+  return material;
+}
+
+// One material per textile and dye; a textile that is not dyed has the same one in all colourways.
 function addMaterials(document, { textiles, occlusion }) {
   const transforms = document.createExtension(KHRTextureTransform).setRequired(true);
   const drape = addTexture(document, 'drape_occlusion', occlusion);
-  // Coordinates are metres on the flat pattern; the tile is TILE metres wide.
-  const repeat = () => transforms.createTransform().setScale([1 / TILE, 1 / TILE]);
-  const tiled = (info) => info.setExtension('KHR_texture_transform', repeat());
   const materials = {};
-  for (const [textile, maps] of Object.entries(textiles)) {
+  for (const [textile, { extent, dyed, ...maps }] of Object.entries(textiles)) {
     const textures = Object.fromEntries(Object.entries(maps).map(([kind, image]) => [kind, addTexture(document, `${textile}_${kind}`, image)]));
-    for (const { name, factor } of COLOURWAYS) {
-      const material = document.createMaterial(`${textile}_${name}`)
-        .setBaseColorFactor([...factor, 1]).setBaseColorTexture(textures.base).setNormalTexture(textures.normal)
-        .setMetallicRoughnessTexture(textures.surface).setMetallicFactor(0).setRoughnessFactor(1)
-        .setOcclusionTexture(drape);
-      tiled(material.getBaseColorTextureInfo());
-      tiled(material.getNormalTextureInfo());
-      tiled(material.getMetallicRoughnessTextureInfo());
-      material.getOcclusionTextureInfo().setTexCoord(1);
-      materials[`${textile}_${name}`] = material;
-    }
+    const shared = dyed ? null : addMaterial(document, { name: textile, factor: [1, 1, 1], textures, extent, drape, transforms });
+    materials[textile] = COLOURWAYS.map(({ name, factor }) =>
+      shared ?? addMaterial(document, { name: `${textile}_${name}`, factor, textures, extent, drape, transforms }));
   }
   return materials;
 }
@@ -68,7 +76,7 @@ function joinPieces(pieces, atlasUv) {
  * @param {object[]} garment.pieces - From `cutPieces`.
  * @param {Float64Array[]} garment.atlasUv - Per piece.
  * @param {Buffer} garment.occlusion - JPEG of the occlusion atlas.
- * @param {Object<string, {base, normal, surface}>} garment.textiles - JPEG maps.
+ * @param {Object<string, {base, normal, surface, extent, dyed}>} garment.textiles - From `makeTextiles`.
  * @returns {Promise<Uint8Array>} GLB.
  */
 export async function writeGarment({ pieces, atlasUv, occlusion, textiles }) {
@@ -77,16 +85,15 @@ export async function writeGarment({ pieces, atlasUv, occlusion, textiles }) {
   const buffer = document.createBuffer();
   const materials = addMaterials(document, { textiles, occlusion });
   const variants = document.createExtension(KHRMaterialsVariants);
-  const colourways = COLOURWAYS.map(({ name }) => ({ name, variant: variants.createVariant(name) }));
+  const colourways = COLOURWAYS.map(({ name }) => variants.createVariant(name));
   const root = document.createNode('tshirt');
   document.getRoot().setDefaultScene(document.createScene('tshirt').addChild(root));
   for (const piece of joinPieces(pieces, atlasUv)) {
     const primitive = addPrimitive(document, buffer, piece, piece.atlas);
+    const choices = materials[piece.textile];
     const list = variants.createMappingList();
-    for (const { name, variant } of colourways) {
-      list.addMapping(variants.createMapping().setMaterial(materials[`${piece.textile}_${name}`]).addVariant(variant));
-    }
-    primitive.setMaterial(materials[`${piece.textile}_${COLOURWAYS[0].name}`]).setExtension('KHR_materials_variants', list);
+    colourways.forEach((variant, i) => list.addMapping(variants.createMapping().setMaterial(choices[i]).addVariant(variant)));
+    primitive.setMaterial(choices[0]).setExtension('KHR_materials_variants', list);
     root.addChild(document.createNode(piece.part).setMesh(document.createMesh(piece.part).addPrimitive(primitive)));
   }
   return new NodeIO().registerExtensions([KHRMaterialsVariants, KHRTextureTransform]).writeBinary(document);

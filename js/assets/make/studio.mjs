@@ -15,8 +15,8 @@ export const FRONT_LEVEL = 0.82;
  * throughout; `radiance` is relative, the whole set is scaled to FRONT_LEVEL.
  */
 const SOFT_BOXES = [
-  { name: 'key', azimuth: -52, elevation: 38, width: 62, height: 54, edge: 0.55, radiance: 5.2 },
-  { name: 'fill', azimuth: 62, elevation: 12, width: 70, height: 80, edge: 0.8, radiance: 0.85 },
+  { name: 'key', azimuth: -56, elevation: 31, width: 58, height: 60, edge: 0.55, radiance: 5.6 },
+  { name: 'fill', azimuth: 64, elevation: 10, width: 70, height: 80, edge: 0.8, radiance: 0.7 },
   { name: 'rim-left', azimuth: -142, elevation: 22, width: 26, height: 84, edge: 0.6, radiance: 2.6 },
   { name: 'rim-right', azimuth: 138, elevation: 24, width: 28, height: 84, edge: 0.6, radiance: 3.2 },
   { name: 'overhead', azimuth: 180, elevation: 80, width: 80, height: 60, edge: 0.7, radiance: 1.6 },
@@ -52,7 +52,7 @@ function cyclorama(direction) {
   const elevation = Math.asin(direction[1]) / RAD;
   const wall = 0.34 - 0.2 * smooth(0, 75, elevation);
   const front = 0.5 + 0.5 * direction[2];
-  const floor = 0.26 + 0.26 * front;
+  const floor = 0.3 + 0.42 * front;
   return wall + (floor - wall) * smooth(8, -40, elevation);
 }
 

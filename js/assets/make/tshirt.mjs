@@ -5,32 +5,39 @@ import { garmentSurfaces } from './cloth/surface.mjs';
 import { cutPieces } from './cloth/pieces.mjs';
 import { bakeOcclusion } from './cloth/occlusion.mjs';
 import { drawAtlas, packCharts } from './cloth/atlas.mjs';
-import { JERSEY, RIB, knitTile, stitchTile } from './textile/knit.mjs';
+import { JERSEY, RIB, TILE, knitTile, stitchTile } from './textile/knit.mjs';
+import { LABEL, drawLabel } from './textile/label.mjs';
 import { textileMaps } from './textile/maps.mjs';
 import { writeGarment } from './glb.mjs';
 
 const ATLAS_SIZE = 1024;
 const TILE_SIZE = 1024;
 
-const jpeg = (bytes, size, channels, quality) =>
-  sharp(Buffer.from(bytes), { raw: { width: size, height: size, channels } }).jpeg({ quality, chromaSubsampling: '4:4:4' }).toBuffer();
+const jpeg = ({ pixels, width, height = width, channels = 3 }, quality) =>
+  sharp(Buffer.from(pixels), { raw: { width, height, channels } }).jpeg({ quality, chromaSubsampling: '4:4:4' }).toBuffer();
 
-async function encodeTextile(tile, options) {
-  const maps = textileMaps(tile, options);
+async function encodeTextile(tile, seed) {
+  const { size: width, ...maps } = textileMaps(tile, { seed });
   return {
-    base: await jpeg(maps.base, maps.size, 3, 82),
-    normal: await jpeg(maps.normal, maps.size, 3, 88),
-    surface: await jpeg(maps.surface, maps.size, 3, 80),
+    base: await jpeg({ pixels: maps.base, width }, 82),
+    normal: await jpeg({ pixels: maps.normal, width }, 88),
+    surface: await jpeg({ pixels: maps.surface, width }, 80),
+    extent: [TILE, TILE],
+    dyed: true,
   };
 }
 
-/** Encoded maps per textile: what the cloth looks like within one tile of 20 mm. */
+/**
+ * JPEG maps per textile. `extent` is what one repeat covers, in metres; `dyed` textiles take the
+ * colourway's factor.
+ */
 export async function makeTextiles() {
   const jersey = knitTile(JERSEY, TILE_SIZE, 101);
   return {
-    jersey: await encodeTextile(jersey, { seed: 1 }),
-    stitched: await encodeTextile(stitchTile(jersey), { seed: 2 }),
-    rib: await encodeTextile(knitTile(RIB, TILE_SIZE, 103), { seed: 3 }),
+    jersey: await encodeTextile(jersey, 1),
+    stitched: await encodeTextile(stitchTile(jersey), 2),
+    rib: await encodeTextile(knitTile(RIB, TILE_SIZE, 103), 3),
+    label: { base: await jpeg(drawLabel(), 85), extent: [LABEL.width, LABEL.height], dyed: false },
   };
 }
 
@@ -55,6 +62,6 @@ export async function makeTshirt() {
   const pieces = standOnOrigin(cutPieces(pattern, garment, garmentSurfaces(garment, positions)));
   const { uv } = packCharts(pieces, ATLAS_SIZE);
   const atlas = drawAtlas(pieces, uv, bakeOcclusion(pieces), ATLAS_SIZE);
-  const occlusion = await jpeg(Uint8Array.from(atlas, (value) => Math.round(Math.min(1, value) * 255)), ATLAS_SIZE, 1, 88);
+  const occlusion = await jpeg({ pixels: Uint8Array.from(atlas, (value) => Math.round(Math.min(1, value) * 255)), width: ATLAS_SIZE, channels: 1 }, 88);
   return writeGarment({ pieces, atlasUv: uv, occlusion, textiles: await makeTextiles() });
 }

@@ -18,7 +18,7 @@ const TORSO = [
 ];
 
 /** `angle` in degrees from straight down: where the arms come to rest, and where dressing starts. */
-export const ARM = { shoulder: [0.172, 0.606, -0.012], angle: 36, raisedAngle: 68, length: 0.5, radius: 0.05, taper: 0.012 };
+export const ARM = { shoulder: [0.172, 0.606, -0.012], angle: 33, raisedAngle: 68, length: 0.5, radius: 0.05, taper: 0.012 };
 
 function torsoSection(y) {
   const last = TORSO.length - 1;
@@ -64,10 +64,12 @@ export function armDirection(angle = ARM.angle) {
 
 /**
  * Signed distance (approximate away from the skin) to the wearer.
- * @param {number} x - Metres; so are y, z and the result.
+ * @param {number} worldX - Metres; so are y, z and the result.
  * @param {number} [armAngle] - Degrees from straight down.
  */
-export function bodyDistance(x, y, z, armAngle = ARM.angle) {
+export function bodyDistance(worldX, y, z, armAngle = ARM.angle) {
+  // The weight rests on one leg: hips a little to the left, the chest a little to the right.
+  const x = worldX - 0.007 * Math.cos(4.6 * (y - 0.05));
   const side = x < 0 ? -1 : 1;
   // The two arms differ by a degree or two, as nobody stands symmetrically.
   const direction = armDirection(armAngle + (side > 0 ? 1.2 : -0.6));
@@ -86,7 +88,7 @@ export function bodyDistance(x, y, z, armAngle = ARM.angle) {
  * @returns {(x, y, z, gradient: Float64Array) => number} Trilinear reader of the distance (metres) that
  *   also writes its gradient; outside of the grid the distance is 1 m and the gradient 0.
  */
-export function bakeBody(cell = 0.008, armAngle = ARM.angle) {
+export function bakeBody(cell = 0.009, armAngle = ARM.angle) {
   const low = [-0.56, -0.16, -0.24];
   const size = [1.12, 1.01, 0.48].map((extent) => Math.ceil(extent / cell) + 1);
   const field = new Float64Array(size[0] * size[1] * size[2]);
@@ -99,7 +101,7 @@ export function bakeBody(cell = 0.008, armAngle = ARM.angle) {
       for (let i = 0; i < size[0]; i++, at++) {
         const [x, y, z] = [low[0] + i * cell, low[1] + j * cell, low[2] + k * cell];
         const d = bodyDistance(x, y, z, armAngle);
-        field[at] = Math.abs(d) > 0.05 ? d : d / Math.max(0.7, slopeAt(x, y, z, d));
+        field[at] = Math.abs(d) > 0.025 ? d : d / Math.max(0.7, slopeAt(x, y, z, d));
       }
     }
   }
@@ -111,7 +113,7 @@ export function bakeBody(cell = 0.008, armAngle = ARM.angle) {
  * @param {number} keys - Poses, >= 2.
  * @returns {(progress: number) => Function} Reader as of `bakeBody` at a progress of 0..1.
  */
-export function bakeLowering(keys = 6, cell = 0.014) {
+export function bakeLowering(keys = 5, cell = 0.016) {
   const poses = Array.from({ length: keys }, (_, i) => bakeBody(cell, ARM.raisedAngle + ((ARM.angle - ARM.raisedAngle) * i) / (keys - 1)));
   const other = new Float64Array(3);
   return (progress) => {

@@ -8,10 +8,10 @@
 export const CLOTH = {
   areaDensity: 0.22,
   stretch: 160,
-  bending: 6e-6,
-  hemFactor: 7,
-  seamFactor: 6,
-  ribFactor: 9,
+  bending: 3e-6,
+  hemFactor: 22,
+  seamFactor: 10,
+  ribFactor: 16,
 };
 
 function cotangent(a, b, c) {

@@ -56,17 +56,23 @@ export class SelfContact {
   }
 
   #around(p, { positions, cells, starts, sorted, cellOf, reach, found }) {
-    const [x, y, z] = [positions[p * 3], positions[p * 3 + 1], positions[p * 3 + 2]];
-    const seen = [];
+    const x = positions[p * 3];
+    const y = positions[p * 3 + 1];
+    const z = positions[p * 3 + 2];
+    const ring = this.rings[p];
     for (let n = 0; n < 27; n++) {
-      const hash = cellOf(cells[p * 3] + (n % 3) - 1, cells[p * 3 + 1] + (Math.floor(n / 3) % 3) - 1, cells[p * 3 + 2] + Math.floor(n / 9) - 1);
-      if (seen.includes(hash)) continue;
-      seen.push(hash);
+      const i = cells[p * 3] + (n % 3) - 1;
+      const j = cells[p * 3 + 1] + (Math.floor(n / 3) % 3) - 1;
+      const k = cells[p * 3 + 2] + Math.floor(n / 9) - 1;
+      const hash = cellOf(i, j, k);
       for (let s = starts[hash]; s < starts[hash + 1]; s++) {
         const q = sorted[s];
-        if (q <= p) continue;
-        const [dx, dy, dz] = [positions[q * 3] - x, positions[q * 3 + 1] - y, positions[q * 3 + 2] - z];
-        if (dx * dx + dy * dy + dz * dz < reach * reach && !this.rings[p].has(q)) found.push(p, q);
+        // Two cells may share a hash: only the particles of this very cell count, and once.
+        if (q <= p || cells[q * 3] !== i || cells[q * 3 + 1] !== j || cells[q * 3 + 2] !== k) continue;
+        const dx = positions[q * 3] - x;
+        const dy = positions[q * 3 + 1] - y;
+        const dz = positions[q * 3 + 2] - z;
+        if (dx * dx + dy * dy + dz * dz < reach * reach && !ring.has(q)) found.push(p, q);
       }
     }
   }
@@ -75,8 +81,11 @@ export class SelfContact {
   solve(positions, before, friction) {
     const { pairs, radius } = this;
     for (let i = 0; i < pairs.length; i += 2) {
-      const [a, b] = [pairs[i] * 3, pairs[i + 1] * 3];
-      const [dx, dy, dz] = [positions[b] - positions[a], positions[b + 1] - positions[a + 1], positions[b + 2] - positions[a + 2]];
+      const a = pairs[i] * 3;
+      const b = pairs[i + 1] * 3;
+      const dx = positions[b] - positions[a];
+      const dy = positions[b + 1] - positions[a + 1];
+      const dz = positions[b + 2] - positions[a + 2];
       const squared = dx * dx + dy * dy + dz * dz;
       if (squared >= radius * radius || squared < 1e-16) continue;
       const push = (radius / Math.sqrt(squared) - 1) * 0.25;

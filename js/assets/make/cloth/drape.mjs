@@ -37,7 +37,7 @@ export class Drape {
       if (body) this.body = body;
       if (i % 10 === 0) this.contact.search(this.positions, this.margin);
       this.#predict(damping, pull);
-      this.#stretch(i % 2 === 0);
+      this.#stretch();
       this.#bend();
       this.contact.solve(this.positions, this.before, 0.3);
       this.#collide();
@@ -55,20 +55,19 @@ export class Drape {
     }
   }
 
-  #stretch(forwards) {
+  #stretch() {
     const { positions: p, inverseMass } = this;
     const { stretchPairs, rest, stretchStiffness } = this.constraints;
     const scale = 1 / (this.step * this.step);
-    const count = rest.length;
-    for (let n = 0; n < count; n++) {
-      const i = forwards ? n : count - 1 - n;
+    // Always in the same order: a sweep that alternates keeps the cloth trembling.
+    for (let i = 0; i < rest.length; i++) {
       const [a, b] = [stretchPairs[i * 2], stretchPairs[i * 2 + 1]];
       const [x, y, z] = [p[b * 3] - p[a * 3], p[b * 3 + 1] - p[a * 3 + 1], p[b * 3 + 2] - p[a * 3 + 2]];
       const length = Math.sqrt(x * x + y * y + z * z);
       if (length < 1e-9) continue;
       const excess = length - rest[i];
       // Knit gives way in compression long before it does in tension.
-      const softness = scale / (stretchStiffness[i] * (excess < 0 ? 0.3 : 1));
+      const softness = scale / (stretchStiffness[i] * (excess < 0 ? 0.8 : 1));
       const pull = excess / ((inverseMass[a] + inverseMass[b] + softness) * length);
       const [pa, pb] = [pull * inverseMass[a], pull * inverseMass[b]];
       p[a * 3] += x * pa; p[a * 3 + 1] += y * pa; p[a * 3 + 2] += z * pa;

@@ -16,8 +16,13 @@ class Tree {
     this.order = Uint32Array.from({ length: count }, (_, i) => i);
     this.centres = new Float64Array(count * 3);
     for (let i = 0; i < count; i++) for (let c = 0; c < 3; c++) this.centres[i * 3 + c] = (corners[i * 9 + c] + corners[i * 9 + 3 + c] + corners[i * 9 + 6 + c]) / 3;
-    this.nodes = [];
+    // Per node: a box of six numbers; first triangle, last triangle, left child, right child (or -1).
+    this.boxes = [];
+    this.links = [];
     this.#build(0, count);
+    this.boxes = Float64Array.from(this.boxes);
+    this.links = Int32Array.from(this.links);
+    this.stack = new Int32Array(64);
   }
 
   #build(from, to) {
@@ -29,48 +34,74 @@ class Tree {
         box[(k % 3) + 3] = Math.max(box[(k % 3) + 3], value);
       }
     }
-    const node = { box, from, to, left: -1, right: -1 };
-    const index = this.nodes.push(node) - 1;
+    const index = this.links.length / 4;
+    this.boxes.push(...box);
+    this.links.push(from, to, -1, -1);
     if (to - from > LEAF) {
       const extent = [0, 1, 2].map((c) => box[c + 3] - box[c]);
       const axis = extent.indexOf(Math.max(...extent));
       this.order.subarray(from, to).sort((a, b) => this.centres[a * 3 + axis] - this.centres[b * 3 + axis] || a - b);
       const middle = (from + to) >> 1;
-      node.left = this.#build(from, middle);
-      node.right = this.#build(middle, to);
+      this.links[index * 4 + 2] = this.#build(from, middle);
+      this.links[index * 4 + 3] = this.#build(middle, to);
     }
     return index;
   }
 
   /** Does the ray o + t d (0 < t < reach) hit any triangle, from either side? */
   hits(ox, oy, oz, dx, dy, dz, reach) {
-    const [ix, iy, iz] = [1 / dx, 1 / dy, 1 / dz];
-    const stack = [0];
-    while (stack.length) {
-      const { box, from, to, left, right } = this.nodes[stack.pop()];
-      const [x0, x1] = [(box[0] - ox) * ix, (box[3] - ox) * ix];
-      const [y0, y1] = [(box[1] - oy) * iy, (box[4] - oy) * iy];
-      const [z0, z1] = [(box[2] - oz) * iz, (box[5] - oz) * iz];
+    const { boxes, links, stack } = this;
+    const ix = 1 / dx;
+    const iy = 1 / dy;
+    const iz = 1 / dz;
+    let depth = 1;
+    stack[0] = 0;
+    while (depth > 0) {
+      const node = stack[--depth];
+      const b = node * 6;
+      const x0 = (boxes[b] - ox) * ix;
+      const x1 = (boxes[b + 3] - ox) * ix;
+      const y0 = (boxes[b + 1] - oy) * iy;
+      const y1 = (boxes[b + 4] - oy) * iy;
+      const z0 = (boxes[b + 2] - oz) * iz;
+      const z1 = (boxes[b + 5] - oz) * iz;
       const near = Math.max(Math.min(x0, x1), Math.min(y0, y1), Math.min(z0, z1), 0);
       const far = Math.min(Math.max(x0, x1), Math.max(y0, y1), Math.max(z0, z1), reach);
       if (near > far) continue;
-      if (left >= 0) stack.push(left, right);
-      else for (let n = from; n < to; n++) if (this.#crosses(this.order[n] * 9, ox, oy, oz, dx, dy, dz, reach)) return true;
+      const left = links[node * 4 + 2];
+      if (left >= 0) {
+        stack[depth++] = left;
+        stack[depth++] = links[node * 4 + 3];
+        continue;
+      }
+      for (let n = links[node * 4]; n < links[node * 4 + 1]; n++) {
+        if (this.#crosses(this.order[n] * 9, ox, oy, oz, dx, dy, dz, reach)) return true;
+      }
     }
     return false;
   }
 
   #crosses(at, ox, oy, oz, dx, dy, dz, reach) {
     const k = this.corners;
-    const [ax, ay, az] = [k[at + 3] - k[at], k[at + 4] - k[at + 1], k[at + 5] - k[at + 2]];
-    const [bx, by, bz] = [k[at + 6] - k[at], k[at + 7] - k[at + 1], k[at + 8] - k[at + 2]];
-    const [px, py, pz] = [dy * bz - dz * by, dz * bx - dx * bz, dx * by - dy * bx];
+    const ax = k[at + 3] - k[at];
+    const ay = k[at + 4] - k[at + 1];
+    const az = k[at + 5] - k[at + 2];
+    const bx = k[at + 6] - k[at];
+    const by = k[at + 7] - k[at + 1];
+    const bz = k[at + 8] - k[at + 2];
+    const px = dy * bz - dz * by;
+    const py = dz * bx - dx * bz;
+    const pz = dx * by - dy * bx;
     const determinant = ax * px + ay * py + az * pz;
     if (Math.abs(determinant) < 1e-14) return false;
-    const [tx, ty, tz] = [ox - k[at], oy - k[at + 1], oz - k[at + 2]];
+    const tx = ox - k[at];
+    const ty = oy - k[at + 1];
+    const tz = oz - k[at + 2];
     const u = (tx * px + ty * py + tz * pz) / determinant;
     if (u < 0 || u > 1) return false;
-    const [qx, qy, qz] = [ty * az - tz * ay, tz * ax - tx * az, tx * ay - ty * ax];
+    const qx = ty * az - tz * ay;
+    const qy = tz * ax - tx * az;
+    const qz = tx * ay - ty * ax;
     const v = (dx * qx + dy * qy + dz * qz) / determinant;
     if (v < 0 || u + v > 1) return false;
     const t = (bx * qx + by * qy + bz * qz) / determinant;
@@ -145,8 +176,10 @@ function openness(tree, origin, normal, { rays, reach, turn }) {
     const angle = 2 * Math.PI * ((radicalInverse(r) + turn) % 1);
     const [sine, cosine] = [Math.sqrt(share), Math.sqrt(1 - share)];
     const [x, y] = [Math.cos(angle) * sine, Math.sin(angle) * sine];
-    const d = normal.map((n, c) => tangent[c] * x + bitangent[c] * y + n * cosine);
-    if (!tree.hits(...origin, ...d, reach)) free++;
+    const dx = tangent[0] * x + bitangent[0] * y + normal[0] * cosine;
+    const dy = tangent[1] * x + bitangent[1] * y + normal[1] * cosine;
+    const dz = tangent[2] * x + bitangent[2] * y + normal[2] * cosine;
+    if (!tree.hits(origin[0], origin[1], origin[2], dx, dy, dz, reach)) free++;
   }
   return free / rays;
 }

@@ -1,6 +1,7 @@
 import { meshPanel, resample, distanceToPolyline } from './panel_mesh.mjs';
 import { lengthOf } from './pattern.mjs';
 import { isMirrored } from './surface.mjs';
+import { LABEL } from '../textile/label.mjs';
 import { seeded } from '../random.mjs';
 
 /**
@@ -11,7 +12,7 @@ import { seeded } from '../random.mjs';
 
 export const THICKNESS = 0.0011;
 const OUTER_SPACING = 0.008;
-const INNER_SPACING = 0.015;
+const INNER_SPACING = 0.012;
 const SEAM_ROWS = [0.0016, 0.0042];
 const EDGE_STEP = 0.0065;
 
@@ -32,7 +33,9 @@ const RIB_PROFILE = [
 ];
 
 /** Twin-needle tape below the rib: [distance from the neckline, distance out of the cloth]. */
-const TAPE_PROFILE = [[0.0006, -0.0007], [0.0014, 0.0002], [0.0026, 0.0003], [0.0045, 0.0004], [0.0064, 0.0003], [0.0074, 0.0002], [0.0082, -0.0007]];
+const TAPE_PROFILE = [
+  [0.0004, -0.0006], [0.0012, 0.0004], [0.0022, 0.0009], [0.0035, 0.0011], [0.0055, 0.0011], [0.0068, 0.0009], [0.0078, 0.0004], [0.0088, -0.0008],
+];
 
 const offset = ({ position, normal }, distance) => position.map((value, c) => value + normal[c] * distance);
 
@@ -142,7 +145,7 @@ function sweep(columns, profile, place) {
       indices.push(a, b, b + 1, a, b + 1, a + 1);
     }
   });
-  return { positions, uv, flat, indices };
+  return { positions, uv, flat, indices, rows: profile.length, stride: columns + 1 };
 }
 
 function hemPiece(panel, surface) {
@@ -159,6 +162,32 @@ function hemPiece(panel, surface) {
   const body = panel.name === 'front' || panel.name === 'back';
   const part = body ? 'hem_bottom' : `hem_${panel.name}`;
   return { ...piece, name: body ? `hem_${panel.name}` : part, part, textile: 'stitched' };
+}
+
+// Bands are sewn on in the round: where two ends meet, they share position and normal.
+function joinEnds(a, lastA, b, lastB) {
+  for (let row = 0; row < a.rows; row++) {
+    const i = row * a.stride + (lastA ? a.stride - 1 : 0);
+    const j = row * b.stride + (lastB ? b.stride - 1 : 0);
+    for (const attribute of ['positions', 'normals']) {
+      for (let c = 0; c < 3; c++) {
+        const middle = (a[attribute][i * 3 + c] + b[attribute][j * 3 + c]) / 2;
+        a[attribute][i * 3 + c] = b[attribute][j * 3 + c] = middle;
+      }
+    }
+  }
+}
+
+function bandPieces(pattern, rib, surfaces) {
+  const hems = pattern.panels.map((panel) => addNormals(hemPiece(panel, surfaces[panel.name])));
+  const tapes = pattern.panels.slice(0, 2).map((panel) => addNormals(tapePiece(panel, surfaces[panel.name])));
+  const neck = addNormals(ribPiece(rib, surfaces.neck_rib));
+  joinEnds(hems[0], false, hems[1], true);
+  joinEnds(hems[0], true, hems[1], false);
+  joinEnds(tapes[0], false, tapes[1], false);
+  joinEnds(tapes[0], true, tapes[1], true);
+  for (const ring of [hems[2], hems[3], neck]) joinEnds(ring, false, ring, true);
+  return [...hems, neck, ...tapes];
 }
 
 function ribPiece(rib, surface) {
@@ -205,6 +234,15 @@ function addNormals(piece) {
   return { ...piece, positions: Float64Array.from(p), normals };
 }
 
+// Sewn inside the back, just below the rib; it faces the neck opening.
+function labelPiece(size, surface) {
+  const base = size.length - size.backNeckDrop - 0.0035 - LABEL.height;
+  const profile = [[0, -0.0014], [0.0006, -0.0029], [LABEL.height - 0.0006, -0.0029], [LABEL.height, -0.0014]];
+  const piece = sweep(10, profile, (share, across) => ({ at: surface.at((share - 0.5) * LABEL.width, base + across), along: share * LABEL.width }));
+  reverse(piece.indices);
+  return { ...piece, name: 'neck_label', part: 'neck_label', textile: 'label' };
+}
+
 /**
  * @param {object} pattern - From `tshirtPattern`.
  * @param {object} garment - The sewn garment that was draped.
@@ -214,10 +252,9 @@ function addNormals(piece) {
 export function cutPieces(pattern, garment, surfaces) {
   const rib = garment.panels.find((panel) => panel.name === 'neck_rib');
   return [
-    ...panelPieces(pattern, surfaces, { inside: false, spacing: OUTER_SPACING, rows: SEAM_ROWS }),
-    ...panelPieces(pattern, surfaces, { inside: true, spacing: INNER_SPACING, rows: [] }),
-    ...pattern.panels.map((panel) => hemPiece(panel, surfaces[panel.name])),
-    ribPiece(rib, surfaces.neck_rib),
-    ...pattern.panels.slice(0, 2).map((panel) => tapePiece(panel, surfaces[panel.name])),
-  ].map(addNormals);
+    ...panelPieces(pattern, surfaces, { inside: false, spacing: OUTER_SPACING, rows: SEAM_ROWS }).map(addNormals),
+    ...panelPieces(pattern, surfaces, { inside: true, spacing: INNER_SPACING, rows: [] }).map(addNormals),
+    ...bandPieces(pattern, rib, surfaces),
+    addNormals(labelPiece(pattern.size, surfaces.back)),
+  ];
 }

@@ -14,7 +14,7 @@ const GRAVITY = 9.81;
  */
 export const LEVELS = [
   { spacing: 0.018, step: 1e-3, steps: 2600, damping: [2, 3], sway: 0, lowering: [0.25, 0.8] },
-  { spacing: 0.0095, step: 6e-4, steps: 3000, damping: [1.5, 16], sway: 0.12 },
+  { spacing: 0.0095, step: 6e-4, steps: 3000, damping: [1.5, 16], sway: 0.1 },
 ];
 
 function controlOf(level, first, lowering, body) {
@@ -52,7 +52,7 @@ export function wear(pattern, levels = LEVELS) {
     const drape = new Drape(garment, positions, { size: pattern.size, body, spacing, step });
     drape.run(steps, controlOf(level, index === 0, lowering, body));
     const residual = Math.sqrt(drape.velocity.reduce((sum, v) => sum + v * v, 0) / (drape.velocity.length / 3));
-    worn = { garment, positions, residual, constraints: drape.constraints };
+    worn = { garment, positions, residual, constraints: drape.constraints, velocity: drape.velocity, contacts: drape.contact.pairs };
   });
   return worn;
 }

@@ -7,9 +7,12 @@ import { seeded } from '../random.mjs';
 
 export const TILE = 0.02;
 
-/** Loop counts per tile and lengths in units of one wale's width. */
-export const JERSEY = { wales: 26, courses: 34, yarnRadius: 0.215, overhang: 0.155, reach: 0.92, depth: 0.2, ribs: 0, ribDepth: 0 };
-export const RIB = { wales: 24, courses: 28, yarnRadius: 0.225, overhang: 0.14, reach: 0.92, depth: 0.2, ribs: 12, ribDepth: 0.85 };
+/**
+ * Loop counts per tile and lengths in units of one wale's width. The counts are powers of two: then a
+ * loop fills whole texels on every smaller level of the texture, and no beat shows from afar.
+ */
+export const JERSEY = { wales: 32, courses: 32, yarnRadius: 0.2, overhang: 0.23, reach: 0.8, depth: 0.2, ribs: 0, ribDepth: 0 };
+export const RIB = { wales: 32, courses: 32, yarnRadius: 0.2, overhang: 0.21, reach: 0.8, depth: 0.2, ribs: 8, ribDepth: 0.95 };
 
 const LOOP_STEPS = 72;
 
@@ -37,9 +40,9 @@ export function knitTile(knit, size, seed) {
   const texel = TILE / size;
   const radius = (knit.yarnRadius * TILE) / knit.wales;
   for (let course = 0; course < knit.courses; course++) {
-    const yarnTone = 1 + (random() - 0.5) * 0.035;
+    const yarnTone = 1 + (random() - 0.5) * 0.012;
     for (let wale = 0; wale < knit.wales; wale++) {
-      const loop = { drift: (random() - 0.5) * 0.07, thick: radius * (1 + (random() - 0.5) * 0.14), tone: yarnTone + (random() - 0.5) * 0.03 };
+      const loop = { drift: (random() - 0.5) * 0.07, thick: radius * (1 + (random() - 0.5) * 0.14), tone: yarnTone + (random() - 0.5) * 0.06 };
       layLoop({ knit, wale, course, loop }, { height, tone, size, texel });
     }
   }
@@ -79,7 +82,7 @@ function stampYarn({ height, tone, size, texel }, [x, y, z], { across, loop, twi
 }
 
 /** The two needle lines of a hem, metres above its edge, and how the thread lies in them. */
-export const STITCH = { lines: [0.0135, 0.0172], perTile: 7, radius: 0.00023, groove: 0.00042, grooveWidth: 0.0007 };
+export const STITCH = { lines: [0.0135, 0.0172], perTile: 8, radius: 0.00023, groove: 0.00042, grooveWidth: 0.0007 };
 
 /**
  * Sew two lines of straight stitches into a tile, with the dimples that the thread pulls.
