@@ -7,11 +7,14 @@
 #define TINYGLTF_NO_FS
 #define TINYGLTF_USE_CPP14
 
+// Hidden, but not what it includes: a hidden __assert_fail, for one, cannot be found in libc.
+#include <cassert>
+#include <nlohmann/json.hpp>
+#include <string>
+
 #pragma GCC visibility push(hidden)
 #include <tiny_gltf.h>
 #pragma GCC visibility pop
-
-#include <string>
 
 namespace telar::asset {
 
