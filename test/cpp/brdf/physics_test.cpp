@@ -169,6 +169,35 @@ TEST(WhiteFurnace, DirectLightIsAsOffAsThreeIs) {
   }
 }
 
+TEST(WhiteFurnace, DirectLightOnWhiteMetalComesBackWhole) {
+  for (const double roughness : {0.1, 0.3, 0.6, 1.0}) {
+    for (const double NoV : {0.1, 0.3, 0.6, 1.0}) {
+      const double alpha = alphaFromRoughness(roughness);
+      const vec3 single = integrateLobe(alpha, NoV, [&](double NoL, double NoH, double LoH) {
+        return Fr_GGX(vec3(1), 1, alpha, NoV, NoL, NoH, LoH);
+      });
+      EXPECT_NEAR((single * directCompensation(vec3(1), dfg(alpha, NoV))).x, 1, 1e-9) << roughness << " " << NoV;
+      EXPECT_EQ(directCompensation(vec3(0), dfg(alpha, NoV)), vec3(1)) << "nothing is reflected more than once";
+    }
+  }
+}
+
+TEST(Roughness, FloorComesFirstThenTheCurvature) {
+  EXPECT_DOUBLE_EQ(shadedRoughness(0.3, 0.05), 0.35);
+  EXPECT_DOUBLE_EQ(shadedRoughness(0.01, 0.02), 0.065);
+  EXPECT_DOUBLE_EQ(shadedRoughness(0.9, 0.3), 1);
+  EXPECT_DOUBLE_EQ(geometricRoughness(vec3(0.1, -0.4, 0), vec3(0, 0.2, -0.3)), 0.4);
+  EXPECT_DOUBLE_EQ(alphaFromRoughness(0.5), 0.25);
+  EXPECT_DOUBLE_EQ(alphaFromRoughness(0), 0.045 * 0.045);
+}
+
+TEST(Environment, ReflectionTurnsToTheNormalWithTheFourthPowerOfRoughness) {
+  const vec3 n(0, 0, 1), v = glm::normalize(vec3(1, 0, 1)), mirrored(-v.x, 0, v.z);
+  EXPECT_LT(glm::distance(dominantReflection(0, n, v), mirrored), 1e-12);
+  EXPECT_LT(glm::distance(dominantReflection(1, n, v), n), 1e-12);
+  EXPECT_LT(glm::distance(dominantReflection(0.5, n, v), glm::normalize(mirrored * (15.0 / 16) + n / 16.0)), 1e-12);
+}
+
 double half(unsigned bits) {
   const int exponent = (bits >> 10) & 31;
   const double fraction = bits & 1023;
@@ -227,10 +256,10 @@ TEST(Occlusion, IsOneWithoutAnyAndZeroWhenWhole) {
   for (const double roughness : {0.0, 0.3, 1.0}) {
     for (const double NoV : {0.0, 0.2, 1.0}) {
       EXPECT_NEAR(specularOcclusion(roughness, 1, NoV), 1, 1e-12);
-      EXPECT_EQ(specularOcclusion(roughness, 0, NoV), NoV == 1 ? 0 : specularOcclusion(roughness, 0, NoV));
-      EXPECT_LE(specularOcclusion(roughness, 0, NoV), 1e-12);
+      EXPECT_NEAR(specularOcclusion(roughness, 0, NoV), 0, 1e-12);
     }
   }
+  EXPECT_DOUBLE_EQ(diffuseOcclusion(0.25, 0.5), 0.625);
 }
 
 }  // namespace

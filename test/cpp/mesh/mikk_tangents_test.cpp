@@ -113,6 +113,19 @@ TEST(MikkTangents, AngleAtTheVertexIsTheWeight) {
   EXPECT_EQ(joined.indices[0], joined.indices[3]);
 }
 
+TEST(MikkTangents, OpposedTangentsOfOneFanStayApart) {
+  // Quarter discs 0-1-2 with u along +x and 0-4-5 with u along -x, joined by triangles whose UVs have no area.
+  Primitive p;
+  p.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  p.normals.assign(6, glm::vec3(0, 0, 1));
+  p.uvs[0] = {{0, 0}, {1, 0}, {0, 1}, {0, 0}, {1, 0}, {0, 1}};
+  p.indices = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5};
+  const Primitive result = withMikkTangents(p);
+  EXPECT_EQ(result.tangents[result.indices[0]], glm::vec4(1, 0, 0, -1));
+  EXPECT_EQ(result.tangents[result.indices[9]], glm::vec4(-1, 0, 0, -1));
+  expectOrthonormal(result);
+}
+
 TEST(MikkTangents, RandomSoupIsOrthonormalEverywhere) {
   for (std::uint32_t seed = 1; seed <= 40; ++seed) {
     const Primitive result = withMikkTangents(soup(seed, 300));

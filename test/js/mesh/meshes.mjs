@@ -87,3 +87,11 @@ export function roughSheet(seed, columns, rows) {
     return [[s, t, 0.1 * random()], tilt.map((x) => x / length), [random(), random()]];
   });
 }
+
+/** A fan whose first and last triangles have opposite tangents, joined by two whose UVs have no area. */
+export const opposedFan = () => ({
+  positions: Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, -1, 1, 0, -1, 0, 0, 0, -1, 0),
+  normals: Float32Array.from({ length: 18 }, (_, i) => (i % 3 === 2 ? 1 : 0)),
+  uvs: Float32Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1),
+  indices: Uint32Array.of(0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5),
+});

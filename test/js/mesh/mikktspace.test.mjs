@@ -5,7 +5,7 @@ import { existsSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { test } from 'node:test';
-import { foldedSheet, mirroredSphere, roughSheet, soup, sphere, torus } from './meshes.mjs';
+import { foldedSheet, mirroredSphere, opposedFan, roughSheet, soup, sphere, torus } from './meshes.mjs';
 
 const { generateTangents } = createRequire(import.meta.url)('mikktspace');
 const BUILD = process.env.TELAR_BUILD_DIR ?? path.resolve(import.meta.dirname, '../../../out/dev');
@@ -75,6 +75,7 @@ const CASES = {
   'mirrored sphere 64 x 32': [mirroredSphere(64, 32)],
   'torus 96 x 48': [torus(96, 48)],
   'folded sheet 90 x 70': [foldedSheet(90, 70)],
+  'opposed fan': [opposedFan()],
   'rough sheets': [1, 2, 3, 4, 5].map((seed) => roughSheet(seed, 60, 60)),
   // Real triangles that share vertices at random.
   'soups, fine grid': soups(20, 500, { steps: 64, normals: 40 }),
