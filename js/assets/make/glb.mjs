@@ -52,6 +52,7 @@ function addPrimitive(document, buffer, piece, atlasUv) {
     .setIndices(accessor('SCALAR', indices))
     .setAttribute('POSITION', accessor('VEC3', Float32Array.from(piece.positions)))
     .setAttribute('NORMAL', accessor('VEC3', Float32Array.from(piece.normals)))
+    .setAttribute('TANGENT', accessor('VEC4', Float32Array.from(piece.tangents)))
     .setAttribute('TEXCOORD_0', accessor('VEC2', Float32Array.from(piece.uv)))
     .setAttribute('TEXCOORD_1', accessor('VEC2', Float32Array.from(atlasUv)));
 }
@@ -61,10 +62,10 @@ function joinPieces(pieces, atlasUv) {
   const joined = new Map();
   pieces.forEach((piece, i) => {
     const key = `${piece.part}:${piece.textile}`;
-    const target = joined.get(key) ?? { part: piece.part, textile: piece.textile, positions: [], normals: [], uv: [], atlas: [], indices: [] };
+    const target = joined.get(key) ?? { part: piece.part, textile: piece.textile, positions: [], normals: [], tangents: [], uv: [], atlas: [], indices: [] };
     const base = target.positions.length / 3;
     for (const index of piece.indices) target.indices.push(index + base);
-    for (const attribute of ['positions', 'normals', 'uv']) for (const value of piece[attribute]) target[attribute].push(value);
+    for (const attribute of ['positions', 'normals', 'tangents', 'uv']) for (const value of piece[attribute]) target[attribute].push(value);
     for (const value of atlasUv[i]) target.atlas.push(value);
     joined.set(key, target);
   });

@@ -14,14 +14,14 @@ const ATLAS_SIZE = 1024;
 const TILE_SIZE = 1024;
 
 const jpeg = ({ pixels, width, height = width, channels = 3 }, quality) =>
-  sharp(Buffer.from(pixels), { raw: { width, height, channels } }).jpeg({ quality, chromaSubsampling: '4:4:4' }).toBuffer();
+  sharp(Buffer.from(pixels), { raw: { width, height, channels } }).toColourspace(channels === 1 ? 'b-w' : 'srgb').jpeg({ quality, chromaSubsampling: '4:4:4' }).toBuffer();
 
 async function encodeTextile(tile, seed) {
-  const { size: width, ...maps } = textileMaps(tile, { seed });
+  const { size: width, surfaceSize, ...maps } = textileMaps(tile, { seed });
   return {
     base: await jpeg({ pixels: maps.base, width }, 82),
-    normal: await jpeg({ pixels: maps.normal, width }, 88),
-    surface: await jpeg({ pixels: maps.surface, width }, 80),
+    normal: await jpeg({ pixels: maps.normal, width }, 86),
+    surface: await jpeg({ pixels: maps.surface, width: surfaceSize }, 82),
     extent: [TILE, TILE],
     dyed: true,
   };

@@ -5,7 +5,7 @@ import { LABEL } from '../textile/label.mjs';
 import { seeded } from '../random.mjs';
 
 /**
- * The drawn pieces. Each has: name, part (glTF node), textile, positions and normals (xyz, metres),
+ * The drawn pieces. Each has: name, part (glTF node), textile, positions, normals and tangents (metres),
  * uv (metres on the flat pattern, v down), flat (chart coordinates in metres for the occlusion atlas)
  * and indices. Every face is drawn from one side: cloth has an outside and an inside, `THICKNESS` apart.
  */
@@ -170,10 +170,9 @@ function joinEnds(a, lastA, b, lastB) {
     const i = row * a.stride + (lastA ? a.stride - 1 : 0);
     const j = row * b.stride + (lastB ? b.stride - 1 : 0);
     for (const attribute of ['positions', 'normals']) {
-      for (let c = 0; c < 3; c++) {
-        const middle = (a[attribute][i * 3 + c] + b[attribute][j * 3 + c]) / 2;
-        a[attribute][i * 3 + c] = b[attribute][j * 3 + c] = middle;
-      }
+      const middle = [0, 1, 2].map((c) => (a[attribute][i * 3 + c] + b[attribute][j * 3 + c]) / 2);
+      const length = attribute === 'normals' ? Math.hypot(...middle) : 1;
+      for (let c = 0; c < 3; c++) a[attribute][i * 3 + c] = b[attribute][j * 3 + c] = middle[c] / length;
     }
   }
 }
@@ -234,6 +233,40 @@ function addNormals(piece) {
   return { ...piece, positions: Float64Array.from(p), normals };
 }
 
+/**
+ * Tangents along +u, for a normal map whose green points up the picture (against v).
+ * @returns The piece with `tangents`: unit xyz and the handedness w per vertex.
+ */
+function addTangents(piece) {
+  const { positions: p, normals, uv, indices } = piece;
+  const count = p.length / 3;
+  const [along, down] = [new Float64Array(count * 3), new Float64Array(count * 3)];
+  for (let t = 0; t < indices.length; t += 3) {
+    const [a, b, c] = [indices[t], indices[t + 1], indices[t + 2]];
+    const [u1, v1, u2, v2] = [uv[b * 2] - uv[a * 2], uv[b * 2 + 1] - uv[a * 2 + 1], uv[c * 2] - uv[a * 2], uv[c * 2 + 1] - uv[a * 2 + 1]];
+    const orientation = Math.sign(u1 * v2 - u2 * v1);
+    for (let k = 0; k < 3; k++) {
+      const [e1, e2] = [p[b * 3 + k] - p[a * 3 + k], p[c * 3 + k] - p[a * 3 + k]];
+      for (const corner of [a, b, c]) {
+        along[corner * 3 + k] += (e1 * v2 - e2 * v1) * orientation;
+        down[corner * 3 + k] += (e2 * u1 - e1 * u2) * orientation;
+      }
+    }
+  }
+  const tangents = new Float64Array(count * 4);
+  for (let i = 0; i < count; i++) tangents.set(frameAt(normals.subarray(i * 3, i * 3 + 3), along.subarray(i * 3, i * 3 + 3), down.subarray(i * 3, i * 3 + 3)), i * 4);
+  return { ...piece, tangents };
+}
+
+function frameAt(n, along, down) {
+  const lean = n[0] * along[0] + n[1] * along[1] + n[2] * along[2];
+  const flat = [0, 1, 2].map((c) => along[c] - lean * n[c]);
+  const length = Math.hypot(...flat) || 1;
+  const [x, y, z] = flat.map((value) => value / length);
+  const up = [n[1] * z - n[2] * y, n[2] * x - n[0] * z, n[0] * y - n[1] * x];
+  return [x, y, z, up[0] * down[0] + up[1] * down[1] + up[2] * down[2] > 0 ? -1 : 1];
+}
+
 // Sewn inside the back, just below the rib; it faces the neck opening.
 function labelPiece(size, surface) {
   const base = size.length - size.backNeckDrop - 0.0035 - LABEL.height;
@@ -256,5 +289,5 @@ export function cutPieces(pattern, garment, surfaces) {
     ...panelPieces(pattern, surfaces, { inside: true, spacing: INNER_SPACING, rows: [] }).map(addNormals),
     ...bandPieces(pattern, rib, surfaces),
     addNormals(labelPiece(pattern.size, surfaces.back)),
-  ];
+  ].map(addTangents);
 }

@@ -3,7 +3,7 @@ import { encodeSrgb } from './maps.mjs';
 /** The woven neck label, metres. */
 export const LABEL = { width: 0.046, height: 0.017 };
 
-const PIXELS_PER_METRE = 8000;
+const [WIDTH, HEIGHT] = [512, 256];
 const THREAD = 1.25e-4;
 
 // Letters as strokes on a grid of one x-height: polylines of [x, y], y up from the baseline.
@@ -51,25 +51,24 @@ function distanceToStrokes(strokes, x, y) {
  * @returns {{width: number, height: number, pixels: Uint8Array}} sRGB rows.
  */
 export function drawLabel() {
-  const [width, height] = [LABEL.width, LABEL.height].map((metres) => Math.round(metres * PIXELS_PER_METRE));
   const xHeight = 0.0046;
   const word = wordStrokes(xHeight);
   const left = (LABEL.width - word.width) / 2;
   const base = LABEL.height / 2 - xHeight * 0.62;
-  const pixels = new Uint8Array(width * height * 3);
+  const pixels = new Uint8Array(WIDTH * HEIGHT * 3);
   const [ground, ink] = [[0.022, 0.021, 0.022], [0.74, 0.69, 0.6]];
-  for (let row = 0; row < height; row++) {
-    const y = LABEL.height - (row + 0.5) / PIXELS_PER_METRE;
+  for (let row = 0; row < HEIGHT; row++) {
+    const y = LABEL.height * (1 - (row + 0.5) / HEIGHT);
     const thread = 0.86 + 0.14 * Math.sin((2 * Math.PI * y) / THREAD) ** 2;
-    for (let column = 0; column < width; column++) {
-      const x = (column + 0.5) / PIXELS_PER_METRE;
+    for (let column = 0; column < WIDTH; column++) {
+      const x = (LABEL.width * (column + 0.5)) / WIDTH;
       const distance = distanceToStrokes(word.strokes, x - left, y - base);
       const share = Math.min(1, Math.max(0, 0.5 + (0.00042 - distance) / 1.2e-4));
       for (let c = 0; c < 3; c++) {
         const value = (ground[c] + (ink[c] - ground[c]) * share) * thread;
-        pixels[(row * width + column) * 3 + c] = Math.round(encodeSrgb(value) * 255);
+        pixels[(row * WIDTH + column) * 3 + c] = Math.round(encodeSrgb(value) * 255);
       }
     }
   }
-  return { width, height, pixels };
+  return { width: WIDTH, height: HEIGHT, pixels };
 }

@@ -51,7 +51,7 @@ function shrink(values, size, channels, factor) {
  * @param {{height, tone, size}} tile - Height in metres.
  * @param {object} options - `factor`: texels of the tile per texel of the maps; `slope`: share of the true
  *   slope that the normal map keeps; `roughness`: of the fibres; `seed`.
- * @returns {{size, base: Uint8Array, normal: Uint8Array, surface: Uint8Array}} RGB rows: base colour (sRGB, mean
+ * @returns {{size, surfaceSize, base: Uint8Array, normal: Uint8Array, surface: Uint8Array}} RGB rows: base colour (sRGB, mean
  *   near 0.9 linear), tangent-space normal (+Y up), occlusion-roughness-metallic (linear).
  */
 export function textileMaps(tile, { factor = 2, slope = 0.55, roughness = 0.92, seed = 3 } = {}) {
@@ -80,7 +80,8 @@ export function textileMaps(tile, { factor = 2, slope = 0.55, roughness = 0.92, 
     size: small,
     base: Uint8Array.from({ length: small * small * 3 }, (_, i) => toByte(encodeSrgb(Math.min(1, baseSmall[Math.floor(i / 3)])))),
     normal: normalBytes(shrink(normals, size, 3, factor)),
-    surface: Uint8Array.from(shrink(surface, size, 3, factor), toByte),
+    surfaceSize: small / 2,
+    surface: Uint8Array.from(shrink(surface, size, 3, factor * 2), toByte),
     baseMean: baseSmall.reduce((a, b) => a + b) / baseSmall.length,
   };
 }
