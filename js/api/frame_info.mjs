@@ -1,5 +1,3 @@
-import { worldToPixel } from './world_to_pixel.mjs';
-
 /**
  * `info` of one frame.
  * @param {object} parts
@@ -10,7 +8,9 @@ import { worldToPixel } from './world_to_pixel.mjs';
  * @param {object[]} [parts.warnings] of the model
  */
 export function frameInfo({ frame, resolved, milliseconds, renderer, warnings = [] }) {
-  const drawn = JSON.parse(frame.info);
+  // The stages of drawing come from the renderer itself; `draw` alone where it tells none.
+  const { ms = { draw: frame.drawMs }, ...drawn } = JSON.parse(frame.info);
+  const { load, resolve, total } = milliseconds;
   return {
     ...drawn,
     width: frame.width,
@@ -19,19 +19,10 @@ export function frameInfo({ frame, resolved, milliseconds, renderer, warnings = 
     backend: renderer.backend,
     gl: renderer.gl,
     quality: resolved.quality,
-    milliseconds: {
-      ...drawn.milliseconds,
-      load: milliseconds.load,
-      resolve: milliseconds.resolve,
-      queue: frame.queueMs,
-      draw: frame.drawMs,
-      encode: frame.encodeMs,
-      total: milliseconds.total,
-    },
+    milliseconds: { load, resolve, queue: frame.queueMs, ...ms, encode: frame.encodeMs, total },
     warnings: [...warnings, ...(drawn.warnings ?? [])],
     // Largest resident memory of this process so far, the GL driver's included where it draws in software.
     peakBytes: process.resourceUsage().maxRSS * 1024,
-    worldToPixel: worldToPixel(resolved),
     shot: resolved,
   };
 }

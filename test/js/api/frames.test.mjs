@@ -1,8 +1,5 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import * as THREE from 'three';
-import { worldToPixel } from '../../../js/api/world_to_pixel.mjs';
-import { applyShot } from '../../../js/three/index.mjs';
 import { resolveShot } from '../../../js/shot/index.mjs';
 import { SHOT, model, openRenderer } from './support/double.mjs';
 
@@ -22,7 +19,6 @@ test('info of a frame', async () => {
   assert.ok(total >= load + draw + encode);
   assert.ok(info.peakBytes > 1e7 && info.peakBytes < 1e10);
   assert.deepEqual(resolveShot(info.shot), info.shot, 'every default is written out');
-  assert.equal(JSON.parse(JSON.stringify(info)).worldToPixel.length, 16);
 });
 
 test('renderAll keeps the order, and decodes a source once', async () => {
@@ -59,22 +55,5 @@ for (const shot of SHOTS) {
   test(`native code takes what resolveShot makes of ${JSON.stringify(shot).slice(0, 80)}`, async () => {
     const { info } = await renderer.render(model(), { ...SHOT, ...shot });
     assert.equal(info.format, shot.output?.format ?? 'png');
-  });
-}
-
-for (const camera of [{ view: 'three-quarter' }, { azimuth: 30, elevation: -20, projection: 'orthographic' }, { view: 'top' },
-  { position: [1, 2, 3], target: [0.2, 0.1, -0.3], up: [0.1, 1, 0], fovY: 50, near: 0.1, far: 20 }]) {
-  test(`worldToPixel agrees with three.js: ${JSON.stringify(camera)}`, async () => {
-    const shot = resolveShot({ camera, size: { width: 300, height: 200 } }, { bounds: { min: [-1, -2, -0.5], max: [1, 1, 0.5] } });
-    const stub = { setPixelRatio() {}, setSize() {}, setClearColor() {} };
-    const view = await applyShot({ ...shot, environment: { map: 'none', intensity: 1, rotation: 0 } },
-      { THREE, renderer: stub, scene: new THREE.Scene() });
-    const matrix = new THREE.Matrix4().fromArray(worldToPixel(shot));
-    for (const point of [[0, 0, 0], [0.5, -1, 0.25], [-1, 1, -0.5]]) {
-      const ndc = new THREE.Vector3(...point).project(view);
-      const pixel = new THREE.Vector3(...point).applyMatrix4(matrix);
-      const expected = [(ndc.x + 1) * 150, (1 - ndc.y) * 100, (ndc.z + 1) / 2];
-      pixel.toArray().forEach((value, i) => assert.ok(Math.abs(value - expected[i]) < 1e-9 * 300, `${value} ${expected[i]}`));
-    }
   });
 }

@@ -3,13 +3,14 @@ import { spawn } from 'node:child_process';
 const SUPPORT = new URL('./', import.meta.url).href;
 
 /**
- * Runs module text in a process of its own; `support` is in scope, with what double.mjs exports.
+ * Runs module text in a process of its own.
  * @param {string} text
- * @param {{args?: string[], env?: object}} [options] args: of node
+ * @param {{args?: string[], env?: object, support?: boolean}} [options] args: of node; support: have what double.mjs exports
+ *   in scope as `support`
  * @returns {Promise<{code: number | null, signal: string | null, stdout: string, stderr: string, ms: number}>}
  */
-export function runChild(text, { args = [], env = {} } = {}) {
-  const source = `import * as support from '${SUPPORT}double.mjs';\n${text}`;
+export function runChild(text, { args = [], env = {}, support = true } = {}) {
+  const source = support ? `import * as support from '${SUPPORT}double.mjs';\n${text}` : text;
   return new Promise((resolve, reject) => {
     const start = performance.now();
     const child = spawn(process.execPath, [...args, '--input-type=module', '-e', source], { env: { ...process.env, ...env } });

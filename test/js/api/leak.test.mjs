@@ -1,0 +1,74 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { runChild } from './support/child.mjs';
+import { fixturesUrl, indexUrl } from './support/real.mjs';
+
+// 500 renders in one process. The first 100 fill caches and the allocator's arenas; after them nothing may grow.
+
+const SCRIPT = `
+  import { readdirSync, readFileSync } from 'node:fs';
+  import { createRenderer } from '${indexUrl}';
+  import { MODELS } from '${fixturesUrl}';
+  const models = await Promise.all(['cloth', 'variants', 'alpha-blend', 'model-lights', 'ball'].map((name) => MODELS[name]()));
+  const renderer = await createRenderer({ cacheDirectory: null });
+  const measure = async () => {
+    globalThis.gc();
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    globalThis.gc();
+    return {
+      kibibytes: Number(/VmRSS:\\s+(\\d+)/.exec(readFileSync('/proc/self/status', 'utf8'))[1]),
+      files: readdirSync('/proc/self/fd').length,
+      threads: readdirSync('/proc/self/task').length,
+      objects: await renderer.liveObjects(),
+    };
+  };
+  const frame = async (i) => {
+    const shot = { size: { width: 64 + 16 * (i % 3), height: 64 }, camera: { azimuth: i % 360 } };
+    const model = models[i % models.length];
+    const source = i % 7 === 0 ? await renderer.load(model) : model;
+    await renderer.render(source, shot);
+    if (i % 7 === 0 && i % 2 === 0) await renderer.release(source);
+    if (i % 11 === 0) await renderer.render(model.subarray(0, 100), shot).catch(() => {});
+    if (i % 13 === 0) await renderer.render(model, shot, { signal: AbortSignal.timeout(i % 5) }).catch(() => {});
+  };
+  const samples = [];
+  for (let i = 1; i <= 500; ++i) {
+    await frame(i);
+    if (i % 100 === 0) samples.push(await measure());
+  }
+  await renderer.close();
+  console.log(JSON.stringify(samples));`;
+
+test('500 renders in one process: memory, file descriptors, threads and GL names stay flat', async () => {
+  const { code, stdout, stderr } = await runChild(SCRIPT, { args: ['--expose-gc'], support: false });
+  assert.equal(code, 0, stderr);
+  const samples = JSON.parse(stdout);
+  const [first, last] = [samples[1], samples.at(-1)];
+  assert.equal(last.files, first.files);
+  assert.equal(last.threads, first.threads);
+  assert.ok(Math.abs(last.objects - first.objects) <= 20, JSON.stringify(samples));
+  assert.ok(last.kibibytes - first.kibibytes < 8 * 1024, JSON.stringify(samples));
+});
+
+test('50 renderers one after another: threads and file descriptors stay flat', async () => {
+  const { code, stdout, stderr } = await runChild(`
+    import { readdirSync, readFileSync } from 'node:fs';
+    import { createRenderer } from '${indexUrl}';
+    import { MODELS } from '${fixturesUrl}';
+    const ball = await MODELS.ball();
+    const samples = [];
+    for (let i = 1; i <= 50; ++i) {
+      const renderer = await createRenderer({ cacheDirectory: null });
+      await renderer.render(ball, { size: { width: 32, height: 32 } });
+      await renderer.close();
+      if (i % 25 !== 0) continue;
+      await new Promise((resolve) => setTimeout(resolve, 50));
+      const kibibytes = Number(/VmRSS:\\s+(\\d+)/.exec(readFileSync('/proc/self/status', 'utf8'))[1]);
+      samples.push({ kibibytes, files: readdirSync('/proc/self/fd').length, threads: readdirSync('/proc/self/task').length });
+    }
+    console.log(JSON.stringify(samples));`, { support: false });
+  assert.equal(code, 0, stderr);
+  const [first, last] = JSON.parse(stdout);
+  assert.deepEqual([last.files, last.threads], [first.files, first.threads]);
+  assert.ok(last.kibibytes - first.kibibytes < 32 * 1024, stdout);
+});
