@@ -38,9 +38,9 @@ const toneCases = ['none', 'linear', 'reinhard', 'cineon', 'aces', 'agx', 'neutr
 const FEATURES = [
   'base-color-map', 'normal-map', 'normal-map-tangents', 'normal-map-scale', 'normal-map-fine', 'metallic-roughness-map',
   'occlusion-map', 'occlusion-strength', 'emissive-map', 'cloth', 'cloth-tangents', 'texture-transform', 'two-uv-sets',
-  'vertex-colors', 'vertex-colors-alpha', 'flat-shading', 'flat-shading-unindexed', 'flat-normal-map', 'unlit',
+  'no-uvs', 'vertex-colors', 'vertex-colors-alpha', 'flat-shading', 'flat-shading-unindexed', 'flat-normal-map', 'unlit',
   'default-material', 'odd-images', 'alpha-mask', 'alpha-mask-low', 'alpha-blend', 'alpha-blend-one-sided',
-  'alpha-blend-curved', 'alpha-opaque', 'transforms', 'boxes', 'ball', 'ball-mirror', 'ball-metal', 'ball-black',
+  'alpha-blend-curved', 'alpha-blend-many', 'alpha-opaque', 'transforms', 'boxes', 'ball', 'ball-mirror', 'ball-metal', 'ball-black',
 ];
 const FAST_FEATURES = ['cloth', 'cloth-tangents', 'texture-transform', 'alpha-blend', 'alpha-mask', 'transforms', 'flat-normal-map'];
 const featureCases = FEATURES.flatMap((model) => [
@@ -64,7 +64,7 @@ const environmentCases = [
   make('sweep-gradient-odd', 'sweep', 'gradient-odd', { camera: 'front' }),
   make('sweep-lamps-2k', 'sweep', 'lamps-2k', { camera: 'front' }),
   make('sweep-hot-texels', 'sweep', 'hot-texels', { camera: 'front' }),
-  make('sweep-studio', 'sweep', 'studio', { camera: 'front' }),
+  make('sweep-studio', 'sweep', 'studio', { camera: 'front' }, true),
   make('sweep-sun', 'sweep', null, { camera: 'front', lights: SUN }),
   make('sweep-512', 'sweep', 'lamps', { camera: 'front', size: 512, lights: SUN }),
   make('environment-rotated', 'ball-metal', 'lamps', { environmentSettings: { intensity: 0.7, rotation: 130 } }, true),
@@ -104,7 +104,21 @@ const modelLightCases = [
   make('model-spot', 'model-spot', null),
 ];
 
+/** Several lights of each kind at once, and a light behind an object seen without perspective (half vector of length 0). */
+const manyLights = [
+  ...Object.values(LIGHTS),
+  { ...directional, color: [0.3, 0.4, 1], position: [-3, 1, 0] },
+  { ...hemisphere, intensity: 0.3 },
+];
+const lightSetCases = [
+  make('lights-many', 'stage', null, { lights: manyLights, exposure: 0.4 }),
+  make('lights-many-512', 'sweep', 'gradient', { lights: manyLights, exposure: 0.3, camera: 'tilted', size: 512 }),
+  make('light-behind-ortho', 'boxes', null, { lights: [ambient, { ...directional, position: [0, 0, -3] }], camera: 'ortho' }),
+  make('light-none', 'stage', null),
+];
+
 const otherCases = [
+  make('alpha-blend-many-front', 'alpha-blend-many', 'gradient', { camera: 'front' }),
   make('variant-none', 'variants', 'lamps', { camera: 'front' }),
   make('variant-red', 'variants', 'lamps', { camera: 'front', variant: 'red' }),
   make('variant-blue', 'variants', 'lamps', { camera: 'front', variant: 'blue' }, true),
@@ -121,7 +135,7 @@ const otherCases = [
 /** @type {Case[]} */
 export const CASES = [
   ...featureCases, ...facingCases, ...lightCases, ...toneCases, ...environmentCases, ...furnaceCases, ...cameraCases,
-  ...scaleCases, ...modelLightCases, ...otherCases, ...SHARED_CASES,
+  ...scaleCases, ...modelLightCases, ...lightSetCases, ...otherCases, ...SHARED_CASES,
 ];
 
 /** Cases whose name contains one of the filters, all where there is none. */

@@ -26,7 +26,7 @@ export class Report {
     if (!pass) this.failed++;
     this.#rows.push({ name: item.name, pass, difference, error, drawn: Boolean(actual) });
     if (expected) this.#pending.push(writePictures(item.name, expected, actual));
-    const text = error ? error.message.split('\n')[0].slice(0, 120) : figures(difference);
+    const text = error ? error.message.replaceAll('\n', ' ').slice(0, 160) : figures(difference);
     return `${pass ? 'ok  ' : 'FAIL'} ${item.name.padEnd(32)} ${text}`;
   }
 

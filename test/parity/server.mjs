@@ -1,25 +1,20 @@
 import { spawn } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { Browser } from './browser/chromium.mjs';
 import { premultiply } from './metrics.mjs';
-
-const root = (relative) => fileURLToPath(new URL(`../../${relative}`, import.meta.url));
 
 /**
  * Opens telar: through its JavaScript API, or through the command-line tool of a C++ build where TELAR_DRAW names one.
  * draw({shot, model, environment, bundled}) gives RGBA8, premultiplied, top row first; inputs as of inputs.mjs.
  *
  * @returns {Promise<{draw: Function, close: Function}>}
- * @throws {Error} With the cure, when there is no build.
+ * @throws {import('../../js/error/index.mjs').TelarError} With the cure, when there is no build.
  */
 export async function openServer() {
   if (process.env.TELAR_DRAW) return openTool(path.resolve(process.env.TELAR_DRAW));
-  const entry = root('js/index.mjs');
-  if (!existsSync(entry)) throw new Error('telar is not built: run npm install, or set TELAR_DRAW to a telar_draw executable');
-  const { createRenderer } = await import(entry);
+  const { createRenderer } = await import('../../js/index.mjs');
   const renderer = await createRenderer();
   return {
     async draw({ shot, model, environment, bundled }) {
