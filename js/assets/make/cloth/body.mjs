@@ -69,7 +69,7 @@ export function armDirection(angle = ARM.angle) {
  */
 export function bodyDistance(worldX, y, z, armAngle = ARM.angle) {
   // The weight rests on one leg: hips a little to the left, the chest a little to the right.
-  const x = worldX - 0.007 * Math.cos(4.6 * (y - 0.05));
+  const x = worldX - 0.012 * Math.cos(4.6 * (y - 0.05));
   const side = x < 0 ? -1 : 1;
   // The two arms differ by a degree or two, as nobody stands symmetrically.
   const direction = armDirection(armAngle + (side > 0 ? 1.2 : -0.6));

@@ -8,8 +8,8 @@
 export const CLOTH = {
   areaDensity: 0.22,
   stretch: 160,
-  bending: 3e-6,
-  hemFactor: 22,
+  bending: 2.4e-6,
+  hemFactor: 30,
   seamFactor: 10,
   ribFactor: 16,
 };

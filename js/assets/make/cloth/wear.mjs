@@ -14,7 +14,7 @@ const GRAVITY = 9.81;
  */
 export const LEVELS = [
   { spacing: 0.018, step: 1e-3, steps: 2600, damping: [2, 3], sway: 0, lowering: [0.25, 0.8] },
-  { spacing: 0.0095, step: 6e-4, steps: 3000, damping: [1.5, 16], sway: 0.1 },
+  { spacing: 0.0095, step: 6e-4, steps: 3000, damping: [1.5, 16], sway: 0.16 },
 ];
 
 function controlOf(level, first, lowering, body) {
