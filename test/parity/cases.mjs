@@ -1,11 +1,11 @@
 import { CAMERAS, CASE_ENVIRONMENT, LIGHTS, shot } from './shot.mjs';
-import { SHARED_CASES } from './cases_shared.mjs';
+import { BUNDLED_CASES, SHARED_CASES } from './cases_files.mjs';
 
 /**
  * One picture that the browser and the server both draw.
  * @typedef {object} Case
  * @property {string} name - Also the file name of its report.
- * @property {string} model - Name in test/fixtures/index.mjs, or `shared:` and a path beneath ../shared/models.
+ * @property {string} model - Name in test/fixtures/index.mjs, or a path beneath `bundled:` (js/assets) or `shared:` (../shared/models).
  * @property {string} [environment] - Name in test/fixtures/index.mjs, `studio`, or `shared:` and a path; needed where
  *   the shot has an environment.
  * @property {object} shot - Resolved shot.
@@ -135,7 +135,7 @@ const otherCases = [
 /** @type {Case[]} */
 export const CASES = [
   ...featureCases, ...facingCases, ...lightCases, ...toneCases, ...environmentCases, ...furnaceCases, ...cameraCases,
-  ...scaleCases, ...modelLightCases, ...lightSetCases, ...otherCases, ...SHARED_CASES,
+  ...scaleCases, ...modelLightCases, ...lightSetCases, ...otherCases, ...BUNDLED_CASES, ...SHARED_CASES,
 ];
 
 /** Cases whose name contains one of the filters, all where there is none. */

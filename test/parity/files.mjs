@@ -1,9 +1,6 @@
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { fileURLToPath } from 'node:url';
-
-/** Where pictures and reports go: out/parity. */
-export const OUT = fileURLToPath(new URL('../../out/parity/', import.meta.url));
+import { OUT } from './places.mjs';
 
 /**
  * Keeps a browser's picture as out/parity/browser/NAME.raw (premultiplied RGBA8, top row first), NAME.mask.raw (the same

@@ -1,11 +1,10 @@
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { ENVIRONMENTS, MODELS } from '../fixtures/index.mjs';
-import { SHARED_MODELS } from './cases_shared.mjs';
+import { ASSETS, SHARED_MODELS } from './places.mjs';
 
-const STUDIO = fileURLToPath(new URL('../../js/assets/studio.hdr', import.meta.url));
-const SHARED = 'shared:';
+/** Folder by prefix of a case's `model` or `environment`. */
+const FOLDERS = { 'shared:': SHARED_MODELS, 'bundled:': ASSETS };
 
 /**
  * Bytes (or the path) of a case's model and environment.
@@ -22,14 +21,20 @@ export async function loadInputs({ name, model, environment }) {
 }
 
 async function loadModel(name, model) {
-  if (model.startsWith(SHARED)) return path.join(SHARED_MODELS, model.slice(SHARED.length));
+  const file = fileOf(model);
+  if (file) return file;
   if (!MODELS[model]) throw new Error(`case ${name}: test/fixtures has no model ${model}`);
   return MODELS[model]();
 }
 
 function loadEnvironment(name, environment) {
-  if (environment === 'studio') return readFileSync(STUDIO);
-  if (environment.startsWith(SHARED)) return readFileSync(path.join(SHARED_MODELS, environment.slice(SHARED.length)));
+  const file = fileOf(environment === 'studio' ? 'bundled:studio.hdr' : environment);
+  if (file) return readFileSync(file);
   if (!ENVIRONMENTS[environment]) throw new Error(`case ${name}: test/fixtures has no environment ${environment}`);
   return ENVIRONMENTS[environment]();
+}
+
+function fileOf(name) {
+  const prefix = Object.keys(FOLDERS).find((candidate) => name.startsWith(candidate));
+  return prefix && path.join(FOLDERS[prefix], name.slice(prefix.length));
 }

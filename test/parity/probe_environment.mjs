@@ -4,7 +4,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { Browser } from './browser/chromium.mjs';
-import { OUT } from './files.mjs';
+import { OUT } from './places.mjs';
 import { loadInputs } from './inputs.mjs';
 import { shot } from './shot.mjs';
 

@@ -1,7 +1,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import sharp from 'sharp';
-import { OUT } from './files.mjs';
+import { OUT } from './places.mjs';
 import { BAR } from './metrics.mjs';
 
 /** Factor on differences in the difference picture: 1/255 becomes visible, 16/255 is full scale. */

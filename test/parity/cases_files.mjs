@@ -1,11 +1,8 @@
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { boundsOf, readDocument } from './bounds.mjs';
+import { ASSETS, SHARED_MODELS } from './places.mjs';
 import { CASE_ENVIRONMENT, LIGHTS, shot } from './shot.mjs';
-
-/** Models by others, beside the project; these cases do not exist where the folder is absent. */
-export const SHARED_MODELS = fileURLToPath(new URL('../../../shared/models/', import.meta.url));
 
 /** Only files whose features are drawn today: [name, path, azimuth, elevation]. */
 const MODELS = [
@@ -31,8 +28,21 @@ const MODELS = [
   ['vertex-color', 'VertexColorTest/glTF/VertexColorTest.gltf', 0, 0],
 ];
 
-/** @type {import('./cases.mjs').Case[]} */
+/** Where the folder is absent, its cases do not exist. @type {import('./cases.mjs').Case[]} */
 export const SHARED_CASES = MODELS.filter(([, file]) => existsSync(path.join(SHARED_MODELS, file))).map((row) => sharedCase(...row));
+
+/** The bundled garment as `npm run thumbnail` draws it, from other sides and in another colourway. */
+export const BUNDLED_CASES = [
+  bundledCase('tshirt-front', { view: 'front' }, {}, true),
+  bundledCase('tshirt-three-quarter', { view: 'three-quarter' }, { variant: 'indigo' }),
+  bundledCase('tshirt-back', { view: 'back' }, { lights: [LIGHTS.directional], background: 'white' }),
+];
+
+function bundledCase(name, camera, overrides, fast = false) {
+  const bounds = boundsOf(readDocument(readFileSync(path.join(ASSETS, 'tshirt.glb'))));
+  const settings = { size: 512, camera, environment: CASE_ENVIRONMENT, ...overrides };
+  return { name, model: 'bundled:tshirt.glb', environment: 'studio', shot: shot(settings, bounds), fast };
+}
 
 function sharedCase(name, file, azimuth, elevation) {
   const bounds = boundsOf(readDocument(readFileSync(path.join(SHARED_MODELS, file))));
