@@ -29,12 +29,18 @@ T load(const std::byte* from) {
 
 double loadComponent(const std::byte* from, int componentType) {
   switch (componentType) {
-    case COMPONENT_I8: return load<std::int8_t>(from);
-    case COMPONENT_U8: return load<std::uint8_t>(from);
-    case COMPONENT_I16: return load<std::int16_t>(from);
-    case COMPONENT_U16: return load<std::uint16_t>(from);
-    case COMPONENT_U32: return load<std::uint32_t>(from);
-    default: return load<float>(from);
+    case COMPONENT_I8:
+      return load<std::int8_t>(from);
+    case COMPONENT_U8:
+      return load<std::uint8_t>(from);
+    case COMPONENT_I16:
+      return load<std::int16_t>(from);
+    case COMPONENT_U16:
+      return load<std::uint16_t>(from);
+    case COMPONENT_U32:
+      return load<std::uint32_t>(from);
+    default:
+      return load<float>(from);
   }
 }
 
@@ -54,7 +60,8 @@ void copyElement(const Layout& layout, std::uint64_t from, std::uint64_t to, std
 }
 
 unsigned componentsOf(const tinygltf::Accessor& accessor) {
-  return static_cast<unsigned>(std::max(0, tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type))));
+  return static_cast<unsigned>(
+      std::max(0, tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type))));
 }
 
 std::uint64_t elementBytes(const tinygltf::Accessor& accessor) {
@@ -97,8 +104,21 @@ void checkSparse(const tinygltf::Accessor& accessor, const Resources& resources,
             sparse.indices.stride)) {
     fail("E_SPARSE", "the sparse indices reach past the end of their buffer view", where + "/sparse/indices");
   }
-  if (!fits(sparse.values.bytes.size(), sparse.values.offset, sparse.count, sparse.values.stride, sparse.values.stride)) {
+  if (!fits(sparse.values.bytes.size(), sparse.values.offset, sparse.count, sparse.values.stride,
+            sparse.values.stride)) {
     fail("E_SPARSE", "the sparse values reach past the end of their buffer view", where + "/sparse/values");
+  }
+}
+
+void checkIndexViews(const tinygltf::Model& model) {
+  for (const auto& mesh : model.meshes) {
+    for (const auto& primitive : mesh.primitives) {
+      if (primitive.indices < 0) continue;
+      const int view = model.accessors[static_cast<std::size_t>(primitive.indices)].bufferView;
+      if (view < 0 || model.bufferViews[static_cast<std::size_t>(view)].byteStride == 0) continue;
+      fail("E_STRIDE", "a buffer view of indices must not have a byteStride",
+           pointer("bufferViews", view, "byteStride"));
+    }
   }
 }
 
@@ -123,12 +143,16 @@ void checkRange(const tinygltf::Accessor& accessor, const tinygltf::BufferView& 
 unsigned componentBytes(int componentType) {
   switch (componentType) {
     case COMPONENT_I8:
-    case COMPONENT_U8: return 1;
+    case COMPONENT_U8:
+      return 1;
     case COMPONENT_I16:
-    case COMPONENT_U16: return 2;
+    case COMPONENT_U16:
+      return 2;
     case COMPONENT_U32:
-    case COMPONENT_F32: return 4;
-    default: return 0;
+    case COMPONENT_F32:
+      return 4;
+    default:
+      return 0;
   }
 }
 
@@ -136,11 +160,16 @@ float fromComponent(double value, int componentType, bool normalized) {
   const auto real = static_cast<float>(value);
   if (!normalized) return real;
   switch (componentType) {
-    case COMPONENT_I8: return std::max(real / 127.0f, -1.0f);
-    case COMPONENT_U8: return real / 255.0f;
-    case COMPONENT_I16: return std::max(real / 32767.0f, -1.0f);
-    case COMPONENT_U16: return real / 65535.0f;
-    default: return real;
+    case COMPONENT_I8:
+      return std::max(real / 127.0f, -1.0f);
+    case COMPONENT_U8:
+      return real / 255.0f;
+    case COMPONENT_I16:
+      return std::max(real / 32767.0f, -1.0f);
+    case COMPONENT_U16:
+      return real / 65535.0f;
+    default:
+      return real;
   }
 }
 
@@ -148,6 +177,7 @@ unsigned Accessors::components(int accessor) const { return componentsOf(info(ac
 
 void Accessors::check() const {
   const auto& model = document_.model;
+  checkIndexViews(model);
   for (std::size_t i = 0; i < model.accessors.size(); ++i) {
     if (i % 1024 == 0) cancel_.check();
     const auto& accessor = model.accessors[i];
@@ -169,8 +199,12 @@ void Accessors::read(int accessor, std::span<Out> out) const {
   if (source.bufferView >= 0) {
     const auto& view = document_.model.bufferViews[static_cast<std::size_t>(source.bufferView)];
     const std::uint64_t stride = view.byteStride != 0 ? view.byteStride : elementBytes(source);
-    const Layout layout{resources_.view(source.bufferView), source.byteOffset, stride, componentsOf(source),
-                        source.componentType, source.normalized};
+    const Layout layout{resources_.view(source.bufferView),
+                        source.byteOffset,
+                        stride,
+                        componentsOf(source),
+                        source.componentType,
+                        source.normalized};
     for (std::uint64_t i = 0; i < source.count; ++i) {
       if (i % ELEMENTS_PER_CANCEL_CHECK == 0) cancel_.check();
       copyElement(layout, i, i, out);
@@ -184,7 +218,8 @@ void Accessors::read(int accessor, std::span<Out> out) const {
     std::uint32_t index = 0;
     copyElement(sparse.indices, i, 0, std::span(&index, 1));
     if (index < next || index >= source.count) {
-      fail("E_SPARSE", "a sparse index is out of range or out of order", pointer("accessors", accessor, "sparse", "indices"));
+      fail("E_SPARSE", "a sparse index is out of range or out of order",
+           pointer("accessors", accessor, "sparse", "indices"));
     }
     copyElement(sparse.values, i, index, out);
     next = std::uint64_t{index} + 1;

@@ -30,7 +30,8 @@ class Accessors {
   Accessors(const Document& document, const Resources& resources, const CancelToken& cancel)
       : document_(document), resources_(resources), cancel_(cancel) {}
 
-  /// Checks every accessor against its buffer view. @throws Error{E_ACCESSOR, E_STRIDE, E_SPARSE}
+  /// Checks every accessor against its buffer view, and that the views of vertex indices have no stride. @throws
+  /// Error{E_ACCESSOR, E_STRIDE, E_SPARSE}
   void check() const;
 
   const tinygltf::Accessor& info(int accessor) const {

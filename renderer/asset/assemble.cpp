@@ -86,7 +86,8 @@ int Assembler::meshOf(const tinygltf::Node& source, int node) {
   if (source.mesh < 0) return -1;
   if (source.skin >= 0) {
     checkSkin(source.skin, source.mesh, from_.document, from_.accessors, from_.cancel);
-    from_.warnings.add("W_SKIN", "skins are not applied; the mesh is drawn in its bind pose", pointer("nodes", node, "skin"));
+    from_.warnings.add("W_SKIN", "skins are not applied; the mesh is drawn in its bind pose",
+                       pointer("nodes", node, "skin"));
   }
   return readMesh(source.mesh);
 }
@@ -114,7 +115,7 @@ void Assembler::addNode(const Visit& visit) {
   Node out;
   out.name = source.name;
   out.parent = visit.parent;
-  out.local = localMatrix(source, pointer("nodes", visit.node));
+  out.local = localMatrix(source);
   out.world = visit.parent < 0 ? out.local : scene_.nodes[static_cast<std::size_t>(visit.parent)].world * out.local;
   if (isCollapsed(out.world)) {
     if (source.mesh >= 0) {
@@ -148,7 +149,8 @@ void Assembler::placeMeshes() {
     }
     if (!isDrawable(bounds)) {
       if (!primitives.empty()) {
-        from_.warnings.add("W_NONFINITE", "the mesh of the node " + telar::quoted(node.name) + " is too far away or too large to draw");
+        from_.warnings.add("W_NONFINITE", "the mesh of the node " + telar::quoted(node.name) +
+                                              " is too far away or too large to draw");
       }
       node.mesh = -1;
       continue;
@@ -178,7 +180,8 @@ void Assembler::loadImages() {
   std::vector<int> canonical(from_.document.images.size());
   for (std::size_t i = 0; i < canonical.size(); ++i) canonical[i] = loader.canonical(static_cast<int>(i));
   for (Material& material : scene_.materials) {
-    for (TextureRef* texture : texturesOf(material)) texture->image = canonical[static_cast<std::size_t>(texture->image)];
+    for (TextureRef* texture : texturesOf(material))
+      texture->image = canonical[static_cast<std::size_t>(texture->image)];
   }
   std::vector<bool> reached(scene_.materials.size(), false);
   const auto reach = [&](int material) {
@@ -193,7 +196,8 @@ void Assembler::loadImages() {
   std::vector<bool> used(from_.document.images.size(), false);
   for (std::size_t i = 0; i < reached.size(); ++i) {
     if (!reached[i]) continue;
-    for (const TextureRef* texture : texturesOf(scene_.materials[i])) used[static_cast<std::size_t>(texture->image)] = true;
+    for (const TextureRef* texture : texturesOf(scene_.materials[i]))
+      used[static_cast<std::size_t>(texture->image)] = true;
   }
   scene_.images = loader.load(used);
 }

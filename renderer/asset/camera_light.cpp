@@ -51,7 +51,8 @@ bool usable(const ModelCamera& camera) {
 glm::vec3 readColor(const json& source) {
   const auto found = source.find("color");
   if (found == source.end()) return glm::vec3(1.0f);
-  return {toFloat(found->at(0).get<double>()), toFloat(found->at(1).get<double>()), toFloat(found->at(2).get<double>())};
+  return {toFloat(found->at(0).get<double>()), toFloat(found->at(1).get<double>()),
+          toFloat(found->at(2).get<double>())};
 }
 
 std::optional<LightType> readType(const json& source) {

@@ -16,17 +16,23 @@ json list(const glm::vec3& v) { return list(glm::dvec3(v)); }
 
 const char* nameOf(AlphaMode mode) {
   switch (mode) {
-    case AlphaMode::kMask: return "MASK";
-    case AlphaMode::kBlend: return "BLEND";
-    default: return "OPAQUE";
+    case AlphaMode::kMask:
+      return "MASK";
+    case AlphaMode::kBlend:
+      return "BLEND";
+    default:
+      return "OPAQUE";
   }
 }
 
 const char* nameOf(LightType type) {
   switch (type) {
-    case LightType::kDirectional: return "directional";
-    case LightType::kSpot: return "spot";
-    default: return "point";
+    case LightType::kDirectional:
+      return "directional";
+    case LightType::kSpot:
+      return "spot";
+    default:
+      return "point";
   }
 }
 
@@ -40,15 +46,19 @@ json describe(const Material& material) {
   add("normal", material.normalTexture);
   add("occlusion", material.occlusionTexture);
   add("emissive", material.emissiveTexture);
-  return {{"name", material.name},       {"alphaMode", nameOf(material.alphaMode)}, {"doubleSided", material.doubleSided},
-          {"unlit", material.unlit},     {"metallic", material.metallicFactor},     {"roughness", material.roughnessFactor},
+  return {{"name", material.name},   {"alphaMode", nameOf(material.alphaMode)}, {"doubleSided", material.doubleSided},
+          {"unlit", material.unlit}, {"metallic", material.metallicFactor},     {"roughness", material.roughnessFactor},
           {"textures", textures}};
 }
 
 json describe(const ModelLight& light, const Node& node) {
   const glm::dvec3 position(node.world[3]);
-  json out = {{"name", light.name.empty() ? node.name : light.name}, {"type", nameOf(light.type)}, {"color", list(light.color)},
-              {"intensity", light.intensity}, {"position", list(position)}, {"range", light.range}};
+  json out = {{"name", light.name.empty() ? node.name : light.name},
+              {"type", nameOf(light.type)},
+              {"color", list(light.color)},
+              {"intensity", light.intensity},
+              {"position", list(position)},
+              {"range", light.range}};
   if (light.type == LightType::kSpot) {
     out["innerConeAngle"] = light.innerConeAngle;
     out["outerConeAngle"] = light.outerConeAngle;

@@ -1,6 +1,8 @@
 #include "asset/document.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "asset/camera_light.h"
 #include "asset/extensions.h"
@@ -27,7 +29,8 @@ void checkVersion(const json& document) {
   }
   const auto least = asset->find("minVersion");
   if (least != asset->end() && least->is_string() && *least != "2.0") {
-    fail("E_VERSION", "the asset needs glTF " + telar::quoted(least->get_ref<const std::string&>()) + ", telar reads 2.0",
+    fail("E_VERSION",
+         "the asset needs glTF " + telar::quoted(least->get_ref<const std::string&>()) + ", telar reads 2.0",
          "/asset/minVersion");
   }
 }
@@ -70,6 +73,35 @@ std::vector<ImageSource> takeImages(json& reduced) {
   return out;
 }
 
+void checkAccessorTypes(const json& reduced) {
+  static constexpr std::string_view TYPES[] = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
+  const auto accessors = reduced.find("accessors");
+  if (accessors == reduced.end()) return;
+  for (std::size_t i = 0; i < accessors->size(); ++i) {
+    const auto& type = (*accessors)[i]["type"].get_ref<const std::string&>();
+    if (std::find(std::begin(TYPES), std::end(TYPES), type) != std::end(TYPES)) continue;
+    fail("E_ACCESSOR", "the accessor has the unknown type " + telar::quoted(type), pointer("accessors", i, "type"));
+  }
+}
+
+/// tinygltf would drop translation, rotation and scale beside a matrix without a word.
+void checkTransforms(const json& reduced) {
+  const auto nodes = reduced.find("nodes");
+  if (nodes == reduced.end()) return;
+  for (std::size_t i = 0; i < nodes->size(); ++i) {
+    const json& node = (*nodes)[i];
+    if (node.contains("matrix") &&
+        (node.contains("translation") || node.contains("rotation") || node.contains("scale"))) {
+      fail("E_SCHEMA", "a node must have either a matrix or translation, rotation and scale",
+           pointer("nodes", i, "matrix"));
+    }
+    const auto rotation = node.find("rotation");
+    if (rotation != node.end() && *rotation == json::array({0.0, 0.0, 0.0, 0.0})) {
+      fail("E_SCHEMA", "a rotation must be a unit quaternion, this one is zero", pointer("nodes", i, "rotation"));
+    }
+  }
+}
+
 /// tinygltf refuses an index accessor without a buffer view, which Draco primitives and all-zero accessors have: they
 /// get a stand-in view while it parses.
 class StandInView {
@@ -106,8 +138,7 @@ const json* lightList(const json& document) {
 
 }  // namespace
 
-Document readDocument(const Container& container, const Limits& limits, const CancelToken& cancel,
-                      Warnings& warnings) {
+Document readDocument(const Container& container, const Limits& limits, const CancelToken& cancel, Warnings& warnings) {
   json document = readJson(container.json, container.jsonOffset, limits, cancel);
   if (!document.is_object()) {
     throw Error("E_JSON", "the top value of glTF JSON must be an object").atOffset(container.jsonOffset);
@@ -116,12 +147,15 @@ Document readDocument(const Container& container, const Limits& limits, const Ca
   checkExtensions(texts(document, "extensionsUsed"), texts(document, "extensionsRequired"), warnings);
 
   json reduced = reduce(DOCUMENT_RULE, document, limits, cancel);
+  checkAccessorTypes(reduced);
+  checkTransforms(reduced);
   Document out;
   const auto cameras = document.find("cameras");
   if (cameras != document.end()) out.cameras = readCameras(*cameras, warnings);
   if (const json* lights = lightList(document)) out.lights = readLights(*lights, warnings);
   if (document.contains("animations")) {
-    warnings.add("W_ANIMATION", "animations are not played; the model is drawn as it stands in the file", "/animations");
+    warnings.add("W_ANIMATION", "animations are not played; the model is drawn as it stands in the file",
+                 "/animations");
   }
   document = nullptr;  // the largest part of the memory held here, when buffers are data: URIs
 

@@ -17,9 +17,7 @@ class Reader {
  public:
   Reader(std::span<const std::byte> data, const std::string& where) : data_(data), where_(where) {}
 
-  [[noreturn]] void refuse(const char* why) const {
-    fail("E_DRACO", std::string("the Draco data ") + why, where_);
-  }
+  [[noreturn]] void refuse(const char* why) const { fail("E_DRACO", std::string("the Draco data ") + why, where_); }
 
   std::uint32_t u8() {
     need(1);

@@ -18,11 +18,11 @@ namespace {
 
 void checkCounts(const DracoCounts& counts, const DracoExpectation& expected, const Limits& limits,
                  const std::string& where) {
-  checkLimit("L_TRIANGLES", static_cast<double>(limits.triangles), static_cast<double>(counts.faces), where);
-  checkLimit("L_VERTICES", static_cast<double>(limits.vertices), static_cast<double>(counts.vertices), where);
   if (expected.indices != 0 && counts.faces * 3 != expected.indices) {
     fail("E_DRACO", "the Draco mesh has another number of faces than its index accessor", where);
   }
+  checkLimit("L_TRIANGLES", static_cast<double>(limits.triangles), static_cast<double>(counts.faces), where);
+  checkLimit("L_VERTICES", static_cast<double>(limits.vertices), static_cast<double>(counts.vertices), where);
   // A mesh cannot use more vertices than it has corners. How many points come of them is known after decoding only.
   if (counts.vertices > counts.faces * 3) {
     fail("E_DRACO", "the Draco mesh declares more vertices than its faces can use", where);
@@ -94,8 +94,10 @@ DracoMesh DracoMesh::decode(std::span<const std::byte> data, const DracoExpectat
   DracoMesh out(std::make_unique<Mesh>(Mesh{decodeMesh(data, where)}));
   const draco::Mesh& mesh = *out.mesh_->mesh;
   if (mesh.num_points() != expected.vertices) {
-    fail("E_DRACO", "the Draco mesh has " + std::to_string(mesh.num_points()) + " vertices, its accessors say " +
-                        std::to_string(expected.vertices), where);
+    fail("E_DRACO",
+         "the Draco mesh has " + std::to_string(mesh.num_points()) + " vertices, its accessors say " +
+             std::to_string(expected.vertices),
+         where);
   }
   out.indices_ = readIndices(mesh, where);
   if (expected.indices != 0 && out.indices_.size() != expected.indices) {
@@ -113,12 +115,18 @@ void DracoMesh::readFloats(std::uint32_t uniqueId, int componentType, bool norma
     fail("E_DRACO", "the Draco attribute has another number of components than its accessor", where);
   }
   switch (componentType) {
-    case COMPONENT_I8: return convertIntegers<std::int8_t>(mesh, *attribute, componentType, normalized, out, where);
-    case COMPONENT_U8: return convertIntegers<std::uint8_t>(mesh, *attribute, componentType, normalized, out, where);
-    case COMPONENT_I16: return convertIntegers<std::int16_t>(mesh, *attribute, componentType, normalized, out, where);
-    case COMPONENT_U16: return convertIntegers<std::uint16_t>(mesh, *attribute, componentType, normalized, out, where);
-    case COMPONENT_U32: return convertIntegers<std::uint32_t>(mesh, *attribute, componentType, normalized, out, where);
-    default: return convert<float>(mesh, *attribute, out, where);
+    case COMPONENT_I8:
+      return convertIntegers<std::int8_t>(mesh, *attribute, componentType, normalized, out, where);
+    case COMPONENT_U8:
+      return convertIntegers<std::uint8_t>(mesh, *attribute, componentType, normalized, out, where);
+    case COMPONENT_I16:
+      return convertIntegers<std::int16_t>(mesh, *attribute, componentType, normalized, out, where);
+    case COMPONENT_U16:
+      return convertIntegers<std::uint16_t>(mesh, *attribute, componentType, normalized, out, where);
+    case COMPONENT_U32:
+      return convertIntegers<std::uint32_t>(mesh, *attribute, componentType, normalized, out, where);
+    default:
+      return convert<float>(mesh, *attribute, out, where);
   }
 }
 

@@ -31,8 +31,8 @@ class DracoMesh {
   /// Reads one attribute as the values that an accessor of this type would hold.
   /// @param out vertices * components floats
   /// @throws Error{E_DRACO} where there is no such attribute or it does not fit the accessor
-  void readFloats(std::uint32_t uniqueId, int componentType, bool normalized, unsigned components,
-                  std::span<float> out, const std::string& where) const;
+  void readFloats(std::uint32_t uniqueId, int componentType, bool normalized, unsigned components, std::span<float> out,
+                  const std::string& where) const;
 
  private:
   struct Mesh;

@@ -9,12 +9,14 @@ namespace telar::asset {
 namespace {
 
 constexpr std::string_view SUPPORTED[] = {
-    "EXT_texture_webp",        "KHR_draco_mesh_compression",     "KHR_lights_punctual",
-    "KHR_materials_unlit",     "KHR_materials_emissive_strength", "KHR_materials_variants",
-    "KHR_mesh_quantization",   "KHR_texture_transform",
+    "EXT_texture_webp",      "KHR_draco_mesh_compression",      "KHR_lights_punctual",
+    "KHR_materials_unlit",   "KHR_materials_emissive_strength", "KHR_materials_variants",
+    "KHR_mesh_quantization", "KHR_texture_transform",
 };
 
-bool supported(std::string_view name) { return std::find(std::begin(SUPPORTED), std::end(SUPPORTED), name) != std::end(SUPPORTED); }
+bool supported(std::string_view name) {
+  return std::find(std::begin(SUPPORTED), std::end(SUPPORTED), name) != std::end(SUPPORTED);
+}
 
 }  // namespace
 
@@ -22,12 +24,14 @@ void checkExtensions(const std::vector<std::string>& used, const std::vector<std
                      Warnings& warnings) {
   for (std::size_t i = 0; i < required.size(); ++i) {
     if (!supported(required[i])) {
-      fail("E_EXT_REQUIRED", "the model requires the glTF extension " + telar::quoted(required[i]) +
-                                 ", which telar does not have; export without it",
+      fail("E_EXT_REQUIRED",
+           "the model requires the glTF extension " + telar::quoted(required[i]) +
+               ", which telar does not have; export without it",
            pointer("extensionsRequired", i));
     }
     if (std::find(used.begin(), used.end(), required[i]) == used.end()) {
-      warnings.add("W_EXT", "the extension " + telar::quoted(required[i]) + " is required but not listed in extensionsUsed",
+      warnings.add("W_EXT",
+                   "the extension " + telar::quoted(required[i]) + " is required but not listed in extensionsUsed",
                    pointer("extensionsRequired", i));
     }
   }

@@ -40,9 +40,11 @@ bool readAll(int fd, std::uint64_t expected, const CancelToken& cancel, std::vec
 [[noreturn]] void failToOpen(const std::string& path, const std::string& where) {
   const int reason = errno;
   if (reason == ELOOP || reason == EXDEV) {
-    fail("E_URI_DENIED", "the file " + telar::quoted(path) + " is a symbolic link or leads out of the model's folder", where);
+    fail("E_URI_DENIED", "the file " + telar::quoted(path) + " is a symbolic link or leads out of the model's folder",
+         where);
   }
-  fail("E_URI_MISSING", "the file " + telar::quoted(path) + " is not beneath the model's folder or cannot be read", where);
+  fail("E_URI_MISSING", "the file " + telar::quoted(path) + " is not beneath the model's folder or cannot be read",
+       where);
 }
 
 }  // namespace
@@ -64,11 +66,12 @@ int walkBeneath(int folder, const std::string& path) {
   std::size_t begin = 0;
   for (;;) {
     const std::size_t end = std::min(path.find('/', begin), path.size());
-    const std::string component = path.substr(begin, end - begin);
+    std::string component = path.substr(begin, end - begin);
+    if (component.empty()) component = ".";
     if (component == "..") return errno = EXDEV, -1;
     if (end == path.size()) return ::openat(at, component.c_str(), READ_FLAGS | O_NOFOLLOW);
     begin = end + 1;
-    if (component.empty() || component == ".") continue;
+    if (component == ".") continue;
     FileDescriptor next(::openat(at, component.c_str(), O_PATH | O_CLOEXEC | O_NOFOLLOW));
     struct stat facts {};
     if (!next || ::fstat(next.get(), &facts) != 0) return -1;
@@ -118,7 +121,8 @@ std::vector<std::byte> ModelFolder::read(const std::string& path, const std::str
   const FileDescriptor fd(openBeneath(folder_.get(), path));
   struct stat facts {};
   if (!fd || ::fstat(fd.get(), &facts) != 0) failToOpen(path, where);
-  if (S_ISDIR(facts.st_mode)) fail("E_URI_MISSING", "the uri " + telar::quoted(path) + " names a folder, not a file", where);
+  if (S_ISDIR(facts.st_mode))
+    fail("E_URI_MISSING", "the uri " + telar::quoted(path) + " names a folder, not a file", where);
   if (!S_ISREG(facts.st_mode)) fail("E_URI_DENIED", "the uri " + telar::quoted(path) + " names no regular file", where);
   if (idOf(facts) == modelId_) fail("E_URI_MISSING", "the uri names the model file itself", where);
   const auto size = static_cast<std::uint64_t>(facts.st_size);

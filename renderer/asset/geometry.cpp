@@ -25,17 +25,20 @@ int GeometryReader::attribute(const Source& source, const std::string& name) con
   return found == source.attributes.end() ? -1 : found->second;
 }
 
-void GeometryReader::checkAttribute(const Source& source, const std::string& name, unsigned least, unsigned most) const {
+void GeometryReader::checkAttribute(const Source& source, const std::string& name, unsigned least,
+                                    unsigned most) const {
   const int accessor = attribute(source, name);
   if (accessor < 0) return;
   const std::string where = where_ + pointer("attributes", name);
   const unsigned components = from_.accessors.components(accessor);
   const auto& info = from_.accessors.info(accessor);
-  if (components < least || components > most || info.type > TINYGLTF_TYPE_VEC4 || info.componentType == COMPONENT_U32) {
+  if (components < least || components > most || info.type > TINYGLTF_TYPE_VEC4 ||
+      info.componentType == COMPONENT_U32) {
     fail("E_ACCESSOR", "the accessor has a type that this attribute cannot have", where);
   }
   if (info.count != from_.accessors.count(attribute(source, "POSITION"))) {
-    fail("E_ACCESSOR", "the accessor has " + std::to_string(info.count) + " elements, POSITION has another number", where);
+    fail("E_ACCESSOR", "the accessor has " + std::to_string(info.count) + " elements, POSITION has another number",
+         where);
   }
 }
 
@@ -47,15 +50,10 @@ void GeometryReader::checkLayout(const Source& source) const {
   if (source.indices < 0) return;
   const auto& info = from_.accessors.info(source.indices);
   const std::string where = where_ + "/indices";
-  const bool isUnsigned = info.componentType == COMPONENT_U8 || info.componentType == COMPONENT_U16 ||
-                          info.componentType == COMPONENT_U32;
+  const bool isUnsigned =
+      info.componentType == COMPONENT_U8 || info.componentType == COMPONENT_U16 || info.componentType == COMPONENT_U32;
   if (from_.accessors.components(source.indices) != 1 || !isUnsigned) {
     fail("E_ACCESSOR", "indices must be a SCALAR accessor of unsigned integers", where);
-  }
-  const bool inView = info.bufferView >= 0;
-  if (inView && from_.document.model.bufferViews[static_cast<std::size_t>(info.bufferView)].byteStride != 0) {
-    fail("E_STRIDE", "a buffer view of indices must not have a byteStride",
-         pointer("bufferViews", info.bufferView, "byteStride"));
   }
 }
 
@@ -86,7 +84,8 @@ void GeometryReader::readStream(const Source& source, const DracoMesh* draco, co
     // Without a view either, the attribute would silently be zeros.
     const auto& info = from_.accessors.info(accessor);
     if (info.bufferView < 0 && !info.sparse.isSparse) {
-      fail("E_DRACO", "the Draco mesh does not hold the attribute " + telar::quoted(name) + ", and its accessor has no data",
+      fail("E_DRACO",
+           "the Draco mesh does not hold the attribute " + telar::quoted(name) + ", and its accessor has no data",
            where_ + pointer("extensions", DRACO, "attributes"));
     }
   }
@@ -100,8 +99,9 @@ Order GeometryReader::readOrder(const Source& source, const DracoMesh* draco, st
   from_.accessors.readUnsigned(source.indices, out);
   for (std::size_t i = 0; i < out.size(); ++i) {
     if (out[i] >= vertices) {
-      fail("E_INDEX", "index " + std::to_string(i) + " names vertex " + std::to_string(out[i]) + " of " +
-                          std::to_string(vertices), pointer("accessors", source.indices));
+      fail("E_INDEX",
+           "index " + std::to_string(i) + " names vertex " + std::to_string(out[i]) + " of " + std::to_string(vertices),
+           pointer("accessors", source.indices));
     }
   }
   return out;

@@ -46,7 +46,8 @@ Image8 ImageLoader::decode(std::size_t image, double& bytesSoFar) const {
     // A URI need not give a type; an image in a buffer view must, and the right one.
     const bool embedded = source.bufferView >= 0;
     if (source.mimeType != header.mimeType && (embedded || !source.mimeType.empty())) {
-      warnings_.add("W_IMAGE_MIME", "the image is " + header.mimeType + ", its mimeType says " + telar::quoted(source.mimeType),
+      warnings_.add("W_IMAGE_MIME",
+                    "the image is " + header.mimeType + ", its mimeType says " + telar::quoted(source.mimeType),
                     where + "/mimeType");
     }
     return decodeImage(file, limits_, cancel_);

@@ -103,6 +103,11 @@ class Builder : public nlohmann::json_sax<json> {
 }  // namespace
 
 json readJson(std::string_view text, std::uint64_t fileOffset, const Limits& limits, const CancelToken& cancel) {
+  // The parser takes a NUL for the end of the text and would not see what follows.
+  const std::size_t nul = text.find('\0');
+  if (nul != std::string_view::npos) {
+    throw Error("E_JSON", "the glTF JSON contains a NUL byte; pad with spaces").atOffset(fileOffset + nul);
+  }
   Builder builder(fileOffset, limits, cancel);
   json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();

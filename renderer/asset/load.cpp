@@ -49,7 +49,8 @@ std::shared_ptr<const Scene> loadPath(const std::filesystem::path& file, const L
   });
 }
 
-std::shared_ptr<const Scene> loadBytes(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel) {
+std::shared_ptr<const Scene> loadBytes(std::span<const std::byte> file, const Limits& limits,
+                                       const CancelToken& cancel) {
   return orOutOfMemory([&] { return load(file, nullptr, limits, cancel); });
 }
 

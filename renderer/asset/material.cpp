@@ -63,7 +63,8 @@ class MaterialReader {
   void readTextures(Material& out) {
     const auto& pbr = source_.pbrMetallicRoughness;
     out.baseColorTexture = texture(pbr.baseColorTexture, "pbrMetallicRoughness/baseColorTexture");
-    out.metallicRoughnessTexture = texture(pbr.metallicRoughnessTexture, "pbrMetallicRoughness/metallicRoughnessTexture");
+    out.metallicRoughnessTexture =
+        texture(pbr.metallicRoughnessTexture, "pbrMetallicRoughness/metallicRoughnessTexture");
     out.normalTexture = texture(source_.normalTexture, "normalTexture");
     out.normalScale = clamped(source_.normalTexture.scale, -NORMAL_SCALE_MAX, NORMAL_SCALE_MAX, "normalTexture/scale");
     out.occlusionTexture = texture(source_.occlusionTexture, "occlusionTexture");
@@ -89,7 +90,8 @@ class MaterialReader {
     } else if (mode == "BLEND") {
       out.alphaMode = AlphaMode::kBlend;
     } else if (!mode.empty() && mode != "OPAQUE") {
-      warnings_.add("W_ENUM", "the alpha mode " + telar::quoted(mode) + " is unknown; drawn opaque", where_ + "/alphaMode");
+      warnings_.add("W_ENUM", "the alpha mode " + telar::quoted(mode) + " is unknown; drawn opaque",
+                    where_ + "/alphaMode");
     }
     // Above 1 is allowed and hides everything.
     out.alphaCutoff = clamped(source_.alphaCutoff, 0, 2, "alphaCutoff");
@@ -157,8 +159,8 @@ class MaterialReader {
     };
     const double c = std::cos(numberOf(transform, "rotation", 0)), s = std::sin(numberOf(transform, "rotation", 0));
     const double sx = pair("scale", 1, 0), sy = pair("scale", 1, 1);
-    out.uvTransform = glm::mat3(toFloat(sx * c), toFloat(-sx * s), 0.0f,                            // column 0
-                                toFloat(sy * s), toFloat(sy * c), 0.0f,                             // column 1
+    out.uvTransform = glm::mat3(toFloat(sx * c), toFloat(-sx * s), 0.0f,                              // column 0
+                                toFloat(sy * s), toFloat(sy * c), 0.0f,                               // column 1
                                 toFloat(pair("offset", 0, 0)), toFloat(pair("offset", 0, 1)), 1.0f);  // column 2
   }
 

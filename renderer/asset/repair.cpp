@@ -32,7 +32,8 @@ std::vector<glm::dvec3> faceNormals(const Primitive& primitive) {
   const std::size_t corners = indices.empty() ? primitive.positions.size() : indices.size();
   const auto at = [&](std::size_t i) { return indices.empty() ? i : std::size_t{indices[i]}; };
   for (std::size_t i = 0; i + 2 < corners; i += 3) {
-    const glm::dvec3 a(primitive.positions[at(i)]), b(primitive.positions[at(i + 1)]), c(primitive.positions[at(i + 2)]);
+    const glm::dvec3 a(primitive.positions[at(i)]), b(primitive.positions[at(i + 1)]),
+        c(primitive.positions[at(i + 2)]);
     const glm::dvec3 normal = glm::cross(b - a, c - a);
     for (std::size_t k = 0; k < 3; ++k) sums[at(i + k)] += normal;
   }
@@ -85,7 +86,8 @@ std::size_t repairTangents(Primitive& primitive) {
     glm::vec4& tangent = primitive.tangents[i];
     glm::vec3 direction(tangent);
     const Direction state = settle(direction);
-    if (state == Direction::kBad) direction = primitive.normals.empty() ? glm::vec3(1, 0, 0) : across(primitive.normals[i]);
+    if (state == Direction::kBad)
+      direction = primitive.normals.empty() ? glm::vec3(1, 0, 0) : across(primitive.normals[i]);
     changed += state != Direction::kGood;
     tangent = glm::vec4(direction, tangent.w < 0 ? -1.0f : 1.0f);
   }

@@ -32,8 +32,10 @@ std::span<const std::byte> Resources::bufferBytes(std::size_t index) {
 std::vector<std::byte> Resources::fetch(const std::string& uri, const std::string& where) const {
   if (isDataUri(uri)) return decodeDataUri(uri, where);
   if (!folder_) {
-    fail("E_URI_DENIED", "the model came as bytes, so the uri " + telar::quoted(uri) +
-                             " is not opened; embed the file, or load the model by its path", where);
+    fail("E_URI_DENIED",
+         "the model came as bytes, so the uri " + telar::quoted(uri) +
+             " is not opened; embed the file, or load the model by its path",
+         where);
   }
   return folder_->read(relativePath(uri, where), where, cancel_);
 }

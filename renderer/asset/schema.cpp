@@ -57,19 +57,27 @@ class Reducer {
       case Kind::kBool:
         if (!value.is_boolean()) fail("E_SCHEMA", "expected true or false here", where.pointer());
         return value;
-      case Kind::kText: return text(value, where);
-      case Kind::kName: return cutName(text(value, where));
-      case Kind::kNumber: return number(value, where);
-      case Kind::kSize: return integer(field, value, where);
-      case Kind::kIndex: return index(field, value, where);
-      case Kind::kObject: return object(*field.object, value, where);
+      case Kind::kText:
+        return text(value, where);
+      case Kind::kName:
+        return cutName(text(value, where));
+      case Kind::kNumber:
+        return number(value, where);
+      case Kind::kSize:
+        return integer(field, value, where);
+      case Kind::kIndex:
+        return index(field, value, where);
+      case Kind::kObject:
+        return object(*field.object, value, where);
       case Kind::kSizes:
-      case Kind::kIndexMap: return map(field, value, where);
+      case Kind::kIndexMap:
+        return map(field, value, where);
       case Kind::kNumbers:
       case Kind::kIndices:
       case Kind::kIndexMaps:
       case Kind::kTexts:
-      case Kind::kObjects: return list(field, value, where);
+      case Kind::kObjects:
+        return list(field, value, where);
     }
     throw Error("X_INTERNAL", "a schema field has an unknown kind");
   }
@@ -91,11 +99,16 @@ class Reducer {
 
   json item(const Field& field, const json& value, const Where& where) {
     switch (field.kind) {
-      case Kind::kNumbers: return number(value, where);
-      case Kind::kIndices: return index(field, value, where);
-      case Kind::kIndexMaps: return map(field, value, where);
-      case Kind::kTexts: return cutName(text(value, where));
-      default: return object(*field.object, value, where);
+      case Kind::kNumbers:
+        return number(value, where);
+      case Kind::kIndices:
+        return index(field, value, where);
+      case Kind::kIndexMaps:
+        return map(field, value, where);
+      case Kind::kTexts:
+        return cutName(text(value, where));
+      default:
+        return object(*field.object, value, where);
     }
   }
 
@@ -135,8 +148,10 @@ class Reducer {
     if (out > field.max && field.rangeCode.empty()) return field.max;
     if (out < field.min || out > field.max || out % field.step != 0) {
       const std::string step = field.step > 1 ? " in steps of " + std::to_string(field.step) : "";
-      fail(field.rangeCode, "the value is out of range here: expected " + std::to_string(field.min) + " to " +
-                                std::to_string(field.max) + step, where.pointer());
+      fail(field.rangeCode,
+           "the value is out of range here: expected " + std::to_string(field.min) + " to " +
+               std::to_string(field.max) + step,
+           where.pointer());
     }
     return out;
   }
@@ -145,8 +160,10 @@ class Reducer {
     const std::uint64_t out = unsignedInteger(field, value, where);
     const std::uint64_t count = lengthOf(field.target);
     if (out >= count) {
-      fail("E_REF", "the index names an object that does not exist: there are " + std::to_string(count) + " " +
-                        std::string(field.target), where.pointer());
+      fail("E_REF",
+           "the index names an object that does not exist: there are " + std::to_string(count) + " " +
+               std::string(field.target),
+           where.pointer());
     }
     return out;
   }

@@ -13,19 +13,19 @@ namespace telar::asset {
 
 enum class Kind {
   kBool,
-  kText,      ///< string of any length
-  kName,      ///< string, cut at 1 KiB
-  kNumber,    ///< finite; copied as a double
-  kNumbers,   ///< array of numbers, min..max of them
-  kSize,      ///< integer, min..max
-  kSizes,     ///< object of integers, any keys
-  kIndex,     ///< integer below the length of the array at `target`
-  kIndices,   ///< array of such, min..max of them
-  kIndexMap,  ///< object of such, any keys
-  kIndexMaps, ///< array of such objects
-  kTexts,     ///< array of strings
+  kText,       ///< string of any length
+  kName,       ///< string, cut at 1 KiB
+  kNumber,     ///< finite; copied as a double
+  kNumbers,    ///< array of numbers, min..max of them
+  kSize,       ///< integer, min..max
+  kSizes,      ///< object of integers, any keys
+  kIndex,      ///< integer below the length of the array at `target`
+  kIndices,    ///< array of such, min..max of them
+  kIndexMap,   ///< object of such, any keys
+  kIndexMaps,  ///< array of such objects
+  kTexts,      ///< array of strings
   kObject,
-  kObjects,   ///< array of objects, min..max of them
+  kObjects,  ///< array of objects, min..max of them
 };
 
 constexpr std::uint64_t INTEGER_MAX = std::uint64_t{1} << 53;  ///< JSON's own: exact in a double
@@ -38,7 +38,7 @@ struct Field {
   std::string_view key;
   Kind kind;
   bool required = false;
-  std::string_view target = {};           ///< root array, or the JSON pointer of an array
+  std::string_view target = {};  ///< root array, or the JSON pointer of an array
   const ObjectRule* object = nullptr;
   std::uint64_t min = 0, max = INTEGER_MAX;
   std::uint64_t step = 1;                      ///< a kSize must be a multiple of it

@@ -61,8 +61,8 @@ constexpr ObjectRule SPARSE_INDICES_RULE{SPARSE_INDICES};
 constexpr Field SPARSE_VALUES[] = {index("bufferView", "bufferViews", true),
                                    size("byteOffset", "E_SPARSE", false, 0, INT_32_MAX)};
 constexpr ObjectRule SPARSE_VALUES_RULE{SPARSE_VALUES};
-constexpr Field SPARSE[] = {size("count", "E_SPARSE", true, 1, INT_32_MAX), object("indices", SPARSE_INDICES_RULE, true),
-                            object("values", SPARSE_VALUES_RULE, true)};
+constexpr Field SPARSE[] = {size("count", "E_SPARSE", true, 1, INT_32_MAX),
+                            object("indices", SPARSE_INDICES_RULE, true), object("values", SPARSE_VALUES_RULE, true)};
 constexpr ObjectRule SPARSE_RULE{SPARSE};
 
 constexpr Field ACCESSOR[] = {index("bufferView", "bufferViews"),
@@ -76,9 +76,9 @@ constexpr Field ACCESSOR[] = {index("bufferView", "bufferViews"),
                               object("sparse", SPARSE_RULE)};
 constexpr ObjectRule ACCESSOR_RULE{ACCESSOR};
 
-constexpr Field DRACO[] = {index("bufferView", "bufferViews", true),
-                           {.key = "attributes", .kind = Kind::kSizes, .required = true, .max = INT_32_MAX,
-                            .rangeCode = "E_DRACO"}};
+constexpr Field DRACO[] = {
+    index("bufferView", "bufferViews", true),
+    {.key = "attributes", .kind = Kind::kSizes, .required = true, .max = INT_32_MAX, .rangeCode = "E_DRACO"}};
 constexpr ObjectRule DRACO_RULE{DRACO};
 constexpr Field MAPPING[] = {index("material", "materials", true),
                              {.key = "variants", .kind = Kind::kIndices, .required = true, .target = VARIANTS}};
@@ -89,22 +89,20 @@ constexpr Field PRIMITIVE_EXTENSIONS[] = {object("KHR_draco_mesh_compression", D
                                           object("KHR_materials_variants", MAPPINGS_RULE)};
 constexpr ObjectRule PRIMITIVE_EXTENSIONS_RULE{PRIMITIVE_EXTENSIONS};
 
-constexpr Field PRIMITIVE[] = {
-    {.key = "attributes", .kind = Kind::kIndexMap, .required = true, .target = "accessors"},
-    index("indices", "accessors"),
-    index("material", "materials"),
-    size("mode", "E_SCHEMA", false, 0, 6),
-    {.key = "targets",
-     .kind = Kind::kIndexMaps,
-     .target = "accessors",
-     .limit = &Limits::morphTargets,
-     .limitName = "L_MORPH_TARGETS"},
-    object("extensions", PRIMITIVE_EXTENSIONS_RULE)};
+constexpr Field PRIMITIVE[] = {{.key = "attributes", .kind = Kind::kIndexMap, .required = true, .target = "accessors"},
+                               index("indices", "accessors"),
+                               index("material", "materials"),
+                               size("mode", "E_SCHEMA", false, 0, 6),
+                               {.key = "targets",
+                                .kind = Kind::kIndexMaps,
+                                .target = "accessors",
+                                .limit = &Limits::morphTargets,
+                                .limitName = "L_MORPH_TARGETS"},
+                               object("extensions", PRIMITIVE_EXTENSIONS_RULE)};
 constexpr ObjectRule PRIMITIVE_RULE{PRIMITIVE};
 
-constexpr Field MESH[] = {name(),
-                          {.key = "primitives", .kind = Kind::kObjects, .required = true, .object = &PRIMITIVE_RULE,
-                           .min = 1}};
+constexpr Field MESH[] = {
+    name(), {.key = "primitives", .kind = Kind::kObjects, .required = true, .object = &PRIMITIVE_RULE, .min = 1}};
 constexpr ObjectRule MESH_RULE{MESH};
 
 constexpr Field NODE_LIGHT[] = {index("light", LIGHTS, true)};
@@ -159,18 +157,18 @@ constexpr ObjectRule TEXTURE_EXTENSIONS_RULE{TEXTURE_EXTENSIONS};
 constexpr Field TEXTURE[] = {index("sampler", "samplers"), index("source", "images"),
                              object("extensions", TEXTURE_EXTENSIONS_RULE)};
 constexpr ObjectRule TEXTURE_RULE{TEXTURE};
-constexpr Field IMAGE[] = {{.key = "uri", .kind = Kind::kText}, index("bufferView", "bufferViews"),
-                           {.key = "mimeType", .kind = Kind::kName}};
+constexpr Field IMAGE[] = {
+    {.key = "uri", .kind = Kind::kText}, index("bufferView", "bufferViews"), {.key = "mimeType", .kind = Kind::kName}};
 constexpr ObjectRule IMAGE_RULE{IMAGE};
 constexpr Field SAMPLER[] = {lenient("magFilter"), lenient("minFilter"), lenient("wrapS"), lenient("wrapT")};
 constexpr ObjectRule SAMPLER_RULE{SAMPLER};
 
 constexpr Field SCENE[] = {name(), {.key = "nodes", .kind = Kind::kIndices, .target = "nodes"}};
 constexpr ObjectRule SCENE_RULE{SCENE};
-constexpr Field SKIN[] = {{.key = "joints", .kind = Kind::kIndices, .required = true, .target = "nodes", .min = 1,
-                           .rangeCode = "E_SKIN"},
-                          index("inverseBindMatrices", "accessors"),
-                          index("skeleton", "nodes")};
+constexpr Field SKIN[] = {
+    {.key = "joints", .kind = Kind::kIndices, .required = true, .target = "nodes", .min = 1, .rangeCode = "E_SKIN"},
+    index("inverseBindMatrices", "accessors"),
+    index("skeleton", "nodes")};
 constexpr ObjectRule SKIN_RULE{SKIN};
 
 constexpr Field VARIANT[] = {name()};

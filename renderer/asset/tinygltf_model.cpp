@@ -1,11 +1,10 @@
 #include <fstream>  // tinygltf's writer, which nothing here calls, needs it even without file access
 
 #define TINYGLTF_IMPLEMENTATION
-#include "asset/tinygltf_model.h"
-
 #include <limits>
 
 #include "asset/pointer.h"
+#include "asset/tinygltf_model.h"
 
 namespace telar::asset {
 namespace {
@@ -19,7 +18,8 @@ bool noRead(std::vector<unsigned char>*, std::string* error, const std::string&,
   return false;
 }
 bool noWrite(std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; }
-bool noImage(tinygltf::Image*, const int, std::string* error, std::string*, int, int, const unsigned char*, int, void*) {
+bool noImage(tinygltf::Image*, const int, std::string* error, std::string*, int, int, const unsigned char*, int,
+             void*) {
   if (error) *error += "image access is switched off";
   return false;
 }

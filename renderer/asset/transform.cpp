@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "asset/pointer.h"
-
 namespace telar::asset {
 namespace {
 
@@ -17,22 +15,13 @@ glm::dmat3 rotationMatrix(const std::vector<double>& q) {
 
 }  // namespace
 
-glm::dmat4 localMatrix(const tinygltf::Node& node, const std::string& where) {
+glm::dmat4 localMatrix(const tinygltf::Node& node) {
   glm::dmat4 out(1);
   if (!node.matrix.empty()) {
-    if (!node.translation.empty() || !node.rotation.empty() || !node.scale.empty()) {
-      fail("E_SCHEMA", "a node must have either a matrix or translation, rotation and scale", where + "/matrix");
-    }
     for (int i = 0; i < 16; ++i) out[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
     return out;
   }
-  if (!node.rotation.empty()) {
-    const auto& q = node.rotation;
-    if (q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0) {
-      fail("E_SCHEMA", "a rotation must be a unit quaternion, this one is zero", where + "/rotation");
-    }
-    out = glm::dmat4(rotationMatrix(q));
-  }
+  if (!node.rotation.empty()) out = glm::dmat4(rotationMatrix(node.rotation));
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
     if (!node.scale.empty()) out[i] *= node.scale[k];
@@ -44,8 +33,8 @@ glm::dmat4 localMatrix(const tinygltf::Node& node, const std::string& where) {
 bool isCollapsed(const glm::dmat4& world) {
   const glm::dvec3 x(world[0]), y(world[1]), z(world[2]);
   // Also false for NaN: every comparison with it fails.
-  const bool spansPlane = glm::length(glm::cross(x, y)) > 0 || glm::length(glm::cross(y, z)) > 0 ||
-                          glm::length(glm::cross(z, x)) > 0;
+  const bool spansPlane =
+      glm::length(glm::cross(x, y)) > 0 || glm::length(glm::cross(y, z)) > 0 || glm::length(glm::cross(z, x)) > 0;
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) {
       if (!std::isfinite(world[column][row])) return true;

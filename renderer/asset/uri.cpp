@@ -21,7 +21,8 @@ std::string percentDecode(std::string_view text) {
   std::string out;
   out.reserve(text.size());
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool escape = text[i] == '%' && text.size() - i > 2 && hexDigit(text[i + 1]) >= 0 && hexDigit(text[i + 2]) >= 0;
+    const bool escape =
+        text[i] == '%' && text.size() - i > 2 && hexDigit(text[i + 1]) >= 0 && hexDigit(text[i + 2]) >= 0;
     if (escape) {
       out += static_cast<char>(hexDigit(text[i + 1]) * 16 + hexDigit(text[i + 2]));
       i += 2;
@@ -103,11 +104,13 @@ std::vector<std::byte> decodeDataUri(std::string_view uri, std::string_view wher
   std::string_view head = uri.substr(5, comma - 5);
   const std::string_view data = uri.substr(comma + 1);
   constexpr std::string_view BASE64 = ";base64";
-  const bool base64 = head.size() >= BASE64.size() && equalIgnoringCase(head.substr(head.size() - BASE64.size()), BASE64);
+  const bool base64 =
+      head.size() >= BASE64.size() && equalIgnoringCase(head.substr(head.size() - BASE64.size()), BASE64);
   if (base64) head.remove_suffix(BASE64.size());
   const std::string_view type = head.substr(0, head.find(';'));
   if (!type.empty() && !startsIgnoringCase(type, "application/") && !startsIgnoringCase(type, "image/")) {
-    fail("E_URI_DATA", "a data: URI has the media type " + telar::quoted(type) + ", which holds no buffer and no image", where);
+    fail("E_URI_DATA", "a data: URI has the media type " + telar::quoted(type) + ", which holds no buffer and no image",
+         where);
   }
   if (base64) return decodeBase64(data, where);
   const std::string text = percentDecode(data);
@@ -119,8 +122,8 @@ std::string relativePath(std::string_view uri, std::string_view where) {
   if (uri.empty()) fail("E_URI_MISSING", "a uri is empty; it must name a file beside the model", where);
   const std::string path = percentDecode(uri);
   if (hasScheme(uri) || leavesFolder(path) || leavesFolder(percentDecode(path))) {
-    fail("E_URI_DENIED", "the uri " + telar::quoted(uri) + " leads out of the model's folder; only files beneath it are opened",
-         where);
+    fail("E_URI_DENIED",
+         "the uri " + telar::quoted(uri) + " leads out of the model's folder; only files beneath it are opened", where);
   }
   return path;
 }

@@ -1,0 +1,103 @@
+#include "asset/container.h"
+
+#include "asset/model_builder.h"
+
+namespace telar::test {
+namespace {
+
+ModelBuilder texturedQuad() {
+  ModelBuilder model;
+  json& primitive = model.quad();
+  primitive["attributes"]["TEXCOORD_0"] = model.accessor(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}, 5126, "VEC2");
+  primitive["material"] = 0;
+  model.doc["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+  model.doc["textures"] = {{{"source", model.image()}}};
+  return model;
+}
+
+void putU32(Bytes& file, std::size_t at, std::uint32_t value) { std::memcpy(&file[at], &value, sizeof value); }
+
+TEST(Container, EveryPrefixOfAGlbIsATypedErrorWithItsPlace) {
+  const Bytes whole = texturedQuad().glb();
+  ASSERT_EQ(errorOf(whole), "");
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    try {
+      loadBytes(std::span(whole).first(size), {}, {});
+      FAIL() << "a GLB of " << whole.size() << " bytes loaded from its first " << size;
+    } catch (const Error& error) {
+      const std::string expected = size == 0 ? "E_EMPTY" : size < 12 ? "E_GLB_HEADER" : "E_GLB_CHUNK";
+      ASSERT_EQ(error.code, expected) << "at size " << size;
+      ASSERT_TRUE(error.offset.has_value()) << "at size " << size;
+    }
+  }
+}
+
+TEST(Container, EveryPrefixOfAGltfIsATypedError) {
+  const Bytes whole = texturedQuad().gltf();
+  ASSERT_EQ(errorOf(whole), "");
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    ASSERT_EQ(errorOf(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size))),
+              size == 0 ? "E_EMPTY" : "E_JSON");
+  }
+}
+
+TEST(Container, EveryFlippedByteEndsInASceneOrATypedError) {
+  const Bytes whole = texturedQuad().glb();
+  int loaded = 0;
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    for (const unsigned mask : {0x01u, 0x20u, 0x80u, 0xffu}) {
+      Bytes file = whole;
+      file[at] ^= static_cast<std::byte>(mask);
+      loaded += errorOf(file).empty();  // anything but a telar::Error fails the test
+    }
+  }
+  EXPECT_GT(loaded, 0);
+}
+
+TEST(Container, HeaderFaults) {
+  const Bytes good = texturedQuad().glb();
+  const auto with = [&](std::size_t at, std::uint32_t value) {
+    Bytes file = good;
+    putU32(file, at, value);
+    return errorOf(file);
+  };
+  EXPECT_EQ(with(0, 0x04034b50), "E_NOT_GLTF");  // zip
+  EXPECT_EQ(with(4, 1), "E_GLB_VERSION");
+  EXPECT_EQ(with(8, 12), "E_GLB_LENGTH");
+  EXPECT_EQ(with(8, static_cast<std::uint32_t>(good.size()) - 4), "E_GLB_LENGTH");
+  EXPECT_EQ(with(8, static_cast<std::uint32_t>(good.size()) + 4), "E_GLB_CHUNK");
+  EXPECT_EQ(with(12, 0), "E_GLB_CHUNK");
+  EXPECT_EQ(with(12, 0xffffffff), "E_GLB_CHUNK");
+  EXPECT_EQ(with(12, 0xffffffec), "E_GLB_CHUNK");  // 20 + length wraps to 0 in 32 bits
+  EXPECT_EQ(with(16, 0x004e4942), "E_GLB_CHUNK");  // BIN first
+}
+
+TEST(Container, UnknownChunksAreSkippedWithAWarning) {
+  Bytes file = texturedQuad().glb();
+  const std::uint32_t chunk[] = {4, 0x41424344, 0};
+  const auto* bytes = reinterpret_cast<const std::byte*>(chunk);
+  file.insert(file.end(), bytes, bytes + sizeof chunk);
+  putU32(file, 8, static_cast<std::uint32_t>(file.size()));
+  EXPECT_TRUE(hasWarning(*load(file), "W_GLB_CHUNK"));
+}
+
+TEST(Container, FileLimit) {
+  Limits limits;
+  limits.fileBytes = 100;
+  EXPECT_EQ(errorOf(texturedQuad().glb(), limits), "L_FILE_BYTES");
+}
+
+TEST(Container, CancelledBeforeTheFirstByte) {
+  const CancelToken cancel;
+  cancel.cancel();
+  const Bytes file = texturedQuad().glb();
+  try {
+    loadBytes(file, {}, cancel);
+    FAIL() << "a cancelled job loaded";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code, "X_CANCELLED");
+  }
+}
+
+}  // namespace
+}  // namespace telar::test

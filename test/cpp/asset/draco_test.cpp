@@ -1,0 +1,174 @@
+#include <draco/compression/expert_encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
+
+#include "asset/accessor.h"
+#include "asset/draco_mesh.h"
+#include "asset/model_builder.h"
+
+namespace telar::test {
+namespace {
+
+using namespace telar::asset;
+
+struct Encoded {
+  Bytes data;
+  std::uint32_t points = 0, faces = 0;
+  int position = 0, uv = 0, custom = 0;  ///< unique ids
+};
+
+/// A fan of 8 triangles with positions, UVs and a generic attribute of bytes, as a glTF exporter encodes it.
+Encoded encode(int method) {
+  draco::TriangleSoupMeshBuilder builder;
+  builder.Start(8);
+  const int position = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  const int uv = builder.AddAttribute(draco::GeometryAttribute::TEX_COORD, 2, draco::DT_FLOAT32);
+  const int custom = builder.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_UINT8);
+  for (int i = 0; i < 8; ++i) {
+    const auto x = static_cast<float>(i);
+    const float p[3][3] = {{4, 3, 0}, {x, 0, 0}, {x + 1, 0, 0}};
+    const float t[3][2] = {{0.5f, 1}, {x / 8, 0}, {(x + 1) / 8, 0}};
+    const std::uint8_t c[4] = {255, static_cast<std::uint8_t>(i), 51, 255};
+    const draco::FaceIndex face(static_cast<unsigned>(i));
+    builder.SetAttributeValuesForFace(position, face, p[0], p[1], p[2]);
+    builder.SetAttributeValuesForFace(uv, face, t[0], t[1], t[2]);
+    builder.SetAttributeValuesForFace(custom, face, c, c, c);
+  }
+  const auto mesh = builder.Finalize();
+  draco::ExpertEncoder encoder(*mesh);
+  encoder.SetEncodingMethod(method);
+  encoder.SetAttributeQuantization(position, 14);
+  encoder.SetAttributeQuantization(uv, 12);
+  draco::EncoderBuffer buffer;
+  EXPECT_TRUE(encoder.EncodeToBuffer(&buffer).ok());
+  Encoded out;
+  const auto* bytes = reinterpret_cast<const std::byte*>(buffer.data());
+  out.data.assign(bytes, bytes + buffer.size());
+  out.points = static_cast<std::uint32_t>(encoder.num_encoded_points());
+  out.faces = static_cast<std::uint32_t>(encoder.num_encoded_faces());
+  out.points = mesh->num_points();
+  out.faces = mesh->num_faces();
+  out.position = static_cast<int>(mesh->attribute(position)->unique_id());
+  out.uv = static_cast<int>(mesh->attribute(uv)->unique_id());
+  out.custom = static_cast<int>(mesh->attribute(custom)->unique_id());
+  return out;
+}
+
+class DracoTest : public testing::TestWithParam<int> {
+ protected:
+  DracoTest() : encoded(encode(GetParam())) {
+    json& p = model.primitive({{"POSITION", model.accessor(-1, COMPONENT_F32, encoded.points, "VEC3")},
+                               {"TEXCOORD_0", model.accessor(-1, COMPONENT_F32, encoded.points, "VEC2")},
+                               {"COLOR_0", model.accessor(-1, COMPONENT_U8, encoded.points, "VEC4", true)}});
+    p["indices"] = model.accessor(-1, COMPONENT_U16, encoded.faces * 3, "SCALAR");
+    p["extensions"]["KHR_draco_mesh_compression"] = {
+        {"bufferView", model.view(encoded.data)},
+        {"attributes", {{"POSITION", encoded.position}, {"TEXCOORD_0", encoded.uv}, {"COLOR_0", encoded.custom}}}};
+    model.doc["extensionsUsed"] = model.doc["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+  }
+  json& extension() { return model.doc["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]; }
+  static constexpr const char* WHERE = "E_DRACO at /meshes/0/primitives/0/extensions/KHR_draco_mesh_compression";
+
+  Encoded encoded;
+  ModelBuilder model;
+};
+
+INSTANTIATE_TEST_SUITE_P(Methods, DracoTest,
+                         testing::Values(draco::MESH_SEQUENTIAL_ENCODING, draco::MESH_EDGEBREAKER_ENCODING));
+
+TEST_P(DracoTest, HeaderCountsAreRead) {
+  const DracoCounts counts = readDracoCounts(encoded.data, "");
+  EXPECT_EQ(counts.faces, 8u);
+  EXPECT_GE(counts.vertices, 10u);
+}
+
+TEST_P(DracoTest, DecodesEveryAttributeById) {
+  const auto scene = load(model);
+  const auto& p = scene->meshes[0].primitives[0];
+  ASSERT_EQ(p.indices.size(), 24u);
+  ASSERT_EQ(p.colors.size(), encoded.points);
+  EXPECT_NEAR(scene->bounds.max.x, 8, 1e-3);
+  EXPECT_NEAR(scene->bounds.max.y, 3, 1e-3);
+  double area = 0;
+  for (std::size_t i = 0; i < p.indices.size(); i += 3) {
+    const auto a = p.positions[p.indices[i]], b = p.positions[p.indices[i + 1]], c = p.positions[p.indices[i + 2]];
+    area += 0.5 * glm::length(glm::cross(b - a, c - a));
+  }
+  EXPECT_NEAR(area, 12, 1e-2);
+  for (std::size_t i = 0; i < p.positions.size(); ++i) {
+    EXPECT_EQ(p.colors[i].r, 1);
+    EXPECT_FLOAT_EQ(p.colors[i].b, 0.2f);
+    const float u = p.positions[i].y > 1 ? 0.5f : p.positions[i].x / 8;
+    EXPECT_NEAR(p.uvs[0][i].x, u, 1e-3);
+  }
+}
+
+TEST_P(DracoTest, ContradictionsAreRefused) {
+  const auto accessors = model.doc["accessors"];
+  for (int i = 0; i < 3; ++i) model.doc["accessors"][i]["count"] = encoded.points + 1;
+  EXPECT_EQ(errorOf(model), WHERE);
+  model.doc["accessors"] = accessors;
+  model.doc["accessors"][3]["count"] = 27;
+  EXPECT_EQ(errorOf(model), WHERE);
+  model.doc["accessors"] = accessors;
+  extension()["attributes"]["POSITION"] = 99;
+  EXPECT_EQ(errorOf(model), std::string(WHERE) + "/attributes/POSITION");
+  extension()["attributes"]["POSITION"] = encoded.uv;  // two components
+  EXPECT_EQ(errorOf(model), std::string(WHERE) + "/attributes/POSITION");
+  extension()["attributes"].erase("POSITION");
+  EXPECT_EQ(errorOf(model), std::string(WHERE) + "/attributes");
+  extension()["bufferView"] = 7;
+  EXPECT_EQ(errorOf(model), "E_REF at /meshes/0/primitives/0/extensions/KHR_draco_mesh_compression/bufferView");
+}
+
+/// Every cut and many flips of the bitstream: a mesh or E_DRACO, never a crash, a hang or another error.
+TEST_P(DracoTest, DamagedStreamsAreTypedErrors) {
+  const DracoExpectation expected{encoded.points, std::uint64_t{encoded.faces} * 3};
+  const auto codeOf = [&](const Bytes& data) -> std::string {
+    try {
+      DracoMesh::decode(data, expected, {}, "");
+      return "";
+    } catch (const Error& error) {
+      return error.code;
+    }
+  };
+  ASSERT_EQ(codeOf(encoded.data), "");
+  for (std::size_t size = 0; size < encoded.data.size(); ++size) {
+    const std::string code =
+        codeOf(Bytes(encoded.data.begin(), encoded.data.begin() + static_cast<std::ptrdiff_t>(size)));
+    ASSERT_TRUE(code == "E_DRACO" || (code.empty() && size + 8 > encoded.data.size())) << size << " " << code;
+  }
+  for (std::size_t at = 0; at < encoded.data.size(); ++at) {
+    for (int bit = 0; bit < 8; ++bit) {
+      Bytes data = encoded.data;
+      data[at] ^= static_cast<std::byte>(1 << bit);
+      const std::string code = codeOf(data);
+      ASSERT_TRUE(code.empty() || code == "E_DRACO") << at << " " << bit << " " << code;
+    }
+  }
+}
+
+TEST(DracoHeader, ClaimsAreRefusedBeforeAnythingIsAllocated) {
+  // sequential mesh, 2^32 - 1 faces, 3 points
+  const Bytes huge = bytesOf(
+      std::vector<unsigned char>{'D', 'R', 'A', 'C', 'O', 2, 2, 1, 0, 0, 0, 0xff, 0xff, 0xff, 0xff, 0x0f, 3, 1});
+  EXPECT_EQ(readDracoCounts(huge, "").faces, 0xffffffffu);
+  EXPECT_THROW(DracoMesh::decode(huge, {3, 3}, {}, ""), Error);
+  const auto refused = [](const std::vector<unsigned char>& head) {
+    try {
+      readDracoCounts(bytesOf(head), "");
+      return std::string();
+    } catch (const Error& error) {
+      return error.code;
+    }
+  };
+  EXPECT_EQ(refused({}), "E_DRACO");
+  EXPECT_EQ(refused({'D', 'R', 'A', 'C', 'O', 1, 1, 1, 0, 0, 0, 1, 3}), "E_DRACO");
+  EXPECT_EQ(refused({'D', 'R', 'A', 'C', 'O', 2, 2, 0, 0, 0, 0, 1, 3}), "E_DRACO");  // point cloud
+  EXPECT_EQ(refused({'D', 'R', 'A', 'C', 'O', 2, 2, 1, 9, 0, 0, 1, 3}), "E_DRACO");
+  std::vector<unsigned char> nested = {'D', 'R', 'A', 'C', 'O', 2, 2, 1, 0, 0, 0x80, 0};
+  for (int i = 0; i < 100'000; ++i) nested.insert(nested.end(), {0, 1, 0});  // metadata in metadata
+  EXPECT_EQ(refused(nested), "E_DRACO");
+}
+
+}  // namespace
+}  // namespace telar::test
