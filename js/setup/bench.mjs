@@ -6,8 +6,7 @@ import { main, ROOT, runShown } from './step.mjs';
 // npm run bench [-- NAME...]: every benchmark of test/bench, or those whose names are given, one after the other.
 
 await main(async () => {
-  await setUp({ groups: ['build', 'run', 'test'], preset: 'dev' });
-  await setUp({ groups: [], preset: 'release' });
+  await setUp({ groups: ['build', 'run', 'test'], presets: ['dev', 'release'] });
   const names = process.argv.slice(2);
   const files = readdirSync(path.join(ROOT, 'test/bench')).filter((file) => file.endsWith('.mjs')).sort();
   let worst = 0;

@@ -7,18 +7,18 @@ import { main, step } from './step.mjs';
 
 /**
  * Everything between a clean clone and a run; each step does nothing when it is done already.
- * @param {{groups: string[], preset: string}} what - Package groups of debian_packages.txt; a preset of CMakePresets.json.
+ * @param {{groups: string[], presets: string[]}} what - Package groups of debian_packages.txt; presets of CMakePresets.json.
  */
-export async function setUp({ groups, preset }) {
+export async function setUp({ groups, presets }) {
   await step('Debian packages', (begin) => ensureDebianPackages(groups, begin));
   await step('npm packages', ensureNpmPackages);
   await step('CommonJS bundles', ensureBundles);
-  await step(`Build (${preset})`, (begin) => ensureBuild(preset, begin));
+  for (const preset of presets) await step(`Build (${preset})`, (begin) => ensureBuild(preset, begin));
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   await main(async () => {
-    await setUp({ groups: ['build', 'run'], preset: 'release' });
+    await setUp({ groups: ['build', 'run'], presets: ['release'] });
     return 0;
   });
 }

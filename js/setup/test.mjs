@@ -27,7 +27,7 @@ function runNodeTests(files) {
 
 await main(async () => {
   const [only, ...files] = process.argv.slice(2);
-  await setUp({ groups: ['build', 'run', 'test'], preset: PRESET });
+  await setUp({ groups: ['build', 'run', 'test'], presets: [PRESET] });
   const lines = [];
   for (const [name, suite] of Object.entries(SUITES)) {
     if (only && only !== name) continue;

@@ -8,7 +8,7 @@ import { main, ROOT, runShown } from './step.mjs';
 const OURS = ['js/assets/tshirt.glb', '-o', 'out/tshirt.png'];
 
 await main(async () => {
-  await setUp({ groups: ['build', 'run'], preset: 'release' });
+  await setUp({ groups: ['build', 'run'], presets: ['release'] });
   const args = process.argv.slice(2);
   const namesModel = args.some((arg) => /\.(glb|gltf)$/i.test(arg));
   const { bin } = JSON.parse(readFileSync(path.join(ROOT, 'package.json'), 'utf8'));
