@@ -42,11 +42,11 @@ Napi::Value textOnPool(Napi::Env env, const std::shared_ptr<Job>& job, std::func
   });
 }
 
-/// plan(scene, shot: string, token) -> Promise<string>
+/// plan(scene, shot: string, token) -> Promise<string>; the scene is gone afterwards
 Napi::Value plan(const Napi::CallbackInfo& info) {
-  auto scene = unwrap<SceneHandle>(info[0]).scene;
   auto shot = stringFromJs(info[1], "the shot");
   auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
+  auto scene = unwrap<SceneHandle>(info[0]).detach();
   return textOnPool(info.Env(), job, [scene, shot] { return planFrame(*scene, parseShot(shot)); });
 }
 

@@ -56,11 +56,26 @@ Napi::Object SceneHandle::make(Napi::Env env, std::shared_ptr<const Scene> scene
 }
 
 SceneHandle::SceneHandle(const Napi::CallbackInfo& info)
-    : ObjectWrap(info), scene(take<std::shared_ptr<const Scene>>(info)), accounted_(sceneBytes(*scene)) {
+    : ObjectWrap(info), scene_(take<std::shared_ptr<const Scene>>(info)), accounted_(sceneBytes(*scene_)) {
   info.This().As<Napi::Object>().TypeTag(&TAG);
   Napi::MemoryManagement::AdjustExternalMemory(info.Env(), accounted_);
 }
 
-void SceneHandle::Finalize(Napi::BasicEnv env) { Napi::MemoryManagement::AdjustExternalMemory(env, -accounted_); }
+std::shared_ptr<const Scene> SceneHandle::scene() const {
+  if (!scene_) throw Napi::TypeError::New(Env(), "native telar drew this model for the last time");
+  return scene_;
+}
+
+std::shared_ptr<const Scene> SceneHandle::detach() {
+  std::shared_ptr<const Scene> scene = this->scene();
+  Finalize(Env());
+  scene_.reset();
+  return scene;
+}
+
+void SceneHandle::Finalize(Napi::BasicEnv env) {
+  Napi::MemoryManagement::AdjustExternalMemory(env, -accounted_);
+  accounted_ = 0;
+}
 
 }  // namespace telar::addon

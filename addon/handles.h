@@ -39,7 +39,7 @@ class BytesHandle : public Napi::ObjectWrap<BytesHandle> {
   std::shared_ptr<const Bytes> bytes;
 };
 
-/// A decoded model.
+/// A decoded model. One that is drawn once gives it away with detach(), rather than hold it until it is collected.
 class SceneHandle : public Napi::ObjectWrap<SceneHandle> {
  public:
   static constexpr napi_type_tag TAG{0x74656c6172000003, 0x9a3f5c1e7b2d4860};
@@ -48,9 +48,12 @@ class SceneHandle : public Napi::ObjectWrap<SceneHandle> {
   explicit SceneHandle(const Napi::CallbackInfo& info);
   void Finalize(Napi::BasicEnv env) override;
 
-  std::shared_ptr<const Scene> scene;
+  /// @throws Napi::TypeError after detach()
+  std::shared_ptr<const Scene> scene() const;
+  std::shared_ptr<const Scene> detach();
 
  private:
+  std::shared_ptr<const Scene> scene_;
   std::int64_t accounted_ = 0;
 };
 

@@ -110,11 +110,12 @@ Napi::Value RendererHandle::render(const Napi::CallbackInfo& info) {
   const Napi::Env env = info.Env();
   const Napi::Object request = info[0].As<Napi::Object>();
   auto render = std::make_shared<Render>();
-  render->scene = unwrap<SceneHandle>(request.Get("scene")).scene;
   render->shotJson = stringFromJs(request.Get("shot"), "the shot");
   const Napi::Value environment = request.Get("environment");
   if (!environment.IsUndefined()) render->environment = unwrap<BytesHandle>(environment).bytes;
   render->releaseScene = request.Get("releaseScene").ToBoolean();
+  SceneHandle& handle = unwrap<SceneHandle>(request.Get("scene"));
+  render->scene = render->releaseScene ? handle.detach() : handle.scene();
 
   auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[1]).token);
   State& state = State::of(env);
@@ -132,10 +133,11 @@ Napi::Value RendererHandle::render(const Napi::CallbackInfo& info) {
   });
 }
 
-/// release(scene): frees the GPU copies of a model that is not drawn again.
+/// release(scene, forget: boolean): frees the GPU copies of a model; forget: it is not drawn again, free all of it.
 Napi::Value RendererHandle::release(const Napi::CallbackInfo& info) {
   auto job = std::make_shared<Job>(CancelToken());
-  return run(info.Env(), job, [scene = unwrap<SceneHandle>(info[0]).scene](Renderer& renderer) {
+  SceneHandle& handle = unwrap<SceneHandle>(info[0]);
+  return run(info.Env(), job, [scene = info[1].ToBoolean() ? handle.detach() : handle.scene()](Renderer& renderer) {
     renderer.release(*scene);
     return true;
   });

@@ -11,6 +11,9 @@ import { ASSET_DIRECTORY, loadNative } from './native.mjs';
 /** Frames on their way at once: one is drawn while others load or are encoded. More would only hold memory. */
 const FRAMES_IN_FLIGHT = 4;
 
+/** Frames and small requests in the GL thread's own queue. */
+const MAX_QUEUED = 64;
+
 /** The schema of the shot costs load time, so it comes with the first job. */
 const shotModule = () => import('./shot/index.mjs');
 
@@ -169,13 +172,13 @@ class Renderer {
     } finally {
       stopListening?.();
       // Not waited for, and no news if it fails: the frames have said what is wrong with the renderer.
-      if (!model && loaded) this.#releaseScene(loaded).catch(() => {});
+      if (!model && loaded) this.#releaseScene(loaded, true).catch(() => {});
     }
   }
 
   /** After the frames that wait in the queue; close() waits for it. */
-  #releaseScene(model) {
-    return this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model))));
+  #releaseScene(model, forget = false) {
+    return this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model), forget)));
   }
 
   async #render({ input, model: given, shot, environment, map }, signal) {
@@ -227,7 +230,7 @@ export async function createRendererOn(native, options = {}) {
     cacheDirectory: rest.cacheDirectory,
     limits: rest.limits,
     allFeatures: rest.allFeatures,
-    maxQueued: FRAMES_IN_FLIGHT * 4,
+    maxQueued: MAX_QUEUED,
   };
   const closeLate = ({ renderer }) => void renderer.close();
   // Beside the context, so that the first frame need not wait for it. A failure is the first frame's to report.
