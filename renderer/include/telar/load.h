@@ -20,9 +20,10 @@ std::shared_ptr<const Scene> loadPath(const std::filesystem::path& file, const L
 std::shared_ptr<const Scene> loadBytes(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel);
 
 /// Facts of a scene as one JSON object, for `telar inspect` and for resolveShot(shot, facts):
-/// {bounds: {min, max} | null, size: [x, y, z] metres, nodes, meshes, drawCalls, vertices, triangles, fileBytes,
+/// {bounds: {min, max} | null, outline: [[x, y, z], ...] (drawn vertices that lie farthest out, world space), size: [x, y, z] metres, nodes, meshes, drawCalls, vertices, triangles, fileBytes,
 ///  materials: [{name, ...}], images: [{width, height}], lights: [...], variants: [...], extensionsUsed: [...],
-///  cameras: [{name, node, projection, fovY?, height?, near, far, position, target, up}] (degrees, world space),
+///  cameras: [{name, node, projection, fovY?, aspectRatio?, height?, width?, near, far, position, target, up}]
+///    (degrees, metres, world space; far null = infinite; target = the point on the view ray nearest to the centre),
 ///  generator, copyright, warnings: [{code, message, pointer?}]}
 std::string describeScene(const Scene& scene);
 
