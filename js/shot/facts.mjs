@@ -6,7 +6,7 @@ const asPoint = (value) => (Array.isArray(value) ? value : AXES.map((axis) => va
 
 /**
  * What resolveShot needs to know of a model.
- * @param {unknown} facts of `renderer.load` or `inspect`, or a box alone: {min, max} with [x, y, z] or {x, y, z} in metres,
+ * @param {unknown} facts of `renderer.load`, `inspect` or `factsOf` of telar/three, or a box alone: {min, max} with [x, y, z] or {x, y, z} in metres,
  *   as THREE.Box3 has them; undefined where the shot's camera is explicit
  * @returns {{bounds?: import('./frame.mjs').Bounds, cameras?: object[], variants?: string[]}} bounds undefined = nothing to draw
  * @throws {TelarError} E_OPTION
@@ -15,13 +15,13 @@ export function readFacts(facts) {
   if (facts === undefined || facts === null) return {};
   const isBox = facts.min !== undefined && facts.max !== undefined;
   return {
-    bounds: readBounds(isBox ? facts : facts.bounds),
+    bounds: readBounds(isBox ? facts : facts.bounds, facts.outline),
     cameras: facts.cameras,
     variants: facts.variants,
   };
 }
 
-function readBounds(box) {
+function readBounds(box, outline) {
   if (box === undefined || box === null) return undefined;
   const [min, max] = [asPoint(box.min), asPoint(box.max)];
   // An empty THREE.Box3 runs from +Infinity to -Infinity.
@@ -29,5 +29,8 @@ function readBounds(box) {
   if (!isFinitePoint(min) || !isFinitePoint(max) || min.some((low, i) => low > max[i])) {
     throw new TelarError('E_OPTION', 'facts: expected bounds {min, max} of three finite numbers each, min <= max');
   }
-  return { min: [...min], max: [...max] };
+  if (outline !== undefined && !(Array.isArray(outline) && outline.every((point) => Array.isArray(point) && isFinitePoint(point)))) {
+    throw new TelarError('E_OPTION', 'facts.outline: expected a list of points of three finite numbers');
+  }
+  return { min: [...min], max: [...max], ...(outline?.length > 0 && { outline }) };
 }

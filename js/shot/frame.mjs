@@ -1,10 +1,10 @@
 import { sinCosDegrees, tanDegrees } from './trig.mjs';
 
 /**
- * Places a camera so that a box fills the frame. Metres, +Y up, the front faces +Z; doubles, no engine-dependent functions.
+ * Places a camera so that a model fills the frame. Metres, +Y up, the front faces +Z; doubles, no engine-dependent functions.
  *
  * @typedef {[number, number, number]} Vec3
- * @typedef {{min: Vec3, max: Vec3}} Bounds
+ * @typedef {{min: Vec3, max: Vec3, outline?: Vec3[]}} Bounds outline: the model's farthest points, where they are known
  * @typedef {{right: Vec3, up: Vec3, back: Vec3}} Basis orthonormal; back points from the target to the camera
  */
 
@@ -52,12 +52,16 @@ function centreAndHalf({ min, max }) {
   return { centre, half: length(half) > 0 ? half : [0.5, 0.5, 0.5] };
 }
 
-/** The eight corners relative to the box's centre, in the axes of a basis: [[x right, y up, z towards the camera], ...]. */
-function cornersIn({ right, up, back }, half) {
-  return Array.from({ length: 8 }, (_, i) => {
-    const corner = half.map((h, axis) => (i & (1 << axis) ? h : -h));
-    return [dot(corner, right), dot(corner, up), dot(corner, back)];
-  });
+/** The eight corners of a box relative to its centre. */
+const cornersOf = (half) => Array.from({ length: 8 }, (_, i) => half.map((h, axis) => (i & (1 << axis) ? h : -h)));
+
+/**
+ * What must be in the frame, relative to the box's centre, in the axes of a basis: [[x right, y up, z towards the
+ * camera], ...]. The model's outline where it is known, since most models are smaller than their box; else its corners.
+ */
+function cornersIn({ right, up, back }, { centre, half, outline }) {
+  const points = outline?.length > 1 ? outline.map((point) => subtract(point, centre)) : cornersOf(half);
+  return points.map((point) => [dot(point, right), dot(point, up), dot(point, back)]);
 }
 
 const largest = (list, f) => list.reduce((most, item) => Math.max(most, f(item)), -Infinity);
@@ -85,7 +89,7 @@ function centringShift(corners, axis, distance) {
 }
 
 /**
- * Frames a box from a direction: its projection is centred and takes `fit` of the frame in the tighter dimension.
+ * Frames a model from a direction: its projection is centred and takes `fit` of the frame in the tighter dimension.
  * @param {Bounds} bounds
  * @param {{azimuth: number, elevation: number, projection: 'perspective' | 'orthographic', fovY?: number, fit: number}} view
  *   degrees; fit (0, 1]
@@ -95,9 +99,10 @@ function centringShift(corners, axis, distance) {
 export function frameBounds(bounds, { azimuth, elevation, projection, fovY, fit }, aspect) {
   const basis = viewBasis(azimuth, elevation);
   const { centre, half } = centreAndHalf(bounds);
-  const corners = cornersIn(basis, half);
+  const corners = cornersIn(basis, { centre, half, outline: bounds.outline });
   const diagonal = 2 * length(half);
-  const front = largest(corners, (c) => c[2]);
+  // Depth goes by the box, which holds every vertex.
+  const front = largest(cornersOf(half), (c) => dot(c, basis.back));
   const camera = projection === 'perspective'
     ? framePerspective(corners, fit * tanDegrees(fovY / 2), aspect, front + CLEARANCE * diagonal)
     : frameOrthographic(corners, fit, aspect, diagonal);
@@ -119,9 +124,12 @@ function framePerspective(corners, slopeY, aspect, leastDistance) {
 }
 
 function frameOrthographic(corners, fit, aspect, diagonal) {
-  const [width, height] = [0, 1].map((axis) => 2 * largest(corners, (c) => c[axis]));
-  const seen = Math.max(height, width / aspect);
-  return { distance: diagonal, x: 0, y: 0, height: (seen > 1e-9 * diagonal ? seen : diagonal) / fit };
+  const [width, height] = [0, 1].map((axis) => {
+    const [low, high] = [-largest(corners, (c) => -c[axis]), largest(corners, (c) => c[axis])];
+    return { extent: high - low, middle: (low + high) / 2 };
+  });
+  const seen = Math.max(height.extent, width.extent / aspect);
+  return { distance: diagonal, x: width.middle, y: height.middle, height: (seen > 1e-9 * diagonal ? seen : diagonal) / fit };
 }
 
 /**

@@ -21,3 +21,11 @@ export function applyShot(shot: ResolvedShot, target: {
   /** Linear equirectangular texture; required where the shot has an environment. */
   environment?: Three;
 }): Promise<Three>;
+
+/** What resolveShot needs to know of a model that GLTFLoader gave, measured as the server measures it. Metres, world space. */
+export function factsOf(model: { scene: Three; parser?: Three }, three: { THREE: Three }): {
+  bounds: { min: number[]; max: number[] } | null;
+  /** Drawn vertices that lie farthest out. */
+  outline: number[][];
+  variants: string[];
+};

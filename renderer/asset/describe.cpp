@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "asset/outline.h"
 #include "telar/load.h"
 
 namespace telar {
@@ -121,6 +122,8 @@ std::string describeScene(const Scene& scene) {
   json out;
   out["name"] = scene.name;
   out["bounds"] = empty ? json(nullptr) : json{{"min", list(scene.bounds.min)}, {"max", list(scene.bounds.max)}};
+  out["outline"] = json::array();
+  for (const glm::dvec3& point : asset::outlineOf(scene)) out["outline"].push_back(list(point));
   out["size"] = empty ? json{0, 0, 0} : list(scene.bounds.max - scene.bounds.min);
   out["nodes"] = scene.nodes.size();
   out["meshes"] = scene.meshes.size();

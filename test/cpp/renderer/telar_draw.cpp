@@ -1,10 +1,13 @@
 // telar_draw MODEL SHOT.json OUT.raw [--env FILE] [--backend NAME] [--all-features] [--repeat N]
 // Draws one resolved shot without Node: OUT.raw gets the frame's bytes, stdout the frame's info as JSON.
+#include <time.h>
+
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "telar/load.h"
 #include "telar/renderer.h"
@@ -16,6 +19,12 @@ std::vector<std::byte> readAll(const std::string& path) {
   const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
   return {bytes, bytes + text.size()};
+}
+
+double cpuMs() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) / 1e6;
 }
 
 telar::Backend backendOf(const std::string& name) {
@@ -47,8 +56,11 @@ int run(int argc, char** argv) {
   telar::Frame frame;
   for (int i = 0; i < repeat; ++i) {
     telar::FrameInfo info;
+    const double before = cpuMs();
     frame = renderer->draw(scene, shot, environment, cancel, info);
-    std::cout << info.json << "\n";
+    auto json = nlohmann::ordered_json::parse(info.json);
+    json["cpuMs"] = cpuMs() - before;  // all threads of the process
+    std::cout << json.dump() << "\n";
   }
   std::ofstream(argv[3], std::ios::binary).write(reinterpret_cast<const char*>(frame.pixels.data()), static_cast<std::streamsize>(frame.pixels.size()));
   return 0;

@@ -146,3 +146,27 @@ test('planes of an explicit camera are fitted, with the camera outside, inside a
   const [givenNear, beyond] = planes([0, 0, 5], [0, 0, 0], { near: 50 });
   assert.ok(givenNear === 50 && beyond > 50);
 });
+
+test('with its outline known, the model itself fills the frame, not its box', () => {
+  // An octahedron: from the front and at a slant its box is far larger than it.
+  const outline = [[1, 0, 0], [-1, 0, 0], [0, 1.5, 0], [0, -0.5, 0], [0, 0, 1], [0, 0, -1]];
+  const facts = { bounds: { min: [-1, -0.5, -1], max: [1, 1.5, 1] }, outline };
+  for (const size of SIZES) {
+    for (const direction of DIRECTIONS) {
+      // A lens of 70 degrees would have to stand inside the box, which the near plane forbids.
+      for (const lens of LENSES.filter(({ fovY }) => fovY !== 70)) {
+        const shot = resolveShot({ size, camera: { ...direction, ...lens } }, facts);
+        const seen = outline.map((point) => new Vector3(...point).project(threeCamera(shot)).toArray());
+        const extent = [0, 1].map((axis) => [Math.min(...seen.map((p) => p[axis])), Math.max(...seen.map((p) => p[axis]))]);
+        const message = JSON.stringify({ size, direction, lens });
+        for (const [low, high] of extent) near(low + high, 0, 1e-9, `${message}: centred`);
+        near(Math.max(...extent.map(([, high]) => high)), lens.fit ?? 0.9, 1e-9, `${message}: fills the frame`);
+        assert.deepEqual(resolveShot(shot, facts), shot, `${message}: idempotent`);
+      }
+    }
+  }
+});
+
+test('an outline that is not a list of points is refused', () => {
+  assert.throws(() => resolveShot({}, { bounds: shirt, outline: [[0, 1, NaN]] }), /facts\.outline: expected a list of points/);
+});

@@ -1,0 +1,83 @@
+#include "asset/outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+
+namespace telar::asset {
+namespace {
+
+constexpr int GRID = 2;         // directions end on the surface of the integer cube [-GRID, GRID]^3
+constexpr std::size_t AXES = 49;  // one of each opposite pair
+
+std::array<glm::dvec3, AXES> directions() {
+  std::array<glm::dvec3, AXES> list;
+  std::size_t count = 0;
+  for (int x = -GRID; x <= GRID; ++x) {
+    for (int y = -GRID; y <= GRID; ++y) {
+      for (int z = -GRID; z <= GRID; ++z) {
+        const bool onSurface = std::max({std::abs(x), std::abs(y), std::abs(z)}) == GRID;
+        const bool half = x > 0 || (x == 0 && (y > 0 || (y == 0 && z > 0)));
+        if (onSurface && half) list[count++] = glm::dvec3(x, y, z);
+      }
+    }
+  }
+  return list;
+}
+
+/// Farthest points both ways along every axis.
+class Support {
+ public:
+  Support() { low_.fill(std::numeric_limits<double>::infinity()), high_.fill(-std::numeric_limits<double>::infinity()); }
+
+  void add(const glm::dvec3& p) {
+    for (std::size_t i = 0; i < AXES; ++i) {
+      const double along = p.x * axes_[i].x + p.y * axes_[i].y + p.z * axes_[i].z;
+      if (along > high_[i]) high_[i] = along, highest_[i] = p;
+      if (along < low_[i]) low_[i] = along, lowest_[i] = p;
+    }
+  }
+
+  std::vector<glm::dvec3> points() const {
+    std::vector<glm::dvec3> out;
+    const auto keep = [&out](const glm::dvec3& p) {
+      if (std::find(out.begin(), out.end(), p) == out.end()) out.push_back(p);
+    };
+    for (std::size_t i = 0; i < AXES; ++i) {
+      if (high_[i] < low_[i]) return {};
+      keep(highest_[i]), keep(lowest_[i]);
+    }
+    return out;
+  }
+
+ private:
+  std::array<glm::dvec3, AXES> axes_ = directions();
+  std::array<double, AXES> low_, high_;
+  std::array<glm::dvec3, AXES> lowest_{}, highest_{};
+};
+
+}  // namespace
+
+std::vector<glm::dvec3> outlineOf(const Scene& scene) {
+  Support support;
+  for (const Node& node : scene.nodes) {
+    if (node.mesh < 0) continue;
+    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+      const auto add = [&](const glm::vec3& p) { support.add(glm::dvec3(node.world * glm::dvec4(glm::dvec3(p), 1.0))); };
+      if (primitive.indices.empty()) {
+        std::for_each(primitive.positions.begin(), primitive.positions.end(), add);
+        continue;
+      }
+      std::vector<bool> seen(primitive.positions.size());
+      for (const std::uint32_t index : primitive.indices) {
+        if (seen[index]) continue;
+        seen[index] = true;
+        add(primitive.positions[index]);
+      }
+    }
+  }
+  return support.points();
+}
+
+}  // namespace telar::asset

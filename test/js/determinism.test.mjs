@@ -1,0 +1,75 @@
+// The same shot gives the same bytes: in another process, on another number of rasteriser threads, on another backend.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { createRenderer } from '../../js/index.mjs';
+import { ENVIRONMENTS, MODELS } from '../fixtures/index.mjs';
+
+const root = fileURLToPath(new URL('../../', import.meta.url));
+const folder = mkdtempSync(path.join(tmpdir(), 'telar-determinism-'));
+after(() => rmSync(folder, { recursive: true }));
+
+function thumbnail(name, environment) {
+  const out = path.join(folder, name);
+  const run = spawnSync(process.execPath, ['js/cli/telar.mjs', 'thumbnail', 'js/assets/tshirt.glb', '-o', out, '--view', 'three-quarter'], {
+    cwd: root,
+    env: { ...process.env, ...environment },
+    encoding: 'utf8',
+  });
+  assert.equal(run.status, 0, run.stderr);
+  return readFileSync(out);
+}
+
+test('two processes, one and two rasteriser threads: the same PNG', () => {
+  const first = thumbnail('a.png', {});
+  assert.deepEqual(thumbnail('b.png', {}), first);
+  assert.deepEqual(thumbnail('one.png', { LP_NUM_THREADS: '1' }), first);
+  assert.deepEqual(thumbnail('two.png', { LP_NUM_THREADS: '2' }), first);
+  assert.deepEqual(thumbnail('none.png', { LP_NUM_THREADS: '0' }), first);
+});
+
+let egl;
+let osmesa;
+before(async () => {
+  egl = await createRenderer({ backend: 'egl-surfaceless' });
+  osmesa = await createRenderer({ backend: 'osmesa' });
+});
+after(async () => {
+  await egl?.close();
+  await osmesa?.close();
+});
+
+const lights = [
+  { type: 'hemisphere', color: [0.8, 0.9, 1], groundColor: [0.2, 0.15, 0.1], intensity: 0.5 },
+  { type: 'directional', color: 'white', intensity: 2, position: [3, 4, 5] },
+];
+
+for (const [name, make] of Object.entries(MODELS)) {
+  test(`EGL surfaceless and OSMesa draw ${name} byte for byte alike`, async () => {
+    const model = await make();
+    const shot = {
+      size: { width: 128, height: 128 },
+      environment: { map: ENVIRONMENTS.lamps() },
+      lights,
+      camera: { view: 'three-quarter' },
+      background: name === 'ball' ? 'environment' : 'transparent',
+      output: { format: 'raw' },
+    };
+    const a = await egl.render(model, shot);
+    const b = await osmesa.render(model, shot);
+    assert.equal(a.info.backend, 'egl-surfaceless');
+    assert.equal(b.info.backend, 'osmesa');
+    assert.ok(a.data.equals(b.data));
+    assert.ok(a.data.some((byte) => byte !== 0), 'something is drawn');
+  });
+}
+
+test('EGL surfaceless and OSMesa draw the bundled garment byte for byte alike', async () => {
+  const file = path.join(root, 'js/assets/tshirt.glb');
+  const [a, b] = [await egl.render(file, {}), await osmesa.render(file, {})];
+  assert.ok(a.data.equals(b.data));
+});
