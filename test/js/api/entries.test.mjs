@@ -90,6 +90,12 @@ test('a thumbnail with the bundled environment maps no OpenImageIO and no OSMesa
   assert.deepEqual(files.filter((file) => /OpenImageIO|OSMesa|libtelar_oiio/.test(file)), []);
 });
 
+test('the addon exports its two Node-API symbols and nothing else', () => {
+  const names = execFileSync('nm', ['-D', '--defined-only', addonFile], { encoding: 'utf8' }).trim().split('\n')
+    .map((line) => line.split(' ').at(-1));
+  assert.deepEqual(names.sort(), ['napi_register_module_v1', 'node_api_module_get_api_version_v1']);
+});
+
 test('every file that package.json exports is there', () => {
   const manifest = JSON.parse(readFileSync(path.join(ROOT, 'package.json'), 'utf8'));
   const filesOf = (entry) => (typeof entry === 'string' ? [entry] : Object.values(entry).flatMap(filesOf));
