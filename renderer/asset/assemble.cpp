@@ -102,12 +102,16 @@ int Assembler::lightOf(const tinygltf::Node& source) {
   return static_cast<int>(scene_.lights.size()) - 1;
 }
 
-int Assembler::cameraOf(const tinygltf::Node& source) {
-  if (source.camera < 0) return -1;
-  const auto& camera = from_.document.cameras[static_cast<std::size_t>(source.camera)];
-  if (!camera) return -1;
-  scene_.cameras.push_back(*camera);
-  return static_cast<int>(scene_.cameras.size()) - 1;
+int Assembler::cameraOf(const tinygltf::Node& source) const {
+  return source.camera < 0 ? -1 : cameras_[static_cast<std::size_t>(source.camera)];
+}
+
+/// In the file's order, so that a camera's number is the one that users know from the file.
+void Assembler::readCameras() {
+  for (const auto& camera : from_.document.cameras) {
+    cameras_.push_back(camera ? static_cast<int>(scene_.cameras.size()) : -1);
+    if (camera) scene_.cameras.push_back(*camera);
+  }
 }
 
 void Assembler::addNode(const Visit& visit) {
@@ -220,6 +224,7 @@ Scene Assembler::assemble() {
   checkWork(visits);
   meshes_.assign(model().meshes.size(), -1);
   readNames();
+  readCameras();
   for (std::size_t i = 0; i < visits.size(); ++i) {
     if (i % 1024 == 0) from_.cancel.check();
     addNode(visits[i]);

@@ -20,7 +20,8 @@ class Assembler {
   void addNode(const Visit& visit);
   int meshOf(const tinygltf::Node& source, int node);
   int lightOf(const tinygltf::Node& source);
-  int cameraOf(const tinygltf::Node& source);
+  int cameraOf(const tinygltf::Node& source) const;
+  void readCameras();
   int readMesh(int mesh);
   void placeMeshes();
   void readMaterials();
@@ -30,7 +31,8 @@ class Assembler {
   GeometryReader::Sources from_;
   GeometryReader geometry_;
   Scene scene_;
-  std::vector<int> meshes_;  ///< by mesh of the file: index into scene_.meshes, -1 = not read yet
+  std::vector<int> meshes_;   ///< by mesh of the file: index into scene_.meshes, -1 = not read yet
+  std::vector<int> cameras_;  ///< by camera of the file: index into scene_.cameras, -1 = malformed
 };
 
 }  // namespace telar::asset

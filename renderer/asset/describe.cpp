@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "asset/outline.h"
 #include "telar/load.h"
@@ -102,17 +105,25 @@ json describe(const Warning& warning) {
   return out;
 }
 
-void addNodeFacts(const Scene& scene, json& out) {
-  json lights = json::array(), cameras = json::array();
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    const Node& node = scene.nodes[i];
-    if (node.light >= 0) lights.push_back(describe(scene.lights[static_cast<std::size_t>(node.light)], node));
-    if (node.camera >= 0) {
-      cameras.push_back(describe(scene.cameras[static_cast<std::size_t>(node.camera)], node, i, scene.bounds));
-    }
+json describeLights(const Scene& scene) {
+  json out = json::array();
+  for (const Node& node : scene.nodes) {
+    if (node.light >= 0) out.push_back(describe(scene.lights[static_cast<std::size_t>(node.light)], node));
   }
-  out["lights"] = lights;
-  out["cameras"] = cameras;
+  return out;
+}
+
+json describeCameras(const Scene& scene) {
+  std::vector<std::pair<int, std::size_t>> placed;  // camera and node
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (scene.nodes[i].camera >= 0) placed.emplace_back(scene.nodes[i].camera, i);
+  }
+  std::sort(placed.begin(), placed.end());
+  json out = json::array();
+  for (const auto& [camera, node] : placed) {
+    out.push_back(describe(scene.cameras[static_cast<std::size_t>(camera)], scene.nodes[node], node, scene.bounds));
+  }
+  return out;
 }
 
 }  // namespace
@@ -135,7 +146,8 @@ std::string describeScene(const Scene& scene) {
   for (const Material& material : scene.materials) out["materials"].push_back(describe(material));
   out["images"] = json::array();
   for (const Image8& image : scene.images) out["images"].push_back({{"width", image.width}, {"height", image.height}});
-  addNodeFacts(scene, out);
+  out["lights"] = describeLights(scene);
+  out["cameras"] = describeCameras(scene);
   out["variants"] = scene.variants;
   out["extensionsUsed"] = scene.extensionsUsed;
   out["generator"] = scene.generator;

@@ -23,7 +23,8 @@ std::shared_ptr<const Scene> loadBytes(std::span<const std::byte> file, const Li
 /// {bounds: {min, max} | null, outline: [[x, y, z], ...] (drawn vertices that lie farthest out, world space), size: [x, y, z] metres, nodes, meshes, drawCalls, vertices, triangles, fileBytes,
 ///  materials: [{name, ...}], images: [{width, height}], lights: [...], variants: [...], extensionsUsed: [...],
 ///  cameras: [{name, node, projection, fovY?, aspectRatio?, height?, width?, near, far, position, target, up}]
-///    (degrees, metres, world space; far null = infinite; target = the point on the view ray nearest to the centre),
+///    (degrees, metres, world space; far null = infinite; target = the point on the view ray nearest to the centre;
+///    those that the drawn scene places, in the file's order),
 ///  generator, copyright, warnings: [{code, message, pointer?}]}
 std::string describeScene(const Scene& scene);
 

@@ -57,6 +57,22 @@ TEST(Describe, CamerasAreInWorldSpaceAndDegrees) {
   EXPECT_TRUE(hasWarning(*load(model), "W_CAMERA"));
 }
 
+TEST(Describe, CamerasComeInTheFilesOrder) {
+  ModelBuilder model;
+  model.quad();
+  const json lens = {{"yfov", 1}, {"znear", 1}};
+  model.doc["cameras"] = {{{"type", "perspective"}, {"name", "a"}, {"perspective", lens}},
+                          {{"type", "perspective"}, {"name", "b"}, {"perspective", lens}}};
+  model.doc["nodes"] = {{{"camera", 1}}, {{"mesh", 0}}, {{"camera", 0}}};
+  model.doc["scenes"][0]["nodes"] = {0, 1, 2};
+  const json cameras = describe(model)["cameras"];
+  ASSERT_EQ(cameras.size(), 2u);
+  EXPECT_EQ(cameras[0]["name"], "a");
+  EXPECT_EQ(cameras[0]["node"], 2);
+  EXPECT_EQ(cameras[0]["far"], nullptr);
+  EXPECT_EQ(cameras[1]["name"], "b");
+}
+
 TEST(Describe, LightsOfTheModel) {
   ModelBuilder model;
   model.quad();

@@ -43,8 +43,6 @@ Encoded encode(int method) {
   Encoded out;
   const auto* bytes = reinterpret_cast<const std::byte*>(buffer.data());
   out.data.assign(bytes, bytes + buffer.size());
-  out.points = static_cast<std::uint32_t>(encoder.num_encoded_points());
-  out.faces = static_cast<std::uint32_t>(encoder.num_encoded_faces());
   out.points = mesh->num_points();
   out.faces = mesh->num_faces();
   out.position = static_cast<int>(mesh->attribute(position)->unique_id());
