@@ -42,12 +42,13 @@ Napi::Value textOnPool(Napi::Env env, const std::shared_ptr<Job>& job, std::func
   });
 }
 
-/// plan(scene, shot: string, token) -> Promise<string>; the scene is gone afterwards
+/// plan(scene, shot: string, limits, token) -> Promise<string>; the scene is gone afterwards
 Napi::Value plan(const Napi::CallbackInfo& info) {
   auto shot = stringFromJs(info[1], "the shot");
-  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
+  const Limits limits = limitsFromJs(info[2]);
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[3]).token);
   auto scene = unwrap<SceneHandle>(info[0]).detach();
-  return textOnPool(info.Env(), job, [scene, shot] { return planFrame(*scene, parseShot(shot)); });
+  return textOnPool(info.Env(), job, [scene, shot, limits] { return planFrame(*scene, parseShot(shot), limits); });
 }
 
 /// probe() -> Promise<string>

@@ -31,6 +31,6 @@ export async function inspectOn(native, source, options = {}) {
   const resolved = resolveShot(request.shot, model.facts);
   if (request.map) resolved.environment.map = request.map;
   const json = shotJson(resolved);
-  const plan = await nativeCall(native, signal, (token) => native.plan(Model.sceneOf(model), json, token));
+  const plan = await nativeCall(native, signal, (token) => native.plan(Model.sceneOf(model), json, limits, token));
   return { ...model.facts, plan: JSON.parse(plan) };
 }

@@ -69,6 +69,9 @@ class PngReader {
   PngReader(const PngReader&) = delete;
   PngReader& operator=(const PngReader&) = delete;
 
+  /// Bytes that libpng has taken.
+  std::size_t position() const { return context_.position; }
+
   /// `calls` must own nothing: longjmp runs no destructors.
   template <class Calls>
   void step(const Calls& calls) {
@@ -126,6 +129,22 @@ void checkDataExists(Bytes file) {
     throw corrupt("PNG", "the file is too short for its size").atOffset(16);
 }
 
+/// The chunk at `position` and those after it are whole and end with IEND. Not left to png_read_end, which would inflate
+/// image data that lies behind the last row, however much there is.
+void checkTail(Bytes file, std::size_t position) {
+  for (std::size_t chunk = IHDR_END;;) {
+    if (file.size() < chunk + 12) throw corrupt("PNG", "the file ends too early").atOffset(file.size());
+    const std::uint8_t* p = data(file) + chunk;
+    const std::size_t length = be32(p), end = chunk + 12 + length;
+    if (end > file.size()) throw corrupt("PNG", "the file ends too early").atOffset(file.size());
+    if (end > position && crc32(0, p + 4, static_cast<uInt>(length + 4)) != be32(p + 8 + length)) {
+      throw corrupt("PNG", "a chunk has a CRC error").atOffset(chunk);
+    }
+    if (hasAt(file, chunk + 4, "IEND")) return;
+    chunk = end;
+  }
+}
+
 }  // namespace
 
 ImageHeader readPngHeader(Bytes file) {
@@ -167,7 +186,7 @@ Image8 decodePng(Bytes file, const CancelToken& cancel) {
       });
     }
   }
-  reader.step([](png_structp png, png_infop) { png_read_end(png, nullptr); });
+  checkTail(file, reader.position());
   return upright(std::move(image), pngOrientation(file));
 }
 

@@ -198,8 +198,8 @@ class GlRenderer final : public Renderer {
 
 std::unique_ptr<Renderer> Renderer::create(const RendererOptions& options) { return std::make_unique<GlRenderer>(options); }
 
-std::string planFrame(const Scene& scene, const Shot& shot) {
-  return describePlan(pass::planDraws(scene, shot, Limits{}, false), shot).dump();
+std::string planFrame(const Scene& scene, const Shot& shot, const Limits& limits) {
+  return describePlan(pass::planDraws(scene, shot, limits, false), shot).dump();
 }
 
 }  // namespace telar

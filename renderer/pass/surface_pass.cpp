@@ -37,6 +37,12 @@ glm::mat3 environmentRotation(double degrees) {
   return glm::transpose(glm::mat3(glm::dmat3(glm::rotate(glm::dmat4(1.0), glm::radians(degrees), glm::dvec3(0, 1, 0)))));
 }
 
+/// Inverse transpose; for a flattened node its cofactors, which point the same way and need no division.
+glm::mat3 normalMatrixOf(const glm::dmat3& m) {
+  if (glm::determinant(m) != 0) return glm::mat3(glm::inverseTranspose(m));
+  return glm::mat3(glm::dmat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])));
+}
+
 std::string labelOf(const shader::VariantKey& key) {
   std::string label = "surface";
   for (const std::string& feature : key.features()) label += " " + feature;
@@ -139,7 +145,7 @@ void SurfacePass::drawItem(const DrawItem& item, const FramePlan& plan, const Sh
   const gl::Program& program = *useProgram(item.key, plan, shot, environment);
   const glm::dmat4 modelView = plan.camera.view * item.node->world;
   program.set("modelViewMatrix", glm::mat4(modelView));
-  program.set("normalMatrix", glm::mat3(glm::inverseTranspose(glm::dmat3(modelView))));
+  program.set("normalMatrix", normalMatrixOf(glm::dmat3(modelView)));
   bindMaterial(program, item, scene, gpu, cancel);
 
   const bool bothSides = item.material->doubleSided && !item.blend;

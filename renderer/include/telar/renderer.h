@@ -53,7 +53,7 @@ class Renderer {
 
 /// What draw() would compile and run for this scene and shot, without a context: {features: [...], programs: [{features}],
 /// passes: [...]} as JSON.
-std::string planFrame(const Scene& scene, const Shot& shot);
+std::string planFrame(const Scene& scene, const Shot& shot, const Limits& limits);
 
 /// Tries every backend and says what each gave: JSON for `telar doctor`. Never throws.
 std::string probeBackends();

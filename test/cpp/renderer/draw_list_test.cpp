@@ -74,11 +74,19 @@ TEST(PlanDraws, AMirroredNodeTurnsTheWindingRound) {
   EXPECT_TRUE(pass::planDraws(*scene, shotOf(8), Limits{}, false).draws.opaque[0].mirrored);
 }
 
+TEST(PlanDraws, LightsAreLimited) {
+  Shot shot = shotOf(8);
+  shot.lights.assign(3, Shot::Light{Shot::Light::Type::kPoint});
+  Limits limits;
+  limits.lights = 2;
+  EXPECT_THROW(planFrame(*sceneOf(spherePrimitive(1, 4)), shot, limits), Error);
+}
+
 TEST(PlanFrame, NamesFeaturesAndPasses) {
   Shot shot = shotOf(8);
   shot.lights.push_back({Shot::Light::Type::kPoint});
   shot.toneMapping = "agx";
-  const auto json = nlohmann::json::parse(planFrame(*sceneOf(spherePrimitive(1, 4)), shot));
+  const auto json = nlohmann::json::parse(planFrame(*sceneOf(spherePrimitive(1, 4)), shot, Limits{}));
   EXPECT_EQ(json["features"], nlohmann::json::array({"1 point-light", "tone-mapping-agx"}));
   EXPECT_EQ(json["passes"], nlohmann::json::array({"opaque", "resolve"}));
 }

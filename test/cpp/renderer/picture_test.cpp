@@ -97,6 +97,20 @@ TEST(Picture, NoPixelIsNanWithALightOnTheSurfaceAndBehindAnOrthographicView) {
   }
 }
 
+TEST(Picture, AFlattenedNodeIsDrawnWithoutNan) {
+  Shot shot = litShot(64);
+  shot.output.bitDepth = 32;
+  const auto scene = sceneOf(spherePrimitive(1));
+  scene->nodes[0].world[2] = glm::dvec4(0);
+  const Frame frame = draw(scene, shot);
+  for (std::uint32_t y = 0; y < 64; ++y) {
+    for (std::uint32_t x = 0; x < 64; ++x) {
+      for (int c = 0; c < 4; ++c) ASSERT_TRUE(std::isfinite(pixelF(frame, x, y)[c])) << x << ", " << y;
+    }
+  }
+  EXPECT_GT(pixelF(frame, 32, 32)[3], 0.9f);
+}
+
 TEST(Picture, RepeatedDrawsLeakNoGlNames) {
   const auto renderer = Renderer::create({});
   const auto scene = sceneOf(spherePrimitive(1, 8));

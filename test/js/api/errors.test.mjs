@@ -130,13 +130,13 @@ test('a missing or damaged addon names the cure', async () => {
 test('native code takes no handle for another', () => {
   const token = new native.CancelToken();
   assert.throws(() => native.load(token, {}, token), TypeError);
-  assert.throws(() => native.plan(new native.Bytes(new Uint8Array(1), 1), '{}', token), TypeError);
+  assert.throws(() => native.plan(new native.Bytes(new Uint8Array(1), 1), '{}', {}, token), TypeError);
   assert.throws(() => native.load('x', {}, {}), TypeError);
 });
 
 test('native code frees a scene with its last use', async () => {
   const { scene } = await native.load(new native.Bytes(model(), 100), {}, new native.CancelToken());
   const { info } = await renderer.render(model(), SHOT);
-  await native.plan(scene, JSON.stringify(info.shot), new native.CancelToken());
-  assert.throws(() => native.plan(scene, JSON.stringify(info.shot), new native.CancelToken()), TypeError);
+  await native.plan(scene, JSON.stringify(info.shot), {}, new native.CancelToken());
+  assert.throws(() => native.plan(scene, JSON.stringify(info.shot), {}, new native.CancelToken()), TypeError);
 });

@@ -113,7 +113,7 @@ std::unique_ptr<Renderer> Renderer::create(const RendererOptions& options) {
   return std::make_unique<Double>();
 }
 
-std::string planFrame(const Scene&, const Shot&) {
+std::string planFrame(const Scene&, const Shot&, const Limits&) {
   return R"({"features": ["wait"], "programs": [], "passes": ["wait"]})";
 }
 
