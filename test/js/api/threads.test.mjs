@@ -111,8 +111,10 @@ test('a renderer that is collected without close() frees its thread', async () =
     const count = () => readdirSync('/proc/self/task').length;
     const kept = await support.openRenderer();
     const start = count();
-    await (async () => { await support.openRenderer(); await support.openRenderer(); })();
-    const opened = count();
+    const opened = await (async () => {
+      const held = [await support.openRenderer(), await support.openRenderer()];
+      return held.map(() => count()).at(-1);  // both are alive while they are counted
+    })();
     for (let i = 0; i < 100 && count() > start; ++i) {
       gc();
       await new Promise((resolve) => setTimeout(resolve, 10));
