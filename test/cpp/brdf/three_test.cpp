@@ -109,8 +109,8 @@ std::string threeText() {
                            "envmap_common_pars_fragment", "tonemapping_pars_fragment", "colorspace_pars_fragment"}) {
     text += chunk(name);
   }
-  // Exposure is an argument here.
-  text = std::regex_replace(text, std::regex("uniform float toneMappingExposure"), "float toneMappingExposure");
+  // Exposure is an argument here; its value at the start silences drivers that see it read before it is set.
+  text = std::regex_replace(text, std::regex("uniform float toneMappingExposure"), "float toneMappingExposure = 1.0");
   return text +
          "vec3 scattering(vec2 fab, vec3 f0, float f90, int part) {\n  vec3 single = vec3(0.0), multiple = vec3(0.0);\n"
          "  computeMultiscattering(fab, f0, f90, single, multiple);\n  return part == 0 ? single : multiple;\n}\n";
