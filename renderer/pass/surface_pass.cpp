@@ -43,6 +43,13 @@ glm::mat3 normalMatrixOf(const glm::dmat3& m) {
   return glm::mat3(glm::dmat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])));
 }
 
+/// Without vertex tangents the frame follows the texture's rows downwards: y turns round, as in three.js's loader. On back
+/// faces that are drawn as front faces both turn round, as in its renderer.
+glm::vec2 normalScaleOf(float scale, const DrawItem& item) {
+  const glm::vec2 signs(1, item.primitive->tangents.empty() ? -1 : 1);
+  return signs * (item.key.flipSided ? -scale : scale);
+}
+
 std::string labelOf(const shader::VariantKey& key) {
   std::string label = "surface";
   for (const std::string& feature : key.features()) label += " " + feature;
@@ -135,8 +142,7 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
   program.set("roughnessFactor", m.roughnessFactor);
   program.set("emissiveFactor", m.emissiveFactor);
   program.set("occlusionStrength", m.occlusionStrength);
-  // Without vertex tangents the frame follows the texture's rows downwards: y turns round, as three.js's loader does.
-  program.set("normalScale", glm::vec2(m.normalScale, item.primitive->tangents.empty() ? -m.normalScale : m.normalScale));
+  program.set("normalScale", normalScaleOf(m.normalScale, item));
 }
 
 void SurfacePass::drawItem(const DrawItem& item, const FramePlan& plan, const Shot& shot, const Scene& scene, GpuScene& gpu,

@@ -40,7 +40,8 @@ const FEATURES = [
   'occlusion-map', 'occlusion-strength', 'emissive-map', 'cloth', 'cloth-tangents', 'texture-transform', 'two-uv-sets',
   'no-uvs', 'vertex-colors', 'vertex-colors-alpha', 'flat-shading', 'flat-shading-unindexed', 'flat-normal-map', 'unlit',
   'default-material', 'odd-images', 'alpha-mask', 'alpha-mask-low', 'alpha-blend', 'alpha-blend-one-sided',
-  'alpha-blend-curved', 'alpha-blend-many', 'alpha-opaque', 'transforms', 'boxes', 'ball', 'ball-mirror', 'ball-metal', 'ball-black',
+  'alpha-blend-curved', 'alpha-blend-many', 'alpha-blend-bumpy', 'alpha-blend-bumpy-tangents',
+  'alpha-opaque', 'transforms', 'boxes', 'ball', 'ball-mirror', 'ball-metal', 'ball-black',
 ];
 const FAST_FEATURES = ['cloth', 'cloth-tangents', 'texture-transform', 'alpha-blend', 'alpha-mask', 'transforms', 'flat-normal-map'];
 const featureCases = FEATURES.flatMap((model) => [
