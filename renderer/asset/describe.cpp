@@ -50,6 +50,17 @@ json describe(const Material& material) {
   add("normal", material.normalTexture);
   add("occlusion", material.occlusionTexture);
   add("emissive", material.emissiveTexture);
+  add("specular", material.layers.specularTexture);
+  add("specularColor", material.layers.specularColorTexture);
+  add("clearcoat", material.layers.clearcoatTexture);
+  add("clearcoatRoughness", material.layers.clearcoatRoughnessTexture);
+  add("clearcoatNormal", material.layers.clearcoatNormalTexture);
+  add("sheenColor", material.layers.sheenColorTexture);
+  add("sheenRoughness", material.layers.sheenRoughnessTexture);
+  add("anisotropy", material.layers.anisotropyTexture);
+  add("iridescence", material.layers.iridescenceTexture);
+  add("iridescenceThickness", material.layers.iridescenceThicknessTexture);
+  add("diffuseRoughness", material.layers.diffuseRoughnessTexture);
   return {{"name", material.name},   {"alphaMode", nameOf(material.alphaMode)}, {"doubleSided", material.doubleSided},
           {"unlit", material.unlit}, {"metallic", material.metallicFactor},     {"roughness", material.roughnessFactor},
           {"textures", textures}};

@@ -9,9 +9,21 @@ namespace telar::asset {
 namespace {
 
 constexpr std::string_view SUPPORTED[] = {
-    "EXT_texture_webp",      "KHR_draco_mesh_compression",      "KHR_lights_punctual",
-    "KHR_materials_unlit",   "KHR_materials_emissive_strength", "KHR_materials_variants",
-    "KHR_mesh_quantization", "KHR_texture_transform",
+    "EXT_texture_webp",
+    "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",
+    "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",
+    "KHR_materials_diffuse_roughness",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_iridescence",
+    "KHR_materials_sheen",
+    "KHR_materials_specular",
+    "KHR_materials_unlit",
+    "KHR_materials_variants",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
 };
 
 bool supported(std::string_view name) {

@@ -1,33 +1,22 @@
 #include "asset/material.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include "asset/extension_value.h"
-#include "asset/number.h"
+#include "asset/physical_layers.h"
 #include "asset/pointer.h"
+#include "asset/texture_ref.h"
 
 namespace telar::asset {
 namespace {
 
-constexpr int UV_SETS = 2;
 constexpr double EMISSIVE_MAX = 65504;  // the largest half: more cannot be kept in the frame
-constexpr double NORMAL_SCALE_MAX = 1e4;
-
-constexpr int WRAPS[] = {33071, 33648, 10497};
-constexpr int MAG_FILTERS[] = {9728, 9729};
-constexpr int MIN_FILTERS[] = {9728, 9729, 9984, 9985, 9986, 9987};
-
-template <std::size_t N>
-bool isOneOf(int value, const int (&list)[N]) {
-  return std::find(std::begin(list), std::end(list), value) != std::end(list);
-}
-
 class MaterialReader {
  public:
   MaterialReader(int material, const Document& document, Warnings& warnings)
-      : document_(document),
-        source_(document.model.materials[static_cast<std::size_t>(material)]),
+      : source_(document.model.materials[static_cast<std::size_t>(material)]),
         warnings_(warnings),
+        textures_(document, warnings),
         where_(pointer("materials", material)) {}
 
   Material read() {
@@ -39,15 +28,17 @@ class MaterialReader {
     readAlpha(out);
     out.doubleSided = source_.doubleSided;
     out.unlit = source_.extensions.contains("KHR_materials_unlit");
-    if (out.unlit) dropLitTextures(out);
+    if (out.unlit) {
+      dropLitTextures(out);
+    } else {
+      out.physical = readPhysicalLayers(source_.extensions, where_ + "/extensions", textures_, warnings_, out.layers);
+    }
     return out;
   }
 
  private:
   float clamped(double value, double low, double high, const char* key) {
-    const double out = std::clamp(value, low, high);
-    if (out != value) warnings_.add("W_RANGE", "a value was clamped to its range", where_ + "/" + key);
-    return toFloat(out);
+    return clampedFactor(value, low, high, where_ + "/" + key, warnings_);
   }
 
   void readPbr(Material& out) {
@@ -105,68 +96,14 @@ class MaterialReader {
   template <typename Info>  // TextureInfo, NormalTextureInfo or OcclusionTextureInfo
   TextureRef texture(const Info& info, const char* key) {
     if (info.index < 0) return {};
-    const std::string where = where_ + "/" + key;
-    TextureRef out;
-    out.image = imageOf(info.index);
-    if (out.image < 0) {
-      warnings_.add("W_TEXTURE", "the texture has no image that telar reads and is not drawn",
-                    pointer("textures", info.index));
-      return {};
-    }
-    out.sampler = samplerOf(document_.model.textures[static_cast<std::size_t>(info.index)].sampler);
-    out.texCoord = info.texCoord;
     const auto transform = info.extensions.find("KHR_texture_transform");
-    if (transform != info.extensions.end()) applyTransform(transform->second, out);
-    if (out.texCoord >= UV_SETS) {
-      warnings_.add("W_TEXCOORD", "the texture uses a UV set above TEXCOORD_1 and is not drawn", where + "/texCoord");
-      return {};
-    }
-    return out;
+    const tinygltf::Value* found = transform == info.extensions.end() ? nullptr : &transform->second;
+    return textures_.read(info.index, info.texCoord, found, where_ + "/" + key);
   }
 
-  int imageOf(int texture) const {
-    const auto& source = document_.model.textures[static_cast<std::size_t>(texture)];
-    const auto webp = source.extensions.find("EXT_texture_webp");
-    return webp == source.extensions.end() ? source.source : webp->second.Get("source").GetNumberAsInt();
-  }
-
-  Sampler samplerOf(int index) {
-    Sampler out;
-    if (index < 0) return out;
-    const auto& source = document_.model.samplers[static_cast<std::size_t>(index)];
-    const auto take = [&](int value, const auto& list, std::uint32_t& target) {
-      if (value == -1) return;  // tinygltf's "not given"
-      if (isOneOf(value, list)) {
-        target = static_cast<std::uint32_t>(value);
-      } else {
-        warnings_.add("W_SAMPLER", "the sampler has an unknown value; the default is used", pointer("samplers", index));
-      }
-    };
-    take(source.wrapS, WRAPS, out.wrapS);
-    take(source.wrapT, WRAPS, out.wrapT);
-    take(source.magFilter, MAG_FILTERS, out.magFilter);
-    take(source.minFilter, MIN_FILTERS, out.minFilter);
-    return out;
-  }
-
-  /// T * R * S of the extension, in the signs in which three.js 0.187 (GLTFTextureTransformExtension) writes it.
-  static void applyTransform(const tinygltf::Value& transform, TextureRef& out) {
-    if (transform.Has("texCoord")) out.texCoord = transform.Get("texCoord").GetNumberAsInt();
-    out.hasTransform = transform.Has("offset") || transform.Has("rotation") || transform.Has("scale");
-    const auto pair = [&](const char* key, double fallback, int i) {
-      const auto& list = arrayOf(transform, key);
-      return list.empty() ? fallback : list[static_cast<std::size_t>(i)].GetNumberAsDouble();
-    };
-    const double c = std::cos(numberOf(transform, "rotation", 0)), s = std::sin(numberOf(transform, "rotation", 0));
-    const double sx = pair("scale", 1, 0), sy = pair("scale", 1, 1);
-    out.uvTransform = glm::mat3(toFloat(sx * c), toFloat(-sx * s), 0.0f,                              // column 0
-                                toFloat(sy * s), toFloat(sy * c), 0.0f,                               // column 1
-                                toFloat(pair("offset", 0, 0)), toFloat(pair("offset", 0, 1)), 1.0f);  // column 2
-  }
-
-  const Document& document_;
   const tinygltf::Material& source_;
   Warnings& warnings_;
+  TextureReader textures_;
   std::string where_;
 };
 
@@ -178,8 +115,13 @@ Material readMaterial(int material, const Document& document, Warnings& warnings
 
 std::vector<TextureRef*> texturesOf(Material& material) {
   std::vector<TextureRef*> out;
-  for (TextureRef* texture : {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-                              &material.occlusionTexture, &material.emissiveTexture}) {
+  PhysicalLayers& layers = material.layers;
+  for (TextureRef* texture :
+       {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
+        &material.occlusionTexture, &material.emissiveTexture, &layers.specularTexture, &layers.specularColorTexture,
+        &layers.clearcoatTexture, &layers.clearcoatRoughnessTexture, &layers.clearcoatNormalTexture,
+        &layers.sheenColorTexture, &layers.sheenRoughnessTexture, &layers.anisotropyTexture, &layers.iridescenceTexture,
+        &layers.iridescenceThicknessTexture, &layers.diffuseRoughnessTexture}) {
     if (*texture) out.push_back(texture);
   }
   return out;

@@ -135,8 +135,39 @@ constexpr ObjectRule PBR_RULE{PBR};
 constexpr ObjectRule EMPTY_RULE{};
 constexpr Field EMISSIVE[] = {number("emissiveStrength")};
 constexpr ObjectRule EMISSIVE_RULE{EMISSIVE};
-constexpr Field MATERIAL_EXTENSIONS[] = {object("KHR_materials_unlit", EMPTY_RULE),
-                                         object("KHR_materials_emissive_strength", EMISSIVE_RULE)};
+constexpr Field IOR[] = {number("ior")};
+constexpr ObjectRule IOR_RULE{IOR};
+constexpr Field SPECULAR[] = {number("specularFactor"), object("specularTexture", INFO_RULE),
+                              items("specularColorFactor", 3), object("specularColorTexture", INFO_RULE)};
+constexpr ObjectRule SPECULAR_RULE{SPECULAR};
+constexpr Field CLEARCOAT[] = {number("clearcoatFactor"), object("clearcoatTexture", INFO_RULE),
+                               number("clearcoatRoughnessFactor"), object("clearcoatRoughnessTexture", INFO_RULE),
+                               object("clearcoatNormalTexture", INFO_RULE)};
+constexpr ObjectRule CLEARCOAT_RULE{CLEARCOAT};
+constexpr Field SHEEN[] = {items("sheenColorFactor", 3), object("sheenColorTexture", INFO_RULE),
+                           number("sheenRoughnessFactor"), object("sheenRoughnessTexture", INFO_RULE)};
+constexpr ObjectRule SHEEN_RULE{SHEEN};
+constexpr Field ANISOTROPY[] = {number("anisotropyStrength"), number("anisotropyRotation"),
+                                object("anisotropyTexture", INFO_RULE)};
+constexpr ObjectRule ANISOTROPY_RULE{ANISOTROPY};
+constexpr Field IRIDESCENCE[] = {number("iridescenceFactor"),
+                                 object("iridescenceTexture", INFO_RULE),
+                                 number("iridescenceIor"),
+                                 number("iridescenceThicknessMinimum"),
+                                 number("iridescenceThicknessMaximum"),
+                                 object("iridescenceThicknessTexture", INFO_RULE)};
+constexpr ObjectRule IRIDESCENCE_RULE{IRIDESCENCE};
+constexpr Field DIFFUSE_ROUGHNESS[] = {number("diffuseRoughnessFactor"), object("diffuseRoughnessTexture", INFO_RULE)};
+constexpr ObjectRule DIFFUSE_ROUGHNESS_RULE{DIFFUSE_ROUGHNESS};
+constexpr Field MATERIAL_EXTENSIONS[] = {
+    object("KHR_materials_unlit", EMPTY_RULE), object("KHR_materials_emissive_strength", EMISSIVE_RULE),
+    object("KHR_materials_ior", IOR_RULE), object("KHR_materials_specular", SPECULAR_RULE),
+    object("KHR_materials_clearcoat", CLEARCOAT_RULE), object("KHR_materials_sheen", SHEEN_RULE),
+    object("KHR_materials_anisotropy", ANISOTROPY_RULE), object("KHR_materials_iridescence", IRIDESCENCE_RULE),
+    object("KHR_materials_diffuse_roughness", DIFFUSE_ROUGHNESS_RULE),
+    // Only whether they are there: it decides which material three.js takes.
+    object("KHR_materials_dispersion", EMPTY_RULE), object("KHR_materials_transmission", EMPTY_RULE),
+    object("KHR_materials_volume", EMPTY_RULE), object("EXT_materials_bump", EMPTY_RULE)};
 constexpr ObjectRule MATERIAL_EXTENSIONS_RULE{MATERIAL_EXTENSIONS};
 constexpr Field MATERIAL[] = {name(),
                               object("pbrMetallicRoughness", PBR_RULE),

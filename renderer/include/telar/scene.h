@@ -36,6 +36,37 @@ struct TextureRef {
   explicit operator bool() const { return image >= 0; }
 };
 
+/// What the KHR_materials_* extensions add to metallic-roughness. Factors are linear Rec.709; the defaults change nothing.
+struct PhysicalLayers {
+  float ior = 1.5f;                       ///< KHR_materials_ior
+  float specularFactor = 1.0f;            ///< KHR_materials_specular
+  TextureRef specularTexture;             ///< linear: A
+  glm::vec3 specularColorFactor{1.0f};
+  TextureRef specularColorTexture;        ///< sRGB
+  float clearcoatFactor = 0.0f;           ///< KHR_materials_clearcoat
+  TextureRef clearcoatTexture;            ///< linear: R
+  float clearcoatRoughnessFactor = 0.0f;  ///< perceptual
+  TextureRef clearcoatRoughnessTexture;   ///< linear: G
+  TextureRef clearcoatNormalTexture;      ///< linear
+  float clearcoatNormalScale = 1.0f;
+  bool sheen = false;                     ///< KHR_materials_sheen is there, whatever its colour
+  glm::vec3 sheenColorFactor{0.0f};
+  TextureRef sheenColorTexture;           ///< sRGB
+  float sheenRoughnessFactor = 0.0f;      ///< perceptual
+  TextureRef sheenRoughnessTexture;       ///< linear: A
+  float anisotropyStrength = 0.0f;        ///< KHR_materials_anisotropy
+  float anisotropyRotation = 0.0f;        ///< radians, counter-clockwise from the tangent
+  TextureRef anisotropyTexture;           ///< linear: RG direction, B strength
+  float iridescenceFactor = 0.0f;         ///< KHR_materials_iridescence
+  TextureRef iridescenceTexture;          ///< linear: R
+  float iridescenceIor = 1.3f;
+  float iridescenceThicknessMinimum = 100.0f;  ///< nanometres
+  float iridescenceThicknessMaximum = 400.0f;  ///< nanometres
+  TextureRef iridescenceThicknessTexture;      ///< linear: G
+  float diffuseRoughnessFactor = 0.0f;    ///< KHR_materials_diffuse_roughness
+  TextureRef diffuseRoughnessTexture;     ///< linear: R
+};
+
 /// glTF metallic-roughness material. Factors are linear Rec.709.
 struct Material {
   std::string name;
@@ -54,6 +85,8 @@ struct Material {
   float alphaCutoff = 0.5f;
   bool doubleSided = false;
   bool unlit = false;                    ///< KHR_materials_unlit
+  bool physical = false;                 ///< an extension of `layers` is there: three.js shades with MeshPhysicalMaterial
+  PhysicalLayers layers;
 };
 
 /// Axis-aligned box in metres, in double; empty when min > max.
