@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 import { buildCure } from './setup/debian.mjs';
 import { main, ROOT, runLogged, runShown, SetupError } from './setup/step.mjs';
 
-// Compiles the addon with CMake: node js/build.mjs [preset]. binding.gyp and npm's install hook end here too, so that
+// Compiles the addon with CMake and bundles js/dist: node js/build.mjs [preset]. binding.gyp and npm's install hook end here too, so that
 // sources and flags stand in CMakeLists.txt alone. Node's own headers are not needed: the addon is plain Node-API.
 
 /** Where the header packages lie: beside us in a checkout, higher up where telar is a dependency. */
@@ -79,7 +79,7 @@ export async function ensureBuild(preset, begin) {
   }
 }
 
-/** The same with CMake's own output on this terminal. */
+/** The same with CMake's own output on this terminal, and the CommonJS bundles. */
 async function buildShown(preset) {
   const { configure, compile, markConfigured } = plan(preset);
   for (const [args, done] of [[configure, markConfigured], [compile, () => {}]]) {
@@ -90,7 +90,8 @@ async function buildShown(preset) {
     }
     done();
   }
-  return 0;
+  // A packed telar brings js/dist along; a checkout makes it, with its development packages.
+  return existsSync(path.join(ROOT, 'node_modules/esbuild')) ? runShown(process.execPath, [path.join(ROOT, 'js/build_cjs.mjs')]) : 0;
 }
 
 async function cmakeShown(args) {

@@ -1,5 +1,4 @@
 import { spawnSync } from 'node:child_process';
-import { existsSync } from 'node:fs';
 import path from 'node:path';
 import { main, ROOT, runShown } from './setup/step.mjs';
 
@@ -10,12 +9,8 @@ import { main, ROOT, runShown } from './setup/step.mjs';
 const NODE_GYP = process.env.npm_config_node_gyp;
 const runs = (program) => spawnSync(program, ['--version'], { stdio: 'ignore' }).status === 0;
 
-await main(async () => {
-  const native =
-    NODE_GYP && runs('python3') && runs('make')
-      ? await runShown(process.execPath, [NODE_GYP, 'rebuild', `--nodedir=${path.join(ROOT, 'addon/gyp')}`, '--force-process-config'])
-      : await runShown(process.execPath, [path.join(ROOT, 'js/build.mjs')]);
-  // A packed telar brings js/dist along; a checkout makes it, with its development packages.
-  if (native !== 0 || !existsSync(path.join(ROOT, 'node_modules/esbuild'))) return native;
-  return runShown(process.execPath, [path.join(ROOT, 'js/build_cjs.mjs')]);
-});
+await main(() =>
+  NODE_GYP && runs('python3') && runs('make')
+    ? runShown(process.execPath, [NODE_GYP, 'rebuild', `--nodedir=${path.join(ROOT, 'addon/gyp')}`, '--force-process-config'])
+    : runShown(process.execPath, [path.join(ROOT, 'js/build.mjs')]),
+);
