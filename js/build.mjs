@@ -6,8 +6,9 @@ import { fileURLToPath } from 'node:url';
 import { buildCure } from './setup/debian.mjs';
 import { main, ROOT, runLogged, runShown, SetupError } from './setup/step.mjs';
 
-// Compiles the addon with CMake and bundles js/dist: node js/build.mjs [preset]. binding.gyp and npm's install hook end here too, so that
-// sources and flags stand in CMakeLists.txt alone. Node's own headers are not needed: the addon is plain Node-API.
+// Compiles the addon with CMake and bundles js/dist: node js/build.mjs [preset]. binding.gyp and npm's install hook end
+// here too, so that sources and flags stand in CMakeLists.txt alone. Node's own headers are not needed: the addon is plain
+// Node-API.
 
 /** Where the header packages lie: beside us in a checkout, higher up where telar is a dependency. */
 function headerFolders() {
