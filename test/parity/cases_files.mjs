@@ -28,8 +28,16 @@ const MODELS = [
   ['vertex-color', 'VertexColorTest/glTF/VertexColorTest.gltf', 0, 0],
 ];
 
-/** Where the folder is absent, its cases do not exist. @type {import('./cases.mjs').Case[]} */
-export const SHARED_CASES = MODELS.filter(([, file]) => existsSync(path.join(SHARED_MODELS, file))).map((row) => sharedCase(...row));
+/** @type {import('./cases.mjs').Case[]} */
+export const SHARED_CASES = sharedCases(MODELS);
+
+/**
+ * Cases of models beneath ../shared/models, each by itself in the picture; where the folder is absent, there are none.
+ * @param {[string, string, number, number][]} rows - [name, path, azimuth, elevation]
+ */
+export function sharedCases(rows) {
+  return rows.filter(([, file]) => existsSync(path.join(SHARED_MODELS, file))).map((row) => sharedCase(...row));
+}
 
 /** The bundled garment as `npm run thumbnail` draws it, from other sides and in another colourway. */
 export const BUNDLED_CASES = [
