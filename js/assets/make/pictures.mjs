@@ -10,7 +10,7 @@ const renderer = await createRenderer();
 const model = await renderer.load(new URL('tshirt.glb', ASSETS));
 const frames = await renderer.renderAll(model, COLOURS.map((variant) => ({
   size: { width: 480, height: 480 },
-  camera: { azimuth: 22, elevation: 6, fit: 1 },
+  camera: { azimuth: 22, elevation: 6 },
   background: '#f4f1ec',
   variant,
 })));
