@@ -4,6 +4,7 @@
 
 #include "convert.h"
 #include "handles.h"
+#include "images.h"
 #include "state.h"
 #include "telar/load.h"
 #include "telar/shot.h"
@@ -104,6 +105,8 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["load"] = Napi::Function::New(env, load, "load");
   exports["plan"] = Napi::Function::New(env, plan, "plan");
   exports["probe"] = Napi::Function::New(env, probe, "probe");
+  exports["decodeImage"] = Napi::Function::New(env, decodeImage, "decodeImage");
+  exports["encodePng"] = Napi::Function::New(env, encodePng, "encodePng");
   exports["createRenderer"] = Napi::Function::New(env, createRenderer, "createRenderer");
   exports["shutDown"] = Napi::Function::New(env, shutDown, "shutDown");
   exports["limits"] = limitsToJs(env, Limits());

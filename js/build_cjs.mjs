@@ -7,7 +7,7 @@ import { build } from 'esbuild';
 
 const JS = path.dirname(fileURLToPath(import.meta.url));
 
-export const ENTRIES = { index: 'index.mjs', shot: 'shot/index.mjs' };
+export const ENTRIES = { index: 'index.mjs', shot: 'shot/index.mjs', compare: 'compare/index.mjs' };
 
 // The bundles lie one folder deeper than the sources that say import.meta.url.
 const BANNER = "const importMetaUrl = require('node:url').pathToFileURL(require('node:path').join(__dirname, '..', 'bundle.cjs')).href;";

@@ -86,3 +86,13 @@ export function inspectOptions(options, limitNames) {
   const { shot = {}, limits = {}, signal } = options;
   return { shot, limits: limitsOption(limits, limitNames), signal: checkSignal(signal) };
 }
+
+/**
+ * Options of readImage: {limits, signal}.
+ * @param {string[]} limitNames
+ */
+export function imageOptions(options, limitNames) {
+  checkObject('options', options, ['limits', 'signal']);
+  const { limits = {}, signal } = options;
+  return { limits: limitsOption(limits, limitNames), signal: checkSignal(signal) };
+}

@@ -1,4 +1,5 @@
 import { Command, Option } from 'commander';
+import { DEFAULT_GATE, GATES } from '../compare/gates.mjs';
 import { addShotOptions } from './shot_options.mjs';
 
 /** The command line's grammar: commands, options, help. */
@@ -17,7 +18,7 @@ const addLimit = (command) => command
 
 /**
  * @param {string} version
- * @param {Record<'thumbnail' | 'inspect' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
+ * @param {Record<'thumbnail' | 'inspect' | 'compare' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
  * @param {{writeOut: (text: string) => void, writeErr: (text: string) => void}} output of help and complaints
  */
 export function buildProgram(version, actions, output) {
@@ -39,6 +40,14 @@ export function buildProgram(version, actions, output) {
   addLimit(addCommon(addShotOptions(command('inspect', 'Say what is in a model, and what a render of it would compile and run')
     .argument('<model>', '.glb or .gltf file; - is stdin'))))
     .action(actions.inspect);
+  addLimit(addCommon(command('compare', 'Say how far two images of one size are apart, and whether that is within a gate')
+    .argument('<expected>', 'PNG, JPEG or WebP')
+    .argument('<actual>', 'PNG, JPEG or WebP')
+    .addOption(new Option('--gate <gate>', 'which figures must not be passed').choices(Object.keys(GATES)).default(DEFAULT_GATE))
+    .option('--heatmap <out>', 'write FLIP of each pixel as a PNG')
+    .option('--report <dir>', 'write a page with the images, the heat map and the figures')
+    .option('--junit <file>', 'write the checks as JUnit XML')))
+    .action(actions.compare);
   addCommon(command('doctor', 'Say which GL backends this machine has, which is chosen, and how to cure a missing one'))
     .action(actions.doctor);
   return program;

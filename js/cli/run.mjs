@@ -9,6 +9,7 @@ const { version } = JSON.parse(readFileSync(new URL('../../package.json', import
 const COMMANDS = {
   thumbnail: async () => (await import('./thumbnail.mjs')).thumbnail,
   inspect: async () => (await import('./inspect.mjs')).inspect,
+  compare: async () => (await import('./compare.mjs')).compare,
   doctor: async () => (await import('./doctor.mjs')).doctor,
 };
 
@@ -46,6 +47,6 @@ export async function run(argv, io) {
 function ofCommander(thrown) {
   if (!thrown?.code?.startsWith?.('commander.')) return toTelarError(thrown);
   if (thrown.exitCode === 0) return undefined;
-  if (thrown.code === 'commander.help') return new TelarError('E_USAGE', 'expected a command: thumbnail, inspect or doctor');
+  if (thrown.code === 'commander.help') return new TelarError('E_USAGE', 'expected a command: thumbnail, inspect, compare or doctor');
   return new TelarError('E_USAGE', thrown.message.replace(/^error: /, '').replaceAll('\n', ' '));
 }

@@ -26,6 +26,7 @@ export type ErrorCode =
   | 'E_NO_GEOMETRY'
   | 'E_IMAGE_FORMAT'
   | 'E_IMAGE_CORRUPT'
+  | 'E_IMAGE_SIZE'
   | 'E_DRACO'
   | 'E_URI_DATA'
   | 'E_URI_MISSING'

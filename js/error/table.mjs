@@ -60,6 +60,7 @@ const ROWS = {
     E_NO_GEOMETRY: ['The scene has nothing to draw', 'Check that the exported scene holds the garment.'],
     E_IMAGE_FORMAT: ['A texture is not PNG, JPEG or WebP', 'Export textures as PNG, JPEG or WebP.'],
     E_IMAGE_CORRUPT: ['A texture is damaged or cut', 'Export the texture again.'],
+    E_IMAGE_SIZE: ['Two images to compare differ in size', 'Draw both at one size.'],
     E_DRACO: ['Draco data is damaged or contradicts its accessors', FIX_FILE],
     E_URI_DATA: ['A data: URI is malformed', FIX_FILE],
     E_URI_MISSING: ['An external file is not there', 'Put it beside the model, or export a single .glb.'],

@@ -1,5 +1,6 @@
 // Checked by tsc against the published entries, never run.
 import { TelarError, createRenderer, doctor, inspect, versions, type FrameInfo, type Model, type Shot } from 'telar';
+import { compareImages, encodePng, heatMap, htmlReport, judge, junitReport, readImage } from 'telar/compare';
 import { VIEWS, parseColour, resolveShot, type ResolvedShot } from 'telar/shot';
 import { applyShot, rendererParameters } from 'telar/three';
 
@@ -46,3 +47,15 @@ export const noAngle: Shot = { lights: [{ type: 'point', angle: 1 }] };
 export const noBackend = createRenderer({ backend: 'glx' });
 // @ts-expect-error a code that is not in the table
 export const noCode = new TelarError('E_NOTHING', '');
+
+export async function compare(signal: AbortSignal): Promise<number> {
+  const actual = await readImage(new Uint8Array(4), { limits: { L_IMAGE_PIXELS: 100 }, signal });
+  const comparison = compareImages(await readImage('expected.png'), actual, { pixelsPerDegree: 40 });
+  const verdict = judge(comparison);
+  await encodePng(heatMap(comparison));
+  htmlReport(comparison, verdict, { expected: 'a.png', actual: 'b.png', heatMap: 'c.png' }).concat(junitReport([{ name: 'shirt', verdict }]));
+  // @ts-expect-error no such gate
+  judge(comparison, 'strict');
+  // @ts-expect-error a region may be empty
+  return comparison.edge.flip.mean;
+}

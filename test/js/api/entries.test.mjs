@@ -26,6 +26,9 @@ test('require and import give the same names', () => {
   const shot = module("console.log(JSON.stringify(Object.keys(await import('telar/shot')).sort()))");
   assert.ok(shot.includes('resolveShot'));
   assert.deepEqual(commonjs("console.log(JSON.stringify(Object.keys(require('telar/shot')).sort()))"), shot);
+  const compare = module("console.log(JSON.stringify(Object.keys(await import('telar/compare')).sort()))");
+  assert.ok(compare.includes('compareImages'));
+  assert.deepEqual(commonjs("console.log(JSON.stringify(Object.keys(require('telar/compare')).sort()))"), compare);
 });
 
 test('errors of one kind of module are TelarErrors of the other', () => {

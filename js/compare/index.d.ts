@@ -1,0 +1,106 @@
+import type { Limits } from '../index.js';
+
+export { TelarError } from '../error/index.js';
+
+/** RGBA8, sRGB-encoded, straight alpha, top row first: width * height * 4 bytes. */
+export interface Image {
+  width: number;
+  height: number;
+  data: Uint8Array | Uint8ClampedArray;
+}
+
+/** Figures of the pixels of one region. */
+export interface Figures {
+  pixels: number;
+  /** Largest difference of any channel of premultiplied RGBA, in 1/255. */
+  max: number;
+  /** 99.9th percentile over pixels of the largest channel difference, in 1/255. */
+  p999: number;
+  /** Pixels that differ by 1/255 or more. */
+  atLeast1: number;
+  atLeast2: number;
+  /** Pixel of `max`, counted from the top left. */
+  worst: [number, number] | null;
+  /** Root mean square difference of the colours, encoded, 0 to 1. */
+  rmse: number;
+  /** The same of linear light. */
+  rmseLinear: number;
+  /** FLIP for LDR pictures, 0 to 1; its quartiles weigh a pixel by its error. */
+  flip: { mean: number; weightedMedian: number; weightedQuartile1: number; weightedQuartile3: number; max: number };
+  /** CIEDE2000. */
+  deltaE: { mean: number; p95: number; max: number };
+}
+
+export interface Comparison {
+  width: number;
+  height: number;
+  /** Every pixel. */
+  frame: Figures;
+  /** Pixels that either picture covers; null where there is none, as in the next two. */
+  object: Figures | null;
+  /** Pixels whose surroundings of 2 pixels are opaque in both. */
+  interior: Figures | null;
+  /** The rest of the object. */
+  edge: Figures | null;
+  /** Mean over the frame, 1 = equal; null for a picture smaller than 11 x 11. */
+  ssim: number | null;
+  /** FLIP of each pixel, 0 to 1. */
+  flipMap: Float32Array;
+}
+
+/**
+ * How far two pictures of one size are apart. Synchronous, one to three seconds for 512 x 512 pixels that all differ.
+ * `max`, `p999` and `worst` are of premultiplied RGBA; every other figure is of the colours seen over black and over white,
+ * whichever shows a pixel worse.
+ * @throws {TelarError} E_OPTION, E_IMAGE_SIZE
+ */
+export function compareImages(expected: Image, actual: Image, options?: {
+  /** Viewing distance of FLIP, 1 to 1000. @default 67 */
+  pixelsPerDegree?: number;
+}): Comparison;
+
+export type GateName = 'exact' | 'parity' | 'standard' | 'draft';
+
+export interface GateCheck {
+  region: 'frame' | 'object' | 'interior' | 'edge';
+  figure: 'max' | 'p999' | 'flip.mean' | 'deltaE.mean' | 'deltaE.p95';
+  /** The largest value that passes. */
+  limit: number;
+  /** A region without pixels passes. */
+  optional?: boolean;
+}
+
+export const GATES: Readonly<Record<GateName, readonly GateCheck[]>>;
+
+export interface Verdict {
+  gate: GateName;
+  pass: boolean;
+  /** value is null where the region has no pixels. */
+  checks: Array<Omit<GateCheck, 'optional'> & { value: number | null; pass: boolean }>;
+}
+
+/** Holds a comparison against a gate. @default gate 'standard' @throws {TelarError} E_OPTION */
+export function judge(comparison: Comparison, gate?: GateName): Verdict;
+
+/** FLIP of each pixel as an opaque picture, black = 0, light yellow = 1. */
+export function heatMap(comparison: Comparison): Image;
+
+/** CIEDE2000 of two CIELAB colours. */
+export function ciede2000(lab1: readonly [number, number, number], lab2: readonly [number, number, number]): number;
+
+/**
+ * Decodes a PNG, JPEG or WebP. Embedded colour profiles are not applied.
+ * @throws {TelarError} E_OPTION, E_FILE, E_IMAGE_FORMAT, E_IMAGE_CORRUPT, L_FILE_BYTES, L_IMAGE_*
+ */
+export function readImage(source: string | URL | ArrayBufferView | ArrayBuffer | SharedArrayBuffer,
+  options?: { limits?: Limits; signal?: AbortSignal }): Promise<Image>;
+
+/** @throws {TelarError} E_OPTION */
+export function encodePng(image: Image, options?: { signal?: AbortSignal }): Promise<Buffer>;
+
+/** A page with the pictures, the heat map, the verdict and all figures; `files` are its links. */
+export function htmlReport(comparison: Comparison, verdict: Verdict,
+  files: { expected: string; actual: string; heatMap: string; title?: string }): string;
+
+/** JUnit XML: a suite for each comparison, a test case for each check. */
+export function junitReport(comparisons: ReadonlyArray<{ name: string; verdict: Verdict }>): string;
