@@ -152,6 +152,63 @@ const imageCases = () => [
   { name: 'draco-4g-faces.glb', bytes: changed((m) => draco(m, Buffer.from('DRACO\x02\x02\x01\0\0\0\xff\xff\xff\xff\x0f\x03', 'latin1'))), code: 'E_DRACO', pointer: '/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression' },
 ];
 
+/** The quad whose material has this extension. */
+const layered = (extension, value) => changed((m) => { m.doc.materials[0].extensions = { [extension]: value }; });
+
+/** The quad with a second, damaged image in a texture that only this layer reads. */
+const damagedLayer = (extension, value) =>
+  changed((m) => {
+    m.doc.images.push({ bufferView: addView(m, damagedPng()), mimeType: 'image/png' });
+    m.doc.textures.push({ source: 1 });
+    m.doc.materials[0].extensions = { [extension]: value };
+  });
+
+const LAYERS = '/materials/0/extensions';
+const HUGE = 1e300;
+
+const layerFaults = () => [
+  ['ior-text', 'ior', { ior: '1.5' }, 'E_SCHEMA', '/ior'],
+  ['ior-null', 'ior', null, 'E_SCHEMA', ''],
+  ['clearcoat-array', 'clearcoat', [], 'E_SCHEMA', ''],
+  ['clearcoat-texture-number', 'clearcoat', { clearcoatTexture: 0 }, 'E_SCHEMA', '/clearcoatTexture'],
+  ['clearcoat-normal-scale-text', 'clearcoat', { clearcoatNormalTexture: { index: 0, scale: '1' } }, 'E_SCHEMA', '/clearcoatNormalTexture/scale'],
+  ['sheen-color-of-2', 'sheen', { sheenColorFactor: [1, 1] }, 'E_SCHEMA', '/sheenColorFactor'],
+  ['sheen-color-of-4', 'sheen', { sheenColorFactor: [1, 1, 1, 1] }, 'E_SCHEMA', '/sheenColorFactor'],
+  ['sheen-texture-no-index', 'sheen', { sheenColorTexture: {} }, 'E_SCHEMA', '/sheenColorTexture/index'],
+  ['specular-color-null', 'specular', { specularColorFactor: [1, null, 1] }, 'E_SCHEMA', '/specularColorFactor/1'],
+  ['specular-texture-missing', 'specular', { specularTexture: { index: 1 } }, 'E_REF', '/specularTexture/index'],
+  ['anisotropy-texture-2p32', 'anisotropy', { anisotropyTexture: { index: 2 ** 32 } }, 'E_REF', '/anisotropyTexture/index'],
+  ['anisotropy-rotation-object', 'anisotropy', { anisotropyRotation: {} }, 'E_SCHEMA', '/anisotropyRotation'],
+  ['iridescence-texture-negative', 'iridescence', { iridescenceTexture: { index: -1 } }, 'E_SCHEMA', '/iridescenceTexture/index'],
+  ['iridescence-transform', 'iridescence', { iridescenceThicknessTexture: { index: 0, extensions: { KHR_texture_transform: { scale: [1] } } } }, 'E_SCHEMA', '/iridescenceThicknessTexture/extensions/KHR_texture_transform/scale'],
+  ['diffuse-roughness-bool', 'diffuse_roughness', { diffuseRoughnessFactor: true }, 'E_SCHEMA', '/diffuseRoughnessFactor'],
+];
+
+const hugeLayers = () => [
+  ['ior', { ior: HUGE }],
+  ['specular', { specularFactor: HUGE, specularColorFactor: [HUGE, -HUGE, 1] }],
+  ['clearcoat', { clearcoatFactor: HUGE, clearcoatRoughnessFactor: -HUGE, clearcoatNormalTexture: { index: 0, scale: HUGE } }],
+  ['sheen', { sheenColorFactor: [HUGE, HUGE, HUGE], sheenRoughnessFactor: HUGE }],
+  ['anisotropy', { anisotropyStrength: HUGE, anisotropyRotation: HUGE }],
+  ['iridescence', { iridescenceFactor: HUGE, iridescenceIor: -HUGE, iridescenceThicknessMinimum: HUGE, iridescenceThicknessMaximum: -HUGE }],
+  ['diffuse_roughness', { diffuseRoughnessFactor: HUGE }],
+];
+
+const COAT = { clearcoatTexture: { index: 1 } };
+const materialCases = () => [
+  ...layerFaults().map(([name, extension, value, code, pointer]) => ({
+    name: `${name}.glb`, bytes: layered(`KHR_materials_${extension}`, value), code, pointer: `${LAYERS}/KHR_materials_${extension}${pointer}`,
+  })),
+  ...hugeLayers().map(([extension, value]) => ({
+    name: `huge-${extension}.glb`, bytes: layered(`KHR_materials_${extension}`, value), code: '', warning: 'W_RANGE',
+  })),
+  { name: 'ior-nan.glb', bytes: replaced('"pbrMetallicRoughness"', '"extensions":{"KHR_materials_ior":{"ior":NaN}},"pbrMetallicRoughness"'), code: 'E_JSON' },
+  { name: 'sheen-1e400.glb', bytes: replaced('"pbrMetallicRoughness"', '"extensions":{"KHR_materials_sheen":{"sheenRoughnessFactor":1e400}},"pbrMetallicRoughness"'), code: 'E_SCHEMA', pointer: `${LAYERS}/KHR_materials_sheen/sheenRoughnessFactor` },
+  { name: 'sheen-texcoord-2p31.glb', bytes: layered('KHR_materials_sheen', { sheenColorTexture: { index: 0, texCoord: 2 ** 31 } }), code: '', warning: 'W_TEXCOORD' },
+  { name: 'clearcoat-image-damaged.glb', bytes: damagedLayer('KHR_materials_clearcoat', { clearcoatFactor: 1, ...COAT }), code: 'E_IMAGE_CORRUPT', pointer: '/images/1' },
+  { name: 'clearcoat-off-image-damaged.glb', bytes: damagedLayer('KHR_materials_clearcoat', COAT), code: '' },
+];
+
 function draco(model, data) {
   model.doc.meshes[0].primitives[0].extensions = {
     KHR_draco_mesh_compression: { bufferView: addView(model, data), attributes: { POSITION: 0 } },
@@ -190,7 +247,7 @@ export const makeCases = () => {
   return [
     { name: 'good.glb', bytes: good, code: '' },
     { name: 'good.gltf', bytes: gltf(quad()), code: '' },
-    ...containerCases(good), ...jsonCases(), ...bufferCases(), ...graphCases(), ...imageCases(), ...uriCases(),
+    ...containerCases(good), ...jsonCases(), ...bufferCases(), ...graphCases(), ...imageCases(), ...materialCases(), ...uriCases(),
   ];
 };
 
