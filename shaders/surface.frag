@@ -1,5 +1,5 @@
-// Metallic-roughness material under punctual and indirect light, as three.js 0.187's MeshStandardMaterial shades it;
-// with UNLIT as its MeshBasicMaterial.
+// Metallic-roughness material and the layers of KHR_materials_* under punctual and indirect light, as three.js 0.187's
+// MeshStandardMaterial and MeshPhysicalMaterial shade them; with UNLIT as its MeshBasicMaterial.
 precision highp float;
 precision highp int;
 precision highp sampler2D;
@@ -23,6 +23,18 @@ precision highp samplerCube;
 #include "brdf/light.glsl"
 #include "brdf/occlusion.glsl"
 #include "brdf/environment.glsl"
+#if SHEEN
+#include "brdf/sheen.glsl"
+#endif
+#if ANISOTROPY
+#include "brdf/anisotropic.glsl"
+#endif
+#if IRIDESCENCE
+#include "brdf/iridescence.glsl"
+#endif
+#if DIFFUSE_ROUGHNESS
+#include "brdf/rough_diffuse.glsl"
+#endif
 #include "material/normal.glsl"
 #endif
 #include "material/surface_info.glsl"
@@ -49,18 +61,31 @@ void main() {
 #if OCCLUSION_MAP
   float occlusion = diffuseOcclusion(texture(occlusionMap, vOcclusionUv).r, occlusionStrength);
   indirect.diffuse *= occlusion;
+#if CLEARCOAT
+  indirect.coat *= occlusion;
+#endif
+#if SHEEN
+  indirect.sheen *= occlusion;
+#endif
 #if ENVIRONMENT
   indirect.specular *= specularOcclusion(s.perceptualRoughness, occlusion, s.NoV);
 #endif
 #endif
 #if POINT_LIGHTS + SPOT_LIGHTS + DIRECTIONAL_LIGHTS > 0
   Reflected direct = punctualLight(s);
-  vec3 radiance = (direct.diffuse + indirect.diffuse) + (direct.specular + indirect.specular);
 #else
-  vec3 radiance = indirect.diffuse + indirect.specular;
+  Reflected direct = nothingReflected();
 #endif
+  vec3 radiance = (direct.diffuse + indirect.diffuse) + (direct.specular + indirect.specular);
 #if EMISSIVE
   radiance += emittedRadiance();
+#endif
+#if SHEEN
+  radiance += direct.sheen + indirect.sheen;
+#endif
+#if CLEARCOAT
+  radiance = radiance * (1.0 - s.clearcoat * F_Schlick(vec3(F0_DIELECTRIC), 1.0, s.clearcoatNoV)) +
+             (direct.coat + indirect.coat) * s.clearcoat;
 #endif
 #endif
   fragmentColor = outputColor(radiance, baseColor.a);

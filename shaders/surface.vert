@@ -8,7 +8,7 @@ void main() {
   vViewPosition = -vec3(viewSpace);
 #if !FLAT_SHADED && !UNLIT
   vNormal = normalize(normalMatrix * normal) * NORMAL_SIGN;
-#if NORMAL_MAP && TANGENT
+#if TANGENT
   vTangent = normalize(vec3(modelViewMatrix * vec4(tangent.xyz, 0.0)));
   vBitangent = normalize(cross(vNormal, vTangent) * tangent.w) * NORMAL_SIGN;
 #endif
@@ -31,6 +31,10 @@ void main() {
 #if EMISSIVE_MAP
   vEmissiveUv = vec2(emissiveUvTransform * vec3(EMISSIVE_UV1 == 1 ? uv1 : uv0, 1.0));
 #endif
+#if TANGENT_FRAME_UV0
+  vUv0 = uv0;
+#endif
+#include "material/layer_uvs.glsl"
 #if POINTS
   gl_PointSize = 1.0;
 #endif

@@ -29,6 +29,29 @@ vec3 diffuseAlbedo(vec3 baseColor, Real metallic);
 vec3 Fr_GGX(vec3 f0, Real f90, Real alpha, Real NoV, Real NoL, Real NoH, Real LoH);
 vec3 Fd_Lambert(vec3 diffuse);
 
+Real fonNormalisation(Real diffuseRoughness);
+Real fonAlbedo(Real diffuseRoughness, Real cosine);
+Real fonAverageAlbedo(Real diffuseRoughness);
+vec3 eonMultipleAlbedo(vec3 rho, Real average);
+vec3 Fd_EON(vec3 albedo, Real diffuseRoughness, Real NoV, Real NoL, Real LoV);
+vec3 eonAlbedo(vec3 albedo, Real diffuseRoughness, Real NoV);
+
+Real D_Charlie(Real alpha, Real NoH);
+Real V_Neubelt(Real NoV, Real NoL);
+vec3 Fr_Sheen(vec3 sheenColor, Real sheenRoughness, Real NoV, Real NoL, Real NoH);
+Real sheenAlbedo(Real sheenRoughness, Real NoV);
+
+Real D_GGXAnisotropic(Real alphaT, Real alphaB, Real NoH, Real ToH, Real BoH);
+Real V_SmithGGXCorrelatedAnisotropic(Real alphaT, Real alphaB, Real NoV, Real NoL, Real ToV, Real BoV, Real ToL, Real BoL);
+Real alphaAlongTangent(Real perceptualRoughness, Real strength);
+vec3 bentNormal(Real perceptualRoughness, Real strength, vec3 n, vec3 b, vec3 v);
+
+vec3 iorFromF0(vec3 f0);
+vec3 f0FromIor(vec3 transmittedIor, Real incidentIor);
+vec3 filmSensitivity(Real pathDifference, vec3 shift);
+vec3 F_Iridescence(Real filmIor, Real thickness, Real cosTheta, vec3 baseF0);
+vec3 f0FromSchlick(vec3 f, Real VoH);
+
 vec3 F_SchlickAverage(vec3 f0);
 Scattering multipleScattering(vec3 f0, Real f90, vec2 dfg);
 Scattering mixScattering(Scattering dielectric, Scattering metal, Real metallic);

@@ -50,7 +50,8 @@ Program::Program(const Context& context, std::string_view label, const std::stri
   gl.AttachShader(name_.get(), vertexShader.get());
   gl.AttachShader(name_.get(), fragmentShader.get());
   gl.LinkProgram(name_.get());
-  if (gl.ObjectLabel) gl.ObjectLabel(GL_PROGRAM, name_.get(), static_cast<GLsizei>(label.size()), label.data());
+  // 255 is what every driver takes.
+  if (gl.ObjectLabel) gl.ObjectLabel(GL_PROGRAM, name_.get(), static_cast<GLsizei>(std::min<std::size_t>(label.size(), 255)), label.data());
   GLint ok = GL_FALSE, logLength = 0;
   gl.GetProgramiv(name_.get(), GL_LINK_STATUS, &ok);
   if (ok) return;

@@ -4,6 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "pass/texture_slots.h"
+
 namespace telar::pass {
 namespace {
 
@@ -28,19 +30,45 @@ int materialIndex(const Primitive& primitive, int variant) {
   return mapped >= 0 ? mapped : primitive.material;
 }
 
-/// Texture features of a lit material; a map that is multiplied by 0 is not sampled.
+/// Layers of KHR_materials_* that change the picture: a layer of weight 0 is not compiled in.
+void describeLayers(const PhysicalLayers& layers, shader::VariantKey& key) {
+  constexpr float IOR_OF_F0_DIELECTRIC = 1.5f;
+  key.specular = layers.ior != IOR_OF_F0_DIELECTRIC || layers.specularFactor != 1 || layers.specularColorFactor != glm::vec3(1) ||
+                 layers.specularTexture || layers.specularColorTexture;
+  key.clearcoat = layers.clearcoatFactor > 0;
+  key.sheen = layers.sheen && layers.sheenColorFactor != glm::vec3(0);
+  key.anisotropy = layers.anisotropyStrength > 0;
+  key.iridescence = layers.iridescenceFactor > 0;
+  key.diffuseRoughness = layers.diffuseRoughnessFactor > 0;
+}
+
+/// Whether the factor that a texture is multiplied with leaves anything of it.
+bool matters(const TextureSlot& slot, const Material& m, const shader::VariantKey& key) {
+  using Key = shader::VariantKey;
+  if (slot.map == &Key::baseColorMap) return true;
+  if (key.unlit) return false;
+  if (slot.map == &Key::metallicRoughnessMap) return m.metallicFactor != 0 || m.roughnessFactor != 0;
+  if (slot.map == &Key::occlusionMap) return m.occlusionStrength != 0;
+  if (slot.map == &Key::emissiveMap) return key.emissive;
+  if (slot.map == &Key::clearcoatMap || slot.map == &Key::clearcoatRoughnessMap || slot.map == &Key::clearcoatNormalMap) return key.clearcoat;
+  if (slot.map == &Key::sheenColorMap || slot.map == &Key::sheenRoughnessMap) return key.sheen;
+  if (slot.map == &Key::anisotropyMap) return key.anisotropy;
+  if (slot.map == &Key::iridescenceMap || slot.map == &Key::iridescenceThicknessMap) return key.iridescence;
+  if (slot.map == &Key::diffuseRoughnessMap) return key.diffuseRoughness;
+  return true;
+}
+
+/// Texture features of a material; a map that is multiplied by 0 is not sampled.
 void describeMaps(const Material& m, shader::VariantKey& key) {
-  const auto use = [](const TextureRef& texture, bool matters, bool& map, bool& uv1) {
-    map = texture && matters;
-    uv1 = map && texture.texCoord == 1;
-  };
-  use(m.baseColorTexture, true, key.baseColorMap, key.baseColorUv1);
-  if (key.unlit) return;
-  use(m.metallicRoughnessTexture, m.metallicFactor != 0 || m.roughnessFactor != 0, key.metallicRoughnessMap, key.metallicRoughnessUv1);
-  use(m.normalTexture, true, key.normalMap, key.normalUv1);
-  use(m.occlusionTexture, m.occlusionStrength != 0, key.occlusionMap, key.occlusionUv1);
-  key.emissive = m.emissiveFactor != glm::vec3(0);
-  use(m.emissiveTexture, key.emissive, key.emissiveMap, key.emissiveUv1);
+  if (!key.unlit) {
+    key.emissive = m.emissiveFactor != glm::vec3(0);
+    if (m.physical) describeLayers(m.layers, key);
+  }
+  for (const TextureSlot& slot : TEXTURE_SLOTS) {
+    const TextureRef& texture = slot.texture(m);
+    key.*slot.map = texture && matters(slot, m, key);
+    key.*slot.uv1 = key.*slot.map && texture.texCoord == 1;
+  }
 }
 
 shader::VariantKey keyOf(const Primitive& primitive, const Material& material, const shader::VariantKey& frame) {
@@ -63,9 +91,11 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.spotLights = frame.spotLights;
   key.directionalLights = frame.directionalLights;
   key.flatShaded = primitive.normals.empty();
-  key.tangent = key.normalMap && !key.flatShaded && !primitive.tangents.empty();
-  key.doubleSided = material.doubleSided && !key.flatShaded;
-  if (key.flatShaded && key.normalMap) key.doubleSided = material.doubleSided;
+  key.tangent = (key.normalMap || key.anisotropy) && !key.flatShaded && !primitive.tangents.empty();
+  key.tangentFrameUv0 = key.anisotropy && !key.normalMap && !key.clearcoatNormalMap;
+  // A flat face needs no turning round of its normal, only of the frame that its maps stand in.
+  const bool hasFrame = key.normalMap || key.clearcoatNormalMap || key.anisotropy;
+  key.doubleSided = material.doubleSided && (!key.flatShaded || hasFrame);
   return key;
 }
 
@@ -74,6 +104,8 @@ void forceAllFeatures(shader::VariantKey& key) {
   if (key.unlit) return;
   key.baseColorMap = key.metallicRoughnessMap = key.normalMap = key.occlusionMap = key.emissive = key.emissiveMap = true;
   key.vertexColor = key.alphaMask = key.environment = true;
+  // Anisotropy is left out: its frame changes the picture even at strength 0.
+  key.specular = key.clearcoat = key.sheen = key.iridescence = key.diffuseRoughness = true;
 }
 
 void sortDraws(DrawList& draws) {

@@ -1,26 +1,22 @@
 #include "pass/surface_pass.h"
 
 #include <array>
+#include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <set>
 
 #include "ibl/dfg.h"
+#include "pass/texture_slots.h"
 #include "shader/library.h"
 
 namespace telar::pass {
 namespace {
 
-enum TextureUnit : GLuint {
-  BASE_COLOR_UNIT,
-  METALLIC_ROUGHNESS_UNIT,
-  NORMAL_UNIT,
-  OCCLUSION_UNIT,
-  EMISSIVE_UNIT,
-  DFG_UNIT,
-  ENVIRONMENT_UNIT,
-  UNIT_COUNT
-};
+// The material's textures come first, in the order of TEXTURE_SLOTS.
+constexpr GLuint DFG_UNIT = TEXTURE_SLOTS.size();
+constexpr GLuint ENVIRONMENT_UNIT = DFG_UNIT + 1;
+constexpr GLuint UNIT_COUNT = ENVIRONMENT_UNIT + 1;
 
 /// Half floats: 8 bits cannot hold the 0.5 of a flat normal.
 gl::Texture texelTexture(const gl::Functions& gl, const std::array<float, 4>& rgba) {
@@ -48,6 +44,25 @@ glm::mat3 normalMatrixOf(const glm::dmat3& m) {
 glm::vec2 normalScaleOf(float scale, const DrawItem& item) {
   const glm::vec2 signs(1, item.primitive->tangents.empty() ? -1 : 1);
   return signs * (item.key.flipSided ? -scale : scale);
+}
+
+/// Factors of the layers of KHR_materials_*.
+void setLayers(const gl::Program& program, const DrawItem& item) {
+  const PhysicalLayers& layers = item.material->layers;
+  program.set("ior", layers.ior);
+  program.set("specularFactor", layers.specularFactor);
+  program.set("specularColorFactor", layers.specularColorFactor);
+  program.set("clearcoatFactor", layers.clearcoatFactor);
+  program.set("clearcoatRoughnessFactor", layers.clearcoatRoughnessFactor);
+  program.set("clearcoatNormalScale", normalScaleOf(layers.clearcoatNormalScale, item));
+  program.set("sheenColorFactor", layers.sheenColorFactor);
+  program.set("sheenRoughnessFactor", layers.sheenRoughnessFactor);
+  const double strength = layers.anisotropyStrength, rotation = layers.anisotropyRotation;
+  program.set("anisotropyVector", glm::vec2(glm::dvec2(strength * std::cos(rotation), strength * std::sin(rotation))));
+  program.set("iridescenceFactor", layers.iridescenceFactor);
+  program.set("iridescenceIor", layers.iridescenceIor);
+  program.set("iridescenceThickness", glm::vec2(layers.iridescenceThicknessMinimum, layers.iridescenceThicknessMaximum));
+  program.set("diffuseRoughnessFactor", layers.diffuseRoughnessFactor);
 }
 
 std::string labelOf(const shader::VariantKey& key) {
@@ -84,12 +99,10 @@ void SurfacePass::upload(const FramePlan& plan, const Scene& scene, GpuScene& gp
     for (const DrawItem& item : *list) {
       cancel.check();
       gpu.primitive(*item.primitive);
-      const Material& m = *item.material;
-      if (item.key.baseColorMap && m.baseColorTexture) gpu.texture(scene, m.baseColorTexture.image, true, cancel);
-      if (item.key.metallicRoughnessMap && m.metallicRoughnessTexture) gpu.texture(scene, m.metallicRoughnessTexture.image, false, cancel);
-      if (item.key.normalMap && m.normalTexture) gpu.texture(scene, m.normalTexture.image, false, cancel);
-      if (item.key.occlusionMap && m.occlusionTexture) gpu.texture(scene, m.occlusionTexture.image, false, cancel);
-      if (item.key.emissiveMap && m.emissiveTexture) gpu.texture(scene, m.emissiveTexture.image, true, cancel);
+      for (const TextureSlot& slot : TEXTURE_SLOTS) {
+        const TextureRef& texture = slot.texture(*item.material);
+        if (item.key.*slot.map && texture) gpu.texture(scene, texture.image, slot.srgb, cancel);
+      }
     }
   }
 }
@@ -118,31 +131,27 @@ const gl::Program* SurfacePass::useProgram(const shader::VariantKey& key, const 
 void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
   const gl::Functions& gl = context_.gl();
   const Material& m = *item.material;
-  const auto map = [&](bool used, const TextureRef& texture, bool srgb, TextureUnit unit, const char* sampler, const char* transform,
-                       const gl::Texture& standIn) {
-    if (!used) return;
-    program.set(sampler, static_cast<int>(unit));
-    program.set(transform, texture.uvTransform);
-    const GLuint name = texture ? gpu.texture(scene, texture.image, srgb, cancel) : standIn.get();
+  for (GLuint unit = 0; unit < TEXTURE_SLOTS.size(); ++unit) {
+    const TextureSlot& slot = TEXTURE_SLOTS[unit];
+    if (!(item.key.*slot.map)) continue;
+    const TextureRef& texture = slot.texture(m);
+    const gl::Texture& standIn = slot.map == &shader::VariantKey::normalMap ? flatNormal_ : white_;
+    const GLuint name = texture ? gpu.texture(scene, texture.image, slot.srgb, cancel) : standIn.get();
+    program.set(slot.sampler, static_cast<int>(unit));
+    program.set(slot.uvTransform, texture.uvTransform);
     gl.ActiveTexture(GL_TEXTURE0 + unit);
     gl.BindTexture(GL_TEXTURE_2D, name);
     gl.BindSampler(unit, texture ? gpu.sampler(texture.sampler) : 0);
-  };
-  const shader::VariantKey& key = item.key;
-  map(key.baseColorMap, m.baseColorTexture, true, BASE_COLOR_UNIT, "baseColorMap", "baseColorUvTransform", white_);
-  map(key.metallicRoughnessMap, m.metallicRoughnessTexture, false, METALLIC_ROUGHNESS_UNIT, "metallicRoughnessMap",
-      "metallicRoughnessUvTransform", white_);
-  map(key.normalMap, m.normalTexture, false, NORMAL_UNIT, "normalMap", "normalUvTransform", flatNormal_);
-  map(key.occlusionMap, m.occlusionTexture, false, OCCLUSION_UNIT, "occlusionMap", "occlusionUvTransform", white_);
-  map(key.emissiveMap, m.emissiveTexture, true, EMISSIVE_UNIT, "emissiveMap", "emissiveUvTransform", white_);
+  }
   program.set("baseColorFactor", m.baseColorFactor);
   program.set("alphaCutoff", m.alphaMode == AlphaMode::kMask ? m.alphaCutoff : 0.0f);
-  if (key.unlit) return;
+  if (item.key.unlit) return;
   program.set("metallicFactor", m.metallicFactor);
   program.set("roughnessFactor", m.roughnessFactor);
   program.set("emissiveFactor", m.emissiveFactor);
   program.set("occlusionStrength", m.occlusionStrength);
   program.set("normalScale", normalScaleOf(m.normalScale, item));
+  setLayers(program, item);
 }
 
 void SurfacePass::drawItem(const DrawItem& item, const FramePlan& plan, const Shot& shot, const Scene& scene, GpuScene& gpu,

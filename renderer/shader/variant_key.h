@@ -34,6 +34,35 @@ ToneMapping toneMappingByName(const std::string& name);
   F(NORMAL_UV1, normalUv1, "")                                          \
   F(OCCLUSION_UV1, occlusionUv1, "")                                    \
   F(EMISSIVE_UV1, emissiveUv1, "")                                      \
+  F(TANGENT_FRAME_UV0, tangentFrameUv0, "")                             \
+  F(SPECULAR, specular, "specular")                                     \
+  F(SPECULAR_MAP, specularMap, "specular-map")                          \
+  F(SPECULAR_UV1, specularUv1, "")                                      \
+  F(SPECULAR_COLOR_MAP, specularColorMap, "specular-color-map")         \
+  F(SPECULAR_COLOR_UV1, specularColorUv1, "")                           \
+  F(CLEARCOAT, clearcoat, "clearcoat")                                  \
+  F(CLEARCOAT_MAP, clearcoatMap, "clearcoat-map")                       \
+  F(CLEARCOAT_UV1, clearcoatUv1, "")                                    \
+  F(CLEARCOAT_ROUGHNESS_MAP, clearcoatRoughnessMap, "clearcoat-roughness-map") \
+  F(CLEARCOAT_ROUGHNESS_UV1, clearcoatRoughnessUv1, "")                 \
+  F(CLEARCOAT_NORMAL_MAP, clearcoatNormalMap, "clearcoat-normal-map")   \
+  F(CLEARCOAT_NORMAL_UV1, clearcoatNormalUv1, "")                       \
+  F(SHEEN, sheen, "sheen")                                              \
+  F(SHEEN_COLOR_MAP, sheenColorMap, "sheen-color-map")                  \
+  F(SHEEN_COLOR_UV1, sheenColorUv1, "")                                 \
+  F(SHEEN_ROUGHNESS_MAP, sheenRoughnessMap, "sheen-roughness-map")      \
+  F(SHEEN_ROUGHNESS_UV1, sheenRoughnessUv1, "")                         \
+  F(ANISOTROPY, anisotropy, "anisotropy")                               \
+  F(ANISOTROPY_MAP, anisotropyMap, "anisotropy-map")                    \
+  F(ANISOTROPY_UV1, anisotropyUv1, "")                                  \
+  F(IRIDESCENCE, iridescence, "iridescence")                            \
+  F(IRIDESCENCE_MAP, iridescenceMap, "iridescence-map")                 \
+  F(IRIDESCENCE_UV1, iridescenceUv1, "")                                \
+  F(IRIDESCENCE_THICKNESS_MAP, iridescenceThicknessMap, "iridescence-thickness-map") \
+  F(IRIDESCENCE_THICKNESS_UV1, iridescenceThicknessUv1, "")             \
+  F(DIFFUSE_ROUGHNESS, diffuseRoughness, "diffuse-roughness")           \
+  F(DIFFUSE_ROUGHNESS_MAP, diffuseRoughnessMap, "diffuse-roughness-map") \
+  F(DIFFUSE_ROUGHNESS_UV1, diffuseRoughnessUv1, "")                     \
   F(AMBIENT, ambient, "ambient-light")                                  \
   F(ENVIRONMENT, environment, "environment")                            \
   F(ORTHOGRAPHIC, orthographic, "orthographic")                         \

@@ -17,3 +17,9 @@ const float SQUARED_LENGTH_EPSILON = 1.0e-12;
 
 // Largest finite half float: brighter is white for every tone curve, and inf/inf = NaN is kept out of them.
 const float RADIANCE_MAX = 65504.0;
+
+// Floor of the denominators of the rough diffuse lobe. three r187
+const float EON_EPSILON = 1.0e-7;
+
+// Smallest sheen roughness: 1 / alpha stays finite in fp32. three r187
+const float SHEEN_ROUGHNESS_MIN = 1.0e-4;

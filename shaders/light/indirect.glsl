@@ -15,35 +15,91 @@ uniform mat3 environmentRotation;         // world to environment
 uniform mat4 viewMatrix;
 #endif
 
-Reflected indirectLight(SurfaceInfo s) {
-  Reflected sum = Reflected(vec3(0.0), vec3(0.0));
-#if AMBIENT || HEMISPHERE_LIGHTS > 0 || ENVIRONMENT
-  Scattering dielectric = multipleScattering(vec3(F0_DIELECTRIC), 1.0, s.dfg);
+#if ENVIRONMENT
+// Environment in a view-space direction, prefiltered.
+vec3 environmentRadiance(vec3 direction, float lod) {
+  vec3 world = normalize(vec3(vec4(direction, 0.0) * viewMatrix));
+  return textureLod(environmentMap, environmentRotation * world, lod).rgb * environmentIntensity;
+}
+
+// What a GGX lobe of this roughness about n sees.
+vec3 specularRadiance(float perceptualRoughness, vec3 n, vec3 v) {
+  return environmentRadiance(dominantReflection(perceptualRoughness, n, v),
+                             lodFromRoughness(perceptualRoughness, environmentMaxLod));
+}
 #endif
+
 #if AMBIENT || HEMISPHERE_LIGHTS > 0
+vec3 domeIrradiance(vec3 n) {
   vec3 irradiance = vec3(0.0);
 #if AMBIENT
   irradiance += ambientIrradiance;
 #endif
 #if HEMISPHERE_LIGHTS > 0
   for (int i = 0; i < HEMISPHERE_LIGHTS; ++i) {
-    irradiance += hemisphereIrradiance(hemisphereSky[i], hemisphereGround[i], dot(s.n, hemisphereUp[i]));
+    irradiance += hemisphereIrradiance(hemisphereSky[i], hemisphereGround[i], dot(n, hemisphereUp[i]));
   }
 #endif
-  sum.diffuse += irradiance * Fd_Lambert(s.diffuse) * diffuseShare(dielectric);
+  return irradiance;
+}
+#endif
+
+Reflected indirectLight(SurfaceInfo s) {
+  Reflected sum = nothingReflected();
+#if AMBIENT || HEMISPHERE_LIGHTS > 0 || ENVIRONMENT
+  vec3 f0Dielectric = s.f0Dielectric;
+  vec3 f0Metal = s.baseColor;
+#if IRIDESCENCE
+  f0Dielectric = mix(f0Dielectric, s.filmF0Dielectric, s.iridescence);
+  f0Metal = mix(f0Metal, s.filmF0Metal, s.iridescence);
+#endif
+  Scattering dielectric = multipleScattering(f0Dielectric, s.f90, s.dfg);
+#if SHEEN
+  float sheenE = sheenAlbedo(s.sheenRoughness, s.NoV);
+  float underSheen = 1.0 - max3(s.sheenColor) * sheenE;
+#endif
+#endif
+#if AMBIENT || HEMISPHERE_LIGHTS > 0
+  vec3 irradiance = domeIrradiance(s.n);
+#if DIFFUSE_ROUGHNESS
+  vec3 diffuse = irradiance * RECIPROCAL_PI * (eonAlbedo(s.baseColor, s.diffuseRoughness, s.NoV) * (1.0 - s.metallic)) * diffuseShare(dielectric);
+#else
+  vec3 diffuse = irradiance * Fd_Lambert(s.diffuse) * diffuseShare(dielectric);
+#endif
+#if SHEEN
+  sum.sheen += irradiance * s.sheenColor * sheenE * RECIPROCAL_PI;
+  diffuse *= underSheen;
+#endif
+  sum.diffuse += diffuse;
 #endif
 #if ENVIRONMENT
-  vec3 worldNormal = normalize(vec3(vec4(s.n, 0.0) * viewMatrix));
-  vec3 environmentIrradiance =
-      PI * textureLod(environmentMap, environmentRotation * worldNormal, environmentMaxLod).rgb * environmentIntensity;
-  vec3 direction = dominantReflection(s.perceptualRoughness, s.n, s.v);
-  direction = normalize(vec3(vec4(direction, 0.0) * viewMatrix));
-  vec3 radiance = textureLod(environmentMap, environmentRotation * direction,
-                             lodFromRoughness(s.perceptualRoughness, environmentMaxLod)).rgb * environmentIntensity;
-  Scattering metal = multipleScattering(s.baseColor, 1.0, s.dfg);
+  vec3 environmentIrradiance = PI * environmentRadiance(s.n, environmentMaxLod);
   vec3 meanRadiance = environmentIrradiance * RECIPROCAL_PI;
-  sum.specular += environmentSpecular(mixScattering(dielectric, metal, s.metallic), radiance, meanRadiance);
-  sum.diffuse += s.diffuse * diffuseShare(dielectric) * meanRadiance;
+#if ANISOTROPY
+  vec3 reflector = bentNormal(s.perceptualRoughness, s.anisotropyStrength, s.n, s.b, s.v);
+#else
+  vec3 reflector = s.n;
+#endif
+  vec3 radiance = specularRadiance(s.perceptualRoughness, reflector, s.v);
+  Scattering metal = multipleScattering(f0Metal, s.f90, s.dfg);
+  vec3 specular = environmentSpecular(mixScattering(dielectric, metal, s.metallic), radiance, meanRadiance);
+#if DIFFUSE_ROUGHNESS
+  vec3 environmentDiffuse =
+      eonAlbedo(s.baseColor, s.diffuseRoughness, s.NoV) * (1.0 - s.metallic) * diffuseShare(dielectric) * meanRadiance;
+#else
+  vec3 environmentDiffuse = s.diffuse * diffuseShare(dielectric) * meanRadiance;
+#endif
+#if SHEEN
+  sum.sheen += environmentIrradiance * s.sheenColor * sheenE * RECIPROCAL_PI;
+  specular *= underSheen;
+  environmentDiffuse *= underSheen;
+#endif
+#if CLEARCOAT
+  vec2 coatDfg = texture(dfgMap, vec2(s.clearcoatRoughness, s.clearcoatNoV)).rg;
+  sum.coat += specularRadiance(s.clearcoatRoughness, s.coatNormal, s.v) * (vec3(F0_DIELECTRIC) * coatDfg.x + coatDfg.y);
+#endif
+  sum.specular += specular;
+  sum.diffuse += environmentDiffuse;
 #endif
   return sum;
 }

@@ -8,7 +8,7 @@ uniform vec3 emissiveFactor;
 in vec3 vViewPosition;
 #if !FLAT_SHADED && !UNLIT
 in vec3 vNormal;
-#if NORMAL_MAP && TANGENT
+#if TANGENT
 in vec3 vTangent;
 in vec3 vBitangent;
 #endif
@@ -38,3 +38,7 @@ in vec2 vOcclusionUv;
 uniform sampler2D emissiveMap;  // sRGB
 in vec2 vEmissiveUv;
 #endif
+#if TANGENT_FRAME_UV0
+in vec2 vUv0;
+#endif
+#include "material/layer_inputs.glsl"

@@ -1,11 +1,19 @@
-// The shading normal of a fragment, view space.
+// The shading normal of a fragment and the frame that normal maps and stretched highlights stand in, view space.
+
+#define TANGENT_FRAME (NORMAL_MAP || CLEARCOAT_NORMAL_MAP || ANISOTROPY)
 
 struct Normals {
   vec3 geometric;  // interpolated (or of the flat face), turned to the viewer on double-sided surfaces
   vec3 shading;    // after the normal map
+#if CLEARCOAT
+  vec3 coat;       // after the clearcoat's own normal map
+#endif
+#if ANISOTROPY
+  mat3 frame;      // columns: tangent, bitangent, geometric normal
+#endif
 };
 
-#if NORMAL_MAP && !TANGENT
+#if TANGENT_FRAME
 // Tangent frame from screen-space derivatives; not orthonormal, both axes share one scale.
 // p  view-space position      n  unit normal      uv  texture coordinates
 // src: Mikkelsen 2020, "Surface Gradient-Based Bump Mapping Framework" by way of Schueler 2013, "Normal Mapping Without
@@ -23,32 +31,67 @@ mat3 derivativeFrame(vec3 p, vec3 n, vec2 uv) {
   float scale = det == 0.0 ? 0.0 : inversesqrt(det);
   return mat3(t * scale, b * scale, n);
 }
+
+// The vertex tangents where there are any, else derivatives of one texture's coordinates.
+mat3 tangentFrame(vec3 n, vec2 uv, float faceDirection) {
+#if TANGENT
+  mat3 frame = mat3(normalize(vTangent), normalize(vBitangent), n);
+#else
+  mat3 frame = derivativeFrame(-vViewPosition, n, uv);
+#endif
+#if DOUBLE_SIDED
+  frame[0] *= faceDirection;
+  frame[1] *= faceDirection;
+#endif
+  return frame;
+}
+
+// Two unit axes that are square with n, for surfaces whose texture coordinates give none.
+// src: Duff et al. 2017, "Building an Orthonormal Basis, Revisited", JCGT 6(1)
+mat3 anyFrame(vec3 n) {
+  float side = n.z < 0.0 ? -1.0 : 1.0;
+  float a = -1.0 / (side + n.z);
+  float b = n.x * n.y * a;
+  return mat3(vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3(b, side + n.y * n.y * a, -n.y), n);
+}
+
+vec3 mappedNormal(mat3 frame, vec3 texel, vec2 scale) {
+  vec3 n = texel * 2.0 - 1.0;
+  n.xy *= scale;
+  return normalize(frame * n);
+}
 #endif
 
 Normals shadingNormals() {
   float faceDirection = gl_FrontFacing ? 1.0 : -1.0;
+  Normals normals;
 #if FLAT_SHADED
-  vec3 n = normalize(cross(dFdx(vViewPosition), dFdy(vViewPosition)));
+  normals.geometric = normalize(cross(dFdx(vViewPosition), dFdy(vViewPosition)));
 #else
-  vec3 n = normalize(vNormal);
+  normals.geometric = normalize(vNormal);
 #if DOUBLE_SIDED
-  n *= faceDirection;
+  normals.geometric *= faceDirection;
 #endif
 #endif
+  normals.shading = normals.geometric;
 #if NORMAL_MAP
-#if TANGENT && !FLAT_SHADED
-  mat3 tbn = mat3(normalize(vTangent), normalize(vBitangent), n);
-#else
-  mat3 tbn = derivativeFrame(-vViewPosition, n, vNormalUv);
+  mat3 frame = tangentFrame(normals.geometric, vNormalUv, faceDirection);
+  normals.shading = mappedNormal(frame, texture(normalMap, vNormalUv).xyz, normalScale);
+#elif ANISOTROPY && CLEARCOAT_NORMAL_MAP
+  mat3 frame = tangentFrame(normals.geometric, vClearcoatNormalUv, faceDirection);
+#elif ANISOTROPY
+  mat3 frame = tangentFrame(normals.geometric, vUv0, faceDirection);
 #endif
-#if DOUBLE_SIDED
-  tbn[0] *= faceDirection;
-  tbn[1] *= faceDirection;
+#if ANISOTROPY
+  // three.js divides by 0 here; a stretched highlight needs some direction.
+  normals.frame = dot(frame[0], frame[0]) > 0.0 && dot(frame[1], frame[1]) > 0.0 ? frame : anyFrame(normals.geometric);
 #endif
-  vec3 texel = texture(normalMap, vNormalUv).xyz * 2.0 - 1.0;
-  texel.xy *= normalScale;
-  return Normals(n, normalize(tbn * texel));
-#else
-  return Normals(n, n);
+#if CLEARCOAT
+  normals.coat = normals.geometric;
+#if CLEARCOAT_NORMAL_MAP
+  mat3 coatFrame = tangentFrame(normals.geometric, vClearcoatNormalUv, faceDirection);
+  normals.coat = mappedNormal(coatFrame, texture(clearcoatNormalMap, vClearcoatNormalUv).xyz, clearcoatNormalScale);
 #endif
+#endif
+  return normals;
 }

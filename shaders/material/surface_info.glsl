@@ -9,10 +9,37 @@ struct SurfaceInfo {
   float metallic;
   vec3 diffuse;    // albedo of the diffuse lobe
   vec3 f0;         // of the dielectric-metal blend
+  vec3 f0Dielectric;
+  float f90;
   float perceptualRoughness;  // floor and geometric roughness applied
   float alpha;
   float NoV;
   vec2 dfg;
+#if DIFFUSE_ROUGHNESS
+  float diffuseRoughness;
+#endif
+#if ANISOTROPY
+  vec3 t;          // along which the highlight is stretched, view space
+  vec3 b;
+  float anisotropyStrength;
+  float alphaT;
+#endif
+#if IRIDESCENCE
+  float iridescence;        // weight of the film
+  vec3 filmFresnel;         // reflectance of film and base
+  vec3 filmF0Dielectric;    // the same as a normal reflectance
+  vec3 filmF0Metal;
+#endif
+#if SHEEN
+  vec3 sheenColor;
+  float sheenRoughness;
+#endif
+#if CLEARCOAT
+  vec3 coatNormal;
+  float clearcoat;
+  float clearcoatRoughness;
+  float clearcoatNoV;
+#endif
 };
 
 vec4 baseColorAndAlpha() {
@@ -27,6 +54,8 @@ vec4 baseColorAndAlpha() {
 }
 
 #if !UNLIT
+#include "material/layer_info.glsl"
+
 SurfaceInfo surfaceInfo(vec3 baseColor) {
   SurfaceInfo s;
   float roughness = roughnessFactor;
@@ -37,6 +66,7 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
   s.metallic *= texel.b;
 #endif
   Normals normals = shadingNormals();
+  float geometric = geometricRoughness(dFdx(normals.geometric), dFdy(normals.geometric));
   s.n = normals.shading;
 #if ORTHOGRAPHIC
   s.v = vec3(0.0, 0.0, 1.0);
@@ -45,11 +75,17 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
 #endif
   s.baseColor = baseColor;
   s.diffuse = diffuseAlbedo(baseColor, s.metallic);
-  s.f0 = specularF0(baseColor, s.metallic);
-  s.perceptualRoughness = shadedRoughness(roughness, geometricRoughness(dFdx(normals.geometric), dFdy(normals.geometric)));
+  s.f0Dielectric = vec3(F0_DIELECTRIC);
+  s.f90 = 1.0;
+#if SPECULAR
+  addSpecular(s);
+#endif
+  s.f0 = mix(s.f0Dielectric, baseColor, s.metallic);
+  s.perceptualRoughness = shadedRoughness(roughness, geometric);
   s.alpha = alphaFromRoughness(s.perceptualRoughness);
   s.NoV = saturate(dot(s.n, s.v));
   s.dfg = texture(dfgMap, vec2(s.perceptualRoughness, s.NoV)).rg;
+  addLayers(s, normals, geometric);
   return s;
 }
 

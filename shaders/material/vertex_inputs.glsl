@@ -3,7 +3,7 @@ layout(location = 0) in vec3 position;  // mesh space, metres
 #if !FLAT_SHADED && !UNLIT
 layout(location = 1) in vec3 normal;    // mesh space
 #endif
-#if NORMAL_MAP && TANGENT
+#if TANGENT
 layout(location = 2) in vec4 tangent;   // mesh space, w = handedness
 #endif
 layout(location = 3) in vec2 uv0;
@@ -24,7 +24,7 @@ uniform mat3 normalMatrix;  // inverse transpose of modelViewMatrix
 out vec3 vViewPosition;  // from the surface to the eye, view space
 #if !FLAT_SHADED && !UNLIT
 out vec3 vNormal;  // view space
-#if NORMAL_MAP && TANGENT
+#if TANGENT
 out vec3 vTangent;
 out vec3 vBitangent;
 #endif
@@ -52,3 +52,7 @@ out vec2 vOcclusionUv;
 uniform mat3 emissiveUvTransform;
 out vec2 vEmissiveUv;
 #endif
+#if TANGENT_FRAME_UV0
+out vec2 vUv0;
+#endif
+#include "material/layer_varyings.glsl"

@@ -134,16 +134,13 @@ const otherCases = [
   make('transforms-512', 'transforms', 'lamps', { size: 512, lights: SUN }),
 ];
 
-/** Whether the server draws the layers of KHR_materials_*: while it does not, only a filter selects their cases. */
-const PHYSICAL_DRAWN = false;
-
 /** @type {Case[]} */
 export const CASES = [
   ...featureCases, ...facingCases, ...lightCases, ...toneCases, ...environmentCases, ...furnaceCases, ...cameraCases,
   ...scaleCases, ...modelLightCases, ...lightSetCases, ...otherCases, ...BUNDLED_CASES, ...SHARED_CASES,
-  ...(PHYSICAL_DRAWN ? PHYSICAL_CASES : []),
+  ...PHYSICAL_CASES,
 ];
 
 /** Cases whose name contains one of the filters, all where there is none. */
 export const selectCases = (filters) =>
-  filters.length === 0 ? CASES : [...new Set([...CASES, ...PHYSICAL_CASES])].filter(({ name }) => filters.some((filter) => name.includes(filter)));
+  filters.length === 0 ? CASES : CASES.filter(({ name }) => filters.some((filter) => name.includes(filter)));

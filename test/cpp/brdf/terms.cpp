@@ -21,6 +21,15 @@ const Column DISTANCE{0, 20, {0, 1e-6, 0.05, 0.1, 1, 8.4, 10, 1e4}};
 const Column RANGE{0, 20, {0, 1e-3, 10, 1e6}};
 const Column OUTER_CONE{0, 0.99, {0, 0.5, 0.9}};
 const Column INNER_CONE{0.9901, 1, {0.995, 1}};
+// Below this the rounding of sin^2 is raised to 1 / (2 alpha) > 12: fp32 itself has no more digits there.
+const Column SHEEN_ALPHA{0.04, 1, {0.04, 0.09, 0.25, 1}};
+const Column SHEEN_ROUGHNESS{0.2, 1, {0.2, 0.3, 0.5, 1}};
+const Column SLANT{-0.7, 0.7, {-0.7, 0, 0.7}};      // cosines with tangent and bitangent
+const Column OFF_GRAZING{0.05, 1, {0.05, 0.5, 1}};
+const Column FILM_IOR{1, 2.5, {1, 1.3, 2.5}};
+const Column THICKNESS{0, 1200, {0, 0.01, 100, 400, 1200}};
+const Column BASE_F0{0, 0.95, {0, 0.02, 0.04, 0.5, 0.95}};
+const Column PHASE{0, 6.28, {0, 3.14159265}};
 const Column MAX_LOD{5, 7, {5, 6, 7}};
 const Column RADIANCE{0, 3, {0, 1e-6, 0.01, 0.08, 0.18, 0.76, 1, 4, 100, 65504, 1e30}};
 const Column EXPOSURE{0, 4, {0, 1e-3, 1, 16}};
@@ -30,6 +39,9 @@ const Column DISPLAY{0, 1, {0, 1e-6, 0.0031308, 0.04045, 0.5, 1}};
 constexpr double OF_ONE = 0.1;
 // Scale of a result that is a product: its error is relative all the way down.
 constexpr double PRODUCT = 1e-6;
+
+// Scale of the Charlie distribution, whose peak is (2 + 1 / alpha) / (2 PI).
+constexpr double OF_CHARLIE = 5;
 
 // Scale of AgX's polynomial: its parts are up to 40 and cancel. The GPU tolerance is then a twelfth of an 8-bit code.
 constexpr double CANCELLING = 16;
@@ -98,6 +110,36 @@ std::vector<Term> surfaceTerms() {
   };
 }
 
+std::vector<Term> layerTerms() {
+  return {
+      TERM("fonNormalisation", ({UNIT}), PRODUCT, true, vec3(fonNormalisation(p[0]))),
+      TERM("fonAlbedo", ({UNIT, COSINE}), PRODUCT, true, vec3(fonAlbedo(p[0], p[1]))),
+      TERM("fonAverageAlbedo", ({UNIT}), PRODUCT, true, vec3(fonAverageAlbedo(p[0]))),
+      TERM("eonMultipleAlbedo", ({UNIT, UNIT, UNIT, GRAZING}), OF_ONE, true, eonMultipleAlbedo(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("Fd_EON", ({UNIT, UNIT, UNIT, UNIT, COSINE, COSINE, SIGNED_COSINE}), OF_ONE, false,
+           Fd_EON(vec3(p[0], p[1], p[2]), p[3], p[4], p[5], p[6])),
+      TERM("eonAlbedo", ({UNIT, UNIT, UNIT, UNIT, COSINE}), OF_ONE, true, eonAlbedo(vec3(p[0], p[1], p[2]), p[3], p[4])),
+      TERM("D_Charlie", ({SHEEN_ALPHA, COSINE}), OF_CHARLIE, true, vec3(D_Charlie(p[0], p[1]))),
+      TERM("V_Neubelt", ({COSINE, COSINE}), PRODUCT, true, vec3(V_Neubelt(p[0], p[1]))),
+      TERM("Fr_Sheen", ({UNIT, UNIT, UNIT, SHEEN_ROUGHNESS, COSINE, COSINE, COSINE}), OF_CHARLIE, true,
+           Fr_Sheen(vec3(p[0], p[1], p[2]), p[3], p[4], p[5], p[6])),
+      TERM("sheenAlbedo", ({ROUGHNESS, COSINE}), PRODUCT, true, vec3(sheenAlbedo(p[0], p[1]))),
+      TERM("D_GGXAnisotropic", ({ALPHA, ALPHA, OFF_GRAZING, SLANT, SLANT}), PRODUCT, false,
+           vec3(D_GGXAnisotropic(p[0], p[1], p[2], p[3], p[4]))),
+      TERM("V_SmithGGXCorrelatedAnisotropic", ({ALPHA, ALPHA, COSINE, COSINE, SLANT, SLANT, SLANT, SLANT}), PRODUCT, true,
+           vec3(V_SmithGGXCorrelatedAnisotropic(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]))),
+      TERM("alphaAlongTangent", ({ROUGHNESS, UNIT}), PRODUCT, true, vec3(alphaAlongTangent(p[0], p[1]))),
+      TERM("bentNormal", ({ROUGHNESS, UNIT, SLANT, UPWARD, UPWARD, SLANT}), OF_ONE, false,
+           bentNormal(p[0], p[1], normalize(vec3(p[2], p[5], p[3])), vec3(1.0, 0.0, 0.0), normalize(vec3(p[5], p[2], p[4])))),
+      TERM("iorFromF0", ({BASE_F0, BASE_F0, BASE_F0}), PRODUCT, true, iorFromF0(vec3(p[0], p[1], p[2]))),
+      TERM("f0FromIor", ({FILM_IOR, FILM_IOR, FILM_IOR, FILM_IOR}), OF_ONE, true, f0FromIor(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("filmSensitivity", ({THICKNESS, PHASE, PHASE, PHASE}), OF_ONE, false, filmSensitivity(p[0], vec3(p[1], p[2], p[3]))),
+      TERM("F_Iridescence", ({FILM_IOR, THICKNESS, OFF_GRAZING, BASE_F0, BASE_F0, BASE_F0}), OF_ONE, true,
+           F_Iridescence(p[0], p[1], p[2], vec3(p[3], p[4], p[5]))),
+      TERM("f0FromSchlick", ({UNIT, UNIT, UNIT, OFF_GRAZING}), OF_ONE, false, f0FromSchlick(vec3(p[0], p[1], p[2]), p[3])),
+  };
+}
+
 std::vector<Term> lightTerms() {
   return {
       TERM("halfVector", ({DIRECTION, DIRECTION, UPWARD, DIRECTION, DIRECTION, UPWARD, DIRECTION, DIRECTION, UPWARD}),
@@ -158,7 +200,7 @@ std::vector<Term> displayTerms() {
 const std::vector<Term>& terms() {
   static const std::vector<Term> all = [] {
     std::vector<Term> list = algebraTerms();
-    for (auto part : {surfaceTerms(), lightTerms(), displayTerms()}) list.insert(list.end(), part.begin(), part.end());
+    for (auto part : {surfaceTerms(), layerTerms(), lightTerms(), displayTerms()}) list.insert(list.end(), part.begin(), part.end());
     return list;
   }();
   return all;
