@@ -26,7 +26,7 @@ export function removeUnfinished() {
  */
 export async function writeFileAtomically(file, data, signal) {
   try {
-    await mkdir(path.dirname(file), { recursive: true });
+    await makeFolder(path.dirname(path.resolve(file)));
     const target = await realpath(file).catch(() => file);
     const found = await stat(target).catch(() => undefined);
     if (found && !found.isFile() && !found.isDirectory()) await writeInPlace(target, data);
@@ -34,6 +34,23 @@ export async function writeFileAtomically(file, data, signal) {
   } catch (cause) {
     if (signal?.aborted && cause === signal.reason) throw cause;
     throw new TelarError('X_OUTPUT', `${shown(file)} cannot be written (${cause.code ?? cause.message})`, { cause });
+  }
+}
+
+/**
+ * Makes a folder and those above it. Not mkdir's own `recursive`: Node 20 never ends where a parent exists but takes no
+ * folder (/proc).
+ */
+async function makeFolder(folder) {
+  try {
+    await mkdir(folder);
+  } catch (error) {
+    if (error.code === 'EEXIST' && (await stat(folder)).isDirectory()) return;
+    const parent = path.dirname(folder);
+    const parentExists = await stat(parent).then(() => true, () => false);
+    if (error.code !== 'ENOENT' || parentExists) throw error;
+    await makeFolder(parent);
+    await makeFolder(folder);
   }
 }
 

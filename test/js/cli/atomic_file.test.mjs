@@ -24,6 +24,15 @@ test('writes and replaces, making the folder', async () => {
   assert.deepEqual(readdirSync(at('new')), ['a.bin']);
 });
 
+test('a folder above that takes no folder is X_OUTPUT, not a wait without end', async () => {
+  await assert.rejects(writeFileAtomically('/proc/telar/deep/a.bin', Buffer.from('x')), { code: 'X_OUTPUT' });
+});
+
+test('folders two levels deep are made by several writers at once', async () => {
+  await Promise.all(['a', 'b', 'c'].map((name) => writeFileAtomically(at(`new/deep/${name}`), Buffer.from(name))));
+  assert.deepEqual(readdirSync(at('new/deep')), ['a', 'b', 'c']);
+});
+
 test('a link keeps pointing at the file that is written', async () => {
   writeFileSync(at('real'), 'old');
   symlinkSync('real', at('link'));
