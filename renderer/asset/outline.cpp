@@ -8,7 +8,7 @@
 namespace telar::asset {
 namespace {
 
-constexpr int GRID = 2;         // directions end on the surface of the integer cube [-GRID, GRID]^3
+constexpr int GRID = 2;           // directions end on the surface of the integer cube [-GRID, GRID]^3
 constexpr std::size_t AXES = 49;  // one of each opposite pair
 
 std::array<glm::dvec3, AXES> directions() {
@@ -29,7 +29,9 @@ std::array<glm::dvec3, AXES> directions() {
 /// Farthest points both ways along every axis.
 class Support {
  public:
-  Support() { low_.fill(std::numeric_limits<double>::infinity()), high_.fill(-std::numeric_limits<double>::infinity()); }
+  Support() {
+    low_.fill(std::numeric_limits<double>::infinity()), high_.fill(-std::numeric_limits<double>::infinity());
+  }
 
   void add(const glm::dvec3& p) {
     for (std::size_t i = 0; i < AXES; ++i) {
@@ -64,7 +66,9 @@ std::vector<glm::dvec3> outlineOf(const Scene& scene) {
   for (const Node& node : scene.nodes) {
     if (node.mesh < 0) continue;
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-      const auto add = [&](const glm::vec3& p) { support.add(glm::dvec3(node.world * glm::dvec4(glm::dvec3(p), 1.0))); };
+      const auto add = [&](const glm::vec3& p) {
+        support.add(glm::dvec3(node.world * glm::dvec4(glm::dvec3(p), 1.0)));
+      };
       if (primitive.indices.empty()) {
         std::for_each(primitive.positions.begin(), primitive.positions.end(), add);
         continue;

@@ -33,13 +33,20 @@ bool hasExtension(const Functions& gl, const char* name) {
 
 const char* errorName(GLenum error) {
   switch (error) {
-    case GL_INVALID_ENUM: return "GL_INVALID_ENUM";
-    case GL_INVALID_VALUE: return "GL_INVALID_VALUE";
-    case GL_INVALID_OPERATION: return "GL_INVALID_OPERATION";
-    case GL_INVALID_FRAMEBUFFER_OPERATION: return "GL_INVALID_FRAMEBUFFER_OPERATION";
-    case GL_OUT_OF_MEMORY: return "GL_OUT_OF_MEMORY";
-    case GL_CONTEXT_LOST: return "GL_CONTEXT_LOST";
-    default: return "an unknown GL error";
+    case GL_INVALID_ENUM:
+      return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE:
+      return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION:
+      return "GL_INVALID_OPERATION";
+    case GL_INVALID_FRAMEBUFFER_OPERATION:
+      return "GL_INVALID_FRAMEBUFFER_OPERATION";
+    case GL_OUT_OF_MEMORY:
+      return "GL_OUT_OF_MEMORY";
+    case GL_CONTEXT_LOST:
+      return "GL_CONTEXT_LOST";
+    default:
+      return "an unknown GL error";
   }
 }
 
@@ -95,10 +102,14 @@ std::unique_ptr<Context> attemptBackend(Backend backend, bool allowSoftwareDevic
 
 const char* backendName(Backend backend) {
   switch (backend) {
-    case Backend::kEglDevice: return "egl-device";
-    case Backend::kEglSurfaceless: return "egl-surfaceless";
-    case Backend::kOsmesa: return "osmesa";
-    default: return "auto";
+    case Backend::kEglDevice:
+      return "egl-device";
+    case Backend::kEglSurfaceless:
+      return "egl-surfaceless";
+    case Backend::kOsmesa:
+      return "osmesa";
+    default:
+      return "auto";
   }
 }
 
@@ -227,7 +238,11 @@ std::string probeBackends() {
   } else {
     reason = "no hardware EGL device; the first software backend that works is used";
   }
-  return nlohmann::ordered_json{{"backends", list}, {"chosen", chosen.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(chosen)}, {"reason", reason}}.dump();
+  return nlohmann::ordered_json{
+      {"backends", list},
+      {"chosen", chosen.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(chosen)},
+      {"reason", reason}}
+      .dump();
 }
 
 }  // namespace telar

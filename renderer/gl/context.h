@@ -24,11 +24,11 @@ struct Attempt {
 
 /// Capabilities that the renderer asks about.
 struct Capabilities {
-  bool robust = false;             ///< robust buffer access and reset notification granted
-  bool debug = false;              ///< KHR_debug messages are being collected
-  bool colorBufferFloat = false;   ///< RGBA32F is renderable
-  bool desktop = false;            ///< an OpenGL core profile with ARB_ES3_compatibility (OSMesa)
-  int maxTextureSize = 0;          ///< px
+  bool robust = false;            ///< robust buffer access and reset notification granted
+  bool debug = false;             ///< KHR_debug messages are being collected
+  bool colorBufferFloat = false;  ///< RGBA32F is renderable
+  bool desktop = false;           ///< an OpenGL core profile with ARB_ES3_compatibility (OSMesa)
+  int maxTextureSize = 0;         ///< px
   int maxSamples = 0;
   int maxFragmentTextureUnits = 0;
 };

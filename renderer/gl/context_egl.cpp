@@ -11,17 +11,28 @@ namespace {
 
 const char* eglErrorName(EGLint error) {
   switch (error) {
-    case EGL_SUCCESS: return "EGL_SUCCESS";
-    case EGL_NOT_INITIALIZED: return "EGL_NOT_INITIALIZED";
-    case EGL_BAD_ACCESS: return "EGL_BAD_ACCESS";
-    case EGL_BAD_ALLOC: return "EGL_BAD_ALLOC";
-    case EGL_BAD_ATTRIBUTE: return "EGL_BAD_ATTRIBUTE";
-    case EGL_BAD_CONFIG: return "EGL_BAD_CONFIG";
-    case EGL_BAD_CONTEXT: return "EGL_BAD_CONTEXT";
-    case EGL_BAD_DISPLAY: return "EGL_BAD_DISPLAY";
-    case EGL_BAD_MATCH: return "EGL_BAD_MATCH";
-    case EGL_BAD_PARAMETER: return "EGL_BAD_PARAMETER";
-    default: return "an unknown EGL error";
+    case EGL_SUCCESS:
+      return "EGL_SUCCESS";
+    case EGL_NOT_INITIALIZED:
+      return "EGL_NOT_INITIALIZED";
+    case EGL_BAD_ACCESS:
+      return "EGL_BAD_ACCESS";
+    case EGL_BAD_ALLOC:
+      return "EGL_BAD_ALLOC";
+    case EGL_BAD_ATTRIBUTE:
+      return "EGL_BAD_ATTRIBUTE";
+    case EGL_BAD_CONFIG:
+      return "EGL_BAD_CONFIG";
+    case EGL_BAD_CONTEXT:
+      return "EGL_BAD_CONTEXT";
+    case EGL_BAD_DISPLAY:
+      return "EGL_BAD_DISPLAY";
+    case EGL_BAD_MATCH:
+      return "EGL_BAD_MATCH";
+    case EGL_BAD_PARAMETER:
+      return "EGL_BAD_PARAMETER";
+    default:
+      return "an unknown EGL error";
   }
 }
 
@@ -86,9 +97,15 @@ class EglContext final : public Context {
     if (!noConfig || !egl_.has(display_, "EGL_KHR_surfaceless_context")) config_ = chooseConfig();
     // Robust first, then plain: a driver may refuse the attributes although it lists the extension.
     if (egl_.has(display_, "EGL_EXT_create_context_robustness")) {
-      const EGLint robust[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0,
-                               EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT, EGL_TRUE,
-                               EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT, EGL_LOSE_CONTEXT_ON_RESET_EXT, EGL_NONE};
+      const EGLint robust[] = {EGL_CONTEXT_MAJOR_VERSION,
+                               3,
+                               EGL_CONTEXT_MINOR_VERSION,
+                               0,
+                               EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT,
+                               EGL_TRUE,
+                               EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT,
+                               EGL_LOSE_CONTEXT_ON_RESET_EXT,
+                               EGL_NONE};
       context_ = egl_.CreateContext(display_, config_, EGL_NO_CONTEXT, robust);
       robust_ = context_ != EGL_NO_CONTEXT;
     }
@@ -176,7 +193,8 @@ std::unique_ptr<Context> createEglDevice(bool allowSoftware, std::string& device
       if (isSoftware != software) continue;
       try {
         const char* node = nullptr;
-        if (extensions && std::strstr(extensions, "EGL_EXT_device_drm")) node = queryString(devices[i], EGL_DRM_DEVICE_FILE_EXT);
+        if (extensions && std::strstr(extensions, "EGL_EXT_device_drm"))
+          node = queryString(devices[i], EGL_DRM_DEVICE_FILE_EXT);
         deviceName = node ? node : (software ? "software" : "device " + std::to_string(i));
         Egl own;
         const EGLDisplay display = platformDisplay(own, EGL_PLATFORM_DEVICE_EXT, devices[i], "device");

@@ -20,12 +20,20 @@ class OsmesaContext final : public Context {
     const auto create = library_.function<OsmesaHandle (*)(const int*, OsmesaHandle)>("OSMesaCreateContextAttribs");
     makeCurrent_ = library_.function<MakeCurrent>("OSMesaMakeCurrent");
     destroy_ = library_.function<Destroy>("OSMesaDestroyContext");
-    const int attributes[] = {OSMESA_FORMAT,  OSMESA_RGBA,        OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION,
-                              3,              OSMESA_CONTEXT_MINOR_VERSION, 3,    0};
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              3,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              3,
+                              0};
     context_ = create(attributes, nullptr);
     if (!context_) throw Error("X_GL", "OSMesaCreateContextAttribs(core 3.3) failed");
     try {
-      if (!makeCurrent_(context_, pixel_, GL_UNSIGNED_BYTE, 1, 1)) throw Error("X_GL", "OSMesaMakeCurrent(1 x 1) failed");
+      if (!makeCurrent_(context_, pixel_, GL_UNSIGNED_BYTE, 1, 1))
+        throw Error("X_GL", "OSMesaMakeCurrent(1 x 1) failed");
       initialise(Backend::kOsmesa, library_.function<ProcLoader>("OSMesaGetProcAddress"), false, false);
     } catch (...) {
       release();

@@ -17,8 +17,8 @@ Proc load(ProcLoader loader, const std::string& name) {
 
 Functions loadFunctions(ProcLoader loader) {
   Functions gl;
-#define TELAR_GL_LOAD(upper, name)                             \
-  gl.name = load<PFNGL##upper##PROC>(loader, "gl" #name);      \
+#define TELAR_GL_LOAD(upper, name)                        \
+  gl.name = load<PFNGL##upper##PROC>(loader, "gl" #name); \
   if (!gl.name) throw Error("X_GL", "the GL driver has no gl" #name "; OpenGL ES 3.0 is needed");
   TELAR_GL_FUNCTIONS(TELAR_GL_LOAD)
 #undef TELAR_GL_LOAD

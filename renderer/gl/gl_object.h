@@ -39,15 +39,15 @@ class GlObject {
   GLuint name_ = 0;
 };
 
-#define TELAR_GL_KIND(Kind, Gen, Del)                                                  \
-  struct Kind##Kind {                                                                  \
-    static GLuint generate(const Functions& gl) {                                      \
-      GLuint name = 0;                                                                 \
-      gl.Gen(1, &name);                                                                \
-      return name;                                                                     \
-    }                                                                                  \
+#define TELAR_GL_KIND(Kind, Gen, Del)                                                    \
+  struct Kind##Kind {                                                                    \
+    static GLuint generate(const Functions& gl) {                                        \
+      GLuint name = 0;                                                                   \
+      gl.Gen(1, &name);                                                                  \
+      return name;                                                                       \
+    }                                                                                    \
     static void destroy(const Functions& gl, GLuint name) noexcept { gl.Del(1, &name); } \
-  };                                                                                   \
+  };                                                                                     \
   using Kind = GlObject<Kind##Kind>;
 
 TELAR_GL_KIND(Buffer, GenBuffers, DeleteBuffers)

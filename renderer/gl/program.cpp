@@ -18,7 +18,8 @@ std::string sourceAround(const std::string& source, const std::string& log) {
   std::istringstream in(source);
   std::string text, out;
   for (int i = 1; std::getline(in, text); ++i) {
-    if (i >= line - SOURCE_LINES_AROUND && i <= line + SOURCE_LINES_AROUND) out += "\n" + std::to_string(i) + ": " + text;
+    if (i >= line - SOURCE_LINES_AROUND && i <= line + SOURCE_LINES_AROUND)
+      out += "\n" + std::to_string(i) + ": " + text;
   }
   return out;
 }
@@ -51,7 +52,9 @@ Program::Program(const Context& context, std::string_view label, const std::stri
   gl.AttachShader(name_.get(), fragmentShader.get());
   gl.LinkProgram(name_.get());
   // 255 is what every driver takes.
-  if (gl.ObjectLabel) gl.ObjectLabel(GL_PROGRAM, name_.get(), static_cast<GLsizei>(std::min<std::size_t>(label.size(), 255)), label.data());
+  if (gl.ObjectLabel)
+    gl.ObjectLabel(GL_PROGRAM, name_.get(), static_cast<GLsizei>(std::min<std::size_t>(label.size(), 255)),
+                   label.data());
   GLint ok = GL_FALSE, logLength = 0;
   gl.GetProgramiv(name_.get(), GL_LINK_STATUS, &ok);
   if (ok) return;
@@ -69,9 +72,15 @@ int Program::location(const char* uniform) const {
 
 void Program::set(const char* uniform, int value) const { gl_->Uniform1i(location(uniform), value); }
 void Program::set(const char* uniform, float value) const { gl_->Uniform1f(location(uniform), value); }
-void Program::set(const char* uniform, const glm::vec2& value) const { gl_->Uniform2fv(location(uniform), 1, glm::value_ptr(value)); }
-void Program::set(const char* uniform, const glm::vec3& value) const { gl_->Uniform3fv(location(uniform), 1, glm::value_ptr(value)); }
-void Program::set(const char* uniform, const glm::vec4& value) const { gl_->Uniform4fv(location(uniform), 1, glm::value_ptr(value)); }
+void Program::set(const char* uniform, const glm::vec2& value) const {
+  gl_->Uniform2fv(location(uniform), 1, glm::value_ptr(value));
+}
+void Program::set(const char* uniform, const glm::vec3& value) const {
+  gl_->Uniform3fv(location(uniform), 1, glm::value_ptr(value));
+}
+void Program::set(const char* uniform, const glm::vec4& value) const {
+  gl_->Uniform4fv(location(uniform), 1, glm::value_ptr(value));
+}
 void Program::set(const char* uniform, const glm::mat3& value) const {
   gl_->UniformMatrix3fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
 }
@@ -82,7 +91,8 @@ void Program::set(const char* uniform, std::span<const float> values) const {
   if (!values.empty()) gl_->Uniform1fv(location(uniform), static_cast<GLsizei>(values.size()), values.data());
 }
 void Program::set(const char* uniform, std::span<const glm::vec3> values) const {
-  if (!values.empty()) gl_->Uniform3fv(location(uniform), static_cast<GLsizei>(values.size()), glm::value_ptr(values.front()));
+  if (!values.empty())
+    gl_->Uniform3fv(location(uniform), static_cast<GLsizei>(values.size()), glm::value_ptr(values.front()));
 }
 
 }  // namespace telar::gl

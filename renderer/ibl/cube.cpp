@@ -30,7 +30,8 @@ CubeMap createCube(const gl::Functions& gl, int faceSize, int levels) {
   return cube;
 }
 
-void renderFaces(const gl::Functions& gl, const gl::Program& program, const CubeMap& target, int level, const CancelToken& cancel) {
+void renderFaces(const gl::Functions& gl, const gl::Program& program, const CubeMap& target, int level,
+                 const CancelToken& cancel) {
   const gl::Framebuffer framebuffer(gl);
   const gl::VertexArray noVertices(gl);
   const int size = target.faceSize >> level;
@@ -40,8 +41,8 @@ void renderFaces(const gl::Functions& gl, const gl::Program& program, const Cube
   for (const GLenum capability : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST}) gl.Disable(capability);
   for (int i = 0; i < 6; ++i) {
     cancel.check();
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i),
-                            target.texture.get(), level);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+                            GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i), target.texture.get(), level);
     if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
       throw Error("X_GL", "this GL driver does not render to RGBA16F cube maps");
     }
@@ -65,19 +66,22 @@ gl::Texture uploadEquirect(const gl::Functions& gl, const ImageF& map) {
   gl::Texture texture(gl);
   gl.BindTexture(GL_TEXTURE_2D, texture.get());
   gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA16F, static_cast<GLsizei>(map.width), static_cast<GLsizei>(map.height));
-  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<GLsizei>(map.width), static_cast<GLsizei>(map.height), GL_RGBA, GL_HALF_FLOAT,
-                   halfs.data());
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<GLsizei>(map.width), static_cast<GLsizei>(map.height), GL_RGBA,
+                   GL_HALF_FLOAT, halfs.data());
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
   return texture;
 }
 
-CubeMap equirectToCube(const gl::Context& context, const gl::Texture& equirect, int faceSize, int levels, bool supersample,
-                       const CancelToken& cancel) {
+CubeMap equirectToCube(const gl::Context& context, const gl::Texture& equirect, int faceSize, int levels,
+                       bool supersample, const CancelToken& cancel) {
   const gl::Functions& gl = context.gl();
   CubeMap cube = createCube(gl, faceSize, levels);
-  const gl::Program program(context, "equirect_to_cube", shader::assemble("environment/cube_face.vert", {}),
-                            shader::assemble("environment/equirect_to_cube.frag", {{"SUPERSAMPLE", supersample ? 1 : 0}}));
+  const gl::Program program(
+      context, "equirect_to_cube", shader::assemble("environment/cube_face.vert", {}),
+      shader::assemble("environment/equirect_to_cube.frag", {{"SUPERSAMPLE", supersample ? 1 : 0}}));
   program.use();
   program.set("equirectMap", 0);
   gl.ActiveTexture(GL_TEXTURE0);

@@ -20,13 +20,14 @@ CubeMap createCube(const gl::Functions& gl, int faceSize, int levels);
 
 /// Runs a fragment program over the six faces of one level. The program is in use and its uniforms are set; it reads
 /// vDirection of environment/cube_face.vert.
-void renderFaces(const gl::Functions& gl, const gl::Program& program, const CubeMap& target, int level, const CancelToken& cancel);
+void renderFaces(const gl::Functions& gl, const gl::Program& program, const CubeMap& target, int level,
+                 const CancelToken& cancel);
 
 /// An equirectangular map as an RGBA16F texture, bilinear, clamped: row 0 of the image (+Y) is at v = 1.
 gl::Texture uploadEquirect(const gl::Functions& gl, const ImageF& map);
 
 /// Equirectangular map to level 0 of a cube. `supersample` as in environment/equirect_to_cube.frag.
-CubeMap equirectToCube(const gl::Context& context, const gl::Texture& equirect, int faceSize, int levels, bool supersample,
-                       const CancelToken& cancel);
+CubeMap equirectToCube(const gl::Context& context, const gl::Texture& equirect, int faceSize, int levels,
+                       bool supersample, const CancelToken& cancel);
 
 }  // namespace telar::ibl

@@ -19,8 +19,10 @@ gl::Texture createDfgTexture(const gl::Functions& gl) {
   gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RG16F, DFG_SIZE, DFG_SIZE);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, DFG_SIZE, DFG_SIZE, GL_RG, GL_HALF_FLOAT, DFG_TABLE);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
   return texture;
 }
 

@@ -13,8 +13,8 @@ constexpr std::size_t PMREM_FILE_MAX = 256u << 20;
 
 }  // namespace
 
-EnvironmentCache::EnvironmentCache(const gl::Context& context, std::filesystem::path assetDirectory, std::filesystem::path cacheDirectory,
-                                   Limits limits)
+EnvironmentCache::EnvironmentCache(const gl::Context& context, std::filesystem::path assetDirectory,
+                                   std::filesystem::path cacheDirectory, Limits limits)
     : context_(context), assets_(std::move(assetDirectory)), cache_(std::move(cacheDirectory)), limits_(limits) {}
 
 std::vector<std::byte> EnvironmentCache::fileOf(const Shot::Environment& wanted) const {
@@ -22,11 +22,12 @@ std::vector<std::byte> EnvironmentCache::fileOf(const Shot::Environment& wanted)
   auto file = readFile(studio ? assets_ / "studio.hdr" : std::filesystem::path(wanted.path), limits_.fileBytes);
   if (file) return std::move(*file);
   if (studio) throw Error("X_INSTALL", "the bundled environment studio.hdr is missing; install telar again");
-  throw Error("E_ENVIRONMENT_MISSING", "shot.environment.map: the file cannot be read or is larger than limits.fileBytes");
+  throw Error("E_ENVIRONMENT_MISSING",
+              "shot.environment.map: the file cannot be read or is larger than limits.fileBytes");
 }
 
-CubeMap EnvironmentCache::prefiltered(const std::string& key, bool studio, std::span<const std::byte> file, std::string& source,
-                                      const CancelToken& cancel) {
+CubeMap EnvironmentCache::prefiltered(const std::string& key, bool studio, std::span<const std::byte> file,
+                                      std::string& source, const CancelToken& cancel) {
   const auto path = studio ? assets_ / "studio.pmrem" : cache_ / (key + ".pmrem");
   if (studio || !cache_.empty()) {
     if (const auto packed = readFile(path, PMREM_FILE_MAX)) {
@@ -37,14 +38,15 @@ CubeMap EnvironmentCache::prefiltered(const std::string& key, bool studio, std::
     }
   }
   const std::vector<std::byte> own = studio ? fileOf({Shot::Environment::Source::kStudio}) : std::vector<std::byte>();
-  CubeMap cube = prefilterEquirect(context_, readEnvironment(studio ? std::span<const std::byte>(own) : file, limits_, cancel), cancel);
+  CubeMap cube = prefilterEquirect(
+      context_, readEnvironment(studio ? std::span<const std::byte>(own) : file, limits_, cancel), cancel);
   source = "prefiltered";
   if (!studio && !cache_.empty()) writeFileAtomically(path, packPmrem(context_, cube));
   return cube;
 }
 
-const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::span<const std::byte> bytes, bool background,
-                                         const CancelToken& cancel) {
+const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::span<const std::byte> bytes,
+                                         bool background, const CancelToken& cancel) {
   // The bundled environment is known by name: its file is read only when a background shows it.
   const bool studio = wanted.source == Shot::Environment::Source::kStudio;
   std::vector<std::byte> own;

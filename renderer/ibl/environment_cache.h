@@ -23,12 +23,14 @@ class EnvironmentCache {
  public:
   /// @param assetDirectory  holds studio.hdr and studio.pmrem
   /// @param cacheDirectory  empty = no disk cache
-  EnvironmentCache(const gl::Context& context, std::filesystem::path assetDirectory, std::filesystem::path cacheDirectory, Limits limits);
+  EnvironmentCache(const gl::Context& context, std::filesystem::path assetDirectory,
+                   std::filesystem::path cacheDirectory, Limits limits);
 
   /// @param bytes  the file when the source is kBytes
   /// @param background  also make the sharp cube (face size = height of the map, as three.js does)
   /// @throws Error{E_ENVIRONMENT_*, X_GL, X_CANCELLED}
-  const Environment& get(const Shot::Environment& wanted, std::span<const std::byte> bytes, bool background, const CancelToken& cancel);
+  const Environment& get(const Shot::Environment& wanted, std::span<const std::byte> bytes, bool background,
+                         const CancelToken& cancel);
 
  private:
   struct Entry {
@@ -36,7 +38,8 @@ class EnvironmentCache {
     Environment environment;
   };
   std::vector<std::byte> fileOf(const Shot::Environment& wanted) const;
-  CubeMap prefiltered(const std::string& key, bool studio, std::span<const std::byte> file, std::string& source, const CancelToken& cancel);
+  CubeMap prefiltered(const std::string& key, bool studio, std::span<const std::byte> file, std::string& source,
+                      const CancelToken& cancel);
 
   const gl::Context& context_;
   std::filesystem::path assets_, cache_;

@@ -14,7 +14,8 @@ int run(const char* in, const char* out) {
   const telar::CancelToken cancel;
   // Always on Mesa's rasteriser, so that the file does not depend on the machine's GPU.
   const auto context = telar::gl::Context::create(telar::Backend::kEglSurfaceless);
-  const auto cube = telar::ibl::prefilterEquirect(*context, telar::readEnvironment(*file, telar::Limits{}, cancel), cancel);
+  const auto cube =
+      telar::ibl::prefilterEquirect(*context, telar::readEnvironment(*file, telar::Limits{}, cancel), cancel);
   const auto packed = telar::ibl::packPmrem(*context, cube);
   if (!telar::ibl::writeFileAtomically(out, packed)) throw telar::Error("X_OUTPUT", "the file cannot be written");
   std::printf("%s: %d px, %d levels, %zu bytes\n", out, cube.faceSize, cube.levels, packed.size());

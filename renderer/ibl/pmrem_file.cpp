@@ -82,8 +82,8 @@ std::vector<std::byte> packPmrem(const gl::Context& context, const CubeMap& cube
   }
   const Compressor compressor(libdeflate_alloc_compressor(9), &libdeflate_free_compressor);
   std::vector<std::byte> packed(sizeof(Header) + libdeflate_deflate_compress_bound(compressor.get(), planes.size()));
-  const std::size_t size = libdeflate_deflate_compress(compressor.get(), planes.data(), planes.size(), &packed[sizeof(Header)],
-                                                       packed.size() - sizeof(Header));
+  const std::size_t size = libdeflate_deflate_compress(compressor.get(), planes.data(), planes.size(),
+                                                       &packed[sizeof(Header)], packed.size() - sizeof(Header));
   packed.resize(sizeof(Header) + size);
   Header header{};
   std::memcpy(header.magic, MAGIC, sizeof MAGIC);
@@ -100,8 +100,9 @@ std::optional<CubeMap> unpackPmrem(const gl::Context& context, std::span<const s
   if (file.size() <= sizeof header) return std::nullopt;
   std::memcpy(&header, file.data(), sizeof header);
   const auto body = file.subspan(sizeof header);
-  if (std::memcmp(header.magic, MAGIC, sizeof MAGIC) != 0 || header.version != VERSION || header.faceSize > FACE_SIZE_MAX ||
-      !std::has_single_bit(header.faceSize) || header.levels < 1 || header.levels > static_cast<unsigned>(std::bit_width(header.faceSize)) ||
+  if (std::memcmp(header.magic, MAGIC, sizeof MAGIC) != 0 || header.version != VERSION ||
+      header.faceSize > FACE_SIZE_MAX || !std::has_single_bit(header.faceSize) || header.levels < 1 ||
+      header.levels > static_cast<unsigned>(std::bit_width(header.faceSize)) ||
       std::memcmp(header.sha256, sha256Hex(body).data(), sizeof header.sha256) != 0) {
     return std::nullopt;
   }
@@ -109,8 +110,8 @@ std::optional<CubeMap> unpackPmrem(const gl::Context& context, std::span<const s
   const std::size_t count = texelCount(faceSize, levels) * 3;
   std::vector<std::uint8_t> planes(count * 2);
   const Decompressor decompressor(libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
-  if (libdeflate_deflate_decompress(decompressor.get(), body.data(), body.size(), planes.data(), planes.size(), nullptr) !=
-      LIBDEFLATE_SUCCESS) {
+  if (libdeflate_deflate_decompress(decompressor.get(), body.data(), body.size(), planes.data(), planes.size(),
+                                    nullptr) != LIBDEFLATE_SUCCESS) {
     return std::nullopt;
   }
   constexpr std::uint16_t HALF_ONE = 0x3c00;
@@ -147,8 +148,8 @@ bool writeFileAtomically(const std::filesystem::path& path, std::span<const std:
   std::error_code failure;
   std::filesystem::create_directories(path.parent_path(), failure);
   // One name a process and thread; a left-over of a process that died is written over.
-  const std::string temporary =
-      path.string() + "." + std::to_string(getpid()) + "-" + std::to_string(std::hash<std::thread::id>()(std::this_thread::get_id()));
+  const std::string temporary = path.string() + "." + std::to_string(getpid()) + "-" +
+                                std::to_string(std::hash<std::thread::id>()(std::this_thread::get_id()));
   constexpr mode_t MODE = 0666;  // less the process's umask
   const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, MODE);
   if (file < 0) return false;

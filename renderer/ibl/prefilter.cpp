@@ -9,11 +9,11 @@
 namespace telar::ibl {
 namespace {
 
-constexpr int FACE_SIZE_MIN = 256;        // px; smaller maps are enlarged so that every chain has enough levels
-constexpr int LAST_LEVEL_LOG2 = 3;        // the roughest level is 8 px
-constexpr int SAMPLES = 256;              // of the sharp levels
-constexpr int INTEGRATION_SIZE = 16;      // px of the source level that the rough levels sum
-constexpr int INTEGRATION_LEVELS = 3;     // how many rough levels
+constexpr int FACE_SIZE_MIN = 256;     // px; smaller maps are enlarged so that every chain has enough levels
+constexpr int LAST_LEVEL_LOG2 = 3;     // the roughest level is 8 px
+constexpr int SAMPLES = 256;           // of the sharp levels
+constexpr int INTEGRATION_SIZE = 16;   // px of the source level that the rough levels sum
+constexpr int INTEGRATION_LEVELS = 3;  // how many rough levels
 
 double roughnessOf(int level, int maxLod) { return 1.0 - std::sqrt(1.0 - static_cast<double>(level) / maxLod); }
 
@@ -38,8 +38,10 @@ CubeMap prefilterEquirect(const gl::Context& context, const ImageF& map, const C
 
   CubeMap target = createCube(gl, faceSize, maxLod + 1);
   const std::string vertex = shader::assemble("environment/cube_face.vert", {});
-  const gl::Program sample(context, "prefilter_sample", vertex, shader::assemble("environment/prefilter_sample.frag", {{"SAMPLES", SAMPLES}}));
-  const gl::Program integrate(context, "prefilter_integrate", vertex, shader::assemble("environment/prefilter_integrate.frag", {}));
+  const gl::Program sample(context, "prefilter_sample", vertex,
+                           shader::assemble("environment/prefilter_sample.frag", {{"SAMPLES", SAMPLES}}));
+  const gl::Program integrate(context, "prefilter_integrate", vertex,
+                              shader::assemble("environment/prefilter_integrate.frag", {}));
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, source.texture.get());
   for (int level = 0; level <= maxLod; ++level) {

@@ -129,8 +129,8 @@ void checkDataExists(Bytes file) {
     throw corrupt("PNG", "the file is too short for its size").atOffset(16);
 }
 
-/// The chunk at `position` and those after it are whole and end with IEND. Not left to png_read_end, which would inflate
-/// image data that lies behind the last row, however much there is.
+/// The chunk at `position` and those after it are whole and end with IEND. Not left to png_read_end, which would
+/// inflate image data that lies behind the last row, however much there is.
 void checkTail(Bytes file, std::size_t position) {
   for (std::size_t chunk = IHDR_END;;) {
     if (file.size() < chunk + 12) throw corrupt("PNG", "the file ends too early").atOffset(file.size());

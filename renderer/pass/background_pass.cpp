@@ -17,7 +17,8 @@ std::vector<glm::vec3> cubeTriangles() {
         p[(axis + 2) % 3] = v;
         return p;
       };
-      for (const glm::vec2 uv : {glm::vec2(-0.5f, -0.5f), {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}}) {
+      for (const glm::vec2 uv :
+           {glm::vec2(-0.5f, -0.5f), {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}}) {
         out.push_back(corner(uv.x, uv.y));
       }
     }
@@ -27,13 +28,17 @@ std::vector<glm::vec3> cubeTriangles() {
 
 }  // namespace
 
-void BackgroundPass::draw(const Camera& camera, const Shot& shot, const ibl::Environment& environment, const shader::VariantKey& frame) {
+void BackgroundPass::draw(const Camera& camera, const Shot& shot, const ibl::Environment& environment,
+                          const shader::VariantKey& frame) {
   const gl::Functions& gl = context_.gl();
   auto found = programs_.find(frame);
   if (found == programs_.end()) {
-    const shader::Defines defines{{"TONE_MAPPING", static_cast<int>(frame.toneMapping)}, {"OUTPUT_LINEAR", frame.outputLinear ? 1 : 0}};
-    found = programs_.emplace(frame, gl::Program(context_, "background", shader::assemble("environment/background.vert", {}),
-                                                 shader::assemble("environment/background.frag", defines))).first;
+    const shader::Defines defines{{"TONE_MAPPING", static_cast<int>(frame.toneMapping)},
+                                  {"OUTPUT_LINEAR", frame.outputLinear ? 1 : 0}};
+    found = programs_
+                .emplace(frame, gl::Program(context_, "background", shader::assemble("environment/background.vert", {}),
+                                            shader::assemble("environment/background.frag", defines)))
+                .first;
   }
   constexpr GLsizei VERTICES = 36;
   if (!cube_) {
@@ -42,7 +47,8 @@ void BackgroundPass::draw(const Camera& camera, const Shot& shot, const ibl::Env
     const auto triangles = cubeTriangles();
     gl.BindVertexArray(cube_.get());
     gl.BindBuffer(GL_ARRAY_BUFFER, corners_.get());
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec3)), triangles.data(), GL_STATIC_DRAW);
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec3)), triangles.data(),
+                  GL_STATIC_DRAW);
     gl.EnableVertexAttribArray(0);
     gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
   }
@@ -52,8 +58,9 @@ void BackgroundPass::draw(const Camera& camera, const Shot& shot, const ibl::Env
   program.set("projectionMatrix", glm::mat4(camera.projection));
   program.set("backgroundMap", 0);
   program.set("backgroundIntensity", static_cast<float>(shot.environment.intensity));
-  program.set("backgroundRotation", glm::transpose(glm::mat3(glm::dmat3(
-      glm::rotate(glm::dmat4(1.0), glm::radians(shot.environment.rotation), glm::dvec3(0, 1, 0))))));
+  program.set("backgroundRotation",
+              glm::transpose(glm::mat3(glm::dmat3(
+                  glm::rotate(glm::dmat4(1.0), glm::radians(shot.environment.rotation), glm::dvec3(0, 1, 0))))));
   program.set("exposure", static_cast<float>(shot.exposure));
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, environment.background.texture.get());

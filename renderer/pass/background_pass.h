@@ -14,7 +14,8 @@ class BackgroundPass {
   explicit BackgroundPass(const gl::Context& context) : context_(context) {}
 
   /// The target is bound and cleared.
-  void draw(const Camera& camera, const Shot& shot, const ibl::Environment& environment, const shader::VariantKey& frame);
+  void draw(const Camera& camera, const Shot& shot, const ibl::Environment& environment,
+            const shader::VariantKey& frame);
 
  private:
   const gl::Context& context_;

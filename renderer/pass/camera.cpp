@@ -44,7 +44,8 @@ Camera cameraOf(const Shot& shot) {
 }
 
 glm::dmat4 worldToPixel(const Camera& camera, int width, int height) {
-  const glm::dmat4 toPixels(width / 2.0, 0, 0, 0, 0, -height / 2.0, 0, 0, 0, 0, 0.5, 0, width / 2.0, height / 2.0, 0.5, 1);
+  const glm::dmat4 toPixels(width / 2.0, 0, 0, 0, 0, -height / 2.0, 0, 0, 0, 0, 0.5, 0, width / 2.0, height / 2.0, 0.5,
+                            1);
   return toPixels * camera.projection * camera.view;
 }
 

@@ -33,8 +33,8 @@ int materialIndex(const Primitive& primitive, int variant) {
 /// Layers of KHR_materials_* that change the picture: a layer of weight 0 is not compiled in.
 void describeLayers(const PhysicalLayers& layers, shader::VariantKey& key) {
   constexpr float IOR_OF_F0_DIELECTRIC = 1.5f;
-  key.specular = layers.ior != IOR_OF_F0_DIELECTRIC || layers.specularFactor != 1 || layers.specularColorFactor != glm::vec3(1) ||
-                 layers.specularTexture || layers.specularColorTexture;
+  key.specular = layers.ior != IOR_OF_F0_DIELECTRIC || layers.specularFactor != 1 ||
+                 layers.specularColorFactor != glm::vec3(1) || layers.specularTexture || layers.specularColorTexture;
   key.clearcoat = layers.clearcoatFactor > 0;
   key.sheen = layers.sheen && layers.sheenColorFactor != glm::vec3(0);
   key.anisotropy = layers.anisotropyStrength > 0;
@@ -50,7 +50,8 @@ bool matters(const TextureSlot& slot, const Material& m, const shader::VariantKe
   if (slot.map == &Key::metallicRoughnessMap) return m.metallicFactor != 0 || m.roughnessFactor != 0;
   if (slot.map == &Key::occlusionMap) return m.occlusionStrength != 0;
   if (slot.map == &Key::emissiveMap) return key.emissive;
-  if (slot.map == &Key::clearcoatMap || slot.map == &Key::clearcoatRoughnessMap || slot.map == &Key::clearcoatNormalMap) return key.clearcoat;
+  if (slot.map == &Key::clearcoatMap || slot.map == &Key::clearcoatRoughnessMap || slot.map == &Key::clearcoatNormalMap)
+    return key.clearcoat;
   if (slot.map == &Key::sheenColorMap || slot.map == &Key::sheenRoughnessMap) return key.sheen;
   if (slot.map == &Key::anisotropyMap) return key.anisotropy;
   if (slot.map == &Key::iridescenceMap || slot.map == &Key::iridescenceThicknessMap) return key.iridescence;
@@ -102,7 +103,8 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
 /// Everything on that does not change the picture: maps read neutral texels, lights are black.
 void forceAllFeatures(shader::VariantKey& key) {
   if (key.unlit) return;
-  key.baseColorMap = key.metallicRoughnessMap = key.normalMap = key.occlusionMap = key.emissive = key.emissiveMap = true;
+  key.baseColorMap = key.metallicRoughnessMap = key.normalMap = key.occlusionMap = key.emissive = key.emissiveMap =
+      true;
   key.vertexColor = key.alphaMask = key.environment = true;
   // Anisotropy is left out: its frame changes the picture even at strength 0.
   key.specular = key.clearcoat = key.sheen = key.iridescence = key.diffuseRoughness = true;
@@ -113,7 +115,8 @@ void sortDraws(DrawList& draws) {
   std::stable_sort(draws.opaque.begin(), draws.opaque.end(), [](const DrawItem& a, const DrawItem& b) {
     return std::tie(a.materialRank, a.depth) < std::tie(b.materialRank, b.depth);
   });
-  std::stable_sort(draws.blended.begin(), draws.blended.end(), [](const DrawItem& a, const DrawItem& b) { return a.depth > b.depth; });
+  std::stable_sort(draws.blended.begin(), draws.blended.end(),
+                   [](const DrawItem& a, const DrawItem& b) { return a.depth > b.depth; });
 }
 
 /// A blended double-sided surface is drawn twice, back faces first, each as if it were single-sided.
@@ -154,13 +157,15 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
       if (primitive.positions.empty()) continue;
       const int index = materialIndex(primitive, variant);
-      DrawItem item{&node, &primitive, index >= 0 ? &scene.materials[static_cast<std::size_t>(index)] : &DEFAULT_MATERIAL};
+      DrawItem item{&node, &primitive,
+                    index >= 0 ? &scene.materials[static_cast<std::size_t>(index)] : &DEFAULT_MATERIAL};
       item.key = keyOf(primitive, *item.material, frame);
       if (allFeatures) forceAllFeatures(item.key);
       plan.environment |= item.key.environment;
       item.blend = item.material->alphaMode == AlphaMode::kBlend;
       item.mirrored = glm::determinant(glm::dmat3(node.world)) < 0;
-      item.depth = (viewProjection * node.world * glm::dvec4((primitive.bounds.min + primitive.bounds.max) * 0.5, 1.0)).z;
+      item.depth =
+          (viewProjection * node.world * glm::dvec4((primitive.bounds.min + primitive.bounds.max) * 0.5, 1.0)).z;
       item.materialRank = ranks.emplace(index, static_cast<int>(ranks.size())).first->second;
       if (item.blend) {
         addBlended(plan.draws.blended, item);

@@ -31,7 +31,7 @@ struct FramePlan {
   Camera camera;
   LightSet lights;
   DrawList draws;
-  bool environment = false;            ///< a lit material samples it
+  bool environment = false;  ///< a lit material samples it
   bool environmentBackground = false;
 };
 

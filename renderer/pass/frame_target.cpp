@@ -75,12 +75,15 @@ Frame FrameTarget::read() const {
   }
   const std::size_t texelBytes = type_ == PixelType::kRgba8 ? 4 : 16;
   const std::size_t row = static_cast<std::size_t>(width_) * texelBytes, rows = static_cast<std::size_t>(height_);
-  Frame frame{static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_), type_, std::vector<std::byte>(row * rows)};
+  Frame frame{static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_), type_,
+              std::vector<std::byte>(row * rows)};
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl.ReadPixels(0, 0, width_, height_, GL_RGBA, type_ == PixelType::kRgba8 ? GL_UNSIGNED_BYTE : GL_FLOAT, frame.pixels.data());
+  gl.ReadPixels(0, 0, width_, height_, GL_RGBA, type_ == PixelType::kRgba8 ? GL_UNSIGNED_BYTE : GL_FLOAT,
+                frame.pixels.data());
   context_.check("readback");
   for (std::size_t y = 0; y < rows / 2; ++y) {
-    std::swap_ranges(frame.pixels.begin() + static_cast<std::ptrdiff_t>(y * row), frame.pixels.begin() + static_cast<std::ptrdiff_t>((y + 1) * row),
+    std::swap_ranges(frame.pixels.begin() + static_cast<std::ptrdiff_t>(y * row),
+                     frame.pixels.begin() + static_cast<std::ptrdiff_t>((y + 1) * row),
                      frame.pixels.begin() + static_cast<std::ptrdiff_t>((rows - 1 - y) * row));
   }
   if (type_ == PixelType::kRgba8) {

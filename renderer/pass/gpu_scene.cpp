@@ -8,11 +8,16 @@ namespace {
 
 GLenum modeOf(Topology topology) {
   switch (topology) {
-    case Topology::kPoints: return GL_POINTS;
-    case Topology::kLines: return GL_LINES;
-    case Topology::kLineLoop: return GL_LINE_LOOP;
-    case Topology::kLineStrip: return GL_LINE_STRIP;
-    case Topology::kTriangles: return GL_TRIANGLES;
+    case Topology::kPoints:
+      return GL_POINTS;
+    case Topology::kLines:
+      return GL_LINES;
+    case Topology::kLineLoop:
+      return GL_LINE_LOOP;
+    case Topology::kLineStrip:
+      return GL_LINE_STRIP;
+    case Topology::kTriangles:
+      return GL_TRIANGLES;
   }
   return GL_TRIANGLES;
 }
@@ -86,8 +91,8 @@ GLuint GpuScene::texture(const Scene& scene, int image, bool srgb, const CancelT
   const auto width = static_cast<GLsizei>(source.width), height = static_cast<GLsizei>(source.height);
   gl::Texture texture(gl);
   gl.BindTexture(GL_TEXTURE_2D, texture.get());
-  gl.TexStorage2D(GL_TEXTURE_2D, std::bit_width(static_cast<unsigned>(std::max(width, height))), srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, width,
-                  height);
+  gl.TexStorage2D(GL_TEXTURE_2D, std::bit_width(static_cast<unsigned>(std::max(width, height))),
+                  srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, width, height);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, source.pixels.data());
   gl.GenerateMipmap(GL_TEXTURE_2D);

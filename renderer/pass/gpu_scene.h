@@ -19,14 +19,15 @@ struct GpuPrimitive {
   gl::Buffer vertices;
   gl::Buffer indices;
   GLenum mode = GL_TRIANGLES;
-  GLsizei count = 0;    ///< indices, or vertices where there are none
+  GLsizei count = 0;  ///< indices, or vertices where there are none
   bool indexed = false;
 };
 
 /// A scene's data on the GPU, made when a draw first needs it, freed with the object.
 class GpuScene {
  public:
-  GpuScene(const gl::Context& context, std::weak_ptr<const Scene> scene) : context_(context), scene_(std::move(scene)) {}
+  GpuScene(const gl::Context& context, std::weak_ptr<const Scene> scene)
+      : context_(context), scene_(std::move(scene)) {}
 
   const GpuPrimitive& primitive(const Primitive& primitive);
   /// Uploads once for each way of decoding: mipmapped SRGB8_ALPHA8 (colour) or RGBA8 (data).

@@ -7,7 +7,9 @@
 namespace telar::pass {
 namespace {
 
-glm::vec3 toView(const Camera& camera, const glm::dvec3& point) { return glm::vec3(glm::dvec3(camera.view * glm::dvec4(point, 1.0))); }
+glm::vec3 toView(const Camera& camera, const glm::dvec3& point) {
+  return glm::vec3(glm::dvec3(camera.view * glm::dvec4(point, 1.0)));
+}
 
 /// Unit direction in view space; +Y of the world where it is zero.
 glm::vec3 directionToView(const Camera& camera, glm::dvec3 direction) {
@@ -26,8 +28,8 @@ void addDirectional(LightSet& set, const Camera& camera, const glm::vec3& color,
   set.directionalColor.push_back(color);
 }
 
-void addSpot(LightSet& set, const Camera& camera, const glm::vec3& color, const glm::dvec3& position, const glm::dvec3& toLight,
-             double range, double angle, double penumbra) {
+void addSpot(LightSet& set, const Camera& camera, const glm::vec3& color, const glm::dvec3& position,
+             const glm::dvec3& toLight, double range, double angle, double penumbra) {
   set.spotPosition.push_back(toView(camera, position));
   set.spotDirection.push_back(directionToView(camera, toLight));
   set.spotColor.push_back(color);
@@ -50,10 +52,15 @@ void addShotLight(LightSet& set, const Camera& camera, const Shot::Light& light)
       set.hemisphereSky.push_back(color);
       set.hemisphereGround.push_back(ground);
       break;
-    case Shot::Light::Type::kDirectional: addDirectional(set, camera, color, light.position - light.target); break;
-    case Shot::Light::Type::kPoint: addPoint(set, camera, color, light.position, light.range); break;
+    case Shot::Light::Type::kDirectional:
+      addDirectional(set, camera, color, light.position - light.target);
+      break;
+    case Shot::Light::Type::kPoint:
+      addPoint(set, camera, color, light.position, light.range);
+      break;
     case Shot::Light::Type::kSpot:
-      addSpot(set, camera, color, light.position, light.position - light.target, light.range, light.angle, light.penumbra);
+      addSpot(set, camera, color, light.position, light.position - light.target, light.range, light.angle,
+              light.penumbra);
       break;
   }
 }
@@ -64,8 +71,12 @@ void addModelLight(LightSet& set, const Camera& camera, const ModelLight& light,
   const glm::dvec3 position(world[3]);
   const glm::dvec3 toLight(world[2]);  // glTF lights shine along their local -Z
   switch (light.type) {
-    case LightType::kDirectional: addDirectional(set, camera, color, toLight); break;
-    case LightType::kPoint: addPoint(set, camera, color, position, light.range); break;
+    case LightType::kDirectional:
+      addDirectional(set, camera, color, toLight);
+      break;
+    case LightType::kPoint:
+      addPoint(set, camera, color, position, light.range);
+      break;
     case LightType::kSpot: {
       const double outer = light.outerConeAngle;
       addSpot(set, camera, color, position, toLight, light.range, outer, 1.0 - light.innerConeAngle / outer);
@@ -133,7 +144,8 @@ LightSet collectLights(const Scene& scene, const Shot& shot, const Camera& camer
   LightSet set;
   for (const Shot::Light& light : shot.lights) addShotLight(set, camera, light);
   for (const Node& node : scene.nodes) {
-    if (shot.modelLights && node.light >= 0) addModelLight(set, camera, scene.lights[static_cast<std::size_t>(node.light)], node.world);
+    if (shot.modelLights && node.light >= 0)
+      addModelLight(set, camera, scene.lights[static_cast<std::size_t>(node.light)], node.world);
   }
   return set;
 }

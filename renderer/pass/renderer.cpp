@@ -168,8 +168,8 @@ class GlRenderer final : public Renderer {
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   }
 
-  Json describeFrame(const FramePlan& plan, const Shot& shot, const ibl::Environment* environment, int samples, int compiled,
-                     const StageTimer& timer) const {
+  Json describeFrame(const FramePlan& plan, const Shot& shot, const ibl::Environment* environment, int samples,
+                     int compiled, const StageTimer& timer) const {
     Json json = describePlan(plan, shot);
     json["backend"] = gl::backendName(context_->backend());
     json["gl"] = {{"vendor", context_->vendor()}, {"renderer", context_->renderer()}, {"version", context_->version()}};
@@ -196,7 +196,9 @@ class GlRenderer final : public Renderer {
 
 }  // namespace
 
-std::unique_ptr<Renderer> Renderer::create(const RendererOptions& options) { return std::make_unique<GlRenderer>(options); }
+std::unique_ptr<Renderer> Renderer::create(const RendererOptions& options) {
+  return std::make_unique<GlRenderer>(options);
+}
 
 std::string planFrame(const Scene& scene, const Shot& shot, const Limits& limits) {
   return describePlan(pass::planDraws(scene, shot, limits, false), shot).dump();

@@ -30,7 +30,8 @@ gl::Texture texelTexture(const gl::Functions& gl, const std::array<float, 4>& rg
 
 /// Environment reading matrix: scene.environmentRotation.y of three.js, transposed.
 glm::mat3 environmentRotation(double degrees) {
-  return glm::transpose(glm::mat3(glm::dmat3(glm::rotate(glm::dmat4(1.0), glm::radians(degrees), glm::dvec3(0, 1, 0)))));
+  return glm::transpose(
+      glm::mat3(glm::dmat3(glm::rotate(glm::dmat4(1.0), glm::radians(degrees), glm::dvec3(0, 1, 0)))));
 }
 
 /// Inverse transpose; for a flattened node its cofactors, which point the same way and need no division.
@@ -39,8 +40,8 @@ glm::mat3 normalMatrixOf(const glm::dmat3& m) {
   return glm::mat3(glm::dmat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])));
 }
 
-/// Without vertex tangents the frame follows the texture's rows downwards: y turns round, as in three.js's loader. On back
-/// faces that are drawn as front faces both turn round, as in its renderer.
+/// Without vertex tangents the frame follows the texture's rows downwards: y turns round, as in three.js's loader. On
+/// back faces that are drawn as front faces both turn round, as in its renderer.
 glm::vec2 normalScaleOf(float scale, const DrawItem& item) {
   const glm::vec2 signs(1, item.primitive->tangents.empty() ? -1 : 1);
   return signs * (item.key.flipSided ? -scale : scale);
@@ -61,7 +62,8 @@ void setLayers(const gl::Program& program, const DrawItem& item) {
   program.set("anisotropyVector", glm::vec2(glm::dvec2(strength * std::cos(rotation), strength * std::sin(rotation))));
   program.set("iridescenceFactor", layers.iridescenceFactor);
   program.set("iridescenceIor", layers.iridescenceIor);
-  program.set("iridescenceThickness", glm::vec2(layers.iridescenceThicknessMinimum, layers.iridescenceThicknessMaximum));
+  program.set("iridescenceThickness",
+              glm::vec2(layers.iridescenceThicknessMinimum, layers.iridescenceThicknessMaximum));
   program.set("diffuseRoughnessFactor", layers.diffuseRoughnessFactor);
 }
 
@@ -73,7 +75,8 @@ std::string labelOf(const shader::VariantKey& key) {
 
 }  // namespace
 
-SurfacePass::SurfacePass(const gl::Context& context, Limits limits) : context_(context), limits_(limits), dfg_(ibl::createDfgTexture(context.gl())) {}
+SurfacePass::SurfacePass(const gl::Context& context, Limits limits)
+    : context_(context), limits_(limits), dfg_(ibl::createDfgTexture(context.gl())) {}
 
 int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
   std::set<shader::VariantKey> wanted;
@@ -88,7 +91,8 @@ int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
     if (programs_.contains(key)) continue;
     cancel.check();
     const shader::Defines defines = key.defines();
-    programs_.emplace(key, gl::Program(context_, labelOf(key), shader::assemble("surface.vert", defines), shader::assemble("surface.frag", defines)));
+    programs_.emplace(key, gl::Program(context_, labelOf(key), shader::assemble("surface.vert", defines),
+                                       shader::assemble("surface.frag", defines)));
     ++compiled;
   }
   return compiled;
@@ -128,7 +132,8 @@ const gl::Program* SurfacePass::useProgram(const shader::VariantKey& key, const 
   return current_;
 }
 
-void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
+void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item, const Scene& scene, GpuScene& gpu,
+                               const CancelToken& cancel) {
   const gl::Functions& gl = context_.gl();
   const Material& m = *item.material;
   for (GLuint unit = 0; unit < TEXTURE_SLOTS.size(); ++unit) {
@@ -154,8 +159,8 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
   setLayers(program, item);
 }
 
-void SurfacePass::drawItem(const DrawItem& item, const FramePlan& plan, const Shot& shot, const Scene& scene, GpuScene& gpu,
-                           const ibl::Environment* environment, const CancelToken& cancel) {
+void SurfacePass::drawItem(const DrawItem& item, const FramePlan& plan, const Shot& shot, const Scene& scene,
+                           GpuScene& gpu, const ibl::Environment* environment, const CancelToken& cancel) {
   const gl::Functions& gl = context_.gl();
   const gl::Program& program = *useProgram(item.key, plan, shot, environment);
   const glm::dmat4 modelView = plan.camera.view * item.node->world;
@@ -176,8 +181,8 @@ void SurfacePass::drawItem(const DrawItem& item, const FramePlan& plan, const Sh
   }
 }
 
-void SurfacePass::draw(const FramePlan& plan, const Shot& shot, const Scene& scene, GpuScene& gpu, const ibl::Environment* environment,
-                       const CancelToken& cancel) {
+void SurfacePass::draw(const FramePlan& plan, const Shot& shot, const Scene& scene, GpuScene& gpu,
+                       const ibl::Environment* environment, const CancelToken& cancel) {
   const gl::Functions& gl = context_.gl();
   current_ = nullptr;
   if (!white_) {

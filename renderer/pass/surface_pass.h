@@ -14,19 +14,22 @@ class SurfacePass {
  public:
   SurfacePass(const gl::Context& context, Limits limits);
 
-  /// Compiles what the plan needs and does not have yet; returns how many programs that were. @throws Error{X_SHADER, L_PROGRAMS}
+  /// Compiles what the plan needs and does not have yet; returns how many programs that were. @throws Error{X_SHADER,
+  /// L_PROGRAMS}
   int prepare(const FramePlan& plan, const CancelToken& cancel);
   /// Uploads the plan's primitives and textures that are not on the GPU yet.
   void upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) const;
   /// The target is bound and cleared. @param environment  null where the plan needs none
-  void draw(const FramePlan& plan, const Shot& shot, const Scene& scene, GpuScene& gpu, const ibl::Environment* environment,
-            const CancelToken& cancel);
+  void draw(const FramePlan& plan, const Shot& shot, const Scene& scene, GpuScene& gpu,
+            const ibl::Environment* environment, const CancelToken& cancel);
 
  private:
   void drawItem(const DrawItem& item, const FramePlan& plan, const Shot& shot, const Scene& scene, GpuScene& gpu,
                 const ibl::Environment* environment, const CancelToken& cancel);
-  const gl::Program* useProgram(const shader::VariantKey& key, const FramePlan& plan, const Shot& shot, const ibl::Environment* environment);
-  void bindMaterial(const gl::Program& program, const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);
+  const gl::Program* useProgram(const shader::VariantKey& key, const FramePlan& plan, const Shot& shot,
+                                const ibl::Environment* environment);
+  void bindMaterial(const gl::Program& program, const DrawItem& item, const Scene& scene, GpuScene& gpu,
+                    const CancelToken& cancel);
 
   const gl::Context& context_;
   Limits limits_;

@@ -16,10 +16,10 @@ struct TextureSlot {
   bool srgb;
 };
 
-#define TELAR_TEXTURE_SLOT(member, name, srgb)                                                             \
-  TextureSlot {                                                                                            \
-    [](const Material& m) -> const TextureRef& { return m.member; }, &shader::VariantKey::name##Map,       \
-        &shader::VariantKey::name##Uv1, #name "Map", #name "UvTransform", srgb                             \
+#define TELAR_TEXTURE_SLOT(member, name, srgb)                                                       \
+  TextureSlot {                                                                                      \
+    [](const Material& m) -> const TextureRef& { return m.member; }, &shader::VariantKey::name##Map, \
+        &shader::VariantKey::name##Uv1, #name "Map", #name "UvTransform", srgb                       \
   }
 
 /// Every texture that a program may sample; a texture's place in the list is its texture unit.

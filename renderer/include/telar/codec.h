@@ -10,12 +10,13 @@
 #include "telar/limits.h"
 
 /// Image files in and out. PNG, JPEG and WebP go through their own libraries; .hdr, .exr, TIFF and PNG with an ICC
-/// profile go through OpenImageIO, which lives in a library of its own (libtelar_oiio.so) that is loaded when first needed.
+/// profile go through OpenImageIO, which lives in a library of its own (libtelar_oiio.so) that is loaded when first
+/// needed.
 namespace telar {
 
 struct ImageHeader {
   std::uint32_t width = 0, height = 0;  ///< upright, as decodeImage() gives them
-  std::string mimeType;  ///< by magic bytes, not by name
+  std::string mimeType;                 ///< by magic bytes, not by name
 };
 
 /// Reads only the header. @throws Error{E_IMAGE_FORMAT, E_IMAGE_CORRUPT, L_IMAGE_*}
@@ -29,10 +30,10 @@ Image8 decodeImage(std::span<const std::byte> file, const Limits& limits, const 
 
 struct OutputOptions {
   enum class Format { kPng, kJpeg, kWebp, kTiff, kExr, kRaw } format = Format::kPng;
-  int quality = 90;      ///< JPEG, WebP: 1..100
-  int bitDepth = 8;      ///< 8 or 16: PNG, TIFF; 16 or 32 (float): EXR; 8 or 32 (float): raw
-  double ppi = 0;        ///< pixels per inch written to the file, 0 = not written
-  bool icc = false;      ///< embed an sRGB ICC profile (PNG, TIFF, JPEG)
+  int quality = 90;  ///< JPEG, WebP: 1..100
+  int bitDepth = 8;  ///< 8 or 16: PNG, TIFF; 16 or 32 (float): EXR; 8 or 32 (float): raw
+  double ppi = 0;    ///< pixels per inch written to the file, 0 = not written
+  bool icc = false;  ///< embed an sRGB ICC profile (PNG, TIFF, JPEG)
 };
 
 /// Which frame encode() wants for these options.

@@ -14,13 +14,16 @@ namespace telar {
 /// Loads a .glb or .gltf by its magic bytes. External files are opened only beneath the model's folder: no absolute
 /// path, no "..", no scheme, no symbolic link, regular files only.
 /// @throws Error with a JSON pointer or a byte offset: kinds input, denied, unsupported, limit; X_CANCELLED.
-std::shared_ptr<const Scene> loadPath(const std::filesystem::path& file, const Limits& limits, const CancelToken& cancel);
+std::shared_ptr<const Scene> loadPath(const std::filesystem::path& file, const Limits& limits,
+                                      const CancelToken& cancel);
 
 /// Same from memory; every external URI is denied (data: URIs are not external).
-std::shared_ptr<const Scene> loadBytes(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel);
+std::shared_ptr<const Scene> loadBytes(std::span<const std::byte> file, const Limits& limits,
+                                       const CancelToken& cancel);
 
 /// Facts of a scene as one JSON object, for `telar inspect` and for resolveShot(shot, facts):
-/// {bounds: {min, max} | null, outline: [[x, y, z], ...] (drawn vertices that lie farthest out, world space), size: [x, y, z] metres, nodes, meshes, drawCalls, vertices, triangles, fileBytes,
+/// {bounds: {min, max} | null, outline: [[x, y, z], ...] (drawn vertices that lie farthest out, world space), size: [x,
+/// y, z] metres, nodes, meshes, drawCalls, vertices, triangles, fileBytes,
 ///  materials: [{name, ...}], images: [{width, height}], lights: [...], variants: [...], extensionsUsed: [...],
 ///  cameras: [{name, node, projection, fovY?, aspectRatio?, height?, width?, near, far, position, target, up}]
 ///    (degrees, metres, world space; far null = infinite; target = the point on the view ray nearest to the centre;

@@ -20,7 +20,7 @@ struct RendererOptions {
   std::string assetDirectory;  ///< folder of the bundled studio environment (studio.hdr, studio.pmrem)
   std::string cacheDirectory;  ///< prefiltered environments by content hash; empty = none
   Limits limits;
-  bool allFeatures = false;    ///< benchmark only: compile every feature into every program
+  bool allFeatures = false;  ///< benchmark only: compile every feature into every program
 };
 
 /// What a drawn frame was made of; toJson() is `info` of the API less what JavaScript adds.
@@ -39,8 +39,8 @@ class Renderer {
   /// Draws one frame. GPU copies of the scene's data are kept until the scene is released or release() is called.
   /// @param environment file bytes when shot.environment.source is kBytes
   /// @throws Error{X_GL, X_GL_MEMORY, X_CANCELLED, E_VARIANT, ...}; never a partial frame.
-  virtual Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& shot, std::span<const std::byte> environment,
-                     const CancelToken& cancel, FrameInfo& info) = 0;
+  virtual Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& shot,
+                     std::span<const std::byte> environment, const CancelToken& cancel, FrameInfo& info) = 0;
 
   /// Frees the GPU copies of one scene.
   virtual void release(const Scene& scene) = 0;
@@ -51,8 +51,8 @@ class Renderer {
   virtual int liveObjects() const = 0;
 };
 
-/// What draw() would compile and run for this scene and shot, without a context: {features: [...], programs: [{features}],
-/// passes: [...]} as JSON.
+/// What draw() would compile and run for this scene and shot, without a context: {features: [...], programs:
+/// [{features}], passes: [...]} as JSON.
 std::string planFrame(const Scene& scene, const Shot& shot, const Limits& limits);
 
 /// Tries every backend and says what each gave: JSON for `telar doctor`. Never throws.

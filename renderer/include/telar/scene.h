@@ -28,19 +28,20 @@ struct Sampler {
 
 /// One use of a texture by a material.
 struct TextureRef {
-  int image = -1;        ///< index into Scene::images, -1 = no texture
+  int image = -1;  ///< index into Scene::images, -1 = no texture
   Sampler sampler;
-  int texCoord = 0;      ///< 0 or 1, after KHR_texture_transform's override
+  int texCoord = 0;             ///< 0 or 1, after KHR_texture_transform's override
   glm::mat3 uvTransform{1.0f};  ///< KHR_texture_transform as three.js builds it: uv' = uvTransform * (u, v, 1)
   bool hasTransform = false;
   explicit operator bool() const { return image >= 0; }
 };
 
-/// What the KHR_materials_* extensions add to metallic-roughness. Factors are linear Rec.709; the defaults change nothing.
+/// What the KHR_materials_* extensions add to metallic-roughness. Factors are linear Rec.709; the defaults change
+/// nothing.
 struct PhysicalLayers {
-  float ior = 1.5f;                       ///< KHR_materials_ior
-  float specularFactor = 1.0f;            ///< KHR_materials_specular
-  TextureRef specularTexture;             ///< linear: A
+  float ior = 1.5f;             ///< KHR_materials_ior
+  float specularFactor = 1.0f;  ///< KHR_materials_specular
+  TextureRef specularTexture;   ///< linear: A
   glm::vec3 specularColorFactor{1.0f};
   TextureRef specularColorTexture;        ///< sRGB
   float clearcoatFactor = 0.0f;           ///< KHR_materials_clearcoat
@@ -49,22 +50,22 @@ struct PhysicalLayers {
   TextureRef clearcoatRoughnessTexture;   ///< linear: G
   TextureRef clearcoatNormalTexture;      ///< linear
   float clearcoatNormalScale = 1.0f;
-  bool sheen = false;                     ///< KHR_materials_sheen is there, whatever its colour
+  bool sheen = false;  ///< KHR_materials_sheen is there, whatever its colour
   glm::vec3 sheenColorFactor{0.0f};
-  TextureRef sheenColorTexture;           ///< sRGB
-  float sheenRoughnessFactor = 0.0f;      ///< perceptual
-  TextureRef sheenRoughnessTexture;       ///< linear: A
-  float anisotropyStrength = 0.0f;        ///< KHR_materials_anisotropy
-  float anisotropyRotation = 0.0f;        ///< radians, counter-clockwise from the tangent
-  TextureRef anisotropyTexture;           ///< linear: RG direction, B strength
-  float iridescenceFactor = 0.0f;         ///< KHR_materials_iridescence
-  TextureRef iridescenceTexture;          ///< linear: R
+  TextureRef sheenColorTexture;       ///< sRGB
+  float sheenRoughnessFactor = 0.0f;  ///< perceptual
+  TextureRef sheenRoughnessTexture;   ///< linear: A
+  float anisotropyStrength = 0.0f;    ///< KHR_materials_anisotropy
+  float anisotropyRotation = 0.0f;    ///< radians, counter-clockwise from the tangent
+  TextureRef anisotropyTexture;       ///< linear: RG direction, B strength
+  float iridescenceFactor = 0.0f;     ///< KHR_materials_iridescence
+  TextureRef iridescenceTexture;      ///< linear: R
   float iridescenceIor = 1.3f;
   float iridescenceThicknessMinimum = 100.0f;  ///< nanometres
   float iridescenceThicknessMaximum = 400.0f;  ///< nanometres
   TextureRef iridescenceThicknessTexture;      ///< linear: G
-  float diffuseRoughnessFactor = 0.0f;    ///< KHR_materials_diffuse_roughness
-  TextureRef diffuseRoughnessTexture;     ///< linear: R
+  float diffuseRoughnessFactor = 0.0f;         ///< KHR_materials_diffuse_roughness
+  TextureRef diffuseRoughnessTexture;          ///< linear: R
 };
 
 /// glTF metallic-roughness material. Factors are linear Rec.709.
@@ -73,19 +74,19 @@ struct Material {
   glm::vec4 baseColorFactor{1.0f};
   TextureRef baseColorTexture;  ///< sRGB
   float metallicFactor = 1.0f;
-  float roughnessFactor = 1.0f;          ///< perceptual
-  TextureRef metallicRoughnessTexture;   ///< linear: G roughness, B metalness
-  TextureRef normalTexture;              ///< linear
+  float roughnessFactor = 1.0f;         ///< perceptual
+  TextureRef metallicRoughnessTexture;  ///< linear: G roughness, B metalness
+  TextureRef normalTexture;             ///< linear
   float normalScale = 1.0f;
-  TextureRef occlusionTexture;           ///< linear: R
+  TextureRef occlusionTexture;  ///< linear: R
   float occlusionStrength = 1.0f;
   glm::vec3 emissiveFactor{0.0f};
-  TextureRef emissiveTexture;            ///< sRGB
+  TextureRef emissiveTexture;  ///< sRGB
   AlphaMode alphaMode = AlphaMode::kOpaque;
   float alphaCutoff = 0.5f;
   bool doubleSided = false;
-  bool unlit = false;                    ///< KHR_materials_unlit
-  bool physical = false;                 ///< an extension of `layers` is there: three.js shades with MeshPhysicalMaterial
+  bool unlit = false;     ///< KHR_materials_unlit
+  bool physical = false;  ///< an extension of `layers` is there: three.js shades with MeshPhysicalMaterial
   PhysicalLayers layers;
 };
 
@@ -100,16 +101,16 @@ struct Bounds {
 /// Vertex streams of one draw. A stream is empty when the file has none; else it has positions.size() entries.
 struct Primitive {
   Topology topology = Topology::kTriangles;
-  std::vector<glm::vec3> positions;            ///< finite
-  std::vector<glm::vec3> normals;              ///< as in the file; empty = shade flat
-  std::vector<glm::vec4> tangents;             ///< w = +-1
+  std::vector<glm::vec3> positions;  ///< finite
+  std::vector<glm::vec3> normals;    ///< as in the file; empty = shade flat
+  std::vector<glm::vec4> tangents;   ///< w = +-1
   std::array<std::vector<glm::vec2>, 2> uvs;
-  std::vector<glm::vec4> colors;               ///< linear, alpha 1 where the file gives RGB
+  std::vector<glm::vec4> colors;  ///< linear, alpha 1 where the file gives RGB
   bool colorsHaveAlpha = false;
-  std::vector<std::uint32_t> indices;          ///< empty = draw vertices in order; every index < positions.size()
-  int material = -1;                           ///< -1 = glTF's default material
-  std::vector<int> variantMaterials;           ///< by variant index; -1 = no mapping (keep `material`)
-  Bounds bounds;                               ///< of positions, in mesh space
+  std::vector<std::uint32_t> indices;  ///< empty = draw vertices in order; every index < positions.size()
+  int material = -1;                   ///< -1 = glTF's default material
+  std::vector<int> variantMaterials;   ///< by variant index; -1 = no mapping (keep `material`)
+  Bounds bounds;                       ///< of positions, in mesh space
 };
 
 struct Mesh {
@@ -133,23 +134,23 @@ struct ModelLight {
 struct ModelCamera {
   std::string name;
   bool perspective = true;
-  double fovY = 0;                 ///< radians
-  double aspectRatio = 0;          ///< 0 = not given
-  double xmag = 0, ymag = 0;       ///< orthographic half extents, metres
-  double near = 0, far = 0;        ///< metres, far 0 = infinite
+  double fovY = 0;            ///< radians
+  double aspectRatio = 0;     ///< 0 = not given
+  double xmag = 0, ymag = 0;  ///< orthographic half extents, metres
+  double near = 0, far = 0;   ///< metres, far 0 = infinite
 };
 
 /// A node that is reached from the drawn scene, parents before children.
 struct Node {
   std::string name;
-  int parent = -1;          ///< index into Scene::nodes
-  glm::dmat4 local{1.0};    ///< column-major, column vectors
+  int parent = -1;        ///< index into Scene::nodes
+  glm::dmat4 local{1.0};  ///< column-major, column vectors
   glm::dmat4 world{1.0};
   int mesh = -1, light = -1, camera = -1;
 };
 
 struct Warning {
-  std::string code;     ///< W_*, a row of js/error/table.mjs
+  std::string code;  ///< W_*, a row of js/error/table.mjs
   std::string message;
   std::string pointer;  ///< may be empty
 };
@@ -160,13 +161,13 @@ struct Scene {
   std::vector<Node> nodes;
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
-  std::vector<Image8> images;             ///< decoded; width 0 = not used by any reached material
+  std::vector<Image8> images;  ///< decoded; width 0 = not used by any reached material
   std::vector<ModelLight> lights;
   std::vector<ModelCamera> cameras;
-  std::vector<std::string> variants;      ///< KHR_materials_variants names
+  std::vector<std::string> variants;  ///< KHR_materials_variants names
   std::vector<std::string> extensionsUsed;
-  std::vector<Warning> warnings;          ///< at most 100, no two alike
-  Bounds bounds;                          ///< of all drawn vertices in world space
+  std::vector<Warning> warnings;                                    ///< at most 100, no two alike
+  Bounds bounds;                                                    ///< of all drawn vertices in world space
   std::uint64_t vertexCount = 0, triangleCount = 0, drawCount = 0;  ///< over all draws
   std::uint64_t fileBytes = 0;
 };

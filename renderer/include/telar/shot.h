@@ -15,8 +15,8 @@ struct Shot {
   struct Camera {
     bool perspective = true;
     glm::dvec3 position{0}, target{0}, up{0, 1, 0};  ///< world, metres
-    double fovY = 0;     ///< degrees, vertical
-    double height = 0;   ///< metres, orthographic
+    double fovY = 0;                                 ///< degrees, vertical
+    double height = 0;                               ///< metres, orthographic
     double near = 0, far = 0;
   } camera;
 
@@ -29,13 +29,13 @@ struct Shot {
 
   struct Light {
     enum class Type { kAmbient, kHemisphere, kDirectional, kPoint, kSpot } type = Type::kAmbient;
-    glm::vec3 color{1};         ///< linear Rec.709
-    glm::vec3 groundColor{0};   ///< linear Rec.709, hemisphere
+    glm::vec3 color{1};        ///< linear Rec.709
+    glm::vec3 groundColor{0};  ///< linear Rec.709, hemisphere
     double intensity = 1;
     glm::dvec3 position{0}, target{0};
-    double range = 0;           ///< metres, 0 = infinite
-    double angle = 0;           ///< outer half-angle, radians
-    double penumbra = 0;        ///< 0..1
+    double range = 0;     ///< metres, 0 = infinite
+    double angle = 0;     ///< outer half-angle, radians
+    double penumbra = 0;  ///< 0..1
   };
   std::vector<Light> lights;
   bool modelLights = true;
@@ -48,8 +48,8 @@ struct Shot {
   std::string shading;      ///< "three"
   std::string toneMapping;  ///< none linear reinhard cineon aces agx neutral
   double exposure = 1;
-  int samples = 4;          ///< quality.samples: MSAA, 1 or 4
-  std::string variant;      ///< KHR_materials_variants name, empty = the file's own materials
+  int samples = 4;      ///< quality.samples: MSAA, 1 or 4
+  std::string variant;  ///< KHR_materials_variants name, empty = the file's own materials
   OutputOptions output;
 };
 

@@ -24,7 +24,7 @@ const Column INNER_CONE{0.9901, 1, {0.995, 1}};
 // Below this the rounding of sin^2 is raised to 1 / (2 alpha) > 12: fp32 itself has no more digits there.
 const Column SHEEN_ALPHA{0.04, 1, {0.04, 0.09, 0.25, 1}};
 const Column SHEEN_ROUGHNESS{0.2, 1, {0.2, 0.3, 0.5, 1}};
-const Column SLANT{-0.7, 0.7, {-0.7, 0, 0.7}};      // cosines with tangent and bitangent
+const Column SLANT{-0.7, 0.7, {-0.7, 0, 0.7}};  // cosines with tangent and bitangent
 const Column OFF_GRAZING{0.05, 1, {0.05, 0.5, 1}};
 const Column FILM_IOR{1, 2.5, {1, 1.3, 2.5}};
 const Column THICKNESS{0, 1200, {0, 0.01, 100, 400, 1200}};
@@ -115,10 +115,12 @@ std::vector<Term> layerTerms() {
       TERM("fonNormalisation", ({UNIT}), PRODUCT, true, vec3(fonNormalisation(p[0]))),
       TERM("fonAlbedo", ({UNIT, COSINE}), PRODUCT, true, vec3(fonAlbedo(p[0], p[1]))),
       TERM("fonAverageAlbedo", ({UNIT}), PRODUCT, true, vec3(fonAverageAlbedo(p[0]))),
-      TERM("eonMultipleAlbedo", ({UNIT, UNIT, UNIT, GRAZING}), OF_ONE, true, eonMultipleAlbedo(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("eonMultipleAlbedo", ({UNIT, UNIT, UNIT, GRAZING}), OF_ONE, true,
+           eonMultipleAlbedo(vec3(p[0], p[1], p[2]), p[3])),
       TERM("Fd_EON", ({UNIT, UNIT, UNIT, UNIT, COSINE, COSINE, SIGNED_COSINE}), OF_ONE, false,
            Fd_EON(vec3(p[0], p[1], p[2]), p[3], p[4], p[5], p[6])),
-      TERM("eonAlbedo", ({UNIT, UNIT, UNIT, UNIT, COSINE}), OF_ONE, true, eonAlbedo(vec3(p[0], p[1], p[2]), p[3], p[4])),
+      TERM("eonAlbedo", ({UNIT, UNIT, UNIT, UNIT, COSINE}), OF_ONE, true,
+           eonAlbedo(vec3(p[0], p[1], p[2]), p[3], p[4])),
       TERM("D_Charlie", ({SHEEN_ALPHA, COSINE}), OF_CHARLIE, true, vec3(D_Charlie(p[0], p[1]))),
       TERM("V_Neubelt", ({COSINE, COSINE}), PRODUCT, true, vec3(V_Neubelt(p[0], p[1]))),
       TERM("Fr_Sheen", ({UNIT, UNIT, UNIT, SHEEN_ROUGHNESS, COSINE, COSINE, COSINE}), OF_CHARLIE, true,
@@ -126,17 +128,21 @@ std::vector<Term> layerTerms() {
       TERM("sheenAlbedo", ({ROUGHNESS, COSINE}), PRODUCT, true, vec3(sheenAlbedo(p[0], p[1]))),
       TERM("D_GGXAnisotropic", ({ALPHA, ALPHA, OFF_GRAZING, SLANT, SLANT}), PRODUCT, false,
            vec3(D_GGXAnisotropic(p[0], p[1], p[2], p[3], p[4]))),
-      TERM("V_SmithGGXCorrelatedAnisotropic", ({ALPHA, ALPHA, COSINE, COSINE, SLANT, SLANT, SLANT, SLANT}), PRODUCT, true,
-           vec3(V_SmithGGXCorrelatedAnisotropic(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]))),
+      TERM("V_SmithGGXCorrelatedAnisotropic", ({ALPHA, ALPHA, COSINE, COSINE, SLANT, SLANT, SLANT, SLANT}), PRODUCT,
+           true, vec3(V_SmithGGXCorrelatedAnisotropic(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]))),
       TERM("alphaAlongTangent", ({ROUGHNESS, UNIT}), PRODUCT, true, vec3(alphaAlongTangent(p[0], p[1]))),
       TERM("bentNormal", ({ROUGHNESS, UNIT, SLANT, UPWARD, UPWARD, SLANT}), OF_ONE, false,
-           bentNormal(p[0], p[1], normalize(vec3(p[2], p[5], p[3])), vec3(1.0, 0.0, 0.0), normalize(vec3(p[5], p[2], p[4])))),
+           bentNormal(p[0], p[1], normalize(vec3(p[2], p[5], p[3])), vec3(1.0, 0.0, 0.0),
+                      normalize(vec3(p[5], p[2], p[4])))),
       TERM("iorFromF0", ({BASE_F0, BASE_F0, BASE_F0}), PRODUCT, true, iorFromF0(vec3(p[0], p[1], p[2]))),
-      TERM("f0FromIor", ({FILM_IOR, FILM_IOR, FILM_IOR, FILM_IOR}), OF_ONE, true, f0FromIor(vec3(p[0], p[1], p[2]), p[3])),
-      TERM("filmSensitivity", ({THICKNESS, PHASE, PHASE, PHASE}), OF_ONE, false, filmSensitivity(p[0], vec3(p[1], p[2], p[3]))),
+      TERM("f0FromIor", ({FILM_IOR, FILM_IOR, FILM_IOR, FILM_IOR}), OF_ONE, true,
+           f0FromIor(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("filmSensitivity", ({THICKNESS, PHASE, PHASE, PHASE}), OF_ONE, false,
+           filmSensitivity(p[0], vec3(p[1], p[2], p[3]))),
       TERM("F_Iridescence", ({FILM_IOR, THICKNESS, OFF_GRAZING, BASE_F0, BASE_F0, BASE_F0}), OF_ONE, true,
            F_Iridescence(p[0], p[1], p[2], vec3(p[3], p[4], p[5]))),
-      TERM("f0FromSchlick", ({UNIT, UNIT, UNIT, OFF_GRAZING}), OF_ONE, false, f0FromSchlick(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("f0FromSchlick", ({UNIT, UNIT, UNIT, OFF_GRAZING}), OF_ONE, false,
+           f0FromSchlick(vec3(p[0], p[1], p[2]), p[3])),
   };
 }
 
@@ -200,7 +206,8 @@ std::vector<Term> displayTerms() {
 const std::vector<Term>& terms() {
   static const std::vector<Term> all = [] {
     std::vector<Term> list = algebraTerms();
-    for (auto part : {surfaceTerms(), layerTerms(), lightTerms(), displayTerms()}) list.insert(list.end(), part.begin(), part.end());
+    for (auto part : {surfaceTerms(), layerTerms(), lightTerms(), displayTerms()})
+      list.insert(list.end(), part.begin(), part.end());
     return list;
   }();
   return all;

@@ -1,4 +1,3 @@
-#include "telar/renderer.h"
 #include "gl/context.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +5,7 @@
 #include <thread>
 
 #include "gl/program.h"
+#include "telar/renderer.h"
 
 namespace telar::gl {
 namespace {
@@ -18,7 +18,8 @@ TEST_P(EachBackend, GivesOpenGlEs3AndCompilesEs300Shaders) {
   EXPECT_GE(context->capabilities().maxTextureSize, 8192);
   EXPECT_GE(context->capabilities().maxSamples, 4);
   const std::string vertex = "#version 300 es\nvoid main() { gl_Position = vec4(0.0); }\n";
-  const std::string fragment = "#version 300 es\nprecision highp float;\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n";
+  const std::string fragment =
+      "#version 300 es\nprecision highp float;\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n";
   const Program program(*context, "test", vertex, fragment);
   context->check("test");
 }
@@ -36,7 +37,8 @@ TEST_P(EachBackend, TwoThreadsHaveTheirOwnContexts) {
   other.join();
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EachBackend, testing::Values(Backend::kEglDevice, Backend::kEglSurfaceless, Backend::kOsmesa),
+INSTANTIATE_TEST_SUITE_P(All, EachBackend,
+                         testing::Values(Backend::kEglDevice, Backend::kEglSurfaceless, Backend::kOsmesa),
                          [](const auto& tested) {
                            std::string name = backendName(tested.param);
                            std::erase(name, '-');
@@ -47,7 +49,8 @@ TEST(Program, ErrorNamesTheProgramAndShowsTheSourceLine) {
   const auto context = Context::create(Backend::kAuto);
   const std::string vertex = "#version 300 es\nvoid main() { gl_Position = vec4(0.0); }\n";
   try {
-    const Program program(*context, "broken", vertex, "#version 300 es\nprecision highp float;\nvoid main() { nonsense(); }\n");
+    const Program program(*context, "broken", vertex,
+                          "#version 300 es\nprecision highp float;\nvoid main() { nonsense(); }\n");
     FAIL() << "compiled";
   } catch (const Error& error) {
     EXPECT_EQ(error.code, "X_SHADER");

@@ -16,7 +16,9 @@ ImageF gradient(std::uint32_t width) {
   for (std::uint32_t y = 0; y < map.height; ++y) {
     const double latitude = (0.5 - (y + 0.5) / map.height) * 3.14159265358979;
     for (std::uint32_t x = 0; x < width; ++x) {
-      for (int c = 0; c < 3; ++c) map.pixels[(static_cast<std::size_t>(y) * width + x) * 4 + static_cast<std::size_t>(c)] = static_cast<float>(1 + 0.8 * std::sin(latitude));
+      for (int c = 0; c < 3; ++c)
+        map.pixels[(static_cast<std::size_t>(y) * width + x) * 4 + static_cast<std::size_t>(c)] =
+            static_cast<float>(1 + 0.8 * std::sin(latitude));
     }
   }
   return map;
@@ -88,8 +90,10 @@ TEST(EnvironmentCache, TheBundledCubeIsThatOfTheBundledMap) {
   ASSERT_TRUE(shipped) << "run `npm run assets`";
   ASSERT_EQ(made.faceSize, shipped->faceSize);
   // Another processor may round a trigonometric function differently; a stale file is far off.
-  const auto a = level(*context, made, 3, GL_TEXTURE_CUBE_MAP_POSITIVE_Z), b = level(*context, *shipped, 3, GL_TEXTURE_CUBE_MAP_POSITIVE_Z);
-  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(half(a[i]), half(b[i]), 0.002f * half(a[i]) + 1e-4f) << "run `npm run assets`";
+  const auto a = level(*context, made, 3, GL_TEXTURE_CUBE_MAP_POSITIVE_Z),
+             b = level(*context, *shipped, 3, GL_TEXTURE_CUBE_MAP_POSITIVE_Z);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    ASSERT_NEAR(half(a[i]), half(b[i]), 0.002f * half(a[i]) + 1e-4f) << "run `npm run assets`";
 }
 
 TEST(EnvironmentCache, KeepsAPrefilteredCubeOnDiskByContent) {

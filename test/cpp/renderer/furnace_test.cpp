@@ -29,7 +29,8 @@ TEST_P(Furnace, WhiteDielectricReflectsOneAwayFromTheSilhouette) {
   shot.environment.source = Shot::Environment::Source::kBytes;
   const auto renderer = Renderer::create({});
   FrameInfo info;
-  const Frame frame = renderer->draw(test::sceneOf(test::spherePrimitive(1), material), shot, constantEnvironment(), CancelToken(), info);
+  const Frame frame = renderer->draw(test::sceneOf(test::spherePrimitive(1), material), shot, constantEnvironment(),
+                                     CancelToken(), info);
   ASSERT_EQ(frame.type, PixelType::kRgbaF32);
   const double radiusPx = 128 / (2 * std::tan(glm::radians(15.0)) * 5) * 1.0;
   int checked = 0;

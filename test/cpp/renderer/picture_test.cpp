@@ -13,7 +13,8 @@ using test::sceneOf;
 using test::shotOf;
 using test::spherePrimitive;
 
-Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& shot, Backend backend = Backend::kAuto, bool allFeatures = false) {
+Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& shot, Backend backend = Backend::kAuto,
+           bool allFeatures = false) {
   RendererOptions options;
   options.backend = backend;
   options.allFeatures = allFeatures;
@@ -62,7 +63,8 @@ TEST(Picture, RowZeroIsTheTop) {
 
 TEST(Picture, EglAndOsmesaAgreeByteForByte) {
   const auto scene = sceneOf(spherePrimitive(1));
-  EXPECT_EQ(draw(scene, litShot(128), Backend::kEglSurfaceless).pixels, draw(scene, litShot(128), Backend::kOsmesa).pixels);
+  EXPECT_EQ(draw(scene, litShot(128), Backend::kEglSurfaceless).pixels,
+            draw(scene, litShot(128), Backend::kOsmesa).pixels);
 }
 
 TEST(Picture, AllFeaturesForcedOnGiveTheSamePicture) {

@@ -18,13 +18,15 @@ inline Primitive spherePrimitive(float radius, int rings = 64) {
       const glm::vec3 n(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi));
       p.positions.push_back(n * radius);
       p.normals.push_back(n);
-      p.uvs[0].push_back({static_cast<float>(x) / static_cast<float>(columns), static_cast<float>(y) / static_cast<float>(rings)});
+      p.uvs[0].push_back(
+          {static_cast<float>(x) / static_cast<float>(columns), static_cast<float>(y) / static_cast<float>(rings)});
     }
   }
   const auto at = [&](int x, int y) { return static_cast<std::uint32_t>(y * (columns + 1) + x); };
   for (int y = 0; y < rings; ++y) {
     for (int x = 0; x < columns; ++x) {
-      for (const std::uint32_t i : {at(x, y), at(x, y + 1), at(x + 1, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)}) p.indices.push_back(i);
+      for (const std::uint32_t i : {at(x, y), at(x, y + 1), at(x + 1, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)})
+        p.indices.push_back(i);
     }
   }
   for (const glm::vec3& v : p.positions) p.bounds.add(glm::dvec3(v));
@@ -63,7 +65,8 @@ inline const float* pixelF(const Frame& frame, std::uint32_t x, std::uint32_t y)
 }
 
 inline const std::uint8_t* pixel8(const Frame& frame, std::uint32_t x, std::uint32_t y) {
-  return reinterpret_cast<const std::uint8_t*>(frame.pixels.data()) + (static_cast<std::size_t>(y) * frame.width + x) * 4;
+  return reinterpret_cast<const std::uint8_t*>(frame.pixels.data()) +
+         (static_cast<std::size_t>(y) * frame.width + x) * 4;
 }
 
 }  // namespace telar::test

@@ -62,14 +62,20 @@ int run(int argc, char** argv) {
     json["cpuMs"] = cpuMs() - before;  // all threads of the process
     std::cout << json.dump() << "\n";
   }
-  std::ofstream(argv[3], std::ios::binary).write(reinterpret_cast<const char*>(frame.pixels.data()), static_cast<std::streamsize>(frame.pixels.size()));
+  std::ofstream(argv[3], std::ios::binary)
+      .write(reinterpret_cast<const char*>(frame.pixels.data()), static_cast<std::streamsize>(frame.pixels.size()));
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) return std::fputs("usage: telar_draw MODEL SHOT.json OUT.raw [--env FILE] [--backend NAME] [--all-features] [--repeat N]\n", stderr), 2;
+  if (argc < 4)
+    return std::fputs(
+               "usage: telar_draw MODEL SHOT.json OUT.raw [--env FILE] [--backend NAME] [--all-features] [--repeat "
+               "N]\n",
+               stderr),
+           2;
   try {
     return run(argc, argv);
   } catch (const telar::Error& error) {
