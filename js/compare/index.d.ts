@@ -104,3 +104,15 @@ export function htmlReport(comparison: Comparison, verdict: Verdict,
 
 /** JUnit XML: a suite for each comparison, a test case for each check. */
 export function junitReport(comparisons: ReadonlyArray<{ name: string; verdict: Verdict }>): string;
+
+/**
+ * A copy of a PNG file with the shot that it shows inside (iTXt chunk `telar:shot`), in place of one that it has.
+ * @throws {TelarError} E_IMAGE_FORMAT, E_IMAGE_CORRUPT, E_SHOT
+ */
+export function embedShot(png: Uint8Array, shot: object): Uint8Array;
+
+/**
+ * The shot inside a PNG, unchecked; null where there is none.
+ * @throws {TelarError} E_IMAGE_CORRUPT
+ */
+export function readEmbeddedShot(bytes: Uint8Array): object | null;
