@@ -1,7 +1,5 @@
 #include "pass/background_pass.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
 namespace telar::pass {
 namespace {
 
@@ -31,13 +29,14 @@ std::vector<glm::vec3> cubeTriangles() {
 void BackgroundPass::draw(const Camera& camera, const Shot& shot, const ibl::Environment& environment,
                           const shader::VariantKey& frame) {
   const gl::Functions& gl = context_.gl();
-  auto found = programs_.find(frame);
+  const auto key = std::make_pair(frame.toneMapping, frame.outputLinear);
+  auto found = programs_.find(key);
   if (found == programs_.end()) {
     const shader::Defines defines{{"TONE_MAPPING", static_cast<int>(frame.toneMapping)},
                                   {"OUTPUT_LINEAR", frame.outputLinear ? 1 : 0}};
     found = programs_
-                .emplace(frame, gl::Program(context_, "background", shader::assemble("environment/background.vert", {}),
-                                            shader::assemble("environment/background.frag", defines)))
+                .emplace(key, gl::Program(context_, "background", shader::assemble("environment/background.vert", {}),
+                                          shader::assemble("environment/background.frag", defines)))
                 .first;
   }
   constexpr GLsizei VERTICES = 36;
@@ -58,9 +57,7 @@ void BackgroundPass::draw(const Camera& camera, const Shot& shot, const ibl::Env
   program.set("projectionMatrix", glm::mat4(camera.projection));
   program.set("backgroundMap", 0);
   program.set("backgroundIntensity", static_cast<float>(shot.environment.intensity));
-  program.set("backgroundRotation",
-              glm::transpose(glm::mat3(glm::dmat3(
-                  glm::rotate(glm::dmat4(1.0), glm::radians(shot.environment.rotation), glm::dvec3(0, 1, 0))))));
+  program.set("backgroundRotation", environmentRotation(shot.environment.rotation));
   program.set("exposure", static_cast<float>(shot.exposure));
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, environment.background.texture.get());

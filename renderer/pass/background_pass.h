@@ -19,7 +19,7 @@ class BackgroundPass {
 
  private:
   const gl::Context& context_;
-  std::map<shader::VariantKey, gl::Program> programs_;
+  std::map<std::pair<shader::ToneMapping, bool>, gl::Program> programs_;  // bool: linear output
   gl::VertexArray cube_;
   gl::Buffer corners_;
 };

@@ -49,4 +49,9 @@ glm::dmat4 worldToPixel(const Camera& camera, int width, int height) {
   return toPixels * camera.projection * camera.view;
 }
 
+glm::mat3 environmentRotation(double degrees) {
+  return glm::transpose(
+      glm::mat3(glm::dmat3(glm::rotate(glm::dmat4(1.0), glm::radians(degrees), glm::dvec3(0, 1, 0)))));
+}
+
 }  // namespace telar::pass

@@ -17,4 +17,7 @@ Camera cameraOf(const Shot& shot);
 /// World (homogeneous) to pixels: x right and y down from the top-left corner, z 0..1 from near to far, after / w.
 glm::dmat4 worldToPixel(const Camera& camera, int width, int height);
 
+/// Reading matrix of an environment turned by `degrees` about +Y: scene.environmentRotation.y of three.js, transposed.
+glm::mat3 environmentRotation(double degrees);
+
 }  // namespace telar::pass

@@ -134,6 +134,14 @@ void addBlended(std::vector<DrawItem>& list, DrawItem item) {
 
 }  // namespace
 
+std::set<shader::VariantKey> FramePlan::keys() const {
+  std::set<shader::VariantKey> keys;
+  for (const auto* list : {&draws.opaque, &draws.blended}) {
+    for (const DrawItem& item : *list) keys.insert(item.key);
+  }
+  return keys;
+}
+
 FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures) {
   FramePlan plan;
   plan.camera = cameraOf(shot);
@@ -142,7 +150,7 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
   const bool hasEnvironment = shot.environment.source != Shot::Environment::Source::kNone;
   plan.environmentBackground = hasEnvironment && shot.background.type == Shot::Background::Type::kEnvironment;
 
-  shader::VariantKey frame;
+  shader::VariantKey& frame = plan.frame;
   plan.lights.describe(frame);
   frame.environment = hasEnvironment && shot.environment.intensity != 0;
   frame.orthographic = plan.camera.orthographic;

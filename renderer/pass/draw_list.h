@@ -1,4 +1,5 @@
 #pragma once
+#include <set>
 #include <vector>
 
 #include "pass/camera.h"
@@ -31,8 +32,12 @@ struct FramePlan {
   Camera camera;
   LightSet lights;
   DrawList draws;
+  shader::VariantKey frame;  ///< what all programs share: lights, tone mapping, kind of output
   bool environment = false;  ///< a lit material samples it
   bool environmentBackground = false;
+
+  /// Every program that the draws use, each once.
+  std::set<shader::VariantKey> keys() const;
 };
 
 /// Decides, without GL, what a frame compiles and draws: every key holds only what its material and the shot use.

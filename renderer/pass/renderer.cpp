@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "brdf/brdf.h"
 #include "gl/context.h"
 #include "ibl/environment_cache.h"
 #include "pass/background_pass.h"
@@ -36,19 +37,11 @@ class StageTimer {
   Json stages_ = Json::object();
 };
 
-std::set<shader::VariantKey> keysOf(const FramePlan& plan) {
-  std::set<shader::VariantKey> keys;
-  for (const auto* list : {&plan.draws.opaque, &plan.draws.blended}) {
-    for (const pass::DrawItem& item : *list) keys.insert(item.key);
-  }
-  return keys;
-}
-
 /// What a plan compiles and runs, for info and `telar inspect`.
 Json describePlan(const FramePlan& plan, const Shot& shot) {
   std::set<std::string> features;
   Json programs = Json::array();
-  for (const shader::VariantKey& key : keysOf(plan)) {
+  for (const shader::VariantKey& key : plan.keys()) {
     const auto list = key.features();
     features.insert(list.begin(), list.end());
     programs.push_back({{"features", list}});
@@ -62,11 +55,7 @@ Json describePlan(const FramePlan& plan, const Shot& shot) {
 }
 
 /// sRGB-encoded, as three.js clears the canvas: a background colour is never tone mapped.
-glm::vec3 srgbEncoded(const glm::vec3& linear) {
-  const auto encode = [](float x) { return x <= 0.0031308f ? x * 12.92f : std::pow(x, 0.41666f) * 1.055f - 0.055f; };
-  const glm::vec3 c = glm::clamp(linear, 0.0f, 1.0f);
-  return {encode(c.x), encode(c.y), encode(c.z)};
-}
+glm::vec3 srgbEncoded(const glm::vec3& linear) { return brdf_f::srgbFromLinear(glm::clamp(linear, 0.0f, 1.0f)); }
 
 class GlRenderer final : public Renderer {
  public:
@@ -98,7 +87,7 @@ class GlRenderer final : public Renderer {
     const pass::FrameTarget& target = targetFor(shot);
     target.bind();
     clear(shot);
-    if (plan.environmentBackground) background_.draw(plan.camera, shot, *environment, frameKey(shot));
+    if (plan.environmentBackground) background_.draw(plan.camera, shot, *environment, plan.frame);
     surfaces_.draw(plan, shot, *scene, gpu, environment, cancel);
     context_->gl().Finish();
     timer.lap("draw");
@@ -125,13 +114,6 @@ class GlRenderer final : public Renderer {
   int liveObjects() const override { return context_->gl().liveObjects; }
 
  private:
-  static shader::VariantKey frameKey(const Shot& shot) {
-    shader::VariantKey key;
-    key.outputLinear = framePixelType(shot.output) == PixelType::kRgbaF32;
-    key.toneMapping = key.outputLinear ? shader::ToneMapping::kNone : shader::toneMappingByName(shot.toneMapping);
-    return key;
-  }
-
   void checkSize(const Shot& shot) const {
     checkLimit("L_OUTPUT_SIZE", context_->capabilities().maxTextureSize, std::max(shot.width, shot.height), "");
   }

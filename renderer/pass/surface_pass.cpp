@@ -3,8 +3,6 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
-#include <glm/gtc/matrix_transform.hpp>
-#include <set>
 
 #include "ibl/dfg.h"
 #include "pass/texture_slots.h"
@@ -28,12 +26,6 @@ gl::Texture texelTexture(const gl::Functions& gl, const std::array<float, 4>& rg
   return texture;
 }
 
-/// Environment reading matrix: scene.environmentRotation.y of three.js, transposed.
-glm::mat3 environmentRotation(double degrees) {
-  return glm::transpose(
-      glm::mat3(glm::dmat3(glm::rotate(glm::dmat4(1.0), glm::radians(degrees), glm::dvec3(0, 1, 0)))));
-}
-
 /// Inverse transpose; for a flattened node its cofactors, which point the same way and need no division.
 glm::mat3 normalMatrixOf(const glm::dmat3& m) {
   if (glm::determinant(m) != 0) return glm::mat3(glm::inverseTranspose(m));
@@ -45,6 +37,10 @@ glm::mat3 normalMatrixOf(const glm::dmat3& m) {
 glm::vec2 normalScaleOf(float scale, const DrawItem& item) {
   const glm::vec2 signs(1, item.primitive->tangents.empty() ? -1 : 1);
   return signs * (item.key.flipSided ? -scale : scale);
+}
+
+bool hasLayers(const shader::VariantKey& key) {
+  return key.specular || key.clearcoat || key.sheen || key.anisotropy || key.iridescence || key.diffuseRoughness;
 }
 
 /// Factors of the layers of KHR_materials_*.
@@ -79,10 +75,7 @@ SurfacePass::SurfacePass(const gl::Context& context, Limits limits)
     : context_(context), limits_(limits), dfg_(ibl::createDfgTexture(context.gl())) {}
 
 int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
-  std::set<shader::VariantKey> wanted;
-  for (const auto* list : {&plan.draws.opaque, &plan.draws.blended}) {
-    for (const DrawItem& item : *list) wanted.insert(item.key);
-  }
+  const std::set<shader::VariantKey> wanted = plan.keys();
   checkLimit("L_PROGRAMS", static_cast<double>(limits_.programs), static_cast<double>(wanted.size()));
   // Programs of earlier frames are kept while they are few; a service that sees every kind of file starts afresh.
   if (programs_.size() + wanted.size() > 4 * limits_.programs) programs_.clear();
@@ -109,6 +102,15 @@ void SurfacePass::upload(const FramePlan& plan, const Scene& scene, GpuScene& gp
       }
     }
   }
+}
+
+const SurfacePass::StandIns& SurfacePass::standIns() {
+  if (!standIns_) {
+    const gl::Functions& gl = context_.gl();
+    standIns_ = StandIns{texelTexture(gl, {1, 1, 1, 1}), texelTexture(gl, {0.5f, 0.5f, 1, 1}),
+                         std::move(ibl::createCube(gl, 1, 1).texture)};
+  }
+  return *standIns_;
 }
 
 const gl::Program* SurfacePass::useProgram(const shader::VariantKey& key, const FramePlan& plan, const Shot& shot,
@@ -140,13 +142,17 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
     const TextureSlot& slot = TEXTURE_SLOTS[unit];
     if (!(item.key.*slot.map)) continue;
     const TextureRef& texture = slot.texture(m);
-    const gl::Texture& standIn = slot.map == &shader::VariantKey::normalMap ? flatNormal_ : white_;
-    const GLuint name = texture ? gpu.texture(scene, texture.image, slot.srgb, cancel) : standIn.get();
     program.set(slot.sampler, static_cast<int>(unit));
     program.set(slot.uvTransform, texture.uvTransform);
     gl.ActiveTexture(GL_TEXTURE0 + unit);
-    gl.BindTexture(GL_TEXTURE_2D, name);
-    gl.BindSampler(unit, texture ? gpu.sampler(texture.sampler) : 0);
+    if (texture) {
+      gl.BindTexture(GL_TEXTURE_2D, gpu.texture(scene, texture.image, slot.srgb, cancel));
+      gl.BindSampler(unit, gpu.sampler(texture.sampler));
+    } else {
+      const bool normal = slot.map == &shader::VariantKey::normalMap;
+      gl.BindTexture(GL_TEXTURE_2D, (normal ? standIns().flatNormal : standIns().white).get());
+      gl.BindSampler(unit, 0);
+    }
   }
   program.set("baseColorFactor", m.baseColorFactor);
   program.set("alphaCutoff", m.alphaMode == AlphaMode::kMask ? m.alphaCutoff : 0.0f);
@@ -156,7 +162,7 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
   program.set("emissiveFactor", m.emissiveFactor);
   program.set("occlusionStrength", m.occlusionStrength);
   program.set("normalScale", normalScaleOf(m.normalScale, item));
-  setLayers(program, item);
+  if (hasLayers(item.key)) setLayers(program, item);
 }
 
 void SurfacePass::drawItem(const DrawItem& item, const FramePlan& plan, const Shot& shot, const Scene& scene,
@@ -185,15 +191,13 @@ void SurfacePass::draw(const FramePlan& plan, const Shot& shot, const Scene& sce
                        const ibl::Environment* environment, const CancelToken& cancel) {
   const gl::Functions& gl = context_.gl();
   current_ = nullptr;
-  if (!white_) {
-    white_ = texelTexture(gl, {1, 1, 1, 1});
-    flatNormal_ = texelTexture(gl, {0.5f, 0.5f, 1, 1});
-    blackCube_ = ibl::createCube(gl, 1, 1).texture;
-  }
   gl.ActiveTexture(GL_TEXTURE0 + DFG_UNIT);
   gl.BindTexture(GL_TEXTURE_2D, dfg_.get());
-  gl.ActiveTexture(GL_TEXTURE0 + ENVIRONMENT_UNIT);
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, environment ? environment->prefiltered.texture.get() : blackCube_.get());
+  if (plan.environment) {
+    gl.ActiveTexture(GL_TEXTURE0 + ENVIRONMENT_UNIT);
+    const gl::Texture& cube = environment ? environment->prefiltered.texture : standIns().blackCube;
+    gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.get());
+  }
   gl.VertexAttrib4f(UV0, 0, 0, 0, 1);
   gl.VertexAttrib4f(UV1, 0, 0, 0, 1);
   gl.VertexAttrib4f(COLOR, 1, 1, 1, 1);

@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "gl/program.h"
 #include "ibl/environment_cache.h"
@@ -24,6 +25,11 @@ class SurfacePass {
             const ibl::Environment* environment, const CancelToken& cancel);
 
  private:
+  /// What a map reads that the material lacks; only the all-features benchmark samples such maps.
+  struct StandIns {
+    gl::Texture white, flatNormal, blackCube;
+  };
+  const StandIns& standIns();
   void drawItem(const DrawItem& item, const FramePlan& plan, const Shot& shot, const Scene& scene, GpuScene& gpu,
                 const ibl::Environment* environment, const CancelToken& cancel);
   const gl::Program* useProgram(const shader::VariantKey& key, const FramePlan& plan, const Shot& shot,
@@ -34,7 +40,7 @@ class SurfacePass {
   const gl::Context& context_;
   Limits limits_;
   gl::Texture dfg_;
-  gl::Texture white_, flatNormal_, blackCube_;  // stand-ins of the all-features benchmark
+  std::optional<StandIns> standIns_;
   std::map<shader::VariantKey, gl::Program> programs_;
   const gl::Program* current_ = nullptr;  // program whose frame uniforms are set
 };

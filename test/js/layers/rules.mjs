@@ -18,7 +18,7 @@ export const CPP_LAYERS = {
   'renderer/gl': ['renderer/include', 'renderer/core'],
   'renderer/shader': ['renderer/include', 'renderer/core', 'renderer/gl'],
   'renderer/ibl': ['renderer/include', 'renderer/core', 'renderer/gl', 'renderer/shader'],
-  'renderer/pass': ['renderer/include', 'renderer/core', 'renderer/mesh', 'renderer/gl', 'renderer/shader', 'renderer/ibl'],
+  'renderer/pass': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/mesh', 'renderer/gl', 'renderer/shader', 'renderer/ibl'],
   addon: ['renderer/include'],
 };
 
