@@ -60,6 +60,8 @@ json describe(const Material& material) {
   add("anisotropy", material.layers.anisotropyTexture);
   add("iridescence", material.layers.iridescenceTexture);
   add("iridescenceThickness", material.layers.iridescenceThicknessTexture);
+  add("transmission", material.layers.transmissionTexture);
+  add("thickness", material.layers.thicknessTexture);
   add("diffuseRoughness", material.layers.diffuseRoughnessTexture);
   return {{"name", material.name},   {"alphaMode", nameOf(material.alphaMode)}, {"doubleSided", material.doubleSided},
           {"unlit", material.unlit}, {"metallic", material.metallicFactor},     {"roughness", material.roughnessFactor},

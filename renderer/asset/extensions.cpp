@@ -8,6 +8,7 @@
 namespace telar::asset {
 namespace {
 
+// clang-format off
 constexpr std::string_view SUPPORTED[] = {
     "EXT_texture_webp",
     "KHR_draco_mesh_compression",
@@ -15,16 +16,20 @@ constexpr std::string_view SUPPORTED[] = {
     "KHR_materials_anisotropy",
     "KHR_materials_clearcoat",
     "KHR_materials_diffuse_roughness",
+    "KHR_materials_dispersion",
     "KHR_materials_emissive_strength",
     "KHR_materials_ior",
     "KHR_materials_iridescence",
     "KHR_materials_sheen",
     "KHR_materials_specular",
+    "KHR_materials_transmission",
     "KHR_materials_unlit",
     "KHR_materials_variants",
+    "KHR_materials_volume",
     "KHR_mesh_quantization",
     "KHR_texture_transform",
 };
+// clang-format on
 
 bool supported(std::string_view name) {
   return std::find(std::begin(SUPPORTED), std::end(SUPPORTED), name) != std::end(SUPPORTED);

@@ -121,7 +121,8 @@ std::vector<TextureRef*> texturesOf(Material& material) {
         &material.occlusionTexture, &material.emissiveTexture, &layers.specularTexture, &layers.specularColorTexture,
         &layers.clearcoatTexture, &layers.clearcoatRoughnessTexture, &layers.clearcoatNormalTexture,
         &layers.sheenColorTexture, &layers.sheenRoughnessTexture, &layers.anisotropyTexture, &layers.iridescenceTexture,
-        &layers.iridescenceThicknessTexture, &layers.diffuseRoughnessTexture}) {
+        &layers.iridescenceThicknessTexture, &layers.diffuseRoughnessTexture, &layers.transmissionTexture,
+        &layers.thicknessTexture}) {
     if (*texture) out.push_back(texture);
   }
   return out;

@@ -15,8 +15,10 @@ namespace {
 constexpr double IOR_MAX = 1000;
 constexpr double SPECULAR_COLOR_MAX = 65504;
 constexpr double THICKNESS_MAX = 1e6;  // nanometres
+constexpr double VOLUME_MAX = 1e12;    // metres, and as small a part of one
+constexpr double DISPERSION_MAX = 40;  // beyond it red light would travel faster than in empty space
 
-/// Each of these makes the material physical for GLTFLoader, also where it is not drawn here.
+/// Each of these makes the material physical for GLTFLoader; bump maps are not drawn.
 constexpr const char* PHYSICAL[] = {
     "KHR_materials_anisotropy", "KHR_materials_clearcoat", "KHR_materials_diffuse_roughness",
     "KHR_materials_dispersion", "KHR_materials_ior",       "KHR_materials_iridescence",
@@ -126,6 +128,30 @@ void readDiffuseRoughness(Layer layer, PhysicalLayers& out) {
   if (out.diffuseRoughnessFactor > 0) out.diffuseRoughnessTexture = layer.texture("diffuseRoughnessTexture");
 }
 
+void readTransmission(Layer layer, PhysicalLayers& out) {
+  if (!layer) return;
+  out.transmissionFactor = layer.factor("transmissionFactor", 0);
+  if (out.transmissionFactor > 0) out.transmissionTexture = layer.texture("transmissionTexture");
+}
+
+/// What only transmitted light shows: nothing is read for a material that transmits none.
+void readVolume(Layer layer, PhysicalLayers& out) {
+  if (!layer) return;
+  out.thicknessFactor = layer.factor("thicknessFactor", 0, 0, VOLUME_MAX);
+  if (out.transmissionFactor > 0 && out.thicknessFactor > 0) {
+    out.thicknessTexture = layer.texture("thicknessTexture");
+  }
+  // 0 is no distance but the loader's way to say none. src: GLTFLoader, KHR_materials_volume
+  if (layer.number("attenuationDistance", 0) != 0) {
+    out.attenuationDistance = layer.factor("attenuationDistance", 0, 1 / VOLUME_MAX, VOLUME_MAX);
+  }
+  out.attenuationColor = layer.color("attenuationColor", 1, 1);
+}
+
+void readDispersion(Layer layer, PhysicalLayers& out) {
+  if (layer) out.dispersion = layer.factor("dispersion", 0, 0, DISPERSION_MAX);
+}
+
 }  // namespace
 
 bool readPhysicalLayers(const tinygltf::ExtensionMap& extensions, const std::string& where, TextureReader& textures,
@@ -138,6 +164,9 @@ bool readPhysicalLayers(const tinygltf::ExtensionMap& extensions, const std::str
   readAnisotropy(layer("KHR_materials_anisotropy"), out);
   readIridescence(layer("KHR_materials_iridescence"), out);
   readDiffuseRoughness(layer("KHR_materials_diffuse_roughness"), out);
+  readTransmission(layer("KHR_materials_transmission"), out);
+  readVolume(layer("KHR_materials_volume"), out);
+  readDispersion(layer("KHR_materials_dispersion"), out);
   return std::any_of(std::begin(PHYSICAL), std::end(PHYSICAL),
                      [&](const char* name) { return extensions.contains(name); });
 }

@@ -159,15 +159,23 @@ constexpr Field IRIDESCENCE[] = {number("iridescenceFactor"),
 constexpr ObjectRule IRIDESCENCE_RULE{IRIDESCENCE};
 constexpr Field DIFFUSE_ROUGHNESS[] = {number("diffuseRoughnessFactor"), object("diffuseRoughnessTexture", INFO_RULE)};
 constexpr ObjectRule DIFFUSE_ROUGHNESS_RULE{DIFFUSE_ROUGHNESS};
+constexpr Field TRANSMISSION[] = {number("transmissionFactor"), object("transmissionTexture", INFO_RULE)};
+constexpr ObjectRule TRANSMISSION_RULE{TRANSMISSION};
+constexpr Field VOLUME[] = {number("thicknessFactor"), object("thicknessTexture", INFO_RULE),
+                            number("attenuationDistance"), items("attenuationColor", 3)};
+constexpr ObjectRule VOLUME_RULE{VOLUME};
+constexpr Field DISPERSION[] = {number("dispersion")};
+constexpr ObjectRule DISPERSION_RULE{DISPERSION};
 constexpr Field MATERIAL_EXTENSIONS[] = {
     object("KHR_materials_unlit", EMPTY_RULE), object("KHR_materials_emissive_strength", EMISSIVE_RULE),
     object("KHR_materials_ior", IOR_RULE), object("KHR_materials_specular", SPECULAR_RULE),
     object("KHR_materials_clearcoat", CLEARCOAT_RULE), object("KHR_materials_sheen", SHEEN_RULE),
     object("KHR_materials_anisotropy", ANISOTROPY_RULE), object("KHR_materials_iridescence", IRIDESCENCE_RULE),
     object("KHR_materials_diffuse_roughness", DIFFUSE_ROUGHNESS_RULE),
-    // Only whether they are there: it decides which material three.js takes.
-    object("KHR_materials_dispersion", EMPTY_RULE), object("KHR_materials_transmission", EMPTY_RULE),
-    object("KHR_materials_volume", EMPTY_RULE), object("EXT_materials_bump", EMPTY_RULE)};
+    object("KHR_materials_transmission", TRANSMISSION_RULE), object("KHR_materials_volume", VOLUME_RULE),
+    object("KHR_materials_dispersion", DISPERSION_RULE),
+    // Only whether it is there: it decides which material three.js takes.
+    object("EXT_materials_bump", EMPTY_RULE)};
 constexpr ObjectRule MATERIAL_EXTENSIONS_RULE{MATERIAL_EXTENSIONS};
 constexpr Field MATERIAL[] = {name(),
                               object("pbrMetallicRoughness", PBR_RULE),

@@ -66,6 +66,14 @@ struct PhysicalLayers {
   TextureRef iridescenceThicknessTexture;      ///< linear: G
   float diffuseRoughnessFactor = 0.0f;         ///< KHR_materials_diffuse_roughness
   TextureRef diffuseRoughnessTexture;          ///< linear: R
+  float transmissionFactor = 0.0f;             ///< KHR_materials_transmission
+  TextureRef transmissionTexture;              ///< linear: R
+  float thicknessFactor = 0.0f;                ///< KHR_materials_volume, mesh units
+  TextureRef thicknessTexture;                 ///< linear: G
+  glm::vec3 attenuationColor{1.0f};            ///< of white light after attenuationDistance
+  /// metres
+  float attenuationDistance = std::numeric_limits<float>::infinity();
+  float dispersion = 0.0f;  ///< KHR_materials_dispersion: 20 / Abbe number
 };
 
 /// glTF metallic-roughness material. Factors are linear Rec.709.

@@ -40,7 +40,8 @@ TEST_F(PhysicalLayersTest, DefaultsAreThoseOfGltfLoader) {
   const PhysicalLayers l =
       read(R"({"KHR_materials_ior": {}, "KHR_materials_specular": {}, "KHR_materials_clearcoat": {},
     "KHR_materials_sheen": {}, "KHR_materials_anisotropy": {}, "KHR_materials_iridescence": {},
-    "KHR_materials_diffuse_roughness": {}})")
+    "KHR_materials_diffuse_roughness": {}, "KHR_materials_transmission": {}, "KHR_materials_volume": {},
+    "KHR_materials_dispersion": {}})")
           .layers;
   EXPECT_TRUE(scene->materials[0].physical);
   EXPECT_EQ(l.ior, 1.5f);
@@ -60,6 +61,11 @@ TEST_F(PhysicalLayersTest, DefaultsAreThoseOfGltfLoader) {
   EXPECT_EQ(l.iridescenceThicknessMinimum, 100);
   EXPECT_EQ(l.iridescenceThicknessMaximum, 400);
   EXPECT_EQ(l.diffuseRoughnessFactor, 0);
+  EXPECT_EQ(l.transmissionFactor, 0);
+  EXPECT_EQ(l.thicknessFactor, 0);
+  EXPECT_TRUE(std::isinf(l.attenuationDistance));
+  EXPECT_EQ(l.attenuationColor, glm::vec3(1));
+  EXPECT_EQ(l.dispersion, 0);
   EXPECT_TRUE(scene->warnings.empty());
 }
 
@@ -71,7 +77,10 @@ TEST_F(PhysicalLayersTest, ReadsEveryFactor) {
     "KHR_materials_anisotropy": {"anisotropyStrength": 0.625, "anisotropyRotation": -1.5},
     "KHR_materials_iridescence": {"iridescenceFactor": 0.875, "iridescenceIor": 2, "iridescenceThicknessMinimum": 700,
       "iridescenceThicknessMaximum": 50},
-    "KHR_materials_diffuse_roughness": {"diffuseRoughnessFactor": 0.0625}})")
+    "KHR_materials_diffuse_roughness": {"diffuseRoughnessFactor": 0.0625},
+    "KHR_materials_transmission": {"transmissionFactor": 0.6875},
+    "KHR_materials_volume": {"thicknessFactor": 2.5, "attenuationDistance": 0.03125, "attenuationColor": [0, 0.5, 1]},
+    "KHR_materials_dispersion": {"dispersion": 1.5}})")
                                .layers;
   EXPECT_EQ(l.ior, 1.75f);
   EXPECT_EQ(l.specularFactor, 0.25f);
@@ -87,6 +96,11 @@ TEST_F(PhysicalLayersTest, ReadsEveryFactor) {
   EXPECT_EQ(l.iridescenceThicknessMinimum, 700);  // above the maximum is allowed
   EXPECT_EQ(l.iridescenceThicknessMaximum, 50);
   EXPECT_EQ(l.diffuseRoughnessFactor, 0.0625f);
+  EXPECT_EQ(l.transmissionFactor, 0.6875f);
+  EXPECT_EQ(l.thicknessFactor, 2.5f);
+  EXPECT_EQ(l.attenuationDistance, 0.03125f);
+  EXPECT_EQ(l.attenuationColor, glm::vec3(0, 0.5f, 1));
+  EXPECT_EQ(l.dispersion, 1.5f);
   EXPECT_TRUE(scene->warnings.empty());
 }
 
@@ -112,6 +126,7 @@ constexpr TextureSlot SLOTS[] = {
      &PhysicalLayers::iridescenceThicknessTexture},
     {"KHR_materials_diffuse_roughness", "diffuseRoughnessFactor", "diffuseRoughnessTexture",
      &PhysicalLayers::diffuseRoughnessTexture},
+    {"KHR_materials_transmission", "transmissionFactor", "transmissionTexture", &PhysicalLayers::transmissionTexture},
 };
 
 TEST_F(PhysicalLayersTest, EachTextureIsReadDecodedAndTransformed) {
@@ -155,6 +170,25 @@ TEST_F(PhysicalLayersTest, Ior0ReflectsAll) {
   EXPECT_TRUE(scene->warnings.empty());
 }
 
+TEST_F(PhysicalLayersTest, ThicknessIsReadWhereLightComesThrough) {
+  const auto thickness = [&](double transmission, double factor) {
+    const json volume = {{"thicknessFactor", factor}, {"thicknessTexture", {{"index", 0}, {"texCoord", 1}}}};
+    const json both = {{"KHR_materials_transmission", {{"transmissionFactor", transmission}}},
+                       {"KHR_materials_volume", volume}};
+    return read(both.dump()).layers.thicknessTexture;
+  };
+  EXPECT_EQ(thickness(0.5, 2).texCoord, 1);
+  EXPECT_EQ(scene->images[0].width, 1u);
+  EXPECT_FALSE(thickness(0, 2));
+  EXPECT_FALSE(thickness(1, 0));
+  EXPECT_EQ(scene->images[0].width, 0u);
+}
+
+TEST_F(PhysicalLayersTest, AttenuationDistance0IsNone) {
+  EXPECT_TRUE(std::isinf(read(R"({"KHR_materials_volume": {"attenuationDistance": 0}})").layers.attenuationDistance));
+  EXPECT_TRUE(scene->warnings.empty());
+}
+
 TEST_F(PhysicalLayersTest, RotationIsKeptWithinATurn) {
   const double angle = 1000 * 2 * std::numbers::pi + 0.5;
   const json anisotropy = {{"KHR_materials_anisotropy", {{"anisotropyStrength", 1}, {"anisotropyRotation", angle}}}};
@@ -175,14 +209,15 @@ TEST_F(PhysicalLayersTest, EachExtensionOfGltfLoadersMakesItPhysical) {
 }
 
 TEST_F(PhysicalLayersTest, SupportedExtensionsMayBeRequiredAndDoNotWarn) {
-  const json names = {"KHR_materials_anisotropy", "KHR_materials_clearcoat",   "KHR_materials_diffuse_roughness",
-                      "KHR_materials_ior",        "KHR_materials_iridescence", "KHR_materials_sheen",
-                      "KHR_materials_specular"};
+  const json names = {"KHR_materials_anisotropy",  "KHR_materials_clearcoat", "KHR_materials_diffuse_roughness",
+                      "KHR_materials_dispersion",  "KHR_materials_ior",       "KHR_materials_iridescence",
+                      "KHR_materials_sheen",       "KHR_materials_specular",  "KHR_materials_volume",
+                      "KHR_materials_transmission"};
   model.doc["extensionsUsed"] = model.doc["extensionsRequired"] = names;
   read("{}");
   EXPECT_TRUE(scene->warnings.empty());
-  model.doc["extensionsRequired"].push_back("KHR_materials_transmission");
-  EXPECT_EQ(errorOf(model), "E_EXT_REQUIRED at /extensionsRequired/7");
+  model.doc["extensionsRequired"].push_back("KHR_materials_diffuse_transmission");
+  EXPECT_EQ(errorOf(model), "E_EXT_REQUIRED at /extensionsRequired/10");
 }
 
 struct Clamped {
@@ -201,31 +236,41 @@ TEST_P(PhysicalRange, IsKeptWithAWarning) {
 using L = PhysicalLayers;
 INSTANTIATE_TEST_SUITE_P(
     Table, PhysicalRange,
-    testing::Values(Clamped{R"({"KHR_materials_ior": {"ior": -1}})", &L::ior, 1},
-                    Clamped{R"({"KHR_materials_ior": {"ior": 1e300}})", &L::ior, 1000},
-                    Clamped{R"({"KHR_materials_specular": {"specularFactor": 2}})", &L::specularFactor, 1},
-                    Clamped{R"({"KHR_materials_clearcoat": {"clearcoatFactor": -1}})", &L::clearcoatFactor, 0},
-                    Clamped{R"({"KHR_materials_clearcoat": {"clearcoatRoughnessFactor": 1e308}})",
-                            &L::clearcoatRoughnessFactor, 1},
-                    Clamped{R"({"KHR_materials_clearcoat": {"clearcoatNormalTexture": {"index": 0, "scale": 1e300}}})",
-                            &L::clearcoatNormalScale, 1e4f},
-                    Clamped{R"({"KHR_materials_sheen": {"sheenRoughnessFactor": 1.5}})", &L::sheenRoughnessFactor, 1},
-                    Clamped{R"({"KHR_materials_anisotropy": {"anisotropyStrength": 7}})", &L::anisotropyStrength, 1},
-                    Clamped{R"({"KHR_materials_iridescence": {"iridescenceFactor": 1.01}})", &L::iridescenceFactor, 1},
-                    Clamped{R"({"KHR_materials_iridescence": {"iridescenceIor": 0}})", &L::iridescenceIor, 1},
-                    Clamped{R"({"KHR_materials_iridescence": {"iridescenceThicknessMinimum": -5}})",
-                            &L::iridescenceThicknessMinimum, 0},
-                    Clamped{R"({"KHR_materials_iridescence": {"iridescenceThicknessMaximum": 1e300}})",
-                            &L::iridescenceThicknessMaximum, 1e6f},
-                    Clamped{R"({"KHR_materials_diffuse_roughness": {"diffuseRoughnessFactor": -0.5}})",
-                            &L::diffuseRoughnessFactor, 0}));
+    testing::Values(
+        Clamped{R"({"KHR_materials_ior": {"ior": -1}})", &L::ior, 1},
+        Clamped{R"({"KHR_materials_ior": {"ior": 1e300}})", &L::ior, 1000},
+        Clamped{R"({"KHR_materials_specular": {"specularFactor": 2}})", &L::specularFactor, 1},
+        Clamped{R"({"KHR_materials_clearcoat": {"clearcoatFactor": -1}})", &L::clearcoatFactor, 0},
+        Clamped{R"({"KHR_materials_clearcoat": {"clearcoatRoughnessFactor": 1e308}})", &L::clearcoatRoughnessFactor, 1},
+        Clamped{R"({"KHR_materials_clearcoat": {"clearcoatNormalTexture": {"index": 0, "scale": 1e300}}})",
+                &L::clearcoatNormalScale, 1e4f},
+        Clamped{R"({"KHR_materials_sheen": {"sheenRoughnessFactor": 1.5}})", &L::sheenRoughnessFactor, 1},
+        Clamped{R"({"KHR_materials_anisotropy": {"anisotropyStrength": 7}})", &L::anisotropyStrength, 1},
+        Clamped{R"({"KHR_materials_iridescence": {"iridescenceFactor": 1.01}})", &L::iridescenceFactor, 1},
+        Clamped{R"({"KHR_materials_iridescence": {"iridescenceIor": 0}})", &L::iridescenceIor, 1},
+        Clamped{R"({"KHR_materials_iridescence": {"iridescenceThicknessMinimum": -5}})",
+                &L::iridescenceThicknessMinimum, 0},
+        Clamped{R"({"KHR_materials_iridescence": {"iridescenceThicknessMaximum": 1e300}})",
+                &L::iridescenceThicknessMaximum, 1e6f},
+        Clamped{R"({"KHR_materials_diffuse_roughness": {"diffuseRoughnessFactor": -0.5}})", &L::diffuseRoughnessFactor,
+                0},
+        Clamped{R"({"KHR_materials_transmission": {"transmissionFactor": 9}})", &L::transmissionFactor, 1},
+        Clamped{R"({"KHR_materials_volume": {"thicknessFactor": -1}})", &L::thicknessFactor, 0},
+        Clamped{R"({"KHR_materials_volume": {"thicknessFactor": 1e300}})", &L::thicknessFactor, 1e12f},
+        Clamped{R"({"KHR_materials_volume": {"attenuationDistance": -1}})", &L::attenuationDistance, 1e-12f},
+        Clamped{R"({"KHR_materials_volume": {"attenuationDistance": 1e-300}})", &L::attenuationDistance, 1e-12f},
+        Clamped{R"({"KHR_materials_volume": {"attenuationDistance": 1e300}})", &L::attenuationDistance, 1e12f},
+        Clamped{R"({"KHR_materials_dispersion": {"dispersion": -1}})", &L::dispersion, 0},
+        Clamped{R"({"KHR_materials_dispersion": {"dispersion": 1e300}})", &L::dispersion, 40}));
 
 TEST_F(PhysicalLayersTest, ColoursAreKeptInRange) {
   const char* text = R"({"KHR_materials_sheen": {"sheenColorFactor": [-1, 0.5, 1e300]},
-    "KHR_materials_specular": {"specularColorFactor": [-1, 3, 1e300]}})";
+    "KHR_materials_specular": {"specularColorFactor": [-1, 3, 1e300]},
+    "KHR_materials_volume": {"attenuationColor": [-1, 0.5, 1e300]}})";
   const PhysicalLayers l = read(text).layers;
   EXPECT_EQ(l.sheenColorFactor, glm::vec3(0, 0.5f, 1));
   EXPECT_EQ(l.specularColorFactor, glm::vec3(0, 3, 65504));
+  EXPECT_EQ(l.attenuationColor, glm::vec3(0, 0.5f, 1));
   EXPECT_TRUE(hasWarning(*scene, "W_RANGE"));
 }
 
@@ -238,6 +283,12 @@ TEST_F(PhysicalLayersTest, FaultsNameTheirPlace) {
             "E_SCHEMA at " + at + "KHR_materials_sheen/sheenColorFactor");
   EXPECT_EQ(errorWith(R"({"KHR_materials_specular": {"specularColorFactor": [1, null, 1]}})"),
             "E_SCHEMA at " + at + "KHR_materials_specular/specularColorFactor/1");
+  EXPECT_EQ(errorWith(R"({"KHR_materials_volume": {"attenuationColor": [1, 1]}})"),
+            "E_SCHEMA at " + at + "KHR_materials_volume/attenuationColor");
+  EXPECT_EQ(errorWith(R"({"KHR_materials_volume": {"thicknessTexture": {"index": 7}}})"),
+            "E_REF at " + at + "KHR_materials_volume/thicknessTexture/index");
+  EXPECT_EQ(errorWith(R"({"KHR_materials_dispersion": {"dispersion": []}})"),
+            "E_SCHEMA at " + at + "KHR_materials_dispersion/dispersion");
   for (const TextureSlot& slot : SLOTS) {
     const std::string place = at + slot.extension + "/" + slot.key;
     const auto with = [&](const json& info) { return errorWith(json{{slot.extension, {{slot.key, info}}}}.dump()); };
