@@ -28,9 +28,6 @@ const MODELS = [
   ['vertex-color', 'VertexColorTest/glTF/VertexColorTest.gltf', 0, 0],
 ];
 
-/** @type {import('./cases.mjs').Case[]} */
-export const SHARED_CASES = sharedCases(MODELS);
-
 /**
  * Cases of models beneath ../shared/models, each by itself in the picture; where the folder is absent, there are none.
  * @param {[string, string, number, number][]} rows - [name, path, azimuth, elevation]
@@ -40,7 +37,7 @@ export function sharedCases(rows) {
 }
 
 /** The bundled garment as `npm run thumbnail` draws it, from other sides and in another colourway. */
-export const BUNDLED_CASES = [
+const BUNDLED_CASES = [
   bundledCase('tshirt-front', { view: 'front' }, {}, true),
   bundledCase('tshirt-three-quarter', { view: 'three-quarter' }, { variant: 'indigo' }),
   bundledCase('tshirt-back', { view: 'back' }, { lights: [LIGHTS.directional], background: 'white' }),
@@ -68,3 +65,6 @@ function sharedCase(name, file, azimuth, elevation) {
     fast: false,
   };
 }
+
+/** @type {import('./cases.mjs').Case[]} */
+export const CASES = [...BUNDLED_CASES, ...sharedCases(MODELS)];

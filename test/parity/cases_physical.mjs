@@ -49,4 +49,4 @@ const MODELS = [
 ];
 
 /** @type {import('./cases.mjs').Case[]} */
-export const PHYSICAL_CASES = [...featureCases, ...furnaceCases, ...otherCases, ...sharedCases(MODELS)];
+export const CASES = [...featureCases, ...furnaceCases, ...otherCases, ...sharedCases(MODELS)];

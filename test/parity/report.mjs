@@ -8,6 +8,25 @@ import { BAR } from './metrics.mjs';
 const GAIN = 16;
 
 /**
+ * A case that was drawn on both sides.
+ * @typedef {object} Result
+ * @property {import('./cases.mjs').Case} item
+ * @property {{model: Uint8Array | string, environment: Uint8Array | undefined, bundled: boolean}} inputs - Of inputs.mjs.
+ * @property {{width: number, height: number, image: Uint8Array, mask: Uint8Array}} expected - The browser's, premultiplied.
+ * @property {Uint8Array} actual - The server's, premultiplied.
+ * @property {import('./metrics.mjs').Difference} difference
+ *
+ * The worst pixel of a case followed through both shaders: what `traceOf(result, {browser, server})` of trace.mjs resolves
+ * to. run.mjs calls it, when trace.mjs is there, for each case over the bar, and with --trace for each that differs at all;
+ * `browser` and `server` are those that drew the case, still open. report.mjs shows it beside the figures.
+ * @typedef {object} Trace
+ * @property {[number, number]} pixel - Counted from the top left.
+ * @property {{term: string, browser: number[] | null, telar: number[] | null}[]} terms - In the order of computation; null
+ *   where a side does not have the term.
+ * @property {string} [cause] - First term that differs, or what else is known, as a sentence.
+ */
+
+/**
  * Table on the console and out/parity/index.html with both pictures and their difference of every case.
  */
 export class Report {
