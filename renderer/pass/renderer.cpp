@@ -88,7 +88,7 @@ class GlRenderer final : public Renderer {
     target.bind();
     clear(shot);
     if (plan.environmentBackground) background_.draw(plan.camera, shot, *environment, plan.frame);
-    surfaces_.draw(plan, shot, *scene, gpu, environment, cancel);
+    surfaces_.draw({&plan.draws.opaque, &plan.draws.blended}, {plan, shot, *scene, gpu, environment, cancel});
     context_->gl().Finish();
     timer.lap("draw");
     Frame frame = target.read();

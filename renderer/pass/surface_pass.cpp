@@ -113,29 +113,28 @@ const SurfacePass::StandIns& SurfacePass::standIns() {
   return *standIns_;
 }
 
-const gl::Program* SurfacePass::useProgram(const shader::VariantKey& key, const FramePlan& plan, const Shot& shot,
-                                           const ibl::Environment* environment) {
+const gl::Program& SurfacePass::useProgram(const shader::VariantKey& key, const SurfaceInputs& in) {
   const gl::Program& program = programs_.at(key);
-  if (&program == current_) return current_;
+  if (&program == current_) return program;
   current_ = &program;
   program.use();
-  program.set("projectionMatrix", glm::mat4(plan.camera.projection));
-  program.set("exposure", static_cast<float>(shot.exposure));
-  if (key.unlit) return current_;
-  plan.lights.upload(program);
+  program.set("projectionMatrix", glm::mat4(in.plan.camera.projection));
+  program.set("exposure", static_cast<float>(in.shot.exposure));
+  if (key.unlit) return program;
+  in.plan.lights.upload(program);
   program.set("dfgMap", static_cast<int>(DFG_UNIT));
   if (key.environment) {
+    const ibl::Environment* environment = in.environment;
     program.set("environmentMap", static_cast<int>(ENVIRONMENT_UNIT));
     program.set("environmentMaxLod", environment ? static_cast<float>(ibl::maxLodOf(environment->prefiltered)) : 1.0f);
-    program.set("environmentIntensity", environment ? static_cast<float>(shot.environment.intensity) : 0.0f);
-    program.set("environmentRotation", environmentRotation(shot.environment.rotation));
-    program.set("viewMatrix", glm::mat4(plan.camera.view));
+    program.set("environmentIntensity", environment ? static_cast<float>(in.shot.environment.intensity) : 0.0f);
+    program.set("environmentRotation", environmentRotation(in.shot.environment.rotation));
+    program.set("viewMatrix", glm::mat4(in.plan.camera.view));
   }
-  return current_;
+  return program;
 }
 
-void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item, const Scene& scene, GpuScene& gpu,
-                               const CancelToken& cancel) {
+void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item, const SurfaceInputs& in) {
   const gl::Functions& gl = context_.gl();
   const Material& m = *item.material;
   for (GLuint unit = 0; unit < TEXTURE_SLOTS.size(); ++unit) {
@@ -146,8 +145,8 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
     program.set(slot.uvTransform, texture.uvTransform);
     gl.ActiveTexture(GL_TEXTURE0 + unit);
     if (texture) {
-      gl.BindTexture(GL_TEXTURE_2D, gpu.texture(scene, texture.image, slot.srgb, cancel));
-      gl.BindSampler(unit, gpu.sampler(texture.sampler));
+      gl.BindTexture(GL_TEXTURE_2D, in.gpu.texture(in.scene, texture.image, slot.srgb, in.cancel));
+      gl.BindSampler(unit, in.gpu.sampler(texture.sampler));
     } else {
       const bool normal = slot.map == &shader::VariantKey::normalMap;
       gl.BindTexture(GL_TEXTURE_2D, (normal ? standIns().flatNormal : standIns().white).get());
@@ -165,20 +164,21 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
   if (hasLayers(item.key)) setLayers(program, item);
 }
 
-void SurfacePass::drawItem(const DrawItem& item, const FramePlan& plan, const Shot& shot, const Scene& scene,
-                           GpuScene& gpu, const ibl::Environment* environment, const CancelToken& cancel) {
+void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   const gl::Functions& gl = context_.gl();
-  const gl::Program& program = *useProgram(item.key, plan, shot, environment);
-  const glm::dmat4 modelView = plan.camera.view * item.node->world;
+  const gl::Program& program = useProgram(item.key, in);
+  const glm::dmat4 modelView = in.plan.camera.view * item.node->world;
   program.set("modelViewMatrix", glm::mat4(modelView));
   program.set("normalMatrix", normalMatrixOf(glm::dmat3(modelView)));
-  bindMaterial(program, item, scene, gpu, cancel);
+  bindMaterial(program, item, in);
 
+  item.blend ? gl.Enable(GL_BLEND) : gl.Disable(GL_BLEND);
+  gl.DepthMask(item.blend ? GL_FALSE : GL_TRUE);
   const bool bothSides = item.material->doubleSided && !item.blend;
   const bool cull = !bothSides && item.primitive->topology == Topology::kTriangles;
   cull ? gl.Enable(GL_CULL_FACE) : gl.Disable(GL_CULL_FACE);
   gl.FrontFace(item.mirrored != item.key.flipSided ? GL_CW : GL_CCW);
-  const GpuPrimitive& primitive = gpu.primitive(*item.primitive);
+  const GpuPrimitive& primitive = in.gpu.primitive(*item.primitive);
   gl.BindVertexArray(primitive.vertexArray.get());
   if (primitive.indexed) {
     gl.DrawElements(primitive.mode, primitive.count, GL_UNSIGNED_INT, nullptr);
@@ -187,17 +187,21 @@ void SurfacePass::drawItem(const DrawItem& item, const FramePlan& plan, const Sh
   }
 }
 
-void SurfacePass::draw(const FramePlan& plan, const Shot& shot, const Scene& scene, GpuScene& gpu,
-                       const ibl::Environment* environment, const CancelToken& cancel) {
+void SurfacePass::bindShared(const SurfaceInputs& in) {
   const gl::Functions& gl = context_.gl();
-  current_ = nullptr;
   gl.ActiveTexture(GL_TEXTURE0 + DFG_UNIT);
   gl.BindTexture(GL_TEXTURE_2D, dfg_.get());
-  if (plan.environment) {
+  if (in.plan.environment) {
     gl.ActiveTexture(GL_TEXTURE0 + ENVIRONMENT_UNIT);
-    const gl::Texture& cube = environment ? environment->prefiltered.texture : standIns().blackCube;
+    const gl::Texture& cube = in.environment ? in.environment->prefiltered.texture : standIns().blackCube;
     gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.get());
   }
+}
+
+void SurfacePass::draw(std::initializer_list<const std::vector<DrawItem>*> lists, const SurfaceInputs& in) {
+  const gl::Functions& gl = context_.gl();
+  current_ = nullptr;
+  bindShared(in);
   gl.VertexAttrib4f(UV0, 0, 0, 0, 1);
   gl.VertexAttrib4f(UV1, 0, 0, 0, 1);
   gl.VertexAttrib4f(COLOR, 1, 1, 1, 1);
@@ -206,12 +210,10 @@ void SurfacePass::draw(const FramePlan& plan, const Shot& shot, const Scene& sce
   gl.CullFace(GL_BACK);
   gl.BlendEquation(GL_FUNC_ADD);
   gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  for (const bool blended : {false, true}) {
-    blended ? gl.Enable(GL_BLEND) : gl.Disable(GL_BLEND);
-    gl.DepthMask(blended ? GL_FALSE : GL_TRUE);
-    for (const DrawItem& item : blended ? plan.draws.blended : plan.draws.opaque) {
-      cancel.check();
-      drawItem(item, plan, shot, scene, gpu, environment, cancel);
+  for (const std::vector<DrawItem>* list : lists) {
+    for (const DrawItem& item : *list) {
+      in.cancel.check();
+      drawItem(item, in);
     }
   }
   gl.DepthMask(GL_TRUE);

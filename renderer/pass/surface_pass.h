@@ -10,7 +10,17 @@
 
 namespace telar::pass {
 
-/// Draws the model's primitives, opaque then blended. Keeps its programs for as long as it lives.
+/// What all draws of a frame share.
+struct SurfaceInputs {
+  const FramePlan& plan;
+  const Shot& shot;
+  const Scene& scene;
+  GpuScene& gpu;
+  const ibl::Environment* environment;  ///< null where the plan needs none
+  const CancelToken& cancel;
+};
+
+/// Draws the model's primitives. Keeps its programs for as long as it lives.
 class SurfacePass {
  public:
   SurfacePass(const gl::Context& context, Limits limits);
@@ -20,9 +30,8 @@ class SurfacePass {
   int prepare(const FramePlan& plan, const CancelToken& cancel);
   /// Uploads the plan's primitives and textures that are not on the GPU yet.
   void upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) const;
-  /// The target is bound and cleared. @param environment  null where the plan needs none
-  void draw(const FramePlan& plan, const Shot& shot, const Scene& scene, GpuScene& gpu,
-            const ibl::Environment* environment, const CancelToken& cancel);
+  /// Draws lists of the plan, in order. The target is bound and cleared.
+  void draw(std::initializer_list<const std::vector<DrawItem>*> lists, const SurfaceInputs& in);
 
  private:
   /// What a map reads that the material lacks; only the all-features benchmark samples such maps.
@@ -30,12 +39,10 @@ class SurfacePass {
     gl::Texture white, flatNormal, blackCube;
   };
   const StandIns& standIns();
-  void drawItem(const DrawItem& item, const FramePlan& plan, const Shot& shot, const Scene& scene, GpuScene& gpu,
-                const ibl::Environment* environment, const CancelToken& cancel);
-  const gl::Program* useProgram(const shader::VariantKey& key, const FramePlan& plan, const Shot& shot,
-                                const ibl::Environment* environment);
-  void bindMaterial(const gl::Program& program, const DrawItem& item, const Scene& scene, GpuScene& gpu,
-                    const CancelToken& cancel);
+  void bindShared(const SurfaceInputs& in);
+  void drawItem(const DrawItem& item, const SurfaceInputs& in);
+  const gl::Program& useProgram(const shader::VariantKey& key, const SurfaceInputs& in);
+  void bindMaterial(const gl::Program& program, const DrawItem& item, const SurfaceInputs& in);
 
   const gl::Context& context_;
   Limits limits_;
