@@ -1,8 +1,9 @@
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
+import { buildPage } from './build_page.mjs';
 
-// Writes js/dist/*.cjs from the ESM sources, for require('telar'): node js/build_cjs.mjs. One bundle for each entry of
+// Writes js/dist: *.cjs from the ESM sources, for require('telar'), and the page of `telar view`: node js/build_cjs.mjs. One bundle for each entry of
 // package.json's `exports`; npm packages stay outside. Errors of either kind of module recognise each other (js/error).
 
 const JS = path.dirname(fileURLToPath(import.meta.url));
@@ -25,3 +26,5 @@ await build({
   define: { 'import.meta.url': 'importMetaUrl' },
   logLevel: 'warning',
 });
+
+await buildPage();

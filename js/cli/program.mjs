@@ -1,4 +1,4 @@
-import { Command, Option } from 'commander';
+import { Command, InvalidArgumentError, Option } from 'commander';
 import { DEFAULT_GATE, GATES } from '../compare/gates.mjs';
 import { addShotOptions } from './shot_options.mjs';
 
@@ -9,6 +9,14 @@ const EXIT_CODES = 'Exit codes: 0 done, 1 over the gate, 2 usage, 3 input, 4 lim
   + 'Of many models, the highest exit code is told.';
 const collect = (value, list = []) => [...list, value];
 
+const backend = () => new Option('--backend <backend>', 'where GL comes from').choices(BACKENDS).default('auto');
+
+function port(text) {
+  const value = Number(text);
+  if (/^\d+$/.test(text) && value >= 1 && value <= 65535) return value;
+  throw new InvalidArgumentError('Expected a whole number from 1 to 65535.');
+}
+
 const addCommon = (command) => command
   .option('--json', 'one JSON object on stdout, logs on stderr')
   .option('--quiet', 'no progress, notes and warnings');
@@ -18,7 +26,7 @@ const addLimit = (command) => command
 
 /**
  * @param {string} version
- * @param {Record<'thumbnail' | 'inspect' | 'compare' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
+ * @param {Record<'thumbnail' | 'inspect' | 'compare' | 'view' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
  * @param {{writeOut: (text: string) => void, writeErr: (text: string) => void}} output of help and complaints
  */
 export function buildProgram(version, actions, output) {
@@ -35,7 +43,7 @@ export function buildProgram(version, actions, output) {
     .argument('<model...>', '.glb or .gltf files; - is stdin')
     .requiredOption('-o, --output <out>', 'file, folder or pattern such as out/{name}.png ({name}, {index}); - is stdout; '
       + 'the extension gives the format'))
-    .addOption(new Option('--backend <backend>', 'where GL comes from').choices(BACKENDS).default('auto'))))
+    .addOption(backend())))
     .action(actions.thumbnail);
   addLimit(addCommon(addShotOptions(command('inspect', 'Say what is in a model, and what a render of it would compile and run')
     .argument('<model>', '.glb or .gltf file; - is stdin'))))
@@ -48,6 +56,12 @@ export function buildProgram(version, actions, output) {
     .option('--report <dir>', 'write a page with the images, the heat map and the figures')
     .option('--junit <file>', 'write the checks as JUnit XML')))
     .action(actions.compare);
+  addLimit(addCommon(addShotOptions(command('view', 'Show the browser client beside the server\'s picture, and their difference, on a local page')
+    .argument('<model>', '.glb or .gltf file; - is a GLB on stdin')
+    .option('--port <port>', 'port on 127.0.0.1; a free one by default', port)
+    .option('--open', 'open the page in the browser'))
+    .addOption(backend())))
+    .action(actions.view);
   addCommon(command('doctor', 'Say which GL backends this machine has, which is chosen, and how to cure a missing one'))
     .action(actions.doctor);
   return program;

@@ -74,6 +74,7 @@ export type ErrorCode =
   | 'X_GL_LOST'
   | 'X_OUTPUT'
   | 'X_NATIVE_MISSING'
+  | 'X_PORT'
   | 'X_INSTALL'
   | 'X_LIBRARY_MISSING'
   | 'X_INTERNAL'

@@ -124,6 +124,7 @@ const ROWS = {
     X_GL_LOST: ['The GL context was lost', 'Try again; a new context is made.', { retryable: true }],
     X_OUTPUT: ['The image cannot be encoded or written', 'Check free space, the folder and its permissions.'],
     X_NATIVE_MISSING: ['The native part of telar is not built or does not load', 'Run `npm run build`; see the message.'],
+    X_PORT: ['The port of a local page is taken', 'Name another one, or none to get a free one.'],
     X_INSTALL: ['A file of telar itself is missing', 'Install telar again.'],
     X_LIBRARY_MISSING: ['A library that this job needs is not installed', 'Install the package that the message names.'],
   },

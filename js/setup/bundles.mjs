@@ -12,11 +12,11 @@ function bundlesFresh() {
   const times = (folder, pattern) =>
     readdirSync(folder, { recursive: true }).filter((file) => pattern.test(file) && !file.startsWith('dist')).map((file) => statSync(path.join(folder, file)).mtimeMs);
   const bundles = times(dist, /\.cjs$/);
-  return bundles.length > 0 && Math.max(...times(JS, /\.(mjs|json)$/)) <= Math.min(...bundles);
+  return bundles.length > 0 && Math.max(...times(JS, /\.(mjs|json|css|html|svg)$/)) <= Math.min(...bundles);
 }
 
 /**
- * Writes js/dist, the CommonJS side of the package, where a source is newer.
+ * Writes js/dist, the CommonJS side of the package and the page of `telar view`, where a source is newer.
  * @returns {Promise<string>} What was done, in a few words.
  */
 export async function ensureBundles(begin) {

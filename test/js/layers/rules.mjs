@@ -47,14 +47,19 @@ export const OWNED_CALLS = [
   { call: /\bdlopen\s*\(/, folders: ['renderer/gl', 'renderer/image', 'renderer/oiio'], why: 'libraries are loaded in few places' },
 ];
 
-/** JavaScript layers: which folders (or files) under js/ a module may import, and whether it must run in a browser. */
+/**
+ * JavaScript layers: which folders (or files) under js/ a module may import, and whether it must run in a browser; `bundled`:
+ * its packages are built in.
+ */
 export const JS_LAYERS = {
   'js/error': { imports: [], browser: true },
   'js/shot': { imports: ['js/error'], browser: true },
   'js/three': { imports: ['js/error', 'js/shot'], browser: true },
   'js/api': { imports: ['js/error', 'js/shot'] },
   'js/compare': { imports: ['js/error', 'js/shot', 'js/api', 'js/native.mjs'] },
-  'js/cli': { imports: ['js/error', 'js/shot', 'js/api', 'js/compare', 'js/index.mjs'] },
+  'js/view': { imports: ['js/error', 'js/shot', 'js/compare', 'js/native.mjs'] },
+  'js/view/page': { imports: ['js/error', 'js/shot', 'js/three', 'js/compare'], browser: true, bundled: true },
+  'js/cli': { imports: ['js/error', 'js/shot', 'js/api', 'js/compare', 'js/view', 'js/index.mjs'] },
   'js/setup': { imports: ['js/build.mjs'], builtinsOnly: true },
   'js/assets/make': { imports: ['js/index.mjs', 'js/api'], development: true },
   'js/docs': { imports: ['js/error', 'js/shot', 'js/cli'], development: true },
@@ -64,7 +69,8 @@ export const JS_LAYERS = {
   'js/renderer.mjs': { imports: ['js/api', 'js/error', 'js/shot', 'js/native.mjs'] },
   'js/versions.mjs': { imports: [] },
   'js/native.mjs': { imports: ['js/error'] },
-  'js/build_cjs.mjs': { imports: [], development: true },
+  'js/build_cjs.mjs': { imports: ['js/build_page.mjs'], development: true },
+  'js/build_page.mjs': { imports: [], development: true },
   'js/build.mjs': { imports: ['js/setup'], builtinsOnly: true },
   'js/install.mjs': { imports: ['js/setup'], builtinsOnly: true },
 };
@@ -133,7 +139,7 @@ function checkJs(file, text, dependencies, report) {
     } else if (!name.startsWith('.')) {
       const packageName = name.split('/').slice(0, name.startsWith('@') ? 2 : 1).join('/');
       if (rule.builtinsOnly) report(file, index + 1, `imports ${name}, but runs before npm packages are there`);
-      else if (!rule.development && packageName !== 'telar' && !dependencies.has(packageName)) report(file, index + 1, `imports ${name}, which is not in dependencies`);
+      else if (!rule.development && !rule.bundled && packageName !== 'telar' && !dependencies.has(packageName)) report(file, index + 1, `imports ${name}, which is not in dependencies`);
     } else {
       const target = path.posix.join(path.posix.dirname(file), name);
       if (!within(target, 'js')) {

@@ -1,0 +1,119 @@
+import * as THREE from 'three';
+import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
+import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
+import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
+import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
+import { applyShot, factsOf, rendererParameters } from '../../three/index.mjs';
+import { resolveShot } from '../../shot/resolve.mjs';
+import { straightPixels } from './pixels.mjs';
+
+/** Any box: how a renderer is made does not depend on the model. */
+const ANY_BOX = { min: [0, 0, 0], max: [1, 1, 1] };
+
+/**
+ * The browser client: stock three.js with the model, set up from a shot.
+ */
+export class Client {
+  #place;
+  #renderers = new Map();
+  #scene = new THREE.Scene();
+  #model;
+  #camera;
+  #renderer;
+  #environments;
+  #textures = new Map();
+
+  /** three.js's own number. */
+  static revision = THREE.REVISION;
+
+  /**
+   * @param {object} options
+   * @param {HTMLElement} options.place where the canvas goes
+   * @param {string} options.model URL
+   * @param {{map: string, format: string | null}[]} options.environments
+   * @param {object} options.shot where the page begins
+   */
+  static async load({ place, model, environments, shot }) {
+    const self = new Client();
+    self.#place = place;
+    self.#environments = environments;
+    const renderer = self.#rendererFor(resolveShot({ quality: shot.quality }, ANY_BOX));
+    const loader = new GLTFLoader()
+      .setDRACOLoader(new DRACOLoader().setDecoderPath(new URL('page/draco/', document.baseURI).href))
+      .setKTX2Loader(new KTX2Loader().setTranscoderPath(new URL('page/basis/', document.baseURI).href).detectSupport(renderer))
+      .setMeshoptDecoder(MeshoptDecoder);
+    self.#model = await loader.loadAsync(model);
+    self.#scene.add(self.#model.scene);
+    return self;
+  }
+
+  /** What resolveShot needs to know of the model. */
+  facts() {
+    return factsOf(this.#model, { THREE });
+  }
+
+  /** @returns {{name: string, duration: number}[]} seconds */
+  get animations() {
+    return this.#model.animations.map(({ name, duration }) => ({ name, duration }));
+  }
+
+  /** The camera of the last picture. */
+  get camera() {
+    return this.#camera;
+  }
+
+  /** What draws: the GL's own name. */
+  get glName() {
+    const gl = this.#renderer.getContext();
+    const info = gl.getExtension('WEBGL_debug_renderer_info');
+    return gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+  }
+
+  /** A canvas cannot change its antialiasing: one renderer for each way. */
+  #rendererFor(resolved) {
+    const parameters = rendererParameters(resolved);
+    const key = JSON.stringify(parameters);
+    if (!this.#renderers.has(key)) {
+      const renderer = new THREE.WebGLRenderer({ ...parameters, preserveDrawingBuffer: true });
+      this.#renderers.set(key, renderer);
+    }
+    return this.#renderers.get(key);
+  }
+
+  async #environment(map) {
+    const { format } = this.#environments.find((known) => known.map === map) ?? {};
+    if (!format) return undefined;
+    if (!this.#textures.has(map)) {
+      const loader = format === 'exr' ? new EXRLoader() : new HDRLoader();
+      this.#textures.set(map, await loader.loadAsync(`environment/${encodeURIComponent(map)}`));
+    }
+    return this.#textures.get(map);
+  }
+
+  /** Draws a resolved shot; one at a time. */
+  async draw(resolved) {
+    const renderer = this.#rendererFor(resolved);
+    const environment = await this.#environment(resolved.environment.map);
+    this.#camera = await applyShot(resolved, { THREE, renderer, scene: this.#scene, camera: this.#camera, model: this.#model, environment });
+    renderer.render(this.#scene, this.#camera);
+    if (renderer !== this.#renderer) this.#place.replaceChildren(renderer.domElement);
+    this.#renderer = renderer;
+  }
+
+  /** @returns {import('../../compare/image.mjs').Image} the drawing buffer of the last picture */
+  pixels() {
+    const gl = this.#renderer.getContext();
+    const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
+    const buffer = new Uint8Array(width * height * 4);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, buffer);
+    return { width, height, data: straightPixels(buffer, width, height) };
+  }
+
+  /** A colour of a resolved shot as `#rrggbb`. */
+  static hexOf([r, g, b]) {
+    return `#${new THREE.Color().setRGB(r, g, b, THREE.LinearSRGBColorSpace).getHexString(THREE.SRGBColorSpace)}`;
+  }
+}

@@ -1,0 +1,112 @@
+import { Comparer } from './comparison.mjs';
+import { showFigures } from './figures.mjs';
+import { draw } from './remote.mjs';
+
+/** How long a shot must stand still before the server draws it. */
+const SETTLE_MS = 150;
+
+const $ = (id) => document.getElementById(id);
+
+/** Keys in which the two sides resolved the shot differently: none, unless they measure the model differently. */
+function differingKeys(ours, theirs) {
+  return Object.keys(ours).filter((key) => key !== 'output' && JSON.stringify(ours[key]) !== JSON.stringify(theirs[key]));
+}
+
+/** Draws the state on both sides and compares them; only what was asked for last is shown. */
+export class Pictures {
+  #state;
+  #client;
+  #stage;
+  #setPhase;
+  #fail;
+  #comparer = new Comparer();
+  #request = new AbortController();
+  #timer;
+  #drawing;
+  #isWanted = false;
+
+  /** What the pictures show: {browser, server: pixels, resolved}; empty before the first. */
+  shown = {};
+
+  /**
+   * @param {object} options
+   * @param {import('./shot_state.mjs').ShotState} options.state
+   * @param {import('./client.mjs').Client} options.client
+   * @param {import('./stage.mjs').Stage} options.stage
+   * @param {(phase: 'drawing' | 'comparing' | 'ready') => void} options.setPhase
+   * @param {(error: Error) => void} options.fail
+   */
+  constructor({ state, client, stage, setPhase, fail }) {
+    this.#state = state;
+    this.#client = client;
+    this.#stage = stage;
+    this.#setPhase = setPhase;
+    this.#fail = fail;
+    state.addEventListener('change', () => void this.update());
+  }
+
+  /** @returns {Promise<void>} when the browser's picture stands */
+  update() {
+    clearTimeout(this.#timer);
+    this.#request.abort();
+    this.#comparer.cancel();
+    this.#stage.markStale();
+    this.#setPhase('drawing');
+    const request = new AbortController();
+    this.#request = request;
+    this.#timer = setTimeout(() => this.#drawServer(request.signal), SETTLE_MS);
+    return this.#drawClient();
+  }
+
+  /** The browser's picture follows every change; what comes while it draws is drawn after it, once. */
+  #drawClient() {
+    this.#isWanted = true;
+    this.#drawing ??= this.#drawWanted().catch(this.#fail).finally(() => {
+      this.#drawing = undefined;
+    });
+    return this.#drawing;
+  }
+
+  async #drawWanted() {
+    while (this.#isWanted) {
+      this.#isWanted = false;
+      const { resolved } = this.#state;
+      await this.#client.draw(resolved);
+      this.#stage.size = resolved.size;
+    }
+  }
+
+  async #drawServer(signal) {
+    const { shot, resolved } = this.#state;
+    try {
+      // The picture as it is shown, whatever file it was meant for: jpeg, for one, has a background of its own.
+      const { output, ...seen } = shot;
+      const { image, info } = await draw({ ...seen, background: resolved.background }, signal);
+      await this.#drawing;
+      if (signal.aborted) return;
+      this.shown = { browser: this.#client.pixels(), server: image, resolved };
+      this.#stage.showServer(image);
+      this.#tell(info, resolved);
+      await this.#compare(signal);
+    } catch (error) {
+      if (!signal.aborted) this.#fail(error);
+    }
+  }
+
+  async #compare(signal) {
+    this.#setPhase('comparing');
+    const result = await this.#comparer.compare(this.shown.browser, this.shown.server);
+    if (!result || signal.aborted) return;
+    this.#stage.showMaps(result);
+    showFigures(result, { table: $('figures'), checks: $('checks'), pill: $('verdict'), ssim: $('ssim') });
+    this.#setPhase('ready');
+  }
+
+  #tell({ milliseconds, warnings, shot }, resolved) {
+    $('server-time').textContent = `${Math.round(milliseconds.total)} ms`;
+    const differing = differingKeys(resolved, shot);
+    const notes = warnings.map(({ message }) => message);
+    if (differing.length > 0) notes.unshift(`The two sides resolved the shot differently: ${differing.join(', ')}`);
+    $('notes').replaceChildren(...notes.map((text) => Object.assign(document.createElement('li'), { textContent: text })));
+  }
+}

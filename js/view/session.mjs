@@ -1,0 +1,109 @@
+import path from 'node:path';
+import { TelarError } from '../error/index.mjs';
+import { shown } from '../shot/complain.mjs';
+import { Environments } from './environments.mjs';
+import { modelFiles } from './model_files.mjs';
+
+/** Pixels as they are: RGBA8, straight alpha, top row first. */
+const PIXELS = { format: 'raw' };
+
+/** Name of a model that came as bytes. */
+const BYTES_NAME = 'model.glb';
+
+/**
+ * What one `telar view` shows: a model and the shot that it begins with.
+ */
+export class Session {
+  #renderer;
+  #source;
+  #shot;
+  #environments;
+  #model;
+  #files;
+  #isFresh = false;
+
+  /**
+   * @param {object} what
+   * @param {Awaited<ReturnType<import('../renderer.mjs').createRenderer>>} what.renderer
+   * @param {string | Uint8Array} what.source path, or bytes of a GLB
+   * @param {object} what.shot not resolved
+   */
+  constructor({ renderer, source, shot }) {
+    this.#renderer = renderer;
+    this.#source = source;
+    this.#environments = new Environments(shot);
+    this.#shot = this.#environments.forPage(shot);
+  }
+
+  /** @returns {string} file name, without its folder */
+  get name() {
+    return typeof this.#source === 'string' ? path.basename(this.#source) : BYTES_NAME;
+  }
+
+  /**
+   * Reads the model; again when it was read before, as the file may have changed.
+   * @param {AbortSignal} [signal]
+   * @throws {import('../error/index.mjs').TelarError}
+   */
+  async load(signal) {
+    const model = await this.#renderer.load(this.#source, { signal });
+    this.#files = typeof this.#source === 'string' ? await modelFiles(this.#source) : undefined;
+    const old = this.#model;
+    this.#model = model;
+    this.#isFresh = true;
+    if (old) await this.#renderer.release(old);
+  }
+
+  /**
+   * What a page needs to begin. Each page gets the model as the file is now.
+   * @param {AbortSignal} [signal]
+   * @returns {Promise<object>}
+   */
+  async describe(signal) {
+    if (!this.#isFresh) await this.load(signal);
+    this.#isFresh = false;
+    const { cameras = [], animations = [], warnings = [] } = this.#model.facts;
+    const { backend, gl } = this.#renderer;
+    return {
+      name: this.name,
+      model: { cameras, animations, warnings },
+      shot: this.#shot,
+      environments: this.#environments.list(),
+      server: { backend, renderer: gl.renderer, version: gl.version },
+    };
+  }
+
+  /**
+   * Draws a shot of the page.
+   * @param {object} shot not resolved; its output is not looked at
+   * @param {AbortSignal} signal
+   * @returns {Promise<{data: Buffer, info: object}>} RGBA8, straight alpha, top row first; `info.shot` as the page knows it
+   * @throws {import('../error/index.mjs').TelarError}
+   */
+  async draw(shot, signal) {
+    if (typeof shot !== 'object' || shot === null) throw new TelarError('E_SHOT', 'shot: expected an object', { pointer: '' });
+    const known = this.#environments.forRenderer(shot);
+    if (!known) {
+      const names = this.#environments.list().map(({ map }) => shown(map)).join(', ');
+      throw new TelarError('E_SHOT', `shot.environment: this view has ${names}; open it with --environment to use another file`, { pointer: '/environment' });
+    }
+    const { data, info } = await this.#renderer.render(this.#model, { ...known, output: PIXELS }, { signal });
+    const { width, height, milliseconds, warnings } = info;
+    return { data, info: { width, height, milliseconds, warnings, shot: this.#environments.forPage(info.shot) } };
+  }
+
+  /** @returns {string | undefined} path of an environment's file */
+  environmentFile(map) {
+    return this.#environments.fileOf(map);
+  }
+
+  /**
+   * A file of the model.
+   * @param {string} name as the browser asks for it, decoded
+   * @returns {{folder: string, file: string} | Uint8Array | undefined} undefined where the model names no such file
+   */
+  modelFile(name) {
+    if (typeof this.#source !== 'string') return name === BYTES_NAME ? this.#source : undefined;
+    return this.#files.files.has(name) ? { folder: this.#files.folder, file: name } : undefined;
+  }
+}
