@@ -9,7 +9,10 @@ namespace {
 /// What a decoded scene holds beyond its small parts, so that V8 knows what collecting its handle would free.
 std::int64_t sceneBytes(const Scene& scene) {
   std::size_t bytes = 0;
-  for (const Image8& image : scene.images) bytes += image.pixels.size();
+  for (const Image8& image : scene.images) {
+    bytes += image.pixels.size();
+    for (const auto& level : image.smallerLevels) bytes += level.size();
+  }
   for (const Mesh& mesh : scene.meshes) {
     for (const Primitive& primitive : mesh.primitives) {
       bytes += primitive.positions.size() * sizeof(glm::vec3) + primitive.normals.size() * sizeof(glm::vec3);

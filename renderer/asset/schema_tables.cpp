@@ -189,9 +189,10 @@ constexpr Field MATERIAL[] = {name(),
                               object("extensions", MATERIAL_EXTENSIONS_RULE)};
 constexpr ObjectRule MATERIAL_RULE{MATERIAL};
 
-constexpr Field WEBP[] = {index("source", "images", true)};
-constexpr ObjectRule WEBP_RULE{WEBP};
-constexpr Field TEXTURE_EXTENSIONS[] = {object("EXT_texture_webp", WEBP_RULE)};
+constexpr Field IMAGE_SOURCE[] = {index("source", "images", true)};
+constexpr ObjectRule IMAGE_SOURCE_RULE{IMAGE_SOURCE};
+constexpr Field TEXTURE_EXTENSIONS[] = {object("KHR_texture_basisu", IMAGE_SOURCE_RULE),
+                                        object("EXT_texture_webp", IMAGE_SOURCE_RULE)};
 constexpr ObjectRule TEXTURE_EXTENSIONS_RULE{TEXTURE_EXTENSIONS};
 constexpr Field TEXTURE[] = {index("sampler", "samplers"), index("source", "images"),
                              object("extensions", TEXTURE_EXTENSIONS_RULE)};

@@ -73,8 +73,12 @@ TextureRef TextureReader::read(const tinygltf::Value& extension, const char* key
 
 int TextureReader::imageOf(int texture) const {
   const auto& source = document_.model.textures[static_cast<std::size_t>(texture)];
-  const auto webp = source.extensions.find("EXT_texture_webp");
-  return webp == source.extensions.end() ? source.source : webp->second.Get("source").GetNumberAsInt();
+  // In the order in which three.js asks them.
+  for (const char* name : {"KHR_texture_basisu", "EXT_texture_webp"}) {
+    const auto extension = source.extensions.find(name);
+    if (extension != source.extensions.end()) return extension->second.Get("source").GetNumberAsInt();
+  }
+  return source.source;
 }
 
 Sampler TextureReader::samplerOf(int index) {

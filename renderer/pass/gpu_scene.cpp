@@ -22,6 +22,15 @@ GLenum modeOf(Topology topology) {
   return GL_TRIANGLES;
 }
 
+bool isSrgb(TexelCoding coding, bool colorUse) {
+  return coding == TexelCoding::kByUse ? colorUse : coding == TexelCoding::kSrgb;
+}
+
+GLsizei levelCount(const Image8& image) {
+  if (image.ownLevels) return static_cast<GLsizei>(1 + image.smallerLevels.size());
+  return std::bit_width(std::max(image.width, image.height));
+}
+
 /// Appends a stream to one buffer's bytes and remembers where its attribute starts.
 class StreamPacker {
  public:
@@ -81,7 +90,8 @@ const GpuPrimitive& GpuScene::primitive(const Primitive& primitive) {
   return primitives_.emplace(&primitive, std::move(uploaded)).first->second;
 }
 
-GLuint GpuScene::texture(const Scene& scene, int image, bool srgb, const CancelToken& cancel) {
+GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel) {
+  const bool srgb = isSrgb(scene.images[static_cast<std::size_t>(image)].coding, colorUse);
   const auto key = std::make_pair(image, srgb);
   const auto found = textures_.find(key);
   if (found != textures_.end()) return found->second.get();
@@ -91,11 +101,16 @@ GLuint GpuScene::texture(const Scene& scene, int image, bool srgb, const CancelT
   const auto width = static_cast<GLsizei>(source.width), height = static_cast<GLsizei>(source.height);
   gl::Texture texture(gl);
   gl.BindTexture(GL_TEXTURE_2D, texture.get());
-  gl.TexStorage2D(GL_TEXTURE_2D, std::bit_width(static_cast<unsigned>(std::max(width, height))),
-                  srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, width, height);
+  gl.TexStorage2D(GL_TEXTURE_2D, levelCount(source), srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, width, height);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, source.pixels.data());
-  gl.GenerateMipmap(GL_TEXTURE_2D);
+  GLint level = 0;
+  for (const auto& pixels : source.smallerLevels) {
+    ++level;
+    gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, std::max(1, width >> level), std::max(1, height >> level), GL_RGBA,
+                     GL_UNSIGNED_BYTE, pixels.data());
+  }
+  if (!source.ownLevels) gl.GenerateMipmap(GL_TEXTURE_2D);
   context_.check("texture upload");
   return textures_.emplace(key, std::move(texture)).first->second.get();
 }

@@ -30,8 +30,9 @@ class GpuScene {
       : context_(context), scene_(std::move(scene)) {}
 
   const GpuPrimitive& primitive(const Primitive& primitive);
-  /// Uploads once for each way of decoding: mipmapped SRGB8_ALPHA8 (colour) or RGBA8 (data).
-  GLuint texture(const Scene& scene, int image, bool srgb, const CancelToken& cancel);
+  /// Uploads once for each way of decoding, with mip levels: SRGB8_ALPHA8 or RGBA8, as the image's coding and the use
+  /// as a colour or as data say.
+  GLuint texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel);
   GLuint sampler(const Sampler& sampler);
   bool expired() const { return scene_.expired(); }
 

@@ -5,12 +5,24 @@
 
 namespace telar {
 
+/// How texels become linear light when a material reads them.
+enum class TexelCoding {
+  kByUse,   ///< sRGB where the material uses the texture as a colour, else linear
+  kSrgb,    ///< sRGB in every use: a KTX2 file that says so
+  kLinear,  ///< linear in every use: R8 and RG8, which GL does not decode from sRGB
+};
+
 /// 8-bit texture image as glTF gives it: RGBA, straight alpha, encoded as in the file (no colour conversion),
 /// row 0 is the top row, rows are tightly packed: pixels.size() == width * height * 4.
 struct Image8 {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::vector<std::uint8_t> pixels;
+  /// The file decides on the mip levels (KTX2): these, level 1 first, max(1, side >> level) texels a side, perhaps
+  /// none. Otherwise all levels are generated.
+  bool ownLevels = false;
+  std::vector<std::vector<std::uint8_t>> smallerLevels;
+  TexelCoding coding = TexelCoding::kByUse;
 };
 
 /// Linear Rec.709 radiance, RGBA interleaved fp32, row 0 is the top row (+Y for an equirectangular map).
