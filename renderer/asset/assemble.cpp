@@ -75,9 +75,11 @@ int Assembler::readMesh(int mesh) {
   const auto& source = model().meshes[static_cast<std::size_t>(mesh)];
   Mesh out;
   out.name = source.name;
+  std::vector<Primitive> primitives;
   for (std::size_t i = 0; i < source.primitives.size(); ++i) {
-    if (auto primitive = geometry_.read(mesh, i)) out.primitives.push_back(std::move(*primitive));
+    if (auto primitive = geometry_.read(mesh, i)) primitives.push_back(std::move(*primitive));
   }
+  out.primitives = std::move(primitives);
   scene_.meshes.push_back(std::move(out));
   return known = static_cast<int>(scene_.meshes.size()) - 1;
 }

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "telar/image.h"
+#include "telar/motion.h"
+#include "telar/shared_list.h"
 
 /// A glTF file after loading: plain data, checked, owned, free of GL. Units are glTF's: metres, radians, candela, lux.
 /// Everything an index points to exists: consumers index without checks.
@@ -115,15 +117,17 @@ struct Primitive {
   std::array<std::vector<glm::vec2>, 2> uvs;
   std::vector<glm::vec4> colors;  ///< linear, alpha 1 where the file gives RGB
   bool colorsHaveAlpha = false;
-  std::vector<std::uint32_t> indices;  ///< empty = draw vertices in order; every index < positions.size()
-  int material = -1;                   ///< -1 = glTF's default material
-  std::vector<int> variantMaterials;   ///< by variant index; -1 = no mapping (keep `material`)
-  Bounds bounds;                       ///< of positions, in mesh space
+  std::vector<std::uint32_t> indices;          ///< empty = draw vertices in order; every index < positions.size()
+  int material = -1;                           ///< -1 = glTF's default material
+  std::vector<int> variantMaterials;           ///< by variant index; -1 = no mapping (keep `material`)
+  Bounds bounds;                               ///< of positions, in mesh space
+  std::optional<glm::dvec3> center;            ///< that draws are sorted by, mesh space; none = of the bounds
+  std::shared_ptr<const Deformers> deformers;  ///< null = its vertices stand still in mesh space
 };
 
 struct Mesh {
   std::string name;
-  std::vector<Primitive> primitives;
+  SharedList<Primitive> primitives;
 };
 
 enum class LightType { kDirectional, kPoint, kSpot };
@@ -155,6 +159,11 @@ struct Node {
   glm::dmat4 local{1.0};  ///< column-major, column vectors
   glm::dmat4 world{1.0};
   int mesh = -1, light = -1, camera = -1;
+  Transform transform;                         ///< that `local` is made of
+  int fileMesh = -1;                           ///< mesh of the file, before it was deformed or found not to be drawable
+  int skin = -1;                               ///< index into Motion::skins
+  std::vector<float> weights;                  ///< of the morph targets
+  std::shared_ptr<const Instances> instances;  ///< null = drawn once, where the node is
 };
 
 struct Warning {
@@ -167,9 +176,9 @@ struct Scene {
   std::string name;
   std::string generator, copyright;
   std::vector<Node> nodes;
-  std::vector<Mesh> meshes;
+  std::vector<Mesh> meshes;  ///< see fileMeshes
   std::vector<Material> materials;
-  std::vector<Image8> images;  ///< decoded; width 0 = not used by any reached material
+  SharedList<Image8> images;  ///< decoded; width 0 = not used by any reached material
   std::vector<ModelLight> lights;
   std::vector<ModelCamera> cameras;
   std::vector<std::string> variants;  ///< KHR_materials_variants names
@@ -178,6 +187,9 @@ struct Scene {
   Bounds bounds;                                                    ///< of all drawn vertices in world space
   std::uint64_t vertexCount = 0, triangleCount = 0, drawCount = 0;  ///< over all draws
   std::uint64_t fileBytes = 0;
+  std::size_t fileMeshes = 0;            ///< so many of `meshes` are the file's; deformed ones follow
+  std::shared_ptr<const Motion> motion;  ///< null = nothing moves
+  std::shared_ptr<const Scene> model;  ///< of a pose: the scene as loaded, which owns the images and the file's meshes
 };
 
 }  // namespace telar
