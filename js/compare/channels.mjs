@@ -3,6 +3,7 @@
  * @typedef {object} ChannelFigures
  * @property {number} pixels
  * @property {number} max largest difference of any channel, in 1/255
+ * @property {number} mean over pixels of the largest channel difference, in 1/255
  * @property {number} p999 99.9th percentile over pixels of the largest channel difference, in 1/255
  * @property {number} atLeast1 pixels that differ by 1 or more
  * @property {number} atLeast2
@@ -40,6 +41,7 @@ export class DifferenceHistogram {
     return {
       pixels,
       max: Math.max(0, this.#max),
+      mean: pixels === 0 ? 0 : this.#counts.reduce((sum, count, difference) => sum + count * difference, 0) / pixels,
       p999,
       atLeast1: this.#above(1),
       atLeast2: this.#above(2),

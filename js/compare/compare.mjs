@@ -21,7 +21,7 @@ import { mean, percentile, weightedPercentile } from './statistics.mjs';
  * @property {number} height pixels
  * @property {Figures} frame every pixel
  * @property {Figures | null} object pixels that either picture covers; null where there is none, as in the next two
- * @property {Figures | null} interior pixels whose surroundings of 2 pixels are opaque in both
+ * @property {Figures | null} interior pixels whose surroundings of 2 pixels both pictures cover (regions.mjs)
  * @property {Figures | null} edge the rest of the object
  * @property {number | null} ssim mean over the frame; null for a picture smaller than 11 x 11
  * @property {Float32Array} flipMap FLIP of each pixel
@@ -37,23 +37,40 @@ const REGIONS = {
 /**
  * How far two pictures of one size are apart. `max`, `p999` and `worst` are of premultiplied RGBA, alpha included. Every
  * other figure is of the colours seen over black and over white, whichever shows a pixel worse, so that a difference of
- * alpha cannot hide; opaque pictures are taken as they are. Synchronous, one to three seconds for 512 x 512
- * pixels that all differ.
+ * alpha cannot hide; opaque pictures are taken as they are. Synchronous, up to three seconds for 512 x 512 pixels that all
+ * differ, and the less the fewer differ.
  * @param {import('./image.mjs').Image} expected
  * @param {import('./image.mjs').Image} actual
- * @param {{pixelsPerDegree?: number}} [options] viewing distance of FLIP, 1 to 1000 pixels for each degree (67)
+ * @param {{pixelsPerDegree?: number, mask?: Uint8Array}} [options] viewing distance of FLIP, 1 to 1000 pixels for each degree
+ *   (67); mask: width * height bytes, not 0 where the object is, for pictures with a background whose alpha does not tell
  * @returns {Comparison}
  * @throws {TelarError} E_OPTION, E_IMAGE_SIZE
  */
-export function compareImages(expected, actual, { pixelsPerDegree = PIXELS_PER_DEGREE } = {}) {
+export function compareImages(expected, actual, { pixelsPerDegree = PIXELS_PER_DEGREE, mask } = {}) {
   checkPair(expected, actual);
+  const { width, height } = expected;
+  checkOptions(pixelsPerDegree, mask, width * height);
+  return comparePremultiplied([premultiply(expected.data), premultiply(actual.data)], width, height, { pixelsPerDegree, mask });
+}
+
+function checkOptions(pixelsPerDegree, mask, pixels) {
   if (!(pixelsPerDegree >= 1 && pixelsPerDegree <= 1000)) {
     throw new TelarError('E_OPTION', `options.pixelsPerDegree: expected a number from 1 to 1000, got ${shown(pixelsPerDegree)}`);
   }
-  const { width, height } = expected;
-  const pair = [premultiply(expected.data), premultiply(actual.data)];
+  if (mask !== undefined && !(mask instanceof Uint8Array && mask.length === pixels)) {
+    throw new TelarError('E_OPTION', `options.mask: expected a Uint8Array of ${pixels} bytes, one a pixel, got ${shown(mask?.length ?? mask)}`);
+  }
+}
+
+/**
+ * The same of pixels with premultiplied alpha, as a drawing buffer holds them.
+ * @internal
+ * @param {[Uint8Array, Uint8Array]} pair expected and actual, RGBA
+ * @returns {Comparison}
+ */
+export function comparePremultiplied(pair, width, height, { pixelsPerDegree = PIXELS_PER_DEGREE, mask } = {}) {
   const maps = worstMaps(pair, width, height, pixelsPerDegree);
-  const regions = pairRegions(...pair, width, height);
+  const regions = pairRegions(...pair, width, height, mask);
   const figures = Object.entries(REGIONS).map(([name, belongs]) => [name, figuresOf(pair, maps, regions, belongs, width)]);
   return { width, height, ...Object.fromEntries(figures), ssim: maps.ssim, flipMap: maps.flip };
 }
@@ -67,27 +84,32 @@ function squaredMap(a, b, amount) {
   return map;
 }
 
-function mapsOver(pair, background, width, height, pixelsPerDegree) {
-  const [a, b] = pair.map((pixels) => over(pixels, background));
-  return {
-    flip: flipMap(a, b, width, height, pixelsPerDegree),
-    deltaE: ciede2000Map(a, b),
-    squared: squaredMap(a, b, (byte) => byte / 255),
-    squaredLinear: squaredMap(a, b, (byte) => LINEAR[byte]),
-    ssim: ssim(a, b, width, height),
-  };
-}
+/** The pair over black, and where alpha lets the background through over white too: opaque RGBA. */
+const overBackgrounds = (pair) => (pair.every(isOpaque) ? [0] : [0, 255]).map((grey) => pair.map((pixels) => over(pixels, grey)));
 
-/** Maps over black, and where alpha lets the background through the larger of those over black and over white. */
+/** The larger value of each pixel. */
+const largest = ([first, ...rest]) => (rest.length === 0 ? first : first.map((value, i) => Math.max(value, ...rest.map((map) => map[i]))));
+
+/**
+ * FLIP of each pixel, over the background that shows it worse.
+ * @internal
+ * @param {[Uint8Array, Uint8Array]} pair RGBA, premultiplied
+ * @returns {Float32Array}
+ */
+export const worstFlip = (pair, width, height, pixelsPerDegree = PIXELS_PER_DEGREE) =>
+  largest(overBackgrounds(pair).map(([a, b]) => flipMap(a, b, width, height, pixelsPerDegree)));
+
 function worstMaps(pair, width, height, pixelsPerDegree) {
-  const black = mapsOver(pair, 0, width, height, pixelsPerDegree);
-  if (pair.every(isOpaque)) return black;
-  const white = mapsOver(pair, 255, width, height, pixelsPerDegree);
-  for (const name of ['flip', 'deltaE', 'squared', 'squaredLinear']) {
-    for (let i = 0; i < black[name].length; i++) black[name][i] = Math.max(black[name][i], white[name][i]);
-  }
-  if (black.ssim !== null) black.ssim = Math.min(black.ssim, white.ssim);
-  return black;
+  const pictures = overBackgrounds(pair);
+  const worst = (map) => largest(pictures.map(([a, b]) => map(a, b)));
+  const similarities = pictures.map(([a, b]) => ssim(a, b, width, height));
+  return {
+    flip: worst((a, b) => flipMap(a, b, width, height, pixelsPerDegree)),
+    deltaE: worst(ciede2000Map),
+    squared: worst((a, b) => squaredMap(a, b, (byte) => byte / 255)),
+    squaredLinear: worst((a, b) => squaredMap(a, b, (byte) => LINEAR[byte])),
+    ssim: similarities.includes(null) ? null : Math.min(...similarities),
+  };
 }
 
 function figuresOf([expected, actual], maps, regions, belongs, width) {

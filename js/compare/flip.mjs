@@ -1,3 +1,4 @@
+import { cut, differingBox, grown, sizeOf } from './box.mjs';
 import { LINEAR, labOf, linearOf, relativeXyz } from './colour.mjs';
 import { convolve, kernel, total } from './convolve.mjs';
 
@@ -19,9 +20,16 @@ const FEATURE_EXPONENT = 0.5;
 /** The share PC of the largest colour error is mapped to PT. */
 const [PC, PT] = [0.4, 0.95];
 
+/** Three standard deviations of the widest sensitivity, in pixels. */
+const filterRadius = (pixelsPerDegree) => Math.ceil(3 * Math.sqrt(WIDEST / (2 * Math.PI ** 2)) * pixelsPerDegree);
+
+/** Standard deviation of the Gaussian that finds features, in pixels. */
+const featureDeviation = (pixelsPerDegree) => 0.5 * FEATURE_DEGREES * pixelsPerDegree;
+const featureRadius = (pixelsPerDegree) => Math.ceil(3 * featureDeviation(pixelsPerDegree));
+
 /** [{across, down}] whose convolutions add up to the filter, which sums to 1. */
 function sensitivityFilter(gaussians, pixelsPerDegree) {
-  const radius = Math.ceil(3 * Math.sqrt(WIDEST / (2 * Math.PI ** 2)) * pixelsPerDegree);
+  const radius = filterRadius(pixelsPerDegree);
   const parts = gaussians.map(([a, b]) => ({
     weight: a * Math.sqrt(Math.PI / b),
     shape: kernel(radius, (x) => Math.exp((-(Math.PI ** 2) * (x / pixelsPerDegree) ** 2) / b)),
@@ -32,8 +40,8 @@ function sensitivityFilter(gaussians, pixelsPerDegree) {
 
 /** Smoothing, and first and second derivative, of a Gaussian; positive and negative weights each sum to 1. */
 function featureKernels(pixelsPerDegree) {
-  const sd = 0.5 * FEATURE_DEGREES * pixelsPerDegree;
-  const radius = Math.ceil(3 * sd);
+  const sd = featureDeviation(pixelsPerDegree);
+  const radius = featureRadius(pixelsPerDegree);
   const gaussian = (x) => Math.exp(-(x * x) / (2 * sd * sd));
   const halves = (weights) => {
     const [plus, minus] = [total(weights.filter((w) => w > 0)), -total(weights.filter((w) => w < 0))];
@@ -110,6 +118,9 @@ function look(pixels, width, height, pixelsPerDegree) {
   };
 }
 
+/** How far a pixel's error reaches: the widest filter's radius, in pixels. */
+const reachOf = (pixelsPerDegree) => Math.max(filterRadius(pixelsPerDegree), featureRadius(pixelsPerDegree));
+
 /**
  * @param {Uint8Array} expected RGBA8, sRGB-encoded; alpha is not looked at
  * @param {Uint8Array} actual
@@ -119,6 +130,23 @@ function look(pixels, width, height, pixelsPerDegree) {
  * @returns {Float32Array} error of each pixel, 0..1
  */
 export function flipMap(expected, actual, width, height, pixelsPerDegree = PIXELS_PER_DEGREE) {
+  const map = new Float32Array(width * height);
+  const differing = differingBox(expected, actual, width, height);
+  if (!differing) return map;
+  // Errors lie within the reach of a difference, and pixels within the reach of those errors decide them.
+  const reach = reachOf(pixelsPerDegree);
+  const errors = grown(differing, reach, width, height);
+  const box = grown(errors, reach, width, height);
+  const size = sizeOf(box);
+  const part = boxMap(cut(expected, width, box), cut(actual, width, box), size.width, size.height, pixelsPerDegree);
+  for (let y = errors.top; y < errors.bottom; y++) {
+    const from = (y - box.top) * size.width + errors.left - box.left;
+    map.set(part.subarray(from, from + errors.right - errors.left), y * width + errors.left);
+  }
+  return map;
+}
+
+function boxMap(expected, actual, width, height, pixelsPerDegree) {
   const [a, b] = [expected, actual].map((pixels) => look(pixels, width, height, pixelsPerDegree));
   const [labA, labB] = [new Float64Array(3), new Float64Array(3)];
   return a.edges.map((edge, p) => {

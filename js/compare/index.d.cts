@@ -15,6 +15,8 @@ export interface Figures {
   pixels: number;
   /** Largest difference of any channel of premultiplied RGBA, in 1/255. */
   max: number;
+  /** Mean over pixels of the largest channel difference, in 1/255. */
+  mean: number;
   /** 99.9th percentile over pixels of the largest channel difference, in 1/255. */
   p999: number;
   /** Pixels that differ by 1/255 or more. */
@@ -39,7 +41,7 @@ export interface Comparison {
   frame: Figures;
   /** Pixels that either picture covers; null where there is none, as in the next two. */
   object: Figures | null;
-  /** Pixels whose surroundings of 2 pixels are opaque in both. */
+  /** Pixels whose surroundings of 2 pixels both pictures cover (alpha above 0), and a drawn background off the silhouette. */
   interior: Figures | null;
   /** The rest of the object. */
   edge: Figures | null;
@@ -50,7 +52,8 @@ export interface Comparison {
 }
 
 /**
- * How far two pictures of one size are apart. Synchronous, one to three seconds for 512 x 512 pixels that all differ.
+ * How far two pictures of one size are apart. Synchronous, up to three seconds for 512 x 512 pixels that all
+ * differ, and the less the fewer differ.
  * `max`, `p999` and `worst` are of premultiplied RGBA; every other figure is of the colours seen over black and over white,
  * whichever shows a pixel worse.
  * @throws {TelarError} E_OPTION, E_IMAGE_SIZE
@@ -58,6 +61,8 @@ export interface Comparison {
 export function compareImages(expected: Image, actual: Image, options?: {
   /** Viewing distance of FLIP, 1 to 1000. @default 67 */
   pixelsPerDegree?: number;
+  /** Width * height bytes, not 0 where the object is: for pictures with a background, whose alpha does not tell. */
+  mask?: Uint8Array;
 }): Comparison;
 
 export type GateName = 'exact' | 'parity' | 'standard' | 'draft';

@@ -1,3 +1,4 @@
+import { cut, differingBox, grown, sizeOf } from './box.mjs';
 import { kernel, total } from './convolve.mjs';
 
 /** Structural similarity as Wang, Bovik, Sheikh and Simoncelli (2004) define it: 11 x 11 Gaussian, sigma 1.5. */
@@ -37,16 +38,27 @@ function windowMeans(width, height, f) {
  */
 export function ssim(expected, actual, width, height) {
   if (width < SIZE || height < SIZE) return null;
+  const differing = differingBox(expected, actual, width, height);
+  if (!differing) return 1;
+  // A window over equal pixels has 1, so only those that touch a difference are looked at.
+  const box = grown(differing, SIZE - 1, width, height);
+  const { values, windows } = windowsOf(cut(expected, width, box), cut(actual, width, box), sizeOf(box));
+  const all = (width - SIZE + 1) * (height - SIZE + 1);
+  return (values + all - windows) / all;
+}
+
+/** Sum of the similarities of all windows, and their number. */
+function windowsOf(expected, actual, { width, height }) {
   const [a, b] = [lumaOf(expected), lumaOf(actual)];
   const [meanA, meanB] = [windowMeans(width, height, (i) => a[i]), windowMeans(width, height, (i) => b[i])];
   const squareA = windowMeans(width, height, (i) => a[i] * a[i]);
   const squareB = windowMeans(width, height, (i) => b[i] * b[i]);
   const product = windowMeans(width, height, (i) => a[i] * b[i]);
-  let sum = 0;
+  let values = 0;
   for (let i = 0; i < meanA.length; i++) {
     const [mean2A, mean2B, means] = [meanA[i] * meanA[i], meanB[i] * meanB[i], meanA[i] * meanB[i]];
     const spread = squareA[i] - mean2A + squareB[i] - mean2B;
-    sum += ((2 * means + C1) * (2 * (product[i] - means) + C2)) / ((mean2A + mean2B + C1) * (spread + C2));
+    values += ((2 * means + C1) * (2 * (product[i] - means) + C2)) / ((mean2A + mean2B + C1) * (spread + C2));
   }
-  return sum / meanA.length;
+  return { values, windows: meanA.length };
 }

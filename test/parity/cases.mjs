@@ -24,7 +24,3 @@ export const CASES = modules.flatMap((module) => module.CASES);
 
 /** The gate: all but the extended set. */
 export const GATE_CASES = CASES.filter(({ extended }) => !extended);
-
-/** Of all cases those whose name contains one of the filters; without a filter the gate. */
-export const selectCases = (filters) =>
-  filters.length === 0 ? GATE_CASES : CASES.filter(({ name }) => filters.some((filter) => name.includes(filter)));

@@ -23,6 +23,6 @@ export function saveReference(item, inputs, drawn) {
 /** @returns {{width: number, height: number, image: Uint8Array, mask: Uint8Array}} A picture that saveReference kept. */
 export function loadReference(item) {
   const file = (extension) => path.join(OUT, 'browser', `${item.name}.${extension}`);
-  if (!existsSync(file('raw'))) throw new Error(`no browser picture of ${item.name}: run node test/parity/run.mjs --browser-only ${item.name}`);
+  if (!existsSync(file('raw'))) throw new Error(`no browser picture of ${item.name}: run node test/parity/run.mjs --keep ${item.name}`);
   return { ...item.shot.size, image: new Uint8Array(readFileSync(file('raw'))), mask: new Uint8Array(readFileSync(file('mask.raw'))) };
 }

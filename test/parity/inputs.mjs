@@ -6,6 +6,12 @@ import { ASSETS, SHARED_MODELS } from './places.mjs';
 /** Folder by prefix of a case's `model` or `environment`. */
 const FOLDERS = { 'shared:': SHARED_MODELS, 'bundled:': ASSETS };
 
+/** Environments by name, all of them: the browser knows one that it has by its array. */
+const environments = new Map();
+
+/** The last model: cases of one model follow each other. */
+let last = { name: '', bytes: undefined };
+
 /**
  * Bytes (or the path) of a case's model and environment.
  * @param {import('./cases.mjs').Case} item
@@ -24,10 +30,16 @@ async function loadModel(name, model) {
   const file = fileOf(model);
   if (file) return file;
   if (!MODELS[model]) throw new Error(`case ${name}: test/fixtures has no model ${model}`);
-  return MODELS[model]();
+  if (last.name !== model) last = { name: model, bytes: MODELS[model]() };
+  return last.bytes;
 }
 
 function loadEnvironment(name, environment) {
+  if (!environments.has(environment)) environments.set(environment, readEnvironment(name, environment));
+  return environments.get(environment);
+}
+
+function readEnvironment(name, environment) {
   const file = fileOf(environment === 'studio' ? 'bundled:studio.hdr' : environment);
   if (file) return readFileSync(file);
   if (!ENVIRONMENTS[environment]) throw new Error(`case ${name}: test/fixtures has no environment ${environment}`);

@@ -1,45 +1,72 @@
 import { channelDifference, DifferenceHistogram } from '../../js/compare/channels.mjs';
-import { GATES } from '../../js/compare/gates.mjs';
-import { BAND, OUTSIDE, regionsOf } from '../../js/compare/regions.mjs';
+import { worstFlip } from '../../js/compare/compare.mjs';
+import { judge } from '../../js/compare/gates.mjs';
+import { BAND, INSIDE, pairRegions } from '../../js/compare/regions.mjs';
 
 export { premultiply } from '../../js/compare/image.mjs';
 
 /**
- * How far two pictures of one shot are apart.
+ * How far two pictures of one shot are apart, of telar/compare what its gate "parity" asks for.
  * @typedef {object} Difference
- * @property {Region} interior - Pixels at least EDGE_PIXELS from the silhouette, within the object, and beside it where
- *   the background is drawn.
- * @property {Region} edge - The other pixels that touch the object.
- * @property {boolean} pass - The interior keeps within the bar.
+ * @property {Region | null} interior - Pixels off the silhouette, within the object, and beside it where the background is
+ *   drawn; null where there is none.
+ * @property {(Region & {flip: {mean: number}}) | null} edge - The other pixels of the object.
+ * @property {import('../../js/compare/gates.mjs').Verdict} verdict
+ * @property {boolean} pass - verdict.pass
  *
  * @typedef {import('../../js/compare/channels.mjs').ChannelFigures} Region
+ *
+ * @typedef {object} Pictures - All RGBA8, premultiplied, top row first, width * height.
+ * @property {Uint8Array} expected - The browser's.
+ * @property {Uint8Array} actual - The server's.
+ * @property {Uint8Array} mask - The browser's without background: alpha > 0 is the object.
+ * @property {number} width
+ * @property {number} height
+ * @property {boolean} background - Whether pixels beside the object show something.
  */
-
-const limitOf = (figure) => GATES.parity.find((check) => check.region === 'interior' && check.figure === figure).limit;
-
-/** Bar of the interior, in 1/255: no pixel above `max`, 99.9 % of them at most `p999`. */
-export const BAR = { max: limitOf('max'), p999: limitOf('p999') };
 
 /**
- * @param {object} pictures - All RGBA8, premultiplied, top row first, width * height.
- * @param {Uint8Array} pictures.expected - The browser's.
- * @param {Uint8Array} pictures.actual - The server's.
- * @param {Uint8Array} pictures.mask - The browser's without background: alpha > 0 is the object.
- * @param {boolean} pictures.background - Whether pixels beside the object show something.
+ * @param {Pictures} pictures
  * @returns {Difference}
  */
-export function difference({ expected, actual, mask, width, height, background }) {
+export function difference(pictures) {
+  const { expected, actual, width, height } = pictures;
   if (actual.length !== expected.length) throw new Error(`expected ${expected.length} bytes, got ${actual.length}`);
-  const object = Uint8Array.from({ length: width * height }, (_, i) => (mask[i * 4 + 3] > 0 ? 1 : 0));
-  const histograms = { interior: new DifferenceHistogram(), edge: new DifferenceHistogram() };
-  regionsOf(object, width, height).forEach((region, i) => {
-    if (region === OUTSIDE && !background) return;
-    histograms[region === BAND ? 'edge' : 'interior'].add(channelDifference(expected, actual, i * 4), i);
+  const regions = regionsOf(pictures);
+  const interior = figuresOf(expected, actual, regions, INSIDE, width);
+  const edge = figuresOf(expected, actual, regions, BAND, width);
+  if (edge) edge.flip = { mean: meanWithin(worstFlip([expected, actual], width, height), regions, BAND) };
+  const verdict = judge({ interior, edge }, 'parity');
+  return { interior, edge, verdict, pass: verdict.pass };
+}
+
+/** Interior figures of several pictures against one, all over the pixels that are interior in `pictures`. */
+export function interiorDistances(pictures, reference, others) {
+  const regions = regionsOf(pictures);
+  return others.map((other) => figuresOf(reference, other, regions, INSIDE, pictures.width));
+}
+
+/** Regions as telar/compare defines them; before a background, whose alpha tells nothing, the mask tells the object. */
+function regionsOf({ expected, actual, mask, width, height, background }) {
+  const object = background ? Uint8Array.from({ length: width * height }, (_, i) => mask[i * 4 + 3]) : undefined;
+  return pairRegions(expected, actual, width, height, object);
+}
+
+function figuresOf(expected, actual, regions, wanted, width) {
+  const histogram = new DifferenceHistogram();
+  regions.forEach((region, i) => {
+    if (region === wanted) histogram.add(channelDifference(expected, actual, i * 4), i);
   });
-  const interior = histograms.interior.figures(width);
-  return {
-    interior,
-    edge: histograms.edge.figures(width),
-    pass: interior.pixels > 0 && interior.max <= BAR.max && interior.p999 <= BAR.p999,
-  };
+  const figures = histogram.figures(width);
+  return figures.pixels > 0 ? figures : null;
+}
+
+function meanWithin(map, regions, wanted) {
+  let [sum, count] = [0, 0];
+  regions.forEach((region, i) => {
+    if (region !== wanted) return;
+    sum += map[i];
+    count++;
+  });
+  return sum / count;
 }

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { difference, premultiply } from './metrics.mjs';
+import { difference, interiorDistances, premultiply } from './metrics.mjs';
 
 const SIZE = 64;
 
@@ -17,8 +17,8 @@ const compare = (actual, options = {}) =>
 
 test('equal pictures pass, and the interior is the square less 2 pixels a side', () => {
   const result = compare(picture());
-  assert.deepEqual(result.interior, { pixels: 28 * 28, max: 0, p999: 0, atLeast1: 0, atLeast2: 0, worst: [18, 18] });
-  assert.equal(result.edge.pixels, 36 * 36 - 28 * 28, 'the band has 2 pixels on both sides');
+  assert.deepEqual(result.interior, { pixels: 28 * 28, max: 0, mean: 0, p999: 0, atLeast1: 0, atLeast2: 0, worst: [18, 18] });
+  assert.deepEqual([result.edge.pixels, result.edge.flip.mean], [32 * 32 - 28 * 28, 0]);
   assert.ok(result.pass);
 });
 
@@ -26,7 +26,34 @@ test('a difference within 2 pixels of the silhouette counts as edge', () => {
   const actual = picture();
   actual[at(17, 30)] = 200;
   const result = compare(actual);
-  assert.deepEqual([result.interior.max, result.edge.max, result.pass], [0, 100, true]);
+  assert.deepEqual([result.interior.max, result.edge.max], [0, 100]);
+});
+
+test('edges are judged by what a person sees: a frayed side fails, one pixel a little off does not', () => {
+  const frayed = picture();
+  for (let y = 16; y < 48; y++) frayed.set([255, 255, 255, 255], at(16, y));
+  const { pass, verdict, edge } = compare(frayed);
+  assert.deepEqual([pass, verdict.checks.map((check) => check.pass)], [false, [true, true, false]]);
+  assert.ok(edge.flip.mean > 0.01);
+  const one = picture();
+  one[at(16, 30)] = 104;
+  assert.ok(compare(one).edge.flip.mean > 0);
+  assert.ok(compare(one).pass);
+});
+
+test('an object whose alpha is below 255 has an interior all the same', () => {
+  const glass = picture().map((value) => Math.round(value / 3));
+  assert.equal(compare(glass, { expected: glass, mask: glass }).interior.pixels, 28 * 28);
+});
+
+test('distances from a third picture are of the same interior', () => {
+  const [far, near] = [picture(), picture()];
+  far[at(30, 30)] = 140;
+  near[at(31, 31)] = 107;
+  near[at(16, 16)] = 200;
+  const pictures = { expected: picture(), mask: picture(), actual: near, width: SIZE, height: SIZE, background: false };
+  const found = interiorDistances(pictures, far, [picture(), near]);
+  assert.deepEqual(found.map(({ pixels, max, mean }) => [pixels, max, mean]), [[784, 40, 40 / 784], [784, 40, 47 / 784]]);
 });
 
 test('one interior pixel off by 3 fails, by 2 does not as long as 99.9 % are within 1', () => {
@@ -45,10 +72,12 @@ test('alpha counts as a channel', () => {
 });
 
 test('pixels beside the object are judged where a background is drawn', () => {
-  const actual = picture();
-  actual[at(5, 5)] = 9;
-  assert.equal(compare(actual).interior.max, 0);
-  assert.equal(compare(actual, { background: true }).interior.max, 9);
+  const before = picture();
+  for (let i = 0; i < before.length; i += 4) if (before[i + 3] === 0) before.set([20, 30, 40, 255], i);
+  const actual = before.slice();
+  actual[at(5, 5)] = 29;
+  const result = compare(actual, { expected: before, background: true });
+  assert.deepEqual([result.interior.max, result.interior.worst, result.edge.pixels], [9, [5, 5], 36 * 36 - 28 * 28]);
 });
 
 test('a picture without an object does not pass', () => {

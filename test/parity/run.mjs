@@ -1,46 +1,75 @@
-// node test/parity/run.mjs [--browser-only | --self] [--fast] [filter...]
-// Draws every case with three.js in headless Chromium and with telar, prints a table, writes out/parity/index.html.
-// Exit code 1 when a case is over the bar. --self: three.js on another rasteriser (SwiftShader) in telar's place.
+// node test/parity/run.mjs [--all] [--fast] [--swiftshader] [--trace] [--keep] [--browser-only] [filter...]
+// Draws the gate's cases, or those whose name contains a filter, with three.js in headless Chromium and with telar, prints
+// a line a case, writes out/parity/index.html and junit.xml. Exit code 1 when a case is over the bar.
+//   --all           the extended set too
+//   --fast          only what `npm test` draws
+//   --swiftshader   also three.js on SwiftShader: telar must be no farther from it than three.js on Mesa is
+//   --trace         follow the worst pixel of each case that differs at all, not only of those over the bar
+//   --keep          leave the browser's pictures, the models and the shots in out/parity/browser
+//   --browser-only  only that, without telar
+import { existsSync, mkdirSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { Browser } from './browser/chromium.mjs';
-import { selectCases } from './cases.mjs';
-import { drawBoth, drawInBrowser } from './draw_both.mjs';
+import { CASES, GATE_CASES } from './cases.mjs';
+import { Comparer } from './comparer.mjs';
+import { drawCases } from './draw_cases.mjs';
+import { saveReference } from './files.mjs';
+import { OUT } from './places.mjs';
 import { Report } from './report.mjs';
-import { openSecondBrowser, openServer } from './server.mjs';
+import { openServer } from './server.mjs';
 
+const flags = ['all', 'fast', 'swiftshader', 'trace', 'keep', 'browser-only'];
 const { values, positionals } = parseArgs({
   allowPositionals: true,
-  options: {
-    'browser-only': { type: 'boolean' },
-    fast: { type: 'boolean' },
-    self: { type: 'boolean' },
-  },
+  options: Object.fromEntries(flags.map((name) => [name, { type: 'boolean', default: false }])),
 });
 
-const cases = selectCases(positionals).filter((item) => !values.fast || item.fast);
-const browser = await Browser.start();
-const server = values['browser-only'] ? null : await (values.self ? openSecondBrowser() : openServer());
+const started = performance.now();
+mkdirSync(OUT, { recursive: true });
+const cases = (values.all || positionals.length > 0 ? CASES : GATE_CASES)
+  .filter(({ name }) => positionals.length === 0 || positionals.some((filter) => name.includes(filter)))
+  .filter((item) => !values.fast || item.fast);
+if (cases.length === 0) throw new Error(`no case has one of these in its name: ${positionals.join(' ')}`);
+
+/** A module of this folder that other work brings; undefined until then. */
+const optional = async (file) => (existsSync(new URL(file, import.meta.url)) ? import(file) : undefined);
+const { traceOf } = (await optional('./trace.mjs')) ?? {};
+const { KNOWN_DIFFERENCES } = (await optional('./known_differences.mjs')) ?? {};
+
 const report = new Report();
+const spent = {};
+const sides = {};
 try {
-  for (const item of cases) await runCase(item);
+  [sides.browser, sides.server, sides.other] = await Promise.all([
+    Browser.start(),
+    values['browser-only'] ? undefined : openServer(),
+    values.swiftshader ? Browser.start({ rasterizer: 'swiftshader' }) : undefined,
+  ]);
+  if (sides.server) sides.comparer = new Comparer();
+  for await (const result of drawCases(cases, sides)) await finishCase(result);
 } finally {
-  await browser.close();
-  await server?.close();
+  await Promise.all(Object.values(sides).map((side) => side?.close()));
 }
-if (server) console.log(await report.finish());
+const summary = summaryOf();
+console.log(summary);
+if (!values['browser-only']) console.log(report.finish({ summary, knownDifferences: KNOWN_DIFFERENCES }));
 process.exitCode = report.failed ? 1 : 0;
 
-async function runCase(item) {
-  if (!server) {
-    const { facts } = (await drawInBrowser(item, browser)).expected;
-    console.log(`${item.name}  load ${facts.loadMs.toFixed()} ms, draw ${facts.drawMs.toFixed()} ms`);
+async function finishCase(result) {
+  const { item, inputs, expected, error, difference, milliseconds } = result;
+  for (const [stage, time] of Object.entries(milliseconds)) spent[stage] = (spent[stage] ?? 0) + time;
+  if (expected && (values.keep || values['browser-only'] || !difference.pass)) saveReference(item, inputs, expected);
+  if (values['browser-only']) {
+    console.log(error ? `FAIL ${item.name} ${error.message}` : `${item.name}  load ${milliseconds.load.toFixed()} ms, draw ${milliseconds.browser.toFixed()} ms`);
+    if (error) report.failed++;
     return;
   }
-  try {
-    const { expected, ...result } = await drawBoth(item, browser, server);
-    console.log(report.add(item, expected, result));
-  } catch (error) {
-    // A picture that cannot be drawn is a failed case, not the end of the run.
-    console.log(report.add(item, null, { error }));
-  }
+  const wanted = difference && (!difference.pass || (values.trace && difference.interior?.max > 0));
+  const trace = traceOf && wanted ? await traceOf(result, sides) : undefined;
+  console.log(report.add(result, trace));
+}
+
+function summaryOf() {
+  const stages = Object.entries(spent).map(([stage, time]) => `${stage} ${(time / 1000).toFixed(1)} s`);
+  return `${cases.length} cases in ${((performance.now() - started) / 1000).toFixed(1)} s (side by side: ${stages.join(', ')})`;
 }

@@ -20,7 +20,7 @@ test('equal pictures pass each gate with figures of 0 and an SSIM of 1', () => {
   assert.deepEqual(passes(comparison), Object.keys(GATES));
 });
 
-test('interior is what is opaque in both less 2 pixels, edge the rest of the object', () => {
+test('interior is what both cover less 2 pixels, edge the rest of the object', () => {
   const pixelsOf = ({ frame, object, interior, edge }) => [frame, object, interior, edge].map((figures) => figures?.pixels ?? null);
   assert.deepEqual(pixelsOf(compareImages(square(SIZE), square(SIZE))), [1024, 24 * 24, 20 * 20, 24 * 24 - 20 * 20]);
   const wider = draw(SIZE, SIZE, (x, y) => (x >= 3 && x < 28 && y >= 4 && y < 28 ? [100, 100, 100, 255] : [0, 0, 0, 0]));
@@ -31,9 +31,34 @@ test('interior is what is opaque in both less 2 pixels, edge the rest of the obj
   assert.deepEqual(pixelsOf(compareImages(empty, empty)), [1024, null, null, null]);
 });
 
+test('what shows through is object too, and what only one picture covers is edge', () => {
+  const glass = draw(SIZE, SIZE, (x, y) => (Math.min(x, y) >= 4 && Math.max(x, y) < 28 ? [10, 10, 10, 1] : [0, 0, 0, 0]));
+  assert.equal(compareImages(glass, square(SIZE)).interior.pixels, 20 * 20);
+  const { interior, edge } = compareImages(square(SIZE), flat(SIZE, SIZE, [0, 0, 0, 0]));
+  assert.deepEqual([interior, edge.pixels], [null, 24 * 24]);
+});
+
+test('a mask finds the silhouette before a background, which counts as interior', () => {
+  const [x0, x1] = [4, 28];
+  const mask = Uint8Array.from({ length: SIZE * SIZE }, (_, i) => {
+    const [x, y] = [i % SIZE, Math.floor(i / SIZE)];
+    return Math.min(x, y) >= x0 && Math.max(x, y) < x1 ? 255 : 0;
+  });
+  const opaque = flat(SIZE, SIZE, [50, 60, 70, 255]);
+  const within = (x, y) => compareImages(opaque, withPixel(opaque, x, y, [50, 60, 90, 255]), { mask });
+  const { interior, edge } = within(16, 16);
+  assert.deepEqual([interior.pixels, edge.pixels], [1024 - (28 * 28 - 20 * 20), 28 * 28 - 20 * 20]);
+  for (const [x, y, region] of [[16, 16, 'interior'], [0, 0, 'interior'], [2, 16, 'edge'], [5, 16, 'edge'], [6, 16, 'interior']]) {
+    const comparison = within(x, y);
+    assert.deepEqual(['interior', 'edge'].filter((name) => comparison[name].max > 0), [region], `${x} ${y}`);
+  }
+  assert.throws(() => compareImages(opaque, opaque, { mask: new Uint8Array(3) }), { code: 'E_OPTION', message: /mask: expected a Uint8Array of 1024/ });
+});
+
 test('each pixel counts in its own region, and the worst one is named', () => {
   const inside = compareImages(square(SIZE), withPixel(square(SIZE), 16, 15, [100, 103, 100, 255]));
   assert.deepEqual([inside.interior.max, inside.interior.worst, inside.edge.max, inside.frame.max], [3, [16, 15], 0, 3]);
+  near(inside.interior.mean, 3 / 400);
   near(inside.frame.rmse, Math.sqrt((3 / 255) ** 2 / 3 / 1024));
   const edge = compareImages(square(SIZE), withPixel(square(SIZE), 4, 15, [100, 103, 100, 255]));
   assert.deepEqual([edge.interior.max, edge.edge.max, edge.edge.worst], [0, 3, [4, 15]]);

@@ -43,3 +43,19 @@ for (const [name, [expected, actual, ppd]] of Object.entries(PICTURES)) {
     map(expected, actual, ppd).forEach((error, p) => near(error, wanted[p], 5e-4));
   });
 }
+
+test('only the surroundings of a difference are worked out, with the same result', () => {
+  for (const [x, y] of [[40, 30], [0, 0], [79, 59], [3, 58]]) {
+    const [plain, spot] = [noise(80, 60, 3), noise(80, 60, 3)];
+    spot.data.set([255, 0, 255, 255], (y * 80 + x) * 4);
+    const found = map(plain, spot);
+    // A second difference in each corner makes the box the whole frame; far from them nothing may change.
+    const corners = { ...spot, data: Uint8Array.from(spot.data) };
+    for (const at of [0, 79, 59 * 80, 60 * 80 - 1]) corners.data[at * 4 + 1] ^= 0x80;
+    const whole = map(plain, corners);
+    const far = (p) => [p % 80, Math.floor(p / 80)].every((c, axis) => c > 10 && c < [69, 49][axis]);
+    found.forEach((error, p) => { if (far(p)) assert.equal(error, whole[p], `${p}`); });
+    assert.ok(found[y * 80 + x] > 0.1);
+    assert.ok(found.every((error, p) => error === 0 || Math.max(Math.abs((p % 80) - x), Math.abs(Math.floor(p / 80) - y)) <= 10));
+  }
+});

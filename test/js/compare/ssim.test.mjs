@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { ssim } from '../../../js/compare/ssim.mjs';
-import { draw, flat, noise } from './support.mjs';
+import { draw, flat, noise, withPixel } from './support.mjs';
 
 const of = (a, b) => ssim(a.data, b.data, a.width, a.height);
 const near = (found, wanted, by = 1e-9) => assert.ok(Math.abs(found - wanted) <= by, `${found}, not ${wanted}`);
@@ -34,4 +34,14 @@ test('a mirrored structure is negative; a picture without a whole window has non
   const stripes = (shift) => draw(16, 16, (x) => [((x + shift) % 2) * 255, ((x + shift) % 2) * 255, ((x + shift) % 2) * 255, 255]);
   assert.ok(of(stripes(0), stripes(1)) < -0.9);
   assert.equal(of(flat(10, 30, [0, 0, 0, 255]), flat(10, 30, [0, 0, 0, 255])), null);
+});
+
+test('a spot: the mean over all windows, each taken by itself', () => {
+  const window = ({ width, data }, x0, y0) => draw(11, 11, (x, y) => [...data.subarray(((y0 + y) * width + x0 + x) * 4).subarray(0, 4)]);
+  for (const [x, y] of [[20, 12], [0, 0], [39, 29]]) {
+    const [a, b] = [noise(40, 30, 3), withPixel(noise(40, 30, 3), x, y, [255, 0, 255, 255])];
+    const values = [];
+    for (let y0 = 0; y0 <= 19; y0++) for (let x0 = 0; x0 <= 29; x0++) values.push(of(window(a, x0, y0), window(b, x0, y0)));
+    near(of(a, b), values.reduce((sum, value) => sum + value, 0) / values.length);
+  }
 });

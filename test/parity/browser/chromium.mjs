@@ -1,4 +1,5 @@
 import { chromium } from 'playwright-core';
+import { serial } from '../serial.mjs';
 import { startServer } from './server.mjs';
 
 const COMMON_FLAGS = [
@@ -27,6 +28,10 @@ export class Browser {
   #browser;
   #page;
   #jobs = 0;
+  /** URL by environment: the page keeps what it prefiltered of one. */
+  #environments = new WeakMap();
+  /** One job at a time: they share the page's renderers. */
+  #evaluate = serial((name, job) => this.#page.evaluate(([entry, request]) => window[entry](request), [name, job]));
 
   /**
    * @param {object} [options]
@@ -62,14 +67,15 @@ export class Browser {
    * @param {Uint8Array | string} input.model - GLB bytes, or an absolute path (its folder is served).
    * @param {Uint8Array} [input.environment] - .hdr or .exr bytes; required where the shot has an environment.
    * @returns {Promise<{width: number, height: number, image: Uint8Array, mask: Uint8Array, facts: object}>} Drawing
-   *   buffer and the same drawn without background: RGBA8, sRGB-encoded, premultiplied, top row first.
+   *   buffer, and the same drawn without background (one array where there is none): RGBA8, sRGB-encoded, premultiplied, top row first.
    */
-  async draw({ shot, model, environment }) {
-    const job = this.#job({ shot, model, environment });
-    const facts = await this.#page.evaluate((request) => window.telarDraw(request), job);
-    const { width, height } = shot.size;
+  async draw(input) {
+    const job = this.#job(input);
+    const facts = await this.#run('telarDraw', job);
+    const { width, height } = input.shot.size;
     const take = (name) => flipRows(this.#server.takeResult(`${job.result}/${name}`), width, height);
-    return { width, height, image: take('image'), mask: take('mask'), facts };
+    const image = take('image');
+    return { width, height, image, mask: this.#server.hasResult(`${job.result}/mask`) ? take('mask') : image, facts };
   }
 
   /**
@@ -79,7 +85,7 @@ export class Browser {
    */
   async terms({ terms, ...input }) {
     const job = { ...this.#job(input), terms };
-    const names = await this.#page.evaluate((request) => window.telarTerms(request), job);
+    const names = await this.#run('telarTerms', job);
     const { width, height } = input.shot.size;
     const take = (name) => new Float32Array(flipRows(this.#server.takeResult(`${job.result}/${name}`), width * 4, height).buffer);
     return Object.fromEntries(names.map((name) => [name, take(name)]));
@@ -92,19 +98,32 @@ export class Browser {
    */
   async prefilter({ shot, environment }) {
     const job = this.#job({ shot, model: '', environment });
-    const faces = await this.#page.evaluate((request) => window.telarPrefilter(request), job);
+    const faces = await this.#run('telarPrefilter', job);
     return faces.map((face) => ({ ...face, values: new Float32Array(this.#server.takeResult(`${job.result}/${face.name}`).slice().buffer) }));
+  }
+
+  async #run(name, job) {
+    try {
+      return await this.#evaluate(name, job);
+    } finally {
+      this.#server.withdraw(job.model);
+    }
   }
 
   #job({ shot, model, environment }) {
     const id = ++this.#jobs;
-    const format = environment && isExr(environment) ? 'exr' : 'hdr';
     return {
       shot,
       model: typeof model === 'string' ? this.#server.offerFile(model) : this.#server.offerBytes(`${id}.glb`, model),
-      environment: environment ? { url: this.#server.offerBytes(`${id}.${format}`, environment), format } : null,
+      environment: environment ? this.#offerEnvironment(environment, id) : null,
       result: `/result/${id}`,
     };
+  }
+
+  #offerEnvironment(bytes, id) {
+    const format = isExr(bytes) ? 'exr' : 'hdr';
+    if (!this.#environments.has(bytes)) this.#environments.set(bytes, this.#server.offerBytes(`${id}.${format}`, bytes));
+    return { url: this.#environments.get(bytes), format };
   }
 
   async close() {

@@ -21,9 +21,21 @@ function rendererFor(shot) {
   return renderers.get(key);
 }
 
-function loadEnvironment({ url, format }) {
+/** Textures by URL, the last used last: three keeps what it prefiltered of a texture as long as the texture lives. */
+const environments = new Map();
+const MAX_ENVIRONMENTS = 12;
+
+async function loadEnvironment({ url, format }) {
   const loader = format === 'exr' ? new EXRLoader() : new HDRLoader();
-  return loader.loadAsync(url);
+  const texture = environments.get(url) ?? (await loader.loadAsync(url));
+  environments.delete(url);
+  environments.set(url, texture);
+  if (environments.size > MAX_ENVIRONMENTS) {
+    const [oldest, unused] = environments.entries().next().value;
+    environments.delete(oldest);
+    unused.dispose();
+  }
+  return texture;
 }
 
 /** Everything that a draw needs: `job` is {shot, model: url, environment: {url, format} | null}. */
@@ -34,11 +46,7 @@ async function prepare(job) {
   const scene = new THREE.Scene();
   scene.add(model.scene);
   const camera = await applyShot(job.shot, { THREE, renderer, scene, model, environment });
-  const dispose = () => {
-    disposeModel(model.scene);
-    environment?.dispose();
-  };
-  return { renderer, scene, camera, dispose };
+  return { renderer, scene, camera, dispose: () => disposeModel(model.scene) };
 }
 
 function disposeModel(root) {
@@ -67,7 +75,8 @@ async function send(url, bytes) {
 }
 
 /**
- * Draws a job; PUTs the picture to `${job.result}/image` and the same without background to `${job.result}/mask`.
+ * Draws a job; PUTs the picture to `${job.result}/image`, and where it has a background the same without one to
+ * `${job.result}/mask`.
  * @returns {Promise<object>} Facts: GL strings, samples, draw calls, milliseconds.
  */
 window.telarDraw = async (job) => {
@@ -78,12 +87,15 @@ window.telarDraw = async (job) => {
   const image = readDrawingBuffer(renderer);
   const drawn = performance.now();
   const calls = renderer.info.render.calls;
-  scene.background = null;
-  renderer.render(scene, camera);
-  const mask = readDrawingBuffer(renderer);
+  let mask = null;
+  if (scene.background) {
+    scene.background = null;
+    renderer.render(scene, camera);
+    mask = readDrawingBuffer(renderer);
+  }
   dispose();
   await send(`${job.result}/image`, image);
-  await send(`${job.result}/mask`, mask);
+  if (mask) await send(`${job.result}/mask`, mask);
   return { ...contextFacts(renderer), calls, loadMs: loaded - begin, drawMs: drawn - loaded };
 };
 
@@ -124,7 +136,6 @@ window.telarPrefilter = async (job) => {
     await send(`${job.result}/${name}`, values);
     faces.push({ name, size });
   }
-  environment.dispose();
   return faces;
 };
 

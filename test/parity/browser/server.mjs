@@ -22,7 +22,8 @@ const CONTENT_TYPE = {
 /**
  * HTTP on the loopback interface for the parity page: the project's files, offered bytes, and results sent back by PUT.
  *
- * @returns {Promise<{origin: string, offerBytes: Function, offerFile: Function, takeResult: Function, close: Function}>}
+ * @returns {Promise<{origin: string, offerBytes: Function, withdraw: Function, offerFile: Function,
+ *   hasResult: Function, takeResult: Function, close: Function}>}
  */
 export async function startServer() {
   const offered = new Map();
@@ -41,11 +42,13 @@ export async function startServer() {
       offered.set(`/data/${name}`, bytes);
       return `/data/${name}`;
     },
+    withdraw: (url) => offered.delete(url),
     offerFile(file) {
       const folder = path.dirname(file);
       if (!folders.includes(folder)) folders.push(folder);
       return `/folder/${folders.indexOf(folder)}/${path.basename(file)}`;
     },
+    hasResult: (url) => results.has(url),
     takeResult(url) {
       const bytes = results.get(url);
       if (!bytes) throw new Error(`the page sent nothing to ${url}`);
