@@ -38,6 +38,9 @@ function configureStamp(headers) {
   return hash.digest('hex');
 }
 
+/** What ninja puts before a command: how many of how many. */
+const NINJA_PROGRESS = /(?<=^\[)\d+\/\d+(?=\])/gm;
+
 /** The two CMake command lines; `configure` is null when the build folder stands already. */
 function plan(preset) {
   const headers = headerFolders();
@@ -66,18 +69,19 @@ function plan(preset) {
 export async function ensureBuild(preset, begin) {
   const { configure, compile, markConfigured } = plan(preset);
   const cure = buildCure();
-  // A build with nothing to do is over before this fires, and then its line says so alone.
-  const announce = setTimeout(() => begin('compiling'), configure ? 0 : 500);
-  try {
-    if (configure) {
-      await runLogged('cmake', configure, { log: `configure-${preset}.log`, cure });
-      markConfigured();
-    }
-    const text = await runLogged('cmake', compile, { log: `build-${preset}.log`, cure });
-    return text.includes('no work to do') ? 'up to date' : 'done';
-  } finally {
-    clearTimeout(announce);
+  if (configure) {
+    begin('compiling');
+    await runLogged('cmake', configure, { log: `configure-${preset}.log`, cure });
+    markConfigured();
   }
+  const printed = (output) => {
+    const [progress] = output.match(NINJA_PROGRESS)?.slice(-1) ?? [];
+    if (!progress) return;
+    begin('compiling');
+    begin(`compiling ${progress}`);
+  };
+  const text = await runLogged('cmake', compile, { log: `build-${preset}.log`, cure, printed });
+  return text.includes('no work to do') ? 'up to date' : 'done';
 }
 
 /** The same with CMake's own output on this terminal, and the CommonJS bundles. */

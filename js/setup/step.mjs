@@ -14,6 +14,7 @@ export const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const EXIT_MACHINE = 6;
 const LOG_ERROR_LINES = 10;
 const LOG_TAIL_LINES = 15;
+const CLEAR_LINE = '\r\u001b[K';
 
 /** Set-up cannot go on; the message ends with the cure. */
 export class SetupError extends Error {
@@ -31,22 +32,29 @@ export class SetupError extends Error {
 
 /**
  * Runs one step and reports it as one line on stderr: `name: result`, or `name: what ... result (12.3 s)` when the
- * job announces work by calling its argument.
+ * job announces work by calling its argument. Called again, the argument tells how far the work is, which only a
+ * terminal shows, in the same line.
  * @param {string} name
  * @param {(begin: (what: string) => void) => Promise<string>} job - Resolves to the result's few words.
  */
 export async function step(name, job) {
   const started = performance.now();
-  let begun = false;
+  const terminal = process.stderr.isTTY;
+  let begun = '';
   const begin = (what) => {
-    begun = true;
-    process.stderr.write(`${name}: ${what} ... `);
+    if (begun && !terminal) return;
+    process.stderr.write(`${begun && CLEAR_LINE}${name}: ${what} ... `);
+    begun ||= what;
+  };
+  const end = (result, time = '') => {
+    const line = begun && !terminal ? `${result}${time}` : `${name}: ${begun && `${begun} ... `}${result}${begun && time}`;
+    process.stderr.write(`${begun && terminal ? CLEAR_LINE : ''}${line}\n`);
   };
   try {
     const result = await job(begin);
-    process.stderr.write(begun ? `${result} (${((performance.now() - started) / 1000).toFixed(1)} s)\n` : `${name}: ${result}\n`);
+    end(result, ` (${((performance.now() - started) / 1000).toFixed(1)} s)`);
   } catch (error) {
-    process.stderr.write(begun ? 'failed\n' : `${name}: failed\n`);
+    end('failed');
     throw error;
   }
 }
@@ -55,11 +63,12 @@ export async function step(name, job) {
  * Runs a command with its output in a log file under out/setup.
  * @param {string} command
  * @param {string[]} args
- * @param {{log: string, env?: object, cure?: string}} options - `log`: file name without folder; `cure`: told on failure.
+ * @param {{log: string, env?: object, cure?: string, printed?: (text: string) => void}} options - `log`: file name without
+ *   folder; `cure`: told on failure; `printed`: called with each piece of output.
  * @returns {Promise<string>} What it printed (stdout and stderr together).
  * @throws {SetupError} With the last lines printed.
  */
-export async function runLogged(command, args, { log, env = {}, cure }) {
+export async function runLogged(command, args, { log, env = {}, cure, printed: tell = () => {} }) {
   const folder = path.join(ROOT, 'out', 'setup');
   mkdirSync(folder, { recursive: true });
   const file = createWriteStream(path.join(folder, log));
@@ -69,6 +78,7 @@ export async function runLogged(command, args, { log, env = {}, cure }) {
     stream.setEncoding('utf8').on('data', (text) => {
       printed.push(text);
       file.write(text);
+      tell(text);
     });
   }
   const code = await exitCode(child, command, cure);
