@@ -42,6 +42,9 @@ precision highp samplerCube;
 #include "light/punctual.glsl"
 #include "light/indirect.glsl"
 #endif
+#if DEBUG_OUTPUT
+#include "debug_output.glsl"
+#endif
 
 out vec4 fragmentColor;
 
@@ -57,7 +60,8 @@ void main() {
   vec3 radiance = baseColor.rgb;
 #else
   SurfaceInfo s = surfaceInfo(baseColor.rgb);
-  Reflected indirect = indirectLight(s);
+  Incident incident = incidentLight(s);
+  Reflected indirect = indirectLight(s, incident);
 #if OCCLUSION_MAP
   float occlusion = diffuseOcclusion(texture(occlusionMap, vOcclusionUv).r, occlusionStrength);
   indirect.diffuse *= occlusion;
@@ -88,5 +92,12 @@ void main() {
              (direct.coat + indirect.coat) * s.clearcoat;
 #endif
 #endif
+#if DEBUG_OUTPUT
+  fragmentColor = debugColor(baseColor, radiance);
+#if !UNLIT
+  fragmentColor += debugShading(s, incident, direct, indirect);
+#endif
+#else
   fragmentColor = outputColor(radiance, baseColor.a);
+#endif
 }

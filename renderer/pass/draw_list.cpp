@@ -76,6 +76,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   shader::VariantKey key;
   key.toneMapping = frame.toneMapping;
   key.outputLinear = frame.outputLinear;
+  key.debugOutput = frame.debugOutput;
   key.points = primitive.topology == Topology::kPoints;
   // three.js shows points and lines with unlit materials of the same colour.
   key.unlit = material.unlit || primitive.topology != Topology::kTriangles;
@@ -154,7 +155,8 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
   plan.lights.describe(frame);
   frame.environment = hasEnvironment && shot.environment.intensity != 0;
   frame.orthographic = plan.camera.orthographic;
-  frame.outputLinear = framePixelType(shot.output) == PixelType::kRgbaF32;
+  frame.debugOutput = shot.debugOutput != DebugOutput::kNone;
+  frame.outputLinear = !frame.debugOutput && framePixelType(shot.output) == PixelType::kRgbaF32;
   frame.toneMapping = frame.outputLinear ? shader::ToneMapping::kNone : shader::toneMappingByName(shot.toneMapping);
 
   const int variant = variantIndex(scene, shot.variant);

@@ -120,6 +120,7 @@ const gl::Program& SurfacePass::useProgram(const shader::VariantKey& key, const 
   program.use();
   program.set("projectionMatrix", glm::mat4(in.plan.camera.projection));
   program.set("exposure", static_cast<float>(in.shot.exposure));
+  if (key.debugOutput) program.set("debugOutput", static_cast<int>(in.shot.debugOutput));
   if (key.unlit) return program;
   in.plan.lights.upload(program);
   program.set("dfgMap", static_cast<int>(DFG_UNIT));
@@ -172,7 +173,7 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   program.set("normalMatrix", normalMatrixOf(glm::dmat3(modelView)));
   bindMaterial(program, item, in);
 
-  item.blend ? gl.Enable(GL_BLEND) : gl.Disable(GL_BLEND);
+  item.blend && !item.key.debugOutput ? gl.Enable(GL_BLEND) : gl.Disable(GL_BLEND);
   gl.DepthMask(item.blend ? GL_FALSE : GL_TRUE);
   const bool bothSides = item.material->doubleSided && !item.blend;
   const bool cull = !bothSides && item.primitive->topology == Topology::kTriangles;

@@ -67,6 +67,7 @@ ToneMapping toneMappingByName(const std::string& name);
   F(ENVIRONMENT, environment, "environment")                                         \
   F(ORTHOGRAPHIC, orthographic, "orthographic")                                      \
   F(POINTS, points, "points")                                                        \
+  F(DEBUG_OUTPUT, debugOutput, "debug-output")                                       \
   F(OUTPUT_LINEAR, outputLinear, "linear-output")
 
 /// What one surface program has compiled in. The key is the cache key: no hashes.

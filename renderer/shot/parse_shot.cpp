@@ -94,6 +94,13 @@ OutputOptions readOutput(const JsonPath& json) {
   return output;
 }
 
+DebugOutput readDebugOutput(const JsonPath& json) {
+  const std::size_t position =
+      json.choice({"n", "baseColor", "alpha", "metallic", "perceptualRoughness", "f0", "NoV", "dfg", "radiance",
+                   "irradiance", "direct", "indirect", "linear", "encoded"});
+  return static_cast<DebugOutput>(position + 1);
+}
+
 Shot readShot(const JsonPath& json) {
   Shot shot;
   shot.width = json.at("size").at("width").integer(1, SIZE_MAX_PX);
@@ -115,6 +122,7 @@ Shot readShot(const JsonPath& json) {
   const JsonPath variant = json.at("variant");
   if (!variant.isNull()) shot.variant = variant.string();
   shot.output = readOutput(json.at("output"));
+  if (json.has("debugOutput")) shot.debugOutput = readDebugOutput(json.at("debugOutput"));
   return shot;
 }
 

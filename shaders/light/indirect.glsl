@@ -44,7 +44,32 @@ vec3 domeIrradiance(vec3 n) {
 }
 #endif
 
-Reflected indirectLight(SurfaceInfo s) {
+// Light from everywhere that arrives at a surface, linear Rec.709.
+struct Incident {
+  vec3 irradiance;             // ambient and hemisphere
+  vec3 environmentIrradiance;
+  vec3 radiance;               // environment, as the lobe of the base layer sees it
+};
+
+Incident incidentLight(SurfaceInfo s) {
+  Incident incident;
+  incident.irradiance = incident.environmentIrradiance = incident.radiance = vec3(0.0);
+#if AMBIENT || HEMISPHERE_LIGHTS > 0
+  incident.irradiance = domeIrradiance(s.n);
+#endif
+#if ENVIRONMENT
+  incident.environmentIrradiance = PI * environmentRadiance(s.n, environmentMaxLod);
+#if ANISOTROPY
+  vec3 reflector = bentNormal(s.perceptualRoughness, s.anisotropyStrength, s.n, s.b, s.v);
+#else
+  vec3 reflector = s.n;
+#endif
+  incident.radiance = specularRadiance(s.perceptualRoughness, reflector, s.v);
+#endif
+  return incident;
+}
+
+Reflected indirectLight(SurfaceInfo s, Incident incident) {
   Reflected sum = nothingReflected();
 #if AMBIENT || HEMISPHERE_LIGHTS > 0 || ENVIRONMENT
   vec3 f0Dielectric = s.f0Dielectric;
@@ -60,7 +85,7 @@ Reflected indirectLight(SurfaceInfo s) {
 #endif
 #endif
 #if AMBIENT || HEMISPHERE_LIGHTS > 0
-  vec3 irradiance = domeIrradiance(s.n);
+  vec3 irradiance = incident.irradiance;
 #if DIFFUSE_ROUGHNESS
   vec3 diffuse = irradiance * RECIPROCAL_PI * (eonAlbedo(s.baseColor, s.diffuseRoughness, s.NoV) * (1.0 - s.metallic)) * diffuseShare(dielectric);
 #else
@@ -73,16 +98,9 @@ Reflected indirectLight(SurfaceInfo s) {
   sum.diffuse += diffuse;
 #endif
 #if ENVIRONMENT
-  vec3 environmentIrradiance = PI * environmentRadiance(s.n, environmentMaxLod);
-  vec3 meanRadiance = environmentIrradiance * RECIPROCAL_PI;
-#if ANISOTROPY
-  vec3 reflector = bentNormal(s.perceptualRoughness, s.anisotropyStrength, s.n, s.b, s.v);
-#else
-  vec3 reflector = s.n;
-#endif
-  vec3 radiance = specularRadiance(s.perceptualRoughness, reflector, s.v);
+  vec3 meanRadiance = incident.environmentIrradiance * RECIPROCAL_PI;
   Scattering metal = multipleScattering(f0Metal, s.f90, s.dfg);
-  vec3 specular = environmentSpecular(mixScattering(dielectric, metal, s.metallic), radiance, meanRadiance);
+  vec3 specular = environmentSpecular(mixScattering(dielectric, metal, s.metallic), incident.radiance, meanRadiance);
 #if DIFFUSE_ROUGHNESS
   vec3 environmentDiffuse =
       eonAlbedo(s.baseColor, s.diffuseRoughness, s.NoV) * (1.0 - s.metallic) * diffuseShare(dielectric) * meanRadiance;
@@ -90,7 +108,7 @@ Reflected indirectLight(SurfaceInfo s) {
   vec3 environmentDiffuse = s.diffuse * diffuseShare(dielectric) * meanRadiance;
 #endif
 #if SHEEN
-  sum.sheen += environmentIrradiance * s.sheenColor * sheenE * RECIPROCAL_PI;
+  sum.sheen += incident.environmentIrradiance * s.sheenColor * sheenE * RECIPROCAL_PI;
   specular *= underSheen;
   environmentDiffuse *= underSheen;
 #endif

@@ -53,8 +53,8 @@ test('a white dielectric and a white metal in a white furnace show radiance 1', 
   const environment = ENVIRONMENTS.one();
   for (const model of ['furnace-0.5', 'furnace-metal-0.5']) {
     const input = { environment, model: await MODELS[model](), shot: shot({ size: SIZE, environment: CASE_ENVIRONMENT }) };
-    const { outLinear } = await browser.terms({ ...input, terms: ['outLinear'] });
-    const radiance = outLinear[((SIZE / 2) * SIZE + SIZE / 2) * 4];
+    const { linear } = await browser.terms({ ...input, terms: ['linear'] });
+    const radiance = linear[((SIZE / 2) * SIZE + SIZE / 2) * 4];
     assert.ok(Math.abs(radiance - 1) < 0.005, `${model}: ${radiance}`);
   }
 });
@@ -62,11 +62,12 @@ test('a white dielectric and a white metal in a white furnace show radiance 1', 
 test('a black sphere reflects a directional light by the DFG-compensated GGX lobe alone', async () => {
   const lights = [{ type: 'directional', color: [1, 1, 1], intensity: Math.PI, position: [0, 0, 1], target: [0, 0, 0] }];
   const input = { model: await MODELS['ball-black'](), shot: shot({ size: SIZE, camera: 'ortho', lights }) };
-  const { directDiffuse, directSpecular, roughness, dfg } = await browser.terms({ ...input, terms: ['directDiffuse', 'directSpecular', 'roughness', 'dfg'] });
+  const terms = ['directDiffuse', 'directSpecular', 'perceptualRoughness', 'dfg'];
+  const { directDiffuse, directSpecular, perceptualRoughness, dfg } = await browser.terms({ ...input, terms });
   const at = ((SIZE / 2) * SIZE + SIZE / 2) * 4;
   assert.equal(directDiffuse[at], 0);
   // N.V, N.L, N.H and V.H are 1 within 1e-3 at the centre: D = 1 / (pi alpha^2), V = 1/4, F = F0.
-  const alpha = roughness[at] ** 2;
+  const alpha = perceptualRoughness[at] ** 2;
   const expected = (0.04 * (1 + 0.04 * (1 / (dfg[at] + dfg[at + 1]) - 1))) / (4 * alpha * alpha);
   assert.ok(Math.abs(directSpecular[at] / expected - 1) < 0.02, `${directSpecular[at]} against ${expected}`);
 });

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
 #include <string_view>
@@ -7,6 +8,25 @@
 #include "telar/codec.h"
 
 namespace telar {
+
+/// A quantity of the shading, in the order in which to look for the cause of a difference (shaders/debug_output.glsl).
+enum class DebugOutput : std::uint8_t {
+  kNone,
+  kNormal,  ///< shading normal, view space
+  kBaseColor,
+  kAlpha,
+  kMetallic,
+  kPerceptualRoughness,  ///< floor and geometric roughness applied
+  kF0,
+  kNoV,
+  kDfg,
+  kRadiance,    ///< prefiltered environment along the reflection
+  kIrradiance,  ///< ambient, hemisphere, environment
+  kDirect,      ///< reflected light of punctual and area lights
+  kIndirect,    ///< reflected light of everything else, after occlusion
+  kLinear,      ///< before exposure and tone mapping
+  kEncoded,     ///< as the picture has it
+};
 
 /// A resolved shot: the JSON that js/shot's resolveShot wrote, every default in it. C++ has no defaults of its own.
 struct Shot {
@@ -51,6 +71,9 @@ struct Shot {
   int samples = 4;      ///< quality.samples: MSAA, 1 or 4
   std::string variant;  ///< KHR_materials_variants name, empty = the file's own materials
   OutputOptions output;
+  /// Drawn in place of the colour, blending off; for a raw output of 32 bits. Key `debugOutput` of the JSON, which
+  /// resolveShot does not write: for tests.
+  DebugOutput debugOutput = DebugOutput::kNone;
 };
 
 /// @throws Error{E_SHOT} naming the path of a missing or wrong key (a resolved shot has them all).

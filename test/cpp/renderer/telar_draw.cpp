@@ -1,5 +1,7 @@
-// telar_draw MODEL SHOT.json OUT.raw [--env FILE] [--backend NAME] [--all-features] [--repeat N]
-// Draws one resolved shot without Node: OUT.raw gets the frame's bytes, stdout the frame's info as JSON.
+// telar_draw MODEL SHOT.json OUT.raw [--env FILE] [--backend NAME] [--all-features] [--repeat N] [--debug NAME,...]
+//            [--shader-edits FILE.json]
+// Draws one resolved shot without Node: OUT.raw gets the frame's bytes, stdout the frame's info as JSON. --debug draws
+// these debug outputs instead, one after another. --shader-edits changes the shaders before they are compiled.
 #include <time.h>
 
 #include <cstdio>
@@ -8,7 +10,9 @@
 #include <iostream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "editable_shaders.h"
 #include "telar/load.h"
 #include "telar/renderer.h"
 
@@ -34,36 +38,64 @@ telar::Backend backendOf(const std::string& name) {
   return telar::Backend::kAuto;
 }
 
-int run(int argc, char** argv) {
+struct Arguments {
   telar::RendererOptions options;
-  options.assetDirectory = TELAR_SOURCE_DIR "/js/assets";
-  std::string environmentFile;
+  std::string environmentFile, shaderEdits, debugOutputs;
   int repeat = 1;
+};
+
+Arguments parseArguments(int argc, char** argv) {
+  Arguments arguments;
+  arguments.options.assetDirectory = TELAR_SOURCE_DIR "/js/assets";
   for (int i = 4; i < argc; ++i) {
     const std::string flag = argv[i];
-    if (flag == "--all-features") options.allFeatures = true;
+    if (flag == "--all-features") arguments.options.allFeatures = true;
     if (i + 1 >= argc) continue;
-    if (flag == "--env") environmentFile = argv[i + 1];
-    if (flag == "--backend") options.backend = backendOf(argv[i + 1]);
-    if (flag == "--repeat") repeat = std::atoi(argv[i + 1]);
+    if (flag == "--env") arguments.environmentFile = argv[i + 1];
+    if (flag == "--backend") arguments.options.backend = backendOf(argv[i + 1]);
+    if (flag == "--repeat") arguments.repeat = std::atoi(argv[i + 1]);
+    if (flag == "--debug") arguments.debugOutputs = argv[i + 1];
+    if (flag == "--shader-edits") arguments.shaderEdits = argv[i + 1];
   }
-  const auto shotText = readAll(argv[2]);
-  const telar::Shot shot = telar::parseShot({reinterpret_cast<const char*>(shotText.data()), shotText.size()});
-  const auto environment = environmentFile.empty() ? std::vector<std::byte>() : readAll(environmentFile);
+  return arguments;
+}
+
+/// The shot once, or once for each debug output.
+std::vector<telar::Shot> shotsOf(const std::vector<std::byte>& text, const std::string& debugOutputs) {
+  auto json = nlohmann::json::parse(reinterpret_cast<const char*>(text.data()),
+                                    reinterpret_cast<const char*>(text.data()) + text.size());
+  if (debugOutputs.empty()) return {telar::parseShot(json.dump())};
+  std::vector<telar::Shot> shots;
+  std::istringstream names(debugOutputs);
+  for (std::string name; std::getline(names, name, ',');) {
+    json["debugOutput"] = name;
+    shots.push_back(telar::parseShot(json.dump()));
+  }
+  return shots;
+}
+
+int run(int argc, char** argv) {
+  const Arguments arguments = parseArguments(argc, argv);
+  if (!arguments.shaderEdits.empty()) telar::test::editShaders(arguments.shaderEdits);
+  const std::vector<telar::Shot> shots = shotsOf(readAll(argv[2]), arguments.debugOutputs);
+  const auto environment =
+      arguments.environmentFile.empty() ? std::vector<std::byte>() : readAll(arguments.environmentFile);
   const telar::CancelToken cancel;
-  const auto scene = telar::loadPath(argv[1], options.limits, cancel);
-  const auto renderer = telar::Renderer::create(options);
-  telar::Frame frame;
-  for (int i = 0; i < repeat; ++i) {
-    telar::FrameInfo info;
-    const double before = cpuMs();
-    frame = renderer->draw(scene, shot, environment, cancel, info);
-    auto json = nlohmann::ordered_json::parse(info.json);
-    json["cpuMs"] = cpuMs() - before;  // all threads of the process
-    std::cout << json.dump() << "\n";
+  const auto scene = telar::loadPath(argv[1], arguments.options.limits, cancel);
+  const auto renderer = telar::Renderer::create(arguments.options);
+  std::ofstream out(argv[3], std::ios::binary);
+  for (const telar::Shot& shot : shots) {
+    telar::Frame frame;
+    for (int i = 0; i < arguments.repeat; ++i) {
+      telar::FrameInfo info;
+      const double before = cpuMs();
+      frame = renderer->draw(scene, shot, environment, cancel, info);
+      auto json = nlohmann::ordered_json::parse(info.json);
+      json["cpuMs"] = cpuMs() - before;  // all threads of the process
+      std::cout << json.dump() << "\n";
+    }
+    out.write(reinterpret_cast<const char*>(frame.pixels.data()), static_cast<std::streamsize>(frame.pixels.size()));
   }
-  std::ofstream(argv[3], std::ios::binary)
-      .write(reinterpret_cast<const char*>(frame.pixels.data()), static_cast<std::streamsize>(frame.pixels.size()));
   return 0;
 }
 
@@ -73,7 +105,7 @@ int main(int argc, char** argv) {
   if (argc < 4)
     return std::fputs(
                "usage: telar_draw MODEL SHOT.json OUT.raw [--env FILE] [--backend NAME] [--all-features] [--repeat "
-               "N]\n",
+               "N] [--debug NAME,...] [--shader-edits FILE.json]\n",
                stderr),
            2;
   try {
@@ -81,5 +113,8 @@ int main(int argc, char** argv) {
   } catch (const telar::Error& error) {
     std::cerr << error.code << ": " << error.what() << (error.pointer ? " at " + *error.pointer : "") << "\n";
     return 3;
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << "\n";
+    return 2;
   }
 }

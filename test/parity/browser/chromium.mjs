@@ -79,14 +79,18 @@ export class Browser {
   }
 
   /**
-   * Values of three's own shader variables, each drawn into a float target.
-   * @param {object} input - As draw(), with `terms`: names (browser/terms.mjs), or null for all.
-   * @returns {Promise<Record<string, Float32Array>>} By term: RGBA fp32, top row first; 0 where nothing is drawn.
+   * Values of three's own shader variables, each drawn into a float target without antialiasing.
+   * @param {object} input - As draw().
+   * @param {string[] | null} input.terms - Names (browser/terms.mjs), or null for all.
+   * @param {[number, number]} [input.pixel] - From the top left; the whole picture where it is left out.
+   * @returns {Promise<Record<string, Float32Array>>} By term: RGBA fp32, top row first; alpha 1 where the material has the
+   *   term, else all 0.
    */
-  async terms({ terms, ...input }) {
-    const job = { ...this.#job(input), terms };
+  async terms({ terms, pixel, ...input }) {
+    const region = pixel && { x: pixel[0], y: input.shot.size.height - 1 - pixel[1], width: 1, height: 1 };
+    const job = { ...this.#job(input), terms, region };
     const names = await this.#run('telarTerms', job);
-    const { width, height } = input.shot.size;
+    const { width, height } = region ?? input.shot.size;
     const take = (name) => new Float32Array(flipRows(this.#server.takeResult(`${job.result}/${name}`), width * 4, height).buffer);
     return Object.fromEntries(names.map((name) => [name, take(name)]));
   }

@@ -1,70 +1,111 @@
-// Reads intermediate values of three's own shader: each term is written to a float target by a patched material.
+// Reads intermediate values of three's own shaders: a patched material writes one of them to a float target.
 
-/** GLSL expressions in main() of three's meshphysical shader, in the order in which to look for a difference. */
-const TERMS = {
-  normal: 'normal',
-  nonPerturbedNormal: 'nonPerturbedNormal',
-  viewDir: 'geometryViewDir',
-  baseColor: 'diffuseColor.rgb',
-  alpha: 'vec3(diffuseColor.a)',
-  roughness: 'vec3(material.roughness)',
-  geometryRoughness: 'vec3(geometryRoughness)',
-  metalness: 'vec3(material.metalness)',
-  NoV: 'vec3(saturate(dot(geometryNormal, geometryViewDir)))',
+/** GLSL expressions in main() of three's shaders, by kind of material. */
+const ANY = { encoded: 'gl_FragColor.rgb' };
+
+const COLORED = { ...ANY, baseColor: 'diffuseColor.rgb', alpha: 'vec3(diffuseColor.a)', linear: 'outgoingLight' };
+
+/** MeshStandardMaterial and MeshPhysicalMaterial. */
+const LIT = {
+  ...COLORED,
+  n: 'normal',
+  metallic: 'vec3(material.metalness)',
+  perceptualRoughness: 'vec3(material.roughness)',
+  f0: 'material.specularColorBlended',
+  NoV: 'vec3(dotNVms)',
   dfg: 'vec3(material.dfg, 0.0)',
-  irradiance: 'irradiance',
-  iblIrradiance: 'iblIrradiance',
   radiance: 'radiance',
+  irradiance: 'irradiance + iblIrradiance',
+  direct: 'telarDirect',
+  indirect: 'telarIndirect',
   directDiffuse: 'reflectedLight.directDiffuse',
   directSpecular: 'reflectedLight.directSpecular',
   indirectDiffuse: 'reflectedLight.indirectDiffuse',
   indirectSpecular: 'reflectedLight.indirectSpecular',
-  emissive: 'totalEmissiveRadiance',
-  outLinear: 'outgoingLight',
-  fragCoord: 'vec3(gl_FragCoord.xyz)',
+  geometryNormal: 'nonPerturbedNormal',
+  viewDirection: 'geometryViewDir',
+  emitted: 'totalEmissiveRadiance',
 };
 
-export const termNames = Object.keys(TERMS);
+/** Sums over the layers, whose variables exist only where the material has the layer. */
+const SUMS = `
+vec3 telarDirect = reflectedLight.directDiffuse + reflectedLight.directSpecular;
+vec3 telarIndirect = reflectedLight.indirectDiffuse + reflectedLight.indirectSpecular;
+#ifdef USE_SHEEN
+telarDirect += sheenSpecularDirect;
+telarIndirect += sheenSpecularIndirect;
+#endif
+#ifdef USE_CLEARCOAT
+telarDirect += clearcoatSpecularDirect * material.clearcoat;
+telarIndirect += clearcoatSpecularIndirect * material.clearcoat;
+#endif
+`;
+
+export const termNames = Object.keys(LIT);
 
 /**
  * @param {typeof import('three')} THREE
  * @param {{renderer: object, scene: object, camera: object}} prepared
- * @param {{shot: object, terms: string[] | null}} job
- * @returns {Generator<[string, Float32Array]>} By term: RGBA fp32 of the whole picture, bottom row first; 0 where nothing is.
+ * @param {object} job
+ * @param {object} job.shot
+ * @param {string[] | null} job.terms - Names, or null for all.
+ * @param {{x: number, y: number, width: number, height: number} | undefined} job.region - Part to read, from the bottom
+ *   left; the whole picture where it is left out.
+ * @returns {Generator<[string, Float32Array]>} By term: RGBA fp32, bottom row first; alpha 1 where the material has the
+ *   term, else all 0.
  */
-export function* measureTerms(THREE, { renderer, scene, camera }, { shot, terms }) {
-  const { width, height } = shot.size;
-  const target = new THREE.WebGLRenderTarget(width, height, { type: THREE.FloatType, samples: 0 });
+export function* measureTerms(THREE, { renderer, scene, camera }, { shot, terms, region }) {
+  const { x, y, width, height } = { x: 0, y: 0, ...shot.size, ...region };
+  const target = new THREE.WebGLRenderTarget(shot.size.width, shot.size.height, { type: THREE.FloatType, samples: 0 });
+  // three compiles tone mapping and sRGB encoding for such a target as for the canvas.
+  target.isXRRenderTarget = true;
+  target.texture.colorSpace = renderer.outputColorSpace;
   scene.background = null;
-  const materials = physicalMaterials(scene);
+  const choice = { value: 0 };
+  for (const material of materialsOf(scene)) writeTerms(THREE, material, choice);
   for (const name of terms ?? termNames) {
-    if (!(name in TERMS)) throw new Error(`no term ${name}: expected one of ${termNames.join(' ')}`);
-    for (const material of materials) writeTerm(THREE, material, name);
+    choice.value = termNames.indexOf(name);
+    if (choice.value < 0) throw new Error(`no term ${name}: expected one of ${termNames.join(' ')}`);
     renderer.setRenderTarget(target);
     renderer.clear();
     renderer.render(scene, camera);
     const values = new Float32Array(width * height * 4);
-    renderer.readRenderTargetPixels(target, 0, 0, width, height, values);
+    renderer.readRenderTargetPixels(target, x, y, width, height, values);
     yield [name, values];
   }
   renderer.setRenderTarget(null);
   target.dispose();
 }
 
-function physicalMaterials(scene) {
+function materialsOf(scene) {
   const found = new Set();
   scene.traverse((object) => {
-    for (const material of [object.material ?? []].flat()) if (material.isMeshStandardMaterial) found.add(material);
+    for (const material of [object.material ?? []].flat()) found.add(material);
   });
   return found;
 }
 
-function writeTerm(THREE, material, name) {
+function expressionsOf(material) {
+  if (material.isMeshStandardMaterial) return LIT;
+  if (material.isMeshBasicMaterial || material.isPointsMaterial || material.isLineBasicMaterial) return COLORED;
+  return ANY;
+}
+
+function writeTerms(THREE, material, choice) {
+  const expressions = expressionsOf(material);
+  const writes = termNames
+    .map((name, i) => (expressions[name] ? `if (telarTerm == ${i}) telarValue = vec4(${expressions[name]}, 1.0);\n` : ''))
+    .join('');
   material.blending = THREE.NoBlending; // values are read as written
-  material.onBeforeCompile = (shader) => {
+  const before = material.onBeforeCompile;
+  material.onBeforeCompile = (shader, renderer) => {
+    before.call(material, shader, renderer);
+    shader.uniforms.telarTerm = choice;
     const end = shader.fragmentShader.lastIndexOf('}');
-    shader.fragmentShader = `${shader.fragmentShader.slice(0, end)}gl_FragColor = vec4(${TERMS[name]}, 1.0);\n}`;
+    shader.fragmentShader = `uniform int telarTerm;\n${shader.fragmentShader.slice(0, end)}
+${expressions === LIT ? SUMS : ''}vec4 telarValue = vec4(0.0);\n${writes}gl_FragColor = telarValue;\n}`;
   };
-  material.customProgramCacheKey = () => `telar-term-${name}`;
+  const key = material.customProgramCacheKey();
+  material.customProgramCacheKey = () => `telar-terms ${key}`;
   material.needsUpdate = true;
 }
