@@ -41,6 +41,38 @@ Real V_Neubelt(Real NoV, Real NoL);
 vec3 Fr_Sheen(vec3 sheenColor, Real sheenRoughness, Real NoV, Real NoL, Real NoH);
 Real sheenAlbedo(Real sheenRoughness, Real NoV);
 
+Real D_GGXRobust(Real alpha, Real NoH, Real NxH2);
+Real charlieCurve(Real alpha, Real x);
+Real lambdaCharlie(Real alpha, Real cosine);
+Real V_Charlie(Real alpha, Real NoV, Real NoL);
+Real V_CharlieSoftened(Real alpha, Real NoV, Real NoL);
+Real D_Ashikhmin(Real alpha, Real NoH);
+vec3 sheenLtc(Real sheenRoughness, Real NoV);
+Real sheenLtcCosine(vec3 ltc, vec3 l);
+
+Real roughnessR115(Real perceptualRoughness);
+Real reflectivityFromIor(Real ior);
+vec3 specularF0R115(vec3 baseColor, Real reflectivity, Real metallic);
+Real clearcoatDHR(Real perceptualRoughness, Real cosine);
+vec3 Fr_SheenR115(vec3 sheenColor, Real alpha, Real NoV, Real NoL, Real NoH);
+
+Real F_SchlickWeight5(Real cosine);
+Real luminanceDisney(vec3 color);
+vec3 tintDisney(vec3 baseColor);
+vec3 specularF0Disney(vec3 baseColor, Real metallic, Real specular, Real specularTint);
+Real Fd_Burley(Real perceptualRoughness, Real NoV, Real NoL, Real LoH);
+Real Fd_BurleyRenormalised(Real perceptualRoughness, Real NoV, Real NoL, Real LoH);
+Real Fd_HanrahanKrueger(Real perceptualRoughness, Real NoV, Real NoL, Real LoH);
+vec2 alphasDisney(Real perceptualRoughness, Real anisotropic);
+Real G1_SmithAnisotropic(Real alphaT, Real alphaB, Real cosine, Real alongT, Real alongB);
+Real D_GTR1(Real alpha, Real NoH);
+Real Fr_ClearcoatDisney(Real clearcoat, Real gloss, Real NoV, Real NoL, Real NoH, Real LoH);
+vec3 Fr_SheenDisney(vec3 baseColor, Real sheen, Real sheenTint, Real LoH);
+vec2 Fd_DisneyThin(Real perceptualRoughness, Real diffuseTransmission, Real flatness, Real NoV, Real NoL, Real LoH);
+
+vec2 dfgKaris(Real perceptualRoughness, Real NoV);
+vec2 dfgLazarov(Real perceptualRoughness, Real NoV);
+
 Real D_GGXAnisotropic(Real alphaT, Real alphaB, Real NoH, Real ToH, Real BoH);
 Real V_SmithGGXCorrelatedAnisotropic(Real alphaT, Real alphaB, Real NoV, Real NoL, Real ToV, Real BoV, Real ToL, Real BoL);
 Real alphaAlongTangent(Real perceptualRoughness, Real strength);

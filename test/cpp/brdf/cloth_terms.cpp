@@ -1,0 +1,69 @@
+#include "brdf/cloth_terms.h"
+
+#include "brdf/term_rows.h"
+
+namespace telar::test {
+namespace {
+
+const Column GLOSS{0, 1, {0, 0.5, 1}};
+// Between 0.5 and 1 both sides of its fraction vanish; the coat takes 0.001 to 0.1.
+const Column DISNEY_ALPHA{0.01, 0.5, {0.01, 0.1, 0.5}};
+const Column IOR{1, 3, {1, 1.33, 1.5, 3}};
+const Column LTC_ROUGHNESS{0.05, 1, {0.05, 0.1, 0.3, 0.5, 1}};
+// Closer to grazing Lambda is exp(20): an ulp of the exponent is then more than the tolerance.
+const Column OFF_CLIFF{0.1, 1, {0.1, 0.3, 0.5, 1}};
+const Column NXH2{1e-6, 1, {1e-6, 1e-3, 0.5, 1}};
+
+}  // namespace
+
+std::vector<Term> thesisTerms() {
+  return {
+      TERM("roughnessR115", ({ROUGHNESS}), PRODUCT, true, vec3(roughnessR115(p[0]))),
+      TERM("reflectivityFromIor", ({IOR}), OF_ONE, true, vec3(reflectivityFromIor(p[0]))),
+      TERM("specularF0R115", ({UNIT, UNIT, UNIT, UNIT, UNIT}), PRODUCT, true,
+           specularF0R115(vec3(p[0], p[1], p[2]), p[3], p[4])),
+      TERM("clearcoatDHR", ({ROUGHNESS, COSINE}), PRODUCT, true, vec3(clearcoatDHR(p[0], p[1]))),
+      TERM("Fr_SheenR115", ({UNIT, UNIT, UNIT, SHEEN_ALPHA, COSINE, COSINE, COSINE}), OF_CHARLIE, true,
+           Fr_SheenR115(vec3(p[0], p[1], p[2]), p[3], p[4], p[5], p[6])),
+      TERM("F_SchlickWeight5", ({COSINE}), PRODUCT, true, vec3(F_SchlickWeight5(p[0]))),
+      TERM("luminanceDisney", ({UNIT, UNIT, UNIT}), PRODUCT, true, vec3(luminanceDisney(vec3(p[0], p[1], p[2])))),
+      TERM("tintDisney", ({UNIT, UNIT, UNIT}), PRODUCT, true, tintDisney(vec3(p[0], p[1], p[2]))),
+      TERM("specularF0Disney", ({UNIT, UNIT, UNIT, UNIT, UNIT, UNIT}), PRODUCT, true,
+           specularF0Disney(vec3(p[0], p[1], p[2]), p[3], p[4], p[5])),
+      TERM("Fd_Burley", ({ROUGHNESS, COSINE, COSINE, COSINE}), PRODUCT, true, vec3(Fd_Burley(p[0], p[1], p[2], p[3]))),
+      TERM("Fd_BurleyRenormalised", ({ROUGHNESS, COSINE, COSINE, COSINE}), OF_ONE, true,
+           vec3(Fd_BurleyRenormalised(p[0], p[1], p[2], p[3]))),
+      // 1 / (NoL + NoV) magnifies a difference near grazing, where NoL then takes it back.
+      TERM("Fd_HanrahanKrueger", ({ROUGHNESS, COSINE, OFF_GRAZING, COSINE}), CANCELLING, true,
+           vec3(Fd_HanrahanKrueger(p[0], p[1], p[2], p[3]))),
+      TERM("alphasDisney", ({ROUGHNESS, UNIT}), PRODUCT, true, vec3(alphasDisney(p[0], p[1]), 0.0)),
+      TERM("G1_SmithAnisotropic", ({ALPHA, ALPHA, COSINE, SLANT, SLANT}), PRODUCT, true,
+           vec3(G1_SmithAnisotropic(p[0], p[1], p[2], p[3], p[4]))),
+      TERM("D_GTR1", ({DISNEY_ALPHA, COSINE}), PRODUCT, true, vec3(D_GTR1(p[0], p[1]))),
+      TERM("Fr_ClearcoatDisney", ({UNIT, GLOSS, COSINE, COSINE, COSINE, COSINE}), OF_ONE, true,
+           vec3(Fr_ClearcoatDisney(p[0], p[1], p[2], p[3], p[4], p[5]))),
+      TERM("Fr_SheenDisney", ({UNIT, UNIT, UNIT, UNIT, UNIT, COSINE}), PRODUCT, true,
+           Fr_SheenDisney(vec3(p[0], p[1], p[2]), p[3], p[4], p[5])),
+      TERM("Fd_DisneyThin", ({ROUGHNESS, UNIT, UNIT, COSINE, COSINE, COSINE}), CANCELLING, true,
+           vec3(Fd_DisneyThin(p[0], p[1], p[2], p[3], p[4], p[5]), 0.0)),
+      TERM("dfgKaris", ({ROUGHNESS, COSINE}), OF_ONE, false, vec3(dfgKaris(p[0], p[1]), 0.0)),
+      TERM("dfgLazarov", ({ROUGHNESS, COSINE}), OF_ONE, false, vec3(dfgLazarov(p[0], p[1]), 0.0)),
+  };
+}
+
+std::vector<Term> clothTerms() {
+  return {
+      TERM("D_GGXRobust", ({ALPHA, COSINE, NXH2}), PRODUCT, true, vec3(D_GGXRobust(p[0], p[1], p[2]))),
+      TERM("charlieCurve", ({ALPHA, COSINE}), CANCELLING, false, vec3(charlieCurve(p[0], p[1]))),
+      TERM("lambdaCharlie", ({ALPHA, OFF_CLIFF}), PRODUCT, true, vec3(lambdaCharlie(p[0], p[1]))),
+      TERM("V_Charlie", ({ALPHA, OFF_CLIFF, OFF_CLIFF}), PRODUCT, true, vec3(V_Charlie(p[0], p[1], p[2]))),
+      TERM("V_CharlieSoftened", ({ALPHA, OFF_CLIFF, OFF_CLIFF}), PRODUCT, true,
+           vec3(V_CharlieSoftened(p[0], p[1], p[2]))),
+      TERM("D_Ashikhmin", ({SHEEN_ALPHA, COSINE}), OF_CHARLIE, true, vec3(D_Ashikhmin(p[0], p[1]))),
+      TERM("sheenLtc", ({LTC_ROUGHNESS, COSINE}), OF_ONE, false, sheenLtc(p[0], p[1])),
+      TERM("sheenLtcCosine", ({LTC_ROUGHNESS, COSINE, SLANT, SLANT, UPWARD}), OF_ONE, true,
+           vec3(sheenLtcCosine(sheenLtc(p[0], p[1]), normalize(vec3(p[2], p[3], p[4]))))),
+  };
+}
+
+}  // namespace telar::test
