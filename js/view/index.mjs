@@ -15,5 +15,6 @@ import { startServer } from './server.mjs';
 export async function openView({ renderer, source, shot, port, signal }) {
   const session = new Session({ renderer, source, shot });
   await session.load(signal);
+  session.check();
   return startServer({ session, port });
 }

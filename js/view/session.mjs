@@ -1,6 +1,7 @@
 import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
+import { resolveShot } from '../shot/resolve.mjs';
 import { Environments } from './environments.mjs';
 import { modelFiles } from './model_files.mjs';
 
@@ -52,6 +53,11 @@ export class Session {
     this.#model = model;
     this.#isFresh = true;
     if (old) await this.#renderer.release(old);
+  }
+
+  /** @throws {import('../error/index.mjs').TelarError} where the shot that the view begins with is wrong for the model */
+  check() {
+    resolveShot(this.#shot, this.#model.facts);
   }
 
   /**

@@ -61,7 +61,10 @@ export class Pictures {
   /** The browser's picture follows every change; what comes while it draws is drawn after it, once. */
   #drawClient() {
     this.#isWanted = true;
-    this.#drawing ??= this.#drawWanted().catch(this.#fail).finally(() => {
+    this.#drawing ??= this.#drawWanted().catch((error) => {
+      this.#request.abort();
+      this.#fail(error);
+    }).finally(() => {
       this.#drawing = undefined;
     });
     return this.#drawing;

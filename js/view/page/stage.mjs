@@ -65,14 +65,17 @@ export class Stage {
     this.#root.classList.add('stale');
   }
 
-  /** @param {{difference: Uint8ClampedArray, flip: Uint8ClampedArray}} maps RGBA of the shot's size */
-  showMaps({ difference, flip, comparison: { width, height } }) {
-    this.#maps = { difference: { width, height, data: difference }, flip: { width, height, data: flip } };
+  /** @param {{difference: Uint8ClampedArray, flip: Uint8ClampedArray, comparison: object}} maps RGBA of the shot's size */
+  showMaps({ difference, flip, comparison: { width, height, frame } }) {
+    const map = (title, data) => ({ image: { width, height, data }, caption: frame.max === 0 ? `${title}: none` : title });
+    this.#maps = { difference: map('Difference \u00d716', difference), flip: map('FLIP', flip) };
     this.#showMap();
   }
 
   #showMap() {
     const map = this.#maps[this.mode];
-    if (map) paint(this.#mapCanvas, map);
+    if (!map) return;
+    paint(this.#mapCanvas, map.image);
+    this.#root.querySelector('#map-picture figcaption').textContent = map.caption;
   }
 }

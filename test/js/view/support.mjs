@@ -1,0 +1,57 @@
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { createInterface } from 'node:readline';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+import { buildPage } from '../../../js/build_page.mjs';
+import '../api/support/real.mjs';
+
+export const SHIRT = fileURLToPath(new URL('../../../js/assets/tshirt.glb', import.meta.url));
+export const CLI = fileURLToPath(new URL('../../../js/cli/telar.mjs', import.meta.url));
+
+/** As test/parity/browser/chromium.mjs: the same llvmpipe draws both pictures. */
+const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
+  '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
+
+export const launchChromium = () => chromium.launch({ executablePath: process.env.TELAR_CHROMIUM ?? '/usr/bin/chromium', args: FLAGS });
+
+/**
+ * The real `telar view` in a process of its own.
+ * @param {string} model
+ * @param {string[]} [args]
+ * @returns {Promise<{url: string, told: object, child: import('node:child_process').ChildProcess, stop: () => Promise<[number, string]>}>}
+ *   stop: SIGINT, then exit code and signal
+ */
+export async function openView(model, args = []) {
+  await buildPage();
+  const child = spawn(process.execPath, [CLI, 'view', model, '--json', '--quiet', ...args], { stdio: ['ignore', 'pipe', 'inherit'] });
+  const ended = once(child, 'exit');
+  const line = await Promise.race([once(createInterface(child.stdout), 'line'), ended.then(([code]) => Promise.reject(new Error(`telar view ended with ${code}`)))]);
+  const told = JSON.parse(line[0]);
+  const stop = () => {
+    child.kill('SIGINT');
+    return ended;
+  };
+  return { url: told.url, told, child, stop };
+}
+
+/** Waits until both pictures and their figures stand. */
+export const settled = (page) => page.waitForSelector('body[data-phase=ready]', { timeout: 30_000 });
+
+/** Runs what changes the shot, and waits until both sides show it. */
+export async function changing(page, act) {
+  const seen = page.waitForSelector('body[data-phase=drawing]', { timeout: 10_000 });
+  await act();
+  await seen;
+  await settled(page);
+}
+
+/** Both pictures as the page shows them, each as text. */
+export const pictures = (page) => page.evaluate(() => ['#client-canvas canvas', '#server-picture canvas'].map((name) => document.querySelector(name).toDataURL()));
+
+/** The figures of one region by the table's headings. */
+export const figuresOf = (page, region) => page.evaluate((name) => {
+  const rows = [...document.querySelectorAll('#figures tr')].map((row) => [...row.cells].map((cell) => cell.textContent));
+  const row = rows.find(([first]) => first === name);
+  return Object.fromEntries(rows[0].map((heading, i) => [heading, Number(row[i])]));
+}, region);
