@@ -1,50 +1,71 @@
 import path from 'node:path';
-import { compareImages, encodePng, heatMap, htmlReport, judge, junitReport, readImage } from '../compare/index.mjs';
+import { compareImages, encodePng, heatMap, htmlReport, judge, junitReport, readEmbeddedShot, readImage } from '../compare/index.mjs';
+import { readFileBytes } from '../compare/files.mjs';
 import { checkName, checkText, COLUMNS, number, regionRows } from '../compare/figures.mjs';
 import { EXIT_OVER_THE_GATE } from '../error/table.mjs';
 import { TelarError, toTelarError } from '../error/index.mjs';
+import { differingKeys, drawShotOf, shotText } from './drawn_shot.mjs';
 import { removeUnfinished, writeFileAtomically } from './atomic_file.mjs';
 import { readLimits } from './limits.mjs';
 
 /**
- * telar compare EXPECTED ACTUAL
- * Figures of the difference of two images, and whether they are within a gate.
+ * telar compare EXPECTED [ACTUAL]
+ * Figures of the difference of two images, and whether they are within a gate. Tells the shots that they hold; without
+ * ACTUAL, draws --model with EXPECTED's.
  * @param {string} expected path of a PNG, JPEG or WebP
- * @param {string} actual path
+ * @param {string | undefined} actual path
  * @param {object} options as commander parsed them
- * @param {import('./console.mjs').Io & {console: import('./console.mjs').Console}} context
+ * @param {import('./console.mjs').Io & {console: import('./console.mjs').Console, api: object}} context
  * @returns {Promise<number>} 0 within the gate, 1 over it
  */
-export async function compare(expected, actual, options, { console, signal }) {
-  const limits = readLimits(options.limit);
-  const images = [await readNamed(expected, { limits, signal }), await readNamed(actual, { limits, signal })];
+export async function compare(expected, actual, options, { console, signal, api }) {
+  if ((actual === undefined) === (options.model === undefined)) throw new TelarError('E_USAGE', 'expected either ACTUAL or --model MODEL');
+  const context = { limits: readLimits(options.limit), signal, api };
+  const first = await readNamed(expected, context);
+  const second = actual ? await readNamed(actual, context) : { shot: null, image: await drawShotOf(expected, first.shot, options, context) };
   signal?.throwIfAborted();
+  const images = [first.image, second.image];
+  const shots = { expected: first.shot, actual: second.shot };
   const comparison = compareImages(...images);
   const verdict = judge(comparison, options.gate);
+  const names = { expected, actual: actual ?? options.model };
   try {
-    await writeReports({ expected, actual, images, comparison, verdict }, options, signal);
+    await writeReports({ names, images, comparison, verdict }, options, signal);
   } finally {
     removeUnfinished();
   }
   const exit = verdict.pass ? 0 : EXIT_OVER_THE_GATE;
   const { flipMap, ...figures } = comparison;
-  await console.result({ ok: verdict.pass, exit, expected, actual, ...verdict, ...figures }, lines(comparison, verdict));
+  await console.result({ ok: verdict.pass, exit, ...names, shots, ...verdict, ...figures }, [...(await shotLines(names, shots)), ...lines(comparison, verdict)]);
   return exit;
 }
 
-/** @throws {TelarError} with the file's name in front */
-async function readNamed(file, options) {
+/** What the pictures say that they show. */
+async function shotLines(names, shots) {
+  const told = Object.keys(shots).filter((side) => shots[side]).map(async (side) => `${names[side]} shows ${await shotText(shots[side])}`);
+  const differing = shots.expected && shots.actual ? differingKeys(shots.expected, shots.actual) : [];
+  return [...(await Promise.all(told)), ...(differing.length ? [`the shots differ in ${differing.join(', ')}`] : [])];
+}
+
+/** The error with the file's name in front. */
+function named(file, thrown) {
+  const error = toTelarError(thrown);
+  return new TelarError(error.code, error.code === 'E_FILE' ? error.message : `${file}: ${error.message}`, error);
+}
+
+/** A picture and the shot inside it, null where it holds none. */
+async function readNamed(file, { limits, signal }) {
   try {
-    return await readImage(file, options);
+    const bytes = await readFileBytes(file, { limits, signal });
+    return { image: await readImage(bytes, { limits, signal }), shot: readEmbeddedShot(bytes) };
   } catch (thrown) {
-    const error = toTelarError(thrown);
-    throw new TelarError(error.code, error.code === 'E_FILE' ? error.message : `${file}: ${error.message}`, error);
+    throw named(file, thrown);
   }
 }
 
-async function writeReports({ expected, actual, images, comparison, verdict }, { heatmap, report, junit }, signal) {
+async function writeReports({ names, images, comparison, verdict }, { heatmap, report, junit }, signal) {
   const map = heatmap || report ? await encodePng(heatMap(comparison), { signal }) : undefined;
-  const name = `${path.basename(expected)} and ${path.basename(actual)}`;
+  const name = `${path.basename(names.expected)} and ${path.basename(names.actual)}`;
   if (heatmap) await writeFileAtomically(heatmap, map, signal);
   if (report) {
     const pictures = await Promise.all(images.map((image) => encodePng(image, { signal })));

@@ -50,8 +50,11 @@ export function buildProgram(version, actions, output) {
     .action(actions.inspect);
   addLimit(addCommon(command('compare', 'Say how far two images of one size are apart, and whether that is within a gate')
     .argument('<expected>', 'PNG, JPEG or WebP')
-    .argument('<actual>', 'PNG, JPEG or WebP')
+    .argument('[actual]', 'PNG, JPEG or WebP; needed unless --model is given')
     .addOption(new Option('--gate <gate>', 'which figures must not be passed').choices(Object.keys(GATES)).default(DEFAULT_GATE))
+    .option('--model <model>', 'in place of ACTUAL: draw this model with the shot inside EXPECTED, which telar view saves')
+    .option('--environment <file>', 'the file of the shot\'s environment, where --model is given')
+    .addOption(new Option('--backend <backend>', 'where GL comes from, where --model is given').choices(BACKENDS).default('auto'))
     .option('--heatmap <out>', 'write FLIP of each pixel as a PNG')
     .option('--report <dir>', 'write a page with the images, the heat map and the figures')
     .option('--junit <file>', 'write the checks as JUnit XML')))

@@ -60,7 +60,7 @@ async function readText(file, stdin) {
 }
 
 /** Relative paths in a shot start at its file. */
-function withPathsFrom(folder, shot) {
+export function withPathsFrom(folder, shot) {
   const rebase = (map) => (typeof map === 'string' && !BUNDLED.includes(map) ? path.resolve(folder, map) : map);
   const { environment } = shot;
   if (typeof environment === 'string') return { ...shot, environment: rebase(environment) };

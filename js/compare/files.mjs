@@ -9,7 +9,16 @@ import { checkImage } from './image.mjs';
 
 /** Image files in and out, through the same decoders that read textures. */
 
-async function readBytes(file, maxBytes, signal) {
+/**
+ * The bytes of a file that is no larger than L_FILE_BYTES.
+ * @internal
+ * @param {string} file
+ * @param {{limits?: Record<string, number>, signal?: AbortSignal}} [options]
+ * @returns {Promise<Buffer>}
+ * @throws {TelarError} E_FILE, L_FILE_BYTES
+ */
+export async function readFileBytes(file, { limits = {}, signal } = {}) {
+  const maxBytes = limits.L_FILE_BYTES ?? loadNative().limits.L_FILE_BYTES;
   try {
     const handle = await open(file);
     try {
@@ -40,7 +49,7 @@ export async function readImage(source, options = {}) {
   const { limits, signal } = imageOptions(options, Object.keys(native.limits));
   const maxBytes = limits.L_FILE_BYTES ?? native.limits.L_FILE_BYTES;
   const given = readSource(native, source, maxBytes);
-  const bytes = typeof given === 'string' ? readSource(native, await readBytes(given, maxBytes, signal), maxBytes) : given;
+  const bytes = typeof given === 'string' ? readSource(native, await readFileBytes(given, { limits, signal }), maxBytes) : given;
   return nativeCall(native, signal, (token) => native.decodeImage(bytes, limits, token));
 }
 

@@ -5,7 +5,8 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { encodePng, readImage } from '../../../js/compare/index.mjs';
+import { embedShot, encodePng, readImage } from '../../../js/compare/index.mjs';
+import { createRenderer } from '../../../js/index.mjs';
 import { flat, square, withPixel } from '../compare/support.mjs';
 
 const CLI = fileURLToPath(new URL('../../../js/cli/telar.mjs', import.meta.url));
@@ -62,7 +63,7 @@ test('bad input is exit 3 and names the file, wrong usage exit 2; neither writes
     [['text.png', 'expected.png'], 3, /text\.png: .*E_IMAGE_FORMAT/],
     [['expected.png', 'same.png', '--limit', 'L_IMAGE_DIMENSION=16'], 4, /expected\.png: .*L_IMAGE_DIMENSION/],
     [['expected.png', 'same.png', '--gate', 'strict'], 2, /--gate.*E_USAGE/],
-    [['expected.png'], 2, /actual.*E_USAGE/],
+    [['expected.png'], 2, /either ACTUAL or --model.*E_USAGE/],
     [['expected.png', 'same.png', '--limit', 'L_NOTHING=1'], 2, /L_NOTHING/],
   ]) {
     const { status, stderr } = compare(...args);
@@ -71,4 +72,48 @@ test('bad input is exit 3 and names the file, wrong usage exit 2; neither writes
     assert.ok(!stderr.includes(folder), 'no path of the machine');
   }
   assert.ok(!existsSync(at('bad.xml')));
+});
+
+const MODEL = fileURLToPath(new URL('../../../js/assets/tshirt.glb', import.meta.url));
+const SHOT = { size: { width: 64, height: 48 }, camera: { view: 'back' }, variant: 'indigo' };
+
+/** Two screenshots of one shot, the second with a spot, and one of another shot. */
+async function saveScreenshots() {
+  const renderer = await createRenderer();
+  const { data } = await renderer.render(MODEL, SHOT);
+  await renderer.close();
+  writeFileSync(at('screenshot.png'), embedShot(data, SHOT));
+  const spot = withPixel(await readImage(data), 32, 24, [0, 255, 0, 255]);
+  writeFileSync(at('spotted.png'), embedShot(await encodePng(spot), { ...SHOT, variant: 'terracotta', output: { format: 'png' } }));
+}
+
+test('a screenshot with its shot inside needs the model alone, and tells what it shows', async () => {
+  await saveScreenshots();
+  const { status, stdout } = compare('screenshot.png', '--model', MODEL, '--gate', 'exact');
+  assert.equal(status, 0, stdout);
+  assert.match(stdout, /^screenshot\.png shows size=\{"width":64,"height":48\} camera=\{"view":"back"\} variant="indigo"\n/);
+  const json = JSON.parse(compare('spotted.png', '--model', MODEL, '--json', '--gate', 'parity', '--report', 'drawn').stdout);
+  assert.deepEqual([json.exit, json.actual, json.shots], [1, MODEL, { expected: { ...SHOT, variant: 'terracotta', output: { format: 'png' } }, actual: null }]);
+  assert.ok(existsSync(at('drawn/actual.png')));
+});
+
+test('two screenshots: both shots are told, and in what they differ', () => {
+  const { stdout } = compare('screenshot.png', 'spotted.png');
+  assert.match(stdout, /^screenshot\.png shows .*\nspotted\.png shows .*variant="terracotta"\nthe shots differ in variant\n/);
+});
+
+test('--model without a shot, with ACTUAL, or with a shot that is damaged', () => {
+  const damaged = readFileSync(at('screenshot.png'));
+  damaged[damaged.indexOf('telar:shot') + 20] ^= 1;
+  writeFileSync(at('damaged.png'), damaged);
+  for (const [args, exit, message] of [
+    [['expected.png', '--model', MODEL], 2, /expected\.png holds no shot: save the picture in telar view/],
+    [['expected.png', 'same.png', '--model', MODEL], 2, /either ACTUAL or --model/],
+    [['damaged.png', '--model', MODEL], 3, /damaged\.png: .*E_IMAGE_CORRUPT/],
+    [['screenshot.png', '--model', 'none.glb'], 3, /none\.glb.*E_FILE/],
+  ]) {
+    const { status, stderr } = compare(...args);
+    assert.equal(status, exit, `${args}: ${stderr}`);
+    assert.match(stderr, message);
+  }
 });

@@ -1,0 +1,53 @@
+import path from 'node:path';
+import { readImage } from '../compare/index.mjs';
+import { TelarError, toTelarError } from '../error/index.mjs';
+import { withPathsFrom } from './shot_options.mjs';
+
+/** The shots that pictures hold (js/compare/embedded_shot.mjs): told, and drawn again. */
+
+/** A box to resolve shots in whose camera depends on the model. */
+const ANY_MODEL = { min: [0, 0, 0], max: [1, 1, 1] };
+
+/** The keys of a shot that are not as they are by default, as `key=JSON`; what went to which file is left out. */
+export async function shotText({ output, ...shot }) {
+  const { resolveShot } = await import('../shot/index.mjs');
+  const defaults = resolveShot({}, ANY_MODEL);
+  const told = Object.entries(shot).filter(([key, value]) => JSON.stringify(value) !== JSON.stringify(defaults[key]));
+  return told.map(([key, value]) => `${key}=${JSON.stringify(value)}`).join(' ') || 'every default';
+}
+
+/** Keys in which two shots differ. */
+export function differingKeys({ output: _, ...first }, { output: __, ...second }) {
+  const keys = new Set([...Object.keys(first), ...Object.keys(second)]);
+  return [...keys].filter((key) => JSON.stringify(first[key]) !== JSON.stringify(second[key]));
+}
+
+/**
+ * Draws a model with the shot that a picture holds.
+ * @param {string} file of the picture; relative paths in its shot start there
+ * @param {object | null} shot of the picture
+ * @param {{model: string, environment?: string, backend: string}} options
+ * @param {{limits: object, signal?: AbortSignal, api: object}} context
+ * @returns {Promise<import('../compare/image.mjs').Image>}
+ * @throws {TelarError} E_USAGE where the picture holds no shot
+ */
+export async function drawShotOf(file, shot, { model, environment, backend }, { limits, signal, api }) {
+  if (!shot) throw new TelarError('E_USAGE', `${file} holds no shot: save the picture in telar view, or give the picture to compare with as ACTUAL`);
+  const wanted = { ...withPathsFrom(path.dirname(file), shot), output: { format: 'png' } };
+  if (environment !== undefined) wanted.environment = { ...(typeof shot.environment === 'object' ? shot.environment : {}), map: environment };
+  const renderer = await api.createRenderer({ backend, limits, signal });
+  try {
+    return await readImage(await drawn(renderer, model, wanted, signal), { limits, signal });
+  } finally {
+    await renderer.close();
+  }
+}
+
+async function drawn(renderer, model, shot, signal) {
+  try {
+    return (await renderer.render(model, shot, { signal })).data;
+  } catch (thrown) {
+    const error = toTelarError(thrown);
+    throw new TelarError(error.code, `${model}: ${error.message}`, error);
+  }
+}
