@@ -1,16 +1,12 @@
 import { Comparer } from './comparison.mjs';
 import { showFigures } from './figures.mjs';
 import { draw } from './remote.mjs';
+import { shotDifferences } from './shot_differences.mjs';
 
 /** How long a shot must stand still before the server draws it. */
 const SETTLE_MS = 150;
 
 const $ = (id) => document.getElementById(id);
-
-/** Keys in which the two sides resolved the shot differently: none, unless they measure the model differently. */
-function differingKeys(ours, theirs) {
-  return Object.keys(ours).filter((key) => key !== 'output' && JSON.stringify(ours[key]) !== JSON.stringify(theirs[key]));
-}
 
 /** Draws the state on both sides and compares them; only what was asked for last is shown. */
 export class Pictures {
@@ -107,9 +103,9 @@ export class Pictures {
 
   #tell({ milliseconds, warnings, shot }, resolved) {
     $('server-time').textContent = `${Math.round(milliseconds.total)} ms`;
-    const differing = differingKeys(resolved, shot);
-    const notes = warnings.map(({ message }) => message);
-    if (differing.length > 0) notes.unshift(`The two sides resolved the shot differently: ${differing.join(', ')}`);
+    const differences = shotDifferences(resolved, shot).map(({ path, ours, theirs }) =>
+      `The two sides resolved the shot differently: ${path} is ${ours} in the browser, ${theirs} on the server.`);
+    const notes = [...differences, ...warnings.map(({ message }) => message)];
     $('notes').replaceChildren(...notes.map((text) => Object.assign(document.createElement('li'), { textContent: text })));
   }
 }

@@ -3,6 +3,7 @@ import { test } from 'node:test';
 import { resolveShot } from '../../../js/shot/index.mjs';
 import { fromControls, orbited, withFit, withFovY, withModelCamera, withProjection, withView } from '../../../js/view/page/camera_edit.mjs';
 import { straightPixels, scaledDifference } from '../../../js/view/page/pixels.mjs';
+import { shotDifferences } from '../../../js/view/page/shot_differences.mjs';
 import { premultiply } from '../../../js/compare/image.mjs';
 
 const FACTS = { min: [-0.4, 0, -0.2], max: [0.4, 1, 0.2] };
@@ -90,4 +91,15 @@ test('differences show sixteenfold, those of alpha in every channel', () => {
   const image = (...data) => ({ width: data.length / 4, height: 1, data: Uint8Array.from(data) });
   const difference = scaledDifference(image(10, 20, 30, 255, 9, 9, 9, 0, 50, 0, 0, 255), image(11, 18, 30, 255, 0, 0, 0, 2, 0, 0, 0, 255));
   assert.deepEqual([...difference], [16, 32, 0, 255, 32, 32, 32, 255, 255, 0, 0, 255]);
+});
+
+test('differences of resolved shots are named, those of rounding and of the file are not', () => {
+  const shot = { exposure: 1, camera: { position: [0, 1, 2] }, lights: [{ type: 'ambient' }], output: { format: 'png' } };
+  const other = { exposure: 1.5, camera: { position: [1e-16, 1 + 1e-15, 2.1] }, lights: [], output: { format: 'raw' } };
+  assert.deepEqual(shotDifferences(shot, { ...shot, output: undefined }), []);
+  assert.deepEqual(shotDifferences(shot, other), [
+    { path: 'exposure', ours: '1', theirs: '1.5' },
+    { path: 'camera.position[2]', ours: '2', theirs: '2.1' },
+    { path: 'lights[0]', ours: '{"type":"ambient"}', theirs: undefined },
+  ]);
 });
