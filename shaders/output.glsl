@@ -25,6 +25,7 @@ vec4 outputColor(vec3 radiance, float alpha) {
 #if OUTPUT_LINEAR
   return vec4(clamp(radiance * exposure, 0.0, RADIANCE_MAX), alpha);
 #else
-  return vec4(srgbFromLinear(toneMapped(max(radiance, 0.0))), alpha);
+  // What a thin film takes from one channel makes it negative at grazing angles; tone mapping shows that in all channels.
+  return vec4(srgbFromLinear(toneMapped(mix(radiance, vec3(0.0), isnan(radiance)))), alpha);
 #endif
 }

@@ -5,22 +5,13 @@ import { OUT } from './places.mjs';
 import { figuresText, reportPage } from './report_page.mjs';
 
 /**
- * The worst pixel of a case followed through both shaders: what `traceOf(result, {browser, server})` of trace.mjs resolves
- * to. run.mjs calls it, when trace.mjs is there, for each case over the bar, and with --trace for each that differs at all;
- * `result` is of draw_cases.mjs, `browser` and `server` are those that drew the case, still open.
- * @typedef {object} Trace
- * @property {[number, number]} pixel - Counted from the top left.
- * @property {{term: string, browser: number[] | null, telar: number[] | null}[]} terms - In the order of computation; null
- *   where a side does not have the term.
- * @property {string} [cause] - First term that differs, or what else is known, as a sentence.
- *
  * One case in the report.
  * @typedef {object} Row
  * @property {string} name
  * @property {boolean} pass
  * @property {import('./metrics.mjs').Difference} [difference]
  * @property {import('./rasterizers.mjs').Distances} [rasterizers]
- * @property {Trace} [trace]
+ * @property {import('./trace.mjs').Trace} [trace] - The worst pixel followed through both shaders.
  * @property {string} [error] - Why it could not be drawn.
  */
 
@@ -31,7 +22,7 @@ export class Report {
 
   /**
    * @param {import('./draw_cases.mjs').Result} result
-   * @param {Trace} [trace]
+   * @param {import('./trace.mjs').Trace} [trace]
    * @returns {string} Line for the console.
    */
   add({ item, error, difference, rasterizers }, trace = undefined) {

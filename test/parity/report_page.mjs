@@ -65,9 +65,12 @@ function figures({ name, rasterizers }) {
 const values = (list) => (list ? list.map((value) => Number(value.toPrecision(7))).join(' ') : '');
 
 function traceTable({ pixel, terms, cause }) {
-  const line = ({ term, browser, telar }) => `<tr><th scope="row">${escaped(term)}</th><td>${values(browser)}</td><td>${values(telar)}</td></tr>`;
-  return `<p>Pixel ${pixel.join(' ')} through both shaders${cause ? `: ${escaped(cause)}` : ''}</p>
-<table><thead><tr><th scope="col">term</th><th scope="col">three.js</th><th scope="col">telar</th></tr></thead><tbody>${terms.map(line).join('\n')}</tbody></table>`;
+  const drawn = terms.filter(({ browser, telar }) => browser || telar);
+  const line = ({ term, browser, telar, difference, differs }) =>
+    `<tr${differs ? ' class="over"' : ''}><th scope="row">${escaped(term)}</th><td>${values(browser)}</td><td>${values(telar)}</td><td>${difference.toExponential(1)}</td></tr>`;
+  return `<p>Pixel ${pixel.join(' ')} through both shaders: ${escaped(cause)}</p>
+<table><thead><tr>${['quantity', 'three.js', 'telar', 'difference'].map((heading) => `<th scope="col">${heading}</th>`).join('')}</tr></thead>
+<tbody>${drawn.map(line).join('\n')}</tbody></table>`;
 }
 
 function section(row) {

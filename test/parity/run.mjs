@@ -17,6 +17,7 @@ import { saveReference } from './files.mjs';
 import { OUT } from './places.mjs';
 import { Report } from './report.mjs';
 import { openServer } from './server.mjs';
+import { traceOf } from './trace.mjs';
 
 const flags = ['all', 'fast', 'swiftshader', 'trace', 'keep', 'browser-only'];
 const { values, positionals } = parseArgs({
@@ -31,10 +32,11 @@ const cases = (values.all || positionals.length > 0 ? CASES : GATE_CASES)
   .filter((item) => !values.fast || item.fast);
 if (cases.length === 0) throw new Error(`no case has one of these in its name: ${positionals.join(' ')}`);
 
-/** A module of this folder that other work brings; undefined until then. */
-const optional = async (file) => (existsSync(new URL(file, import.meta.url)) ? import(file) : undefined);
-const { traceOf } = (await optional('./trace.mjs')) ?? {};
-const { KNOWN_DIFFERENCES } = (await optional('./known_differences.mjs')) ?? {};
+/** Cases followed through the shaders without --trace: each takes seconds, and one fault shows in many cases. */
+const MAX_TRACES = 12;
+let traces = 0;
+
+const { KNOWN_DIFFERENCES } = existsSync(new URL('known_differences.mjs', import.meta.url)) ? await import('./known_differences.mjs') : {};
 
 const report = new Report();
 const spent = {};
@@ -64,9 +66,20 @@ async function finishCase(result) {
     if (error) report.failed++;
     return;
   }
-  const wanted = difference && (!difference.pass || (values.trace && difference.interior?.max > 0));
-  const trace = traceOf && wanted ? await traceOf(result, sides) : undefined;
-  console.log(report.add(result, trace));
+  console.log(report.add(result, wantsTrace(difference) ? await traced(result) : undefined));
+}
+
+function wantsTrace(difference) {
+  if (!difference || (difference.pass && !(values.trace && difference.interior?.max > 0))) return false;
+  return values.trace || ++traces <= MAX_TRACES;
+}
+
+/** The worst pixel of the region that is over the bar, or of the interior. */
+async function traced(result) {
+  const { interior, edge, verdict } = result.difference;
+  const over = verdict.checks.find(({ pass }) => !pass)?.region;
+  const pixel = { interior, edge }[over]?.worst ?? interior?.worst ?? edge?.worst;
+  return pixel ? traceOf(result, sides, pixel) : undefined;
 }
 
 function summaryOf() {
