@@ -23,6 +23,9 @@ precision highp samplerCube;
 #include "brdf/light.glsl"
 #include "brdf/occlusion.glsl"
 #include "brdf/environment.glsl"
+#if RECT_LIGHTS > 0
+#include "brdf/area.glsl"
+#endif
 #if SHEEN
 #include "brdf/sheen.glsl"
 #endif
@@ -40,6 +43,7 @@ precision highp samplerCube;
 #include "material/surface_info.glsl"
 #if !UNLIT
 #include "light/punctual.glsl"
+#include "light/area.glsl"
 #include "light/indirect.glsl"
 #endif
 #if DEBUG_OUTPUT
@@ -79,6 +83,9 @@ void main() {
   Reflected direct = punctualLight(s);
 #else
   Reflected direct = nothingReflected();
+#endif
+#if RECT_LIGHTS > 0
+  direct = addRectLight(direct, s);
 #endif
   vec3 radiance = (direct.diffuse + indirect.diffuse) + (direct.specular + indirect.specular);
 #if EMISSIVE

@@ -42,9 +42,11 @@ export function vector(doc, what = 'three numbers [x, y, z] in metres') {
 
 const COLOUR = 'a CSS colour without transparency (name, #hex, rgb(), hsl()) or a linear [r, g, b]';
 
+/** "expected ..." of a colour, the keywords that may stand in its place, and other things in words. */
+export const expectedColour = (keywords = [], others = []) => [...keywords.map((word) => JSON.stringify(word)), ...others, COLOUR].join(', ');
+
 /** A CSS colour, or linear Rec.709 [r, g, b] with components >= 0. Resolves to the latter. */
-export function colour(doc, keywords = []) {
-  const error = [...keywords.map((word) => JSON.stringify(word)), COLOUR].join(', ');
+export function colour(doc, keywords = [], error = expectedColour(keywords)) {
   const range = `a number in ${interval(0, HUGE)}`;
   const component = z.number({ error: range }).min(0, { error: range }).max(HUGE, { error: range });
   const css = z.string({ error }).refine((value) => keywords.includes(value) || parseColour(value) !== undefined, { error });

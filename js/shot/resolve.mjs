@@ -76,10 +76,11 @@ function resolveBackground(background, format, environment) {
   if (background === 'transparent' && format === 'jpeg') {
     throw wrongValue(['background'], 'a colour or "environment", as jpeg has no transparency', background);
   }
-  if (background === 'environment' && environment.map === 'none') {
+  const { type = background, blur } = background;
+  if (type === 'environment' && environment.map === 'none') {
     throw wrongValue(['background'], '"transparent" or a colour, as shot.environment is "none"', background);
   }
-  return background;
+  return blur === 0 ? 'environment' : background;
 }
 
 function resolveQuality(quality) {

@@ -1,5 +1,5 @@
 import { z } from 'zod';
-import { boolean, choice, colour, number, object, text, vector } from './fields.mjs';
+import { boolean, choice, colour, expectedColour, number, object, text, vector } from './fields.mjs';
 import { VIEWS } from './frame.mjs';
 
 /**
@@ -68,7 +68,11 @@ const light = {
 };
 const lightOf = (type, doc, shape) => object(doc, { type: z.literal(type).describe(doc), color: light.color, ...shape }, 'a light');
 
-const LIGHT_TYPES = '"ambient", "hemisphere", "directional", "point" or "spot"';
+/** Largest edge of a rect light: its area and its squared distances stay inside the range of 32-bit floats. */
+const EDGE_MAX_M = 1e6;
+const edge = (doc) => number(doc, { what: 'a length in metres', above: 0, max: EDGE_MAX_M }).default(10);
+
+const LIGHT_TYPES = '"ambient", "hemisphere", "directional", "point", "spot" or "rect"';
 const lights = z.array(z.discriminatedUnion('type', [
   lightOf('ambient', 'Light from everywhere', { intensity: light.intensity('irradiance') }),
   lightOf('hemisphere', 'Light from above in `color`, from below in `groundColor`', {
@@ -86,6 +90,10 @@ const lights = z.array(z.discriminatedUnion('type', [
     angle: number('Outer half-angle of the cone in radians', { what: 'a number of radians', above: 0, max: Math.PI / 2 })
       .default(Math.PI / 3),
     penumbra: number('Part of the cone that fades out', { min: 0, max: 1 }).default(0),
+  }),
+  lightOf('rect', 'Rectangle at `position` that shines to one side, towards `target`; its width lies level', {
+    intensity: light.intensity('nit'), position: light.position([0, 1, 0]), target: light.target,
+    width: edge('Metres'), height: edge('Metres'),
   }),
 ], { error: ({ code }) => (code === 'invalid_union' ? LIGHT_TYPES : 'an object') }), { error: 'a list of lights' }).describe('Lights beside the environment and the model\'s own').prefault([]);
 
@@ -116,14 +124,21 @@ const output = object('The encoded file', {
   icc: boolean('Embed an sRGB profile: png, tiff, jpeg').default(false),
 }).prefault({});
 
+const environmentBackground = object('The environment, blurred', {
+  type: z.literal('environment', { error: '"environment"' }).describe('The environment').default('environment'),
+  blur: number('0 shows it sharp, 1 as a matt surface sees it: scene.backgroundBlurriness of three.js', { min: 0, max: 1 }).default(0),
+});
+const BACKGROUND = expectedColour(['transparent', 'environment'], ['{type: "environment", blur}']);
+const background = z.union([colour('Keyword or colour', ['transparent', 'environment'], BACKGROUND), environmentBackground], { error: BACKGROUND })
+  .describe('"transparent", "environment", a colour, or the environment blurred; default "transparent", white for jpeg');
+
 export const shotSchema = object('What to draw', {
   size,
   camera,
   environment,
   lights,
   modelLights: boolean('Use the lights in the model').default(true),
-  background: colour('"transparent", "environment" or a colour; default "transparent", white for jpeg', ['transparent', 'environment'])
-    .optional(),
+  background: background.optional(),
   shading: choice('"three": what stock three.js shows', ['three']).default('three'),
   toneMapping: choice('As in three.js', ['neutral', 'none', 'linear', 'reinhard', 'cineon', 'aces', 'agx']).default('neutral'),
   exposure: number('Factor on radiance before tone mapping', { min: 0 }).default(1),

@@ -133,11 +133,31 @@ export interface Shot {
     angle?: number;
     /** Part of the cone that fades out. Range 0 to 1. @default 0 */
     penumbra?: number;
+  } | {
+    /** Rectangle at `position` that shines to one side, towards `target`; its width lies level. */
+    type: 'rect';
+    /** CSS colour (sRGB) or linear [r, g, b]. @default "white" */
+    color?: string | [number, number, number];
+    /** Intensity in nit. Range at least 0. @default 1 */
+    intensity?: number;
+    /** Metres. @default [0,1,0] */
+    position?: [number, number, number];
+    /** Point that the light shines at, metres. @default [0,0,0] */
+    target?: [number, number, number];
+    /** Metres. Range above 0 to 1000000. @default 10 */
+    width?: number;
+    /** Metres. Range above 0 to 1000000. @default 10 */
+    height?: number;
   }>;
   /** Use the lights in the model. @default true */
   modelLights?: boolean;
-  /** "transparent", "environment" or a colour; default "transparent", white for jpeg. */
-  background?: string | [number, number, number];
+  /** "transparent", "environment", a colour, or the environment blurred; default "transparent", white for jpeg. */
+  background?: string | [number, number, number] | {
+    /** The environment. @default "environment" */
+    type?: 'environment';
+    /** 0 shows it sharp, 1 as a matt surface sees it: scene.backgroundBlurriness of three.js. Range 0 to 1. @default 0 */
+    blur?: number;
+  };
   /** "three": what stock three.js shows. @default "three" */
   shading?: 'three';
   /** As in three.js. @default "neutral" */
@@ -228,9 +248,20 @@ export interface ResolvedShot {
     range: number;
     angle: number;
     penumbra: number;
+  } | {
+    type: 'rect';
+    color: [number, number, number];
+    intensity: number;
+    position: [number, number, number];
+    target: [number, number, number];
+    width: number;
+    height: number;
   }>;
   modelLights: boolean;
-  background: 'transparent' | 'environment' | [number, number, number];
+  background: 'transparent' | 'environment' | [number, number, number] | {
+    type: 'environment';
+    blur: number;
+  };
   shading: 'three';
   toneMapping: 'neutral' | 'none' | 'linear' | 'reinhard' | 'cineon' | 'aces' | 'agx';
   exposure: number;

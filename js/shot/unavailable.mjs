@@ -2,24 +2,32 @@ import { TelarError } from '../error/index.mjs';
 
 /**
  * Values that the shot's format reserves and this version does not draw: refused by name, so that they are neither taken
- * for typing errors nor left out in silence.
+ * for typing errors nor left out in silence. Beside each stands what is available instead.
  */
-const KEYS = { lens: 'a lens', ground: 'a ground', pose: 'a pose' };
-const VALUES = {
-  shading: ['fabric', 'three-r115', 'disney-2012'],
-  quality: ['high', 'reference'],
-  layers: ['depth', 'normal', 'partId', 'ao', 'albedo', 'line', 'shadow'],
-  lightType: ['rect', 'disk'],
+const KEYS = {
+  lens: ['a lens', 'use exposure and camera.fovY'],
+  ground: ['a ground', 'use a background, or a model with a floor in it'],
+  pose: ['a pose', 'export the model in the pose that is to be drawn'],
 };
 
-function refuse(path, what) {
+/** [values, what to use instead] by key. */
+const VALUES = {
+  shading: [['fabric', 'three-r115', 'disney-2012'], 'use "three"'],
+  quality: [['high', 'reference'], 'use "standard", the best that there is, or "draft"'],
+  layers: [['depth', 'normal', 'partId', 'ao', 'albedo', 'line', 'shadow'], 'use "beauty"'],
+  lightType: [['disk'], 'use "rect", a square of the same area: width = height = 1.772 radius (three.js has no disk either)'],
+};
+const QUALITIES = ['maxError', 'budgetMs'];
+const SAMPLES = 'use {samples: 1} or {samples: 4}';
+
+function refuse(path, what, instead) {
   const pointer = `/${path.join('/')}`;
   const name = path.reduce((text, key) => (typeof key === 'number' ? `${text}[${key}]` : `${text}.${key}`), 'shot');
-  throw new TelarError('E_SHOT_UNAVAILABLE', `${name}: ${what} is not available in this version of telar`, { pointer });
+  throw new TelarError('E_SHOT_UNAVAILABLE', `${name}: ${what} is not available in this version of telar; ${instead}`, { pointer });
 }
 
-function refuseValue(path, value, reserved) {
-  if (reserved.includes(value)) refuse(path, JSON.stringify(value));
+function refuseValue(path, value, [reserved, instead]) {
+  if (reserved.includes(value)) refuse(path, JSON.stringify(value), instead);
 }
 
 const isObject = (value) => typeof value === 'object' && value !== null;
@@ -30,20 +38,20 @@ const isObject = (value) => typeof value === 'object' && value !== null;
  */
 export function refuseUnavailable(shot) {
   if (!isObject(shot)) return;
-  for (const [key, what] of Object.entries(KEYS)) {
-    if (shot[key] !== undefined) refuse([key], what);
+  for (const [key, [what, instead]] of Object.entries(KEYS)) {
+    if (shot[key] !== undefined) refuse([key], what, instead);
   }
   refuseValue(['shading'], shot.shading, VALUES.shading);
   refuseValue(['quality'], shot.quality, VALUES.quality);
   if (isObject(shot.quality)) {
-    for (const key of ['maxError', 'budgetMs']) {
-      if (shot.quality[key] !== undefined) refuse(['quality', key], `a quality by ${key}`);
+    for (const key of QUALITIES) {
+      if (shot.quality[key] !== undefined) refuse(['quality', key], `a quality by ${key}`, SAMPLES);
     }
   }
   if (Array.isArray(shot.layers)) shot.layers.forEach((layer, i) => refuseValue(['layers', i], layer, VALUES.layers));
   if (!Array.isArray(shot.lights)) return;
   shot.lights.forEach((light, i) => {
     refuseValue(['lights', i, 'type'], light?.type, VALUES.lightType);
-    if (light?.castShadow !== undefined) refuse(['lights', i, 'castShadow'], 'a shadow');
+    if (light?.castShadow !== undefined) refuse(['lights', i, 'castShadow'], 'a shadow', 'leave castShadow out: no light casts one');
   });
 }

@@ -30,11 +30,15 @@ export function rendererParameters(shot) {
  *   is made. Use the returned one.
  * @param {object} [target.model] - What GLTFLoader gave ({scene, parser}): for `variant` and `modelLights`.
  * @param {import('three').Texture} [target.environment] - Linear equirectangular texture; required where the shot has one.
+ * @param {() => Promise<{RectAreaLightUniformsLib: {init(): void}}>} [target.areaLightTables] - Gives three's tables of rect
+ *   lights, `() => import('three/addons/lights/RectAreaLightUniformsLib.js')`; called for the first shot with such a light.
  * @returns {Promise<import('three').Camera>} The camera to draw with, matrices up to date.
- * @throws {Error} When the shot needs an environment, and none was given, or names a variant that the model lacks.
+ * @throws {Error} When the shot needs an environment or the tables of rect lights, and none was given, or names a variant
+ *   that the model lacks.
  */
-export async function applyShot(shot, { THREE, renderer, scene, camera, model, environment }) {
+export async function applyShot(shot, { THREE, renderer, scene, camera, model, environment, areaLightTables }) {
   applyOutput(shot, THREE, renderer);
+  if (shot.lights.some(({ type }) => type === 'rect')) await prepareAreaLights(THREE, areaLightTables);
   applyLights(shot, THREE, scene, model);
   applyEnvironment(shot, THREE, scene, environment);
   applyBackground(shot, THREE, scene);
@@ -109,21 +113,32 @@ function applyLights(shot, THREE, scene, model) {
 /** three's physical decay: radiance falls with the square of the distance. */
 const INVERSE_SQUARE = 2;
 
+/** three.js keeps the tables of rect lights in an add-on, and draws such lights black without them. */
+async function prepareAreaLights(THREE, areaLightTables) {
+  if (THREE.UniformsLib.LTC_FLOAT_1) return;
+  const hint = 'areaLightTables: () => import(\'three/addons/lights/RectAreaLightUniformsLib.js\')';
+  if (!areaLightTables) throw new Error(`shot.lights: a rect light needs tables that three.js keeps apart: give applyShot ${hint}`);
+  (await areaLightTables()).RectAreaLightUniformsLib.init();
+  if (!THREE.UniformsLib.LTC_FLOAT_1) throw new Error('shot.lights: areaLightTables belongs to another copy of three.js than THREE');
+}
+
 function addLight(THREE, group, light) {
   const color = linearColor(THREE, light.color);
-  const { intensity, range, angle, penumbra } = light;
+  const { intensity, range, angle, penumbra, width, height } = light;
   const make = {
     ambient: () => new THREE.AmbientLight(color, intensity),
     hemisphere: () => new THREE.HemisphereLight(color, linearColor(THREE, light.groundColor), intensity),
     directional: () => new THREE.DirectionalLight(color, intensity),
     point: () => new THREE.PointLight(color, intensity, range, INVERSE_SQUARE),
     spot: () => new THREE.SpotLight(color, intensity, range, angle, penumbra, INVERSE_SQUARE),
+    rect: () => new THREE.RectAreaLight(color, intensity, width, height),
   }[light.type];
   if (!make) throw new Error(`shot.lights: stock three.js has no light for the type ${light.type}`);
   const object = make();
   if (light.position) object.position.fromArray(light.position);
   group.add(object);
-  if (light.target) {
+  if (object.isRectAreaLight) object.lookAt(...light.target);
+  else if (light.target) {
     object.target.position.fromArray(light.target);
     group.add(object.target);
   }
@@ -145,10 +160,14 @@ function applyEnvironment(shot, THREE, scene, environment) {
   scene.backgroundRotation.set(0, y, 0);
 }
 
+/** scene.backgroundBlurriness of a background that is the environment as it is. */
+const SHARP = 0;
+
 function applyBackground(shot, THREE, scene) {
   if (shot.background === 'transparent') scene.background = null;
-  else if (shot.background === 'environment') {
+  else if (shot.background === 'environment' || shot.background.type === 'environment') {
     if (!scene.environment) throw new Error('shot.background: "environment" needs an environment');
     scene.background = scene.environment;
+    scene.backgroundBlurriness = shot.background.blur ?? SHARP;
   } else scene.background = linearColor(THREE, shot.background);
 }

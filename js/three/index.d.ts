@@ -20,6 +20,11 @@ export function applyShot(shot: ResolvedShot, target: {
   model?: Three;
   /** Linear equirectangular texture; required where the shot has an environment. */
   environment?: Three;
+  /**
+   * Gives three's tables of rect lights, `() => import('three/addons/lights/RectAreaLightUniformsLib.js')`: called for the
+   * first shot with such a light, required there.
+   */
+  areaLightTables?: () => Promise<Three>;
 }): Promise<Three>;
 
 /** What resolveShot needs to know of a model that GLTFLoader gave, measured as the server measures it. Metres, world space. */

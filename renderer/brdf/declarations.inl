@@ -95,6 +95,15 @@ Real distanceAttenuation(Real lightDistance, Real range);
 Real spotAttenuation(Real outerCos, Real innerCos, Real angleCos);
 vec3 hemisphereIrradiance(vec3 skyColor, vec3 groundColor, Real NoUp);
 
+vec2 ltcCoordinates(Real perceptualRoughness, Real NoV);
+mat3 ltcInverse(vec4 fit);
+vec3 anyTangent(vec3 n);
+mat3 ltcFrame(vec3 n, vec3 v);
+vec3 ltcEdge(vec3 a, vec3 b);
+Real ltcAboveHorizon(vec3 f);
+Real ltcRectangle(mat3 toLobe, vec3 a, vec3 b, vec3 c, vec3 d);
+vec3 ltcAlbedo(vec3 f0, Real f90, vec2 scaleAndBias);
+
 Real diffuseOcclusion(Real texel, Real strength);
 Real specularOcclusion(Real perceptualRoughness, Real occlusion, Real NoV);
 

@@ -16,6 +16,7 @@
 #include "iridescence.glsl"
 #include "multiscatter.glsl"
 #include "light.glsl"
+#include "area.glsl"
 #include "occlusion.glsl"
 #include "environment.glsl"
 #include "tone_mapping.glsl"

@@ -1,6 +1,7 @@
 // What GLSL has built in and the shared text uses, for one scalar type Real. Included in the namespace of that type.
 // Plain functions, not templates: a decimal literal then converts to Real, where GLM's templates would fail to deduce.
 // GLM serves the rest (vec op vec, mat3 * vec3, dot, reflect, ...) through argument-dependent lookup.
+inline Real abs(Real x) { return std::abs(x); }
 inline Real min(Real a, Real b) { return b < a ? b : a; }
 inline Real max(Real a, Real b) { return a < b ? b : a; }
 inline Real clamp(Real x, Real low, Real high) { return min(max(x, low), high); }

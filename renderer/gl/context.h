@@ -27,6 +27,7 @@ struct Capabilities {
   bool robust = false;            ///< robust buffer access and reset notification granted
   bool debug = false;             ///< KHR_debug messages are being collected
   bool colorBufferFloat = false;  ///< RGBA32F is renderable
+  bool floatLinear = false;       ///< fp32 textures can be filtered
   bool desktop = false;           ///< an OpenGL core profile with ARB_ES3_compatibility (OSMesa)
   int maxTextureSize = 0;         ///< px
   int maxSamples = 0;

@@ -29,11 +29,13 @@ std::vector<glm::vec3> cubeTriangles() {
 void BackgroundPass::draw(const Camera& camera, const Shot& shot, const ibl::Environment& environment,
                           const shader::VariantKey& frame) {
   const gl::Functions& gl = context_.gl();
-  const auto key = std::make_pair(frame.toneMapping, frame.outputLinear);
+  const bool blurred = shot.background.blur > 0;
+  const Key key{frame.toneMapping, frame.outputLinear, blurred};
   auto found = programs_.find(key);
   if (found == programs_.end()) {
     const shader::Defines defines{{"TONE_MAPPING", static_cast<int>(frame.toneMapping)},
-                                  {"OUTPUT_LINEAR", frame.outputLinear ? 1 : 0}};
+                                  {"OUTPUT_LINEAR", frame.outputLinear ? 1 : 0},
+                                  {"BLURRED", blurred ? 1 : 0}};
     found = programs_
                 .emplace(key, gl::Program(context_, "background", shader::assemble("environment/background.vert", {}),
                                           shader::assemble("environment/background.frag", defines)))
@@ -59,8 +61,12 @@ void BackgroundPass::draw(const Camera& camera, const Shot& shot, const ibl::Env
   program.set("backgroundIntensity", static_cast<float>(shot.environment.intensity));
   program.set("backgroundRotation", environmentRotation(shot.environment.rotation));
   program.set("exposure", static_cast<float>(shot.exposure));
+  if (blurred) {
+    program.set("backgroundBlur", static_cast<float>(shot.background.blur));
+    program.set("backgroundMaxLod", static_cast<float>(ibl::maxLodOf(environment.prefiltered)));
+  }
   gl.ActiveTexture(GL_TEXTURE0);
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, environment.background.texture.get());
+  gl.BindTexture(GL_TEXTURE_CUBE_MAP, (blurred ? environment.prefiltered : environment.background).texture.get());
   gl.BindSampler(0, 0);
   for (const GLenum capability : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE}) gl.Disable(capability);
   gl.DepthMask(GL_FALSE);

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <tuple>
 
 #include "gl/program.h"
 #include "ibl/environment_cache.h"
@@ -8,7 +9,7 @@
 
 namespace telar::pass {
 
-/// The environment behind the model, sharp, tone mapped like the model.
+/// The environment behind the model, sharp or blurred, tone mapped like the model.
 class BackgroundPass {
  public:
   explicit BackgroundPass(const gl::Context& context) : context_(context) {}
@@ -19,7 +20,8 @@ class BackgroundPass {
 
  private:
   const gl::Context& context_;
-  std::map<std::pair<shader::ToneMapping, bool>, gl::Program> programs_;  // bool: linear output
+  using Key = std::tuple<shader::ToneMapping, bool, bool>;  // linear output, blurred
+  std::map<Key, gl::Program> programs_;
   gl::VertexArray cube_;
   gl::Buffer corners_;
 };

@@ -4,35 +4,29 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace telar::pass {
-namespace {
 
-/// Axes as three.js Matrix4.lookAt chooses them, also where up and the view direction are parallel.
-glm::dmat4 viewMatrix(const Shot::Camera& camera) {
-  glm::dvec3 z = camera.position - camera.target;
+glm::dmat3 lookAtAxes(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec3& up) {
+  glm::dvec3 z = position - target;
   z = glm::dot(z, z) > 0 ? glm::normalize(z) : glm::dvec3(0, 0, 1);
-  glm::dvec3 x = glm::cross(camera.up, z);
+  glm::dvec3 x = glm::cross(up, z);
   if (glm::dot(x, x) == 0) {
-    if (std::abs(camera.up.z) == 1) {
+    if (std::abs(up.z) == 1) {
       z.x += 0.0001;
     } else {
       z.z += 0.0001;
     }
     z = glm::normalize(z);
-    x = glm::cross(camera.up, z);
+    x = glm::cross(up, z);
   }
   x = glm::normalize(x);
-  const glm::dvec3 y = glm::cross(z, x);
-  const glm::dmat4 rotation(x.x, y.x, z.x, 0, x.y, y.y, z.y, 0, x.z, y.z, z.z, 0, 0, 0, 0, 1);
-  return glm::translate(rotation, -camera.position);
+  return {x, glm::cross(z, x), z};
 }
-
-}  // namespace
 
 Camera cameraOf(const Shot& shot) {
   const double aspect = static_cast<double>(shot.width) / shot.height;
   const Shot::Camera& c = shot.camera;
   Camera camera;
-  camera.view = viewMatrix(c);
+  camera.view = glm::translate(glm::dmat4(glm::transpose(lookAtAxes(c.position, c.target, c.up))), -c.position);
   camera.orthographic = !c.perspective;
   if (c.perspective) {
     camera.projection = glm::perspective(glm::radians(c.fovY), aspect, c.near, c.far);

@@ -12,6 +12,10 @@ struct Camera {
   bool orthographic = false;
 };
 
+/// Unit axes (columns x, y, z) of something at `position` whose -z looks at `target`, as three.js's Matrix4.lookAt
+/// chooses them: also where `up` and the direction are parallel, or both points are one.
+glm::dmat3 lookAtAxes(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec3& up);
+
 Camera cameraOf(const Shot& shot);
 
 /// World (homogeneous) to pixels: x right and y down from the top-left corner, z 0..1 from near to far, after / w.

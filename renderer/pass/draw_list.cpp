@@ -92,6 +92,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.pointLights = frame.pointLights;
   key.spotLights = frame.spotLights;
   key.directionalLights = frame.directionalLights;
+  key.rectLights = frame.rectLights;
   key.flatShaded = primitive.normals.empty();
   key.tangent = (key.normalMap || key.anisotropy) && !key.flatShaded && !primitive.tangents.empty();
   key.tangentFrameUv0 = key.anisotropy && !key.normalMap && !key.clearcoatNormalMap;

@@ -38,6 +38,14 @@ void addSpot(LightSet& set, const Camera& camera, const glm::vec3& color, const 
   set.spotInnerCos.push_back(static_cast<float>(std::cos(angle * (1.0 - penumbra))));
 }
 
+void addRect(LightSet& set, const Camera& camera, const glm::vec3& color, const Shot::Light& light) {
+  const glm::dmat3 axes = glm::dmat3(camera.view) * lookAtAxes(light.position, light.target, {0, 1, 0});
+  set.rectPosition.push_back(toView(camera, light.position));
+  set.rectHalfWidth.push_back(glm::vec3(axes[0] * (light.width * 0.5)));
+  set.rectHalfHeight.push_back(glm::vec3(axes[1] * (light.height * 0.5)));
+  set.rectColor.push_back(color);
+}
+
 void addShotLight(LightSet& set, const Camera& camera, const Shot::Light& light) {
   const glm::vec3 color(glm::dvec3(light.color) * light.intensity);
   const glm::vec3 ground(glm::dvec3(light.groundColor) * light.intensity);
@@ -61,6 +69,9 @@ void addShotLight(LightSet& set, const Camera& camera, const Shot::Light& light)
     case Shot::Light::Type::kSpot:
       addSpot(set, camera, color, light.position, light.position - light.target, light.range, light.angle,
               light.penumbra);
+      break;
+    case Shot::Light::Type::kRect:
+      addRect(set, camera, color, light);
       break;
   }
 }
@@ -98,6 +109,7 @@ void LightSet::describe(shader::VariantKey& key) const {
   key.pointLights = static_cast<std::uint8_t>(pointPosition.size());
   key.spotLights = static_cast<std::uint8_t>(spotPosition.size());
   key.directionalLights = static_cast<std::uint8_t>(directionalDirection.size());
+  key.rectLights = static_cast<std::uint8_t>(rectPosition.size());
 }
 
 void LightSet::pad(std::size_t count) {
@@ -117,6 +129,10 @@ void LightSet::pad(std::size_t count) {
   padTo(spotInnerCos, count, 0.9f);
   padTo(directionalDirection, count, up);
   padTo(directionalColor, count, black);
+  padTo(rectPosition, count, up);
+  padTo(rectHalfWidth, count, glm::vec3(0.5, 0, 0));
+  padTo(rectHalfHeight, count, glm::vec3(0, 0, 0.5));
+  padTo(rectColor, count, black);
 }
 
 void LightSet::upload(const gl::Program& program) const {
@@ -135,6 +151,10 @@ void LightSet::upload(const gl::Program& program) const {
   program.set("spotInnerCos", spotInnerCos);
   program.set("directionalDirection", directionalDirection);
   program.set("directionalColor", directionalColor);
+  program.set("rectPosition", rectPosition);
+  program.set("rectHalfWidth", rectHalfWidth);
+  program.set("rectHalfHeight", rectHalfHeight);
+  program.set("rectColor", rectColor);
 }
 
 LightSet collectLights(const Scene& scene, const Shot& shot, const Camera& camera, const Limits& limits) {

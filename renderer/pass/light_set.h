@@ -23,6 +23,7 @@ struct LightSet {
   std::vector<glm::vec3> spotPosition, spotDirection, spotColor;
   std::vector<float> spotRange, spotOuterCos, spotInnerCos;
   std::vector<glm::vec3> directionalDirection, directionalColor;
+  std::vector<glm::vec3> rectPosition, rectHalfWidth, rectHalfHeight, rectColor;
 
   /// Writes the light counts into a key.
   void describe(shader::VariantKey& key) const;

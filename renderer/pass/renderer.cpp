@@ -81,7 +81,8 @@ class GlRenderer final : public Renderer {
     const bool wanted = shot.environment.source != Shot::Environment::Source::kNone;
     const ibl::Environment* environment = nullptr;
     if (wanted && (plan.environment || plan.environmentBackground)) {
-      environment = &environments_.get(shot.environment, environmentFile, plan.environmentBackground, cancel);
+      environment = &environments_.get(shot.environment, environmentFile,
+                                       plan.environmentBackground && shot.background.blur == 0, cancel);
     }
     timer.lap("environment");
     const pass::FrameTarget& target = targetFor(shot);

@@ -14,7 +14,9 @@ namespace {
 // The material's textures come first, in the order of TEXTURE_SLOTS.
 constexpr GLuint DFG_UNIT = TEXTURE_SLOTS.size();
 constexpr GLuint ENVIRONMENT_UNIT = DFG_UNIT + 1;
-constexpr GLuint UNIT_COUNT = ENVIRONMENT_UNIT + 1;
+constexpr GLuint LTC_INVERSE_UNIT = ENVIRONMENT_UNIT + 1;
+constexpr GLuint LTC_ALBEDO_UNIT = LTC_INVERSE_UNIT + 1;
+constexpr GLuint UNIT_COUNT = LTC_ALBEDO_UNIT + 1;
 
 /// Half floats: 8 bits cannot hold the 0.5 of a flat normal.
 gl::Texture texelTexture(const gl::Functions& gl, const std::array<float, 4>& rgba) {
@@ -123,6 +125,8 @@ const gl::Program& SurfacePass::useProgram(const shader::VariantKey& key, const 
   if (key.debugOutput) program.set("debugOutput", static_cast<int>(in.shot.debugOutput));
   if (key.unlit) return program;
   in.plan.lights.upload(program);
+  program.set("ltcInverseMap", static_cast<int>(LTC_INVERSE_UNIT));
+  program.set("ltcAlbedoMap", static_cast<int>(LTC_ALBEDO_UNIT));
   program.set("dfgMap", static_cast<int>(DFG_UNIT));
   if (key.environment) {
     const ibl::Environment* environment = in.environment;
@@ -190,12 +194,20 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
 
 void SurfacePass::bindShared(const SurfaceInputs& in) {
   const gl::Functions& gl = context_.gl();
-  gl.ActiveTexture(GL_TEXTURE0 + DFG_UNIT);
-  gl.BindTexture(GL_TEXTURE_2D, dfg_.get());
+  // Before the others: making a texture binds it.
+  if (in.plan.frame.rectLights > 0 && !ltc_) ltc_ = createLtcTextures(context_);
+  const auto bind = [&gl](GLuint unit, GLenum target, const gl::Texture& texture) {
+    gl.ActiveTexture(GL_TEXTURE0 + unit);
+    gl.BindTexture(target, texture.get());
+  };
+  bind(DFG_UNIT, GL_TEXTURE_2D, dfg_);
   if (in.plan.environment) {
-    gl.ActiveTexture(GL_TEXTURE0 + ENVIRONMENT_UNIT);
-    const gl::Texture& cube = in.environment ? in.environment->prefiltered.texture : standIns().blackCube;
-    gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.get());
+    bind(ENVIRONMENT_UNIT, GL_TEXTURE_CUBE_MAP,
+         in.environment ? in.environment->prefiltered.texture : standIns().blackCube);
+  }
+  if (in.plan.frame.rectLights > 0) {
+    bind(LTC_INVERSE_UNIT, GL_TEXTURE_2D, ltc_.inverse);
+    bind(LTC_ALBEDO_UNIT, GL_TEXTURE_2D, ltc_.albedo);
   }
 }
 

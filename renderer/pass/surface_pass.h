@@ -7,6 +7,7 @@
 #include "ibl/environment_cache.h"
 #include "pass/draw_list.h"
 #include "pass/gpu_scene.h"
+#include "pass/ltc.h"
 
 namespace telar::pass {
 
@@ -47,6 +48,7 @@ class SurfacePass {
   const gl::Context& context_;
   Limits limits_;
   gl::Texture dfg_;
+  LtcTextures ltc_;
   std::optional<StandIns> standIns_;
   std::map<shader::VariantKey, gl::Program> programs_;
   const gl::Program* current_ = nullptr;  // program whose frame uniforms are set

@@ -27,6 +27,7 @@ Defines VariantKey::defines() const {
   list.emplace_back("SPOT_LIGHTS", spotLights);
   list.emplace_back("DIRECTIONAL_LIGHTS", directionalLights);
   list.emplace_back("HEMISPHERE_LIGHTS", hemisphereLights);
+  list.emplace_back("RECT_LIGHTS", rectLights);
   list.emplace_back("TONE_MAPPING", static_cast<int>(toneMapping));
   return list;
 }
@@ -44,6 +45,7 @@ std::vector<std::string> VariantKey::features() const {
   count(spotLights, "spot-light");
   count(directionalLights, "directional-light");
   count(hemisphereLights, "hemisphere-light");
+  count(rectLights, "rect-light");
   if (toneMapping != ToneMapping::kNone) {
     list.push_back(std::string("tone-mapping-") + TONE_MAPPINGS[static_cast<std::size_t>(toneMapping)]);
   }

@@ -75,7 +75,7 @@ struct VariantKey {
 #define TELAR_FEATURE_MEMBER(define, member, name) bool member = false;
   TELAR_SURFACE_FEATURES(TELAR_FEATURE_MEMBER)
 #undef TELAR_FEATURE_MEMBER
-  std::uint8_t pointLights = 0, spotLights = 0, directionalLights = 0, hemisphereLights = 0;
+  std::uint8_t pointLights = 0, spotLights = 0, directionalLights = 0, hemisphereLights = 0, rectLights = 0;
   ToneMapping toneMapping = ToneMapping::kNone;
 
   auto operator<=>(const VariantKey&) const = default;

@@ -51,9 +51,8 @@ Shot::Environment readEnvironment(const JsonPath& json) {
 Shot::Light readLight(const JsonPath& json) {
   using Type = Shot::Light::Type;
   Shot::Light light;
-  light.type =
-      std::array{Type::kAmbient, Type::kHemisphere, Type::kDirectional, Type::kPoint,
-                 Type::kSpot}[json.at("type").choice({"ambient", "hemisphere", "directional", "point", "spot"})];
+  light.type = std::array{Type::kAmbient, Type::kHemisphere, Type::kDirectional, Type::kPoint, Type::kSpot, Type::kRect}
+      [json.at("type").choice({"ambient", "hemisphere", "directional", "point", "spot", "rect"})];
   light.color = json.at("color").color();
   light.intensity = json.at("intensity").number(0);
   if (light.type == Type::kHemisphere) light.groundColor = json.at("groundColor").color();
@@ -61,6 +60,11 @@ Shot::Light readLight(const JsonPath& json) {
   light.position = json.at("position").vec3();
   if (light.type != Type::kPoint) light.target = json.at("target").vec3();
   if (light.type == Type::kDirectional) return light;
+  if (light.type == Type::kRect) {
+    light.width = json.at("width").number(0);
+    light.height = json.at("height").number(0);
+    return light;
+  }
   light.range = json.at("range").number(0);
   if (light.type == Type::kSpot) {
     light.angle = json.at("angle").number(0, 1.5707963267948966);
@@ -72,6 +76,10 @@ Shot::Light readLight(const JsonPath& json) {
 Shot::Background readBackground(const JsonPath& json) {
   using Type = Shot::Background::Type;
   if (json.isArray()) return {Type::kColor, json.color()};
+  if (json.isObject()) {
+    json.at("type").choice({"environment"});
+    return {Type::kEnvironment, {}, json.at("blur").number(0, 1)};
+  }
   return {json.choice({"transparent", "environment"}) == 0 ? Type::kTransparent : Type::kEnvironment, {}};
 }
 

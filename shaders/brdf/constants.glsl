@@ -15,6 +15,9 @@ const float VISIBILITY_EPSILON = 1.0e-6;
 // Floor of a squared length below which a sum of unit vectors has no direction.
 const float SQUARED_LENGTH_EPSILON = 1.0e-12;
 
+// Squared sine below which the angle to the viewer is 0: fp32 holds the direction of v - n (n.v) no more than to 1 %.
+const float HEAD_ON_EPSILON = 1.0e-10;
+
 // Largest finite half float: brighter is white for every tone curve, and inf/inf = NaN is kept out of them.
 const float RADIANCE_MAX = 65504.0;
 

@@ -3,17 +3,31 @@ precision highp float;
 precision highp samplerCube;
 
 #include "brdf/constants.glsl"
+#include "brdf/types.glsl"
 #include "brdf/math.glsl"
+#if BLURRED
+#include "brdf/environment.glsl"
+#endif
 #include "brdf/tone_mapping.glsl"
 #include "brdf/color.glsl"
 #include "output.glsl"
 
-uniform samplerCube backgroundMap;
+uniform samplerCube backgroundMap;  // sharp, or prefiltered where it is blurred
+#if BLURRED
+uniform float backgroundBlur;       // a perceptual roughness
+uniform float backgroundMaxLod;
+#endif
 uniform mat3 backgroundRotation;  // world to environment
 uniform float backgroundIntensity;
 in vec3 vDirection;
 out vec4 fragmentColor;
 
 void main() {
-  fragmentColor = outputColor(texture(backgroundMap, backgroundRotation * vDirection).rgb * backgroundIntensity, 1.0);
+  vec3 direction = backgroundRotation * vDirection;
+#if BLURRED
+  vec3 radiance = textureLod(backgroundMap, direction, lodFromRoughness(backgroundBlur, backgroundMaxLod)).rgb;
+#else
+  vec3 radiance = texture(backgroundMap, direction).rgb;
+#endif
+  fragmentColor = outputColor(radiance * backgroundIntensity, 1.0);
 }

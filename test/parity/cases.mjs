@@ -15,6 +15,7 @@ const FILES = [
   'cases_core.mjs',
   'cases_files.mjs',
   'cases_physical.mjs',
+  'cases_area.mjs',
 ];
 
 const modules = await Promise.all(FILES.map((file) => import(`./${file}`)));

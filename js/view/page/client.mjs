@@ -96,7 +96,10 @@ export class Client {
   async draw(resolved) {
     const renderer = this.#rendererFor(resolved);
     const environment = await this.#environment(resolved.environment.map);
-    this.#camera = await applyShot(resolved, { THREE, renderer, scene: this.#scene, camera: this.#camera, model: this.#model, environment });
+    this.#camera = await applyShot(resolved, {
+      THREE, renderer, scene: this.#scene, camera: this.#camera, model: this.#model, environment,
+      areaLightTables: () => import('three/addons/lights/RectAreaLightUniformsLib.js'),
+    });
     renderer.render(this.#scene, this.#camera);
     if (renderer !== this.#renderer) this.#place.replaceChildren(renderer.domElement);
     this.#renderer = renderer;

@@ -48,14 +48,15 @@ struct Shot {
   } environment;
 
   struct Light {
-    enum class Type { kAmbient, kHemisphere, kDirectional, kPoint, kSpot } type = Type::kAmbient;
+    enum class Type { kAmbient, kHemisphere, kDirectional, kPoint, kSpot, kRect } type = Type::kAmbient;
     glm::vec3 color{1};        ///< linear Rec.709
     glm::vec3 groundColor{0};  ///< linear Rec.709, hemisphere
     double intensity = 1;
     glm::dvec3 position{0}, target{0};
-    double range = 0;     ///< metres, 0 = infinite
-    double angle = 0;     ///< outer half-angle, radians
-    double penumbra = 0;  ///< 0..1
+    double range = 0;              ///< metres, 0 = infinite
+    double angle = 0;              ///< outer half-angle, radians
+    double penumbra = 0;           ///< 0..1
+    double width = 0, height = 0;  ///< metres, rect
   };
   std::vector<Light> lights;
   bool modelLights = true;
@@ -63,6 +64,7 @@ struct Shot {
   struct Background {
     enum class Type { kTransparent, kColor, kEnvironment } type = Type::kTransparent;
     glm::vec3 color{0};  ///< linear Rec.709
+    double blur = 0;     ///< 0..1, of the environment: scene.backgroundBlurriness of three.js
   } background;
 
   std::string shading;      ///< "three"

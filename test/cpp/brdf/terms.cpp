@@ -1,5 +1,6 @@
 #include "brdf/terms.h"
 
+#include "brdf/area_terms.h"
 #include "brdf/cloth_terms.h"
 #include "brdf/term_rows.h"
 
@@ -152,7 +153,8 @@ std::vector<Term> displayTerms() {
 const std::vector<Term>& terms() {
   static const std::vector<Term> all = [] {
     std::vector<Term> list = algebraTerms();
-    for (auto part : {surfaceTerms(), layerTerms(), lightTerms(), displayTerms(), thesisTerms(), clothTerms()})
+    for (auto part :
+         {surfaceTerms(), layerTerms(), lightTerms(), areaTerms(), displayTerms(), thesisTerms(), clothTerms()})
       list.insert(list.end(), part.begin(), part.end());
     return list;
   }();

@@ -27,6 +27,9 @@ const Column RANGE{0, 20, {0, 10}};
 const Column INNER_CONE{0.6, 1, {0.995, 1}};
 const Column OUTER_CONE{0, 0.59, {0, 0.5}};
 const Column SIGNED_COSINE{-1, 1, {-1, 0, 1}};
+const Column FIT{0.3, 1.2, {0.3, 0.5, 1.2}};
+const Column SLANT{-0.7, 0.7, {-0.7, 0, 0.7}};
+const Column OFF_AXIS{0.01, 1, {0.01, 1}};  // where both are 0 three.js has no frame
 const Column RADIANCE{0, 3, {0, 1e-4, 0.01, 0.08, 0.18, 0.76, 1, 4, 100}};
 const Column EXPOSURE{0.1, 4, {0.5, 1, 16}};
 
@@ -75,6 +78,26 @@ const Pair PAIRS[] = {
      0.1},
     {"vec3(lodFromRoughness(p[0], 6.0))", "vec3(roughnessToMip(p[0]))", {SIGNED_COSINE}, 1e-6},
     {"vec3(alphaFromRoughness(p[0]))", "vec3(pow2(max(p[0], 0.045)))", {UNIT}, 1e-6},
+    {"vec3(ltcCoordinates(p[0], p[1]), 0.0)",
+     "vec3(LTC_Uv(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, p[1]), p[0]), 0.0)",
+     {UNIT, UNIT},
+     0.1},
+    {"ltcEdge(normalize(vec3(p[0], p[1], 0.3)), normalize(vec3(p[2], p[3], 0.3)))",
+     "LTC_EdgeVectorFormFactor(normalize(vec3(p[0], p[1], 0.3)), normalize(vec3(p[2], p[3], 0.3)))",
+     {SIGNED_COSINE, SIGNED_COSINE, SIGNED_COSINE, SIGNED_COSINE},
+     1e-3},
+    {"vec3(ltcAboveHorizon(vec3(p[0], p[1], p[2])))",
+     "vec3(LTC_ClippedSphereFormFactor(vec3(p[0], p[1], p[2])))",
+     {SIGNED_COSINE, SIGNED_COSINE, SIGNED_COSINE},
+     1e-3},
+    {"vec3(ltcRectangle(ltcInverse(vec4(p[0], p[1], p[2], p[3])) * ltcFrame(vec3(0.0, 0.0, 1.0), normalize(vec3(p[4], "
+     "p[5], 0.7))), vec3(p[6] + 0.5, p[7] - 0.4, 1.2), vec3(p[6] - 0.5, p[7] - 0.4, 1.2), "
+     "vec3(p[6] - 0.5, p[7] + 0.4, 0.8), vec3(p[6] + 0.5, p[7] + 0.4, 0.8)))",
+     "LTC_Evaluate(vec3(0.0, 0.0, 1.0), normalize(vec3(p[4], p[5], 0.7)), vec3(0.0), mat3(vec3(p[0], 0.0, p[1]), "
+     "vec3(0.0, 1.0, 0.0), vec3(p[2], 0.0, p[3])), vec3[4](vec3(p[6] + 0.5, p[7] - 0.4, 1.2), vec3(p[6] - 0.5, p[7] - "
+     "0.4, 1.2), vec3(p[6] - 0.5, p[7] + 0.4, 0.8), vec3(p[6] + 0.5, p[7] + 0.4, 0.8)))",
+     {FIT, SLANT, SLANT, FIT, OFF_AXIS, OFF_AXIS, SIGNED_COSINE, SIGNED_COSINE},
+     1e-3},
     {"toneMapLinear(vec3(p[0], p[1], p[2]), p[3])", "LinearToneMapping(vec3(p[0], p[1], p[2]))", TONE, 0.1},
     {"toneMapReinhard(vec3(p[0], p[1], p[2]), p[3])", "ReinhardToneMapping(vec3(p[0], p[1], p[2]))", TONE, 0.1},
     {"toneMapCineon(vec3(p[0], p[1], p[2]), p[3])", "CineonToneMapping(vec3(p[0], p[1], p[2]))", TONE, 0.1},

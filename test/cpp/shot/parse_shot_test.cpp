@@ -96,6 +96,10 @@ TEST(ParseShot, ReadsTheOtherForms) {
   EXPECT_EQ(parseShot(with("/environment/map", "none").dump()).environment.source, Source::kNone);
   EXPECT_EQ(parseShot(with("/environment/map", {{"bytes", 12}}).dump()).environment.source, Source::kBytes);
   EXPECT_EQ(parseShot(with("/background", "environment").dump()).background.type, Shot::Background::Type::kEnvironment);
+  EXPECT_EQ(parseShot(with("/background", "environment").dump()).background.blur, 0);
+  const json blurred = {{"type", "environment"}, {"blur", 0.25}};
+  EXPECT_EQ(parseShot(with("/background", blurred).dump()).background.type, Shot::Background::Type::kEnvironment);
+  EXPECT_EQ(parseShot(with("/background", blurred).dump()).background.blur, 0.25);
 }
 
 TEST(ParseShot, ReadsEveryLight) {
@@ -105,9 +109,11 @@ TEST(ParseShot, ReadsEveryLight) {
     {"type": "directional", "color": [1, 1, 1], "intensity": 4, "position": [0, 1, 0], "target": [1, 0, 0]},
     {"type": "point", "color": [1, 1, 1], "intensity": 5, "position": [0, 2, 0], "range": 6},
     {"type": "spot", "color": [1, 1, 1], "intensity": 7, "position": [0, 3, 0], "target": [0, 0, 0], "range": 8,
-     "angle": 0.5, "penumbra": 0.25}])");
+     "angle": 0.5, "penumbra": 0.25},
+    {"type": "rect", "color": [1, 1, 1], "intensity": 9, "position": [0, 4, 0], "target": [0, 1, 0], "width": 2,
+     "height": 0.5}])");
   const std::vector<Shot::Light> read = parseShot(with("/lights", lights).dump()).lights;
-  ASSERT_EQ(read.size(), 5u);
+  ASSERT_EQ(read.size(), 6u);
   using Type = Shot::Light::Type;
   EXPECT_EQ(read[0].type, Type::kAmbient);
   EXPECT_EQ(read[0].color, glm::vec3(1, 0.5f, 0));
@@ -123,6 +129,10 @@ TEST(ParseShot, ReadsEveryLight) {
   EXPECT_EQ(read[4].range, 8);
   EXPECT_EQ(read[4].angle, 0.5);
   EXPECT_EQ(read[4].penumbra, 0.25);
+  EXPECT_EQ(read[5].type, Type::kRect);
+  EXPECT_EQ(read[5].target, glm::dvec3(0, 1, 0));
+  EXPECT_EQ(read[5].width, 2);
+  EXPECT_EQ(read[5].height, 0.5);
 }
 
 TEST(ParseShot, EveryKeyIsNeeded) {

@@ -38,6 +38,7 @@ const NUMBERS = {
   'camera.far': { expected: 'a distance in metres in [-1e30, 1e30]', base: EXPLICIT, good: [1, 1e6], bad: [2e30] },
   'environment.intensity': { expected: 'a number in [0, 1e30]', good: [0, 1e6], bad: [-1, 2e30] },
   'environment.rotation': { expected: 'a number of degrees in [-360, 360]', good: [-360, 360], bad: [-361, 361] },
+  'background.blur': { expected: 'a number in [0, 1]', good: [0, 0.5, 1], bad: [-0.1, 1.1] },
   exposure: { expected: 'a number in [0, 1e30]', good: [0, 100], bad: [-0.1, 2e30] },
   'output.quality': { expected: 'a whole number in [1, 100]', good: [1, 100], bad: [0, 101, 50.5] },
   'output.ppi': { expected: 'a number in [0, 65535]', good: [0, 65535], bad: [-1, 65536] },
@@ -45,6 +46,8 @@ const NUMBERS = {
 
 const LIGHT_NUMBERS = {
   intensity: { type: 'ambient', expected: 'a number in [0, 1e30]', good: [0, 1e6], bad: [-1] },
+  width: { type: 'rect', expected: 'a length in metres in (0, 1e6]', good: [1e-6, 1e6], bad: [0, -1, 2e6] },
+  height: { type: 'rect', expected: 'a length in metres in (0, 1e6]', good: [1e-6, 1e6], bad: [0, -1, 2e6] },
   range: { type: 'point', expected: 'a distance in metres in [0, 1e30]', good: [0, 1e6], bad: [-1] },
   angle: { type: 'spot', expected: 'a number of radians in (0, PI / 2]', good: [1e-6, Math.PI / 2], bad: [0, 1.6] },
   penumbra: { type: 'spot', expected: 'a number in [0, 1]', good: [0, 1], bad: [-0.1, 1.1] },
@@ -77,6 +80,7 @@ test('numbers of lights', () => {
 
 const COLOUR = 'a CSS colour without transparency (name, #hex, rgb(), hsl()) or a linear [r, g, b]';
 const XYZ = 'three numbers [x, y, z] in metres';
+const BACKGROUND = `"transparent", "environment", {type: "environment", blur}, ${COLOUR}`;
 const MAP = '"studio", "none", a path that ends in .hdr or .exr, or bytes';
 const VIEWS = '"front", "back", "left", "right", "top", "bottom" or "three-quarter"';
 
@@ -118,8 +122,8 @@ const MESSAGES = [
   [{ environment: { mpa: 'a.hdr' } }, 'shot.environment.mpa: unknown key, did you mean map?'],
   [{ lights: {} }, 'shot.lights: expected a list of lights, got {}'],
   [{ lights: ['sun'] }, 'shot.lights[0]: expected an object, got "sun"'],
-  [{ lights: [{}] }, 'shot.lights[0].type: expected "ambient", "hemisphere", "directional", "point" or "spot", got nothing'],
-  [{ lights: [{ type: 'sun' }] }, 'shot.lights[0].type: expected "ambient", "hemisphere", "directional", "point" or "spot", got "sun"'],
+  [{ lights: [{}] }, 'shot.lights[0].type: expected "ambient", "hemisphere", "directional", "point", "spot" or "rect", got nothing'],
+  [{ lights: [{ type: 'sun' }] }, 'shot.lights[0].type: expected "ambient", "hemisphere", "directional", "point", "spot" or "rect", got "sun"'],
   [{ lights: [{ type: 'point', colour: 'red' }] }, 'shot.lights[0].colour: unknown key, did you mean color?'],
   [{ lights: [{ type: 'point', color: 'rd' }] }, `shot.lights[0].color: expected ${COLOUR}, got "rd"`],
   [{ lights: [{ type: 'point', color: [1, 2] }] }, `shot.lights[0].color: expected ${COLOUR}, got [1, 2]`],
@@ -127,9 +131,14 @@ const MESSAGES = [
   [{ lights: [{ type: 'ambient', position: [0, 0, 0] }] }, 'shot.lights[0].position: unknown key, expected one of type, color, intensity'],
   [{ lights: [{ type: 'spot', position: [0, 0, 0] }] }, 'shot.lights[0].target: expected a point other than the position, got [0, 0, 0]'],
   [{ modelLights: 'no' }, 'shot.modelLights: expected true or false, got "no"'],
-  [{ background: 'bleu' }, `shot.background: expected "transparent", "environment", ${COLOUR}, got "bleu"`],
-  [{ background: 'rgba(1, 2, 3, 0.5)' }, `shot.background: expected "transparent", "environment", ${COLOUR}, got "rgba(1, 2, 3, 0.5)"`],
-  [{ background: null }, `shot.background: expected "transparent", "environment", ${COLOUR}, got null`],
+  [{ lights: [{ type: 'rect', position: [1, 1, 1], target: [1, 1, 1] }] }, 'shot.lights[0].target: expected a point other than the position, got [1, 1, 1]'],
+  [{ lights: [{ type: 'rect', wdth: 1 }] }, 'shot.lights[0].wdth: unknown key, did you mean width?'],
+  [{ background: 'bleu' }, `shot.background: expected ${BACKGROUND}, got "bleu"`],
+  [{ background: 'rgba(1, 2, 3, 0.5)' }, `shot.background: expected ${BACKGROUND}, got "rgba(1, 2, 3, 0.5)"`],
+  [{ background: null }, `shot.background: expected ${BACKGROUND}, got null`],
+  [{ background: { blr: 0.5 } }, 'shot.background.blr: unknown key, did you mean blur?'],
+  [{ background: { type: 'color' } }, 'shot.background.type: expected "environment", got "color"'],
+  [{ background: { blur: 0.5 }, environment: 'none' }, 'shot.background: expected "transparent" or a colour, as shot.environment is "none", got {"type", "blur"}'],
   [{ background: 'environment', environment: 'none' }, 'shot.background: expected "transparent" or a colour, as shot.environment is "none", got "environment"'],
   [{ background: 'transparent', output: { format: 'jpeg' } }, 'shot.background: expected a colour or "environment", as jpeg has no transparency, got "transparent"'],
   [{ shading: 'tree' }, 'shot.shading: expected "three", got "tree"'],
@@ -155,28 +164,27 @@ test('exact messages', () => {
   }
 });
 
+/** [shot, what is refused, what stands instead, pointer] */
 const UNAVAILABLE = [
-  [{ lens: { aperture: 8 } }, 'shot.lens: a lens', '/lens'],
-  [{ ground: { shadow: true } }, 'shot.ground: a ground', '/ground'],
-  [{ pose: { time: 0 } }, 'shot.pose: a pose', '/pose'],
-  [{ shading: 'fabric' }, 'shot.shading: "fabric"', '/shading'],
-  [{ shading: 'three-r115' }, 'shot.shading: "three-r115"', '/shading'],
-  [{ shading: 'disney-2012' }, 'shot.shading: "disney-2012"', '/shading'],
-  [{ quality: 'high' }, 'shot.quality: "high"', '/quality'],
-  [{ quality: 'reference' }, 'shot.quality: "reference"', '/quality'],
-  [{ quality: { maxError: 0.01 } }, 'shot.quality.maxError: a quality by maxError', '/quality/maxError'],
-  [{ quality: { budgetMs: 9 } }, 'shot.quality.budgetMs: a quality by budgetMs', '/quality/budgetMs'],
-  [{ lights: [{ type: 'rect' }] }, 'shot.lights[0].type: "rect"', '/lights/0/type'],
-  [{ lights: [{ type: 'disk' }] }, 'shot.lights[0].type: "disk"', '/lights/0/type'],
-  [{ lights: [{ type: 'spot', castShadow: true }] }, 'shot.lights[0].castShadow: a shadow', '/lights/0/castShadow'],
+  [{ lens: { aperture: 8 } }, 'shot.lens: a lens', 'use exposure and camera.fovY', '/lens'],
+  [{ ground: { shadow: true } }, 'shot.ground: a ground', 'use a background, or a model with a floor in it', '/ground'],
+  [{ pose: { time: 0 } }, 'shot.pose: a pose', 'export the model in the pose that is to be drawn', '/pose'],
+  ...['fabric', 'three-r115', 'disney-2012'].map((shading) => [{ shading }, `shot.shading: "${shading}"`, 'use "three"', '/shading']),
+  ...['high', 'reference'].map((quality) =>
+    [{ quality }, `shot.quality: "${quality}"`, 'use "standard", the best that there is, or "draft"', '/quality']),
+  ...['maxError', 'budgetMs'].map((key) =>
+    [{ quality: { [key]: 1 } }, `shot.quality.${key}: a quality by ${key}`, 'use {samples: 1} or {samples: 4}', `/quality/${key}`]),
+  [{ lights: [{ type: 'disk' }] }, 'shot.lights[0].type: "disk"',
+    'use "rect", a square of the same area: width = height = 1.772 radius (three.js has no disk either)', '/lights/0/type'],
+  [{ lights: [{ type: 'spot', castShadow: true }] }, 'shot.lights[0].castShadow: a shadow', 'leave castShadow out: no light casts one', '/lights/0/castShadow'],
   ...['depth', 'normal', 'partId', 'ao', 'albedo', 'line', 'shadow'].map((layer) =>
-    [{ layers: ['beauty', layer] }, `shot.layers[1]: "${layer}"`, '/layers/1']),
+    [{ layers: ['beauty', layer] }, `shot.layers[1]: "${layer}"`, 'use "beauty"', '/layers/1']),
 ];
 
-test('what this version does not draw is refused by name', () => {
-  for (const [shot, what, pointer] of UNAVAILABLE) {
+test('what this version does not draw is refused by name, and what there is instead is named', () => {
+  for (const [shot, what, instead, pointer] of UNAVAILABLE) {
     const error = complaintOf(shot);
-    assert.equal(error.message, `${what} is not available in this version of telar`);
+    assert.equal(error.message, `${what} is not available in this version of telar; ${instead}`);
     assert.deepEqual([error.code, error.kind, error.exit, error.pointer], ['E_SHOT_UNAVAILABLE', 'unsupported', 3, pointer]);
   }
 });

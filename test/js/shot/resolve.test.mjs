@@ -26,11 +26,13 @@ const SHOTS = [
   { environment: 'none' },
   { environment: { map: 'maps/loft.hdr', intensity: 0.5, rotation: -90 } },
   { environment: new Uint8Array([1, 2, 3]) },
-  { lights: ['ambient', 'hemisphere', 'directional', 'point', 'spot'].map((type) => ({ type })) },
+  { lights: ['ambient', 'hemisphere', 'directional', 'point', 'spot', 'rect'].map((type) => ({ type })) },
   { lights: [{ type: 'spot', color: 'tomato', intensity: 3, position: [1, 2, 3], target: [0, 1, 0], range: 9, angle: 0.3, penumbra: 1 }] },
   { lights: [{ type: 'hemisphere', color: [1, 2, 3], groundColor: '#123' }], modelLights: false },
   { background: '#eee', shading: 'three', toneMapping: 'agx', exposure: 0.5 },
   { background: 'environment', variant: 'navy', layers: ['beauty'] },
+  { background: { blur: 0.25 } },
+  { background: { type: 'environment' } },
   { quality: 'draft' },
   { quality: { samples: 1 } },
   { quality: { preset: 'standard' } },
@@ -91,14 +93,20 @@ test('all defaults are written out', () => {
 });
 
 test('defaults of lights are three.js\'s', () => {
-  const types = ['ambient', 'hemisphere', 'directional', 'point', 'spot'];
+  const types = ['ambient', 'hemisphere', 'directional', 'point', 'spot', 'rect'];
   assert.deepEqual(resolveShot({ lights: types.map((type) => ({ type })) }, box).lights, [
     { type: 'ambient', color: [1, 1, 1], intensity: 1 },
     { type: 'hemisphere', color: [1, 1, 1], intensity: 1, groundColor: [1, 1, 1] },
     { type: 'directional', color: [1, 1, 1], intensity: 1, position: [0, 1, 0], target: [0, 0, 0] },
     { type: 'point', color: [1, 1, 1], intensity: 1, position: [0, 0, 0], range: 0 },
     { type: 'spot', color: [1, 1, 1], intensity: 1, position: [0, 1, 0], target: [0, 0, 0], range: 0, angle: Math.PI / 3, penumbra: 0 },
+    { type: 'rect', color: [1, 1, 1], intensity: 1, position: [0, 1, 0], target: [0, 0, 0], width: 10, height: 10 },
   ]);
+});
+
+test('a background with no blur is the environment as it is', () => {
+  assert.equal(resolveShot({ background: { blur: 0 } }, box).background, 'environment');
+  assert.deepEqual(resolveShot({ background: { blur: 0.3 } }, box).background, { type: 'environment', blur: 0.3 });
 });
 
 test('a jpeg without a background is white: it has no transparency', () => {

@@ -82,6 +82,33 @@ test('lights have linear colours, units and targets of the shot, and replace tho
   assert.deepEqual([spot.distance, spot.angle, spot.penumbra, spot.decay, spot.target.position.z], [8, 0.4, 0.3, 2, 1]);
 });
 
+test('a rect light looks at its target and gets three\'s tables, once', async () => {
+  const rect = { type: 'rect', intensity: 7, position: [0, 2, 0], target: [0, 0, 0], width: 0.5, height: 1.5 };
+  await assert.rejects(apply({ lights: [rect] }), /give applyShot areaLightTables: \(\) => import\('three\/addons\/lights/);
+  await assert.rejects(apply({ lights: [rect] }, { areaLightTables: async () => ({ RectAreaLightUniformsLib: { init() {} } }) }),
+    /another copy of three\.js/);
+  let loads = 0;
+  const areaLightTables = () => import('three/addons/lights/RectAreaLightUniformsLib.js').finally(() => loads++);
+  await apply({ lights: [{ type: 'point' }] }, { areaLightTables });
+  assert.equal(loads, 0);
+  const { scene } = await apply({ lights: [rect] }, { areaLightTables });
+  await apply({ lights: [rect] });
+  assert.equal(loads, 1);
+  const light = scene.getObjectByProperty('isRectAreaLight', true);
+  assert.deepEqual([light.width, light.height, light.intensity], [0.5, 1.5, 7]);
+  const shines = new THREE.Vector3(0, 0, -1).applyQuaternion(light.quaternion);
+  assert.ok(shines.distanceTo(new THREE.Vector3(0, -1, 0)) < 1e-3, 'along its own -z');
+});
+
+test('the environment behind the model is blurred as the shot says, and sharp again after', async () => {
+  const environment = new THREE.DataTexture(new Uint16Array(8 * 4 * 4), 8, 4);
+  const { scene } = await apply({ environment: 'a.hdr', background: { blur: 0.4 } }, { environment });
+  assert.equal(scene.background, environment);
+  assert.equal(scene.backgroundBlurriness, 0.4);
+  await apply({ environment: 'a.hdr', background: 'environment' }, { environment, scene });
+  assert.equal(scene.backgroundBlurriness, 0);
+});
+
 test('environment: equirectangular, intensity and rotation in radians, for light and background alike', async () => {
   const environment = new THREE.DataTexture(new Uint16Array(8 * 4 * 4), 8, 4);
   const shot = { environment: { map: 'a.hdr', intensity: 0.5, rotation: 90 }, background: 'environment' };

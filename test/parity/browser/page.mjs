@@ -45,7 +45,10 @@ async function prepare(job) {
   const environment = job.environment ? await loadEnvironment(job.environment) : undefined;
   const scene = new THREE.Scene();
   scene.add(model.scene);
-  const camera = await applyShot(job.shot, { THREE, renderer, scene, model, environment });
+  const camera = await applyShot(job.shot, {
+    THREE, renderer, scene, model, environment,
+    areaLightTables: () => import('three/addons/lights/RectAreaLightUniformsLib.js'),
+  });
   return { renderer, scene, camera, dispose: () => disposeModel(model.scene) };
 }
 

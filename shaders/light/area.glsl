@@ -1,0 +1,47 @@
+// Light from rectangles, by linearly transformed cosines. View space; colours are linear Rec.709 times intensity (nit).
+#if RECT_LIGHTS > 0
+uniform vec3 rectPosition[RECT_LIGHTS];    // centres
+uniform vec3 rectHalfWidth[RECT_LIGHTS];   // from the centre to the middle of an edge
+uniform vec3 rectHalfHeight[RECT_LIGHTS];  // it shines towards cross(rectHalfHeight, rectHalfWidth)
+uniform vec3 rectColor[RECT_LIGHTS];
+uniform sampler2D ltcInverseMap;  // RGBA = the entries that ltcInverse takes; for both see ltcCoordinates
+uniform sampler2D ltcAlbedoMap;   // RG = scale and bias of f0
+
+// A lobe as the tables hold it.
+struct LtcLobe {
+  mat3 toLobe;
+  vec3 albedo;
+};
+
+LtcLobe ltcLobe(mat3 frame, float perceptualRoughness, float NoV, vec3 f0, float f90) {
+  vec2 uv = ltcCoordinates(perceptualRoughness, NoV);
+  return LtcLobe(ltcInverse(texture(ltcInverseMap, uv)) * frame, ltcAlbedo(f0, f90, texture(ltcAlbedoMap, uv).rg));
+}
+
+// As in three.js, rectangles have no part in sheen, iridescence, anisotropy and rough diffuse.
+Reflected addRectLight(Reflected sum, SurfaceInfo s) {
+  mat3 frame = ltcFrame(s.n, s.v);
+  LtcLobe base = ltcLobe(frame, s.perceptualRoughness, s.NoV, s.f0, s.f90);
+#if CLEARCOAT
+  LtcLobe coat = ltcLobe(ltcFrame(s.coatNormal, s.v), s.clearcoatRoughness, s.clearcoatNoV, vec3(F0_DIELECTRIC), 1.0);
+#endif
+  vec3 p = -vViewPosition;
+  for (int i = 0; i < RECT_LIGHTS; ++i) {
+    vec3 a = rectPosition[i] + rectHalfWidth[i] - rectHalfHeight[i];
+    vec3 b = rectPosition[i] - rectHalfWidth[i] - rectHalfHeight[i];
+    vec3 c = rectPosition[i] - rectHalfWidth[i] + rectHalfHeight[i];
+    vec3 d = rectPosition[i] + rectHalfWidth[i] + rectHalfHeight[i];
+    if (dot(cross(b - a, d - a), p - a) < 0.0) continue;  // behind it
+    a -= p;
+    b -= p;
+    c -= p;
+    d -= p;
+    sum.specular += rectColor[i] * base.albedo * ltcRectangle(base.toLobe, a, b, c, d);
+    sum.diffuse += rectColor[i] * s.diffuse * ltcRectangle(frame, a, b, c, d);
+#if CLEARCOAT
+    sum.coat += rectColor[i] * coat.albedo * ltcRectangle(coat.toLobe, a, b, c, d);
+#endif
+  }
+  return sum;
+}
+#endif
