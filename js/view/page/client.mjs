@@ -7,7 +7,7 @@ import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { applyShot, factsOf, rendererParameters } from '../../three/index.mjs';
 import { resolveShot } from '../../shot/resolve.mjs';
-import { straightPixels } from './pixels.mjs';
+import { alphaOf, straightPixels } from './pixels.mjs';
 
 /** Any box: how a renderer is made does not depend on the model. */
 const ANY_BOX = { min: [0, 0, 0], max: [1, 1, 1] };
@@ -105,14 +105,34 @@ export class Client {
     this.#renderer = renderer;
   }
 
-  /** @returns {import('../../compare/image.mjs').Image} the drawing buffer of the last picture */
+  /** @returns {import('../../compare/image.mjs').Image} the last picture */
   pixels() {
+    const { width, height, buffer } = this.#drawingBuffer();
+    return { width, height, data: straightPixels(buffer, width, height) };
+  }
+
+  /**
+   * Where the object is, before a background whose alpha does not tell: the last picture is drawn without it, and again.
+   * @returns {Uint8Array | undefined} alpha of each pixel; undefined where the picture has no background
+   */
+  mask() {
+    const { background } = this.#scene;
+    if (!background) return undefined;
+    this.#scene.background = null;
+    this.#renderer.render(this.#scene, this.#camera);
+    const { width, height, buffer } = this.#drawingBuffer();
+    this.#scene.background = background;
+    this.#renderer.render(this.#scene, this.#camera);
+    return alphaOf(buffer, width, height);
+  }
+
+  #drawingBuffer() {
     const gl = this.#renderer.getContext();
     const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
     const buffer = new Uint8Array(width * height * 4);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, buffer);
-    return { width, height, data: straightPixels(buffer, width, height) };
+    return { width, height, buffer };
   }
 
   /** A colour of a resolved shot as `#rrggbb`. */

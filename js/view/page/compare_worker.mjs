@@ -6,8 +6,8 @@ import { scaledDifference } from './pixels.mjs';
 /** What the browser and the server are held to. */
 const GATE = 'parity';
 
-self.addEventListener('message', ({ data: { id, expected, actual } }) => {
-  const { flipMap, ...comparison } = compareImages(expected, actual);
+self.addEventListener('message', ({ data: { id, expected, actual, mask } }) => {
+  const { flipMap, ...comparison } = compareImages(expected, actual, { mask });
   const { width, height } = comparison;
   const flip = new Uint8ClampedArray(heatMap({ flipMap, width, height }).data.buffer);
   const difference = scaledDifference(expected, actual);

@@ -7,9 +7,10 @@ export class Comparer {
   /**
    * @param {import('../../compare/image.mjs').Image} expected
    * @param {import('../../compare/image.mjs').Image} actual of the same size
+   * @param {Uint8Array} [mask] not 0 where the object is; without it, alpha tells
    * @returns {Promise<object | undefined>} {comparison, verdict, flip, difference}; undefined when a newer one came
    */
-  compare(expected, actual) {
+  compare(expected, actual, mask) {
     this.cancel();
     this.#worker ??= new Worker(new URL('./compare_worker.js', import.meta.url), { type: 'module' });
     const id = ++this.#count;
@@ -24,7 +25,7 @@ export class Comparer {
         this.cancel();
         reject(new Error(`the comparison failed: ${event.message}`));
       };
-      this.#worker.postMessage({ id, expected, actual });
+      this.#worker.postMessage({ id, expected, actual, mask });
     });
   }
 

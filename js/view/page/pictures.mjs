@@ -94,7 +94,7 @@ export class Pictures {
 
   async #compare(signal) {
     this.#setPhase('comparing');
-    const result = await this.#comparer.compare(this.shown.browser, this.shown.server);
+    const result = await this.#comparer.compare(this.shown.browser, this.shown.server, this.#client.mask());
     if (!result || signal.aborted) return;
     this.#stage.showMaps(result);
     showFigures(result, { table: $('figures'), checks: $('checks'), pill: $('verdict'), ssim: $('ssim') });

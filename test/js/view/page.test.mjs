@@ -126,7 +126,19 @@ for (const [selector, keys, key] of PRESSED) {
   });
 }
 
+test('the silhouette before a background is judged apart, as without one', async () => {
+  await page.focus('#background');
+  await changing(page, () => page.keyboard.press('Home'));
+  const transparent = (await figuresOf(page, 'edge')).pixels;
+  await changing(page, () => page.keyboard.press('End'));
+  const edge = (await figuresOf(page, 'edge')).pixels;
+  // A background shows on both sides of the silhouette.
+  assert.ok(transparent > 100 && edge > 1.5 * transparent && edge < 2.5 * transparent, `${edge} ${transparent}`);
+  assert.equal((await figuresOf(page, 'frame')).pixels, 95 * 97);
+});
+
 test('view keys frame the model, and the view that is shown is marked', async () => {
+  await page.evaluate(() => document.activeElement?.blur());
   for (const [key, name] of [['2', 'Back'], ['7', 'Three-quarter'], ['1', 'Front']]) {
     await changing(page, () => page.keyboard.press(key));
     assert.deepEqual(await page.locator('#views [aria-pressed=true]').allTextContents(), [name]);
@@ -279,6 +291,8 @@ test('pictures are saved with their shot inside, and telar compare takes them', 
   assert.equal(status, 0, stderr);
   const { interior, width, height } = JSON.parse(stdout);
   assert.deepEqual([width, height, interior.max], [95, 97, (await figuresOf(page, 'interior')).max]);
+  const again = spawnSync(process.execPath, [CLI, 'compare', saved.browser, '--model', SHIRT, '--gate', 'parity'], { encoding: 'utf8' });
+  assert.equal(again.status, 0, again.stderr);
 });
 
 test('a .gltf with its files beside it', async () => {
