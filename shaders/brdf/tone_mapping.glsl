@@ -1,5 +1,6 @@
 // Tone curves: scene light to display light, both linear Rec.709. Shared text: see README.md.
-// color  scene radiance, 0 or below where a film takes light away      exposure  [0, inf), factor      return [0, 1] (neutral: below 1), before the sRGB OETF
+// color  linear Rec.709, scene radiance; negative where a film takes light away      exposure  [0, inf), factor
+// return [0, 1] (neutral: below 1), before the sRGB OETF
 
 // Scene light after exposure. The cap keeps inf out of the quotients below and is white for each of them.
 vec3 exposedColor(vec3 color, float exposure) {

@@ -14,6 +14,7 @@
 const FILES = [
   'cases_core.mjs',
   'cases_files.mjs',
+  'cases_pairs.mjs',
   'cases_physical.mjs',
   'cases_area.mjs',
 ];
