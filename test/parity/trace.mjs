@@ -47,7 +47,11 @@ export async function traceOf({ item, inputs, difference }, { browser, server },
   return { pixel, terms, first: first?.term ?? null, cause: causeOf(first, terms) };
 }
 
-const worstPixel = ({ interior, edge }) => interior.worst ?? edge.worst;
+/** Of the region that is over the bar, else of the interior. */
+function worstPixel({ interior, edge, verdict }) {
+  const over = verdict.checks.find(({ pass }) => !pass)?.region;
+  return (over === 'edge' ? edge : (interior ?? edge)).worst;
+}
 
 const valueAt = (frame, i) => (frame[i * 4 + 3] === 1 ? Array.from(frame.subarray(i * 4, i * 4 + 3)) : null);
 

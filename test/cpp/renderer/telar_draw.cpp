@@ -1,5 +1,5 @@
 // telar_draw MODEL SHOT.json OUT.raw [--env FILE] [--backend NAME] [--all-features] [--repeat N] [--debug NAME,...]
-//            [--shader-edits FILE.json]
+//            [--shader-edits FILE.json] [--cache FOLDER]
 // Draws one resolved shot without Node: OUT.raw gets the frame's bytes, stdout the frame's info as JSON. --debug draws
 // these debug outputs instead, one after another. --shader-edits changes the shaders before they are compiled.
 #include <time.h>
@@ -53,6 +53,7 @@ Arguments parseArguments(int argc, char** argv) {
     if (i + 1 >= argc) continue;
     if (flag == "--env") arguments.environmentFile = argv[i + 1];
     if (flag == "--backend") arguments.options.backend = backendOf(argv[i + 1]);
+    if (flag == "--cache") arguments.options.cacheDirectory = argv[i + 1];
     if (flag == "--repeat") arguments.repeat = std::atoi(argv[i + 1]);
     if (flag == "--debug") arguments.debugOutputs = argv[i + 1];
     if (flag == "--shader-edits") arguments.shaderEdits = argv[i + 1];
@@ -105,7 +106,7 @@ int main(int argc, char** argv) {
   if (argc < 4)
     return std::fputs(
                "usage: telar_draw MODEL SHOT.json OUT.raw [--env FILE] [--backend NAME] [--all-features] [--repeat "
-               "N] [--debug NAME,...] [--shader-edits FILE.json]\n",
+               "N] [--debug NAME,...] [--shader-edits FILE.json] [--cache FOLDER]\n",
                stderr),
            2;
   try {

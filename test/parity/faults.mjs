@@ -1,0 +1,105 @@
+// Faults that a renderer may have, each planted for real: in the shaders that telar compiles, or in the shot that it draws.
+
+/**
+ * @typedef {object} Fault
+ * @property {string} name
+ * @property {string} item - Name of the gate's case that catches it.
+ * @property {{file: string, find: string, replace: string}[]} [edits] - Of the text in shaders/; each `find` stands there once.
+ * @property {(shot: object) => object} [shot] - The shot that telar draws in place of the case's.
+ * @property {string} first - Quantity that the trace of the worst pixel names.
+ */
+
+/** Moves an orthographic camera to its right by a part of a pixel. */
+function shiftCamera(shot, pixels) {
+  const { position, target, up, height } = shot.camera;
+  const metres = (pixels * height) / shot.size.height;
+  const forward = target.map((c, i) => c - position[i]);
+  const right = [
+    forward[1] * up[2] - forward[2] * up[1],
+    forward[2] * up[0] - forward[0] * up[2],
+    forward[0] * up[1] - forward[1] * up[0],
+  ];
+  const length = Math.hypot(...right);
+  const move = (point) => point.map((c, i) => c + (right[i] / length) * metres);
+  return { ...shot, camera: { ...shot.camera, position: move(position), target: move(target) } };
+}
+
+const turnEnvironment = (shot, degrees) => ({
+  ...shot,
+  environment: { ...shot.environment, rotation: shot.environment.rotation + degrees },
+});
+
+/** @type {Fault[]} */
+export const FAULTS = [
+  {
+    name: 'swapped channels: roughness from blue, metalness from green',
+    item: 'metallic-roughness-map-env',
+    edits: [
+      { file: 'material/surface_info.glsl', find: 'roughness *= texel.g;', replace: 'roughness *= texel.b;' },
+      { file: 'material/surface_info.glsl', find: 's.metallic *= texel.b;', replace: 's.metallic *= texel.g;' },
+    ],
+    first: 'metallic',
+  },
+  {
+    name: 'r instead of r squared: alpha is the roughness itself',
+    item: 'sweep-sun',
+    edits: [{
+      file: 'brdf/roughness.glsl',
+      find: 'return pow2(max(perceptualRoughness, PERCEPTUAL_ROUGHNESS_MIN));',
+      replace: 'return max(perceptualRoughness, PERCEPTUAL_ROUGHNESS_MIN);',
+    }],
+    first: 'direct',
+  },
+  {
+    name: 'a lost PI: Lambert without 1/PI',
+    item: 'light-directional',
+    edits: [{ file: 'brdf/diffuse.glsl', find: 'return RECIPROCAL_PI * diffuse;', replace: 'return diffuse;' }],
+    first: 'direct',
+  },
+  {
+    name: 'V without its 1/4',
+    item: 'sweep-sun',
+    edits: [{ file: 'brdf/visibility.glsl', find: 'return 0.5 / max(gv', replace: 'return 2.0 / max(gv' }],
+    first: 'direct',
+  },
+  {
+    name: 'a mip bias of one',
+    item: 'sweep-gradient',
+    edits: [{ file: 'light/indirect.glsl', find: 'environmentRotation * world, lod)', replace: 'environmentRotation * world, lod + 1.0)' }],
+    first: 'radiance',
+  },
+  {
+    name: 'a wrong tone curve constant: compression from 0.8 on, not from 0.76',
+    item: 'tone-neutral',
+    edits: [{ file: 'brdf/tone_mapping.glsl', find: 'startCompression = 0.8 - 0.04;', replace: 'startCompression = 0.8;' }],
+    first: 'encoded',
+  },
+  {
+    name: 'a missing sheen scaling: the layers below keep all their light',
+    item: 'sheen-env',
+    edits: [{
+      file: 'light/indirect.glsl',
+      find: 'float underSheen = 1.0 - max3(s.sheenColor) * sheenE;',
+      replace: 'float underSheen = 1.0;',
+    }],
+    first: 'indirect',
+  },
+  {
+    name: 'linear instead of sRGB: a base colour texture that is not decoded',
+    item: 'base-color-map-env',
+    edits: [{
+      file: 'material/surface_info.glsl',
+      find: 'color *= texture(baseColorMap, vBaseColorUv);',
+      replace: 'vec4 texel = texture(baseColorMap, vBaseColorUv); color *= vec4(srgbFromLinear(texel.rgb), texel.a);',
+    }],
+    first: 'baseColor',
+  },
+  {
+    name: 'linear instead of sRGB: a picture that is not encoded',
+    item: 'light-directional',
+    edits: [{ file: 'output.glsl', find: 'srgbFromLinear(toneMapped(max(radiance, 0.0)))', replace: 'toneMapped(max(radiance, 0.0))' }],
+    first: 'encoded',
+  },
+  { name: 'a camera shift of 0.5 px', item: 'camera-ortho', shot: (shot) => shiftCamera(shot, 0.5), first: 'n' },
+  { name: 'an environment rotated by 1 degree', item: 'environment-rotated', shot: (shot) => turnEnvironment(shot, 1), first: 'radiance' },
+];
