@@ -82,6 +82,14 @@ describe('the gate catches', () => {
   }
 });
 
+test('without a fault the trace names nothing, on a material with every layer', async () => {
+  const reference = await referenceOf('physical-everything-env');
+  const server = openEdited([]);
+  const trace = await traceOf(await judge(reference, server), { browser, server });
+  assert.equal(trace.first, null, traceText(trace));
+  assert.ok(trace.terms.every((term) => term.browser && term.telar), traceText(trace));
+});
+
 test('an edit that does not fit the shaders is an error, not a fault that is not there', async () => {
   const { item, inputs } = await referenceOf('light-directional');
   for (const find of ['this text is nowhere', 'float']) {

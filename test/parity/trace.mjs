@@ -43,8 +43,7 @@ export async function traceOf({ item, inputs, difference }, { browser, server },
   const actual = await server.debug(input, QUANTITY_NAMES);
   const at = pixel[1] * item.shot.size.width + pixel[0];
   const terms = QUANTITY_NAMES.map((term) => compareTerm(term, valueAt(expected[term], 0), valueAt(actual[term], at)));
-  const first = terms.find(({ differs }) => differs) ?? null;
-  return { pixel, terms, first: first?.term ?? null, cause: causeOf(first, terms) };
+  return { pixel, terms, ...causeOf(terms) };
 }
 
 /** Of the region that is over the bar, else of the interior. */
@@ -61,11 +60,21 @@ export function compareTerm(term, browser, telar) {
   if (!browser || !telar) return { term, browser, telar, difference: Infinity, differs: true };
   const difference = Math.max(...browser.map((value, c) => (Object.is(value, telar[c]) ? 0 : Math.abs(value - telar[c]))));
   const { share, floor } = QUANTITIES[term].rounding;
-  // A comparison with NaN is false: not a number on one side differs.
-  return { term, browser, telar, difference, differs: !(difference <= share * Math.max(...browser.map(Math.abs)) + floor) };
+  // A comparison with NaN is false: what is not a number on one side only differs.
+  const within = difference === 0 || difference <= share * Math.max(...browser.map(Math.abs)) + floor;
+  return { term, browser, telar, difference, differs: !within };
 }
 
-function causeOf(first, terms) {
+/**
+ * @param {Step[]} terms
+ * @returns {{first: string | null, cause: string}}
+ */
+export function causeOf(terms) {
+  const first = terms.find(({ differs }) => differs) ?? null;
+  return { first: first?.term ?? null, cause: sentenceOf(first, terms) };
+}
+
+function sentenceOf(first, terms) {
   if (terms.every(({ browser, telar }) => !browser && !telar)) return 'nothing is drawn at the centre of this pixel on either side: look at coverage and the background';
   if (!first) return "nothing differs beyond rounding at the pixel's centre: look at coverage, at antialiasing and at what is blended below";
   const { what, look } = QUANTITIES[first.term];

@@ -215,5 +215,12 @@ TEST(ParseShot, NamesTheLight) {
   EXPECT_EQ(error.pointer, "/lights/1/color/1");
 }
 
+TEST(ParseShot, ADebugOutputIsReadWhereThereIsOne) {
+  EXPECT_EQ(parseShot(standard().dump()).debugOutput, DebugOutput::kNone);
+  EXPECT_EQ(parseShot(with("/debugOutput", "n").dump()).debugOutput, DebugOutput::kNormal);
+  EXPECT_EQ(parseShot(with("/debugOutput", "encoded").dump()).debugOutput, DebugOutput::kEncoded);
+  EXPECT_EQ(failure(with("/debugOutput", "N")).pointer, "/debugOutput");
+}
+
 }  // namespace
 }  // namespace telar
