@@ -97,7 +97,7 @@ export const FAULTS = [
   {
     name: 'linear instead of sRGB: a picture that is not encoded',
     item: 'light-directional',
-    edits: [{ file: 'output.glsl', find: 'srgbFromLinear(toneMapped(', replace: '((toneMapped(' }],
+    edits: [{ file: 'output.glsl', find: 'srgbFromLinear(toneMapped(', replace: '(toneMapped(' }],
     first: 'encoded',
   },
   { name: 'a camera shift of 0.5 px', item: 'camera-ortho', shot: (shot) => shiftCamera(shot, 0.5), first: 'n' },
