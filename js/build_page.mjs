@@ -1,11 +1,12 @@
-import { cp, mkdir } from 'node:fs/promises';
+import { cp, mkdir, rm } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 
 // Writes js/dist/view, the page of `telar view`. three.js is bundled, so that servers that only draw need not install its
-// 24 MB, and the page loads as one file. Its decoders lie beside it, as its loaders want them.
+// 24 MB, and the page loads in few files.
+// What only some models and shots need is a file of its own; three's decoders lie beside it, as its loaders want them.
 
 const JS = path.dirname(fileURLToPath(import.meta.url));
 const PAGE = path.join(JS, 'view/page');
@@ -20,10 +21,13 @@ const COPIED = {
 };
 
 export async function buildPage() {
+  await rm(OUT, { recursive: true, force: true });
   await build({
     entryPoints: ['page.mjs', 'compare_worker.mjs', 'style.css'].map((file) => path.join(PAGE, file)),
     outdir: OUT,
     bundle: true,
+    splitting: true,
+    chunkNames: 'part-[hash]',
     minify: true,
     platform: 'browser',
     target: ['chrome111', 'firefox113', 'safari16.4'],

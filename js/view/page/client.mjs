@@ -1,6 +1,5 @@
 import * as THREE from 'three';
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
-import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
@@ -86,7 +85,7 @@ export class Client {
     const { format } = this.#environments.find((known) => known.map === map) ?? {};
     if (!format) return undefined;
     if (!this.#textures.has(map)) {
-      const loader = format === 'exr' ? new EXRLoader() : new HDRLoader();
+      const loader = format === 'exr' ? new (await import('three/addons/loaders/EXRLoader.js')).EXRLoader() : new HDRLoader();
       this.#textures.set(map, await loader.loadAsync(`environment/${encodeURIComponent(map)}`));
     }
     return this.#textures.get(map);

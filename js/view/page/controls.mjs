@@ -7,7 +7,8 @@ const COLOUR = 'colour';
 const FRAMED = '';
 
 /** What a background may be beside a colour. */
-const BACKGROUNDS = ['transparent', 'environment'];
+const ENVIRONMENT = 'environment';
+const BACKGROUNDS = ['transparent', ENVIRONMENT];
 
 /** How each control reads the state, and what it changes of the shot. Names are those of the form's elements. */
 const BINDINGS = {
@@ -52,8 +53,12 @@ const BINDINGS = {
     change: (value, { resolved }) => ({ environment: { ...resolved.environment, rotation: Number(value) } }),
   },
   background: {
-    read: ({ resolved }) => (Array.isArray(resolved.background) ? COLOUR : resolved.background),
+    read: ({ resolved: { background } }) => (Array.isArray(background) ? COLOUR : background.type ?? background),
     change: (value, _state, form) => ({ background: value === COLOUR ? form.elements.backgroundColour.value : value }),
+  },
+  blur: {
+    read: ({ resolved: { background } }) => (background === ENVIRONMENT ? defaultOf('background.blur') : background.blur),
+    change: (value) => ({ background: { type: ENVIRONMENT, blur: Number(value) } }),
   },
   backgroundColour: {
     read: ({ resolved }) => (Array.isArray(resolved.background) ? Client.hexOf(resolved.background) : undefined),

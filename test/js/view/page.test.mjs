@@ -102,6 +102,7 @@ const PRESSED = [
   ['#toneMapping', ['End'], 'toneMapping'],
   ['#exposure', ['PageUp'], 'exposure'],
   ['#background', ['ArrowDown'], 'background'],
+  ['#blur', ['PageUp', 'PageUp'], 'background'],
   ['#background', ['ArrowDown'], 'background'],
   ['#quality', ['ArrowDown'], 'quality'],
   ['#width', ['ArrowDown', 'Tab'], 'size'],

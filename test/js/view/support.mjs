@@ -15,6 +15,8 @@ const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-ba
 
 export const launchChromium = () => chromium.launch({ executablePath: process.env.TELAR_CHROMIUM ?? '/usr/bin/chromium', args: FLAGS });
 
+let built;
+
 /**
  * The real `telar view` in a process of its own.
  * @param {string} model
@@ -23,7 +25,7 @@ export const launchChromium = () => chromium.launch({ executablePath: process.en
  *   stop: SIGINT, then exit code and signal
  */
 export async function openView(model, args = []) {
-  await buildPage();
+  await (built ??= buildPage());
   const child = spawn(process.execPath, [CLI, 'view', model, '--json', '--quiet', ...args], { stdio: ['ignore', 'pipe', 'inherit'] });
   const ended = once(child, 'exit');
   const line = await Promise.race([once(createInterface(child.stdout), 'line'), ended.then(([code]) => Promise.reject(new Error(`telar view ended with ${code}`)))]);
