@@ -91,6 +91,9 @@ Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 compensation, vec3 l, v
   return sum;
 }
 
+// To a light on the shaded point itself: none, so that it gives nothing, as it does to the points around.
+const vec3 NO_DIRECTION = vec3(0.0);
+
 Reflected punctualLight(SurfaceInfo s) {
   Reflected sum = nothingReflected();
   vec3 compensation = directCompensation(s.f0, s.dfg);
@@ -98,13 +101,13 @@ Reflected punctualLight(SurfaceInfo s) {
   for (int i = 0; i < POINT_LIGHTS; ++i) {
     vec3 toLight = pointPosition[i] + vViewPosition;
     vec3 color = pointColor[i] * distanceAttenuation(length(toLight), pointRange[i]);
-    sum = addPunctual(sum, s, compensation, safeNormalize(toLight, s.n), color);
+    sum = addPunctual(sum, s, compensation, safeNormalize(toLight, NO_DIRECTION), color);
   }
 #endif
 #if SPOT_LIGHTS > 0
   for (int i = 0; i < SPOT_LIGHTS; ++i) {
     vec3 toLight = spotPosition[i] + vViewPosition;
-    vec3 l = safeNormalize(toLight, s.n);
+    vec3 l = safeNormalize(toLight, NO_DIRECTION);
     float cone = spotAttenuation(spotOuterCos[i], spotInnerCos[i], dot(l, spotDirection[i]));
     if (cone > 0.0) {
       vec3 color = spotColor[i] * cone * distanceAttenuation(length(toLight), spotRange[i]);
