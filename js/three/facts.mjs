@@ -1,4 +1,5 @@
 import { Outline } from '../shot/outline.mjs';
+import { camerasOf } from './cameras.mjs';
 
 /**
  * What resolveShot needs to know of a model that GLTFLoader gave, measured as the server measures it: so that both frame
@@ -6,7 +7,8 @@ import { Outline } from '../shot/outline.mjs';
  *
  * @param {{scene: import('three').Object3D, parser?: object}} model - What GLTFLoader gave.
  * @param {{THREE: typeof import('three')}} three
- * @returns {{bounds: {min: number[], max: number[]} | null, outline: number[][], variants: string[]}} metres, world space
+ * @returns {{bounds: {min: number[], max: number[]} | null, outline: number[][], cameras: object[],
+ *   variants: string[]}} metres, world space
  */
 export function factsOf(model, { THREE }) {
   const outline = new Outline();
@@ -26,6 +28,7 @@ export function factsOf(model, { THREE }) {
   return {
     bounds: box.isEmpty() ? null : { min: box.min.toArray(), max: box.max.toArray() },
     outline: outline.points(),
+    cameras: model.parser ? camerasOf(model, box, THREE) : [],
     variants: variants.map((variant) => variant.name),
   };
 }

@@ -32,5 +32,7 @@ export function factsOf(model: { scene: Three; parser?: Three }, three: { THREE:
   bounds: { min: number[]; max: number[] } | null;
   /** Drawn vertices that lie farthest out. */
   outline: number[][];
+  /** As the shot's explicit camera, with a name; far is null where the file says infinite. */
+  cameras: object[];
   variants: string[];
 };

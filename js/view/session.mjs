@@ -68,11 +68,9 @@ export class Session {
   async describe(signal) {
     if (!this.#isFresh) await this.load(signal);
     this.#isFresh = false;
-    const { cameras = [], animations = [], warnings = [] } = this.#model.facts;
     const { backend, gl } = this.#renderer;
     return {
       name: this.name,
-      model: { cameras, animations, warnings },
       shot: this.#shot,
       environments: this.#environments.list(),
       server: { backend, renderer: gl.renderer, version: gl.version },

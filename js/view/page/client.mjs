@@ -19,6 +19,7 @@ export class Client {
   #renderers = new Map();
   #scene = new THREE.Scene();
   #model;
+  #facts;
   #camera;
   #renderer;
   #environments;
@@ -48,9 +49,10 @@ export class Client {
     return self;
   }
 
-  /** What resolveShot needs to know of the model. */
+  /** What resolveShot needs to know of the model; measured once. */
   facts() {
-    return factsOf(this.#model, { THREE });
+    this.#facts ??= factsOf(this.#model, { THREE });
+    return this.#facts;
   }
 
   /** @returns {{name: string, duration: number}[]} seconds */

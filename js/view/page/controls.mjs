@@ -82,13 +82,13 @@ const asOptions = (names) => names.map((name) => [name, titled(name)]);
  * @param {object} known
  * @param {{map: string}[]} known.environments
  * @param {object[]} known.cameras of the model
+ * @param {string[]} known.variants of the model
  * @param {{name: string, duration: number}[]} known.animations
  * @param {(act: () => void) => void} attempt runs what may be refused, and tells it
  */
-export function bindControls(form, state, { environments, cameras, animations }, attempt) {
+export function bindControls(form, state, { environments, cameras, variants, animations }, attempt) {
   const { elements } = form;
   const fill = (name, options) => elements[name].replaceChildren(...options.map(option));
-  const { variants } = state.facts;
   fill('modelCamera', [[FRAMED, 'Framed'], ...cameras.map(({ name }, i) => [String(i), name || `Camera ${i}`])]);
   fill('projection', asOptions(choicesOf('camera.projection')));
   fill('variant', [['', 'As in the file'], ...variants.map((name) => [name, name])]);

@@ -74,15 +74,15 @@ function addModes(stage) {
 
 async function start() {
   setPhase('loading');
-  const described = await session();
-  const { name, shot, environments, model, server } = described;
+  const { name, shot, environments, server } = await session();
   $('model-name').textContent = name;
   document.title = `${name} · telar`;
   const client = await Client.load({ place: $('client-canvas'), model: `model/${encodeURIComponent(name)}`, environments, shot });
-  const state = new ShotState(shot, { cameras: model.cameras, ...client.facts() });
+  const state = new ShotState(shot, (wanted) => client.facts(wanted));
   const stage = new Stage($('stage'));
   const pictures = new Pictures({ state, client, stage, setPhase, fail });
-  bindControls($('controls'), state, { environments, cameras: state.facts.cameras, animations: client.animations }, attempt);
+  const { cameras, variants } = client.facts(shot);
+  bindControls($('controls'), state, { environments, cameras, variants, animations: client.animations }, attempt);
   bindShotText($('shot-text'), state, attempt);
   addOrbit($('stage'), state, () => client.camera);
   const stem = name.replace(/\.[^.]*$/, '');

@@ -7,18 +7,22 @@ import { resolveShot } from '../../shot/resolve.mjs';
 export class ShotState extends EventTarget {
   #shot;
   #resolved;
-  #facts;
+  #measure;
 
   /**
    * @param {object} shot not resolved
-   * @param {object} facts of the model
+   * @param {(shot: object) => object} measure facts of the model as the shot poses it
    * @throws {import('../../error/index.mjs').TelarError} as resolveShot
    */
-  constructor(shot, facts) {
+  constructor(shot, measure) {
     super();
-    this.#facts = facts;
+    this.#measure = measure;
     this.#shot = shot;
-    this.#resolved = resolveShot(shot, facts);
+    this.#resolved = this.#resolve(shot);
+  }
+
+  #resolve(shot) {
+    return resolveShot(shot, this.#measure(shot));
   }
 
   get shot() {
@@ -29,16 +33,12 @@ export class ShotState extends EventTarget {
     return this.#resolved;
   }
 
-  get facts() {
-    return this.#facts;
-  }
-
   /**
    * Puts another shot in its place; on an error the old one stays.
    * @throws {import('../../error/index.mjs').TelarError}
    */
   replace(shot) {
-    this.#resolved = resolveShot(shot, this.#facts);
+    this.#resolved = this.#resolve(shot);
     this.#shot = shot;
     this.dispatchEvent(new Event('change'));
   }
@@ -50,6 +50,6 @@ export class ShotState extends EventTarget {
 
   /** Whether the keys would change nothing of the picture. */
   isShowing(keys) {
-    return JSON.stringify(resolveShot({ ...this.#shot, ...keys }, this.#facts)) === JSON.stringify(this.#resolved);
+    return JSON.stringify(this.#resolve({ ...this.#shot, ...keys })) === JSON.stringify(this.#resolved);
   }
 }
