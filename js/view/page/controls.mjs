@@ -89,7 +89,7 @@ const asOptions = (names) => names.map((name) => [name, titled(name)]);
 export function bindControls(form, state, { environments, cameras, variants, animations }, attempt) {
   const { elements } = form;
   const fill = (name, options) => elements[name].replaceChildren(...options.map(option));
-  fill('modelCamera', [[FRAMED, 'Framed'], ...cameras.map(({ name }, i) => [String(i), name || `Camera ${i}`])]);
+  fill('modelCamera', [[FRAMED, 'Free'], ...cameras.map(({ name }, i) => [String(i), name || `Camera ${i}`])]);
   fill('projection', asOptions(choicesOf('camera.projection')));
   fill('variant', [['', 'As in the file'], ...variants.map((name) => [name, name])]);
   fill('animation', [['', 'As in the file'], ...animations.map(({ name }, i) => [String(i), name || `Animation ${i}`])]);

@@ -1,5 +1,5 @@
-// The two sides may multiply a node's rotation in another order, and so measure a model apart in the last bits.
-const isNear = (a, b) => a === b || Math.abs(a - b) <= 1e-12 + 1e-9 * Math.abs(a);
+// three.js takes a node's matrix apart into translation, rotation and scale, which moves what it measures by a few 1e-8.
+const isNear = (a, b) => a === b || Math.abs(a - b) <= 1e-7 + 1e-6 * Math.abs(a);
 
 const isTree = (value) => typeof value === 'object' && value !== null;
 

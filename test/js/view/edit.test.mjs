@@ -95,7 +95,7 @@ test('differences show sixteenfold, those of alpha in every channel', () => {
 
 test('differences of resolved shots are named, those of rounding and of the file are not', () => {
   const shot = { exposure: 1, camera: { position: [0, 1, 2] }, lights: [{ type: 'ambient' }], output: { format: 'png' } };
-  const other = { exposure: 1.5, camera: { position: [1e-16, 1 + 1e-15, 2.1] }, lights: [], output: { format: 'raw' } };
+  const other = { exposure: 1.5, camera: { position: [5e-8, 1 + 1e-7, 2.1] }, lights: [], output: { format: 'raw' } };
   assert.deepEqual(shotDifferences(shot, { ...shot, output: undefined }), []);
   assert.deepEqual(shotDifferences(shot, other), [
     { path: 'exposure', ours: '1', theirs: '1.5' },
