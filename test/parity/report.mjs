@@ -19,6 +19,7 @@ import { figuresText, reportPage } from './report_page.mjs';
 export class Report {
   failed = 0;
   #rows = [];
+  #known = [];
 
   /**
    * @param {import('./draw_cases.mjs').Result} result
@@ -35,12 +36,24 @@ export class Report {
   }
 
   /**
+   * A picture in which three.js is known to be wrong: shown, and not judged.
+   * @param {import('./draw_cases.mjs').Result} result
+   * @returns {string} Line for the console.
+   */
+  addKnown({ item, error, difference }) {
+    if (error) this.failed++;
+    this.#known.push({ name: item.name, pass: !error, difference, error: error && (error.stack ?? String(error)) });
+    return `${error ? 'FAIL' : 'known'} ${item.name} ${error ? error.message : `differs by up to ${difference.interior?.max ?? 0}/255`}`;
+  }
+
+  /**
    * Writes the files.
-   * @param {{summary: string, knownDifferences?: object[]}} facts - `summary`: what was drawn, and how long it took.
+   * @param {{summary: string, knownDifferences?: import('./known_differences.mjs').KnownDifference[]}} facts - `summary`:
+   *   what was drawn, and how long it took.
    * @returns {string} Closing line for the console.
    */
   finish({ summary, knownDifferences = [] }) {
-    writeFileSync(path.join(OUT, 'index.html'), reportPage(this.#rows, { summary, knownDifferences }));
+    writeFileSync(path.join(OUT, 'index.html'), reportPage(this.#rows, { summary, knownDifferences, knownRows: this.#known }));
     const judged = this.#rows.map(({ name, difference }) => ({ name, verdict: difference?.verdict ?? notDrawn() }));
     writeFileSync(path.join(OUT, 'junit.xml'), junitReport(judged));
     return `${this.#rows.length - this.failed} of ${this.#rows.length} cases within the bar; report: ${path.relative('.', path.join(OUT, 'index.html'))}`;

@@ -34,7 +34,11 @@ const row = (name, actual, more) => {
   return { name, pass: found.pass, difference: found, ...more };
 };
 const wrong = picture((pixels, at) => pixels.set([200, 100, 100, 255], at(12, 13)));
-const page = (rows) => reportPage(rows, { summary: '2 cases', knownDifferences: [{ name: 'sheen < 0', three: 'NaN', telar: 'finite', cases: ['a', 'b'] }] });
+const page = (rows) => reportPage(rows, {
+  summary: '2 cases',
+  knownDifferences: [{ name: 'sheen < 0', three: 'NaN', telar: 'finite', source: 'sheen.glsl', cases: ['known'] }],
+  knownRows: [{ name: 'known', pass: true }],
+});
 
 test('a line of figures names what is over the bar', () => {
   assert.match(figuresText(row('a', wrong)), /^interior 400 px max 100 at 12 13 p99\.9 100 .*OVER: interior max 100\/255, at most 2\/255 \| OVER: interior p99\.9/);
@@ -55,5 +59,6 @@ test('the page: those over the bar first, their pixel traced, and nothing from a
   assert.ok(!html.includes('unused') && html.includes('&#60;lost&#62;') && html.includes('sheen &#60; 0'));
   assert.doesNotMatch(html, /<script|https?:|src="\//);
   assert.deepEqual([...html.matchAll(/src="([^"]+)"/g)].map(([, file]) => file).slice(0, 3), ['pictures/bad.browser.png', 'pictures/bad.telar.png', 'pictures/bad.difference.png']);
+  assert.ok(html.includes('src="pictures/known.telar.png"'));
   for (const [, id] of html.matchAll(/href="#([^"]+)"/g)) assert.ok(html.includes(`id="${id}"`), id);
 });

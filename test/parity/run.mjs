@@ -7,13 +7,14 @@
 //   --trace         follow the worst pixel of each case that differs at all, not only of those over the bar
 //   --keep          leave the browser's pictures, the models and the shots in out/parity/browser
 //   --browser-only  only that, without telar
-import { existsSync, mkdirSync } from 'node:fs';
+import { mkdirSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { Browser } from './browser/chromium.mjs';
 import { CASES, GATE_CASES } from './cases.mjs';
 import { Comparer } from './comparer.mjs';
 import { drawCases } from './draw_cases.mjs';
 import { saveReference } from './files.mjs';
+import { KNOWN_CASES, KNOWN_DIFFERENCES } from './known_differences.mjs';
 import { OUT } from './places.mjs';
 import { Report } from './report.mjs';
 import { openServer } from './server.mjs';
@@ -27,16 +28,16 @@ const { values, positionals } = parseArgs({
 
 const started = performance.now();
 mkdirSync(OUT, { recursive: true });
-const cases = (values.all || positionals.length > 0 ? CASES : GATE_CASES)
+const chosen = (items) => items
   .filter(({ name }) => positionals.length === 0 || positionals.some((filter) => name.includes(filter)))
   .filter((item) => !values.fast || item.fast);
-if (cases.length === 0) throw new Error(`no case has one of these in its name: ${positionals.join(' ')}`);
+const cases = chosen(values.all || positionals.length > 0 ? CASES : GATE_CASES);
+const knownCases = values['browser-only'] ? [] : chosen(KNOWN_CASES);
+if (cases.length + knownCases.length === 0) throw new Error(`no case has one of these in its name: ${positionals.join(' ')}`);
 
 /** Cases followed through the shaders without --trace: each takes seconds, and one fault shows in many cases. */
 const MAX_TRACES = 12;
 let traces = 0;
-
-const { KNOWN_DIFFERENCES } = existsSync(new URL('known_differences.mjs', import.meta.url)) ? await import('./known_differences.mjs') : {};
 
 const report = new Report();
 const spent = {};
@@ -49,12 +50,16 @@ try {
   ]);
   if (sides.server) sides.comparer = new Comparer();
   for await (const result of drawCases(cases, sides)) await finishCase(result);
+  for await (const result of drawCases(knownCases, { ...sides, other: undefined })) console.log(report.addKnown(result));
 } finally {
   await Promise.all(Object.values(sides).map((side) => side?.close()));
 }
 const summary = summaryOf();
 console.log(summary);
-if (!values['browser-only']) console.log(report.finish({ summary, knownDifferences: KNOWN_DIFFERENCES }));
+if (!values['browser-only']) {
+  const shown = KNOWN_DIFFERENCES.filter((entry) => knownCases.some(({ name }) => entry.cases.includes(name)));
+  console.log(report.finish({ summary, knownDifferences: shown }));
+}
 process.exitCode = report.failed ? 1 : 0;
 
 async function finishCase(result) {
@@ -79,7 +84,13 @@ async function traced(result) {
   const { interior, edge, verdict } = result.difference;
   const over = verdict.checks.find(({ pass }) => !pass)?.region;
   const pixel = { interior, edge }[over]?.worst ?? interior?.worst ?? edge?.worst;
-  return pixel ? traceOf(result, sides, pixel) : undefined;
+  if (!pixel) return undefined;
+  try {
+    return await traceOf(result, sides, pixel);
+  } catch (error) {
+    console.error(`${result.item.name} cannot be traced: ${error.message}`);
+    return undefined;
+  }
 }
 
 function summaryOf() {
