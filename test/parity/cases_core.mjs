@@ -38,7 +38,7 @@ const FURNACE = { toneMapping: 'linear', camera: 'front', exposure: 0.8 };
 const furnaceCases = [0, 0.045, 0.1, 0.25, 0.5, 0.75, 1].flatMap((roughness) => [
   make(`furnace-${roughness}`, `furnace-${roughness}`, 'one', FURNACE, roughness === 0.25),
   make(`furnace-metal-${roughness}`, `furnace-metal-${roughness}`, 'one', FURNACE),
-]);
+]).map((item, i) => ({ ...item, extended: i > 1 && i < 12 && !item.fast }));
 
 const environmentCases = [
   make('sweep-gradient', 'sweep', 'gradient', { camera: 'front' }, true),

@@ -66,5 +66,8 @@ function sharedCase(name, file, azimuth, elevation) {
   };
 }
 
+/** What another case shows as well: the same model in another container. */
+const EXTENDED = ['shared-box-draco-gltf', 'shared-duck-gltf', 'shared-two-cubes'];
+
 /** @type {import('./cases.mjs').Case[]} */
-export const CASES = [...BUNDLED_CASES, ...sharedCases(MODELS)];
+export const CASES = [...BUNDLED_CASES, ...sharedCases(MODELS)].map((item) => ({ ...item, extended: EXTENDED.includes(item.name) }));

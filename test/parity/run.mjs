@@ -42,16 +42,20 @@ let traces = 0;
 const report = new Report();
 const spent = {};
 const sides = {};
+const opening = Object.entries({
+  browser: Browser.start(),
+  server: values['browser-only'] ? undefined : openServer(),
+  other: values.swiftshader ? Browser.start({ rasterizer: 'swiftshader' }) : undefined,
+}).map(async ([name, side]) => {
+  sides[name] = await side;
+});
 try {
-  [sides.browser, sides.server, sides.other] = await Promise.all([
-    Browser.start(),
-    values['browser-only'] ? undefined : openServer(),
-    values.swiftshader ? Browser.start({ rasterizer: 'swiftshader' }) : undefined,
-  ]);
+  await Promise.all(opening);
   if (sides.server) sides.comparer = new Comparer();
   for await (const result of drawCases(cases, sides)) await finishCase(result);
   for await (const result of drawCases(knownCases, { ...sides, other: undefined })) console.log(report.addKnown(result));
 } finally {
+  await Promise.allSettled(opening);
   await Promise.all(Object.values(sides).map((side) => side?.close()));
 }
 const summary = summaryOf();
