@@ -1,9 +1,12 @@
 // Reads intermediate values of three's own shaders: a patched material writes one of them to a float target.
 
 /** GLSL expressions in main() of three's shaders, by kind of material. */
-const ANY = { encoded: 'gl_FragColor.rgb' };
-
-const COLORED = { ...ANY, baseColor: 'diffuseColor.rgb', alpha: 'vec3(diffuseColor.a)', linear: 'outgoingLight' };
+const COLORED = {
+  baseColor: 'diffuseColor.rgb',
+  alpha: 'vec3(diffuseColor.a)',
+  linear: 'outgoingLight',
+  encoded: 'gl_FragColor.rgb',
+};
 
 /** MeshStandardMaterial and MeshPhysicalMaterial. */
 const LIT = {
@@ -60,10 +63,9 @@ export function* measureTerms(THREE, { renderer, scene, camera }, { shot, terms,
   // three compiles tone mapping and sRGB encoding for such a target as for the canvas.
   target.isXRRenderTarget = true;
   target.texture.colorSpace = renderer.outputColorSpace;
-  scene.background = null;
   const choice = { value: 0 };
   for (const material of materialsOf(scene)) writeTerms(THREE, material, choice);
-  for (const name of terms ?? termNames) {
+  const draw = (name) => {
     choice.value = termNames.indexOf(name);
     if (choice.value < 0) throw new Error(`no term ${name}: expected one of ${termNames.join(' ')}`);
     renderer.setRenderTarget(target);
@@ -71,7 +73,16 @@ export function* measureTerms(THREE, { renderer, scene, camera }, { shot, terms,
     renderer.render(scene, camera);
     const values = new Float32Array(width * height * 4);
     renderer.readRenderTargetPixels(target, x, y, width, height, values);
-    yield [name, values];
+    return values;
+  };
+  // The background stays, for the surfaces that let it through, but is no surface itself.
+  const { background } = scene;
+  scene.background = null;
+  const model = background ? draw('alpha') : null;
+  scene.background = background;
+  for (const name of terms ?? termNames) {
+    const values = draw(name);
+    yield [name, model ? values.map((value, i) => (model[i | 3] === 1 ? value : 0)) : values];
   }
   renderer.setRenderTarget(null);
   target.dispose();
@@ -88,11 +99,15 @@ function materialsOf(scene) {
 function expressionsOf(material) {
   if (material.isMeshStandardMaterial) return LIT;
   if (material.isMeshBasicMaterial || material.isPointsMaterial || material.isLineBasicMaterial) return COLORED;
-  return ANY;
+  return null;
 }
 
 function writeTerms(THREE, material, choice) {
   const expressions = expressionsOf(material);
+  if (!expressions) {
+    material.visible = false; // a ground that only catches shadows
+    return;
+  }
   const writes = termNames
     .map((name, i) => (expressions[name] ? `if (telarTerm == ${i}) telarValue = vec4(${expressions[name]}, 1.0);\n` : ''))
     .join('');
