@@ -48,11 +48,20 @@ export class Session {
    */
   async load(signal) {
     const model = await this.#renderer.load(this.#source, { signal });
-    this.#files = typeof this.#source === 'string' ? await modelFiles(this.#source) : undefined;
+    this.#files = await this.#namedFiles();
     const old = this.#model;
     this.#model = model;
     this.#isFresh = true;
     if (old) await this.#renderer.release(old);
+  }
+
+  async #namedFiles() {
+    if (typeof this.#source !== 'string') return undefined;
+    try {
+      return await modelFiles(this.#source);
+    } catch (cause) {
+      throw new TelarError('E_FILE', `${shown(this.name)} cannot be read (${cause.code ?? cause.message})`, { cause });
+    }
   }
 
   /** @throws {import('../error/index.mjs').TelarError} where the shot that the view begins with is wrong for the model */

@@ -16,8 +16,9 @@ const KEYS = {
  * @param {HTMLElement} element what is dragged and focused
  * @param {import('./shot_state.mjs').ShotState} state
  * @param {() => object} cameraOf three's camera as it was drawn last
+ * @param {(act: () => void) => void} attempt runs what may be refused, and tells it
  */
-export function addOrbit(element, state, cameraOf) {
+export function addOrbit(element, state, cameraOf, attempt) {
   // Upright from the start: the controls take the axis that they turn about from their first camera.
   const controls = new OrbitControls(new PerspectiveCamera(), element);
   let begun;
@@ -34,11 +35,11 @@ export function addOrbit(element, state, cameraOf) {
   controls.addEventListener('change', () => {
     if (!begun) return;
     const { object: { position, zoom }, target } = controls;
-    state.change({ camera: fromControls(begun, { position, target, zoom }) });
+    attempt(() => state.change({ camera: fromControls(begun, { position, target, zoom }) }));
   });
   element.addEventListener('keydown', (event) => {
     if (event.target !== element || event.ctrlKey || event.metaKey || event.altKey || !KEYS[event.key]) return;
     event.preventDefault();
-    state.change({ camera: orbited(state.resolved.camera, KEYS[event.key]) });
+    attempt(() => state.change({ camera: orbited(state.resolved.camera, KEYS[event.key]) }));
   });
 }

@@ -19,6 +19,7 @@ const STATUS = { loading: 'Loading the model', drawing: 'The server draws', comp
 
 /** What the page does, for readers (the status line) and tests (the attribute). */
 function setPhase(phase) {
+  if (phase === 'drawing') tell();
   document.body.dataset.phase = phase;
   $('status').textContent = STATUS[phase];
 }
@@ -84,7 +85,7 @@ async function start() {
   const { cameras, variants } = client.facts(shot);
   bindControls($('controls'), state, { environments, cameras, variants, animations: client.animations }, attempt);
   bindShotText($('shot-text'), state, attempt);
-  addOrbit($('stage'), state, () => client.camera);
+  addOrbit($('stage'), state, () => client.camera, attempt);
   const stem = name.replace(/\.[^.]*$/, '');
   const save = (side) => {
     const { [side]: image, resolved } = pictures.shown;

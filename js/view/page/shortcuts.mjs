@@ -3,7 +3,7 @@ const TYPED_INTO = 'input:not([type=radio], [type=range], [type=checkbox]), text
 
 /**
  * Single keys that work anywhere on the page, unless the reader turned them off or is typing.
- * @param {Record<string, () => void>} actions by `event.key`
+ * @param {Record<string, () => unknown>} actions by `event.key`; false = nothing to do, the browser may have the key
  * @param {HTMLInputElement} toggle
  */
 export function bindShortcuts(actions, toggle) {
@@ -12,7 +12,6 @@ export function bindShortcuts(actions, toggle) {
     if (!toggle.checked || repeat || ctrlKey || metaKey || altKey || !Object.hasOwn(actions, key)) return;
     if (target.matches(TYPED_INTO) || target.closest('dialog')) return;
     if (key === ' ' && target.matches('button, summary, a, input')) return;
-    event.preventDefault();
-    actions[key]();
+    if (actions[key]() !== false) event.preventDefault();
   });
 }

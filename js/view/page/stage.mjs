@@ -45,14 +45,15 @@ export class Stage {
     this.#root.dataset.shown = this.#root.dataset.shown === 'browser' ? 'server' : 'browser';
   }
 
-  /** Stops the blinking and shows the other picture; goes on when it was stopped. */
+  /** Stops the blinking and shows the other picture; goes on when it was stopped. @returns {boolean} whether it blinks at all */
   pause() {
-    if (this.mode !== 'blink') return;
+    if (this.mode !== 'blink') return false;
     this.#isPaused = !this.#isPaused;
     const shown = this.#root.dataset.shown;
     this.mode = 'blink';
     this.#root.dataset.shown = shown;
     if (this.#isPaused) this.#swap();
+    return true;
   }
 
   showServer(image) {
