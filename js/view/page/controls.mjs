@@ -30,12 +30,12 @@ const BINDINGS = {
   },
   variant: { read: ({ resolved }) => resolved.variant, change: (variant) => ({ variant }) },
   animation: {
-    read: ({ shot }) => String(shot.pose?.animation ?? ''),
-    change: (value) => ({ pose: value === '' ? undefined : { animation: Number(value), time: 0 } }),
+    read: ({ resolved }) => String(resolved.pose?.animation ?? ''),
+    change: (value) => ({ pose: value === '' ? undefined : { animation: Number(value) } }),
   },
   time: {
-    read: ({ shot }) => (shot.pose ? shot.pose.time : undefined),
-    change: (value, { shot }) => ({ pose: { ...shot.pose, time: Number(value) } }),
+    read: ({ resolved }) => resolved.pose?.time,
+    change: (value, { resolved }) => ({ pose: { ...resolved.pose, time: Number(value) } }),
   },
   shading: { read: ({ resolved }) => resolved.shading, change: (shading) => ({ shading }) },
   toneMapping: { read: ({ resolved }) => resolved.toneMapping, change: (toneMapping) => ({ toneMapping }) },
@@ -103,8 +103,9 @@ export function bindControls(form, state, { environments, cameras, variants, ani
   form.querySelector('#model-controls').hidden = !rows.variant && !rows.animation;
 
   const show = () => {
+    // Before its value, which the range would cut.
+    elements.time.max = animations[state.resolved.pose?.animation]?.duration ?? 0;
     for (const [name, { read }] of Object.entries(BINDINGS)) showValue(elements[name], read(state));
-    elements.time.max = animations[state.shot.pose?.animation]?.duration ?? 0;
   };
   const onInput = ({ type, target }) => {
     if (!BINDINGS[target.name] || (type === 'change') !== ON_CHANGE.includes(target.name)) return;

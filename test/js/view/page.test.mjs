@@ -5,6 +5,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { readEmbeddedShot } from '../../../js/compare/embedded_shot.mjs';
+import { ENVIRONMENTS } from '../../fixtures/index.mjs';
 import { changing, CLI, figuresOf, launchChromium, openView, pictures, settled, SHIRT } from './support.mjs';
 
 // The page in real headless Chromium on the real renderer: the bundled garment, small.
@@ -99,6 +100,8 @@ const PRESSED = [
   ['#fit', ['PageDown', 'PageDown'], 'camera'],
   ['#intensity', ['PageUp'], 'environment'],
   ['#rotation', ['PageUp', 'PageUp'], 'environment'],
+  ['#environment', ['ArrowDown'], 'environment'],
+  ['#environment', ['ArrowUp'], 'environment'],
   ['#toneMapping', ['End'], 'toneMapping'],
   ['#exposure', ['PageUp'], 'exposure'],
   ['#background', ['ArrowDown'], 'background'],
@@ -296,7 +299,7 @@ test('pictures are saved with their shot inside, and telar compare takes them', 
   assert.equal(again.status, 0, again.stderr);
 });
 
-test('a .gltf with its files beside it', async () => {
+test('a .gltf with its files beside it, beneath an environment of the command line', async () => {
   mkdirSync(at('coat'), { recursive: true });
   const glb = readFileSync(SHIRT);
   const jsonBytes = glb.readUInt32LE(12);
@@ -310,13 +313,16 @@ test('a .gltf with its files beside it', async () => {
     document.images[i] = { name: image.name, mimeType: image.mimeType, uri: `${i}.image` };
   });
   writeFileSync(at('coat/coat #1.gltf'), JSON.stringify(document));
-  const other = await openView(at('coat/coat #1.gltf'), ['--size', '64', '--quality', 'draft']);
+  writeFileSync(at('lamps.hdr'), ENVIRONMENTS.lamps());
+  const other = await openView(at('coat/coat #1.gltf'), ['--size', '64', '--quality', 'draft', '--environment', at('lamps.hdr')]);
   const second = await page.context().newPage();
   await second.goto(other.url);
   await settled(second);
   assert.equal(await second.locator('#verdict').textContent(), 'Parity');
   assert.equal(await second.locator('#model-name').textContent(), 'coat #1.gltf');
   assert.ok((await figuresOf(second, 'interior')).pixels > 1000);
+  assert.deepEqual(JSON.parse(await second.locator('#shot').inputValue()).environment, { map: 'lamps.hdr' });
+  assert.equal(await second.locator('#environment').inputValue(), 'lamps.hdr');
   await second.close();
   await other.stop();
 });
