@@ -38,6 +38,9 @@ precision highp samplerCube;
 #if DIFFUSE_ROUGHNESS
 #include "brdf/rough_diffuse.glsl"
 #endif
+#if TRANSMISSION
+#include "brdf/transmission.glsl"
+#endif
 #include "material/normal.glsl"
 #endif
 #include "material/surface_info.glsl"
@@ -45,6 +48,9 @@ precision highp samplerCube;
 #include "light/punctual.glsl"
 #include "light/area.glsl"
 #include "light/indirect.glsl"
+#if TRANSMISSION
+#include "light/transmission.glsl"
+#endif
 #endif
 #if DEBUG_OUTPUT
 #include "debug_output.glsl"
@@ -87,7 +93,14 @@ void main() {
 #if RECT_LIGHTS > 0
   direct = addRectLight(direct, s);
 #endif
-  vec3 radiance = (direct.diffuse + indirect.diffuse) + (direct.specular + indirect.specular);
+  vec3 diffuse = direct.diffuse + indirect.diffuse;
+#if TRANSMISSION
+  vec4 transmitted = transmittedLight(s);
+  float transmission = transmissionWeight();
+  diffuse = mix(diffuse, vec3(transmitted), transmission);
+  baseColor.a *= mix(1.0, transmitted.a, transmission);
+#endif
+  vec3 radiance = diffuse + (direct.specular + indirect.specular);
 #if EMISSIVE
   radiance += emittedRadiance();
 #endif

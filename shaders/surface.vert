@@ -34,6 +34,9 @@ void main() {
 #if TANGENT_FRAME_UV0
   vUv0 = uv0;
 #endif
+#if TRANSMISSION
+  vWorldPosition = vec3(modelMatrix * vec4(position, 1.0));
+#endif
 #include "material/layer_uvs.glsl"
 #if POINTS
   gl_PointSize = 1.0;

@@ -90,6 +90,13 @@ Scattering mixScattering(Scattering dielectric, Scattering metal, Real metallic)
 vec3 diffuseShare(Scattering dielectric);
 vec3 directCompensation(vec3 f0, vec2 dfg);
 
+vec3 refractedDirection(vec3 n, vec3 v, Real ior);
+vec3 dispersedIor(Real ior, Real dispersion);
+vec3 volumeTransmittance(Real pathLength, vec3 attenuationColor, Real attenuationDistance);
+Real transmissionLod(Real perceptualRoughness, Real ior, Real maxLod);
+Real transmittedAlpha(vec3 transmittance, Real alpha);
+BicubicTaps bicubicTaps(Real x);
+
 vec3 halfVector(vec3 n, vec3 l, vec3 v);
 Real distanceAttenuation(Real lightDistance, Real range);
 Real spotAttenuation(Real outerCos, Real innerCos, Real angleCos);

@@ -15,6 +15,7 @@
 #include "environment_fit.glsl"
 #include "iridescence.glsl"
 #include "multiscatter.glsl"
+#include "transmission.glsl"
 #include "light.glsl"
 #include "area.glsl"
 #include "occlusion.glsl"

@@ -17,6 +17,8 @@ inline vec3 min(const vec3& a, Real b) { return vec3(min(a.x, b), min(a.y, b), m
 inline vec3 max(const vec3& a, Real b) { return vec3(max(a.x, b), max(a.y, b), max(a.z, b)); }
 inline vec3 clamp(const vec3& v, Real low, Real high) { return min(max(v, low), high); }
 inline vec3 mix(const vec3& a, const vec3& b, Real t) { return a * (Real(1) - t) + b * t; }
+inline vec3 exp(const vec3& v) { return vec3(std::exp(v.x), std::exp(v.y), std::exp(v.z)); }
+inline vec3 log(const vec3& v) { return vec3(std::log(v.x), std::log(v.y), std::log(v.z)); }
 inline vec3 log2(const vec3& v) { return vec3(std::log2(v.x), std::log2(v.y), std::log2(v.z)); }
 inline vec3 pow(const vec3& v, const vec3& p) { return vec3(std::pow(v.x, p.x), std::pow(v.y, p.y), std::pow(v.z, p.z)); }
 

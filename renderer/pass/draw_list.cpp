@@ -1,6 +1,7 @@
 #include "pass/draw_list.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -40,6 +41,10 @@ void describeLayers(const PhysicalLayers& layers, shader::VariantKey& key) {
   key.anisotropy = layers.anisotropyStrength > 0;
   key.iridescence = layers.iridescenceFactor > 0;
   key.diffuseRoughness = layers.diffuseRoughnessFactor > 0;
+  key.transmission = layers.transmissionFactor > 0;
+  key.volume = key.transmission && layers.thicknessFactor > 0;
+  key.attenuation = key.volume && std::isfinite(layers.attenuationDistance) && layers.attenuationColor != glm::vec3(1);
+  key.dispersion = key.transmission && layers.dispersion > 0 && layers.ior != 1;
 }
 
 /// Whether the factor that a texture is multiplied with leaves anything of it.
@@ -56,6 +61,8 @@ bool matters(const TextureSlot& slot, const Material& m, const shader::VariantKe
   if (slot.map == &Key::anisotropyMap) return key.anisotropy;
   if (slot.map == &Key::iridescenceMap || slot.map == &Key::iridescenceThicknessMap) return key.iridescence;
   if (slot.map == &Key::diffuseRoughnessMap) return key.diffuseRoughness;
+  if (slot.map == &Key::transmissionMap) return key.transmission;
+  if (slot.map == &Key::thicknessMap) return key.volume;
   return true;
 }
 
@@ -110,6 +117,7 @@ void forceAllFeatures(shader::VariantKey& key) {
   key.vertexColor = key.alphaMask = key.environment = true;
   // Anisotropy is left out: its frame changes the picture even at strength 0.
   key.specular = key.clearcoat = key.sheen = key.iridescence = key.diffuseRoughness = true;
+  key.transmission = key.volume = key.attenuation = key.dispersion = true;
 }
 
 void sortDraws(DrawList& draws) {
@@ -117,28 +125,58 @@ void sortDraws(DrawList& draws) {
   std::stable_sort(draws.opaque.begin(), draws.opaque.end(), [](const DrawItem& a, const DrawItem& b) {
     return std::tie(a.materialRank, a.depth) < std::tie(b.materialRank, b.depth);
   });
-  std::stable_sort(draws.blended.begin(), draws.blended.end(),
-                   [](const DrawItem& a, const DrawItem& b) { return a.depth > b.depth; });
+  for (auto* list : {&draws.transmissive, &draws.blended}) {
+    std::stable_sort(list->begin(), list->end(),
+                     [](const DrawItem& a, const DrawItem& b) { return a.depth > b.depth; });
+  }
+}
+
+DrawItem oneSide(DrawItem item, bool back) {
+  item.bothSides = item.key.doubleSided = false;
+  item.key.flipSided = back;
+  return item;
 }
 
 /// A blended double-sided surface is drawn twice, back faces first, each as if it were single-sided.
-void addBlended(std::vector<DrawItem>& list, DrawItem item) {
-  if (item.material->doubleSided && item.primitive->topology == Topology::kTriangles) {
-    item.key.doubleSided = false;
-    item.key.flipSided = true;
-    list.push_back(item);
-    item.key.flipSided = false;
-    list.push_back(item);
-  } else {
-    list.push_back(item);
+void splitBlended(std::vector<DrawItem>& list) {
+  std::vector<DrawItem> split;
+  split.reserve(list.size());
+  for (const DrawItem& item : list) {
+    if (item.blend && item.bothSides) {
+      split.push_back(oneSide(item, true));
+      split.push_back(oneSide(item, false));
+    } else {
+      split.push_back(item);
+    }
+  }
+  list = std::move(split);
+}
+
+/// The draws into the picture that transmissive surfaces look through: neither exposed nor tone mapped, both come
+/// after.
+void addBehind(DrawList& draws) {
+  const auto linear = [](DrawItem item) {
+    item.key.toneMapping = shader::ToneMapping::kNone;
+    item.key.outputLinear = true;
+    return item;
+  };
+  for (const DrawItem& item : draws.opaque) draws.behind.push_back(linear(item));
+  for (const DrawItem& item : draws.transmissive) {
+    if (item.bothSides) draws.behindBackSides.push_back(linear(oneSide(item, true)));
   }
 }
 
 }  // namespace
 
+std::size_t DrawList::size() const {
+  std::size_t sum = 0;
+  for (const auto* list : all()) sum += list->size();
+  return sum;
+}
+
 std::set<shader::VariantKey> FramePlan::keys() const {
   std::set<shader::VariantKey> keys;
-  for (const auto* list : {&draws.opaque, &draws.blended}) {
+  for (const auto* list : draws.all()) {
     for (const DrawItem& item : *list) keys.insert(item.key);
   }
   return keys;
@@ -171,6 +209,7 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
       DrawItem item{&node, &primitive,
                     index >= 0 ? &scene.materials[static_cast<std::size_t>(index)] : &DEFAULT_MATERIAL};
       item.key = keyOf(primitive, *item.material, frame);
+      const bool transmissive = item.key.transmission;
       if (allFeatures) forceAllFeatures(item.key);
       plan.environment |= item.key.environment;
       item.blend = item.material->alphaMode == AlphaMode::kBlend;
@@ -178,14 +217,14 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
       item.depth =
           (viewProjection * node.world * glm::dvec4((primitive.bounds.min + primitive.bounds.max) * 0.5, 1.0)).z;
       item.materialRank = ranks.emplace(index, static_cast<int>(ranks.size())).first->second;
-      if (item.blend) {
-        addBlended(plan.draws.blended, item);
-      } else {
-        plan.draws.opaque.push_back(item);
-      }
+      item.bothSides = item.material->doubleSided && primitive.topology == Topology::kTriangles;
+      (transmissive ? plan.draws.transmissive : item.blend ? plan.draws.blended : plan.draws.opaque).push_back(item);
     }
   }
   sortDraws(plan.draws);
+  if (!plan.draws.transmissive.empty()) addBehind(plan.draws);
+  splitBlended(plan.draws.transmissive);
+  splitBlended(plan.draws.blended);
   return plan;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <set>
 #include <vector>
 
@@ -15,16 +16,27 @@ struct DrawItem {
   const Primitive* primitive = nullptr;
   const Material* material = nullptr;
   shader::VariantKey key;
-  bool blend = false;     ///< drawn after the opaque ones, far to near, without depth writes
-  bool mirrored = false;  ///< the node's matrix turns the winding round
-  double depth = 0;       ///< clip z of the centre of the primitive's bounds
-  int materialRank = 0;   ///< order of first use
+  bool blend = false;      ///< mixed with what is drawn already, without depth writes
+  bool bothSides = false;  ///< faces of either winding, in one call
+  bool mirrored = false;   ///< the node's matrix turns the winding round
+  double depth = 0;        ///< clip z of the centre of the primitive's bounds
+  int materialRank = 0;    ///< order of first use
 };
 
 /// The draw calls of a frame in the order in which three.js 0.187 draws them. Points into the scene.
 struct DrawList {
   std::vector<DrawItem> opaque;
-  std::vector<DrawItem> blended;
+  std::vector<DrawItem> transmissive;  ///< far to near
+  std::vector<DrawItem> blended;       ///< far to near
+  /// Into the picture that transmissive surfaces look through, linear radiance: the opaque draws, and the back sides of
+  /// double-sided transmissive ones, which see the former. Empty where nothing transmits.
+  std::vector<DrawItem> behind;
+  std::vector<DrawItem> behindBackSides;
+
+  std::array<const std::vector<DrawItem>*, 5> all() const {
+    return {&behind, &behindBackSides, &opaque, &transmissive, &blended};
+  }
+  std::size_t size() const;
 };
 
 /// What a frame needs besides the draws.

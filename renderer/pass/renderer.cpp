@@ -14,6 +14,7 @@
 #include "pass/frame_target.h"
 #include "pass/gpu_scene.h"
 #include "pass/surface_pass.h"
+#include "pass/transmission_target.h"
 
 namespace telar {
 namespace {
@@ -47,15 +48,21 @@ Json describePlan(const FramePlan& plan, const Shot& shot) {
     programs.push_back({{"features", list}});
   }
   Json passes = Json::array();
+  if (!plan.draws.transmissive.empty()) passes.push_back("transmission");
   if (plan.environmentBackground) passes.push_back("background");
   if (!plan.draws.opaque.empty()) passes.push_back("opaque");
+  if (!plan.draws.transmissive.empty()) passes.push_back("transmissive");
   if (!plan.draws.blended.empty()) passes.push_back("blend");
   if (shot.samples > 1) passes.push_back("resolve");
   return {{"features", features}, {"programs", programs}, {"passes", passes}};
 }
 
-/// sRGB-encoded, as three.js clears the canvas: a background colour is never tone mapped.
-glm::vec3 srgbEncoded(const glm::vec3& linear) { return brdf_f::srgbFromLinear(glm::clamp(linear, 0.0f, 1.0f)); }
+/// Transparent where the shot has no background colour. A colour is never tone mapped: three.js clears with it.
+glm::vec4 clearColor(const Shot& shot, bool linear) {
+  if (shot.background.type != Shot::Background::Type::kColor) return glm::vec4(0);
+  const glm::vec3 color = shot.background.color;
+  return {linear ? color : brdf_f::srgbFromLinear(glm::clamp(color, 0.0f, 1.0f)), 1.0f};
+}
 
 class GlRenderer final : public Renderer {
  public:
@@ -85,11 +92,13 @@ class GlRenderer final : public Renderer {
                                        plan.environmentBackground && shot.background.blur == 0, cancel);
     }
     timer.lap("environment");
+    pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, cancel};
+    inputs.transmission = drawBehind(inputs);
     const pass::FrameTarget& target = targetFor(shot);
     target.bind();
-    clear(shot);
+    clear(clearColor(shot, framePixelType(shot.output) == PixelType::kRgbaF32));
     if (plan.environmentBackground) background_.draw(plan.camera, shot, *environment, plan.frame);
-    surfaces_.draw({&plan.draws.opaque, &plan.draws.blended}, {plan, shot, *scene, gpu, environment, cancel});
+    surfaces_.draw({&plan.draws.opaque, &plan.draws.transmissive, &plan.draws.blended}, inputs);
     context_->gl().Finish();
     timer.lap("draw");
     Frame frame = target.read();
@@ -138,15 +147,46 @@ class GlRenderer final : public Renderer {
     return *target_;
   }
 
-  void clear(const Shot& shot) const {
-    const gl::Functions& gl = context_->gl();
+  /// The picture that transmissive surfaces look through; null where nothing transmits.
+  const pass::TransmissionTarget* drawBehind(const pass::SurfaceInputs& frame) {
+    const pass::DrawList& draws = frame.plan.draws;
+    if (draws.transmissive.empty()) {
+      transmission_.reset();
+      return nullptr;
+    }
+    Shot shot = frame.shot;
+    if (!transmission_ || !transmission_->matches(shot.width, shot.height)) {
+      transmission_.reset();
+      transmission_ = std::make_unique<pass::TransmissionTarget>(*context_, shot.width, shot.height);
+    }
+    shot.exposure = 1;  // exposed once, with the surface that is looked through
+    pass::SurfaceInputs inputs{frame.plan, shot, frame.scene, frame.gpu, frame.environment, frame.cancel};
+    transmission_->bind();
+    // Nothing is half covered with white, as in three.js 0.187; premultiplied.
     const bool color = shot.background.type == Shot::Background::Type::kColor;
-    const bool linear = framePixelType(shot.output) == PixelType::kRgbaF32;
-    const glm::vec3 c = !color ? glm::vec3(0) : linear ? shot.background.color : srgbEncoded(shot.background.color);
+    clear(color ? clearColor(shot, true) : glm::vec4(0.5f));
+    if (frame.plan.environmentBackground) {
+      shader::VariantKey linear = frame.plan.frame;
+      linear.toneMapping = shader::ToneMapping::kNone;
+      linear.outputLinear = true;
+      background_.draw(frame.plan.camera, shot, *frame.environment, linear);
+    }
+    surfaces_.draw({&draws.behind}, inputs);
+    transmission_->resolve();
+    if (!draws.behindBackSides.empty()) {
+      inputs.transmission = transmission_.get();
+      surfaces_.draw({&draws.behindBackSides}, inputs);
+      transmission_->resolve();
+    }
+    return transmission_.get();
+  }
+
+  void clear(const glm::vec4& color) const {
+    const gl::Functions& gl = context_->gl();
     gl.Disable(GL_SCISSOR_TEST);
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.DepthMask(GL_TRUE);
-    gl.ClearColor(c.x, c.y, c.z, color ? 1.0f : 0.0f);
+    gl.ClearColor(color.r, color.g, color.b, color.a);
     gl.ClearDepthf(1.0f);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   }
@@ -157,7 +197,7 @@ class GlRenderer final : public Renderer {
     json["backend"] = gl::backendName(context_->backend());
     json["gl"] = {{"vendor", context_->vendor()}, {"renderer", context_->renderer()}, {"version", context_->version()}};
     json["samples"] = samples;
-    json["drawCalls"] = plan.draws.opaque.size() + plan.draws.blended.size();
+    json["drawCalls"] = plan.draws.size();
     json["programsCompiled"] = compiled;
     json["environmentSource"] = environment ? Json(environment->source) : Json(nullptr);
     json["glObjects"] = liveObjects();
@@ -174,6 +214,7 @@ class GlRenderer final : public Renderer {
   pass::SurfacePass surfaces_;
   pass::BackgroundPass background_;
   std::unique_ptr<pass::FrameTarget> target_;
+  std::unique_ptr<pass::TransmissionTarget> transmission_;
   std::map<const Scene*, std::unique_ptr<pass::GpuScene>> scenes_;
 };
 

@@ -1,5 +1,6 @@
 #include "pass/surface_pass.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
@@ -16,7 +17,8 @@ constexpr GLuint DFG_UNIT = TEXTURE_SLOTS.size();
 constexpr GLuint ENVIRONMENT_UNIT = DFG_UNIT + 1;
 constexpr GLuint LTC_INVERSE_UNIT = ENVIRONMENT_UNIT + 1;
 constexpr GLuint LTC_ALBEDO_UNIT = LTC_INVERSE_UNIT + 1;
-constexpr GLuint UNIT_COUNT = LTC_ALBEDO_UNIT + 1;
+constexpr GLuint TRANSMISSION_UNIT = LTC_ALBEDO_UNIT + 1;
+constexpr GLuint UNIT_COUNT = TRANSMISSION_UNIT + 1;
 
 /// Half floats: 8 bits cannot hold the 0.5 of a flat normal.
 gl::Texture texelTexture(const gl::Functions& gl, const std::array<float, 4>& rgba) {
@@ -42,7 +44,25 @@ glm::vec2 normalScaleOf(float scale, const DrawItem& item) {
 }
 
 bool hasLayers(const shader::VariantKey& key) {
-  return key.specular || key.clearcoat || key.sheen || key.anisotropy || key.iridescence || key.diffuseRoughness;
+  return key.specular || key.clearcoat || key.sheen || key.anisotropy || key.iridescence || key.diffuseRoughness ||
+         key.transmission;
+}
+
+/// Lengths of the matrix's axes.
+glm::vec3 scaleOf(const glm::mat4& m) {
+  return {glm::length(glm::vec3(m[0])), glm::length(glm::vec3(m[1])), glm::length(glm::vec3(m[2]))};
+}
+
+void setTransmission(const gl::Program& program, const DrawItem& item) {
+  const PhysicalLayers& layers = item.material->layers;
+  const glm::mat4 world(item.node->world);
+  program.set("modelMatrix", world);
+  program.set("thicknessScale", scaleOf(world));
+  program.set("transmissionFactor", layers.transmissionFactor);
+  program.set("thicknessFactor", layers.thicknessFactor);
+  program.set("attenuationColor", layers.attenuationColor);
+  program.set("attenuationDistance", layers.attenuationDistance);
+  program.set("dispersion", layers.dispersion);
 }
 
 /// Factors of the layers of KHR_materials_*.
@@ -63,6 +83,11 @@ void setLayers(const gl::Program& program, const DrawItem& item) {
   program.set("iridescenceThickness",
               glm::vec2(layers.iridescenceThicknessMinimum, layers.iridescenceThicknessMaximum));
   program.set("diffuseRoughnessFactor", layers.diffuseRoughnessFactor);
+  if (item.key.transmission) setTransmission(program, item);
+}
+
+bool readsTransmission(const std::vector<DrawItem>* list) {
+  return std::any_of(list->begin(), list->end(), [](const DrawItem& item) { return item.key.transmission; });
 }
 
 std::string labelOf(const shader::VariantKey& key) {
@@ -94,7 +119,7 @@ int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
 }
 
 void SurfacePass::upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) const {
-  for (const auto* list : {&plan.draws.opaque, &plan.draws.blended}) {
+  for (const auto* list : {&plan.draws.opaque, &plan.draws.transmissive, &plan.draws.blended}) {
     for (const DrawItem& item : *list) {
       cancel.check();
       gpu.primitive(*item.primitive);
@@ -134,7 +159,11 @@ const gl::Program& SurfacePass::useProgram(const shader::VariantKey& key, const 
     program.set("environmentMaxLod", environment ? static_cast<float>(ibl::maxLodOf(environment->prefiltered)) : 1.0f);
     program.set("environmentIntensity", environment ? static_cast<float>(in.shot.environment.intensity) : 0.0f);
     program.set("environmentRotation", environmentRotation(in.shot.environment.rotation));
-    program.set("viewMatrix", glm::mat4(in.plan.camera.view));
+  }
+  if (key.environment || key.transmission) program.set("viewMatrix", glm::mat4(in.plan.camera.view));
+  if (key.transmission) {
+    program.set("transmissionTarget", static_cast<int>(TRANSMISSION_UNIT));
+    program.set("cameraPosition", glm::vec3(glm::inverse(in.plan.camera.view)[3]));
   }
   return program;
 }
@@ -179,8 +208,7 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
 
   item.blend && !item.key.debugOutput ? gl.Enable(GL_BLEND) : gl.Disable(GL_BLEND);
   gl.DepthMask(item.blend ? GL_FALSE : GL_TRUE);
-  const bool bothSides = item.material->doubleSided && !item.blend;
-  const bool cull = !bothSides && item.primitive->topology == Topology::kTriangles;
+  const bool cull = !item.bothSides && item.primitive->topology == Topology::kTriangles;
   cull ? gl.Enable(GL_CULL_FACE) : gl.Disable(GL_CULL_FACE);
   gl.FrontFace(item.mirrored != item.key.flipSided ? GL_CW : GL_CCW);
   const GpuPrimitive& primitive = in.gpu.primitive(*item.primitive);
@@ -192,9 +220,10 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   }
 }
 
-void SurfacePass::bindShared(const SurfaceInputs& in) {
+void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {
   const gl::Functions& gl = context_.gl();
   // Before the others: making a texture binds it.
+  if ((in.plan.environment && !in.environment) || (transmission && !in.transmission)) standIns();
   if (in.plan.frame.rectLights > 0 && !ltc_) ltc_ = createLtcTextures(context_);
   const auto bind = [&gl](GLuint unit, GLenum target, const gl::Texture& texture) {
     gl.ActiveTexture(GL_TEXTURE0 + unit);
@@ -209,12 +238,16 @@ void SurfacePass::bindShared(const SurfaceInputs& in) {
     bind(LTC_INVERSE_UNIT, GL_TEXTURE_2D, ltc_.inverse);
     bind(LTC_ALBEDO_UNIT, GL_TEXTURE_2D, ltc_.albedo);
   }
+  if (transmission) {
+    gl.ActiveTexture(GL_TEXTURE0 + TRANSMISSION_UNIT);
+    gl.BindTexture(GL_TEXTURE_2D, in.transmission ? in.transmission->texture() : standIns().white.get());
+  }
 }
 
 void SurfacePass::draw(std::initializer_list<const std::vector<DrawItem>*> lists, const SurfaceInputs& in) {
   const gl::Functions& gl = context_.gl();
   current_ = nullptr;
-  bindShared(in);
+  bindShared(in, std::any_of(lists.begin(), lists.end(), readsTransmission));
   gl.VertexAttrib4f(UV0, 0, 0, 0, 1);
   gl.VertexAttrib4f(UV1, 0, 0, 0, 1);
   gl.VertexAttrib4f(COLOR, 1, 1, 1, 1);

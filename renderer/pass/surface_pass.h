@@ -8,6 +8,7 @@
 #include "pass/draw_list.h"
 #include "pass/gpu_scene.h"
 #include "pass/ltc.h"
+#include "pass/transmission_target.h"
 
 namespace telar::pass {
 
@@ -19,6 +20,7 @@ struct SurfaceInputs {
   GpuScene& gpu;
   const ibl::Environment* environment;  ///< null where the plan needs none
   const CancelToken& cancel;
+  const TransmissionTarget* transmission = nullptr;  ///< what transmissive draws look through, resolved
 };
 
 /// Draws the model's primitives. Keeps its programs for as long as it lives.
@@ -40,7 +42,7 @@ class SurfacePass {
     gl::Texture white, flatNormal, blackCube;
   };
   const StandIns& standIns();
-  void bindShared(const SurfaceInputs& in);
+  void bindShared(const SurfaceInputs& in, bool transmission);
   void drawItem(const DrawItem& item, const SurfaceInputs& in);
   const gl::Program& useProgram(const shader::VariantKey& key, const SurfaceInputs& in);
   void bindMaterial(const gl::Program& program, const DrawItem& item, const SurfaceInputs& in);

@@ -40,6 +40,8 @@ inline constexpr std::array TEXTURE_SLOTS{
     TELAR_TEXTURE_SLOT(layers.iridescenceTexture, iridescence, false),
     TELAR_TEXTURE_SLOT(layers.iridescenceThicknessTexture, iridescenceThickness, false),
     TELAR_TEXTURE_SLOT(layers.diffuseRoughnessTexture, diffuseRoughness, false),
+    TELAR_TEXTURE_SLOT(layers.transmissionTexture, transmission, false),
+    TELAR_TEXTURE_SLOT(layers.thicknessTexture, thickness, false),
 };
 #undef TELAR_TEXTURE_SLOT
 

@@ -63,6 +63,14 @@ ToneMapping toneMappingByName(const std::string& name);
   F(DIFFUSE_ROUGHNESS, diffuseRoughness, "diffuse-roughness")                        \
   F(DIFFUSE_ROUGHNESS_MAP, diffuseRoughnessMap, "diffuse-roughness-map")             \
   F(DIFFUSE_ROUGHNESS_UV1, diffuseRoughnessUv1, "")                                  \
+  F(TRANSMISSION, transmission, "transmission")                                      \
+  F(TRANSMISSION_MAP, transmissionMap, "transmission-map")                           \
+  F(TRANSMISSION_UV1, transmissionUv1, "")                                           \
+  F(VOLUME, volume, "volume")                                                        \
+  F(THICKNESS_MAP, thicknessMap, "thickness-map")                                    \
+  F(THICKNESS_UV1, thicknessUv1, "")                                                 \
+  F(ATTENUATION, attenuation, "attenuation")                                         \
+  F(DISPERSION, dispersion, "dispersion")                                            \
   F(AMBIENT, ambient, "ambient-light")                                               \
   F(ENVIRONMENT, environment, "environment")                                         \
   F(ORTHOGRAPHIC, orthographic, "orthographic")                                      \

@@ -21,6 +21,9 @@ const float HEAD_ON_EPSILON = 1.0e-10;
 // Largest finite half float: brighter is white for every tone curve, and inf/inf = NaN is kept out of them.
 const float RADIANCE_MAX = 65504.0;
 
+// Longest path through a volume, metres: its product with an attenuation of 0 stays 0.
+const float PATH_LENGTH_MAX = 1.0e30;
+
 // Floor of the denominators of the rough diffuse lobe. three r187
 const float EON_EPSILON = 1.0e-7;
 

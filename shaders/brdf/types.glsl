@@ -1,5 +1,13 @@
 // Structs that terms return. Shared text: see README.md.
 
+// The two reads of a cubic filter along one axis.
+struct BicubicTaps {
+  float lowWeight;   // of the read before the place, [1/6, 5/6]
+  float highWeight;  // of the read behind it: they sum to 1
+  float lowOffset;   // from the texel before the place, texels
+  float highOffset;
+};
+
 // What a specular interface sends back under uniform light of radiance 1, linear Rec.709, each [0, 1].
 struct Scattering {
   vec3 single;    // after one bounce between the microfacets

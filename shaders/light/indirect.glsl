@@ -12,6 +12,8 @@ uniform samplerCube environmentMap;       // level k prefiltered for roughness 1
 uniform float environmentMaxLod;
 uniform float environmentIntensity;
 uniform mat3 environmentRotation;         // world to environment
+#endif
+#if ENVIRONMENT || TRANSMISSION
 uniform mat4 viewMatrix;
 #endif
 

@@ -43,10 +43,23 @@ in vec2 vIridescenceThicknessUv;
 uniform sampler2D diffuseRoughnessMap;  // linear: R
 in vec2 vDiffuseRoughnessUv;
 #endif
+#if TRANSMISSION_MAP
+uniform sampler2D transmissionMap;  // linear: R
+in vec2 vTransmissionUv;
+#endif
+#if THICKNESS_MAP
+uniform sampler2D thicknessMap;  // linear: G
+in vec2 vThicknessUv;
+#endif
+#if TRANSMISSION
+in vec3 vWorldPosition;
+#endif
 
 // Factors are linear Rec.709.
-#if SPECULAR
+#if SPECULAR || TRANSMISSION
 uniform float ior;
+#endif
+#if SPECULAR
 uniform float specularFactor;
 uniform vec3 specularColorFactor;
 #endif

@@ -29,6 +29,12 @@ vIridescenceUv = vec2(iridescenceUvTransform * vec3(IRIDESCENCE_UV1 == 1 ? uv1 :
 #if IRIDESCENCE_THICKNESS_MAP
 vIridescenceThicknessUv = vec2(iridescenceThicknessUvTransform * vec3(IRIDESCENCE_THICKNESS_UV1 == 1 ? uv1 : uv0, 1.0));
 #endif
+#if TRANSMISSION_MAP
+vTransmissionUv = vec2(transmissionUvTransform * vec3(TRANSMISSION_UV1 == 1 ? uv1 : uv0, 1.0));
+#endif
+#if THICKNESS_MAP
+vThicknessUv = vec2(thicknessUvTransform * vec3(THICKNESS_UV1 == 1 ? uv1 : uv0, 1.0));
+#endif
 #if DIFFUSE_ROUGHNESS_MAP
 vDiffuseRoughnessUv = vec2(diffuseRoughnessUvTransform * vec3(DIFFUSE_ROUGHNESS_UV1 == 1 ? uv1 : uv0, 1.0));
 #endif

@@ -39,6 +39,18 @@ out vec2 vIridescenceUv;
 uniform mat3 iridescenceThicknessUvTransform;
 out vec2 vIridescenceThicknessUv;
 #endif
+#if TRANSMISSION_MAP
+uniform mat3 transmissionUvTransform;
+out vec2 vTransmissionUv;
+#endif
+#if THICKNESS_MAP
+uniform mat3 thicknessUvTransform;
+out vec2 vThicknessUv;
+#endif
+#if TRANSMISSION
+uniform mat4 modelMatrix;
+out vec3 vWorldPosition;  // metres
+#endif
 #if DIFFUSE_ROUGHNESS_MAP
 uniform mat3 diffuseRoughnessUvTransform;
 out vec2 vDiffuseRoughnessUv;

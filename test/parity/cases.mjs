@@ -17,6 +17,7 @@ const FILES = [
   'cases_pairs.mjs',
   'cases_physical.mjs',
   'cases_area.mjs',
+  'cases_transmission.mjs',
 ];
 
 const modules = await Promise.all(FILES.map((file) => import(`./${file}`)));
