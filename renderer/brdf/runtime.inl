@@ -8,6 +8,7 @@ inline Real clamp(Real x, Real low, Real high) { return min(max(x, low), high); 
 inline Real mix(Real a, Real b, Real t) { return a * (Real(1) - t) + b * t; }
 inline Real exp2(Real x) { return std::exp2(x); }
 inline Real exp(Real x) { return std::exp(x); }
+inline Real log(Real x) { return std::log(x); }
 inline Real log2(Real x) { return std::log2(x); }
 inline Real pow(Real x, Real y) { return std::pow(x, y); }
 inline Real sqrt(Real x) { return std::sqrt(x); }

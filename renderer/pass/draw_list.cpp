@@ -158,6 +158,7 @@ void addBehind(DrawList& draws) {
   const auto linear = [](DrawItem item) {
     item.key.toneMapping = shader::ToneMapping::kNone;
     item.key.outputLinear = true;
+    item.key.debugOutput = false;
     return item;
   };
   for (const DrawItem& item : draws.opaque) draws.behind.push_back(linear(item));

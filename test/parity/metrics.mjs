@@ -40,6 +40,15 @@ export function difference(pictures) {
   return { interior, edge, verdict, pass: verdict.pass };
 }
 
+/**
+ * What a picture with straight alpha keeps of a drawing buffer, as the browser's own PNG of the canvas does: no colour above
+ * its coverage. Before nothing, three.js gives transmissive surfaces and their highlights more.
+ * @param {Uint8Array} pixels - RGBA8, premultiplied.
+ */
+export function withinCoverage(pixels) {
+  return pixels.map((value, i) => Math.min(value, pixels[i | 3]));
+}
+
 /** Interior figures of several pictures against one, all over the pixels that are interior in `pictures`. */
 export function interiorDistances(pictures, reference, others) {
   const regions = regionsOf(pictures);

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { difference, interiorDistances, premultiply } from './metrics.mjs';
+import { difference, interiorDistances, premultiply, withinCoverage } from './metrics.mjs';
 
 const SIZE = 64;
 
@@ -87,6 +87,10 @@ test('a picture without an object does not pass', () => {
 
 test('a picture of another size is an error', () => {
   assert.throws(() => compare(new Uint8Array(4)), /expected 16384 bytes, got 4/);
+});
+
+test('a colour above its coverage is cut to it', () => {
+  assert.deepEqual(withinCoverage(Uint8Array.of(200, 40, 128, 128, 9, 0, 255, 255)), Uint8Array.of(128, 40, 128, 128, 9, 0, 255, 255));
 });
 
 test('premultiply undoes the rounded division for every alpha and colour', () => {
