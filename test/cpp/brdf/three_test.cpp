@@ -72,6 +72,27 @@ const Pair PAIRS[] = {
      "vec3(0.0, p[6], 0.0))",
      {UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, SIGNED_COSINE},
      0.1},
+    {"refractedDirection(normalize(vec3(p[0], p[1], 1.0)), normalize(vec3(p[2], p[3], 1.0)), 1.0 + p[4])",
+     "getVolumeTransmissionRay(normalize(vec3(p[0], p[1], 1.0)), normalize(vec3(p[2], p[3], 1.0)), 1.0, 1.0 + p[4], "
+     "mat4(1.0))",
+     {SIGNED_COSINE, SIGNED_COSINE, SIGNED_COSINE, SIGNED_COSINE, UNIT},
+     0.1},
+    {"volumeTransmittance(p[0], vec3(p[1], p[2], p[3]), p[4])",
+     "volumeAttenuation(p[0], vec3(p[1], p[2], p[3]), p[4])",
+     {DISTANCE, UNIT, UNIT, UNIT, DISTANCE},
+     0.1},
+    {"vec3(transmissionLod(p[0], 1.0 + p[1], 8.5))",
+     "vec3(8.5 * applyIorToRoughness(p[0], 1.0 + p[1]))",
+     {UNIT, UNIT},
+     1e-6},
+    {"vec3(bicubicTaps(p[0]).lowWeight, bicubicTaps(p[0]).lowOffset, 0.0)",
+     "vec3(g0(p[0]), h0(p[0]), 0.0)",
+     {UNIT},
+     0.1},
+    {"vec3(bicubicTaps(p[0]).highWeight, bicubicTaps(p[0]).highOffset, 0.0)",
+     "vec3(g1(p[0]), h1(p[0]), 0.0)",
+     {UNIT},
+     0.1},
     {"vec3(specularOcclusion(p[0], p[1], p[2]))",
      "vec3(computeSpecularOcclusion(p[2], p[1], p[0]))",
      {UNIT, UNIT, UNIT},
@@ -127,8 +148,9 @@ std::string threeText() {
       "#define texture2D texture\n#define STANDARD\n#define USE_ENVMAP\n#define ENVMAP_TYPE_PMREM\n#define "
       "ENVMAP_MAX_LOD 6.0\n"
       "#define NUM_SUN_LIGHTS 0\n#define NUM_DIR_LIGHTS 0\n#define NUM_POINT_LIGHTS 0\n#define NUM_SPOT_LIGHTS 0\n"
-      "#define NUM_RECT_AREA_LIGHTS 0\n#define NUM_HEMI_LIGHTS 1\nuniform mat4 viewMatrix;\n";
-  for (const char* name : {"common", "lights_pars_begin", "lights_physical_pars_fragment",
+      "#define NUM_RECT_AREA_LIGHTS 0\n#define NUM_HEMI_LIGHTS 1\n#define USE_TRANSMISSION\n#define "
+      "varying\nuniform mat4 viewMatrix;\n";
+  for (const char* name : {"common", "lights_pars_begin", "lights_physical_pars_fragment", "transmission_pars_fragment",
                            "envmap_common_pars_fragment", "tonemapping_pars_fragment", "colorspace_pars_fragment"}) {
     text += chunk(name);
   }
