@@ -122,8 +122,8 @@ export function bindControls(form, state, { environments, cameras, variants, ani
 /** A control without a value has nothing to change: an orthographic camera has no field of view. */
 function showValue(control, value) {
   control.disabled = value === undefined;
-  if (value !== undefined && document.activeElement !== control) control.value = value;
-  else if (value !== undefined && control.type !== 'number') control.value = value;
+  const isTypedInto = control.type === 'number' && document.activeElement === control;
+  if (value !== undefined && !isTypedInto) control.value = value;
   const output = control.parentElement.querySelector('output');
   if (output) output.value = value === undefined ? '' : `${Number(Number(value).toFixed(2))}${output.dataset.unit ?? ''}`;
 }

@@ -18,7 +18,10 @@ export function bindShotText(root, state, attempt) {
     isEdited = false;
     if (!attempt(() => state.replace(JSON.parse(text.value)))) isEdited = wasEdited;
   });
-  root.querySelector('#copy-shot').addEventListener('click', () => navigator.clipboard.writeText(text.value));
+  root.querySelector('#copy-shot').addEventListener('click', () => {
+    // A browser that keeps the clipboard to itself leaves the copying to the reader.
+    navigator.clipboard.writeText(text.value).catch(() => text.select());
+  });
   state.addEventListener('change', show);
   show();
 }

@@ -180,8 +180,9 @@ test('a newer shot cancels the drawing of an older one', async () => {
   });
   await page.evaluate(() => document.activeElement?.blur());
   await changing(page, async () => {
+    const asking = page.waitForRequest('**/draw');
     await page.keyboard.press('3');
-    await page.waitForRequest('**/draw');
+    await asking;
     await page.keyboard.press('4');
   });
   await page.unroute('**/draw');
@@ -214,17 +215,21 @@ test('the slider is ARIA\'s: keys and pointer move it', async () => {
 test('blinking shows one, then the other; Space stops it', async () => {
   await page.evaluate(() => document.activeElement?.blur());
   await page.keyboard.press('b');
-  const visible = () => page.evaluate(() => ['client-picture', 'server-picture'].filter((id) => getComputedStyle(document.getElementById(id)).visibility === 'visible'));
-  assert.deepEqual(await visible(), ['client-picture']);
-  await page.waitForSelector('#stage[data-shown=server]');
-  assert.deepEqual(await visible(), ['server-picture']);
-  await page.waitForSelector('#stage[data-shown=browser]');
+  /** Which picture is said to be shown, and which ones are visible. */
+  const shown = () => page.evaluate(() => [document.getElementById('stage').dataset.shown,
+    ...['client-picture', 'server-picture'].filter((id) => getComputedStyle(document.getElementById(id)).visibility === 'visible')]);
+  const VISIBLE = { browser: ['browser', 'client-picture'], server: ['server', 'server-picture'] };
+  for (const side of ['server', 'browser', 'server']) {
+    await page.waitForSelector(`#stage[data-shown=${side}]`);
+    const seen = await shown();
+    assert.deepEqual(seen, VISIBLE[seen[0]]);
+  }
   await page.keyboard.press(' ');
-  const stopped = await visible();
+  const stopped = await shown();
   await page.waitForTimeout(1000);
-  assert.deepEqual(await visible(), stopped);
+  assert.deepEqual(await shown(), stopped);
   await page.keyboard.press(' ');
-  await page.waitForSelector(`#stage[data-shown=${stopped[0] === 'client-picture' ? 'server' : 'browser'}]`);
+  await page.waitForSelector(`#stage[data-shown=${stopped[0] === 'browser' ? 'server' : 'browser'}]`);
 });
 
 test('a difference is seen in both maps and in the verdict', async (t) => {
@@ -250,6 +255,9 @@ test('a difference is seen in both maps and in the verdict', async (t) => {
 
 test('the shot as text: what is applied is drawn, what is wrong is told and changes nothing', async () => {
   const before = await shotOf();
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await page.click('#copy-shot');
+  assert.deepEqual(JSON.parse(await page.evaluate(() => navigator.clipboard.readText())), before);
   await page.fill('#shot', JSON.stringify({ ...before, background: 'transparent', lights: [{ type: 'directional', color: 'red', intensity: 3, position: [1, 1, 1] }] }));
   await changing(page, () => page.click('#apply-shot'));
   assert.equal(await verdict(), 'Parity');
