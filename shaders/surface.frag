@@ -42,6 +42,9 @@ precision highp samplerCube;
 #include "brdf/transmission.glsl"
 #endif
 #include "material/normal.glsl"
+#include "material/surface_types.glsl"
+#include "light/reflected.glsl"
+#include "shading/three.glsl"
 #endif
 #include "material/surface_info.glsl"
 #if !UNLIT
@@ -100,17 +103,12 @@ void main() {
   diffuse = mix(diffuse, vec3(transmitted), transmission);
   baseColor.a *= mix(1.0, transmitted.a, transmission);
 #endif
-  vec3 radiance = diffuse + (direct.specular + indirect.specular);
 #if EMISSIVE
-  radiance += emittedRadiance();
+  vec3 emitted = emittedRadiance();
+#else
+  vec3 emitted = vec3(0.0);
 #endif
-#if SHEEN
-  radiance += direct.sheen + indirect.sheen;
-#endif
-#if CLEARCOAT
-  radiance = radiance * (1.0 - s.clearcoat * F_Schlick(vec3(F0_DIELECTRIC), 1.0, s.clearcoatNoV)) +
-             (direct.coat + indirect.coat) * s.clearcoat;
-#endif
+  vec3 radiance = composedRadiance(s, diffuse, direct, indirect, emitted);
 #endif
 #if DEBUG_OUTPUT
   fragmentColor = debugColor(baseColor, radiance);

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "brdf/brdf.h"
+#include "brdf/shading.h"
 
 namespace telar::brdf_f {
 namespace {
@@ -8,5 +9,8 @@ namespace {
 }  // namespace
 #define float Real
 #include "brdf/definitions.inl"
+#include "brdf/shading_layers_on.inl"
+#include "brdf/shading_definitions.inl"
+#include "brdf/shading_layers_off.inl"
 #undef float
 }  // namespace telar::brdf_f

@@ -1,46 +1,6 @@
-// Everything the lights need to know of one fragment.
+// SurfaceInfo of a fragment, from factors and textures.
 
 uniform sampler2D dfgMap;  // RG = (A, B) of the split sum; x = perceptualRoughness, y = NoV, texel centres at (i + 0.5) / 16
-
-struct SurfaceInfo {
-  vec3 n;          // shading normal, view space
-  vec3 v;          // to the viewer, view space
-  vec3 baseColor;  // linear Rec.709
-  float metallic;
-  vec3 diffuse;    // albedo of the diffuse lobe
-  vec3 f0;         // of the dielectric-metal blend
-  vec3 f0Dielectric;
-  float f90;
-  float perceptualRoughness;  // floor and geometric roughness applied
-  float alpha;
-  float NoV;
-  vec2 dfg;
-#if DIFFUSE_ROUGHNESS
-  float diffuseRoughness;
-#endif
-#if ANISOTROPY
-  vec3 t;          // along which the highlight is stretched, view space
-  vec3 b;
-  float anisotropyStrength;
-  float alphaT;
-#endif
-#if IRIDESCENCE
-  float iridescence;        // weight of the film
-  vec3 filmFresnel;         // reflectance of film and base
-  vec3 filmF0Dielectric;    // the same as a normal reflectance
-  vec3 filmF0Metal;
-#endif
-#if SHEEN
-  vec3 sheenColor;
-  float sheenRoughness;
-#endif
-#if CLEARCOAT
-  vec3 coatNormal;
-  float clearcoat;
-  float clearcoatRoughness;
-  float clearcoatNoV;
-#endif
-};
 
 vec4 baseColorAndAlpha() {
   vec4 color = baseColorFactor;

@@ -1,0 +1,10 @@
+// Included in a namespace where Real is the scalar type and `float` stands for it.
+#include "../material/surface_types.glsl"
+
+Reflected nothingReflected();
+
+/// As three.js 0.187.
+namespace three {
+Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 compensation, vec3 l, vec3 lightColor);
+vec3 composedRadiance(SurfaceInfo s, vec3 diffuse, Reflected direct, Reflected indirect, vec3 emitted);
+}  // namespace three

@@ -1,0 +1,5 @@
+#undef DIFFUSE_ROUGHNESS
+#undef ANISOTROPY
+#undef IRIDESCENCE
+#undef SHEEN
+#undef CLEARCOAT

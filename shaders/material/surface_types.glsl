@@ -1,0 +1,54 @@
+// What shading takes and gives. Also compiled as C++, with every layer on (renderer/brdf/shading.h).
+
+// Everything the lights need to know of one point of a surface.
+struct SurfaceInfo {
+  vec3 n;          // shading normal, view space
+  vec3 v;          // to the viewer, view space
+  vec3 baseColor;  // linear Rec.709
+  float metallic;
+  vec3 diffuse;    // albedo of the diffuse lobe
+  vec3 f0;         // of the dielectric-metal blend
+  vec3 f0Dielectric;
+  float f90;
+  float perceptualRoughness;  // floor and geometric roughness applied
+  float alpha;
+  float NoV;
+  vec2 dfg;
+#if DIFFUSE_ROUGHNESS
+  float diffuseRoughness;
+#endif
+#if ANISOTROPY
+  vec3 t;          // along which the highlight is stretched, view space
+  vec3 b;
+  float anisotropyStrength;
+  float alphaT;
+#endif
+#if IRIDESCENCE
+  float iridescence;        // weight of the film
+  vec3 filmFresnel;         // reflectance of film and base
+  vec3 filmF0Dielectric;    // the same as a normal reflectance
+  vec3 filmF0Metal;
+#endif
+#if SHEEN
+  vec3 sheenColor;
+  float sheenRoughness;
+#endif
+#if CLEARCOAT
+  vec3 coatNormal;
+  float clearcoat;
+  float clearcoatRoughness;
+  float clearcoatNoV;
+#endif
+};
+
+// Light that leaves the surface towards the viewer, by lobe, linear Rec.709.
+struct Reflected {
+  vec3 diffuse;
+  vec3 specular;
+#if SHEEN
+  vec3 sheen;
+#endif
+#if CLEARCOAT
+  vec3 coat;
+#endif
+};

@@ -1,0 +1,64 @@
+// How the lobes of one surface add up as three.js 0.187 shades it. No uniforms and no textures: also compiled as C++
+// (renderer/brdf/shading.h), with every layer on.
+// GGX lobe of the base layer, [1/sr].
+vec3 specularLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL, float NoH, float LoH) {
+#if ANISOTROPY || IRIDESCENCE
+  vec3 fresnel = F_Schlick(s.f0, s.f90, LoH);
+#if IRIDESCENCE
+  fresnel = mix(fresnel, s.filmFresnel, s.iridescence);
+#endif
+#if ANISOTROPY
+  float alphaT = max(s.alphaT, s.alpha);
+  float visibility = V_SmithGGXCorrelatedAnisotropic(alphaT, s.alpha, s.NoV, NoL, dot(s.t, s.v), dot(s.b, s.v), dot(s.t, l), dot(s.b, l));
+  float distribution = D_GGXAnisotropic(alphaT, s.alpha, NoH, dot(s.t, h), dot(s.b, h));
+#else
+  float visibility = V_SmithGGXCorrelated(s.alpha, s.NoV, NoL);
+  float distribution = D_GGX(s.alpha, NoH);
+#endif
+  return fresnel * (visibility * distribution);
+#else
+  return Fr_GGX(s.f0, s.f90, s.alpha, s.NoV, NoL, NoH, LoH);
+#endif
+}
+
+Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 compensation, vec3 l, vec3 lightColor) {
+  float NoL = saturate(dot(s.n, l));
+  vec3 h = halfVector(s.n, l, s.v);
+  float NoH = saturate(dot(s.n, h));
+  float LoH = saturate(dot(s.v, h));
+  vec3 irradiance = NoL * lightColor;
+#if CLEARCOAT
+  float coatNoL = saturate(dot(s.coatNormal, l));
+  float coatNoH = saturate(dot(s.coatNormal, h));
+  sum.coat += coatNoL * lightColor *
+              Fr_GGX(vec3(F0_DIELECTRIC), 1.0, alphaFromRoughness(s.clearcoatRoughness), s.clearcoatNoV, coatNoL, coatNoH, LoH);
+#endif
+#if SHEEN
+  sum.sheen += irradiance * Fr_Sheen(s.sheenColor, s.sheenRoughness, s.NoV, NoL, NoH);
+  irradiance *= 1.0 - max3(s.sheenColor) * max(sheenAlbedo(s.sheenRoughness, s.NoV), sheenAlbedo(s.sheenRoughness, NoL));
+#endif
+  sum.specular += irradiance * specularLobe(s, l, h, NoL, NoH, LoH) * compensation;
+  // What the dielectric interface reflects does not reach the diffuse lobe.
+#if DIFFUSE_ROUGHNESS
+  vec3 diffuse = Fd_EON(s.baseColor, s.diffuseRoughness, s.NoV, NoL, dot(l, s.v)) * (1.0 - s.metallic);
+#else
+  vec3 diffuse = Fd_Lambert(s.diffuse);
+#endif
+  sum.diffuse += irradiance * diffuse * (1.0 - F_Schlick(s.f0Dielectric, s.f90, LoH));
+  return sum;
+}
+
+// Radiance that leaves towards the viewer, linear Rec.709.
+// diffuse  of both, or what is seen through a transmissive surface in its place      emitted  linear Rec.709
+vec3 composedRadiance(SurfaceInfo s, vec3 diffuse, Reflected direct, Reflected indirect, vec3 emitted) {
+  vec3 radiance = diffuse + (direct.specular + indirect.specular);
+  radiance += emitted;
+#if SHEEN
+  radiance += direct.sheen + indirect.sheen;
+#endif
+#if CLEARCOAT
+  radiance = radiance * (1.0 - s.clearcoat * F_Schlick(vec3(F0_DIELECTRIC), 1.0, s.clearcoatNoV)) +
+             (direct.coat + indirect.coat) * s.clearcoat;
+#endif
+  return radiance;
+}
