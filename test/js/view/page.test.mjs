@@ -255,6 +255,7 @@ test('a difference is seen in both maps and in the verdict', async (t) => {
 
 test('the shot as text: what is applied is drawn, what is wrong is told and changes nothing', async () => {
   const before = await shotOf();
+  await page.locator('#shot-text').evaluate((details) => (details.open = true));
   await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
   await page.click('#copy-shot');
   assert.deepEqual(JSON.parse(await page.evaluate(() => navigator.clipboard.readText())), before);
