@@ -100,6 +100,8 @@ async function start() {
   await pictures.update();
   $('client-gl').textContent = `three.js r${Client.revision}, ${client.glName}`;
   $('server-gl').textContent = `telar, ${server.renderer}`;
+  // "llvmpipe (LLVM 15.0.6, 256 bits)" stands within the longer name that a browser gives.
+  $('gl-hint').hidden = client.glName.includes(server.renderer.split(' ')[0]);
 }
 
 start().catch(fail);

@@ -65,6 +65,7 @@ test('both pictures show the garment, and they are at parity', async () => {
   const interior = await figuresOf(page, 'interior');
   assert.ok(interior.pixels > 3000 && interior.max <= 2 && interior['p99.9'] <= 1, JSON.stringify(interior));
   assert.match(await page.locator('#client-gl').textContent(), /^three\.js r187, /);
+  assert.equal(await page.locator('#gl-hint').isVisible(), false, 'one GL draws both');
   assert.equal(await page.locator('#notes li').count(), 0, 'both sides resolved the shot alike');
 });
 
