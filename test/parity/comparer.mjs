@@ -1,5 +1,4 @@
 import { Worker } from 'node:worker_threads';
-import { withinCoverage } from './metrics.mjs';
 
 /** Compares pictures and writes them for the report in a thread of its own, while the next ones are drawn. */
 export class Comparer {
@@ -27,11 +26,11 @@ export class Comparer {
    * @returns {Promise<{difference: import('./metrics.mjs').Difference, rasterizers?: import('./rasterizers.mjs').Distances}>}
    */
   compare(item, { width, height, image, mask }, actual, second = undefined) {
-    const pictures = { expected: withinCoverage(image), actual, mask, width, height, background: item.shot.background !== 'transparent' };
+    const pictures = { expected: image, actual, mask, width, height, background: item.shot.background !== 'transparent' };
     const id = ++this.#jobs;
     return new Promise((resolve, reject) => {
       this.#waiting.set(id, { resolve, reject });
-      this.#worker.postMessage({ id, name: item.name, pictures, second: second && withinCoverage(second) });
+      this.#worker.postMessage({ id, name: item.name, pictures, second });
     });
   }
 
