@@ -33,9 +33,10 @@ vec2 screenUv(vec3 world) {
   return any(isnan(uv)) ? vec2(0.5) : clamp(uv, -SCREEN_UV_MAX, SCREEN_UV_MAX);
 }
 
-// size  of the level, pixels
+// size  of the level, pixels. Mesa gives 0 for a level beyond the last, and llvmpipe gives one size for several pixels at a
+//       time: a corner of the picture is read then, as in three.js there, but never at infinity.
 vec4 bicubicTexture(vec2 uv, vec2 size, float lod) {
-  vec2 texel = 1.0 / size;
+  vec2 texel = min(1.0 / size, vec2(SCREEN_UV_MAX));
   vec2 at = uv * size + 0.5;
   vec2 base = floor(at);
   BicubicTaps x = bicubicTaps(fract(at.x));
@@ -48,10 +49,7 @@ vec4 bicubicTexture(vec2 uv, vec2 size, float lod) {
          y.highWeight * (x.lowWeight * textureLod(transmissionTarget, p2, lod) + x.highWeight * textureLod(transmissionTarget, p3, lod));
 }
 
-// Beyond the last level its one texel is read: some drivers give that level's size as 0.
-vec2 levelSize(float level) {
-  return vec2(max(textureSize(transmissionTarget, int(level)), ivec2(1)));
-}
+vec2 levelSize(float level) { return vec2(textureSize(transmissionTarget, int(level))); }
 
 vec4 behind(vec2 uv, float perceptualRoughness, float ior) {
   float lod = transmissionLod(perceptualRoughness, ior, log2(levelSize(0.0).x));
