@@ -20,6 +20,12 @@ export const GATES = Object.freeze({
     { region: 'object', figure: 'deltaE.mean', limit: 0.5 },
     { region: 'object', figure: 'deltaE.p95', limit: 2 },
   ],
+  /** The same picture by another GL, such as SwiftShader in place of Mesa: as far as three.js is from itself there. */
+  'other-gl': [
+    { region: 'object', figure: 'flip.mean', limit: 0.06 },
+    { region: 'object', figure: 'deltaE.mean', limit: 1 },
+    { region: 'object', figure: 'deltaE.p95', limit: 3 },
+  ],
   /** The same picture, drawn fast. */
   draft: [{ region: 'object', figure: 'flip.mean', limit: 0.04 }],
 });

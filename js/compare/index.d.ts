@@ -64,7 +64,7 @@ export function compareImages(expected: Image, actual: Image, options?: {
   mask?: Uint8Array;
 }): Comparison;
 
-export type GateName = 'exact' | 'parity' | 'standard' | 'draft';
+export type GateName = 'exact' | 'parity' | 'standard' | 'other-gl' | 'draft';
 
 export interface GateCheck {
   region: 'frame' | 'object' | 'interior' | 'edge';

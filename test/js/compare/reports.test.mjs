@@ -37,5 +37,5 @@ test('a browser can bundle all but the reading of files', async () => {
 
 test('the page of the documentation names each gate with its figures', () => {
   const page = readFileSync(new URL('../../../js/docs/compare.md', import.meta.url), 'utf8');
-  for (const line of ['| `exact` |', '| `parity` |', '| `standard` |', '| `draft` |']) assert.ok(page.includes(line), line);
+  for (const line of ['| `exact` |', '| `parity` |', '| `standard` |', '| `other-gl` |', '| `draft` |']) assert.ok(page.includes(line), line);
 });
