@@ -11,12 +11,17 @@ export const wrongOption = (name, expected, value) => new TelarError('E_OPTION',
 
 const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
+/** As many keys as a message can hold. */
+const MAX_LISTED = 12;
+
 function checkObject(name, value, known) {
   if (!isObject(value)) throw wrongOption(name, 'an object', value);
   for (const key of Object.keys(value)) {
     if (known.includes(key)) continue;
     const near = nearest(key, known);
-    const hint = near ? `did you mean ${near}?` : `expected one of ${known.join(', ')}`;
+    const all = known.length <= MAX_LISTED ? `expected one of ${known.join(', ')}`
+      : `the nearest of ${known.length} is ${nearest(key, known, Infinity)}; js/docs/errors.md has them all`;
+    const hint = near ? `did you mean ${near}?` : all;
     throw new TelarError('E_OPTION', `${name}.${shown(key).slice(1, -1)}: unknown key, ${hint}`);
   }
 }

@@ -10,6 +10,23 @@ import { shown } from '../shot/complain.mjs';
 const TEMPORARY = /^\..+\.telar-(\d+)-[0-9a-f]{12}\.tmp$/;
 const STALE_MS = 3_600_000;
 
+const NO_FOLDER = 'a file stands where its folder is to be: name another folder, or move that file away';
+const DENIED = 'you may not write there: name another folder, or change its permissions';
+
+/** What to do about a failure, by its code. */
+const CURES = {
+  EEXIST: NO_FOLDER,
+  ENOTDIR: NO_FOLDER,
+  ENOENT: 'its folder does not exist and cannot be made: name another one',
+  EACCES: DENIED,
+  EPERM: DENIED,
+  EROFS: 'that disk is read-only: name a folder on another one',
+  EISDIR: 'it is a folder: name a file in it',
+  ENOSPC: 'the disk is full: free some space',
+  EDQUOT: 'your share of the disk is full: free some space',
+  ENAMETOOLONG: 'the name is too long: shorten it',
+};
+
 /** Temporary files of this process that are not renamed yet. */
 const unfinished = new Set();
 
@@ -33,7 +50,8 @@ export async function writeFileAtomically(file, data, signal) {
     else await replace(target, data, signal);
   } catch (cause) {
     if (signal?.aborted && cause === signal.reason) throw cause;
-    throw new TelarError('X_OUTPUT', `${shown(file)} cannot be written (${cause.code ?? cause.message})`, { cause });
+    const cure = Object.hasOwn(CURES, cause.code) ? `; ${CURES[cause.code]}` : '';
+    throw new TelarError('X_OUTPUT', `${shown(file)} cannot be written (${cause.code ?? cause.message})${cure}`, { cause });
   }
 }
 

@@ -66,7 +66,7 @@ const ROWS = {
     E_URI_MISSING: ['An external file is not there', 'Put it beside the model, or export a single .glb.'],
     E_ENVIRONMENT_FORMAT: ['The environment is neither .hdr nor .exr', 'Give an equirectangular .hdr or .exr map.'],
     E_ENVIRONMENT_CORRUPT: ['The environment is damaged or cut', 'Save the map again.'],
-    E_ENVIRONMENT_MISSING: ['The environment file cannot be read, or is larger than L_FILE_BYTES', 'Check the path, the permissions and the size.'],
+    E_ENVIRONMENT_MISSING: ['The environment file does not exist, is a folder or cannot be read', 'Check the path and the permissions.'],
     E_VARIANT: ['The model has no such material variant', '`telar inspect` lists the variants.'],
     E_CAMERA: ['The model has no such camera', '`telar inspect` lists the cameras.'],
   },
@@ -122,7 +122,7 @@ const ROWS = {
   machine: {
     X_GL: ['No OpenGL ES 3.0 context', '`telar doctor` says what is missing and the cure.'],
     X_GL_LOST: ['The GL context was lost', 'Try again; a new context is made.', { retryable: true }],
-    X_OUTPUT: ['The image cannot be encoded or written', 'Check free space, the folder and its permissions.'],
+    X_OUTPUT: ['The image cannot be encoded or written', 'The message says why; check free space, the folder and its permissions.'],
     X_NATIVE_MISSING: ['The native part of telar is not built or does not load', 'Run `npm run build`; see the message.'],
     X_PORT: ['The port of a local page is taken', 'Name another one, or none to get a free one.'],
     X_INSTALL: ['A file of telar itself is missing', 'Install telar again.'],

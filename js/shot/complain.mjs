@@ -51,12 +51,17 @@ function editDistance(a, b) {
   return rows[a.length][b.length];
 }
 
-/** The known word nearest to a mistyped one, or undefined when none is near. */
-export function nearest(word, known) {
+/**
+ * The known word nearest to a mistyped one, or undefined when none is near.
+ * @param {string} word
+ * @param {string[]} known
+ * @param {number} [share] part of the word's letters that may be wrong
+ */
+export function nearest(word, known, share = 1 / 3) {
   const [best] = known
     .map((candidate) => ({ candidate, edits: editDistance(word.toLowerCase().slice(0, 64), candidate.toLowerCase()) }))
     .sort((a, b) => a.edits - b.edits);
-  return best && best.edits <= Math.ceil(word.length / 3) ? best.candidate : undefined;
+  return best && best.edits <= Math.ceil(word.length * share) ? best.candidate : undefined;
 }
 
 function unknownKey(path, key, allowed, elsewhere) {

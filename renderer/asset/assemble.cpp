@@ -59,11 +59,11 @@ void Assembler::checkWork(const std::vector<Visit>& visits) const {
       if (!met[static_cast<std::size_t>(mesh)]) vertices += points;
       triangles += triangleCount(primitive.mode, corners);
       const std::string where = pointer("meshes", mesh, "primitives", i);
-      checkLimit("L_VERTICES", static_cast<double>(from_.limits.vertices), vertices, where);
-      checkLimit("L_TRIANGLES", static_cast<double>(from_.limits.triangles), triangles, where);
+      checkSum("L_VERTICES", static_cast<double>(from_.limits.vertices), vertices, where);
+      checkSum("L_TRIANGLES", static_cast<double>(from_.limits.triangles), triangles, where);
       // Lines and points cost their indices too.
-      checkLimit("L_TRIANGLES", static_cast<double>(from_.limits.triangles), corners / 3, where);
-      checkLimit("L_DRAW_CALLS", static_cast<double>(from_.limits.drawCalls), ++draws, where);
+      checkSum("L_TRIANGLES", static_cast<double>(from_.limits.triangles), corners / 3, where);
+      checkSum("L_DRAW_CALLS", static_cast<double>(from_.limits.drawCalls), ++draws, where);
     }
     met[static_cast<std::size_t>(mesh)] = true;
   }

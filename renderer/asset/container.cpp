@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "asset/file_kind.h"
 #include "asset/pointer.h"
 
 namespace telar::asset {
@@ -14,6 +15,7 @@ constexpr std::uint32_t CHUNK_BIN = 0x004e4942;
 constexpr std::uint64_t HEADER_BYTES = 12;
 constexpr std::uint64_t CHUNK_HEADER_BYTES = 8;
 constexpr std::size_t TEXT_PROBE_BYTES = 256;
+constexpr std::size_t KIND_PROBE_BYTES = 4096;  ///< comments may stand before what tells an OBJ file
 
 [[noreturn]] void failAt(std::string_view code, const std::string& message, std::uint64_t offset) {
   throw Error(code, message).atOffset(offset);
@@ -90,14 +92,25 @@ Container openGlb(std::span<const std::byte> file, Warnings& warnings) {
   return out;
 }
 
+std::string notGltf(std::string_view text, std::string_view otherwise) {
+  const std::string_view kind = fileKind(text.substr(0, KIND_PROBE_BYTES));
+  return "the file is neither GLB nor glTF JSON; it looks like " + std::string(kind.empty() ? otherwise : kind);
+}
+
+bool startsLikeJson(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  return begin != std::string_view::npos && (text[begin] == '{' || text[begin] == '[');
+}
+
 Container openText(std::span<const std::byte> file) {
   const std::string_view text = asText(file);
   if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
     failAt("E_JSON", "the text is UTF-16; glTF JSON must be UTF-8", 0);
   }
   if (!looksLikeText(text)) {
-    failAt("E_NOT_GLTF", "the file is neither GLB nor glTF JSON; archives and images are not opened", 0);
+    failAt("E_NOT_GLTF", notGltf(text, "an archive, an image or another model format"), 0);
   }
+  if (!startsLikeJson(text)) failAt("E_JSON", notGltf(text, "plain text"), 0);
   Container out;
   out.json = text;
   return out;

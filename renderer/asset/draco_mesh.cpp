@@ -21,8 +21,8 @@ void checkCounts(const DracoCounts& counts, const DracoExpectation& expected, co
   if (expected.indices != 0 && counts.faces * 3 != expected.indices) {
     fail("E_DRACO", "the Draco mesh has another number of faces than its index accessor", where);
   }
-  checkLimit("L_TRIANGLES", static_cast<double>(limits.triangles), static_cast<double>(counts.faces), where);
-  checkLimit("L_VERTICES", static_cast<double>(limits.vertices), static_cast<double>(counts.vertices), where);
+  checkSum("L_TRIANGLES", static_cast<double>(limits.triangles), static_cast<double>(counts.faces), where);
+  checkSum("L_VERTICES", static_cast<double>(limits.vertices), static_cast<double>(counts.vertices), where);
   // A mesh cannot use more vertices than it has corners. How many points come of them is known after decoding only.
   if (counts.vertices > counts.faces * 3) {
     fail("E_DRACO", "the Draco mesh declares more vertices than its faces can use", where);

@@ -117,7 +117,7 @@ ModelFolder::ModelFolder(const std::filesystem::path& model, FileId modelId, con
 }
 
 std::vector<std::byte> ModelFolder::read(const std::string& path, const std::string& where, const CancelToken& cancel) {
-  checkLimit("L_EXTERNAL_FILES", static_cast<double>(limits_.externalFiles), static_cast<double>(++files_), where);
+  checkSum("L_EXTERNAL_FILES", static_cast<double>(limits_.externalFiles), static_cast<double>(++files_), where);
   const FileDescriptor fd(openBeneath(folder_.get(), path));
   struct stat facts {};
   if (!fd || ::fstat(fd.get(), &facts) != 0) failToOpen(path, where);
@@ -127,7 +127,7 @@ std::vector<std::byte> ModelFolder::read(const std::string& path, const std::str
   if (idOf(facts) == modelId_) fail("E_URI_MISSING", "the uri names the model file itself", where);
   const auto size = static_cast<std::uint64_t>(facts.st_size);
   checkLimit("L_FILE_BYTES", static_cast<double>(limits_.fileBytes), static_cast<double>(size), where);
-  checkLimit("L_EXTERNAL_BYTES", static_cast<double>(limits_.externalBytes), static_cast<double>(bytes_ + size), where);
+  checkSum("L_EXTERNAL_BYTES", static_cast<double>(limits_.externalBytes), static_cast<double>(bytes_ + size), where);
   std::vector<std::byte> out;
   if (!readAll(fd.get(), size, cancel, out)) failToOpen(path, where);
   bytes_ += out.size();

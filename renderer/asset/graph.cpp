@@ -45,8 +45,8 @@ std::vector<Visit> walk(const tinygltf::Model& model, const std::vector<int>& ro
     if (i % 1024 == 0) cancel.check();
     if (i == levelEnd) {
       levelEnd = order.size();
-      checkLimit("L_NODE_DEPTH", static_cast<double>(limits.nodeDepth), static_cast<double>(++depth),
-                 pointer("nodes", order[i].node));
+      checkSum("L_NODE_DEPTH", static_cast<double>(limits.nodeDepth), static_cast<double>(++depth),
+               pointer("nodes", order[i].node));
     }
     for (const int child : nodeAt(model, order[i].node).children) order.push_back({child, static_cast<int>(i)});
   }

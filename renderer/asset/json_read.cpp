@@ -51,7 +51,7 @@ class Builder : public nlohmann::json_sax<json> {
   }
 
   bool open(json::value_t type) {
-    checkLimit("L_JSON_DEPTH", static_cast<double>(limits_.jsonDepth), static_cast<double>(open_.size() + 1));
+    checkSum("L_JSON_DEPTH", static_cast<double>(limits_.jsonDepth), static_cast<double>(open_.size() + 1));
     open_.push_back(place(json(type)));
     keys_.emplace_back();
     return true;
@@ -65,7 +65,7 @@ class Builder : public nlohmann::json_sax<json> {
 
   json* place(json&& value) {
     if (++values_ % VALUES_PER_CANCEL_CHECK == 0) cancel_.check();
-    checkLimit("L_JSON_VALUES", static_cast<double>(limits_.jsonValues), static_cast<double>(values_));
+    checkSum("L_JSON_VALUES", static_cast<double>(limits_.jsonValues), static_cast<double>(values_));
     if (open_.empty()) {
       root_ = std::move(value);
       return &root_;

@@ -14,6 +14,15 @@ std::string number(double x) {
   return text;
 }
 
+[[noreturn]] void throwOver(std::string_view name, const std::string& what, double max, double actual,
+                            std::string_view pointer) {
+  Error error(name,
+              std::string(name) + ": " + what + "; reduce the file, or raise this limit for files that you trust");
+  error.withLimit(name, max, actual);
+  if (!pointer.empty()) error.at(pointer);
+  throw error;
+}
+
 }  // namespace
 
 Error::Error(std::string_view code_, const std::string& message)
@@ -51,12 +60,13 @@ std::string quoted(std::string_view untrusted) {
 }
 
 void checkLimit(std::string_view name, double max, double actual, std::string_view pointer) {
-  if (actual <= max) return;
-  Error error(name, std::string(name) + ": " + number(actual) + " is over the limit of " + number(max) +
-                        "; reduce the file, or raise this limit for files that you trust");
-  error.withLimit(name, max, actual);
-  if (!pointer.empty()) error.at(pointer);
-  throw error;
+  if (actual > max) throwOver(name, number(actual) + " is over the limit of " + number(max), max, actual, pointer);
+}
+
+void checkSum(std::string_view name, double max, double soFar, std::string_view pointer) {
+  if (soFar <= max) return;
+  throwOver(name, "more than the limit of " + number(max) + " (at least " + number(soFar) + ": counting stopped there)",
+            max, soFar, pointer);
 }
 
 }  // namespace telar

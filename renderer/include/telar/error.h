@@ -39,4 +39,8 @@ std::string quoted(std::string_view untrusted);
 /// Throws `code` (an L_* row) when actual > max.
 void checkLimit(std::string_view name, double max, double actual, std::string_view pointer = {});
 
+/// The same for a sum that is still growing: the message says that the input holds at least this much, and counting
+/// stopped there.
+void checkSum(std::string_view name, double max, double soFar, std::string_view pointer = {});
+
 }  // namespace telar

@@ -72,6 +72,31 @@ TEST(Container, HeaderFaults) {
   EXPECT_EQ(with(16, 0x004e4942), "E_GLB_CHUNK");  // BIN first
 }
 
+TEST(Container, WhatIsNoGltfIsCalledWhatItLooksLike) {
+  const auto said = [](std::string_view content) {
+    const auto* bytes = reinterpret_cast<const std::byte*>(content.data());
+    try {
+      loadBytes(std::span(bytes, content.size()), {}, {});
+    } catch (const Error& error) {
+      EXPECT_EQ(error.offset, 0u);
+      return error.code + ": " + error.what();
+    }
+    return std::string("nothing was thrown");
+  };
+  const std::string start = ": the file is neither GLB nor glTF JSON; it looks like ";
+  EXPECT_EQ(said("PK\x03\x04\x14 zip"), "E_NOT_GLTF" + start + "a ZIP archive (or USDZ): unpack it, or export as GLB");
+  EXPECT_EQ(said("\x89PNG\r\n\x1a\n"), "E_NOT_GLTF" + start + "a PNG image");
+  EXPECT_EQ(said("\x01\x02\x03\x04"), "E_NOT_GLTF" + start + "an archive, an image or another model format");
+  EXPECT_EQ(said("\n<!DOCTYPE HTML><p>404"), "E_JSON" + start + "an HTML page, as a download that failed leaves");
+  EXPECT_EQ(said("version https://git-lfs.github.com/spec/v1\noid x"),
+            "E_JSON" + start + "a Git LFS pointer: fetch the file itself with `git lfs pull`");
+  EXPECT_EQ(said("# made by hand\n# twice\nmtllib a.mtl\n"), "E_JSON" + start + "a Wavefront OBJ model: export as GLB");
+  EXPECT_EQ(said("a note to myself"), "E_JSON" + start + "plain text");
+  EXPECT_EQ(said("#"), "E_JSON" + start + "plain text");
+  EXPECT_EQ(said("# "), "E_JSON" + start + "plain text");
+  EXPECT_EQ(said(" \n"), "E_JSON" + start + "plain text");
+}
+
 TEST(Container, UnknownChunksAreSkippedWithAWarning) {
   Bytes file = texturedQuad().glb();
   const std::uint32_t chunk[] = {4, 0x41424344, 0};

@@ -109,6 +109,15 @@ TEST(Graph, WorkIsLimitedByWhatIsVisited) {
   Limits limits;
   limits.triangles = 19;
   EXPECT_EQ(errorOf(model, limits), "L_TRIANGLES at /meshes/0/primitives/0");
+  limits.triangles = 5;
+  try {
+    load(model, limits);
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    EXPECT_TRUE(message.starts_with("L_TRIANGLES: more than the limit of 5 (at least 6: counting stopped there);"))
+        << message;
+    EXPECT_EQ(error.limit->actual, 6);
+  }
   limits = {};
   limits.drawCalls = 9;
   EXPECT_EQ(errorOf(model, limits), "L_DRAW_CALLS at /meshes/0/primitives/0");

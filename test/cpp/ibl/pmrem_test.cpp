@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 
 #include "ibl/environment_cache.h"
 #include "ibl/pmrem_file.h"
@@ -94,6 +96,39 @@ TEST(EnvironmentCache, TheBundledCubeIsThatOfTheBundledMap) {
              b = level(*context, *shipped, 3, GL_TEXTURE_CUBE_MAP_POSITIVE_Z);
   for (std::size_t i = 0; i < a.size(); ++i)
     ASSERT_NEAR(half(a[i]), half(b[i]), 0.002f * half(a[i]) + 1e-4f) << "run `npm run assets`";
+}
+
+TEST(EnvironmentCache, AFileThatCannotBeReadIsNamedWithTheCause) {
+  const auto context = gl::Context::create(Backend::kEglSurfaceless);
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "telar-environment";
+  std::filesystem::create_directories(folder / "folder.hdr");
+  ASSERT_TRUE(writeFileAtomically(folder / "big.hdr", std::vector<std::byte>(100)));
+  Limits limits;
+  limits.fileBytes = 99;
+  EnvironmentCache cache(*context, "", "", limits);
+  const auto said = [&](const char* name) {
+    Shot::Environment wanted;
+    wanted.source = Shot::Environment::Source::kPath;
+    wanted.path = (folder / name).string();
+    try {
+      cache.get(wanted, {}, false, {});
+    } catch (const Error& error) {
+      EXPECT_EQ(error.pointer, "/environment/map");
+      EXPECT_EQ(std::string(error.what()).find(folder.string()), std::string::npos) << "names a server path";
+      return error.code + ": " + error.what();
+    }
+    return std::string("nothing was thrown");
+  };
+  const std::string start = "E_ENVIRONMENT_MISSING: shot.environment.map: ";
+  EXPECT_EQ(said("absent.hdr"), start + "\"absent.hdr\" does not exist; check the path and its spelling");
+  EXPECT_EQ(said("absent/a.exr"), start + "\"a.exr\" does not exist; check the path and its spelling");
+  EXPECT_EQ(said("folder.hdr"), start + "\"folder.hdr\" is a folder; give an .hdr or .exr file");
+  EXPECT_TRUE(said("big.hdr").starts_with("L_FILE_BYTES: L_FILE_BYTES: 100 is over the limit of 99"));
+  if (geteuid() != 0) {  // root may read everything
+    std::filesystem::permissions(folder / "big.hdr", std::filesystem::perms::none);
+    EXPECT_NE(said("big.hdr").find("\"big.hdr\" cannot be read; check its permissions"), std::string::npos);
+  }
+  std::filesystem::remove_all(folder);
 }
 
 TEST(EnvironmentCache, KeepsAPrefilteredCubeOnDiskByContent) {

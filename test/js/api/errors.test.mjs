@@ -52,6 +52,8 @@ const CALLER_ERRORS = [
   [() => createRendererOn(native, { backend: 'vulkan' }),
     'options.backend: expected "auto", "egl-device", "egl-surfaceless", "osmesa", got "vulkan"'],
   [() => createRendererOn(native, { limits: { L_FILE_BYTE: 1 } }), 'options.limits.L_FILE_BYTE: unknown key, did you mean L_FILE_BYTES?'],
+  [() => createRendererOn(native, { limits: { L_FILE_SIZE_MAX: 1 } }),
+    /^options\.limits\.L_FILE_SIZE_MAX: unknown key, the nearest of \d+ is L_FILE_BYTES; js\/docs\/errors\.md has them all$/],
   [() => createRendererOn(native, { limits: { L_NODES: -1 } }), 'options.limits.L_NODES: expected a whole number of at least 0, got -1'],
   [() => createRendererOn(native, { limits: { L_NODES: NaN } }), 'options.limits.L_NODES: expected a whole number of at least 0, got NaN'],
   [() => createRendererOn(native, { limits: 3 }), 'options.limits: expected an object, got 3'],
@@ -64,7 +66,7 @@ const CALLER_ERRORS = [
 ];
 
 for (const [call, message] of CALLER_ERRORS) {
-  test(`caller error: ${message.slice(0, 90)}`, async () => {
+  test(`caller error: ${String(message).slice(0, 90)}`, async () => {
     let promise;
     assert.doesNotThrow(() => { promise = call(renderer); }, 'a promise rejects, nothing throws');
     await assert.rejects(promise, { code: 'E_OPTION', kind: 'usage', message });

@@ -28,6 +28,25 @@ test('a folder above that takes no folder is X_OUTPUT, not a wait without end', 
   await assert.rejects(writeFileAtomically('/proc/telar/deep/a.bin', Buffer.from('x')), { code: 'X_OUTPUT' });
 });
 
+test('a failure tells its cure', async () => {
+  writeFileSync(at('file'), '');
+  mkdirSync(at('folder'));
+  writeFileSync(at('folder/x'), '');
+  const cures = [
+    [at('file/a.png'), /\(E(EXIST|NOTDIR)\); a file stands where its folder is to be: name another folder, or move that file away$/],
+    [at('folder'), /; it is a folder: name a file in it$/],
+    ['/proc/telar/a.png', /\(ENOENT\); its folder does not exist and cannot be made: name another one$/],
+    [at(`${'x'.repeat(300)}.png`), /\(ENAMETOOLONG\); the name is too long: shorten it$/],
+  ];
+  for (const [file, message] of cures) {
+    await assert.rejects(writeFileAtomically(file, Buffer.from('x')), (error) => {
+      assert.equal(error.code, 'X_OUTPUT');
+      assert.match(error.message, message);
+      return true;
+    });
+  }
+});
+
 test('folders two levels deep are made by several writers at once', async () => {
   await Promise.all(['a', 'b', 'c'].map((name) => writeFileAtomically(at(`new/deep/${name}`), Buffer.from(name))));
   assert.deepEqual(readdirSync(at('new/deep')), ['a', 'b', 'c']);
@@ -59,7 +78,7 @@ test('a failed or aborted write keeps the old file and leaves nothing else', asy
 });
 
 test('a full disk is X_OUTPUT', async () => {
-  await assert.rejects(writeFileAtomically('/dev/full', Buffer.from('x')), /"\/dev\/full" cannot be written \(ENOSPC\)/);
+  await assert.rejects(writeFileAtomically('/dev/full', Buffer.from('x')), /"\/dev\/full" cannot be written \(ENOSPC\); the disk is full: free some space$/);
 });
 
 test('the sweep takes old leftovers of dead processes only', async () => {
