@@ -14,6 +14,9 @@ const ROWS = {
   'sheen roughness x colour': ['sheen-env', 'sheen-sun'],
   'clearcoat x roughness': ['clearcoat-env', 'clearcoat-sun', 'clearcoat-metal-env'],
   'anisotropy strength x rotation': ['anisotropy-env', 'anisotropy-sun', 'anisotropy-derivatives-env'],
+  'ior x transmission': ['transmission-ior-lit', 'transmission-lit', 'transmission-ior-thin-lit'],
+  'what transmission acts with': ['transmission-thickness-lit', 'transmission-attenuation-lit', 'transmission-dispersion-lit', 'transmission-layers-lit', 'transmission-order-lit'],
+  'area lights and blurred backgrounds': ['rect-sweep', 'rect-everything', 'rect-clearcoat', 'rect-sheen', 'rect-anisotropy', 'background-blur-0.3'],
   'features alone': [
     'clearcoat-env', 'sheen-env', 'specular-env', 'ior-env', 'anisotropy-env', 'iridescence-env', 'diffuse-roughness-env', 'emissive-strength-env',
     'unlit-env', 'normal-map-env', 'occlusion-map-env', 'emissive-map-env', 'metallic-roughness-map-env', 'base-color-map-env', 'texture-transform-env',

@@ -4,7 +4,7 @@
 //   --all           the extended set too
 //   --fast          only what `npm test` draws
 //   --swiftshader   also three.js on SwiftShader: telar must be no farther from it than three.js on Mesa is
-//   --trace         follow the worst pixel of each case that differs at all, not only of those over the bar
+//   --trace         follow the worst pixel of each case that differs at all, not only of those that differ by more than 1/255
 //   --keep          leave the browser's pictures, the models and the shots in out/parity/browser
 //   --browser-only  only that, without telar
 import { mkdirSync } from 'node:fs';
@@ -79,8 +79,9 @@ async function finishCase(result) {
 }
 
 function wantsTrace(difference) {
-  if (!difference || (difference.pass && !(values.trace && difference.interior?.max > 0))) return false;
-  return values.trace || ++traces <= MAX_TRACES;
+  const most = difference?.interior?.max ?? 0;
+  if (values.trace) return most > 0 || difference?.pass === false;
+  return (most > 1 || difference?.pass === false) && ++traces <= MAX_TRACES;
 }
 
 /** The worst pixel of the region that is over the bar, or of the interior. */
