@@ -74,32 +74,20 @@ Incident incidentLight(SurfaceInfo s) {
 Reflected indirectLight(SurfaceInfo s, Incident incident) {
   Reflected sum = nothingReflected();
 #if AMBIENT || HEMISPHERE_LIGHTS > 0 || ENVIRONMENT
-  vec3 f0Dielectric = s.f0Dielectric;
-  vec3 f0Metal = s.baseColor;
-#if IRIDESCENCE
-  f0Dielectric = mix(f0Dielectric, s.filmF0Dielectric, s.iridescence);
-  f0Metal = mix(f0Metal, s.filmF0Metal, s.iridescence);
+  Scattering dielectric = dielectricScattering(s);
 #endif
-  Scattering dielectric = multipleScattering(f0Dielectric, s.f90, s.dfg);
+#if AMBIENT || HEMISPHERE_LIGHTS > 0
+  sum = addDome(sum, s, dielectric, incident.irradiance);
+#endif
+#if ENVIRONMENT
 #if SHEEN
   float sheenE = sheenAlbedo(s.sheenRoughness, s.NoV);
   float underSheen = 1.0 - max3(s.sheenColor) * sheenE;
 #endif
+  vec3 f0Metal = s.baseColor;
+#if IRIDESCENCE
+  f0Metal = mix(f0Metal, s.filmF0Metal, s.iridescence);
 #endif
-#if AMBIENT || HEMISPHERE_LIGHTS > 0
-  vec3 irradiance = incident.irradiance;
-#if DIFFUSE_ROUGHNESS
-  vec3 diffuse = irradiance * RECIPROCAL_PI * (eonAlbedo(s.baseColor, s.diffuseRoughness, s.NoV) * (1.0 - s.metallic)) * diffuseShare(dielectric);
-#else
-  vec3 diffuse = irradiance * Fd_Lambert(s.diffuse) * diffuseShare(dielectric);
-#endif
-#if SHEEN
-  sum.sheen += irradiance * s.sheenColor * sheenE * RECIPROCAL_PI;
-  diffuse *= underSheen;
-#endif
-  sum.diffuse += diffuse;
-#endif
-#if ENVIRONMENT
   vec3 meanRadiance = incident.environmentIrradiance * RECIPROCAL_PI;
   Scattering metal = multipleScattering(f0Metal, s.f90, s.dfg);
   vec3 specular = environmentSpecular(mixScattering(dielectric, metal, s.metallic), incident.radiance, meanRadiance);

@@ -48,6 +48,32 @@ Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 compensation, vec3 l, v
   return sum;
 }
 
+// What the dielectric interface sends back of uniform light.
+Scattering dielectricScattering(SurfaceInfo s) {
+  vec3 f0 = s.f0Dielectric;
+#if IRIDESCENCE
+  f0 = mix(f0, s.filmF0Dielectric, s.iridescence);
+#endif
+  return multipleScattering(f0, s.f90, s.dfg);
+}
+
+// Light of ambient and hemisphere lights: it has no direction, and only the diffuse lobe and the sheen see it.
+// irradiance  linear Rec.709
+Reflected addDome(Reflected sum, SurfaceInfo s, Scattering dielectric, vec3 irradiance) {
+#if DIFFUSE_ROUGHNESS
+  vec3 diffuse = irradiance * RECIPROCAL_PI * (eonAlbedo(s.baseColor, s.diffuseRoughness, s.NoV) * (1.0 - s.metallic)) * diffuseShare(dielectric);
+#else
+  vec3 diffuse = irradiance * Fd_Lambert(s.diffuse) * diffuseShare(dielectric);
+#endif
+#if SHEEN
+  float sheenE = sheenAlbedo(s.sheenRoughness, s.NoV);
+  sum.sheen += irradiance * s.sheenColor * sheenE * RECIPROCAL_PI;
+  diffuse *= 1.0 - max3(s.sheenColor) * sheenE;
+#endif
+  sum.diffuse += diffuse;
+  return sum;
+}
+
 // Radiance that leaves towards the viewer, linear Rec.709.
 // diffuse  of both, or what is seen through a transmissive surface in its place      emitted  linear Rec.709
 vec3 composedRadiance(SurfaceInfo s, vec3 diffuse, Reflected direct, Reflected indirect, vec3 emitted) {

@@ -17,8 +17,12 @@ export const CPP_LAYERS = {
   'renderer/shot': ['renderer/include', 'renderer/core'],
   'renderer/gl': ['renderer/include', 'renderer/core'],
   'renderer/shader': ['renderer/include', 'renderer/core', 'renderer/gl'],
-  'renderer/ibl': ['renderer/include', 'renderer/core', 'renderer/gl', 'renderer/shader'],
-  'renderer/pass': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/mesh', 'renderer/gl', 'renderer/shader', 'renderer/ibl'],
+  'renderer/ibl/dfg_lookup.h': [],
+  'renderer/ibl': ['renderer/include', 'renderer/core', 'renderer/gl', 'renderer/shader', 'renderer/ibl/dfg_lookup.h'],
+  'renderer/pass/camera.h': ['renderer/include'],
+  'renderer/pass': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/mesh', 'renderer/gl', 'renderer/shader', 'renderer/ibl', 'renderer/pass/camera.h'],
+  // The tracer shares with the raster what needs no GL: matrices and the table of the split sum.
+  'renderer/reference': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/pass/camera.h', 'renderer/ibl/dfg_lookup.h'],
   addon: ['renderer/include'],
 };
 
@@ -30,6 +34,7 @@ export const OWNED_HEADERS = [
   { header: /^lcms2\.h$/, folders: ['renderer/oiio'] },
   { header: /^(libdeflate|zlib)\.h$/, folders: ['renderer/image', 'renderer/ibl'] },
   { header: /^(tiny_gltf\.h|draco\/.*|mikktspace\.h)$/, folders: ['renderer/asset'] },
+  { header: /^embree3\//, folders: ['renderer/reference'] },
   { header: /^(OpenImageIO|OpenEXR|Imath)\//, folders: ['renderer/oiio'] },
   { header: /^(napi|node_api|js_native_api|uv|node)\.h$/, folders: ['addon'] },
   { header: /^iostream$/, folders: [] },

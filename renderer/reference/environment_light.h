@@ -1,0 +1,39 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "telar/image.h"
+
+namespace telar::reference {
+
+/// An equirectangular map as a light: read as the raster reads it, drawn from in proportion to its brightness.
+class EnvironmentLight {
+ public:
+  /// @param map        linear Rec.709 radiance, finite
+  /// @param rotation   degrees about +Y, as Shot::Environment
+  /// @param intensity  factor on the radiance
+  EnvironmentLight(const ImageF& map, double rotation, double intensity);
+
+  struct Sample {
+    glm::vec3 direction;  ///< world, unit
+    float pdf;            ///< per steradian
+  };
+  Sample sample(const glm::vec2& u) const;
+  /// @param direction  world, unit
+  float pdf(const glm::vec3& direction) const;
+  /// Bilinear, clamped at the edges, as three.js reads the map.
+  glm::vec3 radiance(const glm::vec3& direction) const;
+
+ private:
+  glm::vec3 texel(int x, int y) const;
+  /// Environment direction to map coordinates in [0, 1], y down.
+  glm::vec2 coordinates(const glm::vec3& direction) const;
+
+  const ImageF& map_;
+  float intensity_;
+  glm::mat3 toEnvironment_;
+  std::vector<float> rows_;     // cumulated share of each row, height + 1
+  std::vector<float> columns_;  // cumulated share within its row, (width + 1) a row
+};
+
+}  // namespace telar::reference

@@ -1,0 +1,108 @@
+#include "reference/geometry.h"
+
+#include <glm/gtc/matrix_inverse.hpp>
+#include <limits>
+
+namespace telar::reference {
+namespace {
+
+const Material DEFAULT_MATERIAL{};  // glTF's
+
+const Material& materialOf(const Scene& scene, const Primitive& primitive, int variant) {
+  int index = primitive.material;
+  if (variant >= 0 && static_cast<std::size_t>(variant) < primitive.variantMaterials.size()) {
+    const int mapped = primitive.variantMaterials[static_cast<std::size_t>(variant)];
+    if (mapped >= 0) index = mapped;
+  }
+  return index >= 0 ? scene.materials[static_cast<std::size_t>(index)] : DEFAULT_MATERIAL;
+}
+
+std::vector<glm::uvec3> trianglesOf(const Primitive& primitive) {
+  const bool indexed = !primitive.indices.empty();
+  const std::size_t count = (indexed ? primitive.indices.size() : primitive.positions.size()) / 3;
+  std::vector<glm::uvec3> triangles(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t at = 3 * i + static_cast<std::size_t>(k);
+      triangles[i][k] = indexed ? primitive.indices[at] : static_cast<std::uint32_t>(at);
+    }
+  }
+  return triangles;
+}
+
+PlacedMesh place(const Node& node, const Primitive& primitive, const Material& material, const glm::dvec3& centre) {
+  PlacedMesh mesh{&primitive, &material};
+  const glm::dmat3 linear(node.world);
+  const glm::dvec3 move = glm::dvec3(node.world[3]) - centre;
+  mesh.positions.reserve(primitive.positions.size());
+  for (const glm::vec3& p : primitive.positions) mesh.positions.emplace_back(linear * glm::dvec3(p) + move);
+  mesh.triangles = trianglesOf(primitive);
+  mesh.linear = glm::mat3(linear);
+  mesh.mirrored = glm::determinant(linear) < 0;
+  // Cofactors: the inverse transpose but for its length, and finite where a node is flattened.
+  mesh.normalMatrix = glm::mat3(glm::dmat3(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                                           glm::cross(linear[0], linear[1]))) *
+                      (mesh.mirrored ? -1.0f : 1.0f);
+  return mesh;
+}
+
+}  // namespace
+
+std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::dvec3& centre) {
+  std::vector<PlacedMesh> meshes;
+  for (const Node& node : scene.nodes) {
+    if (node.mesh < 0) continue;
+    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+      if (primitive.topology != Topology::kTriangles || primitive.positions.empty()) continue;
+      meshes.push_back(place(node, primitive, materialOf(scene, primitive, variant), centre));
+    }
+  }
+  return meshes;
+}
+
+Geometry::Geometry(const std::vector<PlacedMesh>& meshes) {
+  // The tracer's own threads do the work; Embree builds with one, so that nothing depends on their number.
+  device_.reset(rtcNewDevice("threads=1"));
+  if (!device_) throw Error("X_REFERENCE", "Embree does not start on this machine");
+  scene_.reset(rtcNewScene(device_.get()));
+  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const PlacedMesh& mesh = meshes[i];
+    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
+                                              mesh.positions.size());
+    void* triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3),
+                                              mesh.triangles.size());
+    if (positions && triangles) {
+      std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<glm::vec3*>(positions));
+      std::copy(mesh.triangles.begin(), mesh.triangles.end(), static_cast<glm::uvec3*>(triangles));
+      rtcCommitGeometry(geometry);
+      rtcAttachGeometryByID(scene_.get(), geometry, static_cast<unsigned>(i));
+    }
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(scene_.get());
+  const RTCError error = rtcGetDeviceError(device_.get());
+  if (error == RTC_ERROR_OUT_OF_MEMORY)
+    throw Error("X_MEMORY", "not enough memory for the tracer's hierarchy of triangles");
+  if (error != RTC_ERROR_NONE)
+    throw Error("X_REFERENCE", "Embree could not build its hierarchy: error " + std::to_string(error));
+}
+
+bool Geometry::intersect(const Ray& ray, Hit& hit) const {
+  RTCRayHit query = {};
+  query.ray.org_x = ray.origin.x, query.ray.org_y = ray.origin.y, query.ray.org_z = ray.origin.z;
+  query.ray.dir_x = ray.direction.x, query.ray.dir_y = ray.direction.y, query.ray.dir_z = ray.direction.z;
+  query.ray.tnear = ray.from;
+  query.ray.tfar = std::numeric_limits<float>::infinity();
+  query.ray.mask = ~0u;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene_.get(), &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+  hit = {query.hit.geomID, query.hit.primID, {query.hit.u, query.hit.v}, query.ray.tfar};
+  return true;
+}
+
+}  // namespace telar::reference

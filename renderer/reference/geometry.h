@@ -1,0 +1,57 @@
+#pragma once
+#include <embree3/rtcore.h>
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <vector>
+
+#include "telar/cancel.h"
+#include "telar/scene.h"
+
+namespace telar::reference {
+
+/// One drawn primitive in the world of the tracer: metres about the scene's centre, so that a model far from the origin
+/// loses no digits.
+struct PlacedMesh {
+  const Primitive* primitive = nullptr;
+  const Material* material = nullptr;
+  std::vector<glm::vec3> positions;
+  std::vector<glm::uvec3> triangles;
+  glm::mat3 normalMatrix{1.0f};  ///< inverse transpose of the node's matrix
+  glm::mat3 linear{1.0f};        ///< the node's matrix without its translation, for tangents
+  bool mirrored = false;         ///< the node's matrix turns the winding round
+};
+
+/// Every triangle that a variant of the scene shows. Points and lines have no area and are left out.
+/// @param centre  world position that becomes the origin
+std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::dvec3& centre);
+
+struct Ray {
+  glm::vec3 origin;
+  glm::vec3 direction;  ///< unit
+  float from = 0;
+};
+
+struct Hit {
+  std::uint32_t mesh = 0, triangle = 0;
+  glm::vec2 barycentric{0};  ///< of the second and third corner
+  float distance = 0;
+};
+
+/// The triangles in Embree's hierarchy; queries are safe from many threads.
+class Geometry {
+ public:
+  /// @throws Error{X_REFERENCE, X_MEMORY}
+  explicit Geometry(const std::vector<PlacedMesh>& meshes);
+  bool intersect(const Ray& ray, Hit& hit) const;
+
+ private:
+  struct Release {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  };
+  std::unique_ptr<RTCDeviceTy, Release> device_;
+  std::unique_ptr<RTCSceneTy, Release> scene_;
+};
+
+}  // namespace telar::reference

@@ -1,0 +1,122 @@
+#include "reference/integrator.h"
+
+#include <cmath>
+
+#include "reference/lobe_sampler.h"
+#include "reference/sampling.h"
+
+namespace telar::reference {
+namespace {
+
+constexpr int MOST_LAYERS = 256;  ///< of transparent surfaces that one ray passes
+
+/// Reflected radiance per irradiance on a surface that faces the light; 0 below the horizon.
+glm::vec3 reflected(const brdf_f::SurfaceInfo& s, const glm::vec3& l) {
+  using namespace brdf_f;
+  const Reflected direct = three::addPunctual(nothingReflected(), s, directCompensation(s.f0, s.dfg), l, glm::vec3(1));
+  return three::composedRadiance(s, direct.diffuse, direct, nothingReflected(), glm::vec3(0));
+}
+
+}  // namespace
+
+Integrator::Integrator(const Scene& scene, const std::vector<PlacedMesh>& meshes, const Geometry& geometry,
+                       const Lights& lights, const EnvironmentLight* environment, float radius, Transport transport,
+                       glm::vec2 (*dfg)(float, float))
+    : scene_(scene),
+      meshes_(meshes),
+      geometry_(geometry),
+      lights_(lights),
+      environment_(environment),
+      radius_(radius),
+      transport_(transport),
+      dfg_(dfg) {}
+
+bool Integrator::nextSurface(Ray ray, const Footprint* footprint, Random& random, Surface& surface) const {
+  Hit hit;
+  for (int layer = 0; layer < MOST_LAYERS && geometry_.intersect(ray, hit); ++layer) {
+    surface = surfaceAt(scene_, meshes_[hit.mesh], hit, ray, footprint, dfg_);
+    if (surface.shown && (surface.alpha >= 1 || random.uniform() < surface.alpha)) return true;
+    ray.from = hit.distance + radius_ * 1e-5f;
+  }
+  return false;
+}
+
+Ray Integrator::leave(const Surface& from, const glm::vec3& direction) const {
+  const float side = glm::dot(from.geometricNormal, direction) < 0 ? -1.0f : 1.0f;
+  return {from.position + from.geometricNormal * (side * radius_ * 1e-5f), direction};
+}
+
+bool Integrator::hidden(const Surface& from, const glm::vec3& direction, float distance, Random& random) const {
+  const Ray ray = leave(from, direction);
+  Surface blocker;
+  if (!nextSurface(ray, nullptr, random, blocker)) return false;
+  return glm::distance(blocker.position, ray.origin) < distance;
+}
+
+glm::vec3 Integrator::arriving(const Surface& surface, const PointedLight::Arrival& arrival, Random& random) const {
+  const glm::vec3 share = reflected(surface.info, arrival.direction) * arrival.irradiance;
+  if (share == glm::vec3(0)) return share;
+  return transport_.occlusion && hidden(surface, arrival.direction, arrival.distance, random) ? glm::vec3(0) : share;
+}
+
+glm::vec3 Integrator::directLight(const Surface& surface, Random& random) const {
+  glm::vec3 sum(0);
+  for (const PointedLight& light : lights_.pointed) {
+    if (const auto arrival = light.at(surface.position)) sum += arriving(surface, *arrival, random);
+  }
+  for (const RectLight& light : lights_.rects) {
+    if (const auto arrival = light.at(surface.position, random.uniform2())) sum += arriving(surface, *arrival, random);
+  }
+  const glm::vec3 dome = lights_.irradiance(surface.info.n);
+  if (dome != glm::vec3(0)) {
+    using namespace brdf_f;
+    const Reflected lit =
+        three::addDome(nothingReflected(), surface.info, three::dielectricScattering(surface.info), dome);
+    sum += three::composedRadiance(surface.info, lit.diffuse, nothingReflected(), lit, glm::vec3(0));
+  }
+  return sum;
+}
+
+glm::vec4 Integrator::radiance(Ray ray, const Footprint& footprint, Random& random) const {
+  Surface surface;
+  if (!nextSurface(ray, &footprint, random, surface)) return glm::vec4(0);
+  glm::vec3 light(0), throughput(1);
+  for (int bounce = 0;; ++bounce) {
+    light += throughput * surface.emitted;
+    if (surface.unlit) break;
+    const LobeSampler lobes(surface.info);
+    light += throughput * directLight(surface, random);
+    if (environment_) {
+      const auto drawn = environment_->sample(random.uniform2());
+      const glm::vec3 share = drawn.pdf > 0 ? reflected(surface.info, drawn.direction) : glm::vec3(0);
+      if (share != glm::vec3(0) &&
+          !(transport_.occlusion && hidden(surface, drawn.direction, std::numeric_limits<float>::infinity(), random))) {
+        const float weight = powerHeuristic(drawn.pdf, lobes.pdf(drawn.direction)) / drawn.pdf;
+        light += throughput * share * environment_->radiance(drawn.direction) * weight;
+      }
+    }
+    const auto drawn = lobes.sample(random);
+    if (!(drawn.pdf > 0)) break;
+    throughput *= reflected(surface.info, drawn.direction) / drawn.pdf;
+    if (throughput == glm::vec3(0)) break;
+    Surface next;
+    if (!transport_.occlusion || !nextSurface(leave(surface, drawn.direction), nullptr, random, next)) {
+      if (environment_) {
+        const float weight = powerHeuristic(drawn.pdf, environment_->pdf(drawn.direction));
+        light += throughput * environment_->radiance(drawn.direction) * weight;
+      }
+      break;
+    }
+    if (bounce == transport_.bounces) break;
+    // Russian roulette: long paths end by chance and the others stand for them.
+    if (bounce >= 2) {
+      const float going = glm::min(brdf_f::max3(throughput), 0.95f);
+      if (random.uniform() >= going) break;
+      throughput /= going;
+    }
+    surface = next;
+  }
+  return glm::vec4(light, 1.0f);
+}
+
+}  // namespace telar::reference

@@ -1,0 +1,46 @@
+#pragma once
+#include "reference/environment_light.h"
+#include "reference/geometry.h"
+#include "reference/lights.h"
+#include "reference/random.h"
+#include "reference/surface.h"
+
+namespace telar::reference {
+
+/// What light is followed. Each switch answers a question of its own.
+struct Transport {
+  bool occlusion = false;  ///< surfaces hide lights and environment from each other
+  int bounces = 0;         ///< interreflections between surfaces; needs occlusion
+};
+
+/// Estimates the light along one ray, without bias.
+class Integrator {
+ public:
+  /// All are kept by reference. @param environment  null = none
+  /// @param radius  of the scene, metres
+  Integrator(const Scene& scene, const std::vector<PlacedMesh>& meshes, const Geometry& geometry, const Lights& lights,
+             const EnvironmentLight* environment, float radius, Transport transport, glm::vec2 (*dfg)(float, float));
+
+  /// @return linear Rec.709 radiance, premultiplied with coverage, and coverage 0 or 1
+  glm::vec4 radiance(Ray ray, const Footprint& footprint, Random& random) const;
+
+ private:
+  /// The next surface along a ray that is shown; alpha is a chance.
+  bool nextSurface(Ray ray, const Footprint* footprint, Random& random, Surface& surface) const;
+  bool hidden(const Surface& from, const glm::vec3& direction, float distance, Random& random) const;
+  Ray leave(const Surface& from, const glm::vec3& direction) const;
+  /// Light of all lights that arrives directly and leaves to the viewer.
+  glm::vec3 directLight(const Surface& surface, Random& random) const;
+  glm::vec3 arriving(const Surface& surface, const PointedLight::Arrival& arrival, Random& random) const;
+
+  const Scene& scene_;
+  const std::vector<PlacedMesh>& meshes_;
+  const Geometry& geometry_;
+  const Lights& lights_;
+  const EnvironmentLight* environment_;
+  float radius_;
+  Transport transport_;
+  glm::vec2 (*dfg_)(float, float);
+};
+
+}  // namespace telar::reference

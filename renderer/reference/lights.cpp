@@ -1,0 +1,139 @@
+#include "reference/lights.h"
+
+#include <cmath>
+#include <limits>
+
+#include "brdf/brdf.h"
+
+namespace telar::reference {
+namespace {
+
+glm::vec3 directionOf(const glm::dvec3& v) {
+  return glm::dot(v, v) > 0 ? glm::vec3(glm::normalize(v)) : glm::vec3(0, 1, 0);
+}
+
+PointedLight pointLight(const glm::vec3& color, const glm::dvec3& position, double range) {
+  PointedLight light;
+  light.color = color;
+  light.position = glm::vec3(position);
+  light.range = static_cast<float>(range);
+  return light;
+}
+
+PointedLight spotLight(const glm::vec3& color, const glm::dvec3& position, const glm::dvec3& toLight, double range,
+                       double outer, double inner) {
+  PointedLight light = pointLight(color, position, range);
+  light.spot = true;
+  light.direction = directionOf(toLight);
+  light.outerCos = static_cast<float>(std::cos(outer));
+  light.innerCos = static_cast<float>(std::cos(inner));
+  return light;
+}
+
+PointedLight parallelLight(const glm::vec3& color, const glm::dvec3& toLight) {
+  PointedLight light;
+  light.color = color;
+  light.parallel = true;
+  light.direction = directionOf(toLight);
+  return light;
+}
+
+RectLight rectLight(const Shot::Light& light, const glm::vec3& color, const glm::dvec3& position) {
+  // Axes as three.js lays a RectAreaLight that looks at its target.
+  const glm::dvec3 z(directionOf(light.position - light.target));
+  glm::dvec3 x = glm::cross(glm::dvec3(0, 1, 0), z);
+  if (glm::dot(x, x) == 0) x = glm::dvec3(1, 0, 0);
+  x = glm::normalize(x);
+  const glm::dvec3 y = glm::cross(z, x);
+  return {glm::vec3(position), glm::vec3(x * (light.width / 2)), glm::vec3(y * (light.height / 2)), glm::vec3(-z),
+          color};
+}
+
+void addShotLight(Lights& lights, const Shot::Light& light, const glm::dvec3& centre) {
+  using Type = Shot::Light::Type;
+  const glm::vec3 color(glm::dvec3(light.color) * light.intensity);
+  const glm::dvec3 position = light.position - centre, toLight = light.position - light.target;
+  switch (light.type) {
+    case Type::kAmbient:
+      lights.domes.push_back({color, color});
+      break;
+    case Type::kHemisphere:
+      lights.domes.push_back({color, glm::vec3(glm::dvec3(light.groundColor) * light.intensity)});
+      break;
+    case Type::kDirectional:
+      lights.pointed.push_back(parallelLight(color, toLight));
+      break;
+    case Type::kPoint:
+      lights.pointed.push_back(pointLight(color, position, light.range));
+      break;
+    case Type::kSpot:
+      lights.pointed.push_back(
+          spotLight(color, position, toLight, light.range, light.angle, light.angle * (1 - light.penumbra)));
+      break;
+    case Type::kRect:
+      lights.rects.push_back(rectLight(light, color, position));
+      break;
+  }
+}
+
+void addModelLight(Lights& lights, const ModelLight& light, const glm::dmat4& world, const glm::dvec3& centre) {
+  const glm::vec3 color(glm::dvec3(light.color) * static_cast<double>(light.intensity));
+  const glm::dvec3 position = glm::dvec3(world[3]) - centre, toLight(world[2]);  // they shine along their local -Z
+  switch (light.type) {
+    case LightType::kDirectional:
+      lights.pointed.push_back(parallelLight(color, toLight));
+      break;
+    case LightType::kPoint:
+      lights.pointed.push_back(pointLight(color, position, light.range));
+      break;
+    case LightType::kSpot:
+      lights.pointed.push_back(
+          spotLight(color, position, toLight, light.range, light.outerConeAngle, light.innerConeAngle));
+      break;
+  }
+}
+
+}  // namespace
+
+std::optional<PointedLight::Arrival> PointedLight::at(const glm::vec3& point) const {
+  if (parallel) return Arrival{direction, color, std::numeric_limits<float>::infinity()};
+  const glm::vec3 toLight = position - point;
+  const float distance = glm::length(toLight);
+  if (distance == 0) return std::nullopt;
+  const glm::vec3 l = toLight / distance;
+  const float cone = spot ? brdf_f::spotAttenuation(outerCos, innerCos, glm::dot(l, direction)) : 1.0f;
+  if (cone <= 0) return std::nullopt;
+  return Arrival{l, color * cone * brdf_f::distanceAttenuation(distance, range), distance};
+}
+
+std::optional<PointedLight::Arrival> RectLight::at(const glm::vec3& point, const glm::vec2& u) const {
+  const glm::vec3 toLight = centre + halfWidth * (2 * u.x - 1) + halfHeight * (2 * u.y - 1) - point;
+  const float distance2 = glm::dot(toLight, toLight);
+  if (distance2 == 0) return std::nullopt;
+  const float distance = std::sqrt(distance2);
+  const glm::vec3 l = toLight / distance;
+  const float facing = -glm::dot(normal, l), area = 4 * glm::length(halfWidth) * glm::length(halfHeight);
+  if (facing <= 0) return std::nullopt;
+  return PointedLight::Arrival{l, radiance * (facing * area / distance2), distance * (1 - 1e-4f)};
+}
+
+glm::vec3 Lights::irradiance(const glm::vec3& normal) const {
+  glm::vec3 sum(0);
+  for (const Dome& dome : domes) sum += brdf_f::hemisphereIrradiance(dome.sky, dome.ground, normal.y);
+  return sum;
+}
+
+Lights lightsOf(const Scene& scene, const Shot& shot, const glm::dvec3& centre, const Limits& limits) {
+  std::size_t count = shot.lights.size();
+  for (const Node& node : scene.nodes) count += shot.modelLights && node.light >= 0;
+  checkLimit("L_LIGHTS", static_cast<double>(limits.lights), static_cast<double>(count));
+  Lights lights;
+  for (const Shot::Light& light : shot.lights) addShotLight(lights, light, centre);
+  for (const Node& node : scene.nodes) {
+    if (!shot.modelLights || node.light < 0) continue;
+    addModelLight(lights, scene.lights[static_cast<std::size_t>(node.light)], node.world, centre);
+  }
+  return lights;
+}
+
+}  // namespace telar::reference

@@ -1,0 +1,32 @@
+#pragma once
+#include "brdf/shading.h"
+#include "reference/random.h"
+
+namespace telar::reference {
+
+/// Draws directions where a surface reflects: a mixture of a cosine lobe (diffuse and sheen), the base GGX lobe and the
+/// coat's. Any direction that the surface reflects to has a pdf above 0.
+class LobeSampler {
+ public:
+  explicit LobeSampler(const brdf_f::SurfaceInfo& surface);
+  struct Sample {
+    glm::vec3 direction;
+    float pdf;  ///< 0 where the draw went below the surface
+  };
+  Sample sample(Random& random) const;
+  float pdf(const glm::vec3& l) const;
+
+ private:
+  /// Axes, width and share of one GGX lobe.
+  struct Gloss {
+    glm::mat3 frame{1.0f};
+    glm::vec2 alpha{1.0f};
+    glm::vec3 v{0, 0, 1};  ///< the viewer in `frame`
+    float share = 0;
+  };
+  glm::mat3 cosineFrame_{1.0f};
+  float cosineShare_ = 1;
+  Gloss base_, coat_;
+};
+
+}  // namespace telar::reference

@@ -1,0 +1,62 @@
+#include "reference/output.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "brdf/brdf.h"
+#include "telar/error.h"
+
+namespace telar::reference {
+namespace {
+
+using ToneMap = glm::vec3 (*)(glm::vec3, float);
+
+/// @throws Error{E_SHOT}
+ToneMap toneMapByName(const std::string& name) {
+  if (name == "none") return [](glm::vec3 color, float) { return color; };
+  if (name == "linear") return brdf_f::toneMapLinear;
+  if (name == "reinhard") return brdf_f::toneMapReinhard;
+  if (name == "cineon") return brdf_f::toneMapCineon;
+  if (name == "aces") return brdf_f::toneMapAces;
+  if (name == "agx") return brdf_f::toneMapAgx;
+  if (name == "neutral") return brdf_f::toneMapNeutral;
+  throw Error("E_SHOT", "shot.toneMapping: there is no tone mapping " + quoted(name));
+}
+
+std::byte byteOf(float x) { return static_cast<std::byte>(std::lround(glm::clamp(x, 0.0f, 1.0f) * 255.0f)); }
+
+}  // namespace
+
+Frame toFrame(const std::vector<glm::vec4>& pixels, const Shot& shot) {
+  Frame frame{
+      static_cast<std::uint32_t>(shot.width), static_cast<std::uint32_t>(shot.height), framePixelType(shot.output), {}};
+  const auto exposure = static_cast<float>(shot.exposure);
+  const bool colour = shot.background.type == Shot::Background::Type::kColor;
+  if (frame.type == PixelType::kRgbaF32) {
+    frame.pixels.resize(pixels.size() * sizeof(glm::vec4));
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      glm::vec4 out(glm::clamp(glm::vec3(pixels[i]) * exposure, 0.0f, brdf_f::RADIANCE_MAX), pixels[i].a);
+      if (colour) out = glm::vec4(glm::vec3(out) + shot.background.color * (1 - out.a), 1.0f);
+      std::memcpy(&frame.pixels[i * sizeof out], &out, sizeof out);
+    }
+    return frame;
+  }
+  const ToneMap toneMap = toneMapByName(shot.toneMapping);
+  const glm::vec3 behind = brdf_f::srgbFromLinear(glm::clamp(shot.background.color, 0.0f, 1.0f));
+  frame.pixels.resize(pixels.size() * 4);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    float coverage = pixels[i].a;
+    const glm::vec3 radiance = coverage > 0 ? glm::vec3(pixels[i]) / coverage : glm::vec3(0);
+    glm::vec3 encoded = brdf_f::srgbFromLinear(glm::max(toneMap(radiance, exposure), 0.0f));
+    if (colour) {
+      // Encoded values are blended, as the browser's drawing buffer does.
+      encoded = glm::mix(behind, glm::clamp(encoded, 0.0f, 1.0f), coverage);
+      coverage = 1;
+    }
+    for (int c = 0; c < 3; ++c) frame.pixels[i * 4 + static_cast<std::size_t>(c)] = byteOf(encoded[c]);
+    frame.pixels[i * 4 + 3] = byteOf(coverage);
+  }
+  return frame;
+}
+
+}  // namespace telar::reference

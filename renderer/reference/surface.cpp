@@ -1,0 +1,220 @@
+#include "reference/surface.h"
+
+#include <cmath>
+
+#include "reference/sampling.h"
+#include "reference/texture_read.h"
+
+namespace telar::reference {
+namespace {
+
+using brdf_f::SurfaceInfo;
+
+/// The triangle of a hit, and its streams at one point.
+class Corners {
+ public:
+  Corners(const PlacedMesh& mesh, std::uint32_t triangle) : mesh_(mesh), index_(mesh.triangles[triangle]) {
+    for (int k = 0; k < 3; ++k) p_[k] = mesh.positions[index_[k]];
+  }
+  template <class Stream>
+  auto at(const Stream& stream, const glm::vec2& b) const {
+    return stream[index_.x] * (1 - b.x - b.y) + stream[index_.y] * b.x + stream[index_.z] * b.y;
+  }
+  glm::vec3 position(const glm::vec2& b) const { return p_[0] * (1 - b.x - b.y) + p_[1] * b.x + p_[2] * b.y; }
+  glm::vec3 edge(int k) const { return p_[k] - p_[0]; }
+  glm::vec3 cross() const { return glm::cross(edge(1), edge(2)); }
+
+  glm::vec3 normal(const glm::vec2& b) const {
+    return glm::normalize(mesh_.normalMatrix * at(mesh_.primitive->normals, b));
+  }
+  glm::vec2 uv(int set, const glm::vec2& b) const {
+    const auto& stream = mesh_.primitive->uvs[static_cast<std::size_t>(set)];
+    return stream.empty() ? glm::vec2(0) : at(stream, b);
+  }
+  /// Change of a texture's coordinates along an edge, after its transform.
+  glm::vec2 uvEdge(const TextureRef& texture, int k) const {
+    const auto& stream = mesh_.primitive->uvs[static_cast<std::size_t>(texture.texCoord)];
+    if (stream.empty()) return glm::vec2(0);
+    return glm::vec2(texture.uvTransform * glm::vec3(stream[index_[k]] - stream[index_[0]], 0.0f));
+  }
+
+  /// Where a ray meets the triangle's plane; empty where it runs along it.
+  std::optional<glm::vec2> barycentric(const Ray& ray) const {
+    const glm::vec3 n = cross();
+    const float along = glm::dot(n, ray.direction), area2 = glm::dot(n, n);
+    if (along == 0 || area2 == 0) return std::nullopt;
+    const glm::vec3 p = ray.origin + ray.direction * (glm::dot(n, p_[0] - ray.origin) / along) - p_[0];
+    return glm::vec2(glm::dot(glm::cross(p, edge(2)), n) / area2, glm::dot(glm::cross(edge(1), p), n) / area2);
+  }
+
+ private:
+  const PlacedMesh& mesh_;
+  glm::uvec3 index_;
+  glm::vec3 p_[3];
+};
+
+/// The frame that normal maps stand in: shaders/material/normal.glsl with the triangle's edges in place of derivatives.
+glm::mat3 tangentFrame(const PlacedMesh& mesh, const Corners& corners, const glm::vec2& b, const glm::vec3& n,
+                       const TextureRef& texture, const glm::vec3& v, float face) {
+  const Primitive& primitive = *mesh.primitive;
+  if (!primitive.tangents.empty() && !primitive.normals.empty()) {
+    const glm::vec4 tangent = corners.at(primitive.tangents, b);
+    const glm::vec3 t = glm::normalize(mesh.linear * glm::vec3(tangent));
+    const glm::vec3 vertexNormal = n * face;
+    return {t * face, glm::normalize(glm::cross(vertexNormal, t) * (tangent.w < 0 ? -1.0f : 1.0f)) * face, n};
+  }
+  const glm::vec2 d1 = corners.uvEdge(texture, 1), d2 = corners.uvEdge(texture, 2);
+  // Screen derivatives turn like the triangle does: the sign tells whether its corners run counter-clockwise on screen.
+  const float turn = glm::dot(corners.cross(), v) < 0 ? -1.0f : 1.0f;
+  const glm::vec3 t = turn * glm::cross(corners.edge(2) * d1.x - corners.edge(1) * d2.x, n);
+  const glm::vec3 bt = turn * glm::cross(corners.edge(2) * d1.y - corners.edge(1) * d2.y, n);
+  const float det = std::max(glm::dot(t, t), glm::dot(bt, bt));
+  const float scale = (det == 0 ? 0.0f : 1.0f / std::sqrt(det)) * (mesh.material->doubleSided ? face : 1.0f);
+  return {t * scale, bt * scale, n};
+}
+
+glm::vec3 mappedNormal(const glm::mat3& frame, const glm::vec4& texel, const glm::vec2& scale) {
+  glm::vec3 n = glm::vec3(texel) * 2.0f - 1.0f;
+  n.x *= scale.x, n.y *= scale.y;
+  return brdf_f::safeNormalize(frame * n, frame[2]);
+}
+
+/// Reads the material's textures at one point.
+struct Reader {
+  const Scene& scene;
+  const Corners& corners;
+  glm::vec2 barycentric;
+  glm::vec4 operator()(const TextureRef& texture, bool srgb = false) const {
+    if (!texture) return glm::vec4(1.0f);
+    return readTexture(scene, texture, corners.uv(texture.texCoord, barycentric), srgb);
+  }
+};
+
+void readBase(SurfaceInfo& s, const Material& m, const Reader& read, const glm::vec3& baseColor, float geometric,
+              glm::vec2 (*dfg)(float, float)) {
+  const glm::vec4 texel = read(m.metallicRoughnessTexture);
+  s.baseColor = baseColor;
+  s.metallic = m.metallicFactor * texel.b;
+  s.diffuse = brdf_f::diffuseAlbedo(baseColor, s.metallic);
+  const PhysicalLayers& l = m.layers;
+  s.f0Dielectric = glm::vec3(brdf_f::F0_DIELECTRIC);
+  s.f90 = 1;
+  if (m.physical) {
+    const float factor = l.specularFactor * read(l.specularTexture).a;
+    const glm::vec3 color = l.specularColorFactor * glm::vec3(read(l.specularColorTexture, true));
+    const float ratio = (l.ior - 1) / (l.ior + 1);
+    s.f90 = glm::mix(factor, 1.0f, s.metallic);
+    s.f0Dielectric = glm::min(ratio * ratio * color, glm::vec3(1.0f)) * factor;
+  }
+  s.f0 = glm::mix(s.f0Dielectric, baseColor, s.metallic);
+  s.perceptualRoughness = brdf_f::shadedRoughness(m.roughnessFactor * texel.g, geometric);
+  s.alpha = brdf_f::alphaFromRoughness(s.perceptualRoughness);
+  s.NoV = brdf_f::saturate(glm::dot(s.n, s.v));
+  s.dfg = dfg(s.perceptualRoughness, s.NoV);
+}
+
+void readAnisotropy(SurfaceInfo& s, const PhysicalLayers& l, const Reader& read, const glm::mat3& frame) {
+  glm::vec2 direction =
+      l.anisotropyStrength * glm::vec2(std::cos(l.anisotropyRotation), std::sin(l.anisotropyRotation));
+  if (l.anisotropyTexture) {
+    const glm::mat2 rotation(direction.x, direction.y, -direction.y, direction.x);
+    const glm::vec4 texel = read(l.anisotropyTexture);
+    const glm::vec2 axis = 2.0f * glm::vec2(texel) - 1.0f;
+    direction = rotation * (glm::dot(axis, axis) > 0 ? glm::normalize(axis) : glm::vec2(1, 0)) * texel.b;
+  }
+  s.anisotropyStrength = glm::length(direction);
+  direction = s.anisotropyStrength == 0 ? glm::vec2(1, 0) : direction / s.anisotropyStrength;
+  s.anisotropyStrength = brdf_f::saturate(s.anisotropyStrength);
+  s.alphaT = brdf_f::alphaAlongTangent(s.perceptualRoughness, s.anisotropyStrength);
+  s.t = frame[0] * direction.x + frame[1] * direction.y;
+  s.b = frame[1] * direction.x - frame[0] * direction.y;
+}
+
+void readFilm(SurfaceInfo& s, const PhysicalLayers& l, const Reader& read) {
+  const float thickness = glm::mix(l.iridescenceThicknessMinimum, l.iridescenceThicknessMaximum,
+                                   l.iridescenceThicknessTexture ? read(l.iridescenceThicknessTexture).g : 1.0f);
+  s.iridescence = thickness == 0 ? 0 : brdf_f::saturate(l.iridescenceFactor * read(l.iridescenceTexture).r);
+  s.filmFresnel = s.filmF0Dielectric = s.filmF0Metal = glm::vec3(0);
+  if (s.iridescence == 0) return;
+  const glm::vec3 dielectric = brdf_f::F_Iridescence(l.iridescenceIor, thickness, s.NoV, s.f0Dielectric);
+  const glm::vec3 metal = brdf_f::F_Iridescence(l.iridescenceIor, thickness, s.NoV, s.baseColor);
+  s.filmFresnel = glm::mix(dielectric, metal, s.metallic);
+  s.filmF0Dielectric = brdf_f::f0FromSchlick(dielectric, s.NoV);
+  s.filmF0Metal = brdf_f::f0FromSchlick(metal, s.NoV);
+}
+
+void readLayers(SurfaceInfo& s, const Material& m, const Reader& read, const glm::mat3& frame,
+                const glm::vec3& coatNormal, float geometric) {
+  const PhysicalLayers& l = m.layers;
+  s.diffuseRoughness = brdf_f::saturate(l.diffuseRoughnessFactor * read(l.diffuseRoughnessTexture).r);
+  readAnisotropy(s, l, read, frame);
+  readFilm(s, l, read);
+  s.sheenColor = l.sheen ? l.sheenColorFactor * glm::vec3(read(l.sheenColorTexture, true)) : glm::vec3(0);
+  s.sheenRoughness =
+      std::max(std::min(l.sheenRoughnessFactor, 1.0f) * read(l.sheenRoughnessTexture).a, brdf_f::SHEEN_ROUGHNESS_MIN);
+  s.coatNormal = coatNormal;
+  s.clearcoat = brdf_f::saturate(l.clearcoatFactor * read(l.clearcoatTexture).r);
+  s.clearcoatRoughness =
+      brdf_f::shadedRoughness(l.clearcoatRoughnessFactor * read(l.clearcoatRoughnessTexture).g, geometric);
+  s.clearcoatNoV = brdf_f::saturate(glm::dot(coatNormal, s.v));
+}
+
+/// Geometric roughness of three.js: how much the interpolated normal turns within a pixel.
+float roughnessOfCurvature(const Corners& corners, const glm::vec3& n, const Footprint& footprint) {
+  const auto change = [&](const Ray& neighbour) {
+    const auto b = corners.barycentric(neighbour);
+    return b ? footprint.toView * (corners.normal(*b) - n) : glm::vec3(0);
+  };
+  return brdf_f::geometricRoughness(change(footprint.right), change(footprint.above));
+}
+
+}  // namespace
+
+Surface surfaceAt(const Scene& scene, const PlacedMesh& mesh, const Hit& hit, const Ray& ray,
+                  const Footprint* footprint, glm::vec2 (*dfg)(float, float)) {
+  const Material& m = *mesh.material;
+  const Primitive& primitive = *mesh.primitive;
+  const Corners corners(mesh, hit.triangle);
+  const glm::vec2 b = hit.barycentric;
+  const Reader read{scene, corners, b};
+  Surface surface;
+  surface.position = corners.position(b);
+  SurfaceInfo& s = surface.info;
+  s.v = -ray.direction;
+  const glm::vec3 cross = corners.cross();
+  const bool front = (glm::dot(cross, s.v) < 0) == mesh.mirrored;
+  const float face = front ? 1.0f : -1.0f;
+  surface.geometricNormal = brdf_f::safeNormalize(glm::dot(cross, s.v) < 0 ? -cross : cross, s.v);
+  glm::vec4 baseColor = m.baseColorFactor * read(m.baseColorTexture, true);
+  if (!primitive.colors.empty()) baseColor *= corners.at(primitive.colors, b);
+  surface.alpha = m.alphaMode == AlphaMode::kBlend ? brdf_f::saturate(baseColor.a) : 1.0f;
+  surface.shown = (front || m.doubleSided) && !(m.alphaMode == AlphaMode::kMask && baseColor.a < m.alphaCutoff);
+  surface.unlit = m.unlit;
+  surface.emitted = m.unlit ? glm::vec3(baseColor) : m.emissiveFactor * glm::vec3(read(m.emissiveTexture, true));
+  if (!surface.shown || surface.unlit) return surface;
+
+  const bool flat = primitive.normals.empty();
+  const glm::vec3 interpolated = flat ? surface.geometricNormal : corners.normal(b);
+  const glm::vec3 n = flat || !m.doubleSided ? interpolated : interpolated * face;
+  const float geometric = flat || !footprint ? 0.0f : roughnessOfCurvature(corners, interpolated, *footprint);
+  // Without vertex tangents the frame follows the texture's rows downwards.
+  const glm::vec2 signs(1, primitive.tangents.empty() ? -1 : 1);
+  s.n = n;
+  glm::mat3 frame = basisAbout(n);
+  const TextureRef& framing = m.normalTexture ? m.normalTexture : m.layers.clearcoatNormalTexture;
+  const glm::mat3 mapped = tangentFrame(mesh, corners, b, n, framing, s.v, face);
+  if (m.normalTexture) s.n = mappedNormal(mapped, read(m.normalTexture), signs * m.normalScale);
+  // The frame of texture coordinates is not square: without a stretched highlight any square one shades the same.
+  const bool stretched = m.layers.anisotropyStrength > 0;
+  if (stretched && glm::dot(mapped[0], mapped[0]) > 0 && glm::dot(mapped[1], mapped[1]) > 0) frame = mapped;
+  glm::vec3 coatNormal = n;
+  if (m.layers.clearcoatNormalTexture) {
+    const glm::mat3 coatFrame = tangentFrame(mesh, corners, b, n, m.layers.clearcoatNormalTexture, s.v, face);
+    coatNormal = mappedNormal(coatFrame, read(m.layers.clearcoatNormalTexture), signs * m.layers.clearcoatNormalScale);
+  }
+  readBase(s, m, read, glm::vec3(baseColor), geometric, dfg);
+  readLayers(s, m, read, frame, coatNormal, geometric);
+  return surface;
+}
+
+}  // namespace telar::reference

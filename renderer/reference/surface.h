@@ -1,0 +1,33 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "brdf/shading.h"
+#include "reference/geometry.h"
+
+namespace telar::reference {
+
+/// Rays of the pixels to the right and above, by which a surface knows how wide a pixel is.
+struct Footprint {
+  Ray right, above;
+  glm::mat3 toView{1.0f};  ///< world to view directions
+};
+
+/// A point of a surface with its material read.
+struct Surface {
+  glm::vec3 position{0};
+  glm::vec3 geometricNormal{0};  ///< unit, on the viewer's side
+  brdf_f::SurfaceInfo info;
+  glm::vec3 emitted{0};
+  float alpha = 1;     ///< 1 where the material is opaque
+  bool unlit = false;  ///< `emitted` is all there is
+  bool shown = true;   ///< false: a culled back side, or cut out by the alpha mask
+};
+
+/// What the raster's shaders take from factors, textures and vertices, for a hit of a ray. World space.
+/// @param footprint  camera rays only: adds the geometric roughness of three.js
+/// @param dfg        (A, B) of the split sum by perceptual roughness and NoV, as the raster's table holds them
+Surface surfaceAt(const Scene& scene, const PlacedMesh& mesh, const Hit& hit, const Ray& ray,
+                  const Footprint* footprint, glm::vec2 (*dfg)(float, float));
+
+}  // namespace telar::reference

@@ -1,0 +1,61 @@
+#include "reference/texture_read.h"
+
+#include <cmath>
+
+#include "brdf/brdf.h"
+
+namespace telar::reference {
+namespace {
+
+constexpr std::uint32_t NEAREST = 9728, CLAMP_TO_EDGE = 33071, MIRRORED_REPEAT = 33648;
+
+/// Texel index that a wrap mode gives; `i` is any whole number.
+std::size_t wrapped(long long i, std::uint32_t size, std::uint32_t mode) {
+  const auto n = static_cast<long long>(size);
+  if (mode == CLAMP_TO_EDGE) return static_cast<std::size_t>(i < 0 ? 0 : i >= n ? n - 1 : i);
+  const long long period = mode == MIRRORED_REPEAT ? 2 * n : n;
+  long long at = i % period;
+  if (at < 0) at += period;
+  return static_cast<std::size_t>(at >= n ? period - 1 - at : at);
+}
+
+struct Reader {
+  const Image8& image;
+  const Sampler& sampler;
+  bool srgb;
+
+  glm::vec4 texel(long long x, long long y) const {
+    const std::uint8_t* p =
+        &image.pixels[(wrapped(y, image.height, sampler.wrapT) * image.width + wrapped(x, image.width, sampler.wrapS)) *
+                      4];
+    const glm::vec4 value = glm::vec4(p[0], p[1], p[2], p[3]) / 255.0f;
+    return srgb ? glm::vec4(brdf_f::linearFromSrgb(glm::vec3(value)), value.w) : value;
+  }
+};
+
+bool decodesSrgb(const Image8& image, bool asColour) {
+  return image.coding == TexelCoding::kByUse ? asColour : image.coding == TexelCoding::kSrgb;
+}
+
+}  // namespace
+
+glm::vec4 readTexture(const Scene& scene, const TextureRef& texture, const glm::vec2& uv, bool srgb) {
+  if (!texture) return glm::vec4(1.0f);
+  const Image8& image = scene.images[static_cast<std::size_t>(texture.image)];
+  if (image.pixels.empty()) return glm::vec4(1.0f);
+  const glm::vec3 moved = texture.uvTransform * glm::vec3(uv, 1.0f);
+  // Far outside of [0, 1] a float has no part left to filter with, and a whole number may not hold it.
+  if (!(std::abs(moved.x) < 1e9f && std::abs(moved.y) < 1e9f)) return glm::vec4(1.0f);
+  const Reader reader{image, texture.sampler, decodesSrgb(image, srgb)};
+  const double x = static_cast<double>(moved.x) * image.width, y = static_cast<double>(moved.y) * image.height;
+  if (texture.sampler.magFilter == NEAREST) {
+    return reader.texel(static_cast<long long>(std::floor(x)), static_cast<long long>(std::floor(y)));
+  }
+  const double left = std::floor(x - 0.5), top = std::floor(y - 0.5);
+  const auto ix = static_cast<long long>(left), iy = static_cast<long long>(top);
+  const auto partX = static_cast<float>(x - 0.5 - left), partY = static_cast<float>(y - 0.5 - top);
+  return glm::mix(glm::mix(reader.texel(ix, iy), reader.texel(ix + 1, iy), partX),
+                  glm::mix(reader.texel(ix, iy + 1), reader.texel(ix + 1, iy + 1), partX), partY);
+}
+
+}  // namespace telar::reference

@@ -1,0 +1,59 @@
+#include "reference/geometry.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace telar::reference {
+namespace {
+
+/// A unit square in the plane z = 0 of a node's space.
+Scene squareScene(const glm::dmat4& world) {
+  Primitive square;
+  square.positions = {{-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0}};
+  square.indices = {0, 1, 2, 0, 2, 3};
+  Scene scene;
+  scene.meshes.push_back({"square", {square}});
+  Node node;
+  node.mesh = 0;
+  node.world = node.local = world;
+  scene.nodes.push_back(node);
+  return scene;
+}
+
+TEST(Geometry, ARayHitsTheTriangleThatIsThere) {
+  const auto meshes = placeMeshes(squareScene(glm::dmat4(1)), -1, glm::dvec3(0));
+  const Geometry geometry(meshes);
+  Hit hit;
+  ASSERT_TRUE(geometry.intersect({{0.25f, -0.4f, 2}, {0, 0, -1}}, hit));
+  EXPECT_FLOAT_EQ(hit.distance, 2);
+  EXPECT_EQ(hit.triangle, 0u);
+  const glm::uvec3 t = meshes[0].triangles[hit.triangle];
+  const auto& p = meshes[0].positions;
+  const glm::vec3 at =
+      p[t.x] * (1 - hit.barycentric.x - hit.barycentric.y) + p[t.y] * hit.barycentric.x + p[t.z] * hit.barycentric.y;
+  EXPECT_NEAR(at.x, 0.25f, 1e-6f);
+  EXPECT_NEAR(at.y, -0.4f, 1e-6f);
+  EXPECT_FALSE(geometry.intersect({{0.75f, 0, 2}, {0, 0, -1}}, hit));
+}
+
+TEST(Geometry, FarFromTheOriginNothingIsLost) {
+  const glm::dvec3 far(1e6, -2e6, 5e5);
+  const auto meshes = placeMeshes(squareScene(glm::translate(glm::dmat4(1), far)), -1, far);
+  EXPECT_EQ(meshes[0].positions[0], glm::vec3(-0.5f, -0.5f, 0));
+}
+
+TEST(Geometry, AMirroredNodeTurnsItsNormalsTheRightWay) {
+  const auto meshes = placeMeshes(squareScene(glm::scale(glm::dmat4(1), glm::dvec3(-2, 1, 3))), -1, glm::dvec3(0));
+  EXPECT_TRUE(meshes[0].mirrored);
+  EXPECT_GT((meshes[0].normalMatrix * glm::vec3(0, 0, 1)).z, 0);
+}
+
+TEST(Geometry, AnEmptySceneIsHitByNothing) {
+  const Geometry geometry({});
+  Hit hit;
+  EXPECT_FALSE(geometry.intersect({{0, 0, 2}, {0, 0, -1}}, hit));
+}
+
+}  // namespace
+}  // namespace telar::reference

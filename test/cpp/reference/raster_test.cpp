@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "reference/tracer.h"
+#include "renderer/scenes.h"
+
+/// Raster against path traced: the same model, direct light, nothing hidden. What is left is the integrator's error.
+namespace telar::reference {
+namespace {
+
+Frame rastered(const std::shared_ptr<Scene>& scene, const Shot& shot) {
+  RendererOptions options;
+  options.assetDirectory = TELAR_SOURCE_DIR "/js/assets";
+  FrameInfo info;
+  return Renderer::create(options)->draw(scene, shot, {}, CancelToken(), info);
+}
+
+Shot litShot() {
+  Shot shot = test::shotOf(96);
+  shot.output.bitDepth = 32;
+  shot.samples = 1;
+  Shot::Light sun{Shot::Light::Type::kDirectional};
+  sun.position = {2, 3, 4};
+  sun.intensity = 3;
+  Shot::Light lamp{Shot::Light::Type::kPoint};
+  lamp.position = {-2, 0.5, 2};
+  lamp.intensity = 5;
+  Shot::Light dome{Shot::Light::Type::kAmbient};
+  dome.intensity = 0.3;
+  shot.lights = {sun, lamp, dome};
+  return shot;
+}
+
+/// Largest and mean difference over pixels that the model covers whole, in linear radiance.
+std::pair<double, double> differenceOf(const Frame& a, const Frame& b) {
+  double most = 0, sum = 0;
+  int count = 0;
+  for (std::uint32_t y = 2; y + 2 < a.height; ++y) {
+    for (std::uint32_t x = 2; x + 2 < a.width; ++x) {
+      bool inside = true;
+      for (int d = -2; d <= 2; ++d) {
+        inside &= test::pixelF(b, x + static_cast<std::uint32_t>(d), y)[3] == 1 &&
+                  test::pixelF(b, x, y + static_cast<std::uint32_t>(d))[3] == 1;
+      }
+      if (!inside) continue;
+      for (int c = 0; c < 3; ++c) {
+        const double difference = std::abs(test::pixelF(a, x, y)[c] - test::pixelF(b, x, y)[c]);
+        most = std::max(most, difference);
+        sum += difference;
+      }
+      count += 3;
+    }
+  }
+  return {most, sum / count};
+}
+
+void expectTheSamePicture(const Material& material, double most, double mean) {
+  const auto scene = test::sceneOf(test::spherePrimitive(1), material);
+  const Shot shot = litShot();
+  const Frame raster = rastered(scene, shot);
+  const Frame truth = trace(*scene, shot, nullptr, {.samples = 64}, Limits(), CancelToken(), {});
+  const auto [worst, average] = differenceOf(raster, truth);
+  EXPECT_LE(worst, most) << material.name;
+  EXPECT_LE(average, mean) << material.name;
+}
+
+Material named(const char* name, float roughness, float metallic) {
+  Material m;
+  m.name = name;
+  m.baseColorFactor = {0.7f, 0.3f, 0.2f, 1};
+  m.roughnessFactor = roughness;
+  m.metallicFactor = metallic;
+  return m;
+}
+
+TEST(RasterAgainstReference, PlainCloth) { expectTheSamePicture(named("plain", 0.9f, 0), 0.02, 0.001); }
+
+TEST(RasterAgainstReference, Metal) { expectTheSamePicture(named("metal", 0.5f, 1), 0.05, 0.0015); }
+
+TEST(RasterAgainstReference, EveryLayer) {
+  Material m = named("layers", 0.6f, 0.2f);
+  m.physical = true;
+  m.layers.ior = 1.4f;
+  m.layers.specularFactor = 0.8f;
+  m.layers.clearcoatFactor = 0.6f;
+  m.layers.clearcoatRoughnessFactor = 0.4f;
+  m.layers.sheen = true;
+  m.layers.sheenColorFactor = {0.2f, 0.3f, 0.4f};
+  m.layers.sheenRoughnessFactor = 0.5f;
+  m.layers.iridescenceFactor = 0.5f;
+  m.layers.diffuseRoughnessFactor = 0.7f;
+  expectTheSamePicture(m, 0.03, 0.002);
+}
+
+}  // namespace
+}  // namespace telar::reference
