@@ -17,6 +17,7 @@ export const GOLDENS = {
   transforms: { model: MODELS.transforms, shot: { camera: { projection: 'orthographic', view: 'three-quarter' } } },
   'model-lights': { model: MODELS['model-lights'], shot: { environment: 'none', camera: { view: 'three-quarter' } } },
   'environment-background': { model: MODELS['ball-mirror'], shot: { environment: { map: ENVIRONMENTS.lamps(), rotation: 40 }, background: 'environment', toneMapping: 'agx' } },
+  transmission: { model: MODELS['transmission-order'], shot: { lights: sun } },
   'physical-everything': { model: MODELS['physical-everything'], shot: { lights: sun } },
 };
 

@@ -42,5 +42,15 @@ const MODELS = [
   ['dispersion', 'dispersion-test/dispersion-test.glb', 20, 10],
 ];
 
+/** What another case shows as well. */
+const EXTENDED = [
+  'transmission-second-uv-lit', 'transmission-normal-tangents-lit', 'transmission-two-sided-flat-lit', 'transmission-blend-lit',
+  'transmission-mirrored-lit', 'transmission-two-sided-alone-color', 'transmission-alone-environment-aces', 'transmission-quarter',
+  'transmission-ortho-quarter', 'transmission-tall', 'transmission-dispersion-linear', 'transmission-lights', 'transmission-two-sided-512',
+];
+
 /** @type {import('./cases.mjs').Case[]} */
-export const CASES = [...featureCases, ...backgroundCases, ...otherCases, ...sharedCases(MODELS)];
+export const CASES = [...featureCases, ...backgroundCases, ...otherCases, ...sharedCases(MODELS)].map((item) => ({
+  ...item,
+  extended: EXTENDED.includes(item.name),
+}));

@@ -181,6 +181,13 @@ const layerFaults = () => [
   ['anisotropy-rotation-object', 'anisotropy', { anisotropyRotation: {} }, 'E_SCHEMA', '/anisotropyRotation'],
   ['iridescence-texture-negative', 'iridescence', { iridescenceTexture: { index: -1 } }, 'E_SCHEMA', '/iridescenceTexture/index'],
   ['iridescence-transform', 'iridescence', { iridescenceThicknessTexture: { index: 0, extensions: { KHR_texture_transform: { scale: [1] } } } }, 'E_SCHEMA', '/iridescenceThicknessTexture/extensions/KHR_texture_transform/scale'],
+  ['transmission-text', 'transmission', { transmissionFactor: '1' }, 'E_SCHEMA', '/transmissionFactor'],
+  ['transmission-texture-missing', 'transmission', { transmissionTexture: { index: 1 } }, 'E_REF', '/transmissionTexture/index'],
+  ['volume-array', 'volume', [], 'E_SCHEMA', ''],
+  ['volume-color-of-2', 'volume', { attenuationColor: [1, 1] }, 'E_SCHEMA', '/attenuationColor'],
+  ['volume-distance-null', 'volume', { attenuationDistance: null }, 'E_SCHEMA', '/attenuationDistance'],
+  ['volume-texture-2p32', 'volume', { thicknessTexture: { index: 2 ** 32 } }, 'E_REF', '/thicknessTexture/index'],
+  ['dispersion-object', 'dispersion', { dispersion: {} }, 'E_SCHEMA', '/dispersion'],
   ['diffuse-roughness-bool', 'diffuse_roughness', { diffuseRoughnessFactor: true }, 'E_SCHEMA', '/diffuseRoughnessFactor'],
 ];
 
@@ -192,7 +199,21 @@ const hugeLayers = () => [
   ['anisotropy', { anisotropyStrength: HUGE, anisotropyRotation: HUGE }],
   ['iridescence', { iridescenceFactor: HUGE, iridescenceIor: -HUGE, iridescenceThicknessMinimum: HUGE, iridescenceThicknessMaximum: -HUGE }],
   ['diffuse_roughness', { diffuseRoughnessFactor: HUGE }],
+  ['transmission', { transmissionFactor: HUGE }],
+  ['volume', { thicknessFactor: HUGE, attenuationDistance: -HUGE, attenuationColor: [HUGE, -HUGE, 0] }],
+  ['dispersion', { dispersion: HUGE }],
 ];
+
+/** Everything beyond its range at once, drawn. */
+const hugeGlass = () =>
+  changed((m) => {
+    m.doc.materials[0].extensions = {
+      KHR_materials_ior: { ior: HUGE },
+      KHR_materials_transmission: { transmissionFactor: HUGE },
+      KHR_materials_volume: { thicknessFactor: HUGE, attenuationDistance: 1e-300, attenuationColor: [0, HUGE, -HUGE] },
+      KHR_materials_dispersion: { dispersion: HUGE },
+    };
+  });
 
 const COAT = { clearcoatTexture: { index: 1 } };
 const materialCases = () => [
@@ -202,6 +223,9 @@ const materialCases = () => [
   ...hugeLayers().map(([extension, value]) => ({
     name: `huge-${extension}.glb`, bytes: layered(`KHR_materials_${extension}`, value), code: '', warning: 'W_RANGE',
   })),
+  { name: 'huge-glass.glb', bytes: hugeGlass(), code: '', warning: 'W_RANGE' },
+  { name: 'transmission-image-damaged.glb', bytes: damagedLayer('KHR_materials_transmission', { transmissionFactor: 1, transmissionTexture: { index: 1 } }), code: 'E_IMAGE_CORRUPT', pointer: '/images/1' },
+  { name: 'volume-off-image-damaged.glb', bytes: damagedLayer('KHR_materials_volume', { thicknessFactor: 1, thicknessTexture: { index: 1 } }), code: '' },
   { name: 'ior-nan.glb', bytes: replaced('"pbrMetallicRoughness"', '"extensions":{"KHR_materials_ior":{"ior":NaN}},"pbrMetallicRoughness"'), code: 'E_JSON' },
   { name: 'sheen-1e400.glb', bytes: replaced('"pbrMetallicRoughness"', '"extensions":{"KHR_materials_sheen":{"sheenRoughnessFactor":1e400}},"pbrMetallicRoughness"'), code: 'E_SCHEMA', pointer: `${LAYERS}/KHR_materials_sheen/sheenRoughnessFactor` },
   { name: 'sheen-texcoord-2p31.glb', bytes: layered('KHR_materials_sheen', { sheenColorTexture: { index: 0, texCoord: 2 ** 31 } }), code: '', warning: 'W_TEXCOORD' },
