@@ -7,7 +7,7 @@ const STYLE = `body{font:14px system-ui,sans-serif;margin:1.5rem;background:#fff
 figure{display:inline-block;margin:0 .5rem .5rem 0;max-width:24%;vertical-align:top}
 img{max-width:100%;image-rendering:pixelated;background:repeating-conic-gradient(#ddd 0 25%,#fff 0 50%) 0 0/16px 16px}
 table{border-collapse:collapse;margin:.5rem 0}th,td{padding:.1rem .6rem;text-align:right;border-bottom:1px solid #ccc}
-th:first-child,td:first-child,td.text{text-align:left}thead th{position:sticky;top:0;background:#fff}
+th:first-child{text-align:left;white-space:nowrap}thead th{position:sticky;top:0;background:#fff}
 .over{color:#b00020;font-weight:bold}h2{font-size:1.1rem;margin:1.5rem 0 .3rem}h3{font-size:1rem;margin:1rem 0 .3rem}p{margin:.3rem 0;max-width:60rem}`;
 
 /**
