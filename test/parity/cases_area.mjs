@@ -17,6 +17,13 @@ const { key, fill, rim, top, strip, huge } = RECTS;
 
 const FAST = ['rect-sweep', 'rect-everything', 'background-blur-0.3'];
 
+/** Shown by others as well. */
+const EXTENDED = [
+  'rect-fill', 'rect-sweep-512', 'rect-clearcoat-metal', 'rect-specular-metal', 'rect-ior', 'rect-iridescence-clearcoat', 'rect-anisotropy-clearcoat',
+  'rect-normal-map-tangents', 'rect-flat-normal-map', 'rect-metallic-roughness-map', 'rect-clearcoat-two-normals', 'rect-alpha-mask', 'rect-transforms',
+  'rect-occlusion-map', 'rect-far', 'rect-ortho-front', 'rect-aces', 'background-blur-0.1', 'background-blur-0.5', 'background-blur-aces',
+];
+
 /** @returns {import('./cases.mjs').Case} */
 const make = (name, model, environment, overrides = {}) => ({
   name,
@@ -24,6 +31,7 @@ const make = (name, model, environment, overrides = {}) => ({
   environment: environment ?? undefined,
   shot: shot({ environment: environment ? CASE_ENVIRONMENT : 'none', camera: 'front', ...overrides }),
   fast: FAST.includes(name),
+  extended: EXTENDED.includes(name),
 });
 
 /** Each light by itself on the same stage: some of its surfaces face away, stand behind it or cut its plane. */
@@ -38,6 +46,7 @@ const materialCases = [
   ...['normal-map', 'normal-map-tangents', 'flat-shading', 'flat-normal-map', 'cloth', 'metallic-roughness-map', 'clearcoat-two-normals',
     'clearcoat-two-normals-tangents', 'sheen-cloth', 'specular-maps', 'alpha-blend-bumpy', 'alpha-mask', 'transforms', 'occlusion-map'].map((model) =>
     make(`rect-${model}`, model, null, { lights: [key, { ...rim, intensity: 4 }], camera: 'quarter' })),
+  make('rect-transmission', 'transmission', 'lamps', { lights: [key], background: { blur: 0.3 } }),
   make('rect-everything', 'physical-everything', 'lamps', { lights: [key, point], camera: 'quarter' }),
 ];
 
