@@ -6,7 +6,7 @@
  * @property {string} item - Name of the gate's case that catches it.
  * @property {{file: string, find: string, replace: string}[]} [edits] - Of the text in shaders/; each `find` stands there once.
  * @property {(shot: object) => object} [shot] - The shot that telar draws in place of the case's.
- * @property {string} first - Quantity that the trace of the worst pixel names.
+ * @property {string | null} first - Quantity that the trace of the worst pixel names; null beside the object.
  */
 
 /** Moves an orthographic camera to its right by a part of a pixel. */
@@ -99,6 +99,28 @@ export const FAULTS = [
     item: 'light-directional',
     edits: [{ file: 'output.glsl', find: 'srgbFromLinear(toneMapped(', replace: '(toneMapped(' }],
     first: 'encoded',
+  },
+  {
+    name: 'a rect light that shines from below the horizon too',
+    item: 'rect-horizon',
+    edits: [{ file: 'brdf/area.glsl', find: 'return max((l * l + f.z) / (l + 1.0), 0.0);', replace: 'return l;' }],
+    first: 'direct',
+  },
+  {
+    name: 'alpha instead of roughness in the tables of rect lights',
+    item: 'rect-sweep',
+    edits: [{ file: 'brdf/area.glsl', find: 'vec2(perceptualRoughness, sqrt', replace: 'vec2(perceptualRoughness * perceptualRoughness, sqrt' }],
+    first: 'direct',
+  },
+  {
+    name: 'a background blurred by levels in proportion',
+    item: 'background-blur-0.3',
+    edits: [{
+      file: 'environment/background.frag',
+      find: 'lodFromRoughness(backgroundBlur, backgroundMaxLod)',
+      replace: 'backgroundBlur * backgroundMaxLod',
+    }],
+    first: null,
   },
   { name: 'a camera shift of 0.5 px', item: 'camera-ortho', shot: (shot) => shiftCamera(shot, 0.5), first: 'n' },
   { name: 'an environment rotated by 1 degree', item: 'environment-rotated', shot: (shot) => turnEnvironment(shot, 1), first: 'radiance' },
