@@ -1,4 +1,5 @@
-// One quantity of the shading in place of the colour. RGB holds it; A is 1 where the material has it, else all are 0.
+// One quantity of the shading in place of the colour. RGB holds it; A is 1 where the material has it, so that nothing is
+// blended with it, else all are 0.
 uniform int debugOutput;  // position in telar::DebugOutput
 
 // What every material has.
@@ -6,8 +7,8 @@ vec4 debugColor(vec4 baseColor, vec3 radiance) {
   switch (debugOutput) {
     case 2: return vec4(baseColor.rgb, 1.0);
     case 3: return vec4(vec3(baseColor.a), 1.0);
-    case 13: return vec4(radiance, 1.0);
-    case 14: return vec4(outputColor(radiance, 1.0).rgb, 1.0);
+    case 14: return vec4(radiance, 1.0);
+    case 15: return vec4(outputColor(radiance, 1.0).rgb, 1.0);
   }
   return vec4(0.0);
 }
@@ -23,6 +24,12 @@ vec3 debugSum(SurfaceInfo s, Reflected reflected) {
 #endif
   return sum;
 }
+
+#if TRANSMISSION
+vec4 debugTransmitted(vec4 transmitted) {
+  return debugOutput == 13 ? vec4(vec3(transmitted), 1.0) : vec4(0.0);
+}
+#endif
 
 // What lit materials have.
 vec4 debugShading(SurfaceInfo s, Incident incident, Reflected direct, Reflected indirect) {

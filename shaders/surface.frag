@@ -115,6 +115,9 @@ void main() {
 #if !UNLIT
   fragmentColor += debugShading(s, incident, direct, indirect);
 #endif
+#if TRANSMISSION
+  fragmentColor += debugTransmitted(transmitted);
+#endif
 #else
   fragmentColor = outputColor(radiance, baseColor.a);
 #endif

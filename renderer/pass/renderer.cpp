@@ -96,8 +96,9 @@ class GlRenderer final : public Renderer {
     inputs.transmission = drawBehind(inputs);
     const pass::FrameTarget& target = targetFor(shot);
     target.bind();
-    clear(clearColor(shot, framePixelType(shot.output) == PixelType::kRgbaF32));
-    if (plan.environmentBackground) background_.draw(plan.camera, shot, *environment, plan.frame);
+    const bool debug = plan.frame.debugOutput;  // a background has no shading
+    clear(debug ? glm::vec4(0) : clearColor(shot, framePixelType(shot.output) == PixelType::kRgbaF32));
+    if (plan.environmentBackground && !debug) background_.draw(plan.camera, shot, *environment, plan.frame);
     surfaces_.draw({&plan.draws.opaque, &plan.draws.transmissive, &plan.draws.blended}, inputs);
     context_->gl().Finish();
     timer.lap("draw");

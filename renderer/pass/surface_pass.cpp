@@ -206,7 +206,7 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   program.set("normalMatrix", normalMatrixOf(glm::dmat3(modelView)));
   bindMaterial(program, item, in);
 
-  item.blend && !item.key.debugOutput ? gl.Enable(GL_BLEND) : gl.Disable(GL_BLEND);
+  item.blend ? gl.Enable(GL_BLEND) : gl.Disable(GL_BLEND);
   gl.DepthMask(item.blend ? GL_FALSE : GL_TRUE);
   const bool cull = !item.bothSides && item.primitive->topology == Topology::kTriangles;
   cull ? gl.Enable(GL_CULL_FACE) : gl.Disable(GL_CULL_FACE);

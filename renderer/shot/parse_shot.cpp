@@ -105,7 +105,7 @@ OutputOptions readOutput(const JsonPath& json) {
 DebugOutput readDebugOutput(const JsonPath& json) {
   const std::size_t position =
       json.choice({"n", "baseColor", "alpha", "metallic", "perceptualRoughness", "f0", "NoV", "dfg", "radiance",
-                   "irradiance", "direct", "indirect", "linear", "encoded"});
+                   "irradiance", "direct", "indirect", "transmitted", "linear", "encoded"});
   return static_cast<DebugOutput>(position + 1);
 }
 

@@ -8,7 +8,6 @@ import { runTool, withMap } from './tool.mjs';
 /** A shot whose frame holds values as the shader wrote them. */
 const debugShot = (shot) => ({
   ...shot,
-  background: 'transparent',
   quality: { ...shot.quality, samples: 1 },
   output: { ...shot.output, format: 'raw', bitDepth: 32 },
 });

@@ -11,6 +11,7 @@ import { GATE_CASES } from './cases.mjs';
 import { FAULTS } from './faults.mjs';
 import { loadInputs } from './inputs.mjs';
 import { difference } from './metrics.mjs';
+import { QUANTITY_NAMES } from './quantities.mjs';
 import { openTool } from './server.mjs';
 import { traceOf, traceText } from './trace.mjs';
 
@@ -82,13 +83,19 @@ describe('the gate catches', () => {
   }
 });
 
-test('without a fault the trace names nothing, on a material with every layer', async () => {
-  const reference = await referenceOf('physical-everything-env');
-  const server = openEdited([]);
-  const trace = await traceOf(await judge(reference, server), { browser, server });
-  assert.equal(trace.first, null, traceText(trace));
-  assert.ok(trace.terms.every((term) => term.browser && term.telar), traceText(trace));
-});
+/** Pixels of materials with every layer, and how many quantities are there. */
+const SOUND = [
+  ['physical-everything-env', [110, 89], QUANTITY_NAMES.length - 1],
+  ['transmission-layers-lit', [95, 108], QUANTITY_NAMES.length],
+];
+
+for (const [name, pixel, count] of SOUND) {
+  test(`without a fault the trace of ${name} names nothing`, async () => {
+    const trace = await traceOf(await referenceOf(name), { browser, server: openEdited([]) }, pixel);
+    assert.equal(trace.first, null, traceText(trace));
+    assert.equal(trace.terms.filter((term) => term.browser && term.telar).length, count, traceText(trace));
+  });
+}
 
 test('an edit that does not fit the shaders is an error, not a fault that is not there', async () => {
   const { item, inputs } = await referenceOf('light-directional');

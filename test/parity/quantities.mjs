@@ -22,6 +22,7 @@ export const QUANTITIES = {
   irradiance: { what: 'light from everywhere on the surface', look: 'last level of the environment, ambient and hemisphere lights', rounding: LIGHT },
   direct: { what: 'reflected light of the lights', look: 'D, V, F, diffuse term, attenuation, shadows, light colours', rounding: LIGHT },
   indirect: { what: 'reflected light of the environment', look: 'energy between the bounces, occlusion, sheen, clearcoat, iridescence', rounding: LIGHT },
+  transmitted: { what: 'light from behind', look: 'what is drawn behind, refraction, thickness, level of detail, attenuation, dispersion', rounding: LIGHT },
   linear: { what: 'radiance before tone mapping', look: 'emission, transmission, sum and cover of the layers', rounding: LIGHT },
   encoded: { what: 'colour as the picture has it, 0..1', look: 'exposure, tone mapping, sRGB encoding', rounding: PICTURE },
 };

@@ -20,12 +20,13 @@ enum class DebugOutput : std::uint8_t {
   kF0,
   kNoV,
   kDfg,
-  kRadiance,    ///< prefiltered environment along the reflection
-  kIrradiance,  ///< ambient, hemisphere, environment
-  kDirect,      ///< reflected light of punctual and area lights
-  kIndirect,    ///< reflected light of everything else, after occlusion
-  kLinear,      ///< before exposure and tone mapping
-  kEncoded,     ///< as the picture has it
+  kRadiance,     ///< prefiltered environment along the reflection
+  kIrradiance,   ///< ambient, hemisphere, environment
+  kDirect,       ///< reflected light of punctual and area lights
+  kIndirect,     ///< reflected light of everything else, after occlusion
+  kTransmitted,  ///< light from behind, before the material's weight
+  kLinear,       ///< before exposure and tone mapping
+  kEncoded,      ///< as the picture has it
 };
 
 /// A resolved shot: the JSON that js/shot's resolveShot wrote, every default in it. C++ has no defaults of its own.
@@ -73,7 +74,7 @@ struct Shot {
   int samples = 4;      ///< quality.samples: MSAA, 1 or 4
   std::string variant;  ///< KHR_materials_variants name, empty = the file's own materials
   OutputOptions output;
-  /// Drawn in place of the colour, blending off; for a raw output of 32 bits. Key `debugOutput` of the JSON, which
+  /// Drawn in place of the colour; for a raw output of 32 bits. Key `debugOutput` of the JSON, which
   /// resolveShot does not write: for tests.
   DebugOutput debugOutput = DebugOutput::kNone;
 };

@@ -21,6 +21,7 @@ const LIT = {
   irradiance: 'irradiance + iblIrradiance',
   direct: 'telarDirect',
   indirect: 'telarIndirect',
+  transmitted: 'transmitted.rgb',
   directDiffuse: 'reflectedLight.directDiffuse',
   directSpecular: 'reflectedLight.directSpecular',
   indirectDiffuse: 'reflectedLight.indirectDiffuse',
@@ -44,6 +45,9 @@ telarIndirect += clearcoatSpecularIndirect * material.clearcoat;
 #endif
 `;
 
+/** Define without which three's shader has no such variable. */
+const NEEDS = { transmitted: 'USE_TRANSMISSION' };
+
 export const termNames = Object.keys(LIT);
 
 /**
@@ -64,10 +68,12 @@ export function* measureTerms(THREE, { renderer, scene, camera }, { shot, terms,
   target.isXRRenderTarget = true;
   target.texture.colorSpace = renderer.outputColorSpace;
   const choice = { value: 0 };
-  for (const material of materialsOf(scene)) writeTerms(THREE, material, choice);
+  let wanted = 0;
+  // What is drawn behind a transmissive surface, into a target of three's own, stays as it is.
+  writeTerms(scene, choice, () => (choice.value = renderer.getRenderTarget() === target ? wanted : -1));
   const draw = (name) => {
-    choice.value = termNames.indexOf(name);
-    if (choice.value < 0) throw new Error(`no term ${name}: expected one of ${termNames.join(' ')}`);
+    wanted = termNames.indexOf(name);
+    if (wanted < 0) throw new Error(`no term ${name}: expected one of ${termNames.join(' ')}`);
     renderer.setRenderTarget(target);
     renderer.clear();
     renderer.render(scene, camera);
@@ -88,12 +94,19 @@ export function* measureTerms(THREE, { renderer, scene, camera }, { shot, terms,
   target.dispose();
 }
 
-function materialsOf(scene) {
-  const found = new Set();
+/** Makes every material of a scene write the term whose position `choice.value` holds, its own colour where that is -1. */
+function writeTerms(scene, choice, beforeDraw) {
+  const materials = new Set();
   scene.traverse((object) => {
-    for (const material of [object.material ?? []].flat()) found.add(material);
+    if (!object.material) return;
+    for (const material of [object.material].flat()) materials.add(material);
+    const before = object.onBeforeRender;
+    object.onBeforeRender = (...args) => {
+      before.apply(object, args);
+      beforeDraw();
+    };
   });
-  return found;
+  for (const material of materials) patch(material, choice);
 }
 
 function expressionsOf(material) {
@@ -102,23 +115,26 @@ function expressionsOf(material) {
   return null;
 }
 
-function writeTerms(THREE, material, choice) {
+function patch(material, choice) {
   const expressions = expressionsOf(material);
   if (!expressions) {
     material.visible = false; // a ground that only catches shadows
     return;
   }
   const writes = termNames
-    .map((name, i) => (expressions[name] ? `if (telarTerm == ${i}) telarValue = vec4(${expressions[name]}, 1.0);\n` : ''))
+    .filter((name) => expressions[name])
+    .map((name) => {
+      const write = `if (telarTerm == ${termNames.indexOf(name)}) telarValue = vec4(${expressions[name]}, 1.0);\n`;
+      return NEEDS[name] ? `#ifdef ${NEEDS[name]}\n${write}#endif\n` : write;
+    })
     .join('');
-  material.blending = THREE.NoBlending; // values are read as written
   const before = material.onBeforeCompile;
   material.onBeforeCompile = (shader, renderer) => {
     before.call(material, shader, renderer);
     shader.uniforms.telarTerm = choice;
     const end = shader.fragmentShader.lastIndexOf('}');
     shader.fragmentShader = `uniform int telarTerm;\n${shader.fragmentShader.slice(0, end)}
-${expressions === LIT ? SUMS : ''}vec4 telarValue = vec4(0.0);\n${writes}gl_FragColor = telarValue;\n}`;
+if (telarTerm >= 0) {\n${expressions === LIT ? SUMS : ''}vec4 telarValue = vec4(0.0);\n${writes}gl_FragColor = telarValue;\n}\n}`;
   };
   const key = material.customProgramCacheKey();
   material.customProgramCacheKey = () => `telar-terms ${key}`;
