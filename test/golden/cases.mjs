@@ -17,6 +17,13 @@ export const GOLDENS = {
   transforms: { model: MODELS.transforms, shot: { camera: { projection: 'orthographic', view: 'three-quarter' } } },
   'model-lights': { model: MODELS['model-lights'], shot: { environment: 'none', camera: { view: 'three-quarter' } } },
   'environment-background': { model: MODELS['ball-mirror'], shot: { environment: { map: ENVIRONMENTS.lamps(), rotation: 40 }, background: 'environment', toneMapping: 'agx' } },
+  'rect-light': {
+    model: MODELS['clearcoat-normal'],
+    shot: {
+      environment: { map: ENVIRONMENTS.lamps(), intensity: 0.3 }, background: { blur: 0.4 },
+      lights: [{ type: 'rect', position: [1.2, 1, 2], width: 1.2, height: 0.8, intensity: 6 }],
+    },
+  },
   transmission: { model: MODELS['transmission-order'], shot: { lights: sun } },
   'physical-everything': { model: MODELS['physical-everything'], shot: { lights: sun } },
 };
