@@ -77,6 +77,7 @@ export type ErrorCode =
   | 'X_NATIVE_MISSING'
   | 'X_PORT'
   | 'X_INSTALL'
+  | 'X_REFERENCE'
   | 'X_LIBRARY_MISSING'
   | 'X_INTERNAL'
   | 'X_SHADER'

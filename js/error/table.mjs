@@ -126,6 +126,7 @@ const ROWS = {
     X_NATIVE_MISSING: ['The native part of telar is not built or does not load', 'Run `npm run build`; see the message.'],
     X_PORT: ['The port of a local page is taken', 'Name another one, or none to get a free one.'],
     X_INSTALL: ['A file of telar itself is missing', 'Install telar again.'],
+    X_REFERENCE: ['The path tracer does not start on this machine', 'Report it with the message and the output of `telar doctor --json`.'],
     X_LIBRARY_MISSING: ['A library that this job needs is not installed', 'Install the package that the message names.'],
   },
   internal: {
