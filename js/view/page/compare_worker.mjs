@@ -3,13 +3,10 @@ import { judge } from '../../compare/gates.mjs';
 import { heatMap } from '../../compare/heat_map.mjs';
 import { scaledDifference } from './pixels.mjs';
 
-/** What the browser and the server are held to. */
-const GATE = 'parity';
-
-self.addEventListener('message', ({ data: { id, expected, actual, mask } }) => {
+self.addEventListener('message', ({ data: { id, expected, actual, mask, gate } }) => {
   const { flipMap, ...comparison } = compareImages(expected, actual, { mask });
   const { width, height } = comparison;
   const flip = new Uint8ClampedArray(heatMap({ flipMap, width, height }).data.buffer);
   const difference = scaledDifference(expected, actual);
-  self.postMessage({ id, comparison, verdict: judge(comparison, GATE), flip, difference }, [flip.buffer, difference.buffer]);
+  self.postMessage({ id, comparison, verdict: judge(comparison, gate), flip, difference }, [flip.buffer, difference.buffer]);
 });

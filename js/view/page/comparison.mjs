@@ -7,10 +7,10 @@ export class Comparer {
   /**
    * @param {import('../../compare/image.mjs').Image} expected
    * @param {import('../../compare/image.mjs').Image} actual of the same size
-   * @param {Uint8Array} [mask] not 0 where the object is; without it, alpha tells
+   * @param {{gate: string, mask?: Uint8Array}} options mask: not 0 where the object is; without it, alpha tells
    * @returns {Promise<object | undefined>} {comparison, verdict, flip, difference}; undefined when a newer one came
    */
-  compare(expected, actual, mask) {
+  compare(expected, actual, { gate, mask }) {
     this.cancel();
     this.#worker ??= new Worker(new URL('./compare_worker.js', import.meta.url), { type: 'module' });
     const id = ++this.#count;
@@ -25,7 +25,7 @@ export class Comparer {
         this.cancel();
         reject(new Error(`the comparison failed: ${event.message}`));
       };
-      this.#worker.postMessage({ id, expected, actual, mask });
+      this.#worker.postMessage({ id, expected, actual, mask, gate });
     });
   }
 

@@ -81,7 +81,7 @@ async function start() {
   const client = await Client.load({ place: $('client-canvas'), model: `model/${encodeURIComponent(name)}`, environments, shot });
   const state = new ShotState(shot, (wanted) => client.facts(wanted));
   const stage = new Stage($('stage'));
-  const pictures = new Pictures({ state, client, stage, setPhase, fail });
+  const pictures = new Pictures({ state, client, stage, serverGl: server.renderer, setPhase, fail });
   const { cameras, variants } = client.facts(shot);
   bindControls($('controls'), state, { environments, cameras, variants, animations: client.animations }, attempt);
   bindShotText($('shot-text'), state, attempt);
@@ -100,8 +100,6 @@ async function start() {
   await pictures.update();
   $('client-gl').textContent = `three.js r${Client.revision}, ${client.glName}`;
   $('server-gl').textContent = `telar, ${server.renderer}`;
-  // "llvmpipe (LLVM 15.0.6, 256 bits)" stands within the longer name that a browser gives.
-  $('gl-hint').hidden = client.glName.includes(server.renderer.split(' ')[0]);
 }
 
 start().catch(fail);

@@ -13,6 +13,7 @@ export class Pictures {
   #state;
   #client;
   #stage;
+  #serverGl;
   #setPhase;
   #fail;
   #comparer = new Comparer();
@@ -29,13 +30,15 @@ export class Pictures {
    * @param {import('./shot_state.mjs').ShotState} options.state
    * @param {import('./client.mjs').Client} options.client
    * @param {import('./stage.mjs').Stage} options.stage
+   * @param {string} options.serverGl name of the GL that the server draws with
    * @param {(phase: 'drawing' | 'comparing' | 'ready') => void} options.setPhase
    * @param {(error: Error) => void} options.fail
    */
-  constructor({ state, client, stage, setPhase, fail }) {
+  constructor({ state, client, stage, serverGl, setPhase, fail }) {
     this.#state = state;
     this.#client = client;
     this.#stage = stage;
+    this.#serverGl = serverGl;
     this.#setPhase = setPhase;
     this.#fail = fail;
     state.addEventListener('change', () => void this.update());
@@ -92,12 +95,17 @@ export class Pictures {
     }
   }
 
+  /** Another GL rounds, filters and antialiases otherwise; the browser's name of one holds the server's. */
+  get #gate() {
+    return this.#client.glName.includes(this.#serverGl.split(' ')[0]) ? 'parity' : 'other-gl';
+  }
+
   async #compare(signal) {
     this.#setPhase('comparing');
-    const result = await this.#comparer.compare(this.shown.browser, this.shown.server, this.#client.mask());
+    const result = await this.#comparer.compare(this.shown.browser, this.shown.server, { gate: this.#gate, mask: this.#client.mask() });
     if (!result || signal.aborted) return;
     this.#stage.showMaps(result);
-    showFigures(result, { table: $('figures'), checks: $('checks'), pill: $('verdict'), ssim: $('ssim') });
+    showFigures(result, { table: $('figures'), checks: $('checks'), pill: $('verdict'), ssim: $('ssim'), hint: $('gl-hint') });
     this.#setPhase('ready');
   }
 

@@ -337,6 +337,17 @@ test('a .gltf with its files beside it, beneath an environment of the command li
   await other.stop();
 });
 
+test('a browser with another GL is judged by the gate for that', async () => {
+  const other = await launchChromium('swiftshader');
+  const elsewhere = await other.newPage();
+  await elsewhere.goto(view.url);
+  await settled(elsewhere);
+  assert.equal(await elsewhere.locator('#gl-hint').isVisible(), true);
+  assert.equal(await elsewhere.locator('#verdict').textContent(), 'Alike by two GLs');
+  assert.match(await elsewhere.locator('#checks').textContent(), /object CIEDE2000 p95: .*, at most 3/);
+  await other.close();
+});
+
 test('no request left this machine, and nothing was said against the page', () => {
   assert.ok(asked.length > 30);
   assert.deepEqual(asked.filter((url) => !/^(http:\/\/127\.0\.0\.1:\d+\/|blob:http:\/\/127\.0\.0\.1:|data:)/.test(url)), []);

@@ -9,11 +9,18 @@ import '../api/support/real.mjs';
 export const SHIRT = fileURLToPath(new URL('../../../js/assets/tshirt.glb', import.meta.url));
 export const CLI = fileURLToPath(new URL('../../../js/cli/telar.mjs', import.meta.url));
 
-/** As test/parity/browser/chromium.mjs: the same llvmpipe draws both pictures. */
-const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
-  '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
+const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 
-export const launchChromium = () => chromium.launch({ executablePath: process.env.TELAR_CHROMIUM ?? '/usr/bin/chromium', args: FLAGS });
+/** As test/parity/browser/chromium.mjs: by Mesa the same llvmpipe draws both pictures. */
+const RASTERIZER_FLAGS = {
+  mesa: ['--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'],
+  swiftshader: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+};
+
+/** @param {keyof typeof RASTERIZER_FLAGS} [rasterizer] */
+export const launchChromium = (rasterizer = 'mesa') => chromium.launch({
+  executablePath: process.env.TELAR_CHROMIUM ?? '/usr/bin/chromium', args: [...FLAGS, ...RASTERIZER_FLAGS[rasterizer]],
+});
 
 let built;
 
