@@ -34,6 +34,8 @@ constexpr std::array LIMIT_FIELDS{
     LimitField{"L_IMAGE_SCANS", &Limits::imageScans},
     LimitField{"L_MORPH_TARGETS", &Limits::morphTargets},
     LimitField{"L_LIGHTS", &Limits::lights},
+    LimitField{"L_SHADOW_TEXELS", &Limits::shadowTexels},
+    LimitField{"L_TEXTURE_UNITS", &Limits::textureUnits},
     LimitField{"L_ENVIRONMENT_PIXELS", &Limits::environmentPixels},
     LimitField{"L_PROGRAMS", &Limits::programs},
 };

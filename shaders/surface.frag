@@ -48,6 +48,9 @@ precision highp samplerCube;
 #endif
 #include "material/surface_info.glsl"
 #if !UNLIT
+#if FLAT_SHADOWS + CUBE_SHADOWS > 0
+#include "shadow/filter.glsl"
+#endif
 #include "light/punctual.glsl"
 #include "light/area.glsl"
 #include "light/indirect.glsl"

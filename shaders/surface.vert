@@ -1,6 +1,7 @@
 // Transforms one primitive to view space. One varying a texture, because each has its own transform (KHR_texture_transform).
 
 #include "material/vertex_inputs.glsl"
+#include "shadow/coords.glsl"
 
 void main() {
   vec4 viewSpace = modelViewMatrix * vec4(position, 1.0);
@@ -11,6 +12,13 @@ void main() {
 #if TANGENT
   vTangent = normalize(vec3(modelViewMatrix * vec4(tangent.xyz, 0.0)));
   vBitangent = normalize(cross(vNormal, vTangent) * tangent.w) * NORMAL_SIGN;
+#endif
+#endif
+#if FLAT_SHADOWS + CUBE_SHADOWS > 0
+#if FLAT_SHADED
+  setShadowCoords(position, vec3(0.0));
+#else
+  setShadowCoords(position, normalMatrix * normal * NORMAL_SIGN);
 #endif
 #endif
 #if VERTEX_COLOR

@@ -61,6 +61,8 @@ export type ErrorCode =
   | 'L_IMAGE_SCANS'
   | 'L_OUTPUT_SIZE'
   | 'L_LIGHTS'
+  | 'L_SHADOW_TEXELS'
+  | 'L_TEXTURE_UNITS'
   | 'L_ENVIRONMENT_PIXELS'
   | 'L_PROGRAMS'
   | 'L_MORPH_TARGETS'

@@ -101,6 +101,8 @@ const ROWS = {
     L_IMAGE_SCANS: ['A progressive JPEG has too many scans', RAISE],
     L_OUTPUT_SIZE: ['The image is wider or higher than this GL can draw', 'Ask for a smaller size, or use another backend.'],
     L_LIGHTS: ['Too many lights', RAISE],
+    L_SHADOW_TEXELS: ['The shadow maps are too large together', 'Let fewer lights cast shadows, or give them a smaller shadow.mapSize.'],
+    L_TEXTURE_UNITS: ['A material has too many textures for the lights that cast shadows', 'Let fewer lights cast shadows: each takes one of the 16 textures of a WebGL 2 program.'],
     L_ENVIRONMENT_PIXELS: ['The environment has too many pixels', RAISE],
     L_PROGRAMS: ['The scene needs too many shader programs', RAISE],
     L_MORPH_TARGETS: ['Too many morph targets', RAISE],

@@ -11,15 +11,22 @@ const PARALLEL = 1e-9;
  * @param {object} camera as the schema parsed it: a view, an explicit camera or {gltf}
  * @param {number} aspect width / height
  * @param {ReturnType<import('./facts.mjs').readFacts>} facts
+ * @param {import('./frame.mjs').Vec3[]} [extras] points beside the model that must lie between near and far
  * @returns {object} explicit camera: {projection, position, target, up, fovY | height, near, far}
  */
-export function resolveCamera(camera, aspect, facts) {
-  if (camera.gltf !== undefined) return complete(modelCamera(camera.gltf, facts), facts);
-  if (camera.position !== undefined) return complete(camera, facts);
-  return frameView(camera, aspect, facts);
+export function resolveCamera(camera, aspect, facts, extras = []) {
+  if (camera.gltf !== undefined) return complete(modelCamera(camera.gltf, facts), facts, extras);
+  if (camera.position !== undefined) return complete(camera, facts, extras);
+  return frameView(camera, aspect, facts, extras);
 }
 
-function frameView(camera, aspect, facts) {
+/** The box with further points in it. */
+const widened = ({ min, max }, extras) => ({
+  min: min.map((low, axis) => Math.min(low, ...extras.map((point) => point[axis]))),
+  max: max.map((high, axis) => Math.max(high, ...extras.map((point) => point[axis]))),
+});
+
+function frameView(camera, aspect, facts, extras) {
   const { view, azimuth, elevation, projection, fit } = camera;
   if (view !== undefined && (azimuth !== undefined || elevation !== undefined)) {
     throw wrongValue(['camera', 'view'], 'a named view, or azimuth and elevation, not both', view);
@@ -28,7 +35,8 @@ function frameView(camera, aspect, facts) {
   const angles = azimuth === undefined && elevation === undefined
     ? VIEWS[view ?? 'front'] : { azimuth: azimuth ?? 0, elevation: elevation ?? 0 };
   const placed = frameBounds(needBounds(facts, 'camera'), { ...angles, projection, fovY, fit }, aspect);
-  return ordered({ projection, fovY, ...placed });
+  const planes = extras.length > 0 ? depthRangeOf(widened(facts.bounds, extras), placed.position, placed.target) : {};
+  return ordered({ projection, fovY, ...placed, ...planes });
 }
 
 /** fovY or height, whichever the projection has; the other one is refused. */
@@ -42,7 +50,7 @@ function lensOf({ fovY, height }, projection) {
 }
 
 /** An explicit camera with everything written out. */
-function complete(camera, facts) {
+function complete(camera, facts, extras) {
   const { position, target, up } = camera;
   const projection = camera.projection ?? (camera.height === undefined ? 'perspective' : 'orthographic');
   const { fovY, height } = lensOf(camera, projection);
@@ -55,7 +63,7 @@ function complete(camera, facts) {
     throw wrongValue(['camera', 'up'], 'a direction that is not along the view', up);
   }
   const isFitted = camera.near === undefined || camera.far === undefined;
-  const fitted = isFitted ? depthRangeOf(needBounds(facts, 'camera.near and camera.far'), position, target) : {};
+  const fitted = isFitted ? depthRangeOf(widened(needBounds(facts, 'camera.near and camera.far'), extras), position, target) : {};
   const { near = Math.min(fitted.near, camera.far / 2 || Infinity), far = Math.max(fitted.far, 2 * camera.near || 0) } = camera;
   if (projection === 'perspective' && !(near > 0)) throw wrongValue(['camera', 'near'], 'a distance above 0', near);
   if (!(far > near)) throw wrongValue(['camera', 'far'], `a distance beyond near (${near})`, far);

@@ -52,6 +52,9 @@ function centreAndHalf({ min, max }) {
   return { centre, half: length(half) > 0 ? half : [0.5, 0.5, 0.5] };
 }
 
+/** The eight corners of a box. @param {Bounds} bounds */
+export const cornersOfBox = ({ min, max }) => Array.from({ length: 8 }, (_, i) => min.map((low, axis) => (i & (1 << axis) ? max[axis] : low)));
+
 /** The eight corners of a box relative to its centre. */
 const cornersOf = (half) => Array.from({ length: 8 }, (_, i) => half.map((h, axis) => (i & (1 << axis) ? h : -h)));
 

@@ -1,8 +1,11 @@
 import { TelarError } from '../error/index.mjs';
 import { resolveCamera } from './camera.mjs';
 import { complaint, nearest, shown, wrongValue } from './complain.mjs';
+import { contactLights } from './contact.mjs';
 import { readFacts } from './facts.mjs';
+import { cornersOfGround, resolveGround } from './ground.mjs';
 import { PRESETS, shotSchema } from './schema.mjs';
+import { resolveShadow } from './shadow.mjs';
 import { refuseUnavailable } from './unavailable.mjs';
 
 /** Bits a channel that each format can hold, the default first, and whether it can hold ppi and an ICC profile. */
@@ -37,13 +40,15 @@ export function resolveShot(shot = {}, facts = undefined) {
   const known = readFacts(facts);
   const output = resolveOutput(parsed.output);
   const environment = resolveEnvironment(parsed.environment);
+  const { lights, ground } = resolveStage(parsed, known);
   return {
     size: parsed.size,
-    camera: resolveCamera(parsed.camera, parsed.size.width / parsed.size.height, known),
+    camera: resolveCamera(parsed.camera, parsed.size.width / parsed.size.height, known, cornersOfGround(ground)),
     environment,
-    lights: resolveLights(parsed.lights),
+    lights,
     modelLights: parsed.modelLights,
     background: resolveBackground(parsed.background, output.format, environment),
+    ground,
     shading: parsed.shading,
     toneMapping: parsed.toneMapping,
     exposure: parsed.exposure,
@@ -61,12 +66,26 @@ function resolveEnvironment(environment) {
 
 const samePoint = (a, b) => a.every((x, i) => x === b[i]);
 
+/** The lights with their shadows, and the ground that these fall on: each is sized by the others. */
+function resolveStage({ lights: given, ground: wanted }, facts) {
+  const placed = resolveLights(given);
+  const lacksShadow = wanted !== 'none' && !placed.some(({ castShadow }) => castShadow);
+  const lights = lacksShadow ? [...placed, ...contactLights(facts)] : placed;
+  const ground = resolveGround(wanted, lights, facts);
+  const receivers = cornersOfGround(ground);
+  return {
+    lights: lights.map((light, i) => (light.castShadow ? { ...light, shadow: resolveShadow(light, ['lights', i], facts, receivers) } : light)),
+    ground,
+  };
+}
+
 /** Defaults are copied: zod hands out the arrays of the schema itself. */
 function resolveLights(lights) {
   return lights.map((light, i) => {
     if (light.target && samePoint(light.target, light.position)) {
       throw wrongValue(['lights', i, 'target'], 'a point other than the position', light.target);
     }
+    if (light.shadow && !light.castShadow) throw wrongValue(['lights', i, 'castShadow'], 'true where `shadow` is given', light.castShadow);
     return Object.fromEntries(Object.entries(light).map(([key, value]) => [key, Array.isArray(value) ? [...value] : value]));
   });
 }

@@ -13,6 +13,13 @@ const placed = { position: vec3, target: vec3, up: vec3 };
 const planes = { near: z.number(), far: z.number() };
 const lit = { color: rgb, intensity: z.number() };
 
+const map = {
+  mapSize: z.int(), radius: z.number(), intensity: z.number(), bias: z.number(), normalBias: z.number(), near: z.number(), far: z.number(),
+};
+const extent = { left: z.number(), right: z.number(), bottom: z.number(), top: z.number() };
+/** `shadow` is there where castShadow is true. */
+const shadowed = (shape) => ({ castShadow: z.boolean(), shadow: object({ ...map, ...shape }).optional() });
+
 export const resolvedShotSchema = object({
   size: object({ width: z.int(), height: z.int() }),
   camera: z.discriminatedUnion('projection', [
@@ -27,13 +34,17 @@ export const resolvedShotSchema = object({
   lights: z.array(z.discriminatedUnion('type', [
     object({ type: z.literal('ambient'), ...lit }),
     object({ type: z.literal('hemisphere'), ...lit, groundColor: rgb }),
-    object({ type: z.literal('directional'), ...lit, position: vec3, target: vec3 }),
-    object({ type: z.literal('point'), ...lit, position: vec3, range: z.number() }),
-    object({ type: z.literal('spot'), ...lit, position: vec3, target: vec3, range: z.number(), angle: z.number(), penumbra: z.number() }),
+    object({ type: z.literal('directional'), ...lit, position: vec3, target: vec3, ...shadowed(extent) }),
+    object({ type: z.literal('point'), ...lit, position: vec3, range: z.number(), ...shadowed({}) }),
+    object({
+      type: z.literal('spot'), ...lit, position: vec3, target: vec3, range: z.number(), angle: z.number(), penumbra: z.number(),
+      ...shadowed({ focus: z.number() }),
+    }),
     object({ type: z.literal('rect'), ...lit, position: vec3, target: vec3, width: z.number(), height: z.number() }),
   ])),
   modelLights: z.boolean(),
   background: z.union([z.enum(['transparent', 'environment']), rgb, object({ type: z.literal('environment'), blur: z.number() })]),
+  ground: z.union([z.literal('none'), object({ shadow: z.literal(true), opacity: z.number(), position: vec3, size: z.tuple([z.number(), z.number()]) })]),
   shading: z.literal('three'),
   toneMapping: z.enum(['neutral', 'none', 'linear', 'reinhard', 'cineon', 'aces', 'agx']),
   exposure: z.number(),

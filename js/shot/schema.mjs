@@ -72,6 +72,31 @@ const lightOf = (type, doc, shape) => object(doc, { type: z.literal(type).descri
 const EDGE_MAX_M = 1e6;
 const edge = (doc) => number(doc, { what: 'a length in metres', above: 0, max: EDGE_MAX_M }).default(10);
 
+const TEXELS = 'a whole number of texels';
+const metres = (doc) => number(doc, { what: 'a number of metres', min: -1e30 }).optional();
+const shadow = (doc, shape) => object(doc, {
+  mapSize: number('Texels on a side of the map; default 1024', { what: TEXELS, min: 16, max: 4096, integer: true }).optional(),
+  radius: number('Softness: radius of the filter in texels; default 2', { what: 'a number of texels', min: 0, max: 25 }).optional(),
+  intensity: number('Part of the light that the shadow takes; default 1', { min: 0, max: 1 }).optional(),
+  bias: number('Added to the depth 0..1 that is compared; default one texel', { min: -1, max: 1 }).optional(),
+  normalBias: number('Metres along the normal to the point that is compared; default as wide as the filter', { min: 0 }).optional(),
+  near: metres('Distance in metres at which the map begins; fitted to the model by default'),
+  far: metres('Distance in metres at which the map ends; fitted to model and ground by default'),
+  ...shape,
+}).optional();
+const SHADOW = 'Settings of the shadow, as three.js has them; needs castShadow';
+const castShadow = boolean('Whether the model casts a shadow in this light').default(false);
+const shadows = {
+  directional: { castShadow, shadow: shadow(SHADOW, {
+    left: metres('Left border of the map, metres from `position`; fitted to the model by default'),
+    right: metres('Right border'), bottom: metres('Lower border'), top: metres('Upper border'),
+  }) },
+  spot: { castShadow, shadow: shadow(SHADOW, {
+    focus: number('Part of the cone\'s angle that the map holds; as much as the model needs by default', { above: 0, max: 1 }).optional(),
+  }) },
+  point: { castShadow, shadow: shadow(SHADOW, {}) },
+};
+
 const LIGHT_TYPES = '"ambient", "hemisphere", "directional", "point", "spot" or "rect"';
 const lights = z.array(z.discriminatedUnion('type', [
   lightOf('ambient', 'Light from everywhere', { intensity: light.intensity('irradiance') }),
@@ -81,21 +106,38 @@ const lights = z.array(z.discriminatedUnion('type', [
   }),
   lightOf('directional', 'Parallel light from `position` towards `target`', {
     intensity: light.intensity('lux'), position: light.position([0, 1, 0]), target: light.target,
+    ...shadows.directional,
   }),
   lightOf('point', 'Light from a point', {
     intensity: light.intensity('candela'), position: light.position([0, 0, 0]), range: light.range,
+    ...shadows.point,
   }),
   lightOf('spot', 'Cone of light from `position` towards `target`', {
     intensity: light.intensity('candela'), position: light.position([0, 1, 0]), target: light.target, range: light.range,
     angle: number('Outer half-angle of the cone in radians', { what: 'a number of radians', above: 0, max: Math.PI / 2 })
       .default(Math.PI / 3),
     penumbra: number('Part of the cone that fades out', { min: 0, max: 1 }).default(0),
+    ...shadows.spot,
   }),
   lightOf('rect', 'Rectangle at `position` that shines to one side, towards `target`; its width lies level', {
     intensity: light.intensity('nit'), position: light.position([0, 1, 0]), target: light.target,
     width: edge('Metres'), height: edge('Metres'),
   }),
 ], { error: ({ code }) => (code === 'invalid_union' ? LIGHT_TYPES : 'an object') }), { error: 'a list of lights' }).describe('Lights beside the environment and the model\'s own').prefault([]);
+
+const GROUND = '"none" or {shadow, opacity}';
+const LENGTHS = 'two lengths [x, z] in metres';
+const extent = z.number({ error: LENGTHS }).gt(0, { error: LENGTHS }).max(1e30, { error: LENGTHS });
+const ground = z.union([
+  z.literal('none', { error: GROUND }),
+  object('Ground beneath the model that shows nothing but shadows', {
+    shadow: z.literal(true, { error: 'true' }).describe('Show shadows').default(true),
+    opacity: number('Opacity of a full shadow', { min: 0, max: 1 }).default(0.5),
+    position: vector('Its centre, metres; default the model\'s lowest point').optional(),
+    size: z.tuple([extent, extent], { error: LENGTHS }).describe('Metres along x and z; default as wide as the shadows fall').optional(),
+  }),
+], { error: GROUND }).describe('Shadow catcher beneath the model; where no light of the shot casts a shadow, soft light from above does')
+  .default('none');
 
 export const PRESETS = Object.freeze({ standard: { samples: 4 }, draft: { samples: 1 } });
 
@@ -139,6 +181,7 @@ export const shotSchema = object('What to draw', {
   lights,
   modelLights: boolean('Use the lights in the model').default(true),
   background: background.optional(),
+  ground,
   shading: choice('"three": what stock three.js shows', ['three']).default('three'),
   toneMapping: choice('As in three.js', ['neutral', 'none', 'linear', 'reinhard', 'cineon', 'aces', 'agx']).default('neutral'),
   exposure: number('Factor on radiance before tone mapping', { min: 0 }).default(1),

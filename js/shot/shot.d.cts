@@ -105,6 +105,33 @@ export interface Shot {
     position?: [number, number, number];
     /** Point that the light shines at, metres. @default [0,0,0] */
     target?: [number, number, number];
+    /** Whether the model casts a shadow in this light. @default false */
+    castShadow?: boolean;
+    /** Settings of the shadow, as three.js has them; needs castShadow. */
+    shadow?: {
+      /** Texels on a side of the map; default 1024. Range 16 to 4096. */
+      mapSize?: number;
+      /** Softness: radius of the filter in texels; default 2. Range 0 to 25. */
+      radius?: number;
+      /** Part of the light that the shadow takes; default 1. Range 0 to 1. */
+      intensity?: number;
+      /** Added to the depth 0..1 that is compared; default one texel. Range -1 to 1. */
+      bias?: number;
+      /** Metres along the normal to the point that is compared; default as wide as the filter. Range at least 0. */
+      normalBias?: number;
+      /** Distance in metres at which the map begins; fitted to the model by default. */
+      near?: number;
+      /** Distance in metres at which the map ends; fitted to model and ground by default. */
+      far?: number;
+      /** Left border of the map, metres from `position`; fitted to the model by default. */
+      left?: number;
+      /** Right border. */
+      right?: number;
+      /** Lower border. */
+      bottom?: number;
+      /** Upper border. */
+      top?: number;
+    };
   } | {
     /** Light from a point. */
     type: 'point';
@@ -116,6 +143,25 @@ export interface Shot {
     position?: [number, number, number];
     /** Distance in metres at which the light ends; 0 = never. Range at least 0. @default 0 */
     range?: number;
+    /** Whether the model casts a shadow in this light. @default false */
+    castShadow?: boolean;
+    /** Settings of the shadow, as three.js has them; needs castShadow. */
+    shadow?: {
+      /** Texels on a side of the map; default 1024. Range 16 to 4096. */
+      mapSize?: number;
+      /** Softness: radius of the filter in texels; default 2. Range 0 to 25. */
+      radius?: number;
+      /** Part of the light that the shadow takes; default 1. Range 0 to 1. */
+      intensity?: number;
+      /** Added to the depth 0..1 that is compared; default one texel. Range -1 to 1. */
+      bias?: number;
+      /** Metres along the normal to the point that is compared; default as wide as the filter. Range at least 0. */
+      normalBias?: number;
+      /** Distance in metres at which the map begins; fitted to the model by default. */
+      near?: number;
+      /** Distance in metres at which the map ends; fitted to model and ground by default. */
+      far?: number;
+    };
   } | {
     /** Cone of light from `position` towards `target`. */
     type: 'spot';
@@ -133,6 +179,27 @@ export interface Shot {
     angle?: number;
     /** Part of the cone that fades out. Range 0 to 1. @default 0 */
     penumbra?: number;
+    /** Whether the model casts a shadow in this light. @default false */
+    castShadow?: boolean;
+    /** Settings of the shadow, as three.js has them; needs castShadow. */
+    shadow?: {
+      /** Texels on a side of the map; default 1024. Range 16 to 4096. */
+      mapSize?: number;
+      /** Softness: radius of the filter in texels; default 2. Range 0 to 25. */
+      radius?: number;
+      /** Part of the light that the shadow takes; default 1. Range 0 to 1. */
+      intensity?: number;
+      /** Added to the depth 0..1 that is compared; default one texel. Range -1 to 1. */
+      bias?: number;
+      /** Metres along the normal to the point that is compared; default as wide as the filter. Range at least 0. */
+      normalBias?: number;
+      /** Distance in metres at which the map begins; fitted to the model by default. */
+      near?: number;
+      /** Distance in metres at which the map ends; fitted to model and ground by default. */
+      far?: number;
+      /** Part of the cone's angle that the map holds; as much as the model needs by default. Range above 0 to 1. */
+      focus?: number;
+    };
   } | {
     /** Rectangle at `position` that shines to one side, towards `target`; its width lies level. */
     type: 'rect';
@@ -157,6 +224,17 @@ export interface Shot {
     type?: 'environment';
     /** 0 shows it sharp, 1 as a matt surface sees it: scene.backgroundBlurriness of three.js. Range 0 to 1. @default 0 */
     blur?: number;
+  };
+  /** Shadow catcher beneath the model; where no light of the shot casts a shadow, soft light from above does. @default "none" */
+  ground?: 'none' | {
+    /** Show shadows. @default true */
+    shadow?: true;
+    /** Opacity of a full shadow. Range 0 to 1. @default 0.5 */
+    opacity?: number;
+    /** Its centre, metres; default the model's lowest point. */
+    position?: [number, number, number];
+    /** Metres along x and z; default as wide as the shadows fall. */
+    size?: [number, number];
   };
   /** "three": what stock three.js shows. @default "three" */
   shading?: 'three';
@@ -233,12 +311,36 @@ export interface ResolvedShot {
     intensity: number;
     position: [number, number, number];
     target: [number, number, number];
+    castShadow: boolean;
+    shadow?: {
+      mapSize: number;
+      radius: number;
+      intensity: number;
+      bias: number;
+      normalBias: number;
+      near: number;
+      far: number;
+      left: number;
+      right: number;
+      bottom: number;
+      top: number;
+    };
   } | {
     type: 'point';
     color: [number, number, number];
     intensity: number;
     position: [number, number, number];
     range: number;
+    castShadow: boolean;
+    shadow?: {
+      mapSize: number;
+      radius: number;
+      intensity: number;
+      bias: number;
+      normalBias: number;
+      near: number;
+      far: number;
+    };
   } | {
     type: 'spot';
     color: [number, number, number];
@@ -248,6 +350,17 @@ export interface ResolvedShot {
     range: number;
     angle: number;
     penumbra: number;
+    castShadow: boolean;
+    shadow?: {
+      mapSize: number;
+      radius: number;
+      intensity: number;
+      bias: number;
+      normalBias: number;
+      near: number;
+      far: number;
+      focus: number;
+    };
   } | {
     type: 'rect';
     color: [number, number, number];
@@ -261,6 +374,12 @@ export interface ResolvedShot {
   background: 'transparent' | 'environment' | [number, number, number] | {
     type: 'environment';
     blur: number;
+  };
+  ground: 'none' | {
+    shadow: true;
+    opacity: number;
+    position: [number, number, number];
+    size: [number, number];
   };
   shading: 'three';
   toneMapping: 'neutral' | 'none' | 'linear' | 'reinhard' | 'cineon' | 'aces' | 'agx';

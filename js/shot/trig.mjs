@@ -30,3 +30,15 @@ export function tanDegrees(degrees) {
   const { sin, cos } = sinCosDegrees(degrees);
   return sin / cos;
 }
+
+/**
+ * Angle in radians, [0, PI / 2), of a slope >= 0. Each half-angle step halves the angle, after three of which the series
+ * converges by a factor of 25 and more a term.
+ */
+export function arcTangent(slope) {
+  let x = slope;
+  for (let i = 0; i < 3; ++i) x = x / (1 + Math.sqrt(1 + x * x));
+  let sum = 0;
+  for (let n = 23; n >= 1; n -= 2) sum = 1 / n - x * x * sum;
+  return 8 * x * sum;
+}

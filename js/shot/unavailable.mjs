@@ -6,7 +6,6 @@ import { TelarError } from '../error/index.mjs';
  */
 const KEYS = {
   lens: ['a lens', 'use exposure and camera.fovY'],
-  ground: ['a ground', 'use a background, or a model with a floor in it'],
   pose: ['a pose', 'export the model in the pose that is to be drawn'],
 };
 
@@ -52,6 +51,5 @@ export function refuseUnavailable(shot) {
   if (!Array.isArray(shot.lights)) return;
   shot.lights.forEach((light, i) => {
     refuseValue(['lights', i, 'type'], light?.type, VALUES.lightType);
-    if (light?.castShadow !== undefined) refuse(['lights', i, 'castShadow'], 'a shadow', 'leave castShadow out: no light casts one');
   });
 }

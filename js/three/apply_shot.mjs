@@ -1,3 +1,4 @@
+import { applyLightShadow, applyShadows } from './shadows.mjs';
 import { applyVariant } from './variant.mjs';
 
 /**
@@ -25,7 +26,7 @@ export function rendererParameters(shot) {
  * @param {typeof import('three')} target.THREE - The client's own three.js module.
  * @param {import('three').WebGLRenderer} target.renderer - Made with `rendererParameters(shot)`; gets size, tone mapping,
  *   exposure and a clear alpha of 0. Its pixel ratio becomes 1: a shot's size is in pixels of the drawing buffer.
- * @param {import('three').Scene} target.scene - Gets lights, environment and background.
+ * @param {import('three').Scene} target.scene - Gets lights, ground, environment and background.
  * @param {import('three').Camera} [target.camera] - Camera to set; where it is missing or of the other projection, a new one
  *   is made. Use the returned one.
  * @param {object} [target.model] - What GLTFLoader gave ({scene, parser}): for `variant` and `modelLights`.
@@ -40,6 +41,7 @@ export async function applyShot(shot, { THREE, renderer, scene, camera, model, e
   applyOutput(shot, THREE, renderer);
   if (shot.lights.some(({ type }) => type === 'rect')) await prepareAreaLights(THREE, areaLightTables);
   applyLights(shot, THREE, scene, model);
+  applyShadows(shot, THREE, { renderer, scene, model });
   applyEnvironment(shot, THREE, scene, environment);
   applyBackground(shot, THREE, scene);
   if (model) await applyVariant(model, shot.variant);
@@ -100,7 +102,9 @@ function linearColor(THREE, [r, g, b]) {
 }
 
 function applyLights(shot, THREE, scene, model) {
-  scene.getObjectByName(LIGHT_GROUP)?.removeFromParent();
+  const last = scene.getObjectByName(LIGHT_GROUP);
+  last?.removeFromParent();
+  last?.traverse((object) => object.dispose?.());
   const group = new THREE.Group();
   group.name = LIGHT_GROUP;
   for (const light of shot.lights) addLight(THREE, group, light);
@@ -136,6 +140,7 @@ function addLight(THREE, group, light) {
   if (!make) throw new Error(`shot.lights: stock three.js has no light for the type ${light.type}`);
   const object = make();
   if (light.position) object.position.fromArray(light.position);
+  if (object.shadow) applyLightShadow(object, light);
   group.add(object);
   if (object.isRectAreaLight) object.lookAt(...light.target);
   else if (light.target) {

@@ -95,4 +95,18 @@ void Program::set(const char* uniform, std::span<const glm::vec3> values) const 
     gl_->Uniform3fv(location(uniform), static_cast<GLsizei>(values.size()), glm::value_ptr(values.front()));
 }
 
+void Program::set(const char* uniform, std::span<const glm::vec2> values) const {
+  if (!values.empty())
+    gl_->Uniform2fv(location(uniform), static_cast<GLsizei>(values.size()), glm::value_ptr(values.front()));
+}
+void Program::set(const char* uniform, std::span<const glm::vec4> values) const {
+  if (!values.empty())
+    gl_->Uniform4fv(location(uniform), static_cast<GLsizei>(values.size()), glm::value_ptr(values.front()));
+}
+void Program::set(const char* uniform, std::span<const glm::mat4> values) const {
+  if (!values.empty())
+    gl_->UniformMatrix4fv(location(uniform), static_cast<GLsizei>(values.size()), GL_FALSE,
+                          glm::value_ptr(values.front()));
+}
+
 }  // namespace telar::gl

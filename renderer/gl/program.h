@@ -31,6 +31,9 @@ class Program {
   void set(const char* uniform, const glm::mat4& value) const;
   void set(const char* uniform, std::span<const float> values) const;      ///< float[]
   void set(const char* uniform, std::span<const glm::vec3> values) const;  ///< vec3[]
+  void set(const char* uniform, std::span<const glm::vec2> values) const;  ///< vec2[]
+  void set(const char* uniform, std::span<const glm::vec4> values) const;  ///< vec4[]
+  void set(const char* uniform, std::span<const glm::mat4> values) const;  ///< mat4[]
 
  private:
   int location(const char* uniform) const;

@@ -22,11 +22,15 @@ glm::dmat3 lookAtAxes(const glm::dvec3& position, const glm::dvec3& target, cons
   return {x, glm::cross(z, x), z};
 }
 
+glm::dmat4 lookAtView(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec3& up) {
+  return glm::translate(glm::dmat4(glm::transpose(lookAtAxes(position, target, up))), -position);
+}
+
 Camera cameraOf(const Shot& shot) {
   const double aspect = static_cast<double>(shot.width) / shot.height;
   const Shot::Camera& c = shot.camera;
   Camera camera;
-  camera.view = glm::translate(glm::dmat4(glm::transpose(lookAtAxes(c.position, c.target, c.up))), -c.position);
+  camera.view = lookAtView(c.position, c.target, c.up);
   camera.orthographic = !c.perspective;
   if (c.perspective) {
     camera.projection = glm::perspective(glm::radians(c.fovY), aspect, c.near, c.far);

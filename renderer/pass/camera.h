@@ -16,6 +16,9 @@ struct Camera {
 /// chooses them: also where `up` and the direction are parallel, or both points are one.
 glm::dmat3 lookAtAxes(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec3& up);
 
+/// World to the space of a camera that stands so.
+glm::dmat4 lookAtView(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec3& up);
+
 Camera cameraOf(const Shot& shot);
 
 /// World (homogeneous) to pixels: x right and y down from the top-left corner, z 0..1 from near to far, after / w.

@@ -100,6 +100,9 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.spotLights = frame.spotLights;
   key.directionalLights = frame.directionalLights;
   key.rectLights = frame.rectLights;
+  key.pointShadows = frame.pointShadows;
+  key.spotShadows = frame.spotShadows;
+  key.directionalShadows = frame.directionalShadows;
   key.flatShaded = primitive.normals.empty();
   key.tangent = (key.normalMap || key.anisotropy) && !key.flatShaded && !primitive.tangents.empty();
   key.tangentFrameUv0 = key.anisotropy && !key.normalMap && !key.clearcoatNormalMap;
@@ -118,6 +121,17 @@ void forceAllFeatures(shader::VariantKey& key) {
   // Anisotropy is left out: its frame changes the picture even at strength 0.
   key.specular = key.clearcoat = key.sheen = key.iridescence = key.diffuseRoughness = true;
   key.transmission = key.volume = key.attenuation = key.dispersion = true;
+}
+
+/// Texture units of a program as three.js counts them: its maps, its tables, and every light that casts a shadow,
+/// also one that shines on nothing. WebGL 2 promises 16, and a browser shows nothing of what goes over.
+/// @throws Error{L_TEXTURE_UNITS}
+void checkTextureUnits(const shader::VariantKey& key, const ShadowSet& shadows, const Limits& limits) {
+  if (key.unlit || shadows.empty()) return;
+  const std::size_t areaTables = key.rectLights > 0 ? 2 : 0;
+  std::size_t units = 1 + key.environment + key.transmission + areaTables + shadows.flat.size() + shadows.cube.size();
+  for (const TextureSlot& slot : TEXTURE_SLOTS) units += key.*slot.map;
+  checkLimit("L_TEXTURE_UNITS", static_cast<double>(limits.textureUnits), static_cast<double>(units), "/lights");
 }
 
 void sortDraws(DrawList& draws) {
@@ -188,11 +202,14 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
   plan.camera = cameraOf(shot);
   plan.lights = collectLights(scene, shot, plan.camera, limits);
   if (allFeatures) plan.lights.pad(ALL_FEATURES_LIGHTS);
+  plan.shadows = collectShadows(shot, limits);
+  plan.ground = shot.ground && !plan.shadows.empty();
   const bool hasEnvironment = shot.environment.source != Shot::Environment::Source::kNone;
   plan.environmentBackground = hasEnvironment && shot.background.type == Shot::Background::Type::kEnvironment;
 
   shader::VariantKey& frame = plan.frame;
   plan.lights.describe(frame);
+  plan.shadows.describe(frame);
   frame.environment = hasEnvironment && shot.environment.intensity != 0;
   frame.orthographic = plan.camera.orthographic;
   frame.debugOutput = shot.debugOutput != DebugOutput::kNone;
@@ -212,6 +229,7 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
       item.key = keyOf(primitive, *item.material, frame);
       const bool transmissive = item.key.transmission;
       if (allFeatures) forceAllFeatures(item.key);
+      checkTextureUnits(item.key, plan.shadows, limits);
       plan.environment |= item.key.environment;
       item.blend = item.material->alphaMode == AlphaMode::kBlend;
       item.mirrored = glm::determinant(glm::dmat3(node.world)) < 0;

@@ -5,6 +5,7 @@
 
 #include "pass/camera.h"
 #include "pass/light_set.h"
+#include "pass/shadow_set.h"
 #include "shader/variant_key.h"
 #include "telar/scene.h"
 
@@ -43,10 +44,12 @@ struct DrawList {
 struct FramePlan {
   Camera camera;
   LightSet lights;
+  ShadowSet shadows;
   DrawList draws;
   shader::VariantKey frame;  ///< what all programs share: lights, tone mapping, kind of output
   bool environment = false;  ///< a lit material samples it
   bool environmentBackground = false;
+  bool ground = false;  ///< shadows fall on it
 
   /// Every program that the draws use, each once.
   std::set<shader::VariantKey> keys() const;
@@ -54,7 +57,7 @@ struct FramePlan {
 
 /// Decides, without GL, what a frame compiles and draws: every key holds only what its material and the shot use.
 /// @param allFeatures  turn everything on (benchmark)
-/// @throws Error{E_VARIANT, L_LIGHTS}
+/// @throws Error{E_VARIANT, L_LIGHTS, L_SHADOW_TEXELS, L_TEXTURE_UNITS}
 FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures);
 
 }  // namespace telar::pass

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "gl/program.h"
+#include "pass/shadow_set.h"
 
 namespace telar::pass {
 namespace {
@@ -49,7 +50,7 @@ void addRect(LightSet& set, const Camera& camera, const glm::vec3& color, const 
 void addShotLight(LightSet& set, const Camera& camera, const Shot::Light& light) {
   const glm::vec3 color(glm::dvec3(light.color) * light.intensity);
   const glm::vec3 ground(glm::dvec3(light.groundColor) * light.intensity);
-  if (color == glm::vec3(0) && ground == glm::vec3(0)) return;
+  if (!shines(light)) return;
   switch (light.type) {
     case Shot::Light::Type::kAmbient:
       set.ambient += color;
@@ -162,7 +163,12 @@ LightSet collectLights(const Scene& scene, const Shot& shot, const Camera& camer
   for (const Node& node : scene.nodes) count += shot.modelLights && node.light >= 0;
   checkLimit("L_LIGHTS", static_cast<double>(limits.lights), static_cast<double>(count));
   LightSet set;
-  for (const Shot::Light& light : shot.lights) addShotLight(set, camera, light);
+  // Lights with shadows come first, as in three.js: the i-th light of a kind reads the i-th shadow.
+  for (const bool casting : {true, false}) {
+    for (const Shot::Light& light : shot.lights) {
+      if (light.castShadow == casting) addShotLight(set, camera, light);
+    }
+  }
   for (const Node& node : scene.nodes) {
     if (shot.modelLights && node.light >= 0)
       addModelLight(set, camera, scene.lights[static_cast<std::size_t>(node.light)], node.world);

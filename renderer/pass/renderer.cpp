@@ -13,6 +13,8 @@
 #include "pass/draw_list.h"
 #include "pass/frame_target.h"
 #include "pass/gpu_scene.h"
+#include "pass/ground_pass.h"
+#include "pass/shadow_pass.h"
 #include "pass/surface_pass.h"
 #include "pass/transmission_target.h"
 
@@ -48,10 +50,14 @@ Json describePlan(const FramePlan& plan, const Shot& shot) {
     programs.push_back({{"features", list}});
   }
   Json passes = Json::array();
+  for (const auto* maps : {&plan.shadows.flat, &plan.shadows.cube}) {
+    for (const pass::ShadowMap& map : *maps) passes.push_back(std::string("shadow-") + pass::nameOf(map.type));
+  }
   if (!plan.draws.transmissive.empty()) passes.push_back("transmission");
   if (plan.environmentBackground) passes.push_back("background");
   if (!plan.draws.opaque.empty()) passes.push_back("opaque");
   if (!plan.draws.transmissive.empty()) passes.push_back("transmissive");
+  if (plan.ground) passes.push_back("ground");
   if (!plan.draws.blended.empty()) passes.push_back("blend");
   if (shot.samples > 1) passes.push_back("resolve");
   return {{"features", features}, {"programs", programs}, {"passes", passes}};
@@ -71,7 +77,9 @@ class GlRenderer final : public Renderer {
         context_(gl::Context::create(options.backend)),
         environments_(*context_, options.assetDirectory, options.cacheDirectory, options.limits),
         surfaces_(*context_, options.limits),
-        background_(*context_) {}
+        background_(*context_),
+        shadows_(*context_),
+        ground_(*context_) {}
 
   Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& shot, std::span<const std::byte> environmentFile,
              const CancelToken& cancel, FrameInfo& info) override {
@@ -92,14 +100,22 @@ class GlRenderer final : public Renderer {
                                        plan.environmentBackground && shot.background.blur == 0, cancel);
     }
     timer.lap("environment");
+    shadows_.draw(plan, *scene, gpu, cancel);
+    if (!plan.shadows.empty()) {
+      context_->gl().Finish();
+      timer.lap("shadows");
+    }
+    shadows_.bind(plan.shadows, pass::SurfacePass::firstShadowUnit());
     pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, cancel};
     inputs.transmission = drawBehind(inputs);
     const pass::FrameTarget& target = targetFor(shot);
     target.bind();
-    const bool debug = plan.frame.debugOutput;  // a background has no shading
+    const bool debug = plan.frame.debugOutput;  // backgrounds and the ground have no shading
     clear(debug ? glm::vec4(0) : clearColor(shot, framePixelType(shot.output) == PixelType::kRgbaF32));
     if (plan.environmentBackground && !debug) background_.draw(plan.camera, shot, *environment, plan.frame);
-    surfaces_.draw({&plan.draws.opaque, &plan.draws.transmissive, &plan.draws.blended}, inputs);
+    surfaces_.draw({&plan.draws.opaque, &plan.draws.transmissive}, inputs);
+    if (plan.ground && !debug) ground_.draw(plan, shot, pass::SurfacePass::firstShadowUnit());
+    surfaces_.draw({&plan.draws.blended}, inputs);
     context_->gl().Finish();
     timer.lap("draw");
     Frame frame = target.read();
@@ -214,6 +230,8 @@ class GlRenderer final : public Renderer {
   ibl::EnvironmentCache environments_;
   pass::SurfacePass surfaces_;
   pass::BackgroundPass background_;
+  pass::ShadowPass shadows_;
+  pass::GroundPass ground_;
   std::unique_ptr<pass::FrameTarget> target_;
   std::unique_ptr<pass::TransmissionTarget> transmission_;
   std::map<const Scene*, std::unique_ptr<pass::GpuScene>> scenes_;

@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "ibl/dfg.h"
+#include "pass/shadow_pass.h"
 #include "pass/texture_slots.h"
 #include "shader/library.h"
 
@@ -101,6 +102,8 @@ std::string labelOf(const shader::VariantKey& key) {
 SurfacePass::SurfacePass(const gl::Context& context, Limits limits)
     : context_(context), limits_(limits), dfg_(ibl::createDfgTexture(context.gl())) {}
 
+GLuint SurfacePass::firstShadowUnit() { return UNIT_COUNT; }
+
 int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
   const std::set<shader::VariantKey> wanted = plan.keys();
   checkLimit("L_PROGRAMS", static_cast<double>(limits_.programs), static_cast<double>(wanted.size()));
@@ -160,10 +163,15 @@ const gl::Program& SurfacePass::useProgram(const shader::VariantKey& key, const 
     program.set("environmentIntensity", environment ? static_cast<float>(in.shot.environment.intensity) : 0.0f);
     program.set("environmentRotation", environmentRotation(in.shot.environment.rotation));
   }
-  if (key.environment || key.transmission) program.set("viewMatrix", glm::mat4(in.plan.camera.view));
+  if (key.environment || key.transmission || key.shadows() > 0)
+    program.set("viewMatrix", glm::mat4(in.plan.camera.view));
   if (key.transmission) {
     program.set("transmissionTarget", static_cast<int>(TRANSMISSION_UNIT));
     program.set("cameraPosition", glm::vec3(glm::inverse(in.plan.camera.view)[3]));
+  }
+  if (key.shadows() > 0) {
+    const auto flat = static_cast<std::size_t>(key.spotShadows + key.directionalShadows);
+    uploadShadows(program, in.plan.shadows, flat, key.pointShadows, UNIT_COUNT);
   }
   return program;
 }
@@ -204,6 +212,7 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   const glm::dmat4 modelView = in.plan.camera.view * item.node->world;
   program.set("modelViewMatrix", glm::mat4(modelView));
   program.set("normalMatrix", normalMatrixOf(glm::dmat3(modelView)));
+  if (item.key.shadows() > 0) program.set("modelMatrix", glm::mat4(item.node->world));
   bindMaterial(program, item, in);
 
   item.blend ? gl.Enable(GL_BLEND) : gl.Disable(GL_BLEND);

@@ -33,7 +33,9 @@ class SurfacePass {
   int prepare(const FramePlan& plan, const CancelToken& cancel);
   /// Uploads the plan's primitives and textures that are not on the GPU yet.
   void upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) const;
-  /// Draws lists of the plan, in order. The target is bound and cleared.
+  /// Unit of the first shadow map, after the units that the pass itself uses.
+  static GLuint firstShadowUnit();
+  /// Draws lists of the plan, in order. The target is bound and cleared, the shadow maps are bound.
   void draw(std::initializer_list<const std::vector<DrawItem>*> lists, const SurfaceInputs& in);
 
  private:

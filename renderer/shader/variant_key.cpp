@@ -28,6 +28,9 @@ Defines VariantKey::defines() const {
   list.emplace_back("DIRECTIONAL_LIGHTS", directionalLights);
   list.emplace_back("HEMISPHERE_LIGHTS", hemisphereLights);
   list.emplace_back("RECT_LIGHTS", rectLights);
+  list.emplace_back("CUBE_SHADOWS", pointShadows);
+  list.emplace_back("SPOT_SHADOWS", spotShadows);
+  list.emplace_back("FLAT_SHADOWS", spotShadows + directionalShadows);
   list.emplace_back("TONE_MAPPING", static_cast<int>(toneMapping));
   return list;
 }
@@ -46,6 +49,9 @@ std::vector<std::string> VariantKey::features() const {
   count(directionalLights, "directional-light");
   count(hemisphereLights, "hemisphere-light");
   count(rectLights, "rect-light");
+  count(pointShadows, "point-shadow");
+  count(spotShadows, "spot-shadow");
+  count(directionalShadows, "directional-shadow");
   if (toneMapping != ToneMapping::kNone) {
     list.push_back(std::string("tone-mapping-") + TONE_MAPPINGS[static_cast<std::size_t>(toneMapping)]);
   }

@@ -84,7 +84,10 @@ struct VariantKey {
   TELAR_SURFACE_FEATURES(TELAR_FEATURE_MEMBER)
 #undef TELAR_FEATURE_MEMBER
   std::uint8_t pointLights = 0, spotLights = 0, directionalLights = 0, hemisphereLights = 0, rectLights = 0;
+  std::uint8_t pointShadows = 0, spotShadows = 0, directionalShadows = 0;  ///< the first lights of each kind cast one
   ToneMapping toneMapping = ToneMapping::kNone;
+
+  int shadows() const { return pointShadows + spotShadows + directionalShadows; }
 
   auto operator<=>(const VariantKey&) const = default;
 

@@ -10,7 +10,8 @@ namespace {
 using shot::JsonPath;
 
 constexpr int SIZE_MAX_PX = 8192;
-constexpr int PPI_MAX = 65535;  ///< what JFIF's 16-bit density field holds
+constexpr int SHADOW_MAP_MAX = 4096;  ///< texels on a side
+constexpr int PPI_MAX = 65535;        ///< what JFIF's 16-bit density field holds
 
 Shot::Camera readCamera(const JsonPath& json) {
   Shot::Camera camera;
@@ -48,6 +49,36 @@ Shot::Environment readEnvironment(const JsonPath& json) {
   return environment;
 }
 
+Shot::Light::Shadow readShadow(const JsonPath& json, Shot::Light::Type type) {
+  using Type = Shot::Light::Type;
+  Shot::Light::Shadow shadow;
+  shadow.mapSize = json.at("mapSize").integer(16, SHADOW_MAP_MAX);
+  shadow.radius = json.at("radius").number(0, 25);
+  shadow.intensity = json.at("intensity").number(0, 1);
+  shadow.bias = json.at("bias").number(-1, 1);
+  shadow.normalBias = json.at("normalBias").number(0);
+  const bool directional = type == Type::kDirectional;
+  shadow.near = json.at("near").number(directional ? std::numeric_limits<double>::lowest() : 1e-30);
+  shadow.far = json.at("far").number();
+  if (!(shadow.far > shadow.near)) json.at("far").fail("a distance beyond near");
+  if (directional) {
+    shadow.left = json.at("left").number();
+    shadow.right = json.at("right").number();
+    shadow.bottom = json.at("bottom").number();
+    shadow.top = json.at("top").number();
+    if (!(shadow.right > shadow.left)) json.at("right").fail("a number above left");
+    if (!(shadow.top > shadow.bottom)) json.at("top").fail("a number above bottom");
+  }
+  if (type == Type::kSpot) shadow.focus = json.at("focus").number(1e-9, 1);
+  return shadow;
+}
+
+/// castShadow, and what it needs.
+void readLightShadow(const JsonPath& json, Shot::Light& light) {
+  light.castShadow = json.at("castShadow").boolean();
+  if (light.castShadow) light.shadow = readShadow(json.at("shadow"), light.type);
+}
+
 Shot::Light readLight(const JsonPath& json) {
   using Type = Shot::Light::Type;
   Shot::Light light;
@@ -59,6 +90,7 @@ Shot::Light readLight(const JsonPath& json) {
   if (light.type == Type::kAmbient || light.type == Type::kHemisphere) return light;
   light.position = json.at("position").vec3();
   if (light.type != Type::kPoint) light.target = json.at("target").vec3();
+  if (light.type != Type::kRect) readLightShadow(json, light);
   if (light.type == Type::kDirectional) return light;
   if (light.type == Type::kRect) {
     light.width = json.at("width").number(0);
@@ -81,6 +113,19 @@ Shot::Background readBackground(const JsonPath& json) {
     return {Type::kEnvironment, {}, json.at("blur").number(0, 1)};
   }
   return {json.choice({"transparent", "environment"}) == 0 ? Type::kTransparent : Type::kEnvironment, {}};
+}
+
+std::optional<Shot::Ground> readGround(const JsonPath& json) {
+  if (!json.isObject()) {
+    json.choice({"none"});
+    return std::nullopt;
+  }
+  if (!json.at("shadow").boolean()) json.at("shadow").fail("true");
+  const JsonPath size = json.at("size");
+  if (size.size() != 2) size.fail("an array of 2 numbers");
+  return Shot::Ground{json.at("opacity").number(0, 1),
+                      json.at("position").vec3(),
+                      {size.at(std::size_t{0}).number(1e-30), size.at(1).number(1e-30)}};
 }
 
 OutputOptions readOutput(const JsonPath& json) {
@@ -119,6 +164,7 @@ Shot readShot(const JsonPath& json) {
   for (std::size_t i = 0; i < lights.size(); ++i) shot.lights.push_back(readLight(lights.at(i)));
   shot.modelLights = json.at("modelLights").boolean();
   shot.background = readBackground(json.at("background"));
+  shot.ground = readGround(json.at("ground"));
   shot.shading = json.at("shading").string();
   const JsonPath toneMapping = json.at("toneMapping");
   toneMapping.choice({"none", "linear", "reinhard", "cineon", "aces", "agx", "neutral"});

@@ -29,6 +29,9 @@ Reflected punctualLight(SurfaceInfo s) {
   for (int i = 0; i < POINT_LIGHTS; ++i) {
     vec3 toLight = pointPosition[i] + vViewPosition;
     vec3 color = pointColor[i] * distanceAttenuation(length(toLight), pointRange[i]);
+#if CUBE_SHADOWS > 0
+    color *= cubeShadowVisibility(i);
+#endif
     sum = addPunctual(sum, s, compensation, safeNormalize(toLight, NO_DIRECTION), color);
   }
 #endif
@@ -39,13 +42,20 @@ Reflected punctualLight(SurfaceInfo s) {
     float cone = spotAttenuation(spotOuterCos[i], spotInnerCos[i], dot(l, spotDirection[i]));
     if (cone > 0.0) {
       vec3 color = spotColor[i] * cone * distanceAttenuation(length(toLight), spotRange[i]);
+#if SPOT_SHADOWS > 0
+      if (i < SPOT_SHADOWS) color *= flatShadowVisibility(i);
+#endif
       sum = addPunctual(sum, s, compensation, l, color);
     }
   }
 #endif
 #if DIRECTIONAL_LIGHTS > 0
   for (int i = 0; i < DIRECTIONAL_LIGHTS; ++i) {
-    sum = addPunctual(sum, s, compensation, directionalDirection[i], directionalColor[i]);
+    vec3 color = directionalColor[i];
+#if FLAT_SHADOWS > SPOT_SHADOWS
+    if (i < FLAT_SHADOWS - SPOT_SHADOWS) color *= flatShadowVisibility(SPOT_SHADOWS + i);
+#endif
+    sum = addPunctual(sum, s, compensation, directionalDirection[i], color);
   }
 #endif
   return sum;

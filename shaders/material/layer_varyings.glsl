@@ -48,7 +48,6 @@ uniform mat3 thicknessUvTransform;
 out vec2 vThicknessUv;
 #endif
 #if TRANSMISSION
-uniform mat4 modelMatrix;
 out vec3 vWorldPosition;  // metres
 #endif
 #if DIFFUSE_ROUGHNESS_MAP

@@ -10,6 +10,9 @@ layout(location = 3) in vec2 uv0;
 layout(location = 4) in vec2 uv1;
 layout(location = 5) in vec4 color;     // linear Rec.709
 
+#if TRANSMISSION || FLAT_SHADOWS + CUBE_SHADOWS > 0
+uniform mat4 modelMatrix;
+#endif
 uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
 uniform mat3 normalMatrix;  // inverse transpose of modelViewMatrix

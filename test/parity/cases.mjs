@@ -18,6 +18,7 @@ const FILES = [
   'cases_physical.mjs',
   'cases_area.mjs',
   'cases_transmission.mjs',
+  'cases_shadow.mjs',
 ];
 
 const modules = await Promise.all(FILES.map((file) => import(`./${file}`)));

@@ -28,6 +28,8 @@ struct Limits {
   std::uint64_t imageScans = 64;                     ///< L_IMAGE_SCANS: progressive JPEG scans
   std::uint64_t morphTargets = 256;                  ///< L_MORPH_TARGETS: of one primitive
   std::uint64_t lights = 64;                         ///< L_LIGHTS: the model's and the shot's
+  std::uint64_t shadowTexels = 33'554'432;           ///< L_SHADOW_TEXELS: of all shadow maps of one render
+  std::uint64_t textureUnits = 16;                   ///< L_TEXTURE_UNITS: of one program with shadows, as in WebGL 2
   std::uint64_t environmentPixels = 8192ull * 4096;  ///< L_ENVIRONMENT_PIXELS
   std::uint64_t programs = 64;                       ///< L_PROGRAMS: shader programs of one render
 };

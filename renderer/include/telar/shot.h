@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,6 +59,19 @@ struct Shot {
     double angle = 0;              ///< outer half-angle, radians
     double penumbra = 0;           ///< 0..1
     double width = 0, height = 0;  ///< metres, rect
+    bool castShadow = false;
+
+    /// LightShadow of three.js 0.187, and its camera; read where castShadow is true.
+    struct Shadow {
+      int mapSize = 0;        ///< texels on a side
+      double radius = 0;      ///< of the filter, texels
+      double intensity = 0;   ///< part of the light that the shadow takes, 0..1
+      double bias = 0;        ///< added to the depth 0..1 that is compared
+      double normalBias = 0;  ///< metres along the normal to the point that is compared
+      double near = 0, far = 0;
+      double left = 0, right = 0, bottom = 0, top = 0;  ///< metres, directional
+      double focus = 0;                                 ///< part of the cone's angle, spot
+    } shadow;
   };
   std::vector<Light> lights;
   bool modelLights = true;
@@ -67,6 +81,14 @@ struct Shot {
     glm::vec3 color{0};  ///< linear Rec.709
     double blur = 0;     ///< 0..1, of the environment: scene.backgroundBlurriness of three.js
   } background;
+
+  /// A level rectangle that shows nothing but shadows.
+  struct Ground {
+    double opacity = 0;      ///< of a full shadow
+    glm::dvec3 position{0};  ///< its centre
+    glm::dvec2 size{0};      ///< metres along x and z
+  };
+  std::optional<Ground> ground;
 
   std::string shading;      ///< "three"
   std::string toneMapping;  ///< none linear reinhard cineon aces agx neutral

@@ -19,7 +19,7 @@ json standard() {
     "camera": {"projection": "perspective", "position": [0, 1, 5], "target": [0, 1, 0], "up": [0, 1, 0],
                "fovY": 30, "near": 0.5, "far": 9},
     "environment": {"map": "studio", "intensity": 1, "rotation": 0},
-    "lights": [], "modelLights": true, "background": "transparent", "shading": "three", "toneMapping": "neutral",
+    "lights": [], "modelLights": true, "background": "transparent", "ground": "none", "shading": "three", "toneMapping": "neutral",
     "exposure": 1, "quality": {"preset": "standard", "samples": 4}, "variant": "", "layers": ["beauty"],
     "output": {"format": "png", "quality": 90, "bitDepth": 8, "ppi": 0, "icc": false}})");
 }
@@ -106,10 +106,13 @@ TEST(ParseShot, ReadsEveryLight) {
   const json lights = json::parse(R"([
     {"type": "ambient", "color": [1, 0.5, 0], "intensity": 2},
     {"type": "hemisphere", "color": [1, 1, 1], "groundColor": [0, 0, 0.5], "intensity": 3},
-    {"type": "directional", "color": [1, 1, 1], "intensity": 4, "position": [0, 1, 0], "target": [1, 0, 0]},
-    {"type": "point", "color": [1, 1, 1], "intensity": 5, "position": [0, 2, 0], "range": 6},
+    {"type": "directional", "color": [1, 1, 1], "intensity": 4, "position": [0, 1, 0], "target": [1, 0, 0],
+     "castShadow": true, "shadow": {"mapSize": 512, "radius": 2, "intensity": 0.5, "bias": -0.25, "normalBias": 0.125,
+     "near": -1, "far": 6, "left": -2, "right": 3, "bottom": -4, "top": 5}},
+    {"type": "point", "color": [1, 1, 1], "intensity": 5, "position": [0, 2, 0], "range": 6, "castShadow": false},
     {"type": "spot", "color": [1, 1, 1], "intensity": 7, "position": [0, 3, 0], "target": [0, 0, 0], "range": 8,
-     "angle": 0.5, "penumbra": 0.25},
+     "angle": 0.5, "penumbra": 0.25, "castShadow": true, "shadow": {"mapSize": 16, "radius": 0, "intensity": 1,
+     "bias": 0, "normalBias": 0, "near": 1, "far": 8, "focus": 0.75}},
     {"type": "rect", "color": [1, 1, 1], "intensity": 9, "position": [0, 4, 0], "target": [0, 1, 0], "width": 2,
      "height": 0.5}])");
   const std::vector<Shot::Light> read = parseShot(with("/lights", lights).dump()).lights;
@@ -122,6 +125,15 @@ TEST(ParseShot, ReadsEveryLight) {
   EXPECT_EQ(read[1].groundColor, glm::vec3(0, 0, 0.5f));
   EXPECT_EQ(read[2].type, Type::kDirectional);
   EXPECT_EQ(read[2].target, glm::dvec3(1, 0, 0));
+  ASSERT_TRUE(read[2].castShadow);
+  const Shot::Light::Shadow& shadow = read[2].shadow;
+  EXPECT_EQ(shadow.mapSize, 512);
+  EXPECT_EQ(std::vector({shadow.radius, shadow.intensity, shadow.bias, shadow.normalBias}),
+            std::vector({2.0, 0.5, -0.25, 0.125}));
+  EXPECT_EQ(std::vector({shadow.near, shadow.far, shadow.left, shadow.right, shadow.bottom, shadow.top}),
+            std::vector<double>({-1, 6, -2, 3, -4, 5}));
+  EXPECT_FALSE(read[3].castShadow);
+  EXPECT_EQ(read[4].shadow.focus, 0.75);
   EXPECT_EQ(read[3].type, Type::kPoint);
   EXPECT_EQ(read[3].position, glm::dvec3(0, 2, 0));
   EXPECT_EQ(read[3].range, 6);
@@ -133,6 +145,47 @@ TEST(ParseShot, ReadsEveryLight) {
   EXPECT_EQ(read[5].target, glm::dvec3(0, 1, 0));
   EXPECT_EQ(read[5].width, 2);
   EXPECT_EQ(read[5].height, 0.5);
+}
+
+TEST(ParseShot, ReadsTheGround) {
+  EXPECT_FALSE(parseShot(standard().dump()).ground);
+  const json ground = {{"shadow", true}, {"opacity", 0.5}, {"position", {1, 2, 3}}, {"size", {4, 5}}};
+  const Shot shot = parseShot(with("/ground", ground).dump());
+  ASSERT_TRUE(shot.ground);
+  EXPECT_EQ(shot.ground->opacity, 0.5);
+  EXPECT_EQ(shot.ground->position, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(shot.ground->size, glm::dvec2(4, 5));
+  EXPECT_STREQ(failure(with("/ground", "floor")).what(), "shot.ground: expected one of none, got \"floor\"");
+  for (const auto& [key, value] : ground.items()) {
+    json less = with("/ground", ground);
+    less["ground"].erase(key);
+    EXPECT_EQ(failure(less).pointer, "/ground/" + key);
+  }
+}
+
+/// A light that casts a shadow, its `shadow` less or with one key.
+json casting(const std::string& key, const json& value) {
+  json light = {{"type", "point"}, {"color", {1, 1, 1}},    {"intensity", 1},
+                {"range", 0},      {"position", {0, 2, 0}}, {"castShadow", true}};
+  light["shadow"] = {{"mapSize", 512}, {"radius", 2},     {"intensity", 0.5}, {"bias", 0},
+                     {"near", 1},      {"normalBias", 0}, {"far", 2}};
+  light["shadow"].erase(key);
+  if (!value.is_null()) light["shadow"][key] = value;
+  return with("/lights", json::array({light}));
+}
+
+TEST(ParseShot, RefusesAbsurdShadows) {
+  EXPECT_EQ(failure(casting("bias", 0.5)).code, "none");
+  const std::vector<std::pair<const char*, json>> wrong{
+      {"mapSize", 0},   {"mapSize", 4097}, {"mapSize", -512},       {"mapSize", 64.5}, {"mapSize", 1e300}, {"bias", 2},
+      {"bias", "0"},    {"radius", -1},    {"radius", 26},          {"near", 0},       {"near", 2},        {"far", 1},
+      {"intensity", 2}, {"far", nullptr},  {"normalBias", nullptr}, {"normalBias", -1}};
+  for (const auto& [key, value] : wrong) {
+    const Error error = failure(casting(key, value));
+    EXPECT_EQ(error.code, "E_SHOT") << key << " " << value;
+    ASSERT_TRUE(error.pointer) << key << " " << value;
+    EXPECT_EQ(error.pointer->rfind("/lights/0/shadow/", 0), 0u) << *error.pointer;
+  }
 }
 
 TEST(ParseShot, EveryKeyIsNeeded) {

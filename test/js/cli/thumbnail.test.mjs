@@ -59,7 +59,7 @@ test('flags, --set and --shot make the shot, each over the one before', async ()
   assert.deepEqual(shot.camera.up, [0, 0, -1]);
   assert.deepEqual(shot.environment, { map: at('maps/a.hdr'), intensity: 1, rotation: 5 });
   assert.deepEqual([shot.quality.preset, shot.background, shot.variant, shot.exposure, shot.output.ppi], ['draft', [1, 0, 0], 'navy', 3, 72]);
-  assert.deepEqual(shot.lights, [{ type: 'point', color: [0, 1, 0], intensity: 1, position: [0, 0, 0], range: 0 }]);
+  assert.deepEqual(shot.lights, [{ type: 'point', color: [0, 1, 0], intensity: 1, position: [0, 0, 0], range: 0, castShadow: false }]);
 });
 
 test('--environment starts at the current folder, --size takes one or two numbers', async () => {

@@ -29,6 +29,10 @@ const SHOTS = [
   { lights: ['ambient', 'hemisphere', 'directional', 'point', 'spot', 'rect'].map((type) => ({ type })) },
   { lights: [{ type: 'spot', color: 'tomato', intensity: 3, position: [1, 2, 3], target: [0, 1, 0], range: 9, angle: 0.3, penumbra: 1 }] },
   { lights: [{ type: 'hemisphere', color: [1, 2, 3], groundColor: '#123' }], modelLights: false },
+  { lights: ['directional', 'point', 'spot'].map((type) => ({ type, position: [1, 3, 2], castShadow: true })) },
+  { lights: [{ type: 'point', range: 9, castShadow: true, shadow: { radius: 5, mapSize: 256 } }], ground: { opacity: 0.7 } },
+  { ground: {} },
+  { ground: { position: [0, -1, 0], size: [2, 3] } },
   { background: '#eee', shading: 'three', toneMapping: 'agx', exposure: 0.5 },
   { background: 'environment', variant: 'navy', layers: ['beauty'] },
   { background: { blur: 0.25 } },
@@ -79,6 +83,7 @@ test('all defaults are written out', () => {
     lights: [],
     modelLights: true,
     background: 'transparent',
+    ground: 'none',
     shading: 'three',
     toneMapping: 'neutral',
     exposure: 1,
@@ -97,9 +102,9 @@ test('defaults of lights are three.js\'s', () => {
   assert.deepEqual(resolveShot({ lights: types.map((type) => ({ type })) }, box).lights, [
     { type: 'ambient', color: [1, 1, 1], intensity: 1 },
     { type: 'hemisphere', color: [1, 1, 1], intensity: 1, groundColor: [1, 1, 1] },
-    { type: 'directional', color: [1, 1, 1], intensity: 1, position: [0, 1, 0], target: [0, 0, 0] },
-    { type: 'point', color: [1, 1, 1], intensity: 1, position: [0, 0, 0], range: 0 },
-    { type: 'spot', color: [1, 1, 1], intensity: 1, position: [0, 1, 0], target: [0, 0, 0], range: 0, angle: Math.PI / 3, penumbra: 0 },
+    { type: 'directional', color: [1, 1, 1], intensity: 1, position: [0, 1, 0], target: [0, 0, 0], castShadow: false },
+    { type: 'point', color: [1, 1, 1], intensity: 1, position: [0, 0, 0], range: 0, castShadow: false },
+    { type: 'spot', color: [1, 1, 1], intensity: 1, position: [0, 1, 0], target: [0, 0, 0], range: 0, angle: Math.PI / 3, penumbra: 0, castShadow: false },
     { type: 'rect', color: [1, 1, 1], intensity: 1, position: [0, 1, 0], target: [0, 0, 0], width: 10, height: 10 },
   ]);
 });

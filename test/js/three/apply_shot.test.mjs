@@ -13,7 +13,7 @@ const resolve = (shot = {}) => resolveShot({ environment: 'none', camera: CAMERA
 function recorder() {
   const calls = {};
   const record = (name) => (...args) => (calls[name] = args);
-  return { calls, setPixelRatio: record('setPixelRatio'), setSize: record('setSize'), setClearColor: record('setClearColor') };
+  return { calls, shadowMap: {}, setPixelRatio: record('setPixelRatio'), setSize: record('setSize'), setClearColor: record('setClearColor') };
 }
 
 async function apply(shot, extra = {}) {

@@ -1,0 +1,30 @@
+#pragma once
+#include <map>
+#include <tuple>
+
+#include "gl/program.h"
+#include "pass/draw_list.h"
+
+namespace telar::pass {
+
+/// The shadows on the ground beneath the model, over what is behind it. Draws nothing where there is no shadow.
+class GroundPass {
+ public:
+  explicit GroundPass(const gl::Context& context) : context_(context) {}
+
+  /// The target is bound and holds the opaque surfaces; the shadow maps are bound from `firstUnit` on.
+  void draw(const FramePlan& plan, const Shot& shot, GLuint firstUnit);
+
+ private:
+  /// Numbers of flat and cube maps, tone mapping, linear output.
+  using Key = std::tuple<std::size_t, std::size_t, shader::ToneMapping, bool>;
+  const gl::Program& program(const Key& key);
+  void makeRectangle(const glm::dvec2& size);
+
+  const gl::Context& context_;
+  std::map<Key, gl::Program> programs_;
+  gl::VertexArray rectangle_;
+  gl::Buffer corners_;
+};
+
+}  // namespace telar::pass

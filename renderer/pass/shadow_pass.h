@@ -1,0 +1,47 @@
+#pragma once
+#include <map>
+#include <vector>
+
+#include "gl/program.h"
+#include "pass/draw_list.h"
+#include "pass/gpu_scene.h"
+
+namespace telar::pass {
+
+/// Draws the shadow maps of a frame: what the model hides from each light. Maps and programs are kept for the next
+/// frame; the maps go when a frame needs fewer.
+class ShadowPass {
+ public:
+  explicit ShadowPass(const gl::Context& context) : context_(context) {}
+
+  /// Binds framebuffers of its own. @throws Error{L_OUTPUT_SIZE, X_GL_MEMORY, X_SHADER}
+  void draw(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);
+  /// Binds every map of the frame to a unit of its own from `firstUnit` on: flat ones, then cubes.
+  void bind(const ShadowSet& shadows, GLuint firstUnit) const;
+
+ private:
+  struct Target {
+    bool cube = false;
+    int size = 0;
+    gl::Texture depth;
+    std::vector<gl::Framebuffer> faces;
+  };
+  /// Programs by alpha mask and UV set.
+  using CasterKey = std::pair<bool, bool>;
+
+  void resize(const ShadowSet& shadows);
+  Target makeTarget(bool cube, int size) const;
+  void drawView(const Camera& view, const FramePlan& plan, const Scene& scene, GpuScene& gpu,
+                const CancelToken& cancel);
+  const gl::Program& program(CasterKey key);
+
+  const gl::Context& context_;
+  std::vector<Target> targets_;  // flat ones, then cubes
+  std::map<CasterKey, gl::Program> programs_;
+};
+
+/// Sets what shaders/shadow needs of the first `flat` and `cube` maps, which are bound from `firstUnit` on.
+void uploadShadows(const gl::Program& program, const ShadowSet& shadows, std::size_t flat, std::size_t cube,
+                   GLuint firstUnit);
+
+}  // namespace telar::pass

@@ -1,0 +1,97 @@
+#include "pass/shadow_set.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "telar/error.h"
+
+namespace telar::pass {
+namespace {
+
+using Light = Shot::Light;
+
+/// Clip space to texture coordinates.
+glm::dmat4 clipToMap() {
+  return glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) * glm::scale(glm::dmat4(1.0), glm::dvec3(0.5));
+}
+
+Camera flatView(const Light& light) {
+  const Light::Shadow& s = light.shadow;
+  Camera camera;
+  camera.view = lookAtView(light.position, light.target, glm::dvec3(0, 1, 0));
+  camera.orthographic = light.type == Light::Type::kDirectional;
+  camera.projection = camera.orthographic ? glm::ortho(s.left, s.right, s.bottom, s.top, s.near, s.far)
+                                          : glm::perspective(2.0 * light.angle * s.focus, 1.0, s.near, s.far);
+  return camera;
+}
+
+/// Faces in GL's order, each as GL lays its texels out.
+std::vector<Camera> cubeViews(const Light& light) {
+  struct Face {
+    glm::dvec3 direction, up;
+  };
+  const std::array faces{Face{{1, 0, 0}, {0, -1, 0}},  Face{{-1, 0, 0}, {0, -1, 0}}, Face{{0, 1, 0}, {0, 0, 1}},
+                         Face{{0, -1, 0}, {0, 0, -1}}, Face{{0, 0, 1}, {0, -1, 0}},  Face{{0, 0, -1}, {0, -1, 0}}};
+  std::vector<Camera> views;
+  for (const Face& face : faces) {
+    Camera camera;
+    camera.view = lookAtView(light.position, light.position + face.direction, face.up);
+    camera.projection = glm::perspective(glm::radians(90.0), 1.0, light.shadow.near, light.shadow.far);
+    views.push_back(camera);
+  }
+  return views;
+}
+
+ShadowMap mapOf(const Light& light) {
+  ShadowMap map{light.type, light.shadow, {}, glm::dmat4(1.0), shines(light)};
+  if (light.type == Light::Type::kPoint) {
+    map.views = cubeViews(light);
+    map.matrix = glm::translate(glm::dmat4(1.0), -light.position);
+  } else {
+    map.views = {flatView(light)};
+    map.matrix = clipToMap() * (map.views[0].projection * map.views[0].view);
+  }
+  return map;
+}
+
+}  // namespace
+
+const char* nameOf(Light::Type type) {
+  return type == Light::Type::kPoint ? "point" : type == Light::Type::kSpot ? "spot" : "directional";
+}
+
+bool shines(const Light& light) {
+  return glm::vec3(glm::dvec3(light.color) * light.intensity) != glm::vec3(0) ||
+         (light.type == Light::Type::kHemisphere &&
+          glm::vec3(glm::dvec3(light.groundColor) * light.intensity) != glm::vec3(0));
+}
+
+void ShadowSet::describe(shader::VariantKey& key) const {
+  for (const ShadowMap& map : flat) {
+    if (map.lit) ++(map.type == Light::Type::kSpot ? key.spotShadows : key.directionalShadows);
+  }
+  for (const ShadowMap& map : cube) key.pointShadows = static_cast<std::uint8_t>(key.pointShadows + map.lit);
+}
+
+ShadowSet collectShadows(const Shot& shot, const Limits& limits) {
+  double texels = 0;
+  for (const Light& light : shot.lights) {
+    const double size = light.shadow.mapSize;
+    if (light.castShadow) texels += size * size * (light.type == Light::Type::kPoint ? 6 : 1);
+  }
+  checkLimit("L_SHADOW_TEXELS", static_cast<double>(limits.shadowTexels), texels);
+  ShadowSet set;
+  for (const Light& light : shot.lights) {
+    if (light.castShadow) (light.type == Light::Type::kPoint ? set.cube : set.flat).push_back(mapOf(light));
+  }
+  const auto order = [](const ShadowMap& a, const ShadowMap& b) {
+    const auto rank = [](const ShadowMap& m) { return std::pair(!m.lit, m.type != Light::Type::kSpot); };
+    return rank(a) < rank(b);
+  };
+  std::stable_sort(set.flat.begin(), set.flat.end(), order);
+  std::stable_sort(set.cube.begin(), set.cube.end(), order);
+  return set;
+}
+
+}  // namespace telar::pass

@@ -1,0 +1,42 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "pass/camera.h"
+#include "shader/variant_key.h"
+#include "telar/limits.h"
+#include "telar/shot.h"
+
+namespace telar::pass {
+
+/// One shadow map as three.js 0.187 makes it: a square depth texture of a directional or spot light, or a cube of a
+/// point light.
+struct ShadowMap {
+  Shot::Light::Type type;
+  Shot::Light::Shadow settings;
+  std::vector<Camera> views;  ///< what the map sees: 1, or the faces +x -x +y -y +z -z
+  glm::dmat4 matrix{1.0};  ///< world to map coordinates, 0..1 after / w; to the vector from the light for a point light
+  bool lit = false;        ///< the light shines on surfaces too; else only the ground shows its shadow
+};
+
+/// The shadow maps of a frame. Those of lights that shine on surfaces come first in each list, spot before directional.
+struct ShadowSet {
+  std::vector<ShadowMap> flat;  ///< spot and directional lights
+  std::vector<ShadowMap> cube;  ///< point lights
+
+  /// Writes the numbers of maps that surfaces read into a key.
+  void describe(shader::VariantKey& key) const;
+  bool empty() const { return flat.empty() && cube.empty(); }
+};
+
+/// "directional", "spot" or "point".
+const char* nameOf(Shot::Light::Type type);
+
+/// Whether a light adds anything to a surface: neither black nor of intensity 0.
+bool shines(const Shot::Light& light);
+
+/// The shot's lights with castShadow; lights of the model cast none, as in three.js's GLTFLoader.
+/// @throws Error{L_SHADOW_TEXELS}
+ShadowSet collectShadows(const Shot& shot, const Limits& limits);
+
+}  // namespace telar::pass

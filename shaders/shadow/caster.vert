@@ -1,0 +1,19 @@
+// Depth of what casts a shadow, seen from a light.
+layout(location = 0) in vec3 position;  // mesh space, metres
+#if ALPHA_MASK
+layout(location = 3) in vec2 uv0;
+layout(location = 4) in vec2 uv1;
+uniform mat3 baseColorUvTransform;
+out vec2 vBaseColorUv;
+#endif
+
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+
+void main() {
+  vec4 viewSpace = modelViewMatrix * vec4(position, 1.0);
+  gl_Position = projectionMatrix * viewSpace;
+#if ALPHA_MASK
+  vBaseColorUv = vec2(baseColorUvTransform * vec3(BASE_COLOR_UV1 == 1 ? uv1 : uv0, 1.0));
+#endif
+}

@@ -1,0 +1,31 @@
+// Vertex stage: where a point lies in the shadow maps. FLAT_SHADOWS maps of spot and directional lights, CUBE_SHADOWS of
+// point lights.
+#if FLAT_SHADOWS + CUBE_SHADOWS > 0
+uniform mat4 viewMatrix;
+#endif
+#if FLAT_SHADOWS > 0
+uniform mat4 flatShadowMatrix[FLAT_SHADOWS];  // world to map coordinates 0..1, after / w
+uniform float flatShadowNormalBias[FLAT_SHADOWS];  // metres
+out vec4 vFlatShadowCoord[FLAT_SHADOWS];
+#endif
+#if CUBE_SHADOWS > 0
+uniform mat4 cubeShadowMatrix[CUBE_SHADOWS];  // world to the vector from the light
+uniform float cubeShadowNormalBias[CUBE_SHADOWS];
+out vec4 vCubeShadowCoord[CUBE_SHADOWS];
+#endif
+
+#if FLAT_SHADOWS + CUBE_SHADOWS > 0
+// point       mesh space
+// viewNormal  view space, any length; 0 where the mesh has none
+void setShadowCoords(vec3 point, vec3 viewNormal) {
+  vec4 world = modelMatrix * vec4(point, 1.0);
+  vec3 normal = vec3(0.0);
+  if (viewNormal != vec3(0.0)) normal = normalize((vec4(viewNormal, 0.0) * viewMatrix).xyz);
+#repeat FLAT_SHADOWS
+  vFlatShadowCoord[INDEX] = flatShadowMatrix[INDEX] * (world + vec4(normal * flatShadowNormalBias[INDEX], 0.0));
+#end
+#repeat CUBE_SHADOWS
+  vCubeShadowCoord[INDEX] = cubeShadowMatrix[INDEX] * (world + vec4(normal * cubeShadowNormalBias[INDEX], 0.0));
+#end
+}
+#endif

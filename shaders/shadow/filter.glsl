@@ -1,0 +1,93 @@
+// Fragment stage: how much of a light gets past the model, filtered as PCFShadowMap of three.js 0.187. Five taps of the
+// hardware's bilinear comparison on a disk that turns from pixel to pixel.
+precision highp sampler2DShadow;
+precision highp samplerCubeShadow;
+
+#if FLAT_SHADOWS > 0
+uniform sampler2DShadow flatShadowMap[FLAT_SHADOWS];
+uniform vec4 flatShadow[FLAT_SHADOWS];  // radius in texels, texels on a side, bias, part of the light that it takes
+in vec4 vFlatShadowCoord[FLAT_SHADOWS];
+#endif
+#if CUBE_SHADOWS > 0
+uniform samplerCubeShadow cubeShadowMap[CUBE_SHADOWS];
+uniform vec4 cubeShadow[CUBE_SHADOWS];
+uniform vec2 cubeShadowRange[CUBE_SHADOWS];  // near and far, metres
+in vec4 vCubeShadowCoord[CUBE_SHADOWS];
+#endif
+
+const float TURN = 6.283185307179586;
+const float GOLDEN_ANGLE = 2.399963229728653;
+const int TAPS = 5;
+
+// Angle of the disk at this pixel: interleaved gradient noise.
+float diskAngle() {
+  return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) * TURN;
+}
+
+// One of TAPS points spread evenly over the unit disk: Vogel's spiral.
+vec2 diskPoint(int tap, float angle) {
+  float r = sqrt((float(tap) + 0.5) / float(TAPS));
+  float theta = float(tap) * GOLDEN_ANGLE + angle;
+  return vec2(cos(theta), sin(theta)) * r;
+}
+
+#if FLAT_SHADOWS > 0
+// coord  map coordinates times w
+// return part of the light that arrives, 0..1; 1 beside the map
+float flatVisibility(sampler2DShadow map, vec4 settings, vec4 coord) {
+  coord.xyz /= coord.w;
+  coord.z += settings.z;
+  if (!(coord.x >= 0.0 && coord.x <= 1.0 && coord.y >= 0.0 && coord.y <= 1.0 && coord.z <= 1.0)) return 1.0;
+  vec2 radius = settings.x * (vec2(1.0) / vec2(settings.y));
+  float angle = diskAngle();
+  float visible = texture(map, vec3(coord.xy + diskPoint(0, angle) * radius, coord.z));
+  for (int tap = 1; tap < TAPS; ++tap) visible += texture(map, vec3(coord.xy + diskPoint(tap, angle) * radius, coord.z));
+  return mix(1.0, visible * 0.2, settings.w);
+}
+
+float flatShadowVisibility(int i) {
+  switch (i) {
+#repeat FLAT_SHADOWS
+    case INDEX: return flatVisibility(flatShadowMap[INDEX], flatShadow[INDEX], vFlatShadowCoord[INDEX]);
+#end
+  }
+  return 1.0;
+}
+#endif
+
+#if CUBE_SHADOWS > 0
+// fromLight  vector from the light, metres; a face of the cube holds the depth along its own axis
+float cubeVisibility(samplerCubeShadow map, vec4 settings, vec2 range, vec3 fromLight) {
+  float near = range.x;
+  float far = range.y;
+  vec3 size = abs(fromLight);
+  float axisDistance = max(max(size.x, size.y), size.z);
+  if (!(axisDistance - far <= 0.0 && axisDistance - near >= 0.0)) return 1.0;
+  vec3 direction = normalize(fromLight);
+  // Depth is offset + scale / axis distance.
+  float offset = far / (far - near) + settings.z;
+  float scale = -near * far / ((far - near) * length(fromLight));
+  float radius = settings.x / settings.y;
+  vec3 steep = abs(direction);
+  vec3 tangent = normalize(cross(direction, steep.x > steep.z ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
+  vec3 bitangent = cross(direction, tangent);
+  float angle = diskAngle();
+  float visible = 0.0;
+  for (int tap = 0; tap < TAPS; ++tap) {
+    vec2 point = diskPoint(tap, angle);
+    vec3 towards = direction + (tangent * point.x + bitangent * point.y) * radius;
+    vec3 along = abs(towards);
+    visible += texture(map, vec4(towards, offset + scale / max(max(along.x, along.y), along.z)));
+  }
+  return mix(1.0, visible * 0.2, settings.w);
+}
+
+float cubeShadowVisibility(int i) {
+  switch (i) {
+#repeat CUBE_SHADOWS
+    case INDEX: return cubeVisibility(cubeShadowMap[INDEX], cubeShadow[INDEX], cubeShadowRange[INDEX], vCubeShadowCoord[INDEX].xyz);
+#end
+  }
+  return 1.0;
+}
+#endif
