@@ -231,7 +231,8 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
 
 void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {
   const gl::Functions& gl = context_.gl();
-  // Before the others: making a texture binds it.
+  // Before the others, and not over a shadow map: making a texture binds it.
+  gl.ActiveTexture(GL_TEXTURE0);
   if ((in.plan.environment && !in.environment) || (transmission && !in.transmission)) standIns();
   if (in.plan.frame.rectLights > 0 && !ltc_) ltc_ = createLtcTextures(context_);
   const auto bind = [&gl](GLuint unit, GLenum target, const gl::Texture& texture) {

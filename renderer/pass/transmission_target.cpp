@@ -10,6 +10,7 @@ namespace telar::pass {
 TransmissionTarget::TransmissionTarget(const gl::Context& context, int width, int height)
     : context_(context), width_(width), height_(height), color_(context.gl()), resolved_(context.gl()) {
   const gl::Functions& gl = context_.gl();
+  gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_2D, color_.get());
   gl.TexStorage2D(GL_TEXTURE_2D, std::bit_width(static_cast<unsigned>(std::max(width, height))), GL_RGBA16F, width,
                   height);

@@ -2,7 +2,7 @@
 import { TRANSMISSION_MODELS } from '../fixtures/scenes_transmission.mjs';
 import { sharedCases } from './cases_files.mjs';
 import { makeCase } from './make_case.mjs';
-import { LIGHTS } from './shot.mjs';
+import { CASE_ENVIRONMENT, LIGHTS, shot } from './shot.mjs';
 
 const { ambient, directional, hemisphere, point, spot } = LIGHTS;
 const FAST = ['transmission', 'transmission-attenuation', 'transmission-order', 'transmission-two-sided-alone'];
@@ -36,6 +36,18 @@ const otherCases = [
   makeCase('transmission-dispersion-linear', 'transmission-dispersion-rough', 'lamps', { toneMapping: 'linear', exposure: 0.5, camera: 'front' }),
 ];
 
+/** Shadows on and of glass, and the ground, which is see-through itself. */
+const casting = [directional, spot].map((light) => ({ ...light, castShadow: true }));
+const CUBE = { min: [-1, -1, -1], max: [1, 1, 1] };
+const shadowed = (name, model, overrides) => {
+  const settings = { environment: CASE_ENVIRONMENT, lights: casting, exposure: 0.6, ...overrides };
+  return { name, model, environment: 'lamps', shot: shot(settings, CUBE), fast: false };
+};
+const shadowCases = [
+  shadowed('transmission-shadows', 'transmission-order', { camera: 'front' }),
+  shadowed('transmission-ground', 'transmission-two-sided', { ground: { opacity: 0.6 }, background: { blur: 0.3 } }),
+];
+
 const MODELS = [
   ['transmission-roughness', 'TransmissionRoughnessTest/TransmissionRoughnessTest.glb', 0, 0],
   ['attenuation', 'AttenuationTest/AttenuationTest.glb', 0, 0],
@@ -50,7 +62,7 @@ const EXTENDED = [
 ];
 
 /** @type {import('./cases.mjs').Case[]} */
-export const CASES = [...featureCases, ...backgroundCases, ...otherCases, ...sharedCases(MODELS)].map((item) => ({
+export const CASES = [...featureCases, ...backgroundCases, ...otherCases, ...shadowCases, ...sharedCases(MODELS)].map((item) => ({
   ...item,
   extended: EXTENDED.includes(item.name),
 }));
