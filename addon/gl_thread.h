@@ -30,7 +30,7 @@ class GlThread {
     std::unique_ptr<Renderer> renderer;  // touched by the thread only
   };
 
-  GlThread(std::shared_ptr<Slot> slot, std::size_t maxQueued, std::function<void()> onExit)
+  GlThread(const std::shared_ptr<Slot>& slot, std::size_t maxQueued, std::function<void()> onExit)
       : slot_(slot), thread_(1, maxQueued, [slot, onExit = std::move(onExit)] {
           slot->renderer.reset();
           onExit();

@@ -59,7 +59,7 @@ std::vector<Visit> walkScene(const tinygltf::Model& model, const Limits& limits,
                              Warnings& warnings) {
   const std::vector<bool> child = findChildren(model);
   const std::vector<int> allRoots = rootsOf(child);
-  const std::vector<Visit> all = walk(model, allRoots, limits, cancel);
+  std::vector<Visit> all = walk(model, allRoots, limits, cancel);
   if (all.size() != model.nodes.size()) {
     std::vector<bool> met(model.nodes.size(), false);
     for (const Visit& visit : all) met[static_cast<std::size_t>(visit.node)] = true;

@@ -120,7 +120,7 @@ std::vector<std::byte> decodeDataUri(std::string_view uri, std::string_view wher
 
 std::string relativePath(std::string_view uri, std::string_view where) {
   if (uri.empty()) fail("E_URI_MISSING", "a uri is empty; it must name a file beside the model", where);
-  const std::string path = percentDecode(uri);
+  std::string path = percentDecode(uri);
   if (hasScheme(uri) || leavesFolder(path) || leavesFolder(percentDecode(path))) {
     fail("E_URI_DENIED",
          "the uri " + telar::quoted(uri) + " leads out of the model's folder; only files beneath it are opened", where);

@@ -9,8 +9,10 @@ namespace {
 }  // namespace
 #define float Real
 #include "brdf/definitions.inl"
+// clang-format off: in this order
 #include "brdf/shading_layers_on.inl"
 #include "brdf/shading_definitions.inl"
 #include "brdf/shading_layers_off.inl"
+// clang-format on
 #undef float
 }  // namespace telar::brdf_d
