@@ -9,7 +9,8 @@ namespace {
 }  // namespace
 #define float Real
 #include "brdf/definitions.inl"
-// clang-format off: in this order
+// In this order.
+// clang-format off
 #include "brdf/shading_layers_on.inl"
 #include "brdf/shading_definitions.inl"
 #include "brdf/shading_layers_off.inl"
