@@ -10,6 +10,10 @@ const FRAMED = '';
 const ENVIRONMENT = 'environment';
 const BACKGROUNDS = ['transparent', ENVIRONMENT];
 
+/** What lies beneath the model. */
+const NO_GROUND = 'none';
+const SHADOW = 'shadow';
+
 /** How each control reads the state, and what it changes of the shot. Names are those of the form's elements. */
 const BINDINGS = {
   modelCamera: {
@@ -60,6 +64,14 @@ const BINDINGS = {
     read: ({ resolved: { background } }) => (background === ENVIRONMENT ? defaultOf('background.blur') : background.blur),
     change: (value) => ({ background: { type: ENVIRONMENT, blur: Number(value) } }),
   },
+  ground: {
+    read: ({ resolved }) => (resolved.ground === NO_GROUND ? NO_GROUND : SHADOW),
+    change: (value) => ({ ground: value === NO_GROUND ? NO_GROUND : {} }),
+  },
+  opacity: {
+    read: ({ resolved }) => resolved.ground.opacity,
+    change: (value, { shot }) => ({ ground: { ...shot.ground, opacity: Number(value) } }),
+  },
   backgroundColour: {
     read: ({ resolved }) => (Array.isArray(resolved.background) ? Client.hexOf(resolved.background) : undefined),
     change: (background) => ({ background }),
@@ -97,6 +109,7 @@ export function bindControls(form, state, { environments, cameras, variants, ani
   fill('toneMapping', asOptions(choicesOf('toneMapping')));
   fill('environment', environments.map(({ map }) => [map, titled(map)]));
   fill('background', [...asOptions(BACKGROUNDS), [COLOUR, 'Colour']]);
+  fill('ground', asOptions([NO_GROUND, SHADOW]));
   fill('quality', asOptions(choicesOf('quality')));
   const rows = { modelCamera: cameras.length > 0, variant: variants.length > 0, animation: animations.length > 0 && hasKey('pose') };
   for (const [name, isShown] of Object.entries({ ...rows, time: rows.animation })) elements[name].closest('.row').hidden = !isShown;

@@ -85,7 +85,7 @@ test('every control is reached by Tab, has a name, and shows that it has the foc
     reached.push(focused.id);
   }
   const wanted = ['help-button', 'mode', 'front', 'three-quarter', 'stage', 'save-browser', 'save-server', 'variant', 'projection', 'fovY', 'fit',
-    'environment', 'intensity', 'rotation', 'background', 'shading', 'toneMapping', 'exposure', 'width', 'height', 'quality', 'shot', 'apply-shot', 'copy-shot'];
+    'environment', 'intensity', 'rotation', 'background', 'ground', 'shading', 'toneMapping', 'exposure', 'width', 'height', 'quality', 'shot', 'apply-shot', 'copy-shot'];
   assert.deepEqual(wanted.filter((id) => !reached.includes(id)), []);
   const nameless = await page.locator('button, input, select, textarea, [role=slider], [role=application]').evaluateAll((nodes) => nodes
     .filter((node) => !(node.labels?.length > 0 || node.getAttribute('aria-label') || node.textContent.trim())).map((node) => node.id || node.outerHTML));
@@ -108,6 +108,8 @@ const PRESSED = [
   ['#background', ['ArrowDown'], 'background'],
   ['#blur', ['PageUp', 'PageUp'], 'background'],
   ['#background', ['ArrowDown'], 'background'],
+  ['#ground', ['ArrowDown'], 'ground'],
+  ['#opacity', ['PageDown', 'PageDown'], 'ground'],
   ['#quality', ['ArrowDown'], 'quality'],
   ['#width', ['ArrowDown', 'Tab'], 'size'],
   ['#height', ['ArrowUp', 'Tab'], 'size'],
