@@ -24,6 +24,7 @@ constexpr std::array LIMIT_FIELDS{
     LimitField{"L_TRIANGLES", &Limits::triangles},
     LimitField{"L_BUFFERS", &Limits::buffers},
     LimitField{"L_BUFFER_VIEWS", &Limits::bufferViews},
+    LimitField{"L_MESHOPT_BYTES", &Limits::meshoptBytes},
     LimitField{"L_ACCESSORS", &Limits::accessors},
     LimitField{"L_MATERIALS", &Limits::materials},
     LimitField{"L_TEXTURES", &Limits::textures},

@@ -62,7 +62,14 @@ export interface ModelFacts {
     textures: string[];
   }>;
   /** Width 0: no drawn material uses it, so it was not decoded. */
-  images: Array<{ width: number; height: number }>;
+  images: Array<{
+    width: number;
+    height: number;
+    /** What the file is: "PNG", "KTX2 UASTC zstd". */
+    format?: string;
+    /** Mip levels that a KTX2 file brings; of other files they are generated. */
+    levels?: number;
+  }>;
   lights: Array<{
     name: string;
     type: 'directional' | 'point' | 'spot';

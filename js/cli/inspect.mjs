@@ -35,7 +35,10 @@ function materialLines(materials) {
 }
 
 /** An image of width 0 was not decoded: no drawn material uses it. */
-const imageText = ({ width, height }) => (width > 0 ? `${width}x${height}` : 'unused');
+const imageText = ({ width, height, format, levels }) => {
+  if (width === 0) return 'unused';
+  return [`${width}x${height}`, format, levels && count(levels, 'level')].filter(Boolean).join(' ');
+};
 
 function factLines(model, facts) {
   const { bounds, size, materials = [], images = [], lights = [], cameras = [], variants = [], extensionsUsed = [], plan } = facts;
@@ -48,7 +51,7 @@ function factLines(model, facts) {
     ...(facts.copyright ? [`copyright   ${facts.copyright}`] : []),
     `materials   ${materials.length}`,
     ...materialLines(materials),
-    `images      ${images.length === 0 ? 'none' : images.map(imageText).join(' ')}`,
+    `images      ${images.length === 0 ? 'none' : images.map(imageText).join(', ')}`,
     `variants    ${variants.length === 0 ? 'none' : named(variants)}`,
     `cameras     ${cameras.length === 0 ? 'none' : named(cameras)}`,
     `lights      ${lights.length === 0 ? 'none' : named(lights)}`,

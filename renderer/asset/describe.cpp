@@ -68,6 +68,13 @@ json describe(const Material& material) {
           {"textures", textures}};
 }
 
+json describe(const Image8& image) {
+  json out = {{"width", image.width}, {"height", image.height}};
+  if (!image.format.empty()) out["format"] = image.format;
+  if (image.ownLevels) out["levels"] = 1 + image.smallerLevels.size();
+  return out;
+}
+
 json describe(const ModelLight& light, const Node& node) {
   const glm::dvec3 position(node.world[3]);
   json out = {{"name", light.name.empty() ? node.name : light.name},
@@ -158,7 +165,7 @@ std::string describeScene(const Scene& scene) {
   out["materials"] = json::array();
   for (const Material& material : scene.materials) out["materials"].push_back(describe(material));
   out["images"] = json::array();
-  for (const Image8& image : scene.images) out["images"].push_back({{"width", image.width}, {"height", image.height}});
+  for (const Image8& image : scene.images) out["images"].push_back(describe(image));
   out["lights"] = describeLights(scene);
   out["cameras"] = describeCameras(scene);
   out["variants"] = scene.variants;

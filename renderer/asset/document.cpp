@@ -54,7 +54,11 @@ std::optional<std::string> takeUri(json& object) {
 std::vector<BufferSource> takeBuffers(json& reduced) {
   std::vector<BufferSource> out;
   for (json& buffer : reduced["buffers"]) {
-    out.push_back({takeUri(buffer), buffer["byteLength"].get<std::uint64_t>()});
+    bool fallback = false;
+    for (const auto& [name, extension] : buffer["extensions"].items()) {
+      fallback = fallback || extension.value("fallback", false);
+    }
+    out.push_back({takeUri(buffer), buffer["byteLength"].get<std::uint64_t>(), fallback});
   }
   reduced.erase("buffers");
   return out;

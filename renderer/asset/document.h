@@ -14,6 +14,7 @@ namespace telar::asset {
 struct BufferSource {
   std::optional<std::string> uri;  ///< none = GLB's BIN chunk
   std::uint64_t byteLength = 0;
+  bool fallback = false;  ///< for readers without meshopt: its views are compressed, it need not have bytes
 };
 
 struct ImageSource {

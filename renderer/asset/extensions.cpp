@@ -10,6 +10,7 @@ namespace {
 
 // clang-format off
 constexpr std::string_view SUPPORTED[] = {
+    "EXT_meshopt_compression",
     "EXT_texture_webp",
     "KHR_draco_mesh_compression",
     "KHR_lights_punctual",
@@ -27,9 +28,29 @@ constexpr std::string_view SUPPORTED[] = {
     "KHR_materials_variants",
     "KHR_materials_volume",
     "KHR_mesh_quantization",
+    "KHR_meshopt_compression",
+    "KHR_texture_basisu",
     "KHR_texture_transform",
 };
 // clang-format on
+
+/// What to do about extensions that people meet, after "the extension X ...".
+struct Advice {
+  std::string_view name, text;
+};
+constexpr Advice ADVICE[] = {
+    {"KHR_materials_pbrSpecularGlossiness",
+     "; three.js dropped it too, and shows the metallic-roughness values beside it: convert the file with "
+     "gltf-transform metalrough"},
+    {"EXT_texture_avif", "; the texture's fallback image is drawn: export it as WebP, PNG, JPEG or KTX2"},
+};
+
+std::string adviceOn(std::string_view name) {
+  for (const Advice& advice : ADVICE) {
+    if (advice.name == name) return std::string(advice.text);
+  }
+  return {};
+}
 
 bool supported(std::string_view name) {
   return std::find(std::begin(SUPPORTED), std::end(SUPPORTED), name) != std::end(SUPPORTED);
@@ -54,7 +75,8 @@ void checkExtensions(const std::vector<std::string>& used, const std::vector<std
   }
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (supported(used[i])) continue;
-    warnings.add("W_EXT_IGNORED", "the optional extension " + telar::quoted(used[i]) + " is not drawn",
+    warnings.add("W_EXT_IGNORED",
+                 "the optional extension " + telar::quoted(used[i]) + " is not drawn" + adviceOn(used[i]),
                  pointer("extensionsUsed", i));
   }
 }

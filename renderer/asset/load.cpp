@@ -17,7 +17,7 @@ std::shared_ptr<const Scene> load(std::span<const std::byte> file, ModelFolder* 
   const Container container = openContainer(file, limits, warnings);
   const Document document = readDocument(container, limits, cancel, warnings);
   Resources resources(document, container, folder, cancel);
-  resources.loadBuffers();
+  resources.loadBuffers(limits);
   const Accessors accessors(document, resources, cancel);
   accessors.check();
   Assembler assembler({document, resources, accessors, limits, cancel, warnings});

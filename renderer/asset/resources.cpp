@@ -6,17 +6,32 @@
 
 namespace telar::asset {
 
-void Resources::loadBuffers() {
+/// A buffer without bytes is an error only where something reads it.
+std::vector<bool> Resources::neededBuffers(const MeshoptViews& compressed) const {
+  std::vector<bool> out;
+  for (const BufferSource& buffer : document_.buffers) out.push_back(!buffer.fallback);
+  for (std::size_t i = 0; i < compressed.size(); ++i) {
+    const int buffer = compressed[i] ? compressed[i]->buffer : document_.model.bufferViews[i].buffer;
+    out[static_cast<std::size_t>(buffer)] = true;
+  }
+  return out;
+}
+
+void Resources::loadBuffers(const Limits& limits) {
+  const auto& views = document_.model.bufferViews;
+  MeshoptViews compressed;
+  for (std::size_t i = 0; i < views.size(); ++i) compressed.push_back(readMeshoptView(views[i], i));
+  const std::vector<bool> needed = neededBuffers(compressed);
   for (std::size_t i = 0; i < document_.buffers.size(); ++i) {
     const std::uint64_t wanted = document_.buffers[i].byteLength;
-    const auto bytes = bufferBytes(i);
-    if (bytes.size() < wanted) {
+    const auto bytes = needed[i] ? bufferBytes(i) : std::span<const std::byte>();
+    if (needed[i] && bytes.size() < wanted) {
       fail("E_BUFFER", "the buffer has fewer bytes than its byteLength of " + std::to_string(wanted),
            pointer("buffers", i, "byteLength"));
     }
-    buffers_.push_back(bytes.first(wanted));
+    buffers_.push_back(needed[i] ? bytes.first(wanted) : bytes);
   }
-  checkViews();
+  openViews(compressed, limits);
 }
 
 std::span<const std::byte> Resources::bufferBytes(std::size_t index) {
@@ -40,19 +55,31 @@ std::vector<std::byte> Resources::fetch(const std::string& uri, const std::strin
   return folder_->read(relativePath(uri, where), where, cancel_);
 }
 
-void Resources::checkViews() const {
-  const auto& views = document_.model.bufferViews;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const auto& view = views[i];
-    if (!fits(buffers_[static_cast<std::size_t>(view.buffer)].size(), view.byteOffset, 1, 0, view.byteLength)) {
+void Resources::openViews(const MeshoptViews& compressed, const Limits& limits) {
+  MeshoptDecoder decoder(limits);
+  for (std::size_t i = 0; i < compressed.size(); ++i) {
+    cancel_.check();
+    const auto& view = document_.model.bufferViews[i];
+    if (!fits(document_.buffers[static_cast<std::size_t>(view.buffer)].byteLength, view.byteOffset, 1, 0,
+              view.byteLength)) {
       fail("E_BUFFERVIEW", "the buffer view reaches past the end of its buffer", pointer("bufferViews", i));
     }
+    if (!compressed[i]) {
+      views_.push_back(buffers_[static_cast<std::size_t>(view.buffer)].subspan(view.byteOffset, view.byteLength));
+      continue;
+    }
+    const auto& buffer = buffers_[static_cast<std::size_t>(compressed[i]->buffer)];
+    if (!fits(buffer.size(), compressed[i]->byteOffset, 1, 0, compressed[i]->byteLength)) {
+      fail("E_MESHOPT", "the compressed data reaches past the end of its buffer", compressed[i]->where);
+    }
+    owned_.push_back(
+        decoder.decode(*compressed[i], buffer.subspan(compressed[i]->byteOffset, compressed[i]->byteLength)));
+    views_.push_back(owned_.back());
   }
 }
 
 std::span<const std::byte> Resources::view(int bufferView) const {
-  const auto& view = document_.model.bufferViews[static_cast<std::size_t>(bufferView)];
-  return buffers_[static_cast<std::size_t>(view.buffer)].subspan(view.byteOffset, view.byteLength);
+  return views_[static_cast<std::size_t>(bufferView)];
 }
 
 }  // namespace telar::asset

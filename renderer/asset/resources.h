@@ -6,6 +6,7 @@
 
 #include "asset/document.h"
 #include "asset/files.h"
+#include "asset/meshopt.h"
 
 namespace telar::asset {
 
@@ -16,9 +17,10 @@ class Resources {
   Resources(const Document& document, const Container& container, ModelFolder* folder, const CancelToken& cancel)
       : document_(document), container_(container), folder_(folder), cancel_(cancel) {}
 
-  /// Gets every buffer's bytes, cut to its byteLength, and checks every buffer view against them.
-  /// @throws Error{E_BUFFER, E_BUFFERVIEW, E_URI_*, L_*}
-  void loadBuffers();
+  /// Gets every buffer's bytes, cut to its byteLength, checks every buffer view against them, and decompresses those of
+  /// meshopt. A fallback buffer is only read where a view that is not compressed needs it.
+  /// @throws Error{E_BUFFER, E_BUFFERVIEW, E_MESHOPT, E_URI_*, L_*, X_CANCELLED}
+  void loadBuffers(const Limits& limits);
 
   std::span<const std::byte> view(int bufferView) const;
 
@@ -26,8 +28,11 @@ class Resources {
   std::vector<std::byte> fetch(const std::string& uri, const std::string& where) const;
 
  private:
+  using MeshoptViews = std::vector<std::optional<MeshoptView>>;
+
+  std::vector<bool> neededBuffers(const MeshoptViews& compressed) const;
   std::span<const std::byte> bufferBytes(std::size_t index);
-  void checkViews() const;
+  void openViews(const MeshoptViews& compressed, const Limits& limits);
 
   const Document& document_;
   const Container& container_;
@@ -35,6 +40,7 @@ class Resources {
   const CancelToken& cancel_;
   std::vector<std::vector<std::byte>> owned_;
   std::vector<std::span<const std::byte>> buffers_;
+  std::vector<std::span<const std::byte>> views_;
 };
 
 }  // namespace telar::asset

@@ -38,8 +38,27 @@ constexpr Field ASSET[] = {{.key = "version", .kind = Kind::kText, .required = t
                            {.key = "copyright", .kind = Kind::kName}};
 constexpr ObjectRule ASSET_RULE{ASSET};
 
-constexpr Field BUFFER[] = {{.key = "uri", .kind = Kind::kText}, size("byteLength", "E_BUFFER", true, 1)};
+constexpr Field FALLBACK[] = {{.key = "fallback", .kind = Kind::kBool}};
+constexpr ObjectRule FALLBACK_RULE{FALLBACK};
+constexpr Field BUFFER_EXTENSIONS[] = {object("EXT_meshopt_compression", FALLBACK_RULE),
+                                       object("KHR_meshopt_compression", FALLBACK_RULE)};
+constexpr ObjectRule BUFFER_EXTENSIONS_RULE{BUFFER_EXTENSIONS};
+constexpr Field BUFFER[] = {{.key = "uri", .kind = Kind::kText},
+                            size("byteLength", "E_BUFFER", true, 1),
+                            object("extensions", BUFFER_EXTENSIONS_RULE)};
 constexpr ObjectRule BUFFER_RULE{BUFFER};
+
+constexpr Field MESHOPT[] = {index("buffer", "buffers", true),
+                             size("byteOffset", "E_MESHOPT"),
+                             size("byteLength", "E_MESHOPT", true, 1),
+                             size("byteStride", "E_MESHOPT", true, 1, 256),
+                             size("count", "E_MESHOPT", true, 1, INT_32_MAX),
+                             {.key = "mode", .kind = Kind::kName, .required = true},
+                             {.key = "filter", .kind = Kind::kName}};
+constexpr ObjectRule MESHOPT_RULE{MESHOPT};
+constexpr Field VIEW_EXTENSIONS[] = {object("EXT_meshopt_compression", MESHOPT_RULE),
+                                     object("KHR_meshopt_compression", MESHOPT_RULE)};
+constexpr ObjectRule VIEW_EXTENSIONS_RULE{VIEW_EXTENSIONS};
 
 constexpr Field BUFFER_VIEW[] = {index("buffer", "buffers", true),
                                  size("byteOffset", "E_BUFFERVIEW"),
@@ -50,7 +69,8 @@ constexpr Field BUFFER_VIEW[] = {index("buffer", "buffers", true),
                                   .max = 252,
                                   .step = 4,
                                   .rangeCode = "E_STRIDE",
-                                  .negativeCode = "E_STRIDE"}};
+                                  .negativeCode = "E_STRIDE"},
+                                 object("extensions", VIEW_EXTENSIONS_RULE)};
 constexpr ObjectRule BUFFER_VIEW_RULE{BUFFER_VIEW};
 
 // tinygltf keeps these as int, hence the 32-bit bounds.

@@ -6,6 +6,7 @@
  * @property {string} [environment] - Name in test/fixtures/index.mjs, `studio`, or `shared:` and a path; needed where the
  *   shot has an environment.
  * @property {object} shot - Resolved shot.
+ * @property {'uncompressed'} [textures] - Keeps three.js from transcoding KTX2 to a GPU format, which loses a little.
  * @property {boolean} [fast] - Part of the subset that `npm test` draws.
  * @property {boolean} [extended] - Drawn by `--all` only: shows nothing that another case does not.
  */
@@ -13,6 +14,7 @@
 /** Files of this folder that export `CASES`, one line each. */
 const FILES = [
   'cases_core.mjs',
+  'cases_decoders.mjs',
   'cases_files.mjs',
   'cases_pairs.mjs',
   'cases_physical.mjs',

@@ -50,7 +50,7 @@ async function drawCase(item, { browser, server, other, comparer }) {
   };
   try {
     const inputs = await timed('inputs', loadInputs(item));
-    const input = { shot: item.shot, ...inputs };
+    const input = { shot: item.shot, textures: item.textures, ...inputs };
     const [expected, actual, second] = await Promise.all([browser.draw(input), timed('server', server?.draw(input)), other?.draw(input)]);
     Object.assign(milliseconds, { load: expected.facts.loadMs, browser: expected.facts.drawMs });
     const found = actual && (await timed('compare', comparer.compare(item, expected, actual, second?.image)));

@@ -4,6 +4,7 @@ import { mkdirSync, symlinkSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { PNG_MAGIC, addView, chunk, container, floats, glb, gltf, padded, png, pngChunk, pngHeader, quad, u32, ushorts } from './glb.mjs';
+import { decoderCases } from './decoder_cases.mjs';
 import { deflateSync } from './png_parts.mjs';
 
 /**
@@ -271,7 +272,7 @@ export const makeCases = () => {
   return [
     { name: 'good.glb', bytes: good, code: '' },
     { name: 'good.gltf', bytes: gltf(quad()), code: '' },
-    ...containerCases(good), ...jsonCases(), ...bufferCases(), ...graphCases(), ...imageCases(), ...materialCases(), ...uriCases(),
+    ...containerCases(good), ...jsonCases(), ...bufferCases(), ...graphCases(), ...imageCases(), ...materialCases(), ...uriCases(), ...decoderCases(),
   ];
 };
 

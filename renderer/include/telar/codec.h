@@ -22,7 +22,8 @@ struct ImageHeader {
 /// Reads only the header. @throws Error{E_IMAGE_FORMAT, E_IMAGE_CORRUPT, L_IMAGE_*}
 ImageHeader readImageHeader(std::span<const std::byte> file, const Limits& limits);
 
-/// Decodes PNG, JPEG or WebP (by magic bytes) to 8-bit RGBA exactly as Chromium hands it to WebGL with
+/// Decodes PNG, JPEG, WebP or KTX2 (by magic bytes) to 8-bit RGBA. KTX2 as ktx2/decode.h says; the others exactly as
+/// Chromium hands them to WebGL with
 /// colorSpaceConversion "none" and premultiplyAlpha "none": 16-bit PNG to its high byte, grey and palette expanded,
 /// embedded profiles ignored, EXIF orientation applied to JPEG and PNG but not to WebP (measured; three.js loads so).
 /// Limits are checked on the header before a pixel is allocated; a truncated or damaged file is an error.

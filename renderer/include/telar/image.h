@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace telar {
@@ -23,6 +24,7 @@ struct Image8 {
   bool ownLevels = false;
   std::vector<std::vector<std::uint8_t>> smallerLevels;
   TexelCoding coding = TexelCoding::kByUse;
+  std::string format;  ///< what the file is, for people: "PNG", "KTX2 UASTC zstd"
 };
 
 /// Linear Rec.709 radiance, RGBA interleaved fp32, row 0 is the top row (+Y for an equirectangular map).

@@ -18,6 +18,7 @@ struct Limits {
   std::uint64_t triangles = 20'000'000;              ///< L_TRIANGLES: sum over draws
   std::uint64_t buffers = 1024;                      ///< L_BUFFERS
   std::uint64_t bufferViews = 65'536;                ///< L_BUFFER_VIEWS
+  std::uint64_t meshoptBytes = 1ull << 30;           ///< L_MESHOPT_BYTES: sum of the decompressed buffer views
   std::uint64_t accessors = 65'536;                  ///< L_ACCESSORS
   std::uint64_t materials = 4096;                    ///< L_MATERIALS
   std::uint64_t textures = 4096;                     ///< L_TEXTURES

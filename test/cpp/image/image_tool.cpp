@@ -16,6 +16,8 @@ namespace {
 
 constexpr const char* USAGE =
     "usage: image_tool decode FILE             width and height as uint32, then RGBA8 texels\n"
+    "       image_tool levels FILE             coding and number of mip levels as uint32, then every level as decode "
+    "does\n"
     "       image_tool environment FILE        width and height as uint32, then RGBA fp32 texels\n"
     "       image_tool encode OPTION=VALUE...  the encoded file; options: frame (a file of RGBA8 or RGBA fp32 "
     "pixels),\n"
@@ -38,6 +40,19 @@ int writeImage(const Image& image) {
   std::fwrite(&image.width, 4, 1, stdout);
   std::fwrite(&image.height, 4, 1, stdout);
   std::fwrite(image.pixels.data(), sizeof image.pixels[0], image.pixels.size(), stdout);
+  return 0;
+}
+
+int writeLevels(telar::Image8 image) {
+  const std::uint32_t facts[] = {std::uint32_t(image.coding), std::uint32_t(1 + image.smallerLevels.size())};
+  std::fwrite(facts, sizeof facts, 1, stdout);
+  writeImage(image);
+  for (auto& pixels : image.smallerLevels) {
+    image.width = std::max(1u, image.width / 2);
+    image.height = std::max(1u, image.height / 2);
+    image.pixels = std::move(pixels);
+    writeImage(image);
+  }
   return 0;
 }
 
@@ -78,6 +93,7 @@ int encode(Options options) {
 int run(int argc, char** argv) {
   const std::string verb = argc > 1 ? argv[1] : "";
   if (verb == "decode" && argc == 3) return writeImage(telar::decodeImage(readFile(argv[2]), {}, {}));
+  if (verb == "levels" && argc == 3) return writeLevels(telar::decodeImage(readFile(argv[2]), {}, {}));
   if (verb == "environment" && argc == 3) return writeImage(telar::readEnvironment(readFile(argv[2]), {}, {}));
   if (verb == "encode") {
     Options options;

@@ -10,7 +10,8 @@ export const CPP_LAYERS = {
   'renderer/brdf': [],
   'renderer/mesh': ['renderer/include', 'renderer/core'],
   // image/ opens the library of oiio/ at run time by the C interface of oiio/plugin.h, and links nothing of it.
-  'renderer/image': ['renderer/include', 'renderer/core', 'renderer/oiio/plugin.h'],
+  'renderer/image': ['renderer/include', 'renderer/core', 'renderer/ktx2', 'renderer/oiio/plugin.h'],
+  'renderer/ktx2': ['renderer/include', 'renderer/core'],
   'renderer/oiio/plugin.h': [],
   'renderer/oiio': ['renderer/include', 'renderer/core', 'renderer/oiio/plugin.h'],
   'renderer/asset': ['renderer/include', 'renderer/core'],
@@ -35,6 +36,8 @@ export const OWNED_HEADERS = [
   { header: /^(libdeflate|zlib)\.h$/, folders: ['renderer/image', 'renderer/ibl'] },
   { header: /^(tiny_gltf\.h|draco\/.*|mikktspace\.h)$/, folders: ['renderer/asset'] },
   { header: /^embree3\//, folders: ['renderer/reference'] },
+  { header: /^zstd\.h$/, folders: ['renderer/ktx2'] },
+  { header: /^meshoptimizer\.h$/, folders: ['renderer/asset'] },
   { header: /^(OpenImageIO|OpenEXR|Imath)\//, folders: ['renderer/oiio'] },
   { header: /^(napi|node_api|js_native_api|uv|node)\.h$/, folders: ['addon'] },
   { header: /^iostream$/, folders: [] },
@@ -49,7 +52,7 @@ export const OWNED_CALLS = [
   },
   // make_*.cpp are programs of the build.
   { call: /\bstd::(cout|cerr|clog)\b|(?<![\w:])(std::)?f?(printf|puts|putchar)\s*\(/, folders: [], unless: /\/make_\w+\.cpp$/, why: 'a library prints nothing' },
-  { call: /\bdlopen\s*\(/, folders: ['renderer/gl', 'renderer/image', 'renderer/oiio'], why: 'libraries are loaded in few places' },
+  { call: /\bdlopen\s*\(/, folders: ['renderer/core', 'renderer/gl', 'renderer/image', 'renderer/oiio'], why: 'libraries are loaded in few places' },
 ];
 
 /**

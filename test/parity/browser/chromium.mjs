@@ -114,10 +114,11 @@ export class Browser {
     }
   }
 
-  #job({ shot, model, environment }) {
+  #job({ shot, model, environment, textures }) {
     const id = ++this.#jobs;
     return {
       shot,
+      textures,
       model: typeof model === 'string' ? this.#server.offerFile(model) : this.#server.offerBytes(`${id}.glb`, model),
       environment: environment ? this.#offerEnvironment(environment, id) : null,
       result: `/result/${id}`,

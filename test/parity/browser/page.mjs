@@ -4,12 +4,27 @@ import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
 import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
+import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
+import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { applyShot, rendererParameters } from '/js/three/index.mjs';
 import { prefilteredFaces } from './prefilter.mjs';
 import { measureTerms } from './terms.mjs';
 
 const dracoLoader = new DRACOLoader().setDecoderPath('/node_modules/three/examples/jsm/libs/draco/gltf/');
-const gltfLoader = new GLTFLoader().setDRACOLoader(dracoLoader);
+const loaders = new Map();
+
+/**
+ * @param {'uncompressed'} [textures] - Lets KTX2Loader transcode to RGBA8 alone, which holds what the file says; otherwise
+ *   to the GPU formats of this browser.
+ */
+function loaderFor(renderer, textures) {
+  if (!loaders.has(textures)) {
+    const ktx2 = new KTX2Loader().setTranscoderPath('/node_modules/three/examples/jsm/libs/basis/').detectSupport(renderer);
+    if (textures === 'uncompressed') for (const key of Object.keys(ktx2.workerConfig)) ktx2.workerConfig[key] = false;
+    loaders.set(textures, new GLTFLoader().setDRACOLoader(dracoLoader).setKTX2Loader(ktx2).setMeshoptDecoder(MeshoptDecoder));
+  }
+  return loaders.get(textures);
+}
 
 /** One renderer per set of context parameters: a page may hold only a few GL contexts. */
 const renderers = new Map();
@@ -41,7 +56,7 @@ async function loadEnvironment({ url, format }) {
 /** Everything that a draw needs: `job` is {shot, model: url, environment: {url, format} | null}. */
 async function prepare(job) {
   const renderer = rendererFor(job.shot);
-  const model = await gltfLoader.loadAsync(job.model);
+  const model = await loaderFor(renderer, job.textures).loadAsync(job.model);
   const environment = job.environment ? await loadEnvironment(job.environment) : undefined;
   const scene = new THREE.Scene();
   scene.add(model.scene);

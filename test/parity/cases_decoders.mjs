@@ -1,0 +1,26 @@
+// Compressed textures and meshes: KTX2 with Basis Universal, meshopt, Draco.
+import { DECODER_MODELS } from '../fixtures/scenes_decoders.mjs';
+import { sharedCases } from './cases_files.mjs';
+import { makeCase as make } from './make_case.mjs';
+import { LIGHTS } from './shot.mjs';
+
+const lights = [LIGHTS.ambient, LIGHTS.directional];
+
+/** Shown with the texels that the files hold; see transcoded below. */
+const models = Object.keys(DECODER_MODELS).filter((name) => name !== 'ktx2-odd-size');
+const FAST = ['ktx2-etc1s-alpha', 'ktx2-levels', 'meshopt-torus'];
+const exact = models.map((name) => ({ ...make(`${name}-sun`, name, null, { lights }, FAST.includes(name)), textures: 'uncompressed' }));
+
+/**
+ * As the browser shows them: on this Mesa KTX2Loader transcodes to BC7, which is lossy for ETC1S.
+ */
+const transcoded = ['ktx2-uastc', 'ktx2-etc1s', 'ktx2-etc1s-alpha', 'ktx2-odd-size'].map((name) => make(`${name}-bc7`, name, null, { lights }));
+
+const MODELS = [
+  ['box-meshopt', 'BoxMeshopt/BoxMeshopt.glb', 35, 25],
+  ['box-meshopt-gltf', 'BoxMeshopt/BoxMeshopt.gltf', 35, 25],
+  ['pirate', 'meshopt_pirate/pirate.glb', 20, 10],
+];
+
+/** @type {import('./cases.mjs').Case[]} */
+export const CASES = [...exact, ...transcoded, ...sharedCases(MODELS)];
