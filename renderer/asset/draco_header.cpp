@@ -7,6 +7,7 @@ namespace telar::asset {
 namespace {
 
 constexpr unsigned METADATA_DEPTH_MAX = 8;
+constexpr std::uint32_t POINT_CLOUD = 0;
 constexpr std::uint32_t TRIANGULAR_MESH = 1;
 constexpr std::uint32_t METHOD_SEQUENTIAL = 0;
 constexpr std::uint32_t METHOD_EDGEBREAKER = 1;
@@ -86,12 +87,23 @@ DracoCounts readDracoCounts(std::span<const std::byte> data, const std::string& 
     if (reader.u8() != static_cast<unsigned char>(c)) reader.refuse("does not start with its magic bytes");
   }
   const std::uint32_t major = reader.u8(), minor = reader.u8();
-  if (major != 2 || minor != 2) reader.refuse("is not bitstream version 2.2, the one that glTF allows");
-  if (reader.u8() != TRIANGULAR_MESH) reader.refuse("holds no triangle mesh");
+  const std::uint32_t type = reader.u8();
+  // Points have been of version 2.3 since their k-d tree changed; glTF says nothing of them.
+  if (major != 2 || (minor != 2 && !(minor == 3 && type == POINT_CLOUD))) {
+    reader.refuse("is not bitstream version 2.2, the one that glTF allows");
+  }
+  if (type != TRIANGULAR_MESH && type != POINT_CLOUD) reader.refuse("holds neither triangles nor points");
   const std::uint32_t method = reader.u8();
+  // The second one is edgebreaker for triangles, a k-d tree for points.
   if (method != METHOD_SEQUENTIAL && method != METHOD_EDGEBREAKER) reader.refuse("has an unknown encoding method");
   if (reader.u16() & FLAG_METADATA) skipGeometryMetadata(reader);
   DracoCounts counts;
+  if (type == POINT_CLOUD) {
+    counts.points = true;
+    counts.vertices = reader.u16();
+    counts.vertices |= std::uint64_t{reader.u16()} << 16;
+    return counts;
+  }
   if (method == METHOD_EDGEBREAKER) {
     reader.u8();  // traversal type
     counts.vertices = reader.varint();

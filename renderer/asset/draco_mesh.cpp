@@ -11,13 +11,18 @@
 namespace telar::asset {
 
 struct DracoMesh::Mesh {
-  std::unique_ptr<draco::Mesh> mesh;
+  std::unique_ptr<draco::PointCloud> cloud;  ///< a draco::Mesh, unless it is points alone
 };
 
 namespace {
 
 void checkCounts(const DracoCounts& counts, const DracoExpectation& expected, const Limits& limits,
                  const std::string& where) {
+  if (counts.points) {
+    if (!expected.points) fail("E_DRACO", "the Draco data holds points, but the primitive's mode is another", where);
+    checkLimit("L_VERTICES", static_cast<double>(limits.vertices), static_cast<double>(counts.vertices), where);
+    return;
+  }
   if (expected.indices != 0 && counts.faces * 3 != expected.indices) {
     fail("E_DRACO", "the Draco mesh has another number of faces than its index accessor", where);
   }
@@ -29,13 +34,18 @@ void checkCounts(const DracoCounts& counts, const DracoExpectation& expected, co
   }
 }
 
-std::unique_ptr<draco::Mesh> decodeMesh(std::span<const std::byte> data, const std::string& where) {
+std::unique_ptr<draco::PointCloud> decodeCloud(std::span<const std::byte> data, bool points, const std::string& where) {
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(data.data()), data.size());
   draco::Decoder decoder;
   try {
-    auto result = decoder.DecodeMeshFromBuffer(&buffer);
-    if (result.ok()) return std::move(result).value();
+    if (points) {
+      auto result = decoder.DecodePointCloudFromBuffer(&buffer);
+      if (result.ok()) return std::move(result).value();
+    } else {
+      auto result = decoder.DecodeMeshFromBuffer(&buffer);
+      if (result.ok()) return std::move(result).value();
+    }
   } catch (const std::bad_alloc&) {
     fail("E_DRACO", "the Draco data asks for more memory than there is", where);
   } catch (const std::length_error&) {
@@ -57,7 +67,7 @@ std::vector<std::uint32_t> readIndices(const draco::Mesh& mesh, const std::strin
 }
 
 template <typename T>
-void convert(const draco::Mesh& mesh, const draco::PointAttribute& attribute, std::span<T> out,
+void convert(const draco::PointCloud& mesh, const draco::PointAttribute& attribute, std::span<T> out,
              const std::string& where) {
   const auto components = static_cast<unsigned>(attribute.num_components());
   if (!attribute.is_mapping_identity() && attribute.indices_map_size() < mesh.num_points()) {
@@ -73,7 +83,7 @@ void convert(const draco::Mesh& mesh, const draco::PointAttribute& attribute, st
 }
 
 template <typename T>
-void convertIntegers(const draco::Mesh& mesh, const draco::PointAttribute& attribute, int componentType,
+void convertIntegers(const draco::PointCloud& mesh, const draco::PointAttribute& attribute, int componentType,
                      bool normalized, std::span<float> out, const std::string& where) {
   std::vector<T> values(out.size());
   convert<T>(mesh, attribute, values, where);
@@ -90,17 +100,19 @@ DracoMesh::~DracoMesh() = default;
 
 DracoMesh DracoMesh::decode(std::span<const std::byte> data, const DracoExpectation& expected, const Limits& limits,
                             const std::string& where) {
-  checkCounts(readDracoCounts(data, where), expected, limits, where);
-  DracoMesh out(std::make_unique<Mesh>(Mesh{decodeMesh(data, where)}));
-  const draco::Mesh& mesh = *out.mesh_->mesh;
-  if (mesh.num_points() != expected.vertices) {
+  const DracoCounts counts = readDracoCounts(data, where);
+  checkCounts(counts, expected, limits, where);
+  DracoMesh out(std::make_unique<Mesh>(Mesh{decodeCloud(data, counts.points, where)}));
+  const draco::PointCloud& cloud = *out.mesh_->cloud;
+  if (cloud.num_points() != expected.vertices) {
     fail("E_DRACO",
-         "the Draco mesh has " + std::to_string(mesh.num_points()) + " vertices, its accessors say " +
+         "the Draco mesh has " + std::to_string(cloud.num_points()) + " vertices, its accessors say " +
              std::to_string(expected.vertices),
          where);
   }
-  out.indices_ = readIndices(mesh, where);
-  if (expected.indices != 0 && out.indices_.size() != expected.indices) {
+  if (counts.points) return out;
+  out.indices_ = readIndices(static_cast<const draco::Mesh&>(cloud), where);
+  if (expected.indices != 0 && out.indices_->size() != expected.indices) {
     fail("E_DRACO", "the Draco mesh has another number of indices than its index accessor", where);
   }
   return out;
@@ -108,7 +120,7 @@ DracoMesh DracoMesh::decode(std::span<const std::byte> data, const DracoExpectat
 
 void DracoMesh::readFloats(std::uint32_t uniqueId, int componentType, bool normalized, unsigned components,
                            std::span<float> out, const std::string& where) const {
-  const draco::Mesh& mesh = *mesh_->mesh;
+  const draco::PointCloud& mesh = *mesh_->cloud;
   const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(uniqueId);
   if (!attribute) fail("E_DRACO", "the Draco mesh has no attribute of this id", where);
   if (static_cast<unsigned>(attribute->num_components()) != components) {

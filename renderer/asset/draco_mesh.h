@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,9 +15,11 @@ namespace telar::asset {
 struct DracoExpectation {
   std::uint64_t vertices = 0;
   std::uint64_t indices = 0;  ///< 0 = the primitive has no index accessor
+  bool points = false;        ///< the primitive's mode is POINTS, which a point cloud must go with
 };
 
-/// A mesh decoded by libdraco: indices and counts are checked, attribute values may still be NaN.
+/// A mesh, or a cloud of points, decoded by libdraco: indices and counts are checked, attribute values may still be
+/// NaN.
 class DracoMesh {
  public:
   /// @param where JSON pointer of the extension object, for errors
@@ -26,7 +29,8 @@ class DracoMesh {
   DracoMesh(DracoMesh&&) noexcept;
   ~DracoMesh();
 
-  const std::vector<std::uint32_t>& indices() const { return indices_; }
+  /// Of triangles; none = a cloud of points.
+  const std::optional<std::vector<std::uint32_t>>& indices() const { return indices_; }
 
   /// Reads one attribute as the values that an accessor of this type would hold.
   /// @param out vertices * components floats
@@ -38,17 +42,18 @@ class DracoMesh {
   struct Mesh;
   explicit DracoMesh(std::unique_ptr<Mesh> mesh);
   std::unique_ptr<Mesh> mesh_;
-  std::vector<std::uint32_t> indices_;
+  std::optional<std::vector<std::uint32_t>> indices_;
 };
 
 /// Counts in a Draco header, read before libdraco allocates by them. Exposed for tests.
 struct DracoCounts {
   std::uint64_t faces = 0;
   std::uint64_t vertices = 0;  ///< points, or encoded vertices where the mesh is edgebreaker
+  bool points = false;         ///< a point cloud: no faces
 };
 
 /// src: Draco bitstream specification 2.2, sections 3 "Draco Decoder" to 5 "Connectivity"
-/// @throws Error{E_DRACO} for anything but a triangular mesh of bitstream version 2.2
+/// @throws Error{E_DRACO} for anything but a triangular mesh or a point cloud of bitstream version 2.2
 DracoCounts readDracoCounts(std::span<const std::byte> data, const std::string& where);
 
 }  // namespace telar::asset

@@ -34,22 +34,20 @@ constexpr std::string_view SUPPORTED[] = {
 };
 // clang-format on
 
-/// What to do about extensions that people meet, after "the extension X ...".
-struct Advice {
+/// What to do about extensions that people meet; js/docs/formats.md says why they are not drawn.
+struct Cure {
   std::string_view name, text;
 };
-constexpr Advice ADVICE[] = {
-    {"KHR_materials_pbrSpecularGlossiness",
-     "; three.js dropped it too, and shows the metallic-roughness values beside it: convert the file with "
-     "gltf-transform metalrough"},
-    {"EXT_texture_avif", "; the texture's fallback image is drawn: export it as WebP, PNG, JPEG or KTX2"},
+constexpr Cure CURES[] = {
+    {"KHR_materials_pbrSpecularGlossiness", "convert the file with gltf-transform metalrough"},
+    {"EXT_texture_avif", "export the textures as WebP, PNG, JPEG or KTX2"},
 };
 
-std::string adviceOn(std::string_view name) {
-  for (const Advice& advice : ADVICE) {
-    if (advice.name == name) return std::string(advice.text);
+std::string cureOf(std::string_view name) {
+  for (const Cure& cure : CURES) {
+    if (cure.name == name) return std::string(cure.text);
   }
-  return {};
+  return "export without it";
 }
 
 bool supported(std::string_view name) {
@@ -63,8 +61,8 @@ void checkExtensions(const std::vector<std::string>& used, const std::vector<std
   for (std::size_t i = 0; i < required.size(); ++i) {
     if (!supported(required[i])) {
       fail("E_EXT_REQUIRED",
-           "the model requires the glTF extension " + telar::quoted(required[i]) +
-               ", which telar does not have; export without it",
+           "the model requires the glTF extension " + telar::quoted(required[i]) + ", which telar does not have; " +
+               cureOf(required[i]),
            pointer("extensionsRequired", i));
     }
     if (std::find(used.begin(), used.end(), required[i]) == used.end()) {
@@ -76,7 +74,7 @@ void checkExtensions(const std::vector<std::string>& used, const std::vector<std
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (supported(used[i])) continue;
     warnings.add("W_EXT_IGNORED",
-                 "the optional extension " + telar::quoted(used[i]) + " is not drawn" + adviceOn(used[i]),
+                 "the optional extension " + telar::quoted(used[i]) + " is not drawn; " + cureOf(used[i]),
                  pointer("extensionsUsed", i));
   }
 }

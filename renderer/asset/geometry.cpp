@@ -64,6 +64,7 @@ std::optional<DracoMesh> GeometryReader::decodeDraco(const Source& source) const
   expected.vertices = from_.accessors.count(attribute(source, "POSITION"));
   // A strip's accessor counts the strip, the Draco mesh its triangles.
   const bool counted = source.indices >= 0 && source.mode != MODE_STRIP;
+  expected.points = source.mode == MODE_POINTS;
   expected.indices = counted ? from_.accessors.count(source.indices) : 0;
   const auto data = from_.resources.view(found->second.Get("bufferView").GetNumberAsInt());
   return DracoMesh::decode(data, expected, from_.limits, where_ + pointer("extensions", DRACO));
@@ -111,7 +112,7 @@ void GeometryReader::readElements(const Source& source, const DracoMesh* draco, 
                                   Primitive& out) const {
   const std::size_t vertices = out.positions.size();
   Order order = readOrder(source, draco, vertices);
-  out.topology = toTopology(draco ? MODE_TRIANGLES : source.mode, vertices, order);
+  out.topology = toTopology(draco && draco->indices() ? MODE_TRIANGLES : source.mode, vertices, order);
   const std::size_t dropped = bad.empty() ? 0 : dropElements(out.topology, vertices, bad, order);
   if (dropped > 0) {
     from_.warnings.add("W_NONFINITE", std::to_string(dropped) + " elements touch vertices that are not finite", where_);

@@ -6,15 +6,13 @@ import { LIGHTS } from './shot.mjs';
 
 const lights = [LIGHTS.ambient, LIGHTS.directional];
 
-/** Shown with the texels that the files hold; see transcoded below. */
+/**
+ * Drawn with the texels that the files hold: what a browser transcodes them to depends on its GPU (known_differences.mjs). The
+ * odd size is left out, since KTX2Loader pads such a texture for blocks and then has too few texels for it uncompressed.
+ */
 const models = Object.keys(DECODER_MODELS).filter((name) => name !== 'ktx2-odd-size');
 const FAST = ['ktx2-etc1s-alpha', 'ktx2-levels', 'meshopt-torus'];
 const exact = models.map((name) => ({ ...make(`${name}-sun`, name, null, { lights }, FAST.includes(name)), textures: 'uncompressed' }));
-
-/**
- * As the browser shows them: on this Mesa KTX2Loader transcodes to BC7, which is lossy for ETC1S.
- */
-const transcoded = ['ktx2-uastc', 'ktx2-etc1s', 'ktx2-etc1s-alpha', 'ktx2-odd-size'].map((name) => make(`${name}-bc7`, name, null, { lights }));
 
 const MODELS = [
   ['box-meshopt', 'BoxMeshopt/BoxMeshopt.glb', 35, 25],
@@ -23,4 +21,4 @@ const MODELS = [
 ];
 
 /** @type {import('./cases.mjs').Case[]} */
-export const CASES = [...exact, ...transcoded, ...sharedCases(MODELS)];
+export const CASES = [...exact, ...sharedCases(MODELS)];

@@ -1,5 +1,6 @@
 #include <draco/compression/expert_encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
+#include <draco/point_cloud/point_cloud_builder.h>
 
 #include "asset/accessor.h"
 #include "asset/draco_mesh.h"
@@ -166,6 +167,74 @@ TEST(DracoHeader, ClaimsAreRefusedBeforeAnythingIsAllocated) {
   std::vector<unsigned char> nested = {'D', 'R', 'A', 'C', 'O', 2, 2, 1, 0, 0, 0x80, 0};
   for (int i = 0; i < 100'000; ++i) nested.insert(nested.end(), {0, 1, 0});  // metadata in metadata
   EXPECT_EQ(refused(nested), "E_DRACO");
+}
+
+/// 40 points on a line with a generic attribute of bytes.
+Encoded encodePoints(int method) {
+  draco::PointCloudBuilder builder;
+  builder.Start(40);
+  const int position = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  const int custom = builder.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_UINT8);
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    const float p[3] = {static_cast<float>(i), 1, 2};
+    const std::uint8_t c[4] = {255, static_cast<std::uint8_t>(i), 51, 255};
+    builder.SetAttributeValueForPoint(position, draco::PointIndex(i), p);
+    builder.SetAttributeValueForPoint(custom, draco::PointIndex(i), c);
+  }
+  const auto cloud = builder.Finalize(false);
+  draco::ExpertEncoder encoder(*cloud);
+  encoder.SetEncodingMethod(method);
+  encoder.SetAttributeQuantization(position, 14);
+  draco::EncoderBuffer buffer;
+  EXPECT_TRUE(encoder.EncodeToBuffer(&buffer).ok());
+  Encoded out;
+  const auto* bytes = reinterpret_cast<const std::byte*>(buffer.data());
+  out.data.assign(bytes, bytes + buffer.size());
+  out.points = cloud->num_points();
+  out.position = static_cast<int>(cloud->attribute(position)->unique_id());
+  out.custom = static_cast<int>(cloud->attribute(custom)->unique_id());
+  return out;
+}
+
+ModelBuilder pointModel(const Encoded& encoded, int mode) {
+  ModelBuilder model;
+  json& p = model.primitive({{"POSITION", model.accessor(-1, COMPONENT_F32, encoded.points, "VEC3")},
+                             {"COLOR_0", model.accessor(-1, COMPONENT_U8, encoded.points, "VEC4", true)}});
+  p["mode"] = mode;
+  p["extensions"]["KHR_draco_mesh_compression"] = {
+      {"bufferView", model.view(encoded.data)},
+      {"attributes", {{"POSITION", encoded.position}, {"COLOR_0", encoded.custom}}}};
+  return model;
+}
+
+TEST(DracoPoints, AreDrawnAsPoints) {
+  for (const int method : {draco::POINT_CLOUD_SEQUENTIAL_ENCODING, draco::POINT_CLOUD_KD_TREE_ENCODING}) {
+    const Encoded encoded = encodePoints(method);
+    const auto scene = load(pointModel(encoded, 0));
+    const auto& p = scene->meshes.at(0).primitives.at(0);
+    EXPECT_EQ(p.topology, Topology::kPoints);
+    EXPECT_TRUE(p.indices.empty());
+    ASSERT_EQ(p.positions.size(), 40u);
+    for (std::size_t i = 0; i < 40; ++i) EXPECT_NEAR(p.colors[i].g * 255, p.positions[i].x, 0.01) << "in one order";
+    EXPECT_NEAR(scene->bounds.max.x, 39, 1e-2);
+    EXPECT_EQ(errorOf(pointModel(encoded, 4)),
+              "E_DRACO at /meshes/0/primitives/0/extensions/KHR_draco_mesh_compression");
+  }
+}
+
+TEST(DracoPoints, DamagedOnesAreTypedErrors) {
+  for (const int method : {draco::POINT_CLOUD_SEQUENTIAL_ENCODING, draco::POINT_CLOUD_KD_TREE_ENCODING}) {
+    const Encoded good = encodePoints(method);
+    for (std::size_t size = 0; size < good.data.size(); ++size) {
+      Encoded cut = good;
+      cut.data.resize(std::max<std::size_t>(size, 1));
+      const std::string error = errorOf(pointModel(cut, 0));
+      EXPECT_TRUE(error.empty() || error.starts_with("E_DRACO")) << size << ": " << error;
+    }
+    Encoded many = good;
+    for (std::size_t i = 11; i < 15; ++i) many.data[i] = std::byte{0x7f};  // the number of points
+    EXPECT_TRUE(errorOf(pointModel(many, 0)).starts_with("L_VERTICES"));
+  }
 }
 
 }  // namespace
