@@ -73,7 +73,7 @@ Image8 blank(const ImageHeader& header) {
 }  // namespace image
 
 ImageHeader readImageHeader(std::span<const std::byte> file, const Limits& limits) {
-  const ImageHeader header = readHeader(sniff(file), file, limits);
+  ImageHeader header = readHeader(sniff(file), file, limits);
   checkImageLimits(header, limits);
   return header;
 }

@@ -104,7 +104,7 @@ class ExrAttributes {
   std::size_t position_ = 8;
 };
 
-std::uint32_t side(const std::uint8_t* box, int axis) {
+std::uint32_t side(const std::uint8_t* box, std::size_t axis) {
   const std::int64_t low = std::int32_t(le32(box + 4 * axis)), high = std::int32_t(le32(box + 8 + 4 * axis));
   const std::int64_t length = high - low + 1;
   return length < 1 || length > SIDE_MAX ? (length < 1 ? 0 : SIDE_MAX + 1) : std::uint32_t(length);
