@@ -122,6 +122,24 @@ export const FAULTS = [
     }],
     first: null,
   },
+  {
+    name: 'shadow maps that are read half a texel aside',
+    item: 'shadow-directional',
+    edits: [{ file: 'shadow/filter.glsl', find: 'coord.z += settings.z;', replace: 'coord.xy += 0.5 / settings.y; coord.z += settings.z;' }],
+    first: 'direct',
+  },
+  {
+    name: 'a cube of shadows that is compared by distance instead of depth',
+    item: 'shadow-point-room',
+    edits: [{ file: 'shadow/filter.glsl', find: 'max(max(along.x, along.y), along.z)', replace: 'length(towards)' }],
+    first: 'direct',
+  },
+  {
+    name: 'a ground that forgets its opacity',
+    item: 'ground-tshirt',
+    edits: [{ file: 'shadow/ground.frag', find: 'opacity * (1.0 - visible)', replace: '1.0 - visible' }],
+    first: null,
+  },
   { name: 'a camera shift of 0.5 px', item: 'camera-ortho', shot: (shot) => shiftCamera(shot, 0.5), first: 'n' },
   { name: 'an environment rotated by 1 degree', item: 'environment-rotated', shot: (shot) => turnEnvironment(shot, 1), first: 'radiance' },
 ];

@@ -81,6 +81,10 @@ export function* measureTerms(THREE, { renderer, scene, camera }, { shot, terms,
     renderer.readRenderTargetPixels(target, x, y, width, height, values);
     return values;
   };
+  // The ground that catches shadows has none of these terms.
+  scene.traverse((object) => {
+    if (object.material?.isShadowMaterial) object.visible = false;
+  });
   // The background stays, for the surfaces that let it through, but is no surface itself.
   const { background } = scene;
   scene.background = null;
