@@ -84,6 +84,15 @@ test('each own case ends as it must', async () => {
   assert.equal(listing(folder), files, 'loading wrote or removed a file');
 });
 
+test('the formats of images are named, and the levels that a file brings', async () => {
+  const at = writeCases(mkdtempSync(join(folder, 'formats-')), makeCases().filter(({ code }) => !code));
+  const imageOf = async (name) => (await load(join(at, name))).scene.images[0];
+  assert.deepEqual(await imageOf('good.glb'), { width: 4, height: 4, format: 'PNG' });
+  assert.deepEqual(await imageOf('ktx2-uastc.glb'), { width: 32, height: 16, format: 'KTX2 UASTC', levels: 6 });
+  assert.deepEqual(await imageOf('ktx2-etc1s.glb'), { width: 32, height: 16, format: 'KTX2 ETC1S', levels: 6 });
+  assert.deepEqual(await imageOf('ktx2-zstd.glb'), { width: 8, height: 4, format: 'KTX2 UASTC zstd', levels: 1 });
+});
+
 /** Codes of the manifest under the names that telar's table has for them. */
 const ALIASES = { L_IMAGE_DIM: 'L_IMAGE_DIMENSION', W_GLB_UNKNOWN_CHUNK: 'W_GLB_CHUNK', L_TIME: 'L_IMAGE_SCANS', W_EXT: 'W_EXT_IGNORED' };
 
