@@ -17,6 +17,10 @@ const ROWS = {
   'ior x transmission': ['transmission-ior-lit', 'transmission-lit', 'transmission-ior-thin-lit'],
   'what transmission acts with': ['transmission-thickness-lit', 'transmission-attenuation-lit', 'transmission-dispersion-lit', 'transmission-layers-lit', 'transmission-order-lit'],
   'area lights and blurred backgrounds': ['rect-sweep', 'rect-everything', 'rect-clearcoat', 'rect-sheen', 'rect-anisotropy', 'background-blur-0.3'],
+  'shadows and what catches them': ['shadow-directional', 'shadow-spot', 'shadow-point', 'shadow-several', 'shadow-soft', 'shadow-everything', 'ground-tshirt'],
+  'coded textures and meshes': [
+    'ktx2-uastc-sun', 'ktx2-etc1s-sun', 'ktx2-etc1s-alpha-sun', 'meshopt-torus-sun', 'draco-edgebreaker-sun', 'draco-sequential-sun', 'draco-quantized-sun',
+  ],
   'features alone': [
     'clearcoat-env', 'sheen-env', 'specular-env', 'ior-env', 'anisotropy-env', 'iridescence-env', 'diffuse-roughness-env', 'emissive-strength-env',
     'unlit-env', 'normal-map-env', 'occlusion-map-env', 'emissive-map-env', 'metallic-roughness-map-env', 'base-color-map-env', 'texture-transform-env',
