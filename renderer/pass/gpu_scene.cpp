@@ -28,7 +28,7 @@ bool isSrgb(TexelCoding coding, bool colorUse) {
 
 GLsizei levelCount(const Image8& image) {
   if (image.ownLevels) return static_cast<GLsizei>(1 + image.smallerLevels.size());
-  return std::bit_width(std::max(image.width, image.height));
+  return static_cast<GLsizei>(std::bit_width(std::max(image.width, image.height)));
 }
 
 /// Appends a stream to one buffer's bytes and remembers where its attribute starts.

@@ -42,8 +42,8 @@ void addSpot(LightSet& set, const Camera& camera, const glm::vec3& color, const 
 void addRect(LightSet& set, const Camera& camera, const glm::vec3& color, const Shot::Light& light) {
   const glm::dmat3 axes = glm::dmat3(camera.view) * lookAtAxes(light.position, light.target, {0, 1, 0});
   set.rectPosition.push_back(toView(camera, light.position));
-  set.rectHalfWidth.push_back(glm::vec3(axes[0] * (light.width * 0.5)));
-  set.rectHalfHeight.push_back(glm::vec3(axes[1] * (light.height * 0.5)));
+  set.rectHalfWidth.emplace_back(axes[0] * (light.width * 0.5));
+  set.rectHalfHeight.emplace_back(axes[1] * (light.height * 0.5));
   set.rectColor.push_back(color);
 }
 
