@@ -20,6 +20,12 @@ async function readDocument(file) {
   }
 }
 
+/** The glTF JSON of the bytes of a GLB that telar has loaded before. */
+const documentOf = (bytes) => {
+  const buffer = Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  return JSON.parse(buffer.toString('utf8', GLB_HEADER_BYTES, GLB_HEADER_BYTES + buffer.readUInt32LE(12)));
+};
+
 /** Path beneath the model's folder that a URI of the model means; undefined where it means none. */
 function relativePath(uri) {
   if (typeof uri !== 'string' || /^[a-z][a-z\d+.-]*:/i.test(uri)) return undefined;
@@ -41,20 +47,25 @@ async function isPlainFile(folder, name) {
   }
 }
 
+const hasBasis = ({ extensionsUsed = [] }) => extensionsUsed.includes('KHR_texture_basisu');
+
 /**
  * The files that a browser needs for a model: the model itself and the external files that it names.
- * @param {string} file path of a model that was loaded before
- * @returns {Promise<{name: string, folder: string, files: Set<string>}>} name of the model in the folder; `files` with /
- *   between folders, each beneath `folder`
+ * @param {string | Uint8Array} source path of a model, or bytes of a GLB, that was loaded before
+ * @returns {Promise<{folder?: string, files: Set<string>, hasBasis: boolean}>} `files` with / between folders, each beneath
+ *   `folder`; hasBasis: whether there are KTX2 textures
  */
-export async function modelFiles(file) {
+export async function modelFiles(source) {
+  if (typeof source !== 'string') return { files: new Set(), hasBasis: hasBasis(documentOf(source)) };
+  const file = source;
   const folder = await realpath(path.dirname(file));
   const name = path.basename(file);
-  const { buffers = [], images = [] } = await readDocument(file);
+  const document = await readDocument(file);
+  const { buffers = [], images = [] } = document;
   const files = new Set([name]);
   for (const { uri } of [...buffers, ...images]) {
     const relative = relativePath(uri);
     if (relative && (await isPlainFile(folder, relative))) files.add(relative);
   }
-  return { name, folder, files };
+  return { folder, files, hasBasis: hasBasis(document) };
 }

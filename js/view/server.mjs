@@ -16,14 +16,16 @@ const MAX_SHOT_BYTES = 1 << 20;
 /** 8192 x 8192 RGBA. */
 const MAX_PIXEL_BYTES = 2 ** 28;
 
-/** Nothing but this server is reached from the page; blob: and data: are how loaders hand on what the model holds. */
-const POLICY = [
-  "default-src 'none'", "script-src 'self' 'wasm-unsafe-eval'", "style-src 'self'", "img-src 'self' blob: data:",
+/**
+ * Nothing but this server is reached from the page; blob: and data: are how loaders hand on what the model holds.
+ * @param {boolean} mayEvaluate for three's KTX2 transcoder, and for models with such textures alone
+ */
+const policyOf = (mayEvaluate) => [
+  "default-src 'none'", `script-src 'self' 'wasm-unsafe-eval'${mayEvaluate ? " 'unsafe-eval'" : ''}`, "style-src 'self'", "img-src 'self' blob: data:",
   "connect-src 'self' blob: data:", "worker-src 'self' blob:", "base-uri 'none'", "form-action 'none'", "frame-ancestors 'none'",
 ].join('; ');
 
 const HEADERS = {
-  'content-security-policy': POLICY,
   'cross-origin-opener-policy': 'same-origin',
   'cross-origin-resource-policy': 'same-origin',
   'referrer-policy': 'no-referrer',
@@ -55,9 +57,9 @@ function problemOf(thrown) {
   return { status: isHttp ? thrown.statusCode : error.http, ...error.toJSON() };
 }
 
-function guard(app) {
+function guard(app, session) {
   app.addHook('onRequest', async (request, reply) => {
-    reply.headers(HEADERS);
+    reply.headers(HEADERS).header('content-security-policy', policyOf(session.hasBasis));
     const { localPort } = request.socket;
     if (isOwnHost(request.headers.host, localPort) && isOwnOrigin(request.headers.origin, localPort)) return;
     await reply.code(403).type('text/plain').send('Open this page by the address that telar view printed.\n');
@@ -119,7 +121,7 @@ export async function startServer({ session, port = 0 }) {
     throw new TelarError('X_INSTALL', 'the page of telar view is not built; `npm run build:js` in a checkout builds it');
   }
   const app = Fastify({ forceCloseConnections: true, routerOptions: { maxParamLength: 4096 } });
-  guard(app);
+  guard(app, session);
   const token = randomBytes(TOKEN_BYTES).toString('base64url');
   await app.register(routes, { prefix: `/${token}`, session });
   try {

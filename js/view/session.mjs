@@ -56,7 +56,6 @@ export class Session {
   }
 
   async #namedFiles() {
-    if (typeof this.#source !== 'string') return undefined;
     try {
       return await modelFiles(this.#source);
     } catch (cause) {
@@ -103,6 +102,11 @@ export class Session {
     const { data, info } = await this.#renderer.render(this.#model, { ...known, output: PIXELS }, { signal });
     const { width, height, milliseconds, warnings } = info;
     return { data, info: { width, height, milliseconds, warnings, shot: this.#environments.forPage(info.shot) } };
+  }
+
+  /** Whether the model has KTX2 textures: three's transcoder for them makes functions of text. */
+  get hasBasis() {
+    return this.#files.hasBasis;
   }
 
   /** @returns {string | undefined} path of an environment's file */

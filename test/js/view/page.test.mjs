@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { readEmbeddedShot } from '../../../js/compare/embedded_shot.mjs';
-import { ENVIRONMENTS } from '../../fixtures/index.mjs';
+import { ENVIRONMENTS, MODELS } from '../../fixtures/index.mjs';
 import { changing, CLI, figuresOf, launchChromium, openView, pictures, settled, SHIRT } from './support.mjs';
 
 // The page in real headless Chromium on the real renderer: the bundled garment, small.
@@ -337,6 +337,22 @@ test('a .gltf with its files beside it, beneath an environment of the command li
   assert.equal(await second.locator('#environment').inputValue(), 'lamps.hdr');
   await second.close();
   await other.stop();
+});
+
+test('KTX2 textures and Draco meshes are decoded in the page', async () => {
+  for (const name of ['ktx2-etc1s', 'draco-edgebreaker']) {
+    writeFileSync(at(`${name}.glb`), await MODELS[name]());
+    const other = await openView(at(`${name}.glb`), ['--size', '64', '--quality', 'draft']);
+    const second = await page.context().newPage();
+    second.on('pageerror', (error) => said.push(String(error)));
+    await second.goto(other.url);
+    await settled(second);
+    // Browsers transcode for their GL, which rounds: js/docs has how far.
+    const { pixels, max } = await figuresOf(second, 'interior');
+    assert.ok(pixels > 200 && max <= (name.startsWith('ktx2') ? 16 : 2), `${name} ${pixels} ${max}`);
+    await second.close();
+    await other.stop();
+  }
 });
 
 test('a browser with another GL is judged by the gate for that', async (t) => {

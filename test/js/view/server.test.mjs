@@ -92,6 +92,14 @@ test('the page and its parts are there, and forbid every other server', async ()
   assert.doesNotMatch(policy, /https?:|\*|unsafe-inline|'unsafe-eval'/);
 });
 
+test('text is evaluated for models with KTX2 textures alone', async (t) => {
+  writeFileSync(at('model/coded.gltf'), JSON.stringify({ asset: { version: '2.0' }, extensionsUsed: ['KHR_texture_basisu'] }));
+  const coded = await openView({ renderer: fakeRenderer(), source: at('model/coded.gltf'), shot: {} });
+  t.after(() => coded.close());
+  const policy = (await fetch(coded.url)).headers.get('content-security-policy');
+  assert.match(policy, /script-src 'self' 'wasm-unsafe-eval' 'unsafe-eval';/);
+});
+
 test('without the secret there is nothing', async () => {
   const wrong = 'A'.repeat(32);
   for (const target of ['/', '/session', `/${wrong}/`, `/${wrong}/session`, '/favicon.ico', `/${wrong}/model/coat.gltf`]) {
