@@ -7,11 +7,20 @@
 #include "images.h"
 #include "state.h"
 #include "telar/load.h"
+#include "telar/pose.h"
 #include "telar/shot.h"
 
 /// The export table. Every function is called by js/ alone, with arguments that js/ has checked.
 namespace telar::addon {
 namespace {
+
+/// {scene, facts: string}
+Napi::Value sceneToJs(Napi::Env env, const std::shared_ptr<const Scene>& scene, const std::string& facts) {
+  Napi::Object result = Napi::Object::New(env);
+  result["scene"] = SceneHandle::make(env, scene);
+  result["facts"] = facts;
+  return result;
+}
 
 /// load(path: string | Bytes, limits, token) -> Promise<{scene, facts: string}>
 Napi::Value load(const Napi::CallbackInfo& info) {
@@ -27,12 +36,22 @@ Napi::Value load(const Napi::CallbackInfo& info) {
   return State::of(info.Env()).runOnPool(info.Env(), job, [job, limits, path, bytes] {
     auto scene = bytes ? loadBytes(*bytes, limits, job->cancel) : loadPath(path, limits, job->cancel);
     std::string facts = describeScene(*scene);
-    job->value = [scene, facts = std::move(facts)](Napi::Env env) {
-      Napi::Object result = Napi::Object::New(env);
-      result["scene"] = SceneHandle::make(env, scene);
-      result["facts"] = facts;
-      return result;
-    };
+    job->value = [scene, facts = std::move(facts)](Napi::Env env) { return sceneToJs(env, scene, facts); };
+  });
+}
+
+/// pose(scene, animation: number, time: number, forget: boolean, token) -> Promise<{scene, facts: string}>
+/// forget: the model is free to go with the pose.
+Napi::Value pose(const Napi::CallbackInfo& info) {
+  SceneHandle& handle = unwrap<SceneHandle>(info[0]);
+  const Pose pose{info[1].ToNumber().Int32Value(), info[2].ToNumber().DoubleValue()};
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[4]).token);
+  auto model = info[3].ToBoolean() ? handle.detach() : handle.scene();
+  return State::of(info.Env()).runOnPool(info.Env(), job, [job, pose, model = std::move(model)]() mutable {
+    auto scene = poseScene(model, pose, job->cancel);
+    model.reset();
+    std::string facts = describeScene(*scene);
+    job->value = [scene, facts = std::move(facts)](Napi::Env env) { return sceneToJs(env, scene, facts); };
   });
 }
 
@@ -103,6 +122,7 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["CancelToken"] = TokenHandle::define(env);
   exports["Bytes"] = BytesHandle::define(env);
   exports["load"] = Napi::Function::New(env, load, "load");
+  exports["pose"] = Napi::Function::New(env, pose, "pose");
   exports["plan"] = Napi::Function::New(env, plan, "plan");
   exports["probe"] = Napi::Function::New(env, probe, "probe");
   exports["decodeImage"] = Napi::Function::New(env, decodeImage, "decodeImage");

@@ -6,20 +6,35 @@
 namespace telar::addon {
 namespace {
 
-/// What a decoded scene holds beyond its small parts, so that V8 knows what collecting its handle would free.
+std::size_t bytesOf(const Image8& image) {
+  std::size_t bytes = image.pixels.size();
+  for (const auto& level : image.smallerLevels) bytes += level.size();
+  return bytes;
+}
+
+std::size_t bytesOf(const Primitive& p) {
+  std::size_t bytes = p.positions.size() * sizeof(glm::vec3) + p.normals.size() * sizeof(glm::vec3);
+  bytes += p.tangents.size() * sizeof(glm::vec4) + p.colors.size() * sizeof(glm::vec4);
+  for (const auto& uv : p.uvs) bytes += uv.size() * sizeof(glm::vec2);
+  bytes += p.indices.size() * sizeof(std::uint32_t);
+  if (!p.deformers) return bytes;
+  bytes += p.deformers->joints.size() * sizeof(glm::u16vec4) + p.deformers->weights.size() * sizeof(glm::vec4);
+  for (const MorphTarget& target : p.deformers->targets) {
+    bytes += (target.positions.size() + target.normals.size()) * sizeof(glm::vec3);
+    bytes += target.colors.size() * sizeof(glm::vec4);
+  }
+  return bytes;
+}
+
+/// What a decoded scene holds beyond its small parts, so that V8 knows what collecting its handle would free. A pose
+/// shares all but its deformed meshes.
 std::int64_t sceneBytes(const Scene& scene) {
   std::size_t bytes = 0;
-  for (const Image8& image : scene.images) {
-    bytes += image.pixels.size();
-    for (const auto& level : image.smallerLevels) bytes += level.size();
+  if (!scene.model) {
+    for (const Image8& image : scene.images) bytes += bytesOf(image);
   }
-  for (const Mesh& mesh : scene.meshes) {
-    for (const Primitive& primitive : mesh.primitives) {
-      bytes += primitive.positions.size() * sizeof(glm::vec3) + primitive.normals.size() * sizeof(glm::vec3);
-      bytes += primitive.tangents.size() * sizeof(glm::vec4) + primitive.colors.size() * sizeof(glm::vec4);
-      for (const auto& uv : primitive.uvs) bytes += uv.size() * sizeof(glm::vec2);
-      bytes += primitive.indices.size() * sizeof(std::uint32_t);
-    }
+  for (std::size_t i = scene.model ? scene.fileMeshes : 0; i < scene.meshes.size(); ++i) {
+    for (const Primitive& primitive : scene.meshes[i].primitives) bytes += bytesOf(primitive);
   }
   return static_cast<std::int64_t>(bytes);
 }

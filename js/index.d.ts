@@ -1,7 +1,7 @@
-import type { CameraFact, Vec3 } from './shot/index.js';
+import type { AnimationFact, CameraFact, Vec3 } from './shot/index.js';
 import type { ResolvedShot, Shot } from './shot/shot.js';
 
-export type { CameraFact, ResolvedShot, Shot, Vec3 };
+export type { AnimationFact, CameraFact, ResolvedShot, Shot, Vec3 };
 export type { Box, ShotFacts } from './shot/index.js';
 export { TelarError } from './error/index.js';
 export type { ErrorCode, ErrorKind, LimitFact, PlainError } from './error/index.js';
@@ -81,6 +81,8 @@ export interface ModelFacts {
     outerConeAngle?: number;
   }>;
   cameras: CameraFact[];
+  /** In the file's order. */
+  animations: AnimationFact[];
   variants: string[];
   extensionsUsed: string[];
   generator: string;
@@ -110,7 +112,7 @@ export interface FrameInfo extends Plan {
   gl: Record<string, unknown>;
   quality: ResolvedShot['quality'];
   /** Wall-clock milliseconds of each stage. */
-  milliseconds: Record<string, number> & { load: number; resolve: number; queue: number; draw: number; encode: number; total: number };
+  milliseconds: Record<string, number> & { load: number; pose: number; resolve: number; queue: number; draw: number; encode: number; total: number };
   warnings: Warning[];
   /** Largest resident memory of the process so far. */
   peakBytes: number;

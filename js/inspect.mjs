@@ -3,7 +3,7 @@ import { nativeCall } from './api/native_call.mjs';
 import { shotJson } from './api/shot_json.mjs';
 import { readShot, readSource } from './api/source.mjs';
 import { loadNative } from './native.mjs';
-import { Model, loadModel } from './renderer.mjs';
+import { Model, loadModel, poseModel } from './model.mjs';
 
 /**
  * What is in a model, and what a render of it would compile and run. Needs no GL.
@@ -12,7 +12,7 @@ import { Model, loadModel } from './renderer.mjs';
  * @param {object} [options.shot] - Shot to plan for.
  * @param {Record<string, number>} [options.limits] - By the L_* names.
  * @param {AbortSignal} [options.signal]
- * @returns {Promise<object>} bounds and size in metres, counts, materials, images, lights, variants, cameras, warnings, and
+ * @returns {Promise<object>} bounds and size in metres, counts, materials, images, lights, variants, cameras, animations, warnings, and
  *   `plan`: {features, programs, passes}, null when there is nothing to draw
  */
 export async function inspect(source, options = {}) {
@@ -25,7 +25,8 @@ export async function inspectOn(native, source, options = {}) {
   const maxBytes = limits.L_FILE_BYTES ?? native.limits.L_FILE_BYTES;
   const input = readSource(native, source, maxBytes);
   const request = readShot(native, shot, maxBytes);
-  const model = await loadModel(native, input, limits, signal);
+  const loaded = await loadModel(native, input, limits, signal);
+  const model = await poseModel(native, loaded, request.shot, { signal, forget: true });
   if (!model.facts.bounds) return { ...model.facts, plan: null };
   const { resolveShot } = await import('./shot/index.mjs');
   const resolved = resolveShot(request.shot, model.facts);

@@ -6,6 +6,7 @@ import { onAbort } from './api/on_abort.mjs';
 import { callOptions, rendererOptions, wrongOption } from './api/options.mjs';
 import { shotJson } from './api/shot_json.mjs';
 import { readShot, readSource } from './api/source.mjs';
+import { Model, SharedPoses, loadModel, poseModel, shotModule } from './model.mjs';
 import { ASSET_DIRECTORY, loadNative } from './native.mjs';
 
 /** Frames on their way at once: one is drawn while others load or are encoded. More would only hold memory. */
@@ -13,45 +14,6 @@ const FRAMES_IN_FLIGHT = 4;
 
 /** Frames and small requests in the GL thread's own queue. */
 const MAX_QUEUED = 64;
-
-/** The schema of the shot costs load time, so it comes with the first job. */
-const shotModule = () => import('./shot/index.mjs');
-
-/** A decoded model, made by `renderer.load`: draw many views of it, with any renderer of the same thread. */
-export class Model {
-  #scene;
-
-  /** @internal */
-  constructor(scene, facts) {
-    this.#scene = scene;
-    /** What is in the file: bounds, size in metres, counts, materials, variants, cameras, warnings; as `inspect` gives it. */
-    this.facts = facts;
-  }
-
-  /** @internal */
-  static sceneOf(model) {
-    return model.#scene;
-  }
-
-  /** @internal */
-  static isModel(value) {
-    return typeof value === 'object' && value !== null && #scene in value;
-  }
-}
-
-/**
- * Decodes a source.
- * @internal
- * @param {object} native the addon's exports
- * @param {string | object} input of readSource
- * @param {object} limits
- * @param {AbortSignal} [signal]
- * @returns {Promise<Model>}
- */
-export async function loadModel(native, input, limits, signal) {
-  const { scene, facts } = await nativeCall(native, signal, (token) => native.load(input, limits, token));
-  return new Model(scene, JSON.parse(facts));
-}
 
 class Renderer {
   #native;
@@ -164,8 +126,9 @@ class Renderer {
     let loaded = model;
     try {
       loaded ??= await this.#gate.run(() => loadModel(this.#native, input, this.#limits, signal), signal);
+      const poses = new SharedPoses(this.#native, loaded, requests.map(({ shot }) => shot), signal);
       return await Promise.all(requests.map((request) =>
-        this.#gate.run(() => this.#render({ ...request, model: loaded }, signal), signal)));
+        this.#gate.run(() => this.#render({ ...request, model: loaded, poses }, signal), signal)));
     } catch (error) {
       scope.abort(error);
       throw error;
@@ -181,23 +144,25 @@ class Renderer {
     return this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model), forget)));
   }
 
-  async #render({ input, model: given, shot, environment, map }, signal) {
+  async #render({ input, model: given, poses, shot, environment, map }, signal) {
     const start = performance.now();
     const model = given ?? await loadModel(this.#native, input, this.#limits, signal);
     const loaded = performance.now();
+    const posed = await (poses ? poses.of(shot) : poseModel(this.#native, model, shot, { signal, forget: !given }));
+    const posedAt = performance.now();
     const { resolveShot } = await shotModule();
-    const resolved = resolveShot(shot, model.facts);
+    const resolved = resolveShot(shot, posed.facts);
     if (map) resolved.environment.map = map;
     const request = {
-      scene: Model.sceneOf(model),
+      scene: Model.sceneOf(posed),
       shot: shotJson(resolved),
       environment,
-      releaseScene: !given,
+      releaseScene: poses ? poses.isLast(shot) : !given || posed !== model,
     };
     const resolvedAt = performance.now();
     const frame = await nativeCall(this.#native, signal, (token) => this.#handle.render(request, token));
-    const milliseconds = { load: loaded - start, resolve: resolvedAt - loaded, total: performance.now() - start };
-    return { data: frame.data, info: frameInfo({ frame, resolved, milliseconds, renderer: this, warnings: model.facts.warnings }) };
+    const milliseconds = { load: loaded - start, pose: posedAt - loaded, resolve: resolvedAt - posedAt, total: performance.now() - start };
+    return { data: frame.data, info: frameInfo({ frame, resolved, milliseconds, renderer: this, warnings: posed.facts.warnings }) };
   }
 }
 

@@ -4,25 +4,46 @@
 #include "shadow/coords.glsl"
 
 void main() {
-  vec4 viewSpace = modelViewMatrix * vec4(position, 1.0);
+#if INSTANCING
+  vec4 meshSpace = instanceMatrix * vec4(position, 1.0);
+#else
+  vec4 meshSpace = vec4(position, 1.0);
+#endif
+  vec4 viewSpace = modelViewMatrix * meshSpace;
   gl_Position = projectionMatrix * viewSpace;
   vViewPosition = -vec3(viewSpace);
 #if !FLAT_SHADED && !UNLIT
-  vNormal = normalize(normalMatrix * normal) * NORMAL_SIGN;
+#if INSTANCING
+  // Right for any scale along the instance's axes, not for shear, as in three.js.
+  mat3 instance = mat3(instanceMatrix);
+  vec3 squaredScale = vec3(dot(instance[0], instance[0]), dot(instance[1], instance[1]), dot(instance[2], instance[2]));
+  vec3 viewNormal = normalMatrix * (instance * (normal / squaredScale)) * NORMAL_SIGN;
+#else
+  vec3 viewNormal = normalMatrix * normal * NORMAL_SIGN;
+#endif
+  vNormal = normalize(viewNormal);
 #if TANGENT
+#if INSTANCING
+  vTangent = normalize(vec3(modelViewMatrix * vec4(instance * tangent.xyz, 0.0)));
+#else
   vTangent = normalize(vec3(modelViewMatrix * vec4(tangent.xyz, 0.0)));
+#endif
   vBitangent = normalize(cross(vNormal, vTangent) * tangent.w) * NORMAL_SIGN;
 #endif
 #endif
 #if FLAT_SHADOWS + CUBE_SHADOWS > 0
 #if FLAT_SHADED
-  setShadowCoords(position, vec3(0.0));
+  setShadowCoords(meshSpace.xyz, vec3(0.0));
 #else
-  setShadowCoords(position, normalMatrix * normal * NORMAL_SIGN);
+  setShadowCoords(meshSpace.xyz, viewNormal);
 #endif
 #endif
 #if VERTEX_COLOR
+#if INSTANCE_COLOR
+  vColor = vec4(color.rgb * instanceColor, color.a);
+#else
   vColor = color;
+#endif
 #endif
 #if BASE_COLOR_MAP
   vBaseColorUv = vec2(baseColorUvTransform * vec3(BASE_COLOR_UV1 == 1 ? uv1 : uv0, 1.0));
@@ -43,7 +64,7 @@ void main() {
   vUv0 = uv0;
 #endif
 #if TRANSMISSION
-  vWorldPosition = vec3(modelMatrix * vec4(position, 1.0));
+  vWorldPosition = vec3(modelMatrix * meshSpace);
 #endif
 #include "material/layer_uvs.glsl"
 #if POINTS

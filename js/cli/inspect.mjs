@@ -34,6 +34,11 @@ function materialLines(materials) {
   });
 }
 
+function animationLines(animations) {
+  if (animations.length === 0) return ['animations  none'];
+  return [`animations  ${animations.length}`, ...animations.map(({ name, duration }, i) => `  ${i} ${name}: ${Number(duration.toPrecision(4))} s`)];
+}
+
 /** An image of width 0 was not decoded: no drawn material uses it. */
 const imageText = ({ width, height, format, levels }) => {
   if (width === 0) return 'unused';
@@ -41,7 +46,7 @@ const imageText = ({ width, height, format, levels }) => {
 };
 
 function factLines(model, facts) {
-  const { bounds, size, materials = [], images = [], lights = [], cameras = [], variants = [], extensionsUsed = [], plan } = facts;
+  const { bounds, size, materials = [], images = [], lights = [], cameras = [], animations = [], variants = [], extensionsUsed = [], plan } = facts;
   const lines = [
     model === '-' ? 'stdin' : model,
     `size        ${bounds ? `${size.map(metres).join(' x ')} (width x height x depth)` : 'nothing to draw'}`,
@@ -53,6 +58,7 @@ function factLines(model, facts) {
     ...materialLines(materials),
     `images      ${images.length === 0 ? 'none' : images.map(imageText).join(', ')}`,
     `variants    ${variants.length === 0 ? 'none' : named(variants)}`,
+    ...animationLines(animations),
     `cameras     ${cameras.length === 0 ? 'none' : named(cameras)}`,
     `lights      ${lights.length === 0 ? 'none' : named(lights)}`,
     `extensions  ${extensionsUsed.length === 0 ? 'none' : extensionsUsed.join(', ')}`,

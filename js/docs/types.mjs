@@ -38,7 +38,7 @@ export function typeText(node) {
     case 'object': return objectType(node);
     case 'array': return arrayType(typeText(node.items));
     case 'integer': return 'number';
-    case 'number': case 'string': case 'boolean': return node.type;
+    case 'number': case 'string': case 'boolean': case 'null': return node.type;
     default: throw new Error(`no type for ${JSON.stringify(node)}`);
   }
 }

@@ -56,6 +56,8 @@ const ROWS = {
     E_ACCESSOR: ['An accessor leaves its buffer view or has a wrong type', FIX_FILE],
     E_SPARSE: ['A sparse accessor is inconsistent', FIX_FILE],
     E_INDEX: ['A vertex index is not below the vertex count', FIX_FILE],
+    E_ANIMATION: ['An animation is inconsistent', FIX_FILE],
+    E_INSTANCING: ['The instances of a mesh are inconsistent', FIX_FILE],
     E_SKIN: ['A skin is inconsistent', FIX_FILE],
     E_NO_GEOMETRY: ['The scene has nothing to draw', 'Check that the exported scene holds the garment.'],
     E_IMAGE_FORMAT: ['A texture is not PNG, JPEG, WebP or KTX2, or is KTX2 of a kind that is not drawn', 'Export textures as PNG, JPEG, WebP, or KTX2 in ETC1S or UASTC.'],
@@ -69,6 +71,7 @@ const ROWS = {
     E_ENVIRONMENT_CORRUPT: ['The environment is damaged or cut', 'Save the map again.'],
     E_ENVIRONMENT_MISSING: ['The environment file does not exist, is a folder or cannot be read', 'Check the path and the permissions.'],
     E_VARIANT: ['The model has no such material variant', '`telar inspect` lists the variants.'],
+    E_POSE: ['The model has no such animation', '`telar inspect` lists the animations.'],
     E_CAMERA: ['The model has no such camera', '`telar inspect` lists the cameras.'],
   },
   denied: {
@@ -107,6 +110,8 @@ const ROWS = {
     L_TEXTURE_UNITS: ['A material has too many textures for the lights that cast shadows', 'Let fewer lights cast shadows: each takes one of the 16 textures of a WebGL 2 program.'],
     L_ENVIRONMENT_PIXELS: ['The environment has too many pixels', RAISE],
     L_PROGRAMS: ['The scene needs too many shader programs', RAISE],
+    L_INSTANCES: ['Too many instances', RAISE],
+    L_KEYFRAME_VALUES: ['The animations have too many keyframes', RAISE],
     L_MORPH_TARGETS: ['Too many morph targets', RAISE],
   },
   time: {
@@ -138,7 +143,7 @@ const ROWS = {
     X_SHADER: ['A shader did not compile or link', 'Report it with the output of `telar doctor`.'],
   },
   warning: {
-    W_ANIMATION: ['Animations are not played', 'The model is drawn as it stands in the file.'],
+    W_ANIMATION: ['A channel of an animation moves nothing that is drawn', 'The other channels of the animation are played.'],
     W_ENUM: ['An unknown enumeration value was replaced by its default', FIX_FILE],
     W_CAMERA: ['A camera is malformed and was left out', FIX_FILE],
     W_LIGHT: ['A light is malformed and was left out', FIX_FILE],
@@ -156,8 +161,9 @@ const ROWS = {
     W_SAMPLER: ['A texture sampler is wrong and was replaced by the default', FIX_FILE],
     W_TEXCOORD: ['A texture uses a UV set that the mesh does not have', FIX_FILE],
     W_TEXTURE: ['A texture has no usable image and is not drawn', FIX_FILE],
-    W_SKIN: ['Skins are not applied', 'The mesh is drawn in its bind pose.'],
-    W_MORPH: ['Morph targets are not applied', 'The mesh is drawn in its base shape.'],
+    W_INSTANCING: ['Instances are not drawn as the file says, or not as three.js draws them', 'The message names the reason.'],
+    W_SKIN: ['A part of a skin is not applied', 'As in three.js; the message names the part.'],
+    W_MORPH: ['A part of a morph target is not applied', 'As in three.js; the message names the part.'],
   },
 };
 

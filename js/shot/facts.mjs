@@ -8,7 +8,7 @@ const asPoint = (value) => (Array.isArray(value) ? value : AXES.map((axis) => va
  * What resolveShot needs to know of a model.
  * @param {unknown} facts of `renderer.load`, `inspect` or `factsOf` of telar/three, or a box alone: {min, max} with [x, y, z] or {x, y, z} in metres,
  *   as THREE.Box3 has them; undefined where the shot's camera is explicit
- * @returns {{bounds?: import('./frame.mjs').Bounds, cameras?: object[], variants?: string[]}} bounds undefined = nothing to draw
+ * @returns {{bounds?: import('./frame.mjs').Bounds, cameras?: object[], variants?: string[], animations?: object[]}} bounds undefined = nothing to draw
  * @throws {TelarError} E_OPTION
  */
 export function readFacts(facts) {
@@ -18,6 +18,7 @@ export function readFacts(facts) {
     bounds: readBounds(isBox ? facts : facts.bounds, facts.outline),
     cameras: facts.cameras,
     variants: facts.variants,
+    animations: facts.animations,
   };
 }
 

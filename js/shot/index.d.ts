@@ -22,6 +22,13 @@ export interface CameraFact {
   up: Vec3;
 }
 
+/** An animation of a model. */
+export interface AnimationFact {
+  name: string;
+  /** Seconds. */
+  duration: number;
+}
+
 type Point = readonly [number, number, number] | readonly number[] | { x: number; y: number; z: number };
 
 /** Axis-aligned box in metres; a THREE.Box3 fits. */
@@ -35,6 +42,7 @@ export type ShotFacts = Box | {
   bounds: Box | null;
   cameras?: readonly CameraFact[];
   variants?: readonly string[];
+  animations?: readonly AnimationFact[];
 };
 
 /**
@@ -44,6 +52,13 @@ export type ShotFacts = Box | {
  *   E_NO_GEOMETRY; E_OPTION
  */
 export function resolveShot(shot?: Shot | ResolvedShot, facts?: ShotFacts | null): ResolvedShot;
+
+/**
+ * The moment that a shot shows. Facts depend on it: first the pose, then the facts of the model in that pose, then resolveShot.
+ * @returns index into the model's animations and seconds; null = as the file stands
+ * @throws {TelarError} E_SHOT, E_POSE
+ */
+export function resolvePose(shot: Shot | ResolvedShot, facts?: { animations?: readonly AnimationFact[] }): ResolvedShot['pose'];
 
 /** An opaque CSS colour as linear Rec.709, the bits of THREE.Color; undefined when the text is none. */
 export function parseColour(text: string): Vec3 | undefined;

@@ -1,5 +1,6 @@
 // telar/shot: pure, for the browser and the server alike.
 export { resolveShot } from './resolve.mjs';
+export { resolvePose } from './pose.mjs';
 export { parseColour, srgbToLinear } from './colour.mjs';
 export { VIEWS } from './frame.mjs';
 export { TelarError } from '../error/index.mjs';

@@ -4,6 +4,7 @@ import { complaint, nearest, shown, wrongValue } from './complain.mjs';
 import { contactLights } from './contact.mjs';
 import { readFacts } from './facts.mjs';
 import { cornersOfGround, resolveGround } from './ground.mjs';
+import { posed } from './pose.mjs';
 import { PRESETS, shotSchema } from './schema.mjs';
 import { resolveShadow } from './shadow.mjs';
 import { refuseUnavailable } from './unavailable.mjs';
@@ -27,10 +28,10 @@ const WHITE = [1, 1, 1];
  * Lengths are metres, camera and environment angles degrees, spot cones radians; colours come out as linear Rec.709.
  * @param {import('../index.d.ts').Shot} [shot]
  * @param {import('../index.d.ts').ShotFacts} [facts] of the model, or its box {min, max}; needed unless the camera is
- *   explicit with near and far
+ *   explicit with near and far; of the model in the shot's pose (`resolvePose`) where it has one
  * @returns {import('../index.d.ts').ResolvedShot} new objects throughout; the arguments stay as they were
  * @throws {TelarError} E_SHOT with the path, the expected thing and the value given; E_SHOT_UNAVAILABLE for what this version
- *   does not draw; E_CAMERA, E_VARIANT, E_NO_GEOMETRY where the model lacks what the shot asks for; E_OPTION for wrong facts
+ *   does not draw; E_CAMERA, E_VARIANT, E_POSE, E_NO_GEOMETRY where the model lacks what the shot asks for; E_OPTION for wrong facts
  */
 export function resolveShot(shot = {}, facts = undefined) {
   refuseUnavailable(shot);
@@ -54,6 +55,7 @@ export function resolveShot(shot = {}, facts = undefined) {
     exposure: parsed.exposure,
     quality: resolveQuality(parsed.quality),
     variant: resolveVariant(parsed.variant, known.variants),
+    pose: posed(parsed.pose, known.animations),
     layers: [...parsed.layers],
     output,
   };

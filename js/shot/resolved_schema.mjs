@@ -50,6 +50,7 @@ export const resolvedShotSchema = object({
   exposure: z.number(),
   quality: object({ preset: z.enum(Object.keys(PRESETS)).optional(), samples: z.literal([1, 4]) }),
   variant: z.string(),
+  pose: object({ animation: z.int(), time: z.number() }).nullable(),
   layers: z.array(z.literal('beauty')),
   output: object({
     format: z.enum(['png', 'jpeg', 'webp', 'tiff', 'exr', 'raw']),

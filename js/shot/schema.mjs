@@ -173,6 +173,13 @@ const environmentBackground = object('The environment, blurred', {
 const BACKGROUND = expectedColour(['transparent', 'environment'], ['{type: "environment", blur}']);
 const background = z.union([colour('Keyword or colour', ['transparent', 'environment'], BACKGROUND), environmentBackground], { error: BACKGROUND })
   .describe('"transparent", "environment", a colour, or the environment blurred; default "transparent", white for jpeg');
+const ANIMATION = 'the index or the name of an animation in the model';
+export const poseSchema = object('A moment of an animation', {
+  animation: z.union([z.int({ error: ANIMATION }).min(0, { error: ANIMATION }), text('Name', ANIMATION)], { error: ANIMATION })
+    .describe('Index or name of an animation in the model'),
+  time: number('Seconds from its start; before the start and after the end it stands as at the start or the end',
+    { what: 'a number of seconds', min: -1e30 }).default(0),
+}).nullable().default(null).describe('A moment of one of the model\'s animations; null = as the file stands');
 
 export const shotSchema = object('What to draw', {
   size,
@@ -187,6 +194,7 @@ export const shotSchema = object('What to draw', {
   exposure: number('Factor on radiance before tone mapping', { min: 0 }).default(1),
   quality,
   variant: text('Name of a material variant of the model (KHR_materials_variants); "" = none', 'the name of a variant').default(''),
+  pose: poseSchema,
   layers,
   output,
 });

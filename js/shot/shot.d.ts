@@ -251,6 +251,13 @@ export interface Shot {
   };
   /** Name of a material variant of the model (KHR_materials_variants); "" = none. @default "" */
   variant?: string;
+  /** A moment of one of the model's animations; null = as the file stands. @default null */
+  pose?: {
+    /** Index or name of an animation in the model. */
+    animation: number | string;
+    /** Seconds from its start; before the start and after the end it stands as at the start or the end. @default 0 */
+    time?: number;
+  } | null;
   /** Images to draw. @default ["beauty"] */
   layers?: 'beauty'[];
   /** The encoded file. */
@@ -389,6 +396,10 @@ export interface ResolvedShot {
     samples: 1 | 4;
   };
   variant: string;
+  pose: {
+    animation: number;
+    time: number;
+  } | null;
   layers: 'beauty'[];
   output: {
     format: 'png' | 'jpeg' | 'webp' | 'tiff' | 'exr' | 'raw';

@@ -6,7 +6,6 @@ import { TelarError } from '../error/index.mjs';
  */
 const KEYS = {
   lens: ['a lens', 'use exposure and camera.fovY'],
-  pose: ['a pose', 'export the model in the pose that is to be drawn'],
 };
 
 /** [values, what to use instead] by key. */

@@ -1,3 +1,4 @@
+import { applyPose } from './pose.mjs';
 import { applyLightShadow, applyShadows } from './shadows.mjs';
 import { applyVariant } from './variant.mjs';
 
@@ -29,7 +30,7 @@ export function rendererParameters(shot) {
  * @param {import('three').Scene} target.scene - Gets lights, ground, environment and background.
  * @param {import('three').Camera} [target.camera] - Camera to set; where it is missing or of the other projection, a new one
  *   is made. Use the returned one.
- * @param {object} [target.model] - What GLTFLoader gave ({scene, parser}): for `variant` and `modelLights`.
+ * @param {object} [target.model] - What GLTFLoader gave ({scene, parser, animations}): for `variant`, `pose` and `modelLights`.
  * @param {import('three').Texture} [target.environment] - Linear equirectangular texture; required where the shot has one.
  * @param {() => Promise<{RectAreaLightUniformsLib: {init(): void}}>} [target.areaLightTables] - Gives three's tables of rect
  *   lights, `() => import('three/addons/lights/RectAreaLightUniformsLib.js')`; called for the first shot with such a light.
@@ -45,6 +46,7 @@ export async function applyShot(shot, { THREE, renderer, scene, camera, model, e
   applyEnvironment(shot, THREE, scene, environment);
   applyBackground(shot, THREE, scene);
   if (model) await applyVariant(model, shot.variant);
+  if (model) applyPose(model, shot.pose, { THREE });
   return applyCamera(shot, THREE, camera);
 }
 

@@ -1,28 +1,30 @@
 import { Outline } from '../shot/outline.mjs';
 import { camerasOf } from './cameras.mjs';
+import { visitDrawnPoints } from './drawn_points.mjs';
+import { applyPose } from './pose.mjs';
 
 /**
  * What resolveShot needs to know of a model that GLTFLoader gave, measured as the server measures it: so that both frame
- * it alike. The model's world matrices must be up to date and it must stand as it was loaded.
+ * it alike. The model's world matrices must be up to date. It is measured in the pose, and keeps it.
  *
- * @param {{scene: import('three').Object3D, parser?: object}} model - What GLTFLoader gave.
- * @param {{THREE: typeof import('three')}} three
- * @returns {{bounds: {min: number[], max: number[]} | null, outline: number[][], cameras: object[],
- *   variants: string[]}} metres, world space
+ * @param {{scene: import('three').Object3D, parser?: object, animations?: object[]}} model - What GLTFLoader gave.
+ * @param {object} options
+ * @param {typeof import('three')} options.THREE
+ * @param {{animation: number, time: number} | null} [options.pose] - Of the shot, as `resolvePose(shot, {animations:
+ *   model.animations})` gives it; null = as the file stands.
+ * @returns {{bounds: {min: number[], max: number[]} | null, outline: number[][], cameras: object[], variants: string[],
+ *   animations: {name: string, duration: number}[]}} metres, world space, seconds
  */
-export function factsOf(model, { THREE }) {
+export function factsOf(model, { THREE, pose = null }) {
   const outline = new Outline();
   const box = new THREE.Box3();
-  const point = new THREE.Vector3();
-  model.scene.updateMatrixWorld(true);
+  applyPose(model, pose, { THREE });
   model.scene.traverse((object) => {
-    const position = object.geometry?.attributes.position;
-    if (!position) return;
-    for (const i of drawnVertices(object.geometry, position.count)) {
-      point.fromBufferAttribute(position, i).applyMatrix4(object.matrixWorld);
+    if (!object.geometry?.attributes.position) return;
+    visitDrawnPoints(object, THREE, (point) => {
       box.expandByPoint(point);
       outline.add(point.x, point.y, point.z);
-    }
+    });
   });
   const variants = model.parser?.json.extensions?.KHR_materials_variants?.variants ?? [];
   return {
@@ -30,8 +32,6 @@ export function factsOf(model, { THREE }) {
     outline: outline.points(),
     cameras: model.parser ? camerasOf(model, box, THREE) : [],
     variants: variants.map((variant) => variant.name),
+    animations: (model.animations ?? []).map(({ name, duration }) => ({ name, duration })),
   };
 }
-
-/** Each drawn vertex once. */
-const drawnVertices = (geometry, count) => (geometry.index ? new Set(geometry.index.array) : Array(count).keys());

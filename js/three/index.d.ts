@@ -27,12 +27,24 @@ export function applyShot(shot: ResolvedShot, target: {
   areaLightTables?: () => Promise<Three>;
 }): Promise<Three>;
 
-/** What resolveShot needs to know of a model that GLTFLoader gave, measured as the server measures it. Metres, world space. */
-export function factsOf(model: { scene: Three; parser?: Three }, three: { THREE: Three }): {
+/**
+ * What resolveShot needs to know of a model that GLTFLoader gave, measured as the server measures it. Metres, world space.
+ * The model takes the pose and keeps it.
+ */
+export function factsOf(model: { scene: Three; parser?: Three; animations?: Three[] }, options: {
+  THREE: Three;
+  /** As `resolvePose(shot, {animations: model.animations})` of telar/shot gives it; default null, as the file stands. */
+  pose?: ResolvedShot['pose'];
+}): {
   bounds: { min: number[]; max: number[] } | null;
   /** Drawn vertices that lie farthest out. */
   outline: number[][];
   /** As the shot's explicit camera, with a name; far is null where the file says infinite. */
   cameras: object[];
   variants: string[];
+  /** Duration in seconds. */
+  animations: Array<{ name: string; duration: number }>;
 };
+
+/** Puts a model into a pose, or back as the file stands. */
+export function applyPose(model: { scene: Three; animations?: Three[] }, pose: ResolvedShot['pose'], three: { THREE: Three }): void;

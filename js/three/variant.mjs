@@ -27,16 +27,28 @@ function variantNames(parser) {
   return (parser.json.extensions?.[EXTENSION]?.variants ?? []).map((variant) => variant.name);
 }
 
+/** The primitive of the file that a mesh shows; an instanced one is known by its node alone. */
+function primitiveOf({ associations, json }, mesh) {
+  const { meshes, primitives = 0 } = associations.get(mesh) ?? {};
+  if (meshes !== undefined) return json.meshes[meshes].primitives[primitives];
+  if (!mesh.isInstancedMesh) return undefined;
+  const own = associations.get(mesh)?.nodes;
+  const node = own ?? associations.get(mesh.parent)?.nodes;
+  const index = own === undefined ? mesh.parent.children.filter((child) => child.isInstancedMesh).indexOf(mesh) : 0;
+  return json.meshes[json.nodes[node]?.mesh]?.primitives[index];
+}
+
 async function assignMaterial(parser, mesh, variantIndex) {
-  const where = parser.associations.get(mesh);
-  if (where?.meshes === undefined) return;
-  const primitive = parser.json.meshes[where.meshes].primitives[where.primitives ?? 0];
+  const primitive = primitiveOf(parser, mesh);
+  if (!primitive) return;
   const mappings = primitive.extensions?.[EXTENSION]?.mappings ?? [];
   const mapping = mappings.find((entry) => entry.variants.includes(variantIndex));
   if (mapping) {
     if (!ownMaterial.has(mesh)) ownMaterial.set(mesh, mesh.material);
     mesh.material = await parser.getDependency('material', mapping.material);
     parser.assignFinalMaterial(mesh);
+    // GLTFLoader does it twice for instances, which turns normal maps round: each variant is to look alike.
+    if (mesh.isInstancedMesh) parser.assignFinalMaterial(mesh);
   } else if (ownMaterial.has(mesh)) {
     mesh.material = ownMaterial.get(mesh);
   }

@@ -195,6 +195,7 @@ void Accessors::check() const {
 template <typename Out>
 void Accessors::read(int accessor, std::span<Out> out) const {
   const auto& source = info(accessor);
+  const std::uint64_t count = std::min<std::uint64_t>(source.count, out.size() / componentsOf(source));
   std::fill(out.begin(), out.end(), Out{0});
   if (source.bufferView >= 0) {
     const auto& view = document_.model.bufferViews[static_cast<std::size_t>(source.bufferView)];
@@ -205,7 +206,7 @@ void Accessors::read(int accessor, std::span<Out> out) const {
                         componentsOf(source),
                         source.componentType,
                         source.normalized};
-    for (std::uint64_t i = 0; i < source.count; ++i) {
+    for (std::uint64_t i = 0; i < count; ++i) {
       if (i % ELEMENTS_PER_CANCEL_CHECK == 0) cancel_.check();
       copyElement(layout, i, i, out);
     }
@@ -221,7 +222,7 @@ void Accessors::read(int accessor, std::span<Out> out) const {
       fail("E_SPARSE", "a sparse index is out of range or out of order",
            pointer("accessors", accessor, "sparse", "indices"));
     }
-    copyElement(sparse.values, i, index, out);
+    if (index < count) copyElement(sparse.values, i, index, out);
     next = std::uint64_t{index} + 1;
   }
 }

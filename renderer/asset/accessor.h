@@ -40,7 +40,7 @@ class Accessors {
   std::uint64_t count(int accessor) const { return info(accessor).count; }
   unsigned components(int accessor) const;
 
-  /// @param out count * components floats. @throws Error{E_SPARSE, X_CANCELLED}
+  /// @param out count * components floats, or fewer: then the first ones alone. @throws Error{E_SPARSE, X_CANCELLED}
   void readFloats(int accessor, std::span<float> out) const;
 
   /// For vertex indices and joints: components that are unsigned integers.

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <numeric>
 
+#include "asset/animation.h"
 #include "asset/extension_value.h"
+#include "asset/instances.h"
 #include "asset/material.h"
 #include "asset/number.h"
+#include "asset/place.h"
 #include "asset/pointer.h"
-#include "asset/repair.h"
-#include "asset/skin.h"
+#include "asset/skins.h"
 #include "asset/topology.h"
 #include "asset/transform.h"
 
@@ -21,33 +23,19 @@ double triangleCount(int mode, double corners) {
   return mode == MODE_STRIP || mode == MODE_FAN ? std::max(0.0, corners - 2) : 0;
 }
 
-std::uint64_t trianglesOf(const Primitive& primitive) {
-  if (primitive.topology != Topology::kTriangles) return 0;
-  return (primitive.indices.empty() ? primitive.positions.size() : primitive.indices.size()) / 3;
-}
-
-Bounds worldBounds(const Primitive& primitive, const std::vector<std::uint32_t>& used, const glm::dmat4& world) {
-  Bounds out;
-  const auto add = [&](const glm::vec3& p) { out.add(glm::dvec3(world * glm::dvec4(glm::dvec3(p), 1.0))); };
-  if (used.empty()) std::for_each(primitive.positions.begin(), primitive.positions.end(), add);
-  for (const std::uint32_t index : used) add(primitive.positions[index]);
-  return out;
-}
-
-bool isDrawable(const Bounds& bounds) {
-  return !bounds.empty() && asset::isDrawable(glm::vec3(glm::clamp(bounds.min, -1e30, 1e30))) &&
-         asset::isDrawable(glm::vec3(glm::clamp(bounds.max, -1e30, 1e30)));
-}
-
 }  // namespace
 
 /// Sums of work, from counts alone: nothing has been decoded yet, and accessors may share bytes or have none.
 void Assembler::checkWork(const std::vector<Visit>& visits) const {
-  double draws = 0, triangles = 0, vertices = 0;
+  double draws = 0, triangles = 0, vertices = 0, instances = 0;
   std::vector<bool> met(model().meshes.size(), false);
   for (const Visit& visit : visits) {
-    const int mesh = model().nodes[static_cast<std::size_t>(visit.node)].mesh;
+    const auto& node = model().nodes[static_cast<std::size_t>(visit.node)];
+    const int mesh = node.mesh;
     if (mesh < 0) continue;
+    const auto places = static_cast<double>(countInstances(visit.node, from_));
+    instances += places > 1 ? places : 0;
+    checkLimit("L_INSTANCES", static_cast<double>(from_.limits.instances), instances, pointer("nodes", visit.node));
     const auto& primitives = model().meshes[static_cast<std::size_t>(mesh)].primitives;
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       const auto& primitive = primitives[i];
@@ -56,8 +44,10 @@ void Assembler::checkWork(const std::vector<Visit>& visits) const {
       const auto points = static_cast<double>(from_.accessors.count(position->second));
       const double corners =
           primitive.indices < 0 ? points : static_cast<double>(from_.accessors.count(primitive.indices));
-      if (!met[static_cast<std::size_t>(mesh)]) vertices += points;
-      triangles += triangleCount(primitive.mode, corners);
+      const auto targets = static_cast<double>(primitive.targets.size());
+      if (!met[static_cast<std::size_t>(mesh)]) vertices += points * (1 + targets);
+      if (node.skin >= 0 || targets > 0) vertices += points;  // the deformed copy
+      triangles += triangleCount(primitive.mode, corners) * places;
       const std::string where = pointer("meshes", mesh, "primitives", i);
       checkSum("L_VERTICES", static_cast<double>(from_.limits.vertices), vertices, where);
       checkSum("L_TRIANGLES", static_cast<double>(from_.limits.triangles), triangles, where);
@@ -77,21 +67,45 @@ int Assembler::readMesh(int mesh) {
   out.name = source.name;
   std::vector<Primitive> primitives;
   for (std::size_t i = 0; i < source.primitives.size(); ++i) {
-    if (auto primitive = geometry_.read(mesh, i)) primitives.push_back(std::move(*primitive));
+    if (auto primitive = geometry_.read(mesh, i, joints_[static_cast<std::size_t>(mesh)]))
+      primitives.push_back(std::move(*primitive));
   }
   out.primitives = std::move(primitives);
   scene_.meshes.push_back(std::move(out));
   return known = static_cast<int>(scene_.meshes.size()) - 1;
 }
 
-int Assembler::meshOf(const tinygltf::Node& source, int node) {
-  if (source.mesh < 0) return -1;
-  if (source.skin >= 0) {
-    checkSkin(source.skin, source.mesh, from_.document, from_.accessors, from_.cancel);
-    from_.warnings.add("W_SKIN", "skins are not applied; the mesh is drawn in its bind pose",
-                       pointer("nodes", node, "skin"));
+/// By mesh: how many joints the smallest of the skins has that move it.
+void Assembler::findJoints(const std::vector<Visit>& visits) {
+  joints_.assign(model().meshes.size(), 0);
+  for (const Visit& visit : visits) {
+    const auto& node = model().nodes[static_cast<std::size_t>(visit.node)];
+    if (node.mesh < 0 || node.skin < 0) continue;
+    auto& joints = joints_[static_cast<std::size_t>(node.mesh)];
+    const std::size_t count = model().skins[static_cast<std::size_t>(node.skin)].joints.size();
+    joints = joints == 0 ? count : std::min(joints, count);
   }
-  return readMesh(source.mesh);
+}
+
+/// Weights of the morph targets as the file stands: the node's over the mesh's.
+std::vector<float> Assembler::weightsOf(const tinygltf::Node& source, int node) const {
+  std::vector<float> out(morphTargetsOf(model(), node), 0.0f);
+  if (out.empty()) return out;
+  for (const auto* weights : {&model().meshes[static_cast<std::size_t>(source.mesh)].weights, &source.weights}) {
+    for (std::size_t i = 0; i < std::min(out.size(), weights->size()); ++i) out[i] = toFloat((*weights)[i]);
+  }
+  return out;
+}
+
+void Assembler::readMotion(const std::vector<int>& nodes) {
+  Motion motion;
+  for (std::size_t i = 0; i < model().skins.size(); ++i) {
+    from_.cancel.check();
+    motion.skins.push_back(readSkin(static_cast<int>(i), nodes, from_));
+  }
+  motion.animations = AnimationReader(from_, nodes).read();
+  if (motion.skins.empty() && motion.animations.empty()) return;
+  scene_.motion = std::make_shared<const Motion>(std::move(motion));
 }
 
 int Assembler::lightOf(const tinygltf::Node& source) {
@@ -121,57 +135,29 @@ void Assembler::addNode(const Visit& visit) {
   Node out;
   out.name = source.name;
   out.parent = visit.parent;
-  out.local = localMatrix(source);
-  out.world = visit.parent < 0 ? out.local : scene_.nodes[static_cast<std::size_t>(visit.parent)].world * out.local;
-  if (isCollapsed(out.world)) {
-    if (source.mesh >= 0) {
-      from_.warnings.add("W_SCALE", "the node's scale is zero or not finite, so its mesh is not drawn",
-                         pointer("nodes", visit.node));
-    }
-  } else {
-    out.mesh = meshOf(source, visit.node);
-    out.light = lightOf(source);
-    out.camera = cameraOf(source);
+  out.transform = transformOf(source);
+  out.file.node = visit.node;
+  out.world = matrixOf(out.transform);
+  if (out.parent >= 0) out.world = scene_.nodes[static_cast<std::size_t>(out.parent)].world * out.world;
+  // A node that is squeezed to nothing may grow in an animation.
+  if (!model().animations.empty() || !isCollapsed(out.world)) {
+    out.file.light = lightOf(source);
+    out.file.camera = cameraOf(source);
   }
+  out.file.mesh = source.mesh;
   scene_.nodes.push_back(std::move(out));
 }
 
-/// Sums and bounds over all draws; a draw that leaves the range of fp32 is not drawn.
-void Assembler::placeMeshes() {
-  std::vector<std::vector<std::vector<std::uint32_t>>> used(scene_.meshes.size());
-  for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
-    for (const auto& p : scene_.meshes[i].primitives) used[i].push_back(usedVertices(p.positions.size(), p.indices));
-  }
-  for (Node& node : scene_.nodes) {
-    if (node.mesh < 0) continue;
-    from_.cancel.check();
-    const auto mesh = static_cast<std::size_t>(node.mesh);
-    const auto& primitives = scene_.meshes[mesh].primitives;
-    Bounds bounds;
-    for (std::size_t i = 0; i < primitives.size(); ++i) {
-      const Bounds part = worldBounds(primitives[i], used[mesh][i], node.world);
-      bounds.min = glm::min(bounds.min, part.min);
-      bounds.max = glm::max(bounds.max, part.max);
-    }
-    if (!isDrawable(bounds)) {
-      if (!primitives.empty()) {
-        from_.warnings.add("W_NONFINITE", "the mesh of the node " + telar::quoted(node.name) +
-                                              " is too far away or too large to draw");
-      }
-      node.mesh = -1;
-      continue;
-    }
-    scene_.bounds.min = glm::min(scene_.bounds.min, bounds.min);
-    scene_.bounds.max = glm::max(scene_.bounds.max, bounds.max);
-    scene_.drawCount += primitives.size();
-    for (const auto& p : primitives) {
-      scene_.vertexCount += p.positions.size();
-      scene_.triangleCount += trianglesOf(p);
-    }
-  }
-  if (scene_.bounds.empty() || scene_.bounds.min == scene_.bounds.max) {
-    throw Error("E_NO_GEOMETRY", "the scene has nothing to draw: no mesh of more than one point is left");
-  }
+/// Reads what the node draws; without an animation, only where it is to be seen. Elsewhere file.mesh only says that
+/// there is one.
+void Assembler::addMesh(Node& node) {
+  if (node.file.mesh < 0 || (model().animations.empty() && isCollapsed(node.world))) return;
+  const auto& source = model().nodes[static_cast<std::size_t>(node.file.node)];
+  node.file.mesh = readMesh(source.mesh);
+  const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(node.file.mesh)];
+  node.instances = readInstances(node.file.node, mesh, from_);
+  node.skin = source.skin;
+  node.weights = weightsOf(source, node.file.node);
 }
 
 void Assembler::readMaterials() {
@@ -227,13 +213,21 @@ Scene Assembler::assemble() {
   meshes_.assign(model().meshes.size(), -1);
   readNames();
   readCameras();
+  findJoints(visits);
+  std::vector<int> nodes(model().nodes.size(), -1);  // by node of the file
   for (std::size_t i = 0; i < visits.size(); ++i) {
     if (i % 1024 == 0) from_.cancel.check();
+    nodes[static_cast<std::size_t>(visits[i].node)] = static_cast<int>(i);
     addNode(visits[i]);
   }
-  placeMeshes();
+  for (Node& node : scene_.nodes) addMesh(node);
+  scene_.fileMeshes = scene_.meshes.size();
+  readMotion(nodes);
   readMaterials();
   loadImages();
+  scene_.fileWarnings = from_.warnings.count();
+  place(scene_, from_.warnings, from_.cancel);
+  if (!scene_.motion || scene_.motion->animations.empty()) needGeometry(scene_);
   return std::move(scene_);
 }
 

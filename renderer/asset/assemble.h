@@ -18,12 +18,14 @@ class Assembler {
 
   void checkWork(const std::vector<Visit>& visits) const;
   void addNode(const Visit& visit);
-  int meshOf(const tinygltf::Node& source, int node);
+  void addMesh(Node& node);
+  void findJoints(const std::vector<Visit>& visits);
+  std::vector<float> weightsOf(const tinygltf::Node& source, int node) const;
   int lightOf(const tinygltf::Node& source);
   int cameraOf(const tinygltf::Node& source) const;
   void readCameras();
   int readMesh(int mesh);
-  void placeMeshes();
+  void readMotion(const std::vector<int>& nodes);
   void readMaterials();
   void loadImages();
   void readNames();
@@ -31,8 +33,9 @@ class Assembler {
   GeometryReader::Sources from_;
   GeometryReader geometry_;
   Scene scene_;
-  std::vector<int> meshes_;   ///< by mesh of the file: index into scene_.meshes, -1 = not read yet
-  std::vector<int> cameras_;  ///< by camera of the file: index into scene_.cameras, -1 = malformed
+  std::vector<int> meshes_;          ///< by mesh of the file: index into scene_.meshes, -1 = not read yet
+  std::vector<std::size_t> joints_;  ///< see findJoints()
+  std::vector<int> cameras_;         ///< by camera of the file: index into scene_.cameras, -1 = malformed
 };
 
 }  // namespace telar::asset

@@ -133,6 +133,15 @@ json describeLights(const Scene& scene) {
   return out;
 }
 
+json describeAnimations(const Scene& scene) {
+  json out = json::array();
+  if (!scene.motion) return out;
+  for (const Animation& animation : scene.motion->animations) {
+    out.push_back({{"name", animation.name}, {"duration", animation.duration}});
+  }
+  return out;
+}
+
 json describeCameras(const Scene& scene) {
   std::vector<std::pair<int, std::size_t>> placed;  // camera and node
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -157,7 +166,7 @@ std::string describeScene(const Scene& scene) {
   for (const glm::dvec3& point : asset::outlineOf(scene)) out["outline"].push_back(list(point));
   out["size"] = empty ? json{0, 0, 0} : list(scene.bounds.max - scene.bounds.min);
   out["nodes"] = scene.nodes.size();
-  out["meshes"] = scene.meshes.size();
+  out["meshes"] = scene.fileMeshes;
   out["drawCalls"] = scene.drawCount;
   out["vertices"] = scene.vertexCount;
   out["triangles"] = scene.triangleCount;
@@ -168,6 +177,7 @@ std::string describeScene(const Scene& scene) {
   for (const Image8& image : scene.images) out["images"].push_back(describe(image));
   out["lights"] = describeLights(scene);
   out["cameras"] = describeCameras(scene);
+  out["animations"] = describeAnimations(scene);
   out["variants"] = scene.variants;
   out["extensionsUsed"] = scene.extensionsUsed;
   out["generator"] = scene.generator;

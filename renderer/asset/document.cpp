@@ -106,6 +106,15 @@ void checkTransforms(const json& reduced) {
   }
 }
 
+/// tinygltf refuses a channel whose target has no path, which is no more than a channel that moves nothing.
+void writeOutPaths(json& reduced) {
+  const auto animations = reduced.find("animations");
+  if (animations == reduced.end()) return;
+  for (json& animation : *animations) {
+    for (json& channel : animation["channels"]) channel["target"].emplace("path", "");
+  }
+}
+
 /// tinygltf refuses an index accessor without a buffer view, which Draco primitives and all-zero accessors have: they
 /// get a stand-in view while it parses.
 class StandInView {
@@ -157,14 +166,11 @@ Document readDocument(const Container& container, const Limits& limits, const Ca
   const auto cameras = document.find("cameras");
   if (cameras != document.end()) out.cameras = readCameras(*cameras, warnings);
   if (const json* lights = lightList(document)) out.lights = readLights(*lights, warnings);
-  if (document.contains("animations")) {
-    warnings.add("W_ANIMATION", "animations are not played; the model is drawn as it stands in the file",
-                 "/animations");
-  }
   document = nullptr;  // the largest part of the memory held here, when buffers are data: URIs
 
   out.buffers = takeBuffers(reduced);
   out.images = takeImages(reduced);
+  writeOutPaths(reduced);
   const StandInView standIn(reduced);
   cancel.check();
   out.model = parseModel(reduced.dump());

@@ -10,6 +10,7 @@ namespace {
 
 // clang-format off
 constexpr std::string_view SUPPORTED[] = {
+    "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression",
     "EXT_texture_webp",
     "KHR_draco_mesh_compression",

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "asset/deformers.h"
 #include "asset/draco_mesh.h"
 #include "asset/extension_value.h"
 #include "asset/pointer.h"
@@ -198,7 +199,7 @@ void GeometryReader::measure(const Source& source, Primitive& out) const {
                      pointer("accessors", accessor));
 }
 
-std::optional<Primitive> GeometryReader::read(int mesh, std::size_t primitive) {
+std::optional<Primitive> GeometryReader::read(int mesh, std::size_t primitive, std::size_t joints) {
   const Source& source = from_.document.model.meshes[static_cast<std::size_t>(mesh)].primitives[primitive];
   where_ = pointer("meshes", mesh, "primitives", primitive);
   from_.cancel.check();
@@ -207,6 +208,8 @@ std::optional<Primitive> GeometryReader::read(int mesh, std::size_t primitive) {
     return std::nullopt;
   }
   checkLayout(source);
+  const DeformerReader deformers(from_.accessors, from_.cancel, from_.warnings, source, where_, joints);
+  deformers.check();
   const auto draco = decodeDraco(source);
   const DracoMesh* mesher = draco ? &*draco : nullptr;
   Primitive out;
@@ -218,9 +221,8 @@ std::optional<Primitive> GeometryReader::read(int mesh, std::size_t primitive) {
   repairStreams(out);
   out.material = source.material;
   readVariants(source, out);
-  if (!source.targets.empty()) {
-    from_.warnings.add("W_MORPH", "morph targets are not applied; the base shape is drawn", where_ + "/targets");
-  }
+  out.deformers = deformers.read(
+      out, [&](const std::string& name, std::span<float> stream) { readStream(source, mesher, name, stream); });
   measure(source, out);
   return out;
 }

@@ -22,8 +22,9 @@ class GeometryReader {
   explicit GeometryReader(const Sources& sources) : from_(sources) {}
 
   /// None where nothing of the primitive can be drawn (a warning says why).
-  /// @throws Error{E_ACCESSOR, E_STRIDE, E_INDEX, E_SPARSE, E_DRACO, L_*, X_CANCELLED}
-  std::optional<Primitive> read(int mesh, std::size_t primitive);
+  /// @param joints of the smallest skin that moves the mesh; 0 = none does
+  /// @throws Error{E_ACCESSOR, E_STRIDE, E_INDEX, E_SPARSE, E_DRACO, E_SKIN, L_*, X_CANCELLED}
+  std::optional<Primitive> read(int mesh, std::size_t primitive, std::size_t joints);
 
  private:
   using Source = tinygltf::Primitive;

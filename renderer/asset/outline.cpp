@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "asset/drawn_points.h"
+
 namespace telar::asset {
 namespace {
 
@@ -63,22 +65,11 @@ class Support {
 
 std::vector<glm::dvec3> outlineOf(const Scene& scene) {
   Support support;
+  DrawnPoints points;
   for (const Node& node : scene.nodes) {
     if (node.mesh < 0) continue;
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-      const auto add = [&](const glm::vec3& p) {
-        support.add(glm::dvec3(node.world * glm::dvec4(glm::dvec3(p), 1.0)));
-      };
-      if (primitive.indices.empty()) {
-        std::for_each(primitive.positions.begin(), primitive.positions.end(), add);
-        continue;
-      }
-      std::vector<bool> seen(primitive.positions.size());
-      for (const std::uint32_t index : primitive.indices) {
-        if (seen[index]) continue;
-        seen[index] = true;
-        add(primitive.positions[index]);
-      }
+      points.visit(node, primitive, [&](const glm::dvec3& p) { support.add(p); });
     }
   }
   return support.points();

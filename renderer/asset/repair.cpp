@@ -46,6 +46,19 @@ glm::vec3 across(const glm::vec3& normal) {
   return glm::vec3(glm::normalize(glm::cross(n, axis)));
 }
 
+template <typename Color>
+std::size_t clampColors(std::vector<Color>& colors) {
+  std::size_t changed = 0;
+  for (Color& color : colors) {
+    const Color before = color;
+    for (int i = 0; i < Color::length(); ++i) {
+      color[i] = std::isfinite(color[i]) ? std::clamp(color[i], 0.0f, COLOR_MAX) : 1.0f;
+    }
+    changed += color != before;  // true for NaN too
+  }
+  return changed;
+}
+
 }  // namespace
 
 bool isDrawable(const glm::vec3& p) {
@@ -104,14 +117,7 @@ std::size_t repairUvs(std::vector<glm::vec2>& uvs) {
   return changed;
 }
 
-std::size_t repairColors(std::vector<glm::vec4>& colors) {
-  std::size_t changed = 0;
-  for (glm::vec4& color : colors) {
-    const glm::vec4 before = color;
-    for (int i = 0; i < 4; ++i) color[i] = std::isfinite(color[i]) ? std::clamp(color[i], 0.0f, COLOR_MAX) : 1.0f;
-    changed += color != before;  // true for NaN too
-  }
-  return changed;
-}
+std::size_t repairColors(std::vector<glm::vec4>& colors) { return clampColors(colors); }
+std::size_t repairColors(std::vector<glm::vec3>& colors) { return clampColors(colors); }
 
 }  // namespace telar::asset

@@ -24,5 +24,6 @@ std::size_t repairTangents(Primitive& primitive);
 std::size_t repairUvs(std::vector<glm::vec2>& uvs);
 /// Components that are not finite become 1; the others are clamped to [0, 65504], the largest half.
 std::size_t repairColors(std::vector<glm::vec4>& colors);
+std::size_t repairColors(std::vector<glm::vec3>& colors);
 
 }  // namespace telar::asset

@@ -122,12 +122,18 @@ constexpr Field PRIMITIVE[] = {{.key = "attributes", .kind = Kind::kIndexMap, .r
 constexpr ObjectRule PRIMITIVE_RULE{PRIMITIVE};
 
 constexpr Field MESH[] = {
-    name(), {.key = "primitives", .kind = Kind::kObjects, .required = true, .object = &PRIMITIVE_RULE, .min = 1}};
+    name(),
+    {.key = "primitives", .kind = Kind::kObjects, .required = true, .object = &PRIMITIVE_RULE, .min = 1},
+    {.key = "weights", .kind = Kind::kNumbers}};
 constexpr ObjectRule MESH_RULE{MESH};
 
 constexpr Field NODE_LIGHT[] = {index("light", LIGHTS, true)};
 constexpr ObjectRule NODE_LIGHT_RULE{NODE_LIGHT};
-constexpr Field NODE_EXTENSIONS[] = {object("KHR_lights_punctual", NODE_LIGHT_RULE)};
+constexpr Field INSTANCING[] = {
+    {.key = "attributes", .kind = Kind::kIndexMap, .required = true, .target = "accessors"}};
+constexpr ObjectRule INSTANCING_RULE{INSTANCING};
+constexpr Field NODE_EXTENSIONS[] = {object("KHR_lights_punctual", NODE_LIGHT_RULE),
+                                     object("EXT_mesh_gpu_instancing", INSTANCING_RULE)};
 constexpr ObjectRule NODE_EXTENSIONS_RULE{NODE_EXTENSIONS};
 constexpr Field NODE[] = {name(),
                           index("mesh", "meshes"),
@@ -138,6 +144,7 @@ constexpr Field NODE[] = {name(),
                           items("translation", 3),
                           items("rotation", 4),
                           items("scale", 3),
+                          {.key = "weights", .kind = Kind::kNumbers},
                           object("extensions", NODE_EXTENSIONS_RULE)};
 constexpr ObjectRule NODE_RULE{NODE};
 
@@ -231,6 +238,20 @@ constexpr Field SKIN[] = {
     index("skeleton", "nodes")};
 constexpr ObjectRule SKIN_RULE{SKIN};
 
+constexpr Field TARGET[] = {index("node", "nodes"), {.key = "path", .kind = Kind::kName}};
+constexpr ObjectRule TARGET_RULE{TARGET};
+constexpr Field CHANNEL[] = {size("sampler", "E_SCHEMA", true, 0, INT_32_MAX), object("target", TARGET_RULE, true)};
+constexpr ObjectRule CHANNEL_RULE{CHANNEL};
+constexpr Field KEYFRAMES[] = {index("input", "accessors", true),
+                               index("output", "accessors", true),
+                               {.key = "interpolation", .kind = Kind::kName}};
+constexpr ObjectRule KEYFRAMES_RULE{KEYFRAMES};
+constexpr Field ANIMATION[] = {
+    name(),
+    {.key = "channels", .kind = Kind::kObjects, .required = true, .object = &CHANNEL_RULE},
+    {.key = "samplers", .kind = Kind::kObjects, .required = true, .object = &KEYFRAMES_RULE}};
+constexpr ObjectRule ANIMATION_RULE{ANIMATION};
+
 constexpr Field VARIANT[] = {name()};
 constexpr ObjectRule VARIANT_RULE{VARIANT};
 constexpr Field VARIANT_LIST[] = {objects("variants", VARIANT_RULE)};
@@ -252,6 +273,7 @@ constexpr Field DOCUMENT[] = {
     objects("samplers", SAMPLER_RULE, &Limits::textures, "L_TEXTURES"),
     objects("skins", SKIN_RULE, &Limits::nodes, "L_NODES"),
     objects("meshes", MESH_RULE),
+    objects("animations", ANIMATION_RULE),
     objects("scenes", SCENE_RULE),
     index("scene", "scenes"),
     object("extensions", ROOT_EXTENSIONS_RULE),

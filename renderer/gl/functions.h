@@ -40,8 +40,10 @@ namespace telar::gl {
   F(DEPTHMASK, DepthMask)                                           \
   F(DISABLE, Disable)                                               \
   F(DRAWARRAYS, DrawArrays)                                         \
+  F(DRAWARRAYSINSTANCED, DrawArraysInstanced)                       \
   F(DRAWBUFFERS, DrawBuffers)                                       \
   F(DRAWELEMENTS, DrawElements)                                     \
+  F(DRAWELEMENTSINSTANCED, DrawElementsInstanced)                   \
   F(ENABLE, Enable)                                                 \
   F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)               \
   F(FINISH, Finish)                                                 \
@@ -87,6 +89,7 @@ namespace telar::gl {
   F(UNIFORMMATRIX4FV, UniformMatrix4fv)                             \
   F(USEPROGRAM, UseProgram)                                         \
   F(VERTEXATTRIB4F, VertexAttrib4f)                                 \
+  F(VERTEXATTRIBDIVISOR, VertexAttribDivisor)                       \
   F(VERTEXATTRIBPOINTER, VertexAttribPointer)                       \
   F(VIEWPORT, Viewport)
 

@@ -134,6 +134,19 @@ void checkTextureUnits(const shader::VariantKey& key, const ShadowSet& shadows, 
   checkLimit("L_TEXTURE_UNITS", static_cast<double>(limits.textureUnits), static_cast<double>(units), "/lights");
 }
 
+void describeInstances(const Node& node, shader::VariantKey& key) {
+  if (!node.instances) return;
+  key.instancing = true;
+  key.instanceColor = !node.instances->colors.empty();
+  key.vertexColor |= key.instanceColor;  // white where the mesh has none
+}
+
+/// Centre of the sphere that three.js sorts by, in the node's space.
+glm::dvec3 centerOf(const Node& node, const Primitive& primitive, std::size_t index) {
+  if (node.instances) return node.instances->centers[index];
+  return primitive.center ? *primitive.center : (primitive.bounds.min + primitive.bounds.max) * 0.5;
+}
+
 void sortDraws(DrawList& draws) {
   // Stable: equal items keep the scene's order, which is three.js's object id.
   std::stable_sort(draws.opaque.begin(), draws.opaque.end(), [](const DrawItem& a, const DrawItem& b) {
@@ -221,20 +234,22 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
   std::map<int, int> ranks;
   for (const Node& node : scene.nodes) {
     if (node.mesh < 0) continue;
-    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+    const auto& primitives = scene.meshes[static_cast<std::size_t>(node.mesh)].primitives;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      const Primitive& primitive = primitives[i];
       if (primitive.positions.empty()) continue;
       const int index = materialIndex(primitive, variant);
       DrawItem item{&node, &primitive,
                     index >= 0 ? &scene.materials[static_cast<std::size_t>(index)] : &DEFAULT_MATERIAL};
       item.key = keyOf(primitive, *item.material, frame);
       const bool transmissive = item.key.transmission;
+      describeInstances(node, item.key);
       if (allFeatures) forceAllFeatures(item.key);
       checkTextureUnits(item.key, plan.shadows, limits);
       plan.environment |= item.key.environment;
       item.blend = item.material->alphaMode == AlphaMode::kBlend;
       item.mirrored = glm::determinant(glm::dmat3(node.world)) < 0;
-      item.depth =
-          (viewProjection * node.world * glm::dvec4((primitive.bounds.min + primitive.bounds.max) * 0.5, 1.0)).z;
+      item.depth = (viewProjection * node.world * glm::dvec4(centerOf(node, primitive, i), 1.0)).z;
       item.materialRank = ranks.emplace(index, static_cast<int>(ranks.size())).first->second;
       item.bothSides = item.material->doubleSided && primitive.topology == Topology::kTriangles;
       (transmissive ? plan.draws.transmissive : item.blend ? plan.draws.blended : plan.draws.opaque).push_back(item);

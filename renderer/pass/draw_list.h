@@ -20,8 +20,11 @@ struct DrawItem {
   bool blend = false;      ///< mixed with what is drawn already, without depth writes
   bool bothSides = false;  ///< faces of either winding, in one call
   bool mirrored = false;   ///< the node's matrix turns the winding round
-  double depth = 0;        ///< clip z of the centre of the primitive's bounds
+  double depth = 0;        ///< clip z of the centre of what is drawn
   int materialRank = 0;    ///< order of first use
+
+  /// Null = drawn once, where the node is.
+  const Instances* instances() const { return node->instances.get(); }
 };
 
 /// The draw calls of a frame in the order in which three.js 0.187 draws them. Points into the scene.

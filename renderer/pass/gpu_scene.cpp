@@ -6,22 +6,6 @@
 namespace telar::pass {
 namespace {
 
-GLenum modeOf(Topology topology) {
-  switch (topology) {
-    case Topology::kPoints:
-      return GL_POINTS;
-    case Topology::kLines:
-      return GL_LINES;
-    case Topology::kLineLoop:
-      return GL_LINE_LOOP;
-    case Topology::kLineStrip:
-      return GL_LINE_STRIP;
-    case Topology::kTriangles:
-      return GL_TRIANGLES;
-  }
-  return GL_TRIANGLES;
-}
-
 bool isSrgb(TexelCoding coding, bool colorUse) {
   return coding == TexelCoding::kByUse ? colorUse : coding == TexelCoding::kSrgb;
 }
@@ -31,66 +15,44 @@ GLsizei levelCount(const Image8& image) {
   return static_cast<GLsizei>(std::bit_width(std::max(image.width, image.height)));
 }
 
-/// Appends a stream to one buffer's bytes and remembers where its attribute starts.
-class StreamPacker {
- public:
-  template <class Vector>
-  void add(GLuint location, GLint components, const std::vector<Vector>& stream) {
-    if (stream.empty()) return;
-    attributes_.push_back({location, components, bytes_.size()});
-    const auto* from = reinterpret_cast<const std::byte*>(stream.data());
-    bytes_.insert(bytes_.end(), from, from + stream.size() * sizeof(Vector));
-  }
-  void upload(const gl::Functions& gl) const {
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes_.size()), bytes_.data(), GL_STATIC_DRAW);
-    for (const Attribute& a : attributes_) {
-      gl.EnableVertexAttribArray(a.location);
-      gl.VertexAttribPointer(a.location, a.components, GL_FLOAT, GL_FALSE, 0, reinterpret_cast<const void*>(a.offset));
-    }
-  }
-
- private:
-  struct Attribute {
-    GLuint location;
-    GLint components;
-    std::size_t offset;
-  };
-  std::vector<Attribute> attributes_;
-  std::vector<std::byte> bytes_;
-};
-
 }  // namespace
 
-const GpuPrimitive& GpuScene::primitive(const Primitive& primitive) {
-  const auto found = primitives_.find(&primitive);
+GpuScene::GpuScene(const gl::Context& context, const std::shared_ptr<const Scene>& scene, GpuScene* model)
+    : context_(context), scene_(scene), model_(model) {
+  if (!model) return;
+  for (std::size_t i = scene->fileMeshes; i < scene->meshes.size(); ++i) {
+    for (const Primitive& primitive : scene->meshes[i].primitives) own_.insert(&primitive);
+  }
+}
+
+bool GpuScene::isPoseOf(const Scene& model) const {
+  const auto scene = scene_.lock();
+  return scene && scene->model.get() == &model;
+}
+
+const GpuPrimitive& GpuScene::primitive(const Primitive& primitive, const Instances* instances) {
+  if (model_ && !own_.contains(&primitive)) return model_->primitive(primitive, instances);
+  const auto key = std::make_pair(&primitive, instances);
+  const auto found = primitives_.find(key);
   if (found != primitives_.end()) return found->second;
   const gl::Functions& gl = context_.gl();
-  GpuPrimitive uploaded{gl::VertexArray(gl), gl::Buffer(gl)};
-  gl.BindVertexArray(uploaded.vertexArray.get());
-  gl.BindBuffer(GL_ARRAY_BUFFER, uploaded.vertices.get());
-  StreamPacker packer;
-  packer.add(POSITION, 3, primitive.positions);
-  packer.add(NORMAL, 3, primitive.normals);
-  packer.add(TANGENT, 4, primitive.tangents);
-  packer.add(UV0, 2, primitive.uvs[0]);
-  packer.add(UV1, 2, primitive.uvs[1]);
-  packer.add(COLOR, 4, primitive.colors);
-  packer.upload(gl);
-  uploaded.mode = modeOf(primitive.topology);
-  uploaded.indexed = !primitive.indices.empty();
-  uploaded.count = static_cast<GLsizei>(uploaded.indexed ? primitive.indices.size() : primitive.positions.size());
-  if (uploaded.indexed) {
-    uploaded.indices = gl::Buffer(gl);
-    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, uploaded.indices.get());
-    gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(primitive.indices.size() * sizeof(std::uint32_t)),
-                  primitive.indices.data(), GL_STATIC_DRAW);
+  const VertexStreams& streams = streams_.try_emplace(&primitive, context_, primitive).first->second;
+  const InstanceStreams* places =
+      instances ? &instances_.try_emplace(instances, context_, *instances).first->second : nullptr;
+  GpuPrimitive made{gl::VertexArray(gl), modeOf(primitive.topology), streams.count(), streams.indexed()};
+  gl.BindVertexArray(made.vertexArray.get());
+  streams.attach(gl);
+  if (places) {
+    places->attach(gl);
+    made.instances = places->count();
   }
   gl.BindVertexArray(0);
-  context_.check("vertex upload");
-  return primitives_.emplace(&primitive, std::move(uploaded)).first->second;
+  context_.check("vertex arrays");
+  return primitives_.emplace(key, std::move(made)).first->second;
 }
 
 GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel) {
+  if (model_) return model_->texture(scene, image, colorUse, cancel);
   const bool srgb = isSrgb(scene.images[static_cast<std::size_t>(image)].coding, colorUse);
   const auto key = std::make_pair(image, srgb);
   const auto found = textures_.find(key);
@@ -116,6 +78,7 @@ GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const Can
 }
 
 GLuint GpuScene::sampler(const Sampler& wanted) {
+  if (model_) return model_->sampler(wanted);
   for (const auto& [sampler, object] : samplers_) {
     if (sampler == wanted) return object.get();
   }

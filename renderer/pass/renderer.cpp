@@ -125,7 +125,11 @@ class GlRenderer final : public Renderer {
   }
 
   void release(const Scene& scene) override {
-    std::erase_if(scenes_, [&](const auto& entry) { return entry.first == &scene; });
+    // Poses of a scene hang on to its copies.
+    std::erase_if(scenes_, [&](const auto& entry) { return entry.second->isPoseOf(scene); });
+    scenes_.erase(&scene);
+    // A pose that alone keeps its model alive is the last that draws it.
+    if (scene.model && scene.model.use_count() == 1) scenes_.erase(scene.model.get());
   }
 
   std::string describe() const override {
@@ -146,12 +150,14 @@ class GlRenderer final : public Renderer {
   }
 
   void forgetReleasedScenes() {
+    // Poses keep their models alive, so that a model is never forgotten before them.
     std::erase_if(scenes_, [](const auto& entry) { return entry.second->expired(); });
   }
 
   pass::GpuScene& gpuSceneOf(const std::shared_ptr<const Scene>& scene) {
+    pass::GpuScene* model = scene->model ? &gpuSceneOf(scene->model) : nullptr;
     auto& entry = scenes_[scene.get()];
-    if (!entry) entry = std::make_unique<pass::GpuScene>(*context_, scene);
+    if (!entry) entry = std::make_unique<pass::GpuScene>(*context_, scene, model);
     return *entry;
   }
 

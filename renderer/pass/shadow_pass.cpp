@@ -94,7 +94,7 @@ void ShadowPass::resize(const ShadowSet& shadows) {
 const gl::Program& ShadowPass::program(CasterKey key) {
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
-  const shader::Defines defines{{"ALPHA_MASK", key.first ? 1 : 0}, {"BASE_COLOR_UV1", key.second ? 1 : 0}};
+  const shader::Defines defines{{"ALPHA_MASK", key.mask}, {"BASE_COLOR_UV1", key.uv1}, {"INSTANCING", key.instancing}};
   return programs_
       .emplace(key, gl::Program(context_, "shadow caster", shader::assemble("shadow/caster.vert", defines),
                                 shader::assemble("shadow/caster.frag", defines)))
@@ -111,7 +111,8 @@ void ShadowPass::drawView(const Camera& view, const FramePlan& plan, const Scene
       cancel.check();
       const Material& material = *item.material;
       const bool masked = isMasked(item);
-      const gl::Program& wanted = program({masked, masked && material.baseColorTexture.texCoord == 1});
+      const gl::Program& wanted =
+          program({masked, masked && material.baseColorTexture.texCoord == 1, item.key.instancing});
       if (&wanted != current) {
         current = &wanted;
         wanted.use();
@@ -129,13 +130,7 @@ void ShadowPass::drawView(const Camera& view, const FramePlan& plan, const Scene
       material.doubleSided ? gl.Disable(GL_CULL_FACE) : gl.Enable(GL_CULL_FACE);
       // Of one-sided surfaces the far side is drawn: what the light falls on cannot shadow itself then.
       gl.FrontFace(item.mirrored ? GL_CCW : GL_CW);
-      const GpuPrimitive& primitive = gpu.primitive(*item.primitive);
-      gl.BindVertexArray(primitive.vertexArray.get());
-      if (primitive.indexed) {
-        gl.DrawElements(primitive.mode, primitive.count, GL_UNSIGNED_INT, nullptr);
-      } else {
-        gl.DrawArrays(primitive.mode, 0, primitive.count);
-      }
+      gpu.primitive(*item.primitive, item.instances()).draw(gl);
     }
   }
 }

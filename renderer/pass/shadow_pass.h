@@ -26,8 +26,11 @@ class ShadowPass {
     gl::Texture depth;
     std::vector<gl::Framebuffer> faces;
   };
-  /// Programs by alpha mask and UV set.
-  using CasterKey = std::pair<bool, bool>;
+  /// What one caster program has compiled in.
+  struct CasterKey {
+    bool mask = false, uv1 = false, instancing = false;
+    auto operator<=>(const CasterKey&) const = default;
+  };
 
   void resize(const ShadowSet& shadows);
   Target makeTarget(bool cube, int size) const;

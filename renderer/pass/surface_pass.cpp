@@ -37,10 +37,10 @@ glm::mat3 normalMatrixOf(const glm::dmat3& m) {
   return glm::mat3(glm::dmat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])));
 }
 
-/// Without vertex tangents the frame follows the texture's rows downwards: y turns round, as in three.js's loader. On
-/// back faces that are drawn as front faces both turn round, as in its renderer.
+/// Without vertex tangents the frame follows the texture's rows downwards: y turns round, as in three.js's loader,
+/// which does so twice for instances. On back faces that are drawn as front faces both turn round, as in its renderer.
 glm::vec2 normalScaleOf(float scale, const DrawItem& item) {
-  const glm::vec2 signs(1, item.primitive->tangents.empty() ? -1 : 1);
+  const glm::vec2 signs(1, item.primitive->tangents.empty() && !item.instances() ? -1 : 1);
   return signs * (item.key.flipSided ? -scale : scale);
 }
 
@@ -125,7 +125,7 @@ void SurfacePass::upload(const FramePlan& plan, const Scene& scene, GpuScene& gp
   for (const auto* list : {&plan.draws.opaque, &plan.draws.transmissive, &plan.draws.blended}) {
     for (const DrawItem& item : *list) {
       cancel.check();
-      gpu.primitive(*item.primitive);
+      gpu.primitive(*item.primitive, item.instances());
       for (const TextureSlot& slot : TEXTURE_SLOTS) {
         const TextureRef& texture = slot.texture(*item.material);
         if (item.key.*slot.map && texture) gpu.texture(scene, texture.image, slot.srgb, cancel);
@@ -220,13 +220,7 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   const bool cull = !item.bothSides && item.primitive->topology == Topology::kTriangles;
   cull ? gl.Enable(GL_CULL_FACE) : gl.Disable(GL_CULL_FACE);
   gl.FrontFace(item.mirrored != item.key.flipSided ? GL_CW : GL_CCW);
-  const GpuPrimitive& primitive = in.gpu.primitive(*item.primitive);
-  gl.BindVertexArray(primitive.vertexArray.get());
-  if (primitive.indexed) {
-    gl.DrawElements(primitive.mode, primitive.count, GL_UNSIGNED_INT, nullptr);
-  } else {
-    gl.DrawArrays(primitive.mode, 0, primitive.count);
-  }
+  in.gpu.primitive(*item.primitive, item.instances()).draw(gl);
 }
 
 void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {

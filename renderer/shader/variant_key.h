@@ -22,6 +22,8 @@ ToneMapping toneMappingByName(const std::string& name);
   F(ALPHA_MASK, alphaMask, "alpha-mask")                                             \
   F(ALPHA_OPAQUE, alphaOpaque, "")                                                   \
   F(VERTEX_COLOR, vertexColor, "vertex-color")                                       \
+  F(INSTANCING, instancing, "instancing")                                            \
+  F(INSTANCE_COLOR, instanceColor, "instance-color")                                 \
   F(TANGENT, tangent, "tangents")                                                    \
   F(BASE_COLOR_MAP, baseColorMap, "base-color-map")                                  \
   F(METALLIC_ROUGHNESS_MAP, metallicRoughnessMap, "metallic-roughness-map")          \

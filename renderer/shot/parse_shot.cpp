@@ -154,6 +154,11 @@ DebugOutput readDebugOutput(const JsonPath& json) {
   return static_cast<DebugOutput>(position + 1);
 }
 
+std::optional<Pose> readPose(const JsonPath& json) {
+  if (json.isNull()) return std::nullopt;
+  return Pose{json.at("animation").integer(0, std::numeric_limits<int>::max()), json.at("time").number()};
+}
+
 Shot readShot(const JsonPath& json) {
   Shot shot;
   shot.width = json.at("size").at("width").integer(1, SIZE_MAX_PX);
@@ -175,6 +180,7 @@ Shot readShot(const JsonPath& json) {
   if (shot.samples != 1 && shot.samples != 4) samples.fail("1 or 4");
   const JsonPath variant = json.at("variant");
   if (!variant.isNull()) shot.variant = variant.string();
+  shot.pose = readPose(json.at("pose"));
   shot.output = readOutput(json.at("output"));
   if (json.has("debugOutput")) shot.debugOutput = readDebugOutput(json.at("debugOutput"));
   return shot;

@@ -1,4 +1,4 @@
-// Vertex streams and what the fragment stage takes over. Locations are those of renderer/pass/vertex_layout.h.
+// Vertex streams and what the fragment stage takes over. Locations are those of renderer/pass/gpu_primitive.h.
 layout(location = 0) in vec3 position;  // mesh space, metres
 #if !FLAT_SHADED && !UNLIT
 layout(location = 1) in vec3 normal;    // mesh space
@@ -9,6 +9,12 @@ layout(location = 2) in vec4 tangent;   // mesh space, w = handedness
 layout(location = 3) in vec2 uv0;
 layout(location = 4) in vec2 uv1;
 layout(location = 5) in vec4 color;     // linear Rec.709
+#if INSTANCING
+layout(location = 6) in mat4 instanceMatrix;  // instance to mesh space
+#endif
+#if INSTANCE_COLOR
+layout(location = 10) in vec3 instanceColor;  // linear Rec.709
+#endif
 
 #if TRANSMISSION || FLAT_SHADOWS + CUBE_SHADOWS > 0
 uniform mat4 modelMatrix;

@@ -6,12 +6,19 @@ layout(location = 4) in vec2 uv1;
 uniform mat3 baseColorUvTransform;
 out vec2 vBaseColorUv;
 #endif
+#if INSTANCING
+layout(location = 6) in mat4 instanceMatrix;  // instance to mesh space
+#endif
 
 uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
 
 void main() {
+#if INSTANCING
+  vec4 viewSpace = modelViewMatrix * (instanceMatrix * vec4(position, 1.0));
+#else
   vec4 viewSpace = modelViewMatrix * vec4(position, 1.0);
+#endif
   gl_Position = projectionMatrix * viewSpace;
 #if ALPHA_MASK
   vBaseColorUv = vec2(baseColorUvTransform * vec3(BASE_COLOR_UV1 == 1 ? uv1 : uv0, 1.0));

@@ -17,6 +17,7 @@ const FILES = [
   'cases_decoders.mjs',
   'cases_files.mjs',
   'cases_pairs.mjs',
+  'cases_motion.mjs',
   'cases_physical.mjs',
   'cases_area.mjs',
   'cases_transmission.mjs',

@@ -101,9 +101,9 @@ const OTHERWISE = [
   [/^j-nul-bytes/, 'E_NOT_GLTF'], // by its bytes no other than c-all-zero-4k
   [/^j-padding-nul/, ''], // the JSON in this file needs no padding: it has no NUL
   [/^u-buffer-symlink-escape/, 'E_URI_MISSING'], // the link is absent from this copy of the folder
-  [/^k-ibm-zero/, 'W_SKIN'], // skins are not applied
-  [/^k-weights-nan/, 'W_SKIN'],
-  [/^h-gpu-instancing/, 'W_EXT_IGNORED'], // unknown and optional
+  [/^h-gpu-instancing/, 'E_INSTANCING'],
+  [/^g-matrix-zero/, ''], // three.js takes a matrix without volume for no scale
+  [/^e-animation-bad/, 'E_REF'], // a pose may ask for it
   [/^p-(png-ffffffff|png-65536|png-bomb-\d|jpeg-65500|webp-16383)/, 'L_IMAGE_DIMENSION'], // a side is checked before the area
   [/^p-png-bomb-idat-longer/, ''], // all pixels are there: drawing and refusing are both right
   [/^p-png-bomb-idat-longer/, 'E_IMAGE_CORRUPT'],

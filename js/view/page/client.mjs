@@ -5,6 +5,7 @@ import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { applyShot, factsOf, rendererParameters } from '../../three/index.mjs';
+import { resolvePose } from '../../shot/pose.mjs';
 import { resolveShot } from '../../shot/resolve.mjs';
 import { alphaOf, straightPixels } from './pixels.mjs';
 
@@ -19,7 +20,7 @@ export class Client {
   #renderers = new Map();
   #scene = new THREE.Scene();
   #model;
-  #facts;
+  #measured;
   #camera;
   #renderer;
   #environments;
@@ -49,10 +50,12 @@ export class Client {
     return self;
   }
 
-  /** What resolveShot needs to know of the model; measured once. */
-  facts() {
-    this.#facts ??= factsOf(this.#model, { THREE });
-    return this.#facts;
+  /** What resolveShot needs to know of the model in the shot's pose; measured anew where that is another one. */
+  facts(shot) {
+    const pose = resolvePose(shot, this);
+    const key = JSON.stringify(pose);
+    if (this.#measured?.key !== key) this.#measured = { key, facts: factsOf(this.#model, { THREE, pose }) };
+    return this.#measured.facts;
   }
 
   /** @returns {{name: string, duration: number}[]} seconds */

@@ -14,8 +14,8 @@ struct Limits {
   std::uint64_t nodes = 65'536;                      ///< L_NODES
   std::uint64_t nodeDepth = 1024;                    ///< L_NODE_DEPTH
   std::uint64_t drawCalls = 10'000;                  ///< L_DRAW_CALLS: primitives over all visited nodes
-  std::uint64_t vertices = 10'000'000;               ///< L_VERTICES: sum over decoded primitives
-  std::uint64_t triangles = 20'000'000;              ///< L_TRIANGLES: sum over draws
+  std::uint64_t vertices = 10'000'000;               ///< L_VERTICES: of primitives, morph targets, deformed copies
+  std::uint64_t triangles = 20'000'000;              ///< L_TRIANGLES: sum over draws and their instances
   std::uint64_t buffers = 1024;                      ///< L_BUFFERS
   std::uint64_t bufferViews = 65'536;                ///< L_BUFFER_VIEWS
   std::uint64_t meshoptBytes = 1ull << 30;           ///< L_MESHOPT_BYTES: sum of the decompressed buffer views
@@ -27,6 +27,8 @@ struct Limits {
   std::uint64_t imagePixels = 67'108'864;            ///< L_IMAGE_PIXELS: of one image
   std::uint64_t imageBytes = 1ull << 30;             ///< L_IMAGE_BYTES: decoded RGBA8, sum over images
   std::uint64_t imageScans = 64;                     ///< L_IMAGE_SCANS: progressive JPEG scans
+  std::uint64_t instances = 250'000;                 ///< L_INSTANCES: sum over nodes
+  std::uint64_t keyframeValues = 20'000'000;         ///< L_KEYFRAME_VALUES: times and numbers of all channels
   std::uint64_t morphTargets = 256;                  ///< L_MORPH_TARGETS: of one primitive
   std::uint64_t lights = 64;                         ///< L_LIGHTS: the model's and the shot's
   std::uint64_t shadowTexels = 33'554'432;           ///< L_SHADOW_TEXELS: of all shadow maps of one render

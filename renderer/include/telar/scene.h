@@ -158,11 +158,13 @@ struct Node {
   int parent = -1;        ///< index into Scene::nodes
   glm::dmat4 local{1.0};  ///< column-major, column vectors
   glm::dmat4 world{1.0};
-  int mesh = -1, light = -1, camera = -1;
-  Transform transform;                         ///< that `local` is made of
-  int fileMesh = -1;                           ///< mesh of the file, before it was deformed or found not to be drawable
-  int skin = -1;                               ///< index into Motion::skins
-  std::vector<float> weights;                  ///< of the morph targets
+  int mesh = -1, light = -1, camera = -1;  ///< as drawn: none where the node is squeezed to nothing
+  struct {
+    int node = -1, mesh = -1, light = -1, camera = -1;
+  } file;                      ///< as the file has them; `mesh` stands for itself or for a deformed copy of file.mesh
+  Transform transform;         ///< that `local` is made of
+  int skin = -1;               ///< index into Motion::skins
+  std::vector<float> weights;  ///< of the morph targets
   std::shared_ptr<const Instances> instances;  ///< null = drawn once, where the node is
 };
 
@@ -187,6 +189,7 @@ struct Scene {
   Bounds bounds;                                                    ///< of all drawn vertices in world space
   std::uint64_t vertexCount = 0, triangleCount = 0, drawCount = 0;  ///< over all draws
   std::uint64_t fileBytes = 0;
+  std::size_t fileWarnings = 0;          ///< so many of `warnings` are the file's; those of the pose follow
   std::size_t fileMeshes = 0;            ///< so many of `meshes` are the file's; deformed ones follow
   std::shared_ptr<const Motion> motion;  ///< null = nothing moves
   std::shared_ptr<const Scene> model;  ///< of a pose: the scene as loaded, which owns the images and the file's meshes

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "telar/codec.h"
+#include "telar/motion.h"
 
 namespace telar {
 
@@ -93,8 +94,9 @@ struct Shot {
   std::string shading;      ///< "three"
   std::string toneMapping;  ///< none linear reinhard cineon aces agx neutral
   double exposure = 1;
-  int samples = 4;      ///< quality.samples: MSAA, 1 or 4
-  std::string variant;  ///< KHR_materials_variants name, empty = the file's own materials
+  int samples = 4;           ///< quality.samples: MSAA, 1 or 4
+  std::string variant;       ///< KHR_materials_variants name, empty = the file's own materials
+  std::optional<Pose> pose;  ///< none = as the file stands
   OutputOptions output;
   /// Drawn in place of the colour; for a raw output of 32 bits. Key `debugOutput` of the JSON, which
   /// resolveShot does not write: for tests.

@@ -208,25 +208,5 @@ TEST(Geometry, UnusableUvsAndColoursAreReplaced) {
   EXPECT_EQ(first(scene).colors[0], glm::vec4(1, 0, 65504, 1));
 }
 
-TEST(Geometry, SkinsAndMorphsAreCheckedAndNotApplied) {
-  ModelBuilder model;
-  json& primitive = model.quad();
-  primitive["targets"] = {{{"POSITION", 0}}};
-  primitive["attributes"]["JOINTS_0"] = model.accessor(std::vector<std::uint8_t>(16, 0), 5121, "VEC4");
-  primitive["attributes"]["WEIGHTS_0"] = model.accessor(std::vector<std::uint8_t>(16, 64), 5121, "VEC4", true);
-  model.doc["skins"] = {{{"joints", {0}}}};
-  model.doc["nodes"][0]["skin"] = 0;
-  const auto scene = load(model);
-  EXPECT_TRUE(hasWarning(*scene, "W_SKIN"));
-  EXPECT_TRUE(hasWarning(*scene, "W_MORPH"));
-  primitive["attributes"]["JOINTS_0"] = model.accessor(std::vector<std::uint8_t>(16, 1), 5121, "VEC4");
-  EXPECT_EQ(errorOf(model), "E_SKIN at /meshes/0/primitives/0/attributes/JOINTS_0");
-  primitive["targets"] = json::array();
-  for (int i = 0; i < 257; ++i) primitive["targets"].push_back({{"POSITION", 0}});
-  EXPECT_EQ(errorOf(model), "L_MORPH_TARGETS at /meshes/0/primitives/0/targets");
-  primitive["targets"] = {{{"POSITION", 99}}};
-  EXPECT_EQ(errorOf(model), "E_REF at /meshes/0/primitives/0/targets/0/POSITION");
-}
-
 }  // namespace
 }  // namespace telar::test

@@ -22,6 +22,37 @@ TEST(PlanDraws, CompilesOnlyWhatTheMaterialAndTheShotUse) {
   EXPECT_FALSE(plan.environment);
 }
 
+TEST(PlanDraws, InstancingIsCompiledOnlyForInstances) {
+  auto scene = sceneOf(spherePrimitive(1, 4));
+  Instances instances;
+  instances.matrices = {glm::mat4(1), glm::mat4(2)};
+  instances.centers = {{0, 0, 1}};
+  scene->nodes.push_back(scene->nodes[0]);
+  scene->nodes[1].instances = std::make_shared<const Instances>(instances);
+  auto plan = pass::planDraws(*scene, shotOf(8), Limits{}, false);
+  ASSERT_EQ(plan.draws.opaque.size(), 2u);
+  // Front to back: the centre of the instances is nearer.
+  EXPECT_TRUE(plan.draws.opaque[0].key.instancing);
+  EXPECT_FALSE(plan.draws.opaque[0].key.instanceColor || plan.draws.opaque[0].key.vertexColor);
+  EXPECT_FALSE(plan.draws.opaque[1].key.instancing);
+  instances.colors = {glm::vec3(1), glm::vec3(0)};
+  scene->nodes[1].instances = std::make_shared<const Instances>(instances);
+  plan = pass::planDraws(*scene, shotOf(8), Limits{}, false);
+  EXPECT_TRUE(plan.draws.opaque[0].key.instanceColor && plan.draws.opaque[0].key.vertexColor);
+}
+
+TEST(PlanDraws, DeformedMeshesAreSortedByTheSphereOfThree) {
+  auto scene = sceneOf(spherePrimitive(1, 4));
+  Primitive far = spherePrimitive(1, 4);
+  far.center = glm::dvec3(0, 0, 1.5);
+  far.material = 0;
+  scene->meshes.push_back({"deformed", {far}});
+  scene->nodes.push_back(scene->nodes[0]);
+  scene->nodes[1].mesh = 1;
+  const auto plan = pass::planDraws(*scene, shotOf(8), Limits{}, false);
+  EXPECT_EQ(plan.draws.opaque[0].node, &scene->nodes[1]);
+}
+
 TEST(PlanDraws, AMapThatIsMultipliedByZeroIsNotSampled) {
   Material material;
   material.metallicFactor = material.roughnessFactor = 0;

@@ -61,6 +61,72 @@ TEST(Picture, RowZeroIsTheTop) {
   EXPECT_GT(pixel8(frame, 32, 14)[0], pixel8(frame, 32, 50)[0] + 50);
 }
 
+TEST(Picture, AnInstanceLooksLikeANodeInItsPlace) {
+  const auto placed = [](const glm::dmat4& matrix) {
+    auto scene = sceneOf(spherePrimitive(0.5f));
+    scene->nodes[0].world = matrix;
+    return scene;
+  };
+  // Scale and place are exact in fp32, so that both ways round alike.
+  glm::dmat4 matrix(2);
+  matrix[3] = {0.5, -0.25, 0, 1};
+  const auto many = placed(glm::dmat4(1));
+  Instances instances;
+  instances.matrices = {glm::mat4(matrix)};
+  instances.centers = {{0, 0, 0}};
+  many->nodes[0].instances = std::make_shared<const Instances>(instances);
+  EXPECT_EQ(draw(many, litShot(96)).pixels, draw(placed(matrix), litShot(96)).pixels);
+  // One more, far away, adds nothing; a colour of its own does.
+  instances.matrices.push_back(glm::mat4(
+      glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 0, 1, 0), glm::dvec4(0, 99, 0, 1))));
+  many->nodes[0].instances = std::make_shared<const Instances>(instances);
+  EXPECT_EQ(draw(many, litShot(96)).pixels, draw(placed(matrix), litShot(96)).pixels);
+  instances.colors = {{1, 0, 0}, {1, 1, 1}};
+  many->nodes[0].instances = std::make_shared<const Instances>(instances);
+  EXPECT_NE(draw(many, litShot(96)).pixels, draw(placed(matrix), litShot(96)).pixels);
+}
+
+TEST(Picture, PosesShareTheirModelsCopiesOnTheGpu) {
+  auto model = sceneOf(spherePrimitive(1));
+  model->fileMeshes = 1;
+  const auto renderer = Renderer::create({});
+  FrameInfo info;
+  const auto drawn = [&](const std::shared_ptr<const Scene>& scene) {
+    return renderer->draw(scene, litShot(48), {}, CancelToken(), info).pixels;
+  };
+  const auto first = drawn(model);
+  const int alone = renderer->liveObjects();
+  auto pose = std::make_shared<Scene>(*model);
+  pose->model = model;
+  EXPECT_EQ(drawn(pose), first);
+  EXPECT_EQ(renderer->liveObjects(), alone);  // nothing of its own
+  pose = std::make_shared<Scene>(*model);
+  pose->model = model;
+  pose->meshes.push_back({"deformed", {spherePrimitive(0.5f)}});
+  pose->nodes[0].mesh = 1;
+  EXPECT_NE(drawn(pose), first);
+  EXPECT_GT(renderer->liveObjects(), alone);
+  renderer->release(*pose);
+  EXPECT_EQ(renderer->liveObjects(), alone);
+  EXPECT_EQ(drawn(model), first);
+  renderer->release(*model);
+  EXPECT_LT(renderer->liveObjects(), alone);
+}
+
+TEST(Picture, APoseThatAloneHoldsItsModelTakesItAlong) {
+  std::shared_ptr<const Scene> model = sceneOf(spherePrimitive(1));
+  const auto renderer = Renderer::create({});
+  FrameInfo info;
+  renderer->draw(model, litShot(48), {}, CancelToken(), info);
+  renderer->release(*model);
+  const int none = renderer->liveObjects();
+  auto pose = std::make_shared<Scene>(*model);
+  pose->model = std::move(model);
+  renderer->draw(pose, litShot(48), {}, CancelToken(), info);
+  renderer->release(*pose);
+  EXPECT_EQ(renderer->liveObjects(), none);
+}
+
 TEST(Picture, EglAndOsmesaAgreeByteForByte) {
   const auto scene = sceneOf(spherePrimitive(1));
   EXPECT_EQ(draw(scene, litShot(128), Backend::kEglSurfaceless).pixels,

@@ -14,6 +14,7 @@
 
 #include "editable_shaders.h"
 #include "telar/load.h"
+#include "telar/pose.h"
 #include "telar/renderer.h"
 
 namespace {
@@ -82,10 +83,11 @@ int run(int argc, char** argv) {
   const auto environment =
       arguments.environmentFile.empty() ? std::vector<std::byte>() : readAll(arguments.environmentFile);
   const telar::CancelToken cancel;
-  const auto scene = telar::loadPath(argv[1], arguments.options.limits, cancel);
+  const auto model = telar::loadPath(argv[1], arguments.options.limits, cancel);
   const auto renderer = telar::Renderer::create(arguments.options);
   std::ofstream out(argv[3], std::ios::binary);
   for (const telar::Shot& shot : shots) {
+    const auto scene = shot.pose ? telar::poseScene(model, *shot.pose, cancel) : model;
     telar::Frame frame;
     for (int i = 0; i < arguments.repeat; ++i) {
       telar::FrameInfo info;

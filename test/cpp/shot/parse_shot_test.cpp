@@ -20,7 +20,7 @@ json standard() {
                "fovY": 30, "near": 0.5, "far": 9},
     "environment": {"map": "studio", "intensity": 1, "rotation": 0},
     "lights": [], "modelLights": true, "background": "transparent", "ground": "none", "shading": "three", "toneMapping": "neutral",
-    "exposure": 1, "quality": {"preset": "standard", "samples": 4}, "variant": "", "layers": ["beauty"],
+    "exposure": 1, "quality": {"preset": "standard", "samples": 4}, "variant": "", "pose": null, "layers": ["beauty"],
     "output": {"format": "png", "quality": 90, "bitDepth": 8, "ppi": 0, "icc": false}})");
 }
 
@@ -55,6 +55,7 @@ TEST(ParseShot, ReadsEveryField) {
   written["exposure"] = 1.5;
   written["quality"] = {{"samples", 1}};
   written["variant"] = "navy";
+  written["pose"] = {{"animation", 2}, {"time", 0.25}};
   written["output"] = {{"format", "exr"}, {"quality", 1}, {"bitDepth", 32}, {"ppi", 300}, {"icc", true}};
   const Shot shot = parseShot(written.dump());
   EXPECT_EQ(shot.width, 512);
@@ -78,6 +79,7 @@ TEST(ParseShot, ReadsEveryField) {
   EXPECT_EQ(shot.exposure, 1.5);
   EXPECT_EQ(shot.samples, 1);
   EXPECT_EQ(shot.variant, "navy");
+  EXPECT_EQ(shot.pose, (Pose{2, 0.25}));
   EXPECT_EQ(shot.output.format, OutputOptions::Format::kExr);
   EXPECT_EQ(shot.output.quality, 1);
   EXPECT_EQ(shot.output.bitDepth, 32);
@@ -92,6 +94,7 @@ TEST(ParseShot, ReadsTheOtherForms) {
   EXPECT_EQ(shot.environment.source, Shot::Environment::Source::kStudio);
   EXPECT_EQ(shot.background.type, Shot::Background::Type::kTransparent);
   EXPECT_EQ(shot.variant, "");
+  EXPECT_FALSE(shot.pose);
   using Source = Shot::Environment::Source;
   EXPECT_EQ(parseShot(with("/environment/map", "none").dump()).environment.source, Source::kNone);
   EXPECT_EQ(parseShot(with("/environment/map", {{"bytes", 12}}).dump()).environment.source, Source::kBytes);
@@ -239,6 +242,7 @@ TEST(ParseShot, NamesPathExpectationAndValue) {
        "shot.toneMapping: expected one of none, linear, reinhard, cineon, aces, agx, neutral, got null"},
       {"/quality/samples", 3, "shot.quality.samples: expected 1 or 4, got 3"},
       {"/variant", json::object(), "shot.variant: expected a string, got an object"},
+      {"/pose/animation", -1, "shot.pose.animation: expected an integer from 0 to 2147483647, got -1"},
       {"/output/bitDepth", 16, "nothing was thrown"},
       {"/output/bitDepth", 32, "shot.output.bitDepth: expected a bit depth that png has, got 32"},
       {"/output/quality", 101, "shot.output.quality: expected an integer from 1 to 100, got 101"},

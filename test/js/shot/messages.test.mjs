@@ -4,7 +4,7 @@ import { TelarError, resolveShot } from '../../../js/shot/index.mjs';
 import { nearest } from '../../../js/shot/complain.mjs';
 
 const box = { min: [-1, 0, -0.2], max: [1, 2, 0.2] };
-const facts = { bounds: box, variants: ['white', 'navy'], cameras: [{ name: 'shop' }] };
+const facts = { bounds: box, variants: ['white', 'navy'], cameras: [{ name: 'shop' }], animations: [{ name: 'walk' }, { name: 'sit' }] };
 
 /** Sets a dotted path in a shot: with('a.b', 1) is {a: {b: 1}}; `base` gives what must stand beside it. */
 function withValue(path, value, base = {}) {
@@ -91,10 +91,10 @@ const MESSAGES = [
   ['front', 'shot: expected an object, got "front"'],
   [{ size: 512 }, 'shot.size: expected an object, got 512'],
   [{ size: { widht: 5 } }, 'shot.size.widht: unknown key, did you mean width?'],
-  [{ colour: 'red' }, 'shot.colour: unknown key, expected one of size, camera, environment, lights, modelLights, background, ground, shading, toneMapping, exposure, quality, variant, layers, output'],
+  [{ colour: 'red' }, 'shot.colour: unknown key, expected one of size, camera, environment, lights, modelLights, background, ground, shading, toneMapping, exposure, quality, variant, pose, layers, output'],
   [{ Shading: 'three' }, 'shot.Shading: unknown key, did you mean shading?'],
-  [JSON.parse('{"__proto__": {"size": 1}}'), 'shot.__proto__: unknown key, expected one of size, camera, environment, lights, modelLights, background, ground, shading, toneMapping, exposure, quality, variant, layers, output'],
-  [{ 'a b\n': 1 }, 'shot["a b\\n"]: unknown key, expected one of size, camera, environment, lights, modelLights, background, ground, shading, toneMapping, exposure, quality, variant, layers, output'],
+  [JSON.parse('{"__proto__": {"size": 1}}'), 'shot.__proto__: unknown key, expected one of size, camera, environment, lights, modelLights, background, ground, shading, toneMapping, exposure, quality, variant, pose, layers, output'],
+  [{ 'a b\n': 1 }, 'shot["a b\\n"]: unknown key, expected one of size, camera, environment, lights, modelLights, background, ground, shading, toneMapping, exposure, quality, variant, pose, layers, output'],
   [{ camera: 'front' }, 'shot.camera: expected an object, got "front"'],
   [{ camera: { view: 'up' } }, `shot.camera.view: expected ${VIEWS}, got "up"`],
   [{ camera: { veiw: 'front' } }, 'shot.camera.veiw: unknown key, did you mean view?'],
@@ -185,7 +185,6 @@ test('exact messages', () => {
 /** [shot, what is refused, what stands instead, pointer] */
 const UNAVAILABLE = [
   [{ lens: { aperture: 8 } }, 'shot.lens: a lens', 'use exposure and camera.fovY', '/lens'],
-  [{ pose: { time: 0 } }, 'shot.pose: a pose', 'export the model in the pose that is to be drawn', '/pose'],
   ...['fabric', 'three-r115', 'disney-2012'].map((shading) => [{ shading }, `shot.shading: "${shading}"`, 'use "three"', '/shading']),
   ...['high', 'reference'].map((quality) =>
     [{ quality }, `shot.quality: "${quality}"`, 'use "standard", the best that there is, or "draft"', '/quality']),
@@ -207,6 +206,9 @@ test('what this version does not draw is refused by name, and what there is inst
 
 test('what the model does not have', () => {
   const cases = [
+    [{ pose: { animation: 2 } }, 'E_POSE', 'shot.pose.animation: the model has no animation 2; it has 0 "walk", 1 "sit"'],
+    [{ pose: { animation: 'wall' } }, 'E_POSE', 'shot.pose.animation: the model has no animation "wall"; did you mean "walk"?'],
+    [{ pose: { animation: 'fly off' } }, 'E_POSE', 'shot.pose.animation: the model has no animation "fly off"; it has 0 "walk", 1 "sit"'],
     [{ variant: 'navi' }, 'E_VARIANT', 'shot.variant: the model has no variant "navi"; did you mean "navy"?'],
     [{ variant: 'crimson' }, 'E_VARIANT', 'shot.variant: the model has no variant "crimson"; it has "white", "navy"'],
     [{ camera: { gltf: 1 } }, 'E_CAMERA', 'shot.camera.gltf: the model has no camera 1; it has 0 "shop"'],

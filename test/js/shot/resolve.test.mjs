@@ -7,6 +7,7 @@ const box = { min: [-1, 0, -0.2], max: [1, 2, 0.2] };
 const facts = {
   bounds: box,
   variants: ['white', 'navy'],
+  animations: [{ name: 'walk', duration: 2 }, { name: 'sit', duration: 1 }],
   cameras: [
     { name: 'shop', node: 1, projection: 'perspective', fovY: 40, near: 0.1, far: 0, position: [0, 1, 4], target: [0, 1, 3], up: [0, 1, 0] },
     { name: 'plan', node: 2, projection: 'orthographic', height: 2, near: 0.01, far: 10, position: [0, 5, 0], target: [0, 4, 0], up: [0, 0, -1] },
@@ -37,6 +38,9 @@ const SHOTS = [
   { background: 'environment', variant: 'navy', layers: ['beauty'] },
   { background: { blur: 0.25 } },
   { background: { type: 'environment' } },
+  { pose: null },
+  { pose: { animation: 1 } },
+  { pose: { animation: 'walk', time: -0.5 } },
   { quality: 'draft' },
   { quality: { samples: 1 } },
   { quality: { preset: 'standard' } },
@@ -67,7 +71,7 @@ test('arguments stay as they were, and results share nothing', () => {
     assert.deepEqual(again, resolved);
     // Spoil the first result in every place: a later one must not notice.
     const spoil = (value) => Object.keys(value).forEach((key) => {
-      if (typeof value[key] === 'object' && !ArrayBuffer.isView(value[key])) spoil(value[key]);
+      if (typeof value[key] === 'object' && value[key] !== null && !ArrayBuffer.isView(value[key])) spoil(value[key]);
       else value[key] = 'spoilt';
     });
     spoil(resolved);
@@ -89,6 +93,7 @@ test('all defaults are written out', () => {
     exposure: 1,
     quality: { preset: 'standard', samples: 4 },
     variant: '',
+    pose: null,
     layers: ['beauty'],
     output: { format: 'png', quality: 90, bitDepth: 8, ppi: 0, icc: false },
   });

@@ -7,12 +7,13 @@
 
 #include "telar/codec.h"
 #include "telar/load.h"
+#include "telar/pose.h"
 #include "telar/renderer.h"
 
 /// Stands in for the loader, the renderer and the encoder in tests of threads, cancellation and lifetimes. The model is
 /// JSON that says what each stage does:
-/// {"loadMs", "drawMs", "encodeMs": how long it works, "stubborn": whether it ignores cancellation,
-///  "fail": {"stage": "load" | "draw" | "encode", "as": "error" | "memory" | "exception" | "number"}}
+/// {"loadMs", "poseMs", "drawMs", "encodeMs": how long it works, "stubborn": whether it ignores cancellation,
+///  "fail": {"stage": "load" | "pose" | "draw" | "encode", "as": "error" | "memory" | "exception" | "number"}}
 namespace telar {
 namespace {
 
@@ -91,10 +92,19 @@ std::shared_ptr<const Scene> loadBytes(std::span<const std::byte> file, const Li
   return load(std::string(reinterpret_cast<const char*>(file.data()), file.size()), cancel);
 }
 
+std::shared_ptr<const Scene> poseScene(const std::shared_ptr<const Scene>& model, const Pose&,
+                                       const CancelToken& cancel) {
+  work(json::parse(model->name), "pose", cancel);
+  auto scene = std::make_shared<Scene>(*model);
+  scene->model = model;
+  return scene;
+}
+
 std::string describeScene(const Scene& scene) {
   return json{{"bounds", {{"min", {-1, -1, -1}}, {"max", {1, 1, 1}}}},
               {"size", {2, 2, 2}},
               {"cameras", json::array()},
+              {"animations", {{{"name", "wait"}, {"duration", 1}}}},
               {"variants", json::array()},
               {"warnings", json::array({{{"code", "W_IMAGE"}, {"message", "from the model"}}})},
               {"plan", scene.name}}

@@ -1,0 +1,101 @@
+import { nativeCall } from './api/native_call.mjs';
+
+/** The schema of the shot costs load time, so it comes with the first job. */
+export const shotModule = () => import('./shot/index.mjs');
+
+/** A decoded model, made by `renderer.load`: draw many views of it, with any renderer of the same thread. */
+export class Model {
+  #scene;
+
+  /** @internal */
+  constructor(scene, facts) {
+    this.#scene = scene;
+    /** What is in the file: bounds, size in metres, counts, materials, variants, cameras, warnings; as `inspect` gives it. */
+    this.facts = facts;
+  }
+
+  /** @internal */
+  static sceneOf(model) {
+    return model.#scene;
+  }
+
+  /** @internal */
+  static isModel(value) {
+    return typeof value === 'object' && value !== null && #scene in value;
+  }
+}
+
+/**
+ * Decodes a source.
+ * @internal
+ * @param {object} native the addon's exports
+ * @param {string | object} input of readSource
+ * @param {object} limits
+ * @param {AbortSignal} [signal]
+ * @returns {Promise<Model>}
+ */
+export async function loadModel(native, input, limits, signal) {
+  const { scene, facts } = await nativeCall(native, signal, (token) => native.load(input, limits, token));
+  return new Model(scene, JSON.parse(facts));
+}
+
+/**
+ * The model as the shot's pose shows it, with the facts of that pose: the model itself where the shot has none.
+ * @internal
+ * @param {object} native the addon's exports
+ * @param {Model} model
+ * @param {object} shot not resolved
+ * @param {{signal?: AbortSignal, forget?: boolean}} [options] forget: the model is not used afterwards, so free it with the pose
+ * @returns {Promise<Model>}
+ * @throws {TelarError} E_SHOT, E_POSE
+ */
+export async function poseModel(native, model, shot, { signal, forget = false } = {}) {
+  const { resolvePose } = await shotModule();
+  const pose = resolvePose(shot, model.facts);
+  if (!pose) return model;
+  const { scene, facts } = await nativeCall(native, signal, (token) =>
+    native.pose(Model.sceneOf(model), pose.animation, pose.time, forget, token));
+  return new Model(scene, JSON.parse(facts));
+}
+
+/** Poses of one model that many shots share: each is made when first needed, and let go with the last shot that shows it. */
+export class SharedPoses {
+  #native;
+  #model;
+  #signal;
+  #poses = new Map();
+
+  /**
+   * @param {object} native
+   * @param {Model} model
+   * @param {object[]} shots all that will be asked for
+   * @param {AbortSignal} signal
+   */
+  constructor(native, model, shots, signal) {
+    this.#native = native;
+    this.#model = model;
+    this.#signal = signal;
+    for (const shot of shots) {
+      const key = keyOf(shot);
+      const pose = this.#poses.get(key) ?? { shots: 0 };
+      this.#poses.set(key, pose);
+      pose.shots += 1;
+    }
+  }
+
+  /** @returns {Promise<Model>} */
+  of(shot) {
+    const pose = this.#poses.get(keyOf(shot));
+    pose.model ??= poseModel(this.#native, this.#model, shot, { signal: this.#signal });
+    return pose.model;
+  }
+
+  /** Counts a shot off. @returns {boolean} whether it was the last of its pose */
+  isLast(shot) {
+    const pose = this.#poses.get(keyOf(shot));
+    pose.shots -= 1;
+    return pose.shots === 0 && (shot.pose ?? null) !== null;
+  }
+}
+
+const keyOf = ({ pose }) => JSON.stringify(pose ?? null);

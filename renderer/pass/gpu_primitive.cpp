@@ -1,0 +1,108 @@
+#include "pass/gpu_primitive.h"
+
+namespace telar::pass {
+namespace {
+
+constexpr GLuint MATRIX_COLUMNS = 4;
+
+const void* offsetOf(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+
+template <class Item>
+void append(std::vector<std::byte>& bytes, const std::vector<Item>& items) {
+  const auto* from = reinterpret_cast<const std::byte*>(items.data());
+  bytes.insert(bytes.end(), from, from + items.size() * sizeof(Item));
+}
+
+gl::Buffer uploaded(const gl::Functions& gl, GLenum target, const void* data, std::size_t bytes) {
+  gl::Buffer buffer(gl);
+  gl.BindBuffer(target, buffer.get());
+  gl.BufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+  return buffer;
+}
+
+}  // namespace
+
+GLenum modeOf(Topology topology) {
+  switch (topology) {
+    case Topology::kPoints:
+      return GL_POINTS;
+    case Topology::kLines:
+      return GL_LINES;
+    case Topology::kLineLoop:
+      return GL_LINE_LOOP;
+    case Topology::kLineStrip:
+      return GL_LINE_STRIP;
+    case Topology::kTriangles:
+      return GL_TRIANGLES;
+  }
+  return GL_TRIANGLES;
+}
+
+VertexStreams::VertexStreams(const gl::Context& context, const Primitive& primitive) {
+  const gl::Functions& gl = context.gl();
+  std::vector<std::byte> bytes;
+  const auto add = [&](GLuint location, GLint components, const auto& stream) {
+    if (stream.empty()) return;
+    attributes_.push_back({location, components, bytes.size()});
+    append(bytes, stream);
+  };
+  add(POSITION, 3, primitive.positions);
+  add(NORMAL, 3, primitive.normals);
+  add(TANGENT, 4, primitive.tangents);
+  add(UV0, 2, primitive.uvs[0]);
+  add(UV1, 2, primitive.uvs[1]);
+  add(COLOR, 4, primitive.colors);
+  gl.BindVertexArray(0);  // an index buffer binds to the vertex array of the moment
+  vertices_ = uploaded(gl, GL_ARRAY_BUFFER, bytes.data(), bytes.size());
+  const auto& indices = primitive.indices;
+  count_ = static_cast<GLsizei>(indices.empty() ? primitive.positions.size() : indices.size());
+  if (!indices.empty()) {
+    indices_ = uploaded(gl, GL_ELEMENT_ARRAY_BUFFER, indices.data(), indices.size() * sizeof(std::uint32_t));
+  }
+  context.check("vertex upload");
+}
+
+void VertexStreams::attach(const gl::Functions& gl) const {
+  gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.get());
+  for (const Attribute& a : attributes_) {
+    gl.EnableVertexAttribArray(a.location);
+    gl.VertexAttribPointer(a.location, a.components, GL_FLOAT, GL_FALSE, 0, offsetOf(a.offset));
+  }
+  if (indices_) gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
+}
+
+InstanceStreams::InstanceStreams(const gl::Context& context, const Instances& instances)
+    : count_(static_cast<GLsizei>(instances.matrices.size())), colored_(!instances.colors.empty()) {
+  std::vector<std::byte> bytes;
+  append(bytes, instances.matrices);
+  append(bytes, instances.colors);
+  buffer_ = uploaded(context.gl(), GL_ARRAY_BUFFER, bytes.data(), bytes.size());
+  context.check("instance upload");
+}
+
+void InstanceStreams::attach(const gl::Functions& gl) const {
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.get());
+  const auto add = [&](GLuint location, GLint components, std::size_t stride, std::size_t offset) {
+    gl.EnableVertexAttribArray(location);
+    gl.VertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), offsetOf(offset));
+    gl.VertexAttribDivisor(location, 1);
+  };
+  for (GLuint column = 0; column < MATRIX_COLUMNS; ++column) {
+    add(INSTANCE_MATRIX + column, 4, sizeof(glm::mat4), column * sizeof(glm::vec4));
+  }
+  if (colored_) {
+    add(INSTANCE_COLOR, 3, sizeof(glm::vec3), static_cast<std::size_t>(count_) * sizeof(glm::mat4));
+  }
+}
+
+void GpuPrimitive::draw(const gl::Functions& gl) const {
+  gl.BindVertexArray(vertexArray.get());
+  if (instances > 0) {
+    indexed ? gl.DrawElementsInstanced(mode, count, GL_UNSIGNED_INT, nullptr, instances)
+            : gl.DrawArraysInstanced(mode, 0, count, instances);
+  } else {
+    indexed ? gl.DrawElements(mode, count, GL_UNSIGNED_INT, nullptr) : gl.DrawArrays(mode, 0, count);
+  }
+}
+
+}  // namespace telar::pass

@@ -1,0 +1,71 @@
+#pragma once
+#include <vector>
+
+#include "gl/context.h"
+#include "gl/gl_object.h"
+#include "telar/scene.h"
+
+namespace telar::pass {
+
+// Attribute locations of shaders/material/vertex_inputs.glsl.
+enum VertexLocation : GLuint {
+  POSITION = 0,
+  NORMAL = 1,
+  TANGENT = 2,
+  UV0 = 3,
+  UV1 = 4,
+  COLOR = 5,
+  INSTANCE_MATRIX = 6,  ///< four columns, to 9
+  INSTANCE_COLOR = 10,
+};
+
+/// One primitive's streams on the GPU, each uploaded once.
+class VertexStreams {
+ public:
+  VertexStreams(const gl::Context& context, const Primitive& primitive);
+
+  /// Points the bound vertex array at the streams.
+  void attach(const gl::Functions& gl) const;
+  GLsizei count() const { return count_; }
+  bool indexed() const { return static_cast<bool>(indices_); }
+
+ private:
+  struct Attribute {
+    GLuint location;
+    GLint components;
+    std::size_t offset;
+  };
+  gl::Buffer vertices_, indices_;
+  std::vector<Attribute> attributes_;
+  GLsizei count_ = 0;  ///< indices, or vertices where there are none
+};
+
+/// Matrices and colours of instances on the GPU.
+class InstanceStreams {
+ public:
+  InstanceStreams(const gl::Context& context, const Instances& instances);
+
+  /// Points the bound vertex array at the streams, which advance once an instance.
+  void attach(const gl::Functions& gl) const;
+  GLsizei count() const { return count_; }
+
+ private:
+  gl::Buffer buffer_;
+  GLsizei count_ = 0;
+  bool colored_ = false;
+};
+
+/// What one draw call binds and draws.
+struct GpuPrimitive {
+  gl::VertexArray vertexArray;
+  GLenum mode = GL_TRIANGLES;
+  GLsizei count = 0;  ///< indices, or vertices where there are none
+  bool indexed = false;
+  GLsizei instances = 0;  ///< 0 = drawn once, without instance attributes
+
+  void draw(const gl::Functions& gl) const;
+};
+
+GLenum modeOf(Topology topology);
+
+}  // namespace telar::pass
