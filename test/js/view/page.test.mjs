@@ -339,6 +339,29 @@ test('a .gltf with its files beside it, beneath an environment of the command li
   await other.stop();
 });
 
+test('keys alone: a moment of an animation, framed and drawn alike', async () => {
+  writeFileSync(at('moving.glb'), await MODELS['morph-and-skin']());
+  const other = await openView(at('moving.glb'), ['--size', '64']);
+  const second = await page.context().newPage();
+  await second.goto(other.url);
+  await settled(second);
+  assert.equal(await second.locator('#time').isDisabled(), true);
+  let last = await pictures(second);
+  for (const [selector, key] of [['#animation', 'ArrowDown'], ['#time', 'End']]) {
+    await second.focus(selector);
+    await changing(second, () => second.keyboard.press(key));
+    const now = await pictures(second);
+    now.forEach((picture, i) => assert.notEqual(picture, last[i], `${selector} ${i}`));
+    assert.equal(await second.locator('#verdict').textContent(), 'Parity', selector);
+    assert.equal(await second.locator('#notes li').count(), 0, await second.locator('#notes').textContent());
+    last = now;
+  }
+  const { pose } = JSON.parse(await second.locator('#shot').inputValue());
+  assert.ok(pose.animation === 0 && pose.time > 0, JSON.stringify(pose));
+  await second.close();
+  await other.stop();
+});
+
 test('KTX2 textures and Draco meshes are decoded in the page', async () => {
   for (const name of ['ktx2-etc1s', 'draco-edgebreaker']) {
     writeFileSync(at(`${name}.glb`), await MODELS[name]());
