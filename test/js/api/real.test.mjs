@@ -59,7 +59,7 @@ for (const camera of [{ view: 'three-quarter' }, { azimuth: 30, elevation: -20, 
   { position: [1, 2, 3], target: [0.2, 0.1, -0.3], up: [0.1, 1, 0], fovY: 50, near: 0.1, far: 20 }]) {
   test(`worldToPixel agrees with three.js: ${JSON.stringify(camera)}`, async () => {
     const { info } = await renderer.render(cloth, { ...SHOT, camera });
-    const stub = { setPixelRatio() {}, setSize() {}, setClearColor() {} };
+    const stub = { shadowMap: {}, setPixelRatio() {}, setSize() {}, setClearColor() {} };
     const shot = { ...info.shot, environment: { map: 'none', intensity: 1, rotation: 0 } };
     const view = await applyShot(shot, { THREE, renderer: stub, scene: new THREE.Scene() });
     const matrix = new THREE.Matrix4().fromArray(info.worldToPixel);
