@@ -1,4 +1,4 @@
-import { z } from 'zod';
+import * as z from 'zod';
 import { resolvedShotSchema } from '../shot/resolved_schema.mjs';
 import { shotSchema } from '../shot/schema.mjs';
 

@@ -1,4 +1,4 @@
-import { z } from 'zod';
+import * as z from 'zod';
 import { boolean, choice, colour, expectedColour, number, object, text, vector } from './fields.mjs';
 import { VIEWS } from './frame.mjs';
 
