@@ -21,6 +21,10 @@ const ROWS = {
   'coded textures and meshes': [
     'ktx2-uastc-sun', 'ktx2-etc1s-sun', 'ktx2-etc1s-alpha-sun', 'meshopt-torus-sun', 'draco-edgebreaker-sun', 'draco-sequential-sun', 'draco-quantized-sun',
   ],
+  'what moves and what is drawn many times': [
+    'skin-rest', 'skin-0-0.5', 'morph-rest', 'morph-0-0.25', 'morph-and-skin-0-0.6', 'animated-nodes-1-0.45', 'instances-rest', 'instances-colors-rest',
+    'instances-shadow', 'skin-shadow',
+  ],
   'features alone': [
     'clearcoat-env', 'sheen-env', 'specular-env', 'ior-env', 'anisotropy-env', 'iridescence-env', 'diffuse-roughness-env', 'emissive-strength-env',
     'unlit-env', 'normal-map-env', 'occlusion-map-env', 'emissive-map-env', 'metallic-roughness-map-env', 'base-color-map-env', 'texture-transform-env',
