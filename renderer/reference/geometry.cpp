@@ -30,10 +30,11 @@ std::vector<glm::uvec3> trianglesOf(const Primitive& primitive) {
   return triangles;
 }
 
-PlacedMesh place(const Node& node, const Primitive& primitive, const Material& material, const glm::dvec3& centre) {
+PlacedMesh place(const glm::dmat4& world, const Primitive& primitive, const Material& material,
+                 const glm::dvec3& centre) {
   PlacedMesh mesh{&primitive, &material};
-  const glm::dmat3 linear(node.world);
-  const glm::dvec3 move = glm::dvec3(node.world[3]) - centre;
+  const glm::dmat3 linear(world);
+  const glm::dvec3 move = glm::dvec3(world[3]) - centre;
   mesh.positions.reserve(primitive.positions.size());
   for (const glm::vec3& p : primitive.positions) mesh.positions.emplace_back(linear * glm::dvec3(p) + move);
   mesh.triangles = trianglesOf(primitive);
@@ -46,6 +47,20 @@ PlacedMesh place(const Node& node, const Primitive& primitive, const Material& m
   return mesh;
 }
 
+/// Once where the node is, or at each of its instances.
+void placeInstances(std::vector<PlacedMesh>& meshes, const Node& node, const Primitive& primitive,
+                    const Material& material, const glm::dvec3& centre) {
+  if (!node.instances) {
+    meshes.push_back(place(node.world, primitive, material, centre));
+    return;
+  }
+  const Instances& instances = *node.instances;
+  for (std::size_t i = 0; i < instances.matrices.size(); ++i) {
+    meshes.push_back(place(node.world * glm::dmat4(instances.matrices[i]), primitive, material, centre));
+    if (!instances.colors.empty()) meshes.back().tint = instances.colors[i];
+  }
+}
+
 }  // namespace
 
 std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::dvec3& centre) {
@@ -54,7 +69,7 @@ std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::
     if (node.mesh < 0) continue;
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
       if (primitive.topology != Topology::kTriangles || primitive.positions.empty()) continue;
-      meshes.push_back(place(node, primitive, materialOf(scene, primitive, variant), centre));
+      placeInstances(meshes, node, primitive, materialOf(scene, primitive, variant), centre);
     }
   }
   return meshes;

@@ -186,6 +186,7 @@ Surface surfaceAt(const Scene& scene, const PlacedMesh& mesh, const Hit& hit, co
   const float face = front ? 1.0f : -1.0f;
   surface.geometricNormal = brdf_f::safeNormalize(glm::dot(cross, s.v) < 0 ? -cross : cross, s.v);
   glm::vec4 baseColor = m.baseColorFactor * read(m.baseColorTexture, true);
+  baseColor *= glm::vec4(mesh.tint, 1.0f);
   if (!primitive.colors.empty()) baseColor *= corners.at(primitive.colors, b);
   surface.alpha = m.alphaMode == AlphaMode::kBlend ? brdf_f::saturate(baseColor.a) : 1.0f;
   surface.shown = (front || m.doubleSided) && !(m.alphaMode == AlphaMode::kMask && baseColor.a < m.alphaCutoff);

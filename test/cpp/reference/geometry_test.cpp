@@ -49,6 +49,21 @@ TEST(Geometry, AMirroredNodeTurnsItsNormalsTheRightWay) {
   EXPECT_GT((meshes[0].normalMatrix * glm::vec3(0, 0, 1)).z, 0);
 }
 
+TEST(Geometry, InstancesStandWhereTheirMatricesPutThem) {
+  Scene scene = squareScene(glm::translate(glm::dmat4(1), glm::dvec3(0, 0, 1)));
+  auto instances = std::make_shared<Instances>();
+  instances->matrices = {glm::mat4(1), glm::translate(glm::mat4(1), glm::vec3(5, 0, 0))};
+  instances->colors = {{1, 0, 0}, {0, 1, 0}};
+  scene.nodes[0].instances = instances;
+  const auto meshes = placeMeshes(scene, -1, glm::dvec3(0));
+  ASSERT_EQ(meshes.size(), 2u);
+  EXPECT_EQ(meshes[1].tint, glm::vec3(0, 1, 0));
+  Hit hit;
+  ASSERT_TRUE(Geometry(meshes).intersect({{5.25f, 0, 3}, {0, 0, -1}}, hit));
+  EXPECT_EQ(hit.mesh, 1u);
+  EXPECT_FLOAT_EQ(hit.distance, 2);
+}
+
 TEST(Geometry, AnEmptySceneIsHitByNothing) {
   const Geometry geometry({});
   Hit hit;
