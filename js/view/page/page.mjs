@@ -17,9 +17,14 @@ const $ = (id) => document.getElementById(id);
 
 const STATUS = { loading: 'Loading the model', drawing: 'The server draws', comparing: 'Comparing', ready: '', error: '' };
 
-/** What the page does, for readers (the status line) and tests (the attribute). */
+let drawings = 0;
+
+/** What the page does, for readers (the status line) and tests (the attributes). */
 function setPhase(phase) {
-  if (phase === 'drawing') tell();
+  if (phase === 'drawing') {
+    tell();
+    document.body.dataset.drawings = String(++drawings);
+  }
   document.body.dataset.phase = phase;
   $('status').textContent = STATUS[phase];
 }

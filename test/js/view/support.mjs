@@ -49,10 +49,10 @@ export const settled = (page) => page.waitForSelector('body[data-phase=ready]', 
 
 /** Runs what changes the shot, and waits until both sides show it. */
 export async function changing(page, act) {
-  const seen = page.waitForSelector('body[data-phase=drawing]', { timeout: 10_000 });
+  // By their number: a drawing may be over before its phase is seen.
+  const drawings = await page.getAttribute('body', 'data-drawings');
   await act();
-  await seen;
-  await settled(page);
+  await page.waitForSelector(`body[data-phase=ready]:not([data-drawings="${drawings}"])`, { timeout: 30_000 });
 }
 
 /** Both pictures as the page shows them, each as text. */
