@@ -28,7 +28,8 @@ std::shared_ptr<const Scene> loadBytes(std::span<const std::byte> file, const Li
 ///  cameras: [{name, node, projection, fovY?, aspectRatio?, height?, width?, near, far, position, target, up}]
 ///    (degrees, metres, world space; far null = infinite; target = the point on the view ray nearest to the centre;
 ///    those that the drawn scene places, in the file's order),
-///  animations: [{name, duration}] (seconds, in the file's order), generator, copyright, warnings: [{code, message, pointer?}]}
+///  animations: [{name, duration}] (seconds, in the file's order), generator, copyright, warnings: [{code, message,
+///  pointer?}]}
 std::string describeScene(const Scene& scene);
 
 }  // namespace telar
