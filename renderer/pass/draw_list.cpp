@@ -6,30 +6,12 @@
 #include <tuple>
 
 #include "pass/texture_slots.h"
+#include "pass/variant.h"
 
 namespace telar::pass {
 namespace {
 
 constexpr std::size_t ALL_FEATURES_LIGHTS = 2;  // of each kind
-
-const Material DEFAULT_MATERIAL{};  // glTF's: white, metallic 1, roughness 1
-
-/// Index of the shot's variant. @throws Error{E_VARIANT}
-int variantIndex(const Scene& scene, const std::string& name) {
-  if (name.empty()) return -1;
-  const auto found = std::find(scene.variants.begin(), scene.variants.end(), name);
-  if (found != scene.variants.end()) return static_cast<int>(found - scene.variants.begin());
-  std::string known;
-  for (const std::string& variant : scene.variants) known += (known.empty() ? "" : ", ") + quoted(variant);
-  throw Error("E_VARIANT", "shot.variant: this model has no variant " + quoted(name) +
-                               (known.empty() ? "; it has none" : "; it has " + known));
-}
-
-int materialIndex(const Primitive& primitive, int variant) {
-  if (variant < 0 || static_cast<std::size_t>(variant) >= primitive.variantMaterials.size()) return primitive.material;
-  const int mapped = primitive.variantMaterials[static_cast<std::size_t>(variant)];
-  return mapped >= 0 ? mapped : primitive.material;
-}
 
 /// Layers of KHR_materials_* that change the picture: a layer of weight 0 is not compiled in.
 void describeLayers(const PhysicalLayers& layers, shader::VariantKey& key) {
@@ -95,14 +77,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.ambient = frame.ambient;
   key.environment = frame.environment;
   key.orthographic = frame.orthographic;
-  key.hemisphereLights = frame.hemisphereLights;
-  key.pointLights = frame.pointLights;
-  key.spotLights = frame.spotLights;
-  key.directionalLights = frame.directionalLights;
-  key.rectLights = frame.rectLights;
-  key.pointShadows = frame.pointShadows;
-  key.spotShadows = frame.spotShadows;
-  key.directionalShadows = frame.directionalShadows;
+  key.lights = frame.lights;
   key.flatShaded = primitive.normals.empty();
   key.tangent = (key.normalMap || key.anisotropy) && !key.flatShaded && !primitive.tangents.empty();
   key.tangentFrameUv0 = key.anisotropy && !key.normalMap && !key.clearcoatNormalMap;
@@ -128,7 +103,7 @@ void forceAllFeatures(shader::VariantKey& key) {
 /// @throws Error{L_TEXTURE_UNITS}
 void checkTextureUnits(const shader::VariantKey& key, const ShadowSet& shadows, const Limits& limits) {
   if (key.unlit || shadows.empty()) return;
-  const std::size_t areaTables = key.rectLights > 0 ? 2 : 0;
+  const std::size_t areaTables = key.lights.rect > 0 ? 2 : 0;
   std::size_t units = 1 + key.environment + key.transmission + areaTables + shadows.flat.size() + shadows.cube.size();
   for (const TextureSlot& slot : TEXTURE_SLOTS) units += key.*slot.map;
   checkLimit("L_TEXTURE_UNITS", static_cast<double>(limits.textureUnits), static_cast<double>(units), "/lights");
@@ -239,8 +214,7 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
       const Primitive& primitive = primitives[i];
       if (primitive.positions.empty()) continue;
       const int index = materialIndex(primitive, variant);
-      DrawItem item{&node, &primitive,
-                    index >= 0 ? &scene.materials[static_cast<std::size_t>(index)] : &DEFAULT_MATERIAL};
+      DrawItem item{&node, &primitive, &materialAt(scene, index)};
       item.key = keyOf(primitive, *item.material, frame);
       const bool transmissive = item.key.transmission;
       describeInstances(node, item.key);

@@ -37,6 +37,8 @@ struct DrawList {
   std::vector<DrawItem> behind;
   std::vector<DrawItem> behindBackSides;
 
+  /// What the picture itself shows; the others draw the same things for it.
+  std::array<const std::vector<DrawItem>*, 3> shown() const { return {&opaque, &transmissive, &blended}; }
   std::array<const std::vector<DrawItem>*, 5> all() const {
     return {&behind, &behindBackSides, &opaque, &transmissive, &blended};
   }

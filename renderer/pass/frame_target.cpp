@@ -33,18 +33,7 @@ FrameTarget::FrameTarget(const gl::Context& context, int width, int height, int 
 bool FrameTarget::tryFormat(GLenum format, int samples) {
   const gl::Functions& gl = context_.gl();
   samples_ = samples;
-  draw_ = gl::Framebuffer(gl);
-  color_ = gl::Renderbuffer(gl);
-  depth_ = gl::Renderbuffer(gl);
-  const GLsizei count = samples > 1 ? samples : 0;
-  gl.BindFramebuffer(GL_FRAMEBUFFER, draw_.get());
-  gl.BindRenderbuffer(GL_RENDERBUFFER, color_.get());
-  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, count, format, width_, height_);
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.get());
-  gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.get());
-  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, count, GL_DEPTH24_STENCIL8, width_, height_);
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth_.get());
-  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return false;
+  if (!draw_.allocate(gl, format, samples, width_, height_)) return false;
   if (samples == 1) return true;
   resolved_ = gl::Framebuffer(gl);
   resolvedColor_ = gl::Renderbuffer(gl);
@@ -59,18 +48,12 @@ bool FrameTarget::matches(int width, int height, int samples, PixelType type) co
   return width == width_ && height == height_ && samples == samplesAsked_ && type == type_;
 }
 
-void FrameTarget::bind() const {
-  const gl::Functions& gl = context_.gl();
-  gl.BindFramebuffer(GL_FRAMEBUFFER, draw_.get());
-  gl.Viewport(0, 0, width_, height_);
-}
+void FrameTarget::bind() const { draw_.bind(context_.gl()); }
 
 Frame FrameTarget::read() const {
   const gl::Functions& gl = context_.gl();
   if (samples_ > 1) {
-    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, draw_.get());
-    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.get());
-    gl.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    draw_.resolveInto(gl, resolved_.get());
     gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.get());
   }
   const std::size_t texelBytes = type_ == PixelType::kRgba8 ? 4 : 16;

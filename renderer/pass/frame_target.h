@@ -1,6 +1,7 @@
 #pragma once
 #include "gl/context.h"
 #include "gl/gl_object.h"
+#include "pass/sample_buffer.h"
 #include "telar/image.h"
 
 namespace telar::pass {
@@ -25,8 +26,9 @@ class FrameTarget {
   const gl::Context& context_;
   int width_, height_, samples_, samplesAsked_;
   PixelType type_;
-  gl::Framebuffer draw_, resolved_;
-  gl::Renderbuffer color_, depth_, resolvedColor_;
+  SampleBuffer draw_;
+  gl::Framebuffer resolved_;  // none where a pixel has one sample
+  gl::Renderbuffer resolvedColor_;
 };
 
 }  // namespace telar::pass

@@ -6,10 +6,6 @@
 namespace telar::pass {
 namespace {
 
-bool isSrgb(TexelCoding coding, bool colorUse) {
-  return coding == TexelCoding::kByUse ? colorUse : coding == TexelCoding::kSrgb;
-}
-
 GLsizei levelCount(const Image8& image) {
   if (image.ownLevels) return static_cast<GLsizei>(1 + image.smallerLevels.size());
   return static_cast<GLsizei>(std::bit_width(std::max(image.width, image.height)));
@@ -53,7 +49,7 @@ const GpuPrimitive& GpuScene::primitive(const Primitive& primitive, const Instan
 
 GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel) {
   if (model_) return model_->texture(scene, image, colorUse, cancel);
-  const bool srgb = isSrgb(scene.images[static_cast<std::size_t>(image)].coding, colorUse);
+  const bool srgb = decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, colorUse);
   const auto key = std::make_pair(image, srgb);
   const auto found = textures_.find(key);
   if (found != textures_.end()) return found->second.get();

@@ -106,11 +106,11 @@ void padTo(std::vector<T>& list, std::size_t count, const T& value) {
 
 void LightSet::describe(shader::VariantKey& key) const {
   key.ambient = hasAmbient;
-  key.hemisphereLights = static_cast<std::uint8_t>(hemisphereUp.size());
-  key.pointLights = static_cast<std::uint8_t>(pointPosition.size());
-  key.spotLights = static_cast<std::uint8_t>(spotPosition.size());
-  key.directionalLights = static_cast<std::uint8_t>(directionalDirection.size());
-  key.rectLights = static_cast<std::uint8_t>(rectPosition.size());
+  key.lights.hemisphere = static_cast<std::uint8_t>(hemisphereUp.size());
+  key.lights.point = static_cast<std::uint8_t>(pointPosition.size());
+  key.lights.spot = static_cast<std::uint8_t>(spotPosition.size());
+  key.lights.directional = static_cast<std::uint8_t>(directionalDirection.size());
+  key.lights.rect = static_cast<std::uint8_t>(rectPosition.size());
 }
 
 void LightSet::pad(std::size_t count) {

@@ -111,7 +111,7 @@ class GlRenderer final : public Renderer {
     const pass::FrameTarget& target = targetFor(shot);
     target.bind();
     const bool debug = plan.frame.debugOutput;  // backgrounds and the ground have no shading
-    clear(debug ? glm::vec4(0) : clearColor(shot, framePixelType(shot.output) == PixelType::kRgbaF32));
+    clear(debug ? glm::vec4(0) : clearColor(shot, plan.frame.outputLinear));
     if (plan.environmentBackground && !debug) background_.draw(plan.camera, shot, *environment, plan.frame);
     surfaces_.draw({&plan.draws.opaque, &plan.draws.transmissive}, inputs);
     if (plan.ground && !debug) ground_.draw(plan, shot, pass::SurfacePass::firstShadowUnit());

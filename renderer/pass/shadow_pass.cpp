@@ -105,7 +105,7 @@ void ShadowPass::drawView(const Camera& view, const FramePlan& plan, const Scene
                           const CancelToken& cancel) {
   const gl::Functions& gl = context_.gl();
   const gl::Program* current = nullptr;
-  for (const auto* list : {&plan.draws.opaque, &plan.draws.transmissive, &plan.draws.blended}) {
+  for (const auto* list : plan.draws.shown()) {
     for (const DrawItem& item : *list) {
       if (!casts(item)) continue;
       cancel.check();

@@ -69,9 +69,10 @@ bool shines(const Light& light) {
 
 void ShadowSet::describe(shader::VariantKey& key) const {
   for (const ShadowMap& map : flat) {
-    if (map.lit) ++(map.type == Light::Type::kSpot ? key.spotShadows : key.directionalShadows);
+    if (map.lit) ++(map.type == Light::Type::kSpot ? key.lights.spotShadows : key.lights.directionalShadows);
   }
-  for (const ShadowMap& map : cube) key.pointShadows = static_cast<std::uint8_t>(key.pointShadows + map.lit);
+  for (const ShadowMap& map : cube)
+    key.lights.pointShadows = static_cast<std::uint8_t>(key.lights.pointShadows + map.lit);
 }
 
 ShadowSet collectShadows(const Shot& shot, const Limits& limits) {

@@ -122,7 +122,7 @@ int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
 }
 
 void SurfacePass::upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) const {
-  for (const auto* list : {&plan.draws.opaque, &plan.draws.transmissive, &plan.draws.blended}) {
+  for (const auto* list : plan.draws.shown()) {
     for (const DrawItem& item : *list) {
       cancel.check();
       gpu.primitive(*item.primitive, item.instances());
@@ -163,15 +163,15 @@ const gl::Program& SurfacePass::useProgram(const shader::VariantKey& key, const 
     program.set("environmentIntensity", environment ? static_cast<float>(in.shot.environment.intensity) : 0.0f);
     program.set("environmentRotation", environmentRotation(in.shot.environment.rotation));
   }
-  if (key.environment || key.transmission || key.shadows() > 0)
+  if (key.environment || key.transmission || key.lights.shadows() > 0)
     program.set("viewMatrix", glm::mat4(in.plan.camera.view));
   if (key.transmission) {
     program.set("transmissionTarget", static_cast<int>(TRANSMISSION_UNIT));
     program.set("cameraPosition", glm::vec3(glm::inverse(in.plan.camera.view)[3]));
   }
-  if (key.shadows() > 0) {
-    const auto flat = static_cast<std::size_t>(key.spotShadows + key.directionalShadows);
-    uploadShadows(program, in.plan.shadows, flat, key.pointShadows, UNIT_COUNT);
+  if (key.lights.shadows() > 0) {
+    const auto flat = static_cast<std::size_t>(key.lights.spotShadows + key.lights.directionalShadows);
+    uploadShadows(program, in.plan.shadows, flat, key.lights.pointShadows, UNIT_COUNT);
   }
   return program;
 }
@@ -212,7 +212,7 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   const glm::dmat4 modelView = in.plan.camera.view * item.node->world;
   program.set("modelViewMatrix", glm::mat4(modelView));
   program.set("normalMatrix", normalMatrixOf(glm::dmat3(modelView)));
-  if (item.key.shadows() > 0) program.set("modelMatrix", glm::mat4(item.node->world));
+  if (item.key.lights.shadows() > 0) program.set("modelMatrix", glm::mat4(item.node->world));
   bindMaterial(program, item, in);
 
   item.blend ? gl.Enable(GL_BLEND) : gl.Disable(GL_BLEND);
@@ -228,7 +228,7 @@ void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {
   // Before the others, and not over a shadow map: making a texture binds it.
   gl.ActiveTexture(GL_TEXTURE0);
   if ((in.plan.environment && !in.environment) || (transmission && !in.transmission)) standIns();
-  if (in.plan.frame.rectLights > 0 && !ltc_) ltc_ = createLtcTextures(context_);
+  if (in.plan.frame.lights.rect > 0 && !ltc_) ltc_ = createLtcTextures(context_);
   const auto bind = [&gl](GLuint unit, GLenum target, const gl::Texture& texture) {
     gl.ActiveTexture(GL_TEXTURE0 + unit);
     gl.BindTexture(target, texture.get());
@@ -238,7 +238,7 @@ void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {
     bind(ENVIRONMENT_UNIT, GL_TEXTURE_CUBE_MAP,
          in.environment ? in.environment->prefiltered.texture : standIns().blackCube);
   }
-  if (in.plan.frame.rectLights > 0) {
+  if (in.plan.frame.lights.rect > 0) {
     bind(LTC_INVERSE_UNIT, GL_TEXTURE_2D, ltc_.inverse);
     bind(LTC_ALBEDO_UNIT, GL_TEXTURE_2D, ltc_.albedo);
   }

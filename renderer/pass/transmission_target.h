@@ -1,6 +1,7 @@
 #pragma once
 #include "gl/context.h"
 #include "gl/gl_object.h"
+#include "pass/sample_buffer.h"
 
 namespace telar::pass {
 
@@ -14,19 +15,17 @@ class TransmissionTarget {
 
   bool matches(int width, int height) const { return width == width_ && height == height_; }
   /// Makes it the target of the draws that follow; what is drawn shows in texture() after resolve().
-  void bind() const;
+  void bind() const { draw_.bind(context_.gl()); }
   /// The mean of the samples, and of it the mip levels. More may be drawn on top and resolved again.
   void resolve() const;
   GLuint texture() const { return color_.get(); }
 
  private:
-  bool tryStorage(int samples);
-
   const gl::Context& context_;
   int width_, height_;
   gl::Texture color_;
-  gl::Renderbuffer samplesColor_, samplesDepth_;
-  gl::Framebuffer draw_, resolved_;
+  SampleBuffer draw_;
+  gl::Framebuffer resolved_;
 };
 
 }  // namespace telar::pass

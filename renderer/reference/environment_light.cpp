@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
+
+#include "pass/camera.h"
 
 namespace telar::reference {
 namespace {
@@ -36,9 +37,7 @@ std::pair<std::size_t, float> find(const float* begin, std::size_t count, float 
 }  // namespace
 
 EnvironmentLight::EnvironmentLight(const ImageF& map, double rotation, double intensity)
-    : map_(map), intensity_(static_cast<float>(intensity)) {
-  toEnvironment_ =
-      glm::transpose(glm::mat3(glm::dmat3(glm::rotate(glm::dmat4(1.0), glm::radians(rotation), glm::dvec3(0, 1, 0)))));
+    : map_(map), intensity_(static_cast<float>(intensity)), toEnvironment_(pass::environmentRotation(rotation)) {
   const int width = static_cast<int>(map.width), height = static_cast<int>(map.height);
   const std::size_t w = map.width, h = map.height;
   rows_.resize(h + 1);

@@ -3,19 +3,10 @@
 #include <glm/gtc/matrix_inverse.hpp>
 #include <limits>
 
+#include "pass/variant.h"
+
 namespace telar::reference {
 namespace {
-
-const Material DEFAULT_MATERIAL{};  // glTF's
-
-const Material& materialOf(const Scene& scene, const Primitive& primitive, int variant) {
-  int index = primitive.material;
-  if (variant >= 0 && static_cast<std::size_t>(variant) < primitive.variantMaterials.size()) {
-    const int mapped = primitive.variantMaterials[static_cast<std::size_t>(variant)];
-    if (mapped >= 0) index = mapped;
-  }
-  return index >= 0 ? scene.materials[static_cast<std::size_t>(index)] : DEFAULT_MATERIAL;
-}
 
 std::vector<glm::uvec3> trianglesOf(const Primitive& primitive) {
   const bool indexed = !primitive.indices.empty();
@@ -69,7 +60,7 @@ std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::
     if (node.mesh < 0) continue;
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
       if (primitive.topology != Topology::kTriangles || primitive.positions.empty()) continue;
-      placeInstances(meshes, node, primitive, materialOf(scene, primitive, variant), centre);
+      placeInstances(meshes, node, primitive, pass::materialAt(scene, pass::materialIndex(primitive, variant)), centre);
     }
   }
   return meshes;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "brdf/brdf.h"
+#include "pass/camera.h"
 
 namespace telar::reference {
 namespace {
@@ -39,14 +40,9 @@ PointedLight parallelLight(const glm::vec3& color, const glm::dvec3& toLight) {
 }
 
 RectLight rectLight(const Shot::Light& light, const glm::vec3& color, const glm::dvec3& position) {
-  // Axes as three.js lays a RectAreaLight that looks at its target.
-  const glm::dvec3 z(directionOf(light.position - light.target));
-  glm::dvec3 x = glm::cross(glm::dvec3(0, 1, 0), z);
-  if (glm::dot(x, x) == 0) x = glm::dvec3(1, 0, 0);
-  x = glm::normalize(x);
-  const glm::dvec3 y = glm::cross(z, x);
-  return {glm::vec3(position), glm::vec3(x * (light.width / 2)), glm::vec3(y * (light.height / 2)), glm::vec3(-z),
-          color};
+  const glm::dmat3 axes = pass::lookAtAxes(light.position, light.target, {0, 1, 0});
+  return {glm::vec3(position), glm::vec3(axes[0] * (light.width / 2)), glm::vec3(axes[1] * (light.height / 2)),
+          glm::vec3(-axes[2]), color};
 }
 
 void addShotLight(Lights& lights, const Shot::Light& light, const glm::dvec3& centre) {

@@ -4,23 +4,31 @@
 #include <cstring>
 
 #include "brdf/brdf.h"
-#include "telar/error.h"
+#include "shader/variant_key.h"
 
 namespace telar::reference {
 namespace {
 
 using ToneMap = glm::vec3 (*)(glm::vec3, float);
 
-/// @throws Error{E_SHOT}
-ToneMap toneMapByName(const std::string& name) {
-  if (name == "none") return [](glm::vec3 color, float) { return color; };
-  if (name == "linear") return brdf_f::toneMapLinear;
-  if (name == "reinhard") return brdf_f::toneMapReinhard;
-  if (name == "cineon") return brdf_f::toneMapCineon;
-  if (name == "aces") return brdf_f::toneMapAces;
-  if (name == "agx") return brdf_f::toneMapAgx;
-  if (name == "neutral") return brdf_f::toneMapNeutral;
-  throw Error("E_SHOT", "shot.toneMapping: there is no tone mapping " + quoted(name));
+ToneMap toneMapOf(shader::ToneMapping toneMapping) {
+  switch (toneMapping) {
+    case shader::ToneMapping::kNone:
+      break;
+    case shader::ToneMapping::kLinear:
+      return brdf_f::toneMapLinear;
+    case shader::ToneMapping::kReinhard:
+      return brdf_f::toneMapReinhard;
+    case shader::ToneMapping::kCineon:
+      return brdf_f::toneMapCineon;
+    case shader::ToneMapping::kAces:
+      return brdf_f::toneMapAces;
+    case shader::ToneMapping::kAgx:
+      return brdf_f::toneMapAgx;
+    case shader::ToneMapping::kNeutral:
+      return brdf_f::toneMapNeutral;
+  }
+  return [](glm::vec3 color, float) { return color; };
 }
 
 std::byte byteOf(float x) { return static_cast<std::byte>(std::lround(glm::clamp(x, 0.0f, 1.0f) * 255.0f)); }
@@ -41,7 +49,7 @@ Frame toFrame(const std::vector<glm::vec4>& pixels, const Shot& shot) {
     }
     return frame;
   }
-  const ToneMap toneMap = toneMapByName(shot.toneMapping);
+  const ToneMap toneMap = toneMapOf(shader::toneMappingByName(shot.toneMapping));
   const glm::vec3 behind = brdf_f::srgbFromLinear(glm::clamp(shot.background.color, 0.0f, 1.0f));
   frame.pixels.resize(pixels.size() * 4);
   for (std::size_t i = 0; i < pixels.size(); ++i) {

@@ -33,10 +33,6 @@ struct Reader {
   }
 };
 
-bool decodesSrgb(const Image8& image, bool asColour) {
-  return image.coding == TexelCoding::kByUse ? asColour : image.coding == TexelCoding::kSrgb;
-}
-
 }  // namespace
 
 glm::vec4 readTexture(const Scene& scene, const TextureRef& texture, const glm::vec2& uv, bool srgb) {
@@ -46,7 +42,7 @@ glm::vec4 readTexture(const Scene& scene, const TextureRef& texture, const glm::
   const glm::vec3 moved = texture.uvTransform * glm::vec3(uv, 1.0f);
   // Far outside of [0, 1] a float has no part left to filter with, and a whole number may not hold it.
   if (!(std::abs(moved.x) < 1e9f && std::abs(moved.y) < 1e9f)) return glm::vec4(1.0f);
-  const Reader reader{image, texture.sampler, decodesSrgb(image, srgb)};
+  const Reader reader{image, texture.sampler, decodesSrgb(image.coding, srgb)};
   const double x = static_cast<double>(moved.x) * image.width, y = static_cast<double>(moved.y) * image.height;
   if (texture.sampler.magFilter == NEAREST) {
     return reader.texel(static_cast<long long>(std::floor(x)), static_cast<long long>(std::floor(y)));

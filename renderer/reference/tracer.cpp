@@ -9,6 +9,7 @@
 
 #include "ibl/dfg_lookup.h"
 #include "pass/camera.h"
+#include "pass/variant.h"
 #include "reference/output.h"
 
 namespace telar::reference {
@@ -63,13 +64,6 @@ void forEachRow(int rows, int threads, const std::function<void(int)>& job) {
   if (failure) std::rethrow_exception(failure);
 }
 
-int variantIndex(const Scene& scene, const std::string& name) {
-  const auto found = std::find(scene.variants.begin(), scene.variants.end(), name);
-  if (name.empty() || found != scene.variants.end())
-    return name.empty() ? -1 : static_cast<int>(found - scene.variants.begin());
-  throw Error("E_VARIANT", "shot.variant: this model has no variant " + quoted(name));
-}
-
 }  // namespace
 
 std::vector<glm::vec4> traceRadiance(const Scene& scene, const Shot& shot, const ImageF* environment,
@@ -77,7 +71,7 @@ std::vector<glm::vec4> traceRadiance(const Scene& scene, const Shot& shot, const
                                      const std::function<void(double)>& progress) {
   const glm::dvec3 centre = scene.bounds.empty() ? glm::dvec3(0) : (scene.bounds.min + scene.bounds.max) * 0.5;
   const auto radius = scene.bounds.empty() ? 1.0f : static_cast<float>(glm::distance(scene.bounds.max, centre));
-  const std::vector<PlacedMesh> meshes = placeMeshes(scene, variantIndex(scene, shot.variant), centre);
+  const std::vector<PlacedMesh> meshes = placeMeshes(scene, pass::variantIndex(scene, shot.variant), centre);
   const Geometry geometry(meshes);
   const Lights lights = lightsOf(scene, shot, centre, limits);
   std::optional<EnvironmentLight> around;

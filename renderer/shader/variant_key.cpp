@@ -23,14 +23,14 @@ Defines VariantKey::defines() const {
 #define TELAR_FEATURE_DEFINE(glsl, member, name) list.emplace_back(#glsl, member ? 1 : 0);
   TELAR_SURFACE_FEATURES(TELAR_FEATURE_DEFINE)
 #undef TELAR_FEATURE_DEFINE
-  list.emplace_back("POINT_LIGHTS", pointLights);
-  list.emplace_back("SPOT_LIGHTS", spotLights);
-  list.emplace_back("DIRECTIONAL_LIGHTS", directionalLights);
-  list.emplace_back("HEMISPHERE_LIGHTS", hemisphereLights);
-  list.emplace_back("RECT_LIGHTS", rectLights);
-  list.emplace_back("CUBE_SHADOWS", pointShadows);
-  list.emplace_back("SPOT_SHADOWS", spotShadows);
-  list.emplace_back("FLAT_SHADOWS", spotShadows + directionalShadows);
+  list.emplace_back("POINT_LIGHTS", lights.point);
+  list.emplace_back("SPOT_LIGHTS", lights.spot);
+  list.emplace_back("DIRECTIONAL_LIGHTS", lights.directional);
+  list.emplace_back("HEMISPHERE_LIGHTS", lights.hemisphere);
+  list.emplace_back("RECT_LIGHTS", lights.rect);
+  list.emplace_back("CUBE_SHADOWS", lights.pointShadows);
+  list.emplace_back("SPOT_SHADOWS", lights.spotShadows);
+  list.emplace_back("FLAT_SHADOWS", lights.spotShadows + lights.directionalShadows);
   list.emplace_back("TONE_MAPPING", static_cast<int>(toneMapping));
   return list;
 }
@@ -44,14 +44,14 @@ std::vector<std::string> VariantKey::features() const {
   const auto count = [&list](int n, const char* what) {
     if (n > 0) list.push_back(std::to_string(n) + " " + what + (n > 1 ? "s" : ""));
   };
-  count(pointLights, "point-light");
-  count(spotLights, "spot-light");
-  count(directionalLights, "directional-light");
-  count(hemisphereLights, "hemisphere-light");
-  count(rectLights, "rect-light");
-  count(pointShadows, "point-shadow");
-  count(spotShadows, "spot-shadow");
-  count(directionalShadows, "directional-shadow");
+  count(lights.point, "point-light");
+  count(lights.spot, "spot-light");
+  count(lights.directional, "directional-light");
+  count(lights.hemisphere, "hemisphere-light");
+  count(lights.rect, "rect-light");
+  count(lights.pointShadows, "point-shadow");
+  count(lights.spotShadows, "spot-shadow");
+  count(lights.directionalShadows, "directional-shadow");
   if (toneMapping != ToneMapping::kNone) {
     list.push_back(std::string("tone-mapping-") + TONE_MAPPINGS[static_cast<std::size_t>(toneMapping)]);
   }

@@ -80,16 +80,23 @@ ToneMapping toneMappingByName(const std::string& name);
   F(DEBUG_OUTPUT, debugOutput, "debug-output")                                       \
   F(OUTPUT_LINEAR, outputLinear, "linear-output")
 
+/// The lights that lit surfaces of a frame see, by kind.
+struct LightCounts {
+  std::uint8_t point = 0, spot = 0, directional = 0, hemisphere = 0, rect = 0;
+  std::uint8_t pointShadows = 0, spotShadows = 0, directionalShadows = 0;  ///< the first lights of each kind cast one
+
+  int shadows() const { return pointShadows + spotShadows + directionalShadows; }
+
+  auto operator<=>(const LightCounts&) const = default;
+};
+
 /// What one surface program has compiled in. The key is the cache key: no hashes.
 struct VariantKey {
 #define TELAR_FEATURE_MEMBER(define, member, name) bool member = false;
   TELAR_SURFACE_FEATURES(TELAR_FEATURE_MEMBER)
 #undef TELAR_FEATURE_MEMBER
-  std::uint8_t pointLights = 0, spotLights = 0, directionalLights = 0, hemisphereLights = 0, rectLights = 0;
-  std::uint8_t pointShadows = 0, spotShadows = 0, directionalShadows = 0;  ///< the first lights of each kind cast one
+  LightCounts lights;
   ToneMapping toneMapping = ToneMapping::kNone;
-
-  int shadows() const { return pointShadows + spotShadows + directionalShadows; }
 
   auto operator<=>(const VariantKey&) const = default;
 

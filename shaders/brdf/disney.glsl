@@ -1,13 +1,6 @@
 // The principled model of 2012 and the thin surface of 2015. Shared text: see README.md.
 // src unless said: Burley 2012, "Physically-Based Shading at Disney", section 5 and appendix B; code of wdas/brdf
 
-// Schlick's weight with the exact power, [0, 1].
-// cosine  [0, 1]
-float F_SchlickWeight5(float cosine) {
-  float grazing = saturate(1.0 - cosine);
-  return pow4(grazing) * grazing;
-}
-
 // Brightness that tints are relative to.
 // color  linear Rec.709
 float luminanceDisney(vec3 color) {
@@ -27,11 +20,16 @@ vec3 specularF0Disney(vec3 baseColor, float metallic, float specular, float spec
   return mix(dielectric, baseColor, metallic);
 }
 
+// From 1 to f90 as both directions go from normal to grazing.
+float diffuseFresnel(float f90, float NoV, float NoL) {
+  return mix(1.0, f90, F_SchlickWeight5(NoL)) * mix(1.0, f90, F_SchlickWeight5(NoV));
+}
+
 // Retro-reflective diffuse factor: times albedo / PI it is the lobe. At most 2.5^2 (grazing, rough).
 // perceptualRoughness  [0, 1]: enters as it is, not squared
 float Fd_Burley(float perceptualRoughness, float NoV, float NoL, float LoH) {
   float fd90 = 0.5 + 2.0 * pow2(LoH) * perceptualRoughness;
-  return mix(1.0, fd90, F_SchlickWeight5(NoL)) * mix(1.0, fd90, F_SchlickWeight5(NoV));
+  return diffuseFresnel(fd90, NoV, NoL);
 }
 
 // The same, scaled so that it reflects no more than arrives.
@@ -39,14 +37,14 @@ float Fd_Burley(float perceptualRoughness, float NoV, float NoL, float LoH) {
 float Fd_BurleyRenormalised(float perceptualRoughness, float NoV, float NoL, float LoH) {
   float fd90 = 0.5 * perceptualRoughness + 2.0 * pow2(LoH) * perceptualRoughness;
   float scale = mix(1.0, 1.0 / 1.51, perceptualRoughness);
-  return mix(1.0, fd90, F_SchlickWeight5(NoL)) * mix(1.0, fd90, F_SchlickWeight5(NoV)) * scale;
+  return diffuseFresnel(fd90, NoV, NoL) * scale;
 }
 
 // Subsurface factor: times albedo / PI it is the lobe.
 // src: Burley 2012, after Hanrahan & Krueger 1993; the floor answers NoV = NoL = 0
 float Fd_HanrahanKrueger(float perceptualRoughness, float NoV, float NoL, float LoH) {
   float fss90 = pow2(LoH) * perceptualRoughness;
-  float fss = mix(1.0, fss90, F_SchlickWeight5(NoL)) * mix(1.0, fss90, F_SchlickWeight5(NoV));
+  float fss = diffuseFresnel(fss90, NoV, NoL);
   return 1.25 * (fss * (1.0 / max(NoL + NoV, 1.0e-5) - 0.5) + 0.5);
 }
 
@@ -99,8 +97,6 @@ vec2 Fd_DisneyThin(float perceptualRoughness, float diffuseTransmission, float f
   float rr = 2.0 * perceptualRoughness * pow2(LoH);
   float lambert = (1.0 - 0.5 * fl) * (1.0 - 0.5 * fv);
   float retro = rr * (fl + fv + fl * fv * (rr - 1.0));
-  float fss90 = 0.5 * rr;
-  float fss = mix(1.0, fss90, fl) * mix(1.0, fss90, fv);
-  float flattened = 1.25 * (fss * (1.0 / max(NoL + NoV, 1.0e-5) - 0.5) + 0.5);
+  float flattened = Fd_HanrahanKrueger(perceptualRoughness, NoV, NoL, LoH);
   return vec2((1.0 - diffuseTransmission) * mix(lambert + retro, flattened, flatness), diffuseTransmission);
 }

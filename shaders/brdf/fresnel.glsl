@@ -7,6 +7,14 @@ float F_SchlickWeight(float LoH) {
   return exp2((-5.55473 * LoH - 6.98316) * LoH);
 }
 
+// The same with the exact power, for the models that were written with it.
+// cosine  [0, 1]
+// src: Schlick 1994
+float F_SchlickWeight5(float cosine) {
+  float grazing = saturate(1.0 - cosine);
+  return pow4(grazing) * grazing;
+}
+
 // Reflectance of the interface, linear Rec.709.
 // f0   [0, 1]  at normal incidence      f90  [0, 1]  at grazing incidence      LoH  [0, 1], equals VoH
 // src: Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", eq. 15; order of three r187

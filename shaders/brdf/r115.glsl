@@ -22,8 +22,7 @@ vec3 specularF0R115(vec3 baseColor, float reflectivity, float metallic) {
 // What a coat of index 1.5 takes from the layers beneath it: stands for its directional-hemispherical reflectance, [0.04, 1].
 // perceptualRoughness  of the coat [0, 1]      cosine  NoL for a light, NoV for the environment [0, 1]
 float clearcoatDHR(float perceptualRoughness, float cosine) {
-  float grazing = 1.0 - cosine;
-  return 0.04 + 0.96 * (pow4(grazing) * grazing) * pow2(1.0 - perceptualRoughness);
+  return 0.04 + 0.96 * F_SchlickWeight5(cosine) * pow2(1.0 - perceptualRoughness);
 }
 
 // Sheen lobe, which stood in place of the base specular lobe; [1/sr], linear Rec.709.

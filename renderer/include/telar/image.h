@@ -13,6 +13,11 @@ enum class TexelCoding {
   kLinear,  ///< linear in every use: R8 and RG8, which GL does not decode from sRGB
 };
 
+/// @param colorUse  the material uses the texture as a colour
+constexpr bool decodesSrgb(TexelCoding coding, bool colorUse) {
+  return coding == TexelCoding::kByUse ? colorUse : coding == TexelCoding::kSrgb;
+}
+
 /// 8-bit texture image as glTF gives it: RGBA, straight alpha, encoded as in the file (no colour conversion),
 /// row 0 is the top row, rows are tightly packed: pixels.size() == width * height * 4.
 struct Image8 {

@@ -30,6 +30,7 @@ std::vector<Term> thesisTerms() {
       TERM("tintDisney", ({UNIT, UNIT, UNIT}), PRODUCT, true, tintDisney(vec3(p[0], p[1], p[2]))),
       TERM("specularF0Disney", ({UNIT, UNIT, UNIT, UNIT, UNIT, UNIT}), PRODUCT, true,
            specularF0Disney(vec3(p[0], p[1], p[2]), p[3], p[4], p[5])),
+      TERM("diffuseFresnel", ({UNIT, COSINE, COSINE}), OF_ONE, true, vec3(diffuseFresnel(p[0], p[1], p[2]))),
       TERM("Fd_Burley", ({ROUGHNESS, COSINE, COSINE, COSINE}), PRODUCT, true, vec3(Fd_Burley(p[0], p[1], p[2], p[3]))),
       TERM("Fd_BurleyRenormalised", ({ROUGHNESS, COSINE, COSINE, COSINE}), OF_ONE, true,
            vec3(Fd_BurleyRenormalised(p[0], p[1], p[2], p[3]))),

@@ -71,7 +71,7 @@ TEST(RectLight, IsCompiledOnlyWhereThereIsOne) {
   EXPECT_EQ(with.draws.opaque[0].key.features(), (std::vector<std::string>{"linear-output", "1 rect-light"}));
   Shot::Light black = rect({0, 1, 3}, {}, 1, 1);
   black.intensity = 0;
-  EXPECT_EQ(pass::planDraws(*scene, litBy(black), Limits{}, false).draws.opaque[0].key.rectLights, 0);
+  EXPECT_EQ(pass::planDraws(*scene, litBy(black), Limits{}, false).draws.opaque[0].key.lights.rect, 0);
 }
 
 TEST(RectLight, TablesAreUploadedForTheFirstFrameThatNeedsThem) {

@@ -1,0 +1,34 @@
+#include "pass/variant.h"
+
+#include <algorithm>
+
+#include "telar/error.h"
+
+namespace telar::pass {
+namespace {
+
+const Material DEFAULT_MATERIAL{};  // glTF's: white, metallic 1, roughness 1
+
+}  // namespace
+
+int variantIndex(const Scene& scene, const std::string& name) {
+  if (name.empty()) return -1;
+  const auto found = std::find(scene.variants.begin(), scene.variants.end(), name);
+  if (found != scene.variants.end()) return static_cast<int>(found - scene.variants.begin());
+  std::string known;
+  for (const std::string& variant : scene.variants) known += (known.empty() ? "" : ", ") + quoted(variant);
+  throw Error("E_VARIANT", "shot.variant: this model has no variant " + quoted(name) +
+                               (known.empty() ? "; it has none" : "; it has " + known));
+}
+
+int materialIndex(const Primitive& primitive, int variant) {
+  if (variant < 0 || static_cast<std::size_t>(variant) >= primitive.variantMaterials.size()) return primitive.material;
+  const int mapped = primitive.variantMaterials[static_cast<std::size_t>(variant)];
+  return mapped >= 0 ? mapped : primitive.material;
+}
+
+const Material& materialAt(const Scene& scene, int index) {
+  return index >= 0 ? scene.materials[static_cast<std::size_t>(index)] : DEFAULT_MATERIAL;
+}
+
+}  // namespace telar::pass

@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+
+#include "telar/scene.h"
+
+namespace telar::pass {
+
+/// Index of a variant (KHR_materials_variants) by its name; -1 for the file's own materials, whose name is empty.
+/// @throws Error{E_VARIANT} that lists the names there are
+int variantIndex(const Scene& scene, const std::string& name);
+
+/// Index of the material that a variant gives a primitive; -1 = glTF's default material.
+int materialIndex(const Primitive& primitive, int variant);
+
+/// @param index  of materialIndex()
+const Material& materialAt(const Scene& scene, int index);
+
+}  // namespace telar::pass
