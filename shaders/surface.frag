@@ -44,7 +44,9 @@ precision highp samplerCube;
 #include "material/normal.glsl"
 #include "material/surface_types.glsl"
 #include "light/reflected.glsl"
+#if SHADING_THREE
 #include "shading/three.glsl"
+#endif
 #endif
 #include "material/surface_info.glsl"
 #if !UNLIT

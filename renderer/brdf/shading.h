@@ -1,5 +1,6 @@
 #pragma once
 #include "brdf/brdf.h"
+#include "telar/shading.h"
 
 /// How the lobes of one surface add up, compiled from the text that the fragment shader runs (shaders/shading), with
 /// every layer on: a layer of weight 0 changes nothing. In float and in double, as brdf.h.

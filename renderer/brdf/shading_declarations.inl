@@ -3,10 +3,28 @@
 
 Reflected nothingReflected();
 
+// What each shading provides.
+#define TELAR_SHADING_FUNCTIONS                                                 \
+  SurfaceInfo preparedSurface(SurfaceInfo s);                                   \
+  Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor); \
+  Reflected addDome(Reflected sum, SurfaceInfo s, vec3 irradiance);             \
+  Reflected addEnvironment(Reflected sum, SurfaceInfo s, Incident incident);    \
+  vec3 composedRadiance(SurfaceInfo s, vec3 diffuse, Reflected direct, Reflected indirect, vec3 emitted);
+
 /// As three.js 0.187.
 namespace three {
-Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 compensation, vec3 l, vec3 lightColor);
-Scattering dielectricScattering(SurfaceInfo s);
-Reflected addDome(Reflected sum, SurfaceInfo s, Scattering dielectric, vec3 irradiance);
-vec3 composedRadiance(SurfaceInfo s, vec3 diffuse, Reflected direct, Reflected indirect, vec3 emitted);
+TELAR_SHADING_FUNCTIONS
 }  // namespace three
+
+#undef TELAR_SHADING_FUNCTIONS
+
+/// The functions of one shading.
+struct ShadingFunctions {
+  decltype(&three::preparedSurface) preparedSurface;
+  decltype(&three::addPunctual) addPunctual;
+  decltype(&three::addDome) addDome;
+  decltype(&three::addEnvironment) addEnvironment;
+  decltype(&three::composedRadiance) composedRadiance;
+};
+
+ShadingFunctions shadingFunctions(ShadingModel shading);

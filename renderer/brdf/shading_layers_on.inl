@@ -1,6 +1,9 @@
-// The features that shaders/shading asks for.
+// The features that shaders/shading asks for, and every shading.
 #define DIFFUSE_ROUGHNESS 1
 #define ANISOTROPY 1
 #define IRIDESCENCE 1
 #define SHEEN 1
 #define CLEARCOAT 1
+#define SHADING_THREE 1
+#define SHADING_PRINCIPLED 1
+#define SHADING_FABRIC 1

@@ -76,6 +76,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   if (key.unlit) return key;
   key.ambient = frame.ambient;
   key.environment = frame.environment;
+  key.shading = frame.shading;
   key.orthographic = frame.orthographic;
   key.lights = frame.lights;
   key.flatShaded = primitive.normals.empty();
@@ -202,6 +203,7 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
   frame.orthographic = plan.camera.orthographic;
   frame.debugOutput = shot.debugOutput != DebugOutput::kNone;
   frame.outputLinear = !frame.debugOutput && framePixelType(shot.output) == PixelType::kRgbaF32;
+  frame.shading = shot.shading;
   frame.toneMapping = frame.outputLinear ? shader::ToneMapping::kNone : shader::toneMappingByName(shot.toneMapping);
 
   const int variant = variantIndex(scene, shot.variant);

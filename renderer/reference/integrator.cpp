@@ -10,18 +10,11 @@ namespace {
 
 constexpr int MOST_LAYERS = 256;  ///< of transparent surfaces that one ray passes
 
-/// Reflected radiance per irradiance on a surface that faces the light; 0 below the horizon.
-glm::vec3 reflected(const brdf_f::SurfaceInfo& s, const glm::vec3& l) {
-  using namespace brdf_f;
-  const Reflected direct = three::addPunctual(nothingReflected(), s, directCompensation(s.f0, s.dfg), l, glm::vec3(1));
-  return three::composedRadiance(s, direct.diffuse, direct, nothingReflected(), glm::vec3(0));
-}
-
 }  // namespace
 
 Integrator::Integrator(const Scene& scene, const std::vector<PlacedMesh>& meshes, const Geometry& geometry,
                        const Lights& lights, const EnvironmentLight* environment, float radius, Transport transport,
-                       glm::vec2 (*dfg)(float, float))
+                       ShadingModel shading, glm::vec2 (*dfg)(float, float))
     : scene_(scene),
       meshes_(meshes),
       geometry_(geometry),
@@ -29,12 +22,19 @@ Integrator::Integrator(const Scene& scene, const std::vector<PlacedMesh>& meshes
       environment_(environment),
       radius_(radius),
       transport_(transport),
+      shading_(brdf_f::shadingFunctions(shading)),
       dfg_(dfg) {}
+
+glm::vec3 Integrator::reflected(const brdf_f::SurfaceInfo& surface, const glm::vec3& l) const {
+  const brdf_f::Reflected direct = shading_.addPunctual(brdf_f::nothingReflected(), surface, l, glm::vec3(1));
+  return shading_.composedRadiance(surface, direct.diffuse, direct, brdf_f::nothingReflected(), glm::vec3(0));
+}
 
 bool Integrator::nextSurface(Ray ray, const Footprint* footprint, Random& random, Surface& surface) const {
   Hit hit;
   for (int layer = 0; layer < MOST_LAYERS && geometry_.intersect(ray, hit); ++layer) {
     surface = surfaceAt(scene_, meshes_[hit.mesh], hit, ray, footprint, dfg_);
+    surface.info = shading_.preparedSurface(surface.info);
     if (surface.shown && (surface.alpha >= 1 || random.uniform() < surface.alpha)) return true;
     ray.from = hit.distance + radius_ * 1e-5f;
   }
@@ -69,10 +69,8 @@ glm::vec3 Integrator::directLight(const Surface& surface, Random& random) const 
   }
   const glm::vec3 dome = lights_.irradiance(surface.info.n);
   if (dome != glm::vec3(0)) {
-    using namespace brdf_f;
-    const Reflected lit =
-        three::addDome(nothingReflected(), surface.info, three::dielectricScattering(surface.info), dome);
-    sum += three::composedRadiance(surface.info, lit.diffuse, nothingReflected(), lit, glm::vec3(0));
+    const brdf_f::Reflected lit = shading_.addDome(brdf_f::nothingReflected(), surface.info, dome);
+    sum += shading_.composedRadiance(surface.info, lit.diffuse, brdf_f::nothingReflected(), lit, glm::vec3(0));
   }
   return sum;
 }

@@ -19,7 +19,8 @@ class Integrator {
   /// All are kept by reference. @param environment  null = none
   /// @param radius  of the scene, metres
   Integrator(const Scene& scene, const std::vector<PlacedMesh>& meshes, const Geometry& geometry, const Lights& lights,
-             const EnvironmentLight* environment, float radius, Transport transport, glm::vec2 (*dfg)(float, float));
+             const EnvironmentLight* environment, float radius, Transport transport, ShadingModel shading,
+             glm::vec2 (*dfg)(float, float));
 
   /// @return linear Rec.709 radiance, premultiplied with coverage, and coverage 0 or 1
   glm::vec4 radiance(Ray ray, const Footprint& footprint, Random& random) const;
@@ -29,6 +30,8 @@ class Integrator {
   bool nextSurface(Ray ray, const Footprint* footprint, Random& random, Surface& surface) const;
   bool hidden(const Surface& from, const glm::vec3& direction, float distance, Random& random) const;
   Ray leave(const Surface& from, const glm::vec3& direction) const;
+  /// Reflected radiance per irradiance on a surface that faces the light; 0 below the horizon.
+  glm::vec3 reflected(const brdf_f::SurfaceInfo& surface, const glm::vec3& l) const;
   /// Light of all lights that arrives directly and leaves to the viewer.
   glm::vec3 directLight(const Surface& surface, Random& random) const;
   glm::vec3 arriving(const Surface& surface, const PointedLight::Arrival& arrival, Random& random) const;
@@ -40,6 +43,7 @@ class Integrator {
   const EnvironmentLight* environment_;
   float radius_;
   Transport transport_;
+  brdf_f::ShadingFunctions shading_;
   glm::vec2 (*dfg_)(float, float);
 };
 

@@ -144,7 +144,7 @@ void readFilm(SurfaceInfo& s, const PhysicalLayers& l, const Reader& read) {
 }
 
 void readLayers(SurfaceInfo& s, const Material& m, const Reader& read, const glm::mat3& frame,
-                const glm::vec3& coatNormal, float geometric) {
+                const glm::vec3& coatNormal, float geometric, glm::vec2 (*dfg)(float, float)) {
   const PhysicalLayers& l = m.layers;
   s.diffuseRoughness = brdf_f::saturate(l.diffuseRoughnessFactor * read(l.diffuseRoughnessTexture).r);
   readAnisotropy(s, l, read, frame);
@@ -157,6 +157,7 @@ void readLayers(SurfaceInfo& s, const Material& m, const Reader& read, const glm
   s.clearcoatRoughness =
       brdf_f::shadedRoughness(l.clearcoatRoughnessFactor * read(l.clearcoatRoughnessTexture).g, geometric);
   s.clearcoatNoV = brdf_f::saturate(glm::dot(coatNormal, s.v));
+  s.coatDfg = dfg(s.clearcoatRoughness, s.clearcoatNoV);
 }
 
 /// Geometric roughness of three.js: how much the interpolated normal turns within a pixel.
@@ -214,7 +215,7 @@ Surface surfaceAt(const Scene& scene, const PlacedMesh& mesh, const Hit& hit, co
     coatNormal = mappedNormal(coatFrame, read(m.layers.clearcoatNormalTexture), signs * m.layers.clearcoatNormalScale);
   }
   readBase(s, m, read, glm::vec3(baseColor), geometric, dfg);
-  readLayers(s, m, read, frame, coatNormal, geometric);
+  readLayers(s, m, read, frame, coatNormal, geometric, dfg);
   return surface;
 }
 

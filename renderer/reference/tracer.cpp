@@ -80,7 +80,7 @@ std::vector<glm::vec4> traceRadiance(const Scene& scene, const Shot& shot, const
   }
   const bool skyShown = around && shot.background.type == Shot::Background::Type::kEnvironment;
   const Integrator integrator(scene, meshes, geometry, lights, around ? &*around : nullptr, radius, options.transport,
-                              ibl::dfgLookup);
+                              shot.shading, ibl::dfgLookup);
   const Eye eye(shot, centre);
   const int width = shot.width, height = shot.height;
   std::vector<glm::vec4> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

@@ -31,6 +31,9 @@ Defines VariantKey::defines() const {
   list.emplace_back("CUBE_SHADOWS", lights.pointShadows);
   list.emplace_back("SPOT_SHADOWS", lights.spotShadows);
   list.emplace_back("FLAT_SHADOWS", lights.spotShadows + lights.directionalShadows);
+  list.emplace_back("SHADING_THREE", shading == ShadingModel::kThree);
+  list.emplace_back("SHADING_PRINCIPLED", shading == ShadingModel::kThreeR115 || shading == ShadingModel::kDisney2012);
+  list.emplace_back("SHADING_FABRIC", shading == ShadingModel::kFabric);
   list.emplace_back("TONE_MAPPING", static_cast<int>(toneMapping));
   return list;
 }

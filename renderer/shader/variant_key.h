@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shader/library.h"
+#include "telar/shading.h"
 
 namespace telar::shader {
 
@@ -96,6 +97,7 @@ struct VariantKey {
   TELAR_SURFACE_FEATURES(TELAR_FEATURE_MEMBER)
 #undef TELAR_FEATURE_MEMBER
   LightCounts lights;
+  ShadingModel shading = ShadingModel::kThree;
   ToneMapping toneMapping = ToneMapping::kNone;
 
   auto operator<=>(const VariantKey&) const = default;

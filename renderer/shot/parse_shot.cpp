@@ -170,7 +170,7 @@ Shot readShot(const JsonPath& json) {
   shot.modelLights = json.at("modelLights").boolean();
   shot.background = readBackground(json.at("background"));
   shot.ground = readGround(json.at("ground"));
-  shot.shading = json.at("shading").string();
+  shot.shading = static_cast<ShadingModel>(json.at("shading").choice({"three", "three-r115", "disney-2012", "fabric"}));
   const JsonPath toneMapping = json.at("toneMapping");
   toneMapping.choice({"none", "linear", "reinhard", "cineon", "aces", "agx", "neutral"});
   shot.toneMapping = toneMapping.string();

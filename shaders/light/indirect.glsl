@@ -46,16 +46,12 @@ vec3 domeIrradiance(vec3 n) {
 }
 #endif
 
-// Light from everywhere that arrives at a surface, linear Rec.709.
-struct Incident {
-  vec3 irradiance;             // ambient and hemisphere
-  vec3 environmentIrradiance;
-  vec3 radiance;               // environment, as the lobe of the base layer sees it
-};
-
 Incident incidentLight(SurfaceInfo s) {
   Incident incident;
   incident.irradiance = incident.environmentIrradiance = incident.radiance = vec3(0.0);
+#if CLEARCOAT
+  incident.coatRadiance = vec3(0.0);
+#endif
 #if AMBIENT || HEMISPHERE_LIGHTS > 0
   incident.irradiance = domeIrradiance(s.n);
 #endif
@@ -67,47 +63,20 @@ Incident incidentLight(SurfaceInfo s) {
   vec3 reflector = s.n;
 #endif
   incident.radiance = specularRadiance(s.perceptualRoughness, reflector, s.v);
+#if CLEARCOAT
+  incident.coatRadiance = specularRadiance(s.clearcoatRoughness, s.coatNormal, s.v);
+#endif
 #endif
   return incident;
 }
 
 Reflected indirectLight(SurfaceInfo s, Incident incident) {
   Reflected sum = nothingReflected();
-#if AMBIENT || HEMISPHERE_LIGHTS > 0 || ENVIRONMENT
-  Scattering dielectric = dielectricScattering(s);
-#endif
 #if AMBIENT || HEMISPHERE_LIGHTS > 0
-  sum = addDome(sum, s, dielectric, incident.irradiance);
+  sum = addDome(sum, s, incident.irradiance);
 #endif
 #if ENVIRONMENT
-#if SHEEN
-  float sheenE = sheenAlbedo(s.sheenRoughness, s.NoV);
-  float underSheen = 1.0 - max3(s.sheenColor) * sheenE;
-#endif
-  vec3 f0Metal = s.baseColor;
-#if IRIDESCENCE
-  f0Metal = mix(f0Metal, s.filmF0Metal, s.iridescence);
-#endif
-  vec3 meanRadiance = incident.environmentIrradiance * RECIPROCAL_PI;
-  Scattering metal = multipleScattering(f0Metal, s.f90, s.dfg);
-  vec3 specular = environmentSpecular(mixScattering(dielectric, metal, s.metallic), incident.radiance, meanRadiance);
-#if DIFFUSE_ROUGHNESS
-  vec3 environmentDiffuse =
-      eonAlbedo(s.baseColor, s.diffuseRoughness, s.NoV) * (1.0 - s.metallic) * diffuseShare(dielectric) * meanRadiance;
-#else
-  vec3 environmentDiffuse = s.diffuse * diffuseShare(dielectric) * meanRadiance;
-#endif
-#if SHEEN
-  sum.sheen += incident.environmentIrradiance * s.sheenColor * sheenE * RECIPROCAL_PI;
-  specular *= underSheen;
-  environmentDiffuse *= underSheen;
-#endif
-#if CLEARCOAT
-  vec2 coatDfg = texture(dfgMap, vec2(s.clearcoatRoughness, s.clearcoatNoV)).rg;
-  sum.coat += specularRadiance(s.clearcoatRoughness, s.coatNormal, s.v) * (vec3(F0_DIELECTRIC) * coatDfg.x + coatDfg.y);
-#endif
-  sum.specular += specular;
-  sum.diffuse += environmentDiffuse;
+  sum = addEnvironment(sum, s, incident);
 #endif
   return sum;
 }

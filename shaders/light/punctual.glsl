@@ -24,7 +24,6 @@ const vec3 NO_DIRECTION = vec3(0.0);
 
 Reflected punctualLight(SurfaceInfo s) {
   Reflected sum = nothingReflected();
-  vec3 compensation = directCompensation(s.f0, s.dfg);
 #if POINT_LIGHTS > 0
   for (int i = 0; i < POINT_LIGHTS; ++i) {
     vec3 toLight = pointPosition[i] + vViewPosition;
@@ -32,7 +31,7 @@ Reflected punctualLight(SurfaceInfo s) {
 #if CUBE_SHADOWS > 0
     color *= cubeShadowVisibility(i);
 #endif
-    sum = addPunctual(sum, s, compensation, safeNormalize(toLight, NO_DIRECTION), color);
+    sum = addPunctual(sum, s, safeNormalize(toLight, NO_DIRECTION), color);
   }
 #endif
 #if SPOT_LIGHTS > 0
@@ -45,7 +44,7 @@ Reflected punctualLight(SurfaceInfo s) {
 #if SPOT_SHADOWS > 0
       if (i < SPOT_SHADOWS) color *= flatShadowVisibility(i);
 #endif
-      sum = addPunctual(sum, s, compensation, l, color);
+      sum = addPunctual(sum, s, l, color);
     }
   }
 #endif
@@ -55,7 +54,7 @@ Reflected punctualLight(SurfaceInfo s) {
 #if FLAT_SHADOWS > SPOT_SHADOWS
     if (i < FLAT_SHADOWS - SPOT_SHADOWS) color *= flatShadowVisibility(SPOT_SHADOWS + i);
 #endif
-    sum = addPunctual(sum, s, compensation, directionalDirection[i], color);
+    sum = addPunctual(sum, s, directionalDirection[i], color);
   }
 #endif
   return sum;

@@ -46,7 +46,7 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
   s.NoV = saturate(dot(s.n, s.v));
   s.dfg = texture(dfgMap, vec2(s.perceptualRoughness, s.NoV)).rg;
   addLayers(s, normals, geometric);
-  return s;
+  return preparedSurface(s);
 }
 
 vec3 emittedRadiance() {

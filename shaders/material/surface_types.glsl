@@ -38,6 +38,20 @@ struct SurfaceInfo {
   float clearcoat;
   float clearcoatRoughness;
   float clearcoatNoV;
+  vec2 coatDfg;
+#endif
+#if SHADING_THREE
+  vec3 compensation;  // factor on the GGX lobe of one direction
+#endif
+};
+
+// Light from everywhere that arrives at a surface, linear Rec.709.
+struct Incident {
+  vec3 irradiance;             // ambient and hemisphere
+  vec3 environmentIrradiance;
+  vec3 radiance;               // environment, as the lobe of the base layer sees it
+#if CLEARCOAT
+  vec3 coatRadiance;           // the same for the coat
 #endif
 };
 

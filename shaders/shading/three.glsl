@@ -21,7 +21,15 @@ vec3 specularLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL, float NoH, float LoH
 #endif
 }
 
-Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 compensation, vec3 l, vec3 lightColor) {
+// The surface with what every light needs of it again.
+SurfaceInfo preparedSurface(SurfaceInfo s) {
+  s.compensation = directCompensation(s.f0, s.dfg);
+  return s;
+}
+
+// Adds the light of one direction.
+// l  unit, to the light; of length 0 it gives nothing      lightColor  irradiance on a surface that faces it, linear Rec.709
+Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
   float NoL = saturate(dot(s.n, l));
   vec3 h = halfVector(s.n, l, s.v);
   float NoH = saturate(dot(s.n, h));
@@ -37,7 +45,7 @@ Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 compensation, vec3 l, v
   sum.sheen += irradiance * Fr_Sheen(s.sheenColor, s.sheenRoughness, s.NoV, NoL, NoH);
   irradiance *= 1.0 - max3(s.sheenColor) * max(sheenAlbedo(s.sheenRoughness, s.NoV), sheenAlbedo(s.sheenRoughness, NoL));
 #endif
-  sum.specular += irradiance * specularLobe(s, l, h, NoL, NoH, LoH) * compensation;
+  sum.specular += irradiance * specularLobe(s, l, h, NoL, NoH, LoH) * s.compensation;
   // What the dielectric interface reflects does not reach the diffuse lobe.
 #if DIFFUSE_ROUGHNESS
   vec3 diffuse = Fd_EON(s.baseColor, s.diffuseRoughness, s.NoV, NoL, dot(l, s.v)) * (1.0 - s.metallic);
@@ -59,7 +67,8 @@ Scattering dielectricScattering(SurfaceInfo s) {
 
 // Light of ambient and hemisphere lights: it has no direction, and only the diffuse lobe and the sheen see it.
 // irradiance  linear Rec.709
-Reflected addDome(Reflected sum, SurfaceInfo s, Scattering dielectric, vec3 irradiance) {
+Reflected addDome(Reflected sum, SurfaceInfo s, vec3 irradiance) {
+  Scattering dielectric = dielectricScattering(s);
 #if DIFFUSE_ROUGHNESS
   vec3 diffuse = irradiance * RECIPROCAL_PI * (eonAlbedo(s.baseColor, s.diffuseRoughness, s.NoV) * (1.0 - s.metallic)) * diffuseShare(dielectric);
 #else
@@ -70,6 +79,36 @@ Reflected addDome(Reflected sum, SurfaceInfo s, Scattering dielectric, vec3 irra
   sum.sheen += irradiance * s.sheenColor * sheenE * RECIPROCAL_PI;
   diffuse *= 1.0 - max3(s.sheenColor) * sheenE;
 #endif
+  sum.diffuse += diffuse;
+  return sum;
+}
+
+// Adds what the surface reflects of the prefiltered environment.
+Reflected addEnvironment(Reflected sum, SurfaceInfo s, Incident incident) {
+  vec3 f0Metal = s.baseColor;
+#if IRIDESCENCE
+  f0Metal = mix(f0Metal, s.filmF0Metal, s.iridescence);
+#endif
+  vec3 meanRadiance = incident.environmentIrradiance * RECIPROCAL_PI;
+  Scattering dielectric = dielectricScattering(s);
+  Scattering metal = multipleScattering(f0Metal, s.f90, s.dfg);
+  vec3 specular = environmentSpecular(mixScattering(dielectric, metal, s.metallic), incident.radiance, meanRadiance);
+#if DIFFUSE_ROUGHNESS
+  vec3 diffuse = eonAlbedo(s.baseColor, s.diffuseRoughness, s.NoV) * (1.0 - s.metallic) * diffuseShare(dielectric) * meanRadiance;
+#else
+  vec3 diffuse = s.diffuse * diffuseShare(dielectric) * meanRadiance;
+#endif
+#if SHEEN
+  float sheenE = sheenAlbedo(s.sheenRoughness, s.NoV);
+  float underSheen = 1.0 - max3(s.sheenColor) * sheenE;
+  sum.sheen += incident.environmentIrradiance * s.sheenColor * sheenE * RECIPROCAL_PI;
+  specular *= underSheen;
+  diffuse *= underSheen;
+#endif
+#if CLEARCOAT
+  sum.coat += incident.coatRadiance * (vec3(F0_DIELECTRIC) * s.coatDfg.x + s.coatDfg.y);
+#endif
+  sum.specular += specular;
   sum.diffuse += diffuse;
   return sum;
 }

@@ -8,6 +8,7 @@
 
 #include "telar/codec.h"
 #include "telar/motion.h"
+#include "telar/shading.h"
 
 namespace telar {
 
@@ -91,7 +92,7 @@ struct Shot {
   };
   std::optional<Ground> ground;
 
-  std::string shading;      ///< "three"
+  ShadingModel shading = ShadingModel::kThree;
   std::string toneMapping;  ///< none linear reinhard cineon aces agx neutral
   double exposure = 1;
   int samples = 4;           ///< quality.samples: MSAA, 1 or 4

@@ -32,7 +32,6 @@ Scene plane(const Material& material) {
 Shot shotOf(int size, double elevation = 90) {
   Shot shot;
   shot.width = shot.height = size;
-  shot.shading = "three";
   shot.toneMapping = "none";
   shot.camera.perspective = false;
   shot.camera.height = 0.1;
@@ -95,8 +94,7 @@ glm::dvec3 quadrature(const EnvironmentLight& light, const Surface& surface) {
       const double z = (i + 0.5) / ROWS, phi = 2 * PI * (j + 0.5) / COLUMNS, r = std::sqrt(1 - z * z);
       const glm::vec3 l(glm::dvec3(r * std::cos(phi), r * std::sin(phi), z));
       const Reflected lit =
-          three::addPunctual(nothingReflected(), surface.info, directCompensation(surface.info.f0, surface.info.dfg), l,
-                             light.radiance(l));
+          three::addPunctual(nothingReflected(), three::preparedSurface(surface.info), l, light.radiance(l));
       sum += glm::dvec3(three::composedRadiance(surface.info, lit.diffuse, lit, nothingReflected(), glm::vec3(0)));
     }
   }

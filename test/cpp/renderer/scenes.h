@@ -54,7 +54,6 @@ inline Shot shotOf(int size) {
   shot.camera.fovY = 30;
   shot.camera.near = 3;
   shot.camera.far = 7;
-  shot.shading = "three";
   shot.toneMapping = "none";
   shot.output.format = OutputOptions::Format::kRaw;
   return shot;

@@ -135,7 +135,7 @@ TEST(Shadow, ALightThatShinesOnNothingShadowsTheGroundAlone) {
   shot.lights[0].intensity = 0;
   shot.ground = Shot::Ground{1, {0, -0.99, 0}, {4, 4}};
   const auto plan = pass::planDraws(*scene, shot, Limits{}, false);
-  EXPECT_EQ(plan.draws.opaque[0].key.shadows(), 0);
+  EXPECT_EQ(plan.draws.opaque[0].key.lights.shadows(), 0);
   EXPECT_EQ(plan.shadows.flat.size(), 1u);
   EXPECT_EQ(at(draw(scene, shot), {0.5, -1, 0, 1})[3], 255);
 }

@@ -74,7 +74,7 @@ TEST(ParseShot, ReadsEveryField) {
   EXPECT_FALSE(shot.modelLights);
   EXPECT_EQ(shot.background.type, Shot::Background::Type::kColor);
   EXPECT_EQ(shot.background.color, glm::vec3(0.25f, 0.5f, 1.0f));
-  EXPECT_EQ(shot.shading, "three");
+  EXPECT_EQ(shot.shading, ShadingModel::kThree);
   EXPECT_EQ(shot.toneMapping, "agx");
   EXPECT_EQ(shot.exposure, 1.5);
   EXPECT_EQ(shot.samples, 1);
