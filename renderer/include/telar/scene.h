@@ -8,9 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "telar/fabric.h"
 #include "telar/image.h"
 #include "telar/motion.h"
 #include "telar/shared_list.h"
+#include "telar/texture_ref.h"
 
 /// A glTF file after loading: plain data, checked, owned, free of GL. Units are glTF's: metres, radians, candela, lux.
 /// Everything an index points to exists: consumers index without checks.
@@ -18,25 +20,6 @@ namespace telar {
 
 enum class AlphaMode { kOpaque, kMask, kBlend };
 enum class Topology { kPoints, kLines, kLineLoop, kLineStrip, kTriangles };  ///< strips and fans are made triangles
-
-/// Values are the GL enums that glTF uses (10497 REPEAT, 9729 LINEAR, 9987 LINEAR_MIPMAP_LINEAR, ...).
-struct Sampler {
-  std::uint32_t wrapS = 10497;
-  std::uint32_t wrapT = 10497;
-  std::uint32_t magFilter = 9729;
-  std::uint32_t minFilter = 9987;
-  bool operator==(const Sampler&) const = default;
-};
-
-/// One use of a texture by a material.
-struct TextureRef {
-  int image = -1;  ///< index into Scene::images, -1 = no texture
-  Sampler sampler;
-  int texCoord = 0;             ///< 0 or 1, after KHR_texture_transform's override
-  glm::mat3 uvTransform{1.0f};  ///< KHR_texture_transform as three.js builds it: uv' = uvTransform * (u, v, 1)
-  bool hasTransform = false;
-  explicit operator bool() const { return image >= 0; }
-};
 
 /// What the KHR_materials_* extensions add to metallic-roughness. Factors are linear Rec.709; the defaults change
 /// nothing.
@@ -98,6 +81,7 @@ struct Material {
   bool unlit = false;     ///< KHR_materials_unlit
   bool physical = false;  ///< an extension of `layers` is there: three.js shades with MeshPhysicalMaterial
   PhysicalLayers layers;
+  FabricLayers fabric;  ///< read by the shading "fabric" only
 };
 
 /// Axis-aligned box in metres, in double; empty when min > max.
