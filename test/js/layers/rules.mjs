@@ -7,7 +7,7 @@ import path from 'node:path';
 export const CPP_LAYERS = {
   'renderer/include': [],
   'renderer/core': ['renderer/include'],
-  'renderer/brdf': [],
+  'renderer/brdf': ['renderer/include'],
   'renderer/mesh': ['renderer/include', 'renderer/core'],
   // image/ opens the library of oiio/ at run time by the C interface of oiio/plugin.h, and links nothing of it.
   'renderer/image': ['renderer/include', 'renderer/core', 'renderer/ktx2', 'renderer/oiio/plugin.h'],
