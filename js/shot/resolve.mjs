@@ -5,7 +5,8 @@ import { contactLights } from './contact.mjs';
 import { readFacts } from './facts.mjs';
 import { cornersOfGround, resolveGround } from './ground.mjs';
 import { posed } from './pose.mjs';
-import { PRESETS, shotSchema } from './schema.mjs';
+import { resolveQuality } from './quality.mjs';
+import { shotSchema } from './schema.mjs';
 import { resolveShadow } from './shadow.mjs';
 import { refuseUnavailable } from './unavailable.mjs';
 
@@ -102,15 +103,6 @@ function resolveBackground(background, format, environment) {
     throw wrongValue(['background'], '"transparent" or a colour, as shot.environment is "none"', background);
   }
   return blur === 0 ? 'environment' : background;
-}
-
-function resolveQuality(quality) {
-  if (typeof quality === 'string') return { preset: quality, ...PRESETS[quality] };
-  const { preset, samples = PRESETS[preset ?? 'standard'].samples } = quality;
-  if (preset !== undefined && PRESETS[preset].samples !== samples) {
-    throw wrongValue(['quality', 'samples'], `${PRESETS[preset].samples} with preset ${shown(preset)}, or no preset`, samples);
-  }
-  return preset === undefined ? { samples } : { preset, samples };
 }
 
 function resolveVariant(variant, variants) {

@@ -68,7 +68,7 @@ const light = {
 };
 const lightOf = (type, doc, shape) => object(doc, { type: z.literal(type).describe(doc), color: light.color, ...shape }, 'a light');
 
-/** Largest edge of a rect light: its area and its squared distances stay inside the range of 32-bit floats. */
+/** Largest edge or radius of an area light: its area and its squared distances stay inside the range of 32-bit floats. */
 const EDGE_MAX_M = 1e6;
 const edge = (doc) => number(doc, { what: 'a length in metres', above: 0, max: EDGE_MAX_M }).default(10);
 
@@ -97,7 +97,7 @@ const shadows = {
   point: { castShadow, shadow: shadow(SHADOW, {}) },
 };
 
-const LIGHT_TYPES = '"ambient", "hemisphere", "directional", "point", "spot" or "rect"';
+const LIGHT_TYPES = '"ambient", "hemisphere", "directional", "point", "spot", "rect" or "disk"';
 const lights = z.array(z.discriminatedUnion('type', [
   lightOf('ambient', 'Light from everywhere', { intensity: light.intensity('irradiance') }),
   lightOf('hemisphere', 'Light from above in `color`, from below in `groundColor`', {
@@ -123,6 +123,10 @@ const lights = z.array(z.discriminatedUnion('type', [
     intensity: light.intensity('nit'), position: light.position([0, 1, 0]), target: light.target,
     width: edge('Metres'), height: edge('Metres'),
   }),
+  lightOf('disk', 'Disk at `position` that shines to one side, towards `target`; stock three.js has no such light', {
+    intensity: light.intensity('nit'), position: light.position([0, 1, 0]), target: light.target,
+    radius: number('Metres', { what: 'a length in metres', above: 0, max: EDGE_MAX_M }).default(1),
+  }),
 ], { error: ({ code }) => (code === 'invalid_union' ? LIGHT_TYPES : 'an object') }), { error: 'a list of lights' }).describe('Lights beside the environment and the model\'s own').prefault([]);
 
 const GROUND = '"none" or {shadow, opacity}';
@@ -139,17 +143,32 @@ const ground = z.union([
 ], { error: GROUND }).describe('Shadow catcher beneath the model; where no light of the shot casts a shadow, soft light from above does')
   .default('none');
 
-export const PRESETS = Object.freeze({ standard: { samples: 4 }, draft: { samples: 1 } });
+/** What the raster renderer does for each quality. */
+export const PRESETS = Object.freeze({
+  standard: { samples: 4, resolve: 'encoded', environmentSamples: 0 },
+  draft: { samples: 1, resolve: 'encoded', environmentSamples: 0 },
+  high: { samples: 16, resolve: 'linear', environmentSamples: 256 },
+});
 
-const QUALITY = '"standard", "draft" or {samples}';
-const SAMPLES = '1 or 4 samples a pixel';
+/** Samples of a pixel that one pass over the model takes: more take several passes. */
+export const SAMPLES_OF_A_PASS = 4;
+
+const PRESET = '"standard", "draft" or "high"';
+const QUALITY = '"standard", "draft", "high" or {samples, resolve, environmentSamples}';
+const SAMPLES = '1, 4, 16 or 64 samples a pixel';
 const quality = z.union([
   z.enum(Object.keys(PRESETS), { error: QUALITY }),
   object('Explicit settings', {
-    preset: z.enum(Object.keys(PRESETS), { error: '"standard" or "draft"' }).describe('Settings to start from').optional(),
-    samples: z.literal([1, 4], { error: SAMPLES }).describe('Antialiasing samples a pixel').optional(),
+    preset: z.enum(Object.keys(PRESETS), { error: PRESET }).describe('Settings to start from').optional(),
+    samples: z.literal([1, 4, 16, 64], { error: SAMPLES })
+      .describe('Antialiasing samples a pixel; 16 and 64 also sample textures and shading more finely').optional(),
+    resolve: choice('What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone '
+      + 'mapping; default "encoded", "linear" for more than 4 samples', ['encoded', 'linear']).optional(),
+    environmentSamples: number('Directions a pixel in which the environment is looked up for the material itself; 0 = prefiltered '
+      + 'maps, as three.js has them', { what: 'a whole number of directions', min: 0, max: 4096, integer: true }).optional(),
   }),
-], { error: QUALITY }).describe('"standard": 4 samples a pixel; "draft": 1').default('standard');
+], { error: QUALITY }).describe('"draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": 16, averaged in linear light, '
+  + 'and the environment integrated with the material').default('standard');
 
 const LAYERS = '["beauty"]';
 const layers = z.array(z.literal('beauty', { error: LAYERS }), { error: LAYERS }).length(1, { error: LAYERS })

@@ -215,6 +215,19 @@ export interface Shot {
     width?: number;
     /** Metres. Range above 0 to 1000000. @default 10 */
     height?: number;
+  } | {
+    /** Disk at `position` that shines to one side, towards `target`; stock three.js has no such light. */
+    type: 'disk';
+    /** CSS colour (sRGB) or linear [r, g, b]. @default "white" */
+    color?: string | [number, number, number];
+    /** Intensity in nit. Range at least 0. @default 1 */
+    intensity?: number;
+    /** Metres. @default [0,1,0] */
+    position?: [number, number, number];
+    /** Point that the light shines at, metres. @default [0,0,0] */
+    target?: [number, number, number];
+    /** Metres. Range above 0 to 1000000. @default 1 */
+    radius?: number;
   }>;
   /** Use the lights in the model. @default true */
   modelLights?: boolean;
@@ -242,12 +255,16 @@ export interface Shot {
   toneMapping?: 'neutral' | 'none' | 'linear' | 'reinhard' | 'cineon' | 'aces' | 'agx';
   /** Factor on radiance before tone mapping. Range at least 0. @default 1 */
   exposure?: number;
-  /** "standard": 4 samples a pixel; "draft": 1. @default "standard" */
-  quality?: 'standard' | 'draft' | {
+  /** "draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": 16, averaged in linear light, and the environment integrated with the material. @default "standard" */
+  quality?: 'standard' | 'draft' | 'high' | {
     /** Settings to start from. */
-    preset?: 'standard' | 'draft';
-    /** Antialiasing samples a pixel. */
-    samples?: 1 | 4;
+    preset?: 'standard' | 'draft' | 'high';
+    /** Antialiasing samples a pixel; 16 and 64 also sample textures and shading more finely. */
+    samples?: 1 | 4 | 16 | 64;
+    /** What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone mapping; default "encoded", "linear" for more than 4 samples. */
+    resolve?: 'encoded' | 'linear';
+    /** Directions a pixel in which the environment is looked up for the material itself; 0 = prefiltered maps, as three.js has them. Range 0 to 4096. */
+    environmentSamples?: number;
   };
   /** Name of a material variant of the model (KHR_materials_variants); "" = none. @default "" */
   variant?: string;
@@ -376,6 +393,13 @@ export interface ResolvedShot {
     target: [number, number, number];
     width: number;
     height: number;
+  } | {
+    type: 'disk';
+    color: [number, number, number];
+    intensity: number;
+    position: [number, number, number];
+    target: [number, number, number];
+    radius: number;
   }>;
   modelLights: boolean;
   background: 'transparent' | 'environment' | [number, number, number] | {
@@ -392,8 +416,10 @@ export interface ResolvedShot {
   toneMapping: 'neutral' | 'none' | 'linear' | 'reinhard' | 'cineon' | 'aces' | 'agx';
   exposure: number;
   quality: {
-    preset?: 'standard' | 'draft';
-    samples: 1 | 4;
+    preset?: 'standard' | 'draft' | 'high';
+    samples: 1 | 4 | 16 | 64;
+    resolve: 'encoded' | 'linear';
+    environmentSamples: number;
   };
   variant: string;
   pose: {

@@ -74,6 +74,8 @@ void addShotLight(LightSet& set, const Camera& camera, const Shot::Light& light)
     case Shot::Light::Type::kRect:
       addRect(set, camera, color, light);
       break;
+    case Shot::Light::Type::kDisk:
+      break;
   }
 }
 

@@ -69,6 +69,8 @@ void addShotLight(Lights& lights, const Shot::Light& light, const glm::dvec3& ce
     case Type::kRect:
       lights.rects.push_back(rectLight(light, color, position));
       break;
+    case Type::kDisk:
+      break;
   }
 }
 

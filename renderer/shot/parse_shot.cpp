@@ -1,3 +1,4 @@
+#include <bit>
 #include <nlohmann/json.hpp>
 
 #include "shot/json_path.h"
@@ -11,7 +12,9 @@ using shot::JsonPath;
 
 constexpr int SIZE_MAX_PX = 8192;
 constexpr int SHADOW_MAP_MAX = 4096;  ///< texels on a side
-constexpr int PPI_MAX = 65535;        ///< what JFIF's 16-bit density field holds
+constexpr int SAMPLES_MAX = 64;       ///< a pixel
+constexpr int ENVIRONMENT_SAMPLES_MAX = 4096;
+constexpr int PPI_MAX = 65535;  ///< what JFIF's 16-bit density field holds
 
 Shot::Camera readCamera(const JsonPath& json) {
   Shot::Camera camera;
@@ -82,21 +85,24 @@ void readLightShadow(const JsonPath& json, Shot::Light& light) {
 Shot::Light readLight(const JsonPath& json) {
   using Type = Shot::Light::Type;
   Shot::Light light;
-  light.type = std::array{Type::kAmbient, Type::kHemisphere, Type::kDirectional, Type::kPoint, Type::kSpot, Type::kRect}
-      [json.at("type").choice({"ambient", "hemisphere", "directional", "point", "spot", "rect"})];
+  light.type = std::array{Type::kAmbient, Type::kHemisphere, Type::kDirectional, Type::kPoint,
+                          Type::kSpot,    Type::kRect,       Type::kDisk}[json.at("type").choice(
+      {"ambient", "hemisphere", "directional", "point", "spot", "rect", "disk"})];
   light.color = json.at("color").color();
   light.intensity = json.at("intensity").number(0);
   if (light.type == Type::kHemisphere) light.groundColor = json.at("groundColor").color();
   if (light.type == Type::kAmbient || light.type == Type::kHemisphere) return light;
   light.position = json.at("position").vec3();
   if (light.type != Type::kPoint) light.target = json.at("target").vec3();
-  if (light.type != Type::kRect) readLightShadow(json, light);
+  const bool area = light.type == Type::kRect || light.type == Type::kDisk;
+  if (!area) readLightShadow(json, light);
   if (light.type == Type::kDirectional) return light;
   if (light.type == Type::kRect) {
     light.width = json.at("width").number(0);
     light.height = json.at("height").number(0);
-    return light;
   }
+  if (light.type == Type::kDisk) light.radius = json.at("radius").number(0);
+  if (area) return light;
   light.range = json.at("range").number(0);
   if (light.type == Type::kSpot) {
     light.angle = json.at("angle").number(0, 1.5707963267948966);
@@ -159,6 +165,18 @@ std::optional<Pose> readPose(const JsonPath& json) {
   return Pose{json.at("animation").integer(0, std::numeric_limits<int>::max()), json.at("time").number()};
 }
 
+void readQuality(const JsonPath& json, Shot& shot) {
+  const JsonPath samples = json.at("samples");
+  shot.samples = samples.integer(1, SAMPLES_MAX);
+  if (!std::has_single_bit(static_cast<unsigned>(shot.samples)) ||
+      std::bit_width(static_cast<unsigned>(shot.samples)) % 2 == 0)
+    samples.fail("1, 4, 16 or 64");
+  const JsonPath resolve = json.at("resolve");
+  shot.linearResolve = resolve.choice({"encoded", "linear"}) == 1;
+  if (shot.samples > Shot::SAMPLES_OF_A_PASS && !shot.linearResolve) resolve.fail("linear with so many samples");
+  shot.environmentSamples = json.at("environmentSamples").integer(0, ENVIRONMENT_SAMPLES_MAX);
+}
+
 Shot readShot(const JsonPath& json) {
   Shot shot;
   shot.width = json.at("size").at("width").integer(1, SIZE_MAX_PX);
@@ -175,9 +193,7 @@ Shot readShot(const JsonPath& json) {
   toneMapping.choice({"none", "linear", "reinhard", "cineon", "aces", "agx", "neutral"});
   shot.toneMapping = toneMapping.string();
   shot.exposure = json.at("exposure").number(0);
-  const JsonPath samples = json.at("quality").at("samples");
-  shot.samples = samples.integer(1, 4);
-  if (shot.samples != 1 && shot.samples != 4) samples.fail("1 or 4");
+  readQuality(json.at("quality"), shot);
   const JsonPath variant = json.at("variant");
   if (!variant.isNull()) shot.variant = variant.string();
   shot.pose = readPose(json.at("pose"));

@@ -34,6 +34,8 @@ enum class DebugOutput : std::uint8_t {
 
 /// A resolved shot: the JSON that js/shot's resolveShot wrote, every default in it. C++ has no defaults of its own.
 struct Shot {
+  static constexpr int SAMPLES_OF_A_PASS = 4;  ///< the most that one pass over the model takes of a pixel
+
   int width = 0, height = 0;  ///< pixels
 
   struct Camera {
@@ -52,7 +54,7 @@ struct Shot {
   } environment;
 
   struct Light {
-    enum class Type { kAmbient, kHemisphere, kDirectional, kPoint, kSpot, kRect } type = Type::kAmbient;
+    enum class Type { kAmbient, kHemisphere, kDirectional, kPoint, kSpot, kRect, kDisk } type = Type::kAmbient;
     glm::vec3 color{1};        ///< linear Rec.709
     glm::vec3 groundColor{0};  ///< linear Rec.709, hemisphere
     double intensity = 1;
@@ -61,6 +63,7 @@ struct Shot {
     double angle = 0;              ///< outer half-angle, radians
     double penumbra = 0;           ///< 0..1
     double width = 0, height = 0;  ///< metres, rect
+    double radius = 0;             ///< metres, disk
     bool castShadow = false;
 
     /// LightShadow of three.js 0.187, and its camera; read where castShadow is true.
@@ -95,9 +98,11 @@ struct Shot {
   ShadingModel shading = ShadingModel::kThree;
   std::string toneMapping;  ///< none linear reinhard cineon aces agx neutral
   double exposure = 1;
-  int samples = 4;           ///< quality.samples: MSAA, 1 or 4
-  std::string variant;       ///< KHR_materials_variants name, empty = the file's own materials
-  std::optional<Pose> pose;  ///< none = as the file stands
+  int samples = 4;             ///< quality.samples: 1 or 4 in one pass, 16 or 64 in several
+  bool linearResolve = false;  ///< samples are averaged before tone mapping and encoding
+  int environmentSamples = 0;  ///< directions a pixel in which the environment is looked up; 0 = prefiltered maps
+  std::string variant;         ///< KHR_materials_variants name, empty = the file's own materials
+  std::optional<Pose> pose;    ///< none = as the file stands
   OutputOptions output;
   /// Drawn in place of the colour; for a raw output of 32 bits. Key `debugOutput` of the JSON, which
   /// resolveShot does not write: for tests.

@@ -20,7 +20,7 @@ json standard() {
                "fovY": 30, "near": 0.5, "far": 9},
     "environment": {"map": "studio", "intensity": 1, "rotation": 0},
     "lights": [], "modelLights": true, "background": "transparent", "ground": "none", "shading": "three", "toneMapping": "neutral",
-    "exposure": 1, "quality": {"preset": "standard", "samples": 4}, "variant": "", "pose": null, "layers": ["beauty"],
+    "exposure": 1, "quality": {"preset": "standard", "samples": 4, "resolve": "encoded", "environmentSamples": 0}, "variant": "", "pose": null, "layers": ["beauty"],
     "output": {"format": "png", "quality": 90, "bitDepth": 8, "ppi": 0, "icc": false}})");
 }
 
@@ -53,7 +53,7 @@ TEST(ParseShot, ReadsEveryField) {
   written["background"] = {0.25, 0.5, 1};
   written["toneMapping"] = "agx";
   written["exposure"] = 1.5;
-  written["quality"] = {{"samples", 1}};
+  written["quality"] = {{"samples", 16}, {"resolve", "linear"}, {"environmentSamples", 64}};
   written["variant"] = "navy";
   written["pose"] = {{"animation", 2}, {"time", 0.25}};
   written["output"] = {{"format", "exr"}, {"quality", 1}, {"bitDepth", 32}, {"ppi", 300}, {"icc", true}};
@@ -77,7 +77,9 @@ TEST(ParseShot, ReadsEveryField) {
   EXPECT_EQ(shot.shading, ShadingModel::kThree);
   EXPECT_EQ(shot.toneMapping, "agx");
   EXPECT_EQ(shot.exposure, 1.5);
-  EXPECT_EQ(shot.samples, 1);
+  EXPECT_EQ(shot.samples, 16);
+  EXPECT_TRUE(shot.linearResolve);
+  EXPECT_EQ(shot.environmentSamples, 64);
   EXPECT_EQ(shot.variant, "navy");
   EXPECT_EQ(shot.pose, (Pose{2, 0.25}));
   EXPECT_EQ(shot.output.format, OutputOptions::Format::kExr);
@@ -117,9 +119,10 @@ TEST(ParseShot, ReadsEveryLight) {
      "angle": 0.5, "penumbra": 0.25, "castShadow": true, "shadow": {"mapSize": 16, "radius": 0, "intensity": 1,
      "bias": 0, "normalBias": 0, "near": 1, "far": 8, "focus": 0.75}},
     {"type": "rect", "color": [1, 1, 1], "intensity": 9, "position": [0, 4, 0], "target": [0, 1, 0], "width": 2,
-     "height": 0.5}])");
+     "height": 0.5},
+    {"type": "disk", "color": [1, 1, 1], "intensity": 9, "position": [0, 4, 0], "target": [0, 1, 0], "radius": 0.25}])");
   const std::vector<Shot::Light> read = parseShot(with("/lights", lights).dump()).lights;
-  ASSERT_EQ(read.size(), 6u);
+  ASSERT_EQ(read.size(), 7u);
   using Type = Shot::Light::Type;
   EXPECT_EQ(read[0].type, Type::kAmbient);
   EXPECT_EQ(read[0].color, glm::vec3(1, 0.5f, 0));
@@ -135,6 +138,8 @@ TEST(ParseShot, ReadsEveryLight) {
             std::vector({2.0, 0.5, -0.25, 0.125}));
   EXPECT_EQ(std::vector({shadow.near, shadow.far, shadow.left, shadow.right, shadow.bottom, shadow.top}),
             std::vector<double>({-1, 6, -2, 3, -4, 5}));
+  EXPECT_EQ(read[6].type, Type::kDisk);
+  EXPECT_EQ(read[6].radius, 0.25);
   EXPECT_FALSE(read[3].castShadow);
   EXPECT_EQ(read[4].shadow.focus, 0.75);
   EXPECT_EQ(read[3].type, Type::kPoint);
@@ -240,7 +245,9 @@ TEST(ParseShot, NamesPathExpectationAndValue) {
       {"/background", "red", "shot.background: expected one of transparent, environment, got \"red\""},
       {"/toneMapping", nullptr,
        "shot.toneMapping: expected one of none, linear, reinhard, cineon, aces, agx, neutral, got null"},
-      {"/quality/samples", 3, "shot.quality.samples: expected 1 or 4, got 3"},
+      {"/quality/samples", 3, "shot.quality.samples: expected 1, 4, 16 or 64, got 3"},
+      {"/quality/environmentSamples", -1,
+       "shot.quality.environmentSamples: expected an integer from 0 to 4096, got -1"},
       {"/variant", json::object(), "shot.variant: expected a string, got an object"},
       {"/pose/animation", -1, "shot.pose.animation: expected an integer from 0 to 2147483647, got -1"},
       {"/output/bitDepth", 16, "nothing was thrown"},
@@ -254,6 +261,11 @@ TEST(ParseShot, NamesPathExpectationAndValue) {
       EXPECT_EQ(error.pointer, wrong.pointer);
     }
   }
+}
+
+TEST(ParseShot, ManySamplesAreAveragedInLinearLight) {
+  EXPECT_STREQ(failure(with("/quality/samples", 16)).what(),
+               "shot.quality.resolve: expected linear with so many samples, got \"encoded\"");
 }
 
 TEST(ParseShot, RefusesWhatIsNoShot) {

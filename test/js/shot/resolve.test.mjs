@@ -44,6 +44,7 @@ const SHOTS = [
   { quality: 'draft' },
   { quality: { samples: 1 } },
   { quality: { preset: 'standard' } },
+  { quality: { samples: 64, environmentSamples: 32 } },
   { output: { format: 'jpeg', quality: 80, ppi: 300, icc: true } },
   { output: { format: 'exr', bitDepth: 32 } },
 ];
@@ -91,7 +92,7 @@ test('all defaults are written out', () => {
     shading: 'three',
     toneMapping: 'neutral',
     exposure: 1,
-    quality: { preset: 'standard', samples: 4 },
+    quality: { preset: 'standard', samples: 4, resolve: 'encoded', environmentSamples: 0 },
     variant: '',
     pose: null,
     layers: ['beauty'],
