@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "brdf/brdf.h"
+#include "brdf/quadrature.h"
 #include "brdf/terms.h"
 
 /// Energy, reciprocity and normalisation, by quadrature in double.
@@ -13,71 +14,12 @@ namespace {
 
 using namespace brdf_d;
 
-constexpr double TWO_PI = 6.283185307179586;
-constexpr int STRATA = 256;  // a side
-
-vec3 direction(double cosine, double phi) {
-  const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-  return vec3(sine * std::cos(phi), sine * std::sin(phi), cosine);
-}
-
-/// Sum over light directions l of f(NoL, NoH, LoH) NoL dl, l sampled around the mirror direction of v as GGX spreads
-/// it.
-template <class Integrand>
-vec3 integrateLobe(double alpha, double NoV, Integrand f) {
-  const vec3 v = direction(NoV, 0);
-  vec3 sum(0);
-  for (int i = 0; i < STRATA; ++i) {
-    for (int j = 0; j < STRATA; ++j) {
-      const double u = (i + 0.5) / STRATA;
-      const double NoH = std::sqrt((1 - u) / (1 + (alpha * alpha - 1) * u));
-      const vec3 h = direction(NoH, TWO_PI * (j + 0.5) / STRATA);
-      const double VoH = glm::dot(v, h);
-      const vec3 l = 2.0 * VoH * h - v;
-      if (VoH <= 0 || l.z <= 0) continue;
-      const double c = NoH * NoH * (alpha * alpha - 1) + 1;
-      const double pdf = alpha * alpha / (PI * c * c) * NoH / (4 * VoH);
-      sum += f(l.z, NoH, VoH) * (l.z / pdf);
-    }
-  }
-  return sum / double(STRATA * STRATA);
-}
-
-/// Same, l sampled by its cosine: for wide lobes.
-template <class Integrand>
-vec3 integrateCosine(double NoV, Integrand f) {
-  const vec3 v = direction(NoV, 0);
-  vec3 sum(0);
-  for (int i = 0; i < STRATA; ++i) {
-    for (int j = 0; j < STRATA; ++j) {
-      const vec3 l = direction(std::sqrt((i + 0.5) / STRATA), TWO_PI * (j + 0.5) / STRATA);
-      const vec3 h = halfVector(vec3(0, 0, 1), l, v);
-      sum += f(l.z, h.z, glm::dot(l, h)) * PI;
-    }
-  }
-  return sum / double(STRATA * STRATA);
-}
-
-/// (A, B) of the split sum with the exact Schlick power, as the table holds it.
-vec2 dfg(double alpha, double NoV) {
-  const vec3 sum = integrateLobe(alpha, NoV, [&](double NoL, double NoH, double LoH) {
-    const double weight = std::pow(1 - LoH, 5);
-    return V_SmithGGXCorrelated(alpha, NoV, NoL) * D_GGX(alpha, NoH) * vec3(1 - weight, weight, 0);
-  });
-  return vec2(sum.x, sum.y);
-}
+constexpr int STRATA = 256;
 
 TEST(Distribution, GgxProjectsToUnitArea) {
   for (const double roughness : {0.0, 0.045, 0.1, 0.3, 0.5, 0.8, 1.0}) {
     const double alpha = alphaFromRoughness(roughness);
-    constexpr int STEPS = 20000;
-    double sum = 0;
-    for (int i = 0; i < STEPS; ++i) {
-      // theta = pi/2 s^4 puts the nodes where a narrow lobe is.
-      const double s = (i + 0.5) / STEPS, theta = TWO_PI / 4 * s * s * s * s, step = TWO_PI * s * s * s / STEPS;
-      sum += D_GGX(alpha, std::cos(theta)) * std::cos(theta) * TWO_PI * std::sin(theta) * step;
-    }
-    EXPECT_NEAR(sum, 1, 1e-5) << "roughness " << roughness;
+    EXPECT_NEAR(projectedArea([&](double NoH) { return D_GGX(alpha, NoH); }), 1, 1e-5) << "roughness " << roughness;
   }
 }
 
@@ -101,12 +43,12 @@ TEST(Specular, NeverReflectsMoreThanArrives) {
   for (const double roughness : {0.045, 0.1, 0.3, 0.5, 0.8, 1.0}) {
     for (const double NoV : {0.02, 0.1, 0.3, 0.6, 1.0}) {
       const double alpha = alphaFromRoughness(roughness);
-      const vec3 albedo = integrateLobe(alpha, NoV, [&](double NoL, double NoH, double LoH) {
+      const vec3 albedo = lobeOverGgx(STRATA, alpha, NoV, [&](double NoL, double NoH, double LoH) {
         return Fr_GGX(vec3(1), 1, alpha, NoV, NoL, NoH, LoH);
       });
       EXPECT_LE(albedo.x, 1.001) << roughness << " " << NoV;
       // With f0 = f90 = 1 the lobe is A + B, whatever stands for Schlick's power.
-      const vec2 ab = dfg(alpha, NoV);
+      const vec2 ab = splitSum(alpha, NoV);
       EXPECT_NEAR(albedo.x, ab.x + ab.y, 1e-9) << roughness << " " << NoV;
     }
   }
@@ -137,7 +79,7 @@ double environmentFurnace(vec2 ab, vec3 baseColor, double metallic) {
 TEST(WhiteFurnace, EnvironmentLightComesBackWhole) {
   for (const double roughness : {0.0, 0.01, 0.089, 0.2, 0.5, 0.8, 1.0}) {
     for (const double NoV : {0.001, 0.05, 0.1, 0.3, 0.6, 0.9, 1.0}) {
-      const vec2 ab = dfg(alphaFromRoughness(roughness), NoV);
+      const vec2 ab = splitSum(alphaFromRoughness(roughness), NoV);
       for (const double metallic : {0.0, 0.5, 1.0}) {
         EXPECT_NEAR(environmentFurnace(ab, vec3(1), metallic), 1, 1e-3) << roughness << " " << NoV << " " << metallic;
       }
@@ -153,11 +95,13 @@ TEST(WhiteFurnace, EnvironmentLightComesBackWhole) {
 double directFurnace(double roughness, double NoV) {
   const double alpha = alphaFromRoughness(roughness);
   const vec3 f0(F0_DIELECTRIC);
-  const vec3 specular = integrateLobe(
-      alpha, NoV, [&](double NoL, double NoH, double LoH) { return Fr_GGX(f0, 1, alpha, NoV, NoL, NoH, LoH); });
-  const vec3 diffuse = integrateCosine(
-      NoV, [&](double, double, double LoH) { return Fd_Lambert(vec3(1)) * (vec3(1) - F_Schlick(f0, 1, LoH)); });
-  return (specular * directCompensation(f0, dfg(alpha, NoV)) + diffuse).x;
+  const vec3 specular = lobeOverGgx(
+      STRATA, alpha, NoV, [&](double NoL, double NoH, double LoH) { return Fr_GGX(f0, 1, alpha, NoV, NoL, NoH, LoH); });
+  const vec3 v = direction(NoV, 0), n(0, 0, 1);
+  const vec3 diffuse = overCosine(STRATA, [&](const vec3& l) {
+    return Fd_Lambert(vec3(1)) * (vec3(1) - F_Schlick(f0, 1, glm::dot(l, halfVector(n, l, v))));
+  });
+  return (specular * directCompensation(f0, splitSum(alpha, NoV)) + diffuse).x;
 }
 
 TEST(WhiteFurnace, DirectLightIsAsOffAsThreeIs) {
@@ -173,11 +117,11 @@ TEST(WhiteFurnace, DirectLightOnWhiteMetalComesBackWhole) {
   for (const double roughness : {0.1, 0.3, 0.6, 1.0}) {
     for (const double NoV : {0.1, 0.3, 0.6, 1.0}) {
       const double alpha = alphaFromRoughness(roughness);
-      const vec3 single = integrateLobe(alpha, NoV, [&](double NoL, double NoH, double LoH) {
+      const vec3 single = lobeOverGgx(STRATA, alpha, NoV, [&](double NoL, double NoH, double LoH) {
         return Fr_GGX(vec3(1), 1, alpha, NoV, NoL, NoH, LoH);
       });
-      EXPECT_NEAR((single * directCompensation(vec3(1), dfg(alpha, NoV))).x, 1, 1e-9) << roughness << " " << NoV;
-      EXPECT_EQ(directCompensation(vec3(0), dfg(alpha, NoV)), vec3(1)) << "nothing is reflected more than once";
+      EXPECT_NEAR((single * directCompensation(vec3(1), splitSum(alpha, NoV))).x, 1, 1e-9) << roughness << " " << NoV;
+      EXPECT_EQ(directCompensation(vec3(0), splitSum(alpha, NoV)), vec3(1)) << "nothing is reflected more than once";
     }
   }
 }
@@ -217,7 +161,7 @@ TEST(Environment, TableOfThreeIsTheIntegralOfTheseTerms) {
   for (int row = 0; row < 16; ++row) {
     for (int column = 0; column < 16; ++column) {
       const double roughness = (column + 0.5) / 16;
-      const vec2 ab = dfg(roughness * roughness, (row + 0.5) / 16);
+      const vec2 ab = splitSum(roughness * roughness, (row + 0.5) / 16);
       EXPECT_NEAR(table[(row * 16 + column) * 2], ab.x, 0.01) << row << " " << column;
       EXPECT_NEAR(table[(row * 16 + column) * 2 + 1], ab.y, 0.001) << row << " " << column;
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "brdf/brdf.h"
+#include "brdf/quadrature.h"
 
 /// The models of the thesis: directional albedos by quadrature in double, against figures computed apart from this
 /// code.
@@ -11,30 +12,17 @@ namespace {
 
 using namespace brdf_d;
 
-constexpr double TWO_PI = 6.283185307179586;
 constexpr int STRATA = 400;  // a side
 constexpr double NOV[] = {0.02, 0.1, 0.3, 0.6, 1};
-
-vec3 direction(double cosine, double phi) {
-  const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-  return vec3(sine * std::cos(phi), sine * std::sin(phi), cosine);
-}
 
 /// Integral of f(l, h, NoL, NoH, LoH) NoL over the hemisphere, for one view.
 template <class Lobe>
 double albedo(double NoV, Lobe f) {
   const vec3 v = direction(NoV, 0);
-  double sum = 0;
-  for (int i = 0; i < STRATA; ++i) {
-    // Squared towards grazing, where the lobes of cloth are steep.
-    const double s = (i + 0.5) / STRATA, cosine = s * s, step = 2 * s / STRATA;
-    for (int j = 0; j < STRATA; ++j) {
-      const vec3 l = direction(cosine, TWO_PI * (j + 0.5) / STRATA);
-      const vec3 h = halfVector(vec3(0, 0, 1), l, v);
-      sum += f(l, h, l.z, h.z, glm::dot(l, h)) * l.z * step * TWO_PI / STRATA;
-    }
-  }
-  return sum;
+  return overHemisphere(STRATA, [&](const vec3& l) {
+    const vec3 h = halfVector(vec3(0, 0, 1), l, v);
+    return f(l, h, l.z, h.z, glm::dot(l, h)) * l.z;
+  });
 }
 
 template <class Lobe>
@@ -74,13 +62,7 @@ TEST(Disney2012, SheenAlbedo) {
 
 TEST(Disney2012, Gtr1ProjectsToUnitArea) {
   for (const double alpha : {0.001, 0.01, 0.1, 0.5, 0.99, 1.0}) {
-    constexpr int STEPS = 40000;
-    double sum = 0;
-    for (int i = 0; i < STEPS; ++i) {
-      const double s = (i + 0.5) / STEPS, theta = TWO_PI / 4 * s * s * s * s, step = TWO_PI * s * s * s / STEPS;
-      sum += D_GTR1(alpha, std::cos(theta)) * std::cos(theta) * TWO_PI * std::sin(theta) * step;
-    }
-    EXPECT_NEAR(sum, 1, 1e-3) << alpha;
+    EXPECT_NEAR(projectedArea([&](double NoH) { return D_GTR1(alpha, NoH); }, 40000), 1, 1e-3) << alpha;
   }
 }
 
@@ -156,13 +138,7 @@ TEST(Cloth, CharlieWithItsOwnVisibility) {
 
 TEST(Cloth, AshikhminProjectsToUnitAreaAbout) {
   for (const double alpha : {0.2, 0.5, 1.0}) {
-    double sum = 0;
-    constexpr int STEPS = 20000;
-    for (int i = 0; i < STEPS; ++i) {
-      const double theta = TWO_PI / 4 * (i + 0.5) / STEPS;
-      sum += D_Ashikhmin(alpha, std::cos(theta)) * std::cos(theta) * TWO_PI * std::sin(theta) * (TWO_PI / 4 / STEPS);
-    }
-    EXPECT_NEAR(sum, 1, 0.01) << alpha;
+    EXPECT_NEAR(projectedArea([&](double NoH) { return D_Ashikhmin(alpha, NoH); }), 1, 0.01) << alpha;
   }
 }
 
@@ -170,14 +146,7 @@ TEST(Cloth, LtcSheenReflectsItsAlbedo) {
   for (const double roughness : {0.1, 0.3, 0.5, 1.0}) {
     for (const double NoV : {0.05, 0.1, 0.3, 0.6, 1.0}) {
       const vec3 ltc = sheenLtc(roughness, NoV);
-      double sum = 0;
-      for (int i = 0; i < STRATA; ++i) {
-        for (int j = 0; j < STRATA; ++j) {
-          const double s = (i + 0.5) / STRATA;
-          sum +=
-              sheenLtcCosine(ltc, direction(s * s, TWO_PI * (j + 0.5) / STRATA)) * 2 * s * TWO_PI / (STRATA * STRATA);
-        }
-      }
+      const double sum = overHemisphere(STRATA, [&](const vec3& l) { return sheenLtcCosine(ltc, l); });
       EXPECT_NEAR(sum, ltc.x, 5e-3) << roughness << " " << NoV;
       EXPECT_LE(ltc.x, 0.76);
     }
