@@ -9,8 +9,8 @@
 
 #include "ibl/dfg_lookup.h"
 #include "pass/camera.h"
+#include "pass/linear_output.h"
 #include "pass/variant.h"
-#include "reference/output.h"
 
 namespace telar::reference {
 namespace {
@@ -108,7 +108,7 @@ std::vector<glm::vec4> traceRadiance(const Scene& scene, const Shot& shot, const
 
 Frame trace(const Scene& scene, const Shot& shot, const ImageF* environment, const TraceOptions& options,
             const Limits& limits, const CancelToken& cancel, const std::function<void(double)>& progress) {
-  return toFrame(traceRadiance(scene, shot, environment, options, limits, cancel, progress), shot);
+  return pass::toFrame(traceRadiance(scene, shot, environment, options, limits, cancel, progress), shot);
 }
 
 }  // namespace telar::reference

@@ -22,9 +22,10 @@ export const CPP_LAYERS = {
   'renderer/ibl': ['renderer/include', 'renderer/core', 'renderer/gl', 'renderer/shader', 'renderer/ibl/dfg_lookup.h'],
   'renderer/pass/camera.h': ['renderer/include'],
   'renderer/pass/variant.h': ['renderer/include'],
-  'renderer/pass': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/mesh', 'renderer/gl', 'renderer/shader', 'renderer/ibl', 'renderer/pass/camera.h', 'renderer/pass/variant.h'],
+  'renderer/pass/linear_output.h': ['renderer/include'],
+  'renderer/pass': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/mesh', 'renderer/gl', 'renderer/shader', 'renderer/ibl', 'renderer/pass/camera.h', 'renderer/pass/variant.h', 'renderer/pass/linear_output.h'],
   // The tracer shares with the raster what needs no GL: matrices, materials, names, the table of the split sum.
-  'renderer/reference': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/shader', 'renderer/pass/camera.h', 'renderer/pass/variant.h', 'renderer/ibl/dfg_lookup.h'],
+  'renderer/reference': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/shader', 'renderer/pass/camera.h', 'renderer/pass/variant.h', 'renderer/pass/linear_output.h', 'renderer/ibl/dfg_lookup.h'],
   addon: ['renderer/include'],
 };
 

@@ -1,4 +1,4 @@
-#include "reference/output.h"
+#include "pass/linear_output.h"
 
 #include <cmath>
 #include <cstring>
@@ -6,7 +6,7 @@
 #include "brdf/brdf.h"
 #include "shader/variant_key.h"
 
-namespace telar::reference {
+namespace telar::pass {
 namespace {
 
 using ToneMap = glm::vec3 (*)(glm::vec3, float);
@@ -67,4 +67,4 @@ Frame toFrame(const std::vector<glm::vec4>& pixels, const Shot& shot) {
   return frame;
 }
 
-}  // namespace telar::reference
+}  // namespace telar::pass
