@@ -2,6 +2,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { TABLE } from '../error/table.mjs';
 import { resolvedShotDraft, shotDraft, shotJsonSchema } from './json_schema.mjs';
+import { termsGlsl, termsInclude } from './shading_terms.mjs';
 import { errorsPage, optionsPage } from './tables.mjs';
 import { interfaceText } from './types.mjs';
 
@@ -41,6 +42,8 @@ function derivedFiles() {
       codes.map((code) => `  | '${code}'`).join('\n')};\n`,
     'js/docs/options.md': optionsPage(shotDraft()),
     'js/docs/errors.md': errorsPage(TABLE),
+    'renderer/include/telar/shading_terms.inc': termsInclude(),
+    'shaders/shading/terms.glsl': termsGlsl(),
   };
 }
 

@@ -7,6 +7,7 @@ import { cornersOfGround, resolveGround } from './ground.mjs';
 import { posed } from './pose.mjs';
 import { resolveQuality } from './quality.mjs';
 import { shotSchema } from './schema.mjs';
+import { resolveTerms } from './shading_terms.mjs';
 import { resolveShadow } from './shadow.mjs';
 import { refuseUnavailable } from './unavailable.mjs';
 
@@ -51,7 +52,7 @@ export function resolveShot(shot = {}, facts = undefined) {
     modelLights: parsed.modelLights,
     background: resolveBackground(parsed.background, output.format, environment),
     ground,
-    shading: parsed.shading,
+    shading: resolveShading(parsed.shading),
     toneMapping: parsed.toneMapping,
     exposure: parsed.exposure,
     quality: resolveQuality(parsed.quality),
@@ -104,6 +105,9 @@ function resolveBackground(background, format, environment) {
   }
   return blur === 0 ? 'environment' : background;
 }
+
+const WITHOUT_TERMS = ['three', 'fabric'];
+const resolveShading = (shading) => (WITHOUT_TERMS.includes(shading) ? shading : resolveTerms(shading));
 
 function resolveVariant(variant, variants) {
   if (variant === '' || !Array.isArray(variants) || variants.includes(variant)) return variant;

@@ -1,5 +1,6 @@
 import * as z from 'zod';
 import { PRESETS } from './schema.mjs';
+import { BASES, SLOTS } from './shading_terms.mjs';
 
 /**
  * What resolveShot returns, for types and tests; the renderer reads these keys and has no defaults of its own.
@@ -46,7 +47,10 @@ export const resolvedShotSchema = object({
   modelLights: z.boolean(),
   background: z.union([z.enum(['transparent', 'environment']), rgb, object({ type: z.literal('environment'), blur: z.number() })]),
   ground: z.union([z.literal('none'), object({ shadow: z.literal(true), opacity: z.number(), position: vec3, size: z.tuple([z.number(), z.number()]) })]),
-  shading: z.literal('three'),
+  shading: z.union([
+    z.literal('three'),
+    object({ base: z.enum(BASES), ...Object.fromEntries(Object.entries(SLOTS).map(([slot, terms]) => [slot, z.enum(terms)])) }),
+  ]),
   toneMapping: z.enum(['neutral', 'none', 'linear', 'reinhard', 'cineon', 'aces', 'agx']),
   exposure: z.number(),
   quality: object({

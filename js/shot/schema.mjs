@@ -1,6 +1,7 @@
 import * as z from 'zod';
 import { boolean, choice, colour, expectedColour, number, object, text, vector } from './fields.mjs';
 import { VIEWS } from './frame.mjs';
+import { BASES, SLOTS } from './shading_terms.mjs';
 
 /**
  * The one declaration of the shot: the API, the CLI, the HTTP service, the JSON Schema, the TypeScript types and the option
@@ -200,6 +201,16 @@ export const poseSchema = object('A moment of an animation', {
     { what: 'a number of seconds', min: -1e30 }).default(0),
 }).nullable().default(null).describe('A moment of one of the model\'s animations; null = as the file stands');
 
+const SHADING = '"three", "three-r115", "disney-2012" or {base, <slot>: <term>}';
+const shading = z.union([
+  z.enum(['three', ...BASES], { error: SHADING }),
+  object('A principled shading with terms swapped', {
+    base: choice('Shading that the other slots are taken from', BASES),
+    ...Object.fromEntries(Object.entries(SLOTS).map(([slot, terms]) => [slot, choice(`Term of the slot: js/docs/shading.md`, terms).optional()])),
+  }),
+], { error: SHADING }).describe('"three": what stock three.js shows; "three-r115": what three.js showed in 2020; "disney-2012": Burley\'s principled model; or terms of these by name')
+  .default('three');
+
 export const shotSchema = object('What to draw', {
   size,
   camera,
@@ -208,7 +219,7 @@ export const shotSchema = object('What to draw', {
   modelLights: boolean('Use the lights in the model').default(true),
   background: background.optional(),
   ground,
-  shading: choice('"three": what stock three.js shows', ['three']).default('three'),
+  shading,
   toneMapping: choice('As in three.js', ['neutral', 'none', 'linear', 'reinhard', 'cineon', 'aces', 'agx']).default('neutral'),
   exposure: number('Factor on radiance before tone mapping', { min: 0 }).default(1),
   quality,

@@ -249,8 +249,31 @@ export interface Shot {
     /** Metres along x and z; default as wide as the shadows fall. */
     size?: [number, number];
   };
-  /** "three": what stock three.js shows. @default "three" */
-  shading?: 'three';
+  /** "three": what stock three.js shows; "three-r115": what three.js showed in 2020; "disney-2012": Burley's principled model; or terms of these by name. @default "three" */
+  shading?: 'three' | 'three-r115' | 'disney-2012' | {
+    /** Shading that the other slots are taken from. */
+    base: 'three-r115' | 'disney-2012';
+    /** Term of the slot: js/docs/shading.md. */
+    parameters?: 'three-r115' | 'disney-2012';
+    /** Term of the slot: js/docs/shading.md. */
+    diffuse?: 'lambert' | 'disney-2012' | 'frostbite' | 'eon' | 'disney-2015-thin';
+    /** Term of the slot: js/docs/shading.md. */
+    distribution?: 'ggx' | 'gtr2-anisotropic';
+    /** Term of the slot: js/docs/shading.md. */
+    visibility?: 'smith-correlated' | 'smith-separable';
+    /** Term of the slot: js/docs/shading.md. */
+    fresnel?: 'schlick-exp2' | 'schlick';
+    /** Term of the slot: js/docs/shading.md. */
+    sheen?: 'charlie-neubelt' | 'disney-2012' | 'ashikhmin-velvet' | 'charlie-estevez-kulla' | 'zeltner';
+    /** Term of the slot: js/docs/shading.md. */
+    clearcoat?: 'three-r115' | 'disney-2012';
+    /** Term of the slot: js/docs/shading.md. */
+    layering?: 'three-r115' | 'disney-2012';
+    /** Term of the slot: js/docs/shading.md. */
+    scattering?: 'fdez-aguera' | 'single';
+    /** Term of the slot: js/docs/shading.md. */
+    environment?: 'karis' | 'three-table' | 'lazarov';
+  };
   /** As in three.js. @default "neutral" */
   toneMapping?: 'neutral' | 'none' | 'linear' | 'reinhard' | 'cineon' | 'aces' | 'agx';
   /** Factor on radiance before tone mapping. Range at least 0. @default 1 */
@@ -412,7 +435,19 @@ export interface ResolvedShot {
     position: [number, number, number];
     size: [number, number];
   };
-  shading: 'three';
+  shading: 'three' | {
+    base: 'three-r115' | 'disney-2012';
+    parameters: 'three-r115' | 'disney-2012';
+    diffuse: 'lambert' | 'disney-2012' | 'frostbite' | 'eon' | 'disney-2015-thin';
+    distribution: 'ggx' | 'gtr2-anisotropic';
+    visibility: 'smith-correlated' | 'smith-separable';
+    fresnel: 'schlick-exp2' | 'schlick';
+    sheen: 'charlie-neubelt' | 'disney-2012' | 'ashikhmin-velvet' | 'charlie-estevez-kulla' | 'zeltner';
+    clearcoat: 'three-r115' | 'disney-2012';
+    layering: 'three-r115' | 'disney-2012';
+    scattering: 'fdez-aguera' | 'single';
+    environment: 'karis' | 'three-table' | 'lazarov';
+  };
   toneMapping: 'neutral' | 'none' | 'linear' | 'reinhard' | 'cineon' | 'aces' | 'agx';
   exposure: number;
   quality: {

@@ -10,7 +10,7 @@ const KEYS = {
 
 /** [values, what to use instead] by key. */
 const VALUES = {
-  shading: [['fabric', 'three-r115', 'disney-2012'], 'use "three"'],
+  shading: [['fabric'], 'use "three"'],
   quality: [['high', 'reference'], 'use "standard", the best that there is, or "draft"'],
   layers: [['depth', 'normal', 'partId', 'ao', 'albedo', 'line', 'shadow'], 'use "beauty"'],
   lightType: [['disk'], 'use "rect", a square of the same area: width = height = 1.772 radius (three.js has no disk either)'],

@@ -77,6 +77,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.ambient = frame.ambient;
   key.environment = frame.environment;
   key.shading = frame.shading;
+  key.terms = frame.terms;
   key.orthographic = frame.orthographic;
   key.lights = frame.lights;
   key.flatShaded = primitive.normals.empty();
@@ -204,6 +205,7 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
   frame.debugOutput = shot.debugOutput != DebugOutput::kNone;
   frame.outputLinear = !frame.debugOutput && framePixelType(shot.output) == PixelType::kRgbaF32;
   frame.shading = shot.shading;
+  if (isPrincipled(shot.shading)) frame.terms = shot.terms;
   frame.toneMapping = frame.outputLinear ? shader::ToneMapping::kNone : shader::toneMappingByName(shot.toneMapping);
 
   const int variant = variantIndex(scene, shot.variant);

@@ -32,8 +32,13 @@ Defines VariantKey::defines() const {
   list.emplace_back("SPOT_SHADOWS", lights.spotShadows);
   list.emplace_back("FLAT_SHADOWS", lights.spotShadows + lights.directionalShadows);
   list.emplace_back("SHADING_THREE", shading == ShadingModel::kThree);
-  list.emplace_back("SHADING_PRINCIPLED", shading == ShadingModel::kThreeR115 || shading == ShadingModel::kDisney2012);
+  list.emplace_back("SHADING_PRINCIPLED", isPrincipled(shading));
   list.emplace_back("SHADING_FABRIC", shading == ShadingModel::kFabric);
+#define TELAR_SHADING_DEFINE(glsl, member, ...) list.emplace_back(#glsl "_TERM", terms.member);
+  if (isPrincipled(shading)) {
+    TELAR_SHADING_SLOTS(TELAR_SHADING_DEFINE)
+  }
+#undef TELAR_SHADING_DEFINE
   list.emplace_back("TONE_MAPPING", static_cast<int>(toneMapping));
   return list;
 }

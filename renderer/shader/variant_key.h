@@ -98,6 +98,7 @@ struct VariantKey {
 #undef TELAR_FEATURE_MEMBER
   LightCounts lights;
   ShadingModel shading = ShadingModel::kThree;
+  ShadingTerms terms;  ///< of a principled shading, else as made
   ToneMapping toneMapping = ToneMapping::kNone;
 
   auto operator<=>(const VariantKey&) const = default;

@@ -177,6 +177,20 @@ void readQuality(const JsonPath& json, Shot& shot) {
   shot.environmentSamples = json.at("environmentSamples").integer(0, ENVIRONMENT_SAMPLES_MAX);
 }
 
+/// A name, or for the principled shadings their base with every slot.
+void readShading(const JsonPath& json, Shot& shot) {
+  if (!json.isObject()) {
+    shot.shading = json.choice({"three", "fabric"}) == 0 ? ShadingModel::kThree : ShadingModel::kFabric;
+    return;
+  }
+  shot.shading =
+      json.at("base").choice({"three-r115", "disney-2012"}) == 0 ? ShadingModel::kThreeR115 : ShadingModel::kDisney2012;
+#define TELAR_SHADING_READ(define, member, ...) \
+  shot.terms.member = static_cast<int>(json.at(#member).choice({__VA_ARGS__}));
+  TELAR_SHADING_SLOTS(TELAR_SHADING_READ)
+#undef TELAR_SHADING_READ
+}
+
 Shot readShot(const JsonPath& json) {
   Shot shot;
   shot.width = json.at("size").at("width").integer(1, SIZE_MAX_PX);
@@ -188,7 +202,7 @@ Shot readShot(const JsonPath& json) {
   shot.modelLights = json.at("modelLights").boolean();
   shot.background = readBackground(json.at("background"));
   shot.ground = readGround(json.at("ground"));
-  shot.shading = static_cast<ShadingModel>(json.at("shading").choice({"three", "three-r115", "disney-2012", "fabric"}));
+  readShading(json.at("shading"), shot);
   const JsonPath toneMapping = json.at("toneMapping");
   toneMapping.choice({"none", "linear", "reinhard", "cineon", "aces", "agx", "neutral"});
   shot.toneMapping = toneMapping.string();

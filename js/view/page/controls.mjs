@@ -41,7 +41,7 @@ const BINDINGS = {
     read: ({ resolved }) => resolved.pose?.time,
     change: (value, { resolved }) => ({ pose: { ...resolved.pose, time: Number(value) } }),
   },
-  shading: { read: ({ resolved }) => resolved.shading, change: (shading) => ({ shading }) },
+  shading: { read: ({ resolved: { shading } }) => shading.base ?? shading, change: (shading) => ({ shading }) },
   toneMapping: { read: ({ resolved }) => resolved.toneMapping, change: (toneMapping) => ({ toneMapping }) },
   exposure: { read: ({ resolved }) => resolved.exposure, change: (value) => ({ exposure: Number(value) }) },
   environment: {

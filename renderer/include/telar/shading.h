@@ -1,5 +1,8 @@
 #pragma once
+#include <compare>
 #include <cstdint>
+
+#include "telar/shading_terms.inc"
 
 namespace telar {
 
@@ -10,5 +13,30 @@ enum class ShadingModel : std::uint8_t {
   kDisney2012,  ///< Burley 2012, "Physically-Based Shading at Disney"
   kFabric,      ///< telar's model of cloth
 };
+
+/// One term for every slot of the principled shadings: numbers within the lists of js/shot/shading_terms.mjs. As it
+/// stands it is three-r115.
+struct ShadingTerms {
+#define TELAR_SHADING_MEMBER(define, member, ...) int member = 0;
+  TELAR_SHADING_SLOTS(TELAR_SHADING_MEMBER)
+#undef TELAR_SHADING_MEMBER
+
+  auto operator<=>(const ShadingTerms&) const = default;
+};
+
+/// Whether a shading is made of terms.
+inline bool isPrincipled(ShadingModel shading) {
+  return shading == ShadingModel::kThreeR115 || shading == ShadingModel::kDisney2012;
+}
+
+/// The terms of a principled shading of which none is swapped; of other shadings they say nothing.
+inline ShadingTerms termsOf(ShadingModel shading) {
+  const int column = shading == ShadingModel::kDisney2012 ? 1 : 0;
+  ShadingTerms terms;
+#define TELAR_SHADING_MEMBER(define, member, ...) terms.member = column;
+  TELAR_SHADING_SLOTS(TELAR_SHADING_MEMBER)
+#undef TELAR_SHADING_MEMBER
+  return terms;
+}
 
 }  // namespace telar

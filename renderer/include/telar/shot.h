@@ -96,6 +96,7 @@ struct Shot {
   std::optional<Ground> ground;
 
   ShadingModel shading = ShadingModel::kThree;
+  ShadingTerms terms;       ///< of a principled shading
   std::string toneMapping;  ///< none linear reinhard cineon aces agx neutral
   double exposure = 1;
   int samples = 4;             ///< quality.samples: 1 or 4 in one pass, 16 or 64 in several

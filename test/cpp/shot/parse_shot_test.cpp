@@ -107,6 +107,31 @@ TEST(ParseShot, ReadsTheOtherForms) {
   EXPECT_EQ(parseShot(with("/background", blurred).dump()).background.blur, 0.25);
 }
 
+TEST(ParseShot, ReadsTheTermsOfAShading) {
+  json shading = {{"base", "disney-2012"},
+                  {"parameters", "disney-2012"},
+                  {"diffuse", "disney-2012"},
+                  {"distribution", "gtr2-anisotropic"},
+                  {"visibility", "smith-separable"},
+                  {"fresnel", "schlick"},
+                  {"sheen", "zeltner"},
+                  {"clearcoat", "disney-2012"},
+                  {"layering", "disney-2012"},
+                  {"scattering", "single"},
+                  {"environment", "three-table"}};
+  const Shot shot = parseShot(with("/shading", shading).dump());
+  EXPECT_EQ(shot.shading, ShadingModel::kDisney2012);
+  ShadingTerms expected = termsOf(ShadingModel::kDisney2012);
+  expected.sheen = 4;
+  EXPECT_EQ(shot.terms, expected);
+  EXPECT_EQ(termsOf(ShadingModel::kThreeR115), ShadingTerms());
+  shading.erase("fresnel");
+  EXPECT_STREQ(failure(with("/shading", shading)).what(),
+               "shot.shading.fresnel: expected a value, got nothing: pass what resolveShot returns");
+  EXPECT_EQ(failure(with("/shading", "three-r115")).pointer, "/shading");
+  EXPECT_EQ(parseShot(with("/shading", "fabric").dump()).shading, ShadingModel::kFabric);
+}
+
 TEST(ParseShot, ReadsEveryLight) {
   const json lights = json::parse(R"([
     {"type": "ambient", "color": [1, 0.5, 0], "intensity": 2},
