@@ -2,8 +2,10 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 import { buildPage } from './build_page.mjs';
+import { buildShading } from './build_shading/index.mjs';
 
-// Writes js/dist: *.cjs from the ESM sources, for require('telar'), and the page of `telar view`: node js/build_cjs.mjs. One bundle for each entry of
+// Writes js/dist: *.cjs from the ESM sources, for require('telar'), the text of shaders/ for three.js and the page of
+// `telar view`: node js/build_cjs.mjs. One bundle for each entry of
 // package.json's `exports`; npm packages stay outside. Errors of either kind of module recognise each other (js/error).
 
 const JS = path.dirname(fileURLToPath(import.meta.url));
@@ -27,4 +29,5 @@ await build({
   logLevel: 'warning',
 });
 
+buildShading();
 await buildPage();

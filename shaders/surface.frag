@@ -56,6 +56,7 @@ precision highp samplerCube;
 #include "light/punctual.glsl"
 #include "light/area.glsl"
 #include "light/indirect.glsl"
+#include "light/occluded.glsl"
 #if TRANSMISSION
 #include "light/transmission.glsl"
 #endif
@@ -81,17 +82,7 @@ void main() {
   Incident incident = incidentLight(s);
   Reflected indirect = indirectLight(s, incident);
 #if OCCLUSION_MAP
-  float occlusion = diffuseOcclusion(texture(occlusionMap, vOcclusionUv).r, occlusionStrength);
-  indirect.diffuse *= occlusion;
-#if CLEARCOAT
-  indirect.coat *= occlusion;
-#endif
-#if SHEEN
-  indirect.sheen *= occlusion;
-#endif
-#if ENVIRONMENT
-  indirect.specular *= specularOcclusion(s.perceptualRoughness, occlusion, s.NoV);
-#endif
+  indirect = occluded(indirect, s);
 #endif
 #if POINT_LIGHTS + SPOT_LIGHTS + DIRECTIONAL_LIGHTS > 0
   Reflected direct = punctualLight(s);

@@ -3,6 +3,7 @@ import path from 'node:path';
 import { ROOT, runLogged } from './step.mjs';
 
 const JS = path.join(ROOT, 'js');
+const SHADERS = path.join(ROOT, 'shaders');
 const BUNDLER = path.join(JS, 'build_cjs.mjs');
 
 /** Whether every source is older than the oldest bundle. */
@@ -11,12 +12,13 @@ function bundlesFresh() {
   if (!existsSync(dist)) return false;
   const times = (folder, pattern) =>
     readdirSync(folder, { recursive: true }).filter((file) => pattern.test(file) && !file.startsWith('dist')).map((file) => statSync(path.join(folder, file)).mtimeMs);
-  const bundles = times(dist, /\.cjs$/);
-  return bundles.length > 0 && Math.max(...times(JS, /\.(mjs|json|css|html|svg)$/)) <= Math.min(...bundles);
+  const bundles = existsSync(path.join(dist, 'shading')) ? times(dist, /\.cjs$/) : [];
+  const sources = [...times(JS, /\.(mjs|json|css|html|svg|glsl)$/), ...times(SHADERS, /\.(glsl|frag|vert)$/)];
+  return bundles.length > 0 && Math.max(...sources) <= Math.min(...bundles);
 }
 
 /**
- * Writes js/dist, the CommonJS side of the package and the page of `telar view`, where a source is newer.
+ * Writes js/dist, the CommonJS side of the package, the shading text for three.js and the page of `telar view`, where a source is newer.
  * @returns {Promise<string>} What was done, in a few words.
  */
 export async function ensureBundles(begin) {

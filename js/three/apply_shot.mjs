@@ -1,5 +1,6 @@
 import { applyPose } from './pose.mjs';
 import { applyLightShadow, applyShadows } from './shadows.mjs';
+import { replaceMaterials, restoreMaterials } from './shading.mjs';
 import { applyVariant } from './variant.mjs';
 
 /**
@@ -45,7 +46,7 @@ export async function applyShot(shot, { THREE, renderer, scene, camera, model, e
   applyShadows(shot, THREE, { renderer, scene, model });
   applyEnvironment(shot, THREE, scene, environment);
   applyBackground(shot, THREE, scene);
-  if (model) await applyVariant(model, shot.variant);
+  if (model) await applyMaterials(shot, model, THREE);
   if (model) applyPose(model, shot.pose, { THREE });
   return applyCamera(shot, THREE, camera);
 }
@@ -67,6 +68,13 @@ export function toneMappingOf(THREE, name) {
   };
   if (!(name in table)) throw new Error(`shot.toneMapping: expected one of ${Object.keys(table).join(' ')}, got ${name}`);
   return table[name];
+}
+
+/** The materials of the variant, shaded as the shot says. */
+async function applyMaterials(shot, model, THREE) {
+  restoreMaterials(model.scene);
+  await applyVariant(model, shot.variant);
+  if (shot.shading !== 'three') await replaceMaterials(model.scene, shot.shading, THREE);
 }
 
 function applyOutput(shot, THREE, renderer) {

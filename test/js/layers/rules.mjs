@@ -64,7 +64,7 @@ export const OWNED_CALLS = [
 export const JS_LAYERS = {
   'js/error': { imports: [], browser: true },
   'js/shot': { imports: ['js/error'], browser: true },
-  'js/three': { imports: ['js/error', 'js/shot'], browser: true },
+  'js/three': { imports: ['js/error', 'js/shot', 'js/dist/shading'], browser: true },
   'js/api': { imports: ['js/error', 'js/shot'] },
   'js/compare': { imports: ['js/error', 'js/shot', 'js/api', 'js/native.mjs'] },
   'js/view': { imports: ['js/error', 'js/shot', 'js/compare', 'js/native.mjs'] },
@@ -80,7 +80,8 @@ export const JS_LAYERS = {
   'js/renderer.mjs': { imports: ['js/api', 'js/error', 'js/shot', 'js/model.mjs', 'js/native.mjs'] },
   'js/versions.mjs': { imports: [] },
   'js/native.mjs': { imports: ['js/error'] },
-  'js/build_cjs.mjs': { imports: ['js/build_page.mjs'], development: true },
+  'js/build_cjs.mjs': { imports: ['js/build_page.mjs', 'js/build_shading'], development: true },
+  'js/build_shading': { imports: [], development: true },
   'js/build_page.mjs': { imports: [], development: true },
   'js/build.mjs': { imports: ['js/setup'], builtinsOnly: true },
   'js/install.mjs': { imports: ['js/setup'], builtinsOnly: true },

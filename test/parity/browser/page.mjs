@@ -7,6 +7,7 @@ import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { applyShot, rendererParameters } from '/js/three/index.mjs';
+import { replaceMaterials } from '/js/three/shading.mjs';
 import { prefilteredFaces } from './prefilter.mjs';
 import { measureTerms } from './terms.mjs';
 
@@ -53,7 +54,7 @@ async function loadEnvironment({ url, format }) {
   return texture;
 }
 
-/** Everything that a draw needs: `job` is {shot, model: url, environment: {url, format} | null}. */
+/** Everything that a draw needs: `job` is {shot, model: url, environment: {url, format} | null, ownText}. */
 async function prepare(job) {
   const renderer = rendererFor(job.shot);
   const model = await loaderFor(renderer, job.textures).loadAsync(job.model);
@@ -64,6 +65,7 @@ async function prepare(job) {
     THREE, renderer, scene, model, environment,
     areaLightTables: () => import('three/addons/lights/RectAreaLightUniformsLib.js'),
   });
+  if (job.ownText) await replaceMaterials(model.scene, 'three', THREE);
   return { renderer, scene, camera, dispose: () => disposeModel(model.scene) };
 }
 
@@ -95,7 +97,7 @@ async function send(url, bytes) {
 /**
  * Draws a job; PUTs the picture to `${job.result}/image`, and where it has a background the same without one to
  * `${job.result}/mask`.
- * @returns {Promise<object>} Facts: GL strings, samples, draw calls, milliseconds.
+ * @returns {Promise<object>} Facts: GL strings, samples, draw calls, meshes that telar's text shades, milliseconds.
  */
 window.telarDraw = async (job) => {
   const begin = performance.now();
@@ -111,11 +113,19 @@ window.telarDraw = async (job) => {
     renderer.render(scene, camera);
     mask = readDrawingBuffer(renderer);
   }
+  const replaced = replacedMaterials(scene);
   dispose();
   await send(`${job.result}/image`, image);
   if (mask) await send(`${job.result}/mask`, mask);
-  return { ...contextFacts(renderer), calls, loadMs: loaded - begin, drawMs: drawn - loaded };
+  return { ...contextFacts(renderer), calls, replaced, loadMs: loaded - begin, drawMs: drawn - loaded };
 };
+
+/** How many meshes are shaded by telar's text. */
+function replacedMaterials(scene) {
+  let count = 0;
+  scene.traverse(({ material }) => (count += Number(material?.isTelarShadingMaterial === true)));
+  return count;
+}
 
 function contextFacts(renderer) {
   const gl = renderer.getContext();

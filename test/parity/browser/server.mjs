@@ -3,11 +3,15 @@ import { stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { shadingModule } from '../../../js/build_shading/index.mjs';
 
 const ROOT = fileURLToPath(new URL('../../../', import.meta.url));
 
 /** Folders of the project that the page may read. */
 const SERVED = ['/node_modules/three/', '/js/', '/test/parity/browser/'];
+
+/** Text of shaders/ for three.js, made of what lies there now and not of what js/dist was built from. */
+const SHADING = /^\/js\/dist\/shading\/(\w+)\.mjs$/;
 
 const CONTENT_TYPE = {
   '.html': 'text/html',
@@ -33,6 +37,7 @@ export async function startServer() {
     const url = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
     if (request.method === 'PUT') receive(request, response, results, url);
     else if (offered.has(url)) response.end(offered.get(url));
+    else if (SHADING.test(url)) sendShading(response, url);
     else sendFile(response, resolveFile(url, folders));
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
@@ -70,6 +75,10 @@ function resolveFile(url, folders) {
 function beneath(folder, relative) {
   const file = path.resolve(folder, relative);
   return file.startsWith(path.resolve(folder) + path.sep) ? file : null;
+}
+
+function sendShading(response, url) {
+  response.writeHead(200, { 'Content-Type': CONTENT_TYPE['.mjs'] }).end(shadingModule(SHADING.exec(url)[1]));
 }
 
 async function sendFile(response, file) {

@@ -1,0 +1,20 @@
+import { mkdirSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { FAMILIES, shadingText } from './translate.mjs';
+
+// Writes js/dist/shading: the text of shaders/ as js/three hands it to three.js, one module for each family of shadings.
+
+const OUT = fileURLToPath(new URL('../dist/shading/', import.meta.url));
+
+/** @returns {string} The module of one family. */
+export function shadingModule(family) {
+  const { declarations, main, inputs } = shadingText(family);
+  const entries = Object.entries({ declarations, main }).map(([name, text]) => `export const ${name} = ${JSON.stringify(text)};\n`);
+  return `// Written by js/build_shading from shaders/.\n${entries.join('')}export const inputs = ${JSON.stringify(inputs)};\n`;
+}
+
+export function buildShading() {
+  mkdirSync(OUT, { recursive: true });
+  for (const family of FAMILIES) writeFileSync(path.join(OUT, `${family}.mjs`), shadingModule(family));
+}

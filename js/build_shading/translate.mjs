@@ -1,0 +1,94 @@
+import { existsSync, readFileSync } from 'node:fs';
+import { ARRAYS, COUNTS, EXPRESSIONS, FEATURES, FIXED, INPUTS, LEFT_OUT } from './names.mjs';
+import { conditionNames, decided, included, withoutComments } from './preprocess.mjs';
+
+const SHADERS = new URL('../../shaders/', import.meta.url);
+const ADAPTER = new URL('../three/shading/', import.meta.url);
+
+/** In front of every name of ours, so that none meets one of three.js or of the client's. */
+const PREFIX = 'telar_';
+
+/** The shadings that shaders/surface.frag tells apart by SHADING_X, and those of them that are written. */
+const SHADINGS = ['three', 'principled', 'fabric'];
+export const FAMILIES = SHADINGS.filter((name) => existsSync(new URL(`shading/${name}.glsl`, SHADERS)));
+
+/** Where the part of surface.frag ends that declares. */
+const MAIN = 'out vec4 fragmentColor;';
+
+const DEFINITIONS = [/^struct (\w+)/gm, /^(?:const )?\w+ (\w+)\(/gm, /^const \w+ (\w+)/gm, /^#define (\w+)/gm];
+const DECLARATION = /^(?:uniform|(?:flat )?in) \w+ (\w+)(?:\[.*\])?;$/;
+
+const readShader = (file) => (LEFT_OUT.includes(file) ? '' : readFileSync(new URL(file, SHADERS), 'utf8'));
+
+/**
+ * Fragment text of one family of shadings for a MeshPhysicalMaterial of three.js: what surface.frag declares, under names
+ * of our own, and js/three/shading/main.glsl.
+ * @param {string} family - One of FAMILIES.
+ * @returns {{declarations: string, main: string, inputs: string[], unknown: string[]}} `inputs`: uniforms and varyings that
+ *   three.js does not have; `unknown`: features without a row in names.mjs, compiled out.
+ */
+export function shadingText(family) {
+  const root = readShader('surface.frag');
+  const source = root.slice(0, root.indexOf(MAIN)).replace(/^precision .*$/gm, '');
+  const adapter = decided(withoutComments(readFileSync(new URL('adapter.glsl', ADAPTER), 'utf8')), {});
+  const main = withoutComments(readFileSync(new URL('main.glsl', ADAPTER), 'utf8'));
+  const known = { ...FIXED, ...Object.fromEntries(SHADINGS.map((name) => [`SHADING_${name.toUpperCase()}`, Number(name === family)])) };
+  const text = decided(withoutComments(included(source, readShader)), known);
+  const defined = new Set([...text.matchAll(/^#define (\w+)/gm)].map(([, name]) => name));
+  const unknown = [...conditionNames(text)].filter((name) => !FEATURES[name] && !COUNTS[name] && !defined.has(name));
+  const declared = decided(text, Object.fromEntries(unknown.map((name) => [name, 0])));
+  const { kept, inputs } = withoutInputs(throughExpressions(declared));
+  const names = new Set([...namesIn(`${adapter}\n${kept}`), ...inputs, ...Object.keys(FEATURES), ...Object.keys(COUNTS)]);
+  const translate = (part) => renamed(part, names);
+  return {
+    declarations: [featureText(), translate(adapter), translate(kept)].join('\n'),
+    main: translate(decided(main, known)),
+    inputs: inputs.map((name) => PREFIX + name),
+    unknown,
+  };
+}
+
+/** three.js's conditions as the 0 or 1 that shaders/ asks for. */
+function featureText() {
+  const features = Object.entries(FEATURES).map(([name, condition]) =>
+    `#if ${condition}\n#define ${PREFIX}${name} 1\n#else\n#define ${PREFIX}${name} 0\n#endif`);
+  return [...features, ...Object.entries(COUNTS).map(([name, count]) => `#define ${PREFIX}${name} ${count}`)].join('\n');
+}
+
+function throughExpressions(text) {
+  let result = text;
+  for (const [from, to] of Object.entries(EXPRESSIONS)) {
+    if (!result.includes(from)) throw new Error(`js/build_shading/names.mjs: no shader reads ${from} any more`);
+    result = result.replaceAll(from, to);
+  }
+  return result;
+}
+
+/** Leaves out the declarations of what three.js declares; names those that are left. */
+function withoutInputs(text) {
+  const inputs = [];
+  const kept = text.split('\n').filter((line) => {
+    const name = DECLARATION.exec(line)?.[1];
+    if (!name) return true;
+    if (Object.hasOwn(INPUTS, name) || Object.hasOwn(ARRAYS, name)) return false;
+    inputs.push(name);
+    return true;
+  });
+  return { kept: kept.join('\n'), inputs };
+}
+
+/** Everything that a text defines outside of functions. */
+function namesIn(text) {
+  return DEFINITIONS.flatMap((pattern) => [...text.matchAll(pattern)].map(([, name]) => name));
+}
+
+function renamed(text, names) {
+  let result = text;
+  for (const [from, [array, member]] of Object.entries(ARRAYS)) {
+    result = result.replace(new RegExp(`\\b${from}\\[(\\w+)\\]`, 'g'), `${array}[$1].${member}`);
+  }
+  return result.replace(/(\.?)\b([A-Za-z_]\w*)\b/g, (whole, dot, name) => {
+    if (names.has(name)) return dot + PREFIX + name;
+    return !dot && Object.hasOwn(INPUTS, name) ? INPUTS[name] : whole;
+  });
+}

@@ -1,0 +1,31 @@
+import { shadingMaterialClass } from './material.mjs';
+
+/** Text by family of shadings, fetched when first asked for: a client that shows stock three.js never does. */
+const TEXTS = {
+  three: () => import('../../dist/shading/three.mjs'),
+  principled: () => import('../../dist/shading/principled.mjs'),
+  fabric: () => import('../../dist/shading/fabric.mjs'),
+};
+
+/** Classes by family, for each three.js module. */
+const classes = new WeakMap();
+
+/**
+ * Class of the materials of one family of shadings.
+ * @param {typeof import('three')} THREE
+ * @param {string} family - three, principled, fabric; `three` is stock three.js by telar's own text, for tests.
+ * @returns {Promise<new (parameters?: object) => import('three').MeshPhysicalMaterial>}
+ */
+export async function loadShading(THREE, family) {
+  const text = await TEXTS[family]();
+  if (!classes.has(THREE)) classes.set(THREE, {});
+  const own = classes.get(THREE);
+  own[family] ??= shadingMaterialClass(THREE, text, family);
+  return own[family];
+}
+
+/** Family of a resolved shot's shading. */
+export const familyOf = (shading) => (typeof shading === 'string' ? shading : 'principled');
+
+/** What the text of a resolved shot's shading is compiled with. */
+export const definesOf = () => ({});

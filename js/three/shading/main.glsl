@@ -1,0 +1,57 @@
+// main() of a MeshPhysicalMaterial whose surface is shaded by telar's text. <...> are chunks of three.js; the place of
+// TELAR_LIGHT_LOOPS takes its loops over the lights, which call RE_Direct for each.
+void main() {
+  vec4 diffuseColor = vec4(diffuse, opacity);
+  vec3 totalEmissiveRadiance = emissive;
+#include <clipping_planes_fragment>
+#include <logdepthbuf_fragment>
+#include <map_fragment>
+#include <color_fragment>
+#include <alphamap_fragment>
+#include <alphatest_fragment>
+#include <alphahash_fragment>
+#include <emissivemap_fragment>
+
+  SurfaceInfo telarSurface = surfaceInfo(diffuseColor.rgb);
+  Reflected telarDirect = nothingReflected();
+  vec3 geometryPosition = -vViewPosition;
+  vec3 geometryNormal = telarSurface.n;
+  vec3 geometryViewDir = telarSurface.v;
+#undef RE_Direct
+#undef RE_Direct_RectArea
+#undef RE_IndirectSpecular
+#define RE_Direct(light, position, normal, view, coatNormal, material, reflected) telarDirect = addPunctual(telarDirect, telarSurface, lightDirection(light.direction), light.color)
+TELAR_LIGHT_LOOPS
+#include <lights_fragment_maps>
+#if RECT_LIGHTS > 0
+  telarDirect = addRectLight(telarDirect, telarSurface);
+#endif
+  Incident telarIncident = incidentLight(telarSurface);
+  telarIncident.irradiance = irradiance;
+  Reflected telarIndirect = indirectLight(telarSurface, telarIncident);
+#if OCCLUSION_MAP
+  telarIndirect = occluded(telarIndirect, telarSurface);
+#endif
+  vec3 totalDiffuse = telarDirect.diffuse + telarIndirect.diffuse;
+#ifdef USE_TRANSMISSION
+  PhysicalMaterial material;
+  material.diffuseContribution = telarSurface.diffuse;
+  material.specularColorBlended = telarSurface.f0;
+  material.specularF90 = telarSurface.f90;
+  material.roughness = telarSurface.perceptualRoughness;
+  material.ior = ior;
+#ifdef USE_DISPERSION
+  material.dispersion = dispersion;
+#endif
+  vec3 normal = telarSurface.n;
+#endif
+#include <transmission_fragment>
+  vec3 outgoingLight = composedRadiance(telarSurface, totalDiffuse, telarDirect, telarIndirect, totalEmissiveRadiance);
+
+#include <opaque_fragment>
+#include <tonemapping_fragment>
+#include <colorspace_fragment>
+#include <fog_fragment>
+#include <premultiplied_alpha_fragment>
+#include <dithering_fragment>
+}

@@ -1,0 +1,17 @@
+#if OCCLUSION_MAP
+// Light from everywhere, as far as the baked occlusion lets it through.
+Reflected occluded(Reflected indirect, SurfaceInfo s) {
+  float occlusion = diffuseOcclusion(texture(occlusionMap, vOcclusionUv).r, occlusionStrength);
+  indirect.diffuse *= occlusion;
+#if CLEARCOAT
+  indirect.coat *= occlusion;
+#endif
+#if SHEEN
+  indirect.sheen *= occlusion;
+#endif
+#if ENVIRONMENT
+  indirect.specular *= specularOcclusion(s.perceptualRoughness, occlusion, s.NoV);
+#endif
+  return indirect;
+}
+#endif
