@@ -5,6 +5,7 @@
 #include "convert.h"
 #include "handles.h"
 #include "images.h"
+#include "lobes.h"
 #include "state.h"
 #include "telar/load.h"
 #include "telar/pose.h"
@@ -127,6 +128,7 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["probe"] = Napi::Function::New(env, probe, "probe");
   exports["decodeImage"] = Napi::Function::New(env, decodeImage, "decodeImage");
   exports["encodePng"] = Napi::Function::New(env, encodePng, "encodePng");
+  exports["evaluateLobes"] = Napi::Function::New(env, evaluateLobes, "evaluateLobes");
   exports["createRenderer"] = Napi::Function::New(env, createRenderer, "createRenderer");
   exports["shutDown"] = Napi::Function::New(env, shutDown, "shutDown");
   exports["limits"] = limitsToJs(env, Limits());

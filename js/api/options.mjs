@@ -9,12 +9,13 @@ const MAX_WAITING = 1024;
 /** @returns {TelarError} E_OPTION */
 export const wrongOption = (name, expected, value) => new TelarError('E_OPTION', `${name}: expected ${expected}, got ${shown(value)}`);
 
-const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
+export const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
 /** As many keys as a message can hold. */
 const MAX_LISTED = 12;
 
-function checkObject(name, value, known) {
+/** @throws {TelarError} E_OPTION where it is no object, or has a key beside the known ones */
+export function checkObject(name, value, known) {
   if (!isObject(value)) throw wrongOption(name, 'an object', value);
   for (const key of Object.keys(value)) {
     if (known.includes(key)) continue;

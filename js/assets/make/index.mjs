@@ -3,13 +3,14 @@ import { existsSync } from 'node:fs';
 import { mkdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { makeFabrics } from './fabrics/index.mjs';
 import { makeStudio } from './studio.mjs';
 import { makeTshirt } from './tshirt.mjs';
 
 /** Writes the bundled assets beside this folder, or into the folder given as the first argument. */
 const target = process.argv[2] ?? fileURLToPath(new URL('..', import.meta.url));
 await mkdir(target, { recursive: true });
-for (const [name, make] of [['studio.hdr', makeStudio], ['tshirt.glb', makeTshirt]]) {
+for (const [name, make] of [['studio.hdr', makeStudio], ['tshirt.glb', makeTshirt], ['fabrics.glb', makeFabrics]]) {
   const bytes = await make();
   await writeFile(path.join(target, name), bytes);
   console.log(`${name}  ${bytes.length} bytes`);

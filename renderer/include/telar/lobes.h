@@ -1,0 +1,40 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <memory>
+
+#include "telar/cancel.h"
+#include "telar/scene.h"
+#include "telar/shot.h"
+
+namespace telar {
+
+/// Light that a surface sends to the viewer, linear Rec.709. `total` is the sum of the four: what one lobe takes from
+/// another (a coat from what lies beneath) is taken.
+struct LobeRadiance {
+  glm::dvec3 diffuse{0}, specular{0}, sheen{0}, coat{0}, total{0};
+};
+
+/// A material seen from one side, shaded in double by the text that the renderer shades with. Tangent frame: z =
+/// normal, x = tangent; the viewer stands in the half plane x >= 0, y = 0. Textures are left out, as if white, normal
+/// maps flat.
+class ShadedMaterial {
+ public:
+  /// @param shot       of which only the shading is read
+  /// @param viewAngle  radians from the normal, [0, pi / 2)
+  ShadedMaterial(const Material& material, const Shot& shot, double viewAngle);
+
+  /// Radiance under light of one direction that gives the irradiance 1 on a surface that faces it: the BRDF times NoL.
+  /// @param l  unit, to the light
+  LobeRadiance radiance(const glm::dvec3& l) const;
+
+  /// Share of the light that the surface reflects, for light that comes evenly from everywhere to this viewer: the
+  /// directional albedo. By quadrature; relative error below 1e-6 for smooth lobes, 1e-4 for the sharpest.
+  /// @throws Error{X_CANCELLED}
+  LobeRadiance albedo(const CancelToken& cancel) const;
+
+ private:
+  struct State;
+  std::shared_ptr<const State> state_;
+};
+
+}  // namespace telar

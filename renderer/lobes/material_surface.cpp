@@ -1,0 +1,79 @@
+#include "lobes/material_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ibl/dfg_lookup.h"
+
+namespace telar::lobes {
+namespace {
+
+using brdf_d::SurfaceInfo;
+
+glm::dvec2 dfg(double perceptualRoughness, double NoV) {
+  return glm::dvec2(ibl::dfgLookup(static_cast<float>(perceptualRoughness), static_cast<float>(NoV)));
+}
+
+void readBase(SurfaceInfo& s, const Material& m) {
+  const PhysicalLayers& l = m.layers;
+  s.baseColor = glm::dvec3(m.baseColorFactor);
+  s.metallic = m.metallicFactor;
+  s.diffuse = brdf_d::diffuseAlbedo(s.baseColor, s.metallic);
+  s.f0Dielectric = glm::dvec3(brdf_d::F0_DIELECTRIC);
+  s.f90 = 1;
+  if (m.physical) {
+    const double factor = l.specularFactor, ratio = (l.ior - 1.0) / (l.ior + 1.0);
+    s.f90 = glm::mix(factor, 1.0, s.metallic);
+    s.f0Dielectric = glm::min(ratio * ratio * glm::dvec3(l.specularColorFactor), glm::dvec3(1)) * factor;
+  }
+  s.f0 = glm::mix(s.f0Dielectric, s.baseColor, s.metallic);
+  s.perceptualRoughness = brdf_d::shadedRoughness(m.roughnessFactor, 0);
+  s.alpha = brdf_d::alphaFromRoughness(s.perceptualRoughness);
+  s.dfg = dfg(s.perceptualRoughness, s.NoV);
+}
+
+void readAnisotropy(SurfaceInfo& s, const PhysicalLayers& l) {
+  s.anisotropyStrength = brdf_d::saturate(l.anisotropyStrength);
+  s.alphaT = brdf_d::alphaAlongTangent(s.perceptualRoughness, s.anisotropyStrength);
+  const double cos = std::cos(l.anisotropyRotation), sin = std::sin(l.anisotropyRotation);
+  s.t = {cos, sin, 0};
+  s.b = {-sin, cos, 0};
+}
+
+void readFilm(SurfaceInfo& s, const PhysicalLayers& l) {
+  const double thickness = l.iridescenceThicknessMaximum;
+  s.iridescence = thickness == 0 ? 0 : brdf_d::saturate(l.iridescenceFactor);
+  if (s.iridescence == 0) return;
+  const glm::dvec3 dielectric = brdf_d::F_Iridescence(l.iridescenceIor, thickness, s.NoV, s.f0Dielectric);
+  const glm::dvec3 metal = brdf_d::F_Iridescence(l.iridescenceIor, thickness, s.NoV, s.baseColor);
+  s.filmFresnel = glm::mix(dielectric, metal, s.metallic);
+  s.filmF0Dielectric = brdf_d::f0FromSchlick(dielectric, s.NoV);
+  s.filmF0Metal = brdf_d::f0FromSchlick(metal, s.NoV);
+}
+
+void readLayers(SurfaceInfo& s, const PhysicalLayers& l) {
+  s.diffuseRoughness = brdf_d::saturate(l.diffuseRoughnessFactor);
+  readAnisotropy(s, l);
+  readFilm(s, l);
+  s.sheenColor = l.sheen ? glm::dvec3(l.sheenColorFactor) : glm::dvec3(0);
+  s.sheenRoughness = std::max(std::min<double>(l.sheenRoughnessFactor, 1), double{brdf_d::SHEEN_ROUGHNESS_MIN});
+  s.coatNormal = s.n;
+  s.clearcoat = brdf_d::saturate(l.clearcoatFactor);
+  s.clearcoatRoughness = brdf_d::shadedRoughness(l.clearcoatRoughnessFactor, 0);
+  s.clearcoatNoV = s.NoV;
+  s.coatDfg = dfg(s.clearcoatRoughness, s.NoV);
+}
+
+}  // namespace
+
+brdf_d::SurfaceInfo surfaceOf(const Material& material, const Shot&, const glm::dvec3& v) {
+  SurfaceInfo s{};
+  s.n = {0, 0, 1};
+  s.v = v;
+  s.NoV = brdf_d::saturate(v.z);
+  readBase(s, material);
+  readLayers(s, material.layers);
+  return s;
+}
+
+}  // namespace telar::lobes
