@@ -156,6 +156,29 @@ export interface InspectOptions extends CallOptions {
 /** What is in a model, and what a render of it would compile and run; plan is null when there is nothing to draw. */
 export function inspect(source: Source, options?: InspectOptions): Promise<ModelFacts & { plan: Plan | null }>;
 
+/** Light by lobe, linear [r, g, b]; `total` is the sum of the other four. */
+export type Lobes = Record<'diffuse' | 'specular' | 'sheen' | 'coat' | 'total', Vec3>;
+
+export interface EvaluateShadingOptions extends CallOptions {
+  /** A material as glTF writes it, without textures; or the index of one in `model`. */
+  material: object | number;
+  model?: Model;
+  /** @default 'three' */
+  shading?: Shot['shading'];
+  /** Radians from the normal towards the tangent, below pi / 2. @default 0 */
+  viewAngle?: number;
+  /** Unit vectors to the light, at most 65536; z = normal, x = tangent. */
+  directions?: ReadonlyArray<Readonly<Vec3>>;
+  /** Integrate over all directions too. @default false */
+  albedo?: boolean;
+}
+
+/**
+ * What a material reflects, by lobe, in double and without GL. `radiance`: of each direction, under a light that gives the
+ * irradiance 1 on a surface that faces it (the BRDF times the cosine). `albedo`: the share of light from everywhere.
+ */
+export function evaluateShading(options: EvaluateShadingOptions): Promise<{ radiance: Lobes[]; albedo: Lobes | null }>;
+
 export type BackendReport =
   | { backend: Backend; works: true; vendor?: string; renderer?: string; version?: string; software?: boolean }
   | { backend: Backend; works: false; failure: string; cure?: string };
