@@ -38,6 +38,8 @@ void draw(Render& render, Renderer& renderer, const CancelToken& cancel) {
   render.queueMs = render.lap();
   const Shot shot = parseShot(render.shotJson);
   render.output = shot.output;
+  if (shot.reference)
+    throw Error("E_SHOT_UNAVAILABLE", "shot.quality: \"reference\" is not drawn yet; use \"standard\"").at("/quality");
   const std::span<const std::byte> environment =
       render.environment ? std::span(*render.environment) : std::span<const std::byte>();
   try {

@@ -10,6 +10,7 @@ function valuesText(node) {
   if (node.tsType) return node.tsType;
   if (node.const !== undefined) return code(node.const);
   if (node.enum) return node.enum.map(code).join(' ');
+  if (Array.isArray(node.type)) return node.type.map((type) => valuesText({ ...node, type })).join(', ');
   const branches = node.anyOf ?? node.oneOf;
   if (branches) return [...new Set(branches.map(valuesText))].join(', ');
   if (node.prefixItems) return '[number, number, number]';

@@ -31,6 +31,7 @@ export function typeText(node) {
   if (node.tsType) return node.tsType;
   if (node.const !== undefined) return literal(node.const);
   if (node.enum) return node.enum.map(literal).join(' | ');
+  if (Array.isArray(node.type)) return node.type.map((type) => typeText({ ...node, type })).join(' | ');
   if (node.oneOf) return node.oneOf.map(typeText).join(' | ');
   if (node.anyOf) return unionText(node.anyOf);
   if (node.prefixItems) return `[${node.prefixItems.map(typeText).join(', ')}]`;

@@ -1,4 +1,5 @@
 import { shown, wrongValue } from './complain.mjs';
+import { resolveReference } from './reference.mjs';
 import { PRESETS, SAMPLES_OF_A_PASS } from './schema.mjs';
 
 /** Samples of several passes are averaged in linear light by default. */
@@ -10,6 +11,8 @@ const resolveOf = (samples) => (samples > SAMPLES_OF_A_PASS ? 'linear' : 'encode
  * @returns {{preset?: string, samples: number, resolve: string, environmentSamples: number}}
  */
 export function resolveQuality(quality) {
+  if (quality === 'reference') return resolveReference({});
+  if (quality.preset === 'reference') return resolveReference(quality);
   if (typeof quality === 'string') return { preset: quality, ...PRESETS[quality] };
   const { preset, ...given } = quality;
   if (preset !== undefined) {

@@ -4,6 +4,7 @@ import { complaint, nearest, shown, wrongValue } from './complain.mjs';
 import { contactLights } from './contact.mjs';
 import { readFacts } from './facts.mjs';
 import { cornersOfGround, resolveGround } from './ground.mjs';
+import { resolveLens } from './lens.mjs';
 import { posed } from './pose.mjs';
 import { resolveQuality } from './quality.mjs';
 import { shotSchema } from './schema.mjs';
@@ -44,9 +45,11 @@ export function resolveShot(shot = {}, facts = undefined) {
   const output = resolveOutput(parsed.output);
   const environment = resolveEnvironment(parsed.environment);
   const { lights, ground } = resolveStage(parsed, known);
+  const camera = resolveCamera(parsed.camera, parsed.size.width / parsed.size.height, known, cornersOfGround(ground));
   return {
     size: parsed.size,
-    camera: resolveCamera(parsed.camera, parsed.size.width / parsed.size.height, known, cornersOfGround(ground)),
+    camera,
+    lens: resolveLens(parsed.lens, camera),
     environment,
     lights,
     modelLights: parsed.modelLights,

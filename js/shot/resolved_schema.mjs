@@ -27,6 +27,9 @@ export const resolvedShotSchema = object({
     object({ projection: z.literal('perspective'), ...placed, fovY: z.number(), ...planes }),
     object({ projection: z.literal('orthographic'), ...placed, height: z.number(), ...planes }),
   ]),
+  lens: object({
+    aperture: z.number(), shutter: z.number().nullable(), iso: z.number().nullable(), focusDistance: z.number().nullable(),
+  }).nullable(),
   environment: object({
     map: z.union([z.string(), z.custom((value) => value instanceof Uint8Array).meta({ tsType: 'Uint8Array' })]),
     intensity: z.number(),
@@ -53,12 +56,17 @@ export const resolvedShotSchema = object({
   ]),
   toneMapping: z.enum(['neutral', 'none', 'linear', 'reinhard', 'cineon', 'aces', 'agx']),
   exposure: z.number(),
-  quality: object({
-    preset: z.enum(Object.keys(PRESETS)).optional(),
-    samples: z.literal([1, 4, 16, 64]),
-    resolve: z.enum(['encoded', 'linear']),
-    environmentSamples: z.int(),
-  }),
+  quality: z.union([
+    object({
+      preset: z.enum(Object.keys(PRESETS)).optional(),
+      samples: z.literal([1, 4, 16, 64]),
+      resolve: z.enum(['encoded', 'linear']),
+      environmentSamples: z.int(),
+    }),
+    object({
+      preset: z.literal('reference'), samples: z.int(), seed: z.int(), transport: z.enum(['global', 'occlusion', 'direct']), bounces: z.int(), threads: z.int(),
+    }),
+  ]),
   variant: z.string(),
   pose: object({ animation: z.int(), time: z.number() }).nullable(),
   layers: z.array(z.literal('beauty')),

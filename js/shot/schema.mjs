@@ -1,6 +1,8 @@
 import * as z from 'zod';
 import { boolean, choice, colour, expectedColour, number, object, text, vector } from './fields.mjs';
 import { VIEWS } from './frame.mjs';
+import { lensSchema } from './lens.mjs';
+import { referenceQuality } from './reference.mjs';
 import { BASES, SLOTS } from './shading_terms.mjs';
 
 /**
@@ -154,11 +156,11 @@ export const PRESETS = Object.freeze({
 /** Samples of a pixel that one pass over the model takes: more take several passes. */
 export const SAMPLES_OF_A_PASS = 4;
 
-const PRESET = '"standard", "draft" or "high"';
-const QUALITY = '"standard", "draft", "high" or {samples, resolve, environmentSamples}';
+const PRESET = '"standard", "draft", "high" or "reference"';
+const QUALITY = '"standard", "draft", "high", "reference", {samples, resolve, environmentSamples} or {preset: "reference", ...}';
 const SAMPLES = '1, 4, 16 or 64 samples a pixel';
 const quality = z.union([
-  z.enum(Object.keys(PRESETS), { error: QUALITY }),
+  z.enum([...Object.keys(PRESETS), 'reference'], { error: QUALITY }),
   object('Explicit settings', {
     preset: z.enum(Object.keys(PRESETS), { error: PRESET }).describe('Settings to start from').optional(),
     samples: z.literal([1, 4, 16, 64], { error: SAMPLES })
@@ -168,8 +170,9 @@ const quality = z.union([
     environmentSamples: number('Directions a pixel in which the environment is looked up for the material itself; 0 = prefiltered '
       + 'maps, as three.js has them', { what: 'a whole number of directions', min: 0, max: 4096, integer: true }).optional(),
   }),
+  referenceQuality,
 ], { error: QUALITY }).describe('"draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": 16, averaged in linear light, '
-  + 'and the environment integrated with the material').default('standard');
+  + 'and the environment integrated with the material; "reference": traced paths of light, slow and without GL').default('standard');
 
 const LAYERS = '["beauty"]';
 const layers = z.array(z.literal('beauty', { error: LAYERS }), { error: LAYERS }).length(1, { error: LAYERS })
@@ -214,6 +217,7 @@ const shading = z.union([
 export const shotSchema = object('What to draw', {
   size,
   camera,
+  lens: lensSchema,
   environment,
   lights,
   modelLights: boolean('Use the lights in the model').default(true),

@@ -68,6 +68,17 @@ export interface Shot {
     far?: never;
     gltf?: never;
   };
+  /** A photographic lens: exposure by EV100, and depth of field in quality "reference"; null = a pinhole. @default null */
+  lens?: {
+    /** f-number: focal length over the width of the opening. Range 0.1 to 1000. */
+    aperture: number;
+    /** Seconds that the shutter is open; with `iso` it exposes by EV100, a factor beside `exposure`; none = the lens does not change the exposure. */
+    shutter?: number | null;
+    /** Sensitivity, ISO. */
+    iso?: number | null;
+    /** Distance in metres, along the view, of what is sharp, or "target": the camera's target; quality "reference" blurs the rest, the raster does not. None = all is sharp. */
+    focusDistance?: number | 'target' | null;
+  } | null;
   /** Light from all around. @default "studio" */
   environment?: string | Uint8Array | {
     /** "studio" (bundled), "none", or an equirectangular .hdr or .exr map: path, or bytes in JavaScript. @default "studio" */
@@ -278,8 +289,8 @@ export interface Shot {
   toneMapping?: 'neutral' | 'none' | 'linear' | 'reinhard' | 'cineon' | 'aces' | 'agx';
   /** Factor on radiance before tone mapping. Range at least 0. @default 1 */
   exposure?: number;
-  /** "draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": 16, averaged in linear light, and the environment integrated with the material. @default "standard" */
-  quality?: 'standard' | 'draft' | 'high' | {
+  /** "draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": 16, averaged in linear light, and the environment integrated with the material; "reference": traced paths of light, slow and without GL. @default "standard" */
+  quality?: 'standard' | 'draft' | 'high' | 'reference' | {
     /** Settings to start from. */
     preset?: 'standard' | 'draft' | 'high';
     /** Antialiasing samples a pixel; 16 and 64 also sample textures and shading more finely. */
@@ -288,6 +299,25 @@ export interface Shot {
     resolve?: 'encoded' | 'linear';
     /** Directions a pixel in which the environment is looked up for the material itself; 0 = prefiltered maps, as three.js has them. Range 0 to 4096. */
     environmentSamples?: number;
+    seed?: never;
+    transport?: never;
+    bounces?: never;
+    threads?: never;
+  } | {
+    /** The path tracer. */
+    preset: 'reference';
+    /** Paths a pixel, default 256; the noise falls with the root of it. Range 1 to 65536. */
+    samples?: number;
+    /** The same seed gives the same bytes, with any number of threads; default 1. Range 0 to 1000000000. */
+    seed?: number;
+    /** "global": all light, over `bounces` reflections; "occlusion": light that arrives directly, less what surfaces hide; "direct": the same with nothing hidden but the shadows that the shot asks for, which is what the raster computes; default "global". */
+    transport?: 'global' | 'occlusion' | 'direct';
+    /** Reflections from surface to surface, "global" alone; default 8. Range 0 to 64. */
+    bounces?: number;
+    /** Threads that trace; default 0 = one for each core. Range 0 to 256. */
+    threads?: number;
+    resolve?: never;
+    environmentSamples?: never;
   };
   /** Name of a material variant of the model (KHR_materials_variants); "" = none. @default "" */
   variant?: string;
@@ -338,6 +368,12 @@ export interface ResolvedShot {
     near: number;
     far: number;
   };
+  lens: {
+    aperture: number;
+    shutter: number | null;
+    iso: number | null;
+    focusDistance: number | null;
+  } | null;
   environment: {
     map: string | Uint8Array;
     intensity: number;
@@ -455,6 +491,19 @@ export interface ResolvedShot {
     samples: 1 | 4 | 16 | 64;
     resolve: 'encoded' | 'linear';
     environmentSamples: number;
+    seed?: never;
+    transport?: never;
+    bounces?: never;
+    threads?: never;
+  } | {
+    preset: 'reference';
+    samples: number;
+    seed: number;
+    transport: 'global' | 'occlusion' | 'direct';
+    bounces: number;
+    threads: number;
+    resolve?: never;
+    environmentSamples?: never;
   };
   variant: string;
   pose: {

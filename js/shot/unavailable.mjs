@@ -2,16 +2,11 @@ import { TelarError } from '../error/index.mjs';
 
 /**
  * Values that the shot's format reserves and this version does not draw: refused by name, so that they are neither taken
- * for typing errors nor left out in silence. Beside each stands what is available instead.
+ * for typing errors nor left out in silence. [values, what to use instead] by key.
  */
-const KEYS = {
-  lens: ['a lens', 'use exposure and camera.fovY'],
-};
-
-/** [values, what to use instead] by key. */
 const VALUES = {
   shading: [['fabric'], 'use "three"'],
-  quality: [['high', 'reference'], 'use "standard", the best that there is, or "draft"'],
+  quality: [['high'], 'use "standard", the best of the raster, or "reference"'],
   layers: [['depth', 'normal', 'partId', 'ao', 'albedo', 'line', 'shadow'], 'use "beauty"'],
   lightType: [['disk'], 'use "rect", a square of the same area: width = height = 1.772 radius (three.js has no disk either)'],
 };
@@ -36,9 +31,6 @@ const isObject = (value) => typeof value === 'object' && value !== null;
  */
 export function refuseUnavailable(shot) {
   if (!isObject(shot)) return;
-  for (const [key, [what, instead]] of Object.entries(KEYS)) {
-    if (shot[key] !== undefined) refuse([key], what, instead);
-  }
   refuseValue(['shading'], shot.shading, VALUES.shading);
   refuseValue(['quality'], shot.quality, VALUES.quality);
   if (isObject(shot.quality)) {

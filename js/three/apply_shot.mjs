@@ -1,3 +1,4 @@
+import { lensExposure } from '../shot/lens_exposure.mjs';
 import { applyPose } from './pose.mjs';
 import { applyLightShadow, applyShadows } from './shadows.mjs';
 import { replaceMaterials, restoreMaterials } from './shading.mjs';
@@ -82,7 +83,7 @@ function applyOutput(shot, THREE, renderer) {
   renderer.setSize(shot.size.width, shot.size.height, false);
   renderer.outputColorSpace = THREE.SRGBColorSpace;
   renderer.toneMapping = toneMappingOf(THREE, shot.toneMapping);
-  renderer.toneMappingExposure = shot.exposure;
+  renderer.toneMappingExposure = shot.exposure * lensExposure(shot.lens);
   renderer.setClearColor(0x000000, 0);
 }
 

@@ -14,6 +14,7 @@ constexpr int SIZE_MAX_PX = 8192;
 constexpr int SHADOW_MAP_MAX = 4096;  ///< texels on a side
 constexpr int SAMPLES_MAX = 64;       ///< a pixel
 constexpr int ENVIRONMENT_SAMPLES_MAX = 4096;
+constexpr int REFERENCE_SAMPLES_MAX = 65536, REFERENCE_BOUNCES_MAX = 64, REFERENCE_THREADS_MAX = 256;
 constexpr int PPI_MAX = 65535;  ///< what JFIF's 16-bit density field holds
 
 Shot::Camera readCamera(const JsonPath& json) {
@@ -32,6 +33,29 @@ Shot::Camera readCamera(const JsonPath& json) {
   if (!(camera.far > camera.near)) json.at("far").fail("a distance beyond near");
   if (camera.position == camera.target) json.at("target").fail("a point other than position");
   return camera;
+}
+
+/// Depth of field, and the exposure of the lens: 1 / (1.2 * 2^EV100), EV100 = log2(N^2 / t * 100 / S).
+/// src: Lagarde & de Rousiers 2014, "Moving Frostbite to Physically Based Rendering", section 5.1.2
+void readLens(const JsonPath& json, Shot& shot) {
+  if (json.isNull()) return;
+  const double aperture = json.at("aperture").number(0.1);
+  const JsonPath focusDistance = json.at("focusDistance"), shutter = json.at("shutter"), iso = json.at("iso");
+  if (!focusDistance.isNull()) shot.lens = {aperture, focusDistance.number(1e-30)};
+  if (shutter.isNull() || iso.isNull()) return;
+  shot.exposure *= shutter.number(0) * iso.number(0) / (120 * aperture * aperture);
+}
+
+Shot::Reference readReference(const JsonPath& json) {
+  using Transport = Shot::Reference::Transport;
+  Shot::Reference reference;
+  reference.samples = json.at("samples").integer(1, REFERENCE_SAMPLES_MAX);
+  reference.seed = static_cast<std::uint64_t>(json.at("seed").integer(0, std::numeric_limits<int>::max()));
+  reference.transport = std::array{Transport::kGlobal, Transport::kOcclusion,
+                                   Transport::kDirect}[json.at("transport").choice({"global", "occlusion", "direct"})];
+  reference.bounces = json.at("bounces").integer(0, REFERENCE_BOUNCES_MAX);
+  reference.threads = json.at("threads").integer(0, REFERENCE_THREADS_MAX);
+  return reference;
 }
 
 Shot::Environment readEnvironment(const JsonPath& json) {
@@ -166,6 +190,11 @@ std::optional<Pose> readPose(const JsonPath& json) {
 }
 
 void readQuality(const JsonPath& json, Shot& shot) {
+  if (json.has("preset") && json.at("preset").string() == "reference") {
+    shot.samples = 1;
+    shot.reference = readReference(json);
+    return;
+  }
   const JsonPath samples = json.at("samples");
   shot.samples = samples.integer(1, SAMPLES_MAX);
   if (!std::has_single_bit(static_cast<unsigned>(shot.samples)) ||
@@ -207,6 +236,7 @@ Shot readShot(const JsonPath& json) {
   toneMapping.choice({"none", "linear", "reinhard", "cineon", "aces", "agx", "neutral"});
   shot.toneMapping = toneMapping.string();
   shot.exposure = json.at("exposure").number(0);
+  readLens(json.at("lens"), shot);
   readQuality(json.at("quality"), shot);
   const JsonPath variant = json.at("variant");
   if (!variant.isNull()) shot.variant = variant.string();

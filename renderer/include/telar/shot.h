@@ -46,6 +46,13 @@ struct Shot {
     double near = 0, far = 0;
   } camera;
 
+  /// Depth of field; what the lens does to the exposure is in `exposure`.
+  struct Lens {
+    double aperture = 0;       ///< f-number: focal length over the width of the opening
+    double focusDistance = 0;  ///< metres along the view
+  };
+  std::optional<Lens> lens;  ///< none = all is sharp
+
   struct Environment {
     enum class Source { kNone, kStudio, kPath, kBytes } source = Source::kNone;
     std::string path;
@@ -96,14 +103,29 @@ struct Shot {
   std::optional<Ground> ground;
 
   ShadingModel shading = ShadingModel::kThree;
-  ShadingTerms terms;       ///< of a principled shading
-  std::string toneMapping;  ///< none linear reinhard cineon aces agx neutral
-  double exposure = 1;
+  ShadingTerms terms;          ///< of a principled shading
+  std::string toneMapping;     ///< none linear reinhard cineon aces agx neutral
+  double exposure = 1;         ///< factor on radiance, the lens's included
   int samples = 4;             ///< quality.samples: 1 or 4 in one pass, 16 or 64 in several
   bool linearResolve = false;  ///< samples are averaged before tone mapping and encoding
   int environmentSamples = 0;  ///< directions a pixel in which the environment is looked up; 0 = prefiltered maps
-  std::string variant;         ///< KHR_materials_variants name, empty = the file's own materials
-  std::optional<Pose> pose;    ///< none = as the file stands
+
+  /// Settings of the path tracer.
+  struct Reference {
+    enum class Transport : std::uint8_t {
+      kGlobal,     ///< all light, over `bounces` reflections
+      kOcclusion,  ///< light that arrives directly, less what surfaces hide
+      kDirect,     ///< nothing hidden but by the shadows that the shot asks for: what the raster computes
+    };
+    int samples = 0;  ///< paths a pixel
+    std::uint64_t seed = 0;
+    Transport transport = Transport::kGlobal;
+    int bounces = 0;
+    int threads = 0;  ///< 0 = one for each core
+  };
+  std::optional<Reference> reference;  ///< set = the path tracer draws, not the raster
+  std::string variant;                 ///< KHR_materials_variants name, empty = the file's own materials
+  std::optional<Pose> pose;            ///< none = as the file stands
   OutputOptions output;
   /// Drawn in place of the colour; for a raw output of 32 bits. Key `debugOutput` of the JSON, which
   /// resolveShot does not write: for tests.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "telar/error.h"
@@ -19,7 +20,7 @@ json standard() {
     "camera": {"projection": "perspective", "position": [0, 1, 5], "target": [0, 1, 0], "up": [0, 1, 0],
                "fovY": 30, "near": 0.5, "far": 9},
     "environment": {"map": "studio", "intensity": 1, "rotation": 0},
-    "lights": [], "modelLights": true, "background": "transparent", "ground": "none", "shading": "three", "toneMapping": "neutral",
+    "lens": null, "lights": [], "modelLights": true, "background": "transparent", "ground": "none", "shading": "three", "toneMapping": "neutral",
     "exposure": 1, "quality": {"preset": "standard", "samples": 4, "resolve": "encoded", "environmentSamples": 0}, "variant": "", "pose": null, "layers": ["beauty"],
     "output": {"format": "png", "quality": 90, "bitDepth": 8, "ppi": 0, "icc": false}})");
 }
@@ -130,6 +131,36 @@ TEST(ParseShot, ReadsTheTermsOfAShading) {
                "shot.shading.fresnel: expected a value, got nothing: pass what resolveShot returns");
   EXPECT_EQ(failure(with("/shading", "three-r115")).pointer, "/shading");
   EXPECT_EQ(parseShot(with("/shading", "fabric").dump()).shading, ShadingModel::kFabric);
+}
+
+TEST(ParseShot, ALensExposesByEv100AndSetsWhatIsSharp) {
+  const json sunny = {{"aperture", 16}, {"shutter", 0.01}, {"iso", 100}, {"focusDistance", nullptr}};
+  const Shot exposed = parseShot(with("/lens", sunny).dump());
+  const double ev100 = std::log2(16.0 * 16.0 / 0.01 * 100 / 100);
+  EXPECT_NEAR(exposed.exposure, 1 / (1.2 * std::exp2(ev100)), 1e-15);
+  EXPECT_FALSE(exposed.lens);
+  const json wide = {{"aperture", 1.4}, {"shutter", nullptr}, {"iso", nullptr}, {"focusDistance", 2}};
+  const Shot blurred = parseShot(with("/lens", wide).dump());
+  EXPECT_EQ(blurred.exposure, 1);
+  ASSERT_TRUE(blurred.lens);
+  EXPECT_EQ(blurred.lens->aperture, 1.4);
+  EXPECT_EQ(blurred.lens->focusDistance, 2);
+}
+
+TEST(ParseShot, ReadsWhatThePathTracerDoes) {
+  EXPECT_FALSE(parseShot(standard().dump()).reference);
+  json quality = json::parse(R"({"preset": "reference", "samples": 9, "seed": 1000000000, "transport": "occlusion",
+                                 "bounces": 0, "threads": 3})");
+  const Shot shot = parseShot(with("/quality", quality).dump());
+  ASSERT_TRUE(shot.reference);
+  EXPECT_EQ(shot.samples, 1);
+  EXPECT_EQ(shot.reference->samples, 9);
+  EXPECT_EQ(shot.reference->seed, 1000000000u);
+  EXPECT_EQ(shot.reference->transport, Shot::Reference::Transport::kOcclusion);
+  EXPECT_EQ(shot.reference->threads, 3);
+  quality["samples"] = 0;
+  EXPECT_STREQ(failure(with("/quality", quality)).what(),
+               "shot.quality.samples: expected an integer from 1 to 65536, got 0");
 }
 
 TEST(ParseShot, ReadsEveryLight) {

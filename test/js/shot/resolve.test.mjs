@@ -47,6 +47,11 @@ const SHOTS = [
   { quality: { samples: 1 } },
   { quality: { preset: 'standard' } },
   { quality: { samples: 64, environmentSamples: 32 } },
+  { quality: 'reference' },
+  { quality: { preset: 'reference', samples: 16, seed: 7, transport: 'direct', threads: 2 } },
+  { quality: { preset: 'reference', transport: 'occlusion' } },
+  { lens: { aperture: 8 } },
+  { lens: { aperture: 2.8, shutter: 1 / 125, iso: 100, focusDistance: 'target' } },
   { output: { format: 'jpeg', quality: 80, ppi: 300, icc: true } },
   { output: { format: 'exr', bitDepth: 32 } },
 ];
@@ -86,6 +91,7 @@ test('all defaults are written out', () => {
   const { camera, ...rest } = resolveShot({}, box);
   assert.deepEqual(rest, {
     size: { width: 512, height: 512 },
+    lens: null,
     environment: { map: 'studio', intensity: 1, rotation: 0 },
     lights: [],
     modelLights: true,
@@ -103,6 +109,16 @@ test('all defaults are written out', () => {
   assert.deepEqual(Object.keys(camera), ['projection', 'position', 'target', 'up', 'fovY', 'near', 'far']);
   assert.equal(camera.fovY, 30);
   assert.deepEqual(resolveShot(undefined, box), resolveShot({}, box));
+});
+
+test('the path tracer\'s settings are written out, and the lens focuses on the target', () => {
+  const reference = { preset: 'reference', samples: 256, seed: 1, transport: 'global', bounces: 8, threads: 0 };
+  assert.deepEqual(resolveShot({ quality: 'reference' }, box).quality, reference);
+  assert.deepEqual(resolveShot({ quality: { preset: 'reference', transport: 'direct', samples: 4 } }, box).quality,
+    { ...reference, samples: 4, transport: 'direct', bounces: 0 });
+  const camera = { position: [0, 0, 5], target: [0, 3, 1], near: 0.1, far: 10 };
+  assert.deepEqual(resolveShot({ camera, lens: { aperture: 8, focusDistance: 'target' } }).lens,
+    { aperture: 8, shutter: null, iso: null, focusDistance: 5 });
 });
 
 test('defaults of lights are three.js\'s', () => {

@@ -36,6 +36,14 @@ test('size, tone mapping and exposure reach the renderer; the drawing buffer is 
   assert.equal(renderer.outputColorSpace, THREE.SRGBColorSpace);
 });
 
+test('a lens exposes: a surface of 1.2 * 2^EV100 nit becomes 1', async () => {
+  const lens = { aperture: 2.8, shutter: 1 / 60, iso: 400 };
+  const ev100 = Math.log2(((2.8 ** 2) * 60 * 100) / 400);
+  const { renderer } = await apply({ exposure: 3, lens });
+  assert.ok(Math.abs(renderer.toneMappingExposure / (3 / (1.2 * 2 ** ev100)) - 1) < 1e-12);
+  assert.equal((await apply({ lens: { aperture: 2.8, focusDistance: 1 } })).renderer.toneMappingExposure, 1);
+});
+
 test('every tone mapping of the shot has its three.js constant', async () => {
   const names = {
     none: THREE.NoToneMapping, linear: THREE.LinearToneMapping, reinhard: THREE.ReinhardToneMapping, cineon: THREE.CineonToneMapping,
