@@ -9,9 +9,8 @@ const OUT = fileURLToPath(new URL('../dist/shading/', import.meta.url));
 
 /** @returns {string} The module of one family. */
 export function shadingModule(family) {
-  const { declarations, main, inputs } = shadingText(family);
-  const entries = Object.entries({ declarations, main }).map(([name, text]) => `export const ${name} = ${JSON.stringify(text)};\n`);
-  return `// Written by js/build_shading from shaders/.\n${entries.join('')}export const inputs = ${JSON.stringify(inputs)};\n`;
+  const entries = Object.entries(shadingText(family)).map(([name, value]) => `export const ${name} = ${JSON.stringify(value)};\n`);
+  return `// Written by js/build_shading from shaders/.\n${entries.join('')}`;
 }
 
 export function buildShading() {

@@ -2,8 +2,8 @@
 
 /** Features that telar's text leaves to three.js, or that are always so there. */
 export const FIXED = {
-  UNLIT: 0, ALPHA_MASK: 0, ALPHA_OPAQUE: 0, BASE_COLOR_MAP: 0, VERTEX_COLOR: 0, EMISSIVE: 0, EMISSIVE_MAP: 0,
-  TRANSMISSION: 0, VOLUME: 0, ATTENUATION: 0, DISPERSION: 0, ORTHOGRAPHIC: 0, AMBIENT: 1, DEBUG_OUTPUT: 0, OUTPUT_LINEAR: 0,
+  UNLIT: 0, ALPHA_MASK: 0, ALPHA_OPAQUE: 0, BASE_COLOR_MAP: 0, VERTEX_COLOR: 0, EMISSIVE: 0, EMISSIVE_MAP: 0, TRANSMISSION: 0,
+  TRANSMISSION_MAP: 0, THICKNESS_MAP: 0, VOLUME: 0, ATTENUATION: 0, DISPERSION: 0, ORTHOGRAPHIC: 0, AMBIENT: 1, DEBUG_OUTPUT: 0, OUTPUT_LINEAR: 0,
   POINT_LIGHTS: 0, SPOT_LIGHTS: 0, DIRECTIONAL_LIGHTS: 0, CUBE_SHADOWS: 0, SPOT_SHADOWS: 0, FLAT_SHADOWS: 0,
 };
 
@@ -12,6 +12,7 @@ export const FEATURES = {
   FLAT_SHADED: 'defined(FLAT_SHADED)',
   DOUBLE_SIDED: 'defined(DOUBLE_SIDED)',
   TANGENT: 'defined(USE_TANGENT)',
+  TANGENT_FRAME_UV0: 'defined(USE_ANISOTROPY) || defined(USE_UV)',
   METALLIC_ROUGHNESS_MAP: 'defined(USE_ROUGHNESSMAP) || defined(USE_METALNESSMAP)',
   NORMAL_MAP: 'defined(USE_NORMALMAP_TANGENTSPACE)',
   OCCLUSION_MAP: 'defined(USE_AOMAP)',
@@ -41,6 +42,9 @@ export const COUNTS = { HEMISPHERE_LIGHTS: 'NUM_HEMI_LIGHTS', RECT_LIGHTS: 'NUM_
 /** Uniform or varying of shaders/: what stands for it in three.js. Its declaration is left out. */
 export const INPUTS = {
   baseColorFactor: 'vec4(diffuse, opacity)',
+  alphaCutoff: 'alphaTest',
+  metallicRoughnessMap: 'roughnessMap',
+  vMetallicRoughnessUv: 'vRoughnessMapUv',
   metallicFactor: 'metalness',
   roughnessFactor: 'roughness',
   emissiveFactor: 'emissive',
@@ -121,6 +125,6 @@ export const EXPRESSIONS = {
 
 /** Files of shaders/ that three.js has its own of. */
 export const LEFT_OUT = [
-  'brdf/tone_mapping.glsl', 'brdf/color.glsl', 'output.glsl', 'debug_output.glsl', 'material/fragment_inputs.glsl', 'shadow/filter.glsl',
+  'brdf/tone_mapping.glsl', 'brdf/color.glsl', 'output.glsl', 'debug_output.glsl', 'shadow/filter.glsl',
   'brdf/transmission.glsl', 'light/punctual.glsl', 'light/transmission.glsl',
 ];

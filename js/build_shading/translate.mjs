@@ -1,4 +1,6 @@
 import { existsSync, readFileSync } from 'node:fs';
+import { SLOTS } from '../shot/shading_terms.mjs';
+import { termDefine } from '../three/shading/terms.mjs';
 import { ARRAYS, COUNTS, EXPRESSIONS, FEATURES, FIXED, INPUTS, LEFT_OUT } from './names.mjs';
 import { conditionNames, decided, included, withoutComments } from './preprocess.mjs';
 
@@ -12,6 +14,12 @@ const PREFIX = 'telar_';
 const SHADINGS = ['three', 'principled', 'fabric'];
 export const FAMILIES = SHADINGS.filter((name) => existsSync(new URL(`shading/${name}.glsl`, SHADERS)));
 
+/** Integers that a material of the principled shadings is compiled with. */
+const TERMS = Object.keys(SLOTS).map(termDefine);
+
+const VARYING = /^v[A-Z]/;
+const VERTEX_DECLARATION = /^(?:uniform|out) \w+ (\w+);$/;
+
 /** Where the part of surface.frag ends that declares. */
 const MAIN = 'out vec4 fragmentColor;';
 
@@ -20,12 +28,15 @@ const DECLARATION = /^(?:uniform|(?:flat )?in) \w+ (\w+)(?:\[.*\])?;$/;
 
 const readShader = (file) => (LEFT_OUT.includes(file) ? '' : readFileSync(new URL(file, SHADERS), 'utf8'));
 
+/** Texture coordinates that the vertex stage gives for what three.js has no map of: declarations, assignments. */
+const VERTEX_FILES = ['material/fabric_varyings.glsl', 'material/fabric_uvs.glsl'];
+
 /**
- * Fragment text of one family of shadings for a MeshPhysicalMaterial of three.js: what surface.frag declares, under names
- * of our own, and js/three/shading/main.glsl.
+ * Text of one family of shadings for a MeshPhysicalMaterial of three.js: what surface.frag declares, under names of our own,
+ * and js/three/shading/main.glsl.
  * @param {string} family - One of FAMILIES.
- * @returns {{declarations: string, main: string, inputs: string[], unknown: string[]}} `inputs`: uniforms and varyings that
- *   three.js does not have; `unknown`: features without a row in names.mjs, compiled out.
+ * @returns {{declarations: string, main: string, vertexDeclarations: string, vertexMain: string, uniforms: string[],
+ *   features: string[]}} `uniforms` and `features` (0 or 1) that a material has to give: three.js does not know them.
  */
 export function shadingText(family) {
   const root = readShader('surface.frag');
@@ -35,18 +46,35 @@ export function shadingText(family) {
   const known = { ...FIXED, ...Object.fromEntries(SHADINGS.map((name) => [`SHADING_${name.toUpperCase()}`, Number(name === family)])) };
   const text = decided(withoutComments(included(source, readShader)), known);
   const defined = new Set([...text.matchAll(/^#define (\w+)/gm)].map(([, name]) => name));
-  const unknown = [...conditionNames(text)].filter((name) => !FEATURES[name] && !COUNTS[name] && !defined.has(name));
-  const declared = decided(text, Object.fromEntries(unknown.map((name) => [name, 0])));
-  const { kept, inputs } = withoutInputs(throughExpressions(declared));
-  const names = new Set([...namesIn(`${adapter}\n${kept}`), ...inputs, ...Object.keys(FEATURES), ...Object.keys(COUNTS)]);
+  const features = [...conditionNames(text)].filter((name) => !FEATURES[name] && !COUNTS[name] && !defined.has(name) && !TERMS.includes(name));
+  const { kept, inputs } = withoutInputs(throughExpressions(text));
+  const vertex = vertexText(inputs, features);
+  const names = new Set([...namesIn(`${adapter}\n${kept}`), ...inputs, ...features, ...vertex.inputs, ...vertex.features, ...Object.keys(FEATURES), ...Object.keys(COUNTS), ...TERMS]);
   const translate = (part) => renamed(part, names);
   return {
-    declarations: [featureText(), translate(adapter), translate(kept)].join('\n'),
+    declarations: [featureText(), ownFeatureText(features), translate(adapter), translate(kept)].join('\n'),
     main: translate(decided(main, known)),
-    inputs: inputs.map((name) => PREFIX + name),
-    unknown,
+    vertexDeclarations: [ownFeatureText([...features, ...vertex.features]), translate(vertex.declarations)].join('\n'),
+    vertexMain: translate(vertex.main),
+    uniforms: [...inputs, ...vertex.inputs].filter((name) => !VARYING.test(name)),
+    features: [...features, ...vertex.features],
   };
 }
+
+/** What the vertex stage adds for the varyings among `inputs`. */
+function vertexText(inputs, features) {
+  if (!inputs.some((name) => VARYING.test(name))) return { declarations: '', main: '', inputs: [], features: [] };
+  const [declarations, main] = VERTEX_FILES.map((file) => withoutComments(existsSync(new URL(file, SHADERS)) ? readShader(file) : ''));
+  return {
+    declarations,
+    main: main.replaceAll(/\buv0\b/g, 'uv'),
+    inputs: declarations.split('\n').map((line) => VERTEX_DECLARATION.exec(line)?.[1]).filter(Boolean),
+    features: [...main.matchAll(/\b(\w+_UV1) ==/g)].map(([, name]) => name).filter((name) => !features.includes(name)),
+  };
+}
+
+/** Features that the material defines where it has them. */
+const ownFeatureText = (features) => features.map((name) => `#ifndef ${PREFIX}${name}\n#define ${PREFIX}${name} 0\n#endif`).join('\n');
 
 /** three.js's conditions as the 0 or 1 that shaders/ asks for. */
 function featureText() {

@@ -1,4 +1,5 @@
-// node test/parity/run.mjs [--all] [--fast] [--swiftshader] [--trace] [--keep] [--browser-only] [filter...]
+// node test/parity/run.mjs [--all] [--fast] [--swiftshader] [--trace] [--keep] [--browser-only] [--own-text]
+// [filter...]
 // Draws the gate's cases, or those whose name contains a filter, with three.js in headless Chromium and with telar, prints
 // a line a case, writes out/parity/index.html and junit.xml. Exit code 1 when a case is over the bar.
 //   --all           the extended set too
@@ -7,6 +8,7 @@
 //   --trace         follow the worst pixel of each case that differs at all, not only of those that differ by more than 1/255
 //   --keep          leave the browser's pictures, the models and the shots in out/parity/browser
 //   --browser-only  only that, without telar
+//   --own-text      three.js shaded by telar's text of stock three.js in telar's place
 import { mkdirSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { Browser } from './browser/chromium.mjs';
@@ -17,10 +19,11 @@ import { saveReference } from './files.mjs';
 import { KNOWN_CASES, KNOWN_DIFFERENCES } from './known_differences.mjs';
 import { OUT } from './places.mjs';
 import { Report } from './report.mjs';
+import { openOwnText } from './own_text.mjs';
 import { openServer } from './server.mjs';
 import { traceOf } from './trace.mjs';
 
-const flags = ['all', 'fast', 'swiftshader', 'trace', 'keep', 'browser-only'];
+const flags = ['all', 'fast', 'swiftshader', 'trace', 'keep', 'browser-only', 'own-text'];
 const { values, positionals } = parseArgs({
   allowPositionals: true,
   options: Object.fromEntries(flags.map((name) => [name, { type: 'boolean', default: false }])),
@@ -32,7 +35,7 @@ const chosen = (items) => items
   .filter(({ name }) => positionals.length === 0 || positionals.some((filter) => name.includes(filter)))
   .filter((item) => !values.fast || item.fast);
 const cases = chosen(values.all || positionals.length > 0 ? CASES : GATE_CASES);
-const knownCases = values['browser-only'] ? [] : chosen(KNOWN_CASES);
+const knownCases = values['browser-only'] || values['own-text'] ? [] : chosen(KNOWN_CASES);
 if (cases.length + knownCases.length === 0) throw new Error(`no case has one of these in its name: ${positionals.join(' ')}`);
 
 /** Cases followed through the shaders without --trace: each takes seconds, and one fault shows in many cases. */
@@ -44,13 +47,14 @@ const spent = {};
 const sides = {};
 const opening = Object.entries({
   browser: Browser.start(),
-  server: values['browser-only'] ? undefined : openServer(),
+  server: values['browser-only'] || values['own-text'] ? undefined : openServer(),
   other: values.swiftshader ? Browser.start({ rasterizer: 'swiftshader' }) : undefined,
 }).map(async ([name, side]) => {
   sides[name] = await side;
 });
 try {
   await Promise.all(opening);
+  if (values['own-text']) sides.server = openOwnText(sides.browser);
   if (sides.server) sides.comparer = new Comparer();
   for await (const result of drawCases(cases, sides)) await finishCase(result);
   for await (const result of drawCases(knownCases, { ...sides, other: undefined })) console.log(report.addKnown(result));

@@ -1,4 +1,5 @@
 import { shadingMaterialClass } from './material.mjs';
+import { definesOfTerms } from './terms.mjs';
 
 /** Text by family of shadings, fetched when first asked for: a client that shows stock three.js never does. */
 const TEXTS = {
@@ -27,5 +28,5 @@ export async function loadShading(THREE, family) {
 /** Family of a resolved shot's shading. */
 export const familyOf = (shading) => (typeof shading === 'string' ? shading : 'principled');
 
-/** What the text of a resolved shot's shading is compiled with. */
-export const definesOf = () => ({});
+/** Integers that the text of a resolved shot's shading is compiled with. */
+export const definesOf = (shading) => (typeof shading === 'string' ? {} : definesOfTerms(shading));

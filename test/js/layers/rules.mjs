@@ -83,7 +83,7 @@ export const JS_LAYERS = {
   'js/versions.mjs': { imports: [] },
   'js/native.mjs': { imports: ['js/error'] },
   'js/build_cjs.mjs': { imports: ['js/build_page.mjs', 'js/build_shading'], development: true },
-  'js/build_shading': { imports: [], development: true },
+  'js/build_shading': { imports: ['js/shot', 'js/three'], development: true },
   'js/build_page.mjs': { imports: [], development: true },
   'js/build.mjs': { imports: ['js/setup'], builtinsOnly: true },
   'js/install.mjs': { imports: ['js/setup'], builtinsOnly: true },

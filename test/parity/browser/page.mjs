@@ -97,7 +97,7 @@ async function send(url, bytes) {
 /**
  * Draws a job; PUTs the picture to `${job.result}/image`, and where it has a background the same without one to
  * `${job.result}/mask`.
- * @returns {Promise<object>} Facts: GL strings, samples, draw calls, meshes that telar's text shades, milliseconds.
+ * @returns {Promise<object>} Facts: GL strings, samples, draw calls, meshes lit by three.js's own text, milliseconds.
  */
 window.telarDraw = async (job) => {
   const begin = performance.now();
@@ -113,17 +113,17 @@ window.telarDraw = async (job) => {
     renderer.render(scene, camera);
     mask = readDrawingBuffer(renderer);
   }
-  const replaced = replacedMaterials(scene);
+  const left = stockMeshes(scene);
   dispose();
   await send(`${job.result}/image`, image);
   if (mask) await send(`${job.result}/mask`, mask);
-  return { ...contextFacts(renderer), calls, replaced, loadMs: loaded - begin, drawMs: drawn - loaded };
+  return { ...contextFacts(renderer), calls, left, loadMs: loaded - begin, drawMs: drawn - loaded };
 };
 
-/** How many meshes are shaded by telar's text. */
-function replacedMaterials(scene) {
+/** How many meshes stock three.js's text lights. */
+function stockMeshes(scene) {
   let count = 0;
-  scene.traverse(({ material }) => (count += Number(material?.isTelarShadingMaterial === true)));
+  scene.traverse(({ material }) => (count += Number(material?.isMeshStandardMaterial === true && !material.isTelarShadingMaterial)));
   return count;
 }
 

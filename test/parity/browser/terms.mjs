@@ -31,6 +31,37 @@ const LIT = {
   emitted: 'totalEmissiveRadiance',
 };
 
+/** Materials that telar's own text shades (js/three/shading/main.glsl). */
+const SHADED = {
+  ...COLORED,
+  n: 'telarSurface.n',
+  metallic: 'vec3(telarSurface.metallic)',
+  perceptualRoughness: 'vec3(telarSurface.perceptualRoughness)',
+  f0: 'telarSurface.f0',
+  NoV: 'vec3(telarSurface.NoV)',
+  dfg: 'vec3(telarSurface.dfg, 0.0)',
+  radiance: 'telarIncident.radiance',
+  irradiance: 'telarIncident.irradiance + telarIncident.environmentIrradiance',
+  direct: 'telarDirectSum',
+  indirect: 'telarIndirectSum',
+  transmitted: 'transmitted.rgb',
+  viewDirection: 'telarSurface.v',
+  emitted: 'totalEmissiveRadiance',
+};
+
+const SHADED_SUMS = `
+vec3 telarDirectSum = telarDirect.diffuse + telarDirect.specular;
+vec3 telarIndirectSum = telarIndirect.diffuse + telarIndirect.specular;
+#ifdef USE_SHEEN
+telarDirectSum += telarDirect.sheen;
+telarIndirectSum += telarIndirect.sheen;
+#endif
+#ifdef USE_CLEARCOAT
+telarDirectSum += telarDirect.coat * telarSurface.clearcoat;
+telarIndirectSum += telarIndirect.coat * telarSurface.clearcoat;
+#endif
+`;
+
 /** Sums over the layers, whose variables exist only where the material has the layer. */
 const SUMS = `
 vec3 telarDirect = reflectedLight.directDiffuse + reflectedLight.directSpecular;
@@ -44,6 +75,8 @@ telarDirect += clearcoatSpecularDirect * material.clearcoat;
 telarIndirect += clearcoatSpecularIndirect * material.clearcoat;
 #endif
 `;
+
+const SUMS_OF = new Map([[LIT, SUMS], [SHADED, SHADED_SUMS]]);
 
 /** Define without which three's shader has no such variable. */
 const NEEDS = { transmitted: 'USE_TRANSMISSION' };
@@ -114,6 +147,7 @@ function writeTerms(scene, choice, beforeDraw) {
 }
 
 function expressionsOf(material) {
+  if (material.isTelarShadingMaterial) return SHADED;
   if (material.isMeshStandardMaterial) return LIT;
   if (material.isMeshBasicMaterial || material.isPointsMaterial || material.isLineBasicMaterial) return COLORED;
   return null;
@@ -138,7 +172,7 @@ function patch(material, choice) {
     shader.uniforms.telarTerm = choice;
     const end = shader.fragmentShader.lastIndexOf('}');
     shader.fragmentShader = `uniform int telarTerm;\n${shader.fragmentShader.slice(0, end)}
-if (telarTerm >= 0) {\n${expressions === LIT ? SUMS : ''}vec4 telarValue = vec4(0.0);\n${writes}gl_FragColor = telarValue;\n}\n}`;
+if (telarTerm >= 0) {\n${SUMS_OF.get(expressions) ?? ''}vec4 telarValue = vec4(0.0);\n${writes}gl_FragColor = telarValue;\n}\n}`;
   };
   const key = material.customProgramCacheKey();
   material.customProgramCacheKey = () => `telar-terms ${key}`;

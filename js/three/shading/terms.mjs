@@ -1,0 +1,12 @@
+import { SLOTS } from '../../shot/shading_terms.mjs';
+
+/** Define that chooses the term of a slot in shaders/shading/principled.glsl. */
+export const termDefine = (slot) => `${slot.toUpperCase()}_TERM`;
+
+/**
+ * @param {Record<string, string>} shading - Resolved: a term for every slot.
+ * @returns {Record<string, number>} Position of each term among those of its slot, as C++ counts them.
+ */
+export function definesOfTerms(shading) {
+  return Object.fromEntries(Object.entries(SLOTS).map(([slot, terms]) => [termDefine(slot), terms.indexOf(shading[slot])]));
+}

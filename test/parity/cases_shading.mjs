@@ -1,0 +1,44 @@
+// Every other shading than stock three.js's: the browser runs telar's text (js/three/shading), the server the same text.
+import { resolveShot } from '../../js/shot/index.mjs';
+import { CASES as AREA } from './cases_area.mjs';
+import { CASES as CORE } from './cases_core.mjs';
+import { CASES as FILES } from './cases_files.mjs';
+import { CASES as MOTION } from './cases_motion.mjs';
+import { CASES as PAIRS } from './cases_pairs.mjs';
+import { CASES as PHYSICAL } from './cases_physical.mjs';
+import { CASES as SHADOW } from './cases_shadow.mjs';
+import { CASES as TRANSMISSION } from './cases_transmission.mjs';
+import { CAMERAS } from './shot.mjs';
+
+const STOCK = [...CORE, ...PHYSICAL, ...PAIRS, ...AREA, ...SHADOW, ...TRANSMISSION, ...MOTION, ...FILES];
+
+/** Cases of stock three.js that each shading draws as well: what it may treat in its own way, once each. */
+const ALIKE = [
+  'sweep-sun', 'sweep-lamps', 'sweep-gradient', 'light-hemisphere', 'light-spot', 'lights-many', 'furnace-0.25', 'furnace-metal-0.5',
+  'sheen-sun', 'sheen-env', 'sheen-maps-env', 'sheen-metal-env', 'sheen-clearcoat-env', 'clearcoat-sun', 'clearcoat-env',
+  'clearcoat-two-normals-tangents-env', 'anisotropy-sun', 'anisotropy-env', 'anisotropy-map-tangents-env', 'anisotropy-derivatives-sun',
+  'anisotropy-sheen-env', 'specular-maps-env', 'ior-specular-sun', 'iridescence-metal-env', 'diffuse-roughness-sun', 'diffuse-roughness-env',
+  'normal-map-sun', 'normal-map-env', 'metallic-roughness-map-env', 'occlusion-map-env', 'cloth-env', 'cloth-tangents-env', 'mirrored-uvs-layers-env',
+  'transforms-env', 'alpha-mask-env', 'alpha-blend-env', 'emissive-strength-env', 'vertex-colors-env', 'camera-ortho-quarter', 'light-behind-ortho',
+  'rect-everything', 'shadow-everything', 'shadow-point', 'transmission-layers-lit', 'instances-colors-rest', 'morph-and-skin-0-0.6', 'variant-red',
+  'physical-everything-lights', 'physical-everything-env', 'tshirt-front',
+];
+
+/** Part of the subset that `npm test` draws, of every shading. */
+const FAST = ['sheen-env', 'sheen-sun', 'physical-everything-lights'];
+
+const CAMERA = { camera: CAMERAS.front, environment: 'none' };
+
+/** The stock case of that name under another shading. */
+function shaded(label, shading, name) {
+  const item = STOCK.find((candidate) => candidate.name === name);
+  if (!item) throw new Error(`cases_shading.mjs: no stock case is named ${name}`);
+  const resolved = resolveShot({ ...CAMERA, shading }).shading;
+  return { ...item, name: `${label}-${name}`, shot: { ...item.shot, shading: resolved }, fast: FAST.includes(name), extended: false };
+}
+
+/** @type {import('./cases.mjs').Case[]} */
+export const CASES = [
+  ...ALIKE.map((name) => shaded('r115', 'three-r115', name)),
+  ...ALIKE.map((name) => shaded('disney', 'disney-2012', name)),
+];
