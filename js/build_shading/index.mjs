@@ -7,13 +7,19 @@ import { FAMILIES, shadingText } from './translate.mjs';
 
 const OUT = fileURLToPath(new URL('../dist/shading/', import.meta.url));
 
-/** @returns {string} The module of one family. */
+/** Name of the module that knows the others. */
+const INDEX = 'index';
+
+/** @returns {string} The module of one family, or of the index of all: a text is fetched when first asked for. */
 export function shadingModule(family) {
+  if (family === INDEX) {
+    return `// Written by js/build_shading.\nexport const TEXTS = {\n${FAMILIES.map((name) => `  ${name}: () => import('./${name}.mjs'),\n`).join('')}};\n`;
+  }
   const entries = Object.entries(shadingText(family)).map(([name, value]) => `export const ${name} = ${JSON.stringify(value)};\n`);
   return `// Written by js/build_shading from shaders/.\n${entries.join('')}`;
 }
 
 export function buildShading() {
   mkdirSync(OUT, { recursive: true });
-  for (const family of FAMILIES) writeFileSync(path.join(OUT, `${family}.mjs`), shadingModule(family));
+  for (const family of [INDEX, ...FAMILIES]) writeFileSync(path.join(OUT, `${family}.mjs`), shadingModule(family));
 }

@@ -1,12 +1,6 @@
+import { TEXTS } from '../../dist/shading/index.mjs';
 import { shadingMaterialClass } from './material.mjs';
 import { definesOfTerms } from './terms.mjs';
-
-/** Text by family of shadings, fetched when first asked for: a client that shows stock three.js never does. */
-const TEXTS = {
-  three: () => import('../../dist/shading/three.mjs'),
-  principled: () => import('../../dist/shading/principled.mjs'),
-  fabric: () => import('../../dist/shading/fabric.mjs'),
-};
 
 /** Classes by family, for each three.js module. */
 const classes = new WeakMap();
