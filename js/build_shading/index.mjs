@@ -1,4 +1,4 @@
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { FAMILIES, shadingText } from './translate.mjs';
@@ -7,19 +7,25 @@ import { FAMILIES, shadingText } from './translate.mjs';
 
 const OUT = fileURLToPath(new URL('../dist/shading/', import.meta.url));
 
-/** Name of the module that knows the others. */
+/** Name of the module that knows the others, and of the fabrics' presets. */
 const INDEX = 'index';
+const PRESETS = 'presets';
 
-/** @returns {string} The module of one family, or of the index of all: a text is fetched when first asked for. */
+const PRESET_FILE = new URL('../assets/fabric_presets.json', import.meta.url);
+
+const fabricPresets = () => (existsSync(PRESET_FILE) ? JSON.parse(readFileSync(PRESET_FILE, 'utf8')) : {});
+
+/** @returns {string} The module of one family, of the presets, or of the index of all: each is fetched when first asked for. */
 export function shadingModule(family) {
   if (family === INDEX) {
-    return `// Written by js/build_shading.\nexport const TEXTS = {\n${FAMILIES.map((name) => `  ${name}: () => import('./${name}.mjs'),\n`).join('')}};\n`;
+    return `// Written by js/build_shading.\nexport const TEXTS = {\n${[...FAMILIES, PRESETS].map((name) => `  ${name}: () => import('./${name}.mjs'),\n`).join('')}};\n`;
   }
+  if (family === PRESETS) return `// Written by js/build_shading.\nexport const PRESETS = ${JSON.stringify(fabricPresets())};\n`;
   const entries = Object.entries(shadingText(family)).map(([name, value]) => `export const ${name} = ${JSON.stringify(value)};\n`);
   return `// Written by js/build_shading from shaders/.\n${entries.join('')}`;
 }
 
 export function buildShading() {
   mkdirSync(OUT, { recursive: true });
-  for (const family of [INDEX, ...FAMILIES]) writeFileSync(path.join(OUT, `${family}.mjs`), shadingModule(family));
+  for (const family of [INDEX, PRESETS, ...FAMILIES]) writeFileSync(path.join(OUT, `${family}.mjs`), shadingModule(family));
 }

@@ -17,6 +17,9 @@ export const FAMILIES = SHADINGS.filter((name) => existsSync(new URL(`shading/${
 /** Integers that a material of the principled shadings is compiled with. */
 const TERMS = Object.keys(SLOTS).map(termDefine);
 
+/** three.js declares the second set where a map has it. */
+const SECOND_UV = `#ifdef USE_UV1\n#define ${PREFIX}uv1 uv1\n#else\n#define ${PREFIX}uv1 uv\n#endif`;
+
 const VARYING = /^v[A-Z]/;
 const VERTEX_DECLARATION = /^(?:uniform|out) \w+ (\w+);$/;
 
@@ -67,7 +70,7 @@ function vertexText(inputs, features) {
   const [declarations, main] = VERTEX_FILES.map((file) => withoutComments(existsSync(new URL(file, SHADERS)) ? readShader(file) : ''));
   return {
     declarations,
-    main: main.replaceAll(/\buv0\b/g, 'uv'),
+    main: `${SECOND_UV}\n${main.replaceAll(/\buv0\b/g, 'uv').replaceAll(/\buv1\b/g, `${PREFIX}uv1`)}`,
     inputs: declarations.split('\n').map((line) => VERTEX_DECLARATION.exec(line)?.[1]).filter(Boolean),
     features: [...main.matchAll(/\b(\w+_UV1) ==/g)].map(([, name]) => name).filter((name) => !features.includes(name)),
   };

@@ -1,7 +1,7 @@
 import { lensExposure } from '../shot/lens_exposure.mjs';
 import { applyPose } from './pose.mjs';
 import { applyLightShadow, applyShadows } from './shadows.mjs';
-import { replaceMaterials, restoreMaterials } from './shading.mjs';
+import { applyShading, restoreMaterials } from './shading.mjs';
 import { applyVariant } from './variant.mjs';
 
 /**
@@ -75,7 +75,7 @@ export function toneMappingOf(THREE, name) {
 async function applyMaterials(shot, model, THREE) {
   restoreMaterials(model.scene);
   await applyVariant(model, shot.variant);
-  if (shot.shading !== 'three') await replaceMaterials(model.scene, shot.shading, THREE);
+  await applyShading(model, shot.shading, { THREE });
 }
 
 function applyOutput(shot, THREE, renderer) {

@@ -48,3 +48,66 @@ export function factsOf(model: { scene: Three; parser?: Three; animations?: Thre
 
 /** Puts a model into a pose, or back as the file stands. */
 export function applyPose(model: { scene: Three; animations?: Three[] }, pose: ResolvedShot['pose'], three: { THREE: Three }): void;
+
+/**
+ * Draws a model's lit materials with a shading, or with its own materials again for "three". Part of applyShot; for clients that
+ * set up their scenes by themselves.
+ */
+export function applyShading(model: { scene: Three; parser?: Three }, shading: ResolvedShot['shading'], three: { THREE: Three }): Promise<void>;
+
+/** Of the glTF extension TELAR_materials_fabric (js/docs/fabric.md), with THREE.Texture in place of references to textures. */
+export interface Fabric {
+  /** 0..1, from Lambert's diffuse to that of a thin scattering sheet. Default 0. */
+  flatness?: number;
+  /** Two sets of parallel yarns; warp runs along v, weft along u. */
+  weave?: {
+    warp?: Yarn;
+    weft?: Yarn;
+    /** Yarns that one unit of u crosses (warp) and of v (weft); 0 = not known. */
+    threadsPerUv?: [number, number];
+    /** Linear: RG the turn of the yarn on top, B its slope, A 0 weft .. 1 warp. */
+    weaveTexture?: Three;
+  };
+  /** What the back side has of its own. */
+  back?: {
+    /** Linear Rec.709. */
+    baseColorFactor?: [number, number, number];
+    /** sRGB. */
+    baseColorTexture?: Three;
+    /** Perceptual; default that of the front. */
+    roughnessFactor?: number;
+  };
+}
+
+export interface Yarn {
+  /** Share of the surface that shows it, 0..1. Default 0.5. */
+  coverage?: number;
+  /** Perceptual, across the yarn. Default 0.5. */
+  roughnessFactor?: number;
+  /** 0..1. Default 0. */
+  anisotropyStrength?: number;
+  /** Factor on its normal reflectance, linear Rec.709. Default white. */
+  specularColorFactor?: [number, number, number];
+}
+
+/** Of the glTF extension KHR_materials_diffuse_transmission, with THREE.Texture in place of references to textures. */
+export interface DiffuseTransmission {
+  /** Share of the diffuse light that goes through to the other side, 0..1. Default 0. */
+  diffuseTransmissionFactor?: number;
+  /** Linear: A. */
+  diffuseTransmissionTexture?: Three;
+  /** Linear Rec.709. Default white. */
+  diffuseTransmissionColorFactor?: [number, number, number];
+  /** sRGB. */
+  diffuseTransmissionColorTexture?: Three;
+}
+
+/**
+ * The class FabricMaterial for a three.js module: a MeshPhysicalMaterial that is shaded as cloth, with three.js's own lights,
+ * shadows, environment, maps and deformations. Fetches the shader text the first time.
+ */
+export function loadFabricMaterial(THREE: Three): Promise<new (parameters?: {
+  fabric?: Fabric | null;
+  diffuseTransmission?: DiffuseTransmission | null;
+  [parameterOfMeshPhysicalMaterial: string]: Three;
+}) => Three>;

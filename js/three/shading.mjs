@@ -4,45 +4,66 @@ const originals = new WeakMap();
 /** Materials that stand for an original, by a shading's key. */
 const replacements = new WeakMap();
 
+const originalOf = (material) => originals.get(material) ?? material;
+
 /**
  * Puts the model's own materials back.
  * @param {import('three').Object3D} root
  */
 export function restoreMaterials(root) {
-  eachMaterial(root, (material) => originals.get(material) ?? material);
+  root.traverse((object) => {
+    if (object.material) object.material = mapped(object.material, originalOf);
+  });
 }
 
 /**
- * Draws every lit material of a model with a shading of telar's. The original stays as it is and is put back by
- * `restoreMaterials`; one that several meshes share has one replacement.
- * @param {import('three').Object3D} root
- * @param {string | object} shading - Of a resolved shot; not "three".
- * @param {typeof import('three')} THREE
+ * Draws every lit material of a model with a shading of telar's. The originals stay as they are; one that several meshes share
+ * has one replacement, which is kept for the next time. Called again, it takes over what was changed in the originals since.
+ * @param {{scene: import('three').Object3D, parser?: object}} model - What GLTFLoader gave, or any scene graph: without a
+ *   parser, what only the file says of its cloth is not known.
+ * @param {string | object} shading - Of a resolved shot: "fabric", a principled shading with every slot, or "three" for the
+ *   model's own materials.
+ * @param {{THREE: typeof import('three'), ownText?: boolean}} options - `ownText`: shades "three" by telar's text of it.
  */
-export async function replaceMaterials(root, shading, THREE) {
-  const { familyOf, definesOf, loadShading } = await import('./shading/index.mjs');
-  const Material = await loadShading(THREE, familyOf(shading));
-  const key = JSON.stringify(shading);
+export async function applyShading(model, shading, { THREE, ownText = false }) {
+  if (shading === 'three' && !ownText) {
+    restoreMaterials(model.scene);
+    return;
+  }
+  const meshes = [];
+  model.scene.traverse((object) => {
+    if (object.isMesh && [object.material].flat().some((material) => material && isStock(originalOf(material)))) meshes.push(object);
+  });
+  if (meshes.length === 0) return;
+  const { openShading } = await import('./shading/index.mjs');
+  const maker = await openShading(THREE, shading);
   const made = new Map();
-  const replacementOf = (original) => {
-    if (!made.has(original)) made.set(original, refreshed(original, key, Material, definesOf(shading)));
-    return made.get(original);
-  };
-  eachMaterial(root, (material) => (material.isMeshStandardMaterial ? replacementOf(originals.get(material) ?? material) : material));
+  for (const mesh of meshes) {
+    for (const material of [mesh.material].flat()) {
+      const original = originalOf(material);
+      if (isStock(original) && !made.has(original)) made.set(original, await refreshed(original, maker, { model, mesh }));
+    }
+    mesh.material = mapped(mesh.material, (material) => made.get(originalOf(material)) ?? material);
+  }
 }
 
+/** Lit by three.js's own text: a FabricMaterial that a client has put there itself stays. */
+const isStock = (material) => material.isMeshStandardMaterial === true && !material.isTelarShadingMaterial;
+
+const mapped = (material, change) => (Array.isArray(material) ? material.map(change) : change(material));
+
 /** The replacement of an original in the state that the original has now. */
-function refreshed(original, key, Material, defines) {
+async function refreshed(original, { key, create, update }, place) {
   if (!replacements.has(original)) {
     replacements.set(original, new Map());
     original.addEventListener('dispose', () => disposeReplacements(original));
   }
   const known = replacements.get(original);
-  if (!known.has(key)) known.set(key, new Material());
-  const material = known.get(key).copy(original);
-  material.shadingDefines = defines;
-  material.needsUpdate = true;
+  if (!known.has(key)) known.set(key, create());
+  const material = known.get(key);
   originals.set(material, original);
+  await update(material, original, place);
+  material.needsUpdate = true;
   return material;
 }
 
@@ -52,9 +73,13 @@ function disposeReplacements(original) {
   replacements.get(original).clear();
 }
 
-function eachMaterial(root, change) {
-  root.traverse((object) => {
-    if (!object.material) return;
-    object.material = Array.isArray(object.material) ? object.material.map(change) : change(object.material);
-  });
+/**
+ * The class of materials that are shaded as cloth, for scenes of a client's own making.
+ * @param {typeof import('three')} THREE - The client's own three.js module, 0.187.
+ * @returns {Promise<new (parameters?: object) => import('three').MeshPhysicalMaterial>} Takes the parameters of a
+ *   MeshPhysicalMaterial, and `fabric` and `diffuseTransmission`: the glTF extensions TELAR_materials_fabric and
+ *   KHR_materials_diffuse_transmission as objects, with THREE.Texture in place of references to textures.
+ */
+export async function loadFabricMaterial(THREE) {
+  return (await import('./shading/index.mjs')).loadShading(THREE, 'fabric');
 }

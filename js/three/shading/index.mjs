@@ -1,4 +1,6 @@
 import { TEXTS } from '../../dist/shading/index.mjs';
+import { clothOf, extensionsOf } from './fabric_layers.mjs';
+import { fabricMaterialClass } from './fabric_material.mjs';
 import { shadingMaterialClass } from './material.mjs';
 import { definesOfTerms } from './terms.mjs';
 
@@ -15,12 +17,32 @@ export async function loadShading(THREE, family) {
   const text = await TEXTS[family]();
   if (!classes.has(THREE)) classes.set(THREE, {});
   const own = classes.get(THREE);
-  own[family] ??= shadingMaterialClass(THREE, text, family);
+  own[family] ??= family === 'fabric' ? fabricMaterialClass(THREE, text) : shadingMaterialClass(THREE, text, family);
   return own[family];
 }
 
-/** Family of a resolved shot's shading. */
-export const familyOf = (shading) => (typeof shading === 'string' ? shading : 'principled');
-
-/** Integers that the text of a resolved shot's shading is compiled with. */
-export const definesOf = (shading) => (typeof shading === 'string' ? {} : definesOfTerms(shading));
+/**
+ * How materials of a resolved shot's shading are made.
+ * @param {typeof import('three')} THREE
+ * @param {string | object} shading
+ * @returns {Promise<{key: string, create: () => import('three').Material, update: (material: import('three').Material,
+ *   original: import('three').Material, place: {model: object, mesh: import('three').Mesh}) => Promise<void>}>}
+ */
+export async function openShading(THREE, shading) {
+  const hasTerms = typeof shading !== 'string';
+  const Material = await loadShading(THREE, hasTerms ? 'principled' : shading);
+  return {
+    key: JSON.stringify(shading),
+    create: () => new Material(),
+    update: async (material, original, { model: { parser }, mesh }) => {
+      if (!material.isFabricMaterial) {
+        material.copy(original);
+        material.shadingDefines = hasTerms ? definesOfTerms(shading) : {};
+        return;
+      }
+      const cloth = await clothOf(parser, mesh, original, TEXTS.presets);
+      material.copy(cloth.material);
+      Object.assign(material, await extensionsOf(parser, cloth.definition, THREE));
+    },
+  };
+}

@@ -3,17 +3,35 @@ const LIGHT_CHUNK = 'lights_fragment_begin';
 const LIGHT_LOOPS = 'IncidentLight directLight;';
 const MAIN = 'void main() {';
 
+/** Where the vertex stage of three.js declares and gives texture coordinates. */
+const UV_DECLARATIONS = '#include <uv_pars_vertex>';
+const UV_ASSIGNMENTS = '#include <uv_vertex>';
+
 /** What a MeshPhysicalMaterial has and telar's text does not read: glTF has no such thing. */
 const UNSUPPORTED = {
   bumpMap: 'a bump map: bake it into a normal map',
   retroreflectivity: 'retroreflectivity',
 };
 
+/** In front of the names of telar's text: as in js/build_shading. */
+const PREFIX = 'telar_';
+
+/**
+ * Module of js/dist/shading, written by js/build_shading.
+ * @typedef {object} ShadingText
+ * @property {string} declarations - Of the fragment stage.
+ * @property {string} main
+ * @property {string} vertexDeclarations
+ * @property {string} vertexMain
+ * @property {string[]} uniforms - That three.js does not know.
+ * @property {string[]} features - Defines of 0 or 1 that three.js does not know; 0 where they are left out.
+ */
+
 /**
  * A class of materials that three.js lights, skins, maps and shadows as its own MeshPhysicalMaterial, and that telar's text
  * shades.
  * @param {typeof import('three')} THREE - The client's own three.js module.
- * @param {{declarations: string, main: string}} text - Module of js/dist/shading.
+ * @param {ShadingText} text
  * @param {string} family - Its name.
  * @returns {new (parameters?: object) => import('three').MeshPhysicalMaterial}
  */
@@ -30,15 +48,28 @@ export function shadingMaterialClass(THREE, text, family) {
       if (parameters) this.setValues(parameters);
     }
 
+    /** Everything that the text is compiled with. */
+    textDefines() {
+      return this.shadingDefines;
+    }
+
+    /** @returns {Record<string, {value: unknown}>} Uniforms of the text by name; the objects stay the same. */
+    textUniforms() {
+      return {};
+    }
+
     customProgramCacheKey() {
-      return `telar ${family} ${JSON.stringify(this.shadingDefines)}`;
+      return `telar ${family} ${JSON.stringify(this.textDefines())}`;
     }
 
     onBeforeCompile(shader) {
       for (const [key, what] of Object.entries(UNSUPPORTED)) {
         if (this[key]) throw new Error(`material ${this.name || this.uuid}: the shading ${family} does not draw ${what}`);
       }
-      shader.fragmentShader = shadedFragment(THREE, shader.fragmentShader, text, this.shadingDefines);
+      const defines = Object.entries(this.textDefines()).map(([name, value]) => `#define ${PREFIX}${name} ${value}\n`).join('');
+      shader.fragmentShader = shadedFragment(THREE, shader.fragmentShader, text, defines);
+      shader.vertexShader = shadedVertex(shader.vertexShader, text, defines);
+      for (const [name, uniform] of Object.entries(this.textUniforms())) shader.uniforms[PREFIX + name] = uniform;
     }
 
     /** Takes over a MeshPhysicalMaterial, a MeshStandardMaterial or one of its own kind. */
@@ -58,13 +89,20 @@ export function shadingMaterialClass(THREE, text, family) {
  * The fragment shader of three.js with telar's text in place of its lighting.
  * @param {typeof import('three')} THREE
  * @param {string} fragment - Of ShaderLib.physical, includes as they are.
- * @param {{declarations: string, main: string}} text
- * @param {Record<string, number>} defines
+ * @param {ShadingText} text
+ * @param {string} defines
  */
 function shadedFragment(THREE, fragment, { declarations, main }, defines) {
   const chunk = THREE.ShaderChunk[LIGHT_CHUNK] ?? '';
   const [head, loops] = [fragment.indexOf(MAIN), chunk.indexOf(LIGHT_LOOPS)];
   if (head < 0 || loops < 0) throw new Error(`telar/three is written for three.js 0.187: this one, r${THREE.REVISION}, lights its materials otherwise`);
-  const defined = Object.entries(defines).map(([name, value]) => `#define telar_${name} ${value}\n`).join('');
-  return `${fragment.slice(0, head)}${defined}${declarations}\n${main.replace('TELAR_LIGHT_LOOPS', () => chunk.slice(loops))}`;
+  return `${fragment.slice(0, head)}${defines}${declarations}\n${main.replace('TELAR_LIGHT_LOOPS', () => chunk.slice(loops))}`;
+}
+
+/** The vertex shader of three.js, which gives the texture coordinates of telar's own maps as well. */
+function shadedVertex(vertex, { vertexDeclarations, vertexMain }, defines) {
+  if (!vertexMain) return vertex;
+  return vertex
+    .replace(UV_DECLARATIONS, (chunk) => `${chunk}\n${defines}${vertexDeclarations}\n`)
+    .replace(UV_ASSIGNMENTS, (chunk) => `${chunk}\n${vertexMain}\n`);
 }

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import * as THREE from 'three';
 import { buildShading } from '../../../js/build_shading/index.mjs';
-import { replaceMaterials, restoreMaterials } from '../../../js/three/shading.mjs';
+import { applyShading, restoreMaterials } from '../../../js/three/shading.mjs';
 import { loadShading } from '../../../js/three/shading/index.mjs';
 
 before(buildShading);
@@ -19,7 +19,7 @@ function model() {
 
 test('lit materials are replaced, a shared one by one, and put back as they were', async () => {
   const { root, shared, physical, unlit, materials } = model();
-  await replaceMaterials(root, 'three', THREE);
+  await applyShading({ scene: root }, 'three', { THREE, ownText: true });
   const [a, b, c, d] = materials();
   assert.equal(a, b);
   assert.ok(a.isTelarShadingMaterial && c.isTelarShadingMaterial && a !== c);
@@ -32,17 +32,17 @@ test('lit materials are replaced, a shared one by one, and put back as they were
 
 test('a second shot takes the same replacement, in the state that the original has now', async () => {
   const { root, shared, materials } = model();
-  await replaceMaterials(root, 'three', THREE);
+  await applyShading({ scene: root }, 'three', { THREE, ownText: true });
   const [first] = materials();
   shared.roughness = 0.9;
-  await replaceMaterials(root, 'three', THREE);
+  await applyShading({ scene: root }, 'three', { THREE, ownText: true });
   assert.equal(materials()[0], first);
   assert.equal(first.roughness, 0.9);
 });
 
 test('an original that is disposed of takes its replacements along', async () => {
   const { root, shared, materials } = model();
-  await replaceMaterials(root, 'three', THREE);
+  await applyShading({ scene: root }, 'three', { THREE, ownText: true });
   let disposed = 0;
   materials()[0].addEventListener('dispose', () => disposed++);
   shared.dispose();

@@ -7,7 +7,7 @@ import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { applyShot, rendererParameters } from '/js/three/index.mjs';
-import { replaceMaterials } from '/js/three/shading.mjs';
+import { applyShading } from '/js/three/shading.mjs';
 import { prefilteredFaces } from './prefilter.mjs';
 import { measureTerms } from './terms.mjs';
 
@@ -65,7 +65,7 @@ async function prepare(job) {
     THREE, renderer, scene, model, environment,
     areaLightTables: () => import('three/addons/lights/RectAreaLightUniformsLib.js'),
   });
-  if (job.ownText) await replaceMaterials(model.scene, 'three', THREE);
+  if (job.ownText) await applyShading(model, 'three', { THREE, ownText: true });
   return { renderer, scene, camera, dispose: () => disposeModel(model.scene) };
 }
 

@@ -1,0 +1,113 @@
+/** Names of glTF for what GLTFLoader leaves to us. */
+export const FABRIC = 'TELAR_materials_fabric';
+export const DIFFUSE_TRANSMISSION = 'KHR_materials_diffuse_transmission';
+
+/** Textures within the extensions, and whether their colours are sRGB. Paths of keys. */
+const TEXTURES = {
+  [FABRIC]: [[['weave', 'weaveTexture'], false], [['back', 'baseColorTexture'], true]],
+  [DIFFUSE_TRANSMISSION]: [[['diffuseTransmissionTexture'], false], [['diffuseTransmissionColorTexture'], true]],
+};
+
+/** Materials of the presets' and the file's own values, by material of the file; for each parser. */
+const filled = new WeakMap();
+
+/**
+ * What the file says of a material, with the values of its fabric's preset where it says nothing; as renderer/asset does it.
+ * @param {object} parser - Of GLTFLoader.
+ * @param {number} index - In the file's materials.
+ * @param {() => Promise<{PRESETS: Record<string, {material: object}>}>} loadPresets
+ * @returns {Promise<{definition: object, isPreset: boolean}>} Extension `TELAR_materials_fabric` in place of extras.
+ */
+async function definitionOf(parser, index, loadPresets) {
+  const { extras, ...definition } = parser.json.materials[index];
+  const fabric = definition.extensions?.[FABRIC] ?? extras?.[FABRIC];
+  if (!fabric) return { definition, isPreset: false };
+  const own = { ...definition, extensions: { ...definition.extensions, [FABRIC]: fabric } };
+  const preset = fabric.preset && (await loadPresets()).PRESETS[fabric.preset];
+  return preset ? { definition: merged(preset.material, own), isPreset: true } : { definition: own, isPreset: false };
+}
+
+/** RFC 7396: `patch` over `target`. */
+function merged(target, patch) {
+  if (typeof patch !== 'object' || patch === null || Array.isArray(patch)) return patch;
+  const result = typeof target === 'object' && target !== null && !Array.isArray(target) ? { ...target } : {};
+  for (const [key, value] of Object.entries(patch)) {
+    if (value === null) delete result[key];
+    else result[key] = merged(result[key], value);
+  }
+  return result;
+}
+
+/**
+ * The material that cloth is drawn with where the file names a preset: loaded as GLTFLoader loads the file's own.
+ * @param {object} parser - Of GLTFLoader; its JSON gets one material more for each that has a preset.
+ * @param {import('three').Mesh} mesh - Whose geometry decides on vertex colours and tangents.
+ * @param {import('three').Material} original - Its material.
+ * @param {() => Promise<object>} loadPresets
+ * @returns {Promise<{material: import('three').Material, definition: object | null}>}
+ */
+export async function clothOf(parser, mesh, original, loadPresets) {
+  const index = parser?.associations.get(original)?.materials;
+  if (index === undefined) return { material: original, definition: null };
+  if (!filled.has(parser)) filled.set(parser, new Map());
+  const known = filled.get(parser);
+  if (!known.has(index)) known.set(index, loadCloth(parser, index, loadPresets));
+  const { definition, material } = await known.get(index);
+  return { definition, material: material ? finalMaterial(parser, mesh, material) : original };
+}
+
+async function loadCloth(parser, index, loadPresets) {
+  const { definition, isPreset } = await definitionOf(parser, index, loadPresets);
+  if (!isPreset) return { definition, material: null };
+  const added = parser.json.materials.push(definition) - 1;
+  return { definition, material: await parser.getDependency('material', added) };
+}
+
+/** The material as GLTFLoader gives it to a mesh. */
+function finalMaterial(parser, mesh, material) {
+  const before = mesh.material;
+  mesh.material = material;
+  parser.assignFinalMaterial(mesh);
+  // GLTFLoader does it twice for instances, which turns normal maps round.
+  if (mesh.isInstancedMesh) parser.assignFinalMaterial(mesh);
+  const result = mesh.material;
+  mesh.material = before;
+  return result;
+}
+
+/**
+ * The two extensions of a material, their textures loaded.
+ * @param {object} parser - Of GLTFLoader.
+ * @param {object | null} definition - As of clothOf.
+ * @param {typeof import('three')} THREE
+ * @returns {Promise<{fabric: object | null, diffuseTransmission: object | null}>} As FabricMaterial takes them.
+ */
+export async function extensionsOf(parser, definition, THREE) {
+  const [fabric, diffuseTransmission] = await Promise.all([FABRIC, DIFFUSE_TRANSMISSION].map(async (name) => {
+    const extension = definition?.extensions?.[name];
+    if (!extension) return null;
+    const copy = structuredClone(extension);
+    await Promise.all(TEXTURES[name].map(([path, isColor]) => loadTexture(parser, copy, path, isColor ? THREE.SRGBColorSpace : THREE.NoColorSpace)));
+    return copy;
+  }));
+  if (fabric?.back && !hasOwnColor(fabric.back)) {
+    // What the back leaves out is as on the front.
+    const { baseColorFactor, baseColorTexture } = definition.pbrMetallicRoughness ?? {};
+    Object.assign(fabric.back, structuredClone({ baseColorFactor: baseColorFactor?.slice(0, 3), baseColorTexture }));
+    await loadTexture(parser, fabric, ['back', 'baseColorTexture'], THREE.SRGBColorSpace);
+  }
+  if (fabric?.back) fabric.back.roughnessFactor ??= definition.pbrMetallicRoughness?.roughnessFactor;
+  return { fabric, diffuseTransmission };
+}
+
+const hasOwnColor = (back) => back.baseColorFactor !== undefined || back.baseColorTexture !== undefined;
+
+/** Puts the texture itself in place of what the file says of it. */
+async function loadTexture(parser, extension, path, colorSpace) {
+  const key = path.at(-1);
+  const holder = path.slice(0, -1).reduce((part, name) => part?.[name], extension);
+  if (!holder?.[key]) return;
+  const reference = holder[key];
+  delete holder[key];
+  await parser.assignTexture(holder, key, reference, colorSpace);
+}
