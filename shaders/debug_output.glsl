@@ -39,7 +39,11 @@ vec4 debugShading(SurfaceInfo s, Incident incident, Reflected direct, Reflected 
     case 5: return vec4(vec3(s.perceptualRoughness), 1.0);
     case 6: return vec4(s.f0, 1.0);
     case 7: return vec4(vec3(s.NoV), 1.0);
+#if SHADING_FABRIC
+    case 8: return vec4(s.albedo, 0.0, 1.0);
+#else
     case 8: return vec4(s.dfg, 0.0, 1.0);
+#endif
     case 9: return vec4(incident.radiance, 1.0);
     case 10: return vec4(incident.irradiance + incident.environmentIrradiance, 1.0);
     case 11: return vec4(debugSum(s, direct), 1.0);

@@ -26,8 +26,12 @@ precision highp samplerCube;
 #if RECT_LIGHTS > 0
 #include "brdf/area.glsl"
 #endif
-#if SHEEN
+#if SHEEN && !SHADING_FABRIC
 #include "brdf/sheen.glsl"
+#endif
+#if SHADING_FABRIC
+#include "brdf/cloth.glsl"
+#include "brdf/cloth_energy.glsl"
 #endif
 #if ANISOTROPY
 #include "brdf/anisotropic.glsl"
@@ -46,6 +50,9 @@ precision highp samplerCube;
 #include "light/reflected.glsl"
 #if SHADING_THREE
 #include "shading/three.glsl"
+#endif
+#if SHADING_FABRIC
+#include "shading/fabric.glsl"
 #endif
 #endif
 #include "material/surface_info.glsl"

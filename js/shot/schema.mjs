@@ -204,14 +204,14 @@ export const poseSchema = object('A moment of an animation', {
     { what: 'a number of seconds', min: -1e30 }).default(0),
 }).nullable().default(null).describe('A moment of one of the model\'s animations; null = as the file stands');
 
-const SHADING = '"three", "three-r115", "disney-2012" or {base, <slot>: <term>}';
+const SHADING = '"three", "fabric", "three-r115", "disney-2012" or {base, <slot>: <term>}';
 const shading = z.union([
-  z.enum(['three', ...BASES], { error: SHADING }),
+  z.enum(['three', 'fabric', ...BASES], { error: SHADING }),
   object('A principled shading with terms swapped', {
     base: choice('Shading that the other slots are taken from', BASES),
     ...Object.fromEntries(Object.entries(SLOTS).map(([slot, terms]) => [slot, choice(`Term of the slot: js/docs/shading.md`, terms).optional()])),
   }),
-], { error: SHADING }).describe('"three": what stock three.js shows; "three-r115": what three.js showed in 2020; "disney-2012": Burley\'s principled model; or terms of these by name')
+], { error: SHADING }).describe('"three": what stock three.js shows; "fabric": telar\'s model of cloth; "three-r115": what three.js showed in 2020; "disney-2012": Burley\'s principled model; or terms of these by name')
   .default('three');
 
 export const shotSchema = object('What to draw', {

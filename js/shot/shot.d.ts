@@ -260,8 +260,8 @@ export interface Shot {
     /** Metres along x and z; default as wide as the shadows fall. */
     size?: [number, number];
   };
-  /** "three": what stock three.js shows; "three-r115": what three.js showed in 2020; "disney-2012": Burley's principled model; or terms of these by name. @default "three" */
-  shading?: 'three' | 'three-r115' | 'disney-2012' | {
+  /** "three": what stock three.js shows; "fabric": telar's model of cloth; "three-r115": what three.js showed in 2020; "disney-2012": Burley's principled model; or terms of these by name. @default "three" */
+  shading?: 'three' | 'fabric' | 'three-r115' | 'disney-2012' | {
     /** Shading that the other slots are taken from. */
     base: 'three-r115' | 'disney-2012';
     /** Term of the slot: js/docs/shading.md. */

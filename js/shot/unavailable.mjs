@@ -5,7 +5,6 @@ import { TelarError } from '../error/index.mjs';
  * for typing errors nor left out in silence. [values, what to use instead] by key.
  */
 const VALUES = {
-  shading: [['fabric'], 'use "three"'],
   quality: [['high'], 'use "standard", the best of the raster, or "reference"'],
   layers: [['depth', 'normal', 'partId', 'ao', 'albedo', 'line', 'shadow'], 'use "beauty"'],
   lightType: [['disk'], 'use "rect", a square of the same area: width = height = 1.772 radius (three.js has no disk either)'],
@@ -31,7 +30,6 @@ const isObject = (value) => typeof value === 'object' && value !== null;
  */
 export function refuseUnavailable(shot) {
   if (!isObject(shot)) return;
-  refuseValue(['shading'], shot.shading, VALUES.shading);
   refuseValue(['quality'], shot.quality, VALUES.quality);
   if (isObject(shot.quality)) {
     for (const key of QUALITIES) {

@@ -48,8 +48,18 @@ Real lambdaCharlie(Real alpha, Real cosine);
 Real V_Charlie(Real alpha, Real NoV, Real NoL);
 Real V_CharlieSoftened(Real alpha, Real NoV, Real NoL);
 Real D_Ashikhmin(Real alpha, Real NoH);
+Real V_SmithGGXCosine(Real alpha, Real NoV, Real NoL);
+Real V_SmithGGXAnisotropicCosine(Real alphaT, Real alphaB, Real NoV, Real NoL, Real ToV, Real BoV, Real ToL, Real BoL);
+vec3 sheenFit(Real sheenRoughness, Real NoV);
 vec3 sheenLtc(Real sheenRoughness, Real NoV);
 Real sheenLtcCosine(vec3 ltc, vec3 l);
+vec4 sheenView(vec3 fit, Real NoV);
+Real sheenCosine(vec4 view, Real NoV, Real NoL, Real LoV);
+
+GlossCurve glossCurve(Real perceptualRoughness);
+vec2 glossAlbedo(GlossCurve curve, Real cosine);
+vec3 returningShare(vec3 f0, Real f90, Real averageMissing);
+vec3 interfaceAlbedo(vec3 f0, Real f90, vec3 returning, vec2 albedo);
 
 Real roughnessR115(Real perceptualRoughness);
 Real reflectivityFromIor(Real ior);

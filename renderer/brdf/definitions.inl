@@ -10,6 +10,7 @@
 #include "sheen.glsl"
 #include "anisotropic.glsl"
 #include "cloth.glsl"
+#include "cloth_energy.glsl"
 #include "r115.glsl"
 #include "disney.glsl"
 #include "environment_fit.glsl"

@@ -16,6 +16,11 @@ namespace three {
 TELAR_SHADING_FUNCTIONS
 }  // namespace three
 
+/// telar's cloth.
+namespace fabric {
+TELAR_SHADING_FUNCTIONS
+}  // namespace fabric
+
 #undef TELAR_SHADING_FUNCTIONS
 
 /// The functions of one shading.

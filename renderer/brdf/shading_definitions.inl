@@ -8,8 +8,14 @@ namespace three {
 #include "../shading/three.glsl"
 }  // namespace three
 
+namespace fabric {
+#include "../shading/fabric.glsl"
+}  // namespace fabric
+
 ShadingFunctions shadingFunctions(ShadingModel shading) {
   switch (shading) {
+    case ShadingModel::kFabric:
+      return TELAR_SHADING_TABLE(fabric);
     default:
       return TELAR_SHADING_TABLE(three);
   }

@@ -8,6 +8,23 @@ float D_GGXRobust(float alpha, float NoH, float NxH2) {
   return RECIPROCAL_PI * pow2(k);
 }
 
+// Its visibility times NoL, as one product: finite where both directions graze. Without the anisotropy's widths.
+// alpha  (0, 1]      NoV, NoL  [0, 1]      return [0, 1 / (2 alpha)]
+// src: Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 99
+float V_SmithGGXCosine(float alpha, float NoV, float NoL) {
+  float a2 = pow2(alpha);
+  float gv = NoL * sqrt(a2 + (1.0 - a2) * pow2(NoV));
+  float gl = NoV * sqrt(a2 + (1.0 - a2) * pow2(NoL));
+  return 0.5 * NoL / max(gv + gl, COSINE_EPSILON);
+}
+
+// The same for two widths. The other arguments as in anisotropic.glsl.
+float V_SmithGGXAnisotropicCosine(float alphaT, float alphaB, float NoV, float NoL, float ToV, float BoV, float ToL, float BoL) {
+  float gv = NoL * length(vec3(alphaT * ToV, alphaB * BoV, NoV));
+  float gl = NoV * length(vec3(alphaT * ToL, alphaB * BoL, NoL));
+  return 0.5 * NoL / max(gv + gl, COSINE_EPSILON);
+}
+
 // Exponent curve of the Charlie masking fit.
 // alpha  (0, 1]      x  [0, 1]
 // src: Estevez & Kulla 2017, "Production Friendly Microfacet Sheen BRDF", table 1
@@ -56,11 +73,11 @@ float D_Ashikhmin(float alpha, float NoH) {
 }
 
 // Sheen of fibre volumes as a linearly transformed cosine, fitted in closed form.
-// x: directional albedo R, y: aInverse, z: bInverse
+// x: directional albedo R, y: aInverse, z: bInverse / sqrt(1 - NoV)
 // sheenRoughness  [0.01, 1]      NoV  [0, 1]
 // src: Zeltner, Burley & Chiang 2022, "Practical Multiple-Scattering Sheen Using Linearly Transformed Cosines"; fit of
 //   MaterialX and OpenPBR; at roughness 0.1 it reads 0.53 where the table has 0.55
-vec3 sheenLtc(float sheenRoughness, float NoV) {
+vec3 sheenFit(float sheenRoughness, float NoV) {
   float x = NoV;
   float y = clamp(sheenRoughness, 0.01, 1.0);
   float s = y * (0.0206607 + 1.58491 * y) / (0.0379424 + y * (1.32227 + y));
@@ -68,9 +85,14 @@ vec3 sheenLtc(float sheenRoughness, float NoV) {
   float o = y * (0.000654023 + (-0.0207818 + 0.119681 * y) * y) / (1.26264 + y * (-1.92021 + y));
   float albedo = exp(-0.5 * pow2((x - m) / s)) / (s * sqrt(2.0 * PI)) + o;
   float aInverse = (2.58126 * x + 0.813703 * y) * y / (1.0 + 0.310327 * x * x + 2.60994 * x * y);
-  float bInverse = sqrt(max(1.0 - x, 0.0)) * (y - 1.0) * y * y * y /
-                   (0.0000254053 + 1.71228 * x - 1.71506 * x * y + 1.34174 * y * y);
-  return vec3(saturate(albedo), aInverse, bInverse);
+  float shear = (y - 1.0) * y * y * y / (0.0000254053 + 1.71228 * x - 1.71506 * x * y + 1.34174 * y * y);
+  return vec3(saturate(albedo), aInverse, shear);
+}
+
+// The same with bInverse itself as z.
+vec3 sheenLtc(float sheenRoughness, float NoV) {
+  vec3 fit = sheenFit(sheenRoughness, NoV);
+  return vec3(fit.x, fit.y, fit.z * sqrt(max(1.0 - NoV, 0.0)));
 }
 
 // Sheen lobe times NoL, per unit of sheen colour, [1/sr]. l in the frame whose z is n and whose x holds v.
@@ -82,4 +104,18 @@ float sheenLtcCosine(vec3 ltc, vec3 l) {
   vec3 w = vec3(a * l.x + b * l.z, a * l.y, l.z);
   float length2 = max(dot(w, w), 1.0e-12);
   return ltc.x * RECIPROCAL_PI * max(w.z, 0.0) * pow2(a) / pow2(length2);
+}
+
+// What of the sheen lobe depends on the viewer only: x = R a^2 / PI, and the squared length of the transformed direction
+// as y + NoL (z (LoV - NoL NoV) + w NoL).
+vec4 sheenView(vec3 fit, float NoV) {
+  float a2 = pow2(fit.y);
+  return vec4(fit.x * a2 * RECIPROCAL_PI, a2, 2.0 * fit.y * fit.z * inversesqrt(1.0 + NoV), pow2(fit.z) * (1.0 - NoV) + 1.0 - a2);
+}
+
+// The lobe of sheenLtcCosine() without a frame: no direction is lost where v is n.
+// NoL  [0, 1]      LoV  [-1, 1]
+float sheenCosine(vec4 view, float NoV, float NoL, float LoV) {
+  float length2 = view.y + NoL * (view.z * (LoV - NoL * NoV) + view.w * NoL);
+  return view.x * NoL / pow2(length2);
 }

@@ -12,6 +12,12 @@ const float F0_DIELECTRIC = 0.04;
 // Floor of the visibility denominator: 0/0 at NoV = NoL = 0 becomes 0. three r187
 const float VISIBILITY_EPSILON = 1.0e-6;
 
+// Floor of a sum of products of cosines and widths: what it divides is 0 as well.
+const float COSINE_EPSILON = 1.0e-20;
+
+// Smallest sheen roughness of cloth: below it the fit's lobe leaves the rim only.
+const float CLOTH_SHEEN_ROUGHNESS_MIN = 0.07;
+
 // Floor of a squared length below which a sum of unit vectors has no direction.
 const float SQUARED_LENGTH_EPSILON = 1.0e-12;
 

@@ -8,6 +8,13 @@ struct BicubicTaps {
   float highOffset;
 };
 
+// How much a GGX lobe of one width reflects, as curves over the cosine of its direction: see cloth_energy.glsl.
+struct GlossCurve {
+  vec4 missing;       // of the light that a lobe of f0 = f90 = 1 does not reflect at once
+  vec4 grazing;       // of the part of its reflectance that belongs to f90
+  vec2 averages;      // of both over the cosine-weighted hemisphere
+};
+
 // What a specular interface sends back under uniform light of radiance 1, linear Rec.709, each [0, 1].
 struct Scattering {
   vec3 single;    // after one bounce between the microfacets

@@ -18,10 +18,28 @@ LtcLobe ltcLobe(mat3 frame, float perceptualRoughness, float NoV, vec3 f0, float
   return LtcLobe(ltcInverse(texture(ltcInverseMap, uv)) * frame, ltcAlbedo(f0, f90, texture(ltcAlbedoMap, uv).rg));
 }
 
-// As in three.js, rectangles have no part in sheen, iridescence, anisotropy and rough diffuse.
+#if SHADING_FABRIC && SHEEN
+// The sheen lobe of cloth is a linearly transformed cosine by itself.
+LtcLobe sheenLobe(mat3 frame, SurfaceInfo s) {
+  vec3 ltc = sheenLtc(max(s.sheenRoughness, CLOTH_SHEEN_ROUGHNESS_MIN), s.NoV);
+  return LtcLobe(mat3(ltc.y, 0.0, 0.0, 0.0, ltc.y, 0.0, ltc.z, 0.0, 1.0) * frame, s.sheenColor * ltc.x);
+}
+#endif
+
+// As in three.js, rectangles have no part in iridescence, anisotropy and rough diffuse; sheen sees them on cloth only.
 Reflected addRectLight(Reflected sum, SurfaceInfo s) {
   mat3 frame = ltcFrame(s.n, s.v);
   LtcLobe base = ltcLobe(frame, s.perceptualRoughness, s.NoV, s.f0, s.f90);
+#if SHADING_FABRIC
+  // What is not reflected at once, and what is left for the diffuse lobe, spread as a cosine.
+  base.albedo = glossReflectance(s);
+  vec3 spread = s.diffuse * s.leaving + s.returning * s.albedo.x;
+#if SHEEN
+  LtcLobe sheen = sheenLobe(frame, s);
+#endif
+#else
+  vec3 spread = s.diffuse;
+#endif
 #if CLEARCOAT
   LtcLobe coat = ltcLobe(ltcFrame(s.coatNormal, s.v), s.clearcoatRoughness, s.clearcoatNoV, vec3(F0_DIELECTRIC), 1.0);
 #endif
@@ -37,7 +55,10 @@ Reflected addRectLight(Reflected sum, SurfaceInfo s) {
     c -= p;
     d -= p;
     sum.specular += rectColor[i] * base.albedo * ltcRectangle(base.toLobe, a, b, c, d);
-    sum.diffuse += rectColor[i] * s.diffuse * ltcRectangle(frame, a, b, c, d);
+#if SHADING_FABRIC && SHEEN
+    sum.sheen += rectColor[i] * sheen.albedo * ltcRectangle(sheen.toLobe, a, b, c, d);
+#endif
+    sum.diffuse += rectColor[i] * spread * ltcRectangle(frame, a, b, c, d);
 #if CLEARCOAT
     sum.coat += rectColor[i] * coat.albedo * ltcRectangle(coat.toLobe, a, b, c, d);
 #endif

@@ -82,7 +82,9 @@ void addClearcoat(inout SurfaceInfo s, vec3 coatNormal, float geometric) {
   s.clearcoat = saturate(s.clearcoat);
   s.clearcoatRoughness = shadedRoughness(roughness, geometric);
   s.clearcoatNoV = saturate(dot(coatNormal, s.v));
+#if !SHADING_FABRIC
   s.coatDfg = texture(dfgMap, vec2(s.clearcoatRoughness, s.clearcoatNoV)).rg;
+#endif
 }
 #endif
 

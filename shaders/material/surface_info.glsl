@@ -44,7 +44,9 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
   s.perceptualRoughness = shadedRoughness(roughness, geometric);
   s.alpha = alphaFromRoughness(s.perceptualRoughness);
   s.NoV = saturate(dot(s.n, s.v));
+#if !SHADING_FABRIC
   s.dfg = texture(dfgMap, vec2(s.perceptualRoughness, s.NoV)).rg;
+#endif
   addLayers(s, normals, geometric);
   return preparedSurface(s);
 }

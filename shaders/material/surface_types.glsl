@@ -13,7 +13,9 @@ struct SurfaceInfo {
   float perceptualRoughness;  // floor and geometric roughness applied
   float alpha;
   float NoV;
+#if SHADING_THREE || SHADING_PRINCIPLED
   vec2 dfg;
+#endif
 #if DIFFUSE_ROUGHNESS
   float diffuseRoughness;
 #endif
@@ -38,10 +40,29 @@ struct SurfaceInfo {
   float clearcoat;
   float clearcoatRoughness;
   float clearcoatNoV;
+#if SHADING_THREE || SHADING_PRINCIPLED
   vec2 coatDfg;
+#endif
 #endif
 #if SHADING_THREE
   vec3 compensation;  // factor on the GGX lobe of one direction
+#endif
+#if SHADING_FABRIC
+  // All of it by preparedSurface() of fabric.glsl.
+  GlossCurve gloss;
+  vec2 albedo;            // of the gloss, at NoV: glossAlbedo()
+  vec3 returning;         // of what the gloss does not reflect at once, what it reflects later
+  vec3 returningLobe;     // the same as a lobe towards the viewer, for a light of missing share 1, [1/sr]
+  vec3 returningDielectric;
+  vec3 leaving;           // share of the light under the dielectric interface that passes towards the viewer
+  vec3 passing;           // the same, of what the average direction lets pass
+#if SHEEN
+  float sheenAlbedo;      // at NoV, per unit of colour
+  vec4 sheenView;
+#endif
+#if CLEARCOAT
+  float coatAlbedo;       // at clearcoatNoV
+#endif
 #endif
 };
 

@@ -12,6 +12,8 @@ const Column IOR{1, 3, {1, 1.33, 1.5, 3}};
 const Column LTC_ROUGHNESS{0.05, 1, {0.05, 0.1, 0.3, 0.5, 1}};
 // Closer to grazing Lambda is exp(20): an ulp of the exponent is then more than the tolerance.
 const Column OFF_CLIFF{0.1, 1, {0.1, 0.3, 0.5, 1}};
+const Column SHADED_ROUGHNESS{0.045, 1, {0.045, 0.089, 0.2, 0.5, 0.8, 1}};
+const Column MISSING{0, 0.55, {0, 0.1, 0.55}};
 const Column NXH2{1e-6, 1, {1e-6, 1e-3, 0.5, 1}};
 
 }  // namespace
@@ -55,6 +57,15 @@ std::vector<Term> thesisTerms() {
 std::vector<Term> clothTerms() {
   return {
       TERM("D_GGXRobust", ({ALPHA, COSINE, NXH2}), PRODUCT, true, vec3(D_GGXRobust(p[0], p[1], p[2]))),
+      TERM("V_SmithGGXCosine", ({ALPHA, COSINE, COSINE}), PRODUCT, true, vec3(V_SmithGGXCosine(p[0], p[1], p[2]))),
+      TERM("V_SmithGGXAnisotropicCosine", ({ALPHA, ALPHA, COSINE, COSINE, SLANT, SLANT, SLANT, SLANT}), PRODUCT, true,
+           vec3(V_SmithGGXAnisotropicCosine(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]))),
+      TERM("glossCurve", ({SHADED_ROUGHNESS}), CANCELLING, true, vec3(glossCurve(p[0]).averages, glossCurve(p[0]).missing.x)),
+      TERM("glossAlbedo", ({SHADED_ROUGHNESS, COSINE}), OF_ONE, true, vec3(glossAlbedo(glossCurve(p[0]), p[1]), 0.0)),
+      TERM("returningShare", ({UNIT, UNIT, UNIT, UNIT, MISSING}), OF_ONE, true,
+           returningShare(vec3(p[0], p[1], p[2]), p[3], p[4])),
+      TERM("interfaceAlbedo", ({UNIT, UNIT, UNIT, UNIT, UNIT, SHADED_ROUGHNESS, COSINE}), OF_ONE, true,
+           interfaceAlbedo(vec3(p[0], p[1], p[2]), p[3], vec3(p[4]), glossAlbedo(glossCurve(p[5]), p[6]))),
       TERM("charlieCurve", ({ALPHA, COSINE}), CANCELLING, false, vec3(charlieCurve(p[0], p[1]))),
       TERM("lambdaCharlie", ({ALPHA, OFF_CLIFF}), PRODUCT, true, vec3(lambdaCharlie(p[0], p[1]))),
       TERM("V_Charlie", ({ALPHA, OFF_CLIFF, OFF_CLIFF}), PRODUCT, true, vec3(V_Charlie(p[0], p[1], p[2]))),
@@ -62,6 +73,10 @@ std::vector<Term> clothTerms() {
            vec3(V_CharlieSoftened(p[0], p[1], p[2]))),
       TERM("D_Ashikhmin", ({SHEEN_ALPHA, COSINE}), OF_CHARLIE, true, vec3(D_Ashikhmin(p[0], p[1]))),
       TERM("sheenLtc", ({LTC_ROUGHNESS, COSINE}), OF_ONE, false, sheenLtc(p[0], p[1])),
+      TERM("sheenFit", ({LTC_ROUGHNESS, COSINE}), OF_ONE, false, sheenFit(p[0], p[1])),
+      TERM("sheenView", ({LTC_ROUGHNESS, COSINE}), OF_ONE, false, vec3(sheenView(sheenFit(p[0], p[1]), p[1]))),
+      TERM("sheenCosine", ({LTC_ROUGHNESS, COSINE, OFF_GRAZING, SLANT}), OF_ONE, true,
+           vec3(sheenCosine(sheenView(sheenFit(p[0], p[1]), p[1]), p[1], p[2], p[1] * p[2] + p[3] * 0.5))),
       TERM("sheenLtcCosine", ({LTC_ROUGHNESS, COSINE, SLANT, SLANT, UPWARD}), OF_ONE, true,
            vec3(sheenLtcCosine(sheenLtc(p[0], p[1]), normalize(vec3(p[2], p[3], p[4]))))),
   };

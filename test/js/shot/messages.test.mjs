@@ -159,7 +159,7 @@ const MESSAGES = [
   [{ background: { blur: 0.5 }, environment: 'none' }, 'shot.background: expected "transparent" or a colour, as shot.environment is "none", got {"type", "blur"}'],
   [{ background: 'environment', environment: 'none' }, 'shot.background: expected "transparent" or a colour, as shot.environment is "none", got "environment"'],
   [{ background: 'transparent', output: { format: 'jpeg' } }, 'shot.background: expected a colour or "environment", as jpeg has no transparency, got "transparent"'],
-  [{ shading: 'tree' }, 'shot.shading: expected "three", "three-r115", "disney-2012" or {base, <slot>: <term>}, got "tree"'],
+  [{ shading: 'tree' }, 'shot.shading: expected "three", "fabric", "three-r115", "disney-2012" or {base, <slot>: <term>}, got "tree"'],
   [{ shading: { sheen: 'zeltner' } }, 'shot.shading.base: expected "three-r115" or "disney-2012", got nothing'],
   [{ shading: { base: 'three-r115', fresnel: 'zeltner' } }, 'shot.shading.fresnel: expected "schlick-exp2" or "schlick", got "zeltner"'],
   [{ shading: { base: 'disney-2012', shen: 'zeltner' } }, 'shot.shading.shen: unknown key, did you mean sheen?'],
@@ -200,7 +200,6 @@ test('exact messages', () => {
 
 /** [shot, what is refused, what stands instead, pointer] */
 const UNAVAILABLE = [
-  [{ shading: 'fabric' }, 'shot.shading: "fabric"', 'use "three"', '/shading'],
   [{ quality: 'high' }, 'shot.quality: "high"', 'use "standard", the best of the raster, or "reference"', '/quality'],
   ...['maxError', 'budgetMs'].map((key) =>
     [{ quality: { [key]: 1 } }, `shot.quality.${key}: a quality by ${key}`, 'use {samples: 1} or {samples: 4}', `/quality/${key}`]),
