@@ -129,6 +129,10 @@ export interface Image {
   info: FrameInfo;
 }
 
+/** n: shading normal in view space; NoV: its cosine with the viewer; dfg: scale and bias of the split sum; colours linear. */
+export type Quantity = 'n' | 'baseColor' | 'alpha' | 'metallic' | 'perceptualRoughness' | 'f0' | 'NoV' | 'dfg' | 'radiance' | 'irradiance'
+  | 'direct' | 'indirect' | 'transmitted' | 'linear' | 'encoded';
+
 /** One GL context on a thread of its own. All methods reject with TelarError, or with the signal's reason. */
 export interface Renderer {
   readonly backend: Backend;
@@ -136,6 +140,8 @@ export interface Renderer {
   load(source: Source, options?: CallOptions): Promise<Model>;
   render(source: Source | Model, shot?: Shot | ResolvedShot, options?: CallOptions): Promise<Image>;
   renderAll(source: Source | Model, shots: ReadonlyArray<Shot | ResolvedShot>, options?: CallOptions): Promise<Image[]>;
+  /** Draws a quantity of the shading in place of the colour: RGBA, top row first; alpha 0 where nothing is drawn. */
+  renderQuantity(source: Source | Model, shot: Shot | ResolvedShot, quantity: Quantity, options?: CallOptions): Promise<{ width: number; height: number; data: Float32Array }>;
   /** Frees what the GPU holds of a model. */
   release(model: Model): Promise<void>;
   /** Number of GL names that live in the context. */

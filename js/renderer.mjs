@@ -15,6 +15,9 @@ const FRAMES_IN_FLIGHT = 4;
 /** Frames and small requests in the GL thread's own queue. */
 const MAX_QUEUED = 64;
 
+/** What `renderQuantity` draws; vectors in view space, colours linear (shaders/debug_output.glsl). */
+const QUANTITIES = ['n', 'baseColor', 'alpha', 'metallic', 'perceptualRoughness', 'f0', 'NoV', 'dfg', 'radiance', 'irradiance', 'direct', 'indirect', 'transmitted', 'linear', 'encoded'];
+
 class Renderer {
   #native;
   #handle;
@@ -53,6 +56,22 @@ class Renderer {
     const { signal } = callOptions(options);
     const request = this.#readRequest(source, shot);
     return this.#track(this.#gate.run(() => this.#render(request, signal), signal));
+  }
+
+  /**
+   * Draws a quantity of the shading in place of the colour: what a picture is made of, to look for the cause of a difference
+   * or to tell parts of it apart. Not for shots of several passes (quality "high").
+   * @param {string} quantity - One of QUANTITIES; "NoV" is the cosine between normal and viewer.
+   * @returns {Promise<{width: number, height: number, data: Float32Array}>} RGBA, top row first; alpha 0 where nothing is drawn
+   */
+  async renderQuantity(source, shot, quantity, options = {}) {
+    this.#assertOpen();
+    const { signal } = callOptions(options);
+    if (!QUANTITIES.includes(quantity)) throw wrongOption('quantity', `one of ${QUANTITIES.join(', ')}`, quantity);
+    const request = this.#readRequest(source, { ...shot, background: 'transparent', output: { format: 'raw', bitDepth: 32 } });
+    const { data, info } = await this.#track(this.#gate.run(() => this.#render({ ...request, quantity }, signal), signal));
+    const floats = new Float32Array(data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength));
+    return { width: info.width, height: info.height, data: floats };
   }
 
   /** Draws many views of one model; while one is drawn, the one before is encoded. */
@@ -144,7 +163,7 @@ class Renderer {
     return this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model), forget)));
   }
 
-  async #render({ input, model: given, poses, shot, environment, map }, signal) {
+  async #render({ input, model: given, poses, shot, environment, map, quantity }, signal) {
     const start = performance.now();
     const model = given ?? await loadModel(this.#native, input, this.#limits, signal);
     const loaded = performance.now();
@@ -155,7 +174,7 @@ class Renderer {
     if (map) resolved.environment.map = map;
     const request = {
       scene: Model.sceneOf(posed),
-      shot: shotJson(resolved),
+      shot: shotJson(quantity ? { ...resolved, debugOutput: quantity } : resolved),
       environment,
       releaseScene: poses ? poses.isLast(shot) : !given || posed !== model,
     };

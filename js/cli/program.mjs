@@ -1,5 +1,6 @@
 import { Command, InvalidArgumentError, Option } from 'commander';
 import { DEFAULT_GATE, GATES } from '../compare/gates.mjs';
+import { describe } from './describe.mjs';
 import { addShotOptions } from './shot_options.mjs';
 
 /** The command line's grammar: commands, options, help. */
@@ -26,7 +27,7 @@ const addLimit = (command) => command
 
 /**
  * @param {string} version
- * @param {Record<'thumbnail' | 'inspect' | 'compare' | 'view' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
+ * @param {Record<'thumbnail' | 'inspect' | 'compare' | 'analyse' | 'view' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
  * @param {{writeOut: (text: string) => void, writeErr: (text: string) => void}} output of help and complaints
  */
 export function buildProgram(version, actions, output) {
@@ -59,6 +60,19 @@ export function buildProgram(version, actions, output) {
     .option('--report <dir>', 'write a page with the images, the heat map and the figures')
     .option('--junit <file>', 'write the checks as JUnit XML')))
     .action(actions.compare);
+  addLimit(addCommon(command('analyse', 'Say which term of one shading against another changes pictures of cloth most')
+    .argument('[model...]', '.glb or .gltf files; none = the bundled drape in the fabrics')
+    .option('--from <shading>', 'three-r115, disney-2012, or JSON of one with terms swapped', 'three-r115')
+    .option('--to <shading>', 'the other one', 'disney-2012')
+    .option('--fabrics <names>', 'of the bundled drape: leather,wool,towel,velvet; all of them by default')
+    .option('--lights <names>', 'studio, sun, rim, sky or .hdr and .exr files, with commas between; studio,sun by default')
+    .option('--view <view>', describe('camera.view'))
+    .option('--size <WxH>', 'of each picture in pixels', '320x320')
+    .option('--quality <quality>', describe('quality'), 'standard')
+    .option('--report <dir>', 'write a page with the ranking, lobes, albedo curves and pictures, and the figures as JSON')
+    .option('--terms', 'list slots and terms, and draw nothing')
+    .addOption(backend())))
+    .action(actions.analyse);
   addLimit(addCommon(addShotOptions(command('view', 'Show the browser client beside the server\'s picture, and their difference, on a local page')
     .argument('<model>', '.glb or .gltf file; - is a GLB on stdin')
     .option('--port <port>', 'port on 127.0.0.1; a free one by default', port)

@@ -84,14 +84,15 @@ const pick = (object, keys) => Object.fromEntries(keys.filter((key) => object?.[
 const framingOf = (camera) => (camera?.position === undefined ? pick(camera, ['projection', 'fovY', 'fit']) : {});
 const settingsOf = (environment) => pick(environment, ['intensity', 'rotation']);
 
-function parseSize(text) {
+/** "512x512" or "512" as {width, height} in pixels. @throws {TelarError} E_USAGE */
+export function parseSize(text) {
   const match = /^(\d+)(?:x(\d+))?$/i.exec(text);
   if (!match) throw usage(`--size: expected WxH in pixels, as in 512x512, got ${shown(text)}`);
   return { width: Number(match[1]), height: Number(match[2] ?? match[1]) };
 }
 
 /** JSON where it is JSON, else the text itself: 0.8, true, [1, 0, 0], red. */
-function parseValue(text) {
+export function parseValue(text) {
   try {
     return JSON.parse(text);
   } catch {

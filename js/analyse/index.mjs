@@ -1,0 +1,9 @@
+/** telar analyse: which term of one shading against another changes pictures of cloth most. */
+export { analyse, analysisSteps } from './analyse.mjs';
+export { analysisPage, plotsOf } from './report.mjs';
+export { figuresOf } from './figures.mjs';
+export { rankLines, termLines } from './lines.mjs';
+export { LIGHTS, lightsOf } from './lights.mjs';
+export { FABRICS, fabricTargets, modelTargets } from './targets.mjs';
+export { swapsBetween } from './swaps.mjs';
+export { dataUrls, picturesOf } from './pictures.mjs';

@@ -1,0 +1,49 @@
+import { number } from '../compare/figures.mjs';
+import { inWords } from './words.mjs';
+
+/** An analysis as text for a terminal. */
+
+/** Columns padded to one width; the first to the left, numbers to the right, words (`left`) to the left. */
+function table(rows, left) {
+  const widths = rows[0].map((_, column) => Math.max(...rows.map((row) => row[column].length)));
+  return rows.map((row) => row.map((cell, i) => (left.includes(i) ? cell.padEnd(widths[i]) : cell.padStart(widths[i]))).join('  ').trimEnd());
+}
+
+const short = (value) => (value === 0 ? '0' : value < 0.00005 ? '<0.0001' : value < 1 ? value.toFixed(4) : number(value));
+export const rangeText = ({ min, max }) => `${short(min)}..${short(max)}`;
+export const percent = (share) => `${Math.round(share * 100)} %`;
+export const ranksText = ([best, worst]) => (best === worst ? String(best) : `${best}-${worst}`);
+
+const HEADINGS = ['rank', 'term', 'from', 'to', 'FLIP', 'range', 'last', 'dE00', 'p95', 'share', 'ranks', 'changes'];
+
+/**
+ * The ranking.
+ * @param {import('./analyse.mjs').Analysis} analysis
+ * @returns {string[]}
+ */
+export function rankLines({ rows, cells, names }) {
+  const lines = rows.map((row) => [
+    String(row.rank), row.slot, row.from, row.to, short(row.alone.flip.mean), rangeText(row.alone.flip), short(row.rest.flip.mean),
+    short(row.alone.deltaE.mean), short(row.alone.deltaEp95.mean), percent(row.share), ranksText(row.ranks), row.words + (row.interaction ? `; ${row.interaction}` : ''),
+  ]);
+  const whole = cells.map(({ target, light, all }) => [
+    `${target}, ${light}`, `FLIP ${short(all.flip.mean)}`, `dE00 ${short(all.deltaE.mean)}`, `p95 ${short(all.deltaE.p95)}`, inWords(all),
+  ]);
+  return [
+    `${names.to} against ${names.from}, all terms:`, ...table(whole, [0, 1, 2, 3, 4]), '',
+    'One term at a time; FLIP and CIEDE2000 on the cloth: swapped alone, and as the last of all:', ...table([HEADINGS, ...lines], [1, 2, 3, 11]),
+  ];
+}
+
+/**
+ * What --terms prints.
+ * @param {Record<string, string[]>} slots
+ * @param {Record<string, object>} bases - By name, with every slot.
+ * @returns {string[]}
+ */
+export function termLines(slots, bases) {
+  const marks = (slot, term) => Object.keys(bases).filter((base) => bases[base][slot] === term);
+  return Object.entries(slots).flatMap(([slot, terms]) => [
+    slot, ...terms.map((term) => `  ${term.padEnd(24)}${marks(slot, term).map((base) => `in ${base}`).join(', ')}`.trimEnd()),
+  ]);
+}

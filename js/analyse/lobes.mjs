@@ -1,0 +1,55 @@
+/** Lobes and albedos of a target's material under two shadings, for the plots. */
+
+/** Angles between normal and viewer of the lobe plots, degrees. */
+export const VIEW_ANGLES = [20, 65];
+/** Angles of the albedo curves, degrees. */
+export const ALBEDO_ANGLES = [0, 10, 20, 30, 40, 50, 60, 65, 70, 75, 80, 84, 87];
+/** Steps of the light over the plane of incidence, degrees. */
+const LIGHT_STEP = 1;
+
+const RADIANS = Math.PI / 180;
+
+/** Light angles from the viewer's side (90) over the normal (0) to the other (-90), degrees. */
+export const LIGHT_ANGLES = Array.from({ length: 180 / LIGHT_STEP - 1 }, (_, i) => 90 - (i + 1) * LIGHT_STEP);
+
+/** Relative luminance of linear Rec.709. */
+export const luminance = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
+
+const luminances = (lobes) => Object.fromEntries(Object.entries(lobes).map(([lobe, rgb]) => [lobe, luminance(rgb)]));
+
+/** Index of the material that a model's target shows: that named after it, else the first. */
+export const materialOf = (facts, name) => Math.max(0, facts.materials.findIndex((material) => material.name === name));
+
+/**
+ * @typedef {Record<'diffuse' | 'specular' | 'sheen' | 'coat' | 'total', number>} Lobes - Luminances.
+ * @typedef {object} Curves
+ * @property {string} target
+ * @property {string} material - Name in the model.
+ * @property {Array<{viewAngle: number, from: Lobes[], to: Lobes[]}>} lobes - For each of LIGHT_ANGLES the BRDF times the cosine.
+ * @property {{from: Lobes[], to: Lobes[]}} albedo - For each of ALBEDO_ANGLES.
+ *
+ * @param {object} api with evaluateShading
+ * @param {object} renderer
+ * @param {import('./targets.mjs').Target} target
+ * @param {{from: object, to: object}} shadings
+ * @param {{signal?: AbortSignal}} [options]
+ * @returns {Promise<Curves>}
+ */
+export async function curvesOf(api, renderer, target, shadings, { signal } = {}) {
+  const model = await renderer.load(target.source, { signal });
+  const material = materialOf(model.facts, target.shot.variant);
+  const ask = (shading, degrees, more) => api.evaluateShading({ model, material, shading, viewAngle: degrees * RADIANS, signal, ...more });
+  const directions = LIGHT_ANGLES.map((degrees) => [Math.sin(degrees * RADIANS), 0, Math.cos(degrees * RADIANS)]);
+  const both = async (of) => ({ from: await of(shadings.from), to: await of(shadings.to) });
+  const lobes = [];
+  for (const viewAngle of VIEW_ANGLES) {
+    lobes.push({ viewAngle, ...(await both(async (shading) => (await ask(shading, viewAngle, { directions })).radiance.map(luminances))) });
+  }
+  const albedo = await both(async (shading) => {
+    const curve = [];
+    for (const degrees of ALBEDO_ANGLES) curve.push(luminances((await ask(shading, degrees, { albedo: true })).albedo));
+    return curve;
+  });
+  await renderer.release(model);
+  return { target: target.name, material: model.facts.materials[material]?.name ?? '', lobes, albedo };
+}

@@ -1,0 +1,42 @@
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { TelarError } from '../error/index.mjs';
+import { nearest, shown } from '../shot/complain.mjs';
+
+/**
+ * What is looked at: a fabric of the bundled drape, or a model of the user's.
+ * @typedef {object} Target
+ * @property {string} name
+ * @property {string | Uint8Array} source - Path or bytes.
+ * @property {object} shot - Keys of the shot that show it.
+ */
+
+/** Material variants of the bundled drape (js/assets/make/fabrics). */
+export const FABRICS = ['leather', 'wool', 'towel', 'velvet'];
+
+const DRAPE = fileURLToPath(new URL('../assets/fabrics.glb', import.meta.url));
+/** Shows the top of the drape, its folds and its hem. */
+const DRAPE_CAMERA = { azimuth: 25, elevation: 22 };
+
+/**
+ * @param {string[]} names of FABRICS
+ * @returns {Target[]}
+ * @throws {TelarError} E_USAGE
+ */
+export function fabricTargets(names) {
+  const unknown = names.find((name) => !FABRICS.includes(name));
+  if (unknown !== undefined) {
+    const near = nearest(unknown, FABRICS);
+    throw new TelarError('E_USAGE', `--fabrics: expected some of ${FABRICS.join(', ')}, got ${shown(unknown)}${near ? `; did you mean ${near}?` : ''}`);
+  }
+  return names.map((name) => ({ name, source: DRAPE, shot: { camera: DRAPE_CAMERA, variant: name } }));
+}
+
+/**
+ * @param {string[]} files
+ * @returns {Target[]} named after their files, told apart by number where two have one name
+ */
+export function modelTargets(files) {
+  const names = files.map((file) => path.basename(file).replace(/\.(glb|gltf)$/i, ''));
+  return files.map((source, i) => ({ name: names.filter((name) => name === names[i]).length > 1 ? `${names[i]} ${i + 1}` : names[i], source, shot: {} }));
+}

@@ -1,0 +1,85 @@
+import path from 'node:path';
+import { analyse as analyseAll, analysisPage, analysisSteps, dataUrls, FABRICS, fabricTargets, figuresOf, lightsOf, modelTargets, picturesOf, rankLines, swapsBetween, termLines } from '../analyse/index.mjs';
+import { TelarError } from '../error/index.mjs';
+import { BASES, resolveTerms, SLOTS } from '../shot/shading_terms.mjs';
+import { removeUnfinished, writeFileAtomically } from './atomic_file.mjs';
+import { readLimits } from './limits.mjs';
+import { parseSize, parseValue } from './shot_options.mjs';
+
+/** Lights of an analysis unless others are named: one from all around, one lamp. */
+const DEFAULT_LIGHTS = ['studio', 'sun'];
+
+const listOf = (text) => text.split(',').map((name) => name.trim()).filter(Boolean);
+
+/** "a,b" as a list that is not empty. */
+function namesOf(option, text, fallback) {
+  if (text === undefined) return fallback;
+  const names = [...new Set(listOf(text))];
+  if (names.length === 0) throw new TelarError('E_USAGE', `--${option}: expected names with commas between`);
+  return names;
+}
+
+/** A shading as the user wrote it: a name, or JSON of one with terms swapped. */
+const shadingOf = (text) => parseValue(text);
+const nameOf = (shading) => (typeof shading === 'string' ? shading : `${shading.base} (${Object.entries(shading).filter(([slot]) => slot !== 'base').map(([slot, term]) => `${slot}: ${term}`).join(', ')})`);
+
+function planOf(models, options) {
+  if (models.length > 0 && options.fabrics !== undefined) throw new TelarError('E_USAGE', '--fabrics are of the bundled drape: leave it out, or the models');
+  const [from, to] = [shadingOf(options.from), shadingOf(options.to)];
+  const swaps = swapsBetween(from, to);
+  const shot = { size: parseSize(options.size), quality: parseValue(options.quality) };
+  const targets = models.length > 0 ? modelTargets(models) : fabricTargets(namesOf('fabrics', options.fabrics, FABRICS));
+  if (options.view !== undefined) for (const target of targets) target.shot = { ...target.shot, camera: { view: options.view } };
+  return { names: { from: nameOf(from), to: nameOf(to) }, swaps, targets, lights: lightsOf(namesOf('lights', options.lights, DEFAULT_LIGHTS)), shot };
+}
+
+/**
+ * telar analyse [MODEL...]
+ * Swaps one term at a time between two shadings on fabrics and lights, and ranks which change the picture most.
+ * @param {string[]} models paths; none = the bundled drape in --fabrics
+ * @param {object} options as commander parsed them
+ * @param {import('./console.mjs').Io & {console: import('./console.mjs').Console, api: object}} context
+ * @returns {Promise<number>} exit code
+ */
+export async function analyse(models, options, { console, signal, api }) {
+  if (options.terms) return tellTerms(console);
+  const plan = planOf(models, options);
+  const limits = readLimits(options.limit);
+  const renderer = await api.createRenderer({ backend: options.backend, limits, signal });
+  const progress = await console.progress(analysisSteps(plan));
+  let analysis;
+  try {
+    analysis = await analyseAll(api, renderer, plan, { signal, step: (name) => progress.step(name) });
+  } finally {
+    progress.stop();
+    await renderer.close();
+  }
+  for (const { target, warnings } of firstOfEach(analysis.cells)) for (const warning of warnings) console.warning(warning, target);
+  const figures = figuresOf(analysis);
+  const report = options.report === undefined ? undefined : await writeReport(options.report, analysis, figures, signal);
+  await console.result({ ok: true, exit: 0, ...(report && { report }), ...figures }, [...rankLines(analysis), ...(report ? ['', report] : [])]);
+  return 0;
+}
+
+/** A cell of each target. */
+const firstOfEach = (cells) => cells.filter(({ target }, i) => cells.findIndex((cell) => cell.target === target) === i);
+
+/** DIR/index.html, which needs no other file, and DIR/analysis.json. */
+async function writeReport(folder, analysis, figures, signal) {
+  const sources = [];
+  for (const cell of analysis.cells) sources.push(dataUrls(await picturesOf(cell, { signal })));
+  const page = path.join(folder, 'index.html');
+  try {
+    await writeFileAtomically(path.join(folder, 'analysis.json'), Buffer.from(`${JSON.stringify(figures, null, 1)}\n`), signal);
+    await writeFileAtomically(page, Buffer.from(analysisPage(analysis, sources)), signal);
+  } finally {
+    removeUnfinished();
+  }
+  return page;
+}
+
+async function tellTerms(console) {
+  const shadings = Object.fromEntries(BASES.map((base) => [base, resolveTerms(base)]));
+  await console.result({ ok: true, exit: 0, slots: SLOTS, shadings }, termLines(SLOTS, shadings));
+  return 0;
+}

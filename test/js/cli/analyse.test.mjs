@@ -1,0 +1,90 @@
+import assert from 'node:assert/strict';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { after, test } from 'node:test';
+import { assertWellFormed, plantedApi } from '../analyse/support.mjs';
+import { runFake } from './fake.mjs';
+
+const folder = mkdtempSync(path.join(tmpdir(), 'telar-analyse-'));
+after(() => rmSync(folder, { recursive: true }));
+
+const planted = () => plantedApi((swapped, cosine) => (swapped.has('sheen') && cosine < 0.6 ? 80 : 0) + (swapped.has('diffuse') ? 6 : 0));
+const run = (argv, fake = planted(), more = {}) => runFake(['analyse', ...argv], { fake, api: fake.api, ...more });
+const SMALL = ['--size', '32', '--lights', 'studio'];
+
+test('the table: the whole difference, then the terms by their effect', async () => {
+  const { exit, stdout, stderr, calls } = await run(['--fabrics', 'leather,velvet', ...SMALL]);
+  assert.equal(exit, 0, stderr);
+  assert.match(stdout, /^disney-2012 against three-r115, all terms:\nleather, studio +FLIP 0\.\d+ +dE00 /);
+  const rows = stdout.split('\n').filter((line) => /^ *\d+ {2}\w/.test(line)).map((line) => line.trim().split(/ {2,}/));
+  assert.deepEqual(rows.slice(0, 2).map((row) => row.slice(0, 4)), [['1', 'sheen', 'charlie-neubelt', 'disney-2012'], ['2', 'diffuse', 'lambert', 'disney-2012']]);
+  assert.match(rows[0].at(-1), /^much brighter limb/);
+  assert.match(stderr, /W_RANGE/);
+  assert.equal(calls.closed, 1);
+});
+
+test('--json: one object with the ranking and every figure; no pictures', async () => {
+  const { stdout } = await run(['--json', ...SMALL, '--fabrics', 'wool']);
+  const result = JSON.parse(stdout);
+  assert.deepEqual([result.ok, result.exit, result.from.base, result.to.base], [true, 0, 'three-r115', 'disney-2012']);
+  assert.deepEqual(result.ranking.slice(0, 2).map(({ slot, rank }) => [slot, rank]), [['sheen', 1], ['diffuse', 2]]);
+  const [cell] = result.cells;
+  assert.deepEqual([cell.target, cell.light, Object.keys(cell.terms).length, cell.terms.diffuse.alone.map], ['wool', 'studio', result.ranking.length, undefined]);
+  assert.equal(cell.terms.fresnel.alone.words, 'no change');
+  assert.ok(stdout.length < 60_000);
+});
+
+test('--terms lists slots and terms and draws nothing', async () => {
+  const { exit, stdout, calls } = await run(['--terms']);
+  assert.deepEqual([exit, calls.rendered], [0, 0]);
+  assert.match(stdout, /^diffuse\n {2}lambert +in three-r115\n {2}disney-2012 +in disney-2012\n {2}frostbite\n/m);
+  const { slots } = JSON.parse((await run(['--terms', '--json'])).stdout);
+  assert.ok(slots.sheen.includes('zeltner'));
+});
+
+test('--report: one page that needs nothing else, and the figures beside it', async () => {
+  const at = path.join(folder, 'page');
+  const { stdout } = await run([...SMALL, '--report', at, 'shirt.glb', 'other/shirt.glb']);
+  assert.ok(stdout.endsWith(`\n${path.join(at, 'index.html')}\n`));
+  assert.deepEqual(readdirSync(at).sort(), ['analysis.json', 'index.html']);
+  const page = readFileSync(path.join(at, 'index.html'), 'utf8');
+  assertWellFormed(page);
+  assert.doesNotMatch(page, /<script|<link|https?:\/\/(?!www\.w3\.org\/2000\/svg)/);
+  for (const [, source] of page.matchAll(/src="([^"]{0,22})/g)) assert.equal(source, 'data:image/png;base64,');
+  assert.deepEqual([...page.matchAll(/<h3>([^<]+)<\/h3>/g)].map(([, name]) => name), ['shirt 1', 'shirt 2', 'shirt 1, studio', 'shirt 2, studio']);
+  assert.match(page, /prefers-color-scheme:dark[\s\S]*@media print/);
+  assert.ok(page.indexOf('>sheen<br>') > 0 && page.indexOf('>sheen<br>') < page.indexOf('>diffuse<br>'));
+  assert.equal(JSON.parse(readFileSync(path.join(at, 'analysis.json'))).cells.length, 2);
+});
+
+test('wrong usage is exit 2 and says what is expected', async () => {
+  for (const [argv, message] of [
+    [['--from', 'three'], /--from: expected a shading that is made of terms/],
+    [['--to', 'three-r115'], /--to: expected a shading that differs/],
+    [['--fabrics', 'lether'], /--fabrics: expected some of leather, wool, towel, velvet, got "lether"; did you mean leather\?/],
+    [['--lights', 'stdio'], /--lights: .*did you mean studio\?/],
+    [['--lights', ','], /--lights: expected names/],
+    [['m.glb', '--fabrics', 'wool'], /--fabrics are of the bundled drape/],
+    [['--size', 'big'], /--size/],
+    [['--from', 'phong'], /shading/],
+  ]) {
+    const { exit, stderr, calls } = await run(argv);
+    assert.equal(exit, 2, `${argv}: ${stderr}`);
+    assert.match(stderr, message);
+    assert.equal(calls.rendered, 0);
+  }
+});
+
+test('a signal stops it between pictures; nothing is written', async () => {
+  const controller = new AbortController();
+  const fake = planted();
+  fake.renderer.load = async (source) => {
+    controller.abort();
+    return { source, facts: { materials: [] } };
+  };
+  const at = path.join(folder, 'never');
+  const { exit } = await run(['--report', at, ...SMALL], fake, { signal: controller.signal });
+  assert.equal(exit, 5);
+  assert.deepEqual([fake.calls.closed, existsSync(at)], [1, false]);
+});
