@@ -39,6 +39,5 @@ function shaded(label, shading, name) {
 
 /** @type {import('./cases.mjs').Case[]} */
 export const CASES = [
-  ...ALIKE.map((name) => shaded('r115', 'three-r115', name)),
-  ...ALIKE.map((name) => shaded('disney', 'disney-2012', name)),
+  ...ALIKE.map((name) => shaded('fabric', 'fabric', name)),
 ];

@@ -49,6 +49,9 @@ const SHADED = {
   emitted: 'totalEmissiveRadiance',
 };
 
+/** The same for cloth, which has a table of its own in place of three's. */
+const CLOTH = { ...SHADED, dfg: 'vec3(telarSurface.albedo, 0.0)' };
+
 const SHADED_SUMS = `
 vec3 telarDirectSum = telarDirect.diffuse + telarDirect.specular;
 vec3 telarIndirectSum = telarIndirect.diffuse + telarIndirect.specular;
@@ -76,7 +79,7 @@ telarIndirect += clearcoatSpecularIndirect * material.clearcoat;
 #endif
 `;
 
-const SUMS_OF = new Map([[LIT, SUMS], [SHADED, SHADED_SUMS]]);
+const SUMS_OF = new Map([[LIT, SUMS], [SHADED, SHADED_SUMS], [CLOTH, SHADED_SUMS]]);
 
 /** Define without which three's shader has no such variable. */
 const NEEDS = { transmitted: 'USE_TRANSMISSION' };
@@ -147,7 +150,7 @@ function writeTerms(scene, choice, beforeDraw) {
 }
 
 function expressionsOf(material) {
-  if (material.isTelarShadingMaterial) return SHADED;
+  if (material.isTelarShadingMaterial) return material.isFabricMaterial ? CLOTH : SHADED;
   if (material.isMeshStandardMaterial) return LIT;
   if (material.isMeshBasicMaterial || material.isPointsMaterial || material.isLineBasicMaterial) return COLORED;
   return null;

@@ -1,0 +1,91 @@
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import * as THREE from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { buildShading } from '../../../js/build_shading/index.mjs';
+import { glb, quad } from '../../robust/glb.mjs';
+import { applyShading, loadFabricMaterial } from '../../../js/three/index.mjs';
+import { restoreMaterials } from '../../../js/three/shading.mjs';
+import { clothOf, extensionsOf } from '../../../js/three/shading/fabric_layers.mjs';
+
+before(buildShading);
+
+/** A quad with a material; images do not load in Node, so textures stand for them. */
+async function load(material, textures = 0) {
+  const { doc, bin } = quad();
+  const json = { ...doc, extensionsUsed: ['KHR_texture_transform'], materials: [material], textures: Array.from({ length: textures }, () => ({ source: 0 })) };
+  const loader = new GLTFLoader();
+  loader.register(() => ({ name: 'textures', loadTexture: async (index) => Object.assign(new THREE.Texture(), { name: `texture ${index}` }) }));
+  const bytes = glb({ doc: json, bin });
+  const model = await loader.parseAsync(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length), '');
+  return { parser: model.parser, model, mesh: model.scene.getObjectByProperty('isMesh', true) };
+}
+
+const PRESETS = { felt: { material: { pbrMetallicRoughness: { roughnessFactor: 0.9, metallicFactor: 0 }, extensions: { KHR_materials_sheen: { sheenColorFactor: [0.2, 0.2, 0.2], sheenRoughnessFactor: 0.5 }, TELAR_materials_fabric: { flatness: 0.4 } } } } };
+const loadPresets = async () => ({ PRESETS });
+
+test('what the file says of cloth reaches the material, textures loaded in their colour spaces', async () => {
+  const { model, mesh } = await load({
+    extensions: {
+      TELAR_materials_fabric: {
+        flatness: 0.25,
+        weave: { warp: { coverage: 0.6, roughnessFactor: 0.3 }, weft: { specularColorFactor: [1, 0, 0] }, threadsPerUv: [40, 30], weaveTexture: { index: 0, texCoord: 1 } },
+        back: { baseColorTexture: { index: 1 } },
+      },
+      KHR_materials_diffuse_transmission: { diffuseTransmissionFactor: 0.3, diffuseTransmissionColorTexture: { index: 2, extensions: { KHR_texture_transform: { scale: [2, 2] } } } },
+    },
+    pbrMetallicRoughness: { roughnessFactor: 0.7 },
+  }, 3);
+  const stock = mesh.material;
+  await applyShading(model, 'fabric', { THREE });
+  const { fabric, diffuseTransmission } = mesh.material;
+  assert.ok(mesh.material.isFabricMaterial);
+  assert.deepEqual([fabric.flatness, fabric.weave.warp.coverage, fabric.back.roughnessFactor], [0.25, 0.6, 0.7]);
+  assert.deepEqual([fabric.weave.weaveTexture.channel, fabric.weave.weaveTexture.colorSpace], [1, THREE.NoColorSpace]);
+  assert.equal(fabric.back.baseColorTexture.colorSpace, THREE.SRGBColorSpace);
+  assert.equal(diffuseTransmission.diffuseTransmissionColorTexture.repeat.x, 2);
+  restoreMaterials(model.scene);
+  assert.equal(mesh.material, stock);
+});
+
+test('extras stand for the extension, which wins', async () => {
+  const inExtras = await load({ extras: { TELAR_materials_fabric: { flatness: 0.5 } } });
+  await applyShading(inExtras.model, 'fabric', { THREE });
+  assert.equal(inExtras.mesh.material.fabric.flatness, 0.5);
+  const both = await load({ extras: { TELAR_materials_fabric: { flatness: 0.5 } }, extensions: { TELAR_materials_fabric: { flatness: 0.1 } } });
+  await applyShading(both.model, 'fabric', { THREE });
+  assert.equal(both.mesh.material.fabric.flatness, 0.1);
+});
+
+test('a preset gives what the material leaves out, as GLTFLoader would load it', async () => {
+  const { parser, mesh } = await load({
+    name: 'collar',
+    pbrMetallicRoughness: { baseColorFactor: [1, 0, 0, 1], roughnessFactor: 0.6 },
+    extensions: { TELAR_materials_fabric: { preset: 'felt' } },
+  });
+  const { material, definition } = await clothOf(parser, mesh, mesh.material, loadPresets);
+  assert.deepEqual([material.name, material.roughness, material.metalness, material.sheen, material.sheenRoughness], ['collar', 0.6, 0, 1, 0.5]);
+  assert.deepEqual(material.color.toArray(), [1, 0, 0]);
+  assert.equal(material.flatShading, true);
+  assert.notEqual(material, mesh.material);
+  assert.equal((await extensionsOf(parser, definition, THREE)).fabric.flatness, 0.4);
+  const again = await clothOf(parser, mesh, mesh.material, loadPresets);
+  assert.equal(again.material, material);
+});
+
+test('a back without a colour of its own has the front\'s', async () => {
+  const { parser, mesh } = await load({
+    pbrMetallicRoughness: { baseColorFactor: [0.1, 0.2, 0.3, 0.5], baseColorTexture: { index: 0 }, roughnessFactor: 0.8 },
+    extensions: { TELAR_materials_fabric: { back: {} } },
+  }, 1);
+  const { definition } = await clothOf(parser, mesh, mesh.material, loadPresets);
+  const { fabric: { back } } = await extensionsOf(parser, definition, THREE);
+  assert.deepEqual([back.baseColorFactor, back.baseColorTexture.name, back.roughnessFactor], [[0.1, 0.2, 0.3], 'texture 0', 0.8]);
+});
+
+test('a FabricMaterial that a client has put into the scene stays', async () => {
+  const own = new (await loadFabricMaterial(THREE))();
+  const scene = new THREE.Group().add(new THREE.Mesh(new THREE.BufferGeometry(), own));
+  await applyShading({ scene }, 'fabric', { THREE });
+  assert.equal(scene.children[0].material, own);
+});
