@@ -15,6 +15,9 @@ const float VISIBILITY_EPSILON = 1.0e-6;
 // Floor of a sum of products of cosines and widths: what it divides is 0 as well.
 const float COSINE_EPSILON = 1.0e-20;
 
+// Least share of light that a dielectric interface lets pass on average: with f0 = 1 there is none, and rounding divides.
+const float PASSING_MIN = 1.0e-4;
+
 // Smallest sheen roughness of cloth: below it the fit's lobe leaves the rim only.
 const float CLOTH_SHEEN_ROUGHNESS_MIN = 0.07;
 

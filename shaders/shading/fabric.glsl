@@ -37,8 +37,8 @@ SurfaceInfo preparedSurface(SurfaceInfo s) {
   s.returningDielectric = returningShare(s.f0Dielectric, s.f90, missing);
   s.returning = mix(s.returningDielectric, returningShare(f0Metal, s.f90, missing), s.metallic);
   s.returningLobe = s.returning * (s.albedo.x * RECIPROCAL_PI / missing);
-  s.leaving = 1.0 - interfaceAlbedo(s.f0Dielectric, s.f90, s.returningDielectric, s.albedo);
-  s.passing = s.leaving / (1.0 - interfaceAlbedo(s.f0Dielectric, s.f90, s.returningDielectric, s.gloss.averages));
+  s.leaving = max(1.0 - interfaceAlbedo(s.f0Dielectric, s.f90, s.returningDielectric, s.albedo), 0.0);
+  s.passing = s.leaving / max(1.0 - interfaceAlbedo(s.f0Dielectric, s.f90, s.returningDielectric, s.gloss.averages), PASSING_MIN);
 #if SHEEN
   vec3 fit = sheenFit(max(s.sheenRoughness, CLOTH_SHEEN_ROUGHNESS_MIN), s.NoV);
   s.sheenAlbedo = fit.x;
@@ -72,7 +72,7 @@ Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
 #else
   vec3 diffuse = Fd_Lambert(s.diffuse);
 #endif
-  vec3 entering = 1.0 - interfaceAlbedo(s.f0Dielectric, s.f90, s.returningDielectric, albedo);
+  vec3 entering = max(1.0 - interfaceAlbedo(s.f0Dielectric, s.f90, s.returningDielectric, albedo), 0.0);
   sum.diffuse += lightColor * NoL * diffuse * s.passing * entering;
   return sum;
 }
