@@ -9,6 +9,7 @@
 #include "state.h"
 #include "telar/load.h"
 #include "telar/pose.h"
+#include "telar/reference.h"
 #include "telar/shot.h"
 
 /// The export table. Every function is called by js/ alone, with arguments that js/ has checked.
@@ -77,6 +78,11 @@ Napi::Value probe(const Napi::CallbackInfo& info) {
   return textOnPool(info.Env(), std::make_shared<Job>(CancelToken()), probeBackends);
 }
 
+/// probeReference() -> Promise<string>
+Napi::Value probeTracer(const Napi::CallbackInfo& info) {
+  return textOnPool(info.Env(), std::make_shared<Job>(CancelToken()), probeReference);
+}
+
 /// createRenderer({backend, assetDirectory, cacheDirectory, limits, allFeatures, maxQueued}, token)
 ///   -> Promise<{renderer, facts: string}>
 Napi::Value createRenderer(const Napi::CallbackInfo& info) {
@@ -94,9 +100,9 @@ Napi::Value createRenderer(const Napi::CallbackInfo& info) {
   thread->post([mailbox, job, options, thread](std::unique_ptr<Renderer>& renderer) {
     mailbox->perform(job, [&] {
       renderer = Renderer::create(options);
-      job->value = [thread, facts = renderer->describe()](Napi::Env to) {
+      job->value = [thread, options, facts = renderer->describe()](Napi::Env to) {
         Napi::Object result = Napi::Object::New(to);
-        result["renderer"] = RendererHandle::make(to, thread);
+        result["renderer"] = RendererHandle::make(to, {thread, options});
         result["facts"] = facts;
         return result;
       };
@@ -126,6 +132,7 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["pose"] = Napi::Function::New(env, pose, "pose");
   exports["plan"] = Napi::Function::New(env, plan, "plan");
   exports["probe"] = Napi::Function::New(env, probe, "probe");
+  exports["probeReference"] = Napi::Function::New(env, probeTracer, "probeReference");
   exports["decodeImage"] = Napi::Function::New(env, decodeImage, "decodeImage");
   exports["encodePng"] = Napi::Function::New(env, encodePng, "encodePng");
   exports["evaluateLobes"] = Napi::Function::New(env, evaluateLobes, "evaluateLobes");

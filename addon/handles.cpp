@@ -42,7 +42,9 @@ std::int64_t sceneBytes(const Scene& scene) {
 }  // namespace
 
 Napi::Function TokenHandle::define(Napi::Env env) {
-  return DefineClass(env, "CancelToken", {InstanceMethod("cancel", &TokenHandle::cancel)});
+  return DefineClass(
+      env, "CancelToken",
+      {InstanceMethod("cancel", &TokenHandle::cancel), InstanceMethod("progress", &TokenHandle::reached)});
 }
 
 TokenHandle::TokenHandle(const Napi::CallbackInfo& info) : ObjectWrap(info) {

@@ -8,13 +8,14 @@
 #include "gl_thread.h"
 #include "job.h"
 #include "telar/cancel.h"
+#include "telar/progress.h"
 #include "telar/scene.h"
 
 /// JavaScript objects that own something native. js/ keeps them in private fields; users never see them.
 /// Each class has a type tag, so that one is never taken for another.
 namespace telar::addon {
 
-/// new CancelToken(); cancel()
+/// new CancelToken(); cancel(); progress(): 0..1 of the job that it was given to
 class TokenHandle : public Napi::ObjectWrap<TokenHandle> {
  public:
   static constexpr napi_type_tag TAG{0x74656c6172000001, 0x9a3f5c1e7b2d4860};
@@ -22,9 +23,11 @@ class TokenHandle : public Napi::ObjectWrap<TokenHandle> {
   explicit TokenHandle(const Napi::CallbackInfo& info);
 
   const CancelToken token;
+  const Progress progress;
 
  private:
   void cancel(const Napi::CallbackInfo&) { token.cancel(); }
+  Napi::Value reached(const Napi::CallbackInfo& info) { return Napi::Number::New(info.Env(), progress.part()); }
 };
 
 /// new Bytes(uint8Array, maxBytes): a copy, so that later writes of JavaScript cannot reach work on another thread.
@@ -62,7 +65,12 @@ class RendererHandle : public Napi::ObjectWrap<RendererHandle> {
  public:
   static constexpr napi_type_tag TAG{0x74656c6172000004, 0x9a3f5c1e7b2d4860};
   static Napi::Function define(Napi::Env env);
-  static Napi::Object make(Napi::Env env, std::shared_ptr<GlThread> thread);
+  /// What the object is made of.
+  struct Parts {
+    std::shared_ptr<GlThread> thread;
+    RendererOptions options;
+  };
+  static Napi::Object make(Napi::Env env, Parts parts);
   explicit RendererHandle(const Napi::CallbackInfo& info);
   ~RendererHandle() override;
 
@@ -75,6 +83,7 @@ class RendererHandle : public Napi::ObjectWrap<RendererHandle> {
   Napi::Value run(Napi::Env env, const std::shared_ptr<Job>& job, std::function<bool(Renderer&)> work);
 
   std::shared_ptr<GlThread> thread_;
+  RendererOptions options_;
   bool closing_ = false;
 };
 

@@ -3,6 +3,7 @@
 #include "handles.h"
 #include "state.h"
 #include "telar/codec.h"
+#include "telar/reference.h"
 
 namespace telar::addon {
 namespace {
@@ -18,6 +19,8 @@ struct Render {
   std::shared_ptr<const Scene> scene;
   std::string shotJson;
   std::shared_ptr<const Bytes> environment;
+  RendererOptions options;
+  Progress progress;
   bool releaseScene = false;  ///< nobody draws it again: free its GPU copies after this frame
 
   Clock::time_point since = Clock::now();  ///< begin of the current stage
@@ -38,12 +41,16 @@ void draw(Render& render, Renderer& renderer, const CancelToken& cancel) {
   render.queueMs = render.lap();
   const Shot shot = parseShot(render.shotJson);
   render.output = shot.output;
-  if (shot.reference)
-    throw Error("E_SHOT_UNAVAILABLE", "shot.quality: \"reference\" is not drawn yet; use \"standard\"").at("/quality");
   const std::span<const std::byte> environment =
       render.environment ? std::span(*render.environment) : std::span<const std::byte>();
   try {
-    render.frame = renderer.draw(render.scene, shot, environment, cancel, render.info);
+    if (shot.reference) {
+      // No GL call is made: the context lies idle meanwhile, and frames of this renderer stay in order.
+      render.frame =
+          drawReference(*render.scene, shot, environment, render.options, cancel, render.progress, render.info);
+    } else {
+      render.frame = renderer.draw(render.scene, shot, environment, cancel, render.info);
+    }
   } catch (...) {
     if (render.releaseScene) renderer.release(*render.scene);
     throw;
@@ -80,12 +87,14 @@ Napi::Function RendererHandle::define(Napi::Env env) {
        InstanceMethod("liveObjects", &RendererHandle::liveObjects), InstanceMethod("close", &RendererHandle::close)});
 }
 
-Napi::Object RendererHandle::make(Napi::Env env, std::shared_ptr<GlThread> thread) {
-  return construct(State::of(env).rendererClass, std::move(thread));
+Napi::Object RendererHandle::make(Napi::Env env, Parts parts) {
+  return construct(State::of(env).rendererClass, std::move(parts));
 }
 
-RendererHandle::RendererHandle(const Napi::CallbackInfo& info)
-    : ObjectWrap(info), thread_(take<std::shared_ptr<GlThread>>(info)) {
+RendererHandle::RendererHandle(const Napi::CallbackInfo& info) : ObjectWrap(info) {
+  auto [thread, options] = take<Parts>(info);
+  thread_ = std::move(thread);
+  options_ = std::move(options);
   info.This().As<Napi::Object>().TypeTag(&TAG);
 }
 
@@ -119,7 +128,10 @@ Napi::Value RendererHandle::render(const Napi::CallbackInfo& info) {
   SceneHandle& handle = unwrap<SceneHandle>(request.Get("scene"));
   render->scene = render->releaseScene ? handle.detach() : handle.scene();
 
-  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[1]).token);
+  TokenHandle& token = unwrap<TokenHandle>(info[1]);
+  render->options = options_;
+  render->progress = token.progress;
+  auto job = std::make_shared<Job>(token.token);
   State& state = State::of(env);
   return run(env, job, [render, job, mailbox = state.mailbox(), pool = state.pool()](Renderer& renderer) {
     draw(*render, renderer, job->cancel);

@@ -31,6 +31,14 @@ export interface CallOptions {
   signal?: AbortSignal;
 }
 
+export interface DrawOptions extends CallOptions {
+  /**
+   * Called with 0..1, never falling, and with 1 when all is done: row by row for quality "reference", once a frame for the
+   * others. What it throws cancels the work and rejects the promise.
+   */
+  onProgress?: (part: number) => void;
+}
+
 export interface Warning {
   code: string;
   message: string;
@@ -107,7 +115,8 @@ export interface FrameInfo extends Plan {
   width: number;
   height: number;
   format: ResolvedShot['output']['format'];
-  backend: Backend;
+  /** "reference": the path tracer, without GL. */
+  backend: Backend | 'reference';
   /** Strings of the GL context. */
   gl: Record<string, unknown>;
   quality: ResolvedShot['quality'];
@@ -137,8 +146,8 @@ export interface Renderer {
   readonly backend: Backend;
   readonly gl: Record<string, unknown>;
   load(source: Source, options?: CallOptions): Promise<Model>;
-  render(source: Source | Model, shot?: Shot | ResolvedShot, options?: CallOptions): Promise<Image>;
-  renderAll(source: Source | Model, shots: ReadonlyArray<Shot | ResolvedShot>, options?: CallOptions): Promise<Image[]>;
+  render(source: Source | Model, shot?: Shot | ResolvedShot, options?: DrawOptions): Promise<Image>;
+  renderAll(source: Source | Model, shots: ReadonlyArray<Shot | ResolvedShot>, options?: DrawOptions): Promise<Image[]>;
   /** Draws a quantity of the shading in place of the colour: RGBA, top row first; alpha 0 where nothing is drawn. */
   renderQuantity(source: Source | Model, shot: Shot | ResolvedShot, quantity: Quantity, options?: CallOptions): Promise<{ width: number; height: number; data: Float32Array }>;
   /** Frees what the GPU holds of a model. */
@@ -196,6 +205,8 @@ export interface DoctorReport {
   chosen: Backend | null;
   reason: string;
   backends: BackendReport[];
+  /** Whether quality "reference" can be drawn. */
+  reference: { works: true; version: string } | { works: false; failure: string };
 }
 
 /** Which GL backends this machine has, which one is chosen and why, and how to cure a missing one. */

@@ -1,9 +1,10 @@
 import { TelarError } from './error/index.mjs';
 import { Gate } from './api/gate.mjs';
-import { frameInfo } from './api/frame_info.mjs';
+import { frameInfo, shotWarnings } from './api/frame_info.mjs';
 import { nativeCall } from './api/native_call.mjs';
 import { onAbort } from './api/on_abort.mjs';
-import { callOptions, rendererOptions, wrongOption } from './api/options.mjs';
+import { callOptions, drawOptions, rendererOptions, wrongOption } from './api/options.mjs';
+import { ProgressReport } from './api/progress.mjs';
 import { shotJson } from './api/shot_json.mjs';
 import { readShot, readSource } from './api/source.mjs';
 import { Model, SharedPoses, loadModel, poseModel, shotModule } from './model.mjs';
@@ -17,6 +18,40 @@ const MAX_QUEUED = 64;
 
 /** What `renderQuantity` draws; vectors in view space, colours linear (shaders/debug_output.glsl). */
 const QUANTITIES = ['n', 'baseColor', 'alpha', 'metallic', 'perceptualRoughness', 'f0', 'NoV', 'dfg', 'radiance', 'irradiance', 'direct', 'indirect', 'transmitted', 'linear', 'encoded'];
+
+/**
+ * Runs jobs that end together: the first that fails, the caller's signal or a throwing onProgress cancels them all.
+ * @param {AbortSignal | undefined} outer
+ * @param {((part: number) => void) | undefined} onProgress
+ * @param {number} jobs
+ * @param {(signal: AbortSignal, report: ProgressReport | undefined) => Promise<T>} run
+ * @returns {Promise<T>}
+ * @template T
+ */
+async function inScope(outer, onProgress, jobs, run) {
+  outer?.throwIfAborted();
+  const scope = new AbortController();
+  const stopListening = outer && onAbort(outer, (reason) => scope.abort(reason));
+  const tell = (part) => {
+    try {
+      onProgress(part);
+    } catch (error) {
+      scope.abort(error);
+    }
+  };
+  const report = onProgress && new ProgressReport(tell, jobs);
+  try {
+    const result = await run(scope.signal, report);
+    scope.signal.throwIfAborted();
+    return result;
+  } catch (error) {
+    scope.abort(error);
+    throw error;
+  } finally {
+    stopListening?.();
+    report?.stop();
+  }
+}
 
 class Renderer {
   #native;
@@ -53,9 +88,11 @@ class Renderer {
   /** Draws one view. */
   async render(source, shot = {}, options = {}) {
     this.#assertOpen();
-    const { signal } = callOptions(options);
+    const { signal, onProgress } = drawOptions(options);
     const request = this.#readRequest(source, shot);
-    return this.#track(this.#gate.run(() => this.#render(request, signal), signal));
+    if (!onProgress) return this.#track(this.#gate.run(() => this.#render(request, signal), signal));
+    return this.#track(inScope(signal, onProgress, 1, (scope, report) =>
+      this.#gate.run(() => this.#render(request, scope, report), scope)));
   }
 
   /**
@@ -77,10 +114,10 @@ class Renderer {
   /** Draws many views of one model; while one is drawn, the one before is encoded. */
   async renderAll(source, shots, options = {}) {
     this.#assertOpen();
-    const { signal } = callOptions(options);
+    const { signal, onProgress } = drawOptions(options);
     if (!Array.isArray(shots)) throw wrongOption('shots', 'an array of shots', shots);
     const [input, requests] = this.#readRequests(source, shots);
-    return this.#track(this.#renderAll(input, requests, signal));
+    return this.#track(inScope(signal, onProgress, shots.length, (scope, report) => this.#renderAll(input, requests, scope, report)));
   }
 
   /** Frees what the GPU holds of a model; it is sent there again when it is drawn again. */
@@ -137,22 +174,14 @@ class Renderer {
     return [this.#readInput(source), shots.map((shot) => readShot(this.#native, shot, this.#maxBytes))];
   }
 
-  async #renderAll({ input, model }, requests, outer) {
-    outer?.throwIfAborted();
-    const scope = new AbortController();
-    const stopListening = outer && onAbort(outer, (reason) => scope.abort(reason));
-    const { signal } = scope;
+  async #renderAll({ input, model }, requests, signal, report) {
     let loaded = model;
     try {
       loaded ??= await this.#gate.run(() => loadModel(this.#native, input, this.#limits, signal), signal);
       const poses = new SharedPoses(this.#native, loaded, requests.map(({ shot }) => shot), signal);
-      return await Promise.all(requests.map((request) =>
-        this.#gate.run(() => this.#render({ ...request, model: loaded, poses }, signal), signal)));
-    } catch (error) {
-      scope.abort(error);
-      throw error;
+      return await Promise.all(requests.map((request, job) =>
+        this.#gate.run(() => this.#render({ ...request, model: loaded, poses, job }, signal, report), signal)));
     } finally {
-      stopListening?.();
       // Not waited for, and no news if it fails: the frames have said what is wrong with the renderer.
       if (!model && loaded) this.#releaseScene(loaded, true).catch(() => {});
     }
@@ -163,7 +192,7 @@ class Renderer {
     return this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model), forget)));
   }
 
-  async #render({ input, model: given, poses, shot, environment, map, quantity }, signal) {
+  async #render({ input, model: given, poses, job = 0, shot, environment, map, quantity }, signal, report) {
     const start = performance.now();
     const model = given ?? await loadModel(this.#native, input, this.#limits, signal);
     const loaded = performance.now();
@@ -179,9 +208,13 @@ class Renderer {
       releaseScene: poses ? poses.isLast(shot) : !given || posed !== model,
     };
     const resolvedAt = performance.now();
-    const frame = await nativeCall(this.#native, signal, (token) => this.#handle.render(request, token));
+    const frame = await nativeCall(this.#native, signal, (token) => {
+      report?.begin(job, token);
+      return this.#handle.render(request, token);
+    });
+    report?.finish(job);
     const milliseconds = { load: loaded - start, pose: posedAt - loaded, resolve: resolvedAt - posedAt, total: performance.now() - start };
-    return { data: frame.data, info: frameInfo({ frame, resolved, milliseconds, renderer: this, warnings: posed.facts.warnings }) };
+    return { data: frame.data, info: frameInfo({ frame, resolved, milliseconds, renderer: this, warnings: [...(posed.facts.warnings ?? []), ...shotWarnings(resolved)] }) };
   }
 }
 

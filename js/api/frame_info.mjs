@@ -1,4 +1,14 @@
 /**
+ * What the shot asks for and this frame does not show.
+ * @param {object} resolved
+ * @returns {{code: string, message: string}[]}
+ */
+export function shotWarnings({ lens, quality }) {
+  if (lens?.focusDistance == null || quality.preset === 'reference') return [];
+  return [{ code: 'W_LENS', message: 'shot.lens.focusDistance: the raster shows everything sharp; quality "reference" blurs what is out of focus' }];
+}
+
+/**
  * `info` of one frame.
  * @param {object} parts
  * @param {{width: number, height: number, info: string, queueMs: number, drawMs: number, encodeMs: number}} parts.frame native
@@ -16,8 +26,9 @@ export function frameInfo({ frame, resolved, milliseconds, renderer, warnings = 
     width: frame.width,
     height: frame.height,
     format: resolved.output.format,
-    backend: renderer.backend,
-    gl: renderer.gl,
+    // A path traced frame says so itself: no GL drew it.
+    backend: drawn.backend ?? renderer.backend,
+    gl: drawn.backend === 'reference' ? {} : renderer.gl,
     quality: resolved.quality,
     milliseconds: { load, pose, resolve, queue: frame.queueMs, ...ms, encode: frame.encodeMs, total },
     warnings: [...warnings, ...(drawn.warnings ?? [])],

@@ -64,6 +64,17 @@ export function callOptions(options) {
 }
 
 /**
+ * Options of a drawing: {signal, onProgress}.
+ * @returns {{signal: AbortSignal | undefined, onProgress: ((part: number) => void) | undefined}}
+ */
+export function drawOptions(options) {
+  checkObject('options', options, ['signal', 'onProgress']);
+  const { signal, onProgress } = options;
+  if (onProgress !== undefined && typeof onProgress !== 'function') throw wrongOption('options.onProgress', 'a function', onProgress);
+  return { signal: checkSignal(signal), onProgress };
+}
+
+/**
  * Options of createRenderer with every default written out.
  * @param {object} options see createRenderer
  * @param {string[]} limitNames

@@ -53,17 +53,29 @@ export class Console {
     this.note(`${this.#paint('33', 'warning:')} ${about}: ${message} [${code}${pointer ? ` at ${pointer}` : ''}]`);
   }
 
-  /** A progress bar over `total` steps where a person watches: {step(), stop()}. */
-  async progress(total) {
+  /**
+   * A progress bar over `total` steps where a person watches.
+   * @param {number} total
+   * @param {{gradual?: boolean}} [options] gradual: steps take long and tell how far they are
+   * @returns {Promise<{step(name: string, index: number): void, reach?: (index: number, part: number) => void, stop(): void}>} `reach` where it is shown
+   */
+  async progress(total, { gradual = false } = {}) {
     const { stderr, env } = this.#io;
-    if (total < 2 || !stderr.isTTY || env.CI || this.#quiet) return { step() {}, stop() {} };
+    if ((total < 2 && !gradual) || !stderr.isTTY || env.CI || this.#quiet) return { step() {}, stop() {} };
     const { default: { SingleBar } } = await import('cli-progress');
+    const count = gradual ? '{percentage}%' : '{value}/{total}';
     const bar = new SingleBar({
-      stream: stderr, clearOnComplete: true, hideCursor: true, etaBuffer: 20, format: '{bar} {value}/{total}  {eta_formatted} left  {name}',
+      stream: stderr, clearOnComplete: true, hideCursor: true, etaBuffer: 20, format: `{bar} ${count}  {eta_formatted} left  {name}`,
       barCompleteChar: '#', barIncompleteChar: '-', barsize: 24,
     });
     bar.start(total, 0, { name: '' });
-    return { step: (name) => bar.increment({ name }), stop: () => bar.stop() };
+    if (!gradual) return { step: (name) => bar.increment({ name }), stop: () => bar.stop() };
+    const parts = new Array(total).fill(0);
+    const reach = (index, part, payload = {}) => {
+      parts[index] = part;
+      bar.update(parts.reduce((sum, each) => sum + each, 0), payload);
+    };
+    return { reach, step: (name, index) => reach(index, 1, { name }), stop: () => bar.stop() };
   }
 
   /** Colour where a terminal shows it and NO_COLOR (no-color.org) does not forbid it. */

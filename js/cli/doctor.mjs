@@ -19,13 +19,14 @@ function backendLines({ backend, works, failure, cure, vendor, renderer, version
   return [`  ${backend}: ${facts.join(', ')}`];
 }
 
-function reportLines({ versions, system, native, chosen, reason, backends }) {
+function reportLines({ versions, system, native, chosen, reason, backends, reference }) {
   return [
     `telar       ${versions.telar}, node ${versions.node}`,
     `system      ${system}`,
     `native      ${native.error ? native.error.message : native.path}`,
     'backends',
     ...backends.flatMap(backendLines),
+    `reference   ${reference.works ? reference.version : `no: ${reference.failure}`}`,
     chosen ? `chosen      ${chosen}: ${reason}` : `chosen      none: ${reason}`,
   ];
 }

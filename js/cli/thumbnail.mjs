@@ -51,14 +51,16 @@ async function checkShot(shot) {
 }
 
 async function drawAll(models, files, context) {
-  const { console, signal, options } = context;
-  const progress = await console.progress(models.length);
+  const { console, signal, options, shot } = context;
+  const gradual = (shot.quality?.preset ?? shot.quality) === 'reference';
+  const progress = await console.progress(models.length, { gradual });
   const images = new Array(models.length);
   const next = models.entries();
   const work = async () => {
     for (const [index, model] of next) {
-      images[index] = await drawOne(model, files[index], context);
-      progress.step(model);
+      const onProgress = progress.reach && ((part) => progress.reach(index, part));
+      images[index] = await drawOne(model, files[index], { ...context, onProgress });
+      progress.step(model, index);
       if (signal?.aborted) return;
     }
   };
@@ -71,10 +73,10 @@ async function drawAll(models, files, context) {
   return tell(images.filter(Boolean), options, console);
 }
 
-async function drawOne(model, file, { api, console, signal, stdin, renderer, shot, limits }) {
+async function drawOne(model, file, { console, signal, stdin, renderer, shot, limits, onProgress }) {
   try {
     const source = model === '-' ? await readAll(stdin, maxFileBytes(limits), signal) : model;
-    const { data, info } = await renderer.render(source, shot, { signal });
+    const { data, info } = await renderer.render(source, shot, { signal, onProgress });
     if (file === '-') await console.bytes(data);
     else await writeFileAtomically(file, data, signal);
     return { model, ok: true, output: file, bytes: data.length, info };

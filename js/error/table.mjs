@@ -146,6 +146,7 @@ const ROWS = {
     W_ANIMATION: ['A channel of an animation moves nothing that is drawn', 'The other channels of the animation are played.'],
     W_ENUM: ['An unknown enumeration value was replaced by its default', FIX_FILE],
     W_CAMERA: ['A camera is malformed and was left out', FIX_FILE],
+    W_LENS: ['The depth of field of the lens is not drawn', 'Ask for quality "reference", or leave out lens.focusDistance.'],
     W_LIGHT: ['A light is malformed and was left out', FIX_FILE],
     W_GEOMETRY: ['A primitive has nothing to draw and was left out', FIX_FILE],
     W_SCALE: ['A node\'s scale is zero or not finite, so its mesh is not drawn', FIX_FILE],

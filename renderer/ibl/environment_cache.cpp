@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/read_file.h"
 #include "ibl/pmrem_file.h"
 #include "telar/codec.h"
 
@@ -10,22 +11,6 @@ namespace {
 
 constexpr std::size_t ENTRIES_MAX = 4;  // about 4 MB of GPU memory each at face size 256
 constexpr std::size_t PMREM_FILE_MAX = 256u << 20;
-constexpr const char* MAP_POINTER = "/environment/map";
-
-/// Says why the caller's file could not be read, by its own name: where it lies on the server is nobody's business.
-/// @throws Error{E_ENVIRONMENT_MISSING, L_FILE_BYTES}
-[[noreturn]] void failToRead(const std::filesystem::path& path, const Limits& limits) {
-  std::error_code failure;
-  const auto kind = std::filesystem::status(path, failure).type();
-  const auto bytes = std::filesystem::file_size(path, failure);
-  if (kind == std::filesystem::file_type::regular && !failure)
-    checkLimit("L_FILE_BYTES", static_cast<double>(limits.fileBytes), static_cast<double>(bytes), MAP_POINTER);
-  const char* cause = "cannot be read; check its permissions and those of its folder";
-  if (kind == std::filesystem::file_type::not_found) cause = "does not exist; check the path and its spelling";
-  if (kind == std::filesystem::file_type::directory) cause = "is a folder; give an .hdr or .exr file";
-  throw Error("E_ENVIRONMENT_MISSING", "shot.environment.map: " + telar::quoted(path.filename().string()) + " " + cause)
-      .at(MAP_POINTER);
-}
 
 }  // namespace
 
@@ -35,10 +20,7 @@ EnvironmentCache::EnvironmentCache(const gl::Context& context, std::filesystem::
 
 std::vector<std::byte> EnvironmentCache::fileOf(const Shot::Environment& wanted) const {
   const bool studio = wanted.source == Shot::Environment::Source::kStudio;
-  auto file = readFile(studio ? assets_ / "studio.hdr" : std::filesystem::path(wanted.path), limits_.fileBytes);
-  if (file) return std::move(*file);
-  if (studio) throw Error("X_INSTALL", "the bundled environment studio.hdr is missing; install telar again");
-  failToRead(wanted.path, limits_);
+  return studio ? readStudioFile(assets_, limits_) : readEnvironmentFile(wanted.path, limits_);
 }
 
 CubeMap EnvironmentCache::prefiltered(const std::string& key, bool studio, std::span<const std::byte> file,

@@ -1,6 +1,7 @@
 // telar_make_pmrem IN.hdr OUT.pmrem: prefilters an environment to the file that ships beside it.
 #include <cstdio>
 
+#include "core/read_file.h"
 #include "ibl/pmrem_file.h"
 #include "ibl/prefilter.h"
 #include "telar/codec.h"
@@ -9,7 +10,7 @@ namespace {
 
 int run(const char* in, const char* out) {
   constexpr std::size_t FILE_MAX = 64u << 20;
-  const auto file = telar::ibl::readFile(in, FILE_MAX);
+  const auto file = telar::readFile(in, FILE_MAX);
   if (!file) throw telar::Error("E_ENVIRONMENT_MISSING", "the environment cannot be read");
   const telar::CancelToken cancel;
   // Always on Mesa's rasteriser, so that the file does not depend on the machine's GPU.

@@ -20,9 +20,6 @@ std::vector<std::byte> packPmrem(const gl::Context& context, const CubeMap& cube
 /// Nothing when the bytes are not a whole, undamaged file of this version: the caller then prefilters again.
 std::optional<CubeMap> unpackPmrem(const gl::Context& context, std::span<const std::byte> file);
 
-/// Whole file, or nothing when it cannot be read or is larger than `maxBytes`.
-std::optional<std::vector<std::byte>> readFile(const std::filesystem::path& path, std::size_t maxBytes);
-
 /// Writes beside the target and renames, so that a reader never sees half a file. A cache that cannot be written is not
 /// an error: returns false.
 bool writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);

@@ -1,65 +1,22 @@
 #include "image/oiio_bridge.h"
 
-#include <dlfcn.h>
-
-#include <cstdlib>
 #include <new>
 #include <string>
 
+#include "core/own_library.h"
 #include "oiio/plugin.h"
 
 namespace telar::image {
 namespace {
 
-constexpr const char* LIBRARY_NAME = "libtelar_oiio.so";
-
-/// Folder of the .node, .so or program that holds this function, with a slash at its end.
-std::string ownFolder() {
-  Dl_info info = {};
-  if (!dladdr(reinterpret_cast<const void*>(&ownFolder), &info) || !info.dli_fname) return "./";
-  const std::string path = info.dli_fname;
-  return path.substr(0, path.rfind('/') + 1);
-}
-
-/// What the loader misses, without the folder: its message starts with the file's path.
-std::string missingFile(const char* message) {
-  const std::string text = message ? message : LIBRARY_NAME;
-  const std::string path = text.substr(0, text.find(':'));
-  return path.substr(path.rfind('/') + 1);
-}
-
-[[noreturn]] void failToLoad(const std::string& what) {
-  throw Error("X_LIBRARY_MISSING",
-              "OpenImageIO is needed for .hdr, .exr and TIFF files and for ICC profiles, but " + what +
-                  "; run: apt-get install libopenimageio2.4 liblcms2-2, and build telar again if it is older");
-}
-
-/// The loaded library. It is never unloaded (OpenImageIO does not bear it), so loading it again is cheap and no state
-/// of ours has to remember it.
-class Library {
+/// The loaded library.
+class Library : public OwnLibrary {
  public:
-  Library() {
-    const char* folder = std::getenv("TELAR_LIBRARY_DIR");
-    const std::string path = (folder && *folder ? std::string(folder) + "/" : ownFolder()) + LIBRARY_NAME;
-    handle_ = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-    if (!handle_) failToLoad(missingFile(dlerror()) + " cannot be loaded");
-    if (function<TelarOiioVersionFunction>("telar_oiio_version")() != TELAR_OIIO_VERSION) {
-      failToLoad(std::string(LIBRARY_NAME) + " is of another version");
-    }
+  Library()
+      : OwnLibrary("libtelar_oiio.so", "OpenImageIO is needed for .hdr, .exr and TIFF files and for ICC profiles",
+                   "apt-get install libopenimageio2.4 liblcms2-2") {
+    if (function<TelarOiioVersionFunction>("telar_oiio_version")() != TELAR_OIIO_VERSION) refuse();
   }
-  ~Library() { dlclose(handle_); }
-  Library(const Library&) = delete;
-  Library& operator=(const Library&) = delete;
-
-  template <class Function>
-  Function* function(const char* name) const {
-    void* address = dlsym(handle_, name);
-    if (!address) failToLoad(std::string(LIBRARY_NAME) + " is incomplete");
-    return reinterpret_cast<Function*>(address);
-  }
-
- private:
-  void* handle_ = nullptr;
 };
 
 bool append(void* user, const void* bytes, std::size_t count) {

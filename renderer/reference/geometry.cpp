@@ -54,9 +54,11 @@ void placeInstances(std::vector<PlacedMesh>& meshes, const Node& node, const Pri
 
 }  // namespace
 
-std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::dvec3& centre) {
+std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::dvec3& centre,
+                                    const CancelToken& cancel) {
   std::vector<PlacedMesh> meshes;
   for (const Node& node : scene.nodes) {
+    cancel.check();
     if (node.mesh < 0) continue;
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
       if (primitive.topology != Topology::kTriangles || primitive.positions.empty()) continue;
@@ -66,13 +68,14 @@ std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::
   return meshes;
 }
 
-Geometry::Geometry(const std::vector<PlacedMesh>& meshes) {
+Geometry::Geometry(const std::vector<PlacedMesh>& meshes, const CancelToken& cancel) {
   // The tracer's own threads do the work; Embree builds with one, so that nothing depends on their number.
   device_.reset(rtcNewDevice("threads=1"));
   if (!device_) throw Error("X_REFERENCE", "Embree does not start on this machine");
   scene_.reset(rtcNewScene(device_.get()));
   rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
+    cancel.check();
     const PlacedMesh& mesh = meshes[i];
     RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
     void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
@@ -87,7 +90,13 @@ Geometry::Geometry(const std::vector<PlacedMesh>& meshes) {
     }
     rtcReleaseGeometry(geometry);
   }
+  // Large models take seconds to sort: Embree asks on the way whether to go on.
+  rtcSetSceneProgressMonitorFunction(
+      scene_.get(), [](void* user, double) { return !static_cast<const CancelToken*>(user)->cancelled(); },
+      const_cast<CancelToken*>(&cancel));
   rtcCommitScene(scene_.get());
+  rtcSetSceneProgressMonitorFunction(scene_.get(), nullptr, nullptr);
+  cancel.check();
   const RTCError error = rtcGetDeviceError(device_.get());
   if (error == RTC_ERROR_OUT_OF_MEMORY)
     throw Error("X_MEMORY", "not enough memory for the tracer's hierarchy of triangles");

@@ -25,7 +25,9 @@ struct PlacedMesh {
 
 /// Every triangle that a variant of the scene shows. Points and lines have no area and are left out.
 /// @param centre  world position that becomes the origin
-std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::dvec3& centre);
+/// @throws Error{X_CANCELLED}
+std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::dvec3& centre,
+                                    const CancelToken& cancel = {});
 
 struct Ray {
   glm::vec3 origin;
@@ -42,8 +44,8 @@ struct Hit {
 /// The triangles in Embree's hierarchy; queries are safe from many threads.
 class Geometry {
  public:
-  /// @throws Error{X_REFERENCE, X_MEMORY}
-  explicit Geometry(const std::vector<PlacedMesh>& meshes);
+  /// @throws Error{X_REFERENCE, X_MEMORY, X_CANCELLED}
+  explicit Geometry(const std::vector<PlacedMesh>& meshes, const CancelToken& cancel = {});
   bool intersect(const Ray& ray, Hit& hit) const;
 
  private:

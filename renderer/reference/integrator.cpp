@@ -30,12 +30,14 @@ glm::vec3 Integrator::reflected(const brdf_f::SurfaceInfo& surface, const glm::v
   return shading_.composedRadiance(surface, direct.diffuse, direct, brdf_f::nothingReflected(), glm::vec3(0));
 }
 
-bool Integrator::nextSurface(Ray ray, const Footprint* footprint, Random& random, Surface& surface) const {
+bool Integrator::nextSurface(Ray ray, const Footprint* footprint, Walk& walk, Surface& surface) const {
   Hit hit;
-  for (int layer = 0; layer < MOST_LAYERS && geometry_.intersect(ray, hit); ++layer) {
+  for (int layer = 0; layer < MOST_LAYERS; ++layer) {
+    ++walk.rays;
+    if (!geometry_.intersect(ray, hit)) return false;
     surface = surfaceAt(scene_, meshes_[hit.mesh], hit, ray, footprint, dfg_);
     surface.info = shading_.preparedSurface(surface.info);
-    if (surface.shown && (surface.alpha >= 1 || random.uniform() < surface.alpha)) return true;
+    if (surface.shown && (surface.alpha >= 1 || walk.random.uniform() < surface.alpha)) return true;
     ray.from = hit.distance + radius_ * 1e-5f;
   }
   return false;
@@ -46,26 +48,27 @@ Ray Integrator::leave(const Surface& from, const glm::vec3& direction) const {
   return {from.position + from.geometricNormal * (side * radius_ * 1e-5f), direction};
 }
 
-bool Integrator::hidden(const Surface& from, const glm::vec3& direction, float distance, Random& random) const {
+bool Integrator::hidden(const Surface& from, const glm::vec3& direction, float distance, Walk& walk) const {
   const Ray ray = leave(from, direction);
   Surface blocker;
-  if (!nextSurface(ray, nullptr, random, blocker)) return false;
+  if (!nextSurface(ray, nullptr, walk, blocker)) return false;
   return glm::distance(blocker.position, ray.origin) < distance;
 }
 
-glm::vec3 Integrator::arriving(const Surface& surface, const PointedLight::Arrival& arrival, Random& random) const {
+glm::vec3 Integrator::arriving(const Surface& surface, const PointedLight::Arrival& arrival, Walk& walk) const {
   const glm::vec3 share = reflected(surface.info, arrival.direction) * arrival.irradiance;
   if (share == glm::vec3(0)) return share;
-  return transport_.occlusion && hidden(surface, arrival.direction, arrival.distance, random) ? glm::vec3(0) : share;
+  return transport_.occlusion && hidden(surface, arrival.direction, arrival.distance, walk) ? glm::vec3(0) : share;
 }
 
-glm::vec3 Integrator::directLight(const Surface& surface, Random& random) const {
+glm::vec3 Integrator::directLight(const Surface& surface, Walk& walk) const {
   glm::vec3 sum(0);
   for (const PointedLight& light : lights_.pointed) {
-    if (const auto arrival = light.at(surface.position)) sum += arriving(surface, *arrival, random);
+    if (const auto arrival = light.at(surface.position)) sum += arriving(surface, *arrival, walk);
   }
   for (const RectLight& light : lights_.rects) {
-    if (const auto arrival = light.at(surface.position, random.uniform2())) sum += arriving(surface, *arrival, random);
+    if (const auto arrival = light.at(surface.position, walk.random.uniform2()))
+      sum += arriving(surface, *arrival, walk);
   }
   const glm::vec3 dome = lights_.irradiance(surface.info.n);
   if (dome != glm::vec3(0)) {
@@ -75,30 +78,30 @@ glm::vec3 Integrator::directLight(const Surface& surface, Random& random) const 
   return sum;
 }
 
-glm::vec4 Integrator::radiance(Ray ray, const Footprint& footprint, Random& random) const {
+glm::vec4 Integrator::radiance(Ray ray, const Footprint& footprint, Walk& walk) const {
   Surface surface;
-  if (!nextSurface(ray, &footprint, random, surface)) return glm::vec4(0);
+  if (!nextSurface(ray, &footprint, walk, surface)) return glm::vec4(0);
   glm::vec3 light(0), throughput(1);
   for (int bounce = 0;; ++bounce) {
     light += throughput * surface.emitted;
     if (surface.unlit) break;
     const LobeSampler lobes(surface.info);
-    light += throughput * directLight(surface, random);
+    light += throughput * directLight(surface, walk);
     if (environment_) {
-      const auto drawn = environment_->sample(random.uniform2());
+      const auto drawn = environment_->sample(walk.random.uniform2());
       const glm::vec3 share = drawn.pdf > 0 ? reflected(surface.info, drawn.direction) : glm::vec3(0);
       if (share != glm::vec3(0) &&
-          !(transport_.occlusion && hidden(surface, drawn.direction, std::numeric_limits<float>::infinity(), random))) {
+          !(transport_.occlusion && hidden(surface, drawn.direction, std::numeric_limits<float>::infinity(), walk))) {
         const float weight = powerHeuristic(drawn.pdf, lobes.pdf(drawn.direction)) / drawn.pdf;
         light += throughput * share * environment_->radiance(drawn.direction) * weight;
       }
     }
-    const auto drawn = lobes.sample(random);
+    const auto drawn = lobes.sample(walk.random);
     if (!(drawn.pdf > 0)) break;
     throughput *= reflected(surface.info, drawn.direction) / drawn.pdf;
     if (throughput == glm::vec3(0)) break;
     Surface next;
-    if (!transport_.occlusion || !nextSurface(leave(surface, drawn.direction), nullptr, random, next)) {
+    if (!transport_.occlusion || !nextSurface(leave(surface, drawn.direction), nullptr, walk, next)) {
       if (environment_) {
         const float weight = powerHeuristic(drawn.pdf, environment_->pdf(drawn.direction));
         light += throughput * environment_->radiance(drawn.direction) * weight;
@@ -109,7 +112,7 @@ glm::vec4 Integrator::radiance(Ray ray, const Footprint& footprint, Random& rand
     // Russian roulette: long paths end by chance and the others stand for them.
     if (bounce >= 2) {
       const float going = glm::min(brdf_f::max3(throughput), 0.95f);
-      if (random.uniform() >= going) break;
+      if (walk.random.uniform() >= going) break;
       throughput /= going;
     }
     surface = next;

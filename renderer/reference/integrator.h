@@ -13,6 +13,12 @@ struct Transport {
   int bounces = 0;         ///< interreflections between surfaces; needs occlusion
 };
 
+/// One path, and what it took.
+struct Walk {
+  Random random;
+  std::uint64_t rays = 0;  ///< followed through the hierarchy
+};
+
 /// Estimates the light along one ray, without bias.
 class Integrator {
  public:
@@ -23,18 +29,18 @@ class Integrator {
              glm::vec2 (*dfg)(float, float));
 
   /// @return linear Rec.709 radiance, premultiplied with coverage, and coverage 0 or 1
-  glm::vec4 radiance(Ray ray, const Footprint& footprint, Random& random) const;
+  glm::vec4 radiance(Ray ray, const Footprint& footprint, Walk& walk) const;
 
  private:
   /// The next surface along a ray that is shown; alpha is a chance.
-  bool nextSurface(Ray ray, const Footprint* footprint, Random& random, Surface& surface) const;
-  bool hidden(const Surface& from, const glm::vec3& direction, float distance, Random& random) const;
+  bool nextSurface(Ray ray, const Footprint* footprint, Walk& walk, Surface& surface) const;
+  bool hidden(const Surface& from, const glm::vec3& direction, float distance, Walk& walk) const;
   Ray leave(const Surface& from, const glm::vec3& direction) const;
   /// Reflected radiance per irradiance on a surface that faces the light; 0 below the horizon.
   glm::vec3 reflected(const brdf_f::SurfaceInfo& surface, const glm::vec3& l) const;
   /// Light of all lights that arrives directly and leaves to the viewer.
-  glm::vec3 directLight(const Surface& surface, Random& random) const;
-  glm::vec3 arriving(const Surface& surface, const PointedLight::Arrival& arrival, Random& random) const;
+  glm::vec3 directLight(const Surface& surface, Walk& walk) const;
+  glm::vec3 arriving(const Surface& surface, const PointedLight::Arrival& arrival, Walk& walk) const;
 
   const Scene& scene_;
   const std::vector<PlacedMesh>& meshes_;

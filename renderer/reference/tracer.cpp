@@ -2,46 +2,87 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
+#include <chrono>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <thread>
 
 #include "ibl/dfg_lookup.h"
-#include "pass/camera.h"
 #include "pass/linear_output.h"
 #include "pass/variant.h"
+#include "reference/eye.h"
 
 namespace telar::reference {
 namespace {
 
-/// Rays through the picture, in the tracer's world.
-class Eye {
+using Clock = std::chrono::steady_clock;
+
+double milliseconds(Clock::duration time) { return std::chrono::duration<double, std::milli>(time).count(); }
+
+constexpr int SAMPLES_PER_LOOK = 16;  ///< between two looks at the cancel token
+
+/// All that rays meet, and the eye that they start from.
+class World {
  public:
-  Eye(const Shot& shot, const glm::dvec3& centre) : width_(shot.width), height_(shot.height) {
-    const pass::Camera camera = pass::cameraOf(shot);
-    glm::dmat4 view = camera.view;
-    view[3] += camera.view * glm::dvec4(centre, 0.0);  // the tracer's world starts at the centre
-    toWorld_ = glm::inverse(camera.projection * view);
-    toView_ = glm::mat3(glm::dmat3(view));
+  World(const Scene& scene, const Shot& shot, const ImageF* environment, Transport transport, const Limits& limits,
+        const CancelToken& cancel)
+      : centre_(scene.bounds.empty() ? glm::dvec3(0) : (scene.bounds.min + scene.bounds.max) * 0.5),
+        radius_(scene.bounds.empty() ? 1.0f : static_cast<float>(glm::distance(scene.bounds.max, centre_))),
+        meshes_(placeMeshes(scene, pass::variantIndex(scene, shot.variant), centre_, cancel)),
+        geometry_(meshes_, cancel),
+        lights_(lightsOf(scene, shot, centre_, limits)),
+        eye_(shot, centre_) {
+    if (environment && shot.environment.intensity > 0) {
+      around_.emplace(*environment, shot.environment.rotation, shot.environment.intensity);
+    }
+    skyShown_ = around_ && shot.background.type == Shot::Background::Type::kEnvironment;
+    integrator_.emplace(scene, meshes_, geometry_, lights_, around_ ? &*around_ : nullptr, radius_, transport,
+                        shot.shading, ibl::dfgLookup);
   }
-  /// @param x, y  pixels from the top-left corner, y down
-  Ray ray(double x, double y) const {
-    const glm::dvec2 ndc(2 * x / width_ - 1, 1 - 2 * y / height_);
-    const glm::dvec3 near = point(ndc, -1), far = point(ndc, 1);
-    return {glm::vec3(near), glm::vec3(glm::normalize(far - near))};
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// Light of one path through a pixel. @param pixel  its top-left corner
+  glm::vec4 light(const glm::dvec2& pixel, Walk& walk) const {
+    const glm::dvec2 at = pixel + glm::dvec2(walk.random.uniform2());
+    const glm::dvec2 lens = eye_.hasLens() ? glm::dvec2(walk.random.uniform2()) : glm::dvec2(0);
+    const Ray ray = eye_.ray(at, lens);
+    const Footprint footprint{eye_.ray(at + glm::dvec2(1, 0), lens), eye_.ray(at - glm::dvec2(0, 1), lens),
+                              eye_.toView()};
+    const glm::vec4 light = integrator_->radiance(ray, footprint, walk);
+    return skyShown_ && light.a == 0 ? glm::vec4(around_->radiance(ray.direction), 1.0f) : light;
   }
-  const glm::mat3& toView() const { return toView_; }
+  std::uint64_t triangles() const {
+    std::uint64_t sum = 0;
+    for (const PlacedMesh& mesh : meshes_) sum += mesh.triangles.size();
+    return sum;
+  }
 
  private:
-  glm::dvec3 point(const glm::dvec2& ndc, double depth) const {
-    const glm::dvec4 p = toWorld_ * glm::dvec4(ndc, depth, 1);
-    return glm::dvec3(p) / p.w;
-  }
-  int width_, height_;
-  glm::dmat4 toWorld_{1.0};
-  glm::mat3 toView_{1.0f};
+  glm::dvec3 centre_;
+  float radius_;
+  std::vector<PlacedMesh> meshes_;
+  Geometry geometry_;
+  Lights lights_;
+  Eye eye_;
+  std::optional<EnvironmentLight> around_;
+  bool skyShown_ = false;
+  std::optional<Integrator> integrator_;
 };
+
+/// Mean of a pixel's paths. @param rays  raised by those that were followed
+glm::vec4 pixelOf(const World& world, const glm::dvec2& corner, std::uint32_t index, const TraceOptions& options,
+                  const CancelToken& cancel, std::uint64_t& rays) {
+  glm::dvec4 sum(0);
+  for (int i = 0; i < options.samples; ++i) {
+    if (i % SAMPLES_PER_LOOK == 0) cancel.check();
+    Walk walk{Random(options.seed, index, static_cast<std::uint32_t>(i))};
+    sum += glm::dvec4(world.light(corner, walk));
+    rays += walk.rays;
+  }
+  return glm::vec4(sum / static_cast<double>(options.samples));
+}
 
 /// Runs rows on several threads until all are done or one fails.
 void forEachRow(int rows, int threads, const std::function<void(int)>& job) {
@@ -66,49 +107,46 @@ void forEachRow(int rows, int threads, const std::function<void(int)>& job) {
 
 }  // namespace
 
+TraceOptions optionsOf(const Shot& shot) {
+  using Kind = Shot::Reference::Transport;
+  const Shot::Reference& wanted = *shot.reference;
+  TraceOptions options{wanted.samples, wanted.seed, wanted.threads};
+  if (options.threads == 0) options.threads = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
+  options.transport.occlusion = wanted.transport != Kind::kDirect;
+  options.transport.bounces = wanted.transport == Kind::kGlobal ? wanted.bounces : 0;
+  return options;
+}
+
 std::vector<glm::vec4> traceRadiance(const Scene& scene, const Shot& shot, const ImageF* environment,
                                      const TraceOptions& options, const Limits& limits, const CancelToken& cancel,
-                                     const std::function<void(double)>& progress) {
-  const glm::dvec3 centre = scene.bounds.empty() ? glm::dvec3(0) : (scene.bounds.min + scene.bounds.max) * 0.5;
-  const auto radius = scene.bounds.empty() ? 1.0f : static_cast<float>(glm::distance(scene.bounds.max, centre));
-  const std::vector<PlacedMesh> meshes = placeMeshes(scene, pass::variantIndex(scene, shot.variant), centre);
-  const Geometry geometry(meshes);
-  const Lights lights = lightsOf(scene, shot, centre, limits);
-  std::optional<EnvironmentLight> around;
-  if (environment && shot.environment.intensity > 0) {
-    around.emplace(*environment, shot.environment.rotation, shot.environment.intensity);
-  }
-  const bool skyShown = around && shot.background.type == Shot::Background::Type::kEnvironment;
-  const Integrator integrator(scene, meshes, geometry, lights, around ? &*around : nullptr, radius, options.transport,
-                              shot.shading, ibl::dfgLookup);
-  const Eye eye(shot, centre);
-  const int width = shot.width, height = shot.height;
-  std::vector<glm::vec4> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+                                     const Progress& progress, TraceFacts* facts) {
+  const Clock::time_point start = Clock::now();
+  const World world(scene, shot, environment, options.transport, limits, cancel);
+  const Clock::time_point built = Clock::now();
+  const auto width = static_cast<std::size_t>(shot.width);
+  std::vector<glm::vec4> pixels(width * static_cast<std::size_t>(shot.height));
+  const int threads = std::clamp(options.threads, 1, shot.height);
   std::atomic<int> done = 0;
-  forEachRow(height, std::max(options.threads, 1), [&](int y) {
-    for (int x = 0; x < width; ++x) {
-      cancel.check();
-      const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-      glm::dvec4 sum(0);
-      for (int i = 0; i < options.samples; ++i) {
-        Random random(options.seed, static_cast<std::uint32_t>(pixel), static_cast<std::uint32_t>(i));
-        const glm::dvec2 at = glm::dvec2(x, y) + glm::dvec2(random.uniform2());
-        const Ray ray = eye.ray(at.x, at.y);
-        const Footprint footprint{eye.ray(at.x + 1, at.y), eye.ray(at.x, at.y - 1), eye.toView()};
-        glm::vec4 light = integrator.radiance(ray, footprint, random);
-        if (skyShown && light.a == 0) light = glm::vec4(around->radiance(ray.direction), 1.0f);
-        sum += glm::dvec4(light);
-      }
-      pixels[pixel] = glm::vec4(sum / static_cast<double>(options.samples));
+  std::atomic<std::uint64_t> rays = 0;
+  forEachRow(shot.height, threads, [&](int y) {
+    std::uint64_t ofRow = 0;
+    for (std::size_t x = 0; x < width; ++x) {
+      const std::size_t pixel = static_cast<std::size_t>(y) * width + x;
+      pixels[pixel] =
+          pixelOf(world, {static_cast<double>(x), y}, static_cast<std::uint32_t>(pixel), options, cancel, ofRow);
     }
-    if (progress) progress(static_cast<double>(++done) / height);
+    rays += ofRow;
+    progress.reach(static_cast<float>(++done) / static_cast<float>(shot.height));
   });
+  if (facts) {
+    *facts = {threads, world.triangles(), rays, milliseconds(built - start), milliseconds(Clock::now() - built)};
+  }
   return pixels;
 }
 
 Frame trace(const Scene& scene, const Shot& shot, const ImageF* environment, const TraceOptions& options,
-            const Limits& limits, const CancelToken& cancel, const std::function<void(double)>& progress) {
-  return pass::toFrame(traceRadiance(scene, shot, environment, options, limits, cancel, progress), shot);
+            const Limits& limits, const CancelToken& cancel, const Progress& progress, TraceFacts* facts) {
+  return pass::toFrame(traceRadiance(scene, shot, environment, options, limits, cancel, progress, facts), shot);
 }
 
 }  // namespace telar::reference

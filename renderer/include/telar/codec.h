@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -43,6 +44,12 @@ PixelType framePixelType(const OutputOptions& options);
 /// Encodes a frame; deterministic. JPEG has no alpha: the caller draws on an opaque background.
 /// @throws Error{X_OUTPUT, X_LIBRARY_MISSING}
 std::vector<std::byte> encode(const Frame& frame, const OutputOptions& options, const CancelToken& cancel);
+
+/// Bytes of the caller's environment file. @throws Error{E_ENVIRONMENT_MISSING, L_FILE_BYTES} that name the file alone:
+/// where it lies on the server is nobody's business
+std::vector<std::byte> readEnvironmentFile(const std::filesystem::path& file, const Limits& limits);
+/// Bytes of the bundled studio. @throws Error{X_INSTALL}
+std::vector<std::byte> readStudioFile(const std::filesystem::path& assetDirectory, const Limits& limits);
 
 /// Reads an equirectangular .hdr or .exr (by magic bytes) to linear Rec.709. NaN becomes 0, values are clamped to
 /// [0, 65504] (the largest half). .hdr texels equal three.js HDRLoader's: mantissa / 255 * 2^(exponent - 128).

@@ -66,7 +66,7 @@ test('both kinds of module share one addon and its renderers\' threads in a proc
   assert.equal(kinds, 1);
 });
 
-const HEAVY = /OpenImageIO|OSMesa|libLLVM|libEGL|libGL|opencv|libtelar_oiio|libzstd|libmeshoptimizer/;
+const HEAVY = /OpenImageIO|OSMesa|libLLVM|libEGL|libGL|opencv|libtelar_oiio|libtelar_reference|libembree|libtbb|libzstd|libmeshoptimizer/;
 const MAPS = `require('node:fs').readFileSync('/proc/self/maps', 'utf8').match(/\\S+\\.(so[.\\d]*|node)$/gm)`;
 
 test('require(\'telar\') with its addon maps no OpenImageIO, OSMesa, EGL, LLVM, zstd or meshoptimizer, and loads no zod', () => {
@@ -90,7 +90,7 @@ test('a thumbnail with the bundled environment maps no OpenImageIO and no OSMesa
       console.log(JSON.stringify([...new Set(${MAPS})]));
     })();`);
   assert.ok(files.some((file) => /libEGL/.test(file)), 'the check sees what is mapped');
-  assert.deepEqual(files.filter((file) => /OpenImageIO|OSMesa|libtelar_oiio|libmeshoptimizer/.test(file)), []);
+  assert.deepEqual(files.filter((file) => /OpenImageIO|OSMesa|libtelar_oiio|libtelar_reference|libembree|libtbb|libmeshoptimizer/.test(file)), []);
 });
 
 test('the addon exports its two Node-API symbols and nothing else', () => {

@@ -51,11 +51,13 @@ test('doctor names backends, the choice and the cure', async () => {
   assert.match(stdout, /egl-device: no: no libEGL\n +cure: apt-get install libegl1/);
   assert.match(stdout, /osmesa: llvmpipe, OpenGL ES 3\.2, in software/);
   assert.match(stdout, /^chosen +osmesa: first$/m);
+  assert.match(stdout, /^reference +Embree 3$/m);
   assert.equal(JSON.parse((await runFake(['doctor', '--json'])).stdout).chosen, 'osmesa');
 });
 
 test('doctor fails where nothing can draw', async () => {
-  const api = { doctor: async () => ({ ok: false, versions: {}, system: 'x', native: { error: { message: 'not built' } }, chosen: null, reason: 'not built', backends: [] }) };
+  const api = { doctor: async () => ({ ok: false, versions: {}, system: 'x', native: { error: { message: 'not built' } }, chosen: null, reason: 'not built', backends: [],
+    reference: { works: false, failure: 'not built' } }) };
   const { exit, stdout } = await runFake(['doctor'], { api });
   assert.equal(exit, 6);
   assert.match(stdout, /^chosen +none: not built$/m);

@@ -20,7 +20,8 @@ export function fakeApi({ delayMs = 0 } = {}) {
   });
   const failing = (source) => /([ELX]_[A-Z_]+)/.exec(typeof source === 'string' ? source : '')?.[1];
   const warningsOf = (source) => (/warn/.test(String(source)) ? [{ code: 'W_RANGE', message: 'clamped', pointer: '/materials/0' }] : []);
-  const render = async (source, shot, { signal }) => {
+  const render = async (source, shot, { signal, onProgress }) => {
+    onProgress?.(0.5);
     await wait(signal);
     if (failing(source)) throw new TelarError(failing(source), 'it fails', { pointer: '/nodes/0' });
     const resolved = resolveShot(shot, FACTS);
@@ -40,7 +41,7 @@ export function fakeApi({ delayMs = 0 } = {}) {
     },
     doctor: async () => ({ ok: true, versions: { telar: '1', node: '20' }, system: 'Linux', native: { path: 'x' }, chosen: 'osmesa', reason: 'first',
       backends: [{ backend: 'egl-device', works: false, failure: 'no libEGL', cure: 'apt-get install libegl1' },
-        { backend: 'osmesa', works: true, renderer: 'llvmpipe', version: 'OpenGL ES 3.2', software: true }] }),
+        { backend: 'osmesa', works: true, renderer: 'llvmpipe', version: 'OpenGL ES 3.2', software: true }], reference: { works: true, version: 'Embree 3' } }),
   };
   return { api, calls };
 }

@@ -26,7 +26,10 @@ export const CPP_LAYERS = {
   'renderer/pass/linear_output.h': ['renderer/include'],
   'renderer/pass': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/mesh', 'renderer/gl', 'renderer/shader', 'renderer/ibl', 'renderer/pass/camera.h', 'renderer/pass/variant.h', 'renderer/pass/linear_output.h'],
   // The tracer shares with the raster what needs no GL: matrices, materials, names, the table of the split sum.
-  'renderer/reference': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/shader', 'renderer/pass/camera.h', 'renderer/pass/variant.h', 'renderer/pass/linear_output.h', 'renderer/ibl/dfg_lookup.h'],
+  'renderer/reference/plugin.h': ['renderer/include'],
+  // trace/ opens the library of reference/ at run time, and links nothing of it.
+  'renderer/trace': ['renderer/include', 'renderer/core', 'renderer/pass/camera.h', 'renderer/reference/plugin.h'],
+  'renderer/reference': ['renderer/reference/plugin.h', 'renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/shader', 'renderer/pass/camera.h', 'renderer/pass/variant.h', 'renderer/pass/linear_output.h', 'renderer/ibl/dfg_lookup.h'],
   addon: ['renderer/include'],
 };
 
@@ -55,7 +58,7 @@ export const OWNED_CALLS = [
   },
   // make_*.cpp are programs of the build.
   { call: /\bstd::(cout|cerr|clog)\b|(?<![\w:])(std::)?f?(printf|puts|putchar)\s*\(/, folders: [], unless: /\/make_\w+\.cpp$/, why: 'a library prints nothing' },
-  { call: /\bdlopen\s*\(/, folders: ['renderer/core', 'renderer/gl', 'renderer/image', 'renderer/oiio'], why: 'libraries are loaded in few places' },
+  { call: /\bdlopen\s*\(/, folders: ['renderer/core', 'renderer/gl', 'renderer/oiio'], why: 'libraries are loaded in few places' },
 ];
 
 /**

@@ -8,6 +8,7 @@
 #include "telar/codec.h"
 #include "telar/load.h"
 #include "telar/pose.h"
+#include "telar/reference.h"
 #include "telar/renderer.h"
 
 /// Stands in for the loader, the renderer and the encoder in tests of threads, cancellation and lifetimes. The model is
@@ -126,6 +127,21 @@ std::unique_ptr<Renderer> Renderer::create(const RendererOptions& options) {
 std::string planFrame(const Scene&, const Shot&, const Limits&) {
   return R"({"features": ["wait"], "programs": [], "passes": ["wait"]})";
 }
+
+Frame drawReference(const Scene& scene, const Shot& shot, std::span<const std::byte>, const RendererOptions&,
+                    const CancelToken& cancel, const Progress& progress, FrameInfo& info) {
+  const json plan = json::parse(scene.name);
+  progress.reach(0.5f);
+  work(plan, "draw", cancel);
+  progress.reach(1);
+  Frame frame{static_cast<std::uint32_t>(shot.width), static_cast<std::uint32_t>(shot.height), PixelType::kRgba8, {}};
+  const auto* head = reinterpret_cast<const std::byte*>(scene.name.c_str());
+  frame.pixels.assign(head, head + scene.name.size() + 1);
+  info.json = json{{"features", json::array()}, {"passes", {"trace"}}, {"backend", "reference"}}.dump();
+  return frame;
+}
+
+std::string probeReference() { return R"({"works": true, "version": "double"})"; }
 
 std::string probeBackends() { return R"({"chosen": "double", "backends": []})"; }
 

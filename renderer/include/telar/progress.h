@@ -1,0 +1,22 @@
+#pragma once
+#include <atomic>
+#include <memory>
+
+namespace telar {
+
+/// How far a job is: set by the threads that do it, read by whoever waits.
+class Progress {
+ public:
+  /// @param part  0..1; one that is below what was said before changes nothing
+  void reach(float part) const {
+    float said = part_->load(std::memory_order_relaxed);
+    while (said < part && !part_->compare_exchange_weak(said, part, std::memory_order_relaxed)) {
+    }
+  }
+  float part() const { return part_->load(std::memory_order_relaxed); }
+
+ private:
+  std::shared_ptr<std::atomic<float>> part_ = std::make_shared<std::atomic<float>>(0.0f);
+};
+
+}  // namespace telar

@@ -1,0 +1,40 @@
+#include "reference/eye.h"
+
+#include <cmath>
+
+#include "pass/camera.h"
+
+namespace telar::reference {
+
+Eye::Eye(const Shot& shot, const glm::dvec3& centre) : width_(shot.width), height_(shot.height) {
+  const pass::Camera camera = pass::cameraOf(shot);
+  glm::dmat4 view = camera.view;
+  view[3] += camera.view * glm::dvec4(centre, 0.0);  // the tracer's world starts at the centre
+  toWorld_ = glm::inverse(camera.projection * view);
+  toView_ = glm::mat3(glm::dmat3(view));
+  if (!shot.lens || !shot.camera.perspective) return;
+  const double focalLength = SENSOR_HEIGHT_M / 2 / std::tan(glm::radians(shot.camera.fovY) / 2);
+  lens_ = Lens{focalLength / shot.lens->aperture / 2, shot.lens->focusDistance, shot.camera.near,
+               shot.camera.position - centre, glm::transpose(glm::dmat3(view))};
+}
+
+Ray Eye::ray(const glm::dvec2& pixel, const glm::dvec2& u) const {
+  const glm::dvec2 ndc(2 * pixel.x / width_ - 1, 1 - 2 * pixel.y / height_);
+  const glm::dvec3 near = point(ndc, -1), far = point(ndc, 1), straight = glm::normalize(far - near);
+  if (!lens_) return {glm::vec3(near), glm::vec3(straight)};
+  const glm::dvec3 forward = -lens_->axes[2];
+  const glm::dvec3 sharp = lens_->centre + straight * (lens_->focusDistance / glm::dot(straight, forward));
+  const double radius = lens_->radius * std::sqrt(u.x), phi = 2 * 3.14159265358979323846 * u.y;
+  const glm::dvec3 origin =
+      lens_->centre + lens_->axes[0] * (radius * std::cos(phi)) + lens_->axes[1] * (radius * std::sin(phi));
+  const glm::dvec3 direction = glm::normalize(sharp - origin);
+  const double from = lens_->near / glm::dot(direction, forward);
+  return {glm::vec3(origin + direction * from), glm::vec3(direction)};
+}
+
+glm::dvec3 Eye::point(const glm::dvec2& ndc, double depth) const {
+  const glm::dvec4 p = toWorld_ * glm::dvec4(ndc, depth, 1);
+  return glm::dvec3(p) / p.w;
+}
+
+}  // namespace telar::reference

@@ -1,0 +1,34 @@
+#define TELAR_REFERENCE_PLUGIN
+#include "reference/plugin.h"
+
+#include <embree3/rtcore_config.h>
+
+#include <exception>
+#include <new>
+
+#include "reference/tracer.h"
+
+namespace telar::reference {
+namespace {
+
+void draw(TraceJob& job) {
+  try {
+    job.frame = trace(job.scene, job.shot, job.environment, optionsOf(job.shot), job.limits, job.cancel, job.progress,
+                      &job.facts);
+  } catch (const Error& error) {
+    job.failure = {error.code, error.what(), error.pointer, error.limit};
+  } catch (const std::bad_alloc&) {
+    job.failure = {"X_MEMORY", "not enough memory to trace this model at this size", {}, {}};
+  } catch (const std::exception& error) {
+    job.failure = {"X_INTERNAL", std::string("the path tracer failed: ") + error.what(), {}, {}};
+  }
+}
+
+}  // namespace
+}  // namespace telar::reference
+
+std::uint64_t telar_reference_layout() { return telar::traceLayout(); }
+
+const char* telar_reference_version() { return "Embree " RTC_VERSION_STRING; }
+
+void telar_reference_draw(telar::TraceJob* job) { telar::reference::draw(*job); }

@@ -1,0 +1,69 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "telar/cancel.h"
+#include "telar/codec.h"
+#include "telar/progress.h"
+#include "telar/scene.h"
+#include "telar/shot.h"
+
+/// The interface of libtelar_reference.so, the only library of ours that links Embree; renderer/trace loads it. It
+/// takes and gives C++ objects: both sides are of one build, which telar_reference_layout() tells. Exceptions never
+/// cross.
+namespace telar {
+
+/// What one frame took.
+struct TraceFacts {
+  int threads = 0;
+  std::uint64_t triangles = 0, rays = 0;
+  double hierarchyMs = 0, traceMs = 0;
+};
+
+/// A telar::Error, field by field.
+struct TraceFailure {
+  std::string code, message;
+  std::optional<std::string> pointer;
+  std::optional<LimitFact> limit;
+};
+
+struct TraceJob {
+  const Scene& scene;
+  const Shot& shot;           ///< with `reference` set
+  const ImageF* environment;  ///< linear Rec.709; null where the shot has none
+  const Limits& limits;
+  const CancelToken& cancel;
+  const Progress& progress;
+  Frame frame{};
+  TraceFacts facts{};
+  std::optional<TraceFailure> failure{};  ///< set: there is no frame
+};
+
+/// Of a build: changes with the layout of what crosses.
+constexpr std::uint64_t traceLayout() {
+  std::uint64_t layout = 1;  // raise it where a change leaves every size as it was
+  for (const std::size_t size : {sizeof(Scene), sizeof(Shot), sizeof(Shot::Light), sizeof(Material), sizeof(Primitive),
+                                 sizeof(Node), sizeof(Image8), sizeof(Limits), sizeof(TraceJob), sizeof(Frame)}) {
+    layout = layout * 1000003 + size;
+  }
+  return layout;
+}
+
+}  // namespace telar
+
+extern "C" {
+
+using TelarReferenceLayoutFunction = std::uint64_t();
+using TelarReferenceVersionFunction = const char*();
+using TelarReferenceDrawFunction = void(telar::TraceJob*);
+
+#ifdef TELAR_REFERENCE_PLUGIN
+#define TELAR_REFERENCE_EXPORT __attribute__((visibility("default")))
+TELAR_REFERENCE_EXPORT TelarReferenceLayoutFunction telar_reference_layout;
+/// "Embree 3.13.5"; the text lives as long as the library
+TELAR_REFERENCE_EXPORT TelarReferenceVersionFunction telar_reference_version;
+TELAR_REFERENCE_EXPORT TelarReferenceDrawFunction telar_reference_draw;
+#endif
+
+}  // extern "C"

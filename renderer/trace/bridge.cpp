@@ -1,0 +1,94 @@
+#include <chrono>
+#include <glm/gtc/type_ptr.hpp>
+#include <nlohmann/json.hpp>
+
+#include "core/own_library.h"
+#include "pass/camera.h"
+#include "reference/plugin.h"
+#include "telar/reference.h"
+
+namespace telar {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Source = Shot::Environment::Source;
+
+/// The loaded library.
+class Library : public OwnLibrary {
+ public:
+  Library()
+      : OwnLibrary("libtelar_reference.so", "Embree is needed for quality \"reference\"",
+                   "apt-get install libembree3-3") {
+    if (function<TelarReferenceLayoutFunction>("telar_reference_layout")() != traceLayout()) refuse();
+  }
+};
+
+[[noreturn]] void throwFailure(const TraceFailure& failure) {
+  Error error(failure.code, failure.message);
+  if (failure.pointer) error.at(*failure.pointer);
+  if (failure.limit) error.withLimit(failure.limit->name, failure.limit->max, failure.limit->actual);
+  throw error;
+}
+
+ImageF readMap(const Shot& shot, std::span<const std::byte> bytes, const RendererOptions& options,
+               const CancelToken& cancel) {
+  std::vector<std::byte> own;
+  if (shot.environment.source == Source::kPath) own = readEnvironmentFile(shot.environment.path, options.limits);
+  if (shot.environment.source == Source::kStudio) own = readStudioFile(options.assetDirectory, options.limits);
+  return readEnvironment(own.empty() ? bytes : std::span<const std::byte>(own), options.limits, cancel);
+}
+
+const char* nameOf(Source source) { return source == Source::kStudio ? "bundled" : "file"; }
+
+Json describe(const Shot& shot, const TraceFacts& facts, double environmentMs) {
+  const glm::dmat4 toPixel = pass::worldToPixel(pass::cameraOf(shot), shot.width, shot.height);
+  const bool lit = shot.environment.source != Source::kNone;
+  return {{"features", Json::array()},
+          {"programs", Json::array()},
+          {"passes", {"trace"}},
+          {"backend", "reference"},
+          {"gl", Json::object()},
+          {"samples", shot.reference->samples},
+          {"drawCalls", 0},
+          {"programsCompiled", 0},
+          {"environmentSource", lit ? Json(nameOf(shot.environment.source)) : Json(nullptr)},
+          {"threads", facts.threads},
+          {"triangles", facts.triangles},
+          {"rays", facts.rays},
+          {"worldToPixel", std::vector<double>(glm::value_ptr(toPixel), glm::value_ptr(toPixel) + 16)},
+          {"ms", {{"environment", environmentMs}, {"hierarchy", facts.hierarchyMs}, {"draw", facts.traceMs}}}};
+}
+
+}  // namespace
+
+Frame drawReference(const Scene& scene, const Shot& shot, std::span<const std::byte> environment,
+                    const RendererOptions& options, const CancelToken& cancel, const Progress& progress,
+                    FrameInfo& info) {
+  using Clock = std::chrono::steady_clock;
+  if (shot.debugOutput != DebugOutput::kNone)
+    throw Error("E_SHOT_UNAVAILABLE", "a quantity of the shading is drawn by the raster: use quality \"standard\"")
+        .at("/quality");
+  const Library library;
+  const Clock::time_point start = Clock::now();
+  const bool lit = shot.environment.source != Source::kNone;
+  const ImageF map = lit ? readMap(shot, environment, options, cancel) : ImageF();
+  const double environmentMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  TraceJob job{scene, shot, lit ? &map : nullptr, options.limits, cancel, progress};
+  library.function<TelarReferenceDrawFunction>("telar_reference_draw")(&job);
+  if (job.failure) throwFailure(*job.failure);
+  info.json = describe(shot, job.facts, environmentMs).dump();
+  return std::move(job.frame);
+}
+
+std::string probeReference() {
+  try {
+    const Library library;
+    return Json{{"works", true},
+                {"version", library.function<TelarReferenceVersionFunction>("telar_reference_version")()}}
+        .dump();
+  } catch (const Error& error) {
+    return Json{{"works", false}, {"failure", error.what()}}.dump();
+  }
+}
+
+}  // namespace telar
