@@ -80,6 +80,19 @@ export class Browser {
   }
 
   /**
+   * Draws shots one after the other with one loaded model.
+   * @param {object} input - As draw(), with `shots` of one size in place of `shot`.
+   * @returns {Promise<{images: Uint8Array[], held: {programs: number, textures: number}[]}>} Drawing buffers, and what the renderer
+   *   held after each.
+   */
+  async sequence({ shots, ...input }) {
+    const job = { ...this.#job({ ...input, shot: shots[0] }), shots };
+    const held = await this.#run('telarSequence', job);
+    const { width, height } = shots[0].size;
+    return { images: shots.map((_, i) => flipRows(this.#server.takeResult(`${job.result}/${i}`), width, height)), held };
+  }
+
+  /**
    * Values of three's own shader variables, each drawn into a float target without antialiasing.
    * @param {object} input - As draw().
    * @param {string[] | null} input.terms - Names (browser/terms.mjs), or null for all.

@@ -61,12 +61,13 @@ async function prepare(job) {
   const environment = job.environment ? await loadEnvironment(job.environment) : undefined;
   const scene = new THREE.Scene();
   scene.add(model.scene);
-  const camera = await applyShot(job.shot, {
+  const apply = (shot) => applyShot(shot, {
     THREE, renderer, scene, model, environment,
     areaLightTables: () => import('three/addons/lights/RectAreaLightUniformsLib.js'),
   });
+  const camera = await apply(job.shot);
   if (job.ownText) await applyShading(model, 'three', { THREE, ownText: true });
-  return { renderer, scene, camera, dispose: () => disposeModel(model.scene) };
+  return { renderer, scene, camera, apply, dispose: () => disposeModel(model.scene) };
 }
 
 function disposeModel(root) {
@@ -137,6 +138,22 @@ function contextFacts(renderer) {
     error: gl.getError(),
   };
 }
+
+/**
+ * Draws one shot after the other with the same loaded model; PUTs the pictures to `${job.result}/0`, `1` ...
+ * @returns {Promise<{programs: number, textures: number}[]>} What the renderer holds after each.
+ */
+window.telarSequence = async (job) => {
+  const { renderer, scene, apply, dispose } = await prepare({ ...job, shot: job.shots[0] });
+  const held = [];
+  for (const [i, shot] of job.shots.entries()) {
+    renderer.render(scene, await apply(shot));
+    held.push({ programs: renderer.info.programs.length, textures: renderer.info.memory.textures });
+    await send(`${job.result}/${i}`, readDrawingBuffer(renderer));
+  }
+  dispose();
+  return held;
+};
 
 /**
  * PUTs three's own shader variables (terms.mjs) to `${job.result}/TERM`.
