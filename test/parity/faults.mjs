@@ -78,7 +78,7 @@ export const FAULTS = [
     name: 'a missing sheen scaling: the layers below keep all their light',
     item: 'sheen-env',
     edits: [{
-      file: 'light/indirect.glsl',
+      file: 'shading/three.glsl',
       find: 'float underSheen = 1.0 - max3(s.sheenColor) * sheenE;',
       replace: 'float underSheen = 1.0;',
     }],
@@ -139,6 +139,24 @@ export const FAULTS = [
     item: 'ground-tshirt',
     edits: [{ file: 'shadow/ground.frag', find: 'opacity * (1.0 - visible)', replace: '1.0 - visible' }],
     first: null,
+  },
+  {
+    name: 'another D in cloth: alpha for alpha squared',
+    item: 'fabric-sweep-sun',
+    edits: [{ file: 'brdf/cloth.glsl', find: 'float k = alpha / (NxH2 + pow2(NoH * alpha));', replace: 'float k = alpha / (NxH2 + pow2(NoH) * alpha);' }],
+    first: 'direct',
+  },
+  {
+    name: 'a sheen of cloth that takes another share from below than it gives',
+    item: 'fabric-sheen-env',
+    edits: [{ file: 'shading/fabric.glsl', find: '(1.0 - max3(s.sheenColor) * s.sheenAlbedo)', replace: '(1.0 - max3(s.sheenColor) * sqrt(s.sheenAlbedo))' }],
+    first: 'linear',
+  },
+  {
+    name: 'a diffuse lobe of cloth that is not coupled to the gloss above it',
+    item: 'fabric-sweep-sun',
+    edits: [{ file: 'shading/fabric.glsl', find: 'diffuse * s.passing * entering', replace: 'diffuse' }],
+    first: 'direct',
   },
   { name: 'a camera shift of 0.5 px', item: 'camera-ortho', shot: (shot) => shiftCamera(shot, 0.5), first: 'n' },
   { name: 'an environment rotated by 1 degree', item: 'environment-rotated', shot: (shot) => turnEnvironment(shot, 1), first: 'radiance' },
