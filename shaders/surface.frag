@@ -13,6 +13,7 @@ precision highp samplerCube;
 #include "output.glsl"
 #include "material/fragment_inputs.glsl"
 #if !UNLIT
+#include "shading/terms.glsl"
 #include "brdf/roughness.glsl"
 #include "brdf/distribution.glsl"
 #include "brdf/visibility.glsl"
@@ -29,8 +30,10 @@ precision highp samplerCube;
 #if SHEEN && !SHADING_FABRIC
 #include "brdf/sheen.glsl"
 #endif
-#if SHADING_FABRIC
+#if SHADING_FABRIC || (SHADING_PRINCIPLED && (SHEEN_TERM != SHEEN_CHARLIE_NEUBELT || DISTRIBUTION_TERM == DISTRIBUTION_GTR2_ANISOTROPIC))
 #include "brdf/cloth.glsl"
+#endif
+#if SHADING_FABRIC
 #include "brdf/cloth_energy.glsl"
 #endif
 #if ANISOTROPY
@@ -39,11 +42,20 @@ precision highp samplerCube;
 #if IRIDESCENCE
 #include "brdf/iridescence.glsl"
 #endif
-#if DIFFUSE_ROUGHNESS
+#if DIFFUSE_ROUGHNESS || (SHADING_PRINCIPLED && DIFFUSE_TERM == DIFFUSE_EON)
 #include "brdf/rough_diffuse.glsl"
 #endif
 #if TRANSMISSION
 #include "brdf/transmission.glsl"
+#endif
+#if SHADING_PRINCIPLED
+#include "brdf/r115.glsl"
+#include "brdf/disney.glsl"
+#include "brdf/disney_parameters.glsl"
+#include "brdf/principled_albedo.glsl"
+#if ENVIRONMENT_TERM != ENVIRONMENT_THREE_TABLE
+#include "brdf/environment_fit.glsl"
+#endif
 #endif
 #include "material/normal.glsl"
 #include "material/surface_types.glsl"
@@ -53,6 +65,10 @@ precision highp samplerCube;
 #endif
 #if SHADING_FABRIC
 #include "shading/fabric.glsl"
+#endif
+#if SHADING_PRINCIPLED
+#include "shading/principled_terms.glsl"
+#include "shading/principled.glsl"
 #endif
 #endif
 #include "material/surface_info.glsl"

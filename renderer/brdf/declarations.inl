@@ -67,6 +67,9 @@ vec3 specularF0R115(vec3 baseColor, Real reflectivity, Real metallic);
 Real clearcoatDHR(Real perceptualRoughness, Real cosine);
 vec3 Fr_SheenR115(vec3 sheenColor, Real alpha, Real NoV, Real NoL, Real NoH);
 
+vec3 F_SchlickRoughness(vec3 f0, Real perceptualRoughness, Real NoV);
+Scattering multipleScatteringR115(vec3 f0, Real perceptualRoughness, Real NoV, vec2 dfg);
+
 Real luminanceDisney(vec3 color);
 vec3 tintDisney(vec3 baseColor);
 vec3 specularF0Disney(vec3 baseColor, Real metallic, Real specular, Real specularTint);
@@ -80,6 +83,22 @@ Real D_GTR1(Real alpha, Real NoH);
 Real Fr_ClearcoatDisney(Real clearcoat, Real gloss, Real NoV, Real NoL, Real NoH, Real LoH);
 vec3 Fr_SheenDisney(vec3 baseColor, Real sheen, Real sheenTint, Real LoH);
 vec2 Fd_DisneyThin(Real perceptualRoughness, Real diffuseTransmission, Real flatness, Real NoV, Real NoL, Real LoH);
+
+Real tintAmountDisney(vec3 color, vec3 baseColor);
+vec3 specularF0FromGltf(vec3 baseColor, Real metallic, vec3 f0Dielectric);
+vec3 sheenFromGltf(vec3 baseColor, vec3 sheenColor);
+Real anisotropicFromGltf(Real perceptualRoughness, Real strength);
+Real glossFromGltf(Real perceptualRoughness);
+
+Real diffuseFresnelAlbedo(Real constant, Real slope, Real NoV);
+Real burleyAlbedo(Real perceptualRoughness, Real NoV);
+Real burleyRenormalisedAlbedo(Real perceptualRoughness, Real NoV);
+Real hanrahanKruegerAlbedo(Real perceptualRoughness, Real NoV);
+Real sheenAlbedoDisney(Real NoV);
+Real sheenAlbedoR115(Real alpha, Real NoV);
+Real sheenAlbedoEstevezKulla(Real sheenRoughness, Real NoV);
+Real sheenAlbedoVelvet(Real sheenRoughness, Real NoV);
+Real clearcoatAlbedoDisney(Real gloss, Real NoV);
 
 vec2 dfgKaris(Real perceptualRoughness, Real NoV);
 vec2 dfgLazarov(Real perceptualRoughness, Real NoV);

@@ -21,6 +21,11 @@ namespace fabric {
 TELAR_SHADING_FUNCTIONS
 }  // namespace fabric
 
+/// three-r115 and disney-2012, by the terms in SurfaceInfo.
+namespace principled {
+TELAR_SHADING_FUNCTIONS
+}  // namespace principled
+
 #undef TELAR_SHADING_FUNCTIONS
 
 /// The functions of one shading.
@@ -32,4 +37,5 @@ struct ShadingFunctions {
   decltype(&three::composedRadiance) composedRadiance;
 };
 
+/// A principled shading is what `terms` of its SurfaceInfo say: set them before preparedSurface().
 ShadingFunctions shadingFunctions(ShadingModel shading);

@@ -1,5 +1,6 @@
 // The text of every shading; types are in shading_declarations.inl.
 #include "../light/reflected.glsl"
+#include "../shading/terms.glsl"
 
 #define TELAR_SHADING_TABLE(name) \
   { &name::preparedSurface, &name::addPunctual, &name::addDome, &name::addEnvironment, &name::composedRadiance }
@@ -12,8 +13,17 @@ namespace fabric {
 #include "../shading/fabric.glsl"
 }  // namespace fabric
 
+namespace principled {
+#include "../shading/principled_terms.glsl"
+// After its terms.
+#include "../shading/principled.glsl"
+}  // namespace principled
+
 ShadingFunctions shadingFunctions(ShadingModel shading) {
   switch (shading) {
+    case ShadingModel::kThreeR115:
+    case ShadingModel::kDisney2012:
+      return TELAR_SHADING_TABLE(principled);
     case ShadingModel::kFabric:
       return TELAR_SHADING_TABLE(fabric);
     default:

@@ -6,3 +6,5 @@
 #undef SHADING_THREE
 #undef SHADING_PRINCIPLED
 #undef SHADING_FABRIC
+#undef ALL_TERMS
+#undef CHOSEN

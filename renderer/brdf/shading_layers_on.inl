@@ -7,3 +7,5 @@
 #define SHADING_THREE 1
 #define SHADING_PRINCIPLED 1
 #define SHADING_FABRIC 1
+#define ALL_TERMS 1
+#define CHOSEN(slot, number) s.terms.slot

@@ -14,7 +14,7 @@ constexpr int MOST_LAYERS = 256;  ///< of transparent surfaces that one ray pass
 
 Integrator::Integrator(const Scene& scene, const std::vector<PlacedMesh>& meshes, const Geometry& geometry,
                        const Lights& lights, const EnvironmentLight* environment, float radius, Transport transport,
-                       ShadingModel shading, glm::vec2 (*dfg)(float, float))
+                       ShadingModel shading, const ShadingTerms& terms, glm::vec2 (*dfg)(float, float))
     : scene_(scene),
       meshes_(meshes),
       geometry_(geometry),
@@ -23,6 +23,7 @@ Integrator::Integrator(const Scene& scene, const std::vector<PlacedMesh>& meshes
       radius_(radius),
       transport_(transport),
       shading_(brdf_f::shadingFunctions(shading)),
+      terms_(isPrincipled(shading) ? std::optional(terms) : std::nullopt),
       dfg_(dfg) {}
 
 glm::vec3 Integrator::reflected(const brdf_f::SurfaceInfo& surface, const glm::vec3& l) const {
@@ -35,7 +36,7 @@ bool Integrator::nextSurface(Ray ray, const Footprint* footprint, Walk& walk, Su
   for (int layer = 0; layer < MOST_LAYERS; ++layer) {
     ++walk.rays;
     if (!geometry_.intersect(ray, hit)) return false;
-    surface = surfaceAt(scene_, meshes_[hit.mesh], hit, ray, footprint, dfg_);
+    surface = surfaceAt(scene_, meshes_[hit.mesh], hit, ray, footprint, dfg_, terms_ ? &*terms_ : nullptr);
     surface.info = shading_.preparedSurface(surface.info);
     if (surface.shown && (surface.alpha >= 1 || walk.random.uniform() < surface.alpha)) return true;
     ray.from = hit.distance + radius_ * 1e-5f;

@@ -26,7 +26,7 @@ class Integrator {
   /// @param radius  of the scene, metres
   Integrator(const Scene& scene, const std::vector<PlacedMesh>& meshes, const Geometry& geometry, const Lights& lights,
              const EnvironmentLight* environment, float radius, Transport transport, ShadingModel shading,
-             glm::vec2 (*dfg)(float, float));
+             const ShadingTerms& terms, glm::vec2 (*dfg)(float, float));
 
   /// @return linear Rec.709 radiance, premultiplied with coverage, and coverage 0 or 1
   glm::vec4 radiance(Ray ray, const Footprint& footprint, Walk& walk) const;
@@ -50,6 +50,7 @@ class Integrator {
   float radius_;
   Transport transport_;
   brdf_f::ShadingFunctions shading_;
+  std::optional<ShadingTerms> terms_;  ///< of a principled shading
   glm::vec2 (*dfg_)(float, float);
 };
 

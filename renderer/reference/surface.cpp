@@ -91,7 +91,7 @@ struct Reader {
 };
 
 void readBase(SurfaceInfo& s, const Material& m, const Reader& read, const glm::vec3& baseColor, float geometric,
-              glm::vec2 (*dfg)(float, float)) {
+              glm::vec2 (*dfg)(float, float), const ShadingTerms* terms) {
   const glm::vec4 texel = read(m.metallicRoughnessTexture);
   s.baseColor = baseColor;
   s.metallic = m.metallicFactor * texel.b;
@@ -107,7 +107,8 @@ void readBase(SurfaceInfo& s, const Material& m, const Reader& read, const glm::
     s.f0Dielectric = glm::min(ratio * ratio * color, glm::vec3(1.0f)) * factor;
   }
   s.f0 = glm::mix(s.f0Dielectric, baseColor, s.metallic);
-  s.perceptualRoughness = brdf_f::shadedRoughness(m.roughnessFactor * texel.g, geometric);
+  const float roughness = m.roughnessFactor * texel.g;
+  s.perceptualRoughness = terms ? roughness : brdf_f::shadedRoughness(roughness, geometric);
   s.alpha = brdf_f::alphaFromRoughness(s.perceptualRoughness);
   s.NoV = brdf_f::saturate(glm::dot(s.n, s.v));
   s.dfg = dfg(s.perceptualRoughness, s.NoV);
@@ -144,7 +145,8 @@ void readFilm(SurfaceInfo& s, const PhysicalLayers& l, const Reader& read) {
 }
 
 void readLayers(SurfaceInfo& s, const Material& m, const Reader& read, const glm::mat3& frame,
-                const glm::vec3& coatNormal, float geometric, glm::vec2 (*dfg)(float, float)) {
+                const glm::vec3& coatNormal, float geometric, glm::vec2 (*dfg)(float, float),
+                const ShadingTerms* terms) {
   const PhysicalLayers& l = m.layers;
   s.diffuseRoughness = brdf_f::saturate(l.diffuseRoughnessFactor * read(l.diffuseRoughnessTexture).r);
   readAnisotropy(s, l, read, frame);
@@ -154,8 +156,8 @@ void readLayers(SurfaceInfo& s, const Material& m, const Reader& read, const glm
       std::max(std::min(l.sheenRoughnessFactor, 1.0f) * read(l.sheenRoughnessTexture).a, brdf_f::SHEEN_ROUGHNESS_MIN);
   s.coatNormal = coatNormal;
   s.clearcoat = brdf_f::saturate(l.clearcoatFactor * read(l.clearcoatTexture).r);
-  s.clearcoatRoughness =
-      brdf_f::shadedRoughness(l.clearcoatRoughnessFactor * read(l.clearcoatRoughnessTexture).g, geometric);
+  const float coatRoughness = l.clearcoatRoughnessFactor * read(l.clearcoatRoughnessTexture).g;
+  s.clearcoatRoughness = terms ? coatRoughness : brdf_f::shadedRoughness(coatRoughness, geometric);
   s.clearcoatNoV = brdf_f::saturate(glm::dot(coatNormal, s.v));
   s.coatDfg = dfg(s.clearcoatRoughness, s.clearcoatNoV);
 }
@@ -172,7 +174,7 @@ float roughnessOfCurvature(const Corners& corners, const glm::vec3& n, const Foo
 }  // namespace
 
 Surface surfaceAt(const Scene& scene, const PlacedMesh& mesh, const Hit& hit, const Ray& ray,
-                  const Footprint* footprint, glm::vec2 (*dfg)(float, float)) {
+                  const Footprint* footprint, glm::vec2 (*dfg)(float, float), const ShadingTerms* terms) {
   const Material& m = *mesh.material;
   const Primitive& primitive = *mesh.primitive;
   const Corners corners(mesh, hit.triangle);
@@ -214,8 +216,11 @@ Surface surfaceAt(const Scene& scene, const PlacedMesh& mesh, const Hit& hit, co
     const glm::mat3 coatFrame = tangentFrame(mesh, corners, b, n, m.layers.clearcoatNormalTexture, s.v, face);
     coatNormal = mappedNormal(coatFrame, read(m.layers.clearcoatNormalTexture), signs * m.layers.clearcoatNormalScale);
   }
-  readBase(s, m, read, glm::vec3(baseColor), geometric, dfg);
-  readLayers(s, m, read, frame, coatNormal, geometric, dfg);
+  readBase(s, m, read, glm::vec3(baseColor), geometric, dfg, terms);
+  readLayers(s, m, read, frame, coatNormal, geometric, dfg, terms);
+  if (terms) s.terms = *terms;
+  s.flatness = m.fabric.flatness;
+  s.diffuseTransmission = m.fabric.diffuseTransmissionFactor;
   return surface;
 }
 

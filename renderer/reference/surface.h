@@ -27,7 +27,8 @@ struct Surface {
 /// What the raster's shaders take from factors, textures and vertices, for a hit of a ray. World space.
 /// @param footprint  camera rays only: adds the geometric roughness of three.js
 /// @param dfg        (A, B) of the split sum by perceptual roughness and NoV, as the raster's table holds them
+/// @param terms      of a principled shading, which takes roughness as authored; null for the others
 Surface surfaceAt(const Scene& scene, const PlacedMesh& mesh, const Hit& hit, const Ray& ray,
-                  const Footprint* footprint, glm::vec2 (*dfg)(float, float));
+                  const Footprint* footprint, glm::vec2 (*dfg)(float, float), const ShadingTerms* terms = nullptr);
 
 }  // namespace telar::reference

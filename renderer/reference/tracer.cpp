@@ -38,7 +38,7 @@ class World {
     }
     skyShown_ = around_ && shot.background.type == Shot::Background::Type::kEnvironment;
     integrator_.emplace(scene, meshes_, geometry_, lights_, around_ ? &*around_ : nullptr, radius_, transport,
-                        shot.shading, ibl::dfgLookup);
+                        shot.shading, shot.terms, ibl::dfgLookup);
   }
   World(const World&) = delete;
   World& operator=(const World&) = delete;

@@ -34,10 +34,9 @@ Defines VariantKey::defines() const {
   list.emplace_back("SHADING_THREE", shading == ShadingModel::kThree);
   list.emplace_back("SHADING_PRINCIPLED", isPrincipled(shading));
   list.emplace_back("SHADING_FABRIC", shading == ShadingModel::kFabric);
+  list.emplace_back("ALL_TERMS", 0);
 #define TELAR_SHADING_DEFINE(glsl, member, ...) list.emplace_back(#glsl "_TERM", terms.member);
-  if (isPrincipled(shading)) {
-    TELAR_SHADING_SLOTS(TELAR_SHADING_DEFINE)
-  }
+  TELAR_SHADING_SLOTS(TELAR_SHADING_DEFINE)
 #undef TELAR_SHADING_DEFINE
   list.emplace_back("TONE_MAPPING", static_cast<int>(toneMapping));
   return list;

@@ -25,8 +25,19 @@ float clearcoatDHR(float perceptualRoughness, float cosine) {
   return 0.04 + 0.96 * F_SchlickWeight5(cosine) * pow2(1.0 - perceptualRoughness);
 }
 
-// Sheen lobe, which stood in place of the base specular lobe; [1/sr], linear Rec.709.
-// alpha  (0, 1]  the base's perceptual roughness as it is, not squared
-vec3 Fr_SheenR115(vec3 sheenColor, float alpha, float NoV, float NoL, float NoH) {
-  return sheenColor * (D_Charlie(alpha, NoH) * V_Neubelt(NoV, NoL));
+// Reflectance of a rough interface as its environment saw it: at grazing it rises no higher than 1 - roughness.
+// perceptualRoughness  [0, 1]      f0  linear Rec.709 [0, 1]
+vec3 F_SchlickRoughness(vec3 f0, float perceptualRoughness, float NoV) {
+  vec3 f90 = max(f0, 1.0 - perceptualRoughness);
+  return (f90 - f0) * F_SchlickWeight(NoV) + f0;
+}
+
+// What the interface sends back of uniform light, by the number of bounces; linear Rec.709.
+// dfg  see multiscatter.glsl, here of dfgKaris(), which is a little below 0 for a black metal: no light is taken there
+Scattering multipleScatteringR115(vec3 f0, float perceptualRoughness, float NoV, vec2 dfg) {
+  vec3 single = max(F_SchlickRoughness(f0, perceptualRoughness, NoV) * dfg.x + dfg.y, 0.0);
+  float ems = 1.0 - (dfg.x + dfg.y);
+  vec3 favg = F_SchlickAverage(f0);
+  vec3 fms = single * favg / (1.0 - ems * favg);
+  return Scattering(single, fms * ems);
 }

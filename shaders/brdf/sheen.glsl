@@ -35,3 +35,9 @@ float sheenAlbedo(float sheenRoughness, float NoV) {
   float b = -0.6014 + 0.5538 * sheenRoughness - 0.4670 * r2 - 0.1255 * inverse;
   return saturate(exp(a * NoV + b));
 }
+
+// Sheen lobe of three.js r115, which stood in place of the base specular lobe; [1/sr], linear Rec.709.
+// alpha  (0, 1]  the base's perceptual roughness as it is, not squared
+vec3 Fr_SheenR115(vec3 sheenColor, float alpha, float NoV, float NoL, float NoH) {
+  return sheenColor * (D_Charlie(alpha, NoH) * V_Neubelt(NoV, NoL));
+}

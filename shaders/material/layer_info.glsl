@@ -80,7 +80,11 @@ void addClearcoat(inout SurfaceInfo s, vec3 coatNormal, float geometric) {
   roughness *= texture(clearcoatRoughnessMap, vClearcoatRoughnessUv).g;
 #endif
   s.clearcoat = saturate(s.clearcoat);
+#if SHADING_PRINCIPLED
+  s.clearcoatRoughness = roughness;
+#else
   s.clearcoatRoughness = shadedRoughness(roughness, geometric);
+#endif
   s.clearcoatNoV = saturate(dot(coatNormal, s.v));
 #if !SHADING_FABRIC
   s.coatDfg = texture(dfgMap, vec2(s.clearcoatRoughness, s.clearcoatNoV)).rg;

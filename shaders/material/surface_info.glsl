@@ -41,7 +41,13 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
   addSpecular(s);
 #endif
   s.f0 = mix(s.f0Dielectric, baseColor, s.metallic);
+#if SHADING_PRINCIPLED
+  s.perceptualRoughness = roughness;  // these models have floors of their own, and curvature widens nothing
+  s.flatness = 0.0;
+  s.diffuseTransmission = 0.0;
+#else
   s.perceptualRoughness = shadedRoughness(roughness, geometric);
+#endif
   s.alpha = alphaFromRoughness(s.perceptualRoughness);
   s.NoV = saturate(dot(s.n, s.v));
 #if !SHADING_FABRIC

@@ -10,7 +10,7 @@ struct SurfaceInfo {
   vec3 f0;         // of the dielectric-metal blend
   vec3 f0Dielectric;
   float f90;
-  float perceptualRoughness;  // floor and geometric roughness applied
+  float perceptualRoughness;  // floor and geometric roughness applied; of a principled shading as authored
   float alpha;
   float NoV;
 #if SHADING_THREE || SHADING_PRINCIPLED
@@ -42,6 +42,16 @@ struct SurfaceInfo {
   float clearcoatNoV;
 #if SHADING_THREE || SHADING_PRINCIPLED
   vec2 coatDfg;
+#endif
+#endif
+#if SHADING_PRINCIPLED
+#if ALL_TERMS
+  ShadingTerms terms;         // chosen at run time: in C++ only
+#endif
+  float flatness;             // share of subsurface scattering in the diffuse lobe
+  float diffuseTransmission;  // share of the diffuse light that goes through, where the diffuse lobe has such
+#if SHEEN
+  vec3 sheenLtc;              // by preparedSurface, where the sheen is a transformed cosine
 #endif
 #endif
 #if SHADING_THREE

@@ -8,6 +8,11 @@ namespace {
 const Column GLOSS{0, 1, {0, 0.5, 1}};
 // Between 0.5 and 1 both sides of its fraction vanish; the coat takes 0.001 to 0.1.
 const Column DISNEY_ALPHA{0.01, 0.5, {0.01, 0.1, 0.5}};
+// Hues apart: near grey a tint has no direction.
+const Column HUE{0, 0.5, {0, 0.2, 0.5}};
+const Column OTHER_HUE{0.7, 1, {0.7, 1}};
+const Column DIFFUSE_CONSTANT{-1, -0.5, {-1, -0.5}};
+const Column DIFFUSE_SLOPE{0, 2, {0, 1, 2}};
 const Column IOR{1, 3, {1, 1.33, 1.5, 3}};
 const Column LTC_ROUGHNESS{0.05, 1, {0.05, 0.1, 0.3, 0.5, 1}};
 // Closer to grazing Lambda is exp(20): an ulp of the exponent is then more than the tolerance.
@@ -49,6 +54,29 @@ std::vector<Term> thesisTerms() {
            Fr_SheenDisney(vec3(p[0], p[1], p[2]), p[3], p[4], p[5])),
       TERM("Fd_DisneyThin", ({ROUGHNESS, UNIT, UNIT, COSINE, COSINE, COSINE}), CANCELLING, true,
            vec3(Fd_DisneyThin(p[0], p[1], p[2], p[3], p[4], p[5]), 0.0)),
+      TERM("F_SchlickRoughness", ({UNIT, UNIT, UNIT, ROUGHNESS, COSINE}), PRODUCT, true,
+           F_SchlickRoughness(vec3(p[0], p[1], p[2]), p[3], p[4])),
+      TERM("multipleScatteringR115", ({UNIT, ROUGHNESS, COSINE, DFG_A, DFG_B}), OF_ONE, true,
+           multipleScatteringR115(vec3(p[0]), p[1], p[2], vec2(p[3], p[4])).multiple),
+      TERM("tintAmountDisney", ({HUE, HUE, HUE, HUE, OTHER_HUE, HUE}), OF_ONE, true,
+           vec3(tintAmountDisney(vec3(p[0], p[1], p[2]), vec3(p[3], p[4], p[5])))),
+      TERM("specularF0FromGltf", ({HUE, OTHER_HUE, HUE, UNIT, BASE_F0, BASE_F0, HUE}), OF_ONE, true,
+           specularF0FromGltf(vec3(p[0], p[1], p[2]), p[3], vec3(p[4], p[5], p[6]))),
+      TERM("sheenFromGltf", ({HUE, OTHER_HUE, HUE, UNIT, UNIT, UNIT}), OF_ONE, true,
+           sheenFromGltf(vec3(p[0], p[1], p[2]), vec3(p[3], p[4], p[5]))),
+      TERM("anisotropicFromGltf", ({ROUGHNESS, UNIT}), OF_ONE, true, vec3(anisotropicFromGltf(p[0], p[1]))),
+      TERM("glossFromGltf", ({ROUGHNESS}), OF_ONE, true, vec3(glossFromGltf(p[0]))),
+      TERM("diffuseFresnelAlbedo", ({DIFFUSE_CONSTANT, DIFFUSE_SLOPE, COSINE}), OF_ONE, true,
+           vec3(diffuseFresnelAlbedo(p[0], p[1], p[2]))),
+      TERM("burleyAlbedo", ({ROUGHNESS, COSINE}), OF_ONE, true, vec3(burleyAlbedo(p[0], p[1]))),
+      TERM("burleyRenormalisedAlbedo", ({ROUGHNESS, COSINE}), OF_ONE, true, vec3(burleyRenormalisedAlbedo(p[0], p[1]))),
+      TERM("hanrahanKruegerAlbedo", ({ROUGHNESS, COSINE}), CANCELLING, true, vec3(hanrahanKruegerAlbedo(p[0], p[1]))),
+      TERM("sheenAlbedoDisney", ({COSINE}), OF_ONE, true, vec3(sheenAlbedoDisney(p[0]))),
+      TERM("sheenAlbedoR115", ({SHEEN_ALPHA, COSINE}), OF_ONE, true, vec3(sheenAlbedoR115(p[0], p[1]))),
+      TERM("sheenAlbedoEstevezKulla", ({SHEEN_ROUGHNESS, COSINE}), OF_ONE, true,
+           vec3(sheenAlbedoEstevezKulla(p[0], p[1]))),
+      TERM("sheenAlbedoVelvet", ({SHEEN_ROUGHNESS, COSINE}), OF_ONE, true, vec3(sheenAlbedoVelvet(p[0], p[1]))),
+      TERM("clearcoatAlbedoDisney", ({GLOSS, COSINE}), CANCELLING, true, vec3(clearcoatAlbedoDisney(p[0], p[1]))),
       TERM("dfgKaris", ({ROUGHNESS, COSINE}), OF_ONE, false, vec3(dfgKaris(p[0], p[1]), 0.0)),
       TERM("dfgLazarov", ({ROUGHNESS, COSINE}), OF_ONE, false, vec3(dfgLazarov(p[0], p[1]), 0.0)),
   };
