@@ -1,5 +1,8 @@
 // Metallic-roughness material and the layers of KHR_materials_* under punctual and indirect light, as three.js 0.187's
 // MeshStandardMaterial and MeshPhysicalMaterial shade them; with UNLIT as its MeshBasicMaterial.
+#if ALPHA_TO_COVERAGE && SAMPLE_MASK
+#extension GL_OES_sample_variables : require
+#endif
 precision highp float;
 precision highp int;
 precision highp sampler2D;
@@ -84,6 +87,9 @@ precision highp samplerCube;
 #include "light/transmission.glsl"
 #endif
 #endif
+#if ALPHA_TO_COVERAGE
+#include "material/coverage.glsl"
+#endif
 #if DEBUG_OUTPUT
 #include "debug_output.glsl"
 #endif
@@ -92,7 +98,13 @@ out vec4 fragmentColor;
 
 void main() {
   vec4 baseColor = baseColorAndAlpha();
-#if ALPHA_MASK
+#if ALPHA_TO_COVERAGE
+#if VERTEX_COLOR
+  coverSamples(vColor.a);
+#else
+  coverSamples(1.0);
+#endif
+#elif ALPHA_MASK
   if (baseColor.a < alphaCutoff) discard;
 #endif
 #if ALPHA_OPAQUE

@@ -67,6 +67,9 @@ void main() {
   vWorldPosition = vec3(modelMatrix * meshSpace);
 #endif
 #include "material/layer_uvs.glsl"
+#if SHADING_FABRIC
+#include "material/fabric_uvs.glsl"
+#endif
 #if POINTS
   gl_PointSize = 1.0;
 #endif

@@ -1,6 +1,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { TABLE } from '../error/table.mjs';
+import { fabricPage } from './fabric_page.mjs';
 import { resolvedShotDraft, shotDraft, shotJsonSchema } from './json_schema.mjs';
 import { termsGlsl, termsInclude } from './shading_terms.mjs';
 import { errorsPage, optionsPage } from './tables.mjs';
@@ -42,6 +43,7 @@ function derivedFiles() {
       codes.map((code) => `  | '${code}'`).join('\n')};\n`,
     'js/docs/options.md': optionsPage(shotDraft()),
     'js/docs/errors.md': errorsPage(TABLE),
+    'js/docs/fabric.md': fabricPage(),
     'renderer/include/telar/shading_terms.inc': termsInclude(),
     'shaders/shading/terms.glsl': termsGlsl(),
   };

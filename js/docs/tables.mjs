@@ -62,3 +62,21 @@ export function errorsPage(table) {
     row(['code', 'kind', 'exit', 'HTTP', 'retry', 'meaning', 'cure']), row(['---', '---', '---', '---', '---', '---', '---']), ...rows, '',
   ].join('\n');
 }
+
+/**
+ * Rows of the properties of a hand-written JSON Schema, references resolved.
+ * @param {object} schema
+ */
+export function fieldRows(schema) {
+  const resolved = ({ $ref, ...node }) => ({ ...($ref && schema.$defs[$ref.split('/').at(-1)]), ...node });
+  const rows = (prefix, properties) => Object.entries(properties).flatMap(([key, property]) => {
+    const node = resolved(property);
+    const isInfo = property.$ref?.endsWith('textureInfo');
+    const value = node.default === undefined ? '' : code(node.default);
+    const own = row([code(`${prefix}${key}`), isInfo ? 'textureInfo' : fieldType(node), value, node.description ?? '']);
+    return [own, ...(node.properties && !isInfo ? rows(`${prefix}${key}.`, node.properties) : [])];
+  });
+  return [row(['property', 'values', 'default', 'meaning']), row(['---', '---', '---', '---']), ...rows('', schema.properties)];
+}
+
+const fieldType = (node) => (node.type === 'array' ? `${node.minItems} x ${valuesText(node.items)}` : valuesText(node));

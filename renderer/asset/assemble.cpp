@@ -163,8 +163,12 @@ void Assembler::addMesh(Node& node) {
 void Assembler::readMaterials() {
   for (std::size_t i = 0; i < model().materials.size(); ++i) {
     if (i % 256 == 0) from_.cancel.check();
-    scene_.materials.push_back(readMaterial(static_cast<int>(i), from_.document, from_.warnings));
+    // A material with its preset has the faults that it has without.
+    const bool again = i >= from_.document.fabrics.size();
+    Warnings heard;
+    scene_.materials.push_back(readMaterial(static_cast<int>(i), from_.document, again ? heard : from_.warnings));
   }
+  scene_.fileMaterials = from_.document.fabrics.size();
 }
 
 void Assembler::loadImages() {
@@ -177,7 +181,10 @@ void Assembler::loadImages() {
   }
   std::vector<bool> reached(scene_.materials.size(), false);
   const auto reach = [&](int material) {
-    if (material >= 0) reached[static_cast<std::size_t>(material)] = true;
+    if (material < 0) return;
+    reached[static_cast<std::size_t>(material)] = true;
+    const int withPreset = scene_.materials[static_cast<std::size_t>(material)].withPreset;
+    if (withPreset >= 0) reached[static_cast<std::size_t>(withPreset)] = true;
   };
   for (const Mesh& mesh : scene_.meshes) {
     for (const Primitive& primitive : mesh.primitives) {

@@ -63,6 +63,10 @@ json describe(const Material& material) {
   add("transmission", material.layers.transmissionTexture);
   add("thickness", material.layers.thicknessTexture);
   add("diffuseRoughness", material.layers.diffuseRoughnessTexture);
+  add("diffuseTransmission", material.fabric.diffuseTransmissionTexture);
+  add("diffuseTransmissionColor", material.fabric.diffuseTransmissionColorTexture);
+  add("weave", material.fabric.weaveTexture);
+  add("backColor", material.fabric.backColorTexture);
   return {{"name", material.name},   {"alphaMode", nameOf(material.alphaMode)}, {"doubleSided", material.doubleSided},
           {"unlit", material.unlit}, {"metallic", material.metallicFactor},     {"roughness", material.roughnessFactor},
           {"textures", textures}};
@@ -172,7 +176,7 @@ std::string describeScene(const Scene& scene) {
   out["triangles"] = scene.triangleCount;
   out["fileBytes"] = scene.fileBytes;
   out["materials"] = json::array();
-  for (const Material& material : scene.materials) out["materials"].push_back(describe(material));
+  for (std::size_t i = 0; i < scene.fileMaterials; ++i) out["materials"].push_back(describe(scene.materials[i]));
   out["images"] = json::array();
   for (const Image8& image : scene.images) out["images"].push_back(describe(image));
   out["lights"] = describeLights(scene);

@@ -6,6 +6,7 @@
 
 #include "asset/camera_light.h"
 #include "asset/extensions.h"
+#include "asset/fabric_presets.h"
 #include "asset/json_read.h"
 #include "asset/pointer.h"
 #include "asset/schema.h"
@@ -170,6 +171,7 @@ Document readDocument(const Container& container, const Limits& limits, const Ca
 
   out.buffers = takeBuffers(reduced);
   out.images = takeImages(reduced);
+  out.fabrics = applyFabricPresets(reduced, warnings);
   writeOutPaths(reduced);
   const StandInView standIn(reduced);
   cancel.check();

@@ -23,10 +23,17 @@ struct ImageSource {
   std::string mimeType;
 };
 
+/// Where a material has its TELAR_materials_fabric from.
+struct FabricSource {
+  bool inExtras = false;
+  int withPreset = -1;  ///< index into the model's materials of the one with its preset, -1 = it names none
+};
+
 /// A glTF document whose types, ranges and references are known to be right. What needs the buffers' bytes (views,
 /// accessors, indices) or the whole node graph is not checked yet.
 struct Document {
-  tinygltf::Model model;  ///< without buffers, images, cameras and lights, which are the lists below
+  tinygltf::Model model;              ///< without buffers, images, cameras and lights, which are the lists below
+  std::vector<FabricSource> fabrics;  ///< by material of the file; the model's further ones are those with presets
   std::vector<BufferSource> buffers;
   std::vector<ImageSource> images;
   std::vector<std::optional<ModelCamera>> cameras;  ///< none = malformed, left out with a warning

@@ -18,6 +18,7 @@ constexpr std::string_view SUPPORTED[] = {
     "KHR_materials_anisotropy",
     "KHR_materials_clearcoat",
     "KHR_materials_diffuse_roughness",
+    "KHR_materials_diffuse_transmission",
     "KHR_materials_dispersion",
     "KHR_materials_emissive_strength",
     "KHR_materials_ior",
@@ -32,6 +33,7 @@ constexpr std::string_view SUPPORTED[] = {
     "KHR_meshopt_compression",
     "KHR_texture_basisu",
     "KHR_texture_transform",
+    "TELAR_materials_fabric",
 };
 // clang-format on
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "asset/extension_value.h"
+#include "asset/fabric_layers.h"
 #include "asset/physical_layers.h"
 #include "asset/pointer.h"
 #include "asset/texture_ref.h"
@@ -17,7 +18,10 @@ class MaterialReader {
       : source_(document.model.materials[static_cast<std::size_t>(material)]),
         warnings_(warnings),
         textures_(document, warnings),
-        where_(pointer("materials", material)) {}
+        where_(pointer("materials", material)) {
+    const auto index = static_cast<std::size_t>(material);
+    if (index < document.fabrics.size()) fabric_ = document.fabrics[index];
+  }
 
   Material read() {
     Material out;
@@ -27,11 +31,14 @@ class MaterialReader {
     readEmissive(out);
     readAlpha(out);
     out.doubleSided = source_.doubleSided;
+    out.withPreset = fabric_.withPreset;
     out.unlit = source_.extensions.contains("KHR_materials_unlit");
     if (out.unlit) {
       dropLitTextures(out);
     } else {
       out.physical = readPhysicalLayers(source_.extensions, where_ + "/extensions", textures_, warnings_, out.layers);
+      out.fabric = readFabricLayers(source_.extensions, out, where_ + "/extensions",
+                                    where_ + (fabric_.inExtras ? "/extras" : "/extensions"), textures_, warnings_);
     }
     return out;
   }
@@ -105,6 +112,7 @@ class MaterialReader {
   Warnings& warnings_;
   TextureReader textures_;
   std::string where_;
+  FabricSource fabric_;
 };
 
 }  // namespace
@@ -116,13 +124,29 @@ Material readMaterial(int material, const Document& document, Warnings& warnings
 std::vector<TextureRef*> texturesOf(Material& material) {
   std::vector<TextureRef*> out;
   PhysicalLayers& layers = material.layers;
-  for (TextureRef* texture :
-       {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-        &material.occlusionTexture, &material.emissiveTexture, &layers.specularTexture, &layers.specularColorTexture,
-        &layers.clearcoatTexture, &layers.clearcoatRoughnessTexture, &layers.clearcoatNormalTexture,
-        &layers.sheenColorTexture, &layers.sheenRoughnessTexture, &layers.anisotropyTexture, &layers.iridescenceTexture,
-        &layers.iridescenceThicknessTexture, &layers.diffuseRoughnessTexture, &layers.transmissionTexture,
-        &layers.thicknessTexture}) {
+  FabricLayers& fabric = material.fabric;
+  for (TextureRef* texture : {&material.baseColorTexture,
+                              &material.metallicRoughnessTexture,
+                              &material.normalTexture,
+                              &material.occlusionTexture,
+                              &material.emissiveTexture,
+                              &layers.specularTexture,
+                              &layers.specularColorTexture,
+                              &layers.clearcoatTexture,
+                              &layers.clearcoatRoughnessTexture,
+                              &layers.clearcoatNormalTexture,
+                              &layers.sheenColorTexture,
+                              &layers.sheenRoughnessTexture,
+                              &layers.anisotropyTexture,
+                              &layers.iridescenceTexture,
+                              &layers.iridescenceThicknessTexture,
+                              &layers.diffuseRoughnessTexture,
+                              &layers.transmissionTexture,
+                              &layers.thicknessTexture,
+                              &fabric.diffuseTransmissionTexture,
+                              &fabric.diffuseTransmissionColorTexture,
+                              &fabric.weaveTexture,
+                              &fabric.backColorTexture}) {
     if (*texture) out.push_back(texture);
   }
   return out;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "asset/extension_value.h"
+#include "asset/layer.h"
 #include "asset/number.h"
 
 namespace telar::asset {
@@ -24,49 +24,6 @@ constexpr const char* PHYSICAL[] = {
     "KHR_materials_dispersion", "KHR_materials_ior",       "KHR_materials_iridescence",
     "KHR_materials_sheen",      "KHR_materials_specular",  "KHR_materials_transmission",
     "KHR_materials_volume",     "EXT_materials_bump",
-};
-
-/// One extension of one material.
-class Layer {
- public:
-  Layer(const tinygltf::ExtensionMap& extensions, const char* name, const std::string& where, TextureReader& textures,
-        Warnings& warnings)
-      : where_(where + "/" + name), textures_(textures), warnings_(warnings) {
-    const auto found = extensions.find(name);
-    if (found != extensions.end()) source_ = &found->second;
-  }
-
-  explicit operator bool() const { return source_ != nullptr; }
-
-  double number(const char* key, double fallback) const { return numberOf(*source_, key, fallback); }
-
-  float factor(const char* key, double fallback, double low = 0, double high = 1) {
-    return clampedFactor(number(key, fallback), low, high, where_ + "/" + key, warnings_);
-  }
-
-  glm::vec3 color(const char* key, float fallback, double high) {
-    glm::vec3 out(fallback);
-    const auto& list = arrayOf(*source_, key);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      out[static_cast<int>(i)] = clampedFactor(list[i].GetNumberAsDouble(), 0, high, where_ + "/" + key, warnings_);
-    }
-    return out;
-  }
-
-  TextureRef texture(const char* key) { return textures_.read(*source_, key, where_); }
-
-  /// `scale` of a normal texture.
-  float scale(const char* key) {
-    if (!source_->Has(key)) return 1;
-    return clampedFactor(numberOf(source_->Get(key), "scale", 1), -NORMAL_SCALE_MAX, NORMAL_SCALE_MAX,
-                         where_ + "/" + key + "/scale", warnings_);
-  }
-
- private:
-  const tinygltf::Value* source_ = nullptr;  ///< null where the material lacks the extension
-  std::string where_;
-  TextureReader& textures_;
-  Warnings& warnings_;
 };
 
 void readIor(Layer layer, PhysicalLayers& out) {

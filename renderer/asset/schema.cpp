@@ -69,6 +69,8 @@ class Reducer {
         return index(field, value, where);
       case Kind::kObject:
         return object(*field.object, value, where);
+      case Kind::kExtras:
+        return value.is_object() ? object(*field.object, value, where) : json::object();
       case Kind::kSizes:
       case Kind::kIndexMap:
         return map(field, value, where);

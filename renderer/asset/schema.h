@@ -25,6 +25,7 @@ enum class Kind {
   kIndexMaps,  ///< array of such objects
   kTexts,      ///< array of strings
   kObject,
+  kExtras,   ///< an object, or anything else, which becomes an empty one: the application's own
   kObjects,  ///< array of objects, min..max of them
 };
 

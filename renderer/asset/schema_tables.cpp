@@ -193,6 +193,25 @@ constexpr Field VOLUME[] = {number("thicknessFactor"), object("thicknessTexture"
 constexpr ObjectRule VOLUME_RULE{VOLUME};
 constexpr Field DISPERSION[] = {number("dispersion")};
 constexpr ObjectRule DISPERSION_RULE{DISPERSION};
+constexpr Field DIFFUSE_TRANSMISSION[] = {
+    number("diffuseTransmissionFactor"), object("diffuseTransmissionTexture", INFO_RULE),
+    items("diffuseTransmissionColorFactor", 3), object("diffuseTransmissionColorTexture", INFO_RULE)};
+constexpr ObjectRule DIFFUSE_TRANSMISSION_RULE{DIFFUSE_TRANSMISSION};
+// TELAR_materials_fabric: js/assets/TELAR_materials_fabric.schema.json.
+constexpr Field YARN[] = {number("coverage"), number("roughnessFactor"), number("anisotropyStrength"),
+                          items("specularColorFactor", 3)};
+constexpr ObjectRule YARN_RULE{YARN};
+constexpr Field WEAVE[] = {items("threadsPerUv", 2), object("weaveTexture", INFO_RULE), object("warp", YARN_RULE),
+                           object("weft", YARN_RULE)};
+constexpr ObjectRule WEAVE_RULE{WEAVE};
+constexpr Field BACK[] = {items("baseColorFactor", 3), object("baseColorTexture", INFO_RULE),
+                          number("roughnessFactor")};
+constexpr ObjectRule BACK_RULE{BACK};
+constexpr Field FABRIC[] = {
+    {.key = "preset", .kind = Kind::kName}, number("flatness"), object("weave", WEAVE_RULE), object("back", BACK_RULE)};
+constexpr ObjectRule FABRIC_RULE{FABRIC};
+constexpr Field MATERIAL_EXTRAS[] = {object("TELAR_materials_fabric", FABRIC_RULE)};
+constexpr ObjectRule MATERIAL_EXTRAS_RULE{MATERIAL_EXTRAS};
 constexpr Field MATERIAL_EXTENSIONS[] = {
     object("KHR_materials_unlit", EMPTY_RULE), object("KHR_materials_emissive_strength", EMISSIVE_RULE),
     object("KHR_materials_ior", IOR_RULE), object("KHR_materials_specular", SPECULAR_RULE),
@@ -201,6 +220,8 @@ constexpr Field MATERIAL_EXTENSIONS[] = {
     object("KHR_materials_diffuse_roughness", DIFFUSE_ROUGHNESS_RULE),
     object("KHR_materials_transmission", TRANSMISSION_RULE), object("KHR_materials_volume", VOLUME_RULE),
     object("KHR_materials_dispersion", DISPERSION_RULE),
+    object("KHR_materials_diffuse_transmission", DIFFUSE_TRANSMISSION_RULE),
+    object("TELAR_materials_fabric", FABRIC_RULE),
     // Only whether it is there: it decides which material three.js takes.
     object("EXT_materials_bump", EMPTY_RULE)};
 constexpr ObjectRule MATERIAL_EXTENSIONS_RULE{MATERIAL_EXTENSIONS};
@@ -213,7 +234,8 @@ constexpr Field MATERIAL[] = {name(),
                               {.key = "alphaMode", .kind = Kind::kName},
                               number("alphaCutoff"),
                               {.key = "doubleSided", .kind = Kind::kBool},
-                              object("extensions", MATERIAL_EXTENSIONS_RULE)};
+                              object("extensions", MATERIAL_EXTENSIONS_RULE),
+                              {.key = "extras", .kind = Kind::kExtras, .object = &MATERIAL_EXTRAS_RULE}};
 constexpr ObjectRule MATERIAL_RULE{MATERIAL};
 
 constexpr Field IMAGE_SOURCE[] = {index("source", "images", true)};

@@ -18,6 +18,7 @@ vec3 safeNormalize(vec3 x, vec3 fallback);
 
 Real geometricRoughness(vec3 dndx, vec3 dndy);
 Real shadedRoughness(Real perceptualRoughness, Real geometric);
+Real roughnessWithSlopes(Real perceptualRoughness, vec2 slopeVariance);
 Real alphaFromRoughness(Real perceptualRoughness);
 
 Real D_GGX(Real alpha, Real NoH);

@@ -149,6 +149,8 @@ void Context::initialise(Backend backend, ProcLoader loader, bool debug, bool ro
   capabilities_.robust = robust && functions_.GetGraphicsResetStatus;
   capabilities_.colorBufferFloat = capabilities_.desktop || hasExtension(functions_, "GL_EXT_color_buffer_float");
   capabilities_.floatLinear = capabilities_.desktop || hasExtension(functions_, "GL_OES_texture_float_linear");
+  capabilities_.sampleMask =
+      hasExtension(functions_, capabilities_.desktop ? "GL_ARB_sample_shading" : "GL_OES_sample_variables");
   functions_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &capabilities_.maxTextureSize);
   functions_.GetIntegerv(GL_MAX_SAMPLES, &capabilities_.maxSamples);
   functions_.GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &capabilities_.maxFragmentTextureUnits);

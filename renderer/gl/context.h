@@ -28,6 +28,7 @@ struct Capabilities {
   bool debug = false;             ///< KHR_debug messages are being collected
   bool colorBufferFloat = false;  ///< RGBA32F is renderable
   bool floatLinear = false;       ///< fp32 textures can be filtered
+  bool sampleMask = false;        ///< a fragment can choose the samples that it covers
   bool desktop = false;           ///< an OpenGL core profile with ARB_ES3_compatibility (OSMesa)
   int maxTextureSize = 0;         ///< px
   int maxSamples = 0;

@@ -29,6 +29,15 @@ void describeLayers(const PhysicalLayers& layers, shader::VariantKey& key) {
   key.dispersion = key.transmission && layers.dispersion > 0 && layers.ior != 1;
 }
 
+/// What the shading "fabric" reads beyond those layers.
+void describeFabric(const Material& m, shader::VariantKey& key) {
+  const FabricLayers& fabric = m.fabric;
+  key.diffuseTransmission = fabric.diffuseTransmissionFactor > 0;
+  key.flatness = fabric.flatness > 0;
+  key.weave = fabric.weave;
+  key.back = fabric.back && m.doubleSided;
+}
+
 /// Whether the factor that a texture is multiplied with leaves anything of it.
 bool matters(const TextureSlot& slot, const Material& m, const shader::VariantKey& key) {
   using Key = shader::VariantKey;
@@ -45,6 +54,10 @@ bool matters(const TextureSlot& slot, const Material& m, const shader::VariantKe
   if (slot.map == &Key::diffuseRoughnessMap) return key.diffuseRoughness;
   if (slot.map == &Key::transmissionMap) return key.transmission;
   if (slot.map == &Key::thicknessMap) return key.volume;
+  if (slot.map == &Key::diffuseTransmissionMap || slot.map == &Key::diffuseTransmissionColorMap)
+    return key.diffuseTransmission;
+  if (slot.map == &Key::weaveMap) return key.weave;
+  if (slot.map == &Key::backColorMap) return key.back;
   return true;
 }
 
@@ -53,6 +66,7 @@ void describeMaps(const Material& m, shader::VariantKey& key) {
   if (!key.unlit) {
     key.emissive = m.emissiveFactor != glm::vec3(0);
     if (m.physical) describeLayers(m.layers, key);
+    if (key.shading == ShadingModel::kFabric) describeFabric(m, key);
   }
   for (const TextureSlot& slot : TEXTURE_SLOTS) {
     const TextureRef& texture = slot.texture(m);
@@ -72,11 +86,11 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.vertexColor = !primitive.colors.empty();
   key.alphaMask = material.alphaMode == AlphaMode::kMask && material.alphaCutoff > 0;
   key.alphaOpaque = material.alphaMode != AlphaMode::kBlend;
+  if (!key.unlit) key.shading = frame.shading;
   describeMaps(material, key);
   if (key.unlit) return key;
   key.ambient = frame.ambient;
   key.environment = frame.environment;
-  key.shading = frame.shading;
   key.terms = frame.terms;
   key.orthographic = frame.orthographic;
   key.lights = frame.lights;
@@ -218,7 +232,7 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
       const Primitive& primitive = primitives[i];
       if (primitive.positions.empty()) continue;
       const int index = materialIndex(primitive, variant);
-      DrawItem item{&node, &primitive, &materialAt(scene, index)};
+      DrawItem item{&node, &primitive, &materialAt(scene, index, shot.shading)};
       item.key = keyOf(primitive, *item.material, frame);
       const bool transmissive = item.key.transmission;
       describeInstances(node, item.key);

@@ -73,6 +73,13 @@ GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const Can
   return textures_.emplace(key, std::move(texture)).first->second.get();
 }
 
+GLuint GpuScene::derived(const DerivedTexture& key, const std::function<gl::Texture()>& make) {
+  if (model_) return model_->derived(key, make);
+  const auto found = derived_.find(key);
+  if (found != derived_.end()) return found->second.get();
+  return derived_.emplace(key, make()).first->second.get();
+}
+
 GLuint GpuScene::sampler(const Sampler& wanted) {
   if (model_) return model_->sampler(wanted);
   for (const auto& [sampler, object] : samplers_) {

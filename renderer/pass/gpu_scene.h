@@ -1,4 +1,6 @@
 #pragma once
+#include <compare>
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -9,6 +11,16 @@
 #include "telar/cancel.h"
 
 namespace telar::pass {
+
+/// What a texture is made into for the shading "fabric" (TextureBaker).
+struct DerivedTexture {
+  enum class Kind { kNormalVariance, kCoverage } kind = Kind::kNormalVariance;
+  int image = -1;
+  bool srgb = false;
+  float cutoff = 0;  ///< kCoverage
+
+  auto operator<=>(const DerivedTexture&) const = default;
+};
 
 /// A scene's data on the GPU, made when a draw first needs it, freed with the object. A pose holds only what it has of
 /// its own: the deformed meshes.
@@ -22,6 +34,8 @@ class GpuScene {
   /// Uploads once for each way of decoding, with mip levels: SRGB8_ALPHA8 or RGBA8, as the image's coding and the use
   /// as a colour or as data say.
   GLuint texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel);
+  /// The same for a texture that is made of another one, once for each key.
+  GLuint derived(const DerivedTexture& key, const std::function<gl::Texture()>& make);
   GLuint sampler(const Sampler& sampler);
   bool expired() const { return scene_.expired(); }
   bool isPoseOf(const Scene& model) const;
@@ -35,6 +49,7 @@ class GpuScene {
   std::map<const Instances*, InstanceStreams> instances_;
   std::map<std::pair<const Primitive*, const Instances*>, GpuPrimitive> primitives_;
   std::map<std::pair<int, bool>, gl::Texture> textures_;
+  std::map<DerivedTexture, gl::Texture> derived_;
   std::vector<std::pair<Sampler, gl::Sampler>> samplers_;
 };
 

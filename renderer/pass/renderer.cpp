@@ -108,6 +108,7 @@ class GlRenderer final : public Renderer {
     shadows_.bind(plan.shadows, pass::SurfacePass::firstShadowUnit());
     pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, cancel};
     inputs.transmission = drawBehind(inputs);
+    inputs.samples = targetFor(shot).samples();
     const pass::FrameTarget& target = targetFor(shot);
     target.bind();
     const bool debug = plan.frame.debugOutput;  // backgrounds and the ground have no shading

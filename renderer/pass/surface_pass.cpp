@@ -44,6 +44,9 @@ glm::vec2 normalScaleOf(float scale, const DrawItem& item) {
   return signs * (item.key.flipSided ? -scale : scale);
 }
 
+/// The alpha of its texture from which on a material with holes is there.
+float textureCutoff(const Material& m) { return m.baseColorFactor.a > 0 ? m.alphaCutoff / m.baseColorFactor.a : 2.0f; }
+
 bool hasLayers(const shader::VariantKey& key) {
   return key.specular || key.clearcoat || key.sheen || key.anisotropy || key.iridescence || key.diffuseRoughness ||
          key.transmission;
@@ -87,6 +90,22 @@ void setLayers(const gl::Program& program, const DrawItem& item) {
   if (item.key.transmission) setTransmission(program, item);
 }
 
+/// Factors of what the shading "fabric" has beyond those layers.
+void setFabric(const gl::Program& program, const FabricLayers& fabric) {
+  const Yarn &warp = fabric.warp, &weft = fabric.weft;
+  program.set("diffuseTransmissionFactor", fabric.diffuseTransmissionFactor);
+  program.set("diffuseTransmissionColorFactor", fabric.diffuseTransmissionColorFactor);
+  program.set("flatness", fabric.flatness);
+  program.set("yarnCoverage", glm::vec2(warp.coverage, weft.coverage));
+  program.set("yarnRoughness", glm::vec2(warp.roughness, weft.roughness));
+  program.set("yarnAnisotropy", glm::vec2(warp.anisotropy, weft.anisotropy));
+  program.set("warpSpecularColor", warp.specularColor);
+  program.set("weftSpecularColor", weft.specularColor);
+  program.set("threadsPerUv", fabric.threadsPerUv);
+  program.set("backColorFactor", fabric.backColorFactor);
+  program.set("backRoughness", fabric.backRoughnessFactor);
+}
+
 bool readsTransmission(const std::vector<DrawItem>* list) {
   return std::any_of(list->begin(), list->end(), [](const DrawItem& item) { return item.key.transmission; });
 }
@@ -100,7 +119,7 @@ std::string labelOf(const shader::VariantKey& key) {
 }  // namespace
 
 SurfacePass::SurfacePass(const gl::Context& context, Limits limits)
-    : context_(context), limits_(limits), dfg_(ibl::createDfgTexture(context.gl())) {}
+    : context_(context), limits_(limits), dfg_(ibl::createDfgTexture(context.gl())), baker_(context) {}
 
 GLuint SurfacePass::firstShadowUnit() { return UNIT_COUNT; }
 
@@ -113,7 +132,8 @@ int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
   for (const shader::VariantKey& key : wanted) {
     if (programs_.contains(key)) continue;
     cancel.check();
-    const shader::Defines defines = key.defines();
+    shader::Defines defines = key.defines();
+    defines.emplace_back("SAMPLE_MASK", context_.capabilities().sampleMask);
     programs_.emplace(key, gl::Program(context_, labelOf(key), shader::assemble("surface.vert", defines),
                                        shader::assemble("surface.frag", defines)));
     ++compiled;
@@ -121,17 +141,37 @@ int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
   return compiled;
 }
 
-void SurfacePass::upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) const {
+void SurfacePass::upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
   for (const auto* list : plan.draws.shown()) {
     for (const DrawItem& item : *list) {
       cancel.check();
       gpu.primitive(*item.primitive, item.instances());
       for (const TextureSlot& slot : TEXTURE_SLOTS) {
         const TextureRef& texture = slot.texture(*item.material);
-        if (item.key.*slot.map && texture) gpu.texture(scene, texture.image, slot.srgb, cancel);
+        if (item.key.*slot.map && texture) textureOf(item, slot, scene, gpu, cancel);
       }
     }
   }
+}
+
+GLuint SurfacePass::textureOf(const DrawItem& item, const TextureSlot& slot, const Scene& scene, GpuScene& gpu,
+                              const CancelToken& cancel) {
+  using Key = shader::VariantKey;
+  const int index = slot.texture(*item.material).image;
+  const GLuint plain = gpu.texture(scene, index, slot.srgb, cancel);
+  const Image8& image = scene.images[static_cast<std::size_t>(index)];
+  const auto width = static_cast<int>(image.width), height = static_cast<int>(image.height);
+  const bool srgb = decodesSrgb(image.coding, slot.srgb);
+  if (item.key.normalVariance && (slot.map == &Key::normalMap || slot.map == &Key::clearcoatNormalMap)) {
+    return gpu.derived({DerivedTexture::Kind::kNormalVariance, index, srgb},
+                       [&] { return baker_.normalVariance(plain, width, height, cancel); });
+  }
+  if (item.key.alphaToCoverage && slot.map == &Key::baseColorMap) {
+    const float cutoff = textureCutoff(*item.material);
+    return gpu.derived({DerivedTexture::Kind::kCoverage, index, srgb, cutoff},
+                       [&] { return baker_.coverage(plain, srgb, width, height, cutoff, cancel); });
+  }
+  return plain;
 }
 
 const SurfacePass::StandIns& SurfacePass::standIns() {
@@ -150,6 +190,7 @@ const gl::Program& SurfacePass::useProgram(const shader::VariantKey& key, const 
   program.use();
   program.set("projectionMatrix", glm::mat4(in.plan.camera.projection));
   program.set("exposure", static_cast<float>(in.shot.exposure));
+  if (key.alphaToCoverage) program.set("coverageSamples", in.samples);
   if (key.debugOutput) program.set("debugOutput", static_cast<int>(in.shot.debugOutput));
   if (key.unlit) return program;
   in.plan.lights.upload(program);
@@ -187,7 +228,7 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
     program.set(slot.uvTransform, texture.uvTransform);
     gl.ActiveTexture(GL_TEXTURE0 + unit);
     if (texture) {
-      gl.BindTexture(GL_TEXTURE_2D, in.gpu.texture(in.scene, texture.image, slot.srgb, in.cancel));
+      gl.BindTexture(GL_TEXTURE_2D, textureOf(item, slot, in.scene, in.gpu, in.cancel));
       gl.BindSampler(unit, in.gpu.sampler(texture.sampler));
     } else {
       const bool normal = slot.map == &shader::VariantKey::normalMap;
@@ -204,6 +245,7 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
   program.set("occlusionStrength", m.occlusionStrength);
   program.set("normalScale", normalScaleOf(m.normalScale, item));
   if (hasLayers(item.key)) setLayers(program, item);
+  if (item.key.shading == ShadingModel::kFabric) setFabric(program, m.fabric);
 }
 
 void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {

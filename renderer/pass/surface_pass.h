@@ -8,6 +8,8 @@
 #include "pass/draw_list.h"
 #include "pass/gpu_scene.h"
 #include "pass/ltc.h"
+#include "pass/texture_bake.h"
+#include "pass/texture_slots.h"
 #include "pass/transmission_target.h"
 
 namespace telar::pass {
@@ -20,6 +22,7 @@ struct SurfaceInputs {
   GpuScene& gpu;
   const ibl::Environment* environment;  ///< null where the plan needs none
   const CancelToken& cancel;
+  int samples = 1;                                   ///< of a pixel of the target
   const TransmissionTarget* transmission = nullptr;  ///< what transmissive draws look through, resolved
 };
 
@@ -32,7 +35,7 @@ class SurfacePass {
   /// L_PROGRAMS}
   int prepare(const FramePlan& plan, const CancelToken& cancel);
   /// Uploads the plan's primitives and textures that are not on the GPU yet.
-  void upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) const;
+  void upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);
   /// Unit of the first shadow map, after the units that the pass itself uses.
   static GLuint firstShadowUnit();
   /// Draws lists of the plan, in order. The target is bound and cleared, the shadow maps are bound.
@@ -46,6 +49,9 @@ class SurfacePass {
   const StandIns& standIns();
   void bindShared(const SurfaceInputs& in, bool transmission);
   void drawItem(const DrawItem& item, const SurfaceInputs& in);
+  /// The GL texture that a program samples for one of the material's.
+  GLuint textureOf(const DrawItem& item, const TextureSlot& slot, const Scene& scene, GpuScene& gpu,
+                   const CancelToken& cancel);
   const gl::Program& useProgram(const shader::VariantKey& key, const SurfaceInputs& in);
   void bindMaterial(const gl::Program& program, const DrawItem& item, const SurfaceInputs& in);
 
@@ -53,6 +59,7 @@ class SurfacePass {
   Limits limits_;
   gl::Texture dfg_;
   LtcTextures ltc_;
+  TextureBaker baker_;
   std::optional<StandIns> standIns_;
   std::map<shader::VariantKey, gl::Program> programs_;
   const gl::Program* current_ = nullptr;  // program whose frame uniforms are set

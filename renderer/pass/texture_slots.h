@@ -42,6 +42,10 @@ inline constexpr std::array TEXTURE_SLOTS{
     TELAR_TEXTURE_SLOT(layers.diffuseRoughnessTexture, diffuseRoughness, false),
     TELAR_TEXTURE_SLOT(layers.transmissionTexture, transmission, false),
     TELAR_TEXTURE_SLOT(layers.thicknessTexture, thickness, false),
+    TELAR_TEXTURE_SLOT(fabric.diffuseTransmissionTexture, diffuseTransmission, false),
+    TELAR_TEXTURE_SLOT(fabric.diffuseTransmissionColorTexture, diffuseTransmissionColor, true),
+    TELAR_TEXTURE_SLOT(fabric.weaveTexture, weave, false),
+    TELAR_TEXTURE_SLOT(fabric.backColorTexture, backColor, true),
 };
 #undef TELAR_TEXTURE_SLOT
 

@@ -27,8 +27,11 @@ int materialIndex(const Primitive& primitive, int variant) {
   return mapped >= 0 ? mapped : primitive.material;
 }
 
-const Material& materialAt(const Scene& scene, int index) {
-  return index >= 0 ? scene.materials[static_cast<std::size_t>(index)] : DEFAULT_MATERIAL;
+const Material& materialAt(const Scene& scene, int index, ShadingModel shading) {
+  if (index < 0) return DEFAULT_MATERIAL;
+  const Material& material = scene.materials[static_cast<std::size_t>(index)];
+  const bool filled = shading == ShadingModel::kFabric && material.withPreset >= 0;
+  return filled ? scene.materials[static_cast<std::size_t>(material.withPreset)] : material;
 }
 
 }  // namespace telar::pass

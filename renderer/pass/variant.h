@@ -2,6 +2,7 @@
 #include <string>
 
 #include "telar/scene.h"
+#include "telar/shading.h"
 
 namespace telar::pass {
 
@@ -12,7 +13,8 @@ int variantIndex(const Scene& scene, const std::string& name);
 /// Index of the material that a variant gives a primitive; -1 = glTF's default material.
 int materialIndex(const Primitive& primitive, int variant);
 
+/// What a shading draws of a material: the shading "fabric" takes it with its preset.
 /// @param index  of materialIndex()
-const Material& materialAt(const Scene& scene, int index);
+const Material& materialAt(const Scene& scene, int index, ShadingModel shading);
 
 }  // namespace telar::pass

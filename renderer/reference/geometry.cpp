@@ -55,14 +55,15 @@ void placeInstances(std::vector<PlacedMesh>& meshes, const Node& node, const Pri
 }  // namespace
 
 std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::dvec3& centre,
-                                    const CancelToken& cancel) {
+                                    const CancelToken& cancel, ShadingModel shading) {
   std::vector<PlacedMesh> meshes;
   for (const Node& node : scene.nodes) {
     cancel.check();
     if (node.mesh < 0) continue;
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
       if (primitive.topology != Topology::kTriangles || primitive.positions.empty()) continue;
-      placeInstances(meshes, node, primitive, pass::materialAt(scene, pass::materialIndex(primitive, variant)), centre);
+      placeInstances(meshes, node, primitive, pass::materialAt(scene, pass::materialIndex(primitive, variant), shading),
+                     centre);
     }
   }
   return meshes;

@@ -7,6 +7,7 @@
 
 #include "telar/cancel.h"
 #include "telar/scene.h"
+#include "telar/shading.h"
 
 namespace telar::reference {
 
@@ -27,7 +28,7 @@ struct PlacedMesh {
 /// @param centre  world position that becomes the origin
 /// @throws Error{X_CANCELLED}
 std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::dvec3& centre,
-                                    const CancelToken& cancel = {});
+                                    const CancelToken& cancel = {}, ShadingModel shading = ShadingModel::kThree);
 
 struct Ray {
   glm::vec3 origin;

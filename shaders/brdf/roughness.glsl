@@ -14,6 +14,13 @@ float shadedRoughness(float perceptualRoughness, float geometric) {
   return min(max(perceptualRoughness, PERCEPTUAL_ROUGHNESS_MIN) + geometric, 1.0);
 }
 
+// Perceptual roughness of a surface whose normals vary within what is seen of it at once, [0, 1].
+// perceptualRoughness  [0, 1]      slopeVariance  [0, inf)  of the slopes along two axes that are square
+// src: Olano & Baker 2010, "LEAN Mapping": variances of slopes add; alpha^2 is twice the variance of one axis
+float roughnessWithSlopes(float perceptualRoughness, vec2 slopeVariance) {
+  return sqrt(sqrt(min(pow4(perceptualRoughness) + slopeVariance.x + slopeVariance.y, 1.0)));
+}
+
 // GGX width, [PERCEPTUAL_ROUGHNESS_MIN^2, 1].
 // perceptualRoughness  [0, 1]
 // src: Burley 2012, "Physically-Based Shading at Disney", section 5.4

@@ -69,8 +69,8 @@ void addSheen(inout SurfaceInfo s) {
 #endif
 
 #if CLEARCOAT
-void addClearcoat(inout SurfaceInfo s, vec3 coatNormal, float geometric) {
-  s.coatNormal = coatNormal;
+void addClearcoat(inout SurfaceInfo s, Normals normals, float geometric) {
+  s.coatNormal = normals.coat;
   s.clearcoat = clearcoatFactor;
   float roughness = clearcoatRoughnessFactor;
 #if CLEARCOAT_MAP
@@ -79,13 +79,16 @@ void addClearcoat(inout SurfaceInfo s, vec3 coatNormal, float geometric) {
 #if CLEARCOAT_ROUGHNESS_MAP
   roughness *= texture(clearcoatRoughnessMap, vClearcoatRoughnessUv).g;
 #endif
+#if NORMAL_VARIANCE
+  roughness = roughnessWithSlopes(roughness, normals.coatSlopeVariance);
+#endif
   s.clearcoat = saturate(s.clearcoat);
 #if SHADING_PRINCIPLED
   s.clearcoatRoughness = roughness;
 #else
   s.clearcoatRoughness = shadedRoughness(roughness, geometric);
 #endif
-  s.clearcoatNoV = saturate(dot(coatNormal, s.v));
+  s.clearcoatNoV = saturate(dot(s.coatNormal, s.v));
 #if !SHADING_FABRIC
   s.coatDfg = texture(dfgMap, vec2(s.clearcoatRoughness, s.clearcoatNoV)).rg;
 #endif
@@ -110,6 +113,6 @@ void addLayers(inout SurfaceInfo s, Normals normals, float geometric) {
   addSheen(s);
 #endif
 #if CLEARCOAT
-  addClearcoat(s, normals.coat, geometric);
+  addClearcoat(s, normals, geometric);
 #endif
 }

@@ -8,6 +8,12 @@ struct Normals {
 #if CLEARCOAT
   vec3 coat;       // after the clearcoat's own normal map
 #endif
+#if NORMAL_VARIANCE
+  vec2 slopeVariance;      // of what the normal map has within the pixel, along tangent and bitangent
+#if CLEARCOAT
+  vec2 coatSlopeVariance;
+#endif
+#endif
 #if ANISOTROPY
   mat3 frame;      // columns: tangent, bitangent, geometric normal
 #endif
@@ -55,6 +61,20 @@ mat3 anyFrame(vec3 n) {
   return mat3(vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3(b, side + n.y * n.y * a, -n.y), n);
 }
 
+#if NORMAL_VARIANCE
+// Colour of a plain normal map for a texel of one with variance (texture/slope.glsl).
+vec3 plainNormalTexel(vec4 texel) {
+  vec2 xy = texel.rg * 2.0 - 1.0;
+  return vec3(texel.rg, 0.5 + 0.5 * sqrt(max(1.0 - dot(xy, xy), 0.0)));
+}
+
+// Variance of the slopes that a texel stands for, along tangent and bitangent.
+vec2 slopeVariance(vec4 texel, vec2 scale) {
+  vec2 deviation = texel.ba * scale;
+  return deviation * deviation;
+}
+#endif
+
 vec3 mappedNormal(mat3 frame, vec3 texel, vec2 scale) {
   vec3 n = texel * 2.0 - 1.0;
   n.xy *= scale;
@@ -74,9 +94,21 @@ Normals shadingNormals() {
 #endif
 #endif
   normals.shading = normals.geometric;
+#if NORMAL_VARIANCE
+  normals.slopeVariance = vec2(0.0);
+#if CLEARCOAT
+  normals.coatSlopeVariance = vec2(0.0);
+#endif
+#endif
 #if NORMAL_MAP
   mat3 frame = tangentFrame(normals.geometric, vNormalUv, faceDirection);
+#if NORMAL_VARIANCE
+  vec4 varied = texture(normalMap, vNormalUv);
+  normals.slopeVariance = slopeVariance(varied, normalScale);
+  normals.shading = mappedNormal(frame, plainNormalTexel(varied), normalScale);
+#else
   normals.shading = mappedNormal(frame, texture(normalMap, vNormalUv).xyz, normalScale);
+#endif
 #elif ANISOTROPY && CLEARCOAT_NORMAL_MAP
   mat3 frame = tangentFrame(normals.geometric, vClearcoatNormalUv, faceDirection);
 #elif ANISOTROPY
@@ -90,7 +122,13 @@ Normals shadingNormals() {
   normals.coat = normals.geometric;
 #if CLEARCOAT_NORMAL_MAP
   mat3 coatFrame = tangentFrame(normals.geometric, vClearcoatNormalUv, faceDirection);
+#if NORMAL_VARIANCE
+  vec4 variedCoat = texture(clearcoatNormalMap, vClearcoatNormalUv);
+  normals.coatSlopeVariance = slopeVariance(variedCoat, clearcoatNormalScale);
+  normals.coat = mappedNormal(coatFrame, plainNormalTexel(variedCoat), clearcoatNormalScale);
+#else
   normals.coat = mappedNormal(coatFrame, texture(clearcoatNormalMap, vClearcoatNormalUv).xyz, clearcoatNormalScale);
+#endif
 #endif
 #endif
   return normals;

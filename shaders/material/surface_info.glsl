@@ -15,6 +15,9 @@ vec4 baseColorAndAlpha() {
 
 #if !UNLIT
 #include "material/layer_info.glsl"
+#if SHADING_FABRIC
+#include "material/fabric_textures.glsl"
+#endif
 
 SurfaceInfo surfaceInfo(vec3 baseColor) {
   SurfaceInfo s;
@@ -27,6 +30,9 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
 #endif
   Normals normals = shadingNormals();
   float geometric = geometricRoughness(dFdx(normals.geometric), dFdy(normals.geometric));
+#if NORMAL_VARIANCE
+  roughness = roughnessWithSlopes(roughness, normals.slopeVariance);
+#endif
   s.n = normals.shading;
 #if ORTHOGRAPHIC
   s.v = vec3(0.0, 0.0, 1.0);

@@ -5,14 +5,14 @@ namespace telar {
 
 /// One set of parallel yarns of a cloth. Colours are linear Rec.709.
 struct Yarn {
-  float coverage = 0.5f;          ///< share of the surface that shows it, 0..1
-  float roughness = 0.5f;         ///< perceptual, across the yarn
-  float anisotropy = 0.0f;        ///< 0..1, how much rougher along it than across, as KHR_materials_anisotropy has it
-  glm::vec3 specularColor{1.0f};  ///< factor on its normal reflectance
+  float coverage = 0.5f;          ///< share of the surface that shows it, seen from far, 0..1
+  float roughness = 0.5f;         ///< perceptual, along the yarn: how straight its fibres lie
+  float anisotropy = 0.0f;        ///< 0..1, how much rougher across it: alpha = mix(roughness^2, 1, anisotropy^2)
+  glm::vec3 specularColor{1.0f};  ///< factor on its normal reflectance, 0..1
 };
 
-/// What cloth has beyond glTF's layers: KHR_materials_diffuse_transmission and TELAR_materials_fabric. Factors are
-/// linear Rec.709; the defaults change nothing.
+/// What cloth has beyond glTF's layers: KHR_materials_diffuse_transmission and TELAR_materials_fabric
+/// (js/docs/fabric.md). Factors are linear Rec.709; the defaults change nothing.
 struct FabricLayers {
   float diffuseTransmissionFactor = 0.0f;  ///< share of the diffuse light that goes through to the other side
   TextureRef diffuseTransmissionTexture;   ///< linear: A
@@ -20,15 +20,19 @@ struct FabricLayers {
   TextureRef diffuseTransmissionColorTexture;  ///< sRGB
   float flatness = 0.0f;                       ///< 0..1, from Lambert's diffuse to that of a thin scattering sheet
 
-  bool weave = false;            ///< the yarns below are given; coverages sum to at most 1
-  Yarn warp, weft;               ///< warp runs along v, weft along u of `weaveTexture`'s UV set
-  glm::vec2 threadsPerUv{0.0f};  ///< yarns that one unit of u crosses (warp) and of v (weft); 0 = not known
-  TextureRef weaveTexture;       ///< linear: RG in-plane direction of the yarn, B its tilt, A 0 weft .. 1 warp
+  bool weave = false;  ///< the yarns below are given; coverages sum to at most 1
+  Yarn warp, weft;     ///< warp runs along Y of the tangent space (v upwards), weft along X (u)
+  /// Yarns that one unit of u crosses (warp) and of v (weft), in the coordinates of weaveTexture after its transform;
+  /// 0 = not known.
+  glm::vec2 threadsPerUv{0.0f};
+  /// linear: RG = (cos, sin) / 2 + 1/2 of the angle by which the yarn is turned counter-clockwise out of its own axis,
+  /// B = sin / 2 + 1/2 of how steeply it rises along it, A = 0 weft .. 1 warp on top.
+  TextureRef weaveTexture;
 
-  bool back = false;                 ///< the back side looks different
-  glm::vec3 backColorFactor{1.0f};   ///< base colour of the back
+  bool back = false;                 ///< the back side looks different: these in place of the front's
+  glm::vec3 backColorFactor{1.0f};   ///< base colour
   TextureRef backColorTexture;       ///< sRGB
-  float backRoughnessFactor = 1.0f;  ///< perceptual
+  float backRoughnessFactor = 1.0f;  ///< perceptual, without the front's texture
 };
 
 }  // namespace telar

@@ -82,6 +82,7 @@ struct Material {
   bool physical = false;  ///< an extension of `layers` is there: three.js shades with MeshPhysicalMaterial
   PhysicalLayers layers;
   FabricLayers fabric;  ///< read by the shading "fabric" only
+  int withPreset = -1;  ///< index into Scene::materials of this material with its preset: the shading "fabric" takes it
 };
 
 /// Axis-aligned box in metres, in double; empty when min > max.
@@ -174,6 +175,7 @@ struct Scene {
   std::uint64_t vertexCount = 0, triangleCount = 0, drawCount = 0;  ///< over all draws
   std::uint64_t fileBytes = 0;
   std::size_t fileWarnings = 0;          ///< so many of `warnings` are the file's; those of the pose follow
+  std::size_t fileMaterials = 0;         ///< so many of `materials` are the file's; those with presets follow
   std::size_t fileMeshes = 0;            ///< so many of `meshes` are the file's; deformed ones follow
   std::shared_ptr<const Motion> motion;  ///< null = nothing moves
   std::shared_ptr<const Scene> model;  ///< of a pose: the scene as loaded, which owns the images and the file's meshes

@@ -216,7 +216,7 @@ TEST_F(PhysicalLayersTest, SupportedExtensionsMayBeRequiredAndDoNotWarn) {
   model.doc["extensionsUsed"] = model.doc["extensionsRequired"] = names;
   read("{}");
   EXPECT_TRUE(scene->warnings.empty());
-  model.doc["extensionsRequired"].push_back("KHR_materials_diffuse_transmission");
+  model.doc["extensionsRequired"].push_back("ACME_glitter");
   EXPECT_EQ(errorOf(model), "E_EXT_REQUIRED at /extensionsRequired/10");
 }
 

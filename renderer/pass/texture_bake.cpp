@@ -1,0 +1,125 @@
+#include "pass/texture_bake.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "shader/library.h"
+
+namespace telar::pass {
+namespace {
+
+constexpr GLenum FRAMEBUFFER_SRGB = 0x8DB9;  // desktop GL only: OpenGL ES always encodes for sRGB targets
+
+int sideAt(int side, int level) { return std::max(1, side >> level); }
+
+gl::Texture emptyTexture(const gl::Functions& gl, GLenum format, int levels, int width, int height) {
+  gl::Texture texture(gl);
+  gl.BindTexture(GL_TEXTURE_2D, texture.get());
+  gl.TexStorage2D(GL_TEXTURE_2D, levels, format, width, height);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+  return texture;
+}
+
+/// State of the passes that fill textures, while it lives.
+class Drawing {
+ public:
+  explicit Drawing(const gl::Context& context)
+      : context_(context), framebuffer_(context.gl()), noVertices_(context.gl()) {
+    const gl::Functions& gl = context_.gl();
+    for (const GLenum capability : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST}) gl.Disable(capability);
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl.BindVertexArray(noVertices_.get());
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindSampler(0, 0);
+    if (context_.capabilities().desktop) gl.Enable(FRAMEBUFFER_SRGB);
+  }
+  ~Drawing() {
+    const gl::Functions& gl = context_.gl();
+    if (context_.capabilities().desktop) gl.Disable(FRAMEBUFFER_SRGB);
+    gl.BindVertexArray(0);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  }
+  Drawing(const Drawing&) = delete;
+  Drawing& operator=(const Drawing&) = delete;
+
+  void draw(GLuint source, const gl::Texture& target, int level, const glm::ivec2& size) const {
+    const gl::Functions& gl = context_.gl();
+    gl.BindTexture(GL_TEXTURE_2D, source);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.get(), level);
+    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+      throw Error("X_GL", "this GL driver does not render to the textures of the shading \"fabric\"");
+    }
+    gl.Viewport(0, 0, size.x, size.y);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.Finish();  // in pieces, so that a cancelled job stops soon
+  }
+
+ private:
+  const gl::Context& context_;
+  gl::Framebuffer framebuffer_;
+  gl::VertexArray noVertices_;
+};
+
+}  // namespace
+
+struct TextureBaker::Kind {
+  const char* moments;  ///< shader that averages from one level to the next
+  const char* level;    ///< shader that makes a level's texels of them
+  GLenum format;
+};
+
+const gl::Program& TextureBaker::program(const char* file, bool fromImage) {
+  const auto key = std::make_pair(std::string(file), fromImage);
+  const auto found = programs_.find(key);
+  if (found != programs_.end()) return found->second;
+  gl::Program made(context_, file, shader::assemble("texture/level.vert", {}),
+                   shader::assemble(file, {{"FROM_IMAGE", fromImage ? 1 : 0}}));
+  return programs_.emplace(key, std::move(made)).first->second;
+}
+
+gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int height, float cutoff,
+                               const CancelToken& cancel) {
+  const gl::Functions& gl = context_.gl();
+  const auto levels = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
+  // Sums of squares need the precision: a variance is a small difference of them.
+  const GLenum momentFormat = context_.capabilities().colorBufferFloat ? GL_RGBA32F : GL_RGBA16F;
+  gl::Texture out = emptyTexture(gl, kind.format, levels, width, height);
+  const Drawing drawing(context_);
+  gl::Texture larger;  // moments of the level before
+  for (int level = 0; level < levels; ++level) {
+    cancel.check();
+    const glm::ivec2 size(sideAt(width, level), sideAt(height, level));
+    if (level > 0) {
+      gl::Texture moments = emptyTexture(gl, momentFormat, 1, size.x, size.y);
+      const gl::Program& average = program(kind.moments, level == 1);
+      average.use();
+      average.set("sourceMap", 0);
+      average.set("sourceSize", glm::vec2(sideAt(width, level - 1), sideAt(height, level - 1)));
+      average.set("targetSize", glm::vec2(size));
+      average.set("cutoff", cutoff);
+      drawing.draw(level == 1 ? source : larger.get(), moments, 0, size);
+      larger = std::move(moments);
+    }
+    const gl::Program& write = program(kind.level, level == 0);
+    write.use();
+    write.set("sourceMap", 0);
+    drawing.draw(level == 0 ? source : larger.get(), out, level, size);
+  }
+  context_.check("texture bake");
+  return out;
+}
+
+gl::Texture TextureBaker::normalVariance(GLuint source, int width, int height, const CancelToken& cancel) {
+  return bake({"texture/slope_moments.frag", "texture/slope_level.frag", GL_RGBA8}, source, width, height, 0, cancel);
+}
+
+gl::Texture TextureBaker::coverage(GLuint source, bool srgb, int width, int height, float cutoff,
+                                   const CancelToken& cancel) {
+  return bake({"texture/coverage_moments.frag", "texture/coverage_level.frag",
+               srgb ? GLenum{GL_SRGB8_ALPHA8} : GLenum{GL_RGBA8}},
+              source, width, height, cutoff, cancel);
+}
+
+}  // namespace telar::pass
