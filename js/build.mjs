@@ -34,7 +34,7 @@ function configureStamp(headers) {
     }
   };
   for (const file of ['CMakeLists.txt', 'CMakePresets.json']) hash.update(readFileSync(path.join(ROOT, file)));
-  for (const folder of ['addon', 'renderer', 'shaders', 'test/cpp']) if (existsSync(path.join(ROOT, folder))) visit(folder);
+  for (const folder of ['addon', 'renderer', 'shaders', 'test/cpp', 'test/numerics']) if (existsSync(path.join(ROOT, folder))) visit(folder);
   return hash.digest('hex');
 }
 

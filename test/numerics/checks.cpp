@@ -1,0 +1,26 @@
+#include "checks.h"
+
+namespace telar::numerics {
+
+std::vector<Check> allChecks() {
+  std::vector<Check> list;
+  const auto ofEach = [&list](const char* topic, const char* name, auto run) {
+    for (const ShadingPromise& shading : shadingPromises()) {
+      list.push_back(
+          {topic, std::string(name) + " " + shading.name, [=, &shading](Scale scale) { return run(shading, scale); }});
+    }
+  };
+  ofEach("Every point", "grid", checkGrid);
+  ofEach("Every point", "random", checkRandom);
+  ofEach("GPU against double", "gpu", checkGpu);
+  ofEach("Reciprocity", "reciprocity", checkReciprocity);
+  ofEach("White furnace", "furnace-direct", checkFurnaceDirect);
+  ofEach("White furnace", "furnace-environment", checkFurnaceEnvironment);
+  ofEach("Smoothness", "monotone", checkMonotone);
+  ofEach("Smoothness", "gradients", checkGradients);
+  list.push_back({"Normalisation", "distributions", checkDistributions});
+  list.push_back({"Normalisation", "pdfs", checkPdfs});
+  return list;
+}
+
+}  // namespace telar::numerics

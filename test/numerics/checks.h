@@ -1,0 +1,20 @@
+#pragma once
+#include "check.h"
+#include "shadings.h"
+
+/// Each check of one shading, and those of no shading.
+namespace telar::numerics {
+
+std::vector<Figure> checkGrid(const ShadingPromise& shading, Scale scale);
+std::vector<Figure> checkRandom(const ShadingPromise& shading, Scale scale);
+/// The shader on the GPU against the double-precision text.
+std::vector<Figure> checkGpu(const ShadingPromise& shading, Scale scale);
+std::vector<Figure> checkReciprocity(const ShadingPromise& shading, Scale scale);
+std::vector<Figure> checkFurnaceDirect(const ShadingPromise& shading, Scale scale);
+std::vector<Figure> checkFurnaceEnvironment(const ShadingPromise& shading, Scale scale);
+std::vector<Figure> checkMonotone(const ShadingPromise& shading, Scale scale);
+std::vector<Figure> checkGradients(const ShadingPromise& shading, Scale scale);
+std::vector<Figure> checkDistributions(Scale scale);
+std::vector<Figure> checkPdfs(Scale scale);
+
+}  // namespace telar::numerics

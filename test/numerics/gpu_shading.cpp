@@ -1,0 +1,149 @@
+// The text of a shading as the fragment shader has it, run on the GPU into float targets, against double precision.
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "brdf/gpu_probe.h"
+#include "checks.h"
+#include "evaluate.h"
+#include "precision.h"
+#include "shader/variant_key.h"
+#include "surface_point.h"
+#include "worst.h"
+
+namespace telar::numerics {
+namespace {
+
+/// Lines of surface.frag that bring in the shading text, with what they include in their place.
+std::string shadingText() {
+  std::istringstream in(shader::embeddedFiles().at("surface.frag"));
+  constexpr std::string_view INCLUDE = "#include \"";
+  std::string text;
+  for (std::string line; std::getline(in, line) && line != "out vec4 fragmentColor;";) {
+    if (line.rfind(INCLUDE, 0) != 0) {
+      if (line.rfind("#", 0) == 0) text += line + "\n";
+      continue;
+    }
+    const std::string file = line.substr(INCLUDE.size(), line.rfind('"') - INCLUDE.size());
+    const bool pure = file.rfind("brdf/", 0) == 0 || file.rfind("shading/", 0) == 0 ||
+                      file == "material/surface_types.glsl" || file == "light/reflected.glsl";
+    if (pure) text += shader::embeddedFiles().at(file);
+  }
+  return text;
+}
+
+/// One program: what it has compiled in, and which points it may shade.
+struct Variant {
+  const char* name;
+  bool sheen, coat, stretched, film, roughDiffuse;
+};
+
+constexpr Variant VARIANTS[] = {
+    {"base", false, false, false, false, false},
+    {"sheen", true, false, false, false, false},
+    {"every layer", true, true, true, true, true},
+};
+
+std::string definesOf(const Variant& variant, ShadingModel model) {
+  shader::VariantKey key;
+  key.shading = model;
+  key.sheen = variant.sheen;
+  key.clearcoat = variant.coat;
+  key.anisotropy = variant.stretched;
+  key.iridescence = variant.film;
+  key.diffuseRoughness = variant.roughDiffuse;
+  std::string text;
+  for (const auto& [name, value] : key.defines()) text += "#define " + name + " " + std::to_string(value) + "\n";
+  return text;
+}
+
+/// A point of the grid without what the program lacks.
+SurfacePoint pointFor(const Variant& variant, std::uint64_t index) {
+  SurfacePoint p = gridPoint(index);
+  if (!variant.sheen) p.info.sheenColor = glm::vec3(0);
+  if (!variant.coat) p.info.clearcoat = 0;
+  if (!variant.stretched) p.info.anisotropyStrength = 0, p.info.alphaT = p.info.alpha;
+  if (!variant.film) p.info.iridescence = 0;
+  if (!variant.roughDiffuse) p.info.diffuseRoughness = 0;
+  return p;
+}
+
+constexpr std::size_t roundedUp(std::size_t count) { return (count + 3) / 4 * 4; }
+
+struct Sample {
+  std::uint64_t point;
+  SurfacePoint surface;
+};
+
+struct Errors {
+  std::array<Worst, 3> byWidth;
+  std::uint64_t notFinite = 0, notFiniteAt = 0, count = 0;
+};
+
+void compare(const ShadingPromise& shading, const std::vector<Sample>& samples, const std::vector<float>& result,
+             Errors& errors) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const SurfacePoint& p = samples[i].surface;
+    const glm::dvec3 expected = Shaded<double>(shading.model, inDouble(p.info)).direct(glm::dvec3(p.l));
+    const glm::vec3 actual(result[i * 4], result[i * 4 + 1], result[i * 4 + 2]);
+    ++errors.count;
+    if (!isFinite(actual) || least(actual) < 0) {
+      ++errors.notFinite;
+      errors.notFiniteAt = samples[i].point;
+      continue;
+    }
+    const double error =
+        shading.conserves ? relativeError(actual, expected) : directError(shading, p, actual, expected);
+    errors.byWidth[static_cast<std::size_t>(widthOf(shading, p))].see(error, samples[i].point);
+  }
+}
+
+Errors measure(test::GpuProbe& probe, const Variant& variant, const ShadingPromise& shading, std::uint64_t batches) {
+  const std::size_t columns = roundedUp(numberCount() + 3), light = numberCount();
+  const std::string l = "vec3(p[" + std::to_string(light) + "], p[" + std::to_string(light + 1) + "], p[" +
+                        std::to_string(light + 2) + "])";
+  const gl::Program program = probe.compile(
+      definesOf(variant, shading.model) + shadingText(),
+      "composedRadiance(s, lit.diffuse, lit, nothingReflected(), vec3(0.0))",
+      "SurfaceInfo s;\n" + glslReader(0) +
+          "s = preparedSurface(s);\nReflected lit = addPunctual(nothingReflected(), s, " + l + ", vec3(1.0));");
+  const std::uint64_t wanted = batches * test::GpuProbe::ROWS;
+  Errors errors;
+  for (std::uint64_t first = 0; first < wanted; first += test::GpuProbe::ROWS) {
+    std::vector<float> rows(test::GpuProbe::ROWS * columns, 0.0f);
+    std::vector<Sample> samples;
+    for (std::uint64_t i = 0; i < test::GpuProbe::ROWS; ++i) {
+      const std::uint64_t index = (first + i) * (gridSize() / wanted + 1) % gridSize();
+      samples.push_back({index, pointFor(variant, index)});
+      std::vector<float> numbers = numbersOf(samples.back().surface.info);
+      for (int axis = 0; axis < 3; ++axis) numbers.push_back(samples.back().surface.l[axis]);
+      std::copy(numbers.begin(), numbers.end(), rows.begin() + static_cast<std::ptrdiff_t>(i * columns));
+    }
+    compare(shading, samples, probe.run(program, rows), errors);
+  }
+  return errors;
+}
+
+}  // namespace
+
+std::vector<Figure> checkGpu(const ShadingPromise& shading, Scale scale) {
+  test::GpuProbe probe(Backend::kEglSurfaceless, roundedUp(numberCount() + 3));
+  std::vector<Figure> out;
+  for (const Variant& variant : VARIANTS) {
+    const Errors errors = measure(probe, variant, shading, countOf(scale, 2, 250));
+    const auto add = [&](const std::string& what, double measured, double bar, std::uint64_t point) {
+      out.push_back(
+          {what + ", " + variant.name, shading.name, measured, bar, -NO_BAR, errors.count,
+           measured > 0 ? "grid point " + std::to_string(point) + ": " + describe(pointFor(variant, point)) : ""});
+    };
+    add("points not finite or negative", static_cast<double>(errors.notFinite), 0, errors.notFiniteAt);
+    for (const Width width : {Width::kSmooth, Width::kRough, Width::kThinFuzz}) {
+      const Worst& worst = errors.byWidth[static_cast<std::size_t>(width)];
+      if (width == Width::kThinFuzz && (shading.conserves || !variant.sheen)) continue;
+      add(std::string("relative error, ") + nameOf(width), worst.value, errorBar(shading, width), worst.point);
+    }
+  }
+  return out;
+}
+
+}  // namespace telar::numerics

@@ -1,0 +1,162 @@
+// Reciprocity, peaks, slopes.
+#include <algorithm>
+#include <vector>
+
+#include "checks.h"
+#include "evaluate.h"
+#include "surface_point.h"
+#include "worst.h"
+
+namespace telar::numerics {
+namespace {
+
+constexpr double PI = 3.14159265358979;
+
+Directions randomDirections(Seeded& r, double least) {
+  const auto cosine = [&] { return r.edged(least, 1, {least, 0.1, 1}); };
+  const double NoV = cosine(), NoL = cosine();
+  return {NoV, NoL, r.edged(-PI, PI, {0, 1e-3, PI}), r.between(-PI, PI)};
+}
+
+/// Without what looks at the viewer by its definition: a film's colour.
+SurfacePoint exchangeable(std::uint64_t seed, bool exchanged) {
+  Seeded r(seed);
+  Layers layers = Layers::random(r);
+  layers.iridescence = layers.transmission = false;
+  const Material material = randomMaterial(r, layers);
+  const Directions d = randomDirections(r, 0.01);
+  return pointOn(material, exchanged ? d.exchanged() : d);
+}
+
+double unequal(const glm::dvec3& a, const glm::dvec3& b) {
+  double worst = 0;
+  for (int c = 0; c < 3; ++c)
+    worst = std::max(worst, std::abs(a[c] - b[c]) / std::max({std::abs(a[c]), std::abs(b[c]), 1e-6}));
+  return worst;
+}
+
+}  // namespace
+
+std::vector<Figure> checkReciprocity(const ShadingPromise& shading, Scale scale) {
+  constexpr double BAR = 1e-4;
+  const std::uint64_t count = countOf(scale, 20'000, 1'000'000);
+  struct Lobes {
+    Worst diffuse, specular, sheen, coat;
+  };
+  std::vector<Lobes> parts(partCount());
+  inParallel(count, [&](std::uint64_t from, std::uint64_t to, unsigned part) {
+    for (std::uint64_t i = from; i < to; ++i) {
+      const SurfacePoint a = exchangeable(i, false), b = exchangeable(i, true);
+      const auto forward = Shaded<double>(shading.model, inDouble(a.info)).lobes(glm::dvec3(a.l));
+      const auto back = Shaded<double>(shading.model, inDouble(b.info)).lobes(glm::dvec3(b.l));
+      const double NoL = a.l.z, NoLBack = b.l.z;  // the normal is +z
+      parts[part].diffuse.see(unequal(forward.diffuse / NoL, back.diffuse / NoLBack), i);
+      parts[part].specular.see(unequal(forward.specular / NoL, back.specular / NoLBack), i);
+      parts[part].sheen.see(unequal(forward.sheen / NoL, back.sheen / NoLBack), i);
+      parts[part].coat.see(unequal(forward.coat / NoL, back.coat / NoLBack), i);
+    }
+  });
+  std::vector<Figure> out;
+  const auto add = [&](const char* lobe, Worst Lobes::*member, bool promised) {
+    Worst worst;
+    for (const Lobes& part : parts) worst.see(part.*member);
+    out.push_back({std::string("relative difference with viewer and light exchanged, ") + lobe, shading.name,
+                   worst.value, promised ? BAR : NO_BAR, -NO_BAR, count,
+                   "seed " + std::to_string(worst.point) + ": " + describe(exchangeable(worst.point, false))});
+  };
+  add("diffuse", &Lobes::diffuse, shading.reciprocal.diffuse);
+  add("specular", &Lobes::specular, shading.reciprocal.specular);
+  add("sheen", &Lobes::sheen, shading.reciprocal.sheen);
+  add("coat", &Lobes::coat, shading.reciprocal.coat);
+  return out;
+}
+
+namespace {
+
+/// Largest radiance of the GGX lobe over the plane of incidence, where its peak lies.
+double peak(ShadingModel model, const Material& material, double NoV) {
+  const SurfacePoint p = pointOn(material, {NoV});
+  const Shaded<double> shaded(model, inDouble(p.info));
+  const double towards = std::acos(NoV), alpha = shaded.info().alpha;
+  double most = 0;
+  for (int i = -400; i <= 400; ++i) {
+    // Dense about the mirror direction: angles of up to a quarter turn, as the lobe is wide.
+    const double t = i / 400.0, angle = towards + std::copysign(std::min(PI, 8 * alpha + 0.05) * t * t, t);
+    if (std::abs(angle) >= PI / 2) continue;
+    const SurfacePoint lit = pointOn(material, {NoV, std::cos(angle), angle >= 0 ? PI : 0});
+    most = std::max(most, shaded.lobes(glm::dvec3(lit.l)).specular.y);
+  }
+  return most;
+}
+
+}  // namespace
+
+std::vector<Figure> checkMonotone(const ShadingPromise& shading, Scale scale) {
+  const double step = scale == Scale::kFull ? 0.01 : 0.05;
+  Worst rise;
+  std::string where;
+  std::uint64_t count = 0;
+  for (const float metallic : {0.0f, 1.0f}) {
+    for (const double NoV : {0.1, 0.3, 0.6, 1.0}) {
+      double before = -1;
+      for (double roughness = 0.045; roughness < 1 + 1e-9; roughness += step) {
+        Material m;
+        m.metallicFactor = metallic;
+        m.roughnessFactor = static_cast<float>(roughness);
+        const double now = peak(shading.model, m, NoV), worst = rise.value;
+        if (before >= 0) rise.see(std::max(0.0, now / before - 1), ++count);
+        if (rise.value != worst) where = "NoV " + std::to_string(NoV) + ", " + describe(m);
+        before = now;
+      }
+    }
+  }
+  // The plane of incidence is sampled: a thousandth is its resolution.
+  return {{"rise of the peak with roughness, relative", shading.name, rise.value, shading.conserves ? 1e-3 : NO_BAR,
+           -NO_BAR, count, where}};
+}
+
+namespace {
+
+/// A material and directions, moved a little.
+SurfacePoint moved(std::uint64_t seed, double roughnessStep, double cosineStep) {
+  Seeded r(seed);
+  Material m = randomMaterial(r, Layers::random(r));
+  Directions d = randomDirections(r, 0.1);
+  // Above 0.0525 + the step, so that no floor hides the slope.
+  m.roughnessFactor = static_cast<float>(0.089 + (0.998 - 0.089) * m.roughnessFactor + roughnessStep);
+  m.layers.clearcoatRoughnessFactor = std::max(m.layers.clearcoatRoughnessFactor, 0.089f);
+  m.fabric.warp.roughness = std::max(m.fabric.warp.roughness, 0.089f);
+  m.fabric.weft.roughness = std::max(m.fabric.weft.roughness, 0.089f);
+  d.NoV = 0.101 + 0.898 * (d.NoV - 0.1) / 0.9 + cosineStep;
+  return pointOn(m, d);
+}
+
+}  // namespace
+
+std::vector<Figure> checkGradients(const ShadingPromise& shading, Scale scale) {
+  constexpr double STEP = 1e-3, BAR = 1e7;
+  const std::uint64_t count = countOf(scale, 20'000, 1'000'000);
+  std::vector<std::array<Worst, 2>> parts(partCount());
+  inParallel(count, [&](std::uint64_t from, std::uint64_t to, unsigned part) {
+    const auto at = [&](std::uint64_t seed, double roughness, double cosine) {
+      const SurfacePoint p = moved(seed, roughness, cosine);
+      return Shaded<double>(shading.model, inDouble(p.info)).direct(glm::dvec3(p.l));
+    };
+    for (std::uint64_t i = from; i < to; ++i) {
+      const glm::dvec3 byRoughness = (at(i, STEP, 0) - at(i, -STEP, 0)) / (2 * STEP);
+      const glm::dvec3 byCosine = (at(i, 0, STEP) - at(i, 0, -STEP)) / (2 * STEP);
+      parts[part][0].see(std::max({std::abs(byRoughness.x), std::abs(byRoughness.y), std::abs(byRoughness.z)}), i);
+      parts[part][1].see(std::max({std::abs(byCosine.x), std::abs(byCosine.y), std::abs(byCosine.z)}), i);
+    }
+  });
+  std::vector<Figure> out;
+  for (int k = 0; k < 2; ++k) {
+    Worst worst;
+    for (const auto& part : parts) worst.see(part[static_cast<std::size_t>(k)]);
+    out.push_back({std::string("slope of the radiance by ") + (k ? "NoV" : "roughness"), shading.name, worst.value, BAR,
+                   -NO_BAR, count, "seed " + std::to_string(worst.point) + ": " + describe(moved(worst.point, 0, 0))});
+  }
+  return out;
+}
+
+}  // namespace telar::numerics

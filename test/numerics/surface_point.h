@@ -1,0 +1,48 @@
+#pragma once
+#include "brdf/shading.h"
+#include "materials.h"
+
+namespace telar::numerics {
+
+/// One evaluation of a shading: a surface as the renderer would read it, and the light of one direction.
+struct SurfacePoint {
+  Material material;
+  brdf_f::SurfaceInfo info;  ///< in single precision: its numbers are exact for both sides
+  glm::vec3 l{0, 0, 1};
+};
+
+/// The directions of a point about its normal.
+struct Directions {
+  double NoV = 1, NoL = 1;
+  double phi = 0;     ///< azimuth of l against v, radians
+  double turn = 0.7;  ///< azimuth of v against the tangent
+
+  Directions exchanged() const { return {NoL, NoV, -phi, turn + phi}; }
+};
+
+/// A plane facing +Z, seen and lit so.
+SurfacePoint pointOn(const Material& material, const Directions& directions);
+
+/// Any material with any layers, any directions and orientation; forced edge values among them; now and then a normal
+/// map that turns the normal from the viewer.
+SurfacePoint randomPoint(std::uint64_t seed);
+
+/// The grid: every combination of edge values of roughness, directions, reflectance, sheen, metalness, coat and
+/// stretch.
+std::uint64_t gridSize();
+SurfacePoint gridPoint(std::uint64_t index);
+
+/// What a message says of a point.
+std::string describe(const SurfacePoint& point);
+
+/// The same surface, its numbers widened.
+brdf_d::SurfaceInfo inDouble(const brdf_f::SurfaceInfo& info);
+
+/// The members of SurfaceInfo in order, as numbers.
+std::vector<float> numbersOf(const brdf_f::SurfaceInfo& info);
+std::size_t numberCount();
+
+/// GLSL statements that fill `SurfaceInfo s` from `float p[]`, numbersOf() from p[first] on.
+std::string glslReader(std::size_t first);
+
+}  // namespace telar::numerics
