@@ -2,11 +2,12 @@
 // alphaT, alphaB  (0, 1]  along tangent and bitangent
 // ToV BoV ToL BoL ToH BoH  [-1, 1], signed cosines with tangent and bitangent
 
+// The floor is never reached where the axes are square with n. On a normal map they lean, and h may be square with all.
 // src: Burley 2012, "Physically-Based Shading at Disney", appendix B, eq. 13, in the form of three r187
 float D_GGXAnisotropic(float alphaT, float alphaB, float NoH, float ToH, float BoH) {
   float a2 = alphaT * alphaB;
   vec3 v = vec3(alphaB * ToH, alphaT * BoH, a2 * NoH);
-  float w2 = a2 / dot(v, v);
+  float w2 = a2 / max(dot(v, v), pow2(a2) * 1.0e-4);
   return RECIPROCAL_PI * a2 * pow2(w2);
 }
 

@@ -61,7 +61,7 @@ std::vector<Sheet> sheets(Scale scale) {
 
 /// Of direct light from everywhere, radiance 1: the quadrature knows the lobes of every shading.
 double directAlbedo(ShadingModel model, const Sheet& sheet, double NoV, int points) {
-  const SurfacePoint p = pointOn(sheet.material, {NoV});
+  const SurfacePoint p = pointOn(model, sheet.material, {NoV});
   const Shaded<double> shaded(model, inDouble(p.info));
   const auto& s = shaded.info();
   std::vector<Lobe> lobes{{glm::dmat3(s.t, s.b, s.n), {std::max(s.alphaT, s.alpha), s.alpha}}};
@@ -123,7 +123,7 @@ std::vector<Figure> checkFurnaceDirect(const ShadingPromise& shading, Scale scal
 
 std::vector<Figure> checkFurnaceEnvironment(const ShadingPromise& shading, Scale scale) {
   return extremes(shading, sheets(scale), "environment", [&](const Sheet& sheet, double NoV) {
-    return Shaded<double>(shading.model, inDouble(pointOn(sheet.material, {NoV}).info)).environment().y;
+    return Shaded<double>(shading.model, inDouble(pointOn(shading.model, sheet.material, {NoV}).info)).environment().y;
   });
 }
 

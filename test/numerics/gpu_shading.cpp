@@ -47,6 +47,7 @@ constexpr Variant VARIANTS[] = {
 std::string definesOf(const Variant& variant, ShadingModel model) {
   shader::VariantKey key;
   key.shading = model;
+  key.terms = termsOf(model);
   key.sheen = variant.sheen;
   key.clearcoat = variant.coat;
   key.anisotropy = variant.stretched;
@@ -58,8 +59,8 @@ std::string definesOf(const Variant& variant, ShadingModel model) {
 }
 
 /// A point of the grid without what the program lacks.
-SurfacePoint pointFor(const Variant& variant, std::uint64_t index) {
-  SurfacePoint p = gridPoint(index);
+SurfacePoint pointFor(ShadingModel model, const Variant& variant, std::uint64_t index) {
+  SurfacePoint p = gridPoint(model, index);
   if (!variant.sheen) p.info.sheenColor = glm::vec3(0);
   if (!variant.coat) p.info.clearcoat = 0;
   if (!variant.stretched) p.info.anisotropyStrength = 0, p.info.alphaT = p.info.alpha;
@@ -92,8 +93,7 @@ void compare(const ShadingPromise& shading, const std::vector<Sample>& samples, 
       errors.notFiniteAt = samples[i].point;
       continue;
     }
-    const double error =
-        shading.conserves ? relativeError(actual, expected) : directError(shading, p, actual, expected);
+    const double error = shading.robust ? relativeError(actual, expected) : directError(shading, p, actual, expected);
     errors.byWidth[static_cast<std::size_t>(widthOf(shading, p))].see(error, samples[i].point);
   }
 }
@@ -114,7 +114,7 @@ Errors measure(test::GpuProbe& probe, const Variant& variant, const ShadingPromi
     std::vector<Sample> samples;
     for (std::uint64_t i = 0; i < test::GpuProbe::ROWS; ++i) {
       const std::uint64_t index = (first + i) * (gridSize() / wanted + 1) % gridSize();
-      samples.push_back({index, pointFor(variant, index)});
+      samples.push_back({index, pointFor(shading.model, variant, index)});
       std::vector<float> numbers = numbersOf(samples.back().surface.info);
       for (int axis = 0; axis < 3; ++axis) numbers.push_back(samples.back().surface.l[axis]);
       std::copy(numbers.begin(), numbers.end(), rows.begin() + static_cast<std::ptrdiff_t>(i * columns));
@@ -132,14 +132,15 @@ std::vector<Figure> checkGpu(const ShadingPromise& shading, Scale scale) {
   for (const Variant& variant : VARIANTS) {
     const Errors errors = measure(probe, variant, shading, countOf(scale, 2, 250));
     const auto add = [&](const std::string& what, double measured, double bar, std::uint64_t point) {
-      out.push_back(
-          {what + ", " + variant.name, shading.name, measured, bar, -NO_BAR, errors.count,
-           measured > 0 ? "grid point " + std::to_string(point) + ": " + describe(pointFor(variant, point)) : ""});
+      out.push_back({what + ", " + variant.name, shading.name, measured, bar, -NO_BAR, errors.count,
+                     measured > 0 ? "grid point " + std::to_string(point) + ": " +
+                                        describe(pointFor(shading.model, variant, point))
+                                  : ""});
     };
     add("points not finite or negative", static_cast<double>(errors.notFinite), 0, errors.notFiniteAt);
     for (const Width width : {Width::kSmooth, Width::kRough, Width::kThinFuzz}) {
       const Worst& worst = errors.byWidth[static_cast<std::size_t>(width)];
-      if (width == Width::kThinFuzz && (shading.conserves || !variant.sheen)) continue;
+      if (width == Width::kThinFuzz && (shading.robust || !variant.sheen)) continue;
       add(std::string("relative error, ") + nameOf(width), worst.value, errorBar(shading, width), worst.point);
     }
   }

@@ -19,13 +19,12 @@ Directions randomDirections(Seeded& r, double least) {
 }
 
 /// Without what looks at the viewer by its definition: a film's colour.
-SurfacePoint exchangeable(std::uint64_t seed, bool exchanged) {
+SurfacePoint exchangeable(ShadingModel model, std::uint64_t seed) {
   Seeded r(seed);
   Layers layers = Layers::random(r);
   layers.iridescence = layers.transmission = false;
   const Material material = randomMaterial(r, layers);
-  const Directions d = randomDirections(r, 0.01);
-  return pointOn(material, exchanged ? d.exchanged() : d);
+  return pointOn(model, material, randomDirections(r, 0.01));
 }
 
 double unequal(const glm::dvec3& a, const glm::dvec3& b) {
@@ -46,7 +45,7 @@ std::vector<Figure> checkReciprocity(const ShadingPromise& shading, Scale scale)
   std::vector<Lobes> parts(partCount());
   inParallel(count, [&](std::uint64_t from, std::uint64_t to, unsigned part) {
     for (std::uint64_t i = from; i < to; ++i) {
-      const SurfacePoint a = exchangeable(i, false), b = exchangeable(i, true);
+      const SurfacePoint a = exchangeable(shading.model, i), b = exchanged(a);
       const auto forward = Shaded<double>(shading.model, inDouble(a.info)).lobes(glm::dvec3(a.l));
       const auto back = Shaded<double>(shading.model, inDouble(b.info)).lobes(glm::dvec3(b.l));
       const double NoL = a.l.z, NoLBack = b.l.z;  // the normal is +z
@@ -62,7 +61,7 @@ std::vector<Figure> checkReciprocity(const ShadingPromise& shading, Scale scale)
     for (const Lobes& part : parts) worst.see(part.*member);
     out.push_back({std::string("relative difference with viewer and light exchanged, ") + lobe, shading.name,
                    worst.value, promised ? BAR : NO_BAR, -NO_BAR, count,
-                   "seed " + std::to_string(worst.point) + ": " + describe(exchangeable(worst.point, false))});
+                   "seed " + std::to_string(worst.point) + ": " + describe(exchangeable(shading.model, worst.point))});
   };
   add("diffuse", &Lobes::diffuse, shading.reciprocal.diffuse);
   add("specular", &Lobes::specular, shading.reciprocal.specular);
@@ -75,7 +74,7 @@ namespace {
 
 /// Largest radiance of the GGX lobe over the plane of incidence, where its peak lies.
 double peak(ShadingModel model, const Material& material, double NoV) {
-  const SurfacePoint p = pointOn(material, {NoV});
+  const SurfacePoint p = pointOn(model, material, {NoV});
   const Shaded<double> shaded(model, inDouble(p.info));
   const double towards = std::acos(NoV), alpha = shaded.info().alpha;
   double most = 0;
@@ -83,7 +82,7 @@ double peak(ShadingModel model, const Material& material, double NoV) {
     // Dense about the mirror direction: angles of up to a quarter turn, as the lobe is wide.
     const double t = i / 400.0, angle = towards + std::copysign(std::min(PI, 8 * alpha + 0.05) * t * t, t);
     if (std::abs(angle) >= PI / 2) continue;
-    const SurfacePoint lit = pointOn(material, {NoV, std::cos(angle), angle >= 0 ? PI : 0});
+    const SurfacePoint lit = pointOn(model, material, {NoV, std::cos(angle), angle >= 0 ? PI : 0});
     most = std::max(most, shaded.lobes(glm::dvec3(lit.l)).specular.y);
   }
   return most;
@@ -118,7 +117,7 @@ std::vector<Figure> checkMonotone(const ShadingPromise& shading, Scale scale) {
 namespace {
 
 /// A material and directions, moved a little.
-SurfacePoint moved(std::uint64_t seed, double roughnessStep, double cosineStep) {
+SurfacePoint moved(ShadingModel model, std::uint64_t seed, double roughnessStep, double cosineStep) {
   Seeded r(seed);
   Material m = randomMaterial(r, Layers::random(r));
   Directions d = randomDirections(r, 0.1);
@@ -128,7 +127,7 @@ SurfacePoint moved(std::uint64_t seed, double roughnessStep, double cosineStep) 
   m.fabric.warp.roughness = std::max(m.fabric.warp.roughness, 0.089f);
   m.fabric.weft.roughness = std::max(m.fabric.weft.roughness, 0.089f);
   d.NoV = 0.101 + 0.898 * (d.NoV - 0.1) / 0.9 + cosineStep;
-  return pointOn(m, d);
+  return pointOn(model, m, d);
 }
 
 }  // namespace
@@ -139,7 +138,7 @@ std::vector<Figure> checkGradients(const ShadingPromise& shading, Scale scale) {
   std::vector<std::array<Worst, 2>> parts(partCount());
   inParallel(count, [&](std::uint64_t from, std::uint64_t to, unsigned part) {
     const auto at = [&](std::uint64_t seed, double roughness, double cosine) {
-      const SurfacePoint p = moved(seed, roughness, cosine);
+      const SurfacePoint p = moved(shading.model, seed, roughness, cosine);
       return Shaded<double>(shading.model, inDouble(p.info)).direct(glm::dvec3(p.l));
     };
     for (std::uint64_t i = from; i < to; ++i) {
@@ -154,7 +153,8 @@ std::vector<Figure> checkGradients(const ShadingPromise& shading, Scale scale) {
     Worst worst;
     for (const auto& part : parts) worst.see(part[static_cast<std::size_t>(k)]);
     out.push_back({std::string("slope of the radiance by ") + (k ? "NoV" : "roughness"), shading.name, worst.value, BAR,
-                   -NO_BAR, count, "seed " + std::to_string(worst.point) + ": " + describe(moved(worst.point, 0, 0))});
+                   -NO_BAR, count,
+                   "seed " + std::to_string(worst.point) + ": " + describe(moved(shading.model, worst.point, 0, 0))});
   }
   return out;
 }

@@ -92,7 +92,7 @@ std::vector<Figure> checkPdfs(Scale scale) {
     m.roughnessFactor = std::max(m.roughnessFactor, 0.3f);
     m.layers.clearcoatRoughnessFactor = std::max(m.layers.clearcoatRoughnessFactor, 0.3f);
     for (Yarn* yarn : {&m.fabric.warp, &m.fabric.weft}) yarn->roughness = std::max(yarn->roughness, 0.3f);
-    return pointOn(m, {r.between(0.05, 1)});
+    return pointOn(ShadingModel::kThree, m, {r.between(0.05, 1)});
   };
   inParallel(count, [&](std::uint64_t from, std::uint64_t to, unsigned part) {
     for (std::uint64_t i = from; i < to; ++i) {

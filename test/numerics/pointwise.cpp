@@ -29,6 +29,8 @@ struct Found {
   }
 };
 
+constexpr float ROUNDING = -1e-7f;  // of 1 - F where F is 1: nothing that a picture could show
+
 /// A thin film takes more from one channel than there is, as in its source: such a colour may be negative.
 bool mayBeNegative(const SurfacePoint& p) { return p.info.iridescence > 0; }
 
@@ -45,13 +47,13 @@ void look(const ShadingPromise& shading, const SurfacePoint& point, std::uint64_
     found.notFinite.point = at;
     return;
   }
-  if (!mayBeNegative(point) &&
-      (least(direct) < 0 || least(dome) < 0 || least(environment) < 0 || least(trueDirect) < 0)) {
+  if (!mayBeNegative(point) && (least(direct) < ROUNDING || least(dome) < ROUNDING || least(environment) < ROUNDING ||
+                                least(trueDirect) < ROUNDING)) {
     ++found.below;
     found.negative.point = at;
   }
   const double error =
-      grid && shading.conserves ? relativeError(direct, trueDirect) : directError(shading, point, direct, trueDirect);
+      grid && shading.robust ? relativeError(direct, trueDirect) : directError(shading, point, direct, trueDirect);
   found.direct[static_cast<std::size_t>(widthOf(shading, point))].see(error, at);
   found.dome.see(relativeError(dome, exact.dome()), at);
   found.environment.see(relativeError(environment, exact.environment()), at);
@@ -74,10 +76,10 @@ std::vector<Figure> figuresOf(const ShadingPromise& shading, std::uint64_t count
     out.push_back({what + of, shading.name, measured, bar, -NO_BAR, count, measured > 0 ? where(at) : ""});
   };
   add("points not finite", static_cast<double>(all.bad), 0, all.notFinite.point);
-  add("points negative", static_cast<double>(all.below), 0, all.negative.point);
+  add("points below -1e-7", static_cast<double>(all.below), 0, all.negative.point);
   for (const Width width : {Width::kSmooth, Width::kRough, Width::kThinFuzz}) {
     const Worst& worst = all.direct[static_cast<std::size_t>(width)];
-    if (width == Width::kThinFuzz && shading.conserves) continue;
+    if (width == Width::kThinFuzz && shading.robust) continue;
     add(std::string("single against double, direct light, ") + nameOf(width), worst.value, errorBar(shading, width),
         worst.point);
   }
@@ -90,11 +92,13 @@ std::vector<Figure> figuresOf(const ShadingPromise& shading, std::uint64_t count
 
 std::vector<Figure> checkGrid(const ShadingPromise& shading, Scale scale) {
   const std::uint64_t step = countOf(scale, 37, 1);  // prime: all digits of the grid's numbers change
-  return figuresOf(shading, gridSize() / step, true, [&](std::uint64_t i) { return gridPoint(i * step); });
+  return figuresOf(shading, gridSize() / step, true,
+                   [&](std::uint64_t i) { return gridPoint(shading.model, i * step); });
 }
 
 std::vector<Figure> checkRandom(const ShadingPromise& shading, Scale scale) {
-  return figuresOf(shading, countOf(scale, 100'000, 10'000'000), false, randomPoint);
+  return figuresOf(shading, countOf(scale, 100'000, 10'000'000), false,
+                   [&](std::uint64_t seed) { return randomPoint(shading.model, seed); });
 }
 
 }  // namespace telar::numerics

@@ -61,7 +61,7 @@ double directError(const ShadingPromise& shading, const SurfacePoint& point, con
 
 Width widthOf(const ShadingPromise& shading, const SurfacePoint& p) {
   const bool sheen = p.info.sheenColor != glm::vec3(0);
-  if (sheen && !shading.conserves && p.info.sheenRoughness < THIN_FUZZ) return Width::kThinFuzz;
+  if (sheen && !shading.robust && p.info.sheenRoughness < THIN_FUZZ) return Width::kThinFuzz;
   const bool smooth = p.info.perceptualRoughness < SMOOTH ||
                       (p.info.clearcoat > 0 && p.info.clearcoatRoughness < SMOOTH) ||
                       (sheen && p.info.sheenRoughness < SMOOTH);

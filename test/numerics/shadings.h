@@ -16,7 +16,10 @@ struct ShadingPromise {
   struct {
     bool diffuse, specular, sheen, coat;
   } reciprocal;
-  /// Stock shadings keep what their originals get wrong about energy: measured, not asserted.
+  /// Its terms keep their digits at every roughness: errors are relative to the result, with nothing allowed for the
+  /// rounding of the directions.
+  bool robust;
+  /// Energy is kept. Stock shadings keep what their originals get wrong: measured, not asserted.
   bool conserves;
 };
 

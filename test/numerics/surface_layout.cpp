@@ -11,7 +11,7 @@
 namespace telar::numerics {
 namespace {
 
-/// Numbers that a type is made of; 0 = not one that SurfaceInfo may have.
+/// Numbers that a type of the language is made of; 0 = a struct.
 std::size_t widthOf(const std::string& type) {
   static const std::map<std::string, std::size_t> widths{{"float", 1}, {"int", 1},  {"vec2", 2},
                                                          {"vec3", 3},  {"vec4", 4}, {"mat3", 9}};
@@ -19,21 +19,23 @@ std::size_t widthOf(const std::string& type) {
   return found == widths.end() ? 0 : found->second;
 }
 
-/// The lines of the struct's body.
-std::vector<std::string> declaration() {
-  std::istringstream in(shader::embeddedFiles().at("material/surface_types.glsl"));
-  std::vector<std::string> lines;
-  bool inside = false;
-  for (std::string line; std::getline(in, line);) {
-    if (line.rfind("struct SurfaceInfo", 0) == 0) {
-      inside = true;
-    } else if (inside && line.rfind("};", 0) == 0) {
-      return lines;
-    } else if (inside) {
-      lines.push_back(line);
+/// The lines of a struct's body.
+std::vector<std::string> declarationOf(const std::string& type) {
+  for (const auto& [path, text] : shader::embeddedFiles()) {
+    std::istringstream in(text);
+    std::vector<std::string> lines;
+    bool inside = false;
+    for (std::string line; std::getline(in, line);) {
+      if (line.rfind("struct " + type + " ", 0) == 0) {
+        inside = true;
+      } else if (inside && line.rfind("};", 0) == 0) {
+        return lines;
+      } else if (inside) {
+        lines.push_back(line);
+      }
     }
   }
-  throw std::runtime_error("SurfaceInfo is not where it was");
+  throw std::runtime_error("no shader declares struct " + type);
 }
 
 struct Member {
@@ -45,8 +47,48 @@ Member memberIn(const std::string& line) {
   static const std::regex pattern(R"(^\s*(\w+)\s+(\w+)\s*;)");
   std::smatch match;
   if (!std::regex_search(line, match, pattern)) return {};
-  if (widthOf(match[1]) == 0) throw std::runtime_error("SurfaceInfo has a member of an unknown type: " + line);
   return {match[1], match[2]};
+}
+
+/// The terms of a principled shading, which only C++ chooses at run time.
+std::vector<std::string> termMembers(const std::string& prefix) {
+  std::vector<std::string> lines;
+#define TELAR_TERM_LINE(define, member, ...) lines.push_back("int " + prefix + #member);
+  TELAR_SHADING_SLOTS(TELAR_TERM_LINE)
+#undef TELAR_TERM_LINE
+  return lines;
+}
+
+/// A struct's lines with the members of inner structs in their place, "outer.inner"; preprocessor lines stay.
+std::vector<std::string> flattened(const std::string& type, const std::string& prefix) {
+  std::vector<std::string> lines;
+  for (const std::string& line : declarationOf(type)) {
+    const Member member = memberIn(line);
+    if (line.rfind("#", 0) == 0) {
+      lines.push_back(line);
+    } else if (member.type.empty()) {
+      continue;
+    } else if (widthOf(member.type) > 0) {
+      lines.push_back(member.type + " " + prefix + member.name);
+    } else {
+      const std::string outer = prefix + member.name + ".";
+      const bool terms = member.type == "ShadingTerms";
+      for (const std::string& inner : terms ? termMembers(outer) : flattened(member.type, outer))
+        lines.push_back(inner);
+    }
+  }
+  return lines;
+}
+
+/// As flattened(); of a line that is no member, the type is empty and the name is the line.
+std::vector<Member> declaration() {
+  std::vector<Member> list;
+  for (const std::string& line : flattened("SurfaceInfo", "")) {
+    const std::size_t space = line.find(' ');
+    const bool member = line[0] != '#';
+    list.push_back(member ? Member{line.substr(0, space), line.substr(space + 1)} : Member{"", line});
+  }
+  return list;
 }
 
 struct Slot {
@@ -58,8 +100,7 @@ struct Slot {
 std::vector<Slot> layOut() {
   std::vector<Slot> slots;
   std::size_t single = 0, wide = 0;
-  for (const std::string& line : declaration()) {
-    const Member member = memberIn(line);
+  for (const Member& member : declaration()) {
     const bool integer = member.type == "int";
     for (std::size_t i = 0; i < widthOf(member.type); ++i) {
       const std::size_t size = integer ? sizeof(int) : sizeof(double);
@@ -118,11 +159,12 @@ brdf_d::SurfaceInfo inDouble(const brdf_f::SurfaceInfo& info) {
 
 std::string glslReader(std::size_t first) {
   std::string text;
-  for (const std::string& line : declaration()) {
-    if (line.rfind("#", 0) == 0) text += line + "\n";
-    const Member member = memberIn(line);
+  for (const Member& member : declaration()) {
     const std::size_t width = widthOf(member.type);
-    if (width == 0) continue;
+    if (width == 0) {
+      text += member.name + "\n";
+      continue;
+    }
     text += "s." + member.name + " = " + member.type + "(";
     for (std::size_t i = 0; i < width; ++i) text += (i ? ", p[" : "p[") + std::to_string(first++) + "]";
     text += ");\n";

@@ -23,7 +23,7 @@ class Stage {
     primitive_.uvs[0] = {{0, 0}, {1, 0}, {0.5f, 1}};
   }
 
-  brdf_f::SurfaceInfo read(const Material& material, const glm::vec3& v) const {
+  brdf_f::SurfaceInfo read(ShadingModel model, const Material& material, const glm::vec3& v) const {
     reference::PlacedMesh mesh;
     mesh.primitive = &primitive_;
     mesh.material = &material;
@@ -32,7 +32,9 @@ class Stage {
     reference::Hit hit;
     hit.barycentric = glm::vec2(1.0f / 3);
     static const Scene empty;
-    return reference::surfaceAt(empty, mesh, hit, {v, -v}, nullptr, ibl::dfgLookup).info;
+    const ShadingTerms terms = termsOf(model);
+    const bool principled = isPrincipled(model);
+    return reference::surfaceAt(empty, mesh, hit, {v, -v}, nullptr, ibl::dfgLookup, principled ? &terms : nullptr).info;
   }
 
   glm::vec3 toWorld(const glm::dvec3& local) const { return glm::vec3(glm::dmat3(axes_) * local); }
@@ -79,22 +81,26 @@ glm::vec3 specialLight(Seeded& r, const brdf_f::SurfaceInfo& s, const glm::vec3&
 
 }  // namespace
 
-SurfacePoint pointOn(const Material& material, const Directions& d) {
-  SurfacePoint point{material, {}, {}};
+SurfacePoint pointOn(ShadingModel model, const Material& material, const Directions& d) {
+  SurfacePoint point{model, material, {}, {}};
   point.material.doubleSided = true;  // a viewer in the plane sees a side
-  point.info = flatStage().read(point.material, flatStage().toWorld(local(d.NoV, d.turn)));
+  point.info = flatStage().read(model, point.material, flatStage().toWorld(local(d.NoV, d.turn)));
   point.l = flatStage().toWorld(local(d.NoL, d.turn + d.phi));
   return point;
 }
 
-SurfacePoint randomPoint(std::uint64_t seed) {
+SurfacePoint exchanged(const SurfacePoint& point) {
+  return {point.model, point.material, flatStage().read(point.model, point.material, point.l), point.info.v};
+}
+
+SurfacePoint randomPoint(ShadingModel model, std::uint64_t seed) {
   Seeded r(seed);
-  SurfacePoint point{randomMaterial(r, Layers::random(r)), {}, {}};
+  SurfacePoint point{model, randomMaterial(r, Layers::random(r)), {}, {}};
   point.material.doubleSided = true;
   const glm::vec2 direction(static_cast<float>(r.unit()), static_cast<float>(r.unit()));
   const Stage stage(r.chance(0.1) ? glm::mat3(1.0f) : reference::basisAbout(reference::sampleSphere(direction)));
   const double phi = r.between(-PI, PI);
-  point.info = stage.read(point.material, stage.toWorld(local(edgedCosine(r), phi)));
+  point.info = stage.read(model, point.material, stage.toWorld(local(edgedCosine(r), phi)));
   const double turned = r.edged(-PI, PI, {0, 1e-3, 0.5, 1, 2, PI});
   const double NoL = r.chance(0.1) ? -edgedCosine(r) : edgedCosine(r);
   point.l = stage.toWorld(local(NoL, phi + turned));
@@ -138,7 +144,7 @@ std::uint64_t gridSize() {
   return ROUGHNESS.size() * COSINE.size() * COSINE.size() * AZIMUTH.size() * IOR.size() * SHEENS * 4;
 }
 
-SurfacePoint gridPoint(std::uint64_t index) {
+SurfacePoint gridPoint(ShadingModel model, std::uint64_t index) {
   Digits digits{index};
   Directions d{digits.pick(COSINE), digits.pick(COSINE), digits.pick(AZIMUTH)};
   Material m;
@@ -162,7 +168,7 @@ SurfacePoint gridPoint(std::uint64_t index) {
     m.fabric.weft = {0.3f, 0.5f, 0.7f};
     m.fabric.diffuseTransmissionFactor = 0.5f;
   }
-  return pointOn(m, d);
+  return pointOn(model, m, d);
 }
 
 std::string describe(const SurfacePoint& p) {
