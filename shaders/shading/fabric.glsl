@@ -24,6 +24,12 @@ vec3 glossLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL) {
 
 // The surface with what every light needs of it again.
 SurfaceInfo preparedSurface(SurfaceInfo s) {
+#if ANISOTROPY
+  // Square with the normal, from which a map may have turned: on axes that lean, the lobe would have a second peak.
+  vec3 across = cross(s.n, s.t);
+  s.t = safeNormalize(dot(across, across) > 1.0e-6 ? cross(across, s.n) : cross(s.b, s.n), s.t);
+  s.b = cross(s.n, s.t);
+#endif
 #if IRIDESCENCE
   s.f0Dielectric = mix(s.f0Dielectric, saturate(s.filmF0Dielectric), s.iridescence);
   vec3 f0Metal = mix(s.baseColor, saturate(s.filmF0Metal), s.iridescence);
