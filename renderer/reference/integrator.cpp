@@ -1,124 +1,186 @@
 #include "reference/integrator.h"
 
 #include <cmath>
+#include <limits>
 
-#include "reference/lobe_sampler.h"
 #include "reference/sampling.h"
+#include "reference/transmission.h"
 
 namespace telar::reference {
 namespace {
 
-constexpr int MOST_LAYERS = 256;  ///< of transparent surfaces that one ray passes
+constexpr int MOST_LAYERS = 256;   ///< of transparent surfaces that one ray passes
+constexpr int MOST_PASSAGES = 64;  ///< through transmissive surfaces, of one path
+constexpr float FAR = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-Integrator::Integrator(const Scene& scene, const std::vector<PlacedMesh>& meshes, const Geometry& geometry,
-                       const Lights& lights, const EnvironmentLight* environment, float radius, Transport transport,
-                       ShadingModel shading, const ShadingTerms& terms, glm::vec2 (*dfg)(float, float))
-    : scene_(scene),
-      meshes_(meshes),
-      geometry_(geometry),
-      lights_(lights),
-      environment_(environment),
-      radius_(radius),
+struct Integrator::Path {
+  Surface surface;
+  glm::vec3 light{0}, throughput{1};
+  float coverage = 1;    ///< of the picture by what the path met
+  bool straight = true;  ///< nothing has reflected it yet: what it does not meet is the background
+  int bounces = 0, passages = 0;
+};
+
+Integrator::Integrator(const Stage& stage, Transport transport, ShadingModel shading, const ShadingTerms& terms,
+                       glm::vec2 (*dfg)(float, float))
+    : stage_(stage),
       transport_(transport),
       shading_(brdf_f::shadingFunctions(shading)),
       terms_(isPrincipled(shading) ? std::optional(terms) : std::nullopt),
       dfg_(dfg) {}
 
-glm::vec3 Integrator::reflected(const brdf_f::SurfaceInfo& surface, const glm::vec3& l) const {
-  const brdf_f::Reflected direct = shading_.addPunctual(brdf_f::nothingReflected(), surface, l, glm::vec3(1));
-  return shading_.composedRadiance(surface, direct.diffuse, direct, brdf_f::nothingReflected(), glm::vec3(0));
+glm::vec3 Integrator::reflected(const Surface& surface, const glm::vec3& l) const {
+  const brdf_f::Reflected direct = shading_.addPunctual(brdf_f::nothingReflected(), surface.info, l, glm::vec3(1));
+  return shading_.composedRadiance(surface.info, direct.diffuse * (1 - surface.glass.weight), direct,
+                                   brdf_f::nothingReflected(), glm::vec3(0));
 }
 
-bool Integrator::nextSurface(Ray ray, const Footprint* footprint, Walk& walk, Surface& surface) const {
+bool Integrator::nextSurface(Ray ray, const Footprint* footprint, Walk& walk, Surface& surface, bool opaque) const {
   Hit hit;
   for (int layer = 0; layer < MOST_LAYERS; ++layer) {
     ++walk.rays;
-    if (!geometry_.intersect(ray, hit)) return false;
-    surface = surfaceAt(scene_, meshes_[hit.mesh], hit, ray, footprint, dfg_, terms_ ? &*terms_ : nullptr);
-    surface.info = shading_.preparedSurface(surface.info);
-    if (surface.shown && (surface.alpha >= 1 || walk.random.uniform() < surface.alpha)) return true;
-    ray.from = hit.distance + radius_ * 1e-5f;
+    if (!stage_.geometry.intersect(ray, hit)) return false;
+    surface = surfaceAt(stage_.scene, stage_.meshes[hit.mesh], hit, ray, footprint, dfg_, terms_ ? &*terms_ : nullptr);
+    const bool solid = surface.shown && !(opaque && surface.glass.weight > 0);
+    if (solid && (surface.alpha >= 1 || walk.random.uniform() < surface.alpha)) {
+      if (!surface.unlit) surface.info = shading_.preparedSurface(surface.info);
+      return true;
+    }
+    ray.from = hit.distance + stage_.radius * 1e-5f;
   }
   return false;
 }
 
 Ray Integrator::leave(const Surface& from, const glm::vec3& direction) const {
   const float side = glm::dot(from.geometricNormal, direction) < 0 ? -1.0f : 1.0f;
-  return {from.position + from.geometricNormal * (side * radius_ * 1e-5f), direction};
+  return {from.position + from.geometricNormal * (side * stage_.radius * 1e-5f), direction};
 }
 
-bool Integrator::hidden(const Surface& from, const glm::vec3& direction, float distance, Walk& walk) const {
-  const Ray ray = leave(from, direction);
+bool Integrator::hidden(const Ray& ray, float distance, Walk& walk) const {
   Surface blocker;
-  if (!nextSurface(ray, nullptr, walk, blocker)) return false;
-  return glm::distance(blocker.position, ray.origin) < distance;
+  return nextSurface(ray, nullptr, walk, blocker) && blocker.distance < distance;
 }
 
-glm::vec3 Integrator::arriving(const Surface& surface, const PointedLight::Arrival& arrival, Walk& walk) const {
-  const glm::vec3 share = reflected(surface.info, arrival.direction) * arrival.irradiance;
-  if (share == glm::vec3(0)) return share;
-  return transport_.occlusion && hidden(surface, arrival.direction, arrival.distance, walk) ? glm::vec3(0) : share;
+glm::vec3 Integrator::arriving(const Surface& surface, const PointedLight::Arrival& arrival, float shadow,
+                               Walk& walk) const {
+  const glm::vec3 share = reflected(surface, arrival.direction) * arrival.irradiance;
+  const float taken = transport_.occlusion ? 1.0f : shadow;
+  if (share == glm::vec3(0) || taken == 0) return share;
+  return hidden(leave(surface, arrival.direction), arrival.distance, walk) ? share * (1 - taken) : share;
 }
 
 glm::vec3 Integrator::directLight(const Surface& surface, Walk& walk) const {
   glm::vec3 sum(0);
-  for (const PointedLight& light : lights_.pointed) {
-    if (const auto arrival = light.at(surface.position)) sum += arriving(surface, *arrival, walk);
+  for (const PointedLight& light : stage_.lights.pointed) {
+    if (const auto arrival = light.at(surface.position)) sum += arriving(surface, *arrival, light.shadow, walk);
   }
-  for (const RectLight& light : lights_.rects) {
-    if (const auto arrival = light.at(surface.position, walk.random.uniform2()))
-      sum += arriving(surface, *arrival, walk);
+  for (const AreaLight& light : stage_.lights.areas) {
+    const auto arrival = light.at(surface.position, walk.random.uniform2());
+    if (arrival) sum += arriving(surface, *arrival, 0, walk);
   }
-  const glm::vec3 dome = lights_.irradiance(surface.info.n);
+  const glm::vec3 dome = stage_.lights.irradiance(surface.info.n);
   if (dome != glm::vec3(0)) {
     const brdf_f::Reflected lit = shading_.addDome(brdf_f::nothingReflected(), surface.info, dome);
-    sum += shading_.composedRadiance(surface.info, lit.diffuse, brdf_f::nothingReflected(), lit, glm::vec3(0));
+    sum += shading_.composedRadiance(surface.info, lit.diffuse * (1 - surface.glass.weight), brdf_f::nothingReflected(),
+                                     lit, glm::vec3(0));
   }
   return sum;
 }
 
-glm::vec4 Integrator::radiance(Ray ray, const Footprint& footprint, Walk& walk) const {
-  Surface surface;
-  if (!nextSurface(ray, &footprint, walk, surface)) return glm::vec4(0);
-  glm::vec3 light(0), throughput(1);
-  for (int bounce = 0;; ++bounce) {
-    light += throughput * surface.emitted;
+glm::vec3 Integrator::environmentLight(const Surface& surface, const LobeSampler& lobes, float share,
+                                       Walk& walk) const {
+  if (!stage_.environment) return glm::vec3(0);
+  const auto drawn = stage_.environment->sample(walk.random.uniform2());
+  if (!(drawn.pdf > 0)) return glm::vec3(0);
+  const glm::vec3 light = reflected(surface, drawn.direction);
+  if (light == glm::vec3(0)) return light;
+  if (transport_.occlusion && hidden(leave(surface, drawn.direction), FAR, walk)) return glm::vec3(0);
+  const float weight = powerHeuristic(drawn.pdf, share * lobes.pdf(drawn.direction)) / drawn.pdf;
+  return light * stage_.environment->radiance(drawn.direction) * weight;
+}
+
+bool Integrator::passThrough(Path& path, Walk& walk) const {
+  if (++path.passages > MOST_PASSAGES) return false;
+  const Passage passage = drawPassage(path.surface, stage_.radius * 1e-5f, walk.random);
+  const brdf_f::Reflected none = brdf_f::nothingReflected();
+  path.throughput *= shading_.composedRadiance(path.surface.info, passage.share, none, none, glm::vec3(0));
+  Surface next;
+  // Without occlusion as in the raster: through one transmissive surface no other is seen.
+  if (nextSurface(passage.ray, nullptr, walk, next, !transport_.occlusion)) {
+    path.surface = next;
+    return true;
+  }
+  if (!path.straight) {
+    if (stage_.environment) path.light += path.throughput * stage_.environment->radiance(passage.ray.direction);
+  } else if (stage_.sky.shown()) {
+    path.light += path.throughput * stage_.sky.radiance(passage.ray.direction, walk.random);
+  } else {
+    path.coverage = 1 - (path.throughput.r + path.throughput.g + path.throughput.b) / 3;
+  }
+  return false;
+}
+
+bool Integrator::reflect(Path& path, const LobeSampler& lobes, float share, Walk& walk) const {
+  const auto drawn = lobes.sample(walk.random);
+  if (!(drawn.pdf > 0)) return false;
+  path.throughput *= reflected(path.surface, drawn.direction) / (share * drawn.pdf);
+  if (path.throughput == glm::vec3(0)) return false;
+  path.straight = false;
+  Surface next;
+  const Ray ray = leave(path.surface, drawn.direction);
+  if (!transport_.occlusion || !nextSurface(ray, nullptr, walk, next)) {
+    if (!stage_.environment) return false;
+    const float weight = powerHeuristic(share * drawn.pdf, stage_.environment->pdf(drawn.direction));
+    path.light += path.throughput * stage_.environment->radiance(drawn.direction) * weight;
+    return false;
+  }
+  if (path.bounces++ == transport_.bounces) return false;
+  // Russian roulette: long paths end by chance and the others stand for them.
+  if (path.bounces > 2) {
+    const float going = glm::min(brdf_f::max3(path.throughput), 0.95f);
+    if (walk.random.uniform() >= going) return false;
+    path.throughput /= going;
+  }
+  path.surface = next;
+  return true;
+}
+
+glm::vec4 Integrator::pathLight(Path& path, Walk& walk) const {
+  for (;;) {
+    const Surface& surface = path.surface;
+    path.light += path.throughput * surface.emitted;
     if (surface.unlit) break;
     const LobeSampler lobes(surface.info);
-    light += throughput * directLight(surface, walk);
-    if (environment_) {
-      const auto drawn = environment_->sample(walk.random.uniform2());
-      const glm::vec3 share = drawn.pdf > 0 ? reflected(surface.info, drawn.direction) : glm::vec3(0);
-      if (share != glm::vec3(0) &&
-          !(transport_.occlusion && hidden(surface, drawn.direction, std::numeric_limits<float>::infinity(), walk))) {
-        const float weight = powerHeuristic(drawn.pdf, lobes.pdf(drawn.direction)) / drawn.pdf;
-        light += throughput * share * environment_->radiance(drawn.direction) * weight;
-      }
-    }
-    const auto drawn = lobes.sample(walk.random);
-    if (!(drawn.pdf > 0)) break;
-    throughput *= reflected(surface.info, drawn.direction) / drawn.pdf;
-    if (throughput == glm::vec3(0)) break;
-    Surface next;
-    if (!transport_.occlusion || !nextSurface(leave(surface, drawn.direction), nullptr, walk, next)) {
-      if (environment_) {
-        const float weight = powerHeuristic(drawn.pdf, environment_->pdf(drawn.direction));
-        light += throughput * environment_->radiance(drawn.direction) * weight;
-      }
+    // What comes through takes the place of the diffuse lobe alone: some paths are left for the others.
+    const float through = surface.glass.weight * 0.75f, share = 1 - through;
+    path.light += path.throughput * (directLight(surface, walk) + environmentLight(surface, lobes, share, walk));
+    if (through > 0 && walk.random.uniform() < through) {
+      path.throughput *= surface.glass.weight / through;
+      if (!passThrough(path, walk)) break;
+    } else if (!reflect(path, lobes, share, walk)) {
       break;
     }
-    if (bounce == transport_.bounces) break;
-    // Russian roulette: long paths end by chance and the others stand for them.
-    if (bounce >= 2) {
-      const float going = glm::min(brdf_f::max3(throughput), 0.95f);
-      if (walk.random.uniform() >= going) break;
-      throughput /= going;
-    }
-    surface = next;
   }
-  return glm::vec4(light, 1.0f);
+  return {path.light, path.coverage};
+}
+
+glm::vec4 Integrator::radiance(const Ray& ray, const Footprint& footprint, Walk& walk) const {
+  Path path;
+  const bool found = nextSurface(ray, &footprint, walk, path.surface);
+  const float distance = found ? path.surface.distance : FAR;
+  glm::vec4 light(0);
+  if (found) {
+    light = pathLight(path, walk);
+  } else if (stage_.sky.shown()) {
+    light = glm::vec4(stage_.sky.radiance(ray.direction, walk.random), 1);
+  }
+  const auto ground = stage_.ground ? stage_.ground->distance(ray) : std::nullopt;
+  if (!ground || *ground >= distance) return light;
+  const float dark = stage_.ground->opacity(ray, *ground, walk.random,
+                                            [&](const Ray& towards, float far) { return hidden(towards, far, walk); });
+  return {glm::vec3(light) * (1 - dark), 1 - (1 - light.a) * (1 - dark)};
 }
 
 }  // namespace telar::reference

@@ -1,8 +1,11 @@
 #pragma once
 #include "reference/environment_light.h"
 #include "reference/geometry.h"
+#include "reference/ground.h"
 #include "reference/lights.h"
+#include "reference/lobe_sampler.h"
 #include "reference/random.h"
+#include "reference/sky.h"
 #include "reference/surface.h"
 
 namespace telar::reference {
@@ -19,35 +22,50 @@ struct Walk {
   std::uint64_t rays = 0;  ///< followed through the hierarchy
 };
 
+/// What light meets: all are kept by reference.
+struct Stage {
+  const Scene& scene;
+  const std::vector<PlacedMesh>& meshes;
+  const Geometry& geometry;
+  const Lights& lights;
+  const EnvironmentLight* environment;  ///< null = none
+  const Sky& sky;
+  const Ground* ground;  ///< null = none
+  float radius;          ///< of the scene, metres
+};
+
 /// Estimates the light along one ray, without bias.
 class Integrator {
  public:
-  /// All are kept by reference. @param environment  null = none
-  /// @param radius  of the scene, metres
-  Integrator(const Scene& scene, const std::vector<PlacedMesh>& meshes, const Geometry& geometry, const Lights& lights,
-             const EnvironmentLight* environment, float radius, Transport transport, ShadingModel shading,
-             const ShadingTerms& terms, glm::vec2 (*dfg)(float, float));
+  Integrator(const Stage& stage, Transport transport, ShadingModel shading, const ShadingTerms& terms,
+             glm::vec2 (*dfg)(float, float));
 
-  /// @return linear Rec.709 radiance, premultiplied with coverage, and coverage 0 or 1
-  glm::vec4 radiance(Ray ray, const Footprint& footprint, Walk& walk) const;
+  /// @return linear Rec.709 radiance, premultiplied with coverage, and coverage: 0..1 in the mean of many
+  glm::vec4 radiance(const Ray& ray, const Footprint& footprint, Walk& walk) const;
 
  private:
+  /// A path on its way.
+  struct Path;
   /// The next surface along a ray that is shown; alpha is a chance.
-  bool nextSurface(Ray ray, const Footprint* footprint, Walk& walk, Surface& surface) const;
-  bool hidden(const Surface& from, const glm::vec3& direction, float distance, Walk& walk) const;
+  /// @param opaque  pass over what transmits
+  bool nextSurface(Ray ray, const Footprint* footprint, Walk& walk, Surface& surface, bool opaque = false) const;
+  bool hidden(const Ray& ray, float distance, Walk& walk) const;
   Ray leave(const Surface& from, const glm::vec3& direction) const;
-  /// Reflected radiance per irradiance on a surface that faces the light; 0 below the horizon.
-  glm::vec3 reflected(const brdf_f::SurfaceInfo& surface, const glm::vec3& l) const;
+  /// Light of a path whose first surface is found.
+  glm::vec4 pathLight(Path& path, Walk& walk) const;
+  /// The path goes on through the surface. @return false: it meets no other
+  bool passThrough(Path& path, Walk& walk) const;
+  /// The path is reflected. @return false: it ends
+  bool reflect(Path& path, const LobeSampler& lobes, float share, Walk& walk) const;
+  /// Reflected radiance per irradiance on a surface that faces the light.
+  glm::vec3 reflected(const Surface& surface, const glm::vec3& l) const;
   /// Light of all lights that arrives directly and leaves to the viewer.
   glm::vec3 directLight(const Surface& surface, Walk& walk) const;
-  glm::vec3 arriving(const Surface& surface, const PointedLight::Arrival& arrival, Walk& walk) const;
+  /// Light of the environment that a draw from it finds. @param share  chance that the path draws from `lobes` too
+  glm::vec3 environmentLight(const Surface& surface, const LobeSampler& lobes, float share, Walk& walk) const;
+  glm::vec3 arriving(const Surface& surface, const PointedLight::Arrival& arrival, float shadow, Walk& walk) const;
 
-  const Scene& scene_;
-  const std::vector<PlacedMesh>& meshes_;
-  const Geometry& geometry_;
-  const Lights& lights_;
-  const EnvironmentLight* environment_;
-  float radius_;
+  Stage stage_;
   Transport transport_;
   brdf_f::ShadingFunctions shading_;
   std::optional<ShadingTerms> terms_;  ///< of a principled shading

@@ -9,6 +9,8 @@
 namespace telar::reference {
 namespace {
 
+constexpr float PI = 3.14159265f;
+
 glm::vec3 directionOf(const glm::dvec3& v) {
   return glm::dot(v, v) > 0 ? glm::vec3(glm::normalize(v)) : glm::vec3(0, 1, 0);
 }
@@ -39,10 +41,18 @@ PointedLight parallelLight(const glm::vec3& color, const glm::dvec3& toLight) {
   return light;
 }
 
-RectLight rectLight(const Shot::Light& light, const glm::vec3& color, const glm::dvec3& position) {
+AreaLight areaLight(const Shot::Light& light, const glm::vec3& color, const glm::dvec3& position) {
+  const bool disk = light.type == Shot::Light::Type::kDisk;
+  const glm::dvec2 half = disk ? glm::dvec2(light.radius) : glm::dvec2(light.width, light.height) / 2.0;
   const glm::dmat3 axes = pass::lookAtAxes(light.position, light.target, {0, 1, 0});
-  return {glm::vec3(position), glm::vec3(axes[0] * (light.width / 2)), glm::vec3(axes[1] * (light.height / 2)),
-          glm::vec3(-axes[2]), color};
+  return {disk, glm::vec3(position), glm::vec3(axes[0] * half.x), glm::vec3(axes[1] * half.y), glm::vec3(-axes[2]),
+          color};
+}
+
+/// Lights without extent that may cast a shadow.
+void addPointed(Lights& lights, PointedLight pointed, const Shot::Light& light) {
+  pointed.shadow = light.castShadow ? static_cast<float>(light.shadow.intensity) : 0.0f;
+  lights.pointed.push_back(pointed);
 }
 
 void addShotLight(Lights& lights, const Shot::Light& light, const glm::dvec3& centre) {
@@ -57,19 +67,19 @@ void addShotLight(Lights& lights, const Shot::Light& light, const glm::dvec3& ce
       lights.domes.push_back({color, glm::vec3(glm::dvec3(light.groundColor) * light.intensity)});
       break;
     case Type::kDirectional:
-      lights.pointed.push_back(parallelLight(color, toLight));
+      addPointed(lights, parallelLight(color, toLight), light);
       break;
     case Type::kPoint:
-      lights.pointed.push_back(pointLight(color, position, light.range));
+      addPointed(lights, pointLight(color, position, light.range), light);
       break;
     case Type::kSpot:
-      lights.pointed.push_back(
-          spotLight(color, position, toLight, light.range, light.angle, light.angle * (1 - light.penumbra)));
+      addPointed(lights,
+                 spotLight(color, position, toLight, light.range, light.angle, light.angle * (1 - light.penumbra)),
+                 light);
       break;
     case Type::kRect:
-      lights.rects.push_back(rectLight(light, color, position));
-      break;
     case Type::kDisk:
+      lights.areas.push_back(areaLight(light, color, position));
       break;
   }
 }
@@ -104,14 +114,17 @@ std::optional<PointedLight::Arrival> PointedLight::at(const glm::vec3& point) co
   return Arrival{l, color * cone * brdf_f::distanceAttenuation(distance, range), distance};
 }
 
-std::optional<PointedLight::Arrival> RectLight::at(const glm::vec3& point, const glm::vec2& u) const {
-  const glm::vec3 toLight = centre + halfWidth * (2 * u.x - 1) + halfHeight * (2 * u.y - 1) - point;
+std::optional<PointedLight::Arrival> AreaLight::at(const glm::vec3& point, const glm::vec2& u) const {
+  const float r = std::sqrt(u.x), phi = 2 * PI * u.y;
+  const glm::vec2 place = disk ? r * glm::vec2(std::cos(phi), std::sin(phi)) : 2.0f * u - 1.0f;
+  const glm::vec3 toLight = centre + halfWidth * place.x + halfHeight * place.y - point;
   const float distance2 = glm::dot(toLight, toLight);
   if (distance2 == 0) return std::nullopt;
   const float distance = std::sqrt(distance2);
   const glm::vec3 l = toLight / distance;
-  const float facing = -glm::dot(normal, l), area = 4 * glm::length(halfWidth) * glm::length(halfHeight);
+  const float facing = -glm::dot(normal, l);
   if (facing <= 0) return std::nullopt;
+  const float area = (disk ? PI : 4.0f) * glm::length(halfWidth) * glm::length(halfHeight);
   return PointedLight::Arrival{l, radiance * (facing * area / distance2), distance * (1 - 1e-4f)};
 }
 

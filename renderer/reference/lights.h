@@ -18,6 +18,7 @@ struct PointedLight {
   float range = 0;         ///< metres, 0 = never ends
   bool spot = false;
   float outerCos = -1, innerCos = -1;
+  float shadow = 0;  ///< part of the light that a shadow takes where the shot asks for one
 
   struct Arrival {
     glm::vec3 direction;   ///< unit, to the light
@@ -28,9 +29,10 @@ struct PointedLight {
   std::optional<Arrival> at(const glm::vec3& point) const;
 };
 
-/// A rectangle that shines from one side.
-struct RectLight {
-  glm::vec3 centre{0}, halfWidth{0}, halfHeight{0};  ///< the tracer's world
+/// A rectangle or a disk that shines from one side.
+struct AreaLight {
+  bool disk = false;
+  glm::vec3 centre{0}, halfWidth{0}, halfHeight{0};  ///< the tracer's world; radii of a disk
   glm::vec3 normal{0};                               ///< unit, to the side that shines
   glm::vec3 radiance{0};                             ///< linear Rec.709 times nit
 
@@ -46,7 +48,7 @@ struct Dome {
 
 struct Lights {
   std::vector<PointedLight> pointed;
-  std::vector<RectLight> rects;
+  std::vector<AreaLight> areas;
   std::vector<Dome> domes;
   glm::vec3 irradiance(const glm::vec3& normal) const;
 };

@@ -162,6 +162,21 @@ void readLayers(SurfaceInfo& s, const Material& m, const Reader& read, const glm
   s.coatDfg = dfg(s.clearcoatRoughness, s.clearcoatNoV);
 }
 
+Glass readGlass(const PhysicalLayers& l, const Reader& read, const PlacedMesh& mesh) {
+  Glass glass;
+  glass.weight = brdf_f::saturate(l.transmissionFactor * read(l.transmissionTexture).r);
+  if (glass.weight == 0) return glass;
+  glass.ior = l.ior;
+  glass.dispersion = l.dispersion;
+  const glm::mat3& m = mesh.linear;
+  const glm::vec3 scale(glm::length(m[0]), glm::length(m[1]), glm::length(m[2]));
+  glass.thickness = l.thicknessFactor * read(l.thicknessTexture).g * scale;
+  glass.attenuates = std::isfinite(l.attenuationDistance);
+  glass.attenuationColor = l.attenuationColor;
+  glass.attenuationDistance = l.attenuationDistance;
+  return glass;
+}
+
 /// Geometric roughness of three.js: how much the interpolated normal turns within a pixel.
 float roughnessOfCurvature(const Corners& corners, const glm::vec3& n, const Footprint& footprint) {
   const auto change = [&](const Ray& neighbour) {
@@ -182,6 +197,7 @@ Surface surfaceAt(const Scene& scene, const PlacedMesh& mesh, const Hit& hit, co
   const Reader read{scene, corners, b};
   Surface surface;
   surface.position = corners.position(b);
+  surface.distance = hit.distance;
   SurfaceInfo& s = surface.info;
   s.v = -ray.direction;
   const glm::vec3 cross = corners.cross();
@@ -221,6 +237,7 @@ Surface surfaceAt(const Scene& scene, const PlacedMesh& mesh, const Hit& hit, co
   if (terms) s.terms = *terms;
   s.flatness = m.fabric.flatness;
   s.diffuseTransmission = m.fabric.diffuseTransmissionFactor;
+  surface.glass = readGlass(m.layers, read, mesh);
   return surface;
 }
 

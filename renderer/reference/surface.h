@@ -13,12 +13,24 @@ struct Footprint {
   glm::mat3 toView{1.0f};  ///< world to view directions
 };
 
+/// What a transmissive surface does to the light that comes through it.
+struct Glass {
+  float weight = 0;  ///< of what comes through, in place of the diffuse lobe, 0..1
+  float ior = 1.5f, dispersion = 0;
+  glm::vec3 thickness{0};  ///< metres by axis of the world; 0 = thin
+  bool attenuates = false;
+  glm::vec3 attenuationColor{1};  ///< of white light after attenuationDistance
+  float attenuationDistance = 0;  ///< metres
+};
+
 /// A point of a surface with its material read.
 struct Surface {
   glm::vec3 position{0};
   glm::vec3 geometricNormal{0};  ///< unit, on the viewer's side
   brdf_f::SurfaceInfo info;
+  Glass glass;
   glm::vec3 emitted{0};
+  float distance = 0;  ///< along the ray that met it, metres
   float alpha = 1;     ///< 1 where the material is opaque
   bool unlit = false;  ///< `emitted` is all there is
   bool shown = true;   ///< false: a culled back side, or cut out by the alpha mask

@@ -36,9 +36,11 @@ class World {
     if (environment && shot.environment.intensity > 0) {
       around_.emplace(*environment, shot.environment.rotation, shot.environment.intensity);
     }
-    skyShown_ = around_ && shot.background.type == Shot::Background::Type::kEnvironment;
-    integrator_.emplace(scene, meshes_, geometry_, lights_, around_ ? &*around_ : nullptr, radius_, transport,
-                        shot.shading, shot.terms, ibl::dfgLookup);
+    if (shot.ground) ground_.emplace(shot, centre_);
+    const EnvironmentLight* around = around_ ? &*around_ : nullptr;
+    sky_.emplace(shot, around);
+    const Stage stage{scene, meshes_, geometry_, lights_, around, *sky_, ground_ ? &*ground_ : nullptr, radius_};
+    integrator_.emplace(stage, transport, shot.shading, shot.terms, ibl::dfgLookup);
   }
   World(const World&) = delete;
   World& operator=(const World&) = delete;
@@ -50,8 +52,7 @@ class World {
     const Ray ray = eye_.ray(at, lens);
     const Footprint footprint{eye_.ray(at + glm::dvec2(1, 0), lens), eye_.ray(at - glm::dvec2(0, 1), lens),
                               eye_.toView()};
-    const glm::vec4 light = integrator_->radiance(ray, footprint, walk);
-    return skyShown_ && light.a == 0 ? glm::vec4(around_->radiance(ray.direction), 1.0f) : light;
+    return integrator_->radiance(ray, footprint, walk);
   }
   std::uint64_t triangles() const {
     std::uint64_t sum = 0;
@@ -67,7 +68,8 @@ class World {
   Lights lights_;
   Eye eye_;
   std::optional<EnvironmentLight> around_;
-  bool skyShown_ = false;
+  std::optional<Sky> sky_;
+  std::optional<Ground> ground_;
   std::optional<Integrator> integrator_;
 };
 

@@ -1,0 +1,24 @@
+#pragma once
+#include "reference/environment_light.h"
+#include "reference/random.h"
+#include "telar/shot.h"
+
+namespace telar::reference {
+
+/// What stands behind everything: nothing, or the environment, sharp or as a matt surface sees it.
+class Sky {
+ public:
+  /// @param environment  kept by pointer; null where the shot has none
+  Sky(const Shot& shot, const EnvironmentLight* environment);
+
+  bool shown() const { return environment_ != nullptr; }
+  /// One sample of what is seen in a direction, linear Rec.709; where shown() only.
+  /// @param direction  world, unit
+  glm::vec3 radiance(const glm::vec3& direction, Random& random) const;
+
+ private:
+  const EnvironmentLight* environment_ = nullptr;
+  float alpha_ = 0;  ///< of the GGX lobe that blurs
+};
+
+}  // namespace telar::reference

@@ -1,0 +1,50 @@
+#include "reference/transmission.h"
+
+#include "reference/sampling.h"
+
+namespace telar::reference {
+namespace {
+
+/// The width of the lobe: none at an index of refraction of 1, the reflection's from 1.5 on, as the raster blurs.
+glm::vec3 blurred(const glm::vec3& direction, const brdf_f::SurfaceInfo& s, float ior, Random& random) {
+  const float roughness = s.perceptualRoughness * glm::clamp(ior * 2 - 2, 0.0f, 1.0f);
+  const float alpha = roughness * roughness;
+  if (alpha < 1e-4f) return direction;
+  const glm::mat3 frame = basisAbout(s.n);
+  const glm::vec3 v = glm::transpose(frame) * -direction;
+  if (v.z <= 0) return direction;
+  // A rough sheet of two parallel sides: the reflection of a rough surface, mirrored to the other side.
+  const glm::vec3 h = sampleVisibleNormal(v, glm::vec2(alpha), random.uniform2());
+  const glm::vec3 l = 2 * glm::dot(v, h) * h - v;
+  return l.z > 0 ? frame * glm::vec3(l.x, l.y, -l.z) : direction;
+}
+
+}  // namespace
+
+Passage drawPassage(const Surface& surface, float offset, Random& random) {
+  const brdf_f::SurfaceInfo& s = surface.info;
+  const Glass& glass = surface.glass;
+  float ior = glass.ior;
+  glm::vec3 channel(1);
+  if (glass.dispersion > 0) {
+    // Each colour has a way of its own: one of the three is followed and stands for all.
+    const int c = glm::min(static_cast<int>(random.uniform() * 3), 2);
+    ior = brdf_f::dispersedIor(glass.ior, glass.dispersion)[c];
+    channel = glm::vec3(0);
+    channel[c] = 3;
+  }
+  const glm::vec3 path =
+      glass.thickness == glm::vec3(0) ? glm::vec3(0) : brdf_f::refractedDirection(s.n, s.v, ior) * glass.thickness;
+  Passage passage;
+  passage.ray.direction = blurred(-s.v, s, ior, random);
+  const float side = glm::dot(surface.geometricNormal, passage.ray.direction) < 0 ? -1.0f : 1.0f;
+  passage.ray.origin = surface.position + path + surface.geometricNormal * (side * offset);
+  const glm::vec3 interface = 1.0f - (s.f0 * s.dfg.x + s.f90 * s.dfg.y);
+  passage.share = s.diffuse * interface * channel;
+  if (glass.attenuates) {
+    passage.share *= brdf_f::volumeTransmittance(glm::length(path), glass.attenuationColor, glass.attenuationDistance);
+  }
+  return passage;
+}
+
+}  // namespace telar::reference
