@@ -23,10 +23,12 @@ LobeSampler::LobeSampler(const brdf_f::SurfaceInfo& s) : cosineFrame_(basisAbout
   const float specular = base_.v.z > 0 ? brdf_f::max3(brdf_f::F_Schlick(s.f0, s.f90, s.NoV)) : 0.0f;
   const float coat =
       coat_.v.z > 0 ? s.clearcoat * brdf_f::F_Schlick(glm::vec3(brdf_f::F0_DIELECTRIC), 1, s.clearcoatNoV).x : 0.0f;
-  const float whole = glm::max(diffuse, 0.1f) + (specular > 0 ? glm::max(specular, 0.1f) : 0.0f) + coat;
+  const float through = s.diffuseTransmission > 0 ? glm::max(brdf_f::max3(s.diffuse) * s.diffuseTransmission, 0.1f) : 0;
+  const float whole = glm::max(diffuse, 0.1f) + through + (specular > 0 ? glm::max(specular, 0.1f) : 0.0f) + coat;
   base_.share = specular > 0 ? glm::max(specular, 0.1f) / whole : 0.0f;
   coat_.share = coat / whole;
-  cosineShare_ = 1.0f - base_.share - coat_.share;
+  throughShare_ = through / whole;
+  cosineShare_ = 1.0f - base_.share - coat_.share - throughShare_;
 }
 
 LobeSampler::Sample LobeSampler::sample(Random& random) const {
@@ -35,8 +37,10 @@ LobeSampler::Sample LobeSampler::sample(Random& random) const {
   glm::vec3 l;
   if (choice < cosineShare_) {
     l = cosineFrame_ * sampleCosine(u);
+  } else if (choice < cosineShare_ + throughShare_) {
+    l = cosineFrame_ * -sampleCosine(u);
   } else {
-    const Gloss& gloss = choice < cosineShare_ + base_.share || coat_.share == 0 ? base_ : coat_;
+    const Gloss& gloss = choice < cosineShare_ + throughShare_ + base_.share || coat_.share == 0 ? base_ : coat_;
     const glm::vec3 h = sampleVisibleNormal(gloss.v, gloss.alpha, u);
     l = gloss.frame * (2.0f * glm::dot(gloss.v, h) * h - gloss.v);
   }
@@ -44,7 +48,8 @@ LobeSampler::Sample LobeSampler::sample(Random& random) const {
 }
 
 float LobeSampler::pdf(const glm::vec3& l) const {
-  float sum = cosineShare_ * pdfCosine(glm::dot(cosineFrame_[2], l));
+  const float cosine = glm::dot(cosineFrame_[2], l);
+  float sum = cosineShare_ * pdfCosine(cosine) + throughShare_ * pdfCosine(-cosine);
   for (const Gloss* gloss : {&base_, &coat_}) {
     if (gloss->share > 0) sum += gloss->share * pdfReflection(gloss->v, glm::transpose(gloss->frame) * l, gloss->alpha);
   }

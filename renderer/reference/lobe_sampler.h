@@ -4,14 +4,15 @@
 
 namespace telar::reference {
 
-/// Draws directions where a surface reflects: a mixture of a cosine lobe (diffuse and sheen), the base GGX lobe and the
-/// coat's. Any direction that the surface reflects to has a pdf above 0.
+/// Draws directions where a surface reflects: a mixture of a cosine lobe (diffuse and sheen), the same on the other
+/// side (light that a thin cloth lets through), the base GGX lobe and the coat's. Any direction that the surface sends
+/// light from has a pdf above 0, in every shading: the shares of the lobes are guesses that change the noise alone.
 class LobeSampler {
  public:
   explicit LobeSampler(const brdf_f::SurfaceInfo& surface);
   struct Sample {
     glm::vec3 direction;
-    float pdf;  ///< 0 where the draw went below the surface
+    float pdf;  ///< per steradian
   };
   Sample sample(Random& random) const;
   float pdf(const glm::vec3& l) const;
@@ -25,7 +26,7 @@ class LobeSampler {
     float share = 0;
   };
   glm::mat3 cosineFrame_{1.0f};
-  float cosineShare_ = 1;
+  float cosineShare_ = 1, throughShare_ = 0;
   Gloss base_, coat_;
 };
 

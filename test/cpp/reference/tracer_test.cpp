@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <optional>
 
 #include "ibl/dfg_lookup.h"
 
@@ -84,25 +85,26 @@ std::vector<glm::vec4> traced(const Scene& scene, const Shot& shot, const ImageF
   return traceRadiance(scene, shot, map, options, Limits(), CancelToken(), {});
 }
 
-/// Light that a surface facing +Z sends to the viewer, by quadrature over the whole sphere of directions.
-glm::dvec3 quadrature(const EnvironmentLight& light, const Surface& surface) {
+/// Light that a surface sends to the viewer, by quadrature over the whole sphere of directions.
+glm::dvec3 quadrature(const EnvironmentLight& light, const brdf_f::SurfaceInfo& surface, ShadingModel shading) {
   using namespace brdf_f;
-  constexpr int ROWS = 500, COLUMNS = 1000;
+  constexpr int ROWS = 360, COLUMNS = 400;
+  const ShadingFunctions functions = shadingFunctions(shading);
+  const SurfaceInfo s = functions.preparedSurface(surface);
   glm::dvec3 sum(0);
   for (int i = 0; i < ROWS; ++i) {
     for (int j = 0; j < COLUMNS; ++j) {
-      const double z = (i + 0.5) / ROWS, phi = 2 * PI * (j + 0.5) / COLUMNS, r = std::sqrt(1 - z * z);
+      const double z = 2 * (i + 0.5) / ROWS - 1, phi = 2 * PI * (j + 0.5) / COLUMNS, r = std::sqrt(1 - z * z);
       const glm::vec3 l(glm::dvec3(r * std::cos(phi), r * std::sin(phi), z));
-      const Reflected lit =
-          three::addPunctual(nothingReflected(), three::preparedSurface(surface.info), l, light.radiance(l));
-      sum += glm::dvec3(three::composedRadiance(surface.info, lit.diffuse, lit, nothingReflected(), glm::vec3(0)));
+      const Reflected lit = functions.addPunctual(nothingReflected(), s, l, light.radiance(l));
+      sum += glm::dvec3(functions.composedRadiance(s, lit.diffuse, lit, nothingReflected(), glm::vec3(0)));
     }
   }
-  return sum * (2 * PI / (ROWS * COLUMNS));
+  return sum * (4 * PI / (ROWS * COLUMNS));
 }
 
-TEST(Tracer, EnvironmentOnAPlaneIsUnbiasedAgainstQuadrature) {
-  const ImageF map = sky();
+/// Every layer at once.
+Material layered() {
   Material coated = cloth(0.6f);
   coated.physical = true;
   coated.layers.clearcoatFactor = 0.7f;
@@ -111,10 +113,26 @@ TEST(Tracer, EnvironmentOnAPlaneIsUnbiasedAgainstQuadrature) {
   coated.layers.sheenColorFactor = {0.3f, 0.4f, 0.5f};
   coated.layers.sheenRoughnessFactor = 0.5f;
   coated.layers.anisotropyStrength = 0.5f;
-  for (const Material& material : {cloth(1), cloth(0.5f), cloth(0.3f, 1), coated}) {
+  return coated;
+}
+
+Material thin() {
+  Material m = cloth(0.7f);
+  m.fabric.diffuseTransmissionFactor = 0.6f;
+  return m;
+}
+
+class ShadingTracer : public testing::TestWithParam<ShadingModel> {};
+
+TEST_P(ShadingTracer, EnvironmentOnAPlaneIsUnbiasedAgainstQuadrature) {
+  const ImageF map = sky();
+  const EnvironmentLight light(map, 0, 1);
+  for (const Material& material : {cloth(1), cloth(0.5f), cloth(0.35f, 1), layered(), thin()}) {
     for (const double elevation : {85.0, 30.0}) {
       const Scene scene = plane(material);
-      const Shot shot = shotOf(24, elevation);
+      Shot shot = shotOf(16, elevation);
+      shot.shading = GetParam();
+      shot.terms = isPrincipled(shot.shading) ? termsOf(shot.shading) : ShadingTerms();
       const auto pixels = traced(scene, shot, &map, {.samples = 256});
       const double error = spreadOf(pixels) / std::sqrt(static_cast<double>(pixels.size()));
       const auto meshes = placeMeshes(scene, -1, glm::dvec3(0));
@@ -122,13 +140,18 @@ TEST(Tracer, EnvironmentOnAPlaneIsUnbiasedAgainstQuadrature) {
       Hit hit;
       const Ray ray{v * 5.0f + glm::vec3(0.01f, 0.02f, 0), -v};
       ASSERT_TRUE(Geometry(meshes).intersect(ray, hit));
-      const EnvironmentLight light(map, 0, 1);
-      const Surface surface = surfaceAt(scene, meshes[0], hit, ray, nullptr, ibl::dfgLookup);
-      const glm::dvec3 expected = quadrature(light, surface), mean = meanOf(pixels);
+      const ShadingTerms* terms = isPrincipled(shot.shading) ? &shot.terms : nullptr;
+      const Surface surface = surfaceAt(scene, meshes[0], hit, ray, nullptr, ibl::dfgLookup, terms);
+      const glm::dvec3 expected = quadrature(light, surface.info, shot.shading), mean = meanOf(pixels);
       EXPECT_NEAR(mean.y, expected.y, 3 * error + 2e-3 * expected.y) << material.roughnessFactor << " " << elevation;
+      EXPECT_LT(error, 0.03 * expected.y) << "too noisy to tell";
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Every, ShadingTracer,
+                         testing::Values(ShadingModel::kThree, ShadingModel::kThreeR115, ShadingModel::kDisney2012,
+                                         ShadingModel::kFabric));
 
 TEST(Tracer, StandardErrorFallsWithTheRootOfTheSamples) {
   const ImageF map = sky();
@@ -192,6 +215,96 @@ TEST(Tracer, ACancelledTraceThrowsAndItsThreadsEnd) {
   cancel.cancel();
   EXPECT_THROW(traceRadiance(plane(cloth(1)), shotOf(16), nullptr, {.samples = 4, .threads = 3}, Limits(), cancel, {}),
                Error);
+}
+
+TEST(Tracer, ALensBlursWhatIsOutOfFocus) {
+  // The edge of a white square before nothing, 5 m away.
+  Material white;
+  white.unlit = true;
+  Shot shot = shotOf(64);
+  shot.camera.perspective = true;
+  shot.camera.fovY = 5;
+  shot.camera.position = {1, 0, 5}, shot.camera.target = {1, 0, 0};
+  const auto halfCovered = [&](std::optional<Shot::Lens> lens) {
+    shot.lens = lens;
+    int count = 0;
+    for (const glm::vec4& p : traced(plane(white), shot, nullptr, {.samples = 64})) count += p.a > 0.02f && p.a < 0.98f;
+    return count;
+  };
+  const int sharp = halfCovered(std::nullopt);
+  EXPECT_LE(sharp, 64);
+  EXPECT_LE(halfCovered(Shot::Lens{2, 5}), sharp + 64);
+  EXPECT_GT(halfCovered(Shot::Lens{2, 2.5}), sharp + 64 * 8);
+}
+
+TEST(Tracer, DiskLightsShineAsTheirSolidAngle) {
+  const AreaLight disk{true, {0, 0, 2}, {0.7f, 0, 0}, {0, 0.7f, 0}, {0, 0, -1}, glm::vec3(3)};
+  Random random(3, 0, 0);
+  constexpr int DRAWS = 20000;
+  double sum = 0;
+  for (int i = 0; i < DRAWS; ++i) {
+    const auto arrival = disk.at(glm::vec3(0), random.uniform2());
+    ASSERT_TRUE(arrival);
+    sum += arrival->irradiance.x * arrival->direction.z;
+  }
+  EXPECT_NEAR(sum / DRAWS, PI * 3 * 0.49 / (0.49 + 4), 0.01);
+  EXPECT_FALSE(disk.at(glm::vec3(0, 0, 3), {0.5f, 0.5f})) << "it shines to one side";
+}
+
+TEST(Tracer, GlassShowsWhatLiesBehindAndCoversTheRest) {
+  Material glass;
+  glass.baseColorFactor = {0.5f, 1, 1, 1};
+  glass.roughnessFactor = 0;
+  glass.metallicFactor = 0;
+  glass.physical = true;
+  glass.layers.ior = 1;
+  glass.layers.transmissionFactor = 1;
+  Scene scene = plane(glass);
+  Material behind;
+  behind.unlit = true;
+  behind.baseColorFactor = {0.8f, 0.6f, 0.4f, 1};
+  scene.materials.push_back(behind);
+  Primitive square = scene.meshes[0].primitives[0];
+  square.material = 1;
+  scene.meshes.push_back({"behind", {square}});
+  Node node = scene.nodes[0];
+  node.mesh = 1;
+  node.world = glm::translate(glm::dmat4(1), glm::dvec3(-1, 0, -1));  // its right edge in the middle of the picture
+  scene.nodes.push_back(node);
+  for (const bool occlusion : {false, true}) {
+    const auto pixels = traced(scene, shotOf(8), nullptr, {.samples = 256, .transport = {occlusion, 0}});
+    const glm::vec4 left = pixels[8 * 4 + 1], right = pixels[8 * 4 + 6];
+    EXPECT_NEAR(left.r, 0.4, 0.03);
+    EXPECT_NEAR(left.g, 0.6, 0.04);
+    EXPECT_NEAR(left.a, 1, 1e-6);
+    EXPECT_NEAR(right.a, 1 - (0.5 + 1 + 1) / 3, 0.04);
+    EXPECT_NEAR(right.g, 0, 1e-6);
+  }
+}
+
+TEST(Tracer, TheGroundIsAsDarkAsItsShadow) {
+  Material card = cloth(1);
+  card.doubleSided = true;
+  Scene scene = plane(card);
+  scene.nodes[0].world = glm::rotate(glm::dmat4(1), -PI / 2, glm::dvec3(1, 0, 0));  // level, seen from above
+  scene.bounds = {{-1, 0, -1}, {1, 0, 1}};
+  Shot shot = shotOf(40);
+  shot.camera.position = {0, 5, 0}, shot.camera.up = {0, 0, -1}, shot.camera.height = 8;
+  shot.ground = Shot::Ground{0.5, {0, -1, 0}, {6, 6}};
+  Shot::Light lamp{Shot::Light::Type::kDirectional};
+  lamp.position = {-2, 2, 0};  // 45 degrees: the shadow lies 1 m to the right
+  lamp.castShadow = true;
+  lamp.shadow = {1000, 0, 0.8, 0, 0, 0, 10, -3, 3, -3, 3};
+  shot.lights.push_back(lamp);
+  const auto pixels = traced(scene, shot, nullptr, {.samples = 8});
+  const auto at = [&](double x, double z) {
+    return pixels[static_cast<std::size_t>((z + 4) * 5) * 40 + static_cast<std::size_t>((x + 4) * 5)];
+  };
+  EXPECT_NEAR(at(1.5, 0.1).a, 0.4, 1e-5);
+  EXPECT_EQ(glm::vec3(at(1.5, 0.1)), glm::vec3(0));
+  EXPECT_EQ(at(-1.5, 0.1).a, 0);
+  EXPECT_EQ(at(0.1, 0.1).a, 1) << "the model is before it";
+  EXPECT_EQ(at(3.5, 0.1).a, 0) << "it ends";
 }
 
 TEST(Tracer, WhatNothingCoversStaysTransparent) {
