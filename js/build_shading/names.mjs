@@ -4,14 +4,18 @@
 export const FIXED = {
   UNLIT: 0, ALPHA_MASK: 0, ALPHA_OPAQUE: 0, BASE_COLOR_MAP: 0, VERTEX_COLOR: 0, EMISSIVE: 0, EMISSIVE_MAP: 0, TRANSMISSION: 0,
   TRANSMISSION_MAP: 0, THICKNESS_MAP: 0, VOLUME: 0, ATTENUATION: 0, DISPERSION: 0, ORTHOGRAPHIC: 0, AMBIENT: 1, DEBUG_OUTPUT: 0, OUTPUT_LINEAR: 0,
-  ALL_TERMS: 0,
+  ALL_TERMS: 0, SAMPLE_MASK: 0,
   POINT_LIGHTS: 0, SPOT_LIGHTS: 0, DIRECTIONAL_LIGHTS: 0, CUBE_SHADOWS: 0, SPOT_SHADOWS: 0, FLAT_SHADOWS: 0,
 };
+
+/** Features of cloth alone. */
+export const OF_CLOTH = ['NORMAL_VARIANCE', 'ALPHA_TO_COVERAGE'];
 
 /** Feature of surface.frag: the condition under which three.js has it, as its preprocessor knows it. */
 export const FEATURES = {
   FLAT_SHADED: 'defined(FLAT_SHADED)',
   DOUBLE_SIDED: 'defined(DOUBLE_SIDED)',
+  FLIP_SIDED: 'defined(FLIP_SIDED)',
   TANGENT: 'defined(USE_TANGENT)',
   TANGENT_FRAME_UV0: 'defined(USE_ANISOTROPY) || defined(USE_UV)',
   METALLIC_ROUGHNESS_MAP: 'defined(USE_ROUGHNESSMAP) || defined(USE_METALNESSMAP)',
@@ -44,6 +48,8 @@ export const COUNTS = { HEMISPHERE_LIGHTS: 'NUM_HEMI_LIGHTS', RECT_LIGHTS: 'NUM_
 export const INPUTS = {
   baseColorFactor: 'vec4(diffuse, opacity)',
   alphaCutoff: 'alphaTest',
+  baseColorMap: 'map',
+  vBaseColorUv: 'vMapUv',
   metallicRoughnessMap: 'roughnessMap',
   vMetallicRoughnessUv: 'vRoughnessMapUv',
   metallicFactor: 'metalness',
@@ -122,6 +128,14 @@ export const EXPRESSIONS = {
   'texture(metallicRoughnessMap, vMetallicRoughnessUv)': 'metallicRoughnessTexel()',
   'texture(normalMap, vNormalUv).xyz': 'normalTexel()',
   's.v = normalize(vViewPosition);': 's.v = viewDirection();',
+};
+
+/** The same of cloth alone: maps made anew by js/three/shading/texture_bake.mjs, and samples that are covered in turn. */
+export const CLOTH_EXPRESSIONS = {
+  'vec4 varied = texture(normalMap, vNormalUv);': 'vec4 varied = texture(normalVarianceMap, vNormalUv);',
+  'vec4 variedCoat = texture(clearcoatNormalMap, vClearcoatNormalUv);': 'vec4 variedCoat = texture(clearcoatNormalVarianceMap, vClearcoatNormalUv);',
+  'const int coverageSamples = 1;': '',
+  'if (count == 0) discard;': 'if (count == 0 || count != coverageStep) discard;',
 };
 
 /** Files of shaders/ that three.js has its own of. */

@@ -1,5 +1,7 @@
 // Includes and conditionals of shader text, as far as they are known before three.js compiles it.
 
+import { reduced } from './expression.mjs';
+
 const INCLUDE = /^#include "([^"]+)"$/;
 const DIRECTIVE = /^\s*#\s*(if|elif|else|endif)\b\s*(.*)$/;
 const NAME = /\b[A-Za-z_]\w*\b/g;
@@ -71,7 +73,7 @@ function chainAt(lines, at, firstCondition, known) {
 }
 
 function linesOf(branches) {
-  if (branches.length === 0) return [];
+  if (branches.every(({ body }) => body.length === 0)) return [];
   if (branches[0].condition === null) return branches[0].body;
   const opened = branches.flatMap(({ condition, body }, i) => [i === 0 ? `#if ${condition}` : condition === null ? '#else' : `#elif ${condition}`, ...body]);
   return [...opened, '#endif'];
@@ -79,27 +81,16 @@ function linesOf(branches) {
 
 /** @returns {boolean | string} What is left of a condition. */
 function leftOf(condition, known) {
-  const text = condition.replace(NAME, (name) => (Object.hasOwn(known, name) ? known[name] : name));
-  if (!/[A-Za-z_]/.test(text)) return Boolean(evaluated(text));
-  for (const [pattern, value] of [[/^0 && .*|.* && 0$/, false], [/^1 \|\| .*|.* \|\| 1$/, true]]) {
-    if (pattern.test(text) && !/[()]/.test(text) && (value ? !text.includes('&&') : !text.includes('||'))) return value;
-  }
-  return text;
+  const left = reduced(condition, known);
+  return typeof left === 'number' ? left !== 0 : left;
 }
 
-/** An integer expression of the preprocessor. */
-function evaluated(text) {
-  if (!/^[\d\s+\-*/%<>=!&|()]*$/.test(text)) throw new Error(`#if ${text}: not an expression of integers`);
-  return Function(`return (${text});`)();
-}
-
-/** Names in the conditions of a text. */
+/** Names in the conditions of a text that have to have a value. */
 export function conditionNames(text) {
   const names = new Set();
   for (const line of text.split('\n')) {
     const [, directive, condition] = DIRECTIVE.exec(line) ?? [];
-    if (directive === 'if' || directive === 'elif') for (const name of condition.match(NAME) ?? []) names.add(name);
+    if (directive === 'if' || directive === 'elif') for (const name of condition.replaceAll(/defined\s*\(\s*\w+\s*\)/g, '').match(NAME) ?? []) names.add(name);
   }
-  names.delete('defined');
   return names;
 }

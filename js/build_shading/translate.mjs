@@ -1,7 +1,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { SLOTS } from '../shot/shading_terms.mjs';
 import { termDefine } from '../three/shading/terms.mjs';
-import { ARRAYS, COUNTS, EXPRESSIONS, FEATURES, FIXED, INPUTS, LEFT_OUT } from './names.mjs';
+import { ARRAYS, CLOTH_EXPRESSIONS, COUNTS, EXPRESSIONS, FEATURES, FIXED, INPUTS, LEFT_OUT, OF_CLOTH } from './names.mjs';
 import { conditionNames, decided, included, withoutComments } from './preprocess.mjs';
 
 const SHADERS = new URL('../../shaders/', import.meta.url);
@@ -29,6 +29,8 @@ const MAIN = 'out vec4 fragmentColor;';
 const DEFINITIONS = [/^struct (\w+)/gm, /^(?:const )?\w+ (\w+)\(/gm, /^const \w+ (\w+)/gm, /^#define (\w+)/gm];
 const DECLARATION = /^(?:uniform|(?:flat )?in) \w+ (\w+)(?:\[.*\])?;$/;
 
+const readAdapter = (file) => withoutComments(readFileSync(new URL(file, ADAPTER), 'utf8'));
+
 const readShader = (file) => (LEFT_OUT.includes(file) ? '' : readFileSync(new URL(file, SHADERS), 'utf8'));
 
 /** Texture coordinates that the vertex stage gives for what three.js has no map of: declarations, assignments. */
@@ -44,18 +46,20 @@ const VERTEX_FILES = ['material/fabric_varyings.glsl', 'material/fabric_uvs.glsl
 export function shadingText(family) {
   const root = readShader('surface.frag');
   const source = root.slice(0, root.indexOf(MAIN)).replace(/^precision .*$/gm, '');
-  const adapter = decided(withoutComments(readFileSync(new URL('adapter.glsl', ADAPTER), 'utf8')), {});
-  const main = withoutComments(readFileSync(new URL('main.glsl', ADAPTER), 'utf8'));
-  const known = { ...FIXED, ...Object.fromEntries(SHADINGS.map((name) => [`SHADING_${name.toUpperCase()}`, Number(name === family)])) };
-  const text = decided(withoutComments(included(source, readShader)), known);
+  const adapter = readAdapter('adapter.glsl');
+  const main = readAdapter('main.glsl');
+  const isCloth = family === 'fabric';
+  const onlyCloth = isCloth ? {} : Object.fromEntries(OF_CLOTH.map((name) => [name, 0]));
+  const known = { ...FIXED, ...onlyCloth, ...Object.fromEntries(SHADINGS.map((name) => [`SHADING_${name.toUpperCase()}`, Number(name === family)])) };
+  const text = decided(`${adapter}\n${withoutComments(included(source, readShader))}`, known);
   const defined = new Set([...text.matchAll(/^#define (\w+)/gm)].map(([, name]) => name));
   const features = [...conditionNames(text)].filter((name) => !FEATURES[name] && !COUNTS[name] && !defined.has(name) && !TERMS.includes(name));
-  const { kept, inputs } = withoutInputs(throughExpressions(text));
+  const { kept, inputs } = withoutInputs(throughExpressions(text, isCloth ? { ...EXPRESSIONS, ...CLOTH_EXPRESSIONS } : EXPRESSIONS));
   const vertex = vertexText(inputs, features);
-  const names = new Set([...namesIn(`${adapter}\n${kept}`), ...inputs, ...features, ...vertex.inputs, ...vertex.features, ...Object.keys(FEATURES), ...Object.keys(COUNTS), ...TERMS]);
+  const names = new Set([...namesIn(kept), ...inputs, ...features, ...vertex.inputs, ...vertex.features, ...Object.keys(FEATURES), ...Object.keys(COUNTS), ...TERMS]);
   const translate = (part) => renamed(part, names);
   return {
-    declarations: [featureText(), ownFeatureText(features), translate(adapter), translate(kept)].join('\n'),
+    declarations: [featureText(), ownFeatureText(features), translate(kept)].join('\n'),
     main: translate(decided(main, known)),
     vertexDeclarations: [ownFeatureText([...features, ...vertex.features]), translate(vertex.declarations)].join('\n'),
     vertexMain: translate(vertex.main),
@@ -79,6 +83,17 @@ function vertexText(inputs, features) {
 /** Features that the material defines where it has them. */
 const ownFeatureText = (features) => features.map((name) => `#ifndef ${PREFIX}${name}\n#define ${PREFIX}${name} 0\n#endif`).join('\n');
 
+/**
+ * The shaders that make mip levels (shaders/texture), as they are: for RawShaderMaterial.
+ * @returns {Record<string, string>}
+ */
+export function textureShaders() {
+  const files = {
+    vertex: 'level.vert', slopeMoments: 'slope_moments.frag', slopeLevel: 'slope_level.frag', coverageMoments: 'coverage_moments.frag', coverageLevel: 'coverage_level.frag',
+  };
+  return Object.fromEntries(Object.entries(files).map(([name, file]) => [name, withoutComments(included(readShader(`texture/${file}`), readShader))]));
+}
+
 /** three.js's conditions as the 0 or 1 that shaders/ asks for. */
 function featureText() {
   const features = Object.entries(FEATURES).map(([name, condition]) =>
@@ -86,9 +101,9 @@ function featureText() {
   return [...features, ...Object.entries(COUNTS).map(([name, count]) => `#define ${PREFIX}${name} ${count}`)].join('\n');
 }
 
-function throughExpressions(text) {
+function throughExpressions(text, expressions) {
   let result = text;
-  for (const [from, to] of Object.entries(EXPRESSIONS)) {
+  for (const [from, to] of Object.entries(expressions)) {
     if (!result.includes(from)) throw new Error(`js/build_shading/names.mjs: no shader reads ${from} any more`);
     result = result.replaceAll(from, to);
   }

@@ -1,5 +1,7 @@
 // Every other shading than stock three.js's: the browser runs telar's text (js/three/shading), the server the same text.
 import { resolveShot } from '../../js/shot/index.mjs';
+import { SLOTS } from '../../js/shot/shading_terms.mjs';
+import { FABRIC_MODELS } from '../fixtures/index.mjs';
 import { CASES as AREA } from './cases_area.mjs';
 import { CASES as CORE } from './cases_core.mjs';
 import { CASES as FILES } from './cases_files.mjs';
@@ -8,7 +10,8 @@ import { CASES as PAIRS } from './cases_pairs.mjs';
 import { CASES as PHYSICAL } from './cases_physical.mjs';
 import { CASES as SHADOW } from './cases_shadow.mjs';
 import { CASES as TRANSMISSION } from './cases_transmission.mjs';
-import { CAMERAS } from './shot.mjs';
+import { makeCase } from './make_case.mjs';
+import { CAMERAS, LIGHTS } from './shot.mjs';
 
 const STOCK = [...CORE, ...PHYSICAL, ...PAIRS, ...AREA, ...SHADOW, ...TRANSMISSION, ...MOTION, ...FILES];
 
@@ -34,10 +37,39 @@ function shaded(label, shading, name) {
   const item = STOCK.find((candidate) => candidate.name === name);
   if (!item) throw new Error(`cases_shading.mjs: no stock case is named ${name}`);
   const resolved = resolveShot({ ...CAMERA, shading }).shading;
-  return { ...item, name: `${label}-${name}`, shot: { ...item.shot, shading: resolved }, fast: FAST.includes(name), extended: false };
+  return { ...item, name: label.startsWith('term-') ? label : `${label}-${name}`, shot: { ...item.shot, shading: resolved }, fast: FAST.includes(name), extended: false };
 }
+
+/** Each term that neither base has, and each of one base in the other, under lights and an environment at once. */
+const termCases = Object.entries(SLOTS).flatMap(([slot, [ofR115, ...others]]) => [
+  ...others.map((term) => termCase('three-r115', slot, term)),
+  termCase('disney-2012', slot, ofR115),
+]);
+
+function termCase(base, slot, term) {
+  const label = `term-${slot}-${term}${base === 'disney-2012' ? '-in-disney' : ''}`;
+  return { ...shaded(label, { base, [slot]: term }, 'physical-everything-lights'), fast: false };
+}
+
+/** Sees the draped cloths of test/fixtures/scenes_fabric.mjs, 40 cm wide. */
+const DRAPE = { projection: 'perspective', fovY: 30, position: [0.3, 0.25, 0.7], target: [0, -0.02, 0], near: 0.3, far: 1.6 };
+const BEHIND = { type: 'directional', color: [1, 0.95, 0.9], intensity: 3, position: [-0.5, 0.6, -1], target: [0, 0, 0] };
+
+/** A cloth of each class: in a studio, under the sun, and with the light behind it. */
+const clothCases = Object.keys(FABRIC_MODELS).filter((model) => model !== 'fabric-tulle').flatMap((model) => {
+  const name = model.replace(/^fabric-/, 'cloth-');
+  return [
+    makeCase(`${name}-studio`, model, 'soft-studio', { camera: DRAPE, shading: 'fabric' }, name === 'cloth-denim'),
+    makeCase(`${name}-sky`, model, 'overcast-sky', { camera: DRAPE, shading: 'fabric', lights: [LIGHTS.directional] }),
+    makeCase(`${name}-behind`, model, null, { camera: DRAPE, shading: 'fabric', lights: [BEHIND, LIGHTS.hemisphere] }),
+  ];
+});
 
 /** @type {import('./cases.mjs').Case[]} */
 export const CASES = [
+  ...ALIKE.map((name) => shaded('r115', 'three-r115', name)),
+  ...ALIKE.map((name) => shaded('disney', 'disney-2012', name)),
   ...ALIKE.map((name) => shaded('fabric', 'fabric', name)),
+  ...termCases,
+  ...clothCases,
 ];

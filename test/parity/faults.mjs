@@ -141,6 +141,28 @@ export const FAULTS = [
     first: null,
   },
   {
+    name: 'a sheen of r115 with its roughness squared',
+    item: 'r115-sheen-sun',
+    edits: [{
+      file: 'shading/principled_terms.glsl',
+      find: 'Fr_SheenR115(vec3(1.0), max(s.perceptualRoughness, SHEEN_ROUGHNESS_MIN)',
+      replace: 'Fr_SheenR115(vec3(1.0), max(pow2(s.perceptualRoughness), SHEEN_ROUGHNESS_MIN)',
+    }],
+    first: 'direct',
+  },
+  {
+    name: 'a coat of r115 that takes nothing from below',
+    item: 'r115-clearcoat-sun',
+    edits: [{ file: 'shading/principled.glsl', find: 'color *= underCoat(s, coatNoL);', replace: '' }],
+    first: 'direct',
+  },
+  {
+    name: 'a retro-reflection of 2012 that forgets its roughness',
+    item: 'disney-sweep-sun',
+    edits: [{ file: 'brdf/disney.glsl', find: 'float fd90 = 0.5 + 2.0 * pow2(LoH) * perceptualRoughness;', replace: 'float fd90 = 0.5 + 2.0 * pow2(LoH);' }],
+    first: 'direct',
+  },
+  {
     name: 'another D in cloth: alpha for alpha squared',
     item: 'fabric-sweep-sun',
     edits: [{ file: 'brdf/cloth.glsl', find: 'float k = alpha / (NxH2 + pow2(NoH * alpha));', replace: 'float k = alpha / (NxH2 + pow2(NoH) * alpha);' }],

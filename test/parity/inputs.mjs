@@ -1,7 +1,9 @@
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import { ENVIRONMENTS, MODELS } from '../fixtures/index.mjs';
+import { ENVIRONMENTS, FABRIC_MODELS, MODELS as STOCK_MODELS } from '../fixtures/index.mjs';
 import { ASSETS, SHARED_MODELS } from './places.mjs';
+
+const MODELS = { ...STOCK_MODELS, ...FABRIC_MODELS };
 
 /** Folder by prefix of a case's `model` or `environment`. */
 const FOLDERS = { 'shared:': SHARED_MODELS, 'bundled:': ASSETS };

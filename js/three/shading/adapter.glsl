@@ -26,5 +26,18 @@ vec3 normalTexel() {
 }
 #endif
 
+#if NORMAL_VARIANCE
+#if NORMAL_MAP
+uniform sampler2D normalVarianceMap;
+#endif
+#if CLEARCOAT_NORMAL_MAP
+uniform sampler2D clearcoatNormalVarianceMap;
+#endif
+#endif
+#if ALPHA_TO_COVERAGE
+uniform int coverageSamples;  // of a pixel
+uniform int coverageStep;     // how many of them are covered where this draw is seen
+#endif
+
 // three.js gives no number for a light on the shaded point itself: it gives no light.
 vec3 lightDirection(vec3 l) { return any(isnan(l)) ? vec3(0.0) : l; }

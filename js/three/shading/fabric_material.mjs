@@ -1,4 +1,5 @@
 import { shadingMaterialClass } from './material.mjs';
+import { bakedTexture } from './texture_bake.mjs';
 
 /**
  * What cloth has beyond a MeshPhysicalMaterial: js/docs/fabric.md is the table of it.
@@ -15,12 +16,16 @@ const MAPS = {
   backColor: 'BACK_COLOR',
 };
 
+/** Uniform of a normal map that was made anew, and the material's own map. */
+const VARIANCE_MAPS = { normalVarianceMap: 'normalMap', clearcoatNormalVarianceMap: 'clearcoatNormalMap' };
+
 /**
  * The class FabricMaterial: a MeshPhysicalMaterial that is shaded as cloth.
  * @param {typeof import('three')} THREE
  * @param {import('./material.mjs').ShadingText} text
+ * @param {Record<string, string>} textureShaders - Module js/dist/shading/texture.mjs.
  */
-export function fabricMaterialClass(THREE, text) {
+export function fabricMaterialClass(THREE, text, textureShaders) {
   return class FabricMaterial extends shadingMaterialClass(THREE, text, 'fabric') {
     isFabricMaterial = true;
 
@@ -45,7 +50,7 @@ export function fabricMaterialClass(THREE, text) {
     }
 
     textUniforms() {
-      const values = { ...factorsOf(THREE, this), ...textureValues(mapsOf(this)) };
+      const values = { ...factorsOf(THREE, this), ...textureValues(mapsOf(this)), ...Object.fromEntries(Object.keys(VARIANCE_MAPS).map((name) => [name, this.#uniforms[name]?.value ?? null])) };
       for (const [name, value] of Object.entries(values)) {
         if (!text.uniforms.includes(name)) continue;
         this.#uniforms[name] ??= { value: null };
@@ -60,9 +65,12 @@ export function fabricMaterialClass(THREE, text) {
       super.onBeforeCompile(shader);
     }
 
-    /** Before each draw: what has changed since reaches the program. */
-    onBeforeRender() {
-      this.textUniforms();
+    /** Before each draw: what has changed since reaches the program, and maps that are new are made anew. */
+    onBeforeRender(renderer) {
+      const uniforms = this.textUniforms();
+      for (const [name, key] of Object.entries(VARIANCE_MAPS)) {
+        if (this[key] && uniforms[name]) uniforms[name].value = bakedTexture(THREE, textureShaders, renderer, 'slope', this[key]);
+      }
     }
 
     copy(source) {
@@ -93,6 +101,7 @@ function featuresOf({ fabric, diffuseTransmission }, maps) {
     FLATNESS: fabric?.flatness > 0,
     WEAVE: Boolean(fabric?.weave),
     BACK: Boolean(fabric?.back),
+    NORMAL_VARIANCE: false,
   };
   for (const [name, define] of Object.entries(MAPS)) {
     features[`${define}_MAP`] = name in maps;

@@ -17,7 +17,7 @@ export async function loadShading(THREE, family) {
   const text = await TEXTS[family]();
   if (!classes.has(THREE)) classes.set(THREE, {});
   const own = classes.get(THREE);
-  own[family] ??= family === 'fabric' ? fabricMaterialClass(THREE, text) : shadingMaterialClass(THREE, text, family);
+  own[family] ??= family === 'fabric' ? fabricMaterialClass(THREE, text, await TEXTS.texture()) : shadingMaterialClass(THREE, text, family);
   return own[family];
 }
 

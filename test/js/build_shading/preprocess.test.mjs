@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { reduced } from '../../../js/build_shading/expression.mjs';
 import { conditionNames, decided, included, withoutComments } from '../../../js/build_shading/preprocess.mjs';
 
 const lines = (...texts) => texts.join('\n');
@@ -28,7 +29,7 @@ test('conditions within branches, counts, and conditions of which half is known'
   assert.equal(decided(lines('#if N + M > 0', 'n', '#endif'), { N: 0, M: 2 }), 'n');
   assert.equal(decided(lines('#if A && B', 'ab', '#endif'), { A: 0 }), '');
   assert.equal(decided(lines('#if A || B', 'ab', '#endif'), { B: 1 }), 'ab');
-  assert.equal(decided(lines('#if A && B || C', 'abc', '#endif'), { A: 0 }), lines('#if 0 && B || C', 'abc', '#endif'));
+  assert.equal(decided(lines('#if A && B || C', 'abc', '#endif'), { A: 0 }), lines('#if C', 'abc', '#endif'));
   assert.equal(decided(lines('#ifdef X', 'x', '#endif'), {}), lines('#if defined(X)', 'x', '#endif'));
 });
 
@@ -39,5 +40,18 @@ test('what does not fit together is an error', () => {
 });
 
 test('names of conditions', () => {
-  assert.deepEqual([...conditionNames(lines('#if A && defined(B)', '#elif C > 1', 'D', '#endif'))], ['A', 'B', 'C']);
+  assert.deepEqual([...conditionNames(lines('#if A && defined(B)', '#elif C > 1', 'D', '#endif'))], ['A', 'C']);
+});
+
+test('expressions keep their meaning when part of them is known', () => {
+  const left = (text, known = {}) => reduced(text, known);
+  assert.equal(left('A || (B && TERM != 2)', { B: 0 }), 'A');
+  assert.equal(left('A || (B && TERM != 2)', { B: 1 }), 'A || TERM != 2');
+  assert.equal(left('A && (B || C)'), 'A && (B || C)');
+  assert.equal(left('!(A && B) && !C', { C: 0 }), '!(A && B)');
+  assert.equal(left('A - (B - C) > 0', { A: 1 }), '1 - (B - C) > 0');
+  assert.equal(left('defined(X) && Y', { Y: 1 }), 'defined(X)');
+  assert.equal(left('N + M * 2 >= 4', { N: 2, M: 1 }), 1);
+  assert.equal(left('A == 1 || A == 2', { A: 3 }), 0);
+  for (const text of ['(A', 'A &&', 'A B', '&& A']) assert.throws(() => reduced(text, {}), /#if/);
 });

@@ -1,0 +1,109 @@
+/** What was made of a texture, for each renderer: it lives on the renderer's GL. */
+const made = new WeakMap();
+
+/** Programs and the triangle that they are drawn with, for each three.js module. */
+const drawings = new WeakMap();
+
+/**
+ * Makes textures whose mip levels keep what plain averages of texels lose, by the shaders that the server runs
+ * (shaders/texture). Kept as long as the texture; made anew where it was changed.
+ * @param {typeof import('three')} THREE
+ * @param {Record<string, string>} shaders - Module js/dist/shading/texture.mjs.
+ * @param {import('three').WebGLRenderer} renderer - Which is not drawing into the texture; its target is put back.
+ * @param {'slope' | 'coverage'} kind - slope: of a normal map, RG x and y of the mean normal, BA standard deviation of its
+ *   slopes; coverage: of a colour map with holes, A the share of the texel that is there.
+ * @param {import('three').Texture} source
+ * @param {number} [cutoff] - coverage: alpha from which on a texel is there.
+ * @returns {import('three').Texture | null} With the source's sampler; null while the source has no image.
+ */
+export function bakedTexture(THREE, shaders, renderer, kind, source, cutoff = 0) {
+  if (!source?.image?.width) return null;
+  if (!made.has(renderer)) made.set(renderer, new WeakMap());
+  const ofRenderer = made.get(renderer);
+  if (!ofRenderer.has(source)) {
+    const targets = new Map();
+    ofRenderer.set(source, targets);
+    source.addEventListener('dispose', () => {
+      for (const { target } of targets.values()) target.dispose();
+      targets.clear();
+    });
+  }
+  const known = ofRenderer.get(source);
+  const key = `${kind} ${cutoff}`;
+  const last = known.get(key);
+  if (last?.version === source.version) return last.target.texture;
+  last?.target.dispose();
+  const target = bake(THREE, shaders, renderer, { kind, source, cutoff });
+  known.set(key, { target, version: source.version });
+  return target.texture;
+}
+
+function bake(THREE, shaders, renderer, { kind, source, cutoff }) {
+  const { width, height } = source.image;
+  const levels = Math.floor(Math.log2(Math.max(width, height))) + 1;
+  const out = new THREE.WebGLRenderTarget(width, height, { depthBuffer: false, generateMipmaps: false, ...samplerOf(source), colorSpace: kind === 'slope' ? THREE.NoColorSpace : source.colorSpace });
+  out.texture.mipmaps = Array.from({ length: levels }, () => ({}));
+  const drawing = drawingOf(THREE, shaders);
+  const before = [renderer.getRenderTarget(), renderer.getActiveCubeFace(), renderer.getActiveMipmapLevel()];
+  const autoClear = renderer.autoClear;
+  renderer.autoClear = false;
+  let larger = null; // moments of the level before
+  for (let level = 0; level < levels; level++) {
+    const size = sizeAt(THREE, source, level);
+    if (level > 0) {
+      const moments = momentTarget(THREE, size);
+      const uniforms = { sourceMap: larger?.texture ?? source, sourceSize: sizeAt(THREE, source, level - 1), targetSize: size, cutoff };
+      drawing.draw(renderer, `${kind}Moments`, level === 1, uniforms, moments, 0, size);
+      larger?.dispose();
+      larger = moments;
+    }
+    drawing.draw(renderer, `${kind}Level`, level === 0, { sourceMap: larger?.texture ?? source }, out, level, size);
+  }
+  larger?.dispose();
+  renderer.autoClear = autoClear;
+  renderer.setRenderTarget(...before);
+  return out;
+}
+
+const sizeAt = (THREE, { image }, level) => new THREE.Vector2(Math.max(1, image.width >> level), Math.max(1, image.height >> level));
+
+/** Sums of squares need the precision: a variance is a small difference of them. */
+const momentTarget = (THREE, { x, y }) => new THREE.WebGLRenderTarget(x, y, {
+  type: THREE.FloatType, depthBuffer: false, generateMipmaps: false, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter,
+});
+
+const samplerOf = ({ wrapS, wrapT, minFilter, magFilter, anisotropy }) => ({ wrapS, wrapT, minFilter, magFilter, anisotropy });
+
+/** Draws one mip level at a time, by a triangle over the viewport. */
+function drawingOf(THREE, shaders) {
+  if (drawings.has(THREE)) return drawings.get(THREE);
+  const geometry = new THREE.BufferGeometry();
+  // Its vertices are numbered, not read; three.js counts them by this.
+  geometry.setAttribute('position', new THREE.Float32BufferAttribute(new Float32Array(9), 3));
+  const mesh = new THREE.Mesh(geometry);
+  mesh.frustumCulled = false;
+  const scene = new THREE.Scene().add(mesh);
+  const camera = new THREE.Camera();
+  const materials = new Map();
+  const materialOf = (name, fromImage) => {
+    const key = `${name} ${fromImage}`;
+    if (!materials.has(key)) {
+      materials.set(key, new THREE.RawShaderMaterial({
+        glslVersion: THREE.GLSL3, vertexShader: shaders.vertex, fragmentShader: shaders[name], defines: { FROM_IMAGE: Number(fromImage) },
+        uniforms: { sourceMap: { value: null }, sourceSize: { value: null }, targetSize: { value: null }, cutoff: { value: 0 } },
+        depthTest: false, depthWrite: false, blending: THREE.NoBlending,
+      }));
+    }
+    return materials.get(key);
+  };
+  const draw = (renderer, name, fromImage, uniforms, target, level, { x, y }) => {
+    mesh.material = materialOf(name, fromImage);
+    for (const [uniform, value] of Object.entries(uniforms)) mesh.material.uniforms[uniform].value = value;
+    mesh.material.uniformsNeedUpdate = true;
+    target.viewport.set(0, 0, x, y);
+    renderer.setRenderTarget(target, 0, level);
+    renderer.render(scene, camera);
+  };
+  drawings.set(THREE, { draw });
+  return { draw };
+}
