@@ -83,6 +83,20 @@ test('a back without a colour of its own has the front\'s', async () => {
   assert.deepEqual([back.baseColorFactor, back.baseColorTexture.name, back.roughnessFactor], [[0.1, 0.2, 0.3], 'texture 0', 0.8]);
 });
 
+test('FabricMaterial by hand: parameters, clones, programs that differ by what is there', async () => {
+  const FabricMaterial = await loadFabricMaterial(THREE);
+  const plain = new FabricMaterial({ color: 0x884422, roughness: 0.4 });
+  assert.deepEqual([plain.fabric, plain.diffuseTransmission, plain.roughness], [null, null, 0.4]);
+  const thin = new FabricMaterial({ diffuseTransmission: { diffuseTransmissionFactor: 0.4 } });
+  assert.notEqual(thin.customProgramCacheKey(), plain.customProgramCacheKey());
+  assert.equal(thin.clone().customProgramCacheKey(), thin.customProgramCacheKey());
+  const uniforms = thin.textUniforms();
+  assert.equal(uniforms.diffuseTransmissionFactor.value, 0.4);
+  thin.diffuseTransmission.diffuseTransmissionFactor = 0.6;
+  thin.textUniforms();
+  assert.equal(uniforms.diffuseTransmissionFactor.value, 0.6);
+});
+
 test('a FabricMaterial that a client has put into the scene stays', async () => {
   const own = new (await loadFabricMaterial(THREE))();
   const scene = new THREE.Group().add(new THREE.Mesh(new THREE.BufferGeometry(), own));

@@ -4,6 +4,7 @@ import { createInterface } from 'node:readline';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { buildPage } from '../../../js/build_page.mjs';
+import { buildShading } from '../../../js/build_shading/index.mjs';
 import '../api/support/real.mjs';
 
 export const SHIRT = fileURLToPath(new URL('../../../js/assets/tshirt.glb', import.meta.url));
@@ -32,6 +33,7 @@ let built;
  *   stop: SIGINT, then exit code and signal
  */
 export async function openView(model, args = []) {
+  if (!built) buildShading();
   await (built ??= buildPage());
   const child = spawn(process.execPath, [CLI, 'view', model, '--json', '--quiet', ...args], { stdio: ['ignore', 'pipe', 'inherit'] });
   const ended = once(child, 'exit');
