@@ -1,9 +1,10 @@
 /** telar analyse: which term of one shading against another changes pictures of cloth most. */
 export { analyse, analysisSteps } from './analyse.mjs';
-export { analysisPage, plotsOf } from './report.mjs';
+export { analysisPage, plotsOf, strongestIn } from './report.mjs';
 export { figuresOf } from './figures.mjs';
-export { rankLines, termLines } from './lines.mjs';
+export { percent, rankLines, ranksText, shortFigure, termLines } from './lines.mjs';
 export { LIGHTS, lightsOf } from './lights.mjs';
 export { FABRICS, fabricTargets, modelTargets } from './targets.mjs';
+export { inWords } from './words.mjs';
 export { swapsBetween } from './swaps.mjs';
 export { dataUrls, picturesOf } from './pictures.mjs';

@@ -1,4 +1,3 @@
-import { number } from '../compare/figures.mjs';
 import { inWords } from './words.mjs';
 
 /** An analysis as text for a terminal. */
@@ -9,8 +8,9 @@ function table(rows, left) {
   return rows.map((row) => row.map((cell, i) => (left.includes(i) ? cell.padEnd(widths[i]) : cell.padStart(widths[i]))).join('  ').trimEnd());
 }
 
-const short = (value) => (value === 0 ? '0' : value < 0.00005 ? '<0.0001' : value < 1 ? value.toFixed(4) : number(value));
-export const rangeText = ({ min, max }) => `${short(min)}..${short(max)}`;
+/** A positive figure: four decimals below 1, three digits above. */
+export const shortFigure = (value) => (value === 0 ? '0' : value < 0.00005 ? '<0.0001' : value < 1 ? value.toFixed(4) : String(Number(value.toPrecision(3))));
+const rangeText = ({ min, max }) => `${shortFigure(min)}..${shortFigure(max)}`;
 export const percent = (share) => `${Math.round(share * 100)} %`;
 export const ranksText = ([best, worst]) => (best === worst ? String(best) : `${best}-${worst}`);
 
@@ -23,11 +23,11 @@ const HEADINGS = ['rank', 'term', 'from', 'to', 'FLIP', 'range', 'last', 'dE00',
  */
 export function rankLines({ rows, cells, names }) {
   const lines = rows.map((row) => [
-    String(row.rank), row.slot, row.from, row.to, short(row.alone.flip.mean), rangeText(row.alone.flip), short(row.rest.flip.mean),
-    short(row.alone.deltaE.mean), short(row.alone.deltaEp95.mean), percent(row.share), ranksText(row.ranks), row.words + (row.interaction ? `; ${row.interaction}` : ''),
+    String(row.rank), row.slot, row.from, row.to, shortFigure(row.alone.flip.mean), rangeText(row.alone.flip), shortFigure(row.rest.flip.mean),
+    shortFigure(row.alone.deltaE.mean), shortFigure(row.alone.deltaEp95.mean), percent(row.share), ranksText(row.ranks), row.words + (row.interaction ? `; ${row.interaction}` : ''),
   ]);
   const whole = cells.map(({ target, light, all }) => [
-    `${target}, ${light}`, `FLIP ${short(all.flip.mean)}`, `dE00 ${short(all.deltaE.mean)}`, `p95 ${short(all.deltaE.p95)}`, inWords(all),
+    `${target}, ${light}`, `FLIP ${shortFigure(all.flip.mean)}`, `dE00 ${shortFigure(all.deltaE.mean)}`, `p95 ${shortFigure(all.deltaE.p95)}`, inWords(all),
   ]);
   return [
     `${names.to} against ${names.from}, all terms:`, ...table(whole, [0, 1, 2, 3, 4]), '',

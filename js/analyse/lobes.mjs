@@ -5,7 +5,7 @@ export const VIEW_ANGLES = [20, 65];
 /** Angles of the albedo curves, degrees. */
 export const ALBEDO_ANGLES = [0, 10, 20, 30, 40, 50, 60, 65, 70, 75, 80, 84, 87];
 /** Steps of the light over the plane of incidence, degrees. */
-const LIGHT_STEP = 1;
+const LIGHT_STEP = 1.5;
 
 const RADIANS = Math.PI / 180;
 

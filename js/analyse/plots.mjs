@@ -11,7 +11,7 @@ const DARK = '.from{stroke:#7db2f5}.to{stroke:#f0965f}text{fill:#c4c4c4}.from-te
 /** Lobes that a plot shows beside the total, and how their lines are broken. */
 const LOBE_DASHES = { diffuse: '5 2', specular: '1.5 2', sheen: '7 2 1.5 2', coat: '3 4' };
 
-const n = (value) => Number(value.toFixed(2));
+const n = (value) => Number(value.toFixed(1));
 const path = (points) => points.map(([x, y], i) => `${i === 0 ? 'M' : 'L'}${n(x)} ${n(y)}`).join('');
 const text = (x, y, content, { anchor = 'start', className } = {}) =>
   `<text x="${n(x)}" y="${n(y)}"${anchor === 'start' ? '' : ` text-anchor="${anchor}"`}${className ? ` class="${className}"` : ''}>${escaped(content)}</text>`;

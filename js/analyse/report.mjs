@@ -1,7 +1,6 @@
-import { number } from '../compare/figures.mjs';
 import { escaped } from '../compare/markup.mjs';
 import { CENTRE_ABOVE, HIGHLIGHT_SHARE, LIMB_BELOW } from './differences.mjs';
-import { percent, ranksText } from './lines.mjs';
+import { percent, ranksText, shortFigure as figure } from './lines.mjs';
 import { ALBEDO_ANGLES, LIGHT_ANGLES } from './lobes.mjs';
 import { albedoPlot, lobePlot } from './plots.mjs';
 import { STYLE } from './report_style.mjs';
@@ -14,7 +13,6 @@ const SHOWN_TERMS = 3;
 
 const th = (name, more = '') => `<th scope="col"${more}>${escaped(name)}</th>`;
 const td = (value, className = '') => `<td${className ? ` class="${className}"` : ''}>${escaped(value)}</td>`;
-const figure = (value) => (value === 0 ? '0' : number(Number(value.toPrecision(3))));
 
 /** Bar of a share of the largest effect, after the term. */
 const bar = (share) => `<td class="bar" aria-hidden="true"><span style="width:${Math.round(share * 100)}%"></span></td>`;
@@ -24,13 +22,11 @@ const COLUMNS = [
   ['rank', ({ rank }) => rank],
   ['term', ({ slot, from, to }) => [slot, `${from} → ${to}`], 'words'],
   ['FLIP alone', ({ alone }) => [figure(alone.flip.mean), `± ${figure(alone.flip.deviation)}`]],
-  ['range', ({ alone }) => `${figure(alone.flip.min)} to ${figure(alone.flip.max)}`],
+  ['range', ({ alone }) => [`from ${figure(alone.flip.min)}`, `to ${figure(alone.flip.max)}`]],
   ['FLIP last', ({ rest }) => figure(rest.flip.mean)],
-  ['dE00 mean', ({ alone }) => figure(alone.deltaE.mean)],
-  ['dE00 p95', ({ alone }) => figure(alone.deltaEp95.mean)],
+  ['dE00 alone', ({ alone }) => [figure(alone.deltaE.mean), `p95 ${figure(alone.deltaEp95.mean)}`]],
   ['of the whole', ({ share }) => percent(share)],
-  ['rank by dE00', ({ rankByColour }) => rankByColour],
-  ['ranks', ({ ranks }) => ranksText(ranks)],
+  ['ranks', ({ ranks, rankByColour }) => [ranksText(ranks), `dE00 ${rankByColour}`]],
   ['alone, it makes the cloth', ({ words }) => words, 'words'],
   ['interaction: it changes', ({ interaction }) => interaction, 'words'],
 ];
@@ -49,7 +45,7 @@ function rankTable({ rows }) {
     const cells = COLUMNS.map(([heading, cellOf, className]) => rankCell(cellOf(row), className, heading === 'term'));
     return `<tr${row.effect === 0 ? ' class="none"' : ''}>${cells.toSpliced(2, 0, bar(row.effect / largest)).join('')}</tr>`;
   };
-  const headings = COLUMNS.map(([heading, , className]) => th(heading, className ? ` class="${className}"` : '')).toSpliced(2, 0, th('effect'));
+  const headings = COLUMNS.map(([heading, , className]) => th(heading, className ? ` class="${className}"` : '')).toSpliced(2, 0, th('effect', ' class="words"'));
   return `<div class="wide"><table><thead><tr>${headings.join('')}</tr></thead>\n<tbody>${rows.map(line).join('\n')}</tbody></table></div>`;
 }
 
@@ -63,7 +59,7 @@ function cellTable({ rows, cells }) {
 <tbody>${rows.map(line).join('\n')}\n${all}</tbody></table></div>`;
 }
 
-const picture = (source, title, note = '') => `<figure><img src="${source}" alt="${escaped(title)}" loading="lazy"><figcaption><b>${escaped(title)}</b>${note ? `<br>${escaped(note)}` : ''}</figcaption></figure>`;
+const picture = (source, title, note = '') => `<figure><img src="${source}" alt="${escaped(title)}"><figcaption><b>${escaped(title)}</b>${note ? `<br>${escaped(note)}` : ''}</figcaption></figure>`;
 
 const differenceNote = (difference) => `FLIP ${figure(difference.flip.mean)}, dE00 ${figure(difference.deltaE.mean)} (p95 ${figure(difference.deltaE.p95)}): ${inWords(difference)}`;
 
@@ -96,7 +92,7 @@ function plotSection(curves, names) {
 
 const HOW = `FLIP (0..1) and CIEDE2000 are means over the pixels that the cloth covers by half or more, over middle grey. Alone: the first
 shading with this one term of the second. Last: the second against itself with this one term of the first put back. Effect: the mean of both, by which
-the terms are ranked. Ranks: best and worst in a single picture. Limb: cloth whose normal and viewer meet at a cosine below ${LIMB_BELOW}; centre: above ${CENTRE_ABOVE};
+the terms are ranked. Ranks: best and worst in a single picture, and below by CIEDE2000. Limb: cloth whose normal and viewer meet at a cosine below ${LIMB_BELOW}; centre: above ${CENTRE_ABOVE};
 highlights: the brightest ${HIGHLIGHT_SHARE * 100} % of either picture. L* and C* are CIELAB, second shading less first.`;
 
 /**

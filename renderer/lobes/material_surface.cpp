@@ -14,7 +14,12 @@ glm::dvec2 dfg(double perceptualRoughness, double NoV) {
   return glm::dvec2(ibl::dfgLookup(static_cast<float>(perceptualRoughness), static_cast<float>(NoV)));
 }
 
-void readBase(SurfaceInfo& s, const Material& m) {
+/// A principled shading takes roughness as authored.
+double roughnessOf(double authored, bool principled) {
+  return principled ? authored : brdf_d::shadedRoughness(authored, 0);
+}
+
+void readBase(SurfaceInfo& s, const Material& m, bool principled) {
   const PhysicalLayers& l = m.layers;
   s.baseColor = glm::dvec3(m.baseColorFactor);
   s.metallic = m.metallicFactor;
@@ -27,7 +32,7 @@ void readBase(SurfaceInfo& s, const Material& m) {
     s.f0Dielectric = glm::min(ratio * ratio * glm::dvec3(l.specularColorFactor), glm::dvec3(1)) * factor;
   }
   s.f0 = glm::mix(s.f0Dielectric, s.baseColor, s.metallic);
-  s.perceptualRoughness = brdf_d::shadedRoughness(m.roughnessFactor, 0);
+  s.perceptualRoughness = roughnessOf(m.roughnessFactor, principled);
   s.alpha = brdf_d::alphaFromRoughness(s.perceptualRoughness);
   s.dfg = dfg(s.perceptualRoughness, s.NoV);
 }
@@ -51,7 +56,7 @@ void readFilm(SurfaceInfo& s, const PhysicalLayers& l) {
   s.filmF0Metal = brdf_d::f0FromSchlick(metal, s.NoV);
 }
 
-void readLayers(SurfaceInfo& s, const PhysicalLayers& l) {
+void readLayers(SurfaceInfo& s, const PhysicalLayers& l, bool principled) {
   s.diffuseRoughness = brdf_d::saturate(l.diffuseRoughnessFactor);
   readAnisotropy(s, l);
   readFilm(s, l);
@@ -59,20 +64,24 @@ void readLayers(SurfaceInfo& s, const PhysicalLayers& l) {
   s.sheenRoughness = std::max(std::min<double>(l.sheenRoughnessFactor, 1), double{brdf_d::SHEEN_ROUGHNESS_MIN});
   s.coatNormal = s.n;
   s.clearcoat = brdf_d::saturate(l.clearcoatFactor);
-  s.clearcoatRoughness = brdf_d::shadedRoughness(l.clearcoatRoughnessFactor, 0);
+  s.clearcoatRoughness = roughnessOf(l.clearcoatRoughnessFactor, principled);
   s.clearcoatNoV = s.NoV;
   s.coatDfg = dfg(s.clearcoatRoughness, s.NoV);
 }
 
 }  // namespace
 
-brdf_d::SurfaceInfo surfaceOf(const Material& material, const Shot&, const glm::dvec3& v) {
+brdf_d::SurfaceInfo surfaceOf(const Material& material, const Shot& shot, const glm::dvec3& v) {
+  const bool principled = isPrincipled(shot.shading);
   SurfaceInfo s{};
   s.n = {0, 0, 1};
   s.v = v;
   s.NoV = brdf_d::saturate(v.z);
-  readBase(s, material);
-  readLayers(s, material.layers);
+  if (principled) s.terms = shot.terms;
+  readBase(s, material, principled);
+  readLayers(s, material.layers, principled);
+  s.flatness = material.fabric.flatness;
+  s.diffuseTransmission = material.fabric.diffuseTransmissionFactor;
   return s;
 }
 

@@ -64,6 +64,36 @@ test('lobes add up to the total, below the horizon is nothing, and a coat takes 
   assert.ok(radiance[0].diffuse[0] < plain.radiance[0].diffuse[0]);
 });
 
+/** Rows of published or tabulated albedos, at cosines between normal and viewer. */
+const COSINES = [0.02, 0.1, 0.3, 0.6, 1];
+const WHITE_SHEEN = { KHR_materials_sheen: { sheenColorFactor: [1, 1, 1], sheenRoughnessFactor: 0.5 } };
+const ROWS = [
+  ['Disney diffuse, roughness 1', 'disney-2012', materialOf({}), 'diffuse', [1.52, 1.38, 1.15, 1.04, 1.04]],
+  ['Disney diffuse, roughness 0.5', 'disney-2012', materialOf({ roughness: 0.5 }), 'diffuse', [1.01, 1.02, 1.02, 1.01, 1.01]],
+  ['Disney diffuse, roughness 0', 'disney-2012', materialOf({ roughness: 0 }), 'diffuse', [0.54, 0.69, 0.89, 0.97, 0.98]],
+  ['Frostbite diffuse, roughness 1', { base: 'disney-2012', diffuse: 'frostbite' }, materialOf({}), 'diffuse', [1.01, 0.91, 0.76, 0.69, 0.69]],
+  ['Disney sheen', 'disney-2012', materialOf(WHITE_SHEEN), 'sheen', [0.084, 0.066, 0.034, 0.01, 0]],
+  ['r115 diffuse', 'three-r115', materialOf({}), 'diffuse', [1, 1, 1, 1, 1]],
+];
+
+test('albedos of the principled shadings are those of their models', async () => {
+  for (const [name, shading, material, lobe, expected] of ROWS) {
+    for (const [i, cosine] of COSINES.entries()) {
+      const { albedo } = await evaluateShading({ shading, material, viewAngle: Math.acos(cosine), albedo: true });
+      // The rows are rounded to two or three digits.
+      near(albedo[lobe][0], expected[i], 0.0051, `${name}, NoV ${cosine}`);
+    }
+  }
+});
+
+test('one term swapped changes its own lobe and no other', async () => {
+  const material = materialOf({ color: [0.4, 0.3, 0.2], roughness: 0.5, ...WHITE_SHEEN });
+  const lobesOf = async (shading) => (await evaluateShading({ shading, material, viewAngle: 0.9, directions: [at(0.6, 2)] })).radiance[0];
+  const [plain, diffuse, sheen] = await Promise.all(['disney-2012', { base: 'disney-2012', diffuse: 'lambert' }, { base: 'disney-2012', sheen: 'zeltner' }].map(lobesOf));
+  const changed = (lobes) => LOBES.filter((lobe) => Math.abs(lobes[lobe][0] - plain[lobe][0]) > 1e-12);
+  assert.deepEqual([changed(diffuse), changed(sheen)], [['diffuse', 'total'], ['sheen', 'total']]);
+});
+
 test('a material of a loaded model gives what the same material alone does', async () => {
   const renderer = await createRenderer();
   const model = await renderer.load(new URL('../../../js/assets/fabrics.glb', import.meta.url));

@@ -3,6 +3,7 @@ import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
+import * as realApi from '../../../js/index.mjs';
 import { assertWellFormed, plantedApi } from '../analyse/support.mjs';
 import { runFake } from './fake.mjs';
 
@@ -87,4 +88,14 @@ test('a signal stops it between pictures; nothing is written', async () => {
   const { exit } = await run(['--report', at, ...SMALL], fake, { signal: controller.signal });
   assert.equal(exit, 5);
   assert.deepEqual([fake.calls.closed, existsSync(at)], [1, false]);
+});
+
+test('the real thing: terms of r115 on the bundled velvet', async () => {
+  const to = JSON.stringify({ base: 'three-r115', diffuse: 'disney-2012', sheen: 'disney-2012' });
+  const { exit, stdout, stderr } = await runFake(['analyse', '--to', to, '--fabrics', 'velvet', '--lights', 'studio', '--size', '64', '--quality', 'draft', '--json'], { api: realApi });
+  assert.equal(exit, 0, stderr);
+  const { ranking, cells } = JSON.parse(stdout);
+  assert.deepEqual(ranking.map(({ slot }) => slot).sort(), ['diffuse', 'sheen']);
+  assert.ok(ranking[0].effect > 0.005, JSON.stringify(ranking[0].alone));
+  assert.ok(cells[0].pixels > 800 && cells[0].all.limb !== null && cells[0].all.centre !== null);
 });

@@ -77,7 +77,7 @@ export const JS_LAYERS = {
   'js/cli': { imports: ['js/error', 'js/shot', 'js/api', 'js/compare', 'js/analyse', 'js/view', 'js/index.mjs'] },
   'js/setup': { imports: ['js/build.mjs'], builtinsOnly: true },
   'js/assets/make': { imports: ['js/index.mjs', 'js/api'], development: true },
-  'js/docs': { imports: ['js/error', 'js/shot', 'js/cli'], development: true },
+  'js/docs': { imports: ['js/error', 'js/shot', 'js/cli', 'js/analyse', 'js/index.mjs'], development: true },
   'js/index.mjs': { imports: ['js/renderer.mjs', 'js/inspect.mjs', 'js/lobes.mjs', 'js/doctor.mjs', 'js/versions.mjs', 'js/error'] },
   'js/doctor.mjs': { imports: ['js/api', 'js/error', 'js/native.mjs', 'js/versions.mjs'] },
   'js/inspect.mjs': { imports: ['js/api', 'js/error', 'js/shot', 'js/native.mjs', 'js/model.mjs'] },
