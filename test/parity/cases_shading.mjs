@@ -2,6 +2,7 @@
 import { resolveShot } from '../../js/shot/index.mjs';
 import { SLOTS } from '../../js/shot/shading_terms.mjs';
 import { FABRIC_MODELS } from '../fixtures/index.mjs';
+import { CLOTH_MAP_MODELS } from '../fixtures/scenes_cloth_maps.mjs';
 import { CASES as AREA } from './cases_area.mjs';
 import { CASES as CORE } from './cases_core.mjs';
 import { CASES as FILES } from './cases_files.mjs';
@@ -65,6 +66,13 @@ const clothCases = Object.keys(FABRIC_MODELS).filter((model) => model !== 'fabri
   ];
 });
 
+/** Every map and factor of cloth, both sides of it seen. */
+const mapCases = Object.keys(CLOTH_MAP_MODELS).flatMap((model) => [
+  makeCase(`${model}-sun`, model, null, { shading: 'fabric', lights: [LIGHTS.ambient, LIGHTS.directional, LIGHTS.point] }),
+  makeCase(`${model}-env`, model, 'lamps', { shading: 'fabric', camera: 'tilted' }, model === 'cloth-maps-second-uv'),
+  makeCase(`${model}-disney`, model, 'lamps', { shading: { base: 'disney-2012', diffuse: 'disney-2015-thin' }, lights: [BEHIND] }),
+]);
+
 /** @type {import('./cases.mjs').Case[]} */
 export const CASES = [
   ...ALIKE.map((name) => shaded('r115', 'three-r115', name)),
@@ -72,4 +80,5 @@ export const CASES = [
   ...ALIKE.map((name) => shaded('fabric', 'fabric', name)),
   ...termCases,
   ...clothCases,
+  ...mapCases,
 ];
