@@ -85,7 +85,7 @@ export async function cellsOf(renderer, { targets, lights, swaps, shot }, { sign
       const model = await renderer.load(target.source, { signal });
       for (const light of lights) {
         const options = { signal, step: () => step(`${target.name}, ${light.name}`) };
-        const base = { ...shot, ...light.shot, ...target.shot, background: 'transparent', output: { format: 'raw' } };
+        const base = { ...shot, ...light.shot, ...target.shot, modelLights: false, background: 'transparent', output: { format: 'raw' } };
         cells.push({ target: target.name, light: light.name, ...(await cellOf(renderer, model, base, { list, indexOf, swaps }, options)) });
       }
       await renderer.release(model);

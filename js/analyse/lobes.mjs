@@ -17,14 +17,17 @@ export const luminance = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
 const luminances = (lobes) => Object.fromEntries(Object.entries(lobes).map(([lobe, rgb]) => [lobe, luminance(rgb)]));
 
-/** Index of the material that a model's target shows: that named after it, else the first. */
-export const materialOf = (facts, name) => Math.max(0, facts.materials.findIndex((material) => material.name === name));
+/** The material that a target shows, as evaluateShading takes it: that named after the variant, else the first, else glTF's default. */
+export function materialOf(model, variant) {
+  const { materials } = model.facts;
+  if (materials.length === 0) return { material: {} };
+  return { model, material: Math.max(0, materials.findIndex(({ name }) => name === variant)) };
+}
 
 /**
  * @typedef {Record<'diffuse' | 'specular' | 'sheen' | 'coat' | 'total', number>} Lobes - Luminances.
  * @typedef {object} Curves
  * @property {string} target
- * @property {string} material - Name in the model.
  * @property {Array<{viewAngle: number, from: Lobes[], to: Lobes[]}>} lobes - For each of LIGHT_ANGLES the BRDF times the cosine.
  * @property {{from: Lobes[], to: Lobes[]}} albedo - For each of ALBEDO_ANGLES.
  *
@@ -37,8 +40,8 @@ export const materialOf = (facts, name) => Math.max(0, facts.materials.findIndex
  */
 export async function curvesOf(api, renderer, target, shadings, { signal } = {}) {
   const model = await renderer.load(target.source, { signal });
-  const material = materialOf(model.facts, target.shot.variant);
-  const ask = (shading, degrees, more) => api.evaluateShading({ model, material, shading, viewAngle: degrees * RADIANS, signal, ...more });
+  const shown = materialOf(model, target.shot.variant);
+  const ask = (shading, degrees, more) => api.evaluateShading({ ...shown, shading, viewAngle: degrees * RADIANS, signal, ...more });
   const directions = LIGHT_ANGLES.map((degrees) => [Math.sin(degrees * RADIANS), 0, Math.cos(degrees * RADIANS)]);
   const both = async (of) => ({ from: await of(shadings.from), to: await of(shadings.to) });
   const lobes = [];
@@ -51,5 +54,5 @@ export async function curvesOf(api, renderer, target, shadings, { signal } = {})
     return curve;
   });
   await renderer.release(model);
-  return { target: target.name, material: model.facts.materials[material]?.name ?? '', lobes, albedo };
+  return { target: target.name, lobes, albedo };
 }

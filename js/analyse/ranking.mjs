@@ -29,7 +29,7 @@ import { inWords } from './words.mjs';
  * @property {number} effect - Mean FLIP of both, which the rank goes by.
  * @property {number} share - effect over the FLIP of the whole difference.
  * @property {string} interaction - Empty where the term changes as much alone as with the others swapped.
- * @property {string} words - Direction, where the term changes most.
+ * @property {string} words - Direction, in the cell that the term alone changes most.
  */
 
 const sum = (values) => values.reduce((all, value) => all + value, 0);
@@ -66,12 +66,14 @@ const effectIn = ({ alone, rest }, figure) => (figure(alone) + figure(rest)) / 2
 const flipOf = ({ flip }) => flip.mean;
 const colourOf = ({ deltaE }) => deltaE.mean;
 
-/** The words of the cell that the term changes most, and which that is. */
+/** The words of the cell that the term changes most, and which that is; where it changes nothing alone, those of it as the last. */
 function wordsOf(cells, slot) {
-  const worst = cells.reduce((most, cell) => (effectIn(cell.terms[slot], flipOf) > effectIn(most.terms[slot], flipOf) ? cell : most));
-  const { alone, rest } = worst.terms[slot];
-  const words = inWords(flipOf(alone) > 0 ? alone : rest);
-  return words === 'no change' || cells.length === 1 ? words : `${words} (${worst.target}, ${worst.light})`;
+  const which = cells.some(({ terms }) => flipOf(terms[slot].alone) > 0) ? 'alone' : 'rest';
+  const amount = ({ terms }) => flipOf(terms[slot][which]);
+  const worst = cells.reduce((most, cell) => (amount(cell) > amount(most) ? cell : most));
+  const words = inWords(worst.terms[slot][which]);
+  if (words === 'no change') return words;
+  return `${which === 'rest' ? 'as the last: ' : ''}${words}${cells.length === 1 ? '' : ` (${worst.target}, ${worst.light})`}`;
 }
 
 /**

@@ -20,7 +20,7 @@ telar analyse --terms
 | \`MODEL...\` | what to draw; without models the bundled drape, a cloth over a ball |
 | \`--from\`, \`--to\` | the shadings: \`three-r115\` (default of \`--from\`), \`disney-2012\` (of \`--to\`), or JSON of one with terms swapped |
 | \`--fabrics NAMES\` | of the bundled drape: \`leather,wool,towel,velvet\`, all by default; glTF materials of numbers typical of the class |
-| \`--lights NAMES\` | $LIGHTS or environments (.hdr, .exr); \`studio,sun\` by default |
+| \`--lights NAMES\` | $LIGHTS or environments (.hdr, .exr); \`studio,sun\` by default; lights in the model are left out |
 | \`--view VIEW\` | in place of the drape's own camera, or of the front of a model |
 | \`--size WxH\`, \`--quality Q\` | of each picture, 320x320 and \`standard\` by default; \`--quality reference\` path traces them |
 | \`--report DIR\` | writes \`index.html\`, one file with ranking, lobe plots, albedo curves and pictures, and \`analysis.json\` |

@@ -52,7 +52,7 @@ test('a term that acts only with another is told as an interaction', async () =>
   assert.match(sheen.interaction, /^more once the others are swapped \(x 2\.9\)/);
   assert.equal(layering.interaction, 'only once others are swapped');
   assert.equal(rowOf(rows, 'diffuse').interaction, '');
-  assert.equal(layering.words.startsWith('much brighter throughout'), true);
+  assert.equal(layering.words, 'as the last: much brighter throughout');
 });
 
 test('spread over cells: the mean, its deviation, and the ranks in each', async () => {
