@@ -67,7 +67,7 @@ void main() {
   vWorldPosition = vec3(modelMatrix * meshSpace);
 #endif
 #include "material/layer_uvs.glsl"
-#if SHADING_FABRIC
+#if SHADING_FABRIC || SHADING_PRINCIPLED
 #include "material/fabric_uvs.glsl"
 #endif
 #if POINTS

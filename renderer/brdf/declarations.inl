@@ -100,6 +100,7 @@ Real sheenAlbedoR115(Real alpha, Real NoV);
 Real sheenAlbedoEstevezKulla(Real sheenRoughness, Real NoV);
 Real sheenAlbedoVelvet(Real sheenRoughness, Real NoV);
 Real clearcoatAlbedoDisney(Real gloss, Real NoV);
+vec2 separableShare(Real perceptualRoughness, Real NoV);
 
 vec2 dfgKaris(Real perceptualRoughness, Real NoV);
 vec2 dfgLazarov(Real perceptualRoughness, Real NoV);

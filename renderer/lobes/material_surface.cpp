@@ -82,6 +82,7 @@ brdf_d::SurfaceInfo surfaceOf(const Material& material, const Shot& shot, const 
   readLayers(s, material.layers, principled);
   s.flatness = material.fabric.flatness;
   s.diffuseTransmission = material.fabric.diffuseTransmissionFactor;
+  s.transmittedColor = glm::dvec3(material.fabric.diffuseTransmissionColorFactor);
   return s;
 }
 

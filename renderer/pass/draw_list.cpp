@@ -38,6 +38,14 @@ void describeFabric(const Material& m, shader::VariantKey& key) {
   key.back = fabric.back && m.doubleSided;
 }
 
+/// What a principled shading reads of the same: where its diffuse lobe has a place for it.
+void describePrincipled(const Material& m, shader::VariantKey& key) {
+  const FabricLayers& fabric = m.fabric;
+  const bool thin = key.terms.diffuse == ShadingTerms::DIFFUSE_DISNEY_2015_THIN;
+  key.flatness = fabric.flatness > 0 && (thin || key.terms.diffuse == ShadingTerms::DIFFUSE_DISNEY_2012);
+  key.diffuseTransmission = fabric.diffuseTransmissionFactor > 0 && thin;
+}
+
 /// Whether the factor that a texture is multiplied with leaves anything of it.
 bool matters(const TextureSlot& slot, const Material& m, const shader::VariantKey& key) {
   using Key = shader::VariantKey;
@@ -67,6 +75,7 @@ void describeMaps(const Material& m, shader::VariantKey& key) {
     key.emissive = m.emissiveFactor != glm::vec3(0);
     if (m.physical) describeLayers(m.layers, key);
     if (key.shading == ShadingModel::kFabric) describeFabric(m, key);
+    if (isPrincipled(key.shading)) describePrincipled(m, key);
   }
   for (const TextureSlot& slot : TEXTURE_SLOTS) {
     const TextureRef& texture = slot.texture(m);
@@ -86,12 +95,11 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.vertexColor = !primitive.colors.empty();
   key.alphaMask = material.alphaMode == AlphaMode::kMask && material.alphaCutoff > 0;
   key.alphaOpaque = material.alphaMode != AlphaMode::kBlend;
-  if (!key.unlit) key.shading = frame.shading;
+  if (!key.unlit) key.shading = frame.shading, key.terms = frame.terms;
   describeMaps(material, key);
   if (key.unlit) return key;
   key.ambient = frame.ambient;
   key.environment = frame.environment;
-  key.terms = frame.terms;
   key.orthographic = frame.orthographic;
   key.lights = frame.lights;
   key.flatShaded = primitive.normals.empty();

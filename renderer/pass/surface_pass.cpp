@@ -90,7 +90,7 @@ void setLayers(const gl::Program& program, const DrawItem& item) {
   if (item.key.transmission) setTransmission(program, item);
 }
 
-/// Factors of what the shading "fabric" has beyond those layers.
+/// Factors of what cloth has beyond those layers; a program takes those that it reads.
 void setFabric(const gl::Program& program, const FabricLayers& fabric) {
   const Yarn &warp = fabric.warp, &weft = fabric.weft;
   program.set("diffuseTransmissionFactor", fabric.diffuseTransmissionFactor);
@@ -245,7 +245,7 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
   program.set("occlusionStrength", m.occlusionStrength);
   program.set("normalScale", normalScaleOf(m.normalScale, item));
   if (hasLayers(item.key)) setLayers(program, item);
-  if (item.key.shading == ShadingModel::kFabric) setFabric(program, m.fabric);
+  if (item.key.shading != ShadingModel::kThree) setFabric(program, m.fabric);
 }
 
 void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {

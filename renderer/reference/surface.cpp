@@ -236,7 +236,9 @@ Surface surfaceAt(const Scene& scene, const PlacedMesh& mesh, const Hit& hit, co
   readLayers(s, m, read, frame, coatNormal, geometric, dfg, terms);
   if (terms) s.terms = *terms;
   s.flatness = m.fabric.flatness;
-  s.diffuseTransmission = m.fabric.diffuseTransmissionFactor;
+  s.diffuseTransmission = m.fabric.diffuseTransmissionFactor * read(m.fabric.diffuseTransmissionTexture).a;
+  s.transmittedColor =
+      m.fabric.diffuseTransmissionColorFactor * glm::vec3(read(m.fabric.diffuseTransmissionColorTexture, true));
   surface.glass = readGlass(m.layers, read, mesh);
   return surface;
 }

@@ -96,3 +96,10 @@ float clearcoatAlbedoDisney(float gloss, float NoV) {
   float slope = 0.00440 + x * (0.06359 + x * (-0.57478 + x * (1.41240 + x * (-1.38802 + x * 0.48219))));
   return max(level + width * slope, 0.0);
 }
+
+// What is left of (A, B) of the split sum where Smith's visibility is separable in place of height-correlated, within 0.05.
+vec2 separableShare(float perceptualRoughness, float NoV) {
+  float alpha = max(pow2(perceptualRoughness), 0.001);
+  float loss = alpha * pow(saturate(1.0 - NoV), 2.0 / alpha);
+  return vec2(1.0 - 0.36 * loss, 1.0 - 0.45 * loss);
+}

@@ -42,6 +42,6 @@ in vec2 vEmissiveUv;
 in vec2 vUv0;
 #endif
 #include "material/layer_inputs.glsl"
-#if SHADING_FABRIC
+#if SHADING_FABRIC || SHADING_PRINCIPLED
 #include "material/fabric_inputs.glsl"
 #endif

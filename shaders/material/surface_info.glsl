@@ -15,7 +15,7 @@ vec4 baseColorAndAlpha() {
 
 #if !UNLIT
 #include "material/layer_info.glsl"
-#if SHADING_FABRIC
+#if SHADING_FABRIC || SHADING_PRINCIPLED
 #include "material/fabric_textures.glsl"
 #endif
 
@@ -49,8 +49,14 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
   s.f0 = mix(s.f0Dielectric, baseColor, s.metallic);
 #if SHADING_PRINCIPLED
   s.perceptualRoughness = roughness;  // these models have floors of their own, and curvature widens nothing
-  s.flatness = 0.0;
-  s.diffuseTransmission = 0.0;
+#if FLATNESS
+  s.flatness = flatness;
+#endif
+#if DIFFUSE_TRANSMISSION
+  vec4 through = diffuseTransmission();
+  s.diffuseTransmission = through.a;
+  s.transmittedColor = through.rgb;
+#endif
 #else
   s.perceptualRoughness = shadedRoughness(roughness, geometric);
 #endif

@@ -46,12 +46,17 @@ struct SurfaceInfo {
 #endif
 #if SHADING_PRINCIPLED
 #if ALL_TERMS
-  ShadingTerms terms;         // chosen at run time: in C++ only
+  ShadingTerms terms;        // chosen at run time: in C++ only
 #endif
-  float flatness;             // share of subsurface scattering in the diffuse lobe
-  float diffuseTransmission;  // share of the diffuse light that goes through, where the diffuse lobe has such
+#if FLATNESS
+  float flatness;            // share of subsurface scattering in the diffuse lobe
+#endif
+#if DIFFUSE_TRANSMISSION
+  float diffuseTransmission; // share of the diffuse light that goes through
+  vec3 transmittedColor;     // what it is coloured by, linear Rec.709
+#endif
 #if SHEEN
-  vec3 sheenLtc;              // by preparedSurface, where the sheen is a transformed cosine
+  vec3 sheenLtc;             // by preparedSurface, where the sheen is a transformed cosine
 #endif
 #endif
 #if SHADING_THREE

@@ -65,6 +65,6 @@ out vec2 vEmissiveUv;
 out vec2 vUv0;
 #endif
 #include "material/layer_varyings.glsl"
-#if SHADING_FABRIC
+#if SHADING_FABRIC || SHADING_PRINCIPLED
 #include "material/fabric_varyings.glsl"
 #endif

@@ -12,6 +12,11 @@ bool isLayered(SurfaceInfo s) {
 SurfaceInfo preparedSurface(SurfaceInfo s) {
   s = withParameters(s);
   s.dfg = environmentTerm(s, s.perceptualRoughness, s.NoV, s.dfg);
+#if ALL_TERMS || VISIBILITY_TERM == VISIBILITY_SMITH_SEPARABLE
+  if (CHOSEN(visibility, VISIBILITY_TERM) == VISIBILITY_SMITH_SEPARABLE) {
+    s.dfg *= separableShare(s.perceptualRoughness, s.NoV);
+  }
+#endif
 #if CLEARCOAT
   s = withCoat(s);
   s.coatDfg = environmentTerm(s, s.clearcoatRoughness, s.clearcoatNoV, s.coatDfg);
@@ -47,11 +52,11 @@ Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
   color *= underCoat(s, coatNoL);
 #endif
   vec3 irradiance = NoL * color;
-  bool hasGloss = true;
+  bool hasGloss = NoL > 0.0;  // D has no value at h = -n
 #if SHEEN
   if (max3(s.sheenColor) > 0.0) {
     sum.sheen += color * s.sheenColor * sheenCosineTerm(s, l, NoL, NoH, LoH);
-    hasGloss = !isLayered(s);  // the sheen stands in its place
+    hasGloss = hasGloss && !isLayered(s);  // the sheen stands in its place
   }
 #endif
   if (hasGloss) sum.specular += irradiance * fresnelTerm(s, LoH) * (visibilityTerm(s, l, NoL) * distributionTerm(s, h, NoH));

@@ -89,12 +89,31 @@ vec3 fresnelTerm(SurfaceInfo s, float LoH) {
   return F_Schlick(s.f0, 1.0, LoH);
 }
 
+float flatnessOf(SurfaceInfo s) {
+#if FLATNESS
+  return s.flatness;
+#else
+  return 0.0;
+#endif
+}
+
+// Share of the diffuse light that goes through a thin surface.
+float throughShare(SurfaceInfo s) {
+#if DIFFUSE_TRANSMISSION
+  return s.diffuseTransmission;
+#else
+  return 0.0;
+#endif
+}
+
 // Diffuse lobe, [1/sr], linear Rec.709.
 vec3 diffuseTerm(SurfaceInfo s, float NoL, float LoH, float LoV) {
 #if ALL_TERMS || DIFFUSE_TERM == DIFFUSE_DISNEY_2012
   if (CHOSEN(diffuse, DIFFUSE_TERM) == DIFFUSE_DISNEY_2012) {
     float factor = Fd_Burley(s.perceptualRoughness, s.NoV, NoL, LoH);
-    if (s.flatness > 0.0) factor = mix(factor, Fd_HanrahanKrueger(s.perceptualRoughness, s.NoV, NoL, LoH), s.flatness);
+#if FLATNESS
+    factor = mix(factor, Fd_HanrahanKrueger(s.perceptualRoughness, s.NoV, NoL, LoH), s.flatness);
+#endif
     return s.diffuse * (RECIPROCAL_PI * factor);
   }
 #endif
@@ -108,7 +127,7 @@ vec3 diffuseTerm(SurfaceInfo s, float NoL, float LoH, float LoV) {
 #endif
 #if ALL_TERMS || DIFFUSE_TERM == DIFFUSE_DISNEY_2015_THIN
   if (CHOSEN(diffuse, DIFFUSE_TERM) == DIFFUSE_DISNEY_2015_THIN) {
-    vec2 factors = Fd_DisneyThin(s.perceptualRoughness, s.diffuseTransmission, s.flatness, s.NoV, NoL, LoH);
+    vec2 factors = Fd_DisneyThin(s.perceptualRoughness, throughShare(s), flatnessOf(s), s.NoV, NoL, LoH);
     return s.diffuse * (RECIPROCAL_PI * factors.x);
   }
 #endif
@@ -120,7 +139,9 @@ vec3 diffuseAlbedoTerm(SurfaceInfo s) {
 #if ALL_TERMS || DIFFUSE_TERM == DIFFUSE_DISNEY_2012
   if (CHOSEN(diffuse, DIFFUSE_TERM) == DIFFUSE_DISNEY_2012) {
     float factor = burleyAlbedo(s.perceptualRoughness, s.NoV);
-    if (s.flatness > 0.0) factor = mix(factor, hanrahanKruegerAlbedo(s.perceptualRoughness, s.NoV), s.flatness);
+#if FLATNESS
+    factor = mix(factor, hanrahanKruegerAlbedo(s.perceptualRoughness, s.NoV), s.flatness);
+#endif
     return s.diffuse * factor;
   }
 #endif
@@ -136,8 +157,10 @@ vec3 diffuseAlbedoTerm(SurfaceInfo s) {
   if (CHOSEN(diffuse, DIFFUSE_TERM) == DIFFUSE_DISNEY_2015_THIN) {
     // Its unflattened lobe multiplies out to that of 2012.
     float factor = burleyAlbedo(s.perceptualRoughness, s.NoV);
-    if (s.flatness > 0.0) factor = mix(factor, hanrahanKruegerAlbedo(s.perceptualRoughness, s.NoV), s.flatness);
-    return s.diffuse * ((1.0 - s.diffuseTransmission) * factor);
+#if FLATNESS
+    factor = mix(factor, hanrahanKruegerAlbedo(s.perceptualRoughness, s.NoV), s.flatness);
+#endif
+    return s.diffuse * ((1.0 - throughShare(s)) * factor);
   }
 #endif
   return s.diffuse;
@@ -145,8 +168,10 @@ vec3 diffuseAlbedoTerm(SurfaceInfo s) {
 
 // Albedo of the diffuse lobe for light from the other side, linear Rec.709.
 vec3 transmittedAlbedoTerm(SurfaceInfo s) {
-#if ALL_TERMS || DIFFUSE_TERM == DIFFUSE_DISNEY_2015_THIN
-  if (CHOSEN(diffuse, DIFFUSE_TERM) == DIFFUSE_DISNEY_2015_THIN) return s.diffuse * s.diffuseTransmission;
+#if DIFFUSE_TRANSMISSION
+  if (CHOSEN(diffuse, DIFFUSE_TERM) == DIFFUSE_DISNEY_2015_THIN) {
+    return s.transmittedColor * (s.diffuseTransmission * (1.0 - s.metallic));
+  }
 #endif
   return vec3(0.0);
 }
@@ -245,7 +270,7 @@ float coatAlbedoTerm(SurfaceInfo s) {
 }
 #endif
 
-// Environment BRDF: (A, B) of the split sum.
+// Environment BRDF: (A, B) of the split sum with Smith's correlated visibility.
 // table  the same as the table holds it
 vec2 environmentTerm(SurfaceInfo s, float perceptualRoughness, float NoV, vec2 table) {
 #if ALL_TERMS || ENVIRONMENT_TERM == ENVIRONMENT_KARIS

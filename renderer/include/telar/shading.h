@@ -17,6 +17,10 @@ enum class ShadingModel : std::uint8_t {
 /// One term for every slot of the principled shadings: numbers within the lists of js/shot/shading_terms.mjs. As it
 /// stands it is three-r115.
 struct ShadingTerms {
+#define TELAR_SHADING_NUMBER(define, number) define = number,
+  enum Number { TELAR_SHADING_TERMS(TELAR_SHADING_NUMBER) };
+#undef TELAR_SHADING_NUMBER
+
 #define TELAR_SHADING_MEMBER(define, member, ...) int member = 0;
   TELAR_SHADING_SLOTS(TELAR_SHADING_MEMBER)
 #undef TELAR_SHADING_MEMBER

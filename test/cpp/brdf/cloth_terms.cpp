@@ -77,6 +77,7 @@ std::vector<Term> thesisTerms() {
            vec3(sheenAlbedoEstevezKulla(p[0], p[1]))),
       TERM("sheenAlbedoVelvet", ({SHEEN_ROUGHNESS, COSINE}), OF_ONE, true, vec3(sheenAlbedoVelvet(p[0], p[1]))),
       TERM("clearcoatAlbedoDisney", ({GLOSS, COSINE}), CANCELLING, true, vec3(clearcoatAlbedoDisney(p[0], p[1]))),
+      TERM("separableShare", ({ROUGHNESS, COSINE}), OF_ONE, true, vec3(separableShare(p[0], p[1]), 0.0)),
       TERM("dfgKaris", ({ROUGHNESS, COSINE}), OF_ONE, false, vec3(dfgKaris(p[0], p[1]), 0.0)),
       TERM("dfgLazarov", ({ROUGHNESS, COSINE}), OF_ONE, false, vec3(dfgLazarov(p[0], p[1]), 0.0)),
   };
@@ -88,7 +89,8 @@ std::vector<Term> clothTerms() {
       TERM("V_SmithGGXCosine", ({ALPHA, COSINE, COSINE}), PRODUCT, true, vec3(V_SmithGGXCosine(p[0], p[1], p[2]))),
       TERM("V_SmithGGXAnisotropicCosine", ({ALPHA, ALPHA, COSINE, COSINE, SLANT, SLANT, SLANT, SLANT}), PRODUCT, true,
            vec3(V_SmithGGXAnisotropicCosine(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]))),
-      TERM("glossCurve", ({SHADED_ROUGHNESS}), CANCELLING, true, vec3(glossCurve(p[0]).averages, glossCurve(p[0]).missing.x)),
+      TERM("glossCurve", ({SHADED_ROUGHNESS}), CANCELLING, true,
+           vec3(glossCurve(p[0]).averages, glossCurve(p[0]).missing.x)),
       TERM("glossAlbedo", ({SHADED_ROUGHNESS, COSINE}), OF_ONE, true, vec3(glossAlbedo(glossCurve(p[0]), p[1]), 0.0)),
       TERM("returningShare", ({UNIT, UNIT, UNIT, UNIT, MISSING}), OF_ONE, true,
            returningShare(vec3(p[0], p[1], p[2]), p[3], p[4])),

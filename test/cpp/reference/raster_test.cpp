@@ -55,9 +55,12 @@ std::pair<double, double> differenceOf(const Frame& a, const Frame& b) {
   return {most, sum / count};
 }
 
-void expectTheSamePicture(const Material& material, double most, double mean) {
+void expectTheSamePicture(const Material& material, double most, double mean,
+                          ShadingModel shading = ShadingModel::kThree) {
   const auto scene = test::sceneOf(test::spherePrimitive(1), material);
-  const Shot shot = litShot();
+  Shot shot = litShot();
+  shot.shading = shading;
+  shot.terms = termsOf(shading);
   const Frame raster = rastered(scene, shot);
   const Frame truth = trace(*scene, shot, nullptr, {.samples = 64}, Limits(), CancelToken(), {});
   const auto [worst, average] = differenceOf(raster, truth);
@@ -78,7 +81,7 @@ TEST(RasterAgainstReference, PlainCloth) { expectTheSamePicture(named("plain", 0
 
 TEST(RasterAgainstReference, Metal) { expectTheSamePicture(named("metal", 0.5f, 1), 0.05, 0.0015); }
 
-TEST(RasterAgainstReference, EveryLayer) {
+Material layered() {
   Material m = named("layers", 0.6f, 0.2f);
   m.physical = true;
   m.layers.ior = 1.4f;
@@ -90,7 +93,22 @@ TEST(RasterAgainstReference, EveryLayer) {
   m.layers.sheenRoughnessFactor = 0.5f;
   m.layers.iridescenceFactor = 0.5f;
   m.layers.diffuseRoughnessFactor = 0.7f;
-  expectTheSamePicture(m, 0.03, 0.002);
+  return m;
+}
+
+TEST(RasterAgainstReference, EveryLayer) { expectTheSamePicture(layered(), 0.03, 0.002); }
+
+TEST(RasterAgainstReference, PrincipledShadings) {
+  Material soft = layered();
+  soft.name = "soft";
+  soft.layers.clearcoatFactor = 0;
+  soft.fabric.flatness = 0.5f;
+  for (const ShadingModel shading : {ShadingModel::kThreeR115, ShadingModel::kDisney2012}) {
+    expectTheSamePicture(named("plain", 0.9f, 0), 0.02, 0.001, shading);
+    expectTheSamePicture(named("metal", 0.5f, 1), 0.05, 0.0015, shading);
+    expectTheSamePicture(layered(), 0.03, 0.002, shading);
+    expectTheSamePicture(soft, 0.03, 0.002, shading);
+  }
 }
 
 }  // namespace
