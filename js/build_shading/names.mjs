@@ -48,7 +48,7 @@ export const COUNTS = { HEMISPHERE_LIGHTS: 'NUM_HEMI_LIGHTS', RECT_LIGHTS: 'NUM_
 export const INPUTS = {
   baseColorFactor: 'vec4(diffuse, opacity)',
   alphaCutoff: 'alphaTest',
-  baseColorMap: 'map',
+  baseColorMap: 'telar_coverageMap', // the cut-out cloth's; other base colours are read by three.js
   vBaseColorUv: 'vMapUv',
   metallicRoughnessMap: 'roughnessMap',
   vMetallicRoughnessUv: 'vRoughnessMapUv',

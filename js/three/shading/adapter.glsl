@@ -35,6 +35,7 @@ uniform sampler2D clearcoatNormalVarianceMap;
 #endif
 #endif
 #if ALPHA_TO_COVERAGE
+uniform sampler2D coverageMap;  // sRGB
 uniform int coverageSamples;  // of a pixel
 uniform int coverageStep;     // how many of them are covered where this draw is seen
 #endif

@@ -1,3 +1,4 @@
+import { drawPartlyCovered } from './coverage.mjs';
 import { shadingMaterialClass } from './material.mjs';
 import { bakedTexture } from './texture_bake.mjs';
 
@@ -15,6 +16,9 @@ const MAPS = {
   weave: 'WEAVE',
   backColor: 'BACK_COLOR',
 };
+
+/** Whether the server's renderer draws with textures that were made anew. */
+const IN_USE = { normalVariance: false, alphaToCoverage: false };
 
 /** Uniform of a normal map that was made anew, and the material's own map. */
 const VARIANCE_MAPS = { normalVarianceMap: 'normalMap', clearcoatNormalVarianceMap: 'clearcoatNormalMap' };
@@ -35,7 +39,18 @@ export function fabricMaterialClass(THREE, text, textureShaders) {
     /** @type {object | null} - As KHR_materials_diffuse_transmission, likewise. */
     diffuseTransmission = null;
 
-    #uniforms = {};
+    /** Uniforms of the text, made once. */
+    ownUniforms = {};
+
+    /** Textures that were made of the material's own, by the name of their uniform. */
+    madeMaps = { normalVarianceMap: null, clearcoatNormalVarianceMap: null, coverageMap: null };
+
+    coverageSamples = 1;
+
+    coverageStep = 1;
+
+    /** The same material for pixels that it covers in part (coverage.mjs). */
+    coverageSteps = [];
 
     /** @param {object} [parameters] - As of MeshPhysicalMaterial, and `fabric` and `diffuseTransmission`. */
     constructor(parameters) {
@@ -50,13 +65,13 @@ export function fabricMaterialClass(THREE, text, textureShaders) {
     }
 
     textUniforms() {
-      const values = { ...factorsOf(THREE, this), ...textureValues(mapsOf(this)), ...Object.fromEntries(Object.keys(VARIANCE_MAPS).map((name) => [name, this.#uniforms[name]?.value ?? null])) };
+      const values = { ...factorsOf(THREE, this), ...textureValues(mapsOf(this)), ...this.madeMaps, coverageSamples: this.coverageSamples, coverageStep: this.coverageStep };
       for (const [name, value] of Object.entries(values)) {
         if (!text.uniforms.includes(name)) continue;
-        this.#uniforms[name] ??= { value: null };
-        this.#uniforms[name].value = value;
+        this.ownUniforms[name] ??= { value: null };
+        this.ownUniforms[name].value = value;
       }
-      return this.#uniforms;
+      return this.ownUniforms;
     }
 
     onBeforeCompile(shader) {
@@ -66,11 +81,20 @@ export function fabricMaterialClass(THREE, text, textureShaders) {
     }
 
     /** Before each draw: what has changed since reaches the program, and maps that are new are made anew. */
-    onBeforeRender(renderer) {
-      const uniforms = this.textUniforms();
-      for (const [name, key] of Object.entries(VARIANCE_MAPS)) {
-        if (this[key] && uniforms[name]) uniforms[name].value = bakedTexture(THREE, textureShaders, renderer, 'slope', this[key]);
+    onBeforeRender(renderer, ...rest) {
+      const { NORMAL_VARIANCE, ALPHA_TO_COVERAGE } = this.textDefines();
+      if (NORMAL_VARIANCE) {
+        for (const [name, key] of Object.entries(VARIANCE_MAPS)) this.madeMaps[name] = bakedTexture(THREE, textureShaders, renderer, 'slope', this[key]);
       }
+      if (ALPHA_TO_COVERAGE) this.madeMaps.coverageMap = bakedTexture(THREE, textureShaders, renderer, 'coverage', this.map, textureCutoff(this));
+      this.textUniforms();
+      if (ALPHA_TO_COVERAGE) drawPartlyCovered(this, [renderer, ...rest]);
+    }
+
+    /** What of a pixel's samples the pixels cover that the next draw is for. */
+    setCoverage(samples, step) {
+      Object.assign(this, { coverageSamples: samples, coverageStep: step });
+      this.textUniforms();
     }
 
     copy(source) {
@@ -81,6 +105,9 @@ export function fabricMaterialClass(THREE, text, textureShaders) {
     }
   };
 }
+
+/** The alpha of its map from which on a material with holes is there. */
+const textureCutoff = ({ alphaTest, opacity }) => (opacity > 0 ? alphaTest / opacity : 2);
 
 /** @returns {Record<string, import('three').Texture>} Textures that are there, by the name of their uniform. */
 function mapsOf({ fabric, diffuseTransmission }) {
@@ -95,13 +122,14 @@ function mapsOf({ fabric, diffuseTransmission }) {
 }
 
 /** Defines of 0 or 1, as renderer/pass sets them. */
-function featuresOf({ fabric, diffuseTransmission }, maps) {
+function featuresOf({ fabric, diffuseTransmission, map, alphaTest, normalMap, clearcoatNormalMap }, maps) {
   const features = {
     DIFFUSE_TRANSMISSION: diffuseTransmission?.diffuseTransmissionFactor > 0,
     FLATNESS: fabric?.flatness > 0,
     WEAVE: Boolean(fabric?.weave),
     BACK: Boolean(fabric?.back),
-    NORMAL_VARIANCE: false,
+    NORMAL_VARIANCE: IN_USE.normalVariance && Boolean(normalMap ?? clearcoatNormalMap),
+    ALPHA_TO_COVERAGE: IN_USE.alphaToCoverage && Boolean(map) && alphaTest > 0,
   };
   for (const [name, define] of Object.entries(MAPS)) {
     features[`${define}_MAP`] = name in maps;

@@ -5,10 +5,21 @@ void main() {
   vec3 totalEmissiveRadiance = emissive;
 #include <clipping_planes_fragment>
 #include <logdepthbuf_fragment>
+#if ALPHA_TO_COVERAGE
+#if defined(USE_COLOR_ALPHA)
+  coverSamples(vColor.a);
+#else
+  coverSamples(1.0);
+#endif
+  diffuseColor *= texture(coverageMap, vMapUv);
+#else
 #include <map_fragment>
+#endif
 #include <color_fragment>
 #include <alphamap_fragment>
+#if !ALPHA_TO_COVERAGE
 #include <alphatest_fragment>
+#endif
 #include <alphahash_fragment>
 #include <emissivemap_fragment>
 

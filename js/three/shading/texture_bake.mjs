@@ -1,6 +1,9 @@
 /** What was made of a texture, for each renderer: it lives on the renderer's GL. */
 const made = new WeakMap();
 
+/** Type of the texels that are made: as renderer/pass/texture_bake has them. */
+const TEXEL_TYPES = { slope: 'UnsignedByteType', coverage: 'UnsignedByteType' };
+
 /** Programs and the triangle that they are drawn with, for each three.js module. */
 const drawings = new WeakMap();
 
@@ -41,7 +44,9 @@ export function bakedTexture(THREE, shaders, renderer, kind, source, cutoff = 0)
 function bake(THREE, shaders, renderer, { kind, source, cutoff }) {
   const { width, height } = source.image;
   const levels = Math.floor(Math.log2(Math.max(width, height))) + 1;
-  const out = new THREE.WebGLRenderTarget(width, height, { depthBuffer: false, generateMipmaps: false, ...samplerOf(source), colorSpace: kind === 'slope' ? THREE.NoColorSpace : source.colorSpace });
+  const out = new THREE.WebGLRenderTarget(width, height, {
+    ...samplerOf(source), type: THREE[TEXEL_TYPES[kind]], colorSpace: kind === 'slope' ? THREE.NoColorSpace : source.colorSpace, depthBuffer: false, generateMipmaps: false,
+  });
   out.texture.mipmaps = Array.from({ length: levels }, () => ({}));
   const drawing = drawingOf(THREE, shaders);
   const before = [renderer.getRenderTarget(), renderer.getActiveCubeFace(), renderer.getActiveMipmapLevel()];

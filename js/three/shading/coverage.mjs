@@ -1,0 +1,50 @@
+// Cut-out cloth covers some of a pixel's samples. WebGL has no mask of samples that a shader could write: the cloth is drawn once
+// for each number of samples, with the pixels that cover so many, and GL's own sample coverage takes the part of each.
+
+/** Samples of the canvas, for each renderer: they never change. */
+const canvasSamples = new WeakMap();
+
+/** Samples of a pixel of what a renderer draws into. */
+function samplesOf(renderer) {
+  const target = renderer.getRenderTarget();
+  if (target) return Math.max(1, target.samples);
+  if (!canvasSamples.has(renderer)) {
+    const gl = renderer.getContext();
+    canvasSamples.set(renderer, Math.max(1, gl.getParameter(gl.SAMPLES)));
+  }
+  return canvasSamples.get(renderer);
+}
+
+/**
+ * Draws the pixels of which the cloth covers a part, so that three.js's own draw, which follows, has those that it covers whole.
+ * @param {import('three').Material} material - With `coverageSteps`, a list that this fills, and `uniformsOf(step)`.
+ * @param {unknown[]} draw - Arguments of Material.onBeforeRender.
+ */
+export function drawPartlyCovered(material, [renderer, scene, camera, geometry, object, group]) {
+  const gl = renderer.getContext();
+  const samples = samplesOf(renderer);
+  material.setCoverage(samples, samples);
+  for (let step = 1; step < samples; step++) {
+    material.coverageSteps[step - 1] ??= stepOf(material);
+    const part = material.coverageSteps[step - 1];
+    part.setCoverage(samples, step);
+    gl.enable(gl.SAMPLE_COVERAGE);
+    gl.sampleCoverage(step / samples, false);
+    renderer.renderBufferDirect(camera, scene, geometry, part, object, group);
+  }
+  gl.disable(gl.SAMPLE_COVERAGE);
+}
+
+let parts = 0;
+
+/**
+ * The same material again, for three.js to tell apart: it sets uniforms where the material is another one. Everything that it does
+ * not have of its own is the material's, as it is at the time.
+ */
+function stepOf(material) {
+  const part = Object.create(material, { id: { value: `${material.id} part ${++parts}` } });
+  // Its own listeners: three.js lets go of what it holds for a material when that one says so.
+  Object.assign(part, { _listeners: undefined, ownUniforms: {} });
+  material.addEventListener('dispose', () => part.dispatchEvent({ type: 'dispose' }));
+  return part;
+}
