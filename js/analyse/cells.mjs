@@ -18,7 +18,7 @@ const named = (target, thrown) => {
 function uniqueShadings(shadings) {
   const keys = new Map();
   const list = [];
-  const keyOf = ({ base: _, ...terms }) => JSON.stringify(terms);
+  const keyOf = (shading) => JSON.stringify(typeof shading === 'string' ? shading : { ...shading, base: undefined });
   const names = Object.entries(shadings).map(([name, shading]) => {
     const key = keyOf(shading);
     if (!keys.has(key)) keys.set(key, list.push(shading) - 1);

@@ -24,13 +24,15 @@ const HEADINGS = ['rank', 'term', 'from', 'to', 'FLIP', 'range', 'last', 'dE00',
 export function rankLines({ rows, cells, names }) {
   const lines = rows.map((row) => [
     String(row.rank), row.slot, row.from, row.to, shortFigure(row.alone.flip.mean), rangeText(row.alone.flip), shortFigure(row.rest.flip.mean),
-    shortFigure(row.alone.deltaE.mean), shortFigure(row.alone.deltaEp95.mean), percent(row.share), ranksText(row.ranks), row.words + (row.interaction ? `; ${row.interaction}` : ''),
+    row.alone.deltaE.mean.toFixed(2), row.alone.deltaEp95.mean.toFixed(2), percent(row.share), ranksText(row.ranks), row.words + (row.interaction ? `; ${row.interaction}` : ''),
   ]);
   const whole = cells.map(({ target, light, all }) => [
-    `${target}, ${light}`, `FLIP ${shortFigure(all.flip.mean)}`, `dE00 ${shortFigure(all.deltaE.mean)}`, `p95 ${shortFigure(all.deltaE.p95)}`, inWords(all),
+    `${target}, ${light}`, `FLIP ${shortFigure(all.flip.mean)}`, `dE00 ${all.deltaE.mean.toFixed(2)}`, `p95 ${all.deltaE.p95.toFixed(2)}`, inWords(all),
   ]);
+  const heading = `${names.to} against ${names.from}${rows.length > 0 ? ', all terms' : ''}:`;
+  if (rows.length === 0) return [heading, ...table(whole, [0, 1, 2, 3, 4])];
   return [
-    `${names.to} against ${names.from}, all terms:`, ...table(whole, [0, 1, 2, 3, 4]), '',
+    heading, ...table(whole, [0, 1, 2, 3, 4]), '',
     'One term at a time; FLIP and CIEDE2000 on the cloth: swapped alone, and as the last of all:', ...table([HEADINGS, ...lines], [1, 2, 3, 11]),
   ];
 }

@@ -24,7 +24,7 @@ const COLUMNS = [
   ['FLIP alone', ({ alone }) => [figure(alone.flip.mean), `± ${figure(alone.flip.deviation)}`]],
   ['range', ({ alone }) => [`from ${figure(alone.flip.min)}`, `to ${figure(alone.flip.max)}`]],
   ['FLIP last', ({ rest }) => figure(rest.flip.mean)],
-  ['dE00 alone', ({ alone }) => [figure(alone.deltaE.mean), `p95 ${figure(alone.deltaEp95.mean)}`]],
+  ['dE00 alone', ({ alone }) => [alone.deltaE.mean.toFixed(2), `p95 ${alone.deltaEp95.mean.toFixed(2)}`]],
   ['of the whole', ({ share }) => percent(share)],
   ['ranks', ({ ranks, rankByColour }) => [ranksText(ranks), `dE00 ${rankByColour}`]],
   ['alone, it makes the cloth', ({ words }) => words, 'words'],
@@ -61,7 +61,7 @@ function cellTable({ rows, cells }) {
 
 const picture = (source, title, note = '') => `<figure><img src="${source}" alt="${escaped(title)}"><figcaption><b>${escaped(title)}</b>${note ? `<br>${escaped(note)}` : ''}</figcaption></figure>`;
 
-const differenceNote = (difference) => `FLIP ${figure(difference.flip.mean)}, dE00 ${figure(difference.deltaE.mean)} (p95 ${figure(difference.deltaE.p95)}): ${inWords(difference)}`;
+const differenceNote = (difference) => `FLIP ${figure(difference.flip.mean)}, dE00 ${difference.deltaE.mean.toFixed(2)} (p95 ${difference.deltaE.p95.toFixed(2)}): ${inWords(difference)}`;
 
 /** Slots of a cell that change it most. */
 export const strongestIn = ({ terms }) => Object.entries(terms)
@@ -69,14 +69,14 @@ export const strongestIn = ({ terms }) => Object.entries(terms)
   .sort(([, a], [, b]) => b.alone.flip.mean - a.alone.flip.mean).slice(0, SHOWN_TERMS).map(([slot]) => slot);
 
 function cellSection(cell, names, sources) {
-  const signed = (value) => `${value >= 0 ? '+' : '−'}${figure(Math.abs(value))}`;
+  const signed = (value) => `${value >= 0 ? '+' : '−'}${Math.abs(value).toFixed(2)}`;
   const region = (name, change) => (change ? `<tr><th scope="row">${name}</th>${td(signed(change.lightness))}${td(signed(change.chroma))}</tr>` : '');
   const { all } = cell;
   return `<section><h3>${escaped(`${cell.target}, ${cell.light}`)}</h3>
 <p>${escaped(names.to)} against ${escaped(names.from)}: ${escaped(differenceNote(all))}</p>
 <div class="pictures">${picture(sources.from, names.from)}${picture(sources.to, names.to)}${picture(sources.map, 'FLIP', 'black 0, light yellow 1')}
 ${strongestIn(cell).map((slot) => picture(sources[slot], `${names.from} with ${slot} swapped`, differenceNote(cell.terms[slot].alone))).join('\n')}</div>
-<table class="small"><thead><tr>${th('all terms')}${th('L*')}${th('C*')}</tr></thead><tbody>${region('cloth', all.cloth)}${region('limb', all.limb)}${region('centre', all.centre)}${region('highlights', all.highlight)}</tbody></table>
+<table class="small"><thead><tr>${th('all')}${th('L*')}${th('C*')}</tr></thead><tbody>${region('cloth', all.cloth)}${region('limb', all.limb)}${region('centre', all.centre)}${region('highlights', all.highlight)}</tbody></table>
 </section>`;
 }
 
@@ -90,9 +90,9 @@ function plotSection(curves, names) {
   return `<section><h3>${escaped(curves.target)}</h3><div class="plots">${Object.values(plotsOf(curves, names)).map((plot) => `<figure>${plot}</figure>`).join('\n')}</div></section>`;
 }
 
-const HOW = `FLIP (0..1) and CIEDE2000 are means over the pixels that the cloth covers by half or more, over middle grey. Alone: the first
-shading with this one term of the second. Last: the second against itself with this one term of the first put back. Effect: the mean of both, by which
-the terms are ranked. Ranks: best and worst in a single picture, and below by CIEDE2000. Limb: cloth whose normal and viewer meet at a cosine below ${LIMB_BELOW}; centre: above ${CENTRE_ABOVE};
+const HOW_TERMS = `Alone: the first shading with this one term of the second. Last: the second against itself with this one term of the first put
+back. Effect: the mean of both, by which the terms are ranked. Ranks: best and worst in a single picture, and below by CIEDE2000.`;
+const HOW = `FLIP (0..1) and CIEDE2000 are means over the pixels that the cloth covers by half or more, over middle grey. Limb: cloth whose normal and viewer meet at a cosine below ${LIMB_BELOW}; centre: above ${CENTRE_ABOVE};
 highlights: the brightest ${HIGHLIGHT_SHARE * 100} % of either picture. L* and C* are CIELAB, second shading less first.`;
 
 /**
@@ -101,19 +101,19 @@ highlights: the brightest ${HIGHLIGHT_SHARE * 100} % of either picture. L* and C
  * @returns {string} HTML
  */
 export function analysisPage(analysis, sources) {
-  const { names, cells, curves, shot, swaps } = analysis;
-  const title = `${names.to} against ${names.from}, term by term`;
+  const { names, rows, cells, curves, shot, swaps } = analysis;
+  const title = `${names.to} against ${names.from}${rows.length > 0 ? ', term by term' : ''}`;
   const { width, height } = shot.size;
   return `<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width,initial-scale=1"><meta name="color-scheme" content="light dark">
 <title>${escaped(title)}</title><style>${STYLE}</style></head>
 <body><h1>${escaped(title)}</h1>
-<p>${cells.length} views of ${width} x ${height} pixels, each with ${Object.keys(swaps.shadings).length} shadings; quality ${escaped(JSON.stringify(shot.quality))}; ${swaps.terms.length} terms differ. ${HOW}</p>
-<h2>Which terms change the picture most</h2>
+<p>${cells.length} views of ${width} x ${height} pixels, each with ${Object.keys(swaps.shadings).length} shadings; quality ${escaped(JSON.stringify(shot.quality))}; ${rows.length > 0 ? `${rows.length} terms differ. ${HOW_TERMS} ` : ''}${HOW}</p>
+${rows.length === 0 ? '' : `<h2>Which terms change the picture most</h2>
 ${rankTable(analysis)}
 <h2>By fabric and light</h2>
 ${cellTable(analysis)}
-<h2>Lobes and albedo</h2>
+`}<h2>Lobes and albedo</h2>
 <p>Lobes: light that leaves towards the viewer (BRDF times cosine), for light from each direction in the plane of the normal and the viewer; distance from the centre is its
 square root, rings are labelled with the value. Albedo: the share of light from everywhere that leaves towards the viewer; above 1 a surface gives more than it takes. Textures are left out.</p>
 ${curves.map((item) => plotSection(item, names)).join('\n')}

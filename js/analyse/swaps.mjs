@@ -3,7 +3,7 @@ import { shown } from '../shot/complain.mjs';
 import { resolveShot } from '../shot/index.mjs';
 
 /**
- * Two shadings made of named terms, and the ways from one to the other.
+ * Two shadings, and the ways from one to the other where they are made of named terms.
  *
  * @typedef {object} Term - A slot in which the two differ.
  * @property {string} slot
@@ -20,24 +20,29 @@ import { resolveShot } from '../shot/index.mjs';
 /** A box to resolve shots in: only the shading is read. */
 const ANY_MODEL = { min: [0, 0, 0], max: [1, 1, 1] };
 
-/** @throws {TelarError} E_USAGE where the shading is not made of terms, E_SHOT where there is no such shading */
-function termsOf(option, shading) {
-  const resolved = resolveShot({ shading }, ANY_MODEL).shading;
-  if (typeof resolved === 'object') return resolved;
-  throw new TelarError('E_USAGE', `--${option}: expected a shading that is made of terms (telar analyse --terms lists them), got ${shown(shading)}`);
+/** The shading with every slot, or the name of one that is not made of terms. @throws {TelarError} E_SHOT where there is none such */
+const resolved = (shading) => resolveShot({ shading }, ANY_MODEL).shading;
+
+/** @throws {TelarError} E_USAGE */
+function checkDiffer(first, second, slots) {
+  const bothOfTerms = typeof first === 'object' && typeof second === 'object';
+  if (bothOfTerms ? slots.length > 0 : first !== second) return;
+  throw new TelarError('E_USAGE', bothOfTerms ? '--to: expected a shading that differs from --from in one term at least'
+    : `--to: expected another shading than --from, got ${shown(second)} twice`);
 }
 
 /**
  * @param {string | object} first as the shot's shading
  * @param {string | object} second
- * @returns {Swaps}
+ * @returns {Swaps} without terms where either shading is not made of them: the whole difference is all there is
  * @throws {TelarError} E_USAGE where they are the same
  */
 export function swapsBetween(first, second) {
-  const [from, to] = [termsOf('from', first), termsOf('to', second)];
-  const slots = Object.keys(from).filter((slot) => slot !== 'base' && from[slot] !== to[slot]);
-  if (slots.length === 0) throw new TelarError('E_USAGE', '--to: expected a shading that differs from --from in one term at least');
+  const [from, to] = [resolved(first), resolved(second)];
   const shadings = { from, to };
+  const comparable = typeof from === 'object' && typeof to === 'object';
+  const slots = comparable ? Object.keys(from).filter((slot) => slot !== 'base' && from[slot] !== to[slot]) : [];
+  checkDiffer(from, to, slots);
   for (const slot of slots) {
     shadings[`alone:${slot}`] = { ...from, [slot]: to[slot] };
     shadings[`rest:${slot}`] = { ...to, [slot]: from[slot] };

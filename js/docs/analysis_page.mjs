@@ -18,7 +18,7 @@ telar analyse --terms
 | option | does |
 |---|---|
 | \`MODEL...\` | what to draw; without models the bundled drape, a cloth over a ball |
-| \`--from\`, \`--to\` | the shadings: \`three-r115\` (default of \`--from\`), \`disney-2012\` (of \`--to\`), or JSON of one with terms swapped |
+| \`--from\`, \`--to\` | the shadings: \`three-r115\` (default of \`--from\`), \`disney-2012\` (of \`--to\`), or JSON of one with terms swapped; of \`three\` and \`fabric\`, which have no terms, the whole difference alone |
 | \`--fabrics NAMES\` | of the bundled drape: \`leather,wool,towel,velvet\`, all by default; glTF materials of numbers typical of the class |
 | \`--lights NAMES\` | $LIGHTS or environments (.hdr, .exr); \`studio,sun\` by default; lights in the model are left out |
 | \`--view VIEW\` | in place of the drape's own camera, or of the front of a model |
@@ -51,8 +51,8 @@ function ranking({ rows }) {
   return table(['rank', 'term', 'swap', 'FLIP alone', 'range', 'last', 'dE00 mean', 'p95', 'of the whole', 'rank by dE00', 'ranks', 'alone, it makes the cloth', 'interaction'],
     rows.map((term) => [
       term.rank, `**${term.slot}**`, `${term.from} → ${term.to}`, `${shortFigure(term.alone.flip.mean)} ± ${shortFigure(term.alone.flip.deviation)}`,
-      `${shortFigure(term.alone.flip.min)} to ${shortFigure(term.alone.flip.max)}`, shortFigure(term.rest.flip.mean), shortFigure(term.alone.deltaE.mean),
-      shortFigure(term.alone.deltaEp95.mean), percent(term.share), term.rankByColour, ranksText(term.ranks), term.words, term.interaction,
+      `${shortFigure(term.alone.flip.min)} to ${shortFigure(term.alone.flip.max)}`, shortFigure(term.rest.flip.mean), term.alone.deltaE.mean.toFixed(2),
+      term.alone.deltaEp95.mean.toFixed(2), percent(term.share), term.rankByColour, ranksText(term.ranks), term.words, term.interaction,
     ]));
 }
 
@@ -66,7 +66,7 @@ function fabricSection(target, { cells, names }) {
   const own = cells.filter((cell) => cell.target === target);
   const lines = own.map((cell) => {
     const leading = strongestIn(cell).map((slot) => `${slot} (${shortFigure(cell.terms[slot].alone.flip.mean)}: ${inWords(cell.terms[slot].alone)})`);
-    return `- ${cell.light}: FLIP ${shortFigure(cell.all.flip.mean)}, CIEDE2000 ${shortFigure(cell.all.deltaE.mean)} (p95 ${shortFigure(cell.all.deltaE.p95)}). ${names.to}: ${inWords(cell.all)}. Most by ${leading.join(', then ')}.`;
+    return `- ${cell.light}: FLIP ${shortFigure(cell.all.flip.mean)}, CIEDE2000 ${cell.all.deltaE.mean.toFixed(2)} (p95 ${cell.all.deltaE.p95.toFixed(2)}). ${names.to}: ${inWords(cell.all)}. Most by ${leading.join(', then ')}.`;
   });
   const sheet = `${names.from}, ${names.to}, FLIP between them, ${names.from} with the strongest term swapped`;
   const swapped = own.map((cell) => `${cell.light} (${strongestIn(cell)[0]})`).join(', ');

@@ -28,7 +28,9 @@ test('every slot in which the shadings differ is swapped alone, and put back alo
   }
   const near = swapsBetween('three-r115', { base: 'three-r115', sheen: 'zeltner' });
   assert.deepEqual(near.terms, [{ slot: 'sheen', from: 'charlie-neubelt', to: 'zeltner' }]);
-  for (const [from, to, code] of [['three', 'disney-2012', 'E_USAGE'], ['three-r115', 'three-r115', 'E_USAGE'], ['phong', 'disney-2012', 'E_SHOT']]) {
+  const whole = swapsBetween('three', 'disney-2012');
+  assert.deepEqual([whole.terms, Object.keys(whole.shadings)], [[], ['from', 'to']]);
+  for (const [from, to, code] of [['three', 'three', 'E_USAGE'], ['three-r115', 'three-r115', 'E_USAGE'], ['phong', 'disney-2012', 'E_SHOT']]) {
     assert.throws(() => swapsBetween(from, to), { code });
   }
 });

@@ -35,7 +35,7 @@ export function plantedApi(effect, { delay = async () => {} } = {}) {
       await delay();
       signal?.throwIfAborted();
       calls.rendered += 1;
-      const swapped = new Set(terms.filter(({ slot, from }) => shot.shading[slot] !== from).map(({ slot }) => slot));
+      const swapped = new Set(terms.filter(({ slot, to }) => shot.shading[slot] === to).map(({ slot }) => slot));
       const data = Uint8Array.from(draw(shot, (cosine) => [...new Array(3).fill(Math.round(100 + effect(swapped, cosine, shot))), 255]));
       return { data: Buffer.from(data), info: { warnings: [{ code: 'W_RANGE', message: 'clamped' }] } };
     },

@@ -59,15 +59,27 @@ test('--report: one page that needs nothing else, and the figures beside it', as
   assert.equal(JSON.parse(readFileSync(path.join(at, 'analysis.json'))).cells.length, 2);
 });
 
+test('shadings without terms are compared as a whole', async () => {
+  const at = path.join(folder, 'whole');
+  const { exit, stdout, calls } = await run(['--from', 'three', '--fabrics', 'wool', ...SMALL, '--report', at]);
+  assert.deepEqual([exit, calls.rendered], [0, 2]);
+  assert.match(stdout, /^disney-2012 against three:\nwool, studio +FLIP 0\.\d+/);
+  const page = readFileSync(path.join(at, 'index.html'), 'utf8');
+  assertWellFormed(page);
+  assert.ok(!page.includes('Which terms') && page.includes('wool: directional albedo'));
+});
+
 test('wrong usage is exit 2 and says what is expected', async () => {
   for (const [argv, message] of [
-    [['--from', 'three'], /--from: expected a shading that is made of terms/],
+    [['--from', 'three', '--to', 'three'], /--to: expected another shading than --from/],
     [['--to', 'three-r115'], /--to: expected a shading that differs/],
     [['--fabrics', 'lether'], /--fabrics: expected some of leather, wool, towel, velvet, got "lether"; did you mean leather\?/],
     [['--lights', 'stdio'], /--lights: .*did you mean studio\?/],
     [['--lights', ','], /--lights: expected names/],
     [['m.glb', '--fabrics', 'wool'], /--fabrics are of the bundled drape/],
     [['--size', 'big'], /--size/],
+    [['--view', 'inside'], /camera\.view/],
+    [['--quality', 'best'], /quality/],
     [['--from', 'phong'], /shading/],
   ]) {
     const { exit, stderr, calls } = await run(argv);
