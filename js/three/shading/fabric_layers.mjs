@@ -8,14 +8,14 @@ const TEXTURES = {
   [DIFFUSE_TRANSMISSION]: [[['diffuseTransmissionTexture'], false], [['diffuseTransmissionColorTexture'], true]],
 };
 
-/** Materials of the presets' and the file's own values, by material of the file; for each parser. */
+/** What the file says of its materials, with presets and without; for each parser. */
 const filled = new WeakMap();
 
 /**
  * What the file says of a material, with the values of its fabric's preset where it says nothing; as renderer/asset does it.
  * @param {object} parser - Of GLTFLoader.
  * @param {number} index - In the file's materials.
- * @param {() => Promise<{PRESETS: Record<string, {material: object}>}>} loadPresets
+ * @param {(() => Promise<{PRESETS: Record<string, {material: object}>}>) | null} loadPresets - null for no presets.
  * @returns {Promise<{definition: object, isPreset: boolean}>} Extension `TELAR_materials_fabric` in place of extras.
  */
 async function definitionOf(parser, index, loadPresets) {
@@ -23,7 +23,7 @@ async function definitionOf(parser, index, loadPresets) {
   const fabric = definition.extensions?.[FABRIC] ?? extras?.[FABRIC];
   if (!fabric) return { definition, isPreset: false };
   const own = { ...definition, extensions: { ...definition.extensions, [FABRIC]: fabric } };
-  const preset = fabric.preset && (await loadPresets()).PRESETS[fabric.preset];
+  const preset = loadPresets && fabric.preset && (await loadPresets()).PRESETS[fabric.preset];
   return preset ? { definition: merged(preset.material, own), isPreset: true } : { definition: own, isPreset: false };
 }
 
@@ -43,7 +43,7 @@ function merged(target, patch) {
  * @param {object} parser - Of GLTFLoader; its JSON gets one material more for each that has a preset.
  * @param {import('three').Mesh} mesh - Whose geometry decides on vertex colours and tangents.
  * @param {import('three').Material} original - Its material.
- * @param {() => Promise<object>} loadPresets
+ * @param {(() => Promise<object>) | null} loadPresets
  * @returns {Promise<{material: import('three').Material, definition: object | null}>}
  */
 export async function clothOf(parser, mesh, original, loadPresets) {
@@ -51,8 +51,9 @@ export async function clothOf(parser, mesh, original, loadPresets) {
   if (index === undefined) return { material: original, definition: null };
   if (!filled.has(parser)) filled.set(parser, new Map());
   const known = filled.get(parser);
-  if (!known.has(index)) known.set(index, loadCloth(parser, index, loadPresets));
-  const { definition, material } = await known.get(index);
+  const key = `${index} ${loadPresets !== null}`;
+  if (!known.has(key)) known.set(key, loadCloth(parser, index, loadPresets));
+  const { definition, material } = await known.get(key);
   return { definition, material: material ? finalMaterial(parser, mesh, material) : original };
 }
 

@@ -1,6 +1,6 @@
 import { TEXTS } from '../../dist/shading/index.mjs';
+import { clothMaterialClass } from './cloth_material.mjs';
 import { clothOf, extensionsOf } from './fabric_layers.mjs';
-import { fabricMaterialClass } from './fabric_material.mjs';
 import { shadingMaterialClass } from './material.mjs';
 import { definesOfTerms } from './terms.mjs';
 
@@ -17,7 +17,7 @@ export async function loadShading(THREE, family) {
   const text = await TEXTS[family]();
   if (!classes.has(THREE)) classes.set(THREE, {});
   const own = classes.get(THREE);
-  own[family] ??= family === 'fabric' ? fabricMaterialClass(THREE, text, await TEXTS.texture()) : shadingMaterialClass(THREE, text, family);
+  own[family] ??= family === 'three' ? shadingMaterialClass(THREE, text, family) : clothMaterialClass(THREE, text, family, await TEXTS.texture());
   return own[family];
 }
 
@@ -35,14 +35,11 @@ export async function openShading(THREE, shading) {
     key: JSON.stringify(shading),
     create: () => new Material(),
     update: async (material, original, { model: { parser }, mesh }) => {
-      if (!material.isFabricMaterial) {
-        material.copy(original);
-        material.shadingDefines = hasTerms ? definesOfTerms(shading) : {};
-        return;
-      }
-      const cloth = await clothOf(parser, mesh, original, TEXTS.presets);
+      // Presets are of the shading "fabric" alone.
+      const cloth = await clothOf(parser, mesh, original, shading === 'fabric' ? TEXTS.presets : null);
       material.copy(cloth.material);
-      Object.assign(material, await extensionsOf(parser, cloth.definition, THREE));
+      material.shadingDefines = hasTerms ? definesOfTerms(shading) : {};
+      if (shading !== 'three') Object.assign(material, await extensionsOf(parser, cloth.definition, THREE));
     },
   };
 }

@@ -1,5 +1,7 @@
+import { SLOTS } from '../../shot/shading_terms.mjs';
 import { drawPartlyCovered } from './coverage.mjs';
 import { shadingMaterialClass } from './material.mjs';
+import { termDefine } from './terms.mjs';
 import { bakedTexture } from './texture_bake.mjs';
 
 /**
@@ -9,12 +11,12 @@ import { bakedTexture } from './texture_bake.mjs';
  * @property {object | null} diffuseTransmission - As KHR_materials_diffuse_transmission, likewise.
  */
 
-/** Map: [name of its uniform and varying, define]. */
+/** Map, as its uniform and varying are named: the define of it, and of what it is a part. */
 const MAPS = {
-  diffuseTransmission: 'DIFFUSE_TRANSMISSION',
-  diffuseTransmissionColor: 'DIFFUSE_TRANSMISSION_COLOR',
-  weave: 'WEAVE',
-  backColor: 'BACK_COLOR',
+  diffuseTransmission: { define: 'DIFFUSE_TRANSMISSION', of: 'DIFFUSE_TRANSMISSION' },
+  diffuseTransmissionColor: { define: 'DIFFUSE_TRANSMISSION_COLOR', of: 'DIFFUSE_TRANSMISSION' },
+  weave: { define: 'WEAVE', of: 'WEAVE' },
+  backColor: { define: 'BACK_COLOR', of: 'BACK' },
 };
 
 /** Whether the server's renderer draws with textures that were made anew. */
@@ -24,14 +26,16 @@ const IN_USE = { normalVariance: false, alphaToCoverage: false };
 const VARIANCE_MAPS = { normalVarianceMap: 'normalMap', clearcoatNormalVarianceMap: 'clearcoatNormalMap' };
 
 /**
- * The class FabricMaterial: a MeshPhysicalMaterial that is shaded as cloth.
+ * A class of materials that know what glTF says of cloth: FabricMaterial, and those of the principled shadings, which read a part
+ * of it.
  * @param {typeof import('three')} THREE
  * @param {import('./material.mjs').ShadingText} text
+ * @param {'fabric' | 'principled'} family
  * @param {Record<string, string>} textureShaders - Module js/dist/shading/texture.mjs.
  */
-export function fabricMaterialClass(THREE, text, textureShaders) {
-  return class FabricMaterial extends shadingMaterialClass(THREE, text, 'fabric') {
-    isFabricMaterial = true;
+export function clothMaterialClass(THREE, text, family, textureShaders) {
+  return class ClothMaterial extends shadingMaterialClass(THREE, text, family) {
+    isFabricMaterial = family === 'fabric';
 
     /** @type {object | null} - As the glTF extension TELAR_materials_fabric, with THREE.Texture in place of references. */
     fabric = null;
@@ -59,9 +63,9 @@ export function fabricMaterialClass(THREE, text, textureShaders) {
     }
 
     textDefines() {
-      const maps = mapsOf(this);
-      const defines = { ...super.textDefines(), ...featuresOf(this, maps) };
-      return Object.fromEntries(Object.entries(defines).filter(([name]) => text.features.includes(name)));
+      const parts = this.isFabricMaterial ? featuresOf(this) : principledFeatures(this);
+      const features = Object.entries({ ...parts, ...mapFeatures(parts, mapsOf(this)) }).filter(([name]) => text.features.includes(name));
+      return { ...super.textDefines(), ...Object.fromEntries(features) };
     }
 
     textUniforms() {
@@ -122,7 +126,7 @@ function mapsOf({ fabric, diffuseTransmission }) {
 }
 
 /** Defines of 0 or 1, as renderer/pass sets them. */
-function featuresOf({ fabric, diffuseTransmission, map, alphaTest, normalMap, clearcoatNormalMap }, maps) {
+function featuresOf({ fabric, diffuseTransmission, map, alphaTest, normalMap, clearcoatNormalMap }) {
   const features = {
     DIFFUSE_TRANSMISSION: diffuseTransmission?.diffuseTransmissionFactor > 0,
     FLATNESS: fabric?.flatness > 0,
@@ -131,12 +135,30 @@ function featuresOf({ fabric, diffuseTransmission, map, alphaTest, normalMap, cl
     NORMAL_VARIANCE: IN_USE.normalVariance && Boolean(normalMap ?? clearcoatNormalMap),
     ALPHA_TO_COVERAGE: IN_USE.alphaToCoverage && Boolean(map) && alphaTest > 0,
   };
-  for (const [name, define] of Object.entries(MAPS)) {
-    features[`${define}_MAP`] = name in maps;
-    features[`${define}_UV1`] = maps[name]?.channel === 1;
-  }
-  return Object.fromEntries(Object.entries(features).map(([name, value]) => [name, Number(value)]));
+  return numbers(features);
 }
+
+/** The part that the principled shadings read, where their diffuse lobe has a place for it. */
+function principledFeatures({ fabric, diffuseTransmission, shadingDefines: { [termDefine('diffuse')]: diffuse } }) {
+  const isThin = SLOTS.diffuse[diffuse] === 'disney-2015-thin';
+  return numbers({
+    FLATNESS: fabric?.flatness > 0 && (isThin || SLOTS.diffuse[diffuse] === 'disney-2012'),
+    DIFFUSE_TRANSMISSION: diffuseTransmission?.diffuseTransmissionFactor > 0 && isThin,
+  });
+}
+
+/** Which maps of the parts that are there there are, and which of them have the second set of texture coordinates. */
+function mapFeatures(parts, maps) {
+  const features = {};
+  for (const [name, { define, of }] of Object.entries(MAPS)) {
+    const map = parts[of] ? maps[name] : undefined;
+    features[`${define}_MAP`] = map !== undefined;
+    features[`${define}_UV1`] = map?.channel === 1;
+  }
+  return numbers(features);
+}
+
+const numbers = (features) => Object.fromEntries(Object.entries(features).map(([name, value]) => [name, Number(value)]));
 
 function textureValues(maps) {
   return Object.fromEntries(Object.entries(maps).flatMap(([name, map]) => {
