@@ -56,6 +56,9 @@ EnvironmentLight::EnvironmentLight(const ImageF& map, double rotation, double in
     rows_[static_cast<std::size_t>(y) + 1] = static_cast<float>(cumulate(row, w) * sine);
   }
   cumulate(rows_.data(), h);
+  for (std::size_t y = 0; y <= h; ++y) {
+    heights_.push_back(std::sin(PI * (0.5 - static_cast<double>(y) / static_cast<double>(h))));
+  }
 }
 
 glm::vec3 EnvironmentLight::texel(int x, int y) const {
@@ -76,12 +79,10 @@ EnvironmentLight::Sample EnvironmentLight::sample(const glm::vec2& u) const {
   const auto [column, inColumn] = find(&columns_[row * (map_.width + 1)], map_.width, u.x);
   const double phi = ((static_cast<double>(column) + inColumn) / map_.width - 0.5) * 2 * PI;
   // Even in height, which is even in solid angle.
-  const double top = std::sin(PI * (0.5 - static_cast<double>(row) / map_.height));
-  const double bottom = std::sin(PI * (0.5 - (static_cast<double>(row) + 1) / map_.height));
-  const double y = top + (bottom - top) * inRow, radius = std::sqrt(std::max(0.0, 1 - y * y));
+  const double top = heights_[row], y = top + (heights_[row + 1] - top) * inRow,
+               radius = std::sqrt(std::max(0.0, 1 - y * y));
   const glm::vec3 direction(glm::dvec3(radius * std::cos(phi), y, radius * std::sin(phi)));
-  const glm::vec3 world = glm::normalize(glm::transpose(toEnvironment_) * direction);
-  return {world, pdf(world)};
+  return {glm::normalize(glm::transpose(toEnvironment_) * direction), pdfOf(row, column)};
 }
 
 float EnvironmentLight::pdf(const glm::vec3& direction) const {
@@ -90,11 +91,13 @@ float EnvironmentLight::pdf(const glm::vec3& direction) const {
                             static_cast<std::size_t>(map_.height - 1));
   const auto column = std::min(static_cast<std::size_t>(std::max(at.x, 0.0f) * static_cast<float>(map_.width)),
                                static_cast<std::size_t>(map_.width - 1));
+  return pdfOf(row, column);
+}
+
+float EnvironmentLight::pdfOf(std::size_t row, std::size_t column) const {
   const float* columns = &columns_[row * (map_.width + 1)];
   const double share = static_cast<double>(rows_[row + 1] - rows_[row]) * (columns[column + 1] - columns[column]);
-  // Solid angle of the texel.
-  const double top = PI * (0.5 - static_cast<double>(row) / map_.height), step = PI / map_.height;
-  const double angle = 2 * PI / map_.width * (std::sin(top) - std::sin(top - step));
+  const double angle = 2 * PI / map_.width * (heights_[row] - heights_[row + 1]);
   return static_cast<float>(share / angle);
 }
 

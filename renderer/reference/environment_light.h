@@ -32,8 +32,11 @@ class EnvironmentLight {
   const ImageF& map_;
   float intensity_;
   glm::mat3 toEnvironment_;
-  std::vector<float> rows_;     // cumulated share of each row, height + 1
-  std::vector<float> columns_;  // cumulated share within its row, (width + 1) a row
+  /// How likely a direction of a texel is, per steradian.
+  float pdfOf(std::size_t row, std::size_t column) const;
+  std::vector<double> heights_;  // y of the upper border of each row, height + 1
+  std::vector<float> rows_;      // cumulated share of each row, height + 1
+  std::vector<float> columns_;   // cumulated share within its row, (width + 1) a row
 };
 
 }  // namespace telar::reference

@@ -26,7 +26,7 @@ struct Integrator::Path {
 Integrator::Integrator(const Stage& stage, Transport transport, ShadingModel shading, const ShadingTerms& terms,
                        glm::vec2 (*dfg)(float, float))
     : stage_(stage),
-      transport_(transport),
+      transport_{transport.occlusion, transport.occlusion ? transport.bounces : 0},
       shading_(brdf_f::shadingFunctions(shading)),
       terms_(isPrincipled(shading) ? std::optional(terms) : std::nullopt),
       dfg_(dfg) {}
@@ -42,7 +42,8 @@ bool Integrator::nextSurface(Ray ray, const Footprint* footprint, Walk& walk, Su
   for (int layer = 0; layer < MOST_LAYERS; ++layer) {
     ++walk.rays;
     if (!stage_.geometry.intersect(ray, hit)) return false;
-    surface = surfaceAt(stage_.scene, stage_.meshes[hit.mesh], hit, ray, footprint, dfg_, terms_ ? &*terms_ : nullptr);
+    surface =
+        surfaceAt(stage_.textures, stage_.meshes[hit.mesh], hit, ray, footprint, dfg_, terms_ ? &*terms_ : nullptr);
     const bool solid = surface.shown && !(opaque && surface.glass.weight > 0);
     if (solid && (surface.alpha >= 1 || walk.random.uniform() < surface.alpha)) {
       if (!surface.unlit) surface.info = shading_.preparedSurface(surface.info);
@@ -89,16 +90,47 @@ glm::vec3 Integrator::directLight(const Surface& surface, Walk& walk) const {
   return sum;
 }
 
-glm::vec3 Integrator::environmentLight(const Surface& surface, const LobeSampler& lobes, float share,
+Integrator::Draws Integrator::drawsAt(const Path& path, float share) const {
+  // Where the picture looks, reading the surface costs more than asking it again: several draws, spread evenly.
+  const bool first = path.bounces == 0 && path.passages == 0;
+  if (!first) return {1, 1, share};
+  if (!transport_.occlusion) return {4, 6, share};
+  return {2, transport_.bounces == 0 ? 3 : 1, share};
+}
+
+glm::vec3 Integrator::environmentLight(const Surface& surface, const LobeSampler& lobes, const Draws& draws,
                                        Walk& walk) const {
-  if (!stage_.environment) return glm::vec3(0);
-  const auto drawn = stage_.environment->sample(walk.random.uniform2());
-  if (!(drawn.pdf > 0)) return glm::vec3(0);
-  const glm::vec3 light = reflected(surface, drawn.direction);
-  if (light == glm::vec3(0)) return light;
-  if (transport_.occlusion && hidden(leave(surface, drawn.direction), FAR, walk)) return glm::vec3(0);
-  const float weight = powerHeuristic(drawn.pdf, share * lobes.pdf(drawn.direction)) / drawn.pdf;
-  return light * stage_.environment->radiance(drawn.direction) * weight;
+  glm::vec3 sum(0);
+  if (!stage_.environment) return sum;
+  const auto strata = static_cast<float>(draws.strata);
+  for (int i = 0; i < draws.strata * draws.strata; ++i) {
+    const glm::vec2 cell(i % draws.strata, i / draws.strata);
+    const auto drawn = stage_.environment->sample((cell + walk.random.uniform2()) / strata);
+    if (!(drawn.pdf > 0)) continue;
+    const glm::vec3 light = reflected(surface, drawn.direction);
+    if (light == glm::vec3(0)) continue;
+    if (transport_.occlusion && hidden(leave(surface, drawn.direction), FAR, walk)) continue;
+    const float weight = powerHeuristic(draws.environment() * drawn.pdf, draws.lobe() * lobes.pdf(drawn.direction));
+    sum += light * stage_.environment->radiance(drawn.direction) * (weight / drawn.pdf);
+  }
+  return sum / draws.environment();
+}
+
+glm::vec3 Integrator::lobeLight(const Surface& surface, const LobeSampler& lobes, const Draws& draws,
+                                Walk& walk) const {
+  glm::vec3 sum(0);
+  if (!stage_.environment) return sum;
+  for (int i = 0; i < draws.lobes; ++i) {
+    const auto drawn = lobes.sample(walk.random);
+    if (!(drawn.pdf > 0)) continue;
+    const glm::vec3 light = reflected(surface, drawn.direction);
+    if (light == glm::vec3(0)) continue;
+    if (transport_.occlusion && hidden(leave(surface, drawn.direction), FAR, walk)) continue;
+    const float weight =
+        powerHeuristic(draws.lobe() * drawn.pdf, draws.environment() * stage_.environment->pdf(drawn.direction));
+    sum += light * stage_.environment->radiance(drawn.direction) * (weight / drawn.pdf);
+  }
+  return sum / draws.lobe();
 }
 
 bool Integrator::passThrough(Path& path, Walk& walk) const {
@@ -122,23 +154,26 @@ bool Integrator::passThrough(Path& path, Walk& walk) const {
   return false;
 }
 
-bool Integrator::reflect(Path& path, const LobeSampler& lobes, float share, Walk& walk) const {
+bool Integrator::reflect(Path& path, const LobeSampler& lobes, const Draws& draws, Walk& walk) const {
+  if (path.bounces == transport_.bounces) {
+    path.light += path.throughput * lobeLight(path.surface, lobes, draws, walk);
+    return false;
+  }
   const auto drawn = lobes.sample(walk.random);
   if (!(drawn.pdf > 0)) return false;
-  path.throughput *= reflected(path.surface, drawn.direction) / (share * drawn.pdf);
+  path.throughput *= reflected(path.surface, drawn.direction) / (draws.lobe() * drawn.pdf);
   if (path.throughput == glm::vec3(0)) return false;
   path.straight = false;
   Surface next;
-  const Ray ray = leave(path.surface, drawn.direction);
-  if (!transport_.occlusion || !nextSurface(ray, nullptr, walk, next)) {
+  if (!nextSurface(leave(path.surface, drawn.direction), nullptr, walk, next)) {
     if (!stage_.environment) return false;
-    const float weight = powerHeuristic(share * drawn.pdf, stage_.environment->pdf(drawn.direction));
+    const float weight =
+        powerHeuristic(draws.lobe() * drawn.pdf, draws.environment() * stage_.environment->pdf(drawn.direction));
     path.light += path.throughput * stage_.environment->radiance(drawn.direction) * weight;
     return false;
   }
-  if (path.bounces++ == transport_.bounces) return false;
   // Russian roulette: long paths end by chance and the others stand for them.
-  if (path.bounces > 2) {
+  if (++path.bounces > 2) {
     const float going = glm::min(brdf_f::max3(path.throughput), 0.95f);
     if (walk.random.uniform() >= going) return false;
     path.throughput /= going;
@@ -154,12 +189,13 @@ glm::vec4 Integrator::pathLight(Path& path, Walk& walk) const {
     if (surface.unlit) break;
     const LobeSampler lobes(surface.info);
     // What comes through takes the place of the diffuse lobe alone: some paths are left for the others.
-    const float through = surface.glass.weight * 0.75f, share = 1 - through;
-    path.light += path.throughput * (directLight(surface, walk) + environmentLight(surface, lobes, share, walk));
+    const float through = surface.glass.weight * 0.75f;
+    const Draws draws = drawsAt(path, 1 - through);
+    path.light += path.throughput * (directLight(surface, walk) + environmentLight(surface, lobes, draws, walk));
     if (through > 0 && walk.random.uniform() < through) {
       path.throughput *= surface.glass.weight / through;
       if (!passThrough(path, walk)) break;
-    } else if (!reflect(path, lobes, share, walk)) {
+    } else if (!reflect(path, lobes, draws, walk)) {
       break;
     }
   }

@@ -24,7 +24,7 @@ struct Walk {
 
 /// What light meets: all are kept by reference.
 struct Stage {
-  const Scene& scene;
+  const Textures& textures;
   const std::vector<PlacedMesh>& meshes;
   const Geometry& geometry;
   const Lights& lights;
@@ -46,6 +46,15 @@ class Integrator {
  private:
   /// A path on its way.
   struct Path;
+  /// How often one surface asks each way for light.
+  struct Draws {
+    int strata = 1;   ///< squares of them are drawn from the environment
+    int lobes = 1;    ///< drawn from the lobes
+    float share = 1;  ///< chance that the path draws from the lobes at all
+    float environment() const { return static_cast<float>(strata * strata); }
+    float lobe() const { return share * static_cast<float>(lobes); }
+  };
+  Draws drawsAt(const Path& path, float share) const;
   /// The next surface along a ray that is shown; alpha is a chance.
   /// @param opaque  pass over what transmits
   bool nextSurface(Ray ray, const Footprint* footprint, Walk& walk, Surface& surface, bool opaque = false) const;
@@ -56,13 +65,15 @@ class Integrator {
   /// The path goes on through the surface. @return false: it meets no other
   bool passThrough(Path& path, Walk& walk) const;
   /// The path is reflected. @return false: it ends
-  bool reflect(Path& path, const LobeSampler& lobes, float share, Walk& walk) const;
+  bool reflect(Path& path, const LobeSampler& lobes, const Draws& draws, Walk& walk) const;
   /// Reflected radiance per irradiance on a surface that faces the light.
   glm::vec3 reflected(const Surface& surface, const glm::vec3& l) const;
   /// Light of all lights that arrives directly and leaves to the viewer.
   glm::vec3 directLight(const Surface& surface, Walk& walk) const;
-  /// Light of the environment that a draw from it finds. @param share  chance that the path draws from `lobes` too
-  glm::vec3 environmentLight(const Surface& surface, const LobeSampler& lobes, float share, Walk& walk) const;
+  /// Light of the environment that draws from it find.
+  glm::vec3 environmentLight(const Surface& surface, const LobeSampler& lobes, const Draws& draws, Walk& walk) const;
+  /// Light of the environment that draws from the lobes find, of a path that ends there.
+  glm::vec3 lobeLight(const Surface& surface, const LobeSampler& lobes, const Draws& draws, Walk& walk) const;
   glm::vec3 arriving(const Surface& surface, const PointedLight::Arrival& arrival, float shadow, Walk& walk) const;
 
   Stage stage_;

@@ -26,7 +26,7 @@ class LobeSampler {
     float share = 0;
   };
   glm::mat3 cosineFrame_{1.0f};
-  float cosineShare_ = 1, throughShare_ = 0;
+  float cosineShare_ = 1, evenShare_ = 0, throughShare_ = 0;
   Gloss base_, coat_;
 };
 

@@ -81,12 +81,12 @@ glm::vec3 mappedNormal(const glm::mat3& frame, const glm::vec4& texel, const glm
 
 /// Reads the material's textures at one point.
 struct Reader {
-  const Scene& scene;
+  const Textures& textures;
   const Corners& corners;
   glm::vec2 barycentric;
   glm::vec4 operator()(const TextureRef& texture, bool srgb = false) const {
     if (!texture) return glm::vec4(1.0f);
-    return readTexture(scene, texture, corners.uv(texture.texCoord, barycentric), srgb);
+    return textures.read(texture, corners.uv(texture.texCoord, barycentric), srgb);
   }
 };
 
@@ -177,6 +177,14 @@ Glass readGlass(const PhysicalLayers& l, const Reader& read, const PlacedMesh& m
   return glass;
 }
 
+/// A normal that has turned away from a viewer who sees the surface, turned back to where it just faces him. The
+/// shading takes such a viewer along the surface, where terms of stretched lobes have poles.
+glm::vec3 facing(const glm::vec3& n, const glm::vec3& v) {
+  constexpr float LEAST = 1e-3f;
+  const float cosine = glm::dot(n, v);
+  return cosine >= LEAST ? n : glm::normalize(n + v * (LEAST - cosine));
+}
+
 /// Geometric roughness of three.js: how much the interpolated normal turns within a pixel.
 float roughnessOfCurvature(const Corners& corners, const glm::vec3& n, const Footprint& footprint) {
   const auto change = [&](const Ray& neighbour) {
@@ -188,13 +196,13 @@ float roughnessOfCurvature(const Corners& corners, const glm::vec3& n, const Foo
 
 }  // namespace
 
-Surface surfaceAt(const Scene& scene, const PlacedMesh& mesh, const Hit& hit, const Ray& ray,
+Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const Ray& ray,
                   const Footprint* footprint, glm::vec2 (*dfg)(float, float), const ShadingTerms* terms) {
   const Material& m = *mesh.material;
   const Primitive& primitive = *mesh.primitive;
   const Corners corners(mesh, hit.triangle);
   const glm::vec2 b = hit.barycentric;
-  const Reader read{scene, corners, b};
+  const Reader read{textures, corners, b};
   Surface surface;
   surface.position = corners.position(b);
   surface.distance = hit.distance;
@@ -232,6 +240,8 @@ Surface surfaceAt(const Scene& scene, const PlacedMesh& mesh, const Hit& hit, co
     const glm::mat3 coatFrame = tangentFrame(mesh, corners, b, n, m.layers.clearcoatNormalTexture, s.v, face);
     coatNormal = mappedNormal(coatFrame, read(m.layers.clearcoatNormalTexture), signs * m.layers.clearcoatNormalScale);
   }
+  s.n = facing(s.n, s.v);
+  coatNormal = facing(coatNormal, s.v);
   readBase(s, m, read, glm::vec3(baseColor), geometric, dfg, terms);
   readLayers(s, m, read, frame, coatNormal, geometric, dfg, terms);
   if (terms) s.terms = *terms;

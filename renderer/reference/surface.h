@@ -4,6 +4,7 @@
 
 #include "brdf/shading.h"
 #include "reference/geometry.h"
+#include "reference/texture_read.h"
 
 namespace telar::reference {
 
@@ -40,7 +41,7 @@ struct Surface {
 /// @param footprint  camera rays only: adds the geometric roughness of three.js
 /// @param dfg        (A, B) of the split sum by perceptual roughness and NoV, as the raster's table holds them
 /// @param terms      of a principled shading, which takes roughness as authored; null for the others
-Surface surfaceAt(const Scene& scene, const PlacedMesh& mesh, const Hit& hit, const Ray& ray,
+Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const Ray& ray,
                   const Footprint* footprint, glm::vec2 (*dfg)(float, float), const ShadingTerms* terms = nullptr);
 
 }  // namespace telar::reference

@@ -12,6 +12,7 @@ constexpr std::uint32_t NEAREST = 9728, CLAMP_TO_EDGE = 33071, MIRRORED_REPEAT =
 /// Texel index that a wrap mode gives; `i` is any whole number.
 std::size_t wrapped(long long i, std::uint32_t size, std::uint32_t mode) {
   const auto n = static_cast<long long>(size);
+  if (i >= 0 && i < n) return static_cast<std::size_t>(i);
   if (mode == CLAMP_TO_EDGE) return static_cast<std::size_t>(i < 0 ? 0 : i >= n ? n - 1 : i);
   const long long period = mode == MIRRORED_REPEAT ? 2 * n : n;
   long long at = i % period;
@@ -22,27 +23,34 @@ std::size_t wrapped(long long i, std::uint32_t size, std::uint32_t mode) {
 struct Reader {
   const Image8& image;
   const Sampler& sampler;
-  bool srgb;
+  const std::array<float, 256>& colours;
+  const std::array<float, 256>& alphas;
 
   glm::vec4 texel(long long x, long long y) const {
     const std::uint8_t* p =
         &image.pixels[(wrapped(y, image.height, sampler.wrapT) * image.width + wrapped(x, image.width, sampler.wrapS)) *
                       4];
-    const glm::vec4 value = glm::vec4(p[0], p[1], p[2], p[3]) / 255.0f;
-    return srgb ? glm::vec4(brdf_f::linearFromSrgb(glm::vec3(value)), value.w) : value;
+    return {colours[p[0]], colours[p[1]], colours[p[2]], alphas[p[3]]};
   }
 };
 
 }  // namespace
 
-glm::vec4 readTexture(const Scene& scene, const TextureRef& texture, const glm::vec2& uv, bool srgb) {
+Textures::Textures(const Scene& scene) : scene_(scene) {
+  for (std::size_t i = 0; i < bytes_.size(); ++i) {
+    bytes_[i] = static_cast<float>(i) / 255.0f;
+    linear_[i] = brdf_f::linearFromSrgb(glm::vec3(bytes_[i])).x;
+  }
+}
+
+glm::vec4 Textures::read(const TextureRef& texture, const glm::vec2& uv, bool srgb) const {
   if (!texture) return glm::vec4(1.0f);
-  const Image8& image = scene.images[static_cast<std::size_t>(texture.image)];
+  const Image8& image = scene_.images[static_cast<std::size_t>(texture.image)];
   if (image.pixels.empty()) return glm::vec4(1.0f);
   const glm::vec3 moved = texture.uvTransform * glm::vec3(uv, 1.0f);
   // Far outside of [0, 1] a float has no part left to filter with, and a whole number may not hold it.
   if (!(std::abs(moved.x) < 1e9f && std::abs(moved.y) < 1e9f)) return glm::vec4(1.0f);
-  const Reader reader{image, texture.sampler, decodesSrgb(image.coding, srgb)};
+  const Reader reader{image, texture.sampler, decodesSrgb(image.coding, srgb) ? linear_ : bytes_, bytes_};
   const double x = static_cast<double>(moved.x) * image.width, y = static_cast<double>(moved.y) * image.height;
   if (texture.sampler.magFilter == NEAREST) {
     return reader.texel(static_cast<long long>(std::floor(x)), static_cast<long long>(std::floor(y)));

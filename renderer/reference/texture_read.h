@@ -1,14 +1,26 @@
 #pragma once
+#include <array>
 #include <glm/glm.hpp>
 
 #include "telar/scene.h"
 
 namespace telar::reference {
 
-/// One use of a texture at a point, at full resolution: the tracer's many samples do what mip levels do in the raster.
-/// @param uv    as in the file: the reference's own transform is applied here
-/// @param srgb  decode to linear light before filtering
-/// @return white where the reference has no texture
-glm::vec4 readTexture(const Scene& scene, const TextureRef& texture, const glm::vec2& uv, bool srgb);
+/// The textures of a scene, at full resolution: the tracer's many samples do what mip levels do in the raster.
+class Textures {
+ public:
+  /// @param scene  kept by reference
+  explicit Textures(const Scene& scene);
+
+  /// One use of a texture at a point.
+  /// @param uv    as in the file: the reference's own transform is applied here
+  /// @param srgb  decode to linear light before filtering
+  /// @return white where the reference has no texture
+  glm::vec4 read(const TextureRef& texture, const glm::vec2& uv, bool srgb) const;
+
+ private:
+  const Scene& scene_;
+  std::array<float, 256> bytes_, linear_;  ///< what a byte stands for: as it is, and decoded from sRGB
+};
 
 }  // namespace telar::reference

@@ -31,6 +31,7 @@ class World {
         radius_(scene.bounds.empty() ? 1.0f : static_cast<float>(glm::distance(scene.bounds.max, centre_))),
         meshes_(placeMeshes(scene, pass::variantIndex(scene, shot.variant), centre_, cancel, shot.shading)),
         geometry_(meshes_, cancel),
+        textures_(scene),
         lights_(lightsOf(scene, shot, centre_, limits)),
         eye_(shot, centre_) {
     if (environment && shot.environment.intensity > 0) {
@@ -39,7 +40,7 @@ class World {
     if (shot.ground) ground_.emplace(shot, centre_);
     const EnvironmentLight* around = around_ ? &*around_ : nullptr;
     sky_.emplace(shot, around);
-    const Stage stage{scene, meshes_, geometry_, lights_, around, *sky_, ground_ ? &*ground_ : nullptr, radius_};
+    const Stage stage{textures_, meshes_, geometry_, lights_, around, *sky_, ground_ ? &*ground_ : nullptr, radius_};
     integrator_.emplace(stage, transport, shot.shading, shot.terms, ibl::dfgLookup);
   }
   World(const World&) = delete;
@@ -65,6 +66,7 @@ class World {
   float radius_;
   std::vector<PlacedMesh> meshes_;
   Geometry geometry_;
+  Textures textures_;
   Lights lights_;
   Eye eye_;
   std::optional<EnvironmentLight> around_;
