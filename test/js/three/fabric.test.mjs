@@ -3,9 +3,11 @@ import { before, test } from 'node:test';
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { buildShading } from '../../../js/build_shading/index.mjs';
+import { shadingText } from '../../../js/build_shading/translate.mjs';
 import { glb, quad } from '../../robust/glb.mjs';
 import { applyShading, loadFabricMaterial } from '../../../js/three/index.mjs';
 import { restoreMaterials } from '../../../js/three/shading.mjs';
+import { loadShading } from '../../../js/three/shading/index.mjs';
 import { clothOf, extensionsOf } from '../../../js/three/shading/fabric_layers.mjs';
 
 before(buildShading);
@@ -96,6 +98,21 @@ test('FabricMaterial by hand: parameters, clones, programs that differ by what i
   thin.textUniforms();
   assert.equal(uniforms.diffuseTransmissionFactor.value, 0.6);
 });
+
+for (const family of ['fabric', 'principled']) {
+  test(`${family}: whatever its text asks of the material is given`, async () => {
+    const [weaveTexture, baseColorTexture, diffuseTransmissionTexture, diffuseTransmissionColorTexture] = Array.from({ length: 4 }, () => new THREE.Texture());
+    const material = new (await loadShading(THREE, family))({
+      fabric: { flatness: 0.5, weave: { weaveTexture }, back: { baseColorTexture } },
+      diffuseTransmission: { diffuseTransmissionFactor: 0.5, diffuseTransmissionTexture, diffuseTransmissionColorTexture },
+    });
+    const { uniforms, features } = shadingText(family);
+    const given = Object.keys(material.textDefines());
+    const notOfTerms = ['WEAVE', 'BACK'];
+    assert.deepEqual(features.filter((name) => !given.includes(name) && !(family === 'principled' && notOfTerms.includes(name))), []);
+    assert.deepEqual(uniforms.filter((name) => !(name in material.textUniforms())), []);
+  });
+}
 
 test('a FabricMaterial that a client has put into the scene stays', async () => {
   const own = new (await loadFabricMaterial(THREE))();
