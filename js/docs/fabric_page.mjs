@@ -35,16 +35,17 @@ const MAPS = `## Maps
 
 **Normal maps.** A weave is finer than a pixel in a picture of a garment. Averaged normals lose their spread, and cloth seen from far
 would gloss like varnish and shimmer. For the shading \`fabric\` each normal map (also that of a clearcoat) is made anew once a model, on the
-GPU: its mip levels are the mean of slopes, as a normal, and the standard deviation of slopes along tangent and bitangent, which widens the
-highlight where the map is read: \`alpha² + variance\` (Olano & Baker 2010, LEAN mapping). Level 0 has no deviation: from near, nothing
-changes. The roughness texture may have another size, UV set, transform or sampler: the deviation travels with the normals.
+GPU, into a map of slopes whose mip levels hold the mean of the slopes along tangent and bitangent and the mean of their squares. What
+the sampler filters of both tells the mean normal and the variance about it, which widens the highlight: \`alpha² + variance\` (Olano &
+Baker 2010, LEAN mapping). A single texel has no variance: from near, nothing changes. The roughness texture may have another size, UV
+set, transform or sampler: the variance travels with the normals.
 Set a sampler that reads mip levels (glTF's default does); with \`minFilter\` LINEAR or NEAREST there is nothing to read it from.
 Materials without a normal map and other shadings pay nothing.
 
 **Holes** (\`alphaMode\` MASK with a base colour texture): lace, tulle, mesh. Mip levels hold the share of a texel that is there, and the
-colour of that part alone; the edge of level 0 is drawn as wide as a pixel. The share becomes samples of the pixel: with \`samples: 4\` four,
-in steps that 4 x 4 pixels take in turn, so that cloth covers as much of a picture from far as from near; with \`samples: 1\` whole pixels
-in the same pattern. Nothing is sorted. BLEND is drawn as it is elsewhere: sorted by object, which shows through itself in folds.
+colour of that part alone; the edge of level 0 is drawn as wide as a pixel. The share becomes samples of the pixel,
+rounded up here and down there by a noise of fixed place, so that cloth covers as much of a picture from far as from near; with
+\`samples: 1\`, or on a GPU without sample masks, it becomes whole pixels in the same pattern. Nothing is sorted. BLEND is drawn as it is elsewhere: sorted by object, which shows through itself in folds.
 
 **Weave maps.** Where less than half a thread falls into a pixel, the yarn on top gives the highlight; from there on the two sets of yarns
 are blended to their means, so that nothing shimmers. Without \`threadsPerUv\` the map's own mip levels decide.

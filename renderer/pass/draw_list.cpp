@@ -82,6 +82,9 @@ void describeMaps(const Material& m, shader::VariantKey& key) {
     key.*slot.map = texture && matters(slot, m, key);
     key.*slot.uv1 = key.*slot.map && texture.texCoord == 1;
   }
+  if (key.shading != ShadingModel::kFabric) return;
+  key.normalVariance = key.normalMap || key.clearcoatNormalMap;
+  key.alphaToCoverage = key.alphaMask && key.baseColorMap;
 }
 
 shader::VariantKey keyOf(const Primitive& primitive, const Material& material, const shader::VariantKey& frame) {

@@ -13,8 +13,8 @@ class TextureBaker {
  public:
   explicit TextureBaker(const gl::Context& context) : context_(context) {}
 
-  /// A normal map, RGBA8: RG = x and y of the mean normal, BA = standard deviation of its slope along tangent and
-  /// bitangent, 0..1; 0 at level 0.
+  /// A normal map as slopes, RGBA16F: RG = their mean along tangent and bitangent, BA = the mean of their squares. Both
+  /// may be filtered: what they differ by is the variance of all that was filtered.
   /// @param source its level 0 holds the normals; `width` x `height` texels
   gl::Texture normalVariance(GLuint source, int width, int height, const CancelToken& cancel);
 

@@ -6,11 +6,10 @@ uniform int coverageSamples;  // of a pixel
 const int coverageSamples = 1;
 #endif
 
-// Thresholds that 4 x 4 pixels take in turn, (0, 1): their mean is right for every share. src: Bayer 1973
-float orderedThreshold(ivec2 pixel) {
-  int mixed = pixel.x ^ pixel.y;
-  int rank = ((mixed & 1) << 3) | ((pixel.y & 1) << 2) | (mixed & 2) | ((pixel.y & 2) >> 1);
-  return (float(rank) + 0.5) / 16.0;
+// Thresholds of neighbouring pixels, (0, 1), spread evenly, so that the mean of a few is right for every share.
+// src: Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", interleaved gradient noise
+float pixelThreshold(vec2 pixel) {
+  return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
 }
 
 // Samples to cover, 0 .. coverageSamples.
@@ -23,7 +22,7 @@ int coveredSamples(float alpha, float cutoff) {
   float share = clamp(0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0)), 0.0, 1.0);
   float edge = clamp((alpha - cutoff) / max(fwidth(alpha), 1e-4) + 0.5, 0.0, 1.0);
   float covered = mix(edge, alpha, share);
-  float threshold = mix(0.5, orderedThreshold(ivec2(gl_FragCoord.xy)), share);
+  float threshold = mix(0.5, pixelThreshold(gl_FragCoord.xy), share);
   return int(covered * float(coverageSamples) + threshold);
 }
 

@@ -62,16 +62,15 @@ mat3 anyFrame(vec3 n) {
 }
 
 #if NORMAL_VARIANCE
-// Colour of a plain normal map for a texel of one with variance (texture/slope.glsl).
+// Colour of a plain normal map for a texel of a map of slopes (texture/slope_level.frag).
 vec3 plainNormalTexel(vec4 texel) {
-  vec2 xy = texel.rg * 2.0 - 1.0;
-  return vec3(texel.rg, 0.5 + 0.5 * sqrt(max(1.0 - dot(xy, xy), 0.0)));
+  return 0.5 + 0.5 * normalize(vec3(texel.rg, 1.0));
 }
 
-// Variance of the slopes that a texel stands for, along tangent and bitangent.
+// Variance of the slopes within what was filtered into one texel, along tangent and bitangent. Of each square as much is
+// left out as half floats are unsure of: one texel alone has no variance.
 vec2 slopeVariance(vec4 texel, vec2 scale) {
-  vec2 deviation = texel.ba * scale;
-  return deviation * deviation;
+  return max(texel.ba * (1.0 - 1.0 / 512.0) - texel.rg * texel.rg, 0.0) * scale * scale;
 }
 #endif
 

@@ -1,5 +1,5 @@
-// One mip level of a normal map with variance: see texelOfMoments().
-// FROM_IMAGE 1: level 0, whose texels have no variance; 0: a smaller one, from its moments.
+// One mip level of a map of slopes: RG the mean slope along tangent and bitangent, BA the mean of its square.
+// FROM_IMAGE 1: level 0, of the normal map's own texels; 0: a smaller one, of its moments.
 precision highp float;
 precision highp int;
 precision highp sampler2D;
@@ -14,8 +14,8 @@ void main() {
   vec4 texel = texelFetch(sourceMap, ivec2(gl_FragCoord.xy), 0);
 #if FROM_IMAGE
   vec2 slope = slopeOfTexel(texel.rgb);
-  fragmentColor = texelOfMoments(slope, slope * slope);
+  fragmentColor = vec4(slope, slope * slope);
 #else
-  fragmentColor = texelOfMoments(texel.rg, texel.ba);
+  fragmentColor = texel;
 #endif
 }

@@ -19,9 +19,6 @@ const MAPS = {
   backColor: { define: 'BACK_COLOR', of: 'BACK' },
 };
 
-/** Whether the server's renderer draws with textures that were made anew. */
-const IN_USE = { normalVariance: false, alphaToCoverage: false };
-
 /** Uniform of a normal map that was made anew, and the material's own map. */
 const VARIANCE_MAPS = { normalVarianceMap: 'normalMap', clearcoatNormalVarianceMap: 'clearcoatNormalMap' };
 
@@ -132,8 +129,8 @@ function featuresOf({ fabric, diffuseTransmission, map, alphaTest, normalMap, cl
     FLATNESS: fabric?.flatness > 0,
     WEAVE: Boolean(fabric?.weave),
     BACK: Boolean(fabric?.back),
-    NORMAL_VARIANCE: IN_USE.normalVariance && Boolean(normalMap ?? clearcoatNormalMap),
-    ALPHA_TO_COVERAGE: IN_USE.alphaToCoverage && Boolean(map) && alphaTest > 0,
+    NORMAL_VARIANCE: Boolean(normalMap ?? clearcoatNormalMap),
+    ALPHA_TO_COVERAGE: Boolean(map) && alphaTest > 0,
   };
   return numbers(features);
 }

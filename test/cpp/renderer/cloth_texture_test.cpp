@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <numeric>
+
+#include "renderer/cloth_images.h"
+
+/// What the textures of the shading "fabric" do to pictures: cloth covers as much from far as from near, and its
+/// highlights do not shimmer.
+namespace telar {
+namespace {
+
+using test::flatShot;
+using test::netImage;
+using test::pixelF;
+using test::sceneOf;
+using test::squareCloth;
+using test::unevenNormals;
+using test::weaveNormals;
+
+constexpr int SIZE = 128;
+
+std::shared_ptr<Scene> clothOf(const Image8& image, TextureRef Material::*slot, float repeats, Material material) {
+  material.metallicFactor = 0;
+  (material.*slot).image = 0;
+  auto scene = sceneOf(squareCloth(repeats), std::move(material));
+  scene->images = std::vector<Image8>{image};
+  return scene;
+}
+
+class ClothTexture : public testing::Test {
+ protected:
+  Frame draw(const std::shared_ptr<const Scene>& scene, Shot shot) {
+    shot.output.bitDepth = 32;
+    FrameInfo info;
+    return renderer_->draw(scene, shot, {}, CancelToken(), info);
+  }
+  std::unique_ptr<Renderer> renderer_ = Renderer::create({});
+};
+
+/// Mean of one channel over the middle of the frame.
+double meanOf(const Frame& frame, int channel, std::uint32_t border = 0) {
+  double sum = 0;
+  for (std::uint32_t y = border; y < frame.height - border; ++y) {
+    for (std::uint32_t x = border; x < frame.width - border; ++x) sum += pixelF(frame, x, y)[channel];
+  }
+  const double side = frame.width - 2.0 * border;
+  return sum / (side * side);
+}
+
+class Net : public ClothTexture, public testing::WithParamInterface<int> {};
+
+TEST_P(Net, CoversAsMuchFromFarAsFromNear) {
+  Material material;
+  material.alphaMode = AlphaMode::kMask;
+  const auto scene = clothOf(netImage(64, 4, 0.25), &Material::baseColorTexture, 16, material);
+  const double expected = 1 - 0.75 * 0.75;
+  double worst = 0;
+  constexpr double MESH = 2.0 / (16 * 4);  // metres
+  for (const int meshes : {3, 6, 12, 20, 33, 47, 64}) {
+    Shot shot = flatShot(SIZE, meshes * MESH);
+    shot.samples = GetParam();
+    shot.lights.push_back({Shot::Light::Type::kAmbient});
+    const Frame frame = draw(scene, shot);
+    const double share = meanOf(frame, 3);
+    worst = std::max(worst, std::abs(share / expected - 1));
+    std::cout << GetParam() << " samples, " << double(SIZE) / meshes << " px a mesh: covers " << share << "\n";
+    // What is covered is as white as from near: the black of the holes does not bleed into it.
+    EXPECT_NEAR(meanOf(frame, 1) / share, meanOf(frame, 0) / share, 1e-6);
+  }
+  EXPECT_LT(worst, GetParam() == 1 ? 0.05 : 0.025) << "of " << expected;
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, Net, testing::Values(1, 4));
+
+TEST_F(ClothTexture, HolesDoNotBleedTheirColour) {
+  Material material;
+  material.alphaMode = AlphaMode::kMask;
+  const auto scene = clothOf(netImage(64, 4, 0.25), &Material::baseColorTexture, 64, material);
+  Shot shot = flatShot(SIZE, 2);
+  shot.samples = 4;
+  shot.lights.push_back({Shot::Light::Type::kAmbient});
+  const Frame frame = draw(scene, shot);
+  const auto solid = clothOf(netImage(64, 1, 1.1), &Material::baseColorTexture, 64, material);
+  const double white = meanOf(draw(solid, shot), 1);
+  EXPECT_NEAR(meanOf(frame, 1) / meanOf(frame, 3), white, 0.02 * white);
+}
+
+/// Mean of the green channel of squares of `side` pixels: the picture that so many samples a pixel give.
+std::vector<double> shrunk(const Frame& frame, std::uint32_t side) {
+  std::vector<double> out;
+  for (std::uint32_t y = 0; y + side <= frame.height; y += side) {
+    for (std::uint32_t x = 0; x + side <= frame.width; x += side) {
+      double sum = 0;
+      for (std::uint32_t j = 0; j < side; ++j) {
+        for (std::uint32_t i = 0; i < side; ++i) sum += pixelF(frame, x + i, y + j)[1];
+      }
+      out.push_back(sum / (side * side));
+    }
+  }
+  return out;
+}
+
+double meanOf(const std::vector<double>& list) {
+  return std::accumulate(list.begin(), list.end(), 0.0) / double(list.size());
+}
+
+/// How far two pictures are apart, as a part of their light.
+double change(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
+  return sum / double(a.size()) / meanOf(a);
+}
+
+TEST_F(ClothTexture, HighlightsOfAWeaveStandStillAndKeepTheirLight) {
+  Material material;
+  material.roughnessFactor = 0.25f;
+  material.baseColorFactor = {0, 0, 0, 1};
+  const auto scene = clothOf(unevenNormals(64, 3, 0.15), &Material::normalTexture, 60, material);
+  // Half a pixel aside, and half vectors that tilt by up to 25 degrees.
+  const auto shotAt = [&](ShadingModel shading, int size, double shift) {
+    Shot shot = flatShot(size, 1.2);
+    shot.camera.position.x = shot.camera.target.x = shift * 1.2 / SIZE;
+    shot.camera.position.y = shot.camera.target.y = 0.37 * shift * 1.2 / SIZE;
+    shot.shading = shading;
+    shot.samples = 1;
+    for (const double tilt : {0.05, 0.25, 0.45, 0.65, 0.85}) {
+      Shot::Light sun{Shot::Light::Type::kDirectional};
+      sun.position = {std::sin(tilt) * std::cos(5 * tilt), std::sin(tilt) * std::sin(5 * tilt), std::cos(tilt)};
+      sun.intensity = tilt;  // as much as there is of the sky at this tilt
+      shot.lights.push_back(sun);
+    }
+    return shot;
+  };
+  // 16 x 16 samples of every pixel, of normals that are hardly filtered.
+  const auto truth = [&](double shift) {
+    return shrunk(draw(scene, shotAt(ShadingModel::kThree, 16 * SIZE, shift)), 16);
+  };
+  const auto exact = truth(0);
+  std::cout << "supersampled: half a pixel changes " << 100 * change(exact, truth(0.5)) << " %\n";
+  double moves[2], errors[2], lights[2];
+  for (const auto shading : {ShadingModel::kThree, ShadingModel::kFabric}) {
+    const auto a = shrunk(draw(scene, shotAt(shading, SIZE, 0)), 1),
+               b = shrunk(draw(scene, shotAt(shading, SIZE, 0.5)), 1);
+    const int i = shading == ShadingModel::kFabric;
+    moves[i] = change(a, b), errors[i] = change(exact, a), lights[i] = meanOf(a) / meanOf(exact);
+    std::cout << (i ? "fabric" : "three") << ": half a pixel changes " << 100 * moves[i] << " %, light x" << lights[i]
+              << ", from the supersampled picture " << 100 * errors[i] << " %\n";
+  }
+  EXPECT_LT(moves[1], 0.35 * moves[0]);
+  EXPECT_LT(errors[1], 0.6 * errors[0]);
+  EXPECT_NEAR(lights[1], 1, 0.25);
+}
+
+TEST_F(ClothTexture, NothingIsPaidWhereItIsNotAskedFor) {
+  const auto features = [&](ShadingModel shading, const Material& material) {
+    auto scene = clothOf(weaveNormals(16, 16, 4, 0.5), &Material::normalTexture, 4, material);
+    Shot shot = flatShot(16, 2);
+    shot.shading = shading;
+    return planFrame(*scene, shot, Limits());
+  };
+  EXPECT_NE(features(ShadingModel::kFabric, {}).find("normal-variance"), std::string::npos);
+  EXPECT_EQ(features(ShadingModel::kThree, {}).find("normal-variance"), std::string::npos);
+  Material mask;
+  mask.alphaMode = AlphaMode::kMask;
+  EXPECT_EQ(features(ShadingModel::kFabric, mask).find("alpha-to-coverage"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace telar

@@ -1,0 +1,217 @@
+#include "pass/texture_bake.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "brdf/brdf.h"
+#include "gl/context.h"
+#include "renderer/cloth_images.h"
+
+namespace telar {
+namespace {
+
+using test::imageOf;
+using test::weaveNormals;
+
+constexpr double STEEPEST = 8;
+
+glm::dvec4 storedTexel(const std::uint8_t* p) { return glm::dvec4(p[0], p[1], p[2], p[3]) / 255.0; }
+
+glm::dvec2 slopeOf(const glm::dvec4& texel) {
+  const glm::dvec3 n = glm::dvec3(texel) * 2.0 - 1.0;
+  return glm::dvec2(n) / std::max(n.z, glm::length(n) / STEEPEST);
+}
+
+/// Mean of f over the part of the image that a texel of a mip level covers, by area.
+template <typename F>
+glm::dvec4 meanOver(const Image8& image, glm::ivec2 at, glm::ivec2 levelSize, const F& f) {
+  const glm::dvec2 ratio(double(image.width) / levelSize.x, double(image.height) / levelSize.y);
+  glm::dvec4 sum(0);
+  double area = 0;
+  for (int y = 0; y < int(image.height); ++y) {
+    const double h = std::min(y + 1.0, (at.y + 1) * ratio.y) - std::max(double(y), at.y * ratio.y);
+    for (int x = 0; h > 0 && x < int(image.width); ++x) {
+      const double w = std::min(x + 1.0, (at.x + 1) * ratio.x) - std::max(double(x), at.x * ratio.x);
+      if (w <= 0) continue;
+      sum += w * h * f(storedTexel(&image.pixels[4 * (std::size_t(y) * image.width + std::size_t(x))]));
+      area += w * h;
+    }
+  }
+  return sum / area;
+}
+
+class TextureBake : public testing::Test {
+ protected:
+  const gl::Functions& gl() const { return context_->gl(); }
+  gl::Texture upload(const Image8& image, GLenum format) const {
+    gl::Texture texture(gl());
+    gl().BindTexture(GL_TEXTURE_2D, texture.get());
+    gl().TexStorage2D(GL_TEXTURE_2D, 1, format, GLsizei(image.width), GLsizei(image.height));
+    gl().TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, GLsizei(image.width), GLsizei(image.height), GL_RGBA, GL_UNSIGNED_BYTE,
+                       image.pixels.data());
+    return texture;
+  }
+  template <typename Value>
+  std::vector<Value> read(const gl::Texture& texture, int level, glm::ivec2 size) const {
+    const gl::Framebuffer framebuffer(gl());
+    gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
+    gl().FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.get(), level);
+    std::vector<Value> pixels(std::size_t(size.x * size.y) * 4);
+    gl().PixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl().ReadPixels(0, 0, size.x, size.y, GL_RGBA, sizeof(Value) == 1 ? GL_UNSIGNED_BYTE : GL_FLOAT, pixels.data());
+    context_->check("read");
+    return pixels;
+  }
+  static glm::ivec2 sizeAt(const Image8& image, int level) {
+    return glm::max(glm::ivec2(image.width, image.height) >> level, 1);
+  }
+
+  std::unique_ptr<gl::Context> context_ = gl::Context::create(Backend::kAuto);
+  pass::TextureBaker baker_{*context_};
+};
+
+TEST_F(TextureBake, LevelsHoldTheMeansOfSlopesAndOfTheirSquares) {
+  for (const glm::uvec2 size : {glm::uvec2(64, 64), glm::uvec2(44, 27), glm::uvec2(1, 5)}) {
+    const Image8 image = weaveNormals(size.x, size.y, 3.3, 0.9);
+    const gl::Texture source = upload(image, GL_RGBA8);
+    const gl::Texture baked = baker_.normalVariance(source.get(), int(size.x), int(size.y), CancelToken());
+    for (int level = 0; (std::max(size.x, size.y) >> level) > 0; ++level) {
+      const glm::ivec2 levelSize = sizeAt(image, level);
+      const auto texels = read<float>(baked, level, levelSize);
+      for (int i = 0; i < levelSize.x * levelSize.y; ++i) {
+        const glm::dvec4 moments =
+            meanOver(image, {i % levelSize.x, i / levelSize.x}, levelSize, [](const auto& texel) {
+              const glm::dvec2 s = slopeOf(texel);
+              return glm::dvec4(s, s * s);
+            });
+        // Where sides are odd, a texel of a level is in part that of two of the one before: wider averages then.
+        const bool exact = size.x == 64 || level < 2;
+        for (int c = 0; c < 4; ++c) {
+          const double bar = exact ? 1e-4 + 1e-3 * std::abs(moments[c]) : 0.25;
+          EXPECT_NEAR(texels[std::size_t(i) * 4 + std::size_t(c)], moments[c], bar) << level << " " << i;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(TextureBake, SpoiltNormalsGiveFiniteTexels) {
+  const Image8 image = imageOf(8, 8, [](double u, double v) {
+    return u < 0.5 ? (v < 0.5 ? glm::vec4(0) : glm::vec4(0.5f, 0.5f, 0.5f, 1)) : glm::vec4(1, v, 0, 1);
+  });
+  const gl::Texture source = upload(image, GL_RGBA8);
+  const gl::Texture baked = baker_.normalVariance(source.get(), 8, 8, CancelToken());
+  EXPECT_EQ(read<float>(baked, 0, {8, 8})[4 * 8 * 7], 0);  // no length: no slope
+  for (int level = 0; level < 4; ++level) {
+    for (const float value : read<float>(baked, level, glm::ivec2(8 >> level))) EXPECT_LE(std::abs(value), 64);
+  }
+}
+
+/// Share of a highlight's light by tilt of the half vector, and the tilt within which half of it falls.
+class Highlight {
+ public:
+  template <typename Distribution>
+  explicit Highlight(const Distribution& d) {
+    for (int i = 0; i < STEPS; ++i) {
+      const double tilt = (i + 0.5) / STEPS * glm::half_pi<double>();
+      sums_.push_back((sums_.empty() ? 0 : sums_.back()) + d(tilt) * std::cos(tilt) * std::sin(tilt));
+    }
+    const double total = sums_.back();
+    for (double& sum : sums_) sum /= total;
+  }
+  double halfWidth() const {
+    const auto half = std::lower_bound(sums_.begin(), sums_.end(), 0.5);
+    const auto i = half - sums_.begin();
+    const double before = i > 0 ? sums_[std::size_t(i) - 1] : 0;
+    return (double(i) + (0.5 - before) / (*half - before)) / STEPS;
+  }
+  /// Part of the light within a part of the quarter turn.
+  double within(double width) const {
+    const double at = width * STEPS - 1;
+    const auto i = std::size_t(std::max(at, 0.0));
+    const double before = at < 0 ? 0 : sums_[i];
+    const double after = at < 0 ? sums_[0] : sums_[std::min(i + 1, sums_.size() - 1)];
+    return before + (after - before) * (at - std::floor(at));
+  }
+
+ private:
+  static constexpr int STEPS = 60;
+  std::vector<double> sums_;
+};
+
+/// D of all texels together, averaged over the directions in which the half vector tilts.
+double distributionOf(const Image8& image, double alpha, double tilt) {
+  constexpr int AROUND = 8;
+  double sum = 0;
+  for (int k = 0; k < AROUND; ++k) {
+    const double phi = glm::two_pi<double>() * (k + 0.5) / AROUND;
+    const glm::dvec3 h(std::sin(tilt) * std::cos(phi), std::sin(tilt) * std::sin(phi), std::cos(tilt));
+    const auto facet = [&](const glm::dvec4& texel) {
+      const glm::dvec3 n = glm::normalize(glm::dvec3(slopeOf(texel), 1));
+      return glm::dvec4(brdf_d::D_GGX(alpha, std::max(glm::dot(n, h), 0.0)) / n.z);
+    };
+    sum += meanOver(image, {0, 0}, {1, 1}, facet).x;
+  }
+  return sum / AROUND;
+}
+
+TEST_F(TextureBake, WidenedHighlightsAreAsWideAsWhatTheyStandFor) {
+  double worst = 0, worstShare = 0, worstWithout = 0;
+  for (const double depth : {0.15, 0.4, 0.8}) {
+    const Image8 image = weaveNormals(48, 48, 3, depth);
+    const gl::Texture source = upload(image, GL_RGBA8);
+    const gl::Texture baked = baker_.normalVariance(source.get(), 48, 48, CancelToken());
+    const auto texel = read<float>(baked, 5, {1, 1});
+    for (const double roughness : {0.2, 0.35, 0.5}) {
+      const double alpha = roughness * roughness;
+      const brdf_d::vec2 variance(texel[2] - texel[0] * texel[0], texel[3] - texel[1] * texel[1]);
+      const double widened = std::pow(brdf_d::roughnessWithSlopes(roughness, variance), 2);
+      const Highlight truth([&](double tilt) { return distributionOf(image, alpha, tilt); });
+      const Highlight one([&](double tilt) { return brdf_d::D_GGX(widened, std::cos(tilt)); });
+      const Highlight plain([&](double tilt) { return brdf_d::D_GGX(alpha, std::cos(tilt)); });
+      const double width = one.halfWidth() / truth.halfWidth(), without = plain.halfWidth() / truth.halfWidth();
+      const double share = one.within(truth.halfWidth());
+      worst = std::max(worst, std::abs(std::log(width)));
+      worstWithout = std::max(worstWithout, std::abs(std::log(without)));
+      worstShare = std::max(worstShare, std::abs(share - 0.5));
+      std::cout << "depth " << depth << " roughness " << roughness << ": half of the light within x" << width
+                << " of its true width, without the bake x" << without << "; " << 100 * share
+                << " % of the light where half of it should be, without " << 100 * plain.within(truth.halfWidth())
+                << " %\n";
+    }
+  }
+  EXPECT_LT(worst, std::log(1.35));
+  EXPECT_LT(worstShare, 0.16);
+  EXPECT_GT(worstWithout, std::log(5));
+}
+
+TEST_F(TextureBake, LevelsHoldTheShareThatIsThereAndItsColourAlone) {
+  // Threads are green, holes red.
+  const Image8 image = imageOf(48, 48, [](double u, double v) {
+    const bool thread = std::fmod(u * 8, 1.0) < 0.3 || std::fmod(v * 6, 1.0) < 0.2;
+    return thread ? glm::vec4(0.1f, 0.8f, 0.2f, 0.9f) : glm::vec4(1, 0, 0, 0.3f);
+  });
+  for (const bool srgb : {false, true}) {
+    const gl::Texture source = upload(image, srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8);
+    const gl::Texture baked = baker_.coverage(source.get(), srgb, 48, 48, 0.5f, CancelToken());
+    const auto first = read<std::uint8_t>(baked, 0, {48, 48});
+    EXPECT_EQ(first, image.pixels);
+    for (int level = 1; level < 6; ++level) {
+      const glm::ivec2 size = sizeAt(image, level);
+      const auto pixels = read<std::uint8_t>(baked, level, size);
+      for (int i = 0; i < size.x * size.y; ++i) {
+        const glm::dvec4 share = meanOver(image, {i % size.x, i / size.x}, size,
+                                          [](const glm::dvec4& t) { return glm::dvec4(t.w >= 0.5 ? 1.0 : 0.0); });
+        const std::uint8_t* got = &pixels[std::size_t(i) * 4];
+        EXPECT_NEAR(got[3], share.x * 255, 0.6) << level;
+        if (share.x < 0.05) continue;
+        EXPECT_NEAR(got[0], 0.1 * 255, 6) << level << " " << share.x;
+        EXPECT_NEAR(got[1], 0.8 * 255, 3) << level;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace telar
