@@ -228,11 +228,12 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   // Without vertex tangents the frame follows the texture's rows downwards.
   const glm::vec2 signs(1, primitive.tangents.empty() ? -1 : 1);
   s.n = n;
-  glm::mat3 frame = basisAbout(n);
   const TextureRef& framing = m.normalTexture ? m.normalTexture : m.layers.clearcoatNormalTexture;
   const glm::mat3 mapped = tangentFrame(mesh, corners, b, n, framing, s.v, face);
   if (m.normalTexture) s.n = mappedNormal(mapped, read(m.normalTexture), signs * m.normalScale);
-  // The frame of texture coordinates is not square: without a stretched highlight any square one shades the same.
+  // The frame of texture coordinates is not square: without a stretched highlight any square one about the mapped
+  // normal shades the same.
+  glm::mat3 frame = basisAbout(s.n);
   const bool stretched = m.layers.anisotropyStrength > 0;
   if (stretched && glm::dot(mapped[0], mapped[0]) > 0 && glm::dot(mapped[1], mapped[1]) > 0) frame = mapped;
   glm::vec3 coatNormal = n;
