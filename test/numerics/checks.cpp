@@ -13,6 +13,11 @@ std::vector<Check> allChecks() {
   ofEach("Every point", "grid", checkGrid);
   ofEach("Every point", "random", checkRandom);
   ofEach("GPU against double", "gpu", checkGpu);
+  for (const ShadingPromise& shading : shadingPromises()) {
+    if (!isPrincipled(shading.model)) continue;
+    list.push_back({"GPU against double", std::string("gpu-terms ") + shading.name,
+                    [&shading](Scale scale) { return checkGpuTerms(shading, scale); }});
+  }
   ofEach("Reciprocity", "reciprocity", checkReciprocity);
   ofEach("White furnace", "furnace-direct", checkFurnaceDirect);
   ofEach("White furnace", "furnace-environment", checkFurnaceEnvironment);

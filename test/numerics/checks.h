@@ -9,6 +9,8 @@ std::vector<Figure> checkGrid(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkRandom(const ShadingPromise& shading, Scale scale);
 /// The shader on the GPU against the double-precision text.
 std::vector<Figure> checkGpu(const ShadingPromise& shading, Scale scale);
+/// The same with each term of a principled shading swapped alone.
+std::vector<Figure> checkGpuTerms(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkReciprocity(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkFurnaceDirect(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkFurnaceEnvironment(const ShadingPromise& shading, Scale scale);

@@ -36,6 +36,7 @@ std::string shadingText() {
 struct Variant {
   const char* name;
   bool sheen, coat, stretched, film, roughDiffuse;
+  bool thin = false;
 };
 
 constexpr Variant VARIANTS[] = {
@@ -44,15 +45,16 @@ constexpr Variant VARIANTS[] = {
     {"every layer", true, true, true, true, true},
 };
 
-std::string definesOf(const Variant& variant, ShadingModel model) {
+std::string definesOf(const Variant& variant, ShadingModel model, const ShadingTerms& terms) {
   shader::VariantKey key;
   key.shading = model;
-  key.terms = termsOf(model);
+  if (isPrincipled(model)) key.terms = terms;
   key.sheen = variant.sheen;
   key.clearcoat = variant.coat;
   key.anisotropy = variant.stretched;
   key.iridescence = variant.film;
   key.diffuseRoughness = variant.roughDiffuse;
+  key.flatness = key.diffuseTransmission = variant.thin;
   std::string text;
   for (const auto& [name, value] : key.defines()) text += "#define " + name + " " + std::to_string(value) + "\n";
   return text;
@@ -98,12 +100,13 @@ void compare(const ShadingPromise& shading, const std::vector<Sample>& samples, 
   }
 }
 
-Errors measure(test::GpuProbe& probe, const Variant& variant, const ShadingPromise& shading, std::uint64_t batches) {
+Errors measure(test::GpuProbe& probe, const Variant& variant, const ShadingPromise& shading, const ShadingTerms& terms,
+               std::uint64_t batches) {
   const std::size_t columns = roundedUp(numberCount() + 3), light = numberCount();
   const std::string l = "vec3(p[" + std::to_string(light) + "], p[" + std::to_string(light + 1) + "], p[" +
                         std::to_string(light + 2) + "])";
   const gl::Program program = probe.compile(
-      definesOf(variant, shading.model) + shadingText(),
+      definesOf(variant, shading.model, terms) + shadingText(),
       "composedRadiance(s, lit.diffuse, lit, nothingReflected(), vec3(0.0))",
       "SurfaceInfo s;\n" + glslReader(0) +
           "s = preparedSurface(s);\nReflected lit = addPunctual(nothingReflected(), s, " + l + ", vec3(1.0));");
@@ -115,6 +118,7 @@ Errors measure(test::GpuProbe& probe, const Variant& variant, const ShadingPromi
     for (std::uint64_t i = 0; i < test::GpuProbe::ROWS; ++i) {
       const std::uint64_t index = (first + i) * (gridSize() / wanted + 1) % gridSize();
       samples.push_back({index, pointFor(shading.model, variant, index)});
+      samples.back().surface.info.terms = terms;
       std::vector<float> numbers = numbersOf(samples.back().surface.info);
       for (int axis = 0; axis < 3; ++axis) numbers.push_back(samples.back().surface.l[axis]);
       std::copy(numbers.begin(), numbers.end(), rows.begin() + static_cast<std::ptrdiff_t>(i * columns));
@@ -130,7 +134,7 @@ std::vector<Figure> checkGpu(const ShadingPromise& shading, Scale scale) {
   test::GpuProbe probe(Backend::kEglSurfaceless, roundedUp(numberCount() + 3));
   std::vector<Figure> out;
   for (const Variant& variant : VARIANTS) {
-    const Errors errors = measure(probe, variant, shading, countOf(scale, 2, 250));
+    const Errors errors = measure(probe, variant, shading, termsOf(shading.model), countOf(scale, 2, 250));
     const auto add = [&](const std::string& what, double measured, double bar, std::uint64_t point) {
       out.push_back({what + ", " + variant.name, shading.name, measured, bar, -NO_BAR, errors.count,
                      measured > 0 ? "grid point " + std::to_string(point) + ": " +
@@ -143,6 +147,59 @@ std::vector<Figure> checkGpu(const ShadingPromise& shading, Scale scale) {
       if (width == Width::kThinFuzz && (shading.robust || !variant.sheen)) continue;
       add(std::string("relative error, ") + nameOf(width), worst.value, errorBar(shading, width), worst.point);
     }
+  }
+  return out;
+}
+
+namespace {
+
+/// With what the terms of thin cloth read.
+constexpr Variant THIN_CLOTH{"every layer", true, true, true, true, true, true};
+
+struct Slot {
+  const char* name;
+  int ShadingTerms::*member;
+  std::vector<const char*> terms;
+};
+
+const std::vector<Slot>& termSlots() {
+#define TELAR_SLOT(define, member, ...) {#member, &ShadingTerms::member, {__VA_ARGS__}},
+  static const std::vector<Slot> slots{TELAR_SHADING_SLOTS(TELAR_SLOT)};
+#undef TELAR_SLOT
+  return slots;
+}
+
+}  // namespace
+
+std::vector<Figure> checkGpuTerms(const ShadingPromise& shading, Scale scale) {
+  std::vector<Figure> out;
+  test::GpuProbe probe(Backend::kEglSurfaceless, roundedUp(numberCount() + 3));
+  for (const Slot& slot : termSlots()) {
+    const auto figureOf = [&](const std::string& what, double bar) {
+      return Figure{what + ", other terms of " + slot.name, shading.name, 0, bar};
+    };
+    Figure bad = figureOf("points not finite or negative", 0);
+    Figure relative[] = {figureOf("relative error, roughness < 0.2", shading.smoothError),
+                         figureOf("relative error, roughness >= 0.2", shading.roughError)};
+    for (std::size_t term = 0; term < slot.terms.size(); ++term) {
+      ShadingTerms terms = termsOf(shading.model);
+      if (terms.*slot.member == static_cast<int>(term)) continue;
+      terms.*slot.member = static_cast<int>(term);
+      const Errors errors = measure(probe, THIN_CLOTH, shading, terms, countOf(scale, 1, 25));
+      const auto see = [&](Figure& figure, double measured, std::uint64_t point) {
+        figure.points += errors.count;
+        if (measured <= figure.measured) return;
+        figure.measured = measured;
+        figure.where = std::string(slot.terms[term]) + ", grid point " + std::to_string(point) + ": " +
+                       describe(pointFor(shading.model, THIN_CLOTH, point));
+      };
+      see(bad, static_cast<double>(errors.notFinite), errors.notFiniteAt);
+      for (const Width width : {Width::kSmooth, Width::kRough}) {
+        const Worst& worst = errors.byWidth[static_cast<std::size_t>(width)];
+        see(relative[width == Width::kRough], worst.value, worst.point);
+      }
+    }
+    out.insert(out.end(), {bad, relative[0], relative[1]});
   }
   return out;
 }

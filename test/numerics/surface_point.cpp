@@ -7,6 +7,7 @@
 #include "ibl/dfg_lookup.h"
 #include "reference/sampling.h"
 #include "reference/surface.h"
+#include "reference/texture_read.h"
 
 namespace telar::numerics {
 namespace {
@@ -32,9 +33,11 @@ class Stage {
     reference::Hit hit;
     hit.barycentric = glm::vec2(1.0f / 3);
     static const Scene empty;
+    static const reference::Textures textures(empty);
     const ShadingTerms terms = termsOf(model);
     const bool principled = isPrincipled(model);
-    return reference::surfaceAt(empty, mesh, hit, {v, -v}, nullptr, ibl::dfgLookup, principled ? &terms : nullptr).info;
+    return reference::surfaceAt(textures, mesh, hit, {v, -v}, nullptr, ibl::dfgLookup, principled ? &terms : nullptr)
+        .info;
   }
 
   glm::vec3 toWorld(const glm::dvec3& local) const { return glm::vec3(glm::dmat3(axes_) * local); }
