@@ -16,6 +16,7 @@ std::vector<Figure> checkFurnaceDirect(const ShadingPromise& shading, Scale scal
 std::vector<Figure> checkFurnaceEnvironment(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkMonotone(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkGradients(const ShadingPromise& shading, Scale scale);
+std::vector<Figure> checkFuzz(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkDistributions(Scale scale);
 std::vector<Figure> checkPdfs(Scale scale);
 

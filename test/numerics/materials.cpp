@@ -24,23 +24,25 @@ void addFilm(Seeded& r, PhysicalLayers& l) {
   l.iridescenceThicknessMaximum = static_cast<float>(r.edged(0, 1200, {0, 1e-3, 1e6}));
 }
 
-void addTransmission(Seeded& r, PhysicalLayers& l) {
+void addTransmission(Seeded& r, const Layers& layers, PhysicalLayers& l) {
   l.transmissionFactor = std::max(unitEdged(r), 1e-6f);
-  l.thicknessFactor = static_cast<float>(r.edged(0, 1, {0, 1e-6, 1e12}));
-  l.attenuationColor = color(r);
-  l.attenuationDistance = static_cast<float>(r.edged(1e-3, 10, {1e-12, 1e12}));
-  l.dispersion = r.chance(0.3) ? static_cast<float>(r.edged(0, 5, {0, 40})) : 0.0f;
+  if (layers.volume) {
+    l.thicknessFactor = static_cast<float>(r.edged(1e-6, 1, {1e-6, 1e12}));
+    l.attenuationColor = glm::min(color(r), glm::vec3(1, 1, 0.999f));
+    l.attenuationDistance = static_cast<float>(r.edged(1e-3, 10, {1e-12, 1e12}));
+  }
+  if (layers.dispersion) l.dispersion = static_cast<float>(r.edged(1e-6, 5, {1e-6, 40}));
 }
 
 Yarn yarn(Seeded& r, float coverage) { return {coverage, roughness(r), unitEdged(r), color(r)}; }
 
-void addFabric(Seeded& r, FabricLayers& f) {
-  if (r.chance(0.5)) {
-    f.diffuseTransmissionFactor = unitEdged(r);
+void addFabric(Seeded& r, const Layers& layers, FabricLayers& f) {
+  if (layers.thin) {
+    f.diffuseTransmissionFactor = std::max(unitEdged(r), 1e-6f);
     f.diffuseTransmissionColorFactor = color(r);
   }
-  if (r.chance(0.5)) f.flatness = unitEdged(r);
-  if (r.chance(0.5)) {
+  if (layers.flat) f.flatness = std::max(unitEdged(r), 1e-6f);
+  if (layers.weave) {
     f.weave = true;
     const float warp = unitEdged(r);
     f.warp = yarn(r, warp);
@@ -48,7 +50,7 @@ void addFabric(Seeded& r, FabricLayers& f) {
     f.threadsPerUv = glm::vec2(static_cast<float>(r.edged(0, 400, {0, 1e-3, 1e6})),
                                static_cast<float>(r.edged(0, 400, {0, 1e-3, 1e6})));
   }
-  if (r.chance(0.3)) {
+  if (layers.back) {
     f.back = true;
     f.backColorFactor = color(r);
     f.backRoughnessFactor = roughness(r);
@@ -60,10 +62,13 @@ void addFabric(Seeded& r, FabricLayers& f) {
 Layers Layers::random(Seeded& r) {
   const auto one = [&] { return r.chance(0.4); };
   Layers l;
-  for (bool Layers::*layer : {&Layers::specular, &Layers::clearcoat, &Layers::sheen, &Layers::anisotropy,
-                              &Layers::iridescence, &Layers::diffuseRoughness, &Layers::fabric})
+  for (bool Layers::*layer :
+       {&Layers::specular, &Layers::clearcoat, &Layers::sheen, &Layers::anisotropy, &Layers::iridescence,
+        &Layers::diffuseRoughness, &Layers::weave, &Layers::thin, &Layers::flat, &Layers::back})
     l.*layer = one();
   l.transmission = r.chance(0.1);
+  l.volume = l.transmission && one();
+  l.dispersion = l.transmission && one();
   return l;
 }
 
@@ -95,8 +100,8 @@ Material randomMaterial(Seeded& r, const Layers& layers) {
   }
   if (layers.iridescence) addFilm(r, l);
   if (layers.diffuseRoughness) l.diffuseRoughnessFactor = std::max(unitEdged(r), 1e-6f);
-  if (layers.transmission) addTransmission(r, l);
-  if (layers.fabric) addFabric(r, m.fabric);
+  if (layers.transmission) addTransmission(r, layers, l);
+  addFabric(r, layers, m.fabric);
   return m;
 }
 

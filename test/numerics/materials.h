@@ -1,15 +1,17 @@
 #pragma once
+#include <string>
+
 #include "seeded.h"
 #include "telar/scene.h"
 
 namespace telar::numerics {
 
-/// Layers that a material may have; each compiles its own shader text.
+/// Layers that a material may have; each compiles shader text of its own.
 struct Layers {
   bool specular = false, clearcoat = false, sheen = false, anisotropy = false, iridescence = false,
-       diffuseRoughness = false, transmission = false, fabric = false;
+       diffuseRoughness = false, transmission = false, volume = false, dispersion = false;
+  bool weave = false, thin = false, flat = false, back = false;  ///< of FabricLayers
 
-  static Layers all() { return {true, true, true, true, true, true, false, true}; }
   static Layers random(Seeded& random);
 };
 
