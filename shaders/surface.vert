@@ -21,7 +21,7 @@ void main() {
 #else
   vec3 viewNormal = normalMatrix * normal * NORMAL_SIGN;
 #endif
-  vNormal = normalize(viewNormal);
+  vNormal = dot(viewNormal, viewNormal) > 0.0 ? normalize(viewNormal) : vec3(0.0);
 #if TANGENT
 #if INSTANCING
   vTangent = normalize(vec3(modelViewMatrix * vec4(instance * tangent.xyz, 0.0)));

@@ -74,20 +74,32 @@ vec2 slopeVariance(vec4 texel, vec2 scale) {
 }
 #endif
 
+// A texel without a direction leaves the surface as it is.
 vec3 mappedNormal(mat3 frame, vec3 texel, vec2 scale) {
   vec3 n = texel * 2.0 - 1.0;
   n.xy *= scale;
-  return normalize(frame * n);
+  n = frame * n;
+  return dot(n, n) > 0.0 ? normalize(n) : frame[2];
 }
 #endif
+
+// The viewer's direction stands in for a normal of no length, which opposite vertices have between them.
+vec3 unitNormal(vec3 n) {
+#if ORTHOGRAPHIC
+  vec3 towards = vec3(0.0, 0.0, 1.0);
+#else
+  vec3 towards = normalize(vViewPosition);
+#endif
+  return dot(n, n) > 0.0 ? normalize(n) : towards;
+}
 
 Normals shadingNormals() {
   float faceDirection = gl_FrontFacing ? 1.0 : -1.0;
   Normals normals;
 #if FLAT_SHADED
-  normals.geometric = normalize(cross(dFdx(vViewPosition), dFdy(vViewPosition)));
+  normals.geometric = unitNormal(cross(dFdx(vViewPosition), dFdy(vViewPosition)));
 #else
-  normals.geometric = normalize(vNormal);
+  normals.geometric = unitNormal(vNormal);
 #if DOUBLE_SIDED
   normals.geometric *= faceDirection;
 #endif

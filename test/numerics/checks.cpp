@@ -23,6 +23,7 @@ std::vector<Check> allChecks() {
   ofEach("White furnace", "furnace-environment", checkFurnaceEnvironment);
   ofEach("Smoothness", "monotone", checkMonotone);
   ofEach("Smoothness", "gradients", checkGradients);
+  ofEach("Extremes, drawn", "extremes", checkExtremes);
   ofEach("Random materials, drawn", "fuzz", checkFuzz);
   list.push_back({"Normalisation", "distributions", checkDistributions});
   list.push_back({"Normalisation", "pdfs", checkPdfs});

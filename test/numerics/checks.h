@@ -17,6 +17,8 @@ std::vector<Figure> checkFurnaceEnvironment(const ShadingPromise& shading, Scale
 std::vector<Figure> checkMonotone(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkGradients(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkFuzz(const ShadingPromise& shading, Scale scale);
+/// Every extreme of light, surface and view, drawn.
+std::vector<Figure> checkExtremes(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkDistributions(Scale scale);
 std::vector<Figure> checkPdfs(Scale scale);
 

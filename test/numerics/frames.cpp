@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace telar::numerics {
 
 std::unique_ptr<Renderer> makeRenderer() {
+  setenv("TELAR_LIBRARY_DIR", TELAR_BUILT_LIBRARIES, 0);  // where the build put what reads .hdr and .exr
   RendererOptions options;
   options.assetDirectory = TELAR_SOURCE_DIR "/js/assets";
   return Renderer::create(options);
