@@ -3,6 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { TABLE } from '../error/table.mjs';
 import { fabricPage } from './fabric_page.mjs';
 import { resolvedShotDraft, shotDraft, shotJsonSchema } from './json_schema.mjs';
+import { shadingPage } from './shading_page.mjs';
 import { termsGlsl, termsInclude } from './shading_terms.mjs';
 import { errorsPage, optionsPage } from './tables.mjs';
 import { interfaceText } from './types.mjs';
@@ -44,6 +45,7 @@ function derivedFiles() {
     'js/docs/options.md': optionsPage(shotDraft()),
     'js/docs/errors.md': errorsPage(TABLE),
     'js/docs/fabric.md': fabricPage(),
+    'js/docs/shading.md': shadingPage(),
     'renderer/include/telar/shading_terms.inc': termsInclude(),
     'shaders/shading/terms.glsl': termsGlsl(),
   };

@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import { ENVIRONMENTS, MODELS } from '../fixtures/index.mjs';
 
 const tshirt = () => readFileSync(new URL('../../js/assets/tshirt.glb', import.meta.url));
+const fabrics = () => readFileSync(new URL('../../js/assets/fabrics.glb', import.meta.url));
 const sun = [{ type: 'directional', position: [2, 3, 4], intensity: 2 }, { type: 'ambient', intensity: 0.4 }];
 
 /** @type {Record<string, {model: () => Promise<Uint8Array> | Uint8Array, shot: object}>} */
@@ -25,6 +26,10 @@ export const GOLDENS = {
     },
   },
   transmission: { model: MODELS['transmission-order'], shot: { lights: sun } },
+  'velvet-three-r115': { model: fabrics, shot: { variant: 'velvet', lights: sun, shading: 'three-r115' } },
+  'velvet-disney-2012': { model: fabrics, shot: { variant: 'velvet', lights: sun, shading: 'disney-2012' } },
+  'leather-three-r115': { model: fabrics, shot: { variant: 'leather', lights: sun, shading: 'three-r115' } },
+  'leather-disney-2012': { model: fabrics, shot: { variant: 'leather', lights: sun, shading: 'disney-2012' } },
   'physical-everything': { model: MODELS['physical-everything'], shot: { lights: sun } },
 };
 
