@@ -9,7 +9,7 @@ The shading \`fabric\` reads the material of glTF 2.0 and its KHR_materials_* ex
 
 - \`KHR_materials_diffuse_transmission\`: light that passes through thin cloth. The other shadings do not draw it, as three.js does
   not, and warn with \`W_EXT_IGNORED\`.
-- \`TELAR_materials_fabric\`, telar's own, on this page. The other shadings leave it out without a word. Its JSON Schema is
+- \`TELAR_materials_fabric\`, telar's own, on this page. The other shadings leave it out without a word, but for \`flatness\`, which \`disney-2012\` reads as its subsurface. Its JSON Schema is
   \`js/assets/TELAR_materials_fabric.schema.json\`.
 
 \`\`\`json
