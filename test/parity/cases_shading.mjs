@@ -57,7 +57,7 @@ const DRAPE = { projection: 'perspective', fovY: 30, position: [0.3, 0.25, 0.7],
 const BEHIND = { type: 'directional', color: [1, 0.95, 0.9], intensity: 3, position: [-0.5, 0.6, -1], target: [0, 0, 0] };
 
 /** A cloth of each class: in a studio, under the sun, and with the light behind it. */
-const clothCases = Object.keys(FABRIC_MODELS).filter((model) => model !== 'fabric-tulle').flatMap((model) => {
+const clothCases = Object.keys(FABRIC_MODELS).flatMap((model) => {
   const name = model.replace(/^fabric-/, 'cloth-');
   return [
     makeCase(`${name}-studio`, model, 'soft-studio', { camera: DRAPE, shading: 'fabric' }, name === 'cloth-denim'),
@@ -65,6 +65,15 @@ const clothCases = Object.keys(FABRIC_MODELS).filter((model) => model !== 'fabri
     makeCase(`${name}-behind`, model, null, { camera: DRAPE, shading: 'fabric', lights: [BEHIND, LIGHTS.hemisphere] }),
   ];
 });
+
+/** From far, where a pixel holds many threads and holes, and without multisampling. */
+const AFAR = { ...DRAPE, position: DRAPE.position.map((c) => 3 * c), near: 1.5, far: 3.5 };
+const afarCases = [
+  ...['denim', 'satin', 'towel', 'lace', 'tulle'].map((name) =>
+    makeCase(`cloth-${name}-far`, `fabric-${name}`, 'soft-studio', { camera: AFAR, shading: 'fabric', lights: [LIGHTS.directional] }, name === 'lace')),
+  ...['satin', 'lace'].map((name) =>
+    makeCase(`cloth-${name}-samples-1`, `fabric-${name}`, 'soft-studio', { camera: DRAPE, shading: 'fabric', quality: { samples: 1 } })),
+];
 
 /** Every map and factor of cloth, both sides of it seen. */
 const mapCases = Object.keys(CLOTH_MAP_MODELS).flatMap((model) => [
@@ -80,5 +89,6 @@ export const CASES = [
   ...ALIKE.map((name) => shaded('fabric', 'fabric', name)),
   ...termCases,
   ...clothCases,
+  ...afarCases,
   ...mapCases,
 ];

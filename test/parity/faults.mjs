@@ -180,6 +180,18 @@ export const FAULTS = [
     edits: [{ file: 'shading/fabric.glsl', find: 'diffuse * s.passing * entering', replace: 'diffuse' }],
     first: 'direct',
   },
+  {
+    name: 'cloth whose normal maps lose their variance from far',
+    item: 'cloth-satin-far',
+    edits: [{ file: 'material/normal.glsl', find: 'return max(texel.ba * (1.0 - 1.0 / 512.0) - texel.rg * texel.rg, 0.0) * scale * scale;', replace: 'return vec2(0.0);' }],
+    first: 'perceptualRoughness',
+  },
+  {
+    name: 'cut-out cloth that is cut at its mean alpha from far',
+    item: 'cloth-tulle-studio',
+    edits: [{ file: 'material/coverage.glsl', find: 'float covered = mix(edge, alpha, share);', replace: 'float covered = edge;' }],
+    first: null,
+  },
   { name: 'a camera shift of 0.5 px', item: 'camera-ortho', shot: (shot) => shiftCamera(shot, 0.5), first: 'n' },
   { name: 'an environment rotated by 1 degree', item: 'environment-rotated', shot: (shot) => turnEnvironment(shot, 1), first: 'radiance' },
 ];
