@@ -32,6 +32,10 @@ Integrator::Integrator(const Stage& stage, Transport transport, ShadingModel sha
       dfg_(dfg) {}
 
 glm::vec3 Integrator::reflected(const Surface& surface, const glm::vec3& l) const {
+  // Half of the environment's light comes from behind most cloth: nothing to ask there.
+  const brdf_f::SurfaceInfo& s = surface.info;
+  const bool behind = glm::dot(s.n, l) <= 0 && glm::dot(s.coatNormal, l) <= 0;
+  if (behind && s.diffuseTransmission == 0) return glm::vec3(0);
   const brdf_f::Reflected direct = shading_.addPunctual(brdf_f::nothingReflected(), surface.info, l, glm::vec3(1));
   return shading_.composedRadiance(surface.info, direct.diffuse * (1 - surface.glass.weight), direct,
                                    brdf_f::nothingReflected(), glm::vec3(0));
