@@ -109,5 +109,7 @@ export interface DiffuseTransmission {
 export function loadFabricMaterial(THREE: Three): Promise<new (parameters?: {
   fabric?: Fabric | null;
   diffuseTransmission?: DiffuseTransmission | null;
+  /** Whether the geometries have tangents, along which a weave without a normal map stands. Default false: along the texture coordinates. */
+  hasTangents?: boolean;
   [parameterOfMeshPhysicalMaterial: string]: Three;
 }) => Three>;

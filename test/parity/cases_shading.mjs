@@ -29,7 +29,7 @@ const ALIKE = [
 ];
 
 /** Part of the subset that `npm test` draws, of every shading. */
-const FAST = ['sheen-env', 'sheen-sun', 'physical-everything-lights'];
+const FAST = ['sheen-env', 'physical-everything-lights'];
 
 const CAMERA = { camera: CAMERAS.front, environment: 'none' };
 

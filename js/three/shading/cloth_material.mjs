@@ -40,6 +40,9 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
     /** @type {object | null} - As KHR_materials_diffuse_transmission, likewise. */
     diffuseTransmission = null;
 
+    /** Whether the geometries have tangents: a weave stands along them, also where no map of three.js needs them. */
+    hasTangents = false;
+
     /** Uniforms of the text, made once. */
     ownUniforms = {};
 
@@ -62,7 +65,7 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
     textDefines() {
       const parts = this.isFabricMaterial ? featuresOf(this) : principledFeatures(this);
       const features = Object.entries({ ...parts, ...mapFeatures(parts, mapsOf(this)) }).filter(([name]) => text.features.includes(name));
-      return { ...super.textDefines(), ...Object.fromEntries(features) };
+      return { ...super.textDefines(), ...Object.fromEntries(features), ...(needsTangents(this) && { OWN_TANGENTS: 1 }) };
     }
 
     textUniforms() {
@@ -76,8 +79,10 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
     }
 
     onBeforeCompile(shader) {
-      // Declares the attribute of the second set of texture coordinates, which three.js leaves out where no map of its own has it.
-      if (Object.values(mapsOf(this)).some((map) => map.channel === 1)) this.defines.USE_UV1 = '';
+      // What three.js leaves out of the vertex stage where no map of its own needs it.
+      setDefine(this.defines, 'USE_UV1', Object.values(mapsOf(this)).some((map) => map.channel === 1));
+      setDefine(this.defines, 'USE_UV', Boolean(this.fabric?.weave));
+      setDefine(this.defines, 'USE_TANGENT', needsTangents(this));
       super.onBeforeCompile(shader);
     }
 
@@ -101,10 +106,19 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
     copy(source) {
       super.copy(source);
       this.fabric = source.fabric ?? null;
+      this.hasTangents = source.hasTangents ?? false;
       this.diffuseTransmission = source.diffuseTransmission ?? null;
       return this;
     }
   };
+}
+
+/** three.js gives tangents to normal maps and to anisotropy by itself. */
+const needsTangents = ({ hasTangents, fabric, normalMap, anisotropy }) => Boolean(hasTangents && fabric?.weave && !normalMap && !(anisotropy > 0));
+
+function setDefine(defines, name, isWanted) {
+  if (isWanted) defines[name] = '';
+  else delete defines[name];
 }
 
 /** The alpha of its map from which on a material with holes is there. */

@@ -39,7 +39,8 @@ export async function openShading(THREE, shading) {
       const cloth = await clothOf(parser, mesh, original, shading === 'fabric' ? TEXTS.presets : null);
       material.copy(cloth.material);
       material.shadingDefines = hasTerms ? definesOfTerms(shading) : {};
-      if (shading !== 'three') Object.assign(material, await extensionsOf(parser, cloth.definition, THREE));
+      // GLTFLoader gives geometries with tangents materials of their own.
+      if (shading !== 'three') Object.assign(material, { hasTangents: mesh.geometry.attributes.tangent !== undefined }, await extensionsOf(parser, cloth.definition, THREE));
     },
   };
 }
