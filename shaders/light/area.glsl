@@ -26,7 +26,8 @@ LtcLobe sheenLobe(mat3 frame, SurfaceInfo s) {
 }
 #endif
 
-// As in three.js, rectangles have no part in iridescence, anisotropy and rough diffuse; sheen sees them on cloth only.
+// As in three.js, rectangles have no part in iridescence, anisotropy and rough diffuse; sheen sees them on cloth and in the
+// principled shadings.
 Reflected addRectLight(Reflected sum, SurfaceInfo s) {
   mat3 frame = ltcFrame(s.n, s.v);
   LtcLobe base = ltcLobe(frame, s.perceptualRoughness, s.NoV, s.f0, s.f90);
@@ -37,11 +38,22 @@ Reflected addRectLight(Reflected sum, SurfaceInfo s) {
 #if SHEEN
   LtcLobe sheen = sheenLobe(frame, s);
 #endif
+#elif SHADING_PRINCIPLED
+  // Gloss and coat spread as the tables have it, the other lobes as a cosine; each of the albedo that the model gives it.
+  float under = underCoatToViewer(s);
+  base.albedo *= under * glossOfArea(s);
+  vec3 spread = under * diffuseAlbedoTerm(s);
+#if SHEEN
+  vec3 fuzz = under * s.sheenColor * sheenAlbedoTerm(s);
+#endif
 #else
   vec3 spread = s.diffuse;
 #endif
 #if CLEARCOAT
   LtcLobe coat = ltcLobe(ltcFrame(s.coatNormal, s.v), s.clearcoatRoughness, s.clearcoatNoV, vec3(F0_DIELECTRIC), 1.0);
+#if SHADING_PRINCIPLED
+  coat.albedo = vec3(coatAlbedoTerm(s));
+#endif
 #endif
   vec3 p = -vViewPosition;
   for (int i = 0; i < RECT_LIGHTS; ++i) {
@@ -58,7 +70,11 @@ Reflected addRectLight(Reflected sum, SurfaceInfo s) {
 #if SHADING_FABRIC && SHEEN
     sum.sheen += rectColor[i] * sheen.albedo * ltcRectangle(sheen.toLobe, a, b, c, d);
 #endif
-    sum.diffuse += rectColor[i] * spread * ltcRectangle(frame, a, b, c, d);
+    float cosineLobe = ltcRectangle(frame, a, b, c, d);
+    sum.diffuse += rectColor[i] * spread * cosineLobe;
+#if SHADING_PRINCIPLED && SHEEN
+    sum.sheen += rectColor[i] * fuzz * cosineLobe;
+#endif
 #if CLEARCOAT
     sum.coat += rectColor[i] * coat.albedo * ltcRectangle(coat.toLobe, a, b, c, d);
 #endif

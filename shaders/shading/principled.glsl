@@ -36,6 +36,26 @@ float underCoat(SurfaceInfo s, float cosine) {
   return 1.0;
 }
 
+// The same for light that comes from anywhere.
+float underCoatToViewer(SurfaceInfo s) {
+#if CLEARCOAT
+  return underCoat(s, s.clearcoatNoV);
+#else
+  return 1.0;
+#endif
+}
+
+// What is left of the gloss of correlated Smith under an area light.
+float glossOfArea(SurfaceInfo s) {
+#if SHEEN
+  if (isLayered(s) && max3(s.sheenColor) > 0.0) return 0.0;  // the sheen stands in its place
+#endif
+  if (CHOSEN(visibility, VISIBILITY_TERM) == VISIBILITY_SMITH_SEPARABLE) {
+    return separableShare(s.perceptualRoughness, s.NoV).x;
+  }
+  return 1.0;
+}
+
 // Adds the light of one direction.
 // l  unit, to the light; of length 0 it gives nothing      lightColor  irradiance on a surface that faces it, linear Rec.709
 Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
@@ -90,7 +110,7 @@ Reflected addEnvironment(Reflected sum, SurfaceInfo s, Incident incident) {
   vec3 single = incident.radiance * scattering.single;
 #if CLEARCOAT
   sum.coat += incident.coatRadiance * coatAlbedoTerm(s);
-  single *= underCoat(s, s.clearcoatNoV);
+  single *= underCoatToViewer(s);
 #endif
 #if SHEEN
   sum = addSheenOfDome(sum, s, incident.environmentIrradiance);
