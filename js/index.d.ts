@@ -67,6 +67,14 @@ export interface ModelFacts {
     metallic: number;
     roughness: number;
     textures: string[];
+    /** What only the shading "fabric" reads, with the material's preset (js/docs/fabric.md); null where there is nothing. */
+    fabric: {
+      diffuseTransmission?: number;
+      flatness?: number;
+      /** Coverages, and yarns in one unit of u and v. */
+      weave?: { warp: number; weft: number; threadsPerUv: [number, number] };
+      back?: true;
+    } | null;
   }>;
   /** Width 0: no drawn material uses it, so it was not decoded. */
   images: Array<{

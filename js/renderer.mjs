@@ -214,7 +214,7 @@ class Renderer {
     });
     report?.finish(job);
     const milliseconds = { load: loaded - start, pose: posedAt - loaded, resolve: resolvedAt - posedAt, total: performance.now() - start };
-    return { data: frame.data, info: frameInfo({ frame, resolved, milliseconds, renderer: this, warnings: [...(posed.facts.warnings ?? []), ...shotWarnings(resolved)] }) };
+    return { data: frame.data, info: frameInfo({ frame, resolved, milliseconds, renderer: this, warnings: [...(posed.facts.warnings ?? []), ...shotWarnings(resolved, posed.facts.extensionsUsed)] }) };
   }
 }
 

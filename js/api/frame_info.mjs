@@ -1,11 +1,24 @@
+/** Extension that stock three.js does not have: with `shading: "three"` it is not drawn, as in the browser. */
+const NOT_IN_THREE = 'KHR_materials_diffuse_transmission';
+
 /**
- * What the shot asks for and this frame does not show.
+ * What the shot asks for, or the model holds, and this frame does not show.
  * @param {object} resolved
- * @returns {{code: string, message: string}[]}
+ * @param {string[]} [extensionsUsed] - Of the model.
+ * @returns {{code: string, message: string, pointer?: string}[]}
  */
-export function shotWarnings({ lens, quality }) {
-  if (lens?.focusDistance == null || quality.preset === 'reference') return [];
-  return [{ code: 'W_LENS', message: 'shot.lens.focusDistance: the raster shows everything sharp; quality "reference" blurs what is out of focus' }];
+export function shotWarnings({ lens, quality, shading }, extensionsUsed = []) {
+  const warnings = [];
+  if (lens?.focusDistance != null && quality.preset !== 'reference') {
+    warnings.push({ code: 'W_LENS', message: 'shot.lens.focusDistance: the raster shows everything sharp; quality "reference" blurs what is out of focus' });
+  }
+  if (shading === 'three' && extensionsUsed.includes(NOT_IN_THREE)) {
+    warnings.push({
+      code: 'W_EXT_IGNORED', pointer: `/extensionsUsed/${extensionsUsed.indexOf(NOT_IN_THREE)}`,
+      message: `shading "three" does not draw the optional extension "${NOT_IN_THREE}", as three.js does not; use shading "fabric"`,
+    });
+  }
+  return warnings;
 }
 
 /**

@@ -26,10 +26,19 @@ const count = (n, noun, nouns = `${noun}s`) => `${n.toLocaleString('en-US')} ${n
 const metres = (x) => `${Number(x.toPrecision(4))} m`;
 const named = (list) => list.map((item) => (typeof item === 'string' ? item : item.name) || '(no name)').join(', ');
 
+/** What of a material the shading "fabric" alone reads. */
+function fabricText({ diffuseTransmission, flatness, weave, back }) {
+  const parts = [diffuseTransmission && `lets ${percent(diffuseTransmission)} through`, flatness && `flatness ${percent(flatness)}`,
+    weave && `weave ${percent(weave.warp)} warp ${percent(weave.weft)} weft`, back && 'its own back'];
+  return `fabric (${parts.filter(Boolean).join(', ')})`;
+}
+
+const percent = (share) => `${Math.round(100 * share)} %`;
+
 function materialLines(materials) {
-  return materials.map(({ name, alphaMode, doubleSided, unlit, metallic, roughness, textures = [] }, i) => {
+  return materials.map(({ name, alphaMode, doubleSided, unlit, metallic, roughness, textures = [], fabric }, i) => {
     const facts = [`metallic ${metallic}`, `roughness ${Number(roughness?.toPrecision(3))}`, alphaMode !== 'OPAQUE' && `alpha ${alphaMode}`,
-      doubleSided && 'double-sided', unlit && 'unlit', textures.length > 0 && `textures ${textures.join(' ')}`].filter(Boolean);
+      doubleSided && 'double-sided', unlit && 'unlit', textures.length > 0 && `textures ${textures.join(' ')}`, fabric && fabricText(fabric)].filter(Boolean);
     return `  ${i} ${name || '(no name)'}: ${facts.join(', ')}`;
   });
 }

@@ -7,10 +7,10 @@ const INTRODUCTION = `# Cloth in glTF
 
 The shading \`fabric\` reads the material of glTF 2.0 and its KHR_materials_* extensions, and two more:
 
-- \`KHR_materials_diffuse_transmission\`: light that passes through thin cloth. The other shadings do not draw it, as three.js does
-  not, and warn with \`W_EXT_IGNORED\`.
-- \`TELAR_materials_fabric\`, telar's own, on this page. The other shadings leave it out without a word, but for \`flatness\`, which \`disney-2012\` reads as its subsurface. Its JSON Schema is
-  \`js/assets/TELAR_materials_fabric.schema.json\`.
+- \`KHR_materials_diffuse_transmission\`: light that passes through thin cloth. The shading \`three\` does not draw it, as three.js does
+  not, and warns with \`W_EXT_IGNORED\`.
+- \`TELAR_materials_fabric\`, telar's own, on this page. The other shadings leave it out without a word, but for \`flatness\`, which
+  \`disney-2012\` reads as its subsurface. Its JSON Schema is \`js/assets/TELAR_materials_fabric.schema.json\`.
 
 \`\`\`json
 {

@@ -40,7 +40,23 @@ const char* nameOf(LightType type) {
   }
 }
 
-json describe(const Material& material) {
+/// What of a material only the shading "fabric" reads; null where there is nothing.
+json describeFabric(const Material& material) {
+  const FabricLayers& fabric = material.fabric;
+  json out = json::object();
+  if (fabric.diffuseTransmissionFactor > 0) out["diffuseTransmission"] = fabric.diffuseTransmissionFactor;
+  if (fabric.flatness > 0) out["flatness"] = fabric.flatness;
+  if (fabric.weave) {
+    out["weave"] = {{"warp", fabric.warp.coverage},
+                    {"weft", fabric.weft.coverage},
+                    {"threadsPerUv", {fabric.threadsPerUv.x, fabric.threadsPerUv.y}}};
+  }
+  if (fabric.back) out["back"] = true;
+  return out.empty() ? json(nullptr) : out;
+}
+
+/// @param worn the same with its preset
+json describe(const Material& material, const Material& worn) {
   json textures = json::array();
   const auto add = [&](const char* name, const TextureRef& texture) {
     if (texture) textures.push_back(name);
@@ -69,7 +85,7 @@ json describe(const Material& material) {
   add("backColor", material.fabric.backColorTexture);
   return {{"name", material.name},   {"alphaMode", nameOf(material.alphaMode)}, {"doubleSided", material.doubleSided},
           {"unlit", material.unlit}, {"metallic", material.metallicFactor},     {"roughness", material.roughnessFactor},
-          {"textures", textures}};
+          {"textures", textures},    {"fabric", describeFabric(worn)}};
 }
 
 json describe(const Image8& image) {
@@ -176,7 +192,12 @@ std::string describeScene(const Scene& scene) {
   out["triangles"] = scene.triangleCount;
   out["fileBytes"] = scene.fileBytes;
   out["materials"] = json::array();
-  for (std::size_t i = 0; i < scene.fileMaterials; ++i) out["materials"].push_back(describe(scene.materials[i]));
+  for (std::size_t i = 0; i < scene.fileMaterials; ++i) {
+    const Material& material = scene.materials[i];
+    const bool filled = material.withPreset >= 0;
+    out["materials"].push_back(
+        describe(material, filled ? scene.materials[static_cast<std::size_t>(material.withPreset)] : material));
+  }
   out["images"] = json::array();
   for (const Image8& image : scene.images) out["images"].push_back(describe(image));
   out["lights"] = describeLights(scene);

@@ -5,6 +5,7 @@ import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { PNG_MAGIC, addView, chunk, container, floats, glb, gltf, padded, png, pngChunk, pngHeader, quad, u32, ushorts } from './glb.mjs';
 import { decoderCases } from './decoder_cases.mjs';
+import { fabricCases } from './fabric_cases.mjs';
 import { motionCases } from './motion_cases.mjs';
 import { deflateSync } from './png_parts.mjs';
 
@@ -273,7 +274,7 @@ export const makeCases = () => {
   return [
     { name: 'good.glb', bytes: good, code: '' },
     { name: 'good.gltf', bytes: gltf(quad()), code: '' },
-    ...containerCases(good), ...jsonCases(), ...bufferCases(), ...graphCases(), ...imageCases(), ...materialCases(), ...motionCases(), ...uriCases(), ...decoderCases(),
+    ...containerCases(good), ...jsonCases(), ...bufferCases(), ...graphCases(), ...imageCases(), ...materialCases(), ...motionCases(), ...fabricCases(changed), ...uriCases(), ...decoderCases(),
   ];
 };
 

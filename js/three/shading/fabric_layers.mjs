@@ -23,7 +23,8 @@ async function definitionOf(parser, index, loadPresets) {
   const fabric = definition.extensions?.[FABRIC] ?? extras?.[FABRIC];
   if (!fabric) return { definition, isPreset: false };
   const own = { ...definition, extensions: { ...definition.extensions, [FABRIC]: fabric } };
-  const preset = loadPresets && fabric.preset && (await loadPresets()).PRESETS[fabric.preset];
+  const presets = loadPresets && fabric.preset ? (await loadPresets()).PRESETS : {};
+  const preset = Object.hasOwn(presets, fabric.preset) && presets[fabric.preset];
   return preset ? { definition: merged(preset.material, own), isPreset: true } : { definition: own, isPreset: false };
 }
 

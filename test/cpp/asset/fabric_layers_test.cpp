@@ -194,6 +194,17 @@ TEST_F(FabricLayersTest, APresetsFaultsAreTheMaterialsAndWarnOnce) {
   EXPECT_EQ(scene->warnings.size(), 1u);
 }
 
+TEST_F(FabricLayersTest, InspectionTellsWhatAClothHas) {
+  read(fabric({{"preset", "denim"}}));
+  const json facts = json::parse(describeScene(*scene));
+  ASSERT_EQ(facts["materials"].size(), 1u);
+  const json& cloth = facts["materials"][0]["fabric"];
+  EXPECT_EQ(cloth["back"], true);
+  EXPECT_GT(cloth["weave"]["warp"], cloth["weave"]["weft"]);
+  read(json::object());
+  EXPECT_TRUE(json::parse(describeScene(*scene))["materials"][0]["fabric"].is_null());
+}
+
 TEST_F(FabricLayersTest, PrimitivesAndVariantsCannotReachTheFilledCopies) {
   json material = fabric({{"preset", "denim"}});
   model.doc["meshes"][0]["primitives"][0]["material"] = 1;
