@@ -72,7 +72,7 @@ function applyFlags(shot, { view, size, quality, shading, environment, backgroun
   if (view !== undefined) shot.camera = { ...framingOf(shot.camera), view };
   if (size !== undefined) shot.size = parseSize(size);
   if (quality !== undefined) shot.quality = parseValue(quality);
-  if (shading !== undefined) shot.shading = shading;
+  if (shading !== undefined) shot.shading = parseValue(shading);
   if (environment !== undefined) shot.environment = { ...settingsOf(shot.environment), map: environment };
   if (background !== undefined) shot.background = parseValue(background);
   if (variant !== undefined) shot.variant = variant;
@@ -100,6 +100,9 @@ export function parseValue(text) {
   }
 }
 
+/** Keys whose value may be a name alone: where the name goes when more is said. */
+const NAMED_BY = { shading: 'base', quality: 'preset', environment: 'map' };
+
 /**
  * Sets one key: "camera.fit=0.8", "lights.0.color=red". Only own keys are followed, so that no key reaches a prototype.
  * A number behind a list's key is an index, which may append one item.
@@ -117,7 +120,8 @@ function applyAssignment(shot, assignment) {
     const isLast = depth === keys.length - 1;
     const next = Object.hasOwn(node, key) ? node[key] : undefined;
     const isObject = typeof next === 'object' && next !== null;
-    const fresh = /^\d+$/.test(keys[depth + 1] ?? '') ? [] : {};
+    const named = depth === 0 && typeof next === 'string' && Object.hasOwn(NAMED_BY, key) ? { [NAMED_BY[key]]: next } : {};
+    const fresh = /^\d+$/.test(keys[depth + 1] ?? '') ? [] : named;
     const written = isLast ? value : isObject ? next : fresh;
     Object.defineProperty(node, key, { value: written, enumerable: true, configurable: true, writable: true });
     node = written;

@@ -62,6 +62,13 @@ test('flags, --set and --shot make the shot, each over the one before', async ()
   assert.deepEqual(shot.lights, [{ type: 'point', color: [0, 1, 0], intensity: 1, position: [0, 0, 0], range: 0, castShadow: false }]);
 });
 
+test('--set says more of what a flag names', async () => {
+  const at = freshFolder();
+  const { calls } = await runFake(['thumbnail', 'm.glb', '-o', at('a.png'), '--shading', 'disney-2012', '--set', 'shading.sheen=zeltner']);
+  const { base, sheen, fresnel } = calls.rendered[0].shot.shading;
+  assert.deepEqual({ base, sheen, fresnel }, { base: 'disney-2012', sheen: 'zeltner', fresnel: 'schlick' });
+});
+
 test('--environment starts at the current folder, --size takes one or two numbers', async () => {
   const at = freshFolder();
   const { calls } = await runFake(['thumbnail', 'm.glb', '-o', at('a.png'), '--environment', 'b.exr', '--size', '30x40']);
