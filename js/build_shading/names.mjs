@@ -8,8 +8,19 @@ export const FIXED = {
   POINT_LIGHTS: 0, SPOT_LIGHTS: 0, DIRECTIONAL_LIGHTS: 0, CUBE_SHADOWS: 0, SPOT_SHADOWS: 0, FLAT_SHADOWS: 0,
 };
 
-/** Features of cloth alone. */
-export const OF_CLOTH = ['NORMAL_VARIANCE', 'ALPHA_TO_COVERAGE'];
+/** Features of cloth, and the families of shadings that have them. */
+export const OF_CLOTH = {
+  NORMAL_VARIANCE: ['fabric'],
+  ALPHA_TO_COVERAGE: ['fabric'],
+  WEAVE: ['fabric'],
+  WEAVE_MAP: ['fabric'],
+  BACK: ['fabric'],
+  BACK_COLOR_MAP: ['fabric'],
+  FLATNESS: ['fabric', 'principled'],
+  DIFFUSE_TRANSMISSION: ['fabric', 'principled'],
+  DIFFUSE_TRANSMISSION_MAP: ['fabric', 'principled'],
+  DIFFUSE_TRANSMISSION_COLOR_MAP: ['fabric', 'principled'],
+};
 
 /** Feature of surface.frag: the condition under which three.js has it, as its preprocessor knows it. */
 export const FEATURES = {

@@ -4,6 +4,7 @@ import { reduced } from './expression.mjs';
 
 const INCLUDE = /^#include "([^"]+)"$/;
 const DIRECTIVE = /^\s*#\s*(if|elif|else|endif)\b\s*(.*)$/;
+const NAMED_CONDITION = /^(#define \w+) \((.*)\)$/;
 const NAME = /\b[A-Za-z_]\w*\b/g;
 
 /**
@@ -49,9 +50,15 @@ function blockAt(lines, at, known) {
       const [chain, next] = chainAt(lines, at, condition, known);
       body.push(...chain);
       at = next;
-    } else body.push(lines[at++]);
+    } else body.push(withKnown(lines[at++], known));
   }
   return [body, at];
+}
+
+/** A condition with a name of its own keeps no name that is known. */
+function withKnown(line, known) {
+  const [, define, condition] = NAMED_CONDITION.exec(line) ?? [];
+  return define ? `${define} (${reduced(condition, known)})` : line;
 }
 
 /** #if ... #endif from `at` on as lines, and the index behind it. */

@@ -49,13 +49,13 @@ export function shadingText(family) {
   const adapter = readAdapter('adapter.glsl');
   const main = readAdapter('main.glsl');
   const isCloth = family === 'fabric';
-  const onlyCloth = isCloth ? {} : Object.fromEntries(OF_CLOTH.map((name) => [name, 0]));
-  const known = { ...FIXED, ...onlyCloth, ...Object.fromEntries(SHADINGS.map((name) => [`SHADING_${name.toUpperCase()}`, Number(name === family)])) };
+  const absent = Object.keys(OF_CLOTH).filter((name) => !OF_CLOTH[name].includes(family));
+  const known = { ...FIXED, ...Object.fromEntries(absent.map((name) => [name, 0])), ...Object.fromEntries(SHADINGS.map((name) => [`SHADING_${name.toUpperCase()}`, Number(name === family)])) };
   const text = decided(`${adapter}\n${withoutComments(included(source, readShader))}`, known);
   const defined = new Set([...text.matchAll(/^#define (\w+)/gm)].map(([, name]) => name));
   const features = [...conditionNames(text)].filter((name) => !FEATURES[name] && !COUNTS[name] && !defined.has(name) && !TERMS.includes(name));
   const { kept, inputs } = withoutInputs(throughExpressions(text, isCloth ? { ...EXPRESSIONS, ...CLOTH_EXPRESSIONS } : EXPRESSIONS));
-  const vertex = vertexText(inputs, features);
+  const vertex = vertexText(inputs, features, known);
   const names = new Set([...namesIn(kept), ...inputs, ...features, ...vertex.inputs, ...vertex.features, ...Object.keys(FEATURES), ...Object.keys(COUNTS), ...TERMS]);
   const translate = (part) => renamed(part, names);
   return {
@@ -69,9 +69,9 @@ export function shadingText(family) {
 }
 
 /** What the vertex stage adds for the varyings among `inputs`. */
-function vertexText(inputs, features) {
+function vertexText(inputs, features, known) {
   if (!inputs.some((name) => VARYING.test(name))) return { declarations: '', main: '', inputs: [], features: [] };
-  const [declarations, main] = VERTEX_FILES.map((file) => withoutComments(existsSync(new URL(file, SHADERS)) ? readShader(file) : ''));
+  const [declarations, main] = VERTEX_FILES.map((file) => decided(withoutComments(readShader(file)), known));
   return {
     declarations,
     main: `${SECOND_UV}\n${main.replaceAll(/\buv0\b/g, 'uv').replaceAll(/\buv1\b/g, `${PREFIX}uv1`)}`,

@@ -55,3 +55,8 @@ test('expressions keep their meaning when part of them is known', () => {
   assert.equal(left('A == 1 || A == 2', { A: 3 }), 0);
   for (const text of ['(A', 'A &&', 'A B', '&& A']) assert.throws(() => reduced(text, {}), /#if/);
 });
+
+test('a condition with a name of its own', () => {
+  assert.equal(decided(lines('#define FRAME (A || B)', '#if FRAME', 'f', '#endif'), { B: 0 }), lines('#define FRAME (A)', '#if FRAME', 'f', '#endif'));
+  assert.equal(decided('#define CHOSEN(slot, number) number', { number: 1 }), '#define CHOSEN(slot, number) number');
+});

@@ -108,8 +108,7 @@ for (const family of ['fabric', 'principled']) {
     });
     const { uniforms, features } = shadingText(family);
     const given = Object.keys(material.textDefines());
-    const notOfTerms = ['WEAVE', 'BACK'];
-    assert.deepEqual(features.filter((name) => !given.includes(name) && !(family === 'principled' && notOfTerms.includes(name))), []);
+    assert.deepEqual(features.filter((name) => !given.includes(name)), []);
     assert.deepEqual(uniforms.filter((name) => !(name in material.textUniforms())), []);
   });
 }
