@@ -83,6 +83,7 @@ brdf_d::SurfaceInfo surfaceOf(const Material& material, const Shot& shot, const 
   s.flatness = material.fabric.flatness;
   s.diffuseTransmission = material.fabric.diffuseTransmissionFactor;
   s.transmittedColor = glm::dvec3(material.fabric.diffuseTransmissionColorFactor);
+  s.transmittedColor = glm::dvec3(material.fabric.diffuseTransmissionColorFactor);
   return s;
 }
 

@@ -231,6 +231,7 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   const TextureRef& framing = m.normalTexture ? m.normalTexture : m.layers.clearcoatNormalTexture;
   const glm::mat3 mapped = tangentFrame(mesh, corners, b, n, framing, s.v, face);
   if (m.normalTexture) s.n = mappedNormal(mapped, read(m.normalTexture), signs * m.normalScale);
+  s.n = facing(s.n, s.v);
   // The frame of texture coordinates is not square: without a stretched highlight any square one about the mapped
   // normal shades the same.
   glm::mat3 frame = basisAbout(s.n);
@@ -241,7 +242,6 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
     const glm::mat3 coatFrame = tangentFrame(mesh, corners, b, n, m.layers.clearcoatNormalTexture, s.v, face);
     coatNormal = mappedNormal(coatFrame, read(m.layers.clearcoatNormalTexture), signs * m.layers.clearcoatNormalScale);
   }
-  s.n = facing(s.n, s.v);
   coatNormal = facing(coatNormal, s.v);
   readBase(s, m, read, glm::vec3(baseColor), geometric, dfg, terms);
   readLayers(s, m, read, frame, coatNormal, geometric, dfg, terms);
