@@ -64,7 +64,7 @@ Where a number is measured the source is named; the others are reasoned from the
 | source | |
 |---|---|
 | Morton-Hearle | Morton & Hearle 2008, Physical Properties of Textile Fibres, 4th edition, table 24.1: refractive indices along and across the fibre. The mean is that of the three axes. |
-| Sadeghi 2013 | Sadeghi, Bisker, De Deken & Jensen 2013, A Practical Microcylinder Appearance Model for Cloth Rendering, ACM TOG 32(2): lobe widths fitted to measured threads |
+| Sadeghi 2013 | Sadeghi, Bisker, De Deken & Jensen 2013, A Practical Microcylinder Appearance Model for Cloth Rendering, ACM TOG 32(2), table II: coverages and lobe widths fitted to measured cloth |
 | Zeltner 2022 | Zeltner, Burley & Chiang 2022, Practical Multiple-Scattering Sheen Using Linearly Transformed Cosines |`;
 
 /** One preset: what it is, its numbers as a glTF material, where they come from. */
