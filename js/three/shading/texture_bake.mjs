@@ -49,14 +49,12 @@ function bake(THREE, shaders, renderer, { kind, source, cutoff }) {
   });
   out.texture.mipmaps = Array.from({ length: levels }, () => ({}));
   const drawing = drawingOf(THREE, shaders);
-  const before = [renderer.getRenderTarget(), renderer.getActiveCubeFace(), renderer.getActiveMipmapLevel()];
-  const autoClear = renderer.autoClear;
-  renderer.autoClear = false;
+  const putBack = setAside(renderer);
   let larger = null; // moments of the level before
   for (let level = 0; level < levels; level++) {
     const size = sizeAt(THREE, source, level);
     if (level > 0) {
-      const moments = momentTarget(THREE, size);
+      const moments = momentTarget(THREE, renderer, size);
       const uniforms = { sourceMap: larger?.texture ?? source, sourceSize: sizeAt(THREE, source, level - 1), targetSize: size, cutoff };
       drawing.draw(renderer, `${kind}Moments`, level === 1, uniforms, moments, 0, size);
       larger?.dispose();
@@ -65,16 +63,28 @@ function bake(THREE, shaders, renderer, { kind, source, cutoff }) {
     drawing.draw(renderer, `${kind}Level`, level === 0, { sourceMap: larger?.texture ?? source }, out, level, size);
   }
   larger?.dispose();
-  renderer.autoClear = autoClear;
-  renderer.setRenderTarget(...before);
+  putBack();
   return out;
+}
+
+/** Between two draws of the client's own: @returns {() => void} puts the renderer back as it was. */
+function setAside(renderer) {
+  const target = [renderer.getRenderTarget(), renderer.getActiveCubeFace(), renderer.getActiveMipmapLevel()];
+  const { autoClear, xr: { enabled }, shadowMap: { autoUpdate } } = renderer;
+  renderer.autoClear = renderer.xr.enabled = renderer.shadowMap.autoUpdate = false;
+  return () => {
+    Object.assign(renderer, { autoClear });
+    Object.assign(renderer.xr, { enabled });
+    Object.assign(renderer.shadowMap, { autoUpdate });
+    renderer.setRenderTarget(...target);
+  };
 }
 
 const sizeAt = (THREE, { image }, level) => new THREE.Vector2(Math.max(1, image.width >> level), Math.max(1, image.height >> level));
 
-/** Sums of squares need the precision: a variance is a small difference of them. */
-const momentTarget = (THREE, { x, y }) => new THREE.WebGLRenderTarget(x, y, {
-  type: THREE.FloatType, depthBuffer: false, generateMipmaps: false, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter,
+/** Sums of squares need the precision where the GL draws floats: a variance is a small difference of them. */
+const momentTarget = (THREE, renderer, { x, y }) => new THREE.WebGLRenderTarget(x, y, {
+  type: renderer.extensions.has('EXT_color_buffer_float') ? THREE.FloatType : THREE.HalfFloatType, depthBuffer: false, generateMipmaps: false, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter,
 });
 
 const samplerOf = ({ wrapS, wrapT, minFilter, magFilter, anisotropy }) => ({ wrapS, wrapT, minFilter, magFilter, anisotropy });
