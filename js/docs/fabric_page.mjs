@@ -40,7 +40,7 @@ the sampler filters of both tells the mean normal and the variance about it, whi
 Baker 2010, LEAN mapping). A single texel has no variance: from near, nothing changes. The roughness texture may have another size, UV
 set, transform or sampler: the variance travels with the normals.
 Set a sampler that reads mip levels (glTF's default does); with \`minFilter\` LINEAR or NEAREST there is nothing to read it from.
-Materials without a normal map and other shadings pay nothing.
+Materials without a normal map and other shadings pay nothing. The map of slopes takes 8 bytes of GPU memory a texel, beside the image.
 
 **Holes** (\`alphaMode\` MASK with a base colour texture): lace, tulle, mesh. Mip levels hold the share of a texel that is there, and the
 colour of that part alone; the edge of level 0 is drawn as wide as a pixel. The share becomes samples of the pixel,
