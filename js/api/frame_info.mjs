@@ -1,5 +1,7 @@
-/** Extension that stock three.js does not have: with `shading: "three"` it is not drawn, as in the browser. */
+/** Extension that stock three.js does not have: only "fabric" and one diffuse term of the principled shadings draw it. */
 const NOT_IN_THREE = 'KHR_materials_diffuse_transmission';
+const THIN = 'disney-2015-thin';
+const drawsThinCloth = (shading) => shading === 'fabric' || shading.diffuse === THIN;
 
 /**
  * What the shot asks for, or the model holds, and this frame does not show.
@@ -12,10 +14,10 @@ export function shotWarnings({ lens, quality, shading }, extensionsUsed = []) {
   if (lens?.focusDistance != null && quality.preset !== 'reference') {
     warnings.push({ code: 'W_LENS', message: 'shot.lens.focusDistance: the raster shows everything sharp; quality "reference" blurs what is out of focus' });
   }
-  if (shading === 'three' && extensionsUsed.includes(NOT_IN_THREE)) {
+  if (!drawsThinCloth(shading) && extensionsUsed.includes(NOT_IN_THREE)) {
     warnings.push({
       code: 'W_EXT_IGNORED', pointer: `/extensionsUsed/${extensionsUsed.indexOf(NOT_IN_THREE)}`,
-      message: `shading "three" does not draw the optional extension "${NOT_IN_THREE}", as three.js does not; use shading "fabric"`,
+      message: `shading "${shading.base ?? shading}" does not draw the optional extension "${NOT_IN_THREE}"; use shading "fabric"`,
     });
   }
   return warnings;

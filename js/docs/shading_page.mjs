@@ -126,8 +126,10 @@ export function shadingPage() {
     'form for `disney-2012`, `frostbite`, `disney-2015-thin` and `eon`. Sheen, where the layering has it, reads the same times the albedo of its lobe:',
     '`disney-2012` within 1e-4, `zeltner` exactly, `charlie-neubelt` within 0.012, `ashikhmin-velvet` 0.03, `charlie-estevez-kulla` 0.06. With',
     '`smith-separable` the split sum is reduced as the lobe is, within 0.05. Disney\'s coat reads the environment at the width of its lobe times its albedo, within 0.005.', '',
+    'Quality `reference`, and `high` where it asks for directions of the environment, light a surface from each of them as a lamp does: there r115\'s',
+    'sheen is in the environment too, and its coat takes by the angle of each direction.', '',
     'How far the raster is from the path tracer with the same text (leather, wool, towel and velvet under the studio, no maps, nothing hidden; mean difference in',
     'linear radiance, sign included): `disney-2012` -1.1 % to +0.8 %; `three` -1.4 % to +4.0 %; `three-r115` -2.9 % leather, -6.3 % to -7.0 % wool and towel, -30 %',
-    'velvet. The last are r115\'s own: its environment has no sheen, and the tracer asks for every direction as it asks for a lamp.', '',
+    'velvet: the sheen that its prefiltered environment lacks.', '',
   ].join('\n');
 }

@@ -12,6 +12,9 @@ test('the shading that does not draw light through cloth says so', () => {
   assert.match(warning.message, /KHR_materials_diffuse_transmission/);
   assert.deepEqual(others, []);
   assert.deepEqual(shotWarnings({ ...SHOT, shading: 'fabric' }, THIN), []);
+  const disney = { base: 'disney-2012', diffuse: 'disney-2012' };
+  assert.match(shotWarnings({ ...SHOT, shading: disney }, THIN)[0].message, /^shading "disney-2012"/);
+  assert.deepEqual(shotWarnings({ ...SHOT, shading: { ...disney, diffuse: 'disney-2015-thin' } }, THIN), []);
   assert.deepEqual(shotWarnings(SHOT, ['TELAR_materials_fabric']), []);
 });
 
