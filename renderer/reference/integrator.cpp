@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "reference/sampling.h"
-#include "reference/transmission.h"
 
 namespace telar::reference {
 namespace {
@@ -31,12 +30,22 @@ Integrator::Integrator(const Stage& stage, Transport transport, ShadingModel sha
       terms_(isPrincipled(shading) ? std::optional(terms) : std::nullopt),
       dfg_(dfg) {}
 
-glm::vec3 Integrator::reflected(const Surface& surface, const glm::vec3& l) const {
+brdf_f::Reflected Integrator::baked(brdf_f::Reflected light, const Surface& surface) const {
+  if (transport_.occlusion || surface.occlusion >= 1) return light;
+  light.diffuse *= surface.occlusion;
+  light.coat *= surface.occlusion;
+  light.sheen *= surface.occlusion;
+  light.specular *= brdf_f::specularOcclusion(surface.info.perceptualRoughness, surface.occlusion, surface.info.NoV);
+  return light;
+}
+
+glm::vec3 Integrator::reflected(const Surface& surface, const glm::vec3& l, bool around) const {
   // Half of the environment's light comes from behind most cloth: nothing to ask there.
   const brdf_f::SurfaceInfo& s = surface.info;
   const bool behind = glm::dot(s.n, l) <= 0 && glm::dot(s.coatNormal, l) <= 0;
   if (behind && s.diffuseTransmission == 0) return glm::vec3(0);
-  const brdf_f::Reflected direct = shading_.addPunctual(brdf_f::nothingReflected(), surface.info, l, glm::vec3(1));
+  brdf_f::Reflected direct = shading_.addPunctual(brdf_f::nothingReflected(), surface.info, l, glm::vec3(1));
+  if (around) direct = baked(direct, surface);
   return shading_.composedRadiance(surface.info, direct.diffuse * (1 - surface.glass.weight), direct,
                                    brdf_f::nothingReflected(), glm::vec3(0));
 }
@@ -70,7 +79,7 @@ bool Integrator::hidden(const Ray& ray, float distance, Walk& walk) const {
 
 glm::vec3 Integrator::arriving(const Surface& surface, const PointedLight::Arrival& arrival, float shadow,
                                Walk& walk) const {
-  const glm::vec3 share = reflected(surface, arrival.direction) * arrival.irradiance;
+  const glm::vec3 share = reflected(surface, arrival.direction, false) * arrival.irradiance;
   const float taken = transport_.occlusion ? 1.0f : shadow;
   if (share == glm::vec3(0) || taken == 0) return share;
   return hidden(leave(surface, arrival.direction), arrival.distance, walk) ? share * (1 - taken) : share;
@@ -87,7 +96,7 @@ glm::vec3 Integrator::directLight(const Surface& surface, Walk& walk) const {
   }
   const glm::vec3 dome = stage_.lights.irradiance(surface.info.n);
   if (dome != glm::vec3(0)) {
-    const brdf_f::Reflected lit = shading_.addDome(brdf_f::nothingReflected(), surface.info, dome);
+    const brdf_f::Reflected lit = baked(shading_.addDome(brdf_f::nothingReflected(), surface.info, dome), surface);
     sum += shading_.composedRadiance(surface.info, lit.diffuse * (1 - surface.glass.weight), brdf_f::nothingReflected(),
                                      lit, glm::vec3(0));
   }
@@ -111,7 +120,7 @@ glm::vec3 Integrator::environmentLight(const Surface& surface, const LobeSampler
     const glm::vec2 cell(i % draws.strata, i / draws.strata);
     const auto drawn = stage_.environment->sample((cell + walk.random.uniform2()) / strata);
     if (!(drawn.pdf > 0)) continue;
-    const glm::vec3 light = reflected(surface, drawn.direction);
+    const glm::vec3 light = reflected(surface, drawn.direction, true);
     if (light == glm::vec3(0)) continue;
     if (transport_.occlusion && hidden(leave(surface, drawn.direction), FAR, walk)) continue;
     const float weight = powerHeuristic(draws.environment() * drawn.pdf, draws.lobe() * lobes.pdf(drawn.direction));
@@ -127,7 +136,7 @@ glm::vec3 Integrator::lobeLight(const Surface& surface, const LobeSampler& lobes
   for (int i = 0; i < draws.lobes; ++i) {
     const auto drawn = lobes.sample(walk.random);
     if (!(drawn.pdf > 0)) continue;
-    const glm::vec3 light = reflected(surface, drawn.direction);
+    const glm::vec3 light = reflected(surface, drawn.direction, true);
     if (light == glm::vec3(0)) continue;
     if (transport_.occlusion && hidden(leave(surface, drawn.direction), FAR, walk)) continue;
     const float weight =
@@ -137,21 +146,36 @@ glm::vec3 Integrator::lobeLight(const Surface& surface, const LobeSampler& lobes
   return sum / draws.lobe();
 }
 
+bool Integrator::behind(const Surface& surface, const Passage& passage, Walk& walk, Surface& next) const {
+  const float length = glm::length(passage.path);
+  if (length == 0) return nextSurface(leave(surface, passage.direction), nullptr, walk, next, !transport_.occlusion);
+  const glm::vec3 exit = surface.position + passage.path;
+  if (!transport_.occlusion) {
+    // As in the raster: what the viewer would see where the light leaves. Of several layers of glass the first alone
+    // counts.
+    return nextSurface({exit - passage.direction * (surface.distance + length), passage.direction}, nullptr, walk, next,
+                       true);
+  }
+  if (nextSurface(leave(surface, passage.path / length), nullptr, walk, next) && next.distance < length) return true;
+  return nextSurface({exit, passage.direction}, nullptr, walk, next);
+}
+
 bool Integrator::passThrough(Path& path, Walk& walk) const {
   if (++path.passages > MOST_PASSAGES) return false;
-  const Passage passage = drawPassage(path.surface, stage_.radius * 1e-5f, walk.random);
+  const Passage passage = drawPassage(path.surface, walk.random);
   const brdf_f::Reflected none = brdf_f::nothingReflected();
   path.throughput *= shading_.composedRadiance(path.surface.info, passage.share, none, none, glm::vec3(0));
   Surface next;
-  // Without occlusion as in the raster: through one transmissive surface no other is seen.
-  if (nextSurface(passage.ray, nullptr, walk, next, !transport_.occlusion)) {
+  if (behind(path.surface, passage, walk, next)) {
     path.surface = next;
     return true;
   }
   if (!path.straight) {
-    if (stage_.environment) path.light += path.throughput * stage_.environment->radiance(passage.ray.direction);
+    if (stage_.environment) path.light += path.throughput * stage_.environment->radiance(passage.direction);
   } else if (stage_.sky.shown()) {
-    path.light += path.throughput * stage_.sky.radiance(passage.ray.direction, walk.random);
+    path.light += path.throughput * stage_.sky.radiance(passage.direction, walk.random);
+  } else if (stage_.sky.color()) {
+    path.light += path.throughput * *stage_.sky.color();
   } else {
     path.coverage = 1 - (path.throughput.r + path.throughput.g + path.throughput.b) / 3;
   }
@@ -165,7 +189,7 @@ bool Integrator::reflect(Path& path, const LobeSampler& lobes, const Draws& draw
   }
   const auto drawn = lobes.sample(walk.random);
   if (!(drawn.pdf > 0)) return false;
-  path.throughput *= reflected(path.surface, drawn.direction) / (draws.lobe() * drawn.pdf);
+  path.throughput *= reflected(path.surface, drawn.direction, true) / (draws.lobe() * drawn.pdf);
   if (path.throughput == glm::vec3(0)) return false;
   path.straight = false;
   Surface next;

@@ -7,6 +7,7 @@
 #include "reference/random.h"
 #include "reference/sky.h"
 #include "reference/surface.h"
+#include "reference/transmission.h"
 
 namespace telar::reference {
 
@@ -62,12 +63,17 @@ class Integrator {
   Ray leave(const Surface& from, const glm::vec3& direction) const;
   /// Light of a path whose first surface is found.
   glm::vec4 pathLight(Path& path, Walk& walk) const;
+  /// What is seen through a surface. @return false: nothing
+  bool behind(const Surface& surface, const Passage& passage, Walk& walk, Surface& next) const;
   /// The path goes on through the surface. @return false: it meets no other
   bool passThrough(Path& path, Walk& walk) const;
   /// The path is reflected. @return false: it ends
   bool reflect(Path& path, const LobeSampler& lobes, const Draws& draws, Walk& walk) const;
   /// Reflected radiance per irradiance on a surface that faces the light.
-  glm::vec3 reflected(const Surface& surface, const glm::vec3& l) const;
+  /// @param around  of the environment: a baked occlusion counts where nothing is hidden by surfaces
+  glm::vec3 reflected(const Surface& surface, const glm::vec3& l, bool around) const;
+  /// What baked occlusion leaves of light from everywhere.
+  brdf_f::Reflected baked(brdf_f::Reflected light, const Surface& surface) const;
   /// Light of all lights that arrives directly and leaves to the viewer.
   glm::vec3 directLight(const Surface& surface, Walk& walk) const;
   /// Light of the environment that draws from it find.

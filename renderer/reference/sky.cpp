@@ -5,6 +5,7 @@
 namespace telar::reference {
 
 Sky::Sky(const Shot& shot, const EnvironmentLight* environment) {
+  if (shot.background.type == Shot::Background::Type::kColor) color_ = shot.background.color;
   if (shot.background.type != Shot::Background::Type::kEnvironment) return;
   environment_ = environment;
   const auto blur = static_cast<float>(shot.background.blur);  // a perceptual roughness

@@ -251,6 +251,7 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   s.transmittedColor =
       m.fabric.diffuseTransmissionColorFactor * glm::vec3(read(m.fabric.diffuseTransmissionColorTexture, true));
   surface.glass = readGlass(m.layers, read, mesh);
+  if (m.occlusionTexture) surface.occlusion = brdf_f::diffuseOcclusion(read(m.occlusionTexture).r, m.occlusionStrength);
   return surface;
 }
 

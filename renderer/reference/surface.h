@@ -31,10 +31,11 @@ struct Surface {
   brdf_f::SurfaceInfo info;
   Glass glass;
   glm::vec3 emitted{0};
-  float distance = 0;  ///< along the ray that met it, metres
-  float alpha = 1;     ///< 1 where the material is opaque
-  bool unlit = false;  ///< `emitted` is all there is
-  bool shown = true;   ///< false: a culled back side, or cut out by the alpha mask
+  float distance = 0;   ///< along the ray that met it, metres
+  float occlusion = 1;  ///< baked, of light from everywhere, 0..1
+  float alpha = 1;      ///< 1 where the material is opaque
+  bool unlit = false;   ///< `emitted` is all there is
+  bool shown = true;    ///< false: a culled back side, or cut out by the alpha mask
 };
 
 /// What the raster's shaders take from factors, textures and vertices, for a hit of a ray. World space.

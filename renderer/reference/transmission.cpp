@@ -21,7 +21,7 @@ glm::vec3 blurred(const glm::vec3& direction, const brdf_f::SurfaceInfo& s, floa
 
 }  // namespace
 
-Passage drawPassage(const Surface& surface, float offset, Random& random) {
+Passage drawPassage(const Surface& surface, Random& random) {
   const brdf_f::SurfaceInfo& s = surface.info;
   const Glass& glass = surface.glass;
   float ior = glass.ior;
@@ -33,16 +33,14 @@ Passage drawPassage(const Surface& surface, float offset, Random& random) {
     channel = glm::vec3(0);
     channel[c] = 3;
   }
-  const glm::vec3 path =
-      glass.thickness == glm::vec3(0) ? glm::vec3(0) : brdf_f::refractedDirection(s.n, s.v, ior) * glass.thickness;
   Passage passage;
-  passage.ray.direction = blurred(-s.v, s, ior, random);
-  const float side = glm::dot(surface.geometricNormal, passage.ray.direction) < 0 ? -1.0f : 1.0f;
-  passage.ray.origin = surface.position + path + surface.geometricNormal * (side * offset);
+  if (glass.thickness != glm::vec3(0)) passage.path = brdf_f::refractedDirection(s.n, s.v, ior) * glass.thickness;
+  passage.direction = blurred(-s.v, s, ior, random);
   const glm::vec3 interface = 1.0f - (s.f0 * s.dfg.x + s.f90 * s.dfg.y);
   passage.share = s.diffuse * interface * channel;
   if (glass.attenuates) {
-    passage.share *= brdf_f::volumeTransmittance(glm::length(path), glass.attenuationColor, glass.attenuationDistance);
+    passage.share *=
+        brdf_f::volumeTransmittance(glm::length(passage.path), glass.attenuationColor, glass.attenuationDistance);
   }
   return passage;
 }

@@ -8,12 +8,12 @@ namespace telar::reference {
 /// refracted path through one with a thickness, blurred by the roughness, tinted and attenuated. Where it leaves a
 /// volume it is not refracted again.
 struct Passage {
-  Ray ray;             ///< on the other side
-  glm::vec3 share{0};  ///< of the light that comes along it, linear Rec.709; the coat's part is not in it
+  glm::vec3 path{0};       ///< through the volume, metres; 0 = thin
+  glm::vec3 direction{0};  ///< unit, beyond it
+  glm::vec3 share{0};      ///< of the light that comes along it, linear Rec.709; the coat's part is not in it
 };
 
-/// One draw of where the light comes from. @param surface  prepared, with `transmission` above 0
-/// @param offset  metres, by which a ray starts off the surface
-Passage drawPassage(const Surface& surface, float offset, Random& random);
+/// One draw of where the light comes from. @param surface  prepared, with `glass.weight` above 0
+Passage drawPassage(const Surface& surface, Random& random);
 
 }  // namespace telar::reference
