@@ -38,8 +38,12 @@ precision highp samplerCube;
 #endif
 #if SHADING_FABRIC
 #include "brdf/cloth_energy.glsl"
+#include "brdf/bump.glsl"
+#if FLATNESS
+#include "brdf/thin_sheet.glsl"
 #endif
-#if ANISOTROPY
+#endif
+#if ANISOTROPY || WEAVE
 #include "brdf/anisotropic.glsl"
 #endif
 #if IRIDESCENCE

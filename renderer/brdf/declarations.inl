@@ -15,6 +15,7 @@ Real min3(vec3 v);
 Real saturate(Real x);
 vec3 saturate(vec3 v);
 vec3 safeNormalize(vec3 x, vec3 fallback);
+vec3 anyTangent(vec3 n);
 
 Real geometricRoughness(vec3 dndx, vec3 dndy);
 Real shadedRoughness(Real perceptualRoughness, Real geometric);
@@ -58,7 +59,20 @@ vec4 sheenView(vec3 fit, Real NoV);
 Real sheenCosine(vec4 view, Real NoV, Real NoL, Real LoV);
 
 GlossCurve glossCurve(Real perceptualRoughness);
+vec4 grazingCurve(Real r);
+Real glossMissing(GlossCurve curve, Real cosine);
+Real glossGrazing(vec4 curve, Real cosine);
 vec2 glossAlbedo(GlossCurve curve, Real cosine);
+vec2 glossAverage(GlossCurve curve);
+Real meanAlpha(Real wide, Real narrow);
+vec2 glossAlbedoAnisotropic(GlossCurve curve, Real alphaMean, Real wide, Real narrow, Real cosine, Real along, Real across);
+Real sheetAlbedo(Real cosine);
+vec3 sheetMultiple(vec3 rho);
+vec3 Fd_SheetCosine(vec3 albedo, Real NoV, Real NoL);
+vec3 sheetReflectance(vec3 albedo, Real NoV);
+vec3 normalFacing(vec3 n, vec3 v);
+Real bumpAlpha2(vec3 surface, vec3 mapped);
+Real bumpTerminator(Real alpha2, Real cosine);
 vec3 returningShare(vec3 f0, Real f90, Real averageMissing);
 vec3 interfaceAlbedo(vec3 f0, Real f90, vec3 returning, vec2 albedo);
 
@@ -136,7 +150,6 @@ vec3 hemisphereIrradiance(vec3 skyColor, vec3 groundColor, Real NoUp);
 
 vec2 ltcCoordinates(Real perceptualRoughness, Real NoV);
 mat3 ltcInverse(vec4 fit);
-vec3 anyTangent(vec3 n);
 mat3 ltcFrame(vec3 n, vec3 v);
 vec3 ltcEdge(vec3 a, vec3 b);
 Real ltcAboveHorizon(vec3 f);

@@ -11,6 +11,8 @@
 #include "anisotropic.glsl"
 #include "cloth.glsl"
 #include "cloth_energy.glsl"
+#include "thin_sheet.glsl"
+#include "bump.glsl"
 #include "disney.glsl"
 #include "disney_parameters.glsl"
 #include "principled_albedo.glsl"

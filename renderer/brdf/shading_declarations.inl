@@ -19,6 +19,9 @@ TELAR_SHADING_FUNCTIONS
 /// telar's cloth.
 namespace fabric {
 TELAR_SHADING_FUNCTIONS
+Reflected addBehind(Reflected sum, SurfaceInfo s, vec3 irradiance);
+YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, Real slope, Real coverage, Real roughness, Real anisotropy,
+                  vec3 specularColor);
 }  // namespace fabric
 
 /// three-r115 and disney-2012, by the terms in SurfaceInfo.
@@ -35,6 +38,7 @@ struct ShadingFunctions {
   decltype(&three::addDome) addDome;
   decltype(&three::addEnvironment) addEnvironment;
   decltype(&three::composedRadiance) composedRadiance;
+  decltype(&fabric::addBehind) addBehind = nullptr;  ///< light of domes on the other side, where a shading lets any through
 };
 
 /// A principled shading is what `terms` of its SurfaceInfo say: set them before preparedSurface().

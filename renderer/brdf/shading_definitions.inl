@@ -24,8 +24,11 @@ ShadingFunctions shadingFunctions(ShadingModel shading) {
     case ShadingModel::kThreeR115:
     case ShadingModel::kDisney2012:
       return TELAR_SHADING_TABLE(principled);
-    case ShadingModel::kFabric:
-      return TELAR_SHADING_TABLE(fabric);
+    case ShadingModel::kFabric: {
+      ShadingFunctions functions = TELAR_SHADING_TABLE(fabric);
+      functions.addBehind = &fabric::addBehind;
+      return functions;
+    }
     default:
       return TELAR_SHADING_TABLE(three);
   }

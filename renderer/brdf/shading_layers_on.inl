@@ -4,8 +4,10 @@
 #define IRIDESCENCE 1
 #define SHEEN 1
 #define CLEARCOAT 1
-#define FLATNESS 1
 #define DIFFUSE_TRANSMISSION 1
+#define FLATNESS 1
+#define WEAVE 1
+#define NORMAL_MAP 1
 #define SHADING_THREE 1
 #define SHADING_PRINCIPLED 1
 #define SHADING_FABRIC 1

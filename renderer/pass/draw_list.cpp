@@ -106,10 +106,11 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.orthographic = frame.orthographic;
   key.lights = frame.lights;
   key.flatShaded = primitive.normals.empty();
-  key.tangent = (key.normalMap || key.anisotropy) && !key.flatShaded && !primitive.tangents.empty();
-  key.tangentFrameUv0 = key.anisotropy && !key.normalMap && !key.clearcoatNormalMap;
+  const bool stretched = key.anisotropy || key.weave;
+  key.tangent = (key.normalMap || stretched) && !key.flatShaded && !primitive.tangents.empty();
+  key.tangentFrameUv0 = stretched && !key.normalMap && !key.clearcoatNormalMap && !key.weaveMap;
   // A flat face needs no turning round of its normal, only of the frame that its maps stand in.
-  const bool hasFrame = key.normalMap || key.clearcoatNormalMap || key.anisotropy;
+  const bool hasFrame = key.normalMap || key.clearcoatNormalMap || stretched;
   key.doubleSided = material.doubleSided && (!key.flatShaded || hasFrame);
   return key;
 }

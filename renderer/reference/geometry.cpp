@@ -66,6 +66,7 @@ std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::
                      centre);
     }
   }
+  for (PlacedMesh& mesh : meshes) mesh.shading = shading;
   return meshes;
 }
 

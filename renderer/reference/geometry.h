@@ -21,6 +21,7 @@ struct PlacedMesh {
   glm::mat3 normalMatrix{1.0f};  ///< inverse transpose of the node's matrix
   glm::mat3 linear{1.0f};        ///< the node's matrix without its translation, for tangents
   bool mirrored = false;         ///< the node's matrix turns the winding round
+  ShadingModel shading = ShadingModel::kThree;
   glm::vec3 tint{1.0f};          ///< of an instance, linear Rec.709: a factor on the base colour
 };
 

@@ -95,8 +95,11 @@ glm::vec3 Integrator::directLight(const Surface& surface, Walk& walk) const {
     if (arrival) sum += arriving(surface, *arrival, 0, walk);
   }
   const glm::vec3 dome = stage_.lights.irradiance(surface.info.n);
-  if (dome != glm::vec3(0)) {
-    const brdf_f::Reflected lit = baked(shading_.addDome(brdf_f::nothingReflected(), surface.info, dome), surface);
+  const glm::vec3 behind = shading_.addBehind ? stage_.lights.irradiance(-surface.info.n) : glm::vec3(0);
+  if (dome != glm::vec3(0) || behind != glm::vec3(0)) {
+    brdf_f::Reflected lit = shading_.addDome(brdf_f::nothingReflected(), surface.info, dome);
+    if (shading_.addBehind) lit = shading_.addBehind(lit, surface.info, behind);
+    lit = baked(lit, surface);
     sum += shading_.composedRadiance(surface.info, lit.diffuse * (1 - surface.glass.weight), brdf_f::nothingReflected(),
                                      lit, glm::vec3(0));
   }

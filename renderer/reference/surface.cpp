@@ -90,8 +90,9 @@ struct Reader {
   }
 };
 
+/// @param ownRoughness  in place of the material's and its texture; null = none
 void readBase(SurfaceInfo& s, const Material& m, const Reader& read, const glm::vec3& baseColor, float geometric,
-              glm::vec2 (*dfg)(float, float), const ShadingTerms* terms) {
+              glm::vec2 (*dfg)(float, float), const ShadingTerms* terms, const float* ownRoughness) {
   const glm::vec4 texel = read(m.metallicRoughnessTexture);
   s.baseColor = baseColor;
   s.metallic = m.metallicFactor * texel.b;
@@ -107,7 +108,7 @@ void readBase(SurfaceInfo& s, const Material& m, const Reader& read, const glm::
     s.f0Dielectric = glm::min(ratio * ratio * color, glm::vec3(1.0f)) * factor;
   }
   s.f0 = glm::mix(s.f0Dielectric, baseColor, s.metallic);
-  const float roughness = m.roughnessFactor * texel.g;
+  const float roughness = ownRoughness ? *ownRoughness : m.roughnessFactor * texel.g;
   s.perceptualRoughness = terms ? roughness : brdf_f::shadedRoughness(roughness, geometric);
   s.alpha = brdf_f::alphaFromRoughness(s.perceptualRoughness);
   s.NoV = brdf_f::saturate(glm::dot(s.n, s.v));
@@ -160,6 +161,47 @@ void readLayers(SurfaceInfo& s, const Material& m, const Reader& read, const glm
   s.clearcoatRoughness = terms ? coatRoughness : brdf_f::shadedRoughness(coatRoughness, geometric);
   s.clearcoatNoV = brdf_f::saturate(glm::dot(coatNormal, s.v));
   s.coatDfg = dfg(s.clearcoatRoughness, s.clearcoatNoV);
+}
+
+bool isWoven(const PlacedMesh& mesh) { return mesh.shading == ShadingModel::kFabric && mesh.material->fabric.weave; }
+
+/// The yarns on top at this point. Finer than a pixel they are not taken together: many samples do that.
+/// @param up  the frame's second axis is Y of the tangent space, else -Y
+void readYarns(SurfaceInfo& s, const Material& m, const Reader& read, const glm::mat3& frame, bool up,
+               float geometric) {
+  const FabricLayers& f = m.fabric;
+  const float texel = read(m.metallicRoughnessTexture).g;
+  const glm::vec3 weft = brdf_f::safeNormalize(frame[0] - s.n * glm::dot(s.n, frame[0]), brdf_f::anyTangent(s.n));
+  glm::vec3 warp = glm::cross(s.n, weft);
+  if ((glm::dot(warp, frame[1]) < 0) == up) warp = -warp;
+  glm::vec2 coverage(f.warp.coverage, f.weft.coverage), turn(1, 0);
+  float slope = 0;
+  if (f.weaveTexture) {
+    const glm::vec4 weave = read(f.weaveTexture);
+    coverage = (coverage.x + coverage.y) * glm::vec2(weave.a, 1 - weave.a);
+    turn = 2.0f * glm::vec2(weave) - 1.0f;
+    slope = 2 * weave.b - 1;
+  }
+  const auto yarn = [&](const Yarn& y, float share, const glm::vec3& axis, const glm::vec3& aside) {
+    return brdf_f::fabric::yarnLobe(s.n, axis, aside, turn, slope, share,
+                                    brdf_f::shadedRoughness(y.roughness * texel, geometric), y.anisotropy,
+                                    y.specularColor);
+  };
+  s.t = weft;
+  s.b = warp;
+  s.warp = yarn(f.warp, coverage.x, warp, -weft);
+  s.weft = yarn(f.weft, coverage.y, weft, warp);
+}
+
+/// What FabricLayers adds.
+void readCloth(SurfaceInfo& s, const Material& m, const Reader& read, const glm::vec3& geometricNormal) {
+  const FabricLayers& f = m.fabric;
+  s.geometricNormal = geometricNormal;
+  s.flatness = f.flatness;
+  s.diffuseTransmission = brdf_f::saturate(f.diffuseTransmissionFactor * read(f.diffuseTransmissionTexture).a);
+  s.transmittedColor = f.diffuseTransmissionColorFactor * glm::vec3(read(f.diffuseTransmissionColorTexture, true));
+  s.yarnBlend = 0;
+  s.warp.coverage = s.weft.coverage = 0;
 }
 
 Glass readGlass(const PhysicalLayers& l, const Reader& read, const PlacedMesh& mesh) {
@@ -228,14 +270,17 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   // Without vertex tangents the frame follows the texture's rows downwards.
   const glm::vec2 signs(1, primitive.tangents.empty() ? -1 : 1);
   s.n = n;
-  const TextureRef& framing = m.normalTexture ? m.normalTexture : m.layers.clearcoatNormalTexture;
+  const bool cloth = mesh.shading == ShadingModel::kFabric;
+  const TextureRef& framing = m.normalTexture                          ? m.normalTexture
+                              : isWoven(mesh) && m.fabric.weaveTexture ? m.fabric.weaveTexture
+                                                                       : m.layers.clearcoatNormalTexture;
   const glm::mat3 mapped = tangentFrame(mesh, corners, b, n, framing, s.v, face);
   if (m.normalTexture) s.n = mappedNormal(mapped, read(m.normalTexture), signs * m.normalScale);
   s.n = facing(s.n, s.v);
   // The frame of texture coordinates is not square: without a stretched highlight any square one about the mapped
   // normal shades the same.
   glm::mat3 frame = basisAbout(s.n);
-  const bool stretched = m.layers.anisotropyStrength > 0;
+  const bool stretched = m.layers.anisotropyStrength > 0 || isWoven(mesh);
   if (stretched && glm::dot(mapped[0], mapped[0]) > 0 && glm::dot(mapped[1], mapped[1]) > 0) frame = mapped;
   glm::vec3 coatNormal = n;
   if (m.layers.clearcoatNormalTexture) {
@@ -243,13 +288,14 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
     coatNormal = mappedNormal(coatFrame, read(m.layers.clearcoatNormalTexture), signs * m.layers.clearcoatNormalScale);
   }
   coatNormal = facing(coatNormal, s.v);
-  readBase(s, m, read, glm::vec3(baseColor), geometric, dfg, terms);
+  const bool back = cloth && m.fabric.back && m.doubleSided && !front;
+  if (back)
+    baseColor = glm::vec4(m.fabric.backColorFactor * glm::vec3(read(m.fabric.backColorTexture, true)), baseColor.a);
+  readBase(s, m, read, glm::vec3(baseColor), geometric, dfg, terms, back ? &m.fabric.backRoughnessFactor : nullptr);
   readLayers(s, m, read, frame, coatNormal, geometric, dfg, terms);
   if (terms) s.terms = *terms;
-  s.flatness = m.fabric.flatness;
-  s.diffuseTransmission = m.fabric.diffuseTransmissionFactor * read(m.fabric.diffuseTransmissionTexture).a;
-  s.transmittedColor =
-      m.fabric.diffuseTransmissionColorFactor * glm::vec3(read(m.fabric.diffuseTransmissionColorTexture, true));
+  readCloth(s, m, read, m.normalTexture ? n : s.n);
+  if (isWoven(mesh)) readYarns(s, m, read, frame, !primitive.tangents.empty(), geometric);
   surface.glass = readGlass(m.layers, read, mesh);
   if (m.occlusionTexture) surface.occlusion = brdf_f::diffuseOcclusion(read(m.occlusionTexture).r, m.occlusionStrength);
   return surface;

@@ -15,11 +15,6 @@ mat3 ltcInverse(vec4 fit) {
   return mat3(vec3(fit.x, 0.0, fit.y), vec3(0.0, 1.0, 0.0), vec3(fit.z, 0.0, fit.w));
 }
 
-// Some unit direction square with unit n.
-vec3 anyTangent(vec3 n) {
-  return normalize(abs(n.x) < 0.7 ? cross(n, vec3(1.0, 0.0, 0.0)) : cross(n, vec3(0.0, 1.0, 0.0)));
-}
-
 // Rotation into the frame of the tables: the viewer in the plane of x and z, the normal along z.
 // Seen head-on a lobe is round, and any x will do; three.js divides 0 by 0 there and loses the light.
 // n, v  unit

@@ -38,3 +38,6 @@ const float EON_EPSILON = 1.0e-7;
 
 // Smallest sheen roughness: 1 / alpha stays finite in fp32. three r187
 const float SHEEN_ROUGHNESS_MIN = 1.0e-4;
+
+// Mean of sheetAlbedo() over the cosine-weighted hemisphere: 1/2 - (4 ln 2 - 1) / 6.
+const float SHEET_AVERAGE = 0.2045685;

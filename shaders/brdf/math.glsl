@@ -26,3 +26,8 @@ vec3 safeNormalize(vec3 x, vec3 fallback) {
   float squaredLength = dot(x, x);
   return squaredLength > 1.0e-30 ? x * inversesqrt(squaredLength) : fallback;
 }
+
+// Some unit direction square with unit n.
+vec3 anyTangent(vec3 n) {
+  return normalize(abs(n.x) < 0.7 ? cross(n, vec3(1.0, 0.0, 0.0)) : cross(n, vec3(0.0, 1.0, 0.0)));
+}

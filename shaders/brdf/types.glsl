@@ -10,9 +10,9 @@ struct BicubicTaps {
 
 // How much a GGX lobe of one width reflects, as curves over the cosine of its direction: see cloth_energy.glsl.
 struct GlossCurve {
-  vec4 missing;       // of the light that a lobe of f0 = f90 = 1 does not reflect at once
-  vec4 grazing;       // of the part of its reflectance that belongs to f90
-  vec2 averages;      // of both over the cosine-weighted hemisphere
+  vec4 missing;        // of the light that a lobe of f0 = f90 = 1 does not reflect at once
+  float missingSlope;
+  vec4 grazing;        // of the part of its reflectance that belongs to f90
 };
 
 // What a specular interface sends back under uniform light of radiance 1, linear Rec.709, each [0, 1].

@@ -46,6 +46,19 @@ vec3 domeIrradiance(vec3 n) {
 }
 #endif
 
+#if SHADING_FABRIC && DIFFUSE_TRANSMISSION
+vec3 irradianceBehind(vec3 n) {
+  vec3 irradiance = vec3(0.0);
+#if AMBIENT || HEMISPHERE_LIGHTS > 0
+  irradiance += domeIrradiance(-n);
+#endif
+#if ENVIRONMENT
+  irradiance += PI * environmentRadiance(-n, environmentMaxLod);
+#endif
+  return irradiance;
+}
+#endif
+
 Incident incidentLight(SurfaceInfo s) {
   Incident incident;
   incident.irradiance = incident.environmentIrradiance = incident.radiance = vec3(0.0);
@@ -55,9 +68,12 @@ Incident incidentLight(SurfaceInfo s) {
 #if AMBIENT || HEMISPHERE_LIGHTS > 0
   incident.irradiance = domeIrradiance(s.n);
 #endif
+#if SHADING_FABRIC && DIFFUSE_TRANSMISSION
+  incident.behind = irradianceBehind(s.n);
+#endif
 #if ENVIRONMENT
   incident.environmentIrradiance = PI * environmentRadiance(s.n, environmentMaxLod);
-#if ANISOTROPY
+#if ANISOTROPY || WEAVE
   vec3 reflector = bentNormal(s.perceptualRoughness, s.anisotropyStrength, s.n, s.b, s.v);
 #else
   vec3 reflector = s.n;
@@ -77,6 +93,9 @@ Reflected indirectLight(SurfaceInfo s, Incident incident) {
 #endif
 #if ENVIRONMENT
   sum = addEnvironment(sum, s, incident);
+#endif
+#if SHADING_FABRIC && DIFFUSE_TRANSMISSION
+  sum = addBehind(sum, s, incident.behind);
 #endif
   return sum;
 }

@@ -1,6 +1,6 @@
 // The shading normal of a fragment and the frame that normal maps and stretched highlights stand in, view space.
 
-#define TANGENT_FRAME (NORMAL_MAP || CLEARCOAT_NORMAL_MAP || ANISOTROPY)
+#define TANGENT_FRAME (NORMAL_MAP || CLEARCOAT_NORMAL_MAP || ANISOTROPY || WEAVE)
 
 struct Normals {
   vec3 geometric;  // interpolated (or of the flat face), turned to the viewer on double-sided surfaces
@@ -14,7 +14,7 @@ struct Normals {
   vec2 coatSlopeVariance;
 #endif
 #endif
-#if ANISOTROPY
+#if ANISOTROPY || WEAVE
   mat3 frame;      // columns: tangent, bitangent, geometric normal
 #endif
 };
@@ -120,12 +120,14 @@ Normals shadingNormals() {
 #else
   normals.shading = mappedNormal(frame, texture(normalMap, vNormalUv).xyz, normalScale);
 #endif
-#elif ANISOTROPY && CLEARCOAT_NORMAL_MAP
+#elif WEAVE_MAP
+  mat3 frame = tangentFrame(normals.geometric, vWeaveUv, faceDirection);
+#elif (ANISOTROPY || WEAVE) && CLEARCOAT_NORMAL_MAP
   mat3 frame = tangentFrame(normals.geometric, vClearcoatNormalUv, faceDirection);
-#elif ANISOTROPY
+#elif ANISOTROPY || WEAVE
   mat3 frame = tangentFrame(normals.geometric, vUv0, faceDirection);
 #endif
-#if ANISOTROPY
+#if ANISOTROPY || WEAVE
   // three.js divides by 0 here; a stretched highlight needs some direction.
   normals.frame = dot(frame[0], frame[0]) > 0.0 && dot(frame[1], frame[1]) > 0.0 ? frame : anyFrame(normals.geometric);
 #endif

@@ -19,6 +19,10 @@ vec4 baseColorAndAlpha() {
 #include "material/fabric_textures.glsl"
 #endif
 
+#if SHADING_FABRIC
+#include "material/fabric_info.glsl"
+#endif
+
 SurfaceInfo surfaceInfo(vec3 baseColor) {
   SurfaceInfo s;
   float roughness = roughnessFactor;
@@ -27,6 +31,12 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
   vec4 texel = texture(metallicRoughnessMap, vMetallicRoughnessUv);
   roughness *= texel.g;
   s.metallic *= texel.b;
+#endif
+#if BACK
+  if (seenFromBack()) {
+    baseColor = backColor();
+    roughness = backRoughness;
+  }
 #endif
   Normals normals = shadingNormals();
   float geometric = geometricRoughness(dFdx(normals.geometric), dFdy(normals.geometric));
@@ -38,6 +48,9 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
   s.v = vec3(0.0, 0.0, 1.0);
 #else
   s.v = normalize(vViewPosition);
+#endif
+#if SHADING_FABRIC
+  turnToViewer(s, normals);
 #endif
   s.baseColor = baseColor;
   s.diffuse = diffuseAlbedo(baseColor, s.metallic);
@@ -66,6 +79,9 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
   s.dfg = texture(dfgMap, vec2(s.perceptualRoughness, s.NoV)).rg;
 #endif
   addLayers(s, normals, geometric);
+#if SHADING_FABRIC
+  addFabric(s, normals, geometric);
+#endif
   return preparedSurface(s);
 }
 

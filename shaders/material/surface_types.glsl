@@ -1,5 +1,19 @@
 // What shading takes and gives. Also compiled as C++, with every layer on (renderer/brdf/shading.h).
 
+#if WEAVE
+// One set of parallel yarns as they lie at a point of cloth, view space.
+struct YarnLobe {
+  vec3 t;              // along the yarn
+  vec3 b;              // across it
+  vec3 n;              // square to both: it leans where the yarn dips under another
+  float coverage;      // share of the surface that shows it; 0 of both sets: there is no weave
+  float alphaT;        // along
+  float alphaB;        // across
+  vec3 specularColor;  // factor on the normal reflectance, [0, 1]
+  vec3 f0;             // by preparedSurface()
+};
+#endif
+
 // Everything the lights need to know of one point of a surface.
 struct SurfaceInfo {
   vec3 n;          // shading normal, view space
@@ -19,8 +33,8 @@ struct SurfaceInfo {
 #if DIFFUSE_ROUGHNESS
   float diffuseRoughness;
 #endif
-#if ANISOTROPY
-  vec3 t;          // along which the highlight is stretched, view space
+#if ANISOTROPY || WEAVE
+  vec3 t;          // along which the highlight is stretched, view space; of a weave, along its weft
   vec3 b;
   float anisotropyStrength;
   float alphaT;
@@ -44,16 +58,16 @@ struct SurfaceInfo {
   vec2 coatDfg;
 #endif
 #endif
+#if FLATNESS
+  float flatness;             // share of subsurface scattering, or of a thin sheet's, in the diffuse lobe
+#endif
+#if DIFFUSE_TRANSMISSION
+  float diffuseTransmission;  // share of the diffuse light that goes through
+  vec3 transmittedColor;      // what it is coloured by, linear Rec.709
+#endif
 #if SHADING_PRINCIPLED
 #if ALL_TERMS
   ShadingTerms terms;        // chosen at run time: in C++ only
-#endif
-#if FLATNESS
-  float flatness;            // share of subsurface scattering in the diffuse lobe
-#endif
-#if DIFFUSE_TRANSMISSION
-  float diffuseTransmission; // share of the diffuse light that goes through
-  vec3 transmittedColor;     // what it is coloured by, linear Rec.709
 #endif
 #if SHEEN
   vec3 sheenLtc;             // by preparedSurface, where the sheen is a transformed cosine
@@ -63,20 +77,33 @@ struct SurfaceInfo {
   vec3 compensation;  // factor on the GGX lobe of one direction
 #endif
 #if SHADING_FABRIC
-  // All of it by preparedSurface() of fabric.glsl.
+#if NORMAL_MAP
+  vec3 geometricNormal;       // before the normal map
+#endif
+#if WEAVE
+  YarnLobe warp;
+  YarnLobe weft;
+  float yarnBlend;            // 0: the yarns are seen, 1: their mean is
+#endif
+  // The rest by preparedSurface() of fabric.glsl.
   GlossCurve gloss;
-  vec2 albedo;            // of the gloss, at NoV: glossAlbedo()
-  vec3 returning;         // of what the gloss does not reflect at once, what it reflects later
-  vec3 returningLobe;     // the same as a lobe towards the viewer, for a light of missing share 1, [1/sr]
+  float alphaMean;            // width of an even lobe that reflects as much
+  vec2 albedo;                // of the gloss, at NoV: glossAlbedo()
+  float coverage;             // of the surface by the gloss
+  vec3 returning;             // of what the gloss does not reflect at once, what it reflects later
+  vec3 returningLobe;         // the same as a lobe towards the viewer, for a light of missing share 1, [1/sr]
   vec3 returningDielectric;
-  vec3 leaving;           // share of the light under the dielectric interface that passes towards the viewer
-  vec3 passing;           // the same, of what the average direction lets pass
+  vec3 leaving;               // share of the light under the dielectric interface that passes towards the viewer
+  vec3 passing;               // the same, of what the average direction lets pass
+#if NORMAL_MAP
+  float bumpAlpha2;           // of bumpTerminator()
+#endif
 #if SHEEN
-  float sheenAlbedo;      // at NoV, per unit of colour
+  float sheenAlbedo;          // at NoV, per unit of colour
   vec4 sheenView;
 #endif
 #if CLEARCOAT
-  float coatAlbedo;       // at clearcoatNoV
+  float coatAlbedo;           // at clearcoatNoV
 #endif
 #endif
 };
@@ -88,6 +115,9 @@ struct Incident {
   vec3 radiance;               // environment, as the lobe of the base layer sees it
 #if CLEARCOAT
   vec3 coatRadiance;           // the same for the coat
+#endif
+#if SHADING_FABRIC && DIFFUSE_TRANSMISSION
+  vec3 behind;                 // irradiance of all these on the other side
 #endif
 };
 

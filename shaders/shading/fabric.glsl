@@ -2,34 +2,155 @@
 // it models and why is in shaders/shading/README.md. No uniforms and no textures: also compiled as C++
 // (renderer/brdf/shading.h), with every layer on.
 
-// D of GGX about n, without cancellation at the peak, [1/sr].
-float glossDistribution(vec3 n, vec3 h, float alpha) {
-  vec3 x = cross(n, h);
-  return D_GGXRobust(alpha, saturate(dot(n, h)), dot(x, x));
+#if ANISOTROPY || WEAVE
+// One bounce off a GGX lobe of two widths, times the cosine to its normal, [1/sr].
+// t, b, n  unit, square to each other; the widths go along t and b
+vec3 stretchedLobe(SurfaceInfo s, vec3 t, vec3 b, vec3 n, float alphaT, float alphaB, vec3 f0, vec3 l, vec3 h) {
+  float NoV = saturate(dot(n, s.v));
+  float NoL = saturate(dot(n, l));
+  float visibility = V_SmithGGXAnisotropicCosine(alphaT, alphaB, NoV, NoL, dot(t, s.v), dot(b, s.v), dot(t, l), dot(b, l));
+  float distribution = D_GGXAnisotropic(alphaT, alphaB, saturate(dot(n, h)), dot(t, h), dot(b, h));
+  return mix(f0, vec3(s.f90), F_SchlickWeight5(dot(s.v, h))) * (visibility * distribution);
 }
+#endif
+
+// One bounce off a GGX lobe of one width, times the cosine to its normal, [1/sr].
+vec3 evenLobe(vec3 n, vec3 v, float NoV, float NoL, float alpha, vec3 f0, float f90, vec3 h) {
+  vec3 x = cross(n, h);
+  float distribution = D_GGXRobust(alpha, saturate(dot(n, h)), dot(x, x));
+  return mix(f0, vec3(f90), F_SchlickWeight5(dot(v, h))) * (V_SmithGGXCosine(alpha, NoV, NoL) * distribution);
+}
+
+#if WEAVE
+bool isWoven(SurfaceInfo s) {
+  return s.warp.coverage + s.weft.coverage > 0.0;
+}
+
+// One set of yarns as it lies at a point.
+// axis          its own axis in the tangent plane, unit: warp +Y, weft +X of the tangent frame (n, axis and aside = +Y for
+//               weft and -X for warp are a right-handed frame)
+// turn          cosine and sine of the angle by which it is turned out of its axis towards `aside`
+// slope         sine of the angle by which it rises along itself
+// roughness     perceptual, along it, (0, 1]      anisotropy  [0, 1], how much rougher across it
+YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, float slope, float coverage, float roughness, float anisotropy,
+                  vec3 specularColor) {
+  YarnLobe yarn;
+  vec3 lying = safeNormalize(axis * turn.x + aside * turn.y, axis);
+  float rise = clamp(slope, -0.95, 0.95);
+  float level = sqrt(1.0 - pow2(rise));
+  yarn.t = lying * level + n * rise;
+  yarn.n = n * level - lying * rise;
+  yarn.b = cross(n, lying);
+  yarn.coverage = coverage;
+  yarn.alphaT = alphaFromRoughness(roughness);
+  yarn.alphaB = mix(yarn.alphaT, 1.0, pow2(anisotropy));
+  yarn.specularColor = specularColor;
+  return yarn;
+}
+
+vec3 meanYarnColor(SurfaceInfo s) {
+  return mix(s.weft.specularColor, s.warp.specularColor, s.warp.coverage / (s.warp.coverage + s.weft.coverage));
+}
+
+// The surface with the one lobe that stands for its yarns where they are too fine to be seen: the second moments of both,
+// which lie square to each other, along the frame's axes.
+SurfaceInfo withMeanYarn(SurfaceInfo s) {
+  s.coverage = s.warp.coverage + s.weft.coverage;
+  float warp = s.warp.coverage / s.coverage;
+  float along = mix(pow2(s.weft.alphaT), pow2(s.warp.alphaB), warp);
+  float across = mix(pow2(s.weft.alphaB), pow2(s.warp.alphaT), warp);
+  s.warp.f0 = s.f0 * s.warp.specularColor;
+  s.weft.f0 = s.f0 * s.weft.specularColor;
+  vec3 color = meanYarnColor(s);
+  s.f0Dielectric *= color;
+  s.f0 *= color;
+  s.alphaT = sqrt(max(along, across));
+  s.alpha = sqrt(min(along, across));
+  if (across > along) {
+    vec3 weft = s.t;
+    s.t = s.b;
+    s.b = -weft;
+  }
+  s.perceptualRoughness = sqrt(s.alpha);
+  s.anisotropyStrength = sqrt(saturate((s.alphaT - s.alpha) / max(1.0 - s.alpha, 1.0e-6)));
+  return s;
+}
+
+// Yarns that lean away from the viewer are not seen; close to that they fade.
+vec3 yarnShare(SurfaceInfo s, YarnLobe yarn, vec3 l, vec3 h) {
+  float seen = saturate(dot(yarn.n, s.v) * 1000.0);
+  return (yarn.coverage * seen) * stretchedLobe(s, yarn.t, yarn.b, yarn.n, yarn.alphaT, yarn.alphaB, yarn.f0, l, h);
+}
+#endif
 
 // GGX lobe of the base layer times NoL, after one bounce, [1/sr].
 vec3 glossLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL) {
-  vec3 fresnel = mix(s.f0, vec3(s.f90), F_SchlickWeight5(dot(s.v, h)));
-#if ANISOTROPY
-  float alphaT = max(s.alphaT, s.alpha);
-  float visibility = V_SmithGGXAnisotropicCosine(alphaT, s.alpha, s.NoV, NoL, dot(s.t, s.v), dot(s.b, s.v), dot(s.t, l), dot(s.b, l));
-  float distribution = D_GGXAnisotropic(alphaT, s.alpha, saturate(dot(s.n, h)), dot(s.t, h), dot(s.b, h));
-#else
-  float visibility = V_SmithGGXCosine(s.alpha, s.NoV, NoL);
-  float distribution = glossDistribution(s.n, h, s.alpha);
+#if WEAVE
+  if (isWoven(s)) {
+    vec3 lobe = vec3(0.0);
+    if (s.yarnBlend > 0.0) lobe += (s.coverage * s.yarnBlend) * stretchedLobe(s, s.t, s.b, s.n, s.alphaT, s.alpha, s.f0, l, h);
+    if (s.yarnBlend < 1.0) {
+      lobe += (1.0 - s.yarnBlend) * (yarnShare(s, s.warp, l, h) + yarnShare(s, s.weft, l, h));
+    }
+    return NoL > 0.0 ? lobe : vec3(0.0);
+  }
 #endif
-  return fresnel * (visibility * distribution);
+#if ANISOTROPY
+  return stretchedLobe(s, s.t, s.b, s.n, s.alphaT, s.alpha, s.f0, l, h);
+#else
+  return evenLobe(s.n, s.v, s.NoV, NoL, s.alpha, s.f0, s.f90, h);
+#endif
+}
+
+// glossAlbedo() for one direction.   cosine  [0, 1], with n
+vec2 albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {
+#if ANISOTROPY || WEAVE
+  return glossAlbedoAnisotropic(s.gloss, s.alphaMean, s.alphaT, s.alpha, cosine, dot(s.t, direction), dot(s.b, direction));
+#else
+  return glossAlbedo(s.gloss, cosine);
+#endif
+}
+
+// Share of the light of one direction that passes the dielectric interface, either way.   albedo  of the gloss there
+vec3 passingShare(SurfaceInfo s, vec2 albedo) {
+  return max(1.0 - s.coverage * interfaceAlbedo(s.f0Dielectric, s.f90, s.returningDielectric, albedo), 0.0);
+}
+
+// Axes square to the normal, from which a map may have turned, and to each other: on axes that lean the lobe would have a
+// second peak.
+#if ANISOTROPY || WEAVE
+SurfaceInfo withSquareFrame(SurfaceInfo s) {
+  vec3 across = cross(s.n, s.t);
+  s.t = safeNormalize(dot(across, across) > 1.0e-6 ? cross(across, s.n) : cross(s.b, s.n), anyTangent(s.n));
+  s.b = cross(s.n, s.t);
+#if ANISOTROPY
+  s.alphaT = max(s.alphaT, s.alpha);
+#endif
+  return s;
+}
+#endif
+
+// What the gloss reflects and what it leaves.   f0Metal  normal reflectance of the metal
+SurfaceInfo withEnergies(SurfaceInfo s, vec3 f0Metal) {
+#if ANISOTROPY || WEAVE
+  s.alphaMean = meanAlpha(s.alphaT, s.alpha);
+  s.gloss = glossCurve(sqrt(s.alphaMean));
+#else
+  s.alphaMean = s.alpha;
+  s.gloss = glossCurve(s.perceptualRoughness);
+#endif
+  s.albedo = albedoTowards(s, s.v, s.NoV);
+  vec2 average = glossAverage(s.gloss);
+  s.returningDielectric = returningShare(s.f0Dielectric, s.f90, average.x);
+  s.returning = mix(s.returningDielectric, returningShare(f0Metal, s.f90, average.x), s.metallic);
+  s.returningLobe = s.returning * (s.coverage * s.albedo.x * RECIPROCAL_PI / average.x);
+  s.leaving = passingShare(s, s.albedo);
+  s.passing = s.leaving / max(passingShare(s, average), vec3(PASSING_MIN));
+  return s;
 }
 
 // The surface with what every light needs of it again.
 SurfaceInfo preparedSurface(SurfaceInfo s) {
-#if ANISOTROPY
-  // Square with the normal, from which a map may have turned: on axes that lean, the lobe would have a second peak.
-  vec3 across = cross(s.n, s.t);
-  s.t = safeNormalize(dot(across, across) > 1.0e-6 ? cross(across, s.n) : cross(s.b, s.n), s.t);
-  s.b = cross(s.n, s.t);
-#endif
 #if IRIDESCENCE
   s.f0Dielectric = mix(s.f0Dielectric, saturate(s.filmF0Dielectric), s.iridescence);
   vec3 f0Metal = mix(s.baseColor, saturate(s.filmF0Metal), s.iridescence);
@@ -37,14 +158,20 @@ SurfaceInfo preparedSurface(SurfaceInfo s) {
   vec3 f0Metal = s.baseColor;
 #endif
   s.f0 = mix(s.f0Dielectric, f0Metal, s.metallic);
-  s.gloss = glossCurve(s.perceptualRoughness);
-  s.albedo = glossAlbedo(s.gloss, s.NoV);
-  float missing = s.gloss.averages.x;
-  s.returningDielectric = returningShare(s.f0Dielectric, s.f90, missing);
-  s.returning = mix(s.returningDielectric, returningShare(f0Metal, s.f90, missing), s.metallic);
-  s.returningLobe = s.returning * (s.albedo.x * RECIPROCAL_PI / missing);
-  s.leaving = max(1.0 - interfaceAlbedo(s.f0Dielectric, s.f90, s.returningDielectric, s.albedo), 0.0);
-  s.passing = s.leaving / max(1.0 - interfaceAlbedo(s.f0Dielectric, s.f90, s.returningDielectric, s.gloss.averages), PASSING_MIN);
+  s.coverage = 1.0;
+#if ANISOTROPY || WEAVE
+  s = withSquareFrame(s);
+#endif
+#if WEAVE
+  if (isWoven(s)) {
+    f0Metal *= meanYarnColor(s);
+    s = withMeanYarn(s);
+  }
+#endif
+  s = withEnergies(s, f0Metal);
+#if NORMAL_MAP
+  s.bumpAlpha2 = bumpAlpha2(s.geometricNormal, s.n);
+#endif
 #if SHEEN
   vec3 fit = sheenFit(max(s.sheenRoughness, CLOTH_SHEEN_ROUGHNESS_MIN), s.NoV);
   s.sheenAlbedo = fit.x;
@@ -57,44 +184,94 @@ SurfaceInfo preparedSurface(SurfaceInfo s) {
   return s;
 }
 
+// Diffuse lobe times NoL under no interface, of what stays on the lit side, [1/sr].
+vec3 innerLobe(SurfaceInfo s, vec3 l, float NoL) {
+#if DIFFUSE_ROUGHNESS
+  // It sends a little more of its light where the interface lets it pass than the average that it is coupled by.
+  float kept = (1.0 - s.metallic) * (1.0 - 0.008 * s.diffuseRoughness);
+  vec3 lobe = NoL * kept * Fd_EON(s.baseColor, s.diffuseRoughness, s.NoV, NoL, dot(l, s.v));
+#else
+  vec3 lobe = NoL * Fd_Lambert(s.diffuse);
+#endif
+#if FLATNESS
+  lobe = mix(lobe, Fd_SheetCosine(s.baseColor, s.NoV, NoL) * (1.0 - s.metallic), s.flatness);
+#endif
+#if DIFFUSE_TRANSMISSION
+  lobe *= 1.0 - s.diffuseTransmission;
+#endif
+  return lobe;
+}
+
+// Its albedo towards the viewer.
+vec3 innerAlbedo(SurfaceInfo s) {
+#if DIFFUSE_ROUGHNESS
+  vec3 albedo = eonAlbedo(s.baseColor, s.diffuseRoughness, s.NoV) * (1.0 - s.metallic);
+#else
+  vec3 albedo = s.diffuse;
+#endif
+#if FLATNESS
+  albedo = mix(albedo, sheetReflectance(s.baseColor, s.NoV) * (1.0 - s.metallic), s.flatness);
+#endif
+#if DIFFUSE_TRANSMISSION
+  albedo *= 1.0 - s.diffuseTransmission;
+#endif
+  return albedo;
+}
+
+#if DIFFUSE_TRANSMISSION
+// Albedo of the light that goes through.
+vec3 transmittedAlbedo(SurfaceInfo s) {
+  return s.transmittedColor * (s.diffuseTransmission * (1.0 - s.metallic));
+}
+
+// Light from everywhere on the other side, of which only the mean is known.
+// irradiance  linear Rec.709
+Reflected addBehind(Reflected sum, SurfaceInfo s, vec3 irradiance) {
+  sum.diffuse += irradiance * RECIPROCAL_PI * transmittedAlbedo(s) * s.leaving;
+  return sum;
+}
+#endif
+
+#if CLEARCOAT
+vec3 coatLobe(SurfaceInfo s, vec3 l, vec3 h) {
+  float NoL = saturate(dot(s.coatNormal, l));
+  return evenLobe(s.coatNormal, s.v, s.clearcoatNoV, NoL, alphaFromRoughness(s.clearcoatRoughness), vec3(F0_DIELECTRIC), 1.0, h);
+}
+#endif
+
 // Adds the light of one direction.
 // l  unit, to the light; of length 0 it gives nothing      lightColor  irradiance on a surface that faces it, linear Rec.709
 Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
-  float NoL = saturate(dot(s.n, l));
+  float cosine = dot(s.n, l);
   vec3 h = halfVector(s.n, l, s.v);
 #if CLEARCOAT
-  float coatNoL = saturate(dot(s.coatNormal, l));
-  float coatAlpha = alphaFromRoughness(s.clearcoatRoughness);
-  sum.coat += lightColor * (mix(F0_DIELECTRIC, 1.0, F_SchlickWeight5(dot(s.v, h))) *
-                            (V_SmithGGXCosine(coatAlpha, s.clearcoatNoV, coatNoL) * glossDistribution(s.coatNormal, h, coatAlpha)));
+  sum.coat += lightColor * coatLobe(s, l, h);
 #endif
+#if DIFFUSE_TRANSMISSION
+  float behind = saturate(-cosine);
+  sum.diffuse += lightColor * (behind * RECIPROCAL_PI) * transmittedAlbedo(s) * s.passing * passingShare(s, albedoTowards(s, l, behind));
+#endif
+#if NORMAL_MAP
+  lightColor *= bumpTerminator(s.bumpAlpha2, dot(s.geometricNormal, l));
+#endif
+  float NoL = saturate(cosine);
 #if SHEEN
   sum.sheen += lightColor * s.sheenColor * sheenCosine(s.sheenView, s.NoV, NoL, dot(l, s.v));
 #endif
-  vec2 albedo = glossAlbedo(s.gloss, NoL);
+  vec2 albedo = albedoTowards(s, l, NoL);
   sum.specular += lightColor * (glossLobe(s, l, h, NoL) + s.returningLobe * (albedo.x * NoL));
-#if DIFFUSE_ROUGHNESS
-  vec3 diffuse = Fd_EON(s.baseColor, s.diffuseRoughness, s.NoV, NoL, dot(l, s.v)) * (1.0 - s.metallic);
-#else
-  vec3 diffuse = Fd_Lambert(s.diffuse);
-#endif
-  vec3 entering = max(1.0 - interfaceAlbedo(s.f0Dielectric, s.f90, s.returningDielectric, albedo), 0.0);
-  sum.diffuse += lightColor * NoL * diffuse * s.passing * entering;
+  sum.diffuse += lightColor * innerLobe(s, l, NoL) * s.passing * passingShare(s, albedo);
   return sum;
-}
-
-// Albedo of what lies under the dielectric interface, towards the viewer.
-vec3 innerAlbedo(SurfaceInfo s) {
-#if DIFFUSE_ROUGHNESS
-  return eonAlbedo(s.baseColor, s.diffuseRoughness, s.NoV) * (1.0 - s.metallic);
-#else
-  return s.diffuse;
-#endif
 }
 
 // What the gloss reflects at once of light from everywhere, [0, 1].
 vec3 glossReflectance(SurfaceInfo s) {
-  return s.f0 * (1.0 - s.albedo.x - s.albedo.y) + s.f90 * s.albedo.y;
+  return s.coverage * (s.f0 * (1.0 - s.albedo.x - s.albedo.y) + s.f90 * s.albedo.y);
+}
+
+// What it reflects later, [0, 1].
+vec3 glossReturn(SurfaceInfo s) {
+  return s.returning * (s.coverage * s.albedo.x);
 }
 
 // Light from everywhere of which only the mean is known: that of ambient and hemisphere lights.
@@ -107,7 +284,7 @@ Reflected addDome(Reflected sum, SurfaceInfo s, vec3 irradiance) {
 #if SHEEN
   sum.sheen += radiance * s.sheenColor * s.sheenAlbedo;
 #endif
-  sum.specular += radiance * (glossReflectance(s) + s.returning * s.albedo.x);
+  sum.specular += radiance * (glossReflectance(s) + glossReturn(s));
   sum.diffuse += radiance * innerAlbedo(s) * s.leaving;
   return sum;
 }
@@ -121,7 +298,7 @@ Reflected addEnvironment(Reflected sum, SurfaceInfo s, Incident incident) {
 #if SHEEN
   sum.sheen += meanRadiance * s.sheenColor * s.sheenAlbedo;
 #endif
-  sum.specular += incident.radiance * glossReflectance(s) + meanRadiance * s.returning * s.albedo.x;
+  sum.specular += incident.radiance * glossReflectance(s) + meanRadiance * glossReturn(s);
   sum.diffuse += meanRadiance * innerAlbedo(s) * s.leaving;
   return sum;
 }

@@ -73,7 +73,13 @@ double directAlbedo(ShadingModel model, const Sheet& sheet, double NoV, int poin
       lobes.push_back({glm::dmat3(across ? s.b : s.t, across ? -s.t : s.b, s.n), {std::max(narrow, 0.5), narrow}});
     }
   }
-  return Mixture(s.v, lobes, points).integrate([&](const glm::dvec3& l) { return shaded.direct(l).y; });
+  std::optional<Fuzz> fuzz;
+  if (s.sheenColor != glm::dvec3(0)) {
+    const glm::dvec3 ltc = brdf_d::sheenLtc(std::max(s.sheenRoughness, brdf_d::CLOTH_SHEEN_ROUGHNESS_MIN), s.NoV);
+    const glm::dvec3 along(s.v.x, s.v.y, 0);
+    fuzz = Fuzz{glm::length(along) > 1e-9 ? glm::normalize(along) : glm::dvec3(1, 0, 0), ltc.y, ltc.z};
+  }
+  return Mixture(s.v, lobes, points, fuzz).integrate([&](const glm::dvec3& l) { return shaded.direct(l).y; });
 }
 
 /// Least and largest albedo of the sheets of each layer.

@@ -36,13 +36,14 @@ std::string shadingText() {
 struct Variant {
   const char* name;
   bool sheen, coat, stretched, film, roughDiffuse;
-  bool thin = false;
+  bool thin = false, woven = false;
 };
 
 constexpr Variant VARIANTS[] = {
     {"base", false, false, false, false, false},
     {"sheen", true, false, false, false, false},
     {"every layer", true, true, true, true, true},
+    {"thin sheet, yarns", true, false, false, false, false, true, true},
 };
 
 std::string definesOf(const Variant& variant, ShadingModel model, const ShadingTerms& terms) {
@@ -55,6 +56,7 @@ std::string definesOf(const Variant& variant, ShadingModel model, const ShadingT
   key.iridescence = variant.film;
   key.diffuseRoughness = variant.roughDiffuse;
   key.flatness = key.diffuseTransmission = variant.thin;
+  key.weave = variant.woven && model == ShadingModel::kFabric;
   std::string text;
   for (const auto& [name, value] : key.defines()) text += "#define " + name + " " + std::to_string(value) + "\n";
   return text;
@@ -68,6 +70,8 @@ SurfacePoint pointFor(ShadingModel model, const Variant& variant, std::uint64_t 
   if (!variant.stretched) p.info.anisotropyStrength = 0, p.info.alphaT = p.info.alpha;
   if (!variant.film) p.info.iridescence = 0;
   if (!variant.roughDiffuse) p.info.diffuseRoughness = 0;
+  if (!variant.thin) p.info.flatness = p.info.diffuseTransmission = 0;
+  if (!variant.woven) p.info.warp.coverage = p.info.weft.coverage = 0;
   return p;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "brdf/quadrature.h"
@@ -12,6 +13,12 @@ struct Lobe {
   glm::dvec2 alpha{1.0};
 };
 
+/// A linearly transformed cosine to draw directions for, about +z.
+struct Fuzz {
+  glm::dvec3 towards{1, 0, 0};  ///< unit, in the plane of x and y: where the viewer is
+  double aInverse = 1, bInverse = 0;
+};
+
 /// Quadrature over the hemisphere of +z by several point sets at once: directions by their cosine, and by each lobe.
 /// Each point counts in proportion to how dense all sets together are there, so that the sum stays smooth however
 /// narrow a lobe is.
@@ -19,17 +26,19 @@ struct Lobe {
 ///   Hammersley points
 class Mixture {
  public:
-  Mixture(const glm::dvec3& v, std::vector<Lobe> lobes, int points)
-      : v_(v), lobes_(std::move(lobes)), points_(points) {}
+  Mixture(const glm::dvec3& v, std::vector<Lobe> lobes, int points, std::optional<Fuzz> fuzz = std::nullopt)
+      : v_(v), lobes_(std::move(lobes)), points_(points), fuzz_(fuzz) {}
 
   /// Integral of f(l) dl over the directions with l.z > 0.
   template <class Integrand>
   auto integrate(Integrand f) const {
     decltype(f(glm::dvec3(0)) * 1.0) sum{};
-    for (std::size_t set = 0; set <= lobes_.size(); ++set) {
+    const std::size_t sets = lobes_.size() + 1;
+    for (std::size_t set = 0; set < sets + (fuzz_ ? 1 : 0); ++set) {
       for (int i = 0; i < points_; ++i) {
         const glm::dvec2 u((i + 0.5) / points_, radicalInverse(static_cast<std::uint32_t>(i)));
-        const glm::dvec3 l = set == 0 ? test::direction(std::sqrt(u.x), test::TWO_PI * u.y) : drawn(lobes_[set - 1], u);
+        const glm::dvec3 cosine = test::direction(std::sqrt(u.x), test::TWO_PI * u.y);
+        const glm::dvec3 l = set == 0 ? cosine : set == sets ? drawn(*fuzz_, cosine) : drawn(lobes_[set - 1], u);
         if (!(l.z > 0)) continue;
         sum += f(l) * (1.0 / (density(l) * points_));
       }
@@ -53,10 +62,23 @@ class Mixture {
     return VoH > 0 ? 2 * VoH * h - v_ : glm::dvec3(0, 0, -1);
   }
 
+  static glm::dvec3 aside(const Fuzz& fuzz) { return glm::cross(glm::dvec3(0, 0, 1), fuzz.towards); }
+
+  static glm::dvec3 drawn(const Fuzz& fuzz, const glm::dvec3& w) {
+    return glm::normalize(fuzz.towards * ((w.x - fuzz.bInverse * w.z) / fuzz.aInverse) +
+                          aside(fuzz) * (w.y / fuzz.aInverse) + glm::dvec3(0, 0, w.z));
+  }
+
+  static double density(const Fuzz& fuzz, const glm::dvec3& l) {
+    const double a = fuzz.aInverse;
+    const glm::dvec3 w(a * glm::dot(fuzz.towards, l) + fuzz.bInverse * l.z, a * glm::dot(aside(fuzz), l), l.z);
+    return l.z * a * a / (test::TWO_PI / 2 * glm::dot(w, w) * glm::dot(w, w));
+  }
+
   /// Sum of the densities of all sets, [1/sr].
   double density(const glm::dvec3& l) const {
     constexpr double PI = test::TWO_PI / 2;
-    double sum = l.z / PI;
+    double sum = l.z / PI + (fuzz_ ? density(*fuzz_, l) : 0.0);
     for (const Lobe& lobe : lobes_) {
       const glm::dvec3 between = l + v_;
       if (glm::dot(between, between) < 1e-24) continue;
@@ -72,6 +94,7 @@ class Mixture {
   glm::dvec3 v_;
   std::vector<Lobe> lobes_;
   int points_;
+  std::optional<Fuzz> fuzz_;
 };
 
 }  // namespace telar::numerics

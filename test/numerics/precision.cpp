@@ -37,6 +37,10 @@ glm::dvec3 roundingReach(ShadingModel model, const brdf_d::SurfaceInfo& info, co
         (moved.*member)[axis] += step;
         see(moved, l);
       }
+      brdf_d::SurfaceInfo leaning = info;
+      leaning.warp.n[axis] += step;
+      leaning.weft.n[axis] += step;
+      see(leaning, l);
       glm::dvec3 light = l;
       light[axis] += step;
       see(info, light);

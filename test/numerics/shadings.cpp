@@ -9,7 +9,7 @@ const std::vector<ShadingPromise>& shadingPromises() {
       // Its coat dims what lies beneath by the angle of the light alone.
       {"three-r115", ShadingModel::kThreeR115, 2e-2, 1e-3, {false, false, false, true}, false, false},
       {"disney-2012", ShadingModel::kDisney2012, 2e-2, 1e-3, {true, true, true, true}, false, false},
-      {"fabric", ShadingModel::kFabric, 2e-4, 2e-4, {true, true, false, true}, true, false},
+      {"fabric", ShadingModel::kFabric, 2e-4, 2e-4, {true, true, false, true}, true, true},
   };
   return promises;
 }

@@ -18,6 +18,8 @@ const Column LTC_ROUGHNESS{0.05, 1, {0.05, 0.1, 0.3, 0.5, 1}};
 // Closer to grazing Lambda is exp(20): an ulp of the exponent is then more than the tolerance.
 const Column OFF_CLIFF{0.1, 1, {0.1, 0.3, 0.5, 1}};
 const Column SHADED_ROUGHNESS{0.045, 1, {0.045, 0.089, 0.2, 0.5, 0.8, 1}};
+const Column WIDE{0.25, 1, {0.25, 0.64, 1}};
+const Column NARROW{0.002025, 0.25, {0.002025, 0.04, 0.25}};
 const Column MISSING{0, 0.55, {0, 0.1, 0.55}};
 const Column NXH2{1e-6, 1, {1e-6, 1e-3, 0.5, 1}};
 
@@ -89,8 +91,28 @@ std::vector<Term> clothTerms() {
       TERM("V_SmithGGXCosine", ({ALPHA, COSINE, COSINE}), PRODUCT, true, vec3(V_SmithGGXCosine(p[0], p[1], p[2]))),
       TERM("V_SmithGGXAnisotropicCosine", ({ALPHA, ALPHA, COSINE, COSINE, SLANT, SLANT, SLANT, SLANT}), PRODUCT, true,
            vec3(V_SmithGGXAnisotropicCosine(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]))),
+      TERM("grazingCurve", ({SHADED_ROUGHNESS}), CANCELLING, true, vec3(grazingCurve(p[0]))),
       TERM("glossCurve", ({SHADED_ROUGHNESS}), CANCELLING, true,
-           vec3(glossCurve(p[0]).averages, glossCurve(p[0]).missing.x)),
+           vec3(glossCurve(p[0]).missing.x, glossCurve(p[0]).missingSlope, glossCurve(p[0]).grazing.y)),
+      TERM("glossMissing", ({SHADED_ROUGHNESS, COSINE}), OF_ONE, true, vec3(glossMissing(glossCurve(p[0]), p[1]))),
+      TERM("glossGrazing", ({SHADED_ROUGHNESS, COSINE}), OF_ONE, true, vec3(glossGrazing(grazingCurve(p[0]), p[1]))),
+      TERM("glossAverage", ({SHADED_ROUGHNESS}), OF_ONE, true, vec3(glossAverage(glossCurve(p[0])), 0.0)),
+      TERM("meanAlpha", ({WIDE, NARROW}), PRODUCT, true, vec3(meanAlpha(p[0], p[1]))),
+      TERM("glossAlbedoAnisotropic", ({WIDE, NARROW, OFF_GRAZING, SLANT, SLANT}), OF_ONE, true,
+           vec3(glossAlbedoAnisotropic(glossCurve(sqrt(meanAlpha(p[0], p[1]))), meanAlpha(p[0], p[1]), p[0], p[1], p[2],
+                                       p[3], p[4]),
+                0.0)),
+      TERM("sheetAlbedo", ({COSINE}), OF_ONE, true, vec3(sheetAlbedo(p[0]))),
+      TERM("sheetMultiple", ({UNIT, UNIT, UNIT}), PRODUCT, true, sheetMultiple(vec3(p[0], p[1], p[2]))),
+      TERM("Fd_SheetCosine", ({UNIT, UNIT, UNIT, COSINE, COSINE}), OF_ONE, true,
+           Fd_SheetCosine(vec3(p[0], p[1], p[2]), p[3], p[4])),
+      TERM("sheetReflectance", ({UNIT, UNIT, UNIT, COSINE}), OF_ONE, true,
+           sheetReflectance(vec3(p[0], p[1], p[2]), p[3])),
+      TERM("normalFacing", ({DIRECTION, DIRECTION, UPWARD, DIRECTION, DIRECTION, UPWARD}), OF_ONE, false,
+           normalFacing(normalize(vec3(p[0], p[1], p[2])), normalize(vec3(p[3], p[4], p[5])))),
+      TERM("bumpAlpha2", ({DIRECTION, DIRECTION, UPWARD}), OF_ONE, true,
+           vec3(bumpAlpha2(vec3(0.0, 0.0, 1.0), normalize(vec3(p[0], p[1], p[2]))))),
+      TERM("bumpTerminator", ({UNIT, COSINE}), OF_ONE, true, vec3(bumpTerminator(p[0], p[1]))),
       TERM("glossAlbedo", ({SHADED_ROUGHNESS, COSINE}), OF_ONE, true, vec3(glossAlbedo(glossCurve(p[0]), p[1]), 0.0)),
       TERM("returningShare", ({UNIT, UNIT, UNIT, UNIT, MISSING}), OF_ONE, true,
            returningShare(vec3(p[0], p[1], p[2]), p[3], p[4])),

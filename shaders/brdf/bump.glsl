@@ -1,0 +1,25 @@
+// Where a normal map and the surface disagree on which side light and viewer are. Shared text: see README.md.
+
+// The shading normal turned so far that the viewer is in front of it, however little.
+// n, v  unit      return  unit
+vec3 normalFacing(vec3 n, vec3 v) {
+  float away = 1.0e-3 - dot(n, v);
+  return away > 0.0 ? safeNormalize(n + v * away, v) : n;
+}
+
+// Square of the width that the mapped normal stands for, [0, 1], of bumpTerminator().
+// surface  unit, of the geometry      mapped  unit
+float bumpAlpha2(vec3 surface, vec3 mapped) {
+  float cosine2 = pow2(max(abs(dot(surface, mapped)), 1.0e-3));
+  return saturate(0.125 * (1.0 - cosine2) / cosine2);
+}
+
+// How much of a light the bumps that a mapped normal stands for let through, [0, 1]: none from below the surface, and less
+// and less towards its horizon, in place of a hard edge.
+// cosine  [-1, 1], between the light and the normal of the geometry
+// src: Estevez, Lecocq & Stein 2019, "A Microfacet-Based Shadowing Function to Solve the Bump Terminator Problem", Ray
+//      Tracing Gems, chapter 12
+float bumpTerminator(float alpha2, float cosine) {
+  float c = max(cosine, 0.0);
+  return 2.0 * c / max(c + sqrt(pow2(c) + alpha2 * (1.0 - pow2(c))), COSINE_EPSILON);
+}
