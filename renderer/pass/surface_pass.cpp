@@ -134,6 +134,7 @@ int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
     cancel.check();
     shader::Defines defines = key.defines();
     defines.emplace_back("SAMPLE_MASK", context_.capabilities().sampleMask);
+    defines.emplace_back("COVERAGE_OFFSET", 1);
     programs_.emplace(key, gl::Program(context_, labelOf(key), shader::assemble("surface.vert", defines),
                                        shader::assemble("surface.frag", defines)));
     ++compiled;
