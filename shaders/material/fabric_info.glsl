@@ -44,6 +44,8 @@ void addWeave(inout SurfaceInfo s, Normals normals, float geometric) {
   slope = texel.slope;
   vec2 threads = threadsPerPixel();
   s.yarnBlend = smoothstep(YARNS_SEEN, YARNS_BLENDED, max(threads.x, threads.y));
+  // The texel at hand is one thread or the other; the mean is that of all.
+  coverage = mix(coverage, yarnCoverage, s.yarnBlend);
 #endif
   s.t = weft;
   s.b = warp;

@@ -11,6 +11,7 @@ namespace telar {
 namespace {
 
 using test::flatShot;
+using test::imageOf;
 using test::netImage;
 using test::pixelF;
 using test::sceneOf;
@@ -150,6 +151,42 @@ TEST_F(ClothTexture, HighlightsOfAWeaveStandStillAndKeepTheirLight) {
   EXPECT_LT(moves[1], 0.35 * moves[0]);
   EXPECT_LT(errors[1], 0.6 * errors[0]);
   EXPECT_NEAR(lights[1], 1, 0.25);
+}
+
+TEST_F(ClothTexture, YarnsFinerThanTwoPixelsShowTheirMeanAlone) {
+  constexpr int THREADS = 6;
+  const Image8 plainWeave = imageOf(96, 96, [](double u, double v) {
+    const bool warp = (int(u * THREADS) + int(v * THREADS)) % 2 == 0;
+    return glm::vec4(1, 0.5f, 0.5f, warp ? 1 : 0);
+  });
+  Material material;
+  material.metallicFactor = 0;
+  material.baseColorFactor = {0, 0, 0, 1};
+  material.fabric.weave = true;
+  material.fabric.warp = {0.5f, 0.3f, 0.7f, glm::vec3(1)};
+  material.fabric.weft = {0.5f, 0.3f, 0.7f, glm::vec3(1)};
+  material.fabric.threadsPerUv = glm::vec2(THREADS);
+  material.fabric.weaveTexture.image = 0;
+  auto scene = sceneOf(squareCloth(20), material);
+  scene->images = std::vector<Image8>{plainWeave};
+  // 60 threads a metre.
+  const auto changeAt = [&](double threadsPerPixel) {
+    const double height = threadsPerPixel * SIZE / 60;
+    const auto frameAt = [&](double shift) {
+      Shot shot = flatShot(SIZE, height);
+      shot.camera.position.x = shot.camera.target.x = shift * height / SIZE;
+      shot.samples = 1;
+      Shot::Light sun{Shot::Light::Type::kDirectional};
+      sun.position = {0.9, 0.1, 1};  // off the highlight of the weft, within that of the warp
+      shot.lights = {sun};
+      return shrunk(draw(scene, shot), 1);
+    };
+    return change(frameAt(0), frameAt(0.5));
+  };
+  const double near = changeAt(0.1), far = changeAt(0.55);
+  std::cout << "a weave: half a pixel changes " << 100 * near << " % from near, " << 100 * far << " % from far\n";
+  EXPECT_GT(near, 0.02);
+  EXPECT_LT(far, 0.02);
 }
 
 TEST_F(ClothTexture, NothingIsPaidWhereItIsNotAskedFor) {
