@@ -37,6 +37,9 @@ Exit codes are those of all commands: 0 done, 2 usage, 3 bad input, 4 a limit, 5
   Where the two differ by more than a quarter, the term works through others, and the interaction is told.
 - The rank goes by the mean FLIP of both over all views; *ranks* are the best and the worst in a single view; *of the whole* is the same
   FLIP over that of all terms together. Shares need not add up to 100 %: differences can overlap, or cancel.
+- The raster reads a prefiltered environment: the terms \`environment\` and \`scattering\` are how it does so, no part of the models. With
+  \`--quality '{"preset": "reference", "samples": 64, "transport": "direct"}'\` the same pictures are path traced, these two terms change
+  nothing, and what is left are the models alone; noise adds to FLIP, the less the more samples.
 - The words come from CIELAB lightness and chroma of the whole cloth, of its limb (normal and viewer at a cosine below 0.4), of its centre
   (above 0.8) and of its highlights (the brightest 3 % of either picture).
 - Lobe plots: light that leaves towards the viewer (BRDF times cosine) for light from each direction in the plane of normal and viewer; the
