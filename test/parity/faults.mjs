@@ -141,16 +141,6 @@ export const FAULTS = [
     first: null,
   },
   {
-    name: 'a sheen of r115 with its roughness squared',
-    item: 'r115-sheen-sun',
-    edits: [{
-      file: 'shading/principled_terms.glsl',
-      find: 'Fr_SheenR115(vec3(1.0), max(s.perceptualRoughness, SHEEN_ROUGHNESS_MIN)',
-      replace: 'Fr_SheenR115(vec3(1.0), max(pow2(s.perceptualRoughness), SHEEN_ROUGHNESS_MIN)',
-    }],
-    first: 'direct',
-  },
-  {
     name: 'a coat of r115 that takes nothing from below',
     item: 'r115-clearcoat-sun',
     edits: [{ file: 'shading/principled.glsl', find: 'color *= underCoat(s, coatNoL);', replace: '' }],
