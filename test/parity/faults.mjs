@@ -167,7 +167,7 @@ export const FAULTS = [
   {
     name: 'a diffuse lobe of cloth that is not coupled to the gloss above it',
     item: 'fabric-sweep-sun',
-    edits: [{ file: 'shading/fabric.glsl', find: 'diffuse * s.passing * entering', replace: 'diffuse' }],
+    edits: [{ file: 'shading/fabric.glsl', find: 'innerLobe(s, l, NoL) * s.passing * passingShare(s, albedo)', replace: 'innerLobe(s, l, NoL)' }],
     first: 'direct',
   },
   {
