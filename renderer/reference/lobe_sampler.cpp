@@ -22,49 +22,65 @@ glm::vec3 viewerIn(const glm::mat3& frame, const glm::vec3& v) {
 
 }  // namespace
 
+LobeSampler::Gloss LobeSampler::yarnOf(const brdf_f::YarnLobe& yarn, const glm::vec3& v) {
+  Gloss gloss;
+  if (yarn.coverage <= 0 || glm::dot(yarn.n, v) <= 0) return gloss;  // not there, or leaning away
+  gloss.frame = glm::mat3(yarn.t, yarn.b, yarn.n);
+  gloss.alpha = {yarn.alphaT, yarn.alphaB};
+  gloss.v = viewerIn(gloss.frame, v);
+  gloss.share = yarn.coverage;
+  return gloss;
+}
+
 LobeSampler::LobeSampler(const brdf_f::SurfaceInfo& s) : cosineFrame_(basisAbout(s.n)) {
-  base_.frame = glm::mat3(s.t, s.b, s.n);
+  auto& [base, coat, warp, weft] = gloss_;
   // A frame that leans (its axes come from texture coordinates) is set upright: any square frame samples correctly.
   const glm::vec3 t = s.t - s.n * glm::dot(s.n, s.t);
-  base_.frame =
+  base.frame =
       glm::dot(t, t) > 1e-12f ? glm::mat3(glm::normalize(t), glm::cross(s.n, glm::normalize(t)), s.n) : cosineFrame_;
-  base_.alpha = {glm::max(s.alphaT, s.alpha), s.alpha};
-  base_.v = viewerIn(base_.frame, s.v);
-  coat_.frame = basisAbout(s.coatNormal);
-  coat_.alpha = glm::vec2(brdf_f::alphaFromRoughness(s.clearcoatRoughness));
-  coat_.v = viewerIn(coat_.frame, s.v);
+  base.alpha = {glm::max(s.alphaT, s.alpha), s.alpha};
+  base.v = viewerIn(base.frame, s.v);
+  coat.frame = basisAbout(s.coatNormal);
+  coat.alpha = glm::vec2(brdf_f::alphaFromRoughness(s.clearcoatRoughness));
+  coat.v = viewerIn(coat.frame, s.v);
+  warp = yarnOf(s.warp, s.v);
+  weft = yarnOf(s.weft, s.v);
 
   // In proportion to what each lobe reflects about this view; a floor keeps every lobe alive.
-  const float diffuse = brdf_f::max3(s.diffuse) + brdf_f::max3(s.sheenColor);
+  const float diffuse = glm::max(brdf_f::max3(s.diffuse) + brdf_f::max3(s.sheenColor), 0.1f);
   const float specular = glm::max(brdf_f::max3(brdf_f::F_Schlick(s.f0, s.f90, s.NoV)), 0.1f);
-  const float coat = s.clearcoat * brdf_f::F_Schlick(glm::vec3(brdf_f::F0_DIELECTRIC), 1, s.clearcoatNoV).x;
   const float through = s.diffuseTransmission > 0 ? glm::max(brdf_f::max3(s.diffuse) * s.diffuseTransmission, 0.1f) : 0;
-  const float whole = glm::max(diffuse, 0.1f) + through + specular + coat;
-  base_.share = specular / whole;
-  coat_.share = coat / whole;
+  coat.share = s.clearcoat * brdf_f::F_Schlick(glm::vec3(brdf_f::F0_DIELECTRIC), 1, s.clearcoatNoV).x;
+  const float yarns = warp.share + weft.share;
+  // Seen from afar the yarns are one lobe, that of the base.
+  base.share = yarns > 0 ? specular * glm::max(s.yarnBlend, 0.2f) : specular;
+  for (Gloss* yarn : {&warp, &weft}) yarn->share *= yarns > 0 ? specular * glm::max(1 - s.yarnBlend, 0.2f) / yarns : 0;
+  float whole = diffuse + through;
+  for (const Gloss& gloss : gloss_) whole += gloss.share;
+  for (Gloss& gloss : gloss_) gloss.share /= whole;
   throughShare_ = through / whole;
-  const float wide = 1.0f - base_.share - coat_.share - throughShare_;
-  evenShare_ = wide * EVEN_SHARE;
-  cosineShare_ = wide - evenShare_;
+  evenShare_ = diffuse / whole * EVEN_SHARE;
+  cosineShare_ = diffuse / whole - evenShare_;
+}
+
+glm::vec3 LobeSampler::draw(float choice, const glm::vec2& u) const {
+  if ((choice -= cosineShare_) < 0) return cosineFrame_ * sampleCosine(u);
+  if ((choice -= evenShare_) < 0) {
+    const glm::vec3 any = sampleSphere(u);
+    return cosineFrame_ * glm::vec3(any.x, any.y, std::abs(any.z));
+  }
+  if ((choice -= throughShare_) < 0) return cosineFrame_ * -sampleCosine(u);
+  for (const Gloss& gloss : gloss_) {
+    if ((choice -= gloss.share) >= 0) continue;
+    const glm::vec3 h = sampleVisibleNormal(gloss.v, gloss.alpha, u);
+    return gloss.frame * (2.0f * glm::dot(gloss.v, h) * h - gloss.v);
+  }
+  return cosineFrame_ * sampleCosine(u);  // the shares fall short of 1 by rounding
 }
 
 LobeSampler::Sample LobeSampler::sample(Random& random) const {
   const float choice = random.uniform();
-  const glm::vec2 u = random.uniform2();
-  glm::vec3 l;
-  const float even = cosineShare_ + evenShare_, through = even + throughShare_, base = through + base_.share;
-  if (choice < cosineShare_) {
-    l = cosineFrame_ * sampleCosine(u);
-  } else if (choice < even) {
-    const glm::vec3 any = sampleSphere(u);
-    l = cosineFrame_ * glm::vec3(any.x, any.y, std::abs(any.z));
-  } else if (choice < through) {
-    l = cosineFrame_ * -sampleCosine(u);
-  } else {
-    const Gloss& gloss = choice < base || coat_.share == 0 ? base_ : coat_;
-    const glm::vec3 h = sampleVisibleNormal(gloss.v, gloss.alpha, u);
-    l = gloss.frame * (2.0f * glm::dot(gloss.v, h) * h - gloss.v);
-  }
+  const glm::vec3 l = draw(choice, random.uniform2());
   return {l, pdf(l)};
 }
 
@@ -72,8 +88,8 @@ float LobeSampler::pdf(const glm::vec3& l) const {
   const float cosine = glm::dot(cosineFrame_[2], l);
   float sum = cosineShare_ * pdfCosine(cosine) + throughShare_ * pdfCosine(-cosine);
   if (cosine >= 0) sum += evenShare_ * PDF_HEMISPHERE;
-  for (const Gloss* gloss : {&base_, &coat_}) {
-    if (gloss->share > 0) sum += gloss->share * pdfReflection(gloss->v, glm::transpose(gloss->frame) * l, gloss->alpha);
+  for (const Gloss& gloss : gloss_) {
+    if (gloss.share > 0) sum += gloss.share * pdfReflection(gloss.v, glm::transpose(gloss.frame) * l, gloss.alpha);
   }
   return sum;
 }

@@ -16,17 +16,18 @@ constexpr double PI = 3.14159265358979;
 struct Lobes {
   const char* name;
   float elevation;  ///< of the viewer, degrees
-  float alpha, alphaT, metallic, sheen, coat, coatAlpha, through;
+  float alpha, alphaT, metallic, sheen, coat, coatAlpha, through, yarns;
 };
 
 /// Wide and narrow, stretched, coated with a normal of its own, seen flat, thin.
-constexpr std::array<Lobes, 7> SURFACES{{{"matt", 60, 1, 1, 0, 0, 0, 0.5f, 0},
+constexpr std::array<Lobes, 8> SURFACES{{{"matt", 60, 1, 1, 0, 0, 0, 0.5f, 0},
                                          {"satin", 40, 0.15f, 0.15f, 0, 0.4f, 0, 0.5f, 0},
                                          {"metal", 70, 0.1f, 0.1f, 1, 0, 0, 0.5f, 0},
                                          {"stretched", 35, 0.12f, 0.6f, 1, 0, 0, 0.5f, 0},
                                          {"coated", 50, 0.5f, 0.5f, 0, 0, 1, 0.1f, 0},
                                          {"thin", 65, 0.5f, 0.5f, 0, 0.2f, 0, 0.5f, 0.7f},
-                                         {"flat", 4, 0.2f, 0.2f, 0, 0, 0.5f, 0.2f, 0.3f}}};
+                                         {"flat", 4, 0.2f, 0.2f, 0, 0, 0.5f, 0.2f, 0.3f},
+                                         {"woven", 45, 0.4f, 0.5f, 0, 0, 0, 0.5f, 0, 0.8f}}};
 
 brdf_f::SurfaceInfo surfaceOf(const Lobes& lobes) {
   brdf_f::SurfaceInfo s{};
@@ -53,6 +54,11 @@ brdf_f::SurfaceInfo surfaceOf(const Lobes& lobes) {
   s.clearcoatRoughness = std::sqrt(lobes.coatAlpha);
   s.clearcoatNoV = brdf_f::saturate(glm::dot(s.coatNormal, s.v));
   s.diffuseTransmission = lobes.through;
+  // The weft lies across the warp, which dips.
+  s.warp.coverage = 0.6f * lobes.yarns, s.weft.coverage = 0.4f * lobes.yarns;
+  s.warp.t = glm::normalize(frame[1] + 0.3f * n), s.warp.b = frame[0], s.warp.n = glm::normalize(n - 0.3f * frame[1]);
+  s.weft.t = frame[0], s.weft.b = frame[1], s.weft.n = n;
+  s.warp.alphaT = s.weft.alphaT = 0.1f, s.warp.alphaB = s.weft.alphaB = 0.5f;
   return s;
 }
 

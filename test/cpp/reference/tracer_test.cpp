@@ -122,12 +122,21 @@ Material thin() {
   return m;
 }
 
+/// Silky yarns that lie square to each other.
+Material woven() {
+  Material m = cloth(0.6f);
+  m.fabric.weave = true;
+  m.fabric.warp = {0.6f, 0.35f, 0.5f, {1, 0.9f, 0.8f}};
+  m.fabric.weft = {0.3f, 0.4f, 0.6f, {0.7f, 0.9f, 1}};
+  return m;
+}
+
 class ShadingTracer : public testing::TestWithParam<ShadingModel> {};
 
 TEST_P(ShadingTracer, EnvironmentOnAPlaneIsUnbiasedAgainstQuadrature) {
   const ImageF map = sky();
   const EnvironmentLight light(map, 0, 1);
-  for (const Material& material : {cloth(1), cloth(0.5f), cloth(0.35f, 1), layered(), thin()}) {
+  for (const Material& material : {cloth(1), cloth(0.5f), cloth(0.35f, 1), layered(), thin(), woven()}) {
     for (const double elevation : {85.0, 30.0}) {
       const Scene scene = plane(material);
       Shot shot = shotOf(16, elevation);
@@ -135,7 +144,7 @@ TEST_P(ShadingTracer, EnvironmentOnAPlaneIsUnbiasedAgainstQuadrature) {
       shot.terms = isPrincipled(shot.shading) ? termsOf(shot.shading) : ShadingTerms();
       const auto pixels = traced(scene, shot, &map, {.samples = 32});
       const double error = spreadOf(pixels) / std::sqrt(static_cast<double>(pixels.size()));
-      const auto meshes = placeMeshes(scene, -1, glm::dvec3(0));
+      const auto meshes = placeMeshes(scene, -1, glm::dvec3(0), {}, shot.shading);
       const glm::vec3 v(glm::normalize(shot.camera.position));
       Hit hit;
       const Ray ray{v * 5.0f + glm::vec3(0.01f, 0.02f, 0), -v};
