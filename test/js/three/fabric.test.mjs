@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { before, test } from 'node:test';
+import { test } from 'node:test';
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { buildShading } from '../../../js/build_shading/index.mjs';
@@ -7,10 +7,11 @@ import { shadingText } from '../../../js/build_shading/translate.mjs';
 import { glb, quad } from '../../robust/glb.mjs';
 import { applyShading, loadFabricMaterial } from '../../../js/three/index.mjs';
 import { restoreMaterials } from '../../../js/three/shading.mjs';
-import { loadShading } from '../../../js/three/shading/index.mjs';
 import { clothOf, extensionsOf } from '../../../js/three/shading/fabric_layers.mjs';
 
-before(buildShading);
+// Its imports are written here.
+buildShading();
+const { loadShading } = await import('../../../js/three/shading/index.mjs');
 
 /** A quad with a material; images do not load in Node, so textures stand for them. */
 async function load(material, textures = 0) {

@@ -1,11 +1,12 @@
 import assert from 'node:assert/strict';
-import { before, test } from 'node:test';
+import { test } from 'node:test';
 import * as THREE from 'three';
 import { buildShading } from '../../../js/build_shading/index.mjs';
 import { applyShading, restoreMaterials } from '../../../js/three/shading.mjs';
-import { loadShading } from '../../../js/three/shading/index.mjs';
 
-before(buildShading);
+// Its imports are written here.
+buildShading();
+const { loadShading } = await import('../../../js/three/shading/index.mjs');
 
 /** Two meshes that share a lit material, one with a physical one, one that is not lit. */
 function model() {
