@@ -23,7 +23,7 @@ vec3 toneMapped(vec3 radiance) {
 // return    OUTPUT_LINEAR: radiance x exposure, capped to what a half holds; else tone mapped and sRGB-encoded
 vec4 outputColor(vec3 radiance, float alpha) {
 #if OUTPUT_LINEAR
-  return vec4(clamp(radiance * exposure, 0.0, RADIANCE_MAX), alpha);
+  return vec4(clamp(radiance * exposure, 0.0, RADIANCE_MAX), saturate(alpha));
 #else
   // What a thin film takes from one channel makes it negative at grazing angles; tone mapping shows that in all channels.
   return vec4(srgbFromLinear(toneMapped(mix(radiance, vec3(0.0), isnan(radiance)))), alpha);

@@ -53,8 +53,24 @@ export function lightAxes({ position, target }) {
   return [right, cross(back, right), back];
 }
 
-/** What 32-bit floats may lose of a position that lies this far out, metres. */
-const roundingOf = (points) => ROUNDING * largest(points.flat(), Math.abs);
+/** How many diagonals of a model are far: as in renderer/pass/world_origin.h. */
+const FAR_OUT = 1000;
+
+/** Where renderers count from, for a point that 32-bit floats cannot hold beside the model: the model's centre. */
+function nearTo({ min, max }, point) {
+  const centre = min.map((low, i) => (low + max[i]) * 0.5);
+  return largest(subtract(point, centre), Math.abs) > FAR_OUT * length(subtract(max, min)) ? centre : point;
+}
+
+/**
+ * What 32-bit floats may lose of these positions, metres.
+ * @param {Vec3[]} points
+ * @param {Vec3} origin that they are counted from
+ */
+const roundingOf = (points, origin) => ROUNDING * largest(points, (point) => largest(subtract(point, origin), Math.abs));
+
+/** Where a light stands: one that is parallel stands anywhere. */
+const standOf = ({ type, position }, bounds) => (type === 'directional' ? nearTo(bounds, position) : position);
 
 /** Width in texels that the filter looks at to each side; at most a quarter of the map, so that most of it stays. */
 const reachOf = ({ radius, mapSize }) => Math.min(radius + TAP, mapSize / 4);
@@ -67,10 +83,10 @@ function depthRange(casters, receivers, rounding) {
   return { near: near - pad, far: far + pad };
 }
 
-function fitDirectional(light, shadow, casters, receivers) {
+function fitDirectional(light, shadow, casters, receivers, { bounds, origin }) {
   const [right, up, back] = lightAxes(light);
   const along = (points, axis) => points.map((point) => dot(subtract(point, light.position), axis));
-  const rounding = roundingOf([...casters, ...receivers, light.position]);
+  const rounding = roundingOf([...casters, ...receivers, standOf(light, bounds)], origin);
   const [x, y] = [along(casters, right), along(casters, up)];
   const middle = (list) => (largest(list, (v) => v) + smallest(list, (v) => v)) / 2;
   const extent = (list) => largest(list, (v) => v) - smallest(list, (v) => v);
@@ -88,14 +104,14 @@ function perspectiveRange({ range }, nearest, farthest) {
   return { near: Math.min(Math.max(0.9 * nearest, 0), far / 2) || NEAREST * far, far };
 }
 
-function fitSpot(light, shadow, casters, receivers) {
+function fitSpot(light, shadow, casters, receivers, { origin }) {
   const [right, up, back] = lightAxes(light);
   const depth = (point) => dot(subtract(light.position, point), back);
   const slope = (point) => {
     const v = subtract(point, light.position);
     return Math.max(Math.abs(dot(v, right)), Math.abs(dot(v, up))) / depth(point);
   };
-  const least = roundingOf([...casters, light.position]);
+  const least = roundingOf([...casters, light.position], origin);
   const nearest = smallest(casters, depth);
   // As narrow as the casters allow; the whole cone where the light stands in their midst.
   const cone = widestFocus(light);
@@ -110,10 +126,10 @@ function fitSpot(light, shadow, casters, receivers) {
 /** The part of a spot's cone that a map can hold. */
 const widestFocus = ({ angle }) => Math.min(1, ((WIDEST / 2) * (Math.PI / 180)) / angle);
 
-function fitPoint(light, shadow, casters, receivers) {
+function fitPoint(light, shadow, casters, receivers, { origin }) {
   // A face of the cube measures depth along its own axis: the largest component of the distance.
   const depth = (point) => largest(subtract(point, light.position), Math.abs);
-  const least = roundingOf([...casters, light.position]);
+  const least = roundingOf([...casters, light.position], origin);
   const [min, max] = [casters[0], casters[7]];
   const toBox = largest(light.position.map((p, i) => Math.max(min[i] - p, p - max[i], 0)), (x) => x);
   return {
@@ -169,11 +185,12 @@ export function resolveShadow(light, path, facts, receivers) {
   const keys = KEYS[light.type];
   const shadow = filterOf(light);
   if (keys.some((key) => shadow[key] === undefined)) {
-    const casters = cornersOfBox(needBounds(facts, path));
-    const { casterDepth, ...fitted } = FIT[light.type](light, shadow, casters, receivers);
+    const bounds = needBounds(facts, path);
+    const [casters, origin] = [cornersOfBox(bounds), nearTo(bounds, [0, 0, 0])];
+    const { casterDepth, ...fitted } = FIT[light.type](light, shadow, casters, receivers, { bounds, origin });
     Object.assign(shadow, { ...fitted, ...shadow });
     check(light, shadow, path);
-    Object.assign(shadow, { ...biasesOf(light, shadow, casterDepth, roundingOf([...casters, light.position])), ...shadow });
+    Object.assign(shadow, { ...biasesOf(light, shadow, casterDepth, roundingOf([...casters, standOf(light, bounds)], origin)), ...shadow });
   }
   check(light, shadow, path);
   return Object.fromEntries(keys.map((key) => [key, shadow[key]]));

@@ -7,6 +7,7 @@
 
 #include "pass/texture_slots.h"
 #include "pass/variant.h"
+#include "pass/world_origin.h"
 
 namespace telar::pass {
 namespace {
@@ -216,9 +217,10 @@ std::set<shader::VariantKey> FramePlan::keys() const {
 FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures) {
   FramePlan plan;
   plan.camera = cameraOf(shot);
+  plan.origin = worldOrigin(scene.bounds);
   plan.lights = collectLights(scene, shot, plan.camera, limits);
   if (allFeatures) plan.lights.pad(ALL_FEATURES_LIGHTS);
-  plan.shadows = collectShadows(shot, limits);
+  plan.shadows = collectShadows(shot, limits, scene.bounds);
   plan.ground = shot.ground && !plan.shadows.empty();
   const bool hasEnvironment = shot.environment.source != Shot::Environment::Source::kNone;
   plan.environmentBackground = hasEnvironment && shot.background.type == Shot::Background::Type::kEnvironment;

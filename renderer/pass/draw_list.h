@@ -48,6 +48,7 @@ struct DrawList {
 /// What a frame needs besides the draws.
 struct FramePlan {
   Camera camera;
+  glm::dvec3 origin{0};  ///< world point that shaders count world coordinates from
   LightSet lights;
   ShadowSet shadows;
   DrawList draws;

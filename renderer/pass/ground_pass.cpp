@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "pass/shadow_pass.h"
+#include "pass/world_origin.h"
 
 namespace telar::pass {
 
@@ -52,8 +53,8 @@ void GroundPass::draw(const FramePlan& plan, const Shot& shot, GLuint firstUnit)
   program.set("modelViewMatrix", glm::mat4(modelView));
   program.set("projectionMatrix", glm::mat4(plan.camera.projection));
   program.set("normalMatrix", glm::mat3(glm::inverseTranspose(glm::dmat3(modelView))));
-  program.set("modelMatrix", glm::mat4(world));
-  program.set("viewMatrix", glm::mat4(plan.camera.view));
+  program.set("modelMatrix", glm::mat4(fromOrigin(world, plan.origin)));
+  program.set("viewMatrix", glm::mat4(toOrigin(plan.camera.view, plan.origin)));
   program.set("opacity", static_cast<float>(shot.ground->opacity));
   program.set("exposure", static_cast<float>(shot.exposure));
   uploadShadows(program, shadows, shadows.flat.size(), shadows.cube.size(), firstUnit);

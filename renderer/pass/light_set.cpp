@@ -8,6 +8,11 @@
 namespace telar::pass {
 namespace {
 
+// All that it falls on is white by far; what the shading multiplies it with stays within single precision.
+constexpr double LIGHT_MAX = 1e20;
+
+glm::vec3 bounded(const glm::dvec3& light) { return glm::vec3(glm::min(light, glm::dvec3(LIGHT_MAX))); }
+
 glm::vec3 toView(const Camera& camera, const glm::dvec3& point) {
   return glm::vec3(glm::dvec3(camera.view * glm::dvec4(point, 1.0)));
 }
@@ -48,8 +53,8 @@ void addRect(LightSet& set, const Camera& camera, const glm::vec3& color, const 
 }
 
 void addShotLight(LightSet& set, const Camera& camera, const Shot::Light& light) {
-  const glm::vec3 color(glm::dvec3(light.color) * light.intensity);
-  const glm::vec3 ground(glm::dvec3(light.groundColor) * light.intensity);
+  const glm::vec3 color = bounded(glm::dvec3(light.color) * light.intensity);
+  const glm::vec3 ground = bounded(glm::dvec3(light.groundColor) * light.intensity);
   if (!shines(light)) return;
   switch (light.type) {
     case Shot::Light::Type::kAmbient:
@@ -80,7 +85,7 @@ void addShotLight(LightSet& set, const Camera& camera, const Shot::Light& light)
 }
 
 void addModelLight(LightSet& set, const Camera& camera, const ModelLight& light, const glm::dmat4& world) {
-  const glm::vec3 color(glm::dvec3(light.color) * static_cast<double>(light.intensity));
+  const glm::vec3 color = bounded(glm::dvec3(light.color) * static_cast<double>(light.intensity));
   if (color == glm::vec3(0)) return;
   const glm::dvec3 position(world[3]);
   const glm::dvec3 toLight(world[2]);  // glTF lights shine along their local -Z

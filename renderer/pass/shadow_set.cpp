@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "pass/world_origin.h"
 #include "telar/error.h"
 
 namespace telar::pass {
@@ -43,14 +44,25 @@ std::vector<Camera> cubeViews(const Light& light) {
   return views;
 }
 
-ShadowMap mapOf(const Light& light) {
+/// The same view, its space counted from a point of the world: a parallel light may stand far from the model.
+Camera movedTo(Camera camera, const glm::dvec3& point) {
+  const glm::dvec3 seen(camera.view * glm::dvec4(point, 1.0));
+  camera.view = glm::translate(glm::dmat4(1.0), -seen) * camera.view;
+  camera.projection = glm::translate(camera.projection, seen);
+  return camera;
+}
+
+ShadowMap mapOf(const Light& light, const Bounds& bounds) {
+  const glm::dvec3 origin = worldOrigin(bounds);
   ShadowMap map{light.type, light.shadow, {}, glm::dmat4(1.0), shines(light)};
   if (light.type == Light::Type::kPoint) {
     map.views = cubeViews(light);
-    map.matrix = glm::translate(glm::dmat4(1.0), -light.position);
+    map.matrix = toOrigin(glm::translate(glm::dmat4(1.0), -light.position), origin);
   } else {
     map.views = {flatView(light)};
-    map.matrix = clipToMap() * (map.views[0].projection * map.views[0].view);
+    map.matrix = toOrigin(clipToMap() * (map.views[0].projection * map.views[0].view), origin);
+    if (map.views[0].orthographic && isFarFrom(bounds, light.position))
+      map.views[0] = movedTo(map.views[0], (bounds.min + bounds.max) * 0.5);
   }
   return map;
 }
@@ -75,7 +87,7 @@ void ShadowSet::describe(shader::VariantKey& key) const {
     key.lights.pointShadows = static_cast<std::uint8_t>(key.lights.pointShadows + map.lit);
 }
 
-ShadowSet collectShadows(const Shot& shot, const Limits& limits) {
+ShadowSet collectShadows(const Shot& shot, const Limits& limits, const Bounds& bounds) {
   double texels = 0;
   for (const Light& light : shot.lights) {
     const double size = light.shadow.mapSize;
@@ -84,7 +96,7 @@ ShadowSet collectShadows(const Shot& shot, const Limits& limits) {
   checkLimit("L_SHADOW_TEXELS", static_cast<double>(limits.shadowTexels), texels);
   ShadowSet set;
   for (const Light& light : shot.lights) {
-    if (light.castShadow) (light.type == Light::Type::kPoint ? set.cube : set.flat).push_back(mapOf(light));
+    if (light.castShadow) (light.type == Light::Type::kPoint ? set.cube : set.flat).push_back(mapOf(light, bounds));
   }
   const auto order = [](const ShadowMap& a, const ShadowMap& b) {
     const auto rank = [](const ShadowMap& m) { return std::pair(!m.lit, m.type != Light::Type::kSpot); };

@@ -5,6 +5,7 @@
 #include "pass/camera.h"
 #include "shader/variant_key.h"
 #include "telar/limits.h"
+#include "telar/scene.h"
 #include "telar/shot.h"
 
 namespace telar::pass {
@@ -15,8 +16,9 @@ struct ShadowMap {
   Shot::Light::Type type;
   Shot::Light::Shadow settings;
   std::vector<Camera> views;  ///< what the map sees: 1, or the faces +x -x +y -y +z -z
-  glm::dmat4 matrix{1.0};  ///< world to map coordinates, 0..1 after / w; to the vector from the light for a point light
-  bool lit = false;        ///< the light shines on surfaces too; else only the ground shows its shadow
+  glm::dmat4 matrix{1.0};     ///< world, counted from worldOrigin(), to map coordinates, 0..1 after / w; to the vector
+                              ///< from the light for a point light
+  bool lit = false;           ///< the light shines on surfaces too; else only the ground shows its shadow
 };
 
 /// The shadow maps of a frame. Those of lights that shine on surfaces come first in each list, spot before directional.
@@ -36,7 +38,8 @@ const char* nameOf(Shot::Light::Type type);
 bool shines(const Shot::Light& light);
 
 /// The shot's lights with castShadow; lights of the model cast none, as in three.js's GLTFLoader.
+/// @param bounds  of the scene, world space
 /// @throws Error{L_SHADOW_TEXELS}
-ShadowSet collectShadows(const Shot& shot, const Limits& limits);
+ShadowSet collectShadows(const Shot& shot, const Limits& limits, const Bounds& bounds);
 
 }  // namespace telar::pass

@@ -8,6 +8,7 @@
 #include "ibl/dfg.h"
 #include "pass/shadow_pass.h"
 #include "pass/texture_slots.h"
+#include "pass/world_origin.h"
 #include "shader/library.h"
 
 namespace telar::pass {
@@ -57,11 +58,10 @@ glm::vec3 scaleOf(const glm::mat4& m) {
   return {glm::length(glm::vec3(m[0])), glm::length(glm::vec3(m[1])), glm::length(glm::vec3(m[2]))};
 }
 
-void setTransmission(const gl::Program& program, const DrawItem& item) {
+void setTransmission(const gl::Program& program, const DrawItem& item, const glm::dvec3& origin) {
   const PhysicalLayers& layers = item.material->layers;
-  const glm::mat4 world(item.node->world);
-  program.set("modelMatrix", world);
-  program.set("thicknessScale", scaleOf(world));
+  program.set("modelMatrix", glm::mat4(fromOrigin(item.node->world, origin)));
+  program.set("thicknessScale", scaleOf(glm::mat4(item.node->world)));
   program.set("transmissionFactor", layers.transmissionFactor);
   program.set("thicknessFactor", layers.thicknessFactor);
   program.set("attenuationColor", layers.attenuationColor);
@@ -70,7 +70,7 @@ void setTransmission(const gl::Program& program, const DrawItem& item) {
 }
 
 /// Factors of the layers of KHR_materials_*.
-void setLayers(const gl::Program& program, const DrawItem& item) {
+void setLayers(const gl::Program& program, const DrawItem& item, const glm::dvec3& origin) {
   const PhysicalLayers& layers = item.material->layers;
   program.set("ior", layers.ior);
   program.set("specularFactor", layers.specularFactor);
@@ -87,7 +87,7 @@ void setLayers(const gl::Program& program, const DrawItem& item) {
   program.set("iridescenceThickness",
               glm::vec2(layers.iridescenceThicknessMinimum, layers.iridescenceThicknessMaximum));
   program.set("diffuseRoughnessFactor", layers.diffuseRoughnessFactor);
-  if (item.key.transmission) setTransmission(program, item);
+  if (item.key.transmission) setTransmission(program, item, origin);
 }
 
 /// Factors of what cloth has beyond those layers; a program takes those that it reads.
@@ -206,10 +206,10 @@ const gl::Program& SurfacePass::useProgram(const shader::VariantKey& key, const 
     program.set("environmentRotation", environmentRotation(in.shot.environment.rotation));
   }
   if (key.environment || key.transmission || key.lights.shadows() > 0)
-    program.set("viewMatrix", glm::mat4(in.plan.camera.view));
+    program.set("viewMatrix", glm::mat4(toOrigin(in.plan.camera.view, in.plan.origin)));
   if (key.transmission) {
     program.set("transmissionTarget", static_cast<int>(TRANSMISSION_UNIT));
-    program.set("cameraPosition", glm::vec3(glm::inverse(in.plan.camera.view)[3]));
+    program.set("cameraPosition", glm::vec3(glm::dvec3(glm::inverse(in.plan.camera.view)[3]) - in.plan.origin));
   }
   if (key.lights.shadows() > 0) {
     const auto flat = static_cast<std::size_t>(key.lights.spotShadows + key.lights.directionalShadows);
@@ -245,7 +245,7 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
   program.set("emissiveFactor", m.emissiveFactor);
   program.set("occlusionStrength", m.occlusionStrength);
   program.set("normalScale", normalScaleOf(m.normalScale, item));
-  if (hasLayers(item.key)) setLayers(program, item);
+  if (hasLayers(item.key)) setLayers(program, item, in.plan.origin);
   if (item.key.shading != ShadingModel::kThree) setFabric(program, m.fabric);
 }
 
@@ -255,7 +255,8 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   const glm::dmat4 modelView = in.plan.camera.view * item.node->world;
   program.set("modelViewMatrix", glm::mat4(modelView));
   program.set("normalMatrix", normalMatrixOf(glm::dmat3(modelView)));
-  if (item.key.lights.shadows() > 0) program.set("modelMatrix", glm::mat4(item.node->world));
+  if (item.key.lights.shadows() > 0)
+    program.set("modelMatrix", glm::mat4(fromOrigin(item.node->world, in.plan.origin)));
   bindMaterial(program, item, in);
 
   item.blend ? gl.Enable(GL_BLEND) : gl.Disable(GL_BLEND);

@@ -122,7 +122,9 @@ void addLights(Rows& rows) {
   behind.shot.camera.perspective = false;
   behind.shot.camera.height = 2.4;
   rows.add("sun of 1.6e9 lux").shot.lights[0].intensity = 1.6e9;
-  rows.add("sun of 1e30 lux").shot.lights[0].intensity = 1e30;
+  ExtremeRow& blinding = rows.add("sun of 1e30 lux and a colour of 1e30");
+  blinding.shot.lights[0].intensity = 1e30;
+  blinding.shot.lights[0].color = glm::vec3(1e30f);
   rows.add("lamp of 1e30 candela on the surface").shot.lights[1] = lamp({0, 0, 1}, 1e30);
   rows.add("sun without a direction").shot.lights[0].position = {0, 0, 0};
   rows.add("lamp of range 1e-30").shot.lights[1].range = 1e-30;
