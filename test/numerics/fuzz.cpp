@@ -39,7 +39,7 @@ void drawFrame(Renderer& renderer, std::uint64_t seed, ShadingModel shading, boo
 
 std::vector<Figure> checkFuzz(const ShadingPromise& shading, Scale scale) {
   const auto count = static_cast<std::uint64_t>(shadingPromises().size());  // each draws frames of its own
-  const std::uint64_t frames = countOf(scale, 8, 400) / count;
+  const std::uint64_t frames = countOf(scale, 4, 176) / count;
   const auto renderer = makeRenderer();
   Tally tally;
   for (std::uint64_t i = 0; i < frames; ++i)

@@ -7,7 +7,7 @@ namespace telar::numerics {
 /// A frame of many small bodies, each of its own random material, in random light. The frame's number is its seed; all
 /// materials of a frame have the same layers, so that they share a program or a few.
 struct FuzzFrame {
-  static constexpr int SIDE = 16;    ///< bodies on a side
+  static constexpr int SIDE = 24;    ///< bodies on a side
   static constexpr int PIXELS = 20;  ///< a body
   static constexpr int MATERIALS = SIDE * SIDE;
 

@@ -14,6 +14,19 @@ namespace {
 
 constexpr double PI = 3.14159265358979;
 
+/// What the renderer does with the normal after it is known.
+void turnNormal(brdf_f::SurfaceInfo& s, const glm::vec3& n) {
+  s.n = n;
+  s.NoV = brdf_f::saturate(glm::dot(n, s.v));
+  s.dfg = ibl::dfgLookup(s.perceptualRoughness, s.NoV);
+}
+
+void turnCoat(brdf_f::SurfaceInfo& s, const glm::vec3& n) {
+  s.coatNormal = n;
+  s.clearcoatNoV = brdf_f::saturate(glm::dot(n, s.v));
+  s.coatDfg = ibl::dfgLookup(s.clearcoatRoughness, s.clearcoatNoV);
+}
+
 /// A triangle with a normal, standing any way round.
 class Stage {
  public:
@@ -36,8 +49,15 @@ class Stage {
     static const reference::Textures textures(empty);
     const ShadingTerms terms = termsOf(model);
     const bool principled = isPrincipled(model);
-    return reference::surfaceAt(textures, mesh, hit, {v, -v}, nullptr, ibl::dfgLookup, principled ? &terms : nullptr)
-        .info;
+    brdf_f::SurfaceInfo info =
+        reference::surfaceAt(textures, mesh, hit, {v, -v}, nullptr, ibl::dfgLookup, principled ? &terms : nullptr).info;
+    // The path tracer turns a normal that is seen edge on; the raster shades it as it is.
+    const glm::vec3& n = axes_[2];
+    turnNormal(info, n);
+    turnCoat(info, n);
+    info.t = glm::normalize(info.t - n * glm::dot(n, info.t));
+    info.b = glm::cross(n, info.t) * (glm::dot(glm::cross(n, info.t), info.b) < 0 ? -1.0f : 1.0f);
+    return info;
   }
 
   glm::vec3 toWorld(const glm::dvec3& local) const { return glm::vec3(glm::dmat3(axes_) * local); }
@@ -58,13 +78,6 @@ glm::dvec3 local(double cosine, double phi) {
 }
 
 double edgedCosine(Seeded& r) { return r.edged(0, 1, {0, 1e-8, 1e-6, 1e-4, 1e-2, 0.1, 0.3, 0.6, 0.9, 1}); }
-
-/// What the renderer does with the normal after it is known.
-void turnNormal(brdf_f::SurfaceInfo& s, const glm::vec3& n) {
-  s.n = n;
-  s.NoV = brdf_f::saturate(glm::dot(n, s.v));
-  s.dfg = ibl::dfgLookup(s.perceptualRoughness, s.NoV);
-}
 
 /// Directions through each other and along each other: l = -v, l = v, l its mirror.
 glm::vec3 specialLight(Seeded& r, const brdf_f::SurfaceInfo& s, const glm::vec3& l) {
@@ -110,9 +123,7 @@ SurfacePoint randomPoint(ShadingModel model, std::uint64_t seed) {
   const auto tilted = [&] { return glm::normalize(stage.toWorld(local(r.between(-0.3, 1), r.between(-PI, PI)))); };
   if (r.chance(0.1)) turnNormal(point.info, tilted());
   if (r.chance(0.1)) {
-    point.info.coatNormal = tilted();
-    point.info.clearcoatNoV = brdf_f::saturate(glm::dot(point.info.coatNormal, point.info.v));
-    point.info.coatDfg = ibl::dfgLookup(point.info.clearcoatRoughness, point.info.clearcoatNoV);
+    turnCoat(point.info, tilted());
   }
   point.l = specialLight(r, point.info, point.l);
   return point;
