@@ -122,7 +122,7 @@ std::vector<Figure> extremes(const ShadingPromise& shading, const std::vector<Sh
 }  // namespace
 
 std::vector<Figure> checkFurnaceDirect(const ShadingPromise& shading, Scale scale) {
-  const int points = static_cast<int>(countOf(scale, 1 << 11, 1 << 13));
+  const int points = static_cast<int>(countOf(scale, 1 << 12, 1 << 14));
   return extremes(shading, sheets(scale), "direct light",
                   [&](const Sheet& sheet, double NoV) { return directAlbedo(shading.model, sheet, NoV, points); });
 }

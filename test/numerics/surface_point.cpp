@@ -51,13 +51,18 @@ class Stage {
     const bool principled = isPrincipled(model);
     brdf_f::SurfaceInfo info =
         reference::surfaceAt(textures, mesh, hit, {v, -v}, nullptr, ibl::dfgLookup, principled ? &terms : nullptr).info;
-    // The path tracer turns a normal that is seen edge on; the raster shades it as it is.
+    // The path tracer turns every normal that is seen edge on, and so does fabric; the others shade it as it is.
+    if (model != ShadingModel::kFabric) stand(info);
+    return info;
+  }
+
+  /// The surface about the stage's own normal, whatever it was turned to.
+  void stand(brdf_f::SurfaceInfo& info) const {
     const glm::vec3& n = axes_[2];
     turnNormal(info, n);
     turnCoat(info, n);
     info.t = glm::normalize(info.t - n * glm::dot(n, info.t));
     info.b = glm::cross(n, info.t) * (glm::dot(glm::cross(n, info.t), info.b) < 0 ? -1.0f : 1.0f);
-    return info;
   }
 
   glm::vec3 toWorld(const glm::dvec3& local) const { return glm::vec3(glm::dmat3(axes_) * local); }
