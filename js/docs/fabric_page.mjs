@@ -45,7 +45,8 @@ Materials without a normal map and other shadings pay nothing. The map of slopes
 **Holes** (\`alphaMode\` MASK with a base colour texture): lace, tulle, mesh. Mip levels hold the share of a texel that is there, and the
 colour of that part alone; the edge of level 0 is drawn as wide as a pixel. The share becomes samples of the pixel,
 rounded up here and down there by a noise of fixed place, so that cloth covers as much of a picture from far as from near; with
-\`samples: 1\`, or on a GPU without sample masks, it becomes whole pixels in the same pattern. Nothing is sorted. BLEND is drawn as it is elsewhere: sorted by object, which shows through itself in folds.
+\`samples: 1\`, or on a GPU without sample masks, it becomes whole pixels in the same pattern. Nothing is sorted. Its shadow is that of
+the plain image, as in three.js. BLEND is drawn as it is elsewhere: sorted by object, which shows through itself in folds.
 
 **Weave maps.** Where less than half a thread falls into a pixel, the yarn on top gives the highlight; from there on the two sets of yarns
 are blended to their means, so that nothing shimmers. Without \`threadsPerUv\` the map's own mip levels decide.
