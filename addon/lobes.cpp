@@ -56,7 +56,7 @@ struct Evaluated {
 };
 
 Evaluated evaluate(const Scene& scene, const Request& request, const CancelToken& cancel) {
-  const ShadedMaterial material(scene.materials[request.material], parseShot(request.shot), request.viewAngle);
+  const ShadedMaterial material(scene, request.material, parseShot(request.shot), request.viewAngle);
   Evaluated out;
   for (std::size_t i = 0; i < request.directions.size(); i += 3) {
     if (i % (3 * DIRECTIONS_PER_CHECK) == 0) cancel.check();

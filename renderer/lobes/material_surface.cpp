@@ -69,6 +69,23 @@ void readLayers(SurfaceInfo& s, const PhysicalLayers& l, bool principled) {
   s.coatDfg = dfg(s.clearcoatRoughness, s.NoV);
 }
 
+/// What FabricLayers adds: weft along the tangent, warp across it, both on top by their shares of the surface.
+void readCloth(SurfaceInfo& s, const FabricLayers& f, bool woven) {
+  s.geometricNormal = s.n;
+  s.flatness = f.flatness;
+  s.diffuseTransmission = brdf_d::saturate(f.diffuseTransmissionFactor);
+  s.transmittedColor = glm::dvec3(f.diffuseTransmissionColorFactor);
+  if (!woven || !f.weave) return;
+  const auto yarn = [&](const Yarn& y, const glm::dvec3& axis, const glm::dvec3& aside) {
+    return brdf_d::fabric::yarnLobe(s.n, axis, aside, glm::dvec2(1, 0), 0, y.coverage, roughnessOf(y.roughness, false),
+                                    y.anisotropy, glm::dvec3(y.specularColor));
+  };
+  s.t = {1, 0, 0};
+  s.b = {0, 1, 0};
+  s.warp = yarn(f.warp, s.b, -s.t);
+  s.weft = yarn(f.weft, s.t, s.b);
+}
+
 }  // namespace
 
 brdf_d::SurfaceInfo surfaceOf(const Material& material, const Shot& shot, const glm::dvec3& v) {
@@ -80,9 +97,7 @@ brdf_d::SurfaceInfo surfaceOf(const Material& material, const Shot& shot, const 
   if (principled) s.terms = shot.terms;
   readBase(s, material, principled);
   readLayers(s, material.layers, principled);
-  s.flatness = material.fabric.flatness;
-  s.diffuseTransmission = material.fabric.diffuseTransmissionFactor;
-  s.transmittedColor = glm::dvec3(material.fabric.diffuseTransmissionColorFactor);
+  readCloth(s, material.fabric, shot.shading == ShadingModel::kFabric);
   s.transmittedColor = glm::dvec3(material.fabric.diffuseTransmissionColorFactor);
   return s;
 }

@@ -19,9 +19,10 @@ struct LobeRadiance {
 /// maps flat.
 class ShadedMaterial {
  public:
+  /// @param material   index into the scene's; the shading "fabric" takes it with its preset, as in a picture
   /// @param shot       of which only the shading is read
   /// @param viewAngle  radians from the normal, [0, pi / 2)
-  ShadedMaterial(const Material& material, const Shot& shot, double viewAngle);
+  ShadedMaterial(const Scene& scene, std::size_t material, const Shot& shot, double viewAngle);
 
   /// Radiance under light of one direction that gives the irradiance 1 on a surface that faces it: the BRDF times NoL.
   /// @param l  unit, to the light

@@ -94,6 +94,17 @@ test('one term swapped changes its own lobe and no other', async () => {
   assert.deepEqual([changed(diffuse), changed(sheen)], [['diffuse', 'total'], ['sheen', 'total']]);
 });
 
+test('shading fabric takes a material with its preset: yarns stretch the highlight of satin, and white cloth loses little', async () => {
+  const satin = { pbrMetallicRoughness: { baseColorFactor: [1, 1, 1, 1] }, extensions: { TELAR_materials_fabric: { preset: 'satin' } } };
+  const directions = [at(0.5, 0), at(0.5, Math.PI / 2)];
+  const { radiance, albedo } = await evaluateShading({ material: satin, shading: 'fabric', directions, albedo: true });
+  assert.ok(radiance[0].specular[0] > 5 * radiance[1].specular[0], 'light along the weft, which runs across the smooth warp');
+  // The rest goes through: satin's preset lets 12 % of the diffuse light pass.
+  assert.ok(albedo.total[0] > 0.85 && albedo.total[0] <= 0.9, String(albedo.total));
+  const plain = await evaluateShading({ material: satin, directions, albedo: true });
+  assert.equal(plain.albedo.diffuse[0], 0, 'the other shadings see a metal, as glTF says of a material without factors');
+});
+
 test('a material of a loaded model gives what the same material alone does', async () => {
   const renderer = await createRenderer();
   const model = await renderer.load(new URL('../../../js/assets/fabrics.glb', import.meta.url));
