@@ -188,6 +188,16 @@ test('a progress bar is for people only', async () => {
   assert.equal(JSON.parse(stdout).ok, true);
 });
 
+test('a traced picture shows how far it is, one alone too', async () => {
+  const argv = ['thumbnail', 'a.glb', '-o', freshFolder()('a.png')];
+  assert.equal((await runFake(argv, { tty: true })).stderr, '');
+  for (const quality of [['--quality', 'reference'], ['--set', 'quality={"preset":"reference","samples":4}']]) {
+    const { stderr } = await runFake([...argv, ...quality], { tty: true, fake: fakeApi({ delayMs: 200 }) });
+    assert.match(stderr, /50%/);
+    assert.equal((await runFake([...argv, ...quality])).stderr, '');
+  }
+});
+
 test('colour on a terminal, none with NO_COLOR or in a pipe', async () => {
   const argv = ['thumbnail', 'm.glb'];
   assert.ok((await runFake(argv, { tty: true })).stderr.includes('\u001b[31m'));
