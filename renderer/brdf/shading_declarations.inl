@@ -27,6 +27,7 @@ YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, Real slope, Real cov
 /// three-r115 and disney-2012, by the terms in SurfaceInfo.
 namespace principled {
 TELAR_SHADING_FUNCTIONS
+Reflected addBehind(Reflected sum, SurfaceInfo s, vec3 irradiance);
 }  // namespace principled
 
 #undef TELAR_SHADING_FUNCTIONS

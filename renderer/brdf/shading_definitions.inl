@@ -22,8 +22,11 @@ namespace principled {
 ShadingFunctions shadingFunctions(ShadingModel shading) {
   switch (shading) {
     case ShadingModel::kThreeR115:
-    case ShadingModel::kDisney2012:
-      return TELAR_SHADING_TABLE(principled);
+    case ShadingModel::kDisney2012: {
+      ShadingFunctions functions = TELAR_SHADING_TABLE(principled);
+      functions.addBehind = &principled::addBehind;
+      return functions;
+    }
     case ShadingModel::kFabric: {
       ShadingFunctions functions = TELAR_SHADING_TABLE(fabric);
       functions.addBehind = &fabric::addBehind;

@@ -46,7 +46,7 @@ vec3 domeIrradiance(vec3 n) {
 }
 #endif
 
-#if SHADING_FABRIC && DIFFUSE_TRANSMISSION
+#if DIFFUSE_TRANSMISSION
 vec3 irradianceBehind(vec3 n) {
   vec3 irradiance = vec3(0.0);
 #if AMBIENT || HEMISPHERE_LIGHTS > 0
@@ -68,7 +68,7 @@ Incident incidentLight(SurfaceInfo s) {
 #if AMBIENT || HEMISPHERE_LIGHTS > 0
   incident.irradiance = domeIrradiance(s.n);
 #endif
-#if SHADING_FABRIC && DIFFUSE_TRANSMISSION
+#if DIFFUSE_TRANSMISSION
   incident.behind = irradianceBehind(s.n);
 #endif
 #if ENVIRONMENT
@@ -94,7 +94,7 @@ Reflected indirectLight(SurfaceInfo s, Incident incident) {
 #if ENVIRONMENT
   sum = addEnvironment(sum, s, incident);
 #endif
-#if SHADING_FABRIC && DIFFUSE_TRANSMISSION
+#if DIFFUSE_TRANSMISSION
   sum = addBehind(sum, s, incident.behind);
 #endif
   return sum;

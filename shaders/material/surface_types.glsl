@@ -116,7 +116,7 @@ struct Incident {
 #if CLEARCOAT
   vec3 coatRadiance;           // the same for the coat
 #endif
-#if SHADING_FABRIC && DIFFUSE_TRANSMISSION
+#if DIFFUSE_TRANSMISSION
   vec3 behind;                 // irradiance of all these on the other side
 #endif
 };

@@ -103,6 +103,15 @@ Reflected addDome(Reflected sum, SurfaceInfo s, vec3 irradiance) {
   return sum;
 }
 
+#if DIFFUSE_TRANSMISSION
+// Adds light without a direction that comes through from the other side.
+// irradiance  there, linear Rec.709
+Reflected addBehind(Reflected sum, SurfaceInfo s, vec3 irradiance) {
+  sum.diffuse += irradiance * RECIPROCAL_PI * transmittedAlbedoTerm(s);
+  return sum;
+}
+#endif
+
 // Adds what the surface reflects of the prefiltered environment. The coat of r115 takes its share of single scattering only.
 Reflected addEnvironment(Reflected sum, SurfaceInfo s, Incident incident) {
   vec3 meanRadiance = incident.environmentIrradiance * RECIPROCAL_PI;

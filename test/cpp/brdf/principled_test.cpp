@@ -239,6 +239,9 @@ TEST(PrincipledComposed, ThinClothReflectsAndTransmitsNoMoreThanArrives) {
   EXPECT_NEAR(behind.z, 0.1, 1e-4);
   const double front = overHemisphere(STRATA, [&](const vec3& l) { return lit(s, l).diffuse.x; });
   EXPECT_LE(front + behind.x, 1.01);
+  const vec3 dome = shading().addBehind(nothingReflected(), s, vec3(TWO_PI / 2)).diffuse;
+  EXPECT_NEAR(behind.x, dome.x, 1e-4);
+  EXPECT_NEAR(behind.z, dome.z, 1e-4);
   EXPECT_EQ(lit(s, vec3(0, 0, -1)).specular, vec3(0));
 }
 

@@ -55,10 +55,11 @@ std::pair<double, double> differenceOf(const Frame& a, const Frame& b) {
   return {most, sum / count};
 }
 
-void expectTheSamePicture(const std::shared_ptr<Scene>& scene, double most, double mean, ShadingModel shading) {
+void expectTheSamePicture(const std::shared_ptr<Scene>& scene, double most, double mean, ShadingModel shading,
+                          const std::optional<ShadingTerms>& terms = std::nullopt) {
   Shot shot = litShot();
   shot.shading = shading;
-  shot.terms = termsOf(shading);
+  shot.terms = terms.value_or(termsOf(shading));
   const Frame raster = rastered(scene, shot);
   const Frame truth = trace(*scene, shot, nullptr, {.samples = 64}, Limits(), CancelToken(), {});
   const auto [worst, average] = differenceOf(raster, truth);
@@ -122,6 +123,16 @@ TEST(RasterAgainstReference, PrincipledShadings) {
     expectTheSamePicture(layered(), 0.03, 0.002, shading);
     expectTheSamePicture(soft, 0.03, 0.002, shading);
   }
+}
+
+TEST(RasterAgainstReference, ThinCloth) {
+  Material m = named("thin", 0.8f, 0);
+  m.fabric.flatness = 0.3f;
+  m.fabric.diffuseTransmissionFactor = 0.4f;
+  m.fabric.diffuseTransmissionColorFactor = {0.9f, 0.6f, 0.3f};
+  ShadingTerms terms = termsOf(ShadingModel::kDisney2012);
+  terms.diffuse = ShadingTerms::DIFFUSE_DISNEY_2015_THIN;
+  expectTheSamePicture(test::sceneOf(test::spherePrimitive(1), m), 0.02, 0.001, ShadingModel::kDisney2012, terms);
 }
 
 }  // namespace
