@@ -245,8 +245,7 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   const Corners corners(mesh, hit.triangle);
   const glm::vec2 b = hit.barycentric;
   const Reader read{textures, corners, b};
-  Surface surface;
-  surface.position = corners.position(b);
+  Surface surface{.position = corners.position(b)};
   surface.distance = hit.distance;
   SurfaceInfo& s = surface.info;
   s.v = -ray.direction;
@@ -254,8 +253,7 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   const bool front = (glm::dot(cross, s.v) < 0) == mesh.mirrored;
   const float face = front ? 1.0f : -1.0f;
   surface.geometricNormal = brdf_f::safeNormalize(glm::dot(cross, s.v) < 0 ? -cross : cross, s.v);
-  glm::vec4 baseColor = m.baseColorFactor * read(m.baseColorTexture, true);
-  baseColor *= glm::vec4(mesh.tint, 1.0f);
+  glm::vec4 baseColor = m.baseColorFactor * read(m.baseColorTexture, true) * glm::vec4(mesh.tint, 1.0f);
   if (!primitive.colors.empty()) baseColor *= corners.at(primitive.colors, b);
   surface.alpha = m.alphaMode == AlphaMode::kBlend ? brdf_f::saturate(baseColor.a) : 1.0f;
   surface.shown = (front || m.doubleSided) && !(m.alphaMode == AlphaMode::kMask && baseColor.a < m.alphaCutoff);
@@ -283,9 +281,9 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   const bool stretched = m.layers.anisotropyStrength > 0 || isWoven(mesh);
   if (stretched && glm::dot(mapped[0], mapped[0]) > 0 && glm::dot(mapped[1], mapped[1]) > 0) frame = mapped;
   glm::vec3 coatNormal = n;
-  if (m.layers.clearcoatNormalTexture) {
-    const glm::mat3 coatFrame = tangentFrame(mesh, corners, b, n, m.layers.clearcoatNormalTexture, s.v, face);
-    coatNormal = mappedNormal(coatFrame, read(m.layers.clearcoatNormalTexture), signs * m.layers.clearcoatNormalScale);
+  if (const TextureRef& map = m.layers.clearcoatNormalTexture) {
+    const glm::mat3 coatFrame = tangentFrame(mesh, corners, b, n, map, s.v, face);
+    coatNormal = mappedNormal(coatFrame, read(map), signs * m.layers.clearcoatNormalScale);
   }
   coatNormal = facing(coatNormal, s.v);
   const bool back = cloth && m.fabric.back && m.doubleSided && !front;
