@@ -27,6 +27,9 @@ precision highp samplerCube;
 #include "brdf/light.glsl"
 #include "brdf/occlusion.glsl"
 #include "brdf/environment.glsl"
+#if ENVIRONMENT_SAMPLES > 0
+#include "brdf/importance.glsl"
+#endif
 #if RECT_LIGHTS > 0
 #include "brdf/area.glsl"
 #endif

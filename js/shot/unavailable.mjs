@@ -5,12 +5,11 @@ import { TelarError } from '../error/index.mjs';
  * for typing errors nor left out in silence. [values, what to use instead] by key.
  */
 const VALUES = {
-  quality: [['high'], 'use "standard", the best of the raster, or "reference"'],
   layers: [['depth', 'normal', 'partId', 'ao', 'albedo', 'line', 'shadow'], 'use "beauty"'],
   lightType: [['disk'], 'use "rect", a square of the same area: width = height = 1.772 radius (three.js has no disk either)'],
 };
 const QUALITIES = ['maxError', 'budgetMs'];
-const SAMPLES = 'use {samples: 1} or {samples: 4}';
+const SAMPLES = 'use {samples, environmentSamples}';
 
 function refuse(path, what, instead) {
   const pointer = `/${path.join('/')}`;
@@ -30,7 +29,6 @@ const isObject = (value) => typeof value === 'object' && value !== null;
  */
 export function refuseUnavailable(shot) {
   if (!isObject(shot)) return;
-  refuseValue(['quality'], shot.quality, VALUES.quality);
   if (isObject(shot.quality)) {
     for (const key of QUALITIES) {
       if (shot.quality[key] !== undefined) refuse(['quality', key], `a quality by ${key}`, SAMPLES);

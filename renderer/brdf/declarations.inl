@@ -163,6 +163,12 @@ Real lodFromRoughness(Real perceptualRoughness, Real maxLod);
 vec3 dominantReflection(Real perceptualRoughness, vec3 n, vec3 v);
 vec3 environmentSpecular(Scattering scattering, vec3 radiance, vec3 meanRadiance);
 
+mat3 basisAbout(vec3 n);
+vec3 sampleCosine(vec2 u);
+Real pdfCosine(Real NoL);
+vec3 sampleVisibleNormal(vec3 v, vec2 alpha, vec2 u);
+Real pdfReflection(vec3 v, vec3 l, vec2 alpha);
+
 vec3 exposedColor(vec3 color, Real exposure);
 vec3 toneMapLinear(vec3 color, Real exposure);
 vec3 toneMapReinhard(vec3 color, Real exposure);

@@ -25,5 +25,6 @@
 #include "area.glsl"
 #include "occlusion.glsl"
 #include "environment.glsl"
+#include "importance.glsl"
 #include "tone_mapping.glsl"
 #include "color.glsl"

@@ -43,11 +43,11 @@ CubeMap EnvironmentCache::prefiltered(const std::string& key, bool studio, std::
 }
 
 const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::span<const std::byte> bytes,
-                                         bool background, const CancelToken& cancel) {
-  // The bundled environment is known by name: its file is read only when a background shows it.
+                                         const EnvironmentUses& uses, const CancelToken& cancel) {
+  // The bundled environment is known by name: its file is read only when the map itself is needed.
   const bool studio = wanted.source == Shot::Environment::Source::kStudio;
   std::vector<std::byte> own;
-  if (wanted.source == Shot::Environment::Source::kPath || (studio && background)) {
+  if (wanted.source == Shot::Environment::Source::kPath || (studio && (uses.background || uses.radiance))) {
     own = fileOf(wanted);
     bytes = own;
   }
@@ -57,7 +57,7 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
   if (found == entries_.end()) {
     auto entry = std::make_unique<Entry>();
     entry->key = key;
-    entry->environment.prefiltered = prefiltered(key, studio, bytes, entry->environment.source, cancel);
+    entry->environment.source = "file";
     if (entries_.size() >= ENTRIES_MAX) entries_.erase(entries_.begin());
     found = entries_.insert(entries_.end(), std::move(entry));
   } else {
@@ -66,11 +66,20 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
     found = entries_.end() - 1;
   }
   Environment& environment = (*found)->environment;
-  if (background && environment.background.faceSize == 0) {
+  if (uses.prefiltered && environment.prefiltered.faceSize == 0) {
+    environment.prefiltered = prefiltered(key, studio, bytes, environment.source, cancel);
+  }
+  if (uses.background && environment.background.faceSize == 0) {
+    // Face size = height of the map, as three.js does.
     const ImageF map = readEnvironment(bytes, limits_, cancel);
     environment.background =
         equirectToCube(context_, uploadEquirect(context_.gl(), map), static_cast<int>(map.height), 1, false, cancel);
     context_.check("environment background");
+  }
+  if (uses.radiance && environment.radiance.faceSize == 0) {
+    ImageF map = readEnvironment(bytes, limits_, cancel);
+    environment.bright = BrightDirections(map);
+    environment.radiance = radianceCube(context_, map, cancel);
   }
   return environment;
 }

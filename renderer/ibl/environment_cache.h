@@ -5,17 +5,27 @@
 #include <string>
 #include <vector>
 
+#include "ibl/bright_directions.h"
 #include "ibl/prefilter.h"
 #include "telar/limits.h"
 #include "telar/shot.h"
 
 namespace telar::ibl {
 
-/// The environment of a shot on the GPU: the prefiltered cube and, where the shot shows it, the sharp background cube.
+/// The environment of a shot on the GPU, in the forms that a frame needs.
 struct Environment {
   CubeMap prefiltered;
-  CubeMap background;  ///< faceSize 0 until it is asked for
-  std::string source;  ///< "gpu", "bundled", "disk" or "prefiltered": where the cube came from
+  CubeMap background;       ///< faceSize 0 until it is asked for, as the others
+  CubeMap radiance;         ///< as the map is, with mip levels; alpha = luminance of what `bright` draws from
+  BrightDirections bright;  ///< made with `radiance`
+  std::string source;       ///< where it came from: "gpu", "bundled", "disk", "prefiltered" or, as it is, "file"
+};
+
+/// What a frame does with its environment.
+struct EnvironmentUses {
+  bool prefiltered = false;  ///< lights surfaces, or is a blurred background
+  bool background = false;   ///< is a sharp background
+  bool radiance = false;     ///< lights surfaces that sample it
 };
 
 /// Keeps the environments that were used last on the GPU, and prefiltered cubes on disk by the SHA-256 of their file.
@@ -27,9 +37,8 @@ class EnvironmentCache {
                    std::filesystem::path cacheDirectory, Limits limits);
 
   /// @param bytes  the file when the source is kBytes
-  /// @param background  also make the sharp cube (face size = height of the map, as three.js does)
   /// @throws Error{E_ENVIRONMENT_*, X_GL, X_CANCELLED}
-  const Environment& get(const Shot::Environment& wanted, std::span<const std::byte> bytes, bool background,
+  const Environment& get(const Shot::Environment& wanted, std::span<const std::byte> bytes, const EnvironmentUses& uses,
                          const CancelToken& cancel);
 
  private:

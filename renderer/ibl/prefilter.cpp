@@ -26,15 +26,22 @@ double lodBias(int faceSize, double roughness) {
 
 int maxLodOf(const CubeMap& cube) { return cube.levels - 1; }
 
-CubeMap prefilterEquirect(const gl::Context& context, const ImageF& map, const CancelToken& cancel) {
+CubeMap radianceCube(const gl::Context& context, const ImageF& map, const CancelToken& cancel) {
   const gl::Functions& gl = context.gl();
   const int faceSize = std::max(FACE_SIZE_MIN, static_cast<int>(std::bit_floor(map.width / 4)));
-  const int maxLod = std::countr_zero(static_cast<unsigned>(faceSize)) - LAST_LEVEL_LOG2;
-  const gl::Texture equirect = uploadEquirect(gl, map);
-  const int sourceLevels = std::countr_zero(static_cast<unsigned>(faceSize)) + 1;
-  const CubeMap source = equirectToCube(context, equirect, faceSize, sourceLevels, true, cancel);
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, source.texture.get());
+  const int levels = std::countr_zero(static_cast<unsigned>(faceSize)) + 1;
+  CubeMap cube = equirectToCube(context, uploadEquirect(gl, map), faceSize, levels, true, cancel);
+  gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.texture.get());
   gl.GenerateMipmap(GL_TEXTURE_CUBE_MAP);
+  context.check("environment cube");
+  return cube;
+}
+
+CubeMap prefilterEquirect(const gl::Context& context, const ImageF& map, const CancelToken& cancel) {
+  const gl::Functions& gl = context.gl();
+  const CubeMap source = radianceCube(context, map, cancel);
+  const int faceSize = source.faceSize;
+  const int maxLod = std::countr_zero(static_cast<unsigned>(faceSize)) - LAST_LEVEL_LOG2;
 
   CubeMap target = createCube(gl, faceSize, maxLod + 1);
   const std::string vertex = shader::assemble("environment/cube_face.vert", {});

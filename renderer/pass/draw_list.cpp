@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "pass/sample_passes.h"
 #include "pass/texture_slots.h"
 #include "pass/variant.h"
 #include "pass/world_origin.h"
@@ -104,6 +105,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   if (key.unlit) return key;
   key.ambient = frame.ambient;
   key.environment = frame.environment;
+  key.environmentSamples = frame.environmentSamples;
   key.orthographic = frame.orthographic;
   key.lights = frame.lights;
   key.flatShaded = primitive.normals.empty();
@@ -231,9 +233,13 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
   frame.environment = hasEnvironment && shot.environment.intensity != 0;
   frame.orthographic = plan.camera.orthographic;
   frame.debugOutput = shot.debugOutput != DebugOutput::kNone;
-  frame.outputLinear = !frame.debugOutput && framePixelType(shot.output) == PixelType::kRgbaF32;
+  frame.outputLinear = !frame.debugOutput && (shot.linearResolve || framePixelType(shot.output) == PixelType::kRgbaF32);
   frame.shading = shot.shading;
   if (isPrincipled(shot.shading)) frame.terms = shot.terms;
+  if (frame.environment && !frame.debugOutput) {
+    const int passes = samplePassesOf(shot).count;
+    frame.environmentSamples = static_cast<std::uint16_t>((shot.environmentSamples + passes - 1) / passes);
+  }
   frame.toneMapping = frame.outputLinear ? shader::ToneMapping::kNone : shader::toneMappingByName(shot.toneMapping);
 
   const int variant = variantIndex(scene, shot.variant);

@@ -14,6 +14,8 @@
 #include "pass/frame_target.h"
 #include "pass/gpu_scene.h"
 #include "pass/ground_pass.h"
+#include "pass/linear_output.h"
+#include "pass/sample_passes.h"
 #include "pass/shadow_pass.h"
 #include "pass/surface_pass.h"
 #include "pass/transmission_target.h"
@@ -24,12 +26,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 using pass::FramePlan;
 
-/// Milliseconds of each stage, in order.
+/// Milliseconds of each stage, in order; of all its passes where there are several.
 class StageTimer {
  public:
   void lap(const char* stage) {
     const auto now = Clock::now();
-    stages_[stage] = std::chrono::duration<double, std::milli>(now - last_).count();
+    const double ms = std::chrono::duration<double, std::milli>(now - last_).count();
+    stages_[stage] = stages_.value(stage, 0.0) + ms;
     last_ = now;
   }
   const Json& json() const { return stages_; }
@@ -59,7 +62,7 @@ Json describePlan(const FramePlan& plan, const Shot& shot) {
   if (!plan.draws.transmissive.empty()) passes.push_back("transmissive");
   if (plan.ground) passes.push_back("ground");
   if (!plan.draws.blended.empty()) passes.push_back("blend");
-  if (shot.samples > 1) passes.push_back("resolve");
+  if (shot.samples > 1 || shot.linearResolve) passes.push_back("resolve");
   return {{"features", features}, {"programs", programs}, {"passes", passes}};
 }
 
@@ -86,7 +89,7 @@ class GlRenderer final : public Renderer {
     StageTimer timer;
     forgetReleasedScenes();
     checkSize(shot);
-    const FramePlan plan = pass::planDraws(*scene, shot, options_.limits, options_.allFeatures);
+    FramePlan plan = pass::planDraws(*scene, shot, options_.limits, options_.allFeatures);
     timer.lap("plan");
     pass::GpuScene& gpu = gpuSceneOf(scene);
     surfaces_.upload(plan, *scene, gpu, cancel);
@@ -96,8 +99,7 @@ class GlRenderer final : public Renderer {
     const bool wanted = shot.environment.source != Shot::Environment::Source::kNone;
     const ibl::Environment* environment = nullptr;
     if (wanted && (plan.environment || plan.environmentBackground)) {
-      environment = &environments_.get(shot.environment, environmentFile,
-                                       plan.environmentBackground && shot.background.blur == 0, cancel);
+      environment = &environments_.get(shot.environment, environmentFile, pass::environmentUses(plan, shot), cancel);
     }
     timer.lap("environment");
     shadows_.draw(plan, *scene, gpu, cancel);
@@ -106,22 +108,10 @@ class GlRenderer final : public Renderer {
       timer.lap("shadows");
     }
     shadows_.bind(plan.shadows, pass::SurfacePass::firstShadowUnit());
-    pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, cancel};
-    inputs.transmission = drawBehind(inputs);
-    inputs.samples = targetFor(shot).samples();
-    const pass::FrameTarget& target = targetFor(shot);
-    target.bind();
-    const bool debug = plan.frame.debugOutput;  // backgrounds and the ground have no shading
-    clear(debug ? glm::vec4(0) : clearColor(shot, plan.frame.outputLinear));
-    if (plan.environmentBackground && !debug) background_.draw(plan.camera, shot, *environment, plan.frame);
-    surfaces_.draw({&plan.draws.opaque, &plan.draws.transmissive}, inputs);
-    if (plan.ground && !debug) ground_.draw(plan, shot, pass::SurfacePass::firstShadowUnit());
-    surfaces_.draw({&plan.draws.blended}, inputs);
-    context_->gl().Finish();
-    timer.lap("draw");
-    Frame frame = target.read();
-    timer.lap("read");
-    info.json = describeFrame(plan, shot, environment, target.samples(), compiled, timer).dump();
+    const pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, cancel};
+    const bool accumulates = shot.linearResolve && !plan.frame.debugOutput;
+    Frame frame = accumulates ? drawAveraged(plan, inputs, timer) : drawOnce(inputs, targetFor(shot), timer);
+    info.json = describeFrame(plan, shot, environment, compiled, timer).dump();
     return frame;
   }
 
@@ -163,12 +153,57 @@ class GlRenderer final : public Renderer {
   }
 
   const pass::FrameTarget& targetFor(const Shot& shot) {
-    const PixelType type = framePixelType(shot.output);
-    if (!target_ || !target_->matches(shot.width, shot.height, shot.samples, type)) {
+    const PixelType type = shot.linearResolve ? PixelType::kRgbaF32 : framePixelType(shot.output);
+    const int samples = pass::samplePassesOf(shot).samples;
+    if (!target_ || !target_->matches(shot.width, shot.height, samples, type)) {
       target_.reset();
-      target_ = std::make_unique<pass::FrameTarget>(*context_, shot.width, shot.height, shot.samples, type);
+      target_ = std::make_unique<pass::FrameTarget>(*context_, shot.width, shot.height, samples, type);
     }
     return *target_;
+  }
+
+  /// One pass over everything that the shot shows, read back.
+  Frame drawOnce(pass::SurfaceInputs inputs, const pass::FrameTarget& target, StageTimer& timer) {
+    const FramePlan& plan = inputs.plan;
+    const Shot& shot = inputs.shot;
+    inputs.transmission = drawBehind(inputs);
+    inputs.samples = target.samples();
+    target.bind();
+    const bool debug = plan.frame.debugOutput;  // backgrounds and the ground have no shading
+    // A colour behind an average is put there at the end.
+    clear(debug || shot.linearResolve ? glm::vec4(0) : clearColor(shot, plan.frame.outputLinear));
+    if (plan.environmentBackground && !debug) background_.draw(plan.camera, shot, *inputs.environment, plan.frame);
+    surfaces_.draw({&plan.draws.opaque, &plan.draws.transmissive}, inputs);
+    if (plan.ground && !debug) ground_.draw(plan, shot, pass::SurfacePass::firstShadowUnit());
+    surfaces_.draw({&plan.draws.blended}, inputs);
+    context_->gl().Finish();
+    timer.lap("draw");
+    Frame frame = target.read();
+    timer.lap("read");
+    return frame;
+  }
+
+  /// The mean of passes that are moved by parts of a pixel, in linear light before tone mapping.
+  /// @param plan  that of the inputs: its projection is moved and put back
+  Frame drawAveraged(FramePlan& plan, pass::SurfaceInputs inputs, StageTimer& timer) {
+    const Shot& shot = inputs.shot;
+    const pass::SamplePasses passes = pass::samplePassesOf(shot);
+    const glm::dmat4 projection = plan.camera.projection;
+    std::vector<glm::vec4> sum(static_cast<std::size_t>(shot.width) * static_cast<std::size_t>(shot.height));
+    for (int i = 0; i < passes.count; ++i) {
+      inputs.samplePass = i;
+      plan.camera.projection = pass::shifted(projection, passes.shift(i), shot.width, shot.height);
+      const Frame frame = drawOnce(inputs, targetFor(shot), timer);
+      const auto* pixel = reinterpret_cast<const glm::vec4*>(frame.pixels.data());
+      for (glm::vec4& total : sum) total += *pixel++;
+    }
+    plan.camera.projection = projection;
+    for (glm::vec4& total : sum) total /= static_cast<float>(passes.count);
+    Shot exposed = shot;
+    exposed.exposure = 1;  // the passes were
+    Frame frame = pass::toFrame(sum, exposed);
+    timer.lap("resolve");
+    return frame;
   }
 
   /// The picture that transmissive surfaces look through; null where nothing transmits.
@@ -185,6 +220,7 @@ class GlRenderer final : public Renderer {
     }
     shot.exposure = 1;  // exposed once, with the surface that is looked through
     pass::SurfaceInputs inputs{frame.plan, shot, frame.scene, frame.gpu, frame.environment, frame.cancel};
+    inputs.samplePass = frame.samplePass;
     transmission_->bind();
     // Nothing is half covered with white, as in three.js 0.187; premultiplied.
     const bool color = shot.background.type == Shot::Background::Type::kColor;
@@ -215,12 +251,12 @@ class GlRenderer final : public Renderer {
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   }
 
-  Json describeFrame(const FramePlan& plan, const Shot& shot, const ibl::Environment* environment, int samples,
-                     int compiled, const StageTimer& timer) const {
+  Json describeFrame(const FramePlan& plan, const Shot& shot, const ibl::Environment* environment, int compiled,
+                     const StageTimer& timer) const {
     Json json = describePlan(plan, shot);
     json["backend"] = gl::backendName(context_->backend());
     json["gl"] = {{"vendor", context_->vendor()}, {"renderer", context_->renderer()}, {"version", context_->version()}};
-    json["samples"] = samples;
+    json["samples"] = pass::samplePassesOf(shot).count * target_->samples();
     json["drawCalls"] = plan.draws.size();
     json["programsCompiled"] = compiled;
     json["environmentSource"] = environment ? Json(environment->source) : Json(nullptr);

@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "ibl/dfg.h"
+#include "pass/sample_passes.h"
 #include "pass/shadow_pass.h"
 #include "pass/texture_slots.h"
 #include "pass/world_origin.h"
@@ -110,6 +111,42 @@ bool readsTransmission(const std::vector<DrawItem>* list) {
   return std::any_of(list->begin(), list->end(), [](const DrawItem& item) { return item.key.transmission; });
 }
 
+void setPrefilteredEnvironment(const gl::Program& program, const SurfaceInputs& in) {
+  program.set("environmentMap", static_cast<int>(ENVIRONMENT_UNIT));
+  program.set("environmentMaxLod",
+              in.environment ? static_cast<float>(ibl::maxLodOf(in.environment->prefiltered)) : 1.0f);
+  program.set("environmentRotation", environmentRotation(in.shot.environment.rotation));
+}
+
+/// This pass's directions of the bright part: those of all passes are spread evenly, and so are those of one.
+void setBrightDirections(const gl::Program& program, const SurfaceInputs& in, int count, int passes) {
+  const glm::mat3 toView =
+      glm::mat3(glm::dmat3(in.plan.camera.view)) * glm::transpose(environmentRotation(in.shot.environment.rotation));
+  const auto all = in.environment->bright.directions(count * passes);
+  std::vector<glm::vec3> directions;
+  std::vector<glm::vec4> irradiances;
+  for (auto i = static_cast<std::size_t>(in.samplePass); i < all.size(); i += static_cast<std::size_t>(passes)) {
+    directions.push_back(toView * all[i].direction);
+    irradiances.emplace_back(all[i].irradiance * static_cast<float>(passes), all[i].density);
+  }
+  program.set("brightCount", static_cast<int>(directions.size()));
+  program.set("brightDirection", directions);
+  program.set("brightIrradiance", irradiances);
+  const double energy = in.environment->bright.energy();
+  program.set("brightDensity", energy > 0 ? static_cast<float>(count * passes / energy) : 0.0f);
+}
+
+void setSampledEnvironment(const gl::Program& program, const shader::VariantKey& key, const SurfaceInputs& in) {
+  program.set("environmentSource", static_cast<int>(ENVIRONMENT_UNIT));
+  program.set("environmentSourceSize", in.environment ? static_cast<float>(in.environment->radiance.faceSize) : 1.0f);
+  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(in.plan.camera.view));
+  program.set("viewToEnvironment", environmentRotation(in.shot.environment.rotation) * glm::mat3(toWorld));
+  const int passes = samplePassesOf(in.shot).count;
+  program.set("environmentPass", in.samplePass);
+  program.set("environmentPasses", passes);
+  if (in.environment) setBrightDirections(program, in, key.brightDirections(), passes);
+}
+
 std::string labelOf(const shader::VariantKey& key) {
   std::string label = "surface";
   for (const std::string& feature : key.features()) label += " " + feature;
@@ -117,6 +154,13 @@ std::string labelOf(const shader::VariantKey& key) {
 }
 
 }  // namespace
+
+ibl::EnvironmentUses environmentUses(const FramePlan& plan, const Shot& shot) {
+  const bool blurred = plan.environmentBackground && shot.background.blur > 0;
+  const bool sampled = plan.frame.environmentSamples > 0;
+  return {(plan.environment && !sampled) || blurred, plan.environmentBackground && !blurred,
+          plan.environment && sampled};
+}
 
 SurfacePass::SurfacePass(const gl::Context& context, Limits limits)
     : context_(context), limits_(limits), dfg_(ibl::createDfgTexture(context.gl())), baker_(context) {}
@@ -200,10 +244,8 @@ const gl::Program& SurfacePass::useProgram(const shader::VariantKey& key, const 
   program.set("dfgMap", static_cast<int>(DFG_UNIT));
   if (key.environment) {
     const ibl::Environment* environment = in.environment;
-    program.set("environmentMap", static_cast<int>(ENVIRONMENT_UNIT));
-    program.set("environmentMaxLod", environment ? static_cast<float>(ibl::maxLodOf(environment->prefiltered)) : 1.0f);
     program.set("environmentIntensity", environment ? static_cast<float>(in.shot.environment.intensity) : 0.0f);
-    program.set("environmentRotation", environmentRotation(in.shot.environment.rotation));
+    key.environmentSamples > 0 ? setSampledEnvironment(program, key, in) : setPrefilteredEnvironment(program, in);
   }
   if (key.environment || key.transmission || key.lights.shadows() > 0)
     program.set("viewMatrix", glm::mat4(toOrigin(in.plan.camera.view, in.plan.origin)));
@@ -280,7 +322,9 @@ void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {
   bind(DFG_UNIT, GL_TEXTURE_2D, dfg_);
   if (in.plan.environment) {
     bind(ENVIRONMENT_UNIT, GL_TEXTURE_CUBE_MAP,
-         in.environment ? in.environment->prefiltered.texture : standIns().blackCube);
+         !in.environment                        ? standIns().blackCube
+         : in.plan.frame.environmentSamples > 0 ? in.environment->radiance.texture
+                                                : in.environment->prefiltered.texture);
   }
   if (in.plan.frame.lights.rect > 0) {
     bind(LTC_INVERSE_UNIT, GL_TEXTURE_2D, ltc_.inverse);

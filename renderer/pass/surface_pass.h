@@ -24,7 +24,11 @@ struct SurfaceInputs {
   const CancelToken& cancel;
   int samples = 1;                                   ///< of a pixel of the target
   const TransmissionTarget* transmission = nullptr;  ///< what transmissive draws look through, resolved
+  int samplePass = 0;                                ///< which pass of several over the same picture
 };
+
+/// The forms of the environment that a frame reads.
+ibl::EnvironmentUses environmentUses(const FramePlan& plan, const Shot& shot);
 
 /// Draws the model's primitives. Keeps its programs for as long as it lives.
 class SurfacePass {

@@ -38,6 +38,8 @@ Defines VariantKey::defines() const {
 #define TELAR_SHADING_DEFINE(glsl, member, ...) list.emplace_back(#glsl "_TERM", terms.member);
   TELAR_SHADING_SLOTS(TELAR_SHADING_DEFINE)
 #undef TELAR_SHADING_DEFINE
+  list.emplace_back("ENVIRONMENT_SAMPLES", environmentSamples);
+  list.emplace_back("BRIGHT_DIRECTIONS", brightDirections());
   list.emplace_back("TONE_MAPPING", static_cast<int>(toneMapping));
   return list;
 }
@@ -59,6 +61,7 @@ std::vector<std::string> VariantKey::features() const {
   count(lights.pointShadows, "point-shadow");
   count(lights.spotShadows, "spot-shadow");
   count(lights.directionalShadows, "directional-shadow");
+  count(environmentSamples, "environment-sample");
   if (toneMapping != ToneMapping::kNone) {
     list.push_back(std::string("tone-mapping-") + TONE_MAPPINGS[static_cast<std::size_t>(toneMapping)]);
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <compare>
 #include <cstdint>
 #include <string>
@@ -112,8 +113,12 @@ struct VariantKey {
 #undef TELAR_FEATURE_MEMBER
   LightCounts lights;
   ShadingModel shading = ShadingModel::kThree;
-  ShadingTerms terms;  ///< of a principled shading, else as made
+  ShadingTerms terms;                    ///< of a principled shading, else as made
+  std::uint16_t environmentSamples = 0;  ///< directions of the environment a pass; 0 = prefiltered
   ToneMapping toneMapping = ToneMapping::kNone;
+
+  /// Most directions of the environment's bright part, a pass.
+  int brightDirections() const { return std::clamp(environmentSamples / 4, 1, 32); }
 
   auto operator<=>(const VariantKey&) const = default;
 

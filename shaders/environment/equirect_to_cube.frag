@@ -15,11 +15,11 @@ void main() {
 #if SUPERSAMPLE
   vec3 dx = dFdx(direction) * 0.25;
   vec3 dy = dFdy(direction) * 0.25;
-  vec3 color = textureLod(equirectMap, equirectUv(normalize(direction - dx - dy)), 0.0).rgb;
-  color += textureLod(equirectMap, equirectUv(normalize(direction + dx - dy)), 0.0).rgb;
-  color += textureLod(equirectMap, equirectUv(normalize(direction - dx + dy)), 0.0).rgb;
-  color += textureLod(equirectMap, equirectUv(normalize(direction + dx + dy)), 0.0).rgb;
-  fragmentColor = vec4(color * 0.25, 1.0);
+  vec4 color = textureLod(equirectMap, equirectUv(normalize(direction - dx - dy)), 0.0);
+  color += textureLod(equirectMap, equirectUv(normalize(direction + dx - dy)), 0.0);
+  color += textureLod(equirectMap, equirectUv(normalize(direction - dx + dy)), 0.0);
+  color += textureLod(equirectMap, equirectUv(normalize(direction + dx + dy)), 0.0);
+  fragmentColor = color * 0.25;
 #else
   fragmentColor = vec4(texture(equirectMap, equirectUv(direction)).rgb, 1.0);
 #endif

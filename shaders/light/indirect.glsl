@@ -16,8 +16,11 @@ uniform mat3 environmentRotation;         // world to environment
 #if ENVIRONMENT || TRANSMISSION
 uniform mat4 viewMatrix;
 #endif
+#if ENVIRONMENT && ENVIRONMENT_SAMPLES > 0
+#include "light/sampled_environment.glsl"
+#endif
 
-#if ENVIRONMENT
+#if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
 // Environment in a view-space direction, prefiltered.
 vec3 environmentRadiance(vec3 direction, float lod) {
   vec3 world = normalize(vec3(vec4(direction, 0.0) * viewMatrix));
@@ -52,7 +55,7 @@ vec3 irradianceBehind(vec3 n) {
 #if AMBIENT || HEMISPHERE_LIGHTS > 0
   irradiance += domeIrradiance(-n);
 #endif
-#if ENVIRONMENT
+#if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
   irradiance += PI * environmentRadiance(-n, environmentMaxLod);
 #endif
   return irradiance;
@@ -71,7 +74,7 @@ Incident incidentLight(SurfaceInfo s) {
 #if DIFFUSE_TRANSMISSION
   incident.behind = irradianceBehind(s.n);
 #endif
-#if ENVIRONMENT
+#if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
   incident.environmentIrradiance = PI * environmentRadiance(s.n, environmentMaxLod);
 #if ANISOTROPY || WEAVE
   vec3 reflector = bentNormal(s.perceptualRoughness, s.anisotropyStrength, s.n, s.b, s.v);
@@ -91,7 +94,9 @@ Reflected indirectLight(SurfaceInfo s, Incident incident) {
 #if AMBIENT || HEMISPHERE_LIGHTS > 0
   sum = addDome(sum, s, incident.irradiance);
 #endif
-#if ENVIRONMENT
+#if ENVIRONMENT && ENVIRONMENT_SAMPLES > 0
+  sum = addSampledEnvironment(sum, s);
+#elif ENVIRONMENT
   sum = addEnvironment(sum, s, incident);
 #endif
 #if DIFFUSE_TRANSMISSION

@@ -2,6 +2,7 @@
 
 #include "brdf/area_terms.h"
 #include "brdf/cloth_terms.h"
+#include "brdf/importance_terms.h"
 #include "brdf/term_rows.h"
 #include "brdf/transmission_terms.h"
 
@@ -156,8 +157,8 @@ std::vector<Term> displayTerms() {
 const std::vector<Term>& terms() {
   static const std::vector<Term> all = [] {
     std::vector<Term> list = algebraTerms();
-    for (auto part : {surfaceTerms(), layerTerms(), transmissionTerms(), lightTerms(), areaTerms(), displayTerms(),
-                      thesisTerms(), clothTerms()})
+    for (auto part : {surfaceTerms(), layerTerms(), transmissionTerms(), lightTerms(), areaTerms(), importanceTerms(),
+                      displayTerms(), thesisTerms(), clothTerms()})
       list.insert(list.end(), part.begin(), part.end());
     return list;
   }();

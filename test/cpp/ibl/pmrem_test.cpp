@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/read_file.h"
 #include "ibl/environment_cache.h"
 #include "ibl/pmrem_file.h"
 #include "ibl/prefilter.h"
@@ -111,7 +112,7 @@ TEST(EnvironmentCache, AFileThatCannotBeReadIsNamedWithTheCause) {
     wanted.source = Shot::Environment::Source::kPath;
     wanted.path = (folder / name).string();
     try {
-      cache.get(wanted, {}, false, {});
+      cache.get(wanted, {}, {.prefiltered = true}, {});
     } catch (const Error& error) {
       EXPECT_EQ(error.pointer, "/environment/map");
       EXPECT_EQ(std::string(error.what()).find(folder.string()), std::string::npos) << "names a server path";
@@ -141,11 +142,11 @@ TEST(EnvironmentCache, KeepsAPrefilteredCubeOnDiskByContent) {
   wanted.source = Shot::Environment::Source::kBytes;
   {
     EnvironmentCache cache(*context, "", folder, Limits{});
-    EXPECT_EQ(cache.get(wanted, bytes, false, CancelToken()).source, "prefiltered");
-    EXPECT_EQ(cache.get(wanted, bytes, false, CancelToken()).source, "gpu");
+    EXPECT_EQ(cache.get(wanted, bytes, {.prefiltered = true}, CancelToken()).source, "prefiltered");
+    EXPECT_EQ(cache.get(wanted, bytes, {.prefiltered = true}, CancelToken()).source, "gpu");
   }
   EnvironmentCache again(*context, "", folder, Limits{});
-  EXPECT_EQ(again.get(wanted, bytes, true, CancelToken()).source, "disk");
+  EXPECT_EQ(again.get(wanted, bytes, {.prefiltered = true, .background = true}, CancelToken()).source, "disk");
   std::filesystem::remove_all(folder);
 }
 

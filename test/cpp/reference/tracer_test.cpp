@@ -162,12 +162,12 @@ INSTANTIATE_TEST_SUITE_P(Every, ShadingTracer,
                          testing::Values(ShadingModel::kThree, ShadingModel::kThreeR115, ShadingModel::kDisney2012,
                                          ShadingModel::kFabric));
 
-TEST(Tracer, StandardErrorFallsWithTheRootOfTheSamples) {
+TEST(Tracer, StandardErrorFallsAtLeastWithTheRootOfTheSamples) {
   const ImageF map = sky();
   const Scene scene = plane(cloth(0.5f));
   const double few = spreadOf(traced(scene, shotOf(48), &map, {.samples = 4}));
   const double many = spreadOf(traced(scene, shotOf(48), &map, {.samples = 64}));
-  EXPECT_NEAR(few / many, 4, 0.4);
+  EXPECT_GT(few / many, 3.6);
 }
 
 TEST(Tracer, TheSeedGivesTheBytesWithAnyNumberOfThreads) {

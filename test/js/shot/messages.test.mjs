@@ -200,9 +200,8 @@ test('exact messages', () => {
 
 /** [shot, what is refused, what stands instead, pointer] */
 const UNAVAILABLE = [
-  [{ quality: 'high' }, 'shot.quality: "high"', 'use "standard", the best of the raster, or "reference"', '/quality'],
   ...['maxError', 'budgetMs'].map((key) =>
-    [{ quality: { [key]: 1 } }, `shot.quality.${key}: a quality by ${key}`, 'use {samples: 1} or {samples: 4}', `/quality/${key}`]),
+    [{ quality: { [key]: 1 } }, `shot.quality.${key}: a quality by ${key}`, 'use {samples, environmentSamples}', `/quality/${key}`]),
   [{ lights: [{ type: 'disk' }] }, 'shot.lights[0].type: "disk"',
     'use "rect", a square of the same area: width = height = 1.772 radius (three.js has no disk either)', '/lights/0/type'],
   ...['depth', 'normal', 'partId', 'ao', 'albedo', 'line', 'shadow'].map((layer) =>

@@ -46,6 +46,7 @@ const SHOTS = [
   { quality: 'draft' },
   { quality: { samples: 1 } },
   { quality: { preset: 'standard' } },
+  { quality: 'high' },
   { quality: { samples: 64, environmentSamples: 32 } },
   { quality: 'reference' },
   { quality: { preset: 'reference', samples: 16, seed: 7, transport: 'direct', threads: 2 } },

@@ -1,0 +1,46 @@
+// Directions drawn where a lobe reflects, and how densely they lie. In the frame of the lobe: z is the normal; directions are
+// unit and point away from the surface; densities are per steradian. Shared text: see README.md.
+
+// Two axes that are square with unit n: columns x, y, n.
+// src: Duff et al. 2017, "Building an Orthonormal Basis, Revisited", JCGT 6(1)
+mat3 basisAbout(vec3 n) {
+  float side = n.z < 0.0 ? -1.0 : 1.0;
+  float a = -1.0 / (side + n.z);
+  float b = n.x * n.y * a;
+  return mat3(vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3(b, side + n.y * n.y * a, -n.y), n);
+}
+
+// u  [0, 1)^2
+vec3 sampleCosine(vec2 u) {
+  float radius = sqrt(u.x);
+  float phi = 2.0 * PI * u.y;
+  return vec3(radius * cos(phi), radius * sin(phi), sqrt(max(1.0 - u.x, 0.0)));
+}
+
+// Density of sampleCosine, 0 below the horizon.
+float pdfCosine(float NoL) {
+  return max(NoL, 0.0) * RECIPROCAL_PI;
+}
+
+// Microfacet normal of a GGX surface among those that v sees.
+// v  z > 0      alpha  widths along x and y, (0, 1]      u  [0, 1)^2
+// src: Dupuy & Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps"
+vec3 sampleVisibleNormal(vec3 v, vec2 alpha, vec2 u) {
+  vec3 stretched = normalize(vec3(alpha.x * v.x, alpha.y * v.y, v.z));
+  float z = (1.0 - u.y) * (1.0 + stretched.z) - stretched.z;
+  float radius = sqrt(max(1.0 - z * z, 0.0));
+  float phi = 2.0 * PI * u.x;
+  vec3 h = vec3(radius * cos(phi), radius * sin(phi), z) + stretched;
+  return normalize(vec3(alpha.x * h.x, alpha.y * h.y, max(h.z, 1.0e-9)));
+}
+
+// Density of v reflected about sampleVisibleNormal(v). Over the whole sphere of l it integrates to 1.
+// src: Heitz 2018, "Sampling the GGX Distribution of Visible Normals", JCGT 7(4), eq. 17
+float pdfReflection(vec3 v, vec3 l, vec2 alpha) {
+  vec3 h = safeNormalize(v + l, vec3(0.0, 0.0, -1.0));
+  vec3 wide = vec3(h.x / alpha.x, h.y / alpha.y, h.z);
+  float k = dot(wide, wide);
+  float distribution = RECIPROCAL_PI / (alpha.x * alpha.y * k * k);
+  vec3 seen = vec3(alpha.x * v.x, alpha.y * v.y, v.z);
+  return v.z > 0.0 && h.z > 0.0 ? distribution / (2.0 * (v.z + length(seen))) : 0.0;
+}

@@ -1,0 +1,187 @@
+// Light of the environment by sampling the material itself: directions are drawn where its lobes reflect, and the environment
+// is read as blurred as they lie apart, so that there is no noise. All lobes are drawn from together, and every direction
+// counts for what all of them reflect of it. View space.
+// src: Krivanek & Colbert 2008, "Real-time Shading with Filtered Importance Sampling"; Veach 1997, "Robust Monte Carlo Methods
+//      for Light Transport Simulation", section 9.2: the lobes by the balance heuristic, the bright part by the power heuristic
+uniform samplerCube environmentSource;     // RGB radiance, A luminance of its bright part; a texel of a level is the mean of
+                                           // those of the level before
+uniform float environmentSourceSize;       // texels on an edge of level 0
+uniform mat3 viewToEnvironment;
+uniform int environmentPass;               // of environmentPasses over the picture, each with directions of its own
+uniform int environmentPasses;
+// Directions of the bright part, drawn in proportion to it (renderer/ibl/bright_directions.h).
+uniform int brightCount;                             // of this pass, up to BRIGHT_DIRECTIONS
+uniform vec3 brightDirection[BRIGHT_DIRECTIONS];     // view space
+uniform vec4 brightIrradiance[BRIGHT_DIRECTIONS];    // A = their density there in all passes, per steradian
+uniform float brightDensity;                         // the same for a luminance of 1
+
+const vec3 LUMINANCE = vec3(0.2126, 0.7152, 0.0722);  // of linear Rec.709
+
+// Least part of the directions that a lobe gets: what the estimate of its albedo misses is still found.
+const float LEAST_SHARE = 0.25;
+
+// One GGX lobe to draw from.
+struct DrawnLobe {
+  mat3 frame;  // columns x, y, normal
+  vec3 v;      // to the viewer, in the frame
+  vec2 alpha;
+};
+
+// What a surface is drawn from: shares sum to 1.
+struct DrawnLobes {
+  mat3 cosineFrame;
+  DrawnLobe base;
+  float baseShare;
+  float behindShare;  // of a cosine lobe on the other side
+#if CLEARCOAT
+  DrawnLobe coat;
+  float coatShare;
+#endif
+};
+
+// t  along x where the lobe is stretched; need not be square with n
+DrawnLobe drawnLobe(vec3 n, vec3 t, vec2 alpha, vec3 v) {
+  DrawnLobe lobe;
+  vec3 across = t - n * dot(n, t);
+  vec3 x = dot(across, across) > SQUARED_LENGTH_EPSILON ? normalize(across) : basisAbout(n)[0];
+  lobe.frame = mat3(x, cross(n, x), n);
+  lobe.v = v * lobe.frame;
+  lobe.v.z = max(lobe.v.z, 1.0e-4);
+  lobe.alpha = alpha;
+  return lobe;
+}
+
+DrawnLobes drawnLobes(SurfaceInfo s) {
+  DrawnLobes lobes;
+  lobes.cosineFrame = basisAbout(s.n);
+#if ANISOTROPY || WEAVE
+  lobes.base = drawnLobe(s.n, s.t, vec2(max(s.alphaT, s.alpha), s.alpha), s.v);
+#else
+  lobes.base = drawnLobe(s.n, lobes.cosineFrame[0], vec2(s.alpha), s.v);
+#endif
+  float diffuse = max3(s.diffuse);
+#if SHEEN
+  diffuse += max3(s.sheenColor);
+#endif
+  lobes.behindShare = 0.0;
+#if DIFFUSE_TRANSMISSION
+  lobes.behindShare = s.diffuseTransmission * (1.0 - 2.0 * LEAST_SHARE);
+#endif
+  float specular = max3(s.f0) * s.dfg.x + s.f90 * s.dfg.y;
+  lobes.baseShare = clamp(specular / (specular + diffuse + 1.0e-4), LEAST_SHARE, 1.0 - LEAST_SHARE) * (1.0 - lobes.behindShare);
+#if CLEARCOAT
+  lobes.coat = drawnLobe(s.coatNormal, basisAbout(s.coatNormal)[0], vec2(alphaFromRoughness(s.clearcoatRoughness)), s.v);
+  lobes.coatShare = s.clearcoat * LEAST_SHARE;
+  lobes.baseShare *= 1.0 - lobes.coatShare;
+  lobes.behindShare *= 1.0 - lobes.coatShare;
+#endif
+  return lobes;
+}
+
+vec3 drawnReflection(DrawnLobe lobe, vec2 u) {
+  vec3 h = sampleVisibleNormal(lobe.v, lobe.alpha, u);
+  return lobe.frame * (2.0 * dot(lobe.v, h) * h - lobe.v);
+}
+
+// u  [0, 1)^2; its x chooses the lobe
+vec3 drawnDirection(DrawnLobes lobes, vec2 u) {
+  if (u.x < lobes.baseShare) return drawnReflection(lobes.base, vec2(u.x / lobes.baseShare, u.y));
+  u.x -= lobes.baseShare;
+  float left = 1.0 - lobes.baseShare;
+#if CLEARCOAT
+  if (u.x < lobes.coatShare) return drawnReflection(lobes.coat, vec2(u.x / lobes.coatShare, u.y));
+  u.x -= lobes.coatShare;
+  left -= lobes.coatShare;
+#endif
+#if DIFFUSE_TRANSMISSION
+  if (u.x < lobes.behindShare) return -(lobes.cosineFrame * sampleCosine(vec2(u.x / lobes.behindShare, u.y)));
+  u.x -= lobes.behindShare;
+  left -= lobes.behindShare;
+#endif
+  return lobes.cosineFrame * sampleCosine(vec2(u.x / left, u.y));
+}
+
+// Density of drawnDirection.
+float drawnDensity(DrawnLobes lobes, vec3 l) {
+  float left = 1.0 - lobes.baseShare;
+  float sum = lobes.baseShare * pdfReflection(lobes.base.v, l * lobes.base.frame, lobes.base.alpha);
+#if CLEARCOAT
+  left -= lobes.coatShare;
+  sum += lobes.coatShare * pdfReflection(lobes.coat.v, l * lobes.coat.frame, lobes.coat.alpha);
+#endif
+#if DIFFUSE_TRANSMISSION
+  left -= lobes.behindShare;
+  sum += lobes.behindShare * pdfCosine(-dot(lobes.cosineFrame[2], l));
+#endif
+  return sum + left * pdfCosine(dot(lobes.cosineFrame[2], l));
+}
+
+// Sobol's points, [0, 1)^2: any aligned block of 2^k of them has one in every cell of any division into 2^k cells. So a
+// pass fills the square evenly, and the passes together more finely.
+vec2 sobolPoint(uint index) {
+  uint x = 0u;
+  uint y = 0u;
+  uint inverse = 0x80000000u;
+  uint direction = 0x80000000u;
+  for (; index != 0u; index >>= 1u) {
+    uint chosen = 0u - (index & 1u);
+    x ^= inverse & chosen;
+    y ^= direction & chosen;
+    inverse >>= 1u;
+    direction ^= direction >> 1u;
+  }
+  return vec2(uvec2(x, y) >> 8u) * 5.9604645e-8;
+}
+
+// Moves the points of a pixel against those of its neighbours, [0, 1)^2: what a few points miss is then spread over the
+// pixels about, where it averages out, in place of bands.
+// src: Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", interleaved gradient noise; Roberts
+//      2018, "The Unreasonable Effectiveness of Quasirandom Sequences", R2 by pixel
+vec2 pixelShift() {
+  return vec2(fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))),
+              fract(dot(gl_FragCoord.xy, vec2(0.7548776662, 0.5698402910))));
+}
+
+// Mean radiance, and luminance of the bright part, over a solid angle about a direction.
+vec4 environmentMean(vec3 direction, float solidAngle) {
+  vec3 d = viewToEnvironment * direction;
+  vec3 size = abs(d);
+  float nearest = max(max(size.x, size.y), size.z);
+  // A texel of a cube's face covers 4 cos^3 / size^2. Less is taken together than lies between two directions: what is left of
+  // the grain is finer than the blur would be wrong.
+  float texels = 0.125 * solidAngle * environmentSourceSize * environmentSourceSize / (4.0 * nearest * nearest * nearest);
+  return textureLod(environmentSource, d, 0.5 * log2(max(texels, 1.0)));
+}
+
+// Part that the first of two ways of drawing a direction counts for. The power makes little of the way that is seldom right:
+// what is read of a small sun is blurred by as much as the directions of a wide lobe lie apart.
+// own, other  densities, >= 0
+float powerWeight(float own, float other) {
+  float ratio = other / max(own, 1.0e-30);
+  return 1.0 / (1.0 + ratio * ratio);
+}
+
+Reflected addSampledEnvironment(Reflected sum, SurfaceInfo s) {
+  DrawnLobes lobes = drawnLobes(s);
+  float count = float(ENVIRONMENT_SAMPLES);
+  float all = count * float(environmentPasses);
+  vec2 shift = pixelShift();
+  for (int i = 0; i < ENVIRONMENT_SAMPLES; ++i) {
+    vec2 u = fract(sobolPoint(uint(environmentPass * ENVIRONMENT_SAMPLES + i)) + shift);
+    vec3 l = drawnDirection(lobes, u);
+    float density = drawnDensity(lobes, l);
+    if (density > 0.0) {
+      vec4 light = environmentMean(l, 1.0 / (density * all));
+      // The bright part counts for what it is not drawn by itself.
+      float bright = min(light.a / max(dot(vec3(light), LUMINANCE), 1.0e-30), 1.0);
+      float rest = 1.0 - bright * powerWeight(brightDensity * light.a, density * all);
+      sum = addPunctual(sum, s, l, vec3(light) * (rest * environmentIntensity / (density * count)));
+    }
+  }
+  for (int i = 0; i < brightCount; ++i) {
+    vec3 l = brightDirection[i];
+    float share = powerWeight(brightIrradiance[i].a, drawnDensity(lobes, l) * all);
+    sum = addPunctual(sum, s, l, vec3(brightIrradiance[i]) * (share * environmentIntensity));
+  }
+  return sum;
+}
