@@ -30,7 +30,7 @@ precision highp samplerCube;
 #if ENVIRONMENT_SAMPLES > 0
 #include "brdf/importance.glsl"
 #endif
-#if RECT_LIGHTS > 0
+#if RECT_LIGHTS + DISK_LIGHTS > 0
 #include "brdf/area.glsl"
 #endif
 #if SHEEN && !SHADING_FABRIC
@@ -131,7 +131,7 @@ void main() {
 #else
   Reflected direct = nothingReflected();
 #endif
-#if RECT_LIGHTS > 0
+#if RECT_LIGHTS + DISK_LIGHTS > 0
   direct = addRectLight(direct, s);
 #endif
   vec3 diffuse = direct.diffuse + indirect.diffuse;

@@ -6,7 +6,6 @@ import { TelarError } from '../error/index.mjs';
  */
 const VALUES = {
   layers: [['depth', 'normal', 'partId', 'ao', 'albedo', 'line', 'shadow'], 'use "beauty"'],
-  lightType: [['disk'], 'use "rect", a square of the same area: width = height = 1.772 radius (three.js has no disk either)'],
 };
 const QUALITIES = ['maxError', 'budgetMs'];
 const SAMPLES = 'use {samples, environmentSamples}';
@@ -35,8 +34,4 @@ export function refuseUnavailable(shot) {
     }
   }
   if (Array.isArray(shot.layers)) shot.layers.forEach((layer, i) => refuseValue(['layers', i], layer, VALUES.layers));
-  if (!Array.isArray(shot.lights)) return;
-  shot.lights.forEach((light, i) => {
-    refuseValue(['lights', i, 'type'], light?.type, VALUES.lightType);
-  });
 }

@@ -154,6 +154,7 @@ mat3 ltcFrame(vec3 n, vec3 v);
 vec3 ltcEdge(vec3 a, vec3 b);
 Real ltcAboveHorizon(vec3 f);
 Real ltcRectangle(mat3 toLobe, vec3 a, vec3 b, vec3 c, vec3 d);
+Real ltcDisk(mat3 toLobe, vec3 centre, vec3 x, vec3 y);
 vec3 ltcAlbedo(vec3 f0, Real f90, vec2 scaleAndBias);
 
 Real diffuseOcclusion(Real texel, Real strength);

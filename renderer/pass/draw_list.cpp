@@ -134,7 +134,7 @@ void forceAllFeatures(shader::VariantKey& key) {
 /// @throws Error{L_TEXTURE_UNITS}
 void checkTextureUnits(const shader::VariantKey& key, const ShadowSet& shadows, const Limits& limits) {
   if (key.unlit || shadows.empty()) return;
-  const std::size_t areaTables = key.lights.rect > 0 ? 2 : 0;
+  const std::size_t areaTables = key.lights.area() > 0 ? 2 : 0;
   std::size_t units = 1 + key.environment + key.transmission + areaTables + shadows.flat.size() + shadows.cube.size();
   for (const TextureSlot& slot : TEXTURE_SLOTS) units += key.*slot.map;
   checkLimit("L_TEXTURE_UNITS", static_cast<double>(limits.textureUnits), static_cast<double>(units), "/lights");

@@ -52,6 +52,14 @@ void addRect(LightSet& set, const Camera& camera, const glm::vec3& color, const 
   set.rectColor.push_back(color);
 }
 
+void addDisk(LightSet& set, const Camera& camera, const glm::vec3& color, const Shot::Light& light) {
+  const glm::dmat3 axes = glm::dmat3(camera.view) * lookAtAxes(light.position, light.target, {0, 1, 0});
+  set.diskPosition.push_back(toView(camera, light.position));
+  set.diskX.emplace_back(axes[0] * light.radius);
+  set.diskY.emplace_back(axes[1] * light.radius);
+  set.diskColor.push_back(color);
+}
+
 void addShotLight(LightSet& set, const Camera& camera, const Shot::Light& light) {
   const glm::vec3 color = bounded(glm::dvec3(light.color) * light.intensity);
   const glm::vec3 ground = bounded(glm::dvec3(light.groundColor) * light.intensity);
@@ -80,6 +88,7 @@ void addShotLight(LightSet& set, const Camera& camera, const Shot::Light& light)
       addRect(set, camera, color, light);
       break;
     case Shot::Light::Type::kDisk:
+      addDisk(set, camera, color, light);
       break;
   }
 }
@@ -118,6 +127,7 @@ void LightSet::describe(shader::VariantKey& key) const {
   key.lights.spot = static_cast<std::uint8_t>(spotPosition.size());
   key.lights.directional = static_cast<std::uint8_t>(directionalDirection.size());
   key.lights.rect = static_cast<std::uint8_t>(rectPosition.size());
+  key.lights.disk = static_cast<std::uint8_t>(diskPosition.size());
 }
 
 void LightSet::pad(std::size_t count) {
@@ -163,6 +173,10 @@ void LightSet::upload(const gl::Program& program) const {
   program.set("rectHalfWidth", rectHalfWidth);
   program.set("rectHalfHeight", rectHalfHeight);
   program.set("rectColor", rectColor);
+  program.set("diskPosition", diskPosition);
+  program.set("diskX", diskX);
+  program.set("diskY", diskY);
+  program.set("diskColor", diskColor);
 }
 
 LightSet collectLights(const Scene& scene, const Shot& shot, const Camera& camera, const Limits& limits) {

@@ -24,6 +24,7 @@ struct LightSet {
   std::vector<float> spotRange, spotOuterCos, spotInnerCos;
   std::vector<glm::vec3> directionalDirection, directionalColor;
   std::vector<glm::vec3> rectPosition, rectHalfWidth, rectHalfHeight, rectColor;
+  std::vector<glm::vec3> diskPosition, diskX, diskY, diskColor;
 
   /// Writes the light counts into a key.
   void describe(shader::VariantKey& key) const;

@@ -314,7 +314,7 @@ void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {
   // Before the others, and not over a shadow map: making a texture binds it.
   gl.ActiveTexture(GL_TEXTURE0);
   if ((in.plan.environment && !in.environment) || (transmission && !in.transmission)) standIns();
-  if (in.plan.frame.lights.rect > 0 && !ltc_) ltc_ = createLtcTextures(context_);
+  if (in.plan.frame.lights.area() > 0 && !ltc_) ltc_ = createLtcTextures(context_);
   const auto bind = [&gl](GLuint unit, GLenum target, const gl::Texture& texture) {
     gl.ActiveTexture(GL_TEXTURE0 + unit);
     gl.BindTexture(target, texture.get());
@@ -326,7 +326,7 @@ void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {
          : in.plan.frame.environmentSamples > 0 ? in.environment->radiance.texture
                                                 : in.environment->prefiltered.texture);
   }
-  if (in.plan.frame.lights.rect > 0) {
+  if (in.plan.frame.lights.area() > 0) {
     bind(LTC_INVERSE_UNIT, GL_TEXTURE_2D, ltc_.inverse);
     bind(LTC_ALBEDO_UNIT, GL_TEXTURE_2D, ltc_.albedo);
   }

@@ -28,6 +28,7 @@ Defines VariantKey::defines() const {
   list.emplace_back("DIRECTIONAL_LIGHTS", lights.directional);
   list.emplace_back("HEMISPHERE_LIGHTS", lights.hemisphere);
   list.emplace_back("RECT_LIGHTS", lights.rect);
+  list.emplace_back("DISK_LIGHTS", lights.disk);
   list.emplace_back("CUBE_SHADOWS", lights.pointShadows);
   list.emplace_back("SPOT_SHADOWS", lights.spotShadows);
   list.emplace_back("FLAT_SHADOWS", lights.spotShadows + lights.directionalShadows);
@@ -58,6 +59,7 @@ std::vector<std::string> VariantKey::features() const {
   count(lights.directional, "directional-light");
   count(lights.hemisphere, "hemisphere-light");
   count(lights.rect, "rect-light");
+  count(lights.disk, "disk-light");
   count(lights.pointShadows, "point-shadow");
   count(lights.spotShadows, "spot-shadow");
   count(lights.directionalShadows, "directional-shadow");

@@ -98,9 +98,10 @@ ToneMapping toneMappingByName(const std::string& name);
 
 /// The lights that lit surfaces of a frame see, by kind.
 struct LightCounts {
-  std::uint8_t point = 0, spot = 0, directional = 0, hemisphere = 0, rect = 0;
+  std::uint8_t point = 0, spot = 0, directional = 0, hemisphere = 0, rect = 0, disk = 0;
   std::uint8_t pointShadows = 0, spotShadows = 0, directionalShadows = 0;  ///< the first lights of each kind cast one
 
+  int area() const { return rect + disk; }
   int shadows() const { return pointShadows + spotShadows + directionalShadows; }
 
   auto operator<=>(const LightCounts&) const = default;

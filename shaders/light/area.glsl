@@ -1,9 +1,17 @@
-// Light from rectangles, by linearly transformed cosines. View space; colours are linear Rec.709 times intensity (nit).
+// Light from rectangles and disks, by linearly transformed cosines. View space; colours are linear Rec.709 times intensity (nit).
+#if RECT_LIGHTS + DISK_LIGHTS > 0
 #if RECT_LIGHTS > 0
 uniform vec3 rectPosition[RECT_LIGHTS];    // centres
 uniform vec3 rectHalfWidth[RECT_LIGHTS];   // from the centre to the middle of an edge
 uniform vec3 rectHalfHeight[RECT_LIGHTS];  // it shines towards cross(rectHalfHeight, rectHalfWidth)
 uniform vec3 rectColor[RECT_LIGHTS];
+#endif
+#if DISK_LIGHTS > 0
+uniform vec3 diskPosition[DISK_LIGHTS];  // centres
+uniform vec3 diskX[DISK_LIGHTS];         // from the centre to the rim
+uniform vec3 diskY[DISK_LIGHTS];         // square with it; the disk shines towards cross(diskY, diskX)
+uniform vec3 diskColor[DISK_LIGHTS];
+#endif
 uniform sampler2D ltcInverseMap;  // RGBA = the entries that ltcInverse takes; for both see ltcCoordinates
 uniform sampler2D ltcAlbedoMap;   // RG = scale and bias of f0
 
@@ -26,7 +34,7 @@ LtcLobe sheenLobe(mat3 frame, SurfaceInfo s) {
 }
 #endif
 
-// As in three.js, rectangles have no part in iridescence, anisotropy and rough diffuse; sheen sees them on cloth and in the
+// As with three.js's rectangles, they have no part in iridescence, anisotropy and rough diffuse; sheen sees them on cloth and in the
 // principled shadings.
 Reflected addRectLight(Reflected sum, SurfaceInfo s) {
   mat3 frame = ltcFrame(s.n, s.v);
@@ -56,6 +64,7 @@ Reflected addRectLight(Reflected sum, SurfaceInfo s) {
 #endif
 #endif
   vec3 p = -vViewPosition;
+#if RECT_LIGHTS > 0
   for (int i = 0; i < RECT_LIGHTS; ++i) {
     vec3 a = rectPosition[i] + rectHalfWidth[i] - rectHalfHeight[i];
     vec3 b = rectPosition[i] - rectHalfWidth[i] - rectHalfHeight[i];
@@ -79,6 +88,25 @@ Reflected addRectLight(Reflected sum, SurfaceInfo s) {
     sum.coat += rectColor[i] * coat.albedo * ltcRectangle(coat.toLobe, a, b, c, d);
 #endif
   }
+#endif
+#if DISK_LIGHTS > 0
+  for (int i = 0; i < DISK_LIGHTS; ++i) {
+    vec3 centre = diskPosition[i] - p;
+    if (dot(cross(diskY[i], diskX[i]), centre) > 0.0) continue;  // behind it
+    sum.specular += diskColor[i] * base.albedo * ltcDisk(base.toLobe, centre, diskX[i], diskY[i]);
+#if SHADING_FABRIC && SHEEN
+    sum.sheen += diskColor[i] * sheen.albedo * ltcDisk(sheen.toLobe, centre, diskX[i], diskY[i]);
+#endif
+    float cosineOfDisk = ltcDisk(frame, centre, diskX[i], diskY[i]);
+    sum.diffuse += diskColor[i] * spread * cosineOfDisk;
+#if SHADING_PRINCIPLED && SHEEN
+    sum.sheen += diskColor[i] * fuzz * cosineOfDisk;
+#endif
+#if CLEARCOAT
+    sum.coat += diskColor[i] * coat.albedo * ltcDisk(coat.toLobe, centre, diskX[i], diskY[i]);
+#endif
+  }
+#endif
   return sum;
 }
 #endif

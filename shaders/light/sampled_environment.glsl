@@ -67,7 +67,7 @@ DrawnLobes drawnLobes(SurfaceInfo s) {
 #if DIFFUSE_TRANSMISSION
   lobes.behindShare = s.diffuseTransmission * (1.0 - 2.0 * LEAST_SHARE);
 #endif
-  float specular = max3(s.f0) * s.dfg.x + s.f90 * s.dfg.y;
+  float specular = max3(F_Schlick(s.f0, s.f90, s.NoV));
   lobes.baseShare = clamp(specular / (specular + diffuse + 1.0e-4), LEAST_SHARE, 1.0 - LEAST_SHARE) * (1.0 - lobes.behindShare);
 #if CLEARCOAT
   lobes.coat = drawnLobe(s.coatNormal, basisAbout(s.coatNormal)[0], vec2(alphaFromRoughness(s.clearcoatRoughness)), s.v);

@@ -35,6 +35,11 @@ std::vector<Term> areaTerms() {
                                  ltcFrame(vec3(0.0, 0.0, 1.0), normalize(vec3(p[4], p[5], 0.7))),
                              vec3(p[6] + p[9], p[7] - p[10], p[8]), vec3(p[6] - p[9], p[7] - p[10], p[8]),
                              vec3(p[6] - p[9], p[7] + p[10], p[8]), vec3(p[6] + p[9], p[7] + p[10], p[8])))),
+      TERM("ltcDisk", ({FIT, SKEW, SKEW, FIT, SLANT, SLANT, DIRECTION, DIRECTION, OVERHEAD, HALF_EDGE}), OF_RECTANGLE,
+           true,
+           vec3(ltcDisk(ltcInverse(vec4(p[0], p[1], p[2], p[3])) *
+                            ltcFrame(vec3(0.0, 0.0, 1.0), normalize(vec3(p[4], p[5], 0.7))),
+                        vec3(p[6], p[7], p[8]), vec3(p[9], 0.0, 0.0), vec3(0.0, p[9], 0.0)))),
       TERM("ltcAlbedo", ({UNIT, UNIT, UNIT, UNIT, UNIT, UNIT}), OF_ONE, false,
            ltcAlbedo(vec3(p[0], p[1], p[2]), p[3], vec2(p[4], p[5]))),
   };

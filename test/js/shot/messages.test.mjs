@@ -202,8 +202,6 @@ test('exact messages', () => {
 const UNAVAILABLE = [
   ...['maxError', 'budgetMs'].map((key) =>
     [{ quality: { [key]: 1 } }, `shot.quality.${key}: a quality by ${key}`, 'use {samples, environmentSamples}', `/quality/${key}`]),
-  [{ lights: [{ type: 'disk' }] }, 'shot.lights[0].type: "disk"',
-    'use "rect", a square of the same area: width = height = 1.772 radius (three.js has no disk either)', '/lights/0/type'],
   ...['depth', 'normal', 'partId', 'ao', 'albedo', 'line', 'shadow'].map((layer) =>
     [{ layers: ['beauty', layer] }, `shot.layers[1]: "${layer}"`, 'use "beauty"', '/layers/1']),
 ];

@@ -27,7 +27,7 @@ const SHOTS = [
   { environment: 'none' },
   { environment: { map: 'maps/loft.hdr', intensity: 0.5, rotation: -90 } },
   { environment: new Uint8Array([1, 2, 3]) },
-  { lights: ['ambient', 'hemisphere', 'directional', 'point', 'spot', 'rect'].map((type) => ({ type })) },
+  { lights: ['ambient', 'hemisphere', 'directional', 'point', 'spot', 'rect', 'disk'].map((type) => ({ type })) },
   { lights: [{ type: 'spot', color: 'tomato', intensity: 3, position: [1, 2, 3], target: [0, 1, 0], range: 9, angle: 0.3, penumbra: 1 }] },
   { lights: [{ type: 'hemisphere', color: [1, 2, 3], groundColor: '#123' }], modelLights: false },
   { lights: ['directional', 'point', 'spot'].map((type) => ({ type, position: [1, 3, 2], castShadow: true })) },
