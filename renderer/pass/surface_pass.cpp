@@ -235,7 +235,11 @@ const gl::Program& SurfacePass::useProgram(const shader::VariantKey& key, const 
   program.use();
   program.set("projectionMatrix", glm::mat4(in.plan.camera.projection));
   program.set("exposure", static_cast<float>(in.shot.exposure));
-  if (key.alphaToCoverage) program.set("coverageSamples", in.samples);
+  if (key.alphaToCoverage) {
+    program.set("coverageSamples", in.samples);
+    program.set("coverageOffset",
+                static_cast<float>(in.samplePass) / static_cast<float>(samplePassesOf(in.shot).count));
+  }
   if (key.debugOutput) program.set("debugOutput", static_cast<int>(in.shot.debugOutput));
   if (key.unlit) return program;
   in.plan.lights.upload(program);
