@@ -10,7 +10,7 @@ asserts the same bars at fewer points. A figure without a bar is what a stock mo
 
 /** What stands under each heading. */
 const NOTES = {
-  'Every point': 'A grid of edge values (roughness 0 to 1, cosines from 0, 1e-6 and 1e-4 to 1, reflectances 0 to 1, sheen, coat, stretch) and random materials, directions and frames with edge values forced. Errors are relative to the radiance of light of irradiance 1, absolute below 1e-4. Of the stock shadings, what rounding the directions explains is taken off, for their terms lose digits by the way they are written; fabric is measured as it is.',
+  'Every point': 'A grid of edge values (roughness 0 to 1, cosines from 0, 1e-6 and 1e-4 to 1, reflectances 0 to 1, sheen, coat, stretch) and random materials, directions and frames with edge values forced. Errors are relative to the radiance of light of irradiance 1, absolute below 1e-4. Of the stock shadings, what rounding the directions explains is taken off, for their terms lose digits by the way they are written (an error below the bar is given as it is, so that the worst of many points lies just below it); on the grid fabric is measured as it is.',
   'GPU against double': 'The fragment shader\'s text into 32-bit float targets, over the same grid, against double precision.',
   Reciprocity: 'With viewer and light exchanged, by lobe.',
   'White furnace': 'What white cloth sends back of light of radiance 1 from everywhere: lights in all directions (by quadrature in double) and an environment. Each layer alone at eight roughnesses, and any mix of layers.',
