@@ -33,7 +33,8 @@ const started = performance.now();
 mkdirSync(OUT, { recursive: true });
 const chosen = (items) => items
   .filter(({ name }) => positionals.length === 0 || positionals.some((filter) => name.includes(filter)))
-  .filter((item) => !values.fast || item.fast);
+  .filter((item) => !values.fast || item.fast)
+  .filter(({ shot }) => !values['own-text'] || shot.shading === 'three');
 const cases = chosen(values.all || positionals.length > 0 ? CASES : GATE_CASES);
 const knownCases = values['browser-only'] || values['own-text'] ? [] : chosen(KNOWN_CASES);
 if (cases.length + knownCases.length === 0) throw new Error(`no case has one of these in its name: ${positionals.join(' ')}`);
