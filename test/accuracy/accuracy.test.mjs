@@ -1,0 +1,27 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { createRenderer } from '../../js/index.mjs';
+import { ENVIRONMENTS, MODELS } from '../fixtures/index.mjs';
+import { errorsOf } from './measure.mjs';
+
+// A slice of npm run accuracy: smooth cloths whose noise at so few paths is known to be below the bounds.
+const SIZE = { width: 48, height: 48 };
+const PATHS = 128;
+const FLIP_MEAN = 0.03; // the bar of 0.02, and the noise of so few paths
+const DELTA_E_P95 = 2;
+
+let renderer;
+before(async () => {
+  renderer = await createRenderer({ backend: 'egl-surfaceless', cacheDirectory: null });
+});
+after(() => renderer?.close());
+
+for (const [model, sky, shading] of [['ball', 'sunny-sky', 'three'], ['ball-metal', 'overcast-sky', 'fabric']]) {
+  test(`quality high of ${model} in ${sky} as ${shading} is the path tracer's`, async () => {
+    const shot = { size: SIZE, environment: ENVIRONMENTS[sky](), shading };
+    const [standard, high] = await errorsOf(renderer, await MODELS[model](), shot, ['standard', 'high'], PATHS);
+    const facts = JSON.stringify({ standard, high });
+    assert.ok(high.flip <= FLIP_MEAN && high.deltaE <= DELTA_E_P95, facts);
+    assert.ok(high.flip <= standard.flip, facts);
+  });
+}
