@@ -7,11 +7,14 @@ vec3 normalFacing(vec3 n, vec3 v) {
   return away > 0.0 ? safeNormalize(n + v * away, v) : n;
 }
 
+// What the squared cosine of two equal unit vectors may be off 1: no map, no bumps.
+const float UNIT_ROUNDING = 1.0e-6;
+
 // Square of the width that the mapped normal stands for, [0, 1], of bumpTerminator().
 // surface  unit, of the geometry      mapped  unit
 float bumpAlpha2(vec3 surface, vec3 mapped) {
   float cosine2 = pow2(max(abs(dot(surface, mapped)), 1.0e-3));
-  return saturate(0.125 * (1.0 - cosine2) / cosine2);
+  return saturate(0.125 * (1.0 - UNIT_ROUNDING - cosine2) / cosine2);
 }
 
 // How much of a light the bumps that a mapped normal stands for let through, [0, 1]: none from below the surface, and less
