@@ -8,6 +8,11 @@ precision highp int;
 precision highp sampler2D;
 precision highp samplerCube;
 
+#if FINER_LEVELS > 0
+// Each of several passes stands for a part of the pixel, and reads the maps as finely as that.
+#define texture(map, at) texture(map, at, float(-FINER_LEVELS))
+#endif
+
 #include "brdf/constants.glsl"
 #include "brdf/types.glsl"
 #include "brdf/math.glsl"

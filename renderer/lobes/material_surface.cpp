@@ -72,6 +72,7 @@ void readLayers(SurfaceInfo& s, const PhysicalLayers& l, bool principled) {
 /// What FabricLayers adds: weft along the tangent, warp across it, both on top by their shares of the surface.
 void readCloth(SurfaceInfo& s, const FabricLayers& f, bool woven) {
   s.geometricNormal = s.n;
+  s.slopeVariance = 0;
   s.flatness = f.flatness;
   s.diffuseTransmission = brdf_d::saturate(f.diffuseTransmissionFactor);
   s.transmittedColor = glm::dvec3(f.diffuseTransmissionColorFactor);

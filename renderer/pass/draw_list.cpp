@@ -1,6 +1,7 @@
 #include "pass/draw_list.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -94,6 +95,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.toneMapping = frame.toneMapping;
   key.outputLinear = frame.outputLinear;
   key.debugOutput = frame.debugOutput;
+  key.finerLevels = frame.finerLevels;
   key.points = primitive.topology == Topology::kPoints;
   // three.js shows points and lines with unlit materials of the same colour.
   key.unlit = material.unlit || primitive.topology != Topology::kTriangles;
@@ -236,8 +238,9 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
   frame.outputLinear = !frame.debugOutput && (shot.linearResolve || framePixelType(shot.output) == PixelType::kRgbaF32);
   frame.shading = shot.shading;
   if (isPrincipled(shot.shading)) frame.terms = shot.terms;
+  const int passes = samplePassesOf(shot).count;
+  frame.finerLevels = static_cast<std::uint8_t>(std::bit_width(static_cast<unsigned>(passes - 1)) / 2);
   if (frame.environment && !frame.debugOutput) {
-    const int passes = samplePassesOf(shot).count;
     frame.environmentSamples = static_cast<std::uint16_t>((shot.environmentSamples + passes - 1) / passes);
   }
   frame.toneMapping = frame.outputLinear ? shader::ToneMapping::kNone : shader::toneMappingByName(shot.toneMapping);

@@ -197,6 +197,7 @@ void readYarns(SurfaceInfo& s, const Material& m, const Reader& read, const glm:
 void readCloth(SurfaceInfo& s, const Material& m, const Reader& read, const glm::vec3& geometricNormal) {
   const FabricLayers& f = m.fabric;
   s.geometricNormal = geometricNormal;
+  s.slopeVariance = 0;  // rays see every bump
   s.flatness = f.flatness;
   s.diffuseTransmission = brdf_f::saturate(f.diffuseTransmissionFactor * read(f.diffuseTransmissionTexture).a);
   s.transmittedColor = f.diffuseTransmissionColorFactor * glm::vec3(read(f.diffuseTransmissionColorTexture, true));

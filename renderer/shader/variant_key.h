@@ -114,7 +114,8 @@ struct VariantKey {
 #undef TELAR_FEATURE_MEMBER
   LightCounts lights;
   ShadingModel shading = ShadingModel::kThree;
-  ShadingTerms terms;                    ///< of a principled shading, else as made
+  ShadingTerms terms;            ///< of a principled shading, else as made
+  std::uint8_t finerLevels = 0;  ///< so many mip levels finer are maps read: a pass stands for a part of the pixel
   std::uint16_t environmentSamples = 0;  ///< directions of the environment a pass; 0 = prefiltered
   ToneMapping toneMapping = ToneMapping::kNone;
 

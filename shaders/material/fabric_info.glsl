@@ -5,6 +5,11 @@ void turnToViewer(inout SurfaceInfo s, inout Normals normals) {
 #if NORMAL_MAP
   s.n = normalFacing(s.n, s.v);
   s.geometricNormal = normals.geometric;
+#if NORMAL_VARIANCE
+  s.slopeVariance = normals.slopeVariance.x + normals.slopeVariance.y;
+#else
+  s.slopeVariance = 0.0;
+#endif
 #endif
 #if CLEARCOAT_NORMAL_MAP
   normals.coat = normalFacing(normals.coat, s.v);

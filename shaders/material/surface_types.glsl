@@ -79,6 +79,7 @@ struct SurfaceInfo {
 #if SHADING_FABRIC
 #if NORMAL_MAP
   vec3 geometricNormal;       // before the normal map
+  float slopeVariance;        // of the slopes that the normal map has within the pixel, the sum of both axes
 #endif
 #if WEAVE
   YarnLobe warp;

@@ -170,7 +170,7 @@ SurfaceInfo preparedSurface(SurfaceInfo s) {
 #endif
   s = withEnergies(s, f0Metal);
 #if NORMAL_MAP
-  s.bumpAlpha2 = bumpAlpha2(s.geometricNormal, s.n);
+  s.bumpAlpha2 = bumpAlpha2(s.geometricNormal, s.n, s.slopeVariance);
 #endif
 #if SHEEN
   vec3 fit = sheenFit(max(s.sheenRoughness, CLOTH_SHEEN_ROUGHNESS_MIN), s.NoV);
@@ -281,6 +281,9 @@ Reflected addDome(Reflected sum, SurfaceInfo s, vec3 irradiance) {
 #if CLEARCOAT
   sum.coat += radiance * s.coatAlbedo;
 #endif
+#if NORMAL_MAP
+  radiance *= bumpMean(s.bumpAlpha2);
+#endif
 #if SHEEN
   sum.sheen += radiance * s.sheenColor * s.sheenAlbedo;
 #endif
@@ -295,6 +298,11 @@ Reflected addEnvironment(Reflected sum, SurfaceInfo s, Incident incident) {
 #if CLEARCOAT
   sum.coat += incident.coatRadiance * s.coatAlbedo;
 #endif
+#if NORMAL_MAP
+  float unhidden = bumpMean(s.bumpAlpha2);
+  meanRadiance *= unhidden;
+  incident.radiance *= unhidden;
+#endif
 #if SHEEN
   sum.sheen += meanRadiance * s.sheenColor * s.sheenAlbedo;
 #endif
@@ -302,6 +310,9 @@ Reflected addEnvironment(Reflected sum, SurfaceInfo s, Incident incident) {
   sum.diffuse += meanRadiance * innerAlbedo(s) * s.leaving;
   return sum;
 }
+
+// The fits of the coat's albedo and of what lies under it may both be short: so much more is taken off below the coat.
+const float COAT_MARGIN = 0.001;
 
 // Radiance that leaves towards the viewer, linear Rec.709.
 // diffuse  of both, or what is seen through a transmissive surface in its place      emitted  linear Rec.709
@@ -312,7 +323,7 @@ vec3 composedRadiance(SurfaceInfo s, vec3 diffuse, Reflected direct, Reflected i
 #endif
   radiance += emitted;
 #if CLEARCOAT
-  radiance = radiance * (1.0 - s.clearcoat * s.coatAlbedo) + (direct.coat + indirect.coat) * s.clearcoat;
+  radiance = radiance * (1.0 - s.clearcoat * min(s.coatAlbedo + COAT_MARGIN, 1.0)) + (direct.coat + indirect.coat) * s.clearcoat;
 #endif
   return radiance;
 }
