@@ -8,9 +8,9 @@ precision highp int;
 precision highp sampler2D;
 precision highp samplerCube;
 
-#if FINER_LEVELS > 0
-// Each of several passes stands for a part of the pixel, and reads the maps as finely as that.
-#define texture(map, at) texture(map, at, float(-FINER_LEVELS))
+#if FULL_DETAIL
+// Several passes over the picture filter what is shaded, not the maps: cloth is darker and softer than its mean normals are.
+#define texture(map, at) texture(map, at, -16.0)
 #endif
 
 #include "brdf/constants.glsl"

@@ -164,7 +164,7 @@ const quality = z.union([
   object('Explicit settings', {
     preset: z.enum(Object.keys(PRESETS), { error: PRESET }).describe('Settings to start from').optional(),
     samples: z.literal([1, 4, 16, 64], { error: SAMPLES })
-      .describe('Antialiasing samples a pixel; 16 and 64 also sample textures and shading more finely').optional(),
+      .describe('Antialiasing samples a pixel; 16 and 64 shade as often, and read textures unfiltered').optional(),
     resolve: choice('What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone '
       + 'mapping; default "encoded", "linear" for more than 4 samples', ['encoded', 'linear']).optional(),
     environmentSamples: number('Directions a pixel in which the environment is looked up for the material itself; 0 = prefiltered '

@@ -293,7 +293,7 @@ export interface Shot {
   quality?: 'standard' | 'draft' | 'high' | 'reference' | {
     /** Settings to start from. */
     preset?: 'standard' | 'draft' | 'high';
-    /** Antialiasing samples a pixel; 16 and 64 also sample textures and shading more finely. */
+    /** Antialiasing samples a pixel; 16 and 64 shade as often, and read textures unfiltered. */
     samples?: 1 | 4 | 16 | 64;
     /** What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone mapping; default "encoded", "linear" for more than 4 samples. */
     resolve?: 'encoded' | 'linear';

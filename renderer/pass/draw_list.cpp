@@ -1,7 +1,6 @@
 #include "pass/draw_list.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -95,7 +94,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.toneMapping = frame.toneMapping;
   key.outputLinear = frame.outputLinear;
   key.debugOutput = frame.debugOutput;
-  key.finerLevels = frame.finerLevels;
+  key.fullDetail = frame.fullDetail;
   key.points = primitive.topology == Topology::kPoints;
   // three.js shows points and lines with unlit materials of the same colour.
   key.unlit = material.unlit || primitive.topology != Topology::kTriangles;
@@ -239,7 +238,7 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
   frame.shading = shot.shading;
   if (isPrincipled(shot.shading)) frame.terms = shot.terms;
   const int passes = samplePassesOf(shot).count;
-  frame.finerLevels = static_cast<std::uint8_t>(std::bit_width(static_cast<unsigned>(passes - 1)) / 2);
+  frame.fullDetail = passes > 1;
   if (frame.environment && !frame.debugOutput) {
     frame.environmentSamples = static_cast<std::uint16_t>((shot.environmentSamples + passes - 1) / passes);
   }

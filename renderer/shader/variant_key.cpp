@@ -39,7 +39,7 @@ Defines VariantKey::defines() const {
 #define TELAR_SHADING_DEFINE(glsl, member, ...) list.emplace_back(#glsl "_TERM", terms.member);
   TELAR_SHADING_SLOTS(TELAR_SHADING_DEFINE)
 #undef TELAR_SHADING_DEFINE
-  list.emplace_back("FINER_LEVELS", finerLevels);
+  list.emplace_back("FULL_DETAIL", fullDetail);
   list.emplace_back("ENVIRONMENT_SAMPLES", environmentSamples);
   list.emplace_back("BRIGHT_DIRECTIONS", brightDirections());
   list.emplace_back("TONE_MAPPING", static_cast<int>(toneMapping));

@@ -114,8 +114,8 @@ struct VariantKey {
 #undef TELAR_FEATURE_MEMBER
   LightCounts lights;
   ShadingModel shading = ShadingModel::kThree;
-  ShadingTerms terms;            ///< of a principled shading, else as made
-  std::uint8_t finerLevels = 0;  ///< so many mip levels finer are maps read: a pass stands for a part of the pixel
+  ShadingTerms terms;                    ///< of a principled shading, else as made
+  bool fullDetail = false;               ///< maps are read at level 0: the passes over a picture filter them
   std::uint16_t environmentSamples = 0;  ///< directions of the environment a pass; 0 = prefiltered
   ToneMapping toneMapping = ToneMapping::kNone;
 

