@@ -1,6 +1,7 @@
 #include "ibl/environment_cache.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/read_file.h"
 #include "ibl/pmrem_file.h"
@@ -44,13 +45,13 @@ CubeMap EnvironmentCache::prefiltered(const std::string& key, bool studio, std::
 
 const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::span<const std::byte> bytes,
                                          const EnvironmentUses& uses, const CancelToken& cancel) {
-  // The bundled environment is known by name: its file is read only when the map itself is needed.
   const bool studio = wanted.source == Shot::Environment::Source::kStudio;
   std::vector<std::byte> own;
-  if (wanted.source == Shot::Environment::Source::kPath || (studio && (uses.background || uses.radiance))) {
+  if (wanted.source == Shot::Environment::Source::kPath) {
     own = fileOf(wanted);
     bytes = own;
   }
+  // The bundled environment is known by name: its file is read only for a cube that is not there yet.
   const std::string key = studio ? "studio" : sha256Hex(bytes);
 
   auto found = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry->key == key; });
@@ -65,21 +66,25 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
     std::rotate(found, found + 1, entries_.end());
     found = entries_.end() - 1;
   }
+  std::optional<ImageF> decoded;
+  const auto map = [&]() -> ImageF& {
+    if (!decoded && studio) own = fileOf(wanted);
+    if (!decoded) decoded = readEnvironment(studio ? std::span<const std::byte>(own) : bytes, limits_, cancel);
+    return *decoded;
+  };
   Environment& environment = (*found)->environment;
   if (uses.prefiltered && environment.prefiltered.faceSize == 0) {
     environment.prefiltered = prefiltered(key, studio, bytes, environment.source, cancel);
   }
   if (uses.background && environment.background.faceSize == 0) {
     // Face size = height of the map, as three.js does.
-    const ImageF map = readEnvironment(bytes, limits_, cancel);
-    environment.background =
-        equirectToCube(context_, uploadEquirect(context_.gl(), map), static_cast<int>(map.height), 1, false, cancel);
+    environment.background = equirectToCube(context_, uploadEquirect(context_.gl(), map()),
+                                            static_cast<int>(map().height), 1, false, cancel);
     context_.check("environment background");
   }
   if (uses.radiance && environment.radiance.faceSize == 0) {
-    ImageF map = readEnvironment(bytes, limits_, cancel);
-    environment.bright = BrightDirections(map);
-    environment.radiance = radianceCube(context_, map, cancel);
+    environment.bright = BrightDirections(map());  // takes its part out of the map: after the background
+    environment.radiance = radianceCube(context_, map(), cancel);
   }
   return environment;
 }
