@@ -194,9 +194,7 @@ std::string describeScene(const Scene& scene) {
   out["materials"] = json::array();
   for (std::size_t i = 0; i < scene.fileMaterials; ++i) {
     const Material& material = scene.materials[i];
-    const bool filled = material.withPreset >= 0;
-    out["materials"].push_back(
-        describe(material, filled ? scene.materials[static_cast<std::size_t>(material.withPreset)] : material));
+    out["materials"].push_back(describe(material, shownMaterial(scene, material, ShadingModel::kFabric)));
   }
   out["images"] = json::array();
   for (const Image8& image : scene.images) out["images"].push_back(describe(image));

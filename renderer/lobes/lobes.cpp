@@ -46,9 +46,7 @@ struct ShadedMaterial::State {
 };
 
 ShadedMaterial::ShadedMaterial(const Scene& scene, std::size_t material, const Shot& shot, double viewAngle) {
-  const Material& plain = scene.materials[material];
-  const bool filled = shot.shading == ShadingModel::kFabric && plain.withPreset >= 0;
-  const Material& shown = filled ? scene.materials[static_cast<std::size_t>(plain.withPreset)] : plain;
+  const Material& shown = shownMaterial(scene, scene.materials[material], shot.shading);
   const brdf_d::ShadingFunctions functions = brdf_d::shadingFunctions(shot.shading);
   const glm::dvec3 v(std::sin(viewAngle), 0, std::cos(viewAngle));
   state_ = std::make_shared<State>(State{functions, functions.preparedSurface(lobes::surfaceOf(shown, shot, v))});

@@ -29,9 +29,7 @@ int materialIndex(const Primitive& primitive, int variant) {
 
 const Material& materialAt(const Scene& scene, int index, ShadingModel shading) {
   if (index < 0) return DEFAULT_MATERIAL;
-  const Material& material = scene.materials[static_cast<std::size_t>(index)];
-  const bool filled = shading == ShadingModel::kFabric && material.withPreset >= 0;
-  return filled ? scene.materials[static_cast<std::size_t>(material.withPreset)] : material;
+  return shownMaterial(scene, scene.materials[static_cast<std::size_t>(index)], shading);
 }
 
 }  // namespace telar::pass

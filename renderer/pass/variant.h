@@ -13,7 +13,7 @@ int variantIndex(const Scene& scene, const std::string& name);
 /// Index of the material that a variant gives a primitive; -1 = glTF's default material.
 int materialIndex(const Primitive& primitive, int variant);
 
-/// What a shading draws of a material: the shading "fabric" takes it with its preset.
+/// What a shading draws of a material, or of glTF's default one: shownMaterial().
 /// @param index  of materialIndex()
 const Material& materialAt(const Scene& scene, int index, ShadingModel shading);
 

@@ -11,6 +11,7 @@
 #include "telar/fabric.h"
 #include "telar/image.h"
 #include "telar/motion.h"
+#include "telar/shading.h"
 #include "telar/shared_list.h"
 #include "telar/texture_ref.h"
 
@@ -180,5 +181,11 @@ struct Scene {
   std::shared_ptr<const Motion> motion;  ///< null = nothing moves
   std::shared_ptr<const Scene> model;  ///< of a pose: the scene as loaded, which owns the images and the file's meshes
 };
+
+/// What a shading draws of one of the scene's materials: the shading "fabric" takes it with its preset.
+inline const Material& shownMaterial(const Scene& scene, const Material& material, ShadingModel shading) {
+  const bool filled = shading == ShadingModel::kFabric && material.withPreset >= 0;
+  return filled ? scene.materials[static_cast<std::size_t>(material.withPreset)] : material;
+}
 
 }  // namespace telar
