@@ -24,6 +24,12 @@ unsigned componentBytes(int componentType);
 /// An integer component as a float: as it is, or normalized as OpenGL ES 3.0 section 2.1.6 says (and three.js by that).
 float fromComponent(double value, int componentType, bool normalized);
 
+/// The components of a stream, one after the other: what readFloats() writes into.
+template <typename Vector>
+std::span<float> floatsOf(std::vector<Vector>& vectors) {
+  return {reinterpret_cast<float*>(vectors.data()), vectors.size() * sizeof(Vector) / sizeof(float)};
+}
+
 /// Reads accessors of any component type, strided, sparse or without a buffer view (zeros).
 class Accessors {
  public:

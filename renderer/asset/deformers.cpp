@@ -11,11 +11,6 @@ namespace {
 constexpr const char* JOINTS = "JOINTS_0";
 constexpr const char* WEIGHTS = "WEIGHTS_0";
 
-template <typename Vector>
-std::span<float> floatsOf(std::vector<Vector>& vectors) {
-  return {reinterpret_cast<float*>(vectors.data()), vectors.size() * sizeof(Vector) / sizeof(float)};
-}
-
 /// Steps from 0 to 1 of a normalized integer; 0 for floats.
 double stepsOf(int componentType) {
   if (componentType == COMPONENT_F32) return 0;

@@ -14,11 +14,6 @@ namespace {
 constexpr const char* DRACO = "KHR_draco_mesh_compression";
 constexpr const char* UV_NAMES[] = {"TEXCOORD_0", "TEXCOORD_1"};
 
-template <typename Vector>
-std::span<float> floatsOf(std::vector<Vector>& vectors) {
-  return {reinterpret_cast<float*>(vectors.data()), vectors.size() * sizeof(Vector) / sizeof(float)};
-}
-
 }  // namespace
 
 int GeometryReader::attribute(const Source& source, const std::string& name) const {
