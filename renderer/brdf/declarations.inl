@@ -16,6 +16,7 @@ Real saturate(Real x);
 vec3 saturate(vec3 v);
 vec3 safeNormalize(vec3 x, vec3 fallback);
 vec3 anyTangent(vec3 n);
+mat3 basisAbout(vec3 n);
 
 Real geometricRoughness(vec3 dndx, vec3 dndy);
 Real shadedRoughness(Real perceptualRoughness, Real geometric);
@@ -165,7 +166,6 @@ Real lodFromRoughness(Real perceptualRoughness, Real maxLod);
 vec3 dominantReflection(Real perceptualRoughness, vec3 n, vec3 v);
 vec3 environmentSpecular(Scattering scattering, vec3 radiance, vec3 meanRadiance);
 
-mat3 basisAbout(vec3 n);
 vec3 sampleCosine(vec2 u);
 Real pdfCosine(Real NoL);
 vec3 sampleVisibleNormal(vec3 v, vec2 alpha, vec2 u);

@@ -1,15 +1,6 @@
 // Directions drawn where a lobe reflects, and how densely they lie. In the frame of the lobe: z is the normal; directions are
 // unit and point away from the surface; densities are per steradian. Shared text: see README.md.
 
-// Two axes that are square with unit n: columns x, y, n.
-// src: Duff et al. 2017, "Building an Orthonormal Basis, Revisited", JCGT 6(1)
-mat3 basisAbout(vec3 n) {
-  float side = n.z < 0.0 ? -1.0 : 1.0;
-  float a = -1.0 / (side + n.z);
-  float b = n.x * n.y * a;
-  return mat3(vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3(b, side + n.y * n.y * a, -n.y), n);
-}
-
 // u  [0, 1)^2
 vec3 sampleCosine(vec2 u) {
   float radius = sqrt(u.x);

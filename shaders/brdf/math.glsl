@@ -31,3 +31,12 @@ vec3 safeNormalize(vec3 x, vec3 fallback) {
 vec3 anyTangent(vec3 n) {
   return normalize(abs(n.x) < 0.7 ? cross(n, vec3(1.0, 0.0, 0.0)) : cross(n, vec3(0.0, 1.0, 0.0)));
 }
+
+// Two axes that are square with unit n: columns x, y, n.
+// src: Duff et al. 2017, "Building an Orthonormal Basis, Revisited", JCGT 6(1)
+mat3 basisAbout(vec3 n) {
+  float side = n.z < 0.0 ? -1.0 : 1.0;
+  float a = -1.0 / (side + n.z);
+  float b = n.x * n.y * a;
+  return mat3(vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3(b, side + n.y * n.y * a, -n.y), n);
+}

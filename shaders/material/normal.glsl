@@ -52,15 +52,6 @@ mat3 tangentFrame(vec3 n, vec2 uv, float faceDirection) {
   return frame;
 }
 
-// Two unit axes that are square with n, for surfaces whose texture coordinates give none.
-// src: Duff et al. 2017, "Building an Orthonormal Basis, Revisited", JCGT 6(1)
-mat3 anyFrame(vec3 n) {
-  float side = n.z < 0.0 ? -1.0 : 1.0;
-  float a = -1.0 / (side + n.z);
-  float b = n.x * n.y * a;
-  return mat3(vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3(b, side + n.y * n.y * a, -n.y), n);
-}
-
 #if NORMAL_VARIANCE
 // Colour of a plain normal map for a texel of a map of slopes (texture/slope_level.frag).
 vec3 plainNormalTexel(vec4 texel) {
@@ -129,7 +120,7 @@ Normals shadingNormals() {
 #endif
 #if ANISOTROPY || WEAVE
   // three.js divides by 0 here; a stretched highlight needs some direction.
-  normals.frame = dot(frame[0], frame[0]) > 0.0 && dot(frame[1], frame[1]) > 0.0 ? frame : anyFrame(normals.geometric);
+  normals.frame = dot(frame[0], frame[0]) > 0.0 && dot(frame[1], frame[1]) > 0.0 ? frame : basisAbout(normals.geometric);
 #endif
 #if CLEARCOAT
   normals.coat = normals.geometric;

@@ -134,11 +134,7 @@ Reflected addEnvironment(Reflected sum, SurfaceInfo s, Incident incident) {
 // Radiance that leaves towards the viewer, linear Rec.709.
 // diffuse  of both, or what is seen through a transmissive surface in its place      emitted  linear Rec.709
 vec3 composedRadiance(SurfaceInfo s, vec3 diffuse, Reflected direct, Reflected indirect, vec3 emitted) {
-  vec3 radiance = diffuse + (direct.specular + indirect.specular);
-  radiance += emitted;
-#if SHEEN
-  radiance += direct.sheen + indirect.sheen;
-#endif
+  vec3 radiance = radianceBelowCoat(diffuse, direct, indirect, emitted);
 #if CLEARCOAT
   radiance += (direct.coat + indirect.coat) * s.clearcoat;
 #endif

@@ -134,16 +134,21 @@ vec3 diffuseTerm(SurfaceInfo s, float NoL, float LoH, float LoV) {
   return Fd_Lambert(s.diffuse);
 }
 
-// Its directional albedo, linear Rec.709: what light from everywhere finds.
+#if ALL_TERMS || DIFFUSE_TERM == DIFFUSE_DISNEY_2012 || DIFFUSE_TERM == DIFFUSE_DISNEY_2015_THIN
+// Directional albedo of Burley's diffuse lobe, flattened, [0, about 1.5].
+float disneyAlbedo(SurfaceInfo s) {
+  float factor = burleyAlbedo(s.perceptualRoughness, s.NoV);
+#if FLATNESS
+  factor = mix(factor, hanrahanKruegerAlbedo(s.perceptualRoughness, s.NoV), s.flatness);
+#endif
+  return factor;
+}
+#endif
+
+// Directional albedo of the diffuse lobe, linear Rec.709: what light from everywhere finds.
 vec3 diffuseAlbedoTerm(SurfaceInfo s) {
 #if ALL_TERMS || DIFFUSE_TERM == DIFFUSE_DISNEY_2012
-  if (CHOSEN(diffuse, DIFFUSE_TERM) == DIFFUSE_DISNEY_2012) {
-    float factor = burleyAlbedo(s.perceptualRoughness, s.NoV);
-#if FLATNESS
-    factor = mix(factor, hanrahanKruegerAlbedo(s.perceptualRoughness, s.NoV), s.flatness);
-#endif
-    return s.diffuse * factor;
-  }
+  if (CHOSEN(diffuse, DIFFUSE_TERM) == DIFFUSE_DISNEY_2012) return s.diffuse * disneyAlbedo(s);
 #endif
 #if ALL_TERMS || DIFFUSE_TERM == DIFFUSE_FROSTBITE
   if (CHOSEN(diffuse, DIFFUSE_TERM) == DIFFUSE_FROSTBITE) {
@@ -154,14 +159,8 @@ vec3 diffuseAlbedoTerm(SurfaceInfo s) {
   if (CHOSEN(diffuse, DIFFUSE_TERM) == DIFFUSE_EON) return eonAlbedo(s.diffuse, s.perceptualRoughness, s.NoV);
 #endif
 #if ALL_TERMS || DIFFUSE_TERM == DIFFUSE_DISNEY_2015_THIN
-  if (CHOSEN(diffuse, DIFFUSE_TERM) == DIFFUSE_DISNEY_2015_THIN) {
-    // Its unflattened lobe multiplies out to that of 2012.
-    float factor = burleyAlbedo(s.perceptualRoughness, s.NoV);
-#if FLATNESS
-    factor = mix(factor, hanrahanKruegerAlbedo(s.perceptualRoughness, s.NoV), s.flatness);
-#endif
-    return s.diffuse * ((1.0 - throughShare(s)) * factor);
-  }
+  // Its unflattened lobe multiplies out to that of 2012.
+  if (CHOSEN(diffuse, DIFFUSE_TERM) == DIFFUSE_DISNEY_2015_THIN) return s.diffuse * ((1.0 - throughShare(s)) * disneyAlbedo(s));
 #endif
   return s.diffuse;
 }
