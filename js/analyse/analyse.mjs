@@ -1,3 +1,4 @@
+import { TelarError, toTelarError } from '../error/index.mjs';
 import { cellsOf, stepsOf } from './cells.mjs';
 import { curvesOf } from './lobes.mjs';
 import { rank } from './ranking.mjs';
@@ -27,11 +28,23 @@ export const analysisSteps = (plan) => stepsOf(plan) + plan.targets.length;
  */
 export async function analyse(api, renderer, plan, { signal, step = () => {} } = {}) {
   const { names, targets, swaps, shot } = plan;
-  const cells = await cellsOf(renderer, plan, { signal, step });
-  const curves = [];
+  const [cells, curves] = [[], []];
   for (const target of targets) {
-    curves.push(await curvesOf(api, renderer, target, swaps.shadings, { signal }));
-    step(`${target.name}, lobes`);
+    try {
+      const model = await renderer.load(target.source, { signal });
+      cells.push(...(await cellsOf(renderer, model, target, plan, { signal, step })));
+      await renderer.release(model);
+      curves.push(await curvesOf(api, model, target, swaps.shadings, { signal }));
+      step(`${target.name}, lobes`);
+    } catch (thrown) {
+      signal?.throwIfAborted();
+      throw named(target, thrown);
+    }
   }
   return { names, swaps, cells, rows: rank(cells, swaps.terms), curves, shot };
+}
+
+function named(target, thrown) {
+  const error = toTelarError(thrown);
+  return new TelarError(error.code, `${target.name}: ${error.message}`, error);
 }

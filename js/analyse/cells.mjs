@@ -1,18 +1,12 @@
-import { toTelarError, TelarError } from '../error/index.mjs';
 import { clothOf, difference, lookAt } from './differences.mjs';
 
-/** Draws every target in every light with every shading, and compares. */
+/** Draws a target in every light with every shading, and compares. */
 
 /** Pictures on their way at once: one is drawn while the next waits at the renderer's door. */
 const IN_FLIGHT = 2;
 
 /** A turn of the event loop between comparisons, so that a signal is heard. */
 const breathe = () => new Promise((resolve) => setImmediate(resolve));
-
-const named = (target, thrown) => {
-  const error = toTelarError(thrown);
-  return new TelarError(error.code, `${target.name}: ${error.message}`, error);
-};
 
 /** Shadings that are the same picture share one: keys by name, and the list of what to draw. */
 function uniqueShadings(shadings) {
@@ -43,7 +37,7 @@ async function drawAll(renderer, model, shots, { signal, step }) {
 
 /** The differences of one cell. */
 async function compared(images, indexOf, cloth, terms, { signal, step }) {
-  const looks = images.map(lookAt);
+  const looks = images.map((image) => lookAt(image, cloth));
   const between = async (first, second) => {
     await breathe();
     signal?.throwIfAborted();
@@ -51,15 +45,16 @@ async function compared(images, indexOf, cloth, terms, { signal, step }) {
     step();
     return result;
   };
-  const all = await between('from', 'to');
+  const { figures: all, map } = await between('from', 'to');
   const byTerm = {};
   for (const { slot } of terms) {
-    byTerm[slot] = { alone: await between('from', `alone:${slot}`), rest: await between(`rest:${slot}`, 'to') };
+    const [alone, rest] = [await between('from', `alone:${slot}`), await between(`rest:${slot}`, 'to')];
+    byTerm[slot] = { alone: alone.figures, rest: rest.figures };
   }
-  return { all, terms: byTerm };
+  return { all, map, terms: byTerm };
 }
 
-/** Steps that cellsOf counts off: one a picture and one a comparison. */
+/** Steps that cellsOf counts off for all targets: one a picture and one a comparison. */
 export function stepsOf({ targets, lights, swaps }) {
   const pictures = uniqueShadings(swaps.shadings).list.length;
   return targets.length * lights.length * (pictures + 1 + 2 * swaps.terms.length);
@@ -67,32 +62,25 @@ export function stepsOf({ targets, lights, swaps }) {
 
 /**
  * @param {object} renderer of createRenderer
+ * @param {object} model - The target, loaded.
+ * @param {import('./targets.mjs').Target} target
  * @param {object} plan
- * @param {import('./targets.mjs').Target[]} plan.targets
  * @param {Array<{name: string, shot: object}>} plan.lights
  * @param {import('./swaps.mjs').Swaps} plan.swaps
  * @param {object} plan.shot - Keys that all pictures share: size, quality.
- * @param {{signal?: AbortSignal, step?: (name: string) => void}} [options]
- * @returns {Promise<Array<import('./ranking.mjs').Cell & {images: Record<string, import('../compare/image.mjs').Image>, cloth:
- *   import('./differences.mjs').Cloth, warnings: object[]}>>} `images` by the names of swaps.shadings
- * @throws {TelarError} with the target's name in front; the signal's reason
+ * @param {{signal?: AbortSignal, step: (name: string) => void}} options
+ * @returns {Promise<Array<import('./ranking.mjs').Cell & {map: Float32Array, images: Record<string,
+ *   import('../compare/image.mjs').Image>, cloth: import('./differences.mjs').Cloth, warnings: object[]}>>} One a light. `map`: FLIP of
+ *   `all` at each pixel; `images` by the names of swaps.shadings
+ * @throws what drawing throws; the signal's reason
  */
-export async function cellsOf(renderer, { targets, lights, swaps, shot }, { signal, step = () => {} } = {}) {
+export async function cellsOf(renderer, model, target, { lights, swaps, shot }, { signal, step }) {
   const { list, indexOf } = uniqueShadings(swaps.shadings);
   const cells = [];
-  for (const target of targets) {
-    try {
-      const model = await renderer.load(target.source, { signal });
-      for (const light of lights) {
-        const options = { signal, step: () => step(`${target.name}, ${light.name}`) };
-        const base = { ...shot, ...light.shot, ...target.shot, modelLights: false, background: 'transparent', output: { format: 'raw' } };
-        cells.push({ target: target.name, light: light.name, ...(await cellOf(renderer, model, base, { list, indexOf, swaps }, options)) });
-      }
-      await renderer.release(model);
-    } catch (thrown) {
-      signal?.throwIfAborted();
-      throw named(target, thrown);
-    }
+  for (const light of lights) {
+    const options = { signal, step: () => step(`${target.name}, ${light.name}`) };
+    const base = { ...shot, ...light.shot, ...target.shot, modelLights: false, background: 'transparent', output: { format: 'raw' } };
+    cells.push({ target: target.name, light: light.name, ...(await cellOf(renderer, model, base, { list, indexOf, swaps }, options)) });
   }
   return cells;
 }

@@ -25,7 +25,12 @@ import { mean, percentile } from '../compare/statistics.mjs';
  * @property {Change | null} limb - Null where the picture has no such pixel, as in the next two.
  * @property {Change | null} centre
  * @property {Change | null} highlight - The brightest pixels of either picture.
- * @property {Float32Array} map - FLIP of each pixel, 0 off the cloth.
+ *
+ * @typedef {object} Look - A picture prepared once and compared often.
+ * @property {Uint8Array} pixels - RGBA over the backdrop.
+ * @property {Float32Array} lightness - CIELAB L* of each pixel.
+ * @property {Float32Array} chroma - CIELAB C*.
+ * @property {Uint32Array} highlights - Indices of the brightest pixels of the cloth.
  */
 
 /** Cosines between normal and viewer below and above which cloth counts as limb and as centre. */
@@ -71,11 +76,11 @@ function smoothed(facing, width, height) {
 }
 
 /**
- * A picture prepared once and compared often.
  * @param {import('../compare/image.mjs').Image} image - Straight alpha.
- * @returns {{pixels: Uint8Array, lightness: Float32Array, chroma: Float32Array}} RGBA over the backdrop, CIELAB L* and C*
+ * @param {Cloth} cloth
+ * @returns {Look}
  */
-export function lookAt({ data }) {
+export function lookAt({ data }, cloth) {
   const pixels = over(premultiply(data), BACKDROP);
   const [lightness, chroma] = [new Float32Array(pixels.length / 4), new Float32Array(pixels.length / 4)];
   const lab = new Float64Array(3);
@@ -84,8 +89,11 @@ export function lookAt({ data }) {
     lightness[p] = lab[0];
     chroma[p] = Math.hypot(lab[1], lab[2]);
   }
-  return { pixels, lightness, chroma };
+  return { pixels, lightness, chroma, highlights: brightest(cloth.pixels, lightness) };
 }
+
+const brightest = (pixels, lightness) =>
+  pixels.slice().sort((a, b) => lightness[b] - lightness[a] || a - b).slice(0, Math.ceil(pixels.length * HIGHLIGHT_SHARE));
 
 function changeOver(pixels, first, second) {
   if (pixels.length === 0) return null;
@@ -93,23 +101,13 @@ function changeOver(pixels, first, second) {
   return { lightness: meanOf('lightness'), chroma: meanOf('chroma') };
 }
 
-/** The brightest pixels of either picture. */
-function highlightsOf(pixels, looks) {
-  const chosen = new Set();
-  const count = Math.ceil(pixels.length * HIGHLIGHT_SHARE);
-  for (const { lightness } of looks) {
-    for (const p of pixels.slice().sort((a, b) => lightness[b] - lightness[a] || a - b).subarray(0, count)) chosen.add(p);
-  }
-  return Uint32Array.from(chosen);
-}
-
 const pooled = (sorted) => (sorted.length === 0 ? { mean: 0, p95: 0 } : { mean: mean(sorted), p95: percentile(sorted, 0.95) });
 
 /**
- * @param {ReturnType<typeof lookAt>} first
- * @param {ReturnType<typeof lookAt>} second
+ * @param {Look} first
+ * @param {Look} second
  * @param {Cloth} cloth
- * @returns {Difference}
+ * @returns {{figures: Difference, map: Float32Array}} `map`: FLIP of each pixel, 0 off the cloth
  */
 export function difference(first, second, cloth) {
   const { width, height, pixels } = cloth;
@@ -118,13 +116,14 @@ export function difference(first, second, cloth) {
   const map = new Float32Array(width * height);
   for (const p of pixels) map[p] = flip[p];
   const over95 = (values) => pooled(Float32Array.from(pixels, (p) => values[p]).sort());
-  return {
+  const highlights = Uint32Array.from(new Set([...first.highlights, ...second.highlights]));
+  const figures = {
     flip: over95(flip),
     deltaE: over95(deltaE),
     cloth: changeOver(pixels, first, second) ?? { lightness: 0, chroma: 0 },
     limb: changeOver(cloth.limb, first, second),
     centre: changeOver(cloth.centre, first, second),
-    highlight: changeOver(highlightsOf(pixels, [first, second]), first, second),
-    map,
+    highlight: changeOver(highlights, first, second),
   };
+  return { figures, map };
 }

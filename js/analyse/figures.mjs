@@ -2,10 +2,7 @@ import { inWords } from './words.mjs';
 
 /** An analysis as plain figures: what --json prints and what lies beside the report. */
 
-const plain = (difference) => {
-  const { map: _, ...figures } = difference;
-  return { ...figures, words: inWords(difference) };
-};
+const plain = (difference) => ({ ...difference, words: inWords(difference) });
 
 /**
  * @param {import('./analyse.mjs').Analysis} analysis

@@ -1,6 +1,7 @@
 /** telar analyse: which term of one shading against another changes pictures of cloth most. */
 export { analyse, analysisSteps } from './analyse.mjs';
-export { analysisPage, plotsOf, strongestIn } from './report.mjs';
+export { strongestIn } from './ranking.mjs';
+export { analysisPage, plotsOf } from './report.mjs';
 export { figuresOf } from './figures.mjs';
 export { percent, rankLines, ranksText, shortFigure, termLines } from './lines.mjs';
 export { LIGHTS, lightsOf } from './lights.mjs';

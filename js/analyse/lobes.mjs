@@ -18,7 +18,7 @@ export const luminance = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 const luminances = (lobes) => Object.fromEntries(Object.entries(lobes).map(([lobe, rgb]) => [lobe, luminance(rgb)]));
 
 /** The material that a target shows, as evaluateShading takes it: that named after the variant, else the first, else glTF's default. */
-export function materialOf(model, variant) {
+function materialOf(model, variant) {
   const { materials } = model.facts;
   if (materials.length === 0) return { material: {} };
   return { model, material: Math.max(0, materials.findIndex(({ name }) => name === variant)) };
@@ -32,14 +32,13 @@ export function materialOf(model, variant) {
  * @property {{from: Lobes[], to: Lobes[]}} albedo - For each of ALBEDO_ANGLES.
  *
  * @param {object} api with evaluateShading
- * @param {object} renderer
+ * @param {object} model - The target, loaded.
  * @param {import('./targets.mjs').Target} target
  * @param {{from: object, to: object}} shadings
  * @param {{signal?: AbortSignal}} [options]
  * @returns {Promise<Curves>}
  */
-export async function curvesOf(api, renderer, target, shadings, { signal } = {}) {
-  const model = await renderer.load(target.source, { signal });
+export async function curvesOf(api, model, target, shadings, { signal } = {}) {
   const shown = materialOf(model, target.shot.variant);
   const ask = (shading, degrees, more) => api.evaluateShading({ ...shown, shading, viewAngle: degrees * RADIANS, signal, ...more });
   const directions = LIGHT_ANGLES.map((degrees) => [Math.sin(degrees * RADIANS), 0, Math.cos(degrees * RADIANS)]);
@@ -53,6 +52,5 @@ export async function curvesOf(api, renderer, target, shadings, { signal } = {})
     for (const degrees of ALBEDO_ANGLES) curve.push(luminances((await ask(shading, degrees, { albedo: true })).albedo));
     return curve;
   });
-  await renderer.release(model);
   return { target: target.name, lobes, albedo };
 }

@@ -1,6 +1,6 @@
 import { encodePng } from '../compare/files.mjs';
 import { heatMap } from '../compare/heat_map.mjs';
-import { strongestIn } from './report.mjs';
+import { strongestIn } from './ranking.mjs';
 
 /**
  * The pictures of a cell that the report shows, as PNG files.
@@ -11,7 +11,7 @@ import { strongestIn } from './report.mjs';
 export async function picturesOf(cell, { signal } = {}) {
   const { width, height } = cell.cloth;
   const images = {
-    from: cell.images.from, to: cell.images.to, map: heatMap({ width, height, flipMap: cell.all.map }),
+    from: cell.images.from, to: cell.images.to, map: heatMap({ width, height, flipMap: cell.map }),
     ...Object.fromEntries(strongestIn(cell).map((slot) => [slot, cell.images[`alone:${slot}`]])),
   };
   const files = {};

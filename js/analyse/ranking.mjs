@@ -1,3 +1,4 @@
+import { mean } from '../compare/statistics.mjs';
 import { inWords } from './words.mjs';
 
 /**
@@ -32,13 +33,12 @@ import { inWords } from './words.mjs';
  * @property {string} words - Direction, in the cell that the term alone changes most.
  */
 
-const sum = (values) => values.reduce((all, value) => all + value, 0);
-
 /** @param {number[]} values not empty @returns {Spread} */
 export function spread(values) {
-  const mean = sum(values) / values.length;
-  const deviation = values.length > 1 ? Math.sqrt(sum(values.map((value) => (value - mean) ** 2)) / (values.length - 1)) : 0;
-  return { mean, deviation, min: Math.min(...values), max: Math.max(...values) };
+  const middle = mean(values);
+  const squares = values.reduce((sum, value) => sum + (value - middle) ** 2, 0);
+  const deviation = values.length > 1 ? Math.sqrt(squares / (values.length - 1)) : 0;
+  return { mean: middle, deviation, min: Math.min(...values), max: Math.max(...values) };
 }
 
 const spreads = (differences) => ({
@@ -62,6 +62,14 @@ export function interactionOf(alone, rest) {
   return `${alone > rest ? 'less' : 'more'} once the others are swapped (x ${Number((alone > rest ? 1 / factor : factor).toPrecision(2))})`;
 }
 
+/** Terms of a cell that lead. */
+const LEADING_TERMS = 3;
+
+/** @param {Cell} cell @returns {string[]} slots of the terms that change it most by themselves, the one that does most first */
+export const strongestIn = ({ terms }) => Object.entries(terms)
+  .filter(([, { alone }]) => flipOf(alone) > 0)
+  .sort(([, a], [, b]) => flipOf(b.alone) - flipOf(a.alone)).slice(0, LEADING_TERMS).map(([slot]) => slot);
+
 const effectIn = ({ alone, rest }, figure) => (figure(alone) + figure(rest)) / 2;
 const flipOf = ({ flip }) => flip.mean;
 const colourOf = ({ deltaE }) => deltaE.mean;
@@ -82,11 +90,11 @@ function wordsOf(cells, slot) {
  * @returns {Row[]} the term that changes most first
  */
 export function rank(cells, terms) {
-  const effects = (figure) => terms.map(({ slot }) => sum(cells.map((cell) => effectIn(cell.terms[slot], figure))) / cells.length);
+  const effects = (figure) => terms.map(({ slot }) => mean(cells.map((cell) => effectIn(cell.terms[slot], figure))));
   const [byFlip, byColour] = [effects(flipOf), effects(colourOf)];
   const [flipRanks, colourRanks] = [ranksOf(byFlip), ranksOf(byColour)];
   const cellRanks = cells.map((cell) => ranksOf(terms.map(({ slot }) => effectIn(cell.terms[slot], flipOf))));
-  const whole = sum(cells.map(({ all }) => all.flip.mean)) / cells.length;
+  const whole = mean(cells.map(({ all }) => flipOf(all)));
   const rows = terms.map((term, i) => {
     const [alone, rest] = ['alone', 'rest'].map((which) => spreads(cells.map((cell) => cell.terms[term.slot][which])));
     const own = cellRanks.map((ranks) => ranks[i]);

@@ -3,13 +3,11 @@ import { CENTRE_ABOVE, HIGHLIGHT_SHARE, LIMB_BELOW } from './differences.mjs';
 import { percent, ranksText, shortFigure as figure } from './lines.mjs';
 import { ALBEDO_ANGLES, LIGHT_ANGLES } from './lobes.mjs';
 import { albedoPlot, lobePlot } from './plots.mjs';
+import { strongestIn } from './ranking.mjs';
 import { STYLE } from './report_style.mjs';
 import { inWords } from './words.mjs';
 
 /** The report: one HTML file without a script, pictures and plots within it. */
-
-/** Terms of which each cell shows the picture. */
-const SHOWN_TERMS = 3;
 
 const th = (name, more = '') => `<th scope="col"${more}>${escaped(name)}</th>`;
 const td = (value, className = '') => `<td${className ? ` class="${className}"` : ''}>${escaped(value)}</td>`;
@@ -62,11 +60,6 @@ function cellTable({ rows, cells }) {
 const picture = (source, title, note = '') => `<figure><img src="${source}" alt="${escaped(title)}"><figcaption><b>${escaped(title)}</b>${note ? `<br>${escaped(note)}` : ''}</figcaption></figure>`;
 
 const differenceNote = (difference) => `FLIP ${figure(difference.flip.mean)}, dE00 ${difference.deltaE.mean.toFixed(2)} (p95 ${difference.deltaE.p95.toFixed(2)}): ${inWords(difference)}`;
-
-/** Slots of a cell that change it most. */
-export const strongestIn = ({ terms }) => Object.entries(terms)
-  .filter(([, { alone }]) => alone.flip.mean > 0)
-  .sort(([, a], [, b]) => b.alone.flip.mean - a.alone.flip.mean).slice(0, SHOWN_TERMS).map(([slot]) => slot);
 
 function cellSection(cell, names, sources) {
   const signed = (value) => `${value >= 0 ? '+' : '−'}${Math.abs(value).toFixed(2)}`;

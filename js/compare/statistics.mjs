@@ -22,5 +22,5 @@ export function weightedPercentile(sorted, share) {
   return sorted.at(-1);
 }
 
-/** @param {Float32Array} values not empty */
+/** @param {Float32Array | number[]} values not empty */
 export const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { cellsOf, stepsOf } from '../../../js/analyse/cells.mjs';
-import { interactionOf, rank, ranksOf, spread } from '../../../js/analyse/ranking.mjs';
+import { analyse, analysisSteps } from '../../../js/analyse/analyse.mjs';
+import { interactionOf, ranksOf, spread } from '../../../js/analyse/ranking.mjs';
 import { swapsBetween } from '../../../js/analyse/swaps.mjs';
 import { inWords } from '../../../js/analyse/words.mjs';
 import { plantedApi } from './support.mjs';
@@ -13,9 +13,9 @@ const plan = (lights = ['studio'], targets = ['leather']) => ({
   lights: lights.map((name) => ({ name, shot: {} })),
   shot: { size: { width: 48, height: 48 }, quality: 'draft' },
 });
-const ranked = async (effect, given = plan()) => {
-  const cells = await cellsOf(plantedApi(effect).renderer, given);
-  return { cells, rows: rank(cells, swaps.terms) };
+const ranked = (effect, given = plan()) => {
+  const { api, renderer } = plantedApi(effect);
+  return analyse(api, renderer, given);
 };
 const rowOf = (rows, slot) => rows.find((row) => row.slot === slot);
 
@@ -72,12 +72,13 @@ test('spread over cells: the mean, its deviation, and the ranks in each', async 
 
 test('equal shadings are drawn once, steps are as announced', async () => {
   const one = swapsBetween('three-r115', { base: 'three-r115', sheen: 'zeltner', diffuse: 'eon' });
-  const { renderer, calls } = plantedApi(() => 0);
+  const { api, renderer, calls } = plantedApi(() => 0);
   let steps = 0;
   const given = { ...plan(['studio', 'sun'], ['leather', 'wool']), swaps: one };
-  const cells = await cellsOf(renderer, given, { step: () => { steps += 1; } });
-  // alone:sheen is rest:diffuse and the other way round.
-  assert.deepEqual([calls.rendered, steps, stepsOf(given), cells.length, calls.released], [16, 36, 36, 4, 2]);
+  const { cells } = await analyse(api, renderer, given, { step: () => { steps += 1; } });
+  // alone:sheen is rest:diffuse and the other way round; the lobes of a target are a step, too.
+  assert.deepEqual([calls.rendered, steps, analysisSteps(given), cells.length], [16, 38, 38, 4]);
+  assert.deepEqual([calls.loaded, calls.released], [2, 2]);
   assert.deepEqual(cells.map(({ target, light }) => `${target} ${light}`), ['leather studio', 'leather sun', 'wool studio', 'wool sun']);
 });
 

@@ -16,7 +16,7 @@ function cosineAt(x, y, size) {
  * @param {(swapped: Set<string>, cosine: number, shot: object) => number} effect - What the swapped slots add to the grey.
  */
 export function plantedApi(effect, { delay = async () => {} } = {}) {
-  const calls = { rendered: 0, closed: 0, released: 0 };
+  const calls = { loaded: 0, rendered: 0, closed: 0, released: 0 };
   const { terms } = swapsBetween('three-r115', 'disney-2012');
   const draw = (shot, colour) => {
     const { width, height } = shot.size;
@@ -30,7 +30,10 @@ export function plantedApi(effect, { delay = async () => {} } = {}) {
     return data;
   };
   const renderer = {
-    load: async (source) => ({ source, facts: { materials: [{ name: 'leather' }] } }),
+    load: async (source) => {
+      calls.loaded += 1;
+      return { source, facts: { materials: [{ name: 'leather' }] } };
+    },
     render: async (_model, shot, { signal }) => {
       await delay();
       signal?.throwIfAborted();
