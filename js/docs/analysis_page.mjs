@@ -1,4 +1,5 @@
-import { figuresOf, inWords, LIGHTS, percent, ranksText, shortFigure, strongestIn } from '../analyse/index.mjs';
+import { inWords, LIGHTS, percent, ranksText, shortFigure, strongestIn } from '../analyse/index.mjs';
+import { heading, row } from './tables.mjs';
 
 /** js/docs/analysis.md: how to use telar analyse, and what it found; every figure and word of the second part is from the run. */
 
@@ -47,8 +48,7 @@ Exit codes are those of all commands: 0 done, 2 usage, 3 bad input, 4 a limit, 5
   surface gives more than it takes. Both are in double precision, by the text that the shaders are made of (\`evaluateShading\`).
 `.replace('$LIGHTS', Object.entries(LIGHTS).map(([name, { about }]) => `\`${name}\` (${about})`).join(', '));
 
-const row = (cells) => `| ${cells.map((cell) => String(cell).replaceAll('|', '\\|')).join(' | ')} |`;
-const table = (headings, rows) => [row(headings), row(headings.map(() => '---')), ...rows.map(row)].join('\n');
+const table = (headings, rows) => [...heading(headings), ...rows.map(row)].join('\n');
 
 function ranking({ rows }) {
   return table(['rank', 'term', 'swap', 'FLIP alone', 'range', 'last', 'dE00 mean', 'p95', 'of the whole', 'rank by dE00', 'ranks', 'alone, it makes the cloth', 'interaction'],
@@ -91,9 +91,8 @@ Left to right: ${sheet}. Top to bottom, with that term: ${swapped}.
  * @returns {string} Markdown
  */
 export function analysisMarkdown(analysis, targets) {
-  const { names, shot, cells } = analysis;
+  const { names, shot, cells, rows } = analysis;
   const { width, height } = shot.size;
-  const { ranking: rows } = figuresOf(analysis);
   return `${USAGE}
 ## ${names.to} against ${names.from}
 

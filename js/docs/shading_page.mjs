@@ -1,4 +1,5 @@
 import { BASES, SLOTS } from '../shot/shading_terms.mjs';
+import { heading, row } from './tables.mjs';
 
 /** js/docs/shading.md: the slots and terms of the principled shadings, and how they read glTF. */
 
@@ -80,16 +81,12 @@ const MAPPING = [
   ['transmission, volume', 'drawn as in the shading three', 'the same'],
 ];
 
-const cell = (text) => text.replaceAll('|', '\\|');
-const row = (cells) => `| ${cells.map(cell).join(' | ')} |`;
-const rule = (count) => row(Array(count).fill('---'));
-
 function slotSection(slot, terms) {
   const [what, texts] = TEXTS[slot] ?? [];
   const untold = terms.filter((term) => !texts?.[term]);
   if (untold.length > 0) throw new Error(`js/docs/shading_page.mjs says nothing of ${slot}: ${untold.join(', ')}`);
   const rows = terms.map((term, i) => row([`\`${term}\``, BASES[i] ? `\`${BASES[i]}\`` : '', ...texts[term]]));
-  return [`### \`${slot}\``, '', `${what}.`, '', row(['term', 'of', 'what it is', 'source']), rule(4), ...rows, ''];
+  return [`### \`${slot}\``, '', `${what}.`, '', ...heading(['term', 'of', 'what it is', 'source']), ...rows, ''];
 }
 
 /** @returns {string} */
@@ -107,7 +104,7 @@ export function shadingPage() {
     ...Object.entries(SLOTS).flatMap(([slot, terms]) => slotSection(slot, terms)),
     '## glTF as the models have it', '',
     'Decided by the slot `parameters`, for anisotropy by `distribution`, for the widths of coat and sheen by their slots.', '',
-    row(['glTF', ...BASES]), rule(3), ...MAPPING.map(row), '',
+    ...heading(['glTF', ...BASES]), ...MAPPING.map(row), '',
     'Brightness is 0.3 R + 0.6 G + 0.1 B, as in Disney\'s tint; the tint nearest to a colour c of brightness 1 is the t in [0, 1] for which',
     'mix(1, base / brightness of the base, t) is closest to it: brightness is kept exactly, hue as far as the line from white to the base',
     'colour reaches. Both shadings are lit in physical units as three.js 0.187 is: no factor of PI, which r115 had unless',

@@ -4,7 +4,12 @@ import { range } from './types.mjs';
 
 const code = (value) => `\`${typeof value === 'string' && value !== '' ? value : JSON.stringify(value)}\``;
 const cell = (text) => String(text).replaceAll('|', '\\|').replaceAll('\n', ' ');
-const row = (cells) => `| ${cells.map(cell).join(' | ')} |`;
+
+/** A line of a Markdown table. */
+export const row = (cells) => `| ${cells.map(cell).join(' | ')} |`;
+
+/** The lines that a Markdown table begins with. */
+export const heading = (names) => [row(names), row(names.map(() => '---'))];
 
 function valuesText(node) {
   if (node.tsType) return node.tsType;
@@ -45,7 +50,7 @@ export function optionsPage(schema) {
     'Lengths are metres, angles degrees (spot cones: radians, as in three.js), colours CSS (sRGB) or linear `[r, g, b]`. glTF axes: +Y up, the front faces +Z.',
     'Unknown keys, wrong types, NaN and values out of range are errors that name the path.',
     'This page is generated from js/shot/schema.mjs by `node js/docs/generate.mjs`.', '',
-    row(['key', 'values', 'default', 'meaning']), row(['---', '---', '---', '---']), ...new Set(rows), '',
+    ...heading(['key', 'values', 'default', 'meaning']), ...new Set(rows), '',
   ].join('\n');
 }
 
@@ -59,7 +64,7 @@ export function errorsPage(table) {
     'Exit codes: 0 done, 1 compared and over the gate, 2 usage, 3 input, 4 limit, 5 time or memory, 6 this machine, 7 internal.',
     'Of many models in one run, the highest exit code is told.',
     'This page is generated from js/error/table.mjs by `node js/docs/generate.mjs`.', '',
-    row(['code', 'kind', 'exit', 'HTTP', 'retry', 'meaning', 'cure']), row(['---', '---', '---', '---', '---', '---', '---']), ...rows, '',
+    ...heading(['code', 'kind', 'exit', 'HTTP', 'retry', 'meaning', 'cure']), ...rows, '',
   ].join('\n');
 }
 
@@ -76,7 +81,7 @@ export function fieldRows(schema) {
     const own = row([code(`${prefix}${key}`), isInfo ? 'textureInfo' : fieldType(node), value, node.description ?? '']);
     return [own, ...(node.properties && !isInfo ? rows(`${prefix}${key}.`, node.properties) : [])];
   });
-  return [row(['property', 'values', 'default', 'meaning']), row(['---', '---', '---', '---']), ...rows('', schema.properties)];
+  return [...heading(['property', 'values', 'default', 'meaning']), ...rows('', schema.properties)];
 }
 
 const fieldType = (node) => (node.type === 'array' ? `${node.minItems} x ${valuesText(node.items)}` : valuesText(node));
