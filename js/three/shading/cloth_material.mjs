@@ -4,13 +4,6 @@ import { shadingMaterialClass } from './material.mjs';
 import { termDefine } from './terms.mjs';
 import { bakedTexture } from './texture_bake.mjs';
 
-/**
- * What cloth has beyond a MeshPhysicalMaterial: js/docs/fabric.md is the table of it.
- * @typedef {object} Cloth
- * @property {object | null} fabric - As the glTF extension TELAR_materials_fabric, with THREE.Texture in place of references.
- * @property {object | null} diffuseTransmission - As KHR_materials_diffuse_transmission, likewise.
- */
-
 /** Map, as its uniform and varying are named: the define of it, and of what it is a part. */
 const MAPS = {
   diffuseTransmission: { define: 'DIFFUSE_TRANSMISSION', of: 'DIFFUSE_TRANSMISSION' },
@@ -23,7 +16,7 @@ const MAPS = {
 const VARIANCE_MAPS = { normalVarianceMap: 'normalMap', clearcoatNormalVarianceMap: 'clearcoatNormalMap' };
 
 /**
- * A class of materials that know what glTF says of cloth: FabricMaterial, and those of the principled shadings, which read a part
+ * A class of materials that know what glTF says of cloth (js/docs/fabric.md is the table of it): FabricMaterial, and those of the principled shadings, which read a part
  * of it.
  * @param {typeof import('three')} THREE
  * @param {import('./material.mjs').ShadingText} text
@@ -88,13 +81,13 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
 
     /** Before each draw: what has changed since reaches the program, and maps that are new are made anew. */
     onBeforeRender(renderer, ...rest) {
-      const { NORMAL_VARIANCE, ALPHA_TO_COVERAGE } = this.textDefines();
+      const { NORMAL_VARIANCE, ALPHA_TO_COVERAGE } = this.isFabricMaterial ? featuresOf(this) : {};
       if (NORMAL_VARIANCE) {
         for (const [name, key] of Object.entries(VARIANCE_MAPS)) this.madeMaps[name] = bakedTexture(THREE, textureShaders, renderer, 'slope', this[key]);
       }
       if (ALPHA_TO_COVERAGE) this.madeMaps.coverageMap = bakedTexture(THREE, textureShaders, renderer, 'coverage', this.map, textureCutoff(this));
-      this.textUniforms();
       if (ALPHA_TO_COVERAGE) drawPartlyCovered(this, [renderer, ...rest]);
+      else this.textUniforms();
     }
 
     /** What of a pixel's samples the pixels cover that the next draw is for. */
