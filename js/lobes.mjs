@@ -1,16 +1,14 @@
-import { bytesOf } from './api/source.mjs';
+import { readSource } from './api/source.mjs';
 import { nativeCall } from './api/native_call.mjs';
 import { lobesOptions } from './api/lobes_options.mjs';
 import { shotJson } from './api/shot_json.mjs';
 import { loadNative } from './native.mjs';
 import { Model, loadModel, shotModule } from './model.mjs';
+import { ANY_MODEL } from './shot/facts.mjs';
 
 /** Lobes in the order of the addon's numbers, three a lobe. */
 const LOBES = ['diffuse', 'specular', 'sheen', 'coat', 'total'];
 const PER_DIRECTION = LOBES.length * 3;
-
-/** A box to resolve the shot in: only its shading is read. */
-const ANY_MODEL = { min: [0, 0, 0], max: [1, 1, 1] };
 
 /** A glTF of one triangle in the material, so that the loader reads and checks it like any other. */
 function triangleIn(material) {
@@ -31,8 +29,8 @@ function triangleIn(material) {
 
 async function sceneOf(native, { model, material }, signal) {
   if (model) return { scene: Model.sceneOf(model), index: material };
-  const bytes = new native.Bytes(bytesOf(triangleIn(material)), native.limits.L_FILE_BYTES);
-  return { scene: Model.sceneOf(await loadModel(native, bytes, {}, signal)), index: 0 };
+  const input = readSource(native, triangleIn(material), native.limits.L_FILE_BYTES);
+  return { scene: Model.sceneOf(await loadModel(native, input, {}, signal)), index: 0 };
 }
 
 /** {diffuse: [r, g, b], ...} of the numbers from `start`. */

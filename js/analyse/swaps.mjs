@@ -1,5 +1,6 @@
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
+import { ANY_MODEL } from '../shot/facts.mjs';
 import { resolveShot } from '../shot/index.mjs';
 
 /**
@@ -16,9 +17,6 @@ import { resolveShot } from '../shot/index.mjs';
  *   shading with this term swapped) and `rest:<slot>` (the second with this term put back). One that stands twice under
  *   different names is drawn once.
  */
-
-/** A box to resolve shots in: only the shading is read. */
-const ANY_MODEL = { min: [0, 0, 0], max: [1, 1, 1] };
 
 /** The shading with every slot, or the name of one that is not made of terms. @throws {TelarError} E_SHOT where there is none such */
 const resolved = (shading) => resolveShot({ shading }, ANY_MODEL).shading;

@@ -1,6 +1,7 @@
 import path from 'node:path';
 import { analyse as analyseAll, analysisPage, analysisSteps, dataUrls, FABRICS, fabricTargets, figuresOf, lightsOf, modelTargets, picturesOf, rankLines, swapsBetween, termLines } from '../analyse/index.mjs';
 import { TelarError } from '../error/index.mjs';
+import { ANY_MODEL } from '../shot/facts.mjs';
 import { resolveShot } from '../shot/index.mjs';
 import { BASES, resolveTerms, SLOTS } from '../shot/shading_terms.mjs';
 import { removeUnfinished, writeFileAtomically } from './atomic_file.mjs';
@@ -9,9 +10,6 @@ import { parseSize, parseValue } from './shot_options.mjs';
 
 /** Lights of an analysis unless others are named: one from all around, one lamp. */
 const DEFAULT_LIGHTS = ['studio', 'sun'];
-
-/** A box to resolve a shot in: a wrong one is told before anything is opened. */
-const ANY_MODEL = { min: [0, 0, 0], max: [1, 1, 1] };
 
 const listOf = (text) => text.split(',').map((name) => name.trim()).filter(Boolean);
 
@@ -33,6 +31,7 @@ function planOf(models, options) {
   const swaps = swapsBetween(from, to);
   const shot = { size: parseSize(options.size), quality: parseValue(options.quality) };
   const targets = models.length > 0 ? modelTargets(models) : fabricTargets(namesOf('fabrics', options.fabrics, FABRICS));
+  // A wrong shot is told before anything is opened.
   resolveShot({ ...shot, camera: options.view === undefined ? {} : { view: options.view } }, ANY_MODEL);
   if (options.view !== undefined) for (const target of targets) target.shot = { ...target.shot, camera: { view: options.view } };
   return { names: { from: nameOf(from), to: nameOf(to) }, swaps, targets, lights: lightsOf(namesOf('lights', options.lights, DEFAULT_LIGHTS)), shot };

@@ -1,12 +1,10 @@
 import path from 'node:path';
 import { readImage } from '../compare/index.mjs';
 import { TelarError, toTelarError } from '../error/index.mjs';
+import { ANY_MODEL } from '../shot/facts.mjs';
 import { withPathsFrom } from './shot_options.mjs';
 
 /** The shots that pictures hold (js/compare/embedded_shot.mjs): told, and drawn again. */
-
-/** A box to resolve shots in whose camera depends on the model. */
-const ANY_MODEL = { min: [0, 0, 0], max: [1, 1, 1] };
 
 /** The keys of a shot that are not as they are by default, as `key=JSON`; what went to which file is left out. */
 export async function shotText({ output, ...shot }) {

@@ -1,5 +1,6 @@
 import path from 'node:path';
 import { TelarError, toTelarError, worstExit } from '../error/index.mjs';
+import { ANY_MODEL } from '../shot/facts.mjs';
 import { removeUnfinished, sweepStale, writeFileAtomically } from './atomic_file.mjs';
 import { outputNames } from './output_names.mjs';
 import { readShotOptions } from './shot_options.mjs';
@@ -44,7 +45,7 @@ function refuseSharedStdin(models, { shot, output, json }) {
 async function checkShot(shot) {
   const { resolveShot } = await import('../shot/index.mjs');
   try {
-    resolveShot(shot, { min: [0, 0, 0], max: [1, 1, 1] });
+    resolveShot(shot, ANY_MODEL);
   } catch (error) {
     if (error.code === 'E_SHOT' || error.code === 'E_SHOT_UNAVAILABLE') throw error;
   }

@@ -4,6 +4,9 @@ const AXES = ['x', 'y', 'z'];
 const isFinitePoint = (point) => point.length === 3 && point.every((x) => typeof x === 'number' && Number.isFinite(x));
 const asPoint = (value) => (Array.isArray(value) ? value : AXES.map((axis) => value?.[axis]));
 
+/** A box to resolve a shot in, metres, where what is read of it does not depend on the model. */
+export const ANY_MODEL = { min: [0, 0, 0], max: [1, 1, 1] };
+
 /**
  * What resolveShot needs to know of a model.
  * @param {unknown} facts of `renderer.load`, `inspect` or `factsOf` of telar/three, or a box alone: {min, max} with [x, y, z] or {x, y, z} in metres,

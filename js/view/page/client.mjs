@@ -5,12 +5,10 @@ import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { applyShot, factsOf, rendererParameters } from '../../three/index.mjs';
+import { ANY_MODEL } from '../../shot/facts.mjs';
 import { resolvePose } from '../../shot/pose.mjs';
 import { resolveShot } from '../../shot/resolve.mjs';
 import { alphaOf, straightPixels } from './pixels.mjs';
-
-/** Any box: how a renderer is made does not depend on the model. */
-const ANY_BOX = { min: [0, 0, 0], max: [1, 1, 1] };
 
 /**
  * The browser client: stock three.js with the model, set up from a shot.
@@ -40,7 +38,7 @@ export class Client {
     const self = new Client();
     self.#place = place;
     self.#environments = environments;
-    const renderer = self.#rendererFor(resolveShot({ quality: shot.quality }, ANY_BOX));
+    const renderer = self.#rendererFor(resolveShot({ quality: shot.quality }, ANY_MODEL));
     const loader = new GLTFLoader()
       .setDRACOLoader(new DRACOLoader().setDecoderPath(new URL('page/draco/', document.baseURI).href))
       .setKTX2Loader(new KTX2Loader().setTranscoderPath(new URL('page/basis/', document.baseURI).href).detectSupport(renderer))
