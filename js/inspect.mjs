@@ -3,7 +3,7 @@ import { nativeCall } from './api/native_call.mjs';
 import { shotJson } from './api/shot_json.mjs';
 import { readShot, readSource } from './api/source.mjs';
 import { loadNative } from './native.mjs';
-import { Model, loadModel, poseModel } from './model.mjs';
+import { Model, loadModel, poseModel, shotModule } from './model.mjs';
 
 /**
  * What is in a model, and what a render of it would compile and run. Needs no GL.
@@ -28,7 +28,7 @@ export async function inspectOn(native, source, options = {}) {
   const loaded = await loadModel(native, input, limits, signal);
   const model = await poseModel(native, loaded, request.shot, { signal, forget: true });
   if (!model.facts.bounds) return { ...model.facts, plan: null };
-  const { resolveShot } = await import('./shot/index.mjs');
+  const { resolveShot } = await shotModule();
   const resolved = resolveShot(request.shot, model.facts);
   if (request.map) resolved.environment.map = request.map;
   const json = shotJson(resolved);

@@ -116,7 +116,8 @@ class Renderer {
     this.#assertOpen();
     const { signal, onProgress } = drawOptions(options);
     if (!Array.isArray(shots)) throw wrongOption('shots', 'an array of shots', shots);
-    const [input, requests] = this.#readRequests(source, shots);
+    const input = this.#readInput(source);
+    const requests = shots.map((shot) => readShot(this.#native, shot, this.#maxBytes));
     return this.#track(inScope(signal, onProgress, shots.length, (scope, report) => this.#renderAll(input, requests, scope, report)));
   }
 
@@ -168,10 +169,6 @@ class Renderer {
 
   #readRequest(source, shot) {
     return { ...this.#readInput(source), ...readShot(this.#native, shot, this.#maxBytes) };
-  }
-
-  #readRequests(source, shots) {
-    return [this.#readInput(source), shots.map((shot) => readShot(this.#native, shot, this.#maxBytes))];
   }
 
   async #renderAll({ input, model }, requests, signal, report) {

@@ -1,12 +1,7 @@
+import { textTable } from '../compare/figures.mjs';
 import { inWords } from './words.mjs';
 
 /** An analysis as text for a terminal. */
-
-/** Columns padded to one width; the first to the left, numbers to the right, words (`left`) to the left. */
-function table(rows, left) {
-  const widths = rows[0].map((_, column) => Math.max(...rows.map((row) => row[column].length)));
-  return rows.map((row) => row.map((cell, i) => (left.includes(i) ? cell.padEnd(widths[i]) : cell.padStart(widths[i]))).join('  ').trimEnd());
-}
 
 /** A positive figure: four decimals below 1, three digits above. */
 export const shortFigure = (value) => (value === 0 ? '0' : value < 0.00005 ? '<0.0001' : value < 1 ? value.toFixed(4) : String(Number(value.toPrecision(3))));
@@ -30,10 +25,10 @@ export function rankLines({ rows, cells, names }) {
     `${target}, ${light}`, `FLIP ${shortFigure(all.flip.mean)}`, `dE00 ${all.deltaE.mean.toFixed(2)}`, `p95 ${all.deltaE.p95.toFixed(2)}`, inWords(all),
   ]);
   const heading = `${names.to} against ${names.from}${rows.length > 0 ? ', all terms' : ''}:`;
-  if (rows.length === 0) return [heading, ...table(whole, [0, 1, 2, 3, 4])];
+  if (rows.length === 0) return [heading, ...textTable(whole, [0, 1, 2, 3, 4])];
   return [
-    heading, ...table(whole, [0, 1, 2, 3, 4]), '',
-    'One term at a time; FLIP and CIEDE2000 on the cloth: swapped alone, and as the last of all:', ...table([HEADINGS, ...lines], [1, 2, 3, 11]),
+    heading, ...textTable(whole, [0, 1, 2, 3, 4]), '',
+    'One term at a time; FLIP and CIEDE2000 on the cloth: swapped alone, and as the last of all:', ...textTable([HEADINGS, ...lines], [1, 2, 3, 11]),
   ];
 }
 

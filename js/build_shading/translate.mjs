@@ -1,5 +1,6 @@
-import { existsSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { SLOTS } from '../shot/shading_terms.mjs';
+import { PREFIX } from '../three/shading/material.mjs';
 import { termDefine } from '../three/shading/terms.mjs';
 import { ARRAYS, CLOTH_EXPRESSIONS, COUNTS, EXPRESSIONS, FEATURES, FIXED, INPUTS, LEFT_OUT, OF_CLOTH } from './names.mjs';
 import { conditionNames, decided, included, withoutComments } from './preprocess.mjs';
@@ -7,12 +8,8 @@ import { conditionNames, decided, included, withoutComments } from './preprocess
 const SHADERS = new URL('../../shaders/', import.meta.url);
 const ADAPTER = new URL('../three/shading/', import.meta.url);
 
-/** In front of every name of ours, so that none meets one of three.js or of the client's. */
-const PREFIX = 'telar_';
-
-/** The shadings that shaders/surface.frag tells apart by SHADING_X, and those of them that are written. */
-const SHADINGS = ['three', 'principled', 'fabric'];
-export const FAMILIES = SHADINGS.filter((name) => existsSync(new URL(`shading/${name}.glsl`, SHADERS)));
+/** The shadings that shaders/surface.frag tells apart by SHADING_X. */
+export const FAMILIES = ['three', 'principled', 'fabric'];
 
 /** Integers that a material of the principled shadings is compiled with. */
 const TERMS = Object.keys(SLOTS).map(termDefine);
@@ -50,7 +47,7 @@ export function shadingText(family) {
   const main = readAdapter('main.glsl');
   const isCloth = family === 'fabric';
   const absent = Object.keys(OF_CLOTH).filter((name) => !OF_CLOTH[name].includes(family));
-  const known = { ...FIXED, ...Object.fromEntries(absent.map((name) => [name, 0])), ...Object.fromEntries(SHADINGS.map((name) => [`SHADING_${name.toUpperCase()}`, Number(name === family)])) };
+  const known = { ...FIXED, ...Object.fromEntries(absent.map((name) => [name, 0])), ...Object.fromEntries(FAMILIES.map((name) => [`SHADING_${name.toUpperCase()}`, Number(name === family)])) };
   const text = decided(`${adapter}\n${withoutComments(included(source, readShader))}`, known);
   const defined = new Set([...text.matchAll(/^#define (\w+)/gm)].map(([, name]) => name));
   const features = [...conditionNames(text)].filter((name) => !FEATURES[name] && !COUNTS[name] && !defined.has(name) && !TERMS.includes(name));

@@ -1,7 +1,7 @@
 import path from 'node:path';
 import { compareImages, encodePng, heatMap, htmlReport, judge, junitReport, readEmbeddedShot, readImage } from '../compare/index.mjs';
 import { readFileBytes } from '../compare/files.mjs';
-import { checkName, checkText, COLUMNS, number, regionRows } from '../compare/figures.mjs';
+import { checkName, checkText, COLUMNS, number, regionRows, textTable } from '../compare/figures.mjs';
 import { EXIT_OVER_THE_GATE } from '../error/table.mjs';
 import { TelarError, toTelarError } from '../error/index.mjs';
 import { differingKeys, drawShotOf, shotText } from './drawn_shot.mjs';
@@ -77,10 +77,8 @@ async function writeReports({ names, images, comparison, verdict }, { heatmap, r
 }
 
 function lines(comparison, verdict) {
-  const table = [['', ...COLUMNS], ...regionRows(comparison)];
-  const widths = table[0].map((_, column) => Math.max(...table.map((row) => row[column].length)));
   return [
-    ...table.map((row) => row.map((cell, i) => (i === 0 ? cell.padEnd(widths[i]) : cell.padStart(widths[i]))).join('  ')),
+    ...textTable([['', ...COLUMNS], ...regionRows(comparison)], [0]),
     `SSIM ${number(comparison.ssim)}`,
     ...verdict.checks.map((item) => `${item.pass ? 'within' : 'over  '}  ${checkName(item)} ${checkText(item)}`),
     `${verdict.pass ? 'within' : 'over'} the gate ${verdict.gate}`,

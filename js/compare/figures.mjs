@@ -14,6 +14,17 @@ export function checkText({ figure, limit, value }) {
   return `${value === null ? 'no pixels to judge' : `${number(value)}${unit}`}, at most ${number(limit)}${unit}`;
 }
 
+/**
+ * Lines of columns padded to one width.
+ * @param {string[][]} rows - Of as many cells each; not empty.
+ * @param {number[]} left - Columns of words, which begin at the left; the others, numbers, end at the right.
+ * @returns {string[]}
+ */
+export function textTable(rows, left) {
+  const widths = rows[0].map((_, column) => Math.max(...rows.map((row) => row[column].length)));
+  return rows.map((row) => row.map((cell, i) => (left.includes(i) ? cell.padEnd(widths[i]) : cell.padStart(widths[i]))).join('  ').trimEnd());
+}
+
 export const COLUMNS = ['pixels', 'max', 'p99.9', 'RMSE', 'RMSE linear', 'FLIP mean', 'FLIP median', 'dE00 mean', 'dE00 p95'];
 
 /**

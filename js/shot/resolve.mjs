@@ -8,7 +8,7 @@ import { resolveLens } from './lens.mjs';
 import { posed } from './pose.mjs';
 import { resolveQuality } from './quality.mjs';
 import { shotSchema } from './schema.mjs';
-import { resolveTerms } from './shading_terms.mjs';
+import { resolveTerms, WITHOUT_TERMS } from './shading_terms.mjs';
 import { resolveShadow } from './shadow.mjs';
 import { refuseUnavailable } from './unavailable.mjs';
 
@@ -109,7 +109,6 @@ function resolveBackground(background, format, environment) {
   return blur === 0 ? 'environment' : background;
 }
 
-const WITHOUT_TERMS = ['three', 'fabric'];
 const resolveShading = (shading) => (WITHOUT_TERMS.includes(shading) ? shading : resolveTerms(shading));
 
 function resolveVariant(variant, variants) {

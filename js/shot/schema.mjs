@@ -3,7 +3,7 @@ import { boolean, choice, colour, expectedColour, number, object, text, vector }
 import { VIEWS } from './frame.mjs';
 import { lensSchema } from './lens.mjs';
 import { referenceQuality } from './reference.mjs';
-import { BASES, SLOTS } from './shading_terms.mjs';
+import { BASES, SLOTS, WITHOUT_TERMS } from './shading_terms.mjs';
 
 /**
  * The one declaration of the shot: the API, the CLI, the HTTP service, the JSON Schema, the TypeScript types and the option
@@ -206,7 +206,7 @@ export const poseSchema = object('A moment of an animation', {
 
 const SHADING = '"three", "fabric", "three-r115", "disney-2012" or {base, <slot>: <term>}';
 const shading = z.union([
-  z.enum(['three', 'fabric', ...BASES], { error: SHADING }),
+  z.enum([...WITHOUT_TERMS, ...BASES], { error: SHADING }),
   object('A principled shading with terms swapped', {
     base: choice('Shading that the other slots are taken from', BASES),
     ...Object.fromEntries(Object.entries(SLOTS).map(([slot, terms]) => [slot, choice(`Term of the slot: js/docs/shading.md`, terms).optional()])),

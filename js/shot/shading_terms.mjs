@@ -22,6 +22,9 @@ export const SLOTS = Object.freeze({
 /** The columns of the table. */
 export const BASES = Object.freeze(['three-r115', 'disney-2012']);
 
+/** Shadings that are not made of terms. */
+export const WITHOUT_TERMS = Object.freeze(['three', 'fabric']);
+
 /**
  * Every slot written out.
  * @param {string | {base: string}} shading a base, or a base with the slots that differ from it

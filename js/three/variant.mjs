@@ -1,3 +1,5 @@
+import { assignMaterial } from './assign_material.mjs';
+
 const EXTENSION = 'KHR_materials_variants';
 
 /** Material that the file gives to a mesh outside of any variant, remembered before the first change. */
@@ -20,7 +22,7 @@ export async function applyVariant(model, name) {
   model.scene.traverse((object) => {
     if (object.isMesh || object.isLine || object.isPoints) meshes.push(object);
   });
-  for (const mesh of meshes) await assignMaterial(parser, mesh, index);
+  for (const mesh of meshes) await showVariant(parser, mesh, index);
 }
 
 function variantNames(parser) {
@@ -38,17 +40,14 @@ function primitiveOf({ associations, json }, mesh) {
   return json.meshes[json.nodes[node]?.mesh]?.primitives[index];
 }
 
-async function assignMaterial(parser, mesh, variantIndex) {
+async function showVariant(parser, mesh, variantIndex) {
   const primitive = primitiveOf(parser, mesh);
   if (!primitive) return;
   const mappings = primitive.extensions?.[EXTENSION]?.mappings ?? [];
   const mapping = mappings.find((entry) => entry.variants.includes(variantIndex));
   if (mapping) {
     if (!ownMaterial.has(mesh)) ownMaterial.set(mesh, mesh.material);
-    mesh.material = await parser.getDependency('material', mapping.material);
-    parser.assignFinalMaterial(mesh);
-    // GLTFLoader does it twice for instances, which turns normal maps round: each variant is to look alike.
-    if (mesh.isInstancedMesh) parser.assignFinalMaterial(mesh);
+    assignMaterial(parser, mesh, await parser.getDependency('material', mapping.material));
   } else if (ownMaterial.has(mesh)) {
     mesh.material = ownMaterial.get(mesh);
   }

@@ -28,7 +28,8 @@ export async function debugByTool(executable, input, names, options = []) {
 }
 
 /**
- * Debug outputs by the addon, which the public API does not offer: on a native renderer of its own.
+ * Debug outputs by the addon on a native renderer of its own: the shot is drawn as it was resolved, where `renderQuantity` of the
+ * API resolves one, in front of nothing.
  * @returns {Promise<{draw: (input: object, names: string[]) => Promise<DebugFrames>, close: () => Promise<void>}>}
  */
 export async function openDebugAddon() {

@@ -1,6 +1,8 @@
+import { assignMaterial } from '../assign_material.mjs';
+
 /** Names of glTF for what GLTFLoader leaves to us. */
-export const FABRIC = 'TELAR_materials_fabric';
-export const DIFFUSE_TRANSMISSION = 'KHR_materials_diffuse_transmission';
+const FABRIC = 'TELAR_materials_fabric';
+const DIFFUSE_TRANSMISSION = 'KHR_materials_diffuse_transmission';
 
 /** Textures within the extensions, and whether their colours are sRGB. Paths of keys. */
 const TEXTURES = {
@@ -68,10 +70,7 @@ async function loadCloth(parser, index, loadPresets) {
 /** The material as GLTFLoader gives it to a mesh. */
 function finalMaterial(parser, mesh, material) {
   const before = mesh.material;
-  mesh.material = material;
-  parser.assignFinalMaterial(mesh);
-  // GLTFLoader does it twice for instances, which turns normal maps round.
-  if (mesh.isInstancedMesh) parser.assignFinalMaterial(mesh);
+  assignMaterial(parser, mesh, material);
   const result = mesh.material;
   mesh.material = before;
   return result;

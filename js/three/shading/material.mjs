@@ -13,8 +13,8 @@ const UNSUPPORTED = {
   retroreflectivity: 'retroreflectivity',
 };
 
-/** In front of the names of telar's text: as in js/build_shading. */
-const PREFIX = 'telar_';
+/** In front of every name of telar's text, so that none meets one of three.js or of the client's. */
+export const PREFIX = 'telar_';
 
 /**
  * Module of js/dist/shading, written by js/build_shading.
