@@ -10,7 +10,7 @@ import { buildShading } from './build_shading/index.mjs';
 
 const JS = path.dirname(fileURLToPath(import.meta.url));
 
-export const ENTRIES = { index: 'index.mjs', shot: 'shot/index.mjs', compare: 'compare/index.mjs' };
+const ENTRIES = { index: 'index.mjs', shot: 'shot/index.mjs', compare: 'compare/index.mjs' };
 
 // The bundles lie one folder deeper than the sources that say import.meta.url.
 const BANNER = "const importMetaUrl = require('node:url').pathToFileURL(require('node:path').join(__dirname, '..', 'bundle.cjs')).href;";

@@ -1,7 +1,7 @@
 /** Lobes and albedos of a target's material under two shadings, for the plots. */
 
 /** Angles between normal and viewer of the lobe plots, degrees. */
-export const VIEW_ANGLES = [20, 65];
+const VIEW_ANGLES = [20, 65];
 /** Angles of the albedo curves, degrees. */
 export const ALBEDO_ANGLES = [0, 10, 20, 30, 40, 50, 60, 65, 70, 75, 80, 84, 87];
 /** Steps of the light over the plane of incidence, degrees. */

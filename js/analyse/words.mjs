@@ -1,7 +1,7 @@
 /** The direction of a change in words, each taken from a figure. */
 
 /** Below this CIEDE2000 of the 95th percentile nobody sees a difference side by side. */
-export const NOT_VISIBLE_BELOW = 1;
+const NOT_VISIBLE_BELOW = 1;
 /** Changes of CIELAB lightness and chroma that are worth a word, and that are worth a strong one. */
 const WORTH = 0.5;
 const STRONG = 5;

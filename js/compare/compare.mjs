@@ -68,7 +68,7 @@ function checkOptions(pixelsPerDegree, mask, pixels) {
  * @param {[Uint8Array, Uint8Array]} pair expected and actual, RGBA
  * @returns {Comparison}
  */
-export function comparePremultiplied(pair, width, height, { pixelsPerDegree = PIXELS_PER_DEGREE, mask } = {}) {
+function comparePremultiplied(pair, width, height, { pixelsPerDegree = PIXELS_PER_DEGREE, mask } = {}) {
   const maps = worstMaps(pair, width, height, pixelsPerDegree);
   const regions = pairRegions(...pair, width, height, mask);
   const figures = Object.entries(REGIONS).map(([name, belongs]) => [name, figuresOf(pair, maps, regions, belongs, width)]);

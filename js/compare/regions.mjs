@@ -1,7 +1,7 @@
 /** Which pixels are judged as the inside of the object, and which as its edge. */
 
 /** Width in pixels of the band along a silhouette that is judged apart. */
-export const EDGE_PIXELS = 2;
+const EDGE_PIXELS = 2;
 
 /** What pairRegions() calls a pixel. */
 export const [OUTSIDE, INSIDE, BAND] = [0, 1, 2];

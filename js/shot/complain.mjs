@@ -5,7 +5,7 @@ import { TelarError } from '../error/index.mjs';
 const MAX_SHOWN = 60;
 
 /** ["lights", 0, "color"] -> "shot.lights[0].color". */
-export function pathText(path) {
+function pathText(path) {
   return path.reduce((text, key) => {
     if (typeof key === 'number') return `${text}[${key}]`;
     return /^[A-Za-z_$][\w$]*$/.test(key) ? `${text}.${key}` : `${text}[${shown(String(key))}]`;

@@ -7,7 +7,7 @@ import { choice, number, object } from './fields.mjs';
 /** Every core of the machine: a resolved shot is the same on each of them. */
 const ALL_CORES = 0;
 
-export const REFERENCE = Object.freeze({ samples: 256, seed: 1, transport: 'global', bounces: 8, threads: ALL_CORES });
+const REFERENCE = Object.freeze({ samples: 256, seed: 1, transport: 'global', bounces: 8, threads: ALL_CORES });
 
 /** What light is followed, from what the raster computes to all there is. */
 const TRANSPORTS = ['global', 'occlusion', 'direct'];

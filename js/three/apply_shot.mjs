@@ -57,7 +57,7 @@ export async function applyShot(shot, { THREE, renderer, scene, camera, model, e
  * @param {typeof import('three')} THREE
  * @param {string} name - none linear reinhard cineon aces agx neutral
  */
-export function toneMappingOf(THREE, name) {
+function toneMappingOf(THREE, name) {
   const table = {
     none: THREE.NoToneMapping,
     linear: THREE.LinearToneMapping,

@@ -11,7 +11,7 @@ const parts = (p, sizes) => {
 };
 
 /** Each curve: how many numbers its polynomials of the roughness have, where they start, and the curve itself. */
-export const CURVES = {
+const CURVES = {
   missing: {
     sizes: [3, 3, 3, 3, 3],
     start: [0.3, 0, 0, 0.3, 0, 0, 0.7, 0, 0, 0.7, 0, 0, 0.7, 0, 0],

@@ -8,7 +8,7 @@
  *   what it does that belongs to f90 with Schlick's fifth power. Error some 1e-4 with 72 strata.
  * src: Dupuy & Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps"; Heitz 2014, eq. 99
  */
-export function exactAlbedo(alpha, cosine, strata) {
+function exactAlbedo(alpha, cosine, strata) {
   const sine = Math.sqrt(Math.max(0, 1 - cosine * cosine));
   const length = Math.hypot(alpha * sine, cosine);
   const stretched = { x: (alpha * sine) / length, z: cosine / length };

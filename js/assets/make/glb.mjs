@@ -2,7 +2,7 @@ import { Document, NodeIO } from '@gltf-transform/core';
 import { KHRMaterialsVariants, KHRTextureTransform } from '@gltf-transform/extensions';
 
 /** Dyes as linear-sRGB factors on the undyed yarn of the base colour maps. The first is the default. */
-export const COLOURWAYS = [
+const COLOURWAYS = [
   { name: 'natural', factor: [0.96, 0.93, 0.872] },
   { name: 'terracotta', factor: [0.37, 0.132, 0.078] },
   { name: 'indigo', factor: [0.032, 0.044, 0.082] },

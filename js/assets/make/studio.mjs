@@ -57,7 +57,7 @@ function cyclorama(direction) {
 }
 
 /** Direction of a texel's centre; u = atan2(z, x) as the client reads equirectangular maps. */
-export function texelDirection(x, y, width, height) {
+function texelDirection(x, y, width, height) {
   const theta = (0.5 - (y + 0.5) / height) * Math.PI;
   const phi = ((x + 0.5) / width - 0.5) * 2 * Math.PI;
   return [Math.cos(theta) * Math.cos(phi), Math.sin(theta), Math.cos(theta) * Math.sin(phi)];
@@ -80,7 +80,7 @@ export function irradiance(radiance, width, height, normal) {
 }
 
 /** @returns {Float64Array} Linear radiance, one neutral value per texel, scaled to FRONT_LEVEL. */
-export function studioRadiance(width = STUDIO_WIDTH, height = STUDIO_HEIGHT) {
+function studioRadiance(width = STUDIO_WIDTH, height = STUDIO_HEIGHT) {
   const boxes = SOFT_BOXES.map((box) => ({ ...box, frame: frameOf(box) }));
   const radiance = new Float64Array(width * height);
   for (let y = 0; y < height; y++) {

@@ -1,7 +1,7 @@
 /** The server behind the page. */
 
 /** A failure that the server names: {code, message, ...} of the error table. */
-export class RemoteError extends Error {
+class RemoteError extends Error {
   constructor(problem) {
     super(problem.message);
     this.code = problem.code;

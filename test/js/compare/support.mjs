@@ -10,7 +10,7 @@ export function draw(width, height, colour) {
 export const flat = (width, height, colour) => draw(width, height, () => colour);
 
 /** Numbers in [0, 1), the same ones each time (Park and Miller's generator). */
-export function randoms(seed) {
+function randoms(seed) {
   let state = seed;
   return () => (state = (state * 48271) % 2147483647) / 2147483647;
 }

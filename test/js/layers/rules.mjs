@@ -4,7 +4,7 @@ import path from 'node:path';
 // Folders not named here are violations themselves: a new layer gets a row.
 
 /** C++ layers: which folders' headers a file in the folder may include by quotes. `include` is renderer/include/telar. */
-export const CPP_LAYERS = {
+const CPP_LAYERS = {
   'renderer/include': [],
   'renderer/core': ['renderer/include'],
   'renderer/brdf': ['renderer/include'],
@@ -34,7 +34,7 @@ export const CPP_LAYERS = {
 };
 
 /** Libraries that live behind one layer: header pattern, and the folders that may include it. */
-export const OWNED_HEADERS = [
+const OWNED_HEADERS = [
   { header: /^EGL\//, folders: ['renderer/gl'] },
   { header: /^(GLES\d|GL)\//, folders: ['renderer/gl', 'renderer/shader', 'renderer/ibl', 'renderer/pass'] },
   { header: /^(png\.h|jpeglib\.h|jerror\.h|webp\/.*)$/, folders: ['renderer/image'] },
@@ -50,7 +50,7 @@ export const OWNED_HEADERS = [
 ];
 
 /** Calls that belong to one folder; the pattern is matched on text without comments and strings. */
-export const OWNED_CALLS = [
+const OWNED_CALLS = [
   {
     call: /\b(gl)?(Gen|Delete)(Buffers|Textures|Framebuffers|Renderbuffers|Samplers|VertexArrays|Queries)\b|\b(gl)?(Create|Delete)(Program|Shader)\b/,
     folders: ['renderer/gl'],
@@ -65,7 +65,7 @@ export const OWNED_CALLS = [
  * JavaScript layers: which folders (or files) under js/ a module may import, and whether it must run in a browser; `bundled`:
  * its packages are built in.
  */
-export const JS_LAYERS = {
+const JS_LAYERS = {
   'js/error': { imports: [], browser: true },
   'js/shot': { imports: ['js/error'], browser: true },
   'js/three': { imports: ['js/error', 'js/shot', 'js/dist/shading'], browser: true },

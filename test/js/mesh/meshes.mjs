@@ -1,7 +1,7 @@
 // Meshes on which tangents are compared, unindexed or indexed: { positions, normals, uvs, indices }, typed arrays.
 
 /** The same numbers on every machine: mulberry32. */
-export function randomNumbers(seed) {
+function randomNumbers(seed) {
   let state = seed >>> 0;
   return () => {
     state = (state + 0x6d2b79f5) >>> 0;

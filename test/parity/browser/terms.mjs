@@ -84,7 +84,7 @@ const SUMS_OF = new Map([[LIT, SUMS], [SHADED, SHADED_SUMS], [CLOTH, SHADED_SUMS
 /** Define without which three's shader has no such variable. */
 const NEEDS = { transmitted: 'USE_TRANSMISSION' };
 
-export const termNames = Object.keys(LIT);
+const termNames = Object.keys(LIT);
 
 /**
  * @param {typeof import('three')} THREE

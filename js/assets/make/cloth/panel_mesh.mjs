@@ -23,7 +23,7 @@ export function resample(points, count) {
   return out;
 }
 
-export function insidePolygon(polygon, x, y) {
+function insidePolygon(polygon, x, y) {
   let inside = false;
   for (let i = 0, j = polygon.length - 1; i < polygon.length; j = i++) {
     const [xi, yi] = polygon[i];

@@ -3,7 +3,7 @@
  * body at y = 0; a sleeve has the top of its cap at (0, 0). Outlines run counter-clockwise and
  * consist of named segments, so that seams can say what is sewn to what.
  */
-export const SIZE_M = {
+const SIZE_M = {
   length: 0.72,
   halfChest: 0.272,
   halfHem: 0.266,

@@ -10,7 +10,7 @@ import { seeded } from '../random.mjs';
  * and indices. Every face is drawn from one side: cloth has an outside and an inside, `THICKNESS` apart.
  */
 
-export const THICKNESS = 0.0011;
+const THICKNESS = 0.0011;
 const OUTER_SPACING = 0.008;
 const INNER_SPACING = 0.012;
 const SEAM_ROWS = [0.0016, 0.0042];

@@ -82,7 +82,7 @@ function stampYarn({ height, tone, size, texel }, [x, y, z], { across, loop, twi
 }
 
 /** The two needle lines of a hem, metres above its edge, and how the thread lies in them. */
-export const STITCH = { lines: [0.0135, 0.0172], perTile: 8, radius: 0.00023, groove: 0.00042, grooveWidth: 0.0007 };
+const STITCH = { lines: [0.0135, 0.0172], perTile: 8, radius: 0.00023, groove: 0.00042, grooveWidth: 0.0007 };
 
 /**
  * Sew two lines of straight stitches into a tile, with the dimples that the thread pulls.
