@@ -1,5 +1,6 @@
 import { readSource } from './api/source.mjs';
 import { nativeCall } from './api/native_call.mjs';
+import { wrongOption } from './api/options.mjs';
 import { lobesOptions } from './api/lobes_options.mjs';
 import { shotJson } from './api/shot_json.mjs';
 import { loadNative } from './native.mjs';
@@ -13,7 +14,7 @@ const PER_DIRECTION = LOBES.length * 3;
 /** A glTF of one triangle in the material, so that the loader reads and checks it like any other. */
 function triangleIn(material) {
   const corners = Buffer.from(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]).buffer);
-  return Buffer.from(JSON.stringify({
+  return Buffer.from(jsonOf({
     asset: { version: '2.0' },
     extensionsUsed: Object.keys(material.extensions ?? {}),
     buffers: [{ byteLength: corners.length, uri: `data:application/octet-stream;base64,${corners.toString('base64')}` }],
@@ -25,6 +26,14 @@ function triangleIn(material) {
     scenes: [{ nodes: [0] }],
     scene: 0,
   }));
+}
+
+function jsonOf(file) {
+  try {
+    return JSON.stringify(file);
+  } catch (error) {
+    throw wrongOption('options.material', `plain data as in JSON (${error.message.split('\n')[0]})`, file.materials[0]);
+  }
 }
 
 async function sceneOf(native, { model, material }, signal) {

@@ -115,10 +115,19 @@ function branchIssues(branch, value) {
   return [{ branch, issues: result.error.issues, unknown }];
 }
 
-/** The branch that the caller most likely meant: fewest unknown keys, then fewest complaints. */
+/** Whether the value says by a key of one possible value that it is of this branch. */
+function isNamed(branch, value) {
+  const { shape = {} } = unwrap(branch).def;
+  return Object.entries(shape).some(([key, schema]) => {
+    const { type, values } = unwrap(schema).def;
+    return type === 'literal' && values.length === 1 && values[0] === value[key];
+  });
+}
+
+/** The branch that the caller most likely meant: the one named, then fewest unknown keys, then fewest complaints. */
 function likeliestBranch(union, value) {
   return union.def.options.flatMap((branch) => branchIssues(branch, value))
-    .sort((a, b) => a.unknown - b.unknown || a.issues.length - b.issues.length)[0];
+    .sort((a, b) => isNamed(b.branch, value) - isNamed(a.branch, value) || a.unknown - b.unknown || a.issues.length - b.issues.length)[0];
 }
 
 /**

@@ -25,8 +25,8 @@ export const lensSchema = object('A photographic lens', {
 export function resolveLens(lens, camera) {
   if (lens === null) return null;
   const { aperture, shutter = null, iso = null, focusDistance = null } = lens;
-  if (shutter === null && iso !== null) throw wrongValue(['lens', 'shutter'], 'a number of seconds beside iso', shutter);
-  if (iso === null && shutter !== null) throw wrongValue(['lens', 'iso'], 'a sensitivity beside shutter', iso);
+  if (shutter === null && iso !== null) throw wrongValue(['lens', 'shutter'], 'a number of seconds beside iso', lens.shutter);
+  if (iso === null && shutter !== null) throw wrongValue(['lens', 'iso'], 'a sensitivity beside shutter', lens.iso);
   if (focusDistance !== null && camera.projection === 'orthographic') {
     throw wrongValue(['lens', 'focusDistance'], 'none with the orthographic projection, which has no lens to blur', focusDistance);
   }

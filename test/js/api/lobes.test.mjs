@@ -120,6 +120,8 @@ test('a material of a loaded model gives what the same material alone does', asy
 test('wrong options and materials are refused by name', async () => {
   for (const [options, code, message] of [
     [{}, 'E_OPTION', /options\.material: expected a material/],
+    [{ material: { name: 1n } }, 'E_OPTION', /^options\.material: expected plain data as in JSON \(.*BigInt.*\), got \{"name"\}$/],
+    [{ material: { name: 'x'.repeat(7e7) } }, 'L_FILE_BYTES', /L_FILE_BYTES/],
     [{ material: LAMBERT, viewAngle: 1.6 }, 'E_OPTION', /options\.viewAngle/],
     [{ material: LAMBERT, directions: [[0, 0, 2]] }, 'E_OPTION', /options\.directions\[0\]: expected a unit vector/],
     [{ material: LAMBERT, directions: new Array(65537) }, 'E_OPTION', /at most 65536/],
