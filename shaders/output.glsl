@@ -29,3 +29,9 @@ vec4 outputColor(vec3 radiance, float alpha) {
   return vec4(srgbFromLinear(toneMapped(mix(radiance, vec3(0.0), isnan(radiance)))), alpha);
 #endif
 }
+
+// Of one of several passes, whose mean alone is light: one may be below 0. Linear, capped to what a half holds.
+vec4 outputOfPass(vec3 radiance, float alpha) {
+  radiance = mix(radiance * exposure, vec3(0.0), isnan(radiance));
+  return vec4(clamp(radiance, -RADIANCE_MAX, RADIANCE_MAX), saturate(alpha));
+}

@@ -161,6 +161,8 @@ void main() {
 #if TRANSMISSION
   fragmentColor += debugTransmitted(transmitted);
 #endif
+#elif FULL_DETAIL
+  fragmentColor = outputOfPass(radiance, baseColor.a);
 #else
   fragmentColor = outputColor(radiance, baseColor.a);
 #endif

@@ -8,7 +8,7 @@ const resolveOf = (samples) => (samples > SAMPLES_OF_A_PASS ? 'linear' : 'encode
 /**
  * Every setting of a quality. A preset comes with all of its own: where one differs, it is another quality.
  * @param {string | object} quality - As the schema parsed it.
- * @returns {{preset?: string, samples: number, resolve: string, environmentSamples: number}}
+ * @returns {{preset?: string, samples: number, resolve: string, noise: number, environmentSamples: number}}
  */
 export function resolveQuality(quality) {
   if (quality === 'reference') return resolveReference({});
@@ -23,9 +23,11 @@ export function resolveQuality(quality) {
     }
     return { preset, ...PRESETS[preset] };
   }
-  const { samples = PRESETS.standard.samples, resolve = resolveOf(samples), environmentSamples = PRESETS.standard.environmentSamples } = given;
+  const { standard } = PRESETS;
+  const { samples = standard.samples, resolve = resolveOf(samples), noise = standard.noise, environmentSamples = standard.environmentSamples } = given;
   if (samples > SAMPLES_OF_A_PASS && resolve !== 'linear') {
     throw wrongValue(['quality', 'resolve'], `"linear" with more than ${SAMPLES_OF_A_PASS} samples`, resolve);
   }
-  return { samples, resolve, environmentSamples };
+  if (noise > 0 && samples <= SAMPLES_OF_A_PASS) throw wrongValue(['quality', 'noise'], `0 with ${SAMPLES_OF_A_PASS} samples or fewer`, noise);
+  return { samples, resolve, noise, environmentSamples };
 }

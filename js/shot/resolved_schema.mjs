@@ -59,8 +59,9 @@ export const resolvedShotSchema = object({
   quality: z.union([
     object({
       preset: z.enum(Object.keys(PRESETS)).optional(),
-      samples: z.literal([1, 4, 16, 64]),
+      samples: z.literal([1, 4, 16, 64, 256]),
       resolve: z.enum(['encoded', 'linear']),
+      noise: z.number(),
       environmentSamples: z.int(),
     }),
     object({

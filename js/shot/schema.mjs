@@ -148,30 +148,32 @@ const ground = z.union([
 
 /** What the raster renderer does for each quality. */
 export const PRESETS = Object.freeze({
-  standard: { samples: 4, resolve: 'encoded', environmentSamples: 0 },
-  draft: { samples: 1, resolve: 'encoded', environmentSamples: 0 },
-  high: { samples: 16, resolve: 'linear', environmentSamples: 256 },
+  standard: { samples: 4, resolve: 'encoded', noise: 0, environmentSamples: 0 },
+  draft: { samples: 1, resolve: 'encoded', noise: 0, environmentSamples: 0 },
+  high: { samples: 256, resolve: 'linear', noise: 1, environmentSamples: 512 },
 });
 
 /** Samples of a pixel that one pass over the model takes: more take several passes. */
 export const SAMPLES_OF_A_PASS = 4;
 
 const PRESET = '"standard", "draft", "high" or "reference"';
-const QUALITY = '"standard", "draft", "high", "reference", {samples, resolve, environmentSamples} or {preset: "reference", ...}';
-const SAMPLES = '1, 4, 16 or 64 samples a pixel';
+const QUALITY = '"standard", "draft", "high", "reference", {samples, resolve, noise, environmentSamples} or {preset: "reference", ...}';
+const SAMPLES = '1, 4, 16, 64 or 256 samples a pixel';
 const quality = z.union([
   z.enum([...Object.keys(PRESETS), 'reference'], { error: QUALITY }),
   object('Explicit settings', {
     preset: z.enum(Object.keys(PRESETS), { error: PRESET }).describe('Settings to start from').optional(),
-    samples: z.literal([1, 4, 16, 64], { error: SAMPLES })
-      .describe('Antialiasing samples a pixel; 16 and 64 shade as often, and read textures unfiltered').optional(),
+    samples: z.literal([1, 4, 16, 64, 256], { error: SAMPLES })
+      .describe('Antialiasing samples a pixel; more than 4 shade as often, and read textures unfiltered').optional(),
     resolve: choice('What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone '
       + 'mapping; default "encoded", "linear" for more than 4 samples', ['encoded', 'linear']).optional(),
-    environmentSamples: number('Directions a pixel in which the environment is looked up for the material itself; 0 = prefiltered '
+    noise: number('Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples; 0 = every pixel takes all. '
+      + 'For more than 4 samples', { min: 0, max: 64 }).optional(),
+    environmentSamples: number('Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered '
       + 'maps, as three.js has them', { what: 'a whole number of directions', min: 0, max: 4096, integer: true }).optional(),
   }),
   referenceQuality,
-], { error: QUALITY }).describe('"draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": 16, averaged in linear light, '
+], { error: QUALITY }).describe('"draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": up to 256, averaged in linear light, '
   + 'and the environment integrated with the material; "reference": traced paths of light, slow and without GL').default('standard');
 
 const LAYERS = '["beauty"]';

@@ -289,15 +289,17 @@ export interface Shot {
   toneMapping?: 'neutral' | 'none' | 'linear' | 'reinhard' | 'cineon' | 'aces' | 'agx';
   /** Factor on radiance before tone mapping. Range at least 0. @default 1 */
   exposure?: number;
-  /** "draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": 16, averaged in linear light, and the environment integrated with the material; "reference": traced paths of light, slow and without GL. @default "standard" */
+  /** "draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": up to 256, averaged in linear light, and the environment integrated with the material; "reference": traced paths of light, slow and without GL. @default "standard" */
   quality?: 'standard' | 'draft' | 'high' | 'reference' | {
     /** Settings to start from. */
     preset?: 'standard' | 'draft' | 'high';
-    /** Antialiasing samples a pixel; 16 and 64 shade as often, and read textures unfiltered. */
-    samples?: 1 | 4 | 16 | 64;
+    /** Antialiasing samples a pixel; more than 4 shade as often, and read textures unfiltered. */
+    samples?: 1 | 4 | 16 | 64 | 256;
     /** What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone mapping; default "encoded", "linear" for more than 4 samples. */
     resolve?: 'encoded' | 'linear';
-    /** Directions a pixel in which the environment is looked up for the material itself; 0 = prefiltered maps, as three.js has them. Range 0 to 4096. */
+    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples; 0 = every pixel takes all. For more than 4 samples. Range 0 to 64. */
+    noise?: number;
+    /** Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered maps, as three.js has them. Range 0 to 4096. */
     environmentSamples?: number;
     seed?: never;
     transport?: never;
@@ -317,6 +319,7 @@ export interface Shot {
     /** Threads that trace; default 0 = one for each core. Range 0 to 256. */
     threads?: number;
     resolve?: never;
+    noise?: never;
     environmentSamples?: never;
   };
   /** Name of a material variant of the model (KHR_materials_variants); "" = none. @default "" */
@@ -488,8 +491,9 @@ export interface ResolvedShot {
   exposure: number;
   quality: {
     preset?: 'standard' | 'draft' | 'high';
-    samples: 1 | 4 | 16 | 64;
+    samples: 1 | 4 | 16 | 64 | 256;
     resolve: 'encoded' | 'linear';
+    noise: number;
     environmentSamples: number;
     seed?: never;
     transport?: never;
@@ -503,6 +507,7 @@ export interface ResolvedShot {
     bounces: number;
     threads: number;
     resolve?: never;
+    noise?: never;
     environmentSamples?: never;
   };
   variant: string;

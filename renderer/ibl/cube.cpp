@@ -19,6 +19,11 @@ constexpr Face FACES[6] = {
 
 }  // namespace
 
+glm::vec3 faceDirection(int face, float s, float t) {
+  const Face& f = FACES[face];
+  return f.centre + f.right * s + f.up * t;
+}
+
 CubeMap createCube(const gl::Functions& gl, int faceSize, int levels) {
   CubeMap cube{gl::Texture(gl), faceSize, levels};
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.texture.get());

@@ -16,6 +16,9 @@ struct CubeMap {
   int levels = 0;
 };
 
+/// Direction of a place on a face, not unit. @param face  0..5 in the order of GL    @param s, t  [-1, 1]
+glm::vec3 faceDirection(int face, float s, float t);
+
 CubeMap createCube(const gl::Functions& gl, int faceSize, int levels);
 
 /// Runs a fragment program over the six faces of one level. The program is in use and its uniforms are set; it reads

@@ -84,6 +84,7 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
   }
   if (uses.radiance && environment.radiance.faceSize == 0) {
     environment.bright = BrightDirections(map());  // takes its part out of the map: after the background
+    environment.irradiance = irradianceCube(context_, map(), cancel);
     environment.radiance = radianceCube(context_, map(), cancel);
   }
   return environment;

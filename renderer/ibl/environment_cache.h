@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ibl/bright_directions.h"
+#include "ibl/irradiance.h"
 #include "ibl/prefilter.h"
 #include "telar/limits.h"
 #include "telar/shot.h"
@@ -17,6 +18,7 @@ struct Environment {
   CubeMap prefiltered;
   CubeMap background;       ///< faceSize 0 until it is asked for, as the others
   CubeMap radiance;         ///< as the map is, with mip levels; alpha = luminance of what `bright` draws from
+  CubeMap irradiance;       ///< of what `radiance` holds, made with it
   BrightDirections bright;  ///< made with `radiance`
   std::string source;       ///< where it came from: "gpu", "bundled", "disk", "prefiltered" or, as it is, "file"
 };

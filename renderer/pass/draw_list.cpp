@@ -84,7 +84,8 @@ void describeMaps(const Material& m, shader::VariantKey& key) {
     key.*slot.map = texture && matters(slot, m, key);
     key.*slot.uv1 = key.*slot.map && texture.texCoord == 1;
   }
-  if (key.shading != ShadingModel::kFabric) return;
+  // Passes that read maps in full see every bump and every hole's edge themselves.
+  if (key.shading != ShadingModel::kFabric || key.fullDetail) return;
   key.normalVariance = key.normalMap || key.clearcoatNormalMap;
   key.alphaToCoverage = key.alphaMask && key.baseColorMap;
 }
@@ -136,7 +137,8 @@ void forceAllFeatures(shader::VariantKey& key) {
 void checkTextureUnits(const shader::VariantKey& key, const ShadowSet& shadows, const Limits& limits) {
   if (key.unlit || shadows.empty()) return;
   const std::size_t areaTables = key.lights.area() > 0 ? 2 : 0;
-  std::size_t units = 1 + key.environment + key.transmission + areaTables + shadows.flat.size() + shadows.cube.size();
+  std::size_t units = 1 + key.environment + (key.environmentSamples > 0) + key.transmission + areaTables +
+                      shadows.flat.size() + shadows.cube.size();
   for (const TextureSlot& slot : TEXTURE_SLOTS) units += key.*slot.map;
   checkLimit("L_TEXTURE_UNITS", static_cast<double>(limits.textureUnits), static_cast<double>(units), "/lights");
 }
@@ -238,7 +240,7 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
   frame.shading = shot.shading;
   if (isPrincipled(shot.shading)) frame.terms = shot.terms;
   const int passes = samplePassesOf(shot).count;
-  frame.fullDetail = passes > 1;
+  frame.fullDetail = passes > 1 && !frame.debugOutput;
   if (frame.environment && !frame.debugOutput) {
     frame.environmentSamples = static_cast<std::uint16_t>((shot.environmentSamples + passes - 1) / passes);
   }

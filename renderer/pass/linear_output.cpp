@@ -9,9 +9,7 @@
 namespace telar::pass {
 namespace {
 
-using ToneMap = glm::vec3 (*)(glm::vec3, float);
-
-ToneMap toneMapOf(shader::ToneMapping toneMapping) {
+glm::vec3 (*toneMapOf(shader::ToneMapping toneMapping))(glm::vec3, float) {
   switch (toneMapping) {
     case shader::ToneMapping::kNone:
       break;
@@ -35,6 +33,14 @@ std::byte byteOf(float x) { return static_cast<std::byte>(std::lround(glm::clamp
 
 }  // namespace
 
+PixelEncoder::PixelEncoder(const Shot& shot)
+    : toneMap_(toneMapOf(shader::toneMappingByName(shot.toneMapping))), exposure_(static_cast<float>(shot.exposure)) {}
+
+glm::vec4 PixelEncoder::operator()(const glm::vec4& pixel) const {
+  const glm::vec3 radiance = pixel.a > 0 ? glm::vec3(pixel) / pixel.a : glm::vec3(0);
+  return {brdf_f::srgbFromLinear(glm::max(toneMap_(radiance, exposure_), 0.0f)), pixel.a};
+}
+
 Frame toFrame(const std::vector<glm::vec4>& pixels, const Shot& shot) {
   Frame frame{
       static_cast<std::uint32_t>(shot.width), static_cast<std::uint32_t>(shot.height), framePixelType(shot.output), {}};
@@ -49,13 +55,13 @@ Frame toFrame(const std::vector<glm::vec4>& pixels, const Shot& shot) {
     }
     return frame;
   }
-  const ToneMap toneMap = toneMapOf(shader::toneMappingByName(shot.toneMapping));
+  const PixelEncoder encoder(shot);
   const glm::vec3 behind = brdf_f::srgbFromLinear(glm::clamp(shot.background.color, 0.0f, 1.0f));
   frame.pixels.resize(pixels.size() * 4);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    float coverage = pixels[i].a;
-    const glm::vec3 radiance = coverage > 0 ? glm::vec3(pixels[i]) / coverage : glm::vec3(0);
-    glm::vec3 encoded = brdf_f::srgbFromLinear(glm::max(toneMap(radiance, exposure), 0.0f));
+    const glm::vec4 pixel = encoder(pixels[i]);
+    glm::vec3 encoded(pixel);
+    float coverage = pixel.a;
     if (colour) {
       // Encoded values are blended, as the browser's drawing buffer does.
       encoded = glm::mix(behind, glm::clamp(encoded, 0.0f, 1.0f), coverage);

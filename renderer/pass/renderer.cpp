@@ -15,7 +15,9 @@
 #include "pass/gpu_scene.h"
 #include "pass/ground_pass.h"
 #include "pass/linear_output.h"
+#include "pass/pixel_mean.h"
 #include "pass/sample_passes.h"
+#include "pass/settled_mask.h"
 #include "pass/shadow_pass.h"
 #include "pass/surface_pass.h"
 #include "pass/transmission_target.h"
@@ -82,7 +84,8 @@ class GlRenderer final : public Renderer {
         surfaces_(*context_, options.limits),
         background_(*context_),
         shadows_(*context_),
-        ground_(*context_) {}
+        ground_(*context_),
+        settled_(*context_) {}
 
   Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& shot, std::span<const std::byte> environmentFile,
              const CancelToken& cancel, FrameInfo& info) override {
@@ -110,7 +113,7 @@ class GlRenderer final : public Renderer {
     shadows_.bind(plan.shadows, pass::SurfacePass::firstShadowUnit());
     const pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, cancel};
     const bool accumulates = shot.linearResolve && !plan.frame.debugOutput;
-    Frame frame = accumulates ? drawAveraged(plan, inputs, timer) : drawOnce(inputs, targetFor(shot), timer);
+    Frame frame = accumulates ? drawAveraged(plan, inputs, timer) : drawOnce(inputs, targetFor(shot), false, timer);
     info.json = describeFrame(plan, shot, environment, compiled, timer).dump();
     return frame;
   }
@@ -163,7 +166,8 @@ class GlRenderer final : public Renderer {
   }
 
   /// One pass over everything that the shot shows, read back.
-  Frame drawOnce(pass::SurfaceInputs inputs, const pass::FrameTarget& target, StageTimer& timer) {
+  /// @param settled  what settled_ has keeps its pixels out of it
+  Frame drawOnce(pass::SurfaceInputs inputs, const pass::FrameTarget& target, bool settled, StageTimer& timer) {
     const FramePlan& plan = inputs.plan;
     const Shot& shot = inputs.shot;
     inputs.transmission = drawBehind(inputs);
@@ -172,6 +176,7 @@ class GlRenderer final : public Renderer {
     const bool debug = plan.frame.debugOutput;  // backgrounds and the ground have no shading
     // A colour behind an average is put there at the end.
     clear(debug || shot.linearResolve ? glm::vec4(0) : clearColor(shot, plan.frame.outputLinear));
+    if (settled) settled_.draw();
     if (plan.environmentBackground && !debug) background_.draw(plan.camera, shot, *inputs.environment, plan.frame);
     surfaces_.draw({&plan.draws.opaque, &plan.draws.transmissive}, inputs);
     if (plan.ground && !debug) ground_.draw(plan, shot, pass::SurfacePass::firstShadowUnit());
@@ -189,19 +194,20 @@ class GlRenderer final : public Renderer {
     const Shot& shot = inputs.shot;
     const pass::SamplePasses passes = pass::samplePassesOf(shot);
     const glm::dmat4 projection = plan.camera.projection;
-    std::vector<glm::vec4> sum(static_cast<std::size_t>(shot.width) * static_cast<std::size_t>(shot.height));
+    pass::PixelMean mean(shot);
     for (int i = 0; i < passes.count; ++i) {
       inputs.samplePass = i;
       plan.camera.projection = pass::shifted(projection, passes.shift(i), shot.width, shot.height);
-      const Frame frame = drawOnce(inputs, targetFor(shot), timer);
-      const auto* pixel = reinterpret_cast<const glm::vec4*>(frame.pixels.data());
-      for (glm::vec4& total : sum) total += *pixel++;
+      mean.add(drawOnce(inputs, targetFor(shot), !mean.settled().empty(), timer));
+      if ((i + 1) % pass::PixelMean::ROUND != 0) continue;
+      if (!mean.settle()) break;
+      if (!mean.settled().empty()) settled_.set(mean.settled(), shot.width, shot.height);
+      timer.lap("settle");
     }
     plan.camera.projection = projection;
-    for (glm::vec4& total : sum) total /= static_cast<float>(passes.count);
     Shot exposed = shot;
     exposed.exposure = 1;  // the passes were
-    Frame frame = pass::toFrame(sum, exposed);
+    Frame frame = pass::toFrame(mean.mean(), exposed);
     timer.lap("resolve");
     return frame;
   }
@@ -275,6 +281,7 @@ class GlRenderer final : public Renderer {
   pass::BackgroundPass background_;
   pass::ShadowPass shadows_;
   pass::GroundPass ground_;
+  pass::SettledMask settled_;
   std::unique_ptr<pass::FrameTarget> target_;
   std::unique_ptr<pass::TransmissionTarget> transmission_;
   std::map<const Scene*, std::unique_ptr<pass::GpuScene>> scenes_;

@@ -3,21 +3,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace telar::pass {
-namespace {
-
-/// Van der Corput sequence in base 2, [0, 1).
-double radicalInverse(unsigned i) {
-  double sum = 0;
-  for (double part = 0.5; i > 0; i >>= 1, part /= 2) sum += (i & 1) * part;
-  return sum;
-}
-
-}  // namespace
-
 glm::dvec2 SamplePasses::shift(int pass) const {
-  // Hammersley's points have one in every cell of any division of the pixel into `count` cells.
-  const glm::dvec2 point(static_cast<double>(pass) / count, radicalInverse(static_cast<unsigned>(pass)));
-  return point + 0.5 / count - 0.5;
+  // src: Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences", R2: the first passes fill the pixel
+  // evenly however many follow, and share no structure with the directions that they draw.
+  const glm::dvec2 step(0.7548776662466927, 0.5698402909980532);
+  return glm::fract(0.5 + step * static_cast<double>(pass)) - 0.5;
 }
 
 SamplePasses samplePassesOf(const Shot& shot) {

@@ -18,7 +18,8 @@ namespace {
 // The material's textures come first, in the order of TEXTURE_SLOTS.
 constexpr GLuint DFG_UNIT = TEXTURE_SLOTS.size();
 constexpr GLuint ENVIRONMENT_UNIT = DFG_UNIT + 1;
-constexpr GLuint LTC_INVERSE_UNIT = ENVIRONMENT_UNIT + 1;
+constexpr GLuint IRRADIANCE_UNIT = ENVIRONMENT_UNIT + 1;
+constexpr GLuint LTC_INVERSE_UNIT = IRRADIANCE_UNIT + 1;
 constexpr GLuint LTC_ALBEDO_UNIT = LTC_INVERSE_UNIT + 1;
 constexpr GLuint TRANSMISSION_UNIT = LTC_ALBEDO_UNIT + 1;
 constexpr GLuint UNIT_COUNT = TRANSMISSION_UNIT + 1;
@@ -118,14 +119,24 @@ void setPrefilteredEnvironment(const gl::Program& program, const SurfaceInputs& 
   program.set("environmentRotation", environmentRotation(in.shot.environment.rotation));
 }
 
-/// This pass's directions of the bright part: those of all passes are spread evenly, and so are those of one.
+/// An order of the passes in which the first of them are spread evenly over all: bits reversed.
+/// @param count  a power of two
+int reversed(int pass, int count) {
+  int out = 0;
+  for (int bit = 1; bit < count; bit <<= 1, pass >>= 1) out = 2 * out + (pass & 1);
+  return out;
+}
+
+/// This pass's directions of the bright part: those of all passes are spread evenly, and so are those of the first ones
+/// and of one.
 void setBrightDirections(const gl::Program& program, const SurfaceInputs& in, int count, int passes) {
   const glm::mat3 toView =
       glm::mat3(glm::dmat3(in.plan.camera.view)) * glm::transpose(environmentRotation(in.shot.environment.rotation));
   const auto all = in.environment->bright.directions(count * passes);
   std::vector<glm::vec3> directions;
   std::vector<glm::vec4> irradiances;
-  for (auto i = static_cast<std::size_t>(in.samplePass); i < all.size(); i += static_cast<std::size_t>(passes)) {
+  const auto first = static_cast<std::size_t>(reversed(in.samplePass, passes));
+  for (std::size_t i = first; i < all.size(); i += static_cast<std::size_t>(passes)) {
     directions.push_back(toView * all[i].direction);
     irradiances.emplace_back(all[i].irradiance * static_cast<float>(passes), all[i].density);
   }
@@ -138,6 +149,7 @@ void setBrightDirections(const gl::Program& program, const SurfaceInputs& in, in
 
 void setSampledEnvironment(const gl::Program& program, const shader::VariantKey& key, const SurfaceInputs& in) {
   program.set("environmentSource", static_cast<int>(ENVIRONMENT_UNIT));
+  program.set("environmentIrradianceMap", static_cast<int>(IRRADIANCE_UNIT));
   program.set("environmentSourceSize", in.environment ? static_cast<float>(in.environment->radiance.faceSize) : 1.0f);
   const glm::dmat3 toWorld = glm::transpose(glm::dmat3(in.plan.camera.view));
   program.set("viewToEnvironment", environmentRotation(in.shot.environment.rotation) * glm::mat3(toWorld));
@@ -178,7 +190,6 @@ int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
     cancel.check();
     shader::Defines defines = key.defines();
     defines.emplace_back("SAMPLE_MASK", context_.capabilities().sampleMask);
-    defines.emplace_back("COVERAGE_OFFSET", 1);
     programs_.emplace(key, gl::Program(context_, labelOf(key), shader::assemble("surface.vert", defines),
                                        shader::assemble("surface.frag", defines)));
     ++compiled;
@@ -235,11 +246,7 @@ const gl::Program& SurfacePass::useProgram(const shader::VariantKey& key, const 
   program.use();
   program.set("projectionMatrix", glm::mat4(in.plan.camera.projection));
   program.set("exposure", static_cast<float>(in.shot.exposure));
-  if (key.alphaToCoverage) {
-    program.set("coverageSamples", in.samples);
-    program.set("coverageOffset",
-                static_cast<float>(in.samplePass) / static_cast<float>(samplePassesOf(in.shot).count));
-  }
+  if (key.alphaToCoverage) program.set("coverageSamples", in.samples);
   if (key.debugOutput) program.set("debugOutput", static_cast<int>(in.shot.debugOutput));
   if (key.unlit) return program;
   in.plan.lights.upload(program);
@@ -325,10 +332,15 @@ void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {
   };
   bind(DFG_UNIT, GL_TEXTURE_2D, dfg_);
   if (in.plan.environment) {
+    const bool sampled = in.plan.frame.environmentSamples > 0;
     bind(ENVIRONMENT_UNIT, GL_TEXTURE_CUBE_MAP,
-         !in.environment                        ? standIns().blackCube
-         : in.plan.frame.environmentSamples > 0 ? in.environment->radiance.texture
-                                                : in.environment->prefiltered.texture);
+         !in.environment ? standIns().blackCube
+         : sampled       ? in.environment->radiance.texture
+                         : in.environment->prefiltered.texture);
+    if (sampled) {
+      bind(IRRADIANCE_UNIT, GL_TEXTURE_CUBE_MAP,
+           in.environment ? in.environment->irradiance.texture : standIns().blackCube);
+    }
   }
   if (in.plan.frame.lights.area() > 0) {
     bind(LTC_INVERSE_UNIT, GL_TEXTURE_2D, ltc_.inverse);

@@ -110,7 +110,7 @@ Integrator::Draws Integrator::drawsAt(const Path& path, float share) const {
   // Where the picture looks, reading the surface costs more than asking it again: several draws, spread evenly.
   const bool first = path.bounces == 0 && path.passages == 0;
   if (!first) return {1, 1, share};
-  if (!transport_.occlusion) return {4, 6, share};
+  if (!transport_.occlusion) return {2, 2, share};
   return {2, transport_.bounces == 0 ? 3 : 1, share};
 }
 

@@ -6,6 +6,7 @@
 uniform samplerCube environmentSource;     // RGB radiance, A luminance of its bright part; a texel of a level is the mean of
                                            // those of the level before
 uniform float environmentSourceSize;       // texels on an edge of level 0
+uniform samplerCube environmentIrradianceMap;  // by the direction that a surface faces: irradiance of it all / PI
 uniform mat3 viewToEnvironment;
 uniform int environmentPass;               // of environmentPasses over the picture, each with directions of its own
 uniform int environmentPasses;
@@ -14,6 +15,9 @@ uniform int brightCount;                             // of this pass, up to BRIG
 uniform vec3 brightDirection[BRIGHT_DIRECTIONS];     // view space
 uniform vec4 brightIrradiance[BRIGHT_DIRECTIONS];    // A = their density there in all passes, per steradian
 uniform float brightDensity;                         // the same for a luminance of 1
+
+// Density of a light that is taken out of the map, so that it is not in its irradiance either.
+const float COMPACT_DENSITY = 1.0e29;
 
 const vec3 LUMINANCE = vec3(0.2126, 0.7152, 0.0722);  // of linear Rec.709
 
@@ -161,11 +165,46 @@ float powerWeight(float own, float other) {
   return 1.0 / (1.0 + ratio * ratio);
 }
 
+// Irradiance that was found on both sides of a surface, linear Rec.709.
+struct Found {
+  vec3 before;
+#if DIFFUSE_TRANSMISSION
+  vec3 behind;
+#endif
+};
+
+Found addFound(Found sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
+  float cosine = dot(s.n, l);
+  sum.before += lightColor * max(cosine, 0.0);
+#if DIFFUSE_TRANSMISSION
+  sum.behind += lightColor * max(-cosine, 0.0);
+#endif
+  return sum;
+}
+
+// The irradiance of the whole map is known. What the directions missed of it, or found too much, is made good as light from
+// everywhere: diffuse light has then no noise but that of where its lobe differs from the cosine.
+// src: control variates, as Owen 2013, "Monte Carlo Theory, Methods and Examples", section 8.9
+Reflected addMissed(Reflected sum, SurfaceInfo s, Found found) {
+  float whole = PI * environmentIntensity;
+  vec3 facing = viewToEnvironment * s.n;
+  sum.diffuse += addDome(nothingReflected(), s, whole * textureLod(environmentIrradianceMap, facing, 0.0).rgb - found.before).diffuse;
+#if DIFFUSE_TRANSMISSION
+  sum = addBehind(sum, s, whole * textureLod(environmentIrradianceMap, -facing, 0.0).rgb - found.behind);
+#endif
+  return sum;
+}
+
 Reflected addSampledEnvironment(Reflected sum, SurfaceInfo s) {
   DrawnLobes lobes = drawnLobes(s);
   float count = float(ENVIRONMENT_SAMPLES);
   float all = count * float(environmentPasses);
   vec2 shift = pixelShift();
+  Found found;
+  found.before = vec3(0.0);
+#if DIFFUSE_TRANSMISSION
+  found.behind = vec3(0.0);
+#endif
   for (int i = 0; i < ENVIRONMENT_SAMPLES; ++i) {
     vec2 u = fract(sobolPoint(uint(environmentPass * ENVIRONMENT_SAMPLES + i)) + shift);
     vec3 l = drawnDirection(lobes, u);
@@ -175,13 +214,17 @@ Reflected addSampledEnvironment(Reflected sum, SurfaceInfo s) {
       // The bright part counts for what it is not drawn by itself.
       float bright = min(light.a / max(dot(vec3(light), LUMINANCE), 1.0e-30), 1.0);
       float rest = 1.0 - bright * powerWeight(brightDensity * light.a, density * all);
-      sum = addPunctual(sum, s, l, vec3(light) * (rest * environmentIntensity / (density * count)));
+      vec3 lightColor = vec3(light) * (rest * environmentIntensity / (density * count));
+      sum = addPunctual(sum, s, l, lightColor);
+      found = addFound(found, s, l, lightColor);
     }
   }
   for (int i = 0; i < brightCount; ++i) {
     vec3 l = brightDirection[i];
     float share = powerWeight(brightIrradiance[i].a, drawnDensity(lobes, l) * all);
-    sum = addPunctual(sum, s, l, vec3(brightIrradiance[i]) * (share * environmentIntensity));
+    vec3 lightColor = vec3(brightIrradiance[i]) * (share * environmentIntensity);
+    sum = addPunctual(sum, s, l, lightColor);
+    if (brightIrradiance[i].a < COMPACT_DENSITY) found = addFound(found, s, l, lightColor);
   }
-  return sum;
+  return addMissed(sum, s, found);
 }

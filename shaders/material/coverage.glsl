@@ -6,16 +6,10 @@ uniform int coverageSamples;  // of a pixel
 const int coverageSamples = 1;
 #endif
 
-#if COVERAGE_OFFSET
-uniform float coverageOffset;  // [0, 1), another one for each of several passes over the same picture
-#else
-const float coverageOffset = 0.0;
-#endif
-
 // Thresholds of neighbouring pixels, [0, 1), spread evenly, so that the mean of a few is right for every share.
 // src: Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", interleaved gradient noise
 float pixelThreshold(vec2 pixel) {
-  return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))) + coverageOffset);
+  return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
 }
 
 // Samples to cover, 0 .. coverageSamples.

@@ -47,10 +47,12 @@ void addWeave(inout SurfaceInfo s, Normals normals, float geometric) {
   coverage = (yarnCoverage.x + yarnCoverage.y) * vec2(texel.warp, 1.0 - texel.warp);
   turn = texel.turn;
   slope = texel.slope;
+#if !FULL_DETAIL
   vec2 threads = threadsPerPixel();
   s.yarnBlend = smoothstep(YARNS_SEEN, YARNS_BLENDED, max(threads.x, threads.y));
   // The texel at hand is one thread or the other; the mean is that of all.
   coverage = mix(coverage, yarnCoverage, s.yarnBlend);
+#endif
 #endif
   s.t = weft;
   s.b = warp;

@@ -21,7 +21,7 @@ json standard() {
                "fovY": 30, "near": 0.5, "far": 9},
     "environment": {"map": "studio", "intensity": 1, "rotation": 0},
     "lens": null, "lights": [], "modelLights": true, "background": "transparent", "ground": "none", "shading": "three", "toneMapping": "neutral",
-    "exposure": 1, "quality": {"preset": "standard", "samples": 4, "resolve": "encoded", "environmentSamples": 0}, "variant": "", "pose": null, "layers": ["beauty"],
+    "exposure": 1, "quality": {"preset": "standard", "samples": 4, "resolve": "encoded", "noise": 0, "environmentSamples": 0}, "variant": "", "pose": null, "layers": ["beauty"],
     "output": {"format": "png", "quality": 90, "bitDepth": 8, "ppi": 0, "icc": false}})");
 }
 
@@ -54,7 +54,7 @@ TEST(ParseShot, ReadsEveryField) {
   written["background"] = {0.25, 0.5, 1};
   written["toneMapping"] = "agx";
   written["exposure"] = 1.5;
-  written["quality"] = {{"samples", 16}, {"resolve", "linear"}, {"environmentSamples", 64}};
+  written["quality"] = {{"samples", 16}, {"resolve", "linear"}, {"noise", 0.5}, {"environmentSamples", 64}};
   written["variant"] = "navy";
   written["pose"] = {{"animation", 2}, {"time", 0.25}};
   written["output"] = {{"format", "exr"}, {"quality", 1}, {"bitDepth", 32}, {"ppi", 300}, {"icc", true}};
@@ -80,6 +80,7 @@ TEST(ParseShot, ReadsEveryField) {
   EXPECT_EQ(shot.exposure, 1.5);
   EXPECT_EQ(shot.samples, 16);
   EXPECT_TRUE(shot.linearResolve);
+  EXPECT_EQ(shot.noise, 0.5);
   EXPECT_EQ(shot.environmentSamples, 64);
   EXPECT_EQ(shot.variant, "navy");
   EXPECT_EQ(shot.pose, (Pose{2, 0.25}));
@@ -301,7 +302,8 @@ TEST(ParseShot, NamesPathExpectationAndValue) {
       {"/background", "red", "shot.background: expected one of transparent, environment, got \"red\""},
       {"/toneMapping", nullptr,
        "shot.toneMapping: expected one of none, linear, reinhard, cineon, aces, agx, neutral, got null"},
-      {"/quality/samples", 3, "shot.quality.samples: expected 1, 4, 16 or 64, got 3"},
+      {"/quality/samples", 3, "shot.quality.samples: expected 1, 4, 16, 64 or 256, got 3"},
+      {"/quality/noise", -1, "shot.quality.noise: expected a number of at least 0.0, got -1"},
       {"/quality/environmentSamples", -1,
        "shot.quality.environmentSamples: expected an integer from 0 to 4096, got -1"},
       {"/variant", json::object(), "shot.variant: expected a string, got an object"},
