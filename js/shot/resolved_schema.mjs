@@ -59,7 +59,7 @@ export const resolvedShotSchema = object({
   quality: z.union([
     object({
       preset: z.enum(Object.keys(PRESETS)).optional(),
-      samples: z.literal([1, 4, 16, 64, 256]),
+      samples: z.literal([1, 4, 16, 64, 256, 1024]),
       resolve: z.enum(['encoded', 'linear']),
       noise: z.number(),
       environmentSamples: z.int(),

@@ -158,12 +158,12 @@ export const SAMPLES_OF_A_PASS = 4;
 
 const PRESET = '"standard", "draft", "high" or "reference"';
 const QUALITY = '"standard", "draft", "high", "reference", {samples, resolve, noise, environmentSamples} or {preset: "reference", ...}';
-const SAMPLES = '1, 4, 16, 64 or 256 samples a pixel';
+const SAMPLES = '1, 4, 16, 64, 256 or 1024 samples a pixel';
 const quality = z.union([
   z.enum([...Object.keys(PRESETS), 'reference'], { error: QUALITY }),
   object('Explicit settings', {
     preset: z.enum(Object.keys(PRESETS), { error: PRESET }).describe('Settings to start from').optional(),
-    samples: z.literal([1, 4, 16, 64, 256], { error: SAMPLES })
+    samples: z.literal([1, 4, 16, 64, 256, 1024], { error: SAMPLES })
       .describe('Antialiasing samples a pixel; more than 4 shade as often, and read textures unfiltered').optional(),
     resolve: choice('What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone '
       + 'mapping; default "encoded", "linear" for more than 4 samples', ['encoded', 'linear']).optional(),

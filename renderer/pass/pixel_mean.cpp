@@ -1,96 +1,93 @@
 #include "pass/pixel_mean.h"
 
 #include <algorithm>
-#include <cstring>
-
-#include "pass/linear_output.h"
+#include <bit>
+#include <utility>
 
 namespace telar::pass {
 namespace {
 
+constexpr unsigned FEWEST = 16;  ///< passes before a pixel is looked at
+constexpr int REACH = 2;  ///< of the neighbours that are taken together, pixels: one alone may be right by chance
+
 float luma(const glm::vec3& encoded) { return glm::dot(encoded, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
-/// Mean of a pixel and its neighbours, row by row then column by column.
-float pooled(const std::vector<float>& values, int width, int height, int x, int y) {
-  float sum = 0;
-  int count = 0;
-  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v) {
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u, ++count) {
-      sum += values[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u)];
-    }
+/// Means over the window of REACH about each value of a line.
+void blurLine(const float* from, float* to, int count, std::ptrdiff_t step) {
+  for (int i = 0; i < count; ++i) {
+    const int begin = std::max(i - REACH, 0), end = std::min(i + REACH + 1, count);
+    float sum = 0;
+    for (int k = begin; k < end; ++k) sum += from[k * step];
+    to[i * step] = sum / static_cast<float>(end - begin);
   }
-  return sum / static_cast<float>(count);
+}
+
+void blur(std::vector<float>& picture, int width, int height) {
+  std::vector<float> rows(picture.size());
+  for (std::ptrdiff_t y = 0; y < height; ++y)
+    blurLine(&picture[static_cast<std::size_t>(y * width)], &rows[static_cast<std::size_t>(y * width)], width, 1);
+  for (int x = 0; x < width; ++x)
+    blurLine(&rows[static_cast<std::size_t>(x)], &picture[static_cast<std::size_t>(x)], height, width);
 }
 
 }  // namespace
 
-float PixelMean::Spread::variance(int rounds) const {
-  const auto n = static_cast<float>(rounds);
-  const glm::vec2 mean = sum / n;
-  const glm::vec2 ofOne = (squares / n - mean * mean) * (n / (n - 1));
-  return std::max(std::max(ofOne.x, ofOne.y), 0.0f) / n;
-}
-
-PixelMean::PixelMean(const Shot& shot) : shot_(shot) {
+PixelMean::PixelMean(const Shot& shot)
+    : shot_(shot), left_(static_cast<std::size_t>(shot.width) * static_cast<std::size_t>(shot.height)) {
   shot_.exposure = 1;  // the passes were exposed
-  const std::size_t pixels = static_cast<std::size_t>(shot.width) * static_cast<std::size_t>(shot.height);
-  sum_.resize(pixels);
-  round_.resize(pixels);
-  count_.resize(pixels);
-  if (shot.noise == 0) return;
-  spreads_.resize(pixels);
-  variances_.resize(pixels);
+  first_.resize(left_);
+  second_.resize(left_);
+  count_.resize(left_);
 }
 
-void PixelMean::add(const Frame& frame) {
+bool PixelMean::add(const Frame& frame) {
   const auto* pixel = reinterpret_cast<const glm::vec4*>(frame.pixels.data());
-  for (std::size_t i = 0; i < sum_.size(); ++i) {
+  for (std::size_t i = 0; i < second_.size(); ++i) {
     if (!settled_.empty() && settled_[i]) continue;
-    round_[i] += pixel[i];
+    second_[i] += pixel[i];
     ++count_[i];
   }
+  if (!std::has_single_bit(++passes_)) return false;
+  const bool looks = shot_.noise > 0 && passes_ >= FEWEST;
+  if (looks) settle();
+  for (std::size_t i = 0; i < second_.size(); ++i) first_[i] += std::exchange(second_[i], glm::vec4(0));
+  return looks;
 }
 
-bool PixelMean::settle() {
-  if (spreads_.empty()) return true;
-  ++rounds_;
-  const PixelEncoder encoded(shot_);
-  for (std::size_t i = 0; i < sum_.size(); ++i) {
-    if (!settled_.empty() && settled_[i]) continue;
-    const glm::vec4 color = encoded(glm::max(round_[i], 0.0f) / static_cast<float>(ROUND));
+/// By how much the halves differ in luma before black and before white, encoded.
+glm::vec2 PixelMean::difference(std::size_t pixel, const PixelEncoder& encoded) const {
+  const auto shown = [&](const glm::vec4& sum) {
+    const glm::vec4 color = encoded(glm::max(sum, 0.0f) / static_cast<float>(passes_ / 2));
     const float black = luma(glm::clamp(glm::vec3(color), 0.0f, 1.0f)) * color.a;
-    const glm::vec2 value(black, black + 1 - color.a);
-    spreads_[i].sum += value;
-    spreads_[i].squares += value * value;
-    sum_[i] += round_[i];
-    round_[i] = glm::vec4(0);
-    if (rounds_ > 1) variances_[i] = spreads_[i].variance(rounds_);
+    return glm::vec2(black, black + 1 - color.a);
+  };
+  return shown(first_[pixel]) - shown(second_[pixel]);
+}
+
+void PixelMean::settle() {
+  settled_.resize(second_.size());
+  const PixelEncoder encoded(shot_);
+  std::vector<float> squares(second_.size());
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    if (settled_[i]) continue;
+    const glm::vec2 apart = difference(i, encoded);
+    squares[i] = std::max(apart.x * apart.x, apart.y * apart.y);
   }
-  if (rounds_ < 2) return true;
-  if (settled_.empty()) settled_.resize(sum_.size());
-  const auto most = static_cast<float>(shot_.noise * shot_.noise / (255.0 * 255.0));
-  std::size_t i = 0;
-  bool left = false;
-  for (int y = 0; y < shot_.height; ++y) {
-    for (int x = 0; x < shot_.width; ++x, ++i) {
-      if (!settled_[i] && pooled(variances_, shot_.width, shot_.height, x, y) <= most) settled_[i] = 255;
-      left |= !settled_[i];
-    }
+  blur(squares, shot_.width, shot_.height);
+  // The mean of both halves errs by half of what they are apart.
+  const auto most = static_cast<float>(4 * shot_.noise * shot_.noise / (255.0 * 255.0));
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    if (settled_[i] || squares[i] > most) continue;
+    settled_[i] = 255;
+    --left_;
   }
-  return left;
 }
 
 std::vector<glm::vec4> PixelMean::mean() const {
-  std::vector<glm::vec4> picture(sum_.size());
+  std::vector<glm::vec4> picture(first_.size());
   for (std::size_t i = 0; i < picture.size(); ++i)
-    picture[i] = glm::max(sum_[i] + round_[i], 0.0f) / static_cast<float>(std::max<int>(count_[i], 1));
+    picture[i] = glm::max(first_[i] + second_[i], 0.0f) / static_cast<float>(std::max<int>(count_[i], 1));
   return picture;
-}
-
-double PixelMean::meanCount() const {
-  double sum = 0;
-  for (const std::uint16_t count : count_) sum += count;
-  return sum / static_cast<double>(count_.size());
 }
 
 }  // namespace telar::pass

@@ -198,10 +198,9 @@ class GlRenderer final : public Renderer {
     for (int i = 0; i < passes.count; ++i) {
       inputs.samplePass = i;
       plan.camera.projection = pass::shifted(projection, passes.shift(i), shot.width, shot.height);
-      mean.add(drawOnce(inputs, targetFor(shot), !mean.settled().empty(), timer));
-      if ((i + 1) % pass::PixelMean::ROUND != 0) continue;
-      if (!mean.settle()) break;
-      if (!mean.settled().empty()) settled_.set(mean.settled(), shot.width, shot.height);
+      if (!mean.add(drawOnce(inputs, targetFor(shot), !mean.settled().empty(), timer))) continue;
+      if (mean.allSettled()) break;
+      settled_.set(mean.settled(), shot.width, shot.height);
       timer.lap("settle");
     }
     plan.camera.projection = projection;

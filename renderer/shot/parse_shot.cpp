@@ -12,7 +12,7 @@ using shot::JsonPath;
 
 constexpr int SIZE_MAX_PX = 8192;
 constexpr int SHADOW_MAP_MAX = 4096;  ///< texels on a side
-constexpr int SAMPLES_MAX = 256;      ///< a pixel
+constexpr int SAMPLES_MAX = 1024;     ///< a pixel
 constexpr double NOISE_MAX = 64;
 constexpr int ENVIRONMENT_SAMPLES_MAX = 4096;
 constexpr int REFERENCE_SAMPLES_MAX = 65536, REFERENCE_BOUNCES_MAX = 64, REFERENCE_THREADS_MAX = 256;
@@ -200,7 +200,7 @@ void readQuality(const JsonPath& json, Shot& shot) {
   shot.samples = samples.integer(1, SAMPLES_MAX);
   if (!std::has_single_bit(static_cast<unsigned>(shot.samples)) ||
       std::bit_width(static_cast<unsigned>(shot.samples)) % 2 == 0)
-    samples.fail("1, 4, 16, 64 or 256");
+    samples.fail("1, 4, 16, 64, 256 or 1024");
   const JsonPath resolve = json.at("resolve");
   shot.linearResolve = resolve.choice({"encoded", "linear"}) == 1;
   if (shot.samples > Shot::SAMPLES_OF_A_PASS && !shot.linearResolve) resolve.fail("linear with so many samples");

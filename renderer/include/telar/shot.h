@@ -106,7 +106,7 @@ struct Shot {
   ShadingTerms terms;          ///< of a principled shading
   std::string toneMapping;     ///< none linear reinhard cineon aces agx neutral
   double exposure = 1;         ///< factor on radiance, the lens's included
-  int samples = 4;             ///< quality.samples: 1 or 4 in one pass, 16, 64 or 256 in several
+  int samples = 4;             ///< quality.samples: 1 or 4 in one pass, 16 to 1024 in several
   double noise = 0;            ///< standard error of a pixel, in 1/255, at which it takes no more of several passes
   bool linearResolve = false;  ///< samples are averaged before tone mapping and encoding
   int environmentSamples = 0;  ///< directions a pixel in which the environment is looked up; 0 = prefiltered maps

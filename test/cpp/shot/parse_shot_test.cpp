@@ -302,7 +302,7 @@ TEST(ParseShot, NamesPathExpectationAndValue) {
       {"/background", "red", "shot.background: expected one of transparent, environment, got \"red\""},
       {"/toneMapping", nullptr,
        "shot.toneMapping: expected one of none, linear, reinhard, cineon, aces, agx, neutral, got null"},
-      {"/quality/samples", 3, "shot.quality.samples: expected 1, 4, 16, 64 or 256, got 3"},
+      {"/quality/samples", 3, "shot.quality.samples: expected 1, 4, 16, 64, 256 or 1024, got 3"},
       {"/quality/noise", -1, "shot.quality.noise: expected a number of at least 0.0, got -1"},
       {"/quality/environmentSamples", -1,
        "shot.quality.environmentSamples: expected an integer from 0 to 4096, got -1"},

@@ -165,7 +165,7 @@ const MESSAGES = [
   [{ shading: { base: 'disney-2012', shen: 'zeltner' } }, 'shot.shading.shen: unknown key, did you mean sheen?'],
   [{ toneMapping: 'filmic' }, 'shot.toneMapping: expected "neutral", "none", "linear", "reinhard", "cineon", "aces" or "agx", got "filmic"'],
   [{ quality: 'best' }, 'shot.quality: expected "standard", "draft", "high", "reference", {samples, resolve, noise, environmentSamples} or {preset: "reference", ...}, got "best"'],
-  [{ quality: { samples: 2 } }, 'shot.quality.samples: expected 1, 4, 16, 64 or 256 samples a pixel, got 2'],
+  [{ quality: { samples: 2 } }, 'shot.quality.samples: expected 1, 4, 16, 64, 256 or 1024 samples a pixel, got 2'],
   [{ quality: { samples: 4, noise: 1 } }, 'shot.quality.noise: expected 0 with 4 samples or fewer, got 1'],
   [{ quality: { samples: 16, resolve: 'encoded' } }, 'shot.quality.resolve: expected "linear" with more than 4 samples, got "encoded"'],
   [{ quality: { environmentSamples: 0.5 } }, 'shot.quality.environmentSamples: expected a whole number of directions in [0, 4096], got 0.5'],
