@@ -19,6 +19,9 @@ precision highp samplerCube;
 #include "brdf/tone_mapping.glsl"
 #include "brdf/color.glsl"
 #include "output.glsl"
+#if ALPHA_TO_COVERAGE || ENVIRONMENT_SAMPLES > 0 || FLAT_SHADOWS + CUBE_SHADOWS > 0
+#include "pixel_noise.glsl"
+#endif
 #include "material/fragment_inputs.glsl"
 #if !UNLIT
 #include "shading/terms.glsl"

@@ -139,11 +139,9 @@ vec2 sobolPoint(uint index) {
 
 // Moves the points of a pixel against those of its neighbours, [0, 1)^2: what a few points miss is then spread over the
 // pixels about, where it averages out, in place of bands.
-// src: Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", interleaved gradient noise; Roberts
-//      2018, "The Unreasonable Effectiveness of Quasirandom Sequences", R2 by pixel
+// src: Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences", R2 by pixel
 vec2 pixelShift() {
-  return vec2(fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))),
-              fract(dot(gl_FragCoord.xy, vec2(0.7548776662, 0.5698402910))));
+  return vec2(interleavedGradientNoise(gl_FragCoord.xy), fract(dot(gl_FragCoord.xy, vec2(0.7548776662, 0.5698402910))));
 }
 
 // Mean radiance, and luminance of the bright part, over a solid angle about a direction.

@@ -6,12 +6,6 @@ uniform int coverageSamples;  // of a pixel
 const int coverageSamples = 1;
 #endif
 
-// Thresholds of neighbouring pixels, [0, 1), spread evenly, so that the mean of a few is right for every share.
-// src: Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", interleaved gradient noise
-float pixelThreshold(vec2 pixel) {
-  return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
-}
-
 // Samples to cover, 0 .. coverageSamples.
 // alpha  of the map      cutoff  of the map's alpha
 int coveredSamples(float alpha, float cutoff) {
@@ -22,7 +16,7 @@ int coveredSamples(float alpha, float cutoff) {
   float share = clamp(0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0)), 0.0, 1.0);
   float edge = clamp((alpha - cutoff) / max(fwidth(alpha), 1e-4) + 0.5, 0.0, 1.0);
   float covered = mix(edge, alpha, share);
-  float threshold = mix(0.5, pixelThreshold(gl_FragCoord.xy), share);
+  float threshold = mix(0.5, interleavedGradientNoise(gl_FragCoord.xy), share);
   return int(covered * float(coverageSamples) + threshold);
 }
 

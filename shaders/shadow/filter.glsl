@@ -19,10 +19,8 @@ const float TURN = 6.283185307179586;
 const float GOLDEN_ANGLE = 2.399963229728653;
 const int TAPS = 5;
 
-// Angle of the disk at this pixel: interleaved gradient noise.
-float diskAngle() {
-  return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) * TURN;
-}
+// Angle of the disk at this pixel.
+float diskAngle() { return interleavedGradientNoise(gl_FragCoord.xy) * TURN; }
 
 // One of TAPS points spread evenly over the unit disk: Vogel's spiral.
 vec2 diskPoint(int tap, float angle) {

@@ -8,6 +8,7 @@ precision highp int;
 #include "brdf/tone_mapping.glsl"
 #include "brdf/color.glsl"
 #include "output.glsl"
+#include "pixel_noise.glsl"
 #include "shadow/filter.glsl"
 
 uniform float opacity;
