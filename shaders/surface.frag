@@ -140,7 +140,7 @@ void main() {
   Reflected direct = nothingReflected();
 #endif
 #if RECT_LIGHTS + DISK_LIGHTS > 0
-  direct = addRectLight(direct, s);
+  direct = addAreaLight(direct, s);
 #endif
   vec3 diffuse = direct.diffuse + indirect.diffuse;
 #if TRANSMISSION

@@ -34,77 +34,108 @@ LtcLobe sheenLobe(mat3 frame, SurfaceInfo s) {
 }
 #endif
 
-// As with three.js's rectangles, they have no part in iridescence, anisotropy and rough diffuse; sheen sees them on cloth and in the
-// principled shadings.
-Reflected addRectLight(Reflected sum, SurfaceInfo s) {
-  mat3 frame = ltcFrame(s.n, s.v);
-  LtcLobe base = ltcLobe(frame, s.perceptualRoughness, s.NoV, s.f0, s.f90);
+// What a surface reflects of an area light: each lobe with its own form factor.
+struct AreaLobes {
+  mat3 frame;   // of the cosine lobe
+  vec3 spread;  // what leaves as a cosine
+  LtcLobe base;
+#if SHADING_FABRIC && SHEEN
+  LtcLobe sheen;
+#elif SHADING_PRINCIPLED && SHEEN
+  vec3 fuzz;    // leaves as a cosine too
+#endif
+#if CLEARCOAT
+  LtcLobe coat;
+#endif
+};
+
+AreaLobes areaLobes(SurfaceInfo s) {
+  AreaLobes lobes;
+  lobes.frame = ltcFrame(s.n, s.v);
+  lobes.base = ltcLobe(lobes.frame, s.perceptualRoughness, s.NoV, s.f0, s.f90);
 #if SHADING_FABRIC
   // What is not reflected at once, and what is left for the diffuse lobe, spread as a cosine.
-  base.albedo = glossReflectance(s);
-  vec3 spread = s.diffuse * s.leaving + s.returning * s.albedo.x;
+  lobes.base.albedo = glossReflectance(s);
+  lobes.spread = s.diffuse * s.leaving + s.returning * s.albedo.x;
 #if SHEEN
-  LtcLobe sheen = sheenLobe(frame, s);
+  lobes.sheen = sheenLobe(lobes.frame, s);
 #endif
 #elif SHADING_PRINCIPLED
   // Gloss and coat spread as the tables have it, the other lobes as a cosine; each of the albedo that the model gives it.
   float under = underCoatToViewer(s);
-  base.albedo *= under * glossOfArea(s);
-  vec3 spread = under * diffuseAlbedoTerm(s);
+  lobes.base.albedo *= under * glossOfArea(s);
+  lobes.spread = under * diffuseAlbedoTerm(s);
 #if SHEEN
-  vec3 fuzz = under * s.sheenColor * sheenAlbedoTerm(s);
+  lobes.fuzz = under * s.sheenColor * sheenAlbedoTerm(s);
 #endif
 #else
-  vec3 spread = s.diffuse;
+  lobes.spread = s.diffuse;
 #endif
 #if CLEARCOAT
-  LtcLobe coat = ltcLobe(ltcFrame(s.coatNormal, s.v), s.clearcoatRoughness, s.clearcoatNoV, vec3(F0_DIELECTRIC), 1.0);
+  lobes.coat = ltcLobe(ltcFrame(s.coatNormal, s.v), s.clearcoatRoughness, s.clearcoatNoV, vec3(F0_DIELECTRIC), 1.0);
 #if SHADING_PRINCIPLED
-  coat.albedo = vec3(coatAlbedoTerm(s));
+  lobes.coat.albedo = vec3(coatAlbedoTerm(s));
 #endif
 #endif
+  return lobes;
+}
+
+struct AreaLight {
+  vec3 centre;
+  vec3 alongX;  // from the centre to the middle of an edge, or to the rim; it shines towards cross(alongY, alongX)
+  vec3 alongY;
+  vec3 color;
+  bool isDisk;
+};
+
+// Form factor of a light for the surface at p.
+float formFactor(mat3 toLobe, AreaLight light, vec3 p) {
+#if DISK_LIGHTS > 0
+  if (light.isDisk) return ltcDisk(toLobe, light.centre - p, light.alongX, light.alongY);
+#endif
+  vec3 a = light.centre + light.alongX - light.alongY;
+  vec3 b = light.centre - light.alongX - light.alongY;
+  vec3 c = light.centre - light.alongX + light.alongY;
+  vec3 d = light.centre + light.alongX + light.alongY;
+  return ltcRectangle(toLobe, a - p, b - p, c - p, d - p);
+}
+
+Reflected addArea(Reflected sum, AreaLobes lobes, AreaLight light, vec3 p) {
+  sum.specular += light.color * lobes.base.albedo * formFactor(lobes.base.toLobe, light, p);
+#if SHADING_FABRIC && SHEEN
+  sum.sheen += light.color * lobes.sheen.albedo * formFactor(lobes.sheen.toLobe, light, p);
+#endif
+  float cosineLobe = formFactor(lobes.frame, light, p);
+  sum.diffuse += light.color * lobes.spread * cosineLobe;
+#if SHADING_PRINCIPLED && SHEEN
+  sum.sheen += light.color * lobes.fuzz * cosineLobe;
+#endif
+#if CLEARCOAT
+  sum.coat += light.color * lobes.coat.albedo * formFactor(lobes.coat.toLobe, light, p);
+#endif
+  return sum;
+}
+
+// As with three.js's rectangles, area lights have no part in iridescence, anisotropy and rough diffuse; sheen sees them on
+// cloth and in the principled shadings.
+Reflected addAreaLight(Reflected sum, SurfaceInfo s) {
+  AreaLobes lobes = areaLobes(s);
   vec3 p = -vViewPosition;
 #if RECT_LIGHTS > 0
   for (int i = 0; i < RECT_LIGHTS; ++i) {
-    vec3 a = rectPosition[i] + rectHalfWidth[i] - rectHalfHeight[i];
-    vec3 b = rectPosition[i] - rectHalfWidth[i] - rectHalfHeight[i];
-    vec3 c = rectPosition[i] - rectHalfWidth[i] + rectHalfHeight[i];
-    vec3 d = rectPosition[i] + rectHalfWidth[i] + rectHalfHeight[i];
-    if (dot(cross(b - a, d - a), p - a) < 0.0) continue;  // behind it
-    a -= p;
-    b -= p;
-    c -= p;
-    d -= p;
-    sum.specular += rectColor[i] * base.albedo * ltcRectangle(base.toLobe, a, b, c, d);
-#if SHADING_FABRIC && SHEEN
-    sum.sheen += rectColor[i] * sheen.albedo * ltcRectangle(sheen.toLobe, a, b, c, d);
-#endif
-    float cosineLobe = ltcRectangle(frame, a, b, c, d);
-    sum.diffuse += rectColor[i] * spread * cosineLobe;
-#if SHADING_PRINCIPLED && SHEEN
-    sum.sheen += rectColor[i] * fuzz * cosineLobe;
-#endif
-#if CLEARCOAT
-    sum.coat += rectColor[i] * coat.albedo * ltcRectangle(coat.toLobe, a, b, c, d);
-#endif
+    AreaLight light = AreaLight(rectPosition[i], rectHalfWidth[i], rectHalfHeight[i], rectColor[i], false);
+    vec3 a = light.centre + light.alongX - light.alongY;
+    vec3 b = light.centre - light.alongX - light.alongY;
+    vec3 d = light.centre + light.alongX + light.alongY;
+    if (dot(cross(b - a, d - a), p - a) < 0.0) continue;  // behind it, as three r187 tells
+    sum = addArea(sum, lobes, light, p);
   }
 #endif
 #if DISK_LIGHTS > 0
   for (int i = 0; i < DISK_LIGHTS; ++i) {
-    vec3 centre = diskPosition[i] - p;
-    if (dot(cross(diskY[i], diskX[i]), centre) > 0.0) continue;  // behind it
-    sum.specular += diskColor[i] * base.albedo * ltcDisk(base.toLobe, centre, diskX[i], diskY[i]);
-#if SHADING_FABRIC && SHEEN
-    sum.sheen += diskColor[i] * sheen.albedo * ltcDisk(sheen.toLobe, centre, diskX[i], diskY[i]);
-#endif
-    float cosineOfDisk = ltcDisk(frame, centre, diskX[i], diskY[i]);
-    sum.diffuse += diskColor[i] * spread * cosineOfDisk;
-#if SHADING_PRINCIPLED && SHEEN
-    sum.sheen += diskColor[i] * fuzz * cosineOfDisk;
-#endif
-#if CLEARCOAT
-    sum.coat += diskColor[i] * coat.albedo * ltcDisk(coat.toLobe, centre, diskX[i], diskY[i]);
-#endif
+    AreaLight light = AreaLight(diskPosition[i], diskX[i], diskY[i], diskColor[i], true);
+    if (dot(cross(light.alongY, light.alongX), light.centre - p) > 0.0) continue;  // behind it
+    sum = addArea(sum, lobes, light, p);
   }
 #endif
   return sum;

@@ -35,7 +35,7 @@ void main() {
 TELAR_LIGHT_LOOPS
 #include <lights_fragment_maps>
 #if RECT_LIGHTS > 0
-  telarDirect = addRectLight(telarDirect, telarSurface);
+  telarDirect = addAreaLight(telarDirect, telarSurface);
 #endif
   Incident telarIncident = incidentLight(telarSurface);
   telarIncident.irradiance = irradiance;
