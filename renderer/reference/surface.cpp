@@ -1,8 +1,8 @@
 #include "reference/surface.h"
 
 #include <cmath>
+#include <optional>
 
-#include "reference/sampling.h"
 #include "reference/texture_read.h"
 
 namespace telar::reference {
@@ -90,6 +90,11 @@ struct Reader {
   }
 };
 
+/// Perceptual roughness to shade with: modelRoughness() of shaders/material/layer_info.glsl.
+float modelRoughness(float perceptualRoughness, float geometric, const ShadingTerms* terms) {
+  return terms ? perceptualRoughness : brdf_f::shadedRoughness(perceptualRoughness, geometric);
+}
+
 /// @param ownRoughness  in place of the material's and its texture; null = none
 void readBase(SurfaceInfo& s, const Material& m, const Reader& read, const glm::vec3& baseColor, float geometric,
               glm::vec2 (*dfg)(float, float), const ShadingTerms* terms, const float* ownRoughness) {
@@ -109,7 +114,7 @@ void readBase(SurfaceInfo& s, const Material& m, const Reader& read, const glm::
   }
   s.f0 = glm::mix(s.f0Dielectric, baseColor, s.metallic);
   const float roughness = ownRoughness ? *ownRoughness : m.roughnessFactor * texel.g;
-  s.perceptualRoughness = terms ? roughness : brdf_f::shadedRoughness(roughness, geometric);
+  s.perceptualRoughness = modelRoughness(roughness, geometric, terms);
   s.alpha = brdf_f::alphaFromRoughness(s.perceptualRoughness);
   s.NoV = brdf_f::saturate(glm::dot(s.n, s.v));
   s.dfg = dfg(s.perceptualRoughness, s.NoV);
@@ -158,7 +163,7 @@ void readLayers(SurfaceInfo& s, const Material& m, const Reader& read, const glm
   s.coatNormal = coatNormal;
   s.clearcoat = brdf_f::saturate(l.clearcoatFactor * read(l.clearcoatTexture).r);
   const float coatRoughness = l.clearcoatRoughnessFactor * read(l.clearcoatRoughnessTexture).g;
-  s.clearcoatRoughness = terms ? coatRoughness : brdf_f::shadedRoughness(coatRoughness, geometric);
+  s.clearcoatRoughness = modelRoughness(coatRoughness, geometric, terms);
   s.clearcoatNoV = brdf_f::saturate(glm::dot(coatNormal, s.v));
   s.coatDfg = dfg(s.clearcoatRoughness, s.clearcoatNoV);
 }
@@ -220,14 +225,6 @@ Glass readGlass(const PhysicalLayers& l, const Reader& read, const PlacedMesh& m
   return glass;
 }
 
-/// A normal that has turned away from a viewer who sees the surface, turned back to where it just faces him. The
-/// shading takes such a viewer along the surface, where terms of stretched lobes have poles.
-glm::vec3 facing(const glm::vec3& n, const glm::vec3& v) {
-  constexpr float LEAST = 1e-3f;
-  const float cosine = glm::dot(n, v);
-  return cosine >= LEAST ? n : glm::normalize(n + v * (LEAST - cosine));
-}
-
 /// Geometric roughness of three.js: how much the interpolated normal turns within a pixel.
 float roughnessOfCurvature(const Corners& corners, const glm::vec3& n, const Footprint& footprint) {
   const auto change = [&](const Ray& neighbour) {
@@ -275,10 +272,11 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
                                                                        : m.layers.clearcoatNormalTexture;
   const glm::mat3 mapped = tangentFrame(mesh, corners, b, n, framing, s.v, face);
   if (m.normalTexture) s.n = mappedNormal(mapped, read(m.normalTexture), signs * m.normalScale);
-  s.n = facing(s.n, s.v);
+  // The shading takes a viewer behind the normal along the surface, where terms of stretched lobes have poles.
+  s.n = brdf_f::normalFacing(s.n, s.v);
   // The frame of texture coordinates is not square: without a stretched highlight any square one about the mapped
   // normal shades the same.
-  glm::mat3 frame = basisAbout(s.n);
+  glm::mat3 frame = brdf_f::basisAbout(s.n);
   const bool stretched = m.layers.anisotropyStrength > 0 || isWoven(mesh);
   if (stretched && glm::dot(mapped[0], mapped[0]) > 0 && glm::dot(mapped[1], mapped[1]) > 0) frame = mapped;
   glm::vec3 coatNormal = n;
@@ -286,7 +284,7 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
     const glm::mat3 coatFrame = tangentFrame(mesh, corners, b, n, map, s.v, face);
     coatNormal = mappedNormal(coatFrame, read(map), signs * m.layers.clearcoatNormalScale);
   }
-  coatNormal = facing(coatNormal, s.v);
+  coatNormal = brdf_f::normalFacing(coatNormal, s.v);
   const bool back = cloth && m.fabric.back && m.doubleSided && !front;
   if (back)
     baseColor = glm::vec4(m.fabric.backColorFactor * glm::vec3(read(m.fabric.backColorTexture, true)), baseColor.a);

@@ -62,17 +62,3 @@ void addWeave(inout SurfaceInfo s, Normals normals, float geometric) {
   s.weft = yarnLobe(s.n, weft, warp, turn, slope, coverage.y, roughness.y, yarnAnisotropy.y, weftSpecularColor);
 }
 #endif
-
-void addFabric(inout SurfaceInfo s, Normals normals, float geometric) {
-#if DIFFUSE_TRANSMISSION
-  vec4 through = diffuseTransmission();
-  s.transmittedColor = through.rgb;
-  s.diffuseTransmission = saturate(through.a);
-#endif
-#if FLATNESS
-  s.flatness = flatness;
-#endif
-#if WEAVE
-  addWeave(s, normals, geometric);
-#endif
-}

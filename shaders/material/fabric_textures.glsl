@@ -23,6 +23,18 @@ vec4 diffuseTransmission() {
 }
 #endif
 
+// What thin cloth has: the light that comes through, and how flat its diffuse lobe is.
+void addThin(inout SurfaceInfo s) {
+#if DIFFUSE_TRANSMISSION
+  vec4 through = diffuseTransmission();
+  s.transmittedColor = through.rgb;
+  s.diffuseTransmission = saturate(through.a);
+#endif
+#if FLATNESS
+  s.flatness = flatness;
+#endif
+}
+
 #if BACK
 // Base colour of the back, linear Rec.709.
 vec3 backColor() {

@@ -1,5 +1,15 @@
 // The layers of KHR_materials_* in SurfaceInfo. Order of three r187.
 
+// Perceptual roughness that the model shades with. The principled ones have floors of their own, and curvature widens nothing.
+// geometric  geometricRoughness()
+float modelRoughness(float perceptualRoughness, float geometric) {
+#if SHADING_PRINCIPLED
+  return perceptualRoughness;
+#else
+  return shadedRoughness(perceptualRoughness, geometric);
+#endif
+}
+
 #if SPECULAR
 void addSpecular(inout SurfaceInfo s) {
   float factor = specularFactor;
@@ -83,11 +93,7 @@ void addClearcoat(inout SurfaceInfo s, Normals normals, float geometric) {
   roughness = roughnessWithSlopes(roughness, normals.coatSlopeVariance);
 #endif
   s.clearcoat = saturate(s.clearcoat);
-#if SHADING_PRINCIPLED
-  s.clearcoatRoughness = roughness;
-#else
-  s.clearcoatRoughness = shadedRoughness(roughness, geometric);
-#endif
+  s.clearcoatRoughness = modelRoughness(roughness, geometric);
   s.clearcoatNoV = saturate(dot(s.coatNormal, s.v));
 #if !SHADING_FABRIC
   s.coatDfg = texture(dfgMap, vec2(s.clearcoatRoughness, s.clearcoatNoV)).rg;

@@ -60,27 +60,18 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
   addSpecular(s);
 #endif
   s.f0 = mix(s.f0Dielectric, baseColor, s.metallic);
-#if SHADING_PRINCIPLED
-  s.perceptualRoughness = roughness;  // these models have floors of their own, and curvature widens nothing
-#if FLATNESS
-  s.flatness = flatness;
-#endif
-#if DIFFUSE_TRANSMISSION
-  vec4 through = diffuseTransmission();
-  s.diffuseTransmission = through.a;
-  s.transmittedColor = through.rgb;
-#endif
-#else
-  s.perceptualRoughness = shadedRoughness(roughness, geometric);
-#endif
+  s.perceptualRoughness = modelRoughness(roughness, geometric);
   s.alpha = alphaFromRoughness(s.perceptualRoughness);
   s.NoV = saturate(dot(s.n, s.v));
 #if !SHADING_FABRIC
   s.dfg = texture(dfgMap, vec2(s.perceptualRoughness, s.NoV)).rg;
 #endif
   addLayers(s, normals, geometric);
-#if SHADING_FABRIC
-  addFabric(s, normals, geometric);
+#if SHADING_FABRIC || SHADING_PRINCIPLED
+  addThin(s);
+#endif
+#if WEAVE
+  addWeave(s, normals, geometric);
 #endif
   return preparedSurface(s);
 }
