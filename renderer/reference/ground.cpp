@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "reference/sampling.h"
+#include "brdf/brdf.h"
 
 namespace telar::reference {
 namespace {
@@ -48,7 +48,7 @@ Ray Ground::Caster::ray(const glm::vec3& point, const glm::vec2& u) const {
   const float distance = glm::length(toLight);
   const glm::vec3 l = toLight / distance;
   const float radius = std::sqrt(u.x) * spread * (parallel ? 1.0f : distance), phi = 6.2831853f * u.y;
-  const glm::mat3 frame = basisAbout(l);
+  const glm::mat3 frame = brdf_f::basisAbout(l);
   // As the map's filter: the point is moved across the light, and what stands between decides.
   const glm::vec3 origin = point + frame[0] * (radius * std::cos(phi)) + frame[1] * (radius * std::sin(phi));
   return {origin, parallel ? l : glm::normalize(position - origin)};

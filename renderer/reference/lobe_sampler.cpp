@@ -32,7 +32,7 @@ LobeSampler::Gloss LobeSampler::yarnOf(const brdf_f::YarnLobe& yarn, const glm::
   return gloss;
 }
 
-LobeSampler::LobeSampler(const brdf_f::SurfaceInfo& s) : cosineFrame_(basisAbout(s.n)) {
+LobeSampler::LobeSampler(const brdf_f::SurfaceInfo& s) : cosineFrame_(brdf_f::basisAbout(s.n)) {
   auto& [base, coat, warp, weft] = gloss_;
   // A frame that leans (its axes come from texture coordinates) is set upright: any square frame samples correctly.
   const glm::vec3 t = s.t - s.n * glm::dot(s.n, s.t);
@@ -40,7 +40,7 @@ LobeSampler::LobeSampler(const brdf_f::SurfaceInfo& s) : cosineFrame_(basisAbout
       glm::dot(t, t) > 1e-12f ? glm::mat3(glm::normalize(t), glm::cross(s.n, glm::normalize(t)), s.n) : cosineFrame_;
   base.alpha = {glm::max(s.alphaT, s.alpha), s.alpha};
   base.v = viewerIn(base.frame, s.v);
-  coat.frame = basisAbout(s.coatNormal);
+  coat.frame = brdf_f::basisAbout(s.coatNormal);
   coat.alpha = glm::vec2(brdf_f::alphaFromRoughness(s.clearcoatRoughness));
   coat.v = viewerIn(coat.frame, s.v);
   warp = yarnOf(s.warp, s.v);
@@ -64,18 +64,18 @@ LobeSampler::LobeSampler(const brdf_f::SurfaceInfo& s) : cosineFrame_(basisAbout
 }
 
 glm::vec3 LobeSampler::draw(float choice, const glm::vec2& u) const {
-  if ((choice -= cosineShare_) < 0) return cosineFrame_ * sampleCosine(u);
+  if ((choice -= cosineShare_) < 0) return cosineFrame_ * brdf_f::sampleCosine(u);
   if ((choice -= evenShare_) < 0) {
     const glm::vec3 any = sampleSphere(u);
     return cosineFrame_ * glm::vec3(any.x, any.y, std::abs(any.z));
   }
-  if ((choice -= throughShare_) < 0) return cosineFrame_ * -sampleCosine(u);
+  if ((choice -= throughShare_) < 0) return cosineFrame_ * -brdf_f::sampleCosine(u);
   for (const Gloss& gloss : gloss_) {
     if ((choice -= gloss.share) >= 0) continue;
-    const glm::vec3 h = sampleVisibleNormal(gloss.v, gloss.alpha, u);
+    const glm::vec3 h = brdf_f::sampleVisibleNormal(gloss.v, gloss.alpha, u);
     return gloss.frame * (2.0f * glm::dot(gloss.v, h) * h - gloss.v);
   }
-  return cosineFrame_ * sampleCosine(u);  // the shares fall short of 1 by rounding
+  return cosineFrame_ * brdf_f::sampleCosine(u);  // the shares fall short of 1 by rounding
 }
 
 LobeSampler::Sample LobeSampler::sample(Random& random) const {
@@ -86,10 +86,11 @@ LobeSampler::Sample LobeSampler::sample(Random& random) const {
 
 float LobeSampler::pdf(const glm::vec3& l) const {
   const float cosine = glm::dot(cosineFrame_[2], l);
-  float sum = cosineShare_ * pdfCosine(cosine) + throughShare_ * pdfCosine(-cosine);
+  float sum = cosineShare_ * brdf_f::pdfCosine(cosine) + throughShare_ * brdf_f::pdfCosine(-cosine);
   if (cosine >= 0) sum += evenShare_ * PDF_HEMISPHERE;
   for (const Gloss& gloss : gloss_) {
-    if (gloss.share > 0) sum += gloss.share * pdfReflection(gloss.v, glm::transpose(gloss.frame) * l, gloss.alpha);
+    if (gloss.share > 0)
+      sum += gloss.share * brdf_f::pdfReflection(gloss.v, glm::transpose(gloss.frame) * l, gloss.alpha);
   }
   return sum;
 }

@@ -1,6 +1,6 @@
 #include "reference/sky.h"
 
-#include "reference/sampling.h"
+#include "brdf/brdf.h"
 
 namespace telar::reference {
 
@@ -16,11 +16,11 @@ glm::vec3 Sky::radiance(const glm::vec3& direction, Random& random) const {
   if (alpha_ <= 0) return environment_->radiance(direction);
   // The raster's map holds the mean over reflections about n = v = the direction, weighted with n . l: a draw stands
   // with the chance n . l.
-  const glm::mat3 frame = basisAbout(direction);
+  const glm::mat3 frame = brdf_f::basisAbout(direction);
   constexpr int MOST_DRAWS = 64;
   glm::vec3 l = direction;
   for (int i = 0; i < MOST_DRAWS; ++i) {
-    const glm::vec3 h = sampleVisibleNormal({0, 0, 1}, glm::vec2(alpha_), random.uniform2());
+    const glm::vec3 h = brdf_f::sampleVisibleNormal({0, 0, 1}, glm::vec2(alpha_), random.uniform2());
     const float NoL = 2 * h.z * h.z - 1;
     l = frame * (2 * h.z * h - glm::vec3(0, 0, 1));
     if (random.uniform() < NoL) break;

@@ -1,7 +1,5 @@
 #include "reference/transmission.h"
 
-#include "reference/sampling.h"
-
 namespace telar::reference {
 namespace {
 
@@ -10,11 +8,11 @@ glm::vec3 blurred(const glm::vec3& direction, const brdf_f::SurfaceInfo& s, floa
   const float roughness = s.perceptualRoughness * glm::clamp(ior * 2 - 2, 0.0f, 1.0f);
   const float alpha = roughness * roughness;
   if (alpha < 1e-4f) return direction;
-  const glm::mat3 frame = basisAbout(s.n);
+  const glm::mat3 frame = brdf_f::basisAbout(s.n);
   const glm::vec3 v = glm::transpose(frame) * -direction;
   if (v.z <= 0) return direction;
   // A rough sheet of two parallel sides: the reflection of a rough surface, mirrored to the other side.
-  const glm::vec3 h = sampleVisibleNormal(v, glm::vec2(alpha), random.uniform2());
+  const glm::vec3 h = brdf_f::sampleVisibleNormal(v, glm::vec2(alpha), random.uniform2());
   const glm::vec3 l = 2 * glm::dot(v, h) * h - v;
   return l.z > 0 ? frame * glm::vec3(l.x, l.y, -l.z) : direction;
 }

@@ -119,7 +119,7 @@ SurfacePoint randomPoint(ShadingModel model, std::uint64_t seed) {
   SurfacePoint point{model, randomMaterial(r, Layers::random(r)), {}, {}};
   point.material.doubleSided = true;
   const glm::vec2 direction(static_cast<float>(r.unit()), static_cast<float>(r.unit()));
-  const Stage stage(r.chance(0.1) ? glm::mat3(1.0f) : reference::basisAbout(reference::sampleSphere(direction)));
+  const Stage stage(r.chance(0.1) ? glm::mat3(1.0f) : brdf_f::basisAbout(reference::sampleSphere(direction)));
   const double phi = r.between(-PI, PI);
   point.info = stage.read(model, point.material, stage.toWorld(local(edgedCosine(r), phi)));
   const double turned = r.edged(-PI, PI, {0, 1e-3, 0.5, 1, 2, PI});

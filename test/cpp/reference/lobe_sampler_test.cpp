@@ -32,7 +32,7 @@ constexpr std::array<Lobes, 8> SURFACES{{{"matt", 60, 1, 1, 0, 0, 0, 0.5f, 0},
 brdf_f::SurfaceInfo surfaceOf(const Lobes& lobes) {
   brdf_f::SurfaceInfo s{};
   const glm::vec3 n = glm::normalize(glm::vec3(0.3f, -0.5f, 0.8f));
-  const glm::mat3 frame = basisAbout(n);
+  const glm::mat3 frame = brdf_f::basisAbout(n);
   const auto elevation = glm::radians(lobes.elevation);
   s.n = n;
   s.v = frame * glm::vec3(std::cos(elevation) * 0.6f, std::cos(elevation) * 0.8f, std::sin(elevation));

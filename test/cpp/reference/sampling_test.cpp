@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "brdf/brdf.h"
 #include "reference/random.h"
 
 /// Directions come as often as their pdf says, and the pdf is one whole.
@@ -54,8 +55,8 @@ void expectDrawnAsOftenAsThePdfSays(Draw draw, Pdf pdf, const std::string& what)
 }
 
 TEST(Sampling, CosineDirectionsFollowTheirPdf) {
-  expectDrawnAsOftenAsThePdfSays([](glm::vec2 u) { return sampleCosine(u); },
-                                 [](const glm::vec3& l) { return pdfCosine(l.z); }, "cosine");
+  expectDrawnAsOftenAsThePdfSays([](glm::vec2 u) { return brdf_f::sampleCosine(u); },
+                                 [](const glm::vec3& l) { return brdf_f::pdfCosine(l.z); }, "cosine");
 }
 
 TEST(Sampling, ReflectionsAboutVisibleNormalsFollowTheirPdf) {
@@ -64,10 +65,10 @@ TEST(Sampling, ReflectionsAboutVisibleNormalsFollowTheirPdf) {
       const glm::vec3 v(std::sqrt(1 - cosine * cosine) * 0.8f, std::sqrt(1 - cosine * cosine) * 0.6f, cosine);
       expectDrawnAsOftenAsThePdfSays(
           [&](glm::vec2 u) {
-            const glm::vec3 h = sampleVisibleNormal(v, alpha, u);
+            const glm::vec3 h = brdf_f::sampleVisibleNormal(v, alpha, u);
             return 2 * glm::dot(v, h) * h - v;
           },
-          [&](const glm::vec3& l) { return pdfReflection(v, l, alpha); },
+          [&](const glm::vec3& l) { return brdf_f::pdfReflection(v, l, alpha); },
           "alpha " + std::to_string(alpha.x) + " " + std::to_string(alpha.y) + " NoV " + std::to_string(cosine));
     }
   }
@@ -77,7 +78,7 @@ TEST(Sampling, BasisIsSquareForEveryNormal) {
   Random random(5, 0, 0);
   for (int i = 0; i < 10000; ++i) {
     const glm::vec3 n = i == 0 ? glm::vec3(0, 0, -1) : sampleSphere(random.uniform2());
-    const glm::mat3 m = basisAbout(n), product = glm::transpose(m) * m;
+    const glm::mat3 m = brdf_f::basisAbout(n), product = glm::transpose(m) * m;
     for (int a = 0; a < 3; ++a) {
       for (int b = 0; b < 3; ++b) EXPECT_NEAR(product[a][b], a == b ? 1 : 0, 2e-6f);
     }
