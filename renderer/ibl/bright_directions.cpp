@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "telar/luminance.h"
 
 namespace telar::ibl {
 namespace {
@@ -15,8 +18,6 @@ constexpr double COMPACT_OVER_LOCAL = 3;
 constexpr double LOCAL_RADIUS = 0.1;  ///< of the surroundings, radians
 
 constexpr std::size_t PARTS = 2048;  ///< that the excess is divided into
-
-float luminance(const float* rgb) { return 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2]; }
 
 /// Position along a curve that keeps neighbours together: Morton's.
 std::uint64_t alongCurve(std::uint32_t x, std::uint32_t y) {
@@ -51,7 +52,8 @@ class LocalMean {
     for (std::uint32_t y = 0; y < grid.height; ++y) {
       double row = 0;
       for (std::uint32_t x = 0; x < grid.width; ++x) {
-        row += luminance(&map.pixels[(static_cast<std::size_t>(y) * grid.width + x) * 4]) * grid.solidAngle(y);
+        const float* rgba = &map.pixels[(static_cast<std::size_t>(y) * grid.width + x) * 4];
+        row += luminance(glm::make_vec3(rgba)) * grid.solidAngle(y);
         sum(x + 1, y + 1) = sum(x + 1, y) + row;
       }
     }
@@ -95,7 +97,7 @@ BrightDirections::BrightDirections(ImageF& map) {
   for (std::uint32_t y = 0; y < map.height; ++y) {
     for (std::uint32_t x = 0; x < map.width; ++x) {
       float* rgba = texel(x, y);
-      rgba[3] = std::max(luminance(rgba) - threshold, 0.0f);
+      rgba[3] = std::max(luminance(glm::make_vec3(rgba)) - threshold, 0.0f);
       energy_ += rgba[3] * grid.solidAngle(y);
       if (rgba[3] > 0) found.emplace_back(alongCurve(x, y), y * map.width + x);
     }
@@ -105,10 +107,11 @@ BrightDirections::BrightDirections(ImageF& map) {
   for (const auto& [place, index] : found) {
     const std::uint32_t x = index % map.width, y = index / map.width;
     float* rgba = texel(x, y);
-    const float whole = luminance(rgba);
+    const glm::vec3 colour = glm::make_vec3(rgba);
+    const float whole = luminance(colour);
     sum += rgba[3] * grid.solidAngle(y);
     const bool compact = whole > COMPACT_OVER_LOCAL * local.at(x, y);
-    const Part part{grid.direction(x, y), glm::vec3(rgba[0], rgba[1], rgba[2]) / whole, rgba[3], compact};
+    const Part part{grid.direction(x, y), colour / whole, rgba[3], compact};
     while (parts_.size() < PARTS && energy_ * (static_cast<double>(parts_.size()) + 0.5) / PARTS <= sum)
       parts_.push_back(part);
     if (!compact) continue;
@@ -118,9 +121,9 @@ BrightDirections::BrightDirections(ImageF& map) {
   while (!parts_.empty() && parts_.size() < PARTS) parts_.push_back(parts_.back());
 }
 
-std::vector<BrightDirections::Direction> BrightDirections::directions(int count) const {
+std::vector<BrightDirections::Direction> BrightDirections::directions(int count, int first, int step) const {
   std::vector<Direction> list;
-  for (int i = 0; i < count && !parts_.empty(); ++i) {
+  for (int i = first; i < count && !parts_.empty(); i += step) {
     const Part& part = parts_[static_cast<std::size_t>((i + 0.5) * PARTS / count)];
     const auto density = static_cast<float>(count * part.excess / energy_);
     list.push_back({part.direction, part.colour * static_cast<float>(energy_ / count),

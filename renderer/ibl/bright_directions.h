@@ -24,8 +24,10 @@ class BrightDirections {
   explicit BrightDirections(ImageF& map);
 
   /// `count` directions that stand for equal parts of the excess, spread evenly; none where there is no excess.
-  /// Neighbours in the list are neighbours on the sphere. @param count  up to 2048
-  std::vector<Direction> directions(int count) const;
+  /// Neighbours among them are neighbours on the sphere.
+  /// @param count        up to 2048
+  /// @param first, step  of all these, the ones to return
+  std::vector<Direction> directions(int count, int first = 0, int step = 1) const;
   /// Integral of the luminance of the excess over the sphere.
   double energy() const { return energy_; }
 

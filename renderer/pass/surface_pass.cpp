@@ -132,13 +132,12 @@ int reversed(int pass, int count) {
 void setBrightDirections(const gl::Program& program, const SurfaceInputs& in, int count, int passes) {
   const glm::mat3 toView =
       glm::mat3(glm::dmat3(in.plan.camera.view)) * glm::transpose(environmentRotation(in.shot.environment.rotation));
-  const auto all = in.environment->bright.directions(count * passes);
   std::vector<glm::vec3> directions;
   std::vector<glm::vec4> irradiances;
-  const auto first = static_cast<std::size_t>(reversed(in.samplePass, passes));
-  for (std::size_t i = first; i < all.size(); i += static_cast<std::size_t>(passes)) {
-    directions.push_back(toView * all[i].direction);
-    irradiances.emplace_back(all[i].irradiance * static_cast<float>(passes), all[i].density);
+  const int first = reversed(in.samplePass, passes);
+  for (const auto& bright : in.environment->bright.directions(count * passes, first, passes)) {
+    directions.push_back(toView * bright.direction);
+    irradiances.emplace_back(bright.irradiance * static_cast<float>(passes), bright.density);
   }
   program.set("brightCount", static_cast<int>(directions.size()));
   program.set("brightDirection", directions);

@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "pass/camera.h"
+#include "telar/luminance.h"
 
 namespace telar::reference {
 namespace {
 
 constexpr double PI = 3.141592653589793;
-
-float brightness(const glm::vec3& c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
 
 /// Sums, then shares of the whole; even where the whole is 0.
 float cumulate(float* begin, std::size_t count) {
@@ -48,7 +47,7 @@ EnvironmentLight::EnvironmentLight(const ImageF& map, double rotation, double in
       // Bilinear reading spreads a texel over its neighbours, so they must be drawn as well.
       float most = 0;
       for (int dy = -1; dy <= 1; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) most = std::max(most, brightness(texel(x + dx, y + dy)));
+        for (int dx = -1; dx <= 1; ++dx) most = std::max(most, luminance(texel(x + dx, y + dy)));
       }
       row[x + 1] = most;
     }

@@ -28,12 +28,12 @@ class EnvironmentLight {
   glm::vec3 texel(int x, int y) const;
   /// Environment direction to map coordinates in [0, 1], y down.
   glm::vec2 coordinates(const glm::vec3& direction) const;
+  /// How likely a direction of a texel is, per steradian.
+  float pdfOf(std::size_t row, std::size_t column) const;
 
   const ImageF& map_;
   float intensity_;
   glm::mat3 toEnvironment_;
-  /// How likely a direction of a texel is, per steradian.
-  float pdfOf(std::size_t row, std::size_t column) const;
   std::vector<double> heights_;  // y of the upper border of each row, height + 1
   std::vector<float> rows_;      // cumulated share of each row, height + 1
   std::vector<float> columns_;   // cumulated share within its row, (width + 1) a row

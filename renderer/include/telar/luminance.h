@@ -1,0 +1,9 @@
+#pragma once
+#include <glm/glm.hpp>
+
+namespace telar {
+
+/// Relative luminance of linear Rec.709.
+inline float luminance(const glm::vec3& color) { return 0.2126f * color.r + 0.7152f * color.g + 0.0722f * color.b; }
+
+}  // namespace telar
