@@ -1,7 +1,6 @@
 #include "asset/assemble.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "asset/animation.h"
 #include "asset/extension_value.h"
@@ -11,7 +10,6 @@
 #include "asset/place.h"
 #include "asset/pointer.h"
 #include "asset/skins.h"
-#include "asset/topology.h"
 #include "asset/transform.h"
 
 namespace telar::asset {

@@ -1,7 +1,6 @@
 #include "asset/camera_light.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 

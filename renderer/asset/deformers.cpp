@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "asset/pointer.h"
+#include "asset/repair.h"
 
 namespace telar::asset {
 namespace {
@@ -29,11 +30,6 @@ bool normalize(glm::vec4& weights, double steps) {
   const glm::dvec4 scaled = exact * (1 / sum);
   weights = glm::vec4(steps == 0 ? scaled : glm::floor(scaled * steps + 0.5) / steps);
   return true;
-}
-
-bool allFinite(const std::vector<glm::vec3>& stream) {
-  return std::all_of(stream.begin(), stream.end(),
-                     [](const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); });
 }
 
 }  // namespace
@@ -157,7 +153,8 @@ void DeformerReader::readTargets(const Primitive& base, Deformers& out) const {
   for (const auto& target : source_.targets) {
     cancel_.check();
     out.targets.push_back(readTarget(target, base));
-    unusable += !allFinite(out.targets.back().positions);
+    const auto& offsets = out.targets.back().positions;
+    unusable += !std::all_of(offsets.begin(), offsets.end(), isFinite);
   }
   if (unusable > 0) {
     warnings_.add("W_NONFINITE",

@@ -1,7 +1,6 @@
 #include "asset/fabric_layers.h"
 
 #include "asset/layer.h"
-#include "asset/number.h"
 
 namespace telar::asset {
 namespace {

@@ -1,7 +1,5 @@
 #include "asset/geometry.h"
 
-#include <cmath>
-
 #include "asset/deformers.h"
 #include "asset/draco_mesh.h"
 #include "asset/extension_value.h"

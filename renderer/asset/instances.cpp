@@ -6,7 +6,6 @@
 #include "asset/pointer.h"
 #include "asset/repair.h"
 #include "asset/sphere.h"
-#include "asset/topology.h"
 #include "asset/transform.h"
 
 namespace telar::asset {

@@ -1,7 +1,6 @@
 #include "telar/load.h"
 
 #include <new>
-#include <stdexcept>
 
 #include "asset/assemble.h"
 

@@ -1,7 +1,5 @@
 #include "asset/material.h"
 
-#include <algorithm>
-
 #include "asset/extension_value.h"
 #include "asset/fabric_layers.h"
 #include "asset/physical_layers.h"

@@ -3,7 +3,6 @@
 #include <meshoptimizer.h>
 
 #include "asset/meshopt_filters.h"
-#include "asset/number.h"
 #include "asset/pointer.h"
 #include "core/lazy_library.h"
 

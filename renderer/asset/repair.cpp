@@ -9,13 +9,11 @@ namespace {
 constexpr float COLOR_MAX = 65504.0f;
 constexpr double LENGTH_MIN = 1e-6, LENGTH_MAX = 1e6;  // their squares are far inside fp32
 
-bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 enum class Direction { kGood, kScaled, kBad };
 
 /// Brings a direction's length into a range that fp32 can square.
 Direction settle(glm::vec3& direction) {
-  if (!finite(direction)) return Direction::kBad;
+  if (!isFinite(direction)) return Direction::kBad;
   const glm::dvec3 exact(direction);
   const double length = glm::length(exact);
   if (length == 0) return Direction::kBad;
@@ -60,6 +58,8 @@ std::size_t clampColors(std::vector<Color>& colors) {
 }
 
 }  // namespace
+
+bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 bool isDrawable(const glm::vec3& p) {
   // NaN fails every comparison.

@@ -8,6 +8,8 @@ namespace telar::asset {
 /// Largest coordinate that is drawn, metres: squares and products of two stay finite in fp32.
 constexpr float COORDINATE_MAX = 1e18f;
 
+bool isFinite(const glm::vec3& v);
+
 bool isDrawable(const glm::vec3& position);
 
 /// Vertices whose position is not drawable; their positions are set to 0. Empty where all are good.

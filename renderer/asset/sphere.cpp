@@ -1,7 +1,6 @@
 #include "asset/sphere.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace telar::asset {
 

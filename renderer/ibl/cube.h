@@ -1,6 +1,4 @@
 #pragma once
-#include <functional>
-#include <glm/glm.hpp>
 
 #include "gl/context.h"
 #include "gl/program.h"

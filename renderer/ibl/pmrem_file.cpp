@@ -7,7 +7,6 @@
 
 #include <bit>
 #include <cstring>
-#include <fstream>
 #include <thread>
 
 namespace telar::ibl {

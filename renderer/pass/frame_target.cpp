@@ -1,7 +1,6 @@
 #include "pass/frame_target.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace telar::pass {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "reference/surface.h"
+#include "reference/geometry.h"
 #include "telar/shot.h"
 
 namespace telar::reference {
@@ -19,8 +19,6 @@ class Eye {
   Ray ray(const glm::dvec2& pixel, const glm::dvec2& u) const;
   const glm::mat3& toView() const { return toView_; }
   bool hasLens() const { return lens_.has_value(); }
-  /// Metres; 0 without a lens.
-  double lensRadius() const { return lens_ ? lens_->radius : 0; }
 
  private:
   /// A thin lens: what lies in one plane is sharp.

@@ -1,6 +1,5 @@
 #include "reference/geometry.h"
 
-#include <glm/gtc/matrix_inverse.hpp>
 #include <limits>
 
 #include "pass/variant.h"

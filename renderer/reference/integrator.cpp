@@ -1,6 +1,5 @@
 #include "reference/integrator.h"
 
-#include <cmath>
 #include <limits>
 
 #include "reference/sampling.h"

@@ -1,6 +1,5 @@
 #pragma once
 #include <glm/glm.hpp>
-#include <optional>
 
 #include "brdf/shading.h"
 #include "reference/geometry.h"
