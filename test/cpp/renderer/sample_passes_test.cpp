@@ -1,0 +1,78 @@
+#include "pass/sample_passes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "pass/camera.h"
+
+/// The passes of one picture fill its pixels evenly.
+namespace telar::pass {
+namespace {
+
+Shot shotOf(int samples) {
+  Shot shot;
+  shot.width = 300, shot.height = 200;
+  shot.samples = samples;
+  shot.camera.position = {1, 2, 4};
+  shot.camera.fovY = 35, shot.camera.near = 0.5, shot.camera.far = 20;
+  return shot;
+}
+
+TEST(SamplePasses, OnePassTakesWhatMultisamplingGives) {
+  for (const int samples : {1, Shot::SAMPLES_OF_A_PASS}) {
+    const SamplePasses passes = samplePassesOf(shotOf(samples));
+    EXPECT_EQ(passes.count, 1);
+    EXPECT_EQ(passes.samples, samples);
+    EXPECT_EQ(passes.shift(0), glm::dvec2(0)) << "a picture of one pass is not moved";
+  }
+}
+
+TEST(SamplePasses, HaveOnePointInEveryCellOfEveryDivision) {
+  for (const int samples : {16, 64}) {
+    const SamplePasses passes = samplePassesOf(shotOf(samples));
+    EXPECT_EQ(passes.count * passes.samples, samples);
+    for (int columns = 1; columns <= passes.count; columns *= 2) {
+      const int rows = passes.count / columns;
+      std::set<std::pair<int, int>> cells;
+      for (int i = 0; i < passes.count; ++i) {
+        const glm::dvec2 point = passes.shift(i) + 0.5;
+        ASSERT_TRUE(point.x > 0 && point.x < 1 && point.y > 0 && point.y < 1) << "beside the pixel";
+        cells.emplace(static_cast<int>(point.x * columns), static_cast<int>(point.y * rows));
+      }
+      EXPECT_EQ(cells.size(), static_cast<std::size_t>(passes.count)) << columns << " x " << rows;
+    }
+  }
+}
+
+TEST(SamplePasses, DoNotMoveThePictureInTheMean) {
+  const SamplePasses passes = samplePassesOf(shotOf(64));
+  glm::dvec2 sum(0);
+  for (int i = 0; i < passes.count; ++i) sum += passes.shift(i);
+  EXPECT_NEAR(glm::length(sum), 0, 1e-12);
+}
+
+TEST(SamplePasses, MoveEveryPointByTheSamePartOfAPixel) {
+  for (const bool perspective : {true, false}) {
+    Shot shot = shotOf(16);
+    shot.camera.perspective = perspective;
+    shot.camera.height = 3;
+    const Camera camera = cameraOf(shot);
+    const glm::dvec2 shift(0.3125, -0.4375);
+    Camera moved = camera;
+    moved.projection = shifted(camera.projection, shift, shot.width, shot.height);
+    for (const glm::dvec3 point : {glm::dvec3(0), {0.5, -0.3, 1}, {-2, 1, -9}}) {
+      const auto pixelOf = [&](const Camera& from) {
+        const glm::dvec4 p = worldToPixel(from, shot.width, shot.height) * glm::dvec4(point, 1);
+        return glm::dvec3(p) / p.w;
+      };
+      const glm::dvec3 change = pixelOf(moved) - pixelOf(camera);
+      EXPECT_NEAR(change.x, shift.x, 1e-10);
+      EXPECT_NEAR(change.y, -shift.y, 1e-10) << "pixels count downwards";
+      EXPECT_NEAR(change.z, 0, 1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace telar::pass
