@@ -17,6 +17,9 @@ constexpr double EXCESS_OVER_MEAN = 4;
 constexpr double COMPACT_OVER_LOCAL = 3;
 constexpr double LOCAL_RADIUS = 0.1;  ///< of the surroundings, radians
 
+/// Brighter is left to nothing else: the map that stays is one of halves.
+constexpr double HALF_MAX = 65504;
+
 constexpr std::size_t PARTS = 2048;  ///< that the excess is divided into
 
 /// Position along a curve that keeps neighbours together: Morton's.
@@ -92,7 +95,7 @@ BrightDirections::BrightDirections(ImageF& map) {
     return &map.pixels[(static_cast<std::size_t>(y) * map.width + x) * 4];
   };
   LocalMean local(map, grid);
-  const auto threshold = static_cast<float>(local.overall() * EXCESS_OVER_MEAN);
+  const auto threshold = static_cast<float>(std::min(local.overall() * EXCESS_OVER_MEAN, HALF_MAX));
   std::vector<std::pair<std::uint64_t, std::uint32_t>> found;  // place along the curve, index
   for (std::uint32_t y = 0; y < map.height; ++y) {
     for (std::uint32_t x = 0; x < map.width; ++x) {
@@ -110,7 +113,7 @@ BrightDirections::BrightDirections(ImageF& map) {
     const glm::vec3 colour = glm::make_vec3(rgba);
     const float whole = luminance(colour);
     sum += rgba[3] * grid.solidAngle(y);
-    const bool compact = whole > COMPACT_OVER_LOCAL * local.at(x, y);
+    const bool compact = whole > HALF_MAX || whole > COMPACT_OVER_LOCAL * local.at(x, y);
     const Part part{grid.direction(x, y), colour / whole, rgba[3], compact};
     while (parts_.size() < PARTS && energy_ * (static_cast<double>(parts_.size()) + 0.5) / PARTS <= sum)
       parts_.push_back(part);

@@ -20,7 +20,8 @@ class BrightDirections {
 
   BrightDirections() = default;
   /// Takes the excess over a multiple of the mean radiance.
-  /// @param map  what is small (a sun) is taken out of it; alpha becomes the luminance of the excess that stays
+  /// @param map  what is small (a sun), or more than a half holds, is taken out of it; alpha becomes the luminance of
+  ///             the excess that stays
   explicit BrightDirections(ImageF& map);
 
   /// `count` directions that stand for equal parts of the excess, spread evenly; none where there is no excess.

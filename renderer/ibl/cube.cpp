@@ -8,6 +8,8 @@
 namespace telar::ibl {
 namespace {
 
+constexpr float HALF_MAX = 65504.0f;
+
 struct Face {
   glm::vec3 centre, right, up;  // direction = centre + s right + t up, s and t in [-1, 1] (OpenGL ES 3.0 table 3.21)
 };
@@ -66,7 +68,7 @@ gl::Texture uploadEquirect(const gl::Functions& gl, const ImageF& map) {
   for (std::uint32_t y = 0; y < map.height; ++y) {
     const float* from = &map.pixels[y * row];
     std::uint16_t* to = &halfs[(map.height - 1 - y) * row];
-    std::transform(from, from + row, to, [](float x) { return glm::packHalf1x16(x); });
+    std::transform(from, from + row, to, [](float x) { return glm::packHalf1x16(std::min(x, HALF_MAX)); });
   }
   gl::Texture texture(gl);
   gl.BindTexture(GL_TEXTURE_2D, texture.get());

@@ -24,7 +24,8 @@ CubeMap createCube(const gl::Functions& gl, int faceSize, int levels);
 void renderFaces(const gl::Functions& gl, const gl::Program& program, const CubeMap& target, int level,
                  const CancelToken& cancel);
 
-/// An equirectangular map as an RGBA16F texture, bilinear, clamped: row 0 of the image (+Y) is at v = 1.
+/// An equirectangular map as an RGBA16F texture, bilinear, clamped: row 0 of the image (+Y) is at v = 1. What is more
+/// than 65504 becomes so much.
 gl::Texture uploadEquirect(const gl::Functions& gl, const ImageF& map);
 
 /// Equirectangular map to level 0 of a cube. `supersample` as in environment/equirect_to_cube.frag.

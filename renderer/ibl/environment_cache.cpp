@@ -69,7 +69,10 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
   std::optional<ImageF> decoded;
   const auto map = [&]() -> ImageF& {
     if (!decoded && studio) own = fileOf(wanted);
-    if (!decoded) decoded = readEnvironment(studio ? std::span<const std::byte>(own) : bytes, limits_, cancel);
+    if (!decoded) {
+      decoded =
+          readEnvironment(studio ? std::span<const std::byte>(own) : bytes, limits_, cancel, EnvironmentRange::kFull);
+    }
     return *decoded;
   };
   Environment& environment = (*found)->environment;

@@ -8,6 +8,7 @@ namespace telar {
 namespace {
 
 constexpr float HALF_MAX = 65504.0f;
+constexpr float FULL_MAX = 1e20f;  // sums over a sphere, and what they are multiplied with, stay finite
 constexpr float HALF_NORMAL_MIN = 0x1p-14f;
 constexpr float HALF_STEP_MIN = 0x1p-24f;
 constexpr std::size_t TEXELS_PER_STEP = 1 << 20;  // between two looks at the cancel token
@@ -22,12 +23,17 @@ float truncateToHalf(float value) {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) & 0xffffe000u);
 }
 
-/// NaN fails both comparisons and becomes 0.
-float clampToHalf(float value) { return value > 0 ? (value < HALF_MAX ? truncateToHalf(value) : HALF_MAX) : 0.0f; }
+/// NaN becomes 0. Infinity says no more than that a half did not hold it.
+float clamped(float value, float most) {
+  if (!(value > 0)) return 0;
+  if (std::isinf(value)) return HALF_MAX;
+  return value < HALF_MAX ? truncateToHalf(value) : std::min(value, most);
+}
 
 }  // namespace
 
-ImageF readEnvironment(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel) {
+ImageF readEnvironment(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel,
+                       EnvironmentRange range) {
   cancel.check();
   const image::EnvironmentHeader header = image::readEnvironmentHeader(file);
   const double texels = double(header.width) * header.height;
@@ -35,11 +41,12 @@ ImageF readEnvironment(std::span<const std::byte> file, const Limits& limits, co
   ImageF out{header.width, header.height, std::vector<float>(std::size_t(texels) * 4)};
   image::readWithOiio(file, header.format, out, cancel);
 
+  const float most = range == EnvironmentRange::kFull ? FULL_MAX : HALF_MAX;
   const bool rgbe = header.format == image::EnvironmentFormat::kHdr;
   for (std::size_t i = 0; i < out.pixels.size(); i += 4) {
     if (i % (TEXELS_PER_STEP * 4) == 0) cancel.check();
     for (std::size_t c = i; c < i + 3; ++c) {
-      out.pixels[c] = clampToHalf(rgbe ? rescaleRgbe(out.pixels[c]) : out.pixels[c]);
+      out.pixels[c] = clamped(rgbe ? rescaleRgbe(out.pixels[c]) : out.pixels[c], most);
     }
     out.pixels[i + 3] = 1;
   }

@@ -35,7 +35,8 @@ ImageF readMap(const Shot& shot, std::span<const std::byte> bytes, const Rendere
   std::vector<std::byte> own;
   if (shot.environment.source == Source::kPath) own = readEnvironmentFile(shot.environment.path, options.limits);
   if (shot.environment.source == Source::kStudio) own = readStudioFile(options.assetDirectory, options.limits);
-  return readEnvironment(own.empty() ? bytes : std::span<const std::byte>(own), options.limits, cancel);
+  return readEnvironment(own.empty() ? bytes : std::span<const std::byte>(own), options.limits, cancel,
+                         EnvironmentRange::kFull);
 }
 
 const char* nameOf(Source source) { return source == Source::kStudio ? "bundled" : "file"; }

@@ -146,7 +146,7 @@ async function hotSun(renderer) {
   const sky = (radiance) => hdr(64, (_, u, v) => (Math.floor(u * 64) === 44 && Math.floor(v * 32) === 12 ? [radiance, radiance, radiance] : [0, 0, 0]));
   const [BELOW, ABOVE] = [6e4, 1.6e9];
   for (const shading of SHADINGS) {
-    for (const quality of ['standard']) {
+    for (const quality of ['standard', 'high']) {
       const lit = async (radiance) => meanOf(await render(renderer, await square(), {
         ...LINEAR, quality, shading, exposure: 1 / radiance, environment: { map: sky(radiance), rotation: 0 },
         camera: { azimuth: 20, elevation: 10 },

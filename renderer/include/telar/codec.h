@@ -51,9 +51,17 @@ std::vector<std::byte> readEnvironmentFile(const std::filesystem::path& file, co
 /// Bytes of the bundled studio. @throws Error{X_INSTALL}
 std::vector<std::byte> readStudioFile(const std::filesystem::path& assetDirectory, const Limits& limits);
 
+/// How bright the texels of an environment may be.
+enum class EnvironmentRange {
+  kHalf,  ///< up to 65504, the largest half: what three.js has of the file
+  kFull,  ///< up to 1e20, so that a sun keeps its light; infinity is the largest half all the same
+};
+
 /// Reads an equirectangular .hdr or .exr (by magic bytes) to linear Rec.709. NaN becomes 0, values are clamped to
-/// [0, 65504] (the largest half). .hdr texels equal three.js HDRLoader's: mantissa / 255 * 2^(exponent - 128).
+/// [0, the range's end]; those that a half can hold are halves. .hdr texels equal three.js HDRLoader's: mantissa / 255
+/// * 2^(exponent - 128).
 /// @throws Error{E_ENVIRONMENT_FORMAT, E_ENVIRONMENT_CORRUPT, L_ENVIRONMENT_PIXELS, X_LIBRARY_MISSING}
-ImageF readEnvironment(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel);
+ImageF readEnvironment(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel,
+                       EnvironmentRange range = EnvironmentRange::kHalf);
 
 }  // namespace telar

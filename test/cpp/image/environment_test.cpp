@@ -43,6 +43,15 @@ TEST(Environment, ExrNanAndInfinityBecomeFinite) {
   EXPECT_EQ(redsOf(exrRow({NAN, inf, -inf, -1, 1e30f, 0.5f})), (std::vector<float>{0, HALF_MAX, 0, 0, HALF_MAX, 0.5f}));
 }
 
+TEST(Environment, AtFullRangeOnlyWhatNoHalfHoldsDiffers) {
+  useBuiltLibrary();
+  const float inf = INFINITY;
+  const auto image = telar::readEnvironment(exrRow({NAN, inf, -inf, 1.6e9f, 1e30f, 0.1f, HALF_MAX}), {}, {},
+                                            telar::EnvironmentRange::kFull);
+  const std::vector<float> expected{0, HALF_MAX, 0, 1.6e9f, 1e20f, redsOf(exrRow({0.1f}))[0], HALF_MAX};
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(image.pixels[i * 4], expected[i]) << i;
+}
+
 TEST(Environment, AlphaIsOne) {
   useBuiltLibrary();
   EXPECT_EQ(telar::readEnvironment(exrRow({0.25f}), {}, {}).pixels[3], 1);
