@@ -2,12 +2,13 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/random.h"
+
 namespace telar::pass {
+
 glm::dvec2 SamplePasses::shift(int pass) const {
-  // src: Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences", R2: the first passes fill the pixel
-  // evenly however many follow, and share no structure with the directions that they draw.
-  const glm::dvec2 step(0.7548776662466927, 0.5698402909980532);
-  return glm::fract(0.5 + step * static_cast<double>(pass)) - 0.5;
+  if (count == 1) return glm::dvec2(0);
+  return glm::dvec2(Random(0, 0, static_cast<std::uint32_t>(pass)).uniform2()) - 0.5;
 }
 
 SamplePasses samplePassesOf(const Shot& shot) {

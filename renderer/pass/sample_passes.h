@@ -10,8 +10,8 @@ struct SamplePasses {
   int count = 1;
   int samples = 1;  ///< of a pass: multisampling
 
-  /// How far the picture of a pass is moved, pixels in (-0.5, 0.5): together the passes fill the pixel evenly, so that
-  /// their mean is that of a box filter.
+  /// How far the picture of a pass is moved, pixels in [-0.5, 0.5): the first 2^k passes fill the pixel evenly, for any
+  /// k, so that their mean is that of a box filter. Shares no structure with the directions that the passes draw.
   glm::dvec2 shift(int pass) const;
 };
 

@@ -1,10 +1,10 @@
 #pragma once
+#include "core/random.h"
 #include "reference/environment_light.h"
 #include "reference/geometry.h"
 #include "reference/ground.h"
 #include "reference/lights.h"
 #include "reference/lobe_sampler.h"
-#include "reference/random.h"
 #include "reference/sky.h"
 #include "reference/surface.h"
 #include "reference/transmission.h"

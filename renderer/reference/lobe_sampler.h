@@ -2,7 +2,7 @@
 #include <array>
 
 #include "brdf/shading.h"
-#include "reference/random.h"
+#include "core/random.h"
 
 namespace telar::reference {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
+#include "core/random.h"
 #include "reference/environment_light.h"
-#include "reference/random.h"
 #include "telar/shot.h"
 
 namespace telar::reference {

@@ -1,5 +1,5 @@
 #pragma once
-#include "reference/random.h"
+#include "core/random.h"
 #include "reference/surface.h"
 
 namespace telar::reference {

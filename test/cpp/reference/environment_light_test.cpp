@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "reference/random.h"
+#include "core/random.h"
 #include "reference/sampling.h"
 
 namespace telar::reference {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "reference/random.h"
+#include "core/random.h"
 
 namespace telar::reference {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "brdf/brdf.h"
-#include "reference/random.h"
+#include "core/random.h"
 
 /// Directions come as often as their pdf says, and the pdf is one whole.
 namespace telar::reference {

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-namespace telar::reference {
+namespace telar {
 
 /// Uniform numbers of one sample of one pixel: the same on every machine and for any number of threads. Independent
 /// from pixel to pixel; the samples of a pixel fill each pair of draws evenly (Sobol's points, scrambled), so that the
@@ -73,4 +73,4 @@ class Random {
   std::uint32_t sample_;
 };
 
-}  // namespace telar::reference
+}  // namespace telar
