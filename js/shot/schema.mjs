@@ -150,7 +150,7 @@ const ground = z.union([
 export const PRESETS = Object.freeze({
   standard: { samples: 4, resolve: 'encoded', noise: 0, environmentSamples: 0 },
   draft: { samples: 1, resolve: 'encoded', noise: 0, environmentSamples: 0 },
-  high: { samples: 256, resolve: 'linear', noise: 1, environmentSamples: 512 },
+  high: { samples: 1024, resolve: 'linear', noise: 1.25, environmentSamples: 2048 },
 });
 
 /** Samples of a pixel that one pass over the model takes: more take several passes. */
@@ -173,7 +173,7 @@ const quality = z.union([
       + 'maps, as three.js has them', { what: 'a whole number of directions', min: 0, max: 4096, integer: true }).optional(),
   }),
   referenceQuality,
-], { error: QUALITY }).describe('"draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": up to 256, averaged in linear light, '
+], { error: QUALITY }).describe('"draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": up to 1024, averaged in linear light, '
   + 'and the environment integrated with the material; "reference": traced paths of light, slow and without GL').default('standard');
 
 const LAYERS = '["beauty"]';

@@ -289,12 +289,12 @@ export interface Shot {
   toneMapping?: 'neutral' | 'none' | 'linear' | 'reinhard' | 'cineon' | 'aces' | 'agx';
   /** Factor on radiance before tone mapping. Range at least 0. @default 1 */
   exposure?: number;
-  /** "draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": up to 256, averaged in linear light, and the environment integrated with the material; "reference": traced paths of light, slow and without GL. @default "standard" */
+  /** "draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": up to 1024, averaged in linear light, and the environment integrated with the material; "reference": traced paths of light, slow and without GL. @default "standard" */
   quality?: 'standard' | 'draft' | 'high' | 'reference' | {
     /** Settings to start from. */
     preset?: 'standard' | 'draft' | 'high';
     /** Antialiasing samples a pixel; more than 4 shade as often, and read textures unfiltered. */
-    samples?: 1 | 4 | 16 | 64 | 256;
+    samples?: 1 | 4 | 16 | 64 | 256 | 1024;
     /** What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone mapping; default "encoded", "linear" for more than 4 samples. */
     resolve?: 'encoded' | 'linear';
     /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples; 0 = every pixel takes all. For more than 4 samples. Range 0 to 64. */
@@ -491,7 +491,7 @@ export interface ResolvedShot {
   exposure: number;
   quality: {
     preset?: 'standard' | 'draft' | 'high';
-    samples: 1 | 4 | 16 | 64 | 256;
+    samples: 1 | 4 | 16 | 64 | 256 | 1024;
     resolve: 'encoded' | 'linear';
     noise: number;
     environmentSamples: number;

@@ -168,6 +168,9 @@ vec3 environmentSpecular(Scattering scattering, vec3 radiance, vec3 meanRadiance
 
 vec3 sampleCosine(vec2 u);
 Real pdfCosine(Real NoL);
+vec3 sampleHemisphere(vec2 u);
+Real pdfHemisphere(Real NoL);
+vec3 sampleSheenLtc(vec3 ltc, vec2 u);
 vec3 sampleVisibleNormal(vec3 v, vec2 alpha, vec2 u);
 Real pdfReflection(vec3 v, vec3 l, vec2 alpha);
 

@@ -10,7 +10,6 @@ namespace telar::reference {
 namespace {
 
 constexpr float EVEN_SHARE = 0.2f;  ///< of the draws for diffuse and sheen
-constexpr float PDF_HEMISPHERE = 2 * PDF_SPHERE;
 
 /// The viewer in a lobe's frame. Interpolated and mapped normals turn away from viewers who see the surface: the
 /// shading has them along it, and so has the sampler.
@@ -65,10 +64,7 @@ LobeSampler::LobeSampler(const brdf_f::SurfaceInfo& s) : cosineFrame_(brdf_f::ba
 
 glm::vec3 LobeSampler::draw(float choice, const glm::vec2& u) const {
   if ((choice -= cosineShare_) < 0) return cosineFrame_ * brdf_f::sampleCosine(u);
-  if ((choice -= evenShare_) < 0) {
-    const glm::vec3 any = sampleSphere(u);
-    return cosineFrame_ * glm::vec3(any.x, any.y, std::abs(any.z));
-  }
+  if ((choice -= evenShare_) < 0) return cosineFrame_ * brdf_f::sampleHemisphere(u);
   if ((choice -= throughShare_) < 0) return cosineFrame_ * -brdf_f::sampleCosine(u);
   for (const Gloss& gloss : gloss_) {
     if ((choice -= gloss.share) >= 0) continue;
@@ -87,7 +83,7 @@ LobeSampler::Sample LobeSampler::sample(Random& random) const {
 float LobeSampler::pdf(const glm::vec3& l) const {
   const float cosine = glm::dot(cosineFrame_[2], l);
   float sum = cosineShare_ * brdf_f::pdfCosine(cosine) + throughShare_ * brdf_f::pdfCosine(-cosine);
-  if (cosine >= 0) sum += evenShare_ * PDF_HEMISPHERE;
+  sum += evenShare_ * brdf_f::pdfHemisphere(cosine);
   for (const Gloss& gloss : gloss_) {
     if (gloss.share > 0)
       sum += gloss.share * brdf_f::pdfReflection(gloss.v, glm::transpose(gloss.frame) * l, gloss.alpha);

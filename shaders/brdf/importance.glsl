@@ -13,6 +13,27 @@ float pdfCosine(float NoL) {
   return max(NoL, 0.0) * RECIPROCAL_PI;
 }
 
+// All directions above the horizon alike.
+// u  [0, 1)^2
+vec3 sampleHemisphere(vec2 u) {
+  float radius = sqrt(max(1.0 - u.x * u.x, 0.0));
+  float phi = 2.0 * PI * u.y;
+  return vec3(radius * cos(phi), radius * sin(phi), u.x);
+}
+
+// Density of sampleHemisphere, 0 below the horizon.
+float pdfHemisphere(float NoL) {
+  return NoL >= 0.0 ? 0.5 * RECIPROCAL_PI : 0.0;
+}
+
+// Directions of a cosine lobe that is transformed as sheenLtcCosine() is, in its frame; their density is sheenLtcCosine() / ltc.x.
+// ltc  of sheenLtc()      u  [0, 1)^2
+// src: Heitz et al. 2016, "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines", section 3
+vec3 sampleSheenLtc(vec3 ltc, vec2 u) {
+  vec3 w = sampleCosine(u);
+  return normalize(vec3((w.x - ltc.z * w.z) / ltc.y, w.y / ltc.y, max(w.z, 1.0e-6)));
+}
+
 // Microfacet normal of a GGX surface among those that v sees.
 // v  z > 0      alpha  widths along x and y, (0, 1]      u  [0, 1)^2
 // src: Dupuy & Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps"

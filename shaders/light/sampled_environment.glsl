@@ -37,6 +37,13 @@ struct DrawnLobes {
   DrawnLobe base;
   float baseShare;
   float behindShare;  // of a cosine lobe on the other side
+#if SHEEN
+  float sheenShare;
+#if SHADING_FABRIC
+  mat3 sheenFrame;    // x holds the viewer
+  vec3 sheenLtc;
+#endif
+#endif
 #if CLEARCOAT
   DrawnLobe coat;
   float coatShare;
@@ -65,7 +72,13 @@ DrawnLobes drawnLobes(SurfaceInfo s) {
 #endif
   float diffuse = max3(s.diffuse);
 #if SHEEN
-  diffuse += max3(s.sheenColor);
+  float sheen = max3(s.sheenColor);
+  lobes.sheenShare = sheen / (sheen + diffuse + 1.0e-4);
+  diffuse += sheen;
+#if SHADING_FABRIC
+  lobes.sheenFrame = drawnLobe(s.n, s.v, vec2(1.0), s.v).frame;
+  lobes.sheenLtc = sheenLtc(max(s.sheenRoughness, CLOTH_SHEEN_ROUGHNESS_MIN), s.NoV);
+#endif
 #endif
   lobes.behindShare = 0.0;
 #if DIFFUSE_TRANSMISSION
@@ -79,6 +92,13 @@ DrawnLobes drawnLobes(SurfaceInfo s) {
   lobes.baseShare *= 1.0 - lobes.coatShare;
   lobes.behindShare *= 1.0 - lobes.coatShare;
 #endif
+#if SHEEN
+  float left = 1.0 - lobes.baseShare - lobes.behindShare;
+#if CLEARCOAT
+  left -= lobes.coatShare;
+#endif
+  lobes.sheenShare *= left;
+#endif
   return lobes;
 }
 
@@ -86,6 +106,25 @@ vec3 drawnReflection(DrawnLobe lobe, vec2 u) {
   vec3 h = sampleVisibleNormal(lobe.v, lobe.alpha, u);
   return lobe.frame * (2.0 * dot(lobe.v, h) * h - lobe.v);
 }
+
+#if SHEEN
+// Fibres shine where the cosine is small: the lobe of fabric is drawn from itself, the others' from all directions alike.
+vec3 drawnSheen(DrawnLobes lobes, vec2 u) {
+#if SHADING_FABRIC
+  return lobes.sheenFrame * sampleSheenLtc(lobes.sheenLtc, u);
+#else
+  return lobes.cosineFrame * sampleHemisphere(u);
+#endif
+}
+
+float sheenDensity(DrawnLobes lobes, vec3 l) {
+#if SHADING_FABRIC
+  return sheenLtcCosine(vec3(1.0, lobes.sheenLtc.yz), l * lobes.sheenFrame);
+#else
+  return pdfHemisphere(dot(lobes.cosineFrame[2], l));
+#endif
+}
+#endif
 
 // u  [0, 1)^2; its x chooses the lobe
 vec3 drawnDirection(DrawnLobes lobes, vec2 u) {
@@ -102,6 +141,11 @@ vec3 drawnDirection(DrawnLobes lobes, vec2 u) {
   u.x -= lobes.behindShare;
   left -= lobes.behindShare;
 #endif
+#if SHEEN
+  if (u.x < lobes.sheenShare) return drawnSheen(lobes, vec2(u.x / lobes.sheenShare, u.y));
+  u.x -= lobes.sheenShare;
+  left -= lobes.sheenShare;
+#endif
   return lobes.cosineFrame * sampleCosine(vec2(u.x / left, u.y));
 }
 
@@ -116,6 +160,10 @@ float drawnDensity(DrawnLobes lobes, vec3 l) {
 #if DIFFUSE_TRANSMISSION
   left -= lobes.behindShare;
   sum += lobes.behindShare * pdfCosine(-dot(lobes.cosineFrame[2], l));
+#endif
+#if SHEEN
+  left -= lobes.sheenShare;
+  sum += lobes.sheenShare * sheenDensity(lobes, l);
 #endif
   return sum + left * pdfCosine(dot(lobes.cosineFrame[2], l));
 }

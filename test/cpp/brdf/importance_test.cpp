@@ -30,6 +30,7 @@ double overSphere(const F& f) {
 
 TEST(Importance, DensitiesIntegrateToOne) {
   EXPECT_NEAR(overSphere([](const vec3& l) { return pdfCosine(l.z); }), 1, 1e-5);
+  EXPECT_NEAR(overSphere([](const vec3& l) { return pdfHemisphere(l.z); }), 1, 1e-3);
   for (const vec2 alpha : {vec2(0.1, 0.1), vec2(0.6, 0.15), vec2(1, 1)}) {
     for (const double elevation : {0.05, 0.5, 1.5}) {
       const vec3 v(std::cos(elevation) * 0.8, std::cos(elevation) * 0.6, std::sin(elevation));
@@ -55,6 +56,13 @@ TEST(Importance, DrawsLieAsTheirDensitySays) {
     }
   }
   EXPECT_NEAR(gloss, overSphere([&](const vec3& l) { return weight(l) * pdfReflection(v, l, alpha); }), 2e-3 * gloss);
+  // Square as the sheen's frame is, whatever the viewer's side.
+  const vec3 ltc = sheenLtc(0.3, 0.6);
+  double sheen = 0;
+  for (int i = 0; i < N * N; ++i)
+    sheen += weight(sampleSheenLtc(ltc, vec2((i / N + 0.5) / N, (i % N + 0.5) / N))) / (N * N);
+  EXPECT_NEAR(sheen, overSphere([&](const vec3& l) { return weight(l) * sheenLtcCosine(vec3(1, ltc.y, ltc.z), l); }),
+              2e-3 * sheen);
   EXPECT_NEAR(matt, overSphere([&](const vec3& l) { return weight(l) * pdfCosine(l.z); }), 1e-4 * matt);
 }
 

@@ -59,6 +59,11 @@ TEST(Sampling, CosineDirectionsFollowTheirPdf) {
                                  [](const glm::vec3& l) { return brdf_f::pdfCosine(l.z); }, "cosine");
 }
 
+TEST(Sampling, EvenDirectionsFollowTheirPdf) {
+  expectDrawnAsOftenAsThePdfSays([](glm::vec2 u) { return brdf_f::sampleHemisphere(u); },
+                                 [](const glm::vec3& l) { return brdf_f::pdfHemisphere(l.z); }, "hemisphere");
+}
+
 TEST(Sampling, ReflectionsAboutVisibleNormalsFollowTheirPdf) {
   for (const glm::vec2 alpha : {glm::vec2(0.3f), glm::vec2(1.0f), glm::vec2(0.9f, 0.3f), glm::vec2(0.25f, 0.8f)}) {
     for (const float cosine : {0.15f, 0.6f, 1.0f}) {
