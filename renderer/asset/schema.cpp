@@ -30,13 +30,25 @@ struct Where {
   }
 };
 
+/// A value as a message tells it: short, without control characters.
+std::string shown(const json& value) {
+  if (value.is_object()) return "an object";
+  if (value.is_array()) return "an array of " + std::to_string(value.size());
+  if (value.is_string()) return telar::quoted(value.get_ref<const std::string&>());
+  return value.dump();
+}
+
+[[noreturn]] void wrongType(const char* expected, const json& value, const Where& where) {
+  fail("E_SCHEMA", std::string("expected ") + expected + " here, got " + shown(value), where.pointer());
+}
+
 class Reducer {
  public:
   Reducer(const json& document, const Limits& limits, const CancelToken& cancel)
       : document_(document), limits_(limits), cancel_(cancel) {}
 
   json object(const ObjectRule& rule, const json& value, const Where& where) {
-    if (!value.is_object()) fail("E_SCHEMA", "expected an object here", where.pointer());
+    if (!value.is_object()) wrongType("an object", value, where);
     if (++objects_ % OBJECTS_PER_CANCEL_CHECK == 0) cancel_.check();
     json out = json::object();
     for (const Field& field : rule.fields) {
@@ -55,7 +67,7 @@ class Reducer {
   json property(const Field& field, const json& value, const Where& where) {
     switch (field.kind) {
       case Kind::kBool:
-        if (!value.is_boolean()) fail("E_SCHEMA", "expected true or false here", where.pointer());
+        if (!value.is_boolean()) wrongType("true or false", value, where);
         return value;
       case Kind::kText:
         return text(value, where);
@@ -85,13 +97,16 @@ class Reducer {
   }
 
   json list(const Field& field, const json& value, const Where& where) {
-    if (!value.is_array()) fail("E_SCHEMA", "expected an array here", where.pointer());
+    if (!value.is_array()) wrongType("an array", value, where);
     if (field.limit) {
       checkLimit(field.limitName, static_cast<double>(limits_.*field.limit), static_cast<double>(value.size()),
                  where.pointer());
     }
     if (value.size() < field.min || value.size() > field.max) {
-      fail(field.rangeCode, "the array has " + std::to_string(value.size()) + " items, which is not allowed here",
+      const bool open = field.max == INTEGER_MAX, one = field.min == field.max;
+      const std::string most = open ? " or more" : one ? "" : " to " + std::to_string(field.max);
+      fail(field.rangeCode,
+           "expected " + std::to_string(field.min) + most + " items here, got " + std::to_string(value.size()),
            where.pointer());
     }
     json out = json::array();
@@ -115,7 +130,7 @@ class Reducer {
   }
 
   json map(const Field& field, const json& value, const Where& where) {
-    if (!value.is_object()) fail("E_SCHEMA", "expected an object here", where.pointer());
+    if (!value.is_object()) wrongType("an object", value, where);
     json out = json::object();
     for (const auto& [key, entry] : value.items()) {
       const Where here{&where, key};
@@ -125,12 +140,12 @@ class Reducer {
   }
 
   static const std::string& text(const json& value, const Where& where) {
-    if (!value.is_string()) fail("E_SCHEMA", "expected a string here", where.pointer());
+    if (!value.is_string()) wrongType("a string", value, where);
     return value.get_ref<const std::string&>();
   }
 
   static double number(const json& value, const Where& where) {
-    if (!value.is_number()) fail("E_SCHEMA", "expected a number here", where.pointer());
+    if (!value.is_number()) wrongType("a number", value, where);
     return value.get<double>();
   }
 
@@ -138,10 +153,11 @@ class Reducer {
   static std::uint64_t unsignedInteger(const Field& field, const json& value, const Where& where) {
     if (value.is_number_unsigned()) return std::min(value.get<std::uint64_t>(), INTEGER_MAX + 1);
     if (!value.is_number() || std::floor(value.get<double>()) != value.get<double>()) {
-      fail("E_SCHEMA", "expected an integer here", where.pointer());
+      wrongType("an integer", value, where);
     }
     const auto real = value.get<double>();
-    if (real < 0) fail(field.negativeCode, "expected an integer of 0 or more here", where.pointer());
+    if (real < 0)
+      fail(field.negativeCode, "expected an integer of 0 or more here, got " + shown(value), where.pointer());
     return real > static_cast<double>(INTEGER_MAX) ? INTEGER_MAX + 1 : static_cast<std::uint64_t>(real);
   }
 
@@ -152,7 +168,7 @@ class Reducer {
       const std::string step = field.step > 1 ? " in steps of " + std::to_string(field.step) : "";
       fail(field.rangeCode,
            "the value is out of range here: expected " + std::to_string(field.min) + " to " +
-               std::to_string(field.max) + step,
+               std::to_string(field.max) + step + ", got " + shown(value),
            where.pointer());
     }
     return out;
@@ -163,8 +179,8 @@ class Reducer {
     const std::uint64_t count = lengthOf(field.target);
     if (out >= count) {
       fail("E_REF",
-           "the index names an object that does not exist: there are " + std::to_string(count) + " " +
-               std::string(field.target),
+           "the index " + shown(value) + " names an object that does not exist: there are " + std::to_string(count) +
+               " " + std::string(field.target),
            where.pointer());
     }
     return out;
