@@ -113,8 +113,13 @@ class GlRenderer final : public Renderer {
     shadows_.bind(plan.shadows, pass::SurfacePass::firstShadowUnit());
     const pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, cancel};
     const bool accumulates = shot.linearResolve && !plan.frame.debugOutput;
-    Frame frame = accumulates ? drawAveraged(plan, inputs, timer) : drawOnce(inputs, targetFor(shot), false, timer);
-    info.json = describeFrame(plan, shot, environment, compiled, timer).dump();
+    int passes = 1;
+    Frame frame =
+        accumulates ? drawAveraged(plan, inputs, passes, timer) : drawOnce(inputs, targetFor(shot), false, timer);
+    Json json = describeFrame(plan, shot, environment, timer);
+    json["samples"] = passes * target_->samples();
+    json["programsCompiled"] = compiled;
+    info.json = json.dump();
     return frame;
   }
 
@@ -189,17 +194,17 @@ class GlRenderer final : public Renderer {
   }
 
   /// The mean of passes that are moved by parts of a pixel, in linear light before tone mapping.
-  /// @param plan  that of the inputs: its projection is moved and put back
-  Frame drawAveraged(FramePlan& plan, pass::SurfaceInputs inputs, StageTimer& timer) {
+  /// @param plan  that of the inputs: its projection is moved and put back    @param[out] drawn  passes until all was
+  /// sure
+  Frame drawAveraged(FramePlan& plan, pass::SurfaceInputs inputs, int& drawn, StageTimer& timer) {
     const Shot& shot = inputs.shot;
     const pass::SamplePasses passes = pass::samplePassesOf(shot);
     const glm::dmat4 projection = plan.camera.projection;
     pass::PixelMean mean(shot);
-    for (int i = 0; i < passes.count; ++i) {
-      inputs.samplePass = i;
-      plan.camera.projection = pass::shifted(projection, passes.shift(i), shot.width, shot.height);
+    for (drawn = 0; drawn < passes.count && !mean.allSettled();) {
+      inputs.samplePass = drawn;
+      plan.camera.projection = pass::shifted(projection, passes.shift(drawn++), shot.width, shot.height);
       if (!mean.add(drawOnce(inputs, targetFor(shot), !mean.settled().empty(), timer))) continue;
-      if (mean.allSettled()) break;
       settled_.set(mean.settled(), shot.width, shot.height);
       timer.lap("settle");
     }
@@ -256,14 +261,12 @@ class GlRenderer final : public Renderer {
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   }
 
-  Json describeFrame(const FramePlan& plan, const Shot& shot, const ibl::Environment* environment, int compiled,
+  Json describeFrame(const FramePlan& plan, const Shot& shot, const ibl::Environment* environment,
                      const StageTimer& timer) const {
     Json json = describePlan(plan, shot);
     json["backend"] = gl::backendName(context_->backend());
     json["gl"] = {{"vendor", context_->vendor()}, {"renderer", context_->renderer()}, {"version", context_->version()}};
-    json["samples"] = pass::samplePassesOf(shot).count * target_->samples();
     json["drawCalls"] = plan.draws.size();
-    json["programsCompiled"] = compiled;
     json["environmentSource"] = environment ? Json(environment->source) : Json(nullptr);
     json["glObjects"] = liveObjects();
     const glm::dmat4 toPixel = pass::worldToPixel(plan.camera, shot.width, shot.height);
