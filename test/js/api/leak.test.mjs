@@ -50,14 +50,14 @@ test('500 renders in one process: memory, file descriptors, threads and GL names
   assert.ok(last.kibibytes - first.kibibytes < 8 * 1024, JSON.stringify(samples));
 });
 
-test('50 renderers one after another: threads and file descriptors stay flat', async () => {
+test('75 renderers one after another: memory, threads and file descriptors stay flat', async () => {
   const { code, stdout, stderr } = await runChild(`
     import { readdirSync, readFileSync } from 'node:fs';
     import { createRenderer } from '${indexUrl}';
     import { MODELS } from '${fixturesUrl}';
     const ball = await MODELS.ball();
     const samples = [];
-    for (let i = 1; i <= 50; ++i) {
+    for (let i = 1; i <= 75; ++i) {
       const renderer = await createRenderer({ cacheDirectory: null });
       await renderer.render(ball, { size: { width: 32, height: 32 } });
       await renderer.close();
@@ -68,7 +68,8 @@ test('50 renderers one after another: threads and file descriptors stay flat', a
     }
     console.log(JSON.stringify(samples));`, { support: false });
   assert.equal(code, 0, stderr);
-  const [first, last] = JSON.parse(stdout);
+  const [first, second, last] = JSON.parse(stdout);
   assert.deepEqual([last.files, last.threads], [first.files, first.threads]);
-  assert.ok(last.kibibytes - first.kibibytes < 32 * 1024, stdout);
+  // The allocator may take one more arena at some time; a leak grows all the time.
+  assert.ok(Math.min(second.kibibytes - first.kibibytes, last.kibibytes - second.kibibytes) < 16 * 1024, stdout);
 });
