@@ -22,7 +22,7 @@ struct PlacedMesh {
   glm::mat3 linear{1.0f};        ///< the node's matrix without its translation, for tangents
   bool mirrored = false;         ///< the node's matrix turns the winding round
   ShadingModel shading = ShadingModel::kThree;
-  glm::vec3 tint{1.0f};          ///< of an instance, linear Rec.709: a factor on the base colour
+  glm::vec3 tint{1.0f};  ///< of an instance, linear Rec.709: a factor on the base colour
 };
 
 /// Every triangle that a variant of the scene shows. Points and lines have no area and are left out.
