@@ -6,6 +6,7 @@
 #include <string>
 
 #include "asset/pointer.h"
+#include "core/json_text.h"
 
 namespace telar::asset {
 namespace {
@@ -29,14 +30,6 @@ struct Where {
     return out;
   }
 };
-
-/// A value as a message tells it: short, without control characters.
-std::string shown(const json& value) {
-  if (value.is_object()) return "an object";
-  if (value.is_array()) return "an array of " + std::to_string(value.size());
-  if (value.is_string()) return telar::quoted(value.get_ref<const std::string&>());
-  return value.dump();
-}
 
 [[noreturn]] void wrongType(const char* expected, const json& value, const Where& where) {
   fail("E_SCHEMA", std::string("expected ") + expected + " here, got " + shown(value), where.pointer());

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "ibl/equirect_grid.h"
+#include "telar/codec.h"
 #include "telar/luminance.h"
 
 namespace telar::ibl {
@@ -16,9 +17,6 @@ constexpr double EXCESS_OVER_MEAN = 4;
 /// What is this many times as bright as its surroundings is smaller than they are.
 constexpr double COMPACT_OVER_LOCAL = 3;
 constexpr double LOCAL_RADIUS = 0.1;  ///< of the surroundings, radians
-
-/// Brighter is left to nothing else: the map that stays is one of halves.
-constexpr double HALF_MAX = 65504;
 
 constexpr std::size_t PARTS = 2048;  ///< that the excess is divided into
 
@@ -34,23 +32,10 @@ std::uint64_t alongCurve(std::uint32_t x, std::uint32_t y) {
   return spread(x) | spread(y) << 1;
 }
 
-/// Directions and solid angles of an equirectangular map's texels: u = atan2(z, x), row 0 is +Y.
-struct Grid {
-  std::uint32_t width, height;
-  double polar(double y) const { return glm::pi<double>() * y / height; }
-  double solidAngle(std::uint32_t y) const {
-    return glm::two_pi<double>() / width * (std::cos(polar(y)) - std::cos(polar(y + 1.0)));
-  }
-  glm::vec3 direction(std::uint32_t x, std::uint32_t y) const {
-    const double phi = ((x + 0.5) / width - 0.5) * glm::two_pi<double>(), theta = polar(y + 0.5);
-    return glm::vec3(glm::dvec3(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)));
-  }
-};
-
 /// Mean luminance of the map about a texel, from sums over all texels above and to the left.
 class LocalMean {
  public:
-  LocalMean(const ImageF& map, const Grid& grid)
+  LocalMean(const ImageF& map, const EquirectGrid& grid)
       : grid_(grid), sums_(static_cast<std::size_t>(grid.width + 1) * (grid.height + 1)) {
     for (std::uint32_t y = 0; y < grid.height; ++y) {
       double row = 0;
@@ -83,19 +68,19 @@ class LocalMean {
     const auto l = static_cast<std::uint32_t>(left), r = static_cast<std::uint32_t>(right);
     return sum(r, bottom) - sum(l, bottom) - sum(r, top) + sum(l, top);
   }
-  Grid grid_;
+  EquirectGrid grid_;
   std::vector<double> sums_;
 };
 
 }  // namespace
 
 BrightDirections::BrightDirections(ImageF& map) {
-  const Grid grid{map.width, map.height};
+  const EquirectGrid grid{map.width, map.height};
   const auto texel = [&](std::uint32_t x, std::uint32_t y) {
     return &map.pixels[(static_cast<std::size_t>(y) * map.width + x) * 4];
   };
   LocalMean local(map, grid);
-  const auto threshold = static_cast<float>(std::min(local.overall() * EXCESS_OVER_MEAN, HALF_MAX));
+  const auto threshold = static_cast<float>(std::min(local.overall() * EXCESS_OVER_MEAN, double(HALF_MAX)));
   std::vector<std::pair<std::uint64_t, std::uint32_t>> found;  // place along the curve, index
   for (std::uint32_t y = 0; y < map.height; ++y) {
     for (std::uint32_t x = 0; x < map.width; ++x) {
@@ -113,8 +98,9 @@ BrightDirections::BrightDirections(ImageF& map) {
     const glm::vec3 colour = glm::make_vec3(rgba);
     const float whole = luminance(colour);
     sum += rgba[3] * grid.solidAngle(y);
+    // The map that stays is one of halves.
     const bool compact = whole > HALF_MAX || whole > COMPACT_OVER_LOCAL * local.at(x, y);
-    const Part part{grid.direction(x, y), colour / whole, rgba[3], compact};
+    const Part part{glm::vec3(grid.direction(x, y)), colour / whole, rgba[3], compact};
     while (parts_.size() < PARTS && energy_ * (static_cast<double>(parts_.size()) + 0.5) / PARTS <= sum)
       parts_.push_back(part);
     if (!compact) continue;

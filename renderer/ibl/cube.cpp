@@ -4,11 +4,10 @@
 #include <glm/gtc/packing.hpp>
 
 #include "shader/library.h"
+#include "telar/codec.h"
 
 namespace telar::ibl {
 namespace {
-
-constexpr float HALF_MAX = 65504.0f;
 
 struct Face {
   glm::vec3 centre, right, up;  // direction = centre + s right + t up, s and t in [-1, 1] (OpenGL ES 3.0 table 3.21)

@@ -1,9 +1,9 @@
 #include "ibl/irradiance.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/gtc/constants.hpp>
 #include <glm/gtc/packing.hpp>
+
+#include "ibl/equirect_grid.h"
 
 namespace telar::ibl {
 namespace {
@@ -20,24 +20,21 @@ struct Block {
 /// Neighbouring texels of a map taken together.
 std::vector<Block> blocksOf(const ImageF& map) {
   const std::uint32_t rows = std::min(ROWS_OF_BLOCKS, map.height), columns = std::min(COLUMNS_OF_BLOCKS, map.width);
+  const EquirectGrid grid{map.width, map.height};
   struct Sum {
     glm::dvec3 flux{0}, direction{0};
   };
   std::vector<Sum> sums(static_cast<std::size_t>(rows) * columns);
   for (std::uint32_t y = 0; y < map.height; ++y) {
-    const double top = glm::pi<double>() * y / map.height, bottom = glm::pi<double>() * (y + 1.0) / map.height;
-    const double angle = glm::two_pi<double>() / map.width * (std::cos(top) - std::cos(bottom));
-    const double polar = 0.5 * (top + bottom);
+    const double angle = grid.solidAngle(y);
     const std::size_t row = static_cast<std::size_t>(y) * rows / map.height * columns;
     for (std::uint32_t x = 0; x < map.width; ++x) {
       const float* rgb = &map.pixels[(static_cast<std::size_t>(y) * map.width + x) * 4];
-      const double phi = ((x + 0.5) / map.width - 0.5) * glm::two_pi<double>();
-      const glm::dvec3 direction(std::sin(polar) * std::cos(phi), std::cos(polar), std::sin(polar) * std::sin(phi));
       Sum& sum = sums[row + static_cast<std::size_t>(x) * columns / map.width];
       const glm::dvec3 flux = glm::dvec3(rgb[0], rgb[1], rgb[2]) * angle;
       sum.flux += flux;
       // Where its light is: a lamp at the edge of a block is not moved to the middle.
-      sum.direction += direction * (flux.x + flux.y + flux.z);
+      sum.direction += grid.direction(x, y) * (flux.x + flux.y + flux.z);
     }
   }
   std::vector<Block> blocks;

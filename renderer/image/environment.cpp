@@ -7,7 +7,6 @@
 namespace telar {
 namespace {
 
-constexpr float HALF_MAX = 65504.0f;
 constexpr float FULL_MAX = 1e20f;  // sums over a sphere, and what they are multiplied with, stay finite
 constexpr float HALF_NORMAL_MIN = 0x1p-14f;
 constexpr float HALF_STEP_MIN = 0x1p-24f;

@@ -9,7 +9,7 @@
 namespace telar::pass {
 namespace {
 
-glm::vec3 (*toneMapOf(shader::ToneMapping toneMapping))(glm::vec3, float) {
+PixelEncoder::ToneMap toneMapOf(shader::ToneMapping toneMapping) {
   switch (toneMapping) {
     case shader::ToneMapping::kNone:
       break;

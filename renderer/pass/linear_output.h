@@ -9,13 +9,15 @@ namespace telar::pass {
 /// Mean radiance to an encoded colour: exposure, tone mapping, sRGB.
 class PixelEncoder {
  public:
+  using ToneMap = glm::vec3 (*)(glm::vec3 radiance, float exposure);
+
   explicit PixelEncoder(const Shot& shot);
   /// @param pixel  linear Rec.709, premultiplied with coverage, and coverage
   /// @return colour, 0 or more, 1 = white, and coverage
   glm::vec4 operator()(const glm::vec4& pixel) const;
 
  private:
-  glm::vec3 (*toneMap_)(glm::vec3, float);
+  ToneMap toneMap_;
   float exposure_;
 };
 

@@ -23,8 +23,10 @@ class PixelMean {
   std::span<const std::uint8_t> settled() const { return settled_; }
   bool allSettled() const { return left_ == 0; }
 
-  /// The picture. Row 0 on top; linear Rec.709, premultiplied with coverage, and coverage.
+  /// Row 0 on top; linear Rec.709, premultiplied with coverage, and coverage.
   std::vector<glm::vec4> mean() const;
+  /// It as the shot's output.
+  Frame frame() const { return toFrame(mean(), shot_); }
 
  private:
   void settle();

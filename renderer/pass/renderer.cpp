@@ -14,7 +14,6 @@
 #include "pass/frame_target.h"
 #include "pass/gpu_scene.h"
 #include "pass/ground_pass.h"
-#include "pass/linear_output.h"
 #include "pass/pixel_mean.h"
 #include "pass/sample_passes.h"
 #include "pass/settled_mask.h"
@@ -209,9 +208,7 @@ class GlRenderer final : public Renderer {
       timer.lap("settle");
     }
     plan.camera.projection = projection;
-    Shot exposed = shot;
-    exposed.exposure = 1;  // the passes were
-    Frame frame = pass::toFrame(mean.mean(), exposed);
+    Frame frame = mean.frame();
     timer.lap("resolve");
     return frame;
   }

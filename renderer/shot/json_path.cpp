@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "telar/error.h"
+#include "core/json_text.h"
 
 namespace telar::shot {
 namespace {
@@ -11,19 +11,12 @@ namespace {
 /// As js/shot: far inside the range of the 32-bit floats that the GPU computes in.
 constexpr double COLOR_MAX = 1e9;
 
-std::string describe(const nlohmann::json& value) {
-  if (value.is_object()) return "an object";
-  if (value.is_array()) return "an array of " + std::to_string(value.size());
-  if (value.is_string()) return telar::quoted(value.get_ref<const std::string&>());
-  return value.dump();
-}
-
 std::string text(double x) { return nlohmann::json(x).dump(); }
 
 }  // namespace
 
 void JsonPath::fail(const std::string& expected) const {
-  throw Error("E_SHOT", path_ + ": expected " + expected + ", got " + describe(value_)).at(pointer_);
+  throw Error("E_SHOT", path_ + ": expected " + expected + ", got " + shown(value_)).at(pointer_);
 }
 
 JsonPath JsonPath::at(std::string_view key) const {

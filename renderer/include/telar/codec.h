@@ -51,6 +51,9 @@ std::vector<std::byte> readEnvironmentFile(const std::filesystem::path& file, co
 /// Bytes of the bundled studio. @throws Error{X_INSTALL}
 std::vector<std::byte> readStudioFile(const std::filesystem::path& assetDirectory, const Limits& limits);
 
+/// Largest number that a half float holds.
+constexpr float HALF_MAX = 65504.0f;
+
 /// How bright the texels of an environment may be.
 enum class EnvironmentRange {
   kHalf,  ///< up to 65504, the largest half: what three.js has of the file
