@@ -13,7 +13,7 @@ const RADIANS = Math.PI / 180;
 export const LIGHT_ANGLES = Array.from({ length: 180 / LIGHT_STEP - 1 }, (_, i) => 90 - (i + 1) * LIGHT_STEP);
 
 /** Relative luminance of linear Rec.709. */
-export const luminance = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
+const luminance = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
 const luminances = (lobes) => Object.fromEntries(Object.entries(lobes).map(([lobe, rgb]) => [lobe, luminance(rgb)]));
 

@@ -1,6 +1,6 @@
 import * as z from 'zod';
-import { PRESETS } from './schema.mjs';
-import { BASES, SLOTS } from './shading_terms.mjs';
+import { PRESETS, SAMPLE_COUNTS } from './schema.mjs';
+import { BASES, SLOTS, WITHOUT_TERMS } from './shading_terms.mjs';
 
 /**
  * What resolveShot returns, for types and tests; the renderer reads these keys and has no defaults of its own.
@@ -51,7 +51,7 @@ export const resolvedShotSchema = object({
   background: z.union([z.enum(['transparent', 'environment']), rgb, object({ type: z.literal('environment'), blur: z.number() })]),
   ground: z.union([z.literal('none'), object({ shadow: z.literal(true), opacity: z.number(), position: vec3, size: z.tuple([z.number(), z.number()]) })]),
   shading: z.union([
-    z.literal('three'),
+    z.enum(WITHOUT_TERMS),
     object({ base: z.enum(BASES), ...Object.fromEntries(Object.entries(SLOTS).map(([slot, terms]) => [slot, z.enum(terms)])) }),
   ]),
   toneMapping: z.enum(['neutral', 'none', 'linear', 'reinhard', 'cineon', 'aces', 'agx']),
@@ -59,7 +59,7 @@ export const resolvedShotSchema = object({
   quality: z.union([
     object({
       preset: z.enum(Object.keys(PRESETS)).optional(),
-      samples: z.literal([1, 4, 16, 64, 256, 1024]),
+      samples: z.literal(SAMPLE_COUNTS),
       resolve: z.enum(['encoded', 'linear']),
       noise: z.number(),
       environmentSamples: z.int(),

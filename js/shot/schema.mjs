@@ -153,6 +153,9 @@ export const PRESETS = Object.freeze({
   high: { samples: 1024, resolve: 'linear', noise: 1.25, environmentSamples: 2048 },
 });
 
+/** What quality.samples may be. */
+export const SAMPLE_COUNTS = [1, 4, 16, 64, 256, 1024];
+
 /** Samples of a pixel that one pass over the model takes: more take several passes. */
 export const SAMPLES_OF_A_PASS = 4;
 
@@ -163,7 +166,7 @@ const quality = z.union([
   z.enum([...Object.keys(PRESETS), 'reference'], { error: QUALITY }),
   object('Explicit settings', {
     preset: z.enum(Object.keys(PRESETS), { error: PRESET }).describe('Settings to start from').optional(),
-    samples: z.literal([1, 4, 16, 64, 256, 1024], { error: SAMPLES })
+    samples: z.literal(SAMPLE_COUNTS, { error: SAMPLES })
       .describe('Antialiasing samples a pixel; more than 4 shade as often, and read textures unfiltered').optional(),
     resolve: choice('What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone '
       + 'mapping; default "encoded", "linear" for more than 4 samples', ['encoded', 'linear']).optional(),

@@ -474,7 +474,7 @@ export interface ResolvedShot {
     position: [number, number, number];
     size: [number, number];
   };
-  shading: 'three' | {
+  shading: 'three' | 'fabric' | {
     base: 'three-r115' | 'disney-2012';
     parameters: 'three-r115' | 'disney-2012';
     diffuse: 'lambert' | 'disney-2012' | 'frostbite' | 'eon' | 'disney-2015-thin';

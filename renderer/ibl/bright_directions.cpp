@@ -38,10 +38,11 @@ class LocalMean {
   LocalMean(const ImageF& map, const EquirectGrid& grid)
       : grid_(grid), sums_(static_cast<std::size_t>(grid.width + 1) * (grid.height + 1)) {
     for (std::uint32_t y = 0; y < grid.height; ++y) {
+      const double angle = grid.solidAngle(y);
       double row = 0;
       for (std::uint32_t x = 0; x < grid.width; ++x) {
         const float* rgba = &map.pixels[(static_cast<std::size_t>(y) * grid.width + x) * 4];
-        row += luminance(glm::make_vec3(rgba)) * grid.solidAngle(y);
+        row += luminance(glm::make_vec3(rgba)) * angle;
         sum(x + 1, y + 1) = sum(x + 1, y) + row;
       }
     }
@@ -83,10 +84,11 @@ BrightDirections::BrightDirections(ImageF& map) {
   const auto threshold = static_cast<float>(std::min(local.overall() * EXCESS_OVER_MEAN, double(HALF_MAX)));
   std::vector<std::pair<std::uint64_t, std::uint32_t>> found;  // place along the curve, index
   for (std::uint32_t y = 0; y < map.height; ++y) {
+    const double angle = grid.solidAngle(y);
     for (std::uint32_t x = 0; x < map.width; ++x) {
       float* rgba = texel(x, y);
       rgba[3] = std::max(luminance(glm::make_vec3(rgba)) - threshold, 0.0f);
-      energy_ += rgba[3] * grid.solidAngle(y);
+      energy_ += rgba[3] * angle;
       if (rgba[3] > 0) found.emplace_back(alongCurve(x, y), y * map.width + x);
     }
   }

@@ -24,7 +24,7 @@ std::vector<std::byte> EnvironmentCache::fileOf(const Shot::Environment& wanted)
   return studio ? readStudioFile(assets_, limits_) : readEnvironmentFile(wanted.path, limits_);
 }
 
-CubeMap EnvironmentCache::prefiltered(const std::string& key, bool studio, std::span<const std::byte> file,
+CubeMap EnvironmentCache::prefiltered(const std::string& key, bool studio, const std::function<ImageF&()>& map,
                                       std::string& source, const CancelToken& cancel) {
   const auto path = studio ? assets_ / "studio.pmrem" : cache_ / (key + ".pmrem");
   if (studio || !cache_.empty()) {
@@ -35,9 +35,7 @@ CubeMap EnvironmentCache::prefiltered(const std::string& key, bool studio, std::
       }
     }
   }
-  const std::vector<std::byte> own = studio ? fileOf({Shot::Environment::Source::kStudio}) : std::vector<std::byte>();
-  CubeMap cube = prefilterEquirect(
-      context_, readEnvironment(studio ? std::span<const std::byte>(own) : file, limits_, cancel), cancel);
+  CubeMap cube = prefilterEquirect(context_, map(), cancel);
   source = "prefiltered";
   if (!studio && !cache_.empty()) writeFileAtomically(path, packPmrem(context_, cube));
   return cube;
@@ -68,16 +66,13 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
   }
   std::optional<ImageF> decoded;
   const auto map = [&]() -> ImageF& {
-    if (!decoded && studio) own = fileOf(wanted);
-    if (!decoded) {
-      decoded =
-          readEnvironment(studio ? std::span<const std::byte>(own) : bytes, limits_, cancel, EnvironmentRange::kFull);
-    }
+    if (!decoded && studio) bytes = own = fileOf(wanted);
+    if (!decoded) decoded = readEnvironment(bytes, limits_, cancel, EnvironmentRange::kFull);
     return *decoded;
   };
   Environment& environment = (*found)->environment;
   if (uses.prefiltered && environment.prefiltered.faceSize == 0) {
-    environment.prefiltered = prefiltered(key, studio, bytes, environment.source, cancel);
+    environment.prefiltered = prefiltered(key, studio, map, environment.source, cancel);
   }
   if (uses.background && environment.background.faceSize == 0) {
     // Face size = height of the map, as three.js does.

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -49,7 +50,7 @@ class EnvironmentCache {
     Environment environment;
   };
   std::vector<std::byte> fileOf(const Shot::Environment& wanted) const;
-  CubeMap prefiltered(const std::string& key, bool studio, std::span<const std::byte> file, std::string& source,
+  CubeMap prefiltered(const std::string& key, bool studio, const std::function<ImageF&()>& map, std::string& source,
                       const CancelToken& cancel);
 
   const gl::Context& context_;

@@ -4,13 +4,13 @@
 #include <bit>
 #include <utility>
 
+#include "telar/luminance.h"
+
 namespace telar::pass {
 namespace {
 
 constexpr unsigned FEWEST = 16;  ///< passes before a pixel is looked at
 constexpr int REACH = 2;  ///< of the neighbours that are taken together, pixels: one alone may be right by chance
-
-float luma(const glm::vec3& encoded) { return glm::dot(encoded, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
 /// Means over the window of REACH about each value of a line.
 void blurLine(const float* from, float* to, int count, std::ptrdiff_t step) {
@@ -40,7 +40,7 @@ PixelMean::PixelMean(const Shot& shot)
   count_.resize(left_);
 }
 
-bool PixelMean::add(const Frame& frame) {
+bool PixelMean::add(const Frame& frame, bool last) {
   const auto* pixel = reinterpret_cast<const glm::vec4*>(frame.pixels.data());
   for (std::size_t i = 0; i < second_.size(); ++i) {
     if (!settled_.empty() && settled_[i]) continue;
@@ -48,7 +48,7 @@ bool PixelMean::add(const Frame& frame) {
     ++count_[i];
   }
   if (!std::has_single_bit(++passes_)) return false;
-  const bool looks = shot_.noise > 0 && passes_ >= FEWEST;
+  const bool looks = shot_.noise > 0 && passes_ >= FEWEST && !last;
   if (looks) settle();
   for (std::size_t i = 0; i < second_.size(); ++i) first_[i] += std::exchange(second_[i], glm::vec4(0));
   return looks;
@@ -58,7 +58,7 @@ bool PixelMean::add(const Frame& frame) {
 glm::vec2 PixelMean::difference(std::size_t pixel, const PixelEncoder& encoded) const {
   const auto shown = [&](const glm::vec4& sum) {
     const glm::vec4 color = encoded(glm::max(sum, 0.0f) / static_cast<float>(passes_ / 2));
-    const float black = luma(glm::clamp(glm::vec3(color), 0.0f, 1.0f)) * color.a;
+    const float black = luminance(glm::clamp(glm::vec3(color), 0.0f, 1.0f)) * color.a;
     return glm::vec2(black, black + 1 - color.a);
   };
   return shown(first_[pixel]) - shown(second_[pixel]);

@@ -16,8 +16,9 @@ class PixelMean {
 
   /// Adds a pass to the pixels that are not settled. Where that makes 16, 32, 64 ... of them, those are settled whose
   /// standard error, as the two halves of their passes differ there and in their neighbours, is Shot::noise or less.
-  /// @param frame  kRgbaF32 of the shot's size    @return whether pixels were looked at
-  bool add(const Frame& frame);
+  /// @param frame  kRgbaF32 of the shot's size    @param last  no pass follows: nothing is settled any more
+  /// @return whether pixels were looked at
+  bool add(const Frame& frame, bool last = false);
 
   /// Which pixels are settled: 255 or 0, row 0 on top. Empty before they are looked at.
   std::span<const std::uint8_t> settled() const { return settled_; }

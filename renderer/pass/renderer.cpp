@@ -113,8 +113,7 @@ class GlRenderer final : public Renderer {
     const pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, cancel};
     const bool accumulates = shot.linearResolve && !plan.frame.debugOutput;
     int passes = 1;
-    Frame frame =
-        accumulates ? drawAveraged(plan, inputs, passes, timer) : drawOnce(inputs, targetFor(shot), false, timer);
+    Frame frame = accumulates ? drawAveraged(plan, inputs, passes, timer) : drawOnce(inputs, false, timer);
     Json json = describeFrame(plan, shot, environment, timer);
     json["samples"] = passes * target_->samples();
     json["programsCompiled"] = compiled;
@@ -171,9 +170,10 @@ class GlRenderer final : public Renderer {
 
   /// One pass over everything that the shot shows, read back.
   /// @param settled  what settled_ has keeps its pixels out of it
-  Frame drawOnce(pass::SurfaceInputs inputs, const pass::FrameTarget& target, bool settled, StageTimer& timer) {
+  Frame drawOnce(pass::SurfaceInputs inputs, bool settled, StageTimer& timer) {
     const FramePlan& plan = inputs.plan;
     const Shot& shot = inputs.shot;
+    const pass::FrameTarget& target = targetFor(shot);
     inputs.transmission = drawBehind(inputs);
     inputs.samples = target.samples();
     target.bind();
@@ -203,7 +203,7 @@ class GlRenderer final : public Renderer {
     for (drawn = 0; drawn < passes.count && !mean.allSettled();) {
       inputs.samplePass = drawn;
       plan.camera.projection = pass::shifted(projection, passes.shift(drawn++), shot.width, shot.height);
-      if (!mean.add(drawOnce(inputs, targetFor(shot), !mean.settled().empty(), timer))) continue;
+      if (!mean.add(drawOnce(inputs, !mean.settled().empty(), timer), drawn == passes.count)) continue;
       settled_.set(mean.settled(), shot.width, shot.height);
       timer.lap("settle");
     }

@@ -34,6 +34,7 @@ struct DrawnLobe {
 // What a surface is drawn from: shares sum to 1.
 struct DrawnLobes {
   mat3 cosineFrame;
+  float cosineShare;
   DrawnLobe base;
   float baseShare;
   float behindShare;  // of a cosine lobe on the other side
@@ -99,6 +100,14 @@ DrawnLobes drawnLobes(SurfaceInfo s) {
 #endif
   lobes.sheenShare *= left;
 #endif
+  lobes.cosineShare = 1.0 - lobes.baseShare;
+#if CLEARCOAT
+  lobes.cosineShare -= lobes.coatShare;
+#endif
+  lobes.cosineShare -= lobes.behindShare;
+#if SHEEN
+  lobes.cosineShare -= lobes.sheenShare;
+#endif
   return lobes;
 }
 
@@ -130,42 +139,34 @@ float sheenDensity(DrawnLobes lobes, vec3 l) {
 vec3 drawnDirection(DrawnLobes lobes, vec2 u) {
   if (u.x < lobes.baseShare) return drawnReflection(lobes.base, vec2(u.x / lobes.baseShare, u.y));
   u.x -= lobes.baseShare;
-  float left = 1.0 - lobes.baseShare;
 #if CLEARCOAT
   if (u.x < lobes.coatShare) return drawnReflection(lobes.coat, vec2(u.x / lobes.coatShare, u.y));
   u.x -= lobes.coatShare;
-  left -= lobes.coatShare;
 #endif
 #if DIFFUSE_TRANSMISSION
   if (u.x < lobes.behindShare) return -(lobes.cosineFrame * sampleCosine(vec2(u.x / lobes.behindShare, u.y)));
   u.x -= lobes.behindShare;
-  left -= lobes.behindShare;
 #endif
 #if SHEEN
   if (u.x < lobes.sheenShare) return drawnSheen(lobes, vec2(u.x / lobes.sheenShare, u.y));
   u.x -= lobes.sheenShare;
-  left -= lobes.sheenShare;
 #endif
-  return lobes.cosineFrame * sampleCosine(vec2(u.x / left, u.y));
+  return lobes.cosineFrame * sampleCosine(vec2(u.x / lobes.cosineShare, u.y));
 }
 
 // Density of drawnDirection.
 float drawnDensity(DrawnLobes lobes, vec3 l) {
-  float left = 1.0 - lobes.baseShare;
   float sum = lobes.baseShare * pdfReflection(lobes.base.v, l * lobes.base.frame, lobes.base.alpha);
 #if CLEARCOAT
-  left -= lobes.coatShare;
   sum += lobes.coatShare * pdfReflection(lobes.coat.v, l * lobes.coat.frame, lobes.coat.alpha);
 #endif
 #if DIFFUSE_TRANSMISSION
-  left -= lobes.behindShare;
   sum += lobes.behindShare * pdfCosine(-dot(lobes.cosineFrame[2], l));
 #endif
 #if SHEEN
-  left -= lobes.sheenShare;
   sum += lobes.sheenShare * sheenDensity(lobes, l);
 #endif
-  return sum + left * pdfCosine(dot(lobes.cosineFrame[2], l));
+  return sum + lobes.cosineShare * pdfCosine(dot(lobes.cosineFrame[2], l));
 }
 
 // Sobol's points, [0, 1)^2: any aligned block of 2^k of them has one in every cell of any division into 2^k cells. So a

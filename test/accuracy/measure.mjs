@@ -1,7 +1,7 @@
 import { compareImages } from '../../js/compare/index.mjs';
 
 /** Light that arrives directly and the environment, nothing hidden: what the raster computes, path traced. */
-export const reference = (samples) => ({ preset: 'reference', transport: 'direct', samples });
+const reference = (samples) => ({ preset: 'reference', transport: 'direct', samples });
 
 /**
  * How far a quality of the raster is from the path tracer on the model's own pixels.

@@ -11,6 +11,7 @@ import { errorsOf } from './measure.mjs';
 const [paths = '2048', only = ''] = process.argv.slice(2);
 const SKIES = ['soft-studio', 'sunny-sky', 'overcast-sky'];
 const QUALITIES = { draft: 'draft', standard: 'standard', '64 samples': { samples: 64, environmentSamples: 256 }, high: 'high' };
+const names = Object.keys(QUALITIES);
 const MOST = { flip: 0.02, deltaE: 2 };
 
 // Threads are as wide as in a picture of 512 px; the window has a fold's edge against nothing, lit and shaded cloth.
@@ -28,14 +29,13 @@ for (const name of cloths) {
   for (const sky of SKIES) {
     const shot = { size: { width: SIZE, height: SIZE }, camera, environment: ENVIRONMENTS[sky](), shading: 'fabric' };
     const errors = await errorsOf(renderer, model, shot, Object.values(QUALITIES), Number(paths));
-    rows.push({ name, sky, errors, high: errors[Object.keys(QUALITIES).indexOf('high')] });
+    rows.push({ name, sky, errors, high: errors[names.indexOf('high')] });
     process.stderr.write(`${name} ${sky} ${JSON.stringify(rows.at(-1).high)}\n`);
   }
 }
 await renderer.close();
 
 const within = ({ high }) => high.flip <= MOST.flip && high.deltaE <= MOST.deltaE;
-const names = Object.keys(QUALITIES);
 const meanOf = (index, key, digits) => mean(rows.map(({ errors }) => errors[index][key])).toFixed(digits);
 const overall = names.map((name, i) => row([name, meanOf(i, 'flip', 4), meanOf(i, 'deltaE', 2), meanOf(i, 'cpuMs', 0)]));
 const single = rows.map((each) => row([

@@ -85,9 +85,12 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
       if (NORMAL_VARIANCE) {
         for (const [name, key] of Object.entries(VARIANCE_MAPS)) this.madeMaps[name] = bakedTexture(THREE, textureShaders, renderer, 'slope', this[key]);
       }
-      if (ALPHA_TO_COVERAGE) this.madeMaps.coverageMap = bakedTexture(THREE, textureShaders, renderer, 'coverage', this.map, textureCutoff(this));
-      if (ALPHA_TO_COVERAGE) drawPartlyCovered(this, [renderer, ...rest]);
-      else this.textUniforms();
+      if (ALPHA_TO_COVERAGE) {
+        this.madeMaps.coverageMap = bakedTexture(THREE, textureShaders, renderer, 'coverage', this.map, textureCutoff(this));
+        drawPartlyCovered(this, [renderer, ...rest]);
+      } else {
+        this.textUniforms();
+      }
     }
 
     /** What of a pixel's samples the pixels cover that the next draw is for. */

@@ -36,6 +36,7 @@ const SHOTS = [
   { ground: { position: [0, -1, 0], size: [2, 3] } },
   { background: '#eee', shading: 'three', toneMapping: 'agx', exposure: 0.5 },
   { shading: 'three-r115' },
+  { shading: 'fabric' },
   { shading: { base: 'disney-2012', sheen: 'zeltner' } },
   { background: 'environment', variant: 'navy', layers: ['beauty'] },
   { background: { blur: 0.25 } },
