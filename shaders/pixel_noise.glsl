@@ -4,3 +4,11 @@
 float interleavedGradientNoise(vec2 pixel) {
   return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
 }
+
+// Every bit of the result depends on every bit of x.
+// src: Wellons 2018, "Prospecting for Hash Functions", lowbias32
+uint mixedBits(uint x) {
+  x = (x ^ (x >> 16)) * 0x7feb352du;
+  x = (x ^ (x >> 15)) * 0x846ca68bu;
+  return x ^ (x >> 16);
+}

@@ -146,7 +146,7 @@ export const CLOTH_EXPRESSIONS = {
   'vec4 varied = texture(normalMap, vNormalUv);': 'vec4 varied = texture(normalVarianceMap, vNormalUv);',
   'vec4 variedCoat = texture(clearcoatNormalMap, vClearcoatNormalUv);': 'vec4 variedCoat = texture(clearcoatNormalVarianceMap, vClearcoatNormalUv);',
   'const int coverageSamples = 1;': '',
-  'if (count == 0) discard;': 'if (count == 0 || count != coverageStep) discard;',
+  'if (mask == 0) discard;': 'if (mask == 0 || mask != coverageMask) discard;',
 };
 
 /** Files of shaders/ that three.js has its own of. */

@@ -43,10 +43,12 @@ Set a sampler that reads mip levels (glTF's default does); with \`minFilter\` LI
 Materials without a normal map and other shadings pay nothing. The map of slopes takes 8 bytes of GPU memory a texel, beside the image.
 
 **Holes** (\`alphaMode\` MASK with a base colour texture): lace, tulle, mesh. Mip levels hold the share of a texel that is there, and the
-colour of that part alone; the edge of level 0 is drawn as wide as a pixel. The share becomes samples of the pixel,
-rounded up here and down there by a noise of fixed place, so that cloth covers as much of a picture from far as from near; with
-\`samples: 1\`, or on a GPU without sample masks, it becomes whole pixels in the same pattern. Nothing is sorted. Its shadow is that of
-the plain image, as in three.js. BLEND is drawn as it is elsewhere: sorted by object, which shows through itself in folds.
+colour of that part alone; the edge of level 0 is drawn as wide as a pixel. The share becomes halves of the pixel's samples, by a noise
+that is even over 2 x 2 pixels, so that cloth covers as much of a picture from far as from near; with \`samples: 1\`, or on a GPU without
+sample masks, it becomes whole pixels. Layers that lie over each other have noises of their own (Enderton et al. 2010, Wyman & McGuire
+2017), told apart by their distance from the camera where it differs by more than 1/8192: two layers of a net that covers 0.36 cover
+0.59, three cover 0.74. The noise is seen as fine grain in quality \`standard\`; more \`samples\` average it. Nothing is sorted. A
+texture whose alpha nowhere reaches \`alphaCutoff\` draws nothing. Its shadow is that of the plain image, as in three.js. BLEND is drawn as it is elsewhere: sorted by object, which shows through itself in folds.
 
 **Weave maps.** Where less than half a thread falls into a pixel, the yarn on top gives the highlight; from there on the two sets of yarns
 are blended to their means, so that nothing shimmers. Without \`threadsPerUv\` the map's own mip levels decide.

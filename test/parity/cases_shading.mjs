@@ -71,6 +71,7 @@ const AFAR = { ...DRAPE, position: DRAPE.position.map((c) => 3 * c), near: 1.5, 
 const afarCases = [
   ...['denim', 'satin', 'towel', 'lace', 'tulle'].map((name) =>
     makeCase(`cloth-${name}-far`, `fabric-${name}`, 'soft-studio', { camera: AFAR, shading: 'fabric', lights: [LIGHTS.directional] }, name === 'lace')),
+  makeCase('cloth-layers-samples-1', 'cloth-layers', null, { shading: 'fabric', quality: { samples: 1 } }),
   ...['satin', 'lace'].map((name) =>
     makeCase(`cloth-${name}-samples-1`, `fabric-${name}`, 'soft-studio', { camera: DRAPE, shading: 'fabric', quality: { samples: 1 } })),
 ];

@@ -179,8 +179,14 @@ export const FAULTS = [
   {
     name: 'cut-out cloth that is cut at its mean alpha from far',
     item: 'cloth-tulle-studio',
-    edits: [{ file: 'material/coverage.glsl', find: 'float covered = mix(edge, alpha, share);', replace: 'float covered = edge;' }],
+    edits: [{ file: 'material/coverage.glsl', find: 'maskOfShare(mix(edge, there, min(level, 1.0)), hash)', replace: 'maskOfEdge(edge, hash)' }],
     first: null,
+  },
+  {
+    name: 'layers of cut-out cloth whose holes lie over each other',
+    item: 'cloth-layers-sun',
+    edits: [{ file: 'material/coverage.glsl', find: 'mixedBits(mixedBits(quad) ^ uint(floatBitsToInt(depth) >> LAYER_DEPTH_SHIFT))', replace: 'mixedBits(quad)' }],
+    first: 'direct', // of another layer, which is nearer to the point lamp
   },
   { name: 'a camera shift of 0.5 px', item: 'camera-ortho', shot: (shot) => shiftCamera(shot, 0.5), first: 'n' },
   { name: 'an environment rotated by 1 degree', item: 'environment-rotated', shot: (shot) => turnEnvironment(shot, 1), first: 'radiance' },

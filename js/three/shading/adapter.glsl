@@ -37,7 +37,7 @@ uniform sampler2D clearcoatNormalVarianceMap;
 #if ALPHA_TO_COVERAGE
 uniform sampler2D coverageMap;  // sRGB
 uniform int coverageSamples;  // of a pixel
-uniform int coverageStep;     // how many of them are covered where this draw is seen
+uniform int coverageMask;     // bits of those that are covered where this draw is seen
 #endif
 
 // three.js gives no number for a light on the shaded point itself: it gives no light.

@@ -44,10 +44,10 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
 
     coverageSamples = 1;
 
-    coverageStep = 1;
+    coverageMask = 1;
 
     /** The same material for pixels that it covers in part (coverage.mjs). */
-    coverageSteps = [];
+    coverageParts = [];
 
     /** @param {object} [parameters] - As of MeshPhysicalMaterial, and `fabric` and `diffuseTransmission`. */
     constructor(parameters) {
@@ -62,7 +62,7 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
     }
 
     textUniforms() {
-      const values = { ...factorsOf(THREE, this), ...textureValues(mapsOf(this)), ...this.madeMaps, coverageSamples: this.coverageSamples, coverageStep: this.coverageStep };
+      const values = { ...factorsOf(THREE, this), ...textureValues(mapsOf(this)), ...this.madeMaps, coverageSamples: this.coverageSamples, coverageMask: this.coverageMask };
       for (const [name, value] of Object.entries(values)) {
         if (!text.uniforms.includes(name)) continue;
         this.ownUniforms[name] ??= { value: null };
@@ -93,9 +93,9 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
       }
     }
 
-    /** What of a pixel's samples the pixels cover that the next draw is for. */
-    setCoverage(samples, step) {
-      Object.assign(this, { coverageSamples: samples, coverageStep: step });
+    /** Which of a pixel's samples, in bits, the pixels cover that the next draw is for. */
+    setCoverage(samples, mask) {
+      Object.assign(this, { coverageSamples: samples, coverageMask: mask });
       this.textUniforms();
     }
 

@@ -1,5 +1,6 @@
-// Cut-out cloth covers some of a pixel's samples. WebGL has no mask of samples that a shader could write: the cloth is drawn once
-// for each number of samples, with the pixels that cover so many, and GL's own sample coverage takes the part of each.
+// Cut-out cloth covers some of a pixel's samples. WebGL has no mask of samples that a shader could write, but GL's own sample
+// coverage, which takes so many samples, or the others. Called the first n and the last n, they are all the masks that
+// shaders/material/coverage.glsl makes: the cloth is drawn once for each, with the pixels that it is the mask of.
 
 /** Samples of the canvas, for each renderer: they never change. */
 const canvasSamples = new WeakMap();
@@ -17,23 +18,29 @@ function samplesOf(renderer) {
 
 /**
  * Draws the pixels of which the cloth covers a part, so that three.js's own draw, which follows, has those that it covers whole.
- * @param {import('three').Material} material - With `coverageSteps`, a list that this fills, and `uniformsOf(step)`.
+ * @param {import('three').Material} material - With `coverageParts`, a list that this fills, and `setCoverage(samples, mask)`.
  * @param {unknown[]} draw - Arguments of Material.onBeforeRender.
  */
 export function drawPartlyCovered(material, [renderer, scene, camera, geometry, object, group]) {
   const gl = renderer.getContext();
   const samples = samplesOf(renderer);
-  material.setCoverage(samples, samples);
-  for (let step = 1; step < samples; step++) {
-    material.coverageSteps[step - 1] ??= stepOf(material);
-    const part = material.coverageSteps[step - 1];
-    part.setCoverage(samples, step);
-    gl.enable(gl.SAMPLE_COVERAGE);
-    gl.sampleCoverage(step / samples, false);
-    renderer.renderBufferDirect(camera, scene, geometry, part, object, group);
+  material.setCoverage(samples, firstSamples(samples));
+  let drawn = 0;
+  for (let count = 1; count < samples; count++) {
+    for (const isLast of [false, true]) {
+      const part = (material.coverageParts[drawn++] ??= partOf(material));
+      const rest = samples - count;
+      part.setCoverage(samples, isLast ? firstSamples(count) << rest : firstSamples(count));
+      gl.enable(gl.SAMPLE_COVERAGE);
+      gl.sampleCoverage((isLast ? rest : count) / samples, isLast);
+      renderer.renderBufferDirect(camera, scene, geometry, part, object, group);
+    }
   }
   gl.disable(gl.SAMPLE_COVERAGE);
 }
+
+/** Bits of the first samples of a pixel. */
+const firstSamples = (count) => 2 ** count - 1;
 
 let parts = 0;
 
@@ -41,7 +48,7 @@ let parts = 0;
  * The same material again, for three.js to tell apart: it sets uniforms where the material is another one. Everything that it does
  * not have of its own is the material's, as it is at the time.
  */
-function stepOf(material) {
+function partOf(material) {
   const part = Object.create(material, { id: { value: `${material.id} part ${++parts}` } });
   // Its own listeners: three.js lets go of what it holds for a material when that one says so.
   Object.assign(part, { _listeners: undefined, ownUniforms: {} });
