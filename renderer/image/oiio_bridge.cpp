@@ -14,7 +14,7 @@ class Library : public OwnLibrary {
  public:
   Library()
       : OwnLibrary("libtelar_oiio.so", "OpenImageIO is needed for .hdr, .exr and TIFF files and for ICC profiles",
-                   "apt-get install libopenimageio2.4 liblcms2-2") {
+                   "apt-get install libopenimageio2.4 liblcms2-2 libtiff6") {
     if (function<TelarOiioVersionFunction>("telar_oiio_version")() != TELAR_OIIO_VERSION) refuse();
   }
 };

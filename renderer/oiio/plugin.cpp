@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "oiio/srgb_profile.h"
+#include "oiio/tiff_writer.h"
 
 namespace telar::oiio {
 namespace {
@@ -32,8 +33,10 @@ bool onProgress(void* opaque, float) {
 }
 
 /// One plugin by its name; OpenImageIO must not try others on the same bytes. Its threads stay off: the caller has its
-/// own, and a pool that outlives the call would hinder the end of the process.
-void useNoThreads() {
+/// own, and a pool that outlives the call would hinder the end of the process. Debian's build prints hints to
+/// developers on standard error unless it is told not to.
+void settle() {
+  OIIO::attribute("debug", 0);
   OIIO::attribute("threads", 1);
   OIIO::attribute("exr_threads", -1);
 }
@@ -42,8 +45,6 @@ const char* pluginName(TelarOiioFormat format) {
   switch (format) {
     case TELAR_OIIO_PNG:
       return "png";
-    case TELAR_OIIO_TIFF:
-      return "tiff";
     case TELAR_OIIO_EXR:
       return "openexr";
     default:
@@ -54,11 +55,7 @@ const char* pluginName(TelarOiioFormat format) {
 void describeIntegers(const TelarOiioWrite& job, OIIO::ImageSpec& spec) {
   spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("oiio:ColorSpace", "sRGB");
-  if (job.format == TELAR_OIIO_TIFF) {
-    spec.attribute("compression", "zip");
-    spec.attribute("tiff:zipquality", 2);  // a fifth of the default level's time for 6 % more bytes
-  }
-  if (job.format == TELAR_OIIO_PNG) spec.attribute("png:compressionLevel", 1);
+  spec.attribute("png:compressionLevel", 1);
   if (job.icc) {
     const std::vector<std::uint8_t> profile = srgbProfile();
     spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, int(profile.size())), profile.data());
@@ -67,10 +64,14 @@ void describeIntegers(const TelarOiioWrite& job, OIIO::ImageSpec& spec) {
 
 void describeFloats(OIIO::ImageSpec& spec) {
   // x and y of red, green, blue and white: ITU-R BT.709-6, 1.3 and 1.4.
+  static constexpr std::uint8_t NO_TIME = 0;
   static constexpr float REC_709[8] = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
   spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), REC_709);
   spec.attribute("oiio:ColorSpace", "Linear");
   spec.attribute("compression", "zip");
+  // OpenImageIO adds the present time where DateTime is absent, which would make no two files alike. As a number it is
+  // present, and not a thing that EXR can hold: nothing is written.
+  spec.attribute("DateTime", OIIO::TypeDesc::UINT8, &NO_TIME);
 }
 
 OIIO::ImageSpec describe(const TelarOiioWrite& job) {
@@ -91,8 +92,14 @@ OIIO::ImageSpec describe(const TelarOiioWrite& job) {
   return spec;
 }
 
-void write(const TelarOiioWrite& job, const TelarOiioSink& sink) {
-  useNoThreads();
+std::vector<unsigned char> tiffOf(const TelarOiioWrite& job) {
+  TiffFile file = writeTiff(job);
+  if (file.cancelled) stop(TELAR_OIIO_CANCELLED, {});
+  if (!file.failure.empty()) stop(TELAR_OIIO_FAILED, "tiff: " + file.failure);
+  return std::move(file.bytes);
+}
+
+std::vector<unsigned char> fileOf(const TelarOiioWrite& job) {
   const std::string name = pluginName(job.format);
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
@@ -108,6 +115,12 @@ void write(const TelarOiioWrite& job, const TelarOiioSink& sink) {
       output->write_image(given, job.pixels, OIIO::AutoStride, OIIO::AutoStride, OIIO::AutoStride, onProgress, &cancel);
   if (cancel.cancelled(cancel.user)) stop(TELAR_OIIO_CANCELLED, {});
   if (!written || !output->close()) stop(TELAR_OIIO_FAILED, name + ": " + output->geterror());
+  return bytes;
+}
+
+void write(const TelarOiioWrite& job, const TelarOiioSink& sink) {
+  settle();
+  const std::vector<unsigned char> bytes = job.format == TELAR_OIIO_TIFF ? tiffOf(job) : fileOf(job);
   if (!sink.append(sink.user, bytes.data(), bytes.size())) throw std::bad_alloc();
 }
 
@@ -130,7 +143,7 @@ Channels findChannels(const OIIO::ImageSpec& spec) {
 }
 
 void read(const TelarOiioRead& job) {
-  useNoThreads();
+  settle();
   const std::string name = pluginName(job.format);
   OIIO::Filesystem::IOMemReader memory(job.file, job.fileBytes);
   const auto input = OIIO::ImageInput::create(name);

@@ -2,8 +2,9 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The C interface of libtelar_oiio.so, the only library of ours that links OpenImageIO and lcms2. It takes 0.3 s and
-/// 120 MiB to load, so image/oiio_bridge loads it when a file needs it. Plain data crosses; exceptions never do.
+/// The C interface of libtelar_oiio.so, the only library of ours that links OpenImageIO, lcms2 and libtiff. It takes
+/// 0.3 s and 120 MiB to load, so image/oiio_bridge loads it when a file needs it. Plain data crosses; exceptions never
+/// do.
 extern "C" {
 
 constexpr std::uint32_t TELAR_OIIO_VERSION = 1;

@@ -10,9 +10,9 @@
 #include "telar/image.h"
 #include "telar/limits.h"
 
-/// Image files in and out. PNG, JPEG and WebP go through their own libraries; .hdr, .exr, TIFF and PNG with an ICC
-/// profile go through OpenImageIO, which lives in a library of its own (libtelar_oiio.so) that is loaded when first
-/// needed.
+/// Image files in and out. PNG, JPEG, WebP and TIFF go through their own libraries; .hdr, .exr and PNG with an ICC
+/// profile go through OpenImageIO, which lives with libtiff in a library of our own (libtelar_oiio.so) that is loaded
+/// when first needed.
 namespace telar {
 
 struct ImageHeader {
