@@ -8,6 +8,7 @@
 #include "lobes.h"
 #include "state.h"
 #include "telar/load.h"
+#include "telar/part.h"
 #include "telar/pose.h"
 #include "telar/reference.h"
 #include "telar/shot.h"
@@ -62,6 +63,21 @@ Napi::Value textOnPool(Napi::Env env, const std::shared_ptr<Job>& job, std::func
   return State::of(env).runOnPool(env, job, [job, make = std::move(make)] {
     job->value = [text = make()](Napi::Env to) { return Napi::String::New(to, text); };
   });
+}
+
+/// measurePart(scene, kind: "node" | "material", which: number | string, variant: string, token) -> Promise<string>
+Napi::Value measurePart(const Napi::CallbackInfo& info) {
+  auto scene = unwrap<SceneHandle>(info[0]).scene();
+  PartQuery query;
+  if (stringFromJs(info[1], "a kind of part") == "material") query.kind = PartQuery::Kind::kMaterial;
+  if (info[2].IsNumber()) {
+    query.which = info[2].As<Napi::Number>().Int32Value();
+  } else {
+    query.which = stringFromJs(info[2], "a name");
+  }
+  query.variant = stringFromJs(info[3], "the variant");
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[4]).token);
+  return textOnPool(info.Env(), job, [scene, query, job] { return describePart(*scene, query, job->cancel); });
 }
 
 /// plan(scene, shot: string, limits, token) -> Promise<string>; the scene is gone afterwards
@@ -130,6 +146,7 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["Bytes"] = BytesHandle::define(env);
   exports["load"] = Napi::Function::New(env, load, "load");
   exports["pose"] = Napi::Function::New(env, pose, "pose");
+  exports["measurePart"] = Napi::Function::New(env, measurePart, "measurePart");
   exports["plan"] = Napi::Function::New(env, plan, "plan");
   exports["probe"] = Napi::Function::New(env, probe, "probe");
   exports["probeReference"] = Napi::Function::New(env, probeTracer, "probeReference");

@@ -1,8 +1,8 @@
-import type { AnimationFact, CameraFact, Vec3 } from './shot/index.js';
+import type { AnimationFact, CameraFact, PartFact, Vec3 } from './shot/index.js';
 import type { ResolvedShot, Shot } from './shot/shot.js';
 
 export type { AnimationFact, CameraFact, ResolvedShot, Shot, Vec3 };
-export type { Box, ShotFacts } from './shot/index.js';
+export type { Box, PartFact, ShotFacts } from './shot/index.js';
 export { TelarError } from './error/index.js';
 export type { ErrorCode, ErrorKind, LimitFact, PlainError } from './error/index.js';
 
@@ -158,6 +158,8 @@ export interface Renderer {
   renderAll(source: Source | Model, shots: ReadonlyArray<Shot | ResolvedShot>, options?: DrawOptions): Promise<Image[]>;
   /** Draws a quantity of the shading in place of the colour: RGBA, top row first; alpha 0 where nothing is drawn. */
   renderQuantity(source: Source | Model, shot: Shot | ResolvedShot, quantity: Quantity, options?: CallOptions): Promise<{ width: number; height: number; data: Float32Array }>;
+  /** What resolveShot needs to know of a model for this shot: its facts in the shot's pose, and what the part measures that it frames. */
+  factsOf(source: Source | Model, shot?: Shot | ResolvedShot, options?: CallOptions): Promise<ModelFacts & { part?: PartFact }>;
   /** Frees what the GPU holds of a model. */
   release(model: Model): Promise<void>;
   /** Number of GL names that live in the context. */

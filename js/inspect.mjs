@@ -3,7 +3,7 @@ import { nativeCall } from './api/native_call.mjs';
 import { shotJson } from './api/shot_json.mjs';
 import { readShot, readSource } from './api/source.mjs';
 import { loadNative } from './native.mjs';
-import { Model, loadModel, poseModel, shotModule } from './model.mjs';
+import { Model, loadModel, measuredFor, poseModel, shotModule } from './model.mjs';
 
 /**
  * What is in a model, and what a render of it would compile and run. Needs no GL.
@@ -29,7 +29,7 @@ export async function inspectOn(native, source, options = {}) {
   const model = await poseModel(native, loaded, request.shot, { signal, forget: true });
   if (!model.facts.bounds) return { ...model.facts, plan: null };
   const { resolveShot } = await shotModule();
-  const resolved = resolveShot(request.shot, model.facts);
+  const resolved = resolveShot(request.shot, await measuredFor(native, model, request.shot, signal));
   if (request.map) resolved.environment.map = request.map;
   const json = shotJson(resolved);
   const plan = await nativeCall(native, signal, (token) => native.plan(Model.sceneOf(model), json, limits, token));

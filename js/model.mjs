@@ -58,6 +58,24 @@ export async function poseModel(native, model, shot, { signal, forget = false } 
   return new Model(scene, JSON.parse(facts));
 }
 
+/**
+ * What resolveShot needs to know of a posed model: its facts, and what the part measures that the shot frames.
+ * @internal
+ * @param {object} native the addon's exports
+ * @param {Model} model in the shot's pose
+ * @param {object} shot not resolved
+ * @param {AbortSignal} [signal]
+ * @returns {Promise<object>}
+ */
+export async function measuredFor(native, model, shot, signal) {
+  const { resolvePart } = await shotModule();
+  const part = resolvePart(shot);
+  if (!part) return model.facts;
+  const variant = typeof shot.variant === 'string' ? shot.variant : '';
+  const measured = await nativeCall(native, signal, (token) => native.measurePart(Model.sceneOf(model), part.kind, part.which, variant, token));
+  return { ...model.facts, part: { frame: part.frame, ...JSON.parse(measured) } };
+}
+
 /** Poses of one model that many shots share: each is made when first needed, and let go with the last shot that shows it. */
 export class SharedPoses {
   #native;

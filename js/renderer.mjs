@@ -7,7 +7,7 @@ import { callOptions, drawOptions, rendererOptions, wrongOption } from './api/op
 import { ProgressReport } from './api/progress.mjs';
 import { shotJson } from './api/shot_json.mjs';
 import { readShot, readSource } from './api/source.mjs';
-import { Model, SharedPoses, loadModel, poseModel, shotModule } from './model.mjs';
+import { Model, SharedPoses, loadModel, measuredFor, poseModel, shotModule } from './model.mjs';
 import { ASSET_DIRECTORY, loadNative } from './native.mjs';
 
 /** Frames on their way at once: one is drawn while others load or are encoded. More would only hold memory. */
@@ -121,6 +121,20 @@ class Renderer {
     return this.#track(inScope(signal, onProgress, shots.length, (scope, report) => this.#renderAll(input, requests, scope, report)));
   }
 
+  /**
+   * What resolveShot needs to know of a model for a shot: its facts in the shot's pose, and what the part measures that the
+   * shot frames. What `render` resolves the shot with.
+   */
+  async factsOf(source, shot = {}, options = {}) {
+    this.#assertOpen();
+    const { signal } = callOptions(options);
+    const { input, model } = this.#readInput(source);
+    return this.#track(this.#gate.run(async () => {
+      const loaded = model ?? await loadModel(this.#native, input, this.#limits, signal);
+      return measuredFor(this.#native, await poseModel(this.#native, loaded, shot, { signal, forget: !model }), shot, signal);
+    }, signal));
+  }
+
   /** Frees what the GPU holds of a model; it is sent there again when it is drawn again. */
   async release(model) {
     this.#assertOpen();
@@ -196,7 +210,7 @@ class Renderer {
     const posed = await (poses ? poses.of(shot) : poseModel(this.#native, model, shot, { signal, forget: !given }));
     const posedAt = performance.now();
     const { resolveShot } = await shotModule();
-    const resolved = resolveShot(shot, posed.facts);
+    const resolved = resolveShot(shot, await measuredFor(this.#native, posed, shot, signal));
     if (map) resolved.environment.map = map;
     const request = {
       scene: Model.sceneOf(posed),

@@ -17,6 +17,8 @@ export function addShotOptions(command) {
     .option('--shot <file>', 'JSON of a shot; relative paths in it start at the file; - is stdin')
     .option('--set <key=value>', 'one key of the shot, as in --set camera.fit=0.8 or --set lights.0.color=red; value is JSON or text', collect)
     .option('--view <view>', describe('camera.view'))
+    .option('--frame <what>', 'scene, model, node=NAME or material=NAME, as in --frame node=Sleeve: what a view frames')
+    .option('--fit-to <what>', describe('camera.fitTo'))
     .option('--size <WxH>', `${describe('size')} in pixels, 512x512 or 512`)
     .option('--quality <quality>', describe('quality'))
     .option('--shading <shading>', describe('shading'))
@@ -68,8 +70,10 @@ export function withPathsFrom(folder, shot) {
   return shot;
 }
 
-function applyFlags(shot, { view, size, quality, shading, environment, background, variant }) {
+function applyFlags(shot, { view, frame, fitTo, size, quality, shading, environment, background, variant }) {
   if (view !== undefined) shot.camera = { ...framingOf(shot.camera), view };
+  if (frame !== undefined) shot.camera = { ...shot.camera, frame: parseFrame(frame) };
+  if (fitTo !== undefined) shot.camera = { ...shot.camera, fitTo };
   if (size !== undefined) shot.size = parseSize(size);
   if (quality !== undefined) shot.quality = parseValue(quality);
   if (shading !== undefined) shot.shading = parseValue(shading);
@@ -81,8 +85,14 @@ function applyFlags(shot, { view, size, quality, shading, environment, backgroun
 const pick = (object, keys) => Object.fromEntries(keys.filter((key) => object?.[key] !== undefined).map((key) => [key, object[key]]));
 
 /** A named view takes the place of any other camera, and keeps how that one framed. */
-const framingOf = (camera) => (camera?.position === undefined ? pick(camera, ['projection', 'fovY', 'fit']) : {});
+const framingOf = (camera) => (camera?.position === undefined ? pick(camera, ['projection', 'fovY', 'fit', 'frame', 'fitTo']) : {});
 const settingsOf = (environment) => pick(environment, ['intensity', 'rotation']);
+
+/** "node=Sleeve" as {node: "Sleeve"}; a number is an index. Other words are the schema's to judge. */
+function parseFrame(text) {
+  const [, kind, which] = /^(node|material)=(.*)$/s.exec(text) ?? [];
+  return kind === undefined ? text : { [kind]: /^\d+$/.test(which) ? Number(which) : which };
+}
 
 /** "512x512" or "512" as {width, height} in pixels. @throws {TelarError} E_USAGE */
 export function parseSize(text) {

@@ -51,8 +51,25 @@ export function optionsPage(schema) {
     'Unknown keys, wrong types, NaN and values out of range are errors that name the path.',
     'This page is generated from js/shot/schema.mjs by `node js/docs/generate.mjs`.', '',
     ...heading(['key', 'values', 'default', 'meaning']), ...new Set(rows), '',
+    ...FRAMING, '',
   ].join('\n');
 }
+
+/** How a view frames, in words. */
+const FRAMING = [
+  '## Framing', '',
+  'A view stands as far away as the model needs to take `camera.fit` of the frame in its tighter dimension, with its picture in the middle.', '',
+  '* **Ground.** Where the shot has a `ground`, the shadow on it is not cut by the frame: the camera moves away and aside as far as that needs, and not',
+  '  at all where the shadow is in the frame already. A shadow longer than three diagonals of the model, of a low sun or a lamp beside the model, runs',
+  '  out of the frame as in a photograph. `frame: "model"` frames the model as if there were no ground.',
+  '* **Parts.** `frame: {node: "Sleeve"}` frames the nodes of that name with all beneath them, `frame: {material: "Denim"}` what wears that material in the',
+  '  shot\'s variant; an index does too. The rest of the model is drawn, and lies in front of the part where it stands there.',
+  '  The command line takes `--frame node=Sleeve`. `resolveShot` needs to know what the part measures: `renderer.factsOf(model, shot)` says it, and',
+  '  `factsOf(model, { THREE, frame, variant })` of `telar/three`.',
+  '* **One scale.** Each view has its own distance, so that a model that turns seems to breathe. With `fitTo: "turntable"` the pictures of one elevation share',
+  '  distance, height and axis; with `fitTo: "all"` those of every direction share distance and target. `--fit-to` on the command line.',
+  '* **Cuts.** `fit` above 1 lets the frame cut the model (and its shadow). The camera stays outside of the model\'s box.',
+];
 
 /** @param {typeof import('../error/table.mjs').TABLE} table */
 export function errorsPage(table) {

@@ -1,3 +1,5 @@
+import { INDEX_MAX } from '../shot/fields.mjs';
+
 /** TypeScript from JSON Schema (the subset that zod writes for the shot). */
 
 const indent = (text) => text.replaceAll('\n', '\n  ');
@@ -6,7 +8,8 @@ const identifier = (key) => (/^[A-Za-z_$][\w$]*$/.test(key) ? key : `'${key}'`);
 
 /** "0 to 1", "above 0", "" */
 export function range({ minimum, maximum, exclusiveMinimum }) {
-  const ends = [minimum, maximum].map((x) => (x === undefined || Math.abs(x) >= 1e15 ? undefined : Number(x.toPrecision(6))));
+  // The largest index or float is no bound that a reader needs.
+  const ends = [minimum, maximum].map((x) => (x === undefined || Math.abs(x) >= INDEX_MAX ? undefined : Number(x.toPrecision(6))));
   const low = exclusiveMinimum === undefined ? ends[0] : `above ${exclusiveMinimum}`;
   if (low === undefined) return ends[1] === undefined ? '' : `at most ${ends[1]}`;
   if (ends[1] !== undefined) return `${low} to ${ends[1]}`;

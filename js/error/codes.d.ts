@@ -38,6 +38,7 @@ export type ErrorCode =
   | 'E_ENVIRONMENT_MISSING'
   | 'E_VARIANT'
   | 'E_POSE'
+  | 'E_FRAME'
   | 'E_CAMERA'
   | 'E_URI_DENIED'
   | 'E_EXT_REQUIRED'

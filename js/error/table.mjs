@@ -72,6 +72,7 @@ const ROWS = {
     E_ENVIRONMENT_MISSING: ['The environment file does not exist, is a folder or cannot be read', 'Check the path and the permissions.'],
     E_VARIANT: ['The model has no such material variant', '`telar inspect` lists the variants.'],
     E_POSE: ['The model has no such animation', '`telar inspect` lists the animations.'],
+    E_FRAME: ['The model has no such node or material to frame', 'The message names what it has; `telar inspect` lists the materials.'],
     E_CAMERA: ['The model has no such camera', '`telar inspect` lists the cameras.'],
   },
   denied: {

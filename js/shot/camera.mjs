@@ -1,23 +1,28 @@
 import { TelarError } from '../error/index.mjs';
 import { nearest, shown, wrongValue } from './complain.mjs';
-import { VIEWS, cross, depthRangeOf, frameBounds, length, subtract } from './frame.mjs';
+import { VIEWS, cross, depthRangeOf, frameBounds, length, subtract, viewBasis } from './frame.mjs';
+import { boundsOfPart, isPart } from './part.mjs';
 
 const DEFAULT_FOV_Y = 30;
 
 /** Sine of the angle between `up` and the view axis below which the frame has no defined roll. */
 const PARALLEL = 1e-9;
 
+/** What a camera must show beside the model. */
+const NOTHING = Object.freeze({ corners: [], shadow: [] });
+
 /**
  * @param {object} camera as the schema parsed it: a view, an explicit camera or {gltf}
  * @param {number} aspect width / height
  * @param {ReturnType<import('./facts.mjs').readFacts>} facts
- * @param {import('./frame.mjs').Vec3[]} [extras] points beside the model that must lie between near and far
+ * @param {{corners: import('./frame.mjs').Vec3[], shadow: import('./frame.mjs').Vec3[]}} [ground] its corners, which must lie
+ *   between near and far, and those of the shadow on it, which must be in the frame
  * @returns {object} explicit camera: {projection, position, target, up, fovY | height, near, far}
  */
-export function resolveCamera(camera, aspect, facts, extras = []) {
-  if (camera.gltf !== undefined) return complete(modelCamera(camera.gltf, facts), facts, extras);
-  if (camera.position !== undefined) return complete(camera, facts, extras);
-  return frameView(camera, aspect, facts, extras);
+export function resolveCamera(camera, aspect, facts, ground = NOTHING) {
+  if (camera.gltf !== undefined) return complete(modelCamera(camera.gltf, facts), facts, ground.corners);
+  if (camera.position !== undefined) return complete(camera, facts, ground.corners);
+  return frameView(camera, aspect, facts, ground);
 }
 
 /** The box with further points in it. */
@@ -26,17 +31,27 @@ const widened = ({ min, max }, extras) => ({
   max: max.map((high, axis) => Math.max(high, ...extras.map((point) => point[axis]))),
 });
 
-function frameView(camera, aspect, facts, extras) {
-  const { view, azimuth, elevation, projection, fit } = camera;
+function frameView(camera, aspect, facts, ground) {
+  const { view, azimuth, elevation, projection, fit, fitTo, frame } = camera;
   if (view !== undefined && (azimuth !== undefined || elevation !== undefined)) {
     throw wrongValue(['camera', 'view'], 'a named view, or azimuth and elevation, not both', view);
   }
   const fovY = lensOf(camera, projection).fovY;
   const angles = azimuth === undefined && elevation === undefined
     ? VIEWS[view ?? 'front'] : { azimuth: azimuth ?? 0, elevation: elevation ?? 0 };
-  const placed = frameBounds(needBounds(facts, 'camera'), { ...angles, projection, fovY, fit }, aspect);
-  const planes = extras.length > 0 ? depthRangeOf(widened(facts.bounds, extras), placed.position, placed.target) : {};
+  const whole = needBounds(facts, 'camera');
+  const place = (shadow) => frameBounds(isPart(frame) ? boundsOfPart(frame, facts) : whole, { ...angles, projection, fovY, fit, fitTo }, aspect, { shadow, whole });
+  const alone = place([]);
+  const placed = frame === 'scene' && seesGround(alone, ground, { ...angles, projection, fitTo }) ? place(ground.shadow) : alone;
+  const planes = ground.corners.length > 0 ? depthRangeOf(widened(whole, ground.corners), placed.position, placed.target) : {};
   return ordered({ projection, fovY, ...placed, ...planes });
+}
+
+/** Whether there is a shadow to be seen: from beneath, the ground is not. Views in all directions share what one of them needs. */
+function seesGround({ position }, { shadow }, { azimuth, elevation, projection, fitTo }) {
+  if (shadow.length === 0) return false;
+  if (fitTo === 'all') return true;
+  return projection === 'perspective' ? position[1] > shadow[0][1] : viewBasis(azimuth, elevation).back[1] > 0;
 }
 
 /** fovY or height, whichever the projection has; the other one is refused. */

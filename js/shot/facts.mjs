@@ -11,7 +11,7 @@ export const ANY_MODEL = { min: [0, 0, 0], max: [1, 1, 1] };
  * What resolveShot needs to know of a model.
  * @param {unknown} facts of `renderer.load`, `inspect` or `factsOf` of telar/three, or a box alone: {min, max} with [x, y, z] or {x, y, z} in metres,
  *   as THREE.Box3 has them; undefined where the shot's camera is explicit
- * @returns {{bounds?: import('./frame.mjs').Bounds, cameras?: object[], variants?: string[], animations?: object[]}} bounds undefined = nothing to draw
+ * @returns {{bounds?: import('./frame.mjs').Bounds, part?: import('./part.mjs').PartFact, cameras?: object[], variants?: string[], animations?: object[]}} bounds undefined = nothing to draw
  * @throws {TelarError} E_OPTION
  */
 export function readFacts(facts) {
@@ -19,6 +19,7 @@ export function readFacts(facts) {
   const isBox = facts.min !== undefined && facts.max !== undefined;
   return {
     bounds: readBounds(isBox ? facts : facts.bounds, facts.outline),
+    part: facts.part && { ...facts.part, bounds: readBounds(facts.part.bounds, facts.part.outline) },
     cameras: facts.cameras,
     variants: facts.variants,
     animations: facts.animations,

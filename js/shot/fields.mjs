@@ -57,3 +57,10 @@ export function colour(doc, keywords = [], error = expectedColour(keywords)) {
 
 /** An object that refuses keys it does not know. */
 export const object = (doc, shape, what = 'an object') => z.strictObject(shape, { error: what }).describe(doc);
+
+/** Largest index of anything in a file: the renderer's are 32 bits. */
+export const INDEX_MAX = 2 ** 31 - 1;
+
+/** Index or name of something in the model; `what` says so in messages. */
+export const indexOrName = (doc, what) => z.union([z.int({ error: what }).min(0, { error: what }).max(INDEX_MAX, { error: what }), text('Name', what)],
+  { error: what }).describe(doc);

@@ -58,26 +58,57 @@ export const cornersOfBox = ({ min, max }) => Array.from({ length: 8 }, (_, i) =
 /** The eight corners of a box relative to its centre. */
 const cornersOf = (half) => Array.from({ length: 8 }, (_, i) => half.map((h, axis) => (i & (1 << axis) ? h : -h)));
 
-/**
- * What must be in the frame, relative to the box's centre, in the axes of a basis: [[x right, y up, z towards the
- * camera], ...]. The model's outline where it is known, since most models are smaller than their box; else its corners.
- */
-function cornersIn({ right, up, back }, { centre, half, outline }) {
-  const points = outline?.length > 1 ? outline.map((point) => subtract(point, centre)) : cornersOf(half);
-  return points.map((point) => [dot(point, right), dot(point, up), dot(point, back)]);
-}
-
 const largest = (list, f) => list.reduce((most, item) => Math.max(most, f(item)), -Infinity);
 
+/** What must be in the frame, relative to the box's centre: the outline where it is known, since most models are smaller than their box. */
+const pointsOf = ({ centre, half, outline }) => (outline?.length > 1 ? outline.map((point) => subtract(point, centre)) : cornersOf(half));
+
 /**
- * Smallest distance from the box's centre at which the corners fit between two planes of slope +-`slope` through the
- * camera, the camera free to shift along `axis`: both planes then touch a corner.
+ * What a camera sees of points as far as framing goes. The camera looks at the origin along -back.
+ * @typedef {object} Seen
+ * @property {(axis: 0 | 1, slope: number) => number} high - Where a plane of that slope towards the camera, which rises along the
+ *   axis (0 right, 1 up), touches the points: the largest of (along the axis + slope * towards the camera). Slope 0 = no perspective.
+ * @property {(axis: 0 | 1, slope: number) => number} low - The same to the other side.
+ * @property {(axis: 0 | 1, distance: number, slope: number) => number} middle - How far along the axis the points' middle lies.
  */
-function fittingDistance(corners, axis, slope) {
-  const high = largest(corners, (c) => c[axis] + slope * c[2]);
-  const low = largest(corners, (c) => slope * c[2] - c[axis]);
-  return (high + low) / (2 * slope);
+
+/** @returns {Seen} from one direction */
+function seenFrom(points, { right, up, back }) {
+  const corners = points.map((point) => [dot(point, right), dot(point, up), dot(point, back)]);
+  const high = (axis, slope) => largest(corners, (c) => c[axis] + slope * c[2]);
+  const low = (axis, slope) => largest(corners, (c) => slope * c[2] - c[axis]);
+  const middle = (axis, distance, slope) => (slope === 0 ? (high(axis, 0) - low(axis, 0)) / 2 : centringShift(corners, axis, distance));
+  return { high, low, middle };
 }
+
+/** @returns {Seen} from every azimuth at one elevation: each point is a circle about the vertical axis */
+function seenAllRound(points, { up, back }) {
+  const [cos, sin] = [up[1], back[1]];
+  const circles = points.map(([x, y, z]) => ({ radius: Math.sqrt(x * x + z * z), y }));
+  const level = (slope) => largest(circles, ({ radius, y }) => slope * sin * y + radius * Math.sqrt(1 + (slope * cos) ** 2));
+  const high = (axis, slope) => (axis === 0 ? level(slope)
+    : largest(circles, ({ radius, y }) => (cos + slope * sin) * y + radius * Math.abs(slope * cos - sin)));
+  const low = (axis, slope) => (axis === 0 ? level(slope)
+    : largest(circles, ({ radius, y }) => (slope * sin - cos) * y + radius * Math.abs(slope * cos + sin)));
+  return { high, low, middle: (axis, _, slope) => (high(axis, slope) - low(axis, slope)) / 2 };
+}
+
+/** @returns {Seen} from every direction: each point is a sphere */
+function seenFromAnywhere(points) {
+  const radius = largest(points, length);
+  const reach = (_, slope) => radius * Math.sqrt(1 + slope * slope);
+  return { high: reach, low: reach, middle: () => 0 };
+}
+
+/** Directions that share one scale with a camera's own, by `fitTo`; and how far a box about the origin reaches towards the camera. */
+const FIT_TO = {
+  view: { see: seenFrom, front: (half, { back }) => largest(cornersOf(half), (c) => dot(c, back)) },
+  turntable: { see: seenAllRound, front: ([x, y, z], { up, back }) => Math.sqrt(x * x + z * z) * Math.abs(up[1]) + y * Math.abs(back[1]) },
+  all: { see: seenFromAnywhere, front: length },
+};
+
+/** What `camera.fitTo` may be. */
+export const FITS = Object.freeze(Object.keys(FIT_TO));
 
 /**
  * Shift along `axis` that centres the projection seen from `distance`: the root of max_i a_i + min_j a_j, where
@@ -91,48 +122,78 @@ function centringShift(corners, axis, distance) {
   return largest(corners, (p) => -largest(corners, (q) => -root(p, q)));
 }
 
+/** A shadow stays this far inside the frame, as a part of its half: the outline of a round model misses it by 3 % of its radius. */
+const SHADOW_PART = 0.96;
+
 /**
- * Frames a model from a direction: its projection is centred and takes `fit` of the frame in the tighter dimension.
- * @param {Bounds} bounds
- * @param {{azimuth: number, elevation: number, projection: 'perspective' | 'orthographic', fovY?: number, fit: number}} view
- *   degrees; fit (0, 1]
+ * Frames a model from a direction: its projection is centred and takes `fit` of the frame in the tighter dimension. Where the
+ * shadow would leave the frame, the camera moves away and aside as far as that needs.
+ * @param {Bounds} bounds of what is framed
+ * @param {{azimuth: number, elevation: number, projection: 'perspective' | 'orthographic', fovY?: number, fit: number, fitTo: string}} view
+ *   degrees; fit above 0, more than 1 cuts the model; fitTo: one of FITS
  * @param {number} aspect width / height
+ * @param {{shadow?: Vec3[], whole?: Bounds}} [scene] shadow: points that stay in the frame too, unless `fit` is above 1; whole: the
+ *   model's box where `bounds` are a part of it
  * @returns {{position: Vec3, target: Vec3, up: Vec3, height?: number, near: number, far: number}}
  */
-export function frameBounds(bounds, { azimuth, elevation, projection, fovY, fit }, aspect) {
+export function frameBounds(bounds, { azimuth, elevation, projection, fovY, fit, fitTo }, aspect, { shadow = [], whole = bounds } = {}) {
   const basis = viewBasis(azimuth, elevation);
   const { centre, half } = centreAndHalf(bounds);
-  const corners = cornersIn(basis, { centre, half, outline: bounds.outline });
+  const { see, front } = FIT_TO[fitTo];
+  const seen = [{ ...see(pointsOf({ centre, half, outline: bounds.outline }), basis), part: fit }];
+  if (shadow.length > 0) seen.push({ ...see(shadow.map((point) => subtract(point, centre)), basis), part: Math.max(fit, SHADOW_PART) });
   const diagonal = 2 * length(half);
-  // Depth goes by the box, which holds every vertex.
-  const front = largest(cornersOf(half), (c) => dot(c, basis.back));
   const camera = projection === 'perspective'
-    ? framePerspective(corners, fit * tanDegrees(fovY / 2), aspect, front + CLEARANCE * diagonal)
-    : frameOrthographic(corners, fit, aspect, diagonal);
+    ? framePerspective(seen, tanDegrees(fovY / 2), aspect, front(half, basis) + CLEARANCE * diagonal)
+    // Without perspective any distance will do at which all of it stands before the camera.
+    : frameOrthographic(seen, aspect, diagonal, Math.max(2 * length(centreAndHalf(whole).half), largest(shadow, (point) => length(subtract(point, centre)))));
   const target = scaleAdd(scaleAdd(centre, camera.x, basis.right), camera.y, basis.up);
-  const position = scaleAdd(target, camera.distance, basis.back);
+  const position = plain(scaleAdd(target, camera.distance, basis.back));
+  // Depth goes by the box, which holds every vertex.
+  const nearest = FIT_TO.view.front(half, basis);
   return {
-    position: plain(position),
+    position,
     target: plain(target),
     up: plain(basis.up),
     ...(camera.height !== undefined && { height: camera.height }),
-    ...depthRange(camera.distance - front, camera.distance + front, bounds),
+    ...(whole === bounds ? depthRange(camera.distance - nearest, camera.distance + nearest, bounds) : depthRangeOf(whole, position, target)),
   };
 }
 
-function framePerspective(corners, slopeY, aspect, leastDistance) {
-  const distance = Math.max(
-    fittingDistance(corners, 0, slopeY * aspect), fittingDistance(corners, 1, slopeY), leastDistance);
-  return { distance, x: centringShift(corners, 0, distance), y: centringShift(corners, 1, distance) };
+/** The largest of f over pairs, the same twice among them. */
+const largestOfPairs = (list, f) => largest(list, (a) => largest(list, (b) => f(a, b)));
+
+/**
+ * The shift along an axis nearest to the model's own middle at which the shadow is in the frame too.
+ * @param {(seen: Seen) => {slope: number, room: number}} planeOf what bounds it: room at the origin, and how much that falls towards the camera
+ */
+function shiftFor([model, ...shadows], axis, distance, planeOf) {
+  return shadows.reduce((shift, shadow) => {
+    const { slope, room } = planeOf(shadow);
+    return Math.max(shadow.high(axis, slope) - room, Math.min(shift, room - shadow.low(axis, slope)));
+  }, model.middle(axis, distance, planeOf(model).slope));
 }
 
-function frameOrthographic(corners, fit, aspect, diagonal) {
-  const [width, height] = [0, 1].map((axis) => {
-    const [low, high] = [-largest(corners, (c) => -c[axis]), largest(corners, (c) => c[axis])];
-    return { extent: high - low, middle: (low + high) / 2 };
-  });
-  const seen = Math.max(height.extent, width.extent / aspect);
-  return { distance: diagonal, x: width.middle, y: height.middle, height: (seen > 1e-9 * diagonal ? seen : diagonal) / fit };
+/**
+ * The smallest distance at which everything lies between its two planes of slope +-`part` of the frame's through the camera,
+ * the camera free to shift: both planes then touch a point.
+ */
+function framePerspective(seen, slopeY, aspect, leastDistance) {
+  const slopes = [({ part }) => part * slopeY * aspect, ({ part }) => part * slopeY];
+  const [byWidth, byHeight] = slopes.map((slopeOf, axis) => largestOfPairs(seen, (a, b) =>
+    (a.high(axis, slopeOf(a)) + b.low(axis, slopeOf(b))) / (slopeOf(a) + slopeOf(b))));
+  const distance = Math.max(byWidth, byHeight, leastDistance);
+  const [x, y] = slopes.map((slopeOf, axis) => shiftFor(seen, axis, distance, (one) => ({ slope: slopeOf(one), room: slopeOf(one) * distance })));
+  return { distance, x, y };
+}
+
+function frameOrthographic(seen, aspect, diagonal, distance) {
+  const halfOf = (a, b) => Math.max(a.high(1, 0) + b.low(1, 0), (a.high(0, 0) + b.low(0, 0)) / aspect) / (a.part + b.part);
+  const height = 2 * largestOfPairs(seen, halfOf);
+  const isFlat = !(height * seen[0].part > 1e-9 * diagonal);
+  const framed = isFlat ? diagonal / seen[0].part : height;
+  const [x, y] = [aspect, 1].map((side, axis) => shiftFor(seen, axis, distance, ({ part }) => ({ slope: 0, room: (part * framed * side) / 2 })));
+  return { distance, x, y, height: framed };
 }
 
 /**

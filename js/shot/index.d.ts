@@ -29,6 +29,19 @@ export interface AnimationFact {
   duration: number;
 }
 
+/** What a part of a model measures that a camera frames: `camera.frame` with a node or a material. */
+export interface PartFact {
+  frame: { node: number | string } | { material: number | string };
+  /** Whether the model has it. */
+  found: boolean;
+  /** null where it draws nothing. */
+  bounds: Box | null;
+  /** Its drawn vertices that lie farthest out. */
+  outline?: readonly (readonly number[])[];
+  /** Where it draws nothing: of what could be framed instead. */
+  names?: readonly string[];
+}
+
 type Point = readonly [number, number, number] | readonly number[] | { x: number; y: number; z: number };
 
 /** Axis-aligned box in metres; a THREE.Box3 fits. */
@@ -43,12 +56,14 @@ export type ShotFacts = Box | {
   cameras?: readonly CameraFact[];
   variants?: readonly string[];
   animations?: readonly AnimationFact[];
+  /** Needed where the shot frames a part: `renderer.factsOf(model, shot)`, or factsOf of telar/three with `frame`. */
+  part?: PartFact;
 };
 
 /**
  * Writes out every default of a shot. Pure and synchronous, the same bits in the browser and on the server; a resolved shot
  * resolves to itself. `facts` is needed unless the camera is explicit with near and far.
- * @throws {TelarError} E_SHOT with the path, the expected thing and the value given; E_SHOT_UNAVAILABLE; E_CAMERA; E_VARIANT;
+ * @throws {TelarError} E_SHOT with the path, the expected thing and the value given; E_SHOT_UNAVAILABLE; E_CAMERA; E_FRAME; E_VARIANT;
  *   E_NO_GEOMETRY; E_OPTION
  */
 export function resolveShot(shot?: Shot | ResolvedShot, facts?: ShotFacts | null): ResolvedShot;
@@ -59,6 +74,11 @@ export function resolveShot(shot?: Shot | ResolvedShot, facts?: ShotFacts | null
  * @throws {TelarError} E_SHOT, E_POSE
  */
 export function resolvePose(shot: Shot | ResolvedShot, facts?: { animations?: readonly AnimationFact[] }): ResolvedShot['pose'];
+
+/**
+ * The part of the model that a shot frames; undefined where it frames the model. Facts depend on it, as on the pose.
+ */
+export function resolvePart(shot: Shot | ResolvedShot): { kind: 'node' | 'material'; which: number | string; frame: PartFact['frame'] } | undefined;
 
 /** An opaque CSS colour as linear Rec.709, the bits of THREE.Color; undefined when the text is none. */
 export function parseColour(text: string): Vec3 | undefined;

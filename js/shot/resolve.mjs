@@ -3,6 +3,7 @@ import { resolveCamera } from './camera.mjs';
 import { complaint, nearest, shown, wrongValue } from './complain.mjs';
 import { contactLights } from './contact.mjs';
 import { readFacts } from './facts.mjs';
+import { fallenShadow } from './fallen_shadow.mjs';
 import { cornersOfGround, resolveGround } from './ground.mjs';
 import { resolveLens } from './lens.mjs';
 import { posed } from './pose.mjs';
@@ -34,7 +35,7 @@ const WHITE = [1, 1, 1];
  *   explicit with near and far; of the model in the shot's pose (`resolvePose`) where it has one
  * @returns {import('../index.d.ts').ResolvedShot} new objects throughout; the arguments stay as they were
  * @throws {TelarError} E_SHOT with the path, the expected thing and the value given; E_SHOT_UNAVAILABLE for what this version
- *   does not draw; E_CAMERA, E_VARIANT, E_POSE, E_NO_GEOMETRY where the model lacks what the shot asks for; E_OPTION for wrong facts
+ *   does not draw; E_CAMERA, E_FRAME, E_VARIANT, E_POSE, E_NO_GEOMETRY where the model lacks what the shot asks for; E_OPTION for wrong facts
  */
 export function resolveShot(shot = {}, facts = undefined) {
   refuseUnavailable(shot);
@@ -45,7 +46,8 @@ export function resolveShot(shot = {}, facts = undefined) {
   const output = resolveOutput(parsed.output);
   const environment = resolveEnvironment(parsed.environment);
   const { lights, ground } = resolveStage(parsed, known);
-  const camera = resolveCamera(parsed.camera, parsed.size.width / parsed.size.height, known, cornersOfGround(ground));
+  const standing = { corners: cornersOfGround(ground), shadow: fallenShadow(ground, lights, known) };
+  const camera = resolveCamera(parsed.camera, parsed.size.width / parsed.size.height, known, standing);
   return {
     size: parsed.size,
     camera,

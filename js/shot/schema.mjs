@@ -1,6 +1,6 @@
 import * as z from 'zod';
-import { boolean, choice, colour, expectedColour, number, object, text, vector } from './fields.mjs';
-import { VIEWS } from './frame.mjs';
+import { boolean, choice, colour, expectedColour, indexOrName, number, object, text, vector } from './fields.mjs';
+import { FITS, VIEWS } from './frame.mjs';
 import { lensSchema } from './lens.mjs';
 import { referenceQuality } from './reference.mjs';
 import { BASES, SLOTS, WITHOUT_TERMS } from './shading_terms.mjs';
@@ -17,7 +17,18 @@ const size = object('Size of the image', { width: pixels('Pixels'), height: pixe
 
 const projection = choice('Perspective with `fovY`, or orthographic', ['perspective', 'orthographic']);
 const fovY = degrees('Vertical field of view in degrees, perspective only; default 30', 0.001, 179.999);
-const fit = number('Part of the frame that the model takes in its tighter dimension', { above: 0, max: 1 });
+const fit = number('Part of the frame that the model takes in its tighter dimension; more than 1 cuts it', { above: 0, max: 100 });
+
+const PART_NODE = 'the index or the name of a node in the model';
+const PART_MATERIAL = 'the index or the name of a material in the model';
+const FRAME = '"scene", "model", {node} or {material}';
+/** What a view frames: parseable on its own, as what a part measures must be known before the rest of the shot. */
+export const frameSchema = z.union([
+  z.enum(['scene', 'model'], { error: FRAME }),
+  object('The nodes of this name, with all beneath them', { node: indexOrName('Index or name of a node', PART_NODE) }),
+  object('All that is drawn with the materials of this name', { material: indexOrName('Index or name of a material', PART_MATERIAL) }),
+], { error: FRAME }).describe('What is framed: "scene", the model with the shadow that it throws on the ground, where that is at most three times as '
+  + 'long as the model; "model", without the shadow; or a part of the model by name').default('scene');
 
 const viewCamera = object('A view that frames the model', {
   view: choice('Named view; the front faces +Z, "right" is seen from +X', Object.keys(VIEWS)).optional(),
@@ -26,6 +37,9 @@ const viewCamera = object('A view that frames the model', {
   projection: projection.default('perspective'),
   fovY: fovY.optional(),
   fit: fit.default(0.9),
+  frame: frameSchema,
+  fitTo: choice('What must fit: this "view"; every turn about the vertical axis at this elevation, "turntable"; or "all" directions. Views of one '
+    + 'model that share it share one scale', FITS).default('view'),
 });
 
 const explicitCamera = object('A camera placed by the caller', {
@@ -43,8 +57,7 @@ const explicitCamera = object('A camera placed by the caller', {
 
 const CAMERA_INDEX = 'the index or the name of a camera in the model';
 const gltfCamera = object('A camera of the model', {
-  gltf: z.union([z.int({ error: CAMERA_INDEX }).min(0, { error: CAMERA_INDEX }), text('Name', CAMERA_INDEX)], { error: CAMERA_INDEX })
-    .describe('Index or name of a camera in the model'),
+  gltf: indexOrName('Index or name of a camera in the model', CAMERA_INDEX),
 });
 
 const camera = z.union([explicitCamera, gltfCamera, viewCamera], { error: 'an object' })
@@ -203,8 +216,7 @@ const background = z.union([colour('Keyword or colour', ['transparent', 'environ
   .describe('"transparent", "environment", a colour, or the environment blurred; default "transparent", white for jpeg');
 const ANIMATION = 'the index or the name of an animation in the model';
 export const poseSchema = object('A moment of an animation', {
-  animation: z.union([z.int({ error: ANIMATION }).min(0, { error: ANIMATION }), text('Name', ANIMATION)], { error: ANIMATION })
-    .describe('Index or name of an animation in the model'),
+  animation: indexOrName('Index or name of an animation in the model', ANIMATION),
   time: number('Seconds from its start; before the start and after the end it stands as at the start or the end',
     { what: 'a number of seconds', min: -1e30 }).default(0),
 }).nullable().default(null).describe('A moment of one of the model\'s animations; null = as the file stands');

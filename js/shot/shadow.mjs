@@ -22,6 +22,9 @@ const RADIUS = 2;
 /** Reach of one bilinear tap, in texels, with room for the corner of a texel. */
 const TAP = 1.5;
 
+/** Reach of a bilinear tap along the axes of the map, in texels. */
+const TEXEL = 1;
+
 /** Largest angle between the two sides of a spot's map, degrees: a projection of 180 has no inverse. */
 const WIDEST = 170;
 
@@ -154,6 +157,18 @@ function biasesOf(light, shadow, casterDepth, rounding) {
   // Texels are widest and depth is coarsest at the farthest caster: depth runs as -far near / ((far - near) distance).
   const depth = Math.min(far, casterDepth);
   return biases((2 * depth * slopeOf(light, shadow)) / mapSize, (far * near) / ((far - near) * depth * depth));
+}
+
+/**
+ * How far the filter of a light's shadow reaches, metres along the two axes of its map.
+ * @param {object} light resolved
+ * @param {number} depth along the map's axis, metres
+ * @returns {[number, number]}
+ */
+export function spreadOf(light, depth) {
+  const { mapSize, left, right, bottom, top } = light.shadow;
+  const extents = light.type === 'directional' ? [right - left, top - bottom] : Array(2).fill(2 * Math.max(depth, 0) * slopeOf(light, light.shadow));
+  return extents.map((extent) => ((light.shadow.radius + TEXEL) * extent) / mapSize);
 }
 
 function needBounds({ bounds }, path) {

@@ -32,6 +32,8 @@ export interface Shot {
     azimuth?: never;
     elevation?: never;
     fit?: never;
+    frame?: never;
+    fitTo?: never;
   } | {
     /** Index or name of a camera in the model. */
     gltf: number | string;
@@ -47,6 +49,8 @@ export interface Shot {
     azimuth?: never;
     elevation?: never;
     fit?: never;
+    frame?: never;
+    fitTo?: never;
   } | {
     /** Named view; the front faces +Z, "right" is seen from +X. */
     view?: 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'three-quarter';
@@ -58,8 +62,20 @@ export interface Shot {
     projection?: 'perspective' | 'orthographic';
     /** Vertical field of view in degrees, perspective only; default 30. Range 0.001 to 179.999. */
     fovY?: number;
-    /** Part of the frame that the model takes in its tighter dimension. Range above 0 to 1. @default 0.9 */
+    /** Part of the frame that the model takes in its tighter dimension; more than 1 cuts it. Range above 0 to 100. @default 0.9 */
     fit?: number;
+    /** What is framed: "scene", the model with the shadow that it throws on the ground, where that is at most three times as long as the model; "model", without the shadow; or a part of the model by name. @default "scene" */
+    frame?: 'scene' | 'model' | {
+      /** Index or name of a node. */
+      node: number | string;
+      material?: never;
+    } | {
+      /** Index or name of a material. */
+      material: number | string;
+      node?: never;
+    };
+    /** What must fit: this "view"; every turn about the vertical axis at this elevation, "turntable"; or "all" directions. Views of one model that share it share one scale. @default "view" */
+    fitTo?: 'view' | 'turntable' | 'all';
     position?: never;
     target?: never;
     up?: never;

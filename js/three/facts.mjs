@@ -1,6 +1,7 @@
 import { Outline } from '../shot/outline.mjs';
 import { camerasOf } from './cameras.mjs';
 import { visitDrawnPoints } from './drawn_points.mjs';
+import { measurePart } from './part.mjs';
 import { applyPose } from './pose.mjs';
 
 /**
@@ -12,10 +13,12 @@ import { applyPose } from './pose.mjs';
  * @param {typeof import('three')} options.THREE
  * @param {{animation: number, time: number} | null} [options.pose] - Of the shot, as `resolvePose(shot, {animations:
  *   model.animations})` gives it; null = as the file stands.
+ * @param {object} [options.frame] - The shot's `camera.frame`: where it names a node or a material, that is measured too.
+ * @param {string} [options.variant] - The shot's `variant`, in which a material is looked for.
  * @returns {{bounds: {min: number[], max: number[]} | null, outline: number[][], cameras: object[], variants: string[],
- *   animations: {name: string, duration: number}[]}} metres, world space, seconds
+ *   animations: {name: string, duration: number}[], part?: object}} metres, world space, seconds
  */
-export function factsOf(model, { THREE, pose = null }) {
+export function factsOf(model, { THREE, pose = null, frame, variant = '' }) {
   const outline = new Outline();
   const box = new THREE.Box3();
   applyPose(model, pose, { THREE });
@@ -33,5 +36,6 @@ export function factsOf(model, { THREE, pose = null }) {
     cameras: model.parser ? camerasOf(model, box, THREE) : [],
     variants: variants.map((variant) => variant.name),
     animations: (model.animations ?? []).map(({ name, duration }) => ({ name, duration })),
+    ...(typeof frame === 'object' && frame !== null && { part: measurePart(model, frame, { THREE, variant }) }),
   };
 }

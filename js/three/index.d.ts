@@ -1,3 +1,4 @@
+import type { PartFact } from '../shot/index.js';
 import type { ResolvedShot } from '../shot/shot.js';
 
 // three.js brings no types of its own: its objects pass through as they are.
@@ -35,6 +36,10 @@ export function factsOf(model: { scene: Three; parser?: Three; animations?: Thre
   THREE: Three;
   /** As `resolvePose(shot, {animations: model.animations})` of telar/shot gives it; default null, as the file stands. */
   pose?: ResolvedShot['pose'];
+  /** The shot's `camera.frame`: where it names a node or a material, that is measured too. */
+  frame?: unknown;
+  /** The shot's `variant`, in which a material is looked for. Default '', the file's own materials. */
+  variant?: string;
 }): {
   bounds: { min: number[]; max: number[] } | null;
   /** Drawn vertices that lie farthest out. */
@@ -44,6 +49,8 @@ export function factsOf(model: { scene: Three; parser?: Three; animations?: Thre
   variants: string[];
   /** Duration in seconds. */
   animations: Array<{ name: string; duration: number }>;
+  /** What `frame` measures. */
+  part?: PartFact;
 };
 
 /** Puts a model into a pose, or back as the file stands. */

@@ -25,6 +25,19 @@ export async function applyVariant(model, name) {
   for (const mesh of meshes) await showVariant(parser, mesh, index);
 }
 
+/**
+ * Index of the material that the file gives to a mesh in a variant; undefined for glTF's default one, and where the file is not known.
+ * @param {object} parser - Of GLTFLoader.
+ * @param {import('three').Object3D} mesh
+ * @param {string} variant - Name; '' for the file's own materials, as a variant that the file lacks.
+ */
+export function materialIndexOf(parser, mesh, variant) {
+  const primitive = primitiveOf(parser, mesh);
+  const mappings = primitive?.extensions?.[EXTENSION]?.mappings ?? [];
+  const index = variant === '' ? -1 : variantNames(parser).indexOf(variant);
+  return mappings.find(({ variants }) => variants.includes(index))?.material ?? primitive?.material;
+}
+
 function variantNames(parser) {
   return (parser.json.extensions?.[EXTENSION]?.variants ?? []).map((variant) => variant.name);
 }

@@ -17,6 +17,6 @@ export async function openView({ renderer, source, shot, port, signal }) {
   const isUrl = typeof source === 'string' && source.startsWith('file:');
   const session = new Session({ renderer, source: isUrl ? fileURLToPath(source) : source, shot });
   await session.load(signal);
-  session.check();
+  await session.check();
   return startServer({ session, port });
 }

@@ -64,8 +64,8 @@ export class Session {
   }
 
   /** @throws {import('../error/index.mjs').TelarError} where the shot that the view begins with is wrong for the model */
-  check() {
-    resolveShot(this.#shot, this.#model.facts);
+  async check() {
+    resolveShot(this.#shot, await this.#renderer.factsOf(this.#model, this.#shot));
   }
 
   /**

@@ -1,7 +1,6 @@
 #include "asset/outline.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <limits>
 
@@ -10,11 +9,11 @@
 namespace telar::asset {
 namespace {
 
-constexpr int GRID = 2;           // directions end on the surface of the integer cube [-GRID, GRID]^3
-constexpr std::size_t AXES = 49;  // one of each opposite pair
+constexpr int GRID = 2;  // directions end on the surface of the integer cube [-GRID, GRID]^3
 
-std::array<glm::dvec3, AXES> directions() {
-  std::array<glm::dvec3, AXES> list;
+template <std::size_t COUNT>
+std::array<glm::dvec3, COUNT> directions() {
+  std::array<glm::dvec3, COUNT> list;
   std::size_t count = 0;
   for (int x = -GRID; x <= GRID; ++x) {
     for (int y = -GRID; y <= GRID; ++y) {
@@ -28,51 +27,42 @@ std::array<glm::dvec3, AXES> directions() {
   return list;
 }
 
-/// Farthest points both ways along every axis.
-class Support {
- public:
-  Support() {
-    low_.fill(std::numeric_limits<double>::infinity()), high_.fill(-std::numeric_limits<double>::infinity());
-  }
-
-  void add(const glm::dvec3& p) {
-    for (std::size_t i = 0; i < AXES; ++i) {
-      const double along = p.x * axes_[i].x + p.y * axes_[i].y + p.z * axes_[i].z;
-      if (along > high_[i]) high_[i] = along, highest_[i] = p;
-      if (along < low_[i]) low_[i] = along, lowest_[i] = p;
-    }
-  }
-
-  std::vector<glm::dvec3> points() const {
-    std::vector<glm::dvec3> out;
-    const auto keep = [&out](const glm::dvec3& p) {
-      if (std::find(out.begin(), out.end(), p) == out.end()) out.push_back(p);
-    };
-    for (std::size_t i = 0; i < AXES; ++i) {
-      if (high_[i] < low_[i]) return {};
-      keep(highest_[i]), keep(lowest_[i]);
-    }
-    return out;
-  }
-
- private:
-  std::array<glm::dvec3, AXES> axes_ = directions();
-  std::array<double, AXES> low_, high_;
-  std::array<glm::dvec3, AXES> lowest_{}, highest_{};
-};
-
 }  // namespace
 
+Outline::Outline() : axes_(directions<AXES>()) {
+  low_.fill(std::numeric_limits<double>::infinity()), high_.fill(-std::numeric_limits<double>::infinity());
+}
+
+void Outline::add(const glm::dvec3& p) {
+  for (std::size_t i = 0; i < AXES; ++i) {
+    const double along = p.x * axes_[i].x + p.y * axes_[i].y + p.z * axes_[i].z;
+    if (along > high_[i]) high_[i] = along, highest_[i] = p;
+    if (along < low_[i]) low_[i] = along, lowest_[i] = p;
+  }
+}
+
+std::vector<glm::dvec3> Outline::points() const {
+  std::vector<glm::dvec3> out;
+  const auto keep = [&out](const glm::dvec3& p) {
+    if (std::find(out.begin(), out.end(), p) == out.end()) out.push_back(p);
+  };
+  for (std::size_t i = 0; i < AXES; ++i) {
+    if (high_[i] < low_[i]) return {};
+    keep(highest_[i]), keep(lowest_[i]);
+  }
+  return out;
+}
+
 std::vector<glm::dvec3> outlineOf(const Scene& scene) {
-  Support support;
+  Outline outline;
   DrawnPoints points;
   for (const Node& node : scene.nodes) {
     if (node.mesh < 0) continue;
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-      points.visit(node, primitive, [&](const glm::dvec3& p) { support.add(p); });
+      points.visit(node, primitive, [&](const glm::dvec3& p) { outline.add(p); });
     }
   }
-  return support.points();
+  return outline.points();
 }
 
 }  // namespace telar::asset

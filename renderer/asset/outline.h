@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -6,9 +7,24 @@
 
 namespace telar::asset {
 
-/// The drawn vertices that lie farthest in each of 98 fixed directions, world space, without repeats: what a camera
-/// needs to frame the model itself and not its box. Empty for a scene that draws nothing. The directions are those of
-/// js/shot/outline.mjs, which does the same for a model in the browser.
+/// Collects points one by one and keeps those that lie farthest in each of 98 fixed directions: what a camera needs to
+/// frame a model itself and not its box. The directions are those of js/shot/outline.mjs, which does the same for a
+/// model in the browser.
+class Outline {
+ public:
+  Outline();
+  void add(const glm::dvec3& point);
+  /// Without repeats; empty when nothing was added.
+  std::vector<glm::dvec3> points() const;
+
+ private:
+  static constexpr std::size_t AXES = 49;  ///< one of each opposite pair
+  std::array<glm::dvec3, AXES> axes_;
+  std::array<double, AXES> low_, high_;
+  std::array<glm::dvec3, AXES> lowest_{}, highest_{};
+};
+
+/// Of the drawn vertices in world space. Empty for a scene that draws nothing.
 std::vector<glm::dvec3> outlineOf(const Scene& scene);
 
 }  // namespace telar::asset

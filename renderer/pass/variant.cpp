@@ -21,12 +21,6 @@ int variantIndex(const Scene& scene, const std::string& name) {
                                (known.empty() ? "; it has none" : "; it has " + known));
 }
 
-int materialIndex(const Primitive& primitive, int variant) {
-  if (variant < 0 || static_cast<std::size_t>(variant) >= primitive.variantMaterials.size()) return primitive.material;
-  const int mapped = primitive.variantMaterials[static_cast<std::size_t>(variant)];
-  return mapped >= 0 ? mapped : primitive.material;
-}
-
 const Material& materialAt(const Scene& scene, int index, ShadingModel shading) {
   if (index < 0) return DEFAULT_MATERIAL;
   return shownMaterial(scene, scene.materials[static_cast<std::size_t>(index)], shading);

@@ -3,15 +3,13 @@
 
 #include "telar/scene.h"
 #include "telar/shading.h"
+#include "telar/variant_material.h"
 
 namespace telar::pass {
 
 /// Index of a variant (KHR_materials_variants) by its name; -1 for the file's own materials, whose name is empty.
 /// @throws Error{E_VARIANT} that lists the names there are
 int variantIndex(const Scene& scene, const std::string& name);
-
-/// Index of the material that a variant gives a primitive; -1 = glTF's default material.
-int materialIndex(const Primitive& primitive, int variant);
 
 /// What a shading draws of a material, or of glTF's default one: shownMaterial().
 /// @param index  of materialIndex()

@@ -22,6 +22,7 @@ const FILES = [
   'cases_area.mjs',
   'cases_transmission.mjs',
   'cases_shadow.mjs',
+  'cases_framing.mjs',
   'cases_shading.mjs',
 ];
 

@@ -18,6 +18,7 @@ const ROWS = {
   'what transmission acts with': ['transmission-thickness-lit', 'transmission-attenuation-lit', 'transmission-dispersion-lit', 'transmission-layers-lit', 'transmission-order-lit'],
   'area lights and blurred backgrounds': ['rect-sweep', 'rect-everything', 'rect-clearcoat', 'rect-sheen', 'rect-anisotropy', 'background-blur-0.3'],
   'shadows and what catches them': ['shadow-directional', 'shadow-spot', 'shadow-point', 'shadow-several', 'shadow-soft', 'shadow-everything', 'ground-tshirt'],
+  'what a view frames': ['frame-node', 'frame-material', 'frame-fit-above-1', 'frame-turntable', 'frame-all', 'frame-shadow'],
   'coded textures and meshes': [
     'ktx2-uastc-sun', 'ktx2-etc1s-sun', 'ktx2-etc1s-alpha-sun', 'meshopt-torus-sun', 'draco-edgebreaker-sun', 'draco-sequential-sun', 'draco-quantized-sun',
   ],

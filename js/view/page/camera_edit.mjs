@@ -8,6 +8,9 @@ const DEGREE = Math.PI / 180;
 /** At the poles the azimuth would be lost. */
 const MAX_ELEVATION = 89.9 * DEGREE;
 
+/** How a view frames, whatever its direction. */
+const FRAMING = ['fit', 'frame', 'fitTo'];
+
 const lensOf = ({ projection, fovY, height }) => (projection === 'perspective' ? { projection, fovY } : { projection, height });
 
 /** The resolved camera as one placed by the caller, with planes that are fitted again. */
@@ -23,7 +26,8 @@ const isFramed = (camera) => camera?.position === undefined && camera?.gltf === 
  */
 export function withView(camera, resolved, view) {
   const { projection, fovY } = resolved;
-  return { view, projection, ...(projection === 'perspective' && { fovY }), ...(camera?.fit !== undefined && { fit: camera.fit }) };
+  const framing = FRAMING.filter((key) => camera?.[key] !== undefined).map((key) => [key, camera[key]]);
+  return { view, projection, ...(projection === 'perspective' && { fovY }), ...Object.fromEntries(framing) };
 }
 
 /** The same camera with another projection; one that stands at a place keeps the size of its target in the picture. */
@@ -44,7 +48,7 @@ export function withProjection(camera, resolved, projection) {
 /** @param {number} fovY degrees; perspective only */
 export const withFovY = (camera, resolved, fovY) => (isFramed(camera) ? { ...camera, fovY } : { ...placed(resolved), fovY });
 
-/** @param {number} fit 0..1; for a camera that frames the model */
+/** @param {number} fit above 0; for a camera that frames the model */
 export const withFit = (camera, fit) => ({ ...camera, fit });
 
 /** @param {number} gltf index of a camera in the model */

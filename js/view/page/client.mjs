@@ -6,6 +6,7 @@ import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { applyShot, factsOf, rendererParameters } from '../../three/index.mjs';
 import { ANY_MODEL } from '../../shot/facts.mjs';
+import { resolvePart } from '../../shot/part.mjs';
 import { resolvePose } from '../../shot/pose.mjs';
 import { resolveShot } from '../../shot/resolve.mjs';
 import { alphaOf, straightPixels } from './pixels.mjs';
@@ -48,11 +49,12 @@ export class Client {
     return self;
   }
 
-  /** What resolveShot needs to know of the model in the shot's pose; measured anew where that is another one. */
+  /** What resolveShot needs to know of the model in the shot's pose; measured anew where that, or the part framed, is another one. */
   facts(shot) {
-    const pose = resolvePose(shot, this);
-    const key = JSON.stringify(pose);
-    if (this.#measured?.key !== key) this.#measured = { key, facts: factsOf(this.#model, { THREE, pose }) };
+    const { frame } = resolvePart(shot) ?? {};
+    const wanted = { pose: resolvePose(shot, this), frame, variant: shot.variant };
+    const key = JSON.stringify(wanted);
+    if (this.#measured?.key !== key) this.#measured = { key, facts: factsOf(this.#model, { THREE, ...wanted }) };
     return this.#measured.facts;
   }
 

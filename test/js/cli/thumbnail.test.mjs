@@ -3,6 +3,7 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, 
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
+import { resolveShot } from '../../../js/shot/index.mjs';
 import { fakeApi, runFake } from './fake.mjs';
 
 const root = mkdtempSync(path.join(tmpdir(), 'telar-cli-'));
@@ -60,6 +61,20 @@ test('flags, --set and --shot make the shot, each over the one before', async ()
   assert.deepEqual(shot.environment, { map: at('maps/a.hdr'), intensity: 1, rotation: 5 });
   assert.deepEqual([shot.quality.preset, shot.background, shot.variant, shot.exposure, shot.output.ppi], ['draft', [1, 0, 0], 'navy', 3, 72]);
   assert.deepEqual(shot.lights, [{ type: 'point', color: [0, 1, 0], intensity: 1, position: [0, 0, 0], range: 0, castShadow: false }]);
+});
+
+test('--frame and --fit-to say how a view frames, and --view keeps it', async () => {
+  const at = freshFolder();
+  writeFileSync(at('shot.json'), JSON.stringify({ camera: { view: 'back', frame: 'model', fitTo: 'all', fit: 1.5 } }));
+  const rendered = async (...flags) => (await runFake(['thumbnail', 'm.glb', '-o', at('a.png'), ...flags])).calls.rendered[0].shot.camera;
+  const facts = { min: [-1, 0, -1], max: [1, 2, 1] };
+  const camera = (wanted) => resolveShot({ camera: wanted }, facts).camera;
+  assert.deepEqual(await rendered('--view', 'left', '--fit-to', 'turntable'), camera({ view: 'left', fitTo: 'turntable' }));
+  assert.deepEqual(await rendered('--shot', at('shot.json'), '--view', 'top'), camera({ view: 'top', fit: 1.5, fitTo: 'all' }));
+  for (const [flag, code] of [['node=Sleeve', 'E_FRAME'], ['material=3', 'E_FRAME'], ['sleeve', 'E_SHOT']]) {
+    const { exit, stderr } = await runFake(['thumbnail', 'm.glb', '-o', at('a.png'), '--frame', flag]);
+    assert.ok(exit === (code === 'E_SHOT' ? 2 : 3) && stderr.includes(code), stderr);
+  }
 });
 
 test('--set says more of what a flag names', async () => {

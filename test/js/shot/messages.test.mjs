@@ -30,7 +30,7 @@ const NUMBERS = {
   'size.width': pixels,
   'size.height': pixels,
   'camera.fovY': { expected: 'a number of degrees in [0.001, 179.999]', good: [0.001, 179.999], bad: [0, -5, 180] },
-  'camera.fit': { expected: 'a number in (0, 1]', good: [1e-6, 1], bad: [0, 1.01] },
+  'camera.fit': { expected: 'a number in (0, 100]', good: [1e-6, 1, 2.5, 100], bad: [0, 100.1] },
   'camera.azimuth': { expected: 'a number of degrees in [-360, 360]', good: [-360, 360], bad: [-361, 361] },
   'camera.elevation': { expected: 'a number of degrees in [-90, 90]', good: [-90, 90], bad: [-91, 91] },
   'camera.height': { expected: 'a height in metres in (0, 1e30]', base: EXPLICIT, good: [1e-6, 1e6], bad: [0, -1, 2e30] },

@@ -137,8 +137,8 @@ test('a light at the horizon or below it makes no endless ground', () => {
   }
 });
 
-test('the model alone is framed; near and far hold the ground', () => {
-  const shot = { lights: [casting('directional', { position: [2, 1, -2] })], camera: { view: 'three-quarter' } };
+test('where the model alone is framed, near and far hold the ground', () => {
+  const shot = { lights: [casting('directional', { position: [2, 1, -2] })], camera: { view: 'three-quarter', frame: 'model' } };
   const [without, withGround] = [resolveShot(shot, box).camera, resolveShot({ ...shot, ground: {} }, box).camera];
   for (const key of ['position', 'target', 'up', 'fovY']) assert.deepEqual(withGround[key], without[key]);
   assert.ok(withGround.near < without.near && withGround.far >= without.far);

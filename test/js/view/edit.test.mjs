@@ -13,6 +13,8 @@ const near = (a, b) => a.forEach((x, i) => assert.ok(Math.abs(x - b[i]) < 1e-9, 
 test('a view keeps projection, lens and fit of the camera before it', () => {
   const camera = { view: 'front', fovY: 40, fit: 0.7 };
   assert.deepEqual(withView(camera, resolved(camera), 'back'), { view: 'back', projection: 'perspective', fovY: 40, fit: 0.7 });
+  const shared = { view: 'front', frame: 'model', fitTo: 'all' };
+  assert.deepEqual(withView(shared, resolved(shared), 'top'), { view: 'top', projection: 'perspective', fovY: 30, frame: 'model', fitTo: 'all' });
   const orthographic = { view: 'left', projection: 'orthographic' };
   assert.deepEqual(withView(orthographic, resolved(orthographic), 'top'), { view: 'top', projection: 'orthographic' });
   assert.deepEqual(withView(undefined, resolved(undefined), 'front'), { view: 'front', projection: 'perspective', fovY: 30 });

@@ -32,6 +32,7 @@ function fakeRenderer() {
     backend: 'osmesa',
     gl: { renderer: 'stand-in', version: '1' },
     load: async () => ({ number: ++calls.loaded, facts: { bounds: { min: [0, 0, 0], max: [1, 1, 1] }, variants: [], cameras: [], warnings: [] } }),
+    factsOf: async (model) => model.facts,
     release: async (model) => void calls.released.push(model.number),
     async render(model, shot, { signal }) {
       calls.rendered.push(shot);
