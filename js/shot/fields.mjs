@@ -7,7 +7,10 @@ import { parseColour } from './colour.mjs';
  */
 
 /** Largest coordinate, distance and intensity: inside the range of the GPU's 32-bit floats. */
-const HUGE = 1e30;
+export const HUGE = 1e30;
+
+/** Smallest length that something is divided by: its inverse is in that range too. */
+export const TINY = 1e-30;
 
 /** 1000000000 as "1e9", half a turn as "PI / 2". */
 const bound = (x) => (x === Math.PI / 2 ? 'PI / 2' : Math.abs(x) >= 1e6 ? x.toExponential().replace('+', '') : String(x));
@@ -30,8 +33,8 @@ const quoted = (values) => values.map((value) => JSON.stringify(value)).join(', 
 
 export const choice = (doc, values) => z.enum(values, { error: quoted(values) }).describe(doc);
 
-/** A string without control characters; `what` names it in messages. */
-export const text = (doc, what) => z.string({ error: what }).regex(/^[^\u0000-\u001f\u007f]*$/, { error: what }).describe(doc);
+/** A string of whole characters (no half of a surrogate pair, which no UTF-8 holds) without control characters; `what` names it in messages. */
+export const text = (doc, what) => z.string({ error: what }).regex(/^[^\u0000-\u001f\u007f\ud800-\udfff]*$/u, { error: what }).describe(doc);
 
 /** Three finite numbers. */
 export function vector(doc, what = 'three numbers [x, y, z] in metres') {

@@ -1,18 +1,18 @@
 import * as z from 'zod';
 import { wrongValue } from './complain.mjs';
-import { number, object } from './fields.mjs';
+import { HUGE, TINY, number, object } from './fields.mjs';
 import { length, subtract } from './frame.mjs';
 
 /** A photographic lens: how bright (lens_exposure.mjs), and what is sharp. */
 
-const FOCUS = 'a distance in metres in (0, 1e30] or "target"';
+const FOCUS = 'a distance in metres in [1e-30, 1e30] or "target"';
 
 export const lensSchema = object('A photographic lens', {
   aperture: number('f-number: focal length over the width of the opening', { what: 'an f-number', min: 0.1, max: 1000 }),
   shutter: number('', { what: 'a number of seconds', above: 0, max: 86400 }).nullable().optional()
     .describe('Seconds that the shutter is open; with `iso` it exposes by EV100, a factor beside `exposure`; none = the lens does not change the exposure'),
   iso: number('', { what: 'a sensitivity', above: 0, max: 1e7 }).nullable().optional().describe('Sensitivity, ISO'),
-  focusDistance: z.union([z.number({ error: FOCUS }).gt(0, { error: FOCUS }).max(1e30, { error: FOCUS }), z.literal('target')], { error: FOCUS })
+  focusDistance: z.union([z.number({ error: FOCUS }).min(TINY, { error: FOCUS }).max(HUGE, { error: FOCUS }), z.literal('target')], { error: FOCUS })
     .nullable().optional()
     .describe('Distance in metres, along the view, of what is sharp, or "target": the camera\'s target; quality "reference" blurs the rest, the raster does not. None = all is sharp'),
 }).nullable().default(null).describe('A photographic lens: exposure by EV100, and depth of field in quality "reference"; null = a pinhole');

@@ -4,6 +4,7 @@ import { complaint, nearest, shown, wrongValue } from './complain.mjs';
 import { contactLights } from './contact.mjs';
 import { readFacts } from './facts.mjs';
 import { fallenShadow } from './fallen_shadow.mjs';
+import { HUGE } from './fields.mjs';
 import { cornersOfGround, resolveGround } from './ground.mjs';
 import { resolveLens } from './lens.mjs';
 import { posed } from './pose.mjs';
@@ -48,10 +49,12 @@ export function resolveShot(shot = {}, facts = undefined) {
   const { lights, ground } = resolveStage(parsed, known);
   const standing = { corners: cornersOfGround(ground), shadow: fallenShadow(ground, lights, known) };
   const camera = resolveCamera(parsed.camera, parsed.size.width / parsed.size.height, known, standing);
+  const lens = resolveLens(parsed.lens, camera);
+  checkFitted({ camera, lens, lights, ground });
   return {
     size: parsed.size,
     camera,
-    lens: resolveLens(parsed.lens, camera),
+    lens,
     environment,
     lights,
     modelLights: parsed.modelLights,
@@ -66,6 +69,13 @@ export function resolveShot(shot = {}, facts = undefined) {
     layers: [...parsed.layers],
     output,
   };
+}
+
+/** What is fitted to a camera or a light that stands beyond measure may leave the range that a shot can say. */
+function checkFitted(value, path = []) {
+  if (typeof value === 'number' && !(Math.abs(value) <= HUGE)) throw wrongValue(path, 'a number in [-1e30, 1e30], as fitted to what the shot places', value);
+  if (typeof value !== 'object' || value === null) return;
+  for (const [key, inner] of Object.entries(value)) checkFitted(inner, [...path, Array.isArray(value) ? Number(key) : key]);
 }
 
 function resolveEnvironment(environment) {

@@ -1,5 +1,5 @@
 import * as z from 'zod';
-import { boolean, choice, colour, expectedColour, indexOrName, number, object, text, vector } from './fields.mjs';
+import { HUGE, TINY, boolean, choice, colour, expectedColour, indexOrName, number, object, text, vector } from './fields.mjs';
 import { FITS, VIEWS } from './frame.mjs';
 import { lensSchema } from './lens.mjs';
 import { referenceQuality } from './reference.mjs';
@@ -17,7 +17,7 @@ const size = object('Size of the image', { width: pixels('Pixels'), height: pixe
 
 const projection = choice('Perspective with `fovY`, or orthographic', ['perspective', 'orthographic']);
 const fovY = degrees('Vertical field of view in degrees, perspective only; default 30', 0.001, 179.999);
-const fit = number('Part of the frame that the model takes in its tighter dimension; more than 1 cuts it', { above: 0, max: 100 });
+const fit = number('Part of the frame that the model takes in its tighter dimension; more than 1 cuts it', { min: 1e-6, max: 100 });
 
 const PART_NODE = 'the index or the name of a node in the model';
 const PART_MATERIAL = 'the index or the name of a material in the model';
@@ -48,11 +48,11 @@ const explicitCamera = object('A camera placed by the caller', {
   target: vector('The point at the centre of the frame, metres'),
   up: vector('Direction that is up in the image', 'three numbers [x, y, z]').default([0, 1, 0]),
   fovY: fovY.optional(),
-  height: number('Height of the frame in metres, orthographic only', { what: 'a height in metres', above: 0 }).optional(),
+  height: number('Height of the frame in metres, orthographic only', { what: 'a height in metres', min: TINY }).optional(),
   near: number('Distance of the near plane in metres; fitted to the model by default',
-    { what: 'a distance in metres', min: -1e30 }).optional(),
+    { what: 'a distance in metres', min: -HUGE }).optional(),
   far: number('Distance of the far plane in metres; fitted to the model by default',
-    { what: 'a distance in metres', min: -1e30 }).optional(),
+    { what: 'a distance in metres', min: -HUGE }).optional(),
 });
 
 const CAMERA_INDEX = 'the index or the name of a camera in the model';
@@ -65,7 +65,7 @@ const camera = z.union([explicitCamera, gltfCamera, viewCamera], { error: 'an ob
 
 const MAP = '"studio", "none", a path that ends in .hdr or .exr, or bytes';
 const environmentMap = z.union([
-  z.string({ error: MAP }).regex(/^(?:studio|none|[^\u0000-\u001f\u007f]*\.(?:hdr|exr|HDR|EXR))$/, { error: MAP }),
+  z.string({ error: MAP }).regex(/^(?:studio|none|[^\u0000-\u001f\u007f\ud800-\udfff]*\.(?:hdr|exr|HDR|EXR))$/u, { error: MAP }),
   z.custom((value) => value instanceof Uint8Array, { error: MAP }).meta({ tsType: 'Uint8Array' }),
 ], { error: MAP }).describe('"studio" (bundled), "none", or an equirectangular .hdr or .exr map: path, or bytes in JavaScript');
 
@@ -88,8 +88,11 @@ const lightOf = (type, doc, shape) => object(doc, { type: z.literal(type).descri
 const EDGE_MAX_M = 1e6;
 const edge = (doc) => number(doc, { what: 'a length in metres', above: 0, max: EDGE_MAX_M }).default(10);
 
+/** Least part of a spot's cone: the tangent of half of it divides. */
+const FOCUS_MIN = 1e-9;
+
 const TEXELS = 'a whole number of texels';
-const metres = (doc) => number(doc, { what: 'a number of metres', min: -1e30 }).optional();
+const metres = (doc) => number(doc, { what: 'a number of metres', min: -HUGE }).optional();
 const shadow = (doc, shape) => object(doc, {
   mapSize: number('Texels on a side of the map; default 1024', { what: TEXELS, min: 16, max: 4096, integer: true }).optional(),
   radius: number('Softness: radius of the filter in texels; default 2', { what: 'a number of texels', min: 0, max: 25 }).optional(),
@@ -108,7 +111,7 @@ const shadows = {
     right: metres('Right border'), bottom: metres('Lower border'), top: metres('Upper border'),
   }) },
   spot: { castShadow, shadow: shadow(SHADOW, {
-    focus: number('Part of the cone\'s angle that the map holds; as much as the model needs by default', { above: 0, max: 1 }).optional(),
+    focus: number('Part of the cone\'s angle that the map holds; as much as the model needs by default', { min: FOCUS_MIN, max: 1 }).optional(),
   }) },
   point: { castShadow, shadow: shadow(SHADOW, {}) },
 };
@@ -147,7 +150,7 @@ const lights = z.array(z.discriminatedUnion('type', [
 
 const GROUND = '"none" or {shadow, opacity}';
 const LENGTHS = 'two lengths [x, z] in metres';
-const extent = z.number({ error: LENGTHS }).gt(0, { error: LENGTHS }).max(1e30, { error: LENGTHS });
+const extent = z.number({ error: LENGTHS }).min(TINY, { error: LENGTHS }).max(HUGE, { error: LENGTHS });
 const ground = z.union([
   z.literal('none', { error: GROUND }),
   object('Ground beneath the model that shows nothing but shadows', {
@@ -218,7 +221,7 @@ const ANIMATION = 'the index or the name of an animation in the model';
 export const poseSchema = object('A moment of an animation', {
   animation: indexOrName('Index or name of an animation in the model', ANIMATION),
   time: number('Seconds from its start; before the start and after the end it stands as at the start or the end',
-    { what: 'a number of seconds', min: -1e30 }).default(0),
+    { what: 'a number of seconds', min: -HUGE }).default(0),
 }).nullable().default(null).describe('A moment of one of the model\'s animations; null = as the file stands');
 
 const SHADING = '"three", "fabric", "three-r115", "disney-2012" or {base, <slot>: <term>}';

@@ -21,7 +21,7 @@ export interface Shot {
     up?: [number, number, number];
     /** Vertical field of view in degrees, perspective only; default 30. Range 0.001 to 179.999. */
     fovY?: number;
-    /** Height of the frame in metres, orthographic only. Range above 0. */
+    /** Height of the frame in metres, orthographic only. Range at least 1e-30. */
     height?: number;
     /** Distance of the near plane in metres; fitted to the model by default. */
     near?: number;
@@ -62,7 +62,7 @@ export interface Shot {
     projection?: 'perspective' | 'orthographic';
     /** Vertical field of view in degrees, perspective only; default 30. Range 0.001 to 179.999. */
     fovY?: number;
-    /** Part of the frame that the model takes in its tighter dimension; more than 1 cuts it. Range above 0 to 100. @default 0.9 */
+    /** Part of the frame that the model takes in its tighter dimension; more than 1 cuts it. Range 0.000001 to 100. @default 0.9 */
     fit?: number;
     /** What is framed: "scene", the model with the shadow that it throws on the ground, where that is at most three times as long as the model; "model", without the shadow; or a part of the model by name. @default "scene" */
     frame?: 'scene' | 'model' | {
@@ -224,7 +224,7 @@ export interface Shot {
       near?: number;
       /** Distance in metres at which the map ends; fitted to model and ground by default. */
       far?: number;
-      /** Part of the cone's angle that the map holds; as much as the model needs by default. Range above 0 to 1. */
+      /** Part of the cone's angle that the map holds; as much as the model needs by default. Range 1e-9 to 1. */
       focus?: number;
     };
   } | {

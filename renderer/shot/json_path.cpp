@@ -8,8 +8,8 @@
 namespace telar::shot {
 namespace {
 
-/// As js/shot: far inside the range of the 32-bit floats that the GPU computes in.
-constexpr double COLOR_MAX = 1e9;
+/// As js/shot/fields.mjs: inside the range of the 32-bit floats that the GPU computes in.
+constexpr double COLOR_MAX = 1e30;
 
 std::string text(double x) { return nlohmann::json(x).dump(); }
 

@@ -10,6 +10,10 @@ namespace {
 
 using shot::JsonPath;
 
+// As js/shot/schema.mjs and js/shot/fields.mjs: what resolveShot takes is taken here.
+constexpr double TINY = 1e-30;      ///< smallest length that something is divided by, metres
+constexpr double FOCUS_MIN = 1e-9;  ///< least part of a spot's cone
+
 constexpr int SIZE_MAX_PX = 8192;
 constexpr int SHADOW_MAP_MAX = 4096;  ///< texels on a side
 constexpr int SAMPLES_MAX = 1024;     ///< a pixel
@@ -17,6 +21,13 @@ constexpr double NOISE_MAX = 64;
 constexpr int ENVIRONMENT_SAMPLES_MAX = 4096;
 constexpr int REFERENCE_SAMPLES_MAX = 65536, REFERENCE_BOUNCES_MAX = 64, REFERENCE_THREADS_MAX = 256;
 constexpr int PPI_MAX = 65535;  ///< what JFIF's 16-bit density field holds
+
+/// A distance above 0.
+double readDistance(const JsonPath& json) {
+  const double distance = json.number(0);
+  if (distance == 0) json.fail("a distance above 0");
+  return distance;
+}
 
 Shot::Camera readCamera(const JsonPath& json) {
   Shot::Camera camera;
@@ -27,9 +38,9 @@ Shot::Camera readCamera(const JsonPath& json) {
   if (camera.perspective) {
     camera.fovY = json.at("fovY").number(1e-3, 179.999);
   } else {
-    camera.height = json.at("height").number(1e-9);
+    camera.height = json.at("height").number(TINY);
   }
-  camera.near = json.at("near").number(camera.perspective ? 1e-9 : std::numeric_limits<double>::lowest());
+  camera.near = camera.perspective ? readDistance(json.at("near")) : json.at("near").number();
   camera.far = json.at("far").number();
   if (!(camera.far > camera.near)) json.at("far").fail("a distance beyond near");
   if (camera.position == camera.target) json.at("target").fail("a point other than position");
@@ -42,7 +53,7 @@ void readLens(const JsonPath& json, Shot& shot) {
   if (json.isNull()) return;
   const double aperture = json.at("aperture").number(0.1);
   const JsonPath focusDistance = json.at("focusDistance"), shutter = json.at("shutter"), iso = json.at("iso");
-  if (!focusDistance.isNull()) shot.lens = {aperture, focusDistance.number(1e-30)};
+  if (!focusDistance.isNull()) shot.lens = {aperture, focusDistance.number(TINY)};
   if (shutter.isNull() || iso.isNull()) return;
   shot.exposure *= shutter.number(0) * iso.number(0) / (120 * aperture * aperture);
 }
@@ -86,7 +97,7 @@ Shot::Light::Shadow readShadow(const JsonPath& json, Shot::Light::Type type) {
   shadow.bias = json.at("bias").number(-1, 1);
   shadow.normalBias = json.at("normalBias").number(0);
   const bool directional = type == Type::kDirectional;
-  shadow.near = json.at("near").number(directional ? std::numeric_limits<double>::lowest() : 1e-30);
+  shadow.near = directional ? json.at("near").number() : readDistance(json.at("near"));
   shadow.far = json.at("far").number();
   if (!(shadow.far > shadow.near)) json.at("far").fail("a distance beyond near");
   if (directional) {
@@ -97,7 +108,7 @@ Shot::Light::Shadow readShadow(const JsonPath& json, Shot::Light::Type type) {
     if (!(shadow.right > shadow.left)) json.at("right").fail("a number above left");
     if (!(shadow.top > shadow.bottom)) json.at("top").fail("a number above bottom");
   }
-  if (type == Type::kSpot) shadow.focus = json.at("focus").number(1e-9, 1);
+  if (type == Type::kSpot) shadow.focus = json.at("focus").number(FOCUS_MIN, 1);
   return shadow;
 }
 
@@ -156,7 +167,7 @@ std::optional<Shot::Ground> readGround(const JsonPath& json) {
   if (size.size() != 2) size.fail("an array of 2 numbers");
   return Shot::Ground{json.at("opacity").number(0, 1),
                       json.at("position").vec3(),
-                      {size.at(std::size_t{0}).number(1e-30), size.at(1).number(1e-30)}};
+                      {size.at(std::size_t{0}).number(TINY), size.at(1).number(TINY)}};
 }
 
 OutputOptions readOutput(const JsonPath& json) {

@@ -100,7 +100,7 @@ test('fit above 1 cuts the model as much as it says, until the camera stands bef
   }
   const close = resolveShot({ camera: { fit: 100 } }, facts);
   assert.ok(close.camera.position[2] > facts.bounds.max[2] && close.camera.near > 0);
-  assert.throws(() => resolveShot({ camera: { fit: 101 } }, facts), /shot\.camera\.fit: expected a number in \(0, 100\]/);
+  assert.throws(() => resolveShot({ camera: { fit: 101 } }, facts), /shot\.camera\.fit: expected a number in \[0\.000001, 100\]/);
 });
 
 test('a wrong frame says what there may be', () => {
