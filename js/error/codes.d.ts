@@ -93,6 +93,7 @@ export type ErrorCode =
   | 'W_ANIMATION'
   | 'W_ENUM'
   | 'W_CAMERA'
+  | 'W_ENVIRONMENT_RANGE'
   | 'W_LENS'
   | 'W_LIGHT'
   | 'W_GEOMETRY'

@@ -147,6 +147,7 @@ const ROWS = {
     W_ANIMATION: ['A channel of an animation moves nothing that is drawn', 'The other channels of the animation are played.'],
     W_ENUM: ['An unknown enumeration value was replaced by its default', FIX_FILE],
     W_CAMERA: ['A camera is malformed and was left out', FIX_FILE],
+    W_ENVIRONMENT_RANGE: ['Texels of the environment are brighter than a half float can be, and are cut as three.js cuts them', 'Use another shading than "three", whose suns keep their light, or limit the map to 65504 for both sides.'],
     W_LENS: ['The depth of field of the lens is not drawn', 'Ask for quality "reference", or leave out lens.focusDistance.'],
     W_LIGHT: ['A light is malformed and was left out', FIX_FILE],
     W_GEOMETRY: ['A primitive has nothing to draw and was left out', FIX_FILE],

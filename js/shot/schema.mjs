@@ -67,7 +67,8 @@ const MAP = '"studio", "none", a path that ends in .hdr or .exr, or bytes';
 const environmentMap = z.union([
   z.string({ error: MAP }).regex(/^(?:studio|none|[^\u0000-\u001f\u007f\ud800-\udfff]*\.(?:hdr|exr|HDR|EXR))$/u, { error: MAP }),
   z.custom((value) => value instanceof Uint8Array, { error: MAP }).meta({ tsType: 'Uint8Array' }),
-], { error: MAP }).describe('"studio" (bundled), "none", or an equirectangular .hdr or .exr map: path, or bytes in JavaScript');
+], { error: MAP }).describe('"studio" (bundled), "none", or an equirectangular .hdr or .exr map: path, or bytes in JavaScript. '
+  + 'What texels have above 65504 lights every shading but "three"');
 
 const environment = z.union([environmentMap, object('Environment with settings', {
   map: environmentMap.default('studio'),

@@ -97,7 +97,7 @@ export interface Shot {
   } | null;
   /** Light from all around. @default "studio" */
   environment?: string | Uint8Array | {
-    /** "studio" (bundled), "none", or an equirectangular .hdr or .exr map: path, or bytes in JavaScript. @default "studio" */
+    /** "studio" (bundled), "none", or an equirectangular .hdr or .exr map: path, or bytes in JavaScript. What texels have above 65504 lights every shading but "three". @default "studio" */
     map?: string | Uint8Array;
     /** Factor on its radiance. Range at least 0. @default 1 */
     intensity?: number;

@@ -2,6 +2,7 @@ import { lensExposure } from '../shot/lens_exposure.mjs';
 import { applyPose } from './pose.mjs';
 import { applyLightShadow, applyShadows } from './shadows.mjs';
 import { applyShading, restoreMaterials } from './shading.mjs';
+import { environmentOf, isCut } from './suns.mjs';
 import { applyVariant } from './variant.mjs';
 
 /**
@@ -33,7 +34,8 @@ export function rendererParameters(shot) {
  * @param {import('three').Camera} [target.camera] - Camera to set; where it is missing or of the other projection, a new one
  *   is made. Use the returned one.
  * @param {object} [target.model] - What GLTFLoader gave ({scene, parser, animations}): for `variant`, `pose` and `modelLights`.
- * @param {import('three').Texture} [target.environment] - Linear equirectangular texture; required where the shot has one.
+ * @param {import('three').Texture} [target.environment] - Linear equirectangular texture; required where the shot has one. Loaded
+ *   as FloatType, what it has above 65504 lights every shading but "three", as on the server; halves do not hold that.
  * @param {() => Promise<{RectAreaLightUniformsLib: {init(): void}}>} [target.areaLightTables] - Gives three's tables of rect
  *   lights, `() => import('three/addons/lights/RectAreaLightUniformsLib.js')`; called for the first shot with such a light.
  * @returns {Promise<import('three').Camera>} The camera to draw with, matrices up to date.
@@ -43,9 +45,11 @@ export function rendererParameters(shot) {
 export async function applyShot(shot, { THREE, renderer, scene, camera, model, environment, areaLightTables }) {
   applyOutput(shot, THREE, renderer);
   if (shot.lights.some(({ type }) => type === 'rect')) await prepareAreaLights(THREE, areaLightTables);
-  applyLights(shot, THREE, scene, model);
+  const lighting = shot.environment.map !== 'none' && environment ? environmentOf(THREE, environment) : null;
+  applyLights(shot, THREE, scene, model, shot.shading === 'three' ? [] : lighting?.suns);
+  if (lighting && shot.shading !== 'three') warnIfCut(environment);
   applyShadows(shot, THREE, { renderer, scene, model });
-  applyEnvironment(shot, THREE, scene, environment);
+  applyEnvironment(shot, THREE, scene, lighting?.texture);
   applyBackground(shot, THREE, scene);
   if (model) await applyMaterials(shot, model, THREE);
   if (model) applyPose(model, shot.pose, { THREE });
@@ -112,13 +116,23 @@ function linearColor(THREE, [r, g, b]) {
   return new THREE.Color().setRGB(r, g, b, THREE.LinearSRGBColorSpace);
 }
 
-function applyLights(shot, THREE, scene, model) {
+/** Environments that were looked at. */
+const lookedAt = new WeakSet();
+
+function warnIfCut(environment) {
+  if (lookedAt.has(environment)) return;
+  lookedAt.add(environment);
+  if (isCut(environment)) console.warn('telar: the environment has texels that half floats cut at 65504: load it with setDataType(THREE.FloatType), so that its suns light as on the server');
+}
+
+function applyLights(shot, THREE, scene, model, suns = []) {
   const last = scene.getObjectByName(LIGHT_GROUP);
   last?.removeFromParent();
   last?.traverse((object) => object.dispose?.());
   const group = new THREE.Group();
   group.name = LIGHT_GROUP;
   for (const light of shot.lights) addLight(THREE, group, light);
+  for (const sun of suns) addLight(THREE, group, sunLight(THREE, sun, shot.environment));
   scene.add(group);
   model?.scene.traverse((object) => {
     if (object.isLight) object.visible = shot.modelLights;
@@ -135,6 +149,16 @@ async function prepareAreaLights(THREE, areaLightTables) {
   if (!areaLightTables) throw new Error(`shot.lights: a rect light needs tables that three.js keeps apart: give applyShot ${hint}`);
   (await areaLightTables()).RectAreaLightUniformsLib.init();
   if (!THREE.UniformsLib.LTC_FLOAT_1) throw new Error('shot.lights: areaLightTables belongs to another copy of three.js than THREE');
+}
+
+/** A sun of the environment as a light of the shot. */
+function sunLight(THREE, { direction, irradiance }, { intensity, rotation }) {
+  const brightest = Math.max(...irradiance);
+  const position = new THREE.Vector3(...direction).applyAxisAngle(new THREE.Vector3(0, 1, 0), THREE.MathUtils.degToRad(rotation));
+  return {
+    type: 'directional', color: irradiance.map((value) => value / brightest), intensity: brightest * intensity,
+    position: position.toArray(), target: [0, 0, 0], castShadow: false,
+  };
 }
 
 function addLight(THREE, group, light) {

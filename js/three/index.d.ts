@@ -19,7 +19,10 @@ export function applyShot(shot: ResolvedShot, target: {
   camera?: Three;
   /** What GLTFLoader gave: {scene, parser}. */
   model?: Three;
-  /** Linear equirectangular texture; required where the shot has an environment. */
+  /**
+   * Linear equirectangular texture; required where the shot has an environment. Loaded as FloatType it keeps suns above 65504, which
+   * light every shading but "three".
+   */
   environment?: Three;
   /**
    * Gives three's tables of rect lights, `() => import('three/addons/lights/RectAreaLightUniformsLib.js')`: called for the

@@ -71,6 +71,9 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
     return *decoded;
   };
   Environment& environment = (*found)->environment;
+  // Also where a cube was found on disk: the file is read for them once, some milliseconds a megapixel. The studio has
+  // none.
+  if (uses.suns && !environment.suns) environment.suns = studio ? Suns() : sunsOf(map());
   if (uses.prefiltered && environment.prefiltered.faceSize == 0) {
     environment.prefiltered = prefiltered(key, studio, map, environment.source, cancel);
   }

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "ibl/bright_directions.h"
 #include "ibl/irradiance.h"
 #include "ibl/prefilter.h"
+#include "ibl/suns.h"
 #include "telar/limits.h"
 #include "telar/shot.h"
 
@@ -17,11 +19,12 @@ namespace telar::ibl {
 /// The environment of a shot on the GPU, in the forms that a frame needs.
 struct Environment {
   CubeMap prefiltered;
-  CubeMap background;       ///< faceSize 0 until it is asked for, as the others
-  CubeMap radiance;         ///< as the map is, with mip levels; alpha = luminance of what `bright` draws from
-  CubeMap irradiance;       ///< of what `radiance` holds, made with it
-  BrightDirections bright;  ///< made with `radiance`
-  std::string source;       ///< where it came from: "gpu", "bundled", "disk", "prefiltered" or, as it is, "file"
+  CubeMap background;        ///< faceSize 0 until it is asked for, as the others
+  CubeMap radiance;          ///< as the map is, with mip levels; alpha = luminance of what `bright` draws from
+  CubeMap irradiance;        ///< of what `radiance` holds, made with it
+  BrightDirections bright;   ///< made with `radiance`
+  std::optional<Suns> suns;  ///< none until they are asked for
+  std::string source;        ///< where it came from: "gpu", "bundled", "disk", "prefiltered" or, as it is, "file"
 };
 
 /// What a frame does with its environment.
@@ -29,6 +32,7 @@ struct EnvironmentUses {
   bool prefiltered = false;  ///< lights surfaces, or is a blurred background
   bool background = false;   ///< is a sharp background
   bool radiance = false;     ///< lights surfaces that sample it
+  bool suns = false;         ///< lights surfaces by what is prefiltered, which does not hold them
 };
 
 /// Keeps the environments that were used last on the GPU, and prefiltered cubes on disk by the SHA-256 of their file.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <glm/gtc/type_ptr.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "brdf/brdf.h"
@@ -74,6 +76,35 @@ glm::vec4 clearColor(const Shot& shot, bool linear) {
   return {linear ? color : brdf_f::srgbFromLinear(glm::clamp(color, 0.0f, 1.0f)), 1.0f};
 }
 
+/// Suns of the environment that what is prefiltered of it lacks; none where nothing is lit by that.
+ibl::Suns sunsThatLight(const FramePlan& plan, const Shot& shot, const ibl::Environment* environment) {
+  const bool lights = environment && pass::environmentUses(plan, shot).suns;
+  return lights && environment->suns ? *environment->suns : ibl::Suns();
+}
+
+/// The shot with a directional light for each sun.
+Shot withSuns(Shot shot, const ibl::Suns& suns) {
+  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(pass::environmentRotation(shot.environment.rotation)));
+  for (const auto& [direction, irradiance] : suns.list) {
+    Shot::Light& light = shot.lights.emplace_back();
+    light.type = Shot::Light::Type::kDirectional;
+    const double brightest = std::max({irradiance.r, irradiance.g, irradiance.b});
+    light.color = glm::vec3(irradiance / brightest);
+    light.intensity = brightest * shot.environment.intensity;
+    light.position = toWorld * direction;
+  }
+  return shot;
+}
+
+/// three.js cuts an environment to half floats, and what it shows is shown here.
+Json rangeWarning(double share) {
+  char percent[16];
+  std::snprintf(percent, sizeof percent, "%.3g", 100 * share);
+  return {{"code", "W_ENVIRONMENT_RANGE"},
+          {"message", std::string("shot.environment: three.js has no texel above 65504, the largest half float: ") +
+                          percent + " % of the map's light is lost; every other shading keeps it"}};
+}
+
 class GlRenderer final : public Renderer {
  public:
   explicit GlRenderer(const RendererOptions& options)
@@ -86,24 +117,33 @@ class GlRenderer final : public Renderer {
         ground_(*context_),
         settled_(*context_) {}
 
-  Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& shot, std::span<const std::byte> environmentFile,
+  Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& asked, std::span<const std::byte> environmentFile,
              const CancelToken& cancel, FrameInfo& info) override {
     StageTimer timer;
     forgetReleasedScenes();
-    checkSize(shot);
-    FramePlan plan = pass::planDraws(*scene, shot, options_.limits, options_.allFeatures);
+    checkSize(asked);
+    FramePlan plan = pass::planDraws(*scene, asked, options_.limits, options_.allFeatures);
     timer.lap("plan");
+    const bool wanted = asked.environment.source != Shot::Environment::Source::kNone;
+    const ibl::Environment* environment = nullptr;
+    if (wanted && (plan.environment || plan.environmentBackground)) {
+      environment = &environments_.get(asked.environment, environmentFile, pass::environmentUses(plan, asked), cancel);
+    }
+    const ibl::Suns suns = sunsThatLight(plan, asked, environment);
+    std::optional<Shot> sunlit;
+    if (!suns.list.empty() && asked.shading != ShadingModel::kThree) {
+      sunlit = withSuns(asked, suns);
+      Limits limits = options_.limits;
+      limits.lights += suns.list.size();
+      plan = pass::planDraws(*scene, *sunlit, limits, options_.allFeatures);
+    }
+    const Shot& shot = sunlit ? *sunlit : asked;
+    timer.lap("environment");
     pass::GpuScene& gpu = gpuSceneOf(scene);
     surfaces_.upload(plan, *scene, gpu, cancel);
     timer.lap("upload");
     const int compiled = surfaces_.prepare(plan, cancel);
     timer.lap("compile");
-    const bool wanted = shot.environment.source != Shot::Environment::Source::kNone;
-    const ibl::Environment* environment = nullptr;
-    if (wanted && (plan.environment || plan.environmentBackground)) {
-      environment = &environments_.get(shot.environment, environmentFile, pass::environmentUses(plan, shot), cancel);
-    }
-    timer.lap("environment");
     shadows_.draw(plan, *scene, gpu, cancel);
     if (!plan.shadows.empty()) {
       context_->gl().Finish();
@@ -117,6 +157,7 @@ class GlRenderer final : public Renderer {
     Json json = describeFrame(plan, shot, environment, timer);
     json["samples"] = passes * target_->samples();
     json["programsCompiled"] = compiled;
+    if (!suns.list.empty() && !sunlit) json["warnings"] = Json::array({rangeWarning(suns.share)});
     info.json = json.dump();
     return frame;
   }

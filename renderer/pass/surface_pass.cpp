@@ -170,7 +170,7 @@ ibl::EnvironmentUses environmentUses(const FramePlan& plan, const Shot& shot) {
   const bool blurred = plan.environmentBackground && shot.background.blur > 0;
   const bool sampled = plan.frame.environmentSamples > 0;
   return {(plan.environment && !sampled) || blurred, plan.environmentBackground && !blurred,
-          plan.environment && sampled};
+          plan.environment && sampled, plan.environment && !sampled};
 }
 
 SurfacePass::SurfacePass(const gl::Context& context, Limits limits)

@@ -76,6 +76,11 @@ const afarCases = [
     makeCase(`cloth-${name}-samples-1`, `fabric-${name}`, 'soft-studio', { camera: DRAPE, shading: 'fabric', quality: { samples: 1 } })),
 ];
 
+/** Suns that three.js has no room for: its own shading leaves them out, every other one has them as lights. */
+const SUNLIT = { environmentSettings: { intensity: 0.002, rotation: 70 }, camera: CAMERAS.quarter };
+const sunCases = ['three', 'fabric', 'three-r115', 'disney-2012'].map((shading) =>
+  makeCase(`bright-suns-${shading}`, 'sheen', 'bright-suns', { ...SUNLIT, shading }, shading === 'fabric'));
+
 /** Every map and factor of cloth, both sides of it seen. */
 const mapCases = Object.keys(CLOTH_MAP_MODELS).flatMap((model) => [
   makeCase(`${model}-sun`, model, null, { shading: 'fabric', lights: [LIGHTS.ambient, LIGHTS.directional, LIGHTS.point] }),
@@ -92,4 +97,5 @@ export const CASES = [
   ...clothCases,
   ...afarCases,
   ...mapCases,
+  ...sunCases,
 ];

@@ -91,7 +91,7 @@ export class Client {
     if (!format) return undefined;
     if (!this.#textures.has(map)) {
       const loader = format === 'exr' ? new (await import('three/addons/loaders/EXRLoader.js')).EXRLoader() : new HDRLoader();
-      this.#textures.set(map, await loader.loadAsync(`environment/${encodeURIComponent(map)}`));
+      this.#textures.set(map, await loader.setDataType(THREE.FloatType).loadAsync(`environment/${encodeURIComponent(map)}`));
     }
     return this.#textures.get(map);
   }

@@ -5,5 +5,6 @@ namespace telar {
 
 /// Relative luminance of linear Rec.709.
 inline float luminance(const glm::vec3& color) { return 0.2126f * color.r + 0.7152f * color.g + 0.0722f * color.b; }
+inline double luminance(const glm::dvec3& color) { return 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b; }
 
 }  // namespace telar

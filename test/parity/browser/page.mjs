@@ -8,6 +8,7 @@ import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { applyShot, rendererParameters } from '/js/three/index.mjs';
 import { applyShading } from '/js/three/shading.mjs';
+import { environmentOf } from '/js/three/suns.mjs';
 import { prefilteredFaces } from './prefilter.mjs';
 import { measureTerms } from './terms.mjs';
 
@@ -43,7 +44,7 @@ const MAX_ENVIRONMENTS = 12;
 
 async function loadEnvironment({ url, format }) {
   const loader = format === 'exr' ? new EXRLoader() : new HDRLoader();
-  const texture = environments.get(url) ?? (await loader.loadAsync(url));
+  const texture = environments.get(url) ?? (await loader.setDataType(THREE.FloatType).loadAsync(url));
   environments.delete(url);
   environments.set(url, texture);
   if (environments.size > MAX_ENVIRONMENTS) {
@@ -175,7 +176,7 @@ window.telarTerms = async (job) => {
  * @returns {Promise<{name: string, size: number}[]>}
  */
 window.telarPrefilter = async (job) => {
-  const environment = await loadEnvironment(job.environment);
+  const { texture: environment } = environmentOf(THREE, await loadEnvironment(job.environment));
   const faces = [];
   for (const { name, size, values } of prefilteredFaces(THREE, rendererFor(job.shot), environment)) {
     await send(`${job.result}/${name}`, values);
