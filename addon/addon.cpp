@@ -25,19 +25,26 @@ Napi::Value sceneToJs(Napi::Env env, const std::shared_ptr<const Scene>& scene, 
   return result;
 }
 
+/// A model or file as js/ names it: an absolute path, or bytes.
+struct Source {
+  explicit Source(const Napi::Value& value) {
+    if (value.IsString()) {
+      path = value.As<Napi::String>();
+    } else {
+      bytes = unwrap<BytesHandle>(value).bytes;
+    }
+  }
+  std::string path;
+  std::shared_ptr<const Bytes> bytes;
+};
+
 /// load(path: string | Bytes, limits, token) -> Promise<{scene, facts: string}>
 Napi::Value load(const Napi::CallbackInfo& info) {
   const Limits limits = limitsFromJs(info[1]);
   auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
-  std::string path;
-  std::shared_ptr<const Bytes> bytes;
-  if (info[0].IsString()) {
-    path = info[0].As<Napi::String>();
-  } else {
-    bytes = unwrap<BytesHandle>(info[0]).bytes;
-  }
-  return State::of(info.Env()).runOnPool(info.Env(), job, [job, limits, path, bytes] {
-    auto scene = bytes ? loadBytes(*bytes, limits, job->cancel) : loadPath(path, limits, job->cancel);
+  return State::of(info.Env()).runOnPool(info.Env(), job, [job, limits, source = Source(info[0])] {
+    auto scene =
+        source.bytes ? loadBytes(*source.bytes, limits, job->cancel) : loadPath(source.path, limits, job->cancel);
     std::string facts = describeScene(*scene);
     job->value = [scene, facts = std::move(facts)](Napi::Env env) { return sceneToJs(env, scene, facts); };
   });
@@ -78,6 +85,25 @@ Napi::Value measurePart(const Napi::CallbackInfo& info) {
   query.variant = stringFromJs(info[3], "the variant");
   auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[4]).token);
   return textOnPool(info.Env(), job, [scene, query, job] { return describePart(*scene, query, job->cancel); });
+}
+
+/// hashModel(path: string | Bytes, limits, token) -> Promise<string>
+Napi::Value hashModel(const Napi::CallbackInfo& info) {
+  const Limits limits = limitsFromJs(info[1]);
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
+  return textOnPool(info.Env(), job, [job, limits, source = Source(info[0])] {
+    return source.bytes ? telar::hashModel(*source.bytes, limits, job->cancel)
+                        : telar::hashModel(source.path, limits, job->cancel);
+  });
+}
+
+/// hashFile(path: string | Bytes, limits, token) -> Promise<string>
+Napi::Value hashFile(const Napi::CallbackInfo& info) {
+  const Limits limits = limitsFromJs(info[1]);
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
+  return textOnPool(info.Env(), job, [job, limits, source = Source(info[0])] {
+    return source.bytes ? telar::hashFile(*source.bytes) : telar::hashFile(source.path, limits, job->cancel);
+  });
 }
 
 /// plan(scene, shot: string, limits, token) -> Promise<string>; the scene is gone afterwards
@@ -147,6 +173,8 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["load"] = Napi::Function::New(env, load, "load");
   exports["pose"] = Napi::Function::New(env, pose, "pose");
   exports["measurePart"] = Napi::Function::New(env, measurePart, "measurePart");
+  exports["hashModel"] = Napi::Function::New(env, hashModel, "hashModel");
+  exports["hashFile"] = Napi::Function::New(env, hashFile, "hashFile");
   exports["plan"] = Napi::Function::New(env, plan, "plan");
   exports["probe"] = Napi::Function::New(env, probe, "probe");
   exports["probeReference"] = Napi::Function::New(env, probeTracer, "probeReference");

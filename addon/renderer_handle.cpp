@@ -66,6 +66,7 @@ Napi::Value toJs(Napi::Env env, Render& render) {
   object["width"] = render.frame.width;
   object["height"] = render.frame.height;
   object["info"] = render.info.json;
+  object["environmentSha256"] = render.info.environmentSha256;
   object["queueMs"] = render.queueMs;
   object["drawMs"] = render.drawMs;
   object["encodeMs"] = render.encodeMs;

@@ -60,6 +60,8 @@ export interface ModelFacts {
   vertices: number;
   triangles: number;
   fileBytes: number;
+  /** Of the file and of the external parts that it names: 64 hex digits. */
+  sha256: string;
   materials: Array<{
     name: string;
     alphaMode: 'OPAQUE' | 'MASK' | 'BLEND';
@@ -129,6 +131,11 @@ export interface FrameInfo extends Plan {
   /** Strings of the GL context. */
   gl: Record<string, unknown>;
   quality: ResolvedShot['quality'];
+  /**
+   * Of what the picture is made of: the model's bytes and its parts', the environment's, the shot, telar's version. 64 hex
+   * digits, fit for an ETag. What pictureKey() gives.
+   */
+  key: string;
   /** Wall-clock milliseconds of each stage. */
   milliseconds: Record<string, number> & { load: number; pose: number; resolve: number; queue: number; draw: number; encode: number; total: number };
   warnings: Warning[];
@@ -180,6 +187,12 @@ export interface InspectOptions extends CallOptions {
 
 /** What is in a model, and what a render of it would compile and run; plan is null when there is nothing to draw. */
 export function inspect(source: Source, options?: InspectOptions): Promise<ModelFacts & { plan: Plan | null }>;
+
+/**
+ * The key that a picture will have as `info.key`, without drawing it or decoding the model: so that a service can answer
+ * "not modified", and a batch can leave out what has not changed.
+ */
+export function pictureKey(source: Source, shot?: Shot | ResolvedShot, options?: { limits?: Limits; signal?: AbortSignal }): Promise<string>;
 
 /** Light by lobe, linear [r, g, b]; `total` is the sum of the other four. */
 export type Lobes = Record<'diffuse' | 'specular' | 'sheen' | 'coat' | 'total', Vec3>;

@@ -3,12 +3,14 @@ import { Gate } from './api/gate.mjs';
 import { frameInfo, shotWarnings } from './api/frame_info.mjs';
 import { nativeCall } from './api/native_call.mjs';
 import { onAbort } from './api/on_abort.mjs';
+import { keyOfDrawn } from './api/picture_key.mjs';
 import { callOptions, drawOptions, rendererOptions, wrongOption } from './api/options.mjs';
 import { ProgressReport } from './api/progress.mjs';
 import { shotJson } from './api/shot_json.mjs';
 import { readShot, readSource } from './api/source.mjs';
 import { Model, SharedPoses, loadModel, measuredFor, poseModel, shotModule } from './model.mjs';
 import { ASSET_DIRECTORY, loadNative } from './native.mjs';
+import { versions } from './versions.mjs';
 
 /** Frames on their way at once: one is drawn while others load or are encoded. More would only hold memory. */
 const FRAMES_IN_FLIGHT = 4;
@@ -224,8 +226,9 @@ class Renderer {
       return this.#handle.render(request, token);
     });
     report?.finish(job);
+    const key = await keyOfDrawn(this.#native, { version: versions.telar, model: model.facts.sha256, shot, environment, drawn: frame.environmentSha256, limits: this.#limits });
     const milliseconds = { load: loaded - start, pose: posedAt - loaded, resolve: resolvedAt - posedAt, total: performance.now() - start };
-    return { data: frame.data, info: frameInfo({ frame, resolved, milliseconds, renderer: this, warnings: [...(posed.facts.warnings ?? []), ...shotWarnings(resolved, posed.facts.extensionsUsed)] }) };
+    return { data: frame.data, info: frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings: [...(posed.facts.warnings ?? []), ...shotWarnings(resolved, posed.facts.extensionsUsed)] }) };
   }
 }
 

@@ -30,9 +30,10 @@ export function shotWarnings({ lens, quality, shading }, extensionsUsed = []) {
  * @param {object} parts.resolved the shot that was drawn
  * @param {{load: number, pose: number, resolve: number, total: number}} parts.milliseconds
  * @param {{backend: string, gl: object}} parts.renderer
+ * @param {string} [parts.key] of picture_key.mjs
  * @param {object[]} [parts.warnings] of the model
  */
-export function frameInfo({ frame, resolved, milliseconds, renderer, warnings = [] }) {
+export function frameInfo({ frame, resolved, milliseconds, renderer, key, warnings = [] }) {
   // The stages of drawing come from the renderer itself; `draw` alone where it tells none.
   const { ms = { draw: frame.drawMs }, ...drawn } = JSON.parse(frame.info);
   const { load, pose, resolve, total } = milliseconds;
@@ -41,6 +42,7 @@ export function frameInfo({ frame, resolved, milliseconds, renderer, warnings = 
     width: frame.width,
     height: frame.height,
     format: resolved.output.format,
+    key,
     // A path traced frame says so itself: no GL drew it.
     backend: drawn.backend ?? renderer.backend,
     gl: drawn.backend === 'reference' ? {} : renderer.gl,

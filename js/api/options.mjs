@@ -105,10 +105,10 @@ export function inspectOptions(options, limitNames) {
 }
 
 /**
- * Options of readImage: {limits, signal}.
+ * Options of what reads a file: {limits, signal}.
  * @param {string[]} limitNames
  */
-export function imageOptions(options, limitNames) {
+export function fileOptions(options, limitNames) {
   checkObject('options', options, ['limits', 'signal']);
   const { limits = {}, signal } = options;
   return { limits: limitsOption(limits, limitNames), signal: checkSignal(signal) };

@@ -1,7 +1,7 @@
 import { open } from 'node:fs/promises';
 import path from 'node:path';
 import { nativeCall } from '../api/native_call.mjs';
-import { callOptions, imageOptions } from '../api/options.mjs';
+import { callOptions, fileOptions } from '../api/options.mjs';
 import { readSource } from '../api/source.mjs';
 import { TelarError } from '../error/index.mjs';
 import { loadNative } from '../native.mjs';
@@ -46,7 +46,7 @@ export async function readFileBytes(file, { limits = {}, signal } = {}) {
  */
 export async function readImage(source, options = {}) {
   const native = loadNative();
-  const { limits, signal } = imageOptions(options, Object.keys(native.limits));
+  const { limits, signal } = fileOptions(options, Object.keys(native.limits));
   const maxBytes = limits.L_FILE_BYTES ?? native.limits.L_FILE_BYTES;
   const given = readSource(native, source, maxBytes);
   const bytes = typeof given === 'string' ? readSource(native, await readFileBytes(given, { limits, signal }), maxBytes) : given;

@@ -3,7 +3,7 @@ import { nearest, shown, wrongValue } from './complain.mjs';
 import { VIEWS, cross, depthRangeOf, frameBounds, length, subtract, viewBasis } from './frame.mjs';
 import { boundsOfPart, isPart } from './part.mjs';
 
-const DEFAULT_FOV_Y = 30;
+export const DEFAULT_FOV_Y = 30;
 
 /** Sine of the angle between `up` and the view axis below which the frame has no defined roll. */
 const PARALLEL = 1e-9;

@@ -39,13 +39,9 @@ const WHITE = [1, 1, 1];
  *   does not draw; E_CAMERA, E_FRAME, E_VARIANT, E_POSE, E_NO_GEOMETRY where the model lacks what the shot asks for; E_OPTION for wrong facts
  */
 export function resolveShot(shot = {}, facts = undefined) {
-  refuseUnavailable(shot);
-  const result = shotSchema.safeParse(shot);
-  if (!result.success) throw complaint(result.error.issues, shot, shotSchema);
-  const parsed = result.data;
+  const parsed = parseShot(shot);
   const known = readFacts(facts);
-  const output = resolveOutput(parsed.output);
-  const environment = resolveEnvironment(parsed.environment);
+  const { output, environment, background, shading, quality } = resolveWithoutModel(parsed);
   const { lights, ground } = resolveStage(parsed, known);
   const standing = { corners: cornersOfGround(ground), shadow: fallenShadow(ground, lights, known) };
   const camera = resolveCamera(parsed.camera, parsed.size.width / parsed.size.height, known, standing);
@@ -58,12 +54,12 @@ export function resolveShot(shot = {}, facts = undefined) {
     environment,
     lights,
     modelLights: parsed.modelLights,
-    background: resolveBackground(parsed.background, output.format, environment),
+    background,
     ground,
-    shading: resolveShading(parsed.shading),
+    shading,
     toneMapping: parsed.toneMapping,
     exposure: parsed.exposure,
-    quality: resolveQuality(parsed.quality),
+    quality,
     variant: resolveVariant(parsed.variant, known.variants),
     pose: posed(parsed.pose, known.animations),
     layers: [...parsed.layers],
@@ -76,6 +72,36 @@ function checkFitted(value, path = []) {
   if (typeof value === 'number' && !(Math.abs(value) <= HUGE)) throw wrongValue(path, 'a number in [-1e30, 1e30], as fitted to what the shot places', value);
   if (typeof value !== 'object' || value === null) return;
   for (const [key, inner] of Object.entries(value)) checkFitted(inner, [...path, Array.isArray(value) ? Number(key) : key]);
+}
+
+/**
+ * A shot with the defaults of the schema.
+ * @internal
+ * @throws {TelarError} E_SHOT, E_SHOT_UNAVAILABLE
+ */
+export function parseShot(shot) {
+  refuseUnavailable(shot);
+  const result = shotSchema.safeParse(shot);
+  if (!result.success) throw complaint(result.error.issues, shot, shotSchema);
+  return result.data;
+}
+
+/**
+ * The keys of a resolved shot that depend on other keys, and not on the model.
+ * @internal
+ * @param {object} parsed of parseShot
+ * @throws {TelarError} E_SHOT
+ */
+export function resolveWithoutModel(parsed) {
+  const output = resolveOutput(parsed.output);
+  const environment = resolveEnvironment(parsed.environment);
+  return {
+    output,
+    environment,
+    background: resolveBackground(parsed.background, output.format, environment),
+    shading: resolveShading(parsed.shading),
+    quality: resolveQuality(parsed.quality),
+  };
 }
 
 function resolveEnvironment(environment) {

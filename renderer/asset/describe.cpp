@@ -191,6 +191,7 @@ std::string describeScene(const Scene& scene) {
   out["vertices"] = scene.vertexCount;
   out["triangles"] = scene.triangleCount;
   out["fileBytes"] = scene.fileBytes;
+  out["sha256"] = scene.sha256;
   out["materials"] = json::array();
   for (std::size_t i = 0; i < scene.fileMaterials; ++i) {
     const Material& material = scene.materials[i];

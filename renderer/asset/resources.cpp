@@ -1,8 +1,11 @@
 #include "asset/resources.h"
 
+#include <set>
+
 #include "asset/number.h"
 #include "asset/pointer.h"
 #include "asset/uri.h"
+#include "core/sha256.h"
 
 namespace telar::asset {
 
@@ -52,7 +55,35 @@ std::vector<std::byte> Resources::fetch(const std::string& uri, const std::strin
              " is not opened; embed the file, or load the model by its path",
          where);
   }
-  return folder_->read(relativePath(uri, where), where, cancel_);
+  std::vector<std::byte> bytes = folder_->read(relativePath(uri, where), where, cancel_);
+  digests_.try_emplace(uri, sha256Hex(bytes));
+  return bytes;
+}
+
+std::string Resources::digestOf(const std::string& uri, const std::string& where) const {
+  try {
+    if (!digests_.contains(uri)) fetch(uri, where);
+    return digests_.at(uri);
+  } catch (const Error& error) {
+    if (error.code == "X_CANCELLED") throw;
+    return "absent";  // what needs it has failed already, or will
+  }
+}
+
+std::string Resources::sha256(std::span<const std::byte> file) const {
+  const std::string own = sha256Hex(file);
+  Sha256 all;
+  all.add(own);
+  std::set<std::string> met;
+  const auto add = [&](const auto& sources, const char* list) {
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      const auto& uri = sources[i].uri;
+      if (uri && !isDataUri(*uri) && met.insert(*uri).second) all.add(digestOf(*uri, pointer(list, i, "uri")));
+    }
+  };
+  add(document_.buffers, "buffers");
+  add(document_.images, "images");
+  return met.empty() ? own : all.hex();
 }
 
 void Resources::openViews(const MeshoptViews& compressed, const Limits& limits) {

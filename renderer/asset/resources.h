@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,17 +28,25 @@ class Resources {
   /// Bytes at a data: URI or in an external file. @throws Error{E_URI_*, L_*}
   std::vector<std::byte> fetch(const std::string& uri, const std::string& where) const;
 
+  /// SHA-256 of a model: of its file, and of the external parts that its buffers and images name, in the document's
+  /// order. Parts that nothing drawn uses are read for it; one that cannot be read counts as absent.
+  /// @param file the bytes that the container lies in
+  /// @throws Error{X_CANCELLED}
+  std::string sha256(std::span<const std::byte> file) const;
+
  private:
   using MeshoptViews = std::vector<std::optional<MeshoptView>>;
 
   std::vector<bool> neededBuffers(const MeshoptViews& compressed) const;
   std::span<const std::byte> bufferBytes(std::size_t index);
+  std::string digestOf(const std::string& uri, const std::string& where) const;
   void openViews(const MeshoptViews& compressed, const Limits& limits);
 
   const Document& document_;
   const Container& container_;
   ModelFolder* folder_;
   const CancelToken& cancel_;
+  mutable std::map<std::string, std::string> digests_;  ///< SHA-256 of the external parts read so far, by URI
   std::vector<std::vector<std::byte>> owned_;
   std::vector<std::span<const std::byte>> buffers_;
   std::vector<std::span<const std::byte>> views_;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/read_file.h"
+#include "core/sha256.h"
 #include "ibl/pmrem_file.h"
 #include "telar/codec.h"
 
@@ -57,6 +58,7 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
     auto entry = std::make_unique<Entry>();
     entry->key = key;
     entry->environment.source = "file";
+    if (!studio) entry->environment.sha256 = key;
     if (entries_.size() >= ENTRIES_MAX) entries_.erase(entries_.begin());
     found = entries_.insert(entries_.end(), std::move(entry));
   } else {

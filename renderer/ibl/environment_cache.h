@@ -25,6 +25,7 @@ struct Environment {
   BrightDirections bright;   ///< made with `radiance`
   std::optional<Suns> suns;  ///< none until they are asked for
   std::string source;        ///< where it came from: "gpu", "bundled", "disk", "prefiltered" or, as it is, "file"
+  std::string sha256;        ///< of its file; empty for the bundled one
 };
 
 /// What a frame does with its environment.

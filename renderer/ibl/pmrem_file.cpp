@@ -2,12 +2,13 @@
 
 #include <fcntl.h>
 #include <libdeflate.h>
-#include <sha2.h>
 #include <unistd.h>
 
 #include <bit>
 #include <cstring>
 #include <thread>
+
+#include "core/sha256.h"
 
 namespace telar::ibl {
 namespace {
@@ -61,12 +62,6 @@ std::vector<std::uint16_t> readBack(const gl::Functions& gl, const CubeMap& cube
 }
 
 }  // namespace
-
-std::string sha256Hex(std::span<const std::byte> bytes) {
-  char hex[SHA256_DIGEST_STRING_LENGTH];
-  SHA256Data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), hex);
-  return hex;
-}
 
 std::vector<std::byte> packPmrem(const gl::Context& context, const CubeMap& cube) {
   const std::vector<std::uint16_t> halfs = readBack(context.gl(), cube);

@@ -12,9 +12,6 @@
 /// DEFLATE stream of RGB halfs, level by level and face by face, split into byte planes of row differences.
 namespace telar::ibl {
 
-/// SHA-256 as 64 hex digits.
-std::string sha256Hex(std::span<const std::byte> bytes);
-
 std::vector<std::byte> packPmrem(const gl::Context& context, const CubeMap& cube);
 
 /// Nothing when the bytes are not a whole, undamaged file of this version: the caller then prefilters again.

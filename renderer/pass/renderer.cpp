@@ -159,6 +159,7 @@ class GlRenderer final : public Renderer {
     json["programsCompiled"] = compiled;
     if (!suns.list.empty() && !sunlit) json["warnings"] = Json::array({rangeWarning(suns.share)});
     info.json = json.dump();
+    if (environment) info.environmentSha256 = environment->sha256;
     return frame;
   }
 

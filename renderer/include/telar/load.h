@@ -21,9 +21,19 @@ std::shared_ptr<const Scene> loadPath(const std::filesystem::path& file, const L
 std::shared_ptr<const Scene> loadBytes(std::span<const std::byte> file, const Limits& limits,
                                        const CancelToken& cancel);
 
+/// SHA-256 of a model as 64 hex digits, without decoding it: of the file, and of the external parts that it names, by
+/// their bytes. The same as loading gives in Scene::sha256.
+/// @throws Error as loadPath() for a file that is no glTF document; X_CANCELLED
+std::string hashModel(const std::filesystem::path& file, const Limits& limits, const CancelToken& cancel);
+std::string hashModel(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel);
+
+/// SHA-256 of any file as 64 hex digits. @throws Error{E_FILE, L_FILE_BYTES, X_CANCELLED}
+std::string hashFile(const std::filesystem::path& file, const Limits& limits, const CancelToken& cancel);
+std::string hashFile(std::span<const std::byte> file);
+
 /// Facts of a scene as one JSON object, for `telar inspect` and for resolveShot(shot, facts):
 /// {bounds: {min, max} | null, outline: [[x, y, z], ...] (drawn vertices that lie farthest out, world space), size: [x,
-/// y, z] metres, nodes, meshes, drawCalls, vertices, triangles, fileBytes,
+/// y, z] metres, nodes, meshes, drawCalls, vertices, triangles, fileBytes, sha256,
 ///  materials: [{name, ...}], images: [{width, height}], lights: [...], variants: [...], extensionsUsed: [...],
 ///  cameras: [{name, node, projection, fovY?, aspectRatio?, height?, width?, near, far, position, target, up}]
 ///    (degrees, metres, world space; far null = infinite; target = the point on the view ray nearest to the centre;

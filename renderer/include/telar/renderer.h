@@ -26,6 +26,7 @@ struct RendererOptions {
 /// What a drawn frame was made of; toJson() is `info` of the API less what JavaScript adds.
 struct FrameInfo {
   std::string json;
+  std::string environmentSha256;  ///< of the environment's file; empty where none was read, or the bundled one
 };
 
 /// Draws scenes with one GL context, which stays current on the thread that called create(): call every method, and

@@ -175,6 +175,7 @@ struct Scene {
   Bounds bounds;                                                    ///< of all drawn vertices in world space
   std::uint64_t vertexCount = 0, triangleCount = 0, drawCount = 0;  ///< over all draws
   std::uint64_t fileBytes = 0;
+  std::string sha256;                    ///< of the file and the parts that it names, hashModel()
   std::size_t fileWarnings = 0;          ///< so many of `warnings` are the file's; those of the pose follow
   std::size_t fileMaterials = 0;         ///< so many of `materials` are the file's; those with presets follow
   std::size_t fileMeshes = 0;            ///< so many of `meshes` are the file's; deformed ones follow

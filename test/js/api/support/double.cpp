@@ -85,6 +85,13 @@ class Double : public Renderer {
 
 }  // namespace
 
+std::string hashModel(const std::filesystem::path& file, const Limits&, const CancelToken&) { return file.string(); }
+std::string hashModel(std::span<const std::byte> file, const Limits&, const CancelToken&) {
+  return std::to_string(file.size());
+}
+std::string hashFile(const std::filesystem::path& file, const Limits&, const CancelToken&) { return file.string(); }
+std::string hashFile(std::span<const std::byte> file) { return std::to_string(file.size()); }
+
 std::shared_ptr<const Scene> loadPath(const std::filesystem::path& file, const Limits&, const CancelToken& cancel) {
   return load(file.stem().string(), cancel);
 }

@@ -1,0 +1,79 @@
+import { createHash } from 'node:crypto';
+import path from 'node:path';
+import { nativeCall } from './native_call.mjs';
+
+/** The key of a picture: SHA-256 of all that it is made of. Equal keys mean the same picture by the same GL. */
+
+/** The module has the schema of the shot, which costs load time. */
+const identityModule = () => import('../shot/identity.mjs');
+
+/** Environments that come with telar, or are none: known by name, and by telar's version. */
+const NAMED = ['none', 'studio'];
+
+/** JSON with the keys of every object in order. */
+const canonical = (value) => JSON.stringify(value, (_, item) =>
+  (typeof item === 'object' && item !== null && !Array.isArray(item) ? Object.fromEntries(Object.entries(item).sort(([a], [b]) => (a < b ? -1 : 1))) : item));
+
+/**
+ * @param {object} parts
+ * @param {string} parts.version of telar
+ * @param {string} parts.model SHA-256 of the model and its parts
+ * @param {string} parts.environment name of a bundled one, or SHA-256 of the file
+ * @param {object} parts.shot what shotIdentity gives
+ * @returns {string} 64 hex digits
+ */
+export function keyOfParts({ version, model, environment, shot }) {
+  const { map, ...settings } = shot.environment;
+  return createHash('sha256').update(canonical({ version, model, environment, shot: { ...shot, environment: settings } })).digest('hex');
+}
+
+/** SHA-256 of a file or of bytes, on a loader thread. One that cannot be read counts as absent: drawing tells, where it matters. */
+async function digestOf(native, source, limits, signal) {
+  try {
+    return await nativeCall(native, signal, (token) => native.hashFile(source, limits, token));
+  } catch {
+    signal?.throwIfAborted();
+    return 'absent';
+  }
+}
+
+/** The bytes of an environment are the caller's, the file is relative to the current folder. */
+const environmentOf = ({ map }, bytes) => bytes ?? path.resolve(map);
+
+/**
+ * The key of a model that is not loaded.
+ * @param {object} native
+ * @param {object} request of readSource and readShot: {input, shot, environment}
+ * @param {{version: string, limits: object, signal?: AbortSignal}} options
+ * @returns {Promise<string>}
+ */
+export async function keyOfSource(native, { input, shot, environment }, { version, limits, signal }) {
+  const { shotIdentity } = await identityModule();
+  const identity = shotIdentity(shot);
+  const { map } = identity.environment;
+  const [model, light] = await Promise.all([
+    nativeCall(native, signal, (token) => native.hashModel(input, limits, token)),
+    NAMED.includes(map) ? map : digestOf(native, environmentOf(identity.environment, environment), limits, signal),
+  ]);
+  return keyOfParts({ version, model, environment: light, shot: identity });
+}
+
+/**
+ * The key of a picture that was drawn. What loading and drawing have hashed is not hashed again.
+ * @param {object} native
+ * @param {object} parts
+ * @param {string} parts.version of telar
+ * @param {string} parts.model SHA-256 of the loaded model
+ * @param {object} parts.shot not resolved
+ * @param {object} [parts.environment] native bytes
+ * @param {string} parts.drawn SHA-256 of the environment as it was drawn; empty where the renderer read none
+ * @param {object} parts.limits
+ * @returns {Promise<string>}
+ */
+export async function keyOfDrawn(native, { version, model, shot, environment, drawn, limits }) {
+  const { shotIdentity } = await identityModule();
+  const identity = shotIdentity(shot);
+  const { map } = identity.environment;
+  const light = NAMED.includes(map) ? map : drawn || await digestOf(native, environmentOf(identity.environment, environment), limits);
+  return keyOfParts({ version, model, environment: light, shot: identity });
+}
