@@ -84,7 +84,27 @@ TEST(Container, WhatIsNoGltfIsCalledWhatItLooksLike) {
     return std::string("nothing was thrown");
   };
   const std::string start = ": the file is neither GLB nor glTF JSON; it looks like ";
-  EXPECT_EQ(said("PK\x03\x04\x14 zip"), "E_NOT_GLTF" + start + "a ZIP archive (or USDZ): unpack it, or export as GLB");
+  EXPECT_EQ(said("PK\x03\x04\x14 zip"), "E_NOT_GLTF" + start + "a ZIP archive: unpack it, or export as GLB");
+  const auto zipOf = [](const std::string& name) {
+    return "PK\x03\x04" + std::string(22, '\0') + static_cast<char>(name.size()) + std::string(3, '\0') + name +
+           "content";
+  };
+  EXPECT_EQ(said(zipOf("shirt.usdc")), "E_NOT_GLTF" + start + "a USDZ model: export as GLB");
+  EXPECT_EQ(said(zipOf("shirt.glb")), "E_NOT_GLTF" + start + "a ZIP archive: unpack it, or export as GLB");
+  EXPECT_EQ(said(std::string_view("Kaydara FBX Binary  \0\x1a\0", 23)),
+            "E_NOT_GLTF" + start + "an FBX model: export as GLB");
+  EXPECT_EQ(said("; FBX 7.4.0 project file\n"), "E_JSON" + start + "an FBX model: export as GLB");
+  const std::string page = "an HTML page, as a download that failed leaves";
+  EXPECT_EQ(said("<?xml version=\"1.0\"?>\n<!-- x -->\n<!DOCTYPE html PUBLIC \"\">"), "E_JSON" + start + page);
+  EXPECT_EQ(said("<!-- saved -->\n<html>"), "E_JSON" + start + page);
+  EXPECT_EQ(said("<?xml version=\"1.0\"?><Error><Code>AccessDenied"),
+            "E_JSON" + start + "an error page of a file store, as a download that failed leaves");
+  EXPECT_EQ(said("<?xml version=\"1.0\"?>\n<COLLADA xmlns"), "E_JSON" + start + "a COLLADA model: export as GLB");
+  EXPECT_EQ(said("<?xml version=\"1.0\"?>\n<other/>"), "E_JSON" + start + "an XML file");
+  EXPECT_EQ(said("<?xml version=\"1.0\"?>"), "E_JSON" + start + "an XML file");
+  EXPECT_EQ(said("#usda 1.0\n"), "E_JSON" + start + "a USD model: export as GLB");
+  EXPECT_EQ(said("#\n#Exported\n\nvn 0 0 1\n"), "E_JSON" + start + "a Wavefront OBJ model: export as GLB");
+  EXPECT_EQ(said("# objects\ng shirt\n"), "E_JSON" + start + "a Wavefront OBJ model: export as GLB");
   EXPECT_EQ(said("\x89PNG\r\n\x1a\n"), "E_NOT_GLTF" + start + "a PNG image");
   EXPECT_EQ(said("\x01\x02\x03\x04"), "E_NOT_GLTF" + start + "an archive, an image or another model format");
   EXPECT_EQ(said("\n<!DOCTYPE HTML><p>404"), "E_JSON" + start + "an HTML page, as a download that failed leaves");
