@@ -64,13 +64,17 @@ async function makeFolder(folder) {
     await mkdir(folder);
   } catch (error) {
     if (error.code === 'EEXIST' && (await stat(folder)).isDirectory()) return;
+    if (error.code !== 'ENOENT') throw error;
     const parent = path.dirname(folder);
-    const parentExists = await stat(parent).then(() => true, () => false);
-    if (error.code !== 'ENOENT' || parentExists) throw error;
-    await makeFolder(parent);
-    await makeFolder(folder);
+    if (!(await isThere(parent))) await makeFolder(parent);
+    // Where the parent was there all along, or another picture has made it meanwhile, this tells.
+    await mkdir(folder).catch(async (again) => {
+      if (again.code !== 'EEXIST' || !(await stat(folder)).isDirectory()) throw again;
+    });
   }
 }
+
+const isThere = (file) => stat(file).then(() => true, () => false);
 
 async function writeInPlace(target, data) {
   const handle = await open(target, 'w');

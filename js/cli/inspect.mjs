@@ -1,5 +1,6 @@
 import { TelarError } from '../error/index.mjs';
 import { maxFileBytes, readLimits } from './limits.mjs';
+import { checkModel } from './models.mjs';
 import { readShotOptions } from './shot_options.mjs';
 import { readAll } from './streams.mjs';
 
@@ -13,6 +14,7 @@ import { readAll } from './streams.mjs';
  */
 export async function inspect(model, options, context) {
   if (model === '-' && options.shot === '-') throw new TelarError('E_USAGE', '- (stdin) can stand for one file only');
+  await checkModel(model);
   const shot = await readShotOptions(options, context);
   const limits = readLimits(options.limit);
   const source = model === '-' ? await readAll(context.stdin, maxFileBytes(limits), context.signal) : model;

@@ -85,7 +85,7 @@ function applyFlags(shot, { view, frame, fitTo, size, quality, shading, environm
 const pick = (object, keys) => Object.fromEntries(keys.filter((key) => object?.[key] !== undefined).map((key) => [key, object[key]]));
 
 /** A named view takes the place of any other camera, and keeps how that one framed. */
-const framingOf = (camera) => (camera?.position === undefined ? pick(camera, ['projection', 'fovY', 'fit', 'frame', 'fitTo']) : {});
+export const framingOf = (camera) => (camera?.position === undefined ? pick(camera, ['projection', 'fovY', 'fit', 'frame', 'fitTo']) : {});
 const settingsOf = (environment) => pick(environment, ['intensity', 'rotation']);
 
 /** "node=Sleeve" as {node: "Sleeve"}; a number is an index. Other words are the schema's to judge. */

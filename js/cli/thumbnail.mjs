@@ -1,99 +1,139 @@
 import path from 'node:path';
-import { TelarError, toTelarError, worstExit } from '../error/index.mjs';
-import { ANY_MODEL } from '../shot/facts.mjs';
+import { TelarError, worstExit } from '../error/index.mjs';
+import { shown } from '../shot/complain.mjs';
 import { removeUnfinished, sweepStale, writeFileAtomically } from './atomic_file.mjs';
+import { Drawing } from './draw_jobs.mjs';
+import { makeJobs } from './jobs.mjs';
+import { maxFileBytes, readLimits } from './limits.mjs';
+import { readManifest } from './manifest.mjs';
+import { findModels } from './models.mjs';
 import { outputNames } from './output_names.mjs';
 import { readShotOptions } from './shot_options.mjs';
-import { maxFileBytes, readLimits } from './limits.mjs';
 import { readAll } from './streams.mjs';
-
-/** Models on their way at once; the renderer draws one at a time, loading and encoding run beside it. */
-const IN_FLIGHT = 4;
+import { KnownPictures } from './unchanged.mjs';
 
 /**
  * telar thumbnail MODEL... -o OUT
- * One image a model. A model that fails does not stop the others; the exit code is the highest of theirs.
- * @param {string[]} models paths, or - for stdin
+ * One image a model, or one for each of its variants and views. What fails does not stop the others; the exit code is the
+ * highest of theirs. Everything that the command line says is checked before the first is drawn.
+ * @param {string[]} models paths of models and folders, or - for stdin
  * @param {object} options as commander parsed them
  * @param {import('./console.mjs').Io & {api: object, console: import('./console.mjs').Console}} context
  * @returns {Promise<number>} exit code
  */
 export async function thumbnail(models, options, context) {
-  refuseSharedStdin(models, options);
-  const shot = await readShotOptions(options, context);
-  const { format, files } = outputNames(options.output, models, shot.output?.format);
+  checkUsage(models, options);
   const limits = readLimits(options.limit);
-  await checkShot(shot);
-  if (shot.output === undefined || typeof shot.output === 'object') shot.output = { ...shot.output, format };
-  await Promise.all([...new Set(files.filter((file) => file !== '-').map((file) => path.dirname(file)))].map(sweepStale));
+  const shot = await readShotOptions(options, context);
+  const entries = await readEntries(models, options, shot, limits, context);
+  const { jobs, crosses } = await makeJobs(entries, options, maxFileBytes(limits));
+  const outputs = outputNames(options.output, jobs, crosses);
+  await checkSheet(options.contactSheet, jobs, outputs);
+  jobs.forEach((job, i) => {
+    if (job.shot.output === undefined || typeof job.shot.output === 'object') job.shot = { ...job.shot, output: { ...job.shot.output, format: outputs[i].format } };
+  });
+  await Promise.all([...new Set(outputs.filter(({ file }) => file !== '-').map(({ file }) => path.dirname(file)))].map(sweepStale));
 
   const renderer = await context.api.createRenderer({ backend: options.backend, limits, signal: context.signal });
   try {
-    return await drawAll(models, files, { ...context, options, renderer, shot, limits });
+    const results = await drawAll({ jobs, outputs, options, renderer, limits }, context);
+    const sheet = await writeSheet(results, options, { limits, signal: context.signal });
+    return await tell(results, { options, entries, sheet }, context.console);
   } finally {
+    removeUnfinished();
     await renderer.close();
   }
 }
 
-function refuseSharedStdin(models, { shot, output, json }) {
-  const readers = models.filter((model) => model === '-').length + (shot === '-' ? 1 : 0);
-  if (readers > 1) throw new TelarError('E_USAGE', '- (stdin) can stand for one file only');
-  if (output === '-' && json) throw new TelarError('E_USAGE', '-o - and --json both want stdout; give a file to -o');
+function checkUsage(models, { shot, output, json, manifest, skipUnchanged }) {
+  const usage = (message) => new TelarError('E_USAGE', message);
+  if (manifest === undefined && models.length === 0) throw usage("missing required argument 'model': name models, a folder with -r, or a --manifest");
+  if (manifest !== undefined && models.length > 0) throw usage('models and --manifest: give one of them');
+  if (manifest === undefined && output === undefined) throw usage("required option '-o, --output <out>' not specified");
+  const readers = [...models, shot, manifest].filter((file) => file === '-').length;
+  if (readers > 1) throw usage('- (stdin) can stand for one file only');
+  if (output === '-' && json) throw usage('-o - and --json both want stdout; give a file to -o');
+  if (output === '-' && skipUnchanged) throw usage('-o - and --skip-unchanged: what went to stdout is not there to be compared; give a file to -o');
 }
 
-/** Tells a wrong shot once and early, not once for each model. What depends on the model is left to its own turn. */
-async function checkShot(shot) {
-  const { resolveShot } = await import('../shot/index.mjs');
-  try {
-    resolveShot(shot, ANY_MODEL);
-  } catch (error) {
-    if (error.code === 'E_SHOT' || error.code === 'E_SHOT_UNAVAILABLE') throw error;
+/** The models with their shots: of the manifest, or of the command line. */
+async function readEntries(models, options, shot, limits, context) {
+  if (options.manifest !== undefined) {
+    const lines = await readManifest(options.manifest, context);
+    return lines.map((line) => ({ ...line, source: line.model, shot: { ...shot, ...line.shot } }));
   }
+  const found = await findModels(models, options);
+  return Promise.all(found.map(async ({ model, folder }) => {
+    const source = model === '-' ? await readAll(context.stdin, maxFileBytes(limits), context.signal) : model;
+    return { model, folder, source, shot };
+  }));
 }
 
-async function drawAll(models, files, context) {
-  const { console, signal, options, shot } = context;
-  const gradual = (shot.quality?.preset ?? shot.quality) === 'reference';
-  const progress = await console.progress(models.length, { gradual });
-  const images = new Array(models.length);
-  const next = models.entries();
-  const work = async () => {
-    for (const [index, model] of next) {
-      const onProgress = progress.reach && ((part) => progress.reach(index, part));
-      images[index] = await drawOne(model, files[index], { ...context, onProgress });
-      progress.step(model, index);
-      if (signal?.aborted) return;
-    }
-  };
+async function checkSheet(sheet, jobs, outputs) {
+  if (sheet === undefined) return;
+  const { SHOWN_FORMATS } = await import('./contact_sheet.mjs');
+  const usage = (message) => new TelarError('E_USAGE', `--contact-sheet ${shown(sheet)}: ${message}`);
+  if (path.extname(sheet).toLowerCase() !== '.png') throw usage('expected a name that ends in .png');
+  const hidden = outputs.find(({ file, format }) => file === '-' || !SHOWN_FORMATS.includes(format));
+  if (hidden) throw usage(`it shows pictures in ${SHOWN_FORMATS.join(', ')} files, and one goes to ${hidden.file === '-' ? 'stdout' : shown(hidden.file)}`);
+  const taken = [...outputs.map(({ file }) => file), ...jobs.map(({ model }) => model)].find((file) => path.resolve(file) === path.resolve(sheet));
+  if (taken) throw usage('a picture or a model has this name');
+}
+
+async function drawAll({ jobs, outputs, options, renderer, limits }, { api, console, signal }) {
+  const gradual = jobs.some(({ shot: { quality } }) => (quality?.preset ?? quality) === 'reference');
+  const progress = await console.progress(jobs.length, { gradual });
+  const known = options.skipUnchanged ? new KnownPictures() : undefined;
+  const keyOf = (source, shot) => api.pictureKey(source, shot, { limits, signal });
   try {
-    await Promise.all(Array.from({ length: Math.min(IN_FLIGHT, models.length) }, work));
+    return await new Drawing({ jobs, outputs, renderer, known, keyOf, progress, signal, toStdout: (bytes) => console.bytes(bytes) }).run();
   } finally {
     progress.stop();
-    removeUnfinished();
-  }
-  return tell(images.filter(Boolean), options, console);
-}
-
-async function drawOne(model, file, { console, signal, stdin, renderer, shot, limits, onProgress }) {
-  try {
-    const source = model === '-' ? await readAll(stdin, maxFileBytes(limits), signal) : model;
-    const { data, info } = await renderer.render(source, shot, { signal, onProgress });
-    if (file === '-') await console.bytes(data);
-    else await writeFileAtomically(file, data, signal);
-    return { model, ok: true, output: file, bytes: data.length, info };
-  } catch (thrown) {
-    return { model, ok: false, error: toTelarError(thrown) };
+    await known?.save();
   }
 }
 
-async function tell(images, { output }, console) {
-  for (const { model, error, info } of images) {
-    if (error) console.error(error, model);
-    for (const warning of info?.warnings ?? []) console.warning(warning, model);
+async function writeSheet(results, { contactSheet: file, views }, { limits, signal }) {
+  if (file === undefined || signal?.aborted) return undefined;
+  const { contactSheet } = await import('./contact_sheet.mjs');
+  const { itemsOf, groupOf } = await import('./sheet_items.mjs');
+  await writeFileAtomically(file, await contactSheet(itemsOf(results), { group: groupOf(results, views), limits, signal }), signal);
+  return file;
+}
+
+const resultJson = ({ job, file, unchanged, key, bytes, info, error }, crossed) => ({
+  model: job.model, ok: error === undefined,
+  ...(crossed && { variant: job.variant, view: job.view }),
+  ...(error ? { error } : { output: file }),
+  ...(unchanged && { unchanged, key }),
+  ...(info && { bytes, info }),
+});
+
+async function tell(results, { options, entries, sheet }, console) {
+  const crossed = options.views !== undefined || options.variants !== undefined || options.manifest !== undefined;
+  tellFaults(results, console);
+  const [drawn, unchanged] = [results.filter(({ info }) => info), results.filter((result) => result.unchanged)];
+  const noun = results.length === entries.length && !crossed ? 'models' : 'pictures';
+  if (results.length > 1) console.note(`${drawn.length} of ${results.length} ${noun} drawn${unchanged.length > 0 ? `, ${unchanged.length} unchanged` : ''}`);
+  const exit = worstExit(results.map(({ error }) => error?.exit ?? 0));
+  if (options.output !== '-') {
+    const images = results.map((result) => resultJson(result, crossed));
+    const lines = [...results.filter(({ error }) => !error).map(({ file }) => file), ...(sheet ? [sheet] : [])];
+    await console.result({ ok: exit === 0, exit, ...(sheet && { contactSheet: sheet }), images }, lines);
   }
-  const drawn = images.filter(({ ok }) => ok);
-  if (images.length > 1) console.note(`${drawn.length} of ${images.length} models drawn`);
-  const exit = worstExit(images.map(({ error }) => error?.exit ?? 0));
-  if (output !== '-') await console.result({ ok: exit === 0, exit, images }, drawn.map((image) => image.output));
   return exit;
+}
+
+/** What several pictures of one model have in common is said once. */
+function tellFaults(results, console) {
+  const said = new Set();
+  const once = (text, say) => {
+    if (!said.has(text)) say();
+    said.add(text);
+  };
+  for (const { job: { model, where }, error, info } of results) {
+    const about = where === undefined ? model : `${where}: ${model}`;
+    if (error) once(`${about} ${error.code} ${error.message}`, () => console.error(error, about));
+    for (const warning of info?.warnings ?? []) once(`${model} ${JSON.stringify(warning)}`, () => console.warning(warning, about));
+  }
 }

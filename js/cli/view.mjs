@@ -2,6 +2,7 @@ import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { TelarError } from '../error/index.mjs';
 import { maxFileBytes, readLimits } from './limits.mjs';
+import { checkModel } from './models.mjs';
 import { readShotOptions } from './shot_options.mjs';
 import { readAll } from './streams.mjs';
 
@@ -16,6 +17,7 @@ import { readAll } from './streams.mjs';
 export async function view(model, options, context) {
   const { console, signal, api, stdin } = context;
   if (model === '-' && options.shot === '-') throw new TelarError('E_USAGE', '- (stdin) can stand for one file only');
+  await checkModel(model);
   const shot = await readShotOptions(options, context);
   const limits = readLimits(options.limit);
   const source = model === '-' ? await readAll(stdin, maxFileBytes(limits), signal) : model;

@@ -4,8 +4,12 @@ import path from 'node:path';
 const GLB_MAGIC = 0x46546c67;
 const GLB_HEADER_BYTES = 20;
 
-/** The glTF JSON of a .glb or .gltf file that telar has loaded before, so that its lengths are known to be sound. */
-async function readDocument(file) {
+/**
+ * The glTF JSON of a .glb or .gltf file. Nothing in it is checked, unless telar has loaded the file before.
+ * @param {string} file that is a regular one
+ * @throws {Error} where it cannot be read, or holds no JSON
+ */
+export async function readDocument(file) {
   const handle = await open(file);
   try {
     const header = Buffer.alloc(GLB_HEADER_BYTES);
@@ -20,9 +24,10 @@ async function readDocument(file) {
   }
 }
 
-/** The glTF JSON of the bytes of a GLB that telar has loaded before. */
-const documentOf = (bytes) => {
+/** The glTF JSON of the bytes of a model. Throws where they hold none. */
+export const documentOf = (bytes) => {
   const buffer = Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (buffer.length < GLB_HEADER_BYTES || buffer.readUInt32LE(0) !== GLB_MAGIC) return JSON.parse(buffer.toString('utf8'));
   return JSON.parse(buffer.toString('utf8', GLB_HEADER_BYTES, GLB_HEADER_BYTES + buffer.readUInt32LE(12)));
 };
 

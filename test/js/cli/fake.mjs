@@ -1,3 +1,4 @@
+import { createHash } from 'node:crypto';
 import { PassThrough, Readable } from 'node:stream';
 import { TelarError } from '../../../js/error/index.mjs';
 import { resolveShot } from '../../../js/shot/index.mjs';
@@ -9,7 +10,7 @@ const FACTS = { bounds: { min: [-1, 0, -1], max: [1, 2, 1] }, variants: ['navy']
  * Stands in for the API: "draws" the resolved shot as JSON, fails for models named after an error code, and notes each call.
  */
 export function fakeApi({ delayMs = 0 } = {}) {
-  const calls = { created: [], rendered: [], closed: 0, inspected: [] };
+  const calls = { created: [], rendered: [], loaded: [], released: 0, closed: 0, inspected: [] };
   const wait = (signal) => new Promise((resolve, reject) => {
     signal?.throwIfAborted();
     const timer = setTimeout(resolve, delayMs);
@@ -20,20 +21,30 @@ export function fakeApi({ delayMs = 0 } = {}) {
   });
   const failing = (source) => /([ELX]_[A-Z_]+)/.exec(typeof source === 'string' ? source : '')?.[1];
   const warningsOf = (source) => (/warn/.test(String(source)) ? [{ code: 'W_RANGE', message: 'clamped', pointer: '/materials/0' }] : []);
-  const render = async (source, shot, { signal, onProgress }) => {
+  const keyOf = (source, shot) => createHash('sha256').update(JSON.stringify([String(source), shot])).digest('hex');
+  const render = async (given, shot, { signal, onProgress }) => {
+    const source = given?.loaded ?? given;
     onProgress?.(0.5);
     await wait(signal);
     if (failing(source)) throw new TelarError(failing(source), 'it fails', { pointer: '/nodes/0' });
     const resolved = resolveShot(shot, FACTS);
     calls.rendered.push({ source, shot: resolved });
-    return { data: Buffer.from(JSON.stringify(resolved)), info: { width: 1, warnings: warningsOf(source), shot: resolved } };
+    return { data: Buffer.from(JSON.stringify(resolved)), info: { width: 1, key: keyOf(source, shot), warnings: warningsOf(source), shot: resolved } };
   };
+  const load = async (source, { signal }) => {
+    await wait(signal);
+    if (failing(source)) throw new TelarError(failing(source), 'it fails', { pointer: '/nodes/0' });
+    calls.loaded.push(source);
+    return { loaded: source };
+  };
+  const release = async () => void (calls.released += 1);
   const api = {
     createRenderer: async (options) => {
       calls.created.push(options);
       if (options.backend === 'egl-device') throw new TelarError('X_GL', 'no device');
-      return { render, close: async () => void (calls.closed += 1) };
+      return { render, load, release, close: async () => void (calls.closed += 1) };
     },
+    pictureKey: async (source, shot) => keyOf(source, shot),
     inspect: async (source, options) => {
       calls.inspected.push({ source, options });
       if (failing(source)) throw new TelarError(failing(source), 'it fails');

@@ -1,0 +1,123 @@
+import { toTelarError } from '../error/index.mjs';
+import { writeFileAtomically } from './atomic_file.mjs';
+
+/** Draws the pictures of a command line. A picture that fails does not stop the others. */
+
+/** Models on their way at once, and pictures of each; the renderer draws one at a time, loading and encoding run beside it. */
+const IN_FLIGHT = 4;
+
+/** Runs `run` on every item, a few at once; takes no more when the signal has fired, so that one at least tells of it. */
+async function eachOf(items, signal, run) {
+  const next = items.values();
+  const work = async () => {
+    for (const item of next) {
+      await run(item);
+      if (signal?.aborted) return;
+    }
+  };
+  await Promise.all(Array.from({ length: Math.min(IN_FLIGHT, items.length) }, work));
+}
+
+/** Indices of the jobs by model, so that each model is decoded once. */
+function byModel(jobs) {
+  const groups = new Map();
+  jobs.forEach(({ source }, index) => {
+    if (!groups.has(source)) groups.set(source, []);
+    groups.get(source).push(index);
+  });
+  return [...groups.values()];
+}
+
+/**
+ * @typedef {object} Result of one picture
+ * @property {import('./jobs.mjs').Job} job
+ * @property {string} file
+ * @property {boolean} [unchanged] it was there already
+ * @property {string} [key]
+ * @property {number} [bytes]
+ * @property {object} [info] where it was drawn
+ * @property {import('../error/index.mjs').TelarError} [error]
+ */
+export class Drawing {
+  #context;
+  #results;
+
+  /**
+   * @param {object} context
+   * @param {import('./jobs.mjs').Job[]} context.jobs
+   * @param {Array<{file: string, format: string}>} context.outputs of the jobs
+   * @param {object} context.renderer
+   * @param {(bytes: Uint8Array) => Promise<void>} context.toStdout
+   * @param {(source: string | Uint8Array, shot: object) => Promise<string>} context.keyOf
+   * @param {import('./unchanged.mjs').KnownPictures} [context.known] to leave out what has not changed
+   * @param {{step(name: string, index: number): void, reach?: (index: number, part: number) => void}} context.progress
+   * @param {AbortSignal} [context.signal]
+   */
+  constructor(context) {
+    this.#context = context;
+    this.#results = new Array(context.jobs.length);
+  }
+
+  /** @returns {Promise<Result[]>} in the order of the jobs; those that an abort left out are missing */
+  async run() {
+    const { jobs, signal } = this.#context;
+    await eachOf(byModel(jobs), signal, (indices) => this.#drawModel(indices));
+    return this.#results.filter(Boolean);
+  }
+
+  /** All pictures of one model. One that has several is decoded for all of them. */
+  async #drawModel(indices) {
+    const { signal, renderer, jobs } = this.#context;
+    const changed = [];
+    await eachOf(indices, signal, async (index) => {
+      if (!(await this.#isUnchanged(index))) changed.push(index);
+    });
+    if (changed.length < 2) {
+      for (const index of changed) await this.#draw(index, jobs[index].source);
+      return;
+    }
+    let model;
+    try {
+      model = await renderer.load(jobs[changed[0]].source, { signal });
+    } catch (thrown) {
+      const error = toTelarError(thrown);
+      for (const index of changed) this.#settle(index, { error });
+      return;
+    }
+    await eachOf(changed.sort((a, b) => a - b), signal, (index) => this.#draw(index, model));
+    // What goes wrong with the renderer itself, its pictures have told.
+    await renderer.release(model).catch(() => {});
+  }
+
+  async #isUnchanged(index) {
+    const { known, keyOf, jobs, outputs } = this.#context;
+    if (!known) return false;
+    const { source, shot } = jobs[index];
+    // A model that cannot be read tells so when it is drawn.
+    const key = await keyOf(source, shot).catch(() => undefined);
+    if (key === undefined || !(await known.has(outputs[index].file, key))) return false;
+    this.#settle(index, { unchanged: true, key });
+    return true;
+  }
+
+  async #draw(index, source) {
+    const { jobs, outputs, renderer, known, signal, progress, toStdout } = this.#context;
+    const { file } = outputs[index];
+    const onProgress = progress.reach && ((part) => progress.reach(index, part));
+    try {
+      const { data, info } = await renderer.render(source, jobs[index].shot, { signal, onProgress });
+      if (file === '-') await toStdout(data);
+      else await writeFileAtomically(file, data, signal);
+      known?.add(file, info.key, data);
+      this.#settle(index, { bytes: data.length, key: info.key, info });
+    } catch (thrown) {
+      this.#settle(index, { error: toTelarError(thrown) });
+    }
+  }
+
+  #settle(index, result) {
+    const { jobs, outputs, progress } = this.#context;
+    this.#results[index] = { job: jobs[index], file: outputs[index].file, ...result };
+    progress.step(jobs[index].model, index);
+  }
+}
