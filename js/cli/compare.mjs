@@ -1,18 +1,20 @@
+import { stat } from 'node:fs/promises';
 import path from 'node:path';
-import { compareImages, encodePng, heatMap, htmlReport, judge, junitReport, readEmbeddedShot, readImage } from '../compare/index.mjs';
-import { readFileBytes } from '../compare/files.mjs';
+import { encodePng, heatMap, htmlReport, junitReport } from '../compare/index.mjs';
 import { checkName, checkText, COLUMNS, number, regionRows, textTable } from '../compare/figures.mjs';
 import { EXIT_OVER_THE_GATE } from '../error/table.mjs';
-import { TelarError, toTelarError } from '../error/index.mjs';
+import { TelarError } from '../error/index.mjs';
 import { differingKeys, drawShotOf, shotText } from './drawn_shot.mjs';
 import { removeUnfinished, writeFileAtomically } from './atomic_file.mjs';
+import { maskReader, readThresholds } from './compare_options.mjs';
+import { comparePair, readPicture } from './compare_pair.mjs';
 import { readLimits } from './limits.mjs';
 
 /**
  * telar compare EXPECTED [ACTUAL]
- * Figures of the difference of two images, and whether they are within a gate. Tells the shots that they hold; without
- * ACTUAL, draws --model with EXPECTED's.
- * @param {string} expected path of a PNG, JPEG or WebP
+ * Figures of the difference of two images, or of all images in two folders, and whether they are within a gate. Tells the
+ * shots that two images hold; without ACTUAL, draws --model with EXPECTED's.
+ * @param {string} expected path of a PNG, JPEG or WebP, or of a folder of such
  * @param {string | undefined} actual path
  * @param {object} options as commander parsed them
  * @param {import('./console.mjs').Io & {console: import('./console.mjs').Console, api: object}} context
@@ -20,23 +22,47 @@ import { readLimits } from './limits.mjs';
  */
 export async function compare(expected, actual, options, { console, signal, api }) {
   if ((actual === undefined) === (options.model === undefined)) throw new TelarError('E_USAGE', 'expected either ACTUAL or --model MODEL');
-  const context = { limits: readLimits(options.limit), signal, api };
-  const first = await readNamed(expected, context);
-  const second = actual ? await readNamed(actual, context) : { shot: null, image: await drawShotOf(expected, first.shot, options, context) };
-  signal?.throwIfAborted();
-  const images = [first.image, second.image];
-  const shots = { expected: first.shot, actual: second.shot };
-  const comparison = compareImages(...images);
-  const verdict = judge(comparison, options.gate);
-  const names = { expected, actual: actual ?? options.model };
+  const context = { limits: readLimits(options.limit), signal, api, console };
+  const settings = { gate: options.gate, limits: readThresholds(options.threshold), resize: options.resize };
+  const masks = maskReader(options, { limits: context.limits, signal });
+  const folders = [await isFolder(expected), actual !== undefined && (await isFolder(actual))];
   try {
-    await writeReports({ names, images, comparison, verdict }, options, signal);
+    if (folders[0] && folders[1]) {
+      const { compareFolders } = await import('./compare_folders.mjs');
+      return await compareFolders({ expected, actual }, options, { ...context, settings, masks });
+    }
+    refuseHalves(folders, [expected, actual ?? options.model], options);
+    return await compareFiles({ expected, actual }, options, { ...context, settings: { ...settings, masksOf: masks() } });
   } finally {
     removeUnfinished();
   }
-  const exit = verdict.pass ? 0 : EXIT_OVER_THE_GATE;
+}
+
+const isFolder = (file) => stat(file).then((found) => found.isDirectory(), () => false);
+
+function refuseHalves(folders, names, { model, update }) {
+  const usage = (message) => new TelarError('E_USAGE', message);
+  if (folders[0] && model !== undefined) throw usage(`${names[0]} is a folder: --model draws the shot of one image`);
+  const folder = folders.indexOf(true);
+  if (folder >= 0) throw usage(`${names[folder]} is a folder and ${names[1 - folder]} is not: give two images or two folders`);
+  if (update && model !== undefined) throw usage('--update accepts ACTUAL; with --model, write the image with telar thumbnail');
+}
+
+async function compareFiles({ expected, actual }, options, context) {
+  const { signal, console, settings } = context;
+  const first = await readPicture(expected, context);
+  const second = actual ? await readPicture(actual, context) : { shot: null, image: await drawShotOf(expected, first.shot, options, context) };
+  signal?.throwIfAborted();
+  const shots = { expected: first.shot, actual: second.shot };
+  const { images, comparison, verdict, hints } = await comparePair({ expected: first.image, actual: second.image }, settings);
+  const names = { expected, actual: actual ?? options.model };
+  await writeReports({ names, images, comparison, verdict, hints }, options, signal);
+  const updated = options.update && !verdict.pass;
+  if (updated) await writeFileAtomically(expected, second.bytes, signal);
+  const exit = verdict.pass || updated ? 0 : EXIT_OVER_THE_GATE;
   const { flipMap, ...figures } = comparison;
-  await console.result({ ok: verdict.pass, exit, ...names, shots, ...verdict, ...figures }, [...(await shotLines(names, shots)), ...lines(comparison, verdict)]);
+  await console.result({ ok: exit === 0, exit, ...names, shots, ...verdict, hints, ...(options.update && { updated }), ...figures },
+    [...(await shotLines(names, shots)), ...lines(comparison, verdict, hints), ...(updated ? [`accepted: ${expected} is now ${actual}`] : [])]);
   return exit;
 }
 
@@ -47,40 +73,25 @@ async function shotLines(names, shots) {
   return [...(await Promise.all(told)), ...(differing.length ? [`the shots differ in ${differing.join(', ')}`] : [])];
 }
 
-/** The error with the file's name in front. */
-function named(file, thrown) {
-  const error = toTelarError(thrown);
-  return new TelarError(error.code, error.code === 'E_FILE' ? error.message : `${file}: ${error.message}`, error);
-}
-
-/** A picture and the shot inside it, null where it holds none. */
-async function readNamed(file, { limits, signal }) {
-  try {
-    const bytes = await readFileBytes(file, { limits, signal });
-    return { image: await readImage(bytes, { limits, signal }), shot: readEmbeddedShot(bytes) };
-  } catch (thrown) {
-    throw named(file, thrown);
-  }
-}
-
-async function writeReports({ names, images, comparison, verdict }, { heatmap, report, junit }, signal) {
+async function writeReports({ names, images, comparison, verdict, hints }, { heatmap, report, junit }, signal) {
   const map = heatmap || report ? await encodePng(heatMap(comparison), { signal }) : undefined;
   const name = `${path.basename(names.expected)} and ${path.basename(names.actual)}`;
   if (heatmap) await writeFileAtomically(heatmap, map, signal);
   if (report) {
     const pictures = await Promise.all(images.map((image) => encodePng(image, { signal })));
-    const page = htmlReport(comparison, verdict, { expected: 'expected.png', actual: 'actual.png', heatMap: 'heatmap.png', title: name });
+    const page = htmlReport(comparison, verdict, { expected: 'expected.png', actual: 'actual.png', heatMap: 'heatmap.png', title: name, hints });
     const files = { 'expected.png': pictures[0], 'actual.png': pictures[1], 'heatmap.png': map, 'index.html': Buffer.from(page) };
     for (const [file, data] of Object.entries(files)) await writeFileAtomically(path.join(report, file), data, signal);
   }
-  if (junit) await writeFileAtomically(junit, Buffer.from(junitReport([{ name, verdict }])), signal);
+  if (junit) await writeFileAtomically(junit, Buffer.from(junitReport([{ name, verdict, hints }])), signal);
 }
 
-function lines(comparison, verdict) {
+function lines(comparison, verdict, hints) {
   return [
     ...textTable([['', ...COLUMNS], ...regionRows(comparison)], [0]),
     `SSIM ${number(comparison.ssim)}`,
     ...verdict.checks.map((item) => `${item.pass ? 'within' : 'over  '}  ${checkName(item)} ${checkText(item)}`),
+    ...hints.map(({ message }) => `hint    ${message}`),
     `${verdict.pass ? 'within' : 'over'} the gate ${verdict.gate}`,
   ];
 }

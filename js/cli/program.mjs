@@ -40,19 +40,30 @@ export function buildProgram(version, actions, output) {
     .addHelpText('after', `\n${EXIT_CODES}`);
   const command = (name, text) => program.command(name).description(text).allowExcessArguments(false);
 
-  addLimit(addCommon(addShotOptions(command('thumbnail', 'Draw one image a model')
-    .argument('<model...>', '.glb or .gltf files; - is stdin')
-    .requiredOption('-o, --output <out>', 'file, folder or pattern such as out/{name}.png ({name}, {index}); - is stdout; '
-      + 'the extension gives the format'))
+  addLimit(addCommon(addShotOptions(command('thumbnail', 'Draw one image a model, or one for each of its variants and views')
+    .argument('[model...]', '.glb or .gltf files, or folders with -r; - is stdin')
+    .option('-o, --output <out>', 'file, folder or pattern such as out/{parent}-{view}.png ({name}, {parent}, {folder}, {variant}, {view}, {index}); '
+      + '- is stdout; the extension gives the format')
+    .option('-r, --recursive', 'draw every .glb and .gltf file beneath the folders'))
+    .option('--views <views>', 'one image for each of these views, with commas between; all = every named one')
+    .option('--variants <names>', 'one image for each of these variants, with commas between; all = each that the model has')
+    .option('--manifest <file>', 'JSON lines {"model", "shot", "output"} in place of models; relative paths start at the file; - is stdin')
+    .option('--skip-unchanged', 'leave out images that are there and would be drawn from the same bytes and shot by the same version')
+    .option('--contact-sheet <file>', 'write one PNG with a labelled thumbnail of every image')
     .addOption(backend())))
     .action(actions.thumbnail);
   addLimit(addCommon(addShotOptions(command('inspect', 'Say what is in a model, and what a render of it would compile and run')
     .argument('<model>', '.glb or .gltf file; - is stdin'))))
     .action(actions.inspect);
-  addLimit(addCommon(command('compare', 'Say how far two images of one size are apart, and whether that is within a gate')
-    .argument('<expected>', 'PNG, JPEG or WebP')
-    .argument('[actual]', 'PNG, JPEG or WebP; needed unless --model is given')
+  addLimit(addCommon(command('compare', 'Say how far two images, or the images of two folders, are apart, and whether that is within a gate')
+    .argument('<expected>', 'PNG, JPEG or WebP, or a folder of them')
+    .argument('[actual]', 'the same; needed unless --model is given')
     .addOption(new Option('--gate <gate>', 'which figures must not be passed').choices(Object.keys(GATES)).default(DEFAULT_GATE))
+    .option('--threshold <region.figure=n>', 'a limit in place of the gate\'s or beside them, as in object.flip.mean=0.02', collect)
+    .option('--mask <file>', 'image that is light where the object is, for images with a background; or a folder of such')
+    .option('--ignore <file>', 'image that is light where nothing is compared, a folder of such, or an area x,y,width,height', collect)
+    .option('--resize', 'shrink the larger image to the smaller one, as for screenshots of dense screens')
+    .option('--update', 'accept: write ACTUAL over EXPECTED where it is over the gate or new')
     .option('--model <model>', 'in place of ACTUAL: draw this model with the shot inside EXPECTED, which telar view saves')
     .option('--environment <file>', 'the file of the shot\'s environment, where --model is given')
     .addOption(new Option('--backend <backend>', 'where GL comes from, where --model is given').choices(BACKENDS).default('auto'))
@@ -77,7 +88,8 @@ export function buildProgram(version, actions, output) {
     .argument('<model>', '.glb or .gltf file; - is a GLB on stdin')
     .option('--port <port>', 'port on 127.0.0.1; a free one by default', port)
     .option('--open', 'open the page in the browser'))
-    .addOption(backend())))
+    .addOption(backend())
+    .addHelpText('after', '\nThe page judges by the gate parity of telar compare where browser and server draw with the same GL, else by other-gl.')))
     .action(actions.view);
   addCommon(command('doctor', 'Say which GL backends this machine has, which is chosen, and how to cure a missing one'))
     .action(actions.doctor);

@@ -5,7 +5,7 @@ import { ciede2000Map } from './ciede2000.mjs';
 import { LINEAR } from './colour.mjs';
 import { flipMap, PIXELS_PER_DEGREE } from './flip.mjs';
 import { checkPair, isOpaque, over, premultiply } from './image.mjs';
-import { BAND, INSIDE, pairRegions } from './regions.mjs';
+import { BAND, IGNORED, INSIDE, pairRegions } from './regions.mjs';
 import { ssim } from './ssim.mjs';
 import { mean, percentile, weightedPercentile } from './statistics.mjs';
 
@@ -19,7 +19,7 @@ import { mean, percentile, weightedPercentile } from './statistics.mjs';
  * @typedef {object} Comparison
  * @property {number} width pixels
  * @property {number} height pixels
- * @property {Figures} frame every pixel
+ * @property {Figures} frame every pixel that is compared
  * @property {Figures | null} object pixels that either picture covers; null where there is none, as in the next two
  * @property {Figures | null} interior pixels whose surroundings of 2 pixels both pictures cover (regions.mjs)
  * @property {Figures | null} edge the rest of the object
@@ -28,7 +28,7 @@ import { mean, percentile, weightedPercentile } from './statistics.mjs';
  */
 
 const REGIONS = {
-  frame: () => true,
+  frame: (region) => region !== IGNORED,
   object: (region) => region === INSIDE || region === BAND,
   interior: (region) => region === INSIDE,
   edge: (region) => region === BAND,
@@ -41,25 +41,38 @@ const REGIONS = {
  * differ, and the less the fewer differ.
  * @param {import('./image.mjs').Image} expected
  * @param {import('./image.mjs').Image} actual
- * @param {{pixelsPerDegree?: number, mask?: Uint8Array}} [options] viewing distance of FLIP, 1 to 1000 pixels for each degree
- *   (67); mask: width * height bytes, not 0 where the object is, for pictures with a background whose alpha does not tell
+ * @param {{pixelsPerDegree?: number, mask?: Uint8Array, ignore?: Uint8Array}} [options] viewing distance of FLIP, 1 to 1000
+ *   pixels for each degree (67); mask: width * height bytes, not 0 where the object is, for pictures with a background whose
+ *   alpha does not tell; ignore: as many, not 0 where the pictures are not compared
  * @returns {Comparison}
  * @throws {TelarError} E_OPTION, E_IMAGE_SIZE
  */
-export function compareImages(expected, actual, { pixelsPerDegree = PIXELS_PER_DEGREE, mask } = {}) {
+export function compareImages(expected, actual, { pixelsPerDegree = PIXELS_PER_DEGREE, mask, ignore } = {}) {
   checkPair(expected, actual);
   const { width, height } = expected;
-  checkOptions(pixelsPerDegree, mask, width * height);
-  return comparePremultiplied([premultiply(expected.data), premultiply(actual.data)], width, height, { pixelsPerDegree, mask });
+  checkOptions(pixelsPerDegree, { mask, ignore }, width * height);
+  return comparePremultiplied([premultiply(expected.data), premultiply(actual.data)], width, height, { pixelsPerDegree, mask, ignore });
 }
 
-function checkOptions(pixelsPerDegree, mask, pixels) {
+function checkOptions(pixelsPerDegree, maps, pixels) {
   if (!(pixelsPerDegree >= 1 && pixelsPerDegree <= 1000)) {
     throw new TelarError('E_OPTION', `options.pixelsPerDegree: expected a number from 1 to 1000, got ${shown(pixelsPerDegree)}`);
   }
-  if (mask !== undefined && !(mask instanceof Uint8Array && mask.length === pixels)) {
-    throw new TelarError('E_OPTION', `options.mask: expected a Uint8Array of ${pixels} bytes, one a pixel, got ${shown(mask?.length ?? mask)}`);
+  for (const [name, map] of Object.entries(maps)) {
+    if (map !== undefined && !(map instanceof Uint8Array && map.length === pixels)) {
+      throw new TelarError('E_OPTION', `options.${name}: expected a Uint8Array of ${pixels} bytes, one a pixel, got ${shown(map?.length ?? map)}`);
+    }
   }
+  if (maps.ignore && !maps.ignore.includes(0)) throw new TelarError('E_OPTION', 'options.ignore: it leaves no pixel to compare');
+}
+
+/** What is ignored is made equal, so that no filter carries it to its neighbours. */
+function hideIgnored([expected, actual], ignore) {
+  const hidden = Uint8Array.from(actual);
+  ignore.forEach((value, p) => {
+    if (value !== 0) hidden.set(expected.subarray(p * 4, p * 4 + 4), p * 4);
+  });
+  return [expected, hidden];
 }
 
 /**
@@ -68,9 +81,10 @@ function checkOptions(pixelsPerDegree, mask, pixels) {
  * @param {[Uint8Array, Uint8Array]} pair expected and actual, RGBA
  * @returns {Comparison}
  */
-function comparePremultiplied(pair, width, height, { pixelsPerDegree = PIXELS_PER_DEGREE, mask } = {}) {
+function comparePremultiplied(given, width, height, { pixelsPerDegree = PIXELS_PER_DEGREE, mask, ignore } = {}) {
+  const pair = ignore ? hideIgnored(given, ignore) : given;
   const maps = worstMaps(pair, width, height, pixelsPerDegree);
-  const regions = pairRegions(...pair, width, height, mask);
+  const regions = pairRegions(...pair, width, height, mask).map((region, p) => (ignore?.[p] ? IGNORED : region));
   const figures = Object.entries(REGIONS).map(([name, belongs]) => [name, figuresOf(pair, maps, regions, belongs, width)]);
   return { width, height, ...Object.fromEntries(figures), ssim: maps.ssim, flipMap: maps.flip };
 }

@@ -2,8 +2,11 @@
 
 export const number = (value) => (value === null ? 'none' : String(Number(value.toPrecision(4))));
 
-const UNITS = { max: '/255', p999: '/255' };
-const NAMES = { max: 'max', p999: 'p99.9', 'flip.mean': 'FLIP mean', 'deltaE.mean': 'CIEDE2000 mean', 'deltaE.p95': 'CIEDE2000 p95' };
+const UNITS = { max: '/255', p999: '/255', mean: '/255' };
+const NAMES = {
+  max: 'max', p999: 'p99.9', mean: 'mean', rmse: 'RMSE', rmseLinear: 'RMSE linear', 'flip.mean': 'FLIP mean', 'flip.max': 'FLIP max',
+  'deltaE.mean': 'CIEDE2000 mean', 'deltaE.p95': 'CIEDE2000 p95', 'deltaE.max': 'CIEDE2000 max',
+};
 
 /** "interior max" */
 export const checkName = ({ region, figure }) => `${region} ${NAMES[figure]}`;

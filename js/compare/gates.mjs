@@ -3,7 +3,7 @@ import { shown } from '../shot/complain.mjs';
 
 /**
  * The gates by name: figures that must not be passed. `max` and `p999` are in 1/255. A check of a region without pixels
- * fails, as nothing was judged, unless the region is optional: opaque pictures have no edge.
+ * fails, as nothing was judged, unless the region is optional (opaque pictures have no edge) or the pictures are equal.
  */
 export const GATES = Object.freeze({
   /** The same pixels. */
@@ -32,6 +32,32 @@ export const GATES = Object.freeze({
 
 export const DEFAULT_GATE = 'standard';
 
+/** What may be limited: figures by their path in a region's. */
+export const REGIONS = Object.freeze(['frame', 'object', 'interior', 'edge']);
+export const FIGURES = Object.freeze(['max', 'p999', 'mean', 'rmse', 'rmseLinear', 'flip.mean', 'flip.max', 'deltaE.mean', 'deltaE.p95', 'deltaE.max']);
+
+/** "object.flip.mean" as {region, figure}; undefined for what is none. */
+export function limitNamed(name) {
+  const [region, ...rest] = name.split('.');
+  const figure = rest.join('.');
+  return REGIONS.includes(region) && FIGURES.includes(figure) ? { region, figure } : undefined;
+}
+
+/** The checks of a gate with limits of the caller's: in place of its own, or beside them. */
+function checksOf(gate, limits) {
+  const own = Object.entries(limits).map(([name, limit]) => {
+    const found = limitNamed(name);
+    if (!found) throw new TelarError('E_OPTION', `limits.${name}: expected a region (${REGIONS.join(', ')}) and a figure (${FIGURES.join(', ')}), as in object.flip.mean`);
+    if (!(limit >= 0 && Number.isFinite(limit))) throw new TelarError('E_OPTION', `limits.${name}: expected a number of at least 0, got ${shown(limit)}`);
+    return { ...found, limit };
+  });
+  const same = (a) => (b) => a.region === b.region && a.figure === b.figure;
+  return [
+    ...GATES[gate].map((check) => ({ ...check, ...own.find(same(check)) })),
+    ...own.filter((check) => !GATES[gate].some(same(check))),
+  ];
+}
+
 /**
  * @typedef {object} Verdict
  * @property {string} gate
@@ -43,17 +69,19 @@ export const DEFAULT_GATE = 'standard';
 /**
  * @param {import('./compare.mjs').Comparison} comparison
  * @param {keyof typeof GATES} [gate]
- * @returns {Verdict}
+ * @param {Record<string, number>} [limits] by "region.figure": in place of the gate's, or beside them
+ * @returns {Verdict} pictures that are equal are within every gate
  * @throws {TelarError} E_OPTION
  */
-export function judge(comparison, gate = DEFAULT_GATE) {
+export function judge(comparison, gate = DEFAULT_GATE, limits = {}) {
   if (!Object.hasOwn(GATES, gate)) {
     throw new TelarError('E_OPTION', `gate: expected one of ${Object.keys(GATES).join(', ')}, got ${shown(gate)}`);
   }
-  const checks = GATES[gate].map(({ region, figure, limit, optional = false }) => {
+  const isEqual = comparison.frame?.max === 0;
+  const checks = checksOf(gate, limits).map(({ region, figure, limit, optional = false }) => {
     const figures = comparison[region];
     const value = figures ? figure.split('.').reduce((node, key) => node[key], figures) : null;
-    return { region, figure, limit, value, pass: value === null ? optional : value <= limit };
+    return { region, figure, limit, value, pass: value === null ? optional || isEqual : value <= limit };
   });
   return { gate, pass: checks.every(({ pass }) => pass), checks };
 }

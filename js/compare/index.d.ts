@@ -62,13 +62,32 @@ export function compareImages(expected: Image, actual: Image, options?: {
   pixelsPerDegree?: number;
   /** Width * height bytes, not 0 where the object is: for pictures with a background, whose alpha does not tell. */
   mask?: Uint8Array;
+  /** Width * height bytes, not 0 where the pictures are not compared. */
+  ignore?: Uint8Array;
 }): Comparison;
+
+/**
+ * What explains most of the difference of two pictures of one size, where it is alpha or the background; empty where the
+ * drawing differs, or nothing does.
+ * @throws {TelarError} E_OPTION, E_IMAGE_SIZE
+ */
+export function explainDifference(expected: Image, actual: Image): Array<{ cause: 'background' | 'premultiplied' | 'alpha'; message: string }>;
+
+/** By how much one picture is larger in both directions, as screenshots of dense screens are; null where none is, or the shapes differ. */
+export function sizeFactor(expected: { width: number; height: number }, actual: { width: number; height: number }):
+  { larger: 'expected' | 'actual'; factor: number } | null;
+
+/** A smaller picture: each pixel is the mean of what it covers, of premultiplied encoded values. @throws {TelarError} E_OPTION */
+export function shrinkImage(image: Image, size: { width: number; height: number }): Image;
 
 export type GateName = 'exact' | 'parity' | 'standard' | 'other-gl' | 'draft';
 
+export type Region = 'frame' | 'object' | 'interior' | 'edge';
+export type LimitedFigure = 'max' | 'p999' | 'mean' | 'rmse' | 'rmseLinear' | 'flip.mean' | 'flip.max' | 'deltaE.mean' | 'deltaE.p95' | 'deltaE.max';
+
 export interface GateCheck {
-  region: 'frame' | 'object' | 'interior' | 'edge';
-  figure: 'max' | 'p999' | 'flip.mean' | 'deltaE.mean' | 'deltaE.p95';
+  region: Region;
+  figure: LimitedFigure;
   /** The largest value that passes. */
   limit: number;
   /** A region without pixels passes. */
@@ -80,12 +99,15 @@ export const GATES: Readonly<Record<GateName, readonly GateCheck[]>>;
 export interface Verdict {
   gate: GateName;
   pass: boolean;
-  /** value is null where the region has no pixels. */
+  /** value is null where the region has no pixels. Equal pictures pass every check. */
   checks: Array<Omit<GateCheck, 'optional'> & { value: number | null; pass: boolean }>;
 }
 
-/** Holds a comparison against a gate. @default gate 'standard' @throws {TelarError} E_OPTION */
-export function judge(comparison: Comparison, gate?: GateName): Verdict;
+/**
+ * Holds a comparison against a gate. `limits`, as {'object.flip.mean': 0.02}, stand in place of the gate's or beside them.
+ * @default gate 'standard' @throws {TelarError} E_OPTION
+ */
+export function judge(comparison: Comparison, gate?: GateName, limits?: Partial<Record<`${Region}.${LimitedFigure}`, number>>): Verdict;
 
 /** FLIP of each pixel as an opaque picture, black = 0, light yellow = 1. */
 export function heatMap(comparison: Comparison): Image;
@@ -105,10 +127,26 @@ export function encodePng(image: Image, options?: { signal?: AbortSignal }): Pro
 
 /** A page with the pictures, the heat map, the verdict and all figures; `files` are its links. */
 export function htmlReport(comparison: Comparison, verdict: Verdict,
-  files: { expected: string; actual: string; heatMap: string; title?: string }): string;
+  files: { expected: string; actual: string; heatMap: string; title?: string; hints?: ReadonlyArray<{ message: string }> }): string;
+
+/** One of many comparisons. */
+export interface Compared {
+  name: string;
+  status?: 'within' | 'over' | 'missing' | 'new' | 'failed' | 'updated';
+  comparison?: Omit<Comparison, 'flipMap'>;
+  verdict?: Verdict;
+  hints?: ReadonlyArray<{ message: string }>;
+  /** Why there is no verdict. */
+  problem?: string;
+  /** Pictures as the page links to them. */
+  files?: { expected?: string; actual?: string; heatMap?: string };
+}
+
+/** A page about many comparisons: those that are not within the gate with their pictures, and all in a table. */
+export function foldersReport(compared: ReadonlyArray<Compared & { status: NonNullable<Compared['status']> }>, options: { title?: string; gate: string }): string;
 
 /** JUnit XML: a suite for each comparison, a test case for each check. */
-export function junitReport(comparisons: ReadonlyArray<{ name: string; verdict: Verdict }>): string;
+export function junitReport(comparisons: ReadonlyArray<Pick<Compared, 'name' | 'verdict' | 'hints' | 'problem' | 'status'>>): string;
 
 /**
  * A copy of a PNG file with the shot that it shows inside (iTXt chunk `telar:shot`), in place of one that it has.

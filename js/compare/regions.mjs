@@ -6,6 +6,9 @@ const EDGE_PIXELS = 2;
 /** What pairRegions() calls a pixel. */
 export const [OUTSIDE, INSIDE, BAND] = [0, 1, 2];
 
+/** What compareImages() calls a pixel that is not compared. */
+export const IGNORED = 3;
+
 /** Object pixels above and left of each corner of the grid: (width + 1) * (height + 1). */
 function summedAreas(object, width, height) {
   const sums = new Uint32Array((width + 1) * (height + 1));

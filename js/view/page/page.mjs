@@ -87,6 +87,7 @@ async function start() {
   const state = new ShotState(shot, (wanted) => client.facts(wanted));
   const stage = new Stage($('stage'));
   const pictures = new Pictures({ state, client, stage, serverGl: server.renderer, setPhase, fail });
+  $('gate-command').textContent = `telar compare --gate ${pictures.gate}`;
   const { cameras, variants } = client.facts(shot);
   bindControls($('controls'), state, { environments, cameras, variants, animations: client.animations }, attempt);
   bindShotText($('shot-text'), state, attempt);

@@ -96,13 +96,13 @@ export class Pictures {
   }
 
   /** Another GL rounds, filters and antialiases otherwise; the browser's name of one holds the server's. */
-  get #gate() {
+  get gate() {
     return this.#client.glName.includes(this.#serverGl.split(' ')[0]) ? 'parity' : 'other-gl';
   }
 
   async #compare(signal) {
     this.#setPhase('comparing');
-    const result = await this.#comparer.compare(this.shown.browser, this.shown.server, { gate: this.#gate, mask: this.#client.mask() });
+    const result = await this.#comparer.compare(this.shown.browser, this.shown.server, { gate: this.gate, mask: this.#client.mask() });
     if (!result || signal.aborted) return;
     this.#stage.showMaps(result);
     showFigures(result, { table: $('figures'), checks: $('checks'), pill: $('verdict'), ssim: $('ssim'), hint: $('gl-hint') });

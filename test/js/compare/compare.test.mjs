@@ -99,9 +99,42 @@ test('an edge that looks different is over parity, though the interior is the sa
   assert.deepEqual([pass, checks.map((check) => check.pass)], [false, [true, true, false]]);
 });
 
-test('pictures without an object are within no gate but exact: nothing was judged', () => {
-  const empty = flat(SIZE, SIZE, [0, 0, 0, 0]);
-  assert.deepEqual(passes(compareImages(empty, empty)), ['exact']);
+test('equal pictures are within every gate, without an object too', () => {
+  for (const image of [flat(SIZE, SIZE, [0, 0, 0, 0]), flat(SIZE, SIZE, [9, 9, 9, 255]), square(SIZE), flat(1, 1, [0, 0, 0, 0])]) {
+    assert.deepEqual(passes(compareImages(image, image)), Object.keys(GATES));
+    assert.equal(judge(compareImages(image, image), 'standard', { 'interior.max': 0, 'edge.rmse': 0 }).pass, true);
+  }
+  const unseen = flat(SIZE, SIZE, [200, 0, 0, 0]);
+  assert.deepEqual(passes(compareImages(flat(SIZE, SIZE, [0, 0, 0, 0]), unseen)), Object.keys(GATES), 'colour without alpha is not there');
+});
+
+test('a region without pixels of pictures that differ is within no gate that asks for it', () => {
+  const verdict = judge({ frame: { max: 1 }, object: null, interior: null, edge: null }, 'standard');
+  assert.deepEqual([verdict.pass, verdict.checks.map(({ value }) => value)], [false, [null, null, null]]);
+});
+
+test('limits stand in place of a gate\'s, or beside them', () => {
+  const comparison = compareImages(square(SIZE), withPixel(square(SIZE), 16, 16, [110, 110, 110, 255]));
+  const checks = (limits) => judge(comparison, 'parity', limits).checks.map(({ region, figure, limit, pass }) => [`${region}.${figure}`, limit, pass]);
+  assert.deepEqual(checks({}), [['interior.max', 2, false], ['interior.p999', 1, false], ['edge.flip.mean', 0.01, true]]);
+  assert.deepEqual(checks({ 'interior.max': 10, 'interior.p999': 10, 'object.deltaE.max': 3 }),
+    [['interior.max', 10, true], ['interior.p999', 10, true], ['edge.flip.mean', 0.01, true], ['object.deltaE.max', 3, false]]);
+  assert.throws(() => judge(comparison, 'exact', { 'body.max': 1 }), { code: 'E_OPTION', message: /limits\.body\.max: expected a region/ });
+  assert.throws(() => judge(comparison, 'exact', { 'frame.max': -1 }), { code: 'E_OPTION', message: /at least 0, got -1/ });
+});
+
+test('what is ignored is in no figure, and its neighbours do not see it', () => {
+  const spot = withPixel(square(SIZE), 16, 16, [255, 0, 0, 255]);
+  const ignore = new Uint8Array(SIZE * SIZE);
+  ignore[16 * SIZE + 16] = 1;
+  const comparison = compareImages(square(SIZE), spot, { ignore });
+  assert.deepEqual(passes(comparison), Object.keys(GATES));
+  assert.deepEqual([comparison.frame.pixels, comparison.frame.max, Math.max(...comparison.flipMap)], [SIZE * SIZE - 1, 0, 0]);
+  const beside = new Uint8Array(SIZE * SIZE);
+  beside[16 * SIZE + 17] = 1;
+  assert.equal(compareImages(square(SIZE), spot, { ignore: beside }).frame.max, 155);
+  assert.throws(() => compareImages(spot, spot, { ignore: new Uint8Array(3) }), { code: 'E_OPTION', message: /options\.ignore: expected a Uint8Array of 1024 bytes/ });
+  assert.throws(() => compareImages(spot, spot, { ignore: new Uint8Array(SIZE * SIZE).fill(1) }), { code: 'E_OPTION', message: /leaves no pixel/ });
 });
 
 test('the heat map runs from black to light yellow', () => {

@@ -286,6 +286,7 @@ test('help lists the keys, and turns single keys off', async () => {
   await page.evaluate(() => document.activeElement?.blur());
   await page.keyboard.press('?');
   assert.equal(await page.locator('#help').isVisible(), true);
+  assert.match(await page.locator('#help').innerText(), /telar compare --gate parity: browser expected/);
   await page.uncheck('#single-keys');
   await page.keyboard.press('Escape');
   await page.keyboard.press('d');
@@ -389,6 +390,7 @@ test('a browser with another GL is judged by the gate for that', async (t) => {
   await elsewhere.goto(view.url);
   await settled(elsewhere);
   assert.equal(await elsewhere.locator('#gl-hint').isVisible(), true);
+  assert.equal(await elsewhere.locator('#gate-command').textContent(), 'telar compare --gate other-gl');
   // The gate is for pictures, not for icons, which are silhouette for the most part.
   await elsewhere.focus('#width');
   await changing(elsewhere, async () => {
