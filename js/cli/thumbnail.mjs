@@ -6,6 +6,7 @@ import { Drawing } from './draw_jobs.mjs';
 import { makeJobs } from './jobs.mjs';
 import { maxFileBytes, readLimits } from './limits.mjs';
 import { readManifest } from './manifest.mjs';
+import { refuseParts } from './model_parts.mjs';
 import { findModels } from './models.mjs';
 import { outputNames } from './output_names.mjs';
 import { readShotOptions } from './shot_options.mjs';
@@ -28,6 +29,7 @@ export async function thumbnail(models, options, context) {
   const entries = await readEntries(models, options, shot, limits, context);
   const { jobs, crosses } = await makeJobs(entries, options, maxFileBytes(limits));
   const outputs = outputNames(options.output, jobs, crosses);
+  await refuseParts(jobs, outputs);
   await checkSheet(options.contactSheet, jobs, outputs);
   jobs.forEach((job, i) => {
     if (job.shot.output === undefined || typeof job.shot.output === 'object') job.shot = { ...job.shot, output: { ...job.shot.output, format: outputs[i].format } };

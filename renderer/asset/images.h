@@ -18,7 +18,7 @@ class ImageLoader {
   /// @param used by image index, canonical ones only
   /// @return as many images as the document has; width 0 where not used
   /// @throws Error{E_IMAGE_*, L_IMAGE_*, E_URI_*, X_CANCELLED} with the image's pointer. What is wrong with an unused
-  ///         image inside the file is only a warning (W_IMAGE); unused external files are not opened.
+  ///         image inside the file is only a warning (W_IMAGE); unused external files are not decoded.
   std::vector<Image8> load(const std::vector<bool>& used) const;
 
  private:

@@ -108,6 +108,13 @@ test('two pictures of one name are refused before anything is drawn, with the pa
   assert.match(await usageOf(at('x/a.glb'), '-o', at('a.png'), '--variants', ','), /--variants: expected names/);
 });
 
+test('a picture is not written over a part of a model', async () => {
+  const at = freshFolder();
+  fill(at, { 'x/shirt.gltf': JSON.stringify({ asset: { version: '2.0' }, images: [{ uri: 'textures/shirt.png' }] }), 'x/textures/shirt.png': 'a texture', 'y/broken.gltf': '{' });
+  assert.match(await usageOf(at('y/broken.gltf'), at('x/shirt.gltf'), '-o', at('x/textures/{name}.png')), /would overwrite "shirt\.png", a part of the model ".*shirt\.gltf"/);
+  assert.equal((await runFake(['thumbnail', at('x/shirt.gltf'), '-o', at('x/{name}.png')])).exit, 0);
+});
+
 test('an address and a pattern that no shell expanded say what to do', async () => {
   const at = freshFolder();
   for (const command of [['thumbnail', '-o', at('a.png')], ['inspect'], ['view']]) {
