@@ -87,7 +87,6 @@ async function start() {
   const state = new ShotState(shot, (wanted) => client.facts(wanted));
   const stage = new Stage($('stage'));
   const pictures = new Pictures({ state, client, stage, serverGl: server.renderer, setPhase, fail });
-  $('gate-command').textContent = `telar compare --gate ${pictures.gate}`;
   const { cameras, variants } = client.facts(shot);
   bindControls($('controls'), state, { environments, cameras, variants, animations: client.animations }, attempt);
   bindShotText($('shot-text'), state, attempt);
@@ -104,6 +103,7 @@ async function start() {
     ...addViews(state), ...addModes(stage), ' ': () => stage.pause(), s: () => save('browser'), S: () => save('server'), '?': help,
   }, $('single-keys'));
   await pictures.update();
+  $('gate-command').textContent = `telar compare --gate ${pictures.gate}`;
   $('client-gl').textContent = `three.js r${Client.revision}, ${client.glName}`;
   $('server-gl').textContent = `telar, ${server.renderer}`;
 }

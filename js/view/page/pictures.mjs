@@ -95,7 +95,7 @@ export class Pictures {
     }
   }
 
-  /** Another GL rounds, filters and antialiases otherwise; the browser's name of one holds the server's. */
+  /** Known once the browser has drawn. Another GL rounds, filters and antialiases otherwise; the browser's name of one holds the server's. */
   get gate() {
     return this.#client.glName.includes(this.#serverGl.split(' ')[0]) ? 'parity' : 'other-gl';
   }
