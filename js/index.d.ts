@@ -138,6 +138,12 @@ export interface FrameInfo extends Plan {
   /** Wall-clock milliseconds of each stage. */
   milliseconds: Record<string, number> & { load: number; pose: number; resolve: number; queue: number; draw: number; encode: number; total: number };
   warnings: Warning[];
+  /**
+   * What the picture shows of the model, parts 0..1: `coverage` of all pixels; of those that the model covers wholly, `dark`
+   * (no channel above 2/255), `bright` (none below 250/255) and `saturated` (each at one of these ends). Left out where the
+   * environment is the background in quality "reference" or without perspective. W_EMPTY and W_EXPOSURE go by it.
+   */
+  picture?: { coverage: number; dark: number; bright: number; saturated: number };
   /** Largest resident memory of the process so far. */
   peakBytes: number;
   /** Column-major 4 x 4: (X, Y, Z, W) = M (x, y, z, 1); the pixel is (X / W, Y / W) from the top left corner. */

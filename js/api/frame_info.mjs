@@ -23,6 +23,29 @@ export function shotWarnings({ lens, quality, shading }, extensionsUsed = []) {
   return warnings;
 }
 
+/** Part of a picture below which its model is not to be seen, and of a model above which its exposure is wrong. */
+const EMPTY = 0.001;
+const MOST = 0.5;
+
+const percent = (part) => `${Number((100 * part).toPrecision(2))} %`;
+
+/**
+ * What nobody wants of a picture: one without the model, one that is all black or white.
+ * @param {{coverage: number, dark: number, bright: number, saturated: number} | undefined} picture - As the renderer counted its pixels.
+ */
+export function pictureWarnings(picture) {
+  if (!picture) return [];
+  const { coverage, dark, bright, saturated } = picture;
+  if (coverage < EMPTY) {
+    const message = `the model covers ${percent(coverage)} of the picture: the camera looks past it, or it is too small, or see-through`;
+    return [{ code: 'W_EMPTY', message }];
+  }
+  if (dark + bright + saturated <= MOST) return [];
+  const message = `${percent(dark + bright + saturated)} of the model shows no shading: ${percent(dark)} is black, ${percent(bright)} white, `
+    + `${percent(saturated)} saturated; change shot.exposure, the lights or the environment`;
+  return [{ code: 'W_EXPOSURE', message }];
+}
+
 /**
  * `info` of one frame.
  * @param {object} parts
@@ -48,7 +71,7 @@ export function frameInfo({ frame, resolved, milliseconds, renderer, key, warnin
     gl: drawn.backend === 'reference' ? {} : renderer.gl,
     quality: resolved.quality,
     milliseconds: { load, pose, resolve, queue: frame.queueMs, ...ms, encode: frame.encodeMs, total },
-    warnings: [...warnings, ...(drawn.warnings ?? [])],
+    warnings: [...warnings, ...(drawn.warnings ?? []), ...pictureWarnings(drawn.picture)],
     // Largest resident memory of this process so far, the GL driver's included where it draws in software.
     peakBytes: process.resourceUsage().maxRSS * 1024,
     shot: resolved,

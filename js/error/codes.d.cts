@@ -92,6 +92,8 @@ export type ErrorCode =
   | 'X_INTERNAL'
   | 'X_SHADER'
   | 'W_ANIMATION'
+  | 'W_EMPTY'
+  | 'W_EXPOSURE'
   | 'W_ENUM'
   | 'W_CAMERA'
   | 'W_ENVIRONMENT_RANGE'

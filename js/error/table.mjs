@@ -145,6 +145,8 @@ const ROWS = {
   },
   warning: {
     W_ANIMATION: ['A channel of an animation moves nothing that is drawn', 'The other channels of the animation are played.'],
+    W_EMPTY: ['The picture shows next to nothing of the model: less than 0.1 % of its pixels', 'Let a view frame the model (leave out the camera), and check the opacity of its materials.'],
+    W_EXPOSURE: ['More than half of the model is black, white or saturated in the picture', 'Change the exposure, the lights or the environment. Unlit materials of pure colours are meant so.'],
     W_ENUM: ['An unknown enumeration value was replaced by its default', FIX_FILE],
     W_CAMERA: ['A camera is malformed and was left out', FIX_FILE],
     W_ENVIRONMENT_RANGE: ['Texels of the environment are brighter than a half float can be, and are cut as three.js cuts them', 'Use another shading than "three", whose suns keep their light, or limit the map to 65504 for both sides.'],

@@ -49,7 +49,7 @@ bool FrameTarget::matches(int width, int height, int samples, PixelType type) co
 
 void FrameTarget::bind() const { draw_.bind(context_.gl()); }
 
-Frame FrameTarget::read() const {
+Frame FrameTarget::read(bool opaque) const {
   const gl::Functions& gl = context_.gl();
   if (samples_ > 1) {
     draw_.resolveInto(gl, resolved_.get());
@@ -68,7 +68,7 @@ Frame FrameTarget::read() const {
                      frame.pixels.begin() + static_cast<std::ptrdiff_t>((y + 1) * row),
                      frame.pixels.begin() + static_cast<std::ptrdiff_t>((rows - 1 - y) * row));
   }
-  if (type_ == PixelType::kRgba8) {
+  if (type_ == PixelType::kRgba8 && !opaque) {
     unpremultiply(reinterpret_cast<std::uint8_t*>(frame.pixels.data()), static_cast<std::size_t>(width_) * rows);
   }
   return frame;

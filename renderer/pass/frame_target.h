@@ -17,7 +17,8 @@ class FrameTarget {
   bool matches(int width, int height, int samples, PixelType type) const;
   void bind() const;
   /// Resolves and reads: row 0 is the top row; kRgba8 has straight alpha, kRgbaF32 premultiplied.
-  Frame read() const;
+  /// @param opaque  a background is drawn whose alpha was not: alpha is what covers it, and colours stay as they are
+  Frame read(bool opaque) const;
   int samples() const { return samples_; }
 
  private:

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "brdf/brdf.h"
+#include "core/picture_json.h"
 #include "gl/context.h"
 #include "ibl/environment_cache.h"
 #include "pass/background_pass.h"
@@ -16,6 +17,7 @@
 #include "pass/frame_target.h"
 #include "pass/gpu_scene.h"
 #include "pass/ground_pass.h"
+#include "pass/picture_facts.h"
 #include "pass/pixel_mean.h"
 #include "pass/sample_passes.h"
 #include "pass/settled_mask.h"
@@ -105,6 +107,13 @@ Json rangeWarning(double share) {
                           percent + " % of the map's light is lost; every other shading keeps it"}};
 }
 
+/// Whether a pass draws a background on all of the picture. A colour behind an average is put there at the end; without
+/// perspective the cube that shows the environment covers a part, as in three.js.
+bool fillsBackground(const FramePlan& plan, const Shot& shot) {
+  if (plan.environmentBackground) return shot.camera.perspective;
+  return shot.background.type == Shot::Background::Type::kColor && !shot.linearResolve;
+}
+
 class GlRenderer final : public Renderer {
  public:
   explicit GlRenderer(const RendererOptions& options)
@@ -157,6 +166,7 @@ class GlRenderer final : public Renderer {
     Json json = describeFrame(plan, shot, environment, timer);
     json["samples"] = passes * target_->samples();
     json["programsCompiled"] = compiled;
+    if (!plan.frame.debugOutput && !coverage_.empty()) json["picture"] = toJson(pass::pictureFacts(frame, coverage_));
     if (!suns.list.empty() && !sunlit) json["warnings"] = Json::array({rangeWarning(suns.share)});
     info.json = json.dump();
     if (environment) info.environmentSha256 = environment->sha256;
@@ -220,19 +230,33 @@ class GlRenderer final : public Renderer {
     inputs.samples = target.samples();
     target.bind();
     const bool debug = plan.frame.debugOutput;  // backgrounds and the ground have no shading
-    // A colour behind an average is put there at the end.
-    clear(debug || shot.linearResolve ? glm::vec4(0) : clearColor(shot, plan.frame.outputLinear));
+    // A colour behind an average is put there at the end. Until then alpha tells what covers the background.
+    const bool opaque = !debug && fillsBackground(plan, shot);
+    const glm::vec4 behind = debug || shot.linearResolve ? glm::vec4(0) : clearColor(shot, plan.frame.outputLinear);
+    clear(opaque ? glm::vec4(glm::vec3(behind), 0.0f) : behind);
     if (settled) settled_.draw();
+    writeAlpha(!opaque);
     if (plan.environmentBackground && !debug) background_.draw(plan.camera, shot, *inputs.environment, plan.frame);
+    writeAlpha(true);
     surfaces_.draw({&plan.draws.opaque, &plan.draws.transmissive}, inputs);
+    writeAlpha(!opaque);
     if (plan.ground && !debug) ground_.draw(plan, shot, pass::SurfacePass::firstShadowUnit());
+    writeAlpha(true);
     surfaces_.draw({&plan.draws.blended}, inputs);
     context_->gl().Finish();
     timer.lap("draw");
-    Frame frame = target.read();
+    Frame frame = target.read(opaque);
+    if (inputs.samplePass == 0) {
+      coverage_.clear();
+      if (opaque || !plan.environmentBackground)
+        coverage_ = pass::coverageOf(frame, shot.ground && !opaque ? shot.ground->opacity : 0);
+    }
+    if (opaque) pass::makeOpaque(frame);
     timer.lap("read");
     return frame;
   }
+
+  void writeAlpha(bool write) const { context_->gl().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, write ? GL_TRUE : GL_FALSE); }
 
   /// The mean of passes that are moved by parts of a pixel, in linear light before tone mapping.
   /// @param plan  that of the inputs: its projection is moved and put back    @param[out] drawn  passes until all was
@@ -324,6 +348,7 @@ class GlRenderer final : public Renderer {
   pass::GroundPass ground_;
   pass::SettledMask settled_;
   std::unique_ptr<pass::FrameTarget> target_;
+  std::vector<std::uint8_t> coverage_;  ///< of the last picture by the model, from its first pass; empty = not known
   std::unique_ptr<pass::TransmissionTarget> transmission_;
   std::map<const Scene*, std::unique_ptr<pass::GpuScene>> scenes_;
 };

@@ -5,6 +5,7 @@
 
 #include "telar/cancel.h"
 #include "telar/codec.h"
+#include "telar/picture_facts.h"
 #include "telar/progress.h"
 #include "telar/scene.h"
 #include "telar/shot.h"
@@ -19,6 +20,7 @@ struct TraceFacts {
   int threads = 0;
   std::uint64_t triangles = 0, rays = 0;
   double hierarchyMs = 0, traceMs = 0;
+  std::optional<PictureFacts> picture{};  ///< none where the environment is the background: it covers every pixel
 };
 
 /// A telar::Error, field by field.

@@ -10,6 +10,7 @@
 
 #include "ibl/dfg_lookup.h"
 #include "pass/linear_output.h"
+#include "pass/picture_facts.h"
 #include "pass/variant.h"
 #include "reference/eye.h"
 
@@ -143,14 +144,19 @@ std::vector<glm::vec4> traceRadiance(const Scene& scene, const Shot& shot, const
     progress.reach(static_cast<float>(++done) / static_cast<float>(shot.height));
   });
   if (facts) {
-    *facts = {threads, world.triangles(), rays, milliseconds(built - start), milliseconds(Clock::now() - built)};
+    *facts = {threads, world.triangles(), rays, milliseconds(built - start), milliseconds(Clock::now() - built), {}};
   }
   return pixels;
 }
 
 Frame trace(const Scene& scene, const Shot& shot, const ImageF* environment, const TraceOptions& options,
             const Limits& limits, const CancelToken& cancel, const Progress& progress, TraceFacts* facts) {
-  return pass::toFrame(traceRadiance(scene, shot, environment, options, limits, cancel, progress, facts), shot);
+  const auto pixels = traceRadiance(scene, shot, environment, options, limits, cancel, progress, facts);
+  Frame frame = pass::toFrame(pixels, shot);
+  if (facts && shot.background.type != Shot::Background::Type::kEnvironment) {
+    facts->picture = pass::pictureFacts(frame, pass::coverageOf(pixels, shot.ground ? shot.ground->opacity : 0));
+  }
+  return frame;
 }
 
 }  // namespace telar::reference

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/own_library.h"
+#include "core/picture_json.h"
 #include "pass/camera.h"
 #include "reference/plugin.h"
 #include "telar/reference.h"
@@ -44,20 +45,22 @@ const char* nameOf(Source source) { return source == Source::kStudio ? "bundled"
 Json describe(const Shot& shot, const TraceFacts& facts, double environmentMs) {
   const glm::dmat4 toPixel = pass::worldToPixel(pass::cameraOf(shot), shot.width, shot.height);
   const bool lit = shot.environment.source != Source::kNone;
-  return {{"features", Json::array()},
-          {"programs", Json::array()},
-          {"passes", {"trace"}},
-          {"backend", "reference"},
-          {"gl", Json::object()},
-          {"samples", shot.reference->samples},
-          {"drawCalls", 0},
-          {"programsCompiled", 0},
-          {"environmentSource", lit ? Json(nameOf(shot.environment.source)) : Json(nullptr)},
-          {"threads", facts.threads},
-          {"triangles", facts.triangles},
-          {"rays", facts.rays},
-          {"worldToPixel", std::vector<double>(glm::value_ptr(toPixel), glm::value_ptr(toPixel) + 16)},
-          {"ms", {{"environment", environmentMs}, {"hierarchy", facts.hierarchyMs}, {"draw", facts.traceMs}}}};
+  Json json = {{"features", Json::array()},
+               {"programs", Json::array()},
+               {"passes", {"trace"}},
+               {"backend", "reference"},
+               {"gl", Json::object()},
+               {"samples", shot.reference->samples},
+               {"drawCalls", 0},
+               {"programsCompiled", 0},
+               {"environmentSource", lit ? Json(nameOf(shot.environment.source)) : Json(nullptr)},
+               {"threads", facts.threads},
+               {"triangles", facts.triangles},
+               {"rays", facts.rays},
+               {"worldToPixel", std::vector<double>(glm::value_ptr(toPixel), glm::value_ptr(toPixel) + 16)},
+               {"ms", {{"environment", environmentMs}, {"hierarchy", facts.hierarchyMs}, {"draw", facts.traceMs}}}};
+  if (facts.picture) json["picture"] = toJson(*facts.picture);
+  return json;
 }
 
 }  // namespace

@@ -24,12 +24,13 @@ const CPP_LAYERS = {
   'renderer/pass/camera.h': ['renderer/include'],
   'renderer/pass/variant.h': ['renderer/include'],
   'renderer/pass/linear_output.h': ['renderer/include'],
-  'renderer/pass': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/mesh', 'renderer/gl', 'renderer/shader', 'renderer/ibl', 'renderer/pass/camera.h', 'renderer/pass/variant.h', 'renderer/pass/linear_output.h'],
+  'renderer/pass/picture_facts.h': ['renderer/include'],
+  'renderer/pass': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/mesh', 'renderer/gl', 'renderer/shader', 'renderer/ibl', 'renderer/pass/camera.h', 'renderer/pass/variant.h', 'renderer/pass/linear_output.h', 'renderer/pass/picture_facts.h'],
   // The tracer shares with the raster what needs no GL: matrices, materials, names, the table of the split sum.
   'renderer/reference/plugin.h': ['renderer/include'],
   // trace/ opens the library of reference/ at run time, and links nothing of it.
   'renderer/trace': ['renderer/include', 'renderer/core', 'renderer/pass/camera.h', 'renderer/reference/plugin.h'],
-  'renderer/reference': ['renderer/reference/plugin.h', 'renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/shader', 'renderer/pass/camera.h', 'renderer/pass/variant.h', 'renderer/pass/linear_output.h', 'renderer/ibl/dfg_lookup.h'],
+  'renderer/reference': ['renderer/reference/plugin.h', 'renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/shader', 'renderer/pass/camera.h', 'renderer/pass/variant.h', 'renderer/pass/linear_output.h', 'renderer/pass/picture_facts.h', 'renderer/ibl/dfg_lookup.h'],
   addon: ['renderer/include'],
 };
 
