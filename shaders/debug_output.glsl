@@ -40,7 +40,7 @@ vec4 debugShading(SurfaceInfo s, Incident incident, Reflected direct, Reflected 
     case 6: return vec4(s.f0, 1.0);
     case 7: return vec4(vec3(s.NoV), 1.0);
 #if SHADING_FABRIC
-    case 8: return vec4(s.albedo, 0.0, 1.0);
+    case 8: return vec4(s.albedo.base, 0.0, 1.0);
 #else
     case 8: return vec4(s.dfg, 0.0, 1.0);
 #endif

@@ -50,6 +50,9 @@ precision highp samplerCube;
 #if SHADING_FABRIC
 #include "brdf/cloth_energy.glsl"
 #include "brdf/bump.glsl"
+#if WEAVE
+#include "brdf/yarn_energy.glsl"
+#endif
 #if FLATNESS
 #include "brdf/thin_sheet.glsl"
 #endif

@@ -50,8 +50,14 @@ sample masks, it becomes whole pixels. Layers that lie over each other have nois
 0.59, three cover 0.74. The noise is seen as fine grain in quality \`standard\`; more \`samples\` average it. Nothing is sorted. A
 texture whose alpha nowhere reaches \`alphaCutoff\` draws nothing. Its shadow is that of the plain image, as in three.js. BLEND is drawn as it is elsewhere: sorted by object, which shows through itself in folds.
 
-**Weave maps.** Where less than half a thread falls into a pixel, the yarn on top gives the highlight; from there on the two sets of yarns
-are blended to their means, so that nothing shimmers. Without \`threadsPerUv\` the map's own mip levels decide.
+**Weave maps.** Where less than a quarter of a thread falls into a pixel, the yarn on top gives the highlight; from half a thread on both sets
+of yarns do, as they lie on average, so that nothing shimmers. Without \`threadsPerUv\` the map's own mip levels decide. What a leaning yarn
+sends below the surface comes back mirrored at it; a yarn that leans away from the viewer is seen as if it just faced him.
+
+**Gaps** (coverages that sum to less than 1) have no highlight. In the gaps of a dielectric light meets the diffuse lobe without an interface
+over it: it comes back as diffuse light, or goes through by KHR_materials_diffuse_transmission, and white cloth stays white. A metal has no
+diffuse light: what falls into its gaps is gone, so that a white metal whose yarns cover 0.6 reflects 0.6 of the light. What lies behind
+the cloth is not seen through gaps; holes that show it belong in the alpha of the base colour.
 
 **The back** is what is seen of a \`doubleSided\` material where its triangles run clockwise.`;
 

@@ -28,10 +28,10 @@ Yarn readYarn(Layer layer) {
 
 void readWeave(Layer layer, FabricLayers& out, Warnings& warnings) {
   if (!layer) return;
-  out.weave = true;
   out.warp = readYarn(layer.part("warp"));
   out.weft = readYarn(layer.part("weft"));
   const float sum = out.warp.coverage + out.weft.coverage;
+  out.weave = sum > 0;  // without yarns there is the one highlight of the material
   if (sum > 1) {
     warnings.add("W_RANGE", "the coverages of warp and weft sum to more than 1 and were scaled down", layer.where());
     out.warp.coverage /= sum;

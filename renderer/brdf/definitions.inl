@@ -11,6 +11,7 @@
 #include "anisotropic.glsl"
 #include "cloth.glsl"
 #include "cloth_energy.glsl"
+#include "yarn_energy.glsl"
 #include "thin_sheet.glsl"
 #include "bump.glsl"
 #include "disney.glsl"

@@ -7,6 +7,7 @@
 #define DIFFUSE_TRANSMISSION 1
 #define FLATNESS 1
 #define WEAVE 1
+#define WEAVE_MAP 1
 #define NORMAL_MAP 1
 #define SHADING_THREE 1
 #define SHADING_PRINCIPLED 1

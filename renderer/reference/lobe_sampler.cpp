@@ -23,7 +23,7 @@ glm::vec3 viewerIn(const glm::mat3& frame, const glm::vec3& v) {
 
 LobeSampler::Gloss LobeSampler::yarnOf(const brdf_f::YarnLobe& yarn, const glm::vec3& v) {
   Gloss gloss;
-  if (yarn.coverage <= 0 || glm::dot(yarn.n, v) <= 0) return gloss;  // not there, or leaning away
+  if (yarn.coverage <= 0) return gloss;
   gloss.frame = glm::mat3(yarn.t, yarn.b, yarn.n);
   gloss.alpha = {yarn.alphaT, yarn.alphaB};
   gloss.v = viewerIn(gloss.frame, v);
@@ -51,9 +51,8 @@ LobeSampler::LobeSampler(const brdf_f::SurfaceInfo& s) : cosineFrame_(brdf_f::ba
   const float through = s.diffuseTransmission > 0 ? glm::max(brdf_f::max3(s.diffuse) * s.diffuseTransmission, 0.1f) : 0;
   coat.share = s.clearcoat * brdf_f::F_Schlick(glm::vec3(brdf_f::F0_DIELECTRIC), 1, s.clearcoatNoV).x;
   const float yarns = warp.share + weft.share;
-  // Seen from afar the yarns are one lobe, that of the base.
-  base.share = yarns > 0 ? specular * glm::max(s.yarnBlend, 0.2f) : specular;
-  for (Gloss* yarn : {&warp, &weft}) yarn->share *= yarns > 0 ? specular * glm::max(1 - s.yarnBlend, 0.2f) / yarns : 0;
+  base.share = yarns > 0 ? 0 : specular;
+  for (Gloss* yarn : {&warp, &weft}) yarn->share *= yarns > 0 ? specular / yarns : 0;
   float whole = diffuse + through;
   for (const Gloss& gloss : gloss_) whole += gloss.share;
   for (Gloss& gloss : gloss_) gloss.share /= whole;
@@ -69,7 +68,8 @@ glm::vec3 LobeSampler::draw(float choice, const glm::vec2& u) const {
   for (const Gloss& gloss : gloss_) {
     if ((choice -= gloss.share) >= 0) continue;
     const glm::vec3 h = brdf_f::sampleVisibleNormal(gloss.v, gloss.alpha, u);
-    return gloss.frame * (2.0f * glm::dot(gloss.v, h) * h - gloss.v);
+    const glm::vec3 l = gloss.frame * (2.0f * glm::dot(gloss.v, h) * h - gloss.v);
+    return isYarn(gloss) && glm::dot(cosineFrame_[2], l) < 0 ? mirrored(l) : l;
   }
   return cosineFrame_ * brdf_f::sampleCosine(u);  // the shares fall short of 1 by rounding
 }
@@ -85,10 +85,23 @@ float LobeSampler::pdf(const glm::vec3& l) const {
   float sum = cosineShare_ * brdf_f::pdfCosine(cosine) + throughShare_ * brdf_f::pdfCosine(-cosine);
   sum += evenShare_ * brdf_f::pdfHemisphere(cosine);
   for (const Gloss& gloss : gloss_) {
-    if (gloss.share > 0)
-      sum += gloss.share * brdf_f::pdfReflection(gloss.v, glm::transpose(gloss.frame) * l, gloss.alpha);
+    if (gloss.share <= 0) continue;
+    const auto density = [&](const glm::vec3& d) {
+      return brdf_f::pdfReflection(gloss.v, glm::transpose(gloss.frame) * d, gloss.alpha);
+    };
+    if (!isYarn(gloss)) {
+      sum += gloss.share * density(l);
+    } else if (cosine >= 0) {
+      sum += gloss.share * (density(l) + density(mirrored(l)));
+    }
   }
   return sum;
+}
+
+bool LobeSampler::isYarn(const Gloss& gloss) const { return &gloss >= &gloss_[2]; }
+
+glm::vec3 LobeSampler::mirrored(const glm::vec3& l) const {
+  return l - 2 * glm::dot(cosineFrame_[2], l) * cosineFrame_[2];
 }
 
 }  // namespace telar::reference

@@ -7,7 +7,7 @@
 namespace telar::reference {
 
 /// Draws directions where a surface reflects: a mixture of a cosine lobe (diffuse and sheen), the same on the other
-/// side (light that a thin cloth lets through), the GGX lobes of the base, of warp and weft, and of the coat's. Any
+/// side (light that a thin cloth lets through), the GGX lobes of the base or of warp and weft, and of the coat's. Any
 /// direction that the surface sends light from has a pdf above 0, in every shading: the shares of the lobes are guesses
 /// that change the noise alone.
 class LobeSampler {
@@ -32,6 +32,9 @@ class LobeSampler {
   glm::mat3 cosineFrame_{1.0f};
   float cosineShare_ = 1, evenShare_ = 0, throughShare_ = 0;
   static Gloss yarnOf(const brdf_f::YarnLobe& yarn, const glm::vec3& v);
+  bool isYarn(const Gloss& gloss) const;
+  /// What leaning yarns send below the surface comes back mirrored at it.
+  glm::vec3 mirrored(const glm::vec3& l) const;
   std::array<Gloss, 4> gloss_;  ///< base, coat, warp, weft
 };
 

@@ -206,7 +206,6 @@ void readCloth(SurfaceInfo& s, const Material& m, const Reader& read, const glm:
   s.flatness = f.flatness;
   s.diffuseTransmission = brdf_f::saturate(f.diffuseTransmissionFactor * read(f.diffuseTransmissionTexture).a);
   s.transmittedColor = f.diffuseTransmissionColorFactor * glm::vec3(read(f.diffuseTransmissionColorTexture, true));
-  s.yarnBlend = 0;
   s.warp.coverage = s.weft.coverage = 0;
 }
 

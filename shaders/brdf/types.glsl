@@ -15,6 +15,19 @@ struct GlossCurve {
   vec4 grazing;        // of the part of its reflectance that belongs to f90
 };
 
+// The same of a lobe of two widths: see yarn_energy.glsl.
+struct StretchedCurve {
+  float wide2;      // squares of the widths
+  float narrow2;
+  float middle2;    // of the even lobe whose curves are read
+  GlossCurve even;
+  vec4 missing;     // what scales its missing share
+  vec4 width;       // what scales the width by which its grazing share is read, and adds to it
+  float lift;
+  vec4 grazing;     // what scales that share
+  vec2 average;     // of both over the cosine-weighted hemisphere
+};
+
 // What a specular interface sends back under uniform light of radiance 1, linear Rec.709, each [0, 1].
 struct Scattering {
   vec3 single;    // after one bounce between the microfacets

@@ -56,7 +56,7 @@ AreaLobes areaLobes(SurfaceInfo s) {
 #if SHADING_FABRIC
   // What is not reflected at once, and what is left for the diffuse lobe, spread as a cosine.
   lobes.base.albedo = glossReflectance(s);
-  lobes.spread = s.diffuse * s.leaving + s.returning * s.albedo.x;
+  lobes.spread = s.diffuse * s.leaving + glossReturn(s);
 #if SHEEN
   lobes.sheen = sheenLobe(lobes.frame, s);
 #endif

@@ -35,8 +35,12 @@ struct DrawnLobe {
 struct DrawnLobes {
   mat3 cosineFrame;
   float cosineShare;
-  DrawnLobe base;
+  DrawnLobe base;     // of a weave, its warp
   float baseShare;
+#if WEAVE
+  DrawnLobe weft;
+  float weftShare;
+#endif
   float behindShare;  // of a cosine lobe on the other side
 #if SHEEN
   float sheenShare;
@@ -66,7 +70,10 @@ DrawnLobe drawnLobe(vec3 n, vec3 t, vec2 alpha, vec3 v) {
 DrawnLobes drawnLobes(SurfaceInfo s) {
   DrawnLobes lobes;
   lobes.cosineFrame = basisAbout(s.n);
-#if ANISOTROPY || WEAVE
+#if WEAVE
+  lobes.base = drawnLobe(s.warp.n, s.warp.t, vec2(s.warp.alphaT, s.warp.alphaB), s.v);
+  lobes.weft = drawnLobe(s.weft.n, s.weft.t, vec2(s.weft.alphaT, s.weft.alphaB), s.v);
+#elif ANISOTROPY
   lobes.base = drawnLobe(s.n, s.t, vec2(max(s.alphaT, s.alpha), s.alpha), s.v);
 #else
   lobes.base = drawnLobe(s.n, lobes.cosineFrame[0], vec2(s.alpha), s.v);
@@ -108,12 +115,37 @@ DrawnLobes drawnLobes(SurfaceInfo s) {
 #if SHEEN
   lobes.cosineShare -= lobes.sheenShare;
 #endif
+#if WEAVE
+  lobes.weftShare = lobes.baseShare * s.weft.coverage / (s.warp.coverage + s.weft.coverage);
+  lobes.baseShare -= lobes.weftShare;
+#endif
   return lobes;
 }
 
 vec3 drawnReflection(DrawnLobe lobe, vec2 u) {
   vec3 h = sampleVisibleNormal(lobe.v, lobe.alpha, u);
   return lobe.frame * (2.0 * dot(lobe.v, h) * h - lobe.v);
+}
+
+// Off a lobe of the base. What leaning yarns send below the surface comes back mirrored, as in glossLobe().
+vec3 drawnGloss(DrawnLobes lobes, DrawnLobe lobe, vec2 u) {
+  vec3 l = drawnReflection(lobe, u);
+#if WEAVE_MAP
+  vec3 n = lobes.cosineFrame[2];
+  l -= (2.0 * min(dot(n, l), 0.0)) * n;
+#endif
+  return l;
+}
+
+float glossDensity(DrawnLobes lobes, DrawnLobe lobe, vec3 l) {
+  float density = pdfReflection(lobe.v, l * lobe.frame, lobe.alpha);
+#if WEAVE_MAP
+  vec3 n = lobes.cosineFrame[2];
+  float cosine = dot(n, l);
+  density += pdfReflection(lobe.v, (l - (2.0 * cosine) * n) * lobe.frame, lobe.alpha);
+  if (cosine < 0.0) density = 0.0;
+#endif
+  return density;
 }
 
 #if SHEEN
@@ -137,8 +169,12 @@ float sheenDensity(DrawnLobes lobes, vec3 l) {
 
 // u  [0, 1)^2; its x chooses the lobe
 vec3 drawnDirection(DrawnLobes lobes, vec2 u) {
-  if (u.x < lobes.baseShare) return drawnReflection(lobes.base, vec2(u.x / lobes.baseShare, u.y));
+  if (u.x < lobes.baseShare) return drawnGloss(lobes, lobes.base, vec2(u.x / lobes.baseShare, u.y));
   u.x -= lobes.baseShare;
+#if WEAVE
+  if (u.x < lobes.weftShare) return drawnGloss(lobes, lobes.weft, vec2(u.x / lobes.weftShare, u.y));
+  u.x -= lobes.weftShare;
+#endif
 #if CLEARCOAT
   if (u.x < lobes.coatShare) return drawnReflection(lobes.coat, vec2(u.x / lobes.coatShare, u.y));
   u.x -= lobes.coatShare;
@@ -156,7 +192,10 @@ vec3 drawnDirection(DrawnLobes lobes, vec2 u) {
 
 // Density of drawnDirection.
 float drawnDensity(DrawnLobes lobes, vec3 l) {
-  float sum = lobes.baseShare * pdfReflection(lobes.base.v, l * lobes.base.frame, lobes.base.alpha);
+  float sum = lobes.baseShare * glossDensity(lobes, lobes.base, l);
+#if WEAVE
+  sum += lobes.weftShare * glossDensity(lobes, lobes.weft, l);
+#endif
 #if CLEARCOAT
   sum += lobes.coatShare * pdfReflection(lobes.coat.v, l * lobes.coat.frame, lobes.coat.alpha);
 #endif

@@ -41,17 +41,18 @@ void addWeave(inout SurfaceInfo s, Normals normals, float geometric) {
   vec2 coverage = yarnCoverage;
   vec2 turn = vec2(1.0, 0.0);
   float slope = 0.0;
-  s.yarnBlend = 0.0;
 #if WEAVE_MAP
   WeaveTexel texel = weaveTexel();
   coverage = (yarnCoverage.x + yarnCoverage.y) * vec2(texel.warp, 1.0 - texel.warp);
   turn = texel.turn;
   slope = texel.slope;
 #if !FULL_DETAIL
+  // The texel at hand is one thread or the other; from afar both are seen as they lie on average.
   vec2 threads = threadsPerPixel();
-  s.yarnBlend = smoothstep(YARNS_SEEN, YARNS_BLENDED, max(threads.x, threads.y));
-  // The texel at hand is one thread or the other; the mean is that of all.
-  coverage = mix(coverage, yarnCoverage, s.yarnBlend);
+  float blend = smoothstep(YARNS_SEEN, YARNS_BLENDED, max(threads.x, threads.y));
+  coverage = mix(coverage, yarnCoverage, blend);
+  turn = mix(turn, vec2(1.0, 0.0), blend);
+  slope *= 1.0 - blend;
 #endif
 #endif
   s.t = weft;

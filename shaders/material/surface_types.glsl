@@ -10,7 +10,25 @@ struct YarnLobe {
   float alphaT;        // along
   float alphaB;        // across
   vec3 specularColor;  // factor on the normal reflectance, [0, 1]
-  vec3 f0;             // by preparedSurface()
+  vec3 lying;          // t without its slope
+  // The rest by preparedSurface(), as in SurfaceInfo.
+  StretchedCurve gloss;
+  vec2 albedo;
+  vec3 f0;
+  vec3 f0Dielectric;
+  vec3 returning;
+  vec3 returningLobe;
+  vec3 returningDielectric;
+};
+#endif
+
+#if SHADING_FABRIC
+// glossAlbedo() of a surface for one direction.
+struct GlossAlbedo {
+  vec2 base;           // of its one lobe; of a weave, of the warp
+#if WEAVE
+  vec2 weft;
+#endif
 };
 #endif
 
@@ -84,13 +102,11 @@ struct SurfaceInfo {
 #if WEAVE
   YarnLobe warp;
   YarnLobe weft;
-  float yarnBlend;            // 0: the yarns are seen, 1: their mean is
 #endif
   // The rest by preparedSurface() of fabric.glsl.
   GlossCurve gloss;
   float alphaMean;            // width of an even lobe that reflects as much
-  vec2 albedo;                // of the gloss, at NoV: glossAlbedo()
-  float coverage;             // of the surface by the gloss
+  GlossAlbedo albedo;         // towards the viewer
   vec3 returning;             // of what the gloss does not reflect at once, what it reflects later
   vec3 returningLobe;         // the same as a lobe towards the viewer, for a light of missing share 1, [1/sr]
   vec3 returningDielectric;

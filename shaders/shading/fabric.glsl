@@ -22,8 +22,13 @@ vec3 evenLobe(vec3 n, vec3 v, float NoV, float NoL, float alpha, vec3 f0, float 
 }
 
 #if WEAVE
+// A shader has WEAVE for woven cloth alone; C++ has every layer on.
 bool isWoven(SurfaceInfo s) {
+#if ALL_TERMS
   return s.warp.coverage + s.weft.coverage > 0.0;
+#else
+  return true;
+#endif
 }
 
 // One set of yarns as it lies at a point.
@@ -35,12 +40,12 @@ bool isWoven(SurfaceInfo s) {
 YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, float slope, float coverage, float roughness, float anisotropy,
                   vec3 specularColor) {
   YarnLobe yarn;
-  vec3 lying = safeNormalize(axis * turn.x + aside * turn.y, axis);
+  yarn.lying = safeNormalize(axis * turn.x + aside * turn.y, axis);
   float rise = clamp(slope, -0.95, 0.95);
   float level = sqrt(1.0 - pow2(rise));
-  yarn.t = lying * level + n * rise;
-  yarn.n = n * level - lying * rise;
-  yarn.b = cross(n, lying);
+  yarn.t = yarn.lying * level + n * rise;
+  yarn.n = n * level - yarn.lying * rise;
+  yarn.b = cross(n, yarn.lying);
   yarn.coverage = coverage;
   yarn.alphaT = alphaFromRoughness(roughness);
   yarn.alphaB = mix(yarn.alphaT, 1.0, pow2(anisotropy));
@@ -48,20 +53,13 @@ YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, float slope, float c
   return yarn;
 }
 
-vec3 meanYarnColor(SurfaceInfo s) {
-  return mix(s.weft.specularColor, s.warp.specularColor, s.warp.coverage / (s.warp.coverage + s.weft.coverage));
-}
-
-// The surface with the one lobe that stands for its yarns where they are too fine to be seen: the second moments of both,
-// which lie square to each other, along the frame's axes.
+// The surface with the one lobe that stands for its yarns where a lobe of one width reads the environment: the second moments
+// of both, which lie square to each other, along the frame's axes.
 SurfaceInfo withMeanYarn(SurfaceInfo s) {
-  s.coverage = s.warp.coverage + s.weft.coverage;
-  float warp = s.warp.coverage / s.coverage;
+  float warp = s.warp.coverage / (s.warp.coverage + s.weft.coverage);
   float along = mix(pow2(s.weft.alphaT), pow2(s.warp.alphaB), warp);
   float across = mix(pow2(s.weft.alphaB), pow2(s.warp.alphaT), warp);
-  s.warp.f0 = s.f0 * s.warp.specularColor;
-  s.weft.f0 = s.f0 * s.weft.specularColor;
-  vec3 color = meanYarnColor(s);
+  vec3 color = mix(s.weft.specularColor, s.warp.specularColor, warp);
   s.f0Dielectric *= color;
   s.f0 *= color;
   s.alphaT = sqrt(max(along, across));
@@ -76,10 +74,10 @@ SurfaceInfo withMeanYarn(SurfaceInfo s) {
   return s;
 }
 
-// Yarns that lean away from the viewer are not seen; close to that they fade.
-vec3 yarnShare(SurfaceInfo s, YarnLobe yarn, vec3 l, vec3 h) {
-  float seen = saturate(dot(yarn.n, s.v) * 1000.0);
-  return (yarn.coverage * seen) * stretchedLobe(s, yarn.t, yarn.b, yarn.n, yarn.alphaT, yarn.alphaB, yarn.f0, l, h);
+// Yarns on both sides of one bounce, [1/sr].
+vec3 yarnsLobe(SurfaceInfo s, vec3 l, vec3 h) {
+  return s.warp.coverage * stretchedLobe(s, s.warp.t, s.warp.b, s.warp.n, s.warp.alphaT, s.warp.alphaB, s.warp.f0, l, h) +
+         s.weft.coverage * stretchedLobe(s, s.weft.t, s.weft.b, s.weft.n, s.weft.alphaT, s.weft.alphaB, s.weft.f0, l, h);
 }
 #endif
 
@@ -87,11 +85,12 @@ vec3 yarnShare(SurfaceInfo s, YarnLobe yarn, vec3 l, vec3 h) {
 vec3 glossLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL) {
 #if WEAVE
   if (isWoven(s)) {
-    vec3 lobe = vec3(0.0);
-    if (s.yarnBlend > 0.0) lobe += (s.coverage * s.yarnBlend) * stretchedLobe(s, s.t, s.b, s.n, s.alphaT, s.alpha, s.f0, l, h);
-    if (s.yarnBlend < 1.0) {
-      lobe += (1.0 - s.yarnBlend) * (yarnShare(s, s.warp, l, h) + yarnShare(s, s.weft, l, h));
-    }
+    vec3 lobe = yarnsLobe(s, l, h);
+#if WEAVE_MAP
+    // What a leaning yarn sends below the surface meets the cloth beside it, which lies flat on average, and leaves mirrored.
+    vec3 below = l - (2.0 * NoL) * s.n;
+    lobe += yarnsLobe(s, below, halfVector(s.n, below, s.v));
+#endif
     return NoL > 0.0 ? lobe : vec3(0.0);
   }
 #endif
@@ -102,18 +101,50 @@ vec3 glossLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL) {
 #endif
 }
 
-// glossAlbedo() for one direction.   cosine  [0, 1], with n
-vec2 albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {
-#if ANISOTROPY || WEAVE
-  return glossAlbedoAnisotropic(s.gloss, s.alphaMean, s.alphaT, s.alpha, cosine, dot(s.t, direction), dot(s.b, direction));
-#else
-  return glossAlbedo(s.gloss, cosine);
+#if WEAVE
+// glossAlbedo() of one set of yarns for one direction.
+// along, across, n  its frame: for lights as it lies, for the viewer as it leans      cosine  [0, 1], with n
+vec2 yarnAlbedo(YarnLobe yarn, vec3 along, vec3 across, vec3 direction, float cosine) {
+  return stretchedAlbedo(yarn.gloss, cosine, dot(across, direction), dot(along, direction));
+}
 #endif
+
+// Of light of one direction.   cosine  [0, 1], with n
+GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {
+  GlossAlbedo albedo;
+#if WEAVE
+  if (isWoven(s)) {
+    albedo.base = yarnAlbedo(s.warp, s.warp.lying, cross(s.n, s.warp.lying), direction, cosine);
+    albedo.weft = yarnAlbedo(s.weft, s.weft.lying, cross(s.n, s.weft.lying), direction, cosine);
+    return albedo;
+  }
+#endif
+#if ANISOTROPY
+  albedo.base = glossAlbedoAnisotropic(s.gloss, s.alphaMean, s.alphaT, s.alpha, cosine, dot(s.t, direction), dot(s.b, direction));
+#else
+  albedo.base = glossAlbedo(s.gloss, cosine);
+#endif
+  return albedo;
 }
 
 // Share of the light of one direction that passes the dielectric interface, either way.   albedo  of the gloss there
-vec3 passingShare(SurfaceInfo s, vec2 albedo) {
-  return max(1.0 - s.coverage * interfaceAlbedo(s.f0Dielectric, s.f90, s.returningDielectric, albedo), 0.0);
+vec3 passingShare(SurfaceInfo s, GlossAlbedo albedo) {
+#if WEAVE
+  if (isWoven(s)) {
+    vec3 warp = interfaceAlbedo(s.warp.f0Dielectric, s.f90, s.warp.returningDielectric, albedo.base);
+    vec3 weft = interfaceAlbedo(s.weft.f0Dielectric, s.f90, s.weft.returningDielectric, albedo.weft);
+    return max(1.0 - s.warp.coverage * warp - s.weft.coverage * weft, 0.0);
+  }
+#endif
+  return max(1.0 - interfaceAlbedo(s.f0Dielectric, s.f90, s.returningDielectric, albedo.base), 0.0);
+}
+
+// What the microfacets return of a light after more bounces, without its cosine, [1/sr].   albedo  of the gloss towards it
+vec3 returnedLobe(SurfaceInfo s, GlossAlbedo albedo) {
+#if WEAVE
+  if (isWoven(s)) return s.warp.returningLobe * albedo.base.x + s.weft.returningLobe * albedo.weft.x;
+#endif
+  return s.returningLobe * albedo.base.x;
 }
 
 // Axes square to the normal, from which a map may have turned, and to each other: on axes that lean the lobe would have a
@@ -130,20 +161,56 @@ SurfaceInfo withSquareFrame(SurfaceInfo s) {
 }
 #endif
 
+#if WEAVE
+// A set of yarns with what it reflects and what it leaves to the rest of the surface: each by its own width.
+// f0Metal  normal reflectance of the metal
+YarnLobe withYarnEnergies(SurfaceInfo s, YarnLobe yarn, vec3 f0Metal) {
+  yarn.gloss = stretchedCurve(yarn.alphaB, yarn.alphaT);
+#if WEAVE_MAP
+  // Yarns that lean away from the viewer are seen where they just face him.
+  yarn.n = normalFacing(yarn.n, s.v);
+  yarn.t = safeNormalize(cross(yarn.b, yarn.n), anyTangent(yarn.n));
+  yarn.b = cross(yarn.n, yarn.t);
+#endif
+  yarn.albedo = yarnAlbedo(yarn, yarn.t, yarn.b, s.v, saturate(dot(yarn.n, s.v)));
+  yarn.f0Dielectric = s.f0Dielectric * yarn.specularColor;
+  yarn.f0 = s.f0 * yarn.specularColor;
+  float average = yarn.gloss.average.x;
+  yarn.returningDielectric = returningShare(yarn.f0Dielectric, s.f90, average);
+  yarn.returning = mix(yarn.returningDielectric, returningShare(f0Metal * yarn.specularColor, s.f90, average), s.metallic);
+  yarn.returningLobe = yarn.returning * (yarn.coverage * yarn.albedo.x * RECIPROCAL_PI / average);
+  return yarn;
+}
+#endif
+
 // What the gloss reflects and what it leaves.   f0Metal  normal reflectance of the metal
 SurfaceInfo withEnergies(SurfaceInfo s, vec3 f0Metal) {
-#if ANISOTROPY || WEAVE
-  s.alphaMean = meanAlpha(s.alphaT, s.alpha);
-  s.gloss = glossCurve(sqrt(s.alphaMean));
-#else
-  s.alphaMean = s.alpha;
-  s.gloss = glossCurve(s.perceptualRoughness);
+  GlossAlbedo average;
+#if WEAVE
+  if (isWoven(s)) {
+    s.warp = withYarnEnergies(s, s.warp, f0Metal);
+    s.weft = withYarnEnergies(s, s.weft, f0Metal);
+    s.albedo.base = s.warp.albedo;
+    s.albedo.weft = s.weft.albedo;
+    average.base = s.warp.gloss.average;
+    average.weft = s.weft.gloss.average;
+    s = withMeanYarn(s);
+  } else
 #endif
-  s.albedo = albedoTowards(s, s.v, s.NoV);
-  vec2 average = glossAverage(s.gloss);
-  s.returningDielectric = returningShare(s.f0Dielectric, s.f90, average.x);
-  s.returning = mix(s.returningDielectric, returningShare(f0Metal, s.f90, average.x), s.metallic);
-  s.returningLobe = s.returning * (s.coverage * s.albedo.x * RECIPROCAL_PI / average.x);
+  {
+#if ANISOTROPY
+    s.alphaMean = meanAlpha(s.alphaT, s.alpha);
+    s.gloss = glossCurve(sqrt(s.alphaMean));
+#else
+    s.alphaMean = s.alpha;
+    s.gloss = glossCurve(s.perceptualRoughness);
+#endif
+    s.albedo = albedoTowards(s, s.v, s.NoV);
+    average.base = glossAverage(s.gloss);
+    s.returningDielectric = returningShare(s.f0Dielectric, s.f90, average.base.x);
+    s.returning = mix(s.returningDielectric, returningShare(f0Metal, s.f90, average.base.x), s.metallic);
+    s.returningLobe = s.returning * (s.albedo.base.x * RECIPROCAL_PI / average.base.x);
+  }
   s.leaving = passingShare(s, s.albedo);
   s.passing = s.leaving / max(passingShare(s, average), vec3(PASSING_MIN));
   return s;
@@ -158,15 +225,8 @@ SurfaceInfo preparedSurface(SurfaceInfo s) {
   vec3 f0Metal = s.baseColor;
 #endif
   s.f0 = mix(s.f0Dielectric, f0Metal, s.metallic);
-  s.coverage = 1.0;
 #if ANISOTROPY || WEAVE
   s = withSquareFrame(s);
-#endif
-#if WEAVE
-  if (isWoven(s)) {
-    f0Metal *= meanYarnColor(s);
-    s = withMeanYarn(s);
-  }
 #endif
   s = withEnergies(s, f0Metal);
 #if NORMAL_MAP
@@ -258,20 +318,33 @@ Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
 #if SHEEN
   sum.sheen += lightColor * s.sheenColor * sheenCosine(s.sheenView, s.NoV, NoL, dot(l, s.v));
 #endif
-  vec2 albedo = albedoTowards(s, l, NoL);
-  sum.specular += lightColor * (glossLobe(s, l, h, NoL) + s.returningLobe * (albedo.x * NoL));
+  GlossAlbedo albedo = albedoTowards(s, l, NoL);
+  sum.specular += lightColor * (glossLobe(s, l, h, NoL) + returnedLobe(s, albedo) * NoL);
   sum.diffuse += lightColor * innerLobe(s, l, NoL) * s.passing * passingShare(s, albedo);
   return sum;
 }
 
 // What the gloss reflects at once of light from everywhere, [0, 1].
 vec3 glossReflectance(SurfaceInfo s) {
-  return s.coverage * (s.f0 * (1.0 - s.albedo.x - s.albedo.y) + s.f90 * s.albedo.y);
+  vec2 base = s.albedo.base;
+#if WEAVE
+  if (isWoven(s)) {
+    vec2 weft = s.albedo.weft;
+    return s.warp.coverage * (s.warp.f0 * (1.0 - base.x - base.y) + s.f90 * base.y) +
+           s.weft.coverage * (s.weft.f0 * (1.0 - weft.x - weft.y) + s.f90 * weft.y);
+  }
+#endif
+  return s.f0 * (1.0 - base.x - base.y) + s.f90 * base.y;
 }
 
 // What it reflects later, [0, 1].
 vec3 glossReturn(SurfaceInfo s) {
-  return s.returning * (s.coverage * s.albedo.x);
+#if WEAVE
+  if (isWoven(s)) {
+    return s.warp.returning * (s.warp.coverage * s.albedo.base.x) + s.weft.returning * (s.weft.coverage * s.albedo.weft.x);
+  }
+#endif
+  return s.returning * s.albedo.base.x;
 }
 
 // Light from everywhere of which only the mean is known: that of ambient and hemisphere lights.

@@ -38,9 +38,9 @@ const ALTERNATIVES = [
   )]],
   ['plain', 'albedo towards a light from a table', [
     { file: 'material/surface_info.glsl', find: 'uniform sampler2D dfgMap;', replace: '' },
-    fabric('vec2 albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {',
-      'uniform sampler2D dfgMap;\nvec2 albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {\n'
-      + '  vec2 ab = texture(dfgMap, vec2(s.perceptualRoughness, sqrt(cosine))).rg;\n  return vec2(1.0 - ab.x - ab.y, ab.y);'),
+    fabric('GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {',
+      'uniform sampler2D dfgMap;\nGlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {\n'
+      + '  vec2 ab = texture(dfgMap, vec2(s.perceptualRoughness, sqrt(cosine))).rg;\n  return GlossAlbedo(vec2(1.0 - ab.x - ab.y, ab.y));'),
   ]],
   ['sheen', 'sheen by Charlie and its own masking', [fabric('sheenCosine(s.sheenView, s.NoV, NoL, dot(l, s.v))',
     'NoL * D_Charlie_(pow2(s.sheenRoughness), saturate(dot(s.n, h))) * V_Charlie(pow2(s.sheenRoughness), s.NoV, NoL)'),

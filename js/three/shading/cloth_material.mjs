@@ -132,12 +132,18 @@ function mapsOf({ fabric, diffuseTransmission }) {
   return Object.fromEntries(Object.entries(maps).filter(([, map]) => map));
 }
 
+/** Without yarns there is the one highlight of the material. */
+function hasYarns(fabric) {
+  const { warp, weft } = fabric?.weave ?? { warp: { coverage: 0 }, weft: { coverage: 0 } };
+  return (warp?.coverage ?? 0.5) + (weft?.coverage ?? 0.5) > 0;
+}
+
 /** Defines of 0 or 1, as renderer/pass sets them. */
 function featuresOf({ fabric, diffuseTransmission, map, alphaTest, normalMap, clearcoatNormalMap }) {
   const features = {
     DIFFUSE_TRANSMISSION: diffuseTransmission?.diffuseTransmissionFactor > 0,
     FLATNESS: fabric?.flatness > 0,
-    WEAVE: Boolean(fabric?.weave),
+    WEAVE: hasYarns(fabric),
     BACK: Boolean(fabric?.back),
     NORMAL_VARIANCE: Boolean(normalMap ?? clearcoatNormalMap),
     ALPHA_TO_COVERAGE: Boolean(map) && alphaTest > 0,
