@@ -12,6 +12,10 @@ Napi::Value decodeImage(const Napi::CallbackInfo& info) {
   auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
   return State::of(info.Env()).runOnPool(info.Env(), job, [job, file, limits] {
     auto image = std::make_shared<Image8>(telar::decodeImage(*file, limits, job->cancel));
+    if (image->type != TexelType::kByte) {
+      throw Error("E_IMAGE_FORMAT",
+                  "the image is " + image->format + ", which are no 8-bit texels; convert it to PNG to compare it");
+    }
     job->value = [image](Napi::Env env) {
       Napi::Object result = Napi::Object::New(env);
       result["width"] = image->width;

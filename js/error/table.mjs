@@ -60,7 +60,7 @@ const ROWS = {
     E_INSTANCING: ['The instances of a mesh are inconsistent', FIX_FILE],
     E_SKIN: ['A skin is inconsistent', FIX_FILE],
     E_NO_GEOMETRY: ['The scene has nothing to draw', 'Check that the exported scene holds the garment.'],
-    E_IMAGE_FORMAT: ['A texture is not PNG, JPEG, WebP or KTX2, or is KTX2 of a kind that is not drawn', 'Export textures as PNG, JPEG, WebP, or KTX2 in ETC1S or UASTC.'],
+    E_IMAGE_FORMAT: ['A texture is not PNG, JPEG, WebP or KTX2, or is KTX2 of a kind that is not drawn', 'Export textures as PNG, JPEG, WebP, or KTX2 in ETC1S, UASTC or RGBA8.'],
     E_IMAGE_CORRUPT: ['A texture is damaged or cut', 'Export the texture again.'],
     E_IMAGE_SIZE: ['Two images to compare differ in size', 'Draw both at one size.'],
     E_DRACO: ['Draco data is damaged or contradicts its accessors', FIX_FILE],

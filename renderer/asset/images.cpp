@@ -41,7 +41,7 @@ Image8 ImageLoader::decode(std::size_t image, double& bytesSoFar) const {
   }
   try {
     const ImageHeader header = readImageHeader(file, limits_);
-    bytesSoFar += 4.0 * header.width * header.height;
+    bytesSoFar += static_cast<double>(header.texelBytes) * header.width * header.height;
     checkSum("L_IMAGE_BYTES", static_cast<double>(limits_.imageBytes), bytesSoFar);
     // A URI need not give a type; an image in a buffer view must, and the right one.
     const bool embedded = source.bufferView >= 0;

@@ -25,6 +25,7 @@ namespace telar::gl {
   F(CLEARDEPTHF, ClearDepthf)                                       \
   F(COLORMASK, ColorMask)                                           \
   F(COMPILESHADER, CompileShader)                                   \
+  F(COMPRESSEDTEXSUBIMAGE2D, CompressedTexSubImage2D)               \
   F(CREATEPROGRAM, CreateProgram)                                   \
   F(CREATESHADER, CreateShader)                                     \
   F(CULLFACE, CullFace)                                             \

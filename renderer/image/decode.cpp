@@ -55,7 +55,7 @@ void checkImageLimits(const ImageHeader& header, const Limits& limits) {
   checkLimit("L_IMAGE_DIMENSION", double(limits.imageDimension), std::max(header.width, header.height));
   const double pixels = double(header.width) * header.height;
   checkLimit("L_IMAGE_PIXELS", double(limits.imagePixels), pixels);
-  checkLimit("L_IMAGE_BYTES", double(limits.imageBytes), pixels * 4);
+  checkLimit("L_IMAGE_BYTES", double(limits.imageBytes), pixels * header.texelBytes);
 }
 
 }  // namespace

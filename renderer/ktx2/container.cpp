@@ -36,37 +36,35 @@ struct FormatRange {
 };
 
 /// Block and other formats that people meet, by the values of VkFormat.
-constexpr FormatRange REFUSED_FORMATS[] = {{23, 36, "RGB8"},
-                                           {70, 83, "16-bit R or RG"},
-                                           {84, 97, "RGB16 or RGBA16"},
-                                           {98, 109, "32-bit"},
-                                           {122, 123, "packed"},
-                                           {131, 134, "BC1"},
+constexpr FormatRange REFUSED_FORMATS[] = {{9, 22, "R8 or RG8 of integers or signed numbers"},
+                                           {23, 36, "RGB8"},
+                                           {37, 50, "RGBA8 of integers or signed numbers, or BGRA8"},
+                                           {70, 83, "R16 or RG16"},
+                                           {84, 90, "RGB16"},
+                                           {91, 97, "RGBA16 of integers or signed numbers"},
+                                           {98, 109, "RGB32F, or 32-bit integers"},
                                            {135, 136, "BC2"},
-                                           {137, 138, "BC3"},
-                                           {139, 140, "BC4"},
-                                           {141, 142, "BC5"},
                                            {143, 144, "BC6H"},
-                                           {145, 146, "BC7"},
-                                           {147, 152, "ETC2"},
-                                           {153, 156, "EAC"},
-                                           {157, 184, "ASTC"},
-                                           {1000054000, 1000054007, "PVRTC"},
-                                           {1000066000, 1000066013, "ASTC HDR"}};
+                                           {147, 147, "ETC2 without sRGB"},
+                                           {149, 151, "ETC2 without sRGB, or with one bit of alpha"},
+                                           {159, 184, "ASTC in blocks other than 4x4 and 6x6"}};
 
-/// Components of the uncompressed formats that three.js's loader shows with 8 bits; 0 = another format.
-unsigned componentsOf(std::uint32_t vkFormat) {
-  constexpr std::uint32_t R8 = 9, R8_SRGB = 15, RG8 = 16, RG8_SRGB = 22, RGBA8 = 37, RGBA8_SRGB = 43;
-  if (vkFormat == R8 || vkFormat == R8_SRGB) return 1;
-  if (vkFormat == RG8 || vkFormat == RG8_SRGB) return 2;
-  return vkFormat == RGBA8 || vkFormat == RGBA8_SRGB ? 4 : 0;
-}
+/// Formats that three.js hands to a GPU that reads them, which is none that a server has.
+constexpr FormatRange FOREIGN_FORMATS[] = {{1000054000, 1000054007, "PVRTC"}, {1000066000, 1000066013, "ASTC HDR"}};
 
-std::string nameOf(std::uint32_t vkFormat) {
-  for (const FormatRange& range : REFUSED_FORMATS) {
+template <std::size_t N>
+const char* nameIn(const FormatRange (&list)[N], std::uint32_t vkFormat) {
+  for (const FormatRange& range : list) {
     if (vkFormat >= range.first && vkFormat <= range.last) return range.name;
   }
-  return "VkFormat " + std::to_string(vkFormat);
+  return nullptr;
+}
+
+[[noreturn]] void refuseFormat(std::uint32_t vkFormat) {
+  if (const char* foreign = nameIn(FOREIGN_FORMATS, vkFormat))
+    throw unsupported(std::string("is in the format ") + foreign);
+  const char* name = nameIn(REFUSED_FORMATS, vkFormat);
+  throw refusedByClients("is in the format " + (name ? std::string(name) : "VkFormat " + std::to_string(vkFormat)));
 }
 
 Header readHeader(ByteReader& from) {
@@ -115,19 +113,31 @@ TexelCoding codingOf(const Descriptor& descriptor) {
   return known && descriptor.transfer == TRANSFER_SRGB ? TexelCoding::kSrgb : TexelCoding::kByUse;
 }
 
+/// A file whose format is Vulkan's, not one of Basis Universal.
+void readPlainFormat(const Header& header, Container& out) {
+  out.raw = rawFormatOf(header.vkFormat);
+  out.blocks = blockLayoutOf(header.vkFormat);
+  if (!out.raw && !out.blocks) refuseFormat(header.vkFormat);
+  if (header.supercompression == BASIS_LZ) throw corrupt("it has a format of its own and is BasisLZ at once");
+  out.payload = out.raw ? Payload::kRaw : Payload::kBlocks;
+  const bool decodesSrgb =
+      out.raw ? out.raw->components == 4 && out.raw->type() == TexelType::kByte : out.blocks->coloured;
+  if (!decodesSrgb) out.coding = TexelCoding::kLinear;
+  if (out.blocks && out.blocks->wholeBlocks() && (header.width % 4 != 0 || header.height % 4 != 0)) {
+    throw refusedByClients(std::string("is in the format ") + out.blocks->name +
+                           " with sides that are no multiples of 4");
+  }
+}
+
 void readPayload(const Header& header, const Descriptor& descriptor, Container& out) {
-  if (header.supercompression == ZLIB) throw unsupported("is compressed by zlib");
+  if (header.supercompression == ZLIB) throw refusedByClients("is compressed by zlib");
   if (header.supercompression > ZLIB) {
-    throw unsupported("has the supercompression " + std::to_string(header.supercompression));
+    throw refusedByClients("has the supercompression " + std::to_string(header.supercompression));
   }
   out.zstd = header.supercompression == ZSTD;
   out.coding = codingOf(descriptor);
   if (header.vkFormat != 0) {
-    out.payload = Payload::kRaw;
-    out.components = componentsOf(header.vkFormat);
-    if (out.components == 0) throw unsupported("is in the format " + nameOf(header.vkFormat));
-    if (out.components < 4) out.coding = TexelCoding::kLinear;
-    if (header.supercompression == BASIS_LZ) throw corrupt("it is uncompressed and BasisLZ at once");
+    readPlainFormat(header, out);
   } else if (descriptor.model == MODEL_ETC1S) {
     out.payload = Payload::kEtc1s;
     out.alphaSlices = descriptor.samples == 2;
@@ -146,6 +156,9 @@ void readLevels(Bytes file, const Header& header, ByteReader& index, Container& 
     const std::uint64_t offset = index.u64(), bytes = index.u64(), uncompressed = index.u64();
     out.levels.push_back(rangeOf(file, offset, bytes));
     if (bytes == 0) throw corrupt("a mip level is empty");
+    if (out.payload == Payload::kRaw && !out.zstd && offset % out.raw->alignment() != 0) {
+      throw corrupt("a mip level does not start where numbers of its format may");
+    }
     if (out.payload == Payload::kEtc1s) continue;
     const std::uint64_t expected = levelBytes(out, level);
     if (uncompressed != expected || (!out.zstd && bytes != expected)) {
@@ -176,17 +189,18 @@ Container readContainer(Bytes file, const Limits& limits) {
 }
 
 std::string formatName(const Container& container) {
-  constexpr const char* RAW[] = {"", "R8", "RG8", "", "RGBA8"};
   std::string out = "KTX2 ";
   if (container.payload == Payload::kEtc1s) return out + "ETC1S";
-  out += container.payload == Payload::kUastc ? "UASTC" : RAW[container.components];
+  out += container.payload == Payload::kUastc ? "UASTC" : container.raw ? container.raw->name : container.blocks->name;
   return container.zstd ? out + " zstd" : out;
 }
 
 std::uint64_t levelBytes(const Container& container, std::size_t level) {
   const std::uint32_t width = sideOf(container.width, level), height = sideOf(container.height, level);
-  if (container.payload == Payload::kRaw) return std::uint64_t{width} * height * container.components;
-  return std::uint64_t{blocksOf(width)} * blocksOf(height) * 16;
+  if (container.payload == Payload::kRaw) return std::uint64_t{width} * height * container.raw->bytes();
+  const std::uint32_t side = container.blocks ? container.blocks->side : 4;
+  const std::uint32_t bytes = container.blocks ? container.blocks->bytes : 16;
+  return std::uint64_t{blocksOf(width, side)} * blocksOf(height, side) * bytes;
 }
 
 }  // namespace telar::ktx2

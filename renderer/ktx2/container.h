@@ -2,7 +2,9 @@
 #include <string>
 #include <vector>
 
+#include "ktx2/block_formats.h"
 #include "ktx2/byte_reader.h"
+#include "ktx2/raw_formats.h"
 #include "telar/image.h"
 #include "telar/limits.h"
 
@@ -11,16 +13,18 @@ namespace telar::ktx2 {
 enum class Payload {
   kEtc1s,  ///< BasisLZ: codebooks and indices
   kUastc,  ///< UASTC LDR 4x4: 16 bytes a block
-  kRaw,    ///< 8-bit components, uncompressed
+  kRaw,    ///< uncompressed
+  kBlocks  ///< of a GPU, handed to it as they are
 };
 
 /// The parts of a KTX2 file that holds one 2D texture of a kind that telar draws; every range lies within the file.
 struct Container {
   std::uint32_t width = 0, height = 0;  ///< level 0, texels, at least 1
   Payload payload = Payload::kRaw;
-  unsigned components = 4;   ///< kRaw: 1, 2 or 4
-  bool zstd = false;         ///< the levels are compressed by zstd
-  bool alphaSlices = false;  ///< kEtc1s: each level has a second slice, its alpha
+  const RawFormat* raw = nullptr;       ///< kRaw
+  const BlockLayout* blocks = nullptr;  ///< kBlocks
+  bool zstd = false;                    ///< the levels are compressed by zstd
+  bool alphaSlices = false;             ///< kEtc1s: each level has a second slice, its alpha
   TexelCoding coding = TexelCoding::kByUse;
   std::vector<Bytes> levels;  ///< largest first; as compressed as `zstd` says
   Bytes globalData;           ///< kEtc1s: codebooks
@@ -41,6 +45,9 @@ std::string formatName(const Container& container);
 std::uint64_t levelBytes(const Container& container, std::size_t level);
 
 inline std::uint32_t sideOf(std::uint32_t side, std::size_t level) { return side >> level == 0 ? 1 : side >> level; }
-inline std::uint32_t blocksOf(std::uint32_t side) { return side / 4 + (side % 4 != 0); }
+/// @param texels of a block's side
+inline std::uint32_t blocksOf(std::uint32_t side, std::uint32_t texels = 4) {
+  return side / texels + (side % texels != 0);
+}
 
 }  // namespace telar::ktx2

@@ -10,7 +10,7 @@
 namespace telar::ktx2 {
 namespace {
 
-/// One level that is being filled.
+/// One level that is being filled; the texels of blocks are 8-bit.
 struct Target {
   std::uint32_t width, height;
   std::vector<std::uint8_t> pixels;
@@ -20,13 +20,20 @@ struct Target {
 
 /// Sides of a level as the client's texture has them.
 std::uint32_t paintedSide(const Container& container, std::uint32_t side, std::size_t level) {
-  const bool wholeBlocks = container.payload != Payload::kRaw && container.levels.size() == 1;
+  const bool basis = container.payload == Payload::kEtc1s || container.payload == Payload::kUastc;
+  const bool wholeBlocks = basis && container.levels.size() == 1;
   return wholeBlocks ? blocksOf(side) * 4 : sideOf(side, level);
+}
+
+TexelType typeOf(const Container& container) {
+  if (container.blocks) return TexelType::kBlocks;
+  return container.raw ? container.raw->type() : TexelType::kByte;
 }
 
 Target targetOf(const Container& container, std::size_t level) {
   Target out{paintedSide(container, container.width, level), paintedSide(container, container.height, level), {}};
-  out.pixels.resize(std::size_t{out.width} * out.height * 4);
+  out.pixels.resize(container.blocks ? levelBytes(container, level)
+                                     : std::size_t{out.width} * out.height * texelBytes(typeOf(container)));
   return out;
 }
 
@@ -81,14 +88,6 @@ void paintUastc(Bytes blocks, Target& target, const CancelToken& cancel) {
   }
 }
 
-void paintRaw(Bytes from, unsigned components, Target& target) {
-  const std::uint8_t* source = data(from);
-  for (std::size_t i = 0; i < target.pixels.size(); i += 4, source += components) {
-    target.pixels[i + 3] = 255;
-    std::copy_n(source, components, &target.pixels[i]);
-  }
-}
-
 void paintLevel(const Container& container, std::size_t level, Target& target, const CancelToken& cancel) {
   Bytes bytes = container.levels[level];
   std::vector<std::uint8_t> inflated;
@@ -99,8 +98,10 @@ void paintLevel(const Container& container, std::size_t level, Target& target, c
   }
   if (container.payload == Payload::kUastc) {
     paintUastc(bytes, target, cancel);
-  } else {
-    paintRaw(bytes, container.components, target);
+  } else if (container.blocks) {
+    std::copy_n(data(bytes), target.pixels.size(), target.pixels.data());
+  } else if (!expandRaw(*container.raw, bytes, target.pixels)) {
+    throw corrupt("it holds texels that are not numbers, or infinite");
   }
 }
 
@@ -108,7 +109,8 @@ void paintLevel(const Container& container, std::size_t level, Target& target, c
 
 ImageHeader readHeader(Bytes file, const Limits& limits) {
   const Container container = readContainer(file, limits);
-  return {paintedSide(container, container.width, 0), paintedSide(container, container.height, 0), "image/ktx2"};
+  return {paintedSide(container, container.width, 0), paintedSide(container, container.height, 0), "image/ktx2",
+          texelBytes(typeOf(container))};
 }
 
 Image8 decode(Bytes file, const Limits& limits, const CancelToken& cancel) {
@@ -130,6 +132,9 @@ Image8 decode(Bytes file, const Limits& limits, const CancelToken& cancel) {
   out.ownLevels = true;
   out.coding = container.coding;
   out.format = formatName(container);
+  out.type = typeOf(container);
+  if (container.blocks) out.blocks = container.blocks->format;
+  if (container.raw) out.missingLevels = container.raw->components < 4 ? MissingLevels::kBlack : MissingLevels::kClear;
   return out;
 }
 

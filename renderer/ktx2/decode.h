@@ -12,8 +12,9 @@ bool isKtx2(Bytes file);
 /// L_IMAGE_DIMENSION}
 ImageHeader readHeader(Bytes file, const Limits& limits);
 
-/// Decodes every level to RGBA8, as three.js's KTX2Loader has it uncompressed. A texture of blocks with a single level
-/// is as large as its blocks, as the loader makes it: sides are rounded up to multiples of 4.
+/// Decodes every level to RGBA as three.js's KTX2Loader has it uncompressed: 8-bit, or floats where the file has more.
+/// An uncompressed file's levels are those of the file, and smaller ones are black (MissingLevels). A texture of blocks
+/// with a single level is as large as its blocks, as the loader makes it: sides are rounded up to multiples of 4.
 /// @throws Error{E_IMAGE_CORRUPT, E_IMAGE_FORMAT, L_IMAGE_DIMENSION, X_LIBRARY_MISSING, X_CANCELLED}
 Image8 decode(Bytes file, const Limits& limits, const CancelToken& cancel);
 

@@ -1,17 +1,8 @@
 #include "pass/gpu_scene.h"
 
-#include <algorithm>
-#include <bit>
+#include "pass/texture_upload.h"
 
 namespace telar::pass {
-namespace {
-
-GLsizei levelCount(const Image8& image) {
-  if (image.ownLevels) return static_cast<GLsizei>(1 + image.smallerLevels.size());
-  return static_cast<GLsizei>(std::bit_width(std::max(image.width, image.height)));
-}
-
-}  // namespace
 
 GpuScene::GpuScene(const gl::Context& context, const std::shared_ptr<const Scene>& scene, GpuScene* model)
     : context_(context), scene_(scene), model_(model) {
@@ -55,21 +46,9 @@ GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const Can
   if (found != textures_.end()) return found->second.get();
   cancel.check();
   const gl::Functions& gl = context_.gl();
-  const Image8& source = scene.images[static_cast<std::size_t>(image)];
-  const auto width = static_cast<GLsizei>(source.width), height = static_cast<GLsizei>(source.height);
   gl::Texture texture(gl);
   gl.BindTexture(GL_TEXTURE_2D, texture.get());
-  gl.TexStorage2D(GL_TEXTURE_2D, levelCount(source), srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, width, height);
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, source.pixels.data());
-  GLint level = 0;
-  for (const auto& pixels : source.smallerLevels) {
-    ++level;
-    gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, std::max(1, width >> level), std::max(1, height >> level), GL_RGBA,
-                     GL_UNSIGNED_BYTE, pixels.data());
-  }
-  if (!source.ownLevels) gl.GenerateMipmap(GL_TEXTURE_2D);
-  context_.check("texture upload");
+  uploadTexture(context_, scene.images[static_cast<std::size_t>(image)], srgb);
   return textures_.emplace(key, std::move(texture)).first->second.get();
 }
 

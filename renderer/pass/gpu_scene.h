@@ -31,8 +31,8 @@ class GpuScene {
 
   /// @param instances null = drawn once
   const GpuPrimitive& primitive(const Primitive& primitive, const Instances* instances);
-  /// Uploads once for each way of decoding, with mip levels: SRGB8_ALPHA8 or RGBA8, as the image's coding and the use
-  /// as a colour or as data say.
+  /// Uploads once for each way of decoding, with mip levels (texture_upload.h): from sRGB or linear, as the image's
+  /// coding and the use as a colour or as data say. @throws Error{E_IMAGE_FORMAT}
   GLuint texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel);
   /// The same for a texture that is made of another one, once for each key.
   GLuint derived(const DerivedTexture& key, const std::function<gl::Texture()>& make);

@@ -1,8 +1,11 @@
 #include "reference/texture_read.h"
 
 #include <cmath>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
 
 #include "brdf/brdf.h"
+#include "telar/error.h"
 
 namespace telar::reference {
 namespace {
@@ -27,16 +30,31 @@ struct Reader {
   const std::array<float, 256>& alphas;
 
   glm::vec4 texel(long long x, long long y) const {
-    const std::uint8_t* p =
-        &image.pixels[(wrapped(y, image.height, sampler.wrapT) * image.width + wrapped(x, image.width, sampler.wrapS)) *
-                      4];
-    return {colours[p[0]], colours[p[1]], colours[p[2]], alphas[p[3]]};
+    const std::size_t at =
+        wrapped(y, image.height, sampler.wrapT) * image.width + wrapped(x, image.width, sampler.wrapS);
+    const std::uint8_t* p = &image.pixels[at * texelBytes(image.type)];
+    if (image.type == TexelType::kByte) return {colours[p[0]], colours[p[1]], colours[p[2]], alphas[p[3]]};
+    if (image.type == TexelType::kHalf) {
+      std::uint64_t halves = 0;
+      std::memcpy(&halves, p, sizeof halves);
+      return glm::unpackHalf4x16(halves);
+    }
+    glm::vec4 floats;
+    std::memcpy(&floats, p, sizeof floats);
+    return floats;
   }
 };
 
 }  // namespace
 
 Textures::Textures(const Scene& scene) : scene_(scene) {
+  for (const Image8& image : scene.images) {
+    if (image.type != TexelType::kBlocks) continue;
+    throw Error("E_IMAGE_FORMAT",
+                "the image is " + image.format +
+                    ", blocks that only a GPU reads; for quality \"reference\" use a texture in PNG, or "
+                    "KTX2 in ETC1S or UASTC");
+  }
   for (std::size_t i = 0; i < bytes_.size(); ++i) {
     bytes_[i] = static_cast<float>(i) / 255.0f;
     linear_[i] = brdf_f::linearFromSrgb(glm::vec3(bytes_[i])).x;

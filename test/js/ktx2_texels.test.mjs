@@ -6,8 +6,12 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { DataUtils } from 'three';
+import { KTX2Loader } from 'three/examples/jsm/loaders/KTX2Loader.js';
 import { etc1sKtx2 } from '../fixtures/etc1s.mjs';
+import { BLOCK_FORMATS } from '../fixtures/gpu_blocks.mjs';
 import { SUPERCOMPRESSION, ktx2File, mipChain, rawKtx2 } from '../fixtures/ktx2.mjs';
+import { RAW_FORMATS, REFUSED_FORMATS, rawFormatKtx2 } from '../fixtures/raw_formats.mjs';
 import { uastcBlocks, uastcKtx2 } from '../fixtures/uastc.mjs';
 import { zstdStored } from '../fixtures/zstd_frame.mjs';
 import { referenceLevels } from './image/basis_reference.mjs';
@@ -27,17 +31,19 @@ function decoded(bytes) {
   try {
     out = execFileSync(imageTool(), ['levels', file], { maxBuffer: 256 << 20, stdio: ['ignore', 'pipe', 'pipe'] });
   } catch (error) {
-    assert.match(String(error.stderr), /^E_IMAGE_CORRUPT: /);
+    if (!/^E_IMAGE_CORRUPT: /.test(error.stderr)) throw new Error(String(error.stderr));
     return null;
   }
   const count = out.readUInt32LE(4);
+  const type = ['bytes', 'halves', 'floats'][out.readUInt32LE(8)];
+  const texelBytes = { bytes: 4, halves: 8, floats: 16 }[type];
   const levels = [];
-  for (let i = 0, at = 8; i < count; ++i) {
+  for (let i = 0, at = 12; i < count; ++i) {
     const [width, height] = [out.readUInt32LE(at), out.readUInt32LE(at + 4)];
-    levels.push({ width, height, pixels: out.subarray(at + 8, at + 8 + width * height * 4) });
-    at += 8 + width * height * 4;
+    levels.push({ width, height, pixels: out.subarray(at + 8, at + 8 + width * height * texelBytes) });
+    at += 8 + width * height * texelBytes;
   }
-  return { coding: out.readUInt32LE(0), levels };
+  return { coding: out.readUInt32LE(0), type, levels };
 }
 
 /** The upper left of a level: where a single level is as large as its blocks, the transcoder gives the image alone. */
@@ -163,7 +169,85 @@ test('coding: what the descriptor says, and R8 and RG8 never sRGB', () => {
   assert.deepEqual([...redGreen.levels[0].pixels], [9, 250, 0, 255]);
 });
 
+/** A level's texels as numbers. */
+function numbersOf({ type, levels }, level = 0) {
+  const { pixels } = levels[level];
+  const bytes = pixels.buffer.slice(pixels.byteOffset, pixels.byteOffset + pixels.length);
+  if (type === 'halves') return Array.from(new Uint16Array(bytes), (half) => DataUtils.fromHalfFloat(half));
+  return type === 'floats' ? Array.from(new Float32Array(bytes)) : Array.from(pixels, (value) => value / 255);
+}
+
+test('every uncompressed format of KTX2Loader: texels, lacking components, levels, coding', () => {
+  const [BY_USE, SRGB, LINEAR] = [0, 1, 2];
+  const image = picture(12, 10, { alpha: true, noise: 30 });
+  for (const [name, { components }] of Object.entries(RAW_FORMATS)) {
+    for (const zstd of [false, true]) {
+      const actual = decoded(rawFormatKtx2(name, image, { zstd }));
+      assert.ok(actual, name);
+      // A step of each below 1; toHalfFloat cuts, the shared exponent rounds.
+      const tolerance = { b10g11r11: 2 ** -6, e5b9g9r9: 2 ** -10, r16f: 2 ** -11, rg16f: 2 ** -11, rgba16f: 2 ** -11 }[name] ?? 1e-7;
+      numbersOf(actual).forEach((value, i) => {
+        const expected = i % 4 < components ? image.pixels[i] / 255 : Number(i % 4 === 3);
+        assert.ok(Math.abs(value - expected) <= tolerance, `${name}, value ${i}: ${value}, ${expected}`);
+      });
+      assert.deepEqual(actual.levels.map(({ width, height }) => [width, height]), [[12, 10], [6, 5], [3, 2], [1, 1]]);
+      assert.equal(actual.coding, components < 4 || actual.type !== 'bytes' ? LINEAR : SRGB, name);
+    }
+  }
+  assert.equal(decoded(rawFormatKtx2('rgba8', image, { transfer: 1 })).coding, BY_USE);
+  for (const vkFormat of Object.values(REFUSED_FORMATS)) assert.throws(() => decoded(ktx2File({ width: 1, height: 1, levels: [Buffer.alloc(16)], vkFormat, model: 1 })), /E_IMAGE_FORMAT/);
+});
+
+/** Why three.js's own loader does not take a file; undefined where it does. */
+async function refusalOfThree(bytes) {
+  const loader = new KTX2Loader();
+  loader.workerConfig = {}; // of a GPU that reads no blocks: nothing here needs a transcoder
+  const copy = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length);
+  return new Promise((resolve) => { loader.parse(copy, () => resolve(undefined), (error) => resolve(error.message)); });
+}
+
+// PVRTC and ASTC HDR are for GPUs that no server has.
+const FOREIGN = [1000054000, 1000054001, 1000054004, 1000054005, 1000066000, 1000066004];
+
+test('formats: telar reads those that KTX2Loader reads, and refuses the others as it does', async () => {
+  const fileOf = (vkFormat) => ktx2File({ width: 4, height: 4, levels: [Buffer.alloc(256)], vkFormat, model: 1 });
+  const read = [];
+  for (let vkFormat = 1; vkFormat <= 184; ++vkFormat) {
+    const refusal = await refusalOfThree(fileOf(vkFormat));
+    if (!refusal) read.push(vkFormat);
+    if (refusal) assert.equal(refusal, `THREE.KTX2Loader: Unsupported vkFormat: ${vkFormat}`);
+    // The size of the level is wrong for most: then telar knows the format.
+    if (refusal) assert.throws(() => decoded(fileOf(vkFormat)), /E_IMAGE_FORMAT: .* which three\.js 0\.187 refuses as well/, `${vkFormat}`);
+    else decoded(fileOf(vkFormat));
+  }
+  assert.deepEqual(read, [...Object.values(RAW_FORMATS), ...Object.values(BLOCK_FORMATS)].map(({ vkFormat }) => vkFormat).concat(133, 137, 157, 165).sort((a, b) => a - b));
+  for (const vkFormat of FOREIGN) assert.throws(() => decoded(fileOf(vkFormat)), /E_IMAGE_FORMAT: .* which telar does not draw/);
+});
+
+/** src: OpenGL ES 3.0, sections 2.1.3 and 2.1.4: floats of 11 and 10 bits without a sign. */
+function smallFloat(bits, mantissaBits) {
+  const [exponent, mantissa] = [bits >> mantissaBits, bits & ((1 << mantissaBits) - 1)];
+  return exponent === 0 ? mantissa * 2 ** (-14 - mantissaBits) : 2 ** (exponent - 15) * (1 + mantissa / 2 ** mantissaBits);
+}
+
+test('packed floats, every exponent', () => {
+  const next = random(11);
+  const words = Uint32Array.from({ length: 4096 }, () => Math.floor(next() * 2 ** 32));
+  const unpack = {
+    e5b9g9r9: (word) => [0, 9, 18].map((shift) => ((word >>> shift) & 511) * 2 ** ((word >>> 27) - 24)),
+    b10g11r11: (word) => [smallFloat(word & 2047, 6), smallFloat((word >>> 11) & 2047, 6), smallFloat(word >>> 22, 5)],
+  };
+  for (const [name, numbers] of Object.entries(unpack)) {
+    const finite = words.filter((word) => name === 'e5b9g9r9' || numbers(word).every((value) => value < 65536));
+    assert.ok(finite.length > 3000);
+    const file = ktx2File({ width: 16, height: finite.length >> 4, levels: [Buffer.from(finite.buffer, 0, (finite.length >> 4) * 64)], vkFormat: RAW_FORMATS[name].vkFormat, model: 1 });
+    const expected = [...finite.subarray(0, (finite.length >> 4) * 16)].flatMap((word) => [...numbers(word), 1]);
+    assert.deepEqual(numbersOf(decoded(file)), expected);
+  }
+});
+
 test('real files', { skip: !existsSync(SHARED) && 'no ../shared/models' }, async () => {
   for (const name of ['2d_etc1s', '2d_uastc', 'playcanvas', 'test']) await checkEqual(readFileSync(join(SHARED, `${name}.ktx2`)), name);
-  assert.equal(decoded(readFileSync(join(SHARED, '2d_rgba8.ktx2'))).levels.length, 6);
+  for (const name of ['2d_rgba8', '2d_rgba16_linear', '2d_rgba32_linear']) assert.equal(decoded(readFileSync(join(SHARED, `${name}.ktx2`))).levels.length, 6);
+  assert.throws(() => decoded(readFileSync(join(SHARED, '2d_rgb8.ktx2'))), /is in the format RGB8/);
 });

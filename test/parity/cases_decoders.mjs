@@ -11,7 +11,7 @@ const lights = [LIGHTS.ambient, LIGHTS.directional];
  * odd size is left out, since KTX2Loader pads such a texture for blocks and then has too few texels for it uncompressed.
  */
 const models = Object.keys(DECODER_MODELS).filter((name) => name !== 'ktx2-odd-size');
-const FAST = ['ktx2-etc1s-alpha', 'ktx2-levels', 'meshopt-torus'];
+const FAST = ['ktx2-etc1s-alpha', 'ktx2-levels', 'ktx2-raw-rgba16f', 'ktx2-raw-two-levels', 'ktx2-blocks-bc7-srgb', 'meshopt-torus'];
 const exact = models.map((name) => ({ ...make(`${name}-sun`, name, null, { lights }, FAST.includes(name)), textures: 'uncompressed' }));
 
 const MODELS = [

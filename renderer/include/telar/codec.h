@@ -18,16 +18,17 @@ namespace telar {
 struct ImageHeader {
   std::uint32_t width = 0, height = 0;  ///< upright, as decodeImage() gives them
   std::string mimeType;                 ///< by magic bytes, not by name
+  unsigned texelBytes = 4;              ///< of a decoded texel
 };
 
 /// Reads only the header. @throws Error{E_IMAGE_FORMAT, E_IMAGE_CORRUPT, L_IMAGE_*}
 ImageHeader readImageHeader(std::span<const std::byte> file, const Limits& limits);
 
-/// Decodes PNG, JPEG, WebP or KTX2 (by magic bytes) to 8-bit RGBA. KTX2 as ktx2/decode.h says; the others exactly as
-/// Chromium hands them to WebGL with
-/// colorSpaceConversion "none" and premultiplyAlpha "none": 16-bit PNG to its high byte, grey and palette expanded,
-/// embedded profiles ignored, EXIF orientation applied to JPEG and PNG but not to WebP (measured; three.js loads so).
-/// Limits are checked on the header before a pixel is allocated; a truncated or damaged file is an error.
+/// Decodes PNG, JPEG, WebP or KTX2 (by magic bytes) to RGBA, 8-bit but for some KTX2. KTX2 as ktx2/decode.h says; the
+/// others exactly as Chromium hands them to WebGL with colorSpaceConversion "none" and premultiplyAlpha "none": 16-bit
+/// PNG to its high byte, grey and palette expanded, embedded profiles ignored, EXIF orientation applied to JPEG and PNG
+/// but not to WebP (measured; three.js loads so). Limits are checked on the header before a pixel is allocated; a
+/// truncated or damaged file is an error.
 Image8 decodeImage(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel);
 
 struct OutputOptions {

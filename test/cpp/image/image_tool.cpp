@@ -15,9 +15,9 @@
 namespace {
 
 constexpr const char* USAGE =
-    "usage: image_tool decode FILE             width and height as uint32, then RGBA8 texels\n"
-    "       image_tool levels FILE             coding and number of mip levels as uint32, then every level as decode "
-    "does\n"
+    "usage: image_tool decode FILE             width and height as uint32, then RGBA texels\n"
+    "       image_tool levels FILE             coding, number of mip levels and texel type as uint32, then every "
+    "level as decode does\n"
     "       image_tool environment FILE        width and height as uint32, then RGBA fp32 texels\n"
     "       image_tool encode OPTION=VALUE...  the encoded file; options: frame (a file of RGBA8 or RGBA fp32 "
     "pixels),\n"
@@ -44,7 +44,8 @@ int writeImage(const Image& image) {
 }
 
 int writeLevels(telar::Image8 image) {
-  const std::uint32_t facts[] = {std::uint32_t(image.coding), std::uint32_t(1 + image.smallerLevels.size())};
+  const std::uint32_t facts[] = {std::uint32_t(image.coding), std::uint32_t(1 + image.smallerLevels.size()),
+                                 std::uint32_t(image.type)};
   std::fwrite(facts, sizeof facts, 1, stdout);
   writeImage(image);
   for (auto& pixels : image.smallerLevels) {

@@ -1,0 +1,143 @@
+#include "pass/texture_upload.h"
+
+#include <GLES2/gl2ext.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace telar::pass {
+namespace {
+
+/// How texels are stored and, but for blocks, uploaded.
+struct TexelFormat {
+  GLenum stored, component;
+};
+
+TexelFormat formatOf(TexelType type, bool srgb) {
+  switch (type) {
+    case TexelType::kHalf:
+      return {GL_RGBA16F, GL_HALF_FLOAT};
+    case TexelType::kFloat:
+      return {GL_RGBA32F, GL_FLOAT};
+    default:
+      return {static_cast<GLenum>(srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8), GL_UNSIGNED_BYTE};
+  }
+}
+
+/// The formats that three.js 0.187 asks WebGL for (renderers/webgl/WebGLUtils.js).
+GLenum formatOf(BlockFormat blocks, bool srgb) {
+  const auto either = [&](GLenum linear, GLenum colour) { return srgb ? colour : linear; };
+  switch (blocks) {
+    case BlockFormat::kBc1Rgb:
+      return either(GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_COMPRESSED_SRGB_S3TC_DXT1_EXT);
+    case BlockFormat::kBc1Rgba:
+      return either(GL_COMPRESSED_RGBA_S3TC_DXT1_EXT, GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT);
+    case BlockFormat::kBc3:
+      return either(GL_COMPRESSED_RGBA_S3TC_DXT5_EXT, GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT);
+    case BlockFormat::kBc4:
+      return GL_COMPRESSED_RED_RGTC1_EXT;
+    case BlockFormat::kBc4Signed:
+      return GL_COMPRESSED_SIGNED_RED_RGTC1_EXT;
+    case BlockFormat::kBc5:
+      return GL_COMPRESSED_RED_GREEN_RGTC2_EXT;
+    case BlockFormat::kBc5Signed:
+      return GL_COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT;
+    case BlockFormat::kBc7:
+      return either(GL_COMPRESSED_RGBA_BPTC_UNORM_EXT, GL_COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT);
+    case BlockFormat::kEtc2Rgb:
+      return either(GL_COMPRESSED_RGB8_ETC2, GL_COMPRESSED_SRGB8_ETC2);
+    case BlockFormat::kEtc2Rgba:
+      return either(GL_COMPRESSED_RGBA8_ETC2_EAC, GL_COMPRESSED_SRGB8_ALPHA8_ETC2_EAC);
+    case BlockFormat::kEacR:
+      return GL_COMPRESSED_R11_EAC;
+    case BlockFormat::kEacRSigned:
+      return GL_COMPRESSED_SIGNED_R11_EAC;
+    case BlockFormat::kEacRg:
+      return GL_COMPRESSED_RG11_EAC;
+    case BlockFormat::kEacRgSigned:
+      return GL_COMPRESSED_SIGNED_RG11_EAC;
+    case BlockFormat::kAstc4x4:
+      return either(GL_COMPRESSED_RGBA_ASTC_4x4_KHR, GL_COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR);
+    default:
+      return either(GL_COMPRESSED_RGBA_ASTC_6x6_KHR, GL_COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR);
+  }
+}
+
+GLsizei levelCount(const Image8& image) {
+  if (image.ownLevels && image.missingLevels == MissingLevels::kNone) {
+    return static_cast<GLsizei>(1 + image.smallerLevels.size());
+  }
+  return static_cast<GLsizei>(std::bit_width(std::max(image.width, image.height)));
+}
+
+GLsizei sideOf(std::uint32_t side, GLint level) { return std::max(1, static_cast<GLsizei>(side >> level)); }
+
+/// Texels of 0, and alpha as the missing levels have it.
+std::vector<std::uint8_t> emptyLevel(const Image8& image, GLint level) {
+  const float one = 1;
+  const std::uint16_t half = 0x3c00;
+  std::uint8_t texel[16] = {};
+  if (image.missingLevels == MissingLevels::kBlack) {
+    if (image.type == TexelType::kByte) texel[3] = 255;
+    if (image.type == TexelType::kHalf) std::memcpy(texel + 6, &half, sizeof half);
+    if (image.type == TexelType::kFloat) std::memcpy(texel + 12, &one, sizeof one);
+  }
+  const std::size_t bytes = texelBytes(image.type);
+  std::vector<std::uint8_t> out(static_cast<std::size_t>(sideOf(image.width, level)) *
+                                static_cast<std::size_t>(sideOf(image.height, level)) * bytes);
+  for (std::size_t at = 0; at < out.size(); at += bytes) std::copy_n(texel, bytes, &out[at]);
+  return out;
+}
+
+void uploadTexels(const gl::Functions& gl, const Image8& image, bool srgb) {
+  const TexelFormat format = formatOf(image.type, srgb);
+  const GLsizei levels = levelCount(image);
+  gl.TexStorage2D(GL_TEXTURE_2D, levels, format.stored, sideOf(image.width, 0), sideOf(image.height, 0));
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  const auto put = [&](GLint level, const std::vector<std::uint8_t>& pixels) {
+    gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, sideOf(image.width, level), sideOf(image.height, level), GL_RGBA,
+                     format.component, pixels.data());
+  };
+  put(0, image.pixels);
+  if (!image.ownLevels) return gl.GenerateMipmap(GL_TEXTURE_2D);
+  GLint level = 1;
+  for (const auto& pixels : image.smallerLevels) put(level++, pixels);
+  for (; level < levels; ++level) put(level, emptyLevel(image, level));
+}
+
+void uploadBlocks(const gl::Context& context, const Image8& image, bool srgb) {
+  const gl::Functions& gl = context.gl();
+  const GLenum format = formatOf(image.blocks, srgb);
+  context.check("textures");
+  gl.TexStorage2D(GL_TEXTURE_2D, levelCount(image), format, sideOf(image.width, 0), sideOf(image.height, 0));
+  try {
+    context.check("compressed textures");
+  } catch (const Error& error) {
+    if (error.code != "X_GL") throw;
+    throw Error("E_IMAGE_FORMAT", "the image is " + image.format +
+                                      ", blocks that this machine's GL does not read; use a texture in PNG, or KTX2 in "
+                                      "ETC1S or UASTC");
+  }
+  GLint level = 0;
+  const auto put = [&](const std::vector<std::uint8_t>& bytes) {
+    gl.CompressedTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, sideOf(image.width, level), sideOf(image.height, level),
+                               format, static_cast<GLsizei>(bytes.size()), bytes.data());
+    ++level;
+  };
+  put(image.pixels);
+  for (const auto& bytes : image.smallerLevels) put(bytes);
+}
+
+}  // namespace
+
+void uploadTexture(const gl::Context& context, const Image8& image, bool srgb) {
+  if (image.type == TexelType::kBlocks) {
+    uploadBlocks(context, image, srgb);
+  } else {
+    uploadTexels(context.gl(), image, srgb);
+  }
+  context.check("texture upload");
+}
+
+}  // namespace telar::pass
