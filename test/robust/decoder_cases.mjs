@@ -1,6 +1,8 @@
 // Hostile textures (KTX2, Basis Universal, zstd) and hostile compressed meshes (meshopt), one fault each.
 import { etc1sKtx2 } from '../fixtures/etc1s.mjs';
+import { blockKtx2 } from '../fixtures/gpu_blocks.mjs';
 import { SUPERCOMPRESSION, ktx2File, rawKtx2 } from '../fixtures/ktx2.mjs';
+import { rawFormatKtx2 } from '../fixtures/raw_formats.mjs';
 import { compressViews } from '../fixtures/meshopt.mjs';
 import { uastcBlocks, uastcKtx2 } from '../fixtures/uastc.mjs';
 import { zstdBomb, zstdStored } from '../fixtures/zstd_frame.mjs';
@@ -66,7 +68,13 @@ function ktx2Faults() {
     ['cube', patched(uastc, AT.faces, 6), REFUSED],
     ['faces-7', patched(uastc, AT.faces, 7), CORRUPT],
     ['zlib', patched(uastc, AT.scheme, 3), REFUSED],
-    ['bc7', ktx2File({ width: 4, height: 4, levels: [Buffer.alloc(16)], vkFormat: 145, model: 134 }), REFUSED],
+    ['bc2', ktx2File({ width: 4, height: 4, levels: [Buffer.alloc(16)], vkFormat: 135, model: 129 }), REFUSED],
+    ['rgb8', ktx2File({ width: 4, height: 4, levels: [Buffer.alloc(48)], vkFormat: 23, model: 1 }), REFUSED],
+    ['bc7-cut', ktx2File({ width: 8, height: 8, levels: [Buffer.alloc(63)], vkFormat: 145, model: 134 }), CORRUPT],
+    ['bc7-huge', ktx2File({ width: 8192, height: 8192, levels: [Buffer.alloc(16)], sizes: [16], vkFormat: 145, model: 134 }), CORRUPT],
+    ['bc1-odd', ktx2File({ width: 6, height: 4, levels: [Buffer.alloc(16)], vkFormat: 131, model: 128 }), REFUSED],
+    ['floats-huge', ktx2File({ width: 8192, height: 8192, levels: [Buffer.alloc(16)], sizes: [16], vkFormat: 109, model: 1 }), CORRUPT],
+    ['floats-of-nan', ktx2File({ width: 1, height: 1, levels: [Buffer.alloc(16, 255)], vkFormat: 109, model: 1 }), CORRUPT],
     ['dfd-past-end', patched(uastc, AT.dfd, 0xfffffff0), CORRUPT],
     ['level-offset-wraps', patched(uastc, AT.level, 0xfffffffffffffff0n, 8), CORRUPT],
     ['level-length-wraps', patched(uastc, AT.level + 8, 0xffffffffffffffffn, 8), CORRUPT],
@@ -150,6 +158,8 @@ const meshoptFaults = () => [
 export const decoderCases = () => [
   { name: 'ktx2-uastc.glb', bytes: ktx2Quad(uastcKtx2(picture())), code: '' },
   { name: 'ktx2-etc1s.glb', bytes: ktx2Quad(etc1sKtx2(picture(), { alpha: true })), code: '' },
+  { name: 'ktx2-bc7.glb', bytes: ktx2Quad(blockKtx2('bc7-srgb', picture())), code: '' },
+  { name: 'ktx2-floats.glb', bytes: ktx2Quad(rawFormatKtx2('rg16f', picture())), code: '' },
   { name: 'ktx2-zstd.glb', bytes: ktx2Quad(ktx2File({ width: 8, height: 4, levels: [zstdStored(uastcBlocks(picture(8, 4)))], sizes: [32], supercompression: SUPERCOMPRESSION.zstd })), code: '' },
   { name: 'ktx2-optional-damaged.glb', bytes: ktx2Quad(uastcKtx2(picture()).subarray(0, 200), { fallback: true, required: false }), code: CORRUPT, pointer: '/images/0' },
   ...ktx2Faults().map(([name, image, code]) => ({ name: `ktx2-${name}.glb`, bytes: ktx2Quad(image), code, pointer: code.startsWith('L_') ? undefined : '/images/0' })),

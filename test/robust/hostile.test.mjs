@@ -90,6 +90,8 @@ test('the formats of images are named, and the levels that a file brings', async
   assert.deepEqual(await imageOf('good.glb'), { width: 4, height: 4, format: 'PNG' });
   assert.deepEqual(await imageOf('ktx2-uastc.glb'), { width: 32, height: 16, format: 'KTX2 UASTC', levels: 6 });
   assert.deepEqual(await imageOf('ktx2-etc1s.glb'), { width: 32, height: 16, format: 'KTX2 ETC1S', levels: 6 });
+  assert.deepEqual(await imageOf('ktx2-bc7.glb'), { width: 32, height: 16, format: 'KTX2 BC7', levels: 6 });
+  assert.deepEqual(await imageOf('ktx2-floats.glb'), { width: 32, height: 16, format: 'KTX2 RG16F', levels: 6 });
   assert.deepEqual(await imageOf('ktx2-zstd.glb'), { width: 8, height: 4, format: 'KTX2 UASTC zstd', levels: 1 });
 });
 

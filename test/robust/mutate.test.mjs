@@ -10,7 +10,9 @@ import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import { TABLE } from '../../js/error/table.mjs';
 import { etc1sKtx2 } from '../fixtures/etc1s.mjs';
+import { blockKtx2 } from '../fixtures/gpu_blocks.mjs';
 import { SUPERCOMPRESSION, ktx2File, mipChain, rawKtx2 } from '../fixtures/ktx2.mjs';
+import { rawFormatKtx2 } from '../fixtures/raw_formats.mjs';
 import { meshoptTorus } from '../fixtures/scenes_decoders.mjs';
 import { uastcBlocks, uastcKtx2 } from '../fixtures/uastc.mjs';
 import { zstdStored } from '../fixtures/zstd_frame.mjs';
@@ -35,6 +37,8 @@ const FILES = {
   'etc1s': () => ktx2Quad(etc1sKtx2(picture())),
   'etc1s-alpha': () => ktx2Quad(etc1sKtx2(picture(64, 64), { alpha: true, historySize: 4 })),
   'raw': () => ktx2Quad(rawKtx2(picture())),
+  'floats': () => ktx2Quad(rawFormatKtx2('rgba16f', picture(), { zstd: true })),
+  'blocks': () => ktx2Quad(blockKtx2('bc7-srgb', picture())),
   'meshopt': () => glb(meshoptQuad()),
   'meshopt-torus': () => Buffer.from(meshoptTorus()),
   'meshopt-pirate': () => readFileSync(join(SHARED, 'meshopt_pirate/pirate.glb')),
