@@ -16,13 +16,17 @@ const CAPTION = { nameAlone: 40, both: 60 };
 
 /** Most pictures that a row is made wide for, so that they stand together. */
 const GROUP_MAX = 9;
+
+/** So few pictures stand in one row. */
+const ROW = 4;
 const COLOURS = { page: '#ffffff', card: '#f5f4f2', name: '#1c1b19', detail: '#8b8780' };
 
 /** Formats that readImage decodes. */
 export const SHOWN_FORMATS = ['png', 'jpeg', 'webp'];
 
-/** As wide as high, in rows that hold whole groups: the views of one garment stand beside each other. */
+/** A little wider than high, in rows that hold whole groups: the views of one garment stand beside each other. */
 function columnsFor(count, group, aspect) {
+  if (count <= ROW) return count;
   const wide = Math.max(1, Math.round(Math.sqrt((count * (1 + (CAPTION.both / CELL.default) * aspect)) / aspect) * 1.15));
   const columns = Math.min(count, wide);
   return group > 1 && group <= Math.min(count, GROUP_MAX) ? Math.max(1, Math.round(columns / group)) * group : columns;
