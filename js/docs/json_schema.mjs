@@ -1,4 +1,4 @@
-import * as z from 'zod';
+import * as z from '../dist/zod.mjs';
 import { resolvedShotSchema } from '../shot/resolved_schema.mjs';
 import { shotSchema } from '../shot/schema.mjs';
 

@@ -12,7 +12,7 @@ function bundlesFresh() {
   if (!existsSync(dist)) return false;
   const times = (folder, pattern) =>
     readdirSync(folder, { recursive: true }).filter((file) => pattern.test(file) && !file.startsWith('dist')).map((file) => statSync(path.join(folder, file)).mtimeMs);
-  const bundles = existsSync(path.join(dist, 'shading')) ? times(dist, /\.cjs$/) : [];
+  const bundles = ['shading', 'zod.mjs'].every((name) => existsSync(path.join(dist, name))) ? times(dist, /\.cjs$/) : [];
   const sources = [...times(JS, /\.(mjs|json|css|html|svg|glsl)$/), ...times(SHADERS, /\.(glsl|frag|vert)$/)];
   return bundles.length > 0 && Math.max(...sources) <= Math.min(...bundles);
 }

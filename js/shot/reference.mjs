@@ -1,4 +1,4 @@
-import * as z from 'zod';
+import * as z from '../dist/zod.mjs';
 import { wrongValue } from './complain.mjs';
 import { choice, number, object } from './fields.mjs';
 

@@ -1,4 +1,4 @@
-import * as z from 'zod';
+import * as z from '../dist/zod.mjs';
 import { PRESETS, SAMPLE_COUNTS } from './schema.mjs';
 import { BASES, SLOTS, WITHOUT_TERMS } from './shading_terms.mjs';
 

@@ -1,4 +1,4 @@
-import * as z from 'zod';
+import * as z from '../dist/zod.mjs';
 import { HUGE, TINY, boolean, choice, colour, expectedColour, indexOrName, number, object, text, vector } from './fields.mjs';
 import { FITS, VIEWS } from './frame.mjs';
 import { lensSchema } from './lens.mjs';

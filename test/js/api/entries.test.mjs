@@ -18,7 +18,7 @@ function run(text, type) {
 const commonjs = (text) => run(text, 'commonjs');
 const module = (text) => run(text, 'module');
 
-const NAMES = ['TelarError', 'createRenderer', 'doctor', 'evaluateShading', 'inspect', 'pictureKey', 'versions'];
+const NAMES = ['TelarError', 'createRenderer', 'doctor', 'evaluateShading', 'inspect', 'pictureKey', 'toTelarError', 'versions'];
 
 test('require and import give the same names', () => {
   assert.deepEqual(commonjs("console.log(JSON.stringify(Object.keys(require('telar')).sort()))"), NAMES);
@@ -76,7 +76,7 @@ test('require(\'telar\') with its addon maps no OpenImageIO, OSMesa, EGL, LLVM, 
     console.log(JSON.stringify([[...new Set(${MAPS})], Object.keys(require.cache)]));`);
   assert.ok(files.includes(addonFile), 'the addon is mapped');
   assert.deepEqual(files.filter((file) => HEAVY.test(file)), []);
-  assert.deepEqual(modules.filter((file) => file.includes('/zod/')), []);
+  assert.deepEqual(modules.filter((file) => /zod/.test(file)), []);
 });
 
 test('a thumbnail with the bundled environment maps no OpenImageIO and no OSMesa', () => {
