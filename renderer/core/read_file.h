@@ -6,7 +6,7 @@
 
 namespace telar {
 
-/// Whole file, or nothing when it cannot be read or is larger than `maxBytes`.
+/// Whole regular file, or nothing when it is none, cannot be read or is larger than `maxBytes`. Never waits for a pipe.
 std::optional<std::vector<std::byte>> readFile(const std::filesystem::path& path, std::size_t maxBytes);
 
 }  // namespace telar

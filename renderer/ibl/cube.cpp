@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/gtc/packing.hpp>
 
+#include "gl/incomplete.h"
 #include "shader/library.h"
 #include "telar/codec.h"
 
@@ -49,9 +50,7 @@ void renderFaces(const gl::Functions& gl, const gl::Program& program, const Cube
     cancel.check();
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
                             GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i), target.texture.get(), level);
-    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-      throw Error("X_GL", "this GL driver does not render to RGBA16F cube maps");
-    }
+    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) gl::failIncomplete(gl, "the environment");
     program.set("faceCentre", FACES[i].centre);
     program.set("faceRight", FACES[i].right);
     program.set("faceUp", FACES[i].up);

@@ -12,13 +12,13 @@ namespace telar::ibl {
 namespace {
 
 constexpr std::size_t ENTRIES_MAX = 4;  // about 4 MB of GPU memory each at face size 256
-constexpr std::size_t PMREM_FILE_MAX = 256u << 20;
+constexpr std::size_t STUDIO_FILE_MAX = 16u << 20;
 
 }  // namespace
 
-EnvironmentCache::EnvironmentCache(const gl::Context& context, std::filesystem::path assetDirectory,
-                                   std::filesystem::path cacheDirectory, Limits limits)
-    : context_(context), assets_(std::move(assetDirectory)), cache_(std::move(cacheDirectory)), limits_(limits) {}
+EnvironmentCache::EnvironmentCache(const gl::Context& context, std::filesystem::path assetDirectory, DiskCache disk,
+                                   Limits limits)
+    : context_(context), assets_(std::move(assetDirectory)), disk_(std::move(disk)), limits_(limits) {}
 
 std::vector<std::byte> EnvironmentCache::fileOf(const Shot::Environment& wanted) const {
   const bool studio = wanted.source == Shot::Environment::Source::kStudio;
@@ -27,18 +27,15 @@ std::vector<std::byte> EnvironmentCache::fileOf(const Shot::Environment& wanted)
 
 CubeMap EnvironmentCache::prefiltered(const std::string& key, bool studio, const std::function<ImageF&()>& map,
                                       std::string& source, const CancelToken& cancel) {
-  const auto path = studio ? assets_ / "studio.pmrem" : cache_ / (key + ".pmrem");
-  if (studio || !cache_.empty()) {
-    if (const auto packed = readFile(path, PMREM_FILE_MAX)) {
-      if (auto cube = unpackPmrem(context_, *packed)) {
-        source = studio ? "bundled" : "disk";
-        return std::move(*cube);
-      }
+  if (const auto packed = studio ? readFile(assets_ / "studio.pmrem", STUDIO_FILE_MAX) : disk_.read(key)) {
+    if (auto cube = unpackPmrem(context_, *packed, key)) {
+      source = studio ? "bundled" : "disk";
+      return std::move(*cube);
     }
   }
   CubeMap cube = prefilterEquirect(context_, map(), cancel);
   source = "prefiltered";
-  if (!studio && !cache_.empty()) writeFileAtomically(path, packPmrem(context_, cube));
+  if (!studio && disk_.enabled()) disk_.write(key, packPmrem(context_, cube, key));
   return cube;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ibl/bright_directions.h"
+#include "ibl/disk_cache.h"
 #include "ibl/irradiance.h"
 #include "ibl/prefilter.h"
 #include "ibl/suns.h"
@@ -40,9 +41,7 @@ struct EnvironmentUses {
 class EnvironmentCache {
  public:
   /// @param assetDirectory  holds studio.hdr and studio.pmrem
-  /// @param cacheDirectory  empty = no disk cache
-  EnvironmentCache(const gl::Context& context, std::filesystem::path assetDirectory,
-                   std::filesystem::path cacheDirectory, Limits limits);
+  EnvironmentCache(const gl::Context& context, std::filesystem::path assetDirectory, DiskCache disk, Limits limits);
 
   /// @param bytes  the file when the source is kBytes
   /// @throws Error{E_ENVIRONMENT_*, X_GL, X_CANCELLED}
@@ -59,7 +58,8 @@ class EnvironmentCache {
                       const CancelToken& cancel);
 
   const gl::Context& context_;
-  std::filesystem::path assets_, cache_;
+  std::filesystem::path assets_;
+  DiskCache disk_;
   Limits limits_;
   std::vector<std::unique_ptr<Entry>> entries_;  // most recent last
 };

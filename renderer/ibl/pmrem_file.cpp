@@ -1,12 +1,12 @@
 #include "ibl/pmrem_file.h"
 
-#include <fcntl.h>
 #include <libdeflate.h>
-#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
-#include <thread>
+#include <memory>
 
 #include "core/sha256.h"
 
@@ -14,7 +14,7 @@ namespace telar::ibl {
 namespace {
 
 constexpr char MAGIC[4] = {'T', 'P', 'M', 'R'};
-constexpr std::uint32_t VERSION = 1;  // raise when the prefilter changes
+constexpr std::uint32_t VERSION = 2;  // raise when the prefilter or this layout changes
 constexpr int FACE_SIZE_MAX = 4096;
 
 struct Header {
@@ -22,8 +22,24 @@ struct Header {
   std::uint32_t version;
   std::uint32_t faceSize;
   std::uint32_t levels;
+  char key[64];  ///< zeros behind a shorter one
   char sha256[64];
 };
+
+/// Of the header as it is with zeros for the digest, and of the body.
+std::string digestOf(Header header, std::span<const std::byte> body) {
+  std::memset(header.sha256, 0, sizeof header.sha256);
+  Sha256 digest;
+  digest.add(std::as_bytes(std::span(&header, 1)));
+  digest.add(body);
+  return digest.hex();
+}
+
+std::array<char, sizeof Header::key> keyField(std::string_view key) {
+  std::array<char, sizeof Header::key> out{};
+  std::copy_n(key.begin(), std::min(key.size(), out.size()), out.begin());
+  return out;
+}
 
 std::size_t texelCount(int faceSize, int levels) {
   std::size_t count = 0;
@@ -63,7 +79,7 @@ std::vector<std::uint16_t> readBack(const gl::Functions& gl, const CubeMap& cube
 
 }  // namespace
 
-std::vector<std::byte> packPmrem(const gl::Context& context, const CubeMap& cube) {
+std::vector<std::byte> packPmrem(const gl::Context& context, const CubeMap& cube, std::string_view key) {
   const std::vector<std::uint16_t> halfs = readBack(context.gl(), cube);
   context.check("environment readback");
   // Neighbouring texels of one channel are alike: differences, low bytes apart from high bytes, pack to about a third.
@@ -84,12 +100,13 @@ std::vector<std::byte> packPmrem(const gl::Context& context, const CubeMap& cube
   header.version = VERSION;
   header.faceSize = static_cast<std::uint32_t>(cube.faceSize);
   header.levels = static_cast<std::uint32_t>(cube.levels);
-  std::memcpy(header.sha256, sha256Hex(std::span(packed).subspan(sizeof(Header))).data(), sizeof header.sha256);
+  std::memcpy(header.key, keyField(key).data(), sizeof header.key);
+  std::memcpy(header.sha256, digestOf(header, std::span(packed).subspan(sizeof(Header))).data(), sizeof header.sha256);
   std::memcpy(packed.data(), &header, sizeof header);
   return packed;
 }
 
-std::optional<CubeMap> unpackPmrem(const gl::Context& context, std::span<const std::byte> file) {
+std::optional<CubeMap> unpackPmrem(const gl::Context& context, std::span<const std::byte> file, std::string_view key) {
   Header header;
   if (file.size() <= sizeof header) return std::nullopt;
   std::memcpy(&header, file.data(), sizeof header);
@@ -97,7 +114,8 @@ std::optional<CubeMap> unpackPmrem(const gl::Context& context, std::span<const s
   if (std::memcmp(header.magic, MAGIC, sizeof MAGIC) != 0 || header.version != VERSION ||
       header.faceSize > FACE_SIZE_MAX || !std::has_single_bit(header.faceSize) || header.levels < 1 ||
       header.levels > static_cast<unsigned>(std::bit_width(header.faceSize)) ||
-      std::memcmp(header.sha256, sha256Hex(body).data(), sizeof header.sha256) != 0) {
+      std::memcmp(header.key, keyField(key).data(), sizeof header.key) != 0 ||
+      std::memcmp(header.sha256, digestOf(header, body).data(), sizeof header.sha256) != 0) {
     return std::nullopt;
   }
   const int faceSize = static_cast<int>(header.faceSize), levels = static_cast<int>(header.levels);
@@ -126,26 +144,6 @@ std::optional<CubeMap> unpackPmrem(const gl::Context& context, std::span<const s
   });
   context.check("environment upload");
   return cube;
-}
-
-bool writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  std::error_code failure;
-  std::filesystem::create_directories(path.parent_path(), failure);
-  // One name a process and thread; a left-over of a process that died is written over.
-  const std::string temporary = path.string() + "." + std::to_string(getpid()) + "-" +
-                                std::to_string(std::hash<std::thread::id>()(std::this_thread::get_id()));
-  constexpr mode_t MODE = 0666;  // less the process's umask
-  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, MODE);
-  if (file < 0) return false;
-  bool ok = true;
-  for (std::size_t done = 0; ok && done < bytes.size();) {
-    const ssize_t written = write(file, bytes.data() + done, bytes.size() - done);
-    ok = written > 0;
-    if (ok) done += static_cast<std::size_t>(written);
-  }
-  ok = close(file) == 0 && ok && rename(temporary.c_str(), path.c_str()) == 0;
-  if (!ok) unlink(temporary.c_str());
-  return ok;
 }
 
 }  // namespace telar::ibl

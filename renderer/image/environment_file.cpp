@@ -16,6 +16,9 @@ constexpr const char* MAP_POINTER = "/environment/map";
   const char* cause = "cannot be read; check its permissions and those of its folder";
   if (kind == std::filesystem::file_type::not_found) cause = "does not exist; check the path and its spelling";
   if (kind == std::filesystem::file_type::directory) cause = "is a folder; give an .hdr or .exr file";
+  const bool isOther = kind == std::filesystem::file_type::fifo || kind == std::filesystem::file_type::socket ||
+                       kind == std::filesystem::file_type::character || kind == std::filesystem::file_type::block;
+  if (isOther) cause = "is not a regular file; give an .hdr or .exr file, or its bytes";
   throw Error("E_ENVIRONMENT_MISSING", "shot.environment.map: " + telar::quoted(path.filename().string()) + " " + cause)
       .at(MAP_POINTER);
 }

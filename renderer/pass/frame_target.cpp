@@ -1,6 +1,9 @@
 #include "pass/frame_target.h"
 
 #include <algorithm>
+#include <string>
+
+#include "gl/incomplete.h"
 
 namespace telar::pass {
 namespace {
@@ -26,7 +29,10 @@ FrameTarget::FrameTarget(const gl::Context& context, int width, int height, int 
                             ? tryFormat(GL_RGBA8, most)
                             : tryFormat(GL_RGBA32F, most) || tryFormat(GL_RGBA16F, most) || tryFormat(GL_RGBA16F, 1);
   context.check("framebuffer creation");
-  if (!complete) throw Error("X_GL", "this GL driver does not render to the framebuffer of this output");
+  if (!complete) {
+    gl::failIncomplete(context.gl(),
+                       "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
+  }
 }
 
 bool FrameTarget::tryFormat(GLenum format, int samples) {

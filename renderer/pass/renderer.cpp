@@ -119,7 +119,7 @@ class GlRenderer final : public Renderer {
   explicit GlRenderer(const RendererOptions& options)
       : options_(options),
         context_(gl::Context::create(options.backend)),
-        environments_(*context_, options.assetDirectory, options.cacheDirectory, options.limits),
+        environments_(*context_, options.assetDirectory, {options.cacheDirectory, options.cacheBytes}, options.limits),
         surfaces_(*context_, options.limits),
         background_(*context_),
         shadows_(*context_),

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "gl/incomplete.h"
 #include "shader/library.h"
 
 namespace telar::pass {
@@ -72,7 +73,7 @@ ShadowPass::Target ShadowPass::makeTarget(bool cube, int size) const {
   }
   context_.check("shadow map creation");
   if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    throw Error("X_GL", "this GL driver does not render to a depth texture");
+    gl::failIncomplete(gl, "a shadow map of " + std::to_string(size) + " texels a side");
   return target;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "gl/incomplete.h"
 #include "shader/library.h"
 
 namespace telar::pass {
@@ -48,9 +49,8 @@ class Drawing {
     const gl::Functions& gl = context_.gl();
     gl.BindTexture(GL_TEXTURE_2D, source);
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.get(), level);
-    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-      throw Error("X_GL", "this GL driver does not render to the textures of the shading \"fabric\"");
-    }
+    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+      gl::failIncomplete(gl, "the textures of the shading \"fabric\"");
     gl.Viewport(0, 0, size.x, size.y);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
     gl.Finish();  // in pieces, so that a cancelled job stops soon

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "telar/error.h"
+#include "gl/incomplete.h"
 
 namespace telar::pass {
 
@@ -26,7 +26,7 @@ TransmissionTarget::TransmissionTarget(const gl::Context& context, int width, in
   const bool complete =
       draw_.allocate(gl, GL_RGBA16F, most, width, height) || draw_.allocate(gl, GL_RGBA16F, 1, width, height);
   context_.check("creation of the transmission target");
-  if (!complete) throw Error("X_GL", "this GL driver does not render to half floats, which transmission needs");
+  if (!complete) gl::failIncomplete(gl, "what lies behind transmissive materials");
 }
 
 void TransmissionTarget::resolve() const {

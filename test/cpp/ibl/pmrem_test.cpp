@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <cstdlib>
+#include <chrono>
+#include <cstring>
 #include <filesystem>
+#include <set>
 
 #include "core/read_file.h"
 #include "ibl/environment_cache.h"
@@ -13,6 +16,10 @@
 
 namespace telar::ibl {
 namespace {
+
+namespace fs = std::filesystem;
+
+const std::string KEY(64, 'a');
 
 /// Radiance 1 + 0.8 y.
 ImageF gradient(std::uint32_t width) {
@@ -99,8 +106,8 @@ TEST(Prefilter, FaceSizeIsAQuarterOfTheWidth) {
 TEST(PmremFile, ComesBackBitForBit) {
   const auto context = gl::Context::create(Backend::kAuto);
   const CubeMap cube = prefilterEquirect(*context, gradient(128), CancelToken());
-  const auto packed = packPmrem(*context, cube);
-  const auto back = unpackPmrem(*context, packed);
+  const auto packed = packPmrem(*context, cube, "studio");
+  const auto back = unpackPmrem(*context, packed, "studio");
   ASSERT_TRUE(back);
   for (int lod = 0; lod < cube.levels; ++lod) {
     for (GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X; face < GL_TEXTURE_CUBE_MAP_POSITIVE_X + 6; ++face) {
@@ -111,14 +118,30 @@ TEST(PmremFile, ComesBackBitForBit) {
 
 TEST(PmremFile, ADamagedFileIsNotAFile) {
   const auto context = gl::Context::create(Backend::kAuto);
-  auto packed = packPmrem(*context, prefilterEquirect(*context, gradient(128), CancelToken()));
-  EXPECT_FALSE(unpackPmrem(*context, std::span(packed).first(packed.size() / 2)));
-  EXPECT_FALSE(unpackPmrem(*context, std::span(packed).first(10)));
-  for (const std::size_t at : {std::size_t{0}, std::size_t{5}, std::size_t{9}, std::size_t{13}, packed.size() - 1}) {
+  auto packed = packPmrem(*context, prefilterEquirect(*context, gradient(128), CancelToken()), KEY);
+  EXPECT_FALSE(unpackPmrem(*context, std::span(packed).first(packed.size() / 2), KEY));
+  EXPECT_FALSE(unpackPmrem(*context, std::span(packed).first(10), KEY));
+  for (const std::size_t at :
+       {std::size_t{0}, std::size_t{5}, std::size_t{9}, std::size_t{13}, std::size_t{16}, packed.size() - 1}) {
     auto damaged = packed;
     damaged[at] ^= std::byte{0x55};
-    EXPECT_FALSE(unpackPmrem(*context, damaged)) << at;
+    EXPECT_FALSE(unpackPmrem(*context, damaged, KEY)) << at;
   }
+}
+
+TEST(PmremFile, OfAnotherMapIsNotAFile) {
+  const auto context = gl::Context::create(Backend::kAuto);
+  const auto packed = packPmrem(*context, prefilterEquirect(*context, gradient(128), CancelToken()), KEY);
+  EXPECT_TRUE(unpackPmrem(*context, packed, KEY));
+  std::string other = KEY;
+  other.back() = '1';
+  EXPECT_FALSE(unpackPmrem(*context, packed, other));
+  EXPECT_FALSE(unpackPmrem(*context, packed, "studio"));
+  // Nor does it become one under another name: the digest holds the key too.
+  auto renamed = packed;
+  constexpr std::size_t KEY_AT = 16;
+  std::memcpy(&renamed[KEY_AT], other.data(), other.size());
+  EXPECT_FALSE(unpackPmrem(*context, renamed, other));
 }
 
 TEST(EnvironmentCache, TheBundledCubeIsThatOfTheBundledMap) {
@@ -127,7 +150,7 @@ TEST(EnvironmentCache, TheBundledCubeIsThatOfTheBundledMap) {
   ASSERT_TRUE(hdr && pmrem) << "run `npm run assets`";
   const auto context = gl::Context::create(Backend::kEglSurfaceless);
   const CubeMap made = prefilterEquirect(*context, readEnvironment(*hdr, Limits{}, CancelToken()), CancelToken());
-  const auto shipped = unpackPmrem(*context, *pmrem);
+  const auto shipped = unpackPmrem(*context, *pmrem, "studio");
   ASSERT_TRUE(shipped) << "run `npm run assets`";
   ASSERT_EQ(made.faceSize, shipped->faceSize);
   // Another processor may round a trigonometric function differently; a stale file is far off.
@@ -142,9 +165,10 @@ TEST(EnvironmentCache, AFileThatCannotBeReadIsNamedWithTheCause) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "telar-environment";
   std::filesystem::create_directories(folder / "folder.hdr");
   ASSERT_TRUE(writeFileAtomically(folder / "big.hdr", std::vector<std::byte>(100)));
+  ASSERT_EQ(mkfifo((folder / "pipe.hdr").c_str(), 0600), 0);
   Limits limits;
   limits.fileBytes = 99;
-  EnvironmentCache cache(*context, "", "", limits);
+  EnvironmentCache cache(*context, "", {"", 0}, limits);
   const auto said = [&](const char* name) {
     Shot::Environment wanted;
     wanted.source = Shot::Environment::Source::kPath;
@@ -162,6 +186,7 @@ TEST(EnvironmentCache, AFileThatCannotBeReadIsNamedWithTheCause) {
   EXPECT_EQ(said("absent.hdr"), start + "\"absent.hdr\" does not exist; check the path and its spelling");
   EXPECT_EQ(said("absent/a.exr"), start + "\"a.exr\" does not exist; check the path and its spelling");
   EXPECT_EQ(said("folder.hdr"), start + "\"folder.hdr\" is a folder; give an .hdr or .exr file");
+  EXPECT_EQ(said("pipe.hdr"), start + "\"pipe.hdr\" is not a regular file; give an .hdr or .exr file, or its bytes");
   EXPECT_TRUE(said("big.hdr").starts_with("L_FILE_BYTES: L_FILE_BYTES: 100 is over the limit of 99"));
   if (geteuid() != 0) {  // root may read everything
     std::filesystem::permissions(folder / "big.hdr", std::filesystem::perms::none);
@@ -170,22 +195,94 @@ TEST(EnvironmentCache, AFileThatCannotBeReadIsNamedWithTheCause) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(EnvironmentCache, KeepsAPrefilteredCubeOnDiskByContent) {
-  const auto folder = std::filesystem::temp_directory_path() / ("telar-cache-test-" + std::to_string(std::rand()));
-  std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n";
-  for (int i = 0; i < 32; ++i) file += std::string("\x80\x40\x20\x80", 4);
-  const std::span bytes(reinterpret_cast<const std::byte*>(file.data()), file.size());
-  const auto context = gl::Context::create(Backend::kAuto);
+/// A folder that goes with the test.
+class EnvironmentDisk : public testing::Test {
+ protected:
+  EnvironmentDisk() { fs::create_directories(folder_); }
+  ~EnvironmentDisk() override { fs::remove_all(folder_); }
+
+  /// A map of one colour: `level` tells maps apart.
+  static std::vector<std::byte> map(char level) {
+    std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n";
+    for (int i = 0; i < 32; ++i) file += {level, level, level, '\x80'};
+    const auto bytes = std::as_bytes(std::span(file));
+    return {bytes.begin(), bytes.end()};
+  }
+
+  /// Where a fresh process would have the cube of this map from.
+  std::string sourceOf(const std::vector<std::byte>& bytes, std::uint64_t maxBytes = 64u << 20) const {
+    Shot::Environment wanted;
+    wanted.source = Shot::Environment::Source::kBytes;
+    EnvironmentCache cache(*context_, "", {folder_, maxBytes}, Limits{});
+    return cache.get(wanted, bytes, {.prefiltered = true}, CancelToken()).source;
+  }
+
+  fs::path pathOf(const std::vector<std::byte>& bytes) const { return folder_ / (sha256Hex(bytes) + ".pmrem"); }
+
+  std::set<std::string> names() const {
+    std::set<std::string> out;
+    for (const auto& entry : fs::directory_iterator(folder_)) out.insert(entry.path().filename().string());
+    return out;
+  }
+
+  const fs::path folder_ = fs::path(testing::TempDir()) / ("telar-cache-" + std::to_string(getpid()));
+  const std::unique_ptr<gl::Context> context_ = gl::Context::create(Backend::kAuto);
+};
+
+TEST_F(EnvironmentDisk, KeepsAPrefilteredCubeByContent) {
+  const auto bytes = map('\x40');
+  EXPECT_EQ(sourceOf(bytes), "prefiltered");
+  EXPECT_EQ(sourceOf(bytes), "disk");
   Shot::Environment wanted;
   wanted.source = Shot::Environment::Source::kBytes;
-  {
-    EnvironmentCache cache(*context, "", folder, Limits{});
-    EXPECT_EQ(cache.get(wanted, bytes, {.prefiltered = true}, CancelToken()).source, "prefiltered");
-    EXPECT_EQ(cache.get(wanted, bytes, {.prefiltered = true}, CancelToken()).source, "gpu");
-  }
-  EnvironmentCache again(*context, "", folder, Limits{});
-  EXPECT_EQ(again.get(wanted, bytes, {.prefiltered = true, .background = true}, CancelToken()).source, "disk");
-  std::filesystem::remove_all(folder);
+  EnvironmentCache cache(*context_, "", {folder_, 64u << 20}, Limits{});
+  EXPECT_EQ(cache.get(wanted, bytes, {.prefiltered = true, .background = true}, CancelToken()).source, "disk");
+  EXPECT_EQ(cache.get(wanted, bytes, {.prefiltered = true}, CancelToken()).source, "gpu");
+}
+
+TEST_F(EnvironmentDisk, TheFileOfAnotherMapIsNotTaken) {
+  const auto bright = map('\x40'), dark = map('\x04');
+  EXPECT_EQ(sourceOf(bright), "prefiltered");
+  fs::copy_file(pathOf(bright), pathOf(dark));
+  EXPECT_EQ(sourceOf(dark), "prefiltered") << "the light of another map";
+  EXPECT_EQ(sourceOf(dark), "disk") << "the right one took its place";
+}
+
+TEST_F(EnvironmentDisk, APipeInPlaceOfAFileHoldsNothingUp) {
+  const auto bytes = map('\x40');
+  ASSERT_EQ(mkfifo(pathOf(bytes).c_str(), 0600), 0);
+  EXPECT_EQ(sourceOf(bytes), "prefiltered");
+  EXPECT_EQ(sourceOf(bytes), "disk") << "the file took its place";
+}
+
+TEST_F(EnvironmentDisk, IsBoundedAndKeepsWhatWasUsedLast) {
+  const auto a = map('\x11'), b = map('\x22'), c = map('\x33');
+  sourceOf(a);
+  const std::uint64_t room = 2 * fs::file_size(pathOf(a)) + fs::file_size(pathOf(a)) / 2;
+  sourceOf(b, room);
+  const auto longAgo = fs::file_time_type::clock::now() - std::chrono::hours(2);
+  fs::last_write_time(pathOf(a), longAgo);
+  fs::last_write_time(pathOf(b), longAgo + std::chrono::seconds(1));
+  EXPECT_EQ(sourceOf(a, room), "disk") << "which makes it the one used last";
+  EXPECT_EQ(sourceOf(c, room), "prefiltered");
+  EXPECT_EQ(names(), (std::set{pathOf(a).filename().string(), pathOf(c).filename().string()}));
+  EXPECT_EQ(sourceOf(map('\x44'), 1), "prefiltered");
+  EXPECT_EQ(names().size(), 2u) << "what is larger than all the room is not kept";
+}
+
+TEST_F(EnvironmentDisk, WhatWasLeftHalfWrittenGoes) {
+  const auto bytes = map('\x40');
+  const std::string mine = pathOf(bytes).filename().string();
+  const auto touch = [&](const std::string& name, std::chrono::minutes age) {
+    ASSERT_TRUE(writeFileAtomically(folder_ / name, std::vector<std::byte>(3)));
+    fs::last_write_time(folder_ / name, fs::file_time_type::clock::now() - age);
+  };
+  touch(mine + ".17-4711", std::chrono::minutes(61));
+  touch(mine + ".18-4711", std::chrono::minutes(1));
+  touch("notes.txt", std::chrono::minutes(9000));
+  touch("notes.pmrem.17-4711", std::chrono::minutes(9000));
+  EXPECT_EQ(sourceOf(bytes), "prefiltered");
+  EXPECT_EQ(names(), (std::set{mine, mine + ".18-4711", std::string("notes.pmrem.17-4711"), std::string("notes.txt")}));
 }
 
 }  // namespace

@@ -54,7 +54,10 @@ Arguments parseArguments(int argc, char** argv) {
     if (i + 1 >= argc) continue;
     if (flag == "--env") arguments.environmentFile = argv[i + 1];
     if (flag == "--backend") arguments.options.backend = backendOf(argv[i + 1]);
-    if (flag == "--cache") arguments.options.cacheDirectory = argv[i + 1];
+    if (flag == "--cache") {
+      arguments.options.cacheDirectory = argv[i + 1];
+      arguments.options.cacheBytes = 64u << 20;
+    }
     if (flag == "--repeat") arguments.repeat = std::atoi(argv[i + 1]);
     if (flag == "--debug") arguments.debugOutputs = argv[i + 1];
     if (flag == "--shader-edits") arguments.shaderEdits = argv[i + 1];
