@@ -1,22 +1,26 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { withLimitsTable } from '../../../js/docs/limits_table.mjs';
+import { loadNative } from '../../../js/native.mjs';
+import '../api/support/real.mjs';
 
 const read = (file) => readFileSync(new URL(`../../../${file}`, import.meta.url), 'utf8');
 
-/** Value of a C++ constant such as `64ull << 20` or `500'000`. */
-function evaluate(text) {
-  const [left, operator, right] = text.replaceAll("'", '').replaceAll('ull', '').split(' ').map((word) => (/^\d+$/.test(word) ? Number(word) : word));
-  if (operator === '<<') return left * 2 ** right;
-  return operator === '*' ? left * right : left;
-}
+const HEADER = `
+  std::uint64_t fileBytes = 64ull << 20;   ///< L_FILE_BYTES: each file
+  std::uint64_t files = 256;               ///< L_FILES
+  std::uint64_t pixels = 8192ull * 4096;   ///< L_PIXELS: of a map
+`;
 
-const inMebibytes = (name, value) => (name.endsWith('_BYTES') ? `${value / 2 ** 20} MiB` : value.toLocaleString('en'));
+test('the table of limits is written from limits.h', () => {
+  const page = withLimitsTable('before\n\n| limit | x |\n|---|\n| old |\n\nafter\n', HEADER);
+  assert.equal(page, ['before', '', '| limit | default | of what |', '| --- | --- | --- |', '| `L_FILE_BYTES` | 64 MiB | each file |', '| `L_FILES` | 256 |  |',
+    '| `L_PIXELS` | 33,554,432 | of a map |', '', 'after', ''].join('\n'));
+  assert.throws(() => withLimitsTable('no table', HEADER), /SECURITY\.md has no table/);
+});
 
-test('SECURITY.md lists the limits as limits.h has them', () => {
-  const limits = [...read('renderer/include/telar/limits.h').matchAll(/std::uint64_t (\w+) = ([^;]+);\s*\/\/\/< (L_\w+)(?:: (.*))?/g)];
-  assert.ok(limits.length > 20);
-  const rows = limits.map(([, option, value, code, note]) => `| \`${code}\` | \`${option}\` | ${inMebibytes(code, evaluate(value))} | ${note ?? ''} |`);
-  const table = ['| code | option | default | of what |', '|---|---|---|---|', ...rows].join('\n').replaceAll(' |  |', ' | |');
-  assert.ok(read('SECURITY.md').includes(table), `SECURITY.md must have this table:\n${table}\n`);
+test('SECURITY.md names each limit as the API takes it, with its default', () => {
+  const rows = new Map([...read('SECURITY.md').matchAll(/^\| `(L_\w+)` \| ([\d,]+)( MiB)? \|/gm)].map(([, name, number, unit]) => [name, Number(number.replaceAll(',', '')) * (unit ? 2 ** 20 : 1)]));
+  assert.deepEqual(Object.fromEntries(rows), { ...loadNative().limits });
 });
