@@ -6,6 +6,7 @@
 #include "handles.h"
 #include "images.h"
 #include "lobes.h"
+#include "parts.h"
 #include "state.h"
 #include "telar/load.h"
 #include "telar/part.h"
@@ -38,13 +39,36 @@ struct Source {
   std::shared_ptr<const Bytes> bytes;
 };
 
-/// load(path: string | Bytes, limits, token) -> Promise<{scene, facts: string}>
+/// How the files of a model are found: {tolerant?: boolean, parts?: Parts}.
+struct Loading {
+  Loading(const Napi::Value& value, const Limits& limits) {
+    if (!value.IsObject()) return;
+    const Napi::Object how = value.As<Napi::Object>();
+    options.tolerant = how.Get("tolerant").ToBoolean();
+    const Napi::Value parts = how.Get("parts");
+    if (parts.IsUndefined()) return;
+    files = std::make_shared<AskedFiles>(unwrap<PartsHandle>(parts).desk(), State::of(value.Env()).mailbox(), limits);
+    options.files = files.get();
+  }
+
+  /// Runs where it may wait for JavaScript, if it has to.
+  Napi::Value run(Napi::Env env, const std::shared_ptr<Job>& job, std::function<void()> work) const {
+    State& state = State::of(env);
+    return files ? state.runOnPatientPool(env, job, std::move(work)) : state.runOnPool(env, job, std::move(work));
+  }
+
+  LoadOptions options;
+  std::shared_ptr<AskedFiles> files;
+};
+
+/// load(path: string | Bytes, limits, {tolerant?: boolean, parts?: Parts}, token) -> Promise<{scene, facts: string}>
 Napi::Value load(const Napi::CallbackInfo& info) {
   const Limits limits = limitsFromJs(info[1]);
-  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
-  return State::of(info.Env()).runOnPool(info.Env(), job, [job, limits, source = Source(info[0])] {
-    auto scene =
-        source.bytes ? loadBytes(*source.bytes, limits, job->cancel) : loadPath(source.path, limits, job->cancel);
+  const Loading how(info[2], limits);
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[3]).token);
+  return how.run(info.Env(), job, [job, limits, how, source = Source(info[0])] {
+    auto scene = source.bytes ? loadBytes(*source.bytes, limits, job->cancel, how.options)
+                              : loadPath(source.path, limits, job->cancel, how.options);
     std::string facts = describeScene(*scene);
     job->value = [scene, facts = std::move(facts)](Napi::Env env) { return sceneToJs(env, scene, facts); };
   });
@@ -87,13 +111,15 @@ Napi::Value measurePart(const Napi::CallbackInfo& info) {
   return textOnPool(info.Env(), job, [scene, query, job] { return describePart(*scene, query, job->cancel); });
 }
 
-/// hashModel(path: string | Bytes, limits, token) -> Promise<string>
+/// hashModel(path: string | Bytes, limits, {tolerant?: boolean, parts?: Parts}, token) -> Promise<string>
 Napi::Value hashModel(const Napi::CallbackInfo& info) {
   const Limits limits = limitsFromJs(info[1]);
-  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
-  return textOnPool(info.Env(), job, [job, limits, source = Source(info[0])] {
-    return source.bytes ? telar::hashModel(*source.bytes, limits, job->cancel)
-                        : telar::hashModel(source.path, limits, job->cancel);
+  const Loading how(info[2], limits);
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[3]).token);
+  return how.run(info.Env(), job, [job, limits, how, source = Source(info[0])] {
+    std::string text = source.bytes ? telar::hashModel(*source.bytes, limits, job->cancel, how.options)
+                                    : telar::hashModel(source.path, limits, job->cancel, how.options);
+    job->value = [text = std::move(text)](Napi::Env to) { return Napi::String::New(to, text); };
   });
 }
 
@@ -125,7 +151,7 @@ Napi::Value probeTracer(const Napi::CallbackInfo& info) {
   return textOnPool(info.Env(), std::make_shared<Job>(CancelToken()), probeReference);
 }
 
-/// createRenderer({backend, assetDirectory, cacheDirectory, limits, allFeatures, maxQueued}, token)
+/// createRenderer({backend, assetDirectory, cacheDirectory, cacheBytes, limits, allFeatures, maxQueued}, token)
 ///   -> Promise<{renderer, facts: string}>
 Napi::Value createRenderer(const Napi::CallbackInfo& info) {
   const Napi::Env env = info.Env();
@@ -136,9 +162,15 @@ Napi::Value createRenderer(const Napi::CallbackInfo& info) {
 
   State& state = State::of(env);
   const std::shared_ptr<Mailbox> mailbox = state.mailbox();
-  const std::shared_ptr<GlThread> thread =
-      state.startGlThread(maxQueued >= 1 ? static_cast<std::size_t>(maxQueued) : 1);
   const Napi::Value promise = mailbox->begin(env, job);
+  std::shared_ptr<GlThread> thread;
+  try {
+    thread = state.startGlThread(maxQueued >= 1 ? static_cast<std::size_t>(maxQueued) : 1);
+  } catch (...) {
+    job->fault = Fault::current();
+    mailbox->deliver(job);
+    return promise;
+  }
   thread->post([mailbox, job, options, thread](std::unique_ptr<Renderer>& renderer) {
     mailbox->perform(job, [&] {
       renderer = Renderer::create(options);
@@ -170,6 +202,7 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   state->rendererClass = Napi::Persistent(RendererHandle::define(env));
   exports["CancelToken"] = TokenHandle::define(env);
   exports["Bytes"] = BytesHandle::define(env);
+  exports["Parts"] = PartsHandle::define(env);
   exports["load"] = Napi::Function::New(env, load, "load");
   exports["pose"] = Napi::Function::New(env, pose, "pose");
   exports["measurePart"] = Napi::Function::New(env, measurePart, "measurePart");

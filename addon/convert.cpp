@@ -87,6 +87,7 @@ RendererOptions rendererOptionsFromJs(const Napi::Object& object) {
   if (!known) expected(object.Env(), "a known backend");
   options.assetDirectory = stringFromJs(object.Get("assetDirectory"), "assetDirectory");
   options.cacheDirectory = stringFromJs(object.Get("cacheDirectory"), "cacheDirectory");
+  options.cacheBytes = static_cast<std::uint64_t>(object.Get("cacheBytes").ToNumber().Int64Value());
   options.limits = limitsFromJs(object.Get("limits"));
   options.allFeatures = object.Get("allFeatures").ToBoolean();
   return options;

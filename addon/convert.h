@@ -20,7 +20,7 @@ Napi::Object limitsToJs(Napi::Env env, const Limits& limits);
 /// The defaults, less what the object (or undefined) sets.
 Limits limitsFromJs(const Napi::Value& value);
 
-/// {backend, assetDirectory, cacheDirectory, limits, allFeatures}
+/// {backend, assetDirectory, cacheDirectory, cacheBytes, limits, allFeatures}
 RendererOptions rendererOptionsFromJs(const Napi::Object& object);
 
 std::string stringFromJs(const Napi::Value& value, const char* what);

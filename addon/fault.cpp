@@ -13,9 +13,16 @@ Fault Fault::current() {
   } catch (const std::bad_alloc&) {
     return {"X_MEMORY", "there is not enough memory for this job", {}, {}, {}};
   } catch (const std::system_error& error) {
-    const bool exhausted =
-        error.code() == std::errc::resource_unavailable_try_again || error.code() == std::errc::not_enough_memory;
-    return {exhausted ? "X_MEMORY" : "X_INTERNAL", error.what(), {}, {}, {}};
+    if (error.code() == std::errc::resource_unavailable_try_again) {
+      return {"X_MEMORY",
+              "the system starts no more threads for this process; raise its limit of processes (ulimit -u, the "
+              "container's pids) or "
+              "of memory",
+              {},
+              {},
+              {}};
+    }
+    return {error.code() == std::errc::not_enough_memory ? "X_MEMORY" : "X_INTERNAL", error.what(), {}, {}, {}};
   } catch (const std::exception& error) {
     return {"X_INTERNAL", error.what(), {}, {}, {}};
   } catch (...) {

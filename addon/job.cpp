@@ -10,7 +10,7 @@ void Mailbox::open(Napi::Env env) {
 
 void Mailbox::close() {
   std::vector<std::shared_ptr<Job>> done;
-  std::vector<std::function<void()>> actions;
+  std::vector<std::function<void(Napi::Env)>> actions;
   std::lock_guard lock(mutex_);
   if (!open_) return;
   open_ = false;
@@ -37,7 +37,7 @@ void Mailbox::deliver(std::shared_ptr<Job> job) {
   wake_.NonBlockingCall();
 }
 
-void Mailbox::call(std::function<void()> action) {
+void Mailbox::call(std::function<void(Napi::Env)> action) {
   std::lock_guard lock(mutex_);
   if (!open_) return;
   actions_.push_back(std::move(action));
@@ -82,13 +82,16 @@ void Mailbox::settle(Napi::Env env, const Job& job) {
 
 void Mailbox::drain(Napi::Env env) {
   std::vector<std::shared_ptr<Job>> done;
-  std::vector<std::function<void()>> actions;
+  std::vector<std::function<void(Napi::Env)>> actions;
   {
     std::lock_guard lock(mutex_);
     done.swap(done_);
     actions.swap(actions_);
   }
-  for (const std::function<void()>& action : actions) action();
+  for (const auto& action : actions) {
+    Napi::HandleScope scope(env);
+    action(env);
+  }
   for (const std::shared_ptr<Job>& job : done) {
     Napi::HandleScope scope(env);
     live_.erase(job);

@@ -43,7 +43,7 @@ class Mailbox : public std::enable_shared_from_this<Mailbox> {
   /// Any thread: the job is done, settle its promise.
   void deliver(std::shared_ptr<Job> job);
   /// Any thread: run this on the JavaScript thread. Does not keep the event loop alive.
-  void call(std::function<void()> action);
+  void call(std::function<void(Napi::Env)> action);
 
   /// Any thread: runs `work`, and delivers the job unless the work returned false: it goes on in another task.
   void perform(const std::shared_ptr<Job>& job, const std::function<bool()>& work);
@@ -60,7 +60,7 @@ class Mailbox : public std::enable_shared_from_this<Mailbox> {
   std::mutex mutex_;  // guards open_, done_, actions_ and calls of wake_
   bool open_ = false;
   std::vector<std::shared_ptr<Job>> done_;
-  std::vector<std::function<void()>> actions_;
+  std::vector<std::function<void(Napi::Env)>> actions_;
   Wake wake_;
   std::unordered_set<std::shared_ptr<Job>> live_;  // JavaScript thread only
 };

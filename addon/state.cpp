@@ -7,6 +7,7 @@ namespace telar::addon {
 namespace {
 
 constexpr unsigned POOL_THREADS = 2;
+constexpr unsigned PATIENT_THREADS = 4;
 constexpr std::size_t POOL_QUEUE = 1024;
 /// How long an ending environment waits for its threads. Cancelled work stops within milliseconds; what takes this long
 /// is stuck in a driver, and is left behind.
@@ -25,19 +26,32 @@ const std::shared_ptr<TaskThreads>& State::pool() {
   return pool_;
 }
 
+const std::shared_ptr<TaskThreads>& State::patientPool() {
+  if (!patientPool_) patientPool_ = std::make_shared<TaskThreads>(PATIENT_THREADS, POOL_QUEUE);
+  return patientPool_;
+}
+
 std::shared_ptr<GlThread> State::startGlThread(std::size_t maxQueued) {
   // The identity that forget() looks for is known only after the thread has begun, which may by then have ended.
   auto self = std::make_shared<std::weak_ptr<GlThread>>();
-  auto thread = std::make_shared<GlThread>(
-      maxQueued, [this, self, mailbox = mailbox_] { mailbox->call([this, self] { forget(self->lock().get()); }); });
+  auto thread = std::make_shared<GlThread>(maxQueued, [this, self, mailbox = mailbox_] {
+    mailbox->call([this, self](Napi::Env) { forget(self->lock().get()); });
+  });
   *self = thread;
   glThreads_.push_back(thread);
   return thread;
 }
 
-Napi::Value State::runOnPool(Napi::Env env, const std::shared_ptr<Job>& job, std::function<void()> work) {
-  const std::shared_ptr<TaskThreads> threads = pool();
+Napi::Value State::runOn(Pool which, Napi::Env env, const std::shared_ptr<Job>& job, std::function<void()> work) {
   const Napi::Value promise = mailbox_->begin(env, job);
+  std::shared_ptr<TaskThreads> threads;
+  try {
+    threads = (this->*which)();
+  } catch (...) {
+    job->fault = Fault::current();
+    mailbox_->deliver(job);
+    return promise;
+  }
   const bool taken = threads->post([mailbox = mailbox_, job, work = std::move(work)] {
     mailbox->perform(job, [&] {
       work();
@@ -63,11 +77,15 @@ bool State::shutDown() {
   mailbox_->cancelAll();
   mailbox_->close();
   for (const std::shared_ptr<GlThread>& thread : glThreads_) thread->abandon();
-  if (pool_) pool_->abandon();
+  for (const auto& pool : {pool_, patientPool_}) {
+    if (pool) pool->abandon();
+  }
   const auto deadline = std::chrono::steady_clock::now() + SHUT_DOWN_WAIT;
   bool all = true;
   for (const std::shared_ptr<GlThread>& thread : glThreads_) all = thread->join(deadline) && all;
-  if (pool_) all = pool_->join(deadline) && all;
+  for (const auto& pool : {pool_, patientPool_}) {
+    if (pool) all = pool->join(deadline) && all;
+  }
   return all;
 }
 

@@ -1,9 +1,11 @@
+import type { TelarError } from './error/index.js';
 import type { AnimationFact, CameraFact, PartFact, Vec3 } from './shot/index.js';
 import type { ResolvedShot, Shot } from './shot/shot.js';
 
 export type { AnimationFact, CameraFact, ResolvedShot, Shot, Vec3 };
 export type { Box, PartFact, ShotFacts } from './shot/index.js';
-export { TelarError } from './error/index.js';
+
+export { TelarError, toTelarError } from './error/index.js';
 export type { ErrorCode, ErrorKind, LimitFact, PlainError } from './error/index.js';
 
 export type Backend = 'egl-device' | 'egl-surfaceless' | 'osmesa';
@@ -14,11 +16,35 @@ export type Limits = Partial<Record<`L_${string}`, number>>;
 /** A path, a file: URL, or the bytes of a .glb or .gltf. */
 export type Source = string | URL | ArrayBufferView | ArrayBuffer | SharedArrayBuffer;
 
-export interface RendererOptions {
+/**
+ * Gives the files that a model names. `uri` is the model's own relative reference, percent-decoded: schemes, absolute paths and ".." are
+ * refused before it is asked. null or undefined: there is no such file. `signal` is that of the call.
+ */
+export type Resolve = (uri: string, options: { signal?: AbortSignal }) => ResolvedBytes | Promise<ResolvedBytes>;
+export type ResolvedBytes = ArrayBufferView | ArrayBuffer | SharedArrayBuffer | null | undefined;
+
+export interface LoadingOptions {
+  /**
+   * "error": what cannot be drawn as the file says is an error. "warning": so is any warning (E_WARNING). "none": a texture that is missing,
+   * denied or damaged, and an unknown extension that the model requires, are warnings (W_TEXTURE, W_EXT_REQUIRED), and the picture is what
+   * three.js shows without them. A loaded model keeps what it was loaded with.
+   * @default 'error', or the renderer's
+   */
+  failOn?: 'error' | 'warning' | 'none';
+  /**
+   * In place of files beside the model, of which none is opened then. Limits apply to what it gives; what it throws is the cause of an X_RESOLVE.
+   * @default none, or the renderer's
+   */
+  resolve?: Resolve;
+}
+
+export interface RendererOptions extends LoadingOptions {
   /** @default 'auto' */
   backend?: 'auto' | Backend;
   /** Where prefiltered environments are kept by content hash; default telar's folder in the user's cache, null = nowhere. */
   cacheDirectory?: string | null;
+  /** Bytes of what is kept there; what was used longest ago goes first. @default 268435456 */
+  cacheBytes?: number;
   limits?: Limits;
   /** Jobs that may wait; one more rejects with X_BUSY. @default 1024 */
   maxWaiting?: number;
@@ -31,13 +57,23 @@ export interface CallOptions {
   signal?: AbortSignal;
 }
 
-export interface DrawOptions extends CallOptions {
+export interface LoadOptions extends CallOptions, LoadingOptions {}
+
+export interface DrawOptions extends LoadOptions {
   /**
    * Called with 0..1, never falling, and with 1 when all is done: row by row for quality "reference", once a frame for the
    * others. What it throws cancels the work and rejects the promise.
    */
   onProgress?: (part: number) => void;
 }
+
+export interface DrawAllOptions extends DrawOptions {
+  /** Draw the other shots where one fails, and give each its outcome, as of Promise.allSettled. @default false */
+  settled?: boolean;
+}
+
+/** Outcome of one shot; `reason.index` says which. */
+export type SettledImage = { status: 'fulfilled'; value: Image } | { status: 'rejected'; reason: TelarError };
 
 export interface Warning {
   code: string;
@@ -166,13 +202,16 @@ export type Quantity = 'n' | 'baseColor' | 'alpha' | 'metallic' | 'perceptualRou
 export interface Renderer {
   readonly backend: Backend;
   readonly gl: Record<string, unknown>;
-  load(source: Source, options?: CallOptions): Promise<Model>;
+  load(source: Source, options?: LoadOptions): Promise<Model>;
   render(source: Source | Model, shot?: Shot | ResolvedShot, options?: DrawOptions): Promise<Image>;
-  renderAll(source: Source | Model, shots: ReadonlyArray<Shot | ResolvedShot>, options?: DrawOptions): Promise<Image[]>;
+  /** The first shot that fails ends the others; the error's `index` says which it was. */
+  renderAll(source: Source | Model, shots: ReadonlyArray<Shot | ResolvedShot>, options?: DrawAllOptions & { settled?: false }): Promise<Image[]>;
+  /** Rejects only where no shot can be drawn: the model, the signal, onProgress. */
+  renderAll(source: Source | Model, shots: ReadonlyArray<Shot | ResolvedShot>, options: DrawAllOptions & { settled: true }): Promise<SettledImage[]>;
   /** Draws a quantity of the shading in place of the colour: RGBA, top row first; alpha 0 where nothing is drawn. */
-  renderQuantity(source: Source | Model, shot: Shot | ResolvedShot, quantity: Quantity, options?: CallOptions): Promise<{ width: number; height: number; data: Float32Array }>;
+  renderQuantity(source: Source | Model, shot: Shot | ResolvedShot, quantity: Quantity, options?: LoadOptions): Promise<{ width: number; height: number; data: Float32Array }>;
   /** What resolveShot needs to know of a model for this shot: its facts in the shot's pose, and what the part measures that it frames. */
-  factsOf(source: Source | Model, shot?: Shot | ResolvedShot, options?: CallOptions): Promise<ModelFacts & { part?: PartFact }>;
+  factsOf(source: Source | Model, shot?: Shot | ResolvedShot, options?: LoadOptions): Promise<ModelFacts & { part?: PartFact }>;
   /** Frees what the GPU holds of a model. */
   release(model: Model): Promise<void>;
   /** Number of GL names that live in the context. */
@@ -185,7 +224,7 @@ export interface Renderer {
 /** @throws {TelarError} E_OPTION, X_NATIVE_MISSING, X_GL */
 export function createRenderer(options?: RendererOptions): Promise<Renderer>;
 
-export interface InspectOptions extends CallOptions {
+export interface InspectOptions extends LoadOptions {
   shot?: Shot | ResolvedShot;
   limits?: Limits;
 }
@@ -197,7 +236,7 @@ export function inspect(source: Source, options?: InspectOptions): Promise<Model
  * The key that a picture will have as `info.key`, without drawing it or decoding the model: so that a service can answer
  * "not modified", and a batch can leave out what has not changed.
  */
-export function pictureKey(source: Source, shot?: Shot | ResolvedShot, options?: { limits?: Limits; signal?: AbortSignal }): Promise<string>;
+export function pictureKey(source: Source, shot?: Shot | ResolvedShot, options?: { limits?: Limits; resolve?: Resolve; signal?: AbortSignal }): Promise<string>;
 
 /** Light by lobe, linear [r, g, b]; `total` is the sum of the other four. */
 export type Lobes = Record<'diffuse' | 'specular' | 'sheen' | 'coat' | 'total', Vec3>;

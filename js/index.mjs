@@ -5,4 +5,4 @@ export { pictureKey } from './picture_key.mjs';
 export { evaluateShading } from './lobes.mjs';
 export { doctor } from './doctor.mjs';
 export { versions } from './versions.mjs';
-export { TelarError } from './error/index.mjs';
+export { TelarError, toTelarError } from './error/index.mjs';

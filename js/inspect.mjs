@@ -11,6 +11,8 @@ import { Model, loadModel, measuredFor, poseModel, shotModule } from './model.mj
  * @param {object} [options]
  * @param {object} [options.shot] - Shot to plan for.
  * @param {Record<string, number>} [options.limits] - By the L_* names.
+ * @param {'error' | 'warning' | 'none'} [options.failOn='error'] - As createRenderer has it.
+ * @param {(uri: string) => unknown} [options.resolve] - As createRenderer has it.
  * @param {AbortSignal} [options.signal]
  * @returns {Promise<object>} bounds and size in metres, counts, materials, images, lights, variants, cameras, animations, warnings, and
  *   `plan`: {features, programs, passes}, null when there is nothing to draw
@@ -21,11 +23,11 @@ export async function inspect(source, options = {}) {
 
 /** @internal */
 export async function inspectOn(native, source, options = {}) {
-  const { shot, limits, signal } = inspectOptions(options, Object.keys(native.limits));
+  const { shot, limits, signal, ...loading } = inspectOptions(options, Object.keys(native.limits));
   const maxBytes = limits.L_FILE_BYTES ?? native.limits.L_FILE_BYTES;
   const input = readSource(native, source, maxBytes);
   const request = readShot(native, shot, maxBytes);
-  const loaded = await loadModel(native, input, limits, signal);
+  const loaded = await loadModel(native, input, limits, { ...loading, signal });
   const model = await poseModel(native, loaded, request.shot, { signal, forget: true });
   if (!model.facts.bounds) return { ...model.facts, plan: null };
   const { resolveShot } = await shotModule();

@@ -39,7 +39,7 @@ function jsonOf(file) {
 async function sceneOf(native, { model, material }, signal) {
   if (model) return { scene: Model.sceneOf(model), index: material };
   const input = readSource(native, triangleIn(material), native.limits.L_FILE_BYTES);
-  return { scene: Model.sceneOf(await loadModel(native, input, {}, signal)), index: 0 };
+  return { scene: Model.sceneOf(await loadModel(native, input, {}, { signal })), index: 0 };
 }
 
 /** {diffuse: [r, g, b], ...} of the numbers from `start`. */

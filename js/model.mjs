@@ -1,4 +1,6 @@
+import { refuseWarnings } from './api/fail_on.mjs';
 import { nativeCall } from './api/native_call.mjs';
+import { withParts } from './api/parts.mjs';
 
 /** The schema of the shot costs load time, so it comes with the first job. */
 export const shotModule = () => import('./shot/index.mjs');
@@ -31,12 +33,15 @@ export class Model {
  * @param {object} native the addon's exports
  * @param {string | object} input of readSource
  * @param {object} limits
- * @param {AbortSignal} [signal]
+ * @param {import('./api/options.mjs').Loading & {signal?: AbortSignal}} [options]
  * @returns {Promise<Model>}
  */
-export async function loadModel(native, input, limits, signal) {
-  const { scene, facts } = await nativeCall(native, signal, (token) => native.load(input, limits, token));
-  return new Model(scene, JSON.parse(facts));
+export async function loadModel(native, input, limits, { signal, failOn = 'error', resolve } = {}) {
+  const { scene, facts } = await withParts(native, { resolve, signal }, (parts) =>
+    nativeCall(native, signal, (token) => native.load(input, limits, { tolerant: failOn === 'none', parts }, token)));
+  const model = new Model(scene, JSON.parse(facts));
+  refuseWarnings(failOn, model.facts.warnings);
+  return model;
 }
 
 /**

@@ -1,10 +1,11 @@
-import { TelarError } from './error/index.mjs';
+import { TelarError, toTelarError } from './error/index.mjs';
+import { refuseWarnings } from './api/fail_on.mjs';
 import { Gate } from './api/gate.mjs';
 import { frameInfo, shotWarnings } from './api/frame_info.mjs';
 import { nativeCall } from './api/native_call.mjs';
 import { onAbort } from './api/on_abort.mjs';
 import { keyOfDrawn } from './api/picture_key.mjs';
-import { callOptions, drawOptions, rendererOptions, wrongOption } from './api/options.mjs';
+import { drawAllOptions, drawOptions, loadOptions, rendererOptions, wrongOption } from './api/options.mjs';
 import { ProgressReport } from './api/progress.mjs';
 import { shotJson } from './api/shot_json.mjs';
 import { readShot, readSource } from './api/source.mjs';
@@ -55,18 +56,29 @@ async function inScope(outer, onProgress, jobs, run) {
   }
 }
 
+/**
+ * The error of one of renderAll's shots, which says which: `index`. What an AbortSignal or onProgress threw is of no shot.
+ * Shots may share an error (of their pose), so each gets its own.
+ */
+function ofShot(thrown, index) {
+  if (!(thrown instanceof TelarError)) return thrown;
+  return new TelarError(thrown.code, `shots[${index}]: ${thrown.message}`, { ...thrown.toJSON(), index, cause: thrown });
+}
+
 class Renderer {
   #native;
   #handle;
   #limits;
+  #loading;
   #gate;
   #pending = new Set();
   #closed;
 
-  constructor(native, handle, facts, { limits, maxWaiting }) {
+  constructor(native, handle, facts, { limits, loading, maxWaiting }) {
     this.#native = native;
     this.#handle = handle;
     this.#limits = limits;
+    this.#loading = loading;
     this.#gate = new Gate(FRAMES_IN_FLIGHT, maxWaiting);
     const { backend, ...gl } = facts;
     /** Which GL gave the context: "egl-device", "egl-surfaceless" or "osmesa". */
@@ -82,16 +94,16 @@ class Renderer {
   /** Decodes a model once, to draw many views of it. */
   async load(source, options = {}) {
     this.#assertOpen();
-    const { signal } = callOptions(options);
+    const loading = loadOptions(options, this.#loading);
     const input = readSource(this.#native, source, this.#maxBytes);
-    return this.#track(this.#gate.run(() => loadModel(this.#native, input, this.#limits, signal), signal));
+    return this.#track(this.#gate.run(() => loadModel(this.#native, input, this.#limits, loading), loading.signal));
   }
 
   /** Draws one view. */
   async render(source, shot = {}, options = {}) {
     this.#assertOpen();
-    const { signal, onProgress } = drawOptions(options);
-    const request = this.#readRequest(source, shot);
+    const { signal, onProgress, ...loading } = drawOptions(options, this.#loading);
+    const request = { ...this.#readRequest(source, shot), loading };
     if (!onProgress) return this.#track(this.#gate.run(() => this.#render(request, signal), signal));
     return this.#track(inScope(signal, onProgress, 1, (scope, report) =>
       this.#gate.run(() => this.#render(request, scope, report), scope)));
@@ -105,22 +117,26 @@ class Renderer {
    */
   async renderQuantity(source, shot, quantity, options = {}) {
     this.#assertOpen();
-    const { signal } = callOptions(options);
+    const { signal, ...loading } = loadOptions(options, this.#loading);
     if (!QUANTITIES.includes(quantity)) throw wrongOption('quantity', `one of ${QUANTITIES.join(', ')}`, quantity);
     const request = this.#readRequest(source, { ...shot, background: 'transparent', output: { format: 'raw', bitDepth: 32 } });
-    const { data, info } = await this.#track(this.#gate.run(() => this.#render({ ...request, quantity }, signal), signal));
+    const { data, info } = await this.#track(this.#gate.run(() => this.#render({ ...request, loading, quantity }, signal), signal));
     const floats = new Float32Array(data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength));
     return { width: info.width, height: info.height, data: floats };
   }
 
-  /** Draws many views of one model; while one is drawn, the one before is encoded. */
+  /**
+   * Draws many views of one model; while one is drawn, the one before is encoded. The first shot that fails ends the others, and
+   * the error's `index` says which it was; with `settled` the others are drawn, and each shot has its outcome, as of Promise.allSettled.
+   */
   async renderAll(source, shots, options = {}) {
     this.#assertOpen();
-    const { signal, onProgress } = drawOptions(options);
+    const { signal, onProgress, settled, ...loading } = drawAllOptions(options, this.#loading);
     if (!Array.isArray(shots)) throw wrongOption('shots', 'an array of shots', shots);
     const input = this.#readInput(source);
-    const requests = shots.map((shot) => readShot(this.#native, shot, this.#maxBytes));
-    return this.#track(inScope(signal, onProgress, shots.length, (scope, report) => this.#renderAll(input, requests, scope, report)));
+    const requests = shots.map((shot, job) => this.#readShotOf(shot, job, settled));
+    const all = { requests, settled, loading };
+    return this.#track(inScope(signal, onProgress, shots.length, (scope, report) => this.#renderAll(input, all, scope, report)));
   }
 
   /**
@@ -129,10 +145,10 @@ class Renderer {
    */
   async factsOf(source, shot = {}, options = {}) {
     this.#assertOpen();
-    const { signal } = callOptions(options);
+    const { signal, ...loading } = loadOptions(options, this.#loading);
     const { input, model } = this.#readInput(source);
     return this.#track(this.#gate.run(async () => {
-      const loaded = model ?? await loadModel(this.#native, input, this.#limits, signal);
+      const loaded = model ?? await loadModel(this.#native, input, this.#limits, { ...loading, signal });
       return measuredFor(this.#native, await poseModel(this.#native, loaded, shot, { signal, forget: !model }), shot, signal);
     }, signal));
   }
@@ -187,13 +203,32 @@ class Renderer {
     return { ...this.#readInput(source), ...readShot(this.#native, shot, this.#maxBytes) };
   }
 
-  async #renderAll({ input, model }, requests, signal, report) {
+  /** @returns {object} of readShot; {failure} of a shot that is wrong, where the others are drawn */
+  #readShotOf(shot, job, settled) {
+    try {
+      return readShot(this.#native, shot, this.#maxBytes);
+    } catch (error) {
+      if (settled) return { failure: error };
+      throw ofShot(error, job);
+    }
+  }
+
+  async #renderAll({ input, model }, { requests, settled, loading }, signal, report) {
     let loaded = model;
     try {
-      loaded ??= await this.#gate.run(() => loadModel(this.#native, input, this.#limits, signal), signal);
-      const poses = new SharedPoses(this.#native, loaded, requests.map(({ shot }) => shot), signal);
-      return await Promise.all(requests.map((request, job) =>
-        this.#gate.run(() => this.#render({ ...request, model: loaded, poses, job }, signal, report), signal)));
+      loaded ??= await this.#gate.run(() => loadModel(this.#native, input, this.#limits, { ...loading, signal }), signal);
+      const shots = requests.filter(({ failure }) => !failure).map(({ shot }) => shot);
+      const poses = new SharedPoses(this.#native, loaded, shots, signal);
+      const draw = async ({ failure, ...request }, job) => {
+        try {
+          if (failure) throw failure;
+          return await this.#gate.run(() => this.#render({ ...request, loading, model: loaded, poses, job }, signal, report), signal);
+        } catch (thrown) {
+          report?.finish(job);
+          throw ofShot(settled ? toTelarError(thrown) : thrown, job);
+        }
+      };
+      return await (settled ? Promise.allSettled(requests.map(draw)) : Promise.all(requests.map(draw)));
     } finally {
       // Not waited for, and no news if it fails: the frames have said what is wrong with the renderer.
       if (!model && loaded) this.#releaseScene(loaded, true).catch(() => {});
@@ -205,14 +240,16 @@ class Renderer {
     return this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model), forget)));
   }
 
-  async #render({ input, model: given, poses, job = 0, shot, environment, map, quantity }, signal, report) {
+  async #render({ input, model: given, loading, poses, job = 0, shot, environment, map, quantity }, signal, report) {
     const start = performance.now();
-    const model = given ?? await loadModel(this.#native, input, this.#limits, signal);
+    const model = given ?? await loadModel(this.#native, input, this.#limits, { ...loading, signal });
     const loaded = performance.now();
     const posed = await (poses ? poses.of(shot) : poseModel(this.#native, model, shot, { signal, forget: !given }));
     const posedAt = performance.now();
-    const { resolveShot } = await shotModule();
-    const resolved = resolveShot(shot, await measuredFor(this.#native, posed, shot, signal));
+    const { resolved, warnings } = await this.#resolve(shot, posed, loading, signal).catch((error) => {
+      if (poses?.isLast(shot)) this.#releaseScene(posed).catch(() => {});
+      throw error;
+    });
     if (map) resolved.environment.map = map;
     const request = {
       scene: Model.sceneOf(posed),
@@ -228,7 +265,18 @@ class Renderer {
     report?.finish(job);
     const key = await keyOfDrawn(this.#native, { version: versions.telar, model: model.facts.sha256, shot, environment, drawn: frame.environmentSha256, limits: this.#limits });
     const milliseconds = { load: loaded - start, pose: posedAt - loaded, resolve: resolvedAt - posedAt, total: performance.now() - start };
-    return { data: frame.data, info: frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings: [...(posed.facts.warnings ?? []), ...shotWarnings(resolved, posed.facts.extensionsUsed)] }) };
+    const info = frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings });
+    refuseWarnings(loading.failOn, info.warnings);
+    return { data: frame.data, info };
+  }
+
+  /** The shot with every default, and what is known to be wrong before it is drawn. @throws {TelarError} E_SHOT, E_WARNING, ... */
+  async #resolve(shot, posed, { failOn }, signal) {
+    const { resolveShot } = await shotModule();
+    const resolved = resolveShot(shot, await measuredFor(this.#native, posed, shot, signal));
+    const warnings = [...(posed.facts.warnings ?? []), ...shotWarnings(resolved, posed.facts.extensionsUsed)];
+    refuseWarnings(failOn, warnings);
+    return { resolved, warnings };
   }
 }
 
@@ -238,7 +286,13 @@ class Renderer {
  * @param {'auto' | 'egl-device' | 'egl-surfaceless' | 'osmesa'} [options.backend='auto']
  * @param {string | null} [options.cacheDirectory] - Prefiltered environments by content hash; default telar's folder in the
  *   user's cache, null for none.
+ * @param {number} [options.cacheBytes=268435456] - Bytes of its files; those that were used longest ago go first.
  * @param {Record<string, number>} [options.limits] - What an input may cost, by the L_* names.
+ * @param {'error' | 'warning' | 'none'} [options.failOn='error'] - "warning": any warning is an error, E_WARNING. "none": a texture that is
+ *   missing or damaged and an unknown extension that the model requires are warnings, and the picture is what three.js shows without them.
+ * @param {(uri: string, options: {signal?: AbortSignal}) => Uint8Array | ArrayBuffer | null | Promise<Uint8Array | ArrayBuffer | null>} [options.resolve]
+ *   - Gives the files that a model names, by their relative path, which is percent-decoded and leads nowhere above the model; null for what is not there.
+ *   Where it is given, no file beside the model is opened. Limits apply to what it gives.
  * @param {number} [options.maxWaiting=1024] - Jobs that may wait; one more rejects with X_BUSY.
  * @param {boolean} [options.allFeatures=false] - Every feature in every shader: for benchmarks.
  * @param {AbortSignal} [options.signal]
@@ -259,6 +313,7 @@ export async function createRendererOn(native, options = {}) {
     backend: rest.backend,
     assetDirectory: ASSET_DIRECTORY,
     cacheDirectory: rest.cacheDirectory,
+    cacheBytes: rest.cacheBytes,
     limits: rest.limits,
     allFeatures: rest.allFeatures,
     maxQueued: MAX_QUEUED,

@@ -5,6 +5,8 @@ import { nearest, shown } from '../shot/complain.mjs';
 
 export const BACKENDS = Object.freeze(['auto', 'egl-device', 'egl-surfaceless', 'osmesa']);
 const MAX_WAITING = 1024;
+/** Some two hundred prefiltered environments. */
+const CACHE_BYTES = 256 * 2 ** 20;
 
 /** @returns {TelarError} E_OPTION */
 export const wrongOption = (name, expected, value) => new TelarError('E_OPTION', `${name}: expected ${expected}, got ${shown(value)}`);
@@ -39,8 +41,15 @@ function limitsOption(value, known) {
     .map(([name, max]) => [name, count(`options.limits.${name}`, max, 0)]));
 }
 
-/** Where prefiltered environments are kept between processes. */
-const defaultCache = () => path.join(process.env.XDG_CACHE_HOME || path.join(os.homedir(), '.cache'), 'telar');
+/** Where prefiltered environments are kept between processes; null where the user has no folder. */
+function defaultCache() {
+  if (process.env.XDG_CACHE_HOME) return path.join(process.env.XDG_CACHE_HOME, 'telar');
+  try {
+    return path.join(os.homedir(), '.cache/telar');
+  } catch {
+    return null; // no HOME, and a user id without a name
+  }
+}
 
 function directory(name, value) {
   if (value === null) return '';
@@ -54,6 +63,24 @@ export function checkSignal(signal) {
   throw wrongOption('options.signal', 'an AbortSignal', signal);
 }
 
+/** What makes a call fail, mildest last. */
+export const FAIL_ON = Object.freeze(['error', 'warning', 'none']);
+
+/**
+ * What decides how a model is loaded, where the caller does not say it again.
+ * @typedef {{failOn: 'error' | 'warning' | 'none', resolve?: (uri: string, options: {signal?: AbortSignal}) => unknown}} Loading
+ */
+
+/** @returns {Loading} @throws {TelarError} E_OPTION */
+function loading({ failOn, resolve }, defaults) {
+  if (failOn !== undefined && !FAIL_ON.includes(failOn)) throw wrongOption('options.failOn', FAIL_ON.map((name) => JSON.stringify(name)).join(', '), failOn);
+  if (resolve !== undefined && typeof resolve !== 'function') throw wrongOption('options.resolve', 'a function', resolve);
+  return { failOn: failOn ?? defaults.failOn, resolve: resolve ?? defaults.resolve };
+}
+
+/** @type {Loading} */
+const STRICT = { failOn: 'error' };
+
 /**
  * Options of one call: {signal}.
  * @returns {{signal: AbortSignal | undefined}}
@@ -64,14 +91,38 @@ export function callOptions(options) {
 }
 
 /**
- * Options of a drawing: {signal, onProgress}.
- * @returns {{signal: AbortSignal | undefined, onProgress: ((part: number) => void) | undefined}}
+ * Options of a call that loads: {signal, failOn, resolve}.
+ * @param {object} options
+ * @param {Loading} defaults of the renderer
+ * @returns {Loading & {signal: AbortSignal | undefined}}
  */
-export function drawOptions(options) {
-  checkObject('options', options, ['signal', 'onProgress']);
+export function loadOptions(options, defaults) {
+  checkObject('options', options, ['signal', 'failOn', 'resolve']);
+  return { ...loading(options, defaults), signal: checkSignal(options.signal) };
+}
+
+const DRAW_KEYS = ['signal', 'onProgress', 'failOn', 'resolve'];
+
+/**
+ * Options of a drawing: those of a call, and onProgress.
+ * @param {object} options
+ * @param {Loading} defaults of the renderer
+ * @param {string[]} [keys] that are known
+ * @returns {Loading & {signal: AbortSignal | undefined, onProgress: ((part: number) => void) | undefined}}
+ */
+export function drawOptions(options, defaults, keys = DRAW_KEYS) {
+  checkObject('options', options, keys);
   const { signal, onProgress } = options;
   if (onProgress !== undefined && typeof onProgress !== 'function') throw wrongOption('options.onProgress', 'a function', onProgress);
-  return { signal: checkSignal(signal), onProgress };
+  return { ...loading(options, defaults), signal: checkSignal(signal), onProgress };
+}
+
+/** Options of renderAll: those of a drawing, and settled. */
+export function drawAllOptions(options, defaults) {
+  const known = drawOptions(options, defaults, [...DRAW_KEYS, 'settled']);
+  const { settled = false } = options;
+  if (typeof settled !== 'boolean') throw wrongOption('options.settled', 'true or false', settled);
+  return { ...known, settled };
 }
 
 /**
@@ -80,28 +131,42 @@ export function drawOptions(options) {
  * @param {string[]} limitNames
  */
 export function rendererOptions(options, limitNames) {
-  checkObject('options', options, ['backend', 'cacheDirectory', 'limits', 'maxWaiting', 'allFeatures', 'signal']);
-  const { backend = 'auto', cacheDirectory = defaultCache(), limits = {}, maxWaiting = MAX_WAITING, allFeatures = false, signal } = options;
+  checkObject('options', options, ['backend', 'cacheDirectory', 'cacheBytes', 'limits', 'maxWaiting', 'failOn', 'resolve', 'allFeatures', 'signal']);
+  const {
+    backend = 'auto', cacheDirectory = defaultCache(), cacheBytes = CACHE_BYTES, limits = {}, maxWaiting = MAX_WAITING, allFeatures = false, signal,
+  } = options;
   if (!BACKENDS.includes(backend)) throw wrongOption('options.backend', BACKENDS.map((name) => JSON.stringify(name)).join(', '), backend);
   if (typeof allFeatures !== 'boolean') throw wrongOption('options.allFeatures', 'true or false', allFeatures);
   return {
     backend,
     cacheDirectory: directory('options.cacheDirectory', cacheDirectory),
+    cacheBytes: count('options.cacheBytes', cacheBytes, 0),
     limits: limitsOption(limits, limitNames),
     maxWaiting: count('options.maxWaiting', maxWaiting, 0),
+    loading: loading(options, STRICT),
     allFeatures,
     signal: checkSignal(signal),
   };
 }
 
 /**
- * Options of inspect: {shot, limits, signal}.
+ * Options of inspect: {shot, limits, failOn, resolve, signal}.
  * @param {string[]} limitNames
  */
 export function inspectOptions(options, limitNames) {
-  checkObject('options', options, ['shot', 'limits', 'signal']);
+  checkObject('options', options, ['shot', 'limits', 'failOn', 'resolve', 'signal']);
   const { shot = {}, limits = {}, signal } = options;
-  return { shot, limits: limitsOption(limits, limitNames), signal: checkSignal(signal) };
+  return { shot, limits: limitsOption(limits, limitNames), ...loading(options, STRICT), signal: checkSignal(signal) };
+}
+
+/**
+ * Options of pictureKey: {limits, resolve, signal}.
+ * @param {string[]} limitNames
+ */
+export function keyOptions(options, limitNames) {
+  checkObject('options', options, ['limits', 'resolve', 'signal']);
+  const { limits = {}, resolve, signal } = options;
+  return { limits: limitsOption(limits, limitNames), ...loading({ resolve }, STRICT), signal: checkSignal(signal) };
 }
 
 /**

@@ -1,6 +1,7 @@
 import { createHash } from 'node:crypto';
 import path from 'node:path';
 import { nativeCall } from './native_call.mjs';
+import { withParts } from './parts.mjs';
 
 /** The key of a picture: SHA-256 of all that it is made of. Equal keys mean the same picture by the same GL. */
 
@@ -44,15 +45,15 @@ const environmentOf = ({ map }, bytes) => bytes ?? path.resolve(map);
  * The key of a model that is not loaded.
  * @param {object} native
  * @param {object} request of readSource and readShot: {input, shot, environment}
- * @param {{version: string, limits: object, signal?: AbortSignal}} options
+ * @param {{version: string, limits: object, resolve?: Function, signal?: AbortSignal}} options
  * @returns {Promise<string>}
  */
-export async function keyOfSource(native, { input, shot, environment }, { version, limits, signal }) {
+export async function keyOfSource(native, { input, shot, environment }, { version, limits, resolve, signal }) {
   const { shotIdentity } = await identityModule();
   const identity = shotIdentity(shot);
   const { map } = identity.environment;
   const [model, light] = await Promise.all([
-    nativeCall(native, signal, (token) => native.hashModel(input, limits, token)),
+    withParts(native, { resolve, signal }, (parts) => nativeCall(native, signal, (token) => native.hashModel(input, limits, { tolerant: true, parts }, token))),
     NAMED.includes(map) ? map : digestOf(native, environmentOf(identity.environment, environment), limits, signal),
   ]);
   return keyOfParts({ version, model, environment: light, shot: identity });

@@ -18,7 +18,7 @@ export async function inspect(model, options, context) {
   const shot = await readShotOptions(options, context);
   const limits = readLimits(options.limit);
   const source = model === '-' ? await readAll(context.stdin, maxFileBytes(limits), context.signal) : model;
-  const facts = await context.api.inspect(source, { shot, limits, signal: context.signal });
+  const facts = await context.api.inspect(source, { shot, limits, failOn: options.failOn, signal: context.signal });
   for (const warning of facts.warnings ?? []) context.console.warning(warning, model);
   await context.console.result({ ok: true, model, ...facts }, factLines(model, facts));
   return 0;

@@ -22,6 +22,10 @@ const addCommon = (command) => command
   .option('--json', 'one JSON object on stdout, logs on stderr')
   .option('--quiet', 'no progress, notes and warnings');
 
+const addFailOn = (command) => command
+  .addOption(new Option('--fail-on <level>', 'what leaves a model without a picture: errors; warnings too; or none of what three.js draws without: textures '
+    + 'that are missing or damaged, unknown extensions that are required').choices(['error', 'warning', 'none']).default('error'));
+
 const addLimit = (command) => command
   .option('--limit <name=n>', 'raise or lower a limit, as in L_TRIANGLES=30000000', collect);
 
@@ -40,7 +44,7 @@ export function buildProgram(version, actions, output) {
     .addHelpText('after', `\n${EXIT_CODES}`);
   const command = (name, text) => program.command(name).description(text).allowExcessArguments(false);
 
-  addLimit(addCommon(addShotOptions(command('thumbnail', 'Draw one image a model, or one for each of its variants and views')
+  addLimit(addFailOn(addCommon(addShotOptions(command('thumbnail', 'Draw one image a model, or one for each of its variants and views')
     .argument('[model...]', '.glb or .gltf files, or folders with -r; - is stdin')
     .option('-o, --output <out>', 'file, folder or pattern such as out/{parent}-{view}.png ({name}, {parent}, {folder}, {variant}, {view}, {index}); '
       + '- is stdout; the extension gives the format')
@@ -50,10 +54,10 @@ export function buildProgram(version, actions, output) {
     .option('--manifest <file>', 'JSON lines {"model", "shot", "output"} in place of models; relative paths start at the file; - is stdin')
     .option('--skip-unchanged', 'leave out images that are there and would be drawn from the same bytes and shot by the same version')
     .option('--contact-sheet <file>', 'write one PNG with a labelled thumbnail of every image')
-    .addOption(backend())))
+    .addOption(backend()))))
     .action(actions.thumbnail);
-  addLimit(addCommon(addShotOptions(command('inspect', 'Say what is in a model, and what a render of it would compile and run')
-    .argument('<model>', '.glb or .gltf file; - is stdin'))))
+  addLimit(addFailOn(addCommon(addShotOptions(command('inspect', 'Say what is in a model, and what a render of it would compile and run')
+    .argument('<model>', '.glb or .gltf file; - is stdin')))))
     .action(actions.inspect);
   addLimit(addCommon(command('compare', 'Say how far two images, or the images of two folders, are apart, and whether that is within a gate')
     .argument('<expected>', 'PNG, JPEG or WebP, or a folder of them')
@@ -84,12 +88,12 @@ export function buildProgram(version, actions, output) {
     .option('--terms', 'list slots and terms, and draw nothing')
     .addOption(backend())))
     .action(actions.analyse);
-  addLimit(addCommon(addShotOptions(command('view', 'Show the browser client beside the server\'s picture, and their difference, on a local page')
+  addLimit(addFailOn(addCommon(addShotOptions(command('view', 'Show the browser client beside the server\'s picture, and their difference, on a local page')
     .argument('<model>', '.glb or .gltf file; - is a GLB on stdin')
     .option('--port <port>', 'port on 127.0.0.1; a free one by default', port)
     .option('--open', 'open the page in the browser'))
     .addOption(backend())
-    .addHelpText('after', '\nThe page judges by the gate parity of telar compare where browser and server draw with the same GL, else by other-gl.')))
+    .addHelpText('after', '\nThe page judges by the gate parity of telar compare where browser and server draw with the same GL, else by other-gl.'))))
     .action(actions.view);
   addCommon(command('doctor', 'Say which GL backends this machine has, which is chosen, and how to cure a missing one'))
     .action(actions.doctor);

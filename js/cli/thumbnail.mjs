@@ -36,7 +36,7 @@ export async function thumbnail(models, options, context) {
   });
   await Promise.all([...new Set(outputs.filter(({ file }) => file !== '-').map(({ file }) => path.dirname(file)))].map(sweepStale));
 
-  const renderer = await context.api.createRenderer({ backend: options.backend, limits, signal: context.signal });
+  const renderer = await context.api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, signal: context.signal });
   try {
     const results = await drawAll({ jobs, outputs, options, renderer, limits }, context);
     const sheet = await writeSheet(results, options, { limits, signal: context.signal });

@@ -22,7 +22,7 @@ export async function view(model, options, context) {
   const limits = readLimits(options.limit);
   const source = model === '-' ? await readAll(stdin, maxFileBytes(limits), signal) : model;
   const { openView } = await import('../view/index.mjs');
-  const renderer = await api.createRenderer({ backend: options.backend, limits, signal });
+  const renderer = await api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, signal });
   try {
     const page = await openView({ renderer, source, shot, port: options.port, signal });
     try {

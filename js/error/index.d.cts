@@ -16,6 +16,7 @@ export interface ErrorFacts {
   pointer?: string;
   offset?: number;
   limit?: LimitFact;
+  index?: number;
   cause?: unknown;
 }
 
@@ -27,6 +28,7 @@ export interface PlainError {
   pointer?: string;
   offset?: number;
   limit?: LimitFact;
+  index?: number;
 }
 
 /** The one error type of telar; js/docs/errors.md is the table of its codes. */
@@ -41,9 +43,14 @@ export class TelarError extends Error {
   /** Byte offset in the file. */
   readonly offset?: number;
   readonly limit?: LimitFact;
+  /** Of renderAll: which of the shots, from 0. */
+  readonly index?: number;
   /** Exit code of the command line for this error. */
   readonly exit: number;
   /** HTTP status for this error. */
   readonly http: number;
   toJSON(): PlainError;
 }
+
+/** Any thrown value as a TelarError: an AbortSignal's reason is X_CANCELLED or X_TIMEOUT, what is not telar's own is X_INTERNAL with its cause. */
+export function toTelarError(thrown: unknown): TelarError;

@@ -13,12 +13,13 @@ const MESSAGE_MAX = 300;
  * @property {string} [pointer] JSON pointer into the document that is wrong: the glTF, or the shot for E_SHOT
  * @property {number} [offset] byte offset in the file
  * @property {{name: string, max: number, actual: number}} [limit]
+ * @property {number} [index] of renderAll: which of the shots, from 0
  */
 export class TelarError extends Error {
   /**
    * @param {string} code
    * @param {string} message what is wrong, where, and what to do; cut at 300 characters
-   * @param {{pointer?: string, offset?: number, limit?: {name: string, max: number, actual: number}, cause?: unknown}} [facts]
+   * @param {{pointer?: string, offset?: number, limit?: {name: string, max: number, actual: number}, index?: number, cause?: unknown}} [facts]
    */
   constructor(code, message, facts = {}) {
     super(cut(message), facts.cause === undefined ? undefined : { cause: facts.cause });
@@ -26,7 +27,7 @@ export class TelarError extends Error {
     this.code = code;
     this.kind = row.kind;
     this.retryable = row.retryable;
-    for (const key of ['pointer', 'offset', 'limit']) {
+    for (const key of ['pointer', 'offset', 'limit', 'index']) {
       if (facts[key] !== undefined) this[key] = facts[key];
     }
     Object.defineProperty(this, BRAND, { value: true });
@@ -48,12 +49,13 @@ export class TelarError extends Error {
 
   /** Plain data for JSON: no stack, no cause (either may hold a path of the server). */
   toJSON() {
-    const { code, kind, message, retryable, pointer, offset, limit } = this;
+    const { code, kind, message, retryable, pointer, offset, limit, index } = this;
     return {
       code, kind, message, retryable,
       ...(pointer !== undefined && { pointer }),
       ...(offset !== undefined && { offset }),
       ...(limit !== undefined && { limit }),
+      ...(index !== undefined && { index }),
     };
   }
 
@@ -71,14 +73,14 @@ function cut(message) {
 /**
  * Makes a TelarError of the plain data that native code, a worker or toJSON() gives.
  * An unknown code becomes X_INTERNAL and stays in the message.
- * @param {{code?: string, message?: string, pointer?: string, offset?: number, limit?: object}} plain
+ * @param {{code?: string, message?: string, pointer?: string, offset?: number, limit?: object, index?: number}} plain
  * @returns {TelarError}
  */
 export function fromNative(plain) {
   if (plain instanceof TelarError) return plain;
-  const { code, message = 'no message', pointer, offset, limit } = plain ?? {};
-  if (Object.hasOwn(TABLE, code ?? '')) return new TelarError(code, message, { pointer, offset, limit });
-  return new TelarError('X_INTERNAL', code === undefined ? message : `${code}: ${message}`, { pointer, offset, limit });
+  const { code, message = 'no message', pointer, offset, limit, index } = plain ?? {};
+  if (Object.hasOwn(TABLE, code ?? '')) return new TelarError(code, message, { pointer, offset, limit, index });
+  return new TelarError('X_INTERNAL', code === undefined ? message : `${code}: ${message}`, { pointer, offset, limit, index });
 }
 
 /**

@@ -1,5 +1,6 @@
 import { TelarError } from '../error/index.mjs';
 import { nearest, shown, wrongValue } from './complain.mjs';
+import { TINY } from './fields.mjs';
 import { VIEWS, cross, depthRangeOf, frameBounds, length, subtract, viewBasis } from './frame.mjs';
 import { boundsOfPart, isPart } from './part.mjs';
 
@@ -40,11 +41,21 @@ function frameView(camera, aspect, facts, ground) {
   const angles = azimuth === undefined && elevation === undefined
     ? VIEWS[view ?? 'front'] : { azimuth: azimuth ?? 0, elevation: elevation ?? 0 };
   const whole = needBounds(facts, 'camera');
-  const place = (shadow) => frameBounds(isPart(frame) ? boundsOfPart(frame, facts) : whole, { ...angles, projection, fovY, fit, fitTo }, aspect, { shadow, whole });
+  const seen = isPart(frame) ? boundsOfPart(frame, facts) : whole;
+  const place = (shadow) => frameBounds(seen, { ...angles, projection, fovY, fit, fitTo }, aspect, { shadow, whole });
   const alone = place([]);
   const placed = frame === 'scene' && seesGround(alone, ground, { ...angles, projection, fitTo }) ? place(ground.shadow) : alone;
   const planes = ground.corners.length > 0 ? depthRangeOf(widened(whole, ground.corners), placed.position, placed.target) : {};
-  return ordered({ projection, fovY, ...placed, ...planes });
+  const framed = { projection, fovY, ...placed, ...planes };
+  refuseTiny(seen, projection === 'perspective' ? framed.near : framed.height);
+  return ordered(framed);
+}
+
+/** What is smaller than any camera can draw. @throws {TelarError} E_EXTENT */
+function refuseTiny(bounds, distance) {
+  if (distance >= TINY) return;
+  const diagonal = length(subtract(bounds.max, bounds.min)).toPrecision(3);
+  throw new TelarError('E_EXTENT', `what is framed is ${diagonal} m across, too small to be drawn; glTF is in metres: check the unit and the scale of the export`);
 }
 
 /** Whether there is a shadow to be seen: from beneath, the ground is not. Views in all directions share what one of them needs. */
@@ -79,6 +90,7 @@ function complete(camera, facts, extras) {
   }
   const isFitted = camera.near === undefined || camera.far === undefined;
   const fitted = isFitted ? depthRangeOf(widened(needBounds(facts, 'camera.near and camera.far'), extras), position, target) : {};
+  if (isFitted && projection === 'perspective' && camera.near === undefined) refuseTiny(facts.bounds, fitted.near);
   const { near = Math.min(fitted.near, camera.far / 2 || Infinity), far = Math.max(fitted.far, 2 * camera.near || 0) } = camera;
   if (projection === 'perspective' && !(near > 0)) throw wrongValue(['camera', 'near'], 'a distance above 0', near);
   if (!(far > near)) throw wrongValue(['camera', 'far'], `a distance beyond near (${near})`, far);
@@ -95,6 +107,9 @@ function modelCamera(wanted, { cameras = [] }) {
   const found = typeof wanted === 'number' ? cameras[wanted] : cameras.find(({ name }) => name === wanted);
   if (!found) throw new TelarError('E_CAMERA', missingCamera(wanted, cameras), { pointer: '/camera/gltf' });
   const { projection, position, target, up, fovY, height, near, far } = found;
+  if (projection === 'orthographic' && !(height >= TINY)) {
+    throw new TelarError('E_CAMERA', `shot.camera.gltf: the model's camera ${shown(wanted)} shows ${height} m; expected at least ${TINY}`, { pointer: '/camera/gltf' });
+  }
   return {
     projection, position, target, up,
     ...(projection === 'perspective' ? { fovY } : { height }),

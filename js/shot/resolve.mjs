@@ -36,7 +36,7 @@ const WHITE = [1, 1, 1];
  *   explicit with near and far; of the model in the shot's pose (`resolvePose`) where it has one
  * @returns {import('../index.d.ts').ResolvedShot} new objects throughout; the arguments stay as they were
  * @throws {TelarError} E_SHOT with the path, the expected thing and the value given; E_SHOT_UNAVAILABLE for what this version
- *   does not draw; E_CAMERA, E_FRAME, E_VARIANT, E_POSE, E_NO_GEOMETRY where the model lacks what the shot asks for; E_OPTION for wrong facts
+ *   does not draw; E_CAMERA, E_FRAME, E_VARIANT, E_POSE, E_NO_GEOMETRY, E_EXTENT where the model lacks what the shot asks for; E_OPTION for wrong facts
  */
 export function resolveShot(shot = {}, facts = undefined) {
   const parsed = parseShot(shot);

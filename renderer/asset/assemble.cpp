@@ -196,7 +196,13 @@ void Assembler::loadImages() {
     for (const TextureRef* texture : texturesOf(scene_.materials[i]))
       used[static_cast<std::size_t>(texture->image)] = true;
   }
-  scene_.images = loader.load(used);
+  LoadedImages loaded = loader.load(used, from_.tolerant);
+  for (Material& material : scene_.materials) {
+    for (TextureRef* texture : texturesOf(material)) {
+      if (loaded.missing[static_cast<std::size_t>(texture->image)]) *texture = TextureRef{};
+    }
+  }
+  scene_.images = std::move(loaded.images);
 }
 
 void Assembler::readNames() {

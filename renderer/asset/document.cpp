@@ -152,13 +152,14 @@ const json* lightList(const json& document) {
 
 }  // namespace
 
-Document readDocument(const Container& container, const Limits& limits, const CancelToken& cancel, Warnings& warnings) {
+Document readDocument(const Container& container, const Limits& limits, const CancelToken& cancel, Warnings& warnings,
+                      bool tolerant) {
   json document = readJson(container.json, container.jsonOffset, limits, cancel);
   if (!document.is_object()) {
     throw Error("E_JSON", "the top value of glTF JSON must be an object").atOffset(container.jsonOffset);
   }
   checkVersion(document);
-  checkExtensions(texts(document, "extensionsUsed"), texts(document, "extensionsRequired"), warnings);
+  checkExtensions(texts(document, "extensionsUsed"), texts(document, "extensionsRequired"), warnings, tolerant);
 
   json reduced = reduce(DOCUMENT_RULE, document, limits, cancel);
   checkAccessorTypes(reduced);

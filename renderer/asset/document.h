@@ -40,7 +40,9 @@ struct Document {
   std::vector<std::optional<ModelLight>> lights;
 };
 
+/// @param tolerant an unknown extension that is required is a warning
 /// @throws Error{E_JSON, E_SCHEMA, E_REF, E_VERSION, E_EXT_REQUIRED, L_*, X_CANCELLED}
-Document readDocument(const Container& container, const Limits& limits, const CancelToken& cancel, Warnings& warnings);
+Document readDocument(const Container& container, const Limits& limits, const CancelToken& cancel, Warnings& warnings,
+                      bool tolerant = false);
 
 }  // namespace telar::asset

@@ -57,25 +57,35 @@ bool supported(std::string_view name) {
   return std::find(std::begin(SUPPORTED), std::end(SUPPORTED), name) != std::end(SUPPORTED);
 }
 
+bool isOneOf(const std::vector<std::string>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
 }  // namespace
 
-void checkExtensions(const std::vector<std::string>& used, const std::vector<std::string>& required,
-                     Warnings& warnings) {
+void checkExtensions(const std::vector<std::string>& used, const std::vector<std::string>& required, Warnings& warnings,
+                     bool tolerant) {
   for (std::size_t i = 0; i < required.size(); ++i) {
     if (!supported(required[i])) {
+      if (tolerant) {
+        warnings.add("W_EXT_REQUIRED",
+                     "the required extension " + telar::quoted(required[i]) + " is not drawn; " + cureOf(required[i]),
+                     pointer("extensionsRequired", i));
+        continue;
+      }
       fail("E_EXT_REQUIRED",
            "the model requires the glTF extension " + telar::quoted(required[i]) + ", which telar does not have; " +
                cureOf(required[i]),
            pointer("extensionsRequired", i));
     }
-    if (std::find(used.begin(), used.end(), required[i]) == used.end()) {
+    if (!isOneOf(used, required[i])) {
       warnings.add("W_EXT",
                    "the extension " + telar::quoted(required[i]) + " is required but not listed in extensionsUsed",
                    pointer("extensionsRequired", i));
     }
   }
   for (std::size_t i = 0; i < used.size(); ++i) {
-    if (supported(used[i])) continue;
+    if (supported(used[i]) || isOneOf(required, used[i])) continue;
     warnings.add("W_EXT_IGNORED",
                  "the optional extension " + telar::quoted(used[i]) + " is not drawn; " + cureOf(used[i]),
                  pointer("extensionsUsed", i));

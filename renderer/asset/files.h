@@ -7,6 +7,7 @@
 
 #include "telar/cancel.h"
 #include "telar/limits.h"
+#include "telar/load.h"
 
 namespace telar::asset {
 
@@ -37,15 +38,15 @@ std::vector<std::byte> readModelFile(const std::filesystem::path& file, const Li
                                      FileId& id);
 
 /// The files that a model may name: regular files beneath its folder, no links, limited in number and size.
-class ModelFolder {
+class ModelFolder : public ExternalFiles {
  public:
   ModelFolder(const std::filesystem::path& model, FileId modelId, const Limits& limits);
 
   /// @param path from relativePath()
   /// @throws Error{E_URI_DENIED, E_URI_MISSING, L_FILE_BYTES, L_EXTERNAL_BYTES, L_EXTERNAL_FILES, X_CANCELLED}
-  std::vector<std::byte> read(const std::string& path, const std::string& where, const CancelToken& cancel);
+  std::vector<std::byte> read(const std::string& path, const std::string& where, const CancelToken& cancel) override;
 
-  std::uint64_t bytesRead() const { return bytes_; }
+  std::uint64_t bytesRead() const override { return bytes_; }
 
  private:
   const Limits& limits_;

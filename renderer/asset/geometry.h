@@ -18,6 +18,7 @@ class GeometryReader {
     const Limits& limits;
     const CancelToken& cancel;
     Warnings& warnings;
+    bool tolerant = false;  ///< a texture without a readable image is a warning
   };
   explicit GeometryReader(const Sources& sources) : from_(sources) {}
 

@@ -14,13 +14,21 @@ int ImageLoader::canonical(int image) const {
   return image;
 }
 
-std::vector<Image8> ImageLoader::load(const std::vector<bool>& used) const {
-  std::vector<Image8> out(document_.images.size());
+LoadedImages ImageLoader::load(const std::vector<bool>& used, bool tolerant) const {
+  LoadedImages out{std::vector<Image8>(document_.images.size()), std::vector<bool>(document_.images.size(), false)};
   double bytes = 0;
-  for (std::size_t i = 0; i < out.size(); ++i) {
+  for (std::size_t i = 0; i < used.size(); ++i) {
     cancel_.check();
     if (used[i]) {
-      out[i] = decode(i, bytes);
+      try {
+        out.images[i] = decode(i, bytes);
+      } catch (const Error& error) {
+        // A limit, a lack of memory and a resolver that failed are no property of the image.
+        if (!tolerant || !error.code.starts_with("E_")) throw;
+        out.missing[i] = true;
+        warnings_.add("W_TEXTURE", "a texture is not drawn: " + std::string(error.what()) + " [" + error.code + "]",
+                      error.pointer.value_or(pointer("images", i)));
+      }
     } else if (canonical(static_cast<int>(i)) == static_cast<int>(i)) {
       probeUnused(i);
     }

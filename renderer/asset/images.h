@@ -5,6 +5,11 @@
 
 namespace telar::asset {
 
+struct LoadedImages {
+  std::vector<Image8> images;  ///< as many as the document has; width 0 where not used, or missing
+  std::vector<bool> missing;   ///< used, and not readable
+};
+
 /// Decodes the images that are used, each distinct one once.
 class ImageLoader {
  public:
@@ -16,10 +21,11 @@ class ImageLoader {
   int canonical(int image) const;
 
   /// @param used by image index, canonical ones only
-  /// @return as many images as the document has; width 0 where not used
+  /// @param tolerant an image that is not there, denied or damaged is missing, with W_TEXTURE. Over a limit it is an
+  /// error.
   /// @throws Error{E_IMAGE_*, L_IMAGE_*, E_URI_*, X_CANCELLED} with the image's pointer. What is wrong with an unused
   ///         image inside the file is only a warning (W_IMAGE); unused external files are not decoded.
-  std::vector<Image8> load(const std::vector<bool>& used) const;
+  LoadedImages load(const std::vector<bool>& used, bool tolerant) const;
 
  private:
   Image8 decode(std::size_t image, double& bytesSoFar) const;

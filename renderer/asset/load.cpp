@@ -10,30 +10,30 @@ namespace {
 
 using namespace asset;
 
-std::shared_ptr<const Scene> load(std::span<const std::byte> file, ModelFolder* folder, const Limits& limits,
-                                  const CancelToken& cancel) {
+std::shared_ptr<const Scene> load(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel,
+                                  const LoadOptions& options) {
   cancel.check();
   Warnings warnings;
   const Container container = openContainer(file, limits, warnings);
-  const Document document = readDocument(container, limits, cancel, warnings);
-  Resources resources(document, container, folder, cancel);
+  const Document document = readDocument(container, limits, cancel, warnings, options.tolerant);
+  Resources resources(document, container, options.files, cancel);
   resources.loadBuffers(limits);
   const Accessors accessors(document, resources, cancel);
   accessors.check();
-  Assembler assembler({document, resources, accessors, limits, cancel, warnings});
+  Assembler assembler({document, resources, accessors, limits, cancel, warnings, options.tolerant});
   auto scene = std::make_shared<Scene>(assembler.assemble());
-  scene->fileBytes = file.size() + (folder ? folder->bytesRead() : 0);
+  scene->fileBytes = file.size() + (options.files ? options.files->bytesRead() : 0);
   scene->sha256 = resources.sha256(file);
   scene->warnings = warnings.take();
   return scene;
 }
 
-std::string hash(std::span<const std::byte> file, ModelFolder* folder, const Limits& limits,
-                 const CancelToken& cancel) {
+std::string hash(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel,
+                 const LoadOptions& options) {
   Warnings unheard;
   const Container container = openContainer(file, limits, unheard);
-  const Document document = readDocument(container, limits, cancel, unheard);
-  return Resources(document, container, folder, cancel).sha256(file);
+  const Document document = readDocument(container, limits, cancel, unheard, options.tolerant);
+  return Resources(document, container, options.files, cancel).sha256(file);
 }
 
 /// The limits bound what a file may ask for; a machine may still have less.
@@ -46,34 +46,39 @@ auto orOutOfMemory(const Load& run) {
   }
 }
 
+/// Reads the model file, whose folder has its parts where the caller does not give them.
+template <typename Use>
+auto withFolder(const std::filesystem::path& file, const Limits& limits, const CancelToken& cancel, LoadOptions options,
+                const Use& use) {
+  return orOutOfMemory([&] {
+    FileId id;
+    const auto bytes = readModelFile(file, limits, cancel, id);
+    ModelFolder folder(file, id, limits);
+    if (!options.files) options.files = &folder;
+    return use(bytes, limits, cancel, options);
+  });
+}
+
 }  // namespace
 
 std::shared_ptr<const Scene> loadPath(const std::filesystem::path& file, const Limits& limits,
-                                      const CancelToken& cancel) {
-  return orOutOfMemory([&] {
-    FileId id;
-    const auto bytes = readModelFile(file, limits, cancel, id);
-    ModelFolder folder(file, id, limits);
-    return load(bytes, &folder, limits, cancel);
-  });
+                                      const CancelToken& cancel, const LoadOptions& options) {
+  return withFolder(file, limits, cancel, options, load);
 }
 
-std::shared_ptr<const Scene> loadBytes(std::span<const std::byte> file, const Limits& limits,
-                                       const CancelToken& cancel) {
-  return orOutOfMemory([&] { return load(file, nullptr, limits, cancel); });
+std::shared_ptr<const Scene> loadBytes(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel,
+                                       const LoadOptions& options) {
+  return orOutOfMemory([&] { return load(file, limits, cancel, options); });
 }
 
-std::string hashModel(const std::filesystem::path& file, const Limits& limits, const CancelToken& cancel) {
-  return orOutOfMemory([&] {
-    FileId id;
-    const auto bytes = readModelFile(file, limits, cancel, id);
-    ModelFolder folder(file, id, limits);
-    return hash(bytes, &folder, limits, cancel);
-  });
+std::string hashModel(const std::filesystem::path& file, const Limits& limits, const CancelToken& cancel,
+                      const LoadOptions& options) {
+  return withFolder(file, limits, cancel, options, hash);
 }
 
-std::string hashModel(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel) {
-  return orOutOfMemory([&] { return hash(file, nullptr, limits, cancel); });
+std::string hashModel(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel,
+                      const LoadOptions& options) {
+  return orOutOfMemory([&] { return hash(file, limits, cancel, options); });
 }
 
 std::string hashFile(const std::filesystem::path& file, const Limits& limits, const CancelToken& cancel) {

@@ -8,6 +8,10 @@
 #include "core/sha256.h"
 
 namespace telar::asset {
+namespace {
+/// In place of the digest of a part that cannot be read.
+constexpr const char* ABSENT = "absent";
+}  // namespace
 
 /// A buffer without bytes is an error only where something reads it.
 std::vector<bool> Resources::neededBuffers(const MeshoptViews& compressed) const {
@@ -49,15 +53,20 @@ std::span<const std::byte> Resources::bufferBytes(std::size_t index) {
 
 std::vector<std::byte> Resources::fetch(const std::string& uri, const std::string& where) const {
   if (isDataUri(uri)) return decodeDataUri(uri, where);
-  if (!folder_) {
+  if (!files_) {
     fail("E_URI_DENIED",
          "the model came as bytes, so the uri " + telar::quoted(uri) +
-             " is not opened; embed the file, or load the model by its path",
+             " is not opened; embed the file, load the model by its path, or give the option resolve",
          where);
   }
-  std::vector<std::byte> bytes = folder_->read(relativePath(uri, where), where, cancel_);
-  digests_.try_emplace(uri, sha256Hex(bytes));
-  return bytes;
+  try {
+    std::vector<std::byte> bytes = files_->read(relativePath(uri, where), where, cancel_);
+    digests_.try_emplace(uri, sha256Hex(bytes));
+    return bytes;
+  } catch (const Error&) {
+    digests_.try_emplace(uri, ABSENT);
+    throw;
+  }
 }
 
 std::string Resources::digestOf(const std::string& uri, const std::string& where) const {
@@ -66,7 +75,7 @@ std::string Resources::digestOf(const std::string& uri, const std::string& where
     return digests_.at(uri);
   } catch (const Error& error) {
     if (error.code == "X_CANCELLED") throw;
-    return "absent";  // what needs it has failed already, or will
+    return ABSENT;  // what needs it has failed already, or will
   }
 }
 

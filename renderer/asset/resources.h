@@ -14,9 +14,9 @@ namespace telar::asset {
 /// The bytes of a document's buffers and images. Views into `bin` stay valid only as long as the file's bytes.
 class Resources {
  public:
-  /// @param folder nullptr when the model came as bytes: every external URI is then denied
-  Resources(const Document& document, const Container& container, ModelFolder* folder, const CancelToken& cancel)
-      : document_(document), container_(container), folder_(folder), cancel_(cancel) {}
+  /// @param files nullptr when the model came as bytes alone: every external URI is then denied
+  Resources(const Document& document, const Container& container, ExternalFiles* files, const CancelToken& cancel)
+      : document_(document), container_(container), files_(files), cancel_(cancel) {}
 
   /// Gets every buffer's bytes, cut to its byteLength, checks every buffer view against them, and decompresses those of
   /// meshopt. A fallback buffer is only read where a view that is not compressed needs it.
@@ -44,7 +44,7 @@ class Resources {
 
   const Document& document_;
   const Container& container_;
-  ModelFolder* folder_;
+  ExternalFiles* files_;
   const CancelToken& cancel_;
   mutable std::map<std::string, std::string> digests_;  ///< SHA-256 of the external parts read so far, by URI
   std::vector<std::vector<std::byte>> owned_;

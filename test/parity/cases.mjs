@@ -7,6 +7,7 @@
  *   shot has an environment.
  * @property {object} shot - Resolved shot.
  * @property {'uncompressed'} [textures] - Keeps three.js from transcoding KTX2 to a GPU format, which loses a little.
+ * @property {'none'} [failOn] - As telar's option: the file has faults that three.js draws without.
  * @property {boolean} [fast] - Part of the subset that `npm test` draws.
  * @property {boolean} [extended] - Drawn by `--all` only: shows nothing that another case does not.
  */
@@ -14,6 +15,7 @@
 /** Files of this folder that export `CASES`, one line each. */
 const FILES = [
   'cases_core.mjs',
+  'cases_broken.mjs',
   'cases_decoders.mjs',
   'cases_files.mjs',
   'cases_pairs.mjs',

@@ -38,8 +38,9 @@ export async function openDebugAddon() {
   const options = { backend: 'auto', assetDirectory: ASSET_DIRECTORY, cacheDirectory: '', limits: {}, allFeatures: false, maxQueued: 1 };
   const { renderer } = await native.createRenderer(options, token());
   return {
-    async draw({ shot, model, environment, bundled }, names) {
-      const { scene } = await native.load(typeof model === 'string' ? model : new native.Bytes(model, model.length), {}, token());
+    async draw({ shot, model, environment, bundled, failOn }, names) {
+      const input = typeof model === 'string' ? model : new native.Bytes(model, model.length);
+      const { scene } = await native.load(input, {}, { tolerant: failOn === 'none' }, token());
       const own = environment && !bundled ? new native.Bytes(environment, environment.length) : undefined;
       const plain = withMap(debugShot(shot), bundled ? 'studio' : own && { bytes: environment.length });
       const frames = {};

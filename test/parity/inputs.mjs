@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import { ENVIRONMENTS, FABRIC_MODELS, MODELS as STOCK_MODELS } from '../fixtures/index.mjs';
+import { BROKEN_MODELS, ENVIRONMENTS, FABRIC_MODELS, MODELS as STOCK_MODELS } from '../fixtures/index.mjs';
 import { ASSETS, SHARED_MODELS } from './places.mjs';
 
-const MODELS = { ...STOCK_MODELS, ...FABRIC_MODELS };
+const MODELS = { ...STOCK_MODELS, ...FABRIC_MODELS, ...BROKEN_MODELS };
 
 /** Folder by prefix of a case's `model` or `environment`. */
 const FOLDERS = { 'shared:': SHARED_MODELS, 'bundled:': ASSETS };
@@ -17,14 +17,15 @@ let last = { name: '', bytes: undefined };
 /**
  * Bytes (or the path) of a case's model and environment.
  * @param {import('./cases.mjs').Case} item
- * @returns {Promise<{model: Uint8Array | string, environment: Uint8Array | undefined, bundled: boolean}>} `bundled`: the
- *   environment is the one that telar knows as "studio".
+ * @returns {Promise<{model: Uint8Array | string, environment: Uint8Array | undefined, bundled: boolean, failOn?: 'none'}>} `bundled`: the
+ *   environment is the one that telar knows as "studio". `failOn`: of the case.
  */
-export async function loadInputs({ name, model, environment }) {
+export async function loadInputs({ name, model, environment, failOn }) {
   return {
     model: await loadModel(name, model),
     environment: environment && loadEnvironment(name, environment),
     bundled: environment === 'studio',
+    failOn,
   };
 }
 

@@ -31,8 +31,8 @@ async function openApi() {
   let debug = null;
   return {
     renderer,
-    async draw({ shot, model, environment, bundled }) {
-      const { data } = await renderer.render(model, withMap(shot, bundled ? 'studio' : environment));
+    async draw({ shot, model, environment, bundled, failOn }) {
+      const { data } = await renderer.render(model, withMap(shot, bundled ? 'studio' : environment), { failOn });
       return premultiply(data);
     },
     async debug(input, names) {

@@ -1,5 +1,5 @@
 // Checked by tsc against the published entries, never run.
-import { TelarError, createRenderer, doctor, inspect, versions, type FrameInfo, type Model, type Shot } from 'telar';
+import { TelarError, createRenderer, doctor, inspect, toTelarError, versions, type FrameInfo, type Model, type SettledImage, type Shot } from 'telar';
 import { compareImages, embedShot, encodePng, heatMap, htmlReport, judge, junitReport, readEmbeddedShot, readImage } from 'telar/compare';
 import { VIEWS, parseColour, resolveShot, type ResolvedShot } from 'telar/shot';
 import { applyShot, rendererParameters } from 'telar/three';
@@ -29,6 +29,19 @@ export async function draw(signal: AbortSignal): Promise<FrameInfo> {
   const report = await doctor();
   [plan?.features, bounds?.min, report.chosen, versions.telar, VIEWS.front.azimuth, parseColour('red')?.[0]].join();
   return info;
+}
+
+export async function drawAll(store: Map<string, Uint8Array>): Promise<number> {
+  await using renderer = await createRenderer({ failOn: 'none', resolve: (uri) => store.get(uri), cacheBytes: 2 ** 20 });
+  const outcomes: SettledImage[] = await renderer.renderAll('shirt.gltf', [shot], { settled: true, resolve: async (uri, { signal }) => (signal?.aborted ? null : store.get(uri)) });
+  const [one] = outcomes;
+  if (one?.status === 'rejected') return one.reason.index ?? toTelarError(one.reason).exit;
+  const images = await renderer.renderAll('shirt.gltf', [shot], { failOn: 'warning' });
+  // @ts-expect-error a level that does not exist
+  await inspect('shirt.gltf', { failOn: 'all' });
+  // @ts-expect-error text is no bytes
+  await renderer.load('shirt.gltf', { resolve: () => 'text' });
+  return images.length + (one?.value.data.length ?? 0);
 }
 
 export function classify(error: unknown): string {

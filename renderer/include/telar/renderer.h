@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -17,8 +18,9 @@ enum class Backend { kAuto, kEglDevice, kEglSurfaceless, kOsmesa };
 
 struct RendererOptions {
   Backend backend = Backend::kAuto;
-  std::string assetDirectory;  ///< folder of the bundled studio environment (studio.hdr, studio.pmrem)
-  std::string cacheDirectory;  ///< prefiltered environments by content hash; empty = none
+  std::string assetDirectory;    ///< folder of the bundled studio environment (studio.hdr, studio.pmrem)
+  std::string cacheDirectory;    ///< prefiltered environments by content hash; empty = none
+  std::uint64_t cacheBytes = 0;  ///< of its files; those that were used longest ago go first
   Limits limits;
   bool allFeatures = false;  ///< benchmark only: compile every feature into every program
 };

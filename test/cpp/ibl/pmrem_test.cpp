@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/read_file.h"
+#include "core/sha256.h"
 #include "ibl/environment_cache.h"
 #include "ibl/irradiance.h"
 #include "ibl/pmrem_file.h"

@@ -86,7 +86,8 @@ int run(int argc, char** argv) {
   const auto environment =
       arguments.environmentFile.empty() ? std::vector<std::byte>() : readAll(arguments.environmentFile);
   const telar::CancelToken cancel;
-  const auto model = telar::loadPath(argv[1], arguments.options.limits, cancel);
+  // As three.js, which draws on without what it cannot read; a case that must not lack anything is told by its picture.
+  const auto model = telar::loadPath(argv[1], arguments.options.limits, cancel, {.tolerant = true});
   const auto renderer = telar::Renderer::create(arguments.options);
   std::ofstream out(argv[3], std::ios::binary);
   for (const telar::Shot& shot : shots) {

@@ -61,7 +61,15 @@ const CALLER_ERRORS = [
   [() => createRendererOn(native, { maxWaiting: 0.5 }), 'options.maxWaiting: expected a whole number of at least 0, got 0.5'],
   [() => createRendererOn(native, { allFeatures: 1 }), 'options.allFeatures: expected true or false, got 1'],
   [() => createRendererOn(native, { zzz: 1 }),
-    'options.zzz: unknown key, expected one of backend, cacheDirectory, limits, maxWaiting, allFeatures, signal'],
+    'options.zzz: unknown key, expected one of backend, cacheDirectory, cacheBytes, limits, maxWaiting, failOn, resolve, allFeatures, signal'],
+  [() => createRendererOn(native, { cacheBytes: -1 }), 'options.cacheBytes: expected a whole number of at least 0, got -1'],
+  [() => createRendererOn(native, { failOn: 'warn' }), 'options.failOn: expected "error", "warning", "none", got "warn"'],
+  [() => createRendererOn(native, { resolve: {} }), 'options.resolve: expected a function, got {}'],
+  [(r) => r.load(model(), { failOn: true }), 'options.failOn: expected "error", "warning", "none", got true'],
+  [(r) => r.render(model(), SHOT, { resolve: 'a' }), 'options.resolve: expected a function, got "a"'],
+  [(r) => r.renderAll(model(), [], { settled: 1 }), 'options.settled: expected true or false, got 1'],
+  [(r) => r.render(model(), SHOT, { settled: true }), 'options.settled: unknown key, expected one of signal, onProgress, failOn, resolve'],
+  [() => inspectOn(native, model(), { failOn: 0 }), 'options.failOn: expected "error", "warning", "none", got 0'],
   [() => inspectOn(native, model(), { limits: [] }), 'options.limits: expected an object, got []'],
 ];
 
@@ -131,13 +139,13 @@ test('a missing or damaged addon names the cure', async () => {
 
 test('native code takes no handle for another', () => {
   const token = new native.CancelToken();
-  assert.throws(() => native.load(token, {}, token), TypeError);
+  assert.throws(() => native.load(token, {}, {}, token), TypeError);
   assert.throws(() => native.plan(new native.Bytes(new Uint8Array(1), 1), '{}', {}, token), TypeError);
-  assert.throws(() => native.load('x', {}, {}), TypeError);
+  assert.throws(() => native.load('x', {}, {}, {}), TypeError);
 });
 
 test('native code frees a scene with its last use', async () => {
-  const { scene } = await native.load(new native.Bytes(model(), 100), {}, new native.CancelToken());
+  const { scene } = await native.load(new native.Bytes(model(), 100), {}, {}, new native.CancelToken());
   const { info } = await renderer.render(model(), SHOT);
   await native.plan(scene, JSON.stringify(info.shot), {}, new native.CancelToken());
   assert.throws(() => native.plan(scene, JSON.stringify(info.shot), {}, new native.CancelToken()), TypeError);

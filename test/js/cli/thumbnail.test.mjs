@@ -241,3 +241,14 @@ test('an output that cannot be written is X_OUTPUT and leaves nothing', async ()
   assert.match(stderr, /cannot be written \((ENOTDIR|EEXIST)\)/);
   assert.deepEqual(readdirSync(at.folder), ['file']);
 });
+
+test('--fail-on reaches the renderer and inspect', async () => {
+  const at = freshFolder();
+  const levels = async (...args) => (await runFake(['thumbnail', 'shirt.glb', '-o', at('a.png'), ...args])).calls.created.map(({ failOn }) => failOn);
+  assert.deepEqual(await levels(), ['error']);
+  for (const level of ['error', 'warning', 'none']) assert.deepEqual(await levels('--fail-on', level), [level]);
+  assert.equal((await runFake(['inspect', 'shirt.glb', '--fail-on', 'none'])).calls.inspected[0].options.failOn, 'none');
+  const wrong = await runFake(['thumbnail', 'shirt.glb', '-o', at('a.png'), '--fail-on', 'all']);
+  assert.equal(wrong.exit, 2);
+  assert.match(wrong.stderr, /Allowed choices are error, warning, none/);
+});

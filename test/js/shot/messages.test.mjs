@@ -261,3 +261,18 @@ test('the nearest word', () => {
   assert.equal(nearest('zzz', ['width', 'height']), undefined);
   assert.equal(nearest('x', []), undefined);
 });
+
+test('what is too small to be drawn is a fault of the model', () => {
+  const tiny = (size) => ({ min: [0, 0, 0], max: [size, size, 0] });
+  for (const size of [1e-45, 1e-39, 1e-35, 1e-31]) {
+    for (const camera of [{}, { projection: 'orthographic' }, { position: [0, 0, size], target: [0, 0, 0] }]) {
+      const error = complaintOf({ camera }, tiny(size));
+      assert.deepEqual([error.code, error.kind], ['E_EXTENT', 'input'], `${size} ${JSON.stringify(camera)}`);
+      assert.match(error.message, /^what is framed is [\d.e-]+ m across, too small to be drawn; glTF is in metres/);
+    }
+  }
+  for (const camera of [{}, { projection: 'orthographic' }]) resolveShot({ camera }, tiny(1e-29));
+  const cameras = [{ projection: 'orthographic', position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], height: 1e-31, near: 1, far: 9 }];
+  const error = complaintOf({ camera: { gltf: 0 } }, { bounds: box, cameras });
+  assert.deepEqual([error.code, error.message], ['E_CAMERA', "shot.camera.gltf: the model's camera 0 shows 1e-31 m; expected at least 1e-30"]);
+});

@@ -85,18 +85,22 @@ class Double : public Renderer {
 
 }  // namespace
 
-std::string hashModel(const std::filesystem::path& file, const Limits&, const CancelToken&) { return file.string(); }
-std::string hashModel(std::span<const std::byte> file, const Limits&, const CancelToken&) {
+std::string hashModel(const std::filesystem::path& file, const Limits&, const CancelToken&, const LoadOptions&) {
+  return file.string();
+}
+std::string hashModel(std::span<const std::byte> file, const Limits&, const CancelToken&, const LoadOptions&) {
   return std::to_string(file.size());
 }
 std::string hashFile(const std::filesystem::path& file, const Limits&, const CancelToken&) { return file.string(); }
 std::string hashFile(std::span<const std::byte> file) { return std::to_string(file.size()); }
 
-std::shared_ptr<const Scene> loadPath(const std::filesystem::path& file, const Limits&, const CancelToken& cancel) {
+std::shared_ptr<const Scene> loadPath(const std::filesystem::path& file, const Limits&, const CancelToken& cancel,
+                                      const LoadOptions&) {
   return load(file.stem().string(), cancel);
 }
 
-std::shared_ptr<const Scene> loadBytes(std::span<const std::byte> file, const Limits&, const CancelToken& cancel) {
+std::shared_ptr<const Scene> loadBytes(std::span<const std::byte> file, const Limits&, const CancelToken& cancel,
+                                       const LoadOptions&) {
   return load(std::string(reinterpret_cast<const char*>(file.data()), file.size()), cancel);
 }
 
