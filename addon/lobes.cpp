@@ -52,7 +52,7 @@ void append(std::vector<double>& numbers, const LobeRadiance& lobes) {
 }
 
 struct Evaluated {
-  std::vector<double> radiance, albedo;
+  std::vector<double> radiance, albedo;  ///< of the albedo, values first, then their errors
 };
 
 Evaluated evaluate(const Scene& scene, const Request& request, const CancelToken& cancel) {
@@ -63,7 +63,11 @@ Evaluated evaluate(const Scene& scene, const Request& request, const CancelToken
     const double* l = &request.directions[i];
     append(out.radiance, material.radiance({l[0], l[1], l[2]}));
   }
-  if (request.albedo) append(out.albedo, material.albedo(cancel));
+  if (request.albedo) {
+    const Albedo albedo = material.albedo(cancel);
+    append(out.albedo, albedo.value);
+    append(out.albedo, albedo.error);
+  }
   return out;
 }
 

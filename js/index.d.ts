@@ -257,9 +257,10 @@ export interface EvaluateShadingOptions extends CallOptions {
 
 /**
  * What a material reflects, by lobe, in double and without GL. `radiance`: of each direction, under a light that gives the
- * irradiance 1 on a surface that faces it (the BRDF times the cosine). `albedo`: the share of light from everywhere.
+ * irradiance 1 on a surface that faces it (the BRDF times the cosine). `albedo`: the share of light from everywhere, by integration.
+ * `albedoError`: how far each of its numbers may be from the integral; 999 of 1000 are closer.
  */
-export function evaluateShading(options: EvaluateShadingOptions): Promise<{ radiance: Lobes[]; albedo: Lobes | null }>;
+export function evaluateShading(options: EvaluateShadingOptions): Promise<{ radiance: Lobes[]; albedo: Lobes | null; albedoError: Lobes | null }>;
 
 export type BackendReport =
   | { backend: Backend; works: true; vendor?: string; renderer?: string; version?: string; software?: boolean }

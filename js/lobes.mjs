@@ -55,11 +55,12 @@ const lobesAt = (numbers, start) => Object.fromEntries(LOBES.map((lobe, i) => [l
  * @param {string | object} [options.shading='three'] - As the shot has it.
  * @param {number} [options.viewAngle=0] - Radians, 0 up to but not including pi / 2.
  * @param {Array<[number, number, number]>} [options.directions] - Unit vectors to the light, at most 65536.
- * @param {boolean} [options.albedo=false] - Integrate over all directions too.
+ * @param {boolean} [options.albedo=false] - Integrate over all directions above the surface too, drawn as the lobes lie, and the same every time.
  * @param {AbortSignal} [options.signal]
- * @returns {Promise<{radiance: object[], albedo: object | null}>} `radiance`: for each direction {diffuse, specular, sheen, coat,
+ * @returns {Promise<{radiance: object[], albedo: object | null, albedoError: object | null}>} `radiance`: for each direction {diffuse, specular, sheen, coat,
  *   total}, linear [r, g, b] under a light that gives the irradiance 1 on a surface that faces it (the BRDF times the cosine);
- *   `albedo`: the same of the share that is reflected of light from everywhere. `total` is the sum of the lobes.
+ *   `albedo`: the same of the share that is reflected of light from everywhere; `albedoError`: how far each of its numbers may be from
+ *   the integral (999 of 1000 are closer): 1e-6 for wide lobes, some 1e-4 for the narrowest. `total` is the sum of the lobes.
  * @throws {TelarError} E_OPTION, E_SHOT, and what loading a model throws
  */
 export async function evaluateShading(options) {
@@ -73,5 +74,6 @@ export async function evaluateShading(options) {
   return {
     radiance: directions.map((_, i) => lobesAt(numbers.radiance, i * PER_DIRECTION)),
     albedo: albedo ? lobesAt(numbers.albedo, 0) : null,
+    albedoError: albedo ? lobesAt(numbers.albedo, PER_DIRECTION) : null,
   };
 }

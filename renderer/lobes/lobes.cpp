@@ -1,29 +1,37 @@
 #include "telar/lobes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <vector>
 
-#include "lobes/gauss_legendre.h"
+#include "core/random.h"
+#include "lobes/lobe_mixture.h"
 #include "lobes/material_surface.h"
 
 namespace telar {
 namespace {
 
 using brdf_d::Reflected;
+using glm::dvec2;
+using glm::dvec3;
 
-/// Nodes from the peak of a lobe to the horizon, and the power that gathers them at the peak.
-constexpr int RINGS = 128;
-constexpr int RING_POWER = 4;
-/// Nodes around the normal: a grazing view bends the horizon sharply within 1 / NoV of them.
-constexpr int SECTORS_MIN = 256, SECTORS_MAX = 4096;
-constexpr double SECTORS_BY_COSINE = 24;
+/// The albedo is the mean of this many estimates, each by scrambled points of its own.
+constexpr std::uint32_t REPLICATES = 16;
+/// Points of one estimate in each way to draw them: they are doubled until the error is small.
+constexpr std::uint32_t POINTS_MIN = 256, POINTS_MAX = 8192;
+constexpr double ALBEDO_TOLERANCE = 1e-6;
+/// Of Student's distribution with 15 degrees of freedom: 999 means in 1000 lie closer, in units of their own deviation.
+constexpr double STUDENT = 4.073;
+/// Points have 24 bits: what lies between two of them, relative.
+constexpr double UNIFORM_STEP = 6e-8;
 
 Reflected nothing() { return brdf_d::nothingReflected(); }
 
 }  // namespace
 
 struct ShadedMaterial::State {
+  ShadingModel shading;
   brdf_d::ShadingFunctions functions;
   brdf_d::SurfaceInfo surface;
 
@@ -49,36 +57,71 @@ ShadedMaterial::ShadedMaterial(const Scene& scene, std::size_t material, const S
   const Material& shown = shownMaterial(scene, scene.materials[material], shot.shading);
   const brdf_d::ShadingFunctions functions = brdf_d::shadingFunctions(shot.shading);
   const glm::dvec3 v(std::sin(viewAngle), 0, std::cos(viewAngle));
-  state_ = std::make_shared<State>(State{functions, functions.preparedSurface(lobes::surfaceOf(shown, shot, v))});
+  state_ = std::make_shared<State>(
+      State{shot.shading, functions, functions.preparedSurface(lobes::surfaceOf(shown, shot, v))});
 }
 
 LobeRadiance ShadedMaterial::radiance(const glm::dvec3& l) const {
   return state_->composed(state_->lit(nothing(), l, 1));
 }
 
-// Over the half vector h = (sin t cos p, sin t sin p, cos t), around which specular lobes are peaked: dl = 4 VoH dh,
-// and NoL = cos(2 t - d) times a constant with tan d = tan(view angle) cos p, so that the horizon lies at t = pi / 4 +
-// d / 2.
-LobeRadiance ShadedMaterial::albedo(const CancelToken& cancel) const {
-  constexpr double PI = std::numbers::pi;
-  const glm::dvec3 v = state_->surface.v;
-  const int sectors =
-      static_cast<int>(std::clamp(SECTORS_BY_COSINE / std::max(v.z, 1e-9), double{SECTORS_MIN}, double{SECTORS_MAX}));
-  const std::vector<lobes::Node> rings = lobes::gaussLegendre(RINGS);
-  Reflected sum = nothing();
-  for (int i = 0; i < sectors; ++i) {
-    if (i % 64 == 0) cancel.check();
-    const double p = 2 * PI * (i + 0.5) / sectors;
-    const double horizon = PI / 4 + std::atan2(v.x * std::cos(p), v.z) / 2;
-    for (const auto& [u, weight] : rings) {
-      const double t = horizon * std::pow(u, RING_POWER);
-      const double dt = horizon * RING_POWER * std::pow(u, RING_POWER - 1) * weight;
-      const glm::dvec3 h(std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t));
-      const double VoH = glm::dot(v, h);
-      sum = state_->lit(sum, 2 * VoH * h - v, 4 * VoH * std::sin(t) * dt * 2 * PI / sectors);
-    }
+namespace {
+
+/// Sums of one replicate, lobe by lobe.
+LobeRadiance scaled(const LobeRadiance& x, double by) {
+  return {x.diffuse * by, x.specular * by, x.sheen * by, x.coat * by, x.total * by};
+}
+
+constexpr std::array LOBES{&LobeRadiance::diffuse, &LobeRadiance::specular, &LobeRadiance::sheen, &LobeRadiance::coat,
+                           &LobeRadiance::total};
+
+/// Mean of the replicates, and how far it may be off.
+Albedo estimated(const std::vector<LobeRadiance>& replicates) {
+  const auto count = static_cast<double>(replicates.size());
+  Albedo albedo;
+  for (auto lobe : LOBES) {
+    dvec3 mean(0), square(0);
+    for (const LobeRadiance& r : replicates) mean += r.*lobe / count;
+    for (const LobeRadiance& r : replicates) square += (r.*lobe - mean) * (r.*lobe - mean) / (count * (count - 1));
+    albedo.value.*lobe = mean;
+    albedo.error.*lobe = STUDENT * glm::sqrt(square) + UNIFORM_STEP * mean;
   }
-  return state_->composed(sum);
+  return albedo;
+}
+
+bool isSettled(const Albedo& albedo) {
+  return std::all_of(LOBES.begin(), LOBES.end(), [&](auto lobe) {
+    const dvec3& error = albedo.error.*lobe;
+    return std::max({error.x, error.y, error.z}) <= ALBEDO_TOLERANCE;
+  });
+}
+
+}  // namespace
+
+// Owen 1997, "Monte Carlo Variance of Scrambled Net Quadrature": each replicate is an unbiased estimate of its own, so
+// that their spread tells the error of their mean.
+Albedo ShadedMaterial::albedo(const CancelToken& cancel) const {
+  const lobes::LobeMixture mixture(state_->shading, state_->surface);
+  std::vector<Reflected> sums(REPLICATES, nothing());
+  Albedo albedo;
+  std::uint32_t from = 0;
+  for (std::uint32_t points = POINTS_MIN; points <= POINTS_MAX; from = points, points *= 2) {
+    std::vector<LobeRadiance> replicates;
+    for (std::uint32_t replicate = 0; replicate < REPLICATES; ++replicate) {
+      cancel.check();
+      for (std::uint32_t i = from; i < points; ++i) {
+        Random random(1, replicate, i);
+        for (std::size_t way = 0; way < mixture.ways(); ++way) {
+          const dvec3 l = mixture.draw(way, dvec2(random.uniform2()));
+          if (l.z > 0) sums[replicate] = state_->lit(sums[replicate], l, 1 / mixture.density(l));
+        }
+      }
+      replicates.push_back(scaled(state_->composed(sums[replicate]), 1.0 / points));
+    }
+    albedo = estimated(replicates);
+    if (isSettled(albedo)) break;
+  }
+  return albedo;
 }
 
 }  // namespace telar

@@ -74,7 +74,7 @@ SurfaceInfo withMeanYarn(SurfaceInfo s) {
   return s;
 }
 
-// Yarns on both sides of one bounce, [1/sr].
+// stretchedLobe() of both sets of yarns.
 vec3 yarnsLobe(SurfaceInfo s, vec3 l, vec3 h) {
   return s.warp.coverage * stretchedLobe(s, s.warp.t, s.warp.b, s.warp.n, s.warp.alphaT, s.warp.alphaB, s.warp.f0, l, h) +
          s.weft.coverage * stretchedLobe(s, s.weft.t, s.weft.b, s.weft.n, s.weft.alphaT, s.weft.alphaB, s.weft.f0, l, h);
@@ -114,9 +114,8 @@ GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {
   GlossAlbedo albedo;
 #if WEAVE
   if (isWoven(s)) {
-    albedo.base = yarnAlbedo(s.warp, s.warp.lying, cross(s.n, s.warp.lying), direction, cosine);
-    albedo.weft = yarnAlbedo(s.weft, s.weft.lying, cross(s.n, s.weft.lying), direction, cosine);
-    return albedo;
+    return GlossAlbedo(yarnAlbedo(s.warp, s.warp.lying, cross(s.n, s.warp.lying), direction, cosine),
+                       yarnAlbedo(s.weft, s.weft.lying, cross(s.n, s.weft.lying), direction, cosine));
   }
 #endif
 #if ANISOTROPY
@@ -190,10 +189,8 @@ SurfaceInfo withEnergies(SurfaceInfo s, vec3 f0Metal) {
   if (isWoven(s)) {
     s.warp = withYarnEnergies(s, s.warp, f0Metal);
     s.weft = withYarnEnergies(s, s.weft, f0Metal);
-    s.albedo.base = s.warp.albedo;
-    s.albedo.weft = s.weft.albedo;
-    average.base = s.warp.gloss.average;
-    average.weft = s.weft.gloss.average;
+    s.albedo = GlossAlbedo(s.warp.albedo, s.weft.albedo);
+    average = GlossAlbedo(s.warp.gloss.average, s.weft.gloss.average);
     s = withMeanYarn(s);
   } else
 #endif

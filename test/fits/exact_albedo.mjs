@@ -4,29 +4,32 @@
  * @param {number} alpha (0, 1]
  * @param {number} cosine (0, 1] of the viewer
  * @param {number} strata a side of the grid of directions
+ * @param {number} [across] width across `alpha`, where the lobe has two
+ * @param {number} [azimuth] of the viewer, from the axis of `alpha`, radians
  * @returns {{missing: number, grazing: number}} of light 1: what one bounce does not reflect for f0 = f90 = 1, and the part of
  *   what it does that belongs to f90 with Schlick's fifth power. Error some 1e-4 with 72 strata.
  * src: Dupuy & Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps"; Heitz 2014, eq. 99
  */
-function exactAlbedo(alpha, cosine, strata) {
+export function exactAlbedo(alpha, cosine, strata, across = alpha, azimuth = 0) {
   const sine = Math.sqrt(Math.max(0, 1 - cosine * cosine));
-  const length = Math.hypot(alpha * sine, cosine);
-  const stretched = { x: (alpha * sine) / length, z: cosine / length };
-  const lambda = (c) => (Math.sqrt(1 + (alpha * alpha * (1 - c * c)) / (c * c)) - 1) / 2;
-  const lambdaV = lambda(cosine);
+  const v = [sine * Math.cos(azimuth), sine * Math.sin(azimuth), cosine];
+  const length = Math.hypot(alpha * v[0], across * v[1], cosine);
+  const stretched = [(alpha * v[0]) / length, (across * v[1]) / length, cosine / length];
+  const lambda = (x, y, z) => (Math.hypot(alpha * x, across * y, z) / z - 1) / 2;
+  const lambdaV = lambda(...v);
   let reflected = 0;
   let grazing = 0;
   for (let i = 0; i < strata; i += 1) {
     const phi = (2 * Math.PI * (i + 0.5)) / strata;
     for (let j = 0; j < strata; j += 1) {
-      const z = (1 - (j + 0.5) / strata) * (1 + stretched.z) - stretched.z;
+      const z = (1 - (j + 0.5) / strata) * (1 + stretched[2]) - stretched[2];
       const r = Math.sqrt(Math.max(0, 1 - z * z));
-      const h = [alpha * (r * Math.cos(phi) + stretched.x), alpha * r * Math.sin(phi), Math.max(z + stretched.z, 1e-12)];
+      const h = [alpha * (r * Math.cos(phi) + stretched[0]), across * (r * Math.sin(phi) + stretched[1]), Math.max(z + stretched[2], 1e-12)];
       const norm = Math.hypot(...h);
-      const VoH = Math.max((h[0] * sine + h[2] * cosine) / norm, 0);
-      const NoL = (2 * VoH * h[2]) / norm - cosine;
-      if (NoL <= 0) continue;
-      const kept = (1 + lambdaV) / (1 + lambdaV + lambda(NoL));
+      const VoH = Math.max((h[0] * v[0] + h[1] * v[1] + h[2] * v[2]) / norm, 0);
+      const l = h.map((c, k) => (2 * VoH * c) / norm - v[k]);
+      if (l[2] <= 0) continue;
+      const kept = (1 + lambdaV) / (1 + lambdaV + lambda(...l));
       reflected += kept;
       grazing += kept * (1 - VoH) ** 5;
     }

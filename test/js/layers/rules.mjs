@@ -20,7 +20,7 @@ const CPP_LAYERS = {
   'renderer/shader': ['renderer/include', 'renderer/core', 'renderer/gl'],
   'renderer/ibl/dfg_lookup.h': [],
   'renderer/ibl': ['renderer/include', 'renderer/core', 'renderer/gl', 'renderer/shader', 'renderer/ibl/dfg_lookup.h'],
-  'renderer/lobes': ['renderer/include', 'renderer/brdf', 'renderer/ibl/dfg_lookup.h'],
+  'renderer/lobes': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/ibl/dfg_lookup.h'],
   'renderer/pass/camera.h': ['renderer/include'],
   'renderer/pass/variant.h': ['renderer/include'],
   'renderer/pass/linear_output.h': ['renderer/include'],
