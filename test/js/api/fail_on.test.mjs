@@ -15,7 +15,8 @@ before(async () => { renderer = await createRenderer({ cacheDirectory: null }); 
 after(() => renderer.close());
 
 const glbOf = (doc, bin) => glb({ doc, bin });
-const codes = (warnings) => warnings.map(({ code, pointer }) => [code, pointer]);
+/** Of the file; what the picture shows has warnings of its own. */
+const codes = (warnings) => warnings.filter(({ pointer }) => pointer !== undefined).map(({ code, pointer }) => [code, pointer]);
 const EXPECTED = {
   'broken-maps': ['E_IMAGE_CORRUPT', [['W_TEXTURE', '/images/0'], ['W_TEXTURE', '/images/1'], ['W_TEXTURE', '/images/2'], ['W_TEXTURE', '/images/3']]],
   'broken-missing-files': ['E_URI_DENIED', [['W_TEXTURE', '/images/0/uri'], ['W_TEXTURE', '/images/1/uri']]],
