@@ -150,7 +150,7 @@ void GeometryReader::repairStreams(Primitive& out) const {
     from_.warnings.add("W_NONFINITE", std::to_string(changed) + " " + what, where_);
   };
   warn(repairNormals(out), "normals were not usable and were replaced");
-  warn(repairTangents(out), "tangents were not usable and were replaced");
+  warn(repairTangents(out), "tangents were not of length 1; without length they are not used");
   for (auto& uvs : out.uvs) warn(repairUvs(uvs), "texture coordinates were not finite and were set to 0");
   warn(repairColors(out.colors), "vertex colours were out of range and were clamped");
 }

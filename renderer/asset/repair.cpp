@@ -38,12 +38,6 @@ std::vector<glm::dvec3> faceNormals(const Primitive& primitive) {
   return sums;
 }
 
-glm::vec3 across(const glm::vec3& normal) {
-  const glm::dvec3 n(normal);
-  const glm::dvec3 axis = std::abs(n.x) < std::abs(n.y) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  return glm::vec3(glm::normalize(glm::cross(n, axis)));
-}
-
 template <typename Color>
 std::size_t clampColors(std::vector<Color>& colors) {
   std::size_t changed = 0;
@@ -99,8 +93,7 @@ std::size_t repairTangents(Primitive& primitive) {
     glm::vec4& tangent = primitive.tangents[i];
     glm::vec3 direction(tangent);
     const Direction state = settle(direction);
-    if (state == Direction::kBad)
-      direction = primitive.normals.empty() ? glm::vec3(1, 0, 0) : across(primitive.normals[i]);
+    if (state == Direction::kBad) direction = glm::vec3(0);
     changed += state != Direction::kGood;
     tangent = glm::vec4(direction, tangent.w < 0 ? -1.0f : 1.0f);
   }

@@ -20,6 +20,11 @@ class Corners {
   auto at(const Stream& stream, const glm::vec2& b) const {
     return stream[index_.x] * (1 - b.x - b.y) + stream[index_.y] * b.x + stream[index_.z] * b.y;
   }
+  /// Of the tangents at all three.
+  bool haveLength(const std::vector<glm::vec4>& tangents) const {
+    const auto has = [&](std::uint32_t i) { return glm::vec3(tangents[i]) != glm::vec3(0); };
+    return has(index_.x) && has(index_.y) && has(index_.z);
+  }
   glm::vec3 position(const glm::vec2& b) const { return p_[0] * (1 - b.x - b.y) + p_[1] * b.x + p_[2] * b.y; }
   glm::vec3 edge(int k) const { return p_[k] - p_[0]; }
   glm::vec3 cross() const { return glm::cross(edge(1), edge(2)); }
@@ -57,7 +62,8 @@ class Corners {
 glm::mat3 tangentFrame(const PlacedMesh& mesh, const Corners& corners, const glm::vec2& b, const glm::vec3& n,
                        const TextureRef& texture, const glm::vec3& v, float face) {
   const Primitive& primitive = *mesh.primitive;
-  if (!primitive.tangents.empty() && !primitive.normals.empty()) {
+  const bool hasTangents = !primitive.tangents.empty() && !primitive.normals.empty();
+  if (hasTangents && corners.haveLength(primitive.tangents)) {
     const glm::vec4 tangent = corners.at(primitive.tangents, b);
     const glm::vec3 t = glm::normalize(mesh.linear * glm::vec3(tangent));
     const glm::vec3 vertexNormal = n * face;
@@ -70,7 +76,7 @@ glm::mat3 tangentFrame(const PlacedMesh& mesh, const Corners& corners, const glm
   const glm::vec3 bt = turn * glm::cross(corners.edge(2) * d1.y - corners.edge(1) * d2.y, n);
   const float det = std::max(glm::dot(t, t), glm::dot(bt, bt));
   const float scale = (det == 0 ? 0.0f : 1.0f / std::sqrt(det)) * (mesh.material->doubleSided ? face : 1.0f);
-  return {t * scale, bt * scale, n};
+  return {t * scale, bt * (hasTangents ? -scale : scale), n};
 }
 
 glm::vec3 mappedNormal(const glm::mat3& frame, const glm::vec4& texel, const glm::vec2& scale) {

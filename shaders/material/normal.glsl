@@ -38,10 +38,15 @@ mat3 derivativeFrame(vec3 p, vec3 n, vec2 uv) {
   return mat3(t * scale, b * scale, n);
 }
 
-// The vertex tangents where there are any, else derivatives of one texture's coordinates.
+// The vertex tangents where there are any, else derivatives of one texture's coordinates. A vertex whose tangent has no
+// length has none: normalize() makes it, and with it the triangle's, not a number.
 mat3 tangentFrame(vec3 n, vec2 uv, float faceDirection) {
 #if TANGENT
   mat3 frame = mat3(normalize(vTangent), normalize(vBitangent), n);
+  if (!(dot(vTangent, vTangent) > 0.0 && dot(vBitangent, vBitangent) > 0.0)) {
+    frame = derivativeFrame(-vViewPosition, n, uv);
+    frame[1] = -frame[1];  // vertex tangents have the texture's v upwards
+  }
 #else
   mat3 frame = derivativeFrame(-vViewPosition, n, uv);
 #endif

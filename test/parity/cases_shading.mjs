@@ -98,4 +98,6 @@ export const CASES = [
   ...afarCases,
   ...mapCases,
   ...sunCases,
+  ...['some', 'none'].map((kind) => makeCase(`tangents-${kind}-fabric`, `known-tangents-${kind}`, 'lamps', { shading: 'fabric' })),
+  makeCase('tangents-some-disney', 'known-tangents-some', 'lamps', { shading: 'disney-2012' }),
 ];

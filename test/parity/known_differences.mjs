@@ -28,6 +28,7 @@ export const KNOWN_CASES = [
   makeCase('known-rect-head-on', 'known-facing', null, { ...SMALL, camera: FACING, lights: [rect] }),
   // The same a hundredth of a degree aside, where three.js is right.
   makeCase('known-rect-aside', 'known-facing', null, { ...SMALL, camera: { ...FACING, position: [7e-4, 0, 4] }, lights: [rect] }),
+  ...['all', 'some', 'none'].map((kind) => makeCase(`known-tangents-${kind}`, `known-tangents-${kind}`, null, { ...SMALL, size: 128, ...day })),
   makeCase('known-ktx2-etc1s', 'ktx2-etc1s', null, day),
   makeCase('known-ktx2-uastc', 'ktx2-uastc', null, day),
   makeCase('known-ktx2-odd-size', 'ktx2-odd-size', null, day),
@@ -53,6 +54,13 @@ export const KNOWN_DIFFERENCES = [
     telar: 'Stretches the highlight along some direction that is square with the normal.',
     source: 'ShaderChunk/normalmap_pars_fragment.glsl.js, getTangentFrame: scale = 0 where det is 0',
     cases: ['known-anisotropy-no-uvs-sun', 'known-anisotropy-no-uvs-env'],
+  },
+  {
+    name: 'Tangents of no length',
+    three: 'A vertex with one makes its triangles not a number: they have no direct light.',
+    telar: 'Puts the normal map of these triangles into the frame of its texture coordinates, as that of a mesh without tangents.',
+    source: 'ShaderChunk/defaultnormal_vertex.glsl.js: normalize of 0',
+    cases: ['known-tangents-some', 'known-tangents-none', 'known-tangents-all'],
   },
   {
     name: 'A sheen roughness map with a texel of 0',

@@ -104,6 +104,22 @@ const CHECKS = {
     const { three, telar } = await draw('known-rect-aside');
     assert.ok(furthest(telar.image, three.image) <= 1);
   },
+  async 'known-tangents-all'() {
+    const { three, telar } = await draw('known-tangents-all');
+    assert.ok(furthest(telar.image, three.image) <= 1, 'with all tangents both agree');
+  },
+  async 'known-tangents-some'() {
+    const { three, telar } = await draw('known-tangents-some');
+    const [lost, total] = [notNumbers(three.n), reds(three.image).length];
+    assert.ok(lost > 0.3 * total && lost < 0.9 * total, `three.js loses the direct light of ${lost} of ${total} pixels`);
+    const whole = (await draw('known-tangents-all')).telar.image;
+    assert.ok(furthest(telar.image, whole) < 60 && furthest(three.image, whole) > 120, 'telar shows the ring that has them all, but for the stretch of its texture');
+  },
+  async 'known-tangents-none'() {
+    const { three, telar } = await draw('known-tangents-none');
+    assert.ok(spread(reds(three.image)) < 10, 'three.js shows a disc of ambient light');
+    assert.ok(spread(reds(telar.image)) > 100);
+  },
   'known-ktx2-etc1s': () => checkTranscoded('known-ktx2-etc1s'),
   'known-ktx2-uastc': () => checkTranscoded('known-ktx2-uastc'),
   // Uncompressed, KTX2Loader has too few texels for the size that it pads this one to.
