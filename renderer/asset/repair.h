@@ -20,8 +20,8 @@ std::vector<bool> findBadVertices(std::vector<glm::vec3>& positions);
 /// Normals that are not finite or of zero length become the mean normal of the triangles around the vertex (+Z where
 /// there is none); those whose length fp32 cannot square are normalized. All others stay as they are.
 std::size_t repairNormals(Primitive& primitive);
-/// Tangents that are not finite become 0, which is none: the frame of their triangles is that of the texture's coordinates
-/// (shaders/material/normal.glsl). w becomes +-1.
+/// Tangents that are not finite become 0, which is none: the frame of their triangles is that of the texture's
+/// coordinates (shaders/material/normal.glsl). w becomes +-1.
 std::size_t repairTangents(Primitive& primitive);
 /// Coordinates that are not finite, or beyond COORDINATE_MAX, become 0.
 std::size_t repairUvs(std::vector<glm::vec2>& uvs);

@@ -35,6 +35,7 @@ struct Ray {
   glm::vec3 origin;
   glm::vec3 direction;  ///< unit
   float from = 0;
+  int passes = 0;  ///< front sides that do not hide: those of shells that its surface lies behind (Surface::shells)
 };
 
 struct Hit {

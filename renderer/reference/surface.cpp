@@ -255,6 +255,7 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   const glm::vec3 cross = corners.cross();
   const bool front = (glm::dot(cross, s.v) < 0) == mesh.mirrored;
   const float face = front ? 1.0f : -1.0f;
+  surface.front = front;
   surface.geometricNormal = brdf_f::safeNormalize(glm::dot(cross, s.v) < 0 ? -cross : cross, s.v);
   glm::vec4 baseColor = m.baseColorFactor * read(m.baseColorTexture, true) * glm::vec4(mesh.tint, 1.0f);
   if (!primitive.colors.empty()) baseColor *= corners.at(primitive.colors, b);

@@ -35,6 +35,8 @@ struct Surface {
   float alpha = 1;      ///< 1 where the material is opaque
   bool unlit = false;   ///< `emitted` is all there is
   bool shown = true;    ///< false: a culled back side, or cut out by the alpha mask
+  bool front = true;    ///< the side that the triangle's winding shows
+  int shells = 0;       ///< culled back sides that the ray passed closely before it
 };
 
 /// What the raster's shaders take from factors, textures and vertices, for a hit of a ray. World space.
