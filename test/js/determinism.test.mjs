@@ -73,3 +73,13 @@ test('EGL surfaceless and OSMesa draw the bundled garment byte for byte alike', 
   const [a, b] = [await egl.render(file, {}), await osmesa.render(file, {})];
   assert.ok(a.data.equals(b.data));
 });
+
+test('EGL surfaceless and OSMesa draw layers of cut-out cloth byte for byte alike, and again', async () => {
+  const model = await MODELS['cloth-layers']();
+  for (const samples of [1, 4]) {
+    const shot = { size: { width: 128, height: 128 }, environment: 'none', lights, shading: 'fabric', quality: { samples }, output: { format: 'raw' } };
+    const { data } = await egl.render(model, shot);
+    assert.deepEqual((await osmesa.render(model, shot)).data, data);
+    assert.deepEqual((await egl.render(model, shot)).data, data);
+  }
+});
