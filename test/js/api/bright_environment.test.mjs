@@ -17,6 +17,9 @@ const shotOf = (map, overrides) => ({
   size: { width: 64, height: 64 }, environment: { map, intensity: 1e-3 }, output: { format: 'raw', bitDepth: 32 }, ...overrides,
 });
 
+/** What it says of the map's range. */
+const rangeWarnings = ({ info }) => info.warnings.filter(({ code }) => code === 'W_ENVIRONMENT_RANGE');
+
 /** Mean radiance of a frame. */
 function light({ data }) {
   const floats = new Float32Array(data.buffer, data.byteOffset, data.length / 4);
@@ -36,7 +39,7 @@ for (const shading of OWN) {
     const [standard, high] = [await draw('standard'), await draw({ samples: 16, environmentSamples: 512 })];
     const ratio = light(standard) / light(high);
     assert.ok(Math.abs(ratio - 1) < 0.05, `${ratio} of the light of quality high`);
-    assert.deepEqual(standard.info.warnings, []);
+    assert.deepEqual(rangeWarnings(standard), []);
   });
 }
 
@@ -56,18 +59,18 @@ test('shading three is as three.js: it says what it lacks, and its light is that
   const cut = await renderer.render(ball, shotOf(sunOf(1e6)));
   const least = await renderer.render(ball, shotOf(sunOf(held)));
   assert.ok(Math.abs(light(cut) / light(least) - 65504 / held) < 1e-3);
-  assert.deepEqual(least.info.warnings, []);
-  assert.deepEqual(cut.info.warnings.map(({ code }) => code), ['W_ENVIRONMENT_RANGE']);
-  assert.match(cut.info.warnings[0].message, /: 93\.\d % of the map's light is lost/);
+  assert.deepEqual(rangeWarnings(least), []);
+  assert.equal(rangeWarnings(cut).length, 1);
+  assert.match(rangeWarnings(cut)[0].message, /: 93\.\d % of the map's light is lost/);
 });
 
 test('nothing is said where nothing is lost: every quality that samples the map, and an unlit use of it', async () => {
   const sampled = await renderer.render(ball, shotOf(sunOf(1e6), { quality: { samples: 4, environmentSamples: 16 } }));
-  assert.deepEqual(sampled.info.warnings, []);
+  assert.deepEqual(rangeWarnings(sampled), []);
   const behind = await renderer.render(ball, shotOf(sunOf(1e6), { environment: { map: sunOf(1e6), intensity: 0 }, background: 'environment' }));
-  assert.deepEqual(behind.info.warnings, []);
+  assert.deepEqual(rangeWarnings(behind), []);
   const within = await renderer.render(ball, shotOf(ENVIRONMENTS.lamps()));
-  assert.deepEqual(within.info.warnings, []);
+  assert.deepEqual(rangeWarnings(within), []);
 });
 
 test('a cube from the disk cache has its suns too', async () => {
