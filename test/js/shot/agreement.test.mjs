@@ -7,6 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { before, test } from 'node:test';
 import Ajv from 'ajv/dist/2020.js';
 import { shotJson } from '../../../js/api/shot_json.mjs';
+import { Model, loadModel } from '../../../js/model.mjs';
 import { loadNative } from '../../../js/native.mjs';
 import { resolveShot, TelarError } from '../../../js/shot/index.mjs';
 import { resolvedShotSchema } from '../../../js/shot/resolved_schema.mjs';
@@ -51,6 +52,9 @@ before(async () => {
   accepted = acceptedShots(SHOTS, SEED);
 });
 
+/** A decoded model of its own: a plan is the last that is made of one. */
+const loadScene = async () => Model.sceneOf(await loadModel(native, bytes, native.limits));
+
 /** What C++ says of a resolved shot: undefined where it takes it. */
 async function refusalOf(scene, resolved) {
   const request = { material: 0, shot: shotJson(resolved), viewAngle: 0, directions: new Float64Array(0), albedo: false };
@@ -72,7 +76,7 @@ test('enough of the random shots are taken to say something, each kind of thing 
 });
 
 test('what resolveShot takes, C++ takes', async () => {
-  const { scene } = await native.load(bytes, native.limits, new native.CancelToken());
+  const scene = await loadScene();
   const refused = new Map();
   for (const { resolved } of accepted) {
     const error = await refusalOf(scene, resolved);
@@ -83,7 +87,7 @@ test('what resolveShot takes, C++ takes', async () => {
 
 test('what C++ takes, it can plan: the faults of a plan are limits', async () => {
   for (const { resolved } of accepted.slice(0, 500)) {
-    const { scene } = await native.load(bytes, native.limits, new native.CancelToken());
+    const scene = await loadScene();
     const variant = ''; // the fixture has none
     const plan = native.plan(scene, shotJson({ ...resolved, variant, pose: null }), native.limits, new native.CancelToken());
     await plan.catch(({ code, message }) => assert.match(code, /^L_/, `${message}: ${JSON.stringify(resolved)}`));
