@@ -11,6 +11,7 @@ namespace {
 
 using LimitField = std::pair<const char*, std::uint64_t Limits::*>;
 constexpr std::array LIMIT_FIELDS{
+    LimitField{"L_MEMORY_BYTES", &Limits::memoryBytes},
     LimitField{"L_FILE_BYTES", &Limits::fileBytes},
     LimitField{"L_EXTERNAL_BYTES", &Limits::externalBytes},
     LimitField{"L_EXTERNAL_FILES", &Limits::externalFiles},

@@ -45,6 +45,7 @@ export type ErrorCode =
   | 'E_URI_DENIED'
   | 'E_EXT_REQUIRED'
   | 'E_SHOT_UNAVAILABLE'
+  | 'L_MEMORY_BYTES'
   | 'L_FILE_BYTES'
   | 'L_EXTERNAL_BYTES'
   | 'L_EXTERNAL_FILES'

@@ -85,6 +85,7 @@ const ROWS = {
     E_SHOT_UNAVAILABLE: ['The shot asks for something that this version does not have', 'Leave it out, or use a later version.'],
   },
   limit: {
+    L_MEMORY_BYTES: ['The model takes too much memory', RAISE],
     L_FILE_BYTES: ['A file is too large', RAISE],
     L_EXTERNAL_BYTES: ['The external files are too large together', RAISE],
     L_EXTERNAL_FILES: ['Too many external files', RAISE],
@@ -95,7 +96,7 @@ const ROWS = {
     L_NODE_DEPTH: ['The node tree is too deep', RAISE],
     L_DRAW_CALLS: ['Too many primitives to draw', RAISE],
     L_VERTICES: ['Too many vertices', RAISE],
-    L_TRIANGLES: ['Too many triangles', RAISE],
+    L_TRIANGLES: ['Too many triangles, lines or points', RAISE],
     L_BUFFERS: ['Too many buffers', RAISE],
     L_BUFFER_VIEWS: ['Too many buffer views', RAISE],
     L_ACCESSORS: ['Too many accessors', RAISE],

@@ -53,6 +53,7 @@ void AnimationReader::count(std::uint64_t values, const std::string& where) {
   values_ += values;
   checkLimit("L_KEYFRAME_VALUES", static_cast<double>(from_.limits.keyframeValues), static_cast<double>(values_),
              where);
+  from_.memory.charge(values * sizeof(float), where);
 }
 
 std::vector<float> AnimationReader::readTimes(int accessor, const std::string& where) {

@@ -15,17 +15,25 @@
 namespace telar::asset {
 namespace {
 
-/// Triangles of one draw, from the accessor's count (not read yet).
-double triangleCount(int mode, double corners) {
+/// Triangles, lines or points of one draw, from the accessor's count (not read yet).
+double elementCount(int mode, double corners) {
   if (mode == MODE_TRIANGLES) return corners / 3;
-  return mode == MODE_STRIP || mode == MODE_FAN ? std::max(0.0, corners - 2) : 0;
+  if (mode == MODE_STRIP || mode == MODE_FAN) return std::max(0.0, corners - 2);
+  return mode == MODE_LINES ? corners / 2 : corners;
+}
+
+/// Of the streams that are drawn.
+std::uint64_t bytesOf(const Primitive& primitive) {
+  const auto size = [](const auto& stream) { return std::uint64_t{stream.size()} * sizeof(stream[0]); };
+  return size(primitive.positions) + size(primitive.normals) + size(primitive.tangents) + size(primitive.uvs[0]) +
+         size(primitive.uvs[1]) + size(primitive.colors) + size(primitive.indices);
 }
 
 }  // namespace
 
 /// Sums of work, from counts alone: nothing has been decoded yet, and accessors may share bytes or have none.
 void Assembler::checkWork(const std::vector<Visit>& visits) const {
-  double draws = 0, triangles = 0, vertices = 0, instances = 0;
+  double draws = 0, elements = 0, vertices = 0, instances = 0;
   std::vector<bool> met(model().meshes.size(), false);
   for (const Visit& visit : visits) {
     const auto& node = model().nodes[static_cast<std::size_t>(visit.node)];
@@ -45,12 +53,10 @@ void Assembler::checkWork(const std::vector<Visit>& visits) const {
       const auto targets = static_cast<double>(primitive.targets.size());
       if (!met[static_cast<std::size_t>(mesh)]) vertices += points * (1 + targets);
       if (node.skin >= 0 || targets > 0) vertices += points;  // the deformed copy
-      triangles += triangleCount(primitive.mode, corners) * places;
+      elements += elementCount(primitive.mode, corners) * places;
       const std::string where = pointer("meshes", mesh, "primitives", i);
       checkSum("L_VERTICES", static_cast<double>(from_.limits.vertices), vertices, where);
-      checkSum("L_TRIANGLES", static_cast<double>(from_.limits.triangles), triangles, where);
-      // Lines and points cost their indices too.
-      checkSum("L_TRIANGLES", static_cast<double>(from_.limits.triangles), corners / 3, where);
+      checkSum("L_TRIANGLES", static_cast<double>(from_.limits.triangles), elements, where);
       checkSum("L_DRAW_CALLS", static_cast<double>(from_.limits.drawCalls), ++draws, where);
     }
     met[static_cast<std::size_t>(mesh)] = true;
@@ -170,12 +176,12 @@ void Assembler::readMaterials() {
 }
 
 void Assembler::loadImages() {
-  const ImageLoader loader(from_.document, from_.resources, from_.limits, from_.cancel, from_.warnings);
+  const ImageLoader loader(from_);
   std::vector<int> canonical(from_.document.images.size());
   for (std::size_t i = 0; i < canonical.size(); ++i) canonical[i] = loader.canonical(static_cast<int>(i));
   for (Material& material : scene_.materials) {
-    for (TextureRef* texture : texturesOf(material))
-      texture->image = canonical[static_cast<std::size_t>(texture->image)];
+    for (const TextureUse& use : texturesOf(material))
+      use.texture->image = canonical[static_cast<std::size_t>(use.texture->image)];
   }
   std::vector<bool> reached(scene_.materials.size(), false);
   const auto reach = [&](int material) {
@@ -187,22 +193,37 @@ void Assembler::loadImages() {
   for (const Mesh& mesh : scene_.meshes) {
     for (const Primitive& primitive : mesh.primitives) {
       reach(primitive.material);
-      std::for_each(primitive.variantMaterials.begin(), primitive.variantMaterials.end(), reach);
+      for (const auto& [variant, material] : primitive.variantMaterials) reach(material);
     }
   }
-  std::vector<bool> used(from_.document.images.size(), false);
+  std::vector<ImageUse> uses(from_.document.images.size());
   for (std::size_t i = 0; i < reached.size(); ++i) {
     if (!reached[i]) continue;
-    for (const TextureRef* texture : texturesOf(scene_.materials[i]))
-      used[static_cast<std::size_t>(texture->image)] = true;
+    for (const TextureUse& use : texturesOf(scene_.materials[i])) {
+      ImageUse& image = uses[static_cast<std::size_t>(use.texture->image)];
+      (use.color ? image.color : image.data) = true;
+    }
   }
-  LoadedImages loaded = loader.load(used, from_.tolerant);
+  LoadedImages loaded = loader.load(uses);
   for (Material& material : scene_.materials) {
-    for (TextureRef* texture : texturesOf(material)) {
-      if (loaded.missing[static_cast<std::size_t>(texture->image)]) *texture = TextureRef{};
+    for (const TextureUse& use : texturesOf(material)) {
+      if (loaded.missing[static_cast<std::size_t>(use.texture->image)]) *use.texture = TextureRef{};
     }
   }
   scene_.images = std::move(loaded.images);
+}
+
+/// What deforms is copied for the moment that is drawn: at rest, and in a pose where there is one. Each is uploaded.
+void Assembler::chargeDeformedCopies() {
+  const std::uint64_t moments = scene_.motion && !scene_.motion->animations.empty() ? 2 : 1;
+  for (const Node& node : scene_.nodes) {
+    if (node.file.mesh < 0 || (node.skin < 0 && node.weights.empty())) continue;
+    const auto mesh = static_cast<std::size_t>(node.file.mesh);
+    if (mesh >= scene_.meshes.size()) continue;  // left out: see addMesh()
+    for (const Primitive& primitive : scene_.meshes[mesh].primitives) {
+      if (primitive.deformers) from_.memory.charge(2 * moments * bytesOf(primitive), pointer("nodes", node.file.node));
+    }
+  }
 }
 
 void Assembler::readNames() {
@@ -237,6 +258,7 @@ Scene Assembler::assemble() {
   readMaterials();
   loadImages();
   scene_.fileWarnings = from_.warnings.count();
+  chargeDeformedCopies();
   place(scene_, from_.warnings, from_.cancel);
   if (!scene_.motion || scene_.motion->animations.empty()) needGeometry(scene_);
   return std::move(scene_);

@@ -28,6 +28,7 @@ class Assembler {
   void readMotion(const std::vector<int>& nodes);
   void readMaterials();
   void loadImages();
+  void chargeDeformedCopies();
   void readNames();
 
   GeometryReader::Sources from_;

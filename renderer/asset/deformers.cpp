@@ -69,6 +69,14 @@ void DeformerReader::check() const {
 
 bool DeformerReader::skinned() const { return joints_ > 0 && attribute(JOINTS) >= 0 && attribute(WEIGHTS) >= 0; }
 
+std::uint64_t DeformerReader::bytes() const {
+  const std::uint64_t vertices = accessors_.count(attribute("POSITION"));
+  std::uint64_t skin = 0, target = 0;
+  if (skinned()) skin = sizeof(glm::vec4) + sizeof(glm::u16vec4);
+  for (const char* name : {"POSITION", "NORMAL", "COLOR_0"}) target += anyTargetHas(name) ? sizeof(glm::vec4) : 0;
+  return vertices * (skin + target * source_.targets.size());
+}
+
 void DeformerReader::checkSkin() const {
   for (const char* name : {JOINTS, WEIGHTS}) {
     const int accessor = attribute(name);

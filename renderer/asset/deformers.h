@@ -23,6 +23,9 @@ class DeformerReader {
   /// What the accessors are, before any of them is read. @throws Error{E_ACCESSOR, E_SKIN}
   void check() const;
 
+  /// What read() will allocate, from counts alone.
+  std::uint64_t bytes() const;
+
   /// @param base the primitive's own streams
   /// @return null where nothing deforms it
   /// @throws Error{E_SKIN, E_SPARSE, X_CANCELLED}

@@ -98,6 +98,7 @@ DracoCounts readDracoCounts(std::span<const std::byte> data, const std::string& 
   if (method != METHOD_SEQUENTIAL && method != METHOD_EDGEBREAKER) reader.refuse("has an unknown encoding method");
   if (reader.u16() & FLAG_METADATA) skipGeometryMetadata(reader);
   DracoCounts counts;
+  counts.sequential = method == METHOD_SEQUENTIAL;
   if (type == POINT_CLOUD) {
     counts.points = true;
     counts.vertices = reader.u16();

@@ -1,11 +1,9 @@
 #include "asset/draco_mesh.h"
 
-#include <draco/compression/decode.h>
-
-#include <new>
-#include <stdexcept>
+#include <draco/mesh/mesh.h>
 
 #include "asset/accessor.h"
+#include "asset/draco_decoder.h"
 #include "asset/pointer.h"
 
 namespace telar::asset {
@@ -15,6 +13,9 @@ struct DracoMesh::Mesh {
 };
 
 namespace {
+
+/// Most that libdraco was seen to hold at once for a face and for a vertex: connectivity, seams, values in two forms.
+constexpr std::uint64_t WORKING_BYTES = 100;
 
 void checkCounts(const DracoCounts& counts, const DracoExpectation& expected, const Limits& limits,
                  const std::string& where) {
@@ -32,26 +33,6 @@ void checkCounts(const DracoCounts& counts, const DracoExpectation& expected, co
   if (counts.vertices > counts.faces * 3) {
     fail("E_DRACO", "the Draco mesh declares more vertices than its faces can use", where);
   }
-}
-
-std::unique_ptr<draco::PointCloud> decodeCloud(std::span<const std::byte> data, bool points, const std::string& where) {
-  draco::DecoderBuffer buffer;
-  buffer.Init(reinterpret_cast<const char*>(data.data()), data.size());
-  draco::Decoder decoder;
-  try {
-    if (points) {
-      auto result = decoder.DecodePointCloudFromBuffer(&buffer);
-      if (result.ok()) return std::move(result).value();
-    } else {
-      auto result = decoder.DecodeMeshFromBuffer(&buffer);
-      if (result.ok()) return std::move(result).value();
-    }
-  } catch (const std::bad_alloc&) {
-    fail("E_DRACO", "the Draco data asks for more memory than there is", where);
-  } catch (const std::length_error&) {
-    fail("E_DRACO", "the Draco data asks for more memory than there is", where);
-  }
-  fail("E_DRACO", "the Draco data is damaged", where);
 }
 
 std::vector<std::uint32_t> readIndices(const draco::Mesh& mesh, const std::string& where) {
@@ -94,15 +75,17 @@ void convertIntegers(const draco::PointCloud& mesh, const draco::PointAttribute&
 
 }  // namespace
 
-DracoMesh::DracoMesh(std::unique_ptr<Mesh> mesh) : mesh_(std::move(mesh)) {}
+DracoMesh::DracoMesh(MemoryBudget::Loan loan, std::unique_ptr<Mesh> mesh)
+    : loan_(std::move(loan)), mesh_(std::move(mesh)) {}
 DracoMesh::DracoMesh(DracoMesh&&) noexcept = default;
 DracoMesh::~DracoMesh() = default;
 
-DracoMesh DracoMesh::decode(std::span<const std::byte> data, const DracoExpectation& expected, const Limits& limits,
-                            const std::string& where) {
+DracoMesh DracoMesh::decode(std::span<const std::byte> data, const DracoExpectation& expected,
+                            const DracoBounds& bounds, const std::string& where) {
   const DracoCounts counts = readDracoCounts(data, where);
-  checkCounts(counts, expected, limits, where);
-  DracoMesh out(std::make_unique<Mesh>(Mesh{decodeCloud(data, counts.points, where)}));
+  checkCounts(counts, expected, bounds.limits, where);
+  auto loan = bounds.memory.lend(WORKING_BYTES * (counts.faces + counts.vertices), where);
+  DracoMesh out(std::move(loan), std::make_unique<Mesh>(Mesh{decodeDraco(data, counts, bounds.cancel, where)}));
   const draco::PointCloud& cloud = *out.mesh_->cloud;
   if (cloud.num_points() != expected.vertices) {
     fail("E_DRACO",

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/memory_budget.h"
+#include "telar/cancel.h"
 #include "telar/limits.h"
 
 namespace telar::asset {
@@ -18,13 +20,20 @@ struct DracoExpectation {
   bool points = false;        ///< the primitive's mode is POINTS, which a point cloud must go with
 };
 
+/// What decoding may cost.
+struct DracoBounds {
+  const Limits& limits;
+  MemoryBudget& memory;
+  const CancelToken& cancel;
+};
+
 /// A mesh, or a cloud of points, decoded by libdraco: indices and counts are checked, attribute values may still be
 /// NaN.
 class DracoMesh {
  public:
   /// @param where JSON pointer of the extension object, for errors
-  /// @throws Error{E_DRACO, L_TRIANGLES, L_VERTICES}
-  static DracoMesh decode(std::span<const std::byte> data, const DracoExpectation& expected, const Limits& limits,
+  /// @throws Error{E_DRACO, L_TRIANGLES, L_VERTICES, L_MEMORY_BYTES, X_CANCELLED}
+  static DracoMesh decode(std::span<const std::byte> data, const DracoExpectation& expected, const DracoBounds& bounds,
                           const std::string& where);
   DracoMesh(DracoMesh&&) noexcept;
   ~DracoMesh();
@@ -40,7 +49,8 @@ class DracoMesh {
 
  private:
   struct Mesh;
-  explicit DracoMesh(std::unique_ptr<Mesh> mesh);
+  DracoMesh(MemoryBudget::Loan loan, std::unique_ptr<Mesh> mesh);
+  MemoryBudget::Loan loan_;
   std::unique_ptr<Mesh> mesh_;
   std::optional<std::vector<std::uint32_t>> indices_;
 };
@@ -50,6 +60,7 @@ struct DracoCounts {
   std::uint64_t faces = 0;
   std::uint64_t vertices = 0;  ///< points, or encoded vertices where the mesh is edgebreaker
   bool points = false;         ///< a point cloud: no faces
+  bool sequential = false;     ///< else edgebreaker, or a k-d tree of points
 };
 
 /// src: Draco bitstream specification 2.2, sections 3 "Draco Decoder" to 5 "Connectivity"

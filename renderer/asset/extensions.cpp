@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <unordered_set>
 
 #include "asset/pointer.h"
 
@@ -57,14 +58,13 @@ bool supported(std::string_view name) {
   return std::find(std::begin(SUPPORTED), std::end(SUPPORTED), name) != std::end(SUPPORTED);
 }
 
-bool isOneOf(const std::vector<std::string>& list, const std::string& name) {
-  return std::find(list.begin(), list.end(), name) != list.end();
-}
+using Names = std::unordered_set<std::string_view>;
 
 }  // namespace
 
 void checkExtensions(const std::vector<std::string>& used, const std::vector<std::string>& required, Warnings& warnings,
                      bool tolerant) {
+  const Names usedNames(used.begin(), used.end()), requiredNames(required.begin(), required.end());
   for (std::size_t i = 0; i < required.size(); ++i) {
     if (!supported(required[i])) {
       if (tolerant) {
@@ -78,14 +78,14 @@ void checkExtensions(const std::vector<std::string>& used, const std::vector<std
                cureOf(required[i]),
            pointer("extensionsRequired", i));
     }
-    if (!isOneOf(used, required[i])) {
+    if (!usedNames.contains(required[i])) {
       warnings.add("W_EXT",
                    "the extension " + telar::quoted(required[i]) + " is required but not listed in extensionsUsed",
                    pointer("extensionsRequired", i));
     }
   }
   for (std::size_t i = 0; i < used.size(); ++i) {
-    if (supported(used[i]) || isOneOf(required, used[i])) continue;
+    if (supported(used[i]) || requiredNames.contains(used[i])) continue;
     warnings.add("W_EXT_IGNORED",
                  "the optional extension " + telar::quoted(used[i]) + " is not drawn; " + cureOf(used[i]),
                  pointer("extensionsUsed", i));

@@ -51,6 +51,19 @@ void GeometryReader::checkLayout(const Source& source) const {
   }
 }
 
+/// Before any of them is allocated: an accessor may have many elements and no bytes. Each is uploaded too.
+void GeometryReader::chargeStreams(const Source& source) const {
+  const std::uint64_t vertices = from_.accessors.count(attribute(source, "POSITION"));
+  std::uint64_t floats = 0;
+  for (const auto& [name, count] : {std::pair{"POSITION", 3}, {"NORMAL", 3}, {"TANGENT", 4}, {"COLOR_0", 4}}) {
+    if (attribute(source, name) >= 0) floats += static_cast<std::uint64_t>(count);
+  }
+  for (const char* name : UV_NAMES) floats += attribute(source, name) >= 0 ? 2 : 0;
+  std::uint64_t indices = source.indices >= 0 ? from_.accessors.count(source.indices) : 0;
+  if (source.mode == MODE_STRIP || source.mode == MODE_FAN) indices = 3 * std::max(indices, vertices);
+  from_.memory.charge(2 * sizeof(float) * (vertices * floats + indices), where_);
+}
+
 std::optional<DracoMesh> GeometryReader::decodeDraco(const Source& source) const {
   const auto found = source.extensions.find(DRACO);
   if (found == source.extensions.end()) return std::nullopt;
@@ -61,7 +74,10 @@ std::optional<DracoMesh> GeometryReader::decodeDraco(const Source& source) const
   expected.points = source.mode == MODE_POINTS;
   expected.indices = counted ? from_.accessors.count(source.indices) : 0;
   const auto data = from_.resources.view(found->second.Get("bufferView").GetNumberAsInt());
-  return DracoMesh::decode(data, expected, from_.limits, where_ + pointer("extensions", DRACO));
+  auto mesh = DracoMesh::decode(data, expected, {from_.limits, from_.memory, from_.cancel},
+                                where_ + pointer("extensions", DRACO));
+  if (!counted && mesh.indices()) from_.memory.charge(2 * sizeof(std::uint32_t) * mesh.indices()->size(), where_);
+  return mesh;
 }
 
 void GeometryReader::readStream(const Source& source, const DracoMesh* draco, const std::string& name,
@@ -106,6 +122,8 @@ void GeometryReader::readElements(const Source& source, const DracoMesh* draco, 
                                   Primitive& out) const {
   const std::size_t vertices = out.positions.size();
   Order order = readOrder(source, draco, vertices);
+  // To leave elements out, all are written out one by one.
+  if (!bad.empty()) from_.memory.charge(4 * sizeof(std::uint32_t) * (order ? order->size() : vertices), where_);
   out.topology = toTopology(draco && draco->indices() ? MODE_TRIANGLES : source.mode, vertices, order);
   const std::size_t dropped = bad.empty() ? 0 : dropElements(out.topology, vertices, bad, order);
   if (dropped > 0) {
@@ -139,6 +157,7 @@ void GeometryReader::readAttributes(const Source& source, const DracoMesh* draco
   out.colorsHaveAlpha = from_.accessors.components(color) == 4;
   out.colors.resize(vertices, glm::vec4(1));
   if (out.colorsHaveAlpha) return readStream(source, draco, "COLOR_0", floatsOf(out.colors));
+  const auto loan = from_.memory.lend(vertices * sizeof(glm::vec3), where_);
   std::vector<glm::vec3> rgb(vertices);
   readStream(source, draco, "COLOR_0", floatsOf(rgb));
   for (std::size_t i = 0; i < vertices; ++i) out.colors[i] = glm::vec4(rgb[i], 1.0f);
@@ -156,15 +175,11 @@ void GeometryReader::repairStreams(Primitive& out) const {
 }
 
 void GeometryReader::readVariants(const Source& source, Primitive& out) const {
-  const auto root = from_.document.model.extensions.find("KHR_materials_variants");
-  if (root == from_.document.model.extensions.end()) return;
-  out.variantMaterials.assign(root->second.Get("variants").ArrayLen(), -1);
   const auto found = source.extensions.find("KHR_materials_variants");
   if (found == source.extensions.end()) return;
   for (const auto& mapping : arrayOf(found->second, "mappings")) {
     for (const auto& variant : arrayOf(mapping, "variants")) {
-      out.variantMaterials[static_cast<std::size_t>(variant.GetNumberAsInt())] =
-          mapping.Get("material").GetNumberAsInt();
+      out.variantMaterials[variant.GetNumberAsInt()] = mapping.Get("material").GetNumberAsInt();
     }
   }
 }
@@ -201,8 +216,10 @@ std::optional<Primitive> GeometryReader::read(int mesh, std::size_t primitive, s
     return std::nullopt;
   }
   checkLayout(source);
+  chargeStreams(source);
   const DeformerReader deformers(from_.accessors, from_.cancel, from_.warnings, source, where_, joints);
   deformers.check();
+  from_.memory.charge(deformers.bytes(), where_);
   const auto draco = decodeDraco(source);
   const DracoMesh* mesher = draco ? &*draco : nullptr;
   Primitive out;

@@ -3,6 +3,7 @@
 
 #include "asset/accessor.h"
 #include "asset/topology.h"
+#include "core/memory_budget.h"
 
 namespace telar::asset {
 
@@ -18,6 +19,7 @@ class GeometryReader {
     const Limits& limits;
     const CancelToken& cancel;
     Warnings& warnings;
+    MemoryBudget& memory;
     bool tolerant = false;  ///< a texture without a readable image is a warning
   };
   explicit GeometryReader(const Sources& sources) : from_(sources) {}
@@ -33,6 +35,7 @@ class GeometryReader {
   int attribute(const Source& source, const std::string& name) const;
   void checkAttribute(const Source& source, const std::string& name, unsigned least, unsigned most) const;
   void checkLayout(const Source& source) const;
+  void chargeStreams(const Source& source) const;
   std::optional<DracoMesh> decodeDraco(const Source& source) const;
   void readStream(const Source& source, const DracoMesh* draco, const std::string& name, std::span<float> out) const;
   Order readOrder(const Source& source, const DracoMesh* draco, std::size_t vertices) const;

@@ -96,12 +96,14 @@ std::shared_ptr<const Instances> readInstances(int node, const Mesh& mesh, const
     }
     return nullptr;
   }
+  const std::uint64_t count = countInstances(node, from);
+  from.memory.charge(2 * count * (sizeof(glm::mat4) + sizeof(glm::vec3)), pointer("nodes", node));
+  const auto loan = from.memory.lend(count * (2 * sizeof(glm::vec3) + 2 * sizeof(glm::vec4)), pointer("nodes", node));
   const auto translations = readAttribute(*attributes, "TRANSLATION", from.accessors);
   const auto rotations = readAttribute(*attributes, "ROTATION", from.accessors);
   const auto scales = readAttribute(*attributes, "SCALE", from.accessors);
   const auto colors = readAttribute(*attributes, COLOR, from.accessors);
   const std::size_t colorWidth = colors.empty() ? 0 : from.accessors.components(accessorOf(*attributes, COLOR));
-  const std::uint64_t count = countInstances(node, from);
   Instances out;
   for (std::size_t i = 0; i < count; ++i) {
     if (i % 1024 == 0) from.cancel.check();

@@ -14,14 +14,16 @@ std::shared_ptr<const Scene> load(std::span<const std::byte> file, const Limits&
                                   const LoadOptions& options) {
   cancel.check();
   Warnings warnings;
+  MemoryBudget memory(limits.memoryBytes);
   const Container container = openContainer(file, limits, warnings);
   const Document document = readDocument(container, limits, cancel, warnings, options.tolerant);
   Resources resources(document, container, options.files, cancel);
-  resources.loadBuffers(limits);
+  resources.loadBuffers(limits, memory);
   const Accessors accessors(document, resources, cancel);
   accessors.check();
-  Assembler assembler({document, resources, accessors, limits, cancel, warnings, options.tolerant});
+  Assembler assembler({document, resources, accessors, limits, cancel, warnings, memory, options.tolerant});
   auto scene = std::make_shared<Scene>(assembler.assemble());
+  scene->memoryBytes = memory.kept();
   scene->fileBytes = file.size() + (options.files ? options.files->bytesRead() : 0);
   scene->sha256 = resources.sha256(file);
   scene->warnings = warnings.take();

@@ -119,40 +119,33 @@ Material readMaterial(int material, const Document& document, Warnings& warnings
   return MaterialReader(material, document, warnings).read();
 }
 
-std::vector<TextureRef*> texturesOf(Material& material) {
-  std::vector<TextureRef*> out;
+std::vector<TextureUse> texturesOf(Material& material) {
   PhysicalLayers& layers = material.layers;
   FabricLayers& fabric = material.fabric;
-  for (TextureRef* texture : {&material.baseColorTexture,
-                              &material.metallicRoughnessTexture,
-                              &material.normalTexture,
-                              &material.occlusionTexture,
-                              &material.emissiveTexture,
-                              &layers.specularTexture,
-                              &layers.specularColorTexture,
-                              &layers.clearcoatTexture,
-                              &layers.clearcoatRoughnessTexture,
-                              &layers.clearcoatNormalTexture,
-                              &layers.sheenColorTexture,
-                              &layers.sheenRoughnessTexture,
-                              &layers.anisotropyTexture,
-                              &layers.iridescenceTexture,
-                              &layers.iridescenceThicknessTexture,
-                              &layers.diffuseRoughnessTexture,
-                              &layers.transmissionTexture,
-                              &layers.thicknessTexture,
-                              &fabric.diffuseTransmissionTexture,
-                              &fabric.diffuseTransmissionColorTexture,
-                              &fabric.weaveTexture,
-                              &fabric.backColorTexture}) {
-    if (*texture) out.push_back(texture);
-  }
+  std::vector<TextureUse> out{{&material.baseColorTexture, true},
+                              {&material.metallicRoughnessTexture, false},
+                              {&material.normalTexture, false},
+                              {&material.occlusionTexture, false},
+                              {&material.emissiveTexture, true},
+                              {&layers.specularTexture, false},
+                              {&layers.specularColorTexture, true},
+                              {&layers.clearcoatTexture, false},
+                              {&layers.clearcoatRoughnessTexture, false},
+                              {&layers.clearcoatNormalTexture, false},
+                              {&layers.sheenColorTexture, true},
+                              {&layers.sheenRoughnessTexture, false},
+                              {&layers.anisotropyTexture, false},
+                              {&layers.iridescenceTexture, false},
+                              {&layers.iridescenceThicknessTexture, false},
+                              {&layers.diffuseRoughnessTexture, false},
+                              {&layers.transmissionTexture, false},
+                              {&layers.thicknessTexture, false},
+                              {&fabric.diffuseTransmissionTexture, false},
+                              {&fabric.diffuseTransmissionColorTexture, true},
+                              {&fabric.weaveTexture, false},
+                              {&fabric.backColorTexture, true}};
+  std::erase_if(out, [](const TextureUse& use) { return !*use.texture; });
   return out;
-}
-
-std::vector<const TextureRef*> texturesOf(const Material& material) {
-  const auto list = texturesOf(const_cast<Material&>(material));
-  return {list.begin(), list.end()};
 }
 
 }  // namespace telar::asset

@@ -9,8 +9,12 @@ namespace telar::asset {
 /// W_TEXCOORD, W_TEXTURE) and take the default; a texture's image index is the one of the file.
 Material readMaterial(int material, const Document& document, Warnings& warnings);
 
+struct TextureUse {
+  TextureRef* texture;
+  bool color;  ///< read as a colour, else as data
+};
+
 /// The textures that shading of this material reads.
-std::vector<const TextureRef*> texturesOf(const Material& material);
-std::vector<TextureRef*> texturesOf(Material& material);
+std::vector<TextureUse> texturesOf(Material& material);
 
 }  // namespace telar::asset

@@ -24,27 +24,28 @@ std::vector<bool> Resources::neededBuffers(const MeshoptViews& compressed) const
   return out;
 }
 
-void Resources::loadBuffers(const Limits& limits) {
+void Resources::loadBuffers(const Limits& limits, MemoryBudget& memory) {
   const auto& views = document_.model.bufferViews;
   MeshoptViews compressed;
   for (std::size_t i = 0; i < views.size(); ++i) compressed.push_back(readMeshoptView(views[i], i));
   const std::vector<bool> needed = neededBuffers(compressed);
   for (std::size_t i = 0; i < document_.buffers.size(); ++i) {
     const std::uint64_t wanted = document_.buffers[i].byteLength;
-    const auto bytes = needed[i] ? bufferBytes(i) : std::span<const std::byte>();
+    const auto bytes = needed[i] ? bufferBytes(i, memory) : std::span<const std::byte>();
     if (needed[i] && bytes.size() < wanted) {
       fail("E_BUFFER", "the buffer has fewer bytes than its byteLength of " + std::to_string(wanted),
            pointer("buffers", i, "byteLength"));
     }
     buffers_.push_back(needed[i] ? bytes.first(wanted) : bytes);
   }
-  openViews(compressed, limits);
+  openViews(compressed, limits, memory);
 }
 
-std::span<const std::byte> Resources::bufferBytes(std::size_t index) {
+std::span<const std::byte> Resources::bufferBytes(std::size_t index, MemoryBudget& memory) {
   const BufferSource& source = document_.buffers[index];
   if (source.uri) {
     owned_.push_back(fetch(*source.uri, pointer("buffers", index, "uri")));
+    loans_.push_back(memory.lend(owned_.back().size(), pointer("buffers", index)));
     return owned_.back();
   }
   if (index == 0 && container_.hasBin) return container_.bin;
@@ -95,7 +96,7 @@ std::string Resources::sha256(std::span<const std::byte> file) const {
   return met.empty() ? own : all.hex();
 }
 
-void Resources::openViews(const MeshoptViews& compressed, const Limits& limits) {
+void Resources::openViews(const MeshoptViews& compressed, const Limits& limits, MemoryBudget& memory) {
   MeshoptDecoder decoder(limits);
   for (std::size_t i = 0; i < compressed.size(); ++i) {
     cancel_.check();
@@ -112,6 +113,7 @@ void Resources::openViews(const MeshoptViews& compressed, const Limits& limits) 
     if (!fits(buffer.size(), compressed[i]->byteOffset, 1, 0, compressed[i]->byteLength)) {
       fail("E_MESHOPT", "the compressed data reaches past the end of its buffer", compressed[i]->where);
     }
+    loans_.push_back(memory.lend(view.byteLength, compressed[i]->where));
     owned_.push_back(
         decoder.decode(*compressed[i], buffer.subspan(compressed[i]->byteOffset, compressed[i]->byteLength)));
     views_.push_back(owned_.back());

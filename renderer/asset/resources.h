@@ -8,6 +8,7 @@
 #include "asset/document.h"
 #include "asset/files.h"
 #include "asset/meshopt.h"
+#include "core/memory_budget.h"
 
 namespace telar::asset {
 
@@ -21,7 +22,7 @@ class Resources {
   /// Gets every buffer's bytes, cut to its byteLength, checks every buffer view against them, and decompresses those of
   /// meshopt. A fallback buffer is only read where a view that is not compressed needs it.
   /// @throws Error{E_BUFFER, E_BUFFERVIEW, E_MESHOPT, E_URI_*, L_*, X_CANCELLED}
-  void loadBuffers(const Limits& limits);
+  void loadBuffers(const Limits& limits, MemoryBudget& memory);
 
   std::span<const std::byte> view(int bufferView) const;
 
@@ -38,9 +39,9 @@ class Resources {
   using MeshoptViews = std::vector<std::optional<MeshoptView>>;
 
   std::vector<bool> neededBuffers(const MeshoptViews& compressed) const;
-  std::span<const std::byte> bufferBytes(std::size_t index);
+  std::span<const std::byte> bufferBytes(std::size_t index, MemoryBudget& memory);
   std::string digestOf(const std::string& uri, const std::string& where) const;
-  void openViews(const MeshoptViews& compressed, const Limits& limits);
+  void openViews(const MeshoptViews& compressed, const Limits& limits, MemoryBudget& memory);
 
   const Document& document_;
   const Container& container_;
@@ -48,6 +49,7 @@ class Resources {
   const CancelToken& cancel_;
   mutable std::map<std::string, std::string> digests_;  ///< SHA-256 of the external parts read so far, by URI
   std::vector<std::vector<std::byte>> owned_;
+  std::vector<MemoryBudget::Loan> loans_;  ///< for owned_
   std::vector<std::span<const std::byte>> buffers_;
   std::vector<std::span<const std::byte>> views_;
 };

@@ -19,6 +19,7 @@ namespace telar::gl {
   F(BLENDFUNCSEPARATE, BlendFuncSeparate)                           \
   F(BLITFRAMEBUFFER, BlitFramebuffer)                               \
   F(BUFFERDATA, BufferData)                                         \
+  F(BUFFERSUBDATA, BufferSubData)                                   \
   F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)                 \
   F(CLEAR, Clear)                                                   \
   F(CLEARCOLOR, ClearColor)                                         \

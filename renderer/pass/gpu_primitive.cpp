@@ -40,11 +40,13 @@ GLenum modeOf(Topology topology) {
 
 VertexStreams::VertexStreams(const gl::Context& context, const Primitive& primitive) {
   const gl::Functions& gl = context.gl();
-  std::vector<std::byte> bytes;
+  std::vector<std::span<const std::byte>> streams;
+  std::size_t bytes = 0;
   const auto add = [&](GLuint location, GLint components, const auto& stream) {
     if (stream.empty()) return;
-    attributes_.push_back({location, components, bytes.size()});
-    append(bytes, stream);
+    attributes_.push_back({location, components, bytes});
+    streams.push_back(std::as_bytes(std::span(stream)));
+    bytes += streams.back().size();
   };
   add(POSITION, 3, primitive.positions);
   add(NORMAL, 3, primitive.normals);
@@ -53,7 +55,11 @@ VertexStreams::VertexStreams(const gl::Context& context, const Primitive& primit
   add(UV1, 2, primitive.uvs[1]);
   add(COLOR, 4, primitive.colors);
   gl.BindVertexArray(0);  // an index buffer binds to the vertex array of the moment
-  vertices_ = uploaded(gl, GL_ARRAY_BUFFER, bytes.data(), bytes.size());
+  vertices_ = uploaded(gl, GL_ARRAY_BUFFER, nullptr, bytes);
+  for (std::size_t i = 0; i < streams.size(); ++i) {
+    gl.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(attributes_[i].offset),
+                     static_cast<GLsizeiptr>(streams[i].size()), streams[i].data());
+  }
   const auto& indices = primitive.indices;
   count_ = static_cast<GLsizei>(indices.empty() ? primitive.positions.size() : indices.size());
   if (!indices.empty()) {

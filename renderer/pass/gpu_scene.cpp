@@ -1,8 +1,20 @@
 #include "pass/gpu_scene.h"
 
+#include <algorithm>
+
 #include "pass/texture_upload.h"
 
 namespace telar::pass {
+namespace {
+
+/// RGBA16F or RGBA8; all mip levels are a third as large as the first.
+std::uint64_t bytesOf(DerivedTexture::Kind kind, std::uint64_t texels) {
+  const std::uint64_t first = texels * (kind == DerivedTexture::Kind::kNormalVariance ? 8 : 4);
+  return first + first / 3;
+}
+constexpr std::uint64_t MOMENT_BYTES = 5;  ///< a texel of the source, while its first levels are made in RGBA32F
+
+}  // namespace
 
 GpuScene::GpuScene(const gl::Context& context, const std::shared_ptr<const Scene>& scene, GpuScene* model)
     : context_(context), scene_(scene), model_(model) {
@@ -57,6 +69,19 @@ GLuint GpuScene::derived(const DerivedTexture& key, const std::function<gl::Text
   const auto found = derived_.find(key);
   if (found != derived_.end()) return found->second.get();
   return derived_.emplace(key, make()).first->second.get();
+}
+
+std::uint64_t GpuScene::derivedBytes(const Scene& scene, std::set<DerivedTexture> wanted) const {
+  if (model_) return model_->derivedBytes(scene, std::move(wanted));
+  std::uint64_t bytes = 0, largest = 0;
+  for (const auto& made : derived_) wanted.insert(made.first);
+  for (const DerivedTexture& key : wanted) {
+    const Image8& image = scene.images[static_cast<std::size_t>(key.image)];
+    const std::uint64_t texels = std::uint64_t{image.width} * image.height;
+    bytes += bytesOf(key.kind, texels);
+    largest = std::max(largest, texels);
+  }
+  return bytes + largest * MOMENT_BYTES;
 }
 
 GLuint GpuScene::sampler(const Sampler& wanted) {

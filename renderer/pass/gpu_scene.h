@@ -36,6 +36,8 @@ class GpuScene {
   GLuint texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel);
   /// The same for a texture that is made of another one, once for each key.
   GLuint derived(const DerivedTexture& key, const std::function<gl::Texture()>& make);
+  /// What the textures that derived() has made take, and these with them.
+  std::uint64_t derivedBytes(const Scene& scene, std::set<DerivedTexture> wanted) const;
   GLuint sampler(const Sampler& sampler);
   bool expired() const { return scene_.expired(); }
   bool isPoseOf(const Scene& model) const;

@@ -8,7 +8,6 @@
 #include "ibl/dfg.h"
 #include "pass/sample_passes.h"
 #include "pass/shadow_pass.h"
-#include "pass/texture_slots.h"
 #include "pass/world_origin.h"
 #include "shader/library.h"
 
@@ -46,9 +45,6 @@ glm::vec2 normalScaleOf(float scale, const DrawItem& item) {
   const glm::vec2 signs(1, item.primitive->tangents.empty() && !item.instances() ? -1 : 1);
   return signs * (item.key.flipSided ? -scale : scale);
 }
-
-/// The alpha of its texture from which on a material with holes is there.
-float textureCutoff(const Material& m) { return m.baseColorFactor.a > 0 ? m.alphaCutoff / m.baseColorFactor.a : 2.0f; }
 
 bool hasLayers(const shader::VariantKey& key) {
   return key.specular || key.clearcoat || key.sheen || key.anisotropy || key.iridescence || key.diffuseRoughness ||
@@ -174,7 +170,7 @@ ibl::EnvironmentUses environmentUses(const FramePlan& plan, const Shot& shot) {
 }
 
 SurfacePass::SurfacePass(const gl::Context& context, Limits limits)
-    : context_(context), limits_(limits), dfg_(ibl::createDfgTexture(context.gl())), baker_(context) {}
+    : context_(context), limits_(limits), dfg_(ibl::createDfgTexture(context.gl())), textures_(context, limits) {}
 
 GLuint SurfacePass::firstShadowUnit() { return UNIT_COUNT; }
 
@@ -197,36 +193,13 @@ int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
 }
 
 void SurfacePass::upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
+  textures_.upload(plan, scene, gpu, cancel);
   for (const auto* list : plan.draws.shown()) {
     for (const DrawItem& item : *list) {
       cancel.check();
       gpu.primitive(*item.primitive, item.instances());
-      for (const TextureSlot& slot : TEXTURE_SLOTS) {
-        const TextureRef& texture = slot.texture(*item.material);
-        if (item.key.*slot.map && texture) textureOf(item, slot, scene, gpu, cancel);
-      }
     }
   }
-}
-
-GLuint SurfacePass::textureOf(const DrawItem& item, const TextureSlot& slot, const Scene& scene, GpuScene& gpu,
-                              const CancelToken& cancel) {
-  using Key = shader::VariantKey;
-  const int index = slot.texture(*item.material).image;
-  const GLuint plain = gpu.texture(scene, index, slot.srgb, cancel);
-  const Image8& image = scene.images[static_cast<std::size_t>(index)];
-  const auto width = static_cast<int>(image.width), height = static_cast<int>(image.height);
-  const bool srgb = decodesSrgb(image.coding, slot.srgb);
-  if (item.key.normalVariance && (slot.map == &Key::normalMap || slot.map == &Key::clearcoatNormalMap)) {
-    return gpu.derived({DerivedTexture::Kind::kNormalVariance, index, srgb},
-                       [&] { return baker_.normalVariance(plain, width, height, cancel); });
-  }
-  if (item.key.alphaToCoverage && slot.map == &Key::baseColorMap) {
-    const float cutoff = textureCutoff(*item.material);
-    return gpu.derived({DerivedTexture::Kind::kCoverage, index, srgb, cutoff},
-                       [&] { return baker_.coverage(plain, srgb, width, height, cutoff, cancel); });
-  }
-  return plain;
 }
 
 const SurfacePass::StandIns& SurfacePass::standIns() {
@@ -281,7 +254,7 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
     program.set(slot.uvTransform, texture.uvTransform);
     gl.ActiveTexture(GL_TEXTURE0 + unit);
     if (texture) {
-      gl.BindTexture(GL_TEXTURE_2D, textureOf(item, slot, in.scene, in.gpu, in.cancel));
+      gl.BindTexture(GL_TEXTURE_2D, textures_.texture(item, slot, in.scene, in.gpu, in.cancel));
       gl.BindSampler(unit, in.gpu.sampler(texture.sampler));
     } else {
       const bool normal = slot.map == &shader::VariantKey::normalMap;

@@ -5,10 +5,8 @@
 #include "gl/program.h"
 #include "ibl/environment_cache.h"
 #include "pass/draw_list.h"
-#include "pass/gpu_scene.h"
 #include "pass/ltc.h"
-#include "pass/texture_bake.h"
-#include "pass/texture_slots.h"
+#include "pass/surface_textures.h"
 #include "pass/transmission_target.h"
 
 namespace telar::pass {
@@ -37,7 +35,7 @@ class SurfacePass {
   /// Compiles what the plan needs and does not have yet; returns how many programs that were. @throws Error{X_SHADER,
   /// L_PROGRAMS}
   int prepare(const FramePlan& plan, const CancelToken& cancel);
-  /// Uploads the plan's primitives and textures that are not on the GPU yet.
+  /// Uploads the plan's textures and primitives that are not on the GPU yet. @throws Error{L_MEMORY_BYTES, X_GL*}
   void upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);
   /// Unit of the first shadow map, after the units that the pass itself uses.
   static GLuint firstShadowUnit();
@@ -52,9 +50,6 @@ class SurfacePass {
   const StandIns& standIns();
   void bindShared(const SurfaceInputs& in, bool transmission);
   void drawItem(const DrawItem& item, const SurfaceInputs& in);
-  /// The GL texture that a program samples for one of the material's.
-  GLuint textureOf(const DrawItem& item, const TextureSlot& slot, const Scene& scene, GpuScene& gpu,
-                   const CancelToken& cancel);
   const gl::Program& useProgram(const shader::VariantKey& key, const SurfaceInputs& in);
   void bindMaterial(const gl::Program& program, const DrawItem& item, const SurfaceInputs& in);
 
@@ -62,7 +57,7 @@ class SurfacePass {
   Limits limits_;
   gl::Texture dfg_;
   LtcTextures ltc_;
-  TextureBaker baker_;
+  SurfaceTextures textures_;
   std::optional<StandIns> standIns_;
   std::map<shader::VariantKey, gl::Program> programs_;
   const gl::Program* current_ = nullptr;  // program whose frame uniforms are set

@@ -6,6 +6,7 @@ import { fileURLToPath } from 'node:url';
 import { PNG_MAGIC, addView, chunk, container, floats, glb, gltf, padded, png, pngChunk, pngHeader, quad, u32, ushorts } from './glb.mjs';
 import { decoderCases } from './decoder_cases.mjs';
 import { fabricCases } from './fabric_cases.mjs';
+import { memoryCases } from './memory_cases.mjs';
 import { motionCases } from './motion_cases.mjs';
 import { deflateSync } from './png_parts.mjs';
 
@@ -274,7 +275,7 @@ export const makeCases = () => {
   return [
     { name: 'good.glb', bytes: good, code: '' },
     { name: 'good.gltf', bytes: gltf(quad()), code: '' },
-    ...containerCases(good), ...jsonCases(), ...bufferCases(), ...graphCases(), ...imageCases(), ...materialCases(), ...motionCases(), ...fabricCases(changed), ...uriCases(), ...decoderCases(),
+    ...containerCases(good), ...jsonCases(), ...bufferCases(), ...graphCases(), ...imageCases(), ...materialCases(), ...memoryCases(), ...motionCases(), ...fabricCases(changed), ...uriCases(), ...decoderCases(),
   ];
 };
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -105,7 +106,7 @@ struct Primitive {
   bool colorsHaveAlpha = false;
   std::vector<std::uint32_t> indices;          ///< empty = draw vertices in order; every index < positions.size()
   int material = -1;                           ///< -1 = glTF's default material
-  std::vector<int> variantMaterials;           ///< by variant index; -1 = no mapping (keep `material`)
+  std::map<int, int> variantMaterials;         ///< by variant index; a variant that is not here keeps `material`
   Bounds bounds;                               ///< of positions, in mesh space
   std::optional<glm::dvec3> center;            ///< that draws are sorted by, mesh space; none = of the bounds
   std::shared_ptr<const Deformers> deformers;  ///< null = its vertices stand still in mesh space
@@ -176,6 +177,7 @@ struct Scene {
   std::uint64_t vertexCount = 0, triangleCount = 0, drawCount = 0;  ///< over all draws
   std::uint64_t fileBytes = 0;
   std::string sha256;                    ///< of the file and the parts that it names, hashModel()
+  std::uint64_t memoryBytes = 0;         ///< of what is here and of its copies on the GPU, see Limits::memoryBytes
   std::size_t fileWarnings = 0;          ///< so many of `warnings` are the file's; those of the pose follow
   std::size_t fileMaterials = 0;         ///< so many of `materials` are the file's; those with presets follow
   std::size_t fileMeshes = 0;            ///< so many of `meshes` are the file's; deformed ones follow

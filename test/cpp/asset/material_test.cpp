@@ -150,7 +150,7 @@ TEST_F(MaterialTest, VariantsMapMaterialsAndReachTheirImages) {
   primitive["extensions"]["KHR_materials_variants"]["mappings"] = {{{"material", 1}, {"variants", {1}}}};
   read();
   EXPECT_EQ(scene->variants, (std::vector<std::string>{"blue", "red"}));
-  EXPECT_EQ(scene->meshes[0].primitives[0].variantMaterials, (std::vector<int>{-1, 1}));
+  EXPECT_EQ(scene->meshes[0].primitives[0].variantMaterials, (std::map<int, int>{{1, 1}}));
   EXPECT_EQ(scene->images[0].width, 1u);
   primitive["extensions"]["KHR_materials_variants"]["mappings"] = {{{"material", 1}, {"variants", {2}}}};
   EXPECT_EQ(errorOf(model), "E_REF at /meshes/0/primitives/0/extensions/KHR_materials_variants/mappings/0/variants/0");

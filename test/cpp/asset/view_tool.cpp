@@ -19,7 +19,8 @@ int main(int argc, char** argv) {
     const Container container = openContainer(std::as_bytes(std::span(file)), limits, warnings);
     const Document document = readDocument(container, limits, cancel, warnings);
     Resources resources(document, container, nullptr, cancel);
-    resources.loadBuffers(limits);
+    telar::MemoryBudget memory(limits.memoryBytes);
+    resources.loadBuffers(limits, memory);
     for (std::size_t i = 0; i < document.model.bufferViews.size(); ++i) {
       const auto bytes = resources.view(static_cast<int>(i));
       std::fwrite(bytes.data(), 1, bytes.size(), stdout);

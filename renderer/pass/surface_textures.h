@@ -1,0 +1,30 @@
+#pragma once
+#include "pass/draw_list.h"
+#include "pass/gpu_scene.h"
+#include "pass/texture_bake.h"
+#include "pass/texture_slots.h"
+#include "telar/limits.h"
+
+namespace telar::pass {
+
+/// The textures that surfaces sample: uploaded, or made of what was uploaded.
+class SurfaceTextures {
+ public:
+  SurfaceTextures(const gl::Context& context, const Limits& limits)
+      : memoryBytes_(limits.memoryBytes), baker_(context) {}
+
+  /// All that the plan's draws sample. @throws Error{L_MEMORY_BYTES, X_GL, X_GL_MEMORY, X_CANCELLED}
+  void upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);
+
+  /// The texture of a slot that the item's material fills; made now if it is not there yet.
+  GLuint texture(const DrawItem& item, const TextureSlot& slot, const Scene& scene, GpuScene& gpu,
+                 const CancelToken& cancel);
+
+ private:
+  void checkMemory(const FramePlan& plan, const Scene& scene, const GpuScene& gpu) const;
+
+  std::uint64_t memoryBytes_;
+  TextureBaker baker_;
+};
+
+}  // namespace telar::pass
