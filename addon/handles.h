@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "convert.h"
+#include "freed_memory.h"
 #include "gl_thread.h"
 #include "job.h"
 #include "telar/cancel.h"
@@ -84,6 +85,7 @@ class RendererHandle : public Napi::ObjectWrap<RendererHandle> {
 
   std::shared_ptr<GlThread> thread_;
   RendererOptions options_;
+  std::shared_ptr<FreedMemory> freed_ = std::make_shared<FreedMemory>();  ///< touched by the thread only
   bool closing_ = false;
 };
 

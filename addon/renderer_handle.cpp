@@ -37,7 +37,7 @@ struct Render {
   }
 };
 
-void draw(Render& render, Renderer& renderer, const CancelToken& cancel) {
+void draw(Render& render, Renderer& renderer, FreedMemory& freed, const CancelToken& cancel) {
   render.queueMs = render.lap();
   const Shot shot = parseShot(render.shotJson);
   render.output = shot.output;
@@ -56,7 +56,9 @@ void draw(Render& render, Renderer& renderer, const CancelToken& cancel) {
     throw;
   }
   if (render.releaseScene) renderer.release(*render.scene);
+  const std::uint64_t bytes = render.releaseScene ? render.scene->memoryBytes : 0;
   render.scene.reset();
+  freed.add(bytes);
   render.drawMs = render.lap();
 }
 
@@ -134,26 +136,31 @@ Napi::Value RendererHandle::render(const Napi::CallbackInfo& info) {
   render->progress = token.progress;
   auto job = std::make_shared<Job>(token.token);
   State& state = State::of(env);
-  return run(env, job, [render, job, mailbox = state.mailbox(), pool = state.pool()](Renderer& renderer) {
-    draw(*render, renderer, job->cancel);
-    // First in line: a drawn frame is memory that waits.
-    pool->postFirst([render, job, mailbox] {
-      mailbox->perform(job, [&] {
-        encodeInto(*render, job->cancel);
-        job->value = [render](Napi::Env to) { return toJs(to, *render); };
-        return true;
-      });
-    });
-    return false;
-  });
+  return run(env, job,
+             [render, job, mailbox = state.mailbox(), pool = state.pool(), freed = freed_](Renderer& renderer) {
+               draw(*render, renderer, *freed, job->cancel);
+               // First in line: a drawn frame is memory that waits.
+               pool->postFirst([render, job, mailbox] {
+                 mailbox->perform(job, [&] {
+                   encodeInto(*render, job->cancel);
+                   job->value = [render](Napi::Env to) { return toJs(to, *render); };
+                   return true;
+                 });
+               });
+               return false;
+             });
 }
 
 /// release(scene, forget: boolean): frees the GPU copies of a model; forget: it is not drawn again, free all of it.
 Napi::Value RendererHandle::release(const Napi::CallbackInfo& info) {
   auto job = std::make_shared<Job>(CancelToken());
   SceneHandle& handle = unwrap<SceneHandle>(info[0]);
-  return run(info.Env(), job, [scene = info[1].ToBoolean() ? handle.detach() : handle.scene()](Renderer& renderer) {
+  auto scene = info[1].ToBoolean() ? handle.detach() : handle.scene();
+  return run(info.Env(), job, [scene = std::move(scene), freed = freed_](Renderer& renderer) mutable {
     renderer.release(*scene);
+    const std::uint64_t bytes = scene->memoryBytes;
+    scene.reset();
+    freed->add(bytes);
     return true;
   });
 }
@@ -174,8 +181,9 @@ Napi::Value RendererHandle::close(const Napi::CallbackInfo& info) {
   const std::shared_ptr<Mailbox> mailbox = State::of(env).mailbox();
   const Napi::Value promise = mailbox->begin(env, job);
   closing_ = true;
-  const bool taken = thread_->finish([mailbox, job](std::unique_ptr<Renderer>& renderer) {
+  const bool taken = thread_->finish([mailbox, job, freed = freed_](std::unique_ptr<Renderer>& renderer) {
     renderer.reset();
+    freed->giveBack();
     mailbox->deliver(job);
   });
   if (!taken) mailbox->deliver(job);
