@@ -42,6 +42,7 @@ constexpr std::array LIMIT_FIELDS{
     LimitField{"L_TEXTURE_UNITS", &Limits::textureUnits},
     LimitField{"L_ENVIRONMENT_PIXELS", &Limits::environmentPixels},
     LimitField{"L_PROGRAMS", &Limits::programs},
+    LimitField{"L_FRAGMENTS", &Limits::fragments},
 };
 static_assert(sizeof(Limits) == LIMIT_FIELDS.size() * sizeof(std::uint64_t), "each limit has its row");
 

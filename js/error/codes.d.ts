@@ -74,6 +74,7 @@ export type ErrorCode =
   | 'L_TEXTURE_UNITS'
   | 'L_ENVIRONMENT_PIXELS'
   | 'L_PROGRAMS'
+  | 'L_FRAGMENTS'
   | 'L_INSTANCES'
   | 'L_KEYFRAME_VALUES'
   | 'L_MORPH_TARGETS'

@@ -114,6 +114,7 @@ const ROWS = {
     L_TEXTURE_UNITS: ['A material has too many textures for the lights that cast shadows', 'Let fewer lights cast shadows: each takes one of the 16 textures of a WebGL 2 program.'],
     L_ENVIRONMENT_PIXELS: ['The environment has too many pixels', RAISE],
     L_PROGRAMS: ['The scene needs too many shader programs', RAISE],
+    L_FRAGMENTS: ['Too much is drawn over one another', 'Reduce what the model stacks, or the size of the picture; or raise this limit for files that you trust.'],
     L_INSTANCES: ['Too many instances', RAISE],
     L_KEYFRAME_VALUES: ['The animations have too many keyframes', RAISE],
     L_MORPH_TARGETS: ['Too many morph targets', RAISE],

@@ -177,13 +177,13 @@ json describeCameras(const Scene& scene) {
 
 }  // namespace
 
-std::string describeScene(const Scene& scene) {
+std::string describeScene(const Scene& scene, const CancelToken& cancel) {
   const bool empty = scene.bounds.empty();
   json out;
   out["name"] = scene.name;
   out["bounds"] = empty ? json(nullptr) : json{{"min", list(scene.bounds.min)}, {"max", list(scene.bounds.max)}};
   out["outline"] = json::array();
-  for (const glm::dvec3& point : asset::outlineOf(scene)) out["outline"].push_back(list(point));
+  for (const glm::dvec3& point : asset::outlineOf(scene, cancel)) out["outline"].push_back(list(point));
   out["size"] = empty ? json{0, 0, 0} : list(scene.bounds.max - scene.bounds.min);
   out["nodes"] = scene.nodes.size();
   out["meshes"] = scene.fileMeshes;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "asset/topology.h"
+#include "telar/cancel.h"
 #include "telar/scene.h"
 
 namespace telar::asset {
@@ -15,6 +16,9 @@ constexpr std::size_t INSTANCED_VERTICES_MAX = std::size_t{1} << 20;
 /// The points, in world space, that bound what a scene draws: each drawn vertex, in each of its places.
 class DrawnPoints {
  public:
+  /// @param cancel  outlives it
+  explicit DrawnPoints(const CancelToken& cancel) : cancel_(cancel) {}
+
   template <typename Visit>
   void visit(const Node& node, const Primitive& primitive, const Visit& visit) {
     const auto& used = usedOf(primitive);
@@ -28,16 +32,25 @@ class DrawnPoints {
   }
 
  private:
+  void look() {
+    constexpr std::size_t POINTS_PER_CANCEL_CHECK = 1 << 16;
+    if (++seen_ % POINTS_PER_CANCEL_CHECK == 0) cancel_.check();
+  }
+
   template <typename Visit>
-  static void visitVertices(const Primitive& primitive, const std::vector<std::uint32_t>& used, const glm::dmat4& world,
-                            const Visit& visit) {
-    const auto add = [&](const glm::vec3& p) { visit(glm::dvec3(world * glm::dvec4(glm::dvec3(p), 1.0))); };
+  void visitVertices(const Primitive& primitive, const std::vector<std::uint32_t>& used, const glm::dmat4& world,
+                     const Visit& visit) {
+    const auto add = [&](const glm::vec3& p) {
+      look();
+      visit(glm::dvec3(world * glm::dvec4(glm::dvec3(p), 1.0)));
+    };
     if (used.empty()) std::for_each(primitive.positions.begin(), primitive.positions.end(), add);
     for (const std::uint32_t index : used) add(primitive.positions[index]);
   }
 
   template <typename Visit>
-  static void visitCorners(const Bounds& bounds, const glm::dmat4& world, const Visit& visit) {
+  void visitCorners(const Bounds& bounds, const glm::dmat4& world, const Visit& visit) {
+    look();
     if (bounds.empty()) return;
     for (int corner = 0; corner < 8; ++corner) {
       glm::dvec4 p(bounds.min, 1.0);
@@ -53,6 +66,8 @@ class DrawnPoints {
     return used_.emplace(&primitive, usedVertices(primitive.positions.size(), primitive.indices)).first->second;
   }
 
+  const CancelToken& cancel_;
+  std::size_t seen_ = 0;
   std::map<const Primitive*, std::vector<std::uint32_t>> used_;
 };
 

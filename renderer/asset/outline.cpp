@@ -53,9 +53,9 @@ std::vector<glm::dvec3> Outline::points() const {
   return out;
 }
 
-std::vector<glm::dvec3> outlineOf(const Scene& scene) {
+std::vector<glm::dvec3> outlineOf(const Scene& scene, const CancelToken& cancel) {
   Outline outline;
-  DrawnPoints points;
+  DrawnPoints points(cancel);
   for (const Node& node : scene.nodes) {
     if (node.mesh < 0) continue;
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {

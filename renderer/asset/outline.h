@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "telar/cancel.h"
 #include "telar/scene.h"
 
 namespace telar::asset {
@@ -25,6 +26,6 @@ class Outline {
 };
 
 /// Of the drawn vertices in world space. Empty for a scene that draws nothing.
-std::vector<glm::dvec3> outlineOf(const Scene& scene);
+std::vector<glm::dvec3> outlineOf(const Scene& scene, const CancelToken& cancel);
 
 }  // namespace telar::asset

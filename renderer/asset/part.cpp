@@ -22,7 +22,8 @@ bool isMeant(const PartQuery& query, int index, const std::string& name) {
 
 class PartMeasure {
  public:
-  PartMeasure(const Scene& scene, const PartQuery& query) : scene_(scene), query_(query) {
+  PartMeasure(const Scene& scene, const PartQuery& query, const CancelToken& cancel)
+      : scene_(scene), query_(query), points_(cancel) {
     const auto variant = std::find(scene.variants.begin(), scene.variants.end(), query.variant);
     if (variant != scene.variants.end()) variant_ = static_cast<int>(variant - scene.variants.begin());
   }
@@ -108,7 +109,7 @@ class PartMeasure {
 }  // namespace
 
 std::string describePart(const Scene& scene, const PartQuery& query, const CancelToken& cancel) {
-  PartMeasure measure(scene, query);
+  PartMeasure measure(scene, query, cancel);
   measure.run(cancel);
   return measure.describe();
 }

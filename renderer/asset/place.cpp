@@ -24,7 +24,7 @@ bool isDrawable(const Bounds& bounds) {
 class Placer {
  public:
   Placer(Scene& scene, Warnings& warnings, const CancelToken& cancel)
-      : scene_(scene), warnings_(warnings), cancel_(cancel) {
+      : scene_(scene), warnings_(warnings), cancel_(cancel), points_(cancel) {
     if (scene.motion) joints_.resize(scene.motion->skins.size());
   }
 

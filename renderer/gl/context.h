@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gl/functions.h"
+#include "gl/pacer.h"
 #include "telar/renderer.h"
 
 namespace telar::gl {
@@ -44,6 +45,8 @@ class Context {
   virtual ~Context() = default;
 
   const Functions& gl() const { return functions_; }
+  /// Counts what this context has to do.
+  Pacer& pacer() const { return pacer_; }
   const Capabilities& capabilities() const { return capabilities_; }
   Backend backend() const { return backend_; }
   const std::string& vendor() const { return vendor_; }
@@ -65,6 +68,7 @@ class Context {
   std::string takeDebugMessages() const;
 
   Functions functions_;
+  mutable Pacer pacer_{functions_};
   Capabilities capabilities_;
   Backend backend_ = Backend::kAuto;
   std::string vendor_, renderer_, version_;

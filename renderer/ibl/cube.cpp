@@ -37,8 +37,9 @@ CubeMap createCube(const gl::Functions& gl, int faceSize, int levels) {
   return cube;
 }
 
-void renderFaces(const gl::Functions& gl, const gl::Program& program, const CubeMap& target, int level,
-                 const CancelToken& cancel) {
+void renderFaces(const gl::Context& context, const gl::Program& program, gl::DrawCost& cost, const CubeMap& target,
+                 int level, const CancelToken& cancel) {
+  const gl::Functions& gl = context.gl();
   const gl::Framebuffer framebuffer(gl);
   const gl::VertexArray noVertices(gl);
   const int size = target.faceSize >> level;
@@ -54,8 +55,9 @@ void renderFaces(const gl::Functions& gl, const gl::Program& program, const Cube
     program.set("faceCentre", FACES[i].centre);
     program.set("faceRight", FACES[i].right);
     program.set("faceUp", FACES[i].up);
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl.Finish();  // a long pass in pieces, so that a cancelled job stops soon
+    const gl::Pacer::Rectangle face{0, 0, size, size};
+    context.pacer().draw(cost, face.area(), face, [&gl] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
+    context.pacer().finish();
   }
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
@@ -91,7 +93,8 @@ CubeMap equirectToCube(const gl::Context& context, const gl::Texture& equirect, 
   program.set("equirectMap", 0);
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_2D, equirect.get());
-  renderFaces(gl, program, cube, 0, cancel);
+  gl::DrawCost cost;
+  renderFaces(context, program, cost, cube, 0, cancel);
   return cube;
 }
 

@@ -21,8 +21,8 @@ CubeMap createCube(const gl::Functions& gl, int faceSize, int levels);
 
 /// Runs a fragment program over the six faces of one level. The program is in use and its uniforms are set; it reads
 /// vDirection of environment/cube_face.vert.
-void renderFaces(const gl::Functions& gl, const gl::Program& program, const CubeMap& target, int level,
-                 const CancelToken& cancel);
+void renderFaces(const gl::Context& context, const gl::Program& program, gl::DrawCost& cost, const CubeMap& target,
+                 int level, const CancelToken& cancel);
 
 /// An equirectangular map as an RGBA16F texture, bilinear, clamped: row 0 of the image (+Y) is at v = 1. What is more
 /// than 65504 becomes so much.

@@ -49,6 +49,7 @@ CubeMap prefilterEquirect(const gl::Context& context, const ImageF& map, const C
                            shader::assemble("environment/prefilter_sample.frag", {{"SAMPLES", SAMPLES}}));
   const gl::Program integrate(context, "prefilter_integrate", vertex,
                               shader::assemble("environment/prefilter_integrate.frag", {}));
+  gl::DrawCost sampleCost(SAMPLES / 32.0), integrateCost(INTEGRATION_SIZE * INTEGRATION_SIZE * 6 / 32.0);
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, source.texture.get());
   for (int level = 0; level <= maxLod; ++level) {
@@ -61,7 +62,7 @@ CubeMap prefilterEquirect(const gl::Context& context, const ImageF& map, const C
     program.set("lodBias", static_cast<float>(lodBias(faceSize, roughness)));
     program.set("sourceLod", static_cast<float>(std::log2(faceSize / INTEGRATION_SIZE)));
     program.set("sourceSize", INTEGRATION_SIZE);
-    renderFaces(gl, program, target, level, cancel);
+    renderFaces(context, program, rough ? integrateCost : sampleCost, target, level, cancel);
   }
   context.check("environment prefilter");
   return target;

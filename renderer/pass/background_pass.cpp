@@ -71,7 +71,8 @@ void BackgroundPass::draw(const Camera& camera, const Shot& shot, const ibl::Env
   for (const GLenum capability : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE}) gl.Disable(capability);
   gl.DepthMask(GL_FALSE);
   gl.BindVertexArray(cube_.get());
-  gl.DrawArrays(GL_TRIANGLES, 0, VERTICES);
+  const gl::Pacer::Rectangle target{0, 0, shot.width, shot.height};
+  context_.pacer().draw(cost_, target.area(), target, [&gl] { gl.DrawArrays(GL_TRIANGLES, 0, VERTICES); });
   gl.BindVertexArray(0);
   gl.DepthMask(GL_TRUE);
   context_.check("background pass");

@@ -21,6 +21,7 @@ class BackgroundPass {
   const gl::Context& context_;
   using Key = std::tuple<shader::ToneMapping, bool, bool>;  // linear output, blurred
   std::map<Key, gl::Program> programs_;
+  gl::DrawCost cost_;
   gl::VertexArray cube_;
   gl::Buffer corners_;
 };

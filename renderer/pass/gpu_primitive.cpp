@@ -1,5 +1,7 @@
 #include "pass/gpu_primitive.h"
 
+#include <numeric>
+
 namespace telar::pass {
 namespace {
 
@@ -20,16 +22,13 @@ gl::Buffer uploaded(const gl::Functions& gl, GLenum target, const void* data, st
   return buffer;
 }
 
-}  // namespace
-
 GLenum modeOf(Topology topology) {
   switch (topology) {
     case Topology::kPoints:
       return GL_POINTS;
     case Topology::kLines:
       return GL_LINES;
-    case Topology::kLineLoop:
-      return GL_LINE_LOOP;
+    case Topology::kLineLoop:  // with its first vertex again as the last
     case Topology::kLineStrip:
       return GL_LINE_STRIP;
     case Topology::kTriangles:
@@ -38,7 +37,22 @@ GLenum modeOf(Topology topology) {
   return GL_TRIANGLES;
 }
 
-VertexStreams::VertexStreams(const gl::Context& context, const Primitive& primitive) {
+/// Empty = the vertices in their order. A part of a strip can be drawn alone, a part of a loop cannot: it becomes a
+/// strip that ends where it began.
+std::vector<std::uint32_t> loopIndices(const Primitive& primitive) {
+  std::vector<std::uint32_t> indices = primitive.indices;
+  if (indices.empty()) {
+    indices.resize(primitive.positions.size());
+    std::iota(indices.begin(), indices.end(), 0u);
+  }
+  indices.push_back(indices.front());
+  return indices;
+}
+
+}  // namespace
+
+VertexStreams::VertexStreams(const gl::Context& context, const Primitive& primitive)
+    : mode_(modeOf(primitive.topology)) {
   const gl::Functions& gl = context.gl();
   std::vector<std::span<const std::byte>> streams;
   std::size_t bytes = 0;
@@ -60,7 +74,9 @@ VertexStreams::VertexStreams(const gl::Context& context, const Primitive& primit
     gl.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(attributes_[i].offset),
                      static_cast<GLsizeiptr>(streams[i].size()), streams[i].data());
   }
-  const auto& indices = primitive.indices;
+  const bool loop = primitive.topology == Topology::kLineLoop && !primitive.positions.empty();
+  const std::vector<std::uint32_t> closed = loop ? loopIndices(primitive) : std::vector<std::uint32_t>();
+  const auto& indices = loop ? closed : primitive.indices;
   count_ = static_cast<GLsizei>(indices.empty() ? primitive.positions.size() : indices.size());
   if (!indices.empty()) {
     indices_ = uploaded(gl, GL_ELEMENT_ARRAY_BUFFER, indices.data(), indices.size() * sizeof(std::uint32_t));
@@ -86,7 +102,8 @@ InstanceStreams::InstanceStreams(const gl::Context& context, const Instances& in
   context.check("instance upload");
 }
 
-void InstanceStreams::attach(const gl::Functions& gl) const {
+void InstanceStreams::attach(const gl::Functions& gl, GLsizei first) const {
+  const auto skipped = static_cast<std::size_t>(first);
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.get());
   const auto add = [&](GLuint location, GLint components, std::size_t stride, std::size_t offset) {
     gl.EnableVertexAttribArray(location);
@@ -94,21 +111,27 @@ void InstanceStreams::attach(const gl::Functions& gl) const {
     gl.VertexAttribDivisor(location, 1);
   };
   for (GLuint column = 0; column < MATRIX_COLUMNS; ++column) {
-    add(INSTANCE_MATRIX + column, 4, sizeof(glm::mat4), column * sizeof(glm::vec4));
+    add(INSTANCE_MATRIX + column, 4, sizeof(glm::mat4), skipped * sizeof(glm::mat4) + column * sizeof(glm::vec4));
   }
   if (colored_) {
-    add(INSTANCE_COLOR, 3, sizeof(glm::vec3), static_cast<std::size_t>(count_) * sizeof(glm::mat4));
+    add(INSTANCE_COLOR, 3, sizeof(glm::vec3),
+        static_cast<std::size_t>(count_) * sizeof(glm::mat4) + skipped * sizeof(glm::vec3));
   }
 }
 
-void GpuPrimitive::draw(const gl::Functions& gl) const {
+void GpuPrimitive::draw(const gl::Functions& gl, GLint first, GLsizei number, GLsizei firstInstance,
+                        GLsizei drawn) const {
   gl.BindVertexArray(vertexArray.get());
-  if (instances > 0) {
-    indexed ? gl.DrawElementsInstanced(mode, count, GL_UNSIGNED_INT, nullptr, instances)
-            : gl.DrawArraysInstanced(mode, 0, count, instances);
-  } else {
-    indexed ? gl.DrawElements(mode, count, GL_UNSIGNED_INT, nullptr) : gl.DrawArrays(mode, 0, count);
+  const void* indices = offsetOf(static_cast<std::size_t>(first) * sizeof(std::uint32_t));
+  if (!instances) {
+    indexed ? gl.DrawElements(mode, number, GL_UNSIGNED_INT, indices) : gl.DrawArrays(mode, first, number);
+    return;
   }
+  // OpenGL ES 3.0 cannot begin at an instance.
+  if (firstInstance > 0) instances->attach(gl, firstInstance);
+  indexed ? gl.DrawElementsInstanced(mode, number, GL_UNSIGNED_INT, indices, drawn)
+          : gl.DrawArraysInstanced(mode, first, number, drawn);
+  if (firstInstance > 0) instances->attach(gl);
 }
 
 }  // namespace telar::pass

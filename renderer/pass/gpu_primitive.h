@@ -27,6 +27,7 @@ class VertexStreams {
 
   /// Points the bound vertex array at the streams.
   void attach(const gl::Functions& gl) const;
+  GLenum mode() const { return mode_; }
   GLsizei count() const { return count_; }
   bool indexed() const { return static_cast<bool>(indices_); }
 
@@ -38,6 +39,7 @@ class VertexStreams {
   };
   gl::Buffer vertices_, indices_;
   std::vector<Attribute> attributes_;
+  GLenum mode_ = GL_TRIANGLES;
   GLsizei count_ = 0;  ///< indices, or vertices where there are none
 };
 
@@ -46,8 +48,8 @@ class InstanceStreams {
  public:
   InstanceStreams(const gl::Context& context, const Instances& instances);
 
-  /// Points the bound vertex array at the streams, which advance once an instance.
-  void attach(const gl::Functions& gl) const;
+  /// Points the bound vertex array at the streams from an instance on; they advance once an instance.
+  void attach(const gl::Functions& gl, GLsizei first = 0) const;
   GLsizei count() const { return count_; }
 
  private:
@@ -62,11 +64,12 @@ struct GpuPrimitive {
   GLenum mode = GL_TRIANGLES;
   GLsizei count = 0;  ///< indices, or vertices where there are none
   bool indexed = false;
-  GLsizei instances = 0;  ///< 0 = drawn once, without instance attributes
+  const InstanceStreams* instances = nullptr;  ///< null = drawn once, without instance attributes
 
-  void draw(const gl::Functions& gl) const;
+  /// All of it.
+  void draw(const gl::Functions& gl) const { draw(gl, 0, count, 0, instances ? instances->count() : 0); }
+  /// Indices, or vertices, from `first` on, of `drawn` instances from `firstInstance` on. The vertex array stays bound.
+  void draw(const gl::Functions& gl, GLint first, GLsizei number, GLsizei firstInstance, GLsizei drawn) const;
 };
-
-GLenum modeOf(Topology topology);
 
 }  // namespace telar::pass

@@ -38,16 +38,18 @@ const GpuPrimitive& GpuScene::primitive(const Primitive& primitive, const Instan
   const VertexStreams& streams = streams_.try_emplace(&primitive, context_, primitive).first->second;
   const InstanceStreams* places =
       instances ? &instances_.try_emplace(instances, context_, *instances).first->second : nullptr;
-  GpuPrimitive made{gl::VertexArray(gl), modeOf(primitive.topology), streams.count(), streams.indexed()};
+  GpuPrimitive made{gl::VertexArray(gl), streams.mode(), streams.count(), streams.indexed(), places};
   gl.BindVertexArray(made.vertexArray.get());
   streams.attach(gl);
-  if (places) {
-    places->attach(gl);
-    made.instances = places->count();
-  }
+  if (places) places->attach(gl);
   gl.BindVertexArray(0);
   context_.check("vertex arrays");
   return primitives_.emplace(key, std::move(made)).first->second;
+}
+
+const PartExtents& GpuScene::extents(const Primitive& primitive) {
+  if (model_ && !own_.contains(&primitive)) return model_->extents(primitive);
+  return extents_.try_emplace(&primitive, primitive).first->second;
 }
 
 GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel) {

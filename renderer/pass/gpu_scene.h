@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pass/gpu_primitive.h"
+#include "pass/part_extents.h"
 #include "telar/cancel.h"
 
 namespace telar::pass {
@@ -31,6 +32,8 @@ class GpuScene {
 
   /// @param instances null = drawn once
   const GpuPrimitive& primitive(const Primitive& primitive, const Instances* instances);
+  /// What its parts measure.
+  const PartExtents& extents(const Primitive& primitive);
   /// Uploads once for each way of decoding, with mip levels (texture_upload.h): from sRGB or linear, as the image's
   /// coding and the use as a colour or as data say. @throws Error{E_IMAGE_FORMAT}
   GLuint texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel);
@@ -48,6 +51,7 @@ class GpuScene {
   GpuScene* model_;
   std::set<const Primitive*> own_;  ///< of a pose: the deformed ones
   std::map<const Primitive*, VertexStreams> streams_;
+  std::map<const Primitive*, PartExtents> extents_;
   std::map<const Instances*, InstanceStreams> instances_;
   std::map<std::pair<const Primitive*, const Instances*>, GpuPrimitive> primitives_;
   std::map<std::pair<int, bool>, gl::Texture> textures_;

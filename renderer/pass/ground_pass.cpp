@@ -68,7 +68,8 @@ void GroundPass::draw(const FramePlan& plan, const Shot& shot, GLuint firstUnit)
   gl.BlendEquation(GL_FUNC_ADD);
   gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl.BindVertexArray(rectangle_.get());
-  gl.DrawArrays(GL_TRIANGLES, 0, 6);
+  const gl::Pacer::Rectangle target{0, 0, shot.width, shot.height};
+  context_.pacer().draw(cost_, target.area(), target, [&gl] { gl.DrawArrays(GL_TRIANGLES, 0, 6); });
   gl.BindVertexArray(0);
   gl.DepthMask(GL_TRUE);
   context_.check("ground pass");

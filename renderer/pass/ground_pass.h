@@ -23,6 +23,7 @@ class GroundPass {
 
   const gl::Context& context_;
   std::map<Key, gl::Program> programs_;
+  gl::DrawCost cost_{2};  // of some lights' shadows
   gl::VertexArray rectangle_;
   gl::Buffer corners_;
 };

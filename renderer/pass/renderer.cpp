@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <glm/gtc/type_ptr.hpp>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 #include "ibl/environment_cache.h"
 #include "pass/background_pass.h"
 #include "pass/draw_list.h"
+#include "pass/fragment_estimate.h"
 #include "pass/frame_target.h"
 #include "pass/gpu_scene.h"
 #include "pass/ground_pass.h"
@@ -129,9 +131,12 @@ class GlRenderer final : public Renderer {
   Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& asked, std::span<const std::byte> environmentFile,
              const CancelToken& cancel, FrameInfo& info) override {
     StageTimer timer;
+    context_->pacer().begin(cancel, options_.sliceMs);
     forgetReleasedScenes();
     checkSize(asked);
     FramePlan plan = pass::planDraws(*scene, asked, options_.limits, options_.allFeatures);
+    pass::GpuScene& gpu = gpuSceneOf(scene);
+    checkFragments(plan, asked, gpu, cancel);
     timer.lap("plan");
     const bool wanted = asked.environment.source != Shot::Environment::Source::kNone;
     const ibl::Environment* environment = nullptr;
@@ -148,14 +153,13 @@ class GlRenderer final : public Renderer {
     }
     const Shot& shot = sunlit ? *sunlit : asked;
     timer.lap("environment");
-    pass::GpuScene& gpu = gpuSceneOf(scene);
     surfaces_.upload(plan, *scene, gpu, cancel);
     timer.lap("upload");
     const int compiled = surfaces_.prepare(plan, cancel);
     timer.lap("compile");
     shadows_.draw(plan, *scene, gpu, cancel);
     if (!plan.shadows.empty()) {
-      context_->gl().Finish();
+      context_->pacer().finish();
       timer.lap("shadows");
     }
     shadows_.bind(plan.shadows, pass::SurfacePass::firstShadowUnit());
@@ -196,6 +200,13 @@ class GlRenderer final : public Renderer {
  private:
   void checkSize(const Shot& shot) const {
     checkLimit("L_OUTPUT_SIZE", context_->capabilities().maxTextureSize, std::max(shot.width, shot.height), "");
+  }
+
+  void checkFragments(const FramePlan& plan, const Shot& shot, pass::GpuScene& gpu, const CancelToken& cancel) const {
+    const auto extents = [&gpu](const Primitive& primitive) -> const pass::PartExtents& {
+      return gpu.extents(primitive);
+    };
+    pass::checkFragments(plan, shot, extents, options_.limits, cancel);
   }
 
   void forgetReleasedScenes() {
@@ -243,7 +254,7 @@ class GlRenderer final : public Renderer {
     if (plan.ground && !debug) ground_.draw(plan, shot, pass::SurfacePass::firstShadowUnit());
     writeAlpha(true);
     surfaces_.draw({&plan.draws.blended}, inputs);
-    context_->gl().Finish();
+    context_->pacer().finish();
     timer.lap("draw");
     Frame frame = target.read(opaque);
     if (inputs.samplePass == 0) {
@@ -362,7 +373,10 @@ std::unique_ptr<Renderer> Renderer::create(const RendererOptions& options) {
 std::string planFrame(const Scene& scene, const Shot& shot, const Limits& limits) {
   if (shot.reference)
     return Json{{"features", Json::array()}, {"programs", Json::array()}, {"passes", {"trace"}}}.dump();
-  return describePlan(pass::planDraws(scene, shot, limits, false), shot).dump();
+  const FramePlan plan = pass::planDraws(scene, shot, limits, false);
+  Json json = describePlan(plan, shot);
+  json["fragments"] = std::ceil(pass::fragmentsOf(plan, shot, static_cast<double>(limits.fragments), CancelToken()));
+  return json.dump();
 }
 
 }  // namespace telar

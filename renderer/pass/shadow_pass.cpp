@@ -3,6 +3,7 @@
 #include <string>
 
 #include "gl/incomplete.h"
+#include "pass/sliced_draw.h"
 #include "shader/library.h"
 
 namespace telar::pass {
@@ -22,9 +23,6 @@ bool isMasked(const DrawItem& item) {
   return item.material->alphaMode == AlphaMode::kMask && item.material->alphaCutoff > 0 &&
          item.material->baseColorTexture;
 }
-
-/// Triangles cast, each once: the first of the two draws of a blended double-sided surface is left out.
-bool casts(const DrawItem& item) { return item.primitive->topology == Topology::kTriangles && !item.key.flipSided; }
 
 /// `name[index]`
 std::string element(const char* name, std::size_t index) {
@@ -53,6 +51,10 @@ void uploadKind(const gl::Program& program, const std::string& name, const std::
 }
 
 }  // namespace
+
+bool castsShadow(const DrawItem& item) {
+  return item.primitive->topology == Topology::kTriangles && !item.key.flipSided;
+}
 
 ShadowPass::Target ShadowPass::makeTarget(bool cube, int size) const {
   const gl::Functions& gl = context_.gl();
@@ -92,28 +94,27 @@ void ShadowPass::resize(const ShadowSet& shadows) {
   }
 }
 
-const gl::Program& ShadowPass::program(CasterKey key) {
-  const auto found = programs_.find(key);
-  if (found != programs_.end()) return found->second;
+ShadowPass::Caster& ShadowPass::caster(CasterKey key) {
+  const auto found = casters_.find(key);
+  if (found != casters_.end()) return found->second;
   const shader::Defines defines{{"ALPHA_MASK", key.mask}, {"BASE_COLOR_UV1", key.uv1}, {"INSTANCING", key.instancing}};
-  return programs_
-      .emplace(key, gl::Program(context_, "shadow caster", shader::assemble("shadow/caster.vert", defines),
-                                shader::assemble("shadow/caster.frag", defines)))
-      .first->second;
+  gl::Program program(context_, "shadow caster", shader::assemble("shadow/caster.vert", defines),
+                      shader::assemble("shadow/caster.frag", defines));
+  return casters_.emplace(key, Caster{std::move(program), gl::DrawCost()}).first->second;
 }
 
-void ShadowPass::drawView(const Camera& view, const FramePlan& plan, const Scene& scene, GpuScene& gpu,
+void ShadowPass::drawView(const Camera& view, int mapSize, const FramePlan& plan, const Scene& scene, GpuScene& gpu,
                           const CancelToken& cancel) {
   const gl::Functions& gl = context_.gl();
   const gl::Program* current = nullptr;
   for (const auto* list : plan.draws.shown()) {
     for (const DrawItem& item : *list) {
-      if (!casts(item)) continue;
+      if (!castsShadow(item)) continue;
       cancel.check();
       const Material& material = *item.material;
       const bool masked = isMasked(item);
-      const gl::Program& wanted =
-          program({masked, masked && material.baseColorTexture.texCoord == 1, item.key.instancing});
+      Caster& used = caster({masked, masked && material.baseColorTexture.texCoord == 1, item.key.instancing});
+      const gl::Program& wanted = used.program;
       if (&wanted != current) {
         current = &wanted;
         wanted.use();
@@ -131,7 +132,7 @@ void ShadowPass::drawView(const Camera& view, const FramePlan& plan, const Scene
       material.doubleSided ? gl.Disable(GL_CULL_FACE) : gl.Enable(GL_CULL_FACE);
       // Of one-sided surfaces the far side is drawn: what the light falls on cannot shadow itself then.
       gl.FrontFace(item.mirrored ? GL_CCW : GL_CW);
-      gpu.primitive(*item.primitive, item.instances()).draw(gl);
+      SlicedDraw(context_, used.cost, item, gpu, view.projection * view.view, mapSize, mapSize).run();
     }
   }
 }
@@ -157,7 +158,7 @@ void ShadowPass::draw(const FramePlan& plan, const Scene& scene, GpuScene& gpu, 
       for (std::size_t face = 0; face < map.views.size(); ++face) {
         gl.BindFramebuffer(GL_FRAMEBUFFER, target.faces[face].get());
         gl.Clear(GL_DEPTH_BUFFER_BIT);
-        drawView(map.views[face], plan, scene, gpu, cancel);
+        drawView(map.views[face], target.size, plan, scene, gpu, cancel);
       }
     }
   }

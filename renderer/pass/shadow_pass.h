@@ -34,14 +34,22 @@ class ShadowPass {
 
   void resize(const ShadowSet& shadows);
   Target makeTarget(bool cube, int size) const;
-  void drawView(const Camera& view, const FramePlan& plan, const Scene& scene, GpuScene& gpu,
+  /// A program, and what its fragments cost.
+  struct Caster {
+    gl::Program program;
+    gl::DrawCost cost;
+  };
+  void drawView(const Camera& view, int mapSize, const FramePlan& plan, const Scene& scene, GpuScene& gpu,
                 const CancelToken& cancel);
-  const gl::Program& program(CasterKey key);
+  Caster& caster(CasterKey key);
 
   const gl::Context& context_;
   std::vector<Target> targets_;  // flat ones, then cubes
-  std::map<CasterKey, gl::Program> programs_;
+  std::map<CasterKey, Caster> casters_;
 };
+
+/// Triangles cast, each once: the first of the two draws of a blended double-sided surface is left out.
+bool castsShadow(const DrawItem& item);
 
 /// Sets what shaders/shadow needs of the first `flat` and `cube` maps, which are bound from `firstUnit` on.
 void uploadShadows(const gl::Program& program, const ShadowSet& shadows, std::size_t flat, std::size_t cube,

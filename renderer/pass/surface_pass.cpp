@@ -8,6 +8,7 @@
 #include "ibl/dfg.h"
 #include "pass/sample_passes.h"
 #include "pass/shadow_pass.h"
+#include "pass/sliced_draw.h"
 #include "pass/world_origin.h"
 #include "shader/library.h"
 
@@ -154,6 +155,13 @@ void setSampledEnvironment(const gl::Program& program, const shader::VariantKey&
   if (in.environment) setBrightDirections(program, in, key.brightDirections(), passes);
 }
 
+/// Of a fragment: each light, shadow and direction of the environment is some of the work of a plain one.
+double weightOf(const shader::VariantKey& key) {
+  const shader::LightCounts& lights = key.lights;
+  const int all = lights.point + lights.spot + lights.directional + lights.hemisphere + 4 * lights.area();
+  return 1 + all * 0.25 + lights.shadows() * 0.5 + key.environmentSamples * 0.5;
+}
+
 std::string labelOf(const shader::VariantKey& key) {
   std::string label = "surface";
   for (const std::string& feature : key.features()) label += " " + feature;
@@ -185,8 +193,9 @@ int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
     cancel.check();
     shader::Defines defines = key.defines();
     defines.emplace_back("SAMPLE_MASK", context_.capabilities().sampleMask);
-    programs_.emplace(key, gl::Program(context_, labelOf(key), shader::assemble("surface.vert", defines),
-                                       shader::assemble("surface.frag", defines)));
+    gl::Program program(context_, labelOf(key), shader::assemble("surface.vert", defines),
+                        shader::assemble("surface.frag", defines));
+    programs_.emplace(key, Surface{std::move(program), gl::DrawCost(weightOf(key))});
     ++compiled;
   }
   return compiled;
@@ -211,16 +220,17 @@ const SurfacePass::StandIns& SurfacePass::standIns() {
   return *standIns_;
 }
 
-const gl::Program& SurfacePass::useProgram(const shader::VariantKey& key, const SurfaceInputs& in) {
-  const gl::Program& program = programs_.at(key);
-  if (&program == current_) return program;
-  current_ = &program;
+SurfacePass::Surface& SurfacePass::useProgram(const shader::VariantKey& key, const SurfaceInputs& in) {
+  Surface& surface = programs_.at(key);
+  if (&surface == current_) return surface;
+  current_ = &surface;
+  const gl::Program& program = surface.program;
   program.use();
   program.set("projectionMatrix", glm::mat4(in.plan.camera.projection));
   program.set("exposure", static_cast<float>(in.shot.exposure));
   if (key.alphaToCoverage) program.set("coverageSamples", in.samples);
   if (key.debugOutput) program.set("debugOutput", static_cast<int>(in.shot.debugOutput));
-  if (key.unlit) return program;
+  if (key.unlit) return surface;
   in.plan.lights.upload(program);
   program.set("ltcInverseMap", static_cast<int>(LTC_INVERSE_UNIT));
   program.set("ltcAlbedoMap", static_cast<int>(LTC_ALBEDO_UNIT));
@@ -240,7 +250,7 @@ const gl::Program& SurfacePass::useProgram(const shader::VariantKey& key, const 
     const auto flat = static_cast<std::size_t>(key.lights.spotShadows + key.lights.directionalShadows);
     uploadShadows(program, in.plan.shadows, flat, key.lights.pointShadows, UNIT_COUNT);
   }
-  return program;
+  return surface;
 }
 
 void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item, const SurfaceInputs& in) {
@@ -276,7 +286,8 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
 
 void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   const gl::Functions& gl = context_.gl();
-  const gl::Program& program = useProgram(item.key, in);
+  Surface& surface = useProgram(item.key, in);
+  const gl::Program& program = surface.program;
   const glm::dmat4 modelView = in.plan.camera.view * item.node->world;
   program.set("modelViewMatrix", glm::mat4(modelView));
   program.set("normalMatrix", normalMatrixOf(glm::dmat3(modelView)));
@@ -289,7 +300,9 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   const bool cull = !item.bothSides && item.primitive->topology == Topology::kTriangles;
   cull ? gl.Enable(GL_CULL_FACE) : gl.Disable(GL_CULL_FACE);
   gl.FrontFace(item.mirrored != item.key.flipSided ? GL_CW : GL_CCW);
-  in.gpu.primitive(*item.primitive, item.instances()).draw(gl);
+  const Camera& camera = in.plan.camera;
+  SlicedDraw(context_, surface.cost, item, in.gpu, camera.projection * camera.view, in.shot.width, in.shot.height)
+      .run();
 }
 
 void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {

@@ -50,7 +50,12 @@ class SurfacePass {
   const StandIns& standIns();
   void bindShared(const SurfaceInputs& in, bool transmission);
   void drawItem(const DrawItem& item, const SurfaceInputs& in);
-  const gl::Program& useProgram(const shader::VariantKey& key, const SurfaceInputs& in);
+  /// A program, and what its fragments cost.
+  struct Surface {
+    gl::Program program;
+    gl::DrawCost cost;
+  };
+  Surface& useProgram(const shader::VariantKey& key, const SurfaceInputs& in);
   void bindMaterial(const gl::Program& program, const DrawItem& item, const SurfaceInputs& in);
 
   const gl::Context& context_;
@@ -59,8 +64,8 @@ class SurfacePass {
   LtcTextures ltc_;
   SurfaceTextures textures_;
   std::optional<StandIns> standIns_;
-  std::map<shader::VariantKey, gl::Program> programs_;
-  const gl::Program* current_ = nullptr;  // program whose frame uniforms are set
+  std::map<shader::VariantKey, Surface> programs_;
+  const Surface* current_ = nullptr;  // whose frame uniforms are set
 };
 
 }  // namespace telar::pass

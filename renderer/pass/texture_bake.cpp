@@ -45,15 +45,15 @@ class Drawing {
   Drawing(const Drawing&) = delete;
   Drawing& operator=(const Drawing&) = delete;
 
-  void draw(GLuint source, const gl::Texture& target, int level, const glm::ivec2& size) const {
+  void draw(GLuint source, const gl::Texture& target, int level, const glm::ivec2& size, gl::DrawCost& cost) const {
     const gl::Functions& gl = context_.gl();
     gl.BindTexture(GL_TEXTURE_2D, source);
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.get(), level);
     if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
       gl::failIncomplete(gl, "the textures of the shading \"fabric\"");
     gl.Viewport(0, 0, size.x, size.y);
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl.Finish();  // in pieces, so that a cancelled job stops soon
+    const gl::Pacer::Rectangle texels{0, 0, size.x, size.y};
+    context_.pacer().draw(cost, texels.area(), texels, [&gl] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
   }
 
  private:
@@ -99,13 +99,13 @@ gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int h
       average.set("sourceSize", glm::vec2(sideAt(width, level - 1), sideAt(height, level - 1)));
       average.set("targetSize", glm::vec2(size));
       average.set("cutoff", cutoff);
-      drawing.draw(level == 1 ? source : larger.get(), moments, 0, size);
+      drawing.draw(level == 1 ? source : larger.get(), moments, 0, size, cost_);
       larger = std::move(moments);
     }
     const gl::Program& write = program(kind.level, level == 0);
     write.use();
     write.set("sourceMap", 0);
-    drawing.draw(level == 0 ? source : larger.get(), out, level, size);
+    drawing.draw(level == 0 ? source : larger.get(), out, level, size, cost_);
   }
   context_.check("texture bake");
   return out;

@@ -30,6 +30,7 @@ class TextureBaker {
 
   const gl::Context& context_;
   std::map<std::pair<std::string, bool>, gl::Program> programs_;
+  gl::DrawCost cost_;
 };
 
 }  // namespace telar::pass

@@ -64,6 +64,6 @@ std::string hashFile(std::span<const std::byte> file);
 ///    those that the drawn scene places, in the file's order),
 ///  animations: [{name, duration}] (seconds, in the file's order), generator, copyright, warnings: [{code, message,
 ///  pointer?}]}
-std::string describeScene(const Scene& scene);
+std::string describeScene(const Scene& scene, const CancelToken& cancel = {});
 
 }  // namespace telar

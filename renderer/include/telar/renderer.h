@@ -23,6 +23,8 @@ struct RendererOptions {
   std::uint64_t cacheBytes = 0;  ///< of its files; those that were used longest ago go first
   Limits limits;
   bool allFeatures = false;  ///< benchmark only: compile every feature into every program
+  /// Wall-clock time between two looks at the cancel token while drawing, about. Tests only: infinity cuts nothing.
+  double sliceMs = 50;
 };
 
 /// What a drawn frame was made of; toJson() is `info` of the API less what JavaScript adds.

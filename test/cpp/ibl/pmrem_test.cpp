@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <set>
 
 #include "core/read_file.h"
@@ -102,6 +103,24 @@ TEST(Irradiance, OfOneTexelFallsAsItsCosineAndIsNothingBehindIt) {
 TEST(Prefilter, FaceSizeIsAQuarterOfTheWidth) {
   const auto context = gl::Context::create(Backend::kAuto);
   EXPECT_EQ(prefilterEquirect(*context, gradient(2048), CancelToken()).faceSize, 512);
+}
+
+TEST(Prefilter, SlicesChangeNoByteAndCanBeStopped) {
+  const auto context = gl::Context::create(Backend::kAuto);
+  const ImageF map = gradient(128);
+  const auto allLevels = [&](double sliceMs) {
+    context->pacer().begin(CancelToken(), sliceMs);
+    const CubeMap cube = prefilterEquirect(*context, map, CancelToken());
+    std::vector<std::vector<std::uint16_t>> levels;
+    for (int lod = 0; lod < cube.levels; ++lod)
+      levels.push_back(level(*context, cube, lod, GL_TEXTURE_CUBE_MAP_POSITIVE_X));
+    return levels;
+  };
+  EXPECT_EQ(allLevels(1e-9), allLevels(std::numeric_limits<double>::infinity()));
+  const CancelToken cancelled;
+  cancelled.cancel();
+  context->pacer().begin(cancelled, 50);
+  EXPECT_THROW(prefilterEquirect(*context, map, CancelToken()), Error);
 }
 
 TEST(PmremFile, ComesBackBitForBit) {

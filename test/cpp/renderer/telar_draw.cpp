@@ -1,5 +1,5 @@
 // telar_draw MODEL SHOT.json OUT.raw [--env FILE] [--backend NAME] [--all-features] [--repeat N] [--debug NAME,...]
-//            [--shader-edits FILE.json] [--cache FOLDER]
+//            [--shader-edits FILE.json] [--cache FOLDER] [--slice-ms N]
 // Draws one resolved shot without Node: OUT.raw gets the frame's bytes, stdout the frame's info as JSON. --debug draws
 // these debug outputs instead, one after another. --shader-edits changes the shaders before they are compiled.
 #include <time.h>
@@ -58,6 +58,7 @@ Arguments parseArguments(int argc, char** argv) {
       arguments.options.cacheDirectory = argv[i + 1];
       arguments.options.cacheBytes = 64u << 20;
     }
+    if (flag == "--slice-ms") arguments.options.sliceMs = std::atof(argv[i + 1]);
     if (flag == "--repeat") arguments.repeat = std::atoi(argv[i + 1]);
     if (flag == "--debug") arguments.debugOutputs = argv[i + 1];
     if (flag == "--shader-edits") arguments.shaderEdits = argv[i + 1];
@@ -112,7 +113,7 @@ int main(int argc, char** argv) {
   if (argc < 4)
     return std::fputs(
                "usage: telar_draw MODEL SHOT.json OUT.raw [--env FILE] [--backend NAME] [--all-features] [--repeat "
-               "N] [--debug NAME,...] [--shader-edits FILE.json] [--cache FOLDER]\n",
+               "N] [--debug NAME,...] [--shader-edits FILE.json] [--cache FOLDER] [--slice-ms N]\n",
                stderr),
            2;
   try {

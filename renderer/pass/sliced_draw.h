@@ -1,0 +1,36 @@
+#pragma once
+#include "gl/context.h"
+#include "pass/fragment_estimate.h"
+#include "pass/gpu_scene.h"
+
+namespace telar::pass {
+
+/// Draws a primitive whose program and state are set, in as many calls as it takes to have each done within a slice of
+/// the context's pacer: ranges of instances, ranges of triangles, parts of the target. The order of the fragments of
+/// each pixel stays as it is, and so do the bytes of the picture.
+class SlicedDraw {
+ public:
+  /// @param estimate  of this item in the bound target    @param width, height  of that target, pixels
+  SlicedDraw(const gl::Context& context, gl::DrawCost& cost, const DrawItem& item, GpuScene& scene,
+             const glm::dmat4& worldToClip, int width, int height);
+
+  /// @throws Error{X_CANCELLED, X_TIMEOUT}
+  void run();
+
+ private:
+  void runInstances(const Instances& instances);
+  void runParts(GLsizei instance);
+  void drawParts(std::size_t begin, std::size_t end, GLsizei instance) const;
+
+  const gl::Context& context_;
+  gl::Pacer& pacer_;
+  gl::DrawCost& cost_;
+  const DrawItem& item_;
+  const GpuPrimitive& gpu_;
+  const PartExtents& extents_;
+  FragmentEstimate estimate_;
+  PartLayout layout_;
+  gl::Pacer::Rectangle target_;
+};
+
+}  // namespace telar::pass
