@@ -69,7 +69,7 @@ Napi::Value load(const Napi::CallbackInfo& info) {
   return how.run(info.Env(), job, [job, limits, how, source = Source(info[0])] {
     auto scene = source.bytes ? loadBytes(*source.bytes, limits, job->cancel, how.options)
                               : loadPath(source.path, limits, job->cancel, how.options);
-    std::string facts = describeScene(*scene);
+    std::string facts = describeScene(*scene, job->cancel);
     job->value = [scene, facts = std::move(facts)](Napi::Env env) { return sceneToJs(env, scene, facts); };
   });
 }
@@ -84,7 +84,7 @@ Napi::Value pose(const Napi::CallbackInfo& info) {
   return State::of(info.Env()).runOnPool(info.Env(), job, [job, pose, model = std::move(model)]() mutable {
     auto scene = poseScene(model, pose, job->cancel);
     model.reset();
-    std::string facts = describeScene(*scene);
+    std::string facts = describeScene(*scene, job->cancel);
     job->value = [scene, facts = std::move(facts)](Napi::Env env) { return sceneToJs(env, scene, facts); };
   });
 }

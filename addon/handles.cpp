@@ -26,6 +26,12 @@ std::size_t bytesOf(const Primitive& p) {
   return bytes;
 }
 
+/// @param timeoutMs  undefined = any time
+CancelToken tokenFromJs(const Napi::Value& timeoutMs) {
+  if (!timeoutMs.IsNumber()) return {};
+  return CancelToken(std::chrono::milliseconds(timeoutMs.As<Napi::Number>().Int64Value()));
+}
+
 /// What a decoded scene holds beyond its small parts, so that V8 knows what collecting its handle would free. A pose
 /// shares all but its deformed meshes.
 std::int64_t sceneBytes(const Scene& scene) {
@@ -44,10 +50,11 @@ std::int64_t sceneBytes(const Scene& scene) {
 Napi::Function TokenHandle::define(Napi::Env env) {
   return DefineClass(
       env, "CancelToken",
-      {InstanceMethod("cancel", &TokenHandle::cancel), InstanceMethod("progress", &TokenHandle::reached)});
+      {InstanceMethod("cancel", &TokenHandle::cancel), InstanceMethod("allowAnyTime", &TokenHandle::allowAnyTime),
+       InstanceMethod("progress", &TokenHandle::reached)});
 }
 
-TokenHandle::TokenHandle(const Napi::CallbackInfo& info) : ObjectWrap(info) {
+TokenHandle::TokenHandle(const Napi::CallbackInfo& info) : ObjectWrap(info), token(tokenFromJs(info[0])) {
   info.This().As<Napi::Object>().TypeTag(&TAG);
 }
 

@@ -16,7 +16,7 @@
 /// Each class has a type tag, so that one is never taken for another.
 namespace telar::addon {
 
-/// new CancelToken(); cancel(); progress(): 0..1 of the job that it was given to
+/// new CancelToken(timeoutMs?: number); cancel(); allowAnyTime(); progress(): 0..1 of the job that it was given to
 class TokenHandle : public Napi::ObjectWrap<TokenHandle> {
  public:
   static constexpr napi_type_tag TAG{0x74656c6172000001, 0x9a3f5c1e7b2d4860};
@@ -28,6 +28,7 @@ class TokenHandle : public Napi::ObjectWrap<TokenHandle> {
 
  private:
   void cancel(const Napi::CallbackInfo&) { token.cancel(); }
+  void allowAnyTime(const Napi::CallbackInfo&) { token.allowAnyTime(); }
   Napi::Value reached(const Napi::CallbackInfo& info) { return Napi::Number::New(info.Env(), progress.part()); }
 };
 
@@ -81,7 +82,9 @@ class RendererHandle : public Napi::ObjectWrap<RendererHandle> {
   Napi::Value liveObjects(const Napi::CallbackInfo& info);
   Napi::Value close(const Napi::CallbackInfo& info);
   /// A job on the thread; rejects with X_BUSY where its queue is full, with X_CLOSED where it is ending.
-  Napi::Value run(Napi::Env env, const std::shared_ptr<Job>& job, std::function<bool(Renderer&)> work);
+  /// @param next  what to do on the thread where the work returned false: the job goes on elsewhere
+  Napi::Value run(Napi::Env env, const std::shared_ptr<Job>& job, std::function<bool(Renderer&)> work,
+                  std::function<void()> next = {});
 
   std::shared_ptr<GlThread> thread_;
   RendererOptions options_;

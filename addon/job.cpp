@@ -44,14 +44,16 @@ void Mailbox::call(std::function<void(Napi::Env)> action) {
   wake_.NonBlockingCall();
 }
 
-void Mailbox::perform(const std::shared_ptr<Job>& job, const std::function<bool()>& work) {
+bool Mailbox::perform(const std::shared_ptr<Job>& job, const std::function<bool()>& work) {
   try {
+    const CancelToken::Work time(job->cancel);
     job->cancel.check();
-    if (!work()) return;
+    if (!work()) return true;
   } catch (...) {
     job->fault = Fault::current();
   }
   deliver(job);
+  return false;
 }
 
 void Mailbox::cancelAll() {

@@ -45,8 +45,10 @@ class Mailbox : public std::enable_shared_from_this<Mailbox> {
   /// Any thread: run this on the JavaScript thread. Does not keep the event loop alive.
   void call(std::function<void(Napi::Env)> action);
 
-  /// Any thread: runs `work`, and delivers the job unless the work returned false: it goes on in another task.
-  void perform(const std::shared_ptr<Job>& job, const std::function<bool()>& work);
+  /// Any thread: runs `work` on the job's time, and delivers the job unless the work returned false: it goes on in
+  /// another task.
+  /// @return whether it goes on
+  bool perform(const std::shared_ptr<Job>& job, const std::function<bool()>& work);
 
   /// JavaScript thread: cancels every live job.
   void cancelAll();

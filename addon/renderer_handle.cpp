@@ -105,12 +105,14 @@ RendererHandle::~RendererHandle() {
   if (thread_) thread_->finish();
 }
 
-Napi::Value RendererHandle::run(Napi::Env env, const std::shared_ptr<Job>& job, std::function<bool(Renderer&)> work) {
+Napi::Value RendererHandle::run(Napi::Env env, const std::shared_ptr<Job>& job, std::function<bool(Renderer&)> work,
+                                std::function<void()> next) {
   const std::shared_ptr<Mailbox> mailbox = State::of(env).mailbox();
   const Napi::Value promise = mailbox->begin(env, job);
-  const bool taken = thread_->post([mailbox, job, work = std::move(work)](std::unique_ptr<Renderer>& renderer) {
-    mailbox->perform(job, [&] { return work(*renderer); });
-  });
+  const bool taken = thread_->post(
+      [mailbox, job, work = std::move(work), next = std::move(next)](std::unique_ptr<Renderer>& renderer) {
+        if (mailbox->perform(job, [&] { return work(*renderer); })) next();
+      });
   if (!taken) {
     job->fault = closing_ ? Fault{"X_CLOSED", "the renderer was closed", {}, {}, {}}
                           : Fault{"X_BUSY", "too many frames wait for this renderer; try again later", {}, {}, {}};
@@ -136,19 +138,21 @@ Napi::Value RendererHandle::render(const Napi::CallbackInfo& info) {
   render->progress = token.progress;
   auto job = std::make_shared<Job>(token.token);
   State& state = State::of(env);
-  return run(env, job,
-             [render, job, mailbox = state.mailbox(), pool = state.pool(), freed = freed_](Renderer& renderer) {
-               draw(*render, renderer, *freed, job->cancel);
-               // First in line: a drawn frame is memory that waits.
-               pool->postFirst([render, job, mailbox] {
-                 mailbox->perform(job, [&] {
-                   encodeInto(*render, job->cancel);
-                   job->value = [render](Napi::Env to) { return toJs(to, *render); };
-                   return true;
-                 });
-               });
-               return false;
-             });
+  const auto drawn = [render, job, freed = freed_](Renderer& renderer) {
+    draw(*render, renderer, *freed, job->cancel);
+    return false;
+  };
+  const auto encoded = [render, job, mailbox = state.mailbox(), pool = state.pool()] {
+    // First in line: a drawn frame is memory that waits.
+    pool->postFirst([render, job, mailbox] {
+      mailbox->perform(job, [&] {
+        encodeInto(*render, job->cancel);
+        job->value = [render](Napi::Env to) { return toJs(to, *render); };
+        return true;
+      });
+    });
+  };
+  return run(env, job, drawn, encoded);
 }
 
 /// release(scene, forget: boolean): frees the GPU copies of a model; forget: it is not drawn again, free all of it.

@@ -37,6 +37,13 @@ export interface LoadingOptions {
    * @default none, or the renderer's
    */
   resolve?: Resolve;
+  /**
+   * Milliseconds that the work on one image may take, its loading included, before it ends with X_TIMEOUT; null for any
+   * time. Of renderAll each image has as much, and so has the loading. Waiting for a turn does not count. Where neither
+   * the call nor the renderer says it, quality "high", "reference" and all with more than 4 samples draw for any time.
+   * @default 20000, or the renderer's
+   */
+  timeoutMs?: number | null;
 }
 
 export interface RendererOptions extends LoadingOptions {
@@ -150,6 +157,8 @@ export interface Plan {
   features: string[];
   programs: Array<{ features: string[] }>;
   passes: string[];
+  /** Of one pass over the picture and its shadow maps, hidden ones too, at most; counting stops beyond L_FRAGMENTS. Of inspect alone. */
+  fragments?: number;
 }
 
 /** A decoded model: draw many views of it. */

@@ -1,5 +1,6 @@
 import { inspectOptions } from './api/options.mjs';
 import { nativeCall } from './api/native_call.mjs';
+import { Work } from './api/work.mjs';
 import { shotJson } from './api/shot_json.mjs';
 import { readShot, readSource } from './api/source.mjs';
 import { loadNative } from './native.mjs';
@@ -13,9 +14,10 @@ import { Model, loadModel, measuredFor, poseModel, shotModule } from './model.mj
  * @param {Record<string, number>} [options.limits] - By the L_* names.
  * @param {'error' | 'warning' | 'none'} [options.failOn='error'] - As createRenderer has it.
  * @param {(uri: string) => unknown} [options.resolve] - As createRenderer has it.
+ * @param {number | null} [options.timeoutMs=20000] - Milliseconds that the work may take; null for any time.
  * @param {AbortSignal} [options.signal]
  * @returns {Promise<object>} bounds and size in metres, counts, materials, images, lights, variants, cameras, animations, warnings, and
- *   `plan`: {features, programs, passes}, null when there is nothing to draw
+ *   `plan`: {features, programs, passes, fragments}, null when there is nothing to draw
  */
 export async function inspect(source, options = {}) {
   return inspectOn(loadNative(), source, options);
@@ -23,17 +25,18 @@ export async function inspect(source, options = {}) {
 
 /** @internal */
 export async function inspectOn(native, source, options = {}) {
-  const { shot, limits, signal, ...loading } = inspectOptions(options, Object.keys(native.limits));
+  const { shot, limits, signal, timeoutMs, ...loading } = inspectOptions(options, Object.keys(native.limits));
   const maxBytes = limits.L_FILE_BYTES ?? native.limits.L_FILE_BYTES;
   const input = readSource(native, source, maxBytes);
   const request = readShot(native, shot, maxBytes);
-  const loaded = await loadModel(native, input, limits, { ...loading, signal });
-  const model = await poseModel(native, loaded, request.shot, { signal, forget: true });
+  const work = new Work(native, signal, timeoutMs);
+  const loaded = await loadModel(native, input, limits, { ...loading, work });
+  const model = await poseModel(native, loaded, request.shot, { work, forget: true });
   if (!model.facts.bounds) return { ...model.facts, plan: null };
   const { resolveShot } = await shotModule();
-  const resolved = resolveShot(request.shot, await measuredFor(native, model, request.shot, signal));
+  const resolved = resolveShot(request.shot, await measuredFor(native, model, request.shot, work));
   if (request.map) resolved.environment.map = request.map;
   const json = shotJson(resolved);
-  const plan = await nativeCall(native, signal, (token) => native.plan(Model.sceneOf(model), json, limits, token));
+  const plan = await nativeCall(native, work, (token) => native.plan(Model.sceneOf(model), json, limits, token));
   return { ...model.facts, plan: JSON.parse(plan) };
 }

@@ -39,7 +39,7 @@ function jsonOf(file) {
 async function sceneOf(native, { model, material }, signal) {
   if (model) return { scene: Model.sceneOf(model), index: material };
   const input = readSource(native, triangleIn(material), native.limits.L_FILE_BYTES);
-  return { scene: Model.sceneOf(await loadModel(native, input, {}, { signal })), index: 0 };
+  return { scene: Model.sceneOf(await loadModel(native, input, {}, { work: { signal } })), index: 0 };
 }
 
 /** {diffuse: [r, g, b], ...} of the numbers from `start`. */
@@ -70,7 +70,7 @@ export async function evaluateShading(options) {
   const shot = shotJson(resolveShot({ shading }, ANY_MODEL));
   const { scene, index } = await sceneOf(native, { model, material }, signal);
   const request = { material: index, shot, viewAngle, directions: Float64Array.from(directions.flat()), albedo };
-  const numbers = await nativeCall(native, signal, (token) => native.evaluateLobes(scene, request, token));
+  const numbers = await nativeCall(native, { signal }, (token) => native.evaluateLobes(scene, request, token));
   return {
     radiance: directions.map((_, i) => lobesAt(numbers.radiance, i * PER_DIRECTION)),
     albedo: albedo ? lobesAt(numbers.albedo, 0) : null,

@@ -5,6 +5,9 @@ import { withParts } from './api/parts.mjs';
 /** The schema of the shot costs load time, so it comes with the first job. */
 export const shotModule = () => import('./shot/index.mjs');
 
+/** Comes with it. @internal */
+export const qualityModule = () => import('./shot/quality.mjs');
+
 /** A decoded model, made by `renderer.load`: draw many views of it, with any renderer of the same thread. */
 export class Model {
   #scene;
@@ -33,12 +36,12 @@ export class Model {
  * @param {object} native the addon's exports
  * @param {string | object} input of readSource
  * @param {object} limits
- * @param {import('./api/options.mjs').Loading & {signal?: AbortSignal}} [options]
+ * @param {import('./api/options.mjs').Loading & {work?: import('./api/work.mjs').Work}} [options]
  * @returns {Promise<Model>}
  */
-export async function loadModel(native, input, limits, { signal, failOn = 'error', resolve } = {}) {
-  const { scene, facts } = await withParts(native, { resolve, signal }, (parts) =>
-    nativeCall(native, signal, (token) => native.load(input, limits, { tolerant: failOn === 'none', parts }, token)));
+export async function loadModel(native, input, limits, { work, failOn = 'error', resolve } = {}) {
+  const { scene, facts } = await withParts(native, { resolve, signal: work?.signal }, (parts) =>
+    nativeCall(native, work, (token) => native.load(input, limits, { tolerant: failOn === 'none', parts }, token)));
   const model = new Model(scene, JSON.parse(facts));
   refuseWarnings(failOn, model.facts.warnings);
   return model;
@@ -50,15 +53,15 @@ export async function loadModel(native, input, limits, { signal, failOn = 'error
  * @param {object} native the addon's exports
  * @param {Model} model
  * @param {object} shot not resolved
- * @param {{signal?: AbortSignal, forget?: boolean}} [options] forget: the model is not used afterwards, so free it with the pose
+ * @param {{work?: import('./api/work.mjs').Work, forget?: boolean}} [options] forget: the model is not used afterwards, so free it with the pose
  * @returns {Promise<Model>}
  * @throws {TelarError} E_SHOT, E_POSE
  */
-export async function poseModel(native, model, shot, { signal, forget = false } = {}) {
+export async function poseModel(native, model, shot, { work, forget = false } = {}) {
   const { resolvePose } = await shotModule();
   const pose = resolvePose(shot, model.facts);
   if (!pose) return model;
-  const { scene, facts } = await nativeCall(native, signal, (token) =>
+  const { scene, facts } = await nativeCall(native, work, (token) =>
     native.pose(Model.sceneOf(model), pose.animation, pose.time, forget, token));
   return new Model(scene, JSON.parse(facts));
 }
@@ -69,15 +72,15 @@ export async function poseModel(native, model, shot, { signal, forget = false } 
  * @param {object} native the addon's exports
  * @param {Model} model in the shot's pose
  * @param {object} shot not resolved
- * @param {AbortSignal} [signal]
+ * @param {import('./api/work.mjs').Work} [work]
  * @returns {Promise<object>}
  */
-export async function measuredFor(native, model, shot, signal) {
+export async function measuredFor(native, model, shot, work) {
   const { resolvePart } = await shotModule();
   const part = resolvePart(shot);
   if (!part) return model.facts;
   const variant = typeof shot.variant === 'string' ? shot.variant : '';
-  const measured = await nativeCall(native, signal, (token) => native.measurePart(Model.sceneOf(model), part.kind, part.which, variant, token));
+  const measured = await nativeCall(native, work, (token) => native.measurePart(Model.sceneOf(model), part.kind, part.which, variant, token));
   return { ...model.facts, part: { frame: part.frame, ...JSON.parse(measured) } };
 }
 
@@ -85,19 +88,19 @@ export async function measuredFor(native, model, shot, signal) {
 export class SharedPoses {
   #native;
   #model;
-  #signal;
+  #begin;
   #poses = new Map();
 
   /**
    * @param {object} native
    * @param {Model} model
    * @param {object[]} shots all that will be asked for
-   * @param {AbortSignal} signal
+   * @param {() => import('./api/work.mjs').Work} begin of each pose
    */
-  constructor(native, model, shots, signal) {
+  constructor(native, model, shots, begin) {
     this.#native = native;
     this.#model = model;
-    this.#signal = signal;
+    this.#begin = begin;
     for (const shot of shots) {
       const key = keyOf(shot);
       const pose = this.#poses.get(key) ?? { shots: 0 };
@@ -109,7 +112,7 @@ export class SharedPoses {
   /** @returns {Promise<Model>} */
   of(shot) {
     const pose = this.#poses.get(keyOf(shot));
-    pose.model ??= poseModel(this.#native, this.#model, shot, { signal: this.#signal });
+    pose.model ??= poseModel(this.#native, this.#model, shot, { work: this.#begin() });
     return pose.model;
   }
 

@@ -7,9 +7,10 @@ import { onAbort } from './api/on_abort.mjs';
 import { keyOfDrawn } from './api/picture_key.mjs';
 import { drawAllOptions, drawOptions, loadOptions, rendererOptions, wrongOption } from './api/options.mjs';
 import { ProgressReport } from './api/progress.mjs';
+import { Work } from './api/work.mjs';
 import { shotJson } from './api/shot_json.mjs';
 import { readShot, readSource } from './api/source.mjs';
-import { Model, SharedPoses, loadModel, measuredFor, poseModel, shotModule } from './model.mjs';
+import { Model, SharedPoses, loadModel, measuredFor, poseModel, qualityModule, shotModule } from './model.mjs';
 import { ASSET_DIRECTORY, loadNative } from './native.mjs';
 import { versions } from './versions.mjs';
 
@@ -94,9 +95,10 @@ class Renderer {
   /** Decodes a model once, to draw many views of it. */
   async load(source, options = {}) {
     this.#assertOpen();
-    const loading = loadOptions(options, this.#loading);
+    const { signal, ...loading } = loadOptions(options, this.#loading);
     const input = readSource(this.#native, source, this.#maxBytes);
-    return this.#track(this.#gate.run(() => loadModel(this.#native, input, this.#limits, loading), loading.signal));
+    const work = this.#begin(signal, loading);
+    return this.#track(this.#gate.run(() => loadModel(this.#native, input, this.#limits, { ...loading, work }), signal));
   }
 
   /** Draws one view. */
@@ -104,9 +106,9 @@ class Renderer {
     this.#assertOpen();
     const { signal, onProgress, ...loading } = drawOptions(options, this.#loading);
     const request = { ...this.#readRequest(source, shot), loading };
-    if (!onProgress) return this.#track(this.#gate.run(() => this.#render(request, signal), signal));
+    if (!onProgress) return this.#track(this.#gate.run(() => this.#render(request, this.#begin(signal, loading)), signal));
     return this.#track(inScope(signal, onProgress, 1, (scope, report) =>
-      this.#gate.run(() => this.#render(request, scope, report), scope)));
+      this.#gate.run(() => this.#render(request, this.#begin(scope, loading), report), scope)));
   }
 
   /**
@@ -120,7 +122,7 @@ class Renderer {
     const { signal, ...loading } = loadOptions(options, this.#loading);
     if (!QUANTITIES.includes(quantity)) throw wrongOption('quantity', `one of ${QUANTITIES.join(', ')}`, quantity);
     const request = this.#readRequest(source, { ...shot, background: 'transparent', output: { format: 'raw', bitDepth: 32 } });
-    const { data, info } = await this.#track(this.#gate.run(() => this.#render({ ...request, loading, quantity }, signal), signal));
+    const { data, info } = await this.#track(this.#gate.run(() => this.#render({ ...request, loading, quantity }, this.#begin(signal, loading)), signal));
     const floats = new Float32Array(data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength));
     return { width: info.width, height: info.height, data: floats };
   }
@@ -147,9 +149,10 @@ class Renderer {
     this.#assertOpen();
     const { signal, ...loading } = loadOptions(options, this.#loading);
     const { input, model } = this.#readInput(source);
+    const work = this.#begin(signal, loading);
     return this.#track(this.#gate.run(async () => {
-      const loaded = model ?? await loadModel(this.#native, input, this.#limits, { ...loading, signal });
-      return measuredFor(this.#native, await poseModel(this.#native, loaded, shot, { signal, forget: !model }), shot, signal);
+      const loaded = model ?? await loadModel(this.#native, input, this.#limits, { ...loading, work });
+      return measuredFor(this.#native, await poseModel(this.#native, loaded, shot, { work, forget: !model }), shot, work);
     }, signal));
   }
 
@@ -195,6 +198,11 @@ class Renderer {
     }
   }
 
+  /** One piece of work: of its loading, posing and drawing. */
+  #begin(signal, { timeoutMs }) {
+    return new Work(this.#native, signal, timeoutMs);
+  }
+
   #readInput(source) {
     return Model.isModel(source) ? { model: source } : { input: readSource(this.#native, source, this.#maxBytes) };
   }
@@ -214,15 +222,16 @@ class Renderer {
   }
 
   async #renderAll({ input, model }, { requests, settled, loading }, signal, report) {
+    const begin = () => this.#begin(signal, loading);
     let loaded = model;
     try {
-      loaded ??= await this.#gate.run(() => loadModel(this.#native, input, this.#limits, { ...loading, signal }), signal);
+      loaded ??= await this.#gate.run(() => loadModel(this.#native, input, this.#limits, { ...loading, work: begin() }), signal);
       const shots = requests.filter(({ failure }) => !failure).map(({ shot }) => shot);
-      const poses = new SharedPoses(this.#native, loaded, shots, signal);
+      const poses = new SharedPoses(this.#native, loaded, shots, begin);
       const draw = async ({ failure, ...request }, job) => {
         try {
           if (failure) throw failure;
-          return await this.#gate.run(() => this.#render({ ...request, loading, model: loaded, poses, job }, signal, report), signal);
+          return await this.#gate.run(() => this.#render({ ...request, loading, model: loaded, poses, job }, begin(), report), signal);
         } catch (thrown) {
           report?.finish(job);
           throw ofShot(settled ? toTelarError(thrown) : thrown, job);
@@ -240,17 +249,18 @@ class Renderer {
     return this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model), forget)));
   }
 
-  async #render({ input, model: given, loading, poses, job = 0, shot, environment, map, quantity }, signal, report) {
+  async #render({ input, model: given, loading, poses, job = 0, shot, environment, map, quantity }, work, report) {
     const start = performance.now();
-    const model = given ?? await loadModel(this.#native, input, this.#limits, { ...loading, signal });
+    const model = given ?? await loadModel(this.#native, input, this.#limits, { ...loading, work });
     const loaded = performance.now();
-    const posed = await (poses ? poses.of(shot) : poseModel(this.#native, model, shot, { signal, forget: !given }));
+    const posed = await (poses ? poses.of(shot) : poseModel(this.#native, model, shot, { work, forget: !given }));
     const posedAt = performance.now();
-    const { resolved, warnings } = await this.#resolve(shot, posed, loading, signal).catch((error) => {
+    const { resolved, warnings } = await this.#resolve(shot, posed, loading, work).catch((error) => {
       if (poses?.isLast(shot)) this.#releaseScene(posed).catch(() => {});
       throw error;
     });
     if (map) resolved.environment.map = map;
+    if ((await qualityModule()).isLong(resolved.quality)) work.allowLong();
     const request = {
       scene: Model.sceneOf(posed),
       shot: shotJson(quantity ? { ...resolved, debugOutput: quantity } : resolved),
@@ -258,7 +268,7 @@ class Renderer {
       releaseScene: poses ? poses.isLast(shot) : !given || posed !== model,
     };
     const resolvedAt = performance.now();
-    const frame = await nativeCall(this.#native, signal, (token) => {
+    const frame = await nativeCall(this.#native, work, (token) => {
       report?.begin(job, token);
       return this.#handle.render(request, token);
     });
@@ -271,9 +281,9 @@ class Renderer {
   }
 
   /** The shot with every default, and what is known to be wrong before it is drawn. @throws {TelarError} E_SHOT, E_WARNING, ... */
-  async #resolve(shot, posed, { failOn }, signal) {
+  async #resolve(shot, posed, { failOn }, work) {
     const { resolveShot } = await shotModule();
-    const resolved = resolveShot(shot, await measuredFor(this.#native, posed, shot, signal));
+    const resolved = resolveShot(shot, await measuredFor(this.#native, posed, shot, work));
     const warnings = [...(posed.facts.warnings ?? []), ...shotWarnings(resolved, posed.facts.extensionsUsed)];
     refuseWarnings(failOn, warnings);
     return { resolved, warnings };
@@ -294,6 +304,9 @@ class Renderer {
  *   - Gives the files that a model names, by their relative path, which is percent-decoded and leads nowhere above the model; null for what is not there.
  *   Where it is given, no file beside the model is opened. Limits apply to what it gives.
  * @param {number} [options.maxWaiting=1024] - Jobs that may wait; one more rejects with X_BUSY.
+ * @param {number | null} [options.timeoutMs=20000] - Milliseconds that the work on one image may take before it ends with
+ *   X_TIMEOUT; null for any time. Waiting for a turn does not count. Without it quality "high", "reference" and all with
+ *   more than 4 samples may draw for any time.
  * @param {boolean} [options.allFeatures=false] - Every feature in every shader: for benchmarks.
  * @param {AbortSignal} [options.signal]
  * @returns {Promise<Renderer>}
@@ -321,6 +334,6 @@ export async function createRendererOn(native, options = {}) {
   const closeLate = ({ renderer }) => void renderer.close();
   // Beside the context, so that the first frame need not wait for it. A failure is the first frame's to report.
   shotModule().catch(() => {});
-  const { renderer, facts } = await nativeCall(native, signal, (token) => native.createRenderer(request, token), closeLate);
+  const { renderer, facts } = await nativeCall(native, { signal }, (token) => native.createRenderer(request, token), closeLate);
   return new Renderer(native, renderer, JSON.parse(facts), rest);
 }

@@ -63,19 +63,29 @@ export function checkSignal(signal) {
   throw wrongOption('options.signal', 'an AbortSignal', signal);
 }
 
+const MAX_TIMEOUT_MS = 2 ** 31 - 1;
+
+/** @throws {TelarError} E_OPTION unless it is milliseconds, null or undefined */
+function timeoutOption(value) {
+  if (value === undefined || value === null || (Number.isSafeInteger(value) && value >= 1 && value <= MAX_TIMEOUT_MS)) return value;
+  throw wrongOption('options.timeoutMs', `whole milliseconds from 1 to ${MAX_TIMEOUT_MS}, or null for any time`, value);
+}
+
 /** What makes a call fail, mildest last. */
 export const FAIL_ON = Object.freeze(['error', 'warning', 'none']);
 
 /**
- * What decides how a model is loaded, where the caller does not say it again.
- * @typedef {{failOn: 'error' | 'warning' | 'none', resolve?: (uri: string, options: {signal?: AbortSignal}) => unknown}} Loading
+ * What decides how a model is loaded and how long work on it may take, where the caller does not say it again. timeoutMs: see
+ * Work; undefined where nobody said it.
+ * @typedef {{failOn: 'error' | 'warning' | 'none', resolve?: (uri: string, options: {signal?: AbortSignal}) => unknown, timeoutMs?: number | null}} Loading
  */
 
 /** @returns {Loading} @throws {TelarError} E_OPTION */
-function loading({ failOn, resolve }, defaults) {
+function loading({ failOn, resolve, timeoutMs }, defaults) {
   if (failOn !== undefined && !FAIL_ON.includes(failOn)) throw wrongOption('options.failOn', FAIL_ON.map((name) => JSON.stringify(name)).join(', '), failOn);
   if (resolve !== undefined && typeof resolve !== 'function') throw wrongOption('options.resolve', 'a function', resolve);
-  return { failOn: failOn ?? defaults.failOn, resolve: resolve ?? defaults.resolve };
+  const time = timeoutOption(timeoutMs);
+  return { failOn: failOn ?? defaults.failOn, resolve: resolve ?? defaults.resolve, timeoutMs: time === undefined ? defaults.timeoutMs : time };
 }
 
 /** @type {Loading} */
@@ -91,17 +101,17 @@ export function callOptions(options) {
 }
 
 /**
- * Options of a call that loads: {signal, failOn, resolve}.
+ * Options of a call that loads: {signal, timeoutMs, failOn, resolve}.
  * @param {object} options
  * @param {Loading} defaults of the renderer
  * @returns {Loading & {signal: AbortSignal | undefined}}
  */
 export function loadOptions(options, defaults) {
-  checkObject('options', options, ['signal', 'failOn', 'resolve']);
+  checkObject('options', options, ['signal', 'timeoutMs', 'failOn', 'resolve']);
   return { ...loading(options, defaults), signal: checkSignal(options.signal) };
 }
 
-const DRAW_KEYS = ['signal', 'onProgress', 'failOn', 'resolve'];
+const DRAW_KEYS = ['signal', 'timeoutMs', 'onProgress', 'failOn', 'resolve'];
 
 /**
  * Options of a drawing: those of a call, and onProgress.
@@ -131,7 +141,7 @@ export function drawAllOptions(options, defaults) {
  * @param {string[]} limitNames
  */
 export function rendererOptions(options, limitNames) {
-  checkObject('options', options, ['backend', 'cacheDirectory', 'cacheBytes', 'limits', 'maxWaiting', 'failOn', 'resolve', 'allFeatures', 'signal']);
+  checkObject('options', options, ['backend', 'cacheDirectory', 'cacheBytes', 'limits', 'maxWaiting', 'timeoutMs', 'failOn', 'resolve', 'allFeatures', 'signal']);
   const {
     backend = 'auto', cacheDirectory = defaultCache(), cacheBytes = CACHE_BYTES, limits = {}, maxWaiting = MAX_WAITING, allFeatures = false, signal,
   } = options;
@@ -150,11 +160,11 @@ export function rendererOptions(options, limitNames) {
 }
 
 /**
- * Options of inspect: {shot, limits, failOn, resolve, signal}.
+ * Options of inspect: {shot, limits, timeoutMs, failOn, resolve, signal}.
  * @param {string[]} limitNames
  */
 export function inspectOptions(options, limitNames) {
-  checkObject('options', options, ['shot', 'limits', 'failOn', 'resolve', 'signal']);
+  checkObject('options', options, ['shot', 'limits', 'timeoutMs', 'failOn', 'resolve', 'signal']);
   const { shot = {}, limits = {}, signal } = options;
   return { shot, limits: limitsOption(limits, limitNames), ...loading(options, STRICT), signal: checkSignal(signal) };
 }

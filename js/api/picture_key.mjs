@@ -31,7 +31,7 @@ export function keyOfParts({ version, model, environment, shot }) {
 /** SHA-256 of a file or of bytes, on a loader thread. One that cannot be read counts as absent: drawing tells, where it matters. */
 async function digestOf(native, source, limits, signal) {
   try {
-    return await nativeCall(native, signal, (token) => native.hashFile(source, limits, token));
+    return await nativeCall(native, { signal }, (token) => native.hashFile(source, limits, token));
   } catch {
     signal?.throwIfAborted();
     return 'absent';
@@ -53,7 +53,7 @@ export async function keyOfSource(native, { input, shot, environment }, { versio
   const identity = shotIdentity(shot);
   const { map } = identity.environment;
   const [model, light] = await Promise.all([
-    withParts(native, { resolve, signal }, (parts) => nativeCall(native, signal, (token) => native.hashModel(input, limits, { tolerant: true, parts }, token))),
+    withParts(native, { resolve, signal }, (parts) => nativeCall(native, { signal }, (token) => native.hashModel(input, limits, { tolerant: true, parts }, token))),
     NAMED.includes(map) ? map : digestOf(native, environmentOf(identity.environment, environment), limits, signal),
   ]);
   return keyOfParts({ version, model, environment: light, shot: identity });

@@ -5,7 +5,7 @@ import { ANY_MODEL } from '../shot/facts.mjs';
 import { resolveShot } from '../shot/index.mjs';
 import { BASES, resolveTerms, SLOTS } from '../shot/shading_terms.mjs';
 import { removeUnfinished, writeFileAtomically } from './atomic_file.mjs';
-import { readLimits } from './limits.mjs';
+import { readLimits, readTimeout } from './limits.mjs';
 import { parseSize, parseValue } from './shot_options.mjs';
 
 /** Lights of an analysis unless others are named: one from all around, one lamp. */
@@ -49,7 +49,7 @@ export async function analyse(models, options, { console, signal, api }) {
   if (options.terms) return tellTerms(console);
   const plan = planOf(models, options);
   const limits = readLimits(options.limit);
-  const renderer = await api.createRenderer({ backend: options.backend, limits, signal });
+  const renderer = await api.createRenderer({ backend: options.backend, limits, timeoutMs: readTimeout(options.timeoutMs), signal });
   const progress = await console.progress(analysisSteps(plan));
   let analysis;
   try {

@@ -2,6 +2,7 @@ import path from 'node:path';
 import { readImage } from '../compare/index.mjs';
 import { TelarError, toTelarError } from '../error/index.mjs';
 import { ANY_MODEL } from '../shot/facts.mjs';
+import { readTimeout } from './limits.mjs';
 import { withPathsFrom } from './shot_options.mjs';
 
 /** The shots that pictures hold (js/compare/embedded_shot.mjs): told, and drawn again. */
@@ -24,16 +25,16 @@ export function differingKeys({ output: _, ...first }, { output: __, ...second }
  * Draws a model with the shot that a picture holds.
  * @param {string} file of the picture; relative paths in its shot start there
  * @param {object | null} shot of the picture
- * @param {{model: string, environment?: string, backend: string}} options
+ * @param {{model: string, environment?: string, backend: string, timeoutMs?: string}} options
  * @param {{limits: object, signal?: AbortSignal, api: object}} context
  * @returns {Promise<import('../compare/image.mjs').Image>}
  * @throws {TelarError} E_USAGE where the picture holds no shot
  */
-export async function drawShotOf(file, shot, { model, environment, backend }, { limits, signal, api }) {
+export async function drawShotOf(file, shot, { model, environment, backend, timeoutMs }, { limits, signal, api }) {
   if (!shot) throw new TelarError('E_USAGE', `${file} holds no shot: save the picture in telar view, or give the picture to compare with as ACTUAL`);
   const wanted = { ...withPathsFrom(path.dirname(file), shot), output: { format: 'png' } };
   if (environment !== undefined) wanted.environment = { ...(typeof shot.environment === 'object' ? shot.environment : {}), map: environment };
-  const renderer = await api.createRenderer({ backend, limits, signal });
+  const renderer = await api.createRenderer({ backend, limits, timeoutMs: readTimeout(timeoutMs), signal });
   try {
     return await readImage(await drawn(renderer, model, wanted, signal), { limits, signal });
   } finally {

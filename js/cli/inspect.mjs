@@ -1,5 +1,5 @@
 import { TelarError } from '../error/index.mjs';
-import { maxFileBytes, readLimits } from './limits.mjs';
+import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
 import { checkModel } from './models.mjs';
 import { readShotOptions } from './shot_options.mjs';
 import { readAll } from './streams.mjs';
@@ -18,7 +18,7 @@ export async function inspect(model, options, context) {
   const shot = await readShotOptions(options, context);
   const limits = readLimits(options.limit);
   const source = model === '-' ? await readAll(context.stdin, maxFileBytes(limits), context.signal) : model;
-  const facts = await context.api.inspect(source, { shot, limits, failOn: options.failOn, signal: context.signal });
+  const facts = await context.api.inspect(source, { shot, limits, failOn: options.failOn, timeoutMs: readTimeout(options.timeoutMs), signal: context.signal });
   for (const warning of facts.warnings ?? []) context.console.warning(warning, model);
   await context.console.result({ ok: true, model, ...facts }, factLines(model, facts));
   return 0;
@@ -81,10 +81,11 @@ const textOf = (item) => (typeof item === 'string' ? item : item.name ?? JSON.st
 
 function planLines(plan) {
   if (!plan) return [];
-  const { features = [], programs = [], passes = [] } = plan;
+  const { features = [], programs = [], passes = [], fragments = 0 } = plan;
   return [
     `features    ${features.map(textOf).join(', ') || 'none'}`,
     `programs    ${programs.length}`,
     `passes      ${passes.map(textOf).join(', ') || 'none'}`,
+    ...(fragments > 0 ? [`fragments   at most ${count(fragments, 'fragment')} a pass`] : []),
   ];
 }

@@ -17,5 +17,18 @@ export function readLimits(assignments = []) {
   }));
 }
 
+/**
+ * Milliseconds from --timeout-ms; undefined where it is not given, null for "none".
+ * @param {string} [text]
+ * @returns {number | null | undefined} the API checks the range
+ * @throws {TelarError} E_USAGE
+ */
+export function readTimeout(text) {
+  if (text === undefined) return undefined;
+  if (text === 'none') return null;
+  if (!/^[1-9]\d{0,9}$/.test(text)) throw new TelarError('E_USAGE', `--timeout-ms: expected milliseconds or none, got ${shown(text)}`);
+  return Number(text);
+}
+
 /** How much of stdin to take. */
 export const maxFileBytes = (limits) => limits.L_FILE_BYTES ?? FILE_BYTES;

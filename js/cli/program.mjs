@@ -27,7 +27,8 @@ const addFailOn = (command) => command
     + 'that are missing or damaged, unknown extensions that are required').choices(['error', 'warning', 'none']).default('error'));
 
 const addLimit = (command) => command
-  .option('--limit <name=n>', 'raise or lower a limit, as in L_TRIANGLES=30000000', collect);
+  .option('--limit <name=n>', 'raise or lower a limit, as in L_TRIANGLES=30000000', collect)
+  .option('--timeout-ms <ms>', 'milliseconds that the work on one image may take, or none; by default 20000, and none for quality high and reference');
 
 /**
  * @param {string} version

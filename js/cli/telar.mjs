@@ -3,17 +3,21 @@ import { removeUnfinished } from './atomic_file.mjs';
 import { run } from './run.mjs';
 
 // The first SIGINT or SIGTERM cancels the work, which removes what it has begun; then the signal is given its usual effect,
-// so that the shell sees it. A second one does not wait.
+// so that the shell sees it. A second one does not wait, and the first not for ever: a driver or a file system may be stuck.
+const PATIENCE_MS = 1000;
 const cancelled = new AbortController();
 let received;
 
 function onSignal(signal) {
-  if (received) {
-    removeUnfinished();
-    die(signal);
-  }
+  if (received) dieUnfinished();
   received = signal;
   cancelled.abort();
+  setTimeout(dieUnfinished, PATIENCE_MS).unref();
+}
+
+function dieUnfinished() {
+  removeUnfinished();
+  die(received);
 }
 
 function die(signal) {
@@ -27,7 +31,4 @@ const { stdin, stdout, stderr, env } = process;
 process.exitCode = await run(process.argv.slice(2), {
   stdin, stdout, stderr, env, signal: cancelled.signal, loadApi: () => import('../index.mjs'),
 });
-if (received) {
-  removeUnfinished();
-  die(received);
-}
+if (received) dieUnfinished();

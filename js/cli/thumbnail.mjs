@@ -4,7 +4,7 @@ import { shown } from '../shot/complain.mjs';
 import { removeUnfinished, sweepStale, writeFileAtomically } from './atomic_file.mjs';
 import { Drawing } from './draw_jobs.mjs';
 import { makeJobs } from './jobs.mjs';
-import { maxFileBytes, readLimits } from './limits.mjs';
+import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
 import { readManifest } from './manifest.mjs';
 import { refuseParts } from './model_parts.mjs';
 import { findModels } from './models.mjs';
@@ -25,6 +25,7 @@ import { KnownPictures } from './unchanged.mjs';
 export async function thumbnail(models, options, context) {
   checkUsage(models, options);
   const limits = readLimits(options.limit);
+  const timeoutMs = readTimeout(options.timeoutMs);
   const shot = await readShotOptions(options, context);
   const entries = await readEntries(models, options, shot, limits, context);
   const { jobs, crosses } = await makeJobs(entries, options, maxFileBytes(limits));
@@ -36,7 +37,7 @@ export async function thumbnail(models, options, context) {
   });
   await Promise.all([...new Set(outputs.filter(({ file }) => file !== '-').map(({ file }) => path.dirname(file)))].map(sweepStale));
 
-  const renderer = await context.api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, signal: context.signal });
+  const renderer = await context.api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, timeoutMs, signal: context.signal });
   try {
     const results = await drawAll({ jobs, outputs, options, renderer, limits }, context);
     const sheet = await writeSheet(results, options, { limits, signal: context.signal });

@@ -1,7 +1,7 @@
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { TelarError } from '../error/index.mjs';
-import { maxFileBytes, readLimits } from './limits.mjs';
+import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
 import { checkModel } from './models.mjs';
 import { readShotOptions } from './shot_options.mjs';
 import { readAll } from './streams.mjs';
@@ -22,7 +22,7 @@ export async function view(model, options, context) {
   const limits = readLimits(options.limit);
   const source = model === '-' ? await readAll(stdin, maxFileBytes(limits), signal) : model;
   const { openView } = await import('../view/index.mjs');
-  const renderer = await api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, signal });
+  const renderer = await api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, timeoutMs: readTimeout(options.timeoutMs), signal });
   try {
     const page = await openView({ renderer, source, shot, port: options.port, signal });
     try {

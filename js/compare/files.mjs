@@ -50,7 +50,7 @@ export async function readImage(source, options = {}) {
   const maxBytes = limits.L_FILE_BYTES ?? native.limits.L_FILE_BYTES;
   const given = readSource(native, source, maxBytes);
   const bytes = typeof given === 'string' ? readSource(native, await readFileBytes(given, { limits, signal }), maxBytes) : given;
-  return nativeCall(native, signal, (token) => native.decodeImage(bytes, limits, token));
+  return nativeCall(native, { signal }, (token) => native.decodeImage(bytes, limits, token));
 }
 
 /**
@@ -65,5 +65,5 @@ export async function encodePng(image, options = {}) {
   const native = loadNative();
   const { width, height, data } = image;
   const bytes = readSource(native, data, data.byteLength);
-  return nativeCall(native, signal, (token) => native.encodePng(bytes, width, height, token));
+  return nativeCall(native, { signal }, (token) => native.encodePng(bytes, width, height, token));
 }

@@ -31,3 +31,9 @@ export function resolveQuality(quality) {
   if (noise > 0 && samples <= SAMPLES_OF_A_PASS) throw wrongValue(['quality', 'noise'], `0 with ${SAMPLES_OF_A_PASS} samples or fewer`, noise);
   return { samples, resolve, noise, environmentSamples };
 }
+
+/**
+ * Whether a caller who asks for this asks for long work: paths of light, or more than one pass over the picture.
+ * @param {object} quality - Resolved.
+ */
+export const isLong = ({ preset, samples }) => preset === 'reference' || samples > SAMPLES_OF_A_PASS;

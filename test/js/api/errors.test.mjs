@@ -61,7 +61,7 @@ const CALLER_ERRORS = [
   [() => createRendererOn(native, { maxWaiting: 0.5 }), 'options.maxWaiting: expected a whole number of at least 0, got 0.5'],
   [() => createRendererOn(native, { allFeatures: 1 }), 'options.allFeatures: expected true or false, got 1'],
   [() => createRendererOn(native, { zzz: 1 }),
-    'options.zzz: unknown key, expected one of backend, cacheDirectory, cacheBytes, limits, maxWaiting, failOn, resolve, allFeatures, signal'],
+    'options.zzz: unknown key, expected one of backend, cacheDirectory, cacheBytes, limits, maxWaiting, timeoutMs, failOn, resolve, allFeatures, signal'],
   [() => createRendererOn(native, { cacheBytes: -1 }), 'options.cacheBytes: expected a whole number of at least 0, got -1'],
   [() => createRendererOn(native, { failOn: 'warn' }), 'options.failOn: expected "error", "warning", "none", got "warn"'],
   [() => createRendererOn(native, { resolve: {} }), 'options.resolve: expected a function, got {}'],

@@ -112,7 +112,7 @@ std::shared_ptr<const Scene> poseScene(const std::shared_ptr<const Scene>& model
   return scene;
 }
 
-std::string describeScene(const Scene& scene) {
+std::string describeScene(const Scene& scene, const CancelToken&) {
   return json{{"bounds", {{"min", {-1, -1, -1}}, {"max", {1, 1, 1}}}},
               {"size", {2, 2, 2}},
               {"cameras", json::array()},

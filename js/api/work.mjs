@@ -1,0 +1,27 @@
+/** Milliseconds of work on one image, unless the caller says otherwise. */
+export const TIMEOUT_MS = 20_000;
+
+/**
+ * One piece of work under its caller's signal and under a bound on its time, which native calls share that are made one
+ * after another. Only time counts in which a thread works on it: one that waits behind others is not late for it.
+ * @internal
+ */
+export class Work {
+  #bounded;
+
+  /**
+   * @param {object} native the addon's exports
+   * @param {AbortSignal | undefined} signal
+   * @param {number | null} [timeoutMs] null = any time; by default TIMEOUT_MS, until allowLong()
+   */
+  constructor(native, signal, timeoutMs) {
+    this.signal = signal;
+    this.#bounded = timeoutMs !== undefined;
+    this.token = new native.CancelToken((timeoutMs === undefined ? TIMEOUT_MS : timeoutMs) ?? undefined);
+  }
+
+  /** What follows is known to be long: it may take any time, unless the caller gave a bound. */
+  allowLong() {
+    if (!this.#bounded) this.token.allowAnyTime();
+  }
+}
