@@ -68,7 +68,7 @@ const CALLER_ERRORS = [
   [(r) => r.load(model(), { failOn: true }), 'options.failOn: expected "error", "warning", "none", got true'],
   [(r) => r.render(model(), SHOT, { resolve: 'a' }), 'options.resolve: expected a function, got "a"'],
   [(r) => r.renderAll(model(), [], { settled: 1 }), 'options.settled: expected true or false, got 1'],
-  [(r) => r.render(model(), SHOT, { settled: true }), 'options.settled: unknown key, expected one of signal, onProgress, failOn, resolve'],
+  [(r) => r.render(model(), SHOT, { settled: true }), 'options.settled: unknown key, expected one of signal, timeoutMs, onProgress, failOn, resolve'],
   [() => inspectOn(native, model(), { failOn: 0 }), 'options.failOn: expected "error", "warning", "none", got 0'],
   [() => inspectOn(native, model(), { limits: [] }), 'options.limits: expected an object, got []'],
 ];

@@ -7,6 +7,7 @@
 
 #include "telar/codec.h"
 #include "telar/load.h"
+#include "telar/part.h"
 #include "telar/pose.h"
 #include "telar/reference.h"
 #include "telar/renderer.h"
@@ -121,6 +122,10 @@ std::string describeScene(const Scene& scene, const CancelToken&) {
               {"warnings", json::array({{{"code", "W_IMAGE"}, {"message", "from the model"}}})},
               {"plan", scene.name}}
       .dump();
+}
+
+std::string describePart(const Scene&, const PartQuery&, const CancelToken&) {
+  return R"({"found": false, "bounds": null, "outline": [], "names": []})";
 }
 
 std::vector<std::byte> encode(const Frame& frame, const OutputOptions&, const CancelToken& cancel) {
