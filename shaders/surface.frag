@@ -50,7 +50,7 @@ precision highp samplerCube;
 #if SHADING_FABRIC
 #include "brdf/cloth_energy.glsl"
 #include "brdf/bump.glsl"
-#if WEAVE
+#if ANISOTROPY || WEAVE
 #include "brdf/yarn_energy.glsl"
 #endif
 #if FLATNESS

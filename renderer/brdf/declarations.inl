@@ -65,8 +65,6 @@ Real glossMissing(GlossCurve curve, Real cosine);
 Real glossGrazing(vec4 curve, Real cosine);
 vec2 glossAlbedo(GlossCurve curve, Real cosine);
 vec2 glossAverage(GlossCurve curve);
-Real meanAlpha(Real wide, Real narrow);
-vec2 glossAlbedoAnisotropic(GlossCurve curve, Real alphaMean, Real wide, Real narrow, Real cosine, Real along, Real across);
 StretchedCurve stretchedCurve(Real wide, Real narrow);
 vec2 stretchedAlbedo(StretchedCurve curve, Real cosine, Real alongWide, Real alongNarrow);
 Real grazingRatio(Real r, Real cosine);

@@ -60,27 +60,3 @@ vec3 returningShare(vec3 f0, float f90, float averageMissing) {
 vec3 interfaceAlbedo(vec3 f0, float f90, vec3 returning, vec2 albedo) {
   return f0 * (1.0 - albedo.x - albedo.y) + f90 * albedo.y + returning * albedo.x;
 }
-
-// Width of an even lobe that misses as much light as one of two widths, on average over the azimuth.
-// wide, narrow  (0, 1], wide >= narrow
-float meanAlpha(float wide, float narrow) {
-  return sqrt(mix(pow2(narrow), pow2(wide), 0.41));
-}
-
-// glossAlbedo() of a lobe of two widths: the slope of a direction, in units of the lobe's width in its azimuth, decides how
-// much is masked, so that the even lobe's curve is read where that slope is the same. Missing: at most 0.1 below and 0.005
-// above the truth, at aspects up to 500: what is not counted as missing is lost, what is counted twice would be light from
-// nowhere.
-// curve  of meanAlpha()      along, across  cosines of the direction with the axes of `wide` and `narrow`
-vec2 glossAlbedoAnisotropic(GlossCurve curve, float alphaMean, float wide, float narrow, float cosine, float along, float across) {
-  float mean2 = pow2(alphaMean);
-  float spread2 = pow2(wide * along) + pow2(narrow * across);
-  float careful = 0.95 + 0.05 * narrow / wide;
-  float missing = careful * glossMissing(curve, cosine * inversesqrt(max(pow2(cosine) + spread2 / mean2, COSINE_EPSILON)));
-  float sine2 = pow2(along) + pow2(across);
-  float azimuth2 = sine2 > HEAD_ON_EPSILON ? min(spread2 / sine2, pow2(wide)) : mean2;
-  float narrower = 0.7 * max(1.0 - azimuth2 / pow2(wide), 0.0);
-  float masked = 0.95 * missing * max(1.0 - azimuth2 / mean2, 0.0);
-  float grazing = glossGrazing(grazingCurve(sqrt(sqrt(azimuth2) / (1.0 + narrower))), cosine);
-  return vec2(missing, grazing * (1.0 - masked));
-}

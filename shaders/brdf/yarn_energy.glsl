@@ -1,7 +1,6 @@
-// How much light a GGX lobe of two widths sends back, in closed form, for yarns: closer than glossAlbedoAnisotropic(), which
-// pictures of other stretched highlights hold to. Shared text: see README.md. The missing share is the even lobe's of
-// cloth_energy.glsl, read at another cosine and width and scaled; the numbers are fitted to the exact integrals, at most
-// 0.005 to the bright side: `node test/fits/yarn_energy.mjs`.
+// How much light a GGX lobe of two widths sends back, in closed form. Shared text: see README.md. The missing share is the even
+// lobe's of cloth_energy.glsl, read at another cosine and width and scaled; the numbers are fitted to the exact integrals, at
+// most 0.005 to the bright side: `node test/fits/yarn_energy.mjs`.
 
 // Curves of one lobe.   wide, narrow  its widths, (0, 1], wide >= narrow
 StretchedCurve stretchedCurve(float wide, float narrow) {

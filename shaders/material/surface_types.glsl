@@ -104,8 +104,10 @@ struct SurfaceInfo {
   YarnLobe weft;
 #endif
   // The rest by preparedSurface() of fabric.glsl.
-  GlossCurve gloss;
-  float alphaMean;            // width of an even lobe that reflects as much
+#if ANISOTROPY
+  StretchedCurve stretched;
+#endif
+  GlossCurve gloss;           // of a lobe of one width
   GlossAlbedo albedo;         // towards the viewer
   vec3 returning;             // of what the gloss does not reflect at once, what it reflects later
   vec3 returningLobe;         // the same as a lobe towards the viewer, for a light of missing share 1, [1/sr]

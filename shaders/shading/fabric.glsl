@@ -109,6 +109,13 @@ vec2 yarnAlbedo(YarnLobe yarn, vec3 along, vec3 across, vec3 direction, float co
 }
 #endif
 
+#if ANISOTROPY
+// Where a map leaves no stretch the lobe is the even one, with the curves of it.
+bool isStretched(SurfaceInfo s) {
+  return s.alphaT > s.alpha;
+}
+#endif
+
 // Of light of one direction.   cosine  [0, 1], with n
 GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {
   GlossAlbedo albedo;
@@ -119,10 +126,12 @@ GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {
   }
 #endif
 #if ANISOTROPY
-  albedo.base = glossAlbedoAnisotropic(s.gloss, s.alphaMean, s.alphaT, s.alpha, cosine, dot(s.t, direction), dot(s.b, direction));
-#else
-  albedo.base = glossAlbedo(s.gloss, cosine);
+  if (isStretched(s)) {
+    albedo.base = stretchedAlbedo(s.stretched, cosine, dot(s.t, direction), dot(s.b, direction));
+    return albedo;
+  }
 #endif
+  albedo.base = glossAlbedo(s.gloss, cosine);
   return albedo;
 }
 
@@ -195,15 +204,15 @@ SurfaceInfo withEnergies(SurfaceInfo s, vec3 f0Metal) {
   } else
 #endif
   {
-#if ANISOTROPY
-    s.alphaMean = meanAlpha(s.alphaT, s.alpha);
-    s.gloss = glossCurve(sqrt(s.alphaMean));
-#else
-    s.alphaMean = s.alpha;
     s.gloss = glossCurve(s.perceptualRoughness);
+    average.base = glossAverage(s.gloss);
+#if ANISOTROPY
+    if (isStretched(s)) {
+      s.stretched = stretchedCurve(s.alphaT, s.alpha);
+      average.base = s.stretched.average;
+    }
 #endif
     s.albedo = albedoTowards(s, s.v, s.NoV);
-    average.base = glossAverage(s.gloss);
     s.returningDielectric = returningShare(s.f0Dielectric, s.f90, average.base.x);
     s.returning = mix(s.returningDielectric, returningShare(f0Metal, s.f90, average.base.x), s.metallic);
     s.returningLobe = s.returning * (s.albedo.base.x * RECIPROCAL_PI / average.base.x);
