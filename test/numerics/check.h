@@ -10,11 +10,11 @@
 namespace telar::numerics {
 
 /// How much a check looks at.
-enum class Scale { kQuick, kFull };
+enum class Scale { kLeast, kQuick, kFull };
 
-/// `quick` in the tests, `full` for the tables.
+/// `quick` in the tests, `full` for the tables; an eighth of `quick`, and 1 at least, where a fault is to be found.
 constexpr std::uint64_t countOf(Scale scale, std::uint64_t quick, std::uint64_t full) {
-  return scale == Scale::kFull ? full : quick;
+  return scale == Scale::kFull ? full : scale == Scale::kQuick || quick < 8 ? quick : quick / 8;
 }
 
 constexpr double NO_BAR = std::numeric_limits<double>::infinity();
@@ -26,9 +26,12 @@ struct Figure {
   double measured = 0;  ///< the worst of all points
   double high = NO_BAR;
   double low = -NO_BAR;
-  std::uint64_t points = 0;
-  std::string where;  ///< of the worst: enough to find it again
+  std::uint64_t points = 0;  ///< looked at, counted
+  std::string where;         ///< of the worst: enough to find it again
+  /// Points that the table names, at Scale::kFull; 0: any run looks at all of them.
+  std::uint64_t full = 0;
 
+  bool isComplete() const { return points >= full; }
   bool holds() const { return measured <= high && measured >= low; }
 };
 

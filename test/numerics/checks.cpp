@@ -21,6 +21,13 @@ std::vector<Check> allChecks() {
   ofEach("Reciprocity", "reciprocity", checkReciprocity);
   ofEach("White furnace", "furnace-direct", checkFurnaceDirect);
   ofEach("White furnace", "furnace-environment", checkFurnaceEnvironment);
+  for (const ShadingPromise& shading : shadingPromises()) {
+    if (!shading.weaves) continue;
+    const std::string of = std::string(" ") + shading.name;
+    list.push_back({"Woven cloth", "weaves" + of, [&shading](Scale scale) { return checkWeaves(shading, scale); }});
+    list.push_back(
+        {"Woven cloth", "weaves-drawn" + of, [&shading](Scale scale) { return checkWeavesDrawn(shading, scale); }});
+  }
   ofEach("Smoothness", "monotone", checkMonotone);
   ofEach("Smoothness", "gradients", checkGradients);
   ofEach("Extremes, drawn", "extremes", checkExtremes);

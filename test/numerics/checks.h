@@ -14,6 +14,10 @@ std::vector<Figure> checkGpuTerms(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkReciprocity(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkFurnaceDirect(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkFurnaceEnvironment(const ShadingPromise& shading, Scale scale);
+/// Woven cloth of any yarns from any side: under lights and under the environment, in double.
+std::vector<Figure> checkWeaves(const ShadingPromise& shading, Scale scale);
+/// Some of them drawn, with the prefiltered environment and with directions of it.
+std::vector<Figure> checkWeavesDrawn(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkMonotone(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkGradients(const ShadingPromise& shading, Scale scale);
 std::vector<Figure> checkFuzz(const ShadingPromise& shading, Scale scale);

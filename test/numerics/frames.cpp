@@ -42,6 +42,14 @@ int largestDifference(const Frame& a, const Frame& b) {
   return most;
 }
 
+std::vector<std::byte> evenSky() {
+  std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
+  // By three.js's rule mantissa 255 with exponent 128 is exactly 1.
+  for (int i = 0; i < 64 * 32; ++i) file += std::string("\xff\xff\xff\x80", 4);
+  const auto* bytes = reinterpret_cast<const std::byte*>(file.data());
+  return {bytes, bytes + file.size()};
+}
+
 std::vector<std::byte> encodeHdr(int width, int height, const std::vector<glm::vec3>& texels) {
   std::string file =
       "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) + "\n";

@@ -25,6 +25,9 @@ BadPixels badPixels(const Frame& frame);
 /// Largest difference of two 8-bit frames in any channel; 256 where their sizes differ.
 int largestDifference(const Frame& a, const Frame& b);
 
+/// Radiance 1 everywhere, as a Radiance .hdr.
+std::vector<std::byte> evenSky();
+
 /// A Radiance .hdr, as bytes.
 std::vector<std::byte> encodeHdr(int width, int height, const std::vector<glm::vec3>& texels);
 

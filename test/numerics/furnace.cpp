@@ -1,10 +1,12 @@
 // White furnace: what a white cloth sends back of light that comes from everywhere, by direct lights and by an
-// environment, for each layer alone and for any mix of them.
+// environment, for each layer alone and for any mix of them, from all sides.
+#include <algorithm>
+#include <array>
+
+#include "albedo.h"
 #include "checks.h"
 #include "evaluate.h"
-#include "mixture.h"
 #include "surface_point.h"
-#include "worst.h"
 
 namespace telar::numerics {
 namespace {
@@ -12,10 +14,37 @@ namespace {
 constexpr double COSINES[] = {0.02, 0.05, 0.1, 0.2, 0.3, 0.6, 1.0};
 constexpr double ROUGHNESSES[] = {0.0, 0.1, 0.2, 0.3, 0.5, 0.7, 0.85, 1.0};
 
+constexpr double PI = 3.14159265358979;
+/// Of the viewer against the tangent. A quarter turn is all of a lobe of two axes.
+constexpr double AZIMUTHS[] = {0, PI / 12, PI / 6, PI / 4, PI / 3, 5 * PI / 12, PI / 2};
+constexpr std::uint64_t MIXES = 300;
+
 struct Sheet {
   std::string layer;
   Material material;
+  bool turned = false;     ///< it looks different from other azimuths
+  std::uint64_t seed = 0;  ///< of the azimuths of a mix
 };
+
+struct View {
+  double NoV, azimuth;
+};
+
+/// Every cosine, and every azimuth where it matters; of a mix one azimuth a cosine.
+std::vector<View> viewsOf(const Sheet& sheet) {
+  std::vector<View> views;
+  Seeded random(~sheet.seed);
+  for (const double cosine : COSINES) {
+    if (sheet.seed > 0) {
+      views.push_back({cosine, random.between(-PI, PI)});
+    } else if (sheet.turned) {
+      for (const double azimuth : AZIMUTHS) views.push_back({cosine, azimuth});
+    } else {
+      views.push_back({cosine, 0});
+    }
+  }
+  return views;
+}
 
 Material white(double roughness, double metallic = 0) {
   Material m;
@@ -25,13 +54,22 @@ Material white(double roughness, double metallic = 0) {
   return m;
 }
 
+Material woven(double roughness, double metallic) {
+  Material m = white(roughness, metallic);
+  m.fabric.weave = true;
+  m.fabric.warp = {0.55f, static_cast<float>(roughness), 0.8f};
+  m.fabric.weft = {0.45f, static_cast<float>(1 - roughness), 0.8f};  // one smooth, one rough
+  return m;
+}
+
 /// White cloths: each layer at every roughness, and mixes.
 std::vector<Sheet> sheets(Scale scale) {
   std::vector<Sheet> list;
-  for (const double roughness : ROUGHNESSES) {
+  for (std::size_t i = 0; i < std::size(ROUGHNESSES); i += scale == Scale::kLeast ? 3 : 1) {
+    const double roughness = ROUGHNESSES[i];
     list.push_back({"base", white(roughness)});
     for (const double metallic : {0.5, 1.0}) list.push_back({"metal", white(roughness, metallic)});
-    Material sheen = white(scale == Scale::kFull ? 0.8 : 1.0);
+    Material sheen = white(0.8);
     sheen.layers.sheen = true;
     sheen.layers.sheenColorFactor = glm::vec3(1);
     sheen.layers.sheenRoughnessFactor = static_cast<float>(roughness);
@@ -42,79 +80,88 @@ std::vector<Sheet> sheets(Scale scale) {
     list.push_back({"coat", coat});
     Material stretched = white(roughness);
     stretched.layers.anisotropyStrength = 0.9f;
-    list.push_back({"stretched", stretched});
+    list.push_back({"stretched", stretched, true});
     Material rough = white(roughness);
     rough.layers.diffuseRoughnessFactor = 1;
     list.push_back({"rough diffuse", rough});
-    Material woven = white(roughness);
-    woven.fabric.weave = true;
-    woven.fabric.warp = {0.55f, static_cast<float>(roughness), 0.8f};
-    woven.fabric.weft = {0.45f, static_cast<float>(roughness), 0.8f};
-    list.push_back({"yarns", woven});
+    for (const double metallic : {0.0, 1.0})
+      list.push_back({metallic == 0 ? "yarns" : "metal yarns", woven(roughness, metallic), true});
   }
-  for (std::uint64_t seed = 0; seed < countOf(scale, 24, 300); ++seed) {
+  for (std::uint64_t seed = 0; seed < countOf(scale, 24, MIXES); ++seed) {
     Seeded random(seed);
-    list.push_back({"any mix", whiteCloth(random)});
+    list.push_back({"any mix", whiteCloth(random), true, seed + 1});
   }
   return list;
 }
 
-/// Of direct light from everywhere, radiance 1: the quadrature knows the lobes of every shading.
-double directAlbedo(ShadingModel model, const Sheet& sheet, double NoV, int points) {
-  const SurfacePoint p = pointOn(model, sheet.material, {NoV});
-  const Shaded<double> shaded(model, inDouble(p.info));
-  const auto& s = shaded.info();
-  std::vector<Lobe> lobes{{glm::dmat3(s.t, s.b, s.n), {std::max(s.alphaT, s.alpha), s.alpha}}};
-  if (s.clearcoat > 0) lobes.push_back({glm::dmat3(1.0), glm::dvec2(s.clearcoatRoughness * s.clearcoatRoughness)});
-  if (sheet.material.fabric.weave) {
-    for (const bool across : {false, true}) {
-      const Yarn& yarn = across ? sheet.material.fabric.weft : sheet.material.fabric.warp;
-      const double narrow = std::max(yarn.roughness * yarn.roughness, 0.002f);
-      lobes.push_back({glm::dmat3(across ? s.b : s.t, across ? -s.t : s.b, s.n), {std::max(narrow, 0.5), narrow}});
-    }
+/// Of the surface, what shows gloss: light that falls through the gaps of a metal weave has nothing to send it back.
+double covered(const Shaded<double>& shaded) {
+  const double yarns = shaded.info().warp.coverage + shaded.info().weft.coverage;
+  return yarns > 0 ? yarns : 1;
+}
+
+struct Range {
+  std::string layer;
+  double least = 1e9, most = -1e9;
+  std::string leastAt, mostAt;
+  std::uint64_t points = 0, full = 0, woven = 0;
+
+  void see(double albedo, double coverage, bool yarns, const std::string& at) {
+    woven += yarns;
+    if (!(albedo / coverage >= least)) least = albedo / coverage, leastAt = at;
+    if (!(albedo <= most)) most = albedo, mostAt = at;
+    ++points;
   }
-  std::optional<Fuzz> fuzz;
-  if (s.sheenColor != glm::dvec3(0)) {
-    const glm::dvec3 ltc = brdf_d::sheenLtc(std::max(s.sheenRoughness, brdf_d::CLOTH_SHEEN_ROUGHNESS_MIN), s.NoV);
-    const glm::dvec3 along(s.v.x, s.v.y, 0);
-    fuzz = Fuzz{glm::length(along) > 1e-9 ? glm::normalize(along) : glm::dvec3(1, 0, 0), ltc.y, ltc.z};
-  }
-  return Mixture(s.v, lobes, points, fuzz).integrate([&](const glm::dvec3& l) { return shaded.direct(l).y; });
+};
+
+std::string placeOf(const Sheet& sheet, const View& view) {
+  const std::string azimuth = sheet.turned ? ", azimuth " + std::to_string(view.azimuth) : "";
+  return "NoV " + std::to_string(view.NoV).substr(0, 4) + azimuth + ", " + describe(sheet.material);
 }
 
 /// Least and largest albedo of the sheets of each layer.
 template <class Albedo>
-std::vector<Figure> extremes(const ShadingPromise& shading, const std::vector<Sheet>& list, const std::string& light,
-                             Albedo albedo) {
-  struct Range {
-    std::string layer;
-    double least = 1e9, most = -1e9;
-    std::string leastAt, mostAt;
-    std::uint64_t points = 0;
+std::vector<Figure> extremes(const ShadingPromise& shading, Scale scale, const std::string& light, Albedo albedo) {
+  struct Measured {
+    std::vector<View> views;
+    std::vector<double> albedos;
+    double coverage;
+    bool yarns;
   };
-  std::vector<std::array<double, std::size(COSINES)>> all(list.size());
+  const std::vector<Sheet> list = sheets(scale);
+  std::vector<Measured> all(list.size());
   inParallel(list.size(), [&](std::uint64_t from, std::uint64_t to, unsigned) {
-    for (std::uint64_t i = from; i < to; ++i)
-      for (std::size_t j = 0; j < std::size(COSINES); ++j) all[i][j] = albedo(list[i], COSINES[j]);
+    for (std::uint64_t i = from; i < to; ++i) {
+      all[i].views = viewsOf(list[i]);
+      for (const auto& [NoV, azimuth] : all[i].views) {
+        const SurfacePoint p = pointOn(shading.model, list[i].material, {NoV, 1, 0, azimuth});
+        const Shaded<double> shaded(shading.model, inDouble(p.info));
+        all[i].albedos.push_back(albedo(shaded));
+        all[i].coverage = covered(shaded);
+        all[i].yarns = hasYarns(p);
+      }
+    }
   });
   std::vector<Range> ranges;
+  const auto rangeOf = [&](const std::string& layer) -> Range& {
+    const auto found = std::find_if(ranges.begin(), ranges.end(), [&](const Range& r) { return r.layer == layer; });
+    return found == ranges.end() ? *ranges.insert(ranges.end(), {layer}) : *found;
+  };
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const Sheet& sheet = list[i];
-    auto range = std::find_if(ranges.begin(), ranges.end(), [&](const Range& r) { return r.layer == sheet.layer; });
-    if (range == ranges.end()) range = ranges.insert(ranges.end(), {sheet.layer});
-    for (std::size_t j = 0; j < std::size(COSINES); ++j) {
-      const double e = all[i][j];
-      const std::string at = "NoV " + std::to_string(COSINES[j]).substr(0, 4) + ", " + describe(sheet.material);
-      if (!(e >= range->least)) range->least = e, range->leastAt = at;
-      if (!(e <= range->most)) range->most = e, range->mostAt = at;
-      ++range->points;
-    }
+    for (std::size_t j = 0; j < all[i].views.size(); ++j)
+      rangeOf(list[i].layer).see(all[i].albedos[j], all[i].coverage, all[i].yarns, placeOf(list[i], all[i].views[j]));
   }
+  for (const Sheet& sheet : sheets(Scale::kFull)) rangeOf(sheet.layer).full += viewsOf(sheet).size();
   std::vector<Figure> out;
   for (const Range& r : ranges) {
     const double high = shading.conserves ? 1.005 : NO_BAR, low = shading.conserves ? 0.90 : -NO_BAR;
-    out.push_back({light + ", " + r.layer + ": most", shading.name, r.most, high, -NO_BAR, r.points, r.mostAt});
-    out.push_back({light + ", " + r.layer + ": least", shading.name, r.least, NO_BAR, low, r.points, r.leastAt});
+    const std::string what = light + ", " + r.layer;
+    out.push_back({what + ": most", shading.name, r.most, high, -NO_BAR, r.points, r.mostAt, r.full});
+    out.push_back({what + ": least", shading.name, r.least, NO_BAR, low, r.points, r.leastAt, r.full});
+    if (!shading.weaves || r.layer != "yarns") continue;
+    const auto views = static_cast<double>(r.points);
+    out.push_back({what + ": views that show them", shading.name, static_cast<double>(r.woven), views, views, r.points,
+                   "", r.full});
   }
   return out;
 }
@@ -122,15 +169,13 @@ std::vector<Figure> extremes(const ShadingPromise& shading, const std::vector<Sh
 }  // namespace
 
 std::vector<Figure> checkFurnaceDirect(const ShadingPromise& shading, Scale scale) {
-  const int points = static_cast<int>(countOf(scale, 1 << 12, 1 << 14));
-  return extremes(shading, sheets(scale), "direct light",
-                  [&](const Sheet& sheet, double NoV) { return directAlbedo(shading.model, sheet, NoV, points); });
+  const int points = scale == Scale::kFull ? 1 << 13 : 1 << 12;
+  return extremes(shading, scale, "direct light",
+                  [&](const Shaded<double>& shaded) { return directAlbedo(shaded, points); });
 }
 
 std::vector<Figure> checkFurnaceEnvironment(const ShadingPromise& shading, Scale scale) {
-  return extremes(shading, sheets(scale), "environment", [&](const Sheet& sheet, double NoV) {
-    return Shaded<double>(shading.model, inDouble(pointOn(shading.model, sheet.material, {NoV}).info)).environment().y;
-  });
+  return extremes(shading, scale, "environment", [](const Shaded<double>& shaded) { return shaded.environment().y; });
 }
 
 }  // namespace telar::numerics

@@ -9,7 +9,7 @@ namespace telar::numerics {
 namespace {
 
 struct Tally {
-  std::uint64_t materials = 0, covered = 0, notFinite = 0, negative = 0;
+  std::uint64_t materials = 0, pictured = 0, covered = 0, notFinite = 0, negative = 0;
   std::string notFiniteAt, negativeAt;
 };
 
@@ -29,6 +29,7 @@ void drawFrame(Renderer& renderer, std::uint64_t seed, ShadingModel shading, boo
   }
   tally.notFinite += raw.notFinite;
   if (!picture) return;
+  tally.pictured += FuzzFrame::MATERIALS;
   frame.shot.debugOutput = DebugOutput::kNone;
   const BadPixels shown = badPixels(drawn(renderer, frame.scene, frame.shot, frame.environment));
   if (shown.notFinite + shown.negative > 0 && tally.negative == 0) tally.negativeAt = placeOf(frame, seed, shown.first);
@@ -39,16 +40,18 @@ void drawFrame(Renderer& renderer, std::uint64_t seed, ShadingModel shading, boo
 
 std::vector<Figure> checkFuzz(const ShadingPromise& shading, Scale scale) {
   const auto count = static_cast<std::uint64_t>(shadingPromises().size());  // each draws frames of its own
-  const std::uint64_t frames = countOf(scale, 4, 176) / count;
+  constexpr std::uint64_t FULL = 176;
+  const std::uint64_t frames = countOf(scale, 4, FULL) / count, materials = FULL / count * FuzzFrame::MATERIALS;
   const auto renderer = makeRenderer();
   Tally tally;
   for (std::uint64_t i = 0; i < frames; ++i)
     drawFrame(*renderer, i * count + static_cast<std::uint64_t>(shading.model), shading.model, i % 4 == 0, tally);
   return {{"pixels of random materials whose radiance is not finite", shading.name,
-           static_cast<double>(tally.notFinite), 0, -NO_BAR, tally.materials, tally.notFiniteAt},
+           static_cast<double>(tally.notFinite), 0, -NO_BAR, tally.materials, tally.notFiniteAt, materials},
           {"pixels of their pictures that are negative or not finite", shading.name,
-           static_cast<double>(tally.negative), 0, -NO_BAR, tally.materials / 4, tally.negativeAt},
-          {"pixels that they cover", shading.name, static_cast<double>(tally.covered), NO_BAR, 1, tally.materials, ""}};
+           static_cast<double>(tally.negative), 0, -NO_BAR, tally.pictured, tally.negativeAt, materials / 4},
+          {"pixels that they cover", shading.name, static_cast<double>(tally.covered), NO_BAR, 1, tally.materials, "",
+           materials}};
 }
 
 }  // namespace telar::numerics

@@ -64,7 +64,8 @@ std::string definesOf(const Variant& variant, ShadingModel model, const ShadingT
 
 /// A point of the grid without what the program lacks.
 SurfacePoint pointFor(ShadingModel model, const Variant& variant, std::uint64_t index) {
-  SurfacePoint p = gridPoint(model, index);
+  // The upper half of the grid has every layer: woven cloth among them.
+  SurfacePoint p = gridPoint(model, variant.woven ? gridSize() / 2 + index / 2 : index);
   if (!variant.sheen) p.info.sheenColor = glm::vec3(0);
   if (!variant.coat) p.info.clearcoat = 0;
   if (!variant.stretched) p.info.anisotropyStrength = 0, p.info.alphaT = p.info.alpha;
@@ -84,7 +85,7 @@ struct Sample {
 
 struct Errors {
   std::array<Worst, 3> byWidth;
-  std::uint64_t notFinite = 0, notFiniteAt = 0, count = 0;
+  std::uint64_t notFinite = 0, notFiniteAt = 0, count = 0, woven = 0;
 };
 
 void compare(const ShadingPromise& shading, const std::vector<Sample>& samples, const std::vector<float>& result,
@@ -99,8 +100,9 @@ void compare(const ShadingPromise& shading, const std::vector<Sample>& samples, 
       errors.notFiniteAt = samples[i].point;
       continue;
     }
-    const double error = shading.robust ? relativeError(actual, expected) : directError(shading, p, actual, expected);
-    errors.byWidth[static_cast<std::size_t>(widthOf(shading, p))].see(error, samples[i].point);
+    errors.woven += hasYarns(p);
+    errors.byWidth[static_cast<std::size_t>(widthOf(shading, p))].see(relativeError(actual, expected),
+                                                                      samples[i].point);
   }
 }
 
@@ -137,15 +139,22 @@ Errors measure(test::GpuProbe& probe, const Variant& variant, const ShadingPromi
 std::vector<Figure> checkGpu(const ShadingPromise& shading, Scale scale) {
   test::GpuProbe probe(Backend::kEglSurfaceless, roundedUp(numberCount() + 3));
   std::vector<Figure> out;
+  constexpr std::uint64_t FULL = 250;  // batches: the whole grid
   for (const Variant& variant : VARIANTS) {
-    const Errors errors = measure(probe, variant, shading, termsOf(shading.model), countOf(scale, 2, 250));
+    const Errors errors = measure(probe, variant, shading, termsOf(shading.model), countOf(scale, 2, FULL));
     const auto add = [&](const std::string& what, double measured, double bar, std::uint64_t point) {
       out.push_back({what + ", " + variant.name, shading.name, measured, bar, -NO_BAR, errors.count,
                      measured > 0 ? "grid point " + std::to_string(point) + ": " +
                                         describe(pointFor(shading.model, variant, point))
-                                  : ""});
+                                  : "",
+                     FULL * test::GpuProbe::ROWS});
     };
     add("points not finite or negative", static_cast<double>(errors.notFinite), 0, errors.notFiniteAt);
+    if (shading.weaves && variant.woven) {
+      add("points that show yarns", static_cast<double>(errors.woven), NO_BAR, 0);
+      out.back().low = static_cast<double>(errors.count / 4);
+      out.back().where.clear();
+    }
     for (const Width width : {Width::kSmooth, Width::kRough, Width::kThinFuzz}) {
       const Worst& worst = errors.byWidth[static_cast<std::size_t>(width)];
       if (width == Width::kThinFuzz && (shading.robust || !variant.sheen)) continue;
@@ -177,6 +186,7 @@ const std::vector<Slot>& termSlots() {
 
 std::vector<Figure> checkGpuTerms(const ShadingPromise& shading, Scale scale) {
   std::vector<Figure> out;
+  constexpr std::uint64_t FULL = 25;  // batches a term
   test::GpuProbe probe(Backend::kEglSurfaceless, roundedUp(numberCount() + 3));
   for (const Slot& slot : termSlots()) {
     const auto figureOf = [&](const std::string& what, double bar) {
@@ -189,9 +199,10 @@ std::vector<Figure> checkGpuTerms(const ShadingPromise& shading, Scale scale) {
       ShadingTerms terms = termsOf(shading.model);
       if (terms.*slot.member == static_cast<int>(term)) continue;
       terms.*slot.member = static_cast<int>(term);
-      const Errors errors = measure(probe, THIN_CLOTH, shading, terms, countOf(scale, 1, 25));
+      const Errors errors = measure(probe, THIN_CLOTH, shading, terms, countOf(scale, 1, FULL));
       const auto see = [&](Figure& figure, double measured, std::uint64_t point) {
         figure.points += errors.count;
+        figure.full += FULL * test::GpuProbe::ROWS;
         if (measured <= figure.measured) return;
         figure.measured = measured;
         figure.where = std::string(slot.terms[term]) + ", grid point " + std::to_string(point) + ": " +

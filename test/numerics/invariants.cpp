@@ -38,9 +38,11 @@ double unequal(const glm::dvec3& a, const glm::dvec3& b) {
 
 std::vector<Figure> checkReciprocity(const ShadingPromise& shading, Scale scale) {
   constexpr double BAR = 1e-4;
-  const std::uint64_t count = countOf(scale, 20'000, 1'000'000);
+  constexpr std::uint64_t FULL = 1'000'000;
+  const std::uint64_t count = countOf(scale, 20'000, FULL);
   struct Lobes {
     Worst diffuse, specular, sheen, coat;
+    std::uint64_t woven = 0;
   };
   std::vector<Lobes> parts(partCount());
   inParallel(count, [&](std::uint64_t from, std::uint64_t to, unsigned part) {
@@ -49,6 +51,7 @@ std::vector<Figure> checkReciprocity(const ShadingPromise& shading, Scale scale)
       const auto forward = Shaded<double>(shading.model, inDouble(a.info)).lobes(glm::dvec3(a.l));
       const auto back = Shaded<double>(shading.model, inDouble(b.info)).lobes(glm::dvec3(b.l));
       const double NoL = a.l.z, NoLBack = b.l.z;  // the normal is +z
+      parts[part].woven += hasYarns(a) && hasYarns(b);
       parts[part].diffuse.see(unequal(forward.diffuse / NoL, back.diffuse / NoLBack), i);
       parts[part].specular.see(unequal(forward.specular / NoL, back.specular / NoLBack), i);
       parts[part].sheen.see(unequal(forward.sheen / NoL, back.sheen / NoLBack), i);
@@ -61,12 +64,19 @@ std::vector<Figure> checkReciprocity(const ShadingPromise& shading, Scale scale)
     for (const Lobes& part : parts) worst.see(part.*member);
     out.push_back({std::string("relative difference with viewer and light exchanged, ") + lobe, shading.name,
                    worst.value, promised ? BAR : NO_BAR, -NO_BAR, count,
-                   "seed " + std::to_string(worst.point) + ": " + describe(exchangeable(shading.model, worst.point))});
+                   "seed " + std::to_string(worst.point) + ": " + describe(exchangeable(shading.model, worst.point)),
+                   FULL});
   };
   add("diffuse", &Lobes::diffuse, shading.reciprocal.diffuse);
   add("specular", &Lobes::specular, shading.reciprocal.specular);
   add("sheen", &Lobes::sheen, shading.reciprocal.sheen);
   add("coat", &Lobes::coat, shading.reciprocal.coat);
+  if (shading.weaves) {
+    std::uint64_t woven = 0;
+    for (const Lobes& part : parts) woven += part.woven;
+    out.push_back({"points that show yarns, exchanged", shading.name, static_cast<double>(woven), NO_BAR,
+                   static_cast<double>(count / 4), count, "", FULL});
+  }
   return out;
 }
 
@@ -91,27 +101,31 @@ double peak(ShadingModel model, const Material& material, double NoV) {
 }  // namespace
 
 std::vector<Figure> checkMonotone(const ShadingPromise& shading, Scale scale) {
-  const double step = scale == Scale::kFull ? 0.01 : 0.05;
+  constexpr std::uint64_t FULL = 95, CURVES = 8;  // steps of a curve; two kinds of metalness, four cosines
+  const std::uint64_t steps = countOf(scale, FULL / 5, FULL);
+  const double step = (1 - 0.045) / static_cast<double>(steps);
   Worst rise;
   std::string where;
   std::uint64_t count = 0;
   for (const float metallic : {0.0f, 1.0f}) {
     for (const double NoV : {0.1, 0.3, 0.6, 1.0}) {
-      double before = -1;
-      for (double roughness = 0.045; roughness < 1 + 1e-9; roughness += step) {
+      double lowest = -1;  // so far
+      for (std::uint64_t i = 0; i <= steps; ++i) {
+        const double roughness = 0.045 + step * static_cast<double>(i);
         Material m;
         m.metallicFactor = metallic;
         m.roughnessFactor = static_cast<float>(roughness);
         const double now = peak(shading.model, m, NoV), worst = rise.value;
-        if (before >= 0) rise.see(std::max(0.0, now / before - 1), ++count);
+        if (lowest >= 0) rise.see(std::max(0.0, now / lowest - 1), ++count);
         if (rise.value != worst) where = "NoV " + std::to_string(NoV) + ", " + describe(m);
-        before = now;
+        lowest = lowest < 0 ? now : std::min(lowest, now);
       }
     }
   }
-  // The plane of incidence is sampled: a thousandth is its resolution.
-  return {{"rise of the peak with roughness, relative", shading.name, rise.value, shading.conserves ? 3e-2 : NO_BAR,
-           -NO_BAR, count, where}};
+  // The plane of incidence is sampled: a thousandth is its resolution. The rest of the bar is what later bounces
+  // between the microfacets add where the lobe is widest.
+  return {{"rise of the peak with roughness over its lowest, relative", shading.name, rise.value,
+           shading.conserves ? 3e-2 : NO_BAR, -NO_BAR, count, where, FULL * CURVES}};
 }
 
 namespace {
@@ -134,7 +148,8 @@ SurfacePoint moved(ShadingModel model, std::uint64_t seed, double roughnessStep,
 
 std::vector<Figure> checkGradients(const ShadingPromise& shading, Scale scale) {
   constexpr double STEP = 1e-3, BAR = 1e7;
-  const std::uint64_t count = countOf(scale, 20'000, 1'000'000);
+  constexpr std::uint64_t FULL = 1'000'000;
+  const std::uint64_t count = countOf(scale, 20'000, FULL);
   std::vector<std::array<Worst, 2>> parts(partCount());
   inParallel(count, [&](std::uint64_t from, std::uint64_t to, unsigned part) {
     const auto at = [&](std::uint64_t seed, double roughness, double cosine) {
@@ -154,7 +169,8 @@ std::vector<Figure> checkGradients(const ShadingPromise& shading, Scale scale) {
     for (const auto& part : parts) worst.see(part[static_cast<std::size_t>(k)]);
     out.push_back({std::string("slope of the radiance by ") + (k ? "NoV" : "roughness"), shading.name, worst.value, BAR,
                    -NO_BAR, count,
-                   "seed " + std::to_string(worst.point) + ": " + describe(moved(shading.model, worst.point, 0, 0))});
+                   "seed " + std::to_string(worst.point) + ": " + describe(moved(shading.model, worst.point, 0, 0)),
+                   FULL});
   }
   return out;
 }

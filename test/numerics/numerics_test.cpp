@@ -1,3 +1,4 @@
+// Every figure at the reduced count.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@ TEST_P(Numerics, EveryFigureHolds) {
     std::printf("%-62s %-12s %10.3g\n", figure.what.c_str(), figure.shading.c_str(), figure.measured);
     EXPECT_TRUE(figure.holds()) << figure.what << " " << figure.shading << ": " << figure.measured << " is not within "
                                 << figure.low << " .. " << figure.high << "; " << figure.where;
+    EXPECT_GT(figure.full, 0u) << figure.what;
   }
 }
 

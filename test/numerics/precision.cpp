@@ -55,19 +55,21 @@ double relativeError(const glm::vec3& actual, const glm::dvec3& expected) {
   return worstOf(glm::abs(glm::dvec3(actual) - expected), expected);
 }
 
-double directError(const ShadingPromise& shading, const SurfacePoint& point, const glm::vec3& actual,
-                   const glm::dvec3& expected) {
-  const double plain = relativeError(actual, expected);
-  if (plain <= errorBar(shading, widthOf(shading, point))) return plain;
-  const glm::dvec3 reach = roundingReach(shading.model, inDouble(point.info), glm::dvec3(point.l));
+double unexplainedError(ShadingModel model, const SurfacePoint& point, const glm::vec3& actual,
+                        const glm::dvec3& expected) {
+  const glm::dvec3 reach = roundingReach(model, inDouble(point.info), glm::dvec3(point.l));
   return worstOf(glm::max(glm::abs(glm::dvec3(actual) - expected) - reach, glm::dvec3(0)), expected);
 }
 
 Width widthOf(const ShadingPromise& shading, const SurfacePoint& p) {
   const bool sheen = p.info.sheenColor != glm::vec3(0);
   if (sheen && !shading.robust && p.info.sheenRoughness < THIN_FUZZ) return Width::kThinFuzz;
-  const bool smooth = p.info.perceptualRoughness < SMOOTH ||
-                      (p.info.clearcoat > 0 && p.info.clearcoatRoughness < SMOOTH) ||
+  const bool woven = shading.weaves && hasYarns(p);
+  const auto isSmooth = [](const brdf_f::YarnLobe& yarn) {
+    return yarn.coverage > 0 && std::min(yarn.alphaT, yarn.alphaB) < SMOOTH * SMOOTH;
+  };
+  const bool gloss = woven ? isSmooth(p.info.warp) || isSmooth(p.info.weft) : p.info.perceptualRoughness < SMOOTH;
+  const bool smooth = gloss || (p.info.clearcoat > 0 && p.info.clearcoatRoughness < SMOOTH) ||
                       (sheen && p.info.sheenRoughness < SMOOTH);
   return smooth ? Width::kSmooth : Width::kRough;
 }

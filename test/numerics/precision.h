@@ -11,11 +11,12 @@ constexpr double RADIANCE_FLOOR = 1e-4;
 /// Largest relative error of the three channels.
 double relativeError(const glm::vec3& actual, const glm::dvec3& expected);
 
-/// The same for direct light at a point, less what no arithmetic in single precision could do better: stock terms are
-/// written in ways that lose digits (a distribution from a cosine), and are judged by what is left when the parts of n,
-/// v and l have moved by a few steps of single precision.
-double directError(const ShadingPromise& shading, const SurfacePoint& point, const glm::vec3& actual,
-                   const glm::dvec3& expected);
+/// What of the error of direct light the rounding of its directions does not explain: what is left when the parts of n,
+/// v and l have moved by a few steps of single precision, which no arithmetic in single precision can tell apart. Terms
+/// that are written in ways that lose digits (a distribution from a cosine) are judged by it where the error itself is
+/// large.
+double unexplainedError(ShadingModel model, const SurfacePoint& point, const glm::vec3& actual,
+                        const glm::dvec3& expected);
 
 /// How narrow the narrowest lobe of a point is.
 enum class Width { kRough, kSmooth, kThinFuzz };

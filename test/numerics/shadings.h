@@ -16,11 +16,12 @@ struct ShadingPromise {
   struct {
     bool diffuse, specular, sheen, coat;
   } reciprocal;
-  /// Its terms keep their digits at every roughness: errors are relative to the result, with nothing allowed for the
-  /// rounding of the directions.
+  /// Its terms keep their digits at every roughness, that of the thinnest fuzz included.
   bool robust;
   /// Energy is kept. Stock shadings keep what their originals get wrong: measured, not asserted.
   bool conserves;
+  /// It shades the yarns of woven cloth.
+  bool weaves;
 };
 
 const std::vector<ShadingPromise>& shadingPromises();

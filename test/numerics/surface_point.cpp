@@ -41,6 +41,7 @@ class Stage {
     reference::PlacedMesh mesh;
     mesh.primitive = &primitive_;
     mesh.material = &material;
+    mesh.shading = model;
     mesh.positions = primitive_.positions;
     mesh.triangles = {{0, 1, 2}};
     reference::Hit hit;
@@ -189,6 +190,8 @@ SurfacePoint gridPoint(ShadingModel model, std::uint64_t index) {
   }
   return pointOn(model, m, d);
 }
+
+bool hasYarns(const SurfacePoint& point) { return point.info.warp.coverage + point.info.weft.coverage > 0; }
 
 std::string describe(const SurfacePoint& p) {
   std::ostringstream out;

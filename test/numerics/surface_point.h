@@ -34,6 +34,9 @@ SurfacePoint randomPoint(ShadingModel model, std::uint64_t seed);
 std::uint64_t gridSize();
 SurfacePoint gridPoint(ShadingModel model, std::uint64_t index);
 
+/// Whether it shows warp or weft, as the reader of materials has it.
+bool hasYarns(const SurfacePoint& point);
+
 /// What a message says of a point.
 std::string describe(const SurfacePoint& point);
 
