@@ -7,8 +7,7 @@ namespace telar {
 
 /// `picture` of a frame's info.
 inline nlohmann::ordered_json toJson(const PictureFacts& facts) {
-  return {
-      {"coverage", facts.coverage}, {"dark", facts.dark}, {"bright", facts.bright}, {"saturated", facts.saturated}};
+  return {{"coverage", facts.coverage}, {"dark", facts.dark}, {"bright", facts.bright}, {"saturated", facts.saturated}};
 }
 
 }  // namespace telar

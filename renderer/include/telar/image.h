@@ -59,8 +59,8 @@ enum class MissingLevels {
 };
 
 /// Texture image as glTF gives it: RGBA, straight alpha, encoded as in the file (no colour conversion), row 0 is the
-/// top row, rows are tightly packed: pixels.size() == width * height * texelBytes(type), or the bytes of its blocks. All
-/// but some KTX2 files are 8-bit.
+/// top row, rows are tightly packed: pixels.size() == width * height * texelBytes(type), or the bytes of its blocks.
+/// All but some KTX2 files are 8-bit.
 struct Image8 {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
