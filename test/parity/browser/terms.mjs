@@ -50,7 +50,7 @@ const SHADED = {
 };
 
 /** The same for cloth, which has a table of its own in place of three's. */
-const CLOTH = { ...SHADED, dfg: 'vec3(telarSurface.albedo, 0.0)' };
+const CLOTH = { ...SHADED, dfg: 'vec3(telarSurface.albedo.base, 0.0)' };
 
 const SHADED_SUMS = `
 vec3 telarDirectSum = telarDirect.diffuse + telarDirect.specular;
