@@ -1,4 +1,4 @@
-# Forwards to CMake (js/build.mjs): sources and flags stand in CMakeLists.txt alone.
+# Forwards to CMake (js/build/addon.mjs): sources and flags stand in CMakeLists.txt alone.
 {
   'targets': [{
     'target_name': 'telar',
@@ -8,7 +8,7 @@
       'inputs': [],
       # Never written, so the action always runs: ninja decides what is stale.
       'outputs': ['<(INTERMEDIATE_DIR)/always'],
-      'action': ['node', '<(module_root_dir)/js/build.mjs'],
+      'action': ['node', '<(module_root_dir)/js/build/addon.mjs'],
       'message': 'Building out/release/addon/telar.node with CMake',
     }],
   }],

@@ -1,7 +1,11 @@
 import { createHash } from 'node:crypto';
 import path from 'node:path';
+import { loadNative } from './native.mjs';
 import { nativeCall } from './native_call.mjs';
+import { keyOptions } from './options.mjs';
 import { withParts } from './parts.mjs';
+import { readShot, readSource } from './source.mjs';
+import { versions } from './versions.mjs';
 
 /** The key of a picture: SHA-256 of all that it is made of. Equal keys mean the same picture by the same GL. */
 
@@ -42,21 +46,30 @@ async function digestOf(native, source, limits, signal) {
 const environmentOf = ({ map }, bytes) => bytes ?? path.resolve(map);
 
 /**
- * The key of a model that is not loaded.
- * @param {object} native
- * @param {object} request of readSource and readShot: {input, shot, environment}
- * @param {{version: string, limits: object, resolve?: Function, signal?: AbortSignal}} options
- * @returns {Promise<string>}
+ * The key that a picture will have as `info.key`, without drawing it or decoding the model.
+ * @param {string | URL | Uint8Array | ArrayBuffer} source - Path, file: URL or bytes.
+ * @param {object} [shot]
+ * @param {object} [options]
+ * @param {Record<string, number>} [options.limits] - By the L_* names.
+ * @param {(uri: string) => unknown} [options.resolve] - As createRenderer has it.
+ * @param {AbortSignal} [options.signal]
+ * @returns {Promise<string>} 64 hex digits
+ * @throws {TelarError} E_OPTION, E_SHOT; E_FILE, E_NOT_GLTF, E_JSON, ... for a file that is no glTF document
  */
-export async function keyOfSource(native, { input, shot, environment }, { version, limits, resolve, signal }) {
+export async function pictureKey(source, shot = {}, options = {}) {
+  const native = loadNative();
+  const { limits, resolve, signal } = keyOptions(options, Object.keys(native.limits));
+  const maxBytes = limits.L_FILE_BYTES ?? native.limits.L_FILE_BYTES;
+  const input = readSource(native, source, maxBytes);
+  const request = readShot(native, shot, maxBytes);
   const { shotIdentity } = await identityModule();
-  const identity = shotIdentity(shot);
+  const identity = shotIdentity(request.shot);
   const { map } = identity.environment;
-  const [model, light] = await Promise.all([
+  const [model, environment] = await Promise.all([
     withParts(native, { resolve, signal }, (parts) => nativeCall(native, { signal }, (token) => native.hashModel(input, limits, { tolerant: true, parts }, token))),
-    NAMED.includes(map) ? map : digestOf(native, environmentOf(identity.environment, environment), limits, signal),
+    NAMED.includes(map) ? map : digestOf(native, environmentOf(identity.environment, request.environment), limits, signal),
   ]);
-  return keyOfParts({ version, model, environment: light, shot: identity });
+  return keyOfParts({ version: versions.telar, model, environment, shot: identity });
 }
 
 /**

@@ -4,7 +4,7 @@ import { nativeCall } from '../api/native_call.mjs';
 import { callOptions, fileOptions } from '../api/options.mjs';
 import { readSource } from '../api/source.mjs';
 import { TelarError } from '../error/index.mjs';
-import { loadNative } from '../native.mjs';
+import { loadNative } from '../api/native.mjs';
 import { checkImage } from './image.mjs';
 
 /** Image files in and out, through the same decoders that read textures. */

@@ -1,7 +1,7 @@
 import { readdirSync } from 'node:fs';
 import path from 'node:path';
 import { setUp } from './index.mjs';
-import { main, ROOT, runShown } from './step.mjs';
+import { main, ROOT, runShown } from '../machine/step.mjs';
 
 // npm run bench [-- NAME...]: every benchmark of test/bench, or those whose names are given, one after the other.
 

@@ -1,10 +1,10 @@
 import { existsSync, readdirSync, statSync } from 'node:fs';
 import path from 'node:path';
-import { ROOT, runLogged } from './step.mjs';
+import { ROOT, runLogged } from '../machine/step.mjs';
 
 const JS = path.join(ROOT, 'js');
 const SHADERS = path.join(ROOT, 'shaders');
-const BUNDLER = path.join(JS, 'build_cjs.mjs');
+const BUNDLER = path.join(JS, 'build/dist.mjs');
 
 /** Whether every source is older than the oldest bundle. */
 function bundlesFresh() {
@@ -12,13 +12,13 @@ function bundlesFresh() {
   if (!existsSync(dist)) return false;
   const times = (folder, pattern) =>
     readdirSync(folder, { recursive: true }).filter((file) => pattern.test(file) && !file.startsWith('dist')).map((file) => statSync(path.join(folder, file)).mtimeMs);
-  const bundles = ['shading', 'zod.mjs'].every((name) => existsSync(path.join(dist, name))) ? times(dist, /\.cjs$/) : [];
-  const sources = [...times(JS, /\.(mjs|json|css|html|svg|glsl)$/), ...times(SHADERS, /\.(glsl|frag|vert)$/)];
+  const bundles = ['shading', 'types', 'zod.mjs'].every((name) => existsSync(path.join(dist, name))) ? times(dist, /\.cjs$/) : [];
+  const sources = [...times(JS, /\.(mjs|d\.ts|json|css|html|svg|glsl)$/), ...times(SHADERS, /\.(glsl|frag|vert)$/)];
   return bundles.length > 0 && Math.max(...sources) <= Math.min(...bundles);
 }
 
 /**
- * Writes js/dist, the CommonJS side of the package, the shading text for three.js and the page of `telar view`, where a source is newer.
+ * Writes js/dist where a source is newer than it.
  * @returns {Promise<string>} What was done, in a few words.
  */
 export async function ensureBundles(begin) {

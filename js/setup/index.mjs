@@ -1,9 +1,9 @@
 import { fileURLToPath } from 'node:url';
-import { ensureBuild } from '../build.mjs';
+import { ensureBuild } from '../build/addon.mjs';
 import { ensureBundles } from './bundles.mjs';
 import { ensureDebianPackages } from './debian.mjs';
 import { ensureNpmPackages } from './npm_packages.mjs';
-import { main, step } from './step.mjs';
+import { main, step } from '../machine/step.mjs';
 
 /**
  * Everything between a clean clone and a run; each step does nothing when it is done already.

@@ -3,7 +3,7 @@ import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { ensureDebianPackages } from './debian.mjs';
 import { ensureNpmPackages } from './npm_packages.mjs';
-import { main, ROOT, runShown, step } from './step.mjs';
+import { main, ROOT, runShown, step } from '../machine/step.mjs';
 
 // npm run lint: clang-format over C++, biome over JavaScript, clang-tidy over the C++ that changed since the branch left
 // main (all of it would take many minutes). `npm run format` (--fix) writes what clang-format wants.

@@ -1,6 +1,6 @@
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
-import { ROOT, runLogged } from './step.mjs';
+import { ROOT, runLogged } from '../machine/step.mjs';
 
 /**
  * Whether node_modules holds what the lock file names: npm writes a lock file of what it installed beside the packages,

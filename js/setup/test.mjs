@@ -1,7 +1,7 @@
 import { readdirSync } from 'node:fs';
 import path from 'node:path';
 import { setUp } from './index.mjs';
-import { main, ROOT, runShown } from './step.mjs';
+import { main, ROOT, runShown } from '../machine/step.mjs';
 
 // npm test: all set-up, then every test. `node js/setup/test.mjs cpp` or `js [FILE...]` runs one half.
 

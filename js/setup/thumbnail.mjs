@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { setUp } from './index.mjs';
-import { main, ROOT, runShown } from './step.mjs';
+import { main, ROOT, runShown } from '../machine/step.mjs';
 
 // npm run thumbnail [-- ARGUMENTS OF telar thumbnail]: all set-up, then the bundled garment, or the model that is named.
 

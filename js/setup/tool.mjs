@@ -1,6 +1,6 @@
 import path from 'node:path';
 import { setUp } from './index.mjs';
-import { main, ROOT, runShown } from './step.mjs';
+import { main, ROOT, runShown } from '../machine/step.mjs';
 
 // npm run parity, accuracy, numerics [-- ARGUMENTS]: all set-up, then the tool of test/ that is named first, which says what
 // arguments it takes, with the build of the tests.

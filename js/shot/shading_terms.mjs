@@ -1,8 +1,8 @@
 /**
  * The principled shadings as a table of terms: each slot of the shading has a few terms, and a shading is one choice for
  * every slot. The one source of the names: the schema, the C++ enums (renderer/include/telar/shading_terms.inc) and the
- * defines of the shaders (shaders/shading/terms.glsl) are written from it by js/docs/generate.mjs, in this order.
- * What each term is and where it comes from stands in js/docs/shading_page.mjs.
+ * defines of the shaders (shaders/shading/terms.glsl) are written from it by js/build/docs/generate.mjs, in this order.
+ * What each term is and where it comes from stands in js/build/docs/shading_page.mjs.
  */
 
 /** slot: [term of "three-r115", term of "disney-2012", further terms ...] */

@@ -1,5 +1,5 @@
 import path from 'node:path';
-import { ASSET_DIRECTORY } from '../native.mjs';
+import { ASSET_DIRECTORY } from '../api/native.mjs';
 
 const STUDIO = 'studio';
 const NONE = 'none';

@@ -7,7 +7,7 @@ import Fastify from 'fastify';
 import { encodePng } from '../compare/files.mjs';
 import { TelarError, toTelarError } from '../error/index.mjs';
 
-/** Where js/build_page.mjs puts the page. */
+/** Where js/build/page.mjs puts the page. */
 const PAGE = fileURLToPath(new URL('../dist/view/', import.meta.url));
 
 const HOST = '127.0.0.1';

@@ -1,6 +1,6 @@
 import { writeFileSync } from 'node:fs';
 import { mean } from '../../js/compare/statistics.mjs';
-import { row } from '../../js/docs/tables.mjs';
+import { row } from '../../js/build/docs/tables.mjs';
 import { createRenderer } from '../../js/index.mjs';
 import { ENVIRONMENTS, FABRIC_MODELS } from '../fixtures/index.mjs';
 import { errorsOf } from './measure.mjs';

@@ -23,7 +23,7 @@ function measure(text) {
 
 const median = (list) => list.toSorted((a, b) => a - b)[list.length >> 1];
 
-execFileSync(process.execPath, [path.join(ROOT, 'js/build_cjs.mjs')]);
+execFileSync(process.execPath, [path.join(ROOT, 'js/build/dist.mjs')]);
 const samples = { telar: [], sharp: [], nothing: [] };
 for (const [name, text] of Object.entries(CASES)) measure(text, name); // file caches
 for (let run = 0; run < RUNS; ++run) {

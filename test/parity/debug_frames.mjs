@@ -1,5 +1,5 @@
 // Debug outputs of telar: float pictures of one quantity of the shading each (quantities.mjs).
-import { ASSET_DIRECTORY, loadNative } from '../../js/native.mjs';
+import { ASSET_DIRECTORY, loadNative } from '../../js/api/native.mjs';
 import { runTool, withMap } from './tool.mjs';
 
 /** @typedef {Record<string, Float32Array>} DebugFrames - By quantity: RGBA fp32, top row first; alpha 1 where the material

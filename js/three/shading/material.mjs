@@ -17,7 +17,7 @@ const UNSUPPORTED = {
 export const PREFIX = 'telar_';
 
 /**
- * Module of js/dist/shading, written by js/build_shading.
+ * Module of js/dist/shading, written by js/build/shading.
  * @typedef {object} ShadingText
  * @property {string} declarations - Of the fragment stage.
  * @property {string} main

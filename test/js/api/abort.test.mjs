@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { setTimeout as sleep } from 'node:timers/promises';
-import { createRendererOn } from '../../../js/renderer.mjs';
+import { createRendererOn } from '../../../js/api/renderer.mjs';
 import { SHOT, model, native, openRenderer } from './support/double.mjs';
 
 let renderer;

@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { addonFile } from './support/real.mjs';
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
-before(() => execFileSync(process.execPath, [path.join(ROOT, 'js/build_cjs.mjs')]));
+before(() => execFileSync(process.execPath, [path.join(ROOT, 'js/build/dist.mjs')]));
 
 /** Runs text in a fresh process inside the package, where `telar` is its own name. */
 function run(text, type) {

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { TelarError } from '../../../js/error/index.mjs';
-import { inspectOn } from '../../../js/inspect.mjs';
-import { createRendererOn } from '../../../js/renderer.mjs';
+import { inspectOn } from '../../../js/api/inspect.mjs';
+import { createRendererOn } from '../../../js/api/renderer.mjs';
 import { runChild } from './support/child.mjs';
 import { SHOT, model, native, openRenderer } from './support/double.mjs';
 

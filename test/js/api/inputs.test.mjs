@@ -4,7 +4,7 @@ import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { inspectOn } from '../../../js/inspect.mjs';
+import { inspectOn } from '../../../js/api/inspect.mjs';
 import { SHOT, model, native, openRenderer } from './support/double.mjs';
 
 let renderer, folder;

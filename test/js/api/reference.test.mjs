@@ -6,7 +6,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { promisify } from 'node:util';
 import { createRenderer, doctor } from '../../../js/index.mjs';
-import { nativePath } from '../../../js/native.mjs';
+import { nativePath } from '../../../js/api/native.mjs';
 import { MODELS } from '../../fixtures/index.mjs';
 
 const ROOT = path.resolve(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), '../../..');

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createRendererOn } from '../../../js/renderer.mjs';
+import { createRendererOn } from '../../../js/api/renderer.mjs';
 import { SHOT, model, native } from './support/double.mjs';
 
 const at = (time) => ({ ...SHOT, pose: { animation: 'wait', time } });

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { createRendererOn } from '../../../js/renderer.mjs';
-import { inspectOn } from '../../../js/inspect.mjs';
+import { createRendererOn } from '../../../js/api/renderer.mjs';
+import { inspectOn } from '../../../js/api/inspect.mjs';
 import { SHOT, model, native, openRenderer } from './support/double.mjs';
 
 // timeoutMs, on stages that only wait.

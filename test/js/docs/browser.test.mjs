@@ -8,7 +8,7 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 import sharp from 'sharp';
-import { buildShading } from '../../../js/build_shading/index.mjs';
+import { buildShading } from '../../../js/build/shading/index.mjs';
 import { launchChromium } from '../view/support.mjs';
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { withLimitsTable } from '../../../js/docs/limits_table.mjs';
-import { loadNative } from '../../../js/native.mjs';
+import { withLimitsTable } from '../../../js/build/docs/limits_table.mjs';
+import { loadNative } from '../../../js/api/native.mjs';
 import '../api/support/real.mjs';
 
 const read = (file) => readFileSync(new URL(`../../../${file}`, import.meta.url), 'utf8');

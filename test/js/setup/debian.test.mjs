@@ -4,14 +4,15 @@ import { chmodSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
-import { aptLine, listedPackages, missingPackages, rootCommands } from '../../../js/setup/debian.mjs';
-import { ROOT } from '../../../js/setup/step.mjs';
+import { aptLine, listedPackages, missingPackages } from '../../../js/machine/debian.mjs';
+import { ROOT } from '../../../js/machine/step.mjs';
+import { rootCommands } from '../../../js/setup/debian.mjs';
 
 const GROUPS = ['build', 'run', 'test', 'lint'];
 const hasDpkg = spawnSync('dpkg-query', ['--version']).status === 0;
 
 test('the list: every line has a name, a known group and a reason', () => {
-  const lines = readFileSync(path.join(ROOT, 'js/setup/debian_packages.txt'), 'utf8').split('\n').filter((line) => line && !line.startsWith('#'));
+  const lines = readFileSync(path.join(ROOT, 'js/machine/debian_packages.txt'), 'utf8').split('\n').filter((line) => line && !line.startsWith('#'));
   assert.ok(lines.length > 20);
   for (const line of lines) assert.match(line, /^[a-z0-9.+-]+ +(build|run|test|lint) +\S.{4,}/);
   const names = listedPackages(GROUPS);
@@ -57,7 +58,7 @@ function onBareMachine(t, { aptStatus = 0, env = {} } = {}) {
   program('sudo', '[ "$1" = -n ] && shift; exec "$@"');
   const script = `
     import { ensureDebianPackages } from ${JSON.stringify(path.join(ROOT, 'js/setup/debian.mjs'))};
-    import { main, step } from ${JSON.stringify(path.join(ROOT, 'js/setup/step.mjs'))};
+    import { main, step } from ${JSON.stringify(path.join(ROOT, 'js/machine/step.mjs'))};
     await main(async () => step('Debian packages', (begin) => ensureDebianPackages(['lint'], begin)));`;
   const { status, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', script], {
     encoding: 'utf8', env: { ...process.env, TELAR_NO_SYSTEM: '', ...env, PATH: `${folder}:${process.env.PATH}` }, stdio: ['ignore', 'pipe', 'pipe'],
@@ -110,5 +111,5 @@ test('what CMake found belongs to packages on the list', { skip: !hasDpkg && 'no
   // "libgtest-dev:amd64, libgmock-dev:amd64: /path"; empty for what was installed by hand.
   const ownersOf = (file) => spawnSync('dpkg-query', ['-S', file], { encoding: 'utf8' }).stdout.split(': ')[0].split(', ').map((name) => name.split(':')[0]);
   const strangers = found.map((file) => [file, ownersOf(file)]).filter(([, owners]) => owners[0] && !owners.some((owner) => listed.has(owner)));
-  assert.deepEqual(strangers, [], 'add these packages to js/setup/debian_packages.txt');
+  assert.deepEqual(strangers, [], 'add these packages to js/machine/debian_packages.txt');
 });

@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
 import { npmPackagesPresent } from '../../../js/setup/npm_packages.mjs';
-import { ROOT } from '../../../js/setup/step.mjs';
+import { ROOT } from '../../../js/machine/step.mjs';
 
 /** A checkout whose lock file wants `wanted` and whose node_modules holds `installed`. */
 function checkout(t, wanted, installed, folders = Object.keys(installed ?? {})) {

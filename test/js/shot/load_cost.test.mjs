@@ -20,7 +20,7 @@ const heavy = (modules) => modules.filter((url) => /node_modules\/(commander|cli
 
 test('import telar does not load the schema of the shot', () => {
   const modules = modulesOf(['--input-type=module', '-e', "await import('./js/index.mjs')"]);
-  assert.ok(modules.some((url) => url.endsWith('js/renderer.mjs')), 'the hook sees modules');
+  assert.ok(modules.some((url) => url.endsWith('js/api/renderer.mjs')), 'the hook sees modules');
   assert.deepEqual(heavy(modules), []);
 });
 

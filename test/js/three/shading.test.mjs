@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import * as THREE from 'three';
-import { buildShading } from '../../../js/build_shading/index.mjs';
+import { buildShading } from '../../../js/build/shading/index.mjs';
 import { applyShading, restoreMaterials } from '../../../js/three/shading.mjs';
 
 // Its imports are written here.

@@ -8,7 +8,7 @@ import { after, before, test } from 'node:test';
 import { TelarError } from '../../../js/error/index.mjs';
 import { openView } from '../../../js/view/index.mjs';
 import './support.mjs';
-import { buildPage } from '../../../js/build_page.mjs';
+import { buildPage } from '../../../js/build/page.mjs';
 
 // The server with a stand-in for the renderer: who may ask for what, and what becomes of work that nobody waits for.
 

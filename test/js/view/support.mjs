@@ -3,8 +3,8 @@ import { once } from 'node:events';
 import { createInterface } from 'node:readline';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
-import { buildPage } from '../../../js/build_page.mjs';
-import { buildShading } from '../../../js/build_shading/index.mjs';
+import { buildPage } from '../../../js/build/page.mjs';
+import { buildShading } from '../../../js/build/shading/index.mjs';
 import '../api/support/real.mjs';
 
 export const SHIRT = fileURLToPath(new URL('../../../js/assets/tshirt.glb', import.meta.url));

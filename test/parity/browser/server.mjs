@@ -3,7 +3,7 @@ import { stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { shadingModule } from '../../../js/build_shading/index.mjs';
+import { shadingModule } from '../../../js/build/shading/index.mjs';
 
 const ROOT = fileURLToPath(new URL('../../../', import.meta.url));
 

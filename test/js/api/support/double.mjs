@@ -2,8 +2,8 @@ import { existsSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { endWithProcess } from '../../../../js/native.mjs';
-import { createRendererOn } from '../../../../js/renderer.mjs';
+import { endWithProcess } from '../../../../js/api/native.mjs';
+import { createRendererOn } from '../../../../js/api/renderer.mjs';
 
 // The addon over stages that only wait (double.cpp): `plan` says how long each takes, and whether it fails.
 

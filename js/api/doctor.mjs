@@ -1,0 +1,23 @@
+import os from 'node:os';
+import { toTelarError } from '../error/index.mjs';
+import { nativeCall } from './native_call.mjs';
+import { loadNative, nativePath } from './native.mjs';
+import { versions } from './versions.mjs';
+
+/**
+ * What this machine can draw with: which GL backends exist, which one `backend: "auto"` takes and why, what is missing and
+ * the cure. Never throws for what it finds.
+ * @returns {Promise<object>} {ok, versions, system, native: {path} | {error}, chosen, reason, backends: [{backend, works,
+ *   vendor, renderer, version, software | failure, cure}], reference: {works, version | failure}}
+ */
+export async function doctor() {
+  const report = { ok: false, versions, system: `${os.type()} ${os.release()} ${os.arch()}` };
+  try {
+    const native = loadNative();
+    const probe = JSON.parse(await nativeCall(native, undefined, () => native.probe()));
+    const reference = JSON.parse(await nativeCall(native, undefined, () => native.probeReference()));
+    return { ...report, ok: probe.chosen !== null, native: { path: nativePath() }, ...probe, reference };
+  } catch (error) {
+    return { ...report, native: { error: toTelarError(error).toJSON() }, chosen: null, reason: error.message, backends: [], reference: { works: false, failure: error.message } };
+  }
+}

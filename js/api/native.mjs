@@ -1,0 +1,65 @@
+import { existsSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { isMainThread } from 'node:worker_threads';
+import { TelarError } from '../error/index.mjs';
+
+// The only file that loads the native part: telar.node, which the addon/ folder builds.
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+const CURE = 'run `npm run build` in the folder of telar (it needs the Debian packages that `npm run setup` installs)';
+
+/** Where a build puts the addon, the first that exists wins. TELAR_BUILD_DIR names one build folder and no other. */
+function candidates() {
+  const { TELAR_BUILD_DIR } = process.env;
+  if (TELAR_BUILD_DIR) return [path.join(path.resolve(TELAR_BUILD_DIR), 'addon/telar.node')];
+  return ['out/release/addon/telar.node', 'build/Release/telar.node'].map((file) => path.join(ROOT, file));
+}
+
+/** Folder of the data that the renderer reads: the bundled environment. */
+export const ASSET_DIRECTORY = path.join(ROOT, 'js/assets');
+
+let loaded;
+
+/**
+ * The addon's exports; loaded once for each Node environment.
+ * @returns {object}
+ * @throws {TelarError} X_NATIVE_MISSING
+ */
+export function loadNative() {
+  loaded ??= load();
+  return loaded.exports;
+}
+
+/** The file that loadNative() took, relative to telar's folder where it lies inside. */
+export function nativePath() {
+  loaded ??= load();
+  return shortened(loaded.file);
+}
+
+function load() {
+  const tried = candidates();
+  const file = tried.find((candidate) => existsSync(candidate));
+  if (!file) {
+    throw new TelarError('X_NATIVE_MISSING', `the native part of telar is not built (tried ${tried.map(shortened).join(', ')}): ${CURE}`);
+  }
+  try {
+    return { file, exports: endWithProcess(createRequire(import.meta.url)(file)) };
+  } catch (cause) {
+    const why = cause.message.split('\n')[0].replaceAll(ROOT, '');
+    throw new TelarError('X_NATIVE_MISSING', `${shortened(file)} does not load (${why}): ${CURE}`, { cause });
+  }
+}
+
+/**
+ * Ends the addon's threads before process.exit() runs the exit handlers of the GL driver. A worker has no such handlers,
+ * and its environment ends its threads by itself.
+ * @internal
+ */
+export function endWithProcess(native) {
+  if (isMainThread) process.once('exit', (code) => native.shutDown(code));
+  return native;
+}
+
+const shortened = (file) => (file.startsWith(ROOT) ? path.relative(ROOT, file) : path.basename(file));

@@ -1,0 +1,339 @@
+import { TelarError, toTelarError } from '../error/index.mjs';
+import { refuseWarnings } from './fail_on.mjs';
+import { Gate } from './gate.mjs';
+import { frameInfo, shotWarnings } from './frame_info.mjs';
+import { nativeCall } from './native_call.mjs';
+import { onAbort } from './on_abort.mjs';
+import { keyOfDrawn } from './picture_key.mjs';
+import { drawAllOptions, drawOptions, loadOptions, rendererOptions, wrongOption } from './options.mjs';
+import { ProgressReport } from './progress.mjs';
+import { Work } from './work.mjs';
+import { shotJson } from './shot_json.mjs';
+import { readShot, readSource } from './source.mjs';
+import { Model, SharedPoses, loadModel, measuredFor, poseModel, qualityModule, shotModule } from './model.mjs';
+import { ASSET_DIRECTORY, loadNative } from './native.mjs';
+import { versions } from './versions.mjs';
+
+/** Frames on their way at once: one is drawn while others load or are encoded. More would only hold memory. */
+const FRAMES_IN_FLIGHT = 4;
+
+/** Frames and small requests in the GL thread's own queue. */
+const MAX_QUEUED = 64;
+
+/** What `renderQuantity` draws; vectors in view space, colours linear (shaders/debug_output.glsl). */
+const QUANTITIES = ['n', 'baseColor', 'alpha', 'metallic', 'perceptualRoughness', 'f0', 'NoV', 'dfg', 'radiance', 'irradiance', 'direct', 'indirect', 'transmitted', 'linear', 'encoded'];
+
+/**
+ * Runs jobs that end together: the first that fails, the caller's signal or a throwing onProgress cancels them all.
+ * @param {AbortSignal | undefined} outer
+ * @param {((part: number) => void) | undefined} onProgress
+ * @param {number} jobs
+ * @param {(signal: AbortSignal, report: ProgressReport | undefined) => Promise<T>} run
+ * @returns {Promise<T>}
+ * @template T
+ */
+async function inScope(outer, onProgress, jobs, run) {
+  outer?.throwIfAborted();
+  const scope = new AbortController();
+  const stopListening = outer && onAbort(outer, (reason) => scope.abort(reason));
+  const tell = (part) => {
+    try {
+      onProgress(part);
+    } catch (error) {
+      scope.abort(error);
+    }
+  };
+  const report = onProgress && new ProgressReport(tell, jobs);
+  try {
+    const result = await run(scope.signal, report);
+    scope.signal.throwIfAborted();
+    return result;
+  } catch (error) {
+    scope.abort(error);
+    throw error;
+  } finally {
+    stopListening?.();
+    report?.stop();
+  }
+}
+
+/**
+ * The error of one of renderAll's shots, which says which: `index`. What an AbortSignal or onProgress threw is of no shot.
+ * Shots may share an error (of their pose), so each gets its own.
+ */
+function ofShot(thrown, index) {
+  if (!(thrown instanceof TelarError)) return thrown;
+  return new TelarError(thrown.code, `shots[${index}]: ${thrown.message}`, { ...thrown.toJSON(), index, cause: thrown });
+}
+
+class Renderer {
+  #native;
+  #handle;
+  #limits;
+  #loading;
+  #gate;
+  #pending = new Set();
+  #closed;
+
+  constructor(native, handle, facts, { limits, loading, maxWaiting }) {
+    this.#native = native;
+    this.#handle = handle;
+    this.#limits = limits;
+    this.#loading = loading;
+    this.#gate = new Gate(FRAMES_IN_FLIGHT, maxWaiting);
+    const { backend, ...gl } = facts;
+    /** Which GL gave the context: "egl-device", "egl-surfaceless" or "osmesa". */
+    this.backend = backend;
+    /** Strings of the context: vendor, renderer, version, ... */
+    this.gl = Object.freeze(gl);
+  }
+
+  get #maxBytes() {
+    return this.#limits.L_FILE_BYTES ?? this.#native.limits.L_FILE_BYTES;
+  }
+
+  /** Decodes a model once, to draw many views of it. */
+  async load(source, options = {}) {
+    this.#assertOpen();
+    const { signal, ...loading } = loadOptions(options, this.#loading);
+    const input = readSource(this.#native, source, this.#maxBytes);
+    const work = this.#begin(signal, loading);
+    return this.#track(this.#gate.run(() => loadModel(this.#native, input, this.#limits, { ...loading, work }), signal));
+  }
+
+  /** Draws one view. */
+  async render(source, shot = {}, options = {}) {
+    this.#assertOpen();
+    const { signal, onProgress, ...loading } = drawOptions(options, this.#loading);
+    const request = { ...this.#readRequest(source, shot), loading };
+    if (!onProgress) return this.#track(this.#gate.run(() => this.#render(request, this.#begin(signal, loading)), signal));
+    return this.#track(inScope(signal, onProgress, 1, (scope, report) =>
+      this.#gate.run(() => this.#render(request, this.#begin(scope, loading), report), scope)));
+  }
+
+  /**
+   * Draws a quantity of the shading in place of the colour: what a picture is made of, to look for the cause of a difference
+   * or to tell parts of it apart. Not for shots of several passes (quality "high").
+   * @param {string} quantity - One of QUANTITIES; "NoV" is the cosine between normal and viewer.
+   * @returns {Promise<{width: number, height: number, data: Float32Array}>} RGBA, top row first; alpha 0 where nothing is drawn
+   */
+  async renderQuantity(source, shot, quantity, options = {}) {
+    this.#assertOpen();
+    const { signal, ...loading } = loadOptions(options, this.#loading);
+    if (!QUANTITIES.includes(quantity)) throw wrongOption('quantity', `one of ${QUANTITIES.join(', ')}`, quantity);
+    const request = this.#readRequest(source, { ...shot, background: 'transparent', output: { format: 'raw', bitDepth: 32 } });
+    const { data, info } = await this.#track(this.#gate.run(() => this.#render({ ...request, loading, quantity }, this.#begin(signal, loading)), signal));
+    const floats = new Float32Array(data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength));
+    return { width: info.width, height: info.height, data: floats };
+  }
+
+  /**
+   * Draws many views of one model; while one is drawn, the one before is encoded. The first shot that fails ends the others, and
+   * the error's `index` says which it was; with `settled` the others are drawn, and each shot has its outcome, as of Promise.allSettled.
+   */
+  async renderAll(source, shots, options = {}) {
+    this.#assertOpen();
+    const { signal, onProgress, settled, ...loading } = drawAllOptions(options, this.#loading);
+    if (!Array.isArray(shots)) throw wrongOption('shots', 'an array of shots', shots);
+    const input = this.#readInput(source);
+    const requests = shots.map((shot, job) => this.#readShotOf(shot, job, settled));
+    const all = { requests, settled, loading };
+    return this.#track(inScope(signal, onProgress, shots.length, (scope, report) => this.#renderAll(input, all, scope, report)));
+  }
+
+  /**
+   * What resolveShot needs to know of a model for a shot: its facts in the shot's pose, and what the part measures that the
+   * shot frames. What `render` resolves the shot with.
+   */
+  async factsOf(source, shot = {}, options = {}) {
+    this.#assertOpen();
+    const { signal, ...loading } = loadOptions(options, this.#loading);
+    const { input, model } = this.#readInput(source);
+    const work = this.#begin(signal, loading);
+    return this.#track(this.#gate.run(async () => {
+      const loaded = model ?? await loadModel(this.#native, input, this.#limits, { ...loading, work });
+      return measuredFor(this.#native, await poseModel(this.#native, loaded, shot, { work, forget: !model }), shot, work);
+    }, signal));
+  }
+
+  /** Frees what the GPU holds of a model; it is sent there again when it is drawn again. */
+  async release(model) {
+    this.#assertOpen();
+    if (!Model.isModel(model)) throw wrongOption('model', 'a loaded model', model);
+    await this.#releaseScene(model);
+  }
+
+  /** Number of GL names that live in this renderer's context: what a leak would raise. */
+  async liveObjects() {
+    this.#assertOpen();
+    return this.#track(nativeCall(this.#native, undefined, () => this.#handle.liveObjects()));
+  }
+
+  /** Finishes what was asked for, then frees the context and its thread. */
+  close() {
+    this.#closed ??= this.#close();
+    return this.#closed;
+  }
+
+  [Symbol.asyncDispose]() {
+    return this.close();
+  }
+
+  async #close() {
+    while (this.#pending.size > 0) await Promise.allSettled(this.#pending);
+    await nativeCall(this.#native, undefined, () => this.#handle.close());
+  }
+
+  #assertOpen() {
+    if (this.#closed) throw new TelarError('X_CLOSED', 'the renderer was closed; make a new one with createRenderer()');
+  }
+
+  /** Makes close() wait for a job. */
+  async #track(job) {
+    this.#pending.add(job);
+    try {
+      return await job;
+    } finally {
+      this.#pending.delete(job);
+    }
+  }
+
+  /** One piece of work: of its loading, posing and drawing. */
+  #begin(signal, { timeoutMs }) {
+    return new Work(this.#native, signal, timeoutMs);
+  }
+
+  #readInput(source) {
+    return Model.isModel(source) ? { model: source } : { input: readSource(this.#native, source, this.#maxBytes) };
+  }
+
+  #readRequest(source, shot) {
+    return { ...this.#readInput(source), ...readShot(this.#native, shot, this.#maxBytes) };
+  }
+
+  /** @returns {object} of readShot; {failure} of a shot that is wrong, where the others are drawn */
+  #readShotOf(shot, job, settled) {
+    try {
+      return readShot(this.#native, shot, this.#maxBytes);
+    } catch (error) {
+      if (settled) return { failure: error };
+      throw ofShot(error, job);
+    }
+  }
+
+  async #renderAll({ input, model }, { requests, settled, loading }, signal, report) {
+    const begin = () => this.#begin(signal, loading);
+    let loaded = model;
+    try {
+      loaded ??= await this.#gate.run(() => loadModel(this.#native, input, this.#limits, { ...loading, work: begin() }), signal);
+      const shots = requests.filter(({ failure }) => !failure).map(({ shot }) => shot);
+      const poses = new SharedPoses(this.#native, loaded, shots, begin);
+      const draw = async ({ failure, ...request }, job) => {
+        try {
+          if (failure) throw failure;
+          return await this.#gate.run(() => this.#render({ ...request, loading, model: loaded, poses, job }, begin(), report), signal);
+        } catch (thrown) {
+          report?.finish(job);
+          throw ofShot(settled ? toTelarError(thrown) : thrown, job);
+        }
+      };
+      return await (settled ? Promise.allSettled(requests.map(draw)) : Promise.all(requests.map(draw)));
+    } finally {
+      // Not waited for, and no news if it fails: the frames have said what is wrong with the renderer.
+      if (!model && loaded) this.#releaseScene(loaded, true).catch(() => {});
+    }
+  }
+
+  /** After the frames that wait in the queue; close() waits for it. */
+  #releaseScene(model, forget = false) {
+    return this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model), forget)));
+  }
+
+  async #render({ input, model: given, loading, poses, job = 0, shot, environment, map, quantity }, work, report) {
+    const start = performance.now();
+    const model = given ?? await loadModel(this.#native, input, this.#limits, { ...loading, work });
+    const loaded = performance.now();
+    const posed = await (poses ? poses.of(shot) : poseModel(this.#native, model, shot, { work, forget: !given }));
+    const posedAt = performance.now();
+    const { resolved, warnings } = await this.#resolve(shot, posed, loading, work).catch((error) => {
+      if (poses?.isLast(shot)) this.#releaseScene(posed).catch(() => {});
+      throw error;
+    });
+    if (map) resolved.environment.map = map;
+    if ((await qualityModule()).isLong(resolved.quality)) work.allowLong();
+    const request = {
+      scene: Model.sceneOf(posed),
+      shot: shotJson(quantity ? { ...resolved, debugOutput: quantity } : resolved),
+      environment,
+      releaseScene: poses ? poses.isLast(shot) : !given || posed !== model,
+    };
+    const resolvedAt = performance.now();
+    const frame = await nativeCall(this.#native, work, (token) => {
+      report?.begin(job, token);
+      return this.#handle.render(request, token);
+    });
+    report?.finish(job);
+    const key = await keyOfDrawn(this.#native, { version: versions.telar, model: model.facts.sha256, shot, environment, drawn: frame.environmentSha256, limits: this.#limits });
+    const milliseconds = { load: loaded - start, pose: posedAt - loaded, resolve: resolvedAt - posedAt, total: performance.now() - start };
+    const info = frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings });
+    refuseWarnings(loading.failOn, info.warnings);
+    return { data: frame.data, info };
+  }
+
+  /** The shot with every default, and what is known to be wrong before it is drawn. @throws {TelarError} E_SHOT, E_WARNING, ... */
+  async #resolve(shot, posed, { failOn }, work) {
+    const { resolveShot } = await shotModule();
+    const resolved = resolveShot(shot, await measuredFor(this.#native, posed, shot, work));
+    const warnings = [...(posed.facts.warnings ?? []), ...shotWarnings(resolved, posed.facts.extensionsUsed)];
+    refuseWarnings(failOn, warnings);
+    return { resolved, warnings };
+  }
+}
+
+/**
+ * Opens a GL context on a thread of its own.
+ * @param {object} [options]
+ * @param {'auto' | 'egl-device' | 'egl-surfaceless' | 'osmesa'} [options.backend='auto']
+ * @param {string | null} [options.cacheDirectory] - Prefiltered environments by content hash; default telar's folder in the
+ *   user's cache, null for none.
+ * @param {number} [options.cacheBytes=268435456] - Bytes of its files; those that were used longest ago go first.
+ * @param {Record<string, number>} [options.limits] - What an input may cost, by the L_* names.
+ * @param {'error' | 'warning' | 'none'} [options.failOn='error'] - "warning": any warning is an error, E_WARNING. "none": a texture that is
+ *   missing or damaged and an unknown extension that the model requires are warnings, and the picture is what three.js shows without them.
+ * @param {(uri: string, options: {signal?: AbortSignal}) => Uint8Array | ArrayBuffer | null | Promise<Uint8Array | ArrayBuffer | null>} [options.resolve]
+ *   - Gives the files that a model names, by their relative path, which is percent-decoded and leads nowhere above the model; null for what is not there.
+ *   Where it is given, no file beside the model is opened. Limits apply to what it gives.
+ * @param {number} [options.maxWaiting=1024] - Jobs that may wait; one more rejects with X_BUSY.
+ * @param {number | null} [options.timeoutMs=20000] - Milliseconds that the work on one image may take before it ends with
+ *   X_TIMEOUT; null for any time. Waiting for a turn does not count. Without it quality "high", "reference" and all with
+ *   more than 4 samples may draw for any time.
+ * @param {boolean} [options.allFeatures=false] - Every feature in every shader: for benchmarks.
+ * @param {AbortSignal} [options.signal]
+ * @returns {Promise<Renderer>}
+ * @throws {TelarError} E_OPTION, X_NATIVE_MISSING, X_GL
+ */
+export async function createRenderer(options = {}) {
+  return createRendererOn(loadNative(), options);
+}
+
+/**
+ * The same on given exports of an addon.
+ * @internal
+ */
+export async function createRendererOn(native, options = {}) {
+  const { signal, ...rest } = rendererOptions(options, Object.keys(native.limits));
+  const request = {
+    backend: rest.backend,
+    assetDirectory: ASSET_DIRECTORY,
+    cacheDirectory: rest.cacheDirectory,
+    cacheBytes: rest.cacheBytes,
+    limits: rest.limits,
+    allFeatures: rest.allFeatures,
+    maxQueued: MAX_QUEUED,
+  };
+  const closeLate = ({ renderer }) => void renderer.close();
+  // Beside the context, so that the first frame need not wait for it. A failure is the first frame's to report.
+  shotModule().catch(() => {});
+  const { renderer, facts } = await nativeCall(native, { signal }, (token) => native.createRenderer(request, token), closeLate);
+  return new Renderer(native, renderer, JSON.parse(facts), rest);
+}

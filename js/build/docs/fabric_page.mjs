@@ -1,0 +1,98 @@
+import { readFileSync } from 'node:fs';
+import { fieldRows } from './tables.mjs';
+
+const json = (file) => JSON.parse(readFileSync(new URL(`../../assets/${file}`, import.meta.url), 'utf8'));
+
+const INTRODUCTION = `# Cloth in glTF
+
+The shading \`fabric\` reads the material of glTF 2.0 and its KHR_materials_* extensions, and two more:
+
+- \`KHR_materials_diffuse_transmission\`: light that passes through thin cloth. The shading \`three\` does not draw it, as three.js does
+  not, and warns with \`W_EXT_IGNORED\`.
+- \`TELAR_materials_fabric\`, telar's own, on this page. The other shadings leave it out without a word, but for \`flatness\`, which
+  \`disney-2012\` reads as its subsurface. Its JSON Schema is \`js/assets/TELAR_materials_fabric.schema.json\`.
+
+\`\`\`json
+{
+  "pbrMetallicRoughness": { "baseColorFactor": [0.05, 0.07, 0.16, 1] },
+  "normalTexture": { "index": 0 },
+  "doubleSided": true,
+  "extensions": {
+    "TELAR_materials_fabric": {
+      "preset": "denim",
+      "weave": { "threadsPerUv": [8, 8], "weaveTexture": { "index": 1 } }
+    }
+  }
+}
+\`\`\`
+
+Tools that drop extensions which they do not know keep \`extras\`: the same object may stand there,
+\`"extras": { "TELAR_materials_fabric": { "preset": "denim" } }\`. Where a material has both, the extension counts alone. Textures belong
+into the extension: a tool that sorts textures anew knows nothing of indices in extras.
+Values out of their range are kept in it with \`W_RANGE\`; wrong types and indices of textures that do not exist are errors.`;
+
+const MAPS = `## Maps
+
+**Normal maps.** A weave is finer than a pixel in a picture of a garment. Averaged normals lose their spread, and cloth seen from far
+would gloss like varnish and shimmer. For the shading \`fabric\` each normal map (also that of a clearcoat) is made anew once a model, on the
+GPU, into a map of slopes whose mip levels hold the mean of the slopes along tangent and bitangent and the mean of their squares. What
+the sampler filters of both tells the mean normal and the variance about it, which widens the highlight: \`alpha² + variance\` (Olano &
+Baker 2010, LEAN mapping). A single texel has no variance: from near, nothing changes. The roughness texture may have another size, UV
+set, transform or sampler: the variance travels with the normals.
+Set a sampler that reads mip levels (glTF's default does); with \`minFilter\` LINEAR or NEAREST there is nothing to read it from.
+Materials without a normal map and other shadings pay nothing. The map of slopes takes 8 bytes of GPU memory a texel, beside the image.
+
+**Holes** (\`alphaMode\` MASK with a base colour texture): lace, tulle, mesh. Mip levels hold the share of a texel that is there, and the
+colour of that part alone; the edge of level 0 is drawn as wide as a pixel. The share becomes halves of the pixel's samples, by a noise
+that is even over 2 x 2 pixels, so that cloth covers as much of a picture from far as from near; with \`samples: 1\`, or on a GPU without
+sample masks, it becomes whole pixels. Layers that lie over each other have noises of their own (Enderton et al. 2010, Wyman & McGuire
+2017), told apart by their distance from the camera where it differs by more than 1/8192: two layers of a net that covers 0.36 cover
+0.59, three cover 0.74. The noise is seen as fine grain in quality \`standard\`; more \`samples\` average it. Nothing is sorted. A
+texture whose alpha nowhere reaches \`alphaCutoff\` draws nothing. Its shadow is that of the plain image, as in three.js. BLEND is drawn as it is elsewhere: sorted by object, which shows through itself in folds.
+
+**Weave maps.** Where less than a quarter of a thread falls into a pixel, the yarn on top gives the highlight; from half a thread on both sets
+of yarns do, as they lie on average, so that nothing shimmers. Without \`threadsPerUv\` the map's own mip levels decide. What a leaning yarn
+sends below the surface comes back mirrored at it; a yarn that leans away from the viewer is seen as if it just faced him.
+
+**Gaps** (coverages that sum to less than 1) have no highlight. In the gaps of a dielectric light meets the diffuse lobe without an interface
+over it: it comes back as diffuse light, or goes through by KHR_materials_diffuse_transmission, and white cloth stays white. A metal has no
+diffuse light: what falls into its gaps is gone, so that a white metal whose yarns cover 0.6 reflects 0.6 of the light. What lies behind
+the cloth is not seen through gaps; holes that show it belong in the alpha of the base colour.
+
+**The back** is what is seen of a \`doubleSided\` material where its triangles run clockwise.`;
+
+const PRESETS = `## Presets
+
+A preset is part of a glTF material. What the material leaves out, at any depth, is taken from it, in the shading \`fabric\` alone; what glTF
+gives a default to counts as left out when the file does not write it (metallicFactor, roughnessFactor). The base colour, textures,
+\`doubleSided\` and \`alphaMode\` stay the material's own. An unknown name costs \`W_ENUM\`. js/assets/fabric_presets.json is the one table of
+them, for the server and the browser.
+
+Where a number is measured the source is named; the others are reasoned from the construction of the cloth, which is said.
+
+| source | |
+|---|---|
+| Morton-Hearle | Morton & Hearle 2008, Physical Properties of Textile Fibres, 4th edition, table 24.1: refractive indices along and across the fibre. The mean is that of the three axes. |
+| Sadeghi 2013 | Sadeghi, Bisker, De Deken & Jensen 2013, A Practical Microcylinder Appearance Model for Cloth Rendering, ACM TOG 32(2), table II: coverages and lobe widths fitted to measured cloth |
+| Zeltner 2022 | Zeltner, Burley & Chiang 2022, Practical Multiple-Scattering Sheen Using Linearly Transformed Cosines |`;
+
+/** One preset: what it is, its numbers as a glTF material, where they come from. */
+function presetSection([name, { summary, threadsPerCm, why, material }]) {
+  const threads = threadsPerCm ? ` ${threadsPerCm[0]} x ${threadsPerCm[1]} threads a centimetre.` : '';
+  return [
+    `### ${name}`, '', `${summary[0].toUpperCase()}${summary.slice(1)}.${threads}`, '',
+    ...why.map((line) => `- ${line}`), '',
+    '```json', JSON.stringify({ extensions: { TELAR_materials_fabric: { preset: name } } }), '```', '', 'stands for', '',
+    '```json', JSON.stringify(material), '```',
+  ].join('\n');
+}
+
+/** @returns {string} js/docs/fabric.md */
+export function fabricPage() {
+  const schema = json('TELAR_materials_fabric.schema.json');
+  return `${[
+    INTRODUCTION, 'This page is generated by `node js/build/docs/generate.mjs`.',
+    '## Properties', fieldRows(schema).join('\n'),
+    MAPS, PRESETS, ...Object.entries(json('fabric_presets.json')).map(presetSection),
+  ].join('\n\n')}\n`;
+}
