@@ -1,10 +1,10 @@
 import { TelarError } from '../error/index.mjs';
 import { nearest, shown, wrongValue } from './complain.mjs';
-import { TINY } from './fields.mjs';
 import { VIEWS, cross, depthRangeOf, frameBounds, length, subtract, viewBasis } from './frame.mjs';
 import { boundsOfPart, isPart } from './part.mjs';
-
-export const DEFAULT_FOV_Y = 30;
+import { DEFAULT_FOV_Y, camera as CAMERA } from './table/camera.mjs';
+import { copied, inOrder } from './table/resolved.mjs';
+import { TINY } from './table/rows.mjs';
 
 /** Sine of the angle between `up` and the view axis below which the frame has no defined roll. */
 const PARALLEL = 1e-9;
@@ -46,7 +46,7 @@ function frameView(camera, aspect, facts, ground) {
   const alone = place([]);
   const placed = frame === 'scene' && seesGround(alone, ground, { ...angles, projection, fitTo }) ? place(ground.shadow) : alone;
   const planes = ground.corners.length > 0 ? depthRangeOf(widened(whole, ground.corners), placed.position, placed.target) : {};
-  const framed = { projection, fovY, ...placed, ...planes };
+  const framed = { ...camera, fovY, ...placed, ...planes };
   refuseTiny(seen, projection === 'perspective' ? framed.near : framed.height);
   return ordered(framed);
 }
@@ -94,7 +94,7 @@ function complete(camera, facts, extras) {
   const { near = Math.min(fitted.near, camera.far / 2 || Infinity), far = Math.max(fitted.far, 2 * camera.near || 0) } = camera;
   if (projection === 'perspective' && !(near > 0)) throw wrongValue(['camera', 'near'], 'a distance above 0', near);
   if (!(far > near)) throw wrongValue(['camera', 'far'], `a distance beyond near (${near})`, far);
-  return ordered({ projection, position, target, up, fovY, height, near, far });
+  return ordered({ ...camera, projection, fovY, height, near, far });
 }
 
 function needBounds({ bounds }, what) {
@@ -125,12 +125,4 @@ function missingCamera(wanted, cameras) {
   return `shot.camera.gltf: the model has no camera ${shown(wanted)}; ${near ? `did you mean ${shown(near)}?` : `it has ${names}`}`;
 }
 
-const ordered = ({ projection, position, target, up, fovY, height, near, far }) => ({
-  projection,
-  position: [...position],
-  target: [...target],
-  up: [...up],
-  ...(projection === 'perspective' ? { fovY } : { height }),
-  near,
-  far,
-});
+const ordered = (camera) => copied(inOrder(CAMERA.resolved.of[camera.projection], camera));

@@ -1,6 +1,8 @@
 import { lightAxes, filterOf } from './shadow.mjs';
 import { cornersOfBox, length, subtract } from './frame.mjs';
 import { TelarError } from '../error/index.mjs';
+import { copied, inOrder } from './table/resolved.mjs';
+import { GROUND } from './table/stage.mjs';
 
 /**
  * The ground: a level rectangle at the model's lowest point that shows shadows and nothing else, as wide as they fall.
@@ -47,13 +49,13 @@ function shadowOf(light, corners, height, diagonal) {
  */
 export function resolveGround(ground, lights, { bounds }) {
   if (ground === 'none') return ground;
-  const { shadow, opacity, position, size } = ground;
-  if (position && size) return { shadow, opacity, position: [...position], size: [...size] };
+  const { position, size } = ground;
+  if (position && size) return copied(inOrder(GROUND, ground));
   if (!bounds) {
     throw new TelarError('E_NO_GEOMETRY', 'shot.ground: the model has nothing that could stand on it; leave the ground out', { pointer: '/ground' });
   }
   const fitted = fitGround(position?.[1] ?? bounds.min[1], lights, bounds);
-  return { shadow, opacity, position: [...(position ?? fitted.position)], size: [...(size ?? fitted.size)] };
+  return copied(inOrder(GROUND, { ...ground, position: position ?? fitted.position, size: size ?? fitted.size }));
 }
 
 function fitGround(height, lights, bounds) {

@@ -1,7 +1,7 @@
-import { DEFAULT_FOV_Y } from './camera.mjs';
 import { VIEWS } from './frame.mjs';
 import { parseShot, resolveWithoutModel } from './resolve.mjs';
 import { filterOf } from './shadow.mjs';
+import { DEFAULT_FOV_Y } from './table/camera.mjs';
 
 /**
  * What a shot asks for, whatever the model: every default that does not depend on the model is written out, and what is the

@@ -19,11 +19,11 @@ export function resolvePose(shot, facts) {
 /** @internal on a parsed pose */
 export function posed(pose, animations) {
   if (pose === null) return null;
-  const { animation: wanted, time } = pose;
-  if (typeof wanted === 'number' && (animations === undefined || wanted < animations.length)) return { animation: wanted, time };
+  const { animation: wanted } = pose;
+  if (typeof wanted === 'number' && (animations === undefined || wanted < animations.length)) return { ...pose };
   const index = animations?.findIndex(({ name }) => name === wanted) ?? -1;
   if (index < 0) throw new TelarError('E_POSE', missing(wanted, animations), { pointer: '/pose/animation' });
-  return { animation: index, time };
+  return { ...pose, animation: index };
 }
 
 function missing(wanted, animations) {

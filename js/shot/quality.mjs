@@ -1,6 +1,7 @@
 import { shown, wrongValue } from './complain.mjs';
 import { resolveReference } from './reference.mjs';
-import { PRESETS, SAMPLES_OF_A_PASS } from './schema.mjs';
+import { PRESETS, RASTER, SAMPLES_OF_A_PASS } from './table/quality.mjs';
+import { inOrder } from './table/resolved.mjs';
 
 /** Samples of several passes are averaged in linear light by default. */
 const resolveOf = (samples) => (samples > SAMPLES_OF_A_PASS ? 'linear' : 'encoded');
@@ -13,7 +14,7 @@ const resolveOf = (samples) => (samples > SAMPLES_OF_A_PASS ? 'linear' : 'encode
 export function resolveQuality(quality) {
   if (quality === 'reference') return resolveReference({});
   if (quality.preset === 'reference') return resolveReference(quality);
-  if (typeof quality === 'string') return { preset: quality, ...PRESETS[quality] };
+  if (typeof quality === 'string') return inOrder(RASTER, { preset: quality, ...PRESETS[quality] });
   const { preset, ...given } = quality;
   if (preset !== undefined) {
     for (const [key, value] of Object.entries(given)) {
@@ -21,15 +22,16 @@ export function resolveQuality(quality) {
         throw wrongValue(['quality', key], `${shown(PRESETS[preset][key])} with preset ${shown(preset)}, or no preset`, value);
       }
     }
-    return { preset, ...PRESETS[preset] };
+    return inOrder(RASTER, { preset, ...PRESETS[preset] });
   }
-  const { standard } = PRESETS;
-  const { samples = standard.samples, resolve = resolveOf(samples), noise = standard.noise, environmentSamples = standard.environmentSamples } = given;
+  const { samples } = inOrder(RASTER, given);
+  const settings = inOrder(RASTER, { ...given, resolve: given.resolve ?? resolveOf(samples) });
+  const { resolve, noise } = settings;
   if (samples > SAMPLES_OF_A_PASS && resolve !== 'linear') {
     throw wrongValue(['quality', 'resolve'], `"linear" with more than ${SAMPLES_OF_A_PASS} samples`, resolve);
   }
   if (noise > 0 && samples <= SAMPLES_OF_A_PASS) throw wrongValue(['quality', 'noise'], `0 with ${SAMPLES_OF_A_PASS} samples or fewer`, noise);
-  return { samples, resolve, noise, environmentSamples };
+  return settings;
 }
 
 /**

@@ -4,7 +4,6 @@ import { complaint, nearest, shown, wrongValue } from './complain.mjs';
 import { contactLights } from './contact.mjs';
 import { readFacts } from './facts.mjs';
 import { fallenShadow } from './fallen_shadow.mjs';
-import { HUGE } from './fields.mjs';
 import { cornersOfGround, resolveGround } from './ground.mjs';
 import { resolveLens } from './lens.mjs';
 import { posed } from './pose.mjs';
@@ -12,17 +11,12 @@ import { resolveQuality } from './quality.mjs';
 import { shotSchema } from './schema.mjs';
 import { resolveTerms, WITHOUT_TERMS } from './shading_terms.mjs';
 import { resolveShadow } from './shadow.mjs';
+import { SHOT } from './table/index.mjs';
+import { FORMATS, output as OUTPUT } from './table/output.mjs';
+import { copied, inOrder } from './table/resolved.mjs';
+import { HUGE } from './table/rows.mjs';
+import { ENVIRONMENT } from './table/stage.mjs';
 import { refuseUnavailable } from './unavailable.mjs';
-
-/** Bits a channel that each format can hold, the default first, and whether it can hold ppi and an ICC profile. */
-const FORMATS = {
-  png: { bitDepths: [8, 16], ppi: true, icc: true },
-  jpeg: { bitDepths: [8], ppi: true, icc: true },
-  webp: { bitDepths: [8], ppi: false, icc: false },
-  tiff: { bitDepths: [8, 16], ppi: true, icc: true },
-  exr: { bitDepths: [16, 32], ppi: false, icc: false },
-  raw: { bitDepths: [8, 32], ppi: false, icc: false },
-};
 
 const WHITE = [1, 1, 1];
 
@@ -47,24 +41,9 @@ export function resolveShot(shot = {}, facts = undefined) {
   const camera = resolveCamera(parsed.camera, parsed.size.width / parsed.size.height, known, standing);
   const lens = resolveLens(parsed.lens, camera);
   checkFitted({ camera, lens, lights, ground });
-  return {
-    size: parsed.size,
-    camera,
-    lens,
-    environment,
-    lights,
-    modelLights: parsed.modelLights,
-    background,
-    ground,
-    shading,
-    toneMapping: parsed.toneMapping,
-    exposure: parsed.exposure,
-    quality,
-    variant: resolveVariant(parsed.variant, known.variants),
-    pose: posed(parsed.pose, known.animations),
-    layers: [...parsed.layers],
-    output,
-  };
+  const variant = resolveVariant(parsed.variant, known.variants);
+  const pose = posed(parsed.pose, known.animations);
+  return inOrder(SHOT, { ...copied(parsed), camera, lens, environment, lights, background, ground, shading, quality, variant, pose, output });
 }
 
 /** What is fitted to a camera or a light that stands beyond measure may leave the range that a shot can say. */
@@ -105,8 +84,8 @@ export function resolveWithoutModel(parsed) {
 }
 
 function resolveEnvironment(environment) {
-  if (typeof environment === 'string' || environment instanceof Uint8Array) return { map: environment, intensity: 1, rotation: 0 };
-  return environment;
+  const isMap = typeof environment === 'string' || environment instanceof Uint8Array;
+  return inOrder(ENVIRONMENT, isMap ? { map: environment } : environment);
 }
 
 const samePoint = (a, b) => a.every((x, i) => x === b[i]);
@@ -124,14 +103,13 @@ function resolveStage({ lights: given, ground: wanted }, facts) {
   };
 }
 
-/** Defaults are copied: zod hands out the arrays of the schema itself. */
 function resolveLights(lights) {
   return lights.map((light, i) => {
     if (light.target && samePoint(light.target, light.position)) {
       throw wrongValue(['lights', i, 'target'], 'a point other than the position', light.target);
     }
     if (light.shadow && !light.castShadow) throw wrongValue(['lights', i, 'castShadow'], 'true where `shadow` is given', light.castShadow);
-    return Object.fromEntries(Object.entries(light).map(([key, value]) => [key, Array.isArray(value) ? [...value] : value]));
+    return copied(light);
   });
 }
 
@@ -162,5 +140,5 @@ function resolveOutput(output) {
   if (!bitDepths.includes(bitDepth)) throw wrongValue(['output', 'bitDepth'], `${bitDepths.join(' or ')} for ${output.format}`, bitDepth);
   if (output.ppi > 0 && !ppi) throw wrongValue(['output', 'ppi'], `0, as ${output.format} holds no ppi`, output.ppi);
   if (output.icc && !icc) throw wrongValue(['output', 'icc'], `false, as ${output.format} holds no profile here`, output.icc);
-  return { format: output.format, quality: output.quality, bitDepth, ppi: output.ppi, icc: output.icc };
+  return inOrder(OUTPUT, { ...output, bitDepth });
 }

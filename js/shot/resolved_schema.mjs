@@ -1,81 +1,45 @@
 import * as z from '../dist/zod.mjs';
-import { PRESETS, SAMPLE_COUNTS } from './schema.mjs';
-import { BASES, SLOTS, WITHOUT_TERMS } from './shading_terms.mjs';
+import { SHOT } from './table/index.mjs';
+import { resolvedRow } from './table/resolved.mjs';
+import { INDEX_MAX } from './table/rows.mjs';
 
 /**
- * What resolveShot returns, for types and tests; the renderer reads these keys and has no defaults of its own.
+ * What checks a resolved shot, made of its table, for types and tests: what resolveShot returns and the renderer reads.
  * Lengths in metres, camera and environment angles in degrees, spot cones in radians, colours linear Rec.709.
  */
-const vec3 = z.tuple([z.number(), z.number(), z.number()]);
-const rgb = z.tuple([z.number().min(0), z.number().min(0), z.number().min(0)]);
-const object = (shape) => z.strictObject(shape);
 
-const placed = { position: vec3, target: vec3, up: vec3 };
-const planes = { near: z.number(), far: z.number() };
-const lit = { color: rgb, intensity: z.number() };
+function numberType({ integer, min, max, above }) {
+  const type = integer ? z.int() : z.number();
+  return (above === undefined ? type.min(min) : type.gt(above)).max(max);
+}
 
-const map = {
-  mapSize: z.int(), radius: z.number(), intensity: z.number(), bias: z.number(), normalBias: z.number(), near: z.number(), far: z.number(),
+const tuple = (length, type) => z.tuple(Array(length).fill(type));
+
+/** A zod type of each kind of row. */
+const TYPES = {
+  number: numberType,
+  boolean: () => z.boolean(),
+  choice: ({ values }) => z.enum(values),
+  literal: ({ values }) => z.literal(values),
+  text: ({ pattern }) => z.string().regex(pattern),
+  vector: () => tuple(3, z.number()),
+  extents: () => tuple(2, z.number()),
+  colour: ({ keywords }) => (keywords.length > 0 ? z.union([z.enum(keywords), tuple(3, z.number().min(0))]) : tuple(3, z.number().min(0))),
+  index: () => z.int().min(0).max(INDEX_MAX),
+  bytes: () => z.custom((value) => value instanceof Uint8Array).meta({ tsType: 'Uint8Array' }),
+  object: ({ shape }) => z.strictObject(Object.fromEntries(Object.entries(shape).map(([key, row]) => [key, zodOf(row)]))),
+  list: ({ of }) => z.array(zodOf(of)),
+  union: ({ options }) => z.union(options.map(zodOf)),
+  variants: ({ by, of }) => z.discriminatedUnion(by, Object.values(of).map(zodOf)),
 };
-const extent = { left: z.number(), right: z.number(), bottom: z.number(), top: z.number() };
-/** `shadow` is there where castShadow is true. */
-const shadowed = (shape) => ({ castShadow: z.boolean(), shadow: object({ ...map, ...shape }).optional() });
 
-export const resolvedShotSchema = object({
-  size: object({ width: z.int(), height: z.int() }),
-  camera: z.discriminatedUnion('projection', [
-    object({ projection: z.literal('perspective'), ...placed, fovY: z.number(), ...planes }),
-    object({ projection: z.literal('orthographic'), ...placed, height: z.number(), ...planes }),
-  ]),
-  lens: object({
-    aperture: z.number(), shutter: z.number().nullable(), iso: z.number().nullable(), focusDistance: z.number().nullable(),
-  }).nullable(),
-  environment: object({
-    map: z.union([z.string(), z.custom((value) => value instanceof Uint8Array).meta({ tsType: 'Uint8Array' })]),
-    intensity: z.number(),
-    rotation: z.number(),
-  }),
-  lights: z.array(z.discriminatedUnion('type', [
-    object({ type: z.literal('ambient'), ...lit }),
-    object({ type: z.literal('hemisphere'), ...lit, groundColor: rgb }),
-    object({ type: z.literal('directional'), ...lit, position: vec3, target: vec3, ...shadowed(extent) }),
-    object({ type: z.literal('point'), ...lit, position: vec3, range: z.number(), ...shadowed({}) }),
-    object({
-      type: z.literal('spot'), ...lit, position: vec3, target: vec3, range: z.number(), angle: z.number(), penumbra: z.number(),
-      ...shadowed({ focus: z.number() }),
-    }),
-    object({ type: z.literal('rect'), ...lit, position: vec3, target: vec3, width: z.number(), height: z.number() }),
-    object({ type: z.literal('disk'), ...lit, position: vec3, target: vec3, radius: z.number() }),
-  ])),
-  modelLights: z.boolean(),
-  background: z.union([z.enum(['transparent', 'environment']), rgb, object({ type: z.literal('environment'), blur: z.number() })]),
-  ground: z.union([z.literal('none'), object({ shadow: z.literal(true), opacity: z.number(), position: vec3, size: z.tuple([z.number(), z.number()]) })]),
-  shading: z.union([
-    z.enum(WITHOUT_TERMS),
-    object({ base: z.enum(BASES), ...Object.fromEntries(Object.entries(SLOTS).map(([slot, terms]) => [slot, z.enum(terms)])) }),
-  ]),
-  toneMapping: z.enum(['neutral', 'none', 'linear', 'reinhard', 'cineon', 'aces', 'agx']),
-  exposure: z.number(),
-  quality: z.union([
-    object({
-      preset: z.enum(Object.keys(PRESETS)).optional(),
-      samples: z.literal(SAMPLE_COUNTS),
-      resolve: z.enum(['encoded', 'linear']),
-      noise: z.number(),
-      environmentSamples: z.int(),
-    }),
-    object({
-      preset: z.literal('reference'), samples: z.int(), seed: z.int(), transport: z.enum(['global', 'occlusion', 'direct']), bounces: z.int(), threads: z.int(),
-    }),
-  ]),
-  variant: z.string(),
-  pose: object({ animation: z.int(), time: z.number() }).nullable(),
-  layers: z.array(z.literal('beauty')),
-  output: object({
-    format: z.enum(['png', 'jpeg', 'webp', 'tiff', 'exr', 'raw']),
-    quality: z.int(),
-    bitDepth: z.literal([8, 16, 32]),
-    ppi: z.number(),
-    icc: z.boolean(),
-  }),
-});
+/** @param {import('./table/rows.mjs').Row} given */
+function zodOf(given) {
+  const row = resolvedRow(given);
+  let type = TYPES[row.kind](row);
+  if (row.nullable) type = type.nullable();
+  if (row.doc) type = type.describe(row.doc);
+  return row.optional ? type.optional() : type;
+}
+
+export const resolvedShotSchema = zodOf(SHOT);

@@ -1,6 +1,8 @@
 import { TelarError } from '../error/index.mjs';
 import { wrongValue } from './complain.mjs';
 import { cornersOfBox, cross, dot, length, subtract } from './frame.mjs';
+import { LIGHTS } from './table/lights.mjs';
+import { inOrder, otherwiseOf } from './table/resolved.mjs';
 import { arcTangent, tanDegrees } from './trig.mjs';
 
 /**
@@ -14,10 +16,6 @@ import { arcTangent, tanDegrees } from './trig.mjs';
  * @typedef {import('./frame.mjs').Vec3} Vec3
  * @typedef {import('./frame.mjs').Bounds} Bounds
  */
-
-/** Texels on a side, and radius of the filter in texels, of a light whose caller says nothing. */
-const MAP_SIZE = 1024;
-const RADIUS = 2;
 
 /** Reach of one bilinear tap, in texels, with room for the corner of a texel. */
 const TAP = 1.5;
@@ -176,17 +174,13 @@ function needBounds({ bounds }, path) {
   throw new TelarError('E_NO_GEOMETRY', `shot.lights[${path[1]}].castShadow: the model has nothing that could cast a shadow; leave castShadow out`, { pointer: `/${path.join('/')}/castShadow` });
 }
 
-/** Keys of `shadow` by the light's type, in the order in which a resolved shot has them. */
-const KEYS = {
-  directional: ['mapSize', 'radius', 'intensity', 'bias', 'normalBias', 'near', 'far', 'left', 'right', 'bottom', 'top'],
-  spot: ['mapSize', 'radius', 'intensity', 'bias', 'normalBias', 'near', 'far', 'focus'],
-  point: ['mapSize', 'radius', 'intensity', 'bias', 'normalBias', 'near', 'far'],
-};
+/** The row of a light's `shadow`. */
+const rowOf = ({ type }) => LIGHTS[type].shape.shadow;
 
 const FIT = { directional: fitDirectional, spot: fitSpot, point: fitPoint };
 
 /** Settings that need no model, of a light that casts a shadow. */
-export const filterOf = ({ shadow }) => ({ mapSize: MAP_SIZE, radius: RADIUS, intensity: 1, ...shadow });
+export const filterOf = (light) => ({ ...otherwiseOf(rowOf(light)), ...light.shadow });
 
 /**
  * Every setting of a light's shadow, as three.js's LightShadow has them.
@@ -197,7 +191,7 @@ export const filterOf = ({ shadow }) => ({ mapSize: MAP_SIZE, radius: RADIUS, in
  * @returns {object} near, far, normalBias and the extents in metres, radius in texels, bias as part of the depth 0..1
  */
 export function resolveShadow(light, path, facts, receivers) {
-  const keys = KEYS[light.type];
+  const keys = Object.keys(rowOf(light).shape);
   const shadow = filterOf(light);
   if (keys.some((key) => shadow[key] === undefined)) {
     const bounds = needBounds(facts, path);
@@ -208,7 +202,7 @@ export function resolveShadow(light, path, facts, receivers) {
     Object.assign(shadow, { ...biasesOf(light, shadow, casterDepth, roundingOf([...casters, standOf(light, bounds)], origin)), ...shadow });
   }
   check(light, shadow, path);
-  return Object.fromEntries(keys.map((key) => [key, shadow[key]]));
+  return inOrder(rowOf(light), shadow);
 }
 
 function check(light, shadow, path) {

@@ -49,7 +49,7 @@ export function optionsPage(schema) {
     'What to draw: the same object for the browser client and the server. `resolveShot(shot, facts)` writes out every default.',
     'Lengths are metres, angles degrees (spot cones: radians, as in three.js), colours CSS (sRGB) or linear `[r, g, b]`. glTF axes: +Y up, the front faces +Z.',
     'Unknown keys, wrong types, NaN and values out of range are errors that name the path.',
-    'This page is generated from js/shot/schema.mjs by `node js/build/docs/generate.mjs`.', '',
+    'This page is generated from js/shot/table by `node js/build/docs/generate.mjs`.', '',
     ...heading(['key', 'values', 'default', 'meaning']), ...new Set(rows), '',
     ...FRAMING, '',
   ].join('\n');

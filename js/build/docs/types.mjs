@@ -1,4 +1,4 @@
-import { INDEX_MAX } from '../../shot/fields.mjs';
+import { INDEX_MAX } from '../../shot/table/rows.mjs';
 
 /** TypeScript from JSON Schema (the subset that zod writes for the shot). */
 

@@ -1,0 +1,48 @@
+import { BASES, SLOTS, WITHOUT_TERMS } from '../shading_terms.mjs';
+import { camera } from './camera.mjs';
+import { lights } from './lights.mjs';
+import { output } from './output.mjs';
+import { quality } from './quality.mjs';
+import { boolean, choice, list, literal, number, object, text, union } from './rows.mjs';
+import { POSE, background, environment, ground, lens } from './stage.mjs';
+import { TONE_MAPPINGS } from './tone_mappings.mjs';
+
+/**
+ * The shot: the one declaration of its keys. What checks a shot and a resolved shot, the JSON Schema, the TypeScript types, the page of
+ * options, and the C++ that reads a resolved shot are made of it. Values that depend on other keys or on the model are written by
+ * js/shot/resolve.mjs.
+ */
+
+const pixels = number('Pixels', { what: 'a whole number of pixels', unit: 'pixels', min: 1, max: 8192, integer: true, default: 512 });
+
+const SHADING = '"three", "fabric", "three-r115", "disney-2012" or {base, <slot>: <term>}';
+const base = choice('Shading that the other slots are taken from', BASES);
+const slots = Object.fromEntries(Object.entries(SLOTS).map(([slot, terms]) => [slot, choice('Term of the slot: js/docs/shading.md', terms, { optional: true })]));
+const swapped = object('A principled shading with terms swapped', { base, ...slots });
+const shading = union('"three": what stock three.js shows; "fabric": telar\'s model of cloth; "three-r115": what three.js showed in 2020; '
+  + '"disney-2012": Burley\'s principled model; or terms of these by name', [choice('', [...WITHOUT_TERMS, ...BASES], { expected: SHADING }), swapped], SHADING, {
+  default: 'three',
+  resolved: union('', [choice('', WITHOUT_TERMS), swapped], SHADING),
+});
+
+const LAYERS = '["beauty"]';
+
+/** @type {import('./rows.mjs').Row} */
+export const SHOT = object('What to draw', {
+  size: object('Size of the image', { width: pixels, height: pixels }, { name: 'Size', default: {} }),
+  camera,
+  lens,
+  environment,
+  lights,
+  modelLights: boolean('Use the lights in the model', { default: true }),
+  background,
+  ground,
+  shading,
+  toneMapping: choice('As in three.js', Object.keys(TONE_MAPPINGS), { name: 'ToneMapping', default: 'neutral' }),
+  exposure: number('Factor on radiance before tone mapping', { unit: 'factor', min: 0, default: 1 }),
+  quality,
+  variant: text('Name of a material variant of the model (KHR_materials_variants); "" = none', 'the name of a variant', { default: '' }),
+  pose: POSE,
+  layers: list('Images to draw', literal('', 'beauty', LAYERS), LAYERS, { default: ['beauty'], length: 1, drawn: false }),
+  output,
+}, { name: 'Shot' });
