@@ -1,6 +1,6 @@
 /**
  * The points of a model that lie farthest out: what a camera needs to frame the model itself and not its box.
- * The 98 directions end on the surface of an integer cube, the same as in renderer/asset/outline.cpp, so that browser and
+ * The 98 directions end on the surface of an integer cube, the same as in renderer/asset/scene/outline.cpp, so that browser and
  * server frame alike.
  */
 const GRID = 2;

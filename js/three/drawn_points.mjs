@@ -1,6 +1,6 @@
 /**
  * Above so many vertices over all instances of a mesh, the corners of each instance's box stand for its vertices.
- * The same number as in renderer/asset/drawn_points.h, so that browser and server frame alike.
+ * The same number as in renderer/asset/geometry/drawn_points.h, so that browser and server frame alike.
  */
 const INSTANCED_VERTICES_MAX = 2 ** 20;
 

@@ -3,7 +3,7 @@ import { visitDrawnPoints } from './drawn_points.mjs';
 import { materialIndexOf } from './variant.mjs';
 
 /**
- * What a part of a model measures, as the server measures it (renderer/asset/part.cpp). Nodes and materials go by the names and
+ * What a part of a model measures, as the server measures it (renderer/asset/scene/part.cpp). Nodes and materials go by the names and
  * numbers of the file; a scene without a parser has the names of its own objects.
  *
  * @param {{scene: import('three').Object3D, parser?: object}} model - What GLTFLoader gave, world matrices up to date.

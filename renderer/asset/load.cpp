@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "asset/assemble.h"
+#include "asset/scene/assemble.h"
 #include "core/sha256.h"
 
 namespace telar {

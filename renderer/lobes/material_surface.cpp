@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ibl/dfg_lookup.h"
+#include "brdf/dfg_lookup.h"
 
 namespace telar::lobes {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 using brdf_d::SurfaceInfo;
 
 glm::dvec2 dfg(double perceptualRoughness, double NoV) {
-  return glm::dvec2(ibl::dfgLookup(static_cast<float>(perceptualRoughness), static_cast<float>(NoV)));
+  return glm::dvec2(brdf::dfgLookup(static_cast<float>(perceptualRoughness), static_cast<float>(NoV)));
 }
 
 /// A principled shading takes roughness as authored.

@@ -26,7 +26,7 @@ std::vector<glm::vec3> cubeTriangles() {
 
 }  // namespace
 
-void BackgroundPass::draw(const Camera& camera, const Shot& shot, const ibl::Environment& environment,
+void BackgroundPass::draw(const frame::Camera& camera, const Shot& shot, const ibl::Environment& environment,
                           const shader::VariantKey& frame) {
   const gl::Functions& gl = context_.gl();
   const bool blurred = shot.background.blur > 0;
@@ -59,7 +59,7 @@ void BackgroundPass::draw(const Camera& camera, const Shot& shot, const ibl::Env
   program.set("projectionMatrix", glm::mat4(camera.projection));
   program.set("backgroundMap", 0);
   program.set("backgroundIntensity", static_cast<float>(shot.environment.intensity));
-  program.set("backgroundRotation", environmentRotation(shot.environment.rotation));
+  program.set("backgroundRotation", frame::environmentRotation(shot.environment.rotation));
   program.set("exposure", static_cast<float>(shot.exposure));
   if (blurred) {
     program.set("backgroundBlur", static_cast<float>(shot.background.blur));

@@ -1,9 +1,9 @@
 #pragma once
 #include <tuple>
 
+#include "frame/camera.h"
 #include "gl/program.h"
 #include "ibl/environment_cache.h"
-#include "pass/camera.h"
 #include "shader/variant_key.h"
 
 namespace telar::pass {
@@ -14,7 +14,7 @@ class BackgroundPass {
   explicit BackgroundPass(const gl::Context& context) : context_(context) {}
 
   /// The target is bound and cleared.
-  void draw(const Camera& camera, const Shot& shot, const ibl::Environment& environment,
+  void draw(const frame::Camera& camera, const Shot& shot, const ibl::Environment& environment,
             const shader::VariantKey& frame);
 
  private:

@@ -5,9 +5,9 @@
 #include <map>
 #include <tuple>
 
-#include "pass/sample_passes.h"
+#include "frame/sample_passes.h"
+#include "frame/variant.h"
 #include "pass/texture_slots.h"
-#include "pass/variant.h"
 #include "pass/world_origin.h"
 
 namespace telar::pass {
@@ -221,7 +221,7 @@ std::set<shader::VariantKey> FramePlan::keys() const {
 
 FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures) {
   FramePlan plan;
-  plan.camera = cameraOf(shot);
+  plan.camera = frame::cameraOf(shot);
   plan.origin = worldOrigin(scene.bounds);
   plan.lights = collectLights(scene, shot, plan.camera, limits);
   if (allFeatures) plan.lights.pad(ALL_FEATURES_LIGHTS);
@@ -239,14 +239,14 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
   frame.outputLinear = !frame.debugOutput && (shot.linearResolve || framePixelType(shot.output) == PixelType::kRgbaF32);
   frame.shading = shot.shading;
   if (isPrincipled(shot.shading)) frame.terms = shot.terms;
-  const int passes = samplePassesOf(shot).count;
+  const int passes = frame::samplePassesOf(shot).count;
   frame.fullDetail = passes > 1 && !frame.debugOutput;
   if (frame.environment && !frame.debugOutput) {
     frame.environmentSamples = static_cast<std::uint16_t>((shot.environmentSamples + passes - 1) / passes);
   }
   frame.toneMapping = frame.outputLinear ? shader::ToneMapping::kNone : shader::toneMappingByName(shot.toneMapping);
 
-  const int variant = variantIndex(scene, shot.variant);
+  const int variant = frame::variantIndex(scene, shot.variant);
   const glm::dmat4 viewProjection = plan.camera.projection * plan.camera.view;
   std::map<int, int> ranks;
   for (const Node& node : scene.nodes) {
@@ -256,7 +256,7 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
       const Primitive& primitive = primitives[i];
       if (primitive.positions.empty()) continue;
       const int index = materialIndex(primitive, variant);
-      DrawItem item{&node, &primitive, &materialAt(scene, index, shot.shading)};
+      DrawItem item{&node, &primitive, &frame::materialAt(scene, index, shot.shading)};
       item.key = keyOf(primitive, *item.material, frame);
       const bool transmissive = item.key.transmission;
       describeInstances(node, item.key);

@@ -3,7 +3,7 @@
 #include <set>
 #include <vector>
 
-#include "pass/camera.h"
+#include "frame/camera.h"
 #include "pass/light_set.h"
 #include "pass/shadow_set.h"
 #include "shader/variant_key.h"
@@ -47,7 +47,7 @@ struct DrawList {
 
 /// What a frame needs besides the draws.
 struct FramePlan {
-  Camera camera;
+  frame::Camera camera;
   glm::dvec3 origin{0};  ///< world point that shaders count world coordinates from
   LightSet lights;
   ShadowSet shadows;

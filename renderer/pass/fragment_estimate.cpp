@@ -61,7 +61,7 @@ void forEachDraw(const FramePlan& plan, const Shot& shot, const Take& take) {
   }
   for (const auto* maps : {&plan.shadows.flat, &plan.shadows.cube}) {
     for (const ShadowMap& map : *maps) {
-      for (const Camera& camera : map.views) {
+      for (const frame::Camera& camera : map.views) {
         const View view{camera.projection * camera.view, map.settings.mapSize, map.settings.mapSize};
         for (const auto* list : plan.draws.shown()) {
           for (const DrawItem& item : *list) {

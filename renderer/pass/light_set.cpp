@@ -13,28 +13,29 @@ constexpr double LIGHT_MAX = 1e20;
 
 glm::vec3 bounded(const glm::dvec3& light) { return glm::vec3(glm::min(light, glm::dvec3(LIGHT_MAX))); }
 
-glm::vec3 toView(const Camera& camera, const glm::dvec3& point) {
+glm::vec3 toView(const frame::Camera& camera, const glm::dvec3& point) {
   return glm::vec3(glm::dvec3(camera.view * glm::dvec4(point, 1.0)));
 }
 
 /// Unit direction in view space; +Y of the world where it is zero.
-glm::vec3 directionToView(const Camera& camera, glm::dvec3 direction) {
+glm::vec3 directionToView(const frame::Camera& camera, glm::dvec3 direction) {
   if (glm::dot(direction, direction) == 0) direction = {0, 1, 0};
   return glm::vec3(glm::normalize(glm::dvec3(camera.view * glm::dvec4(glm::normalize(direction), 0.0))));
 }
 
-void addPoint(LightSet& set, const Camera& camera, const glm::vec3& color, const glm::dvec3& position, double range) {
+void addPoint(LightSet& set, const frame::Camera& camera, const glm::vec3& color, const glm::dvec3& position,
+              double range) {
   set.pointPosition.push_back(toView(camera, position));
   set.pointColor.push_back(color);
   set.pointRange.push_back(static_cast<float>(range));
 }
 
-void addDirectional(LightSet& set, const Camera& camera, const glm::vec3& color, const glm::dvec3& toLight) {
+void addDirectional(LightSet& set, const frame::Camera& camera, const glm::vec3& color, const glm::dvec3& toLight) {
   set.directionalDirection.push_back(directionToView(camera, toLight));
   set.directionalColor.push_back(color);
 }
 
-void addSpot(LightSet& set, const Camera& camera, const glm::vec3& color, const glm::dvec3& position,
+void addSpot(LightSet& set, const frame::Camera& camera, const glm::vec3& color, const glm::dvec3& position,
              const glm::dvec3& toLight, double range, double angle, double penumbra) {
   set.spotPosition.push_back(toView(camera, position));
   set.spotDirection.push_back(directionToView(camera, toLight));
@@ -44,23 +45,23 @@ void addSpot(LightSet& set, const Camera& camera, const glm::vec3& color, const 
   set.spotInnerCos.push_back(static_cast<float>(std::cos(angle * (1.0 - penumbra))));
 }
 
-void addRect(LightSet& set, const Camera& camera, const glm::vec3& color, const Shot::Light& light) {
-  const glm::dmat3 axes = glm::dmat3(camera.view) * lookAtAxes(light.position, light.target, {0, 1, 0});
+void addRect(LightSet& set, const frame::Camera& camera, const glm::vec3& color, const Shot::Light& light) {
+  const glm::dmat3 axes = glm::dmat3(camera.view) * frame::lookAtAxes(light.position, light.target, {0, 1, 0});
   set.rectPosition.push_back(toView(camera, light.position));
   set.rectHalfWidth.emplace_back(axes[0] * (light.width * 0.5));
   set.rectHalfHeight.emplace_back(axes[1] * (light.height * 0.5));
   set.rectColor.push_back(color);
 }
 
-void addDisk(LightSet& set, const Camera& camera, const glm::vec3& color, const Shot::Light& light) {
-  const glm::dmat3 axes = glm::dmat3(camera.view) * lookAtAxes(light.position, light.target, {0, 1, 0});
+void addDisk(LightSet& set, const frame::Camera& camera, const glm::vec3& color, const Shot::Light& light) {
+  const glm::dmat3 axes = glm::dmat3(camera.view) * frame::lookAtAxes(light.position, light.target, {0, 1, 0});
   set.diskPosition.push_back(toView(camera, light.position));
   set.diskX.emplace_back(axes[0] * light.radius);
   set.diskY.emplace_back(axes[1] * light.radius);
   set.diskColor.push_back(color);
 }
 
-void addShotLight(LightSet& set, const Camera& camera, const Shot::Light& light) {
+void addShotLight(LightSet& set, const frame::Camera& camera, const Shot::Light& light) {
   const glm::vec3 color = bounded(glm::dvec3(light.color) * light.intensity);
   const glm::vec3 ground = bounded(glm::dvec3(light.groundColor) * light.intensity);
   if (!shines(light)) return;
@@ -93,7 +94,7 @@ void addShotLight(LightSet& set, const Camera& camera, const Shot::Light& light)
   }
 }
 
-void addModelLight(LightSet& set, const Camera& camera, const ModelLight& light, const glm::dmat4& world) {
+void addModelLight(LightSet& set, const frame::Camera& camera, const ModelLight& light, const glm::dmat4& world) {
   const glm::vec3 color = bounded(glm::dvec3(light.color) * static_cast<double>(light.intensity));
   if (color == glm::vec3(0)) return;
   const glm::dvec3 position(world[3]);
@@ -179,7 +180,7 @@ void LightSet::upload(const gl::Program& program) const {
   program.set("diskColor", diskColor);
 }
 
-LightSet collectLights(const Scene& scene, const Shot& shot, const Camera& camera, const Limits& limits) {
+LightSet collectLights(const Scene& scene, const Shot& shot, const frame::Camera& camera, const Limits& limits) {
   std::size_t count = shot.lights.size();
   for (const Node& node : scene.nodes) count += shot.modelLights && node.light >= 0;
   checkLimit("L_LIGHTS", static_cast<double>(limits.lights), static_cast<double>(count));

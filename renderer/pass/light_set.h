@@ -2,7 +2,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "pass/camera.h"
+#include "frame/camera.h"
 #include "shader/variant_key.h"
 #include "telar/limits.h"
 #include "telar/scene.h"
@@ -35,6 +35,6 @@ struct LightSet {
 
 /// The shot's lights, then the model's (KHR_lights_punctual) where shot.modelLights allows; lights of intensity 0 or
 /// black are left out. @throws Error{L_LIGHTS}
-LightSet collectLights(const Scene& scene, const Shot& shot, const Camera& camera, const Limits& limits);
+LightSet collectLights(const Scene& scene, const Shot& shot, const frame::Camera& camera, const Limits& limits);
 
 }  // namespace telar::pass

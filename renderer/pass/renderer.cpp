@@ -11,6 +11,9 @@
 
 #include "brdf/brdf.h"
 #include "core/picture_json.h"
+#include "frame/picture_facts.h"
+#include "frame/pixel_mean.h"
+#include "frame/sample_passes.h"
 #include "gl/context.h"
 #include "ibl/environment_cache.h"
 #include "pass/background_pass.h"
@@ -19,9 +22,6 @@
 #include "pass/frame_target.h"
 #include "pass/gpu_scene.h"
 #include "pass/ground_pass.h"
-#include "pass/picture_facts.h"
-#include "pass/pixel_mean.h"
-#include "pass/sample_passes.h"
 #include "pass/settled_mask.h"
 #include "pass/shadow_pass.h"
 #include "pass/surface_pass.h"
@@ -88,7 +88,7 @@ ibl::Suns sunsThatLight(const FramePlan& plan, const Shot& shot, const ibl::Envi
 
 /// The shot with a directional light for each sun.
 Shot withSuns(Shot shot, const ibl::Suns& suns) {
-  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(pass::environmentRotation(shot.environment.rotation)));
+  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(frame::environmentRotation(shot.environment.rotation)));
   for (const auto& [direction, irradiance] : suns.list) {
     Shot::Light& light = shot.lights.emplace_back();
     light.type = Shot::Light::Type::kDirectional;
@@ -170,7 +170,7 @@ class GlRenderer final : public Renderer {
     Json json = describeFrame(plan, shot, environment, timer);
     json["samples"] = passes * target_->samples();
     json["programsCompiled"] = compiled;
-    if (!plan.frame.debugOutput && !coverage_.empty()) json["picture"] = toJson(pass::pictureFacts(frame, coverage_));
+    if (!plan.frame.debugOutput && !coverage_.empty()) json["picture"] = toJson(frame::pictureFacts(frame, coverage_));
     if (!suns.list.empty() && !sunlit) json["warnings"] = Json::array({rangeWarning(suns.share)});
     info.json = json.dump();
     if (environment) info.environmentSha256 = environment->sha256;
@@ -223,7 +223,7 @@ class GlRenderer final : public Renderer {
 
   const pass::FrameTarget& targetFor(const Shot& shot) {
     const PixelType type = shot.linearResolve ? PixelType::kRgbaF32 : framePixelType(shot.output);
-    const int samples = pass::samplePassesOf(shot).samples;
+    const int samples = frame::samplePassesOf(shot).samples;
     if (!target_ || !target_->matches(shot.width, shot.height, samples, type)) {
       target_.reset();
       target_ = std::make_unique<pass::FrameTarget>(*context_, shot.width, shot.height, samples, type);
@@ -260,9 +260,9 @@ class GlRenderer final : public Renderer {
     if (inputs.samplePass == 0) {
       coverage_.clear();
       if (opaque || !plan.environmentBackground)
-        coverage_ = pass::coverageOf(frame, shot.ground && !opaque ? shot.ground->opacity : 0);
+        coverage_ = frame::coverageOf(frame, shot.ground && !opaque ? shot.ground->opacity : 0);
     }
-    if (opaque) pass::makeOpaque(frame);
+    if (opaque) frame::makeOpaque(frame);
     timer.lap("read");
     return frame;
   }
@@ -274,12 +274,12 @@ class GlRenderer final : public Renderer {
   /// sure
   Frame drawAveraged(FramePlan& plan, pass::SurfaceInputs inputs, int& drawn, StageTimer& timer) {
     const Shot& shot = inputs.shot;
-    const pass::SamplePasses passes = pass::samplePassesOf(shot);
+    const frame::SamplePasses passes = frame::samplePassesOf(shot);
     const glm::dmat4 projection = plan.camera.projection;
-    pass::PixelMean mean(shot);
+    frame::PixelMean mean(shot);
     for (drawn = 0; drawn < passes.count && !mean.allSettled();) {
       inputs.samplePass = drawn;
-      plan.camera.projection = pass::shifted(projection, passes.shift(drawn++), shot.width, shot.height);
+      plan.camera.projection = frame::shifted(projection, passes.shift(drawn++), shot.width, shot.height);
       if (!mean.add(drawOnce(inputs, !mean.settled().empty(), timer), drawn == passes.count)) continue;
       settled_.set(mean.settled(), shot.width, shot.height);
       timer.lap("settle");
@@ -343,7 +343,7 @@ class GlRenderer final : public Renderer {
     json["drawCalls"] = plan.draws.size();
     json["environmentSource"] = environment ? Json(environment->source) : Json(nullptr);
     json["glObjects"] = liveObjects();
-    const glm::dmat4 toPixel = pass::worldToPixel(plan.camera, shot.width, shot.height);
+    const glm::dmat4 toPixel = frame::worldToPixel(plan.camera, shot.width, shot.height);
     json["worldToPixel"] = std::vector<double>(glm::value_ptr(toPixel), glm::value_ptr(toPixel) + 16);
     json["ms"] = timer.json();
     return json;

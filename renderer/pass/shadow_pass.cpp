@@ -103,8 +103,8 @@ ShadowPass::Caster& ShadowPass::caster(CasterKey key) {
   return casters_.emplace(key, Caster{std::move(program), gl::DrawCost()}).first->second;
 }
 
-void ShadowPass::drawView(const Camera& view, int mapSize, const FramePlan& plan, const Scene& scene, GpuScene& gpu,
-                          const CancelToken& cancel) {
+void ShadowPass::drawView(const frame::Camera& view, int mapSize, const FramePlan& plan, const Scene& scene,
+                          GpuScene& gpu, const CancelToken& cancel) {
   const gl::Functions& gl = context_.gl();
   const gl::Program* current = nullptr;
   for (const auto* list : plan.draws.shown()) {

@@ -39,7 +39,7 @@ class ShadowPass {
     gl::Program program;
     gl::DrawCost cost;
   };
-  void drawView(const Camera& view, int mapSize, const FramePlan& plan, const Scene& scene, GpuScene& gpu,
+  void drawView(const frame::Camera& view, int mapSize, const FramePlan& plan, const Scene& scene, GpuScene& gpu,
                 const CancelToken& cancel);
   Caster& caster(CasterKey key);
 

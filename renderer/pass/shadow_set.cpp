@@ -17,10 +17,10 @@ glm::dmat4 clipToMap() {
   return glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) * glm::scale(glm::dmat4(1.0), glm::dvec3(0.5));
 }
 
-Camera flatView(const Light& light) {
+frame::Camera flatView(const Light& light) {
   const Light::Shadow& s = light.shadow;
-  Camera camera;
-  camera.view = lookAtView(light.position, light.target, glm::dvec3(0, 1, 0));
+  frame::Camera camera;
+  camera.view = frame::lookAtView(light.position, light.target, glm::dvec3(0, 1, 0));
   camera.orthographic = light.type == Light::Type::kDirectional;
   camera.projection = camera.orthographic ? glm::ortho(s.left, s.right, s.bottom, s.top, s.near, s.far)
                                           : glm::perspective(2.0 * light.angle * s.focus, 1.0, s.near, s.far);
@@ -28,16 +28,16 @@ Camera flatView(const Light& light) {
 }
 
 /// Faces in GL's order, each as GL lays its texels out.
-std::vector<Camera> cubeViews(const Light& light) {
+std::vector<frame::Camera> cubeViews(const Light& light) {
   struct Face {
     glm::dvec3 direction, up;
   };
   const std::array faces{Face{{1, 0, 0}, {0, -1, 0}},  Face{{-1, 0, 0}, {0, -1, 0}}, Face{{0, 1, 0}, {0, 0, 1}},
                          Face{{0, -1, 0}, {0, 0, -1}}, Face{{0, 0, 1}, {0, -1, 0}},  Face{{0, 0, -1}, {0, -1, 0}}};
-  std::vector<Camera> views;
+  std::vector<frame::Camera> views;
   for (const Face& face : faces) {
-    Camera camera;
-    camera.view = lookAtView(light.position, light.position + face.direction, face.up);
+    frame::Camera camera;
+    camera.view = frame::lookAtView(light.position, light.position + face.direction, face.up);
     camera.projection = glm::perspective(glm::radians(90.0), 1.0, light.shadow.near, light.shadow.far);
     views.push_back(camera);
   }
@@ -45,7 +45,7 @@ std::vector<Camera> cubeViews(const Light& light) {
 }
 
 /// The same view, its space counted from a point of the world: a parallel light may stand far from the model.
-Camera movedTo(Camera camera, const glm::dvec3& point) {
+frame::Camera movedTo(frame::Camera camera, const glm::dvec3& point) {
   const glm::dvec3 seen(camera.view * glm::dvec4(point, 1.0));
   camera.view = glm::translate(glm::dmat4(1.0), -seen) * camera.view;
   camera.projection = glm::translate(camera.projection, seen);

@@ -2,7 +2,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "pass/camera.h"
+#include "frame/camera.h"
 #include "shader/variant_key.h"
 #include "telar/limits.h"
 #include "telar/scene.h"
@@ -15,10 +15,10 @@ namespace telar::pass {
 struct ShadowMap {
   Shot::Light::Type type;
   Shot::Light::Shadow settings;
-  std::vector<Camera> views;  ///< what the map sees: 1, or the faces +x -x +y -y +z -z
-  glm::dmat4 matrix{1.0};     ///< world, counted from worldOrigin(), to map coordinates, 0..1 after / w; to the vector
-                              ///< from the light for a point light
-  bool lit = false;           ///< the light shines on surfaces too; else only the ground shows its shadow
+  std::vector<frame::Camera> views;  ///< what the map sees: 1, or the faces +x -x +y -y +z -z
+  glm::dmat4 matrix{1.0};  ///< world, counted from worldOrigin(), to map coordinates, 0..1 after / w; to the vector
+                           ///< from the light for a point light
+  bool lit = false;        ///< the light shines on surfaces too; else only the ground shows its shadow
 };
 
 /// The shadow maps of a frame. Those of lights that shine on surfaces come first in each list, spot before directional.

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include "frame/sample_passes.h"
 #include "ibl/dfg.h"
-#include "pass/sample_passes.h"
 #include "pass/shadow_pass.h"
 #include "pass/sliced_draw.h"
 #include "pass/world_origin.h"
@@ -113,7 +113,7 @@ void setPrefilteredEnvironment(const gl::Program& program, const SurfaceInputs& 
   program.set("environmentMap", static_cast<int>(ENVIRONMENT_UNIT));
   program.set("environmentMaxLod",
               in.environment ? static_cast<float>(ibl::maxLodOf(in.environment->prefiltered)) : 1.0f);
-  program.set("environmentRotation", environmentRotation(in.shot.environment.rotation));
+  program.set("environmentRotation", frame::environmentRotation(in.shot.environment.rotation));
 }
 
 /// An order of the passes in which the first of them are spread evenly over all: bits reversed.
@@ -127,8 +127,8 @@ int reversed(int pass, int count) {
 /// This pass's directions of the bright part: those of all passes are spread evenly, and so are those of the first ones
 /// and of one.
 void setBrightDirections(const gl::Program& program, const SurfaceInputs& in, int count, int passes) {
-  const glm::mat3 toView =
-      glm::mat3(glm::dmat3(in.plan.camera.view)) * glm::transpose(environmentRotation(in.shot.environment.rotation));
+  const glm::mat3 toView = glm::mat3(glm::dmat3(in.plan.camera.view)) *
+                           glm::transpose(frame::environmentRotation(in.shot.environment.rotation));
   std::vector<glm::vec3> directions;
   std::vector<glm::vec4> irradiances;
   const int first = reversed(in.samplePass, passes);
@@ -148,8 +148,8 @@ void setSampledEnvironment(const gl::Program& program, const shader::VariantKey&
   program.set("environmentIrradianceMap", static_cast<int>(IRRADIANCE_UNIT));
   program.set("environmentSourceSize", in.environment ? static_cast<float>(in.environment->radiance.faceSize) : 1.0f);
   const glm::dmat3 toWorld = glm::transpose(glm::dmat3(in.plan.camera.view));
-  program.set("viewToEnvironment", environmentRotation(in.shot.environment.rotation) * glm::mat3(toWorld));
-  const int passes = samplePassesOf(in.shot).count;
+  program.set("viewToEnvironment", frame::environmentRotation(in.shot.environment.rotation) * glm::mat3(toWorld));
+  const int passes = frame::samplePassesOf(in.shot).count;
   program.set("environmentPass", in.samplePass);
   program.set("environmentPasses", passes);
   if (in.environment) setBrightDirections(program, in, key.brightDirections(), passes);
@@ -300,7 +300,7 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   const bool cull = !item.bothSides && item.primitive->topology == Topology::kTriangles;
   cull ? gl.Enable(GL_CULL_FACE) : gl.Disable(GL_CULL_FACE);
   gl.FrontFace(item.mirrored != item.key.flipSided ? GL_CW : GL_CCW);
-  const Camera& camera = in.plan.camera;
+  const frame::Camera& camera = in.plan.camera;
   SlicedDraw(context_, surface.cost, item, in.gpu, camera.projection * camera.view, in.shot.width, in.shot.height)
       .run();
 }

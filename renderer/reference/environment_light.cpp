@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pass/camera.h"
+#include "frame/camera.h"
 #include "telar/luminance.h"
 
 namespace telar::reference {
@@ -36,7 +36,7 @@ std::pair<std::size_t, float> find(const float* begin, std::size_t count, float 
 }  // namespace
 
 EnvironmentLight::EnvironmentLight(const ImageF& map, double rotation, double intensity)
-    : map_(map), intensity_(static_cast<float>(intensity)), toEnvironment_(pass::environmentRotation(rotation)) {
+    : map_(map), intensity_(static_cast<float>(intensity)), toEnvironment_(frame::environmentRotation(rotation)) {
   const int width = static_cast<int>(map.width), height = static_cast<int>(map.height);
   const std::size_t w = map.width, h = map.height;
   rows_.resize(h + 1);

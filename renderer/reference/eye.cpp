@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "pass/camera.h"
+#include "frame/camera.h"
 
 namespace telar::reference {
 
 Eye::Eye(const Shot& shot, const glm::dvec3& centre) : width_(shot.width), height_(shot.height) {
-  const pass::Camera camera = pass::cameraOf(shot);
+  const frame::Camera camera = frame::cameraOf(shot);
   glm::dmat4 view = camera.view;
   view[3] += camera.view * glm::dvec4(centre, 0.0);  // the tracer's world starts at the centre
   toWorld_ = glm::inverse(camera.projection * view);

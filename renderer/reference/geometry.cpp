@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "pass/variant.h"
+#include "frame/variant.h"
 
 namespace telar::reference {
 namespace {
@@ -61,7 +61,7 @@ std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::
     if (node.mesh < 0) continue;
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
       if (primitive.topology != Topology::kTriangles || primitive.positions.empty()) continue;
-      placeInstances(meshes, node, primitive, pass::materialAt(scene, materialIndex(primitive, variant), shading),
+      placeInstances(meshes, node, primitive, frame::materialAt(scene, materialIndex(primitive, variant), shading),
                      centre);
     }
   }

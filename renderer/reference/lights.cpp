@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "brdf/brdf.h"
-#include "pass/camera.h"
+#include "frame/camera.h"
 
 namespace telar::reference {
 namespace {
@@ -44,7 +44,7 @@ PointedLight parallelLight(const glm::vec3& color, const glm::dvec3& toLight) {
 AreaLight areaLight(const Shot::Light& light, const glm::vec3& color, const glm::dvec3& position) {
   const bool disk = light.type == Shot::Light::Type::kDisk;
   const glm::dvec2 half = disk ? glm::dvec2(light.radius) : glm::dvec2(light.width, light.height) / 2.0;
-  const glm::dmat3 axes = pass::lookAtAxes(light.position, light.target, {0, 1, 0});
+  const glm::dmat3 axes = frame::lookAtAxes(light.position, light.target, {0, 1, 0});
   return {disk, glm::vec3(position), glm::vec3(axes[0] * half.x), glm::vec3(axes[1] * half.y), glm::vec3(-axes[2]),
           color};
 }

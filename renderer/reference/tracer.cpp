@@ -8,10 +8,10 @@
 #include <mutex>
 #include <thread>
 
-#include "ibl/dfg_lookup.h"
-#include "pass/linear_output.h"
-#include "pass/picture_facts.h"
-#include "pass/variant.h"
+#include "brdf/dfg_lookup.h"
+#include "frame/linear_output.h"
+#include "frame/picture_facts.h"
+#include "frame/variant.h"
 #include "reference/eye.h"
 
 namespace telar::reference {
@@ -30,7 +30,7 @@ class World {
         const CancelToken& cancel)
       : centre_(scene.bounds.empty() ? glm::dvec3(0) : (scene.bounds.min + scene.bounds.max) * 0.5),
         radius_(scene.bounds.empty() ? 1.0f : static_cast<float>(glm::distance(scene.bounds.max, centre_))),
-        meshes_(placeMeshes(scene, pass::variantIndex(scene, shot.variant), centre_, cancel, shot.shading)),
+        meshes_(placeMeshes(scene, frame::variantIndex(scene, shot.variant), centre_, cancel, shot.shading)),
         geometry_(meshes_, cancel),
         textures_(scene),
         lights_(lightsOf(scene, shot, centre_, limits)),
@@ -42,7 +42,7 @@ class World {
     const EnvironmentLight* around = around_ ? &*around_ : nullptr;
     sky_.emplace(shot, around);
     const Stage stage{textures_, meshes_, geometry_, lights_, around, *sky_, ground_ ? &*ground_ : nullptr, radius_};
-    integrator_.emplace(stage, transport, shot.shading, shot.terms, ibl::dfgLookup);
+    integrator_.emplace(stage, transport, shot.shading, shot.terms, brdf::dfgLookup);
   }
   World(const World&) = delete;
   World& operator=(const World&) = delete;
@@ -152,9 +152,9 @@ std::vector<glm::vec4> traceRadiance(const Scene& scene, const Shot& shot, const
 Frame trace(const Scene& scene, const Shot& shot, const ImageF* environment, const TraceOptions& options,
             const Limits& limits, const CancelToken& cancel, const Progress& progress, TraceFacts* facts) {
   const auto pixels = traceRadiance(scene, shot, environment, options, limits, cancel, progress, facts);
-  Frame frame = pass::toFrame(pixels, shot);
+  Frame frame = frame::toFrame(pixels, shot);
   if (facts && shot.background.type != Shot::Background::Type::kEnvironment) {
-    facts->picture = pass::pictureFacts(frame, pass::coverageOf(pixels, shot.ground ? shot.ground->opacity : 0));
+    facts->picture = frame::pictureFacts(frame, frame::coverageOf(pixels, shot.ground ? shot.ground->opacity : 0));
   }
   return frame;
 }

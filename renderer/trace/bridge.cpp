@@ -4,7 +4,7 @@
 
 #include "core/own_library.h"
 #include "core/picture_json.h"
-#include "pass/camera.h"
+#include "frame/camera.h"
 #include "reference/plugin.h"
 #include "telar/reference.h"
 
@@ -43,7 +43,7 @@ ImageF readMap(const Shot& shot, std::span<const std::byte> bytes, const Rendere
 const char* nameOf(Source source) { return source == Source::kStudio ? "bundled" : "file"; }
 
 Json describe(const Shot& shot, const TraceFacts& facts, double environmentMs) {
-  const glm::dmat4 toPixel = pass::worldToPixel(pass::cameraOf(shot), shot.width, shot.height);
+  const glm::dmat4 toPixel = frame::worldToPixel(frame::cameraOf(shot), shot.width, shot.height);
   const bool lit = shot.environment.source != Source::kNone;
   Json json = {{"features", Json::array()},
                {"programs", Json::array()},

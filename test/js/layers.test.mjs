@@ -30,6 +30,7 @@ test('planted violations are found, one each', async (t) => {
   const planted = {
     'renderer/core/planted.cpp': '#include "gl/context.h"\n',
     'renderer/asset/planted.h': '#include <GLES3/gl3.h>\n',
+    'renderer/asset/accessor/planted.h': '#include "asset/material/material.h"\n',
     'renderer/shot/planted.h': '#include "image/bytes.h"\n',
     'renderer/image/planted.cpp': '#include <OpenImageIO/imageio.h>\n',
     'renderer/pass/planted.cpp': 'void f(const telar::gl::Functions& gl) { GLuint n; gl.GenTextures(1, &n); }\n',
@@ -46,7 +47,7 @@ test('planted violations are found, one each', async (t) => {
     'js/setup/planted.mjs': "const { z } = await import('zod');\n",
     'js/api/planted.mjs': "import { x } from '../../test/x.mjs';\n",
   };
-  const helpers = new Map([['renderer/gl/context.h', ''], ['renderer/image/bytes.h', ''], ['renderer/core/text.h', '']]);
+  const helpers = new Map([['renderer/gl/context.h', ''], ['renderer/asset/material/material.h', ''], ['renderer/image/bytes.h', ''], ['renderer/core/text.h', '']]);
   for (const [file, text] of Object.entries(planted)) {
     await t.test(file, () => {
       const found = layerViolations(new Map([...helpers, [file, text]]), PACKAGES);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "ibl/dfg_lookup.h"
+#include "brdf/dfg_lookup.h"
 #include "reference/sampling.h"
 #include "reference/surface.h"
 #include "reference/texture_read.h"
@@ -18,13 +18,13 @@ constexpr double PI = 3.14159265358979;
 void turnNormal(brdf_f::SurfaceInfo& s, const glm::vec3& n) {
   s.n = n;
   s.NoV = brdf_f::saturate(glm::dot(n, s.v));
-  s.dfg = ibl::dfgLookup(s.perceptualRoughness, s.NoV);
+  s.dfg = brdf::dfgLookup(s.perceptualRoughness, s.NoV);
 }
 
 void turnCoat(brdf_f::SurfaceInfo& s, const glm::vec3& n) {
   s.coatNormal = n;
   s.clearcoatNoV = brdf_f::saturate(glm::dot(n, s.v));
-  s.coatDfg = ibl::dfgLookup(s.clearcoatRoughness, s.clearcoatNoV);
+  s.coatDfg = brdf::dfgLookup(s.clearcoatRoughness, s.clearcoatNoV);
 }
 
 /// A triangle with a normal, standing any way round.
@@ -51,7 +51,8 @@ class Stage {
     const ShadingTerms terms = termsOf(model);
     const bool principled = isPrincipled(model);
     brdf_f::SurfaceInfo info =
-        reference::surfaceAt(textures, mesh, hit, {v, -v}, nullptr, ibl::dfgLookup, principled ? &terms : nullptr).info;
+        reference::surfaceAt(textures, mesh, hit, {v, -v}, nullptr, brdf::dfgLookup, principled ? &terms : nullptr)
+            .info;
     // The path tracer turns every normal that is seen edge on, and so does fabric; the others shade it as it is.
     if (model != ShadingModel::kFabric) stand(info);
     return info;

@@ -1,4 +1,4 @@
-#include "asset/accessor.h"
+#include "asset/accessor/accessor.h"
 
 #include "asset/model_builder.h"
 

@@ -1,4 +1,4 @@
-#include "asset/container.h"
+#include "asset/container/container.h"
 
 #include "asset/model_builder.h"
 

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <ctime>
 
-#include "asset/accessor.h"
-#include "asset/draco_mesh.h"
+#include "asset/accessor/accessor.h"
+#include "asset/accessor/draco_mesh.h"
 #include "asset/model_builder.h"
 #include "telar/limits.h"
 

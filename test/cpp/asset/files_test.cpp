@@ -1,4 +1,4 @@
-#include "asset/files.h"
+#include "asset/container/files.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-#include "asset/number.h"
+#include "asset/check/number.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "asset/sample.h"
+#include "asset/pose/sample.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "asset/sphere.h"
+#include "asset/geometry/sphere.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "asset/uri.h"
+#include "asset/container/uri.h"
 
 #include <gtest/gtest.h>
 

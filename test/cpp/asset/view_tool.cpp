@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-#include "asset/resources.h"
+#include "asset/accessor/resources.h"
 
 int main(int argc, char** argv) {
   if (argc != 2) return std::fprintf(stderr, "usage: view_tool FILE\n"), 2;

@@ -66,7 +66,7 @@ TEST(FragmentEstimate, IsNeverLessThanThePixelsThatATriangleTouches) {
 TEST(FragmentEstimate, TheQuickBoundIsNeverLessThanTheCount) {
   std::mt19937 random(11);
   std::uniform_real_distribution<float> inside(-1, 1), depth(-4, 2.9f);
-  const pass::Camera camera = pass::cameraOf(shotOf(SIZE));
+  const frame::Camera camera = frame::cameraOf(shotOf(SIZE));
   for (const Topology topology : {Topology::kTriangles, Topology::kLines, Topology::kLineLoop, Topology::kPoints}) {
     for (int i = 0; i < 200; ++i) {
       Primitive primitive;
@@ -87,7 +87,7 @@ TEST(FragmentEstimate, TheQuickBoundIsNeverLessThanTheCount) {
 
 TEST(FragmentEstimate, TheQuickBoundOfABallIsOfUse) {
   const Primitive ball = spherePrimitive(1, 32);
-  const pass::Camera camera = pass::cameraOf(shotOf(256));
+  const frame::Camera camera = frame::cameraOf(shotOf(256));
   const pass::FragmentEstimate estimate(ball, camera.projection * camera.view, 256, 256);
   EXPECT_LT(estimate.atMost(pass::PartExtents(ball).all), 4 * estimate.all(1e9));
 }
@@ -101,7 +101,7 @@ TEST(FragmentEstimate, WhatLiesOutsideIsNotCounted) {
 TEST(FragmentEstimate, ATriangleThroughTheEyeMayFillThePicture) {
   Primitive triangle;
   triangle.positions = {{0, 0, -5}, {1, 0, 5}, {0, 1, 5}};
-  const glm::dmat4 toClip = pass::cameraOf(shotOf(SIZE)).projection;
+  const glm::dmat4 toClip = frame::cameraOf(shotOf(SIZE)).projection;
   EXPECT_EQ(pass::FragmentEstimate(triangle, toClip, SIZE, SIZE).of(0), SIZE * SIZE);
 }
 

@@ -1,4 +1,4 @@
-#include "pass/pixel_mean.h"
+#include "frame/pixel_mean.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "core/random.h"
 
 /// The mean of passes, and when a pixel takes no more of them.
-namespace telar::pass {
+namespace telar::frame {
 namespace {
 
 constexpr int SIDE = 16;
@@ -95,4 +95,4 @@ TEST(PixelMean, CoverageCountsAsColourDoes) {
 }
 
 }  // namespace
-}  // namespace telar::pass
+}  // namespace telar::frame

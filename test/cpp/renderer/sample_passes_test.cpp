@@ -1,13 +1,13 @@
-#include "pass/sample_passes.h"
+#include "frame/sample_passes.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "pass/camera.h"
+#include "frame/camera.h"
 
 /// The passes of one picture fill its pixels evenly.
-namespace telar::pass {
+namespace telar::frame {
 namespace {
 
 Shot shotOf(int samples) {
@@ -72,4 +72,4 @@ TEST(SamplePasses, MoveEveryPointByTheSamePartOfAPixel) {
 }
 
 }  // namespace
-}  // namespace telar::pass
+}  // namespace telar::frame

@@ -39,7 +39,7 @@ test('the schema takes the examples of the docs and refuses other types', () => 
 });
 
 test('the loader reads the properties of the schema and no other', () => {
-  const tables = read('renderer/asset/schema_tables.cpp');
+  const tables = read('renderer/asset/document/schema_tables.cpp');
   const rules = tables.slice(tables.indexOf('constexpr Field YARN[]'), tables.indexOf('constexpr Field MATERIAL_EXTRAS[]'));
   const inLoader = new Set([...rules.matchAll(/"(\w+)"/g)].map(([, name]) => name));
   assert.deepEqual([...inLoader].sort(), [...new Set(namesIn(SCHEMA))].sort());

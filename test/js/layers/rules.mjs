@@ -3,6 +3,12 @@ import path from 'node:path';
 // The direction of dependency (ARCHITECTURE.md draws it), as data, and the check of source texts against it.
 // Folders not named here are violations themselves: a new layer gets a row.
 
+/** The rooms of renderer/asset, lowest first: each may use those before it. What lies beside them uses them all. */
+const ASSET_ORDER = ['check', 'container', 'document', 'accessor', 'geometry', 'pose', 'material', 'scene'].map((room) => `renderer/asset/${room}`);
+const ASSET_ROOMS = Object.fromEntries(
+  [...ASSET_ORDER, 'renderer/asset'].map((room, at) => [room, ['renderer/include', 'renderer/core', ...ASSET_ORDER.slice(0, at)]]),
+);
+
 /** C++ layers: which folders' headers a file in the folder may include by quotes. `include` is renderer/include/telar. */
 const CPP_LAYERS = {
   'renderer/include': [],
@@ -14,23 +20,18 @@ const CPP_LAYERS = {
   'renderer/ktx2': ['renderer/include', 'renderer/core'],
   'renderer/oiio/plugin.h': [],
   'renderer/oiio': ['renderer/include', 'renderer/core', 'renderer/oiio/plugin.h'],
-  'renderer/asset': ['renderer/include', 'renderer/core'],
+  ...ASSET_ROOMS,
   'renderer/shot': ['renderer/include', 'renderer/core'],
   'renderer/gl': ['renderer/include', 'renderer/core'],
   'renderer/shader': ['renderer/include', 'renderer/core', 'renderer/gl'],
-  'renderer/ibl/dfg_lookup.h': [],
-  'renderer/ibl': ['renderer/include', 'renderer/core', 'renderer/gl', 'renderer/shader', 'renderer/ibl/dfg_lookup.h'],
-  'renderer/lobes': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/ibl/dfg_lookup.h'],
-  'renderer/pass/camera.h': ['renderer/include'],
-  'renderer/pass/variant.h': ['renderer/include'],
-  'renderer/pass/linear_output.h': ['renderer/include'],
-  'renderer/pass/picture_facts.h': ['renderer/include'],
-  'renderer/pass': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/mesh', 'renderer/gl', 'renderer/shader', 'renderer/ibl', 'renderer/pass/camera.h', 'renderer/pass/variant.h', 'renderer/pass/linear_output.h', 'renderer/pass/picture_facts.h'],
-  // The tracer shares with the raster what needs no GL: matrices, materials, names, the table of the split sum.
+  'renderer/ibl': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/gl', 'renderer/shader'],
+  'renderer/lobes': ['renderer/include', 'renderer/core', 'renderer/brdf'],
+  'renderer/frame': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/shader'],
+  'renderer/pass': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/gl', 'renderer/shader', 'renderer/ibl', 'renderer/frame'],
   'renderer/reference/plugin.h': ['renderer/include'],
   // trace/ opens the library of reference/ at run time, and links nothing of it.
-  'renderer/trace': ['renderer/include', 'renderer/core', 'renderer/pass/camera.h', 'renderer/reference/plugin.h'],
-  'renderer/reference': ['renderer/reference/plugin.h', 'renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/shader', 'renderer/pass/camera.h', 'renderer/pass/variant.h', 'renderer/pass/linear_output.h', 'renderer/pass/picture_facts.h', 'renderer/ibl/dfg_lookup.h'],
+  'renderer/trace': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/reference/plugin.h'],
+  'renderer/reference': ['renderer/reference/plugin.h', 'renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/shader', 'renderer/frame'],
   addon: ['renderer/include'],
 };
 

@@ -1,0 +1,18 @@
+#pragma once
+#include <draco/point_cloud/point_cloud.h>
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "asset/accessor/draco_mesh.h"
+
+namespace telar::asset {
+
+/// Runs libdraco over data whose header was read.
+/// @return a draco::Mesh, unless it is points alone
+/// @throws Error{E_DRACO, X_CANCELLED}; cancelling acts between connectivity and each group of attributes
+std::unique_ptr<draco::PointCloud> decodeDraco(std::span<const std::byte> data, const DracoCounts& counts,
+                                               const CancelToken& cancel, const std::string& where);
+
+}  // namespace telar::asset

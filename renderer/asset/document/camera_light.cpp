@@ -1,0 +1,136 @@
+#include "asset/document/camera_light.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "asset/check/number.h"
+#include "asset/check/pointer.h"
+#include "asset/document/schema.h"
+
+namespace telar::asset {
+namespace {
+
+using nlohmann::json;
+
+constexpr float LIGHT_MAX = 1e9f;  // candela, lux, metres: beyond any real lamp, far from overflow in the shaders
+
+/// The value, or `fallback` where the key is absent. @throws json::exception when it is of a wrong type
+template <typename T>
+T valueOr(const json& object, const char* key, T fallback) {
+  const auto found = object.find(key);
+  return found == object.end() ? fallback : found->get<T>();
+}
+
+ModelCamera readCamera(const json& source) {
+  ModelCamera out;
+  out.name = cutName(valueOr(source, "name", std::string()));
+  out.perspective = source.at("type").get_ref<const std::string&>() == "perspective";
+  const json& lens = source.at(out.perspective ? "perspective" : "orthographic");
+  out.near = lens.at("znear").get<double>();
+  out.far = valueOr(lens, "zfar", 0.0);
+  if (out.perspective) {
+    out.fovY = lens.at("yfov").get<double>();
+    out.aspectRatio = valueOr(lens, "aspectRatio", 0.0);
+  } else {
+    out.xmag = lens.at("xmag").get<double>();
+    out.ymag = lens.at("ymag").get<double>();
+  }
+  return out;
+}
+
+bool usable(const ModelCamera& camera) {
+  if (camera.far != 0 && camera.far <= camera.near) return false;
+  if (camera.perspective) {
+    return camera.near > 0 && camera.fovY > 0 && camera.fovY < std::numbers::pi && camera.aspectRatio >= 0;
+  }
+  return camera.near >= 0 && camera.far > 0 && camera.xmag > 0 && camera.ymag > 0;
+}
+
+glm::vec3 readColor(const json& source) {
+  const auto found = source.find("color");
+  if (found == source.end()) return glm::vec3(1.0f);
+  return {toFloat(found->at(0).get<double>()), toFloat(found->at(1).get<double>()),
+          toFloat(found->at(2).get<double>())};
+}
+
+std::optional<LightType> readType(const json& source) {
+  const auto& type = source.at("type").get_ref<const std::string&>();
+  if (type == "directional") return LightType::kDirectional;
+  if (type == "point") return LightType::kPoint;
+  if (type == "spot") return LightType::kSpot;
+  return std::nullopt;
+}
+
+std::optional<ModelLight> readLight(const json& source) {
+  const auto type = readType(source);
+  if (!type) return std::nullopt;
+  ModelLight out;
+  out.type = *type;
+  out.name = cutName(valueOr(source, "name", std::string()));
+  out.color = readColor(source);
+  out.intensity = toFloat(valueOr(source, "intensity", 1.0));
+  out.range = toFloat(valueOr(source, "range", 0.0));
+  const auto spot = source.find("spot");
+  if (out.type == LightType::kSpot && spot != source.end()) {
+    out.innerConeAngle = toFloat(valueOr(*spot, "innerConeAngle", 0.0));
+    out.outerConeAngle = toFloat(valueOr(*spot, "outerConeAngle", std::numbers::pi / 4));
+  }
+  return out;
+}
+
+bool clampTo(float& value, float low, float high) {
+  const float before = value;
+  value = std::clamp(value, low, high);
+  return value != before;
+}
+
+bool clampLight(ModelLight& light) {
+  bool changed = clampTo(light.intensity, 0, LIGHT_MAX);
+  changed |= clampTo(light.range, 0, LIGHT_MAX);
+  for (int i = 0; i < 3; ++i) changed |= clampTo(light.color[i], 0, LIGHT_MAX);
+  changed |= clampTo(light.outerConeAngle, 0, std::numbers::pi_v<float> / 2);
+  changed |= clampTo(light.innerConeAngle, 0, light.outerConeAngle);
+  return changed;
+}
+
+}  // namespace
+
+std::vector<std::optional<ModelCamera>> readCameras(const json& cameras, Warnings& warnings) {
+  if (!cameras.is_array()) fail("E_SCHEMA", "expected an array here", "/cameras");
+  std::vector<std::optional<ModelCamera>> out;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    out.emplace_back();
+    try {
+      const ModelCamera camera = readCamera(cameras[i]);
+      if (usable(camera)) out.back() = camera;
+    } catch (const json::exception&) {
+      out.back().reset();  // told below
+    }
+    if (!out.back()) warnings.add("W_CAMERA", "a camera is malformed and was left out", pointer("cameras", i));
+  }
+  return out;
+}
+
+std::vector<std::optional<ModelLight>> readLights(const json& lights, Warnings& warnings) {
+  static constexpr const char* LIST = "/extensions/KHR_lights_punctual/lights";
+  if (!lights.is_array()) fail("E_SCHEMA", "expected an array here", LIST);
+  std::vector<std::optional<ModelLight>> out;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const std::string where = LIST + pointer(i);
+    out.emplace_back();
+    try {
+      out.back() = readLight(lights[i]);
+    } catch (const json::exception&) {
+      out.back().reset();  // told below
+    }
+    if (!out.back()) {
+      warnings.add("W_LIGHT", "a light is malformed and was left out", where);
+    } else if (clampLight(*out.back())) {
+      warnings.add("W_RANGE", "a value of the light was clamped to its range", where);
+    }
+  }
+  return out;
+}
+
+}  // namespace telar::asset

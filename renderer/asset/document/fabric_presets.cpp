@@ -1,0 +1,76 @@
+#include "asset/document/fabric_presets.h"
+
+#include <nlohmann/json.hpp>
+
+#include "asset/check/pointer.h"
+
+namespace telar::asset {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* NAME = "TELAR_materials_fabric";
+
+/// Whether the material had it in its extras alone.
+bool takeFromExtras(json& material) {
+  const auto extras = material.find("extras");
+  if (extras == material.end()) return false;
+  const json fabric = extras->value(NAME, json());
+  material.erase(extras);
+  if (fabric.is_null() || (material.contains("extensions") && material["extensions"].contains(NAME))) return false;
+  material["extensions"][NAME] = fabric;
+  return true;
+}
+
+/// tinygltf drops empty objects, but a weave with all its defaults is one.
+void keepWeave(json& fabric) {
+  const auto weave = fabric.find("weave");
+  if (weave != fabric.end() && weave->empty()) (*weave)["threadsPerUv"] = {0.0, 0.0};
+}
+
+/// The object, whose preset may be missing; null where the material has none.
+json* fabricOf(json& material) {
+  const auto extensions = material.find("extensions");
+  return extensions != material.end() && extensions->contains(NAME) ? &(*extensions)[NAME] : nullptr;
+}
+
+std::string namesOf(const json& presets) {
+  std::string out;
+  for (const auto& [name, preset] : presets.items()) out += (out.empty() ? "" : ", ") + name;
+  return out;
+}
+
+}  // namespace
+
+std::vector<FabricSource> applyFabricPresets(json& reduced, Warnings& warnings) {
+  std::vector<FabricSource> out;
+  const auto materials = reduced.find("materials");
+  if (materials == reduced.end()) return out;
+  json presets;  // read when the first material names one
+  std::vector<json> withPresets;
+  const std::size_t count = materials->size();
+  for (std::size_t i = 0; i < count; ++i) {
+    json& material = (*materials)[i];
+    out.push_back({.inExtras = takeFromExtras(material)});
+    json* fabric = fabricOf(material);
+    if (!fabric) continue;
+    keepWeave(*fabric);
+    const std::string name = fabric->value("preset", "");
+    if (name.empty()) continue;
+    if (presets.is_null()) presets = json::parse(fabricPresetText());
+    const auto preset = presets.find(name);
+    if (preset == presets.end()) {
+      warnings.add("W_ENUM", "the preset " + telar::quoted(name) + " is unknown; there are " + namesOf(presets),
+                   pointer("materials", i, out[i].inExtras ? "extras" : "extensions") + "/" + NAME + "/preset");
+      continue;
+    }
+    json filled = (*preset)["material"];
+    filled.merge_patch(material);  // RFC 7396: the material's own values stay
+    out[i].withPreset = static_cast<int>(count + withPresets.size());
+    withPresets.push_back(std::move(filled));
+  }
+  for (json& material : withPresets) materials->push_back(std::move(material));
+  return out;
+}
+
+}  // namespace telar::asset

@@ -1,0 +1,49 @@
+#pragma once
+#include <vector>
+
+#include "asset/geometry/geometry.h"
+
+namespace telar::asset {
+
+struct LoadedImages {
+  std::vector<Image8> images;  ///< as many as the document has; width 0 where not used, or missing
+  std::vector<bool> missing;   ///< used, and not readable
+};
+
+/// How materials read an image; an image that is read both ways is uploaded twice.
+struct ImageUse {
+  bool color = false, data = false;
+  unsigned ways() const { return unsigned{color} + unsigned{data}; }
+};
+
+/// Decodes the images that are used, each distinct one once.
+class ImageLoader {
+ public:
+  explicit ImageLoader(const GeometryReader::Sources& sources) : from_(sources) {}
+
+  /// Index of the first image that has the same source as this one.
+  int canonical(int image) const;
+
+  /// Where the sources are tolerant, an image that is not there, denied or damaged is missing, with W_TEXTURE.
+  /// @param uses by image index, canonical ones only
+  /// @throws Error{E_IMAGE_*, L_IMAGE_*, L_MEMORY_BYTES, E_URI_*, X_CANCELLED} with the image's pointer. What is wrong
+  ///         with an unused image inside the file is only a warning (W_IMAGE); unused external files are not decoded.
+  LoadedImages load(const std::vector<ImageUse>& uses) const;
+
+ private:
+  struct File {
+    std::vector<std::byte> owned;  ///< empty where the image is in a buffer view
+    std::span<const std::byte> bytes;
+  };
+  File open(std::size_t image, ImageUse use, double& bytesSoFar) const;
+  /// Errors of `read` get the image's pointer, unless they have one.
+  template <class Read>
+  static auto at(std::size_t image, const Read& read);
+  template <class Step>
+  void tolerating(std::size_t image, std::vector<bool>& missing, const Step& step) const;
+  void probeUnused(std::size_t image) const;
+
+  const GeometryReader::Sources& from_;
+};
+
+}  // namespace telar::asset

@@ -1,0 +1,151 @@
+#include "asset/material/material.h"
+
+#include "asset/check/pointer.h"
+#include "asset/document/extension_value.h"
+#include "asset/material/fabric_layers.h"
+#include "asset/material/physical_layers.h"
+#include "asset/material/texture_ref.h"
+
+namespace telar::asset {
+namespace {
+
+constexpr double EMISSIVE_MAX = 65504;  // the largest half: more cannot be kept in the frame
+class MaterialReader {
+ public:
+  MaterialReader(int material, const Document& document, Warnings& warnings)
+      : source_(document.model.materials[static_cast<std::size_t>(material)]),
+        warnings_(warnings),
+        textures_(document, warnings),
+        where_(pointer("materials", material)) {
+    const auto index = static_cast<std::size_t>(material);
+    if (index < document.fabrics.size()) fabric_ = document.fabrics[index];
+  }
+
+  Material read() {
+    Material out;
+    out.name = source_.name;
+    readPbr(out);
+    readTextures(out);
+    readEmissive(out);
+    readAlpha(out);
+    out.doubleSided = source_.doubleSided;
+    out.withPreset = fabric_.withPreset;
+    out.unlit = source_.extensions.contains("KHR_materials_unlit");
+    if (out.unlit) {
+      dropLitTextures(out);
+    } else {
+      out.physical = readPhysicalLayers(source_.extensions, where_ + "/extensions", textures_, warnings_, out.layers);
+      out.fabric = readFabricLayers(source_.extensions, out, where_ + "/extensions",
+                                    where_ + (fabric_.inExtras ? "/extras" : "/extensions"), textures_, warnings_);
+    }
+    return out;
+  }
+
+ private:
+  float clamped(double value, double low, double high, const char* key) {
+    return clampedFactor(value, low, high, where_ + "/" + key, warnings_);
+  }
+
+  void readPbr(Material& out) {
+    const auto& pbr = source_.pbrMetallicRoughness;
+    for (int i = 0; i < 4; ++i) {
+      out.baseColorFactor[i] =
+          clamped(pbr.baseColorFactor[static_cast<std::size_t>(i)], 0, 1, "pbrMetallicRoughness/baseColorFactor");
+    }
+    out.metallicFactor = clamped(pbr.metallicFactor, 0, 1, "pbrMetallicRoughness/metallicFactor");
+    out.roughnessFactor = clamped(pbr.roughnessFactor, 0, 1, "pbrMetallicRoughness/roughnessFactor");
+  }
+
+  void readTextures(Material& out) {
+    const auto& pbr = source_.pbrMetallicRoughness;
+    out.baseColorTexture = texture(pbr.baseColorTexture, "pbrMetallicRoughness/baseColorTexture");
+    out.metallicRoughnessTexture =
+        texture(pbr.metallicRoughnessTexture, "pbrMetallicRoughness/metallicRoughnessTexture");
+    out.normalTexture = texture(source_.normalTexture, "normalTexture");
+    out.normalScale = clamped(source_.normalTexture.scale, -NORMAL_SCALE_MAX, NORMAL_SCALE_MAX, "normalTexture/scale");
+    out.occlusionTexture = texture(source_.occlusionTexture, "occlusionTexture");
+    out.occlusionStrength = clamped(source_.occlusionTexture.strength, 0, 1, "occlusionTexture/strength");
+    out.emissiveTexture = texture(source_.emissiveTexture, "emissiveTexture");
+  }
+
+  void readEmissive(Material& out) {
+    const auto extension = source_.extensions.find("KHR_materials_emissive_strength");
+    const double strength =
+        extension == source_.extensions.end() ? 1.0 : numberOf(extension->second, "emissiveStrength", 1.0);
+    for (int i = 0; i < 3; ++i) {
+      const double factor = source_.emissiveFactor[static_cast<std::size_t>(i)];
+      out.emissiveFactor[i] = clamped(clamped(factor, 0, 1, "emissiveFactor") * strength, 0, EMISSIVE_MAX,
+                                      "extensions/KHR_materials_emissive_strength/emissiveStrength");
+    }
+  }
+
+  void readAlpha(Material& out) {
+    const std::string& mode = source_.alphaMode;
+    if (mode == "MASK") {
+      out.alphaMode = AlphaMode::kMask;
+    } else if (mode == "BLEND") {
+      out.alphaMode = AlphaMode::kBlend;
+    } else if (!mode.empty() && mode != "OPAQUE") {
+      warnings_.add("W_ENUM", "the alpha mode " + telar::quoted(mode) + " is unknown; drawn opaque",
+                    where_ + "/alphaMode");
+    }
+    // Above 1 is allowed and hides everything.
+    out.alphaCutoff = clamped(source_.alphaCutoff, 0, 2, "alphaCutoff");
+  }
+
+  /// An unlit material reads nothing but its base colour.
+  static void dropLitTextures(Material& out) {
+    out.metallicRoughnessTexture = out.normalTexture = out.occlusionTexture = out.emissiveTexture = TextureRef{};
+  }
+
+  template <typename Info>  // TextureInfo, NormalTextureInfo or OcclusionTextureInfo
+  TextureRef texture(const Info& info, const char* key) {
+    if (info.index < 0) return {};
+    const auto transform = info.extensions.find("KHR_texture_transform");
+    const tinygltf::Value* found = transform == info.extensions.end() ? nullptr : &transform->second;
+    return textures_.read(info.index, info.texCoord, found, where_ + "/" + key);
+  }
+
+  const tinygltf::Material& source_;
+  Warnings& warnings_;
+  TextureReader textures_;
+  std::string where_;
+  FabricSource fabric_;
+};
+
+}  // namespace
+
+Material readMaterial(int material, const Document& document, Warnings& warnings) {
+  return MaterialReader(material, document, warnings).read();
+}
+
+std::vector<TextureUse> texturesOf(Material& material) {
+  PhysicalLayers& layers = material.layers;
+  FabricLayers& fabric = material.fabric;
+  std::vector<TextureUse> out{{&material.baseColorTexture, true},
+                              {&material.metallicRoughnessTexture, false},
+                              {&material.normalTexture, false},
+                              {&material.occlusionTexture, false},
+                              {&material.emissiveTexture, true},
+                              {&layers.specularTexture, false},
+                              {&layers.specularColorTexture, true},
+                              {&layers.clearcoatTexture, false},
+                              {&layers.clearcoatRoughnessTexture, false},
+                              {&layers.clearcoatNormalTexture, false},
+                              {&layers.sheenColorTexture, true},
+                              {&layers.sheenRoughnessTexture, false},
+                              {&layers.anisotropyTexture, false},
+                              {&layers.iridescenceTexture, false},
+                              {&layers.iridescenceThicknessTexture, false},
+                              {&layers.diffuseRoughnessTexture, false},
+                              {&layers.transmissionTexture, false},
+                              {&layers.thicknessTexture, false},
+                              {&fabric.diffuseTransmissionTexture, false},
+                              {&fabric.diffuseTransmissionColorTexture, true},
+                              {&fabric.weaveTexture, false},
+                              {&fabric.backColorTexture, true}};
+  std::erase_if(out, [](const TextureUse& use) { return !*use.texture; });
+  return out;
+}
+
+}  // namespace telar::asset

@@ -1,0 +1,214 @@
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "asset/scene/outline.h"
+#include "telar/load.h"
+
+namespace telar {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
+json list(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+json list(const glm::vec3& v) { return list(glm::dvec3(v)); }
+
+const char* nameOf(AlphaMode mode) {
+  switch (mode) {
+    case AlphaMode::kMask:
+      return "MASK";
+    case AlphaMode::kBlend:
+      return "BLEND";
+    default:
+      return "OPAQUE";
+  }
+}
+
+const char* nameOf(LightType type) {
+  switch (type) {
+    case LightType::kDirectional:
+      return "directional";
+    case LightType::kSpot:
+      return "spot";
+    default:
+      return "point";
+  }
+}
+
+/// What of a material only the shading "fabric" reads; null where there is nothing.
+json describeFabric(const Material& material) {
+  const FabricLayers& fabric = material.fabric;
+  json out = json::object();
+  if (fabric.diffuseTransmissionFactor > 0) out["diffuseTransmission"] = fabric.diffuseTransmissionFactor;
+  if (fabric.flatness > 0) out["flatness"] = fabric.flatness;
+  if (fabric.weave) {
+    out["weave"] = {{"warp", fabric.warp.coverage},
+                    {"weft", fabric.weft.coverage},
+                    {"threadsPerUv", {fabric.threadsPerUv.x, fabric.threadsPerUv.y}}};
+  }
+  if (fabric.back) out["back"] = true;
+  return out.empty() ? json(nullptr) : out;
+}
+
+/// @param worn the same with its preset
+json describe(const Material& material, const Material& worn) {
+  json textures = json::array();
+  const auto add = [&](const char* name, const TextureRef& texture) {
+    if (texture) textures.push_back(name);
+  };
+  add("baseColor", material.baseColorTexture);
+  add("metallicRoughness", material.metallicRoughnessTexture);
+  add("normal", material.normalTexture);
+  add("occlusion", material.occlusionTexture);
+  add("emissive", material.emissiveTexture);
+  add("specular", material.layers.specularTexture);
+  add("specularColor", material.layers.specularColorTexture);
+  add("clearcoat", material.layers.clearcoatTexture);
+  add("clearcoatRoughness", material.layers.clearcoatRoughnessTexture);
+  add("clearcoatNormal", material.layers.clearcoatNormalTexture);
+  add("sheenColor", material.layers.sheenColorTexture);
+  add("sheenRoughness", material.layers.sheenRoughnessTexture);
+  add("anisotropy", material.layers.anisotropyTexture);
+  add("iridescence", material.layers.iridescenceTexture);
+  add("iridescenceThickness", material.layers.iridescenceThicknessTexture);
+  add("transmission", material.layers.transmissionTexture);
+  add("thickness", material.layers.thicknessTexture);
+  add("diffuseRoughness", material.layers.diffuseRoughnessTexture);
+  add("diffuseTransmission", material.fabric.diffuseTransmissionTexture);
+  add("diffuseTransmissionColor", material.fabric.diffuseTransmissionColorTexture);
+  add("weave", material.fabric.weaveTexture);
+  add("backColor", material.fabric.backColorTexture);
+  return {{"name", material.name},   {"alphaMode", nameOf(material.alphaMode)}, {"doubleSided", material.doubleSided},
+          {"unlit", material.unlit}, {"metallic", material.metallicFactor},     {"roughness", material.roughnessFactor},
+          {"textures", textures},    {"fabric", describeFabric(worn)}};
+}
+
+json describe(const Image8& image) {
+  json out = {{"width", image.width}, {"height", image.height}};
+  if (!image.format.empty()) out["format"] = image.format;
+  if (image.ownLevels) out["levels"] = 1 + image.smallerLevels.size();
+  return out;
+}
+
+json describe(const ModelLight& light, const Node& node) {
+  const glm::dvec3 position(node.world[3]);
+  json out = {{"name", light.name.empty() ? node.name : light.name},
+              {"type", nameOf(light.type)},
+              {"color", list(light.color)},
+              {"intensity", light.intensity},
+              {"position", list(position)},
+              {"range", light.range}};
+  if (light.type == LightType::kSpot) {
+    out["innerConeAngle"] = light.innerConeAngle;
+    out["outerConeAngle"] = light.outerConeAngle;
+  }
+  return out;
+}
+
+glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& fallback) {
+  const double length = glm::length(v);
+  return length > 0 && std::isfinite(length) ? v / length : fallback;
+}
+
+/// Looks along the node's -Z; the target is the point of that ray which is nearest to the scene's centre.
+json describe(const ModelCamera& camera, const Node& node, std::size_t nodeIndex, const Bounds& bounds) {
+  const glm::dvec3 position(node.world[3]);
+  const glm::dvec3 forward = unit(-glm::dvec3(node.world[2]), {0, 0, -1});
+  const double distance = glm::dot((bounds.min + bounds.max) * 0.5 - position, forward);
+  const glm::dvec3 target = position + forward * (distance > 0 ? distance : 1.0);
+  json out = {{"name", camera.name.empty() ? node.name : camera.name},
+              {"node", nodeIndex},
+              {"projection", camera.perspective ? "perspective" : "orthographic"}};
+  if (camera.perspective) {
+    out["fovY"] = degrees(camera.fovY);
+    if (camera.aspectRatio > 0) out["aspectRatio"] = camera.aspectRatio;
+  } else {
+    out["height"] = 2 * camera.ymag;
+    out["width"] = 2 * camera.xmag;
+  }
+  out["near"] = camera.near;
+  out["far"] = camera.far > 0 ? json(camera.far) : json(nullptr);
+  out["position"] = list(position);
+  out["target"] = list(target);
+  out["up"] = list(unit(glm::dvec3(node.world[1]), {0, 1, 0}));
+  return out;
+}
+
+json describe(const Warning& warning) {
+  json out = {{"code", warning.code}, {"message", warning.message}};
+  if (!warning.pointer.empty()) out["pointer"] = warning.pointer;
+  return out;
+}
+
+json describeLights(const Scene& scene) {
+  json out = json::array();
+  for (const Node& node : scene.nodes) {
+    if (node.light >= 0) out.push_back(describe(scene.lights[static_cast<std::size_t>(node.light)], node));
+  }
+  return out;
+}
+
+json describeAnimations(const Scene& scene) {
+  json out = json::array();
+  if (!scene.motion) return out;
+  for (const Animation& animation : scene.motion->animations) {
+    out.push_back({{"name", animation.name}, {"duration", animation.duration}});
+  }
+  return out;
+}
+
+json describeCameras(const Scene& scene) {
+  std::vector<std::pair<int, std::size_t>> placed;  // camera and node
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (scene.nodes[i].camera >= 0) placed.emplace_back(scene.nodes[i].camera, i);
+  }
+  std::sort(placed.begin(), placed.end());
+  json out = json::array();
+  for (const auto& [camera, node] : placed) {
+    out.push_back(describe(scene.cameras[static_cast<std::size_t>(camera)], scene.nodes[node], node, scene.bounds));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string describeScene(const Scene& scene, const CancelToken& cancel) {
+  const bool empty = scene.bounds.empty();
+  json out;
+  out["name"] = scene.name;
+  out["bounds"] = empty ? json(nullptr) : json{{"min", list(scene.bounds.min)}, {"max", list(scene.bounds.max)}};
+  out["outline"] = json::array();
+  for (const glm::dvec3& point : asset::outlineOf(scene, cancel)) out["outline"].push_back(list(point));
+  out["size"] = empty ? json{0, 0, 0} : list(scene.bounds.max - scene.bounds.min);
+  out["nodes"] = scene.nodes.size();
+  out["meshes"] = scene.fileMeshes;
+  out["drawCalls"] = scene.drawCount;
+  out["vertices"] = scene.vertexCount;
+  out["triangles"] = scene.triangleCount;
+  out["fileBytes"] = scene.fileBytes;
+  out["sha256"] = scene.sha256;
+  out["materials"] = json::array();
+  for (std::size_t i = 0; i < scene.fileMaterials; ++i) {
+    const Material& material = scene.materials[i];
+    out["materials"].push_back(describe(material, shownMaterial(scene, material, ShadingModel::kFabric)));
+  }
+  out["images"] = json::array();
+  for (const Image8& image : scene.images) out["images"].push_back(describe(image));
+  out["lights"] = describeLights(scene);
+  out["cameras"] = describeCameras(scene);
+  out["animations"] = describeAnimations(scene);
+  out["variants"] = scene.variants;
+  out["extensionsUsed"] = scene.extensionsUsed;
+  out["generator"] = scene.generator;
+  out["copyright"] = scene.copyright;
+  out["warnings"] = json::array();
+  for (const Warning& warning : scene.warnings) out["warnings"].push_back(describe(warning));
+  return out.dump();
+}
+
+}  // namespace telar

@@ -1,0 +1,93 @@
+#include "frame/pixel_mean.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "telar/luminance.h"
+
+namespace telar::frame {
+namespace {
+
+constexpr unsigned FEWEST = 16;  ///< passes before a pixel is looked at
+constexpr int REACH = 2;  ///< of the neighbours that are taken together, pixels: one alone may be right by chance
+
+/// Means over the window of REACH about each value of a line.
+void blurLine(const float* from, float* to, int count, std::ptrdiff_t step) {
+  for (int i = 0; i < count; ++i) {
+    const int begin = std::max(i - REACH, 0), end = std::min(i + REACH + 1, count);
+    float sum = 0;
+    for (int k = begin; k < end; ++k) sum += from[k * step];
+    to[i * step] = sum / static_cast<float>(end - begin);
+  }
+}
+
+void blur(std::vector<float>& picture, int width, int height) {
+  std::vector<float> rows(picture.size());
+  for (std::ptrdiff_t y = 0; y < height; ++y)
+    blurLine(&picture[static_cast<std::size_t>(y * width)], &rows[static_cast<std::size_t>(y * width)], width, 1);
+  for (int x = 0; x < width; ++x)
+    blurLine(&rows[static_cast<std::size_t>(x)], &picture[static_cast<std::size_t>(x)], height, width);
+}
+
+}  // namespace
+
+PixelMean::PixelMean(const Shot& shot)
+    : shot_(shot), left_(static_cast<std::size_t>(shot.width) * static_cast<std::size_t>(shot.height)) {
+  shot_.exposure = 1;  // the passes were exposed
+  first_.resize(left_);
+  second_.resize(left_);
+  count_.resize(left_);
+}
+
+bool PixelMean::add(const Frame& frame, bool last) {
+  const auto* pixel = reinterpret_cast<const glm::vec4*>(frame.pixels.data());
+  for (std::size_t i = 0; i < second_.size(); ++i) {
+    if (!settled_.empty() && settled_[i]) continue;
+    second_[i] += pixel[i];
+    ++count_[i];
+  }
+  if (!std::has_single_bit(++passes_)) return false;
+  const bool looks = shot_.noise > 0 && passes_ >= FEWEST && !last;
+  if (looks) settle();
+  for (std::size_t i = 0; i < second_.size(); ++i) first_[i] += std::exchange(second_[i], glm::vec4(0));
+  return looks;
+}
+
+/// By how much the halves differ in luma before black and before white, encoded.
+glm::vec2 PixelMean::difference(std::size_t pixel, const PixelEncoder& encoded) const {
+  const auto shown = [&](const glm::vec4& sum) {
+    const glm::vec4 color = encoded(glm::max(sum, 0.0f) / static_cast<float>(passes_ / 2));
+    const float black = luminance(glm::clamp(glm::vec3(color), 0.0f, 1.0f)) * color.a;
+    return glm::vec2(black, black + 1 - color.a);
+  };
+  return shown(first_[pixel]) - shown(second_[pixel]);
+}
+
+void PixelMean::settle() {
+  settled_.resize(second_.size());
+  const PixelEncoder encoded(shot_);
+  std::vector<float> squares(second_.size());
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    if (settled_[i]) continue;
+    const glm::vec2 apart = difference(i, encoded);
+    squares[i] = std::max(apart.x * apart.x, apart.y * apart.y);
+  }
+  blur(squares, shot_.width, shot_.height);
+  // The mean of both halves errs by half of what they are apart.
+  const auto most = static_cast<float>(4 * shot_.noise * shot_.noise / (255.0 * 255.0));
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    if (settled_[i] || squares[i] > most) continue;
+    settled_[i] = 255;
+    --left_;
+  }
+}
+
+std::vector<glm::vec4> PixelMean::mean() const {
+  std::vector<glm::vec4> picture(first_.size());
+  for (std::size_t i = 0; i < picture.size(); ++i)
+    picture[i] = glm::max(first_[i] + second_[i], 0.0f) / static_cast<float>(std::max<int>(count_[i], 1));
+  return picture;
+}
+
+}  // namespace telar::frame

@@ -1,0 +1,44 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "frame/linear_output.h"
+#include "telar/image.h"
+#include "telar/shot.h"
+
+namespace telar::frame {
+
+/// The mean of passes over a picture, of which a pixel takes no more once it is sure enough.
+class PixelMean {
+ public:
+  /// @param shot  its size, output and noise
+  explicit PixelMean(const Shot& shot);
+
+  /// Adds a pass to the pixels that are not settled. Where that makes 16, 32, 64 ... of them, those are settled whose
+  /// standard error, as the two halves of their passes differ there and in their neighbours, is Shot::noise or less.
+  /// @param frame  kRgbaF32 of the shot's size    @param last  no pass follows: nothing is settled any more
+  /// @return whether pixels were looked at
+  bool add(const Frame& frame, bool last = false);
+
+  /// Which pixels are settled: 255 or 0, row 0 on top. Empty before they are looked at.
+  std::span<const std::uint8_t> settled() const { return settled_; }
+  bool allSettled() const { return left_ == 0; }
+
+  /// Row 0 on top; linear Rec.709, premultiplied with coverage, and coverage.
+  std::vector<glm::vec4> mean() const;
+  /// It as the shot's output.
+  Frame frame() const { return toFrame(mean(), shot_); }
+
+ private:
+  void settle();
+  glm::vec2 difference(std::size_t pixel, const PixelEncoder& encoded) const;
+
+  Shot shot_;
+  unsigned passes_ = 0;
+  std::size_t left_;
+  std::vector<glm::vec4> first_, second_;  ///< sums of the two halves of a pixel's passes
+  std::vector<std::uint16_t> count_;
+  std::vector<std::uint8_t> settled_;
+};
+
+}  // namespace telar::frame

@@ -1,0 +1,24 @@
+#pragma once
+#include <glm/glm.hpp>
+
+#include "telar/shot.h"
+
+namespace telar::frame {
+
+/// How the samples of a pixel are spread over passes over the model.
+struct SamplePasses {
+  int count = 1;
+  int samples = 1;  ///< of a pass: multisampling
+
+  /// How far the picture of a pass is moved, pixels in [-0.5, 0.5): the first 2^k passes fill the pixel evenly, for any
+  /// k, so that their mean is that of a box filter. Shares no structure with the directions that the passes draw.
+  glm::dvec2 shift(int pass) const;
+};
+
+/// One pass for up to Shot::SAMPLES_OF_A_PASS samples, and one a sample for more: a pass shades a pixel once.
+SamplePasses samplePassesOf(const Shot& shot);
+
+/// Projection of a picture that is moved by a part of a pixel. @param shift  pixels, x right and y up
+glm::dmat4 shifted(const glm::dmat4& projection, const glm::dvec2& shift, int width, int height);
+
+}  // namespace telar::frame
