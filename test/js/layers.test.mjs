@@ -3,7 +3,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { layerViolations } from './layers/rules.mjs';
+import { errorsWithoutCode, layersWithoutTests, layerViolations } from './layers/rules.mjs';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const MAX_LINES = 400;
@@ -46,6 +46,9 @@ test('planted violations are found, one each', async (t) => {
     'js/build/planted.mjs': "import { setUp } from '../setup/index.mjs';\n",
     'js/setup/planted.mjs': "const { z } = await import('zod');\n",
     'js/api/planted.mjs': "import { x } from '../../test/x.mjs';\n",
+    'js/compare/planted.mjs': "import {\n  // of the command line\n  one,\n  two as three,\n} from '../cli/run.mjs';\n",
+    'js/analyse/planted.mjs': "export {\n  one,\n  two,\n}\n  from '../cli/run.mjs';\n",
+    'js/view/planted.mjs': "const late = () => import(\n  '../cli/run.mjs',\n);\n",
   };
   const helpers = new Map([['renderer/gl/context.h', ''], ['renderer/asset/material/material.h', ''], ['renderer/image/bytes.h', ''], ['renderer/core/text.h', '']]);
   for (const [file, text] of Object.entries(planted)) {
@@ -60,6 +63,20 @@ test('planted violations are found, one each', async (t) => {
 test('comments and strings are no violations', () => {
   const file = new Map([['renderer/pass/fine.cpp', '// gl.GenTextures, printf(\nconst char* f() { return "printf("; } /* std::cout */\nint g() { return std::snprintf(a, 1, "x"); }\n']]);
   assert.deepEqual(layerViolations(file, PACKAGES), []);
+});
+
+test('every layer has its tests', () => {
+  const tests = ['cpp', 'js'].flatMap((kind) => readdirSync(path.join(ROOT, 'test', kind), { recursive: true }).map((name) => `test/${kind}/${name}`))
+    .filter((name) => /_test\.cpp$|\.test\.mjs$/.test(name));
+  assert.deepEqual(layersWithoutTests(tests), []);
+  const planted = tests.filter((name) => !name.startsWith('test/cpp/gl/'));
+  assert.deepEqual(layersWithoutTests(planted), ['renderer/gl: no test in test/cpp/gl']);
+});
+
+test('a test of C++ names the code of the error that it wants', () => {
+  assert.deepEqual(errorsWithoutCode(sources(['test/cpp'], /\.(h|cpp)$/)), []);
+  const planted = ['EXPECT_THROW(f(), Error);', 'ASSERT_THROW(\n  f({1, 2}),\n  telar::Error)', 'EXPECT_ANY_THROW(f());', 'EXPECT_THROW(f(), std::bad_alloc);', '// EXPECT_THROW(f(), Error);'];
+  assert.deepEqual(planted.map((text) => errorsWithoutCode(new Map([['a.cpp', `\n${text}`]])).length), [1, 1, 1, 0, 0]);
 });
 
 // Not a failure: a long file is a reason to look, not to stop.

@@ -1,6 +1,7 @@
 #include "telar/pose.h"
 
 #include "asset/model_builder.h"
+#include "expect_error.h"
 
 namespace telar::test {
 namespace {
@@ -139,7 +140,7 @@ TEST(Pose, CanBeCancelled) {
   const auto scene = load(model);
   const CancelToken cancel;
   cancel.cancel();
-  EXPECT_THROW(poseScene(scene, {0, 0}, cancel), Error);
+  EXPECT_ERROR(poseScene(scene, {0, 0}, cancel), "X_CANCELLED");
 }
 
 TEST(Pose, MatricesAreTakenApartAsThreeDoes) {

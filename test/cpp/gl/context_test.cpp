@@ -4,6 +4,7 @@
 
 #include <thread>
 
+#include "expect_error.h"
 #include "gl/program.h"
 #include "telar/renderer.h"
 
@@ -62,7 +63,7 @@ TEST(Program, ErrorNamesTheProgramAndShowsTheSourceLine) {
 TEST(Context, CheckReportsAnError) {
   const auto context = Context::create(Backend::kAuto);
   context->gl().Enable(0xFFFF);
-  EXPECT_THROW(context->check("a wrong enum"), Error);
+  EXPECT_ERROR(context->check("a wrong enum"), "X_GL");
   EXPECT_NO_THROW(context->check("after it was taken"));
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/read_file.h"
 #include "core/sha256.h"
+#include "expect_error.h"
 #include "ibl/environment_cache.h"
 #include "ibl/irradiance.h"
 #include "ibl/pmrem_file.h"
@@ -120,7 +121,7 @@ TEST(Prefilter, SlicesChangeNoByteAndCanBeStopped) {
   const CancelToken cancelled;
   cancelled.cancel();
   context->pacer().begin(cancelled, 50);
-  EXPECT_THROW(prefilterEquirect(*context, map, CancelToken()), Error);
+  EXPECT_ERROR(prefilterEquirect(*context, map, CancelToken()), "X_CANCELLED");
 }
 
 TEST(PmremFile, ComesBackBitForBit) {

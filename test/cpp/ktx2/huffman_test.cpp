@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "expect_error.h"
+
 namespace telar::test {
 namespace {
 
@@ -42,9 +44,9 @@ TEST(Huffman, DecodesCanonicalCodes) {
 }
 
 TEST(Huffman, WrongLengthsAreRefused) {
-  EXPECT_THROW(tableOf({1, 1, 1}), Error) << "more codes than fit";
-  EXPECT_THROW(tableOf({2, 2, 2}), Error) << "a code is left";
-  EXPECT_THROW(tableOf(std::vector<std::uint8_t>(16383, 1)), Error);
+  EXPECT_ERROR(tableOf({1, 1, 1}), "E_IMAGE_CORRUPT") << "more codes than fit";
+  EXPECT_ERROR(tableOf({2, 2, 2}), "E_IMAGE_CORRUPT") << "a code is left";
+  EXPECT_ERROR(tableOf(std::vector<std::uint8_t>(16383, 1)), "E_IMAGE_CORRUPT");
   EXPECT_NO_THROW(tableOf({0, 7, 0})) << "a single symbol may waste codes";
   EXPECT_TRUE(tableOf({0, 0}).empty());
 }
@@ -52,14 +54,14 @@ TEST(Huffman, WrongLengthsAreRefused) {
 TEST(Huffman, ACodeWithoutASymbolIsRefused) {
   const auto ones = packed(std::string(64, '1'));
   BitReader from(ones);
-  EXPECT_THROW(tableOf({1}).decode(from), Error);
+  EXPECT_ERROR(tableOf({1}).decode(from), "E_IMAGE_CORRUPT");
   BitReader again(ones);
-  EXPECT_THROW(HuffmanTable().decode(again), Error);
+  EXPECT_ERROR(HuffmanTable().decode(again), "E_IMAGE_CORRUPT");
 }
 
 TEST(Huffman, TheEndIsAnError) {
   BitReader from({});
-  EXPECT_THROW(tableOf({1, 1}).decode(from), Error);
+  EXPECT_ERROR(tableOf({1, 1}).decode(from), "E_IMAGE_CORRUPT");
 }
 
 /// A table in a stream whose lengths' own code knows the symbols 1 (code 0) and 20 (code 1).
@@ -80,16 +82,16 @@ void read(const std::string& bits) {
 TEST(Huffman, TablesInStreams) {
   EXPECT_NO_THROW(read(header(2) + "00"));
   EXPECT_NO_THROW(read(number(0, 14))) << "no symbols";
-  EXPECT_THROW(read(header(2) + "1" + number(0, 7)), Error) << "nothing to repeat";
-  EXPECT_THROW(read(header(4) +
+  EXPECT_ERROR(read(header(2) + "1" + number(0, 7)), "E_IMAGE_CORRUPT") << "nothing to repeat";
+  EXPECT_ERROR(read(header(4) +
                     "0"
                     "1" +
                     number(0, 7)),
-               Error)
+               "E_IMAGE_CORRUPT")
       << "a run of 7 where 3 are left";
-  EXPECT_THROW(read(header(40)), Error) << "cut";
-  EXPECT_THROW(read(number(3, 14) + number(0, 5)), Error) << "no lengths for the lengths";
-  EXPECT_THROW(read(number(3, 14) + number(22, 5)), Error) << "too many";
+  EXPECT_ERROR(read(header(40)), "E_IMAGE_CORRUPT") << "cut";
+  EXPECT_ERROR(read(number(3, 14) + number(0, 5)), "E_IMAGE_CORRUPT") << "no lengths for the lengths";
+  EXPECT_ERROR(read(number(3, 14) + number(22, 5)), "E_IMAGE_CORRUPT") << "too many";
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "brdf/dfg_lookup.h"
+#include "expect_error.h"
 
 namespace telar::reference {
 namespace {
@@ -222,8 +223,8 @@ TEST(Tracer, OcclusionDarkensAndBouncesBrighten) {
 TEST(Tracer, ACancelledTraceThrowsAndItsThreadsEnd) {
   CancelToken cancel;
   cancel.cancel();
-  EXPECT_THROW(traceRadiance(plane(cloth(1)), shotOf(16), nullptr, {.samples = 4, .threads = 3}, Limits(), cancel, {}),
-               Error);
+  EXPECT_ERROR(traceRadiance(plane(cloth(1)), shotOf(16), nullptr, {.samples = 4, .threads = 3}, Limits(), cancel, {}),
+               "X_CANCELLED");
 }
 
 TEST(Tracer, ALensBlursWhatIsOutOfFocus) {

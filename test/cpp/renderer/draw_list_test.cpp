@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "expect_error.h"
 #include "renderer/scenes.h"
 
 namespace telar {
@@ -110,7 +111,7 @@ TEST(PlanDraws, LightsAreLimited) {
   shot.lights.assign(3, Shot::Light{Shot::Light::Type::kPoint});
   Limits limits;
   limits.lights = 2;
-  EXPECT_THROW(planFrame(*sceneOf(spherePrimitive(1, 4)), shot, limits), Error);
+  EXPECT_ERROR(planFrame(*sceneOf(spherePrimitive(1, 4)), shot, limits), "L_LIGHTS");
 }
 
 TEST(PlanFrame, NamesFeaturesAndPasses) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "expect_error.h"
 #include "renderer/scenes.h"
 
 namespace telar {
@@ -198,7 +199,7 @@ TEST(Picture, ACancelledJobThrowsAndTheRendererGoesOn) {
   FrameInfo info;
   CancelToken cancelled;
   cancelled.cancel();
-  EXPECT_THROW(renderer->draw(scene, litShot(32), {}, cancelled, info), Error);
+  EXPECT_ERROR(renderer->draw(scene, litShot(32), {}, cancelled, info), "X_CANCELLED");
   EXPECT_NO_THROW(renderer->draw(scene, litShot(32), {}, CancelToken(), info));
 }
 

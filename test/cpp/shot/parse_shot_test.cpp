@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "expect_error.h"
 #include "telar/error.h"
 #include "telar/shot.h"
 
@@ -327,11 +328,11 @@ TEST(ParseShot, ManySamplesAreAveragedInLinearLight) {
 }
 
 TEST(ParseShot, RefusesWhatIsNoShot) {
-  EXPECT_THROW(parseShot(""), Error);
-  EXPECT_THROW(parseShot("{"), Error);
-  EXPECT_THROW(parseShot("[]"), Error);
-  EXPECT_THROW(parseShot("null"), Error);
-  EXPECT_THROW(parseShot(R"({"size": {"width": 1e999, "height": 1}})"), Error);
+  EXPECT_ERROR(parseShot(""), "E_SHOT");
+  EXPECT_ERROR(parseShot("{"), "E_SHOT");
+  EXPECT_ERROR(parseShot("[]"), "E_SHOT");
+  EXPECT_ERROR(parseShot("null"), "E_SHOT");
+  EXPECT_ERROR(parseShot(R"({"size": {"width": 1e999, "height": 1}})"), "E_SHOT");
 }
 
 TEST(ParseShot, NamesTheLight) {

@@ -91,7 +91,19 @@ const JS_LAYERS = {
 
 const QUOTED_INCLUDE = /^\s*#\s*include\s*"([^"]+)"/;
 const ANGLE_INCLUDE = /^\s*#\s*include\s*<([^>]+)>/;
-const JS_IMPORT = /(?:^\s*(?:import|export)\b[^'"]*?\bfrom\s*|^\s*import\s*|\bimport\s*\(\s*|\brequire\s*\(\s*)['"]([^'"]+)['"]/;
+/** A statement may take many lines; nothing between its first word and `from` is a string, a call or another statement. */
+const JS_IMPORT = /(?:^[ \t]*(?:import|export)\b[^'"`;()=]*?\bfrom\s*|^[ \t]*import\s*|\bimport\s*\(\s*|\brequire\s*\(\s*)['"]([^'"]+)['"]/gm;
+
+/** Where the tests of a layer lie that has no folder of its own under test/cpp or test/js. */
+const TESTED_IN = {
+  'renderer/include': 'test/cpp/core',
+  'renderer/frame': 'test/cpp/renderer',
+  'renderer/lobes': 'test/js/api/lobes.test.mjs',
+  'renderer/oiio': 'test/cpp/image',
+  'renderer/pass': 'test/cpp/renderer',
+  'renderer/shader': 'test/cpp/brdf/shared_text_test.cpp',
+  'renderer/trace': 'test/cpp/reference',
+};
 
 const within = (file, folder) => file === folder || file.startsWith(`${folder}/`);
 
@@ -141,13 +153,20 @@ function checkCpp(file, text, files, report) {
   });
 }
 
+/** What a module imports, with the lines where the statements begin. */
+function importsOf(text) {
+  const code = text.replace(/\/\*[\s\S]*?\*\//g, (comment) => comment.replace(/[^\n]/g, ' ')).replace(/^[ \t]*\/\/.*/gm, '');
+  return [...code.matchAll(JS_IMPORT)].map((found) => ({ name: found[1], index: code.slice(0, found.index).split('\n').length - 1 }));
+}
+
+/** @returns {string[]} Names of the modules that a module imports, as it names them. */
+export const importedNames = (text) => importsOf(text).map(({ name }) => name);
+
 function checkJs(file, text, dependencies, report) {
   const layer = layerOf(file, JS_LAYERS);
   if (!layer) return report(file, 1, 'this folder has no row in JS_LAYERS');
   const rule = JS_LAYERS[layer];
-  text.replace(/\/\*[\s\S]*?\*\//g, (comment) => comment.replace(/[^\n]/g, ' ')).split('\n').forEach((line, index) => {
-    const name = line.trimStart().startsWith('//') ? undefined : JS_IMPORT.exec(line)?.[1];
-    if (!name) return;
+  for (const { name, index } of importsOf(text)) {
     if (name.startsWith('node:')) {
       if (rule.browser) report(file, index + 1, `imports ${name}, but runs in browsers too`);
     } else if (!name.startsWith('.')) {
@@ -162,7 +181,7 @@ function checkJs(file, text, dependencies, report) {
         report(file, index + 1, `${layer} imports ${target}; it may import: ${rule.imports.join(', ') || 'nothing of ours'}`);
       }
     }
-  });
+  }
 }
 
 /**
@@ -178,4 +197,36 @@ export function layerViolations(files, dependencies) {
     else if (/\.(mjs|cjs)$/.test(file)) checkJs(file, text, dependencies, report);
   }
   return found;
+}
+
+/** Folder (or file) of a layer's tests: of the same name under test/cpp or test/js, else as TESTED_IN has it. */
+const testsOf = (layer) => TESTED_IN[layer] ?? (layer.startsWith('js/') ? `test/${layer}` : `test/cpp/${layer.replace('renderer/', '')}`);
+
+/**
+ * @param {string[]} tests - Paths of the test files from the root.
+ * @returns {string[]} The layers that nothing tests. Rooms of a layer are tested with it.
+ */
+export function layersWithoutTests(tests) {
+  const folders = [...Object.keys(CPP_LAYERS), ...Object.keys(JS_LAYERS)].filter((layer) => !/\.\w+$/.test(layer));
+  const layers = [...new Set(folders.map((folder) => folder.split('/').slice(0, 2).join('/')))];
+  return layers.filter((layer) => !tests.some((file) => within(file, testsOf(layer)))).map((layer) => `${layer}: no test in ${testsOf(layer)}`);
+}
+
+/**
+ * @param {Map<string, string>} files
+ * @returns {string[]} `path:line: what is wrong` in tests of C++: a test that takes any Error takes one of another cause as well.
+ */
+export function errorsWithoutCode(files) {
+  return [...files].flatMap(([file, text]) => [...codeOnly(text).matchAll(/\b(?:EXPECT|ASSERT)_(?:THROW\s*\([^;]*?\bError\s*\)|ANY_THROW\b)/g)]
+    .map((found) => `${file}:${codeOnly(text).slice(0, found.index).split('\n').length}: name the code, with EXPECT_ERROR of test/cpp/expect_error.h`));
+}
+
+/**
+ * @param {Map<string, string>} files
+ * @param {number} limit
+ * @returns {string[]} The files that have more lines.
+ */
+export function longFiles(files, limit) {
+  const lines = (text) => text.split('\n').length - 1;
+  return [...files].filter(([, text]) => lines(text) > limit).map(([file, text]) => `${file} has ${lines(text)} lines, more than ${limit}`);
 }
