@@ -68,7 +68,19 @@ export async function step(name, job) {
  * @returns {Promise<string>} What it printed (stdout and stderr together).
  * @throws {SetupError} With the last lines printed.
  */
-export async function runLogged(command, args, { log, env = {}, cure, printed: tell = () => {} }) {
+export async function runLogged(command, args, { log, cure, ...options }) {
+  const { status, text } = await runKept(command, args, { log, cure, ...options });
+  if (status !== 0) {
+    throw new SetupError(`${path.basename(command)} ${args[0]} ended with ${status}; all it said is in out/setup/${log}:\n${excerpt(text)}`, { cure });
+  }
+  return text;
+}
+
+/**
+ * The same, whatever its exit status.
+ * @returns {Promise<{status: number, text: string}>}
+ */
+export async function runKept(command, args, { log, env = {}, cure, printed: tell = () => {} }) {
   const folder = path.join(ROOT, 'out', 'setup');
   mkdirSync(folder, { recursive: true });
   const file = createWriteStream(path.join(folder, log));
@@ -81,14 +93,10 @@ export async function runLogged(command, args, { log, env = {}, cure, printed: t
       tell(text);
     });
   }
-  const code = await exitCode(child, command, cure);
+  const status = await exitCode(child, command, cure);
   file.end();
   await once(file, 'close');
-  const text = printed.join('');
-  if (code !== 0) {
-    throw new SetupError(`${path.basename(command)} ${args[0]} ended with ${code}; all it said is in out/setup/${log}:\n${excerpt(text)}`, { cure });
-  }
-  return text;
+  return { status, text: printed.join('') };
 }
 
 /** The first lines that speak of an error, wherever they stand, and the last lines. */

@@ -6,12 +6,15 @@ const JS = path.join(ROOT, 'js');
 const SHADERS = path.join(ROOT, 'shaders');
 const BUNDLER = path.join(JS, 'build/dist.mjs');
 
+/** What no bundle is made of. */
+const NO_SOURCE = /^(assets\/make|build\/docs|dist|setup)\//;
+
 /** Whether every source is older than the oldest bundle. */
-function bundlesFresh() {
+export function bundlesFresh() {
   const dist = path.join(JS, 'dist');
   if (!existsSync(dist)) return false;
   const times = (folder, pattern) =>
-    readdirSync(folder, { recursive: true }).filter((file) => pattern.test(file) && !file.startsWith('dist')).map((file) => statSync(path.join(folder, file)).mtimeMs);
+    readdirSync(folder, { recursive: true }).filter((file) => pattern.test(file) && !NO_SOURCE.test(file)).map((file) => statSync(path.join(folder, file)).mtimeMs);
   const bundles = ['shading', 'types', 'zod.mjs'].every((name) => existsSync(path.join(dist, name))) ? times(dist, /\.cjs$/) : [];
   const sources = [...times(JS, /\.(mjs|d\.ts|json|css|html|svg|glsl)$/), ...times(SHADERS, /\.(glsl|frag|vert)$/)];
   return bundles.length > 0 && Math.max(...sources) <= Math.min(...bundles);

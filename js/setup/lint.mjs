@@ -1,17 +1,18 @@
 import { execFileSync } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { main, ROOT, runShown, step } from '../machine/step.mjs';
 import { ensureDebianPackages } from './debian.mjs';
 import { ensureNpmPackages } from './npm_packages.mjs';
-import { main, ROOT, runShown, step } from '../machine/step.mjs';
 
-// npm run lint: clang-format over C++, biome over JavaScript, clang-tidy over the C++ that changed since the branch left
-// main (all of it would take many minutes). `npm run format` (--fix) writes what clang-format wants.
+// npm run lint: clang-format over C++, biome over JavaScript, clang-tidy over the C++ that changed (all of it would take an hour).
+// `npm run format` (--fix) writes what clang-format and biome want. `npm test` lints too.
 
 /** Holds the commands that clang-tidy parses with. */
 const BUILD = 'out/dev';
 
-const cppFiles = ['addon', 'renderer', 'test'].flatMap((folder) =>
+const cppFiles = () => ['addon', 'renderer', 'test'].flatMap((folder) =>
   readdirSync(path.join(ROOT, folder), { recursive: true })
     .filter((file) => /\.(h|cpp)$/.test(file))
     .map((file) => path.join(folder, file)),
@@ -31,33 +32,58 @@ function firstOf(...commands) {
   return undefined;
 }
 
-/** Sources of the product that differ from main, or on main itself from the commit before; committed or not. Less brdf/,
- * whose aggregates in parentheses clang 14 does not parse. */
-function changedSources() {
+/**
+ * The commit that what is here is compared with: the one that TELAR_LINT_BASE names (CI sets it to what main was before a push), else
+ * where the branch left main, on main itself the commit before.
+ * @returns {string | undefined} undefined without git or history
+ */
+function baseCommit() {
+  const { TELAR_LINT_BASE } = process.env;
+  if (TELAR_LINT_BASE) return git('rev-parse', '--verify', `${TELAR_LINT_BASE}^{commit}`);
   const head = firstOf(['rev-parse', 'HEAD']);
   const left = firstOf(['merge-base', 'HEAD', 'origin/main'], ['merge-base', 'HEAD', 'main']);
-  const base = left && left !== head ? left : firstOf(['rev-parse', 'HEAD~1']);
-  if (!base) return [];
-  const files = `${git('diff', '--name-only', '--diff-filter=d', base)}\n${git('ls-files', '--others', '--exclude-standard')}`;
+  return left && left !== head ? left : firstOf(['rev-parse', '--verify', '--quiet', 'HEAD~1']);
+}
+
+/** Sources of the product that differ from a commit, committed or not; a file that only moved is none. Less brdf/, whose aggregates in
+ * parentheses clang 14 does not parse. */
+function changedSources(base) {
+  const files = `${git('diff', '--name-only', '-M100%', '--diff-filter=dr', base)}\n${git('ls-files', '--others', '--exclude-standard')}`;
   return files.split('\n').filter((file) => /^(addon|renderer)\/(?!brdf\/).*\.cpp$/.test(file));
 }
 
-/** @returns {Promise<[number, string]>} Exit status, and the closing line. */
-async function tidy() {
+/** @returns {Promise<[number, string]>} Exit status, and the closing words. */
+async function tidy(run) {
   if (!existsSync(path.join(ROOT, BUILD, 'compile_commands.json'))) return [0, `left out, as nothing is built in ${BUILD}; npm run build:dev`];
-  const files = changedSources();
-  if (files.length === 0) return [0, 'no source changed'];
-  const status = await runShown('run-clang-tidy', ['-quiet', '-p', BUILD, ...files.map((file) => `/${file}$`)]);
-  return [status, status === 0 ? `clean (${files.length} changed)` : 'see above'];
+  const base = baseCommit();
+  if (!base) return [0, 'left out: no commit to compare with'];
+  const files = changedSources(base);
+  if (files.length === 0) return [0, `no source changed since ${base.slice(0, 9)}`];
+  const status = await run('run-clang-tidy', ['-quiet', '-p', BUILD, ...files.map((file) => `/${file}$`)]);
+  return [status, status === 0 ? `clean (${files.length} changed since ${base.slice(0, 9)})` : 'see above'];
 }
 
-await main(async () => {
-  await step('Debian packages', (begin) => ensureDebianPackages(['lint'], begin));
-  await step('npm packages', ensureNpmPackages);
-  const fix = process.argv.includes('--fix');
-  const format = await runShown('clang-format', [...(fix ? ['-i'] : ['--dry-run', '-Werror']), ...cppFiles]);
-  const lint = await runShown(process.execPath, ['node_modules/@biomejs/biome/bin/biome', 'lint', '--error-on-warnings']);
-  const [tidied, tidyText] = await tidy();
-  process.stdout.write(`clang-format: ${format === 0 ? 'clean' : 'see above; npm run format'}\nbiome: ${lint === 0 ? 'clean' : 'see above'}\nclang-tidy: ${tidyText}\n`);
-  return format || lint || tidied ? 1 : 0;
-});
+/**
+ * @param {(command: string, args: string[]) => Promise<number>} run - Resolves to the exit status.
+ * @param {{fix?: boolean}} [options] fix: write what clang-format and biome want
+ * @returns {Promise<{status: number, lines: string[]}>} `lines`: what came of each tool
+ */
+export async function lint(run, { fix = false } = {}) {
+  const format = await run('clang-format', [...(fix ? ['-i'] : ['--dry-run', '-Werror']), ...cppFiles()]);
+  const biome = await run(process.execPath, ['node_modules/@biomejs/biome/bin/biome', 'lint', ...(fix ? ['--write'] : []), '--error-on-warnings']);
+  const [tidied, tidyText] = await tidy(run);
+  return {
+    status: format || biome || tidied ? 1 : 0,
+    lines: [`clang-format: ${format === 0 ? 'clean' : 'see above; npm run format'}`, `biome: ${biome === 0 ? 'clean' : 'see above'}`, `clang-tidy: ${tidyText}`],
+  };
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  await main(async () => {
+    await step('Debian packages', (begin) => ensureDebianPackages(['lint'], begin));
+    await step('npm packages', ensureNpmPackages);
+    const { status, lines } = await lint(runShown, { fix: process.argv.includes('--fix') });
+    process.stdout.write(`${lines.join('\n')}\n`);
+    return status;
+  });
+}

@@ -1,40 +1,86 @@
-import { readdirSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import os from 'node:os';
 import path from 'node:path';
+import { main, ROOT, runKept, runShown } from '../machine/step.mjs';
 import { setUp } from './index.mjs';
-import { main, ROOT, runShown } from '../machine/step.mjs';
+import { lint } from './lint.mjs';
 
-// npm test: all set-up, then every test. `node js/setup/test.mjs cpp` or `js [FILE...]` runs one half.
+// npm test: all set-up, then every test and lint. `node js/setup/test.mjs cpp`, `lint` or `js [FILE...]` runs one of them.
+// JavaScript's tests run on this terminal; what the others say meanwhile is kept, and shown after them where one fails.
 
 const PRESET = 'dev';
-const SUITES = {
-  cpp: { title: 'C++ (ctest)', run: () => runShown('ctest', ['--preset', PRESET, '--no-tests=error']) },
-  js: { title: 'JavaScript (node --test)', run: runNodeTests },
-};
+const BUILD = path.join(ROOT, 'out', PRESET);
 
-/** All test files under test/, as paths from the root. Node 20 takes no glob here. */
+/** Some tests end only when the work that they stop has stopped: one that hangs has failed. Milliseconds for a file. */
+const HANGS_AFTER_MS = 1_800_000;
+
+/** All test files under test/, as paths from the root: node 20 takes no glob here. The longest first, so that no core waits for one at the end. */
 function testFiles() {
-  return readdirSync(path.join(ROOT, 'test'), { recursive: true })
-    .filter((file) => file.endsWith('.test.mjs'))
-    .map((file) => path.join('test', file))
-    .sort();
+  const files = readdirSync(path.join(ROOT, 'test'), { recursive: true }).filter((file) => file.endsWith('.test.mjs')).map((file) => path.join('test', file)).sort();
+  const rank = (file) => LONGEST.indexOf(file) >>> 0;
+  return files.sort((a, b) => rank(a) - rank(b));
+}
+const LONGEST = ['test/parity/faults.test.mjs', 'test/js/determinism.test.mjs', 'test/parity/parity.test.mjs', 'test/js/view/page.test.mjs', 'test/js/assets/tshirt.test.mjs', 'test/js/api/weave_energy.test.mjs'];
+
+async function runNodeTests({ files }) {
+  const log = path.join(ROOT, 'out/setup/skipped-js.log');
+  const reporters = ['--test-reporter=spec', '--test-reporter-destination=stdout', `--test-reporter=${path.join(ROOT, 'js/setup/skipped_reporter.mjs')}`, `--test-reporter-destination=${log}`];
+  const args = ['--test', `--test-concurrency=${os.availableParallelism()}`, `--test-timeout=${HANGS_AFTER_MS}`, ...reporters, ...(files.length ? files : testFiles())];
+  const status = await runShown(process.execPath, args, { env: { TELAR_BUILD_DIR: BUILD } });
+  return { status, skipped: existsSync(log) ? readFileSync(log, 'utf8').trim().split('\n').filter(Boolean) : [] };
 }
 
-function runNodeTests(files) {
-  // One file at a time: software GL and Chromium use every core on their own.
-  const args = ['--test', '--test-concurrency=1', '--test-reporter=spec', ...(files.length ? files : testFiles())];
-  return runShown(process.execPath, args, { env: { TELAR_BUILD_DIR: path.join(ROOT, 'out', PRESET) } });
+async function runCpp({ shown }) {
+  const args = ['--preset', PRESET, '--no-tests=error'];
+  const { status, text } = shown ? { status: await runShown('ctest', args), text: '' } : await runKept('ctest', args, { log: 'ctest.log' });
+  // ctest counts a program as one test, whatever googletest left out in it.
+  const said = readFileSync(path.join(BUILD, 'Testing/Temporary/LastTest.log'), 'utf8');
+  return { status, text, skipped: [...new Set([...said.matchAll(/^\[ {2}SKIPPED \] (\S+)$/gm)].map(([, name]) => name))] };
+}
+
+async function runLint({ shown }) {
+  const said = [];
+  const run = shown ? runShown : async (command, args) => {
+    const { status, text } = await runKept(command, args, { log: `lint-${path.basename(command)}.log` });
+    if (status !== 0) said.push(text);
+    return status;
+  };
+  const { status, lines } = await lint(run);
+  return { status, text: said.join('\n'), lines };
+}
+
+const SUITES = {
+  js: { title: 'JavaScript (node --test)', run: runNodeTests },
+  cpp: { title: 'C++ (ctest)', run: runCpp },
+  lint: { title: 'Lint', run: runLint },
+};
+
+/** Runs suites one after the other. */
+async function runAll(names, options) {
+  const results = [];
+  for (const name of names) {
+    const started = performance.now();
+    results.push({ title: SUITES[name].title, ...(await SUITES[name].run(options)), seconds: (performance.now() - started) / 1000 });
+  }
+  return results;
+}
+
+/** What came of all, for the end of the output. */
+function summary(results) {
+  const skipped = results.flatMap((result) => result.skipped ?? []);
+  return [
+    ...results.map(({ title, status, seconds, lines = [] }) => [`${title}: ${status === 0 ? 'passed' : `FAILED (exit ${status})`} in ${seconds.toFixed(0)} s`, ...lines.map((line) => `  ${line}`)].join('\n')),
+    `Skipped tests: ${skipped.length || 'none'}`,
+    ...skipped.map((line) => `  ${line}`),
+  ].join('\n');
 }
 
 await main(async () => {
   const [only, ...files] = process.argv.slice(2);
-  await setUp({ groups: ['build', 'run', 'test'], presets: [PRESET] });
-  const lines = [];
-  for (const [name, suite] of Object.entries(SUITES)) {
-    if (only && only !== name) continue;
-    const started = performance.now();
-    const status = await suite.run(files);
-    lines.push({ status, text: `${suite.title}: ${status === 0 ? 'passed' : `FAILED (exit ${status})`} in ${((performance.now() - started) / 1000).toFixed(0)} s` });
-  }
-  process.stdout.write(`\n${lines.map((line) => line.text).join('\n')}\n`);
-  return lines.some((line) => line.status !== 0) ? 1 : 0;
+  await setUp({ groups: ['build', 'run', 'test', 'lint'], presets: [PRESET] });
+  const chains = only ? [runAll([only], { shown: true, files })] : [runAll(['js'], { files }), runAll(['cpp', 'lint'], { shown: false })];
+  const results = (await Promise.all(chains)).flat();
+  for (const { title, status, text } of results) if (status !== 0 && text) process.stdout.write(`\n== ${title}\n${text}\n`);
+  process.stdout.write(`\n${summary(results)}\n`);
+  return results.some(({ status }) => status !== 0) ? 1 : 0;
 });

@@ -2,12 +2,12 @@ import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
-import { before, test } from 'node:test';
+import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { addonFile } from './support/real.mjs';
+import '../built.mjs';
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
-before(() => execFileSync(process.execPath, [path.join(ROOT, 'js/build/dist.mjs')]));
 
 /** Runs text in a fresh process inside the package, where `telar` is its own name. */
 function run(text, type) {

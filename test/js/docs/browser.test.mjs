@@ -8,8 +8,8 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 import sharp from 'sharp';
-import { buildShading } from '../../../js/build/shading/index.mjs';
 import { launchChromium } from '../view/support.mjs';
+import '../built.mjs';
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 const TYPES = { '.js': 'text/javascript', '.html': 'text/html' };
@@ -21,7 +21,6 @@ let browser;
 let page;
 
 before(async () => {
-  buildShading();
   folder = mkdtempSync(path.join(tmpdir(), 'telar-browser-'));
   mkdirSync(path.join(folder, 'node_modules'));
   symlinkSync(ROOT, path.join(folder, 'node_modules/telar'));

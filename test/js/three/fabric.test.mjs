@@ -2,16 +2,14 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { buildShading } from '../../../js/build/shading/index.mjs';
 import { shadingText } from '../../../js/build/shading/translate.mjs';
 import { glb, quad } from '../../robust/glb.mjs';
 import { applyShading, loadFabricMaterial } from '../../../js/three/index.mjs';
 import { restoreMaterials } from '../../../js/three/shading.mjs';
 import { clothOf, extensionsOf } from '../../../js/three/shading/fabric_layers.mjs';
+import { loadShading } from '../../../js/three/shading/index.mjs';
+import '../built.mjs';
 
-// Its imports are written here.
-buildShading();
-const { loadShading } = await import('../../../js/three/shading/index.mjs');
 
 /** A quad with a material; images do not load in Node, so textures stand for them. */
 async function load(material, textures = 0) {

@@ -1,12 +1,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import * as THREE from 'three';
-import { buildShading } from '../../../js/build/shading/index.mjs';
 import { applyShading, restoreMaterials } from '../../../js/three/shading.mjs';
+import { loadShading } from '../../../js/three/shading/index.mjs';
+import '../built.mjs';
 
-// Its imports are written here.
-buildShading();
-const { loadShading } = await import('../../../js/three/shading/index.mjs');
 
 /** Two meshes that share a lit material, one with a physical one, one that is not lit. */
 function model() {

@@ -8,7 +8,7 @@ import { after, before, test } from 'node:test';
 import { TelarError } from '../../../js/error/index.mjs';
 import { openView } from '../../../js/view/index.mjs';
 import './support.mjs';
-import { buildPage } from '../../../js/build/page.mjs';
+import '../built.mjs';
 
 // The server with a stand-in for the renderer: who may ask for what, and what becomes of work that nobody waits for.
 
@@ -50,7 +50,6 @@ function fakeRenderer() {
 let view;
 let renderer;
 before(async () => {
-  await buildPage();
   mkdirSync(at('model/maps'), { recursive: true });
   writeFileSync(at('secret.txt'), SECRET);
   writeFileSync(at('model/other.bin'), SECRET);

@@ -3,9 +3,8 @@ import { once } from 'node:events';
 import { createInterface } from 'node:readline';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
-import { buildPage } from '../../../js/build/page.mjs';
-import { buildShading } from '../../../js/build/shading/index.mjs';
 import '../api/support/real.mjs';
+import '../built.mjs';
 
 export const SHIRT = fileURLToPath(new URL('../../../js/assets/tshirt.glb', import.meta.url));
 export const CLI = fileURLToPath(new URL('../../../js/cli/telar.mjs', import.meta.url));
@@ -23,7 +22,8 @@ export const launchChromium = (rasterizer = 'mesa') => chromium.launch({
   executablePath: process.env.TELAR_CHROMIUM ?? '/usr/bin/chromium', args: [...FLAGS, ...RASTERIZER_FLAGS[rasterizer]],
 });
 
-let built;
+/** Milliseconds: a page that is not done then will not be, on however busy a machine. */
+const HANGS_AFTER_MS = 180_000;
 
 /**
  * The real `telar view` in a process of its own.
@@ -33,8 +33,6 @@ let built;
  *   stop: SIGINT, then exit code and signal
  */
 export async function openView(model, args = []) {
-  if (!built) buildShading();
-  await (built ??= buildPage());
   const child = spawn(process.execPath, [CLI, 'view', model, '--json', '--quiet', ...args], { stdio: ['ignore', 'pipe', 'inherit'] });
   const ended = once(child, 'exit');
   const line = await Promise.race([once(createInterface(child.stdout), 'line'), ended.then(([code]) => Promise.reject(new Error(`telar view ended with ${code}`)))]);
@@ -47,14 +45,14 @@ export async function openView(model, args = []) {
 }
 
 /** Waits until both pictures and their figures stand. */
-export const settled = (page) => page.waitForSelector('body[data-phase=ready]', { timeout: 30_000 });
+export const settled = (page) => page.waitForSelector('body[data-phase=ready]', { timeout: HANGS_AFTER_MS });
 
 /** Runs what changes the shot, and waits until both sides show it. */
 export async function changing(page, act) {
   // By their number: a drawing may be over before its phase is seen.
   const drawings = await page.getAttribute('body', 'data-drawings');
   await act();
-  await page.waitForSelector(`body[data-phase=ready]:not([data-drawings="${drawings}"])`, { timeout: 30_000 });
+  await page.waitForSelector(`body[data-phase=ready]:not([data-drawings="${drawings}"])`, { timeout: HANGS_AFTER_MS });
 }
 
 /** Both pictures as the page shows them, each as text. */
