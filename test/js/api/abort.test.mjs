@@ -2,74 +2,68 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { createRendererOn } from '../../../js/api/renderer.mjs';
-import { SHOT, model, native, openRenderer } from './support/double.mjs';
+import { ENDLESS_MS, SHOT, model, native, openRenderer } from './support/double.mjs';
 
 let renderer;
 before(async () => { renderer = await openRenderer(); });
 after(() => renderer.close());
 
-/** Milliseconds from an abort, `after` ms into the job, to the rejection, which must carry the very reason. */
+// Stages take an hour: a test that ends at all has seen the work stop, however busy this machine is.
+
+/** Aborts a job `ms` into it: it must reject with the very reason. */
 async function abortAfter(ms, start) {
   const controller = new AbortController();
   const reason = new Error('enough');
   const job = start(controller.signal);
-  let aborted;
-  setTimeout(() => {
-    aborted = performance.now();
-    controller.abort(reason);
-  }, ms);
+  setTimeout(() => controller.abort(reason), ms);
   await assert.rejects(job, (error) => error === reason);
-  return performance.now() - aborted;
 }
 
+const drawsAgain = async () => assert.ok((await renderer.render(model(), SHOT)).data.length > 0);
+
 for (const stage of ['load', 'draw', 'encode']) {
-  test(`an abort during ${stage} rejects at once, and the work stops`, async () => {
-    const late = await abortAfter(40, (signal) => renderer.render(model({ [`${stage}Ms`]: 2000 }), SHOT, { signal }));
-    assert.ok(late < 25, `${late} ms after the abort`);
-    const start = performance.now();
-    await renderer.render(model(), SHOT);
-    assert.ok(performance.now() - start < 100, 'the thread is free again');
+  test(`an abort during ${stage} rejects, and frees the thread`, async () => {
+    await abortAfter(40, (signal) => renderer.render(model({ [`${stage}Ms`]: ENDLESS_MS }), SHOT, { signal, timeoutMs: null }));
+    await drawsAgain();
   });
 }
 
 test('an abort of load()', async () => {
-  assert.ok((await abortAfter(30, (signal) => renderer.load(model({ loadMs: 2000 }), { signal }))) < 25);
+  await abortAfter(30, (signal) => renderer.load(model({ loadMs: ENDLESS_MS }), { signal, timeoutMs: null }));
 });
 
 test('an abort of a job that waits behind others leaves those alone', async () => {
   const others = Array.from({ length: 8 }, () => renderer.render(model({ drawMs: 30 }), SHOT));
-  assert.ok((await abortAfter(20, (signal) => renderer.render(model({ drawMs: 2000 }), SHOT, { signal }))) < 25);
+  await abortAfter(20, (signal) => renderer.render(model({ drawMs: ENDLESS_MS }), SHOT, { signal, timeoutMs: null }));
   assert.equal((await Promise.all(others)).length, 8);
 });
 
-test('an abort of a drawn job in the renderer\'s own queue', async () => {
-  const busy = renderer.render(model({ drawMs: 120 }), SHOT);
-  const start = performance.now();
-  const late = await abortAfter(30, (signal) => renderer.render(model({ drawMs: 2000 }), SHOT, { signal }));
-  assert.ok(late < 25, `${late} ms`);
+test('an abort of a job in the renderer\'s own queue does not wait for the one that draws', async () => {
+  const first = new AbortController();
+  let isBusy = true;
+  const busy = assert.rejects(renderer.render(model({ drawMs: ENDLESS_MS }), SHOT, { signal: first.signal, timeoutMs: null }), { name: 'AbortError' }).then(() => { isBusy = false; });
+  await abortAfter(30, (signal) => renderer.render(model({ drawMs: ENDLESS_MS }), SHOT, { signal, timeoutMs: null }));
+  assert.equal(isBusy, true);
+  first.abort();
   await busy;
-  assert.ok(performance.now() - start < 400);
+  await drawsAgain();
 });
 
 test('an abort of renderAll() stops all of its frames', async () => {
   const shots = Array.from({ length: 20 }, () => SHOT);
-  assert.ok((await abortAfter(60, (signal) => renderer.renderAll(model({ drawMs: 30 }), shots, { signal }))) < 25);
-  const start = performance.now();
-  await renderer.render(model(), SHOT);
-  assert.ok(performance.now() - start < 120);
+  await abortAfter(60, (signal) => renderer.renderAll(model({ drawMs: ENDLESS_MS }), shots, { signal, timeoutMs: null }));
+  await drawsAgain();
 });
 
 test('a frame that fails stops the others of renderAll()', async () => {
-  const fail = { stage: 'draw', as: 'error' };
-  const start = performance.now();
-  await assert.rejects(renderer.renderAll(model({ drawMs: 40, fail }), Array.from({ length: 20 }, () => SHOT)), { code: 'L_VERTICES' });
-  assert.ok(performance.now() - start < 300);
+  const shots = [{ ...SHOT, pose: { animation: 0, time: 0 } }, ...Array.from({ length: 20 }, () => SHOT)];
+  const plan = model({ drawMs: ENDLESS_MS, fail: { stage: 'pose', as: 'error' } });
+  await assert.rejects(renderer.renderAll(plan, shots, { timeoutMs: null }), { code: 'L_VERTICES' });
+  await drawsAgain();
 });
 
 test('an abort while the context is made', async () => {
-  const start = performance.now();
   await abortAfter(30, (signal) => createRendererOn(native, { cacheDirectory: '/tmp/slow', signal }));
-  assert.ok(performance.now() - start < 120);
   await sleep(250); // the late renderer closes itself
 });
 

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { evaluateShading } from '../../../js/index.mjs';
+import './support/real.mjs';
 
 const LOBES = ['diffuse', 'specular', 'sheen', 'coat', 'total'];
 const FEWEST = 0.045; // perceptual roughness below which nothing is shaded

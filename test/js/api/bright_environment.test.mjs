@@ -7,6 +7,7 @@ import { after, before, test } from 'node:test';
 import { createRenderer } from '../../../js/index.mjs';
 import { ENVIRONMENTS, MODELS } from '../../fixtures/index.mjs';
 import { hdr } from '../../fixtures/environment.mjs';
+import './support/real.mjs';
 
 const OWN = ['fabric', 'three-r115', 'disney-2012'];
 

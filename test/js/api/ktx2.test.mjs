@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { createRenderer } from '../../../js/index.mjs';
 import { MODELS } from '../../fixtures/index.mjs';
+import './support/real.mjs';
 
 let renderer;
 before(async () => { renderer = await createRenderer({ cacheDirectory: null }); });

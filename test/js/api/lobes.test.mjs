@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { FABRICS } from '../../../js/assets/make/fabrics/index.mjs';
 import { createRenderer, evaluateShading } from '../../../js/index.mjs';
+import './support/real.mjs';
 
 const LOBES = ['diffuse', 'specular', 'sheen', 'coat', 'total'];
 const near = (actual, expected, tolerance, text) => assert.ok(Math.abs(actual - expected) <= tolerance, `${text ?? ''}: ${actual}, expected ${expected}`);

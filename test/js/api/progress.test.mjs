@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { SHOT, model, openRenderer } from './support/double.mjs';
+import { ENDLESS_MS, SHOT, model, openRenderer } from './support/double.mjs';
 
 let renderer;
 before(async () => { renderer = await openRenderer(); });
@@ -33,16 +33,14 @@ test('several frames tell their mean', async () => {
 
 test('what onProgress throws ends the work', async () => {
   const failure = new Error('enough');
-  const start = performance.now();
-  await assert.rejects(renderer.render(model({ drawMs: 5000 }), TRACED, { onProgress() { throw failure; } }), (error) => error === failure);
-  assert.ok(performance.now() - start < 2000);
+  await assert.rejects(renderer.render(model({ drawMs: ENDLESS_MS }), TRACED, { onProgress() { throw failure; } }), (error) => error === failure);
   await renderer.render(model(), SHOT);
 });
 
 test('the signal ends it, and no more is told', async () => {
   const parts = [];
   const signal = AbortSignal.timeout(150);
-  await assert.rejects(renderer.render(model({ drawMs: 5000 }), TRACED, { signal, onProgress: (part) => parts.push(part) }), { name: 'TimeoutError' });
+  await assert.rejects(renderer.render(model({ drawMs: ENDLESS_MS }), TRACED, { signal, onProgress: (part) => parts.push(part) }), { name: 'TimeoutError' });
   const told = parts.length;
   await new Promise((resolve) => setTimeout(resolve, 250));
   assert.equal(parts.length, told);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createRendererOn } from '../../../js/api/renderer.mjs';
-import { SHOT, model, native } from './support/double.mjs';
+import { ENDLESS_MS, SHOT, model, native } from './support/double.mjs';
 
 const at = (time) => ({ ...SHOT, pose: { animation: 'wait', time } });
 
@@ -39,10 +39,8 @@ test('a pose that fails or is aborted ends the job, and the model can be drawn a
   await assert.rejects(renderer.render(broken, at(0)), { code: 'X_MEMORY' });
   await assert.rejects(renderer.renderAll(broken, [SHOT, at(0)]), { code: 'X_MEMORY' });
   await renderer.render(broken, SHOT);
-  const slow = await renderer.load(model({ poseMs: 5000 }));
-  const start = performance.now();
+  const slow = await renderer.load(model({ poseMs: ENDLESS_MS }));
   await assert.rejects(renderer.render(slow, at(0), { signal: AbortSignal.timeout(20) }), { name: 'TimeoutError' });
-  assert.ok(performance.now() - start < 2000);
   await renderer.render(slow, SHOT);
   await renderer.close();
 });

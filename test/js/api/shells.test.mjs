@@ -5,6 +5,7 @@ import { after, before, test } from 'node:test';
 import { createRenderer } from '../../../js/index.mjs';
 import { plane } from '../../fixtures/geometry.mjs';
 import { GlbBuilder } from '../../fixtures/glb.mjs';
+import './support/real.mjs';
 
 const TSHIRT = readFileSync(new URL('../../../js/assets/tshirt.glb', import.meta.url));
 const reference = (transport) => ({ preset: 'reference', transport, samples: 16 });

@@ -4,6 +4,7 @@ import { after, before, test } from 'node:test';
 import { compareImages } from '../../../js/compare/index.mjs';
 import { createRenderer } from '../../../js/index.mjs';
 import { MODELS } from '../../fixtures/index.mjs';
+import './support/real.mjs';
 
 const SIZE = { width: 128, height: 128 };
 const LIGHTS = [{ type: 'ambient', intensity: 0.3 }, { type: 'directional', position: [2, 3, 2.5], intensity: 2.5 }];

@@ -8,6 +8,7 @@ import { constantOne } from '../../fixtures/environment.mjs';
 import { plane } from '../../fixtures/geometry.mjs';
 import { GlbBuilder } from '../../fixtures/glb.mjs';
 import { png } from '../../fixtures/images.mjs';
+import './support/real.mjs';
 
 const MOST = 1.005; // of every shading that keeps its energy
 const LEAST = 0.9; // of what the yarns cover

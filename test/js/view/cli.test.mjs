@@ -22,9 +22,7 @@ test('--json is one object with the address; SIGINT ends the server and the proc
   assert.deepEqual([ok, model, new URL(url).port], [true, SHIRT, String(port)]);
   assert.equal((await fetch(url)).status, 200);
   // The page keeps its connections open; they must not hold the end up.
-  const started = performance.now();
   assert.deepEqual(await view.stop(), [null, 'SIGINT']);
-  assert.ok(performance.now() - started < 10_000);
   assert.equal(await isListening(port), false);
 });
 

@@ -7,17 +7,16 @@ const SUPPORT = new URL('./', import.meta.url).href;
  * @param {string} text
  * @param {{args?: string[], env?: object, support?: boolean}} [options] args: of node; support: have what double.mjs exports
  *   in scope as `support`
- * @returns {Promise<{code: number | null, signal: string | null, stdout: string, stderr: string, ms: number}>}
+ * @returns {Promise<{code: number | null, signal: string | null, stdout: string, stderr: string}>}
  */
 export function runChild(text, { args = [], env = {}, support = true } = {}) {
   const source = support ? `import * as support from '${SUPPORT}double.mjs';\n${text}` : text;
   return new Promise((resolve, reject) => {
-    const start = performance.now();
     const child = spawn(process.execPath, [...args, '--input-type=module', '-e', source], { env: { ...process.env, ...env } });
     let [stdout, stderr] = ['', ''];
     child.stdout.on('data', (chunk) => { stdout += chunk; });
     child.stderr.on('data', (chunk) => { stderr += chunk; });
     child.on('error', reject);
-    child.on('close', (code, signal) => resolve({ code, signal, stdout, stderr, ms: performance.now() - start }));
+    child.on('close', (code, signal) => resolve({ code, signal, stdout, stderr }));
   });
 }

@@ -13,6 +13,9 @@ if (!existsSync(file)) throw new Error(`${file} is missing: run \`npm run build:
 
 export const native = endWithProcess(createRequire(import.meta.url)(file));
 
+/** Milliseconds of a stage that no test waits for: what ends it, an abort or the end of the process, must not wait either. */
+export const ENDLESS_MS = 3_600_000;
+
 /** Small, so that only the plan takes time. */
 export const SHOT = Object.freeze({ size: { width: 4, height: 2 } });
 
