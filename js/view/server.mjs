@@ -1,11 +1,11 @@
 import { randomBytes } from 'node:crypto';
-import { existsSync } from 'node:fs';
+import { existsSync, readdirSync } from 'node:fs';
+import { createServer } from 'node:http';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import fastifyStatic from '@fastify/static';
-import Fastify from 'fastify';
 import { encodePng } from '../compare/files.mjs';
 import { TelarError, toTelarError } from '../error/index.mjs';
+import { HttpError, bodyOf, askedOf, jsonOf, send, sendFile, signalOf } from './http.mjs';
 
 /** Where js/build/page.mjs puts the page. */
 const PAGE = fileURLToPath(new URL('../dist/view/', import.meta.url));
@@ -41,71 +41,66 @@ const isOwnHost = (host, port) => [`${HOST}:${port}`, `localhost:${port}`].inclu
 
 const isOwnOrigin = (origin, port) => origin === undefined || (/^http:\/\//.test(origin) && isOwnHost(origin.slice(7), port));
 
-/** Fires when the browser no longer waits for the answer: its page asks for something newer, or is gone. */
-function signalOf(reply) {
-  const gone = new AbortController();
-  reply.raw.once('close', () => {
-    if (!reply.raw.writableFinished) gone.abort(new TelarError('X_CANCELLED', 'the page no longer waits for this picture'));
-  });
-  return gone.signal;
-}
-
 /** RFC 9457. Faults of HTTP itself (no such page, malformed JSON) carry their status and are the sender's. */
 function problemOf(thrown) {
-  const isHttp = thrown.statusCode >= 400 && thrown.statusCode < 500;
+  const isHttp = thrown instanceof HttpError;
   const error = isHttp ? new TelarError('E_USAGE', thrown.message) : toTelarError(thrown);
-  return { status: isHttp ? thrown.statusCode : error.http, ...error.toJSON() };
+  return { status: isHttp ? thrown.status : error.http, ...error.toJSON() };
 }
 
-function guard(app, session) {
-  app.addHook('onRequest', async (request, reply) => {
-    reply.headers(HEADERS).header('content-security-policy', policyOf(session.hasBasis));
-    const { localPort } = request.socket;
-    if (isOwnHost(request.headers.host, localPort) && isOwnOrigin(request.headers.origin, localPort)) return;
-    await reply.code(403).type('text/plain').send('Open this page by the address that telar view printed.\n');
-  });
-  app.setErrorHandler((thrown, _request, reply) => {
-    const problem = problemOf(thrown);
-    reply.code(problem.status).type('application/problem+json').send(problem);
-  });
-  app.setNotFoundHandler((_request, reply) => reply.code(404).type('text/plain').send('Not found.\n'));
+/** The page's own files by their name in its address: what is not among them cannot be asked for. */
+function pageFiles() {
+  const entries = readdirSync(PAGE, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
+  const files = entries.map((entry) => path.join(entry.parentPath ?? entry.path, entry.name));
+  return new Map(files.map((file) => [path.relative(PAGE, file).split(path.sep).join('/'), file]));
 }
 
-/** Routes beneath the token. */
-async function routes(app, { session }) {
-  await app.register(fastifyStatic, { root: PAGE, prefix: '/page/', cacheControl: false, index: false });
-  app.addContentTypeParser('application/octet-stream', { parseAs: 'buffer', bodyLimit: MAX_PIXEL_BYTES }, (_request, body, done) => done(null, body));
-
-  app.get('/', (_request, reply) => reply.sendFile('index.html', PAGE));
-
-  app.get('/session', async (_request, reply) => session.describe(signalOf(reply)));
-
-  app.get('/model/*', (request, reply) => {
-    const found = session.modelFile(request.params['*']);
-    if (!found) return reply.callNotFound();
-    if (found instanceof Uint8Array) return reply.type('model/gltf-binary').send(found);
-    return reply.sendFile(found.file, found.folder);
-  });
-
-  app.get('/environment/:map', (request, reply) => {
-    const file = session.environmentFile(request.params.map);
-    return file ? reply.sendFile(path.basename(file), path.dirname(file)) : reply.callNotFound();
-  });
-
-  app.post('/draw', { bodyLimit: MAX_SHOT_BYTES }, async (request, reply) => {
-    const { data, info } = await session.draw(request.body, signalOf(reply));
+/** What lies beneath the token, by method and first part of the path; `name` is the rest of it, decoded. */
+const routesOf = (session, page) => ({
+  'GET ': ({ response }) => sendFile(response, page.get('index.html')),
+  'GET page': ({ response, name }) => sendFile(response, page.get(name)),
+  'GET session': async ({ response }) => send(response, 200, 'application/json; charset=utf-8', JSON.stringify(await session.describe(signalOf(response)))),
+  'GET model': ({ response, name }) => {
+    const found = session.modelFile(name);
+    if (found instanceof Uint8Array) return send(response, 200, 'model/gltf-binary', found);
+    return sendFile(response, found && path.join(found.folder, found.file));
+  },
+  'GET environment': ({ response, name }) => sendFile(response, session.environmentFile(name)),
+  'POST draw': async ({ request, response }) => {
+    const shot = await jsonOf(request, MAX_SHOT_BYTES);
+    const { data, info } = await session.draw(shot, signalOf(response));
     const form = new FormData();
     form.set('info', JSON.stringify(info));
     form.set('pixels', new Blob([data]));
-    return new Response(form);
-  });
-
+    const multipart = new Response(form);
+    send(response, 200, multipart.headers.get('content-type'), Buffer.from(await multipart.arrayBuffer()));
+  },
   // Encodes pixels of the page, so that no canvas rounds their colours under alpha.
-  app.post('/png', async (request, reply) => {
-    const { width, height } = request.query;
-    const png = await encodePng({ width: Number(width), height: Number(height), data: request.body }, { signal: signalOf(reply) });
-    return reply.type('image/png').send(png);
-  });
+  'POST png': async ({ request, response, query }) => {
+    const data = await bodyOf(request, 'application/octet-stream', MAX_PIXEL_BYTES);
+    const [width, height] = ['width', 'height'].map((name) => Number(query.get(name)));
+    send(response, 200, 'image/png', await encodePng({ width, height, data }, { signal: signalOf(response) }));
+  },
+});
+
+/** Answers a request, whatever becomes of it. */
+async function answer(request, response, { token, routes, session }) {
+  for (const [name, value] of Object.entries({ ...HEADERS, 'content-security-policy': policyOf(session.hasBasis) })) response.setHeader(name, value);
+  const { localPort } = request.socket;
+  if (!isOwnHost(request.headers.host, localPort) || !isOwnOrigin(request.headers.origin, localPort)) {
+    return send(response, 403, 'text/plain; charset=utf-8', 'Open this page by the address that telar view printed.\n');
+  }
+  try {
+    const asked = askedOf(request, token);
+    const route = asked && routes[asked.route];
+    if (!route) throw new HttpError(404, 'Not found.');
+    await route({ request, response, ...asked });
+  } catch (thrown) {
+    if (response.headersSent) return response.destroy();
+    if (thrown instanceof HttpError && thrown.status === 404) return send(response, 404, 'text/plain; charset=utf-8', 'Not found.\n');
+    const problem = problemOf(thrown);
+    send(response, problem.status, 'application/problem+json; charset=utf-8', JSON.stringify(problem));
+  }
 }
 
 /**
@@ -120,16 +115,18 @@ export async function startServer({ session, port = 0 }) {
   if (!existsSync(path.join(PAGE, 'page.js'))) {
     throw new TelarError('X_INSTALL', 'the page of telar view is not built; `npm run build:js` in a checkout builds it');
   }
-  const app = Fastify({ forceCloseConnections: true, routerOptions: { maxParamLength: 4096 } });
-  guard(app, session);
   const token = randomBytes(TOKEN_BYTES).toString('base64url');
-  await app.register(routes, { prefix: `/${token}`, session });
-  try {
-    await app.listen({ host: HOST, port });
-  } catch (cause) {
-    await app.close();
-    throw new TelarError('X_PORT', `port ${port} cannot be taken (${cause.code ?? cause.message}); without --port a free one is`, { cause });
-  }
-  const taken = app.server.address().port;
-  return { url: `http://${HOST}:${taken}/${token}/`, port: taken, close: () => app.close() };
+  const routes = routesOf(session, pageFiles());
+  const server = createServer((request, response) => void answer(request, response, { token, routes, session }));
+  await new Promise((resolve, reject) => {
+    server.once('error', (cause) => reject(new TelarError('X_PORT', `port ${port} cannot be taken (${cause.code ?? cause.message}); without --port a free one is`, { cause })));
+    server.listen({ host: HOST, port }, resolve);
+  });
+  const { port: taken } = server.address();
+  const close = () => new Promise((resolve) => {
+    server.close(() => resolve());
+    // The page keeps its connections open.
+    server.closeAllConnections();
+  });
+  return { url: `http://${HOST}:${taken}/${token}/`, port: taken, close };
 }

@@ -25,7 +25,7 @@ export class Session {
 
   /**
    * @param {object} what
-   * @param {Awaited<ReturnType<import('../renderer.mjs').createRenderer>>} what.renderer
+   * @param {Awaited<ReturnType<import('../api/renderer.mjs').createRenderer>>} what.renderer
    * @param {string | Uint8Array} what.source path, or bytes of a GLB
    * @param {object} what.shot not resolved
    */
