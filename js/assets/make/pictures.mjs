@@ -1,49 +1,63 @@
 import { spawnSync } from 'node:child_process';
-import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import sharp from 'sharp';
+import { Browser } from '../../../test/parity/browser/chromium.mjs';
 import { launchChromium, openView, settled } from '../../../test/js/view/support.mjs';
 import { createRenderer } from '../../index.mjs';
 
-// The pictures of README and docs: the bundled garment in each of its colours, a contact sheet, and the page of `telar view`.
-// npm run pictures
+// The pictures of README and docs: npm run pictures [-- NAME...], all of them or those that are named.
 
 const ASSETS = new URL('..', import.meta.url);
-const COLOURS = ['natural', 'terracotta', 'indigo'];
+const OUT = new URL('readme/', ASSETS);
+const fileOf = (name) => fileURLToPath(new URL(name, ASSETS));
+const BACKDROP = '#f4f1ec';
 
-const renderer = await createRenderer();
-const model = await renderer.load(new URL('tshirt.glb', ASSETS));
-const frames = await renderer.renderAll(model, COLOURS.map((variant) => ({
-  size: { width: 480, height: 480 },
-  camera: { azimuth: 22, elevation: 6 },
-  background: '#f4f1ec',
-  variant,
-})));
-await mkdir(new URL('readme/', ASSETS), { recursive: true });
-for (const [i, { data }] of frames.entries()) {
-  await writeFile(new URL(`readme/${COLOURS[i]}.png`, ASSETS), data);
-  console.log(`js/assets/readme/${COLOURS[i]}.png  ${data.length} bytes`);
+/** The garment drawn by three.js in Chromium, as `npm run parity` draws it, and by telar beside it. */
+async function besideBrowser(out) {
+  const shot = { size: { width: 480, height: 480 }, camera: { azimuth: 22, elevation: 6 }, background: BACKDROP, variant: 'terracotta', output: { format: 'png' } };
+  const [renderer, browser] = await Promise.all([createRenderer(), Browser.start()]);
+  const { data, info } = await renderer.render(fileOf('tshirt.glb'), shot);
+  const drawn = await browser.draw({ shot: info.shot, model: fileOf('tshirt.glb'), environment: await readFile(fileOf('studio.hdr')) });
+  await Promise.all([renderer.close(), browser.close()]);
+  const { width, height } = shot.size;
+  // Over an opaque background premultiplied colours are straight ones.
+  const theirs = sharp(drawn.image, { raw: { width, height, channels: 4 } });
+  await sharp({ create: { width: 2 * width, height, channels: 3, background: BACKDROP } })
+    .composite([{ input: await theirs.png().toBuffer(), left: 0, top: 0 }, { input: data, left: width, top: 0 }]).jpeg({ quality: 90 }).toFile(out);
 }
-await renderer.close();
 
-const work = await mkdtemp(path.join(tmpdir(), 'telar-pictures-'));
-const sheet = path.join(work, 'sheet.png');
-spawnSync(process.execPath, [fileURLToPath(new URL('../cli/telar.mjs', ASSETS)), 'thumbnail', ...['tshirt.glb', 'fabrics.glb'].map((name) => fileURLToPath(new URL(name, ASSETS))),
-  '-o', work, '--views', 'front,three-quarter,back', '--variants', 'all', '--size', '320x400', '--contact-sheet', sheet], { stdio: ['ignore', 'ignore', 'inherit'] });
-// A photograph of many colours is small as a JPEG.
-await sharp(sheet).resize({ width: 1068 }).jpeg({ quality: 88 }).toFile(fileURLToPath(new URL('readme/contact_sheet.jpg', ASSETS)));
-await rm(work, { recursive: true });
-console.log('js/assets/readme/contact_sheet.jpg');
+async function contactSheet(out) {
+  const work = await mkdtemp(path.join(tmpdir(), 'telar-pictures-'));
+  const sheet = path.join(work, 'sheet.png');
+  spawnSync(process.execPath, [fileOf('../cli/telar.mjs'), 'thumbnail', fileOf('tshirt.glb'), fileOf('fabrics.glb'),
+    '-o', work, '--views', 'front,three-quarter,back', '--variants', 'all', '--size', '320x400', '--contact-sheet', sheet], { stdio: ['ignore', 'ignore', 'inherit'] });
+  // A photograph of many colours is small as a JPEG.
+  await sharp(sheet).resize({ width: 1068 }).jpeg({ quality: 88 }).toFile(out);
+  await rm(work, { recursive: true });
+}
 
-const SHOT = ['--size', '640', '--view', 'three-quarter', '--variant', 'indigo', '--background', '#f4f1ec'];
-const view = await openView(fileURLToPath(new URL('tshirt.glb', ASSETS)), SHOT);
-const browser = await launchChromium();
-const page = await browser.newPage({ viewport: { width: 1280, height: 660 }, colorScheme: 'light' });
-await page.goto(view.url);
-await settled(page);
-await page.screenshot({ path: fileURLToPath(new URL('readme/view.png', ASSETS)) });
-console.log('js/assets/readme/view.png');
-await browser.close();
-await view.stop();
+/** The page of `telar view`. */
+async function viewPage(out) {
+  const view = await openView(fileOf('tshirt.glb'), ['--size', '640', '--view', 'three-quarter', '--variant', 'indigo', '--background', BACKDROP]);
+  const browser = await launchChromium();
+  const page = await browser.newPage({ viewport: { width: 1280, height: 660 }, colorScheme: 'light' });
+  await page.goto(view.url);
+  await settled(page);
+  await writeFile(out, await page.screenshot());
+  await browser.close();
+  await view.stop();
+}
+
+const PICTURES = { 'beside_browser.jpg': besideBrowser, 'contact_sheet.jpg': contactSheet, 'view.png': viewPage };
+
+await mkdir(OUT, { recursive: true });
+const wanted = process.argv.slice(2);
+for (const [name, make] of Object.entries(PICTURES)) {
+  if (wanted.length > 0 && !wanted.includes(name)) continue;
+  const out = fileURLToPath(new URL(name, OUT));
+  await make(out);
+  console.log(`js/assets/readme/${name}  ${(await readFile(out)).length} bytes`);
+}

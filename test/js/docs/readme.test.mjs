@@ -1,14 +1,14 @@
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
-import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, symlinkSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
-const DOCUMENTS = ['README.md', 'ARCHITECTURE.md', 'SECURITY.md', 'CONTRIBUTING.md', 'CHANGELOG.md'];
+const DOCUMENTS = ['README.md', 'ARCHITECTURE.md', 'SECURITY.md', 'CONTRIBUTING.md', 'CHANGELOG.md', ...readdirSync(new URL('../../../js/docs/', import.meta.url)).filter((name) => name.endsWith('.md')).map((name) => `js/docs/${name}`)];
 const read = (file) => readFileSync(path.join(ROOT, file), 'utf8');
 const { bin, scripts } = JSON.parse(read('package.json'));
 
@@ -39,13 +39,13 @@ async function run(language, text, folder) {
   return out.stdout;
 }
 
-const section = read('README.md').split('\n## ').find((text) => text.startsWith('Examples'));
-const examples = [...section.matchAll(/^```(js|sh)\n([\s\S]*?)^```$/gm)].map(([, language, text]) => ({ language, text }));
+const pages = `${read('README.md')}\n${read('js/docs/examples.md')}`;
+const examples = [...pages.matchAll(/^```(js|sh)\n([\s\S]*?)^```$/gm)].map(([, language, text]) => ({ language, text }));
 
-test('there are five examples', () => assert.ok(examples.length >= 5, String(examples.length)));
+test('there are ten examples', () => assert.ok(examples.length >= 10, String(examples.length)));
 
 examples.forEach(({ language, text }, index) => {
-  test(`README example ${index + 1} runs and writes what it names`, async (t) => {
+  test(`example ${index + 1} runs and writes what it names`, async (t) => {
     const folder = userProject(t);
     const stdout = await run(language, text, folder);
     const written = [...text.matchAll(/(?:writeFile\('|-o |> )([\w.-]+\.\w+)/g)].map(([, file]) => file);
@@ -61,7 +61,7 @@ examples.forEach(({ language, text }, index) => {
 test('every link to a file leads somewhere', () => {
   for (const document of DOCUMENTS) {
     for (const [, target] of read(document).matchAll(/\]\((?!https?:|#)([^)#]+)[^)]*\)/g)) {
-      assert.ok(existsSync(path.join(ROOT, target)), `${document}: ${target}`);
+      assert.ok(existsSync(path.join(ROOT, path.dirname(document), target)), `${document}: ${target}`);
     }
   }
 });

@@ -67,6 +67,7 @@ export class Browser {
    * @param {Uint8Array | string} input.model - GLB bytes, or an absolute path (its folder is served).
    * @param {Uint8Array} [input.environment] - .hdr or .exr bytes; required where the shot has an environment.
    * @param {boolean} [input.ownText] - Shades with telar's text of stock three.js in place of three's own.
+   * @param {boolean} [input.keepPrograms] - Keeps compiled programs for the next draw, as a page does that never disposes of materials.
    * @returns {Promise<{width: number, height: number, image: Uint8Array, mask: Uint8Array, facts: object}>} Drawing
    *   buffer, and the same drawn without background (one array where there is none): RGBA8, sRGB-encoded, premultiplied, top row first.
    */
@@ -128,12 +129,13 @@ export class Browser {
     }
   }
 
-  #job({ shot, model, environment, textures, ownText }) {
+  #job({ shot, model, environment, textures, ownText, keepPrograms }) {
     const id = ++this.#jobs;
     return {
       shot,
       textures,
       ownText,
+      keepPrograms,
       model: typeof model === 'string' ? this.#server.offerFile(model) : this.#server.offerBytes(`${id}.glb`, model),
       environment: environment ? this.#offerEnvironment(environment, id) : null,
       result: `/result/${id}`,

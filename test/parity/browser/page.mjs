@@ -68,15 +68,16 @@ async function prepare(job) {
   });
   const camera = await apply(job.shot);
   if (job.ownText) await applyShading(model, 'three', { THREE, ownText: true });
-  return { renderer, scene, camera, apply, dispose: () => disposeModel(model.scene) };
+  return { renderer, scene, camera, apply, dispose: () => disposeModel(model.scene, job.keepPrograms) };
 }
 
-function disposeModel(root) {
+function disposeModel(root, keepPrograms) {
   root.traverse((object) => {
     object.geometry?.dispose();
     for (const material of [object.material ?? []].flat()) {
       for (const value of Object.values(material)) if (value?.isTexture) value.dispose();
-      material.dispose();
+      // three lets a program go with the last material that has it.
+      if (!keepPrograms) material.dispose();
     }
   });
 }
