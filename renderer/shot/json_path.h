@@ -22,7 +22,6 @@ class JsonPath {
   JsonPath at(std::size_t index) const;
   bool has(std::string_view key) const { return value_.is_object() && value_.contains(key); }
   bool isNull() const { return value_.is_null(); }
-  bool isString() const { return value_.is_string(); }
   bool isArray() const { return value_.is_array(); }
   bool isObject() const { return value_.is_object(); }
   std::size_t size() const;

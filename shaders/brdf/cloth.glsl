@@ -44,16 +44,9 @@ float lambdaCharlie(float alpha, float cosine) {
   return exp(cosine < 0.5 ? charlieCurve(alpha, cosine) : 2.0 * charlieCurve(alpha, 0.5) - charlieCurve(alpha, 1.0 - cosine));
 }
 
-// Visibility of the Charlie distribution. NoV, NoL  [1e-4, 1]: floored here
-// src: Estevez & Kulla 2017, eq. 3
-float V_Charlie(float alpha, float NoV, float NoL) {
-  float v = max(NoV, 1.0e-4);
-  float l = max(NoL, 1.0e-4);
-  return 1.0 / ((1.0 + lambdaCharlie(alpha, v) + lambdaCharlie(alpha, l)) * 4.0 * v * l);
-}
-
-// The same with the terminator softened on the light's side: not reciprocal.
-// src: Estevez & Kulla 2017, eq. 4
+// Visibility of the Charlie distribution, its terminator softened on the light's side: not reciprocal.
+// NoV, NoL  [1e-4, 1]: floored here
+// src: Estevez & Kulla 2017, eq. 3 and 4
 float V_CharlieSoftened(float alpha, float NoV, float NoL) {
   float v = max(NoV, 1.0e-4);
   float l = max(NoL, 1.0e-4);

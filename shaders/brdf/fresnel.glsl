@@ -23,13 +23,6 @@ vec3 F_Schlick(vec3 f0, float f90, float LoH) {
   return f0 * (1.0 - weight) + (f90 * weight);
 }
 
-// Normal reflectance of a metallic-roughness material, linear Rec.709, [0, 1].
-// baseColor  linear Rec.709 [0, 1]      metallic  [0, 1]: 0 dielectric of index 1.5, 1 metal
-// src: Khronos glTF 2.0 specification, appendix B
-vec3 specularF0(vec3 baseColor, float metallic) {
-  return mix(vec3(F0_DIELECTRIC), baseColor, metallic);
-}
-
 // Albedo that is left for the diffuse lobe, linear Rec.709, [0, 1].
 // baseColor  linear Rec.709 [0, 1]      metallic  [0, 1]
 // src: Khronos glTF 2.0 specification, appendix B

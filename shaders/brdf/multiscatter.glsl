@@ -37,7 +37,7 @@ vec3 diffuseShare(Scattering dielectric) {
 
 // Factor on the single-scattering GGX lobe of a punctual light, >= 1, linear Rec.709. It depends on the viewer only, so
 // the product is not reciprocal.
-// f0  [0, 1], of the whole material: specularF0()      dfg  see above
+// f0  [0, 1], of the whole material      dfg  see above
 // src: Turquin 2019, "Practical Multiple Scattering Compensation for Microfacet Models", eq. 16; order of three r187
 vec3 directCompensation(vec3 f0, vec2 dfg) {
   return 1.0 + f0 * (1.0 / (dfg.x + dfg.y) - 1.0);

@@ -7,14 +7,8 @@ float roughnessR115(float perceptualRoughness) {
   return clamp(perceptualRoughness, 0.04, 1.0);
 }
 
-// The authored reflectivity of a dielectric, [0, 1]: 0.5 for an index of 1.5.
-// ior  [1, inf)
-float reflectivityFromIor(float ior) {
-  return saturate(2.5 * (ior - 1.0) / (ior + 1.0));
-}
-
 // Normal reflectance, linear Rec.709, [0, 1].
-// reflectivity  [0, 1]      metallic  [0, 1]
+// reflectivity  [0, 1]: of a dielectric as authored, 0.5 for an index of 1.5      metallic  [0, 1]
 vec3 specularF0R115(vec3 baseColor, float reflectivity, float metallic) {
   return mix(vec3(0.16 * pow2(reflectivity)), baseColor, metallic);
 }

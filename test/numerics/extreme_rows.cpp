@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
+#include "shading_terms.h"
 #include "telar/codec.h"
 
 namespace telar::numerics {

@@ -6,6 +6,7 @@
 
 #include "frames.h"
 #include "pass/texture_slots.h"
+#include "shading_terms.h"
 
 namespace telar::numerics {
 namespace {

@@ -8,6 +8,7 @@
 #include "evaluate.h"
 #include "precision.h"
 #include "shader/variant_key.h"
+#include "shading_terms.h"
 #include "surface_point.h"
 #include "worst.h"
 

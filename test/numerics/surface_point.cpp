@@ -5,9 +5,10 @@
 #include <sstream>
 
 #include "brdf/dfg_lookup.h"
-#include "reference/sampling.h"
+#include "reference/sphere.h"
 #include "reference/surface.h"
 #include "reference/texture_read.h"
+#include "shading_terms.h"
 
 namespace telar::numerics {
 namespace {

@@ -4,6 +4,7 @@
 #include "albedo.h"
 #include "checks.h"
 #include "frames.h"
+#include "shading_terms.h"
 #include "weaves.h"
 #include "worst.h"
 

@@ -13,7 +13,6 @@ const Column HUE{0, 0.5, {0, 0.2, 0.5}};
 const Column OTHER_HUE{0.7, 1, {0.7, 1}};
 const Column DIFFUSE_CONSTANT{-1, -0.5, {-1, -0.5}};
 const Column DIFFUSE_SLOPE{0, 2, {0, 1, 2}};
-const Column IOR{1, 3, {1, 1.33, 1.5, 3}};
 const Column LTC_ROUGHNESS{0.05, 1, {0.05, 0.1, 0.3, 0.5, 1}};
 // Closer to grazing Lambda is exp(20): an ulp of the exponent is then more than the tolerance.
 const Column OFF_CLIFF{0.1, 1, {0.1, 0.3, 0.5, 1}};
@@ -28,7 +27,6 @@ const Column NXH2{1e-6, 1, {1e-6, 1e-3, 0.5, 1}};
 std::vector<Term> thesisTerms() {
   return {
       TERM("roughnessR115", ({ROUGHNESS}), PRODUCT, true, vec3(roughnessR115(p[0]))),
-      TERM("reflectivityFromIor", ({IOR}), OF_ONE, true, vec3(reflectivityFromIor(p[0]))),
       TERM("specularF0R115", ({UNIT, UNIT, UNIT, UNIT, UNIT}), PRODUCT, true,
            specularF0R115(vec3(p[0], p[1], p[2]), p[3], p[4])),
       TERM("clearcoatDHR", ({ROUGHNESS, COSINE}), PRODUCT, true, vec3(clearcoatDHR(p[0], p[1]))),
@@ -121,7 +119,6 @@ std::vector<Term> clothTerms() {
            interfaceAlbedo(vec3(p[0], p[1], p[2]), p[3], vec3(p[4]), glossAlbedo(glossCurve(p[5]), p[6]))),
       TERM("charlieCurve", ({ALPHA, COSINE}), CANCELLING, false, vec3(charlieCurve(p[0], p[1]))),
       TERM("lambdaCharlie", ({ALPHA, OFF_CLIFF}), PRODUCT, true, vec3(lambdaCharlie(p[0], p[1]))),
-      TERM("V_Charlie", ({ALPHA, OFF_CLIFF, OFF_CLIFF}), PRODUCT, true, vec3(V_Charlie(p[0], p[1], p[2]))),
       TERM("V_CharlieSoftened", ({ALPHA, OFF_CLIFF, OFF_CLIFF}), PRODUCT, true,
            vec3(V_CharlieSoftened(p[0], p[1], p[2]))),
       TERM("D_Ashikhmin", ({SHEEN_ALPHA, COSINE}), OF_CHARLIE, true, vec3(D_Ashikhmin(p[0], p[1]))),

@@ -5,6 +5,7 @@
 
 #include "brdf/quadrature.h"
 #include "brdf/shading.h"
+#include "shading_terms.h"
 
 /// The principled shadings as they are composed: figures by quadrature of what addPunctual gives, against figures
 /// computed apart from this code.

@@ -37,7 +37,6 @@ std::vector<Term> surfaceTerms() {
       TERM("F_SchlickWeight", ({COSINE}), PRODUCT, true, vec3(F_SchlickWeight(p[0]))),
       TERM("F_Schlick", ({UNIT, UNIT, UNIT, UNIT, COSINE}), OF_ONE, true,
            F_Schlick(vec3(p[0], p[1], p[2]), p[3], p[4])),
-      TERM("specularF0", ({UNIT, UNIT, UNIT, UNIT}), PRODUCT, true, specularF0(vec3(p[0], p[1], p[2]), p[3])),
       TERM("diffuseAlbedo", ({UNIT, UNIT, UNIT, UNIT}), PRODUCT, true, diffuseAlbedo(vec3(p[0], p[1], p[2]), p[3])),
       TERM("Fr_GGX", ({UNIT, UNIT, UNIT, GRAZING, ALPHA, COSINE, COSINE, COSINE, COSINE}), PRODUCT, true,
            Fr_GGX(vec3(p[0], p[1], p[2]), p[3], p[4], p[5], p[6], p[7], p[8])),

@@ -91,7 +91,7 @@ TEST(R115, SheenAlbedoWithAlphaNotSquared) {
 }
 
 TEST(R115, ReflectivityOfAnIndexOf1_5IsFourPercent) {
-  EXPECT_NEAR(specularF0R115(vec3(0.3, 0.6, 0.9), reflectivityFromIor(1.5), 0).x, 0.04, 1e-12);
+  EXPECT_NEAR(specularF0R115(vec3(0.3, 0.6, 0.9), 0.5, 0).x, 0.04, 1e-12);
   EXPECT_NEAR(specularF0R115(vec3(0.3, 0.6, 0.9), 0.5, 1).y, 0.6, 1e-12);
 }
 
@@ -128,7 +128,8 @@ TEST(Cloth, CharlieWithItsOwnVisibility) {
     const double alpha = roughness[i] * roughness[i];
     const auto lobe = [=](double NoV) {
       return albedo(NoV, [=](vec3, vec3, double NoL, double NoH, double) {
-        return D_Charlie(alpha, NoH) * V_Charlie(alpha, NoV, NoL);
+        const double masking = 1 + lambdaCharlie(alpha, NoV) + lambdaCharlie(alpha, NoL);
+        return D_Charlie(alpha, NoH) / (masking * 4 * NoV * NoL);
       });
     };
     EXPECT_NEAR(lobe(0.1), grazing[i], 6e-3) << roughness[i];

@@ -6,6 +6,7 @@
 
 #include "core/random.h"
 #include "reference/sampling.h"
+#include "reference/sphere.h"
 
 namespace telar::reference {
 namespace {

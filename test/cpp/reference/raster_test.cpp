@@ -4,6 +4,7 @@
 
 #include "reference/tracer.h"
 #include "renderer/scenes.h"
+#include "shading_terms.h"
 
 /// Raster against path traced: the same model, direct light, nothing hidden. What is left is the integrator's error.
 namespace telar::reference {

@@ -1,11 +1,10 @@
-#include "reference/sampling.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "brdf/brdf.h"
 #include "core/random.h"
+#include "reference/sphere.h"
 
 /// Directions come as often as their pdf says, and the pdf is one whole.
 namespace telar::reference {

@@ -8,6 +8,7 @@
 
 #include "brdf/dfg_lookup.h"
 #include "expect_error.h"
+#include "shading_terms.h"
 
 namespace telar::reference {
 namespace {

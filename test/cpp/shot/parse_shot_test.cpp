@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "expect_error.h"
+#include "shading_terms.h"
 #include "telar/error.h"
 #include "telar/shot.h"
 

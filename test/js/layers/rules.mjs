@@ -14,7 +14,6 @@ const CPP_LAYERS = {
   'renderer/include': [],
   'renderer/core': ['renderer/include'],
   'renderer/brdf': ['renderer/include'],
-  'renderer/mesh': ['renderer/include', 'renderer/core'],
   // image/ opens the library of oiio/ at run time by the C interface of oiio/plugin.h, and links nothing of it.
   'renderer/image': ['renderer/include', 'renderer/core', 'renderer/ktx2', 'renderer/oiio/plugin.h'],
   'renderer/ktx2': ['renderer/include', 'renderer/core'],
@@ -43,7 +42,7 @@ const OWNED_HEADERS = [
   { header: /^lcms2\.h$/, folders: ['renderer/oiio'] },
   { header: /^nettle\//, folders: ['renderer/core'] },
   { header: /^(libdeflate|zlib)\.h$/, folders: ['renderer/image', 'renderer/ibl'] },
-  { header: /^(tiny_gltf\.h|draco\/.*|mikktspace\.h)$/, folders: ['renderer/asset'] },
+  { header: /^(tiny_gltf\.h|draco\/.*)$/, folders: ['renderer/asset'] },
   { header: /^embree3\//, folders: ['renderer/reference'] },
   { header: /^zstd\.h$/, folders: ['renderer/ktx2'] },
   { header: /^meshoptimizer\.h$/, folders: ['renderer/asset'] },
