@@ -9,15 +9,17 @@
 namespace telar::ibl {
 namespace {
 
-constexpr int FACE_SIZE_MIN = 256;     // px; smaller maps are enlarged so that every chain has enough levels
-constexpr int LAST_LEVEL_LOG2 = 3;     // the roughest level is 8 px
-constexpr int SAMPLES = 256;           // of the sharp levels
+constexpr int FACE_SIZE_MIN = 256;  // px; smaller maps are enlarged so that every chain has enough levels
+constexpr int LAST_LEVEL_LOG2 = 3;  // the roughest level is 8 px
+constexpr int SAMPLE_BITS = 8;      // log2 of the samples of the sharp levels
+constexpr int SAMPLES = 1 << SAMPLE_BITS;
 constexpr int INTEGRATION_SIZE = 16;   // px of the source level that the rough levels sum
 constexpr int INTEGRATION_LEVELS = 3;  // how many rough levels
 
 double roughnessOf(int level, int maxLod) { return 1.0 - std::sqrt(1.0 - static_cast<double>(level) / maxLod); }
 
-/// log2 of the source texels that one sample covers, less what depends on the sample: three r187.
+/// Level of the source whose texel has a sample's solid angle, less what depends on the sample. 0.5 is three r187's: it
+/// hides the grain of so few samples.
 double lodBias(int faceSize, double roughness) {
   return roughness > 0 ? std::log2(faceSize) + 0.5 * std::log2(6.0 / (SAMPLES * std::pow(roughness, 4))) + 0.5 : 0.0;
 }
@@ -46,7 +48,7 @@ CubeMap prefilterEquirect(const gl::Context& context, const ImageF& map, const C
   CubeMap target = createCube(gl, faceSize, maxLod + 1);
   const std::string vertex = shader::assemble("environment/cube_face.vert", {});
   const gl::Program sample(context, "prefilter_sample", vertex,
-                           shader::assemble("environment/prefilter_sample.frag", {{"SAMPLES", SAMPLES}}));
+                           shader::assemble("environment/prefilter_sample.frag", {{"SAMPLE_BITS", SAMPLE_BITS}}));
   const gl::Program integrate(context, "prefilter_integrate", vertex,
                               shader::assemble("environment/prefilter_integrate.frag", {}));
   gl::DrawCost sampleCost(SAMPLES / 32.0), integrateCost(INTEGRATION_SIZE * INTEGRATION_SIZE * 6 / 32.0);

@@ -1,6 +1,7 @@
-// GGX lobe of one roughness at v = n by summing every texel of a small source level, for the rough levels of the cube.
-// Opposite texels are paired: only the one in the hemisphere of n counts.
-// src: weights from Walter et al. 2007, eq. 33, with NoH^2 = (1 + NoL) / 2 at v = n; order of three r187
+// The same as prefilter_sample.frag by quadrature, for the rough levels of the cube: every texel of a small level of the
+// source counts by what a GGX mirror reflects of it.
+// src: Karis 2013, "Real Shading in Unreal Engine 4", the first half of the split sum; Walter et al. 2007, "Microfacet Models
+//      for Refraction through Rough Surfaces", eq. 33. The order of the sum is that of three r187.
 precision highp float;
 precision highp int;
 precision highp samplerCube;
@@ -12,28 +13,38 @@ uniform int sourceSize;  // texels on an edge; a uniform so that the loops stay 
 in vec3 vDirection;
 out vec4 fragmentColor;
 
+// A point of the face +x, +y or +z of the cube [-1, 1]^3.
+vec3 onFace(int face, vec2 st) {
+  vec3 p = vec3(st, 1.0);
+  return face == 2 ? p : face == 1 ? p.xzy : p.zxy;
+}
+
+// Weight of a texel, up to a factor that all texels share. The half vector of n and l has NoH^2 = (1 + NoL) / 2, so D of GGX is
+// proportional to 1 / d^2. The solid angle of a texel is proportional to nearness^3.
+// nearness  1 / distance of the texel from the centre of the cube
+float weightOf(float NoL, float nearness, float alpha2) {
+  float d = 1.0 + alpha2 + (alpha2 - 1.0) * NoL;
+  return NoL * nearness * nearness * nearness / (d * d);
+}
+
 void main() {
   vec3 n = normalize(vDirection);
   float alpha = perceptualRoughness * perceptualRoughness;
-  float a2 = alpha * alpha;
-  float texelSize = 2.0 / float(sourceSize);
-  vec3 sum = vec3(0.0);
-  float weightSum = 0.0;
+  float pitch = 2.0 / float(sourceSize);
+  vec4 sum = vec4(0.0);  // weighted radiance, weights
   for (int face = 0; face < 3; ++face) {
-    for (int y = 0; y < sourceSize; ++y) {
-      for (int x = 0; x < sourceSize; ++x) {
-        vec2 uv = (vec2(x, y) + 0.5) * texelSize - 1.0;
-        vec3 l = face == 0 ? vec3(1.0, uv) : (face == 1 ? vec3(uv.x, 1.0, uv.y) : vec3(uv, 1.0));
-        float inverseDistance = inversesqrt(1.0 + dot(uv, uv));
-        float NoL = dot(n, l);
-        l *= NoL < 0.0 ? -1.0 : 1.0;
-        NoL = abs(NoL) * inverseDistance;
-        float d = 1.0 + a2 + (a2 - 1.0) * NoL;
-        float weight = NoL * inverseDistance * inverseDistance * inverseDistance / (d * d);
-        sum += textureLod(sourceMap, l, sourceLod).rgb * weight;
-        weightSum += weight;
+    for (int row = 0; row < sourceSize; ++row) {
+      for (int column = 0; column < sourceSize; ++column) {
+        vec2 st = (vec2(column, row) + 0.5) * pitch - 1.0;
+        vec3 p = onFace(face, st);
+        float facing = dot(n, p);
+        // p and -p are texels of opposite faces. One of them lies in front.
+        vec3 seen = facing < 0.0 ? -p : p;
+        float nearness = inversesqrt(1.0 + dot(st, st));
+        float weight = weightOf(abs(facing) * nearness, nearness, alpha * alpha);
+        sum += vec4(textureLod(sourceMap, seen, sourceLod).rgb * weight, weight);
       }
     }
   }
-  fragmentColor = vec4(sum / weightSum, 1.0);
+  fragmentColor = vec4(sum.rgb / sum.a, 1.0);
 }

@@ -1,7 +1,8 @@
-// GGX lobe of one roughness at v = n by importance sampling, for the sharp levels of the cube. Each sample reads the
-// source level whose texel has the sample's solid angle.
-// src: Heitz 2018, "Sampling the GGX Distribution of Visible Normals", at v = n; Krivanek & Colbert 2008, "Real-time
-//      Shading with Filtered Importance Sampling"; sample count, bias and order of three r187
+// What a GGX mirror of one roughness reflects to a viewer along its normal, by importance sampling: for the sharp levels of
+// the cube. A sample reads the level of the source whose texel covers the solid angle that it stands for.
+// src: Karis 2013, "Real Shading in Unreal Engine 4", the first half of the split sum, weighted by NoL; Heitz 2018, "Sampling
+//      the GGX Distribution of Visible Normals"; Krivanek & Colbert 2008, "Real-time Shading with Filtered Importance
+//      Sampling". Point set, its turn about the normal and the lod's bias are those of three r187: the same cube comes out.
 precision highp float;
 precision highp int;
 precision highp samplerCube;
@@ -10,45 +11,55 @@ precision highp samplerCube;
 
 uniform samplerCube sourceMap;
 uniform float perceptualRoughness;
-uniform float lodBias;
+uniform float lodBias;  // renderer/ibl/prefilter.cpp
 in vec3 vDirection;
 out vec4 fragmentColor;
 
-// Van der Corput sequence in base 2, [0, 1).
-float radicalInverse(uint bits) {
-  bits = (bits << 16u) | (bits >> 16u);
-  bits = ((bits & 0x55555555u) << 1u) | ((bits & 0xAAAAAAAAu) >> 1u);
-  bits = ((bits & 0x33333333u) << 2u) | ((bits & 0xCCCCCCCCu) >> 2u);
-  bits = ((bits & 0x0F0F0F0Fu) << 4u) | ((bits & 0xF0F0F0F0u) >> 4u);
-  bits = ((bits & 0x00FF00FFu) << 8u) | ((bits & 0xFF00FF00u) >> 8u);
-  return float(bits) * 2.3283064365386963e-10;
+// SAMPLES = 2^SAMPLE_BITS
+#define SAMPLES (1 << SAMPLE_BITS)
+
+// Point i of Hammersley's set, [0, 1)^2. Its y has the bits of i in reverse order behind the point; every step is exact.
+vec2 hammersley(int i) {
+  float y = 0.0;
+  for (int bit = SAMPLE_BITS - 1; bit >= 0; --bit) y = 0.5 * (y + float((i >> bit) & 1));
+  return vec2(float(i) / float(SAMPLES), y);
+}
+
+// Two axes across n.
+mat2x3 axesAcross(vec3 n) {
+  vec3 pole = abs(n.z) < 0.999 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+  vec3 x = normalize(cross(pole, n));
+  return mat2x3(x, cross(n, x));
+}
+
+// Radiance that a GGX mirror reflects along n.
+// For v = n, Heitz draws the microfacet normal m = (alpha sqrt(u.x) e(phi), sqrt(1 - u.x)) / sqrt(q) with
+// q = alpha^2 u.x + 1 - u.x. The reflection l lies at twice the angle of m. Its density is q^2 / (4 PI alpha^2), and so the
+// level of the source grows with log2(1 / q).
+vec3 reflectedRadiance(vec3 n, float alpha) {
+  float alpha2 = alpha * alpha;
+  mat2x3 across = axesAcross(n);
+  vec3 radiance = vec3(0.0);
+  float weights = 0.0;
+  for (int i = 0; i < SAMPLES; ++i) {
+    vec2 u = hammersley(i);
+    float cos2 = 1.0 - u.x;       // q times the squared cosine of m's angle
+    float sin2 = alpha2 * u.x;    // q times its squared sine
+    float perQ = 1.0 / (cos2 + sin2);
+    float NoL = (cos2 - sin2) * perQ;
+    if (NoL <= 0.0) continue;
+    float sinTheta = 2.0 * alpha * sqrt(u.x * cos2) * perQ;
+    float phi = 2.0 * PI * u.y;
+    vec3 l = n * NoL + across * vec2(cos(phi), sin(phi)) * sinTheta;
+    radiance += textureLod(sourceMap, l, max(log2(alpha2 * perQ) + lodBias, 0.0)).rgb * NoL;
+    weights += NoL;
+  }
+  return radiance / weights;
 }
 
 void main() {
   vec3 n = normalize(vDirection);
-  if (perceptualRoughness < 0.001) {
-    fragmentColor = vec4(textureLod(sourceMap, n, 0.0).rgb, 1.0);
-    return;
-  }
-  float alpha = perceptualRoughness * perceptualRoughness;
-  float a2 = alpha * alpha;
-  vec3 up = abs(n.z) < 0.999 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
-  vec3 t = normalize(cross(up, n));
-  vec3 b = cross(n, t);
-  vec3 sum = vec3(0.0);
-  float weight = 0.0;
-  for (uint i = 0u; i < uint(SAMPLES); ++i) {
-    float x = float(i) / float(SAMPLES);
-    float inverseQ = 1.0 / (1.0 - x + a2 * x);
-    float NoL = (1.0 - x - a2 * x) * inverseQ;
-    if (NoL > 0.0) {
-      float phi = 2.0 * PI * radicalInverse(i);
-      float sinTheta = 2.0 * alpha * sqrt(x * (1.0 - x)) * inverseQ;
-      vec3 l = n * NoL + (t * cos(phi) + b * sin(phi)) * sinTheta;
-      float lod = max(log2(a2 * inverseQ) + lodBias, 0.0);
-      sum += textureLod(sourceMap, l, lod).rgb * NoL;
-      weight += NoL;
-    }
-  }
-  fragmentColor = vec4(sum / weight, 1.0);
+  bool mirror = perceptualRoughness == 0.0;
+  vec3 radiance = mirror ? textureLod(sourceMap, n, 0.0).rgb : reflectedRadiance(n, perceptualRoughness * perceptualRoughness);
+  fragmentColor = vec4(radiance, 1.0);
 }

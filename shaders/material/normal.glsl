@@ -20,22 +20,18 @@ struct Normals {
 };
 
 #if TANGENT_FRAME
-// Tangent frame from screen-space derivatives; not orthonormal, both axes share one scale.
+// Tangent frame from screen-space derivatives: the gradients of u and v on the surface, by one scale so that the longer is of
+// unit length, and n. Not orthonormal. Where u and v do not change, the gradients are 0.
 // p  view-space position      n  unit normal      uv  texture coordinates
-// src: Mikkelsen 2020, "Surface Gradient-Based Bump Mapping Framework" by way of Schueler 2013, "Normal Mapping Without
-//      Precomputed Tangents"; order of three r187
+// src: Schueler 2013, "Followup: Normal Mapping Without Precomputed Tangents"
 mat3 derivativeFrame(vec3 p, vec3 n, vec2 uv) {
-  vec3 q0 = dFdx(p);
-  vec3 q1 = dFdy(p);
-  vec2 st0 = dFdx(uv);
-  vec2 st1 = dFdy(uv);
-  vec3 q1perp = cross(q1, n);
-  vec3 q0perp = cross(n, q0);
-  vec3 t = q1perp * st0.x + q0perp * st1.x;
-  vec3 b = q1perp * st0.y + q0perp * st1.y;
-  float det = max(dot(t, t), dot(b, b));
-  float scale = det == 0.0 ? 0.0 : inversesqrt(det);
-  return mat3(t * scale, b * scale, n);
+  // Columns: gradients of the screen's x and y on the surface, times the area that a pixel covers there.
+  mat2x3 ofScreen = mat2x3(cross(dFdy(p), n), cross(n, dFdx(p)));
+  vec3 ofU = ofScreen * vec2(dFdx(uv.x), dFdy(uv.x));
+  vec3 ofV = ofScreen * vec2(dFdx(uv.y), dFdy(uv.y));
+  float longest2 = max(dot(ofU, ofU), dot(ofV, ofV));
+  float unit = longest2 > 0.0 ? inversesqrt(longest2) : 0.0;
+  return mat3(ofU * unit, ofV * unit, n);
 }
 
 // The vertex tangents where there are any, else derivatives of one texture's coordinates. A vertex whose tangent has no
