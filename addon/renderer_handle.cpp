@@ -3,7 +3,7 @@
 #include "handles.h"
 #include "state.h"
 #include "telar/codec.h"
-#include "telar/reference.h"
+#include "telar/render_frame.h"
 
 namespace telar::addon {
 namespace {
@@ -44,13 +44,8 @@ void draw(Render& render, Renderer& renderer, FreedMemory& freed, const CancelTo
   const std::span<const std::byte> environment =
       render.environment ? std::span(*render.environment) : std::span<const std::byte>();
   try {
-    if (shot.reference) {
-      // No GL call is made: the context lies idle meanwhile, and frames of this renderer stay in order.
-      render.frame =
-          drawReference(*render.scene, shot, environment, render.options, cancel, render.progress, render.info);
-    } else {
-      render.frame = renderer.draw(render.scene, shot, environment, cancel, render.info);
-    }
+    render.frame =
+        renderFrame(renderer, render.scene, shot, environment, render.options, cancel, render.progress, render.info);
   } catch (...) {
     if (render.releaseScene) renderer.release(*render.scene);
     throw;

@@ -30,6 +30,7 @@ const CPP_LAYERS = {
   'renderer/reference/plugin.h': ['renderer/include'],
   // trace/ opens the library of reference/ at run time, and links nothing of it.
   'renderer/trace': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/reference/plugin.h'],
+  'renderer/render': ['renderer/include'],
   'renderer/reference': ['renderer/reference/plugin.h', 'renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/shader', 'renderer/frame'],
   addon: ['renderer/include'],
 };
