@@ -37,7 +37,7 @@ export function tanDegrees(degrees) {
  */
 export function arcTangent(slope) {
   let x = slope;
-  for (let i = 0; i < 3; ++i) x = x / (1 + Math.sqrt(1 + x * x));
+  for (let i = 0; i < 3; ++i) x /= 1 + Math.sqrt(1 + x * x);
   let sum = 0;
   for (let n = 23; n >= 1; n -= 2) sum = 1 / n - x * x * sum;
   return 8 * x * sum;

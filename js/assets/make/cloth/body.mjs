@@ -40,7 +40,7 @@ function torsoDistance(x, y, z) {
   const k0 = Math.hypot(x / halfWidth, (z - centre) / halfDepth);
   const k1 = Math.hypot(x / halfWidth ** 2, (z - centre) / halfDepth ** 2);
   const radial = k1 > 0 ? (k0 * (k0 - 1)) / k1 : -halfDepth;
-  const above = y - TORSO[TORSO.length - 1][0];
+  const above = y - TORSO.at(-1)[0];
   return above > 0 ? Math.hypot(Math.max(radial, 0), above) + Math.min(radial, 0) : radial;
 }
 

@@ -95,7 +95,7 @@ export function sewGarment(pattern, spacing, seed) {
   for (const [panelA, segmentA, panelB, segmentB, reversed] of pattern.seams) {
     const a = panels[index[panelA]].ranges[segmentA];
     const b = panels[index[panelB]].ranges[segmentB];
-    a.forEach((point, i) => pairs.push([index[panelA], point, index[panelB], reversed ? b[b.length - 1 - i] : b[i]]));
+    a.forEach((point, i) => pairs.push([index[panelA], point, index[panelB], reversed ? b.at(-1 - i) : b[i]]));
   }
   const frontCount = panels[0].ranges.neck.length;
   neckline.forEach((point, i) => pairs.push([panels.length - 1, rib.ranges.bottom[i], i < frontCount ? 0 : 1, point]));

@@ -19,7 +19,7 @@ export function resample(points, count) {
     }
     walked += span;
   }
-  out.push(points[points.length - 1]);
+  out.push(points.at(-1));
   return out;
 }
 
@@ -103,7 +103,7 @@ function lattice(polygon, spacing, clearance, random) {
  */
 export function meshPanel(panel, { counts, spacing, rows = [], random }) {
   const { polygon, ranges } = boundaryOf(panel.segments, counts);
-  const clearance = (rows.length ? rows[rows.length - 1] : 0) + spacing * 0.55;
+  const clearance = (rows.length ? rows.at(-1) : 0) + spacing * 0.55;
   const points = [...polygon, ...parallelRows(polygon, rows), ...lattice(polygon, spacing, clearance, random)];
   const { triangles } = Delaunator.from(points);
   const kept = [];

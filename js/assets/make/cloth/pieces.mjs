@@ -53,7 +53,7 @@ function cutHem(panel, height) {
   }
   const sides = Object.entries(segments).filter(([name]) => name.startsWith('side') || name.startsWith('under')).map(([, points]) => points);
   const corners = sides.flat().filter((p) => Math.abs(p[1] - lowest - height) < 1e-9).sort((a, b) => a[0] - b[0]);
-  segments.hem = [corners[0], corners[corners.length - 1]];
+  segments.hem = [corners[0], corners.at(-1)];
   return { ...panel, segments };
 }
 
@@ -100,7 +100,7 @@ function closeSeams(meshes, pieces, seams) {
   for (const [a, sa, b, sb, reversed] of seams) {
     const [rangeA, rangeB] = [meshes[a].ranges[sa], meshes[b].ranges[sb]];
     rangeA.forEach((i, n) => {
-      const j = reversed ? rangeB[rangeB.length - 1 - n] : rangeB[n];
+      const j = reversed ? rangeB.at(-1 - n) : rangeB[n];
       for (let c = 0; c < 3; c++) {
         const middle = (pieces[a].positions[i * 3 + c] + pieces[b].positions[j * 3 + c]) / 2;
         pieces[a].positions[i * 3 + c] = pieces[b].positions[j * 3 + c] = middle;
