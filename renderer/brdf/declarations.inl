@@ -170,7 +170,9 @@ vec3 sampleHemisphere(vec2 u);
 Real pdfHemisphere(Real NoL);
 vec3 sampleSheenLtc(vec3 ltc, vec2 u);
 vec3 sampleVisibleNormal(vec3 v, vec2 alpha, vec2 u);
+vec3 sampleReflection(vec3 v, vec2 alpha, vec2 u);
 Real pdfReflection(vec3 v, vec3 l, vec2 alpha);
+Real powerHeuristic(Real own, Real other);
 
 vec3 exposedColor(vec3 color, Real exposure);
 vec3 toneMapLinear(vec3 color, Real exposure);

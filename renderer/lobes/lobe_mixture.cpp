@@ -12,28 +12,29 @@ using glm::dvec3;
 
 constexpr double PI = std::numbers::pi;
 
-/// The viewer in a lobe's frame; edge on he still sees it.
+/// The viewer in a lobe's frame, at least a little above its horizon.
 dvec3 viewerIn(const glm::dmat3& frame, const dvec3& v) {
   const dvec3 local = glm::transpose(frame) * v;
   return glm::normalize(dvec3(local.x, local.y, std::max(local.z, 1e-6)));
 }
 
-/// Dense towards the horizon, where lobes of fibres and of grazing mirrors are steep.
-dvec3 grazing(const dvec2& u) {
+/// Dense towards the horizon, where sheen and the Fresnel term are steep.
+dvec3 sampleGrazing(const dvec2& u) {
   const double z = u.x * u.x, sine = std::sqrt(1 - z * z), phi = 2 * PI * u.y;
   return {sine * std::cos(phi), sine * std::sin(phi), z};
 }
 
-double grazingDensity(double z) { return 1 / (4 * PI * std::sqrt(z)); }
+double pdfGrazing(double z) { return 1 / (4 * PI * std::sqrt(z)); }
 
-/// src: Burley 2012, "Physically-Based Shading at Disney", appendix B, the distribution GTR1 and how it is drawn from
-dvec3 longTailedNormal(double alpha, const dvec2& u) {
+/// A microfacet normal of GTR1.
+/// src: Burley 2012, "Physically-Based Shading at Disney", appendix B
+dvec3 sampleGtr1(double alpha, const dvec2& u) {
   const double a2 = alpha * alpha, cosine2 = (1 - std::pow(a2, 1 - u.x)) / (1 - a2);
   const double sine = std::sqrt(std::max(1 - cosine2, 0.0)), phi = 2 * PI * u.y;
   return {sine * std::cos(phi), sine * std::sin(phi), std::sqrt(cosine2)};
 }
 
-double longTailedDensity(double alpha, const dvec3& v, const dvec3& l) {
+double pdfGtr1(double alpha, const dvec3& v, const dvec3& l) {
   const dvec3 h = glm::normalize(v + l);
   const double VoH = glm::dot(v, h);
   return h.z > 0 && VoH > 0 ? brdf_d::D_GTR1(alpha, h.z) * h.z / (4 * VoH) : 0;
@@ -48,27 +49,27 @@ LobeMixture::LobeMixture(ShadingModel shading, const brdf_d::SurfaceInfo& s) {
   if (cloth && s.warp.coverage + s.weft.coverage > 0) {
     for (const brdf_d::YarnLobe* yarn : {&s.warp, &s.weft}) {
       if (yarn->coverage <= 0) continue;
-      addGloss(s, glm::dmat3(yarn->t, yarn->b, yarn->n), {yarn->alphaT, yarn->alphaB});
-      glosses_.back().mirrored = true;
+      addMicrofacets(s, glm::dmat3(yarn->t, yarn->b, yarn->n), {yarn->alphaT, yarn->alphaB});
+      microfacets_.back().mirrored = true;
     }
   } else if (s.f90 > 0 || brdf_d::max3(s.f0) > 0) {
-    addGloss(s, glm::dmat3(s.t, s.b, s.n), {std::max(s.alphaT, s.alpha), s.alpha});
+    addMicrofacets(s, glm::dmat3(s.t, s.b, s.n), {std::max(s.alphaT, s.alpha), s.alpha});
   }
   if (s.clearcoat > 0) {
     const double alpha = std::max(brdf_d::alphaFromRoughness(s.clearcoatRoughness), 0.001);
-    addGloss(s, brdf_d::basisAbout(s.coatNormal), dvec2(alpha));
+    addMicrofacets(s, brdf_d::basisAbout(s.coatNormal), dvec2(alpha));
     if (isPrincipled(shading)) {
-      const Gloss coat = glosses_.back();
-      glosses_.push_back(coat);
-      glosses_.back().longTailed = true;
-      glosses_.back().alpha = dvec2(std::min(alpha, 0.5));
+      const MicrofacetLobe coat = microfacets_.back();
+      microfacets_.push_back(coat);
+      microfacets_.back().longTailed = true;
+      microfacets_.back().alpha = dvec2(std::min(alpha, 0.5));
     }
   }
   if (cloth && brdf_d::max3(s.sheenColor) > 0) addSheen(s);
 }
 
-void LobeMixture::addGloss(const brdf_d::SurfaceInfo& s, const glm::dmat3& frame, const dvec2& alpha) {
-  glosses_.push_back({frame, alpha, viewerIn(frame, s.v)});
+void LobeMixture::addMicrofacets(const brdf_d::SurfaceInfo& s, const glm::dmat3& frame, const dvec2& alpha) {
+  microfacets_.push_back({frame, alpha, viewerIn(frame, s.v)});
 }
 
 void LobeMixture::addSheen(const brdf_d::SurfaceInfo& s) {
@@ -78,34 +79,32 @@ void LobeMixture::addSheen(const brdf_d::SurfaceInfo& s) {
                      brdf_d::sheenLtc(std::max(s.sheenRoughness, brdf_d::CLOTH_SHEEN_ROUGHNESS_MIN), s.NoV)});
 }
 
-dvec3 LobeMixture::drawn(const Gloss& gloss, const dvec2& u) {
-  const dvec3 h =
-      gloss.longTailed ? longTailedNormal(gloss.alpha.x, u) : brdf_d::sampleVisibleNormal(gloss.v, gloss.alpha, u);
-  const dvec3 l = gloss.frame * (2 * glm::dot(gloss.v, h) * h - gloss.v);
-  return gloss.mirrored && l.z < 0 ? mirrorOf(l) : l;
+dvec3 LobeMixture::sample(const MicrofacetLobe& lobe, const dvec2& u) {
+  const dvec3 l = lobe.frame * (lobe.longTailed ? glm::reflect(-lobe.v, sampleGtr1(lobe.alpha.x, u))
+                                                : brdf_d::sampleReflection(lobe.v, lobe.alpha, u));
+  return lobe.mirrored && l.z < 0 ? mirrorOf(l) : l;
 }
 
-double LobeMixture::density(const Gloss& gloss, const dvec3& l) {
+double LobeMixture::pdf(const MicrofacetLobe& lobe, const dvec3& l) {
   const auto at = [&](const dvec3& direction) {
-    const dvec3 local = glm::transpose(gloss.frame) * direction;
-    return gloss.longTailed ? longTailedDensity(gloss.alpha.x, gloss.v, local)
-                            : brdf_d::pdfReflection(gloss.v, local, gloss.alpha);
+    const dvec3 local = glm::transpose(lobe.frame) * direction;
+    return lobe.longTailed ? pdfGtr1(lobe.alpha.x, lobe.v, local) : brdf_d::pdfReflection(lobe.v, local, lobe.alpha);
   };
-  return at(l) + (gloss.mirrored ? at(mirrorOf(l)) : 0.0);
+  return at(l) + (lobe.mirrored ? at(mirrorOf(l)) : 0.0);
 }
 
-dvec3 LobeMixture::draw(std::size_t way, const dvec2& u) const {
-  if (way == 0) return brdf_d::sampleCosine(u);
-  if (way == 1) return grazing(u);
-  if ((way -= WIDE_WAYS) < glosses_.size()) return drawn(glosses_[way], u);
-  const Sheen& sheen = sheens_[way - glosses_.size()];
+dvec3 LobeMixture::sample(std::size_t technique, const dvec2& u) const {
+  if (technique == 0) return brdf_d::sampleCosine(u);
+  if (technique == 1) return sampleGrazing(u);
+  if ((technique -= WIDE_TECHNIQUES) < microfacets_.size()) return sample(microfacets_[technique], u);
+  const SheenLobe& sheen = sheens_[technique - microfacets_.size()];
   return sheen.frame * brdf_d::sampleSheenLtc(sheen.ltc, u);
 }
 
-double LobeMixture::density(const dvec3& l) const {
-  double sum = brdf_d::pdfCosine(l.z) + grazingDensity(l.z);
-  for (const Gloss& gloss : glosses_) sum += density(gloss, l);
-  for (const Sheen& sheen : sheens_)
+double LobeMixture::pdfSum(const dvec3& l) const {
+  double sum = brdf_d::pdfCosine(l.z) + pdfGrazing(l.z);
+  for (const MicrofacetLobe& lobe : microfacets_) sum += pdf(lobe, l);
+  for (const SheenLobe& sheen : sheens_)
     sum += brdf_d::sheenLtcCosine({1, sheen.ltc.y, sheen.ltc.z}, glm::transpose(sheen.frame) * l);
   return sum;
 }

@@ -16,14 +16,14 @@ using brdf_d::Reflected;
 using glm::dvec2;
 using glm::dvec3;
 
-/// The albedo is the mean of this many estimates, each by scrambled points of its own.
+/// Estimates that the albedo is the mean of. Each has its own scrambled points.
 constexpr std::uint32_t REPLICATES = 16;
-/// Points of one estimate in each way to draw them: they are doubled until the error is small.
+/// Points of one estimate for each sampling technique. They are doubled until the error is small.
 constexpr std::uint32_t POINTS_MIN = 256, POINTS_MAX = 8192;
 constexpr double ALBEDO_TOLERANCE = 1e-6;
-/// Of Student's distribution with 15 degrees of freedom: 999 means in 1000 lie closer, in units of their own deviation.
+/// Quantile of Student's distribution with 15 degrees of freedom: 999 means in 1000 are off by fewer standard errors.
 constexpr double STUDENT = 4.073;
-/// Points have 24 bits: what lies between two of them, relative.
+/// Relative error of points that have 24 bits.
 constexpr double UNIFORM_STEP = 6e-8;
 
 Reflected nothing() { return brdf_d::nothingReflected(); }
@@ -39,7 +39,7 @@ struct ShadedMaterial::State {
     return functions.addPunctual(sum, surface, l, glm::dvec3(irradiance));
   }
 
-  /// Each lobe as it leaves: composed alone, since composing is linear in the lobes.
+  /// Radiance of each lobe. Composing is linear, so each lobe can be composed alone.
   LobeRadiance composed(const Reflected& sum) const {
     const auto alone = [&](auto lobe) {
       Reflected direct = nothing();
@@ -67,7 +67,7 @@ LobeRadiance ShadedMaterial::radiance(const glm::dvec3& l) const {
 
 namespace {
 
-/// Sums of one replicate, lobe by lobe.
+/// The sums of one replicate, times a factor.
 LobeRadiance scaled(const LobeRadiance& x, double by) {
   return {x.diffuse * by, x.specular * by, x.sheen * by, x.coat * by, x.total * by};
 }
@@ -75,7 +75,7 @@ LobeRadiance scaled(const LobeRadiance& x, double by) {
 constexpr std::array LOBES{&LobeRadiance::diffuse, &LobeRadiance::specular, &LobeRadiance::sheen, &LobeRadiance::coat,
                            &LobeRadiance::total};
 
-/// Mean of the replicates, and how far it may be off.
+/// Mean of the replicates and a bound of its error.
 Albedo estimated(const std::vector<LobeRadiance>& replicates) {
   const auto count = static_cast<double>(replicates.size());
   Albedo albedo;
@@ -98,8 +98,8 @@ bool isSettled(const Albedo& albedo) {
 
 }  // namespace
 
-// Owen 1997, "Monte Carlo Variance of Scrambled Net Quadrature": each replicate is an unbiased estimate of its own, so
-// that their spread tells the error of their mean.
+// Each replicate is an unbiased estimate, so their spread gives the error of their mean.
+// src: Owen 1997, "Monte Carlo Variance of Scrambled Net Quadrature"
 Albedo ShadedMaterial::albedo(const CancelToken& cancel) const {
   const lobes::LobeMixture mixture(state_->shading, state_->surface);
   std::vector<Reflected> sums(REPLICATES, nothing());
@@ -111,9 +111,9 @@ Albedo ShadedMaterial::albedo(const CancelToken& cancel) const {
       cancel.check();
       for (std::uint32_t i = from; i < points; ++i) {
         Random random(1, replicate, i);
-        for (std::size_t way = 0; way < mixture.ways(); ++way) {
-          const dvec3 l = mixture.draw(way, dvec2(random.uniform2()));
-          if (l.z > 0) sums[replicate] = state_->lit(sums[replicate], l, 1 / mixture.density(l));
+        for (std::size_t technique = 0; technique < mixture.techniques(); ++technique) {
+          const dvec3 l = mixture.sample(technique, dvec2(random.uniform2()));
+          if (l.z > 0) sums[replicate] = state_->lit(sums[replicate], l, 1 / mixture.pdfSum(l));
         }
       }
       replicates.push_back(scaled(state_->composed(sums[replicate]), 1.0 / points));

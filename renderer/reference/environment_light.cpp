@@ -11,8 +11,8 @@ namespace {
 
 constexpr double PI = 3.141592653589793;
 
-/// Sums, then shares of the whole; even where the whole is 0.
-float cumulate(float* begin, std::size_t count) {
+/// Turns weights into a CDF, uniform where all are 0. @return their sum
+float toCdf(float* begin, std::size_t count) {
   double sum = 0;
   for (std::size_t i = 0; i < count; ++i) {
     sum += begin[i + 1];
@@ -25,7 +25,7 @@ float cumulate(float* begin, std::size_t count) {
   return static_cast<float>(sum);
 }
 
-/// The step that u falls in, and where in it.
+/// The interval of a CDF that u falls in, and the place within it.
 std::pair<std::size_t, float> find(const float* begin, std::size_t count, float u) {
   const float* above = std::upper_bound(begin, begin + count, u);
   const std::size_t i = std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - begin - 1, 0)), count - 1);
@@ -44,7 +44,7 @@ EnvironmentLight::EnvironmentLight(const ImageF& map, double rotation, double in
   for (int y = 0; y < height; ++y) {
     float* row = &columns_[static_cast<std::size_t>(y) * (w + 1)];
     for (int x = 0; x < width; ++x) {
-      // Bilinear reading spreads a texel over its neighbours, so they must be drawn as well.
+      // A bilinear read spreads a texel over its neighbours, so they are sampled with it.
       float most = 0;
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) most = std::max(most, luminance(texel(x + dx, y + dy)));
@@ -52,9 +52,9 @@ EnvironmentLight::EnvironmentLight(const ImageF& map, double rotation, double in
       row[x + 1] = most;
     }
     const double sine = std::sin(PI * (y + 0.5) / height);
-    rows_[static_cast<std::size_t>(y) + 1] = static_cast<float>(cumulate(row, w) * sine);
+    rows_[static_cast<std::size_t>(y) + 1] = static_cast<float>(toCdf(row, w) * sine);
   }
-  cumulate(rows_.data(), h);
+  toCdf(rows_.data(), h);
   for (std::size_t y = 0; y <= h; ++y) {
     heights_.push_back(std::sin(PI * (0.5 - static_cast<double>(y) / static_cast<double>(h))));
   }
@@ -77,7 +77,7 @@ EnvironmentLight::Sample EnvironmentLight::sample(const glm::vec2& u) const {
   const auto [row, inRow] = find(rows_.data(), map_.height, u.y);
   const auto [column, inColumn] = find(&columns_[row * (map_.width + 1)], map_.width, u.x);
   const double phi = ((static_cast<double>(column) + inColumn) / map_.width - 0.5) * 2 * PI;
-  // Even in height, which is even in solid angle.
+  // Uniform in height, which is uniform in solid angle.
   const double top = heights_[row], y = top + (heights_[row + 1] - top) * inRow,
                radius = std::sqrt(std::max(0.0, 1 - y * y));
   const glm::vec3 direction(glm::dvec3(radius * std::cos(phi), y, radius * std::sin(phi)));

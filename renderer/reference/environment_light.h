@@ -6,7 +6,7 @@
 
 namespace telar::reference {
 
-/// An equirectangular map as a light: read as the raster reads it, drawn from in proportion to its brightness.
+/// An equirectangular map as a light. It is read as the raster reads it and sampled by its luminance.
 class EnvironmentLight {
  public:
   /// @param map        linear Rec.709 radiance, finite
@@ -28,15 +28,15 @@ class EnvironmentLight {
   glm::vec3 texel(int x, int y) const;
   /// Environment direction to map coordinates in [0, 1], y down.
   glm::vec2 coordinates(const glm::vec3& direction) const;
-  /// How likely a direction of a texel is, per steradian.
+  /// Density of the directions of a texel, per steradian.
   float pdfOf(std::size_t row, std::size_t column) const;
 
   const ImageF& map_;
   float intensity_;
   glm::mat3 toEnvironment_;
-  std::vector<double> heights_;  // y of the upper border of each row, height + 1
-  std::vector<float> rows_;      // cumulated share of each row, height + 1
-  std::vector<float> columns_;   // cumulated share within its row, (width + 1) a row
+  std::vector<double> heights_;  // y of the upper edge of each row, height + 1
+  std::vector<float> rows_;      // CDF of the rows, height + 1
+  std::vector<float> columns_;   // CDF within each row, (width + 1) a row
 };
 
 }  // namespace telar::reference

@@ -7,7 +7,7 @@
 namespace telar::reference {
 namespace {
 
-constexpr double TAP = 0.5;  ///< texels that a bilinear tap reaches beyond its place, in the mean
+constexpr double TAP = 0.5;  ///< texels, half the width of a bilinear tap
 
 }  // namespace
 
@@ -22,9 +22,9 @@ Ground::Ground(const Shot& shot, const glm::dvec3& centre)
     const double texels = (shadow.radius + TAP) / shadow.mapSize;  // parts of the map's side
     Caster caster;
     caster.intensity = static_cast<float>(shadow.intensity);
-    caster.parallel = light.type == Type::kDirectional;
+    caster.directional = light.type == Type::kDirectional;
     caster.position = light.position - centre;
-    if (caster.parallel) {
+    if (caster.directional) {
       caster.direction = glm::normalize(light.position - light.target);
       caster.spread = static_cast<float>(texels * (shadow.right - shadow.left));
     } else {
@@ -44,14 +44,14 @@ std::optional<float> Ground::distance(const Ray& ray) const {
 }
 
 Ray Ground::Caster::ray(const glm::vec3& point, const glm::vec2& u) const {
-  const glm::vec3 toLight = parallel ? direction : position - point;
+  const glm::vec3 toLight = directional ? direction : position - point;
   const float distance = glm::length(toLight);
   const glm::vec3 l = toLight / distance;
-  const float radius = std::sqrt(u.x) * spread * (parallel ? 1.0f : distance), phi = 6.2831853f * u.y;
+  const float radius = std::sqrt(u.x) * spread * (directional ? 1.0f : distance), phi = 6.2831853f * u.y;
   const glm::mat3 frame = brdf_f::basisAbout(l);
-  // As the map's filter: the point is moved across the light, and what stands between decides.
+  // The raster filters its shadow map. Here the point moves across the light's direction by as much.
   const glm::vec3 origin = point + frame[0] * (radius * std::cos(phi)) + frame[1] * (radius * std::sin(phi));
-  return {origin, parallel ? l : glm::normalize(position - origin)};
+  return {origin, directional ? l : glm::normalize(position - origin)};
 }
 
 }  // namespace telar::reference

@@ -1,11 +1,11 @@
 #pragma once
 #include "core/random.h"
+#include "reference/background.h"
 #include "reference/environment_light.h"
 #include "reference/geometry.h"
 #include "reference/ground.h"
 #include "reference/lights.h"
 #include "reference/lobe_sampler.h"
-#include "reference/sky.h"
 #include "reference/surface.h"
 #include "reference/transmission.h"
 
@@ -17,72 +17,82 @@ struct Transport {
   int bounces = 0;         ///< interreflections between surfaces; needs occlusion
 };
 
-/// One path, and what it took.
-struct Walk {
+/// Random numbers of one path, and a count of its rays.
+struct Sampler {
   Random random;
   std::uint64_t rays = 0;  ///< followed through the hierarchy
 };
 
-/// What light meets: all are kept by reference.
-struct Stage {
+/// What a path can meet. Everything is kept by reference.
+struct TracedScene {
   const Textures& textures;
   const std::vector<PlacedMesh>& meshes;
   const Geometry& geometry;
   const Lights& lights;
   const EnvironmentLight* environment;  ///< null = none
-  const Sky& sky;
+  const Background& background;
   const Ground* ground;  ///< null = none
   float radius;          ///< of the scene, metres
 };
 
-/// Estimates the light along one ray, without bias.
+/// A path tracer with next event estimation and multiple importance sampling of the environment. It has no bias.
+/// src: Pharr, Jakob & Humphreys 2023, "Physically Based Rendering", 4th ed., section 13.4; the names are theirs
 class Integrator {
  public:
-  Integrator(const Stage& stage, Transport transport, ShadingModel shading, const ShadingTerms& terms,
+  Integrator(const TracedScene& scene, Transport transport, ShadingModel shading, const ShadingTerms& terms,
              glm::vec2 (*dfg)(float, float));
 
+  /// One estimate of the light along a camera ray.
   /// @return linear Rec.709 radiance, premultiplied with coverage, and coverage: 0..1 in the mean of many
-  glm::vec4 radiance(const Ray& ray, const Footprint& footprint, Walk& walk) const;
+  glm::vec4 Li(const Ray& ray, const Footprint& footprint, Sampler& sampler) const;
 
  private:
-  /// A path on its way.
   struct Path;
-  /// How often one surface asks each way for light.
-  struct Draws {
-    int strata = 1;   ///< squares of them are drawn from the environment
-    int lobes = 1;    ///< drawn from the lobes
-    float share = 1;  ///< chance that the path draws from the lobes at all
+  /// How many samples one surface takes of the environment, by each of two techniques.
+  struct SampleCounts {
+    int strata = 1;             ///< squares of them are drawn from the environment
+    int lobes = 1;              ///< are drawn from the lobes
+    float lobeProbability = 1;  ///< with which the path samples the lobes at all
+    /// Expected count of each technique: the factors n_i of the MIS weight.
     float environment() const { return static_cast<float>(strata * strata); }
-    float lobe() const { return share * static_cast<float>(lobes); }
+    float lobe() const { return lobeProbability * static_cast<float>(lobes); }
   };
-  Draws drawsAt(const Path& path, float share) const;
-  /// The next surface along a ray that is shown; alpha is a chance.
-  /// @param opaque  pass over what transmits
-  bool nextSurface(Ray ray, const Footprint* footprint, Walk& walk, Surface& surface, bool opaque = false) const;
-  bool hidden(const Ray& ray, float distance, Walk& walk) const;
-  Ray leave(const Surface& from, const glm::vec3& direction) const;
-  /// Light of a path whose first surface is found.
-  glm::vec4 pathLight(Path& path, Walk& walk) const;
-  /// What is seen through a surface. @return false: nothing
-  bool behind(const Surface& surface, const Passage& passage, Walk& walk, Surface& next) const;
-  /// The path goes on through the surface. @return false: it meets no other
-  bool passThrough(Path& path, Walk& walk) const;
-  /// The path is reflected. @return false: it ends
-  bool reflect(Path& path, const LobeSampler& lobes, const Draws& draws, Walk& walk) const;
-  /// Reflected radiance per irradiance on a surface that faces the light.
-  /// @param around  of the environment: a baked occlusion counts where nothing is hidden by surfaces
-  glm::vec3 reflected(const Surface& surface, const glm::vec3& l, bool around) const;
-  /// What baked occlusion leaves of light from everywhere.
-  brdf_f::Reflected baked(brdf_f::Reflected light, const Surface& surface) const;
-  /// Light of all lights that arrives directly and leaves to the viewer.
-  glm::vec3 directLight(const Surface& surface, Walk& walk) const;
-  /// Light of the environment that draws from it find.
-  glm::vec3 environmentLight(const Surface& surface, const LobeSampler& lobes, const Draws& draws, Walk& walk) const;
-  /// Light of the environment that draws from the lobes find, of a path that ends there.
-  glm::vec3 lobeLight(const Surface& surface, const LobeSampler& lobes, const Draws& draws, Walk& walk) const;
-  glm::vec3 arriving(const Surface& surface, const PointedLight::Arrival& arrival, float shadow, Walk& walk) const;
+  SampleCounts sampleCounts(const Path& path, float lobeProbability) const;
 
-  Stage stage_;
+  /// The next surface along a ray that is not culled or cut out. Alpha below 1 is a probability.
+  /// @param opaque  passes through what transmits
+  bool intersect(Ray ray, const Footprint* footprint, Sampler& sampler, Surface& surface, bool opaque = false) const;
+  bool occluded(const Ray& ray, float distance, Sampler& sampler) const;
+  Ray spawnRay(const Surface& from, const glm::vec3& direction) const;
+
+  /// Follows a path whose first surface is known. @return as Li()
+  glm::vec4 follow(Path& path, Sampler& sampler) const;
+  /// Moves the path to what is seen through its surface. @return false: it meets no other surface
+  bool transmit(Path& path, Sampler& sampler) const;
+  /// The surface that is seen through another. @return false: none
+  bool intersectBehind(const Surface& surface, const TransmissionSample& sample, Sampler& sampler, Surface& next) const;
+  /// Moves the path along a direction drawn from the lobes. @return false: it ends
+  bool reflect(Path& path, const LobeSampler& lobes, const SampleCounts& counts, Sampler& sampler) const;
+
+  /// The BSDF times the cosine: reflected radiance per irradiance on a surface that faces the light.
+  /// @param ambient  light of the environment: baked occlusion counts where surfaces hide nothing
+  glm::vec3 bsdfCosine(const Surface& surface, const glm::vec3& l, bool ambient) const;
+  /// What baked occlusion leaves of ambient light.
+  brdf_f::Reflected withBakedOcclusion(brdf_f::Reflected light, const Surface& surface) const;
+
+  /// Direct light: all lights, and the environment by samples of its own map, weighted against those of the lobes.
+  glm::vec3 sampleLd(const Surface& surface, const LobeSampler& lobes, const SampleCounts& counts,
+                     Sampler& sampler) const;
+  glm::vec3 sampleLights(const Surface& surface, Sampler& sampler) const;
+  glm::vec3 sampleEnvironment(const Surface& surface, const LobeSampler& lobes, const SampleCounts& counts,
+                              Sampler& sampler) const;
+  /// The environment by samples of the lobes, for a path that ends here: reflect() does it for the others.
+  glm::vec3 sampleLobes(const Surface& surface, const LobeSampler& lobes, const SampleCounts& counts,
+                        Sampler& sampler) const;
+  /// Light of one sample of a light. @param shadow  part that a shadow takes where the shot asks for one
+  glm::vec3 estimateDirect(const Surface& surface, const LightSample& light, float shadow, Sampler& sampler) const;
+
+  TracedScene scene_;
   Transport transport_;
   brdf_f::ShadingFunctions shading_;
   std::optional<ShadingTerms> terms_;  ///< of a principled shading

@@ -15,17 +15,17 @@ glm::vec3 directionOf(const glm::dvec3& v) {
   return glm::dot(v, v) > 0 ? glm::vec3(glm::normalize(v)) : glm::vec3(0, 1, 0);
 }
 
-PointedLight pointLight(const glm::vec3& color, const glm::dvec3& position, double range) {
-  PointedLight light;
+PunctualLight pointLight(const glm::vec3& color, const glm::dvec3& position, double range) {
+  PunctualLight light;
   light.color = color;
   light.position = glm::vec3(position);
   light.range = static_cast<float>(range);
   return light;
 }
 
-PointedLight spotLight(const glm::vec3& color, const glm::dvec3& position, const glm::dvec3& toLight, double range,
-                       double outer, double inner) {
-  PointedLight light = pointLight(color, position, range);
+PunctualLight spotLight(const glm::vec3& color, const glm::dvec3& position, const glm::dvec3& toLight, double range,
+                        double outer, double inner) {
+  PunctualLight light = pointLight(color, position, range);
   light.spot = true;
   light.direction = directionOf(toLight);
   light.outerCos = static_cast<float>(std::cos(outer));
@@ -33,10 +33,10 @@ PointedLight spotLight(const glm::vec3& color, const glm::dvec3& position, const
   return light;
 }
 
-PointedLight parallelLight(const glm::vec3& color, const glm::dvec3& toLight) {
-  PointedLight light;
+PunctualLight directionalLight(const glm::vec3& color, const glm::dvec3& toLight) {
+  PunctualLight light;
   light.color = color;
-  light.parallel = true;
+  light.directional = true;
   light.direction = directionOf(toLight);
   return light;
 }
@@ -49,10 +49,10 @@ AreaLight areaLight(const Shot::Light& light, const glm::vec3& color, const glm:
           color};
 }
 
-/// Lights without extent that may cast a shadow.
-void addPointed(Lights& lights, PointedLight pointed, const Shot::Light& light) {
-  pointed.shadow = light.castShadow ? static_cast<float>(light.shadow.intensity) : 0.0f;
-  lights.pointed.push_back(pointed);
+/// Adds a light that may cast a shadow.
+void addPunctual(Lights& lights, PunctualLight punctual, const Shot::Light& light) {
+  punctual.shadow = light.castShadow ? static_cast<float>(light.shadow.intensity) : 0.0f;
+  lights.punctual.push_back(punctual);
 }
 
 void addShotLight(Lights& lights, const Shot::Light& light, const glm::dvec3& centre) {
@@ -67,15 +67,15 @@ void addShotLight(Lights& lights, const Shot::Light& light, const glm::dvec3& ce
       lights.domes.push_back({color, glm::vec3(glm::dvec3(light.groundColor) * light.intensity)});
       break;
     case Type::kDirectional:
-      addPointed(lights, parallelLight(color, toLight), light);
+      addPunctual(lights, directionalLight(color, toLight), light);
       break;
     case Type::kPoint:
-      addPointed(lights, pointLight(color, position, light.range), light);
+      addPunctual(lights, pointLight(color, position, light.range), light);
       break;
     case Type::kSpot:
-      addPointed(lights,
-                 spotLight(color, position, toLight, light.range, light.angle, light.angle * (1 - light.penumbra)),
-                 light);
+      addPunctual(lights,
+                  spotLight(color, position, toLight, light.range, light.angle, light.angle * (1 - light.penumbra)),
+                  light);
       break;
     case Type::kRect:
     case Type::kDisk:
@@ -89,13 +89,13 @@ void addModelLight(Lights& lights, const ModelLight& light, const glm::dmat4& wo
   const glm::dvec3 position = glm::dvec3(world[3]) - centre, toLight(world[2]);  // they shine along their local -Z
   switch (light.type) {
     case LightType::kDirectional:
-      lights.pointed.push_back(parallelLight(color, toLight));
+      lights.punctual.push_back(directionalLight(color, toLight));
       break;
     case LightType::kPoint:
-      lights.pointed.push_back(pointLight(color, position, light.range));
+      lights.punctual.push_back(pointLight(color, position, light.range));
       break;
     case LightType::kSpot:
-      lights.pointed.push_back(
+      lights.punctual.push_back(
           spotLight(color, position, toLight, light.range, light.outerConeAngle, light.innerConeAngle));
       break;
   }
@@ -103,18 +103,18 @@ void addModelLight(Lights& lights, const ModelLight& light, const glm::dmat4& wo
 
 }  // namespace
 
-std::optional<PointedLight::Arrival> PointedLight::at(const glm::vec3& point) const {
-  if (parallel) return Arrival{direction, color, std::numeric_limits<float>::infinity()};
+std::optional<LightSample> PunctualLight::sampleLi(const glm::vec3& point) const {
+  if (directional) return LightSample{direction, color, std::numeric_limits<float>::infinity()};
   const glm::vec3 toLight = position - point;
   const float distance = glm::length(toLight);
   if (distance == 0) return std::nullopt;
   const glm::vec3 l = toLight / distance;
   const float cone = spot ? brdf_f::spotAttenuation(outerCos, innerCos, glm::dot(l, direction)) : 1.0f;
   if (cone <= 0) return std::nullopt;
-  return Arrival{l, color * cone * brdf_f::distanceAttenuation(distance, range), distance};
+  return LightSample{l, color * cone * brdf_f::distanceAttenuation(distance, range), distance};
 }
 
-std::optional<PointedLight::Arrival> AreaLight::at(const glm::vec3& point, const glm::vec2& u) const {
+std::optional<LightSample> AreaLight::sampleLi(const glm::vec3& point, const glm::vec2& u) const {
   const float r = std::sqrt(u.x), phi = 2 * PI * u.y;
   const glm::vec2 place = disk ? r * glm::vec2(std::cos(phi), std::sin(phi)) : 2.0f * u - 1.0f;
   const glm::vec3 toLight = centre + halfWidth * place.x + halfHeight * place.y - point;
@@ -125,7 +125,7 @@ std::optional<PointedLight::Arrival> AreaLight::at(const glm::vec3& point, const
   const float facing = -glm::dot(normal, l);
   if (facing <= 0) return std::nullopt;
   const float area = (disk ? PI : 4.0f) * glm::length(halfWidth) * glm::length(halfHeight);
-  return PointedLight::Arrival{l, radiance * (facing * area / distance2), distance * (1 - 1e-4f)};
+  return LightSample{l, radiance * (facing * area / distance2), distance * (1 - 1e-4f)};
 }
 
 glm::vec3 Lights::irradiance(const glm::vec3& normal) const {

@@ -9,45 +9,48 @@
 
 namespace telar::reference {
 
-/// A light without extent, in the tracer's world (metres about the scene's centre).
-struct PointedLight {
-  glm::vec3 color{0};  ///< linear Rec.709 times candela, or lux for a parallel light
-  bool parallel = false;
-  glm::vec3 position{0};   ///< not for parallel lights
-  glm::vec3 direction{0};  ///< from the lit point to a parallel light; from the target to a spot
+/// Light that arrives at a point from one direction.
+struct LightSample {
+  glm::vec3 direction;   ///< unit, to the light
+  glm::vec3 irradiance;  ///< on a surface that faces the light
+  float distance;        ///< metres, infinite for a directional light
+};
+
+/// A point, spot or directional light, in the tracer's world (metres about the scene's centre).
+struct PunctualLight {
+  glm::vec3 color{0};  ///< linear Rec.709 times candela, or lux of a directional light
+  bool directional = false;
+  glm::vec3 position{0};   ///< not of a directional light
+  glm::vec3 direction{0};  ///< to a directional light; from its target to a spot light
   float range = 0;         ///< metres, 0 = never ends
   bool spot = false;
   float outerCos = -1, innerCos = -1;
   float shadow = 0;  ///< part of the light that a shadow takes where the shot asks for one
 
-  struct Arrival {
-    glm::vec3 direction;   ///< unit, to the light
-    glm::vec3 irradiance;  ///< on a surface that faces the light
-    float distance;        ///< metres, infinite for parallel light
-  };
-  /// What arrives at a point; nothing outside of the cone, and nothing at the light itself.
-  std::optional<Arrival> at(const glm::vec3& point) const;
+  /// Light that arrives at a point. None outside of the cone, and none at the light itself.
+  std::optional<LightSample> sampleLi(const glm::vec3& point) const;
 };
 
-/// A rectangle or a disk that shines from one side.
+/// A rect or disk light. One side shines.
 struct AreaLight {
   bool disk = false;
   glm::vec3 centre{0}, halfWidth{0}, halfHeight{0};  ///< the tracer's world; radii of a disk
-  glm::vec3 normal{0};                               ///< unit, to the side that shines
+  glm::vec3 normal{0};                               ///< unit, of the side that shines
   glm::vec3 radiance{0};                             ///< linear Rec.709 times nit
 
-  /// What arrives from one point of it, times how many such points there are.
+  /// Light of one point of it, drawn by area, over the density of that point: the mean of many is the light that
+  /// arrives.
   /// @param u  [0, 1)^2
-  std::optional<PointedLight::Arrival> at(const glm::vec3& point, const glm::vec2& u) const;
+  std::optional<LightSample> sampleLi(const glm::vec3& point, const glm::vec2& u) const;
 };
 
-/// Light from all around that has no direction of its own.
+/// An ambient or hemisphere light.
 struct Dome {
   glm::vec3 sky{0}, ground{0};  ///< irradiance
 };
 
 struct Lights {
-  std::vector<PointedLight> pointed;
+  std::vector<PunctualLight> punctual;
   std::vector<AreaLight> areas;
   std::vector<Dome> domes;
   glm::vec3 irradiance(const glm::vec3& normal) const;

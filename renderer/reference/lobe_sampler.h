@@ -6,10 +6,9 @@
 
 namespace telar::reference {
 
-/// Draws directions where a surface reflects: a mixture of a cosine lobe (diffuse and sheen), the same on the other
-/// side (light that a thin cloth lets through), the GGX lobes of the base or of warp and weft, and of the coat's. Any
-/// direction that the surface sends light from has a pdf above 0, in every shading: the shares of the lobes are guesses
-/// that change the noise alone.
+/// Importance sampling of the BSDF. It is a mixture of a cosine lobe for diffuse and sheen, the same on the other side
+/// for diffuse transmission, the GGX lobe of the base or those of warp and weft, and the GGX lobe of the clearcoat.
+/// Wherever the BSDF is above 0 the pdf is too, in every shading. The shares of the lobes only change the noise.
 class LobeSampler {
  public:
   explicit LobeSampler(const brdf_f::SurfaceInfo& surface);
@@ -21,21 +20,20 @@ class LobeSampler {
   float pdf(const glm::vec3& l) const;
 
  private:
-  glm::vec3 draw(float choice, const glm::vec2& u) const;
-  /// Axes, width and share of one GGX lobe.
-  struct Gloss {
+  glm::vec3 sampleDirection(float choice, const glm::vec2& u) const;
+  struct MicrofacetLobe {
     glm::mat3 frame{1.0f};
     glm::vec2 alpha{1.0f};
     glm::vec3 v{0, 0, 1};  ///< the viewer in `frame`
     float share = 0;
   };
   glm::mat3 cosineFrame_{1.0f};
-  float cosineShare_ = 1, evenShare_ = 0, throughShare_ = 0;
-  static Gloss yarnOf(const brdf_f::YarnLobe& yarn, const glm::vec3& v);
-  bool isYarn(const Gloss& gloss) const;
-  /// What leaning yarns send below the surface comes back mirrored at it.
+  float cosineShare_ = 1, uniformShare_ = 0, transmissionShare_ = 0;
+  static MicrofacetLobe yarnLobe(const brdf_f::YarnLobe& yarn, const glm::vec3& v);
+  bool isYarn(const MicrofacetLobe& lobe) const;
+  /// A yarn that leans reflects below the surface too. The shading mirrors that light back, and so does the sampler.
   glm::vec3 mirrored(const glm::vec3& l) const;
-  std::array<Gloss, 4> gloss_;  ///< base, coat, warp, weft
+  std::array<MicrofacetLobe, 4> specular_;  ///< base, coat, warp, weft
 };
 
 }  // namespace telar::reference

@@ -12,7 +12,7 @@
 #include "frame/linear_output.h"
 #include "frame/picture_facts.h"
 #include "frame/variant.h"
-#include "reference/eye.h"
+#include "reference/ray_camera.h"
 
 namespace telar::reference {
 namespace {
@@ -21,9 +21,9 @@ using Clock = std::chrono::steady_clock;
 
 double milliseconds(Clock::duration time) { return std::chrono::duration<double, std::milli>(time).count(); }
 
-constexpr int SAMPLES_PER_LOOK = 16;  ///< between two looks at the cancel token
+constexpr int SAMPLES_PER_CANCEL_CHECK = 16;
 
-/// All that rays meet, and the eye that they start from.
+/// All that rays meet, and the camera that they start from.
 class World {
  public:
   World(const Scene& scene, const Shot& shot, const ImageF* environment, Transport transport, const Limits& limits,
@@ -34,27 +34,28 @@ class World {
         geometry_(meshes_, cancel),
         textures_(scene),
         lights_(lightsOf(scene, shot, centre_, limits)),
-        eye_(shot, centre_) {
+        camera_(shot, centre_) {
     if (environment && shot.environment.intensity > 0) {
-      around_.emplace(*environment, shot.environment.rotation, shot.environment.intensity);
+      environment_.emplace(*environment, shot.environment.rotation, shot.environment.intensity);
     }
     if (shot.ground) ground_.emplace(shot, centre_);
-    const EnvironmentLight* around = around_ ? &*around_ : nullptr;
-    sky_.emplace(shot, around);
-    const Stage stage{textures_, meshes_, geometry_, lights_, around, *sky_, ground_ ? &*ground_ : nullptr, radius_};
-    integrator_.emplace(stage, transport, shot.shading, shot.terms, brdf::dfgLookup);
+    const EnvironmentLight* light = environment_ ? &*environment_ : nullptr;
+    background_.emplace(shot, light);
+    const TracedScene traced{textures_, meshes_, geometry_, lights_, light, *background_, ground_ ? &*ground_ : nullptr,
+                             radius_};
+    integrator_.emplace(traced, transport, shot.shading, shot.terms, brdf::dfgLookup);
   }
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// Light of one path through a pixel. @param pixel  its top-left corner
-  glm::vec4 light(const glm::dvec2& pixel, Walk& walk) const {
-    const glm::dvec2 at = pixel + glm::dvec2(walk.random.uniform2());
-    const glm::dvec2 lens = eye_.hasLens() ? glm::dvec2(walk.random.uniform2()) : glm::dvec2(0);
-    const Ray ray = eye_.ray(at, lens);
-    const Footprint footprint{eye_.ray(at + glm::dvec2(1, 0), lens), eye_.ray(at - glm::dvec2(0, 1), lens),
-                              eye_.toView()};
-    return integrator_->radiance(ray, footprint, walk);
+  /// One estimate of the light of a pixel. @param pixel  its top-left corner
+  glm::vec4 Li(const glm::dvec2& pixel, Sampler& sampler) const {
+    const glm::dvec2 at = pixel + glm::dvec2(sampler.random.uniform2());
+    const glm::dvec2 lens = camera_.hasLens() ? glm::dvec2(sampler.random.uniform2()) : glm::dvec2(0);
+    const Ray ray = camera_.generateRay(at, lens);
+    const Footprint footprint{camera_.generateRay(at + glm::dvec2(1, 0), lens),
+                              camera_.generateRay(at - glm::dvec2(0, 1), lens), camera_.toView()};
+    return integrator_->Li(ray, footprint, sampler);
   }
   std::uint64_t triangles() const {
     std::uint64_t sum = 0;
@@ -69,22 +70,22 @@ class World {
   Geometry geometry_;
   Textures textures_;
   Lights lights_;
-  Eye eye_;
-  std::optional<EnvironmentLight> around_;
-  std::optional<Sky> sky_;
+  RayCamera camera_;
+  std::optional<EnvironmentLight> environment_;
+  std::optional<Background> background_;
   std::optional<Ground> ground_;
   std::optional<Integrator> integrator_;
 };
 
-/// Mean of a pixel's paths. @param rays  raised by those that were followed
+/// Mean of a pixel's samples. @param rays  grows by those that were followed
 glm::vec4 pixelOf(const World& world, const glm::dvec2& corner, std::uint32_t index, const TraceOptions& options,
                   const CancelToken& cancel, std::uint64_t& rays) {
   glm::dvec4 sum(0);
   for (int i = 0; i < options.samples; ++i) {
-    if (i % SAMPLES_PER_LOOK == 0) cancel.check();
-    Walk walk{Random(options.seed, index, static_cast<std::uint32_t>(i))};
-    sum += glm::dvec4(world.light(corner, walk));
-    rays += walk.rays;
+    if (i % SAMPLES_PER_CANCEL_CHECK == 0) cancel.check();
+    Sampler sampler{Random(options.seed, index, static_cast<std::uint32_t>(i))};
+    sum += glm::dvec4(world.Li(corner, sampler));
+    rays += sampler.rays;
   }
   return glm::vec4(sum / static_cast<double>(options.samples));
 }

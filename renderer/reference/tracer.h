@@ -15,7 +15,7 @@ struct TraceOptions {
 /// What shot.reference asks for.
 TraceOptions optionsOf(const Shot& shot);
 
-/// The shot of a scene by following light, with the same shading text, lights, camera and output as the raster.
+/// Draws a shot by path tracing, with the shading text, lights, camera and output of the raster.
 /// @param environment  null where the shot has none
 /// @param progress     told of each row
 /// @param facts        filled where not null
@@ -23,7 +23,7 @@ TraceOptions optionsOf(const Shot& shot);
 Frame trace(const Scene& scene, const Shot& shot, const ImageF* environment, const TraceOptions& options,
             const Limits& limits, const CancelToken& cancel, const Progress& progress, TraceFacts* facts = nullptr);
 
-/// Same, before exposure and tone mapping: row 0 on top, premultiplied with coverage, and coverage.
+/// The same before exposure and tone mapping: row 0 on top, premultiplied with coverage, and coverage.
 std::vector<glm::vec4> traceRadiance(const Scene& scene, const Shot& shot, const ImageF* environment,
                                      const TraceOptions& options, const Limits& limits, const CancelToken& cancel,
                                      const Progress& progress, TraceFacts* facts = nullptr);

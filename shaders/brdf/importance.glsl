@@ -1,4 +1,4 @@
-// Directions drawn where a lobe reflects, and how densely they lie. In the frame of the lobe: z is the normal; directions are
+// Importance sampling of lobes, and the densities of the samples. In the frame of the lobe: z is the normal; directions are
 // unit and point away from the surface; densities are per steradian. Shared text: see README.md.
 
 // u  [0, 1)^2
@@ -13,7 +13,7 @@ float pdfCosine(float NoL) {
   return max(NoL, 0.0) * RECIPROCAL_PI;
 }
 
-// All directions above the horizon alike.
+// Uniform over the hemisphere.
 // u  [0, 1)^2
 vec3 sampleHemisphere(vec2 u) {
   float radius = sqrt(max(1.0 - u.x * u.x, 0.0));
@@ -26,7 +26,7 @@ float pdfHemisphere(float NoL) {
   return NoL >= 0.0 ? 0.5 * RECIPROCAL_PI : 0.0;
 }
 
-// Directions of a cosine lobe that is transformed as sheenLtcCosine() is, in its frame; their density is sheenLtcCosine() / ltc.x.
+// Directions of the sheen's linearly transformed cosine, in its frame. Their density is sheenLtcCosine() / ltc.x.
 // ltc  of sheenLtc()      u  [0, 1)^2
 // src: Heitz et al. 2016, "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines", section 3
 vec3 sampleSheenLtc(vec3 ltc, vec2 u) {
@@ -46,7 +46,13 @@ vec3 sampleVisibleNormal(vec3 v, vec2 alpha, vec2 u) {
   return normalize(vec3(alpha.x * h.x, alpha.y * h.y, max(h.z, 1.0e-9)));
 }
 
-// Density of v reflected about sampleVisibleNormal(v). Over the whole sphere of l it integrates to 1.
+// Directions of the GGX lobe: v reflected about sampleVisibleNormal(v). They may lie below the horizon.
+vec3 sampleReflection(vec3 v, vec2 alpha, vec2 u) {
+  vec3 h = sampleVisibleNormal(v, alpha, u);
+  return 2.0 * dot(v, h) * h - v;
+}
+
+// Density of sampleReflection(). Over the whole sphere of l it integrates to 1.
 // src: Heitz 2018, "Sampling the GGX Distribution of Visible Normals", JCGT 7(4), eq. 17
 float pdfReflection(vec3 v, vec3 l, vec2 alpha) {
   vec3 h = safeNormalize(v + l, vec3(0.0, 0.0, -1.0));
@@ -55,4 +61,12 @@ float pdfReflection(vec3 v, vec3 l, vec2 alpha) {
   float distribution = RECIPROCAL_PI / (alpha.x * alpha.y * k * k);
   vec3 seen = vec3(alpha.x * v.x, alpha.y * v.y, v.z);
   return v.z > 0.0 && h.z > 0.0 ? distribution / (2.0 * (v.z + length(seen))) : 0.0;
+}
+
+// Weight of a sample under multiple importance sampling by two techniques: the power heuristic with exponent 2.
+// own, other  densities of the technique that drew it and of the other, each times its number of samples, >= 0
+// src: Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", eq. 9.13
+float powerHeuristic(float own, float other) {
+  float ratio = other / max(own, 1.0e-30);
+  return 1.0 / (1.0 + ratio * ratio);
 }

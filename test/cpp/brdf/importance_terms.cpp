@@ -22,8 +22,11 @@ std::vector<Term> importanceTerms() {
       TERM("pdfHemisphere", ({SIGNED_COSINE}), OF_ONE, true, vec3(pdfHemisphere(p[0]))),
       TERM("sampleVisibleNormal", ({SLANT, SLANT, LOBE, LOBE, DRAW, DRAW}), OF_ONE, false,
            sampleVisibleNormal(normalize(vec3(p[0], p[1], 0.7)), vec2(p[2], p[3]), vec2(p[4], p[5]))),
+      TERM("sampleReflection", ({SLANT, SLANT, LOBE, LOBE, DRAW, DRAW}), OF_ONE, false,
+           sampleReflection(normalize(vec3(p[0], p[1], 0.7)), vec2(p[2], p[3]), vec2(p[4], p[5]))),
       TERM("pdfReflection", ({SLANT, SLANT, SLANT, SLANT, LOBE, LOBE}), OF_ONE, true,
            vec3(pdfReflection(normalize(vec3(p[0], p[1], 0.7)), normalize(vec3(p[2], p[3], 0.6)), vec2(p[4], p[5])))),
+      TERM("powerHeuristic", ({UNIT, UNIT}), OF_ONE, false, vec3(powerHeuristic(p[0], p[1]))),
   };
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "reference/sampling.h"
 #include "reference/sphere.h"
 
 namespace telar::reference {

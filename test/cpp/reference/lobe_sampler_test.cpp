@@ -6,8 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "reference/sampling.h"
-
 namespace telar::reference {
 namespace {
 

@@ -68,10 +68,7 @@ TEST(Sampling, ReflectionsAboutVisibleNormalsFollowTheirPdf) {
     for (const float cosine : {0.15f, 0.6f, 1.0f}) {
       const glm::vec3 v(std::sqrt(1 - cosine * cosine) * 0.8f, std::sqrt(1 - cosine * cosine) * 0.6f, cosine);
       expectDrawnAsOftenAsThePdfSays(
-          [&](glm::vec2 u) {
-            const glm::vec3 h = brdf_f::sampleVisibleNormal(v, alpha, u);
-            return 2 * glm::dot(v, h) * h - v;
-          },
+          [&](glm::vec2 u) { return brdf_f::sampleReflection(v, alpha, u); },
           [&](const glm::vec3& l) { return brdf_f::pdfReflection(v, l, alpha); },
           "alpha " + std::to_string(alpha.x) + " " + std::to_string(alpha.y) + " NoV " + std::to_string(cosine));
     }

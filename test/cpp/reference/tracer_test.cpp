@@ -187,7 +187,7 @@ TEST(Tracer, TheSeedGivesTheBytesWithAnyNumberOfThreads) {
   EXPECT_NE(first, frame(8, 1));
 }
 
-TEST(Tracer, PointedLightsAreExact) {
+TEST(Tracer, PunctualLightsAreExact) {
   Shot shot = shotOf(4);
   Shot::Light sun{Shot::Light::Type::kDirectional};
   sun.position = {0, 1, 1};
@@ -254,12 +254,12 @@ TEST(Tracer, DiskLightsShineAsTheirSolidAngle) {
   constexpr int DRAWS = 20000;
   double sum = 0;
   for (int i = 0; i < DRAWS; ++i) {
-    const auto arrival = disk.at(glm::vec3(0), random.uniform2());
+    const auto arrival = disk.sampleLi(glm::vec3(0), random.uniform2());
     ASSERT_TRUE(arrival);
     sum += arrival->irradiance.x * arrival->direction.z;
   }
   EXPECT_NEAR(sum / DRAWS, PI * 3 * 0.49 / (0.49 + 4), 0.01);
-  EXPECT_FALSE(disk.at(glm::vec3(0, 0, 3), {0.5f, 0.5f})) << "it shines to one side";
+  EXPECT_FALSE(disk.sampleLi(glm::vec3(0, 0, 3), {0.5f, 0.5f})) << "it shines to one side";
 }
 
 TEST(Tracer, GlassShowsWhatLiesBehindAndCoversTheRest) {

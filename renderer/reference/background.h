@@ -7,16 +7,17 @@
 
 namespace telar::reference {
 
-/// What stands behind everything: nothing, a colour, or the environment, sharp or as a matt surface sees it.
-class Sky {
+/// What a ray sees that meets no surface: nothing, a colour, or the environment, sharp or blurred.
+class Background {
  public:
   /// @param environment  kept by pointer; null where the shot has none
-  Sky(const Shot& shot, const EnvironmentLight* environment);
+  Background(const Shot& shot, const EnvironmentLight* environment);
 
   bool shown() const { return environment_ != nullptr; }
-  /// The colour of the background, linear Rec.709: the picture is laid over it later, but glass shows it now.
+  /// Colour of the background, linear Rec.709. The picture is composed over it later; a ray through glass reads it
+  /// here.
   const std::optional<glm::vec3>& color() const { return color_; }
-  /// One sample of what is seen in a direction, linear Rec.709; where shown() only.
+  /// One sample of the environment in a direction, linear Rec.709. Only where shown().
   /// @param direction  world, unit
   glm::vec3 radiance(const glm::vec3& direction, Random& random) const;
 

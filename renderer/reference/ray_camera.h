@@ -6,22 +6,22 @@
 
 namespace telar::reference {
 
-/// Height of the picture on the sensor, by which an angle of view has a focal length: that of 35 mm film.
+/// Height of the sensor, that of 35 mm film. It turns an angle of view into a focal length.
 constexpr double SENSOR_HEIGHT_M = 0.024;
 
-/// Rays through the picture, in the tracer's world (metres about the scene's centre).
-class Eye {
+/// Makes camera rays, in the tracer's world (metres about the scene's centre).
+class RayCamera {
  public:
-  Eye(const Shot& shot, const glm::dvec3& centre);
+  RayCamera(const Shot& shot, const glm::dvec3& centre);
 
   /// @param pixel  from the top-left corner, y down
-  /// @param u      [0, 1)^2, the point of the lens that the ray passes; without a lens it changes nothing
-  Ray ray(const glm::dvec2& pixel, const glm::dvec2& u) const;
+  /// @param u      [0, 1)^2, chooses the point on the lens; without a lens it changes nothing
+  Ray generateRay(const glm::dvec2& pixel, const glm::dvec2& u) const;
   const glm::mat3& toView() const { return toView_; }
   bool hasLens() const { return lens_.has_value(); }
 
  private:
-  /// A thin lens: what lies in one plane is sharp.
+  /// A thin lens: one plane is in focus.
   struct Lens {
     double radius = 0, focusDistance = 0, near = 0;  ///< metres
     glm::dvec3 centre{0};

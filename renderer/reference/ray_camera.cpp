@@ -1,4 +1,4 @@
-#include "reference/eye.h"
+#include "reference/ray_camera.h"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 namespace telar::reference {
 
-Eye::Eye(const Shot& shot, const glm::dvec3& centre) : width_(shot.width), height_(shot.height) {
+RayCamera::RayCamera(const Shot& shot, const glm::dvec3& centre) : width_(shot.width), height_(shot.height) {
   const frame::Camera camera = frame::cameraOf(shot);
   glm::dmat4 view = camera.view;
   view[3] += camera.view * glm::dvec4(centre, 0.0);  // the tracer's world starts at the centre
@@ -18,7 +18,7 @@ Eye::Eye(const Shot& shot, const glm::dvec3& centre) : width_(shot.width), heigh
                shot.camera.position - centre, glm::transpose(glm::dmat3(view))};
 }
 
-Ray Eye::ray(const glm::dvec2& pixel, const glm::dvec2& u) const {
+Ray RayCamera::generateRay(const glm::dvec2& pixel, const glm::dvec2& u) const {
   const glm::dvec2 ndc(2 * pixel.x / width_ - 1, 1 - 2 * pixel.y / height_);
   const glm::dvec3 near = point(ndc, -1), far = point(ndc, 1), straight = glm::normalize(far - near);
   if (!lens_) return {glm::vec3(near), glm::vec3(straight)};
@@ -32,7 +32,7 @@ Ray Eye::ray(const glm::dvec2& pixel, const glm::dvec2& u) const {
   return {glm::vec3(origin + direction * from), glm::vec3(direction)};
 }
 
-glm::dvec3 Eye::point(const glm::dvec2& ndc, double depth) const {
+glm::dvec3 RayCamera::point(const glm::dvec2& ndc, double depth) const {
   const glm::dvec4 p = toWorld_ * glm::dvec4(ndc, depth, 1);
   return glm::dvec3(p) / p.w;
 }

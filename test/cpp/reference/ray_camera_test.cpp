@@ -1,4 +1,4 @@
-#include "reference/eye.h"
+#include "reference/ray_camera.h"
 
 #include <gtest/gtest.h>
 
@@ -18,10 +18,10 @@ Shot shotOf(double aperture, double focusDistance) {
   return shot;
 }
 
-TEST(Eye, RaysOfALensMeetWhereItFocuses) {
+TEST(RayCamera, RaysOfALensMeetWhereItFocuses) {
   const glm::dvec3 centre(100, 0, 0);
   const Shot shot = shotOf(1.4, 3);
-  const Eye eye(shot, centre);
+  const RayCamera camera(shot, centre);
   const double focalLength = 0.012 / std::tan(glm::radians(20.0)), lensRadius = focalLength / 1.4 / 2;
   const glm::vec3 lens(shot.camera.position - centre);
   const glm::vec3 forward(glm::normalize(shot.camera.target - shot.camera.position));
@@ -33,9 +33,9 @@ TEST(Eye, RaysOfALensMeetWhereItFocuses) {
       return ray.origin +
              ray.direction * ((along - glm::dot(ray.origin - lens, forward)) / glm::dot(ray.direction, forward));
     };
-    const glm::vec3 sharp = meets(eye.ray(at, glm::dvec2(0)), 3);
+    const glm::vec3 sharp = meets(camera.generateRay(at, glm::dvec2(0)), 3);
     for (int i = 0; i < 50; ++i) {
-      const Ray ray = eye.ray(at, glm::dvec2(random.uniform2()));
+      const Ray ray = camera.generateRay(at, glm::dvec2(random.uniform2()));
       EXPECT_NEAR(glm::length(ray.direction), 1, 1e-6);
       EXPECT_LT(glm::distance(meets(ray, 3), sharp), 1e-5);
       EXPECT_NEAR(glm::dot(ray.origin - lens, forward), 0.2, 1e-5) << "rays begin at the near plane";
@@ -47,12 +47,12 @@ TEST(Eye, RaysOfALensMeetWhereItFocuses) {
   EXPECT_GT(widest, 0.95 * lensRadius);
 }
 
-TEST(Eye, WithoutALensAllRaysOfAPointAreOne) {
+TEST(RayCamera, WithoutALensAllRaysOfAPointAreOne) {
   Shot shot = shotOf(1.4, 3);
   shot.lens.reset();
-  const Eye eye(shot, glm::dvec3(0));
-  EXPECT_EQ(eye.ray({3, 4}, {0.1, 0.2}).direction, eye.ray({3, 4}, {0.7, 0.9}).direction);
-  EXPECT_FALSE(eye.hasLens());
+  const RayCamera camera(shot, glm::dvec3(0));
+  EXPECT_EQ(camera.generateRay({3, 4}, {0.1, 0.2}).direction, camera.generateRay({3, 4}, {0.7, 0.9}).direction);
+  EXPECT_FALSE(camera.hasLens());
 }
 
 }  // namespace
