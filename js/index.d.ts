@@ -17,50 +17,85 @@ export type Limits = Partial<Record<`L_${string}`, number>>;
 export type Source = string | URL | ArrayBufferView | ArrayBuffer | SharedArrayBuffer;
 
 /**
- * Gives the files that a model names. `uri` is the model's own relative reference, percent-decoded: schemes, absolute paths and ".." are
- * refused before it is asked. null or undefined: there is no such file. `signal` is that of the call.
+ * Gives the files that a model names. `uri` is the model's own relative reference, percent-decoded. Schemes, absolute paths and
+ * ".." are refused before it is called. null or undefined: there is no such file. `signal` is that of the call.
+ * @example
+ * const resolve: Resolve = (uri, { signal }) => fetch(`https://models.example/${uri}`, { signal }).then((answer) => answer.arrayBuffer());
  */
 export type Resolve = (uri: string, options: { signal?: AbortSignal }) => ResolvedBytes | Promise<ResolvedBytes>;
 export type ResolvedBytes = ArrayBufferView | ArrayBuffer | SharedArrayBuffer | null | undefined;
 
+/** How a model is loaded. A call without an option takes the renderer's. */
 export interface LoadingOptions {
   /**
-   * "error": what cannot be drawn as the file says is an error. "warning": so is any warning (E_WARNING). "none": a texture that is missing,
-   * denied or damaged, and an unknown extension that the model requires, are warnings (W_TEXTURE, W_EXT_REQUIRED), and the picture is what
-   * three.js shows without them. A loaded model keeps what it was loaded with.
-   * @default 'error', or the renderer's
+   * What makes a call fail.
+   * - "error": anything that cannot be drawn as the file says.
+   * - "warning": any warning too, as E_WARNING.
+   * - "none": a texture that is missing, denied or damaged, and an unknown extension that the model requires, are only warnings
+   *   (W_TEXTURE, W_EXT_REQUIRED). The picture is what three.js shows without them.
+   *
+   * A loaded model keeps what it was loaded with.
+   * @default 'error'
    */
   failOn?: 'error' | 'warning' | 'none';
   /**
-   * In place of files beside the model, of which none is opened then. Limits apply to what it gives; what it throws is the cause of an X_RESOLVE.
-   * @default none, or the renderer's
+   * Gives the files that the model names. No file beside the model is opened then. The limits apply to what it gives. What it throws
+   * is the cause of an X_RESOLVE.
+   * @default undefined: files are read beside the model; a model given as bytes has none
    */
   resolve?: Resolve;
   /**
-   * Milliseconds that the work on one image may take, its loading included, before it ends with X_TIMEOUT; null for any
-   * time. Of renderAll each image has as much, and so has the loading. Waiting for a turn does not count. Where neither
-   * the call nor the renderer says it, quality "high", "reference" and all with more than 4 samples draw for any time.
-   * @default 20000, or the renderer's
+   * Milliseconds of work on one image, its loading included, before it ends with X_TIMEOUT; null = no bound. Each image of
+   * renderAll has its own time, and so has the loading. Time spent waiting for a turn does not count. Where neither the call nor
+   * the renderer gives it, quality "high", quality "reference" and more than 4 samples have no bound.
+   * @default 20000
    */
   timeoutMs?: number | null;
 }
 
 export interface RendererOptions extends LoadingOptions {
-  /** @default 'auto' */
+  /**
+   * Which GL draws. "auto" takes the first that works: "egl-device" (GPU, else software), "egl-surfaceless", "osmesa" (software).
+   * @default 'auto'
+   */
   backend?: 'auto' | Backend;
-  /** Where prefiltered environments are kept by content hash; default telar's folder in the user's cache, null = nowhere. */
+  /**
+   * Folder of prefiltered environments, named by their SHA-256; null = none.
+   * @default telar's folder in the user's cache
+   */
   cacheDirectory?: string | null;
-  /** Bytes of what is kept there; what was used longest ago goes first. @default 268435456 */
+  /**
+   * Bytes that the folder may hold. The files that were used longest ago are deleted first.
+   * @default 268435456
+   */
   cacheBytes?: number;
+  /**
+   * What an input may cost, by the L_* names.
+   * @default {}: the limits in js/docs/errors.md
+   */
   limits?: Limits;
-  /** Jobs that may wait; one more rejects with X_BUSY. @default 1024 */
+  /**
+   * Jobs that may wait for a turn. One more rejects with X_BUSY.
+   * @default 1024
+   */
   maxWaiting?: number;
-  /** Every feature in every shader: for benchmarks. @default false */
+  /**
+   * Compiles every feature into every shader. For benchmarks.
+   * @default false
+   */
   allFeatures?: boolean;
+  /**
+   * Stops the opening of the context.
+   * @default undefined
+   */
   signal?: AbortSignal;
 }
 
 export interface CallOptions {
+  /**
+   * Stops the work. The promise then rejects with the signal's reason.
+   * @default undefined
+   */
   signal?: AbortSignal;
 }
 
@@ -68,14 +103,19 @@ export interface LoadOptions extends CallOptions, LoadingOptions {}
 
 export interface DrawOptions extends LoadOptions {
   /**
-   * Called with 0..1, never falling, and with 1 when all is done: row by row for quality "reference", once a frame for the
-   * others. What it throws cancels the work and rejects the promise.
+   * Is called with the part that is done, 0..1. It never falls and ends with 1. Quality "reference" tells each row, the others each
+   * frame. What it throws stops the work and rejects the promise.
+   * @default undefined
    */
   onProgress?: (part: number) => void;
 }
 
 export interface DrawAllOptions extends DrawOptions {
-  /** Draw the other shots where one fails, and give each its outcome, as of Promise.allSettled. @default false */
+  /**
+   * false: the first shot that fails ends the others. true: the others are drawn, and each shot has an outcome as
+   * Promise.allSettled gives it.
+   * @default false
+   */
   settled?: boolean;
 }
 
@@ -207,45 +247,162 @@ export interface Image {
 export type Quantity = 'n' | 'baseColor' | 'alpha' | 'metallic' | 'perceptualRoughness' | 'f0' | 'NoV' | 'dfg' | 'radiance' | 'irradiance'
   | 'direct' | 'indirect' | 'transmitted' | 'linear' | 'encoded';
 
-/** One GL context on a thread of its own. All methods reject with TelarError, or with the signal's reason. */
+/**
+ * One GL context on a thread of its own. All methods reject with a TelarError, or with the signal's reason.
+ *
+ * `source` is a path, a file: URL, the bytes of a file, or a loaded model. `shot` says what to draw; js/docs/options.md lists its keys.
+ */
 export interface Renderer {
+  /** Which GL gave the context. */
   readonly backend: Backend;
+  /** Strings of the context: vendor, renderer, version, ... */
   readonly gl: Record<string, unknown>;
+
+  /**
+   * Loads a model once, to draw it many times. It is freed with the last reference to it.
+   * @param source - Path, file: URL or bytes of a .glb or .gltf.
+   * @param options - failOn, resolve, timeoutMs, signal.
+   * @throws {TelarError} E_* and L_* of the file, X_TIMEOUT, X_BUSY, X_CLOSED
+   * @example
+   * const model = await renderer.load('shirt.glb', { failOn: 'warning' });
+   * console.log(model.facts.size, model.facts.variants);
+   */
   load(source: Source, options?: LoadOptions): Promise<Model>;
+
+  /**
+   * Draws one picture.
+   * @param source - A loaded model, or what load() takes.
+   * @param shot - What to draw; {} is the front view, 512 by 512 pixels, as PNG.
+   * @param options - onProgress, failOn, resolve, timeoutMs, signal.
+   * @returns The encoded file and what is known of the picture.
+   * @throws {TelarError} E_SHOT, and what load() throws
+   * @example
+   * const shot: Shot = { size: { width: 800, height: 800 }, camera: { view: 'back' }, output: { format: 'webp' } };
+   * const { data, info } = await renderer.render('shirt.glb', shot, { timeoutMs: 5000 });
+   * await writeFile('shirt.webp', data);
+   * console.log(info.milliseconds.total, info.warnings);
+   */
   render(source: Source | Model, shot?: Shot | ResolvedShot, options?: DrawOptions): Promise<Image>;
-  /** The first shot that fails ends the others; the error's `index` says which it was. */
+
+  /**
+   * Draws several pictures of one model. While one is drawn, the one before is encoded.
+   * @param shots - One each picture; the result has their order.
+   * @param options - settled, onProgress, failOn, resolve, timeoutMs, signal.
+   * @throws {TelarError} Of the first shot that fails, with its `index`. With `settled` it rejects only where no shot can be drawn:
+   *   the model, the signal, onProgress.
+   * @example
+   * const shots: Shot[] = [{ camera: { view: 'front' } }, { camera: { view: 'back' } }];
+   * const images = await renderer.renderAll('shirt.glb', shots, { onProgress: (part) => console.log(`${100 * part} %`) });
+   * for (const outcome of await renderer.renderAll('shirt.glb', shots, { settled: true })) {
+   *   if (outcome.status === 'rejected') console.error(outcome.reason.index, outcome.reason.message);
+   * }
+   */
   renderAll(source: Source | Model, shots: ReadonlyArray<Shot | ResolvedShot>, options?: DrawAllOptions & { settled?: false }): Promise<Image[]>;
-  /** Rejects only where no shot can be drawn: the model, the signal, onProgress. */
   renderAll(source: Source | Model, shots: ReadonlyArray<Shot | ResolvedShot>, options: DrawAllOptions & { settled: true }): Promise<SettledImage[]>;
-  /** Draws a quantity of the shading in place of the colour: RGBA, top row first; alpha 0 where nothing is drawn. */
+
+  /**
+   * Draws a quantity of the shading in place of the colour. It shows what a picture is made of: to find the cause of a difference, or
+   * to mask parts of it. Not for quality "high", which draws in several passes.
+   * @param options - failOn, resolve, timeoutMs, signal.
+   * @returns RGBA, top row first; alpha 0 where nothing is drawn
+   * @throws {TelarError} E_OPTION, and what render() throws
+   * @example
+   * const { width, height, data } = await renderer.renderQuantity('shirt.glb', {}, 'baseColor');
+   * console.log(width * height * 4 === data.length);
+   */
   renderQuantity(source: Source | Model, shot: Shot | ResolvedShot, quantity: Quantity, options?: LoadOptions): Promise<{ width: number; height: number; data: Float32Array }>;
-  /** What resolveShot needs to know of a model for this shot: its facts in the shot's pose, and what the part measures that it frames. */
+
+  /**
+   * What resolveShot() needs to know of a model for a shot: its facts in the shot's pose, and the extent of the part that the shot
+   * frames. render() resolves a shot with it.
+   * @param options - failOn, resolve, timeoutMs, signal.
+   * @throws {TelarError} What load() throws, E_SHOT
+   * @example
+   * const shot: Shot = { pose: { animation: 'walk', time: 0.5 } };
+   * const resolved = resolveShot(shot, await renderer.factsOf('person.glb', shot));
+   */
   factsOf(source: Source | Model, shot?: Shot | ResolvedShot, options?: LoadOptions): Promise<ModelFacts & { part?: PartFact }>;
-  /** Frees what the GPU holds of a model. */
+
+  /**
+   * Frees what the GPU holds of a model. The next drawing of it uploads it again.
+   * @throws {TelarError} E_OPTION, X_CLOSED
+   * @example
+   * await renderer.release(model);
+   */
   release(model: Model): Promise<void>;
-  /** Number of GL names that live in the context. */
+
+  /**
+   * Counts the GL names in the context: a leak would raise it.
+   * @example
+   * console.log(await renderer.liveObjects());
+   */
   liveObjects(): Promise<number>;
-  /** Finishes what was asked for, then frees the context. */
+
+  /**
+   * Finishes what was asked for, then frees the context and its thread. `await using` calls it.
+   * @example
+   * await renderer.close();
+   */
   close(): Promise<void>;
   [Symbol.asyncDispose](): Promise<void>;
 }
 
-/** @throws {TelarError} E_OPTION, X_NATIVE_MISSING, X_GL */
+/**
+ * Opens a GL context on a thread of its own.
+ * @param options - See RendererOptions.
+ * @throws {TelarError} E_OPTION, X_NATIVE_MISSING, X_GL
+ * @example
+ * await using renderer = await createRenderer({ backend: 'auto', limits: { L_FILE_BYTES: 50e6 }, maxWaiting: 100 });
+ */
 export function createRenderer(options?: RendererOptions): Promise<Renderer>;
 
 export interface InspectOptions extends LoadOptions {
+  /**
+   * The shot to plan for.
+   * @default {}
+   */
   shot?: Shot | ResolvedShot;
+  /**
+   * What an input may cost, by the L_* names.
+   * @default {}: the limits in js/docs/errors.md
+   */
   limits?: Limits;
 }
 
-/** What is in a model, and what a render of it would compile and run; plan is null when there is nothing to draw. */
+/**
+ * Tells what is in a model, and what a render of it would compile and run. Needs no GL.
+ * @param options - shot, limits, failOn, resolve, timeoutMs, signal.
+ * @returns The facts; `plan` is null where there is nothing to draw.
+ * @throws {TelarError} What Renderer.load() throws, E_SHOT
+ * @example
+ * const { triangles, materials, plan } = await inspect('shirt.glb', { shot: { quality: 'high' } });
+ * console.log(triangles, materials.map(({ name }) => name), plan?.passes);
+ */
 export function inspect(source: Source, options?: InspectOptions): Promise<ModelFacts & { plan: Plan | null }>;
 
+export interface PictureKeyOptions extends CallOptions {
+  /**
+   * What an input may cost, by the L_* names.
+   * @default {}: the limits in js/docs/errors.md
+   */
+  limits?: Limits;
+  /**
+   * As LoadingOptions has it.
+   * @default undefined: files are read beside the model
+   */
+  resolve?: Resolve;
+}
+
 /**
- * The key that a picture will have as `info.key`, without drawing it or decoding the model: so that a service can answer
- * "not modified", and a batch can leave out what has not changed.
+ * Gives the key that a picture will have as `info.key`. It neither draws the picture nor decodes the model. A service can answer
+ * "not modified" by it, and a batch can leave out what has not changed.
+ * @param options - limits, resolve, signal.
+ * @returns 64 hex digits
+ * @throws {TelarError} E_SHOT, E_OPTION
+ * @example
+ * const etag = await pictureKey('shirt.glb', { camera: { view: 'back' } });
  */
-export function pictureKey(source: Source, shot?: Shot | ResolvedShot, options?: { limits?: Limits; resolve?: Resolve; signal?: AbortSignal }): Promise<string>;
+export function pictureKey(source: Source, shot?: Shot | ResolvedShot, options?: PictureKeyOptions): Promise<string>;
 
 /** Light by lobe, linear [r, g, b]; `total` is the sum of the other four. */
 export type Lobes = Record<'diffuse' | 'specular' | 'sheen' | 'coat' | 'total', Vec3>;
@@ -253,21 +410,44 @@ export type Lobes = Record<'diffuse' | 'specular' | 'sheen' | 'coat' | 'total', 
 export interface EvaluateShadingOptions extends CallOptions {
   /** A material as glTF writes it, without textures; or the index of one in `model`. */
   material: object | number;
+  /**
+   * The loaded model that `material` is an index into.
+   * @default undefined
+   */
   model?: Model;
-  /** @default 'three' */
+  /**
+   * As the shot has it.
+   * @default 'three'
+   */
   shading?: Shot['shading'];
-  /** Radians from the normal towards the tangent, below pi / 2. @default 0 */
+  /**
+   * Radians from the normal towards the tangent, 0 up to but not including pi / 2.
+   * @default 0
+   */
   viewAngle?: number;
-  /** Unit vectors to the light, at most 65536; z = normal, x = tangent. */
+  /**
+   * Unit vectors to the light, at most 65536; z = normal, x = tangent.
+   * @default []
+   */
   directions?: ReadonlyArray<Readonly<Vec3>>;
-  /** Integrate over all directions too. @default false */
+  /**
+   * Integrates over all directions too.
+   * @default false
+   */
   albedo?: boolean;
 }
 
 /**
- * What a material reflects, by lobe, in double and without GL. `radiance`: of each direction, under a light that gives the
- * irradiance 1 on a surface that faces it (the BRDF times the cosine). `albedo`: the share of light from everywhere, by integration.
- * `albedoError`: how far each of its numbers may be from the integral; 999 of 1000 are closer.
+ * Evaluates the shading of a material, lobe by lobe, in double and without GL. Textures are left out, as if they were white and
+ * normal maps flat.
+ * @param options - material, model, shading, viewAngle, directions, albedo, signal.
+ * @returns `radiance`: of each direction, under a light that gives the irradiance 1 on a surface that faces it (the BSDF times the
+ *   cosine). `albedo`: the part of uniform light that is reflected. `albedoError`: a bound of its error that 999 of 1000 keep.
+ * @throws {TelarError} E_OPTION, and what Renderer.load() throws
+ * @example
+ * const material = { pbrMetallicRoughness: { baseColorFactor: [0.5, 0.1, 0.1, 1], metallicFactor: 0, roughnessFactor: 0.6 } };
+ * const { radiance, albedo } = await evaluateShading({ material, shading: 'fabric', directions: [[0, 0, 1]], albedo: true });
+ * console.log(radiance[0]?.diffuse, albedo?.total);
  */
 export function evaluateShading(options: EvaluateShadingOptions): Promise<{ radiance: Lobes[]; albedo: Lobes | null; albedoError: Lobes | null }>;
 
@@ -287,7 +467,13 @@ export interface DoctorReport {
   reference: { works: true; version: string } | { works: false; failure: string };
 }
 
-/** Which GL backends this machine has, which one is chosen and why, and how to cure a missing one. */
+/**
+ * Tells which GL backends this machine has, which one "auto" chooses and why, and the cure for those that are missing. It does not
+ * throw for what it finds.
+ * @example
+ * const { ok, chosen, reason } = await doctor();
+ * if (!ok) console.error(reason);
+ */
 export function doctor(): Promise<DoctorReport>;
 
 export interface Versions {

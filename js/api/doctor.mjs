@@ -4,12 +4,7 @@ import { nativeCall } from './native_call.mjs';
 import { loadNative, nativePath } from './native.mjs';
 import { versions } from './versions.mjs';
 
-/**
- * What this machine can draw with: which GL backends exist, which one `backend: "auto"` takes and why, what is missing and
- * the cure. Never throws for what it finds.
- * @returns {Promise<object>} {ok, versions, system, native: {path} | {error}, chosen, reason, backends: [{backend, works,
- *   vendor, renderer, version, software | failure, cure}], reference: {works, version | failure}}
- */
+/** Documented in js/index.d.ts. */
 export async function doctor() {
   const report = { ok: false, versions, system: `${os.type()} ${os.release()} ${os.arch()}` };
   try {

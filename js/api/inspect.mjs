@@ -6,19 +6,7 @@ import { readShot, readSource } from './source.mjs';
 import { loadNative } from './native.mjs';
 import { Model, loadModel, measuredFor, poseModel, shotModule } from './model.mjs';
 
-/**
- * What is in a model, and what a render of it would compile and run. Needs no GL.
- * @param {string | URL | Uint8Array | ArrayBuffer} source - Path, file: URL or bytes.
- * @param {object} [options]
- * @param {object} [options.shot] - Shot to plan for.
- * @param {Record<string, number>} [options.limits] - By the L_* names.
- * @param {'error' | 'warning' | 'none'} [options.failOn='error'] - As createRenderer has it.
- * @param {(uri: string) => unknown} [options.resolve] - As createRenderer has it.
- * @param {number | null} [options.timeoutMs=20000] - Milliseconds that the work may take; null for any time.
- * @param {AbortSignal} [options.signal]
- * @returns {Promise<object>} bounds and size in metres, counts, materials, images, lights, variants, cameras, animations, warnings, and
- *   `plan`: {features, programs, passes, fragments}, null when there is nothing to draw
- */
+/** Documented in js/index.d.ts. */
 export async function inspect(source, options = {}) {
   return inspectOn(loadNative(), source, options);
 }

@@ -45,24 +45,7 @@ async function sceneOf(native, { model, material }, signal) {
 /** {diffuse: [r, g, b], ...} of the numbers from `start`. */
 const lobesAt = (numbers, start) => Object.fromEntries(LOBES.map((lobe, i) => [lobe, [...numbers.subarray(start + i * 3, start + i * 3 + 3)]]));
 
-/**
- * What a material reflects, by lobe: in double, by the text that the renderer shades with. Needs no GL. Textures are left
- * out, as if white, normal maps flat. Tangent frame: z is the normal, x the tangent; the viewer stands at `viewAngle` from z
- * towards x.
- * @param {object} options
- * @param {object | number} options.material - A material as glTF writes it, or the index of one in `model`.
- * @param {import('./model.mjs').Model} [options.model]
- * @param {string | object} [options.shading='three'] - As the shot has it.
- * @param {number} [options.viewAngle=0] - Radians, 0 up to but not including pi / 2.
- * @param {Array<[number, number, number]>} [options.directions] - Unit vectors to the light, at most 65536.
- * @param {boolean} [options.albedo=false] - Integrate over all directions above the surface too, drawn as the lobes lie, and the same every time.
- * @param {AbortSignal} [options.signal]
- * @returns {Promise<{radiance: object[], albedo: object | null, albedoError: object | null}>} `radiance`: for each direction {diffuse, specular, sheen, coat,
- *   total}, linear [r, g, b] under a light that gives the irradiance 1 on a surface that faces it (the BRDF times the cosine);
- *   `albedo`: the same of the share that is reflected of light from everywhere; `albedoError`: how far each of its numbers may be from
- *   the integral (999 of 1000 are closer): 1e-6 for wide lobes, some 1e-4 for the narrowest. `total` is the sum of the lobes.
- * @throws {TelarError} E_OPTION, E_SHOT, and what loading a model throws
- */
+/** Documented in js/index.d.ts. */
 export async function evaluateShading(options) {
   const { model, material, shading, viewAngle, directions, albedo, signal } = lobesOptions(options, Model.isModel);
   const native = loadNative();

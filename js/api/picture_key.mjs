@@ -45,17 +45,7 @@ async function digestOf(native, source, limits, signal) {
 /** The bytes of an environment are the caller's, the file is relative to the current folder. */
 const environmentOf = ({ map }, bytes) => bytes ?? path.resolve(map);
 
-/**
- * The key that a picture will have as `info.key`, without drawing it or decoding the model.
- * @param {string | URL | Uint8Array | ArrayBuffer} source - Path, file: URL or bytes.
- * @param {object} [shot]
- * @param {object} [options]
- * @param {Record<string, number>} [options.limits] - By the L_* names.
- * @param {(uri: string) => unknown} [options.resolve] - As createRenderer has it.
- * @param {AbortSignal} [options.signal]
- * @returns {Promise<string>} 64 hex digits
- * @throws {TelarError} E_OPTION, E_SHOT; E_FILE, E_NOT_GLTF, E_JSON, ... for a file that is no glTF document
- */
+/** Documented in js/index.d.ts. */
 export async function pictureKey(source, shot = {}, options = {}) {
   const native = loadNative();
   const { limits, resolve, signal } = keyOptions(options, Object.keys(native.limits));

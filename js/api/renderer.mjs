@@ -66,6 +66,7 @@ function ofShot(thrown, index) {
   return new TelarError(thrown.code, `shots[${index}]: ${thrown.message}`, { ...thrown.toJSON(), index, cause: thrown });
 }
 
+/** js/index.d.ts documents the public methods. */
 class Renderer {
   #native;
   #handle;
@@ -82,9 +83,7 @@ class Renderer {
     this.#loading = loading;
     this.#gate = new Gate(FRAMES_IN_FLIGHT, maxWaiting);
     const { backend, ...gl } = facts;
-    /** Which GL gave the context: "egl-device", "egl-surfaceless" or "osmesa". */
     this.backend = backend;
-    /** Strings of the context: vendor, renderer, version, ... */
     this.gl = Object.freeze(gl);
   }
 
@@ -92,7 +91,6 @@ class Renderer {
     return this.#limits.L_FILE_BYTES ?? this.#native.limits.L_FILE_BYTES;
   }
 
-  /** Decodes a model once, to draw many views of it. */
   async load(source, options = {}) {
     this.#assertOpen();
     const { signal, ...loading } = loadOptions(options, this.#loading);
@@ -101,7 +99,6 @@ class Renderer {
     return this.#track(this.#gate.run(() => loadModel(this.#native, input, this.#limits, { ...loading, work }), signal));
   }
 
-  /** Draws one view. */
   async render(source, shot = {}, options = {}) {
     this.#assertOpen();
     const { signal, onProgress, ...loading } = drawOptions(options, this.#loading);
@@ -111,12 +108,6 @@ class Renderer {
       this.#gate.run(() => this.#render(request, this.#begin(scope, loading), report), scope)));
   }
 
-  /**
-   * Draws a quantity of the shading in place of the colour: what a picture is made of, to look for the cause of a difference
-   * or to tell parts of it apart. Not for shots of several passes (quality "high").
-   * @param {string} quantity - One of QUANTITIES; "NoV" is the cosine between normal and viewer.
-   * @returns {Promise<{width: number, height: number, data: Float32Array}>} RGBA, top row first; alpha 0 where nothing is drawn
-   */
   async renderQuantity(source, shot, quantity, options = {}) {
     this.#assertOpen();
     const { signal, ...loading } = loadOptions(options, this.#loading);
@@ -127,10 +118,6 @@ class Renderer {
     return { width: info.width, height: info.height, data: floats };
   }
 
-  /**
-   * Draws many views of one model; while one is drawn, the one before is encoded. The first shot that fails ends the others, and
-   * the error's `index` says which it was; with `settled` the others are drawn, and each shot has its outcome, as of Promise.allSettled.
-   */
   async renderAll(source, shots, options = {}) {
     this.#assertOpen();
     const { signal, onProgress, settled, ...loading } = drawAllOptions(options, this.#loading);
@@ -141,10 +128,6 @@ class Renderer {
     return this.#track(inScope(signal, onProgress, shots.length, (scope, report) => this.#renderAll(input, all, scope, report)));
   }
 
-  /**
-   * What resolveShot needs to know of a model for a shot: its facts in the shot's pose, and what the part measures that the
-   * shot frames. What `render` resolves the shot with.
-   */
   async factsOf(source, shot = {}, options = {}) {
     this.#assertOpen();
     const { signal, ...loading } = loadOptions(options, this.#loading);
@@ -156,20 +139,17 @@ class Renderer {
     }, signal));
   }
 
-  /** Frees what the GPU holds of a model; it is sent there again when it is drawn again. */
   async release(model) {
     this.#assertOpen();
     if (!Model.isModel(model)) throw wrongOption('model', 'a loaded model', model);
     await this.#releaseScene(model);
   }
 
-  /** Number of GL names that live in this renderer's context: what a leak would raise. */
   async liveObjects() {
     this.#assertOpen();
     return this.#track(nativeCall(this.#native, undefined, () => this.#handle.liveObjects()));
   }
 
-  /** Finishes what was asked for, then frees the context and its thread. */
   close() {
     this.#closed ??= this.#close();
     return this.#closed;
@@ -290,28 +270,7 @@ class Renderer {
   }
 }
 
-/**
- * Opens a GL context on a thread of its own.
- * @param {object} [options]
- * @param {'auto' | 'egl-device' | 'egl-surfaceless' | 'osmesa'} [options.backend='auto']
- * @param {string | null} [options.cacheDirectory] - Prefiltered environments by content hash; default telar's folder in the
- *   user's cache, null for none.
- * @param {number} [options.cacheBytes=268435456] - Bytes of its files; those that were used longest ago go first.
- * @param {Record<string, number>} [options.limits] - What an input may cost, by the L_* names.
- * @param {'error' | 'warning' | 'none'} [options.failOn='error'] - "warning": any warning is an error, E_WARNING. "none": a texture that is
- *   missing or damaged and an unknown extension that the model requires are warnings, and the picture is what three.js shows without them.
- * @param {(uri: string, options: {signal?: AbortSignal}) => Uint8Array | ArrayBuffer | null | Promise<Uint8Array | ArrayBuffer | null>} [options.resolve]
- *   - Gives the files that a model names, by their relative path, which is percent-decoded and leads nowhere above the model; null for what is not there.
- *   Where it is given, no file beside the model is opened. Limits apply to what it gives.
- * @param {number} [options.maxWaiting=1024] - Jobs that may wait; one more rejects with X_BUSY.
- * @param {number | null} [options.timeoutMs=20000] - Milliseconds that the work on one image may take before it ends with
- *   X_TIMEOUT; null for any time. Waiting for a turn does not count. Without it quality "high", "reference" and all with
- *   more than 4 samples may draw for any time.
- * @param {boolean} [options.allFeatures=false] - Every feature in every shader: for benchmarks.
- * @param {AbortSignal} [options.signal]
- * @returns {Promise<Renderer>}
- * @throws {TelarError} E_OPTION, X_NATIVE_MISSING, X_GL
- */
+/** Opens a GL context. js/index.d.ts documents it, its options and the methods of Renderer. */
 export async function createRenderer(options = {}) {
   return createRendererOn(loadNative(), options);
 }

@@ -1,0 +1,99 @@
+// js/index.d.ts documents the package: every function and method with an example, every option with its default.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { after, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { callOptions, drawAllOptions, drawOptions, inspectOptions, keyOptions, loadOptions, rendererOptions } from '../../../js/api/options.mjs';
+import { lobesOptions } from '../../../js/api/lobes_options.mjs';
+
+const ROOT = fileURLToPath(new URL('../../../', import.meta.url));
+const TEXT = readFileSync(path.join(ROOT, 'js/index.d.ts'), 'utf8');
+
+/** Members of an interface, those that it extends included: name to comment. */
+function membersOf(name, text = TEXT) {
+  const [, parents, body = ''] = new RegExp(`^export interface ${name}(?: extends ([\\w, ]+))? \\{(?:\\}|\\n([\\s\\S]*?)^\\})`, 'm').exec(text);
+  const own = [...body.matchAll(/^ {2}(?:\/\*\*((?:(?!\*\/)[\s\S])*?)\*\/\n {2})?(?:readonly )?(\w+)(\?)?[:(]/gm)].map(([, comment = '', member, optional]) => [member, { comment, optional: Boolean(optional) }]);
+  const inherited = parents?.split(', ').flatMap((parent) => [...membersOf(parent, text)]) ?? [];
+  const members = new Map(inherited);
+  // Of an overload the first is documented.
+  for (const [member, fact] of own) if (!own.some(([other, { comment }]) => other === member && comment) || fact.comment) members.set(member, fact);
+  return members;
+}
+
+/** What a reader of options says that it knows: its message names the keys. */
+function knownBy(read) {
+  try {
+    read({ notAnOption: 1 });
+  } catch (error) {
+    return [...error.message.matchAll(/\b[a-z]\w*\b/gi)].map(([word]) => word);
+  }
+  throw new Error('an unknown option was let pass');
+}
+
+const READERS = {
+  CallOptions: callOptions,
+  LoadOptions: (options) => loadOptions(options, {}),
+  DrawOptions: (options) => drawOptions(options, {}),
+  DrawAllOptions: (options) => drawAllOptions(options, {}),
+  RendererOptions: (options) => rendererOptions(options, []),
+  InspectOptions: (options) => inspectOptions(options, []),
+  PictureKeyOptions: (options) => keyOptions(options, []),
+  EvaluateShadingOptions: (options) => lobesOptions(options),
+};
+
+for (const [name, read] of Object.entries(READERS)) {
+  test(`${name}: each option has a text and a default, and is read`, () => {
+    const known = knownBy(read);
+    for (const [option, { comment, optional }] of membersOf(name)) {
+      assert.ok(known.includes(option), `${option} is documented, and refused`);
+      assert.match(comment, /[A-Z][^@]{10,}/, `${option} has a text`);
+      if (optional) assert.match(comment, /@default \S/, `${option} has a default`);
+    }
+  });
+}
+
+test('the defaults are those that are read', () => {
+  const defaults = rendererOptions({}, []);
+  const written = (option) => /@default (\S+?):?(?=\s)/.exec(membersOf('RendererOptions').get(option).comment)[1];
+  for (const option of ['backend', 'cacheBytes', 'limits', 'maxWaiting', 'allFeatures']) {
+    assert.deepEqual(JSON.parse(written(option).replaceAll("'", '"')), defaults[option], option);
+  }
+  assert.equal(written('failOn'), `'${defaults.loading.failOn}'`);
+});
+
+/** Examples of the page, with what stands before each. */
+const EXAMPLES = [...TEXT.matchAll(/ \* @example\n((?: *\* [^\n]*\n)+?) *\*(?:\/| @)/g)].map(([, lines]) => lines.replaceAll(/^ *\* /gm, ''));
+
+test('every method and function has an example', () => {
+  for (const [method, { comment }] of membersOf('Renderer')) {
+    if (!['backend', 'gl'].includes(method)) assert.match(comment, /@example\n/, method);
+  }
+  for (const [, comment, name] of TEXT.matchAll(/^(?:\/\*\*((?:(?!\*\/)[\s\S])*?)\*\/\n)?export function (\w+)/gm)) assert.match(comment ?? '', /@example\n/, name);
+  assert.ok(EXAMPLES.length >= 14, String(EXAMPLES.length));
+});
+
+const FOLDER = path.join(ROOT, 'out/examples');
+after(() => rmSync(FOLDER, { recursive: true, force: true }));
+
+function typeErrors(examples) {
+  mkdirSync(FOLDER, { recursive: true });
+  const config = { extends: '../../test/types/tsconfig.json', files: ['../../test/types/globals.d.ts', 'all.mts'] };
+  writeFileSync(path.join(FOLDER, 'tsconfig.json'), JSON.stringify(config));
+  writeFileSync(path.join(FOLDER, 'all.mts'), [
+    "import { createRenderer, doctor, evaluateShading, inspect, pictureKey, type Model, type Renderer, type Resolve, type Shot } from 'telar';",
+    "import { resolveShot } from 'telar/shot';",
+    'declare function writeFile(path: string, data: Uint8Array): Promise<void>;',
+    ...examples.map((example, i) => `export async function example${i}(${example.includes('const renderer') || example.includes('using renderer') ? '' : 'renderer: Renderer, '}${example.includes('const model') ? '' : 'model: Model'}) {\n${example}}`),
+    'export const all = [createRenderer, doctor, evaluateShading, inspect, pictureKey, resolveShot];',
+    'export type All = [Model, Renderer, Resolve, Shot];',
+  ].join('\n'));
+  const { stdout } = spawnSync(process.execPath, [path.join(ROOT, 'node_modules/typescript/bin/tsc'), '-p', FOLDER], { encoding: 'utf8' });
+  return stdout;
+}
+
+test('the examples are right by their types; a planted fault is found', () => {
+  assert.equal(typeErrors(EXAMPLES), '');
+  assert.match(typeErrors([...EXAMPLES, "await renderer.render('shirt.glb', {}, { timeout: 5 });\n"]), /'timeout' does not exist/);
+});
