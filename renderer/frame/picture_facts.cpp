@@ -7,7 +7,7 @@
 namespace telar::frame {
 namespace {
 
-constexpr int DARK = 2, BRIGHT = 250;  ///< of 255: tone mapping comes near to white, and never there
+constexpr int DARK = 2, BRIGHT = 250;  ///< of 255: tone mapping approaches white and does not reach it
 constexpr std::uint8_t WHOLE = 255;
 constexpr double OPACITY_STEP = 1.0 / 255;  ///< what rounding may add to a shadow's alpha
 

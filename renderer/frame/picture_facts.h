@@ -8,7 +8,7 @@
 
 namespace telar::frame {
 
-/// How much of each pixel the model covers, 0..255, by alpha: of a frame whose alpha no background has written.
+/// Coverage of each pixel by the model, 0..255, from the alpha of a frame that no background was drawn into.
 /// @param groundOpacity  of shadows on the ground that wrote alpha too: black up to this alpha counts as one; 0 = none
 std::vector<std::uint8_t> coverageOf(const Frame& frame, double groundOpacity);
 /// Same of a float frame's pixels.

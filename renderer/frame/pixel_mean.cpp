@@ -10,9 +10,9 @@ namespace telar::frame {
 namespace {
 
 constexpr unsigned FEWEST = 16;  ///< passes before a pixel is looked at
-constexpr int REACH = 2;  ///< of the neighbours that are taken together, pixels: one alone may be right by chance
+constexpr int REACH = 2;  ///< pixels, half the window of the error estimate: one pixel alone may seem right by chance
 
-/// Means over the window of REACH about each value of a line.
+/// Means over the window of REACH around each value of a line.
 void blurLine(const float* from, float* to, int count, std::ptrdiff_t step) {
   for (int i = 0; i < count; ++i) {
     const int begin = std::max(i - REACH, 0), end = std::min(i + REACH + 1, count);
@@ -54,7 +54,7 @@ bool PixelMean::add(const Frame& frame, bool last) {
   return looks;
 }
 
-/// By how much the halves differ in luma before black and before white, encoded.
+/// Difference of the two halves in encoded luma, over black and over white.
 glm::vec2 PixelMean::difference(std::size_t pixel, const PixelEncoder& encoded) const {
   const auto shown = [&](const glm::vec4& sum) {
     const glm::vec4 color = encoded(glm::max(sum, 0.0f) / static_cast<float>(passes_ / 2));
@@ -74,7 +74,7 @@ void PixelMean::settle() {
     squares[i] = std::max(apart.x * apart.x, apart.y * apart.y);
   }
   blur(squares, shot_.width, shot_.height);
-  // The mean of both halves errs by half of what they are apart.
+  // The standard error of the mean is half of the difference of the halves.
   const auto most = static_cast<float>(4 * shot_.noise * shot_.noise / (255.0 * 255.0));
   for (std::size_t i = 0; i < squares.size(); ++i) {
     if (settled_[i] || squares[i] > most) continue;

@@ -8,7 +8,7 @@
 
 namespace telar::frame {
 
-/// The mean of passes over a picture, of which a pixel takes no more once it is sure enough.
+/// Averages the passes over a picture. A pixel whose standard error is small enough takes no more of them.
 class PixelMean {
  public:
   /// @param shot  its size, output and noise

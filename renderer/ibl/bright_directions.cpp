@@ -11,16 +11,16 @@
 namespace telar::ibl {
 namespace {
 
-/// Radiance above this multiple of the mean is drawn from: below it, directions of the material find it soon enough.
+/// Radiance above this multiple of the mean is sampled. Below it, samples of the material suffice.
 constexpr double EXCESS_OVER_MEAN = 4;
 
-/// What is this many times as bright as its surroundings is smaller than they are.
+/// A texel this many times as bright as its surroundings belongs to a compact light.
 constexpr double COMPACT_OVER_LOCAL = 3;
 constexpr double LOCAL_RADIUS = 0.1;  ///< of the surroundings, radians
 
-constexpr std::size_t PARTS = 2048;  ///< that the excess is divided into
+constexpr std::size_t PARTS = 2048;  ///< of equal energy, that the excess is divided into
 
-/// Position along a curve that keeps neighbours together: Morton's.
+/// Position along Morton's curve, which keeps neighbours close.
 std::uint64_t alongCurve(std::uint32_t x, std::uint32_t y) {
   const auto spread = [](std::uint64_t v) {
     v = (v | v << 16) & 0x0000ffff0000ffffull;
@@ -100,7 +100,7 @@ BrightDirections::BrightDirections(ImageF& map) {
     const glm::vec3 colour = glm::make_vec3(rgba);
     const float whole = luminance(colour);
     sum += rgba[3] * grid.solidAngle(y);
-    // The map that stays is one of halves.
+    // The rest of the map is stored as half floats.
     const bool compact = whole > HALF_MAX || whole > COMPACT_OVER_LOCAL * local.at(x, y);
     const Part part{glm::vec3(grid.direction(x, y)), colour / whole, rgba[3], compact};
     while (parts_.size() < PARTS && energy_ * (static_cast<double>(parts_.size()) + 0.5) / PARTS <= sum)

@@ -21,8 +21,8 @@ namespace telar::ibl {
 struct Environment {
   CubeMap prefiltered;
   CubeMap background;        ///< faceSize 0 until it is asked for, as the others
-  CubeMap radiance;          ///< as the map is, with mip levels; alpha = luminance of what `bright` draws from
-  CubeMap irradiance;        ///< of what `radiance` holds, made with it
+  CubeMap radiance;          ///< of the map, with mip levels; alpha = luminance of the part that `bright` samples
+  CubeMap irradiance;        ///< / PI, of what `radiance` holds; made with it
   BrightDirections bright;   ///< made with `radiance`
   std::optional<Suns> suns;  ///< none until they are asked for
   std::string source;        ///< where it came from: "gpu", "bundled", "disk", "prefiltered" or, as it is, "file"
@@ -34,7 +34,7 @@ struct EnvironmentUses {
   bool prefiltered = false;  ///< lights surfaces, or is a blurred background
   bool background = false;   ///< is a sharp background
   bool radiance = false;     ///< lights surfaces that sample it
-  bool suns = false;         ///< lights surfaces by what is prefiltered, which does not hold them
+  bool suns = false;         ///< the prefiltered map, which lacks them, lights surfaces
 };
 
 /// Keeps the environments that were used last on the GPU, and prefiltered cubes on disk by the SHA-256 of their file.

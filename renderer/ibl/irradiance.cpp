@@ -11,13 +11,13 @@ namespace {
 constexpr int FACE_SIZE = 32;
 constexpr std::uint32_t ROWS_OF_BLOCKS = 32, COLUMNS_OF_BLOCKS = 64;
 
-/// Light from a part of the sphere that is small enough to have one direction.
+/// Light of a part of the sphere, small enough for one direction.
 struct Block {
   glm::vec3 direction;
   glm::vec3 flux;  ///< radiance times solid angle
 };
 
-/// Neighbouring texels of a map taken together.
+/// Blocks of neighbouring texels of a map.
 std::vector<Block> blocksOf(const ImageF& map) {
   const std::uint32_t rows = std::min(ROWS_OF_BLOCKS, map.height), columns = std::min(COLUMNS_OF_BLOCKS, map.width);
   const EquirectGrid grid{map.width, map.height};
@@ -33,7 +33,7 @@ std::vector<Block> blocksOf(const ImageF& map) {
       Sum& sum = sums[row + static_cast<std::size_t>(x) * columns / map.width];
       const glm::dvec3 flux = glm::dvec3(rgb[0], rgb[1], rgb[2]) * angle;
       sum.flux += flux;
-      // Where its light is: a lamp at the edge of a block is not moved to the middle.
+      // The direction is the mean by flux: a lamp at the edge of a block stays at the edge.
       sum.direction += grid.direction(x, y) * (flux.x + flux.y + flux.z);
     }
   }

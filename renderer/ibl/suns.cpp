@@ -10,14 +10,14 @@
 namespace telar::ibl {
 namespace {
 
-/// Texels no farther from its middle are one sun: about as wide as the gloss of the smoothest cloth.
+/// Texels within this angle of a sun's middle belong to it: about the width of the smoothest cloth's specular lobe.
 constexpr double FIRST_RADIUS = glm::radians(4.0);
 
 struct Bright {
   glm::dvec3 direction, irradiance;
 };
 
-/// What the texels have above the largest half, row by row.
+/// The part of each texel above the largest half float, row by row.
 std::vector<Bright> excessOf(const ImageF& map, double& share) {
   const EquirectGrid grid{map.width, map.height};
   std::vector<Bright> list;
@@ -37,7 +37,7 @@ std::vector<Bright> excessOf(const ImageF& map, double& share) {
   return list;
 }
 
-/// Each texel goes to the first sun within the radius of it; empty where there are too many suns then.
+/// Gives each texel to the first sun within the radius. Empty where that makes too many suns.
 std::vector<Suns::Sun> gathered(const std::vector<Bright>& texels, double radius) {
   const double least = std::cos(radius);
   std::vector<Suns::Sun> suns;

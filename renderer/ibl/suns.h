@@ -6,8 +6,8 @@
 
 namespace telar::ibl {
 
-/// Light of an equirectangular map that half floats do not hold: prefiltered cubes, three.js's and ours, are made of
-/// halves, so a texel above 65504 counts as 65504 in them. What it has above that is a light of its own.
+/// The light of an equirectangular map above the largest half float. Prefiltered cubes, three.js's and ours, hold half
+/// floats, which clamp a texel to 65504. What a texel has above that becomes a directional light.
 /// js/three/suns.mjs is the same in the browser.
 struct Suns {
   struct Sun {
@@ -17,7 +17,7 @@ struct Suns {
 
   static constexpr std::size_t MOST = 8;
 
-  std::vector<Sun> list;  ///< at most MOST: what lies close together is one
+  std::vector<Sun> list;  ///< at most MOST: texels that are close together make one
   double share = 0;       ///< of the luminance of the whole map, 0..1
 };
 

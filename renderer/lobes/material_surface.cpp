@@ -69,7 +69,7 @@ void readLayers(SurfaceInfo& s, const PhysicalLayers& l, bool principled) {
   s.coatDfg = dfg(s.clearcoatRoughness, s.NoV);
 }
 
-/// What FabricLayers adds: weft along the tangent, warp across it, both on top by their shares of the surface.
+/// The layers of TELAR_materials_fabric. The weft lies along the tangent, the warp across it.
 void readCloth(SurfaceInfo& s, const FabricLayers& f, bool woven) {
   s.geometricNormal = s.n;
   s.slopeVariance = 0;

@@ -5,7 +5,8 @@
 
 namespace telar::lobes {
 
-/// What the raster's shaders take from a material's factors, in the tangent frame of telar/lobes.h, not yet prepared.
+/// The surface that the raster's shaders read from a material's factors, in the tangent frame of telar/lobes.h, not yet
+/// prepared.
 /// @param v  unit, to the viewer
 brdf_d::SurfaceInfo surfaceOf(const Material& material, const Shot& shot, const glm::dvec3& v);
 

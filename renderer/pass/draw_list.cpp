@@ -31,7 +31,7 @@ void describeLayers(const PhysicalLayers& layers, shader::VariantKey& key) {
   key.dispersion = key.transmission && layers.dispersion > 0 && layers.ior != 1;
 }
 
-/// What the shading "fabric" reads beyond those layers.
+/// Features that only the shading "fabric" reads.
 void describeFabric(const Material& m, shader::VariantKey& key) {
   const FabricLayers& fabric = m.fabric;
   key.diffuseTransmission = fabric.diffuseTransmissionFactor > 0;
@@ -40,7 +40,7 @@ void describeFabric(const Material& m, shader::VariantKey& key) {
   key.back = fabric.back && m.doubleSided;
 }
 
-/// What a principled shading reads of the same: where its diffuse lobe has a place for it.
+/// Those of them that a principled shading reads: where its diffuse term has a use for them.
 void describePrincipled(const Material& m, shader::VariantKey& key) {
   const FabricLayers& fabric = m.fabric;
   const bool thin = key.terms.diffuse == ShadingTerms::DIFFUSE_DISNEY_2015_THIN;
@@ -48,7 +48,7 @@ void describePrincipled(const Material& m, shader::VariantKey& key) {
   key.diffuseTransmission = fabric.diffuseTransmissionFactor > 0 && thin;
 }
 
-/// Whether the factor that a texture is multiplied with leaves anything of it.
+/// Whether the factor of a texture is above 0.
 bool matters(const TextureSlot& slot, const Material& m, const shader::VariantKey& key) {
   using Key = shader::VariantKey;
   if (slot.map == &Key::baseColorMap) return true;
@@ -84,7 +84,7 @@ void describeMaps(const Material& m, shader::VariantKey& key) {
     key.*slot.map = texture && matters(slot, m, key);
     key.*slot.uv1 = key.*slot.map && texture.texCoord == 1;
   }
-  // Passes that read maps in full see every bump and every hole's edge themselves.
+  // Passes that read maps unfiltered need no variance and no coverage.
   if (key.shading != ShadingModel::kFabric || key.fullDetail) return;
   key.normalVariance = key.normalMap || key.clearcoatNormalMap;
   key.alphaToCoverage = key.alphaMask && key.baseColorMap;
@@ -114,7 +114,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   const bool stretched = key.anisotropy || key.weave;
   key.tangent = (key.normalMap || stretched) && !key.flatShaded && !primitive.tangents.empty();
   key.tangentFrameUv0 = stretched && !key.normalMap && !key.clearcoatNormalMap && !key.weaveMap;
-  // A flat face needs no turning round of its normal, only of the frame that its maps stand in.
+  // The normal of a flat face needs no flip. Its tangent frame does.
   const bool hasFrame = key.normalMap || key.clearcoatNormalMap || stretched;
   key.doubleSided = material.doubleSided && (!key.flatShaded || hasFrame);
   return key;
@@ -188,8 +188,8 @@ void splitBlended(std::vector<DrawItem>& list) {
   list = std::move(split);
 }
 
-/// The draws into the picture that transmissive surfaces look through: neither exposed nor tone mapped, both come
-/// after.
+/// The draws into the transmission target: without exposure and tone mapping, which the surface in front applies
+/// later.
 void addBehind(DrawList& draws) {
   const auto linear = [](DrawItem item) {
     item.key.toneMapping = shader::ToneMapping::kNone;

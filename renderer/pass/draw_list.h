@@ -17,10 +17,10 @@ struct DrawItem {
   const Primitive* primitive = nullptr;
   const Material* material = nullptr;
   shader::VariantKey key;
-  bool blend = false;      ///< mixed with what is drawn already, without depth writes
+  bool blend = false;      ///< alpha blended, without depth writes
   bool bothSides = false;  ///< faces of either winding, in one call
-  bool mirrored = false;   ///< the node's matrix turns the winding round
-  double depth = 0;        ///< clip z of the centre of what is drawn
+  bool mirrored = false;   ///< the node's matrix reverses the winding
+  double depth = 0;        ///< clip z of the primitive's centre
   int materialRank = 0;    ///< order of first use
 
   /// Null = drawn once, where the node is.
@@ -32,12 +32,12 @@ struct DrawList {
   std::vector<DrawItem> opaque;
   std::vector<DrawItem> transmissive;  ///< far to near
   std::vector<DrawItem> blended;       ///< far to near
-  /// Into the picture that transmissive surfaces look through, linear radiance: the opaque draws, and the back sides of
-  /// double-sided transmissive ones, which see the former. Empty where nothing transmits.
+  /// For the transmission target, in linear radiance: the opaque draws, and the back sides of double-sided transmissive
+  /// surfaces. Empty where nothing transmits.
   std::vector<DrawItem> behind;
   std::vector<DrawItem> behindBackSides;
 
-  /// What the picture itself shows; the others draw the same things for it.
+  /// The draws of the picture itself, without those of the transmission target.
   std::array<const std::vector<DrawItem>*, 3> shown() const { return {&opaque, &transmissive, &blended}; }
   std::array<const std::vector<DrawItem>*, 5> all() const {
     return {&behind, &behindBackSides, &opaque, &transmissive, &blended};
@@ -61,7 +61,8 @@ struct FramePlan {
   std::set<shader::VariantKey> keys() const;
 };
 
-/// Decides, without GL, what a frame compiles and draws: every key holds only what its material and the shot use.
+/// Decides, without GL, what a frame compiles and draws. A key has only the features that its material and the shot
+/// use.
 /// @param allFeatures  turn everything on (benchmark)
 /// @throws Error{E_VARIANT, L_LIGHTS, L_SHADOW_TEXELS, L_TEXTURE_UNITS}
 FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures);

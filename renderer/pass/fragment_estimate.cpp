@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t PARTS_PER_CANCEL_CHECK = 1 << 16;
 
-/// Which sides of the view a point lies beyond; a polygon whose points all lie beyond one is not seen.
+/// The clip planes that a point is outside of. A polygon whose points are all outside of one is not visible.
 unsigned outside(const glm::vec4& p) {
   return (p.x < -p.w ? 1u : 0u) | (p.x > p.w ? 2u : 0u) | (p.y < -p.w ? 4u : 0u) | (p.y > p.w ? 8u : 0u) |
          (p.z < -p.w ? 16u : 0u);
@@ -103,7 +103,7 @@ double FragmentEstimate::atMost(const Extent& extent) const {
   const double most = extent.area * scale.x * scale.y + 2 * extent.diameters * (scale.x + scale.y);
   const auto parts = static_cast<double>(extent.parts);
   const double each = (size_.x + 2.0) * (size_.y + 2.0);
-  // What is not a number is no bound either.
+  // A bound must be a number.
   return most >= 0 ? std::min(most + parts * 4, parts * each) : parts * each;
 }
 
@@ -119,7 +119,7 @@ double FragmentEstimate::of(std::size_t part) const {
     front = front && corners[i].w > 0;
   }
   if (all != 0) return 0;
-  // Through the eye's plane: its picture has no bounds.
+  // It crosses the camera's plane, and its projection is unbounded.
   if (!front) return count > 2 ? static_cast<double>(size_.x) * size_.y : 2.0 * (size_.x + size_.y) + 4;
   glm::vec2 low(size_), high(0), at[3];
   for (std::size_t i = 0; i < count; ++i) {

@@ -8,23 +8,23 @@
 
 namespace telar::pass {
 
-/// How many fragments the parts of a primitive can shade in a picture, at most: the pixels that they touch, whatever
-/// hides them. Needs no GL.
+/// An upper bound of the fragments that the parts of a primitive shade in a picture: the pixels that they touch, hidden
+/// or not. Needs no GL.
 class FragmentEstimate {
  public:
   /// @param primitive  outlives it    @param toClip  mesh space to clip space    @param width, height  pixels
   FragmentEstimate(const Primitive& primitive, const glm::dmat4& toClip, int width, int height);
 
   std::size_t parts() const { return layout_.parts; }
-  /// Of one instance: in its place from here on.
+  /// Moves the primitive to one of its instances.
   void moveTo(const glm::mat4& instance);
 
   /// Of one part.
   double of(std::size_t part) const;
   /// Of all parts, or what was counted when it was more than `enough`.
   double all(double enough) const;
-  /// Of parts that are so large, wherever in the primitive's bounds: a number that is not less, and quick to get;
-  /// infinite where the bounds reach behind the eye.
+  /// A bound for parts of this extent anywhere in the primitive's bounds. It is quick, and not below the estimate. It
+  /// is infinite where the bounds reach behind the camera.
   double atMost(const Extent& extent) const;
 
  private:
@@ -38,7 +38,7 @@ class FragmentEstimate {
   glm::dvec2 pixelsPerMetre_{0};  ///< at most, of what is seen; x and y
 };
 
-/// Gives what a primitive's parts measure.
+/// Gives the extents of a primitive's parts.
 using ExtentsOf = std::function<const PartExtents&(const Primitive&)>;
 
 /// Fragments of one pass over the picture and over its shadow maps, at most.

@@ -23,8 +23,8 @@ struct DerivedTexture {
   auto operator<=>(const DerivedTexture&) const = default;
 };
 
-/// A scene's data on the GPU, made when a draw first needs it, freed with the object. A pose holds only what it has of
-/// its own: the deformed meshes.
+/// A scene's data on the GPU. It is made when a draw first needs it and freed with the object. A pose owns only its
+/// deformed meshes.
 class GpuScene {
  public:
   /// @param model of the scene that `scene` is a pose of, which outlives this; null = it is none
@@ -32,14 +32,14 @@ class GpuScene {
 
   /// @param instances null = drawn once
   const GpuPrimitive& primitive(const Primitive& primitive, const Instances* instances);
-  /// What its parts measure.
+  /// The extents of its parts.
   const PartExtents& extents(const Primitive& primitive);
   /// Uploads once for each way of decoding, with mip levels (texture_upload.h): from sRGB or linear, as the image's
   /// coding and the use as a colour or as data say. @throws Error{E_IMAGE_FORMAT}
   GLuint texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel);
   /// The same for a texture that is made of another one, once for each key.
   GLuint derived(const DerivedTexture& key, const std::function<gl::Texture()>& make);
-  /// What the textures that derived() has made take, and these with them.
+  /// GPU bytes of the textures that derived() has made and of those to be made.
   std::uint64_t derivedBytes(const Scene& scene, std::set<DerivedTexture> wanted) const;
   GLuint sampler(const Sampler& sampler);
   bool expired() const { return scene_.expired(); }

@@ -7,7 +7,7 @@
 
 namespace telar::pass {
 
-/// The shadows on the ground beneath the model, over what is behind it. Draws nothing where there is no shadow.
+/// Blends the shadows on the ground over what is behind them. Where there is no shadow it draws nothing.
 class GroundPass {
  public:
   explicit GroundPass(const gl::Context& context) : context_(context) {}

@@ -8,7 +8,7 @@
 namespace telar::pass {
 namespace {
 
-// All that it falls on is white by far; what the shading multiplies it with stays within single precision.
+// Far above white on any surface, and small enough that products in the shading stay within single precision.
 constexpr double LIGHT_MAX = 1e20;
 
 glm::vec3 bounded(const glm::dvec3& light) { return glm::vec3(glm::min(light, glm::dvec3(LIGHT_MAX))); }

@@ -24,15 +24,15 @@ inline const glm::vec3& cornerOf(const Primitive& p, const PartLayout& layout, s
   return p.positions[p.indices.empty() ? i : p.indices[i]];
 }
 
-/// How large some parts are together, mesh space.
+/// Extent of some parts together, mesh space.
 struct Extent {
   std::size_t parts = 0;
   double area = 0;       ///< square metres
   double diameters = 0;  ///< metres
 };
 
-/// The same of each so many parts of a primitive and of all, to know without a look at the vertices about how many
-/// pixels they can cover.
+/// The extents of blocks of parts of a primitive and of all its parts. They bound the pixels that the parts cover
+/// without a look at the vertices.
 struct PartExtents {
   static constexpr std::size_t BLOCK = 256;
 

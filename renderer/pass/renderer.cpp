@@ -80,7 +80,7 @@ glm::vec4 clearColor(const Shot& shot, bool linear) {
   return {linear ? color : brdf_f::srgbFromLinear(glm::clamp(color, 0.0f, 1.0f)), 1.0f};
 }
 
-/// Suns of the environment that what is prefiltered of it lacks; none where nothing is lit by that.
+/// Suns that the prefiltered environment lacks. None where it lights nothing.
 ibl::Suns sunsThatLight(const FramePlan& plan, const Shot& shot, const ibl::Environment* environment) {
   const bool lights = environment && pass::environmentUses(plan, shot).suns;
   return lights && environment->suns ? *environment->suns : ibl::Suns();
@@ -100,7 +100,7 @@ Shot withSuns(Shot shot, const ibl::Suns& suns) {
   return shot;
 }
 
-/// three.js cuts an environment to half floats, and what it shows is shown here.
+/// three.js clamps an environment to half floats, and so does the shading "three".
 Json rangeWarning(double share) {
   char percent[16];
   std::snprintf(percent, sizeof percent, "%.3g", 100 * share);
@@ -109,8 +109,8 @@ Json rangeWarning(double share) {
                           percent + " % of the map's light is lost; every other shading keeps it"}};
 }
 
-/// Whether a pass draws a background on all of the picture. A colour behind an average is put there at the end; without
-/// perspective the cube that shows the environment covers a part, as in three.js.
+/// Whether a pass draws a background on the whole picture. A colour behind an average is composed at the end. Without
+/// perspective the environment's cube covers a part of the picture, as in three.js.
 bool fillsBackground(const FramePlan& plan, const Shot& shot) {
   if (plan.environmentBackground) return shot.camera.perspective;
   return shot.background.type == Shot::Background::Type::kColor && !shot.linearResolve;
@@ -232,7 +232,7 @@ class GlRenderer final : public Renderer {
   }
 
   /// One pass over everything that the shot shows, read back.
-  /// @param settled  what settled_ has keeps its pixels out of it
+  /// @param settled  whether settled_ masks pixels
   Frame drawOnce(pass::SurfaceInputs inputs, bool settled, StageTimer& timer) {
     const FramePlan& plan = inputs.plan;
     const Shot& shot = inputs.shot;
@@ -241,7 +241,7 @@ class GlRenderer final : public Renderer {
     inputs.samples = target.samples();
     target.bind();
     const bool debug = plan.frame.debugOutput;  // backgrounds and the ground have no shading
-    // A colour behind an average is put there at the end. Until then alpha tells what covers the background.
+    // A colour behind an average is composed at the end. Until then alpha is the coverage.
     const bool opaque = !debug && fillsBackground(plan, shot);
     const glm::vec4 behind = debug || shot.linearResolve ? glm::vec4(0) : clearColor(shot, plan.frame.outputLinear);
     clear(opaque ? glm::vec4(glm::vec3(behind), 0.0f) : behind);
@@ -270,8 +270,8 @@ class GlRenderer final : public Renderer {
   void writeAlpha(bool write) const { context_->gl().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, write ? GL_TRUE : GL_FALSE); }
 
   /// The mean of passes that are moved by parts of a pixel, in linear light before tone mapping.
-  /// @param plan  that of the inputs: its projection is moved and put back    @param[out] drawn  passes until all was
-  /// sure
+  /// @param plan  that of the inputs: its projection is shifted and restored    @param[out] drawn  number of passes
+  /// until every pixel was settled
   Frame drawAveraged(FramePlan& plan, pass::SurfaceInputs inputs, int& drawn, StageTimer& timer) {
     const Shot& shot = inputs.shot;
     const frame::SamplePasses passes = frame::samplePassesOf(shot);
@@ -290,7 +290,7 @@ class GlRenderer final : public Renderer {
     return frame;
   }
 
-  /// The picture that transmissive surfaces look through; null where nothing transmits.
+  /// Draws the transmission target. Null where nothing transmits.
   const pass::TransmissionTarget* drawBehind(const pass::SurfaceInputs& frame) {
     const pass::DrawList& draws = frame.plan.draws;
     if (draws.transmissive.empty()) {
@@ -302,7 +302,7 @@ class GlRenderer final : public Renderer {
       transmission_.reset();
       transmission_ = std::make_unique<pass::TransmissionTarget>(*context_, shot.width, shot.height);
     }
-    shot.exposure = 1;  // exposed once, with the surface that is looked through
+    shot.exposure = 1;  // the transmissive surface in front is exposed
     pass::SurfaceInputs inputs{frame.plan, shot, frame.scene, frame.gpu, frame.environment, frame.cancel};
     inputs.samplePass = frame.samplePass;
     transmission_->bind();

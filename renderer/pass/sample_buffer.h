@@ -4,7 +4,7 @@
 
 namespace telar::pass {
 
-/// Colour and depth with one or several samples a pixel: what draws go into before they are resolved.
+/// Colour and depth with one or several samples a pixel. Draws go into it; then it is resolved.
 class SampleBuffer {
  public:
   /// Replaces the storage. @return false where the driver does not render to it

@@ -5,7 +5,7 @@
 
 namespace telar::pass {
 
-/// Keeps what is drawn off the pixels that are settled: they get the nearest depth before anything else is drawn.
+/// Keeps draws off the pixels that are settled: gives them the nearest depth before anything else is drawn.
 class SettledMask {
  public:
   explicit SettledMask(const gl::Context& context) : context_(context) {}

@@ -84,7 +84,7 @@ void ShadowPass::resize(const ShadowSet& shadows) {
   for (const ShadowMap& map : shadows.flat) wanted.emplace_back(false, map.settings.mapSize);
   for (const ShadowMap& map : shadows.cube) wanted.emplace_back(true, map.settings.mapSize);
   if (targets_.size() > wanted.size()) targets_.resize(wanted.size());
-  // What does not fit goes first: two sets of maps may be more than there is memory for.
+  // Frees maps of the wrong size first: memory may not hold both sets.
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     if (std::pair(targets_[i].cube, targets_[i].size) != wanted[i]) targets_[i] = Target();
   }
@@ -130,7 +130,7 @@ void ShadowPass::drawView(const frame::Camera& view, int mapSize, const FramePla
         gl.BindSampler(0, gpu.sampler(material.baseColorTexture.sampler));
       }
       material.doubleSided ? gl.Disable(GL_CULL_FACE) : gl.Enable(GL_CULL_FACE);
-      // Of one-sided surfaces the far side is drawn: what the light falls on cannot shadow itself then.
+      // Of one-sided surfaces the back sides are drawn, so that the lit side does not shadow itself.
       gl.FrontFace(item.mirrored ? GL_CCW : GL_CW);
       SlicedDraw(context_, used.cost, item, gpu, view.projection * view.view, mapSize, mapSize).run();
     }

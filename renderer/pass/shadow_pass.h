@@ -8,8 +8,8 @@
 
 namespace telar::pass {
 
-/// Draws the shadow maps of a frame: what the model hides from each light. Maps and programs are kept for the next
-/// frame; the maps go when a frame needs fewer.
+/// Draws the shadow maps of a frame: the depth of the model as each light sees it. Maps and programs are kept for the
+/// next frame. A frame that needs fewer maps frees them.
 class ShadowPass {
  public:
   explicit ShadowPass(const gl::Context& context) : context_(context) {}

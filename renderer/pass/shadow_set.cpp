@@ -44,7 +44,7 @@ std::vector<frame::Camera> cubeViews(const Light& light) {
   return views;
 }
 
-/// The same view, its space counted from a point of the world: a parallel light may stand far from the model.
+/// The same view with another origin of the world: a directional light may be far from the model.
 frame::Camera movedTo(frame::Camera camera, const glm::dvec3& point) {
   const glm::dvec3 seen(camera.view * glm::dvec4(point, 1.0));
   camera.view = glm::translate(glm::dmat4(1.0), -seen) * camera.view;

@@ -18,7 +18,7 @@ struct ShadowMap {
   std::vector<frame::Camera> views;  ///< what the map sees: 1, or the faces +x -x +y -y +z -z
   glm::dmat4 matrix{1.0};  ///< world, counted from worldOrigin(), to map coordinates, 0..1 after / w; to the vector
                            ///< from the light for a point light
-  bool lit = false;        ///< the light shines on surfaces too; else only the ground shows its shadow
+  bool lit = false;        ///< the light lights surfaces too; else only the ground shows its shadow
 };
 
 /// The shadow maps of a frame. Those of lights that shine on surfaces come first in each list, spot before directional.

@@ -5,9 +5,9 @@
 
 namespace telar::pass {
 
-/// Draws a primitive whose program and state are set, in as many calls as it takes to have each done within a slice of
-/// the context's pacer: ranges of instances, ranges of triangles, parts of the target. The order of the fragments of
-/// each pixel stays as it is, and so do the bytes of the picture.
+/// Draws a primitive whose program and state are set. It splits the draw so that each call takes at most one slice of
+/// the context's pacer: by ranges of instances, ranges of triangles and parts of the target. The fragments of each
+/// pixel keep their order, so the bytes of the picture stay the same.
 class SlicedDraw {
  public:
   /// @param estimate  of this item in the bound target    @param width, height  of that target, pixels

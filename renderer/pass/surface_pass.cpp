@@ -89,7 +89,7 @@ void setLayers(const gl::Program& program, const DrawItem& item, const glm::dvec
   if (item.key.transmission) setTransmission(program, item, origin);
 }
 
-/// Factors of what cloth has beyond those layers; a program takes those that it reads.
+/// Factors of the cloth layers. A program takes those that it reads.
 void setFabric(const gl::Program& program, const FabricLayers& fabric) {
   const Yarn &warp = fabric.warp, &weft = fabric.weft;
   program.set("diffuseTransmissionFactor", fabric.diffuseTransmissionFactor);
@@ -124,8 +124,8 @@ int reversed(int pass, int count) {
   return out;
 }
 
-/// This pass's directions of the bright part: those of all passes are spread evenly, and so are those of the first ones
-/// and of one.
+/// The directions of the bright part for this pass. Those of one pass, of the first 2^k passes and of all passes are
+/// each stratified.
 void setBrightDirections(const gl::Program& program, const SurfaceInputs& in, int count, int passes) {
   const glm::mat3 toView = glm::mat3(glm::dmat3(in.plan.camera.view)) *
                            glm::transpose(frame::environmentRotation(in.shot.environment.rotation));
@@ -155,7 +155,7 @@ void setSampledEnvironment(const gl::Program& program, const shader::VariantKey&
   if (in.environment) setBrightDirections(program, in, key.brightDirections(), passes);
 }
 
-/// Of a fragment: each light, shadow and direction of the environment is some of the work of a plain one.
+/// Cost of a fragment, in plain ones: each light, shadow and direction of the environment adds to it.
 double weightOf(const shader::VariantKey& key) {
   const shader::LightCounts& lights = key.lights;
   const int all = lights.point + lights.spot + lights.directional + lights.hemisphere + 4 * lights.area();
@@ -185,7 +185,8 @@ GLuint SurfacePass::firstShadowUnit() { return UNIT_COUNT; }
 int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
   const std::set<shader::VariantKey> wanted = plan.keys();
   checkLimit("L_PROGRAMS", static_cast<double>(limits_.programs), static_cast<double>(wanted.size()));
-  // Programs of earlier frames are kept while they are few; a service that sees every kind of file starts afresh.
+  // Programs of earlier frames are kept while they are few. A service that sees many kinds of files drops them all at
+  // times.
   if (programs_.size() + wanted.size() > 4 * limits_.programs) programs_.clear();
   int compiled = 0;
   for (const shader::VariantKey& key : wanted) {

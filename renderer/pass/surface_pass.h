@@ -20,8 +20,8 @@ struct SurfaceInputs {
   const ibl::Environment* environment;  ///< null where the plan needs none
   const CancelToken& cancel;
   int samples = 1;                                   ///< of a pixel of the target
-  const TransmissionTarget* transmission = nullptr;  ///< what transmissive draws look through, resolved
-  int samplePass = 0;                                ///< which pass of several over the same picture
+  const TransmissionTarget* transmission = nullptr;  ///< the resolved transmission target
+  int samplePass = 0;                                ///< index of the pass, where a picture takes several
 };
 
 /// The forms of the environment that a frame reads.
@@ -43,7 +43,7 @@ class SurfacePass {
   void draw(std::initializer_list<const std::vector<DrawItem>*> lists, const SurfaceInputs& in);
 
  private:
-  /// What a map reads that the material lacks; only the all-features benchmark samples such maps.
+  /// Stand-ins for textures that the material lacks. Only the all-features benchmark samples them.
   struct StandIns {
     gl::Texture white, flatNormal, blackCube;
   };

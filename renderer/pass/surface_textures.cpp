@@ -6,10 +6,10 @@
 namespace telar::pass {
 namespace {
 
-/// The alpha of its texture from which on a material with holes is there.
+/// The texture's smallest alpha that passes the material's alpha test.
 float textureCutoff(const Material& m) { return m.baseColorFactor.a > 0 ? m.alphaCutoff / m.baseColorFactor.a : 2.0f; }
 
-/// What the texture is made into before it is sampled, if anything.
+/// The derived form of the texture that is sampled, if there is one.
 std::optional<DerivedTexture> derivedOf(const DrawItem& item, const TextureSlot& slot, const Scene& scene) {
   using Key = shader::VariantKey;
   const int image = slot.texture(*item.material).image;

@@ -83,7 +83,7 @@ gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int h
                                const CancelToken& cancel) {
   const gl::Functions& gl = context_.gl();
   const auto levels = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
-  // Sums of squares need the precision: a variance is a small difference of them.
+  // A variance is a small difference of large sums, which needs the precision.
   const GLenum momentFormat = context_.capabilities().colorBufferFloat ? GL_RGBA32F : GL_RGBA16F;
   gl::Texture out = emptyTexture(gl, kind.format, levels, width, height);
   const Drawing drawing(context_);

@@ -8,19 +8,20 @@
 
 namespace telar::pass {
 
-/// Makes textures whose mip levels keep what plain averages of texels lose (shaders/texture). Keeps its programs.
+/// Makes textures whose mip levels hold moments and coverage in place of plain averages (shaders/texture). Keeps its
+/// programs.
 class TextureBaker {
  public:
   explicit TextureBaker(const gl::Context& context) : context_(context) {}
 
   /// A normal map as slopes, RGBA16F: RG = their mean along tangent and bitangent, BA = the mean of their squares. Both
-  /// may be filtered: what they differ by is the variance of all that was filtered.
+  /// can be filtered. Mean square less squared mean is the variance of what was filtered.
   /// @param source its level 0 holds the normals; `width` x `height` texels
   gl::Texture normalVariance(GLuint source, int width, int height, const CancelToken& cancel);
 
-  /// A colour map with holes, SRGB8_ALPHA8 or RGBA8: level 0 is the source's; in the others alpha is the share of the
-  /// texel that is there, and the colour that of this part.
-  /// @param cutoff alpha from which on a texel is there
+  /// An alpha-tested colour map, SRGB8_ALPHA8 or RGBA8. Level 0 is the source's. In the others alpha is the part of the
+  /// texel that passes the test, and the colour is the mean of that part.
+  /// @param cutoff smallest alpha that passes the test
   gl::Texture coverage(GLuint source, bool srgb, int width, int height, float cutoff, const CancelToken& cancel);
 
  private:

@@ -5,9 +5,9 @@
 
 namespace telar::pass {
 
-/// The picture that transmissive surfaces look through: linear Rec.709 radiance and coverage in half floats, four
-/// samples a pixel, with mip levels for rough surfaces. As three.js 0.187 makes it, whatever the frame's own samples
-/// are.
+/// What lies behind transmissive surfaces: linear Rec.709 radiance and coverage in half floats, with mip levels for
+/// rough surfaces. It has four samples a pixel whatever the frame has, as in three.js 0.187. The transmissive draws
+/// read it.
 class TransmissionTarget {
  public:
   /// @throws Error{X_GL, X_GL_MEMORY}
@@ -16,7 +16,7 @@ class TransmissionTarget {
   bool matches(int width, int height) const { return width == width_ && height == height_; }
   /// Makes it the target of the draws that follow; what is drawn shows in texture() after resolve().
   void bind() const { draw_.bind(context_.gl()); }
-  /// The mean of the samples, and of it the mip levels. More may be drawn on top and resolved again.
+  /// Averages the samples and makes the mip levels. More may be drawn on top and resolved again.
   void resolve() const;
   GLuint texture() const { return color_.get(); }
 

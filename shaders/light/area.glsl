@@ -34,15 +34,15 @@ LtcLobe sheenLobe(mat3 frame, SurfaceInfo s) {
 }
 #endif
 
-// What a surface reflects of an area light: each lobe with its own form factor.
+// The lobes of a surface under an area light, each with its own form factor.
 struct AreaLobes {
   mat3 frame;   // of the cosine lobe
-  vec3 spread;  // what leaves as a cosine
+  vec3 spread;  // albedo of the cosine lobe
   LtcLobe base;
 #if SHADING_FABRIC && SHEEN
   LtcLobe sheen;
 #elif SHADING_PRINCIPLED && SHEEN
-  vec3 fuzz;    // leaves as a cosine too
+  vec3 fuzz;    // albedo of the sheen, a cosine lobe too
 #endif
 #if CLEARCOAT
   LtcLobe coat;
@@ -54,14 +54,14 @@ AreaLobes areaLobes(SurfaceInfo s) {
   lobes.frame = ltcFrame(s.n, s.v);
   lobes.base = ltcLobe(lobes.frame, s.perceptualRoughness, s.NoV, s.f0, s.f90);
 #if SHADING_FABRIC
-  // What is not reflected at once, and what is left for the diffuse lobe, spread as a cosine.
+  // Multiple scattering and the diffuse lobe both leave as a cosine lobe.
   lobes.base.albedo = glossReflectance(s);
   lobes.spread = s.diffuse * s.leaving + glossReturn(s);
 #if SHEEN
   lobes.sheen = sheenLobe(lobes.frame, s);
 #endif
 #elif SHADING_PRINCIPLED
-  // Gloss and coat spread as the tables have it, the other lobes as a cosine; each of the albedo that the model gives it.
+  // Specular and clearcoat lobes are those of the tables, the others are cosine lobes. Each has the albedo of the model.
   float under = underCoatToViewer(s);
   lobes.base.albedo *= under * glossOfArea(s);
   lobes.spread = under * diffuseAlbedoTerm(s);
@@ -116,8 +116,8 @@ Reflected addArea(Reflected sum, AreaLobes lobes, AreaLight light, vec3 p) {
   return sum;
 }
 
-// As with three.js's rectangles, area lights have no part in iridescence, anisotropy and rough diffuse; sheen sees them on
-// cloth and in the principled shadings.
+// As in three.js, area lights leave out iridescence, anisotropy and rough diffuse. Sheen reflects them in the shading "fabric" and
+// in the principled shadings.
 Reflected addAreaLight(Reflected sum, SurfaceInfo s) {
   AreaLobes lobes = areaLobes(s);
   vec3 p = -vViewPosition;

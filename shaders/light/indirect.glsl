@@ -1,4 +1,4 @@
-// Light that arrives from everywhere: ambient, hemisphere, environment.
+// Ambient light: ambient and hemisphere lights, and the environment.
 #if AMBIENT
 uniform vec3 ambientIrradiance;  // linear Rec.709
 #endif
@@ -27,7 +27,7 @@ vec3 environmentRadiance(vec3 direction, float lod) {
   return textureLod(environmentMap, environmentRotation * world, lod).rgb * environmentIntensity;
 }
 
-// What a GGX lobe of this roughness about n sees.
+// Radiance of the environment over a GGX lobe of this roughness about n.
 vec3 specularRadiance(float perceptualRoughness, vec3 n, vec3 v) {
   return environmentRadiance(dominantReflection(perceptualRoughness, n, v),
                              lodFromRoughness(perceptualRoughness, environmentMaxLod));

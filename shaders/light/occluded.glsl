@@ -1,5 +1,5 @@
 #if OCCLUSION_MAP
-// Light from everywhere, as far as the baked occlusion lets it through.
+// Ambient light times the baked occlusion.
 Reflected occluded(Reflected indirect, SurfaceInfo s) {
   float occlusion = diffuseOcclusion(texture(occlusionMap, vOcclusionUv).r, occlusionStrength);
   indirect.diffuse *= occlusion;

@@ -19,7 +19,7 @@ uniform vec3 directionalColor[DIRECTIONAL_LIGHTS];
 #endif
 
 #if POINT_LIGHTS + SPOT_LIGHTS + DIRECTIONAL_LIGHTS > 0
-// To a light on the shaded point itself: none, so that it gives nothing, as it does to the points around.
+// The direction to a light at the shaded point itself is 0: the light gives nothing there.
 const vec3 NO_DIRECTION = vec3(0.0);
 
 Reflected punctualLight(SurfaceInfo s) {

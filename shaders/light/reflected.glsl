@@ -11,7 +11,7 @@ Reflected nothingReflected() {
   return nothing;
 }
 
-// What of it all leaves a surface below its coat, linear Rec.709; parameters as those of composedRadiance().
+// Radiance of the layers below the clearcoat, linear Rec.709; parameters as those of composedRadiance().
 vec3 radianceBelowCoat(vec3 diffuse, Reflected direct, Reflected indirect, vec3 emitted) {
   vec3 radiance = diffuse + (direct.specular + indirect.specular);
   radiance += emitted;

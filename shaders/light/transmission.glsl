@@ -1,4 +1,4 @@
-// What is seen through a transmissive surface: the picture of everything that does not transmit, refracted and blurred.
+// Light through a transmissive surface: the picture of everything that does not transmit, refracted and blurred.
 // World space.
 uniform sampler2D transmissionTarget;  // linear Rec.709 radiance, A coverage; mipmapped
 uniform mat4 projectionMatrix;
@@ -16,7 +16,7 @@ uniform float attenuationDistance;  // metres
 uniform float dispersion;
 #endif
 
-// Farther outside of the picture than this, its border is seen all the same.
+// Coordinates are clamped this far outside of the picture: only its border is read there.
 #define SCREEN_UV_MAX 16.0
 
 struct Transmitted {
@@ -24,7 +24,7 @@ struct Transmitted {
   vec3 transmittance;  // of the volume
 };
 
-// Where on the picture a point is seen, [0, 1] within it. A point in the plane of the eye is seen nowhere.
+// Picture coordinates of a point, [0, 1] within it. A point in the camera's plane has none.
 vec2 screenUv(vec3 world) {
   vec4 clip = projectionMatrix * viewMatrix * vec4(world, 1.0);
   vec2 uv = vec2(clip) / clip.w;

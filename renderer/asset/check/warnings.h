@@ -6,7 +6,7 @@
 
 namespace telar::asset {
 
-/// Collects warnings: at most 100, no two alike.
+/// Collects warnings: at most 100, each once.
 class Warnings {
  public:
   Warnings() = default;
