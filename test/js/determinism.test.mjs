@@ -43,6 +43,7 @@ after(async () => {
   await osmesa?.close();
 });
 
+const lamps = ENVIRONMENTS.lamps();
 const lights = [
   { type: 'hemisphere', color: [0.8, 0.9, 1], groundColor: [0.2, 0.15, 0.1], intensity: 0.5 },
   { type: 'directional', color: 'white', intensity: 2, position: [3, 4, 5] },
@@ -53,7 +54,7 @@ for (const [name, make] of Object.entries(MODELS)) {
     const model = await make();
     const shot = {
       size: { width: 128, height: 128 },
-      environment: { map: ENVIRONMENTS.lamps() },
+      environment: { map: lamps },
       lights,
       camera: { view: 'three-quarter' },
       background: name === 'ball' ? 'environment' : 'transparent',
