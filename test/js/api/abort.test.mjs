@@ -103,14 +103,14 @@ test('a signal that never fires keeps no listener, and an abort after the end ch
 test('random aborts, 100 times, leave a renderer that draws', async () => {
   let seed = 7;
   const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
-  const jobs = Array.from({ length: 100 }, () => {
+  const jobs = Array.from({ length: 100 }, (_, i) => {
     const controller = new AbortController();
-    setTimeout(() => controller.abort(), random() * 400);
+    if (i % 10 > 0) setTimeout(() => controller.abort(), random() * 400);
     return renderer.render(model({ loadMs: 3, drawMs: 5, encodeMs: 3 }), SHOT, { signal: controller.signal });
   });
   const outcomes = await Promise.allSettled(jobs);
-  for (const { status, reason } of outcomes) assert.ok(status === 'fulfilled' || reason.name === 'AbortError', reason?.stack);
-  assert.ok(outcomes.some(({ status }) => status === 'rejected') && outcomes.some(({ status }) => status === 'fulfilled'));
+  outcomes.forEach(({ status, reason }, i) => assert.ok(status === 'fulfilled' || (i % 10 > 0 && reason.name === 'AbortError'), reason?.stack));
+  assert.ok(outcomes.some(({ status }) => status === 'rejected'));
   await renderer.render(model(), SHOT);
   assert.equal(await renderer.liveObjects(), 0);
 });
