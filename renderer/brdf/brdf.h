@@ -2,7 +2,7 @@
 #include <glm/glm.hpp>
 
 /// The shading terms of shaders/brdf/*.glsl as C++ functions, compiled from the very same text: telar::brdf_f in float,
-/// step for step what the shader does, and telar::brdf_d in double, the oracle that both are measured against.
+/// step for step what the shader does, and telar::brdf_d in double, the reference for both.
 /// Shapes, units, ranges and sources stand beside each function in its .glsl file.
 // The shared text says `float` for its scalar, hence the macro; it does not outlive this header.
 #define float Real

@@ -70,7 +70,7 @@ std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::
 }
 
 Geometry::Geometry(const std::vector<PlacedMesh>& meshes, const CancelToken& cancel) {
-  // The tracer's own threads do the work; Embree builds with one, so that nothing depends on their number.
+  // Embree builds with one thread, so that the hierarchy does not depend on the number of threads.
   device_.reset(rtcNewDevice("threads=1"));
   if (!device_) throw Error("X_REFERENCE", "Embree does not start on this machine");
   scene_.reset(rtcNewScene(device_.get()));
@@ -91,7 +91,7 @@ Geometry::Geometry(const std::vector<PlacedMesh>& meshes, const CancelToken& can
     }
     rtcReleaseGeometry(geometry);
   }
-  // Large models take seconds to sort: Embree asks on the way whether to go on.
+  // Large models take seconds to build: Embree asks meanwhile whether to go on.
   rtcSetSceneProgressMonitorFunction(
       scene_.get(), [](void* user, double) { return !static_cast<const CancelToken*>(user)->cancelled(); },
       const_cast<CancelToken*>(&cancel));

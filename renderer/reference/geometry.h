@@ -20,7 +20,7 @@ struct PlacedMesh {
   std::vector<glm::uvec3> triangles;
   glm::mat3 normalMatrix{1.0f};  ///< inverse transpose of the node's matrix
   glm::mat3 linear{1.0f};        ///< the node's matrix without its translation, for tangents
-  bool mirrored = false;         ///< the node's matrix turns the winding round
+  bool mirrored = false;         ///< the node's matrix reverses the winding
   ShadingModel shading = ShadingModel::kThree;
   glm::vec3 tint{1.0f};  ///< of an instance, linear Rec.709: a factor on the base colour
 };
@@ -35,7 +35,7 @@ struct Ray {
   glm::vec3 origin;
   glm::vec3 direction;  ///< unit
   float from = 0;
-  int passes = 0;  ///< front sides that do not hide: those of shells that its surface lies behind (Surface::shells)
+  int passes = 0;  ///< front sides that it passes: those of shells that its surface lies behind (Surface::shells)
 };
 
 struct Hit {
@@ -44,7 +44,7 @@ struct Hit {
   float distance = 0;
 };
 
-/// The triangles in Embree's hierarchy; queries are safe from many threads.
+/// The triangles in Embree's hierarchy. Many threads may query it at once.
 class Geometry {
  public:
   /// @throws Error{X_REFERENCE, X_MEMORY, X_CANCELLED}

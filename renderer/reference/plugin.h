@@ -10,12 +10,12 @@
 #include "telar/scene.h"
 #include "telar/shot.h"
 
-/// The interface of libtelar_reference.so, the only library of ours that links Embree; renderer/trace loads it. It
-/// takes and gives C++ objects: both sides are of one build, which telar_reference_layout() tells. Exceptions never
-/// cross.
+/// The interface of libtelar_reference.so, the only library of ours that links Embree; renderer/trace loads it. C++
+/// objects cross it, so both sides must be of one build: telar_reference_layout() tells. Exceptions never
+/// cross it.
 namespace telar {
 
-/// What one frame took.
+/// Statistics of one frame.
 struct TraceFacts {
   int threads = 0;
   std::uint64_t triangles = 0, rays = 0;
@@ -42,9 +42,9 @@ struct TraceJob {
   std::optional<TraceFailure> failure{};  ///< set: there is no frame
 };
 
-/// Of a build: changes with the layout of what crosses.
+/// Equal in two libraries of one build. It changes with the layout of the types that cross.
 constexpr std::uint64_t traceLayout() {
-  std::uint64_t layout = 1;  // raise it where a change leaves every size as it was
+  std::uint64_t layout = 1;  // raise it for a change that keeps every size
   for (const std::size_t size : {sizeof(Scene), sizeof(Shot), sizeof(Shot::Light), sizeof(Material), sizeof(Primitive),
                                  sizeof(Node), sizeof(Image8), sizeof(Limits), sizeof(TraceJob), sizeof(Frame)}) {
     layout = layout * 1000003 + size;

@@ -66,7 +66,7 @@ glm::vec4 Textures::read(const TextureRef& texture, const glm::vec2& uv, bool sr
   const Image8& image = scene_.images[static_cast<std::size_t>(texture.image)];
   if (image.pixels.empty()) return glm::vec4(1.0f);
   const glm::vec3 moved = texture.uvTransform * glm::vec3(uv, 1.0f);
-  // Far outside of [0, 1] a float has no part left to filter with, and a whole number may not hold it.
+  // Far outside of [0, 1] a float has no fraction to filter with, and an integer may not hold it.
   if (!(std::abs(moved.x) < 1e9f && std::abs(moved.y) < 1e9f)) return glm::vec4(1.0f);
   const Reader reader{image, texture.sampler, decodesSrgb(image.coding, srgb) ? linear_ : bytes_, bytes_};
   const double x = static_cast<double>(moved.x) * image.width, y = static_cast<double>(moved.y) * image.height;

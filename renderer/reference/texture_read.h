@@ -6,7 +6,7 @@
 
 namespace telar::reference {
 
-/// The textures of a scene, at full resolution: the tracer's many samples do what mip levels do in the raster.
+/// The textures of a scene at full resolution: many samples a pixel replace mip levels.
 class Textures {
  public:
   /// @param scene  kept by reference
@@ -20,7 +20,7 @@ class Textures {
 
  private:
   const Scene& scene_;
-  std::array<float, 256> bytes_, linear_;  ///< what a byte stands for: as it is, and decoded from sRGB
+  std::array<float, 256> bytes_, linear_;  ///< value of a byte: linear, and decoded from sRGB
 };
 
 }  // namespace telar::reference
