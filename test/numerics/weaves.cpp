@@ -28,30 +28,23 @@ Albedos albedosOf(const ShadingPromise& shading, const SeenWeave& weave, int poi
   return {directAlbedo(shaded, points), shaded.environment().y, hasYarns(p)};
 }
 
-/// Relative error of the quadrature with the fewest points: those nearer to the worst are integrated again.
-constexpr double COARSE = 0.02;
+/// Two quadratures in turn, the second with twice the points, that are nearer than this are taken for the integral.
+constexpr double SETTLED = 5e-4;
 
-/// The albedos of many weaves, exact where they are the worst.
+/// The albedos by as many directions as they need: narrow lobes that graze need 64 times as many as wide ones.
+Albedos settledAlbedosOf(const ShadingPromise& shading, const SeenWeave& weave) {
+  Albedos last = albedosOf(shading, weave, 1 << 9);
+  for (int points = 1 << 10;; points *= 2) {
+    const Albedos now = albedosOf(shading, weave, points);
+    if (std::abs(now.direct - last.direct) < SETTLED || points >= 1 << 17) return now;
+    last = now;
+  }
+}
+
 std::vector<Albedos> measured(const ShadingPromise& shading, std::uint64_t count) {
   std::vector<Albedos> all(count);
   inParallel(count, [&](std::uint64_t from, std::uint64_t to, unsigned) {
-    for (std::uint64_t i = from; i < to; ++i) all[i] = albedosOf(shading, randomWeave(i), 1 << 10);
-  });
-  double most = 0, least[2] = {1e9, 1e9}, apart = 0;
-  const auto ofYarns = [](const Albedos& a, const SeenWeave& weave) { return a.direct / weave.coverage(); };
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const SeenWeave weave = randomWeave(i);
-    most = std::max(most, all[i].direct);
-    least[weave.hasGaps()] = std::min(least[weave.hasGaps()], ofYarns(all[i], weave));
-    apart = std::max(apart, std::abs(all[i].direct - all[i].environment));
-  }
-  inParallel(count, [&](std::uint64_t from, std::uint64_t to, unsigned) {
-    for (std::uint64_t i = from; i < to; ++i) {
-      const SeenWeave weave = randomWeave(i);
-      const bool extreme = all[i].direct > most - COARSE || ofYarns(all[i], weave) < least[weave.hasGaps()] + COARSE ||
-                           std::abs(all[i].direct - all[i].environment) > apart - COARSE;
-      if (extreme) all[i] = albedosOf(shading, weave, 1 << 14);
-    }
+    for (std::uint64_t i = from; i < to; ++i) all[i] = settledAlbedosOf(shading, randomWeave(i));
   });
   return all;
 }
