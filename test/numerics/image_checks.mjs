@@ -43,7 +43,8 @@ function interior(data, width) {
 
 const of = (data, offsets) => Uint8Array.from(offsets.flatMap((i) => [data[i], data[i + 1], data[i + 2], data[i + 3]]));
 
-const render = async (renderer, model, shot) => (await renderer.render(model, pictureShot(shot))).data;
+// A busy machine may take its time: the figures do not depend on it.
+const render = async (renderer, model, shot) => (await renderer.render(model, pictureShot(shot), { timeoutMs: null })).data;
 
 /** One model in other places and sizes, lit by the environment and a sun whose shadows it casts. */
 const PLACES = [

@@ -43,10 +43,10 @@ void addFabric(Seeded& r, const Layers& layers, FabricLayers& f) {
   }
   if (layers.flat) f.flatness = std::max(unitEdged(r), 1e-6f);
   if (layers.weave) {
-    f.weave = true;
     const float warp = unitEdged(r);
     f.warp = yarn(r, warp);
     f.weft = yarn(r, (1 - warp) * unitEdged(r));
+    f.weave = f.warp.coverage + f.weft.coverage > 0;
     f.threadsPerUv = glm::vec2(static_cast<float>(r.edged(0, 400, {0, 1e-3, 1e6})),
                                static_cast<float>(r.edged(0, 400, {0, 1e-3, 1e6})));
   }

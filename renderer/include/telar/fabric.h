@@ -20,7 +20,7 @@ struct FabricLayers {
   TextureRef diffuseTransmissionColorTexture;  ///< sRGB
   float flatness = 0.0f;                       ///< 0..1, from Lambert's diffuse to that of a thin scattering sheet
 
-  bool weave = false;  ///< the yarns below are given; coverages sum to at most 1
+  bool weave = false;  ///< the yarns below are given; coverages sum to above 0, at most 1
   Yarn warp, weft;     ///< warp runs along Y of the tangent space (v upwards), weft along X (u)
   /// Yarns that one unit of u crosses (warp) and of v (weft), in the coordinates of weaveTexture after its transform;
   /// 0 = not known.
