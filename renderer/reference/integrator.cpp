@@ -258,10 +258,10 @@ glm::vec4 Integrator::follow(Path& path, Sampler& sampler) const {
 
 glm::vec4 Integrator::Li(const Ray& ray, const Footprint& footprint, Sampler& sampler) const {
   Path path;
-  const bool found = intersect(ray, &footprint, sampler, path.surface);
-  const float distance = found ? path.surface.distance : FAR;
+  float distance = FAR;
   glm::vec4 light(0);
-  if (found) {
+  if (intersect(ray, &footprint, sampler, path.surface)) {
+    distance = path.surface.distance;
     light = follow(path, sampler);
   } else if (scene_.background.shown()) {
     light = glm::vec4(scene_.background.radiance(ray.direction, sampler.random), 1);

@@ -47,7 +47,7 @@ TEST_F(RenderFrame, TheRasterDrawsAShotWithoutReference) {
 
 TEST_F(RenderFrame, ThePathTracerDrawsAShotWithReference) {
   Shot shot;
-  shot.reference.emplace();
+  shot.reference = Shot::Reference{};
   EXPECT_EQ(render(shot).width, TRACER);
   EXPECT_EQ(info_.json, "tracer 3");
   EXPECT_EQ(progress_.part(), 1);
