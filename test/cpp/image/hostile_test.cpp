@@ -1,5 +1,4 @@
-#include <chrono>
-
+#include "cpu_clock.h"
 #include "image/sample_files.h"
 
 using Format = telar::OutputOptions::Format;
@@ -29,10 +28,11 @@ std::vector<File> images() {
           encoded(frame, Format::kWebp), encoded(frame, Format::kWebp, 8, 100)};
 }
 
+/// Seconds of CPU.
 double secondsOf(const std::function<void()>& call) {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = telar::test::CpuClock::now();
   call();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return (telar::test::CpuClock::now() - start).count();
 }
 
 /// A grey baseline JPEG that ends behind its frame header.

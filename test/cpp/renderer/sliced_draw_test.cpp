@@ -7,6 +7,7 @@
 #include <set>
 #include <thread>
 
+#include "cpu_clock.h"
 #include "renderer/scenes.h"
 
 // What is cut into slices gives the same bytes, and can be stopped.
@@ -14,11 +15,10 @@
 namespace telar {
 namespace {
 
+using test::CpuClock;
 using test::sceneOf;
 using test::shotOf;
 using test::spherePrimitive;
-using Clock = std::chrono::steady_clock;
-using Seconds = std::chrono::duration<double>;
 
 constexpr double UNCUT = std::numeric_limits<double>::infinity();
 /// Less than the GL takes for anything: each triangle is drawn alone, in parts of 64 x 64 pixels.
@@ -162,10 +162,10 @@ Shot stackShot() {
   return shot;
 }
 
-/// A number of squares that take some seconds on this machine as it is now, and how many.
+/// A number of squares that take some seconds on this machine as it is now, and how many of CPU.
 struct Load {
   std::uint32_t squares;
-  Seconds seconds;
+  CpuClock::duration cpu;
 };
 
 Load someSeconds() {
@@ -174,21 +174,28 @@ Load someSeconds() {
   const auto renderer = rendererWith(UNCUT);
   const auto scene = stack(PROBE);
   drawn(*renderer, scene, stackShot());
-  const auto begin = Clock::now();
+  const auto begin = std::chrono::steady_clock::now();
+  const auto cpuBegin = CpuClock::now();
   drawn(*renderer, scene, stackShot());
-  const double each = Seconds(Clock::now() - begin).count() / PROBE;
-  return {static_cast<std::uint32_t>(WANTED / each), Seconds(WANTED)};
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  const double many = WANTED / took.count();
+  return {static_cast<std::uint32_t>(PROBE * many), (CpuClock::now() - cpuBegin) * many};
 }
 
-/// How long a renderer draws on when it is told to stop; nothing = it was done before.
-Seconds timeToStop(double sliceMs, const std::shared_ptr<const Scene>& scene) {
+/// Returns when this process has computed for so long since `begin`.
+void waitUntilComputed(CpuClock::time_point begin, CpuClock::duration cpu) {
+  while (CpuClock::now() - begin < cpu) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+/// How much a renderer computes on when it is told to stop after a tenth of the load; nothing = it was done before.
+CpuClock::duration workToStop(double sliceMs, const std::shared_ptr<const Scene>& scene, const Load& load) {
   const auto renderer = rendererWith(sliceMs);
   drawn(*renderer, stack(1), stackShot());
   const CancelToken cancel;
-  std::promise<Clock::time_point> told;
-  std::thread caller([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    told.set_value(Clock::now());
+  std::promise<CpuClock::time_point> told;
+  std::thread caller([&, begin = CpuClock::now()] {
+    waitUntilComputed(begin, load.cpu / 10);
+    told.set_value(CpuClock::now());
     cancel.cancel();
   });
   std::string code;
@@ -197,7 +204,7 @@ Seconds timeToStop(double sliceMs, const std::shared_ptr<const Scene>& scene) {
   } catch (const Error& error) {
     code = error.code;
   }
-  const auto ended = Clock::now();
+  const auto ended = CpuClock::now();
   caller.join();
   EXPECT_EQ(code, "X_CANCELLED");
   // What was stopped leaves a renderer that draws.
@@ -207,14 +214,14 @@ Seconds timeToStop(double sliceMs, const std::shared_ptr<const Scene>& scene) {
 
 TEST(SlicedDraw, EndsSoonAfterItIsCancelled) {
   const Load load = someSeconds();
-  EXPECT_LT(timeToStop(50, stack(load.squares)), load.seconds / 4);
+  EXPECT_LT(workToStop(50, stack(load.squares), load), load.cpu / 4);
   // The same check sees a renderer that cuts nothing.
-  EXPECT_GT(timeToStop(UNCUT, stack(load.squares)), load.seconds / 4);
+  EXPECT_GT(workToStop(UNCUT, stack(load.squares), load), load.cpu / 4);
 }
 
 TEST(SlicedDraw, EndsInTheMidstOfInstances) {
   const Load load = someSeconds();
-  EXPECT_LT(timeToStop(50, stack(2, load.squares)), load.seconds / 4);
+  EXPECT_LT(workToStop(50, stack(2, load.squares), load), load.cpu / 4);
 }
 
 TEST(SlicedDraw, ALateJobEndsWithATimeout) {
@@ -222,18 +229,18 @@ TEST(SlicedDraw, ALateJobEndsWithATimeout) {
   const auto renderer = rendererWith(50);
   const CancelToken cancel(std::chrono::milliseconds(200));
   const CancelToken::Work work(cancel);
-  const auto begin = Clock::now();
+  const auto begin = CpuClock::now();
   try {
     drawn(*renderer, stack(load.squares), stackShot(), cancel);
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code, "X_TIMEOUT");
   }
-  EXPECT_LT(Clock::now() - begin, load.seconds / 2);
+  EXPECT_LT(CpuClock::now() - begin, load.cpu / 2);
 }
 
-/// How long a small picture takes while another renderer draws a large load.
-Seconds timeBeside(double sliceMs, const std::shared_ptr<const Scene>& load) {
+/// How much is computed until a small picture is done while another renderer draws a large load.
+CpuClock::duration workBeside(double sliceMs, const Load& load) {
   const auto renderer = rendererWith(50);
   drawn(*renderer, stack(1), stackShot());
   const CancelToken cancel;
@@ -242,25 +249,25 @@ Seconds timeBeside(double sliceMs, const std::shared_ptr<const Scene>& load) {
     const auto loaded = rendererWith(sliceMs);
     begun.set_value();
     try {
-      drawn(*loaded, load, stackShot(), cancel);
+      drawn(*loaded, stack(load.squares), stackShot(), cancel);
     } catch (const Error& error) {
       EXPECT_EQ(error.code, "X_CANCELLED");
     }
   });
   begun.get_future().wait();
-  std::this_thread::sleep_for(std::chrono::milliseconds(400));
-  const auto begin = Clock::now();
+  waitUntilComputed(CpuClock::now(), load.cpu / 10);
+  const auto begin = CpuClock::now();
   drawn(*renderer, stack(1), stackShot());
-  const Seconds took = Clock::now() - begin;
+  const auto took = CpuClock::now() - begin;
   cancel.cancel();
   other.join();
   return took;
 }
 
 TEST(SlicedDraw, AnotherRendererDrawsMeanwhile) {
-  const auto load = stack(someSeconds().squares);
+  const Load load = someSeconds();
   // Beside one that cuts nothing it waits for all of that.
-  EXPECT_LT(2 * timeBeside(50, load), timeBeside(UNCUT, load));
+  EXPECT_LT(2 * workBeside(50, load), workBeside(UNCUT, load));
 }
 
 TEST(SlicedDraw, WhatIsTooMuchIsRefusedBeforeItIsDrawn) {
