@@ -175,7 +175,9 @@ TEST_F(FabricLayersTest, EveryPresetIsRead) {
     const Material cloth = filled(fabric({{"preset", name}}));
     EXPECT_TRUE(scene->warnings.empty()) << name;
     EXPECT_EQ(cloth.metallicFactor, std::string(name) == "sequin-thread" ? 1 : 0) << name;
-    if (cloth.fabric.weave) EXPECT_LE(cloth.fabric.warp.coverage + cloth.fabric.weft.coverage, 1) << name;
+    if (cloth.fabric.weave) {
+      EXPECT_LE(cloth.fabric.warp.coverage + cloth.fabric.weft.coverage, 1) << name;
+    }
   }
 }
 
