@@ -1,8 +1,8 @@
 import type { TelarError } from './error/index.js';
 import type { AnimationFact, CameraFact, PartFact, Vec3 } from './shot/index.js';
-import type { ResolvedShot, Shot } from './shot/shot.js';
+import type { Quantity, ResolvedShot, Shot } from './shot/shot.js';
 
-export type { AnimationFact, CameraFact, ResolvedShot, Shot, Vec3 };
+export type { AnimationFact, CameraFact, Quantity, ResolvedShot, Shot, Vec3 };
 export type { Box, PartFact, ShotFacts } from './shot/index.js';
 
 export { TelarError, toTelarError } from './error/index.js';
@@ -242,10 +242,6 @@ export interface Image {
   data: Buffer;
   info: FrameInfo;
 }
-
-/** n: shading normal in view space; NoV: its cosine with the viewer; dfg: scale and bias of the split sum; colours linear. */
-export type Quantity = 'n' | 'baseColor' | 'alpha' | 'metallic' | 'perceptualRoughness' | 'f0' | 'NoV' | 'dfg' | 'radiance' | 'irradiance'
-  | 'direct' | 'indirect' | 'transmitted' | 'linear' | 'encoded';
 
 /**
  * One GL context on a thread of its own. All methods reject with a TelarError, or with the signal's reason.

@@ -1,23 +1,7 @@
 // From scene radiance to what the framebuffer holds: the one place where colour is encoded.
 uniform float exposure;
 
-vec3 toneMapped(vec3 radiance) {
-#if TONE_MAPPING == 1
-  return toneMapLinear(radiance, exposure);
-#elif TONE_MAPPING == 2
-  return toneMapReinhard(radiance, exposure);
-#elif TONE_MAPPING == 3
-  return toneMapCineon(radiance, exposure);
-#elif TONE_MAPPING == 4
-  return toneMapAces(radiance, exposure);
-#elif TONE_MAPPING == 5
-  return toneMapAgx(radiance, exposure);
-#elif TONE_MAPPING == 6
-  return toneMapNeutral(radiance, exposure);
-#else
-  return radiance;
-#endif
-}
+#include "tone_mappings.glsl"
 
 // radiance  linear Rec.709, scene light      alpha  straight
 // return    OUTPUT_LINEAR: radiance x exposure, capped to what a half holds; else tone mapped and sRGB-encoded
@@ -26,7 +10,7 @@ vec4 outputColor(vec3 radiance, float alpha) {
   return vec4(clamp(radiance * exposure, 0.0, RADIANCE_MAX), saturate(alpha));
 #else
   // What a thin film takes from one channel makes it negative at grazing angles; tone mapping shows that in all channels.
-  return vec4(srgbFromLinear(toneMapped(mix(radiance, vec3(0.0), isnan(radiance)))), alpha);
+  return vec4(srgbFromLinear(toneMapped(mix(radiance, vec3(0.0), isnan(radiance)), exposure)), alpha);
 #endif
 }
 

@@ -12,6 +12,7 @@ import { shotJson } from './shot_json.mjs';
 import { readShot, readSource } from './source.mjs';
 import { Model, SharedPoses, loadModel, measuredFor, poseModel, qualityModule, shotModule } from './model.mjs';
 import { ASSET_DIRECTORY, loadNative } from './native.mjs';
+import { DEBUG_QUANTITIES } from '../shot/table/debug_quantities.mjs';
 import { versions } from './versions.mjs';
 
 /** Frames on their way at once: one is drawn while others load or are encoded. More would only hold memory. */
@@ -20,8 +21,8 @@ const FRAMES_IN_FLIGHT = 4;
 /** Frames and small requests in the GL thread's own queue. */
 const MAX_QUEUED = 64;
 
-/** What `renderQuantity` draws; vectors in view space, colours linear (shaders/debug_output.glsl). */
-const QUANTITIES = ['n', 'baseColor', 'alpha', 'metallic', 'perceptualRoughness', 'f0', 'NoV', 'dfg', 'radiance', 'irradiance', 'direct', 'indirect', 'transmitted', 'linear', 'encoded'];
+/** What `renderQuantity` draws. */
+const QUANTITIES = Object.keys(DEBUG_QUANTITIES);
 
 /**
  * Runs jobs that end together: the first that fails, the caller's signal or a throwing onProgress cancels them all.

@@ -2,13 +2,12 @@ import { statSync } from 'node:fs';
 import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { nearest, shown } from '../shot/complain.mjs';
+import { FORMATS } from '../shot/table/output.mjs';
 
 /** Where each picture goes, and in which format. */
 
-const FORMAT_OF = {
-  '.png': 'png', '.jpg': 'jpeg', '.jpeg': 'jpeg', '.webp': 'webp', '.tif': 'tiff', '.tiff': 'tiff', '.exr': 'exr', '.raw': 'raw',
-};
-const EXTENSION_OF = { png: '.png', jpeg: '.jpg', webp: '.webp', tiff: '.tif', exr: '.exr', raw: '.raw' };
+const FORMAT_OF = Object.fromEntries(Object.entries(FORMATS).flatMap(([format, { extensions }]) => extensions.map((extension) => [extension, format])));
+const EXTENSION_OF = Object.fromEntries(Object.entries(FORMATS).map(([format, { extensions: [first] }]) => [format, first]));
 const BRACES = /\{([a-z]+)\}/gi;
 
 const usage = (message) => new TelarError('E_USAGE', message);

@@ -682,3 +682,36 @@ export interface ResolvedShot {
     icc: boolean;
   };
 }
+
+/** What `renderQuantity` draws: colours linear, vectors in view space. */
+export type Quantity =
+  /** shading normal, view space */
+  | 'n'
+  /** base colour, linear */
+  | 'baseColor'
+  /** opacity */
+  | 'alpha'
+  /** metalness */
+  | 'metallic'
+  /** roughness as shaded: floor and geometric roughness applied */
+  | 'perceptualRoughness'
+  /** reflectance at normal incidence */
+  | 'f0'
+  /** cosine between normal and viewer */
+  | 'NoV'
+  /** split-sum terms of the environment; of cloth its own table */
+  | 'dfg'
+  /** prefiltered environment along the reflection */
+  | 'radiance'
+  /** light from everywhere on the surface: ambient, hemisphere, environment */
+  | 'irradiance'
+  /** reflected light of the lights */
+  | 'direct'
+  /** reflected light of the environment, after occlusion */
+  | 'indirect'
+  /** light from behind, before the material's weight */
+  | 'transmitted'
+  /** radiance before exposure and tone mapping */
+  | 'linear'
+  /** colour as the picture has it, 0..1 */
+  | 'encoded';

@@ -1,4 +1,5 @@
 import { lensExposure } from '../shot/lens_exposure.mjs';
+import { TONE_MAPPINGS } from '../shot/table/tone_mappings.mjs';
 import { applyPose } from './pose.mjs';
 import { applyLightShadow, applyShadows } from './shadows.mjs';
 import { applyShading, restoreMaterials } from './shading.mjs';
@@ -57,22 +58,13 @@ export async function applyShot(shot, { THREE, renderer, scene, camera, model, e
 }
 
 /**
- * three.js constant of each contract name.
+ * The constant of three.js.
  * @param {typeof import('three')} THREE
- * @param {string} name - none linear reinhard cineon aces agx neutral
+ * @param {string} name
  */
 function toneMappingOf(THREE, name) {
-  const table = {
-    none: THREE.NoToneMapping,
-    linear: THREE.LinearToneMapping,
-    reinhard: THREE.ReinhardToneMapping,
-    cineon: THREE.CineonToneMapping,
-    aces: THREE.ACESFilmicToneMapping,
-    agx: THREE.AgXToneMapping,
-    neutral: THREE.NeutralToneMapping,
-  };
-  if (!(name in table)) throw new Error(`shot.toneMapping: expected one of ${Object.keys(table).join(' ')}, got ${name}`);
-  return table[name];
+  if (!Object.hasOwn(TONE_MAPPINGS, name)) throw new Error(`shot.toneMapping: expected one of ${Object.keys(TONE_MAPPINGS).join(' ')}, got ${name}`);
+  return THREE[TONE_MAPPINGS[name].three];
 }
 
 /** The materials of the variant, shaded as the shot says. */

@@ -1,6 +1,8 @@
 #pragma once
 #include <glm/glm.hpp>
 
+#include "telar/shot/tone_mapping.inc"
+
 /// The shading terms of shaders/brdf/*.glsl as C++ functions, compiled from the very same text: telar::brdf_f in float,
 /// step for step what the shader does, and telar::brdf_d in double, the reference for both.
 /// Shapes, units, ranges and sources stand beside each function in its .glsl file.

@@ -175,16 +175,13 @@ Real pdfReflection(vec3 v, vec3 l, vec2 alpha);
 Real powerHeuristic(Real own, Real other);
 
 vec3 exposedColor(vec3 color, Real exposure);
-vec3 toneMapLinear(vec3 color, Real exposure);
-vec3 toneMapReinhard(vec3 color, Real exposure);
-vec3 toneMapCineon(vec3 color, Real exposure);
+#define TELAR_TONE_MAP(name, function, three) vec3 function(vec3 color, Real exposure);
+TELAR_TONE_MAPPINGS(TELAR_TONE_MAP)
+#undef TELAR_TONE_MAP
 vec3 acesCurve(vec3 x);
-vec3 toneMapAces(vec3 color, Real exposure);
 vec3 agxCurve(vec3 x);
 vec3 agxEncode(vec3 color);
 vec3 agxDecode(vec3 x);
-vec3 toneMapAgx(vec3 color, Real exposure);
-vec3 toneMapNeutral(vec3 color, Real exposure);
 
 Real srgbFromLinear(Real linear);
 vec3 srgbFromLinear(vec3 linear);

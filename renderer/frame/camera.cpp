@@ -31,8 +31,8 @@ Camera cameraOf(const Shot& shot) {
   const Shot::Camera& c = shot.camera;
   Camera camera;
   camera.view = lookAtView(c.position, c.target, c.up);
-  camera.orthographic = !c.perspective;
-  if (c.perspective) {
+  camera.orthographic = c.projection == Projection::kOrthographic;
+  if (!camera.orthographic) {
     camera.projection = glm::perspective(glm::radians(c.fovY), aspect, c.near, c.far);
   } else {
     const double top = c.height / 2, right = top * aspect;

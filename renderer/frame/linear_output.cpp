@@ -4,27 +4,19 @@
 #include <cstring>
 
 #include "brdf/brdf.h"
-#include "shader/variant_key.h"
 
 namespace telar::frame {
 namespace {
 
-PixelEncoder::ToneMap toneMapOf(shader::ToneMapping toneMapping) {
+PixelEncoder::ToneMap toneMapOf(ToneMapping toneMapping) {
   switch (toneMapping) {
-    case shader::ToneMapping::kNone:
+    case ToneMapping::kNone:
       break;
-    case shader::ToneMapping::kLinear:
-      return brdf_f::toneMapLinear;
-    case shader::ToneMapping::kReinhard:
-      return brdf_f::toneMapReinhard;
-    case shader::ToneMapping::kCineon:
-      return brdf_f::toneMapCineon;
-    case shader::ToneMapping::kAces:
-      return brdf_f::toneMapAces;
-    case shader::ToneMapping::kAgx:
-      return brdf_f::toneMapAgx;
-    case shader::ToneMapping::kNeutral:
-      return brdf_f::toneMapNeutral;
+#define TELAR_TONE_MAP(name, function, three) \
+  case ToneMapping::name:                     \
+    return brdf_f::function;
+      TELAR_TONE_MAPPINGS(TELAR_TONE_MAP)
+#undef TELAR_TONE_MAP
   }
   return [](glm::vec3 color, float) { return color; };
 }
@@ -34,7 +26,7 @@ std::byte byteOf(float x) { return static_cast<std::byte>(std::lround(glm::clamp
 }  // namespace
 
 PixelEncoder::PixelEncoder(const Shot& shot)
-    : toneMap_(toneMapOf(shader::toneMappingByName(shot.toneMapping))), exposure_(static_cast<float>(shot.exposure)) {}
+    : toneMap_(toneMapOf(shot.toneMapping)), exposure_(static_cast<float>(shot.exposure)) {}
 
 glm::vec4 PixelEncoder::operator()(const glm::vec4& pixel) const {
   const glm::vec3 radiance = pixel.a > 0 ? glm::vec3(pixel) / pixel.a : glm::vec3(0);

@@ -236,7 +236,8 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
   frame.environment = hasEnvironment && shot.environment.intensity != 0;
   frame.orthographic = plan.camera.orthographic;
   frame.debugOutput = shot.debugOutput != DebugOutput::kNone;
-  frame.outputLinear = !frame.debugOutput && (shot.linearResolve || framePixelType(shot.output) == PixelType::kRgbaF32);
+  frame.outputLinear =
+      !frame.debugOutput && (shot.resolve == Resolve::kLinear || framePixelType(shot.output) == PixelType::kRgbaF32);
   frame.shading = shot.shading;
   if (isPrincipled(shot.shading)) frame.terms = shot.terms;
   const int passes = frame::samplePassesOf(shot).count;
@@ -244,7 +245,7 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
   if (frame.environment && !frame.debugOutput) {
     frame.environmentSamples = static_cast<std::uint16_t>((shot.environmentSamples + passes - 1) / passes);
   }
-  frame.toneMapping = frame.outputLinear ? shader::ToneMapping::kNone : shader::toneMappingByName(shot.toneMapping);
+  frame.toneMapping = frame.outputLinear ? shader::ToneMapping::kNone : shot.toneMapping;
 
   const int variant = frame::variantIndex(scene, shot.variant);
   const glm::dmat4 viewProjection = plan.camera.projection * plan.camera.view;

@@ -69,7 +69,7 @@ Json describePlan(const FramePlan& plan, const Shot& shot) {
   if (!plan.draws.transmissive.empty()) passes.push_back("transmissive");
   if (plan.ground) passes.push_back("ground");
   if (!plan.draws.blended.empty()) passes.push_back("blend");
-  if (shot.samples > 1 || shot.linearResolve) passes.push_back("resolve");
+  if (shot.samples > 1 || shot.resolve == Resolve::kLinear) passes.push_back("resolve");
   return {{"features", features}, {"programs", programs}, {"passes", passes}};
 }
 
@@ -112,8 +112,8 @@ Json rangeWarning(double share) {
 /// Whether a pass draws a background on the whole picture. A colour behind an average is composed at the end. Without
 /// perspective the environment's cube covers a part of the picture, as in three.js.
 bool fillsBackground(const FramePlan& plan, const Shot& shot) {
-  if (plan.environmentBackground) return shot.camera.perspective;
-  return shot.background.type == Shot::Background::Type::kColor && !shot.linearResolve;
+  if (plan.environmentBackground) return shot.camera.projection == Projection::kPerspective;
+  return shot.background.type == Shot::Background::Type::kColor && shot.resolve != Resolve::kLinear;
 }
 
 class GlRenderer final : public Renderer {
@@ -164,7 +164,7 @@ class GlRenderer final : public Renderer {
     }
     shadows_.bind(plan.shadows, pass::SurfacePass::firstShadowUnit());
     const pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, cancel};
-    const bool accumulates = shot.linearResolve && !plan.frame.debugOutput;
+    const bool accumulates = shot.resolve == Resolve::kLinear && !plan.frame.debugOutput;
     int passes = 1;
     Frame frame = accumulates ? drawAveraged(plan, inputs, passes, timer) : drawOnce(inputs, false, timer);
     Json json = describeFrame(plan, shot, environment, timer);
@@ -222,7 +222,7 @@ class GlRenderer final : public Renderer {
   }
 
   const pass::FrameTarget& targetFor(const Shot& shot) {
-    const PixelType type = shot.linearResolve ? PixelType::kRgbaF32 : framePixelType(shot.output);
+    const PixelType type = shot.resolve == Resolve::kLinear ? PixelType::kRgbaF32 : framePixelType(shot.output);
     const int samples = frame::samplePassesOf(shot).samples;
     if (!target_ || !target_->matches(shot.width, shot.height, samples, type)) {
       target_.reset();
@@ -243,7 +243,8 @@ class GlRenderer final : public Renderer {
     const bool debug = plan.frame.debugOutput;  // backgrounds and the ground have no shading
     // A colour behind an average is composed at the end. Until then alpha is the coverage.
     const bool opaque = !debug && fillsBackground(plan, shot);
-    const glm::vec4 behind = debug || shot.linearResolve ? glm::vec4(0) : clearColor(shot, plan.frame.outputLinear);
+    const glm::vec4 behind =
+        debug || shot.resolve == Resolve::kLinear ? glm::vec4(0) : clearColor(shot, plan.frame.outputLinear);
     clear(opaque ? glm::vec4(glm::vec3(behind), 0.0f) : behind);
     if (settled) settled_.draw();
     writeAlpha(!opaque);

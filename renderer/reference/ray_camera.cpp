@@ -12,9 +12,9 @@ RayCamera::RayCamera(const Shot& shot, const glm::dvec3& centre) : width_(shot.w
   view[3] += camera.view * glm::dvec4(centre, 0.0);  // the tracer's world starts at the centre
   toWorld_ = glm::inverse(camera.projection * view);
   toView_ = glm::mat3(glm::dmat3(view));
-  if (!shot.lens || !shot.camera.perspective) return;
+  if (!shot.lens || !shot.lens->focusDistance || shot.camera.projection != Projection::kPerspective) return;
   const double focalLength = SENSOR_HEIGHT_M / 2 / std::tan(glm::radians(shot.camera.fovY) / 2);
-  lens_ = Lens{focalLength / shot.lens->aperture / 2, shot.lens->focusDistance, shot.camera.near,
+  lens_ = Lens{focalLength / shot.lens->aperture / 2, *shot.lens->focusDistance, shot.camera.near,
                shot.camera.position - centre, glm::transpose(glm::dmat3(view))};
 }
 

@@ -116,7 +116,7 @@ void forEachRow(int rows, int threads, const std::function<void(int)>& job) {
 TraceOptions optionsOf(const Shot& shot) {
   using Kind = Shot::Reference::Transport;
   const Shot::Reference& wanted = *shot.reference;
-  TraceOptions options{wanted.samples, wanted.seed, wanted.threads};
+  TraceOptions options{wanted.samples, static_cast<std::uint64_t>(wanted.seed), wanted.threads};
   if (options.threads == 0) options.threads = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
   options.transport.occlusion = wanted.transport != Kind::kDirect;
   options.transport.bounces = wanted.transport == Kind::kGlobal ? wanted.bounces : 0;

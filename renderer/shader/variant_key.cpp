@@ -1,22 +1,6 @@
 #include "shader/variant_key.h"
 
-#include <algorithm>
-#include <array>
-
-#include "telar/error.h"
-
 namespace telar::shader {
-namespace {
-
-constexpr std::array<const char*, 7> TONE_MAPPINGS{"none", "linear", "reinhard", "cineon", "aces", "agx", "neutral"};
-
-}  // namespace
-
-ToneMapping toneMappingByName(const std::string& name) {
-  const auto found = std::find(TONE_MAPPINGS.begin(), TONE_MAPPINGS.end(), name);
-  if (found == TONE_MAPPINGS.end()) throw Error("E_SHOT", "shot.toneMapping: no tone mapping is named " + quoted(name));
-  return static_cast<ToneMapping>(found - TONE_MAPPINGS.begin());
-}
 
 Defines VariantKey::defines() const {
   Defines list;
@@ -66,7 +50,7 @@ std::vector<std::string> VariantKey::features() const {
   count(lights.directionalShadows, "directional-shadow");
   count(environmentSamples, "environment-sample");
   if (toneMapping != ToneMapping::kNone) {
-    list.push_back(std::string("tone-mapping-") + TONE_MAPPINGS[static_cast<std::size_t>(toneMapping)]);
+    list.push_back("tone-mapping-" + std::string(namesOf(toneMapping)[static_cast<std::size_t>(toneMapping)]));
   }
   return list;
 }

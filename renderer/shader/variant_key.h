@@ -7,13 +7,11 @@
 
 #include "shader/library.h"
 #include "telar/shading.h"
+#include "telar/shot/tone_mapping.inc"
 
 namespace telar::shader {
 
-enum class ToneMapping : std::uint8_t { kNone, kLinear, kReinhard, kCineon, kAces, kAgx, kNeutral };
-
-/// Position in the list of tone mappings that the shot names. @throws Error{E_SHOT}
-ToneMapping toneMappingByName(const std::string& name);
+using shot::ToneMapping;
 
 // One row a feature of surface.vert/.frag: GLSL define, member, name in info.features.
 #define TELAR_SURFACE_FEATURES(F)                                                                  \

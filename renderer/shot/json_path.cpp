@@ -1,20 +1,10 @@
 #include "shot/json_path.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/json_text.h"
 
 namespace telar::shot {
-namespace {
-
-/// As js/shot/fields.mjs: inside the range of the 32-bit floats that the GPU computes in.
-constexpr double COLOR_MAX = 1e30;
-
-std::string text(double x) { return nlohmann::json(x).dump(); }
-
-}  // namespace
-
 void JsonPath::fail(const std::string& expected) const {
   throw Error("E_SHOT", path_ + ": expected " + expected + ", got " + shown(value_)).at(pointer_);
 }
@@ -41,12 +31,10 @@ std::size_t JsonPath::size() const {
   return value_.size();
 }
 
-double JsonPath::number(double min, double max) const {
+double JsonPath::number() const {
   if (!value_.is_number()) fail("a number");
   const double x = value_.get<double>();
   if (!std::isfinite(x)) fail("a finite number");
-  if (x < min) fail("a number of at least " + text(min));
-  if (x > max) fail("a number of at most " + text(max));
   return x;
 }
 
@@ -56,6 +44,16 @@ int JsonPath::integer(int min, int max) const {
     fail("an integer from " + std::to_string(min) + " to " + std::to_string(max));
   }
   return static_cast<int>(x);
+}
+
+int JsonPath::oneOf(std::initializer_list<int> values) const {
+  const double x = value_.is_number() ? value_.get<double>() : std::nan("");
+  std::string expected = "one of";
+  for (const int value : values) {
+    if (x == value) return value;
+    expected += (value == *values.begin() ? " " : ", ") + std::to_string(value);
+  }
+  fail(expected);
 }
 
 bool JsonPath::boolean() const {
@@ -68,7 +66,7 @@ std::string JsonPath::string() const {
   return value_.get<std::string>();
 }
 
-std::size_t JsonPath::choice(std::initializer_list<std::string_view> choices) const {
+std::size_t JsonPath::choice(std::span<const std::string_view> choices) const {
   std::string expected = "one of";
   std::size_t index = 0;
   for (const std::string_view candidate : choices) {
@@ -78,16 +76,14 @@ std::size_t JsonPath::choice(std::initializer_list<std::string_view> choices) co
   fail(expected);
 }
 
+glm::dvec2 JsonPath::vec2() const {
+  if (!value_.is_array() || value_.size() != 2) fail("an array of 2 numbers");
+  return {at(std::size_t{0}).number(), at(1).number()};
+}
+
 glm::dvec3 JsonPath::vec3() const {
   if (!value_.is_array() || value_.size() != 3) fail("an array of 3 numbers");
   return {at(std::size_t{0}).number(), at(1).number(), at(2).number()};
-}
-
-glm::vec3 JsonPath::color() const {
-  const glm::dvec3 rgb = vec3();
-  const double low = std::min({rgb.r, rgb.g, rgb.b}), high = std::max({rgb.r, rgb.g, rgb.b});
-  if (low < 0 || high > COLOR_MAX) fail("a linear colour with components from 0 to " + text(COLOR_MAX));
-  return glm::vec3(rgb);
 }
 
 }  // namespace telar::shot

@@ -1,9 +1,8 @@
 #pragma once
-#include <array>
 #include <glm/glm.hpp>
 #include <initializer_list>
-#include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -26,16 +25,19 @@ class JsonPath {
   bool isObject() const { return value_.is_object(); }
   std::size_t size() const;
 
-  double number(double min, double max = std::numeric_limits<double>::max()) const;
-  double number() const { return number(std::numeric_limits<double>::lowest()); }
+  /// Finite.
+  double number() const;
   int integer(int min, int max) const;
+  /// A whole number of `values`; all of them stand in the message.
+  int oneOf(std::initializer_list<int> values) const;
   bool boolean() const;
   std::string string() const;
   /// Index of the string in `choices`; all of them stand in the message.
-  std::size_t choice(std::initializer_list<std::string_view> choices) const;
+  std::size_t choice(std::span<const std::string_view> choices) const;
+  glm::dvec2 vec2() const;
   glm::dvec3 vec3() const;
-  /// Linear Rec.709, components >= 0.
-  glm::vec3 color() const;
+  /// Linear Rec.709.
+  glm::vec3 color() const { return glm::vec3(vec3()); }
 
   [[noreturn]] void fail(const std::string& expected) const;
 

@@ -120,7 +120,7 @@ void addLights(Rows& rows) {
   rows.add("lamp in the eye").shot.lights[1].position = {0, 0, 5};
   ExtremeRow& behind = rows.add("parallel view against the light");
   behind.shot.lights[0] = sun({0, 0, -5});
-  behind.shot.camera.perspective = false;
+  behind.shot.camera.projection = Projection::kOrthographic;
   behind.shot.camera.height = 2.4;
   rows.add("sun of 1.6e9 lux").shot.lights[0].intensity = 1.6e9;
   ExtremeRow& blinding = rows.add("sun of 1e30 lux and a colour of 1e30");

@@ -161,7 +161,7 @@ void setCamera(Seeded& r, Shot& shot) {
   shot.camera.position = {0, 0, DISTANCE};
   shot.camera.near = DISTANCE - 2;
   shot.camera.far = DISTANCE + 2;
-  shot.camera.perspective = r.chance(0.7);
+  shot.camera.projection = r.chance(0.7) ? Projection::kPerspective : Projection::kOrthographic;
   shot.camera.fovY = glm::degrees(2 * std::atan(HEIGHT / 2 / DISTANCE));
   shot.camera.height = HEIGHT;
 }

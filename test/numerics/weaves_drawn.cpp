@@ -60,7 +60,7 @@ std::shared_ptr<Scene> patches(std::uint64_t count) {
 Shot shotOfPatches(ShadingModel shading) {
   constexpr double FAR = 100;  // a patch seen at a cosine of 0.02 reaches 35 m either way
   Shot shot = test::shotOf(SIDE * PIXELS);
-  shot.camera.perspective = false;
+  shot.camera.projection = Projection::kOrthographic;
   shot.camera.height = SIDE;
   shot.camera.position = {0, 0, FAR};
   shot.camera.near = FAR / 2;
@@ -97,7 +97,7 @@ std::vector<Figure> checkWeavesDrawn(const ShadingPromise& shading, Scale scale)
   const Frame prefiltered = drawn(*renderer, scene, shot, evenSky());
   shot.samples = scale == Scale::kFull ? 256 : 64;
   shot.environmentSamples = 32 * shot.samples;
-  shot.linearResolve = true;
+  shot.resolve = Resolve::kLinear;
   const Frame sampled = drawn(*renderer, scene, shot, evenSky());
 
   Worst mostPrefiltered, mostSampled, apartPrefiltered, apartSampled;

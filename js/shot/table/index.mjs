@@ -38,11 +38,11 @@ export const SHOT = object('What to draw', {
   background,
   ground,
   shading,
-  toneMapping: choice('As in three.js', Object.keys(TONE_MAPPINGS), { name: 'ToneMapping', default: 'neutral' }),
+  toneMapping: choice('As in three.js', Object.keys(TONE_MAPPINGS), { name: 'ToneMapping', isShared: true, default: 'neutral' }),
   exposure: number('Factor on radiance before tone mapping', { unit: 'factor', min: 0, default: 1 }),
   quality,
   variant: text('Name of a material variant of the model (KHR_materials_variants); "" = none', 'the name of a variant', { default: '' }),
   pose: POSE,
   layers: list('Images to draw', literal('', 'beauty', LAYERS), LAYERS, { default: ['beauty'], length: 1, drawn: false }),
   output,
-}, { name: 'Shot' });
+}, { name: 'Values' });

@@ -15,6 +15,7 @@
  * @property {string} [when] - The key beside it that says by true that this one is there, in a resolved shot.
  * @property {Row | null} [resolved] - What it is in a resolved shot, where that is another thing; null = it is not there.
  * @property {string} [name] - Of an object or a choice that has a C++ type of its own.
+ * @property {boolean} [isShared] - Of a choice: whether its C++ type has a header of its own.
  * @property {boolean} [drawn] - false: the renderer does not read it.
  */
 

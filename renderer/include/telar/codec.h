@@ -9,6 +9,7 @@
 #include "telar/cancel.h"
 #include "telar/image.h"
 #include "telar/limits.h"
+#include "telar/shot/output.inc"
 
 /// Image files in and out. PNG, JPEG, WebP and TIFF go through their own libraries; .hdr, .exr and PNG with an ICC
 /// profile go through OpenImageIO, which lives with libtiff in a library of our own (libtelar_oiio.so) that is loaded
@@ -31,13 +32,8 @@ ImageHeader readImageHeader(std::span<const std::byte> file, const Limits& limit
 /// truncated or damaged file is an error.
 Image8 decodeImage(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel);
 
-struct OutputOptions {
-  enum class Format { kPng, kJpeg, kWebp, kTiff, kExr, kRaw } format = Format::kPng;
-  int quality = 90;  ///< JPEG, WebP: 1..100
-  int bitDepth = 8;  ///< 8 or 16: PNG, TIFF; 16 or 32 (float): EXR; 8 or 32 (float): raw
-  double ppi = 0;    ///< pixels per inch written to the file, 0 = not written
-  bool icc = false;  ///< embed an sRGB ICC profile (PNG, TIFF, JPEG)
-};
+/// The key `output` of a shot.
+using OutputOptions = shot::Output;
 
 /// Which frame encode() wants for these options.
 PixelType framePixelType(const OutputOptions& options);

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "telar/shot/pose.inc"
+
 /// What a file says of things that move, or that are drawn many times. Plain data, checked: every index is in range.
 namespace telar {
 
@@ -71,10 +73,7 @@ struct Motion {
 };
 
 /// A moment of an animation. What is before its start or after its end stands as at the start or the end.
-struct Pose {
-  int animation = 0;  ///< index into Motion::animations
-  double time = 0;    ///< seconds
-  bool operator==(const Pose&) const = default;
-};
+/// `animation` is an index into Motion::animations.
+using Pose = shot::Pose;
 
 }  // namespace telar

@@ -8,6 +8,7 @@
 
 #include "brdf/gpu_probe.h"
 #include "brdf/terms.h"
+#include "telar/shot/tone_mapping.inc"
 
 /// Our terms against the shader text of three.js itself, both on the GPU.
 namespace telar::test {
@@ -119,16 +120,14 @@ const Pair PAIRS[] = {
      "0.4, 1.2), vec3(p[6] - 0.5, p[7] + 0.4, 0.8), vec3(p[6] + 0.5, p[7] + 0.4, 0.8)))",
      {FIT, SLANT, SLANT, FIT, OFF_AXIS, OFF_AXIS, SIGNED_COSINE, SIGNED_COSINE},
      1e-3},
-    {"toneMapLinear(vec3(p[0], p[1], p[2]), p[3])", "LinearToneMapping(vec3(p[0], p[1], p[2]))", TONE, 0.1},
-    {"toneMapReinhard(vec3(p[0], p[1], p[2]), p[3])", "ReinhardToneMapping(vec3(p[0], p[1], p[2]))", TONE, 0.1},
-    {"toneMapCineon(vec3(p[0], p[1], p[2]), p[3])", "CineonToneMapping(vec3(p[0], p[1], p[2]))", TONE, 0.1},
-    {"toneMapAces(vec3(p[0], p[1], p[2]), p[3])", "ACESFilmicToneMapping(vec3(p[0], p[1], p[2]))", TONE, 0.1},
-    {"toneMapAgx(vec3(p[0], p[1], p[2]), p[3])", "AgXToneMapping(vec3(p[0], p[1], p[2]))", TONE, 0.1},
-    {"toneMapNeutral(vec3(p[0], p[1], p[2]), p[3])", "NeutralToneMapping(vec3(p[0], p[1], p[2]))", TONE, 0.1},
-    {"srgbFromLinear(vec3(p[0], p[1], p[2]))",
-     "vec3(sRGBTransferOETF(vec4(p[0], p[1], p[2], 1.0)))",
-     {UNIT, UNIT, UNIT},
-     1e-6},
+#define TELAR_TONE_PAIR(name, function, three) \
+  {#function "(vec3(p[0], p[1], p[2]), p[3])", three "(vec3(p[0], p[1], p[2]))", TONE, 0.1},
+    TELAR_TONE_MAPPINGS(TELAR_TONE_PAIR)
+#undef TELAR_TONE_PAIR
+        {"srgbFromLinear(vec3(p[0], p[1], p[2]))",
+         "vec3(sRGBTransferOETF(vec4(p[0], p[1], p[2], 1.0)))",
+         {UNIT, UNIT, UNIT},
+         1e-6},
     {"linearFromSrgb(vec3(p[0], p[1], p[2]))",
      "vec3(sRGBTransferEOTF(vec4(p[0], p[1], p[2], 1.0)))",
      {UNIT, UNIT, UNIT},

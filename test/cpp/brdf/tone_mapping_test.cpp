@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "brdf/brdf.h"
 
@@ -28,6 +30,17 @@ const Greys GREYS[] = {
     {"linear", brdf_d::toneMapLinear, {56, 118, 255, 255}},
     {"cineon", brdf_d::toneMapCineon, {48, 131, 216, 244}},
 };
+
+TEST(ToneMapping, EachOfTheTableHasGreys) {
+  std::vector<Curve> table;
+#define TELAR_TONE_CURVE(name, function, three) table.push_back(brdf_d::function);
+  TELAR_TONE_MAPPINGS(TELAR_TONE_CURVE)
+#undef TELAR_TONE_CURVE
+  for (const Curve curve : table) {
+    const auto has = [curve](const Greys& greys) { return greys.curve == curve; };
+    EXPECT_EQ(std::count_if(std::begin(GREYS), std::end(GREYS), has), 1);
+  }
+}
 
 TEST(ToneMapping, GreysHaveTheCodeValuesOfThree) {
   const double scene[] = {0.04, 0.18, 1, 4};

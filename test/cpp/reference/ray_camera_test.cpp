@@ -14,7 +14,7 @@ Shot shotOf(double aperture, double focusDistance) {
   shot.width = 300, shot.height = 200;
   shot.camera.position = {101, 2, 4}, shot.camera.target = {100, 1, 0};
   shot.camera.fovY = 40, shot.camera.near = 0.2, shot.camera.far = 50;
-  shot.lens = {aperture, focusDistance};
+  shot.lens = Shot::Lens{aperture, {}, {}, focusDistance};
   return shot;
 }
 

@@ -35,8 +35,8 @@ Scene plane(const Material& material) {
 Shot shotOf(int size, double elevation = 90) {
   Shot shot;
   shot.width = shot.height = size;
-  shot.toneMapping = "none";
-  shot.camera.perspective = false;
+  shot.toneMapping = ToneMapping::kNone;
+  shot.camera.projection = Projection::kOrthographic;
   shot.camera.height = 0.1;
   shot.camera.near = 0.1;
   shot.camera.far = 20;
@@ -233,7 +233,7 @@ TEST(Tracer, ALensBlursWhatIsOutOfFocus) {
   Material white;
   white.unlit = true;
   Shot shot = shotOf(64);
-  shot.camera.perspective = true;
+  shot.camera.projection = Projection::kPerspective;
   shot.camera.fovY = 5;
   shot.camera.position = {1, 0, 5}, shot.camera.target = {1, 0, 0};
   const auto halfCovered = [&](std::optional<Shot::Lens> lens) {
@@ -244,8 +244,8 @@ TEST(Tracer, ALensBlursWhatIsOutOfFocus) {
   };
   const int sharp = halfCovered(std::nullopt);
   EXPECT_LE(sharp, 64);
-  EXPECT_LE(halfCovered(Shot::Lens{2, 5}), sharp + 64);
-  EXPECT_GT(halfCovered(Shot::Lens{2, 2.5}), sharp + 64 * 8);
+  EXPECT_LE(halfCovered(Shot::Lens{2, {}, {}, 5}), sharp + 64);
+  EXPECT_GT(halfCovered(Shot::Lens{2, {}, {}, 2.5}), sharp + 64 * 8);
 }
 
 TEST(Tracer, DiskLightsShineAsTheirSolidAngle) {

@@ -131,7 +131,7 @@ TEST(RectLight, IsSeenHeadOnAsItIsBesideThat) {
   material.roughnessFactor = 0.5f;
   const auto scene = sceneOf(facing(), material);
   Shot shot = litBy(rect({0.5, 0.5, 1.5}, {}, 1, 1));
-  shot.camera.perspective = false;
+  shot.camera.projection = Projection::kOrthographic;
   shot.camera.height = 1.9;
   const auto renderer = Renderer::create({});
   const Frame headOn = draw(*renderer, scene, shot);

@@ -68,7 +68,7 @@ inline Primitive squareCloth(float repeats) {
 /// A square shot from +Z without perspective. @param height metres that the picture shows
 inline Shot flatShot(int size, double height) {
   Shot shot = shotOf(size);
-  shot.camera.perspective = false;
+  shot.camera.projection = Projection::kOrthographic;
   shot.camera.height = height;
   shot.shading = ShadingModel::kFabric;
   return shot;

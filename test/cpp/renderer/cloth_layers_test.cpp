@@ -78,7 +78,7 @@ TEST_P(ClothLayers, OverEachOtherCoverWhatIndependentHolesDo) {
     for (const double gap : {0.0005, 0.003, 0.02, 0.15}) {
       for (const bool perspective : {false, true}) {
         Shot shot = flatShot(SIZE, 0.7);
-        shot.camera.perspective = perspective;
+        shot.camera.projection = perspective ? Projection::kPerspective : Projection::kOrthographic;
         shot.camera.fovY = 8;  // as high, 5 m away
         shot.samples = GetParam();
         const double one = covered(*renderer_, layersOf(1, FINE, gap, 0, tilt), shot);

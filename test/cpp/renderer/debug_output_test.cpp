@@ -31,7 +31,7 @@ Material leather() {
 }
 
 /// One quantity at the centre of a sphere that faces the viewer.
-glm::vec4 atCentre(DebugOutput output, const Material& material, const std::string& toneMapping = "none") {
+glm::vec4 atCentre(DebugOutput output, const Material& material, ToneMapping toneMapping = ToneMapping::kNone) {
   Shot shot = debugShot(output);
   shot.toneMapping = toneMapping;
   FrameInfo info;
@@ -47,7 +47,7 @@ void expectNear(const glm::vec4& actual, const glm::vec4& expected, float tolera
 }
 
 TEST(DebugOutput, GivesWhatTheMaterialSays) {
-  expectNear(atCentre(DebugOutput::kNormal, leather()), {0, 0, 1, 1}, 1e-4f);
+  expectNear(atCentre(DebugOutput::kN, leather()), {0, 0, 1, 1}, 1e-4f);
   expectNear(atCentre(DebugOutput::kBaseColor, leather()), {0.5f, 0.25f, 0.125f, 1}, 0);
   expectNear(atCentre(DebugOutput::kMetallic, leather()), {0.25f, 0.25f, 0.25f, 1}, 0);
   expectNear(atCentre(DebugOutput::kNoV, leather()), {1, 1, 1, 1}, 1e-4f);
@@ -62,14 +62,14 @@ TEST(DebugOutput, TheLastTwoAreThePictureBeforeAndAfterEncoding) {
   shining.baseColorFactor = {0.5f, 0.2140411f, 0.0031308f, 1};
   expectNear(atCentre(DebugOutput::kLinear, shining), {0.5f, 0.2140411f, 0.0031308f, 1}, 0);
   expectNear(atCentre(DebugOutput::kEncoded, shining), {0.7353569f, 0.5f, 0.0404499f, 1}, 1e-4f);
-  const glm::vec4 toned = atCentre(DebugOutput::kEncoded, shining, "reinhard");
+  const glm::vec4 toned = atCentre(DebugOutput::kEncoded, shining, ToneMapping::kReinhard);
   EXPECT_NEAR(toned[0], 0.6125f, 1e-3f) << "sRGB of 1/3";
 }
 
 TEST(DebugOutput, AnUnlitMaterialHasNoShading) {
   Material unlit = leather();
   unlit.unlit = true;
-  EXPECT_EQ(atCentre(DebugOutput::kNormal, unlit), glm::vec4(0));
+  EXPECT_EQ(atCentre(DebugOutput::kN, unlit), glm::vec4(0));
   EXPECT_EQ(atCentre(DebugOutput::kDirect, unlit), glm::vec4(0));
   expectNear(atCentre(DebugOutput::kBaseColor, unlit), {0.5f, 0.25f, 0.125f, 1}, 0);
 }

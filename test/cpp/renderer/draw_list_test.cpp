@@ -117,7 +117,7 @@ TEST(PlanDraws, LightsAreLimited) {
 TEST(PlanFrame, NamesFeaturesAndPasses) {
   Shot shot = shotOf(8);
   shot.lights.push_back({Shot::Light::Type::kPoint});
-  shot.toneMapping = "agx";
+  shot.toneMapping = ToneMapping::kAgx;
   const auto json = nlohmann::json::parse(planFrame(*sceneOf(spherePrimitive(1, 4)), shot, Limits{}));
   EXPECT_EQ(json["features"], nlohmann::json::array({"1 point-light", "tone-mapping-agx"}));
   EXPECT_EQ(json["passes"], nlohmann::json::array({"opaque", "resolve"}));

@@ -25,7 +25,7 @@ Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& shot, Backend 
 
 Shot litShot(int size) {
   Shot shot = shotOf(size);
-  shot.toneMapping = "neutral";
+  shot.toneMapping = ToneMapping::kNeutral;
   Shot::Light sun{Shot::Light::Type::kDirectional};
   sun.position = {1, 2, 3};
   sun.intensity = 3;
@@ -148,7 +148,7 @@ TEST(Picture, AllFeaturesForcedOnGiveTheSamePicture) {
 TEST(Picture, NoPixelIsNanWithALightOnTheSurfaceAndBehindAnOrthographicView) {
   Shot shot = litShot(64);
   shot.output.bitDepth = 32;
-  shot.camera.perspective = false;
+  shot.camera.projection = Projection::kOrthographic;
   shot.camera.height = 3;
   Shot::Light inside{Shot::Light::Type::kPoint};
   inside.position = {0, 0, 1};

@@ -15,7 +15,7 @@ constexpr int SIDE = 16;
 Shot shotWith(double noise) {
   Shot shot;
   shot.width = shot.height = SIDE;
-  shot.toneMapping = "none";
+  shot.toneMapping = ToneMapping::kNone;
   shot.noise = noise;
   return shot;
 }

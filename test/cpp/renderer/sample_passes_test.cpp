@@ -52,7 +52,7 @@ TEST(SamplePasses, TheFirstOfThemFillThePixelEvenly) {
 TEST(SamplePasses, MoveEveryPointByTheSamePartOfAPixel) {
   for (const bool perspective : {true, false}) {
     Shot shot = shotOf(16);
-    shot.camera.perspective = perspective;
+    shot.camera.projection = perspective ? Projection::kPerspective : Projection::kOrthographic;
     shot.camera.height = 3;
     const Camera camera = cameraOf(shot);
     const glm::dvec2 shift(0.3125, -0.4375);

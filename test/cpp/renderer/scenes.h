@@ -54,7 +54,7 @@ inline Shot shotOf(int size) {
   shot.camera.fovY = 30;
   shot.camera.near = 3;
   shot.camera.far = 7;
-  shot.toneMapping = "none";
+  shot.toneMapping = ToneMapping::kNone;
   shot.output.format = OutputOptions::Format::kRaw;
   return shot;
 }

@@ -121,7 +121,7 @@ TEST_P(SlicesOf, ChangeNoByte) {
     material.physical = true;
     material.layers.transmissionFactor = 0.8f;
   }
-  if (GetParam() == 3) shot.samples = 16, shot.linearResolve = true;
+  if (GetParam() == 3) shot.samples = 16, shot.resolve = Resolve::kLinear;
   if (GetParam() == 4) shot.samples = 1, shot.shading = ShadingModel::kFabric;
   const auto scene = everything(material);
   const Frame whole = drawn(*rendererWith(UNCUT), scene, shot);

@@ -147,8 +147,8 @@ TEST(Transmission, ShowsWhatLiesBehind) {
 TEST(Transmission, IsExposedOnce) {
   Shot shot = litShot();
   shot.exposure = 0.5;
-  shot.toneMapping = "linear";
-  shot.background = {Shot::Background::Type::kColor, glm::vec3(0.3f, 0.4f, 0.5f)};
+  shot.toneMapping = ToneMapping::kLinear;
+  shot.background = {{}, Shot::Background::Type::kColor, glm::vec3(0.3f, 0.4f, 0.5f)};
   const auto scene = ballBehind(glass());
   const Frame encoded = draw(scene, shot);
   shot.output.bitDepth = 32;
@@ -237,7 +237,7 @@ TEST(Transmission, NoExtremeGivesAPixelThatIsNotANumber) {
     SCOPED_TRACE(row);
     const auto scene = ballBehind(extremeGlass(EXTREMES[row]));
     for (const bool perspective : {true, false}) {
-      shot.camera.perspective = perspective;
+      shot.camera.projection = perspective ? Projection::kPerspective : Projection::kOrthographic;
       const Frame frame = renderer->draw(scene, shot, {}, CancelToken(), info);
       for (std::uint32_t i = 0; i < SIZE * SIZE * 4; ++i) {
         ASSERT_TRUE(std::isfinite(pixelF(frame, 0, 0)[i])) << "channel " << i;

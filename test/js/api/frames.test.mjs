@@ -1,6 +1,8 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { resolveShot } from '../../../js/shot/index.mjs';
+import { FORMATS } from '../../../js/shot/table/output.mjs';
+import { TONE_MAPPINGS } from '../../../js/shot/table/tone_mappings.mjs';
 import { SHOT, model, openRenderer } from './support/double.mjs';
 
 let renderer;
@@ -47,8 +49,8 @@ const SHOTS = [
   { environment: 'none', toneMapping: 'none', exposure: 0 }, { environment: 'a/b.EXR' }, { environment: new Uint8Array(3) },
   { camera: { projection: 'orthographic', view: 'bottom' } }, { quality: 'draft' }, { quality: { samples: 4 } },
   { camera: { position: [0, 0, 9], target: [0, 0, 0], height: 3, near: -2, far: 20 } }, { shading: 'three', layers: ['beauty'] },
-  ...['neutral', 'none', 'linear', 'reinhard', 'cineon', 'aces', 'agx'].map((toneMapping) => ({ toneMapping })),
-  ...['png', 'jpeg', 'webp', 'tiff', 'exr', 'raw'].map((format) => ({ output: { format } })),
+  ...Object.keys(TONE_MAPPINGS).map((toneMapping) => ({ toneMapping })),
+  ...Object.keys(FORMATS).map((format) => ({ output: { format } })),
   { output: { bitDepth: 16, ppi: 300, icc: true } }, { output: { format: 'exr', bitDepth: 32 } }, { output: { format: 'raw', bitDepth: 32 } },
 ];
 for (const shot of SHOTS) {

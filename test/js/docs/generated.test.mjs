@@ -5,7 +5,7 @@ import { typeText } from '../../../js/build/docs/types.mjs';
 
 test('committed types, schema and tables are those that the sources give', () => {
   assert.deepEqual(staleFiles(), [], 'run node js/build/docs/generate.mjs');
-  assert.equal(Object.keys(generatedFiles()).length, 10);
+  assert.ok(Object.keys(generatedFiles()).length > 25);
 });
 
 test('the JSON Schema has no value that JSON cannot hold', () => {

@@ -2,6 +2,9 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { TelarError, resolveShot } from '../../../js/shot/index.mjs';
 import { nearest } from '../../../js/shot/complain.mjs';
+import { SHOT } from '../../../js/shot/table/index.mjs';
+import { FORMATS } from '../../../js/shot/table/output.mjs';
+import { TONE_MAPPINGS } from '../../../js/shot/table/tone_mappings.mjs';
 
 const box = { min: [-1, 0, -0.2], max: [1, 2, 0.2] };
 const facts = { bounds: box, variants: ['white', 'navy'], cameras: [{ name: 'shop' }], animations: [{ name: 'walk' }, { name: 'sit' }] };
@@ -21,6 +24,10 @@ function complaintOf(shot, of = facts) {
   }
   return assert.fail(`${JSON.stringify(shot)} was accepted`);
 }
+
+/** Keys of the shot, and names of a list of the table, as messages write them. */
+const KEYS = Object.keys(SHOT.shape).join(', ');
+const oneOf = (table) => new Intl.ListFormat('en-GB', { type: 'disjunction' }).format(Object.keys(table).map((name) => JSON.stringify(name)));
 
 const pixels = { expected: 'a whole number of pixels in [1, 8192]', good: [1, 8192], bad: [0, 8193, 1.5, -1] };
 const EXPLICIT = { camera: { position: [0, 0, 5], target: [0, 0, 0] } };
@@ -91,10 +98,10 @@ const MESSAGES = [
   ['front', 'shot: expected an object, got "front"'],
   [{ size: 512 }, 'shot.size: expected an object, got 512'],
   [{ size: { widht: 5 } }, 'shot.size.widht: unknown key, did you mean width?'],
-  [{ colour: 'red' }, 'shot.colour: unknown key, expected one of size, camera, lens, environment, lights, modelLights, background, ground, shading, toneMapping, exposure, quality, variant, pose, layers, output'],
+  [{ colour: 'red' }, `shot.colour: unknown key, expected one of ${KEYS}`],
   [{ Shading: 'three' }, 'shot.Shading: unknown key, did you mean shading?'],
-  [JSON.parse('{"__proto__": {"size": 1}}'), 'shot.__proto__: unknown key, expected one of size, camera, lens, environment, lights, modelLights, background, ground, shading, toneMapping, exposure, quality, variant, pose, layers, output'],
-  [{ 'a b\n': 1 }, 'shot["a b\\n"]: unknown key, expected one of size, camera, lens, environment, lights, modelLights, background, ground, shading, toneMapping, exposure, quality, variant, pose, layers, output'],
+  [JSON.parse('{"__proto__": {"size": 1}}'), `shot.__proto__: unknown key, expected one of ${KEYS}`],
+  [{ 'a b\n': 1 }, `shot["a b\\n"]: unknown key, expected one of ${KEYS}`],
   [{ camera: 'front' }, 'shot.camera: expected an object, got "front"'],
   [{ camera: { view: 'up' } }, `shot.camera.view: expected ${VIEWS}, got "up"`],
   [{ camera: { veiw: 'front' } }, 'shot.camera.veiw: unknown key, did you mean view?'],
@@ -163,7 +170,7 @@ const MESSAGES = [
   [{ shading: { sheen: 'zeltner' } }, 'shot.shading.base: expected "three-r115" or "disney-2012", got nothing'],
   [{ shading: { base: 'three-r115', fresnel: 'zeltner' } }, 'shot.shading.fresnel: expected "schlick-exp2" or "schlick", got "zeltner"'],
   [{ shading: { base: 'disney-2012', shen: 'zeltner' } }, 'shot.shading.shen: unknown key, did you mean sheen?'],
-  [{ toneMapping: 'filmic' }, 'shot.toneMapping: expected "neutral", "none", "linear", "reinhard", "cineon", "aces" or "agx", got "filmic"'],
+  [{ toneMapping: 'filmic' }, `shot.toneMapping: expected ${oneOf(TONE_MAPPINGS)}, got "filmic"`],
   [{ quality: 'best' }, 'shot.quality: expected "standard", "draft", "high", "reference", {samples, resolve, noise, environmentSamples} or {preset: "reference", ...}, got "best"'],
   [{ quality: { samples: 2 } }, 'shot.quality.samples: expected 1, 4, 16, 64, 256 or 1024 samples a pixel, got 2'],
   [{ quality: { samples: 4, noise: 1 } }, 'shot.quality.noise: expected 0 with 4 samples or fewer, got 1'],
@@ -186,7 +193,7 @@ const MESSAGES = [
   [{ variant: 3 }, 'shot.variant: expected the name of a variant, got 3'],
   [{ layers: 'beauty' }, 'shot.layers: expected ["beauty"], got "beauty"'],
   [{ layers: [] }, 'shot.layers: expected ["beauty"], got []'],
-  [{ output: { format: 'jpg' } }, 'shot.output.format: expected "png", "jpeg", "webp", "tiff", "exr" or "raw", got "jpg"'],
+  [{ output: { format: 'jpg' } }, `shot.output.format: expected ${oneOf(FORMATS)}, got "jpg"`],
   [{ output: { format: 'jpeg', bitDepth: 16 } }, 'shot.output.bitDepth: expected 8 for jpeg, got 16'],
   [{ output: { bitDepth: 10 } }, 'shot.output.bitDepth: expected 8, 16 or 32 bits a channel, got 10'],
   [{ output: { format: 'webp', ppi: 72 } }, 'shot.output.ppi: expected 0, as webp holds no ppi, got 72'],

@@ -3,6 +3,7 @@ import { test } from 'node:test';
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { resolveShot } from '../../../js/shot/index.mjs';
+import { TONE_MAPPINGS } from '../../../js/shot/table/tone_mappings.mjs';
 import { applyShot, rendererParameters } from '../../../js/three/index.mjs';
 import { MODELS } from '../../fixtures/index.mjs';
 
@@ -50,6 +51,8 @@ test('every tone mapping of the shot has its three.js constant', async () => {
     aces: THREE.ACESFilmicToneMapping, agx: THREE.AgXToneMapping, neutral: THREE.NeutralToneMapping,
   };
   for (const [toneMapping, constant] of Object.entries(names)) assert.equal((await apply({ toneMapping })).renderer.toneMapping, constant);
+  const drawn = await Promise.all(Object.keys(TONE_MAPPINGS).map(async (toneMapping) => (await apply({ toneMapping })).renderer.toneMapping));
+  assert.ok(drawn.every(Number.isInteger) && new Set(drawn).size === drawn.length, `${drawn}`);
 });
 
 test('a perspective camera stands, looks and clips as the shot says', async () => {
