@@ -355,6 +355,8 @@ export interface Shot {
     format?: 'png' | 'jpeg' | 'webp' | 'tiff' | 'exr' | 'raw';
     /** Quality of JPEG and WebP. Range 1 to 100. @default 90 */
     quality?: number;
+    /** Quality of the transparency of WebP below quality 100; 100 = exact. Range 0 to 100. @default 100 */
+    alphaQuality?: number;
     /** Bits a channel: png and tiff 8 or 16, jpeg and webp 8, exr 16 or 32 (float), raw 8 or 32 (float); default the first. */
     bitDepth?: 8 | 16 | 32;
     /** Pixels per inch written to the file; 0 = none. Range 0 to 65535. @default 0 */
@@ -674,6 +676,8 @@ export interface ResolvedShot {
     format: 'png' | 'jpeg' | 'webp' | 'tiff' | 'exr' | 'raw';
     /** Quality of JPEG and WebP. Range 1 to 100. */
     quality: number;
+    /** Quality of the transparency of WebP below quality 100; 100 = exact. Range 0 to 100. */
+    alphaQuality: number;
     /** Bits a channel: png and tiff 8 or 16, jpeg and webp 8, exr 16 or 32 (float), raw 8 or 32 (float); default the first. */
     bitDepth: 8 | 16 | 32;
     /** Pixels per inch written to the file; 0 = none. Range 0 to 65535. */

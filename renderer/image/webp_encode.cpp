@@ -31,16 +31,16 @@ class Picture {
   WebPMemoryWriter memory;
 };
 
-WebPConfig configure(int quality) {
+WebPConfig configure(const OutputOptions& options) {
   WebPConfig config;
   bool ok = WebPConfigInit(&config);
-  if (quality >= LOSSLESS_QUALITY) {
+  if (options.quality >= LOSSLESS_QUALITY) {
     ok = ok && WebPConfigLosslessPreset(&config, LOSSLESS_LEVEL);
     config.exact = 1;
   } else {
-    config.quality = float(quality);
+    config.quality = float(options.quality);
     config.method = LOSSY_METHOD;
-    config.alpha_quality = 100;
+    config.alpha_quality = options.alphaQuality;
   }
   if (!ok || !WebPValidateConfig(&config)) throw Error("X_OUTPUT", "libwebp refuses the quality; give 1 to 100");
   return config;
@@ -49,7 +49,7 @@ WebPConfig configure(int quality) {
 }  // namespace
 
 std::vector<std::byte> encodeWebp(const Frame& frame, const OutputOptions& options, const CancelToken& cancel) {
-  const WebPConfig config = configure(options.quality);
+  const WebPConfig config = configure(options);
   Picture out;
   out.picture.use_argb = config.lossless;
   out.picture.width = int(frame.width);

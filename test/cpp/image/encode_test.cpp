@@ -93,6 +93,29 @@ TEST(Encode, WebpAt100IsExactAndBelowKeepsAlpha) {
   for (std::size_t i = 3; i < image.pixels.size(); i += 4) ASSERT_EQ(image.pixels[i], int(frame.pixels[i]));
 }
 
+TEST(Encode, WebpOfLessAlphaQualityIsSmallerAndCloseInAlpha) {
+  auto frame = frame8(67, 45);
+  std::uint32_t noise = 1;
+  for (std::size_t i = 3; i < frame.pixels.size(); i += 4) {
+    frame.pixels[i] = std::byte((noise = noise * 1664525 + 1013904223) >> 24);
+  }
+  OutputOptions options = optionsOf(Format::kWebp);
+  options.quality = 80;
+  const auto exact = telar::encode(frame, options, {});
+  options.alphaQuality = 20;
+  const auto small = telar::encode(frame, options, {});
+  EXPECT_LT(small.size(), exact.size());
+  const auto image = telar::decodeImage(small, {}, {});
+  int worst = 0;
+  for (std::size_t i = 3; i < image.pixels.size(); i += 4) {
+    worst = std::max(worst, std::abs(int(image.pixels[i]) - int(frame.pixels[i])));
+  }
+  EXPECT_GT(worst, 0);
+  EXPECT_LE(worst, 32);
+  options.quality = 100;
+  expectSamePixels(frame, telar::encode(frame, options, {}));
+}
+
 TEST(Encode, JpegIsCloseAndDropsChromaOnlyBelow90) {
   const auto frame = frame8(64, 64, true);
   const File fine = encoded(frame, Format::kJpeg, 8, 95), coarse = encoded(frame, Format::kJpeg, 8, 60);
