@@ -6,15 +6,16 @@
 #define DEBUG_METALLIC 4  // metalness
 #define DEBUG_PERCEPTUAL_ROUGHNESS 5  // roughness as shaded: floor and geometric roughness applied
 #define DEBUG_F0 6  // reflectance at normal incidence
-#define DEBUG_NO_V 7  // cosine between normal and viewer
-#define DEBUG_DFG 8  // split-sum terms of the environment; of cloth its own table
-#define DEBUG_RADIANCE 9  // prefiltered environment along the reflection
-#define DEBUG_IRRADIANCE 10  // light from everywhere on the surface: ambient, hemisphere, environment
-#define DEBUG_DIRECT 11  // reflected light of the lights
-#define DEBUG_INDIRECT 12  // reflected light of the environment, after occlusion
-#define DEBUG_TRANSMITTED 13  // light from behind, before the material's weight
-#define DEBUG_LINEAR 14  // radiance before exposure and tone mapping
-#define DEBUG_ENCODED 15  // colour as the picture has it, 0..1
+#define DEBUG_VIEW_DIRECTION 7  // direction to the viewer, view space; where it differs in its last bits alone, the driver interpolates otherwise
+#define DEBUG_NO_V 8  // cosine between normal and viewer
+#define DEBUG_DFG 9  // split-sum terms of the environment; of cloth its own table
+#define DEBUG_RADIANCE 10  // prefiltered environment along the reflection
+#define DEBUG_IRRADIANCE 11  // light from everywhere on the surface: ambient, hemisphere, environment
+#define DEBUG_DIRECT 12  // reflected light of the lights
+#define DEBUG_INDIRECT 13  // reflected light of the environment, after occlusion
+#define DEBUG_TRANSMITTED 14  // light from behind, before the material's weight
+#define DEBUG_LINEAR 15  // radiance before exposure and tone mapping
+#define DEBUG_ENCODED 16  // colour as the picture has it, 0..1
 
 // What every material has.
 vec4 debugColor(vec4 baseColor, vec3 radiance) {
@@ -35,6 +36,7 @@ vec4 debugShading(SurfaceInfo s, Incident incident, Reflected direct, Reflected 
     case DEBUG_METALLIC: return vec4(vec3(s.metallic), 1.0);
     case DEBUG_PERCEPTUAL_ROUGHNESS: return vec4(vec3(s.perceptualRoughness), 1.0);
     case DEBUG_F0: return vec4(s.f0, 1.0);
+    case DEBUG_VIEW_DIRECTION: return vec4(s.v, 1.0);
     case DEBUG_NO_V: return vec4(vec3(s.NoV), 1.0);
     case DEBUG_DFG: return vec4(vec3(debugDfg(s), 0.0), 1.0);
     case DEBUG_RADIANCE: return vec4(incident.radiance, 1.0);

@@ -701,6 +701,8 @@ export type Quantity =
   | 'perceptualRoughness'
   /** reflectance at normal incidence */
   | 'f0'
+  /** direction to the viewer, view space; where it differs in its last bits alone, the driver interpolates otherwise */
+  | 'viewDirection'
   /** cosine between normal and viewer */
   | 'NoV'
   /** split-sum terms of the environment; of cloth its own table */

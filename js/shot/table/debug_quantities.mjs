@@ -14,6 +14,7 @@ export const DEBUG_QUANTITIES = Object.freeze({
   metallic: { doc: 'metalness', of: 'shading', glsl: 'vec3(s.metallic)' },
   perceptualRoughness: { doc: 'roughness as shaded: floor and geometric roughness applied', of: 'shading', glsl: 'vec3(s.perceptualRoughness)' },
   f0: { doc: 'reflectance at normal incidence', of: 'shading', glsl: 's.f0' },
+  viewDirection: { doc: 'direction to the viewer, view space; where it differs in its last bits alone, the driver interpolates otherwise', of: 'shading', glsl: 's.v' },
   NoV: { doc: 'cosine between normal and viewer', of: 'shading', glsl: 'vec3(s.NoV)' },
   dfg: { doc: 'split-sum terms of the environment; of cloth its own table', of: 'shading', glsl: 'vec3(debugDfg(s), 0.0)' },
   radiance: { doc: 'prefiltered environment along the reflection', of: 'shading', glsl: 'incident.radiance' },

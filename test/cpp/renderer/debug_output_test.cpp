@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "renderer/scenes.h"
 
 namespace telar {
@@ -54,6 +56,19 @@ TEST(DebugOutput, GivesWhatTheMaterialSays) {
   expectNear(atCentre(DebugOutput::kF0, leather()), {0.155f, 0.0925f, 0.06125f, 1}, 1e-6f);
   expectNear(atCentre(DebugOutput::kIrradiance, leather()), {1, 1, 1, 1}, 0);
   expectNear(atCentre(DebugOutput::kDirect, leather()), {0, 0, 0, 1}, 0);
+}
+
+TEST(DebugOutput, TheViewDirectionLeadsBackAlongTheRayOfThePixel) {
+  FrameInfo info;
+  const Frame frame = Renderer::create({})->draw(sceneOf(spherePrimitive(1), leather()),
+                                                 debugShot(DebugOutput::kViewDirection), {}, CancelToken(), info);
+  const double slope = std::tan(glm::radians(15.0));
+  for (const auto& [x, y] : {std::pair{16u, 16u}, {20u, 16u}, {13u, 9u}, {25u, 19u}}) {
+    const glm::dvec3 ray((2 * (x + 0.5) / SIZE - 1) * slope, (1 - 2 * (y + 0.5) / SIZE) * slope, -1);
+    const glm::dvec3 back = -glm::normalize(ray);
+    const float* pixel = pixelF(frame, x, y);
+    expectNear({pixel[0], pixel[1], pixel[2], pixel[3]}, {back.x, back.y, back.z, 1}, 1e-5f);
+  }
 }
 
 TEST(DebugOutput, TheLastTwoAreThePictureBeforeAndAfterEncoding) {
