@@ -10,16 +10,16 @@ import { build } from 'esbuild';
 const JS = fileURLToPath(new URL('..', import.meta.url));
 
 const NAMES = [
-  'array', 'boolean', 'config', 'custom', 'discriminatedUnion', 'enum', 'int', 'literal', 'number', 'strictObject', 'string', 'toJSONSchema',
-  'tuple', 'union',
+  '_default', 'array', 'boolean', 'config', 'custom', 'discriminatedUnion', 'enum', 'globalRegistry', 'gt', 'gte', 'int', 'length', 'literal', 'lte', 'nullable',
+  'number', 'optional', 'pipe', 'prefault', 'refine', 'regex', 'strictObject', 'string', 'toJSONSchema', 'transform', 'tuple', 'union',
 ];
 
 // zod's entry sets the English messages, which a bundler leaves out with the locales.
 const ENTRY = `
-import { config } from 'zod';
+import { config } from 'zod/mini';
 import en from 'zod/v4/locales/en.js';
 config(en());
-export { ${NAMES.join(', ')} } from 'zod';
+export { ${NAMES.join(', ')} } from 'zod/mini';
 `;
 
 const FORMATS = { esm: 'zod.mjs', cjs: 'zod.cjs' };

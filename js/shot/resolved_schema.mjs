@@ -10,7 +10,7 @@ import { INDEX_MAX } from './table/rows.mjs';
 
 function numberType({ integer, min, max, above }) {
   const type = integer ? z.int() : z.number();
-  return (above === undefined ? type.min(min) : type.gt(above)).max(max);
+  return type.check(above === undefined ? z.gte(min) : z.gt(above), z.lte(max));
 }
 
 const tuple = (length, type) => z.tuple(Array(length).fill(type));
@@ -21,12 +21,12 @@ const TYPES = {
   boolean: () => z.boolean(),
   choice: ({ values }) => z.enum(values),
   literal: ({ values }) => z.literal(values),
-  text: ({ pattern }) => z.string().regex(pattern),
+  text: ({ pattern }) => z.string().check(z.regex(pattern)),
   vector: () => tuple(3, z.number()),
   extents: () => tuple(2, z.number()),
-  colour: ({ keywords }) => (keywords.length > 0 ? z.union([z.enum(keywords), tuple(3, z.number().min(0))]) : tuple(3, z.number().min(0))),
-  index: () => z.int().min(0).max(INDEX_MAX),
-  bytes: () => z.custom((value) => value instanceof Uint8Array).meta({ tsType: 'Uint8Array' }),
+  colour: ({ keywords }) => (keywords.length > 0 ? z.union([z.enum(keywords), tuple(3, z.number().check(z.gte(0)))]) : tuple(3, z.number().check(z.gte(0)))),
+  index: () => z.int().check(z.gte(0), z.lte(INDEX_MAX)),
+  bytes: () => z.custom((value) => value instanceof Uint8Array).register(z.globalRegistry, { tsType: 'Uint8Array' }),
   object: ({ shape }) => z.strictObject(Object.fromEntries(Object.entries(shape).map(([key, row]) => [key, zodOf(row)]))),
   list: ({ of }) => z.array(zodOf(of)),
   union: ({ options }) => z.union(options.map(zodOf)),
@@ -37,9 +37,9 @@ const TYPES = {
 function zodOf(given) {
   const row = resolvedRow(given);
   let type = TYPES[row.kind](row);
-  if (row.nullable) type = type.nullable();
-  if (row.doc) type = type.describe(row.doc);
-  return row.optional ? type.optional() : type;
+  if (row.nullable) type = z.nullable(type);
+  if (row.doc) type.register(z.globalRegistry, { description: row.doc });
+  return row.optional ? z.optional(type) : type;
 }
 
 export const resolvedShotSchema = zodOf(SHOT);

@@ -7,25 +7,25 @@ import { POSE } from './table/stage.mjs';
 
 /** What checks a shot, made of its table (js/shot/table): `error` of a zod type is the "expected ..." part of the message. */
 
-const between = (type, { min, max, above, expected: error }) => (above === undefined ? type.min(min, { error }) : type.gt(above, { error })).max(max, { error });
+const between = ({ min, max, above, expected: error }) => [above === undefined ? z.gte(min, { error }) : z.gt(above, { error }), z.lte(max, { error })];
 
 /** One number of a tuple. */
-const component = (min, max, error) => z.number({ error }).min(min, { error }).max(max, { error });
+const component = (min, max, error) => z.number({ error }).check(...between({ min, max, expected: error }));
 
 function colourOf({ keywords, expected: error, expectedNumber }) {
   const part = component(0, HUGE, expectedNumber);
-  const css = z.string({ error }).refine((value) => keywords.includes(value) || parseColour(value) !== undefined, { error });
-  return z.union([css, z.tuple([part, part, part], { error })], { error })
-    .transform((value) => (typeof value === 'string' && !keywords.includes(value) ? parseColour(value) : value));
+  const css = z.string({ error }).check(z.refine((value) => keywords.includes(value) || parseColour(value) !== undefined, { error }));
+  const linear = (value) => (typeof value === 'string' && !keywords.includes(value) ? parseColour(value) : value);
+  return z.pipe(z.union([css, z.tuple([part, part, part], { error })], { error }), z.transform(linear));
 }
 
 /** A zod type of each kind of row, its standing and meaning aside. */
 const TYPES = {
-  number: (row) => between(row.integer ? z.int({ error: row.expected }) : z.number({ error: row.expected }), row),
+  number: (row) => (row.integer ? z.int({ error: row.expected }) : z.number({ error: row.expected })).check(...between(row)),
   boolean: ({ expected: error }) => z.boolean({ error }),
   choice: ({ values, expected: error }) => z.enum(values, { error }),
   literal: ({ values, expected: error }) => z.literal(values, { error }),
-  text: ({ pattern, expected: error }) => z.string({ error }).regex(pattern, { error }),
+  text: ({ pattern, expected: error }) => z.string({ error }).check(z.regex(pattern, { error })),
   vector({ expected, expectedNumber }) {
     const part = component(-HUGE, HUGE, expectedNumber);
     return z.tuple([part, part, part], { error: expected });
@@ -36,13 +36,13 @@ const TYPES = {
   },
   colour: colourOf,
   index: ({ expected: error, doc }) => z.union([
-    z.int({ error }).min(0, { error }).max(INDEX_MAX, { error }), TYPES.text({ pattern: CHARACTERS, expected: error }),
+    z.int({ error }).check(...between({ min: 0, max: INDEX_MAX, expected: error })), TYPES.text({ pattern: CHARACTERS, expected: error }),
   ], { error }),
-  bytes: ({ expected: error }) => z.custom((value) => value instanceof Uint8Array, { error }).meta({ tsType: 'Uint8Array' }),
+  bytes: ({ expected: error }) => z.custom((value) => value instanceof Uint8Array, { error }).register(z.globalRegistry, { tsType: 'Uint8Array' }),
   object: ({ shape, expected: error }) => z.strictObject(mapped(shape, zodOf), { error }),
   list({ of, expected: error, length }) {
     const type = z.array(zodOf(of), { error });
-    return length === undefined ? type : type.length(length, { error });
+    return length === undefined ? type : type.check(z.length(length, { error }));
   },
   union: ({ options, expected: error }) => z.union(options.map(zodOf), { error }),
   variants: ({ by, of, expected }) => z.discriminatedUnion(by, Object.values(of).map(zodOf), {
@@ -58,10 +58,10 @@ const isGiven = ({ kind, default: value }) => kind === 'colour' || kind === 'lis
 /** @param {import('./table/rows.mjs').Row} row @returns {import('zod').ZodType} of what a caller may write */
 export function zodOf(row) {
   let type = TYPES[row.kind](row);
-  if (row.nullable) type = type.nullable();
-  if (row.doc) type = type.describe(row.otherwise === undefined ? row.doc : `${row.doc}; default ${JSON.stringify(row.otherwise)}`);
-  if (row.default !== undefined) return isGiven(row) ? type.prefault(row.default) : type.default(row.default);
-  return row.optional ? type.optional() : type;
+  if (row.nullable) type = z.nullable(type);
+  if (row.doc) type.register(z.globalRegistry, { description: row.otherwise === undefined ? row.doc : `${row.doc}; default ${JSON.stringify(row.otherwise)}` });
+  if (row.default !== undefined) return isGiven(row) ? z.prefault(type, row.default) : z._default(type, row.default);
+  return row.optional ? z.optional(type) : type;
 }
 
 export const shotSchema = zodOf(SHOT);

@@ -10,7 +10,7 @@ test('the browser bundle needs nothing of Node and resolves to the same bits', a
     entryPoints: [fileURLToPath(new URL('../../../js/shot/index.mjs', import.meta.url))],
     bundle: true, minify: true, write: false, format: 'iife', globalName: 'telarShot', platform: 'browser',
   });
-  assert.ok(text.length < 160_000, `${text.length} bytes`);
+  assert.ok(text.length < 110_000, `${text.length} bytes`);
   // A realm with the language alone: no process, no require, no Buffer.
   const realm = vm.createContext({});
   vm.runInContext(text, realm);
