@@ -1,4 +1,5 @@
 // Core glTF materials, lights, environments, cameras, tone mapping.
+import { TONE_MAPPINGS } from '../../js/shot/table/tone_mappings.mjs';
 import { makeCase as make } from './make_case.mjs';
 import { CAMERAS, LIGHTS } from './shot.mjs';
 
@@ -11,7 +12,7 @@ const lightCases = Object.entries(LIGHTS).map(([name, light]) =>
 );
 
 /** Each tone mapping over radiances from 0 to far above 1. */
-const toneCases = ['none', 'linear', 'reinhard', 'cineon', 'aces', 'agx', 'neutral'].map((toneMapping) =>
+const toneCases = Object.keys(TONE_MAPPINGS).map((toneMapping) =>
   make(`tone-${toneMapping}`, 'sweep', 'lamps', { toneMapping, exposure: 1.5, camera: 'front' }, toneMapping === 'agx'),
 );
 
