@@ -78,8 +78,8 @@ precision highp samplerCube;
 #include "brdf/environment_fit.glsl"
 #endif
 #endif
-#include "material/normal.glsl"
 #include "material/surface_types.glsl"
+#include "material/normal.glsl"
 #include "light/reflected.glsl"
 #if SHADING_THREE
 #include "shading/three.glsl"

@@ -6,6 +6,10 @@ inline Real min(Real a, Real b) { return b < a ? b : a; }
 inline Real max(Real a, Real b) { return a < b ? b : a; }
 inline Real clamp(Real x, Real low, Real high) { return min(max(x, low), high); }
 inline Real mix(Real a, Real b, Real t) { return a * (Real(1) - t) + b * t; }
+inline Real smoothstep(Real low, Real high, Real x) {
+  const Real t = clamp((x - low) / (high - low), Real(0), Real(1));
+  return t * t * (Real(3) - Real(2) * t);
+}
 inline Real sin(Real x) { return std::sin(x); }
 inline Real cos(Real x) { return std::cos(x); }
 inline Real exp2(Real x) { return std::exp2(x); }

@@ -3,6 +3,17 @@
 
 Reflected nothingReflected();
 
+// From what the file says of a material to a surface, shaders/material/layers.glsl.
+MaterialInputs withShadedRoughness(MaterialInputs m, Real geometric);
+MaterialInputs withWeaveTexel(MaterialInputs m, vec4 texel, vec2 threads);
+Normals facingViewer(Normals normals, vec3 v);
+SurfaceInfo withBase(SurfaceInfo s, MaterialInputs m, Normals normals, vec3 v);
+SurfaceInfo withSpecular(SurfaceInfo s, MaterialInputs m);
+SurfaceInfo withLayers(SurfaceInfo s, MaterialInputs m, Normals normals);
+SurfaceInfo withWeave(SurfaceInfo s, MaterialInputs m, Normals normals);
+YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, Real slope, Real coverage, Real roughness, Real anisotropy,
+                  vec3 specularColor);
+
 // What each shading provides.
 #define TELAR_SHADING_FUNCTIONS                                                 \
   SurfaceInfo preparedSurface(SurfaceInfo s);                                   \
@@ -20,8 +31,6 @@ TELAR_SHADING_FUNCTIONS
 namespace fabric {
 TELAR_SHADING_FUNCTIONS
 Reflected addBehind(Reflected sum, SurfaceInfo s, vec3 irradiance);
-YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, Real slope, Real coverage, Real roughness, Real anisotropy,
-                  vec3 specularColor);
 }  // namespace fabric
 
 /// three-r115 and disney-2012, by the terms in SurfaceInfo.

@@ -1,5 +1,6 @@
 // The text of every shading; types are in shading_declarations.inl.
 #include "../light/reflected.glsl"
+#include "../material/layers.glsl"
 #include "../shading/terms.glsl"
 
 #define TELAR_SHADING_TABLE(name) \

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "brdf/material_inputs.h"
 #include "reference/texture_read.h"
 
 namespace telar::reference {
@@ -96,124 +97,7 @@ struct Reader {
   }
 };
 
-/// Perceptual roughness to shade with: modelRoughness() of shaders/material/layer_info.glsl.
-float modelRoughness(float perceptualRoughness, float geometric, const ShadingTerms* terms) {
-  return terms ? perceptualRoughness : brdf_f::shadedRoughness(perceptualRoughness, geometric);
-}
-
-/// @param ownRoughness  in place of the material's and its texture; null = none
-void readBase(SurfaceInfo& s, const Material& m, const Reader& read, const glm::vec3& baseColor, float geometric,
-              glm::vec2 (*dfg)(float, float), const ShadingTerms* terms, const float* ownRoughness) {
-  const glm::vec4 texel = read(m.metallicRoughnessTexture);
-  s.baseColor = baseColor;
-  s.metallic = m.metallicFactor * texel.b;
-  s.diffuse = brdf_f::diffuseAlbedo(baseColor, s.metallic);
-  const PhysicalLayers& l = m.layers;
-  s.f0Dielectric = glm::vec3(brdf_f::F0_DIELECTRIC);
-  s.f90 = 1;
-  if (m.physical) {
-    const float factor = l.specularFactor * read(l.specularTexture).a;
-    const glm::vec3 color = l.specularColorFactor * glm::vec3(read(l.specularColorTexture, true));
-    const float ratio = (l.ior - 1) / (l.ior + 1);
-    s.f90 = glm::mix(factor, 1.0f, s.metallic);
-    s.f0Dielectric = glm::min(ratio * ratio * color, glm::vec3(1.0f)) * factor;
-  }
-  s.f0 = glm::mix(s.f0Dielectric, baseColor, s.metallic);
-  const float roughness = ownRoughness ? *ownRoughness : m.roughnessFactor * texel.g;
-  s.perceptualRoughness = modelRoughness(roughness, geometric, terms);
-  s.alpha = brdf_f::alphaFromRoughness(s.perceptualRoughness);
-  s.NoV = brdf_f::saturate(glm::dot(s.n, s.v));
-  s.dfg = dfg(s.perceptualRoughness, s.NoV);
-}
-
-void readAnisotropy(SurfaceInfo& s, const PhysicalLayers& l, const Reader& read, const glm::mat3& frame) {
-  glm::vec2 direction =
-      l.anisotropyStrength * glm::vec2(std::cos(l.anisotropyRotation), std::sin(l.anisotropyRotation));
-  if (l.anisotropyTexture) {
-    const glm::mat2 rotation(direction.x, direction.y, -direction.y, direction.x);
-    const glm::vec4 texel = read(l.anisotropyTexture);
-    const glm::vec2 axis = 2.0f * glm::vec2(texel) - 1.0f;
-    direction = rotation * (glm::dot(axis, axis) > 0 ? glm::normalize(axis) : glm::vec2(1, 0)) * texel.b;
-  }
-  s.anisotropyStrength = glm::length(direction);
-  direction = s.anisotropyStrength == 0 ? glm::vec2(1, 0) : direction / s.anisotropyStrength;
-  s.anisotropyStrength = brdf_f::saturate(s.anisotropyStrength);
-  s.alphaT = brdf_f::alphaAlongTangent(s.perceptualRoughness, s.anisotropyStrength);
-  s.t = frame[0] * direction.x + frame[1] * direction.y;
-  s.b = frame[1] * direction.x - frame[0] * direction.y;
-}
-
-void readFilm(SurfaceInfo& s, const PhysicalLayers& l, const Reader& read) {
-  const float thickness = glm::mix(l.iridescenceThicknessMinimum, l.iridescenceThicknessMaximum,
-                                   l.iridescenceThicknessTexture ? read(l.iridescenceThicknessTexture).g : 1.0f);
-  s.iridescence = thickness == 0 ? 0 : brdf_f::saturate(l.iridescenceFactor * read(l.iridescenceTexture).r);
-  s.filmFresnel = s.filmF0Dielectric = s.filmF0Metal = glm::vec3(0);
-  if (s.iridescence == 0) return;
-  const glm::vec3 dielectric = brdf_f::F_Iridescence(l.iridescenceIor, thickness, s.NoV, s.f0Dielectric);
-  const glm::vec3 metal = brdf_f::F_Iridescence(l.iridescenceIor, thickness, s.NoV, s.baseColor);
-  s.filmFresnel = glm::mix(dielectric, metal, s.metallic);
-  s.filmF0Dielectric = brdf_f::f0FromSchlick(dielectric, s.NoV);
-  s.filmF0Metal = brdf_f::f0FromSchlick(metal, s.NoV);
-}
-
-void readLayers(SurfaceInfo& s, const Material& m, const Reader& read, const glm::mat3& frame,
-                const glm::vec3& coatNormal, float geometric, glm::vec2 (*dfg)(float, float),
-                const ShadingTerms* terms) {
-  const PhysicalLayers& l = m.layers;
-  s.diffuseRoughness = brdf_f::saturate(l.diffuseRoughnessFactor * read(l.diffuseRoughnessTexture).r);
-  readAnisotropy(s, l, read, frame);
-  readFilm(s, l, read);
-  s.sheenColor = l.sheen ? l.sheenColorFactor * glm::vec3(read(l.sheenColorTexture, true)) : glm::vec3(0);
-  s.sheenRoughness =
-      std::max(std::min(l.sheenRoughnessFactor, 1.0f) * read(l.sheenRoughnessTexture).a, brdf_f::SHEEN_ROUGHNESS_MIN);
-  s.coatNormal = coatNormal;
-  s.clearcoat = brdf_f::saturate(l.clearcoatFactor * read(l.clearcoatTexture).r);
-  const float coatRoughness = l.clearcoatRoughnessFactor * read(l.clearcoatRoughnessTexture).g;
-  s.clearcoatRoughness = modelRoughness(coatRoughness, geometric, terms);
-  s.clearcoatNoV = brdf_f::saturate(glm::dot(coatNormal, s.v));
-  s.coatDfg = dfg(s.clearcoatRoughness, s.clearcoatNoV);
-}
-
 bool isWoven(const PlacedMesh& mesh) { return mesh.shading == ShadingModel::kFabric && mesh.material->fabric.weave; }
-
-/// The yarns on top at this point. Finer than a pixel they are not taken together: many samples do that.
-/// @param up  the frame's second axis is Y of the tangent space, else -Y
-void readYarns(SurfaceInfo& s, const Material& m, const Reader& read, const glm::mat3& frame, bool up,
-               float geometric) {
-  const FabricLayers& f = m.fabric;
-  const float texel = read(m.metallicRoughnessTexture).g;
-  const glm::vec3 weft = brdf_f::safeNormalize(frame[0] - s.n * glm::dot(s.n, frame[0]), brdf_f::anyTangent(s.n));
-  glm::vec3 warp = glm::cross(s.n, weft);
-  if ((glm::dot(warp, frame[1]) < 0) == up) warp = -warp;
-  glm::vec2 coverage(f.warp.coverage, f.weft.coverage), turn(1, 0);
-  float slope = 0;
-  if (f.weaveTexture) {
-    const glm::vec4 weave = read(f.weaveTexture);
-    coverage = (coverage.x + coverage.y) * glm::vec2(weave.a, 1 - weave.a);
-    turn = 2.0f * glm::vec2(weave) - 1.0f;
-    slope = 2 * weave.b - 1;
-  }
-  const auto yarn = [&](const Yarn& y, float share, const glm::vec3& axis, const glm::vec3& aside) {
-    return brdf_f::fabric::yarnLobe(s.n, axis, aside, turn, slope, share,
-                                    brdf_f::shadedRoughness(y.roughness * texel, geometric), y.anisotropy,
-                                    y.specularColor);
-  };
-  s.t = weft;
-  s.b = warp;
-  s.warp = yarn(f.warp, coverage.x, warp, -weft);
-  s.weft = yarn(f.weft, coverage.y, weft, warp);
-}
-
-/// What FabricLayers adds.
-void readCloth(SurfaceInfo& s, const Material& m, const Reader& read, const glm::vec3& geometricNormal) {
-  const FabricLayers& f = m.fabric;
-  s.geometricNormal = geometricNormal;
-  s.slopeVariance = 0;  // rays see every bump
-  s.flatness = f.flatness;
-  s.diffuseTransmission = brdf_f::saturate(f.diffuseTransmissionFactor * read(f.diffuseTransmissionTexture).a);
-  s.transmittedColor = f.diffuseTransmissionColorFactor * glm::vec3(read(f.diffuseTransmissionColorTexture, true));
-  s.warp.coverage = s.weft.coverage = 0;
-}
 
 Glass readGlass(const PhysicalLayers& l, const Reader& read, const PlacedMesh& mesh) {
   Glass glass;
@@ -228,6 +112,36 @@ Glass readGlass(const PhysicalLayers& l, const Reader& read, const PlacedMesh& m
   glass.attenuationColor = l.attenuationColor;
   glass.attenuationDistance = l.attenuationDistance;
   return glass;
+}
+
+/// shadingNormals() of shaders/material/normal.glsl; no normal is turned away from the viewer, where terms of stretched
+/// lobes have poles.
+/// @param n  of the surface, unit      @param face  1 on the front, -1 on the back
+brdf_f::Normals normalsAt(const PlacedMesh& mesh, const Corners& corners, const Reader& read, const glm::vec3& n,
+                          const glm::vec3& v, float face) {
+  const Material& m = *mesh.material;
+  const bool hasTangents = !mesh.primitive->tangents.empty();
+  const TextureRef& coatMap = m.layers.clearcoatNormalTexture;
+  // Without vertex tangents the frame follows the texture's rows downwards.
+  const glm::vec2 signs(1, hasTangents ? 1 : -1);
+  const auto frameOf = [&](const TextureRef& texture) {
+    return tangentFrame(mesh, corners, read.barycentric, n, texture, v, face);
+  };
+  const bool framedByWeave = isWoven(mesh) && m.fabric.weaveTexture;
+  const glm::mat3 mapped = frameOf(m.normalTexture ? m.normalTexture : framedByWeave ? m.fabric.weaveTexture : coatMap);
+  brdf_f::Normals normals{};
+  normals.shading = normals.coat = n;
+  if (m.normalTexture) normals.shading = mappedNormal(mapped, read(m.normalTexture), signs * m.normalScale);
+  if (coatMap) normals.coat = mappedNormal(frameOf(coatMap), read(coatMap), signs * m.layers.clearcoatNormalScale);
+  normals = brdf_f::facingViewer(normals, v);
+  normals.geometric = m.normalTexture ? n : normals.shading;
+  // The frame of texture coordinates is not square: without a stretched highlight any square one about the mapped
+  // normal shades the same.
+  const bool stretched = m.layers.anisotropyStrength > 0 || isWoven(mesh);
+  const bool framed = stretched && glm::dot(mapped[0], mapped[0]) > 0 && glm::dot(mapped[1], mapped[1]) > 0;
+  normals.frame = framed ? mapped : brdf_f::basisAbout(normals.shading);
+  normals.upward = hasTangents ? 1.0f : -1.0f;
+  return normals;
 }
 
 /// Geometric roughness of three.js: how much the interpolated normal turns within a pixel.
@@ -250,13 +164,12 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   const Reader read{textures, corners, b};
   Surface surface{.position = corners.position(b)};
   surface.distance = hit.distance;
-  SurfaceInfo& s = surface.info;
-  s.v = -ray.direction;
+  const glm::vec3 v = surface.info.v = -ray.direction;
   const glm::vec3 cross = corners.cross();
-  const bool front = (glm::dot(cross, s.v) < 0) == mesh.mirrored;
+  const bool front = (glm::dot(cross, v) < 0) == mesh.mirrored;
   const float face = front ? 1.0f : -1.0f;
   surface.front = front;
-  surface.geometricNormal = brdf_f::safeNormalize(glm::dot(cross, s.v) < 0 ? -cross : cross, s.v);
+  surface.geometricNormal = brdf_f::safeNormalize(glm::dot(cross, v) < 0 ? -cross : cross, v);
   glm::vec4 baseColor = m.baseColorFactor * read(m.baseColorTexture, true) * glm::vec4(mesh.tint, 1.0f);
   if (!primitive.colors.empty()) baseColor *= corners.at(primitive.colors, b);
   surface.alpha = m.alphaMode == AlphaMode::kBlend ? brdf_f::saturate(baseColor.a) : 1.0f;
@@ -269,36 +182,24 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   const glm::vec3 interpolated = flat ? surface.geometricNormal : corners.normal(b);
   const glm::vec3 n = flat || !m.doubleSided ? interpolated : interpolated * face;
   const float geometric = flat || !footprint ? 0.0f : roughnessOfCurvature(corners, interpolated, *footprint);
-  // Without vertex tangents the frame follows the texture's rows downwards.
-  const glm::vec2 signs(1, primitive.tangents.empty() ? -1 : 1);
-  s.n = n;
-  const bool cloth = mesh.shading == ShadingModel::kFabric;
-  const TextureRef& framing = m.normalTexture                          ? m.normalTexture
-                              : isWoven(mesh) && m.fabric.weaveTexture ? m.fabric.weaveTexture
-                                                                       : m.layers.clearcoatNormalTexture;
-  const glm::mat3 mapped = tangentFrame(mesh, corners, b, n, framing, s.v, face);
-  if (m.normalTexture) s.n = mappedNormal(mapped, read(m.normalTexture), signs * m.normalScale);
-  // The shading takes a viewer behind the normal along the surface, where terms of stretched lobes have poles.
-  s.n = brdf_f::normalFacing(s.n, s.v);
-  // The frame of texture coordinates is not square: without a stretched highlight any square one about the mapped
-  // normal shades the same.
-  glm::mat3 frame = brdf_f::basisAbout(s.n);
-  const bool stretched = m.layers.anisotropyStrength > 0 || isWoven(mesh);
-  if (stretched && glm::dot(mapped[0], mapped[0]) > 0 && glm::dot(mapped[1], mapped[1]) > 0) frame = mapped;
-  glm::vec3 coatNormal = n;
-  if (const TextureRef& map = m.layers.clearcoatNormalTexture) {
-    const glm::mat3 coatFrame = tangentFrame(mesh, corners, b, n, map, s.v, face);
-    coatNormal = mappedNormal(coatFrame, read(map), signs * m.layers.clearcoatNormalScale);
+  const brdf_f::Normals normals = normalsAt(mesh, corners, read, n, v, face);
+  brdf_f::MaterialInputs in = materialInputs<brdf_f::MaterialInputs>(m, glm::vec3(baseColor), read);
+  // Finer than a pixel yarns are not taken together: many samples do that.
+  if (isWoven(mesh) && m.fabric.weaveTexture)
+    in = brdf_f::withWeaveTexel(in, read(m.fabric.weaveTexture), glm::vec2(0));
+  if (mesh.shading == ShadingModel::kFabric && m.fabric.back && m.doubleSided && !front) {
+    in.baseColor = m.fabric.backColorFactor * glm::vec3(read(m.fabric.backColorTexture, true));
+    in.roughness = m.fabric.backRoughnessFactor;
   }
-  coatNormal = brdf_f::normalFacing(coatNormal, s.v);
-  const bool back = cloth && m.fabric.back && m.doubleSided && !front;
-  if (back)
-    baseColor = glm::vec4(m.fabric.backColorFactor * glm::vec3(read(m.fabric.backColorTexture, true)), baseColor.a);
-  readBase(s, m, read, glm::vec3(baseColor), geometric, dfg, terms, back ? &m.fabric.backRoughnessFactor : nullptr);
-  readLayers(s, m, read, frame, coatNormal, geometric, dfg, terms);
+  if (!terms) in = brdf_f::withShadedRoughness(in, geometric);
+  SurfaceInfo s = brdf_f::withBase({}, in, normals, v);
+  if (m.physical) s = brdf_f::withSpecular(s, in);
+  s = brdf_f::withLayers(s, in, normals);
+  if (isWoven(mesh)) s = brdf_f::withWeave(s, in, normals);
   if (terms) s.terms = *terms;
-  readCloth(s, m, read, m.normalTexture ? n : s.n);
-  if (isWoven(mesh)) readYarns(s, m, read, frame, !primitive.tangents.empty(), geometric);
+  s.dfg = dfg(s.perceptualRoughness, s.NoV);
+  s.coatDfg = dfg(s.clearcoatRoughness, s.clearcoatNoV);
+  surface.info = s;
   surface.glass = readGlass(m.layers, read, mesh);
   if (m.occlusionTexture) surface.occlusion = brdf_f::diffuseOcclusion(read(m.occlusionTexture).r, m.occlusionStrength);
   return surface;

@@ -2,23 +2,6 @@
 
 #define TANGENT_FRAME (NORMAL_MAP || CLEARCOAT_NORMAL_MAP || ANISOTROPY || WEAVE)
 
-struct Normals {
-  vec3 geometric;  // interpolated (or of the flat face), turned to the viewer on double-sided surfaces
-  vec3 shading;    // after the normal map
-#if CLEARCOAT
-  vec3 coat;       // after the clearcoat's own normal map
-#endif
-#if NORMAL_VARIANCE
-  vec2 slopeVariance;      // of what the normal map has within the pixel, along tangent and bitangent
-#if CLEARCOAT
-  vec2 coatSlopeVariance;
-#endif
-#endif
-#if ANISOTROPY || WEAVE
-  mat3 frame;      // columns: tangent, bitangent, geometric normal
-#endif
-};
-
 #if TANGENT_FRAME
 // Tangent frame from screen-space derivatives: the gradients of u and v on the surface, by one scale so that the longer is of
 // unit length, and n. Not orthonormal. Where u and v do not change, the gradients are 0.
@@ -75,14 +58,18 @@ vec3 mappedNormal(mat3 frame, vec3 texel, vec2 scale) {
 }
 #endif
 
+// To the viewer, view space.
+vec3 viewDirection() {
+#if ORTHOGRAPHIC
+  return vec3(0.0, 0.0, 1.0);
+#else
+  return normalize(vViewPosition);
+#endif
+}
+
 // The viewer's direction stands in for a normal of no length, which opposite vertices have between them.
 vec3 unitNormal(vec3 n) {
-#if ORTHOGRAPHIC
-  vec3 towards = vec3(0.0, 0.0, 1.0);
-#else
-  vec3 towards = normalize(vViewPosition);
-#endif
-  return dot(n, n) > 0.0 ? normalize(n) : towards;
+  return dot(n, n) > 0.0 ? normalize(n) : viewDirection();
 }
 
 Normals shadingNormals() {
@@ -122,6 +109,13 @@ Normals shadingNormals() {
 #if ANISOTROPY || WEAVE
   // three.js divides by 0 here; a stretched highlight needs some direction.
   normals.frame = dot(frame[0], frame[0]) > 0.0 && dot(frame[1], frame[1]) > 0.0 ? frame : basisAbout(normals.geometric);
+#endif
+#if WEAVE
+#if TANGENT
+  normals.upward = 1.0;
+#else
+  normals.upward = -1.0;  // derivatives follow the texture's rows, which run downwards
+#endif
 #endif
 #if CLEARCOAT
   normals.coat = normals.geometric;

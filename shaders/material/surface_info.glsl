@@ -14,64 +14,36 @@ vec4 baseColorAndAlpha() {
 }
 
 #if !UNLIT
-#include "material/layer_info.glsl"
-#if SHADING_FABRIC || SHADING_PRINCIPLED
-#include "material/fabric_textures.glsl"
-#endif
-
-#if SHADING_FABRIC
-#include "material/fabric_info.glsl"
-#endif
+#include "material/layers.glsl"
+#include "material/material_inputs.glsl"
 
 SurfaceInfo surfaceInfo(vec3 baseColor) {
-  SurfaceInfo s;
-  float roughness = roughnessFactor;
-  s.metallic = metallicFactor;
-#if METALLIC_ROUGHNESS_MAP
-  vec4 texel = texture(metallicRoughnessMap, vMetallicRoughnessUv);
-  roughness *= texel.g;
-  s.metallic *= texel.b;
-#endif
-#if BACK
-  if (seenFromBack()) {
-    baseColor = backColor();
-    roughness = backRoughness;
-  }
-#endif
+  MaterialInputs m = materialInputs(baseColor);
   Normals normals = shadingNormals();
-  float geometric = geometricRoughness(dFdx(normals.geometric), dFdy(normals.geometric));
 #if NORMAL_VARIANCE
-  roughness = roughnessWithSlopes(roughness, normals.slopeVariance);
+  m = withSlopes(m, normals);
 #endif
-  s.n = normals.shading;
-#if ORTHOGRAPHIC
-  s.v = vec3(0.0, 0.0, 1.0);
-#else
-  s.v = normalize(vViewPosition);
+#if !SHADING_PRINCIPLED
+  m = withShadedRoughness(m, geometricRoughness(dFdx(normals.geometric), dFdy(normals.geometric)));
 #endif
+  vec3 v = viewDirection();
 #if SHADING_FABRIC
-  turnToViewer(s, normals);
+  normals = facingViewer(normals, v);
 #endif
-  s.baseColor = baseColor;
-  s.diffuse = diffuseAlbedo(baseColor, s.metallic);
-  s.f0Dielectric = vec3(F0_DIELECTRIC);
-  s.f90 = 1.0;
+  SurfaceInfo s;
+  s = withBase(s, m, normals, v);
 #if SPECULAR
-  addSpecular(s);
+  s = withSpecular(s, m);
 #endif
-  s.f0 = mix(s.f0Dielectric, baseColor, s.metallic);
-  s.perceptualRoughness = modelRoughness(roughness, geometric);
-  s.alpha = alphaFromRoughness(s.perceptualRoughness);
-  s.NoV = saturate(dot(s.n, s.v));
+  s = withLayers(s, m, normals);
+#if WEAVE
+  s = withWeave(s, m, normals);
+#endif
 #if !SHADING_FABRIC
   s.dfg = texture(dfgMap, vec2(s.perceptualRoughness, s.NoV)).rg;
+#if CLEARCOAT
+  s.coatDfg = texture(dfgMap, vec2(s.clearcoatRoughness, s.clearcoatNoV)).rg;
 #endif
-  addLayers(s, normals, geometric);
-#if SHADING_FABRIC || SHADING_PRINCIPLED
-  addThin(s);
-#endif
-#if WEAVE
-  addWeave(s, normals, geometric);
 #endif
   return preparedSurface(s);
 }

@@ -31,28 +31,6 @@ bool isWoven(SurfaceInfo s) {
 #endif
 }
 
-// One set of yarns as it lies at a point.
-// axis          its own axis in the tangent plane, unit: warp +Y, weft +X of the tangent frame (n, axis and aside = +Y for
-//               weft and -X for warp are a right-handed frame)
-// turn          cosine and sine of the angle by which it is turned out of its axis towards `aside`
-// slope         sine of the angle by which it rises along itself
-// roughness     perceptual, along it, (0, 1]      anisotropy  [0, 1], how much rougher across it
-YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, float slope, float coverage, float roughness, float anisotropy,
-                  vec3 specularColor) {
-  YarnLobe yarn;
-  yarn.lying = safeNormalize(axis * turn.x + aside * turn.y, axis);
-  float rise = clamp(slope, -0.95, 0.95);
-  float level = sqrt(1.0 - pow2(rise));
-  yarn.t = yarn.lying * level + n * rise;
-  yarn.n = n * level - yarn.lying * rise;
-  yarn.b = cross(n, yarn.lying);
-  yarn.coverage = coverage;
-  yarn.alphaT = alphaFromRoughness(roughness);
-  yarn.alphaB = mix(yarn.alphaT, 1.0, pow2(anisotropy));
-  yarn.specularColor = specularColor;
-  return yarn;
-}
-
 // The surface with the one lobe that stands for its yarns where a lobe of one width reads the environment: the second moments
 // of both, which lie square to each other, along the frame's axes.
 SurfaceInfo withMeanYarn(SurfaceInfo s) {

@@ -18,11 +18,11 @@ SurfaceInfo preparedSurface(SurfaceInfo s) {
   }
 #endif
 #if CLEARCOAT
-  s = withCoat(s);
+  s = withCoatTerm(s);
   s.coatDfg = environmentTerm(s, s.clearcoatRoughness, s.clearcoatNoV, s.coatDfg);
 #endif
 #if SHEEN
-  s = withSheen(s);
+  s = withSheenTerm(s);
 #endif
   return withWidths(s);
 }

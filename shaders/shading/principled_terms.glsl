@@ -177,7 +177,7 @@ vec3 transmittedAlbedoTerm(SurfaceInfo s) {
 
 #if SHEEN
 // Sheen: what is the same for every light ...
-SurfaceInfo withSheen(SurfaceInfo s) {
+SurfaceInfo withSheenTerm(SurfaceInfo s) {
 #if ALL_TERMS || SHEEN_TERM == SHEEN_DISNEY_2012
   if (CHOSEN(sheen, SHEEN_TERM) == SHEEN_DISNEY_2012) {
     s.sheenColor = sheenFromGltf(s.baseColor, s.sheenColor) * (1.0 - s.metallic);
@@ -239,7 +239,7 @@ float sheenAlbedoTerm(SurfaceInfo s) {
 
 #if CLEARCOAT
 // Coat: roughness that its lobe has ...
-SurfaceInfo withCoat(SurfaceInfo s) {
+SurfaceInfo withCoatTerm(SurfaceInfo s) {
 #if ALL_TERMS || CLEARCOAT_TERM == CLEARCOAT_DISNEY_2012
   if (CHOSEN(clearcoat, CLEARCOAT_TERM) == CLEARCOAT_DISNEY_2012) {
     s.clearcoatRoughness = sqrt(mix(0.1, 0.001, glossFromGltf(s.clearcoatRoughness)));

@@ -35,8 +35,8 @@ export const FAULTS = [
     name: 'swapped channels: roughness from blue, metalness from green',
     item: 'metallic-roughness-map-env',
     edits: [
-      { file: 'material/surface_info.glsl', find: 'roughness *= texel.g;', replace: 'roughness *= texel.b;' },
-      { file: 'material/surface_info.glsl', find: 's.metallic *= texel.b;', replace: 's.metallic *= texel.g;' },
+      { file: 'material/material_inputs.glsl', find: 'm.roughness *= metallicRoughness.g;', replace: 'm.roughness *= metallicRoughness.b;' },
+      { file: 'material/material_inputs.glsl', find: 'm.metallic *= metallicRoughness.b;', replace: 'm.metallic *= metallicRoughness.g;' },
     ],
     first: 'metallic',
   },

@@ -138,7 +138,7 @@ export const ARRAYS = {
 export const EXPRESSIONS = {
   'texture(metallicRoughnessMap, vMetallicRoughnessUv)': 'metallicRoughnessTexel()',
   'texture(normalMap, vNormalUv).xyz': 'normalTexel()',
-  's.v = normalize(vViewPosition);': 's.v = viewDirection();',
+  'return normalize(vViewPosition);': 'return isOrthographic ? vec3(0.0, 0.0, 1.0) : normalize(vViewPosition);',
 };
 
 /** The same of cloth alone: maps made anew by js/three/shading/texture_bake.mjs, and samples that are covered in turn. */

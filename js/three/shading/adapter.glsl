@@ -1,7 +1,5 @@
 // What telar's shading reads in another form than three.js holds it.
 
-vec3 viewDirection() { return isOrthographic ? vec3(0.0, 0.0, 1.0) : normalize(vViewPosition); }
-
 #if METALLIC_ROUGHNESS_MAP
 vec4 metallicRoughnessTexel() {
   vec4 texel = vec4(1.0);

@@ -66,8 +66,8 @@ SurfaceInfo surfaceOf(const Weave& w) {
   s.perceptualRoughness = s.clearcoatRoughness = s.sheenRoughness = 0.5;
   s.alpha = s.alphaT = 0.25;
   const auto yarns = [&](const Yarns& y, const dvec3& axis, const dvec3& aside) {
-    return brdf_d::fabric::yarnLobe(s.n, axis, aside, w.turn, w.slope, y.coverage,
-                                    brdf_d::shadedRoughness(y.roughness, 0), y.anisotropy, dvec3(1));
+    return brdf_d::yarnLobe(s.n, axis, aside, w.turn, w.slope, y.coverage, brdf_d::shadedRoughness(y.roughness, 0),
+                            y.anisotropy, dvec3(1));
   };
   s.warp = yarns(w.warp, s.b, -s.t);
   s.weft = yarns(w.weft, s.t, s.b);

@@ -1,0 +1,220 @@
+// What the layers of a material make of a surface: pure functions from factors times texels (MaterialInputs) to SurfaceInfo.
+// No uniforms and no textures: also compiled as C++ (renderer/brdf/shading.h), with every layer on. Who calls them fetches
+// texels, knows the frame of the surface, and looks up the split sum. Order of three r187.
+
+// Perceptual roughness as it is shaded: not below the floor, and wider where the surface turns within a pixel. The principled
+// shadings take roughness as authored.
+// geometric  geometricRoughness()
+MaterialInputs withShadedRoughness(MaterialInputs m, float geometric) {
+  m.roughness = shadedRoughness(m.roughness, geometric);
+#if CLEARCOAT
+  m.clearcoatRoughness = shadedRoughness(m.clearcoatRoughness, geometric);
+#endif
+#if WEAVE
+  m.yarnRoughness = vec2(shadedRoughness(m.yarnRoughness.x, geometric), shadedRoughness(m.yarnRoughness.y, geometric));
+#endif
+  return m;
+}
+
+#if NORMAL_VARIANCE
+// Roughness with the bumps in it that a map of slopes has within the pixel.
+MaterialInputs withSlopes(MaterialInputs m, Normals normals) {
+  m.roughness = roughnessWithSlopes(m.roughness, normals.slopeVariance);
+#if CLEARCOAT
+  m.clearcoatRoughness = roughnessWithSlopes(m.clearcoatRoughness, normals.coatSlopeVariance);
+#endif
+#if WEAVE
+  m.yarnRoughness = vec2(roughnessWithSlopes(m.yarnRoughness.x, normals.slopeVariance), roughnessWithSlopes(m.yarnRoughness.y, normals.slopeVariance));
+#endif
+  return m;
+}
+#endif
+
+#if WEAVE_MAP
+// Yarns within a pixel from which on their mean is shown, and from which on nothing else is.
+const float YARNS_SEEN = 0.25;
+const float YARNS_BLENDED = 0.5;
+
+// The yarn on top at a texel of a weave map.
+// texel    RG = (cos, sin) / 2 + 1/2 of the angle by which the yarn is turned counter-clockwise out of its own axis (warp v,
+//          weft u), B = sin / 2 + 1/2 of its slope along it, A = 0 weft .. 1 warp; averages of mip levels are shorter where the
+//          yarns of a texel differ
+// threads  yarns that lie within a pixel: warp, weft; 0 where many samples see each of them
+MaterialInputs withWeaveTexel(MaterialInputs m, vec4 texel, vec2 threads) {
+  vec2 coverage = (m.yarnCoverage.x + m.yarnCoverage.y) * vec2(texel.w, 1.0 - texel.w);
+  m.yarnTurn = 2.0 * vec2(texel) - 1.0;
+  m.yarnSlope = 2.0 * texel.z - 1.0;
+  // The texel at hand is one thread or the other; from afar both are seen as they lie on average.
+  float blend = smoothstep(YARNS_SEEN, YARNS_BLENDED, max(threads.x, threads.y));
+  m.yarnCoverage = mix(coverage, m.yarnCoverage, blend);
+  m.yarnTurn = mix(m.yarnTurn, vec2(1.0, 0.0), blend);
+  m.yarnSlope *= 1.0 - blend;
+  return m;
+}
+#endif
+
+// Neither normal turned away from the viewer, as cloth is shaded.
+Normals facingViewer(Normals normals, vec3 v) {
+#if NORMAL_MAP
+  normals.shading = normalFacing(normals.shading, v);
+#endif
+#if CLEARCOAT_NORMAL_MAP
+  normals.coat = normalFacing(normals.coat, v);
+#endif
+  return normals;
+}
+
+// Metallic-roughness alone.
+// v  unit, to the viewer
+SurfaceInfo withBase(SurfaceInfo s, MaterialInputs m, Normals normals, vec3 v) {
+  s.n = normals.shading;
+  s.v = v;
+  s.NoV = saturate(dot(s.n, s.v));
+  s.baseColor = m.baseColor;
+  s.metallic = m.metallic;
+  s.diffuse = diffuseAlbedo(m.baseColor, m.metallic);
+  s.f0Dielectric = vec3(F0_DIELECTRIC);
+  s.f90 = 1.0;
+  s.perceptualRoughness = m.roughness;
+  s.alpha = alphaFromRoughness(m.roughness);
+#if SHADING_FABRIC && NORMAL_MAP
+  s.geometricNormal = normals.geometric;
+#if NORMAL_VARIANCE
+  s.slopeVariance = normals.slopeVariance.x + normals.slopeVariance.y;
+#else
+  s.slopeVariance = 0.0;
+#endif
+#endif
+  return s;
+}
+
+#if SPECULAR
+// KHR_materials_specular and KHR_materials_ior.
+SurfaceInfo withSpecular(SurfaceInfo s, MaterialInputs m) {
+  s.f90 = mix(m.specular, 1.0, s.metallic);
+  s.f0Dielectric = min(pow2((m.ior - 1.0) / (m.ior + 1.0)) * m.specularColor, vec3(1.0)) * m.specular;
+  return s;
+}
+#endif
+
+#if ANISOTROPY
+// KHR_materials_anisotropy: the highlight is stretched along the vector, which a texel turns and shortens.
+SurfaceInfo withAnisotropy(SurfaceInfo s, MaterialInputs m, mat3 frame) {
+  vec2 axis = 2.0 * vec2(m.anisotropyTexel) - 1.0;
+  axis = dot(axis, axis) > 0.0 ? normalize(axis) : vec2(1.0, 0.0);
+  vec2 stretch = m.anisotropyVector;
+  vec2 direction = vec2(stretch.x * axis.x - stretch.y * axis.y, stretch.y * axis.x + stretch.x * axis.y) * m.anisotropyTexel.z;
+  s.anisotropyStrength = length(direction);
+  direction = s.anisotropyStrength == 0.0 ? vec2(1.0, 0.0) : direction / s.anisotropyStrength;
+  s.anisotropyStrength = saturate(s.anisotropyStrength);
+  s.alphaT = alphaAlongTangent(s.perceptualRoughness, s.anisotropyStrength);
+  s.t = frame[0] * direction.x + frame[1] * direction.y;
+  s.b = frame[1] * direction.x - frame[0] * direction.y;
+  return s;
+}
+#endif
+
+#if IRIDESCENCE
+// KHR_materials_iridescence: a thin film.
+SurfaceInfo withFilm(SurfaceInfo s, MaterialInputs m) {
+  s.iridescence = m.iridescenceThickness == 0.0 ? 0.0 : saturate(m.iridescence);
+#if ALL_TERMS
+  // C++ has every layer on, and a film costs much.
+  s.filmFresnel = s.filmF0Dielectric = s.filmF0Metal = vec3(0.0);
+  if (s.iridescence == 0.0) return s;
+#endif
+  vec3 dielectric = F_Iridescence(m.iridescenceIor, m.iridescenceThickness, s.NoV, s.f0Dielectric);
+  vec3 metal = F_Iridescence(m.iridescenceIor, m.iridescenceThickness, s.NoV, s.baseColor);
+  s.filmFresnel = mix(dielectric, metal, s.metallic);
+  s.filmF0Dielectric = f0FromSchlick(dielectric, s.NoV);
+  s.filmF0Metal = f0FromSchlick(metal, s.NoV);
+  return s;
+}
+#endif
+
+#if SHEEN
+// KHR_materials_sheen.
+SurfaceInfo withSheen(SurfaceInfo s, MaterialInputs m) {
+  s.sheenColor = m.sheenColor;
+  // Above 0 after the texture too: three.js gives NaN for a texel of 0.
+  s.sheenRoughness = clamp(m.sheenRoughness, SHEEN_ROUGHNESS_MIN, 1.0);
+  return s;
+}
+#endif
+
+#if CLEARCOAT
+// KHR_materials_clearcoat.
+SurfaceInfo withCoat(SurfaceInfo s, MaterialInputs m, vec3 normal) {
+  s.coatNormal = normal;
+  s.clearcoat = saturate(m.clearcoat);
+  s.clearcoatRoughness = m.clearcoatRoughness;
+  s.clearcoatNoV = saturate(dot(normal, s.v));
+  return s;
+}
+#endif
+
+#if WEAVE
+// One set of yarns as it lies at a point.
+// axis          its own axis in the tangent plane, unit: warp +Y, weft +X of the tangent frame (n, axis and aside = +Y for
+//               weft and -X for warp are a right-handed frame)
+// turn          cosine and sine of the angle by which it is turned out of its axis towards `aside`
+// slope         sine of the angle by which it rises along itself
+// roughness     perceptual, along it, (0, 1]      anisotropy  [0, 1], how much rougher across it
+YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, float slope, float coverage, float roughness, float anisotropy,
+                  vec3 specularColor) {
+  YarnLobe yarn;
+  yarn.lying = safeNormalize(axis * turn.x + aside * turn.y, axis);
+  float rise = clamp(slope, -0.95, 0.95);
+  float level = sqrt(1.0 - pow2(rise));
+  yarn.t = yarn.lying * level + n * rise;
+  yarn.n = n * level - yarn.lying * rise;
+  yarn.b = cross(n, yarn.lying);
+  yarn.coverage = coverage;
+  yarn.alphaT = alphaFromRoughness(roughness);
+  yarn.alphaB = mix(yarn.alphaT, 1.0, pow2(anisotropy));
+  yarn.specularColor = specularColor;
+  return yarn;
+}
+
+// The two sets of yarns of TELAR_materials_fabric, along the frame on the shading normal.
+SurfaceInfo withWeave(SurfaceInfo s, MaterialInputs m, Normals normals) {
+  vec3 weft = safeNormalize(normals.frame[0] - s.n * dot(s.n, normals.frame[0]), anyTangent(s.n));
+  vec3 warp = cross(s.n, weft);
+  warp *= dot(warp, normals.frame[1]) * normals.upward < 0.0 ? -1.0 : 1.0;
+  s.t = weft;
+  s.b = warp;
+  s.alphaT = s.alpha;
+  s.anisotropyStrength = 0.0;
+  s.warp = yarnLobe(s.n, warp, -weft, m.yarnTurn, m.yarnSlope, m.yarnCoverage.x, m.yarnRoughness.x, m.yarnAnisotropy.x, m.warpSpecularColor);
+  s.weft = yarnLobe(s.n, weft, warp, m.yarnTurn, m.yarnSlope, m.yarnCoverage.y, m.yarnRoughness.y, m.yarnAnisotropy.y, m.weftSpecularColor);
+  return s;
+}
+#endif
+
+// The layers that lie on a surface, or in it.
+SurfaceInfo withLayers(SurfaceInfo s, MaterialInputs m, Normals normals) {
+  s.f0 = mix(s.f0Dielectric, s.baseColor, s.metallic);
+#if DIFFUSE_ROUGHNESS
+  s.diffuseRoughness = saturate(m.diffuseRoughness);
+#endif
+#if ANISOTROPY
+  s = withAnisotropy(s, m, normals.frame);
+#endif
+#if IRIDESCENCE
+  s = withFilm(s, m);
+#endif
+#if SHEEN
+  s = withSheen(s, m);
+#endif
+#if CLEARCOAT
+  s = withCoat(s, m, normals.coat);
+#endif
+#if DIFFUSE_TRANSMISSION
+  s.transmittedColor = m.diffuseTransmissionColor;
+  s.diffuseTransmission = saturate(m.diffuseTransmission);
+#endif
+#if FLATNESS
+  s.flatness = m.flatness;
+#endif
+  return s;
+}
