@@ -24,75 +24,25 @@ precision highp samplerCube;
 #endif
 #include "material/fragment_inputs.glsl"
 #if !UNLIT
-#include "shading/terms.glsl"
-#include "brdf/roughness.glsl"
-#include "brdf/distribution.glsl"
-#include "brdf/visibility.glsl"
-#include "brdf/fresnel.glsl"
-#include "brdf/specular.glsl"
-#include "brdf/diffuse.glsl"
-#include "brdf/multiscatter.glsl"
-#include "brdf/light.glsl"
-#include "brdf/occlusion.glsl"
-#include "brdf/environment.glsl"
+#include "shading/includes_common.glsl"
 #if ENVIRONMENT_SAMPLES > 0
 #include "brdf/importance.glsl"
-#endif
-#if RECT_LIGHTS + DISK_LIGHTS > 0
-#include "brdf/area.glsl"
-#endif
-#if SHEEN && !SHADING_FABRIC
-#include "brdf/sheen.glsl"
-#endif
-#if SHADING_FABRIC || (SHADING_PRINCIPLED && (SHEEN_TERM != SHEEN_CHARLIE_NEUBELT || DISTRIBUTION_TERM == DISTRIBUTION_GTR2_ANISOTROPIC))
-#include "brdf/cloth.glsl"
-#endif
-#if SHADING_FABRIC
-#include "brdf/cloth_energy.glsl"
-#include "brdf/bump.glsl"
-#if ANISOTROPY || WEAVE
-#include "brdf/yarn_energy.glsl"
-#endif
-#if FLATNESS
-#include "brdf/thin_sheet.glsl"
-#endif
-#endif
-#if ANISOTROPY || WEAVE
-#include "brdf/anisotropic.glsl"
-#endif
-#if IRIDESCENCE
-#include "brdf/iridescence.glsl"
-#endif
-#if DIFFUSE_ROUGHNESS || (SHADING_PRINCIPLED && DIFFUSE_TERM == DIFFUSE_EON)
-#include "brdf/rough_diffuse.glsl"
 #endif
 #if TRANSMISSION
 #include "brdf/transmission.glsl"
 #endif
-#if SHADING_PRINCIPLED
-#include "brdf/r115.glsl"
-#include "brdf/disney.glsl"
-#include "brdf/disney_parameters.glsl"
-#include "brdf/principled_albedo.glsl"
-#if ENVIRONMENT_TERM != ENVIRONMENT_THREE_TABLE
-#include "brdf/environment_fit.glsl"
-#endif
-#endif
-#include "material/surface_types.glsl"
-#include "material/normal.glsl"
-#include "light/reflected.glsl"
 #if SHADING_THREE
-#include "shading/three.glsl"
+#include "shading/includes_three.glsl"
 #endif
 #if SHADING_FABRIC
-#include "shading/fabric.glsl"
+#include "shading/includes_fabric.glsl"
 #endif
 #if SHADING_PRINCIPLED
-#include "shading/principled_terms.glsl"
-#include "shading/principled.glsl"
-#endif
+#include "shading/includes_principled.glsl"
 #endif
 #include "material/surface_info.glsl"
+#endif
+#include "material/base_color.glsl"
 #if !UNLIT
 #if FLAT_SHADOWS + CUBE_SHADOWS > 0
 #include "shadow/filter.glsl"

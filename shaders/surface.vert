@@ -45,30 +45,12 @@ void main() {
   vColor = color;
 #endif
 #endif
-#if BASE_COLOR_MAP
-  vBaseColorUv = vec2(baseColorUvTransform * vec3(BASE_COLOR_UV1 == 1 ? uv1 : uv0, 1.0));
-#endif
-#if METALLIC_ROUGHNESS_MAP
-  vMetallicRoughnessUv = vec2(metallicRoughnessUvTransform * vec3(METALLIC_ROUGHNESS_UV1 == 1 ? uv1 : uv0, 1.0));
-#endif
-#if NORMAL_MAP
-  vNormalUv = vec2(normalUvTransform * vec3(NORMAL_UV1 == 1 ? uv1 : uv0, 1.0));
-#endif
-#if OCCLUSION_MAP
-  vOcclusionUv = vec2(occlusionUvTransform * vec3(OCCLUSION_UV1 == 1 ? uv1 : uv0, 1.0));
-#endif
-#if EMISSIVE_MAP
-  vEmissiveUv = vec2(emissiveUvTransform * vec3(EMISSIVE_UV1 == 1 ? uv1 : uv0, 1.0));
-#endif
+#include "material/uv_transforms.glsl"
 #if TANGENT_FRAME_UV0
   vUv0 = uv0;
 #endif
 #if TRANSMISSION
   vWorldPosition = vec3(modelMatrix * meshSpace);
-#endif
-#include "material/layer_uvs.glsl"
-#if SHADING_FABRIC || SHADING_PRINCIPLED
-#include "material/fabric_uvs.glsl"
 #endif
 #if POINTS
   gl_PointSize = 1.0;

@@ -1,4 +1,5 @@
 // Included in a namespace where Real is the scalar type and `float` stands for it.
+#include "material/input_types.glsl"
 #include "../material/surface_types.glsl"
 
 Reflected nothingReflected();
@@ -7,7 +8,7 @@ Reflected nothingReflected();
 MaterialInputs withShadedRoughness(MaterialInputs m, Real geometric);
 MaterialInputs withWeaveTexel(MaterialInputs m, vec4 texel, vec2 threads);
 Normals facingViewer(Normals normals, vec3 v);
-SurfaceInfo withBase(SurfaceInfo s, MaterialInputs m, Normals normals, vec3 v);
+SurfaceInfo baseSurface(MaterialInputs m, Normals normals, vec3 v);
 SurfaceInfo withSpecular(SurfaceInfo s, MaterialInputs m);
 SurfaceInfo withLayers(SurfaceInfo s, MaterialInputs m, Normals normals);
 SurfaceInfo withWeave(SurfaceInfo s, MaterialInputs m, Normals normals);

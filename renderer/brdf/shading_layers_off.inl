@@ -1,13 +1,5 @@
-#undef SPECULAR
-#undef DIFFUSE_ROUGHNESS
-#undef ANISOTROPY
-#undef IRIDESCENCE
-#undef SHEEN
-#undef CLEARCOAT
+#include "brdf/layers_off.inc"
 #undef CLEARCOAT_NORMAL_MAP
-#undef DIFFUSE_TRANSMISSION
-#undef FLATNESS
-#undef WEAVE
 #undef WEAVE_MAP
 #undef NORMAL_MAP
 #undef NORMAL_VARIANCE

@@ -1,14 +1,6 @@
 // The features that shaders/shading and shaders/material/layers.glsl ask for, and every shading.
-#define SPECULAR 1
-#define DIFFUSE_ROUGHNESS 1
-#define ANISOTROPY 1
-#define IRIDESCENCE 1
-#define SHEEN 1
-#define CLEARCOAT 1
+#include "brdf/layers_on.inc"
 #define CLEARCOAT_NORMAL_MAP 1
-#define DIFFUSE_TRANSMISSION 1
-#define FLATNESS 1
-#define WEAVE 1
 #define WEAVE_MAP 1
 #define NORMAL_MAP 1
 #define NORMAL_VARIANCE 0

@@ -21,7 +21,7 @@ brdf_d::SurfaceInfo surfaceOf(const Material& material, const Shot& shot, const 
   normals.geometric = normals.shading = normals.coat = {0, 0, 1};
   normals.frame = glm::dmat3(1);
   normals.upward = 1;
-  brdf_d::SurfaceInfo s = brdf_d::withBase({}, m, normals, v);
+  brdf_d::SurfaceInfo s = brdf_d::baseSurface(m, normals, v);
   if (material.physical) s = brdf_d::withSpecular(s, m);
   s = brdf_d::withLayers(s, m, normals);
   if (shot.shading == ShadingModel::kFabric && material.fabric.weave) s = brdf_d::withWeave(s, m, normals);

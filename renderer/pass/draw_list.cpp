@@ -16,19 +16,9 @@ namespace {
 constexpr std::size_t ALL_FEATURES_LIGHTS = 2;  // of each kind
 
 /// Layers of KHR_materials_* that change the picture: a layer of weight 0 is not compiled in.
-void describeLayers(const PhysicalLayers& layers, shader::VariantKey& key) {
-  constexpr float IOR_OF_F0_DIELECTRIC = 1.5f;
-  key.specular = layers.ior != IOR_OF_F0_DIELECTRIC || layers.specularFactor != 1 ||
-                 layers.specularColorFactor != glm::vec3(1) || layers.specularTexture || layers.specularColorTexture;
-  key.clearcoat = layers.clearcoatFactor > 0;
-  key.sheen = layers.sheen && layers.sheenColorFactor != glm::vec3(0);
-  key.anisotropy = layers.anisotropyStrength > 0;
-  key.iridescence = layers.iridescenceFactor > 0;
-  key.diffuseRoughness = layers.diffuseRoughnessFactor > 0;
-  key.transmission = layers.transmissionFactor > 0;
-  key.volume = key.transmission && layers.thicknessFactor > 0;
-  key.attenuation = key.volume && std::isfinite(layers.attenuationDistance) && layers.attenuationColor != glm::vec3(1);
-  key.dispersion = key.transmission && layers.dispersion > 0 && layers.ior != 1;
+void describeLayers(const Material& m, shader::VariantKey& key) {
+  const PhysicalLayers& l = m.layers;
+#include "pass/physical_conditions.inc"
 }
 
 /// Features that only the shading "fabric" reads.
@@ -56,26 +46,14 @@ bool matters(const TextureSlot& slot, const Material& m, const shader::VariantKe
   if (slot.map == &Key::metallicRoughnessMap) return m.metallicFactor != 0 || m.roughnessFactor != 0;
   if (slot.map == &Key::occlusionMap) return m.occlusionStrength != 0;
   if (slot.map == &Key::emissiveMap) return key.emissive;
-  if (slot.map == &Key::clearcoatMap || slot.map == &Key::clearcoatRoughnessMap || slot.map == &Key::clearcoatNormalMap)
-    return key.clearcoat;
-  if (slot.map == &Key::sheenColorMap || slot.map == &Key::sheenRoughnessMap) return key.sheen;
-  if (slot.map == &Key::anisotropyMap) return key.anisotropy;
-  if (slot.map == &Key::iridescenceMap || slot.map == &Key::iridescenceThicknessMap) return key.iridescence;
-  if (slot.map == &Key::diffuseRoughnessMap) return key.diffuseRoughness;
-  if (slot.map == &Key::transmissionMap) return key.transmission;
-  if (slot.map == &Key::thicknessMap) return key.volume;
-  if (slot.map == &Key::diffuseTransmissionMap || slot.map == &Key::diffuseTransmissionColorMap)
-    return key.diffuseTransmission;
-  if (slot.map == &Key::weaveMap) return key.weave;
-  if (slot.map == &Key::backColorMap) return key.back;
-  return true;
+  return !slot.layer || key.*slot.layer;
 }
 
 /// Texture features of a material; a map that is multiplied by 0 is not sampled.
 void describeMaps(const Material& m, shader::VariantKey& key) {
   if (!key.unlit) {
     key.emissive = m.emissiveFactor != glm::vec3(0);
-    if (m.physical) describeLayers(m.layers, key);
+    if (m.physical) describeLayers(m, key);
     if (key.shading == ShadingModel::kFabric) describeFabric(m, key);
     if (isPrincipled(key.shading)) describePrincipled(m, key);
   }

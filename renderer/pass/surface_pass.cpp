@@ -47,62 +47,20 @@ glm::vec2 normalScaleOf(float scale, const DrawItem& item) {
   return signs * (item.key.flipSided ? -scale : scale);
 }
 
-bool hasLayers(const shader::VariantKey& key) {
-  return key.specular || key.clearcoat || key.sheen || key.anisotropy || key.iridescence || key.diffuseRoughness ||
-         key.transmission;
-}
-
 /// Lengths of the matrix's axes.
 glm::vec3 scaleOf(const glm::mat4& m) {
   return {glm::length(glm::vec3(m[0])), glm::length(glm::vec3(m[1])), glm::length(glm::vec3(m[2]))};
 }
 
-void setTransmission(const gl::Program& program, const DrawItem& item, const glm::dvec3& origin) {
-  const PhysicalLayers& layers = item.material->layers;
-  program.set("modelMatrix", glm::mat4(fromOrigin(item.node->world, origin)));
-  program.set("thicknessScale", scaleOf(glm::mat4(item.node->world)));
-  program.set("transmissionFactor", layers.transmissionFactor);
-  program.set("thicknessFactor", layers.thicknessFactor);
-  program.set("attenuationColor", layers.attenuationColor);
-  program.set("attenuationDistance", layers.attenuationDistance);
-  program.set("dispersion", layers.dispersion);
-}
-
-/// Factors of the layers of KHR_materials_*.
-void setLayers(const gl::Program& program, const DrawItem& item, const glm::dvec3& origin) {
-  const PhysicalLayers& layers = item.material->layers;
-  program.set("ior", layers.ior);
-  program.set("specularFactor", layers.specularFactor);
-  program.set("specularColorFactor", layers.specularColorFactor);
-  program.set("clearcoatFactor", layers.clearcoatFactor);
-  program.set("clearcoatRoughnessFactor", layers.clearcoatRoughnessFactor);
-  program.set("clearcoatNormalScale", normalScaleOf(layers.clearcoatNormalScale, item));
-  program.set("sheenColorFactor", layers.sheenColorFactor);
-  program.set("sheenRoughnessFactor", layers.sheenRoughnessFactor);
-  const double strength = layers.anisotropyStrength, rotation = layers.anisotropyRotation;
-  program.set("anisotropyVector", glm::vec2(glm::dvec2(strength * std::cos(rotation), strength * std::sin(rotation))));
-  program.set("iridescenceFactor", layers.iridescenceFactor);
-  program.set("iridescenceIor", layers.iridescenceIor);
-  program.set("iridescenceThickness",
-              glm::vec2(layers.iridescenceThicknessMinimum, layers.iridescenceThicknessMaximum));
-  program.set("diffuseRoughnessFactor", layers.diffuseRoughnessFactor);
-  if (item.key.transmission) setTransmission(program, item, origin);
-}
-
-/// Factors of the cloth layers. A program takes those that it reads.
-void setFabric(const gl::Program& program, const FabricLayers& fabric) {
-  const Yarn &warp = fabric.warp, &weft = fabric.weft;
-  program.set("diffuseTransmissionFactor", fabric.diffuseTransmissionFactor);
-  program.set("diffuseTransmissionColorFactor", fabric.diffuseTransmissionColorFactor);
-  program.set("flatness", fabric.flatness);
-  program.set("yarnCoverage", glm::vec2(warp.coverage, weft.coverage));
-  program.set("yarnRoughness", glm::vec2(warp.roughness, weft.roughness));
-  program.set("yarnAnisotropy", glm::vec2(warp.anisotropy, weft.anisotropy));
-  program.set("warpSpecularColor", warp.specularColor);
-  program.set("weftSpecularColor", weft.specularColor);
-  program.set("threadsPerUv", fabric.threadsPerUv);
-  program.set("backColorFactor", fabric.backColorFactor);
-  program.set("backRoughness", fabric.backRoughnessFactor);
+/// Factors of the layers that the program has.
+void setLayers(const gl::Program& program, const DrawItem& item) {
+  const shader::VariantKey& key = item.key;
+  {
+    const PhysicalLayers& l = item.material->layers;
+#include "pass/physical_uniforms.inc"
+  }
+  const FabricLayers& l = item.material->fabric;
+#include "pass/fabric_uniforms.inc"
 }
 
 bool readsTransmission(const std::vector<DrawItem>* list) {
@@ -281,8 +239,11 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
   program.set("emissiveFactor", m.emissiveFactor);
   program.set("occlusionStrength", m.occlusionStrength);
   program.set("normalScale", normalScaleOf(m.normalScale, item));
-  if (hasLayers(item.key)) setLayers(program, item, in.plan.origin);
-  if (item.key.shading != ShadingModel::kThree) setFabric(program, m.fabric);
+  setLayers(program, item);
+  if (item.key.transmission) {
+    program.set("modelMatrix", glm::mat4(fromOrigin(item.node->world, in.plan.origin)));
+    program.set("thicknessScale", scaleOf(glm::mat4(item.node->world)));
+  }
 }
 
 void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "shader/variant_key.h"
+#include "telar/material_textures.inc"
 #include "telar/scene.h"
 
 namespace telar::pass {
@@ -14,39 +15,25 @@ struct TextureSlot {
   const char* sampler;
   const char* uvTransform;
   bool srgb;
+  bool shader::VariantKey::*layer;  ///< that it belongs to; null = metallic-roughness
 };
 
-#define TELAR_TEXTURE_SLOT(member, name, srgb)                                                       \
-  TextureSlot {                                                                                      \
-    [](const Material& m) -> const TextureRef& { return m.member; }, &shader::VariantKey::name##Map, \
-        &shader::VariantKey::name##Uv1, #name "Map", #name "UvTransform", srgb                       \
-  }
+#define TELAR_TEXTURE_SLOT(field, name, srgb, feature)                        \
+  TextureSlot{[](const Material& m) -> const TextureRef& { return m.field; }, \
+              &shader::VariantKey::name##Map,                                 \
+              &shader::VariantKey::name##Uv1,                                 \
+              #name "Map",                                                    \
+              #name "UvTransform",                                            \
+              srgb,                                                           \
+              feature},
+#define TELAR_CORE_SLOT(field, name, srgb, none) TELAR_TEXTURE_SLOT(field, name, srgb, nullptr)
+#define TELAR_LAYER_SLOT(field, name, srgb, layer) TELAR_TEXTURE_SLOT(field, name, srgb, &shader::VariantKey::layer)
 
 /// Every texture that a program may sample; a texture's place in the list is its texture unit.
-inline constexpr std::array TEXTURE_SLOTS{
-    TELAR_TEXTURE_SLOT(baseColorTexture, baseColor, true),
-    TELAR_TEXTURE_SLOT(metallicRoughnessTexture, metallicRoughness, false),
-    TELAR_TEXTURE_SLOT(normalTexture, normal, false),
-    TELAR_TEXTURE_SLOT(occlusionTexture, occlusion, false),
-    TELAR_TEXTURE_SLOT(emissiveTexture, emissive, true),
-    TELAR_TEXTURE_SLOT(layers.specularTexture, specular, false),
-    TELAR_TEXTURE_SLOT(layers.specularColorTexture, specularColor, true),
-    TELAR_TEXTURE_SLOT(layers.clearcoatTexture, clearcoat, false),
-    TELAR_TEXTURE_SLOT(layers.clearcoatRoughnessTexture, clearcoatRoughness, false),
-    TELAR_TEXTURE_SLOT(layers.clearcoatNormalTexture, clearcoatNormal, false),
-    TELAR_TEXTURE_SLOT(layers.sheenColorTexture, sheenColor, true),
-    TELAR_TEXTURE_SLOT(layers.sheenRoughnessTexture, sheenRoughness, false),
-    TELAR_TEXTURE_SLOT(layers.anisotropyTexture, anisotropy, false),
-    TELAR_TEXTURE_SLOT(layers.iridescenceTexture, iridescence, false),
-    TELAR_TEXTURE_SLOT(layers.iridescenceThicknessTexture, iridescenceThickness, false),
-    TELAR_TEXTURE_SLOT(layers.diffuseRoughnessTexture, diffuseRoughness, false),
-    TELAR_TEXTURE_SLOT(layers.transmissionTexture, transmission, false),
-    TELAR_TEXTURE_SLOT(layers.thicknessTexture, thickness, false),
-    TELAR_TEXTURE_SLOT(fabric.diffuseTransmissionTexture, diffuseTransmission, false),
-    TELAR_TEXTURE_SLOT(fabric.diffuseTransmissionColorTexture, diffuseTransmissionColor, true),
-    TELAR_TEXTURE_SLOT(fabric.weaveTexture, weave, false),
-    TELAR_TEXTURE_SLOT(fabric.backColorTexture, backColor, true),
-};
+inline constexpr std::array TEXTURE_SLOTS{TELAR_CORE_TEXTURES(TELAR_CORE_SLOT) TELAR_LAYER_TEXTURES(TELAR_LAYER_SLOT)};
+
+#undef TELAR_LAYER_SLOT
+#undef TELAR_CORE_SLOT
 #undef TELAR_TEXTURE_SLOT
 
 }  // namespace telar::pass

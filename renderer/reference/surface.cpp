@@ -192,7 +192,7 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
     in.roughness = m.fabric.backRoughnessFactor;
   }
   if (!terms) in = brdf_f::withShadedRoughness(in, geometric);
-  SurfaceInfo s = brdf_f::withBase({}, in, normals, v);
+  SurfaceInfo s = brdf_f::baseSurface(in, normals, v);
   if (m.physical) s = brdf_f::withSpecular(s, in);
   s = brdf_f::withLayers(s, in, normals);
   if (isWoven(mesh)) s = brdf_f::withWeave(s, in, normals);

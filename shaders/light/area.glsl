@@ -1,19 +1,14 @@
 // Light from rectangles and disks, by linearly transformed cosines. View space; colours are linear Rec.709 times intensity (nit).
 #if RECT_LIGHTS + DISK_LIGHTS > 0
-#if RECT_LIGHTS > 0
-uniform vec3 rectPosition[RECT_LIGHTS];    // centres
-uniform vec3 rectHalfWidth[RECT_LIGHTS];   // from the centre to the middle of an edge
-uniform vec3 rectHalfHeight[RECT_LIGHTS];  // it shines towards cross(rectHalfHeight, rectHalfWidth)
-uniform vec3 rectColor[RECT_LIGHTS];
-#endif
-#if DISK_LIGHTS > 0
-uniform vec3 diskPosition[DISK_LIGHTS];  // centres
-uniform vec3 diskX[DISK_LIGHTS];         // from the centre to the rim
-uniform vec3 diskY[DISK_LIGHTS];         // square with it; the disk shines towards cross(diskY, diskX)
-uniform vec3 diskColor[DISK_LIGHTS];
-#endif
-uniform sampler2D ltcInverseMap;  // RGBA = the entries that ltcInverse takes; for both see ltcCoordinates
-uniform sampler2D ltcAlbedoMap;   // RG = scale and bias of f0
+struct AreaLight {
+  vec3 centre;
+  vec3 alongX;  // from the centre to the middle of an edge, or to the rim; it shines towards cross(alongY, alongX)
+  vec3 alongY;
+  vec3 color;
+  bool isDisk;
+};
+
+#include "light/area_inputs.glsl"
 
 // A lobe as the tables hold it.
 struct LtcLobe {
@@ -80,14 +75,6 @@ AreaLobes areaLobes(SurfaceInfo s) {
   return lobes;
 }
 
-struct AreaLight {
-  vec3 centre;
-  vec3 alongX;  // from the centre to the middle of an edge, or to the rim; it shines towards cross(alongY, alongX)
-  vec3 alongY;
-  vec3 color;
-  bool isDisk;
-};
-
 // Form factor of a light for the surface at p.
 float formFactor(mat3 toLobe, AreaLight light, vec3 p) {
 #if DISK_LIGHTS > 0
@@ -123,7 +110,7 @@ Reflected addAreaLight(Reflected sum, SurfaceInfo s) {
   vec3 p = -vViewPosition;
 #if RECT_LIGHTS > 0
   for (int i = 0; i < RECT_LIGHTS; ++i) {
-    AreaLight light = AreaLight(rectPosition[i], rectHalfWidth[i], rectHalfHeight[i], rectColor[i], false);
+    AreaLight light = rectLight(i);
     vec3 a = light.centre + light.alongX - light.alongY;
     vec3 b = light.centre - light.alongX - light.alongY;
     vec3 d = light.centre + light.alongX + light.alongY;

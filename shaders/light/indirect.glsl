@@ -1,21 +1,12 @@
 // Ambient light: ambient and hemisphere lights, and the environment.
-#if AMBIENT
-uniform vec3 ambientIrradiance;  // linear Rec.709
-#endif
 #if HEMISPHERE_LIGHTS > 0
-uniform vec3 hemisphereUp[HEMISPHERE_LIGHTS];  // view space, unit
-uniform vec3 hemisphereSky[HEMISPHERE_LIGHTS];
-uniform vec3 hemisphereGround[HEMISPHERE_LIGHTS];
+struct HemisphereLight {
+  vec3 up;      // view space, unit
+  vec3 sky;     // irradiance, linear Rec.709
+  vec3 ground;
+};
 #endif
-#if ENVIRONMENT
-uniform samplerCube environmentMap;       // level k prefiltered for roughness 1 - sqrt(1 - k / environmentMaxLod)
-uniform float environmentMaxLod;
-uniform float environmentIntensity;
-uniform mat3 environmentRotation;         // world to environment
-#endif
-#if ENVIRONMENT || TRANSMISSION
-uniform mat4 viewMatrix;
-#endif
+#include "light/indirect_inputs.glsl"
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES > 0
 #include "light/sampled_environment.glsl"
 #endif
@@ -23,8 +14,7 @@ uniform mat4 viewMatrix;
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
 // Environment in a view-space direction, prefiltered.
 vec3 environmentRadiance(vec3 direction, float lod) {
-  vec3 world = normalize(vec3(vec4(direction, 0.0) * viewMatrix));
-  return textureLod(environmentMap, environmentRotation * world, lod).rgb * environmentIntensity;
+  return environmentTexel(normalize(vec3(vec4(direction, 0.0) * viewMatrix)), lod);
 }
 
 // Radiance of the environment over a GGX lobe of this roughness about n.
@@ -42,7 +32,8 @@ vec3 domeIrradiance(vec3 n) {
 #endif
 #if HEMISPHERE_LIGHTS > 0
   for (int i = 0; i < HEMISPHERE_LIGHTS; ++i) {
-    irradiance += hemisphereIrradiance(hemisphereSky[i], hemisphereGround[i], dot(n, hemisphereUp[i]));
+    HemisphereLight light = hemisphereLight(i);
+    irradiance += hemisphereIrradiance(light.sky, light.ground, dot(n, light.up));
   }
 #endif
   return irradiance;

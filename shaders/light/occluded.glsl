@@ -1,7 +1,7 @@
 #if OCCLUSION_MAP
 // Ambient light times the baked occlusion.
 Reflected occluded(Reflected indirect, SurfaceInfo s) {
-  float occlusion = diffuseOcclusion(texture(occlusionMap, vOcclusionUv).r, occlusionStrength);
+  float occlusion = diffuseOcclusion(occlusionTexel(), occlusionStrength);
   indirect.diffuse *= occlusion;
 #if CLEARCOAT
   indirect.coat *= occlusion;

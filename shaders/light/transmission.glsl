@@ -3,17 +3,8 @@
 uniform sampler2D transmissionTarget;  // linear Rec.709 radiance, A coverage; mipmapped
 uniform mat4 projectionMatrix;
 uniform vec3 cameraPosition;           // world space
-uniform float transmissionFactor;
 #if VOLUME
-uniform float thicknessFactor;  // mesh units
-uniform vec3 thicknessScale;    // mesh units to metres, by axis
-#endif
-#if ATTENUATION
-uniform vec3 attenuationColor;
-uniform float attenuationDistance;  // metres
-#endif
-#if DISPERSION
-uniform float dispersion;
+uniform vec3 thicknessScale;           // mesh units to metres, by axis
 #endif
 
 // Coordinates are clamped this far outside of the picture: only its border is read there.
@@ -97,7 +88,7 @@ vec4 transmittedLight(SurfaceInfo s) {
   vec3 transmittance = s.diffuse * all.transmittance;
 #endif
   // From the eye, also under parallel projection, as three.js has it.
-  vec2 dfg = texture(dfgMap, vec2(s.perceptualRoughness, saturate(dot(n, v)))).rg;
+  vec2 dfg = splitSum(s.perceptualRoughness, saturate(dot(n, v)));
   vec3 reflected = s.f0 * dfg.x + s.f90 * dfg.y;
   vec3 attenuated = transmittance * light.rgb;
   return vec4((1.0 - reflected) * attenuated, transmittedAlpha(transmittance, light.a));

@@ -8,11 +8,6 @@
 // first n samples are, or the last n.
 // src: Enderton, Sintorn, Shirley & Luebke 2010, "Stochastic Transparency": a mask of random samples for each layer,
 //      stratified; Wyman & McGuire 2017, "Hashed Alpha Testing": a hash of place in place of a random number
-#if SAMPLE_MASK
-uniform int coverageSamples;  // of a pixel: 1 or an even number
-#else
-const int coverageSamples = 1;
-#endif
 
 // Digits of the depth that tell layers apart: they do where their depths differ by more than 1/8192.
 const int LAYER_DEPTH_SHIFT = 10;
@@ -72,7 +67,7 @@ int coveredSamples(float cutoff) {
 void coverSamples(float vertexAlpha) {
   float cutoff = alphaCutoff / max(baseColorFactor.a * vertexAlpha, 1e-6);
   int mask = cutoff > 1.0 ? 0 : coveredSamples(cutoff);
-  if (mask == 0) discard;
+  if (!isCovered(mask)) discard;
 #if SAMPLE_MASK
   gl_SampleMask[0] = mask;
 #endif

@@ -1,4 +1,5 @@
-// Material factors and textures. Factors are linear Rec.709; sRGB textures are decoded by the sampler.
+// What the other files read of the renderer: material factors, textures, what the vertex stage gives. js/three/shading/host.glsl
+// is the same of three.js. Factors are linear Rec.709; sRGB textures are decoded by the sampler.
 uniform vec4 baseColorFactor;
 uniform float alphaCutoff;
 uniform float metallicFactor;
@@ -41,7 +42,56 @@ in vec2 vEmissiveUv;
 #if TANGENT_FRAME_UV0
 in vec2 vUv0;
 #endif
-#include "material/layer_inputs.glsl"
-#if SHADING_FABRIC || SHADING_PRINCIPLED
-#include "material/fabric_inputs.glsl"
+#include "material/layer_declarations.glsl"
+#if TRANSMISSION
+in vec3 vWorldPosition;  // metres
+#endif
+#if !UNLIT
+uniform sampler2D dfgMap;  // RG = (A, B) of the split sum; x = perceptualRoughness, y = NoV, texel centres at (i + 0.5) / 16
+#endif
+#if ALPHA_TO_COVERAGE
+#if SAMPLE_MASK
+uniform int coverageSamples;  // of a pixel: 1 or an even number
+#else
+const int coverageSamples = 1;
+#endif
+#endif
+
+#if !UNLIT
+// To the viewer, view space.
+vec3 viewDirection() {
+#if ORTHOGRAPHIC
+  return vec3(0.0, 0.0, 1.0);
+#else
+  return normalize(vViewPosition);
+#endif
+}
+
+// G roughness, B metalness.
+vec4 metallicRoughnessTexel() {
+#if METALLIC_ROUGHNESS_MAP
+  return texture(metallicRoughnessMap, vMetallicRoughnessUv);
+#else
+  return vec4(1.0);
+#endif
+}
+
+// Of a normal map, or of the map of slopes that was made of it (NORMAL_VARIANCE).
+#if NORMAL_MAP
+vec4 normalTexel() { return texture(normalMap, vNormalUv); }
+#endif
+#if CLEARCOAT_NORMAL_MAP
+vec4 coatNormalTexel() { return texture(clearcoatNormalMap, vClearcoatNormalUv); }
+#endif
+#if OCCLUSION_MAP
+float occlusionTexel() { return texture(occlusionMap, vOcclusionUv).r; }
+#endif
+
+// (A, B) of the split sum.
+vec2 splitSum(float perceptualRoughness, float NoV) { return texture(dfgMap, vec2(perceptualRoughness, NoV)).rg; }
+#endif
+
+#if ALPHA_TO_COVERAGE
+// Whether a draw covers a pixel whose covered samples are the bits of `mask`.
+bool isCovered(int mask) { return mask != 0; }
 #endif

@@ -53,6 +53,7 @@ MaterialInputs withWeaveTexel(MaterialInputs m, vec4 texel, vec2 threads) {
 }
 #endif
 
+#if SHADING_FABRIC
 // Neither normal turned away from the viewer, as cloth is shaded.
 Normals facingViewer(Normals normals, vec3 v) {
 #if NORMAL_MAP
@@ -63,10 +64,16 @@ Normals facingViewer(Normals normals, vec3 v) {
 #endif
   return normals;
 }
+#endif
 
 // Metallic-roughness alone.
 // v  unit, to the viewer
-SurfaceInfo withBase(SurfaceInfo s, MaterialInputs m, Normals normals, vec3 v) {
+SurfaceInfo baseSurface(MaterialInputs m, Normals normals, vec3 v) {
+#if ALL_TERMS
+  SurfaceInfo s = SurfaceInfo();  // in C++, where no layer may be left out: all are 0
+#else
+  SurfaceInfo s;
+#endif
   s.n = normals.shading;
   s.v = v;
   s.NoV = saturate(dot(s.n, s.v));

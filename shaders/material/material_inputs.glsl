@@ -1,4 +1,5 @@
 // Factors times texels of a fragment.
+#include "material/layer_inputs.glsl"
 
 #if BACK
 // Whether the back of the cloth is seen. FLIP_SIDED draws back faces as if they were front faces.
@@ -32,100 +33,14 @@ vec2 threadsPerPixel() {
 #endif
 
 MaterialInputs materialInputs(vec3 baseColor) {
+  vec4 metallicRoughness = metallicRoughnessTexel();
   MaterialInputs m;
   m.baseColor = baseColor;
-  m.metallic = metallicFactor;
-  m.roughness = roughnessFactor;
-#if METALLIC_ROUGHNESS_MAP
-  vec4 metallicRoughness = texture(metallicRoughnessMap, vMetallicRoughnessUv);
-  m.roughness *= metallicRoughness.g;
-  m.metallic *= metallicRoughness.b;
-#endif
-#if SPECULAR
-  m.ior = ior;
-  m.specular = specularFactor;
-  m.specularColor = specularColorFactor;
-#if SPECULAR_MAP
-  m.specular *= texture(specularMap, vSpecularUv).a;
-#endif
-#if SPECULAR_COLOR_MAP
-  m.specularColor *= texture(specularColorMap, vSpecularColorUv).rgb;
-#endif
-#endif
-#if CLEARCOAT
-  m.clearcoat = clearcoatFactor;
-  m.clearcoatRoughness = clearcoatRoughnessFactor;
-#if CLEARCOAT_MAP
-  m.clearcoat *= texture(clearcoatMap, vClearcoatUv).r;
-#endif
-#if CLEARCOAT_ROUGHNESS_MAP
-  m.clearcoatRoughness *= texture(clearcoatRoughnessMap, vClearcoatRoughnessUv).g;
-#endif
-#endif
-#if SHEEN
-  m.sheenColor = sheenColorFactor;
-  m.sheenRoughness = sheenRoughnessFactor;
-#if SHEEN_COLOR_MAP
-  m.sheenColor *= texture(sheenColorMap, vSheenColorUv).rgb;
-#endif
-#if SHEEN_ROUGHNESS_MAP
-  m.sheenRoughness *= texture(sheenRoughnessMap, vSheenRoughnessUv).a;
-#endif
-#endif
-#if ANISOTROPY
-  m.anisotropyVector = anisotropyVector;
-#if ANISOTROPY_MAP
-  m.anisotropyTexel = texture(anisotropyMap, vAnisotropyUv).rgb;
-#else
-  m.anisotropyTexel = vec3(0.5, 0.5, 1.0);
-#endif
-#endif
-#if IRIDESCENCE
-  m.iridescence = iridescenceFactor;
-  m.iridescenceIor = iridescenceIor;
-#if IRIDESCENCE_MAP
-  m.iridescence *= texture(iridescenceMap, vIridescenceUv).r;
-#endif
-#if IRIDESCENCE_THICKNESS_MAP
-  m.iridescenceThickness = (iridescenceThickness.y - iridescenceThickness.x) * texture(iridescenceThicknessMap, vIridescenceThicknessUv).g +
-                           iridescenceThickness.x;
-#else
-  m.iridescenceThickness = iridescenceThickness.y;
-#endif
-#endif
-#if DIFFUSE_ROUGHNESS
-  m.diffuseRoughness = diffuseRoughnessFactor;
-#if DIFFUSE_ROUGHNESS_MAP
-  m.diffuseRoughness *= texture(diffuseRoughnessMap, vDiffuseRoughnessUv).r;
-#endif
-#endif
-#if DIFFUSE_TRANSMISSION
-  m.diffuseTransmission = diffuseTransmissionFactor;
-  m.diffuseTransmissionColor = diffuseTransmissionColorFactor;
-#if DIFFUSE_TRANSMISSION_MAP
-  m.diffuseTransmission *= texture(diffuseTransmissionMap, vDiffuseTransmissionUv).a;
-#endif
-#if DIFFUSE_TRANSMISSION_COLOR_MAP
-  m.diffuseTransmissionColor *= texture(diffuseTransmissionColorMap, vDiffuseTransmissionColorUv).rgb;
-#endif
-#endif
-#if FLATNESS
-  m.flatness = flatness;
-#endif
-#if WEAVE
-  m.yarnCoverage = yarnCoverage;
-  m.yarnRoughness = yarnRoughness;
-#if METALLIC_ROUGHNESS_MAP
-  m.yarnRoughness *= metallicRoughness.g;
-#endif
-  m.yarnAnisotropy = yarnAnisotropy;
-  m.warpSpecularColor = warpSpecularColor;
-  m.weftSpecularColor = weftSpecularColor;
-  m.yarnTurn = vec2(1.0, 0.0);
-  m.yarnSlope = 0.0;
+  m.metallic = metallicFactor * metallicRoughness.b;
+  m.roughness = roughnessFactor * metallicRoughness.g;
+  m = withLayerInputs(m, metallicRoughness);
 #if WEAVE_MAP
   m = withWeaveTexel(m, texture(weaveMap, vWeaveUv), threadsPerPixel());
-#endif
 #endif
 #if BACK
   if (seenFromBack()) {

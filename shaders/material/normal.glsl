@@ -58,15 +58,6 @@ vec3 mappedNormal(mat3 frame, vec3 texel, vec2 scale) {
 }
 #endif
 
-// To the viewer, view space.
-vec3 viewDirection() {
-#if ORTHOGRAPHIC
-  return vec3(0.0, 0.0, 1.0);
-#else
-  return normalize(vViewPosition);
-#endif
-}
-
 // The viewer's direction stands in for a normal of no length, which opposite vertices have between them.
 vec3 unitNormal(vec3 n) {
   return dot(n, n) > 0.0 ? normalize(n) : viewDirection();
@@ -93,11 +84,11 @@ Normals shadingNormals() {
 #if NORMAL_MAP
   mat3 frame = tangentFrame(normals.geometric, vNormalUv, faceDirection);
 #if NORMAL_VARIANCE
-  vec4 varied = texture(normalMap, vNormalUv);
+  vec4 varied = normalTexel();
   normals.slopeVariance = slopeVariance(varied, normalScale);
   normals.shading = mappedNormal(frame, plainNormalTexel(varied), normalScale);
 #else
-  normals.shading = mappedNormal(frame, texture(normalMap, vNormalUv).xyz, normalScale);
+  normals.shading = mappedNormal(frame, normalTexel().xyz, normalScale);
 #endif
 #elif WEAVE_MAP
   mat3 frame = tangentFrame(normals.geometric, vWeaveUv, faceDirection);
@@ -122,11 +113,11 @@ Normals shadingNormals() {
 #if CLEARCOAT_NORMAL_MAP
   mat3 coatFrame = tangentFrame(normals.geometric, vClearcoatNormalUv, faceDirection);
 #if NORMAL_VARIANCE
-  vec4 variedCoat = texture(clearcoatNormalMap, vClearcoatNormalUv);
+  vec4 variedCoat = coatNormalTexel();
   normals.coatSlopeVariance = slopeVariance(variedCoat, clearcoatNormalScale);
   normals.coat = mappedNormal(coatFrame, plainNormalTexel(variedCoat), clearcoatNormalScale);
 #else
-  normals.coat = mappedNormal(coatFrame, texture(clearcoatNormalMap, vClearcoatNormalUv).xyz, clearcoatNormalScale);
+  normals.coat = mappedNormal(coatFrame, coatNormalTexel().xyz, clearcoatNormalScale);
 #endif
 #endif
 #endif

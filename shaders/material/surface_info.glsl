@@ -1,21 +1,7 @@
 // SurfaceInfo of a fragment, from factors and textures.
-
-uniform sampler2D dfgMap;  // RG = (A, B) of the split sum; x = perceptualRoughness, y = NoV, texel centres at (i + 0.5) / 16
-
-vec4 baseColorAndAlpha() {
-  vec4 color = baseColorFactor;
-#if BASE_COLOR_MAP
-  color *= texture(baseColorMap, vBaseColorUv);
-#endif
-#if VERTEX_COLOR
-  color *= vColor;
-#endif
-  return color;
-}
-
-#if !UNLIT
 #include "material/layers.glsl"
 #include "material/material_inputs.glsl"
+#include "material/normal.glsl"
 
 SurfaceInfo surfaceInfo(vec3 baseColor) {
   MaterialInputs m = materialInputs(baseColor);
@@ -30,8 +16,7 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
 #if SHADING_FABRIC
   normals = facingViewer(normals, v);
 #endif
-  SurfaceInfo s;
-  s = withBase(s, m, normals, v);
+  SurfaceInfo s = baseSurface(m, normals, v);
 #if SPECULAR
   s = withSpecular(s, m);
 #endif
@@ -40,19 +25,10 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
   s = withWeave(s, m, normals);
 #endif
 #if !SHADING_FABRIC
-  s.dfg = texture(dfgMap, vec2(s.perceptualRoughness, s.NoV)).rg;
+  s.dfg = splitSum(s.perceptualRoughness, s.NoV);
 #if CLEARCOAT
-  s.coatDfg = texture(dfgMap, vec2(s.clearcoatRoughness, s.clearcoatNoV)).rg;
+  s.coatDfg = splitSum(s.clearcoatRoughness, s.clearcoatNoV);
 #endif
 #endif
   return preparedSurface(s);
 }
-
-vec3 emittedRadiance() {
-#if EMISSIVE_MAP
-  return emissiveFactor * texture(emissiveMap, vEmissiveUv).rgb;
-#else
-  return emissiveFactor;
-#endif
-}
-#endif

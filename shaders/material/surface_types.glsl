@@ -1,53 +1,5 @@
 // What shading takes and gives. Also compiled as C++, with every layer on (renderer/brdf/shading.h).
 
-// What the file says of a material at one point: factors times texels, linear Rec.709, under the names of glTF.
-struct MaterialInputs {
-  vec3 baseColor;
-  float metallic;
-  float roughness;  // perceptual, as are the others
-#if SPECULAR
-  float ior;
-  float specular;
-  vec3 specularColor;
-#endif
-#if CLEARCOAT
-  float clearcoat;
-  float clearcoatRoughness;
-#endif
-#if SHEEN
-  vec3 sheenColor;
-  float sheenRoughness;
-#endif
-#if ANISOTROPY
-  vec2 anisotropyVector;  // strength (cos rotation, sin rotation)
-  vec3 anisotropyTexel;   // RG direction, B strength; (1/2, 1/2, 1) changes nothing
-#endif
-#if IRIDESCENCE
-  float iridescence;
-  float iridescenceIor;
-  float iridescenceThickness;  // nanometres
-#endif
-#if DIFFUSE_ROUGHNESS
-  float diffuseRoughness;
-#endif
-#if DIFFUSE_TRANSMISSION
-  float diffuseTransmission;
-  vec3 diffuseTransmissionColor;
-#endif
-#if FLATNESS
-  float flatness;
-#endif
-#if WEAVE
-  vec2 yarnCoverage;    // warp, weft
-  vec2 yarnRoughness;
-  vec2 yarnAnisotropy;
-  vec3 warpSpecularColor;
-  vec3 weftSpecularColor;
-  vec2 yarnTurn;        // cosine, sine of the angle by which yarns are turned out of their axes
-  float yarnSlope;      // sine of that by which they rise
-#endif
-};
-
 // How a surface stands at one point, view space.
 struct Normals {
   vec3 geometric;  // interpolated (or of the flat face), turned to the viewer on double-sided surfaces

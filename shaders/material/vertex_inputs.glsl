@@ -41,30 +41,10 @@ out vec3 vBitangent;
 #if VERTEX_COLOR
 out vec4 vColor;
 #endif
-#if BASE_COLOR_MAP
-uniform mat3 baseColorUvTransform;
-out vec2 vBaseColorUv;
-#endif
-#if METALLIC_ROUGHNESS_MAP
-uniform mat3 metallicRoughnessUvTransform;
-out vec2 vMetallicRoughnessUv;
-#endif
-#if NORMAL_MAP
-uniform mat3 normalUvTransform;
-out vec2 vNormalUv;
-#endif
-#if OCCLUSION_MAP
-uniform mat3 occlusionUvTransform;
-out vec2 vOcclusionUv;
-#endif
-#if EMISSIVE_MAP
-uniform mat3 emissiveUvTransform;
-out vec2 vEmissiveUv;
-#endif
 #if TANGENT_FRAME_UV0
 out vec2 vUv0;
 #endif
-#include "material/layer_varyings.glsl"
-#if SHADING_FABRIC || SHADING_PRINCIPLED
-#include "material/fabric_varyings.glsl"
+#if TRANSMISSION
+out vec3 vWorldPosition;  // metres
 #endif
+#include "material/uv_varyings.glsl"

@@ -37,9 +37,8 @@ const ALTERNATIVES = [
     'sum.diffuse += lightColor * innerLobe(s, l, NoL) * (1.0 - mix(s.f0Dielectric, vec3(s.f90), F_SchlickWeight5(dot(s.v, h))));',
   )]],
   ['plain', 'albedo towards a light from a table', [
-    { file: 'material/surface_info.glsl', find: 'uniform sampler2D dfgMap;', replace: '' },
     fabric('GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {',
-      'uniform sampler2D dfgMap;\nGlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {\n'
+      'GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {\n'
       + '  vec2 ab = texture(dfgMap, vec2(s.perceptualRoughness, sqrt(cosine))).rg;\n  return GlossAlbedo(vec2(1.0 - ab.x - ab.y, ab.y));'),
   ]],
   ['sheen', 'sheen by Charlie and its own masking', [fabric('sheenCosine(s.sheenView, s.NoV, NoL, dot(l, s.v))',

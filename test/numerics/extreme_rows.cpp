@@ -23,7 +23,6 @@ Material everything() {
   m.physical = true;
   m.layers.clearcoatFactor = 0.5f;
   m.layers.clearcoatRoughnessFactor = 0.2f;
-  m.layers.sheen = true;
   m.layers.sheenColorFactor = {0.3f, 0.2f, 0.4f};
   m.layers.sheenRoughnessFactor = 0.4f;
   m.layers.anisotropyStrength = 0.6f;

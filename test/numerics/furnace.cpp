@@ -70,7 +70,6 @@ std::vector<Sheet> sheets(Scale scale) {
     list.push_back({"base", white(roughness)});
     for (const double metallic : {0.5, 1.0}) list.push_back({"metal", white(roughness, metallic)});
     Material sheen = white(0.8);
-    sheen.layers.sheen = true;
     sheen.layers.sheenColorFactor = glm::vec3(1);
     sheen.layers.sheenRoughnessFactor = static_cast<float>(roughness);
     list.push_back({"sheen", sheen});

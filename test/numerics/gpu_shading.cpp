@@ -15,23 +15,31 @@
 namespace telar::numerics {
 namespace {
 
-/// Lines of surface.frag that bring in the shading text, with what they include in their place.
-std::string shadingText() {
-  std::istringstream in(shader::embeddedFiles().at("surface.frag"));
+/// Whether a file knows neither uniforms nor textures.
+bool isPure(const std::string& file) {
+  return file.rfind("brdf/", 0) == 0 || file.rfind("shading/", 0) == 0 || file == "material/input_types.glsl" ||
+         file == "material/surface_types.glsl" || file == "light/reflected.glsl";
+}
+
+/// The text of a file with the pure files that it includes in their place; of one that is not pure its directives
+/// alone.
+std::string pureText(const std::string& file) {
+  std::istringstream in(shader::embeddedFiles().at(file));
   constexpr std::string_view INCLUDE = "#include \"";
   std::string text;
   for (std::string line; std::getline(in, line) && line != "out vec4 fragmentColor;";) {
-    if (line.rfind(INCLUDE, 0) != 0) {
-      if (line.rfind("#", 0) == 0) text += line + "\n";
-      continue;
+    if (line.rfind(INCLUDE, 0) == 0) {
+      const std::string included = line.substr(INCLUDE.size(), line.rfind('"') - INCLUDE.size());
+      if (isPure(included)) text += pureText(included);
+    } else if (isPure(file) || line.rfind("#", 0) == 0) {
+      text += line + "\n";
     }
-    const std::string file = line.substr(INCLUDE.size(), line.rfind('"') - INCLUDE.size());
-    const bool pure = file.rfind("brdf/", 0) == 0 || file.rfind("shading/", 0) == 0 ||
-                      file == "material/surface_types.glsl" || file == "light/reflected.glsl";
-    if (pure) text += shader::embeddedFiles().at(file);
   }
   return text;
 }
+
+/// Lines of surface.frag that bring in the shading text, with what they include in their place.
+std::string shadingText() { return pureText("surface.frag"); }
 
 /// One program: what it has compiled in, and which points it may shade.
 struct Variant {

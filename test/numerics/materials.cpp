@@ -90,7 +90,6 @@ Material randomMaterial(Seeded& r, const Layers& layers) {
     l.clearcoatRoughnessFactor = roughness(r);
   }
   if (layers.sheen) {
-    l.sheen = true;
     l.sheenColorFactor = glm::max(color(r), glm::vec3(1e-6f));
     l.sheenRoughnessFactor = static_cast<float>(r.edged(0, 1, {0, 0.04, 0.07, 0.1, 0.3, 0.5, 1}));
   }
@@ -129,7 +128,7 @@ std::string describe(const Material& m) {
   if (l.ior != 1.5f || l.specularFactor != 1) out << " ior " << l.ior << " specular " << l.specularFactor;
   if (l.specularColorFactor != glm::vec3(1)) vec("specularColor", l.specularColorFactor);
   if (l.clearcoatFactor > 0) out << " coat " << l.clearcoatFactor << " rough " << l.clearcoatRoughnessFactor;
-  if (l.sheen) vec("sheen", l.sheenColorFactor), out << " rough " << l.sheenRoughnessFactor;
+  if (l.sheenColorFactor != glm::vec3(0)) vec("sheen", l.sheenColorFactor), out << " rough " << l.sheenRoughnessFactor;
   if (l.anisotropyStrength > 0) out << " anisotropy " << l.anisotropyStrength << " turned " << l.anisotropyRotation;
   if (l.iridescenceFactor > 0)
     out << " film " << l.iridescenceFactor << " ior " << l.iridescenceIor << " nm " << l.iridescenceThicknessMaximum;

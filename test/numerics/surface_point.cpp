@@ -175,7 +175,6 @@ SurfacePoint gridPoint(ShadingModel model, std::uint64_t index) {
   m.roughnessFactor = static_cast<float>(digits.pick(ROUGHNESS));
   m.layers.ior = static_cast<float>(digits.pick(IOR));
   if (const std::uint64_t sheen = digits.next(SHEENS)) {
-    m.layers.sheen = true;
     m.layers.sheenColorFactor = glm::vec3(sheen % 2 ? 0.5f : 1.0f);
     m.layers.sheenRoughnessFactor = static_cast<float>(SHEEN_ROUGHNESS[(sheen - 1) / 2]);
   }

@@ -35,8 +35,8 @@ export const FAULTS = [
     name: 'swapped channels: roughness from blue, metalness from green',
     item: 'metallic-roughness-map-env',
     edits: [
-      { file: 'material/material_inputs.glsl', find: 'm.roughness *= metallicRoughness.g;', replace: 'm.roughness *= metallicRoughness.b;' },
-      { file: 'material/material_inputs.glsl', find: 'm.metallic *= metallicRoughness.b;', replace: 'm.metallic *= metallicRoughness.g;' },
+      { file: 'material/material_inputs.glsl', find: 'roughnessFactor * metallicRoughness.g;', replace: 'roughnessFactor * metallicRoughness.b;' },
+      { file: 'material/material_inputs.glsl', find: 'metallicFactor * metallicRoughness.b;', replace: 'metallicFactor * metallicRoughness.g;' },
     ],
     first: 'metallic',
   },
@@ -65,7 +65,7 @@ export const FAULTS = [
   {
     name: 'a mip bias of one',
     item: 'sweep-gradient',
-    edits: [{ file: 'light/indirect.glsl', find: 'environmentRotation * world, lod)', replace: 'environmentRotation * world, lod + 1.0)' }],
+    edits: [{ file: 'light/indirect_inputs.glsl', find: 'environmentRotation * world, lod)', replace: 'environmentRotation * world, lod + 1.0)' }],
     first: 'radiance',
   },
   {
@@ -88,7 +88,7 @@ export const FAULTS = [
     name: 'linear instead of sRGB: a base colour texture that is not decoded',
     item: 'base-color-map-env',
     edits: [{
-      file: 'material/surface_info.glsl',
+      file: 'material/base_color.glsl',
       find: 'color *= texture(baseColorMap, vBaseColorUv);',
       replace: 'vec4 texel = texture(baseColorMap, vBaseColorUv); color *= vec4(srgbFromLinear(texel.rgb), texel.a);',
     }],

@@ -4,6 +4,7 @@ import { TABLE } from '../../error/table.mjs';
 import { DEBUG_QUANTITIES } from '../../shot/table/debug_quantities.mjs';
 import { fabricPage } from './fabric_page.mjs';
 import { resolvedShotDraft, shotDraft, shotJsonSchema } from './json_schema.mjs';
+import { withLayerExtensions } from './layers_table.mjs';
 import { withLimitsTable } from './limits_table.mjs';
 import { resolvedShots } from './resolved_shots.mjs';
 import { shadingPage } from './shading_page.mjs';
@@ -40,6 +41,7 @@ export function generatedFiles() {
     'js/docs/options.md': optionsPage(shotDraft()),
     'js/docs/errors.md': errorsPage(TABLE),
     'js/docs/fabric.md': fabricPage(),
+    'js/docs/formats.md': withLayerExtensions(textOf('js/docs/formats.md')),
     'SECURITY.md': withLimitsTable(textOf('SECURITY.md'), textOf('renderer/include/telar/limits.h')),
     'js/docs/shading.md': shadingPage(),
     'renderer/include/telar/shading_terms.inc': termsInclude(),

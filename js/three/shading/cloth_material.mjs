@@ -1,16 +1,15 @@
+import { LAYERS, texturesOf, textureName, upper } from '../../material/table.mjs';
 import { SLOTS } from '../../shot/shading_terms.mjs';
 import { drawPartlyCovered } from './coverage.mjs';
 import { shadingMaterialClass } from './material.mjs';
 import { termDefine } from './terms.mjs';
 import { bakedTexture } from './texture_bake.mjs';
 
-/** Map, as its uniform and varying are named: the define of it, and of what it is a part. */
-const MAPS = {
-  diffuseTransmission: { define: 'DIFFUSE_TRANSMISSION', of: 'DIFFUSE_TRANSMISSION' },
-  diffuseTransmissionColor: { define: 'DIFFUSE_TRANSMISSION_COLOR', of: 'DIFFUSE_TRANSMISSION' },
-  weave: { define: 'WEAVE', of: 'WEAVE' },
-  backColor: { define: 'BACK_COLOR', of: 'BACK' },
-};
+/** Map, as its uniform and varying are named: its texture in the extension, the define of it, and of what it is a part. */
+const MAPS = Object.fromEntries(LAYERS.filter(({ shadings }) => shadings).flatMap((layer) => texturesOf(layer).map((texture) => {
+  const name = textureName(texture);
+  return [name, { texture, extension: layer.extension, define: upper(name), of: upper(layer.name) }];
+})));
 
 /** Uniform of a normal map that was made anew, and the material's own map. */
 const VARIANCE_MAPS = { normalVarianceMap: 'normalMap', clearcoatNormalVarianceMap: 'clearcoatNormalMap' };
@@ -122,14 +121,9 @@ const textureCutoff = ({ alphaTest, opacity }) => (opacity > 0 ? alphaTest / opa
 
 /** @returns {Record<string, import('three').Texture>} Textures that are there, by the name of their uniform. */
 function mapsOf({ fabric, diffuseTransmission }) {
-  const isThin = diffuseTransmission?.diffuseTransmissionFactor > 0;
-  const maps = {
-    diffuseTransmission: isThin && diffuseTransmission.diffuseTransmissionTexture,
-    diffuseTransmissionColor: isThin && diffuseTransmission.diffuseTransmissionColorTexture,
-    weave: fabric?.weave?.weaveTexture,
-    backColor: fabric?.back?.baseColorTexture,
-  };
-  return Object.fromEntries(Object.entries(maps).filter(([, map]) => map));
+  const parts = { TELAR_materials_fabric: fabric, KHR_materials_diffuse_transmission: diffuseTransmission?.diffuseTransmissionFactor > 0 && diffuseTransmission };
+  const textureOf = ({ texture: { key, within }, extension }) => (within ? parts[extension]?.[within] : parts[extension])?.[key];
+  return Object.fromEntries(Object.entries(MAPS).map(([name, map]) => [name, textureOf(map)]).filter(([, map]) => map));
 }
 
 /** Without yarns there is the one highlight of the material. */

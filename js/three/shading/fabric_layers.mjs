@@ -1,14 +1,13 @@
+import { LAYERS, texturesOf } from '../../material/table.mjs';
 import { assignMaterial } from '../assign_material.mjs';
 
 /** Names of glTF for what GLTFLoader leaves to us. */
 const FABRIC = 'TELAR_materials_fabric';
 const DIFFUSE_TRANSMISSION = 'KHR_materials_diffuse_transmission';
 
-/** Textures within the extensions, and whether their colours are sRGB. Paths of keys. */
-const TEXTURES = {
-  [FABRIC]: [[['weave', 'weaveTexture'], false], [['back', 'baseColorTexture'], true]],
-  [DIFFUSE_TRANSMISSION]: [[['diffuseTransmissionTexture'], false], [['diffuseTransmissionColorTexture'], true]],
-};
+/** Textures within an extension: path of keys, whether their colours are sRGB. */
+const texturesIn = (name) => LAYERS.filter(({ extension }) => extension === name).flatMap(texturesOf)
+  .map(({ key, within, srgb }) => [[...(within ? [within] : []), key], srgb]);
 
 /** What the file says of its materials, with presets and without; for each parser. */
 const filled = new WeakMap();
@@ -88,7 +87,7 @@ export async function extensionsOf(parser, definition, THREE) {
     const extension = definition?.extensions?.[name];
     if (!extension) return null;
     const copy = structuredClone(extension);
-    await Promise.all(TEXTURES[name].map(([path, isColor]) => loadTexture(parser, copy, path, isColor ? THREE.SRGBColorSpace : THREE.NoColorSpace)));
+    await Promise.all(texturesIn(name).map(([path, isColor]) => loadTexture(parser, copy, path, isColor ? THREE.SRGBColorSpace : THREE.NoColorSpace)));
     return copy;
   }));
   if (fabric?.back && !hasOwnColor(fabric.back)) {

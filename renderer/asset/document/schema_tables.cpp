@@ -162,68 +162,13 @@ constexpr ObjectRule PBR_RULE{PBR};
 constexpr ObjectRule EMPTY_RULE{};
 constexpr Field EMISSIVE[] = {number("emissiveStrength")};
 constexpr ObjectRule EMISSIVE_RULE{EMISSIVE};
-constexpr Field IOR[] = {number("ior")};
-constexpr ObjectRule IOR_RULE{IOR};
-constexpr Field SPECULAR[] = {number("specularFactor"), object("specularTexture", INFO_RULE),
-                              items("specularColorFactor", 3), object("specularColorTexture", INFO_RULE)};
-constexpr ObjectRule SPECULAR_RULE{SPECULAR};
-constexpr Field CLEARCOAT[] = {number("clearcoatFactor"), object("clearcoatTexture", INFO_RULE),
-                               number("clearcoatRoughnessFactor"), object("clearcoatRoughnessTexture", INFO_RULE),
-                               object("clearcoatNormalTexture", INFO_RULE)};
-constexpr ObjectRule CLEARCOAT_RULE{CLEARCOAT};
-constexpr Field SHEEN[] = {items("sheenColorFactor", 3), object("sheenColorTexture", INFO_RULE),
-                           number("sheenRoughnessFactor"), object("sheenRoughnessTexture", INFO_RULE)};
-constexpr ObjectRule SHEEN_RULE{SHEEN};
-constexpr Field ANISOTROPY[] = {number("anisotropyStrength"), number("anisotropyRotation"),
-                                object("anisotropyTexture", INFO_RULE)};
-constexpr ObjectRule ANISOTROPY_RULE{ANISOTROPY};
-constexpr Field IRIDESCENCE[] = {number("iridescenceFactor"),
-                                 object("iridescenceTexture", INFO_RULE),
-                                 number("iridescenceIor"),
-                                 number("iridescenceThicknessMinimum"),
-                                 number("iridescenceThicknessMaximum"),
-                                 object("iridescenceThicknessTexture", INFO_RULE)};
-constexpr ObjectRule IRIDESCENCE_RULE{IRIDESCENCE};
-constexpr Field DIFFUSE_ROUGHNESS[] = {number("diffuseRoughnessFactor"), object("diffuseRoughnessTexture", INFO_RULE)};
-constexpr ObjectRule DIFFUSE_ROUGHNESS_RULE{DIFFUSE_ROUGHNESS};
-constexpr Field TRANSMISSION[] = {number("transmissionFactor"), object("transmissionTexture", INFO_RULE)};
-constexpr ObjectRule TRANSMISSION_RULE{TRANSMISSION};
-constexpr Field VOLUME[] = {number("thicknessFactor"), object("thicknessTexture", INFO_RULE),
-                            number("attenuationDistance"), items("attenuationColor", 3)};
-constexpr ObjectRule VOLUME_RULE{VOLUME};
-constexpr Field DISPERSION[] = {number("dispersion")};
-constexpr ObjectRule DISPERSION_RULE{DISPERSION};
-constexpr Field DIFFUSE_TRANSMISSION[] = {
-    number("diffuseTransmissionFactor"), object("diffuseTransmissionTexture", INFO_RULE),
-    items("diffuseTransmissionColorFactor", 3), object("diffuseTransmissionColorTexture", INFO_RULE)};
-constexpr ObjectRule DIFFUSE_TRANSMISSION_RULE{DIFFUSE_TRANSMISSION};
-// TELAR_materials_fabric: js/assets/TELAR_materials_fabric.schema.json.
-constexpr Field YARN[] = {number("coverage"), number("roughnessFactor"), number("anisotropyStrength"),
-                          items("specularColorFactor", 3)};
-constexpr ObjectRule YARN_RULE{YARN};
-constexpr Field WEAVE[] = {items("threadsPerUv", 2), object("weaveTexture", INFO_RULE), object("warp", YARN_RULE),
-                           object("weft", YARN_RULE)};
-constexpr ObjectRule WEAVE_RULE{WEAVE};
-constexpr Field BACK[] = {items("baseColorFactor", 3), object("baseColorTexture", INFO_RULE),
-                          number("roughnessFactor")};
-constexpr ObjectRule BACK_RULE{BACK};
-constexpr Field FABRIC[] = {
-    {.key = "preset", .kind = Kind::kName}, number("flatness"), object("weave", WEAVE_RULE), object("back", BACK_RULE)};
-constexpr ObjectRule FABRIC_RULE{FABRIC};
-constexpr Field MATERIAL_EXTRAS[] = {object("TELAR_materials_fabric", FABRIC_RULE)};
+// One rule an extension, named as it is.
+#include "asset/layer_rules.inc"
+constexpr Field MATERIAL_EXTRAS[] = {object("TELAR_materials_fabric", TELAR_MATERIALS_FABRIC_RULE)};
 constexpr ObjectRule MATERIAL_EXTRAS_RULE{MATERIAL_EXTRAS};
 constexpr Field MATERIAL_EXTENSIONS[] = {
-    object("KHR_materials_unlit", EMPTY_RULE), object("KHR_materials_emissive_strength", EMISSIVE_RULE),
-    object("KHR_materials_ior", IOR_RULE), object("KHR_materials_specular", SPECULAR_RULE),
-    object("KHR_materials_clearcoat", CLEARCOAT_RULE), object("KHR_materials_sheen", SHEEN_RULE),
-    object("KHR_materials_anisotropy", ANISOTROPY_RULE), object("KHR_materials_iridescence", IRIDESCENCE_RULE),
-    object("KHR_materials_diffuse_roughness", DIFFUSE_ROUGHNESS_RULE),
-    object("KHR_materials_transmission", TRANSMISSION_RULE), object("KHR_materials_volume", VOLUME_RULE),
-    object("KHR_materials_dispersion", DISPERSION_RULE),
-    object("KHR_materials_diffuse_transmission", DIFFUSE_TRANSMISSION_RULE),
-    object("TELAR_materials_fabric", FABRIC_RULE),
-    // Only whether it is there: it decides which material three.js takes.
-    object("EXT_materials_bump", EMPTY_RULE)};
+#include "asset/layer_fields.inc"
+    object("KHR_materials_unlit", EMPTY_RULE), object("KHR_materials_emissive_strength", EMISSIVE_RULE)};
 constexpr ObjectRule MATERIAL_EXTENSIONS_RULE{MATERIAL_EXTENSIONS};
 constexpr Field MATERIAL[] = {name(),
                               object("pbrMetallicRoughness", PBR_RULE),

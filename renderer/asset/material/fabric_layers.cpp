@@ -7,15 +7,6 @@ namespace {
 
 constexpr double THREADS_MAX = 1e6;  // per unit of u or v: finer than any texture
 
-void readDiffuseTransmission(Layer layer, FabricLayers& out) {
-  if (!layer) return;
-  out.diffuseTransmissionFactor = layer.factor("diffuseTransmissionFactor", 0);
-  out.diffuseTransmissionColorFactor = layer.color("diffuseTransmissionColorFactor", 1, 1);
-  if (out.diffuseTransmissionFactor == 0) return;
-  out.diffuseTransmissionTexture = layer.texture("diffuseTransmissionTexture");
-  out.diffuseTransmissionColorTexture = layer.texture("diffuseTransmissionColorTexture");
-}
-
 Yarn readYarn(Layer layer) {
   Yarn out;
   if (!layer) return out;
@@ -61,10 +52,14 @@ void readBack(Layer layer, const Material& front, FabricLayers& out) {
 FabricLayers readFabricLayers(const tinygltf::ExtensionMap& extensions, const Material& front, const std::string& where,
                               const std::string& fabricWhere, TextureReader& textures, Warnings& warnings) {
   FabricLayers out;
-  readDiffuseTransmission(Layer(extensions, "KHR_materials_diffuse_transmission", where, textures, warnings), out);
-  const Layer fabric(extensions, "TELAR_materials_fabric", fabricWhere, textures, warnings);
+  // In a preset's file TELAR_materials_fabric may stand apart.
+  const auto layer = [&](const std::string& name) {
+    const bool own = name == "TELAR_materials_fabric";
+    return Layer(extensions, name.c_str(), own ? fabricWhere : where, textures, warnings);
+  };
+#include "asset/fabric_readers.inc"
+  const Layer fabric = layer("TELAR_materials_fabric");
   if (!fabric) return out;
-  out.flatness = fabric.factor("flatness", 0);
   readWeave(fabric.part("weave"), out, warnings);
   readBack(fabric.part("back"), front, out);
   return out;

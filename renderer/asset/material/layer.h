@@ -1,6 +1,10 @@
 #pragma once
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <string>
 
+#include "asset/check/number.h"
 #include "asset/document/extension_value.h"
 #include "asset/material/texture_ref.h"
 
@@ -29,6 +33,19 @@ class Layer {
 
   float factor(const char* key, double fallback, double low = 0, double high = 1) const {
     return clampedFactor(number(key, fallback), low, high, where_ + "/" + key, warnings_);
+  }
+
+  /// Any angle, radians: within a turn, a float keeps it.
+  float angle(const char* key) const { return toFloat(std::remainder(number(key, 0), 2 * std::numbers::pi)); }
+
+  /// 0 stands for the specular-glossiness model: reflection at all angles. src: GLTFLoader, KHR_materials_ior
+  float ior(const char* key, double fallback, double low, double high) const {
+    return number(key, fallback) == 0 ? toFloat(high) : factor(key, fallback, low, high);
+  }
+
+  /// 0 is no distance but the loader's way to say none. src: GLTFLoader, KHR_materials_volume
+  float distance(const char* key, double low, double high) const {
+    return number(key, 0) != 0 ? factor(key, 0, low, high) : std::numeric_limits<float>::infinity();
   }
 
   glm::vec3 color(const char* key, float fallback, double high) const {

@@ -5,6 +5,7 @@
 #include "asset/material/fabric_layers.h"
 #include "asset/material/physical_layers.h"
 #include "asset/material/texture_ref.h"
+#include "telar/material_textures.inc"
 
 namespace telar::asset {
 namespace {
@@ -120,30 +121,9 @@ Material readMaterial(int material, const Document& document, Warnings& warnings
 }
 
 std::vector<TextureUse> texturesOf(Material& material) {
-  PhysicalLayers& layers = material.layers;
-  FabricLayers& fabric = material.fabric;
-  std::vector<TextureUse> out{{&material.baseColorTexture, true},
-                              {&material.metallicRoughnessTexture, false},
-                              {&material.normalTexture, false},
-                              {&material.occlusionTexture, false},
-                              {&material.emissiveTexture, true},
-                              {&layers.specularTexture, false},
-                              {&layers.specularColorTexture, true},
-                              {&layers.clearcoatTexture, false},
-                              {&layers.clearcoatRoughnessTexture, false},
-                              {&layers.clearcoatNormalTexture, false},
-                              {&layers.sheenColorTexture, true},
-                              {&layers.sheenRoughnessTexture, false},
-                              {&layers.anisotropyTexture, false},
-                              {&layers.iridescenceTexture, false},
-                              {&layers.iridescenceThicknessTexture, false},
-                              {&layers.diffuseRoughnessTexture, false},
-                              {&layers.transmissionTexture, false},
-                              {&layers.thicknessTexture, false},
-                              {&fabric.diffuseTransmissionTexture, false},
-                              {&fabric.diffuseTransmissionColorTexture, true},
-                              {&fabric.weaveTexture, false},
-                              {&fabric.backColorTexture, true}};
+#define TELAR_TEXTURE_USE(field, name, srgb, feature) {&material.field, srgb},
+  std::vector<TextureUse> out{TELAR_MATERIAL_TEXTURES(TELAR_TEXTURE_USE)};
+#undef TELAR_TEXTURE_USE
   std::erase_if(out, [](const TextureUse& use) { return !*use.texture; });
   return out;
 }

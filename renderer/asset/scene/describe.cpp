@@ -7,6 +7,7 @@
 
 #include "asset/scene/outline.h"
 #include "telar/load.h"
+#include "telar/material_textures.inc"
 
 namespace telar {
 namespace {
@@ -58,31 +59,10 @@ json describeFabric(const Material& material) {
 /// @param worn the same with its preset
 json describe(const Material& material, const Material& worn) {
   json textures = json::array();
-  const auto add = [&](const char* name, const TextureRef& texture) {
-    if (texture) textures.push_back(name);
-  };
-  add("baseColor", material.baseColorTexture);
-  add("metallicRoughness", material.metallicRoughnessTexture);
-  add("normal", material.normalTexture);
-  add("occlusion", material.occlusionTexture);
-  add("emissive", material.emissiveTexture);
-  add("specular", material.layers.specularTexture);
-  add("specularColor", material.layers.specularColorTexture);
-  add("clearcoat", material.layers.clearcoatTexture);
-  add("clearcoatRoughness", material.layers.clearcoatRoughnessTexture);
-  add("clearcoatNormal", material.layers.clearcoatNormalTexture);
-  add("sheenColor", material.layers.sheenColorTexture);
-  add("sheenRoughness", material.layers.sheenRoughnessTexture);
-  add("anisotropy", material.layers.anisotropyTexture);
-  add("iridescence", material.layers.iridescenceTexture);
-  add("iridescenceThickness", material.layers.iridescenceThicknessTexture);
-  add("transmission", material.layers.transmissionTexture);
-  add("thickness", material.layers.thicknessTexture);
-  add("diffuseRoughness", material.layers.diffuseRoughnessTexture);
-  add("diffuseTransmission", material.fabric.diffuseTransmissionTexture);
-  add("diffuseTransmissionColor", material.fabric.diffuseTransmissionColorTexture);
-  add("weave", material.fabric.weaveTexture);
-  add("backColor", material.fabric.backColorTexture);
+#define TELAR_TEXTURE_NAME(field, name, srgb, feature) \
+  if (material.field) textures.push_back(#name);
+  TELAR_MATERIAL_TEXTURES(TELAR_TEXTURE_NAME)
+#undef TELAR_TEXTURE_NAME
   return {{"name", material.name},   {"alphaMode", nameOf(material.alphaMode)}, {"doubleSided", material.doubleSided},
           {"unlit", material.unlit}, {"metallic", material.metallicFactor},     {"roughness", material.roughnessFactor},
           {"textures", textures},    {"fabric", describeFabric(worn)}};

@@ -14,11 +14,7 @@ struct Yarn {
 /// What cloth has beyond glTF's layers: KHR_materials_diffuse_transmission and TELAR_materials_fabric
 /// (js/docs/fabric.md). Factors are linear Rec.709; the defaults change nothing.
 struct FabricLayers {
-  float diffuseTransmissionFactor = 0.0f;  ///< share of the diffuse light that goes through to the other side
-  TextureRef diffuseTransmissionTexture;   ///< linear: A
-  glm::vec3 diffuseTransmissionColorFactor{1.0f};
-  TextureRef diffuseTransmissionColorTexture;  ///< sRGB
-  float flatness = 0.0f;                       ///< 0..1, from Lambert's diffuse to that of a thin scattering sheet
+#include "telar/fabric_layers.inc"
 
   bool weave = false;  ///< the yarns below are given; coverages sum to above 0, at most 1
   Yarn warp, weft;     ///< warp runs along Y of the tangent space (v upwards), weft along X (u)

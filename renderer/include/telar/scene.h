@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
@@ -23,45 +24,16 @@ namespace telar {
 enum class AlphaMode { kOpaque, kMask, kBlend };
 enum class Topology { kPoints, kLines, kLineLoop, kLineStrip, kTriangles };  ///< strips and fans are made triangles
 
-/// What the KHR_materials_* extensions add to metallic-roughness. Factors are linear Rec.709; the defaults change
-/// nothing.
+/// What the KHR_materials_* extensions add to metallic-roughness: js/material/table.mjs. Factors are linear Rec.709;
+/// the defaults change nothing.
 struct PhysicalLayers {
-  float ior = 1.5f;             ///< KHR_materials_ior
-  float specularFactor = 1.0f;  ///< KHR_materials_specular
-  TextureRef specularTexture;   ///< linear: A
-  glm::vec3 specularColorFactor{1.0f};
-  TextureRef specularColorTexture;        ///< sRGB
-  float clearcoatFactor = 0.0f;           ///< KHR_materials_clearcoat
-  TextureRef clearcoatTexture;            ///< linear: R
-  float clearcoatRoughnessFactor = 0.0f;  ///< perceptual
-  TextureRef clearcoatRoughnessTexture;   ///< linear: G
-  TextureRef clearcoatNormalTexture;      ///< linear
-  float clearcoatNormalScale = 1.0f;
-  bool sheen = false;  ///< KHR_materials_sheen is there, whatever its colour
-  glm::vec3 sheenColorFactor{0.0f};
-  TextureRef sheenColorTexture;       ///< sRGB
-  float sheenRoughnessFactor = 0.0f;  ///< perceptual
-  TextureRef sheenRoughnessTexture;   ///< linear: A
-  float anisotropyStrength = 0.0f;    ///< KHR_materials_anisotropy
-  float anisotropyRotation = 0.0f;    ///< radians, counter-clockwise from the tangent
-  TextureRef anisotropyTexture;       ///< linear: RG direction, B strength
-  float iridescenceFactor = 0.0f;     ///< KHR_materials_iridescence
-  TextureRef iridescenceTexture;      ///< linear: R
-  float iridescenceIor = 1.3f;
-  float iridescenceThicknessMinimum = 100.0f;  ///< nanometres
-  float iridescenceThicknessMaximum = 400.0f;  ///< nanometres
-  TextureRef iridescenceThicknessTexture;      ///< linear: G
-  float diffuseRoughnessFactor = 0.0f;         ///< KHR_materials_diffuse_roughness
-  TextureRef diffuseRoughnessTexture;          ///< linear: R
-  float transmissionFactor = 0.0f;             ///< KHR_materials_transmission
-  TextureRef transmissionTexture;              ///< linear: R
-  float thicknessFactor = 0.0f;                ///< KHR_materials_volume, mesh units
-  TextureRef thicknessTexture;                 ///< linear: G
-  glm::vec3 attenuationColor{1.0f};            ///< of white light after attenuationDistance
-  /// metres
-  float attenuationDistance = std::numeric_limits<float>::infinity();
-  float dispersion = 0.0f;  ///< KHR_materials_dispersion: 20 / Abbe number
+#include "telar/physical_layers.inc"
 };
+
+/// A vector in the plane. @param angle radians, counter-clockwise from x
+inline glm::vec2 polar(float length, float angle) {
+  return glm::vec2(glm::dvec2(length * std::cos(double{angle}), length * std::sin(double{angle})));
+}
 
 /// glTF metallic-roughness material. Factors are linear Rec.709.
 struct Material {

@@ -50,8 +50,6 @@ TEST_F(PhysicalLayersTest, DefaultsAreThoseOfGltfLoader) {
   EXPECT_EQ(l.clearcoatFactor, 0);
   EXPECT_EQ(l.clearcoatRoughnessFactor, 0);
   EXPECT_EQ(l.clearcoatNormalScale, 1);
-  EXPECT_TRUE(l.sheen);
-  EXPECT_FALSE(plain.layers.sheen);
   EXPECT_EQ(l.sheenColorFactor, glm::vec3(0));
   EXPECT_EQ(l.sheenRoughnessFactor, 0);
   EXPECT_EQ(l.anisotropyStrength, 0);
@@ -311,7 +309,8 @@ TEST_F(PhysicalLayersTest, TexturesThatCannotBeDrawnAreWarnings) {
 TEST_F(PhysicalLayersTest, UnlitReadsNoLayer) {
   const Material m = read(R"({"KHR_materials_unlit": {},
     "KHR_materials_sheen": {"sheenColorFactor": [1, 1, 1], "sheenColorTexture": {"index": 0}}})");
-  EXPECT_FALSE(m.layers.sheen || m.layers.sheenColorTexture);
+  EXPECT_EQ(m.layers.sheenColorFactor, glm::vec3(0));
+  EXPECT_FALSE(m.layers.sheenColorTexture);
   EXPECT_EQ(scene->images[0].width, 0u);
 }
 

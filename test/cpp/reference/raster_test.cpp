@@ -93,7 +93,6 @@ Material layered() {
   m.layers.specularFactor = 0.8f;
   m.layers.clearcoatFactor = 0.6f;
   m.layers.clearcoatRoughnessFactor = 0.4f;
-  m.layers.sheen = true;
   m.layers.sheenColorFactor = {0.2f, 0.3f, 0.4f};
   m.layers.sheenRoughnessFactor = 0.5f;
   m.layers.iridescenceFactor = 0.5f;

@@ -111,7 +111,6 @@ Material layered() {
   coated.physical = true;
   coated.layers.clearcoatFactor = 0.7f;
   coated.layers.clearcoatRoughnessFactor = 0.4f;
-  coated.layers.sheen = true;
   coated.layers.sheenColorFactor = {0.3f, 0.4f, 0.5f};
   coated.layers.sheenRoughnessFactor = 0.5f;
   coated.layers.anisotropyStrength = 0.5f;

@@ -197,7 +197,7 @@ TEST(DiskLight, StaysFiniteWhereverItLiesAndHoweverLargeItIs) {
 TEST(AreaLight, RectangleAndDiskAddUpInEveryShading) {
   const auto renderer = Renderer::create({});
   Material material;
-  material.physical = material.layers.sheen = true;
+  material.physical = true;
   material.metallicFactor = 0;
   material.roughnessFactor = 0.4f;
   material.layers.sheenColorFactor = glm::vec3(0.3f, 0.2f, 0.1f);

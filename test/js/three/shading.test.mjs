@@ -75,7 +75,7 @@ test('three.js gets the lighting of telar, its own lights and everything else', 
 
 test('what the text does not draw, and another three.js, are errors that say so', async () => {
   const Material = await loadShading(THREE, 'three');
-  const bumpy = new Material({ name: 'knit', bumpMap: new THREE.Texture() });
-  assert.throws(() => bumpy.onBeforeCompile({ fragmentShader: 'void main() {' }), /material knit: .* bump map/);
+  const shiny = new Material({ name: 'knit', retroreflectivity: 1 });
+  assert.throws(() => shiny.onBeforeCompile({ fragmentShader: 'void main() {' }), /material knit: .* retroreflectivity/);
   assert.throws(() => new Material().onBeforeCompile({ fragmentShader: '' }), /written for three\.js 0\.187/);
 });

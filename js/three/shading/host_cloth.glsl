@@ -1,0 +1,19 @@
+// Maps that js/three/shading/texture_bake.mjs makes of three.js's own, and the samples that coverage.mjs draws in turn.
+#if NORMAL_MAP
+uniform sampler2D normalVarianceMap;
+vec4 normalTexel() { return texture(normalVarianceMap, vNormalMapUv); }
+#endif
+
+#if CLEARCOAT_NORMAL_MAP
+uniform sampler2D clearcoatNormalVarianceMap;
+vec4 coatNormalTexel() { return texture(clearcoatNormalVarianceMap, vClearcoatNormalMapUv); }
+#endif
+
+#if ALPHA_TO_COVERAGE
+#define vBaseColorUv vMapUv
+#define baseColorMap coverageMap
+uniform sampler2D coverageMap;  // sRGB
+uniform int coverageSamples;    // of a pixel
+uniform int coverageMask;       // bits of those that are covered where this draw is seen
+bool isCovered(int mask) { return mask != 0 && mask == coverageMask; }
+#endif

@@ -1,0 +1,33 @@
+// The terms that more than one shading takes: a file is included once, wherever that is.
+#include "shading/terms.glsl"
+#include "brdf/roughness.glsl"
+#include "brdf/distribution.glsl"
+#include "brdf/visibility.glsl"
+#include "brdf/fresnel.glsl"
+#include "brdf/specular.glsl"
+#include "brdf/diffuse.glsl"
+#include "brdf/multiscatter.glsl"
+#include "brdf/light.glsl"
+#include "brdf/occlusion.glsl"
+#include "brdf/environment.glsl"
+#if RECT_LIGHTS + DISK_LIGHTS > 0
+#include "brdf/area.glsl"
+#endif
+#if ANISOTROPY || WEAVE
+#include "brdf/anisotropic.glsl"
+#endif
+#if SHEEN && !SHADING_FABRIC
+#include "brdf/sheen.glsl"
+#endif
+#if SHADING_FABRIC || (SHADING_PRINCIPLED && (SHEEN_TERM != SHEEN_CHARLIE_NEUBELT || DISTRIBUTION_TERM == DISTRIBUTION_GTR2_ANISOTROPIC))
+#include "brdf/cloth.glsl"
+#endif
+#if IRIDESCENCE
+#include "brdf/iridescence.glsl"
+#endif
+#if DIFFUSE_ROUGHNESS || (SHADING_PRINCIPLED && DIFFUSE_TERM == DIFFUSE_EON)
+#include "brdf/rough_diffuse.glsl"
+#endif
+#include "material/input_types.glsl"
+#include "material/surface_types.glsl"
+#include "light/reflected.glsl"

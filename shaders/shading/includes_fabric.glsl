@@ -1,0 +1,10 @@
+// The shading "fabric" and its own terms.
+#include "brdf/cloth_energy.glsl"
+#include "brdf/bump.glsl"
+#if ANISOTROPY || WEAVE
+#include "brdf/yarn_energy.glsl"
+#endif
+#if FLATNESS
+#include "brdf/thin_sheet.glsl"
+#endif
+#include "shading/fabric.glsl"
