@@ -11,6 +11,8 @@ namespace three {
 }  // namespace three
 
 namespace fabric {
+#include "../shading/fabric_energy.glsl"
+// Behind what it shares out.
 #include "../shading/fabric.glsl"
 }  // namespace fabric
 

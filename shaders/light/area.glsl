@@ -23,7 +23,7 @@ LtcLobe ltcLobe(mat3 frame, float perceptualRoughness, float NoV, vec3 f0, float
 
 #if SHADING_FABRIC && SHEEN
 // The sheen lobe of cloth is a linearly transformed cosine by itself.
-LtcLobe sheenLobe(mat3 frame, SurfaceInfo s) {
+LtcLobe sheenLtcLobe(mat3 frame, SurfaceInfo s) {
   vec3 ltc = sheenLtc(max(s.sheenRoughness, CLOTH_SHEEN_ROUGHNESS_MIN), s.NoV);
   return LtcLobe(mat3(ltc.y, 0.0, 0.0, 0.0, ltc.y, 0.0, ltc.z, 0.0, 1.0) * frame, s.sheenColor * ltc.x);
 }
@@ -53,7 +53,7 @@ AreaLobes areaLobes(SurfaceInfo s) {
   lobes.base.albedo = glossReflectance(s);
   lobes.spread = s.diffuse * s.leaving + glossReturn(s);
 #if SHEEN
-  lobes.sheen = sheenLobe(lobes.frame, s);
+  lobes.sheen = sheenLtcLobe(lobes.frame, s);
 #endif
 #elif SHADING_PRINCIPLED
   // Specular and clearcoat lobes are those of the tables, the others are cosine lobes. Each has the albedo of the model.

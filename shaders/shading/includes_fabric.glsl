@@ -7,4 +7,5 @@
 #if FLATNESS
 #include "brdf/thin_sheet.glsl"
 #endif
+#include "shading/fabric_energy.glsl"
 #include "shading/fabric.glsl"

@@ -31,23 +31,24 @@ const CLOTHS = {
 
 /** What stands in place of a part of fabric: [cloth, name, edits of the shaders]. */
 const fabric = (find, replace) => ({ file: 'shading/fabric.glsl', find, replace });
+const energy = (find, replace) => ({ file: 'shading/fabric_energy.glsl', find, replace });
 const ALTERNATIVES = [
   ['plain', 'diffuse (1 - F) as in three, not coupled', [fabric(
-    'sum.diffuse += lightColor * innerLobe(s, l, NoL) * s.passing * passingShare(s, albedo);',
-    'sum.diffuse += lightColor * innerLobe(s, l, NoL) * (1.0 - mix(s.f0Dielectric, vec3(s.f90), F_SchlickWeight5(dot(s.v, h))));',
+    'sum.diffuse += lightColor * diffuseLobe(s, l, NoL) * s.passing * passingShare(s, albedo);',
+    'sum.diffuse += lightColor * diffuseLobe(s, l, NoL) * (1.0 - mix(s.f0Dielectric, vec3(s.f90), F_SchlickWeight5(dot(s.v, h))));',
   )]],
   ['plain', 'albedo towards a light from a table', [
-    fabric('GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {',
+    energy('GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {',
       'GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {\n'
       + '  vec2 ab = texture(dfgMap, vec2(s.perceptualRoughness, sqrt(cosine))).rg;\n  return GlossAlbedo(vec2(1.0 - ab.x - ab.y, ab.y));'),
   ]],
   ['sheen', 'sheen by Charlie and its own masking', [fabric('sheenCosine(s.sheenView, s.NoV, NoL, dot(l, s.v))',
     'NoL * D_Charlie_(pow2(s.sheenRoughness), saturate(dot(s.n, h))) * V_Charlie_(pow2(s.sheenRoughness), s.NoV, NoL)'),
-  fabric('// Axes square to the normal', 'float V_Charlie_(float a, float v, float l) { return 1.0 / ((1.0 + lambdaCharlie(a, v) + lambdaCharlie(a, l)) * 4.0 * v * l); }\n'
+  energy('// Axes square to the normal', 'float V_Charlie_(float a, float v, float l) { return 1.0 / ((1.0 + lambdaCharlie(a, v) + lambdaCharlie(a, l)) * 4.0 * v * l); }\n'
     + 'float D_Charlie_(float a, float c) { return (2.0 + 1.0 / a) * pow(max(1.0 - c * c, 0.0078125), 0.5 / a) / (2.0 * PI); }\n// Axes square to the normal')]],
   ['sheen', 'sheen by Charlie and Neubelt, as in three', [fabric('sheenCosine(s.sheenView, s.NoV, NoL, dot(l, s.v))',
     'NoL * D_Charlie_(pow2(s.sheenRoughness), saturate(dot(s.n, h))) * saturate(1.0 / max(4.0 * (NoL + s.NoV - NoL * s.NoV), 1.0e-5))'),
-  fabric('// Axes square to the normal', 'float D_Charlie_(float a, float c) { return (2.0 + 1.0 / a) * pow(max(1.0 - c * c, 0.0078125), 0.5 / a) / (2.0 * PI); }\n// Axes square to the normal')]],
+  energy('// Axes square to the normal', 'float D_Charlie_(float a, float c) { return (2.0 + 1.0 / a) * pow(max(1.0 - c * c, 0.0078125), 0.5 / a) / (2.0 * PI); }\n// Axes square to the normal')]],
 ];
 
 async function glbOf(layers) {

@@ -167,7 +167,7 @@ export const FAULTS = [
   {
     name: 'a diffuse lobe of cloth that is not coupled to the gloss above it',
     item: 'fabric-sweep-sun',
-    edits: [{ file: 'shading/fabric.glsl', find: 'innerLobe(s, l, NoL) * s.passing * passingShare(s, albedo)', replace: 'innerLobe(s, l, NoL)' }],
+    edits: [{ file: 'shading/fabric.glsl', find: 'diffuseLobe(s, l, NoL) * s.passing * passingShare(s, albedo)', replace: 'diffuseLobe(s, l, NoL)' }],
     first: 'direct',
   },
   {

@@ -1,0 +1,177 @@
+// How telar's cloth shares the light out: what the gloss reflects at once and later, what it leaves to the layers below, for a
+// light, for the viewer and for light from everywhere. No uniforms and no textures: also compiled as C++
+// (renderer/brdf/shading.h), with every layer on. fabric.glsl comes behind it.
+
+#if WEAVE
+// A shader has WEAVE for woven cloth alone; C++ has every layer on.
+bool isWoven(SurfaceInfo s) {
+#if ALL_TERMS
+  return s.warp.coverage + s.weft.coverage > 0.0;
+#else
+  return true;
+#endif
+}
+
+// The surface with the one lobe that stands for its yarns where a lobe of one width reads the environment: the second moments
+// of both, which lie square to each other, along the frame's axes.
+SurfaceInfo withMeanYarn(SurfaceInfo s) {
+  float warp = s.warp.coverage / (s.warp.coverage + s.weft.coverage);
+  float along = mix(pow2(s.weft.alphaT), pow2(s.warp.alphaB), warp);
+  float across = mix(pow2(s.weft.alphaB), pow2(s.warp.alphaT), warp);
+  vec3 color = mix(s.weft.specularColor, s.warp.specularColor, warp);
+  s.f0Dielectric *= color;
+  s.f0 *= color;
+  s.alphaT = sqrt(max(along, across));
+  s.alpha = sqrt(min(along, across));
+  if (across > along) {
+    vec3 weft = s.t;
+    s.t = s.b;
+    s.b = -weft;
+  }
+  s.perceptualRoughness = sqrt(s.alpha);
+  s.anisotropyStrength = sqrt(saturate((s.alphaT - s.alpha) / max(1.0 - s.alpha, 1.0e-6)));
+  return s;
+}
+
+// glossAlbedo() of one set of yarns for one direction.
+// along, across, n  its frame: for lights as it lies, for the viewer as it leans      cosine  [0, 1], with n
+vec2 yarnAlbedo(YarnLobe yarn, vec3 along, vec3 across, vec3 direction, float cosine) {
+  return stretchedAlbedo(yarn.gloss, cosine, dot(across, direction), dot(along, direction));
+}
+#endif
+
+#if ANISOTROPY
+// Where a map leaves no stretch the lobe is the isotropic one, with its curves.
+bool isStretched(SurfaceInfo s) {
+  return s.alphaT > s.alpha;
+}
+#endif
+
+// Of light of one direction.   cosine  [0, 1], with n
+GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {
+  GlossAlbedo albedo;
+#if WEAVE
+  if (isWoven(s)) {
+    return GlossAlbedo(yarnAlbedo(s.warp, s.warp.lying, cross(s.n, s.warp.lying), direction, cosine),
+                       yarnAlbedo(s.weft, s.weft.lying, cross(s.n, s.weft.lying), direction, cosine));
+  }
+#endif
+#if ANISOTROPY
+  if (isStretched(s)) {
+    albedo.base = stretchedAlbedo(s.stretched, cosine, dot(s.t, direction), dot(s.b, direction));
+    return albedo;
+  }
+#endif
+  albedo.base = glossAlbedo(s.gloss, cosine);
+  return albedo;
+}
+
+// Share of the light of one direction that passes the dielectric interface, either way.   albedo  of the gloss there
+vec3 passingShare(SurfaceInfo s, GlossAlbedo albedo) {
+#if WEAVE
+  if (isWoven(s)) {
+    vec3 warp = interfaceAlbedo(s.warp.f0Dielectric, s.f90, s.warp.returningDielectric, albedo.base);
+    vec3 weft = interfaceAlbedo(s.weft.f0Dielectric, s.f90, s.weft.returningDielectric, albedo.weft);
+    return max(1.0 - s.warp.coverage * warp - s.weft.coverage * weft, 0.0);
+  }
+#endif
+  return max(1.0 - interfaceAlbedo(s.f0Dielectric, s.f90, s.returningDielectric, albedo.base), 0.0);
+}
+
+// What the microfacets return of a light after more bounces, without its cosine, [1/sr].   albedo  of the gloss towards it
+vec3 returnedLobe(SurfaceInfo s, GlossAlbedo albedo) {
+#if WEAVE
+  if (isWoven(s)) return s.warp.returningLobe * albedo.base.x + s.weft.returningLobe * albedo.weft.x;
+#endif
+  return s.returningLobe * albedo.base.x;
+}
+
+// Axes square to the normal, from which a map may have turned, and to each other: on axes that lean the lobe would have a
+// second peak.
+#if ANISOTROPY || WEAVE
+SurfaceInfo withSquareFrame(SurfaceInfo s) {
+  vec3 across = cross(s.n, s.t);
+  s.t = safeNormalize(dot(across, across) > 1.0e-6 ? cross(across, s.n) : cross(s.b, s.n), anyTangent(s.n));
+  s.b = cross(s.n, s.t);
+#if ANISOTROPY
+  s.alphaT = max(s.alphaT, s.alpha);
+#endif
+  return s;
+}
+#endif
+
+#if WEAVE
+// A set of yarns with what it reflects and what it leaves to the rest of the surface: each by its own width.
+// f0Metal  normal reflectance of the metal
+YarnLobe withYarnEnergies(SurfaceInfo s, YarnLobe yarn, vec3 f0Metal) {
+  yarn.gloss = stretchedCurve(yarn.alphaB, yarn.alphaT);
+#if WEAVE_MAP
+  // Yarns that lean away from the viewer are seen where they just face him.
+  yarn.n = normalFacing(yarn.n, s.v);
+  yarn.t = safeNormalize(cross(yarn.b, yarn.n), anyTangent(yarn.n));
+  yarn.b = cross(yarn.n, yarn.t);
+#endif
+  yarn.albedo = yarnAlbedo(yarn, yarn.t, yarn.b, s.v, saturate(dot(yarn.n, s.v)));
+  yarn.f0Dielectric = s.f0Dielectric * yarn.specularColor;
+  yarn.f0 = s.f0 * yarn.specularColor;
+  float average = yarn.gloss.average.x;
+  yarn.returningDielectric = returningShare(yarn.f0Dielectric, s.f90, average);
+  yarn.returning = mix(yarn.returningDielectric, returningShare(f0Metal * yarn.specularColor, s.f90, average), s.metallic);
+  yarn.returningLobe = yarn.returning * (yarn.coverage * yarn.albedo.x * RECIPROCAL_PI / average);
+  return yarn;
+}
+#endif
+
+// What the gloss reflects and what it leaves.   f0Metal  normal reflectance of the metal
+SurfaceInfo withEnergies(SurfaceInfo s, vec3 f0Metal) {
+  GlossAlbedo average;
+#if WEAVE
+  if (isWoven(s)) {
+    s.warp = withYarnEnergies(s, s.warp, f0Metal);
+    s.weft = withYarnEnergies(s, s.weft, f0Metal);
+    s.albedo = GlossAlbedo(s.warp.albedo, s.weft.albedo);
+    average = GlossAlbedo(s.warp.gloss.average, s.weft.gloss.average);
+    s = withMeanYarn(s);
+  } else
+#endif
+  {
+    s.gloss = glossCurve(s.perceptualRoughness);
+    average.base = glossAverage(s.gloss);
+#if ANISOTROPY
+    if (isStretched(s)) {
+      s.stretched = stretchedCurve(s.alphaT, s.alpha);
+      average.base = s.stretched.average;
+    }
+#endif
+    s.albedo = albedoTowards(s, s.v, s.NoV);
+    s.returningDielectric = returningShare(s.f0Dielectric, s.f90, average.base.x);
+    s.returning = mix(s.returningDielectric, returningShare(f0Metal, s.f90, average.base.x), s.metallic);
+    s.returningLobe = s.returning * (s.albedo.base.x * RECIPROCAL_PI / average.base.x);
+  }
+  s.leaving = passingShare(s, s.albedo);
+  s.passing = s.leaving / max(passingShare(s, average), vec3(PASSING_MIN));
+  return s;
+}
+
+// What the gloss reflects at once of light from everywhere, [0, 1].
+vec3 glossReflectance(SurfaceInfo s) {
+  vec2 base = s.albedo.base;
+#if WEAVE
+  if (isWoven(s)) {
+    vec2 weft = s.albedo.weft;
+    return s.warp.coverage * (s.warp.f0 * (1.0 - base.x - base.y) + s.f90 * base.y) +
+           s.weft.coverage * (s.weft.f0 * (1.0 - weft.x - weft.y) + s.f90 * weft.y);
+  }
+#endif
+  return s.f0 * (1.0 - base.x - base.y) + s.f90 * base.y;
+}
+
+// What it reflects later, [0, 1].
+vec3 glossReturn(SurfaceInfo s) {
+#if WEAVE
+  if (isWoven(s)) {
+    return s.warp.returning * (s.warp.coverage * s.albedo.base.x) + s.weft.returning * (s.weft.coverage * s.albedo.weft.x);
+  }
+#endif
+  return s.returning * s.albedo.base.x;
+}
