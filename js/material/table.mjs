@@ -68,6 +68,7 @@ const IOR_MAX = 1000;
 const SPECULAR_COLOR_MAX = 65504;
 const THICKNESS_MAX = 1e6; // nanometres
 const VOLUME_MAX = 1e12; // metres, and as small a part of one
+const BUMP_MAX = 1e4;
 const DISPERSION_MAX = 40; // beyond it red light would travel faster than in empty space
 const THREADS_MAX = 1e6; // per unit of u or v: finer than any texture
 
@@ -106,7 +107,7 @@ export const CORE_TEXTURES = [
 ];
 
 /** What makes a material physical for GLTFLoader and is not drawn: only whether it is there is read. */
-export const NOT_DRAWN = ['EXT_materials_bump'];
+export const NOT_DRAWN = [];
 
 /** In the order in which features are told and textures are bound. @type {Layer[]} */
 export const LAYERS = [
@@ -118,6 +119,12 @@ export const LAYERS = [
       { key: 'specularFactor', default: 1, texture: texture('specularTexture', 'a'), three: 'specularIntensity' },
       { key: 'specularColorFactor', type: 'vec3', default: 1, max: SPECULAR_COLOR_MAX, texture: colour('specularColorTexture'), three: 'specularColor' },
     ],
+  },
+  {
+    name: 'bump', extension: 'EXT_materials_bump', member: 'layers', three: 'USE_BUMPMAP', keepsTextures: true,
+    when: 'l.bumpFactor != 0 && l.bumpTexture && !m.normalTexture',
+    rows: [{ key: 'bumpFactor', default: 1, min: -BUMP_MAX, max: BUMP_MAX, unit: 'of heights against the width of a pixel', three: 'bumpScale' }],
+    texel: { ...texture('bumpTexture', 'r', { three: 'bump', unit: 'R height' }), asked: true, input: null },
   },
   {
     name: 'clearcoat', extension: 'KHR_materials_clearcoat', member: 'layers', three: 'USE_CLEARCOAT', when: 'l.clearcoatFactor > 0',

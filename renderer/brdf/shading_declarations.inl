@@ -7,6 +7,7 @@ Reflected nothingReflected();
 // From what the file says of a material to a surface, shaders/material/layers.glsl.
 MaterialInputs withShadedRoughness(MaterialInputs m, Real geometric);
 MaterialInputs withWeaveTexel(MaterialInputs m, vec4 texel, vec2 threads);
+vec3 bumpedNormal(vec3 n, vec3 dpdx, vec3 dpdy, vec2 rise, Real face);
 Normals facingViewer(Normals normals, vec3 v);
 SurfaceInfo baseSurface(MaterialInputs m, Normals normals, vec3 v);
 SurfaceInfo withSpecular(SurfaceInfo s, MaterialInputs m);

@@ -114,11 +114,23 @@ Glass readGlass(const PhysicalLayers& l, const Reader& read, const PlacedMesh& m
   return glass;
 }
 
+/// The normal as heights tilt it, where the neighbours of the pixel are known: a height is measured against its width.
+glm::vec3 bumpedAt(const PhysicalLayers& l, const Corners& corners, const Reader& read, const glm::vec3& n,
+                   const Footprint& footprint, float face) {
+  const auto right = corners.barycentric(footprint.right), above = corners.barycentric(footprint.above);
+  if (!right || !above) return n;
+  const auto height = [&](const glm::vec2& b) { return Reader{read.textures, corners, b}(l.bumpTexture).r; };
+  const float here = height(read.barycentric);
+  const glm::vec3 p = corners.position(read.barycentric);
+  const glm::vec2 rise = l.bumpFactor * glm::vec2(height(*right) - here, height(*above) - here);
+  return brdf_f::bumpedNormal(n, corners.position(*right) - p, corners.position(*above) - p, rise, face);
+}
+
 /// shadingNormals() of shaders/material/normal.glsl; no normal is turned away from the viewer, where terms of stretched
 /// lobes have poles.
 /// @param n  of the surface, unit      @param face  1 on the front, -1 on the back
 brdf_f::Normals normalsAt(const PlacedMesh& mesh, const Corners& corners, const Reader& read, const glm::vec3& n,
-                          const glm::vec3& v, float face) {
+                          const glm::vec3& v, float face, const Footprint* footprint) {
   const Material& m = *mesh.material;
   const bool hasTangents = !mesh.primitive->tangents.empty();
   const TextureRef& coatMap = m.layers.clearcoatNormalTexture;
@@ -131,7 +143,10 @@ brdf_f::Normals normalsAt(const PlacedMesh& mesh, const Corners& corners, const 
   const glm::mat3 mapped = frameOf(m.normalTexture ? m.normalTexture : framedByWeave ? m.fabric.weaveTexture : coatMap);
   brdf_f::Normals normals{};
   normals.shading = normals.coat = n;
-  if (m.normalTexture) normals.shading = mappedNormal(mapped, read(m.normalTexture), signs * m.normalScale);
+  if (m.normalTexture)
+    normals.shading = mappedNormal(mapped, read(m.normalTexture), signs * m.normalScale);
+  else if (m.layers.bumpTexture && footprint)
+    normals.shading = bumpedAt(m.layers, corners, read, n, *footprint, face);
   if (coatMap) normals.coat = mappedNormal(frameOf(coatMap), read(coatMap), signs * m.layers.clearcoatNormalScale);
   normals = brdf_f::facingViewer(normals, v);
   normals.geometric = m.normalTexture ? n : normals.shading;
@@ -182,7 +197,7 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   const glm::vec3 interpolated = flat ? surface.geometricNormal : corners.normal(b);
   const glm::vec3 n = flat || !m.doubleSided ? interpolated : interpolated * face;
   const float geometric = flat || !footprint ? 0.0f : roughnessOfCurvature(corners, interpolated, *footprint);
-  const brdf_f::Normals normals = normalsAt(mesh, corners, read, n, v, face);
+  const brdf_f::Normals normals = normalsAt(mesh, corners, read, n, v, face, footprint);
   brdf_f::MaterialInputs in = materialInputs<brdf_f::MaterialInputs>(m, glm::vec3(baseColor), read);
   // Finer than a pixel yarns are not taken together: many samples do that.
   if (isWoven(mesh) && m.fabric.weaveTexture)

@@ -53,10 +53,27 @@ MaterialInputs withWeaveTexel(MaterialInputs m, vec4 texel, vec2 threads) {
 }
 #endif
 
+#if BUMP
+// EXT_materials_bump: a normal tilted by what heights change from a pixel to the next. As in three.js a height is measured
+// against a pixel's width: the same map is as deep at every scale of the model, and shallower in a larger picture.
+// dpdx, dpdy  change of place to the right and upwards, any length
+// rise        change of height likewise
+// face        1 on the front, -1 on the back
+// src: Mikkelsen 2010, "Bump Mapping Unparametrized Surfaces on the GPU"
+vec3 bumpedNormal(vec3 n, vec3 dpdx, vec3 dpdy, vec2 rise, float face) {
+  vec3 right = safeNormalize(dpdx, n);
+  vec3 up = safeNormalize(dpdy, n);
+  vec3 alongRight = cross(up, n);
+  float area = face * dot(right, alongRight);
+  vec3 slope = rise.x * alongRight + rise.y * cross(n, right);
+  return safeNormalize(abs(area) * n - (area < 0.0 ? -1.0 : 1.0) * slope, n);
+}
+#endif
+
 #if SHADING_FABRIC
 // Neither normal turned away from the viewer, as cloth is shaded.
 Normals facingViewer(Normals normals, vec3 v) {
-#if NORMAL_MAP
+#if NORMAL_MAP || BUMP
   normals.shading = normalFacing(normals.shading, v);
 #endif
 #if CLEARCOAT_NORMAL_MAP

@@ -6,6 +6,11 @@
 SurfaceInfo surfaceInfo(vec3 baseColor) {
   MaterialInputs m = materialInputs(baseColor);
   Normals normals = shadingNormals();
+#if BUMP && !NORMAL_MAP
+  float height = bumpTexel(bumpUv()).r;
+  vec2 rise = m.bump * vec2(bumpTexel(bumpUv() + dFdx(bumpUv())).r - height, bumpTexel(bumpUv() + dFdy(bumpUv())).r - height);
+  normals.shading = bumpedNormal(normals.geometric, -dFdx(vViewPosition), -dFdy(vViewPosition), rise, gl_FrontFacing ? 1.0 : -1.0);
+#endif
 #if NORMAL_VARIANCE
   m = withSlopes(m, normals);
 #endif

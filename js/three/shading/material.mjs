@@ -1,5 +1,3 @@
-import { LAYERS, texturesOf } from '../../material/table.mjs';
-
 /** Chunk of three.js, and where its loops over the lights begin in it. */
 const LIGHT_CHUNK = 'lights_fragment_begin';
 const LIGHT_LOOPS = 'IncidentLight directLight;';
@@ -10,13 +8,7 @@ const UV_DECLARATIONS = '#include <uv_pars_vertex>';
 const UV_ASSIGNMENTS = '#include <uv_vertex>';
 
 /** What a MeshPhysicalMaterial has and telar's text does not read. */
-const NOT_READ = {
-  bumpMap: 'a bump map: bake it into a normal map',
-  retroreflectivity: 'retroreflectivity',
-};
-
-/** What telar's text reads, as three.js names it. */
-const READ = new Set(LAYERS.flatMap((layer) => texturesOf(layer).map(({ three }) => `${three}Map`)));
+const NOT_READ = { retroreflectivity: 'retroreflectivity' };
 
 /** In front of every name of telar's text, so that none meets one of three.js or of the client's. */
 export const PREFIX = 'telar_';
@@ -69,7 +61,7 @@ export function shadingMaterialClass(THREE, text, family) {
 
     onBeforeCompile(shader) {
       for (const [key, what] of Object.entries(NOT_READ)) {
-        if (this[key] && !READ.has(key)) throw new Error(`material ${this.name || this.uuid}: the shading ${family} does not draw ${what}`);
+        if (this[key]) throw new Error(`material ${this.name || this.uuid}: the shading ${family} does not draw ${what}`);
       }
       const defines = Object.entries(this.textDefines()).map(([name, value]) => `#define ${PREFIX}${name} ${value}\n`).join('');
       shader.fragmentShader = shadedFragment(THREE, shader.fragmentShader, text, defines);

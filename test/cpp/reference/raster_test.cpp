@@ -112,6 +112,32 @@ TEST(RasterAgainstReference, NormalsThatLean) {
   }
 }
 
+/// Heights in long waves, 64 x 64.
+Image8 waves() {
+  Image8 image{64, 64, {}};
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const double wave = std::sin(x * 0.125 * M_PI) * std::cos(y * 0.0625 * M_PI);
+      const auto height = static_cast<std::uint8_t>(std::lround(127.5 + 120 * wave));
+      for (const std::uint8_t channel : {height, std::uint8_t{0}, std::uint8_t{255}, std::uint8_t{255}})
+        image.pixels.push_back(channel);
+    }
+  }
+  return image;
+}
+
+TEST(RasterAgainstReference, HeightsThatTilt) {
+  Material m = named("bumps", 0.6f, 0);
+  m.physical = true;
+  m.layers.bumpTexture.image = 0;
+  m.layers.bumpFactor = 3;
+  for (const ShadingModel shading : {ShadingModel::kThree, ShadingModel::kFabric}) {
+    const auto scene = test::sceneOf(test::spherePrimitive(1), m);
+    scene->images = {waves()};
+    expectTheSamePicture(scene, 0.06, 0.004, shading);
+  }
+}
+
 TEST(RasterAgainstReference, PrincipledShadings) {
   Material soft = layered();
   soft.name = "soft";
