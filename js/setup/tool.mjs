@@ -2,7 +2,7 @@ import path from 'node:path';
 import { setUp } from './index.mjs';
 import { main, ROOT, runShown } from '../machine/step.mjs';
 
-// npm run parity, accuracy, numerics [-- ARGUMENTS]: all set-up, then the tool of test/ that is named first, which says what
+// npm run parity, accuracy, numerics, families [-- ARGUMENTS]: all set-up, then the tool of test/ that is named first, which says what
 // arguments it takes, with the build of the tests.
 
 const PRESET = 'dev';

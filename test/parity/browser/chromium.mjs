@@ -36,10 +36,14 @@ export class Browser {
   /**
    * @param {object} [options]
    * @param {'mesa' | 'swiftshader'} [options.rasterizer]
+   * @param {string} [options.three] - Folder of the three.js to draw with; the development dependency where it is left out.
+   * @param {Map<string, string>} [options.edited] - Texts in place of files of that folder, by their path in it.
+   * @param {string} [options.page] - The page, from the project's root.
+   * @param {(text: string) => void} [options.log] - Gets what the page warns of.
    * @returns {Promise<Browser>}
    * @throws {Error} With the cure, when Chromium cannot be started.
    */
-  static async start({ rasterizer = 'mesa' } = {}) {
+  static async start({ rasterizer = 'mesa', three, edited, page = 'test/parity/browser/page.html', log = console.error } = {}) {
     const self = new Browser();
     try {
       self.#browser = await chromium.launch({
@@ -50,13 +54,13 @@ export class Browser {
       const cure = 'install it with "apt-get install chromium", or name another one in TELAR_CHROMIUM';
       throw new Error(`Chromium does not start from ${executablePath()}: ${cure}\n${cause.message}`, { cause });
     }
-    self.#server = await startServer();
+    self.#server = await startServer({ three, edited });
     self.#page = await self.#browser.newPage();
-    self.#page.on('pageerror', (error) => console.error(`page: ${error.stack ?? error}`));
+    self.#page.on('pageerror', (error) => log(`page: ${error.stack ?? error}`));
     self.#page.on('console', (message) => {
-      if (['warning', 'error'].includes(message.type())) console.error(`page: ${message.text()}`);
+      if (['warning', 'error'].includes(message.type())) log(`page: ${message.text()}`);
     });
-    await self.#page.goto(`${self.#server.origin}/test/parity/browser/page.html`);
+    await self.#page.goto(`${self.#server.origin}/${page}`);
     await self.#page.waitForFunction('window.telarReady === true', undefined, { timeout: 30_000 });
     return self;
   }
@@ -66,6 +70,7 @@ export class Browser {
    * @param {object} input.shot - Resolved shot.
    * @param {Uint8Array | string} input.model - GLB bytes, or an absolute path (its folder is served).
    * @param {Uint8Array} [input.environment] - .hdr or .exr bytes; required where the shot has an environment.
+   * @param {object} [input.settings] - Of the client's page, beside the shot.
    * @param {boolean} [input.ownText] - Shades with telar's text of stock three.js in place of three's own.
    * @param {boolean} [input.keepPrograms] - Keeps compiled programs for the next draw, as a page does that never disposes of materials.
    * @returns {Promise<{width: number, height: number, image: Uint8Array, mask: Uint8Array, facts: object}>} Drawing
@@ -129,13 +134,14 @@ export class Browser {
     }
   }
 
-  #job({ shot, model, environment, textures, ownText, keepPrograms }) {
+  #job({ shot, model, environment, textures, ownText, keepPrograms, settings }) {
     const id = ++this.#jobs;
     return {
       shot,
       textures,
       ownText,
       keepPrograms,
+      settings,
       model: typeof model === 'string' ? this.#server.offerFile(model) : this.#server.offerBytes(`${id}.glb`, model),
       environment: environment ? this.#offerEnvironment(environment, id) : null,
       result: `/result/${id}`,

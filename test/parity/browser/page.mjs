@@ -6,6 +6,7 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
+import { client } from 'client';
 import { applyShot, rendererParameters } from '/js/three/index.mjs';
 import { applyShading } from '/js/three/shading.mjs';
 import { environmentOf } from '/js/three/suns.mjs';
@@ -34,7 +35,11 @@ const renderers = new Map();
 function rendererFor(shot) {
   const parameters = rendererParameters(shot);
   const key = JSON.stringify(parameters);
-  if (!renderers.has(key)) renderers.set(key, new THREE.WebGLRenderer({ ...parameters, preserveDrawingBuffer: true }));
+  if (!renderers.has(key)) {
+    const renderer = new THREE.WebGLRenderer({ ...parameters, preserveDrawingBuffer: true });
+    client.prepareRenderer(renderer);
+    renderers.set(key, renderer);
+  }
   return renderers.get(key);
 }
 
@@ -55,18 +60,20 @@ async function loadEnvironment({ url, format }) {
   return texture;
 }
 
-/** Everything that a draw needs: `job` is {shot, model: url, environment: {url, format} | null, ownText}. */
+/** Everything that a draw needs: `job` is {shot, model: url, environment: {url, format} | null, ownText, settings}. */
 async function prepare(job) {
   const renderer = rendererFor(job.shot);
   const model = await loaderFor(renderer, job.textures).loadAsync(job.model);
-  const environment = job.environment ? await loadEnvironment(job.environment) : undefined;
+  const environment = job.environment ? client.prepareEnvironment(await loadEnvironment(job.environment), job.shot) : undefined;
   const scene = new THREE.Scene();
+  client.prepareScene(scene);
   scene.add(model.scene);
   const apply = (shot) => applyShot(shot, {
     THREE, renderer, scene, model, environment,
     areaLightTables: () => import('three/addons/lights/RectAreaLightUniformsLib.js'),
   });
   const camera = await apply(job.shot);
+  client.finishScene({ renderer, scene, shot: job.shot, settings: job.settings });
   if (job.ownText) await applyShading(model, 'three', { THREE, ownText: true });
   return { renderer, scene, camera, apply, dispose: () => disposeModel(model.scene, job.keepPrograms) };
 }

@@ -8,7 +8,10 @@ import { shadingModule } from '../../../js/build/shading/index.mjs';
 const ROOT = fileURLToPath(new URL('../../../', import.meta.url));
 
 /** Folders of the project that the page may read. */
-const SERVED = ['/node_modules/three/', '/js/', '/test/parity/browser/'];
+const SERVED = ['/js/', '/test/parity/browser/', '/test/families/browser/'];
+
+/** The page's three.js, wherever it lies. */
+const THREE = '/node_modules/three/';
 
 /** Text of shaders/ for three.js, made of what lies there now and not of what js/dist was built from. */
 const SHADING = /^\/js\/dist\/shading\/(\w+)\.mjs$/;
@@ -26,10 +29,13 @@ const CONTENT_TYPE = {
 /**
  * HTTP on the loopback interface for the parity page: the project's files, offered bytes, and results sent back by PUT.
  *
+ * @param {object} [options]
+ * @param {string} [options.three] - Folder of the three.js to serve; the development dependency where it is left out.
+ * @param {Map<string, string>} [options.edited] - Texts in place of files of that folder, by their path in it.
  * @returns {Promise<{origin: string, offerBytes: Function, withdraw: Function, offerFile: Function,
  *   hasResult: Function, takeResult: Function, close: Function}>}
  */
-export async function startServer() {
+export async function startServer({ three = path.join(ROOT, THREE), edited = new Map() } = {}) {
   const offered = new Map();
   const folders = [];
   const results = new Map();
@@ -38,6 +44,7 @@ export async function startServer() {
     if (request.method === 'PUT') receive(request, response, results, url);
     else if (offered.has(url)) response.end(offered.get(url));
     else if (SHADING.test(url)) sendShading(response, url);
+    else if (url.startsWith(THREE)) sendThree(response, url.slice(THREE.length), three, edited);
     else sendFile(response, resolveFile(url, folders));
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
@@ -79,6 +86,11 @@ function beneath(folder, relative) {
 
 function sendShading(response, url) {
   response.writeHead(200, { 'Content-Type': CONTENT_TYPE['.mjs'] }).end(shadingModule(SHADING.exec(url)[1]));
+}
+
+function sendThree(response, file, folder, edited) {
+  if (edited.has(file)) response.writeHead(200, { 'Content-Type': CONTENT_TYPE['.js'] }).end(edited.get(file));
+  else sendFile(response, beneath(folder, file));
 }
 
 async function sendFile(response, file) {
