@@ -92,8 +92,8 @@ async function drawCase(browser, item, inputs) {
     const { image, mask } = await browser.draw({ shot: item.shot, settings: item.settings, ...inputs });
     return { image: keep(image), mask: keep(mask) };
   } catch (error) {
-    const [, reason] = /absent: (.*)/.exec(error.message) ?? [];
-    if (!reason) throw new Error(`case ${item.name}: ${error.message}`, { cause: error });
+    // A release may fail at what others show, as 0.156.0 does at unlit materials; run.mjs asks that the last one does not.
+    const reason = /absent: (.*)/.exec(error.message)?.[1] ?? `fails: ${error.message.split('\n')[0]}`;
     return { absent: reason };
   }
 }

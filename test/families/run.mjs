@@ -36,6 +36,8 @@ for (const release of releases) {
   for (const line of warnings) console.log(`  ${line.slice(0, 200)}`);
 }
 
+for (const [name, { absent }] of Object.entries(pictures.get(LAST))) if (absent) throw new Error(`three.js ${LAST} does not draw ${name}: ${absent}`);
+
 const families = familiesOf(pictures);
 for (const [i, family] of families.entries()) {
   console.log(`${rangeOf(family)}`);

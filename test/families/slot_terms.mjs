@@ -234,6 +234,7 @@ export const SLOT_TERMS = [
       { from: '0.151.0', what: 'each map has its own transform and coordinates' },
     ],
   },
+  { slot: 'unlit', terms: [{ to: '0.155.0', what: 'as today' }, { from: '0.156.0', to: '0.156.0', what: 'GLTFLoader fails at a colour of an unlit material' }, { from: '0.156.1', what: 'as today' }] },
   { slot: 'sorting', terms: [{ to: '0.151.3', what: "by depth of the object's origin" }, { from: '0.152.0', what: 'by depth of the middle of its bounding sphere' }] },
   {
     slot: 'colour management',
