@@ -149,7 +149,7 @@ export const SLOT_TERMS = [
       {
         to: '0.181.2',
         what: `depth in 8-bit RGBA, nearest. PCF: mean of 17 compares at (x, y) radius texels, x and y of -1, 0, 1 and of -0.5, 0, 0.5, and (0, 0) once. Soft PCF: 4 x 4 compares of single
-          texels, the outer ones weighed by the place between texels, over 9, without radius. VSM: 8 bits a half.
+          texels, the outer ones weighed by the place between texels, over 9, without radius. VSM: mean and deviation of depth, two bytes each.
           Point lights: an atlas of 4 x 2 faces of distance to the light by (length - near) / (far - near), nine compares at the unit direction and at
           the corners of a cube of half side radius / (2 size) about it`,
       },
