@@ -67,7 +67,7 @@ function proofRows(proofs) {
  * @returns {string} Markdown.
  */
 export function familiesPage({ families, proofs, omitted = [] }) {
-  return [
+  return `${[
     INTRO,
     ...(omitted.length > 0 ? [`Not looked at yet: ${omitted.join(', ')}.`] : []),
     `## Families
@@ -99,5 +99,5 @@ Distance of each family from ${LAST}; nothing where they are equal, - where the 
 | case | ${families.map(headOf).join(' | ')} |
 |---|${families.map(() => '---|').join('')}
 ${caseRows(families).join('\n')}`,
-  ].join('\n\n') + '\n';
+  ].join('\n\n')}\n`;
 }

@@ -31,7 +31,7 @@ export const SLOT_TERMS = [
       { from: '0.181.0', to: '0.181.0', what: `${CHAIN}, with 512 half vectors and k(t) = 0.05 + 0.95 t, in mediump: on Mesa, whose small integers have 16 bits, the half vectors are wrong and far too bright. Made for the size of the first environment
         of a page: others are read at wrong places` },
       { from: '0.181.1', to: '0.181.1', what: 'as before with 256 half vectors and in highp; other sizes still wrong' },
-      { from: '0.181.2', to: '0.181.2', what: `as before, made anew for each size` },
+      { from: '0.181.2', to: '0.181.2', what: "as before, made anew for each size" },
       { from: '0.182.0', to: '0.185.1', what: 'as before with k(t) = 1.25 t' },
       { from: '0.186.0', to: '0.186.1', what: 'as before; texel directions are interpolated from the corners of a face, where they were computed a pixel: another rounding' },
       {
@@ -50,7 +50,7 @@ export const SLOT_TERMS = [
     terms: [
       {
         to: '0.180.0',
-        what: `fit: v = r (-1, -0.0275, -0.572, 0.022) + (1, 0.0425, 1.04, -0.04); k = min(v.x^2, 2^(-9.28 NoV)) v.x + v.y; A = -1.04 k + v.z, B = 1.04 k + v.w`,
+        what: "fit: v = r (-1, -0.0275, -0.572, 0.022) + (1, 0.0425, 1.04, -0.04); k = min(v.x^2, 2^(-9.28 NoV)) v.x + v.y; A = -1.04 k + v.z, B = 1.04 k + v.w",
       },
       { from: '0.181.0', to: '0.181.2', what: 'table of 32 x 32 half floats, linear, read at (r, NoV) with no half texel, clamped' },
       { from: '0.182.0', what: 'table of 16 x 16, read alike' },
@@ -90,7 +90,7 @@ export const SLOT_TERMS = [
       },
       {
         from: '0.182.0',
-        what: `saturate(exp(a NoV + b)), r >= 0.0001: a = -1.9362 + 1.0678 r + 0.4573 r^2 - 0.8469 / (r + 0.1), b = -0.6014 + 0.5538 r - 0.4670 r^2 - 0.1255 / (r + 0.1). The environment gives irradiance / pi times colour times that`,
+        what: "saturate(exp(a NoV + b)), r >= 0.0001: a = -1.9362 + 1.0678 r + 0.4573 r^2 - 0.8469 / (r + 0.1), b = -0.6014 + 0.5538 r - 0.4670 r^2 - 0.1255 / (r + 0.1). The environment gives irradiance / pi times colour times that",
       },
     ],
   },
