@@ -1,7 +1,7 @@
 /**
  * What telar reads of a material beyond metallic-roughness, one row a property. The one source of it: js/build/material
  * writes from it, when CMake configures, the loader's rules and readers, the fields of the material, the
- * texture slots, the features of programs, and the inputs of the shaders; js/build_shading and js/three have from it what
+ * texture slots, the features of programs, and the inputs of the shaders; js/build/shading and js/three have from it what
  * the browser calls the same. No imports: it runs in browsers too.
  *
  * @typedef {object} Row
