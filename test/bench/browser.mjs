@@ -7,6 +7,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { createRenderer } from '../../js/index.mjs';
+import { median } from '../median.mjs';
 import { Browser } from '../parity/browser/chromium.mjs';
 
 const RUNS = Number(process.argv[2] ?? 9);
@@ -15,7 +16,6 @@ const CLI = fileURLToPath(new URL('../../js/cli/telar.mjs', import.meta.url));
 const CASES = [{ name: 'T-shirt, 512 x 512', file: 'tshirt.glb', side: 512 }, { name: 'T-shirt, 256 x 256', file: 'tshirt.glb', side: 256 }, { name: 'drape, 512 x 512', file: 'fabrics.glb', side: 512 }];
 const TICKS_A_SECOND = 100;
 
-const median = (list) => list.toSorted((a, b) => a - b)[list.length >> 1];
 /** Fields of /proc/PID/stat from the state on, or undefined where it has ended. */
 function statOf(pid) {
   try {

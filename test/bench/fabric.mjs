@@ -10,12 +10,12 @@ import { fileURLToPath } from 'node:url';
 import { resolveShot } from '../../js/shot/index.mjs';
 import { sphere } from '../fixtures/geometry.mjs';
 import { GlbBuilder } from '../fixtures/glb.mjs';
+import { median } from '../median.mjs';
 
 const root = fileURLToPath(new URL('../../', import.meta.url));
 const tool = path.join(root, process.env.TELAR_BUILD_DIR ?? 'out/dev', 'bin/telar_draw');
 const folder = mkdtempSync(path.join(tmpdir(), 'telar-bench-'));
 const file = (name) => path.join(folder, name);
-const median = (list) => list.toSorted((a, b) => a - b)[list.length >> 1];
 const ROUNDS = 5;
 const FRAMES = 8;
 

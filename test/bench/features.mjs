@@ -8,6 +8,7 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { resolveShot } from '../../js/shot/index.mjs';
 import { MODELS } from '../fixtures/index.mjs';
+import { median } from '../median.mjs';
 
 const root = fileURLToPath(new URL('../../', import.meta.url));
 const tool = path.join(root, process.env.TELAR_BUILD_DIR ?? 'out/dev', 'bin/telar_draw');
@@ -15,7 +16,6 @@ const folder = mkdtempSync(path.join(tmpdir(), 'telar-bench-'));
 const RUNS = 5;
 const STEADY = 10;
 
-const median = (list) => list.toSorted((a, b) => a - b)[list.length >> 1];
 const file = (name) => path.join(folder, name);
 
 /** CPU ms of the first frame and of a later one, from one process that draws `1 + STEADY` frames. */

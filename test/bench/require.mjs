@@ -1,6 +1,7 @@
 import { execFileSync, spawnSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 import path from 'node:path';
+import { median } from '../median.mjs';
 
 // What require('telar') costs, its addon included, against require('sharp'): node test/bench/require.mjs [runs].
 // Each run is a process of its own, the two in turn; medians. Exit 1 when telar takes more than twice sharp's time.
@@ -21,7 +22,6 @@ function measure(text) {
   return JSON.parse(stdout);
 }
 
-const median = (list) => list.toSorted((a, b) => a - b)[list.length >> 1];
 
 execFileSync(process.execPath, [path.join(ROOT, 'js/build/dist.mjs')]);
 const samples = { telar: [], sharp: [], nothing: [] };
