@@ -135,6 +135,13 @@ glm::vec3 Integrator::sampleLd(const Surface& surface, const LobeSampler& lobes,
   return lights + sampleEnvironment(surface, lobes, counts, sampler);
 }
 
+glm::vec3 Integrator::reflectedEnvironment(const Surface& surface, const glm::vec3& l, Sampler& sampler) const {
+  const glm::vec3 f = bsdfCosine(surface, l, true);
+  if (f == glm::vec3(0)) return f;
+  if (transport_.occlusion && occluded(spawnRay(surface, l), FAR, sampler)) return glm::vec3(0);
+  return f * scene_.environment->radiance(l);
+}
+
 glm::vec3 Integrator::sampleEnvironment(const Surface& surface, const LobeSampler& lobes, const SampleCounts& counts,
                                         Sampler& sampler) const {
   glm::vec3 sum(0);
@@ -145,11 +152,10 @@ glm::vec3 Integrator::sampleEnvironment(const Surface& surface, const LobeSample
     const glm::vec2 cell(i % counts.strata, i / counts.strata);
     const auto [l, pdf] = environment.sample((cell + sampler.random.uniform2()) / strata);
     if (!(pdf > 0)) continue;
-    const glm::vec3 f = bsdfCosine(surface, l, true);
-    if (f == glm::vec3(0)) continue;
-    if (transport_.occlusion && occluded(spawnRay(surface, l), FAR, sampler)) continue;
+    const glm::vec3 light = reflectedEnvironment(surface, l, sampler);
+    if (light == glm::vec3(0)) continue;
     const float misWeight = brdf_f::powerHeuristic(counts.environment() * pdf, counts.lobe() * lobes.pdf(l));
-    sum += f * environment.radiance(l) * (misWeight / pdf);
+    sum += light * (misWeight / pdf);
   }
   return sum / counts.environment();
 }
@@ -162,11 +168,10 @@ glm::vec3 Integrator::sampleLobes(const Surface& surface, const LobeSampler& lob
   for (int i = 0; i < counts.lobes; ++i) {
     const auto [l, pdf] = lobes.sample(sampler.random);
     if (!(pdf > 0)) continue;
-    const glm::vec3 f = bsdfCosine(surface, l, true);
-    if (f == glm::vec3(0)) continue;
-    if (transport_.occlusion && occluded(spawnRay(surface, l), FAR, sampler)) continue;
+    const glm::vec3 light = reflectedEnvironment(surface, l, sampler);
+    if (light == glm::vec3(0)) continue;
     const float misWeight = brdf_f::powerHeuristic(counts.lobe() * pdf, counts.environment() * environment.pdf(l));
-    sum += f * environment.radiance(l) * (misWeight / pdf);
+    sum += light * (misWeight / pdf);
   }
   return sum / counts.lobe();
 }

@@ -84,6 +84,8 @@ class Integrator {
   glm::vec3 sampleLd(const Surface& surface, const LobeSampler& lobes, const SampleCounts& counts,
                      Sampler& sampler) const;
   glm::vec3 sampleLights(const Surface& surface, Sampler& sampler) const;
+  /// What the surface reflects of the environment from `l`, unit; black where it is occluded.
+  glm::vec3 reflectedEnvironment(const Surface& surface, const glm::vec3& l, Sampler& sampler) const;
   glm::vec3 sampleEnvironment(const Surface& surface, const LobeSampler& lobes, const SampleCounts& counts,
                               Sampler& sampler) const;
   /// The environment by samples of the lobes, for a path that ends here: reflect() does it for the others.

@@ -15,6 +15,7 @@ namespace {
 using test::sceneOf;
 using test::shotOf;
 using test::spherePrimitive;
+using test::stackedSquares;
 
 constexpr int SIZE = 32, SUBSAMPLES = 8;
 
@@ -130,18 +131,6 @@ TEST(FragmentEstimate, PartsOfEachTopology) {
   }
 }
 
-/// A square of edge 4 before the camera of shotOf(), `count` times.
-Primitive stack(std::uint32_t count) {
-  Primitive p;
-  for (const auto& [x, y] : {std::pair(-2.f, -2.f), {2.f, -2.f}, {2.f, 2.f}, {-2.f, 2.f}}) {
-    p.positions.push_back({x, y, 0});
-    p.normals.push_back({0, 0, 1});
-    p.bounds.add(glm::dvec3(p.positions.back()));
-  }
-  for (std::uint32_t i = 0; i < count; ++i) p.indices.insert(p.indices.end(), {0, 1, 2, 0, 2, 3});
-  return p;
-}
-
 void check(const Scene& scene, const Shot& shot, std::uint64_t most, const CancelToken& cancel = {}) {
   Limits limits;
   limits.fragments = most;
@@ -154,7 +143,7 @@ void check(const Scene& scene, const Shot& shot, std::uint64_t most, const Cance
 
 TEST(CheckFragments, StacksOverTheLimitAreRefusedWithWhatWasCounted) {
   const Shot shot = shotOf(64);
-  const auto scene = sceneOf(stack(100));
+  const auto scene = sceneOf(stackedSquares(100));
   EXPECT_NO_THROW(check(*scene, shot, 2 * 100 * 66 * 66));
   try {
     check(*scene, shot, 100 * 64 * 64);
@@ -178,7 +167,7 @@ TEST(CheckFragments, CountingEndsWithTheJob) {
   const CancelToken cancelled;
   cancelled.cancel();
   try {
-    check(*sceneOf(stack(10)), shotOf(64), 1, cancelled);
+    check(*sceneOf(stackedSquares(10)), shotOf(64), 1, cancelled);
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code, "X_CANCELLED");
@@ -186,7 +175,7 @@ TEST(CheckFragments, CountingEndsWithTheJob) {
 }
 
 TEST(PlanFrame, TellsTheFragments) {
-  const auto json = nlohmann::json::parse(planFrame(*sceneOf(stack(3)), shotOf(64), Limits{}));
+  const auto json = nlohmann::json::parse(planFrame(*sceneOf(stackedSquares(3)), shotOf(64), Limits{}));
   EXPECT_GE(json["fragments"], 3 * 64 * 64);
   EXPECT_LE(json["fragments"], 3 * 2 * 66 * 66);
 }

@@ -34,6 +34,18 @@ inline Primitive spherePrimitive(float radius, int rings = 64) {
 }
 
 /// One mesh at the origin with one material.
+/// A square of edge 4 m that faces the camera of shotOf(), `count` times in one place.
+inline Primitive stackedSquares(std::uint32_t count) {
+  Primitive p;
+  for (const auto& [x, y] : {std::pair(-2.f, -2.f), {2.f, -2.f}, {2.f, 2.f}, {-2.f, 2.f}}) {
+    p.positions.push_back({x, y, 0});
+    p.normals.push_back({0, 0, 1});
+    p.bounds.add(glm::dvec3(p.positions.back()));
+  }
+  for (std::uint32_t i = 0; i < count; ++i) p.indices.insert(p.indices.end(), {0, 1, 2, 0, 2, 3});
+  return p;
+}
+
 inline std::shared_ptr<Scene> sceneOf(Primitive primitive, Material material = {}) {
   auto scene = std::make_shared<Scene>();
   primitive.material = 0;

@@ -136,14 +136,7 @@ INSTANTIATE_TEST_SUITE_P(AllKinds, SlicesOf, testing::Range(0, 5));
 
 /// `count` squares over the whole picture that blend, one behind the other.
 std::shared_ptr<Scene> stack(std::uint32_t count, std::size_t instances = 0) {
-  Primitive p;
-  for (const auto& [x, y] : {std::pair(-2.f, -2.f), {2.f, -2.f}, {2.f, 2.f}, {-2.f, 2.f}}) {
-    p.positions.push_back({x, y, 0});
-    p.normals.push_back({0, 0, 1});
-    p.bounds.add(glm::dvec3(p.positions.back()));
-  }
-  for (std::uint32_t i = 0; i < count; ++i) p.indices.insert(p.indices.end(), {0, 1, 2, 0, 2, 3});
-  auto scene = sceneOf(p, materialOf(AlphaMode::kBlend));
+  auto scene = sceneOf(test::stackedSquares(count), materialOf(AlphaMode::kBlend));
   if (instances > 0) {
     Instances places;
     places.matrices.assign(instances, glm::mat4(1));
