@@ -135,6 +135,12 @@ export const FAULTS = [
     first: 'direct',
   },
   {
+    name: 'a bump map whose heights change upwards only',
+    item: 'bump-map-sun',
+    edits: [{ file: 'material/layers.glsl', find: 'rise.x * alongRight + rise.y * cross(n, right)', replace: 'rise.y * cross(n, right)' }],
+    first: 'n',
+  },
+  {
     name: 'a ground that forgets its opacity',
     item: 'ground-tshirt',
     edits: [{ file: 'shadow/ground.frag', find: 'opacity * (1.0 - visible)', replace: '1.0 - visible' }],
