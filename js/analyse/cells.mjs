@@ -86,7 +86,12 @@ export async function cellsOf(renderer, model, target, { lights, swaps, shot }, 
 }
 
 async function cellOf(renderer, model, base, { list, indexOf, swaps }, options) {
-  const images = await drawAll(renderer, model, list.map((shading) => ({ ...base, shading })), options);
+  const images = await drawAll(
+    renderer,
+    model,
+    list.map((shading) => ({ ...base, shading })),
+    options,
+  );
   const facing = await renderer.renderQuantity(model, { ...base, quality: 'draft', shading: 'three' }, 'NoV', { signal: options.signal });
   const cloth = clothOf(images[0], facing.data);
   const figures = await compared(images, indexOf, cloth, swaps.terms, options);

@@ -54,7 +54,9 @@ export function clothOf({ width, height, data }, facing) {
   const pixels = all.filter((i) => data[i * 4 + 3] >= HALF_COVERED);
   const cosine = smoothed(facing, width, height);
   return {
-    width, height, pixels,
+    width,
+    height,
+    pixels,
     limb: pixels.filter((i) => cosine[i] < LIMB_BELOW),
     centre: pixels.filter((i) => cosine[i] > CENTRE_ABOVE),
   };
@@ -93,7 +95,10 @@ export function lookAt({ data }, cloth) {
 }
 
 const brightest = (pixels, lightness) =>
-  pixels.slice().sort((a, b) => lightness[b] - lightness[a] || a - b).slice(0, Math.ceil(pixels.length * HIGHLIGHT_SHARE));
+  pixels
+    .slice()
+    .sort((a, b) => lightness[b] - lightness[a] || a - b)
+    .slice(0, Math.ceil(pixels.length * HIGHLIGHT_SHARE));
 
 function changeOver(pixels, first, second) {
   if (pixels.length === 0) return null;

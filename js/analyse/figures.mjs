@@ -14,7 +14,10 @@ export function figuresOf({ swaps, rows, cells }) {
     to: swaps.shadings.to,
     ranking: rows,
     cells: cells.map(({ target, light, cloth, all, terms }) => ({
-      target, light, pixels: cloth.pixels.length, all: plain(all),
+      target,
+      light,
+      pixels: cloth.pixels.length,
+      all: plain(all),
       terms: Object.fromEntries(Object.entries(terms).map(([slot, { alone, rest }]) => [slot, { alone: plain(alone), rest: plain(rest) }])),
     })),
   };

@@ -9,11 +9,18 @@ const lamp = (position, intensity) => [{ type: 'directional', position, intensit
 
 export const LIGHTS = {
   studio: { about: 'the bundled studio', shot: { environment: 'studio' } },
-  sun: { about: 'a lamp from the upper right before the cloth, casting shadows, and a little of the studio',
-    shot: { environment: { map: 'studio', intensity: 0.15 }, lights: lamp([1.2, 1.6, 1.4], 3) } },
-  rim: { about: 'a lamp from behind and above, and a little of the studio',
-    shot: { environment: { map: 'studio', intensity: 0.15 }, lights: lamp([-1, 1.1, -1.6], 4) } },
-  sky: { about: 'light from above without an environment', shot: { environment: 'none', lights: [{ type: 'hemisphere', intensity: 2.5, groundColor: [0.2, 0.2, 0.2] }] } },
+  sun: {
+    about: 'a lamp from the upper right before the cloth, casting shadows, and a little of the studio',
+    shot: { environment: { map: 'studio', intensity: 0.15 }, lights: lamp([1.2, 1.6, 1.4], 3) },
+  },
+  rim: {
+    about: 'a lamp from behind and above, and a little of the studio',
+    shot: { environment: { map: 'studio', intensity: 0.15 }, lights: lamp([-1, 1.1, -1.6], 4) },
+  },
+  sky: {
+    about: 'light from above without an environment',
+    shot: { environment: 'none', lights: [{ type: 'hemisphere', intensity: 2.5, groundColor: [0.2, 0.2, 0.2] }] },
+  },
 };
 
 /**
@@ -26,6 +33,9 @@ export function lightsOf(names) {
     if (Object.hasOwn(LIGHTS, name)) return { name, shot: LIGHTS[name].shot };
     if (/\.(hdr|exr)$/i.test(name)) return { name: name.replace(/^.*\//, ''), shot: { environment: name } };
     const near = nearest(name, Object.keys(LIGHTS));
-    throw new TelarError('E_USAGE', `--lights: expected ${Object.keys(LIGHTS).join(', ')} or an .hdr or .exr file, got ${shown(name)}${near ? `; did you mean ${near}?` : ''}`);
+    throw new TelarError(
+      'E_USAGE',
+      `--lights: expected ${Object.keys(LIGHTS).join(', ')} or an .hdr or .exr file, got ${shown(name)}${near ? `; did you mean ${near}?` : ''}`,
+    );
   });
 }

@@ -18,17 +18,34 @@ const HEADINGS = ['rank', 'term', 'from', 'to', 'FLIP', 'range', 'last', 'dE00',
  */
 export function rankLines({ rows, cells, names }) {
   const lines = rows.map((row) => [
-    String(row.rank), row.slot, row.from, row.to, shortFigure(row.alone.flip.mean), rangeText(row.alone.flip), shortFigure(row.rest.flip.mean),
-    row.alone.deltaE.mean.toFixed(2), row.alone.deltaEp95.mean.toFixed(2), percent(row.share), ranksText(row.ranks), row.words + (row.interaction ? `; ${row.interaction}` : ''),
+    String(row.rank),
+    row.slot,
+    row.from,
+    row.to,
+    shortFigure(row.alone.flip.mean),
+    rangeText(row.alone.flip),
+    shortFigure(row.rest.flip.mean),
+    row.alone.deltaE.mean.toFixed(2),
+    row.alone.deltaEp95.mean.toFixed(2),
+    percent(row.share),
+    ranksText(row.ranks),
+    row.words + (row.interaction ? `; ${row.interaction}` : ''),
   ]);
   const whole = cells.map(({ target, light, all }) => [
-    `${target}, ${light}`, `FLIP ${shortFigure(all.flip.mean)}`, `dE00 ${all.deltaE.mean.toFixed(2)}`, `p95 ${all.deltaE.p95.toFixed(2)}`, inWords(all),
+    `${target}, ${light}`,
+    `FLIP ${shortFigure(all.flip.mean)}`,
+    `dE00 ${all.deltaE.mean.toFixed(2)}`,
+    `p95 ${all.deltaE.p95.toFixed(2)}`,
+    inWords(all),
   ]);
   const heading = `${names.to} against ${names.from}${rows.length > 0 ? ', all terms' : ''}:`;
   if (rows.length === 0) return [heading, ...textTable(whole, [0, 1, 2, 3, 4])];
   return [
-    heading, ...textTable(whole, [0, 1, 2, 3, 4]), '',
-    'One term at a time; FLIP and CIEDE2000 on the cloth: swapped alone, and as the last of all:', ...textTable([HEADINGS, ...lines], [1, 2, 3, 11]),
+    heading,
+    ...textTable(whole, [0, 1, 2, 3, 4]),
+    '',
+    'One term at a time; FLIP and CIEDE2000 on the cloth: swapped alone, and as the last of all:',
+    ...textTable([HEADINGS, ...lines], [1, 2, 3, 11]),
   ];
 }
 
@@ -41,6 +58,11 @@ export function rankLines({ rows, cells, names }) {
 export function termLines(slots, bases) {
   const marks = (slot, term) => Object.keys(bases).filter((base) => bases[base][slot] === term);
   return Object.entries(slots).flatMap(([slot, terms]) => [
-    slot, ...terms.map((term) => `  ${term.padEnd(24)}${marks(slot, term).map((base) => `in ${base}`).join(', ')}`.trimEnd()),
+    slot,
+    ...terms.map((term) =>
+      `  ${term.padEnd(24)}${marks(slot, term)
+        .map((base) => `in ${base}`)
+        .join(', ')}`.trimEnd(),
+    ),
   ]);
 }

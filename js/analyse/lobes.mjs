@@ -21,7 +21,13 @@ const luminances = (lobes) => Object.fromEntries(Object.entries(lobes).map(([lob
 function materialOf(model, variant) {
   const { materials } = model.facts;
   if (materials.length === 0) return { material: {} };
-  return { model, material: Math.max(0, materials.findIndex(({ name }) => name === variant)) };
+  return {
+    model,
+    material: Math.max(
+      0,
+      materials.findIndex(({ name }) => name === variant),
+    ),
+  };
 }
 
 /**

@@ -11,7 +11,9 @@ import { strongestIn } from './ranking.mjs';
 export async function picturesOf(cell, { signal } = {}) {
   const { width, height } = cell.cloth;
   const images = {
-    from: cell.images.from, to: cell.images.to, map: heatMap({ width, height, flipMap: cell.map }),
+    from: cell.images.from,
+    to: cell.images.to,
+    map: heatMap({ width, height, flipMap: cell.map }),
     ...Object.fromEntries(strongestIn(cell).map((slot) => [slot, cell.images[`alone:${slot}`]])),
   };
   const files = {};

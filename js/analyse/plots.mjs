@@ -37,16 +37,25 @@ const lobesIn = (...series) => Object.keys(LOBE_DASHES).filter((lobe) => series.
 /** Total and lobes of both series as paths; `place(value, i)` gives the point. */
 function curves({ from, to }, place) {
   const shown = lobesIn(from, to);
-  return [['from', from], ['to', to]].flatMap(([name, list]) => [
-    ...shown.map((lobe) => `<path class="lobe ${name}" style="stroke-dasharray:${LOBE_DASHES[lobe]}" d="${path(list.map((value, i) => place(value[lobe], i)))}"/>`),
+  return [
+    ['from', from],
+    ['to', to],
+  ].flatMap(([name, list]) => [
+    ...shown.map(
+      (lobe) => `<path class="lobe ${name}" style="stroke-dasharray:${LOBE_DASHES[lobe]}" d="${path(list.map((value, i) => place(value[lobe], i)))}"/>`,
+    ),
     `<path class="total ${name}" d="${path(list.map((value, i) => place(value.total, i)))}"/>`,
   ]);
 }
 
 function legend(x, y, names, shown) {
   return [
-    text(x, y, names.from, { className: 'from-text' }), text(x, y + 13, names.to, { className: 'to-text' }),
-    ...shown.map((lobe, i) => `<path class="lobe view" style="stroke-dasharray:${LOBE_DASHES[lobe]}" d="M${x} ${y + 26 + i * 12}h18"/>${text(x + 23, y + 29.5 + i * 12, lobe)}`),
+    text(x, y, names.from, { className: 'from-text' }),
+    text(x, y + 13, names.to, { className: 'to-text' }),
+    ...shown.map(
+      (lobe, i) =>
+        `<path class="lobe view" style="stroke-dasharray:${LOBE_DASHES[lobe]}" d="M${x} ${y + 26 + i * 12}h18"/>${text(x + 23, y + 29.5 + i * 12, lobe)}`,
+    ),
   ];
 }
 
@@ -103,8 +112,10 @@ export function albedoPlot({ title, names, angles, from, to }) {
   const largest = roundUp(Math.max(...from.map(({ total }) => total), ...to.map(({ total }) => total)));
   const across = (degrees) => left + (degrees / 90) * (right - left);
   const up = (value) => bottom - (value / largest) * (bottom - top);
-  const lines = [0, 0.25, 0.5, 0.75, 1].map((share) =>
-    `<path class="ring" d="M${left} ${n(up(share * largest))}H${right}"/>${text(left - 5, up(share * largest) + 3, String(Number((share * largest).toPrecision(3))), { anchor: 'end' })}`);
+  const lines = [0, 0.25, 0.5, 0.75, 1].map(
+    (share) =>
+      `<path class="ring" d="M${left} ${n(up(share * largest))}H${right}"/>${text(left - 5, up(share * largest) + 3, String(Number((share * largest).toPrecision(3))), { anchor: 'end' })}`,
+  );
   return svg(width, height, title, [
     text(4, 13, title, { className: 'title' }),
     ...lines,

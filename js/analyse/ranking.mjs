@@ -66,9 +66,12 @@ export function interactionOf(alone, rest) {
 const LEADING_TERMS = 3;
 
 /** @param {Cell} cell @returns {string[]} slots of the terms that change it most by themselves, the one that does most first */
-export const strongestIn = ({ terms }) => Object.entries(terms)
-  .filter(([, { alone }]) => flipOf(alone) > 0)
-  .sort(([, a], [, b]) => flipOf(b.alone) - flipOf(a.alone)).slice(0, LEADING_TERMS).map(([slot]) => slot);
+export const strongestIn = ({ terms }) =>
+  Object.entries(terms)
+    .filter(([, { alone }]) => flipOf(alone) > 0)
+    .sort(([, a], [, b]) => flipOf(b.alone) - flipOf(a.alone))
+    .slice(0, LEADING_TERMS)
+    .map(([slot]) => slot);
 
 const effectIn = ({ alone, rest }, figure) => (figure(alone) + figure(rest)) / 2;
 const flipOf = ({ flip }) => flip.mean;
@@ -99,9 +102,16 @@ export function rank(cells, terms) {
     const [alone, rest] = ['alone', 'rest'].map((which) => spreads(cells.map((cell) => cell.terms[term.slot][which])));
     const own = cellRanks.map((ranks) => ranks[i]);
     return {
-      ...term, rank: flipRanks[i], rankByColour: colourRanks[i], ranks: [Math.min(...own), Math.max(...own)], alone, rest,
-      effect: byFlip[i], share: whole > 0 ? byFlip[i] / whole : 0,
-      interaction: interactionOf(alone.flip.mean, rest.flip.mean), words: wordsOf(cells, term.slot),
+      ...term,
+      rank: flipRanks[i],
+      rankByColour: colourRanks[i],
+      ranks: [Math.min(...own), Math.max(...own)],
+      alone,
+      rest,
+      effect: byFlip[i],
+      share: whole > 0 ? byFlip[i] / whole : 0,
+      interaction: interactionOf(alone.flip.mean, rest.flip.mean),
+      words: wordsOf(cells, term.slot),
     };
   });
   return rows.sort((a, b) => a.rank - b.rank || a.rankByColour - b.rankByColour);

@@ -43,7 +43,11 @@ function rankTable({ rows }) {
     const cells = COLUMNS.map(([heading, cellOf, className]) => rankCell(cellOf(row), className, heading === 'term'));
     return `<tr${row.effect === 0 ? ' class="none"' : ''}>${cells.toSpliced(2, 0, bar(row.effect / largest)).join('')}</tr>`;
   };
-  const headings = COLUMNS.map(([heading, , className]) => th(heading, className ? ` class="${className}"` : '')).toSpliced(2, 0, th('effect', ' class="words"'));
+  const headings = COLUMNS.map(([heading, , className]) => th(heading, className ? ` class="${className}"` : '')).toSpliced(
+    2,
+    0,
+    th('effect', ' class="words"'),
+  );
   return `<div class="wide"><table><thead><tr>${headings.join('')}</tr></thead>\n<tbody>${rows.map(line).join('\n')}</tbody></table></div>`;
 }
 
@@ -57,9 +61,11 @@ function cellTable({ rows, cells }) {
 <tbody>${rows.map(line).join('\n')}\n${all}</tbody></table></div>`;
 }
 
-const picture = (source, title, note = '') => `<figure><img src="${source}" alt="${escaped(title)}"><figcaption><b>${escaped(title)}</b>${note ? `<br>${escaped(note)}` : ''}</figcaption></figure>`;
+const picture = (source, title, note = '') =>
+  `<figure><img src="${source}" alt="${escaped(title)}"><figcaption><b>${escaped(title)}</b>${note ? `<br>${escaped(note)}` : ''}</figcaption></figure>`;
 
-const differenceNote = (difference) => `FLIP ${figure(difference.flip.mean)}, dE00 ${difference.deltaE.mean.toFixed(2)} (p95 ${difference.deltaE.p95.toFixed(2)}): ${inWords(difference)}`;
+const differenceNote = (difference) =>
+  `FLIP ${figure(difference.flip.mean)}, dE00 ${difference.deltaE.mean.toFixed(2)} (p95 ${difference.deltaE.p95.toFixed(2)}): ${inWords(difference)}`;
 
 function cellSection(cell, names, sources) {
   const signed = (value) => `${value >= 0 ? '+' : '−'}${Math.abs(value).toFixed(2)}`;
@@ -68,19 +74,26 @@ function cellSection(cell, names, sources) {
   return `<section><h3>${escaped(`${cell.target}, ${cell.light}`)}</h3>
 <p>${escaped(names.to)} against ${escaped(names.from)}: ${escaped(differenceNote(all))}</p>
 <div class="pictures">${picture(sources.from, names.from)}${picture(sources.to, names.to)}${picture(sources.map, 'FLIP', 'black 0, light yellow 1')}
-${strongestIn(cell).map((slot) => picture(sources[slot], `${names.from} with ${slot} swapped`, differenceNote(cell.terms[slot].alone))).join('\n')}</div>
+${strongestIn(cell)
+  .map((slot) => picture(sources[slot], `${names.from} with ${slot} swapped`, differenceNote(cell.terms[slot].alone)))
+  .join('\n')}</div>
 <table class="small"><thead><tr>${th('all')}${th('L*')}${th('C*')}</tr></thead><tbody>${region('cloth', all.cloth)}${region('limb', all.limb)}${region('centre', all.centre)}${region('highlights', all.highlight)}</tbody></table>
 </section>`;
 }
 
 /** Plots of one target: {name: SVG}. */
 export function plotsOf({ target, lobes, albedo }, names) {
-  const plots = lobes.map(({ viewAngle, from, to }) => [`lobes-${viewAngle}`, lobePlot({ title: `${target}: lobes, viewer at ${viewAngle}°`, names, viewAngle, angles: LIGHT_ANGLES, from, to })]);
+  const plots = lobes.map(({ viewAngle, from, to }) => [
+    `lobes-${viewAngle}`,
+    lobePlot({ title: `${target}: lobes, viewer at ${viewAngle}°`, names, viewAngle, angles: LIGHT_ANGLES, from, to }),
+  ]);
   return Object.fromEntries([...plots, ['albedo', albedoPlot({ title: `${target}: directional albedo`, names, angles: ALBEDO_ANGLES, ...albedo })]]);
 }
 
 function plotSection(curves, names) {
-  return `<section><h3>${escaped(curves.target)}</h3><div class="plots">${Object.values(plotsOf(curves, names)).map((plot) => `<figure>${plot}</figure>`).join('\n')}</div></section>`;
+  return `<section><h3>${escaped(curves.target)}</h3><div class="plots">${Object.values(plotsOf(curves, names))
+    .map((plot) => `<figure>${plot}</figure>`)
+    .join('\n')}</div></section>`;
 }
 
 const HOW_TERMS = `Alone: the first shading with this one term of the second. Last: the second against itself with this one term of the first put
@@ -102,11 +115,15 @@ export function analysisPage(analysis, sources) {
 <title>${escaped(title)}</title><style>${STYLE}</style></head>
 <body><h1>${escaped(title)}</h1>
 <p>${cells.length} views of ${width} x ${height} pixels, each with ${Object.keys(swaps.shadings).length} shadings; quality ${escaped(JSON.stringify(shot.quality))}; ${rows.length > 0 ? `${rows.length} terms differ. ${HOW_TERMS} ` : ''}${HOW}</p>
-${rows.length === 0 ? '' : `<h2>Which terms change the picture most</h2>
+${
+  rows.length === 0
+    ? ''
+    : `<h2>Which terms change the picture most</h2>
 ${rankTable(analysis)}
 <h2>By fabric and light</h2>
 ${cellTable(analysis)}
-`}<h2>Lobes and albedo</h2>
+`
+}<h2>Lobes and albedo</h2>
 <p>Lobes: light that leaves towards the viewer (BRDF times cosine), for light from each direction in the plane of the normal and the viewer; distance from the centre is its
 square root, rings are labelled with the value. Albedo: the share of light from everywhere that leaves towards the viewer; above 1 a surface gives more than it takes. Textures are left out.</p>
 ${curves.map((item) => plotSection(item, names)).join('\n')}

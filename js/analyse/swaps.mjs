@@ -25,8 +25,12 @@ const resolved = (shading) => resolveShot({ shading }, ANY_MODEL).shading;
 function checkDiffer(first, second, slots) {
   const bothOfTerms = typeof first === 'object' && typeof second === 'object';
   if (bothOfTerms ? slots.length > 0 : first !== second) return;
-  throw new TelarError('E_USAGE', bothOfTerms ? '--to: expected a shading that differs from --from in one term at least'
-    : `--to: expected another shading than --from, got ${shown(second)} twice`);
+  throw new TelarError(
+    'E_USAGE',
+    bothOfTerms
+      ? '--to: expected a shading that differs from --from in one term at least'
+      : `--to: expected another shading than --from, got ${shown(second)} twice`,
+  );
 }
 
 /**

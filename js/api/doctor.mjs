@@ -13,6 +13,13 @@ export async function doctor() {
     const reference = JSON.parse(await nativeCall(native, undefined, () => native.probeReference()));
     return { ...report, ok: probe.chosen !== null, native: { path: nativePath() }, ...probe, reference };
   } catch (error) {
-    return { ...report, native: { error: toTelarError(error).toJSON() }, chosen: null, reason: error.message, backends: [], reference: { works: false, failure: error.message } };
+    return {
+      ...report,
+      native: { error: toTelarError(error).toJSON() },
+      chosen: null,
+      reason: error.message,
+      backends: [],
+      reference: { works: false, failure: error.message },
+    };
   }
 }

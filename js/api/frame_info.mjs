@@ -16,7 +16,8 @@ export function shotWarnings({ lens, quality, shading }, extensionsUsed = []) {
   }
   if (!drawsThinCloth(shading) && extensionsUsed.includes(NOT_IN_THREE)) {
     warnings.push({
-      code: 'W_EXT_IGNORED', pointer: `/extensionsUsed/${extensionsUsed.indexOf(NOT_IN_THREE)}`,
+      code: 'W_EXT_IGNORED',
+      pointer: `/extensionsUsed/${extensionsUsed.indexOf(NOT_IN_THREE)}`,
       message: `shading "${shading.base ?? shading}" does not draw the optional extension "${NOT_IN_THREE}"; use shading "fabric"`,
     });
   }
@@ -41,8 +42,9 @@ export function pictureWarnings(picture) {
     return [{ code: 'W_EMPTY', message }];
   }
   if (dark + bright + saturated <= MOST) return [];
-  const message = `${percent(dark + bright + saturated)} of the model shows no shading: ${percent(dark)} is black, ${percent(bright)} white, `
-    + `${percent(saturated)} saturated; change shot.exposure, the lights or the environment`;
+  const message =
+    `${percent(dark + bright + saturated)} of the model shows no shading: ${percent(dark)} is black, ${percent(bright)} white, ` +
+    `${percent(saturated)} saturated; change shot.exposure, the lights or the environment`;
   return [{ code: 'W_EXPOSURE', message }];
 }
 

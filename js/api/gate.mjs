@@ -44,10 +44,12 @@ export class Gate {
         stopListening?.();
         resolve();
       };
-      const stopListening = signal && onAbort(signal, (reason) => {
-        this.#waiting.delete(enter);
-        reject(reason);
-      });
+      const stopListening =
+        signal &&
+        onAbort(signal, (reason) => {
+          this.#waiting.delete(enter);
+          reject(reason);
+        });
       this.#waiting.add(enter);
     });
   }

@@ -14,18 +14,20 @@ const PER_DIRECTION = LOBES.length * 3;
 /** A glTF of one triangle in the material, so that the loader reads and checks it like any other. */
 function triangleIn(material) {
   const corners = Buffer.from(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]).buffer);
-  return Buffer.from(jsonOf({
-    asset: { version: '2.0' },
-    extensionsUsed: Object.keys(material.extensions ?? {}),
-    buffers: [{ byteLength: corners.length, uri: `data:application/octet-stream;base64,${corners.toString('base64')}` }],
-    bufferViews: [{ buffer: 0, byteLength: corners.length }],
-    accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 1, 0] }],
-    materials: [material],
-    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, material: 0 }] }],
-    nodes: [{ mesh: 0 }],
-    scenes: [{ nodes: [0] }],
-    scene: 0,
-  }));
+  return Buffer.from(
+    jsonOf({
+      asset: { version: '2.0' },
+      extensionsUsed: Object.keys(material.extensions ?? {}),
+      buffers: [{ byteLength: corners.length, uri: `data:application/octet-stream;base64,${corners.toString('base64')}` }],
+      bufferViews: [{ buffer: 0, byteLength: corners.length }],
+      accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 1, 0] }],
+      materials: [material],
+      meshes: [{ primitives: [{ attributes: { POSITION: 0 }, material: 0 }] }],
+      nodes: [{ mesh: 0 }],
+      scenes: [{ nodes: [0] }],
+      scene: 0,
+    }),
+  );
 }
 
 function jsonOf(file) {

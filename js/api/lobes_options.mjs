@@ -4,7 +4,8 @@ const DIRECTIONS_MAX = 65536;
 /** How far a direction's length may be from 1. */
 const UNIT_TOLERANCE = 1e-6;
 
-const isDirection = (value) => Array.isArray(value) && value.length === 3 && value.every(Number.isFinite) && Math.abs(Math.hypot(...value) - 1) <= UNIT_TOLERANCE;
+const isDirection = (value) =>
+  Array.isArray(value) && value.length === 3 && value.every(Number.isFinite) && Math.abs(Math.hypot(...value) - 1) <= UNIT_TOLERANCE;
 
 function checkDirections(directions) {
   if (!Array.isArray(directions) || directions.length > DIRECTIONS_MAX) {

@@ -41,7 +41,8 @@ export class Model {
  */
 export async function loadModel(native, input, limits, { work, failOn = 'error', resolve } = {}) {
   const { scene, facts } = await withParts(native, { resolve, signal: work?.signal }, (parts) =>
-    nativeCall(native, work, (token) => native.load(input, limits, { tolerant: failOn === 'none', parts }, token)));
+    nativeCall(native, work, (token) => native.load(input, limits, { tolerant: failOn === 'none', parts }, token)),
+  );
   const model = new Model(scene, JSON.parse(facts));
   refuseWarnings(failOn, model.facts.warnings);
   return model;
@@ -61,8 +62,7 @@ export async function poseModel(native, model, shot, { work, forget = false } = 
   const { resolvePose } = await shotModule();
   const pose = resolvePose(shot, model.facts);
   if (!pose) return model;
-  const { scene, facts } = await nativeCall(native, work, (token) =>
-    native.pose(Model.sceneOf(model), pose.animation, pose.time, forget, token));
+  const { scene, facts } = await nativeCall(native, work, (token) => native.pose(Model.sceneOf(model), pose.animation, pose.time, forget, token));
   return new Model(scene, JSON.parse(facts));
 }
 

@@ -28,9 +28,11 @@ export function nativeCall(native, { signal, token = new native.CancelToken() } 
       token.cancel();
       reject(reason);
     });
-    typed(() => start(token)).then((result) => {
-      if (signal.aborted) discard(result);
-      resolve(result);
-    }, reject).finally(stopListening);
+    typed(() => start(token))
+      .then((result) => {
+        if (signal.aborted) discard(result);
+        resolve(result);
+      }, reject)
+      .finally(stopListening);
   });
 }

@@ -22,8 +22,10 @@ export function checkObject(name, value, known) {
   for (const key of Object.keys(value)) {
     if (known.includes(key)) continue;
     const near = nearest(key, known);
-    const all = known.length <= MAX_LISTED ? `expected one of ${known.join(', ')}`
-      : `the nearest of ${known.length} is ${nearest(key, known, Infinity)}; js/docs/errors.md has them all`;
+    const all =
+      known.length <= MAX_LISTED
+        ? `expected one of ${known.join(', ')}`
+        : `the nearest of ${known.length} is ${nearest(key, known, Infinity)}; js/docs/errors.md has them all`;
     const hint = near ? `did you mean ${near}?` : all;
     throw new TelarError('E_OPTION', `${name}.${shown(key).slice(1, -1)}: unknown key, ${hint}`);
   }
@@ -36,9 +38,11 @@ function count(name, value, min) {
 
 function limitsOption(value, known) {
   checkObject('options.limits', value, known);
-  return Object.fromEntries(Object.entries(value)
-    .filter(([, max]) => max !== undefined)
-    .map(([name, max]) => [name, count(`options.limits.${name}`, max, 0)]));
+  return Object.fromEntries(
+    Object.entries(value)
+      .filter(([, max]) => max !== undefined)
+      .map(([name, max]) => [name, count(`options.limits.${name}`, max, 0)]),
+  );
 }
 
 /** Where prefiltered environments are kept between processes; null where the user has no folder. */
@@ -141,9 +145,26 @@ export function drawAllOptions(options, defaults) {
  * @param {string[]} limitNames
  */
 export function rendererOptions(options, limitNames) {
-  checkObject('options', options, ['backend', 'cacheDirectory', 'cacheBytes', 'limits', 'maxWaiting', 'timeoutMs', 'failOn', 'resolve', 'allFeatures', 'signal']);
+  checkObject('options', options, [
+    'backend',
+    'cacheDirectory',
+    'cacheBytes',
+    'limits',
+    'maxWaiting',
+    'timeoutMs',
+    'failOn',
+    'resolve',
+    'allFeatures',
+    'signal',
+  ]);
   const {
-    backend = 'auto', cacheDirectory = defaultCache(), cacheBytes = CACHE_BYTES, limits = {}, maxWaiting = MAX_WAITING, allFeatures = false, signal,
+    backend = 'auto',
+    cacheDirectory = defaultCache(),
+    cacheBytes = CACHE_BYTES,
+    limits = {},
+    maxWaiting = MAX_WAITING,
+    allFeatures = false,
+    signal,
   } = options;
   if (!BACKENDS.includes(backend)) throw wrongOption('options.backend', BACKENDS.map((name) => JSON.stringify(name)).join(', '), backend);
   if (typeof allFeatures !== 'boolean') throw wrongOption('options.allFeatures', 'true or false', allFeatures);

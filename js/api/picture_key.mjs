@@ -16,8 +16,10 @@ const identityModule = () => import('../shot/identity.mjs');
 const NAMED = ['none', 'studio'];
 
 /** JSON with the keys of every object in order. */
-const canonical = (value) => JSON.stringify(value, (_, item) =>
-  (typeof item === 'object' && item !== null && !Array.isArray(item) ? Object.fromEntries(Object.entries(item).sort(([a], [b]) => (a < b ? -1 : 1))) : item));
+const canonical = (value) =>
+  JSON.stringify(value, (_, item) =>
+    typeof item === 'object' && item !== null && !Array.isArray(item) ? Object.fromEntries(Object.entries(item).sort(([a], [b]) => (a < b ? -1 : 1))) : item,
+  );
 
 /**
  * @param {object} parts
@@ -29,7 +31,9 @@ const canonical = (value) => JSON.stringify(value, (_, item) =>
  */
 export function keyOfParts({ version, model, environment, shot }) {
   const { map, ...settings } = shot.environment;
-  return createHash('sha256').update(canonical({ version, model, environment, shot: { ...shot, environment: settings } })).digest('hex');
+  return createHash('sha256')
+    .update(canonical({ version, model, environment, shot: { ...shot, environment: settings } }))
+    .digest('hex');
 }
 
 /** SHA-256 of a file or of bytes, on a loader thread. One that cannot be read counts as absent: drawing tells, where it matters. */
@@ -56,7 +60,9 @@ export async function pictureKey(source, shot = {}, options = {}) {
   const identity = shotIdentity(request.shot);
   const { map } = identity.environment;
   const [model, environment] = await Promise.all([
-    withParts(native, { resolve, signal }, (parts) => nativeCall(native, { signal }, (token) => native.hashModel(input, limits, { tolerant: true, parts }, token))),
+    withParts(native, { resolve, signal }, (parts) =>
+      nativeCall(native, { signal }, (token) => native.hashModel(input, limits, { tolerant: true, parts }, token)),
+    ),
     NAMED.includes(map) ? map : digestOf(native, environmentOf(identity.environment, request.environment), limits, signal),
   ]);
   return keyOfParts({ version: versions.telar, model, environment, shot: identity });
@@ -78,6 +84,6 @@ export async function keyOfDrawn(native, { version, model, shot, environment, dr
   const { shotIdentity } = await identityModule();
   const identity = shotIdentity(shot);
   const { map } = identity.environment;
-  const light = NAMED.includes(map) ? map : drawn || await digestOf(native, environmentOf(identity.environment, environment), limits);
+  const light = NAMED.includes(map) ? map : drawn || (await digestOf(native, environmentOf(identity.environment, environment), limits));
   return keyOfParts({ version, model, environment: light, shot: identity });
 }

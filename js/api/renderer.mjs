@@ -105,8 +105,9 @@ class Renderer {
     const { signal, onProgress, ...loading } = drawOptions(options, this.#loading);
     const request = { ...this.#readRequest(source, shot), loading };
     if (!onProgress) return this.#track(this.#gate.run(() => this.#render(request, this.#begin(signal, loading)), signal));
-    return this.#track(inScope(signal, onProgress, 1, (scope, report) =>
-      this.#gate.run(() => this.#render(request, this.#begin(scope, loading), report), scope)));
+    return this.#track(
+      inScope(signal, onProgress, 1, (scope, report) => this.#gate.run(() => this.#render(request, this.#begin(scope, loading), report), scope)),
+    );
   }
 
   async renderQuantity(source, shot, quantity, options = {}) {
@@ -134,10 +135,12 @@ class Renderer {
     const { signal, ...loading } = loadOptions(options, this.#loading);
     const { input, model } = this.#readInput(source);
     const work = this.#begin(signal, loading);
-    return this.#track(this.#gate.run(async () => {
-      const loaded = model ?? await loadModel(this.#native, input, this.#limits, { ...loading, work });
-      return measuredFor(this.#native, await poseModel(this.#native, loaded, shot, { work, forget: !model }), shot, work);
-    }, signal));
+    return this.#track(
+      this.#gate.run(async () => {
+        const loaded = model ?? (await loadModel(this.#native, input, this.#limits, { ...loading, work }));
+        return measuredFor(this.#native, await poseModel(this.#native, loaded, shot, { work, forget: !model }), shot, work);
+      }, signal),
+    );
   }
 
   async release(model) {
@@ -232,7 +235,7 @@ class Renderer {
 
   async #render({ input, model: given, loading, poses, job = 0, shot, environment, map, quantity }, work, report) {
     const start = performance.now();
-    const model = given ?? await loadModel(this.#native, input, this.#limits, { ...loading, work });
+    const model = given ?? (await loadModel(this.#native, input, this.#limits, { ...loading, work }));
     const loaded = performance.now();
     const posed = await (poses ? poses.of(shot) : poseModel(this.#native, model, shot, { work, forget: !given }));
     const posedAt = performance.now();
@@ -254,7 +257,14 @@ class Renderer {
       return this.#handle.render(request, token);
     });
     report?.finish(job);
-    const key = await keyOfDrawn(this.#native, { version: versions.telar, model: model.facts.sha256, shot, environment, drawn: frame.environmentSha256, limits: this.#limits });
+    const key = await keyOfDrawn(this.#native, {
+      version: versions.telar,
+      model: model.facts.sha256,
+      shot,
+      environment,
+      drawn: frame.environmentSha256,
+      limits: this.#limits,
+    });
     const milliseconds = { load: loaded - start, pose: posedAt - loaded, resolve: resolvedAt - posedAt, total: performance.now() - start };
     const info = frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings });
     refuseWarnings(loading.failOn, info.warnings);

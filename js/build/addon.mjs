@@ -87,7 +87,10 @@ export async function ensureBuild(preset, begin) {
 /** The same with CMake's own output on this terminal, and the CommonJS bundles. */
 async function buildShown(preset) {
   const { configure, compile, markConfigured } = plan(preset);
-  for (const [args, done] of [[configure, markConfigured], [compile, () => {}]]) {
+  for (const [args, done] of [
+    [configure, markConfigured],
+    [compile, () => {}],
+  ]) {
     const status = args ? await cmakeShown(args) : 0;
     if (status !== 0) {
       const cure = buildCure();

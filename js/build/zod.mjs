@@ -10,8 +10,33 @@ import { build } from 'esbuild';
 const JS = fileURLToPath(new URL('..', import.meta.url));
 
 const NAMES = [
-  '_default', 'array', 'boolean', 'config', 'custom', 'discriminatedUnion', 'enum', 'globalRegistry', 'gt', 'gte', 'int', 'length', 'literal', 'lte', 'nullable',
-  'number', 'optional', 'pipe', 'prefault', 'refine', 'regex', 'strictObject', 'string', 'toJSONSchema', 'transform', 'tuple', 'union',
+  '_default',
+  'array',
+  'boolean',
+  'config',
+  'custom',
+  'discriminatedUnion',
+  'enum',
+  'globalRegistry',
+  'gt',
+  'gte',
+  'int',
+  'length',
+  'literal',
+  'lte',
+  'nullable',
+  'number',
+  'optional',
+  'pipe',
+  'prefault',
+  'refine',
+  'regex',
+  'strictObject',
+  'string',
+  'toJSONSchema',
+  'transform',
+  'tuple',
+  'union',
 ];
 
 // zod's entry sets the English messages, which a bundler leaves out with the locales.
@@ -25,14 +50,18 @@ export { ${NAMES.join(', ')} } from 'zod/mini';
 const FORMATS = { esm: 'zod.mjs', cjs: 'zod.cjs' };
 
 export async function buildZod() {
-  await Promise.all(Object.entries(FORMATS).map(([format, file]) => build({
-    stdin: { contents: ENTRY, resolveDir: JS, sourcefile: 'zod_entry.mjs' },
-    outfile: path.join(JS, 'dist', file),
-    bundle: true,
-    format,
-    target: ['node20', 'chrome111', 'firefox113', 'safari16.4'],
-    logLevel: 'warning',
-  })));
+  await Promise.all(
+    Object.entries(FORMATS).map(([format, file]) =>
+      build({
+        stdin: { contents: ENTRY, resolveDir: JS, sourcefile: 'zod_entry.mjs' },
+        outfile: path.join(JS, 'dist', file),
+        bundle: true,
+        format,
+        target: ['node20', 'chrome111', 'firefox113', 'safari16.4'],
+        logLevel: 'warning',
+      }),
+    ),
+  );
   await copyFile(path.join(path.dirname(createRequire(import.meta.url).resolve('zod')), 'LICENSE'), path.join(JS, 'dist/zod.LICENSE.txt'));
 }
 

@@ -1,5 +1,19 @@
 import path from 'node:path';
-import { analyse as analyseAll, analysisPage, analysisSteps, dataUrls, FABRICS, fabricTargets, figuresOf, lightsOf, modelTargets, picturesOf, rankLines, swapsBetween, termLines } from '../analyse/index.mjs';
+import {
+  analyse as analyseAll,
+  analysisPage,
+  analysisSteps,
+  dataUrls,
+  FABRICS,
+  fabricTargets,
+  figuresOf,
+  lightsOf,
+  modelTargets,
+  picturesOf,
+  rankLines,
+  swapsBetween,
+  termLines,
+} from '../analyse/index.mjs';
 import { TelarError } from '../error/index.mjs';
 import { ANY_MODEL } from '../shot/facts.mjs';
 import { resolveShot } from '../shot/index.mjs';
@@ -11,7 +25,11 @@ import { parseSize, parseValue } from './shot_options.mjs';
 /** Lights of an analysis unless others are named: one from all around, one lamp. */
 const DEFAULT_LIGHTS = ['studio', 'sun'];
 
-const listOf = (text) => text.split(',').map((name) => name.trim()).filter(Boolean);
+const listOf = (text) =>
+  text
+    .split(',')
+    .map((name) => name.trim())
+    .filter(Boolean);
 
 /** "a,b" as a list that is not empty. */
 function namesOf(option, text, fallback) {
@@ -23,7 +41,13 @@ function namesOf(option, text, fallback) {
 
 /** A shading as the user wrote it: a name, or JSON of one with terms swapped. */
 const shadingOf = (text) => parseValue(text);
-const nameOf = (shading) => (typeof shading === 'string' ? shading : `${shading.base} (${Object.entries(shading).filter(([slot]) => slot !== 'base').map(([slot, term]) => `${slot}: ${term}`).join(', ')})`);
+const nameOf = (shading) =>
+  typeof shading === 'string'
+    ? shading
+    : `${shading.base} (${Object.entries(shading)
+        .filter(([slot]) => slot !== 'base')
+        .map(([slot, term]) => `${slot}: ${term}`)
+        .join(', ')})`;
 
 function planOf(models, options) {
   if (models.length > 0 && options.fabrics !== undefined) throw new TelarError('E_USAGE', '--fabrics are of the bundled drape: leave it out, or the models');

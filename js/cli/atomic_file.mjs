@@ -74,7 +74,11 @@ async function makeFolder(folder) {
   }
 }
 
-const isThere = (file) => stat(file).then(() => true, () => false);
+const isThere = (file) =>
+  stat(file).then(
+    () => true,
+    () => false,
+  );
 
 async function writeInPlace(target, data) {
   const handle = await open(target, 'w');

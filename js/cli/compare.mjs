@@ -38,7 +38,11 @@ export async function compare(expected, actual, options, { console, signal, api 
   }
 }
 
-const isFolder = (file) => stat(file).then((found) => found.isDirectory(), () => false);
+const isFolder = (file) =>
+  stat(file).then(
+    (found) => found.isDirectory(),
+    () => false,
+  );
 
 function refuseHalves(folders, names, { model, update }) {
   const usage = (message) => new TelarError('E_USAGE', message);
@@ -61,14 +65,19 @@ async function compareFiles({ expected, actual }, options, context) {
   if (updated) await writeFileAtomically(expected, second.bytes, signal);
   const exit = verdict.pass || updated ? 0 : EXIT_OVER_THE_GATE;
   const { flipMap, ...figures } = comparison;
-  await console.result({ ok: exit === 0, exit, ...names, shots, ...verdict, hints, ...(options.update && { updated }), ...figures },
-    [...(await shotLines(names, shots)), ...lines(comparison, verdict, hints), ...(updated ? [`accepted: ${expected} is now ${actual}`] : [])]);
+  await console.result({ ok: exit === 0, exit, ...names, shots, ...verdict, hints, ...(options.update && { updated }), ...figures }, [
+    ...(await shotLines(names, shots)),
+    ...lines(comparison, verdict, hints),
+    ...(updated ? [`accepted: ${expected} is now ${actual}`] : []),
+  ]);
   return exit;
 }
 
 /** What the pictures say that they show. */
 async function shotLines(names, shots) {
-  const told = Object.keys(shots).filter((side) => shots[side]).map(async (side) => `${names[side]} shows ${await shotText(shots[side])}`);
+  const told = Object.keys(shots)
+    .filter((side) => shots[side])
+    .map(async (side) => `${names[side]} shows ${await shotText(shots[side])}`);
   const differing = shots.expected && shots.actual ? differingKeys(shots.expected, shots.actual) : [];
   return [...(await Promise.all(told)), ...(differing.length ? [`the shots differ in ${differing.join(', ')}`] : [])];
 }

@@ -67,8 +67,16 @@ class FolderComparison {
     if (!expected || !actual) return this.#alone(name, expected ? 'expected' : 'actual');
     const { settings, masks } = this.#context;
     try {
-      const [first, second] = [await readPicture(this.#fileOf('expected', name), this.#context), await readPicture(this.#fileOf('actual', name), this.#context)];
-      const { images, comparison: { flipMap, ...comparison }, verdict, hints } = await comparePair({ expected: first.image, actual: second.image }, { ...settings, masksOf: masks(name) });
+      const [first, second] = [
+        await readPicture(this.#fileOf('expected', name), this.#context),
+        await readPicture(this.#fileOf('actual', name), this.#context),
+      ];
+      const {
+        images,
+        comparison: { flipMap, ...comparison },
+        verdict,
+        hints,
+      } = await comparePair({ expected: first.image, actual: second.image }, { ...settings, masksOf: masks(name) });
       const files = verdict.pass ? undefined : await this.#keep(name, { images, heat: { flipMap, ...comparison } });
       if (!verdict.pass && this.#options.update) await this.#accept(name, second.bytes);
       return { name, status: verdict.pass ? 'within' : this.#options.update ? 'updated' : 'over', comparison, verdict, hints, files };
@@ -161,13 +169,23 @@ async function tell(pictures, folders, exit, { console, settings }) {
   for (const { error } of pictures) if (error) console.error(error);
   const counts = {};
   for (const { status } of pictures) counts[status] = (counts[status] ?? 0) + 1;
-  const said = Object.entries(counts).map(([status, count]) => `${count} ${WORDS[status]}`).join(', ');
+  const said = Object.entries(counts)
+    .map(([status, count]) => `${count} ${WORDS[status]}`)
+    .join(', ');
   const objects = pictures.map(({ name, status, comparison, verdict, hints, error }) => ({
-    name, ok: isGood({ status }), status, ...(verdict && { checks: verdict.checks }), ...(hints?.length > 0 && { hints }), ...comparison, ...(error && { error }),
+    name,
+    ok: isGood({ status }),
+    status,
+    ...(verdict && { checks: verdict.checks }),
+    ...(hints?.length > 0 && { hints }),
+    ...comparison,
+    ...(error && { error }),
   }));
   const lines = pictures.filter(({ status }) => status !== 'within' && status !== 'failed').flatMap(linesOf);
-  await console.result({ ok: exit === 0, exit, ...folders, gate: settings.gate, counts, pictures: objects },
-    [...lines, `${pictures.length} ${pictures.length === 1 ? 'image' : 'images'}: ${said} (gate ${settings.gate})`]);
+  await console.result({ ok: exit === 0, exit, ...folders, gate: settings.gate, counts, pictures: objects }, [
+    ...lines,
+    `${pictures.length} ${pictures.length === 1 ? 'image' : 'images'}: ${said} (gate ${settings.gate})`,
+  ]);
 }
 
 const WORDS = { within: 'within the gate', over: 'over it', missing: 'missing', new: 'new', failed: 'not compared', updated: 'accepted' };

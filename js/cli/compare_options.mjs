@@ -17,16 +17,23 @@ const usage = (message) => new TelarError('E_USAGE', message);
  * @throws {TelarError} E_USAGE
  */
 export function readThresholds(assignments = []) {
-  return Object.fromEntries(assignments.map((assignment) => {
-    const match = /^([\w.]+)=(\d+(?:\.\d+)?)$/.exec(assignment);
-    if (!match) throw usage(`--threshold: expected REGION.FIGURE=N, as in object.flip.mean=0.02, got ${shown(assignment)}`);
-    const [, name, limit] = match;
-    if (!limitNamed(name)) {
-      const near = nearest(name, REGIONS.flatMap((region) => FIGURES.map((figure) => `${region}.${figure}`)));
-      throw usage(`--threshold ${shown(name)}: ${near ? `did you mean ${near}?` : `expected one of ${REGIONS.join(', ')}, a point, and one of ${FIGURES.join(', ')}`}`);
-    }
-    return [name, Number(limit)];
-  }));
+  return Object.fromEntries(
+    assignments.map((assignment) => {
+      const match = /^([\w.]+)=(\d+(?:\.\d+)?)$/.exec(assignment);
+      if (!match) throw usage(`--threshold: expected REGION.FIGURE=N, as in object.flip.mean=0.02, got ${shown(assignment)}`);
+      const [, name, limit] = match;
+      if (!limitNamed(name)) {
+        const near = nearest(
+          name,
+          REGIONS.flatMap((region) => FIGURES.map((figure) => `${region}.${figure}`)),
+        );
+        throw usage(
+          `--threshold ${shown(name)}: ${near ? `did you mean ${near}?` : `expected one of ${REGIONS.join(', ')}, a point, and one of ${FIGURES.join(', ')}`}`,
+        );
+      }
+      return [name, Number(limit)];
+    }),
+  );
 }
 
 const AREA = /^(\d+),(\d+),(\d+),(\d+)$/;
@@ -62,7 +69,10 @@ async function readMask(option, file, size, context) {
   const isLarger = sizeFactor(size, image)?.larger === 'actual';
   const fitting = isLarger ? shrinkImage(image, size) : image;
   if (fitting.width === size.width && fitting.height === size.height) return whereLight(fitting);
-  throw new TelarError('E_IMAGE_SIZE', `${option} ${shown(path.basename(file))} has ${image.width}x${image.height} pixels, the images ${size.width}x${size.height}: draw it at their size`);
+  throw new TelarError(
+    'E_IMAGE_SIZE',
+    `${option} ${shown(path.basename(file))} has ${image.width}x${image.height} pixels, the images ${size.width}x${size.height}: draw it at their size`,
+  );
 }
 
 /** Sets what lies in a rectangle; what leaves the picture is cut. */

@@ -42,7 +42,10 @@ function checkSizes(expected, actual) {
   const cure = difference
     ? `the ${difference.larger} one is ${factorText(difference.factor)} times as large, as screenshots of dense screens are: --resize shrinks it`
     : 'their shapes differ: draw both at one size';
-  throw new TelarError('E_IMAGE_SIZE', `the images differ in size: ${expected.width}x${expected.height} expected, ${actual.width}x${actual.height} given; ${cure}`);
+  throw new TelarError(
+    'E_IMAGE_SIZE',
+    `the images differ in size: ${expected.width}x${expected.height} expected, ${actual.width}x${actual.height} given; ${cure}`,
+  );
 }
 
 /**

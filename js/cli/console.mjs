@@ -62,18 +62,29 @@ export class Console {
   async progress(total, { gradual = false } = {}) {
     const { stderr, env } = this.#io;
     if ((total < 2 && !gradual) || !stderr.isTTY || env.CI || this.#quiet) return { step() {}, stop() {} };
-    const { default: { SingleBar } } = await import('cli-progress');
+    const {
+      default: { SingleBar },
+    } = await import('cli-progress');
     const count = gradual ? '{percentage}%' : '{value}/{total}';
     const bar = new SingleBar({
-      stream: stderr, clearOnComplete: true, hideCursor: true, etaBuffer: 20, format: `{bar} ${count}  {eta_formatted} left  {name}`,
-      barCompleteChar: '#', barIncompleteChar: '-', barsize: 24,
+      stream: stderr,
+      clearOnComplete: true,
+      hideCursor: true,
+      etaBuffer: 20,
+      format: `{bar} ${count}  {eta_formatted} left  {name}`,
+      barCompleteChar: '#',
+      barIncompleteChar: '-',
+      barsize: 24,
     });
     bar.start(total, 0, { name: '' });
     if (!gradual) return { step: (name) => bar.increment({ name }), stop: () => bar.stop() };
     const parts = new Array(total).fill(0);
     const reach = (index, part, payload = {}) => {
       parts[index] = part;
-      bar.update(parts.reduce((sum, each) => sum + each, 0), payload);
+      bar.update(
+        parts.reduce((sum, each) => sum + each, 0),
+        payload,
+      );
     };
     return { reach, step: (name, index) => reach(index, 1, { name }), stop: () => bar.stop() };
   }

@@ -84,7 +84,11 @@ export class Drawing {
       for (const index of changed) this.#settle(index, { error });
       return;
     }
-    await eachOf(changed.sort((a, b) => a - b), signal, (index) => this.#draw(index, model));
+    await eachOf(
+      changed.sort((a, b) => a - b),
+      signal,
+      (index) => this.#draw(index, model),
+    );
     // What goes wrong with the renderer itself, its pictures have told.
     await renderer.release(model).catch(() => {});
   }

@@ -30,8 +30,12 @@ const named = (list) => list.map((item) => (typeof item === 'string' ? item : it
 
 /** What of a material the shading "fabric" alone reads. */
 function fabricText({ diffuseTransmission, flatness, weave, back }) {
-  const parts = [diffuseTransmission && `lets ${percent(diffuseTransmission)} through`, flatness && `flatness ${percent(flatness)}`,
-    weave && `weave ${percent(weave.warp)} warp ${percent(weave.weft)} weft`, back && 'its own back'];
+  const parts = [
+    diffuseTransmission && `lets ${percent(diffuseTransmission)} through`,
+    flatness && `flatness ${percent(flatness)}`,
+    weave && `weave ${percent(weave.warp)} warp ${percent(weave.weft)} weft`,
+    back && 'its own back',
+  ];
   return `fabric (${parts.filter(Boolean).join(', ')})`;
 }
 
@@ -39,8 +43,15 @@ const percent = (share) => `${Math.round(100 * share)} %`;
 
 function materialLines(materials) {
   return materials.map(({ name, alphaMode, doubleSided, unlit, metallic, roughness, textures = [], fabric }, i) => {
-    const facts = [`metallic ${metallic}`, `roughness ${Number(roughness?.toPrecision(3))}`, alphaMode !== 'OPAQUE' && `alpha ${alphaMode}`,
-      doubleSided && 'double-sided', unlit && 'unlit', textures.length > 0 && `textures ${textures.join(' ')}`, fabric && fabricText(fabric)].filter(Boolean);
+    const facts = [
+      `metallic ${metallic}`,
+      `roughness ${Number(roughness?.toPrecision(3))}`,
+      alphaMode !== 'OPAQUE' && `alpha ${alphaMode}`,
+      doubleSided && 'double-sided',
+      unlit && 'unlit',
+      textures.length > 0 && `textures ${textures.join(' ')}`,
+      fabric && fabricText(fabric),
+    ].filter(Boolean);
     return `  ${i} ${name || '(no name)'}: ${facts.join(', ')}`;
   });
 }
@@ -61,8 +72,12 @@ function factLines(model, facts) {
   const lines = [
     model === '-' ? 'stdin' : model,
     `size        ${bounds ? `${size.map(metres).join(' x ')} (width x height x depth)` : 'nothing to draw'}`,
-    `geometry    ${[count(facts.triangles ?? 0, 'triangle'), count(facts.vertices ?? 0, 'vertex', 'vertices'),
-      count(facts.meshes ?? 0, 'mesh', 'meshes'), count(facts.drawCalls ?? 0, 'draw call')].join(', ')}`,
+    `geometry    ${[
+      count(facts.triangles ?? 0, 'triangle'),
+      count(facts.vertices ?? 0, 'vertex', 'vertices'),
+      count(facts.meshes ?? 0, 'mesh', 'meshes'),
+      count(facts.drawCalls ?? 0, 'draw call'),
+    ].join(', ')}`,
     `file        ${count(facts.fileBytes ?? 0, 'byte')}${facts.generator ? `, by ${facts.generator}` : ''}`,
     ...(facts.copyright ? [`copyright   ${facts.copyright}`] : []),
     `materials   ${materials.length}`,
@@ -77,7 +92,7 @@ function factLines(model, facts) {
   return [...lines, ...planLines(plan)];
 }
 
-const textOf = (item) => (typeof item === 'string' ? item : item.name ?? JSON.stringify(item));
+const textOf = (item) => (typeof item === 'string' ? item : (item.name ?? JSON.stringify(item)));
 
 function planLines(plan) {
   if (!plan) return [];

@@ -18,7 +18,11 @@ import { variantNames } from './variants.mjs';
 
 const usage = (message) => new TelarError('E_USAGE', message);
 
-const listOf = (text) => text.split(',').map((name) => name.trim()).filter(Boolean);
+const listOf = (text) =>
+  text
+    .split(',')
+    .map((name) => name.trim())
+    .filter(Boolean);
 
 /** "front,back" or "all" as names of views. */
 async function viewsOf({ views, view }) {

@@ -10,11 +10,13 @@ const FILE_BYTES = 64 * 2 ** 20;
  * @throws {TelarError} E_USAGE
  */
 export function readLimits(assignments = []) {
-  return Object.fromEntries(assignments.map((assignment) => {
-    const match = /^(L_[A-Z_]+)=(\d{1,15})$/.exec(assignment);
-    if (!match) throw new TelarError('E_USAGE', `--limit: expected NAME=N, as in L_TRIANGLES=30000000, got ${shown(assignment)}`);
-    return [match[1], Number(match[2])];
-  }));
+  return Object.fromEntries(
+    assignments.map((assignment) => {
+      const match = /^(L_[A-Z_]+)=(\d{1,15})$/.exec(assignment);
+      if (!match) throw new TelarError('E_USAGE', `--limit: expected NAME=N, as in L_TRIANGLES=30000000, got ${shown(assignment)}`);
+      return [match[1], Number(match[2])];
+    }),
+  );
 }
 
 /**

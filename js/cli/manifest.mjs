@@ -42,7 +42,8 @@ function checkEntry(entry, where) {
   const { model, shot = {}, output } = entry;
   if (typeof model !== 'string' || model === '' || model === '-') throw usage(`${where}: model: expected a path, got ${shown(model)}`);
   if (!isObject(shot) && typeof shot !== 'string') throw usage(`${where}: shot: expected an object or the path of one, got ${shown(shot)}`);
-  if (output !== undefined && (typeof output !== 'string' || output === '' || output === '-')) throw usage(`${where}: output: expected a path, got ${shown(output)}`);
+  if (output !== undefined && (typeof output !== 'string' || output === '' || output === '-'))
+    throw usage(`${where}: output: expected a path, got ${shown(output)}`);
 }
 
 /** Shots in files of their own, each read once. */
@@ -85,7 +86,8 @@ export async function readManifest(file, io) {
     checkEntry(entry, where);
     const { model, shot = {}, output } = entry;
     entries.push({
-      where, folder: '',
+      where,
+      folder: '',
       model: await inFolder(base, model, where),
       shot: typeof shot === 'string' ? await shots.read(path.join(base, shot), where) : withPathsFrom(base, shot),
       ...(output !== undefined && { output: path.isAbsolute(output) ? output : path.join(base, output) }),

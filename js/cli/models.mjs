@@ -43,7 +43,9 @@ async function beneath(folder) {
 export async function checkModel(given) {
   if (given === '-') return undefined;
   if (ADDRESS.test(given)) {
-    throw usage(`${shown(given)} is an address, and telar fetches nothing: copy the file to this machine, or hand it over as in \`curl -fsS ADDRESS | telar thumbnail - -o OUT\``);
+    throw usage(
+      `${shown(given)} is an address, and telar fetches nothing: copy the file to this machine, or hand it over as in \`curl -fsS ADDRESS | telar thumbnail - -o OUT\``,
+    );
   }
   const found = await stat(given).catch(() => undefined);
   if (!found && PATTERN.test(given)) {

@@ -7,7 +7,16 @@ import { FORMATS } from '../shot/table/output.mjs';
 /** Where each picture goes, and in which format. */
 
 const FORMAT_OF = Object.fromEntries(Object.entries(FORMATS).flatMap(([format, { extensions }]) => extensions.map((extension) => [extension, format])));
-const EXTENSION_OF = Object.fromEntries(Object.entries(FORMATS).map(([format, { extensions: [first] }]) => [format, first]));
+const EXTENSION_OF = Object.fromEntries(
+  Object.entries(FORMATS).map(
+    ([
+      format,
+      {
+        extensions: [first],
+      },
+    ]) => [format, first],
+  ),
+);
 const BRACES = /\{([a-z]+)\}/gi;
 
 const usage = (message) => new TelarError('E_USAGE', message);
@@ -25,7 +34,15 @@ function isFolder(file) {
 const MAX_PART = 60;
 
 /** Text of a model as part of a file name: it leads nowhere, and shows on every system. */
-const asFileName = (text) => [...text.replace(/[\u0000-\u001f\u007f/\\<>:"|?*]+/g, '-').trim().replace(/^\.+/, '')].slice(0, MAX_PART).join('') || 'unnamed';
+const asFileName = (text) =>
+  [
+    ...text
+      .replace(/[\u0000-\u001f\u007f/\\<>:"|?*]+/g, '-')
+      .trim()
+      .replace(/^\.+/, ''),
+  ]
+    .slice(0, MAX_PART)
+    .join('') || 'unnamed';
 
 /** What each pair of braces stands for. */
 const PARTS = {
@@ -43,7 +60,9 @@ function checkPattern(pattern) {
   for (const [braces, part] of pattern.matchAll(BRACES)) {
     if (known.includes(part)) continue;
     const near = nearest(part, known);
-    throw usage(`${shown(pattern)}: ${braces} stands for nothing; ${near ? `did you mean {${near}}?` : `expected ${known.map((name) => `{${name}}`).join(' ')}`}`);
+    throw usage(
+      `${shown(pattern)}: ${braces} stands for nothing; ${near ? `did you mean {${near}}?` : `expected ${known.map((name) => `{${name}}`).join(' ')}`}`,
+    );
   }
 }
 
@@ -61,7 +80,8 @@ function patternOf(out, jobs, crosses, format) {
   if (isPattern(out)) return out;
   const extension = EXTENSION_OF[format ?? 'png'] ?? '';
   if (isFolder(out) || (jobs.length > 1 && path.extname(out) === '')) return path.join(out, folderPattern(jobs, crosses) + extension);
-  if (jobs.length > 1) throw usage(`-o ${shown(out)}: many ${crosses.views || crosses.variants ? 'pictures' : 'models'} need a folder, or a pattern such as out/{name}.png`);
+  if (jobs.length > 1)
+    throw usage(`-o ${shown(out)}: many ${crosses.views || crosses.variants ? 'pictures' : 'models'} need a folder, or a pattern such as out/{name}.png`);
   return out;
 }
 
@@ -100,7 +120,16 @@ export function outputNames(out, jobs, crosses) {
     for (const index of sharing) {
       const job = jobs[index];
       const format = wantedFormat(job);
-      if (!patterns.has(format)) patterns.set(format, patternOf(job.output ?? out, sharing.map((i) => jobs[i]), crosses, format));
+      if (!patterns.has(format))
+        patterns.set(
+          format,
+          patternOf(
+            job.output ?? out,
+            sharing.map((i) => jobs[i]),
+            crosses,
+            format,
+          ),
+        );
       const file = filled(patterns.get(format), job, index);
       outputs[index] = { file, format: formatOf(file, format) };
     }
@@ -121,11 +150,12 @@ function sharingJobs(jobs) {
 }
 
 /** Parts that would tell two pictures apart. */
-const telling = (pattern, first, second) => ['parent', 'variant', 'view'].filter((part) =>
-  !pattern.includes(`{${part}}`) && PARTS[part](first) !== PARTS[part](second));
+const telling = (pattern, first, second) =>
+  ['parent', 'variant', 'view'].filter((part) => !pattern.includes(`{${part}}`) && PARTS[part](first) !== PARTS[part](second));
 
 /** What a message calls a picture. */
-const described = (job, other) => [shown(job.model), ...['variant', 'view'].filter((part) => job[part] !== other[part]).map((part) => `${part} ${shown(job[part])}`)].join(', ');
+const described = (job, other) =>
+  [shown(job.model), ...['variant', 'view'].filter((part) => job[part] !== other[part]).map((part) => `${part} ${shown(job[part])}`)].join(', ');
 
 function refuseClashes(outputs, jobs, out) {
   const owner = new Map();

@@ -6,8 +6,9 @@ import { addShotOptions } from './shot_options.mjs';
 /** The command line's grammar: commands, options, help. */
 
 const BACKENDS = ['auto', 'egl-device', 'egl-surfaceless', 'osmesa'];
-const EXIT_CODES = 'Exit codes: 0 done, 1 over the gate, 2 usage, 3 input, 4 limit, 5 time or memory, 6 this machine, 7 internal.\n'
-  + 'Of many models, the highest exit code is told.';
+const EXIT_CODES =
+  'Exit codes: 0 done, 1 over the gate, 2 usage, 3 input, 4 limit, 5 time or memory, 6 this machine, 7 internal.\n' +
+  'Of many models, the highest exit code is told.';
 const collect = (value, list = []) => [...list, value];
 
 const backend = () => new Option('--backend <backend>', 'where GL comes from').choices(BACKENDS).default('auto');
@@ -18,17 +19,23 @@ function port(text) {
   throw new InvalidArgumentError('Expected a whole number from 1 to 65535.');
 }
 
-const addCommon = (command) => command
-  .option('--json', 'one JSON object on stdout, logs on stderr')
-  .option('--quiet', 'no progress, notes and warnings');
+const addCommon = (command) => command.option('--json', 'one JSON object on stdout, logs on stderr').option('--quiet', 'no progress, notes and warnings');
 
-const addFailOn = (command) => command
-  .addOption(new Option('--fail-on <level>', 'what leaves a model without a picture: errors; warnings too; or none of what three.js draws without: textures '
-    + 'that are missing or damaged, unknown extensions that are required').choices(['error', 'warning', 'none']).default('error'));
+const addFailOn = (command) =>
+  command.addOption(
+    new Option(
+      '--fail-on <level>',
+      'what leaves a model without a picture: errors; warnings too; or none of what three.js draws without: textures ' +
+        'that are missing or damaged, unknown extensions that are required',
+    )
+      .choices(['error', 'warning', 'none'])
+      .default('error'),
+  );
 
-const addLimit = (command) => command
-  .option('--limit <name=n>', 'raise or lower a limit, as in L_TRIANGLES=30000000', collect)
-  .option('--timeout-ms <ms>', 'milliseconds that the work on one image may take, or none; by default 20000, and none for quality high and reference');
+const addLimit = (command) =>
+  command
+    .option('--limit <name=n>', 'raise or lower a limit, as in L_TRIANGLES=30000000', collect)
+    .option('--timeout-ms <ms>', 'milliseconds that the work on one image may take, or none; by default 20000, and none for quality high and reference');
 
 /**
  * @param {string} version
@@ -45,58 +52,86 @@ export function buildProgram(version, actions, output) {
     .addHelpText('after', `\n${EXIT_CODES}`);
   const command = (name, text) => program.command(name).description(text).allowExcessArguments(false);
 
-  addLimit(addFailOn(addCommon(addShotOptions(command('thumbnail', 'Draw one image a model, or one for each of its variants and views')
-    .argument('[model...]', '.glb or .gltf files, or folders with -r; - is stdin')
-    .option('-o, --output <out>', 'file, folder or pattern such as out/{parent}-{view}.png ({name}, {parent}, {folder}, {variant}, {view}, {index}); '
-      + '- is stdout; the extension gives the format')
-    .option('-r, --recursive', 'draw every .glb and .gltf file beneath the folders'))
-    .option('--views <views>', 'one image for each of these views, with commas between; all = every named one')
-    .option('--variants <names>', 'one image for each of these variants, with commas between; all = each that the model has')
-    .option('--manifest <file>', 'JSON lines {"model", "shot", "output"} in place of models; relative paths start at the file; - is stdin')
-    .option('--skip-unchanged', 'leave out images that are there and would be drawn from the same bytes and shot by the same version')
-    .option('--contact-sheet <file>', 'write one PNG with a labelled thumbnail of every image')
-    .addOption(backend()))))
-    .action(actions.thumbnail);
-  addLimit(addFailOn(addCommon(addShotOptions(command('inspect', 'Say what is in a model, and what a render of it would compile and run')
-    .argument('<model>', '.glb or .gltf file; - is stdin')))))
-    .action(actions.inspect);
-  addLimit(addCommon(command('compare', 'Say how far two images, or the images of two folders, are apart, and whether that is within a gate')
-    .argument('<expected>', 'PNG, JPEG or WebP, or a folder of them')
-    .argument('[actual]', 'the same; needed unless --model is given')
-    .addOption(new Option('--gate <gate>', 'which figures must not be passed').choices(Object.keys(GATES)).default(DEFAULT_GATE))
-    .option('--threshold <region.figure=n>', 'a limit in place of the gate\'s or beside them, as in object.flip.mean=0.02', collect)
-    .option('--mask <file>', 'image that is light where the object is, for images with a background; or a folder of such')
-    .option('--ignore <file>', 'image that is light where nothing is compared, a folder of such, or an area x,y,width,height', collect)
-    .option('--resize', 'shrink the larger image to the smaller one, as for screenshots of dense screens')
-    .option('--update', 'accept: write ACTUAL over EXPECTED where it is over the gate or new')
-    .option('--model <model>', 'in place of ACTUAL: draw this model with the shot inside EXPECTED, which telar view saves')
-    .option('--environment <file>', 'the file of the shot\'s environment, where --model is given')
-    .addOption(new Option('--backend <backend>', 'where GL comes from, where --model is given').choices(BACKENDS).default('auto'))
-    .option('--heatmap <out>', 'write FLIP of each pixel as a PNG')
-    .option('--report <dir>', 'write a page with the images, the heat map and the figures')
-    .option('--junit <file>', 'write the checks as JUnit XML')))
-    .action(actions.compare);
-  addLimit(addCommon(command('analyse', 'Say which term of one shading against another changes pictures of cloth most')
-    .argument('[model...]', '.glb or .gltf files; none = the bundled drape in the fabrics')
-    .option('--from <shading>', 'three-r115, disney-2012, or JSON of one with terms swapped; others are compared as a whole', 'three-r115')
-    .option('--to <shading>', 'the other one', 'disney-2012')
-    .option('--fabrics <names>', 'of the bundled drape: leather,wool,towel,velvet; all of them by default')
-    .option('--lights <names>', 'studio, sun, rim, sky or .hdr and .exr files, with commas between; studio,sun by default')
-    .option('--view <view>', describe('camera.view'))
-    .option('--size <WxH>', 'of each picture in pixels', '320x320')
-    .option('--quality <quality>', describe('quality'), 'standard')
-    .option('--report <dir>', 'write a page with the ranking, lobes, albedo curves and pictures, and the figures as JSON')
-    .option('--terms', 'list slots and terms, and draw nothing')
-    .addOption(backend())))
-    .action(actions.analyse);
-  addLimit(addFailOn(addCommon(addShotOptions(command('view', 'Show the browser client beside the server\'s picture, and their difference, on a local page')
-    .argument('<model>', '.glb or .gltf file; - is a GLB on stdin')
-    .option('--port <port>', 'port on 127.0.0.1; a free one by default', port)
-    .option('--open', 'open the page in the browser'))
-    .addOption(backend())
-    .addHelpText('after', '\nThe page judges by the gate parity of telar compare where browser and server draw with the same GL, else by other-gl.'))))
-    .action(actions.view);
-  addCommon(command('doctor', 'Say which GL backends this machine has, which is chosen, and how to cure a missing one'))
-    .action(actions.doctor);
+  addLimit(
+    addFailOn(
+      addCommon(
+        addShotOptions(
+          command('thumbnail', 'Draw one image a model, or one for each of its variants and views')
+            .argument('[model...]', '.glb or .gltf files, or folders with -r; - is stdin')
+            .option(
+              '-o, --output <out>',
+              'file, folder or pattern such as out/{parent}-{view}.png ({name}, {parent}, {folder}, {variant}, {view}, {index}); ' +
+                '- is stdout; the extension gives the format',
+            )
+            .option('-r, --recursive', 'draw every .glb and .gltf file beneath the folders'),
+        )
+          .option('--views <views>', 'one image for each of these views, with commas between; all = every named one')
+          .option('--variants <names>', 'one image for each of these variants, with commas between; all = each that the model has')
+          .option('--manifest <file>', 'JSON lines {"model", "shot", "output"} in place of models; relative paths start at the file; - is stdin')
+          .option('--skip-unchanged', 'leave out images that are there and would be drawn from the same bytes and shot by the same version')
+          .option('--contact-sheet <file>', 'write one PNG with a labelled thumbnail of every image')
+          .addOption(backend()),
+      ),
+    ),
+  ).action(actions.thumbnail);
+  addLimit(
+    addFailOn(
+      addCommon(
+        addShotOptions(
+          command('inspect', 'Say what is in a model, and what a render of it would compile and run').argument('<model>', '.glb or .gltf file; - is stdin'),
+        ),
+      ),
+    ),
+  ).action(actions.inspect);
+  addLimit(
+    addCommon(
+      command('compare', 'Say how far two images, or the images of two folders, are apart, and whether that is within a gate')
+        .argument('<expected>', 'PNG, JPEG or WebP, or a folder of them')
+        .argument('[actual]', 'the same; needed unless --model is given')
+        .addOption(new Option('--gate <gate>', 'which figures must not be passed').choices(Object.keys(GATES)).default(DEFAULT_GATE))
+        .option('--threshold <region.figure=n>', "a limit in place of the gate's or beside them, as in object.flip.mean=0.02", collect)
+        .option('--mask <file>', 'image that is light where the object is, for images with a background; or a folder of such')
+        .option('--ignore <file>', 'image that is light where nothing is compared, a folder of such, or an area x,y,width,height', collect)
+        .option('--resize', 'shrink the larger image to the smaller one, as for screenshots of dense screens')
+        .option('--update', 'accept: write ACTUAL over EXPECTED where it is over the gate or new')
+        .option('--model <model>', 'in place of ACTUAL: draw this model with the shot inside EXPECTED, which telar view saves')
+        .option('--environment <file>', "the file of the shot's environment, where --model is given")
+        .addOption(new Option('--backend <backend>', 'where GL comes from, where --model is given').choices(BACKENDS).default('auto'))
+        .option('--heatmap <out>', 'write FLIP of each pixel as a PNG')
+        .option('--report <dir>', 'write a page with the images, the heat map and the figures')
+        .option('--junit <file>', 'write the checks as JUnit XML'),
+    ),
+  ).action(actions.compare);
+  addLimit(
+    addCommon(
+      command('analyse', 'Say which term of one shading against another changes pictures of cloth most')
+        .argument('[model...]', '.glb or .gltf files; none = the bundled drape in the fabrics')
+        .option('--from <shading>', 'three-r115, disney-2012, or JSON of one with terms swapped; others are compared as a whole', 'three-r115')
+        .option('--to <shading>', 'the other one', 'disney-2012')
+        .option('--fabrics <names>', 'of the bundled drape: leather,wool,towel,velvet; all of them by default')
+        .option('--lights <names>', 'studio, sun, rim, sky or .hdr and .exr files, with commas between; studio,sun by default')
+        .option('--view <view>', describe('camera.view'))
+        .option('--size <WxH>', 'of each picture in pixels', '320x320')
+        .option('--quality <quality>', describe('quality'), 'standard')
+        .option('--report <dir>', 'write a page with the ranking, lobes, albedo curves and pictures, and the figures as JSON')
+        .option('--terms', 'list slots and terms, and draw nothing')
+        .addOption(backend()),
+    ),
+  ).action(actions.analyse);
+  addLimit(
+    addFailOn(
+      addCommon(
+        addShotOptions(
+          command('view', "Show the browser client beside the server's picture, and their difference, on a local page")
+            .argument('<model>', '.glb or .gltf file; - is a GLB on stdin')
+            .option('--port <port>', 'port on 127.0.0.1; a free one by default', port)
+            .option('--open', 'open the page in the browser'),
+        )
+          .addOption(backend())
+          .addHelpText('after', '\nThe page judges by the gate parity of telar compare where browser and server draw with the same GL, else by other-gl.'),
+      ),
+    ),
+  ).action(actions.view);
+  addCommon(command('doctor', 'Say which GL backends this machine has, which is chosen, and how to cure a missing one')).action(actions.doctor);
   return program;
 }

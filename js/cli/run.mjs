@@ -25,11 +25,13 @@ export async function run(argv, io) {
   const flags = { json: argv.includes('--json'), quiet: argv.includes('--quiet') };
   const console = new Console(io, flags);
   let exit = 0;
-  const action = (name) => async (...args) => {
-    const call = await COMMANDS[name]();
-    const values = args.slice(0, -1); // the last one is commander's own command object
-    exit = await call(...values, { ...io, console, api: await io.loadApi() });
-  };
+  const action =
+    (name) =>
+    async (...args) => {
+      const call = await COMMANDS[name]();
+      const values = args.slice(0, -1); // the last one is commander's own command object
+      exit = await call(...values, { ...io, console, api: await io.loadApi() });
+    };
   const actions = Object.fromEntries(Object.keys(COMMANDS).map((name) => [name, action(name)]));
   // Complaints come as exceptions as well: they are told once, in our own form.
   const output = { writeOut: (text) => io.stdout.write(text), writeErr: (text) => (/^error:/.test(text) ? undefined : io.stderr.write(text)) };

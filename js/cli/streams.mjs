@@ -18,8 +18,9 @@ export async function readAll(stream, maxBytes, signal) {
     for await (const chunk of stream) {
       bytes += chunk.length;
       if (bytes > maxBytes) {
-        throw new TelarError('L_FILE_BYTES', `stdin holds more than the limit of ${maxBytes} bytes; raise it with --limit L_FILE_BYTES=N`,
-          { limit: { name: 'L_FILE_BYTES', max: maxBytes, actual: bytes } });
+        throw new TelarError('L_FILE_BYTES', `stdin holds more than the limit of ${maxBytes} bytes; raise it with --limit L_FILE_BYTES=N`, {
+          limit: { name: 'L_FILE_BYTES', max: maxBytes, actual: bytes },
+        });
       }
       chunks.push(chunk);
     }

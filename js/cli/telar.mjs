@@ -29,6 +29,11 @@ for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, onSignal);
 
 const { stdin, stdout, stderr, env } = process;
 process.exitCode = await run(process.argv.slice(2), {
-  stdin, stdout, stderr, env, signal: cancelled.signal, loadApi: () => import('../index.mjs'),
+  stdin,
+  stdout,
+  stderr,
+  env,
+  signal: cancelled.signal,
+  loadApi: () => import('../index.mjs'),
 });
 if (received) dieUnfinished();

@@ -20,8 +20,11 @@ const WIDEST_EM = 1.1;
 function measured(text, size, weight) {
   const { Resvg } = require('@resvg/resvg-js');
   // Spaces at the ends have no outline: bars stand around the text, and their own width is taken off.
-  const widthOf = (inner) => new Resvg(`<svg xmlns="http://www.w3.org/2000/svg"><text font-family="Inter" font-weight="${weight}" font-size="${size}">|${escaped(inner)}|</text></svg>`,
-    { font: { fontFiles: [require.resolve(FONTS[weight])], loadSystemFonts: needsSystemFonts(inner), defaultFontFamily: 'Inter' } }).getBBox().width;
+  const widthOf = (inner) =>
+    new Resvg(
+      `<svg xmlns="http://www.w3.org/2000/svg"><text font-family="Inter" font-weight="${weight}" font-size="${size}">|${escaped(inner)}|</text></svg>`,
+      { font: { fontFiles: [require.resolve(FONTS[weight])], loadSystemFonts: needsSystemFonts(inner), defaultFontFamily: 'Inter' } },
+    ).getBBox().width;
   return widthOf(text) - widthOf('');
 }
 
@@ -37,7 +40,14 @@ export function ellipsized(text, size, weight, width) {
   const letters = [...text];
   const fits = (shown) => [...shown].length * WIDEST_EM * size <= width || measured(shown, size, weight) <= width;
   if (fits(text)) return text;
-  const cut = (kept) => `${letters.slice(0, Math.ceil(kept / 2)).join('').trimEnd()}…${letters.slice(letters.length - Math.floor(kept / 2)).join('').trimStart()}`;
+  const cut = (kept) =>
+    `${letters
+      .slice(0, Math.ceil(kept / 2))
+      .join('')
+      .trimEnd()}…${letters
+      .slice(letters.length - Math.floor(kept / 2))
+      .join('')
+      .trimStart()}`;
   let [low, high] = [0, letters.length - 1];
   while (low < high) {
     const middle = Math.ceil((low + high) / 2);

@@ -33,7 +33,8 @@ export async function thumbnail(models, options, context) {
   await refuseParts(jobs, outputs);
   await checkSheet(options.contactSheet, jobs, outputs);
   jobs.forEach((job, i) => {
-    if (job.shot.output === undefined || typeof job.shot.output === 'object') job.shot = { ...job.shot, output: { ...job.shot.output, format: outputs[i].format } };
+    if (job.shot.output === undefined || typeof job.shot.output === 'object')
+      job.shot = { ...job.shot, output: { ...job.shot.output, format: outputs[i].format } };
   });
   await Promise.all([...new Set(outputs.filter(({ file }) => file !== '-').map(({ file }) => path.dirname(file)))].map(sweepStale));
 
@@ -66,10 +67,12 @@ async function readEntries(models, options, shot, limits, context) {
     return lines.map((line) => ({ ...line, source: line.model, shot: { ...shot, ...line.shot } }));
   }
   const found = await findModels(models, options);
-  return Promise.all(found.map(async ({ model, folder }) => {
-    const source = model === '-' ? await readAll(context.stdin, maxFileBytes(limits), context.signal) : model;
-    return { model, folder, source, shot };
-  }));
+  return Promise.all(
+    found.map(async ({ model, folder }) => {
+      const source = model === '-' ? await readAll(context.stdin, maxFileBytes(limits), context.signal) : model;
+      return { model, folder, source, shot };
+    }),
+  );
 }
 
 async function checkSheet(sheet, jobs, outputs) {
@@ -105,7 +108,8 @@ async function writeSheet(results, { contactSheet: file, views }, { limits, sign
 }
 
 const resultJson = ({ job, file, unchanged, key, bytes, info, error }, crossed) => ({
-  model: job.model, ok: error === undefined,
+  model: job.model,
+  ok: error === undefined,
   ...(crossed && { variant: job.variant, view: job.view }),
   ...(error ? { error } : { output: file }),
   ...(unchanged && { unchanged, key }),
@@ -134,7 +138,11 @@ function tellFaults(results, console) {
     if (!said.has(text)) say();
     said.add(text);
   };
-  for (const { job: { model, where }, error, info } of results) {
+  for (const {
+    job: { model, where },
+    error,
+    info,
+  } of results) {
     const about = where === undefined ? model : `${where}: ${model}`;
     if (error) once(`${about} ${error.code} ${error.message}`, () => console.error(error, about));
     for (const warning of info?.warnings ?? []) once(`${model} ${JSON.stringify(warning)}`, () => console.warning(warning, about));

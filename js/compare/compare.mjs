@@ -143,8 +143,11 @@ function figuresOf([expected, actual], maps, regions, belongs, width) {
     rmse: Math.sqrt(mean(valuesOf(maps.squared))),
     rmseLinear: Math.sqrt(mean(valuesOf(maps.squaredLinear))),
     flip: {
-      mean: mean(flip), weightedMedian: weightedPercentile(flip, 0.5),
-      weightedQuartile1: weightedPercentile(flip, 0.25), weightedQuartile3: weightedPercentile(flip, 0.75), max: flip.at(-1),
+      mean: mean(flip),
+      weightedMedian: weightedPercentile(flip, 0.5),
+      weightedQuartile1: weightedPercentile(flip, 0.25),
+      weightedQuartile3: weightedPercentile(flip, 0.75),
+      max: flip.at(-1),
     },
     deltaE: { mean: mean(deltaE), p95: percentile(deltaE, 0.95), max: deltaE.at(-1) },
   };

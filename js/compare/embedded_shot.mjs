@@ -36,7 +36,7 @@ const corrupt = (message) => new TelarError('E_IMAGE_CORRUPT', `${message}; save
 /** Chunks of a PNG: [{type, start, end, data}], `start` to `end` being the whole chunk. */
 function* chunks(png) {
   const view = new DataView(png.buffer, png.byteOffset, png.byteLength);
-  for (let start = SIGNATURE.length; start < png.length;) {
+  for (let start = SIGNATURE.length; start < png.length; ) {
     const length = start + CHUNK_OVERHEAD <= png.length ? view.getUint32(start) : Infinity;
     const end = start + CHUNK_OVERHEAD + length;
     if (end > png.length) throw corrupt('the PNG ends within a chunk');

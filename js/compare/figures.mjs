@@ -4,8 +4,16 @@ export const number = (value) => (value === null ? 'none' : String(Number(value.
 
 const UNITS = { max: '/255', p999: '/255', mean: '/255' };
 const NAMES = {
-  max: 'max', p999: 'p99.9', mean: 'mean', rmse: 'RMSE', rmseLinear: 'RMSE linear', 'flip.mean': 'FLIP mean', 'flip.max': 'FLIP max',
-  'deltaE.mean': 'CIEDE2000 mean', 'deltaE.p95': 'CIEDE2000 p95', 'deltaE.max': 'CIEDE2000 max',
+  max: 'max',
+  p999: 'p99.9',
+  mean: 'mean',
+  rmse: 'RMSE',
+  rmseLinear: 'RMSE linear',
+  'flip.mean': 'FLIP mean',
+  'flip.max': 'FLIP max',
+  'deltaE.mean': 'CIEDE2000 mean',
+  'deltaE.p95': 'CIEDE2000 p95',
+  'deltaE.max': 'CIEDE2000 max',
 };
 
 /** "interior max" */
@@ -25,7 +33,12 @@ export function checkText({ figure, limit, value }) {
  */
 export function textTable(rows, left) {
   const widths = rows[0].map((_, column) => Math.max(...rows.map((row) => row[column].length)));
-  return rows.map((row) => row.map((cell, i) => (left.includes(i) ? cell.padEnd(widths[i]) : cell.padStart(widths[i]))).join('  ').trimEnd());
+  return rows.map((row) =>
+    row
+      .map((cell, i) => (left.includes(i) ? cell.padEnd(widths[i]) : cell.padStart(widths[i])))
+      .join('  ')
+      .trimEnd(),
+  );
 }
 
 export const COLUMNS = ['pixels', 'max', 'p99.9', 'RMSE', 'RMSE linear', 'FLIP mean', 'FLIP median', 'dE00 mean', 'dE00 p95'];
@@ -38,7 +51,11 @@ export function regionRows(comparison) {
   return ['frame', 'object', 'interior', 'edge'].map((name) => {
     const f = comparison[name];
     if (!f) return [name, '0', ...COLUMNS.slice(1).map(() => '')];
-    return [name, ...[f.pixels, f.max, f.p999, f.rmse, f.rmseLinear, f.flip.mean, f.flip.weightedMedian, f.deltaE.mean, f.deltaE.p95]
-      .map((value, i) => (i === 0 ? String(value) : number(value)))];
+    return [
+      name,
+      ...[f.pixels, f.max, f.p999, f.rmse, f.rmseLinear, f.flip.mean, f.flip.weightedMedian, f.deltaE.mean, f.deltaE.p95].map((value, i) =>
+        i === 0 ? String(value) : number(value),
+      ),
+    ];
   });
 }

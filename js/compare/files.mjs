@@ -24,8 +24,9 @@ export async function readFileBytes(file, { limits = {}, signal } = {}) {
     try {
       const { size } = await handle.stat();
       if (size <= maxBytes) return await handle.readFile({ signal });
-      throw new TelarError('L_FILE_BYTES', `the file has ${size} bytes, more than the limit of ${maxBytes}`,
-        { limit: { name: 'L_FILE_BYTES', max: maxBytes, actual: size } });
+      throw new TelarError('L_FILE_BYTES', `the file has ${size} bytes, more than the limit of ${maxBytes}`, {
+        limit: { name: 'L_FILE_BYTES', max: maxBytes, actual: size },
+      });
     } finally {
       await handle.close();
     }

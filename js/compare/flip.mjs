@@ -11,7 +11,14 @@ import { convolve, kernel, total } from './convolve.mjs';
 export const PIXELS_PER_DEGREE = 67;
 
 /** Contrast sensitivity of each opponent channel: a sum of Gaussians [a, b] over degrees. */
-const SENSITIVITY = { achromatic: [[1, 0.0047]], redGreen: [[1, 0.0053]], blueYellow: [[34.1, 0.04], [13.5, 0.025]] };
+const SENSITIVITY = {
+  achromatic: [[1, 0.0047]],
+  redGreen: [[1, 0.0053]],
+  blueYellow: [
+    [34.1, 0.04],
+    [13.5, 0.025],
+  ],
+};
 const WIDEST = 0.04;
 /** Width of a feature in degrees. */
 const FEATURE_DEGREES = 0.082;

@@ -47,15 +47,16 @@ export function limitNamed(name) {
 function checksOf(gate, limits) {
   const own = Object.entries(limits).map(([name, limit]) => {
     const found = limitNamed(name);
-    if (!found) throw new TelarError('E_OPTION', `limits.${name}: expected a region (${REGIONS.join(', ')}) and a figure (${FIGURES.join(', ')}), as in object.flip.mean`);
+    if (!found)
+      throw new TelarError(
+        'E_OPTION',
+        `limits.${name}: expected a region (${REGIONS.join(', ')}) and a figure (${FIGURES.join(', ')}), as in object.flip.mean`,
+      );
     if (!(limit >= 0 && Number.isFinite(limit))) throw new TelarError('E_OPTION', `limits.${name}: expected a number of at least 0, got ${shown(limit)}`);
     return { ...found, limit };
   });
   const same = (a) => (b) => a.region === b.region && a.figure === b.figure;
-  return [
-    ...GATES[gate].map((check) => ({ ...check, ...own.find(same(check)) })),
-    ...own.filter((check) => !GATES[gate].some(same(check))),
-  ];
+  return [...GATES[gate].map((check) => ({ ...check, ...own.find(same(check)) })), ...own.filter((check) => !GATES[gate].some(same(check)))];
 }
 
 /**

@@ -1,5 +1,11 @@
 /** Colours of no error to the largest, ever lighter, so that the picture reads in grey too (as matplotlib's magma). */
-const RAMP = [[0, 0, 4], [81, 18, 124], [183, 55, 121], [252, 137, 97], [252, 253, 191]];
+const RAMP = [
+  [0, 0, 4],
+  [81, 18, 124],
+  [183, 55, 121],
+  [252, 137, 97],
+  [252, 253, 191],
+];
 
 /**
  * FLIP of each pixel as a picture.

@@ -49,7 +49,10 @@ function backgroundHint({ expected, actual }, before) {
 }
 
 function premultipliedHint({ expected, actual }, before) {
-  for (const [side, pixels, other] of [['actual', actual, expected], ['expected', expected, actual]]) {
+  for (const [side, pixels, other] of [
+    ['actual', actual, expected],
+    ['expected', expected, actual],
+  ]) {
     if (meanDifference(premultiply(other), pixels) > REST * before) continue;
     return { cause: 'premultiplied', message: `the colours of the ${side} picture are multiplied by its alpha: save it with straight alpha, as PNG has it` };
   }

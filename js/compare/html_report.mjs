@@ -9,7 +9,11 @@ img{max-width:100%;image-rendering:pixelated;background:repeating-conic-gradient
 table{border-collapse:collapse;margin:1rem 0;font-variant-numeric:tabular-nums}th,td{padding:.25rem .8rem .25rem 0;text-align:right;border-bottom:1px solid #e3e0dc}
 th:first-child{text-align:left}thead th{color:#6b6762;font-weight:500}section{border-top:1px solid #e3e0dc;padding-top:1.2rem;margin:1.2rem 0 1.8rem}ul{padding-left:1.2rem}.over{color:#b00020;font-weight:600}.hint{color:#6b4e00}`;
 
-export const row = (cells) => `<tr><th scope="row">${escaped(cells[0])}</th>${cells.slice(1).map((cell) => `<td>${escaped(cell)}</td>`).join('')}</tr>`;
+export const row = (cells) =>
+  `<tr><th scope="row">${escaped(cells[0])}</th>${cells
+    .slice(1)
+    .map((cell) => `<td>${escaped(cell)}</td>`)
+    .join('')}</tr>`;
 
 export const picture = ({ file, title }) => `<figure><img src="${escaped(file)}" alt="${escaped(title)}"><figcaption>${escaped(title)}</figcaption></figure>`;
 
@@ -20,7 +24,9 @@ export const check = (item) =>
 export const hintList = (hints) => (hints.length > 0 ? `<p class="hint">${hints.map(({ message }) => `Hint: ${escaped(message)}.`).join(' ')}</p>` : '');
 
 /** Figures of every region. */
-export const figuresTable = (comparison) => `<table><thead><tr><th scope="col">region</th>${COLUMNS.map((name) => `<th scope="col">${name}</th>`).join('')}</tr></thead>
+export const figuresTable = (
+  comparison,
+) => `<table><thead><tr><th scope="col">region</th>${COLUMNS.map((name) => `<th scope="col">${name}</th>`).join('')}</tr></thead>
 <tbody>${regionRows(comparison).map(row).join('\n')}</tbody></table>
 <p>${comparison.width} x ${comparison.height} pixels, SSIM ${number(comparison.ssim)}. max and p99.9 in 1/255.</p>`;
 
@@ -44,9 +50,12 @@ export const CAPTIONS = { expected: 'Expected', actual: 'Actual', heatMap: 'FLIP
 export function htmlReport(comparison, verdict, { expected, actual, heatMap, title = 'Comparison', hints = [] }) {
   const heading = `${title}: ${verdict.pass ? 'within' : 'over'} the gate "${verdict.gate}"`;
   const pictures = Object.entries({ expected, actual, heatMap }).map(([kind, file]) => ({ file, title: CAPTIONS[kind] }));
-  return page(heading, `<h1>${escaped(heading)}</h1>
+  return page(
+    heading,
+    `<h1>${escaped(heading)}</h1>
 <ul>${verdict.checks.map(check).join('\n')}</ul>
 ${hintList(hints)}
 ${pictures.map(picture).join('\n')}
-${figuresTable(comparison)}`);
+${figuresTable(comparison)}`,
+  );
 }

@@ -15,8 +15,12 @@ const isSide = (value) => Number.isSafeInteger(value) && value >= 1;
 export function checkImage(name, image) {
   const { width, height, data } = image ?? {};
   if (isSide(width) && isSide(height) && isBytes(data) && data.length === width * height * 4) return;
-  throw new TelarError('E_OPTION', `${name}: expected {width, height, data} with width * height * 4 bytes of RGBA, got ${
-    isBytes(data) ? `${shown(width)} x ${shown(height)} with ${data.length} bytes` : shown(image)}`);
+  throw new TelarError(
+    'E_OPTION',
+    `${name}: expected {width, height, data} with width * height * 4 bytes of RGBA, got ${
+      isBytes(data) ? `${shown(width)} x ${shown(height)} with ${data.length} bytes` : shown(image)
+    }`,
+  );
 }
 
 /**
@@ -28,8 +32,10 @@ export function checkPair(expected, actual) {
   checkImage('expected', expected);
   checkImage('actual', actual);
   if (expected.width === actual.width && expected.height === actual.height) return;
-  throw new TelarError('E_IMAGE_SIZE', `the images differ in size: ${expected.width}x${expected.height} expected, ${
-    actual.width}x${actual.height} given; draw both at one size`);
+  throw new TelarError(
+    'E_IMAGE_SIZE',
+    `the images differ in size: ${expected.width}x${expected.height} expected, ${actual.width}x${actual.height} given; draw both at one size`,
+  );
 }
 
 /** Straight to premultiplied alpha of one channel, 8 bit, rounded. */

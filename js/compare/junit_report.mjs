@@ -19,7 +19,15 @@ function suite({ name, verdict: { gate, checks }, hints = [], status }) {
   // What was accepted is no failure any more.
   const shown = status === 'updated' ? checks.map((item) => ({ ...item, pass: true })) : checks;
   return `  <testsuite name="${escaped(`${name} (${gate})`)}" tests="${shown.length}" failures="${shown.filter(({ pass }) => !pass).length}">
-${shown.map((item) => testcase(name, item, hints.map(({ message }) => message))).join('\n')}
+${shown
+  .map((item) =>
+    testcase(
+      name,
+      item,
+      hints.map(({ message }) => message),
+    ),
+  )
+  .join('\n')}
   </testsuite>`;
 }
 

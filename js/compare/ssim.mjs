@@ -12,8 +12,8 @@ const unscaled = kernel((SIZE - 1) / 2, (x) => Math.exp(-(x * x) / (2 * SIGMA * 
 const WEIGHTS = unscaled.map((weight) => weight / total(unscaled));
 
 /** Luma of Rec.601, 0..255. */
-const lumaOf = (pixels) => Float64Array.from({ length: pixels.length / 4 }, (_, p) =>
-  0.299 * pixels[p * 4] + 0.587 * pixels[p * 4 + 1] + 0.114 * pixels[p * 4 + 2]);
+const lumaOf = (pixels) =>
+  Float64Array.from({ length: pixels.length / 4 }, (_, p) => 0.299 * pixels[p * 4] + 0.587 * pixels[p * 4 + 1] + 0.114 * pixels[p * 4 + 2]);
 
 /** Weighted mean of f over each window that lies whole within the picture. */
 function windowMeans(width, height, f) {

@@ -51,7 +51,10 @@ export class TelarError extends Error {
   toJSON() {
     const { code, kind, message, retryable, pointer, offset, limit, index } = this;
     return {
-      code, kind, message, retryable,
+      code,
+      kind,
+      message,
+      retryable,
       ...(pointer !== undefined && { pointer }),
       ...(offset !== undefined && { offset }),
       ...(limit !== undefined && { limit }),

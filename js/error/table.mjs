@@ -61,7 +61,10 @@ const ROWS = {
     E_SKIN: ['A skin is inconsistent', FIX_FILE],
     E_NO_GEOMETRY: ['The scene has nothing to draw', 'Check that the exported scene holds the garment.'],
     E_EXTENT: ['The model, or its part that is framed, is too small to be drawn', 'glTF is in metres: check the unit and the scale of the export.'],
-    E_IMAGE_FORMAT: ['A texture is not PNG, JPEG, WebP or KTX2, or is KTX2 of a kind that is not drawn', 'Export textures as PNG, JPEG, WebP, or KTX2 in ETC1S, UASTC or RGBA8.'],
+    E_IMAGE_FORMAT: [
+      'A texture is not PNG, JPEG, WebP or KTX2, or is KTX2 of a kind that is not drawn',
+      'Export textures as PNG, JPEG, WebP, or KTX2 in ETC1S, UASTC or RGBA8.',
+    ],
     E_IMAGE_CORRUPT: ['A texture is damaged or cut', 'Export the texture again.'],
     E_IMAGE_SIZE: ['Two images to compare differ in size', 'Draw both at one size.'],
     E_DRACO: ['Draco data is damaged or contradicts its accessors', FIX_FILE],
@@ -78,7 +81,7 @@ const ROWS = {
     E_WARNING: ['The model or the shot gives a warning, and `failOn` is "warning"', 'The message holds the warning, whose code has a row of its own.'],
   },
   denied: {
-    E_URI_DENIED: ['A URI leads out of the model\'s folder, or there is no folder', 'Embed the file, or put it beneath the model.'],
+    E_URI_DENIED: ["A URI leads out of the model's folder, or there is no folder", 'Embed the file, or put it beneath the model.'],
   },
   unsupported: {
     E_EXT_REQUIRED: ['The model requires a glTF extension that telar does not have', 'Export without that extension.'],
@@ -111,10 +114,16 @@ const ROWS = {
     L_OUTPUT_SIZE: ['The image is wider or higher than this GL can draw', 'Ask for a smaller size, or use another backend.'],
     L_LIGHTS: ['Too many lights', RAISE],
     L_SHADOW_TEXELS: ['The shadow maps are too large together', 'Let fewer lights cast shadows, or give them a smaller shadow.mapSize.'],
-    L_TEXTURE_UNITS: ['A material has too many textures for the lights that cast shadows', 'Let fewer lights cast shadows: each takes one of the 16 textures of a WebGL 2 program.'],
+    L_TEXTURE_UNITS: [
+      'A material has too many textures for the lights that cast shadows',
+      'Let fewer lights cast shadows: each takes one of the 16 textures of a WebGL 2 program.',
+    ],
     L_ENVIRONMENT_PIXELS: ['The environment has too many pixels', RAISE],
     L_PROGRAMS: ['The scene needs too many shader programs', RAISE],
-    L_FRAGMENTS: ['Too much is drawn over one another', 'Reduce what the model stacks, or the size of the picture; or raise this limit for files that you trust.'],
+    L_FRAGMENTS: [
+      'Too much is drawn over one another',
+      'Reduce what the model stacks, or the size of the picture; or raise this limit for files that you trust.',
+    ],
     L_INSTANCES: ['Too many instances', RAISE],
     L_KEYFRAME_VALUES: ['The animations have too many keyframes', RAISE],
     L_MORPH_TARGETS: ['Too many morph targets', RAISE],
@@ -140,7 +149,7 @@ const ROWS = {
     X_NATIVE_MISSING: ['The native part of telar is not built or does not load', 'Run `npm run build`; see the message.'],
     X_PORT: ['The port of a local page is taken', 'Name another one, or none to get a free one.'],
     X_INSTALL: ['A file of telar itself is missing', 'Install telar again.'],
-    X_RESOLVE: ['The option `resolve` of the caller failed', 'See the error\'s cause.', { retryable: true }],
+    X_RESOLVE: ['The option `resolve` of the caller failed', "See the error's cause.", { retryable: true }],
     X_REFERENCE: ['The path tracer does not start on this machine', 'Report it with the message and the output of `telar doctor --json`.'],
     X_LIBRARY_MISSING: ['A library that this job needs is not installed', 'Install the package that the message names.'],
   },
@@ -150,15 +159,24 @@ const ROWS = {
   },
   warning: {
     W_ANIMATION: ['A channel of an animation moves nothing that is drawn', 'The other channels of the animation are played.'],
-    W_EMPTY: ['The picture shows next to nothing of the model: less than 0.1 % of its pixels', 'Let a view frame the model (leave out the camera), and check the opacity of its materials.'],
-    W_EXPOSURE: ['More than half of the model is black, white or saturated in the picture', 'Change the exposure, the lights or the environment. Unlit materials of pure colours are meant so.'],
+    W_EMPTY: [
+      'The picture shows next to nothing of the model: less than 0.1 % of its pixels',
+      'Let a view frame the model (leave out the camera), and check the opacity of its materials.',
+    ],
+    W_EXPOSURE: [
+      'More than half of the model is black, white or saturated in the picture',
+      'Change the exposure, the lights or the environment. Unlit materials of pure colours are meant so.',
+    ],
     W_ENUM: ['An unknown enumeration value was replaced by its default', FIX_FILE],
     W_CAMERA: ['A camera is malformed and was left out', FIX_FILE],
-    W_ENVIRONMENT_RANGE: ['Texels of the environment are brighter than a half float can be, and are cut as three.js cuts them', 'Use another shading than "three", whose suns keep their light, or limit the map to 65504 for both sides.'],
+    W_ENVIRONMENT_RANGE: [
+      'Texels of the environment are brighter than a half float can be, and are cut as three.js cuts them',
+      'Use another shading than "three", whose suns keep their light, or limit the map to 65504 for both sides.',
+    ],
     W_LENS: ['The depth of field of the lens is not drawn', 'Ask for quality "reference", or leave out lens.focusDistance.'],
     W_LIGHT: ['A light is malformed and was left out', FIX_FILE],
     W_GEOMETRY: ['A primitive has nothing to draw and was left out', FIX_FILE],
-    W_SCALE: ['A node\'s scale is zero or not finite, so its mesh is not drawn', FIX_FILE],
+    W_SCALE: ["A node's scale is zero or not finite, so its mesh is not drawn", FIX_FILE],
     W_EXT: ['The lists of extensions contradict each other', FIX_FILE],
     W_EXT_REQUIRED: ['A required extension is not drawn, as `failOn` is "none"', 'The picture is what readers without this extension show.'],
     W_EXT_IGNORED: ['An optional extension is not drawn', 'The picture lacks what this extension adds.'],
@@ -189,9 +207,13 @@ const ROWS = {
  */
 
 /** @type {Readonly<Record<string, Readonly<ErrorRow>>>} */
-export const TABLE = Object.freeze(Object.fromEntries(Object.entries(ROWS).flatMap(([kind, rows]) =>
-  Object.entries(rows).map(([code, [meaning, cure, differences]]) =>
-    [code, Object.freeze({ kind, ...KINDS[kind], ...differences, meaning, cure })]))));
+export const TABLE = Object.freeze(
+  Object.fromEntries(
+    Object.entries(ROWS).flatMap(([kind, rows]) =>
+      Object.entries(rows).map(([code, [meaning, cure, differences]]) => [code, Object.freeze({ kind, ...KINDS[kind], ...differences, meaning, cure })]),
+    ),
+  ),
+);
 
 /**
  * Exit code of a run over many models: the highest of theirs, so that the most serious class is told

@@ -103,7 +103,10 @@ export async function runKept(command, args, { log, env = {}, cure, printed: tel
 function excerpt(text) {
   const lines = text.trimEnd().split('\n');
   const tail = lines.slice(-LOG_TAIL_LINES);
-  const errors = lines.slice(0, -LOG_TAIL_LINES).filter((line) => /\berror\b/i.test(line)).slice(0, LOG_ERROR_LINES);
+  const errors = lines
+    .slice(0, -LOG_TAIL_LINES)
+    .filter((line) => /\berror\b/i.test(line))
+    .slice(0, LOG_ERROR_LINES);
   return [...errors, ...(errors.length ? ['...'] : []), ...tail].map((line) => `  | ${line}`).join('\n');
 }
 

@@ -91,19 +91,28 @@ export const inputName = ({ input, key, name }) => (input === undefined ? (name 
 
 /** @returns {Texture[]} Of a layer, in the order in which they are bound. */
 export const texturesOf = ({ rows, derived = [], texel, normal }) =>
-  [...rows.map((row) => row.texture && { three: row.three, ...row.texture }), ...derived.map(({ range }) => range), texel, normal && { channels: 'rgb', isNormal: true, ...normal }].filter(Boolean);
+  [
+    ...rows.map((row) => row.texture && { three: row.three, ...row.texture }),
+    ...derived.map(({ range }) => range),
+    texel,
+    normal && { channels: 'rgb', isNormal: true, ...normal },
+  ].filter(Boolean);
 
 /** One set of yarns. */
 const yarn = (within) => [
-  { key: 'coverage', default: 0.5, within }, { key: 'roughnessFactor', default: 0.5, within }, { key: 'anisotropyStrength', within },
+  { key: 'coverage', default: 0.5, within },
+  { key: 'roughnessFactor', default: 0.5, within },
+  { key: 'anisotropyStrength', within },
   { key: 'specularColorFactor', type: 'vec3', default: 1, within },
 ];
 
 /** Textures of metallic-roughness: their factors are the material's own fields. @type {Texture[]} */
 export const CORE_TEXTURES = [
   { ...colour('baseColorTexture'), channels: 'rgba', three: '' },
-  texture('metallicRoughnessTexture', 'gb', { three: 'roughness' }), texture('normalTexture', 'rgb', { three: 'normal' }),
-  texture('occlusionTexture', 'r', { three: 'ao' }), { ...colour('emissiveTexture'), three: 'emissive' },
+  texture('metallicRoughnessTexture', 'gb', { three: 'roughness' }),
+  texture('normalTexture', 'rgb', { three: 'normal' }),
+  texture('occlusionTexture', 'r', { three: 'ao' }),
+  { ...colour('emissiveTexture'), three: 'emissive' },
 ];
 
 /** What makes a material physical for GLTFLoader and is not drawn: only whether it is there is read. */
@@ -112,7 +121,11 @@ export const NOT_DRAWN = [];
 /** In the order in which features are told and textures are bound. @type {Layer[]} */
 export const LAYERS = [
   {
-    name: 'specular', extension: 'KHR_materials_specular', member: 'layers', three: 'USE_SPECULAR', keepsTextures: true,
+    name: 'specular',
+    extension: 'KHR_materials_specular',
+    member: 'layers',
+    three: 'USE_SPECULAR',
+    keepsTextures: true,
     when: 'l.ior != 1.5f || l.specularFactor != 1 || l.specularColorFactor != glm::vec3(1) || l.specularTexture || l.specularColorTexture',
     rows: [
       { key: 'ior', kind: 'ior', default: 1.5, min: 1, max: IOR_MAX, extension: 'KHR_materials_ior', declaredIf: 'SPECULAR || TRANSMISSION', three: 'ior' },
@@ -121,13 +134,21 @@ export const LAYERS = [
     ],
   },
   {
-    name: 'bump', extension: 'EXT_materials_bump', member: 'layers', three: 'USE_BUMPMAP', keepsTextures: true,
+    name: 'bump',
+    extension: 'EXT_materials_bump',
+    member: 'layers',
+    three: 'USE_BUMPMAP',
+    keepsTextures: true,
     when: 'l.bumpFactor != 0 && l.bumpTexture && !m.normalTexture',
     rows: [{ key: 'bumpFactor', default: 1, min: -BUMP_MAX, max: BUMP_MAX, unit: 'of heights against the width of a pixel', three: 'bumpScale' }],
     texel: { ...texture('bumpTexture', 'r', { three: 'bump', unit: 'R height' }), asked: true, input: null },
   },
   {
-    name: 'clearcoat', extension: 'KHR_materials_clearcoat', member: 'layers', three: 'USE_CLEARCOAT', when: 'l.clearcoatFactor > 0',
+    name: 'clearcoat',
+    extension: 'KHR_materials_clearcoat',
+    member: 'layers',
+    three: 'USE_CLEARCOAT',
+    when: 'l.clearcoatFactor > 0',
     rows: [
       { key: 'clearcoatFactor', texture: texture('clearcoatTexture', 'r'), three: 'clearcoat' },
       { key: 'clearcoatRoughnessFactor', unit: 'perceptual', texture: texture('clearcoatRoughnessTexture', 'g'), three: 'clearcoatRoughness' },
@@ -135,52 +156,87 @@ export const LAYERS = [
     normal: { key: 'clearcoatNormalTexture', scale: 'clearcoatNormalScale', three: 'clearcoatNormal' },
   },
   {
-    name: 'sheen', extension: 'KHR_materials_sheen', member: 'layers', three: 'USE_SHEEN', keepsTextures: true, when: 'l.sheenColorFactor != glm::vec3(0)',
+    name: 'sheen',
+    extension: 'KHR_materials_sheen',
+    member: 'layers',
+    three: 'USE_SHEEN',
+    keepsTextures: true,
+    when: 'l.sheenColorFactor != glm::vec3(0)',
     rows: [
       { key: 'sheenColorFactor', type: 'vec3', texture: colour('sheenColorTexture'), three: 'sheenColor' },
       { key: 'sheenRoughnessFactor', unit: 'perceptual', texture: texture('sheenRoughnessTexture', 'a'), three: 'sheenRoughness' },
     ],
   },
   {
-    name: 'anisotropy', extension: 'KHR_materials_anisotropy', member: 'layers', three: 'USE_ANISOTROPY', when: 'l.anisotropyStrength > 0',
+    name: 'anisotropy',
+    extension: 'KHR_materials_anisotropy',
+    member: 'layers',
+    three: 'USE_ANISOTROPY',
+    when: 'l.anisotropyStrength > 0',
     rows: [
       { key: 'anisotropyStrength', input: null },
       { key: 'anisotropyRotation', kind: 'angle', unit: 'radians, counter-clockwise from the tangent', input: null },
     ],
-    derived: [{
-      name: 'anisotropyVector', type: 'vec2', unit: 'strength (cos rotation, sin rotation)', three: 'anisotropyVector',
-      cpp: 'polar(l.anisotropyStrength, l.anisotropyRotation)',
-    }],
+    derived: [
+      {
+        name: 'anisotropyVector',
+        type: 'vec2',
+        unit: 'strength (cos rotation, sin rotation)',
+        three: 'anisotropyVector',
+        cpp: 'polar(l.anisotropyStrength, l.anisotropyRotation)',
+      },
+    ],
     texel: { ...texture('anisotropyTexture', 'rgb'), unit: 'RG direction, B strength', type: 'vec3', neutral: [0.5, 0.5, 1], three: 'anisotropy' },
   },
   {
-    name: 'iridescence', extension: 'KHR_materials_iridescence', member: 'layers', three: 'USE_IRIDESCENCE', when: 'l.iridescenceFactor > 0',
+    name: 'iridescence',
+    extension: 'KHR_materials_iridescence',
+    member: 'layers',
+    three: 'USE_IRIDESCENCE',
+    when: 'l.iridescenceFactor > 0',
     rows: [
       { key: 'iridescenceFactor', texture: texture('iridescenceTexture', 'r'), three: 'iridescence' },
       { key: 'iridescenceIor', default: 1.3, min: 1, max: IOR_MAX, three: 'iridescenceIOR' },
       { key: 'iridescenceThicknessMinimum', default: 100, max: THICKNESS_MAX, unit: 'nanometres', input: null },
       { key: 'iridescenceThicknessMaximum', default: 400, max: THICKNESS_MAX, unit: 'nanometres', input: null },
     ],
-    derived: [{
-      name: 'iridescenceThickness', type: 'vec2', unit: 'least, most, nanometres', range: texture('iridescenceThicknessTexture', 'g', { three: 'iridescenceThickness' }),
-      cpp: 'glm::vec2(l.iridescenceThicknessMinimum, l.iridescenceThicknessMaximum)',
-      three: 'vec2(iridescenceThicknessMinimum, iridescenceThicknessMaximum)',
-    }],
+    derived: [
+      {
+        name: 'iridescenceThickness',
+        type: 'vec2',
+        unit: 'least, most, nanometres',
+        range: texture('iridescenceThicknessTexture', 'g', { three: 'iridescenceThickness' }),
+        cpp: 'glm::vec2(l.iridescenceThicknessMinimum, l.iridescenceThicknessMaximum)',
+        three: 'vec2(iridescenceThicknessMinimum, iridescenceThicknessMaximum)',
+      },
+    ],
   },
   {
-    name: 'diffuseRoughness', extension: 'KHR_materials_diffuse_roughness', member: 'layers', three: 'USE_DIFFUSE_ROUGHNESS', when: 'l.diffuseRoughnessFactor > 0',
+    name: 'diffuseRoughness',
+    extension: 'KHR_materials_diffuse_roughness',
+    member: 'layers',
+    three: 'USE_DIFFUSE_ROUGHNESS',
+    when: 'l.diffuseRoughnessFactor > 0',
     rows: [{ key: 'diffuseRoughnessFactor', texture: texture('diffuseRoughnessTexture', 'r'), three: 'diffuseRoughness' }],
   },
   {
-    name: 'transmission', extension: 'KHR_materials_transmission', member: 'layers', when: 'l.transmissionFactor > 0',
+    name: 'transmission',
+    extension: 'KHR_materials_transmission',
+    member: 'layers',
+    when: 'l.transmissionFactor > 0',
     rows: [{ key: 'transmissionFactor', texture: texture('transmissionTexture', 'r'), input: null }],
   },
   {
-    name: 'volume', extension: 'KHR_materials_volume', member: 'layers', when: 'l.transmissionFactor > 0 && l.thicknessFactor > 0',
+    name: 'volume',
+    extension: 'KHR_materials_volume',
+    member: 'layers',
+    when: 'l.transmissionFactor > 0 && l.thicknessFactor > 0',
     rows: [{ key: 'thicknessFactor', max: VOLUME_MAX, unit: 'mesh units', texture: texture('thicknessTexture', 'g'), input: null }],
   },
   {
-    name: 'attenuation', extension: 'KHR_materials_volume', member: 'layers',
+    name: 'attenuation',
+    extension: 'KHR_materials_volume',
+    member: 'layers',
     when: 'l.transmissionFactor > 0 && l.thicknessFactor > 0 && std::isfinite(l.attenuationDistance) && l.attenuationColor != glm::vec3(1)',
     rows: [
       { key: 'attenuationDistance', kind: 'distance', min: 1 / VOLUME_MAX, max: VOLUME_MAX, unit: 'metres', input: null },
@@ -188,11 +244,18 @@ export const LAYERS = [
     ],
   },
   {
-    name: 'dispersion', extension: 'KHR_materials_dispersion', member: 'layers', when: 'l.transmissionFactor > 0 && l.dispersion > 0 && l.ior != 1',
+    name: 'dispersion',
+    extension: 'KHR_materials_dispersion',
+    member: 'layers',
+    when: 'l.transmissionFactor > 0 && l.dispersion > 0 && l.ior != 1',
     rows: [{ key: 'dispersion', max: DISPERSION_MAX, unit: '20 / Abbe number', input: null }],
   },
   {
-    name: 'diffuseTransmission', extension: 'KHR_materials_diffuse_transmission', member: 'fabric', shadings: ['fabric', 'principled'], physical: false,
+    name: 'diffuseTransmission',
+    extension: 'KHR_materials_diffuse_transmission',
+    member: 'fabric',
+    shadings: ['fabric', 'principled'],
+    physical: false,
     when: 'l.diffuseTransmissionFactor > 0',
     rows: [
       { key: 'diffuseTransmissionFactor', texture: texture('diffuseTransmissionTexture', 'a') },
@@ -200,16 +263,40 @@ export const LAYERS = [
     ],
   },
   {
-    name: 'flatness', extension: FABRIC, member: 'fabric', shadings: ['fabric', 'principled'], physical: false, when: 'l.flatness > 0',
-    rows: [{ key: 'preset', type: 'name' }, { key: 'flatness', unit: 'from Lambert\'s diffuse to that of a thin scattering sheet' }],
+    name: 'flatness',
+    extension: FABRIC,
+    member: 'fabric',
+    shadings: ['fabric', 'principled'],
+    physical: false,
+    when: 'l.flatness > 0',
+    rows: [
+      { key: 'preset', type: 'name' },
+      { key: 'flatness', unit: "from Lambert's diffuse to that of a thin scattering sheet" },
+    ],
   },
   {
-    name: 'weave', extension: FABRIC, member: 'fabric', shadings: ['fabric'], physical: false, when: 'l.weave',
+    name: 'weave',
+    extension: FABRIC,
+    member: 'fabric',
+    shadings: ['fabric'],
+    physical: false,
+    when: 'l.weave',
     rows: [{ key: 'threadsPerUv', type: 'vec2', max: THREADS_MAX, within: 'weave' }, ...yarn('weave/warp'), ...yarn('weave/weft')],
     derived: [
       { name: 'yarnCoverage', type: 'vec2', unit: 'warp, weft', cpp: 'glm::vec2(l.warp.coverage, l.weft.coverage)' },
-      { name: 'yarnRoughness', type: 'vec2', unit: 'perceptual, along the yarn', cpp: 'glm::vec2(l.warp.roughness, l.weft.roughness)', times: 'metallicRoughness.g' },
-      { name: 'yarnAnisotropy', type: 'vec2', unit: 'across it: alpha = mix(roughness^2, 1, anisotropy^2)', cpp: 'glm::vec2(l.warp.anisotropy, l.weft.anisotropy)' },
+      {
+        name: 'yarnRoughness',
+        type: 'vec2',
+        unit: 'perceptual, along the yarn',
+        cpp: 'glm::vec2(l.warp.roughness, l.weft.roughness)',
+        times: 'metallicRoughness.g',
+      },
+      {
+        name: 'yarnAnisotropy',
+        type: 'vec2',
+        unit: 'across it: alpha = mix(roughness^2, 1, anisotropy^2)',
+        cpp: 'glm::vec2(l.warp.anisotropy, l.weft.anisotropy)',
+      },
       { name: 'warpSpecularColor', type: 'vec3', cpp: 'l.warp.specularColor' },
       { name: 'weftSpecularColor', type: 'vec3', cpp: 'l.weft.specularColor' },
       { name: 'threadsPerUv', type: 'vec2', unit: 'yarns in one unit of vWeaveUv: warp, weft; 0 = not known', cpp: 'l.threadsPerUv', input: null },
@@ -219,8 +306,17 @@ export const LAYERS = [
     texel: { ...texture('weaveTexture', 'rgba'), within: 'weave', unit: 'RG turn of the yarn, B its slope, A 0 weft .. 1 warp', input: null },
   },
   {
-    name: 'back', extension: FABRIC, member: 'fabric', shadings: ['fabric'], physical: false, when: 'l.back', label: 'back-side',
-    rows: [{ key: 'baseColorFactor', type: 'vec3', default: 1, within: 'back' }, { key: 'roughnessFactor', within: 'back' }],
+    name: 'back',
+    extension: FABRIC,
+    member: 'fabric',
+    shadings: ['fabric'],
+    physical: false,
+    when: 'l.back',
+    label: 'back-side',
+    rows: [
+      { key: 'baseColorFactor', type: 'vec3', default: 1, within: 'back' },
+      { key: 'roughnessFactor', within: 'back' },
+    ],
     derived: [
       { name: 'backColorFactor', type: 'vec3', cpp: 'l.backColorFactor', input: null },
       { name: 'backRoughness', type: 'float', unit: 'perceptual', cpp: 'l.backRoughnessFactor', input: null },

@@ -8,7 +8,9 @@ import { main, ROOT, runShown } from '../machine/step.mjs';
 await main(async () => {
   await setUp({ groups: ['build', 'run', 'test'], presets: ['dev', 'release'] });
   const names = process.argv.slice(2);
-  const files = readdirSync(path.join(ROOT, 'test/bench')).filter((file) => file.endsWith('.mjs')).sort();
+  const files = readdirSync(path.join(ROOT, 'test/bench'))
+    .filter((file) => file.endsWith('.mjs'))
+    .sort();
   let worst = 0;
   for (const file of files.filter((name) => names.length === 0 || names.includes(path.basename(name, '.mjs')))) {
     process.stdout.write(`\n== ${file}\n`);

@@ -14,7 +14,9 @@ export function bundlesFresh() {
   const dist = path.join(JS, 'dist');
   if (!existsSync(dist)) return false;
   const times = (folder, pattern) =>
-    readdirSync(folder, { recursive: true }).filter((file) => pattern.test(file) && !NO_SOURCE.test(file)).map((file) => statSync(path.join(folder, file)).mtimeMs);
+    readdirSync(folder, { recursive: true })
+      .filter((file) => pattern.test(file) && !NO_SOURCE.test(file))
+      .map((file) => statSync(path.join(folder, file)).mtimeMs);
   const bundles = ['shading', 'types', 'zod.mjs'].every((name) => existsSync(path.join(dist, name))) ? times(dist, /\.cjs$/) : [];
   const sources = [...times(JS, /\.(mjs|d\.ts|json|css|html|svg|glsl)$/), ...times(SHADERS, /\.(glsl|frag|vert)$/)];
   return bundles.length > 0 && Math.max(...sources) <= Math.min(...bundles);

@@ -15,7 +15,10 @@ export function rootCommands(names, { root, terminal }) {
   const sudo = terminal ? ['sudo'] : ['sudo', '-n'];
   const options = ['-y', '-q', '-o', 'DPkg::Lock::Timeout=300', '-o', 'Acquire::Retries=3'];
   const apt = [...(root ? [] : sudo), 'env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get', ...options];
-  return [[...apt, 'update'], [...apt, 'install', '--no-install-recommends', ...names]];
+  return [
+    [...apt, 'update'],
+    [...apt, 'install', '--no-install-recommends', ...names],
+  ];
 }
 
 /**

@@ -12,11 +12,12 @@ import { ensureNpmPackages } from './npm_packages.mjs';
 /** Holds the commands that clang-tidy parses with. */
 const BUILD = 'out/dev';
 
-const cppFiles = () => ['addon', 'renderer', 'test'].flatMap((folder) =>
-  readdirSync(path.join(ROOT, folder), { recursive: true })
-    .filter((file) => /\.(h|cpp)$/.test(file))
-    .map((file) => path.join(folder, file)),
-);
+const cppFiles = () =>
+  ['addon', 'renderer', 'test'].flatMap((folder) =>
+    readdirSync(path.join(ROOT, folder), { recursive: true })
+      .filter((file) => /\.(h|cpp)$/.test(file))
+      .map((file) => path.join(folder, file)),
+  );
 
 const git = (...args) => execFileSync('git', args, { cwd: ROOT, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }).trim();
 
@@ -70,11 +71,15 @@ async function tidy(run) {
  */
 export async function lint(run, { fix = false } = {}) {
   const format = await run('clang-format', [...(fix ? ['-i'] : ['--dry-run', '-Werror']), ...cppFiles()]);
-  const biome = await run(process.execPath, ['node_modules/@biomejs/biome/bin/biome', 'lint', ...(fix ? ['--write'] : []), '--error-on-warnings']);
+  const biome = await run(process.execPath, ['node_modules/@biomejs/biome/bin/biome', 'check', ...(fix ? ['--write'] : []), '--error-on-warnings']);
   const [tidied, tidyText] = await tidy(run);
   return {
     status: format || biome || tidied ? 1 : 0,
-    lines: [`clang-format: ${format === 0 ? 'clean' : 'see above; npm run format'}`, `biome: ${biome === 0 ? 'clean' : 'see above'}`, `clang-tidy: ${tidyText}`],
+    lines: [
+      `clang-format: ${format === 0 ? 'clean' : 'see above; npm run format'}`,
+      `biome: ${biome === 0 ? 'clean' : 'see above; npm run format'}`,
+      `clang-tidy: ${tidyText}`,
+    ],
   };
 }
 

@@ -16,16 +16,37 @@ const HANGS_AFTER_MS = 1_800_000;
 
 /** All test files under test/, as paths from the root: node 20 takes no glob here. The longest first, so that no core waits for one at the end. */
 function testFiles() {
-  const files = readdirSync(path.join(ROOT, 'test'), { recursive: true }).filter((file) => file.endsWith('.test.mjs')).map((file) => path.join('test', file)).sort();
+  const files = readdirSync(path.join(ROOT, 'test'), { recursive: true })
+    .filter((file) => file.endsWith('.test.mjs'))
+    .map((file) => path.join('test', file))
+    .sort();
   const rank = (file) => LONGEST.indexOf(file) >>> 0;
   return files.sort((a, b) => rank(a) - rank(b));
 }
-const LONGEST = ['test/parity/faults.test.mjs', 'test/js/determinism.test.mjs', 'test/parity/parity.test.mjs', 'test/js/view/page.test.mjs', 'test/js/assets/tshirt.test.mjs', 'test/js/api/weave_energy.test.mjs'];
+const LONGEST = [
+  'test/parity/faults.test.mjs',
+  'test/js/determinism.test.mjs',
+  'test/parity/parity.test.mjs',
+  'test/js/view/page.test.mjs',
+  'test/js/assets/tshirt.test.mjs',
+  'test/js/api/weave_energy.test.mjs',
+];
 
 async function runNodeTests({ files }) {
   const log = path.join(ROOT, 'out/setup/skipped-js.log');
-  const reporters = ['--test-reporter=spec', '--test-reporter-destination=stdout', `--test-reporter=${path.join(ROOT, 'js/setup/skipped_reporter.mjs')}`, `--test-reporter-destination=${log}`];
-  const args = ['--test', `--test-concurrency=${os.availableParallelism()}`, `--test-timeout=${HANGS_AFTER_MS}`, ...reporters, ...(files.length ? files : testFiles())];
+  const reporters = [
+    '--test-reporter=spec',
+    '--test-reporter-destination=stdout',
+    `--test-reporter=${path.join(ROOT, 'js/setup/skipped_reporter.mjs')}`,
+    `--test-reporter-destination=${log}`,
+  ];
+  const args = [
+    '--test',
+    `--test-concurrency=${os.availableParallelism()}`,
+    `--test-timeout=${HANGS_AFTER_MS}`,
+    ...reporters,
+    ...(files.length ? files : testFiles()),
+  ];
   const status = await runShown(process.execPath, args, { env: { TELAR_BUILD_DIR: BUILD } });
   return { status, skipped: existsSync(log) ? readFileSync(log, 'utf8').trim().split('\n').filter(Boolean) : [] };
 }
@@ -40,11 +61,13 @@ async function runCpp({ shown }) {
 
 async function runLint({ shown }) {
   const said = [];
-  const run = shown ? runShown : async (command, args) => {
-    const { status, text } = await runKept(command, args, { log: `lint-${path.basename(command)}.log` });
-    if (status !== 0) said.push(text);
-    return status;
-  };
+  const run = shown
+    ? runShown
+    : async (command, args) => {
+        const { status, text } = await runKept(command, args, { log: `lint-${path.basename(command)}.log` });
+        if (status !== 0) said.push(text);
+        return status;
+      };
   const { status, lines } = await lint(run);
   return { status, text: said.join('\n'), lines };
 }
@@ -69,7 +92,9 @@ async function runAll(names, options) {
 function summary(results) {
   const skipped = results.flatMap((result) => result.skipped ?? []);
   return [
-    ...results.map(({ title, status, seconds, lines = [] }) => [`${title}: ${status === 0 ? 'passed' : `FAILED (exit ${status})`} in ${seconds.toFixed(0)} s`, ...lines.map((line) => `  ${line}`)].join('\n')),
+    ...results.map(({ title, status, seconds, lines = [] }) =>
+      [`${title}: ${status === 0 ? 'passed' : `FAILED (exit ${status})`} in ${seconds.toFixed(0)} s`, ...lines.map((line) => `  ${line}`)].join('\n'),
+    ),
     `Skipped tests: ${skipped.length || 'none'}`,
     ...skipped.map((line) => `  ${line}`),
   ].join('\n');

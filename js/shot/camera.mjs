@@ -38,8 +38,7 @@ function frameView(camera, aspect, facts, ground) {
     throw wrongValue(['camera', 'view'], 'a named view, or azimuth and elevation, not both', view);
   }
   const fovY = lensOf(camera, projection).fovY;
-  const angles = azimuth === undefined && elevation === undefined
-    ? VIEWS[view ?? 'front'] : { azimuth: azimuth ?? 0, elevation: elevation ?? 0 };
+  const angles = azimuth === undefined && elevation === undefined ? VIEWS[view ?? 'front'] : { azimuth: azimuth ?? 0, elevation: elevation ?? 0 };
   const whole = needBounds(facts, 'camera');
   const seen = isPart(frame) ? boundsOfPart(frame, facts) : whole;
   const place = (shadow) => frameBounds(seen, { ...angles, projection, fovY, fit, fitTo }, aspect, { shadow, whole });
@@ -55,7 +54,10 @@ function frameView(camera, aspect, facts, ground) {
 function refuseTiny(bounds, distance) {
   if (distance >= TINY) return;
   const diagonal = length(subtract(bounds.max, bounds.min)).toPrecision(3);
-  throw new TelarError('E_EXTENT', `what is framed is ${diagonal} m across, too small to be drawn; glTF is in metres: check the unit and the scale of the export`);
+  throw new TelarError(
+    'E_EXTENT',
+    `what is framed is ${diagonal} m across, too small to be drawn; glTF is in metres: check the unit and the scale of the export`,
+  );
 }
 
 /** Whether there is a shadow to be seen: from beneath, the ground is not. Views in all directions share what one of them needs. */
@@ -108,10 +110,15 @@ function modelCamera(wanted, { cameras = [] }) {
   if (!found) throw new TelarError('E_CAMERA', missingCamera(wanted, cameras), { pointer: '/camera/gltf' });
   const { projection, position, target, up, fovY, height, near, far } = found;
   if (projection === 'orthographic' && !(height >= TINY)) {
-    throw new TelarError('E_CAMERA', `shot.camera.gltf: the model's camera ${shown(wanted)} shows ${height} m; expected at least ${TINY}`, { pointer: '/camera/gltf' });
+    throw new TelarError('E_CAMERA', `shot.camera.gltf: the model's camera ${shown(wanted)} shows ${height} m; expected at least ${TINY}`, {
+      pointer: '/camera/gltf',
+    });
   }
   return {
-    projection, position, target, up,
+    projection,
+    position,
+    target,
+    up,
     ...(projection === 'perspective' ? { fovY } : { height }),
     ...(near && { near }),
     ...(far && { far }),
@@ -120,8 +127,17 @@ function modelCamera(wanted, { cameras = [] }) {
 
 function missingCamera(wanted, cameras) {
   if (cameras.length === 0) return `shot.camera.gltf: the model has no camera ${shown(wanted)}; it has none`;
-  const names = cameras.slice(0, 8).map(({ name }, index) => `${index}${name ? ` ${shown(name)}` : ''}`).join(', ');
-  const near = typeof wanted === 'string' ? nearest(wanted, cameras.map(({ name }) => name ?? '')) : undefined;
+  const names = cameras
+    .slice(0, 8)
+    .map(({ name }, index) => `${index}${name ? ` ${shown(name)}` : ''}`)
+    .join(', ');
+  const near =
+    typeof wanted === 'string'
+      ? nearest(
+          wanted,
+          cameras.map(({ name }) => name ?? ''),
+        )
+      : undefined;
   return `shot.camera.gltf: the model has no camera ${shown(wanted)}; ${near ? `did you mean ${shown(near)}?` : `it has ${names}`}`;
 }
 

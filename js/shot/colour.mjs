@@ -8,8 +8,7 @@ export const srgbToLinear = (c) => (c < 0.04045 ? c * 0.0773993808 : (c * 0.9478
 
 const NUMBER = '[+-]?(?:\\d+\\.?\\d*|\\.\\d+)(?:e[+-]?\\d+)?';
 const SEPARATOR = '(?:\\s*,\\s*|\\s+)';
-const triple = (a, b, c) => new RegExp(`^(?:rgb|hsl)a?\\(\\s*${a}${SEPARATOR}${b}${SEPARATOR}${c}`
-  + `(?:\\s*[,/]\\s*(${NUMBER}%?))?\\s*\\)$`);
+const triple = (a, b, c) => new RegExp(`^(?:rgb|hsl)a?\\(\\s*${a}${SEPARATOR}${b}${SEPARATOR}${c}` + `(?:\\s*[,/]\\s*(${NUMBER}%?))?\\s*\\)$`);
 const RGB_BYTES = triple(`(${NUMBER})`, `(${NUMBER})`, `(${NUMBER})`);
 const RGB_PERCENT = triple(`(${NUMBER})%`, `(${NUMBER})%`, `(${NUMBER})%`);
 const HSL = triple(`(${NUMBER})(?:deg)?`, `(${NUMBER})%`, `(${NUMBER})%`);
@@ -32,7 +31,7 @@ function parseEncoded(text) {
   if (Object.hasOwn(cssNames, text)) return cssNames[text].map((byte) => byte / 255);
   if (HEX.test(text)) return parseHex(text.slice(1));
   const isRgb = text.startsWith('rgb');
-  const match = isRgb ? RGB_BYTES.exec(text) ?? RGB_PERCENT.exec(text) : HSL.exec(text);
+  const match = isRgb ? (RGB_BYTES.exec(text) ?? RGB_PERCENT.exec(text)) : HSL.exec(text);
   if (!match || !isOpaque(match[4])) return undefined;
   const [a, b, c] = match.slice(1, 4).map(Number);
   if (!isRgb) return hslToRgb(a / 360, unit(b / 100), unit(c / 100));

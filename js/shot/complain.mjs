@@ -22,7 +22,12 @@ export function shown(value) {
   if (typeof value === 'string') return cut(JSON.stringify(value));
   if (ArrayBuffer.isView(value)) return `${value.byteLength} bytes`;
   if (Array.isArray(value)) return cut(`[${value.map(shown).join(', ')}]`);
-  if (typeof value === 'object') return cut(`{${Object.keys(value).map((key) => JSON.stringify(key)).join(', ')}}`);
+  if (typeof value === 'object')
+    return cut(
+      `{${Object.keys(value)
+        .map((key) => JSON.stringify(key))
+        .join(', ')}}`,
+    );
   return `a ${typeof value}`;
 }
 
@@ -65,7 +70,10 @@ export function nearest(word, known, share = 1 / 3) {
 }
 
 function unknownKey(path, key, allowed, elsewhere) {
-  const near = nearest(key, [...allowed, ...elsewhere].filter((name) => name !== key));
+  const near = nearest(
+    key,
+    [...allowed, ...elsewhere].filter((name) => name !== key),
+  );
   const hint = near ? `did you mean ${near}?` : `expected one of ${allowed.join(', ')}`;
   return new TelarError('E_SHOT', `${pathText([...path, key])}: unknown key, ${hint}`, { pointer: pointerText([...path, key]) });
 }
@@ -126,7 +134,8 @@ function isNamed(branch, value) {
 
 /** The branch that the caller most likely meant: the one named, then fewest unknown keys, then fewest complaints. */
 function likeliestBranch(union, value) {
-  return union.def.options.flatMap((branch) => branchIssues(branch, value))
+  return union.def.options
+    .flatMap((branch) => branchIssues(branch, value))
     .sort((a, b) => isNamed(b.branch, value) - isNamed(a.branch, value) || a.unknown - b.unknown || a.issues.length - b.issues.length)[0];
 }
 

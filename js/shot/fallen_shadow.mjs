@@ -24,14 +24,18 @@ export function fallenShadow(ground, lights, { bounds }) {
   const casters = bounds.outline?.length > 1 ? bounds.outline : cornersOfBox(bounds);
   const height = ground.position[1];
   const reach = LONGEST * length(subtract(bounds.max, bounds.min));
-  const fallen = lights.filter(({ castShadow, shadow }) => castShadow && shadow.intensity > 0)
-    .flatMap((light) => shadowOf(light, casters, height, reach));
+  const fallen = lights.filter(({ castShadow, shadow }) => castShadow && shadow.intensity > 0).flatMap((light) => shadowOf(light, casters, height, reach));
   return clipped(hullOf(fallen), ground).map(([x, z]) => [x, height, z]);
 }
 
 /** Around the circle of radius 1. */
 const [ACROSS, ASIDE] = [1, Math.SQRT2 - 1];
-const OCTAGON = [ACROSS, -ACROSS].flatMap((i) => [ASIDE, -ASIDE].flatMap((j) => [[i, j], [j, i]]));
+const OCTAGON = [ACROSS, -ACROSS].flatMap((i) =>
+  [ASIDE, -ASIDE].flatMap((j) => [
+    [i, j],
+    [j, i],
+  ]),
+);
 
 /** Points on the ground that hold a light's shadow between them; none where it has no end within reach. */
 function shadowOf(light, casters, height, reach) {
@@ -67,25 +71,34 @@ const turn = (a, b, c) => cross([b[0] - a[0], b[1] - a[1], 0], [c[0] - a[0], c[1
 function hullOf(points) {
   const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   if (sorted.length < 3) return sorted;
-  const half = (list) => list.reduce((chain, point) => {
-    while (chain.length > 1 && turn(chain.at(-2), chain.at(-1), point) <= 0) chain.pop();
-    chain.push(point);
-    return chain;
-  }, []).slice(0, -1);
+  const half = (list) =>
+    list
+      .reduce((chain, point) => {
+        while (chain.length > 1 && turn(chain.at(-2), chain.at(-1), point) <= 0) chain.pop();
+        chain.push(point);
+        return chain;
+      }, [])
+      .slice(0, -1);
   return [...half(sorted), ...half(sorted.reverse())];
 }
 
 /** What of a convex polygon lies on the ground's rectangle. src: Sutherland & Hodgman 1974, "Reentrant polygon clipping" */
 function clipped(polygon, { position: [x, , z], size: [width, depth] }) {
   const sides = [
-    { axis: 0, sign: 1, limit: x + width / 2 }, { axis: 0, sign: -1, limit: -(x - width / 2) },
-    { axis: 1, sign: 1, limit: z + depth / 2 }, { axis: 1, sign: -1, limit: -(z - depth / 2) },
+    { axis: 0, sign: 1, limit: x + width / 2 },
+    { axis: 0, sign: -1, limit: -(x - width / 2) },
+    { axis: 1, sign: 1, limit: z + depth / 2 },
+    { axis: 1, sign: -1, limit: -(z - depth / 2) },
   ];
-  return sides.reduce((corners, { axis, sign, limit }) => corners.flatMap((to, i) => {
-    const from = corners.at(i - 1);
-    const [before, after] = [limit - sign * from[axis], limit - sign * to[axis]];
-    const part = before / (before - after);
-    const border = before * after < 0 ? [from.map((value, k) => value + part * (to[k] - value))] : [];
-    return after >= 0 ? [...border, to] : border;
-  }), polygon);
+  return sides.reduce(
+    (corners, { axis, sign, limit }) =>
+      corners.flatMap((to, i) => {
+        const from = corners.at(i - 1);
+        const [before, after] = [limit - sign * from[axis], limit - sign * to[axis]];
+        const part = before / (before - after);
+        const border = before * after < 0 ? [from.map((value, k) => value + part * (to[k] - value))] : [];
+        return after >= 0 ? [...border, to] : border;
+      }),
+    polygon,
+  );
 }

@@ -86,10 +86,10 @@ function seenAllRound(points, { up, back }) {
   const [cos, sin] = [up[1], back[1]];
   const circles = points.map(([x, y, z]) => ({ radius: Math.sqrt(x * x + z * z), y }));
   const level = (slope) => largest(circles, ({ radius, y }) => slope * sin * y + radius * Math.sqrt(1 + (slope * cos) ** 2));
-  const high = (axis, slope) => (axis === 0 ? level(slope)
-    : largest(circles, ({ radius, y }) => (cos + slope * sin) * y + radius * Math.abs(slope * cos - sin)));
-  const low = (axis, slope) => (axis === 0 ? level(slope)
-    : largest(circles, ({ radius, y }) => (slope * sin - cos) * y + radius * Math.abs(slope * cos + sin)));
+  const high = (axis, slope) =>
+    axis === 0 ? level(slope) : largest(circles, ({ radius, y }) => (cos + slope * sin) * y + radius * Math.abs(slope * cos - sin));
+  const low = (axis, slope) =>
+    axis === 0 ? level(slope) : largest(circles, ({ radius, y }) => (slope * sin - cos) * y + radius * Math.abs(slope * cos + sin));
   return { high, low, middle: (axis, _, slope) => (high(axis, slope) - low(axis, slope)) / 2 };
 }
 
@@ -141,12 +141,28 @@ export function frameBounds(bounds, { azimuth, elevation, projection, fovY, fit,
   const { centre, half } = centreAndHalf(bounds);
   const { see, front } = FIT_TO[fitTo];
   const seen = [{ ...see(pointsOf({ centre, half, outline: bounds.outline }), basis), part: fit }];
-  if (shadow.length > 0) seen.push({ ...see(shadow.map((point) => subtract(point, centre)), basis), part: Math.max(fit, SHADOW_PART) });
+  if (shadow.length > 0)
+    seen.push({
+      ...see(
+        shadow.map((point) => subtract(point, centre)),
+        basis,
+      ),
+      part: Math.max(fit, SHADOW_PART),
+    });
   const diagonal = 2 * length(half);
-  const camera = projection === 'perspective'
-    ? framePerspective(seen, tanDegrees(fovY / 2), aspect, front(half, basis) + CLEARANCE * diagonal)
-    // Without perspective any distance will do at which all of it stands before the camera.
-    : frameOrthographic(seen, aspect, diagonal, Math.max(2 * length(centreAndHalf(whole).half), largest(shadow, (point) => length(subtract(point, centre)))));
+  const camera =
+    projection === 'perspective'
+      ? framePerspective(seen, tanDegrees(fovY / 2), aspect, front(half, basis) + CLEARANCE * diagonal)
+      : // Without perspective any distance will do at which all of it stands before the camera.
+        frameOrthographic(
+          seen,
+          aspect,
+          diagonal,
+          Math.max(
+            2 * length(centreAndHalf(whole).half),
+            largest(shadow, (point) => length(subtract(point, centre))),
+          ),
+        );
   const target = scaleAdd(scaleAdd(centre, camera.x, basis.right), camera.y, basis.up);
   const position = plain(scaleAdd(target, camera.distance, basis.back));
   // Depth goes by the box, which holds every vertex.
@@ -168,10 +184,13 @@ const largestOfPairs = (list, f) => largest(list, (a) => largest(list, (b) => f(
  * @param {(seen: Seen) => {slope: number, room: number}} planeOf what bounds it: room at the origin, and how much that falls towards the camera
  */
 function shiftFor([model, ...shadows], axis, distance, planeOf) {
-  return shadows.reduce((shift, shadow) => {
-    const { slope, room } = planeOf(shadow);
-    return Math.max(shadow.high(axis, slope) - room, Math.min(shift, room - shadow.low(axis, slope)));
-  }, model.middle(axis, distance, planeOf(model).slope));
+  return shadows.reduce(
+    (shift, shadow) => {
+      const { slope, room } = planeOf(shadow);
+      return Math.max(shadow.high(axis, slope) - room, Math.min(shift, room - shadow.low(axis, slope)));
+    },
+    model.middle(axis, distance, planeOf(model).slope),
+  );
 }
 
 /**
@@ -180,8 +199,9 @@ function shiftFor([model, ...shadows], axis, distance, planeOf) {
  */
 function framePerspective(seen, slopeY, aspect, leastDistance) {
   const slopes = [({ part }) => part * slopeY * aspect, ({ part }) => part * slopeY];
-  const [byWidth, byHeight] = slopes.map((slopeOf, axis) => largestOfPairs(seen, (a, b) =>
-    (a.high(axis, slopeOf(a)) + b.low(axis, slopeOf(b))) / (slopeOf(a) + slopeOf(b))));
+  const [byWidth, byHeight] = slopes.map((slopeOf, axis) =>
+    largestOfPairs(seen, (a, b) => (a.high(axis, slopeOf(a)) + b.low(axis, slopeOf(b))) / (slopeOf(a) + slopeOf(b))),
+  );
   const distance = Math.max(byWidth, byHeight, leastDistance);
   const [x, y] = slopes.map((slopeOf, axis) => shiftFor(seen, axis, distance, (one) => ({ slope: slopeOf(one), room: slopeOf(one) * distance })));
   return { distance, x, y };

@@ -77,6 +77,9 @@ function fitGround(height, lights, bounds) {
 /** Corners of the rectangle; none where there is no ground. */
 export function cornersOfGround(ground) {
   if (ground === 'none') return [];
-  const { position: [x, y, z], size: [width, depth] } = ground;
+  const {
+    position: [x, y, z],
+    size: [width, depth],
+  } = ground;
   return [-0.5, 0.5].flatMap((i) => [-0.5, 0.5].map((j) => [x + i * width, y, z + j * depth]));
 }

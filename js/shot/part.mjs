@@ -41,11 +41,16 @@ const MOST_LISTED = 8;
 export function boundsOfPart(frame, { part }) {
   const [[kind, which]] = Object.entries(frame);
   const wrong = (message) => new TelarError('E_FRAME', `shot.camera.frame.${kind}: ${message}`, { pointer: `/camera/frame/${kind}` });
-  if (!part || !isSame(part.frame, frame)) throw wrong(`the facts of the model do not measure the ${kind} ${shown(which)}; renderer.factsOf does, and factsOf of telar/three with \`frame\``);
+  if (!part || !isSame(part.frame, frame))
+    throw wrong(`the facts of the model do not measure the ${kind} ${shown(which)}; renderer.factsOf does, and factsOf of telar/three with \`frame\``);
   if (part.bounds) return part.bounds;
   const { names = [] } = part;
   const near = typeof which === 'string' && !part.found ? nearest(which, names) : undefined;
   const more = names.length > MOST_LISTED ? ' and others' : '';
-  const instead = near ? `did you mean ${shown(near)}?` : names.length > 0 ? `it has ${names.slice(0, MOST_LISTED).map(shown).join(', ')}${more}` : 'none has a name';
+  const instead = near
+    ? `did you mean ${shown(near)}?`
+    : names.length > 0
+      ? `it has ${names.slice(0, MOST_LISTED).map(shown).join(', ')}${more}`
+      : 'none has a name';
   throw wrong(part.found ? `the ${kind} ${shown(which)} draws nothing; ${instead}` : `the model has no ${kind} ${shown(which)}; ${instead}`);
 }

@@ -30,7 +30,16 @@ function missing(wanted, animations) {
   if (animations === undefined) return `shot.pose.animation: the facts of the model list no animations to find ${shown(wanted)} in`;
   const has = `shot.pose.animation: the model has no animation ${shown(wanted)}`;
   if (animations.length === 0) return `${has}; it has none`;
-  const near = typeof wanted === 'string' ? nearest(wanted, animations.map(({ name }) => name)) : undefined;
-  const names = animations.slice(0, 8).map(({ name }, index) => `${index} ${shown(name)}`).join(', ');
+  const near =
+    typeof wanted === 'string'
+      ? nearest(
+          wanted,
+          animations.map(({ name }) => name),
+        )
+      : undefined;
+  const names = animations
+    .slice(0, 8)
+    .map(({ name }, index) => `${index} ${shown(name)}`)
+    .join(', ');
   return `${has}; ${near ? `did you mean ${shown(near)}?` : `it has ${names}`}`;
 }

@@ -35,9 +35,8 @@ const TYPES = {
     return z.tuple([part, part], { error });
   },
   colour: colourOf,
-  index: ({ expected: error, doc }) => z.union([
-    z.int({ error }).check(...between({ min: 0, max: INDEX_MAX, expected: error })), TYPES.text({ pattern: CHARACTERS, expected: error }),
-  ], { error }),
+  index: ({ expected: error, doc }) =>
+    z.union([z.int({ error }).check(...between({ min: 0, max: INDEX_MAX, expected: error })), TYPES.text({ pattern: CHARACTERS, expected: error })], { error }),
   bytes: ({ expected: error }) => z.custom((value) => value instanceof Uint8Array, { error }).register(z.globalRegistry, { tsType: 'Uint8Array' }),
   object: ({ shape, expected: error }) => z.strictObject(mapped(shape, zodOf), { error }),
   list({ of, expected: error, length }) {
@@ -45,9 +44,10 @@ const TYPES = {
     return length === undefined ? type : type.check(z.length(length, { error }));
   },
   union: ({ options, expected: error }) => z.union(options.map(zodOf), { error }),
-  variants: ({ by, of, expected }) => z.discriminatedUnion(by, Object.values(of).map(zodOf), {
-    error: ({ code }) => (code === 'invalid_union' ? expected : 'an object'),
-  }),
+  variants: ({ by, of, expected }) =>
+    z.discriminatedUnion(by, Object.values(of).map(zodOf), {
+      error: ({ code }) => (code === 'invalid_union' ? expected : 'an object'),
+    }),
 };
 
 const mapped = (shape, of) => Object.fromEntries(Object.entries(shape).map(([key, row]) => [key, of(row)]));

@@ -79,7 +79,10 @@ const reachOf = ({ radius, mapSize }) => Math.min(radius + TAP, mapSize / 4);
 /** Depth range of points at these distances along the light's axis, with room for rounding. */
 function depthRange(casters, receivers, rounding) {
   const near = smallest(casters, (x) => x);
-  const far = Math.max(largest(casters, (x) => x), largest(receivers, (x) => x));
+  const far = Math.max(
+    largest(casters, (x) => x),
+    largest(receivers, (x) => x),
+  );
   const pad = 0.01 * (far - near) + rounding;
   return { near: near - pad, far: far + pad };
 }
@@ -93,9 +96,18 @@ function fitDirectional(light, shadow, casters, receivers, { bounds, origin }) {
   const extent = (list) => largest(list, (v) => v) - smallest(list, (v) => v);
   // The filter may not reach over the border, whose texels would be repeated.
   const width = Math.max(extent(x), extent(y), rounding) / (1 - (2 * reachOf(shadow)) / shadow.mapSize);
-  const { near, far } = depthRange(along(casters, back).map((d) => -d), along(receivers, back).map((d) => -d), rounding);
+  const { near, far } = depthRange(
+    along(casters, back).map((d) => -d),
+    along(receivers, back).map((d) => -d),
+    rounding,
+  );
   return {
-    near, far, left: middle(x) - width / 2, right: middle(x) + width / 2, bottom: middle(y) - width / 2, top: middle(y) + width / 2,
+    near,
+    far,
+    left: middle(x) - width / 2,
+    right: middle(x) + width / 2,
+    bottom: middle(y) - width / 2,
+    top: middle(y) + width / 2,
   };
 }
 
@@ -132,7 +144,10 @@ function fitPoint(light, shadow, casters, receivers, { origin }) {
   const depth = (point) => largest(subtract(point, light.position), Math.abs);
   const least = roundingOf([...casters, light.position], origin);
   const [min, max] = [casters[0], casters[7]];
-  const toBox = largest(light.position.map((p, i) => Math.max(min[i] - p, p - max[i], 0)), (x) => x);
+  const toBox = largest(
+    light.position.map((p, i) => Math.max(min[i] - p, p - max[i], 0)),
+    (x) => x,
+  );
   return {
     ...perspectiveRange(light, toBox, Math.max(largest([...casters, ...receivers], depth), least)),
     casterDepth: Math.max(largest(casters, depth), least),
@@ -171,7 +186,9 @@ export function spreadOf(light, depth) {
 
 function needBounds({ bounds }, path) {
   if (bounds) return bounds;
-  throw new TelarError('E_NO_GEOMETRY', `shot.lights[${path[1]}].castShadow: the model has nothing that could cast a shadow; leave castShadow out`, { pointer: `/${path.join('/')}/castShadow` });
+  throw new TelarError('E_NO_GEOMETRY', `shot.lights[${path[1]}].castShadow: the model has nothing that could cast a shadow; leave castShadow out`, {
+    pointer: `/${path.join('/')}/castShadow`,
+  });
 }
 
 /** The row of a light's `shadow`. */

@@ -18,10 +18,14 @@ export function sinCosDegrees(degrees) {
   }
   sin *= x;
   switch (((quarter % 4) + 4) % 4) {
-    case 1: return { sin: cos, cos: 0 - sin };
-    case 2: return { sin: 0 - sin, cos: 0 - cos };
-    case 3: return { sin: 0 - cos, cos: sin };
-    default: return { sin, cos };
+    case 1:
+      return { sin: cos, cos: 0 - sin };
+    case 2:
+      return { sin: 0 - sin, cos: 0 - cos };
+    case 3:
+      return { sin: 0 - cos, cos: sin };
+    default:
+      return { sin, cos };
   }
 }
 

@@ -114,7 +114,10 @@ const lookedAt = new WeakSet();
 function warnIfCut(environment) {
   if (lookedAt.has(environment)) return;
   lookedAt.add(environment);
-  if (isCut(environment)) console.warn('telar: the environment has texels that half floats cut at 65504: load it with setDataType(THREE.FloatType), so that its suns light as on the server');
+  if (isCut(environment))
+    console.warn(
+      'telar: the environment has texels that half floats cut at 65504: load it with setDataType(THREE.FloatType), so that its suns light as on the server',
+    );
 }
 
 function applyLights(shot, THREE, scene, model, suns = []) {
@@ -134,11 +137,15 @@ function applyLights(shot, THREE, scene, model, suns = []) {
 /** three's physical decay: radiance falls with the square of the distance. */
 const INVERSE_SQUARE = 2;
 
+const AREA_LIGHT_TABLES = 'three/addons/lights/RectAreaLightUniformsLib.js';
+
 /** three.js keeps the tables of rect lights in an add-on, and draws such lights black without them. */
 async function prepareAreaLights(THREE, areaLightTables) {
   if (THREE.UniformsLib.LTC_FLOAT_1) return;
-  const hint = 'areaLightTables: () => import(\'three/addons/lights/RectAreaLightUniformsLib.js\')';
-  if (!areaLightTables) throw new Error(`shot.lights: a rect light needs tables that three.js keeps apart: give applyShot ${hint}`);
+  if (!areaLightTables)
+    throw new Error(
+      `shot.lights: a rect light needs tables that three.js keeps apart: give applyShot areaLightTables, a function that imports ${AREA_LIGHT_TABLES}`,
+    );
   (await areaLightTables()).RectAreaLightUniformsLib.init();
   if (!THREE.UniformsLib.LTC_FLOAT_1) throw new Error('shot.lights: areaLightTables belongs to another copy of three.js than THREE');
 }
@@ -148,8 +155,12 @@ function sunLight(THREE, { direction, irradiance }, { intensity, rotation }) {
   const brightest = Math.max(...irradiance);
   const position = new THREE.Vector3(...direction).applyAxisAngle(new THREE.Vector3(0, 1, 0), THREE.MathUtils.degToRad(rotation));
   return {
-    type: 'directional', color: irradiance.map((value) => value / brightest), intensity: brightest * intensity,
-    position: position.toArray(), target: [0, 0, 0], castShadow: false,
+    type: 'directional',
+    color: irradiance.map((value) => value / brightest),
+    intensity: brightest * intensity,
+    position: position.toArray(),
+    target: [0, 0, 0],
+    castShadow: false,
   };
 }
 

@@ -32,7 +32,11 @@ export function visitDrawnPoints(object, THREE, visit) {
 /** Whether the matrix squeezes every body to a line or a point, or is not finite: then nothing is to be seen. */
 function isCollapsed(matrix, THREE) {
   const [x, y, z] = [0, 1, 2].map((column) => new THREE.Vector3().setFromMatrixColumn(matrix, column));
-  const spansPlane = [[x, y], [y, z], [z, x]].some(([a, b]) => new THREE.Vector3().crossVectors(a, b).length() > 0);
+  const spansPlane = [
+    [x, y],
+    [y, z],
+    [z, x],
+  ].some(([a, b]) => new THREE.Vector3().crossVectors(a, b).length() > 0);
   return !spansPlane || !matrix.elements.every(Number.isFinite);
 }
 
@@ -41,8 +45,7 @@ const drawnVertices = ({ index, attributes }) => (index ? new Set(index.array) :
 
 function cornersOf(positions, THREE) {
   const { min, max } = new THREE.Box3().setFromPoints(positions);
-  return Array.from({ length: 8 }, (_, corner) =>
-    new THREE.Vector3(...['x', 'y', 'z'].map((axis, i) => ((corner >> i) & 1 ? max : min)[axis])));
+  return Array.from({ length: 8 }, (_, corner) => new THREE.Vector3(...['x', 'y', 'z'].map((axis, i) => ((corner >> i) & 1 ? max : min)[axis])));
 }
 
 /** A vertex in the object's own space. Lines and points have no method for it. */

@@ -34,7 +34,14 @@ export function measurePart(model, frame, { THREE, variant }) {
 }
 
 /** In the file's order, each once. */
-const namesOf = (parts) => [...new Set([...parts].sort((a, b) => a.index - b.index).map(({ name }) => name).filter((name) => name))];
+const namesOf = (parts) => [
+  ...new Set(
+    [...parts]
+      .sort((a, b) => a.index - b.index)
+      .map(({ name }) => name)
+      .filter((name) => name),
+  ),
+];
 
 /** The nodes that an object hangs on, itself first. */
 function nodesOf({ scene, parser }, object) {

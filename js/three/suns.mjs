@@ -61,7 +61,10 @@ function excessOf({ image: { width, height, data }, flipY }) {
       const excess = [0, 1, 2].map((c) => data[row + x * 4 + c]).map((value) => (value > HALF_MAX && value < Infinity ? value - HALF_MAX : 0));
       if (excess.every((value) => value === 0)) continue;
       const phi = ((x + 0.5) / width - 0.5) * 2 * Math.PI;
-      list.push({ direction: [Math.sin(theta) * Math.cos(phi), Math.cos(theta), Math.sin(theta) * Math.sin(phi)], irradiance: excess.map((value) => value * solidAngle) });
+      list.push({
+        direction: [Math.sin(theta) * Math.cos(phi), Math.cos(theta), Math.sin(theta) * Math.sin(phi)],
+        irradiance: excess.map((value) => value * solidAngle),
+      });
     }
   }
   return list;
@@ -75,7 +78,7 @@ function gathered(texels, radius) {
   for (const { direction, irradiance } of texels) {
     let sun = suns.find((candidate) => dot(candidate.direction, direction) >= Math.cos(radius));
     if (!sun && suns.length === MOST) return null;
-    if (!sun) suns.push(sun = { direction, irradiance: [0, 0, 0], sum: [0, 0, 0] });
+    if (!sun) suns.push((sun = { direction, irradiance: [0, 0, 0], sum: [0, 0, 0] }));
     const weight = luminance(irradiance);
     sun.irradiance = sun.irradiance.map((value, i) => value + irradiance[i]);
     sun.sum = sun.sum.map((value, i) => value + weight * direction[i]);

@@ -23,11 +23,7 @@ export class Environments {
 
   /** @returns {{map: string, format: string | null}[]} what the page may put into shot.environment; format null: no file */
   list() {
-    return [
-      ...(this.#own ? [{ map: this.#own.name, format: formatOf(this.#own.file) }] : []),
-      { map: STUDIO, format: 'hdr' },
-      { map: NONE, format: null },
-    ];
+    return [...(this.#own ? [{ map: this.#own.name, format: formatOf(this.#own.file) }] : []), { map: STUDIO, format: 'hdr' }, { map: NONE, format: null }];
   }
 
   /** @returns {string | undefined} path of the file behind a name of list() */

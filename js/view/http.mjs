@@ -16,8 +16,16 @@ export class HttpError extends Error {
 }
 
 const TYPES = {
-  '.css': 'text/css; charset=utf-8', '.gltf': 'model/gltf+json', '.glb': 'model/gltf-binary', '.html': 'text/html; charset=utf-8', '.jpg': 'image/jpeg',
-  '.js': 'text/javascript; charset=utf-8', '.png': 'image/png', '.svg': 'image/svg+xml', '.txt': 'text/plain; charset=utf-8', '.wasm': 'application/wasm',
+  '.css': 'text/css; charset=utf-8',
+  '.gltf': 'model/gltf+json',
+  '.glb': 'model/gltf-binary',
+  '.html': 'text/html; charset=utf-8',
+  '.jpg': 'image/jpeg',
+  '.js': 'text/javascript; charset=utf-8',
+  '.png': 'image/png',
+  '.svg': 'image/svg+xml',
+  '.txt': 'text/plain; charset=utf-8',
+  '.wasm': 'application/wasm',
 };
 
 /**

@@ -20,10 +20,18 @@ const MAX_PIXEL_BYTES = 2 ** 28;
  * Nothing but this server is reached from the page; blob: and data: are how loaders hand on what the model holds.
  * @param {boolean} mayEvaluate for three's KTX2 transcoder, and for models with such textures alone
  */
-const policyOf = (mayEvaluate) => [
-  "default-src 'none'", `script-src 'self' 'wasm-unsafe-eval'${mayEvaluate ? " 'unsafe-eval'" : ''}`, "style-src 'self'", "img-src 'self' blob: data:",
-  "connect-src 'self' blob: data:", "worker-src 'self' blob:", "base-uri 'none'", "form-action 'none'", "frame-ancestors 'none'",
-].join('; ');
+const policyOf = (mayEvaluate) =>
+  [
+    "default-src 'none'",
+    `script-src 'self' 'wasm-unsafe-eval'${mayEvaluate ? " 'unsafe-eval'" : ''}`,
+    "style-src 'self'",
+    "img-src 'self' blob: data:",
+    "connect-src 'self' blob: data:",
+    "worker-src 'self' blob:",
+    "base-uri 'none'",
+    "form-action 'none'",
+    "frame-ancestors 'none'",
+  ].join('; ');
 
 const HEADERS = {
   'cross-origin-opener-policy': 'same-origin',
@@ -119,14 +127,17 @@ export async function startServer({ session, port = 0 }) {
   const routes = routesOf(session, pageFiles());
   const server = createServer((request, response) => void answer(request, response, { token, routes, session }));
   await new Promise((resolve, reject) => {
-    server.once('error', (cause) => reject(new TelarError('X_PORT', `port ${port} cannot be taken (${cause.code ?? cause.message}); without --port a free one is`, { cause })));
+    server.once('error', (cause) =>
+      reject(new TelarError('X_PORT', `port ${port} cannot be taken (${cause.code ?? cause.message}); without --port a free one is`, { cause })),
+    );
     server.listen({ host: HOST, port }, resolve);
   });
   const { port: taken } = server.address();
-  const close = () => new Promise((resolve) => {
-    server.close(() => resolve());
-    // The page keeps its connections open.
-    server.closeAllConnections();
-  });
+  const close = () =>
+    new Promise((resolve) => {
+      server.close(() => resolve());
+      // The page keeps its connections open.
+      server.closeAllConnections();
+    });
   return { url: `http://${HOST}:${taken}/${token}/`, port: taken, close };
 }

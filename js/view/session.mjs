@@ -96,7 +96,10 @@ export class Session {
     if (typeof shot !== 'object' || shot === null) throw new TelarError('E_SHOT', 'shot: expected an object', { pointer: '' });
     const known = this.#environments.forRenderer(shot);
     if (!known) {
-      const names = this.#environments.list().map(({ map }) => shown(map)).join(', ');
+      const names = this.#environments
+        .list()
+        .map(({ map }) => shown(map))
+        .join(', ');
       throw new TelarError('E_SHOT', `shot.environment: this view has ${names}; open it with --environment to use another file`, { pointer: '/environment' });
     }
     const { data, info } = await this.#renderer.render(this.#model, { ...known, output: PIXELS }, { signal });

@@ -17,7 +17,10 @@ before(async () => {
 });
 after(() => renderer?.close());
 
-for (const [model, sky, shading] of [['ball', 'sunny-sky', 'three'], ['ball-metal', 'overcast-sky', 'fabric']]) {
+for (const [model, sky, shading] of [
+  ['ball', 'sunny-sky', 'three'],
+  ['ball-metal', 'overcast-sky', 'fabric'],
+]) {
   test(`quality high of ${model} in ${sky} as ${shading} is the path tracer's`, async () => {
     const shot = { size: SIZE, environment: ENVIRONMENTS[sky](), shading };
     const [standard, high] = await errorsOf(renderer, await MODELS[model](), shot, ['standard', 'high'], PATHS);

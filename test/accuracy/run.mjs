@@ -38,9 +38,15 @@ await renderer.close();
 const within = ({ high }) => high.flip <= MOST.flip && high.deltaE <= MOST.deltaE;
 const meanOf = (index, key, digits) => mean(rows.map(({ errors }) => errors[index][key])).toFixed(digits);
 const overall = names.map((name, i) => row([name, meanOf(i, 'flip', 4), meanOf(i, 'deltaE', 2), meanOf(i, 'cpuMs', 0)]));
-const single = rows.map((each) => row([
-  each.name, each.sky, ...each.errors.flatMap(({ flip, deltaE }) => [flip.toFixed(4), deltaE.toFixed(2)]), each.high.cpuMs.toFixed(0), within(each) ? 'yes' : 'no',
-]));
+const single = rows.map((each) =>
+  row([
+    each.name,
+    each.sky,
+    ...each.errors.flatMap(({ flip, deltaE }) => [flip.toFixed(4), deltaE.toFixed(2)]),
+    each.high.cpuMs.toFixed(0),
+    within(each) ? 'yes' : 'no',
+  ]),
+);
 const text = `# The raster against the path tracer
 
 Written by \`npm run accuracy -- ${paths}\`: ${rows.length} windows of ${SIZE} x ${SIZE} pixels out of pictures of ${THUMBNAIL} on Mesa llvmpipe, shading \`fabric\`,

@@ -13,7 +13,11 @@ import { Browser } from '../parity/browser/chromium.mjs';
 const RUNS = Number(process.argv[2] ?? 9);
 const ASSETS = fileURLToPath(new URL('../../js/assets/', import.meta.url));
 const CLI = fileURLToPath(new URL('../../js/cli/telar.mjs', import.meta.url));
-const CASES = [{ name: 'T-shirt, 512 x 512', file: 'tshirt.glb', side: 512 }, { name: 'T-shirt, 256 x 256', file: 'tshirt.glb', side: 256 }, { name: 'drape, 512 x 512', file: 'fabrics.glb', side: 512 }];
+const CASES = [
+  { name: 'T-shirt, 512 x 512', file: 'tshirt.glb', side: 512 },
+  { name: 'T-shirt, 256 x 256', file: 'tshirt.glb', side: 256 },
+  { name: 'drape, 512 x 512', file: 'fabrics.glb', side: 512 },
+];
 const TICKS_A_SECOND = 100;
 
 /** Fields of /proc/PID/stat from the state on, or undefined where it has ended. */
@@ -27,7 +31,11 @@ function statOf(pid) {
 
 /** Processes below this one. */
 function descendants() {
-  const parents = new Map(readdirSync('/proc').filter((name) => /^\d+$/.test(name)).map((pid) => [pid, statOf(pid)?.[1]]));
+  const parents = new Map(
+    readdirSync('/proc')
+      .filter((name) => /^\d+$/.test(name))
+      .map((pid) => [pid, statOf(pid)?.[1]]),
+  );
   const isBelow = (pid) => pid !== undefined && (parents.get(pid) === String(process.pid) || (pid !== '1' && isBelow(parents.get(pid))));
   return [...parents.keys()].filter(isBelow);
 }
@@ -35,7 +43,9 @@ function descendants() {
 /** Milliseconds of CPU of the processes below this one that live, and of those that have ended. */
 function cpuBelow() {
   const ticks = (fields, from) => Number(fields?.[from] ?? 0) + Number(fields?.[from + 1] ?? 0);
-  return ((descendants().reduce((sum, pid) => sum + ticks(statOf(pid), 11) + ticks(statOf(pid), 13), 0) + ticks(statOf(process.pid), 13)) * 1000) / TICKS_A_SECOND;
+  return (
+    ((descendants().reduce((sum, pid) => sum + ticks(statOf(pid), 11) + ticks(statOf(pid), 13), 0) + ticks(statOf(process.pid), 13)) * 1000) / TICKS_A_SECOND
+  );
 }
 
 /** Mebibytes that processes have for themselves, with their shares of what is shared. */
@@ -51,7 +61,9 @@ const ownCpu = () => Object.values(process.cpuUsage()).reduce((sum, us) => sum +
 
 function tell(name, telar, browser) {
   const of = (samples, key) => median(samples.map((sample) => sample[key]));
-  const parts = ['cpu', 'wall'].map((key) => `${key} ${of(telar, key).toFixed(0)} ms and ${of(browser, key).toFixed(0)} ms, ratio ${(of(browser, key) / of(telar, key)).toFixed(1)}`);
+  const parts = ['cpu', 'wall'].map(
+    (key) => `${key} ${of(telar, key).toFixed(0)} ms and ${of(browser, key).toFixed(0)} ms, ratio ${(of(browser, key) / of(telar, key)).toFixed(1)}`,
+  );
   console.log(`${name.padEnd(26)} telar and Chromium: ${parts.join('; ')}`);
 }
 
@@ -72,20 +84,28 @@ for (const { name, file, side } of CASES) {
   }
   tell(name, telar, theirs);
 }
-console.log(`${'memory'.padEnd(26)} telar and Chromium: ${pssOf([process.pid]).toFixed(0)} MiB (this process, the benchmark included) and ${pssOf(descendants()).toFixed(0)} MiB (PSS)`);
+console.log(
+  `${'memory'.padEnd(26)} telar and Chromium: ${pssOf([process.pid]).toFixed(0)} MiB (this process, the benchmark included) and ${pssOf(descendants()).toFixed(0)} MiB (PSS)`,
+);
 await Promise.all([renderer.close(), browser.close()]);
 
 const folder = mkdtempSync(path.join(tmpdir(), 'telar-bench-'));
 const [telar, theirs] = [[], []];
 for (let i = 0; i < Math.ceil(RUNS / 3); ++i) {
   const model = path.join(ASSETS, 'tshirt.glb');
-  telar.push(await measured(cpuBelow, () => spawnSync(process.execPath, [CLI, 'thumbnail', model, '-o', path.join(folder, 'a.png'), '--size', '512', '--quiet'])));
-  const { shot } = JSON.parse(spawnSync(process.execPath, [CLI, 'thumbnail', model, '-o', path.join(folder, 'a.png'), '--size', '512', '--json'], { encoding: 'utf8' }).stdout).images[0].info;
+  telar.push(
+    await measured(cpuBelow, () => spawnSync(process.execPath, [CLI, 'thumbnail', model, '-o', path.join(folder, 'a.png'), '--size', '512', '--quiet'])),
+  );
+  const { shot } = JSON.parse(
+    spawnSync(process.execPath, [CLI, 'thumbnail', model, '-o', path.join(folder, 'a.png'), '--size', '512', '--json'], { encoding: 'utf8' }).stdout,
+  ).images[0].info;
   let fresh;
-  theirs.push(await measured(cpuBelow, async () => {
-    fresh = await Browser.start();
-    await fresh.draw({ shot, model, environment });
-  }));
+  theirs.push(
+    await measured(cpuBelow, async () => {
+      fresh = await Browser.start();
+      await fresh.draw({ shot, model, environment });
+    }),
+  );
   await fresh.close();
 }
 tell('from the start of a process', telar, theirs);

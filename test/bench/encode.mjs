@@ -33,9 +33,9 @@ function syntheticGarment(size) {
   let state = 1;
   for (let y = 0; y < size; y++) {
     for (let x = 0; x < size; x++) {
-      const [u, v] = [(x + 0.5) / size * 2 - 1, (y + 0.5) / size * 2 - 1];
+      const [u, v] = [((x + 0.5) / size) * 2 - 1, ((y + 0.5) / size) * 2 - 1];
       const body = Math.max(Math.abs(u) / (v < -0.2 && v > -0.7 ? 0.8 : 0.45), Math.abs(v) / 0.8);
-      const alpha = Math.min(1, Math.max(0, (1 - body) * size / 4));
+      const alpha = Math.min(1, Math.max(0, ((1 - body) * size) / 4));
       if (!alpha) continue;
       state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
       const fold = 0.6 + 0.25 * Math.sin(u * 9 + 2 * Math.sin(v * 4)) + 0.1 * Math.sin(v * 17 + u * 3);
@@ -93,11 +93,9 @@ try {
     writeFileSync(frame, pixels);
     const repeat = size === 512 ? 9 : 3;
     for (const [format, options, peer, oiioFormat] of CASES) {
-      const ours = run(tool, ['encode', `frame=${frame}`, `width=${size}`, `height=${size}`, `format=${format}`,
-        `repeat=${repeat}`, ...options]);
+      const ours = run(tool, ['encode', `frame=${frame}`, `width=${size}`, `height=${size}`, `format=${format}`, `repeat=${repeat}`, ...options]);
       const theirs = peer ? await sharpMedian(pixels, size, peer.method, peer.options, repeat) : undefined;
-      const plain = oiioFormat && existsSync(oiio)
-        ? run(oiio, [frame, size, size, oiioFormat, repeat].map(String)) : undefined;
+      const plain = oiioFormat && existsSync(oiio) ? run(oiio, [frame, size, size, oiioFormat, repeat].map(String)) : undefined;
       const name = `${size} ${format} ${options.join(' ')}`.padEnd(24);
       console.log(name + cell(ours) + cell(theirs) + cell(plain) + ratio(ours, theirs) + ratio(ours, plain));
     }

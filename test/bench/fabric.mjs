@@ -33,22 +33,56 @@ const CLOTHS = {
 const fabric = (find, replace) => ({ file: 'shading/fabric.glsl', find, replace });
 const energy = (find, replace) => ({ file: 'shading/fabric_energy.glsl', find, replace });
 const ALTERNATIVES = [
-  ['plain', 'diffuse (1 - F) as in three, not coupled', [fabric(
-    'sum.diffuse += lightColor * diffuseLobe(s, l, NoL) * s.passing * passingShare(s, albedo);',
-    'sum.diffuse += lightColor * diffuseLobe(s, l, NoL) * (1.0 - mix(s.f0Dielectric, vec3(s.f90), F_SchlickWeight5(dot(s.v, h))));',
-  )]],
-  ['plain', 'albedo towards a light from a table', [
-    energy('GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {',
-      'GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {\n'
-      + '  vec2 ab = texture(dfgMap, vec2(s.perceptualRoughness, sqrt(cosine))).rg;\n  return GlossAlbedo(vec2(1.0 - ab.x - ab.y, ab.y));'),
-  ]],
-  ['sheen', 'sheen by Charlie and its own masking', [fabric('sheenCosine(s.sheenView, s.NoV, NoL, dot(l, s.v))',
-    'NoL * D_Charlie_(pow2(s.sheenRoughness), saturate(dot(s.n, h))) * V_Charlie_(pow2(s.sheenRoughness), s.NoV, NoL)'),
-  energy('// Axes square to the normal', 'float V_Charlie_(float a, float v, float l) { return 1.0 / ((1.0 + lambdaCharlie(a, v) + lambdaCharlie(a, l)) * 4.0 * v * l); }\n'
-    + 'float D_Charlie_(float a, float c) { return (2.0 + 1.0 / a) * pow(max(1.0 - c * c, 0.0078125), 0.5 / a) / (2.0 * PI); }\n// Axes square to the normal')]],
-  ['sheen', 'sheen by Charlie and Neubelt, as in three', [fabric('sheenCosine(s.sheenView, s.NoV, NoL, dot(l, s.v))',
-    'NoL * D_Charlie_(pow2(s.sheenRoughness), saturate(dot(s.n, h))) * saturate(1.0 / max(4.0 * (NoL + s.NoV - NoL * s.NoV), 1.0e-5))'),
-  energy('// Axes square to the normal', 'float D_Charlie_(float a, float c) { return (2.0 + 1.0 / a) * pow(max(1.0 - c * c, 0.0078125), 0.5 / a) / (2.0 * PI); }\n// Axes square to the normal')]],
+  [
+    'plain',
+    'diffuse (1 - F) as in three, not coupled',
+    [
+      fabric(
+        'sum.diffuse += lightColor * diffuseLobe(s, l, NoL) * s.passing * passingShare(s, albedo);',
+        'sum.diffuse += lightColor * diffuseLobe(s, l, NoL) * (1.0 - mix(s.f0Dielectric, vec3(s.f90), F_SchlickWeight5(dot(s.v, h))));',
+      ),
+    ],
+  ],
+  [
+    'plain',
+    'albedo towards a light from a table',
+    [
+      energy(
+        'GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {',
+        'GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {\n' +
+          '  vec2 ab = texture(dfgMap, vec2(s.perceptualRoughness, sqrt(cosine))).rg;\n  return GlossAlbedo(vec2(1.0 - ab.x - ab.y, ab.y));',
+      ),
+    ],
+  ],
+  [
+    'sheen',
+    'sheen by Charlie and its own masking',
+    [
+      fabric(
+        'sheenCosine(s.sheenView, s.NoV, NoL, dot(l, s.v))',
+        'NoL * D_Charlie_(pow2(s.sheenRoughness), saturate(dot(s.n, h))) * V_Charlie_(pow2(s.sheenRoughness), s.NoV, NoL)',
+      ),
+      energy(
+        '// Axes square to the normal',
+        'float V_Charlie_(float a, float v, float l) { return 1.0 / ((1.0 + lambdaCharlie(a, v) + lambdaCharlie(a, l)) * 4.0 * v * l); }\n' +
+          'float D_Charlie_(float a, float c) { return (2.0 + 1.0 / a) * pow(max(1.0 - c * c, 0.0078125), 0.5 / a) / (2.0 * PI); }\n// Axes square to the normal',
+      ),
+    ],
+  ],
+  [
+    'sheen',
+    'sheen by Charlie and Neubelt, as in three',
+    [
+      fabric(
+        'sheenCosine(s.sheenView, s.NoV, NoL, dot(l, s.v))',
+        'NoL * D_Charlie_(pow2(s.sheenRoughness), saturate(dot(s.n, h))) * saturate(1.0 / max(4.0 * (NoL + s.NoV - NoL * s.NoV), 1.0e-5))',
+      ),
+      energy(
+        '// Axes square to the normal',
+        'float D_Charlie_(float a, float c) { return (2.0 + 1.0 / a) * pow(max(1.0 - c * c, 0.0078125), 0.5 / a) / (2.0 * PI); }\n// Axes square to the normal',
+      ),
+    ],
+  ],
 ];
 
 async function glbOf(layers) {
@@ -58,15 +92,27 @@ async function glbOf(layers) {
 }
 
 function shotOf(shading) {
-  const lights = [[1, 2, 3], [-2, 1, 1], [0, -1, 2]].map((position) => ({ type: 'directional', position }));
-  return resolveShot({ size: { width: 512, height: 512 }, shading, lights, quality: { samples: 1 }, camera: { fit: 1 } },
-    { min: [-1, -1, -1], max: [1, 1, 1] });
+  const lights = [
+    [1, 2, 3],
+    [-2, 1, 1],
+    [0, -1, 2],
+  ].map((position) => ({ type: 'directional', position }));
+  return resolveShot(
+    { size: { width: 512, height: 512 }, shading, lights, quality: { samples: 1 }, camera: { fit: 1 } },
+    { min: [-1, -1, -1], max: [1, 1, 1] },
+  );
 }
 
 function cpuMs(job) {
   const run = spawnSync(tool, [job.model, job.shot, file('out.raw'), '--repeat', String(1 + FRAMES), ...job.extra], { encoding: 'utf8' });
   if (run.status !== 0) throw new Error(run.stderr || `telar_draw: ${run.error ?? run.signal}`);
-  return median(run.stdout.trim().split('\n').slice(1).map((line) => JSON.parse(line).cpuMs));
+  return median(
+    run.stdout
+      .trim()
+      .split('\n')
+      .slice(1)
+      .map((line) => JSON.parse(line).cpuMs),
+  );
 }
 
 async function prepare() {
@@ -80,7 +126,14 @@ async function prepare() {
   }
   ALTERNATIVES.forEach(([cloth, name, edits], i) => {
     writeFileSync(file(`edits${i}.json`), JSON.stringify(edits));
-    jobs.push({ name, base: `${cloth}, fabric`, model: file(`${cloth}.glb`), shot: file('fabric.json'), extra: ['--shader-edits', file(`edits${i}.json`)], times: [] });
+    jobs.push({
+      name,
+      base: `${cloth}, fabric`,
+      model: file(`${cloth}.glb`),
+      shot: file('fabric.json'),
+      extra: ['--shader-edits', file(`edits${i}.json`)],
+      times: [],
+    });
   });
   return jobs;
 }

@@ -23,7 +23,10 @@ function measure(model, out, extra) {
   const env = { ...process.env, MESA_SHADER_CACHE_DISABLE: 'true' };
   const run = spawnSync(tool, [model, file('shot.json'), file(out), '--repeat', String(1 + STEADY), ...extra], { encoding: 'utf8', env });
   if (run.status !== 0) throw new Error(run.stderr || `telar_draw: ${run.error ?? run.signal}`);
-  const frames = run.stdout.trim().split('\n').map((line) => JSON.parse(line));
+  const frames = run.stdout
+    .trim()
+    .split('\n')
+    .map((line) => JSON.parse(line));
   return { first: frames[0].cpuMs, steady: median(frames.slice(1).map((frame) => frame.cpuMs)), features: frames[0].features.length };
 }
 
@@ -41,7 +44,9 @@ function compare(name, model, shot) {
   const difference = a.reduce((most, byte, i) => Math.max(most, Math.abs(byte - b[i])), 0);
   for (const key of ['first', 'steady']) {
     const [few, many] = [of(needed, key), of(all, key)];
-    console.log(`${name.padEnd(12)} ${key.padEnd(7)} needed ${few.toFixed(1).padStart(7)} ms  all ${many.toFixed(1).padStart(7)} ms  ratio ${(many / few).toFixed(2)}`);
+    console.log(
+      `${name.padEnd(12)} ${key.padEnd(7)} needed ${few.toFixed(1).padStart(7)} ms  all ${many.toFixed(1).padStart(7)} ms  ratio ${(many / few).toFixed(2)}`,
+    );
   }
   console.log(`${name.padEnd(12)} features ${needed[0].features} and ${all[0].features}, pictures differ by at most ${difference}/255`);
 }

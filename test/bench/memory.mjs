@@ -7,14 +7,29 @@ import { createRenderer } from '../../js/index.mjs';
 import { MODELS } from '../fixtures/index.mjs';
 
 const [count = '300', folder] = process.argv.slice(2);
-const FIXTURES = ['ball', 'cloth', 'normal-map', 'metallic-roughness-map', 'physical-everything', 'texture-transform', 'vertex-colors', 'two-uv-sets', 'unlit', 'samplers'];
+const FIXTURES = [
+  'ball',
+  'cloth',
+  'normal-map',
+  'metallic-roughness-map',
+  'physical-everything',
+  'texture-transform',
+  'vertex-colors',
+  'two-uv-sets',
+  'unlit',
+  'samplers',
+];
 const RESOLUTION_MS = 5;
 
 const residentMebibytes = () => Math.round(process.memoryUsage.rss() / 2 ** 20);
 const peakMebibytes = () => Math.round(process.resourceUsage().maxRSS / 2 ** 10);
 
 const models = folder
-  ? readdirSync(folder, { recursive: true }).filter((file) => /\.gl(b|tf)$/.test(file)).sort().slice(0, 10).map((file) => path.join(folder, file))
+  ? readdirSync(folder, { recursive: true })
+      .filter((file) => /\.gl(b|tf)$/.test(file))
+      .sort()
+      .slice(0, 10)
+      .map((file) => path.join(folder, file))
   : await Promise.all(FIXTURES.map((name) => MODELS[name]()));
 const renderer = await createRenderer();
 const delay = monitorEventLoopDelay({ resolution: RESOLUTION_MS });

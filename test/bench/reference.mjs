@@ -40,10 +40,15 @@ const raster = await timed('standard');
 console.log(`raster, standard     ${raster.cpuMs.toFixed(0).padStart(7)} ms of CPU`);
 for (const transport of ['direct', 'occlusion', 'global']) {
   const drawn = await timed({ preset: 'reference', samples, transport });
-  const [one, other] = [await timed({ preset: 'reference', samples: FEW, transport, seed: 2 }), await timed({ preset: 'reference', samples: FEW, transport, seed: 3 })];
+  const [one, other] = [
+    await timed({ preset: 'reference', samples: FEW, transport, seed: 2 }),
+    await timed({ preset: 'reference', samples: FEW, transport, seed: 3 }),
+  ];
   const { rays, threads } = drawn.info;
-  console.log(`${transport.padEnd(20)} ${drawn.cpuMs.toFixed(0).padStart(7)} ms of CPU, ${drawn.ms.toFixed(0)} ms on ${threads} threads, `
-    + `${((rays / drawn.cpuMs) / 1000).toFixed(2)} million rays and ${((SIZE * SIZE * samples) / drawn.cpuMs / 1000).toFixed(2)} million pixel samples a second of CPU, `
-    + `ratio to the raster ${(drawn.cpuMs / raster.cpuMs).toFixed(0)}, noise of a sample ${noiseOf(one.pixels, other.pixels).toFixed(2)} of the mean`);
+  console.log(
+    `${transport.padEnd(20)} ${drawn.cpuMs.toFixed(0).padStart(7)} ms of CPU, ${drawn.ms.toFixed(0)} ms on ${threads} threads, ` +
+      `${(rays / drawn.cpuMs / 1000).toFixed(2)} million rays and ${((SIZE * SIZE * samples) / drawn.cpuMs / 1000).toFixed(2)} million pixel samples a second of CPU, ` +
+      `ratio to the raster ${(drawn.cpuMs / raster.cpuMs).toFixed(0)}, noise of a sample ${noiseOf(one.pixels, other.pixels).toFixed(2)} of the mean`,
+  );
 }
 await renderer.close();

@@ -22,7 +22,6 @@ function measure(text) {
   return JSON.parse(stdout);
 }
 
-
 execFileSync(process.execPath, [path.join(ROOT, 'js/build/dist.mjs')]);
 const samples = { telar: [], sharp: [], nothing: [] };
 for (const [name, text] of Object.entries(CASES)) measure(text, name); // file caches

@@ -6,10 +6,23 @@ import { CASE_ENVIRONMENT, LIGHTS, shot } from '../parity/shot.mjs';
 const { ambient, hemisphere, directional, point, spot } = LIGHTS;
 const SIZE = 128;
 
-const casting = (light) => ({ ...light, castShadow: true, shadow: { mapSize: 256, radius: 1, intensity: 1, bias: -0.002, normalBias: 0.01, near: 0.1, far: 10, ...shadowExtent(light) } });
+const casting = (light) => ({
+  ...light,
+  castShadow: true,
+  shadow: { mapSize: 256, radius: 1, intensity: 1, bias: -0.002, normalBias: 0.01, near: 0.1, far: 10, ...shadowExtent(light) },
+});
 const shadowExtent = ({ type }) => (type === 'directional' ? { left: -2, right: 2, bottom: -2, top: 2 } : type === 'spot' ? { focus: 1 } : {});
 const SUN = casting({ ...directional, position: [1.5, 3, 2] });
-const LAMP = casting({ type: 'spot', color: [1, 0.9, 0.7], intensity: 30, position: [1.2, 2.2, 1.6], target: [0, -0.2, 0], range: 0, angle: 0.5, penumbra: 0.3 });
+const LAMP = casting({
+  type: 'spot',
+  color: [1, 0.9, 0.7],
+  intensity: 30,
+  position: [1.2, 2.2, 1.6],
+  target: [0, -0.2, 0],
+  range: 0,
+  angle: 0.5,
+  penumbra: 0.3,
+});
 const BULB = casting({ type: 'point', color: [1, 0.8, 0.6], intensity: 8, position: [-0.9, 1.2, 1.1], range: 0 });
 const PANEL = { type: 'rect', color: [1, 0.97, 0.9], intensity: 8, position: [1.6, 1.5, 1.8], target: [0, 0, 0], width: 1.4, height: 0.9 };
 
@@ -51,10 +64,7 @@ const environments = [
 
 /** Each layer by direct light alone and by image-based light alone. */
 const LAYERS = ['sheen', 'sheen-white-base', 'clearcoat', 'iridescence', 'iridescence-metal', 'anisotropy', 'specular', 'ior', 'diffuse-roughness'];
-const layers = LAYERS.flatMap((model) => [
-  make(`${model}-sun`, model, null, { lights: [directional] }),
-  make(`${model}-env`, model, 'studio'),
-]);
+const layers = LAYERS.flatMap((model) => [make(`${model}-sun`, model, null, { lights: [directional] }), make(`${model}-env`, model, 'studio')]);
 
 /** What irradiance without directions, of ambient and hemisphere lights, gives them. */
 const diffuseLayers = ['sheen', 'iridescence', 'ior-0'].map((model) => make(`${model}-hemisphere`, model, null, { lights: [hemisphere, directional] }));
@@ -91,9 +101,33 @@ const tones = ['none', 'linear', 'cineon', 'aces', 'agx', 'neutral'].map((toneMa
   make(`tone-${toneMapping}`, 'sweep', null, { lights: [ambient, { ...directional, intensity: 8 }], toneMapping, exposure: 1.5 }),
 );
 
-const SUNLIT = ['base-color-map', 'normal-map', 'normal-map-tangents', 'metallic-roughness-map', 'emissive-map', 'texture-transform', 'two-uv-sets', 'minification', 'samplers', 'vertex-colors',
-  'vertex-colors-alpha', 'flat-shading', 'unlit', 'default-material', 'alpha-mask', 'alpha-blend', 'alpha-blend-curved', 'alpha-blend-many', 'topologies', 'boxes', 'transforms', 'back-sides'];
-const materials = SUNLIT.map((model) => make(model, model, null, { camera: /samplers|minification|back-sides|topologies/.test(model) ? 'front' : 'quarter', lights: [hemisphere, directional] }));
+const SUNLIT = [
+  'base-color-map',
+  'normal-map',
+  'normal-map-tangents',
+  'metallic-roughness-map',
+  'emissive-map',
+  'texture-transform',
+  'two-uv-sets',
+  'minification',
+  'samplers',
+  'vertex-colors',
+  'vertex-colors-alpha',
+  'flat-shading',
+  'unlit',
+  'default-material',
+  'alpha-mask',
+  'alpha-blend',
+  'alpha-blend-curved',
+  'alpha-blend-many',
+  'topologies',
+  'boxes',
+  'transforms',
+  'back-sides',
+];
+const materials = SUNLIT.map((model) =>
+  make(model, model, null, { camera: /samplers|minification|back-sides|topologies/.test(model) ? 'front' : 'quarter', lights: [hemisphere, directional] }),
+);
 
 const others = [
   make('occlusion-map', 'occlusion-map', 'gradient', { camera: 'quarter' }),

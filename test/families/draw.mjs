@@ -20,8 +20,11 @@ const sha256 = (...parts) => {
 
 /** Stands for the page in the keys of pictures: one that changes is drawn anew. */
 export function pageStamp() {
-  const files = PAGE_FOLDERS.flatMap((folder) => readdirSync(path.join(ROOT, folder), { withFileTypes: true })
-    .filter((entry) => entry.isFile() && /\.(mjs|html)$/.test(entry.name)).map(({ name }) => path.join(ROOT, folder, name)));
+  const files = PAGE_FOLDERS.flatMap((folder) =>
+    readdirSync(path.join(ROOT, folder), { withFileTypes: true })
+      .filter((entry) => entry.isFile() && /\.(mjs|html)$/.test(entry.name))
+      .map(({ name }) => path.join(ROOT, folder, name)),
+  );
   return sha256(...files.sort().map((file) => readFileSync(file)));
 }
 

@@ -28,7 +28,14 @@ test('sources draw as the build does, an older term differently, and only where 
   const { newer, slots } = BORDERS.at(-1);
   const { edits } = slots.find(({ slot }) => slot === 'least roughness');
   const names = ['clearcoat-sun', 'unlit'];
-  const [build, sources, older] = [await drawn(undefined, names), await drawn(new Map(), names), await drawn(editedFiles(newer, edits, () => THREE), names)];
+  const [build, sources, older] = [
+    await drawn(undefined, names),
+    await drawn(new Map(), names),
+    await drawn(
+      editedFiles(newer, edits, () => THREE),
+      names,
+    ),
+  ];
   assert.ok(build['clearcoat-sun'].some((value) => value > 0));
   for (const name of names) assert.ok(build[name].equals(sources[name]), name);
   assert.ok(!older['clearcoat-sun'].equals(build['clearcoat-sun']));

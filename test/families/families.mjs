@@ -42,6 +42,8 @@ export const rangeOf = ({ releases }) => (releases.length > 1 ? `${releases[0]} 
  * @returns {Differing[]}
  */
 export function differences(from, to) {
-  return CASES.filter(({ name }) => from.pictures[name].image !== to.pictures[name].image)
-    .map((item) => ({ name: item.name, distance: distance(item, from.pictures[item.name], to.pictures[item.name]) }));
+  return CASES.filter(({ name }) => from.pictures[name].image !== to.pictures[name].image).map((item) => ({
+    name: item.name,
+    distance: distance(item, from.pictures[item.name], to.pictures[item.name]),
+  }));
 }

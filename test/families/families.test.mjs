@@ -20,15 +20,45 @@ const drawn = (changes = {}) => Object.fromEntries(CASES.map(({ name }) => [name
 test('cases have names of their own and cover what a shot reaches', () => {
   const names = CASES.map(({ name }) => name);
   assert.equal(new Set(names).size, names.length);
-  for (const part of ['light-', 'rect', 'env-', 'background-', 'sheen-', 'clearcoat-', 'iridescence-', 'anisotropy-', 'specular-', 'ior-', 'transmission', 'shadow-', 'tone-', 'topologies', 'unlit', 'vertex-colors', 'alpha-']) {
-    assert.ok(names.some((name) => name.startsWith(part)), part);
+  for (const part of [
+    'light-',
+    'rect',
+    'env-',
+    'background-',
+    'sheen-',
+    'clearcoat-',
+    'iridescence-',
+    'anisotropy-',
+    'specular-',
+    'ior-',
+    'transmission',
+    'shadow-',
+    'tone-',
+    'topologies',
+    'unlit',
+    'vertex-colors',
+    'alpha-',
+  ]) {
+    assert.ok(
+      names.some((name) => name.startsWith(part)),
+      part,
+    );
   }
 });
 
 test('releases are one family where every case is the same, and until the first that is not', () => {
   const other = { 'env-studio': { image: 'b', mask: 'a' } };
   const absent = { 'tone-agx': { absent: 'no such tone mapping' } };
-  const families = familiesOf(new Map([['0.150.0', drawn(absent)], ['0.150.1', drawn(absent)], ['0.151.0', drawn()], ['0.152.0', drawn(other)], ['0.153.0', drawn(other)], ['0.154.0', drawn()]]));
+  const families = familiesOf(
+    new Map([
+      ['0.150.0', drawn(absent)],
+      ['0.150.1', drawn(absent)],
+      ['0.151.0', drawn()],
+      ['0.152.0', drawn(other)],
+      ['0.153.0', drawn(other)],
+      ['0.154.0', drawn()],
+    ]),
+  );
   assert.deepEqual(families.map(rangeOf), ['0.150.0 to 0.150.1', '0.151.0', '0.152.0 to 0.153.0', '0.154.0']);
 });
 
@@ -51,7 +81,10 @@ test('borders follow each other, name slots that have terms on both sides, and c
     if (i > 0) assert.ok(compareReleases(BORDERS[i - 1].older, older) < 0, older);
     for (const { slot, cases, edits } of slots) {
       const terms = SLOT_TERMS.find((row) => row.slot === slot)?.terms;
-      assert.ok(terms?.some(({ to }) => to === older), `${slot} has no term to ${older}`);
+      assert.ok(
+        terms?.some(({ to }) => to === older),
+        `${slot} has no term to ${older}`,
+      );
       assert.ok(edits.length > 0 && cases.length > 0, slot);
       for (const name of cases) assert.ok(names.has(name), `${slot}: ${name}`);
     }

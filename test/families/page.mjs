@@ -18,7 +18,11 @@ const LAST_FAMILY = (families) => families.find(({ releases }) => releases.inclu
 const figure = (distance) => (distance ? `${distance.mean.toFixed(2)} / ${distance.max}` : '-');
 
 /** The short head of a column. */
-const headOf = ({ releases }) => [releases[0], releases.length > 1 ? releases.at(-1) : undefined].filter(Boolean).map((release) => release.replace('0.', '').replace(/\.0$/, '')).join('-');
+const headOf = ({ releases }) =>
+  [releases[0], releases.length > 1 ? releases.at(-1) : undefined]
+    .filter(Boolean)
+    .map((release) => release.replace('0.', '').replace(/\.0$/, ''))
+    .join('-');
 
 function familyRows(families) {
   const last = LAST_FAMILY(families);
@@ -41,14 +45,20 @@ function caseRows(families) {
 }
 
 /** Cases that showed a slot at a border, most first. */
-const shownText = (shown) => shown.filter(({ moved }) => moved && moved.max + moved.edge > 0).sort((a, b) => b.moved.mean - a.moved.mean)
-  .map(({ name, moved }) => `${name} ${moved.mean.toFixed(2)} / ${moved.max}`).join(', ');
+const shownText = (shown) =>
+  shown
+    .filter(({ moved }) => moved && moved.max + moved.edge > 0)
+    .sort((a, b) => b.moved.mean - a.moved.mean)
+    .map(({ name, moved }) => `${name} ${moved.mean.toFixed(2)} / ${moved.max}`)
+    .join(', ');
 
 function slotRows(proofs) {
-  return SLOT_TERMS.flatMap(({ slot, source, terms }) => terms.map(({ from = '', to = '', what }, i) => {
-    const proof = proofs.find(({ border }) => border.older === to)?.slots.find((row) => row.slot === slot);
-    return `| ${i === 0 ? `**${slot}**` : ''} | ${from} | ${to} | ${what.replaceAll(/\s+/g, ' ').replaceAll('|', '\\|')} | ${proof ? shownText(proof.shown) : ''} | ${i === 0 ? source ?? '' : ''} |`;
-  }));
+  return SLOT_TERMS.flatMap(({ slot, source, terms }) =>
+    terms.map(({ from = '', to = '', what }, i) => {
+      const proof = proofs.find(({ border }) => border.older === to)?.slots.find((row) => row.slot === slot);
+      return `| ${i === 0 ? `**${slot}**` : ''} | ${from} | ${to} | ${what.replaceAll(/\s+/g, ' ').replaceAll('|', '\\|')} | ${proof ? shownText(proof.shown) : ''} | ${i === 0 ? (source ?? '') : ''} |`;
+    }),
+  );
 }
 
 function proofRows(proofs) {

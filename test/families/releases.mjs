@@ -30,7 +30,9 @@ export const folderOf = (version) => path.join(RELEASES_FOLDER, version);
  */
 export async function listReleases() {
   const { stdout } = await run('npm', ['view', 'three', 'versions', '--json']);
-  return JSON.parse(stdout).filter((version) => /^0\.\d+\.\d+$/.test(version) && revisionOf(version) >= FIRST_REVISION).sort(compareReleases);
+  return JSON.parse(stdout)
+    .filter((version) => /^0\.\d+\.\d+$/.test(version) && revisionOf(version) >= FIRST_REVISION)
+    .sort(compareReleases);
 }
 
 /**

@@ -17,7 +17,10 @@ import { compareReleases, fetchRelease, listReleases } from './releases.mjs';
 import { BORDERS } from './slots.mjs';
 import { verifyBorder } from './verify.mjs';
 
-const { values: options, positionals: wanted } = parseArgs({ allowPositionals: true, options: { 'no-page': { type: 'boolean', default: false }, kept: { type: 'boolean', default: false } } });
+const { values: options, positionals: wanted } = parseArgs({
+  allowPositionals: true,
+  options: { 'no-page': { type: 'boolean', default: false }, kept: { type: 'boolean', default: false } },
+});
 const stamp = pageStamp();
 const all = await listReleases();
 const unknown = wanted.find((release) => !all.includes(release));

@@ -22,6 +22,7 @@ const CHAIN = `faces and levels as before. Level i of n is level i - 1 under GGX
   normals about V = N, each reflected direction read bilinear at level i - 1 and weighed by N.L`;
 
 /** @type {SlotTerms[]} */
+// biome-ignore format: one row a line, read as a table
 export const SLOT_TERMS = [
   {
     slot: 'environment prefilter', source: 'Heitz 2018, "Sampling the GGX Distribution of Visible Normals"; Karis 2013, "Real Shading in Unreal Engine 4"',

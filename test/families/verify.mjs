@@ -16,11 +16,12 @@ import { folderOf } from './releases.mjs';
 const drawEdited = (version, name, edits, cases, { stamp, log }) =>
   drawRelease({ name: `${version} ${name}`, folder: folderOf(version), edited: editedFiles(version, edits) }, cases, stamp, log);
 
-const named = (names) => names.map((name) => {
-  const item = CASES.find((candidate) => candidate.name === name);
-  if (!item) throw new Error(`there is no case ${name}`);
-  return item;
-});
+const named = (names) =>
+  names.map((name) => {
+    const item = CASES.find((candidate) => candidate.name === name);
+    if (!item) throw new Error(`there is no case ${name}`);
+    return item;
+  });
 
 /**
  * Puts the older terms into the newer release: each by itself on its own cases, and all together on every case that differs.
@@ -30,11 +31,12 @@ const named = (names) => names.map((name) => {
  */
 export async function verifyBorder({ older, newer, everyCase = false, slots }, { pictures, ...how }) {
   const [before, after] = [older, newer].map((version) => pictures.get(version));
-  const show = (edited, cases) => cases.map((item) => ({
-    name: item.name,
-    moved: distance(item, after[item.name], edited[item.name]),
-    left: distance(item, before[item.name], edited[item.name]),
-  }));
+  const show = (edited, cases) =>
+    cases.map((item) => ({
+      name: item.name,
+      moved: distance(item, after[item.name], edited[item.name]),
+      left: distance(item, before[item.name], edited[item.name]),
+    }));
   const rows = [];
   for (const { slot, edits, cases } of slots) {
     const own = named(cases);
@@ -42,6 +44,12 @@ export async function verifyBorder({ older, newer, everyCase = false, slots }, {
   }
   const changed = CASES.filter((item) => before[item.name].image !== after[item.name].image && !before[item.name].absent);
   const name = everyCase ? 'all, every case' : 'all';
-  const together = await drawEdited(newer, name, slots.flatMap(({ edits }) => edits), everyCase ? CASES : changed, how);
+  const together = await drawEdited(
+    newer,
+    name,
+    slots.flatMap(({ edits }) => edits),
+    everyCase ? CASES : changed,
+    how,
+  );
   return { slots: rows, left: show(together, changed).filter(({ left }) => !left || left.max > 0 || left.edge > 0) };
 }

@@ -36,8 +36,7 @@ const CURVES = {
 
 /** Wider towards smooth and grazing, where the curves have a dip that no such fraction follows. */
 function tolerance(curve, name, { roughness: r, cosine: c }) {
-  const dip = name === 'missing' ? 0.06 * Math.exp(-c / 0.03 - r / 0.15) + (r < 0.12 ? 0.01 : 0)
-    : 0.08 * Math.exp(-c / 0.06 - r / 0.2) + (r < 0.12 ? 0.03 : 0);
+  const dip = name === 'missing' ? 0.06 * Math.exp(-c / 0.03 - r / 0.15) + (r < 0.12 ? 0.01 : 0) : 0.08 * Math.exp(-c / 0.06 - r / 0.2) + (r < 0.12 ? 0.03 : 0);
   return curve.tolerated[1] + dip;
 }
 
@@ -66,15 +65,17 @@ export function fit(name, table) {
 /** Nodes and weights by which both curves are averaged over the cosine-weighted hemisphere. */
 function fitNodes(curves) {
   const fine = Array.from({ length: 4000 }, (_, i) => ((i + 0.5) / 4000) ** 3);
-  const weights = fine.map((c, i) => 2 * c * 3 * ((i + 0.5) / 4000) ** 2 / 4000);
+  const weights = fine.map((c, i) => (2 * c * 3 * ((i + 0.5) / 4000) ** 2) / 4000);
   const roughnesses = Array.from({ length: 96 }, (_, i) => 0.045 + (0.955 * i) / 95);
-  const exact = Object.entries(curves).flatMap(([name, p]) => roughnesses.map((r) => {
-    const value = (c) => CURVES[name].value(p, r, c);
-    const mean = fine.reduce((sum, c, i) => sum + weights[i] * value(c), 0);
-    return { value, mean, scale: name === 'missing' ? Math.max(...fine.map(value)) / mean : 2 };
-  }));
-  const residuals = (q) => exact.map(({ value, mean, scale }) =>
-    ((q[4] * value(q[0]) + q[5] * value(q[1]) + q[6] * value(q[2]) + q[7] * value(q[3]) - mean) * scale) / 0.002);
+  const exact = Object.entries(curves).flatMap(([name, p]) =>
+    roughnesses.map((r) => {
+      const value = (c) => CURVES[name].value(p, r, c);
+      const mean = fine.reduce((sum, c, i) => sum + weights[i] * value(c), 0);
+      return { value, mean, scale: name === 'missing' ? Math.max(...fine.map(value)) / mean : 2 };
+    }),
+  );
+  const residuals = (q) =>
+    exact.map(({ value, mean, scale }) => ((q[4] * value(q[0]) + q[5] * value(q[1]) + q[6] * value(q[2]) + q[7] * value(q[3]) - mean) * scale) / 0.002);
   let q = [0.03, 0.13, 0.39, 0.81, 0.003, 0.042, 0.278, 0.676];
   for (const power of [1, 3, 5]) q = leastSquares((x) => residuals(x).map((e) => Math.sign(e) * Math.abs(e) ** power), q, 300);
   return { q, worst: worst(residuals(q)) * 0.002 };

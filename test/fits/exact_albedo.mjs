@@ -43,8 +43,10 @@ export function exactAlbedo(alpha, cosine, strata, across = alpha, azimuth = 0) 
  */
 export function exactTable({ roughnesses = 31, cosines = 31, strata = 72 } = {}) {
   const widths = [0.045, 0.055, 0.07, 0.085, ...Array.from({ length: roughnesses }, (_, i) => 0.1 + (0.9 * i) / (roughnesses - 1))];
-  return widths.flatMap((roughness) => Array.from({ length: cosines }, (_, i) => {
-    const cosine = Math.max((i / (cosines - 1)) ** 2, 1e-6);
-    return { roughness, cosine, ...exactAlbedo(roughness ** 2, cosine, strata) };
-  }));
+  return widths.flatMap((roughness) =>
+    Array.from({ length: cosines }, (_, i) => {
+      const cosine = Math.max((i / (cosines - 1)) ** 2, 1e-6);
+      return { roughness, cosine, ...exactAlbedo(roughness ** 2, cosine, strata) };
+    }),
+  );
 }

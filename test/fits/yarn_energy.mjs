@@ -9,24 +9,15 @@ import { leastSquares } from './least_squares.mjs';
 const START = {
   // middle; missing.x y z w
   missing: [
-    0.61474, -0.41494, 0.02372, 0.31942,
-    -0.20882, 0.06917, 0.76819, 0.03752,
-    0.10506, -0.0986, -1.04387, 0.03171,
-    0.1608, 0.22012, -0.82159, -0.35515,
+    0.61474, -0.41494, 0.02372, 0.31942, -0.20882, 0.06917, 0.76819, 0.03752, 0.10506, -0.0986, -1.04387, 0.03171, 0.1608, 0.22012, -0.82159, -0.35515,
     -0.62388, 0.54975, 0.80672, -0.08909,
   ],
   // width.x y z w; lift, ten times; grazing.x y z w; then those of grazingRatio: n1, q0, q1, q2
   grazing: [
-    -0.66714, -0.7103, 1.68641, 0.49069,
-    1.75086, -1.26667, -7.45126, -0.4081,
-    -1.16979, 2.08477, 6.01511, 0.7239,
-    0.39109, 0.61989, 0.2796, -0.56408,
-    -0.00997, -0.00888, 3.84242, 0.01351,
-    -0.00303, 0.02787, -0.08604, -0.02801,
-    -0.0107, 1.12468, 0.22977, -1.71078,
-    0.02501, -1.03159, -0.14278, 2.04711,
-    0.08854, -0.94784, -0.15574, 0.3377,
-    2.04592, -1.62868, -2.38684, 0.5332, 3.69795, -4.00977, 1.62822, 2.17487, -2.75808, -5.6708, 10.7144, 4.01583, -1.57675, -4.76371,
+    -0.66714, -0.7103, 1.68641, 0.49069, 1.75086, -1.26667, -7.45126, -0.4081, -1.16979, 2.08477, 6.01511, 0.7239, 0.39109, 0.61989, 0.2796, -0.56408, -0.00997,
+    -0.00888, 3.84242, 0.01351, -0.00303, 0.02787, -0.08604, -0.02801, -0.0107, 1.12468, 0.22977, -1.71078, 0.02501, -1.03159, -0.14278, 2.04711, 0.08854,
+    -0.94784, -0.15574, 0.3377, 2.04592, -1.62868, -2.38684, 0.5332, 3.69795, -4.00977, 1.62822, 2.17487, -2.75808, -5.6708, 10.7144, 4.01583, -1.57675,
+    -4.76371,
   ],
 };
 
@@ -80,7 +71,8 @@ function grazingOf(p, missing, { wide, cosine: c, even, width2, share, root, bas
 /** Places everywhere, more of them towards grazing and along the axes, where the curves bend. */
 function places(count) {
   const list = [];
-  const quasi = (i, base) => { // src: Halton 1960
+  const quasi = (i, base) => {
+    // src: Halton 1960
     let [value, digit] = [0, 1 / base];
     for (let rest = i; rest > 0; rest = Math.floor(rest / base), digit /= base) value += digit * (rest % base);
     return value;
@@ -103,16 +95,23 @@ function report(name, errors) {
 }
 
 /** Wider where few pixels are: at cosines below 0.01. */
-const oneSided = (errors, list) => errors.map((e, i) => {
-  const ease = clamp(0.01 / list[i].cosine, 1, 4);
-  return (e + 0.001) / ((e > -0.001 ? 0.002 : 0.025) * ease);
-});
+const oneSided = (errors, list) =>
+  errors.map((e, i) => {
+    const ease = clamp(0.01 / list[i].cosine, 1, 4);
+    return (e + 0.001) / ((e > -0.001 ? 0.002 : 0.025) * ease);
+  });
 
 function fitted(name, start, list, errorsOf) {
   report(`${name}, as it stands`, errorsOf(start));
   const p = leastSquares((q) => oneSided(errorsOf(q), list), start, 20);
   report(`${name}, fitted`, errorsOf(p));
-  for (let i = 0; i < p.length; i += 4) console.log(`  ${p.slice(i, i + 4).map((x) => x.toFixed(5)).join(', ')}`);
+  for (let i = 0; i < p.length; i += 4)
+    console.log(
+      `  ${p
+        .slice(i, i + 4)
+        .map((x) => x.toFixed(5))
+        .join(', ')}`,
+    );
 }
 
 function main() {

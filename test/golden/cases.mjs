@@ -4,7 +4,10 @@ import { ENVIRONMENTS, MODELS } from '../fixtures/index.mjs';
 
 const tshirt = () => readFileSync(new URL('../../js/assets/tshirt.glb', import.meta.url));
 const fabrics = () => readFileSync(new URL('../../js/assets/fabrics.glb', import.meta.url));
-const sun = [{ type: 'directional', position: [2, 3, 4], intensity: 2 }, { type: 'ambient', intensity: 0.4 }];
+const sun = [
+  { type: 'directional', position: [2, 3, 4], intensity: 2 },
+  { type: 'ambient', intensity: 0.4 },
+];
 
 /** @type {Record<string, {model: () => Promise<Uint8Array> | Uint8Array, shot: object}>} */
 export const GOLDENS = {
@@ -17,11 +20,15 @@ export const GOLDENS = {
   'alpha-mask': { model: MODELS['alpha-mask'], shot: { environment: 'none', lights: sun } },
   transforms: { model: MODELS.transforms, shot: { camera: { projection: 'orthographic', view: 'three-quarter' } } },
   'model-lights': { model: MODELS['model-lights'], shot: { environment: 'none', camera: { view: 'three-quarter' } } },
-  'environment-background': { model: MODELS['ball-mirror'], shot: { environment: { map: ENVIRONMENTS.lamps(), rotation: 40 }, background: 'environment', toneMapping: 'agx' } },
+  'environment-background': {
+    model: MODELS['ball-mirror'],
+    shot: { environment: { map: ENVIRONMENTS.lamps(), rotation: 40 }, background: 'environment', toneMapping: 'agx' },
+  },
   'rect-light': {
     model: MODELS['clearcoat-normal'],
     shot: {
-      environment: { map: ENVIRONMENTS.lamps(), intensity: 0.3 }, background: { blur: 0.4 },
+      environment: { map: ENVIRONMENTS.lamps(), intensity: 0.3 },
+      background: { blur: 0.4 },
       lights: [{ type: 'rect', position: [1.2, 1, 2], width: 1.2, height: 0.8, intensity: 6 }],
     },
   },

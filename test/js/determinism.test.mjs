@@ -65,7 +65,10 @@ for (const [name, make] of Object.entries(MODELS)) {
     assert.equal(a.info.backend, 'egl-surfaceless');
     assert.equal(b.info.backend, 'osmesa');
     assert.ok(a.data.equals(b.data));
-    assert.ok(a.data.some((byte) => byte !== 0), 'something is drawn');
+    assert.ok(
+      a.data.some((byte) => byte !== 0),
+      'something is drawn',
+    );
   });
 }
 

@@ -14,7 +14,9 @@ const WIDTH = 256;
 const HEIGHT = 64;
 
 let folder;
-before(() => { folder = mkdtempSync(join(tmpdir(), 'telar-environment-')); });
+before(() => {
+  folder = mkdtempSync(join(tmpdir(), 'telar-environment-'));
+});
 after(() => rmSync(folder, { recursive: true, force: true }));
 
 /** Every red mantissa, in steps of four exponents 0..252; green and blue differ. */
@@ -33,12 +35,17 @@ function encodeRow(row, width) {
   const out = [2, 2, width >> 8, width & 255];
   for (let c = 0; c < 4; c++) {
     const bytes = Array.from({ length: width }, (_, x) => row[x * 4 + c]);
-    for (let x = 0; x < width;) {
+    for (let x = 0; x < width; ) {
       let run = 1;
       while (run < 127 && x + run < width && bytes[x + run] === bytes[x]) run++;
       const literals = bytes.slice(x, x + Math.min(100, width - x));
-      if (run >= 4) { out.push(128 + run, bytes[x]); x += run; }
-      else { out.push(literals.length, ...literals); x += literals.length; }
+      if (run >= 4) {
+        out.push(128 + run, bytes[x]);
+        x += run;
+      } else {
+        out.push(literals.length, ...literals);
+        x += literals.length;
+      }
     }
   }
   return Buffer.from(out);
@@ -67,7 +74,7 @@ function readWithThree(Loader, file, bottomFirst) {
   for (let y = 0; y < height; y++) {
     const row = bottomFirst ? height - 1 - y : y;
     for (let i = 0; i < width * 3; i++) {
-      rgb[y * width * 3 + i] = DataUtils.fromHalfFloat(data[(row * width + Math.floor(i / 3)) * 4 + i % 3]);
+      rgb[y * width * 3 + i] = DataUtils.fromHalfFloat(data[(row * width + Math.floor(i / 3)) * 4 + (i % 3)]);
     }
   }
   return { width, height, rgb };
@@ -81,12 +88,15 @@ function assertSame(expected, actual) {
   assert.ok(new Set(expected.rgb).size > 1000, 'the file holds many different values');
 }
 
-for (const [name, width, options] of [['run-length encoded', WIDTH, { rle: true }], ['flat', WIDTH, { rle: false }],
+for (const [name, width, options] of [
+  ['run-length encoded', WIDTH, { rle: true }],
+  ['flat', WIDTH, { rle: false }],
   ['of seven columns', 7, { rle: false }],
-  ['with GAMMA and EXPOSURE', WIDTH, { rle: true, header: 'GAMMA=2.2\nEXPOSURE=2\n' }]]) {
+  ['with GAMMA and EXPOSURE', WIDTH, { rle: true, header: 'GAMMA=2.2\nEXPOSURE=2\n' }],
+]) {
   test(`.hdr ${name}`, () => {
     const texels = width === 7 ? Buffer.from(rgbeTexels(WIDTH).subarray(0, 7 * HEIGHT * 4)) : rgbeTexels(width);
-    if (width === 7) for (let i = 0; i < texels.length; i += 4) texels[i + 3] = 110 + (i / 4) % 30;
+    if (width === 7) for (let i = 0; i < texels.length; i += 4) texels[i + 3] = 110 + ((i / 4) % 30);
     const file = hdrFile(texels, width, options);
     assertSame(readWithThree(HDRLoader, file, false), readWithTelar(file));
   });
@@ -95,11 +105,12 @@ for (const [name, width, options] of [['run-length encoded', WIDTH, { rle: true 
 for (const bits of [16, 32]) {
   test(`.exr of ${bits} bit`, () => {
     const values = new Float32Array(WIDTH * HEIGHT * 4);
-    for (let i = 0; i < values.length; i++) values[i] = i % 4 === 3 ? 1 : 2 ** ((i * 37) % 9000 / 250 - 22) * 1.00003;
+    for (let i = 0; i < values.length; i++) values[i] = i % 4 === 3 ? 1 : 2 ** (((i * 37) % 9000) / 250 - 22) * 1.00003;
     const path = join(folder, 'frame');
     writeFileSync(path, Buffer.from(values.buffer));
-    const file = execFileSync(imageTool(),
-      ['encode', `frame=${path}`, `width=${WIDTH}`, `height=${HEIGHT}`, 'format=exr', `bits=${bits}`], { maxBuffer: 1 << 28 });
+    const file = execFileSync(imageTool(), ['encode', `frame=${path}`, `width=${WIDTH}`, `height=${HEIGHT}`, 'format=exr', `bits=${bits}`], {
+      maxBuffer: 1 << 28,
+    });
     assertSame(readWithThree(EXRLoader, file, true), readWithTelar(file));
   });
 }

@@ -12,18 +12,31 @@ const FOLDER = path.join(process.env.TELAR_BUILD_DIR ?? path.join(ROOT, 'out/dev
 const PRODUCTS = ['libtelar_oiio.so', 'libtelar_reference.so', 'telar.node'];
 
 // src: System V ABI, chapter 5, and its supplements for GNU; <elf.h>.
-const PT_DYNAMIC = 2, PT_GNU_STACK = 0x6474e551, PT_GNU_RELRO = 0x6474e552, PF_X = 1;
-const SHT_DYNSYM = 11, DT_FLAGS = 30, DF_BIND_NOW = 8;
+const PT_DYNAMIC = 2,
+  PT_GNU_STACK = 0x6474e551,
+  PT_GNU_RELRO = 0x6474e552,
+  PF_X = 1;
+const SHT_DYNSYM = 11,
+  DT_FLAGS = 30,
+  DF_BIND_NOW = 8;
 
 /** Program headers, entries of the dynamic section, and names of the dynamic symbols of a 64-bit little-endian ELF. */
 function readElf(file) {
   assert.equal(file.subarray(0, 6).toString('latin1'), '\x7fELF\x02\x01');
   const at = (offset) => Number(file.readBigUInt64LE(offset));
   const table = (offset, size, count) => Array.from({ length: count }, (_, i) => offset + i * size);
-  const segments = table(at(32), file.readUInt16LE(54), file.readUInt16LE(56))
-    .map((i) => ({ type: file.readUInt32LE(i), flags: file.readUInt32LE(i + 4), offset: at(i + 8), size: at(i + 32) }));
-  const sections = table(at(40), file.readUInt16LE(58), file.readUInt16LE(60))
-    .map((i) => ({ type: file.readUInt32LE(i + 4), offset: at(i + 24), size: at(i + 32), link: file.readUInt32LE(i + 40) }));
+  const segments = table(at(32), file.readUInt16LE(54), file.readUInt16LE(56)).map((i) => ({
+    type: file.readUInt32LE(i),
+    flags: file.readUInt32LE(i + 4),
+    offset: at(i + 8),
+    size: at(i + 32),
+  }));
+  const sections = table(at(40), file.readUInt16LE(58), file.readUInt16LE(60)).map((i) => ({
+    type: file.readUInt32LE(i + 4),
+    offset: at(i + 24),
+    size: at(i + 32),
+    link: file.readUInt32LE(i + 40),
+  }));
   const dynamic = segments.find(({ type }) => type === PT_DYNAMIC);
   const entries = new Map(table(dynamic.offset, 16, dynamic.size / 16).map((i) => [at(i), at(i + 8)]));
   const symbols = sections.find(({ type }) => type === SHT_DYNSYM);

@@ -9,8 +9,18 @@ import { chromium } from 'playwright-core';
 import { imageCorpus } from './image/image_corpus.mjs';
 import { imageTool } from './image/image_tool.mjs';
 
-const FLAGS = ['--headless=new', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
+const FLAGS = [
+  '--headless=new',
+  '--no-sandbox',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--use-gl=angle',
+  '--use-angle=gl-egl',
+  '--ignore-gpu-blocklist',
+];
 const CHROMIUM = process.env.TELAR_CHROMIUM ?? '/usr/bin/chromium';
 
 /** Runs in the page: the image as three.js' GLTFLoader uploads it, read back. */
@@ -35,7 +45,9 @@ async function texelsInBrowser(base64) {
 
 /** First texel that differs, for the message. */
 function firstDifference(expected, actual, width) {
-  let count = 0, max = 0, first = -1;
+  let count = 0,
+    max = 0,
+    first = -1;
   for (let i = 0; i < expected.length; i++) {
     const d = Math.abs(expected[i] - actual[i]);
     if (d && first < 0) first = i;
@@ -44,8 +56,10 @@ function firstDifference(expected, actual, width) {
   }
   const texel = first >> 2;
   const at = (bytes) => [...bytes.subarray(texel * 4, texel * 4 + 4)];
-  return first < 0 ? '' : `${count} of ${expected.length} bytes differ by up to ${max}; first at x ${texel % width}, ` +
-    `y ${Math.floor(texel / width)}: browser ${at(expected)}, telar ${at(actual)}`;
+  return first < 0
+    ? ''
+    : `${count} of ${expected.length} bytes differ by up to ${max}; first at x ${texel % width}, ` +
+        `y ${Math.floor(texel / width)}: browser ${at(expected)}, telar ${at(actual)}`;
 }
 
 let folder, browser, page;

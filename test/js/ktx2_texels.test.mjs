@@ -20,7 +20,9 @@ import { imageTool } from './image/image_tool.mjs';
 const SHARED = fileURLToPath(new URL('../../../shared/models/textures_ktx2/', import.meta.url));
 
 let folder;
-before(() => { folder = mkdtempSync(join(tmpdir(), 'telar-ktx2-')); });
+before(() => {
+  folder = mkdtempSync(join(tmpdir(), 'telar-ktx2-'));
+});
 after(() => rmSync(folder, { recursive: true, force: true }));
 
 /** telar's levels; null where it refuses the file as damaged. */
@@ -61,8 +63,12 @@ async function checkEqual(bytes, name) {
   expected.forEach((level, i) => {
     const own = cropped(actual.levels[i], level);
     const wrong = level.pixels.findIndex((value, at) => value !== own[at]);
-    assert.equal(wrong, -1, `${name}, level ${i}, x ${(wrong >> 2) % level.width} y ${Math.floor((wrong >> 2) / level.width)}: ` +
-      `${[...level.pixels.subarray(wrong & ~3, (wrong & ~3) + 4)]}, telar ${[...own.subarray(wrong & ~3, (wrong & ~3) + 4)]}`);
+    assert.equal(
+      wrong,
+      -1,
+      `${name}, level ${i}, x ${(wrong >> 2) % level.width} y ${Math.floor((wrong >> 2) / level.width)}: ` +
+        `${[...level.pixels.subarray(wrong & ~3, (wrong & ~3) + 4)]}, telar ${[...own.subarray(wrong & ~3, (wrong & ~3) + 4)]}`,
+    );
   });
   return actual;
 }
@@ -84,13 +90,23 @@ function picture(width, height, { alpha = false, noise = 0, seed = 1 } = {}) {
     for (let x = 0; x < width; ++x) {
       const edge = (x >> 3) + (y >> 3) === 3 ? 90 : 0;
       const color = [40 + 3 * x + edge, 200 - 2 * y - edge, 128 + 80 * Math.sin(x / 7) * Math.cos(y / 5), alpha ? 255 - 3 * y : 255];
-      color.forEach((value, c) => { pixels[(y * width + x) * 4 + c] = Math.min(255, Math.max(0, value + (c < 3 ? noise * (next() - 0.5) : 0))); });
+      color.forEach((value, c) => {
+        pixels[(y * width + x) * 4 + c] = Math.min(255, Math.max(0, value + (c < 3 ? noise * (next() - 0.5) : 0)));
+      });
     }
   }
   return { width, height, pixels };
 }
 
-const SIZES = [[4, 4], [16, 16], [64, 32], [40, 40], [13, 7], [1, 1], [2, 9]];
+const SIZES = [
+  [4, 4],
+  [16, 16],
+  [64, 32],
+  [40, 40],
+  [13, 7],
+  [1, 1],
+  [2, 9],
+];
 
 test('ETC1S', async () => {
   for (const [width, height] of SIZES) {
@@ -117,15 +133,40 @@ test('UASTC', async () => {
 test('UASTC with zstd gives the same as without', async () => {
   const image = picture(40, 24, { alpha: true });
   const plain = mipChain(image).map(uastcBlocks);
-  const file = ktx2File({ width: 40, height: 24, levels: plain.map(zstdStored), sizes: plain.map((level) => level.length),
-    supercompression: SUPERCOMPRESSION.zstd, channels: [3] });
+  const file = ktx2File({
+    width: 40,
+    height: 24,
+    levels: plain.map(zstdStored),
+    sizes: plain.map((level) => level.length),
+    supercompression: SUPERCOMPRESSION.zstd,
+    channels: [3],
+  });
   assert.deepEqual(decoded(file), decoded(uastcKtx2(image)));
   await checkEqual(file, 'zstd');
 });
 
 /** Lowest bits of a block by mode, and how many; src: renderer/ktx2/uastc_modes.h, and the code that means no mode. */
-const CODES = [[0x01, 4], [0x35, 6], [0x1d, 5], [0x03, 5], [0x13, 5], [0x0b, 5], [0x1b, 5], [0x07, 5], [0x17, 5], [0x0f, 5],
-  [0x02, 3], [0x00, 2], [0x06, 3], [0x1f, 5], [0x0d, 5], [0x05, 7], [0x15, 6], [0x25, 6], [0x09, 4]];
+const CODES = [
+  [0x01, 4],
+  [0x35, 6],
+  [0x1d, 5],
+  [0x03, 5],
+  [0x13, 5],
+  [0x0b, 5],
+  [0x1b, 5],
+  [0x07, 5],
+  [0x17, 5],
+  [0x0f, 5],
+  [0x02, 3],
+  [0x00, 2],
+  [0x06, 3],
+  [0x1f, 5],
+  [0x0d, 5],
+  [0x05, 7],
+  [0x15, 6],
+  [0x25, 6],
+  [0x09, 4],
+];
 
 function randomBlock(next, [code, bits]) {
   const block = Buffer.from(Array.from({ length: 16 }, () => Math.floor(next() * 256)));
@@ -161,7 +202,10 @@ test('coding: what the descriptor says, and R8 and RG8 never sRGB', () => {
   const raw = decoded(rawKtx2(image));
   assert.equal(raw.coding, SRGB);
   assert.deepEqual([...raw.levels[0].pixels], [...image.pixels]);
-  assert.deepEqual(raw.levels.map(({ width }) => width), [8, 4, 2, 1]);
+  assert.deepEqual(
+    raw.levels.map(({ width }) => width),
+    [8, 4, 2, 1],
+  );
   const red = decoded(ktx2File({ width: 2, height: 1, levels: [Buffer.of(9, 250)], vkFormat: 15, model: 1 }));
   assert.equal(red.coding, LINEAR);
   assert.deepEqual([...red.levels[0].pixels], [9, 0, 0, 255, 250, 0, 0, 255]);
@@ -190,12 +234,21 @@ test('every uncompressed format of KTX2Loader: texels, lacking components, level
         const expected = i % 4 < components ? image.pixels[i] / 255 : Number(i % 4 === 3);
         assert.ok(Math.abs(value - expected) <= tolerance, `${name}, value ${i}: ${value}, ${expected}`);
       });
-      assert.deepEqual(actual.levels.map(({ width, height }) => [width, height]), [[12, 10], [6, 5], [3, 2], [1, 1]]);
+      assert.deepEqual(
+        actual.levels.map(({ width, height }) => [width, height]),
+        [
+          [12, 10],
+          [6, 5],
+          [3, 2],
+          [1, 1],
+        ],
+      );
       assert.equal(actual.coding, components < 4 || actual.type !== 'bytes' ? LINEAR : SRGB, name);
     }
   }
   assert.equal(decoded(rawFormatKtx2('rgba8', image, { transfer: 1 })).coding, BY_USE);
-  for (const vkFormat of Object.values(REFUSED_FORMATS)) assert.throws(() => decoded(ktx2File({ width: 1, height: 1, levels: [Buffer.alloc(16)], vkFormat, model: 1 })), /E_IMAGE_FORMAT/);
+  for (const vkFormat of Object.values(REFUSED_FORMATS))
+    assert.throws(() => decoded(ktx2File({ width: 1, height: 1, levels: [Buffer.alloc(16)], vkFormat, model: 1 })), /E_IMAGE_FORMAT/);
 });
 
 /** Why three.js's own loader does not take a file; undefined where it does. */
@@ -203,7 +256,13 @@ async function refusalOfThree(bytes) {
   const loader = new KTX2Loader();
   loader.workerConfig = {}; // of a GPU that reads no blocks: nothing here needs a transcoder
   const copy = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length);
-  return new Promise((resolve) => { loader.parse(copy, () => resolve(undefined), (error) => resolve(error.message)); });
+  return new Promise((resolve) => {
+    loader.parse(
+      copy,
+      () => resolve(undefined),
+      (error) => resolve(error.message),
+    );
+  });
 }
 
 // PVRTC and ASTC HDR are for GPUs that no server has.
@@ -220,7 +279,13 @@ test('formats: telar reads those that KTX2Loader reads, and refuses the others a
     if (refusal) assert.throws(() => decoded(fileOf(vkFormat)), /E_IMAGE_FORMAT: .* which three\.js 0\.187 refuses as well/, `${vkFormat}`);
     else decoded(fileOf(vkFormat));
   }
-  assert.deepEqual(read, [...Object.values(RAW_FORMATS), ...Object.values(BLOCK_FORMATS)].map(({ vkFormat }) => vkFormat).concat(133, 137, 157, 165).sort((a, b) => a - b));
+  assert.deepEqual(
+    read,
+    [...Object.values(RAW_FORMATS), ...Object.values(BLOCK_FORMATS)]
+      .map(({ vkFormat }) => vkFormat)
+      .concat(133, 137, 157, 165)
+      .sort((a, b) => a - b),
+  );
   for (const vkFormat of FOREIGN) assert.throws(() => decoded(fileOf(vkFormat)), /E_IMAGE_FORMAT: .* which telar does not draw/);
 });
 
@@ -240,7 +305,13 @@ test('packed floats, every exponent', () => {
   for (const [name, numbers] of Object.entries(unpack)) {
     const finite = words.filter((word) => name === 'e5b9g9r9' || numbers(word).every((value) => value < 65536));
     assert.ok(finite.length > 3000);
-    const file = ktx2File({ width: 16, height: finite.length >> 4, levels: [Buffer.from(finite.buffer, 0, (finite.length >> 4) * 64)], vkFormat: RAW_FORMATS[name].vkFormat, model: 1 });
+    const file = ktx2File({
+      width: 16,
+      height: finite.length >> 4,
+      levels: [Buffer.from(finite.buffer, 0, (finite.length >> 4) * 64)],
+      vkFormat: RAW_FORMATS[name].vkFormat,
+      model: 1,
+    });
     const expected = [...finite.subarray(0, (finite.length >> 4) * 16)].flatMap((word) => [...numbers(word), 1]);
     assert.deepEqual(numbersOf(decoded(file)), expected);
   }

@@ -50,7 +50,12 @@ test('planted violations are found, one each', async (t) => {
     'js/analyse/planted.mjs': "export {\n  one,\n  two,\n}\n  from '../cli/run.mjs';\n",
     'js/view/planted.mjs': "const late = () => import(\n  '../cli/run.mjs',\n);\n",
   };
-  const helpers = new Map([['renderer/gl/context.h', ''], ['renderer/asset/material/material.h', ''], ['renderer/image/bytes.h', ''], ['renderer/core/text.h', '']]);
+  const helpers = new Map([
+    ['renderer/gl/context.h', ''],
+    ['renderer/asset/material/material.h', ''],
+    ['renderer/image/bytes.h', ''],
+    ['renderer/core/text.h', ''],
+  ]);
   for (const [file, text] of Object.entries(planted)) {
     await t.test(file, () => {
       const found = layerViolations(new Map([...helpers, [file, text]]), PACKAGES);
@@ -61,12 +66,18 @@ test('planted violations are found, one each', async (t) => {
 });
 
 test('comments and strings are no violations', () => {
-  const file = new Map([['renderer/pass/fine.cpp', '// gl.GenTextures, printf(\nconst char* f() { return "printf("; } /* std::cout */\nint g() { return std::snprintf(a, 1, "x"); }\n']]);
+  const file = new Map([
+    [
+      'renderer/pass/fine.cpp',
+      '// gl.GenTextures, printf(\nconst char* f() { return "printf("; } /* std::cout */\nint g() { return std::snprintf(a, 1, "x"); }\n',
+    ],
+  ]);
   assert.deepEqual(layerViolations(file, PACKAGES), []);
 });
 
 test('every layer has its tests', () => {
-  const tests = ['cpp', 'js'].flatMap((kind) => readdirSync(path.join(ROOT, 'test', kind), { recursive: true }).map((name) => `test/${kind}/${name}`))
+  const tests = ['cpp', 'js']
+    .flatMap((kind) => readdirSync(path.join(ROOT, 'test', kind), { recursive: true }).map((name) => `test/${kind}/${name}`))
     .filter((name) => /_test\.cpp$|\.test\.mjs$/.test(name));
   assert.deepEqual(layersWithoutTests(tests), []);
   const planted = tests.filter((name) => !name.startsWith('test/cpp/gl/'));
@@ -75,13 +86,31 @@ test('every layer has its tests', () => {
 
 test('a test of C++ names the code of the error that it wants', () => {
   assert.deepEqual(errorsWithoutCode(sources(['test/cpp'], /\.(h|cpp)$/)), []);
-  const planted = ['EXPECT_THROW(f(), Error);', 'ASSERT_THROW(\n  f({1, 2}),\n  telar::Error)', 'EXPECT_ANY_THROW(f());', 'EXPECT_THROW(f(), std::bad_alloc);', '// EXPECT_THROW(f(), Error);'];
-  assert.deepEqual(planted.map((text) => errorsWithoutCode(new Map([['a.cpp', `\n${text}`]])).length), [1, 1, 1, 0, 0]);
+  const planted = [
+    'EXPECT_THROW(f(), Error);',
+    'ASSERT_THROW(\n  f({1, 2}),\n  telar::Error)',
+    'EXPECT_ANY_THROW(f());',
+    'EXPECT_THROW(f(), std::bad_alloc);',
+    '// EXPECT_THROW(f(), Error);',
+  ];
+  assert.deepEqual(
+    planted.map((text) => errorsWithoutCode(new Map([['a.cpp', `\n${text}`]])).length),
+    [1, 1, 1, 0, 0],
+  );
 });
 
 test('no file is long', () => {
   const texts = new Map([...SOURCES, ...sources(['shaders', 'test'], /\.(h|cpp|mjs|glsl|vert|frag)$/)]);
   assert.ok(texts.size > 500, String(texts.size));
   assert.deepEqual(longFiles(texts, MAX_LINES), []);
-  assert.deepEqual(longFiles(new Map([['a.h', '\n'.repeat(MAX_LINES + 1)], ['b.h', '\n'.repeat(MAX_LINES)]]), MAX_LINES), [`a.h has ${MAX_LINES + 1} lines, more than ${MAX_LINES}`]);
+  assert.deepEqual(
+    longFiles(
+      new Map([
+        ['a.h', '\n'.repeat(MAX_LINES + 1)],
+        ['b.h', '\n'.repeat(MAX_LINES)],
+      ]),
+      MAX_LINES,
+    ),
+    [`a.h has ${MAX_LINES + 1} lines, more than ${MAX_LINES}`],
+  );
 });

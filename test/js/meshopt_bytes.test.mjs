@@ -28,7 +28,14 @@ function checkView(spec, extension) {
   compressViews(model, [{ ...spec, view }], { extension });
   const { byteOffset, byteLength } = model.doc.bufferViews[view].extensions[extension];
   const expected = new Uint8Array(spec.count * spec.stride);
-  MeshoptDecoder.decodeGltfBuffer(expected, spec.count, spec.stride, new Uint8Array(model.bin.subarray(byteOffset, byteOffset + byteLength)), spec.mode, spec.filter);
+  MeshoptDecoder.decodeGltfBuffer(
+    expected,
+    spec.count,
+    spec.stride,
+    new Uint8Array(model.bin.subarray(byteOffset, byteOffset + byteLength)),
+    spec.mode,
+    spec.filter,
+  );
   const file = join(folder, 'model.glb');
   writeFileSync(file, glb(model));
   const all = execFileSync(TOOL, [file], { maxBuffer: 64 << 20 });
@@ -37,10 +44,11 @@ function checkView(spec, extension) {
 }
 
 const bytes = (length, step) => Uint8Array.from({ length }, (_, i) => ((i * step) >> 3) + (i % 5 === 0 ? i : 0));
-const units = (count) => Float32Array.from({ length: count * 4 }, (_, i) => {
-  const t = (i >> 2) * 0.7;
-  return [Math.sin(t) * Math.cos(3 * t), Math.sin(t) * Math.sin(3 * t), Math.cos(t), i % 8 === 3 ? 1 : -1][i % 4];
-});
+const units = (count) =>
+  Float32Array.from({ length: count * 4 }, (_, i) => {
+    const t = (i >> 2) * 0.7;
+    return [Math.sin(t) * Math.cos(3 * t), Math.sin(t) * Math.sin(3 * t), Math.cos(t), i % 8 === 3 ? 1 : -1][i % 4];
+  });
 
 for (const extension of ['EXT_meshopt_compression', 'KHR_meshopt_compression']) {
   test(`${extension}: attributes`, () => {
@@ -66,7 +74,10 @@ for (const extension of ['EXT_meshopt_compression', 'KHR_meshopt_compression']) 
     const count = 301;
     for (const stride of [4, 8]) {
       const bits = stride === 4 ? 8 : 12;
-      checkView({ count, stride, mode: 'ATTRIBUTES', filter: 'OCTAHEDRAL', filtered: MeshoptEncoder.encodeFilterOct(units(count), count, stride, bits) }, extension);
+      checkView(
+        { count, stride, mode: 'ATTRIBUTES', filter: 'OCTAHEDRAL', filtered: MeshoptEncoder.encodeFilterOct(units(count), count, stride, bits) },
+        extension,
+      );
     }
     const unit = units(count).map((value, i, all) => value / Math.hypot(...all.subarray(i & ~3, (i & ~3) + 4)));
     checkView({ count, stride: 8, mode: 'ATTRIBUTES', filter: 'QUATERNION', filtered: MeshoptEncoder.encodeFilterQuat(unit, count, 8, 14) }, extension);

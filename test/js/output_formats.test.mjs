@@ -19,7 +19,9 @@ const WIDTH = 203;
 const HEIGHT = 117;
 
 let folder;
-before(() => { folder = mkdtempSync(join(tmpdir(), 'telar-output-')); });
+before(() => {
+  folder = mkdtempSync(join(tmpdir(), 'telar-output-'));
+});
 after(() => rmSync(folder, { recursive: true, force: true }));
 
 /** Noise over a slope: every value of every channel, alpha from 0 to 255. */
@@ -33,8 +35,10 @@ function bytesFrame({ opaque = false } = {}) {
 }
 
 /** Linear light from far below to far above 1, of both signs; alpha 0..1. */
-const floatsFrame = () => Float32Array.from({ length: WIDTH * HEIGHT * 4 }, (_, i) =>
-  (i % 4 === 3 ? ((i >> 2) % 256) / 255 : (i % 3 === 0 ? -1 : 1) * 2 ** (((i * 37) % 9000) / 300 - 14) * 1.00003));
+const floatsFrame = () =>
+  Float32Array.from({ length: WIDTH * HEIGHT * 4 }, (_, i) =>
+    i % 4 === 3 ? ((i >> 2) % 256) / 255 : (i % 3 === 0 ? -1 : 1) * 2 ** (((i * 37) % 9000) / 300 - 14) * 1.00003,
+  );
 
 function encode(frame, options) {
   const path = join(folder, 'frame');
@@ -54,7 +58,12 @@ async function bySharp(file, bits = 8) {
 function byThree(file, type) {
   const { width, height, data } = new EXRLoader().setDataType(type).parse(file.buffer.slice(file.byteOffset, file.byteOffset + file.length));
   const values = type === HalfFloatType ? Array.from(data, (half) => DataUtils.fromHalfFloat(half)) : Array.from(data);
-  return { width, height, channels: 4, data: Array.from({ length: height }, (_, y) => values.slice((height - 1 - y) * width * 4, (height - y) * width * 4)).flat() };
+  return {
+    width,
+    height,
+    channels: 4,
+    data: Array.from({ length: height }, (_, y) => values.slice((height - 1 - y) * width * 4, (height - y) * width * 4)).flat(),
+  };
 }
 
 /** Number of samples that differ, and the greatest and mean difference. */
@@ -127,7 +136,10 @@ test('exr of 16 and 32 bits: EXRLoader reads the frame', () => {
 });
 
 test('raw is the frame', () => {
-  for (const [frame, bits] of [[bytesFrame(), 8], [floatsFrame(), 32]]) {
+  for (const [frame, bits] of [
+    [bytesFrame(), 8],
+    [floatsFrame(), 32],
+  ]) {
     assert.ok(encode(frame, { format: 'raw', bits }).equals(Buffer.from(frame.buffer)));
   }
 });
@@ -149,8 +161,12 @@ test('planted faults are told', async () => {
 
 const EVERY = [
   ...[8, 16].flatMap((bits) => [0, 1].flatMap((icc) => ['png', 'tiff'].map((format) => ({ format, bits, icc, ppi: 96 })))),
-  { format: 'jpeg', icc: 1, ppi: 96 }, { format: 'webp' }, { format: 'webp', quality: 100 },
-  { format: 'exr', bits: 16 }, { format: 'exr', bits: 32 }, { format: 'raw', bits: 8 },
+  { format: 'jpeg', icc: 1, ppi: 96 },
+  { format: 'webp' },
+  { format: 'webp', quality: 100 },
+  { format: 'exr', bits: 16 },
+  { format: 'exr', bits: 32 },
+  { format: 'raw', bits: 8 },
 ];
 
 test('the same bytes a second later, and no time in a file', async () => {
@@ -170,12 +186,27 @@ test('a rendered picture: all formats hold what raw holds', async () => {
     const size = { width: 96, height: 64 };
     const bytes = await draw({ format: 'raw' });
     assert.ok(new Set(bytes).size > 50, 'there is a picture');
-    for (const output of [{ format: 'png' }, { format: 'tiff' }, { format: 'webp', quality: 100 }, { format: 'png', icc: true }, { format: 'tiff', icc: true }]) {
+    for (const output of [
+      { format: 'png' },
+      { format: 'tiff' },
+      { format: 'webp', quality: 100 },
+      { format: 'png', icc: true },
+      { format: 'tiff', icc: true },
+    ]) {
       assertSame(await bySharp(await draw(output)), bytes, size);
     }
-    for (const format of ['png', 'tiff']) assertSame(await bySharp(await draw({ format, bitDepth: 16 }), 16), Array.from(bytes, (value) => value * 257), size);
+    for (const format of ['png', 'tiff'])
+      assertSame(
+        await bySharp(await draw({ format, bitDepth: 16 }), 16),
+        Array.from(bytes, (value) => value * 257),
+        size,
+      );
     const floats = await draw({ format: 'raw', bitDepth: 32 });
-    assertSame(byThree(await draw({ format: 'exr', bitDepth: 32 }), FloatType), new Float32Array(floats.buffer.slice(floats.byteOffset, floats.byteOffset + floats.length)), size);
+    assertSame(
+      byThree(await draw({ format: 'exr', bitDepth: 32 }), FloatType),
+      new Float32Array(floats.buffer.slice(floats.byteOffset, floats.byteOffset + floats.length)),
+      size,
+    );
     const background = { background: '#f2efe9' };
     const opaque = (await draw({ format: 'raw' }, background)).filter((_, i) => i % 4 !== 3);
     const jpeg = await bySharp(await draw({ format: 'jpeg', quality: 100 }, background));

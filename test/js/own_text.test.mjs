@@ -26,12 +26,17 @@ const TABLES = [...read('NOTICE').matchAll(/^\S+\.inc$/gm)].map(([file]) => file
 test(`no run of ${RUN} tokens stands in three.js too`, () => {
   assert.ok(OWN.size > 400 && THREE.size > 1000, `the texts were found: ${OWN.size}, ${THREE.size}`);
   const found = sharedRuns(new Map([...OWN].filter(([file]) => !TABLES.includes(file))), THREE, RUN);
-  assert.deepEqual(found.map((run) => `${run.ours} has ${run.tokens} tokens of ${run.theirs}`), []);
+  assert.deepEqual(
+    found.map((run) => `${run.ours} has ${run.tokens} tokens of ${run.theirs}`),
+    [],
+  );
 });
 
 test('a planted run is found where it stands, under any layout and comments', () => {
   const file = 'node_modules/three/src/extras/PMREMGenerator.js';
-  const line = THREE.get(file).split('\n').findIndex((text) => text.includes('void main()'));
+  const line = THREE.get(file)
+    .split('\n')
+    .findIndex((text) => text.includes('void main()'));
   const taken = THREE.get(file).split('\n').slice(line).join('\n');
   const words = [];
   forEachToken(taken, (word) => words.push(word));
@@ -46,7 +51,9 @@ test('a planted run is found where it stands, under any layout and comments', ()
 });
 
 test('NOTICE names what carries a licence', () => {
-  const carrying = [...OWN].filter(([file, text]) => !file.startsWith('js/assets/make/') && /Copyright \(c\)|\bcopyright \d{4}/i.test(text)).map(([file]) => file);
+  const carrying = [...OWN]
+    .filter(([file, text]) => !file.startsWith('js/assets/make/') && /Copyright \(c\)|\bcopyright \d{4}/i.test(text))
+    .map(([file]) => file);
   assert.deepEqual(carrying.sort(), TABLES.sort());
   assert.ok(JSON.parse(read('package.json')).files.includes('NOTICE'), 'it is packed');
   const words = (text) => text.match(/\w+/g).join(' ');

@@ -30,6 +30,9 @@ for (const fault of IMAGE_FAULTS) {
     const off = (await run(misled(renderer, fault), { shadings: ['fabric'] })).filter(({ holds }) => !holds);
     for (const figure of off) t.diagnostic(said(figure));
     const kinds = new Set(off.map(kindOf));
-    assert.deepEqual(fault.fails.filter((what) => !kinds.has(what)), []);
+    assert.deepEqual(
+      fault.fails.filter((what) => !kinds.has(what)),
+      [],
+    );
   });
 }

@@ -79,14 +79,25 @@ async function rotation(renderer, { shadings = SHADINGS } = {}) {
       const [sin, cos] = [Math.sin((turn * Math.PI) / 180), Math.cos((turn * Math.PI) / 180)];
       const turned = ([x, y, z]) => [x * cos + z * sin, y, z * cos - x * sin];
       const shot = (around, degrees) => ({
-        shading, camera: { position: around([1, 0.8, 3]), target: [0, 0, 0], fovY: 30, near: 1, far: 6 },
-        environment: { map: lamps(256), rotation: degrees }, lights: [{ ...SUN, position: around(SUN.position), castShadow: false }],
+        shading,
+        camera: { position: around([1, 0.8, 3]), target: [0, 0, 0], fovY: 30, near: 1, far: 6 },
+        environment: { map: lamps(256), rotation: degrees },
+        lights: [{ ...SUN, position: around(SUN.position), castShadow: false }],
       });
-      const expected = await render(renderer, await ringOnSheet(), shot((v) => v, 0));
+      const expected = await render(
+        renderer,
+        await ringOnSheet(),
+        shot((v) => v, 0),
+      );
       const actual = await render(renderer, await ringOnSheet({ turn }), shot(turned, turn));
       const inside = interior(expected, 128);
       const { largest } = compared(of(expected, inside), of(actual, inside));
-      figures.push(figure(`scene, lights, environment and camera turned by ${turn} degrees: largest difference away from edges, of 255`, shading, largest, { high: 1, points: inside.length }));
+      figures.push(
+        figure(`scene, lights, environment and camera turned by ${turn} degrees: largest difference away from edges, of 255`, shading, largest, {
+          high: 1,
+          points: inside.length,
+        }),
+      );
     }
   }
   return figures;
@@ -106,7 +117,11 @@ async function triangleOrder(renderer, { shadings = SHADINGS } = {}) {
 
 async function closeSurfaces(renderer) {
   const figures = [];
-  for (const [name, camera] of [['from the front', {}], ['at 45 degrees', { azimuth: 45, elevation: 20 }], ['from afar', { fit: 0.2 }]]) {
+  for (const [name, camera] of [
+    ['from the front', {}],
+    ['at 45 degrees', { azimuth: 45, elevation: 20 }],
+    ['from afar', { fit: 0.2 }],
+  ]) {
     const data = await render(renderer, await closePlanes(), { camera, toneMapping: 'none' });
     let green = 0;
     for (let i = 0; i < data.length; i += 4) green += data[i + 1] > data[i] + 8;
@@ -127,13 +142,22 @@ const LINEAR = { background: 'transparent', output: { format: 'raw', bitDepth: 3
 async function straightRect(renderer, { shadings = SHADINGS } = {}) {
   const figures = [];
   for (const shading of shadings) {
-    const lit = async (azimuth) => meanOf(await render(renderer, await square(), {
-      ...LINEAR, shading, environment: 'none', camera: { projection: 'orthographic', azimuth, elevation: 0 },
-      lights: [{ type: 'rect', position: [0.3, 0.4, 1], width: 1, height: 1, intensity: 4 }],
-    }));
+    const lit = async (azimuth) =>
+      meanOf(
+        await render(renderer, await square(), {
+          ...LINEAR,
+          shading,
+          environment: 'none',
+          camera: { projection: 'orthographic', azimuth, elevation: 0 },
+          lights: [{ type: 'rect', position: [0.3, 0.4, 1], width: 1, height: 1, intensity: 4 }],
+        }),
+      );
     const [straight, tilted] = [await lit(0), await lit(0.01)];
-    figures.push(figure('rectangle light, parallel view straight at a plane against 0.01 degrees off: relative difference', shading,
-      Math.abs(straight / tilted - 1), { high: 0.01 }));
+    figures.push(
+      figure('rectangle light, parallel view straight at a plane against 0.01 degrees off: relative difference', shading, Math.abs(straight / tilted - 1), {
+        high: 0.01,
+      }),
+    );
   }
   return figures;
 }
@@ -148,13 +172,26 @@ async function hotSun(renderer, { shadings = SHADINGS } = {}) {
   const [BELOW, ABOVE] = [6e4, 1.6e9];
   for (const shading of shadings) {
     for (const quality of ['standard', 'high']) {
-      const lit = async (radiance) => meanOf(await render(renderer, await square(), {
-        ...LINEAR, quality, shading, exposure: 1 / radiance, environment: { map: sky(radiance), rotation: 0 },
-        camera: { azimuth: 20, elevation: 10 },
-      }));
+      const lit = async (radiance) =>
+        meanOf(
+          await render(renderer, await square(), {
+            ...LINEAR,
+            quality,
+            shading,
+            exposure: 1 / radiance,
+            environment: { map: sky(radiance), rotation: 0 },
+            camera: { azimuth: 20, elevation: 10 },
+          }),
+        );
       const kept = (await lit(ABOVE)) / (await lit(BELOW));
-      figures.push(figure(`sun of 1.6e9 in one texel of the environment, quality ${quality}: part of its light kept`, shading, kept,
-        quality === 'high' ? { low: 0.99, high: 1.01 } : {}));
+      figures.push(
+        figure(
+          `sun of 1.6e9 in one texel of the environment, quality ${quality}: part of its light kept`,
+          shading,
+          kept,
+          quality === 'high' ? { low: 0.99, high: 1.01 } : {},
+        ),
+      );
     }
   }
   return figures;

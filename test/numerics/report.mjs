@@ -25,7 +25,10 @@ async function program(args) {
     if (error.code === 1 || error.code === 3) return error;
     throw new Error(`telar_numerics ${args.join(' ')} ended with ${error.signal ?? error.code}: ${error.stderr}`);
   });
-  return stdout.split('\n').filter(Boolean).map((line) => JSON.parse(line));
+  return stdout
+    .split('\n')
+    .filter(Boolean)
+    .map((line) => JSON.parse(line));
 }
 
 /** The figures of one check of telar_numerics; `kept` where this build has measured them before. */
@@ -48,7 +51,9 @@ async function planned({ only = '', quick }) {
   return [
     ...listed.map((check) => ({ ...check, run: () => measured(check, { quick }, folder) })),
     ...images.map(({ topic, name, run }) => ({
-      topic, name, run: async (renderer) => {
+      topic,
+      name,
+      run: async (renderer) => {
         const started = performance.now();
         const figures = await run(renderer);
         return { topic, name, figures, seconds: (performance.now() - started) / 1000 };
@@ -66,8 +71,10 @@ try {
     const check = await run(renderer);
     checks.push(check);
     const off = check.figures.filter(({ holds }) => !holds).length;
-    process.stderr.write(`[${checks.length}/${plan.length}] ${name}: ${check.figures.length} figures `
-      + `${check.kept ? 'as measured before' : `in ${check.seconds.toFixed(0)} s`}${off ? `, ${off} outside of their bars` : ''}\n`);
+    process.stderr.write(
+      `[${checks.length}/${plan.length}] ${name}: ${check.figures.length} figures ` +
+        `${check.kept ? 'as measured before' : `in ${check.seconds.toFixed(0)} s`}${off ? `, ${off} outside of their bars` : ''}\n`,
+    );
   }
 } finally {
   await renderer.close();

@@ -12,15 +12,21 @@ that it names, and plants the faults that stand at the end. A figure without a b
 
 /** What stands under each heading. */
 const NOTES = {
-  'Every point': 'A grid of edge values (roughness 0 to 1, cosines from 0, 1e-6 and 1e-4 to 1, reflectances 0 to 1, sheen, coat, stretch, yarns) and random materials, directions and frames with edge values forced. Errors are relative to the radiance of light of irradiance 1, absolute below 1e-4. Nothing is taken off them. At random, directions lie within a rounding of the horizon and of each other, where terms that are written as a distribution of a cosine lose digits: how many points are over the bar is told, and of their error what is left when the parts of v, n and l may move by four steps of single precision, which no arithmetic in single precision can tell apart.',
-  'GPU against double': 'The fragment shader\'s text into 32-bit float targets, over the same grid, against double precision. Nothing is taken off.',
+  'Every point':
+    'A grid of edge values (roughness 0 to 1, cosines from 0, 1e-6 and 1e-4 to 1, reflectances 0 to 1, sheen, coat, stretch, yarns) and random materials, directions and frames with edge values forced. Errors are relative to the radiance of light of irradiance 1, absolute below 1e-4. Nothing is taken off them. At random, directions lie within a rounding of the horizon and of each other, where terms that are written as a distribution of a cosine lose digits: how many points are over the bar is told, and of their error what is left when the parts of v, n and l may move by four steps of single precision, which no arithmetic in single precision can tell apart.',
+  'GPU against double': "The fragment shader's text into 32-bit float targets, over the same grid, against double precision. Nothing is taken off.",
   Reciprocity: 'With viewer and light exchanged, by lobe.',
-  'White furnace': 'What white cloth sends back of light of radiance 1 from everywhere: lights in all directions (by quadrature in double) and an environment. Each layer alone at eight roughnesses, and any mix of layers; what is stretched or woven from seven azimuths in a quarter turn, mixes from any. Where yarns leave gaps, the least is of what they cover: light that falls through the gaps of a metal weave does not come back.',
-  'Woven cloth': 'White cloth of any two sets of yarns: dielectric, metal and between, roughness and anisotropy 0 to 1, gaps of 0 to half of the surface, seen from any azimuth at cosines of 0.02 to 1, in light of radiance 1 from everywhere. Drawn under a sky of 1, each on a patch that the camera sees from that side: with the prefiltered environment, and with 8,192 directions a pixel.',
-  Smoothness: 'How far the peak of the GGX lobe rises when roughness does, and slopes by symmetric differences for roughness of 0.089 and above and cosines of 0.1 and above.',
-  'Extremes, drawn': 'A ball of every layer at one extreme each, into 32-bit float targets: pixels that are NaN, infinite or negative, before anything caps them and in the picture.',
+  'White furnace':
+    'What white cloth sends back of light of radiance 1 from everywhere: lights in all directions (by quadrature in double) and an environment. Each layer alone at eight roughnesses, and any mix of layers; what is stretched or woven from seven azimuths in a quarter turn, mixes from any. Where yarns leave gaps, the least is of what they cover: light that falls through the gaps of a metal weave does not come back.',
+  'Woven cloth':
+    'White cloth of any two sets of yarns: dielectric, metal and between, roughness and anisotropy 0 to 1, gaps of 0 to half of the surface, seen from any azimuth at cosines of 0.02 to 1, in light of radiance 1 from everywhere. Drawn under a sky of 1, each on a patch that the camera sees from that side: with the prefiltered environment, and with 8,192 directions a pixel.',
+  Smoothness:
+    'How far the peak of the GGX lobe rises when roughness does, and slopes by symmetric differences for roughness of 0.089 and above and cosines of 0.1 and above.',
+  'Extremes, drawn':
+    'A ball of every layer at one extreme each, into 32-bit float targets: pixels that are NaN, infinite or negative, before anything caps them and in the picture.',
   'Random materials, drawn': 'Frames of 576 bodies, each of its own material with any value that the loader lets through, in random light.',
-  Normalisation: 'Projected area of every distribution of normals, and the integral of the path tracer\'s density over the sphere, by cells that are halved until they agree.',
+  Normalisation:
+    "Projected area of every distribution of normals, and the integral of the path tracer's density over the sphere, by cells that are halved until they agree.",
   'Whole pictures': 'From a GLB file to 8-bit pixels.',
 };
 
@@ -89,10 +95,7 @@ function places(figures) {
 }
 
 function faultsTable(faults) {
-  const rows = [
-    ...faults.map(({ name, found }) => [name, Object.keys(found)]),
-    ...IMAGE_FAULTS.map(({ name, check }) => [name, [check]]),
-  ];
+  const rows = [...faults.map(({ name, found }) => [name, Object.keys(found)]), ...IMAGE_FAULTS.map(({ name, check }) => [name, [check]])];
   return ['| fault | found by |', '|---|---|', ...rows.map(([name, checks]) => `| ${escaped(name)} | ${checks.join(', ')} |`)].join('\n');
 }
 
@@ -119,11 +122,17 @@ export function pageRows(page) {
   let heads = [];
   for (const line of page.split('\n')) {
     if (!line.startsWith('| ')) continue;
-    const cells = line.replaceAll('\\|', '\0').split('|').slice(1, -1).map((text) => text.trim().replaceAll('\0', '|'));
+    const cells = line
+      .replaceAll('\\|', '\0')
+      .split('|')
+      .slice(1, -1)
+      .map((text) => text.trim().replaceAll('\0', '|'));
     if (cells[0] === 'what') heads = cells.slice(1, -2);
-    else rows.set(cells[0], {
-      cells: Object.fromEntries(heads.map((head, i) => [head, cells[i + 1]])), points: Number(cells.at(-1).replaceAll(',', '')),
-    });
+    else
+      rows.set(cells[0], {
+        cells: Object.fromEntries(heads.map((head, i) => [head, cells[i + 1]])),
+        points: Number(cells.at(-1).replaceAll(',', '')),
+      });
   }
   return rows;
 }

@@ -6,7 +6,9 @@ import { GlbBuilder } from '../fixtures/glb.mjs';
 export const SHADINGS = ['three', 'three-r115', 'disney-2012', 'fabric'];
 
 const CLOTH = {
-  baseColor: [0.7, 0.45, 0.3, 1], roughness: 0.6, doubleSided: true,
+  baseColor: [0.7, 0.45, 0.3, 1],
+  roughness: 0.6,
+  doubleSided: true,
   layers: { sheen: { sheenColorFactor: [0.3, 0.3, 0.4], sheenRoughnessFactor: 0.5 } },
 };
 
@@ -46,7 +48,9 @@ export async function square(material = {}) {
 
 /** Corners of triangles `keep(number)` lets through, in an order that `rank(number)` gives. */
 function trianglesOf(indices, keep, rank) {
-  const numbers = Array.from({ length: indices.length / 3 }, (_, i) => i).filter(keep).sort((a, b) => rank(a) - rank(b));
+  const numbers = Array.from({ length: indices.length / 3 }, (_, i) => i)
+    .filter(keep)
+    .sort((a, b) => rank(a) - rank(b));
   return numbers.flatMap((i) => indices.slice(i * 3, i * 3 + 3));
 }
 
@@ -58,7 +62,12 @@ export async function ringIn(form) {
   const part = (keep, rank = (i) => i) => ({ ...ring, indices: trianglesOf(ring.indices, keep, rank) });
   const forms = {
     whole: [ring],
-    permuted: [part(() => true, (i) => (i * 7919) % (ring.indices.length / 3))],
+    permuted: [
+      part(
+        () => true,
+        (i) => (i * 7919) % (ring.indices.length / 3),
+      ),
+    ],
     split: [part((i) => i % 3 === 0), part((i) => i % 3 !== 0)],
   };
   for (const mesh of forms[form]) glb.add(mesh, cloth);
@@ -67,7 +76,10 @@ export async function ringIn(form) {
 
 /** Raw 8-bit pixels of a square picture, unless the shot says otherwise. */
 export const pictureShot = (shot = {}) => ({
-  size: { width: 128, height: 128 }, background: 'white', output: { format: 'raw' }, ...shot,
+  size: { width: 128, height: 128 },
+  background: 'white',
+  output: { format: 'raw' },
+  ...shot,
 });
 
 export const SUN = { type: 'directional', position: [1, 2, 3], intensity: 2, castShadow: true };

@@ -30,7 +30,7 @@ class TokenList {
       this.#files.push({ name, from: list.length });
       forEachToken(text, (token, line) => {
         let number = numbers.get(token);
-        if (number === undefined) numbers.set(token, number = numbers.size);
+        if (number === undefined) numbers.set(token, (number = numbers.size));
         list.push(number);
         this.lines.push(line);
       });
@@ -64,7 +64,8 @@ const FACTOR = 0x01000193;
  */
 export function sharedRuns(ours, theirs, length) {
   const numbers = new Map();
-  const own = new TokenList(ours, numbers), other = new TokenList(theirs, numbers);
+  const own = new TokenList(ours, numbers),
+    other = new TokenList(theirs, numbers);
   // A run holds a block of half its length that begins at a multiple of that length.
   const block = length / 2;
   const blocks = new Map();
@@ -88,7 +89,8 @@ export function sharedRuns(ours, theirs, length) {
 
 /** The run of equal tokens around two places. */
 function extended(own, other, ownAt, otherAt) {
-  let back = 0, on = 0;
+  let back = 0,
+    on = 0;
   while (back < Math.min(ownAt, otherAt) && own[ownAt - back - 1] === other[otherAt - back - 1]) back++;
   while (ownAt + on < own.length && otherAt + on < other.length && own[ownAt + on] === other[otherAt + on]) on++;
   return { own: ownAt - back, other: otherAt - back, tokens: back + on };

@@ -15,39 +15,105 @@ const ROWS = {
   'clearcoat x roughness': ['clearcoat-env', 'clearcoat-sun', 'clearcoat-metal-env'],
   'anisotropy strength x rotation': ['anisotropy-env', 'anisotropy-sun', 'anisotropy-derivatives-env'],
   'ior x transmission': ['transmission-ior-lit', 'transmission-lit', 'transmission-ior-thin-lit'],
-  'what transmission acts with': ['transmission-thickness-lit', 'transmission-attenuation-lit', 'transmission-dispersion-lit', 'transmission-layers-lit', 'transmission-order-lit'],
+  'what transmission acts with': [
+    'transmission-thickness-lit',
+    'transmission-attenuation-lit',
+    'transmission-dispersion-lit',
+    'transmission-layers-lit',
+    'transmission-order-lit',
+  ],
   'area lights and blurred backgrounds': ['rect-sweep', 'rect-everything', 'rect-clearcoat', 'rect-sheen', 'rect-anisotropy', 'background-blur-0.3'],
   'shadows and what catches them': ['shadow-directional', 'shadow-spot', 'shadow-point', 'shadow-several', 'shadow-soft', 'shadow-everything', 'ground-tshirt'],
   'what a view frames': ['frame-node', 'frame-material', 'frame-fit-above-1', 'frame-turntable', 'frame-all', 'frame-shadow'],
   'coded textures and meshes': [
-    'ktx2-uastc-sun', 'ktx2-etc1s-sun', 'ktx2-etc1s-alpha-sun', 'meshopt-torus-sun', 'draco-edgebreaker-sun', 'draco-sequential-sun', 'draco-quantized-sun',
+    'ktx2-uastc-sun',
+    'ktx2-etc1s-sun',
+    'ktx2-etc1s-alpha-sun',
+    'meshopt-torus-sun',
+    'draco-edgebreaker-sun',
+    'draco-sequential-sun',
+    'draco-quantized-sun',
   ],
   'what moves and what is drawn many times': [
-    'skin-rest', 'skin-0-0.5', 'morph-rest', 'morph-0-0.25', 'morph-and-skin-0-0.6', 'animated-nodes-1-0.45', 'instances-rest', 'instances-colors-rest',
-    'instances-shadow', 'skin-shadow',
+    'skin-rest',
+    'skin-0-0.5',
+    'morph-rest',
+    'morph-0-0.25',
+    'morph-and-skin-0-0.6',
+    'animated-nodes-1-0.45',
+    'instances-rest',
+    'instances-colors-rest',
+    'instances-shadow',
+    'skin-shadow',
   ],
   'features alone': [
-    'clearcoat-env', 'sheen-env', 'specular-env', 'ior-env', 'anisotropy-env', 'iridescence-env', 'diffuse-roughness-env', 'emissive-strength-env',
-    'unlit-env', 'normal-map-env', 'occlusion-map-env', 'emissive-map-env', 'metallic-roughness-map-env', 'base-color-map-env', 'texture-transform-env',
-    'vertex-colors-env', 'variant-red',
+    'clearcoat-env',
+    'sheen-env',
+    'specular-env',
+    'ior-env',
+    'anisotropy-env',
+    'iridescence-env',
+    'diffuse-roughness-env',
+    'emissive-strength-env',
+    'unlit-env',
+    'normal-map-env',
+    'occlusion-map-env',
+    'emissive-map-env',
+    'metallic-roughness-map-env',
+    'base-color-map-env',
+    'texture-transform-env',
+    'vertex-colors-env',
+    'variant-red',
   ],
   'pairs that interact': [
-    'sheen-clearcoat-env', 'anisotropy-clearcoat-env', 'iridescence-clearcoat-env', 'ior-clearcoat-env', 'clearcoat-specular-env', 'anisotropy-sheen-env',
-    'iridescence-anisotropy-env', 'iridescence-sheen-env', 'iridescence-specular-env', 'iridescence-ior-env', 'sheen-specular-env', 'ior-specular-env',
-    'diffuse-roughness-sheen-env', 'emissive-layers-env', 'mask-layers-env', 'clearcoat-blend-env', 'physical-everything-env',
+    'sheen-clearcoat-env',
+    'anisotropy-clearcoat-env',
+    'iridescence-clearcoat-env',
+    'ior-clearcoat-env',
+    'clearcoat-specular-env',
+    'anisotropy-sheen-env',
+    'iridescence-anisotropy-env',
+    'iridescence-sheen-env',
+    'iridescence-specular-env',
+    'iridescence-ior-env',
+    'sheen-specular-env',
+    'ior-specular-env',
+    'diffuse-roughness-sheen-env',
+    'emissive-layers-env',
+    'mask-layers-env',
+    'clearcoat-blend-env',
+    'physical-everything-env',
   ],
   'alpha modes': ['alpha-opaque-env', 'alpha-mask-env', 'alpha-mask-low-env', 'alpha-blend-env', 'alpha-blend-many-env', 'vertex-colors-alpha-env'],
   'mirrored UVs': ['mirrored-uvs-env', 'mirrored-uvs-tangents-env', 'mirrored-uvs-layers-env', 'mirrored-uvs-layers-tangents-env'],
   'negative scale': ['transforms-env', 'scaled-rings-env', 'scaled-rings-layers-env'],
   'textures with odd sides and of one texel': ['odd-images-env', 'odd-slots-env'],
-  'cloth by telar\'s own text': ['fabric-sweep-sun', 'fabric-sheen-env', 'fabric-clearcoat-env', 'fabric-physical-everything-lights', 'fabric-shadow-everything', 'fabric-tshirt-front'],
-  'shadings of before, and their terms': ['r115-sheen-sun', 'r115-clearcoat-env', 'disney-anisotropy-sun', 'disney-physical-everything-env', 'term-sheen-zeltner', 'term-diffuse-eon'],
-  'cloths': ['cloth-denim-studio', 'cloth-satin-sky', 'cloth-silk-behind', 'cloth-velvet-studio'],
+  "cloth by telar's own text": [
+    'fabric-sweep-sun',
+    'fabric-sheen-env',
+    'fabric-clearcoat-env',
+    'fabric-physical-everything-lights',
+    'fabric-shadow-everything',
+    'fabric-tshirt-front',
+  ],
+  'shadings of before, and their terms': [
+    'r115-sheen-sun',
+    'r115-clearcoat-env',
+    'disney-anisotropy-sun',
+    'disney-physical-everything-env',
+    'term-sheen-zeltner',
+    'term-diffuse-eon',
+  ],
+  cloths: ['cloth-denim-studio', 'cloth-satin-sky', 'cloth-silk-behind', 'cloth-velvet-studio'],
   'our own garment': ['tshirt-front', 'tshirt-three-quarter', 'tshirt-back'],
 };
 
 for (const [row, wanted] of Object.entries(ROWS)) {
-  test(`the gate has: ${row}`, () => assert.deepEqual(wanted.filter((name) => !names.has(name)), []));
+  test(`the gate has: ${row}`, () =>
+    assert.deepEqual(
+      wanted.filter((name) => !names.has(name)),
+      [],
+    ));
 }
 
 /** Every value of `key` (the const or enum of a property) under a part of the shot's JSON Schema. */
@@ -66,7 +132,10 @@ test('every light and every tone mapping that a shot may name is in the gate', (
   assert.ok(lights.length >= 6 && toneMappings.length >= 7, `${lights} ${toneMappings}`);
   const drawn = new Set(GATE_CASES.flatMap(({ shot }) => [...shot.lights.map(({ type }) => type), shot.toneMapping]));
   // three.js has no disk.
-  assert.deepEqual([...lights, ...toneMappings].filter((value) => !drawn.has(value)), ['disk']);
+  assert.deepEqual(
+    [...lights, ...toneMappings].filter((value) => !drawn.has(value)),
+    ['disk'],
+  );
 });
 
 test('at least 150 cases, at 256 and 512, with names that are file names and unlike each other', () => {
@@ -80,8 +149,19 @@ test('every model and environment that a case names is there, and every model of
   const ours = (name) => name !== undefined && !/^(bundled|shared):|^studio$/.test(name);
   const [models, environments] = ['model', 'environment'].map((key) => [...new Set([...CASES, ...KNOWN_CASES].map((item) => item[key]).filter(ours))]);
   const known = { ...MODELS, ...FABRIC_MODELS, ...BROKEN_MODELS };
-  assert.deepEqual(models.filter((name) => !known[name]), []);
-  assert.deepEqual(environments.filter((name) => !ENVIRONMENTS[name]), []);
+  assert.deepEqual(
+    models.filter((name) => !known[name]),
+    [],
+  );
+  assert.deepEqual(
+    environments.filter((name) => !ENVIRONMENTS[name]),
+    [],
+  );
   // The page's own test draws the first one, test/js/api/tangents.test.mjs the second.
-  assert.deepEqual(Object.keys(known).filter((name) => !models.includes(name)).sort(), ['ball-grey-unlit', 'known-tangents-absent']);
+  assert.deepEqual(
+    Object.keys(known)
+      .filter((name) => !models.includes(name))
+      .sort(),
+    ['ball-grey-unlit', 'known-tangents-absent'],
+  );
 });

@@ -19,9 +19,26 @@ const FAST = ['rect-sweep', 'rect-everything', 'background-blur-0.3'];
 
 /** Shown by others as well. */
 const EXTENDED = [
-  'rect-fill', 'rect-sweep-512', 'rect-clearcoat-metal', 'rect-specular-metal', 'rect-ior', 'rect-iridescence-clearcoat', 'rect-anisotropy-clearcoat',
-  'rect-normal-map-tangents', 'rect-flat-normal-map', 'rect-metallic-roughness-map', 'rect-clearcoat-two-normals', 'rect-alpha-mask', 'rect-transforms',
-  'rect-occlusion-map', 'rect-far', 'rect-ortho-front', 'rect-aces', 'background-blur-0.1', 'background-blur-0.5', 'background-blur-aces',
+  'rect-fill',
+  'rect-sweep-512',
+  'rect-clearcoat-metal',
+  'rect-specular-metal',
+  'rect-ior',
+  'rect-iridescence-clearcoat',
+  'rect-anisotropy-clearcoat',
+  'rect-normal-map-tangents',
+  'rect-flat-normal-map',
+  'rect-metallic-roughness-map',
+  'rect-clearcoat-two-normals',
+  'rect-alpha-mask',
+  'rect-transforms',
+  'rect-occlusion-map',
+  'rect-far',
+  'rect-ortho-front',
+  'rect-aces',
+  'background-blur-0.1',
+  'background-blur-0.5',
+  'background-blur-aces',
 ];
 
 /** @returns {import('./cases.mjs').Case} */
@@ -41,11 +58,36 @@ const materialCases = [
   make('rect-sweep', 'sweep', null, { lights: [key] }),
   make('rect-sweep-strip', 'sweep', null, { lights: [strip] }),
   make('rect-sweep-512', 'sweep', null, { lights: [key, fill], size: 512 }),
-  ...['clearcoat', 'clearcoat-metal', 'sheen', 'sheen-clearcoat', 'specular', 'specular-metal', 'ior', 'iridescence', 'iridescence-clearcoat',
-    'anisotropy', 'anisotropy-clearcoat', 'diffuse-roughness'].map((model) => make(`rect-${model}`, model, null, { lights: [key] })),
-  ...['normal-map', 'normal-map-tangents', 'flat-shading', 'flat-normal-map', 'cloth', 'metallic-roughness-map', 'clearcoat-two-normals',
-    'clearcoat-two-normals-tangents', 'sheen-cloth', 'specular-maps', 'alpha-blend-bumpy', 'alpha-mask', 'transforms', 'occlusion-map'].map((model) =>
-    make(`rect-${model}`, model, null, { lights: [key, { ...rim, intensity: 4 }], camera: 'quarter' })),
+  ...[
+    'clearcoat',
+    'clearcoat-metal',
+    'sheen',
+    'sheen-clearcoat',
+    'specular',
+    'specular-metal',
+    'ior',
+    'iridescence',
+    'iridescence-clearcoat',
+    'anisotropy',
+    'anisotropy-clearcoat',
+    'diffuse-roughness',
+  ].map((model) => make(`rect-${model}`, model, null, { lights: [key] })),
+  ...[
+    'normal-map',
+    'normal-map-tangents',
+    'flat-shading',
+    'flat-normal-map',
+    'cloth',
+    'metallic-roughness-map',
+    'clearcoat-two-normals',
+    'clearcoat-two-normals-tangents',
+    'sheen-cloth',
+    'specular-maps',
+    'alpha-blend-bumpy',
+    'alpha-mask',
+    'transforms',
+    'occlusion-map',
+  ].map((model) => make(`rect-${model}`, model, null, { lights: [key, { ...rim, intensity: 4 }], camera: 'quarter' })),
   make('rect-transmission', 'transmission', 'lamps', { lights: [key], background: { blur: 0.3 } }),
   make('rect-everything', 'physical-everything', 'lamps', { lights: [key, point], camera: 'quarter' }),
 ];
@@ -70,9 +112,13 @@ const otherCases = [
 ];
 
 /** Turned and dimmed, where a wrong rotation, level or factor shows. */
-const blurred = (name, blur, overrides) => make(`background-blur-${name}`, 'ball-mirror', 'lamps', {
-  environment: { map: CASE_ENVIRONMENT, intensity: 0.8, rotation: 70 }, background: { blur }, camera: 'quarter', ...overrides,
-});
+const blurred = (name, blur, overrides) =>
+  make(`background-blur-${name}`, 'ball-mirror', 'lamps', {
+    environment: { map: CASE_ENVIRONMENT, intensity: 0.8, rotation: 70 },
+    background: { blur },
+    camera: 'quarter',
+    ...overrides,
+  });
 const blurCases = [
   ...[0.02, 0.1, 0.3, 0.5, 0.8, 1].map((blur) => blurred(String(blur), blur)),
   blurred('wide', 0.25, { size: { width: 320, height: 160 }, camera: 'tilted' }),

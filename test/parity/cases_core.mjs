@@ -18,12 +18,43 @@ const toneCases = Object.keys(TONE_MAPPINGS).map((toneMapping) =>
 
 /** Models whose features show under light and environment alike. */
 const FEATURES = [
-  'base-color-map', 'normal-map', 'normal-map-tangents', 'normal-map-scale', 'normal-map-fine', 'metallic-roughness-map',
-  'occlusion-map', 'occlusion-strength', 'emissive-map', 'cloth', 'cloth-tangents', 'texture-transform', 'two-uv-sets',
-  'no-uvs', 'vertex-colors', 'vertex-colors-alpha', 'flat-shading', 'flat-shading-unindexed', 'flat-normal-map', 'unlit',
-  'default-material', 'odd-images', 'alpha-mask', 'alpha-mask-low', 'alpha-blend', 'alpha-blend-one-sided',
-  'alpha-blend-curved', 'alpha-blend-many', 'alpha-blend-bumpy', 'alpha-blend-bumpy-tangents',
-  'alpha-opaque', 'transforms', 'boxes', 'ball', 'ball-mirror', 'ball-metal', 'ball-black',
+  'base-color-map',
+  'normal-map',
+  'normal-map-tangents',
+  'normal-map-scale',
+  'normal-map-fine',
+  'metallic-roughness-map',
+  'occlusion-map',
+  'occlusion-strength',
+  'emissive-map',
+  'cloth',
+  'cloth-tangents',
+  'texture-transform',
+  'two-uv-sets',
+  'no-uvs',
+  'vertex-colors',
+  'vertex-colors-alpha',
+  'flat-shading',
+  'flat-shading-unindexed',
+  'flat-normal-map',
+  'unlit',
+  'default-material',
+  'odd-images',
+  'alpha-mask',
+  'alpha-mask-low',
+  'alpha-blend',
+  'alpha-blend-one-sided',
+  'alpha-blend-curved',
+  'alpha-blend-many',
+  'alpha-blend-bumpy',
+  'alpha-blend-bumpy-tangents',
+  'alpha-opaque',
+  'transforms',
+  'boxes',
+  'ball',
+  'ball-mirror',
+  'ball-metal',
+  'ball-black',
 ];
 const FAST_FEATURES = ['cloth', 'cloth-tangents', 'texture-transform', 'alpha-blend', 'alpha-mask', 'transforms', 'flat-normal-map'];
 const featureCases = FEATURES.flatMap((model) => [
@@ -36,10 +67,12 @@ const facingCases = FACING.map((model) => make(model, model, null, { camera: 'fr
 
 /** Radiance 1 shows as 0.8, so that a gain of energy is not cut off. */
 const FURNACE = { toneMapping: 'linear', camera: 'front', exposure: 0.8 };
-const furnaceCases = [0, 0.045, 0.1, 0.25, 0.5, 0.75, 1].flatMap((roughness) => [
-  make(`furnace-${roughness}`, `furnace-${roughness}`, 'one', FURNACE, roughness === 0.25),
-  make(`furnace-metal-${roughness}`, `furnace-metal-${roughness}`, 'one', FURNACE),
-]).map((item, i) => ({ ...item, extended: i > 1 && i < 12 && !item.fast }));
+const furnaceCases = [0, 0.045, 0.1, 0.25, 0.5, 0.75, 1]
+  .flatMap((roughness) => [
+    make(`furnace-${roughness}`, `furnace-${roughness}`, 'one', FURNACE, roughness === 0.25),
+    make(`furnace-metal-${roughness}`, `furnace-metal-${roughness}`, 'one', FURNACE),
+  ])
+  .map((item, i) => ({ ...item, extended: i > 1 && i < 12 && !item.fast }));
 
 const environmentCases = [
   make('sweep-gradient', 'sweep', 'gradient', { camera: 'front' }, true),
@@ -54,7 +87,9 @@ const environmentCases = [
   make('environment-and-lights', 'stage', 'gradient', { exposure: 0.4, lights: [ambient, hemisphere, directional, point, spot] }),
   make('background-environment', 'ball-mirror', 'lamps', { background: 'environment' }),
   make('background-environment-rotated', 'sweep', 'gradient', {
-    background: 'environment', environmentSettings: { intensity: 0.8, rotation: -70 }, camera: 'tilted',
+    background: 'environment',
+    environmentSettings: { intensity: 0.8, rotation: -70 },
+    camera: 'tilted',
   }),
   make('background-color', 'alpha-blend-curved', 'lamps', { background: [0.18, 0.3, 0.05] }),
   make('background-color-aces', 'stage', null, { background: [0.18, 0.18, 0.18], toneMapping: 'aces', lights: SUN }),
@@ -88,11 +123,7 @@ const modelLightCases = [
 ];
 
 /** Several lights of each kind at once, and a light behind an object seen without perspective (half vector of length 0). */
-const manyLights = [
-  ...Object.values(LIGHTS),
-  { ...directional, color: [0.3, 0.4, 1], position: [-3, 1, 0] },
-  { ...hemisphere, intensity: 0.3 },
-];
+const manyLights = [...Object.values(LIGHTS), { ...directional, color: [0.3, 0.4, 1], position: [-3, 1, 0] }, { ...hemisphere, intensity: 0.3 }];
 const lightSetCases = [
   make('lights-many', 'stage', null, { lights: manyLights, exposure: 0.4 }),
   make('lights-many-512', 'sweep', 'gradient', { lights: manyLights, exposure: 0.3, camera: 'tilted', size: 512 }),
@@ -117,6 +148,15 @@ const otherCases = [
 
 /** @type {import('./cases.mjs').Case[]} */
 export const CASES = [
-  ...featureCases, ...facingCases, ...lightCases, ...toneCases, ...environmentCases, ...furnaceCases, ...cameraCases,
-  ...scaleCases, ...modelLightCases, ...lightSetCases, ...otherCases,
+  ...featureCases,
+  ...facingCases,
+  ...lightCases,
+  ...toneCases,
+  ...environmentCases,
+  ...furnaceCases,
+  ...cameraCases,
+  ...scaleCases,
+  ...modelLightCases,
+  ...lightSetCases,
+  ...otherCases,
 ];

@@ -18,14 +18,56 @@ const STOCK = [...CORE, ...PHYSICAL, ...PAIRS, ...AREA, ...SHADOW, ...TRANSMISSI
 
 /** Cases of stock three.js that each shading draws as well: what it may treat in its own way, once each. */
 const ALIKE = [
-  'sweep-sun', 'sweep-lamps', 'sweep-gradient', 'light-hemisphere', 'light-spot', 'lights-many', 'furnace-0.25', 'furnace-metal-0.5',
-  'sheen-sun', 'sheen-env', 'sheen-maps-env', 'sheen-metal-env', 'sheen-clearcoat-env', 'clearcoat-sun', 'clearcoat-env',
-  'clearcoat-two-normals-tangents-env', 'anisotropy-sun', 'anisotropy-env', 'anisotropy-map-tangents-env', 'anisotropy-derivatives-sun',
-  'anisotropy-sheen-env', 'specular-maps-env', 'ior-specular-sun', 'iridescence-metal-env', 'diffuse-roughness-sun', 'diffuse-roughness-env',
-  'normal-map-sun', 'normal-map-env', 'metallic-roughness-map-env', 'occlusion-map-env', 'cloth-env', 'cloth-tangents-env', 'mirrored-uvs-layers-env',
-  'transforms-env', 'alpha-mask-env', 'alpha-blend-env', 'emissive-strength-env', 'vertex-colors-env', 'camera-ortho-quarter', 'light-behind-ortho',
-  'rect-everything', 'shadow-everything', 'shadow-point', 'transmission-layers-lit', 'instances-colors-rest', 'morph-and-skin-0-0.6', 'variant-red',
-  'physical-everything-lights', 'physical-everything-env', 'tshirt-front',
+  'sweep-sun',
+  'sweep-lamps',
+  'sweep-gradient',
+  'light-hemisphere',
+  'light-spot',
+  'lights-many',
+  'furnace-0.25',
+  'furnace-metal-0.5',
+  'sheen-sun',
+  'sheen-env',
+  'sheen-maps-env',
+  'sheen-metal-env',
+  'sheen-clearcoat-env',
+  'clearcoat-sun',
+  'clearcoat-env',
+  'clearcoat-two-normals-tangents-env',
+  'anisotropy-sun',
+  'anisotropy-env',
+  'anisotropy-map-tangents-env',
+  'anisotropy-derivatives-sun',
+  'anisotropy-sheen-env',
+  'specular-maps-env',
+  'ior-specular-sun',
+  'iridescence-metal-env',
+  'diffuse-roughness-sun',
+  'diffuse-roughness-env',
+  'normal-map-sun',
+  'normal-map-env',
+  'metallic-roughness-map-env',
+  'occlusion-map-env',
+  'cloth-env',
+  'cloth-tangents-env',
+  'mirrored-uvs-layers-env',
+  'transforms-env',
+  'alpha-mask-env',
+  'alpha-blend-env',
+  'emissive-strength-env',
+  'vertex-colors-env',
+  'camera-ortho-quarter',
+  'light-behind-ortho',
+  'rect-everything',
+  'shadow-everything',
+  'shadow-point',
+  'transmission-layers-lit',
+  'instances-colors-rest',
+  'morph-and-skin-0-0.6',
+  'variant-red',
+  'physical-everything-lights',
+  'physical-everything-env',
+  'tshirt-front',
 ];
 
 /** Part of the subset that `npm test` draws, of every shading. */
@@ -38,7 +80,13 @@ function shaded(label, shading, name) {
   const item = STOCK.find((candidate) => candidate.name === name);
   if (!item) throw new Error(`cases_shading.mjs: no stock case is named ${name}`);
   const resolved = resolveShot({ ...CAMERA, shading }).shading;
-  return { ...item, name: label.startsWith('term-') ? label : `${label}-${name}`, shot: { ...item.shot, shading: resolved }, fast: FAST.includes(name), extended: false };
+  return {
+    ...item,
+    name: label.startsWith('term-') ? label : `${label}-${name}`,
+    shot: { ...item.shot, shading: resolved },
+    fast: FAST.includes(name),
+    extended: false,
+  };
 }
 
 /** Each term that neither base has, and each of one base in the other, under lights and an environment at once. */
@@ -70,16 +118,19 @@ const clothCases = Object.keys(FABRIC_MODELS).flatMap((model) => {
 const AFAR = { ...DRAPE, position: DRAPE.position.map((c) => 3 * c), near: 1.5, far: 3.5 };
 const afarCases = [
   ...['denim', 'satin', 'towel', 'lace', 'tulle'].map((name) =>
-    makeCase(`cloth-${name}-far`, `fabric-${name}`, 'soft-studio', { camera: AFAR, shading: 'fabric', lights: [LIGHTS.directional] }, name === 'lace')),
+    makeCase(`cloth-${name}-far`, `fabric-${name}`, 'soft-studio', { camera: AFAR, shading: 'fabric', lights: [LIGHTS.directional] }, name === 'lace'),
+  ),
   makeCase('cloth-layers-samples-1', 'cloth-layers', null, { shading: 'fabric', quality: { samples: 1 } }),
   ...['satin', 'lace'].map((name) =>
-    makeCase(`cloth-${name}-samples-1`, `fabric-${name}`, 'soft-studio', { camera: DRAPE, shading: 'fabric', quality: { samples: 1 } })),
+    makeCase(`cloth-${name}-samples-1`, `fabric-${name}`, 'soft-studio', { camera: DRAPE, shading: 'fabric', quality: { samples: 1 } }),
+  ),
 ];
 
 /** Suns that three.js has no room for: its own shading leaves them out, every other one has them as lights. */
 const SUNLIT = { environmentSettings: { intensity: 0.002, rotation: 70 }, camera: CAMERAS.quarter };
 const sunCases = ['three', 'fabric', 'three-r115', 'disney-2012'].map((shading) =>
-  makeCase(`bright-suns-${shading}`, 'sheen', 'bright-suns', { ...SUNLIT, shading }, shading === 'fabric'));
+  makeCase(`bright-suns-${shading}`, 'sheen', 'bright-suns', { ...SUNLIT, shading }, shading === 'fabric'),
+);
 
 /** Every map and factor of cloth, both sides of it seen. */
 const mapCases = Object.keys(CLOTH_MAP_MODELS).flatMap((model) => [

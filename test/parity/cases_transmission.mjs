@@ -17,7 +17,11 @@ const backgroundCases = BACKGROUNDS.flatMap((model) => [
   makeCase(`${model}-color`, model, 'lamps', { camera: 'front', background: [0.18, 0.3, 0.05] }),
   makeCase(`${model}-environment`, model, 'lamps', { camera: 'quarter', background: 'environment' }, model === 'transmission-alone'),
   makeCase(`${model}-environment-aces`, model, 'gradient', {
-    camera: 'tilted', background: 'environment', environmentSettings: { intensity: 0.8, rotation: -70 }, toneMapping: 'aces', exposure: 0.6,
+    camera: 'tilted',
+    background: 'environment',
+    environmentSettings: { intensity: 0.8, rotation: -70 },
+    toneMapping: 'aces',
+    exposure: 0.6,
   }),
 ]);
 
@@ -56,9 +60,19 @@ const MODELS = [
 
 /** What another case shows as well. */
 const EXTENDED = [
-  'transmission-second-uv-lit', 'transmission-normal-tangents-lit', 'transmission-two-sided-flat-lit', 'transmission-blend-lit',
-  'transmission-mirrored-lit', 'transmission-two-sided-alone-color', 'transmission-alone-environment-aces', 'transmission-quarter',
-  'transmission-ortho-quarter', 'transmission-tall', 'transmission-dispersion-linear', 'transmission-lights', 'transmission-two-sided-512',
+  'transmission-second-uv-lit',
+  'transmission-normal-tangents-lit',
+  'transmission-two-sided-flat-lit',
+  'transmission-blend-lit',
+  'transmission-mirrored-lit',
+  'transmission-two-sided-alone-color',
+  'transmission-alone-environment-aces',
+  'transmission-quarter',
+  'transmission-ortho-quarter',
+  'transmission-tall',
+  'transmission-dispersion-linear',
+  'transmission-lights',
+  'transmission-two-sided-512',
 ];
 
 /** @type {import('./cases.mjs').Case[]} */

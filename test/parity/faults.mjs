@@ -14,11 +14,7 @@ function shiftCamera(shot, pixels) {
   const { position, target, up, height } = shot.camera;
   const metres = (pixels * height) / shot.size.height;
   const forward = target.map((c, i) => c - position[i]);
-  const right = [
-    forward[1] * up[2] - forward[2] * up[1],
-    forward[2] * up[0] - forward[0] * up[2],
-    forward[0] * up[1] - forward[1] * up[0],
-  ];
+  const right = [forward[1] * up[2] - forward[2] * up[1], forward[2] * up[0] - forward[0] * up[2], forward[0] * up[1] - forward[1] * up[0]];
   const length = Math.hypot(...right);
   const move = (point) => point.map((c, i) => c + (right[i] / length) * metres);
   return { ...shot, camera: { ...shot.camera, position: move(position), target: move(target) } };
@@ -43,11 +39,13 @@ export const FAULTS = [
   {
     name: 'r instead of r squared: alpha is the roughness itself',
     item: 'sweep-sun',
-    edits: [{
-      file: 'brdf/roughness.glsl',
-      find: 'return pow2(max(perceptualRoughness, PERCEPTUAL_ROUGHNESS_MIN));',
-      replace: 'return max(perceptualRoughness, PERCEPTUAL_ROUGHNESS_MIN);',
-    }],
+    edits: [
+      {
+        file: 'brdf/roughness.glsl',
+        find: 'return pow2(max(perceptualRoughness, PERCEPTUAL_ROUGHNESS_MIN));',
+        replace: 'return max(perceptualRoughness, PERCEPTUAL_ROUGHNESS_MIN);',
+      },
+    ],
     first: 'direct',
   },
   {
@@ -77,21 +75,25 @@ export const FAULTS = [
   {
     name: 'a missing sheen scaling: the layers below keep all their light',
     item: 'sheen-env',
-    edits: [{
-      file: 'shading/three.glsl',
-      find: 'float underSheen = 1.0 - max3(s.sheenColor) * sheenE;',
-      replace: 'float underSheen = 1.0;',
-    }],
+    edits: [
+      {
+        file: 'shading/three.glsl',
+        find: 'float underSheen = 1.0 - max3(s.sheenColor) * sheenE;',
+        replace: 'float underSheen = 1.0;',
+      },
+    ],
     first: 'indirect',
   },
   {
     name: 'linear instead of sRGB: a base colour texture that is not decoded',
     item: 'base-color-map-env',
-    edits: [{
-      file: 'material/base_color.glsl',
-      find: 'color *= texture(baseColorMap, vBaseColorUv);',
-      replace: 'vec4 texel = texture(baseColorMap, vBaseColorUv); color *= vec4(srgbFromLinear(texel.rgb), texel.a);',
-    }],
+    edits: [
+      {
+        file: 'material/base_color.glsl',
+        find: 'color *= texture(baseColorMap, vBaseColorUv);',
+        replace: 'vec4 texel = texture(baseColorMap, vBaseColorUv); color *= vec4(srgbFromLinear(texel.rgb), texel.a);',
+      },
+    ],
     first: 'baseColor',
   },
   {
@@ -115,11 +117,13 @@ export const FAULTS = [
   {
     name: 'a background blurred by levels in proportion',
     item: 'background-blur-0.3',
-    edits: [{
-      file: 'environment/background.frag',
-      find: 'lodFromRoughness(backgroundBlur, backgroundMaxLod)',
-      replace: 'backgroundBlur * backgroundMaxLod',
-    }],
+    edits: [
+      {
+        file: 'environment/background.frag',
+        find: 'lodFromRoughness(backgroundBlur, backgroundMaxLod)',
+        replace: 'backgroundBlur * backgroundMaxLod',
+      },
+    ],
     first: null,
   },
   {
@@ -179,7 +183,13 @@ export const FAULTS = [
   {
     name: 'cloth whose normal maps lose their variance from far',
     item: 'cloth-satin-far',
-    edits: [{ file: 'material/normal.glsl', find: 'return max(texel.ba * (1.0 - 1.0 / 512.0) - texel.rg * texel.rg, 0.0) * scale * scale;', replace: 'return vec2(0.0);' }],
+    edits: [
+      {
+        file: 'material/normal.glsl',
+        find: 'return max(texel.ba * (1.0 - 1.0 / 512.0) - texel.rg * texel.rg, 0.0) * scale * scale;',
+        replace: 'return vec2(0.0);',
+      },
+    ],
     first: 'perceptualRoughness',
   },
   {
@@ -191,7 +201,9 @@ export const FAULTS = [
   {
     name: 'layers of cut-out cloth whose holes lie over each other',
     item: 'cloth-layers-sun',
-    edits: [{ file: 'material/coverage.glsl', find: 'mixedBits(mixedBits(quad) ^ uint(floatBitsToInt(depth) >> LAYER_DEPTH_SHIFT))', replace: 'mixedBits(quad)' }],
+    edits: [
+      { file: 'material/coverage.glsl', find: 'mixedBits(mixedBits(quad) ^ uint(floatBitsToInt(depth) >> LAYER_DEPTH_SHIFT))', replace: 'mixedBits(quad)' },
+    ],
     first: 'direct', // of another layer, which is nearer to the point lamp
   },
   { name: 'a camera shift of 0.5 px', item: 'camera-ortho', shot: (shot) => shiftCamera(shot, 0.5), first: 'n' },

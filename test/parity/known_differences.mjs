@@ -92,7 +92,8 @@ export const KNOWN_DIFFERENCES = [
   },
   {
     name: 'Textures in Basis Universal (KTX2 with ETC1S or UASTC)',
-    three: 'KTX2Loader transcodes them to a format of the GPU: on Mesa to BC7, up to 26/255 from the texels of the file for ETC1S, 4/255 for UASTC (mean 0.1 to 0.5). Other GPUs get other texels.',
+    three:
+      'KTX2Loader transcodes them to a format of the GPU: on Mesa to BC7, up to 26/255 from the texels of the file for ETC1S, 4/255 for UASTC (mean 0.1 to 0.5). Other GPUs get other texels.',
     telar: 'Draws the texels of the file. Kept from GPU formats, three.js draws the same: the ktx2-* cases of the gate.',
     source: 'examples/jsm/loaders/KTX2Loader.js, FORMAT_OPTIONS',
     cases: ['known-ktx2-etc1s', 'known-ktx2-uastc', 'known-ktx2-odd-size'],

@@ -41,7 +41,10 @@ function notNumbers(values) {
 }
 
 /** The red channel of an image over the pixels that the object covers whole. */
-const reds = (image) => Array.from({ length: image.length / 4 }, (_, i) => i * 4).filter((i) => image[i + 3] === 255).map((i) => image[i]);
+const reds = (image) =>
+  Array.from({ length: image.length / 4 }, (_, i) => i * 4)
+    .filter((i) => image[i + 3] === 255)
+    .map((i) => image[i]);
 const share = (list, condition) => list.filter(condition).length / list.length;
 const spread = (list) => Math.max(...list) - Math.min(...list);
 const furthest = (a, b) => a.reduce((worst, value, i) => Math.max(worst, Math.abs(value - b[i])), 0);
@@ -88,7 +91,11 @@ const CHECKS = {
   async 'known-flattened'() {
     const { three, telar } = await draw('known-flattened');
     const covered = reds(three.image).length;
-    assert.equal(share(reds(three.image), (red) => red === 0), 1, 'three.js shows a black disc');
+    assert.equal(
+      share(reds(three.image), (red) => red === 0),
+      1,
+      'three.js shows a black disc',
+    );
     assert.ok(notNumbers(three.n) >= covered, 'whose normals are not numbers');
     assert.equal(reds(telar.image).length, covered);
     assert.ok(spread(reds(telar.image)) <= 8 && Math.min(...reds(telar.image)) > 100, 'telar shows a flat one');
@@ -113,7 +120,10 @@ const CHECKS = {
     const [lost, total] = [notNumbers(three.n), reds(three.image).length];
     assert.ok(lost > 0.3 * total && lost < 0.9 * total, `three.js loses the direct light of ${lost} of ${total} pixels`);
     const whole = (await draw('known-tangents-all')).telar.image;
-    assert.ok(furthest(telar.image, whole) < 60 && furthest(three.image, whole) > 120, 'telar shows the ring that has them all, but for the stretch of its texture');
+    assert.ok(
+      furthest(telar.image, whole) < 60 && furthest(three.image, whole) > 120,
+      'telar shows the ring that has them all, but for the stretch of its texture',
+    );
   },
   async 'known-tangents-none'() {
     const { three, telar } = await draw('known-tangents-none');
@@ -148,5 +158,8 @@ test('the list is whole, and the gate has none of its cases', () => {
   for (const entry of KNOWN_DIFFERENCES) {
     for (const key of ['name', 'three', 'telar', 'source']) assert.ok(entry[key].length > 10, `${key} of ${entry.name}`);
   }
-  assert.deepEqual(CASES.filter(({ name }) => named.includes(name)), []);
+  assert.deepEqual(
+    CASES.filter(({ name }) => named.includes(name)),
+    [],
+  );
 });

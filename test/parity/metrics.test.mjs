@@ -53,7 +53,13 @@ test('distances from a third picture are of the same interior', () => {
   near[at(16, 16)] = 200;
   const pictures = { expected: picture(), mask: picture(), actual: near, width: SIZE, height: SIZE, background: false };
   const found = interiorDistances(pictures, far, [picture(), near]);
-  assert.deepEqual(found.map(({ pixels, max, mean }) => [pixels, max, mean]), [[784, 40, 40 / 784], [784, 40, 47 / 784]]);
+  assert.deepEqual(
+    found.map(({ pixels, max, mean }) => [pixels, max, mean]),
+    [
+      [784, 40, 40 / 784],
+      [784, 40, 47 / 784],
+    ],
+  );
 });
 
 test('one interior pixel off by 3 fails, by 2 does not as long as 99.9 % are within 1', () => {

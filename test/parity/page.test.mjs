@@ -39,7 +39,10 @@ test('the drawing buffer has 4 samples, premultiplied edges and transparent corn
   assert.equal(facts.three, '187');
   assert.deepEqual(Array.from(image.subarray(0, 4)), [0, 0, 0, 0]);
   const alphas = new Set(image.filter((_, i) => i % 4 === 3));
-  assert.deepEqual([...alphas].sort((a, b) => a - b), [0, 64, 128, 191, 255]);
+  assert.deepEqual(
+    [...alphas].sort((a, b) => a - b),
+    [0, 64, 128, 191, 255],
+  );
   for (let i = 0; i < image.length; i += 4) assert.ok(Math.abs(image[i] - (118 * image[i + 3]) / 255) <= 1);
 });
 

@@ -12,7 +12,10 @@ test('telar draws what three.js shows in Chromium', async (t) => {
   const [browser, server] = await Promise.all([Browser.start(), openServer()]);
   const sides = { browser, server, comparer: new Comparer() };
   t.after(() => Promise.all(Object.values(sides).map((side) => side.close())));
-  for await (const result of drawCases(CASES.filter(({ fast }) => fast), sides)) {
+  for await (const result of drawCases(
+    CASES.filter(({ fast }) => fast),
+    sides,
+  )) {
     await t.test(result.item.name, () => {
       if (result.error) throw result.error;
       assert.ok(result.difference.pass, `${figuresText(result)}; see node test/parity/run.mjs ${result.item.name}`);

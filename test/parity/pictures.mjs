@@ -21,7 +21,9 @@ const FOLDER = path.join(OUT, 'pictures');
 export async function writePictures(name, { expected, actual, width, height }, second) {
   mkdirSync(FOLDER, { recursive: true });
   const save = (pixels, kind) =>
-    sharp(pixels, { raw: { width, height, channels: 4 } }).png({ compressionLevel: COMPRESSION }).toFile(path.join(FOLDER, `${name}.${kind}.png`));
+    sharp(pixels, { raw: { width, height, channels: 4 } })
+      .png({ compressionLevel: COMPRESSION })
+      .toFile(path.join(FOLDER, `${name}.${kind}.png`));
   await save(straight(expected), 'browser');
   await save(straight(actual), 'telar');
   await save(amplified(expected, actual), 'difference');

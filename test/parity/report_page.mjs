@@ -40,26 +40,39 @@ const COLUMNS = [
   ['edge FLIP', ({ difference }) => difference?.edge && number(difference.edge.flip.mean)],
   ['edge max', ({ difference }) => difference?.edge?.max],
 ];
-const RASTERIZER_COLUMNS = ['p999', 'mean', 'max'].flatMap((figure) => ['client', 'telar'].map((side) =>
-  [`SwiftShader ${figure === 'p999' ? 'p99.9' : figure}, ${side}`, ({ rasterizers }) => rasterizers?.[side] && number(rasterizers[side][figure])]));
+const RASTERIZER_COLUMNS = ['p999', 'mean', 'max'].flatMap((figure) =>
+  ['client', 'telar'].map((side) => [
+    `SwiftShader ${figure === 'p999' ? 'p99.9' : figure}, ${side}`,
+    ({ rasterizers }) => rasterizers?.[side] && number(rasterizers[side][figure]),
+  ]),
+);
 
 const cell = (value) => `<td>${value === undefined || value === null ? '' : escaped(value)}</td>`;
 const anchor = (name) => `case-${encodeURIComponent(name)}`;
 
 function table(rows) {
   const columns = rows.some(({ rasterizers }) => rasterizers) ? [...COLUMNS, ...RASTERIZER_COLUMNS] : COLUMNS;
-  const line = (row) => `<tr><th scope="row"><a class="${row.pass ? 'within' : 'over'}" href="#${anchor(row.name)}">${escaped(row.name)}</a></th>${
-    columns.map(([, value]) => cell(value(row))).join('')}</tr>`;
+  const line = (row) =>
+    `<tr><th scope="row"><a class="${row.pass ? 'within' : 'over'}" href="#${anchor(row.name)}">${escaped(row.name)}</a></th>${columns
+      .map(([, value]) => cell(value(row)))
+      .join('')}</tr>`;
   return `<table><thead><tr><th scope="col">case</th>${columns.map(([heading]) => `<th scope="col">${heading}</th>`).join('')}</tr></thead>
 <tbody>${rows.map(line).join('\n')}</tbody></table>`;
 }
 
 function figures({ name, rasterizers }) {
-  const kinds = { browser: 'three.js in Chromium', telar: 'telar', difference: `difference x ${GAIN}`, ...(rasterizers && { other: 'three.js on SwiftShader' }) };
-  return Object.entries(kinds).map(([kind, title]) => {
-    const file = `pictures/${encodeURIComponent(name)}.${kind}.png`;
-    return `<figure><a href="${file}"><img loading="lazy" src="${file}" alt="${escaped(`${name}: ${title}`)}"></a><figcaption>${title}</figcaption></figure>`;
-  }).join('\n');
+  const kinds = {
+    browser: 'three.js in Chromium',
+    telar: 'telar',
+    difference: `difference x ${GAIN}`,
+    ...(rasterizers && { other: 'three.js on SwiftShader' }),
+  };
+  return Object.entries(kinds)
+    .map(([kind, title]) => {
+      const file = `pictures/${encodeURIComponent(name)}.${kind}.png`;
+      return `<figure><a href="${file}"><img loading="lazy" src="${file}" alt="${escaped(`${name}: ${title}`)}"></a><figcaption>${title}</figcaption></figure>`;
+    })
+    .join('\n');
 }
 
 const values = (list) => (list ? list.map((value) => Number(value.toPrecision(7))).join(' ') : '');
@@ -84,7 +97,10 @@ function known(differences, rows) {
   if (differences.length === 0) return '';
   const part = ({ name, three, telar, source, cases }) => `<section><h3>${escaped(name)}</h3>
 <p>three.js: ${escaped(three)} (${escaped(source)})</p><p>telar: ${escaped(telar)}</p>
-${rows.filter((row) => cases.includes(row.name)).map((row) => (row.error ? `<pre>${escaped(row.error)}</pre>` : figures(row))).join('\n')}</section>`;
+${rows
+  .filter((row) => cases.includes(row.name))
+  .map((row) => (row.error ? `<pre>${escaped(row.error)}</pre>` : figures(row)))
+  .join('\n')}</section>`;
   return `<h2 id="known">Known differences: where three.js itself is wrong. Shown, not judged.</h2>\n${differences.map(part).join('\n')}`;
 }
 

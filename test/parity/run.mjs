@@ -31,10 +31,11 @@ const { values, positionals } = parseArgs({
 
 const started = performance.now();
 mkdirSync(OUT, { recursive: true });
-const chosen = (items) => items
-  .filter(({ name }) => positionals.length === 0 || positionals.some((filter) => name.includes(filter)))
-  .filter((item) => !values.fast || item.fast)
-  .filter(({ shot }) => !values['own-text'] || shot.shading === 'three');
+const chosen = (items) =>
+  items
+    .filter(({ name }) => positionals.length === 0 || positionals.some((filter) => name.includes(filter)))
+    .filter((item) => !values.fast || item.fast)
+    .filter(({ shot }) => !values['own-text'] || shot.shading === 'three');
 const cases = chosen(values.all || positionals.length > 0 ? CASES : GATE_CASES);
 const knownCases = values['browser-only'] || values['own-text'] ? [] : chosen(KNOWN_CASES);
 if (cases.length + knownCases.length === 0) throw new Error(`no case has one of these in its name: ${positionals.join(' ')}`);
@@ -76,7 +77,9 @@ async function finishCase(result) {
   for (const [stage, time] of Object.entries(milliseconds)) spent[stage] = (spent[stage] ?? 0) + time;
   if (expected && (values.keep || values['browser-only'] || !difference.pass)) saveReference(item, inputs, expected);
   if (values['browser-only']) {
-    console.log(error ? `FAIL ${item.name} ${error.message}` : `${item.name}  load ${milliseconds.load.toFixed()} ms, draw ${milliseconds.browser.toFixed()} ms`);
+    console.log(
+      error ? `FAIL ${item.name} ${error.message}` : `${item.name}  load ${milliseconds.load.toFixed()} ms, draw ${milliseconds.browser.toFixed()} ms`,
+    );
     if (error) report.failed++;
     return;
   }

@@ -16,7 +16,9 @@ const apart = (a, b) => a.filter((value, i) => Math.abs(value - b[i]) > 1).lengt
 test('from stock three.js to cloth and back, the stock picture is the same to the byte, and nothing piles up', async () => {
   const shadings = ['three', 'fabric', 'three', 'fabric', 'three', 'fabric'];
   const { images, held } = await browser.sequence({
-    model: await MODELS['physical-everything'](), environment: ENVIRONMENTS.lamps(), shots: shadings.map((shading) => shot({ ...base, shading })),
+    model: await MODELS['physical-everything'](),
+    environment: ENVIRONMENTS.lamps(),
+    shots: shadings.map((shading) => shot({ ...base, shading })),
   });
   assert.ok(apart(images[0], images[1]) > 100, 'cloth looks otherwise');
   assert.deepEqual(images[2], images[0]);
@@ -27,12 +29,27 @@ test('from stock three.js to cloth and back, the stock picture is the same to th
 });
 
 test('variants change under a shading, and a shading under variants', async () => {
-  const states = [['three', ''], ['fabric', 'red'], ['fabric', ''], ['three', 'red'], ['three', ''], ['fabric', 'red']];
+  const states = [
+    ['three', ''],
+    ['fabric', 'red'],
+    ['fabric', ''],
+    ['three', 'red'],
+    ['three', ''],
+    ['fabric', 'red'],
+  ];
   const { images } = await browser.sequence({
-    model: await MODELS.variants(), environment: ENVIRONMENTS.lamps(), shots: states.map(([shading, variant]) => shot({ ...base, shading, variant, camera: 'front' })),
+    model: await MODELS.variants(),
+    environment: ENVIRONMENTS.lamps(),
+    shots: states.map(([shading, variant]) => shot({ ...base, shading, variant, camera: 'front' })),
   });
   const [plain, redCloth, cloth, red, plainAgain, redClothAgain] = images;
   assert.deepEqual(plainAgain, plain);
   assert.deepEqual(redClothAgain, redCloth);
-  for (const [a, b] of [[plain, red], [cloth, redCloth], [plain, cloth], [red, redCloth]]) assert.ok(apart(a, b) > 4, `${apart(a, b)}`); // sides that are the same are 1 apart at most
+  for (const [a, b] of [
+    [plain, red],
+    [cloth, redCloth],
+    [plain, cloth],
+    [red, redCloth],
+  ])
+    assert.ok(apart(a, b) > 4, `${apart(a, b)}`); // sides that are the same are 1 apart at most
 });

@@ -11,11 +11,19 @@ import { figuresText } from './report_page.mjs';
 
 /** What the text reads of three.js: maps, lights, shadows, layers, skins, instances, transmission. */
 const CASES = [
-  'sweep-sun', 'cloth-env', 'lights-many', 'shadow-everything', 'physical-everything-lights', 'anisotropy-map-tangents-env', 'rect-everything',
-  'transmission-layers-lit', 'morph-and-skin-0-0.6', 'instances-colors-rest',
+  'sweep-sun',
+  'cloth-env',
+  'lights-many',
+  'shadow-everything',
+  'physical-everything-lights',
+  'anisotropy-map-tangents-env',
+  'rect-everything',
+  'transmission-layers-lit',
+  'morph-and-skin-0-0.6',
+  'instances-colors-rest',
 ];
 
-test('telar\'s text of stock three.js draws what stock three.js draws', async (t) => {
+test("telar's text of stock three.js draws what stock three.js draws", async (t) => {
   const browser = await Browser.start();
   const sides = { browser, server: openOwnText(browser), comparer: new Comparer() };
   t.after(() => Promise.all(Object.values(sides).map((side) => side.close())));

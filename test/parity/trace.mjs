@@ -75,7 +75,8 @@ export function causeOf(terms) {
 }
 
 function sentenceOf(first, terms) {
-  if (terms.every(({ browser, telar }) => !browser && !telar)) return 'nothing is drawn at the centre of this pixel on either side: look at coverage and the background';
+  if (terms.every(({ browser, telar }) => !browser && !telar))
+    return 'nothing is drawn at the centre of this pixel on either side: look at coverage and the background';
   if (!first) return "nothing differs beyond rounding at the pixel's centre: look at coverage, at antialiasing and at what is blended below";
   const { what, look } = QUANTITIES[first.term];
   if (first.browser && first.telar) return `${first.term} (${what}) is the first that differs: look at ${look}`;
@@ -87,8 +88,10 @@ export function traceText({ pixel, terms, cause }) {
   const values = (list) => (list ? list.map((value) => value.toPrecision(7).padStart(13)).join(' ') : '-').padStart(41);
   const lines = terms
     .filter(({ browser, telar }) => browser || telar)
-    .map(({ term, browser, telar, difference, differs }) =>
-      `${differs ? '>' : ' '} ${term.padEnd(20)} ${values(browser)} | ${values(telar)} | ${difference.toExponential(2)}`);
+    .map(
+      ({ term, browser, telar, difference, differs }) =>
+        `${differs ? '>' : ' '} ${term.padEnd(20)} ${values(browser)} | ${values(telar)} | ${difference.toExponential(2)}`,
+    );
   const head = `  ${'quantity'.padEnd(20)} ${'browser'.padStart(41)} | ${'telar'.padStart(41)} | difference`;
   return [`pixel ${pixel.join(' ')}`, head, ...lines, cause].join('\n');
 }

@@ -110,12 +110,20 @@ function withNoise(file, global) {
 /** The quad with its positions, texture coordinates and indices compressed. */
 export function meshoptQuad(options) {
   const model = quad();
-  for (const [view, target] of [[0, 12], [1, 8]]) model.doc.bufferViews[view].byteStride = target;
-  return compressViews(model, [
-    { view: 0, count: 4, stride: 12, mode: 'ATTRIBUTES' },
-    { view: 1, count: 4, stride: 8, mode: 'ATTRIBUTES' },
-    { view: 2, count: 6, stride: 2, mode: 'TRIANGLES' },
-  ], options);
+  for (const [view, target] of [
+    [0, 12],
+    [1, 8],
+  ])
+    model.doc.bufferViews[view].byteStride = target;
+  return compressViews(
+    model,
+    [
+      { view: 0, count: 4, stride: 12, mode: 'ATTRIBUTES' },
+      { view: 1, count: 4, stride: 8, mode: 'ATTRIBUTES' },
+      { view: 2, count: 6, stride: 2, mode: 'TRIANGLES' },
+    ],
+    options,
+  );
 }
 
 const AT_VIEW_0 = '/bufferViews/0/extensions/EXT_meshopt_compression';
@@ -130,6 +138,7 @@ function meshoptFault(change) {
 /** With the first bytes of view 0's data replaced. */
 const meshoptData = (...bytes) => meshoptFault(({ byteOffset }, { bin }) => Buffer.from(bytes).copy(bin, byteOffset));
 
+// biome-ignore format: one row a line, read as a table
 const meshoptFaults = () => [
   ['mode-unknown', meshoptFault((e) => { e.mode = 'POINTS'; }), '/mode'],
   ['filter-unknown', meshoptFault((e) => { e.filter = 'COLOR'; }), '/filter'],
@@ -155,6 +164,7 @@ const meshoptFaults = () => [
 ];
 
 /** @returns {import('./make_cases.mjs').Case[]} */
+// biome-ignore format: one row a line, read as a table
 export const decoderCases = () => [
   { name: 'ktx2-uastc.glb', bytes: ktx2Quad(uastcKtx2(picture())), code: '' },
   { name: 'ktx2-etc1s.glb', bytes: ktx2Quad(etc1sKtx2(picture(), { alpha: true })), code: '' },

@@ -84,8 +84,7 @@ export function container(...chunks) {
 }
 
 /** @param {string} [text] the JSON, when it is not model.doc as it is */
-export const glb = ({ doc, bin }, text = JSON.stringify(doc)) =>
-  container(chunk('JSON', padded(Buffer.from(text), 0x20)), chunk('BIN\0', padded(bin)));
+export const glb = ({ doc, bin }, text = JSON.stringify(doc)) => container(chunk('JSON', padded(Buffer.from(text), 0x20)), chunk('BIN\0', padded(bin)));
 
 /** Text glTF whose buffer is at `uri`; by default a data: URI. */
 export const gltf = ({ doc, bin }, uri = `data:application/octet-stream;base64,${bin.toString('base64')}`) =>

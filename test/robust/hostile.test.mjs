@@ -56,7 +56,10 @@ before(() => {
 after(() => folder && rmSync(folder, { recursive: true }));
 
 test('the cases are deterministic, and many', () => {
-  const digest = () => makeCases().map(({ name, bytes }) => name + createHash('sha256').update(bytes).digest('hex')).join();
+  const digest = () =>
+    makeCases()
+      .map(({ name, bytes }) => name + createHash('sha256').update(bytes).digest('hex'))
+      .join();
   assert.equal(digest(), digest());
   assert.ok(makeCases().filter(({ code }) => code).length >= 40);
 });
@@ -85,7 +88,10 @@ test('each own case ends as it must', async () => {
 });
 
 test('the formats of images are named, and the levels that a file brings', async () => {
-  const at = writeCases(mkdtempSync(join(folder, 'formats-')), makeCases().filter(({ code }) => !code));
+  const at = writeCases(
+    mkdtempSync(join(folder, 'formats-')),
+    makeCases().filter(({ code }) => !code),
+  );
   const imageOf = async (name) => (await load(join(at, name))).scene.images[0];
   assert.deepEqual(await imageOf('good.glb'), { width: 4, height: 4, format: 'PNG' });
   assert.deepEqual(await imageOf('ktx2-uastc.glb'), { width: 32, height: 16, format: 'KTX2 UASTC', levels: 6 });

@@ -43,6 +43,7 @@ const patched = (bytes, at, ...values) => {
   return out;
 };
 
+// biome-ignore format: one row a line, read as a table
 const containerCases = (good) => [
   { name: 'empty.glb', bytes: Buffer.alloc(0), code: 'E_EMPTY', offset: 0 },
   { name: 'cut-in-magic.glb', bytes: good.subarray(0, 3), code: 'E_GLB_HEADER', offset: 3 },
@@ -61,6 +62,7 @@ const containerCases = (good) => [
   { name: 'unknown-chunk.glb', bytes: patched(Buffer.concat([good, chunk('XTRA', Buffer.alloc(4))]), 8, good.length + 12), code: '', warning: 'W_GLB_CHUNK' },
 ];
 
+// biome-ignore format: one row a line, read as a table
 const jsonCases = () => [
   { name: 'page.gltf', bytes: Buffer.from('<!doctype html>'), code: 'E_JSON', offset: 0 },
   { name: 'array.gltf', bytes: Buffer.from('[]'), code: 'E_JSON', offset: 0 },
@@ -83,6 +85,7 @@ const jsonCases = () => [
   { name: 'extension-ignored.glb', bytes: changed((m) => { m.doc.extensionsUsed = ['ACME_glitter']; }), code: '', warning: 'W_EXT_IGNORED' },
 ];
 
+// biome-ignore format: one row a line, read as a table
 const bufferCases = () => [
   { name: 'buffer-longer-than-bin.glb', bytes: changed((m) => { m.doc.buffers[0].byteLength += 64; }), code: 'E_BUFFER', pointer: '/buffers/0/byteLength' },
   { name: 'buffer-1-tb.glb', bytes: changed((m) => { m.doc.buffers[0].byteLength = 2 ** 40; }), code: 'E_BUFFER', pointer: '/buffers/0/byteLength' },
@@ -121,6 +124,7 @@ function dag(levels) {
   return [...nodes, { mesh: 0 }, { mesh: 0 }];
 }
 
+// biome-ignore format: one row a line, read as a table
 const graphCases = () => [
   { name: 'own-child.glb', bytes: changed((m) => { m.doc.nodes[0].children = [0]; }), code: 'E_GRAPH', pointer: '/nodes/0' },
   { name: 'cycle-of-3.glb', bytes: changed((m) => { m.doc.nodes.push({ children: [2] }, { children: [3] }, { children: [1] }); }), code: 'E_GRAPH', pointer: '/nodes/1' },
@@ -141,6 +145,7 @@ const damagedPng = () => {
   return bytes;
 };
 
+// biome-ignore format: one row a line, read as a table
 const imageCases = () => [
   { name: 'png-cut.glb', bytes: textured(png(16, 16).subarray(0, 60)), code: 'E_IMAGE_CORRUPT', pointer: '/images/0' },
   { name: 'png-damaged.glb', bytes: textured(damagedPng()), code: 'E_IMAGE_CORRUPT', pointer: '/images/0' },
@@ -157,7 +162,10 @@ const imageCases = () => [
 ];
 
 /** The quad whose material has this extension. */
-const layered = (extension, value) => changed((m) => { m.doc.materials[0].extensions = { [extension]: value }; });
+const layered = (extension, value) =>
+  changed((m) => {
+    m.doc.materials[0].extensions = { [extension]: value };
+  });
 
 /** The quad with a second, damaged image in a texture that only this layer reads. */
 const damagedLayer = (extension, value) =>
@@ -170,6 +178,7 @@ const damagedLayer = (extension, value) =>
 const LAYERS = '/materials/0/extensions';
 const HUGE = 1e300;
 
+// biome-ignore format: one row a line, read as a table
 const layerFaults = () => [
   ['ior-text', 'ior', { ior: '1.5' }, 'E_SCHEMA', '/ior'],
   ['ior-null', 'ior', null, 'E_SCHEMA', ''],
@@ -195,6 +204,7 @@ const layerFaults = () => [
   ['diffuse-roughness-bool', 'diffuse_roughness', { diffuseRoughnessFactor: true }, 'E_SCHEMA', '/diffuseRoughnessFactor'],
 ];
 
+// biome-ignore format: one row a line, read as a table
 const hugeLayers = () => [
   ['ior', { ior: HUGE }],
   ['specular', { specularFactor: HUGE, specularColorFactor: [HUGE, -HUGE, 1] }],
@@ -220,6 +230,7 @@ const hugeGlass = () =>
   });
 
 const COAT = { clearcoatTexture: { index: 1 } };
+// biome-ignore format: one row a line, read as a table
 const materialCases = () => [
   ...layerFaults().map(([name, extension, value, code, pointer]) => ({
     name: `${name}.glb`, bytes: layered(`KHR_materials_${extension}`, value), code, pointer: `${LAYERS}/KHR_materials_${extension}${pointer}`,
@@ -244,24 +255,25 @@ function draco(model, data) {
 }
 
 const URIS = {
-  'parent': ['../secret.bin', 'E_URI_DENIED'],
+  parent: ['../secret.bin', 'E_URI_DENIED'],
   'parent-encoded': ['%2e%2e/secret.bin', 'E_URI_DENIED'],
   'parent-twice-encoded': ['%252e%252e%252fsecret.bin', 'E_URI_DENIED'],
-  'absolute': ['/etc/passwd', 'E_URI_DENIED'],
+  absolute: ['/etc/passwd', 'E_URI_DENIED'],
   'file-scheme': ['file:///etc/passwd', 'E_URI_DENIED'],
-  'http': ['http://127.0.0.1:9/x.bin', 'E_URI_DENIED'],
-  'backslash': ['..\\secret.bin', 'E_URI_DENIED'],
-  'nul': ['quad.bin%00.png', 'E_URI_DENIED'],
-  'link': ['link.bin', 'E_URI_DENIED'],
+  http: ['http://127.0.0.1:9/x.bin', 'E_URI_DENIED'],
+  backslash: ['..\\secret.bin', 'E_URI_DENIED'],
+  nul: ['quad.bin%00.png', 'E_URI_DENIED'],
+  link: ['link.bin', 'E_URI_DENIED'],
   'link-folder': ['up/secret.bin', 'E_URI_DENIED'],
-  'missing': ['none.bin', 'E_URI_MISSING'],
-  'folder': ['side', 'E_URI_MISSING'],
-  'empty': ['', 'E_URI_MISSING'],
+  missing: ['none.bin', 'E_URI_MISSING'],
+  folder: ['side', 'E_URI_MISSING'],
+  empty: ['', 'E_URI_MISSING'],
   'data-no-comma': ['data:application/octet-stream;base64', 'E_URI_DATA'],
   'data-not-base64': ['data:application/octet-stream;base64,@@@@', 'E_URI_DATA'],
-  'beside': ['side/quad%20data.bin', ''],
+  beside: ['side/quad%20data.bin', ''],
 };
 
+// biome-ignore format: one row a line, read as a table
 const uriCases = () => [
   ...Object.entries(URIS).map(([name, [uri, code]]) => ({
     name: `uri-${name}.gltf`, bytes: gltf(quad(), uri), code, pointer: code && '/buffers/0/uri', byPath: true,
@@ -270,6 +282,7 @@ const uriCases = () => [
 ];
 
 /** @returns {Case[]} */
+// biome-ignore format: one row a line, read as a table
 export const makeCases = () => {
   const good = glb(quad());
   return [

@@ -30,38 +30,42 @@ function changed(change) {
 }
 
 /** The quad on one joint, after `change(model, attributes)`. */
-const skinned = (change) => changed((model, { attributes }) => {
-  attributes.JOINTS_0 = accessor(model, bytes(...Array(16).fill(0)), BYTE, 4, 'VEC4');
-  attributes.WEIGHTS_0 = accessor(model, floats(...Array(4).fill([1, 0, 0, 0]).flat()), FLOAT, 4, 'VEC4');
-  model.doc.nodes.push({});
-  model.doc.scenes[0].nodes.push(1);
-  model.doc.skins = [{ joints: [1] }];
-  model.doc.nodes[0].skin = 0;
-  change(model, attributes);
-});
+const skinned = (change) =>
+  changed((model, { attributes }) => {
+    attributes.JOINTS_0 = accessor(model, bytes(...Array(16).fill(0)), BYTE, 4, 'VEC4');
+    attributes.WEIGHTS_0 = accessor(model, floats(...Array(4).fill([1, 0, 0, 0]).flat()), FLOAT, 4, 'VEC4');
+    model.doc.nodes.push({});
+    model.doc.scenes[0].nodes.push(1);
+    model.doc.skins = [{ joints: [1] }];
+    model.doc.nodes[0].skin = 0;
+    change(model, attributes);
+  });
 
 /** The quad that moves, after `change(model, animation)`. */
-const animated = (change) => changed((model) => {
-  const animation = {
-    channels: [{ sampler: 0, target: { node: 0, path: 'translation' } }],
-    samplers: [{ input: scalars(model, 0, 1), output: vectors(model, 0, 0, 0, 1, 0, 0) }],
-  };
-  model.doc.animations = [animation];
-  change(model, animation);
-});
+const animated = (change) =>
+  changed((model) => {
+    const animation = {
+      channels: [{ sampler: 0, target: { node: 0, path: 'translation' } }],
+      samplers: [{ input: scalars(model, 0, 1), output: vectors(model, 0, 0, 0, 1, 0, 0) }],
+    };
+    model.doc.animations = [animation];
+    change(model, animation);
+  });
 
 /** The quad at two places, after `change(model, attributes)`. */
-const instanced = (change) => changed((model) => {
-  const attributes = { TRANSLATION: vectors(model, 0, 0, 0, 3, 0, 0) };
-  model.doc.nodes[0].extensions = { [EXTENSION]: { attributes } };
-  model.doc.extensionsUsed = [EXTENSION];
-  change(model, attributes);
-});
+const instanced = (change) =>
+  changed((model) => {
+    const attributes = { TRANSLATION: vectors(model, 0, 0, 0, 3, 0, 0) };
+    model.doc.nodes[0].extensions = { [EXTENSION]: { attributes } };
+    model.doc.extensionsUsed = [EXTENSION];
+    change(model, attributes);
+  });
 
 const PRIMITIVE = '/meshes/0/primitives/0';
 const SAMPLER = '/animations/0/samplers/0';
 const INSTANCES = `/nodes/0/extensions/${EXTENSION}`;
 
+// biome-ignore format: one row a line, read as a table
 const skinCases = () => [
   { name: 'skin-good.glb', bytes: skinned(() => {}), code: '' },
   { name: 'skin-joint-255.glb', bytes: skinned((m, a) => { a.JOINTS_0 = accessor(m, bytes(...Array(16).fill(255)), BYTE, 4, 'VEC4'); }), code: 'E_SKIN', pointer: `${PRIMITIVE}/attributes/JOINTS_0` },
@@ -77,6 +81,7 @@ const skinCases = () => [
   { name: 'skin-joint-1e38.glb', bytes: skinned((m) => { m.doc.nodes[1].scale = [1e200, 1e200, 1e200]; }), code: 'E_NO_GEOMETRY' },
 ];
 
+// biome-ignore format: one row a line, read as a table
 const morphCases = () => [
   { name: 'morph-good.glb', bytes: changed((m, p) => { p.targets = [{ POSITION: 0 }]; m.doc.meshes[0].weights = [1]; }), code: '' },
   { name: 'morph-count.glb', bytes: changed((m, p) => { p.targets = [{ POSITION: vectors(m, 0, 0, 1) }]; }), code: 'E_ACCESSOR', pointer: `${PRIMITIVE}/targets/0/POSITION` },
@@ -88,6 +93,7 @@ const morphCases = () => [
   { name: 'morph-of-zeros.glb', bytes: changed((m, p) => { m.doc.accessors[0] = { componentType: FLOAT, count: 1e5, type: 'VEC3' }; p.attributes = { POSITION: 0 }; p.targets = Array(200).fill({ POSITION: 0 }); }), code: 'L_VERTICES', pointer: PRIMITIVE },
 ];
 
+// biome-ignore format: one row a line, read as a table
 const animationCases = () => [
   { name: 'animation-good.glb', bytes: animated(() => {}), code: '' },
   { name: 'animation-times-fall.glb', bytes: animated((m, a) => { a.samplers[0].input = scalars(m, 1, 0); }), code: 'E_ANIMATION', pointer: `${SAMPLER}/input` },
@@ -109,6 +115,7 @@ const animationCases = () => [
   { name: 'animation-channels-50k.glb', bytes: animated((m, a) => { a.channels = Array(50_000).fill({ sampler: 0, target: { node: 0, path: 'x' } }); }), code: '', warning: 'W_ANIMATION' },
 ];
 
+// biome-ignore format: one row a line, read as a table
 const instanceCases = () => [
   { name: 'instances-good.glb', bytes: instanced(() => {}), code: '' },
   { name: 'instances-count.glb', bytes: instanced((m, a) => { a.SCALE = vectors(m, 1, 1, 1); }), code: 'E_INSTANCING' },

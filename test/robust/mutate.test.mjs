@@ -27,19 +27,25 @@ const RUNS = Number(process.env.TELAR_MUTATIONS ?? 1500);
 
 const zstd = () => {
   const levels = mipChain(picture()).map(uastcBlocks);
-  return ktx2File({ width: 32, height: 16, levels: levels.map(zstdStored), sizes: levels.map(({ length }) => length), supercompression: SUPERCOMPRESSION.zstd });
+  return ktx2File({
+    width: 32,
+    height: 16,
+    levels: levels.map(zstdStored),
+    sizes: levels.map(({ length }) => length),
+    supercompression: SUPERCOMPRESSION.zstd,
+  });
 };
 
 /** Models by name; those of ../shared where they are. */
 const FILES = {
-  'uastc': () => ktx2Quad(uastcKtx2(picture())),
+  uastc: () => ktx2Quad(uastcKtx2(picture())),
   'uastc-zstd': () => ktx2Quad(zstd()),
-  'etc1s': () => ktx2Quad(etc1sKtx2(picture())),
+  etc1s: () => ktx2Quad(etc1sKtx2(picture())),
   'etc1s-alpha': () => ktx2Quad(etc1sKtx2(picture(64, 64), { alpha: true, historySize: 4 })),
-  'raw': () => ktx2Quad(rawKtx2(picture())),
-  'floats': () => ktx2Quad(rawFormatKtx2('rgba16f', picture(), { zstd: true })),
-  'blocks': () => ktx2Quad(blockKtx2('bc7-srgb', picture())),
-  'meshopt': () => glb(meshoptQuad()),
+  raw: () => ktx2Quad(rawKtx2(picture())),
+  floats: () => ktx2Quad(rawFormatKtx2('rgba16f', picture(), { zstd: true })),
+  blocks: () => ktx2Quad(blockKtx2('bc7-srgb', picture())),
+  meshopt: () => glb(meshoptQuad()),
   'meshopt-torus': () => Buffer.from(meshoptTorus()),
   'meshopt-pirate': () => readFileSync(join(SHARED, 'meshopt_pirate/pirate.glb')),
   'draco-heart': () => readFileSync(join(SHARED, 'heart_draco/heart_draco.glb')),

@@ -20,7 +20,11 @@ function tile(transforms, info, [width, height]) {
 }
 
 function addMaterial(document, { name, factor, textures, extent, drape, transforms }) {
-  const material = document.createMaterial(name).setBaseColorFactor([...factor, 1]).setMetallicFactor(0).setOcclusionTexture(drape);
+  const material = document
+    .createMaterial(name)
+    .setBaseColorFactor([...factor, 1])
+    .setMetallicFactor(0)
+    .setOcclusionTexture(drape);
   material.getOcclusionTextureInfo().setTexCoord(1);
   material.setBaseColorTexture(textures.base);
   tile(transforms, material.getBaseColorTextureInfo(), extent);
@@ -39,8 +43,9 @@ function addMaterials(document, { textiles, occlusion }) {
   for (const [textile, { extent, dyed, ...maps }] of Object.entries(textiles)) {
     const textures = Object.fromEntries(Object.entries(maps).map(([kind, image]) => [kind, addTexture(document, `${textile}_${kind}`, image)]));
     const shared = dyed ? null : addMaterial(document, { name: textile, factor: [1, 1, 1], textures, extent, drape, transforms });
-    materials[textile] = COLOURWAYS.map(({ name, factor }) =>
-      shared ?? addMaterial(document, { name: `${textile}_${name}`, factor, textures, extent, drape, transforms }));
+    materials[textile] = COLOURWAYS.map(
+      ({ name, factor }) => shared ?? addMaterial(document, { name: `${textile}_${name}`, factor, textures, extent, drape, transforms }),
+    );
   }
   return materials;
 }
@@ -48,7 +53,8 @@ function addMaterials(document, { textiles, occlusion }) {
 function addPrimitive(document, buffer, piece, atlasUv) {
   const accessor = (type, array) => document.createAccessor().setType(type).setArray(array).setBuffer(buffer);
   const indices = piece.positions.length / 3 > 65535 ? Uint32Array.from(piece.indices) : Uint16Array.from(piece.indices);
-  return document.createPrimitive()
+  return document
+    .createPrimitive()
     .setIndices(accessor('SCALAR', indices))
     .setAttribute('POSITION', accessor('VEC3', Float32Array.from(piece.positions)))
     .setAttribute('NORMAL', accessor('VEC3', Float32Array.from(piece.normals)))
@@ -82,7 +88,10 @@ function joinPieces(pieces, atlasUv) {
  */
 export async function writeGarment({ pieces, atlasUv, occlusion, textiles }) {
   const document = new Document();
-  Object.assign(document.getRoot().getAsset(), { generator: 'telar', copyright: 'Copyright telar. Part of telar, under its licence; free to render, copy and show with it.' });
+  Object.assign(document.getRoot().getAsset(), {
+    generator: 'telar',
+    copyright: 'Copyright telar. Part of telar, under its licence; free to render, copy and show with it.',
+  });
   const buffer = document.createBuffer();
   const materials = addMaterials(document, { textiles, occlusion });
   const variants = document.createExtension(KHRMaterialsVariants);

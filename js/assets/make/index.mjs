@@ -10,7 +10,11 @@ import { makeTshirt } from './tshirt.mjs';
 /** Writes the bundled assets beside this folder, or into the folder given as the first argument. */
 const target = process.argv[2] ?? fileURLToPath(new URL('..', import.meta.url));
 await mkdir(target, { recursive: true });
-for (const [name, make] of [['studio.hdr', makeStudio], ['tshirt.glb', makeTshirt], ['fabrics.glb', makeFabrics]]) {
+for (const [name, make] of [
+  ['studio.hdr', makeStudio],
+  ['tshirt.glb', makeTshirt],
+  ['fabrics.glb', makeFabrics],
+]) {
   const bytes = await make();
   await writeFile(path.join(target, name), bytes);
   console.log(`${name}  ${bytes.length} bytes`);

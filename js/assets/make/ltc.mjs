@@ -52,7 +52,13 @@ function literal(value) {
 
 function array(name, comment, numbers) {
   const lines = [];
-  for (let i = 0; i < numbers.length; i += NUMBERS_A_LINE) lines.push(`  ${numbers.slice(i, i + NUMBERS_A_LINE).map(literal).join(', ')},`);
+  for (let i = 0; i < numbers.length; i += NUMBERS_A_LINE)
+    lines.push(
+      `  ${numbers
+        .slice(i, i + NUMBERS_A_LINE)
+        .map(literal)
+        .join(', ')},`,
+    );
   return `\n// ${comment}\nconstexpr float ${name}[${numbers.length}] = {\n${lines.join('\n')}\n};\n`;
 }
 
@@ -63,9 +69,11 @@ export async function ltcTables() {
   const inverse = [...LTC_FLOAT_1.image.data];
   // The other two channels are 0 and what three.js does not read.
   const albedo = [...LTC_FLOAT_2.image.data].filter((_, i) => i % 4 < 2);
-  return NOTICE
-    + array('LTC_INVERSE', 'RGBA: entries [0][0], [0][2], [2][0] and [2][2] (column, row) of the inverse matrix.', inverse)
-    + array('LTC_ALBEDO', 'RG: the lobe\'s albedo is f0 R + (f90 - f0) G.', albedo);
+  return (
+    NOTICE +
+    array('LTC_INVERSE', 'RGBA: entries [0][0], [0][2], [2][0] and [2][2] (column, row) of the inverse matrix.', inverse) +
+    array('LTC_ALBEDO', "RG: the lobe's albedo is f0 R + (f90 - f0) G.", albedo)
+  );
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) writeFileSync(LTC_FILE, await ltcTables());

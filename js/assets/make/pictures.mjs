@@ -17,7 +17,13 @@ const BACKDROP = '#f4f1ec';
 
 /** The garment drawn by three.js in Chromium, as `npm run parity` draws it, and by telar beside it. */
 async function besideBrowser(out) {
-  const shot = { size: { width: 480, height: 480 }, camera: { azimuth: 22, elevation: 6 }, background: BACKDROP, variant: 'terracotta', output: { format: 'png' } };
+  const shot = {
+    size: { width: 480, height: 480 },
+    camera: { azimuth: 22, elevation: 6 },
+    background: BACKDROP,
+    variant: 'terracotta',
+    output: { format: 'png' },
+  };
   const [renderer, browser] = await Promise.all([createRenderer(), Browser.start()]);
   const { data, info } = await renderer.render(fileOf('tshirt.glb'), shot);
   const drawn = await browser.draw({ shot: info.shot, model: fileOf('tshirt.glb'), environment: await readFile(fileOf('studio.hdr')) });
@@ -26,14 +32,37 @@ async function besideBrowser(out) {
   // Over an opaque background premultiplied colours are straight ones.
   const theirs = sharp(drawn.image, { raw: { width, height, channels: 4 } });
   await sharp({ create: { width: 2 * width, height, channels: 3, background: BACKDROP } })
-    .composite([{ input: await theirs.png().toBuffer(), left: 0, top: 0 }, { input: data, left: width, top: 0 }]).jpeg({ quality: 90 }).toFile(out);
+    .composite([
+      { input: await theirs.png().toBuffer(), left: 0, top: 0 },
+      { input: data, left: width, top: 0 },
+    ])
+    .jpeg({ quality: 90 })
+    .toFile(out);
 }
 
 async function contactSheet(out) {
   const work = await mkdtemp(path.join(tmpdir(), 'telar-pictures-'));
   const sheet = path.join(work, 'sheet.png');
-  spawnSync(process.execPath, [fileOf('../cli/telar.mjs'), 'thumbnail', fileOf('tshirt.glb'), fileOf('fabrics.glb'),
-    '-o', work, '--views', 'front,three-quarter,back', '--variants', 'all', '--size', '320x400', '--contact-sheet', sheet], { stdio: ['ignore', 'ignore', 'inherit'] });
+  spawnSync(
+    process.execPath,
+    [
+      fileOf('../cli/telar.mjs'),
+      'thumbnail',
+      fileOf('tshirt.glb'),
+      fileOf('fabrics.glb'),
+      '-o',
+      work,
+      '--views',
+      'front,three-quarter,back',
+      '--variants',
+      'all',
+      '--size',
+      '320x400',
+      '--contact-sheet',
+      sheet,
+    ],
+    { stdio: ['ignore', 'ignore', 'inherit'] },
+  );
   // A photograph of many colours is small as a JPEG.
   await sharp(sheet).resize({ width: 1068 }).jpeg({ quality: 88 }).toFile(out);
   await rm(work, { recursive: true });

@@ -14,7 +14,10 @@ const ATLAS_SIZE = 1024;
 const TILE_SIZE = 1024;
 
 const jpeg = ({ pixels, width, height = width, channels = 3 }, quality) =>
-  sharp(Buffer.from(pixels), { raw: { width, height, channels } }).toColourspace(channels === 1 ? 'b-w' : 'srgb').jpeg({ quality, chromaSubsampling: '4:4:4' }).toBuffer();
+  sharp(Buffer.from(pixels), { raw: { width, height, channels } })
+    .toColourspace(channels === 1 ? 'b-w' : 'srgb')
+    .jpeg({ quality, chromaSubsampling: '4:4:4' })
+    .toBuffer();
 
 async function encodeTextile(tile, seed) {
   const { size: width, surfaceSize, ...maps } = textileMaps(tile, { seed });

@@ -46,23 +46,58 @@ Exit codes are those of all commands: 0 done, 2 usage, 3 bad input, 4 a limit, 5
 - Lobe plots: light that leaves towards the viewer (BRDF times cosine) for light from each direction in the plane of normal and viewer; the
   distance from the centre is its square root. Albedo: the share of light from everywhere that leaves towards the viewer; above 1 the
   surface gives more than it takes. Both are in double precision, by the text that the shaders are made of (\`evaluateShading\`).
-`.replace('$LIGHTS', Object.entries(LIGHTS).map(([name, { about }]) => `\`${name}\` (${about})`).join(', '));
+`.replace(
+  '$LIGHTS',
+  Object.entries(LIGHTS)
+    .map(([name, { about }]) => `\`${name}\` (${about})`)
+    .join(', '),
+);
 
 const table = (headings, rows) => [...heading(headings), ...rows.map(row)].join('\n');
 
 function ranking({ rows }) {
-  return table(['rank', 'term', 'swap', 'FLIP alone', 'range', 'last', 'dE00 mean', 'p95', 'of the whole', 'rank by dE00', 'ranks', 'alone, it makes the cloth', 'interaction'],
+  return table(
+    [
+      'rank',
+      'term',
+      'swap',
+      'FLIP alone',
+      'range',
+      'last',
+      'dE00 mean',
+      'p95',
+      'of the whole',
+      'rank by dE00',
+      'ranks',
+      'alone, it makes the cloth',
+      'interaction',
+    ],
     rows.map((term) => [
-      term.rank, `**${term.slot}**`, `${term.from} → ${term.to}`, `${shortFigure(term.alone.flip.mean)} ± ${shortFigure(term.alone.flip.deviation)}`,
-      `${shortFigure(term.alone.flip.min)} to ${shortFigure(term.alone.flip.max)}`, shortFigure(term.rest.flip.mean), term.alone.deltaE.mean.toFixed(2),
-      term.alone.deltaEp95.mean.toFixed(2), percent(term.share), term.rankByColour, ranksText(term.ranks), term.words, term.interaction,
-    ]));
+      term.rank,
+      `**${term.slot}**`,
+      `${term.from} → ${term.to}`,
+      `${shortFigure(term.alone.flip.mean)} ± ${shortFigure(term.alone.flip.deviation)}`,
+      `${shortFigure(term.alone.flip.min)} to ${shortFigure(term.alone.flip.max)}`,
+      shortFigure(term.rest.flip.mean),
+      term.alone.deltaE.mean.toFixed(2),
+      term.alone.deltaEp95.mean.toFixed(2),
+      percent(term.share),
+      term.rankByColour,
+      ranksText(term.ranks),
+      term.words,
+      term.interaction,
+    ]),
+  );
 }
 
-const byView = ({ rows, cells }) => table(['FLIP alone', ...cells.map(({ target, light }) => `${target}, ${light}`)], [
-  ...rows.map(({ slot }) => [slot, ...cells.map(({ terms }) => shortFigure(terms[slot].alone.flip.mean))]),
-  ['**all terms**', ...cells.map(({ all }) => shortFigure(all.flip.mean))],
-]);
+const byView = ({ rows, cells }) =>
+  table(
+    ['FLIP alone', ...cells.map(({ target, light }) => `${target}, ${light}`)],
+    [
+      ...rows.map(({ slot }) => [slot, ...cells.map(({ terms }) => shortFigure(terms[slot].alone.flip.mean))]),
+      ['**all terms**', ...cells.map(({ all }) => shortFigure(all.flip.mean))],
+    ],
+  );
 
 /** One fabric: what all terms do in each light, which terms lead there, its pictures and plots. */
 function fabricSection(target, { cells, names }) {

@@ -1,10 +1,18 @@
 /** Pieces of generated C++ and GLSL. */
 
 /** "three-quarter" as ThreeQuarter, "baseColor" as BaseColor. */
-export const camel = (name) => name.split('-').map((part) => part[0].toUpperCase() + part.slice(1)).join('');
+export const camel = (name) =>
+  name
+    .split('-')
+    .map((part) => part[0].toUpperCase() + part.slice(1))
+    .join('');
 
 /** "three-quarter" as THREE_QUARTER, "baseColor" as BASE_COLOR. */
-export const upper = (name) => name.replaceAll(/(?<=[a-z\d])(?=[A-Z])/g, '_').replaceAll('-', '_').toUpperCase();
+export const upper = (name) =>
+  name
+    .replaceAll(/(?<=[a-z\d])(?=[A-Z])/g, '_')
+    .replaceAll('-', '_')
+    .toUpperCase();
 
 export const indented = (lines) => lines.map((line) => (line ? `  ${line}` : line));
 

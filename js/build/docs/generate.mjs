@@ -23,21 +23,25 @@ const root = new URL('../../../', import.meta.url);
 const textOf = (path) => readFileSync(new URL(path, root), 'utf8');
 
 /** The quantities that can be drawn, for index.d.ts. */
-const quantityType = () => `/** What \`renderQuantity\` draws: colours linear, vectors in view space. */\nexport type Quantity =\n${
-  Object.entries(DEBUG_QUANTITIES).map(([name, { doc }]) => `  /** ${doc} */\n  | '${name}'`).join('\n')};\n`;
+const quantityType = () =>
+  `/** What \`renderQuantity\` draws: colours linear, vectors in view space. */\nexport type Quantity =\n${Object.entries(DEBUG_QUANTITIES)
+    .map(([name, { doc }]) => `  /** ${doc} */\n  | '${name}'`)
+    .join('\n')};\n`;
 
 /** @returns {Record<string, string>} path from the root: text */
 export function generatedFiles() {
   const codes = Object.keys(TABLE);
   return {
     'js/shot/schema.json': `${JSON.stringify(shotJsonSchema(), null, 2)}\n`,
-    'js/shot/shot.d.ts': [HEADER,
+    'js/shot/shot.d.ts': [
+      HEADER,
       interfaceText('Shot', 'What to draw. Every key is optional; js/docs/options.md is the table of them.', shotDraft()),
       interfaceText('ResolvedShot', 'A shot with every default written out: metres, degrees (spot cones: radians), linear Rec.709.', resolvedShotDraft()),
       quantityType(),
     ].join('\n'),
-    'js/error/codes.d.ts': `${HEADER.replace('js/shot/table', 'js/error/table.mjs')}\nexport type ErrorCode =\n${
-      codes.map((code) => `  | '${code}'`).join('\n')};\n`,
+    'js/error/codes.d.ts': `${HEADER.replace('js/shot/table', 'js/error/table.mjs')}\nexport type ErrorCode =\n${codes
+      .map((code) => `  | '${code}'`)
+      .join('\n')};\n`,
     'js/docs/options.md': optionsPage(shotDraft()),
     'js/docs/errors.md': errorsPage(TABLE),
     'js/docs/fabric.md': fabricPage(),

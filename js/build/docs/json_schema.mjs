@@ -13,7 +13,10 @@ function withoutBytes(node) {
   if (typeof node !== 'object' || node === null) return node;
   const copy = Object.fromEntries(Object.entries(node).map(([key, value]) => [key, withoutBytes(value)]));
   if (copy.anyOf?.length !== 1) return copy;
-  const { anyOf: [only], ...rest } = copy;
+  const {
+    anyOf: [only],
+    ...rest
+  } = copy;
   return { ...rest, ...only, ...(rest.description && { description: rest.description }) };
 }
 

@@ -6,7 +6,11 @@ const FIELD = /std::uint64_t \w+ = ([^;]+);\s*\/\/\/< (L_\w+)(?:: (.*))?/g;
 
 /** Value of a C++ constant such as `64ull << 20` or `500'000`. */
 function constantOf(text) {
-  const [left, operator, right] = text.replaceAll("'", '').replaceAll('ull', '').split(' ').map((word) => (/^\d+$/.test(word) ? Number(word) : word));
+  const [left, operator, right] = text
+    .replaceAll("'", '')
+    .replaceAll('ull', '')
+    .split(' ')
+    .map((word) => (/^\d+$/.test(word) ? Number(word) : word));
   if (operator === '<<') return left * 2 ** right;
   return operator === '*' ? left * right : left;
 }

@@ -23,13 +23,21 @@ const plan = {
 
 /** A row for each light: first shading, second, FLIP, the strongest term alone. */
 async function sheet(cells) {
-  const rows = await Promise.all(cells.map(async (cell) => {
-    const files = await picturesOf(cell);
-    return [files.from, files.to, files.map, files[strongestIn(cell)[0]] ?? files.from];
-  }));
-  const tiles = await Promise.all(rows.flatMap((row, y) => row.map(async (file, x) => ({
-    input: await sharp(file).flatten({ background: BACKDROP }).resize(TILE, TILE).toBuffer(), left: x * TILE, top: y * TILE,
-  }))));
+  const rows = await Promise.all(
+    cells.map(async (cell) => {
+      const files = await picturesOf(cell);
+      return [files.from, files.to, files.map, files[strongestIn(cell)[0]] ?? files.from];
+    }),
+  );
+  const tiles = await Promise.all(
+    rows.flatMap((row, y) =>
+      row.map(async (file, x) => ({
+        input: await sharp(file).flatten({ background: BACKDROP }).resize(TILE, TILE).toBuffer(),
+        left: x * TILE,
+        top: y * TILE,
+      })),
+    ),
+  );
   const canvas = { width: TILE * rows[0].length, height: TILE * rows.length, channels: 3, background: BACKDROP };
   return sharp({ create: canvas }).composite(tiles).png({ palette: true, quality: 90, effort: 10, dither: 0.6 }).toBuffer();
 }

@@ -25,4 +25,5 @@ const SHOTS = {
 };
 
 /** @returns {string} test/cpp/shot/resolved_shots.json */
-export const resolvedShots = () => `${JSON.stringify(Object.fromEntries(Object.entries(SHOTS).map(([name, shot]) => [name, resolveShot(shot, BOX)])), null, 2)}\n`;
+export const resolvedShots = () =>
+  `${JSON.stringify(Object.fromEntries(Object.entries(SHOTS).map(([name, shot]) => [name, resolveShot(shot, BOX)])), null, 2)}\n`;

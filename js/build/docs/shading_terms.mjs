@@ -18,7 +18,9 @@ export function termsInclude() {
 ${rows.join(' \\\n')}
 // T(define, number within its slot)
 #define TELAR_SHADING_TERMS(T) \\
-${numbers().map(([name, i]) => `  T(${name}, ${i})`).join(' \\\n')}\n`;
+${numbers()
+  .map(([name, i]) => `  T(${name}, ${i})`)
+  .join(' \\\n')}\n`;
 }
 
 /** Numbers of the terms within their slots. */

@@ -41,8 +41,11 @@ function initialOf({ given, row }) {
 }
 
 /** Members of a struct: what is told apart by a name (`by`) has that first. @returns {{key: string, given: object, row: object}[]} */
-const membersOf = (shape, by) => Object.entries(shape).filter(([key, { drawn }]) => drawn !== false && key !== by)
-  .map(([key, given]) => ({ key, given, row: resolvedRow(given) })).filter(({ row }) => typeOf(row));
+const membersOf = (shape, by) =>
+  Object.entries(shape)
+    .filter(([key, { drawn }]) => drawn !== false && key !== by)
+    .map(([key, given]) => ({ key, given, row: resolvedRow(given) }))
+    .filter(({ row }) => typeOf(row));
 
 const shapesOf = (row) => (row.kind === 'variants' ? Object.values(row.of).map(({ shape }) => shape) : [row.shape]);
 const tagOf = ({ by, choice }) => (by ? [{ key: by, given: choice, row: choice }] : []);
@@ -67,7 +70,9 @@ const boundsOf = ({ min, max, above }) => ({ minimum: min, maximum: max, exclusi
 /** A struct with the enums and structs of its members in it. */
 function structText(row) {
   const members = [...tagOf(row), ...mergedMembers(shapesOf(row), row.by)];
-  const inner = members.filter(({ row: { name, isShared } }) => name && !isShared).flatMap(({ row: type }) => (isGroup(type) ? structText(type) : enumText(type)));
+  const inner = members
+    .filter(({ row: { name, isShared } }) => name && !isShared)
+    .flatMap(({ row: type }) => (isGroup(type) ? structText(type) : enumText(type)));
   const lines = members.flatMap(({ key, given, row: member }) => {
     const type = member.nullable ? `std::optional<${typeOf(member)}>` : typeOf(member);
     const measure = member.unit ? ` [${[member.unit, range(boundsOf(member))].filter(Boolean).join(', ')}]` : '';
@@ -91,14 +96,20 @@ function visitLines({ key, row }, owner, visitor = 'on') {
 
 /** What goes through the keys of a struct, of variants those that its own has. */
 function visitText(row) {
-  const lines = row.kind === 'object' ? membersOf(row.shape).flatMap((member) => visitLines(member, 'row')) : [
-    ...tagOf(row).flatMap((member) => visitLines(member, 'row')),
-    `switch (row.${row.by}) {`,
-    ...indented(Object.entries(row.of).flatMap(([name, { shape }]) => [
-      `case ${row.name}::${row.choice.name}::${enumerator(name)}:`,
-      ...indented([...membersOf(shape, row.by).flatMap((member) => visitLines(member, 'row')), 'break;']),
-    ])), '}',
-  ];
+  const lines =
+    row.kind === 'object'
+      ? membersOf(row.shape).flatMap((member) => visitLines(member, 'row'))
+      : [
+          ...tagOf(row).flatMap((member) => visitLines(member, 'row')),
+          `switch (row.${row.by}) {`,
+          ...indented(
+            Object.entries(row.of).flatMap(([name, { shape }]) => [
+              `case ${row.name}::${row.choice.name}::${enumerator(name)}:`,
+              ...indented([...membersOf(shape, row.by).flatMap((member) => visitLines(member, 'row')), 'break;']),
+            ]),
+          ),
+          '}',
+        ];
   return ['template <class Visitor>', `void visitRows(${row.name}& row, Visitor&& on) {`, ...indented(lines), '}'];
 }
 
@@ -116,13 +127,18 @@ function objectsOf(shot) {
 /** Choices that have a C++ type, by its full name. */
 function enumsOf(row, scope = row.name) {
   const members = [...tagOf(row), ...mergedMembers(shapesOf(row), row.by)];
-  return members.filter(({ row: { name, isShared } }) => name && !isShared).flatMap(({ row: member }) =>
-    (isGroup(member) ? enumsOf(member, `${scope}::${member.name}`) : [{ name: `${scope}::${member.name}`, values: member.values }]));
+  return members
+    .filter(({ row: { name, isShared } }) => name && !isShared)
+    .flatMap(({ row: member }) =>
+      isGroup(member) ? enumsOf(member, `${scope}::${member.name}`) : [{ name: `${scope}::${member.name}`, values: member.values }],
+    );
 }
 
 const namesText = ({ name, values }) => [
   `constexpr std::array<std::string_view, ${values.length}> namesOf(${name}) {`,
-  `  return {${values.map((value) => JSON.stringify(value)).join(', ')}};`, '}'];
+  `  return {${values.map((value) => JSON.stringify(value)).join(', ')}};`,
+  '}',
+];
 
 const FOLDER = 'telar/shot';
 
@@ -130,27 +146,48 @@ const FOLDER = 'telar/shot';
 const pathOf = (name) => `${FOLDER}/${upper(name).toLowerCase()}.inc`;
 
 /** A header of renderer/include: `lines` in the namespace, after what stands before it. */
-const headerText = (lines, includes = [], before = []) => [
-  `${HEADER}#pragma once`,
-  ...['<array>', '<cstdint>', '<glm/glm.hpp>', '<optional>', '<string>', '<string_view>'].map((name) => `#include ${name}`),
-  ...(includes.length > 0 ? ['', ...includes.map((name) => `#include "${pathOf(name)}"`)] : []),
-  '', ...before, 'namespace telar::shot {', '', ...lines, '', '}  // namespace telar::shot', '',
-].join('\n');
+const headerText = (lines, includes = [], before = []) =>
+  [
+    `${HEADER}#pragma once`,
+    ...['<array>', '<cstdint>', '<glm/glm.hpp>', '<optional>', '<string>', '<string_view>'].map((name) => `#include ${name}`),
+    ...(includes.length > 0 ? ['', ...includes.map((name) => `#include "${pathOf(name)}"`)] : []),
+    '',
+    ...before,
+    'namespace telar::shot {',
+    '',
+    ...lines,
+    '',
+    '}  // namespace telar::shot',
+    '',
+  ].join('\n');
 
 const enumHeader = (row, before) => headerText([...enumText(row), ...namesText(row)], [], before);
 
 /** What `debugOutput` may be; "none" is the colour. */
-const DEBUG_OUTPUT = { name: 'DebugOutput', doc: 'A quantity of the shading, in the order in which to look for the cause of a difference.', values: ['none', ...Object.keys(DEBUG_QUANTITIES)] };
+const DEBUG_OUTPUT = {
+  name: 'DebugOutput',
+  doc: 'A quantity of the shading, in the order in which to look for the cause of a difference.',
+  values: ['none', ...Object.keys(DEBUG_QUANTITIES)],
+};
 
 /** X-macro of the tone mappings that are functions. */
 const toneMappingsMacro = () => [
-  '// T(enumerator, function of shaders/brdf/tone_mapping.glsl, function of three.js)', '#define TELAR_TONE_MAPPINGS(T) \\',
-  Object.entries(TONE_MAPPINGS).filter(([, { glsl }]) => glsl).map(([name, { glsl, three }]) => `  T(${enumerator(name)}, ${glsl}, "${three}")`).join(' \\\n'), ''];
+  '// T(enumerator, function of shaders/brdf/tone_mapping.glsl, function of three.js)',
+  '#define TELAR_TONE_MAPPINGS(T) \\',
+  Object.entries(TONE_MAPPINGS)
+    .filter(([, { glsl }]) => glsl)
+    .map(([name, { glsl, three }]) => `  T(${enumerator(name)}, ${glsl}, "${three}")`)
+    .join(' \\\n'),
+  '',
+];
 
 const samplesOfAPass = ['/// The most samples of a pixel that one pass over the model takes.', `constexpr int SAMPLES_OF_A_PASS = ${SAMPLES_OF_A_PASS};`];
 
 /** Choices of a struct that stand in a header of their own, as others need them without it. */
-const sharedOf = (row) => mergedMembers(shapesOf(row), row.by).map(({ row: member }) => member).filter(({ isShared }) => isShared);
+const sharedOf = (row) =>
+  mergedMembers(shapesOf(row), row.by)
+    .map(({ row: member }) => member)
+    .filter(({ isShared }) => isShared);
 
 /**
  * The structs of a shot, a header each: what needs one of them is not compiled again for another.
@@ -158,9 +195,18 @@ const sharedOf = (row) => mergedMembers(shapesOf(row), row.by).map(({ row: membe
  */
 export function shotHeaders(shot = SHOT) {
   const objects = objectsOf(shot);
-  const headers = objects.map((row) => [row.name, headerText([...structText(row), ...enumsOf(row).flatMap(namesText)], sharedOf(row).map(({ name }) => name))]);
+  const headers = objects.map((row) => [
+    row.name,
+    headerText(
+      [...structText(row), ...enumsOf(row).flatMap(namesText)],
+      sharedOf(row).map(({ name }) => name),
+    ),
+  ]);
   const shared = objects.flatMap(sharedOf).map((row) => [row.name, enumHeader(row, row.name === 'ToneMapping' ? toneMappingsMacro() : [])]);
-  const others = [['DebugOutput', enumHeader(DEBUG_OUTPUT)], ['Passes', headerText(samplesOfAPass)]];
+  const others = [
+    ['DebugOutput', enumHeader(DEBUG_OUTPUT)],
+    ['Passes', headerText(samplesOfAPass)],
+  ];
   return Object.fromEntries([...headers, ...shared, ...others].map(([name, text]) => [`renderer/include/${pathOf(name)}`, text]));
 }
 
@@ -170,7 +216,10 @@ export function visitRows(shot = SHOT) {
   return `${HEADER}// on(key, member): a value of the member's type; on(key, member, min, max) and on(key, member, {values}): a whole number of these;
 // on.within(key, [](on) {...}): an object.
 #pragma once
-${objects.map(({ name }) => `#include "${pathOf(name)}"`).sort().join('\n')}
+${objects
+  .map(({ name }) => `#include "${pathOf(name)}"`)
+  .sort()
+  .join('\n')}
 
 namespace telar::shot {
 

@@ -11,7 +11,9 @@ export function toneMappingsGlsl(table = TONE_MAPPINGS) {
   const define = (name) => `TONE_MAPPING_${upper(name)}`;
   const curves = Object.entries(table).filter(([, { glsl }]) => glsl);
   return `${header('tone_mappings.mjs')}
-${Object.keys(table).map((name, i) => `#define ${define(name)} ${i}`).join('\n')}
+${Object.keys(table)
+  .map((name, i) => `#define ${define(name)} ${i}`)
+  .join('\n')}
 
 // color     linear Rec.709, scene radiance      exposure  [0, inf), factor
 // return    display light, linear Rec.709; with no tone mapping the color as it is
@@ -27,7 +29,11 @@ ${curves.map(([name, { glsl }], i) => `#${i ? 'el' : ''}if TONE_MAPPING == ${def
 /** What has a quantity: function of debug_output.glsl, condition of its being there. */
 const OWNERS = {
   color: { what: 'What every material has.', signature: 'debugColor(vec4 baseColor, vec3 radiance)' },
-  shading: { what: 'What lit materials have.', signature: 'debugShading(SurfaceInfo s, Incident incident, Reflected direct, Reflected indirect)', condition: '!UNLIT' },
+  shading: {
+    what: 'What lit materials have.',
+    signature: 'debugShading(SurfaceInfo s, Incident incident, Reflected direct, Reflected indirect)',
+    condition: '!UNLIT',
+  },
   transmission: { what: 'What materials have that transmit.', signature: 'debugTransmitted(vec4 transmitted)', condition: '!UNLIT && TRANSMISSION' },
 };
 
@@ -42,7 +48,9 @@ export function debugQuantitiesGlsl(table = DEBUG_QUANTITIES) {
   });
   // 0 is the colour.
   return `${header('debug_quantities.mjs')}
-${Object.entries(table).map(([name, { doc }], i) => `#define ${define(name)} ${i + 1}  // ${doc}`).join('\n')}
+${Object.entries(table)
+  .map(([name, { doc }], i) => `#define ${define(name)} ${i + 1}  // ${doc}`)
+  .join('\n')}
 
 ${functions.join('\n\n')}
 `;

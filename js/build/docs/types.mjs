@@ -17,14 +17,16 @@ export function range({ minimum, maximum, exclusiveMinimum }) {
 }
 
 function comment(node) {
-  const parts = [node.description, range(node) && `Range ${range(node)}.`,
-    node.default !== undefined && JSON.stringify(node.default) !== '{}' && `@default ${JSON.stringify(node.default)}`].filter(Boolean);
+  const parts = [
+    node.description,
+    range(node) && `Range ${range(node)}.`,
+    node.default !== undefined && JSON.stringify(node.default) !== '{}' && `@default ${JSON.stringify(node.default)}`,
+  ].filter(Boolean);
   return parts.length > 0 ? `/** ${parts.map((part) => (/[.!?]$|^@/.test(part) ? part : `${part}.`)).join(' ')} */\n` : '';
 }
 
 function objectType({ properties, required = [] }, foreign = []) {
-  const lines = Object.entries(properties).map(([key, node]) =>
-    `${comment(node)}${identifier(key)}${required.includes(key) ? '' : '?'}: ${typeText(node)};`);
+  const lines = Object.entries(properties).map(([key, node]) => `${comment(node)}${identifier(key)}${required.includes(key) ? '' : '?'}: ${typeText(node)};`);
   lines.push(...foreign.map((key) => `${identifier(key)}?: never;`));
   return `{\n  ${indent(lines.join('\n'))}\n}`;
 }
@@ -39,11 +41,19 @@ export function typeText(node) {
   if (node.anyOf) return unionText(node.anyOf);
   if (node.prefixItems) return `[${node.prefixItems.map(typeText).join(', ')}]`;
   switch (node.type) {
-    case 'object': return objectType(node);
-    case 'array': return arrayType(typeText(node.items));
-    case 'integer': return 'number';
-    case 'number': case 'string': case 'boolean': case 'null': return node.type;
-    default: throw new Error(`no type for ${JSON.stringify(node)}`);
+    case 'object':
+      return objectType(node);
+    case 'array':
+      return arrayType(typeText(node.items));
+    case 'integer':
+      return 'number';
+    case 'number':
+    case 'string':
+    case 'boolean':
+    case 'null':
+      return node.type;
+    default:
+      throw new Error(`no type for ${JSON.stringify(node)}`);
   }
 }
 
@@ -52,8 +62,16 @@ export function typeText(node) {
  */
 function unionText(branches) {
   const keys = new Set(branches.flatMap(({ properties = {} }) => Object.keys(properties)));
-  return branches.map((branch) =>
-    (branch.properties ? objectType(branch, [...keys].filter((key) => !Object.hasOwn(branch.properties, key))) : typeText(branch))).join(' | ');
+  return branches
+    .map((branch) =>
+      branch.properties
+        ? objectType(
+            branch,
+            [...keys].filter((key) => !Object.hasOwn(branch.properties, key)),
+          )
+        : typeText(branch),
+    )
+    .join(' | ');
 }
 
 const arrayType = (element) => (/[|{]/.test(element) ? `Array<${element}>` : `${element}[]`);

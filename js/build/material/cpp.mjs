@@ -26,19 +26,23 @@ const fieldOf = ({ key, type = 'float', kind, default: value = 0, unit }) => {
 };
 
 /** Fields of PhysicalLayers or FabricLayers. */
-const fields = (member) => textOf(ofMember(member).flatMap((layer) => {
-  const lines = [
-    ...plainRows(layer).map(fieldOf),
-    ...plainTextures(layer).map((texture) => `  TextureRef ${texture.key};  ///< ${texture.srgb ? 'sRGB' : `linear: ${texture.unit ?? texture.channels.toUpperCase()}`}`),
-    ...(layer.normal ? [`  float ${layer.normal.scale}{1.0f};`] : []),
-  ];
-  return lines.length > 0 ? [`  // ${layer.extension}`, ...lines] : [];
-}));
+const fields = (member) =>
+  textOf(
+    ofMember(member).flatMap((layer) => {
+      const lines = [
+        ...plainRows(layer).map(fieldOf),
+        ...plainTextures(layer).map(
+          (texture) => `  TextureRef ${texture.key};  ///< ${texture.srgb ? 'sRGB' : `linear: ${texture.unit ?? texture.channels.toUpperCase()}`}`,
+        ),
+        ...(layer.normal ? [`  float ${layer.normal.scale}{1.0f};`] : []),
+      ];
+      return lines.length > 0 ? [`  // ${layer.extension}`, ...lines] : [];
+    }),
+  );
 
 /** Rows of a layer, and the properties that hold textures. */
-const properties = (layer) => [
-  ...layer.rows, ...texturesOf(layer).map(({ key, within }) => ({ key, within, type: 'texture' })),
-].map((row) => ({ extension: layer.extension, ...row }));
+const properties = (layer) =>
+  [...layer.rows, ...texturesOf(layer).map(({ key, within }) => ({ key, within, type: 'texture' }))].map((row) => ({ extension: layer.extension, ...row }));
 
 /** extension: what stands in it, objects within objects. */
 function schemaTree() {
@@ -51,9 +55,12 @@ function schemaTree() {
   return tree;
 }
 
-const schemaField = (key, value, name) => ({
-  float: `number("${key}")`, texture: `object("${key}", INFO_RULE)`, name: `{.key = "${key}", .kind = Kind::kName}`,
-}[value] ?? (typeof value === 'string' ? `items("${key}", ${WIDTHS[value]})` : `object("${key}", ${name}_RULE)`));
+const schemaField = (key, value, name) =>
+  ({
+    float: `number("${key}")`,
+    texture: `object("${key}", INFO_RULE)`,
+    name: `{.key = "${key}", .kind = Kind::kName}`,
+  })[value] ?? (typeof value === 'string' ? `items("${key}", ${WIDTHS[value]})` : `object("${key}", ${name}_RULE)`);
 
 /** What the loader takes of the extensions: asset/schema_tables.cpp. */
 function schemaRules() {
@@ -78,20 +85,31 @@ function reading({ key, type = 'float', kind, default: value = 0, min = 0, max =
 }
 
 /** How the extensions are read, in a function with `layer(name)` and `out`. */
-const readers = (member) => textOf(['const auto& l = out;', ...extensions(ofMember(member)).flatMap((extension) => {
-  const layers = ofMember(member).map((layer) => ({
-    ...layer, rows: plainRows(layer).filter((row) => (row.extension ?? layer.extension) === extension),
-    textures: layer.extension === extension ? plainTextures(layer) : [],
-  })).filter(({ rows, textures }) => rows.length + textures.length > 0);
-  return [`if (const Layer in = layer("${extension}")) {`, ...layers.flatMap(({ rows, textures, normal, keepsTextures, when, extension: own }) => {
-    const read = textures.map(({ key }) => `out.${key} = in.texture("${key}");`);
-    return [
-      ...rows.map((row) => `  ${reading(row)}`),
-      ...(normal && own === extension ? [`  out.${normal.scale} = in.scale("${normal.key}");`] : []),
-      ...(keepsTextures || read.length === 0 ? read.map((line) => `  ${line}`) : [`  if (${when}) {`, ...read.map((line) => `    ${line}`), '  }']),
-    ];
-  }), '}'];
-})]);
+const readers = (member) =>
+  textOf([
+    'const auto& l = out;',
+    ...extensions(ofMember(member)).flatMap((extension) => {
+      const layers = ofMember(member)
+        .map((layer) => ({
+          ...layer,
+          rows: plainRows(layer).filter((row) => (row.extension ?? layer.extension) === extension),
+          textures: layer.extension === extension ? plainTextures(layer) : [],
+        }))
+        .filter(({ rows, textures }) => rows.length + textures.length > 0);
+      return [
+        `if (const Layer in = layer("${extension}")) {`,
+        ...layers.flatMap(({ rows, textures, normal, keepsTextures, when, extension: own }) => {
+          const read = textures.map(({ key }) => `out.${key} = in.texture("${key}");`);
+          return [
+            ...rows.map((row) => `  ${reading(row)}`),
+            ...(normal && own === extension ? [`  out.${normal.scale} = in.scale("${normal.key}");`] : []),
+            ...(keepsTextures || read.length === 0 ? read.map((line) => `  ${line}`) : [`  if (${when}) {`, ...read.map((line) => `    ${line}`), '  }']),
+          ];
+        }),
+        '}',
+      ];
+    }),
+  ]);
 
 /** Lines within quotes, for a list of names. */
 const names = (list) => textOf(list.map((name) => `"${name}",`));
@@ -102,7 +120,10 @@ function features() {
     [upper(layer.name), layer.name, layer.label ?? kebab(layer.name)],
     ...texturesOf(layer).flatMap((texture) => {
       const name = textureName(texture);
-      return [[`${upper(name)}_MAP`, `${name}Map`, `${kebab(name)}-map`], [`${upper(name)}_UV1`, `${name}Uv1`, '']];
+      return [
+        [`${upper(name)}_MAP`, `${name}Map`, `${kebab(name)}-map`],
+        [`${upper(name)}_UV1`, `${name}Uv1`, ''],
+      ];
     }),
   ]);
   return textOf(['#define TELAR_LAYER_FEATURES(F) \\', rows.map(([define, member, name]) => `  F(${define}, ${member}, "${name}")`).join(' \\\n')]);
@@ -116,7 +137,10 @@ function textures() {
   const core = CORE_TEXTURES.map((texture) => row(texture.key, texture, 'none'));
   const layers = LAYERS.flatMap((layer) => texturesOf(layer).map((texture) => row(`${layer.member}.${textureName(texture)}Texture`, texture, layer.name)));
   return textOf([
-    '#define TELAR_CORE_TEXTURES(T) \\', core.join(' \\\n'), '#define TELAR_LAYER_TEXTURES(T) \\', layers.join(' \\\n'),
+    '#define TELAR_CORE_TEXTURES(T) \\',
+    core.join(' \\\n'),
+    '#define TELAR_LAYER_TEXTURES(T) \\',
+    layers.join(' \\\n'),
     '#define TELAR_MATERIAL_TEXTURES(T) TELAR_CORE_TEXTURES(T) TELAR_LAYER_TEXTURES(T)',
   ]);
 }
@@ -125,38 +149,50 @@ function textures() {
 const conditions = (member) => textOf(ofMember(member).map(({ name, when }) => `key.${name} = ${when};`));
 
 /** What programs take of the layers that they have: over `program`, `key`, `l`. */
-const uniforms = (member) => textOf(ofMember(member).flatMap((layer) => {
-  const rows = plainRows(layer).filter((row) => inputName(row) || !layer.derived);
-  const lines = [
-    ...rows.map(({ key }) => `  program.set("${key}", l.${key});`),
-    ...(layer.derived ?? []).filter(({ cpp }) => cpp).map(({ name, cpp }) => `  program.set("${name}", ${cpp});`),
-    ...(layer.normal ? [`  program.set("${layer.normal.scale}", normalScaleOf(l.${layer.normal.scale}, item));`] : []),
-  ];
-  const declaring = [upper(layer.name), ...rows.flatMap(({ declaredIf }) => declaredIf?.split(' || ') ?? [])];
-  const condition = [...new Set(declaring)].map((feature) => `key.${LAYERS.find(({ name }) => upper(name) === feature).name}`).join(' || ');
-  return [`if (${condition}) {`, ...lines, '}'];
-}));
+const uniforms = (member) =>
+  textOf(
+    ofMember(member).flatMap((layer) => {
+      const rows = plainRows(layer).filter((row) => inputName(row) || !layer.derived);
+      const lines = [
+        ...rows.map(({ key }) => `  program.set("${key}", l.${key});`),
+        ...(layer.derived ?? []).filter(({ cpp }) => cpp).map(({ name, cpp }) => `  program.set("${name}", ${cpp});`),
+        ...(layer.normal ? [`  program.set("${layer.normal.scale}", normalScaleOf(l.${layer.normal.scale}, item));`] : []),
+      ];
+      const declaring = [upper(layer.name), ...rows.flatMap(({ declaredIf }) => declaredIf?.split(' || ') ?? [])];
+      const condition = [...new Set(declaring)].map((feature) => `key.${LAYERS.find(({ name }) => upper(name) === feature).name}`).join(' || ');
+      return [`if (${condition}) {`, ...lines, '}'];
+    }),
+  );
 
 const swizzled = (texture, value) => (texture.channels === 'rgb' ? `Vec3(${value})` : `${value}.${texture.channels}`);
 
 /** materialInputs() of brdf/material_inputs.h. */
-const inputs = () => textOf(LAYERS.flatMap(({ member, rows, derived = [], texel }) => {
-  const list = [
-    ...rows.filter((row) => !row.within && row.type !== 'name' && inputName(row)).map((row) => {
-      const factor = row.type === 'vec3' ? `Vec3(l.${row.key})` : `Real(l.${row.key})`;
-      const { texture } = row;
-      return `m.${inputName(row)} = ${factor}${texture ? ` * ${swizzled(texture, `texel(l.${texture.key}, ${Boolean(texture.srgb)})`)}` : ''};`;
+const inputs = () =>
+  textOf(
+    LAYERS.flatMap(({ member, rows, derived = [], texel }) => {
+      const list = [
+        ...rows
+          .filter((row) => !row.within && row.type !== 'name' && inputName(row))
+          .map((row) => {
+            const factor = row.type === 'vec3' ? `Vec3(l.${row.key})` : `Real(l.${row.key})`;
+            const { texture } = row;
+            return `m.${inputName(row)} = ${factor}${texture ? ` * ${swizzled(texture, `texel(l.${texture.key}, ${Boolean(texture.srgb)})`)}` : ''};`;
+          }),
+        ...derived.filter(inputName).map((value) => {
+          const name = `m.${inputName(value)}`;
+          if (value.constant) return `${name} = ${value.type === 'float' ? 'Real' : value.type.replace('vec', 'Vec')}(${value.constant.join(', ')});`;
+          if (value.range) return `${name} = within(${value.cpp}, l.${value.range.key}, &Vec4::${value.range.channels});`;
+          return `${name} = ${value.type.replace('vec', 'Vec')}(${value.cpp})${value.times ? ` * ${value.times}` : ''};`;
+        }),
+        ...(texel && texel.input !== null
+          ? [
+              `m.${textureName(texel)}Texel = l.${texel.key} ? Vec3(texel(l.${texel.key}, ${Boolean(texel.srgb)})) : Vec3(${texel.neutral.map((x) => `Real(${x})`).join(', ')});`,
+            ]
+          : []),
+      ];
+      return list.length > 0 ? ['{', `  const auto& l = material.${member};`, ...list.map((line) => `  ${line}`), '}'] : [];
     }),
-    ...derived.filter(inputName).map((value) => {
-      const name = `m.${inputName(value)}`;
-      if (value.constant) return `${name} = ${value.type === 'float' ? 'Real' : value.type.replace('vec', 'Vec')}(${value.constant.join(', ')});`;
-      if (value.range) return `${name} = within(${value.cpp}, l.${value.range.key}, &Vec4::${value.range.channels});`;
-      return `${name} = ${value.type.replace('vec', 'Vec')}(${value.cpp})${value.times ? ` * ${value.times}` : ''};`;
-    }),
-    ...(texel && texel.input !== null ? [`m.${textureName(texel)}Texel = l.${texel.key} ? Vec3(texel(l.${texel.key}, ${Boolean(texel.srgb)})) : Vec3(${texel.neutral.map((x) => `Real(${x})`).join(', ')});`] : []),
-  ];
-  return list.length > 0 ? ['{', `  const auto& l = material.${member};`, ...list.map((line) => `  ${line}`), '}'] : [];
-}));
+  );
 
 /** @returns {Record<string, string>} Path: text. */
 export const cppFiles = () => ({
@@ -165,7 +201,8 @@ export const cppFiles = () => ({
   'telar/material_textures.inc': textures(),
   'asset/layer_rules.inc': schemaRules(),
   'asset/layer_fields.inc': textOf([
-    ...extensions(LAYERS).map((extension) => `object("${extension}", ${upper(extension)}_RULE),`), ...NOT_DRAWN.map((extension) => `object("${extension}", EMPTY_RULE),`),
+    ...extensions(LAYERS).map((extension) => `object("${extension}", ${upper(extension)}_RULE),`),
+    ...NOT_DRAWN.map((extension) => `object("${extension}", EMPTY_RULE),`),
   ]),
   'asset/physical_readers.inc': readers('layers'),
   'asset/fabric_readers.inc': readers('fabric'),

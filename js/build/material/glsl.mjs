@@ -24,14 +24,23 @@ const constantOf = ({ type, constant }) => `${type}(${constant.map((number) => n
 
 /** struct MaterialInputs: also compiled as C++. */
 export function inputTypes() {
-  const layers = LAYERS.flatMap(({ name, rows, derived = [], texel }) => section(upper(name), [
-    ...rows.filter((row) => !row.within && row.type !== 'name' && inputName(row)).map((row) => commented(`  ${row.type ?? 'float'} ${inputName(row)};`, row.unit)),
-    ...derived.filter(inputName).map((value) => commented(`  ${value.range ? 'float' : value.type} ${inputName(value)};`, value.unit)),
-    ...(texel && texel.input !== null ? [commented(`  ${texel.type} ${textureName(texel)}Texel;`, texel.unit)] : []),
-  ]));
+  const layers = LAYERS.flatMap(({ name, rows, derived = [], texel }) =>
+    section(upper(name), [
+      ...rows
+        .filter((row) => !row.within && row.type !== 'name' && inputName(row))
+        .map((row) => commented(`  ${row.type ?? 'float'} ${inputName(row)};`, row.unit)),
+      ...derived.filter(inputName).map((value) => commented(`  ${value.range ? 'float' : value.type} ${inputName(value)};`, value.unit)),
+      ...(texel && texel.input !== null ? [commented(`  ${texel.type} ${textureName(texel)}Texel;`, texel.unit)] : []),
+    ]),
+  );
   return textOf([
     `${HEADER}// What the file says of a material at one point: factors times texels, linear Rec.709, under the names of glTF.`,
-    'struct MaterialInputs {', '  vec3 baseColor;', '  float metallic;', '  float roughness;  // perceptual', ...layers, '};',
+    'struct MaterialInputs {',
+    '  vec3 baseColor;',
+    '  float metallic;',
+    '  float roughness;  // perceptual',
+    ...layers,
+    '};',
   ]);
 }
 
@@ -47,11 +56,13 @@ export function fragmentDeclarations(layers = LAYERS) {
         ...factors.map((row) => commented(`uniform ${row.type ?? 'float'} ${row.key};`, row.unit)),
         ...derived.filter(({ cpp }) => cpp).map((value) => commented(`uniform ${value.type} ${value.name};`, value.unit)),
       ]),
-      ...texturesOf(layer).flatMap((texture) => section(`${upper(textureName(texture))}_MAP`, [
-        `uniform sampler2D ${textureName(texture)}Map;  // ${textureComment(texture)}`,
-        `in vec2 v${capital(textureName(texture))}Uv;`,
-        ...(texture === normal || texture.isNormal ? [`uniform vec2 ${normal.scale};`] : []),
-      ])),
+      ...texturesOf(layer).flatMap((texture) =>
+        section(`${upper(textureName(texture))}_MAP`, [
+          `uniform sampler2D ${textureName(texture)}Map;  // ${textureComment(texture)}`,
+          `in vec2 v${capital(textureName(texture))}Uv;`,
+          ...(texture === normal || texture.isNormal ? [`uniform vec2 ${normal.scale};`] : []),
+        ]),
+      ),
     ];
   });
 }
@@ -70,40 +81,61 @@ export function inputsFunction(names = OWN_NAMES, isRead = () => true) {
   const between = (value) => {
     const range = names.factor(value);
     return [
-      `#if ${upper(textureName(value.range))}_MAP`, `  m.${inputName(value)} = between(${range}, ${names.texel(value.range, value.range)}.${value.range.channels});`,
-      '#else', `  m.${inputName(value)} = ${range}.y;`, '#endif',
+      `#if ${upper(textureName(value.range))}_MAP`,
+      `  m.${inputName(value)} = between(${range}, ${names.texel(value.range, value.range)}.${value.range.channels});`,
+      '#else',
+      `  m.${inputName(value)} = ${range}.y;`,
+      '#endif',
     ];
   };
   const lone = (texel) => [
-    `#if ${upper(textureName(texel))}_MAP`, `  m.${textureName(texel)}Texel = ${names.texel(texel, texel)}.${texel.channels};`,
-    '#else', `  m.${textureName(texel)}Texel = ${constantOf({ ...texel, constant: texel.neutral })};`, '#endif',
+    `#if ${upper(textureName(texel))}_MAP`,
+    `  m.${textureName(texel)}Texel = ${names.texel(texel, texel)}.${texel.channels};`,
+    '#else',
+    `  m.${textureName(texel)}Texel = ${constantOf({ ...texel, constant: texel.neutral })};`,
+    '#endif',
   ];
-  const body = LAYERS.filter(isRead).flatMap(({ name, rows, derived = [], texel }) => section(upper(name), [
-    ...rows.filter((row) => !row.within && row.type !== 'name' && inputName(row)).flatMap(product),
-    ...derived.filter(inputName).flatMap((value) => (value.range ? between(value) : product(value))),
-    ...(texel && texel.input !== null ? lone(texel) : []),
-  ]));
+  const body = LAYERS.filter(isRead).flatMap(({ name, rows, derived = [], texel }) =>
+    section(upper(name), [
+      ...rows.filter((row) => !row.within && row.type !== 'name' && inputName(row)).flatMap(product),
+      ...derived.filter(inputName).flatMap((value) => (value.range ? between(value) : product(value))),
+      ...(texel && texel.input !== null ? lone(texel) : []),
+    ]),
+  );
   const ranged = LAYERS.filter(({ derived }) => derived?.some(({ range }) => range)).map(({ name }) => upper(name));
-  const lookups = LAYERS.filter(isRead).flatMap(texturesOf).filter(({ asked }) => asked).flatMap((texture) => {
-    const { map, uv } = names.lookup(texture);
-    return section(`${upper(textureName(texture))}_MAP`, [
-      `vec2 ${textureName(texture)}Uv() { return ${uv}; }`, `vec4 ${textureName(texture)}Texel(vec2 uv) { return texture(${map}, uv); }`,
-    ]);
-  });
+  const lookups = LAYERS.filter(isRead)
+    .flatMap(texturesOf)
+    .filter(({ asked }) => asked)
+    .flatMap((texture) => {
+      const { map, uv } = names.lookup(texture);
+      return section(`${upper(textureName(texture))}_MAP`, [
+        `vec2 ${textureName(texture)}Uv() { return ${uv}; }`,
+        `vec4 ${textureName(texture)}Texel(vec2 uv) { return texture(${map}, uv); }`,
+      ]);
+    });
   return [
-    ...lookups, ...section(ranged.join(' || '), ['float between(vec2 range, float t) { return (range.y - range.x) * t + range.x; }']), '',
-    'MaterialInputs withLayerInputs(MaterialInputs m, vec4 metallicRoughness) {', ...body, '  return m;', '}',
+    ...lookups,
+    ...section(ranged.join(' || '), ['float between(vec2 range, float t) { return (range.y - range.x) * t + range.x; }']),
+    '',
+    'MaterialInputs withLayerInputs(MaterialInputs m, vec4 metallicRoughness) {',
+    ...body,
+    '  return m;',
+    '}',
   ];
 }
 
 /** Texture coordinates, as the vertex stage gives them. */
-export const vertexDeclarations = (textures) => textures.flatMap((texture) => section(`${upper(textureName(texture))}_MAP`, [
-  `uniform mat3 ${textureName(texture)}UvTransform;`, `out vec2 v${capital(textureName(texture))}Uv;`,
-]));
+export const vertexDeclarations = (textures) =>
+  textures.flatMap((texture) =>
+    section(`${upper(textureName(texture))}_MAP`, [`uniform mat3 ${textureName(texture)}UvTransform;`, `out vec2 v${capital(textureName(texture))}Uv;`]),
+  );
 
-export const vertexMain = (textures) => textures.flatMap((texture) => section(`${upper(textureName(texture))}_MAP`, [
-  `v${capital(textureName(texture))}Uv = vec2(${textureName(texture)}UvTransform * vec3(${upper(textureName(texture))}_UV1 == 1 ? uv1 : uv0, 1.0));`,
-]));
+export const vertexMain = (textures) =>
+  textures.flatMap((texture) =>
+    section(`${upper(textureName(texture))}_MAP`, [
+      `v${capital(textureName(texture))}Uv = vec2(${textureName(texture)}UvTransform * vec3(${upper(textureName(texture))}_UV1 == 1 ? uv1 : uv0, 1.0));`,
+    ]),
+  );
 
 export const ALL_TEXTURES = [...CORE_TEXTURES, ...LAYERS.flatMap(texturesOf)];
 

@@ -16,7 +16,8 @@ const TEXTURE = 'texture';
 
 const PRESET_FILE = new URL('../../assets/fabric_presets.json', import.meta.url);
 
-const fabricPresets = () => Object.fromEntries(Object.entries(JSON.parse(readFileSync(PRESET_FILE, 'utf8'))).map(([name, { material }]) => [name, { material }]));
+const fabricPresets = () =>
+  Object.fromEntries(Object.entries(JSON.parse(readFileSync(PRESET_FILE, 'utf8'))).map(([name, { material }]) => [name, { material }]));
 
 /** @returns {string} The module of one family, of the presets, of the texture shaders, or of the index of all: each is fetched when first asked for. */
 export function shadingModule(family) {
@@ -24,7 +25,9 @@ export function shadingModule(family) {
     return `// Written by js/build/shading.\nexport const TEXTS = {\n${[...FAMILIES, PRESETS, TEXTURE].map((name) => `  ${name}: () => import('./${name}.mjs'),\n`).join('')}};\n`;
   }
   if (family === PRESETS) return `// Written by js/build/shading.\nexport const PRESETS = ${JSON.stringify(fabricPresets())};\n`;
-  const entries = Object.entries(family === TEXTURE ? textureShaders() : shadingText(family)).map(([name, value]) => `export const ${name} = ${JSON.stringify(value)};\n`);
+  const entries = Object.entries(family === TEXTURE ? textureShaders() : shadingText(family)).map(
+    ([name, value]) => `export const ${name} = ${JSON.stringify(value)};\n`,
+  );
   return `// Written by js/build/shading from shaders/.\n${entries.join('')}`;
 }
 

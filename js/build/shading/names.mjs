@@ -4,7 +4,17 @@ import { capital, LAYERS, texturesOf, textureName, upper } from '../../material/
 
 /** Features that three.js decides by itself, or that it never has. */
 const FIXED = {
-  UNLIT: 0, ORTHOGRAPHIC: 0, AMBIENT: 1, TRANSMISSION: 0, FULL_DETAIL: 0, ENVIRONMENT_SAMPLES: 0, DISK_LIGHTS: 0, ALL_TERMS: 0, SAMPLE_MASK: 0, FLAT_SHADOWS: 0, CUBE_SHADOWS: 0,
+  UNLIT: 0,
+  ORTHOGRAPHIC: 0,
+  AMBIENT: 1,
+  TRANSMISSION: 0,
+  FULL_DETAIL: 0,
+  ENVIRONMENT_SAMPLES: 0,
+  DISK_LIGHTS: 0,
+  ALL_TERMS: 0,
+  SAMPLE_MASK: 0,
+  FLAT_SHADOWS: 0,
+  CUBE_SHADOWS: 0,
 };
 
 /** Of cloth, beside its layers. */
@@ -33,10 +43,12 @@ const mapDefine = (name) => `USE_${upper(name)}MAP`;
 /** @type {Record<string, string>} */
 export const FEATURES = {
   ...CORE,
-  ...Object.fromEntries(ofThree.flatMap((layer) => [
-    [upper(layer.name), `defined(${layer.three})`],
-    ...texturesOf(layer).map((texture) => [`${upper(textureName(texture))}_MAP`, `defined(${mapDefine(texture.three)})`]),
-  ])),
+  ...Object.fromEntries(
+    ofThree.flatMap((layer) => [
+      [upper(layer.name), `defined(${layer.three})`],
+      ...texturesOf(layer).map((texture) => [`${upper(textureName(texture))}_MAP`, `defined(${mapDefine(texture.three)})`]),
+    ]),
+  ),
 };
 
 /** Layers that three.js has no name for and a family of shadings reads. */
@@ -44,14 +56,17 @@ export const ownLayers = (family) => LAYERS.filter(({ shadings }) => shadings?.i
 
 /** Features of which a family knows the value. */
 export function fixedFeatures(family) {
-  const absent = LAYERS.filter(({ shadings }) => shadings && !shadings.includes(family))
-    .flatMap((layer) => [upper(layer.name), ...texturesOf(layer).map((texture) => `${upper(textureName(texture))}_MAP`)]);
+  const absent = LAYERS.filter(({ shadings }) => shadings && !shadings.includes(family)).flatMap((layer) => [
+    upper(layer.name),
+    ...texturesOf(layer).map((texture) => `${upper(textureName(texture))}_MAP`),
+  ]);
   const cloth = family === 'fabric' ? [] : CLOTH;
   return { ...FIXED, ...Object.fromEntries([...absent, ...cloth].map((name) => [name, 0])) };
 }
 
 /** Map and texture coordinates: of three.js where it has a name for them. */
-const lookupOf = (texture, three) => (three ? { map: `${three}Map`, uv: `v${capital(three)}MapUv` } : { map: `${textureName(texture)}Map`, uv: `v${capital(textureName(texture))}Uv` });
+const lookupOf = (texture, three) =>
+  three ? { map: `${three}Map`, uv: `v${capital(three)}MapUv` } : { map: `${textureName(texture)}Map`, uv: `v${capital(textureName(texture))}Uv` };
 
 /** How withLayerInputs() reads factors and texels. */
 export const INPUT_NAMES = {

@@ -11,18 +11,26 @@ const NAME = /\b[A-Za-z_]\w*\b/g;
  * @param {Set<string>} [done] - Files that were included.
  */
 export function included(text, read, done = new Set()) {
-  return text.split('\n').map((line) => {
-    const file = INCLUDE.exec(line)?.[1];
-    if (!file) return line;
-    if (done.has(file)) return '';
-    done.add(file);
-    return included(read(file), read, done);
-  }).join('\n');
+  return text
+    .split('\n')
+    .map((line) => {
+      const file = INCLUDE.exec(line)?.[1];
+      if (!file) return line;
+      if (done.has(file)) return '';
+      done.add(file);
+      return included(read(file), read, done);
+    })
+    .join('\n');
 }
 
 /** Without comments and empty lines. */
 export function withoutComments(text) {
-  return text.replace(/\/\*[\s\S]*?\*\//g, '').split('\n').map((line) => line.replace(/\s*\/\/.*$/, '').trimEnd()).filter(Boolean).join('\n');
+  return text
+    .replace(/\/\*[\s\S]*?\*\//g, '')
+    .split('\n')
+    .map((line) => line.replace(/\s*\/\/.*$/, '').trimEnd())
+    .filter(Boolean)
+    .join('\n');
 }
 
 /** Names in the conditions of a text that have to have a value: also of those that have a name of their own. */

@@ -28,9 +28,8 @@ const readHost = (file) => readFileSync(new URL(file, HOST), 'utf8');
 /** Text beneath shaders/; the files that know who calls them are three.js's own. */
 function readerOf(family) {
   const host = {
-    'material/fragment_inputs.glsl': () => [
-      readHost('host.glsl'), readHost(family === 'fabric' ? 'host_cloth.glsl' : 'host_maps.glsl'), ...fragmentDeclarations(ownLayers(family)),
-    ].join('\n'),
+    'material/fragment_inputs.glsl': () =>
+      [readHost('host.glsl'), readHost(family === 'fabric' ? 'host_cloth.glsl' : 'host_maps.glsl'), ...fragmentDeclarations(ownLayers(family))].join('\n'),
     'material/layer_inputs.glsl': () => inputsFunction(INPUT_NAMES, ({ shadings }) => !shadings || shadings.includes(family)).join('\n'),
     'light/indirect_inputs.glsl': () => readHost('host_lights.glsl'),
     'light/area_inputs.glsl': () => readHost('host_area.glsl'),
@@ -56,7 +55,8 @@ export function shadingText(family) {
   const vertex = { declarations: vertexDeclarations(textures).join('\n'), main: vertexMain(textures).join('\n') };
 
   const fixed = {
-    ...fixedFeatures(family), ...(family !== 'principled' && Object.fromEntries(TERMS.map((name) => [name, 0]))),
+    ...fixedFeatures(family),
+    ...(family !== 'principled' && Object.fromEntries(TERMS.map((name) => [name, 0]))),
     ...Object.fromEntries(FAMILIES.map((name) => [`SHADING_${name.toUpperCase()}`, Number(name === family)])),
   };
   const asked = [...conditionNames(`${text}\n${main}\n${vertex.declarations}`), ...matches(vertex.main, SECOND_SET, 1)];
@@ -70,7 +70,12 @@ export function shadingText(family) {
     declarations: [knownFeatureText(fixed, asked), ownFeatureText(features), translate(text)].join('\n'),
     main: translate(main),
     vertexDeclarations: [ownFeatureText(features), translate(vertex.declarations)].join('\n'),
-    vertexMain: textures.length > 0 ? `${SECOND_UV}\n${translate(vertex.main).replaceAll(/\buv0\b/g, 'uv').replaceAll(/\buv1\b/g, `${PREFIX}uv1`)}` : '',
+    vertexMain:
+      textures.length > 0
+        ? `${SECOND_UV}\n${translate(vertex.main)
+            .replaceAll(/\buv0\b/g, 'uv')
+            .replaceAll(/\buv1\b/g, `${PREFIX}uv1`)}`
+        : '',
     uniforms: inputs.filter((name) => !/^v[A-Z]/.test(name)),
     features,
   };
@@ -97,7 +102,11 @@ function knownFeatureText(fixed, asked) {
  */
 export function textureShaders() {
   const files = {
-    vertex: 'level.vert', slopeMoments: 'slope_moments.frag', slopeLevel: 'slope_level.frag', coverageMoments: 'coverage_moments.frag', coverageLevel: 'coverage_level.frag',
+    vertex: 'level.vert',
+    slopeMoments: 'slope_moments.frag',
+    slopeLevel: 'slope_level.frag',
+    coverageMoments: 'coverage_moments.frag',
+    coverageLevel: 'coverage_level.frag',
   };
   const read = readerOf('fabric');
   return Object.fromEntries(Object.entries(files).map(([name, file]) => [name, withoutComments(included(read(`texture/${file}`), read))]));

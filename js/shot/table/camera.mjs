@@ -9,18 +9,28 @@ export const degrees = (doc, min, max, rest) => number(doc, { what: 'a number of
 const projection = choice('Perspective with `fovY`, or orthographic', ['perspective', 'orthographic'], { name: 'Projection' });
 export const DEFAULT_FOV_Y = 30;
 const fovY = degrees('Vertical field of view in degrees, perspective only', 0.001, 179.999, { otherwise: DEFAULT_FOV_Y });
-const fit = number('Part of the frame that the model takes in its tighter dimension; more than 1 cuts it',
-  { unit: 'part of the frame', min: 1e-6, max: 100, default: 0.9 });
+const fit = number('Part of the frame that the model takes in its tighter dimension; more than 1 cuts it', {
+  unit: 'part of the frame',
+  min: 1e-6,
+  max: 100,
+  default: 0.9,
+});
 
 const FRAME = '"scene", "model", {node} or {material}';
 /** What a view frames: parseable on its own, as what a part measures must be known before the rest of the shot. */
-export const FRAME_ROW = union('What is framed: "scene", the model with the shadow that it throws on the ground, where that is at most three times as '
-  + 'long as the model; "model", without the shadow; or a part of the model by name', [
-  choice('', ['scene', 'model'], { expected: FRAME }),
-  object('The nodes of this name, with all beneath them', { node: indexOrName('Index or name of a node', 'the index or the name of a node in the model') }),
-  object('All that is drawn with the materials of this name',
-    { material: indexOrName('Index or name of a material', 'the index or the name of a material in the model') }),
-], FRAME, { default: 'scene' });
+export const FRAME_ROW = union(
+  'What is framed: "scene", the model with the shadow that it throws on the ground, where that is at most three times as ' +
+    'long as the model; "model", without the shadow; or a part of the model by name',
+  [
+    choice('', ['scene', 'model'], { expected: FRAME }),
+    object('The nodes of this name, with all beneath them', { node: indexOrName('Index or name of a node', 'the index or the name of a node in the model') }),
+    object('All that is drawn with the materials of this name', {
+      material: indexOrName('Index or name of a material', 'the index or the name of a material in the model'),
+    }),
+  ],
+  FRAME,
+  { default: 'scene' },
+);
 
 const view = object('A view that frames the model', {
   view: choice('Named view; the front faces +Z, "right" is seen from +X', Object.keys(VIEWS), { optional: true }),
@@ -30,12 +40,21 @@ const view = object('A view that frames the model', {
   fovY,
   fit,
   frame: FRAME_ROW,
-  fitTo: choice('What must fit: this "view"; every turn about the vertical axis at this elevation, "turntable"; or "all" directions. Views of one '
-    + 'model that share it share one scale', FITS, { default: 'view' }),
+  fitTo: choice(
+    'What must fit: this "view"; every turn about the vertical axis at this elevation, "turntable"; or "all" directions. Views of one ' +
+      'model that share it share one scale',
+    FITS,
+    { default: 'view' },
+  ),
 });
 
-const planeOf = (doc) => number(`Distance of the ${doc} plane in metres; fitted to the model by default`,
-  { what: 'a distance in metres', unit: 'metres', min: -HUGE, optional: true });
+const planeOf = (doc) =>
+  number(`Distance of the ${doc} plane in metres; fitted to the model by default`, {
+    what: 'a distance in metres',
+    unit: 'metres',
+    min: -HUGE,
+    optional: true,
+  });
 const placed = {
   position: vector('Where the camera stands, metres'),
   target: vector('The point at the centre of the frame, metres'),
@@ -51,10 +70,13 @@ const gltf = object('A camera of the model', {
 });
 
 const OBJECT = 'an object';
-const lensOf = (name, lens) => object(`A camera with ${name} projection`, { projection: literal(projection.doc, name, JSON.stringify(name)), ...placed, ...lens, ...planes });
+const lensOf = (name, lens) =>
+  object(`A camera with ${name} projection`, { projection: literal(projection.doc, name, JSON.stringify(name)), ...placed, ...lens, ...planes });
 
-export const camera = union('A named view or angles that frame the model, an explicit camera, or one of the model\'s', [explicit, gltf, view], OBJECT, {
+export const camera = union("A named view or angles that frame the model, an explicit camera, or one of the model's", [explicit, gltf, view], OBJECT, {
   default: {},
-  resolved: variants('The camera', 'projection', { perspective: lensOf('perspective', { fovY }), orthographic: lensOf('orthographic', { height }) }, OBJECT,
-    { name: 'Camera', choice: projection }),
+  resolved: variants('The camera', 'projection', { perspective: lensOf('perspective', { fovY }), orthographic: lensOf('orthographic', { height }) }, OBJECT, {
+    name: 'Camera',
+    choice: projection,
+  }),
 });

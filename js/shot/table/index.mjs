@@ -17,32 +17,43 @@ const pixels = number('Pixels', { what: 'a whole number of pixels', unit: 'pixel
 
 const SHADING = '"three", "fabric", "three-r115", "disney-2012" or {base, <slot>: <term>}';
 const base = choice('Shading that the other slots are taken from', BASES);
-const slots = Object.fromEntries(Object.entries(SLOTS).map(([slot, terms]) => [slot, choice('Term of the slot: js/docs/shading.md', terms, { optional: true })]));
+const slots = Object.fromEntries(
+  Object.entries(SLOTS).map(([slot, terms]) => [slot, choice('Term of the slot: js/docs/shading.md', terms, { optional: true })]),
+);
 const swapped = object('A principled shading with terms swapped', { base, ...slots });
-const shading = union('"three": what stock three.js shows; "fabric": telar\'s model of cloth; "three-r115": what three.js showed in 2020; '
-  + '"disney-2012": Burley\'s principled model; or terms of these by name', [choice('', [...WITHOUT_TERMS, ...BASES], { expected: SHADING }), swapped], SHADING, {
-  default: 'three',
-  resolved: union('', [choice('', WITHOUT_TERMS), swapped], SHADING),
-});
+const shading = union(
+  '"three": what stock three.js shows; "fabric": telar\'s model of cloth; "three-r115": what three.js showed in 2020; ' +
+    '"disney-2012": Burley\'s principled model; or terms of these by name',
+  [choice('', [...WITHOUT_TERMS, ...BASES], { expected: SHADING }), swapped],
+  SHADING,
+  {
+    default: 'three',
+    resolved: union('', [choice('', WITHOUT_TERMS), swapped], SHADING),
+  },
+);
 
 const LAYERS = '["beauty"]';
 
 /** @type {import('./rows.mjs').Row} */
-export const SHOT = object('What to draw', {
-  size: object('Size of the image', { width: pixels, height: pixels }, { name: 'Size', default: {} }),
-  camera,
-  lens,
-  environment,
-  lights,
-  modelLights: boolean('Use the lights in the model', { default: true }),
-  background,
-  ground,
-  shading,
-  toneMapping: choice('As in three.js', Object.keys(TONE_MAPPINGS), { name: 'ToneMapping', isShared: true, default: 'neutral' }),
-  exposure: number('Factor on radiance before tone mapping', { unit: 'factor', min: 0, default: 1 }),
-  quality,
-  variant: text('Name of a material variant of the model (KHR_materials_variants); "" = none', 'the name of a variant', { default: '' }),
-  pose: POSE,
-  layers: list('Images to draw', literal('', 'beauty', LAYERS), LAYERS, { default: ['beauty'], length: 1, drawn: false }),
-  output,
-}, { name: 'Values' });
+export const SHOT = object(
+  'What to draw',
+  {
+    size: object('Size of the image', { width: pixels, height: pixels }, { name: 'Size', default: {} }),
+    camera,
+    lens,
+    environment,
+    lights,
+    modelLights: boolean('Use the lights in the model', { default: true }),
+    background,
+    ground,
+    shading,
+    toneMapping: choice('As in three.js', Object.keys(TONE_MAPPINGS), { name: 'ToneMapping', isShared: true, default: 'neutral' }),
+    exposure: number('Factor on radiance before tone mapping', { unit: 'factor', min: 0, default: 1 }),
+    quality,
+    variant: text('Name of a material variant of the model (KHR_materials_variants); "" = none', 'the name of a variant', { default: '' }),
+    pose: POSE,
+    layers: list('Images to draw', literal('', 'beauty', LAYERS), LAYERS, { default: ['beauty'], length: 1, drawn: false }),
+    output,
+  },
+  { name: 'Values' },
+);

@@ -12,13 +12,27 @@ export const FORMATS = Object.freeze({
   raw: { extensions: ['.raw'], bitDepths: [8, 32], ppi: false, icc: false },
 });
 
-export const output = object('The encoded file', {
-  format: choice('File format', Object.keys(FORMATS), { name: 'Format', default: 'png' }),
-  quality: number('Quality of JPEG and WebP', { what: 'a whole number', unit: 'quality', min: 1, max: 100, integer: true, default: 90 }),
-  alphaQuality: number('Quality of the transparency of WebP below quality 100; 100 = exact',
-    { what: 'a whole number', unit: 'quality', min: 0, max: 100, integer: true, default: 100 }),
-  bitDepth: literal('Bits a channel: png and tiff 8 or 16, jpeg and webp 8, exr 16 or 32 (float), raw 8 or 32 (float); default the first',
-    [8, 16, 32], '8, 16 or 32 bits a channel', { unit: 'bits a channel', optional: true }),
-  ppi: number('Pixels per inch written to the file; 0 = none', { unit: 'pixels per inch', min: 0, max: 65535, default: 0 }),
-  icc: boolean('Embed an sRGB profile: png, tiff, jpeg', { default: false }),
-}, { name: 'Output', default: {} });
+export const output = object(
+  'The encoded file',
+  {
+    format: choice('File format', Object.keys(FORMATS), { name: 'Format', default: 'png' }),
+    quality: number('Quality of JPEG and WebP', { what: 'a whole number', unit: 'quality', min: 1, max: 100, integer: true, default: 90 }),
+    alphaQuality: number('Quality of the transparency of WebP below quality 100; 100 = exact', {
+      what: 'a whole number',
+      unit: 'quality',
+      min: 0,
+      max: 100,
+      integer: true,
+      default: 100,
+    }),
+    bitDepth: literal(
+      'Bits a channel: png and tiff 8 or 16, jpeg and webp 8, exr 16 or 32 (float), raw 8 or 32 (float); default the first',
+      [8, 16, 32],
+      '8, 16 or 32 bits a channel',
+      { unit: 'bits a channel', optional: true },
+    ),
+    ppi: number('Pixels per inch written to the file; 0 = none', { unit: 'pixels per inch', min: 0, max: 65535, default: 0 }),
+    icc: boolean('Embed an sRGB profile: png, tiff, jpeg', { default: false }),
+  },
+  { name: 'Output', default: {} },
+);

@@ -16,34 +16,60 @@ const PRESET = '"standard", "draft", "high" or "reference"';
 const QUALITY = '"standard", "draft", "high", "reference", {samples, resolve, noise, environmentSamples} or {preset: "reference", ...}';
 
 /** Settings of the raster renderer. */
-export const RASTER = object('Explicit settings', {
-  preset: choice('Settings to start from', Object.keys(PRESETS), { expected: PRESET, optional: true, stays: true, drawn: false }),
-  samples: literal('Antialiasing samples a pixel; more than 4 shade as often, and read textures unfiltered', [1, 4, 16, 64, 256, 1024],
-    '1, 4, 16, 64, 256 or 1024 samples a pixel', { unit: 'samples a pixel', otherwise: PRESETS.standard.samples }),
-  resolve: choice('What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone '
-    + 'mapping; default "encoded", "linear" for more than 4 samples', ['encoded', 'linear'], { name: 'Resolve', optional: true }),
-  noise: number('Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples; 0 = every pixel takes all. '
-    + 'For more than 4 samples', { unit: '1/255', min: 0, max: 64, otherwise: PRESETS.standard.noise }),
-  environmentSamples: number('Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered '
-    + 'maps, as three.js has them', { what: 'a whole number of directions', unit: 'directions a pixel', min: 0, max: 4096, integer: true, otherwise: PRESETS.standard.environmentSamples }),
-}, { name: 'RasterQuality' });
+export const RASTER = object(
+  'Explicit settings',
+  {
+    preset: choice('Settings to start from', Object.keys(PRESETS), { expected: PRESET, optional: true, stays: true, drawn: false }),
+    samples: literal(
+      'Antialiasing samples a pixel; more than 4 shade as often, and read textures unfiltered',
+      [1, 4, 16, 64, 256, 1024],
+      '1, 4, 16, 64, 256 or 1024 samples a pixel',
+      { unit: 'samples a pixel', otherwise: PRESETS.standard.samples },
+    ),
+    resolve: choice(
+      'What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone ' +
+        'mapping; default "encoded", "linear" for more than 4 samples',
+      ['encoded', 'linear'],
+      { name: 'Resolve', optional: true },
+    ),
+    noise: number(
+      'Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples; 0 = every pixel takes all. ' + 'For more than 4 samples',
+      { unit: '1/255', min: 0, max: 64, otherwise: PRESETS.standard.noise },
+    ),
+    environmentSamples: number(
+      'Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered ' + 'maps, as three.js has them',
+      { what: 'a whole number of directions', unit: 'directions a pixel', min: 0, max: 4096, integer: true, otherwise: PRESETS.standard.environmentSamples },
+    ),
+  },
+  { name: 'RasterQuality' },
+);
 
 const whole = (doc, what, rest) => number(doc, { what: `a whole number${what}`, integer: true, ...rest });
 
 /** Settings of the path tracer. */
-export const REFERENCE = object('Settings of the path tracer', {
-  preset: literal('The path tracer', 'reference', '"reference"'),
-  samples: whole('Paths a pixel; the noise falls with the root of it', ' of paths a pixel', { unit: 'paths a pixel', min: 1, max: 65536, otherwise: 256 }),
-  seed: whole('The same seed gives the same bytes, with any number of threads', '', { unit: 'seed', min: 0, max: 1e9, otherwise: 1 }),
-  transport: choice('"global": all light, over `bounces` reflections; "occlusion": light that arrives directly, less what surfaces hide; '
-    + '"direct": the same with nothing hidden but the shadows that the shot asks for, which is what the raster computes', ['global', 'occlusion', 'direct'],
-  { name: 'Transport', otherwise: 'global' }),
-  bounces: whole('Reflections from surface to surface, "global" alone', ' of bounces', { unit: 'bounces', min: 0, max: 64, otherwise: 8 }),
-  // 0 and not the number of cores: a resolved shot is the same on each machine.
-  threads: whole('Threads that trace; 0 = one for each core', ' of threads', { unit: 'threads', min: 0, max: 256, otherwise: 0 }),
-}, { name: 'ReferenceQuality' });
+export const REFERENCE = object(
+  'Settings of the path tracer',
+  {
+    preset: literal('The path tracer', 'reference', '"reference"'),
+    samples: whole('Paths a pixel; the noise falls with the root of it', ' of paths a pixel', { unit: 'paths a pixel', min: 1, max: 65536, otherwise: 256 }),
+    seed: whole('The same seed gives the same bytes, with any number of threads', '', { unit: 'seed', min: 0, max: 1e9, otherwise: 1 }),
+    transport: choice(
+      '"global": all light, over `bounces` reflections; "occlusion": light that arrives directly, less what surfaces hide; ' +
+        '"direct": the same with nothing hidden but the shadows that the shot asks for, which is what the raster computes',
+      ['global', 'occlusion', 'direct'],
+      { name: 'Transport', otherwise: 'global' },
+    ),
+    bounces: whole('Reflections from surface to surface, "global" alone', ' of bounces', { unit: 'bounces', min: 0, max: 64, otherwise: 8 }),
+    // 0 and not the number of cores: a resolved shot is the same on each machine.
+    threads: whole('Threads that trace; 0 = one for each core', ' of threads', { unit: 'threads', min: 0, max: 256, otherwise: 0 }),
+  },
+  { name: 'ReferenceQuality' },
+);
 
-export const quality = union('"draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": up to 1024, averaged in linear light, '
-  + 'and the environment integrated with the material; "reference": traced paths of light, slow and without GL', [
-  choice('', [...Object.keys(PRESETS), 'reference'], { expected: QUALITY }), RASTER, REFERENCE,
-], QUALITY, { default: 'standard', resolved: union('', [RASTER, REFERENCE], QUALITY) });
+export const quality = union(
+  '"draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": up to 1024, averaged in linear light, ' +
+    'and the environment integrated with the material; "reference": traced paths of light, slow and without GL',
+  [choice('', [...Object.keys(PRESETS), 'reference'], { expected: QUALITY }), RASTER, REFERENCE],
+  QUALITY,
+  { default: 'standard', resolved: union('', [RASTER, REFERENCE], QUALITY) },
+);

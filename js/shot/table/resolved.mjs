@@ -15,12 +15,17 @@ export function resolvedRow(row) {
  * @param {object} values
  */
 export function inOrder({ shape }, values) {
-  const entries = Object.entries(shape).map(([key, row]) => [key, values[key] === undefined ? row.otherwise ?? row.default : values[key]]);
+  const entries = Object.entries(shape).map(([key, row]) => [key, values[key] === undefined ? (row.otherwise ?? row.default) : values[key]]);
   return Object.fromEntries(entries.filter(([, value]) => value !== undefined));
 }
 
 /** The values that the resolver writes for the keys of an object which a caller leaves out. */
-export const otherwiseOf = ({ shape }) => Object.fromEntries(Object.entries(shape).filter(([, row]) => row.otherwise !== undefined).map(([key, row]) => [key, row.otherwise]));
+export const otherwiseOf = ({ shape }) =>
+  Object.fromEntries(
+    Object.entries(shape)
+      .filter(([, row]) => row.otherwise !== undefined)
+      .map(([key, row]) => [key, row.otherwise]),
+  );
 
 /** A value that shares nothing with another: zod hands out the arrays of the schema itself. Bytes stay the caller's. */
 export function copied(value) {

@@ -34,7 +34,11 @@ const bound = (x) => (x === Math.PI / 2 ? 'PI / 2' : Math.abs(x) >= 1e6 ? x.toEx
 /** A range as messages write it: "[0, 1]", "(0, 10]". */
 export const interval = (min, max, above) => `${above === undefined ? `[${bound(min)}` : `(${bound(above)}`}, ${bound(max)}]`;
 
-const quoted = (values) => values.map((value) => JSON.stringify(value)).join(', ').replace(/, ([^,]*)$/, ' or $1');
+const quoted = (values) =>
+  values
+    .map((value) => JSON.stringify(value))
+    .join(', ')
+    .replace(/, ([^,]*)$/, ' or $1');
 
 /** @returns {Row} */
 const row = (kind, doc, rest) => Object.freeze({ kind, doc, ...rest, ...(rest.otherwise !== undefined && { optional: true }) });

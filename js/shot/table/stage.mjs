@@ -6,53 +6,92 @@ import { HUGE, TINY, bytes, colour, expectedColour, extents, indexOrName, litera
 const FOCUS = 'a distance in metres in [1e-30, 1e30] or "target"';
 const distance = number('Metres', { what: 'a distance in metres', unit: 'metres', min: TINY, expected: FOCUS });
 
-export const lens = object('A photographic lens: exposure by EV100, and depth of field in quality "reference"; null = a pinhole', {
-  aperture: number('f-number: focal length over the width of the opening', { what: 'an f-number', unit: 'f-number', min: 0.1, max: 1000 }),
-  shutter: number('Seconds that the shutter is open; with `iso` it exposes by EV100, a factor beside `exposure`; none = the lens does not change the exposure',
-    { what: 'a number of seconds', unit: 'seconds', above: 0, max: 86400, nullable: true, optional: true }),
-  iso: number('Sensitivity, ISO', { what: 'a sensitivity', unit: 'ISO', above: 0, max: 1e7, nullable: true, optional: true }),
-  focusDistance: union('Distance in metres, along the view, of what is sharp, or "target": the camera\'s target; quality "reference" blurs the rest, '
-    + 'the raster does not. None = all is sharp', [distance, literal('', 'target', FOCUS)], FOCUS, { nullable: true, optional: true, resolved: distance }),
-}, { name: 'Lens', nullable: true, default: null });
+export const lens = object(
+  'A photographic lens: exposure by EV100, and depth of field in quality "reference"; null = a pinhole',
+  {
+    aperture: number('f-number: focal length over the width of the opening', { what: 'an f-number', unit: 'f-number', min: 0.1, max: 1000 }),
+    shutter: number(
+      'Seconds that the shutter is open; with `iso` it exposes by EV100, a factor beside `exposure`; none = the lens does not change the exposure',
+      { what: 'a number of seconds', unit: 'seconds', above: 0, max: 86400, nullable: true, optional: true },
+    ),
+    iso: number('Sensitivity, ISO', { what: 'a sensitivity', unit: 'ISO', above: 0, max: 1e7, nullable: true, optional: true }),
+    focusDistance: union(
+      'Distance in metres, along the view, of what is sharp, or "target": the camera\'s target; quality "reference" blurs the rest, ' +
+        'the raster does not. None = all is sharp',
+      [distance, literal('', 'target', FOCUS)],
+      FOCUS,
+      { nullable: true, optional: true, resolved: distance },
+    ),
+  },
+  { name: 'Lens', nullable: true, default: null },
+);
 
 const MAP = '"studio", "none", a path that ends in .hdr or .exr, or bytes';
-const map = union('"studio" (bundled), "none", or an equirectangular .hdr or .exr map: path, or bytes in JavaScript. '
-  + 'What texels have above 65504 lights every shading but "three"', [
-  text('', MAP, { pattern: /^(?:studio|none|[^\u0000-\u001f\u007f\ud800-\udfff]*\.(?:hdr|exr|HDR|EXR))$/u }),
-  bytes('', MAP),
-], MAP);
+const map = union(
+  '"studio" (bundled), "none", or an equirectangular .hdr or .exr map: path, or bytes in JavaScript. ' +
+    'What texels have above 65504 lights every shading but "three"',
+  [text('', MAP, { pattern: /^(?:studio|none|[^\u0000-\u001f\u007f\ud800-\udfff]*\.(?:hdr|exr|HDR|EXR))$/u }), bytes('', MAP)],
+  MAP,
+);
 
 /** The environment with its settings. */
-export const ENVIRONMENT = object('Environment with settings', {
-  map: Object.freeze({ ...map, default: 'studio' }),
-  intensity: number('Factor on its radiance', { unit: 'factor', min: 0, default: 1 }),
-  rotation: degrees('Degrees about +Y', -360, 360, { default: 0 }),
-}, { name: 'Environment' });
+export const ENVIRONMENT = object(
+  'Environment with settings',
+  {
+    map: Object.freeze({ ...map, default: 'studio' }),
+    intensity: number('Factor on its radiance', { unit: 'factor', min: 0, default: 1 }),
+    rotation: degrees('Degrees about +Y', -360, 360, { default: 0 }),
+  },
+  { name: 'Environment' },
+);
 export const environment = union('Light from all around', [map, ENVIRONMENT], MAP, { default: 'studio', resolved: ENVIRONMENT });
 
 const KEYWORDS = ['transparent', 'environment'];
 const BACKGROUND = expectedColour(KEYWORDS, ['{type: "environment", blur}']);
-const blurred = object('The environment, blurred', {
-  type: literal('The environment', 'environment', '"environment"', { default: 'environment' }),
-  blur: number('0 shows it sharp, 1 as a matt surface sees it: scene.backgroundBlurriness of three.js',
-    { unit: 'roughness', min: 0, max: 1, default: 0 }),
-}, { name: 'EnvironmentBackground' });
-export const background = union('"transparent", "environment", a colour, or the environment blurred; default "transparent", white for jpeg',
-  [colour('Keyword or colour', { keywords: KEYWORDS, expected: BACKGROUND }), blurred], BACKGROUND, { optional: true });
+const blurred = object(
+  'The environment, blurred',
+  {
+    type: literal('The environment', 'environment', '"environment"', { default: 'environment' }),
+    blur: number('0 shows it sharp, 1 as a matt surface sees it: scene.backgroundBlurriness of three.js', { unit: 'roughness', min: 0, max: 1, default: 0 }),
+  },
+  { name: 'EnvironmentBackground' },
+);
+export const background = union(
+  '"transparent", "environment", a colour, or the environment blurred; default "transparent", white for jpeg',
+  [colour('Keyword or colour', { keywords: KEYWORDS, expected: BACKGROUND }), blurred],
+  BACKGROUND,
+  { optional: true },
+);
 
 const GROUND_WORDS = '"none" or {shadow, opacity}';
 /** The ground where there is one. */
-export const GROUND = object('Ground beneath the model that shows nothing but shadows', {
-  shadow: literal('Show shadows', true, 'true', { default: true }),
-  opacity: number('Opacity of a full shadow', { unit: 'part', min: 0, max: 1, default: 0.5 }),
-  position: vector('Its centre, metres; default the model\'s lowest point', { optional: true }),
-  size: extents('Metres along x and z; default as wide as the shadows fall', { optional: true }),
-}, { name: 'Ground' });
-export const ground = union('Shadow catcher beneath the model; where no light of the shot casts a shadow, soft light from above does',
-  [literal('', 'none', GROUND_WORDS), GROUND], GROUND_WORDS, { default: 'none' });
+export const GROUND = object(
+  'Ground beneath the model that shows nothing but shadows',
+  {
+    shadow: literal('Show shadows', true, 'true', { default: true }),
+    opacity: number('Opacity of a full shadow', { unit: 'part', min: 0, max: 1, default: 0.5 }),
+    position: vector("Its centre, metres; default the model's lowest point", { optional: true }),
+    size: extents('Metres along x and z; default as wide as the shadows fall', { optional: true }),
+  },
+  { name: 'Ground' },
+);
+export const ground = union(
+  'Shadow catcher beneath the model; where no light of the shot casts a shadow, soft light from above does',
+  [literal('', 'none', GROUND_WORDS), GROUND],
+  GROUND_WORDS,
+  { default: 'none' },
+);
 
-export const POSE = object('A moment of one of the model\'s animations; null = as the file stands', {
-  animation: indexOrName('Index or name of an animation in the model', 'the index or the name of an animation in the model'),
-  time: number('Seconds from its start; before the start and after the end it stands as at the start or the end',
-    { what: 'a number of seconds', unit: 'seconds', min: -HUGE, default: 0 }),
-}, { name: 'Pose', nullable: true, default: null });
+export const POSE = object(
+  "A moment of one of the model's animations; null = as the file stands",
+  {
+    animation: indexOrName('Index or name of an animation in the model', 'the index or the name of an animation in the model'),
+    time: number('Seconds from its start; before the start and after the end it stands as at the start or the end', {
+      what: 'a number of seconds',
+      unit: 'seconds',
+      min: -HUGE,
+      default: 0,
+    }),
+  },
+  { name: 'Pose', nullable: true, default: null },
+);

@@ -6,10 +6,14 @@ import { termDefine } from './terms.mjs';
 import { bakedTexture } from './texture_bake.mjs';
 
 /** Map, as its uniform and varying are named: its texture in the extension, the define of it, and of what it is a part. */
-const MAPS = Object.fromEntries(LAYERS.filter(({ shadings }) => shadings).flatMap((layer) => texturesOf(layer).map((texture) => {
-  const name = textureName(texture);
-  return [name, { texture, extension: layer.extension, define: upper(name), of: upper(layer.name) }];
-})));
+const MAPS = Object.fromEntries(
+  LAYERS.filter(({ shadings }) => shadings).flatMap((layer) =>
+    texturesOf(layer).map((texture) => {
+      const name = textureName(texture);
+      return [name, { texture, extension: layer.extension, define: upper(name), of: upper(layer.name) }];
+    }),
+  ),
+);
 
 /** Uniform of a normal map that was made anew, and the material's own map. */
 const VARIANCE_MAPS = { normalVarianceMap: 'normalMap', clearcoatNormalVarianceMap: 'clearcoatNormalMap' };
@@ -61,7 +65,13 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
     }
 
     textUniforms() {
-      const values = { ...factorsOf(THREE, this), ...textureValues(mapsOf(this)), ...this.madeMaps, coverageSamples: this.coverageSamples, coverageMask: this.coverageMask };
+      const values = {
+        ...factorsOf(THREE, this),
+        ...textureValues(mapsOf(this)),
+        ...this.madeMaps,
+        coverageSamples: this.coverageSamples,
+        coverageMask: this.coverageMask,
+      };
       for (const [name, value] of Object.entries(values)) {
         if (!text.uniforms.includes(name)) continue;
         this.ownUniforms[name] ??= { value: null };
@@ -72,7 +82,11 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
 
     onBeforeCompile(shader) {
       // What three.js leaves out of the vertex stage where no map of its own needs it.
-      setDefine(this.defines, 'USE_UV1', Object.values(mapsOf(this)).some((map) => map.channel === 1));
+      setDefine(
+        this.defines,
+        'USE_UV1',
+        Object.values(mapsOf(this)).some((map) => map.channel === 1),
+      );
       setDefine(this.defines, 'USE_UV', Boolean(this.fabric?.weave));
       setDefine(this.defines, 'USE_TANGENT', needsTangents(this));
       super.onBeforeCompile(shader);
@@ -121,9 +135,16 @@ const textureCutoff = ({ alphaTest, opacity }) => (opacity > 0 ? alphaTest / opa
 
 /** @returns {Record<string, import('three').Texture>} Textures that are there, by the name of their uniform. */
 function mapsOf({ fabric, diffuseTransmission }) {
-  const parts = { TELAR_materials_fabric: fabric, KHR_materials_diffuse_transmission: diffuseTransmission?.diffuseTransmissionFactor > 0 && diffuseTransmission };
+  const parts = {
+    TELAR_materials_fabric: fabric,
+    KHR_materials_diffuse_transmission: diffuseTransmission?.diffuseTransmissionFactor > 0 && diffuseTransmission,
+  };
   const textureOf = ({ texture: { key, within }, extension }) => (within ? parts[extension]?.[within] : parts[extension])?.[key];
-  return Object.fromEntries(Object.entries(MAPS).map(([name, map]) => [name, textureOf(map)]).filter(([, map]) => map));
+  return Object.fromEntries(
+    Object.entries(MAPS)
+      .map(([name, map]) => [name, textureOf(map)])
+      .filter(([, map]) => map),
+  );
 }
 
 /** Without yarns there is the one highlight of the material. */
@@ -168,10 +189,15 @@ function mapFeatures(parts, maps) {
 const numbers = (features) => Object.fromEntries(Object.entries(features).map(([name, value]) => [name, Number(value)]));
 
 function textureValues(maps) {
-  return Object.fromEntries(Object.entries(maps).flatMap(([name, map]) => {
-    if (map.matrixAutoUpdate) map.updateMatrix();
-    return [[`${name}Map`, map], [`${name}UvTransform`, map.matrix]];
-  }));
+  return Object.fromEntries(
+    Object.entries(maps).flatMap(([name, map]) => {
+      if (map.matrixAutoUpdate) map.updateMatrix();
+      return [
+        [`${name}Map`, map],
+        [`${name}UvTransform`, map.matrix],
+      ];
+    }),
+  );
 }
 
 const WHITE = [1, 1, 1];

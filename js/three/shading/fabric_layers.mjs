@@ -6,8 +6,10 @@ const FABRIC = 'TELAR_materials_fabric';
 const DIFFUSE_TRANSMISSION = 'KHR_materials_diffuse_transmission';
 
 /** Textures within an extension: path of keys, whether their colours are sRGB. */
-const texturesIn = (name) => LAYERS.filter(({ extension }) => extension === name).flatMap(texturesOf)
-  .map(({ key, within, srgb }) => [[...(within ? [within] : []), key], srgb]);
+const texturesIn = (name) =>
+  LAYERS.filter(({ extension }) => extension === name)
+    .flatMap(texturesOf)
+    .map(({ key, within, srgb }) => [[...(within ? [within] : []), key], srgb]);
 
 /** What the file says of its materials, with presets and without; for each parser. */
 const filled = new WeakMap();
@@ -83,13 +85,15 @@ function finalMaterial(parser, mesh, material) {
  * @returns {Promise<{fabric: object | null, diffuseTransmission: object | null}>} As FabricMaterial takes them.
  */
 export async function extensionsOf(parser, definition, THREE) {
-  const [fabric, diffuseTransmission] = await Promise.all([FABRIC, DIFFUSE_TRANSMISSION].map(async (name) => {
-    const extension = definition?.extensions?.[name];
-    if (!extension) return null;
-    const copy = structuredClone(extension);
-    await Promise.all(texturesIn(name).map(([path, isColor]) => loadTexture(parser, copy, path, isColor ? THREE.SRGBColorSpace : THREE.NoColorSpace)));
-    return copy;
-  }));
+  const [fabric, diffuseTransmission] = await Promise.all(
+    [FABRIC, DIFFUSE_TRANSMISSION].map(async (name) => {
+      const extension = definition?.extensions?.[name];
+      if (!extension) return null;
+      const copy = structuredClone(extension);
+      await Promise.all(texturesIn(name).map(([path, isColor]) => loadTexture(parser, copy, path, isColor ? THREE.SRGBColorSpace : THREE.NoColorSpace)));
+      return copy;
+    }),
+  );
   if (fabric?.back && !hasOwnColor(fabric.back)) {
     // What the back leaves out is as on the front.
     const { baseColorFactor, baseColorTexture } = definition.pbrMetallicRoughness ?? {};

@@ -40,7 +40,8 @@ export async function openShading(THREE, shading) {
       material.copy(cloth.material);
       material.shadingDefines = hasTerms ? definesOfTerms(shading) : {};
       // GLTFLoader gives geometries with tangents materials of their own.
-      if (shading !== 'three') Object.assign(material, { hasTangents: mesh.geometry.attributes.tangent !== undefined }, await extensionsOf(parser, cloth.definition, THREE));
+      if (shading !== 'three')
+        Object.assign(material, { hasTangents: mesh.geometry.attributes.tangent !== undefined }, await extensionsOf(parser, cloth.definition, THREE));
     },
   };
 }

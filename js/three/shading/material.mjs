@@ -63,7 +63,9 @@ export function shadingMaterialClass(THREE, text, family) {
       for (const [key, what] of Object.entries(NOT_READ)) {
         if (this[key]) throw new Error(`material ${this.name || this.uuid}: the shading ${family} does not draw ${what}`);
       }
-      const defines = Object.entries(this.textDefines()).map(([name, value]) => `#define ${PREFIX}${name} ${value}\n`).join('');
+      const defines = Object.entries(this.textDefines())
+        .map(([name, value]) => `#define ${PREFIX}${name} ${value}\n`)
+        .join('');
       shader.fragmentShader = shadedFragment(THREE, shader.fragmentShader, text, defines);
       shader.vertexShader = shadedVertex(shader.vertexShader, text, defines);
       for (const [name, uniform] of Object.entries(this.textUniforms())) shader.uniforms[PREFIX + name] = uniform;

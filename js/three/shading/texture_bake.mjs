@@ -45,7 +45,11 @@ function bake(THREE, shaders, renderer, { kind, source, cutoff }) {
   const { width, height } = source.image;
   const levels = Math.floor(Math.log2(Math.max(width, height))) + 1;
   const out = new THREE.WebGLRenderTarget(width, height, {
-    ...samplerOf(source), type: THREE[TEXEL_TYPES[kind]], colorSpace: kind === 'slope' ? THREE.NoColorSpace : source.colorSpace, depthBuffer: false, generateMipmaps: false,
+    ...samplerOf(source),
+    type: THREE[TEXEL_TYPES[kind]],
+    colorSpace: kind === 'slope' ? THREE.NoColorSpace : source.colorSpace,
+    depthBuffer: false,
+    generateMipmaps: false,
   });
   out.texture.mipmaps = Array.from({ length: levels }, () => ({}));
   const drawing = drawingOf(THREE, shaders);
@@ -70,7 +74,11 @@ function bake(THREE, shaders, renderer, { kind, source, cutoff }) {
 /** Between two draws of the client's own: @returns {() => void} puts the renderer back as it was. */
 function setAside(renderer) {
   const target = [renderer.getRenderTarget(), renderer.getActiveCubeFace(), renderer.getActiveMipmapLevel()];
-  const { autoClear, xr: { enabled }, shadowMap: { autoUpdate } } = renderer;
+  const {
+    autoClear,
+    xr: { enabled },
+    shadowMap: { autoUpdate },
+  } = renderer;
   renderer.autoClear = renderer.xr.enabled = renderer.shadowMap.autoUpdate = false;
   return () => {
     Object.assign(renderer, { autoClear });
@@ -83,9 +91,14 @@ function setAside(renderer) {
 const sizeAt = (THREE, { image }, level) => new THREE.Vector2(Math.max(1, image.width >> level), Math.max(1, image.height >> level));
 
 /** Sums of squares need the precision where the GL draws floats: a variance is a small difference of them. */
-const momentTarget = (THREE, renderer, { x, y }) => new THREE.WebGLRenderTarget(x, y, {
-  type: renderer.extensions.has('EXT_color_buffer_float') ? THREE.FloatType : THREE.HalfFloatType, depthBuffer: false, generateMipmaps: false, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter,
-});
+const momentTarget = (THREE, renderer, { x, y }) =>
+  new THREE.WebGLRenderTarget(x, y, {
+    type: renderer.extensions.has('EXT_color_buffer_float') ? THREE.FloatType : THREE.HalfFloatType,
+    depthBuffer: false,
+    generateMipmaps: false,
+    minFilter: THREE.NearestFilter,
+    magFilter: THREE.NearestFilter,
+  });
 
 const samplerOf = ({ wrapS, wrapT, minFilter, magFilter, anisotropy }) => ({ wrapS, wrapT, minFilter, magFilter, anisotropy });
 
@@ -103,11 +116,19 @@ function drawingOf(THREE, shaders) {
   const materialOf = (name, fromImage) => {
     const key = `${name} ${fromImage}`;
     if (!materials.has(key)) {
-      materials.set(key, new THREE.RawShaderMaterial({
-        glslVersion: THREE.GLSL3, vertexShader: shaders.vertex, fragmentShader: shaders[name], defines: { FROM_IMAGE: Number(fromImage) },
-        uniforms: { sourceMap: { value: null }, sourceSize: { value: null }, targetSize: { value: null }, cutoff: { value: 0 } },
-        depthTest: false, depthWrite: false, blending: THREE.NoBlending,
-      }));
+      materials.set(
+        key,
+        new THREE.RawShaderMaterial({
+          glslVersion: THREE.GLSL3,
+          vertexShader: shaders.vertex,
+          fragmentShader: shaders[name],
+          defines: { FROM_IMAGE: Number(fromImage) },
+          uniforms: { sourceMap: { value: null }, sourceSize: { value: null }, targetSize: { value: null }, cutoff: { value: 0 } },
+          depthTest: false,
+          depthWrite: false,
+          blending: THREE.NoBlending,
+        }),
+      );
     }
     return materials.get(key);
   };

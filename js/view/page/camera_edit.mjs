@@ -39,9 +39,10 @@ export function withProjection(camera, resolved, projection) {
   if (projection === resolved.projection) return camera;
   const { position, target, up } = resolved;
   const distance = Math.hypot(...position.map((p, i) => p - target[i]));
-  const lens = projection === 'orthographic'
-    ? { height: 2 * distance * Math.tan((resolved.fovY / 2) * DEGREE) }
-    : { fovY: (2 * Math.atan(resolved.height / 2 / distance)) / DEGREE };
+  const lens =
+    projection === 'orthographic'
+      ? { height: 2 * distance * Math.tan((resolved.fovY / 2) * DEGREE) }
+      : { fovY: (2 * Math.atan(resolved.height / 2 / distance)) / DEGREE };
   return { projection, ...lens, position, target, up };
 }
 

@@ -5,8 +5,7 @@ import schema from '../../shot/schema.json' with { type: 'json' };
 const branches = (node) => (node ? [node, ...(node.anyOf ?? node.oneOf ?? [])] : []);
 
 /** Node of a dotted path such as "camera.fit", in the first branch that has it; undefined where none has. */
-const nodeAt = (path) => path.split('.').reduce((node, key) =>
-  branches(node).find(({ properties }) => properties?.[key])?.properties[key], schema);
+const nodeAt = (path) => path.split('.').reduce((node, key) => branches(node).find(({ properties }) => properties?.[key])?.properties[key], schema);
 
 /** @returns {string[]} the names that a key of the shot takes */
 export const choicesOf = (path) => branches(nodeAt(path)).find((node) => node.enum)?.enum ?? [];

@@ -101,7 +101,12 @@ export class Client {
     const renderer = this.#rendererFor(resolved);
     const environment = await this.#environment(resolved.environment.map);
     this.#camera = await applyShot(resolved, {
-      THREE, renderer, scene: this.#scene, camera: this.#camera, model: this.#model, environment,
+      THREE,
+      renderer,
+      scene: this.#scene,
+      camera: this.#camera,
+      model: this.#model,
+      environment,
       areaLightTables: () => import('three/addons/lights/RectAreaLightUniformsLib.js'),
     });
     renderer.render(this.#scene, this.#camera);

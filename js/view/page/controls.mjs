@@ -29,7 +29,7 @@ const BINDINGS = {
     change: (value, { shot, resolved }) => ({ camera: withFovY(shot.camera, resolved.camera, Number(value)) }),
   },
   fit: {
-    read: ({ shot }) => (shot.camera?.position || shot.camera?.gltf !== undefined ? undefined : shot.camera?.fit ?? defaultOf('camera.fit')),
+    read: ({ shot }) => (shot.camera?.position || shot.camera?.gltf !== undefined ? undefined : (shot.camera?.fit ?? defaultOf('camera.fit'))),
     change: (value, { shot }) => ({ camera: withFit(shot.camera, Number(value)) }),
   },
   variant: { read: ({ resolved }) => resolved.variant, change: (variant) => ({ variant }) },
@@ -57,7 +57,7 @@ const BINDINGS = {
     change: (value, { resolved }) => ({ environment: { ...resolved.environment, rotation: Number(value) } }),
   },
   background: {
-    read: ({ resolved: { background } }) => (Array.isArray(background) ? COLOUR : background.type ?? background),
+    read: ({ resolved: { background } }) => (Array.isArray(background) ? COLOUR : (background.type ?? background)),
     change: (value, _state, form) => ({ background: value === COLOUR ? form.elements.backgroundColour.value : value }),
   },
   blur: {
@@ -107,7 +107,10 @@ export function bindControls(form, state, { environments, cameras, variants, ani
   fill('animation', [['', 'As in the file'], ...animations.map(({ name }, i) => [String(i), name || `Animation ${i}`])]);
   fill('shading', asOptions(choicesOf('shading')));
   fill('toneMapping', asOptions(choicesOf('toneMapping')));
-  fill('environment', environments.map(({ map }) => [map, titled(map)]));
+  fill(
+    'environment',
+    environments.map(({ map }) => [map, titled(map)]),
+  );
   fill('background', [...asOptions(BACKGROUNDS), [COLOUR, 'Colour']]);
   fill('ground', asOptions([NO_GROUND, SHADOW]));
   fill('quality', asOptions(choicesOf('quality')));

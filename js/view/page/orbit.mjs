@@ -7,8 +7,13 @@ const TURN = 5;
 const ZOOM = 1.1;
 
 const KEYS = {
-  ArrowLeft: { turn: -TURN }, ArrowRight: { turn: TURN }, ArrowUp: { tilt: TURN }, ArrowDown: { tilt: -TURN },
-  '+': { zoom: ZOOM }, '=': { zoom: ZOOM }, '-': { zoom: 1 / ZOOM },
+  ArrowLeft: { turn: -TURN },
+  ArrowRight: { turn: TURN },
+  ArrowUp: { tilt: TURN },
+  ArrowDown: { tilt: -TURN },
+  '+': { zoom: ZOOM },
+  '=': { zoom: ZOOM },
+  '-': { zoom: 1 / ZOOM },
 };
 
 /**
@@ -34,7 +39,10 @@ export function addOrbit(element, state, cameraOf, attempt) {
   });
   controls.addEventListener('change', () => {
     if (!begun) return;
-    const { object: { position, zoom }, target } = controls;
+    const {
+      object: { position, zoom },
+      target,
+    } = controls;
     attempt(() => state.change({ camera: fromControls(begun, { position, target, zoom }) }));
   });
   element.addEventListener('keydown', (event) => {

@@ -99,9 +99,17 @@ async function start() {
   for (const side of ['browser', 'server']) $(`save-${side}`).addEventListener('click', () => save(side));
   const help = () => $('help').showModal();
   $('help-button').addEventListener('click', help);
-  bindShortcuts({
-    ...addViews(state), ...addModes(stage), ' ': () => stage.pause(), s: () => save('browser'), S: () => save('server'), '?': help,
-  }, $('single-keys'));
+  bindShortcuts(
+    {
+      ...addViews(state),
+      ...addModes(stage),
+      ' ': () => stage.pause(),
+      s: () => save('browser'),
+      S: () => save('server'),
+      '?': help,
+    },
+    $('single-keys'),
+  );
   await pictures.update();
   $('gate-command').textContent = `telar compare --gate ${pictures.gate}`;
   $('client-gl').textContent = `three.js r${Client.revision}, ${client.glName}`;

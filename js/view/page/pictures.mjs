@@ -60,12 +60,14 @@ export class Pictures {
   /** The browser's picture follows every change; what comes while it draws is drawn after it, once. */
   #drawClient() {
     this.#isWanted = true;
-    this.#drawing ??= this.#drawWanted().catch((error) => {
-      this.#request.abort();
-      this.#fail(error);
-    }).finally(() => {
-      this.#drawing = undefined;
-    });
+    this.#drawing ??= this.#drawWanted()
+      .catch((error) => {
+        this.#request.abort();
+        this.#fail(error);
+      })
+      .finally(() => {
+        this.#drawing = undefined;
+      });
     return this.#drawing;
   }
 
@@ -111,8 +113,9 @@ export class Pictures {
 
   #tell({ milliseconds, warnings, shot }, resolved) {
     $('server-time').textContent = `${Math.round(milliseconds.total)} ms`;
-    const differences = shotDifferences(resolved, shot).map(({ path, ours, theirs }) =>
-      `The two sides resolved the shot differently: ${path} is ${ours} in the browser, ${theirs} on the server.`);
+    const differences = shotDifferences(resolved, shot).map(
+      ({ path, ours, theirs }) => `The two sides resolved the shot differently: ${path} is ${ours} in the browser, ${theirs} on the server.`,
+    );
     const notes = [...differences, ...warnings.map(({ message }) => message)];
     $('notes').replaceChildren(...notes.map((text) => Object.assign(document.createElement('li'), { textContent: text })));
   }

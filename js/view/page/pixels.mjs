@@ -26,10 +26,11 @@ export function straightPixels(buffer, width, height) {
  * @param {Uint8Array} buffer RGBA8, bottom row first
  * @returns {Uint8Array} alpha, top row first
  */
-export const alphaOf = (buffer, width, height) => Uint8Array.from({ length: width * height }, (_, i) => {
-  const [x, y] = [i % width, Math.floor(i / width)];
-  return buffer[((height - 1 - y) * width + x) * 4 + 3];
-});
+export const alphaOf = (buffer, width, height) =>
+  Uint8Array.from({ length: width * height }, (_, i) => {
+    const [x, y] = [i % width, Math.floor(i / width)];
+    return buffer[((height - 1 - y) * width + x) * 4 + 3];
+  });
 
 const SCALE = 16;
 

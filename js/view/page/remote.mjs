@@ -41,7 +41,9 @@ export async function draw(shot, signal) {
 /** @returns {Promise<Uint8Array>} a PNG file of the pixels */
 export async function png({ width, height, data }) {
   const response = await request(`png?width=${width}&height=${height}`, {
-    method: 'POST', headers: { 'content-type': 'application/octet-stream' }, body: data,
+    method: 'POST',
+    headers: { 'content-type': 'application/octet-stream' },
+    body: data,
   });
   return new Uint8Array(await response.arrayBuffer());
 }

@@ -25,8 +25,14 @@ export class Wipe {
 
   #onKey(event) {
     const wanted = {
-      ArrowLeft: this.#percent - STEP, ArrowDown: this.#percent - STEP, ArrowRight: this.#percent + STEP, ArrowUp: this.#percent + STEP,
-      PageDown: this.#percent - PAGE_STEP, PageUp: this.#percent + PAGE_STEP, Home: 0, End: 100,
+      ArrowLeft: this.#percent - STEP,
+      ArrowDown: this.#percent - STEP,
+      ArrowRight: this.#percent + STEP,
+      ArrowUp: this.#percent + STEP,
+      PageDown: this.#percent - PAGE_STEP,
+      PageUp: this.#percent + PAGE_STEP,
+      Home: 0,
+      End: 100,
     }[event.key];
     if (wanted === undefined) return;
     event.preventDefault();

@@ -10,7 +10,7 @@ const points = (svg, className) => {
   return [...d.matchAll(/[ML]([-\d.]+) ([-\d.]+)/g)].map(([, x, y]) => [Number(x), Number(y)]);
 };
 
-test('the lobe plot: the normal points up, the viewer\'s side is on the right, lengths are square roots', () => {
+test("the lobe plot: the normal points up, the viewer's side is on the right, lengths are square roots", () => {
   const angles = [60, 0, -60];
   const svg = lobePlot({ title: 'lobes', names, viewAngle: 40, angles, from: [lobes(0.25), lobes(1), lobes(0.25)], to: [lobes(0, 0.04), lobes(0), lobes(0)] });
   assertWellFormed(svg);
@@ -33,5 +33,8 @@ test('the albedo plot rises with the value and runs to the right with the angle'
 });
 
 test('axes end at round numbers', () => {
-  assert.deepEqual([0.013, 0.2, 0.21, 1, 7, 0].map((value) => Number(roundUp(value).toPrecision(6))), [0.02, 0.2, 0.5, 1, 10, 1]);
+  assert.deepEqual(
+    [0.013, 0.2, 0.21, 1, 7, 0].map((value) => Number(roundUp(value).toPrecision(6))),
+    [0.02, 0.2, 0.5, 1, 10, 1],
+  );
 });

@@ -30,16 +30,31 @@ test('every slot in which the shadings differ is swapped alone, and put back alo
   assert.deepEqual(near.terms, [{ slot: 'sheen', from: 'charlie-neubelt', to: 'zeltner' }]);
   const whole = swapsBetween('three', 'disney-2012');
   assert.deepEqual([whole.terms, Object.keys(whole.shadings)], [[], ['from', 'to']]);
-  for (const [from, to, code] of [['three', 'three', 'E_USAGE'], ['three-r115', 'three-r115', 'E_USAGE'], ['phong', 'disney-2012', 'E_SHOT']]) {
+  for (const [from, to, code] of [
+    ['three', 'three', 'E_USAGE'],
+    ['three-r115', 'three-r115', 'E_USAGE'],
+    ['phong', 'disney-2012', 'E_SHOT'],
+  ]) {
     assert.throws(() => swapsBetween(from, to), { code });
   }
 });
 
 test('the planted differences come back in order of size, in words, and those without an effect last', async () => {
-  const { rows, cells } = await ranked((swapped, cosine) =>
-    (swapped.has('sheen') && cosine < 0.6 ? 80 : 0) + (swapped.has('diffuse') ? 6 : 0) - (swapped.has('fresnel') && cosine > 0.8 ? 20 : 0));
-  assert.deepEqual(rows.slice(0, 3).map(({ slot, rank: place }) => [slot, place]), [['sheen', 1], ['diffuse', 2], ['fresnel', 3]]);
-  assert.deepEqual(rows.slice(0, 3).map(({ words }) => words.split(',')[0]), ['much brighter limb', 'brighter throughout', 'much darker centre']);
+  const { rows, cells } = await ranked(
+    (swapped, cosine) => (swapped.has('sheen') && cosine < 0.6 ? 80 : 0) + (swapped.has('diffuse') ? 6 : 0) - (swapped.has('fresnel') && cosine > 0.8 ? 20 : 0),
+  );
+  assert.deepEqual(
+    rows.slice(0, 3).map(({ slot, rank: place }) => [slot, place]),
+    [
+      ['sheen', 1],
+      ['diffuse', 2],
+      ['fresnel', 3],
+    ],
+  );
+  assert.deepEqual(
+    rows.slice(0, 3).map(({ words }) => words.split(',')[0]),
+    ['much brighter limb', 'brighter throughout', 'much darker centre'],
+  );
   for (const row of rows.slice(3)) assert.deepEqual([row.rank, row.effect, row.words, row.interaction], [4, 0, 'no change', '']);
   const diffuse = cells[0].terms.diffuse.alone;
   // Grey 100 to 106 of sRGB is 2.5 of CIELAB lightness everywhere.
@@ -60,7 +75,14 @@ test('a term that acts only with another is told as an interaction', async () =>
 test('spread over cells: the mean, its deviation, and the ranks in each', async () => {
   const { rows } = await ranked(
     (swapped, _cosine, { exposure }) => (swapped.has('sheen') ? (exposure === 2 ? 40 : 4) : 0) + (swapped.has('diffuse') ? 15 : 0),
-    { ...plan(), lights: [{ name: 'dim', shot: {} }, { name: 'bright', shot: { exposure: 2 } }] });
+    {
+      ...plan(),
+      lights: [
+        { name: 'dim', shot: {} },
+        { name: 'bright', shot: { exposure: 2 } },
+      ],
+    },
+  );
   const [sheen, diffuse] = ['sheen', 'diffuse'].map((slot) => rowOf(rows, slot));
   assert.deepEqual([sheen.ranks, diffuse.ranks, sheen.rank], [[1, 2], [1, 2], 1]);
   assert.ok(sheen.alone.flip.deviation > 5 * diffuse.alone.flip.deviation && diffuse.alone.flip.deviation < 1e-6);
@@ -75,11 +97,18 @@ test('equal shadings are drawn once, steps are as announced', async () => {
   const { api, renderer, calls } = plantedApi(() => 0);
   let steps = 0;
   const given = { ...plan(['studio', 'sun'], ['leather', 'wool']), swaps: one };
-  const { cells } = await analyse(api, renderer, given, { step: () => { steps += 1; } });
+  const { cells } = await analyse(api, renderer, given, {
+    step: () => {
+      steps += 1;
+    },
+  });
   // alone:sheen is rest:diffuse and the other way round; the lobes of a target are a step, too.
   assert.deepEqual([calls.rendered, steps, analysisSteps(given), cells.length], [16, 38, 38, 4]);
   assert.deepEqual([calls.loaded, calls.released], [2, 2]);
-  assert.deepEqual(cells.map(({ target, light }) => `${target} ${light}`), ['leather studio', 'leather sun', 'wool studio', 'wool sun']);
+  assert.deepEqual(
+    cells.map(({ target, light }) => `${target} ${light}`),
+    ['leather studio', 'leather sun', 'wool studio', 'wool sun'],
+  );
 });
 
 test('interactions begin at a factor of 1.25 and above what can be seen', () => {
@@ -100,5 +129,6 @@ test('words follow the figures', () => {
     [{ limb: change(2), centre: change(1.9), cloth: { lightness: 2, chroma: -3 } }, 'brighter throughout, weaker highlights, paler'],
     [{ limb: change(2), centre: change(2), highlight: change(9), cloth: change(2) }, 'brighter throughout, much stronger highlights'],
     [{}, 'local changes that even out'],
-  ]) assert.equal(inWords(figures(given)), expected);
+  ])
+    assert.equal(inWords(figures(given)), expected);
 });

@@ -5,7 +5,9 @@ import { createRendererOn } from '../../../js/api/renderer.mjs';
 import { ENDLESS_MS, SHOT, model, native, openRenderer } from './support/double.mjs';
 
 let renderer;
-before(async () => { renderer = await openRenderer(); });
+before(async () => {
+  renderer = await openRenderer();
+});
 after(() => renderer.close());
 
 // Stages take an hour: a test that ends at all has seen the work stop, however busy this machine is.
@@ -38,10 +40,14 @@ test('an abort of a job that waits behind others leaves those alone', async () =
   assert.equal((await Promise.all(others)).length, 8);
 });
 
-test('an abort of a job in the renderer\'s own queue does not wait for the one that draws', async () => {
+test("an abort of a job in the renderer's own queue does not wait for the one that draws", async () => {
   const first = new AbortController();
   let isBusy = true;
-  const busy = assert.rejects(renderer.render(model({ drawMs: ENDLESS_MS }), SHOT, { signal: first.signal, timeoutMs: null }), { name: 'AbortError' }).then(() => { isBusy = false; });
+  const busy = assert
+    .rejects(renderer.render(model({ drawMs: ENDLESS_MS }), SHOT, { signal: first.signal, timeoutMs: null }), { name: 'AbortError' })
+    .then(() => {
+      isBusy = false;
+    });
   await abortAfter(30, (signal) => renderer.render(model({ drawMs: ENDLESS_MS }), SHOT, { signal, timeoutMs: null }));
   assert.equal(isBusy, true);
   first.abort();
@@ -88,9 +94,15 @@ test('a signal that never fires keeps no listener, and an abort after the end ch
   const controller = new AbortController();
   const { signal } = controller;
   let listeners = 0;
-  for (const [method, step] of [['addEventListener', 1], ['removeEventListener', -1]]) {
+  for (const [method, step] of [
+    ['addEventListener', 1],
+    ['removeEventListener', -1],
+  ]) {
     const original = signal[method].bind(signal);
-    signal[method] = (...args) => { listeners += step; original(...args); };
+    signal[method] = (...args) => {
+      listeners += step;
+      original(...args);
+    };
   }
   const { data } = await renderer.render(model(), SHOT, { signal });
   await renderer.renderAll(model(), [SHOT, SHOT], { signal });

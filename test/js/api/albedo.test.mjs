@@ -42,7 +42,7 @@ function slopeGrid({ turn, widths: [a, b] }, v, rings, sectors) {
     // Both ends are drawn out, where the lobe's centre and its far slopes lie.
     const s = (i + 0.5) / rings;
     const u = s * s * s * (s * (6 * s - 15) + 10);
-    const du = 30 * s * s * (1 - s) ** 2 / rings;
+    const du = (30 * s * s * (1 - s) ** 2) / rings;
     const r = Math.sqrt(u / (1 - u));
     for (let j = 0; j < sectors; j += 1) {
       const phi = (2 * Math.PI * (j + 0.5)) / sectors;
@@ -75,14 +75,21 @@ async function integrated(material, options, rings, sectors) {
   const base = [...lobesOf(material), WIDE];
   const shares = base.map((lobe) => (l) => densityOf(lobe, v, l));
   const parts = await Promise.all(base.map(over));
-  const specular = parts.reduce((sum, { directions, weights, radiance }, i) => sum + radiance.reduce((part, lobes, k) => {
-    const all = shares.reduce((total, share) => total + share(directions[k]), 0);
-    return part + (lobes.specular[0] * weights[k] * shares[i](directions[k])) / all;
-  }, 0), 0);
+  const specular = parts.reduce(
+    (sum, { directions, weights, radiance }, i) =>
+      sum +
+      radiance.reduce((part, lobes, k) => {
+        const all = shares.reduce((total, share) => total + share(directions[k]), 0);
+        return part + (lobes.specular[0] * weights[k] * shares[i](directions[k])) / all;
+      }, 0),
+    0,
+  );
   const wide = parts.at(-1);
   const coat = material.coat === undefined ? 0 : await over({ turn: 0, widths: [alphaOf(material.coat), alphaOf(material.coat)] });
   return {
-    specular, diffuse: weighted(wide.radiance, wide.weights, 'diffuse'), sheen: weighted(wide.radiance, wide.weights, 'sheen'),
+    specular,
+    diffuse: weighted(wide.radiance, wide.weights, 'diffuse'),
+    sheen: weighted(wide.radiance, wide.weights, 'sheen'),
     coat: coat && weighted(coat.radiance, coat.weights, 'coat'),
   };
 }
@@ -123,7 +130,10 @@ for (const [name, material, shading, viewAngle] of CASES) {
       const off = Math.abs(albedo[lobe][0] - fine[lobe]);
       assert.ok(grid < 5e-4, `${lobe}: the grids differ by ${grid}`);
       // Twice: the two grids are not far apart, and the finer one's own error may be as large as what lies between them.
-      assert.ok(off <= albedoError[lobe][0] + 2 * grid + 1e-9, `${lobe}: ${albedo[lobe][0]} by ${off} off ${fine[lobe]}, said ${albedoError[lobe][0]}, grids ${grid}`);
+      assert.ok(
+        off <= albedoError[lobe][0] + 2 * grid + 1e-9,
+        `${lobe}: ${albedo[lobe][0]} by ${off} off ${fine[lobe]}, said ${albedoError[lobe][0]}, grids ${grid}`,
+      );
       assert.ok(albedoError[lobe][0] < 1e-3, `${lobe}: error ${albedoError[lobe][0]}`);
     }
     assert.ok(Math.abs(albedo.total[0] - LOBES.slice(0, 4).reduce((sum, lobe) => sum + albedo[lobe][0], 0)) < 1e-9);
@@ -138,7 +148,10 @@ test('a stretched mirror seen flat reflects 0.993, and no more than there is', a
 
 test('the sheen of cloth is that of its closed form within its error', async () => {
   // Zeltner, Burley & Chiang 2022, as MaterialX and OpenPBR fit it: R of the sheen's roughness and the viewer's cosine.
-  for (const [sheen, viewAngle, expected] of [[0.1, 1.5, 0.10202684981], [0.3, 1.3, 0.15131775069]]) {
+  for (const [sheen, viewAngle, expected] of [
+    [0.1, 1.5, 0.10202684981],
+    [0.3, 1.3, 0.15131775069],
+  ]) {
     const { albedo, albedoError } = await evaluateShading({ material: materialOf({ roughness: 0.7, sheen }), shading: 'fabric', viewAngle, albedo: true });
     assert.ok(Math.abs(albedo.sheen[0] - expected) <= albedoError.sheen[0], `${albedo.sheen[0]} by ${albedoError.sheen[0]}`);
   }

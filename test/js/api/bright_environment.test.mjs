@@ -15,7 +15,10 @@ const OWN = ['fabric', 'three-r115', 'disney-2012'];
 const sunOf = (radiance) => hdr(128, (_, u, v) => (Math.floor(u * 128) === 85 && Math.floor(v * 64) === 20 ? [radiance, radiance, radiance] : [0, 0, 0]));
 
 const shotOf = (map, overrides) => ({
-  size: { width: 64, height: 64 }, environment: { map, intensity: 1e-3 }, output: { format: 'raw', bitDepth: 32 }, ...overrides,
+  size: { width: 64, height: 64 },
+  environment: { map, intensity: 1e-3 },
+  output: { format: 'raw', bitDepth: 32 },
+  ...overrides,
 });
 
 /** What it says of the map's range. */

@@ -38,7 +38,10 @@ test('errors of one kind of module are TelarErrors of the other', () => {
     const cjs = createRequire(import.meta.url)('telar');
     const errors = [await createRenderer({ backend: 'x' }).catch((e) => e), await cjs.createRenderer({ backend: 'x' }).catch((e) => e)];
     console.log(JSON.stringify(errors.map((e) => [e instanceof TelarError, e instanceof cjs.TelarError, e.code])));`);
-  assert.deepEqual(seen, [[true, true, 'E_OPTION'], [true, true, 'E_OPTION']]);
+  assert.deepEqual(seen, [
+    [true, true, 'E_OPTION'],
+    [true, true, 'E_OPTION'],
+  ]);
 });
 
 test('a frame drawn through require', () => {
@@ -54,7 +57,7 @@ test('a frame drawn through require', () => {
   assert.deepEqual(seen, ['PNG', 'bundled']);
 });
 
-test('both kinds of module share one addon and its renderers\' threads in a process', () => {
+test("both kinds of module share one addon and its renderers' threads in a process", () => {
   const kinds = module(`
     import { createRequire } from 'node:module';
     import { readFileSync } from 'node:fs';
@@ -69,14 +72,20 @@ test('both kinds of module share one addon and its renderers\' threads in a proc
 const HEAVY = /OpenImageIO|OSMesa|libLLVM|libEGL|libGL|opencv|libtelar_oiio|libtelar_reference|libembree|libtbb|libzstd|libmeshoptimizer/;
 const MAPS = `require('node:fs').readFileSync('/proc/self/maps', 'utf8').match(/\\S+\\.(so[.\\d]*|node)$/gm)`;
 
-test('require(\'telar\') with its addon maps no OpenImageIO, OSMesa, EGL, LLVM, zstd or meshoptimizer, and loads no zod', () => {
+test("require('telar') with its addon maps no OpenImageIO, OSMesa, EGL, LLVM, zstd or meshoptimizer, and loads no zod", () => {
   const [files, modules] = commonjs(`
     require('telar');
     require('${addonFile}');
     console.log(JSON.stringify([[...new Set(${MAPS})], Object.keys(require.cache)]));`);
   assert.ok(files.includes(addonFile), 'the addon is mapped');
-  assert.deepEqual(files.filter((file) => HEAVY.test(file)), []);
-  assert.deepEqual(modules.filter((file) => /zod/.test(file)), []);
+  assert.deepEqual(
+    files.filter((file) => HEAVY.test(file)),
+    [],
+  );
+  assert.deepEqual(
+    modules.filter((file) => /zod/.test(file)),
+    [],
+  );
 });
 
 test('a thumbnail with the bundled environment maps no OpenImageIO and no OSMesa', () => {
@@ -89,12 +98,20 @@ test('a thumbnail with the bundled environment maps no OpenImageIO and no OSMesa
       await renderer.close();
       console.log(JSON.stringify([...new Set(${MAPS})]));
     })();`);
-  assert.ok(files.some((file) => /libEGL/.test(file)), 'the check sees what is mapped');
-  assert.deepEqual(files.filter((file) => /OpenImageIO|OSMesa|libtelar_oiio|libtelar_reference|libembree|libtbb|libmeshoptimizer/.test(file)), []);
+  assert.ok(
+    files.some((file) => /libEGL/.test(file)),
+    'the check sees what is mapped',
+  );
+  assert.deepEqual(
+    files.filter((file) => /OpenImageIO|OSMesa|libtelar_oiio|libtelar_reference|libembree|libtbb|libmeshoptimizer/.test(file)),
+    [],
+  );
 });
 
 test('the addon exports its two Node-API symbols and nothing else', () => {
-  const names = execFileSync('nm', ['-D', '--defined-only', addonFile], { encoding: 'utf8' }).trim().split('\n')
+  const names = execFileSync('nm', ['-D', '--defined-only', addonFile], { encoding: 'utf8' })
+    .trim()
+    .split('\n')
     .map((line) => line.split(' ').at(-1));
   assert.deepEqual(names.sort(), ['napi_register_module_v1', 'node_api_module_get_api_version_v1']);
 });
@@ -103,5 +120,8 @@ test('every file that package.json exports is there', () => {
   const manifest = JSON.parse(readFileSync(path.join(ROOT, 'package.json'), 'utf8'));
   const filesOf = (entry) => (typeof entry === 'string' ? [entry] : Object.values(entry).flatMap(filesOf));
   const files = [...filesOf(manifest.exports), manifest.main];
-  assert.deepEqual(files.filter((file) => !existsSync(path.join(ROOT, file))), []);
+  assert.deepEqual(
+    files.filter((file) => !existsSync(path.join(ROOT, file))),
+    [],
+  );
 });

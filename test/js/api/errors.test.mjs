@@ -7,13 +7,20 @@ import { runChild } from './support/child.mjs';
 import { SHOT, model, native, openRenderer } from './support/double.mjs';
 
 let renderer;
-before(async () => { renderer = await openRenderer(); });
+before(async () => {
+  renderer = await openRenderer();
+});
 after(() => renderer.close());
 
 const EXPECTED = {
   error: {
-    code: 'L_VERTICES', kind: 'limit', message: 'the double was told to fail', retryable: false, pointer: '/accessors/3',
-    offset: 5_000_000_000, limit: { name: 'L_VERTICES', max: 10, actual: 11 },
+    code: 'L_VERTICES',
+    kind: 'limit',
+    message: 'the double was told to fail',
+    retryable: false,
+    pointer: '/accessors/3',
+    offset: 5_000_000_000,
+    limit: { name: 'L_VERTICES', max: 10, actual: 11 },
   },
   memory: { code: 'X_MEMORY', kind: 'memory', message: 'there is not enough memory for this job', retryable: true },
   exception: { code: 'X_INTERNAL', kind: 'internal', message: 'the double was told to fail', retryable: false },
@@ -49,19 +56,22 @@ const CALLER_ERRORS = [
   [(r) => r.render(model(), SHOT, null), 'options: expected an object, got null'],
   [(r) => r.renderAll(model(), SHOT), 'shots: expected an array of shots, got {"size"}'],
   [(r) => r.release('a.glb'), 'model: expected a loaded model, got "a.glb"'],
-  [() => createRendererOn(native, { backend: 'vulkan' }),
-    'options.backend: expected "auto", "egl-device", "egl-surfaceless", "osmesa", got "vulkan"'],
+  [() => createRendererOn(native, { backend: 'vulkan' }), 'options.backend: expected "auto", "egl-device", "egl-surfaceless", "osmesa", got "vulkan"'],
   [() => createRendererOn(native, { limits: { L_FILE_BYTE: 1 } }), 'options.limits.L_FILE_BYTE: unknown key, did you mean L_FILE_BYTES?'],
-  [() => createRendererOn(native, { limits: { L_FILE_SIZE_MAX: 1 } }),
-    /^options\.limits\.L_FILE_SIZE_MAX: unknown key, the nearest of \d+ is L_FILE_BYTES; js\/docs\/errors\.md has them all$/],
+  [
+    () => createRendererOn(native, { limits: { L_FILE_SIZE_MAX: 1 } }),
+    /^options\.limits\.L_FILE_SIZE_MAX: unknown key, the nearest of \d+ is L_FILE_BYTES; js\/docs\/errors\.md has them all$/,
+  ],
   [() => createRendererOn(native, { limits: { L_NODES: -1 } }), 'options.limits.L_NODES: expected a whole number of at least 0, got -1'],
   [() => createRendererOn(native, { limits: { L_NODES: NaN } }), 'options.limits.L_NODES: expected a whole number of at least 0, got NaN'],
   [() => createRendererOn(native, { limits: 3 }), 'options.limits: expected an object, got 3'],
   [() => createRendererOn(native, { cacheDirectory: '' }), 'options.cacheDirectory: expected a path, or null for none, got ""'],
   [() => createRendererOn(native, { maxWaiting: 0.5 }), 'options.maxWaiting: expected a whole number of at least 0, got 0.5'],
   [() => createRendererOn(native, { allFeatures: 1 }), 'options.allFeatures: expected true or false, got 1'],
-  [() => createRendererOn(native, { zzz: 1 }),
-    'options.zzz: unknown key, expected one of backend, cacheDirectory, cacheBytes, limits, maxWaiting, timeoutMs, failOn, resolve, allFeatures, signal'],
+  [
+    () => createRendererOn(native, { zzz: 1 }),
+    'options.zzz: unknown key, expected one of backend, cacheDirectory, cacheBytes, limits, maxWaiting, timeoutMs, failOn, resolve, allFeatures, signal',
+  ],
   [() => createRendererOn(native, { cacheBytes: -1 }), 'options.cacheBytes: expected a whole number of at least 0, got -1'],
   [() => createRendererOn(native, { failOn: 'warn' }), 'options.failOn: expected "error", "warning", "none", got "warn"'],
   [() => createRendererOn(native, { resolve: {} }), 'options.resolve: expected a function, got {}'],
@@ -76,7 +86,9 @@ const CALLER_ERRORS = [
 for (const [call, message] of CALLER_ERRORS) {
   test(`caller error: ${String(message).slice(0, 90)}`, async () => {
     let promise;
-    assert.doesNotThrow(() => { promise = call(renderer); }, 'a promise rejects, nothing throws');
+    assert.doesNotThrow(() => {
+      promise = call(renderer);
+    }, 'a promise rejects, nothing throws');
     await assert.rejects(promise, { code: 'E_OPTION', kind: 'usage', message });
   });
 }
@@ -97,7 +109,13 @@ test('too many waiting jobs are refused, the others done', async () => {
   const small = await createRendererOn(native, { maxWaiting: 2, cacheDirectory: null });
   const outcomes = await Promise.allSettled(Array.from({ length: 8 }, () => small.render(model({ drawMs: 10 }), SHOT)));
   const refused = outcomes.filter(({ status }) => status === 'rejected').map(({ reason }) => reason);
-  assert.deepEqual(refused.map(({ code, retryable }) => [code, retryable]), [['X_BUSY', true], ['X_BUSY', true]]);
+  assert.deepEqual(
+    refused.map(({ code, retryable }) => [code, retryable]),
+    [
+      ['X_BUSY', true],
+      ['X_BUSY', true],
+    ],
+  );
   await small.close();
 });
 
@@ -111,7 +129,13 @@ test('close() finishes what was asked for, may be called again, and refuses what
   const sizes = (await Promise.all(jobs)).map(({ data }) => data.length);
   assert.equal(new Set(sizes).size, 1);
   const scene = await loaded;
-  for (const call of [() => one.render(model(), SHOT), () => one.load(model()), () => one.renderAll(scene, [SHOT]), () => one.release(scene), () => one.liveObjects()]) {
+  for (const call of [
+    () => one.render(model(), SHOT),
+    () => one.load(model()),
+    () => one.renderAll(scene, [SHOT]),
+    () => one.release(scene),
+    () => one.liveObjects(),
+  ]) {
     await assert.rejects(call(), { code: 'X_CLOSED', message: 'the renderer was closed; make a new one with createRenderer()' });
   }
   assert.equal((await renderer.render(scene, SHOT)).info.backend, 'double', 'its models are drawn by others');
@@ -131,9 +155,12 @@ test('a missing or damaged addon names the cure', async () => {
     console.log(JSON.stringify({ code, message, ok, native: native.error.code }));`;
   const { stdout, stderr } = await runChild(`process.env.TELAR_BUILD_DIR = '/nowhere'; ${text}`);
   assert.deepEqual(JSON.parse(stdout || stderr), {
-    code: 'X_NATIVE_MISSING', ok: false, native: 'X_NATIVE_MISSING',
-    message: 'the native part of telar is not built (tried telar.node): run `npm run build` in the folder of telar '
-      + '(it needs the Debian packages that `npm run setup` installs)',
+    code: 'X_NATIVE_MISSING',
+    ok: false,
+    native: 'X_NATIVE_MISSING',
+    message:
+      'the native part of telar is not built (tried telar.node): run `npm run build` in the folder of telar ' +
+      '(it needs the Debian packages that `npm run setup` installs)',
   });
 });
 

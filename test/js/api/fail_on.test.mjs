@@ -11,7 +11,9 @@ import './support/real.mjs';
 const SHOT = { size: { width: 32, height: 32 }, environment: 'none', lights: [{ type: 'ambient' }], output: { format: 'raw' } };
 
 let renderer;
-before(async () => { renderer = await createRenderer({ cacheDirectory: null }); });
+before(async () => {
+  renderer = await createRenderer({ cacheDirectory: null });
+});
 after(() => renderer.close());
 
 const glbOf = (doc, bin) => glb({ doc, bin });
@@ -19,9 +21,29 @@ const glbOf = (doc, bin) => glb({ doc, bin });
 const codes = (warnings) => warnings.filter(({ pointer }) => pointer !== undefined).map(({ code, pointer }) => [code, pointer]);
 const EXPECTED = {
   // All headers are read before an image is decoded, and the third image has none.
-  'broken-maps': ['E_IMAGE_FORMAT', [['W_TEXTURE', '/images/2'], ['W_TEXTURE', '/images/0'], ['W_TEXTURE', '/images/1'], ['W_TEXTURE', '/images/3']]],
-  'broken-missing-files': ['E_URI_DENIED', [['W_TEXTURE', '/images/0/uri'], ['W_TEXTURE', '/images/1/uri']]],
-  'broken-required-extensions': ['E_EXT_REQUIRED', [['W_EXT_REQUIRED', '/extensionsRequired/0'], ['W_EXT_REQUIRED', '/extensionsRequired/1']]],
+  'broken-maps': [
+    'E_IMAGE_FORMAT',
+    [
+      ['W_TEXTURE', '/images/2'],
+      ['W_TEXTURE', '/images/0'],
+      ['W_TEXTURE', '/images/1'],
+      ['W_TEXTURE', '/images/3'],
+    ],
+  ],
+  'broken-missing-files': [
+    'E_URI_DENIED',
+    [
+      ['W_TEXTURE', '/images/0/uri'],
+      ['W_TEXTURE', '/images/1/uri'],
+    ],
+  ],
+  'broken-required-extensions': [
+    'E_EXT_REQUIRED',
+    [
+      ['W_EXT_REQUIRED', '/extensionsRequired/0'],
+      ['W_EXT_REQUIRED', '/extensionsRequired/1'],
+    ],
+  ],
 };
 
 for (const [name, [code, warnings]] of Object.entries(EXPECTED)) {
@@ -51,15 +73,25 @@ test('a texture that is not there leaves no trace in the picture', async () => {
   assert.match(info.warnings[0].message, /^a texture is not drawn: .* \[E_IMAGE_FORMAT\]$/);
 });
 
-test('limits, damaged geometry and the resolver\'s own failures stay errors', async () => {
+test("limits, damaged geometry and the resolver's own failures stay errors", async () => {
   const strict = await createRenderer({ cacheDirectory: null, failOn: 'none', limits: { L_IMAGE_DIMENSION: 2 } });
   const { doc, bin } = quad();
   await assert.rejects(strict.render(glbOf(doc, bin), SHOT), { code: 'L_IMAGE_DIMENSION' });
   await strict.close();
   const outside = { ...doc, images: [{ uri: 'a.png' }] };
-  await assert.rejects(renderer.render(glbOf(outside, bin), SHOT, { failOn: 'none', resolve: () => { throw new Error('down'); } }), { code: 'X_RESOLVE' });
+  await assert.rejects(
+    renderer.render(glbOf(outside, bin), SHOT, {
+      failOn: 'none',
+      resolve: () => {
+        throw new Error('down');
+      },
+    }),
+    { code: 'X_RESOLVE' },
+  );
   const { info } = await renderer.render(glbOf(outside, bin), SHOT, { failOn: 'none', resolve: () => null });
   assert.deepEqual(codes(info.warnings), [['W_TEXTURE', '/images/0/uri']]);
-  const noBuffer = editedGlb(glbOf(doc, bin), (json) => { json.buffers[0].uri = 'a.bin'; });
+  const noBuffer = editedGlb(glbOf(doc, bin), (json) => {
+    json.buffers[0].uri = 'a.bin';
+  });
   await assert.rejects(renderer.render(noBuffer, SHOT, { failOn: 'none' }), { code: 'E_URI_DENIED' });
 });

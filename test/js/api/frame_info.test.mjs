@@ -20,6 +20,9 @@ test('the shading that does not draw light through cloth says so', () => {
 
 test('the raster says that it shows everything sharp', () => {
   const lens = { focusDistance: 1 };
-  assert.deepEqual(shotWarnings({ ...SHOT, lens }).map(({ code }) => code), ['W_LENS']);
+  assert.deepEqual(
+    shotWarnings({ ...SHOT, lens }).map(({ code }) => code),
+    ['W_LENS'],
+  );
   assert.deepEqual(shotWarnings({ ...SHOT, lens, quality: { preset: 'reference' } }), []);
 });

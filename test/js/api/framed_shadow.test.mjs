@@ -28,17 +28,30 @@ const SHOTS = {
   'sun from behind without perspective': { camera: { view: 'three-quarter', projection: 'orthographic' }, ground: { opacity: 1 }, lights: sun(-1.5, 2, -2) },
   'soft sun': { camera: { view: 'three-quarter' }, ground: { opacity: 1 }, lights: [{ ...sun(1.5, 3, 2)[0], shadow: { radius: 20, mapSize: 128 } }] },
   spot: { camera: { view: 'three-quarter' }, ground: { opacity: 1 }, lights: [{ type: 'spot', position: [-1.2, 3.2, -1.6], angle: 0.6, castShadow: true }] },
-  point: { camera: { view: 'three-quarter' }, ground: { opacity: 1 }, lights: [{ type: 'point', position: [-0.9, 3.2, -1.1], castShadow: true, shadow: { mapSize: 128, radius: 6 } }] },
+  point: {
+    camera: { view: 'three-quarter' },
+    ground: { opacity: 1 },
+    lights: [{ type: 'point', position: [-0.9, 3.2, -1.1], castShadow: true, shadow: { mapSize: 128, radius: 6 } }],
+  },
   'two suns': { camera: { azimuth: -30, elevation: 35 }, ground: { opacity: 0.8 }, lights: [...sun(2, 2, 0), ...sun(-2, 2, -1)] },
   turntable: { camera: { azimuth: 250, elevation: 25, fitTo: 'turntable' }, ground: {}, lights: sun(1.5, 2, -1) },
   'all directions': { camera: { azimuth: 250, elevation: 25, fitTo: 'all' }, ground: {}, lights: sun(1.5, 2, -1) },
 };
 
-const whole = (shot) => ({ size: { width: SIZE, height: SIZE }, environment: 'none', ...shot, lights: [{ type: 'ambient' }, ...(shot.lights ?? [])], output: { format: 'raw' } });
+const whole = (shot) => ({
+  size: { width: SIZE, height: SIZE },
+  environment: 'none',
+  ...shot,
+  lights: [{ type: 'ambient' }, ...(shot.lights ?? [])],
+  output: { format: 'raw' },
+});
 
 /** Pixels of the frame's border that show anything. */
 async function borderPixels(model, shot) {
-  const { data, info: { width, height } } = await renderer.render(model, whole(shot));
+  const {
+    data,
+    info: { width, height },
+  } = await renderer.render(model, whole(shot));
   const isShown = (x, y) => data[4 * (y * width + x) + 3] > 0;
   let count = 0;
   for (let x = 0; x < width; x++) count += isShown(x, 0) + isShown(x, height - 1);
@@ -54,7 +67,10 @@ for (const [name, shot] of Object.entries(SHOTS)) {
     // What would be cut otherwise, and so what this test can see.
     if (shot.camera?.fitTo) return;
     const alone = await Promise.all(Object.values(models).map((model) => borderPixels(model, { ...shot, camera: { ...shot.camera, frame: 'model' } })));
-    assert.ok(alone.some((pixels) => pixels > 0), `framed alone ${alone} pixels of the borders show something`);
+    assert.ok(
+      alone.some((pixels) => pixels > 0),
+      `framed alone ${alone} pixels of the borders show something`,
+    );
   });
 }
 

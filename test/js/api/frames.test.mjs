@@ -6,7 +6,9 @@ import { TONE_MAPPINGS } from '../../../js/shot/table/tone_mappings.mjs';
 import { SHOT, model, openRenderer } from './support/double.mjs';
 
 let renderer;
-before(async () => { renderer = await openRenderer(); });
+before(async () => {
+  renderer = await openRenderer();
+});
 after(() => renderer.close());
 
 test('info of a frame', async () => {
@@ -25,8 +27,14 @@ test('info of a frame', async () => {
 
 test('renderAll keeps the order, and decodes a source once', async () => {
   const sizes = [8, 2, 6, 4, 1];
-  const views = await renderer.renderAll(model({ loadMs: 30 }), sizes.map((width) => ({ size: { width, height: 1 } })));
-  assert.deepEqual(views.map(({ info }) => info.width), sizes);
+  const views = await renderer.renderAll(
+    model({ loadMs: 30 }),
+    sizes.map((width) => ({ size: { width, height: 1 } })),
+  );
+  assert.deepEqual(
+    views.map(({ info }) => info.width),
+    sizes,
+  );
   assert.ok(views.every(({ info }) => info.milliseconds.load < 5));
   assert.deepEqual(await renderer.renderAll(model(), []), []);
 });
@@ -41,17 +49,30 @@ test('what was drawn once is freed, a loaded model is kept until it is released'
 });
 
 const ROOM = [
-  { type: 'ambient', color: 'tomato' }, { type: 'hemisphere', groundColor: '#123' }, { type: 'directional', intensity: 3 },
-  { type: 'point', position: [1, 2, 3], range: 4 }, { type: 'spot', position: [0, 3, 0], angle: 0.4, penumbra: 1 },
+  { type: 'ambient', color: 'tomato' },
+  { type: 'hemisphere', groundColor: '#123' },
+  { type: 'directional', intensity: 3 },
+  { type: 'point', position: [1, 2, 3], range: 4 },
+  { type: 'spot', position: [0, 3, 0], angle: 0.4, penumbra: 1 },
 ];
 const SHOTS = [
-  {}, { lights: ROOM, modelLights: false }, { background: 'rebeccapurple' }, { background: 'environment', environment: { rotation: -30 } },
-  { environment: 'none', toneMapping: 'none', exposure: 0 }, { environment: 'a/b.EXR' }, { environment: new Uint8Array(3) },
-  { camera: { projection: 'orthographic', view: 'bottom' } }, { quality: 'draft' }, { quality: { samples: 4 } },
-  { camera: { position: [0, 0, 9], target: [0, 0, 0], height: 3, near: -2, far: 20 } }, { shading: 'three', layers: ['beauty'] },
+  {},
+  { lights: ROOM, modelLights: false },
+  { background: 'rebeccapurple' },
+  { background: 'environment', environment: { rotation: -30 } },
+  { environment: 'none', toneMapping: 'none', exposure: 0 },
+  { environment: 'a/b.EXR' },
+  { environment: new Uint8Array(3) },
+  { camera: { projection: 'orthographic', view: 'bottom' } },
+  { quality: 'draft' },
+  { quality: { samples: 4 } },
+  { camera: { position: [0, 0, 9], target: [0, 0, 0], height: 3, near: -2, far: 20 } },
+  { shading: 'three', layers: ['beauty'] },
   ...Object.keys(TONE_MAPPINGS).map((toneMapping) => ({ toneMapping })),
   ...Object.keys(FORMATS).map((format) => ({ output: { format } })),
-  { output: { bitDepth: 16, ppi: 300, icc: true } }, { output: { format: 'exr', bitDepth: 32 } }, { output: { format: 'raw', bitDepth: 32 } },
+  { output: { bitDepth: 16, ppi: 300, icc: true } },
+  { output: { format: 'exr', bitDepth: 32 } },
+  { output: { format: 'raw', bitDepth: 32 } },
 ];
 for (const shot of SHOTS) {
   test(`native code takes what resolveShot makes of ${JSON.stringify(shot).slice(0, 80)}`, async () => {

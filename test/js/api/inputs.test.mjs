@@ -27,8 +27,16 @@ test('bytes in every form', async () => {
   const shared = new SharedArrayBuffer(bytes.length);
   new Uint8Array(shared).set(bytes);
   const exact = new Uint8Array(bytes).buffer;
-  for (const source of [bytes, new Uint8Array(bytes), padded.subarray(8, 8 + bytes.length), exact, new DataView(padded.buffer, 8, bytes.length),
-    new Uint8ClampedArray(exact), shared, new Uint8Array(shared)]) {
+  for (const source of [
+    bytes,
+    new Uint8Array(bytes),
+    padded.subarray(8, 8 + bytes.length),
+    exact,
+    new DataView(padded.buffer, 8, bytes.length),
+    new Uint8ClampedArray(exact),
+    shared,
+    new Uint8Array(shared),
+  ]) {
     assert.deepEqual(await planOf(source), PLAN);
   }
 });

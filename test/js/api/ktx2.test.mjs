@@ -5,12 +5,17 @@ import { MODELS } from '../../fixtures/index.mjs';
 import './support/real.mjs';
 
 let renderer;
-before(async () => { renderer = await createRenderer({ cacheDirectory: null }); });
+before(async () => {
+  renderer = await createRenderer({ cacheDirectory: null });
+});
 after(() => renderer.close());
 
 const SHOT = {
-  size: { width: 48, height: 48 }, environment: 'none', lights: [{ type: 'directional', position: [1, 2, 3], intensity: 3 }],
-  toneMapping: 'none', output: { format: 'raw', bitDepth: 32 },
+  size: { width: 48, height: 48 },
+  environment: 'none',
+  lights: [{ type: 'directional', position: [1, 2, 3], intensity: 3 }],
+  toneMapping: 'none',
+  output: { format: 'raw', bitDepth: 32 },
 };
 const traced = { preset: 'reference', samples: 64, transport: 'direct' };
 

@@ -51,7 +51,8 @@ test('500 renders in one process: memory, file descriptors, threads and GL names
 });
 
 test('75 renderers one after another: memory, threads and file descriptors stay flat', async () => {
-  const { code, stdout, stderr } = await runChild(`
+  const { code, stdout, stderr } = await runChild(
+    `
     import { readdirSync, readFileSync } from 'node:fs';
     import { createRenderer } from '${indexUrl}';
     import { MODELS } from '${fixturesUrl}';
@@ -66,7 +67,9 @@ test('75 renderers one after another: memory, threads and file descriptors stay 
       const kibibytes = Number(/VmRSS:\\s+(\\d+)/.exec(readFileSync('/proc/self/status', 'utf8'))[1]);
       samples.push({ kibibytes, files: readdirSync('/proc/self/fd').length, threads: readdirSync('/proc/self/task').length });
     }
-    console.log(JSON.stringify(samples));`, { support: false });
+    console.log(JSON.stringify(samples));`,
+    { support: false },
+  );
   assert.equal(code, 0, stderr);
   const [first, second, last] = JSON.parse(stdout);
   assert.deepEqual([last.files, last.threads], [first.files, first.threads]);

@@ -45,13 +45,20 @@ test('the lobe of a metal is that of the formula, but for the factor of the boun
   // The factor depends on the viewer alone.
   for (const factor of factors) near(factor / factors[0], 1, 1e-6);
   assert.ok(factors[0] > 1 && factors[0] < 1.2, String(factors[0]));
-  assert.deepEqual(radiance.map(({ diffuse }) => diffuse), directions.map(() => [0, 0, 0]));
+  assert.deepEqual(
+    radiance.map(({ diffuse }) => diffuse),
+    directions.map(() => [0, 0, 0]),
+  );
 });
 
 test('lobes add up to the total, below the horizon is nothing, and a coat takes from what lies beneath', async () => {
   const directions = [at(0.3, 1), at(1, 2.5), at(2, 0)];
-  const coated = materialOf({ color: [0.4, 0.3, 0.2], roughness: 0.5,
-    KHR_materials_clearcoat: { clearcoatFactor: 1, clearcoatRoughnessFactor: 0.2 }, KHR_materials_sheen: { sheenColorFactor: [0.5, 0.5, 0.5], sheenRoughnessFactor: 0.4 } });
+  const coated = materialOf({
+    color: [0.4, 0.3, 0.2],
+    roughness: 0.5,
+    KHR_materials_clearcoat: { clearcoatFactor: 1, clearcoatRoughnessFactor: 0.2 },
+    KHR_materials_sheen: { sheenColorFactor: [0.5, 0.5, 0.5], sheenRoughnessFactor: 0.4 },
+  });
   const { radiance, albedo } = await evaluateShading({ material: coated, viewAngle: 1, directions, albedo: true });
   for (const lobes of [...radiance, albedo]) {
     const sum = LOBES.slice(0, 4).reduce((all, lobe) => all + lobes[lobe][0], 0);
@@ -90,9 +97,17 @@ test('albedos of the principled shadings are those of their models', async () =>
 test('one term swapped changes its own lobe and no other', async () => {
   const material = materialOf({ color: [0.4, 0.3, 0.2], roughness: 0.5, ...WHITE_SHEEN });
   const lobesOf = async (shading) => (await evaluateShading({ shading, material, viewAngle: 0.9, directions: [at(0.6, 2)] })).radiance[0];
-  const [plain, diffuse, sheen] = await Promise.all(['disney-2012', { base: 'disney-2012', diffuse: 'lambert' }, { base: 'disney-2012', sheen: 'zeltner' }].map(lobesOf));
+  const [plain, diffuse, sheen] = await Promise.all(
+    ['disney-2012', { base: 'disney-2012', diffuse: 'lambert' }, { base: 'disney-2012', sheen: 'zeltner' }].map(lobesOf),
+  );
   const changed = (lobes) => LOBES.filter((lobe) => Math.abs(lobes[lobe][0] - plain[lobe][0]) > 1e-12);
-  assert.deepEqual([changed(diffuse), changed(sheen)], [['diffuse', 'total'], ['sheen', 'total']]);
+  assert.deepEqual(
+    [changed(diffuse), changed(sheen)],
+    [
+      ['diffuse', 'total'],
+      ['sheen', 'total'],
+    ],
+  );
 });
 
 test('shading fabric takes a material with its preset: yarns stretch the highlight of satin, and white cloth loses little', async () => {
@@ -129,6 +144,7 @@ test('wrong options and materials are refused by name', async () => {
     [{ material: LAMBERT, shading: 'phong' }, 'E_SHOT', /shading/],
     [{ material: LAMBERT, view: 1 }, 'E_OPTION', /view/],
     [{ material: 0, model: {} }, 'E_OPTION', /options\.model/],
-  ]) await assert.rejects(evaluateShading(options), (error) => error.code === code && message.test(error.message), JSON.stringify(Object.keys(options)));
+  ])
+    await assert.rejects(evaluateShading(options), (error) => error.code === code && message.test(error.message), JSON.stringify(Object.keys(options)));
   await assert.rejects(evaluateShading({ material: LAMBERT, albedo: true, signal: AbortSignal.abort() }), { name: 'AbortError' });
 });

@@ -17,10 +17,14 @@ const SHOT = { size: { width: 16, height: 16 } };
 
 /** A triangle with its corners in one file and a texture, which nothing draws, in another. */
 const DOCUMENT = {
-  asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }],
+  asset: { version: '2.0' },
+  scene: 0,
+  scenes: [{ nodes: [0] }],
+  nodes: [{ mesh: 0 }],
   meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
   accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 1, 0] }],
-  bufferViews: [{ buffer: 0, byteLength: 36 }], buffers: [{ byteLength: 36, uri: 'corners.bin' }],
+  bufferViews: [{ buffer: 0, byteLength: 36 }],
+  buffers: [{ byteLength: 36, uri: 'corners.bin' }],
   images: [{ uri: 'unused.png' }],
 };
 const CORNERS = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]);
@@ -59,7 +63,10 @@ test('a key is the same for the same bytes, wherever they lie, and by every way 
   assert.equal(await keyOf(at('moved/renamed.gltf')), key);
   const loaded = await renderer.load(model);
   assert.equal((await renderer.render(loaded, SHOT)).info.key, key);
-  assert.deepEqual((await renderer.renderAll(model, [SHOT, SHOT])).map(({ info }) => info.key), [key, key]);
+  assert.deepEqual(
+    (await renderer.renderAll(model, [SHOT, SHOT])).map(({ info }) => info.key),
+    [key, key],
+  );
   assert.equal((await inspect(model)).sha256, loaded.facts.sha256);
 });
 
@@ -79,7 +86,11 @@ test('every byte counts: of the document, of its parts, drawn or not', async () 
 test('parts that are swapped make another model', async () => {
   const document = { ...DOCUMENT, images: [{ uri: 'a.png' }, { uri: 'b.png' }, { uri: 'a.png' }] };
   const keys = [];
-  for (const [a, b] of [['1', '2'], ['2', '1'], ['1', '1']]) {
+  for (const [a, b] of [
+    ['1', '2'],
+    ['2', '1'],
+    ['1', '1'],
+  ]) {
     const file = writeModel('swapped', { document });
     writeFileSync(at('swapped/a.png'), a);
     writeFileSync(at('swapped/b.png'), b);
@@ -89,14 +100,22 @@ test('parts that are swapped make another model', async () => {
 });
 
 test('bytes of a model have the key of its file', async () => {
-  const embedded = { ...DOCUMENT, images: [], buffers: [{ byteLength: 36, uri: `data:application/octet-stream;base64,${Buffer.from(CORNERS.buffer).toString('base64')}` }] };
+  const embedded = {
+    ...DOCUMENT,
+    images: [],
+    buffers: [{ byteLength: 36, uri: `data:application/octet-stream;base64,${Buffer.from(CORNERS.buffer).toString('base64')}` }],
+  };
   const file = writeModel('embedded', { document: embedded });
   assert.equal(await keyOf(readFileSync(file)), await keyOf(file));
 });
 
 test('the environment counts by its bytes, whatever it is called, and where nothing shows it too', async () => {
-  const unlit = { ...DOCUMENT, extensionsUsed: ['KHR_materials_unlit'], materials: [{ extensions: { KHR_materials_unlit: {} } }],
-    meshes: [{ primitives: [{ ...DOCUMENT.meshes[0].primitives[0], material: 0 }] }] };
+  const unlit = {
+    ...DOCUMENT,
+    extensionsUsed: ['KHR_materials_unlit'],
+    materials: [{ extensions: { KHR_materials_unlit: {} } }],
+    meshes: [{ primitives: [{ ...DOCUMENT.meshes[0].primitives[0], material: 0 }] }],
+  };
   const [dim, bright] = [0.5, 0.75].map((grey) => hdr(8, () => [grey, grey, grey]));
   writeFileSync(at('dim.hdr'), dim);
   writeFileSync(at('copy.hdr'), dim);
@@ -115,16 +134,41 @@ test('the environment counts by its bytes, whatever it is called, and where noth
 test('a shot in other words has the same key, another shot another one', async () => {
   const key = await pictureKey(model, {});
   const same = [
-    { size: { height: 512, width: 512 } }, { camera: { view: 'front' } }, { camera: { azimuth: 0, elevation: 0, fovY: 30 } }, { environment: 'studio' },
-    { environment: { map: 'studio', rotation: 0 } }, { quality: { preset: 'standard' } }, { variant: '' }, { background: 'transparent' }, { lights: [], pose: null },
+    { size: { height: 512, width: 512 } },
+    { camera: { view: 'front' } },
+    { camera: { azimuth: 0, elevation: 0, fovY: 30 } },
+    { environment: 'studio' },
+    { environment: { map: 'studio', rotation: 0 } },
+    { quality: { preset: 'standard' } },
+    { variant: '' },
+    { background: 'transparent' },
+    { lights: [], pose: null },
     { output: { format: 'png', bitDepth: 8 } },
   ];
   for (const shot of same) assert.equal(await pictureKey(model, shot), key, JSON.stringify(shot));
   const others = [
-    { size: { width: 511 } }, { camera: { view: 'back' } }, { camera: { fit: 0.8 } }, { camera: { projection: 'orthographic' } }, { camera: { gltf: 0 } }, { lens: { aperture: 2 } },
-    { environment: { rotation: 1 } }, { lights: [{ type: 'ambient' }] }, { lights: [{ type: 'directional' }] }, { lights: [{ type: 'directional', castShadow: true }] },
-    { lights: [{ type: 'directional', castShadow: true, shadow: { mapSize: 512 } }] }, { modelLights: false }, { background: 'white' }, { ground: {} }, { shading: 'fabric' },
-    { toneMapping: 'agx' }, { exposure: 1.0000001 }, { quality: 'draft' }, { variant: 'x' }, { pose: { animation: 0 } }, { output: { format: 'webp' } }, { output: { bitDepth: 16 } },
+    { size: { width: 511 } },
+    { camera: { view: 'back' } },
+    { camera: { fit: 0.8 } },
+    { camera: { projection: 'orthographic' } },
+    { camera: { gltf: 0 } },
+    { lens: { aperture: 2 } },
+    { environment: { rotation: 1 } },
+    { lights: [{ type: 'ambient' }] },
+    { lights: [{ type: 'directional' }] },
+    { lights: [{ type: 'directional', castShadow: true }] },
+    { lights: [{ type: 'directional', castShadow: true, shadow: { mapSize: 512 } }] },
+    { modelLights: false },
+    { background: 'white' },
+    { ground: {} },
+    { shading: 'fabric' },
+    { toneMapping: 'agx' },
+    { exposure: 1.0000001 },
+    { quality: 'draft' },
+    { variant: 'x' },
+    { pose: { animation: 0 } },
+    { output: { format: 'webp' } },
+    { output: { bitDepth: 16 } },
   ];
   const keys = await Promise.all(others.map((shot) => pictureKey(model, shot)));
   assert.equal(new Set([key, ...keys]).size, others.length + 1);
@@ -136,8 +180,8 @@ test('another version, and another default of the shot, make another key', () =>
   assert.equal(keyOfParts({ ...parts, shot: Object.fromEntries(Object.entries(parts.shot).reverse()) }), key);
   assert.notEqual(keyOfParts({ ...parts, version: '1.0.1' }), key);
   // Whatever a default is, it stands in what is hashed: every leaf of the identity counts.
-  const leaves = (value, here = []) => (typeof value === 'object' && value !== null
-    ? Object.entries(value).flatMap(([name, item]) => leaves(item, [...here, name])) : [here]);
+  const leaves = (value, here = []) =>
+    typeof value === 'object' && value !== null ? Object.entries(value).flatMap(([name, item]) => leaves(item, [...here, name])) : [here];
   const all = leaves(parts.shot).filter((leaf) => leaf.join('.') !== 'environment.map');
   assert.ok(all.length > 20, all.join(' '));
   for (const leaf of all) {

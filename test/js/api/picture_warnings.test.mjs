@@ -22,7 +22,13 @@ async function sheet(baseColor, material = {}) {
   return glb.bytes();
 }
 
-const lit = (more = {}) => ({ size: { width: SIZE, height: SIZE }, environment: 'none', lights: [{ type: 'ambient', intensity: 1 }], toneMapping: 'none', ...more });
+const lit = (more = {}) => ({
+  size: { width: SIZE, height: SIZE },
+  environment: 'none',
+  lights: [{ type: 'ambient', intensity: 1 }],
+  toneMapping: 'none',
+  ...more,
+});
 const draw = async (model, shot) => (await renderer.render(model, lit(shot))).info;
 const codes = ({ warnings }) => warnings.map(({ code }) => code).filter((code) => code === 'W_EMPTY' || code === 'W_EXPOSURE');
 
@@ -52,12 +58,19 @@ for (const [name, background] of Object.entries(BACKGROUNDS)) {
     assert.deepEqual(warnings, []);
     const past = await draw(ball, { ...background, camera: AWAY });
     assert.equal(past.picture.coverage, 0);
-    assert.deepEqual(past.warnings, [{ code: 'W_EMPTY', message: 'the model covers 0 % of the picture: the camera looks past it, or it is too small, or see-through' }]);
+    assert.deepEqual(past.warnings, [
+      { code: 'W_EMPTY', message: 'the model covers 0 % of the picture: the camera looks past it, or it is too small, or see-through' },
+    ]);
   });
 
   test(`black, white and saturated models: ${name}`, async () => {
     const floats = name === 'linear floats';
-    for (const [colour, key] of [[[0, 0, 0, 1], 'dark'], [[1, 1, 1, 1], 'bright'], [[1, 0, 1, 1], 'saturated'], [[0.5, 0.4, 0.3, 1], undefined]]) {
+    for (const [colour, key] of [
+      [[0, 0, 0, 1], 'dark'],
+      [[1, 1, 1, 1], 'bright'],
+      [[1, 0, 1, 1], 'saturated'],
+      [[0.5, 0.4, 0.3, 1], undefined],
+    ]) {
       const info = await draw(await sheet(colour), { ...background, camera: { fit: 0.8 } });
       const { coverage, ...ends } = info.picture;
       assert.ok(Math.abs(coverage - 0.64) < 0.05, `${coverage}`);
@@ -101,10 +114,16 @@ test('exposure: too much, too little, no light at all', async () => {
 });
 
 test('shadows on the ground are no part of the model', async () => {
-  const shadow = { ground: { opacity: 0.6 }, lights: [{ type: 'ambient' }, { type: 'directional', position: [-1, 2, -2], castShadow: true }], camera: { view: 'three-quarter' } };
+  const shadow = {
+    ground: { opacity: 0.6 },
+    lights: [{ type: 'ambient' }, { type: 'directional', position: [-1, 2, -2], castShadow: true }],
+    camera: { view: 'three-quarter' },
+  };
   for (const background of [{}, { background: 'white' }, { environment: dim, background: 'environment' }, { background: 'white', quality: { samples: 16 } }]) {
-    const [without, withGround] = [await draw(ball, { ...shadow, ...background, ground: 'none', camera: { view: 'three-quarter', fit: 0.4 } }),
-      await draw(ball, { ...shadow, ...background, camera: { view: 'three-quarter', frame: 'model', fit: 0.4 } })];
+    const [without, withGround] = [
+      await draw(ball, { ...shadow, ...background, ground: 'none', camera: { view: 'three-quarter', fit: 0.4 } }),
+      await draw(ball, { ...shadow, ...background, camera: { view: 'three-quarter', frame: 'model', fit: 0.4 } }),
+    ];
     assert.ok(Math.abs(without.picture.coverage - withGround.picture.coverage) < 0.004, JSON.stringify([background, without.picture, withGround.picture]));
     assert.deepEqual(codes(withGround), []);
   }
@@ -114,9 +133,12 @@ test('messages say what and how much', () => {
   const said = (picture) => pictureWarnings({ coverage: 0.5, dark: 0, bright: 0, saturated: 0, ...picture }).map(({ code, message }) => `${code} ${message}`);
   assert.deepEqual(said({}), []);
   assert.deepEqual(said({ coverage: 0.001 }), []);
-  assert.deepEqual(said({ coverage: 0.00042 }), ['W_EMPTY the model covers 0.042 % of the picture: the camera looks past it, or it is too small, or see-through']);
+  assert.deepEqual(said({ coverage: 0.00042 }), [
+    'W_EMPTY the model covers 0.042 % of the picture: the camera looks past it, or it is too small, or see-through',
+  ]);
   assert.deepEqual(said({ dark: 0.2, bright: 0.2, saturated: 0.1 }), []);
-  assert.deepEqual(said({ dark: 0.614, bright: 0.1, saturated: 0.006 }),
-    ['W_EXPOSURE 72 % of the model shows no shading: 61 % is black, 10 % white, 0.6 % saturated; change shot.exposure, the lights or the environment']);
+  assert.deepEqual(said({ dark: 0.614, bright: 0.1, saturated: 0.006 }), [
+    'W_EXPOSURE 72 % of the model shows no shading: 61 % is black, 10 % white, 0.6 % saturated; change shot.exposure, the lights or the environment',
+  ]);
   assert.deepEqual(pictureWarnings(undefined), []);
 });

@@ -40,7 +40,10 @@ test('the camera frames the pose', async () => {
   assert.notDeepEqual(start, end);
   const { info } = await renderer.render(bytes, at(0, 1));
   const middle = end.max.map((x, i) => (x + end.min[i]) / 2);
-  assert.ok(info.shot.camera.target.every((x, i) => Math.abs(x - middle[i]) < 0.2), JSON.stringify([info.shot.camera.target, middle]));
+  assert.ok(
+    info.shot.camera.target.every((x, i) => Math.abs(x - middle[i]) < 0.2),
+    JSON.stringify([info.shot.camera.target, middle]),
+  );
 });
 
 test('an unknown animation is refused with what there is', async () => {
@@ -52,7 +55,10 @@ test('an unknown animation is refused with what there is', async () => {
 
 test('inspect lists animations, and what a pose would compile', async () => {
   const facts = await inspect(await MODELS.skin(), { shot: { pose: { animation: 'grow', time: 1 } } });
-  assert.deepEqual(facts.animations, [{ name: 'wave', duration: 1 }, { name: 'grow', duration: 1 }]);
+  assert.deepEqual(facts.animations, [
+    { name: 'wave', duration: 1 },
+    { name: 'grow', duration: 1 },
+  ]);
   assert.ok(facts.plan.programs.length > 0);
   const instanced = await inspect(await MODELS['instances-colors']());
   assert.ok(instanced.plan.features.includes('instancing') && instanced.plan.features.includes('instance-color'));
@@ -67,7 +73,7 @@ test('the GPU keeps nothing of poses, and one copy of the textures of their mode
   await renderer.renderAll(model, [0.1, 0.3, 0.5, 0.7].map(pose));
   assert.equal(await renderer.liveObjects(), before);
   await renderer.release(model);
-  assert.ok(await renderer.liveObjects() < before);
+  assert.ok((await renderer.liveObjects()) < before);
 });
 
 test('a model drawn once in a pose leaves nothing on the GPU', async () => {

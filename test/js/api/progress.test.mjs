@@ -3,7 +3,9 @@ import { after, before, test } from 'node:test';
 import { ENDLESS_MS, SHOT, model, openRenderer } from './support/double.mjs';
 
 let renderer;
-before(async () => { renderer = await openRenderer(); });
+before(async () => {
+  renderer = await openRenderer();
+});
 after(() => renderer.close());
 
 const TRACED = { ...SHOT, quality: 'reference' };
@@ -27,13 +29,23 @@ test('several frames tell their mean', async () => {
   const parts = await partsOf((options) => renderer.renderAll(model({ drawMs: 250 }), [SHOT, TRACED, TRACED, SHOT], options));
   assert.equal(parts.at(-1), 1);
   assert.ok(parts.length >= 4 && parts.includes(0.25), String(parts));
-  assert.ok(parts.every((part, i) => i === 0 || part > parts[i - 1]), String(parts));
+  assert.ok(
+    parts.every((part, i) => i === 0 || part > parts[i - 1]),
+    String(parts),
+  );
   assert.deepEqual(await partsOf((options) => renderer.renderAll(model(), [], options)), []);
 });
 
 test('what onProgress throws ends the work', async () => {
   const failure = new Error('enough');
-  await assert.rejects(renderer.render(model({ drawMs: ENDLESS_MS }), TRACED, { onProgress() { throw failure; } }), (error) => error === failure);
+  await assert.rejects(
+    renderer.render(model({ drawMs: ENDLESS_MS }), TRACED, {
+      onProgress() {
+        throw failure;
+      },
+    }),
+    (error) => error === failure,
+  );
   await renderer.render(model(), SHOT);
 });
 

@@ -49,24 +49,36 @@ test('the same bytes from a loaded model, from renderAll, and from another threa
   assert.deepEqual((await renderer.render(loaded, SHOT)).data, once.data);
   const worker = new Worker(WORKER, { workerData: { model: cloth, shot: SHOT, frames: 1 } });
   const data = await new Promise((resolve, reject) => {
-    worker.on('message', (message) => { if (message !== 'open') resolve(message); });
+    worker.on('message', (message) => {
+      if (message !== 'open') resolve(message);
+    });
     worker.on('error', reject);
   });
   assert.deepEqual(Buffer.from(data), once.data);
 });
 
-for (const camera of [{ view: 'three-quarter' }, { azimuth: 30, elevation: -20, projection: 'orthographic' }, { view: 'top' },
-  { position: [1, 2, 3], target: [0.2, 0.1, -0.3], up: [0.1, 1, 0], fovY: 50, near: 0.1, far: 20 }]) {
+for (const camera of [
+  { view: 'three-quarter' },
+  { azimuth: 30, elevation: -20, projection: 'orthographic' },
+  { view: 'top' },
+  { position: [1, 2, 3], target: [0.2, 0.1, -0.3], up: [0.1, 1, 0], fovY: 50, near: 0.1, far: 20 },
+]) {
   test(`worldToPixel agrees with three.js: ${JSON.stringify(camera)}`, async () => {
     const { info } = await renderer.render(cloth, { ...SHOT, camera });
     const stub = { shadowMap: {}, setPixelRatio() {}, setSize() {}, setClearColor() {} };
     const shot = { ...info.shot, environment: { map: 'none', intensity: 1, rotation: 0 } };
     const view = await applyShot(shot, { THREE, renderer: stub, scene: new THREE.Scene() });
     const matrix = new THREE.Matrix4().fromArray(info.worldToPixel);
-    for (const point of [[0, 0, 0], [0.5, -1, 0.25], [-1, 1, -0.5]]) {
+    for (const point of [
+      [0, 0, 0],
+      [0.5, -1, 0.25],
+      [-1, 1, -0.5],
+    ]) {
       const ndc = new THREE.Vector3(...point).project(view);
       const expected = [(ndc.x + 1) * 48, (1 - ndc.y) * 32, (ndc.z + 1) / 2];
-      new THREE.Vector3(...point).applyMatrix4(matrix).toArray()
+      new THREE.Vector3(...point)
+        .applyMatrix4(matrix)
+        .toArray()
         .forEach((value, i) => assert.ok(Math.abs(value - expected[i]) < 1e-7, `${value} ${expected[i]}`));
     }
   });
@@ -88,9 +100,17 @@ test('random aborts leave a renderer that draws the same', async () => {
   const outcomes = [];
   for (let i = 0; i < 30; ++i) {
     const signal = AbortSignal.timeout(Math.round(random() * 120));
-    outcomes.push(await renderer.render(cloth, { size: { width: 400, height: 400 } }, { signal }).then(() => 'drawn', ({ name }) => name));
+    outcomes.push(
+      await renderer.render(cloth, { size: { width: 400, height: 400 } }, { signal }).then(
+        () => 'drawn',
+        ({ name }) => name,
+      ),
+    );
   }
-  assert.deepEqual(outcomes.filter((outcome) => outcome !== 'drawn' && outcome !== 'TimeoutError'), []);
+  assert.deepEqual(
+    outcomes.filter((outcome) => outcome !== 'drawn' && outcome !== 'TimeoutError'),
+    [],
+  );
   assert.deepEqual((await renderer.render(cloth, SHOT)).data, expected);
 });
 
@@ -117,14 +137,26 @@ test('doctor names what createRenderer takes', async () => {
 
 test('six workers draw at once, the same bytes', async () => {
   const expected = (await renderer.render(cloth, SHOT)).data;
-  const all = await Promise.all(Array.from({ length: 6 }, () => new Promise((resolve, reject) => {
-    const worker = new Worker(WORKER, { workerData: { model: cloth, shot: SHOT, frames: 2 } });
-    const frames = [];
-    worker.on('message', (message) => { if (message !== 'open') frames.push(message); });
-    worker.on('error', reject);
-    worker.on('exit', () => resolve(frames));
-  })));
-  for (const frames of all) assert.deepEqual(frames.map((data) => Buffer.from(data).equals(expected)), [true, true]);
+  const all = await Promise.all(
+    Array.from(
+      { length: 6 },
+      () =>
+        new Promise((resolve, reject) => {
+          const worker = new Worker(WORKER, { workerData: { model: cloth, shot: SHOT, frames: 2 } });
+          const frames = [];
+          worker.on('message', (message) => {
+            if (message !== 'open') frames.push(message);
+          });
+          worker.on('error', reject);
+          worker.on('exit', () => resolve(frames));
+        }),
+    ),
+  );
+  for (const frames of all)
+    assert.deepEqual(
+      frames.map((data) => Buffer.from(data).equals(expected)),
+      [true, true],
+    );
 });
 
 test('a worker may be terminated at any moment, 40 times', async () => {
@@ -143,20 +175,26 @@ test('a worker may be terminated at any moment, 40 times', async () => {
 
 test('process.exit() at any moment of a real frame keeps its code, 12 times', async () => {
   for (let i = 0; i < 12; ++i) {
-    const { code, signal, stderr } = await runChild(`
+    const { code, signal, stderr } = await runChild(
+      `
       import { createRenderer } from '${indexUrl}';
       import { MODELS } from '${fixturesUrl}';
       const cloth = await MODELS.cloth();
       setTimeout(() => process.exit(7), ${40 * i});
       const renderer = await createRenderer({ cacheDirectory: null });
-      for (;;) await renderer.render(cloth, { size: { width: 512, height: 512 } });`, { support: false });
+      for (;;) await renderer.render(cloth, { size: { width: 512, height: 512 } });`,
+      { support: false },
+    );
     assert.deepEqual([code, signal, stderr], [7, null, ''], `after ${40 * i} ms`);
   }
 });
 
 test('the process ends by itself with a renderer open', async () => {
-  const { code, signal, stderr } = await runChild(`
+  const { code, signal, stderr } = await runChild(
+    `
     import { createRenderer } from '${indexUrl}';
-    await createRenderer({ cacheDirectory: null });`, { support: false });
+    await createRenderer({ cacheDirectory: null });`,
+    { support: false },
+  );
   assert.deepEqual([code, signal, stderr], [0, null, '']);
 });

@@ -11,7 +11,10 @@ import { MODELS } from '../../fixtures/index.mjs';
 import './support/real.mjs';
 
 const ROOT = path.resolve(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), '../../..');
-const LIBRARY = path.join(path.dirname(path.resolve(ROOT, process.env.TELAR_BUILD_DIR ? path.join(process.env.TELAR_BUILD_DIR, 'addon/x') : nativePath())), 'libtelar_reference.so');
+const LIBRARY = path.join(
+  path.dirname(path.resolve(ROOT, process.env.TELAR_BUILD_DIR ? path.join(process.env.TELAR_BUILD_DIR, 'addon/x') : nativePath())),
+  'libtelar_reference.so',
+);
 const SIZE = { width: 24, height: 24 };
 const reference = (settings = {}) => ({ preset: 'reference', samples: 4, ...settings });
 
@@ -45,7 +48,13 @@ test('the seed gives the bytes, with any number of threads', async () => {
 });
 
 test('direct light is what the raster draws, but for noise', async () => {
-  const shot = { size: SIZE, environment: 'none', lights: [{ type: 'directional', position: [1, 2, 3], intensity: 3 }], toneMapping: 'none', output: { format: 'raw', bitDepth: 32 } };
+  const shot = {
+    size: SIZE,
+    environment: 'none',
+    lights: [{ type: 'directional', position: [1, 2, 3], intensity: 3 }],
+    toneMapping: 'none',
+    output: { format: 'raw', bitDepth: 32 },
+  };
   const floats = ({ data }) => new Float32Array(data.buffer.slice(data.byteOffset, data.byteOffset + data.length));
   const raster = floats(await renderer.render(ball, shot));
   const traced = floats(await renderer.render(ball, { ...shot, quality: reference({ samples: 64, transport: 'direct' }) }));
@@ -73,7 +82,11 @@ test('a signal ends a trace, and nothing is left behind', async () => {
 
 test('progress never falls and ends at 1', async () => {
   const parts = [];
-  await renderer.render(ball, { size: { width: 64, height: 64 }, quality: reference({ samples: 128, threads: 1 }) }, { onProgress: (part) => parts.push(part) });
+  await renderer.render(
+    ball,
+    { size: { width: 64, height: 64 }, quality: reference({ samples: 128, threads: 1 }) },
+    { onProgress: (part) => parts.push(part) },
+  );
   assert.equal(parts.at(-1), 1);
   assert.ok(parts.length > 1 && parts.every((part, i) => i === 0 || part > parts[i - 1]), String(parts));
 });
@@ -81,7 +94,10 @@ test('progress never falls and ends at 1', async () => {
 test('the raster says that it does not blur', async () => {
   const lens = { aperture: 2, focusDistance: 'target' };
   const raster = await renderer.render(ball, { size: SIZE, lens });
-  assert.deepEqual(raster.info.warnings.map(({ code }) => code), ['W_LENS']);
+  assert.deepEqual(
+    raster.info.warnings.map(({ code }) => code),
+    ['W_LENS'],
+  );
   assert.deepEqual((await renderer.render(ball, { size: SIZE, lens, quality: reference() })).info.warnings, []);
   assert.deepEqual((await renderer.render(ball, { size: SIZE, lens: { aperture: 2 } })).info.warnings, []);
 });
@@ -94,7 +110,12 @@ test('doctor finds it', async () => {
 
 /** What a process of its own prints as JSON. */
 async function printed(script, env = {}) {
-  const { stdout } = await promisify(execFile)(process.execPath, ['--input-type=module', '-e', `
+  const { stdout } = await promisify(execFile)(
+    process.execPath,
+    [
+      '--input-type=module',
+      '-e',
+      `
     import { readFileSync } from 'node:fs';
     import { createRenderer, doctor } from ${JSON.stringify(path.join(ROOT, 'js/index.mjs'))};
     import { MODELS } from ${JSON.stringify(path.join(ROOT, 'test/fixtures/index.mjs'))};
@@ -102,16 +123,22 @@ async function printed(script, env = {}) {
     const renderer = await createRenderer({ cacheDirectory: null });
     const draw = async (quality) => renderer.render(await MODELS.ball(), { size: { width: 8, height: 8 }, environment: 'none', quality });
     ${script}
-    await renderer.close();`], { env: { ...process.env, ...env } });
+    await renderer.close();`,
+    ],
+    { env: { ...process.env, ...env } },
+  );
   return JSON.parse(stdout);
 }
 
 test('Embree is loaded by the first traced frame, not by others', async () => {
-  assert.deepEqual(await printed(`
+  assert.deepEqual(
+    await printed(`
     await draw('standard');
     const before = loaded();
     await draw({ preset: 'reference', samples: 1 });
-    console.log(JSON.stringify([before, loaded()]));`), [false, true]);
+    console.log(JSON.stringify([before, loaded()]));`),
+    [false, true],
+  );
 });
 
 test('a host without the library, or without Embree, draws the rest and names the cure', async () => {
@@ -120,7 +147,8 @@ test('a host without the library, or without Embree, draws the rest and names th
     const { info } = await draw('standard');
     const error = await draw({ preset: 'reference', samples: 1 }).catch((thrown) => thrown);
     console.log(JSON.stringify([info.passes.length > 0, error.code, error.exit, error.message, (await doctor()).reference]));`;
-  const missing = (file) => `Embree is needed for quality "reference", but ${file} cannot be loaded; run: apt-get install libembree3-3, and build telar again if it is older`;
+  const missing = (file) =>
+    `Embree is needed for quality "reference", but ${file} cannot be loaded; run: apt-get install libembree3-3, and build telar again if it is older`;
   try {
     const expect = (file) => [true, 'X_LIBRARY_MISSING', 6, missing(file), { works: false, failure: missing(file) }];
     assert.deepEqual(await printed(script, { TELAR_LIBRARY_DIR: folder }), expect('libtelar_reference.so'));

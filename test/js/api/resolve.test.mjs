@@ -51,9 +51,20 @@ test('bytes of a .gltf with its parts from a store draw what the GLB draws', asy
     return fromStore(uri);
   };
   assert.deepEqual((await renderer.render(model.gltf, SHOT, { resolve: note })).data, expected);
-  assert.deepEqual(asked, ['geometry data.bin', ...model.json.images.map(({ uri }) => uri)].map((uri) => [uri, ['signal']]), 'each part once, by its decoded name');
-  const kinds = [async (uri) => fromStore(uri), (uri) => new Uint8Array(fromStore(uri)), (uri) => new Uint8Array(fromStore(uri)).buffer,
-    async (uri) => { await sleep(5); return fromStore(uri); }];
+  assert.deepEqual(
+    asked,
+    ['geometry data.bin', ...model.json.images.map(({ uri }) => uri)].map((uri) => [uri, ['signal']]),
+    'each part once, by its decoded name',
+  );
+  const kinds = [
+    async (uri) => fromStore(uri),
+    (uri) => new Uint8Array(fromStore(uri)),
+    (uri) => new Uint8Array(fromStore(uri)).buffer,
+    async (uri) => {
+      await sleep(5);
+      return fromStore(uri);
+    },
+  ];
   for (const resolve of kinds) assert.deepEqual((await renderer.render(model.gltf, SHOT, { resolve })).data, expected);
   const [first] = await renderer.renderAll(model.gltf, [SHOT], { resolve: fromStore });
   assert.deepEqual(first.data, expected);
@@ -70,7 +81,7 @@ test('the key of a picture is of the parts that are given', async () => {
   assert.notEqual(await pictureKey(model.gltf, SHOT, { resolve: other }), info.key);
 });
 
-test('the renderer\'s own resolve is the default of its calls', async () => {
+test("the renderer's own resolve is the default of its calls", async () => {
   const own = await createRenderer({ cacheDirectory: null, resolve: fromStore });
   await own.render(model.gltf, SHOT);
   await assert.rejects(own.render(model.gltf, SHOT, { resolve: () => null }), { code: 'E_URI_MISSING' });
@@ -105,7 +116,12 @@ test('what leads out of the model is never asked for', async () => {
 
 test('what the resolver throws is the cause of a typed error', async () => {
   const cause = new Error('store at /srv/parts is down');
-  for (const resolve of [() => { throw cause; }, () => Promise.reject(cause)]) {
+  for (const resolve of [
+    () => {
+      throw cause;
+    },
+    () => Promise.reject(cause),
+  ]) {
     const error = await renderer.render(model.gltf, SHOT, { resolve }).catch((thrown) => thrown);
     assert.ok(error instanceof TelarError);
     assert.deepEqual([error.code, error.kind, error.retryable, error.pointer], ['X_RESOLVE', 'machine', true, '/buffers/0/uri']);
@@ -113,8 +129,10 @@ test('what the resolver throws is the cause of a typed error', async () => {
     assert.equal(error.message, 'options.resolve failed for "geometry data.bin"; its error is the cause of this one');
   }
   for (const wrong of [5, 'text', {}, [1]]) {
-    await assert.rejects(renderer.render(model.gltf, SHOT, { resolve: () => wrong }),
-      { code: 'E_OPTION', message: /^options\.resolve: expected bytes \(Buffer, Uint8Array, ArrayBuffer\) or null for "geometry data\.bin", got / });
+    await assert.rejects(renderer.render(model.gltf, SHOT, { resolve: () => wrong }), {
+      code: 'E_OPTION',
+      message: /^options\.resolve: expected bytes \(Buffer, Uint8Array, ArrayBuffer\) or null for "geometry data\.bin", got /,
+    });
   }
   await assert.rejects(renderer.render(model.gltf, SHOT, { resolve: () => Buffer.alloc(3) }), { code: 'E_BUFFER' });
 });
@@ -128,28 +146,48 @@ test('limits apply to what it gives', async () => {
   const sizes = Object.values(model.parts).map(({ length }) => length);
   const [bin, first] = sizes;
   await limited({ L_FILE_BYTES: bin - 1 }, { code: 'L_FILE_BYTES', limit: { name: 'L_FILE_BYTES', max: bin - 1, actual: bin } });
-  await limited({ L_EXTERNAL_BYTES: bin + first - 1 }, { code: 'L_EXTERNAL_BYTES', pointer: '/images/0/uri', limit: { name: 'L_EXTERNAL_BYTES', max: bin + first - 1, actual: bin + first } });
+  await limited(
+    { L_EXTERNAL_BYTES: bin + first - 1 },
+    { code: 'L_EXTERNAL_BYTES', pointer: '/images/0/uri', limit: { name: 'L_EXTERNAL_BYTES', max: bin + first - 1, actual: bin + first } },
+  );
   await limited({ L_EXTERNAL_FILES: 1 }, { code: 'L_EXTERNAL_FILES', pointer: '/images/0/uri' });
 });
 
 test('an abort ends the wait, and the resolver hears of it', async () => {
   const controller = new AbortController();
   let heard;
-  const resolve = (_, { signal }) => new Promise((_resolve, reject) => signal.addEventListener('abort', () => { heard = signal.reason; reject(signal.reason); }));
+  const resolve = (_, { signal }) =>
+    new Promise((_resolve, reject) =>
+      signal.addEventListener('abort', () => {
+        heard = signal.reason;
+        reject(signal.reason);
+      }),
+    );
   const job = renderer.render(model.gltf, SHOT, { resolve, signal: controller.signal });
   setTimeout(() => controller.abort(new Error('enough')), 50);
   await assert.rejects(job, { message: 'enough' });
   assert.equal(heard.message, 'enough');
   // One that never answers holds up nothing once it is aborted: more of them than there are threads.
-  const stuck = Array.from({ length: 8 }, () => renderer.load(model.gltf, { resolve: () => new Promise(() => {}), signal: AbortSignal.timeout(50) }).catch(({ name }) => name));
+  const stuck = Array.from({ length: 8 }, () =>
+    renderer.load(model.gltf, { resolve: () => new Promise(() => {}), signal: AbortSignal.timeout(50) }).catch(({ name }) => name),
+  );
   assert.deepEqual(await Promise.all(stuck), Array(8).fill('TimeoutError'));
   await renderer.render(model.gltf, SHOT, { resolve: fromStore });
 });
 
 test('slow stores hold up no other model', async () => {
   let open;
-  const gate = new Promise((resolve) => { open = resolve; });
-  const slow = Array.from({ length: 3 }, () => renderer.load(model.gltf, { resolve: async (uri) => { await gate; return fromStore(uri); } }));
+  const gate = new Promise((resolve) => {
+    open = resolve;
+  });
+  const slow = Array.from({ length: 3 }, () =>
+    renderer.load(model.gltf, {
+      resolve: async (uri) => {
+        await gate;
+        return fromStore(uri);
+      },
+    }),
+  );
   await renderer.render(glb, SHOT);
   open();
   assert.equal((await Promise.all(slow)).length, 3);
@@ -168,5 +206,8 @@ test('nothing holds a resolver, nor what it holds, behind its load', async () =>
     await sleep(10);
     collect();
   }
-  assert.deepEqual(held.map((ref) => ref.deref()), [undefined, undefined, undefined]);
+  assert.deepEqual(
+    held.map((ref) => ref.deref()),
+    [undefined, undefined, undefined],
+  );
 });

@@ -22,18 +22,28 @@ const SCRIPT = `
 
 /** A triangle as text, small enough for an environment variable. */
 const corners = Buffer.from(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]).buffer).toString('base64');
-const TRIANGLE = Buffer.from(JSON.stringify({
-  asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }], meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
-  buffers: [{ byteLength: 36, uri: `data:application/octet-stream;base64,${corners}` }], bufferViews: [{ buffer: 0, byteLength: 36 }],
-  accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 1, 0] }],
-})).toString('base64');
+const TRIANGLE = Buffer.from(
+  JSON.stringify({
+    asset: { version: '2.0' },
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ mesh: 0 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+    buffers: [{ byteLength: 36, uri: `data:application/octet-stream;base64,${corners}` }],
+    bufferViews: [{ buffer: 0, byteLength: 36 }],
+    accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 1, 0] }],
+  }),
+).toString('base64');
 
 /** Runs the drawing under a wrapper's limits; the last line that it says. */
 async function drawUnder(wrapper, env = {}) {
   const [command, ...args] = [...wrapper, process.execPath, '--input-type=module', '-e', SCRIPT];
   const child = spawn(command, args, { env: { ...process.env, MODEL: TRIANGLE, SIDE: 16, ...env }, stdio: ['ignore', 'pipe', 'pipe'] });
   let text = '';
-  for (const stream of [child.stdout, child.stderr]) stream.on('data', (chunk) => { text += chunk; });
+  for (const stream of [child.stdout, child.stderr])
+    stream.on('data', (chunk) => {
+      text += chunk;
+    });
   const code = await new Promise((resolve) => child.on('close', resolve));
   return `${text.trim().split('\n').at(-1)}${code === 0 ? '' : ` (exit ${code})`}`;
 }

@@ -20,7 +20,10 @@ test('shots that share a pose share the work, and nothing of it stays', async ()
   const loaded = await renderer.load(model({ poseMs: 5, drawMs: 2 }));
   const images = await renderer.renderAll(loaded, [at(0.5), SHOT, at(0.5), at(1), at(0.5), { ...SHOT, pose: null }]);
   assert.deepEqual(times.sort(), [0.5, 1]);
-  assert.deepEqual(images.map(({ info }) => info.shot.pose?.time), [0.5, undefined, 0.5, 1, 0.5, undefined]);
+  assert.deepEqual(
+    images.map(({ info }) => info.shot.pose?.time),
+    [0.5, undefined, 0.5, 1, 0.5, undefined],
+  );
   assert.equal(await renderer.liveObjects(), 1, 'the model, which the caller keeps');
   await renderer.close();
 });

@@ -11,7 +11,9 @@ const TSHIRT = readFileSync(new URL('../../../js/assets/tshirt.glb', import.meta
 const reference = (transport) => ({ preset: 'reference', transport, samples: 16 });
 
 let renderer;
-before(async () => { renderer = await createRenderer({ cacheDirectory: null }); });
+before(async () => {
+  renderer = await createRenderer({ cacheDirectory: null });
+});
 after(() => renderer.close());
 
 async function pixelsOf(model, shot) {
@@ -33,14 +35,23 @@ const FACING = { projection: 'orthographic', height: 0.5, position: [0, 0, 2], t
 
 /** Mean radiance in the middle of the sheet. */
 async function lightOf(model, { position, transport }) {
-  const shot = { size: { width: 16, height: 16 }, camera: FACING, environment: 'none', lights: [{ type: 'directional', position }], quality: reference(transport) };
+  const shot = {
+    size: { width: 16, height: 16 },
+    camera: FACING,
+    environment: 'none',
+    lights: [{ type: 'directional', position }],
+    quality: reference(transport),
+  };
   const pixels = await pixelsOf(model, shot);
   return pixels.reduce((sum, [r]) => sum + r, 0) / pixels.length;
 }
 
 for (const transport of ['occlusion', 'global']) {
   test(`${transport}: a shell that lies closely behind the back of another has its light, from aside too`, async () => {
-    for (const position of [[0, 0, 1], [1, 0.5, 1]]) {
+    for (const position of [
+      [0, 0, 1],
+      [1, 0.5, 1],
+    ]) {
       const alone = await lightOf(await sheets(), { position, transport });
       const behind = await lightOf(await sheets(0.004), { position, transport });
       assert.ok(Math.abs(behind / alone - 1) < 0.01, `${behind} behind the other, ${alone} alone`);

@@ -57,7 +57,9 @@ test('another renderer draws meanwhile, and close() returns', async () => {
   const busy = await createRenderer({ cacheDirectory: null, limits: ANY_FRAGMENTS });
   const controller = new AbortController();
   let isOver = false;
-  const job = assert.rejects(busy.render(MUCH, SMALL, { signal: controller.signal, timeoutMs: null }), { name: 'AbortError' }).then(() => { isOver = true; });
+  const job = assert.rejects(busy.render(MUCH, SMALL, { signal: controller.signal, timeoutMs: null }), { name: 'AbortError' }).then(() => {
+    isOver = true;
+  });
   await sleep(500);
   for (let i = 0; i < 3; ++i) await drawsAsBefore();
   assert.equal(isOver, false, 'beside the other');
@@ -86,7 +88,9 @@ test('what is too much is refused before the first draw, and told by inspect', a
   await careful.close();
   const { plan } = await inspect(MUCH);
   assert.ok(plan.fragments > 1e10, `${plan.fragments}`);
-  const { plan: { fragments } } = await inspect(ball, { shot: SMALL });
+  const {
+    plan: { fragments },
+  } = await inspect(ball, { shot: SMALL });
   assert.ok(fragments > 64 * 64 * 0.5 && fragments < 64 * 64 * 100, `${fragments}`);
 });
 

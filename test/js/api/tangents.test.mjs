@@ -7,7 +7,10 @@ import { MODELS } from '../../fixtures/index.mjs';
 import './support/real.mjs';
 
 const SIZE = { width: 128, height: 128 };
-const LIGHTS = [{ type: 'ambient', intensity: 0.3 }, { type: 'directional', position: [2, 3, 2.5], intensity: 2.5 }];
+const LIGHTS = [
+  { type: 'ambient', intensity: 0.3 },
+  { type: 'directional', position: [2, 3, 2.5], intensity: 2.5 },
+];
 const WAYS = {
   'shading three': { shading: 'three' },
   'shading fabric': { shading: 'fabric' },
@@ -15,7 +18,9 @@ const WAYS = {
 };
 
 let renderer;
-before(async () => { renderer = await createRenderer({ cacheDirectory: null }); });
+before(async () => {
+  renderer = await createRenderer({ cacheDirectory: null });
+});
 after(() => renderer.close());
 
 for (const [name, way] of Object.entries(WAYS)) {

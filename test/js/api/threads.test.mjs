@@ -10,7 +10,9 @@ import { ENDLESS_MS, SHOT, model, openRenderer } from './support/double.mjs';
 const WORKER = new URL('./support/worker.mjs', import.meta.url);
 
 let renderer;
-before(async () => { renderer = await openRenderer(); });
+before(async () => {
+  renderer = await openRenderer();
+});
 after(() => renderer.close());
 
 const threadCount = async () => (await readdir('/proc/self/task')).length;
@@ -23,7 +25,11 @@ async function until(condition) {
 async function during(plans, act, shots = plans.map(() => SHOT)) {
   const controller = new AbortController();
   let ended = 0;
-  const jobs = plans.map((plan, i) => assert.rejects(renderer.render(model(plan), shots[i], { signal: controller.signal, timeoutMs: null }), { name: 'AbortError' }).then(() => { ended += 1; }));
+  const jobs = plans.map((plan, i) =>
+    assert.rejects(renderer.render(model(plan), shots[i], { signal: controller.signal, timeoutMs: null }), { name: 'AbortError' }).then(() => {
+      ended += 1;
+    }),
+  );
   await sleep(50);
   await act();
   assert.equal(ended, 0, 'the work went on');
@@ -55,11 +61,19 @@ test('two renderers draw at once', async () => {
 });
 
 test('six workers at once', async () => {
-  const lengths = await Promise.all(Array.from({ length: 6 }, (_, i) => new Promise((resolve, reject) => {
-    const worker = new Worker(WORKER, { workerData: { plan: { loadMs: 10, drawMs: 10 * i, encodeMs: 10 }, close: i % 2 === 0 } });
-    worker.on('message', (message) => { if (message !== 'open') resolve(message); });
-    worker.on('error', reject);
-  })));
+  const lengths = await Promise.all(
+    Array.from(
+      { length: 6 },
+      (_, i) =>
+        new Promise((resolve, reject) => {
+          const worker = new Worker(WORKER, { workerData: { plan: { loadMs: 10, drawMs: 10 * i, encodeMs: 10 }, close: i % 2 === 0 } });
+          worker.on('message', (message) => {
+            if (message !== 'open') resolve(message);
+          });
+          worker.on('error', reject);
+        }),
+    ),
+  );
   assert.equal(lengths.length, 6);
   assert.ok(lengths.every((length) => length > 32));
 });
@@ -92,7 +106,8 @@ test('threads end with close(), and with their environment', async () => {
 });
 
 test('a renderer that is collected without close() frees its thread', async () => {
-  const { code, stdout, stderr } = await runChild(`
+  const { code, stdout, stderr } = await runChild(
+    `
     import { readdirSync } from 'node:fs';
     const count = () => readdirSync('/proc/self/task').length;
     const kept = await support.openRenderer();
@@ -106,7 +121,9 @@ test('a renderer that is collected without close() frees its thread', async () =
       await new Promise((resolve) => setTimeout(resolve, 10));
     }
     console.log(opened - start, count() - start);
-    await kept.close();`, { args: ['--expose-gc'] });
+    await kept.close();`,
+    { args: ['--expose-gc'] },
+  );
   assert.equal(code, 0, stderr);
   assert.equal(stdout, '2 0\n');
 });
@@ -138,7 +155,10 @@ test('process.exit() during any stage ends it and keeps its code', async () => {
 
 test('process.exit() with a driver that ends late waits for it; one that is stuck is left behind', async () => {
   // What stands after the addon in the list of exit handlers runs only where it could join its threads.
-  for (const [drawMs, told] of [['2000', 'true\n'], ['support.ENDLESS_MS', '']]) {
+  for (const [drawMs, told] of [
+    ['2000', 'true\n'],
+    ['support.ENDLESS_MS', ''],
+  ]) {
     const { code, signal, stdout, stderr } = await runChild(`
       import { readdirSync } from 'node:fs';
       const renderer = await support.openRenderer();

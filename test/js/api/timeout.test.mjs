@@ -7,7 +7,9 @@ import { ENDLESS_MS, SHOT, model, native, openRenderer } from './support/double.
 // timeoutMs, on stages that only wait.
 
 let renderer;
-before(async () => { renderer = await openRenderer(); });
+before(async () => {
+  renderer = await openRenderer();
+});
 after(() => renderer.close());
 
 const TIMEOUT = { code: 'X_TIMEOUT', kind: 'time', retryable: true, exit: 5, http: 504 };
@@ -46,7 +48,7 @@ test('load() and inspect() end as well', async () => {
   await timesOut(() => inspectOn(native, model({ loadMs: ENDLESS_MS }), { timeoutMs: 50 }));
 });
 
-test('a renderer\'s own time goes for its calls, unless one says otherwise', async () => {
+test("a renderer's own time goes for its calls, unless one says otherwise", async () => {
   const hasty = await createRendererOn(native, { cacheDirectory: null, timeoutMs: 50 });
   const slow = model({ drawMs: 300 });
   await timesOut(() => hasty.render(slow, SHOT));
@@ -60,8 +62,12 @@ test('a time that was given goes for long qualities too; the default does not', 
   const { Work } = await import('../../../js/api/work.mjs');
   const allowed = [];
   class CancelToken {
-    constructor(ms) { this.ms = ms; }
-    allowAnyTime() { allowed.push(this.ms); }
+    constructor(ms) {
+      this.ms = ms;
+    }
+    allowAnyTime() {
+      allowed.push(this.ms);
+    }
   }
   for (const timeoutMs of [undefined, null, 500]) new Work({ CancelToken }, undefined, timeoutMs).allowLong();
   assert.deepEqual(allowed, [20_000]);

@@ -54,7 +54,12 @@ async function sheetOf({ weave, metallic }, texel) {
 /** Mean radiance of a picture that the sheet fills, seen from `viewAngle` to its right. */
 async function drawn(glb, quality, viewAngle) {
   const { data } = await renderer.render(glb, {
-    size: SIZE, shading: 'fabric', quality, toneMapping: 'none', environment: { map: sky, intensity: 1 }, output: { format: 'raw', bitDepth: 32 },
+    size: SIZE,
+    shading: 'fabric',
+    quality,
+    toneMapping: 'none',
+    environment: { map: sky, intensity: 1 },
+    output: { format: 'raw', bitDepth: 32 },
     camera: { azimuth: (viewAngle * 180) / Math.PI, elevation: 0, projection: 'orthographic', fit: 0.99 },
   });
   const floats = new Float32Array(data.buffer, data.byteOffset, data.length / 4);

@@ -20,9 +20,22 @@ test('the cap of a sleeve is as long as the armhole it is sewn into', () => {
 });
 
 test('resampling keeps both ends and equal distances', () => {
-  const points = resample([[0, 0], [1, 0], [1, 2]], 6);
+  const points = resample(
+    [
+      [0, 0],
+      [1, 0],
+      [1, 2],
+    ],
+    6,
+  );
   assert.equal(points.length, 7);
-  assert.deepEqual([points[0], points[6]], [[0, 0], [1, 2]]);
+  assert.deepEqual(
+    [points[0], points[6]],
+    [
+      [0, 0],
+      [1, 2],
+    ],
+  );
   for (let i = 1; i < points.length; i++) assert.ok(Math.abs(Math.hypot(points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]) - 0.5) < 1e-9);
 });
 
@@ -40,7 +53,12 @@ test('sewn panels form one surface: no edge has three triangles, only the four o
   const open = [...count].filter(([, n]) => n === 1).map(([pair]) => pair.split(',').map(Number));
   assert.ok([...count.values()].every((n) => n <= 2));
   const next = new Map();
-  for (const [a, b] of open) for (const [from, to] of [[a, b], [b, a]]) next.set(from, [...(next.get(from) ?? []), to]);
+  for (const [a, b] of open)
+    for (const [from, to] of [
+      [a, b],
+      [b, a],
+    ])
+      next.set(from, [...(next.get(from) ?? []), to]);
   assert.ok([...next.values()].every((ends) => ends.length === 2));
   let loops = 0;
   const seen = new Set();
@@ -61,7 +79,12 @@ test('sewn panels form one surface: no edge has three triangles, only the four o
 test('the baked body agrees with its formula near the skin', () => {
   const read = bakeBody();
   const gradient = new Float64Array(3);
-  for (const [x, y, z] of [[0.1, 0.3, 0.09], [0, 0.5, 0.13], [-0.2, 0.55, 0], [0.05, 0.7, 0]]) {
+  for (const [x, y, z] of [
+    [0.1, 0.3, 0.09],
+    [0, 0.5, 0.13],
+    [-0.2, 0.55, 0],
+    [0.05, 0.7, 0],
+  ]) {
     assert.ok(Math.abs(read(x, y, z, gradient) - bodyDistance(x, y, z)) < 0.006);
   }
   assert.equal(read(2, 0, 0, gradient), 1);
@@ -103,7 +126,9 @@ test('stitches stand out of the cloth on their two lines', () => {
   const tile = knitTile(JERSEY, 256, 1);
   const sewn = stitchTile(tile);
   const rows = new Set();
-  sewn.height.forEach((height, i) => { if (height > tile.height[i]) rows.add(Math.floor(i / 256)); });
+  sewn.height.forEach((height, i) => {
+    if (height > tile.height[i]) rows.add(Math.floor(i / 256));
+  });
   const lines = [...rows].map((row) => (1 - (row + 0.5) / 256) * 0.02);
   assert.ok(lines.length > 0 && lines.every((above) => Math.min(Math.abs(above - 0.0135), Math.abs(above - 0.0172)) < 4e-4));
 });

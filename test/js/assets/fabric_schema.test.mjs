@@ -35,18 +35,33 @@ test('the schema takes the examples of the docs and refuses other types', () => 
   const examples = [...read('js/docs/fabric.md').matchAll(/```json\n([\s\S]*?)```/g)].map(([, text]) => JSON.parse(text));
   assert.ok(examples.length > 20);
   for (const example of examples) if (example.extensions?.[NAME]) fabric.parse(example.extensions[NAME]);
-  const wrong = [{ preset: 1 }, { flatness: 2 }, { weave: { threadsPerUv: [1] } }, { weave: { warp: { coverage: -1 } } }, { back: { baseColorFactor: [1, 1] } }, { weave: { weaveTexture: {} } }];
+  const wrong = [
+    { preset: 1 },
+    { flatness: 2 },
+    { weave: { threadsPerUv: [1] } },
+    { weave: { warp: { coverage: -1 } } },
+    { back: { baseColorFactor: [1, 1] } },
+    { weave: { weaveTexture: {} } },
+  ];
   for (const value of wrong) assert.equal(fabric.safeParse(value).success, false, JSON.stringify(value));
 });
 
 test('the loader reads the properties of the schema and no other', () => {
-  const rules = cppFiles()['asset/layer_rules.inc'].split('\n').filter((line) => line.startsWith('constexpr Field TELAR_MATERIALS_FABRIC')).join('\n');
+  const rules = cppFiles()
+    ['asset/layer_rules.inc'].split('\n')
+    .filter((line) => line.startsWith('constexpr Field TELAR_MATERIALS_FABRIC'))
+    .join('\n');
   const inLoader = new Set([...rules.matchAll(/"(\w+)"/g)].map(([, name]) => name));
   assert.deepEqual([...inLoader].sort(), [...new Set(namesIn(SCHEMA))].sort());
 });
 
 test('every preset has a cloth among the fixtures, whose file names it', async () => {
-  assert.deepEqual(Object.keys(FABRIC_MODELS).sort(), Object.keys(PRESETS).map((name) => `fabric-${name}`).sort());
+  assert.deepEqual(
+    Object.keys(FABRIC_MODELS).sort(),
+    Object.keys(PRESETS)
+      .map((name) => `fabric-${name}`)
+      .sort(),
+  );
   const glb = Buffer.from(await FABRIC_MODELS['fabric-denim']());
   const { materials } = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)));
   assert.equal(materials[0].extensions[NAME].preset, 'denim');

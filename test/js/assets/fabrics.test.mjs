@@ -17,8 +17,10 @@ test('the drape: small, valid, a variant for each fabric, half a metre wide and 
   assert.deepEqual(faults, []);
   const facts = await inspect(FILE);
   assert.deepEqual([facts.variants, facts.warnings, facts.drawCalls], [Object.keys(FABRICS), [], 1]);
-  assert.deepEqual(facts.materials.map(({ name, roughness }) => [name, Number(roughness.toFixed(6))]),
-    Object.entries(FABRICS).map(([name, { roughness }]) => [name, roughness]));
+  assert.deepEqual(
+    facts.materials.map(({ name, roughness }) => [name, Number(roughness.toFixed(6))]),
+    Object.entries(FABRICS).map(([name, { roughness }]) => [name, roughness]),
+  );
   assert.ok(Math.abs(facts.bounds.min[1]) < 1e-4 && facts.size.every((metres) => metres > 0.3 && metres < 0.6), JSON.stringify(facts.bounds));
 });
 

@@ -62,7 +62,7 @@ test('the key is strong enough to model folds and soft enough to be free of fire
   assert.ok(peak < 10, `peak ${peak}`);
 });
 
-test('shared exponents keep every value within one part in 128 of the texel\'s largest', () => {
+test("shared exponents keep every value within one part in 128 of the texel's largest", () => {
   const width = 16;
   const values = Float64Array.from({ length: width * 2 * 3 }, (_, i) => [0, 1e-3, 0.4999, 0.99999, 1, 7.97, 130][i % 7]);
   const bytes = encodeRgbe(values, width, 2);

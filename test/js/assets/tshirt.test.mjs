@@ -19,12 +19,21 @@ before(async () => {
   root = (await new NodeIO().registerExtensions([KHRMaterialsVariants, KHRTextureTransform]).readBinary(new Uint8Array(bytes))).getRoot();
 });
 
-const primitiveOf = (part) => root.listNodes().find((node) => node.getName() === part).getMesh().listPrimitives()[0];
+const primitiveOf = (part) =>
+  root
+    .listNodes()
+    .find((node) => node.getName() === part)
+    .getMesh()
+    .listPrimitives()[0];
 
 /** Length in texture coordinates over length in space, for every triangle edge of a part, sorted. */
 function edgeScales(part) {
   const primitive = primitiveOf(part);
-  const [position, uv, indices] = [primitive.getAttribute('POSITION').getArray(), primitive.getAttribute('TEXCOORD_0').getArray(), primitive.getIndices().getArray()];
+  const [position, uv, indices] = [
+    primitive.getAttribute('POSITION').getArray(),
+    primitive.getAttribute('TEXCOORD_0').getArray(),
+    primitive.getIndices().getArray(),
+  ];
   const scales = [];
   for (let t = 0; t < indices.length; t += 3) {
     for (let k = 0; k < 3; k++) {
@@ -44,12 +53,18 @@ test('the validator has nothing to say against the T-shirt', async () => {
 
 test('the T-shirt stays under 3 MB, all bundled assets under 4 MB', async () => {
   assert.ok(bytes.length < 3e6, `${bytes.length} bytes`);
-  const sizes = await Promise.all((await readdir(assets, { withFileTypes: true })).filter((entry) => entry.isFile()).map(async (entry) => (await stat(path.join(assets, entry.name))).size));
+  const sizes = await Promise.all(
+    (await readdir(assets, { withFileTypes: true })).filter((entry) => entry.isFile()).map(async (entry) => (await stat(path.join(assets, entry.name))).size),
+  );
   assert.ok(sizes.reduce((a, b) => a + b) < 4e6);
 });
 
 test('every part of the garment is a node of its own, with a name', () => {
-  const parts = root.listNodes().filter((node) => node.getMesh()).map((node) => node.getName()).sort();
+  const parts = root
+    .listNodes()
+    .filter((node) => node.getMesh())
+    .map((node) => node.getName())
+    .sort();
   assert.deepEqual(parts, PARTS);
 });
 
@@ -58,8 +73,12 @@ test('it is a size M in metres that stands on the origin and faces +Z', () => {
   const high = [-Infinity, -Infinity, -Infinity];
   for (const part of PARTS) {
     const position = primitiveOf(part).getAttribute('POSITION');
-    position.getMin([]).forEach((value, c) => { low[c] = Math.min(low[c], value); });
-    position.getMax([]).forEach((value, c) => { high[c] = Math.max(high[c], value); });
+    position.getMin([]).forEach((value, c) => {
+      low[c] = Math.min(low[c], value);
+    });
+    position.getMax([]).forEach((value, c) => {
+      high[c] = Math.max(high[c], value);
+    });
   }
   assert.ok(Math.abs(low[1]) < 1e-6 && high[1] > 0.66 && high[1] < 0.76, `height ${low[1]}..${high[1]}`);
   assert.ok(high[0] - low[0] > 0.6 && high[0] - low[0] < 0.85 && Math.abs(high[0] + low[0]) < 1e-6);
@@ -100,14 +119,17 @@ test('three colourways, each with a material for every part', () => {
   assert.ok(list);
   for (const part of PARTS) {
     const mappings = primitiveOf(part).getExtension('KHR_materials_variants').listMappings();
-    assert.deepEqual(mappings.flatMap((mapping) => mapping.listVariants().map((variant) => variant.getName())), ['natural', 'terracotta', 'indigo']);
+    assert.deepEqual(
+      mappings.flatMap((mapping) => mapping.listVariants().map((variant) => variant.getName())),
+      ['natural', 'terracotta', 'indigo'],
+    );
     assert.equal(primitiveOf(part).getMaterial(), mappings[0].getMaterial(), 'the first colourway is the default');
     const distinct = new Set(mappings.map((mapping) => mapping.getMaterial())).size;
     assert.equal(distinct, part === 'neck_label' ? 1 : 3);
   }
 });
 
-test('the drape\'s occlusion lies on the second coordinates, which stay inside of the picture', () => {
+test("the drape's occlusion lies on the second coordinates, which stay inside of the picture", () => {
   for (const material of root.listMaterials()) assert.equal(material.getOcclusionTextureInfo().getTexCoord(), 1);
   for (const part of PARTS) {
     const atlas = primitiveOf(part).getAttribute('TEXCOORD_1').getArray();

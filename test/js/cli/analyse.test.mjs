@@ -18,8 +18,17 @@ test('the table: the whole difference, then the terms by their effect', async ()
   const { exit, stdout, stderr, calls } = await run(['--fabrics', 'leather,velvet', ...SMALL]);
   assert.equal(exit, 0, stderr);
   assert.match(stdout, /^disney-2012 against three-r115, all terms:\nleather, studio +FLIP 0\.\d+ +dE00 /);
-  const rows = stdout.split('\n').filter((line) => /^ *\d+ {2}\w/.test(line)).map((line) => line.trim().split(/ {2,}/));
-  assert.deepEqual(rows.slice(0, 2).map((row) => row.slice(0, 4)), [['1', 'sheen', 'charlie-neubelt', 'disney-2012'], ['2', 'diffuse', 'lambert', 'disney-2012']]);
+  const rows = stdout
+    .split('\n')
+    .filter((line) => /^ *\d+ {2}\w/.test(line))
+    .map((line) => line.trim().split(/ {2,}/));
+  assert.deepEqual(
+    rows.slice(0, 2).map((row) => row.slice(0, 4)),
+    [
+      ['1', 'sheen', 'charlie-neubelt', 'disney-2012'],
+      ['2', 'diffuse', 'lambert', 'disney-2012'],
+    ],
+  );
   assert.match(rows[0].at(-1), /^much brighter limb/);
   assert.match(stderr, /W_RANGE/);
   assert.equal(calls.closed, 1);
@@ -29,9 +38,18 @@ test('--json: one object with the ranking and every figure; no pictures', async 
   const { stdout } = await run(['--json', ...SMALL, '--fabrics', 'wool']);
   const result = JSON.parse(stdout);
   assert.deepEqual([result.ok, result.exit, result.from.base, result.to.base], [true, 0, 'three-r115', 'disney-2012']);
-  assert.deepEqual(result.ranking.slice(0, 2).map(({ slot, rank }) => [slot, rank]), [['sheen', 1], ['diffuse', 2]]);
+  assert.deepEqual(
+    result.ranking.slice(0, 2).map(({ slot, rank }) => [slot, rank]),
+    [
+      ['sheen', 1],
+      ['diffuse', 2],
+    ],
+  );
   const [cell] = result.cells;
-  assert.deepEqual([cell.target, cell.light, Object.keys(cell.terms).length, cell.terms.diffuse.alone.map], ['wool', 'studio', result.ranking.length, undefined]);
+  assert.deepEqual(
+    [cell.target, cell.light, Object.keys(cell.terms).length, cell.terms.diffuse.alone.map],
+    ['wool', 'studio', result.ranking.length, undefined],
+  );
   assert.equal(cell.terms.fresnel.alone.words, 'no change');
   assert.ok(stdout.length < 60_000);
 });
@@ -53,7 +71,10 @@ test('--report: one page that needs nothing else, and the figures beside it', as
   assertWellFormed(page);
   assert.doesNotMatch(page, /<script|<link|https?:\/\/(?!www\.w3\.org\/2000\/svg)/);
   for (const [, source] of page.matchAll(/src="([^"]{0,22})/g)) assert.equal(source, 'data:image/png;base64,');
-  assert.deepEqual([...page.matchAll(/<h3>([^<]+)<\/h3>/g)].map(([, name]) => name), ['shirt 1', 'shirt 2', 'shirt 1, studio', 'shirt 2, studio']);
+  assert.deepEqual(
+    [...page.matchAll(/<h3>([^<]+)<\/h3>/g)].map(([, name]) => name),
+    ['shirt 1', 'shirt 2', 'shirt 1, studio', 'shirt 2, studio'],
+  );
   assert.match(page, /prefers-color-scheme:dark[\s\S]*@media print/);
   assert.ok(page.indexOf('>sheen<br>') > 0 && page.indexOf('>sheen<br>') < page.indexOf('>diffuse<br>'));
   assert.equal(JSON.parse(readFileSync(path.join(at, 'analysis.json'))).cells.length, 2);
@@ -104,7 +125,10 @@ test('a signal stops it between pictures; nothing is written', async () => {
 
 test('the real thing: terms of r115 on the bundled velvet', async () => {
   const to = JSON.stringify({ base: 'three-r115', diffuse: 'disney-2012', sheen: 'disney-2012' });
-  const { exit, stdout, stderr } = await runFake(['analyse', '--to', to, '--fabrics', 'velvet', '--lights', 'studio', '--size', '64', '--quality', 'draft', '--json'], { api: realApi });
+  const { exit, stdout, stderr } = await runFake(
+    ['analyse', '--to', to, '--fabrics', 'velvet', '--lights', 'studio', '--size', '64', '--quality', 'draft', '--json'],
+    { api: realApi },
+  );
   assert.equal(exit, 0, stderr);
   const { ranking, cells } = JSON.parse(stdout);
   assert.deepEqual(ranking.map(({ slot }) => slot).sort(), ['diffuse', 'sheen']);

@@ -94,6 +94,9 @@ test('the sweep takes old leftovers of dead processes only', async () => {
   const kept = [make(leftover(dead, '1123456789ab')), make(leftover(process.pid, '2123456789ab'), old), make('.a.png.tmp', old), make('a.png', old)];
   await sweepStale(folder);
   assert.ok(!existsSync(gone));
-  assert.deepEqual(kept.filter((file) => !existsSync(file)), []);
+  assert.deepEqual(
+    kept.filter((file) => !existsSync(file)),
+    [],
+  );
   await sweepStale(at('absent'));
 });

@@ -56,15 +56,29 @@ test('doctor names backends, the choice and the cure', async () => {
 });
 
 test('doctor fails where nothing can draw', async () => {
-  const api = { doctor: async () => ({ ok: false, versions: {}, system: 'x', native: { error: { message: 'not built' } }, chosen: null, reason: 'not built', backends: [],
-    reference: { works: false, failure: 'not built' } }) };
+  const api = {
+    doctor: async () => ({
+      ok: false,
+      versions: {},
+      system: 'x',
+      native: { error: { message: 'not built' } },
+      chosen: null,
+      reason: 'not built',
+      backends: [],
+      reference: { works: false, failure: 'not built' },
+    }),
+  };
   const { exit, stdout } = await runFake(['doctor'], { api });
   assert.equal(exit, 6);
   assert.match(stdout, /^chosen +none: not built$/m);
 });
 
 test('a fault of ours is internal', async () => {
-  const api = { doctor: async () => { throw new TypeError('x is not a function'); } };
+  const api = {
+    doctor: async () => {
+      throw new TypeError('x is not a function');
+    },
+  };
   const { exit, stdout } = await runFake(['doctor', '--json'], { api });
   assert.equal(exit, 7);
   assert.equal(JSON.parse(stdout).error.code, 'X_INTERNAL');

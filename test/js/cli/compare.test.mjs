@@ -36,7 +36,10 @@ test('over the gate: exit 1, one JSON object', () => {
   const report = JSON.parse(stdout);
   assert.equal(status, 1);
   assert.deepEqual([report.ok, report.exit, report.gate, report.interior.max, report.interior.worst], [false, 1, 'parity', 155, [16, 16]]);
-  assert.deepEqual(report.checks.map(({ pass }) => pass), [false, false, true]);
+  assert.deepEqual(
+    report.checks.map(({ pass }) => pass),
+    [false, false, true],
+  );
   assert.equal(report.flipMap, undefined);
 });
 

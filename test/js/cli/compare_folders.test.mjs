@@ -14,14 +14,20 @@ const root = mkdtempSync(path.join(tmpdir(), 'telar-folders-'));
 after(() => rmSync(root, { recursive: true }));
 const pngs = {};
 before(async () => {
-  const scaled = (image, factor) => draw(image.width * factor, image.height * factor, (x, y) => {
-    const i = (Math.floor(y / factor) * image.width + Math.floor(x / factor)) * 4;
-    return image.data.subarray(i, i + 4);
-  });
+  const scaled = (image, factor) =>
+    draw(image.width * factor, image.height * factor, (x, y) => {
+      const i = (Math.floor(y / factor) * image.width + Math.floor(x / factor)) * 4;
+      return image.data.subarray(i, i + 4);
+    });
   const images = {
-    square: square(32), grey: square(32, 101), spot: withPixel(square(32), 16, 16, [255, 0, 0, 255]), twice: scaled(square(32), 2), wide: flat(40, 32, [0, 0, 0, 255]),
+    square: square(32),
+    grey: square(32, 101),
+    spot: withPixel(square(32), 16, 16, [255, 0, 0, 255]),
+    twice: scaled(square(32), 2),
+    wide: flat(40, 32, [0, 0, 0, 255]),
     onWhite: draw(32, 32, (x, y) => (Math.min(x, y) >= 4 && Math.max(x, y) < 28 ? [100, 100, 100, 255] : [255, 255, 255, 255])),
-    black: flat(32, 32, [0, 0, 0, 255]), middle: draw(32, 32, (x, y) => (Math.hypot(x - 16, y - 16) < 4 ? [255, 255, 255, 255] : [0, 0, 0, 255])),
+    black: flat(32, 32, [0, 0, 0, 255]),
+    middle: draw(32, 32, (x, y) => (Math.hypot(x - 16, y - 16) < 4 ? [255, 255, 255, 255] : [0, 0, 0, 255])),
   };
   for (const [name, image] of Object.entries(images)) pngs[name] = await encodePng(image);
 });
@@ -48,23 +54,41 @@ const json = async (...argv) => {
 };
 
 /** Two folders with one image of each kind. */
-const season = () => tree({
-  'e/same.png': pngs.square, 'a/same.png': pngs.square, 'e/x/over.png': pngs.square, 'a/x/over.png': pngs.spot, 'e/gone.png': pngs.square, 'a/fresh.png': pngs.grey,
-  'e/notes.txt': '', 'a/.hidden.png': 'x',
-});
+const season = () =>
+  tree({
+    'e/same.png': pngs.square,
+    'a/same.png': pngs.square,
+    'e/x/over.png': pngs.square,
+    'a/x/over.png': pngs.spot,
+    'e/gone.png': pngs.square,
+    'a/fresh.png': pngs.grey,
+    'e/notes.txt': '',
+    'a/.hidden.png': 'x',
+  });
 
 test('images of one name are compared: one report, one JUnit, each with its status', async () => {
   const at = season();
   const report = await json(at('e'), at('a'), '--gate', 'parity', '--report', at('report'), '--junit', at('junit.xml'));
   assert.equal(report.exit, 1);
-  assert.deepEqual(report.pictures.map(({ name, status, ok }) => [name, status, ok]),
-    [['fresh.png', 'new', false], ['gone.png', 'missing', false], ['same.png', 'within', true], ['x/over.png', 'over', false]]);
+  assert.deepEqual(
+    report.pictures.map(({ name, status, ok }) => [name, status, ok]),
+    [
+      ['fresh.png', 'new', false],
+      ['gone.png', 'missing', false],
+      ['same.png', 'within', true],
+      ['x/over.png', 'over', false],
+    ],
+  );
   assert.deepEqual(report.counts, { new: 1, missing: 1, within: 1, over: 1 });
   assert.equal(report.pictures[3].interior.max, 155);
   const page = readFileSync(at('report/index.html'), 'utf8');
   assert.match(page, /3 of 4 not within the gate &#34;parity&#34;/);
   const links = [...page.matchAll(/<img src="([^"]+)"/g)].map(([, file]) => file);
-  assert.deepEqual(links.sort(), ['pictures/fresh.png/actual.png', 'pictures/gone.png/expected.png', ...['actual', 'expected', 'heatMap'].map((kind) => `pictures/x/over.png/${kind}.png`)]);
+  assert.deepEqual(links.sort(), [
+    'pictures/fresh.png/actual.png',
+    'pictures/gone.png/expected.png',
+    ...['actual', 'expected', 'heatMap'].map((kind) => `pictures/x/over.png/${kind}.png`),
+  ]);
   for (const link of links) assert.ok(existsSync(at('report', link)), link);
   const anchors = [...page.matchAll(/href="#([^"]+)"/g)].map(([, anchor]) => decodeURIComponent(anchor));
   assert.equal(anchors.length, 3);
@@ -80,8 +104,15 @@ test('the text names what a person must look at', async () => {
   const at = season();
   const { exit, stdout } = await compare(at('e'), at('a'), '--gate', 'exact');
   assert.equal(exit, 1);
-  assert.equal(stdout, ['new      fresh.png: there is no expected image: --update accepts it', 'missing  gone.png: there is no actual image: draw it, or delete the expected one',
-    'over     x/over.png: frame max 155/255, at most 0/255', '4 images: 1 new, 1 missing, 1 within the gate, 1 over it (gate exact)\n'].join('\n'));
+  assert.equal(
+    stdout,
+    [
+      'new      fresh.png: there is no expected image: --update accepts it',
+      'missing  gone.png: there is no actual image: draw it, or delete the expected one',
+      'over     x/over.png: frame max 155/255, at most 0/255',
+      '4 images: 1 new, 1 missing, 1 within the gate, 1 over it (gate exact)\n',
+    ].join('\n'),
+  );
 });
 
 test('all within: exit 0', async () => {
@@ -90,7 +121,15 @@ test('all within: exit 0', async () => {
 });
 
 test('an image that is damaged does not lose the others, and is not accepted', async () => {
-  const at = tree({ 'e/1.png': pngs.square, 'a/1.png': 'no image', 'e/2.png': pngs.square, 'a/2.png': pngs.square, 'a/3.png': 'no image', 'e/4.png': pngs.square, 'a/4.png': pngs.wide });
+  const at = tree({
+    'e/1.png': pngs.square,
+    'a/1.png': 'no image',
+    'e/2.png': pngs.square,
+    'a/2.png': pngs.square,
+    'a/3.png': 'no image',
+    'e/4.png': pngs.square,
+    'a/4.png': pngs.wide,
+  });
   const { exit, stderr } = await compare(at('e'), at('a'), '--update', '--junit', at('junit.xml'));
   assert.equal(exit, 3);
   assert.equal(stderr.match(/E_IMAGE_FORMAT/g).length, 2);
@@ -128,7 +167,11 @@ test('--threshold moves a limit', async () => {
   assert.equal((await json(at('e.png'), at('a.png'), ...loose)).exit, 0);
   assert.equal((await json(at('e.png'), at('a.png'), '--gate', 'parity', '--threshold', 'interior.max=154.5')).exit, 1);
   assert.equal((await json(at('e'), at('a'), '--threshold', 'object.max=0')).exit, 1);
-  for (const [given, message] of [['interior.max', /expected REGION\.FIGURE=N/], ['interior.mx=1', /did you mean interior\.max\?/], ['x=1', /expected one of frame, object/]]) {
+  for (const [given, message] of [
+    ['interior.max', /expected REGION\.FIGURE=N/],
+    ['interior.mx=1', /did you mean interior\.max\?/],
+    ['x=1', /expected one of frame, object/],
+  ]) {
     const { exit, stderr } = await compare(at('e.png'), at('a.png'), '--threshold', given);
     assert.equal(exit, 2);
     assert.match(stderr, message);
@@ -136,13 +179,26 @@ test('--threshold moves a limit', async () => {
 });
 
 test('--ignore leaves areas out, by a picture, a folder of pictures or numbers', async () => {
-  const at = tree({ 'e/1.png': pngs.square, 'a/1.png': pngs.spot, 'masks/1.png': pngs.middle, 'nowhere.png': pngs.black, 'all.png': pngs.onWhite, 'wide.png': pngs.wide });
-  for (const ignore of [at('masks'), at('masks/1.png'), '12,12,8,8', '16,16,1,1']) assert.equal((await json(at('e'), at('a'), '--gate', 'exact', '--ignore', ignore)).exit, 0, ignore);
-  for (const ignore of [at('nowhere.png'), '17,16,9,9', '0,0,16,16', '40,40,9,9']) assert.equal((await json(at('e'), at('a'), '--gate', 'exact', '--ignore', ignore)).exit, 1, ignore);
+  const at = tree({
+    'e/1.png': pngs.square,
+    'a/1.png': pngs.spot,
+    'masks/1.png': pngs.middle,
+    'nowhere.png': pngs.black,
+    'all.png': pngs.onWhite,
+    'wide.png': pngs.wide,
+  });
+  for (const ignore of [at('masks'), at('masks/1.png'), '12,12,8,8', '16,16,1,1'])
+    assert.equal((await json(at('e'), at('a'), '--gate', 'exact', '--ignore', ignore)).exit, 0, ignore);
+  for (const ignore of [at('nowhere.png'), '17,16,9,9', '0,0,16,16', '40,40,9,9'])
+    assert.equal((await json(at('e'), at('a'), '--gate', 'exact', '--ignore', ignore)).exit, 1, ignore);
   const single = [at('e/1.png'), at('a/1.png'), '--gate', 'exact'];
   assert.equal((await json(...single, '--ignore', '0,0,3,3', '--ignore', '16,16,1,1')).frame.pixels, 32 * 32 - 10);
-  for (const [ignore, exit, message] of [[at('all.png'), 2, /leaves no pixel/], [at('masks'), 2, /is a folder: it goes with two folders/], [at('wide.png'), 3, /has 40x32 pixels, the images 32x32/],
-    [at('none.png'), 3, /none\.png.*cannot be read \(ENOENT\)/]]) {
+  for (const [ignore, exit, message] of [
+    [at('all.png'), 2, /leaves no pixel/],
+    [at('masks'), 2, /is a folder: it goes with two folders/],
+    [at('wide.png'), 3, /has 40x32 pixels, the images 32x32/],
+    [at('none.png'), 3, /none\.png.*cannot be read \(ENOENT\)/],
+  ]) {
     const wrong = await compare(...single, '--ignore', ignore);
     assert.equal(wrong.exit, exit, wrong.stderr);
     assert.match(wrong.stderr, message);
@@ -151,7 +207,10 @@ test('--ignore leaves areas out, by a picture, a folder of pictures or numbers',
 
 test('--mask says where the object is', async () => {
   const at = tree({ 'e.png': pngs.onWhite, 'a.png': pngs.onWhite, 'mask.png': pngs.square });
-  assert.deepEqual([(await json(at('e.png'), at('a.png'))).edge, (await json(at('e.png'), at('a.png'), '--mask', at('mask.png'))).edge.pixels > 100], [null, true]);
+  assert.deepEqual(
+    [(await json(at('e.png'), at('a.png'))).edge, (await json(at('e.png'), at('a.png'), '--mask', at('mask.png'))).edge.pixels > 100],
+    [null, true],
+  );
 });
 
 test('a screenshot of a dense screen: the error says --resize, and that compares', async () => {
@@ -159,7 +218,11 @@ test('a screenshot of a dense screen: the error says --resize, and that compares
   const refused = await compare(at('e.png'), at('a.png'));
   assert.equal(refused.exit, 3);
   assert.match(refused.stderr, /32x32 expected, 64x64 given; the actual one is 2 times as large, as screenshots of dense screens are: --resize shrinks it/);
-  for (const pair of [['e.png', 'a.png'], ['a.png', 'e.png']]) assert.equal((await json(...pair.map((name) => at(name)), '--resize', '--gate', 'exact')).exit, 0);
+  for (const pair of [
+    ['e.png', 'a.png'],
+    ['a.png', 'e.png'],
+  ])
+    assert.equal((await json(...pair.map((name) => at(name)), '--resize', '--gate', 'exact')).exit, 0);
 });
 
 test('a hint where the background explains the difference, in the text, JSON, page and JUnit', async () => {
@@ -167,8 +230,13 @@ test('a hint where the background explains the difference, in the text, JSON, pa
   const words = /the expected picture is transparent where the actual one shows #ffffff: draw both on one background/;
   assert.match((await compare(at('e/1.png'), at('a/1.png'))).stdout, new RegExp(`^hint    ${words.source}$`, 'm'));
   assert.match((await compare(at('e'), at('a'), '--report', at('r'), '--junit', at('j.xml'))).stdout, new RegExp(`^ +hint: ${words.source}$`, 'm'));
-  const { pictures: [{ hints }] } = await json(at('e'), at('a'));
-  assert.deepEqual(hints.map(({ cause }) => cause), ['background']);
+  const {
+    pictures: [{ hints }],
+  } = await json(at('e'), at('a'));
+  assert.deepEqual(
+    hints.map(({ cause }) => cause),
+    ['background'],
+  );
   for (const file of ['r/index.html', 'j.xml']) assert.match(readFileSync(at(file), 'utf8'), words);
 });
 

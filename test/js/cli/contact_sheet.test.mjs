@@ -30,7 +30,11 @@ const ink = (image, left, top, width, height) => {
 const [MARGIN, CELL, GAP] = [48, 320, 24];
 
 test('pictures stand on cards in a grid, names under them', async () => {
-  const sheet = await sheetOf([{ name: 'First', detail: 'navy  ·  front', file: at('red.png') }, { name: 'Second', detail: 'navy  ·  back', file: at('disk.png') }, { name: 'Third', detail: '', error: 'not drawn (E_JSON)' }]);
+  const sheet = await sheetOf([
+    { name: 'First', detail: 'navy  ·  front', file: at('red.png') },
+    { name: 'Second', detail: 'navy  ·  back', file: at('disk.png') },
+    { name: 'Third', detail: '', error: 'not drawn (E_JSON)' },
+  ]);
   assert.equal(sheet.width, 2 * MARGIN + 3 * CELL + 2 * GAP);
   const centre = (i) => [MARGIN + i * (CELL + GAP) + CELL / 2, MARGIN + CELL / 2];
   assert.deepEqual(pixel(sheet, ...centre(0)), RED);
@@ -42,7 +46,10 @@ test('pictures stand on cards in a grid, names under them', async () => {
   const caption = (i) => [MARGIN + i * (CELL + GAP), MARGIN + CELL + 8, CELL, 24];
   for (const i of [0, 1, 2]) assert.ok(ink(sheet, ...caption(i)) > 40, `a name under picture ${i}`);
   assert.notEqual(ink(sheet, ...caption(0)), ink(sheet, ...caption(1)));
-  const blank = await sheetOf([{ name: '', file: at('disk.png') }, { name: 'x', file: at('disk.png') }]);
+  const blank = await sheetOf([
+    { name: '', file: at('disk.png') },
+    { name: 'x', file: at('disk.png') },
+  ]);
   assert.equal(ink(blank, ...caption(0)), 0, 'without a name there is none');
   const marked = (image, [x, y]) => {
     let count = 0;
@@ -53,15 +60,36 @@ test('pictures stand on cards in a grid, names under them', async () => {
 });
 
 test('the same pictures give the same bytes', async () => {
-  const items = [{ name: 'a', file: at('red.png') }, { name: 'b', file: at('disk.png') }];
+  const items = [
+    { name: 'a', file: at('red.png') },
+    { name: 'b', file: at('disk.png') },
+  ];
   assert.deepEqual(await contactSheet(items, { group: 1, limits: {} }), await contactSheet(items, { group: 1, limits: {} }));
 });
 
 test('a grid keeps groups together, begins a row for each model, and never passes 8192 pixels', () => {
   const many = (count, begins = () => false) => Array.from({ length: count }, (_, i) => ({ name: `${i}`, detail: 'x', begins: begins(i) }));
   const rows = ({ grid }) => grid.map(({ row }) => row);
-  assert.deepEqual(rows(layoutOf(many(6, (i) => i % 3 === 0), 3, 1)), [0, 0, 0, 1, 1, 1]);
-  assert.deepEqual(rows(layoutOf(many(7, (i) => i === 4), 1, 1)), [0, 0, 0, 1, 2, 2, 2]);
+  assert.deepEqual(
+    rows(
+      layoutOf(
+        many(6, (i) => i % 3 === 0),
+        3,
+        1,
+      ),
+    ),
+    [0, 0, 0, 1, 1, 1],
+  );
+  assert.deepEqual(
+    rows(
+      layoutOf(
+        many(7, (i) => i === 4),
+        1,
+        1,
+      ),
+    ),
+    [0, 0, 0, 1, 2, 2, 2],
+  );
   for (const count of [1, 24, 500, 3000]) {
     for (const group of [1, 7, 40]) {
       const { width, height, grid, step, margin, picture } = layoutOf(many(count), group, 0.75);
@@ -85,10 +113,22 @@ test('a long name gives way in its middle, a short one stays', () => {
 test('captions tell apart what differs, and folders where names are the same', () => {
   const result = (model, variant, view) => ({ job: { model, variant, view }, file: 'x.png' });
   const one = [result('a/shirt.glb', 'navy', 'front'), result('a/shirt.glb', 'red', 'front')];
-  assert.deepEqual(itemsOf(one).map(({ name, detail }) => [name, detail]), [['shirt', 'navy'], ['shirt', 'red']]);
+  assert.deepEqual(
+    itemsOf(one).map(({ name, detail }) => [name, detail]),
+    [
+      ['shirt', 'navy'],
+      ['shirt', 'red'],
+    ],
+  );
   const two = [...one, result('b/shirt.glb', 'navy', 'back')];
-  assert.deepEqual(itemsOf(two).map(({ name, detail, begins }) => [name, detail, begins]),
-    [['a / shirt', 'navy  ·  front', true], ['a / shirt', 'red  ·  front', false], ['b / shirt', 'navy  ·  back', true]]);
+  assert.deepEqual(
+    itemsOf(two).map(({ name, detail, begins }) => [name, detail, begins]),
+    [
+      ['a / shirt', 'navy  ·  front', true],
+      ['a / shirt', 'red  ·  front', false],
+      ['b / shirt', 'navy  ·  back', true],
+    ],
+  );
   assert.deepEqual([groupOf(two, undefined), groupOf(two, 'front,back')], [2, 1]);
   assert.equal(itemsOf([{ ...one[0], error: { code: 'E_JSON' } }])[0].error, 'not drawn (E_JSON)');
 });

@@ -73,7 +73,10 @@ test('stdin to stdout gives the bytes that files give', () => {
 
 test('--json: info of the frame, the shot with every default', () => {
   const at = freshFolder();
-  const { ok, images: [{ info }] } = jsonOf(drawn(['thumbnail', SHIRT, '--json', '-o', at('a.png'), ...SMALL, '--background', 'white']));
+  const {
+    ok,
+    images: [{ info }],
+  } = jsonOf(drawn(['thumbnail', SHIRT, '--json', '-o', at('a.png'), ...SMALL, '--background', 'white']));
   assert.equal(ok, true);
   assert.deepEqual([info.width, info.height, info.format], [64, 64, 'png']);
   assert.ok(info.features.length > 0 && info.passes.length > 0);
@@ -97,8 +100,9 @@ test('views, variants and backgrounds change the picture', () => {
   const { variants } = jsonOf(drawn(['inspect', SHIRT, '--json']));
   assert.ok(variants.length >= 2);
   const picture = (...argv) => drawn(['thumbnail', SHIRT, '-o', '-', ...SMALL, ...argv]).stdout.toString('hex');
-  const pictures = [[], ['--view', 'back'], ['--view', 'three-quarter'], ['--variant', variants[1]], ['--background', 'environment']]
-    .map((argv) => picture(...argv));
+  const pictures = [[], ['--view', 'back'], ['--view', 'three-quarter'], ['--variant', variants[1]], ['--background', 'environment']].map((argv) =>
+    picture(...argv),
+  );
   assert.equal(new Set(pictures).size, pictures.length);
 });
 
@@ -111,7 +115,10 @@ test('one broken model among many: the others are drawn, the exit code says inpu
   const result = telar(['thumbnail', ...models, '-o', at('out'), '--json', ...SMALL]);
   assert.equal(result.status, 3, result.stderr);
   const { images } = jsonOf(result);
-  assert.deepEqual(images.map(({ ok }) => ok), [true, false, false, false, false]);
+  assert.deepEqual(
+    images.map(({ ok }) => ok),
+    [true, false, false, false, false],
+  );
   assert.ok(images.slice(1).every(({ error }) => error.kind === 'input'));
   assert.equal(images[2].error.code, 'E_EMPTY');
   assert.deepEqual(readdirSync(at('out')), ['tshirt.png']);
@@ -156,7 +163,9 @@ test('each backend that doctor finds draws', () => {
   const { backends } = jsonOf(drawn(['doctor', '--json']));
   for (const { backend } of backends.filter(({ works }) => works)) {
     const at = freshFolder();
-    const { images: [{ info }] } = jsonOf(drawn(['thumbnail', SHIRT, '-o', at('a.png'), '--json', '--backend', backend, ...SMALL]));
+    const {
+      images: [{ info }],
+    } = jsonOf(drawn(['thumbnail', SHIRT, '-o', at('a.png'), '--json', '--backend', backend, ...SMALL]));
     assert.equal(info.backend, backend);
   }
 });

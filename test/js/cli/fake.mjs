@@ -11,17 +11,21 @@ const FACTS = { bounds: { min: [-1, 0, -1], max: [1, 2, 1] }, variants: ['navy']
  */
 export function fakeApi({ delayMs = 0 } = {}) {
   const calls = { created: [], rendered: [], loaded: [], released: 0, closed: 0, inspected: [] };
-  const wait = (signal) => new Promise((resolve, reject) => {
-    signal?.throwIfAborted();
-    const timer = setTimeout(resolve, delayMs);
-    signal?.addEventListener('abort', () => {
-      clearTimeout(timer);
-      reject(signal.reason);
+  const wait = (signal) =>
+    new Promise((resolve, reject) => {
+      signal?.throwIfAborted();
+      const timer = setTimeout(resolve, delayMs);
+      signal?.addEventListener('abort', () => {
+        clearTimeout(timer);
+        reject(signal.reason);
+      });
     });
-  });
   const failing = (source) => /([ELX]_[A-Z_]+)/.exec(typeof source === 'string' ? source : '')?.[1];
   const warningsOf = (source) => (/warn/.test(String(source)) ? [{ code: 'W_RANGE', message: 'clamped', pointer: '/materials/0' }] : []);
-  const keyOf = (source, shot) => createHash('sha256').update(JSON.stringify([String(source), shot])).digest('hex');
+  const keyOf = (source, shot) =>
+    createHash('sha256')
+      .update(JSON.stringify([String(source), shot]))
+      .digest('hex');
   const render = async (given, shot, { signal, onProgress }) => {
     const source = given?.loaded ?? given;
     onProgress?.(0.5);
@@ -50,9 +54,19 @@ export function fakeApi({ delayMs = 0 } = {}) {
       if (failing(source)) throw new TelarError(failing(source), 'it fails');
       return { ...FACTS, warnings: warningsOf(source), plan: { features: ['normalMap'], programs: [{}], passes: ['opaque'] } };
     },
-    doctor: async () => ({ ok: true, versions: { telar: '1', node: '20' }, system: 'Linux', native: { path: 'x' }, chosen: 'osmesa', reason: 'first',
-      backends: [{ backend: 'egl-device', works: false, failure: 'no libEGL', cure: 'apt-get install libegl1' },
-        { backend: 'osmesa', works: true, renderer: 'llvmpipe', version: 'OpenGL ES 3.2', software: true }], reference: { works: true, version: 'Embree 3' } }),
+    doctor: async () => ({
+      ok: true,
+      versions: { telar: '1', node: '20' },
+      system: 'Linux',
+      native: { path: 'x' },
+      chosen: 'osmesa',
+      reason: 'first',
+      backends: [
+        { backend: 'egl-device', works: false, failure: 'no libEGL', cure: 'apt-get install libegl1' },
+        { backend: 'osmesa', works: true, renderer: 'llvmpipe', version: 'OpenGL ES 3.2', software: true },
+      ],
+      reference: { works: true, version: 'Embree 3' },
+    }),
   };
   return { api, calls };
 }
@@ -62,7 +76,11 @@ const TERMINAL = { isTTY: true };
 /** Runs the command line on a fake API: {exit, stdout, stderr, calls}. */
 export async function runFake(argv, { stdin = '', env = {}, tty = false, signal, fake = fakeApi(), api = fake.api } = {}) {
   const collected = { stdout: [], stderr: [] };
-  const sink = (name) => Object.assign(new PassThrough().on('data', (chunk) => collected[name].push(chunk)), tty && TERMINAL);
+  const sink = (name) =>
+    Object.assign(
+      new PassThrough().on('data', (chunk) => collected[name].push(chunk)),
+      tty && TERMINAL,
+    );
   const [stdout, stderr] = [sink('stdout'), sink('stderr')];
   const exit = await run(argv, { stdin: Readable.from(stdin === '' ? [] : [Buffer.from(stdin)]), stdout, stderr, env, signal, loadApi: async () => api });
   return { exit, stdout: Buffer.concat(collected.stdout).toString(), stderr: Buffer.concat(collected.stderr).toString(), calls: fake.calls };

@@ -19,9 +19,11 @@ function freshFolder() {
   return Object.assign((...names) => path.join(folder, ...names), { folder });
 }
 
-const gltf = (variants = []) => JSON.stringify({
-  asset: { version: '2.0' }, ...(variants.length > 0 && { extensions: { KHR_materials_variants: { variants: variants.map((name) => ({ name })) } } }),
-});
+const gltf = (variants = []) =>
+  JSON.stringify({
+    asset: { version: '2.0' },
+    ...(variants.length > 0 && { extensions: { KHR_materials_variants: { variants: variants.map((name) => ({ name })) } } }),
+  });
 
 /** Files by path, with their folders. */
 function fill(at, files) {
@@ -32,8 +34,11 @@ function fill(at, files) {
 }
 
 /** Paths of all files beneath a folder, in order. */
-const filesIn = (folder) => readdirSync(folder, { recursive: true, withFileTypes: true })
-  .filter((entry) => entry.isFile()).map((entry) => path.relative(folder, path.join(entry.parentPath ?? entry.path, entry.name))).sort();
+const filesIn = (folder) =>
+  readdirSync(folder, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => path.relative(folder, path.join(entry.parentPath ?? entry.path, entry.name)))
+    .sort();
 
 const usageOf = async (...argv) => {
   const { exit, stderr, calls } = await runFake(['thumbnail', ...argv]);
@@ -64,8 +69,12 @@ test('{parent}, {folder}, {variant} and {view} in names', async () => {
   };
   assert.deepEqual(await run('{parent}.png'), ['1234.png', '1235.png']);
   assert.deepEqual(await run('{folder}-{name}.png'), ['AW26/1234-model.png', 'AW26/1235-model.png']);
-  assert.deepEqual(await run('{parent}_{view}.webp', '--views', 'front,three-quarter'),
-    ['1234_front.webp', '1234_three-quarter.webp', '1235_front.webp', '1235_three-quarter.webp']);
+  assert.deepEqual(await run('{parent}_{view}.webp', '--views', 'front,three-quarter'), [
+    '1234_front.webp',
+    '1234_three-quarter.webp',
+    '1235_front.webp',
+    '1235_three-quarter.webp',
+  ]);
   assert.deepEqual(await run('{parent}/{variant}.jpg', '--view', 'back', '--variant', 'navy'), ['1234/navy.jpg', '1235/navy.jpg']);
   assert.deepEqual(await run('{view}-{variant}-{parent}.png', '--set', 'camera.azimuth=10'), ['camera-default-1234.png', 'camera-default-1235.png']);
 });
@@ -74,7 +83,10 @@ test('every variant and every view, of a model that is decoded once', async () =
   const at = freshFolder();
   fill(at, { 'shirt.glb': gltf(['navy', 'navy', '']), 'plain.glb': gltf(), 'broken.glb': '{' });
   const fake = fakeApi();
-  const { exit, calls } = await runFake(['thumbnail', at('shirt.glb'), at('plain.glb'), at('broken.glb'), '-o', at('out/'), '--variants', 'all', '--views', 'all'], { fake });
+  const { exit, calls } = await runFake(
+    ['thumbnail', at('shirt.glb'), at('plain.glb'), at('broken.glb'), '-o', at('out/'), '--variants', 'all', '--views', 'all'],
+    { fake },
+  );
   assert.equal(exit, 0);
   const views = ['back', 'bottom', 'front', 'left', 'right', 'three-quarter', 'top'];
   const named = (name) => views.map((view) => `${name}-${view}.png`);
@@ -87,7 +99,12 @@ test('names of variants lead nowhere', async () => {
   const at = freshFolder();
   fill(at, { 'a.gltf': gltf(['../../etc/passwd', '.hidden', 'a\u0000b', '名'.repeat(200)]) });
   const api = fakeApi().api;
-  const createRenderer = async () => ({ load: async (x) => x, release: async () => {}, close: async () => {}, render: async () => ({ data: Buffer.from('x'), info: {} }) });
+  const createRenderer = async () => ({
+    load: async (x) => x,
+    release: async () => {},
+    close: async () => {},
+    render: async () => ({ data: Buffer.from('x'), info: {} }),
+  });
   const { exit, stderr } = await runFake(['thumbnail', at('a.gltf'), '-o', at('out/{variant}.png'), '--variants', 'all'], { api: { ...api, createRenderer } });
   assert.equal(exit, 0, stderr);
   assert.deepEqual(filesIn(at('out')), ['-..-etc-passwd.png', 'a-b.png', 'hidden.png', `${'名'.repeat(60)}.png`]);
@@ -110,8 +127,15 @@ test('two pictures of one name are refused before anything is drawn, with the pa
 
 test('a picture is not written over a part of a model', async () => {
   const at = freshFolder();
-  fill(at, { 'x/shirt.gltf': JSON.stringify({ asset: { version: '2.0' }, images: [{ uri: 'textures/shirt.png' }] }), 'x/textures/shirt.png': 'a texture', 'y/broken.gltf': '{' });
-  assert.match(await usageOf(at('y/broken.gltf'), at('x/shirt.gltf'), '-o', at('x/textures/{name}.png')), /would overwrite "shirt\.png", a part of the model ".*shirt\.gltf"/);
+  fill(at, {
+    'x/shirt.gltf': JSON.stringify({ asset: { version: '2.0' }, images: [{ uri: 'textures/shirt.png' }] }),
+    'x/textures/shirt.png': 'a texture',
+    'y/broken.gltf': '{',
+  });
+  assert.match(
+    await usageOf(at('y/broken.gltf'), at('x/shirt.gltf'), '-o', at('x/textures/{name}.png')),
+    /would overwrite "shirt\.png", a part of the model ".*shirt\.gltf"/,
+  );
   assert.equal((await runFake(['thumbnail', at('x/shirt.gltf'), '-o', at('x/{name}.png')])).exit, 0);
 });
 
@@ -133,15 +157,35 @@ test('an address and a pattern that no shell expanded say what to do', async () 
 test('a manifest names models, shots and outputs, relative to itself', async () => {
   const at = freshFolder();
   fill(at, {
-    'season/a.glb': gltf(), 'season/b.glb': gltf(), 'season/shots/back.json': '{"camera": {"view": "back"}, "environment": "sky.hdr"}',
-    'season/jobs.jsonl': ['{"model": "a.glb", "shot": {"exposure": 3, "environment": "in.exr"}, "output": "out/one.jpg"}', '',
-      '{"model": "b.glb", "shot": "shots/back.json"}', `{"model": "${at('season/a.glb')}", "output": "out/{name}-{view}.png"}`].join('\r\n'),
+    'season/a.glb': gltf(),
+    'season/b.glb': gltf(),
+    'season/shots/back.json': '{"camera": {"view": "back"}, "environment": "sky.hdr"}',
+    'season/jobs.jsonl': [
+      '{"model": "a.glb", "shot": {"exposure": 3, "environment": "in.exr"}, "output": "out/one.jpg"}',
+      '',
+      '{"model": "b.glb", "shot": "shots/back.json"}',
+      `{"model": "${at('season/a.glb')}", "output": "out/{name}-{view}.png"}`,
+    ].join('\r\n'),
   });
-  const { exit, stdout, stderr, calls } = await runFake(['thumbnail', '--manifest', at('season/jobs.jsonl'), '-o', at('rest/{name}.png'), '--set', 'exposure=2', '--json']);
-  assert.equal(exit, 0, stderr);
-  assert.deepEqual(JSON.parse(stdout).images.map(({ model, output, view }) => [model, output, view]), [
-    [at('season/a.glb'), at('season/out/one.jpg'), 'front'], [at('season/b.glb'), at('rest/b.png'), 'back'], [at('season/a.glb'), at('season/out/a-front.png'), 'front'],
+  const { exit, stdout, stderr, calls } = await runFake([
+    'thumbnail',
+    '--manifest',
+    at('season/jobs.jsonl'),
+    '-o',
+    at('rest/{name}.png'),
+    '--set',
+    'exposure=2',
+    '--json',
   ]);
+  assert.equal(exit, 0, stderr);
+  assert.deepEqual(
+    JSON.parse(stdout).images.map(({ model, output, view }) => [model, output, view]),
+    [
+      [at('season/a.glb'), at('season/out/one.jpg'), 'front'],
+      [at('season/b.glb'), at('rest/b.png'), 'back'],
+      [at('season/a.glb'), at('season/out/a-front.png'), 'front'],
+    ],
+  );
   const shots = Object.fromEntries(calls.rendered.map(({ source, shot }) => [`${path.basename(source.loaded ?? source)} ${shot.output.format}`, shot]));
   assert.deepEqual([shots['a.glb jpeg'].exposure, shots['a.glb jpeg'].environment.map], [3, at('season/in.exr')]);
   assert.deepEqual([shots['b.glb png'].exposure, shots['b.glb png'].environment.map], [2, at('season/shots/sky.hdr')]);
@@ -178,8 +222,15 @@ test('one bad file does not lose the others, whatever is crossed with it', async
   fill(at, { 'a.glb': gltf(), 'E_JSON.glb': gltf() });
   const { exit, stdout, stderr } = await runFake(['thumbnail', at('E_JSON.glb'), at('a.glb'), '-o', at('out'), '--views', 'front,back', '--json']);
   assert.equal(exit, 3);
-  assert.deepEqual(JSON.parse(stdout).images.map(({ ok, view, output }) => [ok, view, output && path.basename(output)]),
-    [[false, 'front', undefined], [false, 'back', undefined], [true, 'front', 'a-front.png'], [true, 'back', 'a-back.png']]);
+  assert.deepEqual(
+    JSON.parse(stdout).images.map(({ ok, view, output }) => [ok, view, output && path.basename(output)]),
+    [
+      [false, 'front', undefined],
+      [false, 'back', undefined],
+      [true, 'front', 'a-front.png'],
+      [true, 'back', 'a-back.png'],
+    ],
+  );
   assert.equal(stderr.match(/E_JSON at/g).length, 1, 'what two pictures have in common is said once');
   assert.match(stderr, /2 of 4 pictures drawn/);
 });
@@ -190,7 +241,10 @@ test('--skip-unchanged leaves out what would be the same, and nothing else', asy
     const { exit, stdout, calls } = await runFake(['thumbnail', 'a.glb', 'b.glb', '-o', at('out'), '--skip-unchanged', '--json', ...argv]);
     assert.equal(exit, 0);
     const { images } = JSON.parse(stdout);
-    assert.deepEqual(images.map(({ ok, unchanged = false, key, info }) => ok && (unchanged ? /^[\da-f]{64}$/.test(key) : /^[\da-f]{64}$/.test(info.key))), [true, true]);
+    assert.deepEqual(
+      images.map(({ ok, unchanged = false, key, info }) => ok && (unchanged ? /^[\da-f]{64}$/.test(key) : /^[\da-f]{64}$/.test(info.key))),
+      [true, true],
+    );
     return calls.rendered.map(({ source }) => source).sort();
   };
   assert.deepEqual(await drawn(), ['a.glb', 'b.glb']);
@@ -227,14 +281,20 @@ test('a run that is interrupted keeps the keys of what it has drawn', async () =
   const { exit } = await runFake(['thumbnail', ...models, '-o', at('out'), '--skip-unchanged'], { api: { ...api, createRenderer }, signal: abort.signal });
   assert.equal(exit, 5);
   const kept = Object.keys(JSON.parse(readFileSync(at('out/.telar-keys.json'))).pictures);
-  assert.deepEqual(kept, filesIn(at('out')).filter((name) => name.endsWith('.png')));
+  assert.deepEqual(
+    kept,
+    filesIn(at('out')).filter((name) => name.endsWith('.png')),
+  );
   assert.ok(kept.length > 0 && kept.length < 12, `${kept.length} drawn`);
 });
 
 test('what a contact sheet cannot show is refused first', async () => {
   const at = freshFolder();
   copyFileSync(fileURLToPath(import.meta.url), at('a.glb'));
-  assert.match(await usageOf(at('a.glb'), '-o', at('a.exr'), '--contact-sheet', at('s.png')), /it shows pictures in png, jpeg, webp files, and one goes to .*a\.exr/);
+  assert.match(
+    await usageOf(at('a.glb'), '-o', at('a.exr'), '--contact-sheet', at('s.png')),
+    /it shows pictures in png, jpeg, webp files, and one goes to .*a\.exr/,
+  );
   assert.match(await usageOf(at('a.glb'), '-o', at('a.png'), '--contact-sheet', at('s.pdf')), /expected a name that ends in \.png/);
   assert.match(await usageOf(at('a.glb'), '-o', at('a.png'), '--contact-sheet', at('a.png')), /a picture or a model has this name/);
   assert.match(await usageOf(at('a.glb'), '-o', '-', '--contact-sheet', at('s.png')), /one goes to stdout/);

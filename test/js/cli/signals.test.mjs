@@ -44,7 +44,12 @@ function files(folder) {
 }
 
 /** Seconds of CPU of a process so far. */
-const cpuOf = (pid) => readFileSync(`/proc/${pid}/stat`, 'utf8').split(') ')[1].split(' ').slice(11, 13).reduce((sum, ticks) => sum + Number(ticks), 0) / 100;
+const cpuOf = (pid) =>
+  readFileSync(`/proc/${pid}/stat`, 'utf8')
+    .split(') ')[1]
+    .split(' ')
+    .slice(11, 13)
+    .reduce((sum, ticks) => sum + Number(ticks), 0) / 100;
 
 /** All that comes before takes less. */
 async function drawing(pid) {
@@ -76,7 +81,10 @@ test('--timeout-ms: exit code 5, and the other models are drawn', () => {
   const { status, stdout, stderr } = spawnSync(BIN, ['thumbnail', at('much.glb'), at('ball.glb'), '-o', folder, '--json', '--timeout-ms', '3000', ...SMALL]);
   assert.equal(status, 5, stderr);
   const { images } = JSON.parse(stdout);
-  assert.deepEqual(images.map(({ ok, error }) => error?.code ?? ok), ['X_TIMEOUT', true]);
+  assert.deepEqual(
+    images.map(({ ok, error }) => error?.code ?? ok),
+    ['X_TIMEOUT', true],
+  );
   assert.deepEqual(readdirSync(folder), ['ball.png']);
 });
 

@@ -33,14 +33,24 @@ test('--json is exactly one object on stdout', async () => {
   const { exit, stdout } = await runFake(['thumbnail', 'shirt.glb', '--json', '-o', at('a.png')]);
   assert.equal(exit, 0);
   assert.equal(stdout.trim().split('\n').length, 1);
-  const { ok, images: [image] } = JSON.parse(stdout);
+  const {
+    ok,
+    images: [image],
+  } = JSON.parse(stdout);
   assert.deepEqual([ok, image.model, image.ok, image.output], [true, 'shirt.glb', true, at('a.png')]);
   assert.equal(image.info.shot.size.width, 512);
 });
 
 test('the extension gives the format', async () => {
   const at = freshFolder();
-  for (const [name, format] of [['a.jpg', 'jpeg'], ['a.JPEG', 'jpeg'], ['a.webp', 'webp'], ['a.tif', 'tiff'], ['a.exr', 'exr'], ['a.raw', 'raw']]) {
+  for (const [name, format] of [
+    ['a.jpg', 'jpeg'],
+    ['a.JPEG', 'jpeg'],
+    ['a.webp', 'webp'],
+    ['a.tif', 'tiff'],
+    ['a.exr', 'exr'],
+    ['a.raw', 'raw'],
+  ]) {
     assert.equal((await runFake(['thumbnail', 'm.glb', '-o', at(name)])).exit, 0, name);
     assert.equal(shotIn(at(name)).output.format, format);
   }
@@ -48,12 +58,41 @@ test('the extension gives the format', async () => {
 
 test('flags, --set and --shot make the shot, each over the one before', async () => {
   const at = freshFolder();
-  writeFileSync(at('shot.json'), JSON.stringify({
-    size: { width: 10, height: 20 }, camera: { view: 'back', fit: 0.5 }, environment: { map: 'maps/a.hdr', rotation: 5 }, exposure: 2,
-  }));
-  const { exit, stderr, calls } = await runFake(['thumbnail', 'm.glb', '-o', at('a.png'), '--shot', at('shot.json'), '--view', 'top', '--quality', 'draft',
-    '--background', 'rgb(255, 0, 0)', '--variant', 'navy', '--shading', 'three', '--set', 'exposure=3', '--set', 'lights.0.type=point',
-    '--set', 'lights.0.color=[0, 1, 0]', '--set', 'output.ppi=72']);
+  writeFileSync(
+    at('shot.json'),
+    JSON.stringify({
+      size: { width: 10, height: 20 },
+      camera: { view: 'back', fit: 0.5 },
+      environment: { map: 'maps/a.hdr', rotation: 5 },
+      exposure: 2,
+    }),
+  );
+  const { exit, stderr, calls } = await runFake([
+    'thumbnail',
+    'm.glb',
+    '-o',
+    at('a.png'),
+    '--shot',
+    at('shot.json'),
+    '--view',
+    'top',
+    '--quality',
+    'draft',
+    '--background',
+    'rgb(255, 0, 0)',
+    '--variant',
+    'navy',
+    '--shading',
+    'three',
+    '--set',
+    'exposure=3',
+    '--set',
+    'lights.0.type=point',
+    '--set',
+    'lights.0.color=[0, 1, 0]',
+    '--set',
+    'output.ppi=72',
+  ]);
   assert.equal(exit, 0, stderr);
   const { shot } = calls.rendered[0];
   assert.deepEqual(shot.size, { width: 10, height: 20 });
@@ -71,7 +110,11 @@ test('--frame and --fit-to say how a view frames, and --view keeps it', async ()
   const camera = (wanted) => resolveShot({ camera: wanted }, facts).camera;
   assert.deepEqual(await rendered('--view', 'left', '--fit-to', 'turntable'), camera({ view: 'left', fitTo: 'turntable' }));
   assert.deepEqual(await rendered('--shot', at('shot.json'), '--view', 'top'), camera({ view: 'top', fit: 1.5, fitTo: 'all' }));
-  for (const [flag, code] of [['node=Sleeve', 'E_FRAME'], ['material=3', 'E_FRAME'], ['sleeve', 'E_SHOT']]) {
+  for (const [flag, code] of [
+    ['node=Sleeve', 'E_FRAME'],
+    ['material=3', 'E_FRAME'],
+    ['sleeve', 'E_SHOT'],
+  ]) {
     const { exit, stderr } = await runFake(['thumbnail', 'm.glb', '-o', at('a.png'), '--frame', flag]);
     assert.ok(exit === (code === 'E_SHOT' ? 2 : 3) && stderr.includes(code), stderr);
   }
@@ -206,7 +249,10 @@ test('a progress bar is for people only', async () => {
 test('a traced picture shows how far it is, one alone too', async () => {
   const argv = ['thumbnail', 'a.glb', '-o', freshFolder()('a.png')];
   assert.equal((await runFake(argv, { tty: true })).stderr, '');
-  for (const quality of [['--quality', 'reference'], ['--set', 'quality={"preset":"reference","samples":4}']]) {
+  for (const quality of [
+    ['--quality', 'reference'],
+    ['--set', 'quality={"preset":"reference","samples":4}'],
+  ]) {
     const { stderr } = await runFake([...argv, ...quality], { tty: true, fake: fakeApi({ delayMs: 200 }) });
     assert.match(stderr, /50%/);
     assert.equal((await runFake([...argv, ...quality])).stderr, '');
@@ -225,8 +271,10 @@ test('an abort leaves no file and closes the renderer', async () => {
   const at = freshFolder();
   const abort = new AbortController();
   setTimeout(() => abort.abort(), 30);
-  const { exit, stdout, calls } = await runFake(['thumbnail', ...'abcdefgh'.split('').map((name) => `${name}.glb`), '-o', at.folder, '--json'],
-    { signal: abort.signal, fake: fakeApi({ delayMs: 20_000 }) });
+  const { exit, stdout, calls } = await runFake(['thumbnail', ...'abcdefgh'.split('').map((name) => `${name}.glb`), '-o', at.folder, '--json'], {
+    signal: abort.signal,
+    fake: fakeApi({ delayMs: 20_000 }),
+  });
   assert.equal(exit, 5);
   assert.ok(JSON.parse(stdout).images.every(({ error }) => error.code === 'X_CANCELLED'));
   assert.deepEqual(readdirSync(at.folder), []);

@@ -48,9 +48,19 @@ test('a mask finds the silhouette before a background, which counts as interior'
   const within = (x, y) => compareImages(opaque, withPixel(opaque, x, y, [50, 60, 90, 255]), { mask });
   const { interior, edge } = within(16, 16);
   assert.deepEqual([interior.pixels, edge.pixels], [1024 - (28 * 28 - 20 * 20), 28 * 28 - 20 * 20]);
-  for (const [x, y, region] of [[16, 16, 'interior'], [0, 0, 'interior'], [2, 16, 'edge'], [5, 16, 'edge'], [6, 16, 'interior']]) {
+  for (const [x, y, region] of [
+    [16, 16, 'interior'],
+    [0, 0, 'interior'],
+    [2, 16, 'edge'],
+    [5, 16, 'edge'],
+    [6, 16, 'interior'],
+  ]) {
     const comparison = within(x, y);
-    assert.deepEqual(['interior', 'edge'].filter((name) => comparison[name].max > 0), [region], `${x} ${y}`);
+    assert.deepEqual(
+      ['interior', 'edge'].filter((name) => comparison[name].max > 0),
+      [region],
+      `${x} ${y}`,
+    );
   }
   assert.throws(() => compareImages(opaque, opaque, { mask: new Uint8Array(3) }), { code: 'E_OPTION', message: /mask: expected a Uint8Array of 1024/ });
 });
@@ -83,18 +93,46 @@ test('a difference of alpha shows whatever the colour is, and colour where nothi
 
 test('gates: what each one lets through', () => {
   const grey = (change) => draw(SIZE, SIZE, (x, y) => [...[0, 1, 2].map(() => 128 + change(x, y)), 255]);
-  const against = (change) => passes(compareImages(grey(() => 0), grey(change)));
+  const against = (change) =>
+    passes(
+      compareImages(
+        grey(() => 0),
+        grey(change),
+      ),
+    );
   // 128 to 129 is 0.39 of L*: FLIP (0.39 ** 0.7) * 0.95 / (0.4 * 41.3) = 0.03 everywhere.
-  assert.deepEqual(against(() => 1), ['parity', 'other-gl', 'draft']);
-  assert.deepEqual(against((x) => (x % 16 ? 0 : 1)), ['parity', 'standard', 'other-gl', 'draft']);
-  assert.deepEqual(against((x, y) => (x === 9 && y === 9 ? 2 : 0)), ['parity', 'standard', 'other-gl', 'draft'], '1 of 1024 pixels is below 0.1 %');
-  assert.deepEqual(against((x, y) => (x === 9 && y < 2 ? 2 : 0)), ['standard', 'other-gl', 'draft'], '2 of 1024 pixels are above 0.1 %');
-  assert.deepEqual(against((x, y) => (x === 9 && y === 9 ? 3 : 0)), ['standard', 'other-gl', 'draft']);
-  assert.deepEqual(against(() => 4), []);
+  assert.deepEqual(
+    against(() => 1),
+    ['parity', 'other-gl', 'draft'],
+  );
+  assert.deepEqual(
+    against((x) => (x % 16 ? 0 : 1)),
+    ['parity', 'standard', 'other-gl', 'draft'],
+  );
+  assert.deepEqual(
+    against((x, y) => (x === 9 && y === 9 ? 2 : 0)),
+    ['parity', 'standard', 'other-gl', 'draft'],
+    '1 of 1024 pixels is below 0.1 %',
+  );
+  assert.deepEqual(
+    against((x, y) => (x === 9 && y < 2 ? 2 : 0)),
+    ['standard', 'other-gl', 'draft'],
+    '2 of 1024 pixels are above 0.1 %',
+  );
+  assert.deepEqual(
+    against((x, y) => (x === 9 && y === 9 ? 3 : 0)),
+    ['standard', 'other-gl', 'draft'],
+  );
+  assert.deepEqual(
+    against(() => 4),
+    [],
+  );
 });
 
 test('an edge that looks different is over parity, though the interior is the same', () => {
-  const frayed = draw(SIZE, SIZE, (x, y) => (x === 4 && y >= 4 && y < 28 ? [255, 255, 255, 255] : [...square(SIZE).data.subarray((y * SIZE + x) * 4, (y * SIZE + x) * 4 + 4)]));
+  const frayed = draw(SIZE, SIZE, (x, y) =>
+    x === 4 && y >= 4 && y < 28 ? [255, 255, 255, 255] : [...square(SIZE).data.subarray((y * SIZE + x) * 4, (y * SIZE + x) * 4 + 4)],
+  );
   const { pass, checks } = judge(compareImages(square(SIZE), frayed), 'parity');
   assert.deepEqual([pass, checks.map((check) => check.pass)], [false, [true, true, false]]);
 });
@@ -113,12 +151,20 @@ test('a region without pixels of pictures that differ is within no gate that ask
   assert.deepEqual([verdict.pass, verdict.checks.map(({ value }) => value)], [false, [null, null, null]]);
 });
 
-test('limits stand in place of a gate\'s, or beside them', () => {
+test("limits stand in place of a gate's, or beside them", () => {
   const comparison = compareImages(square(SIZE), withPixel(square(SIZE), 16, 16, [110, 110, 110, 255]));
   const checks = (limits) => judge(comparison, 'parity', limits).checks.map(({ region, figure, limit, pass }) => [`${region}.${figure}`, limit, pass]);
-  assert.deepEqual(checks({}), [['interior.max', 2, false], ['interior.p999', 1, false], ['edge.flip.mean', 0.01, true]]);
-  assert.deepEqual(checks({ 'interior.max': 10, 'interior.p999': 10, 'object.deltaE.max': 3 }),
-    [['interior.max', 10, true], ['interior.p999', 10, true], ['edge.flip.mean', 0.01, true], ['object.deltaE.max', 3, false]]);
+  assert.deepEqual(checks({}), [
+    ['interior.max', 2, false],
+    ['interior.p999', 1, false],
+    ['edge.flip.mean', 0.01, true],
+  ]);
+  assert.deepEqual(checks({ 'interior.max': 10, 'interior.p999': 10, 'object.deltaE.max': 3 }), [
+    ['interior.max', 10, true],
+    ['interior.p999', 10, true],
+    ['edge.flip.mean', 0.01, true],
+    ['object.deltaE.max', 3, false],
+  ]);
   assert.throws(() => judge(comparison, 'exact', { 'body.max': 1 }), { code: 'E_OPTION', message: /limits\.body\.max: expected a region/ });
   assert.throws(() => judge(comparison, 'exact', { 'frame.max': -1 }), { code: 'E_OPTION', message: /at least 0, got -1/ });
 });
@@ -133,7 +179,10 @@ test('what is ignored is in no figure, and its neighbours do not see it', () => 
   const beside = new Uint8Array(SIZE * SIZE);
   beside[16 * SIZE + 17] = 1;
   assert.equal(compareImages(square(SIZE), spot, { ignore: beside }).frame.max, 155);
-  assert.throws(() => compareImages(spot, spot, { ignore: new Uint8Array(3) }), { code: 'E_OPTION', message: /options\.ignore: expected a Uint8Array of 1024 bytes/ });
+  assert.throws(() => compareImages(spot, spot, { ignore: new Uint8Array(3) }), {
+    code: 'E_OPTION',
+    message: /options\.ignore: expected a Uint8Array of 1024 bytes/,
+  });
   assert.throws(() => compareImages(spot, spot, { ignore: new Uint8Array(SIZE * SIZE).fill(1) }), { code: 'E_OPTION', message: /leaves no pixel/ });
 });
 

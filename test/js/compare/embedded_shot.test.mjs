@@ -4,9 +4,12 @@ import sharp from 'sharp';
 import { embedShot, MAX_SHOT_BYTES, readEmbeddedShot, SHOT_KEYWORD } from '../../../js/compare/embedded_shot.mjs';
 
 const SHOT = { camera: { view: 'front' }, variant: 'Añil – 藍', exposure: 1.25 };
-const picture = async (format = 'png') => new Uint8Array(
-  await sharp({ create: { width: 5, height: 3, channels: 4, background: { r: 200, g: 100, b: 50, alpha: 0.5 } } })[format]().toBuffer(),
-);
+const picture = async (format = 'png') =>
+  new Uint8Array(
+    await sharp({ create: { width: 5, height: 3, channels: 4, background: { r: 200, g: 100, b: 50, alpha: 0.5 } } })
+      [format]()
+      .toBuffer(),
+  );
 const isError = (code, text) => (error) => error.code === code && error.message.includes(text);
 
 test('a shot comes back from the PNG that it was saved in', async () => {

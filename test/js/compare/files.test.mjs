@@ -26,7 +26,11 @@ test('PNG and lossless WebP come back as they were, from a path, a URL and bytes
 });
 
 test('a JPEG comes close', async () => {
-  const { width, height, data } = await readImage(await sharp({ create: { width: 8, height: 8, channels: 3, background: '#4080c0' } }).jpeg({ quality: 95 }).toBuffer());
+  const { width, height, data } = await readImage(
+    await sharp({ create: { width: 8, height: 8, channels: 3, background: '#4080c0' } })
+      .jpeg({ quality: 95 })
+      .toBuffer(),
+  );
   assert.deepEqual([width, height, data[3]], [8, 8, 255]);
   [0x40, 0x80, 0xc0].forEach((value, c) => assert.ok(Math.abs(data[c] - value) <= 2));
 });
@@ -57,7 +61,10 @@ test('limits and signals hold', async () => {
   writeFileSync(file, png);
   await assert.rejects(readImage(png, { limits: { L_IMAGE_DIMENSION: 16 } }), { code: 'L_IMAGE_DIMENSION', exit: 4 });
   for (const source of [png, file]) {
-    await assert.rejects(readImage(source, { limits: { L_FILE_BYTES: 100 } }), { code: 'L_FILE_BYTES', limit: { name: 'L_FILE_BYTES', max: 100, actual: png.length } });
+    await assert.rejects(readImage(source, { limits: { L_FILE_BYTES: 100 } }), {
+      code: 'L_FILE_BYTES',
+      limit: { name: 'L_FILE_BYTES', max: 100, actual: png.length },
+    });
   }
   const reason = new Error('enough');
   await assert.rejects(readImage(png, { signal: AbortSignal.abort(reason) }), reason);

@@ -30,7 +30,7 @@ test('flat black against flat white: L* differs by 100 and nothing else does', (
 
 const disc = (radius, inside, outside) => draw(24, 19, (x, y) => (Math.hypot(x - 11, y - 9) < radius ? inside : outside));
 const PICTURES = {
-  'noise': [noise(24, 19, 1), noise(24, 19, 2), 67],
+  noise: [noise(24, 19, 1), noise(24, 19, 2), 67],
   'an edge moved by a pixel': [disc(6, [200, 30, 40, 255], [90, 100, 110, 255]), disc(7, [200, 30, 40, 255], [90, 100, 110, 255]), 67],
   'one bright point': [flat(24, 19, [20, 20, 20, 255]), draw(24, 19, (x, y) => (x === 12 && y === 8 ? [255, 255, 255, 255] : [20, 20, 20, 255])), 67],
   'a change at the border, seen from nearby': [flat(24, 19, [0, 90, 200, 255]), draw(24, 19, (x) => [x < 2 ? 60 : 0, 90, 200, 255]), 30],
@@ -45,7 +45,12 @@ for (const [name, [expected, actual, ppd]] of Object.entries(PICTURES)) {
 }
 
 test('only the surroundings of a difference are worked out, with the same result', () => {
-  for (const [x, y] of [[40, 30], [0, 0], [79, 59], [3, 58]]) {
+  for (const [x, y] of [
+    [40, 30],
+    [0, 0],
+    [79, 59],
+    [3, 58],
+  ]) {
     const [plain, spot] = [noise(80, 60, 3), noise(80, 60, 3)];
     spot.data.set([255, 0, 255, 255], (y * 80 + x) * 4);
     const found = map(plain, spot);
@@ -54,7 +59,9 @@ test('only the surroundings of a difference are worked out, with the same result
     for (const at of [0, 79, 59 * 80, 60 * 80 - 1]) corners.data[at * 4 + 1] ^= 0x80;
     const whole = map(plain, corners);
     const far = (p) => [p % 80, Math.floor(p / 80)].every((c, axis) => c > 10 && c < [69, 49][axis]);
-    found.forEach((error, p) => { if (far(p)) assert.equal(error, whole[p], `${p}`); });
+    found.forEach((error, p) => {
+      if (far(p)) assert.equal(error, whole[p], `${p}`);
+    });
     assert.ok(found[y * 80 + x] > 0.1);
     assert.ok(found.every((error, p) => error === 0 || Math.max(Math.abs((p % 80) - x), Math.abs(Math.floor(p / 80) - y)) <= 10));
   }

@@ -4,7 +4,11 @@
  */
 
 // Linear Rec.709 to XYZ from the chromaticities of the primaries and of D65, as IEC 61966-2-1 gives them.
-const PRIMARIES = [[0.64, 0.33], [0.3, 0.6], [0.15, 0.06]];
+const PRIMARIES = [
+  [0.64, 0.33],
+  [0.3, 0.6],
+  [0.15, 0.06],
+];
 const D65 = [0.3127, 0.329];
 const xyzOf = ([x, y]) => [x / y, 1, (1 - x - y) / y];
 
@@ -63,10 +67,28 @@ export function flipByFormula(expected, actual, ppd) {
   const at = (values, x, y) => values[clampTo(y, height) * width + clampTo(x, width)];
   const filter = (values, weights, x, y) => weights.reduce((sum, { dx, dy, weight }) => sum + weight * at(values, x + dx, y + dy), 0);
 
-  const csf = [[[1, 0.0047], [0, 1e-5]], [[1, 0.0053], [0, 1e-5]], [[34.1, 0.04], [13.5, 0.025]]];
+  const csf = [
+    [
+      [1, 0.0047],
+      [0, 1e-5],
+    ],
+    [
+      [1, 0.0053],
+      [0, 1e-5],
+    ],
+    [
+      [34.1, 0.04],
+      [13.5, 0.025],
+    ],
+  ];
   const csfRadius = Math.ceil(3 * Math.sqrt(0.04 / (2 * Math.PI * Math.PI)) * ppd);
-  const csfKernels = csf.map((terms) => unit(kernel(csfRadius, (dx, dy) => terms.reduce((sum, [a, b]) =>
-    sum + a * Math.sqrt(Math.PI / b) * Math.exp((-Math.PI * Math.PI * ((dx / ppd) ** 2 + (dy / ppd) ** 2)) / b), 0))));
+  const csfKernels = csf.map((terms) =>
+    unit(
+      kernel(csfRadius, (dx, dy) =>
+        terms.reduce((sum, [a, b]) => sum + a * Math.sqrt(Math.PI / b) * Math.exp((-Math.PI * Math.PI * ((dx / ppd) ** 2 + (dy / ppd) ** 2)) / b), 0),
+      ),
+    ),
+  );
 
   const sd = (0.082 / 2) * ppd;
   const gaussian = (dx, dy) => Math.exp(-(dx * dx + dy * dy) / (2 * sd * sd));
@@ -81,17 +103,19 @@ export function flipByFormula(expected, actual, ppd) {
     return [0, 1, 2].map((c) => opponent.map((value) => value[c]));
   });
   const luminances = planes.map(([Y]) => Y.map((value) => (value + 16) / 116));
-  const seen = (image, x, y) => hunt(fromOpponent(csfKernels.map((weights, c) => filter(planes[image][c], weights, x, y)))
-    .map((value) => Math.min(1, Math.max(0, value))));
-  const feature = (image, [alongX, alongY], x, y) =>
-    Math.sqrt(filter(luminances[image], alongX, x, y) ** 2 + filter(luminances[image], alongY, x, y) ** 2);
+  const seen = (image, x, y) =>
+    hunt(fromOpponent(csfKernels.map((weights, c) => filter(planes[image][c], weights, x, y))).map((value) => Math.min(1, Math.max(0, value))));
+  const feature = (image, [alongX, alongY], x, y) => Math.sqrt(filter(luminances[image], alongX, x, y) ** 2 + filter(luminances[image], alongY, x, y) ** 2);
 
   const most = hyab(hunt([0, 1, 0]), hunt([0, 0, 1])) ** 0.7;
   return Float64Array.from({ length: width * height }, (_, p) => {
     const [x, y] = [p % width, Math.floor(p / width)];
     const error = hyab(seen(0, x, y), seen(1, x, y)) ** 0.7;
     const colour = error < 0.4 * most ? (error * 0.95) / (0.4 * most) : 0.95 + (0.05 * (error - 0.4 * most)) / (0.6 * most);
-    const [edge, point] = [[edgeX, edgeY], [pointX, pointY]].map((pair) => Math.abs(feature(0, pair, x, y) - feature(1, pair, x, y)));
+    const [edge, point] = [
+      [edgeX, edgeY],
+      [pointX, pointY],
+    ].map((pair) => Math.abs(feature(0, pair, x, y) - feature(1, pair, x, y)));
     return colour ** (1 - Math.sqrt(Math.max(edge, point) / Math.SQRT2));
   });
 }

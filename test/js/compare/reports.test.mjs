@@ -11,7 +11,10 @@ import { square, withPixel } from './support.mjs';
 const comparison = compareImages(square(32), withPixel(square(32), 16, 16, [255, 0, 0, 255]));
 
 test('JUnit: a case for each check, a failure for each that is over, names escaped', () => {
-  const xml = junitReport([{ name: '<a> & "b"\u0001', verdict: judge(comparison, 'parity') }, { name: 'same', verdict: judge(compareImages(square(32), square(32)), 'exact') }]);
+  const xml = junitReport([
+    { name: '<a> & "b"\u0001', verdict: judge(comparison, 'parity') },
+    { name: 'same', verdict: judge(compareImages(square(32), square(32)), 'exact') },
+  ]);
   assert.match(xml, /^<\?xml version="1.0" encoding="UTF-8"\?>\n<testsuites>/);
   assert.match(xml, /<testsuite name="&#60;a&#62; &#38; &#34;b&#34;\ufffd \(parity\)" tests="3" failures="2">/);
   assert.match(xml, /name="interior max">\n +<failure message="155\/255, at most 2\/255"\/>/);
@@ -22,7 +25,10 @@ test('JUnit: a case for each check, a failure for each that is over, names escap
 test('HTML: the verdict, the pictures and every region', () => {
   const html = htmlReport(comparison, judge(comparison, 'parity'), { expected: 'e.png', actual: 'a.png', heatMap: 'h.png', title: '<shirt>' });
   assert.match(html, /<h1>&#60;shirt&#62;: over the gate &#34;parity&#34;<\/h1>/);
-  assert.deepEqual([...html.matchAll(/<img src="([^"]+)" alt="[^"]+"/g)].map(([, file]) => file), ['e.png', 'a.png', 'h.png']);
+  assert.deepEqual(
+    [...html.matchAll(/<img src="([^"]+)" alt="[^"]+"/g)].map(([, file]) => file),
+    ['e.png', 'a.png', 'h.png'],
+  );
   for (const region of ['frame', 'object', 'interior', 'edge']) assert.match(html, new RegExp(`<th scope="row">${region}</th>`));
   assert.doesNotMatch(html, /<script|https?:/, 'a page without a network');
 });

@@ -38,7 +38,11 @@ test('a mirrored structure is negative; a picture without a whole window has non
 
 test('a spot: the mean over all windows, each taken by itself', () => {
   const window = ({ width, data }, x0, y0) => draw(11, 11, (x, y) => [...data.subarray(((y0 + y) * width + x0 + x) * 4).subarray(0, 4)]);
-  for (const [x, y] of [[20, 12], [0, 0], [39, 29]]) {
+  for (const [x, y] of [
+    [20, 12],
+    [0, 0],
+    [39, 29],
+  ]) {
     const [a, b] = [noise(40, 30, 3), withPixel(noise(40, 30, 3), x, y, [255, 0, 255, 255])];
     const values = [];
     for (let y0 = 0; y0 <= 19; y0++) for (let x0 = 0; x0 <= 29; x0++) values.push(of(window(a, x0, y0), window(b, x0, y0)));

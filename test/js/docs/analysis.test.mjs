@@ -10,7 +10,8 @@ const page = readFileSync(new URL('analysis.md', DOCS), 'utf8');
 const files = readdirSync(new URL('analysis/', DOCS));
 
 test('the page ranks every term that differs today, and names every light and fabric', () => {
-  for (const { slot, from, to } of swapsBetween('three-r115', 'disney-2012').terms) assert.ok(page.includes(`| **${slot}** | ${from} → ${to} |`), `${slot}: run npm run analysis`);
+  for (const { slot, from, to } of swapsBetween('three-r115', 'disney-2012').terms)
+    assert.ok(page.includes(`| **${slot}** | ${from} → ${to} |`), `${slot}: run npm run analysis`);
   for (const light of Object.keys(LIGHTS)) assert.ok(page.includes(`\`${light}\` (`), light);
   for (const fabric of FABRICS) assert.ok(page.includes(`\n### ${fabric}\n`), fabric);
 });

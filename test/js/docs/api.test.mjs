@@ -14,7 +14,10 @@ const TEXT = readFileSync(path.join(ROOT, 'js/index.d.ts'), 'utf8');
 /** Members of an interface, those that it extends included: name to comment. */
 function membersOf(name, text = TEXT) {
   const [, parents, body = ''] = new RegExp(`^export interface ${name}(?: extends ([\\w, ]+))? \\{(?:\\}|\\n([\\s\\S]*?)^\\})`, 'm').exec(text);
-  const own = [...body.matchAll(/^ {2}(?:\/\*\*((?:(?!\*\/)[\s\S])*?)\*\/\n {2})?(?:readonly )?(\w+)(\?)?[:(]/gm)].map(([, comment = '', member, optional]) => [member, { comment, optional: Boolean(optional) }]);
+  const own = [...body.matchAll(/^ {2}(?:\/\*\*((?:(?!\*\/)[\s\S])*?)\*\/\n {2})?(?:readonly )?(\w+)(\?)?[:(]/gm)].map(([, comment = '', member, optional]) => [
+    member,
+    { comment, optional: Boolean(optional) },
+  ]);
   const inherited = parents?.split(', ').flatMap((parent) => [...membersOf(parent, text)]) ?? [];
   const members = new Map(inherited);
   // Of an overload the first is documented.
@@ -70,7 +73,8 @@ test('every method and function has an example', () => {
   for (const [method, { comment }] of membersOf('Renderer')) {
     if (!['backend', 'gl'].includes(method)) assert.match(comment, /@example\n/, method);
   }
-  for (const [, comment, name] of TEXT.matchAll(/^(?:\/\*\*((?:(?!\*\/)[\s\S])*?)\*\/\n)?export function (\w+)/gm)) assert.match(comment ?? '', /@example\n/, name);
+  for (const [, comment, name] of TEXT.matchAll(/^(?:\/\*\*((?:(?!\*\/)[\s\S])*?)\*\/\n)?export function (\w+)/gm))
+    assert.match(comment ?? '', /@example\n/, name);
   assert.ok(EXAMPLES.length >= 14, String(EXAMPLES.length));
 });
 
@@ -81,14 +85,20 @@ function typeErrors(examples) {
   mkdirSync(FOLDER, { recursive: true });
   const config = { extends: '../../test/types/tsconfig.json', files: ['../../test/types/globals.d.ts', 'all.mts'] };
   writeFileSync(path.join(FOLDER, 'tsconfig.json'), JSON.stringify(config));
-  writeFileSync(path.join(FOLDER, 'all.mts'), [
-    "import { createRenderer, doctor, evaluateShading, inspect, pictureKey, type Model, type Renderer, type Resolve, type Shot } from 'telar';",
-    "import { resolveShot } from 'telar/shot';",
-    'declare function writeFile(path: string, data: Uint8Array): Promise<void>;',
-    ...examples.map((example, i) => `export async function example${i}(${example.includes('const renderer') || example.includes('using renderer') ? '' : 'renderer: Renderer, '}${example.includes('const model') ? '' : 'model: Model'}) {\n${example}}`),
-    'export const all = [createRenderer, doctor, evaluateShading, inspect, pictureKey, resolveShot];',
-    'export type All = [Model, Renderer, Resolve, Shot];',
-  ].join('\n'));
+  writeFileSync(
+    path.join(FOLDER, 'all.mts'),
+    [
+      "import { createRenderer, doctor, evaluateShading, inspect, pictureKey, type Model, type Renderer, type Resolve, type Shot } from 'telar';",
+      "import { resolveShot } from 'telar/shot';",
+      'declare function writeFile(path: string, data: Uint8Array): Promise<void>;',
+      ...examples.map(
+        (example, i) =>
+          `export async function example${i}(${example.includes('const renderer') || example.includes('using renderer') ? '' : 'renderer: Renderer, '}${example.includes('const model') ? '' : 'model: Model'}) {\n${example}}`,
+      ),
+      'export const all = [createRenderer, doctor, evaluateShading, inspect, pictureKey, resolveShot];',
+      'export type All = [Model, Renderer, Resolve, Shot];',
+    ].join('\n'),
+  );
   const { stdout } = spawnSync(process.execPath, [path.join(ROOT, 'node_modules/typescript/bin/tsc'), '-p', FOLDER], { encoding: 'utf8' });
   return stdout;
 }

@@ -25,16 +25,29 @@ before(async () => {
   mkdirSync(path.join(folder, 'node_modules'));
   symlinkSync(ROOT, path.join(folder, 'node_modules/telar'));
   symlinkSync(path.join(ROOT, 'node_modules/three'), path.join(folder, 'node_modules/three'));
-  examples.forEach((text, i) => writeFileSync(path.join(folder, `example${i}.mjs`), `${text}\nwindow.done = true;\n${text.includes('denim') ? 'window.denim = denim;' : ''}`));
+  examples.forEach((text, i) =>
+    writeFileSync(path.join(folder, `example${i}.mjs`), `${text}\nwindow.done = true;\n${text.includes('denim') ? 'window.denim = denim;' : ''}`),
+  );
   await build({
-    absWorkingDir: folder, entryPoints: examples.map((_, i) => `example${i}.mjs`), outdir: 'out', bundle: true, splitting: true, format: 'esm', target: 'es2022', logLevel: 'warning',
+    absWorkingDir: folder,
+    entryPoints: examples.map((_, i) => `example${i}.mjs`),
+    outdir: 'out',
+    bundle: true,
+    splitting: true,
+    format: 'esm',
+    target: 'es2022',
+    logLevel: 'warning',
   });
   server = createServer(({ url }, response) => {
     const name = url.slice(1);
     const file = { 'shirt.glb': 'js/assets/tshirt.glb', 'studio.hdr': 'js/assets/studio.hdr' }[name];
-    if (name.endsWith('.html')) response.setHeader('Content-Type', TYPES['.html']).end(`<!doctype html><link rel="icon" href="data:,"><body><script type="module" src="${name.replace('.html', '.js')}"></script>`);
+    if (name.endsWith('.html'))
+      response
+        .setHeader('Content-Type', TYPES['.html'])
+        .end(`<!doctype html><link rel="icon" href="data:,"><body><script type="module" src="${name.replace('.html', '.js')}"></script>`);
     else if (file) createReadStream(path.join(ROOT, file)).pipe(response);
-    else if (existsSync(path.join(folder, 'out', name))) createReadStream(path.join(folder, 'out', name)).pipe(response.setHeader('Content-Type', TYPES['.js']));
+    else if (existsSync(path.join(folder, 'out', name)))
+      createReadStream(path.join(folder, 'out', name)).pipe(response.setHeader('Content-Type', TYPES['.js']));
     else response.writeHead(404).end();
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
@@ -60,7 +73,10 @@ async function run(index) {
 
 test('the example with a model draws it as cloth', async () => {
   await run(0);
-  const { data, info } = await sharp(await page.locator('canvas').screenshot()).removeAlpha().raw().toBuffer({ resolveWithObject: true });
+  const { data, info } = await sharp(await page.locator('canvas').screenshot())
+    .removeAlpha()
+    .raw()
+    .toBuffer({ resolveWithObject: true });
   assert.deepEqual([info.width, info.height], [512, 512]);
   const drawn = data.filter((value, i) => i % 3 === 0 && value < 255).length;
   assert.ok(drawn > 50_000, `${drawn} pixels are not the page's white`);
@@ -68,7 +84,11 @@ test('the example with a model draws it as cloth', async () => {
 
 test('the example by hand makes a material', async () => {
   await run(1);
-  assert.deepEqual(await page.evaluate(() => [window.denim.isFabricMaterial, window.denim.isMeshPhysicalMaterial, window.denim.fabric.weave.warp.coverage]), [true, true, 0.6]);
+  assert.deepEqual(await page.evaluate(() => [window.denim.isFabricMaterial, window.denim.isMeshPhysicalMaterial, window.denim.fabric.weave.warp.coverage]), [
+    true,
+    true,
+    0.6,
+  ]);
 });
 
 test('shader text is fetched by whom it is asked for: no part that is loaded at once holds any', () => {
@@ -82,5 +102,8 @@ test('shader text is fetched by whom it is asked for: no part that is loaded at 
   };
   const holders = readdirSync(out).filter((file) => readFileSync(path.join(out, file), 'utf8').includes('telar_SurfaceInfo'));
   assert.ok(holders.length >= 3, holders.join(' '));
-  assert.deepEqual(holders.filter((file) => imports('example0.js').has(file)), []);
+  assert.deepEqual(
+    holders.filter((file) => imports('example0.js').has(file)),
+    [],
+  );
 });

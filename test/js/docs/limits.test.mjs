@@ -15,12 +15,30 @@ const HEADER = `
 
 test('the table of limits is written from limits.h', () => {
   const page = withLimitsTable('before\n\n| limit | x |\n|---|\n| old |\n\nafter\n', HEADER);
-  assert.equal(page, ['before', '', '| limit | default | of what |', '| --- | --- | --- |', '| `L_FILE_BYTES` | 64 MiB | each file |', '| `L_FILES` | 256 |  |',
-    '| `L_PIXELS` | 33,554,432 | of a map |', '', 'after', ''].join('\n'));
+  assert.equal(
+    page,
+    [
+      'before',
+      '',
+      '| limit | default | of what |',
+      '| --- | --- | --- |',
+      '| `L_FILE_BYTES` | 64 MiB | each file |',
+      '| `L_FILES` | 256 |  |',
+      '| `L_PIXELS` | 33,554,432 | of a map |',
+      '',
+      'after',
+      '',
+    ].join('\n'),
+  );
   assert.throws(() => withLimitsTable('no table', HEADER), /SECURITY\.md has no table/);
 });
 
 test('SECURITY.md names each limit as the API takes it, with its default', () => {
-  const rows = new Map([...read('SECURITY.md').matchAll(/^\| `(L_\w+)` \| ([\d,]+)( MiB)? \|/gm)].map(([, name, number, unit]) => [name, Number(number.replaceAll(',', '')) * (unit ? 2 ** 20 : 1)]));
+  const rows = new Map(
+    [...read('SECURITY.md').matchAll(/^\| `(L_\w+)` \| ([\d,]+)( MiB)? \|/gm)].map(([, name, number, unit]) => [
+      name,
+      Number(number.replaceAll(',', '')) * (unit ? 2 ** 20 : 1),
+    ]),
+  );
   assert.deepEqual(Object.fromEntries(rows), { ...loadNative().limits });
 });

@@ -8,7 +8,16 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
-const DOCUMENTS = ['README.md', 'ARCHITECTURE.md', 'SECURITY.md', 'CONTRIBUTING.md', 'CHANGELOG.md', ...readdirSync(new URL('../../../js/docs/', import.meta.url)).filter((name) => name.endsWith('.md')).map((name) => `js/docs/${name}`)];
+const DOCUMENTS = [
+  'README.md',
+  'ARCHITECTURE.md',
+  'SECURITY.md',
+  'CONTRIBUTING.md',
+  'CHANGELOG.md',
+  ...readdirSync(new URL('../../../js/docs/', import.meta.url))
+    .filter((name) => name.endsWith('.md'))
+    .map((name) => `js/docs/${name}`),
+];
 const read = (file) => readFileSync(path.join(ROOT, file), 'utf8');
 const { bin, scripts } = JSON.parse(read('package.json'));
 

@@ -38,7 +38,10 @@ test('what the renderer does not draw is not read', () => {
 test('what only some variants have is read of those alone', () => {
   const [, spot] = /case Light::Type::kSpot:\n(.*?)break;/s.exec(visitRows());
   assert.match(spot, /"penumbra"/);
-  assert.match(spot, /if \(row\.castShadow\) \{\n\s+on\.within\("shadow", \[&\]\(const auto& shadow\) \{\n\s+shadow\("mapSize", row\.shadow\.mapSize, 16, 4096\);/);
+  assert.match(
+    spot,
+    /if \(row\.castShadow\) \{\n\s+on\.within\("shadow", \[&\]\(const auto& shadow\) \{\n\s+shadow\("mapSize", row\.shadow\.mapSize, 16, 4096\);/,
+  );
   const [, rect] = /case Light::Type::kRect:\n(.*?)break;/s.exec(visitRows());
   assert.doesNotMatch(rect, /penumbra|shadow/);
 });
@@ -57,10 +60,22 @@ test('enums have the names of the table in its order: another order is another t
 const defines = (glsl, prefix) => [...glsl.matchAll(new RegExp(`^#define ${prefix}_(\\w+) (\\d+)`, 'gm'))].map(([, name, value]) => [name, Number(value)]);
 
 test('shaders and C++ number tone mappings and quantities alike', () => {
-  const enumOf = (file, name) => new RegExp(`enum class ${name} : std::uint8_t \\{ (.*) \\};`).exec(read(HEADER(file)))[1].split(', ').map((k) => k.slice(1).toUpperCase());
+  const enumOf = (file, name) =>
+    new RegExp(`enum class ${name} : std::uint8_t \\{ (.*) \\};`)
+      .exec(read(HEADER(file)))[1]
+      .split(', ')
+      .map((k) => k.slice(1).toUpperCase());
   const plain = (rows) => rows.map(([name, value]) => [name.replaceAll('_', ''), value]);
-  assert.deepEqual(plain(defines(toneMappingsGlsl(), 'TONE_MAPPING')), enumOf('tone_mapping', 'ToneMapping').map((name, i) => [name, i]));
-  assert.deepEqual(plain(defines(debugQuantitiesGlsl(), 'DEBUG')), enumOf('debug_output', 'DebugOutput').map((name, i) => [name, i]).slice(1));
+  assert.deepEqual(
+    plain(defines(toneMappingsGlsl(), 'TONE_MAPPING')),
+    enumOf('tone_mapping', 'ToneMapping').map((name, i) => [name, i]),
+  );
+  assert.deepEqual(
+    plain(defines(debugQuantitiesGlsl(), 'DEBUG')),
+    enumOf('debug_output', 'DebugOutput')
+      .map((name, i) => [name, i])
+      .slice(1),
+  );
   const [first, ...rest] = Object.entries(DEBUG_QUANTITIES);
   assert.notEqual(debugQuantitiesGlsl(Object.fromEntries([...rest, first])), read('shaders/debug_quantities.glsl'), 'another order is another text');
 });
@@ -70,11 +85,19 @@ function faults(toneMappings, quantities) {
   const curves = read('shaders/brdf/tone_mapping.glsl');
   const constants = Object.values(toneMappings).map(({ three }) => THREE[three]);
   return [
-    ...Object.entries(toneMappings).filter(([, { three }]) => !Number.isInteger(THREE[three])).map(([name]) => `${name}: three.js has no such constant`),
+    ...Object.entries(toneMappings)
+      .filter(([, { three }]) => !Number.isInteger(THREE[three]))
+      .map(([name]) => `${name}: three.js has no such constant`),
     ...(new Set(constants).size < constants.length ? ['two tone mappings are one in three.js'] : []),
-    ...Object.entries(toneMappings).filter(([, { glsl }]) => glsl && !curves.includes(`vec3 ${glsl}(vec3 color, float exposure)`)).map(([name]) => `${name}: tone_mapping.glsl has no such function`),
-    ...Object.entries(quantities).filter(([, { doc }]) => !doc).map(([name]) => `${name}: has no doc`),
-    ...Object.entries(quantities).filter(([name, { of }]) => !debugQuantitiesGlsl({ [name]: quantities[name] }).includes('case ') || !of).map(([name]) => `${name}: nothing has it`),
+    ...Object.entries(toneMappings)
+      .filter(([, { glsl }]) => glsl && !curves.includes(`vec3 ${glsl}(vec3 color, float exposure)`))
+      .map(([name]) => `${name}: tone_mapping.glsl has no such function`),
+    ...Object.entries(quantities)
+      .filter(([, { doc }]) => !doc)
+      .map(([name]) => `${name}: has no doc`),
+    ...Object.entries(quantities)
+      .filter(([name, { of }]) => !debugQuantitiesGlsl({ [name]: quantities[name] }).includes('case ') || !of)
+      .map(([name]) => `${name}: nothing has it`),
   ];
 }
 

@@ -23,28 +23,51 @@ after(() => rmSync(folder, { recursive: true }));
 let files;
 before(() => {
   // Its hook would write js/dist, which others read meanwhile.
-  const out = execFileSync('npm', ['pack', '--ignore-scripts', '--json', '--pack-destination', folder], { cwd: ROOT, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] });
+  const out = execFileSync('npm', ['pack', '--ignore-scripts', '--json', '--pack-destination', folder], {
+    cwd: ROOT,
+    encoding: 'utf8',
+    stdio: ['ignore', 'pipe', 'ignore'],
+  });
   execFileSync('tar', ['-xzf', path.join(folder, JSON.parse(out)[0].filename), '-C', folder]);
-  files = readdirSync(at(), { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile()).map((entry) => path.relative(at(), path.join(entry.parentPath ?? entry.path, entry.name)));
+  files = readdirSync(at(), { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => path.relative(at(), path.join(entry.parentPath ?? entry.path, entry.name)));
   symlinkSync(path.join(ROOT, 'node_modules'), path.join(folder, 'node_modules'));
 });
 
 /** Links of the pages that lead to nothing: `page: target`. */
 function brokenLinks() {
-  return files.filter((file) => file.endsWith('.md')).flatMap((page) => [...readFileSync(at(page), 'utf8').matchAll(/\]\((?!https?:|#)([^)#\s]+)[^)]*\)/g)]
-    .map(([, target]) => target).filter((target) => !existsSync(at(path.dirname(page), target))).map((target) => `${page}: ${target}`));
+  return files
+    .filter((file) => file.endsWith('.md'))
+    .flatMap((page) =>
+      [...readFileSync(at(page), 'utf8').matchAll(/\]\((?!https?:|#)([^)#\s]+)[^)]*\)/g)]
+        .map(([, target]) => target)
+        .filter((target) => !existsSync(at(path.dirname(page), target)))
+        .map((target) => `${page}: ${target}`),
+    );
 }
 
 /** Modules that a packed module imports by path and the package lacks: `file: name`. */
 function brokenImports() {
-  return files.filter((file) => /\.mjs$/.test(file) && !file.startsWith('js/dist/view')).flatMap((file) => importedNames(readFileSync(at(file), 'utf8'))
-    .filter((name) => name.startsWith('.') && !existsSync(at(path.dirname(file), name))).map((name) => `${file}: ${name}`));
+  return files
+    .filter((file) => /\.mjs$/.test(file) && !file.startsWith('js/dist/view'))
+    .flatMap((file) =>
+      importedNames(readFileSync(at(file), 'utf8'))
+        .filter((name) => name.startsWith('.') && !existsSync(at(path.dirname(file), name)))
+        .map((name) => `${file}: ${name}`),
+    );
 }
 
 test('no set-up, no test, no large demo', () => {
   assert.ok(files.length > 300, String(files.length));
-  assert.deepEqual(files.filter((file) => /^(test|out|node_modules|js\/setup|js\/assets\/make|js\/build\/(docs|shading))\//.test(file)), []);
-  assert.deepEqual(files.filter((file) => DEMO.test(file) && statSync(at(file)).size > MAX_DEMO_BYTES), []);
+  assert.deepEqual(
+    files.filter((file) => /^(test|out|node_modules|js\/setup|js\/assets\/make|js\/build\/(docs|shading))\//.test(file)),
+    [],
+  );
+  assert.deepEqual(
+    files.filter((file) => DEMO.test(file) && statSync(at(file)).size > MAX_DEMO_BYTES),
+    [],
+  );
 });
 
 test('every link of every page leads to a file that is packed', () => {
@@ -67,12 +90,16 @@ test('package.json names files that are packed', () => {
   const { bin, exports, main, scripts, types } = JSON.parse(readFileSync(at('package.json'), 'utf8'));
   const filesOf = (entry) => (typeof entry === 'string' ? [entry] : Object.values(entry).flatMap(filesOf));
   const named = [...filesOf(exports), ...filesOf(bin), main, types, scripts.install.split(' ')[1]];
-  assert.deepEqual(named.filter((file) => !existsSync(at(file))), []);
+  assert.deepEqual(
+    named.filter((file) => !existsSync(at(file))),
+    [],
+  );
 });
 
 test('it draws', async () => {
   writeFileSync(at('ball.glb'), await MODELS.ball());
-  const run = (...args) => spawnSync(process.execPath, args, { cwd: at(), encoding: 'utf8', env: { ...process.env, TELAR_BUILD_DIR: path.resolve(addonFile, '../..') } });
+  const run = (...args) =>
+    spawnSync(process.execPath, args, { cwd: at(), encoding: 'utf8', env: { ...process.env, TELAR_BUILD_DIR: path.resolve(addonFile, '../..') } });
   const drawn = run('js/cli/telar.mjs', 'thumbnail', 'ball.glb', '-o', 'ball.png', '--size', '32');
   assert.equal(drawn.status, 0, drawn.stderr);
   assert.equal(readFileSync(at('ball.png')).toString('latin1', 1, 4), 'PNG');

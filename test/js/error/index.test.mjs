@@ -10,7 +10,11 @@ test('an error has the facts of its row', () => {
   assert.equal(error.exit, 4);
   assert.equal(error.http, 413);
   assert.deepEqual(JSON.parse(JSON.stringify(error)), {
-    code: 'L_NODES', kind: 'limit', message: 'too many', retryable: false, pointer: '/nodes',
+    code: 'L_NODES',
+    kind: 'limit',
+    message: 'too many',
+    retryable: false,
+    pointer: '/nodes',
     limit: { name: 'L_NODES', max: 1, actual: 2 },
   });
 });
@@ -20,7 +24,7 @@ test('facts that are absent are absent from JSON, offset 0 is not absent', () =>
   assert.equal(new TelarError('E_EMPTY', 'm', { offset: 0 }).toJSON().offset, 0);
 });
 
-test('a second copy of the module recognises the first one\'s errors', async () => {
+test("a second copy of the module recognises the first one's errors", async () => {
   const copy = await import('../../../js/error/index.mjs?copy');
   assert.notEqual(copy.TelarError, TelarError);
   assert.ok(new copy.TelarError('E_JSON', 'm') instanceof TelarError);
@@ -46,8 +50,7 @@ test('fromNative restores what toJSON wrote', () => {
 });
 
 test('an unknown code is internal and not lost', () => {
-  assert.deepEqual(fromNative({ code: 'E_NEW', message: 'm' }).toJSON(),
-    { code: 'X_INTERNAL', kind: 'internal', message: 'E_NEW: m', retryable: false });
+  assert.deepEqual(fromNative({ code: 'E_NEW', message: 'm' }).toJSON(), { code: 'X_INTERNAL', kind: 'internal', message: 'E_NEW: m', retryable: false });
   assert.equal(fromNative({ code: 'toString', message: 'm' }).code, 'X_INTERNAL');
   assert.equal(fromNative(undefined).code, 'X_INTERNAL');
 });

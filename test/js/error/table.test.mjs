@@ -13,19 +13,24 @@ function codesIn(folder, suffixes) {
   const path = join(ROOT, folder);
   return readdirSync(path, { recursive: true })
     .filter((name) => suffixes.some((suffix) => name.endsWith(suffix)) && !name.startsWith('dist'))
-    .flatMap((name) => [...readFileSync(join(path, name), 'utf8').matchAll(CODE)]
-      .map(([, code]) => ({ code, file: relative(ROOT, join(path, name)) })));
+    .flatMap((name) => [...readFileSync(join(path, name), 'utf8').matchAll(CODE)].map(([, code]) => ({ code, file: relative(ROOT, join(path, name)) })));
 }
 
 const codes = [...codesIn('renderer', ['.cpp', '.h']), ...codesIn('addon', ['.cpp', '.h']), ...codesIn('js', ['.mjs', '.cjs'])];
 
 test('each row is a code that something raises', () => {
   const raised = new Set(codes.map(({ code }) => code));
-  assert.deepEqual(Object.keys(TABLE).filter((code) => !raised.has(code)), []);
+  assert.deepEqual(
+    Object.keys(TABLE).filter((code) => !raised.has(code)),
+    [],
+  );
 });
 
 test('each code in the sources has a row', () => {
-  assert.ok(codes.some(({ code }) => code === 'X_CANCELLED'), 'the search finds the code that cancel.h throws');
+  assert.ok(
+    codes.some(({ code }) => code === 'X_CANCELLED'),
+    'the search finds the code that cancel.h throws',
+  );
   const missing = codes.filter(({ code }) => !Object.hasOwn(TABLE, code));
   assert.deepEqual(missing, [], 'add these to js/error/table.mjs');
 });
@@ -34,7 +39,10 @@ test('each limit of limits.h has a row', () => {
   const header = readFileSync(join(ROOT, 'renderer/include/telar/limits.h'), 'utf8');
   const names = [...header.matchAll(/\/\/\/< (L_[A-Z_]+)/g)].map(([, name]) => name);
   assert.ok(names.length > 20);
-  assert.deepEqual(names.filter((name) => TABLE[name]?.kind !== 'limit'), []);
+  assert.deepEqual(
+    names.filter((name) => TABLE[name]?.kind !== 'limit'),
+    [],
+  );
 });
 
 test('prefixes say the class', () => {
@@ -51,8 +59,18 @@ test('prefixes say the class', () => {
 test('exit codes are the documented ones', () => {
   const exits = Object.fromEntries(Object.entries(KINDS).map(([kind, { exit }]) => [kind, exit]));
   assert.deepEqual(exits, {
-    usage: 2, input: 3, denied: 3, unsupported: 3, limit: 4, time: 5, memory: 5, cancelled: 5, busy: 5, machine: 6,
-    internal: 7, warning: 0,
+    usage: 2,
+    input: 3,
+    denied: 3,
+    unsupported: 3,
+    limit: 4,
+    time: 5,
+    memory: 5,
+    cancelled: 5,
+    busy: 5,
+    machine: 6,
+    internal: 7,
+    warning: 0,
   });
 });
 

@@ -12,7 +12,12 @@ function load() {
   pending ??= (async () => {
     const script = readFileSync(`${FOLDER}basis_transcoder.js`, 'utf8');
     // The file is a classic script that leaves one global.
-    const BASIS = new Function('require', '__dirname', '__filename', 'module', `${script}; return BASIS;`)(createRequire(import.meta.url), FOLDER, `${FOLDER}basis_transcoder.js`, {});
+    const BASIS = new Function('require', '__dirname', '__filename', 'module', `${script}; return BASIS;`)(
+      createRequire(import.meta.url),
+      FOLDER,
+      `${FOLDER}basis_transcoder.js`,
+      {},
+    );
     const module = await BASIS({ wasmBinary: readFileSync(`${FOLDER}basis_transcoder.wasm`) });
     module.initializeBasis();
     return module;

@@ -21,8 +21,8 @@ function picture(channels) {
   const bytes = Buffer.alloc(WIDTH * HEIGHT * channels);
   for (let y = 0; y < HEIGHT; y++) {
     for (let x = 0; x < WIDTH; x++) {
-      const checks = ((x >> 3) + (y >> 3)) % 2 * 255;
-      const smooth = [x * 255 / WIDTH, y * 255 / HEIGHT, checks, (x + y) * 255 / (WIDTH + HEIGHT)];
+      const checks = (((x >> 3) + (y >> 3)) % 2) * 255;
+      const smooth = [(x * 255) / WIDTH, (y * 255) / HEIGHT, checks, ((x + y) * 255) / (WIDTH + HEIGHT)];
       for (let c = 0; c < channels; c++) {
         const i = (y * WIDTH + x) * channels + c;
         bytes[i] = Math.min(255, Math.max(0, smooth[channels < 3 && c === channels - 1 && c ? 3 : c] + grain[i] / 16));
@@ -44,15 +44,20 @@ const CHANNELS = { 0: 1, 2: 3, 3: 1, 4: 2, 6: 4 };
 
 /** A PNG of noise in any colour type and bit depth, which encoders seldom offer; `extra` chunks go before IDAT. */
 function noisePng(colorType, bitDepth, extra = []) {
-  const rowBytes = Math.ceil(WIDTH * CHANNELS[colorType] * bitDepth / 8);
+  const rowBytes = Math.ceil((WIDTH * CHANNELS[colorType] * bitDepth) / 8);
   const rows = noise((rowBytes + 1) * HEIGHT, colorType * 16 + bitDepth);
-  for (let y = 0; y < HEIGHT; y++) rows[y * (rowBytes + 1)] = y % 5;  // every filter
+  for (let y = 0; y < HEIGHT; y++) rows[y * (rowBytes + 1)] = y % 5; // every filter
   const header = Buffer.alloc(13);
   header.writeUInt32BE(WIDTH, 0);
   header.writeUInt32BE(HEIGHT, 4);
   header.set([bitDepth, colorType, 0, 0, 0], 8);
-  return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), chunk('IHDR', header), ...extra,
-    chunk('IDAT', deflateSync(rows)), chunk('IEND', Buffer.alloc(0))]);
+  return Buffer.concat([
+    Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'),
+    chunk('IHDR', header),
+    ...extra,
+    chunk('IDAT', deflateSync(rows)),
+    chunk('IEND', Buffer.alloc(0)),
+  ]);
 }
 
 function pngs() {
@@ -103,4 +108,6 @@ async function fromSharp() {
 }
 
 /** @returns {Promise<[name: string, file: Buffer][]>} Small images in every form that a texture may have. */
-export async function imageCorpus() { return [...pngs(), ...await fromSharp()]; }
+export async function imageCorpus() {
+  return [...pngs(), ...(await fromSharp())];
+}

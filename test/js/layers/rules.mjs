@@ -60,7 +60,12 @@ const OWNED_CALLS = [
     why: 'GL names are made and destroyed by the classes of renderer/gl/gl_object.h alone',
   },
   // make_*.cpp are programs of the build.
-  { call: /\bstd::(cout|cerr|clog)\b|(?<![\w:])(std::)?f?(printf|puts|putchar)\s*\(/, folders: [], unless: /\/make_\w+\.cpp$/, why: 'a library prints nothing' },
+  {
+    call: /\bstd::(cout|cerr|clog)\b|(?<![\w:])(std::)?f?(printf|puts|putchar)\s*\(/,
+    folders: [],
+    unless: /\/make_\w+\.cpp$/,
+    why: 'a library prints nothing',
+  },
   { call: /\bdlopen\s*\(/, folders: ['renderer/core', 'renderer/gl', 'renderer/oiio'], why: 'libraries are loaded in few places' },
 ];
 
@@ -147,12 +152,14 @@ function checkCpp(file, text, files, report) {
       report(file, index + 1, `${layer} includes ${target}; it may include: ${CPP_LAYERS[layer].join(', ') || 'nothing of ours'}`);
     }
   });
-  codeOnly(text).split('\n').forEach((line, index) => {
-    for (const rule of OWNED_CALLS) {
-      const found = rule.call.exec(line);
-      if (found && !rule.unless?.test(file) && !rule.folders.some((folder) => within(file, folder))) report(file, index + 1, `${found[0]}: ${rule.why}`);
-    }
-  });
+  codeOnly(text)
+    .split('\n')
+    .forEach((line, index) => {
+      for (const rule of OWNED_CALLS) {
+        const found = rule.call.exec(line);
+        if (found && !rule.unless?.test(file) && !rule.folders.some((folder) => within(file, folder))) report(file, index + 1, `${found[0]}: ${rule.why}`);
+      }
+    });
 }
 
 /** What a module imports, with the lines where the statements begin. */
@@ -172,9 +179,13 @@ function checkJs(file, text, dependencies, report) {
     if (name.startsWith('node:')) {
       if (rule.browser) report(file, index + 1, `imports ${name}, but runs in browsers too`);
     } else if (!name.startsWith('.')) {
-      const packageName = name.split('/').slice(0, name.startsWith('@') ? 2 : 1).join('/');
+      const packageName = name
+        .split('/')
+        .slice(0, name.startsWith('@') ? 2 : 1)
+        .join('/');
       if (rule.builtinsOnly) report(file, index + 1, `imports ${name}, but runs before npm packages are there`);
-      else if (!rule.development && !rule.bundled && packageName !== 'telar' && !dependencies.has(packageName)) report(file, index + 1, `imports ${name}, which is not in dependencies`);
+      else if (!rule.development && !rule.bundled && packageName !== 'telar' && !dependencies.has(packageName))
+        report(file, index + 1, `imports ${name}, which is not in dependencies`);
     } else {
       const target = path.posix.join(path.posix.dirname(file), name);
       if (!within(target, 'js')) {
@@ -219,8 +230,11 @@ export function layersWithoutTests(tests) {
  * @returns {string[]} `path:line: what is wrong` in tests of C++: a test that takes any Error takes one of another cause as well.
  */
 export function errorsWithoutCode(files) {
-  return [...files].flatMap(([file, text]) => [...codeOnly(text).matchAll(/\b(?:EXPECT|ASSERT)_(?:THROW\s*\([^;]*?\bError\s*\)|ANY_THROW\b)/g)]
-    .map((found) => `${file}:${codeOnly(text).slice(0, found.index).split('\n').length}: name the code, with EXPECT_ERROR of test/cpp/expect_error.h`));
+  return [...files].flatMap(([file, text]) =>
+    [...codeOnly(text).matchAll(/\b(?:EXPECT|ASSERT)_(?:THROW\s*\([^;]*?\bError\s*\)|ANY_THROW\b)/g)].map(
+      (found) => `${file}:${codeOnly(text).slice(0, found.index).split('\n').length}: name the code, with EXPECT_ERROR of test/cpp/expect_error.h`,
+    ),
+  );
 }
 
 /**

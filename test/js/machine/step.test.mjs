@@ -25,7 +25,11 @@ test('a command that fails tells its errors, its last lines and the cure; the lo
 });
 
 test('a program that is not there', async () => {
-  await assert.rejects(runLogged('telar-no-such-program', [], { log: 'test.log', cure: 'install it' }), { message: 'telar-no-such-program: no such program\n  Cure: install it', notFound: true, exitCode: 6 });
+  await assert.rejects(runLogged('telar-no-such-program', [], { log: 'test.log', cure: 'install it' }), {
+    message: 'telar-no-such-program: no such program\n  Cure: install it',
+    notFound: true,
+    exitCode: 6,
+  });
 });
 
 test('the exit status and the signal of a shown command', async () => {

@@ -29,7 +29,10 @@ test('no two textures have one name, and every texture has its uniform, its vary
   for (const texture of textures) {
     const name = textureName(texture);
     assert.match(declarations, new RegExp(`#if ${upper(name)}_MAP\\nuniform sampler2D ${name}Map;`));
-    assert.ok(varyings.includes(`uniform mat3 ${name}UvTransform;`) && transforms.includes(`${name}UvTransform * vec3(${upper(name)}_UV1 == 1 ? uv1 : uv0, 1.0)`), name);
+    assert.ok(
+      varyings.includes(`uniform mat3 ${name}UvTransform;`) && transforms.includes(`${name}UvTransform * vec3(${upper(name)}_UV1 == 1 ? uv1 : uv0, 1.0)`),
+      name,
+    );
   }
 });
 

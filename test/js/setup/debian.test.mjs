@@ -12,7 +12,9 @@ const GROUPS = ['build', 'run', 'test', 'lint'];
 const hasDpkg = spawnSync('dpkg-query', ['--version']).status === 0;
 
 test('the list: every line has a name, a known group and a reason', () => {
-  const lines = readFileSync(path.join(ROOT, 'js/machine/debian_packages.txt'), 'utf8').split('\n').filter((line) => line && !line.startsWith('#'));
+  const lines = readFileSync(path.join(ROOT, 'js/machine/debian_packages.txt'), 'utf8')
+    .split('\n')
+    .filter((line) => line && !line.startsWith('#'));
   assert.ok(lines.length > 20);
   for (const line of lines) assert.match(line, /^[a-z0-9.+-]+ +(build|run|test|lint) +\S.{4,}/);
   const names = listedPackages(GROUPS);
@@ -61,7 +63,9 @@ function onBareMachine(t, { aptStatus = 0, env = {} } = {}) {
     import { main, step } from ${JSON.stringify(path.join(ROOT, 'js/machine/step.mjs'))};
     await main(async () => step('Debian packages', (begin) => ensureDebianPackages(['lint'], begin)));`;
   const { status, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', script], {
-    encoding: 'utf8', env: { ...process.env, TELAR_NO_SYSTEM: '', ...env, PATH: `${folder}:${process.env.PATH}` }, stdio: ['ignore', 'pipe', 'pipe'],
+    encoding: 'utf8',
+    env: { ...process.env, TELAR_NO_SYSTEM: '', ...env, PATH: `${folder}:${process.env.PATH}` },
+    stdio: ['ignore', 'pipe', 'pipe'],
   });
   const ran = existsSync(calls) ? readFileSync(calls, 'utf8').trim().split('\n') : [];
   const told = stderr.split('\n').filter((line) => line.startsWith('as root: '));
@@ -74,7 +78,10 @@ test('the very lines that run as root are told, and before they run', (t) => {
   const { status, stderr, ran, told } = onBareMachine(t);
   assert.equal(status, 0, stderr);
   assert.equal(ran.length, 2);
-  assert.deepEqual(told.map((line) => line.replace(/^as root: (sudo -n )?env DEBIAN_FRONTEND=noninteractive /, '')), ran);
+  assert.deepEqual(
+    told.map((line) => line.replace(/^as root: (sudo -n )?env DEBIAN_FRONTEND=noninteractive /, '')),
+    ran,
+  );
   assert.ok(ran[1].endsWith(` install --no-install-recommends ${NAMES}`));
   assert.match(stderr, /^as root: .*\nas root: .*\nDebian packages: installing 2 of 2 \(.*\) \.\.\. done/);
   // apt-get that fails at once was told all the same, with the install that then never ran.
@@ -87,7 +94,12 @@ test('TELAR_NO_SYSTEM=1: the lines are told, nothing runs, and the cure stands a
   const { status, stderr, ran, told } = onBareMachine(t, { env: { TELAR_NO_SYSTEM: '1' } });
   assert.deepEqual([status, ran, told.length], [6, [], 2]);
   assert.ok(told[1].endsWith(` install --no-install-recommends ${NAMES}`));
-  assert.ok(stderr.endsWith(`telar: 2 Debian packages are missing, and TELAR_NO_SYSTEM is set: nothing was run\n  Cure: run this, then the same command again:\n    ${aptLine(NAMES.split(' '))}\n`), stderr);
+  assert.ok(
+    stderr.endsWith(
+      `telar: 2 Debian packages are missing, and TELAR_NO_SYSTEM is set: nothing was run\n  Cure: run this, then the same command again:\n    ${aptLine(NAMES.split(' '))}\n`,
+    ),
+    stderr,
+  );
   assert.equal(onBareMachine(t, { env: { TELAR_NO_SYSTEM: '0' } }).ran.length, 2);
 });
 
@@ -95,7 +107,10 @@ test('TELAR_NO_SYSTEM=1 where nothing is missing changes nothing', { skip: !hasD
   const script = `
     import { ensureDebianPackages } from ${JSON.stringify(path.join(ROOT, 'js/setup/debian.mjs'))};
     process.stdout.write(await ensureDebianPackages(['none'], () => {}));`;
-  const { stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', script], { encoding: 'utf8', env: { ...process.env, TELAR_NO_SYSTEM: '1' } });
+  const { stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', script], {
+    encoding: 'utf8',
+    env: { ...process.env, TELAR_NO_SYSTEM: '1' },
+  });
   assert.equal(stdout, 'all 0 present', stderr);
 });
 
@@ -106,10 +121,17 @@ test('what CMake found belongs to packages on the list', { skip: !hasDpkg && 'no
   const found = [...readFileSync(cache, 'utf8').matchAll(/^(\w+):(?:FILEPATH|PATH)=(\/usr\/(?:lib|include|share)\/\S+)$/gm)]
     .filter(([, name, file]) => !name.startsWith('CMAKE_') && file !== '/usr/include')
     .map(([, , file]) => file);
-  assert.ok(found.some((file) => file.includes('nlohmann_json')), 'the cache was read');
+  assert.ok(
+    found.some((file) => file.includes('nlohmann_json')),
+    'the cache was read',
+  );
   const listed = new Set(listedPackages(GROUPS));
   // "libgtest-dev:amd64, libgmock-dev:amd64: /path"; empty for what was installed by hand.
-  const ownersOf = (file) => spawnSync('dpkg-query', ['-S', file], { encoding: 'utf8' }).stdout.split(': ')[0].split(', ').map((name) => name.split(':')[0]);
+  const ownersOf = (file) =>
+    spawnSync('dpkg-query', ['-S', file], { encoding: 'utf8' })
+      .stdout.split(': ')[0]
+      .split(', ')
+      .map((name) => name.split(':')[0]);
   const strangers = found.map((file) => [file, ownersOf(file)]).filter(([, owners]) => owners[0] && !owners.some((owner) => listed.has(owner)));
   assert.deepEqual(strangers, [], 'add these packages to js/machine/debian_packages.txt');
 });

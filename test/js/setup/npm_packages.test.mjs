@@ -45,7 +45,10 @@ test('the lock file is complete and names no registry', () => {
     // npm leaves out what a registry did not have when the lock file was made, and `npm ci` then refuses it.
     for (const name of Object.keys({ ...entry.dependencies, ...entry.optionalDependencies })) {
       const places = folder.split('/node_modules/').map((_, i, parts) => `${parts.slice(0, i + 1).join('/node_modules/')}/node_modules/${name}`);
-      assert.ok([`node_modules/${name}`, ...places].some((place) => packages[place]), `${folder}: ${name}`);
+      assert.ok(
+        [`node_modules/${name}`, ...places].some((place) => packages[place]),
+        `${folder}: ${name}`,
+      );
     }
   }
 });

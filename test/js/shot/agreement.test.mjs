@@ -25,8 +25,14 @@ const REFUSED = ['E_SHOT', 'E_CAMERA', 'E_FRAME', 'E_VARIANT', 'E_POSE'];
 
 const part = { frame: { node: 'Sleeve' }, found: true, bounds: { min: [0, 0, 0], max: [0.2, 0.3, 0.1] } };
 const FACTS = {
-  bounds: { min: [-0.4, 0.1, -0.15], max: [0.42, 0.82, 0.17] }, variants: ['navy', '\ud800', '\u2028'], part,
-  animations: [{ name: 'walk', duration: 1 }, { name: 'Sleeve', duration: 2 }, { name: '', duration: 0 }],
+  bounds: { min: [-0.4, 0.1, -0.15], max: [0.42, 0.82, 0.17] },
+  variants: ['navy', '\ud800', '\u2028'],
+  part,
+  animations: [
+    { name: 'walk', duration: 1 },
+    { name: 'Sleeve', duration: 2 },
+    { name: '', duration: 0 },
+  ],
   cameras: [{ name: 'shop', projection: 'perspective', fovY: 40, near: 0.1, far: null, position: [0, 1, 4], target: [0, 1, 3], up: [0, 1, 0] }],
 };
 
@@ -58,17 +64,33 @@ const loadScene = async () => Model.sceneOf(await loadModel(native, bytes, nativ
 /** What C++ says of a resolved shot: undefined where it takes it. */
 async function refusalOf(scene, resolved) {
   const request = { material: 0, shot: shotJson(resolved), viewAngle: 0, directions: new Float64Array(0), albedo: false };
-  return native.evaluateLobes(scene, request, new native.CancelToken()).then(() => undefined, (error) => error);
+  return native.evaluateLobes(scene, request, new native.CancelToken()).then(
+    () => undefined,
+    (error) => error,
+  );
 }
 
 test('enough of the random shots are taken to say something, each kind of thing among them', () => {
   assert.ok(accepted.length > SHOTS / 4, `${accepted.length} of ${SHOTS}`);
   const counts = {
-    perspective: ({ camera }) => camera.projection === 'perspective', orthographic: ({ camera }) => camera.projection === 'orthographic',
-    lens: ({ lens }) => lens !== null, ground: ({ ground }) => ground !== 'none', pose: ({ pose }) => pose !== null, variant: ({ variant }) => variant !== '',
-    reference: ({ quality }) => quality.preset === 'reference', terms: ({ shading }) => typeof shading === 'object', fabric: ({ shading }) => shading === 'fabric',
-    ...Object.fromEntries(['ambient', 'hemisphere', 'directional', 'point', 'spot', 'rect', 'disk'].map((type) => [type, ({ lights }) => lights.some((light) => light.type === type)])),
-    ...Object.fromEntries(['directional', 'point', 'spot'].map((type) => [`shadow of ${type}`, ({ lights }) => lights.some((light) => light.type === type && light.castShadow)])),
+    perspective: ({ camera }) => camera.projection === 'perspective',
+    orthographic: ({ camera }) => camera.projection === 'orthographic',
+    lens: ({ lens }) => lens !== null,
+    ground: ({ ground }) => ground !== 'none',
+    pose: ({ pose }) => pose !== null,
+    variant: ({ variant }) => variant !== '',
+    reference: ({ quality }) => quality.preset === 'reference',
+    terms: ({ shading }) => typeof shading === 'object',
+    fabric: ({ shading }) => shading === 'fabric',
+    ...Object.fromEntries(
+      ['ambient', 'hemisphere', 'directional', 'point', 'spot', 'rect', 'disk'].map((type) => [
+        type,
+        ({ lights }) => lights.some((light) => light.type === type),
+      ]),
+    ),
+    ...Object.fromEntries(
+      ['directional', 'point', 'spot'].map((type) => [`shadow of ${type}`, ({ lights }) => lights.some((light) => light.type === type && light.castShadow)]),
+    ),
   };
   for (const [name, has] of Object.entries(counts)) {
     assert.ok(accepted.filter(({ resolved }) => has(resolved)).length >= 10, `${name}: ${accepted.filter(({ resolved }) => has(resolved)).length}`);
@@ -114,11 +136,25 @@ test('shots and resolved shots are of their types', () => {
     const root = fileURLToPath(new URL('../../../', import.meta.url));
     const some = accepted.slice(0, 400);
     const list = (key) => some.map((pair) => JSON.stringify(pair[key])).join(',\n');
-    const text = `import type { ResolvedShot, Shot } from '${root}js/shot/shot.js';\nexport const shots: Shot[] = [${list('shot')}];\n`
-      + `export const resolved: ResolvedShot[] = [${list('resolved')}];\nexport const again: Shot[] = resolved;\n`;
+    const text =
+      `import type { ResolvedShot, Shot } from '${root}js/shot/shot.js';\nexport const shots: Shot[] = [${list('shot')}];\n` +
+      `export const resolved: ResolvedShot[] = [${list('resolved')}];\nexport const again: Shot[] = resolved;\n`;
     writeFileSync(path.join(folder, 'shots.mts'), text);
-    const { stdout } = spawnSync(process.execPath, [`${root}node_modules/typescript/bin/tsc`, '--noEmit', '--strict', '--skipLibCheck', '--module', 'nodenext', '--types', '', path.join(folder, 'shots.mts')],
-      { cwd: folder, encoding: 'utf8' });
+    const { stdout } = spawnSync(
+      process.execPath,
+      [
+        `${root}node_modules/typescript/bin/tsc`,
+        '--noEmit',
+        '--strict',
+        '--skipLibCheck',
+        '--module',
+        'nodenext',
+        '--types',
+        '',
+        path.join(folder, 'shots.mts'),
+      ],
+      { cwd: folder, encoding: 'utf8' },
+    );
     assert.equal(stdout.slice(0, 2000), '');
   } finally {
     rmSync(folder, { recursive: true });

@@ -6,9 +6,16 @@ import { build } from 'esbuild';
 import { resolveShot } from '../../../js/shot/index.mjs';
 
 test('the browser bundle needs nothing of Node and resolves to the same bits', async () => {
-  const { outputFiles: [{ text }] } = await build({
+  const {
+    outputFiles: [{ text }],
+  } = await build({
     entryPoints: [fileURLToPath(new URL('../../../js/shot/index.mjs', import.meta.url))],
-    bundle: true, minify: true, write: false, format: 'iife', globalName: 'telarShot', platform: 'browser',
+    bundle: true,
+    minify: true,
+    write: false,
+    format: 'iife',
+    globalName: 'telarShot',
+    platform: 'browser',
   });
   assert.ok(text.length < 110_000, `${text.length} bytes`);
   // A realm with the language alone: no process, no require, no Buffer.

@@ -12,8 +12,23 @@ test('each CSS name is what three.js makes of it', () => {
 });
 
 test('forms that three.js reads give the same bits', () => {
-  const forms = ['#fff', '#0a7', '#123456', '#FEDCBA', 'rgb(1, 2, 3)', 'rgb(255,0,128)', 'rgb(10%, 20%, 99%)', 'rgb(300, 0, 0)',
-    'rgba(9, 8, 7, 1)', 'hsl(0, 0%, 50%)', 'hsl(120, 100%, 25%)', 'hsl(359.5, 33%, 77%)', 'hsl(210, 60%, 40%)', 'Red', ' navy '];
+  const forms = [
+    '#fff',
+    '#0a7',
+    '#123456',
+    '#FEDCBA',
+    'rgb(1, 2, 3)',
+    'rgb(255,0,128)',
+    'rgb(10%, 20%, 99%)',
+    'rgb(300, 0, 0)',
+    'rgba(9, 8, 7, 1)',
+    'hsl(0, 0%, 50%)',
+    'hsl(120, 100%, 25%)',
+    'hsl(359.5, 33%, 77%)',
+    'hsl(210, 60%, 40%)',
+    'Red',
+    ' navy ',
+  ];
   for (let hue = 0; hue < 360; hue += 7) forms.push(`hsl(${hue}, ${hue % 101}%, ${(hue * 3) % 101}%)`);
   for (const form of forms) assert.deepEqual(parseColour(form), three(form.trim()), form);
 });
@@ -32,8 +47,27 @@ test('modern CSS forms equal their old spelling', () => {
 });
 
 test('what is no opaque colour is refused', () => {
-  for (const text of ['', 'bleu', '#12', '#12345', '#12345g', '#12345680', '#1238', 'rgb(1,2)', 'rgb(1,2,3,0.5)', 'rgb(1%,2,3)',
-    'hsl(1,2,3)', 'transparent', 'currentcolor', 'constructor', '__proto__', 'rgb(1,2,3', 'url(x)', 'rgb(NaN,0,0)', 'hsl(1 2% 3% / 50%)']) {
+  for (const text of [
+    '',
+    'bleu',
+    '#12',
+    '#12345',
+    '#12345g',
+    '#12345680',
+    '#1238',
+    'rgb(1,2)',
+    'rgb(1,2,3,0.5)',
+    'rgb(1%,2,3)',
+    'hsl(1,2,3)',
+    'transparent',
+    'currentcolor',
+    'constructor',
+    '__proto__',
+    'rgb(1,2,3',
+    'url(x)',
+    'rgb(NaN,0,0)',
+    'hsl(1 2% 3% / 50%)',
+  ]) {
     assert.equal(parseColour(text), undefined, text);
   }
 });

@@ -3,7 +3,16 @@ import { test } from 'node:test';
 import { resolveShot } from '../../../js/shot/index.mjs';
 
 /** A shirt: wider than deep, its middle not that of its box. */
-const outline = [[-0.4, 0.6, 0], [0.42, 0.55, 0.02], [0, 0.72, -0.05], [-0.25, 0, 0.14], [0.25, 0.01, 0.15], [0.2, 0, -0.15], [-0.22, 0.02, -0.13], [0.05, 0.4, 0.2]];
+const outline = [
+  [-0.4, 0.6, 0],
+  [0.42, 0.55, 0.02],
+  [0, 0.72, -0.05],
+  [-0.25, 0, 0.14],
+  [0.25, 0.01, 0.15],
+  [0.2, 0, -0.15],
+  [-0.22, 0.02, -0.13],
+  [0.05, 0.4, 0.2],
+];
 const axes = [0, 1, 2];
 const facts = {
   bounds: { min: axes.map((axis) => Math.min(...outline.map((p) => p[axis]))), max: axes.map((axis) => Math.max(...outline.map((p) => p[axis]))) },
@@ -34,7 +43,11 @@ const distance = ({ camera }) => dot(minus(camera.position, centre), unit(minus(
 
 const TURN = Array.from({ length: 72 }, (_, i) => i * 5);
 const LENSES = [{}, { fovY: 60 }, { fovY: 8, fit: 0.5 }, { projection: 'orthographic' }, { projection: 'orthographic', fit: 1.2 }];
-const SIZES = [{ width: 512, height: 512 }, { width: 900, height: 300 }, { width: 300, height: 900 }];
+const SIZES = [
+  { width: 512, height: 512 },
+  { width: 900, height: 300 },
+  { width: 300, height: 900 },
+];
 const near = (a, b, tolerance = 1e-9) => Math.abs(a - b) <= tolerance;
 
 test('a view of its own breathes: the reason for fitTo', () => {
@@ -71,7 +84,10 @@ test('all directions share one scale, and fit', () => {
       const shots = directions.map((direction) => resolveShot({ size, camera: { ...direction, fitTo: 'all', ...lens } }, facts));
       for (const shot of shots) {
         assert.ok(near(distance(shot), distance(shots[0])) && shot.camera.height === shots[0].camera.height);
-        assert.ok(shot.camera.target.every((x, i) => near(x, centre[i])), 'every view looks at the middle');
+        assert.ok(
+          shot.camera.target.every((x, i) => near(x, centre[i])),
+          'every view looks at the middle',
+        );
         assert.ok(reach(shot) <= (lens.fit ?? 0.9) + 1e-9);
       }
       // No more room than a ball about the model needs: its tangents from the camera are the frame's planes.
@@ -111,6 +127,7 @@ test('a wrong frame says what there may be', () => {
     [{ nodes: 'x' }, 'shot.camera.frame.nodes: unknown key, did you mean node?'],
     [{ node: -1 }, 'shot.camera.frame.node: expected the index or the name of a node in the model, got -1'],
     [{ material: true }, 'shot.camera.frame.material: expected the index or the name of a material in the model, got true'],
-  ]) assert.throws(() => resolveShot({ camera: { frame } }, facts), { code: 'E_SHOT', message });
+  ])
+    assert.throws(() => resolveShot({ camera: { frame } }, facts), { code: 'E_SHOT', message });
   assert.throws(() => resolveShot({ camera: { fitTo: 'turn' } }, facts), { message: 'shot.camera.fitTo: expected "view", "turntable" or "all", got "turn"' });
 });

@@ -9,10 +9,10 @@ const shirt = { min: [-0.4, 0.1, -0.15], max: [0.42, 0.82, 0.17] };
 /** The resolved camera as stock three.js sets it up. */
 function threeCamera({ camera, size }) {
   const aspect = size.width / size.height;
-  const result = camera.projection === 'perspective'
-    ? new PerspectiveCamera(camera.fovY, aspect, camera.near, camera.far)
-    : new OrthographicCamera((-camera.height / 2) * aspect, (camera.height / 2) * aspect, camera.height / 2, -camera.height / 2,
-      camera.near, camera.far);
+  const result =
+    camera.projection === 'perspective'
+      ? new PerspectiveCamera(camera.fovY, aspect, camera.near, camera.far)
+      : new OrthographicCamera((-camera.height / 2) * aspect, (camera.height / 2) * aspect, camera.height / 2, -camera.height / 2, camera.near, camera.far);
   result.position.fromArray(camera.position);
   result.up.fromArray(camera.up);
   result.lookAt(...camera.target);
@@ -23,13 +23,11 @@ function threeCamera({ camera, size }) {
 /** Normalised device coordinates that the box covers: [[left, right], [bottom, top], [near, far]]. */
 function projectedExtent(shot, { min, max }) {
   const camera = threeCamera(shot);
-  const corners = Array.from({ length: 8 }, (_, i) =>
-    new Vector3(...[0, 1, 2].map((axis) => (i & (1 << axis) ? max : min)[axis])).project(camera).toArray());
+  const corners = Array.from({ length: 8 }, (_, i) => new Vector3(...[0, 1, 2].map((axis) => (i & (1 << axis) ? max : min)[axis])).project(camera).toArray());
   return [0, 1, 2].map((axis) => [Math.min(...corners.map((c) => c[axis])), Math.max(...corners.map((c) => c[axis]))]);
 }
 
-const near = (actual, expected, tolerance, message) =>
-  assert.ok(Math.abs(actual - expected) <= tolerance, `${message}: ${actual} is not ${expected}`);
+const near = (actual, expected, tolerance, message) => assert.ok(Math.abs(actual - expected) <= tolerance, `${message}: ${actual} is not ${expected}`);
 
 /** Centred in both dimensions, filling `fit` of the tighter one, inside the planes. */
 function assertFramed(shot, box, fit, tolerance, message) {
@@ -41,7 +39,11 @@ function assertFramed(shot, box, fit, tolerance, message) {
   assert.ok(shot.camera.near > 0, `${message}: near is positive`);
 }
 
-const SIZES = [{ width: 512, height: 512 }, { width: 1600, height: 200 }, { width: 200, height: 1600 }];
+const SIZES = [
+  { width: 512, height: 512 },
+  { width: 1600, height: 200 },
+  { width: 200, height: 1600 },
+];
 const DIRECTIONS = [...Object.keys(VIEWS).map((view) => ({ view })), { azimuth: 33, elevation: -41 }, { azimuth: -200, elevation: 89.999 }];
 const LENSES = [{ fovY: 30 }, { fovY: 5 }, { fovY: 70, fit: 1 }, { projection: 'orthographic' }, { projection: 'orthographic', fit: 0.25 }];
 
@@ -73,8 +75,12 @@ test('tiny, huge, distant, flat and thin boxes are framed', () => {
 });
 
 test('a point, a line seen along itself and an edge-on sheet give sound cameras', () => {
-  const boxes = [{ min: [3, 4, 5], max: [3, 4, 5] }, { min: [1e6, 0, 0], max: [1e6, 0, 0] }, { min: [0, 0, -1], max: [0, 0, 1] },
-    { min: [0, -1, -1], max: [0, 1, 1] }];
+  const boxes = [
+    { min: [3, 4, 5], max: [3, 4, 5] },
+    { min: [1e6, 0, 0], max: [1e6, 0, 0] },
+    { min: [0, 0, -1], max: [0, 0, 1] },
+    { min: [0, -1, -1], max: [0, 1, 1] },
+  ];
   for (const box of boxes) {
     for (const camera of [{}, { projection: 'orthographic' }, { fovY: 170 }, { view: 'top' }, { view: 'left' }]) {
       const shot = resolveShot({ camera }, box);
@@ -101,29 +107,54 @@ test('near and far are tight', () => {
   for (const view of Object.keys(VIEWS)) {
     const shot = resolveShot({ camera: { view } }, shirt);
     const { near: nearest, far: farthest } = shot.camera;
-    const distances = projectedExtent(shot, shirt)[2].map((z) =>
-      (2 * farthest * nearest) / (farthest + nearest - z * (farthest - nearest)));
+    const distances = projectedExtent(shot, shirt)[2].map((z) => (2 * farthest * nearest) / (farthest + nearest - z * (farthest - nearest)));
     assert.ok(nearest > 0.98 * distances[0] - 0.01 && farthest < 1.02 * distances[1] + 0.01, `${view}: ${nearest} to ${farthest}`);
   }
 });
 
 test('glTF axes: the front faces +Z, +Y is up, right is +X', () => {
   const axes = {
-    front: [[0, 0, 1], [0, 1, 0]], back: [[0, 0, -1], [0, 1, 0]], left: [[-1, 0, 0], [0, 1, 0]], right: [[1, 0, 0], [0, 1, 0]],
-    top: [[0, 1, 0], [0, 0, -1]], bottom: [[0, -1, 0], [0, 0, 1]],
+    front: [
+      [0, 0, 1],
+      [0, 1, 0],
+    ],
+    back: [
+      [0, 0, -1],
+      [0, 1, 0],
+    ],
+    left: [
+      [-1, 0, 0],
+      [0, 1, 0],
+    ],
+    right: [
+      [1, 0, 0],
+      [0, 1, 0],
+    ],
+    top: [
+      [0, 1, 0],
+      [0, 0, -1],
+    ],
+    bottom: [
+      [0, -1, 0],
+      [0, 0, 1],
+    ],
   };
   const cube = { min: [-1, -1, -1], max: [1, 1, 1] };
   for (const [view, [towards, up]] of Object.entries(axes)) {
     const { camera } = resolveShot({ camera: { view } }, cube);
     const distance = Math.hypot(...camera.position);
-    assert.deepEqual(camera.position.map((x) => x / distance + 0), towards, view);
+    assert.deepEqual(
+      camera.position.map((x) => x / distance + 0),
+      towards,
+      view,
+    );
     assert.deepEqual(camera.up, up, view);
   }
   const { camera } = resolveShot({ camera: { view: 'three-quarter' } }, cube);
   assert.ok(camera.position.every((x) => x > 0));
 });
 
-test('azimuth and elevation are the named views\' own', () => {
+test("azimuth and elevation are the named views' own", () => {
   for (const [view, angles] of Object.entries(VIEWS)) {
     assert.deepEqual(resolveShot({ camera: { view } }, shirt), resolveShot({ camera: angles }, shirt));
   }
@@ -149,7 +180,14 @@ test('planes of an explicit camera are fitted, with the camera outside, inside a
 
 test('with its outline known, the model itself fills the frame, not its box', () => {
   // An octahedron: from the front and at a slant its box is far larger than it.
-  const outline = [[1, 0, 0], [-1, 0, 0], [0, 1.5, 0], [0, -0.5, 0], [0, 0, 1], [0, 0, -1]];
+  const outline = [
+    [1, 0, 0],
+    [-1, 0, 0],
+    [0, 1.5, 0],
+    [0, -0.5, 0],
+    [0, 0, 1],
+    [0, 0, -1],
+  ];
   const facts = { bounds: { min: [-1, -0.5, -1], max: [1, 1.5, 1] }, outline };
   for (const size of SIZES) {
     for (const direction of DIRECTIONS) {

@@ -13,14 +13,20 @@ const REGISTER = `data:text/javascript,${encodeURIComponent(`import { register }
 
 function modulesOf(args) {
   const out = execFileSync(process.execPath, ['--import', REGISTER, ...args], { cwd: root, encoding: 'utf8' });
-  return out.split('\n').filter((line) => line.startsWith('LOADED ')).map((line) => line.slice(7));
+  return out
+    .split('\n')
+    .filter((line) => line.startsWith('LOADED '))
+    .map((line) => line.slice(7));
 }
 
 const heavy = (modules) => modules.filter((url) => /node_modules\/(commander|cli-progress|color-name)\/|\/dist\/zod\.mjs$/.test(url));
 
 test('import telar does not load the schema of the shot', () => {
   const modules = modulesOf(['--input-type=module', '-e', "await import('./js/index.mjs')"]);
-  assert.ok(modules.some((url) => url.endsWith('js/api/renderer.mjs')), 'the hook sees modules');
+  assert.ok(
+    modules.some((url) => url.endsWith('js/api/renderer.mjs')),
+    'the hook sees modules',
+  );
   assert.deepEqual(heavy(modules), []);
 });
 

@@ -60,8 +60,17 @@ const LIGHT_NUMBERS = {
   penumbra: { type: 'spot', expected: 'a number in [0, 1]', good: [0, 1], bad: [-0.1, 1.1] },
 };
 
-const WRONG_NUMBERS = [[NaN, 'NaN'], [Infinity, 'Infinity'], [-Infinity, '-Infinity'], ['5', '"5"'], [null, 'null'], [true, 'true'],
-  [[], '[]'], [{}, '{}'], [5n, 'a bigint']];
+const WRONG_NUMBERS = [
+  [NaN, 'NaN'],
+  [Infinity, 'Infinity'],
+  [-Infinity, '-Infinity'],
+  ['5', '"5"'],
+  [null, 'null'],
+  [true, 'true'],
+  [[], '[]'],
+  [{}, '{}'],
+  [5n, 'a bigint'],
+];
 
 const shows = (value) => [value, String(value)];
 
@@ -118,7 +127,10 @@ const MESSAGES = [
   [{ camera: { projection: 'isometric' } }, 'shot.camera.projection: expected "perspective" or "orthographic", got "isometric"'],
   [{ camera: { projection: 'orthographic', fovY: 30 } }, 'shot.camera.fovY: expected no fovY with the orthographic projection, got 30'],
   [{ camera: { ...EXPLICIT.camera, projection: 'perspective', height: 1 } }, 'shot.camera.height: expected no height with the perspective projection, got 1'],
-  [{ camera: { ...EXPLICIT.camera, projection: 'orthographic' } }, 'shot.camera.height: expected a height in metres for the orthographic projection, got nothing'],
+  [
+    { camera: { ...EXPLICIT.camera, projection: 'orthographic' } },
+    'shot.camera.height: expected a height in metres for the orthographic projection, got nothing',
+  ],
   [{ camera: { ...EXPLICIT.camera, near: 0 } }, 'shot.camera.near: expected a distance above 0, got 0'],
   [{ camera: { ...EXPLICIT.camera, near: 5, far: 5 } }, 'shot.camera.far: expected a distance beyond near (5), got 5'],
   [{ camera: { gltf: -1 } }, 'shot.camera.gltf: expected the index or the name of a camera in the model, got -1'],
@@ -140,17 +152,35 @@ const MESSAGES = [
   [{ lights: [{ type: 'ambient', castShadow: true }] }, 'shot.lights[0].castShadow: unknown key, expected one of type, color, intensity'],
   [{ lights: [{ type: 'spot', castShadow: 1 }] }, 'shot.lights[0].castShadow: expected true or false, got 1'],
   [{ lights: [{ type: 'spot', shadow: {} }] }, 'shot.lights[0].castShadow: expected true where `shadow` is given, got false'],
-  [{ lights: [{ type: 'spot', castShadow: true, shadow: { mapSize: 1e6 } }] }, 'shot.lights[0].shadow.mapSize: expected a whole number of texels in [16, 4096], got 1000000'],
-  [{ lights: [{ type: 'spot', castShadow: true, shadow: { mapSize: 15 } }] }, 'shot.lights[0].shadow.mapSize: expected a whole number of texels in [16, 4096], got 15'],
+  [
+    { lights: [{ type: 'spot', castShadow: true, shadow: { mapSize: 1e6 } }] },
+    'shot.lights[0].shadow.mapSize: expected a whole number of texels in [16, 4096], got 1000000',
+  ],
+  [
+    { lights: [{ type: 'spot', castShadow: true, shadow: { mapSize: 15 } }] },
+    'shot.lights[0].shadow.mapSize: expected a whole number of texels in [16, 4096], got 15',
+  ],
   [{ lights: [{ type: 'spot', castShadow: true, shadow: { bias: -2 } }] }, 'shot.lights[0].shadow.bias: expected a number in [-1, 1], got -2'],
   [{ lights: [{ type: 'spot', castShadow: true, shadow: { normalBias: -1 } }] }, 'shot.lights[0].shadow.normalBias: expected a number in [0, 1e30], got -1'],
   [{ lights: [{ type: 'spot', castShadow: true, shadow: { radius: 26 } }] }, 'shot.lights[0].shadow.radius: expected a number of texels in [0, 25], got 26'],
   [{ lights: [{ type: 'spot', castShadow: true, shadow: { near: 0 } }] }, 'shot.lights[0].shadow.near: expected a distance above 0, got 0'],
   [{ lights: [{ type: 'spot', castShadow: true, shadow: { near: 2, far: 1 } }] }, 'shot.lights[0].shadow.far: expected a distance beyond near (2), got 1'],
-  [{ lights: [{ type: 'spot', castShadow: true, range: 3, shadow: { far: 4 } }] }, "shot.lights[0].shadow.far: expected 3, as three.js ends the map at the light's range, got 4"],
-  [{ lights: [{ type: 'spot', castShadow: true, shadow: { left: 1 } }] }, 'shot.lights[0].shadow.left: unknown key, expected one of mapSize, radius, intensity, bias, normalBias, near, far, focus'],
-  [{ lights: [{ type: 'directional', castShadow: true, shadow: { left: 1, right: 0 } }] }, 'shot.lights[0].shadow.right: expected a number above left (1), got 0'],
-  [{ lights: [{ type: 'directional', castShadow: true, shadow: { bottom: 1, top: 1 } }] }, 'shot.lights[0].shadow.top: expected a number above bottom (1), got 1'],
+  [
+    { lights: [{ type: 'spot', castShadow: true, range: 3, shadow: { far: 4 } }] },
+    "shot.lights[0].shadow.far: expected 3, as three.js ends the map at the light's range, got 4",
+  ],
+  [
+    { lights: [{ type: 'spot', castShadow: true, shadow: { left: 1 } }] },
+    'shot.lights[0].shadow.left: unknown key, expected one of mapSize, radius, intensity, bias, normalBias, near, far, focus',
+  ],
+  [
+    { lights: [{ type: 'directional', castShadow: true, shadow: { left: 1, right: 0 } }] },
+    'shot.lights[0].shadow.right: expected a number above left (1), got 0',
+  ],
+  [
+    { lights: [{ type: 'directional', castShadow: true, shadow: { bottom: 1, top: 1 } }] },
+    'shot.lights[0].shadow.top: expected a number above bottom (1), got 1',
+  ],
   [{ ground: 'floor' }, 'shot.ground: expected "none" or {shadow, opacity}, got "floor"'],
   [{ ground: { shadow: false } }, 'shot.ground.shadow: expected true, got false'],
   [{ ground: { opacity: 1.5 } }, 'shot.ground.opacity: expected a number in [0, 1], got 1.5'],
@@ -163,15 +193,24 @@ const MESSAGES = [
   [{ background: null }, `shot.background: expected ${BACKGROUND}, got null`],
   [{ background: { blr: 0.5 } }, 'shot.background.blr: unknown key, did you mean blur?'],
   [{ background: { type: 'color' } }, 'shot.background.type: expected "environment", got "color"'],
-  [{ background: { blur: 0.5 }, environment: 'none' }, 'shot.background: expected "transparent" or a colour, as shot.environment is "none", got {"type", "blur"}'],
+  [
+    { background: { blur: 0.5 }, environment: 'none' },
+    'shot.background: expected "transparent" or a colour, as shot.environment is "none", got {"type", "blur"}',
+  ],
   [{ background: 'environment', environment: 'none' }, 'shot.background: expected "transparent" or a colour, as shot.environment is "none", got "environment"'],
-  [{ background: 'transparent', output: { format: 'jpeg' } }, 'shot.background: expected a colour or "environment", as jpeg has no transparency, got "transparent"'],
+  [
+    { background: 'transparent', output: { format: 'jpeg' } },
+    'shot.background: expected a colour or "environment", as jpeg has no transparency, got "transparent"',
+  ],
   [{ shading: 'tree' }, 'shot.shading: expected "three", "fabric", "three-r115", "disney-2012" or {base, <slot>: <term>}, got "tree"'],
   [{ shading: { sheen: 'zeltner' } }, 'shot.shading.base: expected "three-r115" or "disney-2012", got nothing'],
   [{ shading: { base: 'three-r115', fresnel: 'zeltner' } }, 'shot.shading.fresnel: expected "schlick-exp2" or "schlick", got "zeltner"'],
   [{ shading: { base: 'disney-2012', shen: 'zeltner' } }, 'shot.shading.shen: unknown key, did you mean sheen?'],
   [{ toneMapping: 'filmic' }, `shot.toneMapping: expected ${oneOf(TONE_MAPPINGS)}, got "filmic"`],
-  [{ quality: 'best' }, 'shot.quality: expected "standard", "draft", "high", "reference", {samples, resolve, noise, environmentSamples} or {preset: "reference", ...}, got "best"'],
+  [
+    { quality: 'best' },
+    'shot.quality: expected "standard", "draft", "high", "reference", {samples, resolve, noise, environmentSamples} or {preset: "reference", ...}, got "best"',
+  ],
   [{ quality: { samples: 2 } }, 'shot.quality.samples: expected 1, 4, 16, 64, 256 or 1024 samples a pixel, got 2'],
   [{ quality: { samples: 4, noise: 1 } }, 'shot.quality.noise: expected 0 with 4 samples or fewer, got 1'],
   [{ quality: { samples: 16, resolve: 'encoded' } }, 'shot.quality.resolve: expected "linear" with more than 4 samples, got "encoded"'],
@@ -179,7 +218,10 @@ const MESSAGES = [
   [{ quality: { preset: 'standard', environmentSamples: 64 } }, 'shot.quality.environmentSamples: expected 0 with preset "standard", or no preset, got 64'],
   [{ quality: { preset: 'best' } }, 'shot.quality.preset: expected "standard", "draft", "high" or "reference", got "best"'],
   [{ quality: { preset: 'reference', samples: 0 } }, 'shot.quality.samples: expected a whole number of paths a pixel in [1, 65536], got 0'],
-  [{ quality: { preset: 'reference', resolve: 'linear' } }, 'shot.quality.resolve: unknown key, expected one of preset, samples, seed, transport, bounces, threads'],
+  [
+    { quality: { preset: 'reference', resolve: 'linear' } },
+    'shot.quality.resolve: unknown key, expected one of preset, samples, seed, transport, bounces, threads',
+  ],
   [{ quality: { preset: 'reference', sead: 1 } }, 'shot.quality.sead: unknown key, did you mean seed?'],
   [{ quality: { preset: 'reference', transport: 'all' } }, 'shot.quality.transport: expected "global", "occlusion" or "direct", got "all"'],
   [{ quality: { preset: 'reference', transport: 'direct', bounces: 2 } }, 'shot.quality.bounces: expected 0 with transport "direct", got 2'],
@@ -188,7 +230,10 @@ const MESSAGES = [
   [{ lens: { aperture: 8, shutter: 0.01 } }, 'shot.lens.iso: expected a sensitivity beside shutter, got nothing'],
   [{ lens: { aperture: 8, iso: 100 } }, 'shot.lens.shutter: expected a number of seconds beside iso, got nothing'],
   [{ lens: { aperture: 8, shutter: null, iso: 100 } }, 'shot.lens.shutter: expected a number of seconds beside iso, got null'],
-  [{ lens: { aperture: 8, focusDistance: 2 }, camera: { projection: 'orthographic' } }, 'shot.lens.focusDistance: expected none with the orthographic projection, which has no lens to blur, got 2'],
+  [
+    { lens: { aperture: 8, focusDistance: 2 }, camera: { projection: 'orthographic' } },
+    'shot.lens.focusDistance: expected none with the orthographic projection, which has no lens to blur, got 2',
+  ],
   [{ quality: { preset: 'draft', samples: 4 } }, 'shot.quality.samples: expected 1 with preset "draft", or no preset, got 4'],
   [{ variant: 3 }, 'shot.variant: expected the name of a variant, got 3'],
   [{ layers: 'beauty' }, 'shot.layers: expected ["beauty"], got "beauty"'],
@@ -210,10 +255,18 @@ test('exact messages', () => {
 
 /** [shot, what is refused, what stands instead, pointer] */
 const UNAVAILABLE = [
-  ...['maxError', 'budgetMs'].map((key) =>
-    [{ quality: { [key]: 1 } }, `shot.quality.${key}: a quality by ${key}`, 'use {samples, environmentSamples}', `/quality/${key}`]),
-  ...['depth', 'normal', 'partId', 'ao', 'albedo', 'line', 'shadow'].map((layer) =>
-    [{ layers: ['beauty', layer] }, `shot.layers[1]: "${layer}"`, 'use "beauty"', '/layers/1']),
+  ...['maxError', 'budgetMs'].map((key) => [
+    { quality: { [key]: 1 } },
+    `shot.quality.${key}: a quality by ${key}`,
+    'use {samples, environmentSamples}',
+    `/quality/${key}`,
+  ]),
+  ...['depth', 'normal', 'partId', 'ao', 'albedo', 'line', 'shadow'].map((layer) => [
+    { layers: ['beauty', layer] },
+    `shot.layers[1]: "${layer}"`,
+    'use "beauty"',
+    '/layers/1',
+  ]),
 ];
 
 test('what this version does not draw is refused by name, and what there is instead is named', () => {
@@ -251,8 +304,14 @@ test('a model without geometry', () => {
 });
 
 test('wrong facts', () => {
-  for (const wrong of [{ min: [0, 0], max: [1, 1, 1] }, { min: [0, 0, NaN], max: [1, 1, 1] }, { min: [2, 0, 0], max: [1, 1, 1] },
-    { min: ['0', 0, 0], max: [1, 1, 1] }, { bounds: {} }, { bounds: { min: [0, 0, 0] } }]) {
+  for (const wrong of [
+    { min: [0, 0], max: [1, 1, 1] },
+    { min: [0, 0, NaN], max: [1, 1, 1] },
+    { min: [2, 0, 0], max: [1, 1, 1] },
+    { min: ['0', 0, 0], max: [1, 1, 1] },
+    { bounds: {} },
+    { bounds: { min: [0, 0, 0] } },
+  ]) {
     assert.equal(complaintOf({}, wrong).code, 'E_OPTION', JSON.stringify(wrong));
   }
 });

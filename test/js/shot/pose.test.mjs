@@ -2,7 +2,12 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { resolvePose, resolveShot } from '../../../js/shot/index.mjs';
 
-const facts = { animations: [{ name: 'walk', duration: 2 }, { name: 'sit', duration: 1 }] };
+const facts = {
+  animations: [
+    { name: 'walk', duration: 2 },
+    { name: 'sit', duration: 1 },
+  ],
+};
 
 test('a pose is an index and a time, or null', () => {
   assert.equal(resolvePose({}, facts), null);
@@ -35,6 +40,9 @@ test('wrong poses are refused with their path', () => {
   ];
   for (const [shot, code, message] of cases) assert.throws(() => resolvePose(shot, facts), { code, message });
   const none = { animations: [] };
-  assert.throws(() => resolvePose({ pose: { animation: 0 } }, none), { code: 'E_POSE', message: 'shot.pose.animation: the model has no animation 0; it has none' });
+  assert.throws(() => resolvePose({ pose: { animation: 0 } }, none), {
+    code: 'E_POSE',
+    message: 'shot.pose.animation: the model has no animation 0; it has none',
+  });
   assert.throws(() => resolvePose({ pose: { animation: 'walk' } }), { code: 'E_POSE', message: /list no animations/ });
 });

@@ -7,7 +7,10 @@ const box = { min: [-1, 0, -0.2], max: [1, 2, 0.2] };
 const facts = {
   bounds: box,
   variants: ['white', 'navy'],
-  animations: [{ name: 'walk', duration: 2 }, { name: 'sit', duration: 1 }],
+  animations: [
+    { name: 'walk', duration: 2 },
+    { name: 'sit', duration: 1 },
+  ],
   cameras: [
     { name: 'shop', node: 1, projection: 'perspective', fovY: 40, near: 0.1, far: 0, position: [0, 1, 4], target: [0, 1, 3], up: [0, 1, 0] },
     { name: 'plan', node: 2, projection: 'orthographic', height: 2, near: 0.01, far: 10, position: [0, 5, 0], target: [0, 4, 0], up: [0, 0, -1] },
@@ -81,18 +84,21 @@ test('arguments stay as they were, and results share nothing', () => {
     const again = resolveShot(shot, facts);
     assert.deepEqual(again, resolved);
     // Spoil the first result in every place: a later one must not notice.
-    const spoil = (value) => Object.keys(value).forEach((key) => {
-      if (typeof value[key] === 'object' && value[key] !== null && !ArrayBuffer.isView(value[key])) spoil(value[key]);
-      else value[key] = 'spoilt';
-    });
+    const spoil = (value) =>
+      Object.keys(value).forEach((key) => {
+        if (typeof value[key] === 'object' && value[key] !== null && !ArrayBuffer.isView(value[key])) spoil(value[key]);
+        else value[key] = 'spoilt';
+      });
     spoil(resolved);
     assert.deepEqual(resolveShot(shot, facts), again, JSON.stringify(shot));
   }
 });
 
 /** What an object has under the keys of another, at any depth. */
-const partOf = (value, keys) => (typeof keys !== 'object' || keys === null || Array.isArray(keys) ? value
-  : Object.fromEntries(Object.entries(keys).map(([key, inner]) => [key, partOf(value[key], inner)])));
+const partOf = (value, keys) =>
+  typeof keys !== 'object' || keys === null || Array.isArray(keys)
+    ? value
+    : Object.fromEntries(Object.entries(keys).map(([key, inner]) => [key, partOf(value[key], inner)]));
 
 test('all defaults are written out', () => {
   const { camera, ...rest } = resolveShot({}, box);
@@ -119,17 +125,20 @@ test('all defaults are written out', () => {
   assert.deepEqual(resolveShot(undefined, box), resolveShot({}, box));
 });
 
-test('the path tracer\'s settings are written out, and the lens focuses on the target', () => {
+test("the path tracer's settings are written out, and the lens focuses on the target", () => {
   const reference = { preset: 'reference', samples: 256, seed: 1, transport: 'global', bounces: 8, threads: 0 };
   assert.deepEqual(resolveShot({ quality: 'reference' }, box).quality, reference);
-  assert.deepEqual(resolveShot({ quality: { preset: 'reference', transport: 'direct', samples: 4 } }, box).quality,
-    { ...reference, samples: 4, transport: 'direct', bounces: 0 });
+  assert.deepEqual(resolveShot({ quality: { preset: 'reference', transport: 'direct', samples: 4 } }, box).quality, {
+    ...reference,
+    samples: 4,
+    transport: 'direct',
+    bounces: 0,
+  });
   const camera = { position: [0, 0, 5], target: [0, 3, 1], near: 0.1, far: 10 };
-  assert.deepEqual(resolveShot({ camera, lens: { aperture: 8, focusDistance: 'target' } }).lens,
-    { aperture: 8, shutter: null, iso: null, focusDistance: 5 });
+  assert.deepEqual(resolveShot({ camera, lens: { aperture: 8, focusDistance: 'target' } }).lens, { aperture: 8, shutter: null, iso: null, focusDistance: 5 });
 });
 
-test('defaults of lights are three.js\'s', () => {
+test("defaults of lights are three.js's", () => {
   const types = ['ambient', 'hemisphere', 'directional', 'point', 'spot', 'rect'];
   assert.deepEqual(resolveShot({ lights: types.map((type) => ({ type })) }, box).lights, [
     { type: 'ambient', color: [1, 1, 1], intensity: 1 },
@@ -157,12 +166,27 @@ test('bit depth follows the format', () => {
 
 test('a camera of the model becomes explicit; an infinite far plane is fitted', () => {
   const shop = resolveShot({ camera: { gltf: 'shop' } }, facts).camera;
-  assert.deepEqual({ ...shop, far: 0 }, {
-    projection: 'perspective', position: [0, 1, 4], target: [0, 1, 3], up: [0, 1, 0], fovY: 40, near: 0.1, far: 0,
-  });
+  assert.deepEqual(
+    { ...shop, far: 0 },
+    {
+      projection: 'perspective',
+      position: [0, 1, 4],
+      target: [0, 1, 3],
+      up: [0, 1, 0],
+      fovY: 40,
+      near: 0.1,
+      far: 0,
+    },
+  );
   assert.ok(shop.far > 4.2 && shop.far < 4.3);
   assert.deepEqual(resolveShot({ camera: { gltf: 1 } }, facts).camera, {
-    projection: 'orthographic', position: [0, 5, 0], target: [0, 4, 0], up: [0, 0, -1], height: 2, near: 0.01, far: 10,
+    projection: 'orthographic',
+    position: [0, 5, 0],
+    target: [0, 4, 0],
+    up: [0, 0, -1],
+    height: 2,
+    near: 0.01,
+    far: 10,
   });
 });
 

@@ -59,7 +59,9 @@ test('the axes of a light are those of three.js', () => {
   for (const light of LIGHTS) {
     const { position, target } = resolveLight(light);
     const elements = new THREE.Matrix4().lookAt(new THREE.Vector3(...position), new THREE.Vector3(...target), new THREE.Vector3(0, 1, 0)).elements;
-    lightAxes({ position, target }).flat().forEach((x, i) => assert.ok(Math.abs(x - elements[Math.floor(i / 3) * 4 + (i % 3)]) < 1e-12));
+    lightAxes({ position, target })
+      .flat()
+      .forEach((x, i) => assert.ok(Math.abs(x - elements[Math.floor(i / 3) * 4 + (i % 3)]) < 1e-12));
   }
 });
 
@@ -88,8 +90,11 @@ test('biases are those of one filter: texels at the farthest caster', () => {
 
 test('a far light and a light in the midst of the model have sound maps', () => {
   for (const light of [
-    casting('directional', { position: [1e6, 1e6, 0] }), casting('spot', { position: [0, 1e5, 0] }), casting('point', { position: [0, 0.7, 0] }),
-    casting('spot', { position: [0, 0.7, 0], target: [1, 0.7, 0], angle: Math.PI / 2 }), casting('point', { position: [9, 9, 9], range: 0.5 }),
+    casting('directional', { position: [1e6, 1e6, 0] }),
+    casting('spot', { position: [0, 1e5, 0] }),
+    casting('point', { position: [0, 0.7, 0] }),
+    casting('spot', { position: [0, 0.7, 0], target: [1, 0.7, 0], angle: Math.PI / 2 }),
+    casting('point', { position: [9, 9, 9], range: 0.5 }),
   ]) {
     const resolved = resolveLight(light, box, { ground: {} });
     const { near, far, bias, normalBias, focus = 1 } = resolved.shadow;
@@ -132,7 +137,10 @@ test('the ground lies at the lowest point and holds every shadow', () => {
 test('a light at the horizon or below it makes no endless ground', () => {
   for (const y of [0.01, 0, -1]) {
     const { ground, camera } = resolveShot({ lights: [casting('directional', { position: [5, y, 0] })], ground: {} }, box);
-    assert.ok(ground.size.every((x) => x > 0.5 && x < 500), `${y}: ${ground.size}`);
+    assert.ok(
+      ground.size.every((x) => x > 0.5 && x < 500),
+      `${y}: ${ground.size}`,
+    );
     assert.ok(Number.isFinite(camera.far) && camera.near > 0);
   }
 });

@@ -22,7 +22,7 @@ const PLANTED = [
   ['a default of another type', metres({ default: '1' }), 'has a default that it refuses'],
   ['a value otherwise above its range', metres({ max: 4, otherwise: 5 }), 'has a value otherwise that it refuses'],
   ['a range without a number in it', metres({ max: -1 }), 'has an empty range'],
-  ['a range beyond the GPU', metres({ max: 1e31 }), 'leaves the range of the GPU\'s floats'],
+  ['a range beyond the GPU', metres({ max: 1e31 }), "leaves the range of the GPU's floats"],
   ['a whole number below 0', metres({ integer: true, min: -1, max: 9 }), 'is no index that C++ reads'],
   ['a name twice', choice('Names', ['a', 'b', 'a']), 'names a value twice'],
   ['a default that is no name', choice('Names', ['a', 'b'], { default: 'c' }), 'has a default that it refuses'],
@@ -52,8 +52,16 @@ test('a resolved shot has the keys of the table in its order, and those alone', 
 
 test('values stand in the order of the table; what is left out is what the table knows', () => {
   const row = object('Group', { a: metres({ default: 1 }), b: metres({ otherwise: 2 }), c: metres({ optional: true }), d: metres({}) });
-  assert.deepEqual(Object.entries(inOrder(row, { d: 4, a: undefined })), [['a', 1], ['b', 2], ['d', 4]]);
-  assert.deepEqual(Object.entries(inOrder(row, { c: 0, b: null })), [['a', 1], ['b', null], ['c', 0]]);
+  assert.deepEqual(Object.entries(inOrder(row, { d: 4, a: undefined })), [
+    ['a', 1],
+    ['b', 2],
+    ['d', 4],
+  ]);
+  assert.deepEqual(Object.entries(inOrder(row, { c: 0, b: null })), [
+    ['a', 1],
+    ['b', null],
+    ['c', 0],
+  ]);
 });
 
 test('a copy shares nothing but bytes', () => {

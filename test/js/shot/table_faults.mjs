@@ -21,7 +21,7 @@ function ownFaults(row, isOption) {
   if (!isOption && !row.doc) faults.push('has no doc');
   if (row.kind === 'number' && !row.unit) faults.push('has no unit');
   if (row.kind === 'number' && !((row.above ?? row.min) < row.max)) faults.push('has an empty range');
-  if (row.kind === 'number' && !(Math.abs(row.min ?? row.above) <= 1e30 && row.max <= 1e30)) faults.push('leaves the range of the GPU\'s floats');
+  if (row.kind === 'number' && !(Math.abs(row.min ?? row.above) <= 1e30 && row.max <= 1e30)) faults.push("leaves the range of the GPU's floats");
   if (row.kind === 'number' && row.integer && !(row.min >= 0 && row.max < 2 ** 31)) faults.push('is no index that C++ reads');
   if (NAMES.includes(row.kind) && new Set(row.values).size !== row.values.length) faults.push('names a value twice');
   if (isRefused(row, row.default)) faults.push('has a default that it refuses');
@@ -39,7 +39,9 @@ export function tableFaults(row, path = 'shot', isOption = false) {
   const resolved = resolvedRow(row);
   const nested = [...new Set([row, resolved])].flatMap((form) => CHILDREN[form.kind]?.(form) ?? []);
   const shape = row.kind === 'object' ? Object.keys(row.shape) : [];
-  const missing = Object.entries(row.shape ?? {}).filter(([, { when }]) => when !== undefined && !shape.includes(when)).map(([key, { when }]) => `${path}.${key} is there when ${when}, which is no key`);
+  const missing = Object.entries(row.shape ?? {})
+    .filter(([, { when }]) => when !== undefined && !shape.includes(when))
+    .map(([key, { when }]) => `${path}.${key} is there when ${when}, which is no key`);
   const inner = nested.flatMap(([key, child, option]) => tableFaults(child, `${path}.${key}`, option ?? row.kind === 'list'));
   return [...new Set([...ownFaults(row, isOption || row.kind === 'variants').map((fault) => `${path} ${fault}`), ...missing, ...inner])];
 }

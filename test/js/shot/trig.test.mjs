@@ -3,7 +3,12 @@ import { test } from 'node:test';
 import { sinCosDegrees, tanDegrees } from '../../../js/shot/trig.mjs';
 
 test('multiples of 90 degrees are exact', () => {
-  const expected = [[0, 1], [1, 0], [0, -1], [-1, 0]];
+  const expected = [
+    [0, 1],
+    [1, 0],
+    [0, -1],
+    [-1, 0],
+  ];
   for (let quarter = -8; quarter <= 8; ++quarter) {
     const { sin, cos } = sinCosDegrees(90 * quarter);
     assert.deepEqual([sin + 0, cos + 0], expected[((quarter % 4) + 4) % 4], `${90 * quarter}`);

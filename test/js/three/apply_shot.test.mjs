@@ -13,7 +13,10 @@ const resolve = (shot = {}) => resolveShot({ environment: 'none', camera: CAMERA
 /** The part of WebGLRenderer that a shot sets; a real one needs a browser (test/parity). */
 function recorder() {
   const calls = {};
-  const record = (name) => (...args) => (calls[name] = args);
+  const record =
+    (name) =>
+    (...args) =>
+      (calls[name] = args);
   return { calls, shadowMap: {}, setPixelRatio: record('setPixelRatio'), setSize: record('setSize'), setClearColor: record('setClearColor') };
 }
 
@@ -39,7 +42,7 @@ test('size, tone mapping and exposure reach the renderer; the drawing buffer is 
 
 test('a lens exposes: a surface of 1.2 * 2^EV100 nit becomes 1', async () => {
   const lens = { aperture: 2.8, shutter: 1 / 60, iso: 400 };
-  const ev100 = Math.log2(((2.8 ** 2) * 60 * 100) / 400);
+  const ev100 = Math.log2((2.8 ** 2 * 60 * 100) / 400);
   const { renderer } = await apply({ exposure: 3, lens });
   assert.ok(Math.abs(renderer.toneMappingExposure / (3 / (1.2 * 2 ** ev100)) - 1) < 1e-12);
   assert.equal((await apply({ lens: { aperture: 2.8, focusDistance: 1 } })).renderer.toneMappingExposure, 1);
@@ -47,8 +50,13 @@ test('a lens exposes: a surface of 1.2 * 2^EV100 nit becomes 1', async () => {
 
 test('every tone mapping of the shot has its three.js constant', async () => {
   const names = {
-    none: THREE.NoToneMapping, linear: THREE.LinearToneMapping, reinhard: THREE.ReinhardToneMapping, cineon: THREE.CineonToneMapping,
-    aces: THREE.ACESFilmicToneMapping, agx: THREE.AgXToneMapping, neutral: THREE.NeutralToneMapping,
+    none: THREE.NoToneMapping,
+    linear: THREE.LinearToneMapping,
+    reinhard: THREE.ReinhardToneMapping,
+    cineon: THREE.CineonToneMapping,
+    aces: THREE.ACESFilmicToneMapping,
+    agx: THREE.AgXToneMapping,
+    neutral: THREE.NeutralToneMapping,
   };
   for (const [toneMapping, constant] of Object.entries(names)) assert.equal((await apply({ toneMapping })).renderer.toneMapping, constant);
   const drawn = await Promise.all(Object.keys(TONE_MAPPINGS).map(async (toneMapping) => (await apply({ toneMapping })).renderer.toneMapping));
@@ -88,16 +96,21 @@ test('lights have linear colours, units and targets of the shot, and replace tho
   assert.equal(found.length, 5);
   assert.deepEqual(ambient.color.toArray(), [0.1, 0.2, 0.3]);
   assert.deepEqual([hemisphere.groundColor.toArray(), hemisphere.intensity], [[0.5, 0.25, 0], 3]);
-  assert.deepEqual([directional.position.toArray(), directional.target.position.toArray()], [[1, 2, 3], [0, 1, 0]]);
+  assert.deepEqual(
+    [directional.position.toArray(), directional.target.position.toArray()],
+    [
+      [1, 2, 3],
+      [0, 1, 0],
+    ],
+  );
   assert.deepEqual([point.distance, point.decay, point.intensity], [7, 2, 5]);
   assert.deepEqual([spot.distance, spot.angle, spot.penumbra, spot.decay, spot.target.position.z], [8, 0.4, 0.3, 2, 1]);
 });
 
-test('a rect light looks at its target and gets three\'s tables, once', async () => {
+test("a rect light looks at its target and gets three's tables, once", async () => {
   const rect = { type: 'rect', intensity: 7, position: [0, 2, 0], target: [0, 0, 0], width: 0.5, height: 1.5 };
-  await assert.rejects(apply({ lights: [rect] }), /give applyShot areaLightTables: \(\) => import\('three\/addons\/lights/);
-  await assert.rejects(apply({ lights: [rect] }, { areaLightTables: async () => ({ RectAreaLightUniformsLib: { init() {} } }) }),
-    /another copy of three\.js/);
+  await assert.rejects(apply({ lights: [rect] }), /give applyShot areaLightTables, a function that imports three\/addons\/lights\/RectAreaLightUniformsLib/);
+  await assert.rejects(apply({ lights: [rect] }, { areaLightTables: async () => ({ RectAreaLightUniformsLib: { init() {} } }) }), /another copy of three\.js/);
   let loads = 0;
   const areaLightTables = () => import('three/addons/lights/RectAreaLightUniformsLib.js').finally(() => loads++);
   await apply({ lights: [{ type: 'point' }] }, { areaLightTables });
@@ -155,7 +168,7 @@ test('lights of the model are shown or hidden', async () => {
   assert.deepEqual(visible(), [true, true, true]);
 });
 
-test('a variant changes the meshes that it maps, and an empty one gives the file\'s own materials back', async () => {
+test("a variant changes the meshes that it maps, and an empty one gives the file's own materials back", async () => {
   const model = await load('variants');
   const roughness = () => {
     const list = [];
@@ -163,9 +176,18 @@ test('a variant changes the meshes that it maps, and an empty one gives the file
     return list;
   };
   assert.deepEqual(roughness(), [0.5, 0.5]);
-  for (const [variant, expected] of [['blue', [0.8, 0.2]], ['red', [0.3, 0.5]], ['', [0.5, 0.5]], ['blue', [0.8, 0.2]]]) {
+  for (const [variant, expected] of [
+    ['blue', [0.8, 0.2]],
+    ['red', [0.3, 0.5]],
+    ['', [0.5, 0.5]],
+    ['blue', [0.8, 0.2]],
+  ]) {
     await apply({ variant }, { model });
-    assert.deepEqual(roughness().map((value) => Number(value.toFixed(6))), expected, `variant "${variant}"`);
+    assert.deepEqual(
+      roughness().map((value) => Number(value.toFixed(6))),
+      expected,
+      `variant "${variant}"`,
+    );
   }
   await assert.rejects(apply({ variant: 'green' }, { model }), /the model has red, blue, not green/);
 });

@@ -54,8 +54,14 @@ test('browser and server list the cameras of a model alike, and frame through th
   const server = await inspect(glb);
   const model = await new GLTFLoader().parseAsync(glb.buffer.slice(glb.byteOffset, glb.byteOffset + glb.length), '');
   const browser = factsOf(model, { THREE });
-  assert.deepEqual(browser.cameras.map(({ name }) => name), ['wide', 'wide', 'beside', 'plan']);
+  assert.deepEqual(
+    browser.cameras.map(({ name }) => name),
+    ['wide', 'wide', 'beside', 'plan'],
+  );
   assert.equal(server.cameras.length, 4);
-  assertNear(browser.cameras, server.cameras.map(({ node, width, aspectRatio, ...camera }) => camera));
+  assertNear(
+    browser.cameras,
+    server.cameras.map(({ node, width, aspectRatio, ...camera }) => camera),
+  );
   for (const gltf of [0, 1, 2, 'plan']) assertNear(resolveShot({ camera: { gltf } }, browser), resolveShot({ camera: { gltf } }, server));
 });

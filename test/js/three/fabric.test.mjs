@@ -10,7 +10,6 @@ import { clothOf, extensionsOf } from '../../../js/three/shading/fabric_layers.m
 import { loadShading } from '../../../js/three/shading/index.mjs';
 import '../built.mjs';
 
-
 /** A quad with a material; images do not load in Node, so textures stand for them. */
 async function load(material, textures = 0) {
   const { doc, bin } = quad();
@@ -22,21 +21,39 @@ async function load(material, textures = 0) {
   return { parser: model.parser, model, mesh: model.scene.getObjectByProperty('isMesh', true) };
 }
 
-const PRESETS = { felt: { material: { pbrMetallicRoughness: { roughnessFactor: 0.9, metallicFactor: 0 }, extensions: { KHR_materials_sheen: { sheenColorFactor: [0.2, 0.2, 0.2], sheenRoughnessFactor: 0.5 }, TELAR_materials_fabric: { flatness: 0.4 } } } } };
+const PRESETS = {
+  felt: {
+    material: {
+      pbrMetallicRoughness: { roughnessFactor: 0.9, metallicFactor: 0 },
+      extensions: { KHR_materials_sheen: { sheenColorFactor: [0.2, 0.2, 0.2], sheenRoughnessFactor: 0.5 }, TELAR_materials_fabric: { flatness: 0.4 } },
+    },
+  },
+};
 const loadPresets = async () => ({ PRESETS });
 
 test('what the file says of cloth reaches the material, textures loaded in their colour spaces', async () => {
-  const { model, mesh } = await load({
-    extensions: {
-      TELAR_materials_fabric: {
-        flatness: 0.25,
-        weave: { warp: { coverage: 0.6, roughnessFactor: 0.3 }, weft: { specularColorFactor: [1, 0, 0] }, threadsPerUv: [40, 30], weaveTexture: { index: 0, texCoord: 1 } },
-        back: { baseColorTexture: { index: 1 } },
+  const { model, mesh } = await load(
+    {
+      extensions: {
+        TELAR_materials_fabric: {
+          flatness: 0.25,
+          weave: {
+            warp: { coverage: 0.6, roughnessFactor: 0.3 },
+            weft: { specularColorFactor: [1, 0, 0] },
+            threadsPerUv: [40, 30],
+            weaveTexture: { index: 0, texCoord: 1 },
+          },
+          back: { baseColorTexture: { index: 1 } },
+        },
+        KHR_materials_diffuse_transmission: {
+          diffuseTransmissionFactor: 0.3,
+          diffuseTransmissionColorTexture: { index: 2, extensions: { KHR_texture_transform: { scale: [2, 2] } } },
+        },
       },
-      KHR_materials_diffuse_transmission: { diffuseTransmissionFactor: 0.3, diffuseTransmissionColorTexture: { index: 2, extensions: { KHR_texture_transform: { scale: [2, 2] } } } },
+      pbrMetallicRoughness: { roughnessFactor: 0.7 },
     },
-    pbrMetallicRoughness: { roughnessFactor: 0.7 },
-  }, 3);
+    3,
+  );
   const stock = mesh.material;
   await applyShading(model, 'fabric', { THREE });
   const { fabric, diffuseTransmission } = mesh.material;
@@ -74,13 +91,18 @@ test('a preset gives what the material leaves out, as GLTFLoader would load it',
   assert.equal(again.material, material);
 });
 
-test('a back without a colour of its own has the front\'s', async () => {
-  const { parser, mesh } = await load({
-    pbrMetallicRoughness: { baseColorFactor: [0.1, 0.2, 0.3, 0.5], baseColorTexture: { index: 0 }, roughnessFactor: 0.8 },
-    extensions: { TELAR_materials_fabric: { back: {} } },
-  }, 1);
+test("a back without a colour of its own has the front's", async () => {
+  const { parser, mesh } = await load(
+    {
+      pbrMetallicRoughness: { baseColorFactor: [0.1, 0.2, 0.3, 0.5], baseColorTexture: { index: 0 }, roughnessFactor: 0.8 },
+      extensions: { TELAR_materials_fabric: { back: {} } },
+    },
+    1,
+  );
   const { definition } = await clothOf(parser, mesh, mesh.material, loadPresets);
-  const { fabric: { back } } = await extensionsOf(parser, definition, THREE);
+  const {
+    fabric: { back },
+  } = await extensionsOf(parser, definition, THREE);
   assert.deepEqual([back.baseColorFactor, back.baseColorTexture.name, back.roughnessFactor], [[0.1, 0.2, 0.3], 'texture 0', 0.8]);
 });
 
@@ -107,8 +129,14 @@ for (const family of ['fabric', 'principled']) {
     });
     const { uniforms, features } = shadingText(family);
     const given = Object.keys(material.textDefines());
-    assert.deepEqual(features.filter((name) => !given.includes(name)), []);
-    assert.deepEqual(uniforms.filter((name) => !(name in material.textUniforms())), []);
+    assert.deepEqual(
+      features.filter((name) => !given.includes(name)),
+      [],
+    );
+    assert.deepEqual(
+      uniforms.filter((name) => !(name in material.textUniforms())),
+      [],
+    );
   });
 }
 

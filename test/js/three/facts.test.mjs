@@ -26,7 +26,11 @@ async function sceneOf(bytes) {
   return scene;
 }
 
-const models = { transforms: MODELS.transforms, boxes: MODELS.boxes, tshirt: async () => readFileSync(new URL('../../../js/assets/tshirt.glb', import.meta.url)) };
+const models = {
+  transforms: MODELS.transforms,
+  boxes: MODELS.boxes,
+  tshirt: async () => readFileSync(new URL('../../../js/assets/tshirt.glb', import.meta.url)),
+};
 for (const [name, make] of Object.entries(models)) {
   test(`browser and server measure ${name} alike`, async () => {
     const bytes = await make();
@@ -36,7 +40,12 @@ for (const [name, make] of Object.entries(models)) {
     assert.ok(close(server.bounds.min, browser.bounds.min) && close(server.bounds.max, browser.bounds.max));
     assert.ok(server.outline.length >= 8, `${server.outline.length} points`);
     // Rounding may choose another of two points that lie equally far: what they span must agree.
-    for (const direction of [[1, 0, 0], [0, 1, 0], [0.3, -0.8, 0.5], [-0.6, 0.1, 0.8]]) {
+    for (const direction of [
+      [1, 0, 0],
+      [0, 1, 0],
+      [0.3, -0.8, 0.5],
+      [-0.6, 0.1, 0.8],
+    ]) {
       const reach = (points) => Math.max(...points.map((p) => p[0] * direction[0] + p[1] * direction[1] + p[2] * direction[2]));
       assert.ok(Math.abs(reach(server.outline) - reach(browser.outline)) < 1e-3, `${direction}`);
     }

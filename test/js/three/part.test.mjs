@@ -17,10 +17,7 @@ before(async () => {
 });
 after(() => renderer.close());
 
-const factsOn = async (shot) => [
-  await renderer.factsOf(server, shot),
-  factsOf(client, { THREE, frame: shot.camera.frame, variant: shot.variant }),
-];
+const factsOn = async (shot) => [await renderer.factsOf(server, shot), factsOf(client, { THREE, frame: shot.camera.frame, variant: shot.variant })];
 const framing = (frame, more = {}) => ({ camera: { view: 'three-quarter', frame }, ...more });
 const far = (a, b) => Math.max(...a.map((x, i) => Math.abs(x - b[i])));
 
@@ -76,14 +73,23 @@ test('a part that is not there is told with what is there', async () => {
   for (const [frame, message] of WRONG) {
     for (const facts of await factsOn(framing(frame))) {
       const [kind] = Object.keys(frame);
-      assert.throws(() => resolveShot(framing(frame), facts), { code: 'E_FRAME', exit: 3, message: `shot.camera.frame${message}`, pointer: `/camera/frame/${kind}` });
+      assert.throws(() => resolveShot(framing(frame), facts), {
+        code: 'E_FRAME',
+        exit: 3,
+        message: `shot.camera.frame${message}`,
+        pointer: `/camera/frame/${kind}`,
+      });
     }
-    await assert.rejects(renderer.render(server, { size: { width: 8, height: 8 }, ...framing(frame) }), { code: 'E_FRAME', message: `shot.camera.frame${message}` });
+    await assert.rejects(renderer.render(server, { size: { width: 8, height: 8 }, ...framing(frame) }), {
+      code: 'E_FRAME',
+      message: `shot.camera.frame${message}`,
+    });
   }
 });
 
 test('facts that measure no part, or another one, do not do', async () => {
-  const message = 'shot.camera.frame.node: the facts of the model do not measure the node "Body"; renderer.factsOf does, and factsOf of telar/three with `frame`';
+  const message =
+    'shot.camera.frame.node: the facts of the model do not measure the node "Body"; renderer.factsOf does, and factsOf of telar/three with `frame`';
   const [other] = await factsOn(framing({ node: 'Cuff' }));
   for (const facts of [server.facts, other, { min: [0, 0, 0], max: [1, 1, 1] }]) {
     assert.throws(() => resolveShot(framing({ node: 'Body' }), facts), { code: 'E_FRAME', message });
@@ -92,8 +98,13 @@ test('facts that measure no part, or another one, do not do', async () => {
 
 test('a part fills the frame, whatever else stands around it', async () => {
   for (const projection of ['perspective', 'orthographic']) {
-    const shot = { size: { width: 128, height: 128 }, camera: { frame: { node: 'Buttons' }, projection, fit: 0.5 }, environment: 'none',
-      lights: [{ type: 'ambient' }], output: { format: 'raw' } };
+    const shot = {
+      size: { width: 128, height: 128 },
+      camera: { frame: { node: 'Buttons' }, projection, fit: 0.5 },
+      environment: 'none',
+      lights: [{ type: 'ambient' }],
+      output: { format: 'raw' },
+    };
     // Alone in the picture by its colour: brass has no diffuse light, and the rest has.
     const { data, info } = await renderer.render(server, shot);
     const isPart = (x, y) => data[4 * (128 * y + x)] < 8;

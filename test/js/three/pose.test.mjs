@@ -16,10 +16,17 @@ async function load(bytes) {
 
 /** Fixtures without textures: in Node three.js cannot decode those. */
 const POSED = [
-  ['skin-looks', null], ['skin-scaled', null], ['skin-bytes', null], ['skin-bare', null],
-  ['animated-nodes', null], ['animated-nodes', { animation: 'act', time: 0.75 }], ['animated-nodes', { animation: 1, time: 0.3 }],
-  ['morph-primitives', { animation: 'turn', time: 0.6 }], ['morph-colors', null],
-  ['instances', null], ['instances-of-two', null],
+  ['skin-looks', null],
+  ['skin-scaled', null],
+  ['skin-bytes', null],
+  ['skin-bare', null],
+  ['animated-nodes', null],
+  ['animated-nodes', { animation: 'act', time: 0.75 }],
+  ['animated-nodes', { animation: 1, time: 0.3 }],
+  ['morph-primitives', { animation: 'turn', time: 0.6 }],
+  ['morph-colors', null],
+  ['instances', null],
+  ['instances-of-two', null],
 ];
 
 const far = (a, b) => Math.max(...a.map((x, i) => Math.abs(x - b[i])));
@@ -31,8 +38,10 @@ for (const [name, pose] of POSED) {
     const shot = { camera: { view: 'three-quarter' }, environment: 'none', pose };
     const browser = factsOf(model, { THREE, pose: resolvePose(shot, model) });
     const server = await inspect(bytes, { shot });
-    assert.ok(far(server.bounds.min, browser.bounds.min) < 1e-5 && far(server.bounds.max, browser.bounds.max) < 1e-5,
-      JSON.stringify([server.bounds, browser.bounds]));
+    assert.ok(
+      far(server.bounds.min, browser.bounds.min) < 1e-5 && far(server.bounds.max, browser.bounds.max) < 1e-5,
+      JSON.stringify([server.bounds, browser.bounds]),
+    );
     assert.deepEqual(server.animations, browser.animations);
     const [here, there] = [browser, server].map((facts) => resolveShot(shot, facts));
     assert.deepEqual(here.pose, there.pose);

@@ -5,7 +5,6 @@ import { applyShading, restoreMaterials } from '../../../js/three/shading.mjs';
 import { loadShading } from '../../../js/three/shading/index.mjs';
 import '../built.mjs';
 
-
 /** Two meshes that share a lit material, one with a physical one, one that is not lit. */
 function model() {
   const root = new THREE.Group();

@@ -27,7 +27,7 @@ const LIGHTS = [
   { type: 'point', position: [0, 3, 0] },
 ];
 
-test('every setting of a shadow is the shot\'s', async () => {
+test("every setting of a shadow is the shot's", async () => {
   const { renderer, apply, find } = stage();
   await apply({ lights: LIGHTS });
   assert.deepEqual(renderer.shadowMap, { enabled: true, type: THREE.PCFShadowMap });
@@ -39,7 +39,10 @@ test('every setting of a shadow is the shot\'s', async () => {
     const set = lights[i].shadow;
     for (const [key, value] of Object.entries(rest)) assert.equal(set[key], value, key);
     assert.deepEqual(set.mapSize.toArray(), [mapSize, mapSize]);
-    assert.deepEqual([set.camera.near, set.camera.far, set.camera.left, set.camera.right, set.camera.bottom, set.camera.top], [near, far, left, right, bottom, top]);
+    assert.deepEqual(
+      [set.camera.near, set.camera.far, set.camera.left, set.camera.right, set.camera.bottom, set.camera.top],
+      [near, far, left, right, bottom, top],
+    );
   });
 });
 

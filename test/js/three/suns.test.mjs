@@ -68,7 +68,8 @@ test('the halves are those that the loader gives by default', async () => {
   const { floats, halves } = texturesMade();
   const { environment } = await apply({}, floats);
   assert.deepEqual(environment.image.data, halves.image.data);
-  for (const key of ['type', 'format', 'flipY', 'colorSpace', 'minFilter', 'magFilter', 'wrapS', 'wrapT', 'generateMipmaps']) assert.equal(environment[key], halves[key], key);
+  for (const key of ['type', 'format', 'flipY', 'colorSpace', 'minFilter', 'magFilter', 'wrapS', 'wrapT', 'generateMipmaps'])
+    assert.equal(environment[key], halves[key], key);
   assert.equal(environment.mapping, THREE.EquirectangularReflectionMapping);
 });
 

@@ -9,12 +9,13 @@ import { CLI, openView, SHIRT } from './support.mjs';
 
 const run = (args, options = {}) => spawnSync(process.execPath, [CLI, 'view', ...args], { encoding: 'utf8', timeout: 60_000, ...options });
 
-const isListening = (port) => new Promise((resolve) => {
-  const socket = connect(port, '127.0.0.1', () => resolve(true)).on('error', () => resolve(false));
-  socket.on('close', () => socket.destroy());
-  socket.setTimeout(5000, () => socket.destroy());
-  socket.once('connect', () => socket.end());
-});
+const isListening = (port) =>
+  new Promise((resolve) => {
+    const socket = connect(port, '127.0.0.1', () => resolve(true)).on('error', () => resolve(false));
+    socket.on('close', () => socket.destroy());
+    socket.setTimeout(5000, () => socket.destroy());
+    socket.once('connect', () => socket.end());
+  });
 
 test('--json is one object with the address; SIGINT ends the server and the process, by that signal', async () => {
   const view = await openView(SHIRT, ['--size', '32']);

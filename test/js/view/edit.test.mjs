@@ -61,7 +61,10 @@ test('a placed camera changes projection about its target, which keeps its size'
   const back = withProjection(flat, resolved(flat), 'perspective');
   assert.ok(Math.abs(back.fovY - 60) < 1e-9);
   assert.equal(withProjection(camera, resolved(camera), 'perspective'), camera);
-  assert.deepEqual(withProjection({ view: 'back', fovY: 20 }, resolved({ view: 'back', fovY: 20 }), 'orthographic'), { view: 'back', projection: 'orthographic' });
+  assert.deepEqual(withProjection({ view: 'back', fovY: 20 }, resolved({ view: 'back', fovY: 20 }), 'orthographic'), {
+    view: 'back',
+    projection: 'orthographic',
+  });
 });
 
 test('field of view, fit and cameras of the model', () => {

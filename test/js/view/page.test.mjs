@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { readEmbeddedShot } from '../../../js/compare/embedded_shot.mjs';
-import { changing, CLI, figuresOf, launchChromium, openView, pictures, settled, SHIRT } from './support.mjs';
+import { changing, CLI, countsOf, figuresOf, launchChromium, openView, pictures, settled, SHIRT } from './support.mjs';
 
 // The page in real headless Chromium on the real renderer: the bundled garment, small.
 
@@ -36,27 +36,12 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/** How many pixels of a picture are opaque, and how many are dark. */
-const countsOf = (selector) => page.evaluate((name) => {
-  const source = document.querySelector(name);
-  const canvas = new OffscreenCanvas(source.width, source.height);
-  const context = canvas.getContext('2d');
-  context.drawImage(source, 0, 0);
-  const { data } = context.getImageData(0, 0, source.width, source.height);
-  let [opaque, lit] = [0, 0];
-  for (let i = 0; i < data.length; i += 4) {
-    if (data[i + 3] === 255) opaque++;
-    if (data[i] + data[i + 1] + data[i + 2] > 0) lit++;
-  }
-  return { width: source.width, height: source.height, opaque, lit };
-}, selector);
-
 const shotOf = async () => JSON.parse(await page.locator('#shot').inputValue());
 const verdict = () => page.locator('#verdict').textContent();
 
 test('both pictures show the garment, and they are at parity', async () => {
   for (const selector of ['#client-canvas canvas', '#server-picture canvas']) {
-    const { width, height, opaque, lit } = await countsOf(selector);
+    const { width, height, opaque, lit } = await countsOf(page, selector);
     assert.deepEqual([width, height], [96, 96]);
     assert.ok(opaque > 3000 && lit > 3000, `${selector}: ${opaque} ${lit}`);
   }
@@ -83,11 +68,42 @@ test('every control is reached by Tab, has a name, and shows that it has the foc
     assert.notEqual(focused.outline, 'none', focused.id);
     reached.push(focused.id);
   }
-  const wanted = ['help-button', 'mode', 'front', 'three-quarter', 'stage', 'save-browser', 'save-server', 'variant', 'projection', 'fovY', 'fit',
-    'environment', 'intensity', 'rotation', 'background', 'ground', 'shading', 'toneMapping', 'exposure', 'width', 'height', 'quality', 'shot', 'apply-shot', 'copy-shot'];
-  assert.deepEqual(wanted.filter((id) => !reached.includes(id)), []);
-  const nameless = await page.locator('button, input, select, textarea, [role=slider], [role=application]').evaluateAll((nodes) => nodes
-    .filter((node) => !(node.labels?.length > 0 || node.getAttribute('aria-label') || node.textContent.trim())).map((node) => node.id || node.outerHTML));
+  const wanted = [
+    'help-button',
+    'mode',
+    'front',
+    'three-quarter',
+    'stage',
+    'save-browser',
+    'save-server',
+    'variant',
+    'projection',
+    'fovY',
+    'fit',
+    'environment',
+    'intensity',
+    'rotation',
+    'background',
+    'ground',
+    'shading',
+    'toneMapping',
+    'exposure',
+    'width',
+    'height',
+    'quality',
+    'shot',
+    'apply-shot',
+    'copy-shot',
+  ];
+  assert.deepEqual(
+    wanted.filter((id) => !reached.includes(id)),
+    [],
+  );
+  const nameless = await page
+    .locator('button, input, select, textarea, [role=slider], [role=application]')
+    .evaluateAll((nodes) =>
+      nodes.filter((node) => !(node.labels?.length > 0 || node.getAttribute('aria-label') || node.textContent.trim())).map((node) => node.id || node.outerHTML),
+    );
   assert.deepEqual(nameless, []);
 });
 
@@ -128,9 +144,12 @@ for (const [selector, keys, key] of PRESSED) {
     });
     const [shotAfter, now] = [await shotOf(), await pictures(page)];
     assert.notDeepEqual(shotAfter[key], shotBefore[key]);
-    assert.deepEqual(Object.keys(shotAfter).filter((name) => JSON.stringify(shotAfter[name]) !== JSON.stringify(shotBefore[name])), [key]);
-    assert.notEqual(now[0], before[0], 'the browser\'s');
-    assert.notEqual(now[1], before[1], 'the server\'s');
+    assert.deepEqual(
+      Object.keys(shotAfter).filter((name) => JSON.stringify(shotAfter[name]) !== JSON.stringify(shotBefore[name])),
+      [key],
+    );
+    assert.notEqual(now[0], before[0], "the browser's");
+    assert.notEqual(now[1], before[1], "the server's");
     assert.equal(await verdict(), 'Parity', JSON.stringify(await figuresOf(page, 'interior')));
     assert.equal(await page.locator('#alert').isVisible(), false);
   });
@@ -149,7 +168,11 @@ test('the silhouette before a background is judged apart, as without one', async
 
 test('view keys frame the model, and the view that is shown is marked', async () => {
   await page.evaluate(() => document.activeElement?.blur());
-  for (const [key, name] of [['2', 'Back'], ['7', 'Three-quarter'], ['1', 'Front']]) {
+  for (const [key, name] of [
+    ['2', 'Back'],
+    ['7', 'Three-quarter'],
+    ['1', 'Front'],
+  ]) {
     await changing(page, () => page.keyboard.press(key));
     assert.deepEqual(await page.locator('#views [aria-pressed=true]').allTextContents(), [name]);
   }
@@ -177,9 +200,11 @@ test('the server draws when the camera rests, not at every move', async () => {
   const drawn = draws();
   const { camera } = await shotOf();
   // In one turn of the page's event loop, so that no timer runs between two moves however slow this machine is.
-  await changing(page, () => page.locator('#stage').evaluate((stage) => {
-    for (let i = 0; i < 8; i++) stage.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true, cancelable: true }));
-  }));
+  await changing(page, () =>
+    page.locator('#stage').evaluate((stage) => {
+      for (let i = 0; i < 8; i++) stage.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true, cancelable: true }));
+    }),
+  );
   assert.notDeepEqual((await shotOf()).camera, camera);
   assert.equal(draws(), drawn + 1);
 });
@@ -207,15 +232,31 @@ test('a newer shot cancels the drawing of an older one', async () => {
   assert.equal(await verdict(), 'Parity');
 });
 
-test('the slider is ARIA\'s: keys and pointer move it', async () => {
+test("the slider is ARIA's: keys and pointer move it", async () => {
   await page.keyboard.press('w');
-  const handle = page.getByRole('slider', { name: 'Share of the browser\'s picture' });
-  const state = () => handle.evaluate((node) => [Number(node.getAttribute('aria-valuenow')), node.getAttribute('aria-valuetext'),
-    getComputedStyle(document.getElementById('server-picture')).clipPath]);
+  const handle = page.getByRole('slider', { name: "Share of the browser's picture" });
+  const state = () =>
+    handle.evaluate((node) => [
+      Number(node.getAttribute('aria-valuenow')),
+      node.getAttribute('aria-valuetext'),
+      getComputedStyle(document.getElementById('server-picture')).clipPath,
+    ]);
   await handle.focus();
-  for (const [key, value] of [['Home', 0], ['ArrowRight', 2], ['PageUp', 12], ['ArrowLeft', 10], ['End', 100], ['ArrowUp', 100], ['PageDown', 90]]) {
+  for (const [key, value] of [
+    ['Home', 0],
+    ['ArrowRight', 2],
+    ['PageUp', 12],
+    ['ArrowLeft', 10],
+    ['End', 100],
+    ['ArrowUp', 100],
+    ['PageDown', 90],
+  ]) {
     await page.keyboard.press(key);
-    assert.deepEqual(await state(), [value, `browser ${value} %, server ${100 - value} %`, value === 0 ? 'inset(0px 0px 0px 0%)' : `inset(0px 0px 0px ${value}%)`], key);
+    assert.deepEqual(
+      await state(),
+      [value, `browser ${value} %, server ${100 - value} %`, value === 0 ? 'inset(0px 0px 0px 0%)' : `inset(0px 0px 0px ${value}%)`],
+      key,
+    );
   }
   const stage = await page.locator('#stage').boundingBox();
   const [shot, box] = [await shotOf(), await handle.boundingBox()];
@@ -231,8 +272,11 @@ test('blinking shows one, then the other; Space stops it', async () => {
   await page.evaluate(() => document.activeElement?.blur());
   await page.keyboard.press('b');
   /** Which picture is said to be shown, and which ones are visible. */
-  const shown = () => page.evaluate(() => [document.getElementById('stage').dataset.shown,
-    ...['client-picture', 'server-picture'].filter((id) => getComputedStyle(document.getElementById(id)).visibility === 'visible')]);
+  const shown = () =>
+    page.evaluate(() => [
+      document.getElementById('stage').dataset.shown,
+      ...['client-picture', 'server-picture'].filter((id) => getComputedStyle(document.getElementById(id)).visibility === 'visible'),
+    ]);
   const VISIBLE = { browser: ['browser', 'client-picture'], server: ['server', 'server-picture'] };
   for (const side of ['server', 'browser', 'server']) {
     await page.waitForSelector(`#stage[data-shown=${side}]`);
@@ -256,9 +300,9 @@ test('a difference is seen in both maps and in the verdict', async (t) => {
   assert.ok((await figuresOf(page, 'interior')).max > 10);
   assert.match(await page.locator('#notes').textContent(), /resolved the shot differently: exposure is .* in the browser, 4 on the server/);
   await page.keyboard.press('x');
-  const difference = await countsOf('#map-picture canvas');
+  const difference = await countsOf(page, '#map-picture canvas');
   await page.keyboard.press('f');
-  const flip = await countsOf('#map-picture canvas');
+  const flip = await countsOf(page, '#map-picture canvas');
   await page.unroute('**/draw', wrong);
   // The garment takes a quarter of a frame that holds its shadow on the ground as well.
   for (const map of [difference, flip]) assert.ok(map.opaque === map.width * map.height && map.lit > 0.2 * map.opaque, JSON.stringify(map));
@@ -266,7 +310,7 @@ test('a difference is seen in both maps and in the verdict', async (t) => {
   assert.equal(await verdict(), 'Parity');
   await page.keyboard.press('x');
   assert.equal(await page.locator('#map-picture figcaption').textContent(), 'Difference ×16: none');
-  assert.equal((await countsOf('#map-picture canvas')).lit, 0);
+  assert.equal((await countsOf(page, '#map-picture canvas')).lit, 0);
 });
 
 test('the shot as text: what is applied is drawn, what is wrong is told and changes nothing', async () => {
@@ -275,7 +319,10 @@ test('the shot as text: what is applied is drawn, what is wrong is told and chan
   await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
   await page.click('#copy-shot');
   assert.deepEqual(JSON.parse(await page.evaluate(() => navigator.clipboard.readText())), before);
-  await page.fill('#shot', JSON.stringify({ ...before, background: 'transparent', lights: [{ type: 'directional', color: 'red', intensity: 3, position: [1, 1, 1] }] }));
+  await page.fill(
+    '#shot',
+    JSON.stringify({ ...before, background: 'transparent', lights: [{ type: 'directional', color: 'red', intensity: 3, position: [1, 1, 1] }] }),
+  );
   await changing(page, () => page.click('#apply-shot'));
   assert.equal(await verdict(), 'Parity');
   const [red] = await pictures(page);
@@ -309,7 +356,10 @@ test('help lists the keys, and turns single keys off', async () => {
 
 test('pictures are saved with their shot inside, and telar compare takes them', async () => {
   const saved = {};
-  for (const [side, key] of [['browser', 's'], ['server', 'Shift+S']]) {
+  for (const [side, key] of [
+    ['browser', 's'],
+    ['server', 'Shift+S'],
+  ]) {
     const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press(key)]);
     assert.equal(download.suggestedFilename(), `tshirt-${side}.png`);
     saved[side] = at(download.suggestedFilename());
@@ -317,7 +367,9 @@ test('pictures are saved with their shot inside, and telar compare takes them', 
     const shot = readEmbeddedShot(readFileSync(saved[side]));
     assert.deepEqual([shot.size, shot.environment.map, shot.camera.projection], [{ width: 95, height: 97 }, 'studio', 'perspective']);
   }
-  const { status, stdout, stderr } = spawnSync(process.execPath, [CLI, 'compare', saved.browser, saved.server, '--gate', 'parity', '--json'], { encoding: 'utf8' });
+  const { status, stdout, stderr } = spawnSync(process.execPath, [CLI, 'compare', saved.browser, saved.server, '--gate', 'parity', '--json'], {
+    encoding: 'utf8',
+  });
   assert.equal(status, 0, stderr);
   const { interior, width, height } = JSON.parse(stdout);
   assert.deepEqual([width, height, interior.max], [95, 97, (await figuresOf(page, 'interior')).max]);
@@ -327,7 +379,10 @@ test('pictures are saved with their shot inside, and telar compare takes them', 
 
 test('no request left this machine, and nothing was said against the page', () => {
   assert.ok(asked.length > 30);
-  assert.deepEqual(asked.filter((url) => !/^(http:\/\/127\.0\.0\.1:\d+\/|blob:http:\/\/127\.0\.0\.1:|data:)/.test(url)), []);
+  assert.deepEqual(
+    asked.filter((url) => !/^(http:\/\/127\.0\.0\.1:\d+\/|blob:http:\/\/127\.0\.0\.1:|data:)/.test(url)),
+    [],
+  );
   assert.deepEqual(said, []);
 });
 

@@ -65,7 +65,10 @@ test('keys alone: a moment of an animation, framed and drawn alike', async (t) =
   await settled(second);
   assert.equal(await second.locator('#time').isDisabled(), true);
   let last = await pictures(second);
-  for (const [selector, key] of [['#animation', 'ArrowDown'], ['#time', 'End']]) {
+  for (const [selector, key] of [
+    ['#animation', 'ArrowDown'],
+    ['#time', 'End'],
+  ]) {
     await second.focus(selector);
     await changing(second, () => second.keyboard.press(key));
     const now = await pictures(second);

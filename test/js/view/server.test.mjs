@@ -19,8 +19,14 @@ after(() => rmSync(folder, { recursive: true }));
 const SECRET = 'not for the page';
 const GLTF = {
   asset: { version: '2.0' },
-  buffers: [{ uri: 'mesh.bin', byteLength: 4 }, { uri: '../secret.txt', byteLength: 4 }, { uri: '/etc/passwd', byteLength: 4 },
-    { uri: 'data:application/octet-stream;base64,AAAA', byteLength: 3 }, { uri: 'file:///etc/passwd', byteLength: 4 }, { uri: '%zz', byteLength: 4 }],
+  buffers: [
+    { uri: 'mesh.bin', byteLength: 4 },
+    { uri: '../secret.txt', byteLength: 4 },
+    { uri: '/etc/passwd', byteLength: 4 },
+    { uri: 'data:application/octet-stream;base64,AAAA', byteLength: 3 },
+    { uri: 'file:///etc/passwd', byteLength: 4 },
+    { uri: '%zz', byteLength: 4 },
+  ],
   images: [{ uri: 'maps/red%20wool.png' }, { uri: 'maps/../maps/link.png' }, { uri: 'maps' }, { uri: '..%2fsecret.txt' }, { bufferView: 0 }],
 };
 
@@ -74,7 +80,8 @@ async function get(target, headers = {}) {
   return { status: response.statusCode, headers: response.headers, text: Buffer.concat(chunks).toString() };
 }
 
-const post = (target, body, options = {}) => fetch(view.url + target, { method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify(body), ...options });
+const post = (target, body, options = {}) =>
+  fetch(view.url + target, { method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify(body), ...options });
 
 test('the address is the loopback interface with a long secret', () => {
   assert.match(view.url, /^http:\/\/127\.0\.0\.1:\d+\/[\w-]{32}\/$/);
@@ -85,8 +92,10 @@ test('the page and its parts are there, and forbid every other server', async ()
     const { status, headers } = await get(target);
     assert.equal(status, 200, target);
     assert.match(headers['content-security-policy'], /^default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; /);
-    assert.deepEqual(['referrer-policy', 'x-content-type-options', 'cross-origin-resource-policy', 'cache-control'].map((name) => headers[name]),
-      ['no-referrer', 'nosniff', 'same-origin', 'no-store']);
+    assert.deepEqual(
+      ['referrer-policy', 'x-content-type-options', 'cross-origin-resource-policy', 'cache-control'].map((name) => headers[name]),
+      ['no-referrer', 'nosniff', 'same-origin', 'no-store'],
+    );
   }
   const policy = (await get('')).headers['content-security-policy'];
   assert.doesNotMatch(policy, /https?:|\*|unsafe-inline|'unsafe-eval'/);
@@ -109,7 +118,7 @@ test('without the secret there is nothing', async () => {
   }
 });
 
-test('another host\'s name is refused: DNS rebinding', async () => {
+test("another host's name is refused: DNS rebinding", async () => {
   const { port } = new URL(view.url);
   for (const host of ['evil.example', `evil.example:${port}`, '127.0.0.1', `127.0.0.1.evil.example:${port}`, `127.0.0.1:${Number(port) + 1}`, ' ']) {
     assert.equal((await get('session', { host })).status, 403, host);
@@ -117,7 +126,7 @@ test('another host\'s name is refused: DNS rebinding', async () => {
   assert.equal((await get('', { host: `localhost:${port}` })).status, 200);
 });
 
-test('another page\'s requests are refused', async () => {
+test("another page's requests are refused", async () => {
   const { port } = new URL(view.url);
   for (const origin of ['http://evil.example', 'null', `https://127.0.0.1:${port}`, `http://127.0.0.1:${Number(port) + 1}`]) {
     assert.equal((await get('session', { origin })).status, 403, origin);
@@ -129,8 +138,26 @@ test('the model and the files that it names beneath its folder are served, nothi
   assert.deepEqual(JSON.parse((await get('model/coat.gltf')).text), GLTF);
   assert.equal((await get('model/mesh.bin')).text, 'mesh');
   assert.equal((await get('model/maps/red%20wool.png')).text, 'wool');
-  for (const name of ['other.bin', '../secret.txt', '..%2fsecret.txt', '%2e%2e/secret.txt', '%2e%2e%2fsecret.txt', '..%5csecret.txt', 'maps/link.png', 'maps',
-    'maps/', '', '.', '/etc/passwd', '%2fetc%2fpasswd', 'maps/..%2f..%2fsecret.txt', 'mesh.bin%00.png', 'mesh.bin/', '%zz', 'coat.gltf/../../secret.txt']) {
+  for (const name of [
+    'other.bin',
+    '../secret.txt',
+    '..%2fsecret.txt',
+    '%2e%2e/secret.txt',
+    '%2e%2e%2fsecret.txt',
+    '..%5csecret.txt',
+    'maps/link.png',
+    'maps',
+    'maps/',
+    '',
+    '.',
+    '/etc/passwd',
+    '%2fetc%2fpasswd',
+    'maps/..%2f..%2fsecret.txt',
+    'mesh.bin%00.png',
+    'mesh.bin/',
+    '%zz',
+    'coat.gltf/../../secret.txt',
+  ]) {
     const { status, text } = await get(`model/${name}`);
     assert.ok([400, 404].includes(status), `${name}: ${status}`);
     assert.ok(!text.includes(SECRET) && !text.includes('root:'), name);
@@ -145,10 +172,15 @@ test('the model and the files that it names beneath its folder are served, nothi
 test('environments go by name: the page sees no path and names no file', async () => {
   const { shot, environments } = JSON.parse((await get('session')).text);
   assert.deepEqual(shot, { environment: { map: 'sky.hdr', rotation: 5 } });
-  assert.deepEqual(environments, [{ map: 'sky.hdr', format: 'hdr' }, { map: 'studio', format: 'hdr' }, { map: 'none', format: null }]);
+  assert.deepEqual(environments, [
+    { map: 'sky.hdr', format: 'hdr' },
+    { map: 'studio', format: 'hdr' },
+    { map: 'none', format: null },
+  ]);
   assert.equal((await get('environment/sky.hdr')).text, 'sky');
   assert.equal((await get('environment/studio')).text.slice(0, 2), '#?');
-  for (const name of ['none', 'other.hdr', '..%2fsky.hdr', encodeURIComponent(at('sky.hdr'))]) assert.equal((await get(`environment/${name}`)).status, 404, name);
+  for (const name of ['none', 'other.hdr', '..%2fsky.hdr', encodeURIComponent(at('sky.hdr'))])
+    assert.equal((await get(`environment/${name}`)).status, 404, name);
 
   const drawn = JSON.parse((await (await post('draw', { environment: { map: 'sky.hdr' } })).formData()).get('info'));
   assert.deepEqual(drawn.shot.environment, { map: 'sky.hdr' });
@@ -172,7 +204,12 @@ test('errors come as problem+json with the codes of the table', async () => {
   assert.equal(refused.headers.get('content-type'), 'application/problem+json; charset=utf-8');
   const { status, code, pointer } = await refused.json();
   assert.deepEqual([refused.status, status, code, pointer], [400, 400, 'E_SHOT', '/exposure']);
-  for (const [body, expected] of [['{', 400], ['3', 400], ['null', 400], ['', 400]]) {
+  for (const [body, expected] of [
+    ['{', 400],
+    ['3', 400],
+    ['null', 400],
+    ['', 400],
+  ]) {
     const response = await post('draw', undefined, { body });
     assert.equal(response.status, expected, body);
     assert.match((await response.json()).code, /^E_(USAGE|SHOT)$/);

@@ -18,9 +18,11 @@ const RASTERIZER_FLAGS = {
 };
 
 /** @param {keyof typeof RASTERIZER_FLAGS} [rasterizer] */
-export const launchChromium = (rasterizer = 'mesa') => chromium.launch({
-  executablePath: process.env.TELAR_CHROMIUM ?? '/usr/bin/chromium', args: [...FLAGS, ...RASTERIZER_FLAGS[rasterizer]],
-});
+export const launchChromium = (rasterizer = 'mesa') =>
+  chromium.launch({
+    executablePath: process.env.TELAR_CHROMIUM ?? '/usr/bin/chromium',
+    args: [...FLAGS, ...RASTERIZER_FLAGS[rasterizer]],
+  });
 
 /** Milliseconds: a page that is not done then will not be, on however busy a machine. */
 const HANGS_AFTER_MS = 180_000;
@@ -35,7 +37,10 @@ const HANGS_AFTER_MS = 180_000;
 export async function openView(model, args = []) {
   const child = spawn(process.execPath, [CLI, 'view', model, '--json', '--quiet', ...args], { stdio: ['ignore', 'pipe', 'inherit'] });
   const ended = once(child, 'exit');
-  const line = await Promise.race([once(createInterface(child.stdout), 'line'), ended.then(([code]) => Promise.reject(new Error(`telar view ended with ${code}`)))]);
+  const line = await Promise.race([
+    once(createInterface(child.stdout), 'line'),
+    ended.then(([code]) => Promise.reject(new Error(`telar view ended with ${code}`))),
+  ]);
   const told = JSON.parse(line[0]);
   const stop = () => {
     child.kill('SIGINT');
@@ -56,11 +61,29 @@ export async function changing(page, act) {
 }
 
 /** Both pictures as the page shows them, each as text. */
-export const pictures = (page) => page.evaluate(() => ['#client-canvas canvas', '#server-picture canvas'].map((name) => document.querySelector(name).toDataURL()));
+export const pictures = (page) =>
+  page.evaluate(() => ['#client-canvas canvas', '#server-picture canvas'].map((name) => document.querySelector(name).toDataURL()));
 
 /** The figures of one region by the table's headings. */
-export const figuresOf = (page, region) => page.evaluate((name) => {
-  const rows = [...document.querySelectorAll('#figures tr')].map((row) => [...row.cells].map((cell) => cell.textContent));
-  const row = rows.find(([first]) => first === name);
-  return Object.fromEntries(rows[0].map((heading, i) => [heading, Number(row[i])]));
-}, region);
+export const figuresOf = (page, region) =>
+  page.evaluate((name) => {
+    const rows = [...document.querySelectorAll('#figures tr')].map((row) => [...row.cells].map((cell) => cell.textContent));
+    const row = rows.find(([first]) => first === name);
+    return Object.fromEntries(rows[0].map((heading, i) => [heading, Number(row[i])]));
+  }, region);
+
+/** How many pixels of a picture are opaque, and how many are dark. */
+export const countsOf = (page, selector) =>
+  page.evaluate((name) => {
+    const source = document.querySelector(name);
+    const canvas = new OffscreenCanvas(source.width, source.height);
+    const context = canvas.getContext('2d');
+    context.drawImage(source, 0, 0);
+    const { data } = context.getImageData(0, 0, source.width, source.height);
+    let [opaque, lit] = [0, 0];
+    for (let i = 0; i < data.length; i += 4) {
+      if (data[i + 3] === 255) opaque++;
+      if (data[i] + data[i + 1] + data[i + 2] > 0) lit++;
+    }
+    return { width: source.width, height: source.height, opaque, lit };
+  }, selector);

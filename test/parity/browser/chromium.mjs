@@ -2,14 +2,7 @@ import { chromium } from 'playwright-core';
 import { serial } from '../serial.mjs';
 import { startServer } from './server.mjs';
 
-const COMMON_FLAGS = [
-  '--no-sandbox',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-];
+const COMMON_FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 
 /** Flags by rasteriser. `mesa` is the one that parity is judged on: the server draws with the same llvmpipe. */
 const RASTERIZER_FLAGS = {

@@ -68,10 +68,15 @@ async function prepare(job) {
   const scene = new THREE.Scene();
   client.prepareScene(scene);
   scene.add(model.scene);
-  const apply = (shot) => applyShot(shot, {
-    THREE, renderer, scene, model, environment,
-    areaLightTables: () => import('three/addons/lights/RectAreaLightUniformsLib.js'),
-  });
+  const apply = (shot) =>
+    applyShot(shot, {
+      THREE,
+      renderer,
+      scene,
+      model,
+      environment,
+      areaLightTables: () => import('three/addons/lights/RectAreaLightUniformsLib.js'),
+    });
   const camera = await apply(job.shot);
   client.finishScene({ renderer, scene, shot: job.shot, settings: job.settings });
   if (job.ownText) await applyShading(model, 'three', { THREE, ownText: true });

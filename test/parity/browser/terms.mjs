@@ -79,7 +79,11 @@ telarIndirect += clearcoatSpecularIndirect * material.clearcoat;
 #endif
 `;
 
-const SUMS_OF = new Map([[LIT, SUMS], [SHADED, SHADED_SUMS], [CLOTH, SHADED_SUMS]]);
+const SUMS_OF = new Map([
+  [LIT, SUMS],
+  [SHADED, SHADED_SUMS],
+  [CLOTH, SHADED_SUMS],
+]);
 
 /** Define without which three's shader has no such variable. */
 const NEEDS = { transmitted: 'USE_TRANSMISSION' };

@@ -48,8 +48,7 @@ export function packCharts(pieces, size) {
     scale *= 0.99;
     places = tryPack(charts, order, size, scale);
   }
-  const uv = pieces.map(({ flat }, p) =>
-    Float64Array.from(flat, (value, i) => (places[p][i % 2] + (value - charts[p].low[i % 2]) * scale) / size));
+  const uv = pieces.map(({ flat }, p) => Float64Array.from(flat, (value, i) => (places[p][i % 2] + (value - charts[p].low[i % 2]) * scale) / size));
   return { uv, texelsPerMetre: scale };
 }
 
@@ -101,7 +100,12 @@ export function drawAtlas(pieces, uv, values, size) {
   pieces.forEach(({ indices }, p) => {
     for (let t = 0; t < indices.length; t += 3) {
       const at = [indices[t], indices[t + 1], indices[t + 2]];
-      fillTriangle(image, size, at.map((i) => [uv[p][i * 2] * size, uv[p][i * 2 + 1] * size]), at.map((i) => values[p][i]));
+      fillTriangle(
+        image,
+        size,
+        at.map((i) => [uv[p][i * 2] * size, uv[p][i * 2 + 1] * size]),
+        at.map((i) => values[p][i]),
+      );
     }
   });
   return growEdges(image, size);

@@ -50,7 +50,14 @@ function gatherEdges(garment, size) {
     const edge = edges.get(key) ?? { low, high, halves: [] };
     const { toFirst, toSecond, edge: rest } = half.lengths;
     const swap = half.first !== low;
-    edge.halves.push({ opposite: half.opposite, rest, toLow: swap ? toSecond : toFirst, toHigh: swap ? toFirst : toSecond, panel: half.panel, doubled: half.doubled });
+    edge.halves.push({
+      opposite: half.opposite,
+      rest,
+      toLow: swap ? toSecond : toFirst,
+      toHigh: swap ? toFirst : toSecond,
+      panel: half.panel,
+      doubled: half.doubled,
+    });
     edges.set(key, edge);
   });
   return [...edges.values()];
@@ -104,7 +111,10 @@ export function buildConstraints(garment, size) {
     }
   }
   return {
-    stretchPairs, rest, stretchStiffness, mass,
+    stretchPairs,
+    rest,
+    stretchStiffness,
+    mass,
     bendParticles: Uint32Array.from(bends.flatMap((b) => b.particles)),
     bendWeights: Float64Array.from(bends.flatMap((b) => b.weights)),
     bendStiffness: Float64Array.from(bends, (b) => b.stiffness),

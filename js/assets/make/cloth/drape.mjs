@@ -70,8 +70,12 @@ export class Drape {
       const softness = scale / (stretchStiffness[i] * (excess < 0 ? 0.8 : 1));
       const pull = excess / ((inverseMass[a] + inverseMass[b] + softness) * length);
       const [pa, pb] = [pull * inverseMass[a], pull * inverseMass[b]];
-      p[a * 3] += x * pa; p[a * 3 + 1] += y * pa; p[a * 3 + 2] += z * pa;
-      p[b * 3] -= x * pb; p[b * 3 + 1] -= y * pb; p[b * 3 + 2] -= z * pb;
+      p[a * 3] += x * pa;
+      p[a * 3 + 1] += y * pa;
+      p[a * 3 + 2] += z * pa;
+      p[b * 3] -= x * pb;
+      p[b * 3 + 1] -= y * pb;
+      p[b * 3 + 2] -= z * pb;
     }
   }
 

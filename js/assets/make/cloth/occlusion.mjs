@@ -15,7 +15,8 @@ class Tree {
     const count = corners.length / 9;
     this.order = Uint32Array.from({ length: count }, (_, i) => i);
     this.centres = new Float64Array(count * 3);
-    for (let i = 0; i < count; i++) for (let c = 0; c < 3; c++) this.centres[i * 3 + c] = (corners[i * 9 + c] + corners[i * 9 + 3 + c] + corners[i * 9 + 6 + c]) / 3;
+    for (let i = 0; i < count; i++)
+      for (let c = 0; c < 3; c++) this.centres[i * 3 + c] = (corners[i * 9 + c] + corners[i * 9 + 3 + c] + corners[i * 9 + 6 + c]) / 3;
     // Per node: a box of six numbers; first triangle, last triangle, left child, right child (or -1).
     this.boxes = [];
     this.links = [];
@@ -119,7 +120,10 @@ function basisOf([x, y, z]) {
   const sign = z < 0 ? -1 : 1;
   const a = -1 / (sign + z);
   const b = x * y * a;
-  return [[1 + sign * x * x * a, sign * b, -sign * x], [b, sign + y * y * a, -y]];
+  return [
+    [1 + sign * x * x * a, sign * b, -sign * x],
+    [b, sign + y * y * a, -y],
+  ];
 }
 
 function radicalInverse(i) {

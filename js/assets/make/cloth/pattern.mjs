@@ -43,7 +43,10 @@ function bodyPanel(size, name) {
   const { length, halfChest, halfHem, underarm, shoulder, halfNeck } = size;
   const front = name === 'front';
   const drop = front ? size.frontNeckDrop : size.backNeckDrop;
-  const side = [[halfHem, 0], [halfChest, underarm]];
+  const side = [
+    [halfHem, 0],
+    [halfChest, underarm],
+  ];
   // The front armhole is scooped deeper than the back one, to clear the arm's forward swing.
   const scoop = front ? 0.036 : 0.024;
   const [sx, sy] = shoulder;
@@ -53,7 +56,10 @@ function bodyPanel(size, name) {
   const neckFlat = [front ? halfNeck * 0.55 : halfNeck * 0.5, length - drop];
   const halfCurve = bezier(neckPoint, neckSide, neckFlat, [0, length - drop]);
   const segments = {
-    hem: [[-halfHem, 0], [halfHem, 0]],
+    hem: [
+      [-halfHem, 0],
+      [halfHem, 0],
+    ],
     sideLeft: side,
     armholeLeft: armhole,
     shoulderLeft: [shoulder, neckPoint],
@@ -85,9 +91,15 @@ function sleevePanel(size, name, capHeight) {
   const { halfBicep, halfSleeveHem, sleeveUnderarm } = size;
   const cap = capCurve(size, capHeight);
   const hemY = -capHeight - sleeveUnderarm;
-  const under = [[halfSleeveHem, hemY], [halfBicep, -capHeight]];
+  const under = [
+    [halfSleeveHem, hemY],
+    [halfBicep, -capHeight],
+  ];
   const segments = {
-    hem: [[-halfSleeveHem, hemY], [halfSleeveHem, hemY]],
+    hem: [
+      [-halfSleeveHem, hemY],
+      [halfSleeveHem, hemY],
+    ],
     underPlus: under,
     capPlus: cap,
     capMinus: mirror(cap),

@@ -21,20 +21,56 @@ const HEM_OVERLAP = 0.0016;
 
 /** Profile of a turned hem: [height above the edge, distance out of the cloth], metres, outside first. */
 const HEM_PROFILE = [
-  [0.0205, -0.0005], [0.02, 0.0003], [0.0192, 0.0007], [0.0182, 0.0006], [0.0172, 0.0002], [0.0162, 0.0006], [0.0155, 0.0007],
-  [0.0145, 0.0006], [0.0135, 0.0002], [0.0125, 0.0006], [0.0105, 0.0009], [0.006, 0.001], [0.0022, 0.0009], [0.0006, 0.0005],
-  [0, -0.0004], [0.0006, -0.0014], [0.003, -0.0019], [0.01, -0.0019], [0.0195, -0.0017], [0.0206, -0.0009],
+  [0.0205, -0.0005],
+  [0.02, 0.0003],
+  [0.0192, 0.0007],
+  [0.0182, 0.0006],
+  [0.0172, 0.0002],
+  [0.0162, 0.0006],
+  [0.0155, 0.0007],
+  [0.0145, 0.0006],
+  [0.0135, 0.0002],
+  [0.0125, 0.0006],
+  [0.0105, 0.0009],
+  [0.006, 0.001],
+  [0.0022, 0.0009],
+  [0.0006, 0.0005],
+  [0, -0.0004],
+  [0.0006, -0.0014],
+  [0.003, -0.0019],
+  [0.01, -0.0019],
+  [0.0195, -0.0017],
+  [0.0206, -0.0009],
 ];
 
 /** The same for the neck rib, whose edge is a fold: the profile runs from the seam over the fold. */
 const RIB_PROFILE = [
-  [-0.0002, -0.0012], [0.0006, -0.0002], [0.0016, 0.0007], [0.004, 0.0012], [0.0085, 0.0014], [0.014, 0.0014], [0.018, 0.0012],
-  [0.0202, 0.0007], [0.0212, 0], [0.0208, -0.0008], [0.018, -0.0014], [0.01, -0.0017], [0.002, -0.0016], [-0.0004, -0.0013],
+  [-0.0002, -0.0012],
+  [0.0006, -0.0002],
+  [0.0016, 0.0007],
+  [0.004, 0.0012],
+  [0.0085, 0.0014],
+  [0.014, 0.0014],
+  [0.018, 0.0012],
+  [0.0202, 0.0007],
+  [0.0212, 0],
+  [0.0208, -0.0008],
+  [0.018, -0.0014],
+  [0.01, -0.0017],
+  [0.002, -0.0016],
+  [-0.0004, -0.0013],
 ];
 
 /** Twin-needle tape below the rib: [distance from the neckline, distance out of the cloth]. */
 const TAPE_PROFILE = [
-  [0.0004, -0.0006], [0.0012, 0.0004], [0.0022, 0.0009], [0.0035, 0.0011], [0.0055, 0.0011], [0.0068, 0.0009], [0.0078, 0.0004], [0.0088, -0.0008],
+  [0.0004, -0.0006],
+  [0.0012, 0.0004],
+  [0.0022, 0.0009],
+  [0.0035, 0.0011],
+  [0.0055, 0.0011],
+  [0.0068, 0.0009],
+  [0.0078, 0.0004],
+  [0.0088, -0.0008],
 ];
 
 const offset = ({ position, normal }, distance) => position.map((value, c) => value + normal[c] * distance);
@@ -42,17 +78,23 @@ const offset = ({ position, normal }, distance) => position.map((value, c) => va
 function cutHem(panel, height) {
   const segments = { ...panel.segments };
   const lowest = segments.hem[0][1];
-  const raise = (points) => points.map((point, i) => {
-    const other = points[i === 0 ? points.length - 1 : 0];
-    if (point[1] > lowest + 1e-9) return point;
-    const t = height / (other[1] - point[1]);
-    return [point[0] + (other[0] - point[0]) * t, point[1] + height];
-  });
+  const raise = (points) =>
+    points.map((point, i) => {
+      const other = points[i === 0 ? points.length - 1 : 0];
+      if (point[1] > lowest + 1e-9) return point;
+      const t = height / (other[1] - point[1]);
+      return [point[0] + (other[0] - point[0]) * t, point[1] + height];
+    });
   for (const [name, points] of Object.entries(segments)) {
     if (name.startsWith('side') || name.startsWith('under')) segments[name] = raise(points);
   }
-  const sides = Object.entries(segments).filter(([name]) => name.startsWith('side') || name.startsWith('under')).map(([, points]) => points);
-  const corners = sides.flat().filter((p) => Math.abs(p[1] - lowest - height) < 1e-9).sort((a, b) => a[0] - b[0]);
+  const sides = Object.entries(segments)
+    .filter(([name]) => name.startsWith('side') || name.startsWith('under'))
+    .map(([, points]) => points);
+  const corners = sides
+    .flat()
+    .filter((p) => Math.abs(p[1] - lowest - height) < 1e-9)
+    .sort((a, b) => a[0] - b[0]);
   segments.hem = [corners[0], corners.at(-1)];
   return { ...panel, segments };
 }
@@ -77,7 +119,9 @@ const isSewn = (segment) => segment !== 'hem';
 
 function layPanel(panel, mesh, surface, inside) {
   const mirrored = isMirrored(panel);
-  const sewn = Object.entries(panel.segments).filter(([name]) => isSewn(name)).map(([, points]) => points);
+  const sewn = Object.entries(panel.segments)
+    .filter(([name]) => isSewn(name))
+    .map(([, points]) => points);
   const positions = [];
   const uv = [];
   const flat = [];
@@ -254,7 +298,8 @@ function addTangents(piece) {
     }
   }
   const tangents = new Float64Array(count * 4);
-  for (let i = 0; i < count; i++) tangents.set(frameAt(normals.subarray(i * 3, i * 3 + 3), along.subarray(i * 3, i * 3 + 3), down.subarray(i * 3, i * 3 + 3)), i * 4);
+  for (let i = 0; i < count; i++)
+    tangents.set(frameAt(normals.subarray(i * 3, i * 3 + 3), along.subarray(i * 3, i * 3 + 3), down.subarray(i * 3, i * 3 + 3)), i * 4);
   return { ...piece, tangents };
 }
 
@@ -270,7 +315,12 @@ function frameAt(n, along, down) {
 // Sewn inside the back, just below the rib; it faces the neck opening.
 function labelPiece(size, surface) {
   const base = size.length - size.backNeckDrop - 0.0035 - LABEL.height;
-  const profile = [[0, -0.0014], [0.0006, -0.0029], [LABEL.height - 0.0006, -0.0029], [LABEL.height, -0.0014]];
+  const profile = [
+    [0, -0.0014],
+    [0.0006, -0.0029],
+    [LABEL.height - 0.0006, -0.0029],
+    [LABEL.height, -0.0014],
+  ];
   const piece = sweep(10, profile, (share, across) => ({ at: surface.at((share - 0.5) * LABEL.width, base + across), along: share * LABEL.width }));
   reverse(piece.indices);
   return { ...piece, name: 'neck_label', part: 'neck_label', textile: 'label' };

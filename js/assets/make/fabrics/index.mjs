@@ -1,6 +1,11 @@
 import { Document, NodeIO } from '@gltf-transform/core';
 import {
-  EXTMeshoptCompression, KHRMaterialsClearcoat, KHRMaterialsSheen, KHRMaterialsVariants, KHRMeshQuantization, KHRTextureTransform,
+  EXTMeshoptCompression,
+  KHRMaterialsClearcoat,
+  KHRMaterialsSheen,
+  KHRMaterialsVariants,
+  KHRMeshQuantization,
+  KHRTextureTransform,
 } from '@gltf-transform/extensions';
 import { MeshoptDecoder, MeshoptEncoder } from 'meshoptimizer';
 import sharp from 'sharp';
@@ -23,8 +28,13 @@ export const FABRICS = {
 };
 
 async function addMaterial(document, [name, fabric], occlusion) {
-  const material = document.createMaterial(name).setDoubleSided(true).setMetallicFactor(0)
-    .setBaseColorFactor([...fabric.baseColor, 1]).setRoughnessFactor(fabric.roughness).setOcclusionTexture(occlusion);
+  const material = document
+    .createMaterial(name)
+    .setDoubleSided(true)
+    .setMetallicFactor(0)
+    .setBaseColorFactor([...fabric.baseColor, 1])
+    .setRoughnessFactor(fabric.roughness)
+    .setOcclusionTexture(occlusion);
   const { image, tile } = await reliefOf(name);
   material.setNormalTexture(document.createTexture(`${name}_relief`).setImage(image).setMimeType('image/jpeg'));
   const repeats = CLOTH.edge / tile;
@@ -48,8 +58,13 @@ async function occlusionImage({ positions, normals, indices }) {
   const [open] = bakeOcclusion([{ positions, normals, indices: [...indices] }], { rays: 96, albedo: 0.4 });
   const texels = Buffer.alloc(side * side);
   // Rows of the cloth run upwards, those of an image downwards.
-  open.forEach((value, i) => { texels[(side - 1 - Math.floor(i / side)) * side + (i % side)] = Math.round(Math.min(1, value) * 255); });
-  return sharp(texels, { raw: { width: side, height: side, channels: 1 } }).toColourspace('b-w').jpeg({ quality: 85 }).toBuffer();
+  open.forEach((value, i) => {
+    texels[(side - 1 - Math.floor(i / side)) * side + (i % side)] = Math.round(Math.min(1, value) * 255);
+  });
+  return sharp(texels, { raw: { width: side, height: side, channels: 1 } })
+    .toColourspace('b-w')
+    .jpeg({ quality: 85 })
+    .toBuffer();
 }
 
 /** 16-bit integers over `range`, as KHR_mesh_quantization stores them; the node's scale undoes the division. */
@@ -60,11 +75,19 @@ function addPrimitive(document, buffer, { positions, normals, uv, indices }, ran
   // The outermost points lie half a texel inside the image of their occlusion.
   const side = CLOTH.intervals + 1;
   const texel = (value) => ((value / CLOTH.edge) * CLOTH.intervals + 0.5) / side;
-  return document.createPrimitive()
+  return document
+    .createPrimitive()
     .setIndices(accessor('SCALAR', Uint16Array.from(indices), false))
     .setAttribute('POSITION', accessor('VEC3', quantized(positions, range), true))
     .setAttribute('NORMAL', accessor('VEC3', quantized(normals, 1), true))
-    .setAttribute('TEXCOORD_0', accessor('VEC2', Uint16Array.from(uv, (value) => Math.round(texel(value) * 65535)), true));
+    .setAttribute(
+      'TEXCOORD_0',
+      accessor(
+        'VEC2',
+        Uint16Array.from(uv, (value) => Math.round(texel(value) * 65535)),
+        true,
+      ),
+    );
 }
 
 /** @returns {Promise<Uint8Array>} GLB */
@@ -73,11 +96,17 @@ export async function makeFabrics() {
   const cloth = drapeCloth();
   const drape = { ...cloth, normals: particleNormals(cloth.garment, cloth.positions) };
   const document = new Document();
-  Object.assign(document.getRoot().getAsset(), { generator: 'telar', copyright: 'Copyright telar. Part of telar, under its licence; free to render, copy and show with it.' });
+  Object.assign(document.getRoot().getAsset(), {
+    generator: 'telar',
+    copyright: 'Copyright telar. Part of telar, under its licence; free to render, copy and show with it.',
+  });
   document.createExtension(KHRMeshQuantization).setRequired(true);
   document.createExtension(KHRTextureTransform).setRequired(true);
   document.createExtension(EXTMeshoptCompression).setRequired(true).setEncoderOptions({ method: EXTMeshoptCompression.EncoderMethod.QUANTIZE });
-  const occlusion = document.createTexture('drape_occlusion').setImage(await occlusionImage(drape)).setMimeType('image/jpeg');
+  const occlusion = document
+    .createTexture('drape_occlusion')
+    .setImage(await occlusionImage(drape))
+    .setMimeType('image/jpeg');
   const range = Math.max(...drape.positions.map(Math.abs));
   const primitive = addPrimitive(document, document.createBuffer(), drape, range);
   const variants = document.createExtension(KHRMaterialsVariants);

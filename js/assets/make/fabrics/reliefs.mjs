@@ -90,12 +90,16 @@ export async function reliefOf(name) {
   for (let y = 0; y < SIZE; y++) {
     for (let x = 0; x < SIZE; x++) {
       const at = (dx, dy) => height((x + 0.5 + dx) / SIZE, (y + 0.5 + dy) / SIZE);
-      const slope = [(at(1, 0) - at(-1, 0)), -(at(0, 1) - at(0, -1))].map((difference) => (difference / 2) * SIZE * steepness);
+      const slope = [at(1, 0) - at(-1, 0), -(at(0, 1) - at(0, -1))].map((difference) => (difference / 2) * SIZE * steepness);
       const length = Math.hypot(...slope, 1);
       const normal = [-slope[0] / length, -slope[1] / length, 1 / length];
-      normal.forEach((value, c) => { pixels[(y * SIZE + x) * 3 + c] = Math.round((value * 0.5 + 0.5) * 255); });
+      normal.forEach((value, c) => {
+        pixels[(y * SIZE + x) * 3 + c] = Math.round((value * 0.5 + 0.5) * 255);
+      });
     }
   }
-  const image = await sharp(pixels, { raw: { width: SIZE, height: SIZE, channels: 3 } }).jpeg({ quality: 74, chromaSubsampling: '4:4:4' }).toBuffer();
+  const image = await sharp(pixels, { raw: { width: SIZE, height: SIZE, channels: 3 } })
+    .jpeg({ quality: 74, chromaSubsampling: '4:4:4' })
+    .toBuffer();
   return { image, tile };
 }

@@ -73,7 +73,7 @@ function stampYarn({ height, tone, size, texel }, [x, y, z], { across, loop, twi
       const side = (ox * across[0] + oy * across[1]) / loop.thick;
       const fibre = Math.sin(twist + side * 4.2) * Math.sqrt(1 - off);
       const top = z + loop.thick * (Math.sqrt(1 - off) + 0.06 * fibre);
-      const at = (((size - 1 - j) % size) + size) % size * size + (((i % size) + size) % size);
+      const at = ((((size - 1 - j) % size) + size) % size) * size + (((i % size) + size) % size);
       if (top <= height[at]) continue;
       height[at] = top;
       tone[at] = loop.tone + 0.025 * fibre;

@@ -14,11 +14,46 @@ const arc = (cx, cy, r, from, to) =>
   });
 
 const LETTERS = [
-  { advance: 0.75, strokes: [[[0.3, 1.5], [0.3, 0.3], ...arc(0.55, 0.25, 0.25, 180, 290)], [[0.02, 1], [0.68, 1]]] },
+  {
+    advance: 0.75,
+    strokes: [
+      [[0.3, 1.5], [0.3, 0.3], ...arc(0.55, 0.25, 0.25, 180, 290)],
+      [
+        [0.02, 1],
+        [0.68, 1],
+      ],
+    ],
+  },
   { advance: 1.22, strokes: [[[0, 0.52], [1, 0.52], ...arc(0.5, 0.5, 0.5, 2, 318)]] },
-  { advance: 0.42, strokes: [[[0.1, 1.62], [0.1, 0]]] },
-  { advance: 1.22, strokes: [arc(0.5, 0.5, 0.5, 0, 360), [[1, 1], [1, 0]]] },
-  { advance: 0.7, strokes: [[[0.1, 1], [0.1, 0]], arc(0.55, 0.55, 0.45, 180, 70)] },
+  {
+    advance: 0.42,
+    strokes: [
+      [
+        [0.1, 1.62],
+        [0.1, 0],
+      ],
+    ],
+  },
+  {
+    advance: 1.22,
+    strokes: [
+      arc(0.5, 0.5, 0.5, 0, 360),
+      [
+        [1, 1],
+        [1, 0],
+      ],
+    ],
+  },
+  {
+    advance: 0.7,
+    strokes: [
+      [
+        [0.1, 1],
+        [0.1, 0],
+      ],
+      arc(0.55, 0.55, 0.45, 180, 70),
+    ],
+  },
 ];
 
 const TRACKING = 0.26;
@@ -56,7 +91,10 @@ export function drawLabel() {
   const left = (LABEL.width - word.width) / 2;
   const base = LABEL.height / 2 - xHeight * 0.62;
   const pixels = new Uint8Array(WIDTH * HEIGHT * 3);
-  const [ground, ink] = [[0.022, 0.021, 0.022], [0.74, 0.69, 0.6]];
+  const [ground, ink] = [
+    [0.022, 0.021, 0.022],
+    [0.74, 0.69, 0.6],
+  ];
   for (let row = 0; row < HEIGHT; row++) {
     const y = LABEL.height * (1 - (row + 0.5) / HEIGHT);
     const thread = 0.86 + 0.14 * Math.sin((2 * Math.PI * y) / THREAD) ** 2;

@@ -14,8 +14,12 @@ export function runChild(text, { args = [], env = {}, support = true } = {}) {
   return new Promise((resolve, reject) => {
     const child = spawn(process.execPath, [...args, '--input-type=module', '-e', source], { env: { ...process.env, ...env } });
     let [stdout, stderr] = ['', ''];
-    child.stdout.on('data', (chunk) => { stdout += chunk; });
-    child.stderr.on('data', (chunk) => { stderr += chunk; });
+    child.stdout.on('data', (chunk) => {
+      stdout += chunk;
+    });
+    child.stderr.on('data', (chunk) => {
+      stderr += chunk;
+    });
     child.on('error', reject);
     child.on('close', (code, signal) => resolve({ code, signal, stdout, stderr }));
   });

@@ -6,7 +6,10 @@ const lines = (...texts) => texts.join('\n');
 
 test('a file is included where it is named first, as renderer/shader has it', () => {
   const files = { a: '#include "b"\nA', b: 'B' };
-  assert.equal(included(lines('#include "a"', '#include "b"', '#include <three>'), (name) => files[name]), lines('B', 'A', '', '#include <three>'));
+  assert.equal(
+    included(lines('#include "a"', '#include "b"', '#include <three>'), (name) => files[name]),
+    lines('B', 'A', '', '#include <three>'),
+  );
 });
 
 test('comments go, code stays', () => {
@@ -18,5 +21,8 @@ test('names of conditions', () => {
 });
 
 test('names of a condition with a name of its own', () => {
-  assert.deepEqual([...conditionNames(lines('#define FRAME (A || B)', '#define MASK (C)', '#define sum(a, b) (a || b)', '#ifdef X', 'D', '#endif'))], ['A', 'B']);
+  assert.deepEqual(
+    [...conditionNames(lines('#define FRAME (A || B)', '#define MASK (C)', '#define sum(a, b) (a || b)', '#ifdef X', 'D', '#endif'))],
+    ['A', 'B'],
+  );
 });

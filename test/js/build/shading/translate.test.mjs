@@ -11,7 +11,8 @@ import { termDefine } from '../../../../js/three/shading/terms.mjs';
 
 /** Texts in which three.js's own names stand for telar's. */
 const hostText = ['host', 'host_maps', 'host_cloth', 'host_lights', 'host_area']
-  .map((name) => withoutComments(readFileSync(new URL(`../../../../js/three/shading/${name}.glsl`, import.meta.url), 'utf8'))).join('\n');
+  .map((name) => withoutComments(readFileSync(new URL(`../../../../js/three/shading/${name}.glsl`, import.meta.url), 'utf8')))
+  .join('\n');
 const declared = new Set([...hostText.matchAll(/^(?:uniform \w+|#define) (\w+)/gm)].map(([, name]) => name));
 
 /** Every chunk and program of three.js that a MeshPhysicalMaterial may take in. */
@@ -28,19 +29,35 @@ for (const family of FAMILIES) {
   test(`${family}: no name of its own is one of three.js`, () => {
     const names = new Set([...declarations.matchAll(/^(?:struct|(?:const )?\w+) (\w+)(?=\(| \{| =)/gm)].map(([, name]) => name));
     assert.ok(names.size > 50, `${names.size}`);
-    assert.deepEqual([...names].filter((name) => !name.startsWith('telar_')), []);
+    assert.deepEqual(
+      [...names].filter((name) => !name.startsWith('telar_')),
+      [],
+    );
     assert.doesNotMatch(threeText, /telar/);
   });
 
   test(`${family}: what it reads of three.js is there`, () => {
-    const read = [...hostText.matchAll(/\b(?:USE_\w+|v[A-Z]\w+|\w+(?:Map|LUT|Color|Lights)|metalness|roughness|alphaTest|ltc_\d)\b/g)].map(([word]) => word)
+    const read = [...hostText.matchAll(/\b(?:USE_\w+|v[A-Z]\w+|\w+(?:Map|LUT|Color|Lights)|metalness|roughness|alphaTest|ltc_\d)\b/g)]
+      .map(([word]) => word)
       .filter((word) => !declared.has(word));
     assert.ok(read.length > 20, `${read.length}`);
-    assert.deepEqual([...new Set(read)].filter((word) => !new RegExp(`\\b${word}\\b`).test(threeText)), []);
-    const cloth = new Set(LAYERS.filter(({ shadings }) => shadings).flatMap(texturesOf).map((texture) => `${textureName(texture)}Map`));
-    const inputs = [...declarations.matchAll(/(?<![\w.])(?:USE_\w+|v\w+MapUv|[a-z]\w*Map(?=, v))\b/g)].map(([word]) => word).filter((word) => !word.startsWith('telar_') && !cloth.has(word));
+    assert.deepEqual(
+      [...new Set(read)].filter((word) => !new RegExp(`\\b${word}\\b`).test(threeText)),
+      [],
+    );
+    const cloth = new Set(
+      LAYERS.filter(({ shadings }) => shadings)
+        .flatMap(texturesOf)
+        .map((texture) => `${textureName(texture)}Map`),
+    );
+    const inputs = [...declarations.matchAll(/(?<![\w.])(?:USE_\w+|v\w+MapUv|[a-z]\w*Map(?=, v))\b/g)]
+      .map(([word]) => word)
+      .filter((word) => !word.startsWith('telar_') && !cloth.has(word));
     assert.ok(inputs.length > 30, `${inputs.length}`);
-    assert.deepEqual([...new Set(inputs)].filter((word) => !new RegExp(`\\b${word}\\b`).test(threeText)), []);
+    assert.deepEqual(
+      [...new Set(inputs)].filter((word) => !new RegExp(`\\b${word}\\b`).test(threeText)),
+      [],
+    );
   });
 
   test(`${family}: has its own shading and no other, and every condition has a value`, () => {
@@ -51,7 +68,10 @@ for (const family of FAMILIES) {
     const given = new Set([...declarations.matchAll(/^#define (\w+)/gm)].map(([, name]) => name));
     const terms = family === 'principled' ? Object.keys(SLOTS).map((slot) => `telar_${termDefine(slot)}`) : [];
     assert.doesNotMatch(declarations, /\b(?<!telar_)[A-Z]+_TERM\b/);
-    assert.deepEqual([...conditionNames(`${declarations}\n${main}`)].filter((name) => !given.has(name) && !terms.includes(name)), []);
+    assert.deepEqual(
+      [...conditionNames(`${declarations}\n${main}`)].filter((name) => !given.has(name) && !terms.includes(name)),
+      [],
+    );
   });
 
   test(`${family}: js/dist has what shaders/ says`, { skip: !existsSync(new URL('../../../../js/dist/shading', import.meta.url)) && 'no js/dist' }, () => {
