@@ -16,6 +16,7 @@ import { FORMATS, output as OUTPUT } from './table/output.mjs';
 import { copied, inOrder } from './table/resolved.mjs';
 import { HUGE } from './table/rows.mjs';
 import { ENVIRONMENT } from './table/stage.mjs';
+import { resolveThree, TONE_MAPPINGS_SINCE } from './three_terms.mjs';
 import { refuseUnavailable } from './unavailable.mjs';
 
 const WHITE = [1, 1, 1];
@@ -74,6 +75,7 @@ export function parseShot(shot) {
 export function resolveWithoutModel(parsed) {
   const output = resolveOutput(parsed.output);
   const environment = resolveEnvironment(parsed.environment);
+  checkToneMapping(parsed);
   return {
     output,
     environment,
@@ -125,7 +127,17 @@ function resolveBackground(background, format, environment) {
   return blur === 0 ? 'environment' : background;
 }
 
-const resolveShading = (shading) => (WITHOUT_TERMS.includes(shading) ? shading : resolveTerms(shading));
+function resolveShading(shading) {
+  if (WITHOUT_TERMS.includes(shading)) return shading;
+  return shading.base === 'three' ? resolveThree(shading) : resolveTerms(shading);
+}
+
+/** A release of three.js that has not this tone mapping yet cannot be what the client shows. */
+function checkToneMapping({ toneMapping, shading }) {
+  const since = TONE_MAPPINGS_SINCE[toneMapping];
+  if (shading.base !== 'three' || !(shading.revision < since)) return;
+  throw wrongValue(['toneMapping'], `a tone mapping that three.js 0.${shading.revision} has (0.${since} brought this one)`, toneMapping);
+}
 
 function resolveVariant(variant, variants) {
   if (variant === '' || !Array.isArray(variants) || variants.includes(variant)) return variant;

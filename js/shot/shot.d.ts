@@ -276,7 +276,7 @@ export interface Shot {
     /** Metres along x and z; default as wide as the shadows fall. */
     size?: [number, number];
   };
-  /** "three": what stock three.js shows; "fabric": telar's model of cloth; "three-r115": what three.js showed in 2020; "disney-2012": Burley's principled model; or terms of these by name. @default "three" */
+  /** "three": what stock three.js shows, of another release than 0.187 by {base: "three", revision}; "fabric": telar's model of cloth; "three-r115": what three.js showed in 2020; "disney-2012": Burley's principled model; or terms of these by name. @default "three" */
   shading?: 'three' | 'fabric' | 'three-r115' | 'disney-2012' | {
     /** Shading that the other slots are taken from. */
     base: 'three-r115' | 'disney-2012';
@@ -300,6 +300,121 @@ export interface Shot {
     scattering?: 'fdez-aguera' | 'single';
     /** Term of the slot: js/docs/shading.md. */
     environment?: 'karis' | 'three-table' | 'lazarov';
+    revision?: never;
+    prefilter?: never;
+    backgroundCube?: never;
+    reflectionDirection?: never;
+    dfg?: never;
+    environmentMetal?: never;
+    directMultiscatter?: never;
+    directDiffuse?: never;
+    ambientDiffuse?: never;
+    sheenAlbedo?: never;
+    sheenEnergy?: never;
+    ambientSheen?: never;
+    filmMetal?: never;
+    filmEnvironment?: never;
+    anisotropicVisibility?: never;
+    anisotropyDirection?: never;
+    roughnessMin?: never;
+    diffuseRoughness?: never;
+    layerOcclusion?: never;
+    ior0?: never;
+    rectF90?: never;
+    rectCoat?: never;
+    shadowFilter?: never;
+    pointShadow?: never;
+    dispersion?: never;
+    glassBackground?: never;
+    glassBackSides?: never;
+    glassBuffer?: never;
+    glassAlpha?: never;
+    samplerPrecision?: never;
+    textureTransform?: never;
+    textureCoordinates?: never;
+    neutralToneMapping?: never;
+    sorting?: never;
+  } | {
+    /** Stock three.js. */
+    base: 'three';
+    /** The release: N of 0.N. Known are 150 to 187; others are drawn as the nearest of these, with a warning; default 187. Range 1 to 9999. */
+    revision?: number;
+    /** Term of the slot: js/docs/families.md. */
+    prefilter?: 'cube' | 'ggx-chain-interpolated' | 'ggx-chain' | 'ggx-chain-floor' | 'blur-from-end' | 'blur';
+    /** Term of the slot: js/docs/families.md. */
+    backgroundCube?: 'full' | 'half';
+    /** Term of the slot: js/docs/families.md. */
+    reflectionDirection?: 'roughness-4' | 'roughness-2';
+    /** Term of the slot: js/docs/families.md. */
+    dfg?: 'table-16' | 'table-32' | 'karis';
+    /** Term of the slot: js/docs/families.md. */
+    environmentMetal?: 'two-interfaces' | 'one-interface';
+    /** Term of the slot: js/docs/families.md. */
+    directMultiscatter?: 'turquin' | 'added-lobe' | 'added-lobe-squared' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    directDiffuse?: 'under-fresnel' | 'lambert';
+    /** Term of the slot: js/docs/families.md. */
+    ambientDiffuse?: 'under-interface' | 'lambert';
+    /** Term of the slot: js/docs/families.md. */
+    sheenAlbedo?: 'exponential' | 'two-ranges';
+    /** Term of the slot: js/docs/families.md. */
+    sheenEnergy?: 'albedo' | 'constant';
+    /** Term of the slot: js/docs/families.md. */
+    ambientSheen?: 'albedo' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    filmMetal?: 'two-films' | 'one-film';
+    /** Term of the slot: js/docs/families.md. */
+    filmEnvironment?: 'schlick-f0' | 'reflectance';
+    /** Term of the slot: js/docs/families.md. */
+    anisotropicVisibility?: 'floored' | 'unbounded' | 'saturated';
+    /** Term of the slot: js/docs/families.md. */
+    anisotropyDirection?: 'vector' | 'turned-back' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    roughnessMin?: '0.045' | '0.0525';
+    /** Term of the slot: js/docs/families.md. */
+    diffuseRoughness?: 'eon' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    layerOcclusion?: 'occluded' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    ior0?: 'infinite' | 'zero';
+    /** Term of the slot: js/docs/families.md. */
+    rectF90?: 'of-material' | 'one';
+    /** Term of the slot: js/docs/families.md. */
+    rectCoat?: 'own-lobe' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    shadowFilter?: 'depth-disk' | 'packed-grid';
+    /** Term of the slot: js/docs/families.md. */
+    pointShadow?: 'own-face' | 'range-lit' | 'range-compared';
+    /** Term of the slot: js/docs/families.md. */
+    dispersion?: 'three-rays' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    glassBackground?: 'linear' | 'encoded';
+    /** Term of the slot: js/docs/families.md. */
+    glassBackSides?: 'drawn' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    glassBuffer?: 'canvas' | 'square-1024';
+    /** Term of the slot: js/docs/families.md. */
+    glassAlpha?: 'transmittance' | 'added-tenth';
+    /** Term of the slot: js/docs/families.md. */
+    samplerPrecision?: 'highp' | 'lowp';
+    /** Term of the slot: js/docs/families.md. */
+    textureTransform?: 'trs' | 'tsr';
+    /** Term of the slot: js/docs/families.md. */
+    textureCoordinates?: 'each-map' | 'first-map';
+    /** Term of the slot: js/docs/families.md. */
+    neutralToneMapping?: 'peak' | 'white';
+    /** Term of the slot: js/docs/families.md. */
+    sorting?: 'bounding-sphere' | 'origin';
+    parameters?: never;
+    diffuse?: never;
+    distribution?: never;
+    visibility?: never;
+    fresnel?: never;
+    sheen?: never;
+    clearcoat?: never;
+    layering?: never;
+    scattering?: never;
+    environment?: never;
   };
   /** As in three.js. @default "neutral" */
   toneMapping?: 'neutral' | 'none' | 'linear' | 'reinhard' | 'cineon' | 'aces' | 'agx';
@@ -622,6 +737,121 @@ export interface ResolvedShot {
     scattering: 'fdez-aguera' | 'single';
     /** Term of the slot: js/docs/shading.md. */
     environment: 'karis' | 'three-table' | 'lazarov';
+    revision?: never;
+    prefilter?: never;
+    backgroundCube?: never;
+    reflectionDirection?: never;
+    dfg?: never;
+    environmentMetal?: never;
+    directMultiscatter?: never;
+    directDiffuse?: never;
+    ambientDiffuse?: never;
+    sheenAlbedo?: never;
+    sheenEnergy?: never;
+    ambientSheen?: never;
+    filmMetal?: never;
+    filmEnvironment?: never;
+    anisotropicVisibility?: never;
+    anisotropyDirection?: never;
+    roughnessMin?: never;
+    diffuseRoughness?: never;
+    layerOcclusion?: never;
+    ior0?: never;
+    rectF90?: never;
+    rectCoat?: never;
+    shadowFilter?: never;
+    pointShadow?: never;
+    dispersion?: never;
+    glassBackground?: never;
+    glassBackSides?: never;
+    glassBuffer?: never;
+    glassAlpha?: never;
+    samplerPrecision?: never;
+    textureTransform?: never;
+    textureCoordinates?: never;
+    neutralToneMapping?: never;
+    sorting?: never;
+  } | {
+    /** Stock three.js. */
+    base: 'three';
+    /** The release: N of 0.N. Known are 150 to 187; others are drawn as the nearest of these, with a warning. Range 1 to 9999. */
+    revision: number;
+    /** Term of the slot: js/docs/families.md. */
+    prefilter: 'cube' | 'ggx-chain-interpolated' | 'ggx-chain' | 'ggx-chain-floor' | 'blur-from-end' | 'blur';
+    /** Term of the slot: js/docs/families.md. */
+    backgroundCube: 'full' | 'half';
+    /** Term of the slot: js/docs/families.md. */
+    reflectionDirection: 'roughness-4' | 'roughness-2';
+    /** Term of the slot: js/docs/families.md. */
+    dfg: 'table-16' | 'table-32' | 'karis';
+    /** Term of the slot: js/docs/families.md. */
+    environmentMetal: 'two-interfaces' | 'one-interface';
+    /** Term of the slot: js/docs/families.md. */
+    directMultiscatter: 'turquin' | 'added-lobe' | 'added-lobe-squared' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    directDiffuse: 'under-fresnel' | 'lambert';
+    /** Term of the slot: js/docs/families.md. */
+    ambientDiffuse: 'under-interface' | 'lambert';
+    /** Term of the slot: js/docs/families.md. */
+    sheenAlbedo: 'exponential' | 'two-ranges';
+    /** Term of the slot: js/docs/families.md. */
+    sheenEnergy: 'albedo' | 'constant';
+    /** Term of the slot: js/docs/families.md. */
+    ambientSheen: 'albedo' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    filmMetal: 'two-films' | 'one-film';
+    /** Term of the slot: js/docs/families.md. */
+    filmEnvironment: 'schlick-f0' | 'reflectance';
+    /** Term of the slot: js/docs/families.md. */
+    anisotropicVisibility: 'floored' | 'unbounded' | 'saturated';
+    /** Term of the slot: js/docs/families.md. */
+    anisotropyDirection: 'vector' | 'turned-back' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    roughnessMin: '0.045' | '0.0525';
+    /** Term of the slot: js/docs/families.md. */
+    diffuseRoughness: 'eon' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    layerOcclusion: 'occluded' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    ior0: 'infinite' | 'zero';
+    /** Term of the slot: js/docs/families.md. */
+    rectF90: 'of-material' | 'one';
+    /** Term of the slot: js/docs/families.md. */
+    rectCoat: 'own-lobe' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    shadowFilter: 'depth-disk' | 'packed-grid';
+    /** Term of the slot: js/docs/families.md. */
+    pointShadow: 'own-face' | 'range-lit' | 'range-compared';
+    /** Term of the slot: js/docs/families.md. */
+    dispersion: 'three-rays' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    glassBackground: 'linear' | 'encoded';
+    /** Term of the slot: js/docs/families.md. */
+    glassBackSides: 'drawn' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    glassBuffer: 'canvas' | 'square-1024';
+    /** Term of the slot: js/docs/families.md. */
+    glassAlpha: 'transmittance' | 'added-tenth';
+    /** Term of the slot: js/docs/families.md. */
+    samplerPrecision: 'highp' | 'lowp';
+    /** Term of the slot: js/docs/families.md. */
+    textureTransform: 'trs' | 'tsr';
+    /** Term of the slot: js/docs/families.md. */
+    textureCoordinates: 'each-map' | 'first-map';
+    /** Term of the slot: js/docs/families.md. */
+    neutralToneMapping: 'peak' | 'white';
+    /** Term of the slot: js/docs/families.md. */
+    sorting: 'bounding-sphere' | 'origin';
+    parameters?: never;
+    diffuse?: never;
+    distribution?: never;
+    visibility?: never;
+    fresnel?: never;
+    sheen?: never;
+    clearcoat?: never;
+    layering?: never;
+    scattering?: never;
+    environment?: never;
   };
   /** As in three.js. */
   toneMapping: 'neutral' | 'none' | 'linear' | 'reinhard' | 'cineon' | 'aces' | 'agx';

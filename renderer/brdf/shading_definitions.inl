@@ -2,6 +2,7 @@
 #include "../light/reflected.glsl"
 #include "../material/layers.glsl"
 #include "../shading/terms.glsl"
+#include "../shading/three_terms.glsl"
 
 #define TELAR_SHADING_TABLE(name) \
   { &name::preparedSurface, &name::addPunctual, &name::addDome, &name::addEnvironment, &name::composedRadiance }

@@ -81,6 +81,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.alphaMask = material.alphaMode == AlphaMode::kMask && material.alphaCutoff > 0;
   key.alphaOpaque = material.alphaMode != AlphaMode::kBlend;
   if (!key.unlit) key.shading = frame.shading, key.terms = frame.terms;
+  key.three = frame.three;
   describeMaps(material, key);
   if (key.unlit) return key;
   key.ambient = frame.ambient;
@@ -218,6 +219,7 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
       !frame.debugOutput && (shot.resolve == Resolve::kLinear || framePixelType(shot.output) == PixelType::kRgbaF32);
   frame.shading = shot.shading;
   if (isPrincipled(shot.shading)) frame.terms = shot.terms;
+  frame.three = shot.three;
   const int passes = frame::samplePassesOf(shot).count;
   frame.fullDetail = passes > 1 && !frame.debugOutput;
   if (frame.environment && !frame.debugOutput) {

@@ -23,6 +23,9 @@ Defines VariantKey::defines() const {
 #define TELAR_SHADING_DEFINE(glsl, member, ...) list.emplace_back(#glsl "_TERM", terms.member);
   TELAR_SHADING_SLOTS(TELAR_SHADING_DEFINE)
 #undef TELAR_SHADING_DEFINE
+#define TELAR_THREE_DEFINE(glsl, member, ...) list.emplace_back(#glsl "_TERM", three.member);
+  TELAR_THREE_SLOTS(TELAR_THREE_DEFINE)
+#undef TELAR_THREE_DEFINE
   list.emplace_back("FULL_DETAIL", fullDetail);
   list.emplace_back("ENVIRONMENT_SAMPLES", environmentSamples);
   list.emplace_back("BRIGHT_DIRECTIONS", brightDirections());

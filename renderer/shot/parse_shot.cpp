@@ -114,15 +114,23 @@ void readQuality(const JsonPath& json, Shot& shot) {
   }
 }
 
-/// A name, or for the principled shadings their base with every slot.
+/// A name, or a base with every slot: a principled shading, or a release of three.js.
 void readShading(const JsonPath& json, Shot& shot) {
   if (!json.isObject()) {
     const std::array<std::string_view, 2> names{"three", "fabric"};
     shot.shading = std::array{ShadingModel::kThree, ShadingModel::kFabric}[json.choice(names)];
     return;
   }
-  const std::array<std::string_view, 2> bases{"three-r115", "disney-2012"};
-  shot.shading = std::array{ShadingModel::kThreeR115, ShadingModel::kDisney2012}[json.at("base").choice(bases)];
+  const std::array<std::string_view, 3> bases{"three", "three-r115", "disney-2012"};
+  shot.shading = std::array{ShadingModel::kThree, ShadingModel::kThreeR115,
+                            ShadingModel::kDisney2012}[json.at("base").choice(bases)];
+  if (shot.shading == ShadingModel::kThree) {
+#define TELAR_THREE_READ(define, member, ...) \
+  shot.three.member = static_cast<int>(json.at(#member).choice(std::initializer_list<std::string_view>{__VA_ARGS__}));
+    TELAR_THREE_SLOTS(TELAR_THREE_READ)
+#undef TELAR_THREE_READ
+    return;
+  }
 #define TELAR_SHADING_READ(define, member, ...) \
   shot.terms.member = static_cast<int>(json.at(#member).choice(std::initializer_list<std::string_view>{__VA_ARGS__}));
   TELAR_SHADING_SLOTS(TELAR_SHADING_READ)

@@ -1,5 +1,6 @@
 // The terms that more than one shading takes: a file is included once, wherever that is.
 #include "shading/terms.glsl"
+#include "shading/three_terms.glsl"
 #include "brdf/roughness.glsl"
 #include "brdf/distribution.glsl"
 #include "brdf/visibility.glsl"

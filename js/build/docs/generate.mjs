@@ -8,7 +8,7 @@ import { withLayerExtensions } from './layers_table.mjs';
 import { withLimitsTable } from './limits_table.mjs';
 import { resolvedShots } from './resolved_shots.mjs';
 import { shadingPage } from './shading_page.mjs';
-import { termsGlsl, termsInclude } from './shading_terms.mjs';
+import { termFiles } from './shading_terms.mjs';
 import { shotHeaders, visitRows } from './shot_cpp.mjs';
 import { debugQuantitiesGlsl, toneMappingsGlsl } from './shot_glsl.mjs';
 import { errorsPage, optionsPage } from './tables.mjs';
@@ -48,8 +48,7 @@ export function generatedFiles() {
     'js/docs/formats.md': withLayerExtensions(textOf('js/docs/formats.md')),
     'SECURITY.md': withLimitsTable(textOf('SECURITY.md'), textOf('renderer/include/telar/limits.h')),
     'js/docs/shading.md': shadingPage(),
-    'renderer/include/telar/shading_terms.inc': termsInclude(),
-    'shaders/shading/terms.glsl': termsGlsl(),
+    ...termFiles(),
     ...shotHeaders(),
     'renderer/shot/visit_rows.inc': visitRows(),
     'test/cpp/shot/resolved_shots.json': resolvedShots(),

@@ -1,8 +1,9 @@
 import { readFileSync } from 'node:fs';
 import { texturesOf } from '../../material/table.mjs';
 import { SLOTS } from '../../shot/shading_terms.mjs';
+import { THREE_SLOTS } from '../../shot/three_terms.mjs';
 import { PREFIX } from '../../three/shading/material.mjs';
-import { termDefine } from '../../three/shading/terms.mjs';
+import { termDefine, threeDefine } from '../../three/shading/terms.mjs';
 import { fragmentDeclarations, inputsFunction, shaderFiles, vertexDeclarations, vertexMain } from '../material/glsl.mjs';
 import { COUNTS, FEATURES, fixedFeatures, INPUT_NAMES, ownLayers } from './names.mjs';
 import { conditionNames, included, withoutComments } from './preprocess.mjs';
@@ -15,6 +16,9 @@ export const FAMILIES = ['three', 'principled', 'fabric'];
 
 /** Integers that a material of the principled shadings is compiled with. */
 const TERMS = Object.keys(SLOTS).map(termDefine);
+
+/** A browser has its own release of three.js: the terms of others are not drawn there. */
+const THREE_TERMS = Object.fromEntries(Object.keys(THREE_SLOTS).map((slot) => [threeDefine(slot), 0]));
 
 /** three.js declares the second set where a map has it. */
 const SECOND_UV = `#ifdef USE_UV1\n#define ${PREFIX}uv1 uv1\n#else\n#define ${PREFIX}uv1 uv\n#endif`;
@@ -56,6 +60,7 @@ export function shadingText(family) {
 
   const fixed = {
     ...fixedFeatures(family),
+    ...THREE_TERMS,
     ...(family !== 'principled' && Object.fromEntries(TERMS.map((name) => [name, 0]))),
     ...Object.fromEntries(FAMILIES.map((name) => [`SHADING_${name.toUpperCase()}`, Number(name === family)])),
   };

@@ -1,4 +1,5 @@
 import { BASES, SLOTS, WITHOUT_TERMS } from '../shading_terms.mjs';
+import { REVISION, REVISION_MIN, THREE_SLOTS } from '../three_terms.mjs';
 import { camera } from './camera.mjs';
 import { lights } from './lights.mjs';
 import { output } from './output.mjs';
@@ -15,20 +16,32 @@ import { TONE_MAPPINGS } from './tone_mappings.mjs';
 
 const pixels = number('Pixels', { what: 'a whole number of pixels', unit: 'pixels', min: 1, max: 8192, integer: true, default: 512 });
 
-const SHADING = '"three", "fabric", "three-r115", "disney-2012" or {base, <slot>: <term>}';
+const SHADING = '"three", "fabric", "three-r115", "disney-2012", {base, <slot>: <term>} or {base: "three", revision}';
+const slotRows = (slots, page) =>
+  Object.fromEntries(Object.entries(slots).map(([slot, terms]) => [slot, choice(`Term of the slot: js/docs/${page}.md`, terms, { optional: true })]));
 const base = choice('Shading that the other slots are taken from', BASES);
-const slots = Object.fromEntries(
-  Object.entries(SLOTS).map(([slot, terms]) => [slot, choice('Term of the slot: js/docs/shading.md', terms, { optional: true })]),
-);
-const swapped = object('A principled shading with terms swapped', { base, ...slots });
+const swapped = object('A principled shading with terms swapped', { base, ...slotRows(SLOTS, 'shading') });
+const threeTerms = Object.fromEntries(Object.entries(THREE_SLOTS).map(([slot, terms]) => [slot, Object.keys(terms)]));
+const release = object('What a release of stock three.js shows', {
+  base: literal('Stock three.js', 'three', '"three"'),
+  revision: number(`The release: N of 0.N. Known are ${REVISION_MIN} to ${REVISION}; others are drawn as the nearest of these, with a warning`, {
+    what: 'a whole number',
+    unit: 'release',
+    min: 1,
+    max: 9999,
+    integer: true,
+    otherwise: REVISION,
+  }),
+  ...slotRows(threeTerms, 'families'),
+});
 const shading = union(
-  '"three": what stock three.js shows; "fabric": telar\'s model of cloth; "three-r115": what three.js showed in 2020; ' +
-    '"disney-2012": Burley\'s principled model; or terms of these by name',
-  [choice('', [...WITHOUT_TERMS, ...BASES], { expected: SHADING }), swapped],
+  '"three": what stock three.js shows, of another release than 0.187 by {base: "three", revision}; "fabric": telar\'s model of cloth; ' +
+    '"three-r115": what three.js showed in 2020; "disney-2012": Burley\'s principled model; or terms of these by name',
+  [choice('', [...WITHOUT_TERMS, ...BASES], { expected: SHADING }), swapped, release],
   SHADING,
   {
     default: 'three',
-    resolved: union('', [choice('', WITHOUT_TERMS), swapped], SHADING),
+    resolved: union('', [choice('', WITHOUT_TERMS), swapped, release], SHADING),
   },
 );
 

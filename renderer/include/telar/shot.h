@@ -59,6 +59,7 @@ struct Shot : shot::Size, shot::Values, shot::RasterQuality {
 
   ShadingModel shading = ShadingModel::kThree;
   ShadingTerms terms;                  ///< of a principled shading
+  ThreeTerms three;                    ///< of kThree
   std::optional<Reference> reference;  ///< set = the path tracer draws, not the raster
   std::optional<Pose> pose;            ///< none = as the file stands
   OutputOptions output;

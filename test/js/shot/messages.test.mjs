@@ -202,7 +202,10 @@ const MESSAGES = [
     { background: 'transparent', output: { format: 'jpeg' } },
     'shot.background: expected a colour or "environment", as jpeg has no transparency, got "transparent"',
   ],
-  [{ shading: 'tree' }, 'shot.shading: expected "three", "fabric", "three-r115", "disney-2012" or {base, <slot>: <term>}, got "tree"'],
+  [
+    { shading: 'tree' },
+    'shot.shading: expected "three", "fabric", "three-r115", "disney-2012", {base, <slot>: <term>} or {base: "three", revision}, got "tree"',
+  ],
   [{ shading: { sheen: 'zeltner' } }, 'shot.shading.base: expected "three-r115" or "disney-2012", got nothing'],
   [{ shading: { base: 'three-r115', fresnel: 'zeltner' } }, 'shot.shading.fresnel: expected "schlick-exp2" or "schlick", got "zeltner"'],
   [{ shading: { base: 'disney-2012', shen: 'zeltner' } }, 'shot.shading.shen: unknown key, did you mean sheen?'],

@@ -1,0 +1,104 @@
+/**
+ * What the releases of three.js draw, as a table of terms: each slot has the terms that stood in it, and a release is one choice for
+ * every slot. The one source of the names: the schema, the C++ enums (renderer/include/telar/three_terms.inc) and the defines of the
+ * shaders (shaders/shading/three_terms.glsl) are written from it by js/build/docs/generate.mjs. Releases go by their number N of
+ * 0.N. What each term computes and how it was found stands in js/docs/families.md.
+ */
+
+/** The release that "three" alone means, and the newest of the table. */
+export const REVISION = 187;
+
+/** The oldest release of the table. */
+export const REVISION_MIN = 150;
+
+/** slot: {term: first release that draws so}, newest first: the first term is that of "three" alone. */
+export const THREE_SLOTS = Object.freeze({
+  // Light of the environment.
+  prefilter: { cube: 187, 'ggx-chain-interpolated': 186, 'ggx-chain': 182, 'ggx-chain-floor': 181, 'blur-from-end': 164, blur: 150 },
+  backgroundCube: { full: 161, half: 150 },
+  reflectionDirection: { 'roughness-4': 181, 'roughness-2': 150 },
+  // The split sum, and what bounces more than once.
+  dfg: { 'table-16': 182, 'table-32': 181, karis: 150 },
+  environmentMetal: { 'two-interfaces': 182, 'one-interface': 150 },
+  directMultiscatter: { turquin: 186, 'added-lobe': 182, 'added-lobe-squared': 181, none: 150 },
+  directDiffuse: { 'under-fresnel': 186, lambert: 150 },
+  ambientDiffuse: { 'under-interface': 186, lambert: 150 },
+  // Layers.
+  sheenAlbedo: { exponential: 182, 'two-ranges': 150 },
+  sheenEnergy: { albedo: 182, constant: 150 },
+  ambientSheen: { albedo: 186, none: 150 },
+  filmMetal: { 'two-films': 182, 'one-film': 150 },
+  filmEnvironment: { 'schlick-f0': 186, reflectance: 150 },
+  anisotropicVisibility: { floored: 184, unbounded: 182, saturated: 150 },
+  anisotropyDirection: { vector: 159, 'turned-back': 153, none: 150 },
+  roughnessMin: { 0.045: 187, 0.0525: 150 },
+  diffuseRoughness: { eon: 187, none: 150 },
+  layerOcclusion: { occluded: 158, none: 150 },
+  ior0: { infinite: 184, zero: 150 },
+  // Lights and shadows.
+  rectF90: { 'of-material': 183, one: 150 },
+  rectCoat: { 'own-lobe': 183, none: 150 },
+  shadowFilter: { 'depth-disk': 182, 'packed-grid': 150 },
+  pointShadow: { 'own-face': 187, 'range-lit': 163, 'range-compared': 150 },
+  // Glass.
+  dispersion: { 'three-rays': 164, none: 150 },
+  glassBackground: { linear: 165, encoded: 150 },
+  glassBackSides: { drawn: 151, none: 150 },
+  glassBuffer: { canvas: 153, 'square-1024': 150 },
+  glassAlpha: { transmittance: 153, 'added-tenth': 150 },
+  // Textures and output.
+  samplerPrecision: { highp: 161, lowp: 150 },
+  textureTransform: { trs: 186, tsr: 150 },
+  textureCoordinates: { 'each-map': 151, 'first-map': 150 },
+  neutralToneMapping: { peak: 163, white: 150 },
+  sorting: { 'bounding-sphere': 152, origin: 150 },
+});
+
+/** Releases whose first patches draw otherwise; their number means the patch that is named. */
+export const PATCHES = Object.freeze({ 156: '0.156.1', 181: '0.181.2' });
+
+/** Tone mappings that a release does not have yet: name: first release with it. */
+export const TONE_MAPPINGS_SINCE = Object.freeze({ agx: 160, neutral: 162 });
+
+const termAt = (terms, revision) => Object.keys(terms).find((name) => terms[name] <= revision);
+
+/** The release of the table that stands for one outside of it. */
+export const nearestRevision = (revision) => Math.min(Math.max(revision, REVISION_MIN), REVISION);
+
+/**
+ * Every slot of a release.
+ * @param {number} revision - N of 0.N; beyond the table, the nearest in it.
+ * @returns {Record<keyof typeof THREE_SLOTS, string>}
+ */
+export function termsOfRevision(revision) {
+  const known = nearestRevision(revision);
+  return Object.fromEntries(Object.entries(THREE_SLOTS).map(([slot, terms]) => [slot, termAt(terms, known)]));
+}
+
+/** First releases of the families, oldest first: no term changes between one and the next. */
+const BORDERS = [...new Set(Object.values(THREE_SLOTS).flatMap((terms) => Object.values(terms)))].sort((a, b) => a - b);
+
+/**
+ * The releases that draw as this one does.
+ * @param {number} revision - Beyond the table, the nearest in it.
+ * @returns {{from: number, to: number}} Both inclusive.
+ */
+export function familyOf(revision) {
+  const known = nearestRevision(revision);
+  const next = BORDERS.find((border) => border > known);
+  return { from: BORDERS.findLast((border) => border <= known), to: next === undefined ? REVISION : next - 1 };
+}
+
+/** @returns {{from: number, to: number}[]} Oldest first. */
+export const families = () => BORDERS.map((from) => familyOf(from));
+
+/**
+ * Every slot written out; "three" alone where nothing differs from it.
+ * @param {{base: 'three', revision?: number}} shading - A release, with the slots that differ from it.
+ * @returns {'three' | {base: 'three', revision: number} & Record<keyof typeof THREE_SLOTS, string>}
+ */
+export function resolveThree({ base, revision = REVISION, ...swapped }) {
+  const terms = { ...termsOfRevision(revision), ...Object.fromEntries(Object.entries(swapped).filter(([, term]) => term !== undefined)) };
+  const isToday = revision === REVISION && Object.entries(THREE_SLOTS).every(([slot, names]) => terms[slot] === Object.keys(names)[0]);
+  return isToday ? base : { base, revision, ...terms };
+}
