@@ -53,46 +53,103 @@ function writeWhole(file, bytes) {
 /** RGBA8, premultiplied, top row first. */
 export const readPixels = (name) => inflateSync(readFileSync(fileOf(name)));
 
+/** Pictures drawn until the list is written again: a run that ends early loses no more. */
+const LIST_AFTER = 16;
+
+/** One release in headless Chromium, started for the first picture that is not kept from before. */
+export class ReleaseBrowser {
+  #release;
+  #kept;
+  #browser;
+  #unlisted = 0;
+
+  /**
+   * @param {object} release
+   * @param {string} release.name - Of the release, and of what was edited in it.
+   * @param {string} release.folder - Of the release.
+   * @param {Map<string, string>} [release.edited] - As of Browser.start(); then the release's sources draw in place of its build.
+   * @param {string} release.stamp - pageStamp()
+   * @param {(line: string) => void} release.log - Gets what the page warns of.
+   */
+  constructor(release) {
+    this.#release = release;
+    this.#kept = existsSync(this.#list) ? JSON.parse(readFileSync(this.#list, 'utf8')) : {};
+  }
+
+  get #list() {
+    return path.join(PICTURES, `${this.#release.name}.json`);
+  }
+
+  #start() {
+    const { folder, edited, log } = this.#release;
+    const options = new URLSearchParams({
+      hdr: existsSync(path.join(folder, 'examples/jsm/loaders/HDRLoader.js')) ? 'HDRLoader' : 'RGBELoader',
+      three: edited ? 'src/Three.js' : 'build/three.module.js',
+    });
+    return Browser.start({ three: folder, edited, page: `test/families/browser/page.html?${options}`, log });
+  }
+
+  /**
+   * @param {object} input - As of Browser.draw().
+   * @returns {Promise<Picture>} Kept from before, or drawn.
+   */
+  async picture({ shot, settings, model, environment }) {
+    const { stamp, edited } = this.#release;
+    const texts = edited ? ['src', ...[...edited].flat()] : [];
+    const key = sha256(stamp, JSON.stringify([shot, settings]), model, environment ?? '', ...texts);
+    if (!this.#kept[key]) {
+      this.#browser ??= this.#start();
+      this.#kept[key] = await drawPicture(await this.#browser, { shot, settings, model, environment });
+      if (++this.#unlisted >= LIST_AFTER) this.#writeList();
+    }
+    return this.#kept[key];
+  }
+
+  /**
+   * Draws as Browser.draw(), what is not kept from before.
+   * @throws {Error} Where the release cannot show it.
+   */
+  async draw(input) {
+    const begin = performance.now();
+    const { absent, image, mask } = await this.picture(input);
+    if (absent) throw new Error(absent);
+    const { width, height } = input.shot.size;
+    return { width, height, image: readPixels(image), mask: readPixels(mask), facts: { loadMs: 0, drawMs: performance.now() - begin } };
+  }
+
+  #writeList() {
+    if (this.#unlisted > 0) writeWhole(this.#list, JSON.stringify(this.#kept));
+    this.#unlisted = 0;
+  }
+
+  async close() {
+    this.#writeList();
+    await (await this.#browser)?.close();
+  }
+}
+
 /**
  * Draws cases with one release, those that are not kept from before.
- * @param {object} drawn
- * @param {string} drawn.name - Of the release, and of what was edited in it.
- * @param {string} drawn.folder - Of the release.
- * @param {Map<string, string>} [drawn.edited] - As of Browser.start(); then the release's sources draw in place of its build.
+ * @param {object} drawn - As of ReleaseBrowser: name, folder, edited.
  * @param {import('./cases.mjs').CASES} cases
  * @param {string} stamp - pageStamp()
  * @param {(line: string) => void} log - Gets what the page warns of.
  * @returns {Promise<Record<string, Picture>>} By name of the case.
  */
-export async function drawRelease({ name, folder, edited }, cases, stamp, log) {
-  const list = path.join(PICTURES, `${name}.json`);
-  const kept = existsSync(list) ? JSON.parse(readFileSync(list, 'utf8')) : {};
-  const texts = edited ? ['src', ...[...edited].flat()] : [];
-  const wanted = [];
-  for (const item of cases) {
-    const inputs = await loadInputs(item);
-    wanted.push({ item, inputs, key: sha256(stamp, JSON.stringify([item.shot, item.settings]), inputs.model, inputs.environment ?? '', ...texts) });
+export async function drawRelease(drawn, cases, stamp, log) {
+  const browser = new ReleaseBrowser({ ...drawn, stamp, log });
+  const pictures = {};
+  try {
+    for (const item of cases) pictures[item.name] = await browser.picture({ shot: item.shot, settings: item.settings, ...(await loadInputs(item)) });
+  } finally {
+    await browser.close();
   }
-  const missing = wanted.filter(({ key }) => !kept[key]);
-  if (missing.length > 0) {
-    const options = new URLSearchParams({
-      hdr: existsSync(path.join(folder, 'examples/jsm/loaders/HDRLoader.js')) ? 'HDRLoader' : 'RGBELoader',
-      three: edited ? 'src/Three.js' : 'build/three.module.js',
-    });
-    const browser = await Browser.start({ three: folder, edited, page: `test/families/browser/page.html?${options}`, log });
-    try {
-      for (const { item, inputs, key } of missing) kept[key] = await drawCase(browser, item, inputs);
-    } finally {
-      await browser.close();
-    }
-    writeWhole(list, JSON.stringify(kept));
-  }
-  return Object.fromEntries(wanted.map(({ item, key }) => [item.name, kept[key]]));
+  return pictures;
 }
 
-async function drawCase(browser, item, inputs) {
+async function drawPicture(browser, input) {
   try {
-    const { image, mask } = await browser.draw({ shot: item.shot, settings: item.settings, ...inputs });
+    const { image, mask } = await browser.draw(input);
     return { image: keep(image), mask: keep(mask) };
   } catch (error) {
     // A release may fail at what others show, as 0.156.0 does at unlit materials; run.mjs asks that the last one does not.

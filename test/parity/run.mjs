@@ -1,5 +1,6 @@
 // node test/parity/run.mjs [--all] [--fast] [--swiftshader] [--trace] [--keep] [--browser-only] [--own-text]
 // [filter...]
+//   [--revision LIST] [--families] [--swap SLOT=TERM]
 // Draws the gate's cases, or those whose name contains a filter, with three.js in headless Chromium and with telar, prints
 // a line a case, writes out/parity/index.html and junit.xml. Exit code 1 when a case is over the bar.
 //   --all           the extended set too
@@ -8,6 +9,10 @@
 //   --trace         follow the worst pixel of each case that differs at all, not only of those that differ by more than 1/255
 //   --keep          leave the browser's pictures, the models and the shots in out/parity/browser
 //   --browser-only  only that, without telar
+//   --revision 160,180  in place of the gate's cases those of test/families, with these releases of three.js (fetched from npm, their
+//                   pictures kept in out/families) and with telar drawing as they do
+//   --families      the same of one release a family
+//   --swap dfg=karis  telar draws these releases with another term in a slot: a planted fault; may stand several times
 //   --own-text      three.js shaded by telar's text of stock three.js in telar's place
 import { mkdirSync } from 'node:fs';
 import { parseArgs } from 'node:util';
@@ -18,15 +23,20 @@ import { drawCases } from './draw_cases.mjs';
 import { saveReference } from './files.mjs';
 import { KNOWN_CASES, KNOWN_DIFFERENCES } from './known_differences.mjs';
 import { OUT } from './places.mjs';
+import { casesOf, GATED_REVISIONS, parseSwaps, sidesOf } from '../families/gate.mjs';
 import { Report } from './report.mjs';
 import { openOwnText } from './own_text.mjs';
 import { openServer } from './server.mjs';
 import { traceOf } from './trace.mjs';
 
-const flags = ['all', 'fast', 'swiftshader', 'trace', 'keep', 'browser-only', 'own-text'];
+const flags = ['all', 'fast', 'swiftshader', 'trace', 'keep', 'browser-only', 'own-text', 'families'];
 const { values, positionals } = parseArgs({
   allowPositionals: true,
-  options: Object.fromEntries(flags.map((name) => [name, { type: 'boolean', default: false }])),
+  options: {
+    ...Object.fromEntries(flags.map((name) => [name, { type: 'boolean', default: false }])),
+    revision: { type: 'string' },
+    swap: { type: 'string', multiple: true },
+  },
 });
 
 const started = performance.now();
@@ -36,8 +46,12 @@ const chosen = (items) =>
     .filter(({ name }) => positionals.length === 0 || positionals.some((filter) => name.includes(filter)))
     .filter((item) => !values.fast || item.fast)
     .filter(({ shot }) => !values['own-text'] || shot.shading === 'three');
-const cases = chosen(values.all || positionals.length > 0 ? CASES : GATE_CASES);
-const knownCases = values['browser-only'] || values['own-text'] ? [] : chosen(KNOWN_CASES);
+const revisions = values.revision?.split(',').map(Number) ?? (values.families ? GATED_REVISIONS : []);
+const swaps = parseSwaps(values.swap);
+const rounds = revisions.map((revision) => ({ revision, cases: chosen(casesOf(revision)) }));
+const current = chosen(values.all || positionals.length > 0 ? CASES : GATE_CASES);
+const cases = rounds.length > 0 ? rounds.flatMap((round) => round.cases) : current;
+const knownCases = rounds.length > 0 || values['browser-only'] || values['own-text'] ? [] : chosen(KNOWN_CASES);
 if (cases.length + knownCases.length === 0) throw new Error(`no case has one of these in its name: ${positionals.join(' ')}`);
 
 /** Cases followed through the shaders without --trace: each takes seconds, and one fault shows in many cases. */
@@ -48,7 +62,7 @@ const report = new Report();
 const spent = {};
 const sides = {};
 const opening = Object.entries({
-  browser: Browser.start(),
+  browser: rounds.length > 0 ? undefined : Browser.start(),
   server: values['browser-only'] || values['own-text'] ? undefined : openServer(),
   other: values.swiftshader ? Browser.start({ rasterizer: 'swiftshader' }) : undefined,
 }).map(async ([name, side]) => {
@@ -58,7 +72,8 @@ try {
   await Promise.all(opening);
   if (values['own-text']) sides.server = openOwnText(sides.browser);
   if (sides.server) sides.comparer = new Comparer();
-  for await (const result of drawCases(cases, sides)) await finishCase(result);
+  for (const round of rounds) await drawRound(round);
+  if (rounds.length === 0) for await (const result of drawCases(cases, sides)) await finishCase(result);
   for await (const result of drawCases(knownCases, { ...sides, other: undefined })) console.log(report.addKnown(result));
 } finally {
   await Promise.allSettled(opening);
@@ -71,6 +86,16 @@ if (!values['browser-only']) {
   console.log(report.finish({ summary, knownDifferences: shown }));
 }
 process.exitCode = report.failed ? 1 : 0;
+
+/** The cases of one older release. */
+async function drawRound({ revision, cases }) {
+  const both = await sidesOf(revision, { server: sides.server, swaps });
+  try {
+    for await (const result of drawCases(cases, { ...both, comparer: sides.comparer })) await finishCase(result);
+  } finally {
+    await both.browser.close();
+  }
+}
 
 async function finishCase(result) {
   const { item, inputs, expected, error, difference, milliseconds } = result;
@@ -87,6 +112,8 @@ async function finishCase(result) {
 }
 
 function wantsTrace(difference) {
+  // The terms that a trace reads are of the text of 0.187.
+  if (rounds.length > 0) return false;
   const most = difference?.interior?.max ?? 0;
   if (values.trace) return most > 0 || difference?.pass === false;
   return (most > 1 || difference?.pass === false) && ++traces <= MAX_TRACES;

@@ -1,0 +1,65 @@
+import { nearestRevision, PATCHES, resolveThree, families, TONE_MAPPINGS_SINCE, THREE_SLOTS } from '../../js/shot/three_terms.mjs';
+import { CASES } from './cases.mjs';
+import { pageStamp, ReleaseBrowser } from './draw.mjs';
+import { fetchRelease } from './releases.mjs';
+
+// The gate of older releases: real ones in Chromium on one side, telar with shading {base: "three", revision} on the other.
+
+/** Oldest release whose pictures telar must equal. */
+export const FIRST_GATED = 155;
+
+/** Environments turn since 0.162; a client that turns the texels itself has another map than the one that telar is handed. */
+const TURNS_SINCE = 162;
+
+/** The version of a release that its number means: patches draw alike but where js/shot/three_terms.mjs says otherwise. */
+export const versionOf = (revision) => PATCHES[revision] ?? `0.${revision}.0`;
+
+/** The newest release of each family but the last, oldest first: the gate itself draws that one. */
+export const GATED_REVISIONS = families()
+  .map(({ to }) => to)
+  .filter((revision) => revision >= FIRST_GATED)
+  .slice(0, -1);
+
+const isShown =
+  (revision) =>
+  ({ shot, settings }) =>
+    // telar has the default of three.js alone, PCFShadowMap.
+    settings === undefined && (revision >= TURNS_SINCE || !(shot.environment.rotation > 0)) && !(revision < TONE_MAPPINGS_SINCE[shot.toneMapping]);
+
+/**
+ * What both sides draw for a release.
+ * @param {number} revision
+ * @returns {import('../parity/cases.mjs').Case[]} Named REVISION-CASE; their shots name stock three.js alone.
+ */
+export const casesOf = (revision) => CASES.filter(isShown(revision)).map((item) => ({ ...item, name: `${revision}-${item.name}` }));
+
+/**
+ * Slots put in place of a release's own, as planted faults.
+ * @param {string[]} texts - "slot=term".
+ * @returns {Record<string, string>}
+ */
+export function parseSwaps(texts = []) {
+  return Object.fromEntries(
+    texts.map((text) => {
+      const [slot, term] = text.split('=');
+      const terms = Object.keys(THREE_SLOTS[slot] ?? {});
+      if (!terms.includes(term))
+        throw new Error(`--swap ${text}: expected ${terms.length ? `${slot}=${terms.join('|')}` : `one of ${Object.keys(THREE_SLOTS).join(' ')}`}`);
+      return [slot, term];
+    }),
+  );
+}
+
+/**
+ * Both sides of a release.
+ * @param {number} revision
+ * @param {{server: import('../parity/server.mjs').Server, swaps?: Record<string, string>, log?: (line: string) => void}} options - The
+ *   server stays open when the sides close.
+ * @returns {Promise<{browser: ReleaseBrowser, server?: {draw: Function}}>}
+ */
+export async function sidesOf(revision, { server, swaps = {}, log = () => {} }) {
+  const name = versionOf(nearestRevision(revision));
+  const browser = new ReleaseBrowser({ name, folder: await fetchRelease(name), stamp: pageStamp(), log });
+  const shading = resolveThree({ base: 'three', revision, ...swaps });
+  return { browser, server: server && { draw: (input) => server.draw({ ...input, shot: { ...input.shot, shading } }) } };
+}
