@@ -216,6 +216,11 @@ export interface FrameInfo extends Plan {
   gl: Record<string, unknown>;
   quality: ResolvedShot['quality'];
   /**
+   * The release of three.js that the shading is of, N of 0.N, and the releases that draw as it does, both inclusive. Left out for
+   * shadings of another base.
+   */
+  three?: { revision: number; family: { from: number; to: number } };
+  /**
    * Of what the picture is made of: the model's bytes and its parts', the environment's, the shot, telar's version. 64 hex
    * digits, fit for an ETag. What pictureKey() gives.
    */

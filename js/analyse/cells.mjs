@@ -12,7 +12,7 @@ const breathe = () => new Promise((resolve) => setImmediate(resolve));
 function uniqueShadings(shadings) {
   const keys = new Map();
   const list = [];
-  const keyOf = (shading) => JSON.stringify(typeof shading === 'string' ? shading : { ...shading, base: undefined });
+  const keyOf = (shading) => JSON.stringify(typeof shading === 'string' ? shading : { ...shading, base: undefined, revision: undefined });
   const names = Object.entries(shadings).map(([name, shading]) => {
     const key = keyOf(shading);
     if (!keys.has(key)) keys.set(key, list.push(shading) - 1);

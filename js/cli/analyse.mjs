@@ -18,9 +18,10 @@ import { TelarError } from '../error/index.mjs';
 import { ANY_MODEL } from '../shot/facts.mjs';
 import { resolveShot } from '../shot/index.mjs';
 import { BASES, resolveTerms, SLOTS } from '../shot/shading_terms.mjs';
+import { TONE_MAPPINGS_SINCE } from '../shot/three_terms.mjs';
 import { removeUnfinished, writeFileAtomically } from './atomic_file.mjs';
 import { readLimits, readTimeout } from './limits.mjs';
-import { parseSize, parseValue } from './shot_options.mjs';
+import { parseShading, parseSize, parseValue } from './shot_options.mjs';
 
 /** Lights of an analysis unless others are named: one from all around, one lamp. */
 const DEFAULT_LIGHTS = ['studio', 'sun'];
@@ -39,21 +40,29 @@ function namesOf(option, text, fallback) {
   return names;
 }
 
-/** A shading as the user wrote it: a name, or JSON of one with terms swapped. */
-const shadingOf = (text) => parseValue(text);
-const nameOf = (shading) =>
-  typeof shading === 'string'
-    ? shading
-    : `${shading.base} (${Object.entries(shading)
-        .filter(([slot]) => slot !== 'base')
-        .map(([slot, term]) => `${slot}: ${term}`)
-        .join(', ')})`;
+/** A shading in words: "three-r115 (sheen: zeltner)", "three@180". */
+function nameOf(shading) {
+  if (typeof shading === 'string') return shading;
+  const { base, revision, ...swapped } = shading;
+  const name = revision === undefined ? base : `${base}@${revision}`;
+  const terms = Object.entries(swapped).map(([slot, term]) => `${slot}: ${term}`);
+  return terms.length > 0 ? `${name} (${terms.join(', ')})` : name;
+}
+
+/** Filmic as neutral is, and in every release. */
+const IN_EVERY_RELEASE = 'aces';
+
+/** The default tone mapping, or one that both releases have. */
+function toneMappingOf(...shadings) {
+  const isOlder = shadings.some(({ revision }) => revision < TONE_MAPPINGS_SINCE.neutral);
+  return isOlder ? { toneMapping: IN_EVERY_RELEASE } : {};
+}
 
 function planOf(models, options) {
   if (models.length > 0 && options.fabrics !== undefined) throw new TelarError('E_USAGE', '--fabrics are of the bundled drape: leave it out, or the models');
-  const [from, to] = [shadingOf(options.from), shadingOf(options.to)];
+  const [from, to] = [parseShading(options.from, '--from'), parseShading(options.to, '--to')];
   const swaps = swapsBetween(from, to);
-  const shot = { size: parseSize(options.size), quality: parseValue(options.quality) };
+  const shot = { size: parseSize(options.size), quality: parseValue(options.quality), ...toneMappingOf(from, to) };
   const targets = models.length > 0 ? modelTargets(models) : fabricTargets(namesOf('fabrics', options.fabrics, FABRICS));
   // A wrong shot is told before anything is opened.
   resolveShot({ ...shot, camera: options.view === undefined ? {} : { view: options.view } }, ANY_MODEL);

@@ -106,7 +106,11 @@ export function buildProgram(version, actions, output) {
     addCommon(
       command('analyse', 'Say which term of one shading against another changes pictures of cloth most')
         .argument('[model...]', '.glb or .gltf files; none = the bundled drape in the fabrics')
-        .option('--from <shading>', 'three-r115, disney-2012, or JSON of one with terms swapped; others are compared as a whole', 'three-r115')
+        .option(
+          '--from <shading>',
+          'three-r115, disney-2012, a release as three@180, or JSON of one with terms swapped; others are compared as a whole',
+          'three-r115',
+        )
         .option('--to <shading>', 'the other one', 'disney-2012')
         .option('--fabrics <names>', 'of the bundled drape: leather,wool,towel,velvet; all of them by default')
         .option('--lights <names>', 'studio, sun, rim, sky or .hdr and .exr files, with commas between; studio,sun by default')

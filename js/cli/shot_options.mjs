@@ -76,7 +76,7 @@ function applyFlags(shot, { view, frame, fitTo, size, quality, shading, environm
   if (fitTo !== undefined) shot.camera = { ...shot.camera, fitTo };
   if (size !== undefined) shot.size = parseSize(size);
   if (quality !== undefined) shot.quality = parseValue(quality);
-  if (shading !== undefined) shot.shading = parseValue(shading);
+  if (shading !== undefined) shot.shading = parseShading(shading, '--shading');
   if (environment !== undefined) shot.environment = { ...settingsOf(shot.environment), map: environment };
   if (background !== undefined) shot.background = parseValue(background);
   if (variant !== undefined) shot.variant = variant;
@@ -110,6 +110,22 @@ export function parseValue(text) {
   }
 }
 
+/** three@180, three@0.180 or three@0.180.2: patches draw alike, and the table says where not. */
+const RELEASE = /^three@(?:(\d+)|0\.(\d+)(?:\.\d+)?)$/;
+
+/**
+ * A shading as the user wrote it: a name, a release of three.js, or JSON.
+ * @param {string} text
+ * @param {string} option - Stands in the message.
+ * @throws {TelarError} E_USAGE
+ */
+export function parseShading(text, option) {
+  if (!text.startsWith('three@')) return parseValue(text);
+  const [isRelease, number, minor] = RELEASE.exec(text) ?? [];
+  if (!isRelease) throw usage(`${option}: expected a release of three.js as in three@180, got ${shown(text)}`);
+  return { base: 'three', revision: Number(number ?? minor) };
+}
+
 /** Keys whose value may be a name alone: where the name goes when more is said. */
 const NAMED_BY = { shading: 'base', quality: 'preset', environment: 'map' };
 
@@ -121,7 +137,8 @@ function applyAssignment(shot, assignment) {
   const equals = assignment.indexOf('=');
   if (equals < 1) throw usage(`--set: expected key=value, as in camera.fit=0.8, got ${shown(assignment)}`);
   const keys = assignment.slice(0, equals).split('.');
-  const value = parseValue(assignment.slice(equals + 1));
+  const text = assignment.slice(equals + 1);
+  const value = keys.length === 1 && keys[0] === 'shading' ? parseShading(text, '--set shading') : parseValue(text);
   let node = shot;
   keys.forEach((key, depth) => {
     if (Array.isArray(node) && !(/^\d+$/.test(key) && Number(key) <= node.length)) {

@@ -101,6 +101,7 @@ export type ErrorCode =
   | 'W_ENUM'
   | 'W_CAMERA'
   | 'W_ENVIRONMENT_RANGE'
+  | 'W_THREE_REVISION'
   | 'W_LENS'
   | 'W_LIGHT'
   | 'W_GEOMETRY'

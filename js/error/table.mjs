@@ -173,6 +173,10 @@ const ROWS = {
       'Texels of the environment are brighter than a half float can be, and are cut as three.js cuts them',
       'Use another shading than "three", whose suns keep their light, or limit the map to 65504 for both sides.',
     ],
+    W_THREE_REVISION: [
+      'The release of three.js that the shading names is drawn as another one',
+      'Name a release of js/docs/families.md, and let the client use one: the message says which is drawn.',
+    ],
     W_LENS: ['The depth of field of the lens is not drawn', 'Ask for quality "reference", or leave out lens.focusDistance.'],
     W_LIGHT: ['A light is malformed and was left out', FIX_FILE],
     W_GEOMETRY: ['A primitive has nothing to draw and was left out', FIX_FILE],

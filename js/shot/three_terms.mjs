@@ -89,6 +89,21 @@ export function familyOf(revision) {
   return { from: BORDERS.findLast((border) => border <= known), to: next === undefined ? REVISION : next - 1 };
 }
 
+/** "three.js 0.165 to 0.180" */
+export const familyName = ({ from, to }) => (from === to ? `three.js 0.${from}` : `three.js 0.${from} to 0.${to}`);
+
+/**
+ * Why a picture may not be what a client of this release shows.
+ * @param {number} revision
+ * @returns {string | undefined} What is drawn in its place; undefined where the table has the release.
+ */
+export function revisionRemark(revision) {
+  const known = nearestRevision(revision);
+  if (known !== revision) return `three.js 0.${revision} is not known, which are 0.${REVISION_MIN} to 0.${REVISION}: drawn as the nearest, 0.${known}`;
+  if (PATCHES[revision]) return `three.js 0.${revision} is drawn as ${PATCHES[revision]} and later: the patches before it show other pictures`;
+  return undefined;
+}
+
 /** @returns {{from: number, to: number}[]} Oldest first. */
 export const families = () => BORDERS.map((from) => familyOf(from));
 

@@ -4,6 +4,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import * as realApi from '../../../js/index.mjs';
+import { termsOfRevision, THREE_SLOTS } from '../../../js/shot/three_terms.mjs';
 import { assertWellFormed, plantedApi } from '../analyse/support.mjs';
 import { runFake } from './fake.mjs';
 
@@ -90,6 +91,27 @@ test('shadings without terms are compared as a whole', async () => {
   assert.ok(!page.includes('Which terms') && page.includes('wool: directional albedo'));
 });
 
+test('two releases of three.js are compared slot by slot', async () => {
+  const { exit, stdout, stderr, calls } = await run(['--from', 'three@185', '--to', 'three@186', '--fabrics', 'wool', '--json', ...SMALL]);
+  assert.equal(exit, 0, stderr);
+  const { ranking, from, to } = JSON.parse(stdout);
+  const differing = Object.keys(THREE_SLOTS).filter((slot) => termsOfRevision(185)[slot] !== termsOfRevision(186)[slot]);
+  assert.deepEqual(ranking.map(({ slot }) => slot).sort(), differing.sort());
+  assert.deepEqual([from.revision, to.revision], [185, 186]);
+  assert.equal(calls.rendered, 2 + 2 * differing.length);
+});
+
+test('plain three is the release that it stands for', async () => {
+  const { stdout } = await run(['--from', 'three@186', '--to', 'three', '--fabrics', 'wool', ...SMALL]);
+  assert.match(stdout, /^three against three@186, all terms:/);
+  assert.match(stdout, /roughnessMin +0\.0525 +0\.045/);
+});
+
+test('releases without the default tone mapping are shown with one that they have', async () => {
+  const { exit, stderr } = await run(['--from', 'three@160', '--to', 'three@180', '--fabrics', 'wool', ...SMALL]);
+  assert.equal(exit, 0, stderr);
+});
+
 test('wrong usage is exit 2 and says what is expected', async () => {
   for (const [argv, message] of [
     [['--from', 'three', '--to', 'three'], /--to: expected another shading than --from/],
@@ -102,6 +124,9 @@ test('wrong usage is exit 2 and says what is expected', async () => {
     [['--view', 'inside'], /camera\.view/],
     [['--quality', 'best'], /quality/],
     [['--from', 'phong'], /shading/],
+    [['--from', 'three@'], /--from: expected a release of three\.js as in three@180, got "three@"/],
+    [['--from', 'three@187', '--to', 'three'], /--to: expected another shading than --from/],
+    [['--from', 'three@165', '--to', 'three@180'], /--to: expected a shading that differs/],
   ]) {
     const { exit, stderr, calls } = await run(argv);
     assert.equal(exit, 2, `${argv}: ${stderr}`);

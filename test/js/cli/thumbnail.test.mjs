@@ -127,6 +127,27 @@ test('--set says more of what a flag names', async () => {
   assert.deepEqual({ base, sheen, fresnel }, { base: 'disney-2012', sheen: 'zeltner', fresnel: 'schlick' });
 });
 
+test('three@180 names a release of three.js, and --set swaps a term of it', async () => {
+  const at = freshFolder();
+  const rendered = async (...flags) => (await runFake(['thumbnail', 'm.glb', '-o', at('a.png'), ...flags])).calls.rendered[0].shot.shading;
+  const release = resolveShot({ shading: { base: 'three', revision: 180 } }, { min: [0, 0, 0], max: [1, 1, 1] }).shading;
+  for (const text of ['three@180', 'three@0.180', 'three@0.180.3']) assert.deepEqual(await rendered('--shading', text), release, text);
+  assert.deepEqual(await rendered('--set', 'shading=three@180'), release);
+  assert.deepEqual(await rendered('--shading', 'three@180', '--set', 'shading.dfg=table-16'), { ...release, dfg: 'table-16' });
+  assert.deepEqual(await rendered('--shading', 'three', '--set', 'shading.revision=180'), release);
+  for (const [text, message] of [
+    ['three@', /--shading: expected a release of three\.js as in three@180, got "three@" \[E_USAGE\]/],
+    ['three@r180', /E_USAGE/],
+    ['three@1.180', /E_USAGE/],
+    ['three@0', /revision.*E_SHOT/],
+    ['fabric@180', /shading.*E_SHOT/],
+  ]) {
+    const { exit, stderr } = await runFake(['thumbnail', 'm.glb', '-o', at('a.png'), '--shading', text]);
+    assert.equal(exit, 2, text);
+    assert.match(stderr, message);
+  }
+});
+
 test('--environment starts at the current folder, --size takes one or two numbers', async () => {
   const at = freshFolder();
   const { calls } = await runFake(['thumbnail', 'm.glb', '-o', at('a.png'), '--environment', 'b.exr', '--size', '30x40']);
