@@ -1,6 +1,8 @@
 import { lensExposure } from '../shot/lens_exposure.mjs';
 import { TONE_MAPPINGS } from '../shot/table/tone_mappings.mjs';
+import { applyOlderOutput, backgroundColor, dimEnvironment, environmentTurned } from './older_release.mjs';
 import { applyPose } from './pose.mjs';
+import { isStockShading, matchRelease, revisionOf } from './release.mjs';
 import { applyLightShadow, applyShadows } from './shadows.mjs';
 import { applyShading, restoreMaterials } from './shading.mjs';
 import { environmentOf, isCut } from './suns.mjs';
@@ -22,8 +24,8 @@ export function rendererParameters(shot) {
 }
 
 /**
- * Sets up a stock three.js 0.187 scene from the resolved shot that the server takes, so that both draw the same picture.
- * Adds no default of its own: every value comes from `shot`. Calling it again replaces what the last call set.
+ * Sets up a scene of the client's own three.js, 0.150 or later, from the resolved shot that the server takes, so that both draw the
+ * same picture. Adds no default of its own: every value comes from `shot`. Calling it again replaces what the last call set.
  *
  * @param {object} shot - Resolved shot (`resolveShot`): explicit camera, linear Rec.709 colours, degrees for fovY and
  *   environment.rotation, radians for cone angles, metres.
@@ -39,20 +41,26 @@ export function rendererParameters(shot) {
  *   as FloatType, what it has above 65504 lights every shading but "three", as on the server; halves do not hold that.
  * @param {() => Promise<{RectAreaLightUniformsLib: {init(): void}}>} [target.areaLightTables] - Gives three's tables of rect
  *   lights, `() => import('three/addons/lights/RectAreaLightUniformsLib.js')`; called for the first shot with such a light.
+ * @param {'shot' | 'client'} [target.revision] - What to do where the shot names another release of three.js than `THREE` is and the
+ *   two draw differently. "shot", the default, warns on the console. "client" writes the client's release into `shot`: the
+ *   server, handed the same shot, then draws as this client does.
  * @returns {Promise<import('three').Camera>} The camera to draw with, matrices up to date.
- * @throws {Error} When the shot needs an environment or the tables of rect lights, and none was given, or names a variant
+ * @throws {Error} When the client's release lacks the tone mapping, or the shot needs an environment or the tables of rect lights, and none was given, or names a variant
  *   that the model lacks.
  */
-export async function applyShot(shot, { THREE, renderer, scene, camera, model, environment, areaLightTables }) {
+export async function applyShot(shot, { THREE, renderer, scene, camera, model, environment, areaLightTables, revision = 'shot' }) {
+  matchRelease(shot, THREE, revision);
   applyOutput(shot, THREE, renderer);
   if (shot.lights.some(({ type }) => type === 'rect')) await prepareAreaLights(THREE, areaLightTables);
   const lighting = shot.environment.map !== 'none' && environment ? environmentOf(THREE, environment) : null;
-  applyLights(shot, THREE, scene, model, shot.shading === 'three' ? [] : lighting?.suns);
-  if (lighting && shot.shading !== 'three') warnIfCut(environment);
+  const isStock = isStockShading(shot.shading);
+  applyLights(shot, THREE, scene, model, isStock ? [] : lighting?.suns);
+  if (lighting && !isStock) warnIfCut(environment);
   applyShadows(shot, THREE, { renderer, scene, model });
   applyEnvironment(shot, THREE, scene, lighting?.texture);
   applyBackground(shot, THREE, scene);
   if (model) await applyMaterials(shot, model, THREE);
+  dimEnvironment(THREE, scene, shot.environment.intensity);
   if (model) applyPose(model, shot.pose, { THREE });
   return applyCamera(shot, THREE, camera);
 }
@@ -64,7 +72,9 @@ export async function applyShot(shot, { THREE, renderer, scene, camera, model, e
  */
 function toneMappingOf(THREE, name) {
   if (!Object.hasOwn(TONE_MAPPINGS, name)) throw new Error(`shot.toneMapping: expected one of ${Object.keys(TONE_MAPPINGS).join(' ')}, got ${name}`);
-  return THREE[TONE_MAPPINGS[name].three];
+  const constant = THREE[TONE_MAPPINGS[name].three];
+  if (constant === undefined) throw new Error(`shot.toneMapping: three.js 0.${revisionOf(THREE)} has no tone mapping ${name}`);
+  return constant;
 }
 
 /** The materials of the variant, shaded as the shot says. */
@@ -78,6 +88,7 @@ function applyOutput(shot, THREE, renderer) {
   renderer.setPixelRatio(1);
   renderer.setSize(shot.size.width, shot.size.height, false);
   renderer.outputColorSpace = THREE.SRGBColorSpace;
+  applyOlderOutput(THREE, renderer);
   renderer.toneMapping = toneMappingOf(THREE, shot.toneMapping);
   renderer.toneMappingExposure = shot.exposure * lensExposure(shot.lens);
   renderer.setClearColor(0x000000, 0);
@@ -194,13 +205,14 @@ function applyEnvironment(shot, THREE, scene, environment) {
     return;
   }
   if (!environment) throw new Error('shot.environment: give applyShot the loaded equirectangular texture as `environment`');
-  environment.mapping = THREE.EquirectangularReflectionMapping;
+  const turned = environmentTurned(THREE, environment, rotation);
+  turned.mapping = THREE.EquirectangularReflectionMapping;
   const y = THREE.MathUtils.degToRad(rotation);
-  scene.environment = environment;
+  scene.environment = turned;
   scene.environmentIntensity = intensity;
-  scene.environmentRotation.set(0, y, 0);
+  scene.environmentRotation?.set(0, y, 0);
   scene.backgroundIntensity = intensity;
-  scene.backgroundRotation.set(0, y, 0);
+  scene.backgroundRotation?.set(0, y, 0);
 }
 
 /** scene.backgroundBlurriness of a background that is the environment as it is. */
@@ -212,5 +224,5 @@ function applyBackground(shot, THREE, scene) {
     if (!scene.environment) throw new Error('shot.background: "environment" needs an environment');
     scene.background = scene.environment;
     scene.backgroundBlurriness = shot.background.blur ?? SHARP;
-  } else scene.background = linearColor(THREE, shot.background);
+  } else scene.background = backgroundColor(THREE, linearColor(THREE, shot.background));
 }

@@ -8,7 +8,7 @@ type Three = any;
 export function rendererParameters(shot: ResolvedShot): { antialias: boolean; alpha: boolean; premultipliedAlpha: boolean };
 
 /**
- * Sets up a stock three.js 0.187 scene from a resolved shot, so that browser and server draw the same picture.
+ * Sets up a scene of the client's own three.js, 0.150 or later, from a resolved shot, so that browser and server draw the same picture.
  * @returns the camera to draw with
  */
 export function applyShot(shot: ResolvedShot, target: {
@@ -29,6 +29,11 @@ export function applyShot(shot: ResolvedShot, target: {
    * first shot with such a light, required there.
    */
   areaLightTables?: () => Promise<Three>;
+  /**
+   * Where the shot names another release of three.js than THREE is, and the two draw differently: "shot", the default, warns on the
+   * console; "client" writes the client's release into `shot.shading`, so that the server, handed the same shot, draws as this client does.
+   */
+  revision?: 'shot' | 'client';
 }): Promise<Three>;
 
 /**

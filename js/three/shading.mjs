@@ -1,3 +1,5 @@
+import { isStockShading } from './release.mjs';
+
 /** Material of a mesh in the model as loaded (or of its variant), by what stands in its place. */
 const originals = new WeakMap();
 
@@ -21,12 +23,12 @@ export function restoreMaterials(root) {
  * has one replacement, which is kept for the next time. Called again, it takes over what was changed in the originals since.
  * @param {{scene: import('three').Object3D, parser?: object}} model - What GLTFLoader gave, or any scene graph: without a
  *   parser, what only the file says of its cloth is not known.
- * @param {string | object} shading - Of a resolved shot: "fabric", a principled shading with every slot, or "three" for the
- *   model's own materials.
+ * @param {string | object} shading - Of a resolved shot: "fabric", a principled shading with every slot, or "three" or a release of it for
+ *   the model's own materials.
  * @param {{THREE: typeof import('three'), ownText?: boolean}} options - `ownText`: shades "three" by telar's text of it.
  */
 export async function applyShading(model, shading, { THREE, ownText = false }) {
-  if (shading === 'three' && !ownText) {
+  if (isStockShading(shading) && !ownText) {
     restoreMaterials(model.scene);
     return;
   }

@@ -37,7 +37,6 @@ function rendererFor(shot) {
   const key = JSON.stringify(parameters);
   if (!renderers.has(key)) {
     const renderer = new THREE.WebGLRenderer({ ...parameters, preserveDrawingBuffer: true });
-    client.prepareRenderer(renderer);
     renderers.set(key, renderer);
   }
   return renderers.get(key);
@@ -64,9 +63,8 @@ async function loadEnvironment({ url, format }) {
 async function prepare(job) {
   const renderer = rendererFor(job.shot);
   const model = await loaderFor(renderer, job.textures).loadAsync(job.model);
-  const environment = job.environment ? client.prepareEnvironment(await loadEnvironment(job.environment), job.shot) : undefined;
+  const environment = job.environment ? await loadEnvironment(job.environment) : undefined;
   const scene = new THREE.Scene();
-  client.prepareScene(scene);
   scene.add(model.scene);
   const apply = (shot) =>
     applyShot(shot, {
@@ -75,10 +73,11 @@ async function prepare(job) {
       scene,
       model,
       environment,
+      revision: 'client',
       areaLightTables: () => import('three/addons/lights/RectAreaLightUniformsLib.js'),
     });
   const camera = await apply(job.shot);
-  client.finishScene({ renderer, scene, shot: job.shot, settings: job.settings });
+  client.finishScene({ renderer, settings: job.settings });
   if (job.ownText) await applyShading(model, 'three', { THREE, ownText: true });
   return { renderer, scene, camera, apply, dispose: () => disposeModel(model.scene, job.keepPrograms) };
 }
