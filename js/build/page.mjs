@@ -20,21 +20,26 @@ const COPIED = {
   LICENSE: 'three.LICENSE.txt',
 };
 
-export async function buildPage() {
-  await rm(OUT, { recursive: true, force: true });
-  await build({
-    entryPoints: ['page.mjs', 'compare_worker.mjs', 'style.css'].map((file) => path.join(PAGE, file)),
+const bundle = (files, options) =>
+  build({
+    entryPoints: Object.entries(files).map(([out, file]) => ({ in: path.join(PAGE, file), out })),
     outdir: OUT,
     bundle: true,
     splitting: true,
-    chunkNames: 'part-[hash]',
     minify: true,
     platform: 'browser',
     target: ['chrome111', 'firefox113', 'safari16.4'],
     format: 'esm',
     legalComments: 'eof',
     logLevel: 'warning',
+    ...options,
   });
+
+export async function buildPage() {
+  await rm(OUT, { recursive: true, force: true });
+  await bundle({ page: 'page.mjs', compare_worker: 'compare_worker.mjs', style: 'style.css' }, { chunkNames: 'part-[hash]' });
+  // For `--three`: the same page, which imports three.js by its name.
+  await bundle({ own: 'page.mjs', hdr_loader: 'hdr_loader.mjs' }, { chunkNames: 'own-[hash]', external: ['three', 'three/addons/*'] });
   for (const file of ['index.html', 'icon.svg']) await cp(path.join(PAGE, file), path.join(OUT, file));
   const three = path.dirname(path.dirname(createRequire(import.meta.url).resolve('three')));
   await mkdir(path.join(OUT, 'draco'), { recursive: true });

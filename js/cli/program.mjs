@@ -129,6 +129,7 @@ export function buildProgram(version, actions, output) {
           command('view', "Show the browser client beside the server's picture, and their difference, on a local page")
             .argument('<model>', '.glb or .gltf file; - is a GLB on stdin')
             .option('--port <port>', 'port on 127.0.0.1; a free one by default', port)
+            .option('--three <folder>', "three.js that draws the browser's picture, as in --three node_modules/three; telar's own by default")
             .option('--open', 'open the page in the browser'),
         )
           .addOption(backend())

@@ -24,7 +24,7 @@ export async function view(model, options, context) {
   const { openView } = await import('../view/index.mjs');
   const renderer = await api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, timeoutMs: readTimeout(options.timeoutMs), signal });
   try {
-    const page = await openView({ renderer, source, shot, port: options.port, signal });
+    const page = await openView({ renderer, source, shot, port: options.port, three: options.three, signal });
     try {
       await console.result({ ok: true, url: page.url, port: page.port, model }, [page.url]);
       console.note('Ctrl-C ends.');

@@ -1,6 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { Session } from './session.mjs';
 import { startServer } from './server.mjs';
+import { openThree } from './three_folder.mjs';
 
 /**
  * Opens the view of a model: its page on this machine, drawn by `renderer`.
@@ -9,14 +10,18 @@ import { startServer } from './server.mjs';
  * @param {string | Uint8Array} options.source path or file: URL of a .glb or .gltf, or bytes of a GLB
  * @param {object} options.shot where the page begins; not resolved
  * @param {number} [options.port=0] 0 = a free one
+ * @param {string} [options.three] folder of the three.js that draws the page's pictures, 0.150 or later; the bundled one where it is
+ *   left out. A shot without a shading gets its release.
  * @param {AbortSignal} [options.signal] of the loading
  * @returns {Promise<{url: string, port: number, close: () => Promise<void>}>}
- * @throws {import('../error/index.mjs').TelarError} what loading throws; E_SHOT; X_INSTALL, X_PORT
+ * @throws {import('../error/index.mjs').TelarError} what loading throws; E_SHOT; E_USAGE; X_INSTALL, X_PORT
  */
-export async function openView({ renderer, source, shot, port, signal }) {
+export async function openView({ renderer, source, shot: given, port, three: folder, signal }) {
+  const three = folder === undefined ? undefined : openThree(folder);
+  const shot = three && given.shading === undefined ? { ...given, shading: { base: 'three', revision: three.revision } } : given;
   const isUrl = typeof source === 'string' && source.startsWith('file:');
   const session = new Session({ renderer, source: isUrl ? fileURLToPath(source) : source, shot });
   await session.load(signal);
   await session.check();
-  return startServer({ session, port });
+  return startServer({ session, port, three });
 }

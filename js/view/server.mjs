@@ -1,5 +1,6 @@
 import { randomBytes } from 'node:crypto';
 import { existsSync, readdirSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -19,11 +20,12 @@ const MAX_PIXEL_BYTES = 2 ** 28;
 /**
  * Nothing but this server is reached from the page; blob: and data: are how loaders hand on what the model holds.
  * @param {boolean} mayEvaluate for three's KTX2 transcoder, and for models with such textures alone
+ * @param {string} [importMap] hash of the one script that stands in the page
  */
-const policyOf = (mayEvaluate) =>
+const policyOf = (mayEvaluate, importMap) =>
   [
     "default-src 'none'",
-    `script-src 'self' 'wasm-unsafe-eval'${mayEvaluate ? " 'unsafe-eval'" : ''}`,
+    `script-src 'self' 'wasm-unsafe-eval'${mayEvaluate ? " 'unsafe-eval'" : ''}${importMap ? ` '${importMap}'` : ''}`,
     "style-src 'self'",
     "img-src 'self' blob: data:",
     "connect-src 'self' blob: data:",
@@ -57,15 +59,23 @@ function problemOf(thrown) {
 }
 
 /** The page's own files by their name in its address: what is not among them cannot be asked for. */
-function pageFiles() {
+function pageFiles(decoders = new Map()) {
   const entries = readdirSync(PAGE, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
   const files = entries.map((entry) => path.join(entry.parentPath ?? entry.path, entry.name));
-  return new Map(files.map((file) => [path.relative(PAGE, file).split(path.sep).join('/'), file]));
+  return new Map([...files.map((file) => [path.relative(PAGE, file).split(path.sep).join('/'), file]), ...decoders]);
 }
 
+/** The page's own script, and the tag of the one that imports three.js by its name. */
+const BUNDLED = /<script type="module" src="page\/page\.js"><\/script>/;
+const withOwnThree = (html, { importMap }) => html.replace(BUNDLED, `${importMap}\n<script type="module" src="page/own.js"></script>`);
+
 /** What lies beneath the token, by method and first part of the path; `name` is the rest of it, decoded. */
-const routesOf = (session, page) => ({
-  'GET ': ({ response }) => sendFile(response, page.get('index.html')),
+const routesOf = (session, page, three) => ({
+  'GET ': async ({ response }) => {
+    if (!three) return sendFile(response, page.get('index.html'));
+    return send(response, 200, 'text/html; charset=utf-8', withOwnThree(await readFile(page.get('index.html'), 'utf8'), three));
+  },
+  'GET three': ({ response, name }) => sendFile(response, three?.files.get(name)),
   'GET page': ({ response, name }) => sendFile(response, page.get(name)),
   'GET session': async ({ response }) => send(response, 200, 'application/json; charset=utf-8', JSON.stringify(await session.describe(signalOf(response)))),
   'GET model': ({ response, name }) => {
@@ -92,8 +102,9 @@ const routesOf = (session, page) => ({
 });
 
 /** Answers a request, whatever becomes of it. */
-async function answer(request, response, { token, routes, session }) {
-  for (const [name, value] of Object.entries({ ...HEADERS, 'content-security-policy': policyOf(session.hasBasis) })) response.setHeader(name, value);
+async function answer(request, response, { token, routes, session, three }) {
+  for (const [name, value] of Object.entries({ ...HEADERS, 'content-security-policy': policyOf(session.hasBasis, three?.hash) }))
+    response.setHeader(name, value);
   const { localPort } = request.socket;
   if (!isOwnHost(request.headers.host, localPort) || !isOwnOrigin(request.headers.origin, localPort)) {
     return send(response, 403, 'text/plain; charset=utf-8', 'Open this page by the address that telar view printed.\n');
@@ -116,16 +127,17 @@ async function answer(request, response, { token, routes, session }) {
  * @param {object} options
  * @param {import('./session.mjs').Session} options.session
  * @param {number} [options.port=0] 0 = a free one
+ * @param {import('./three_folder.mjs').OwnThree} [options.three] draws the page's pictures in place of the bundled three.js
  * @returns {Promise<{url: string, port: number, close: () => Promise<void>}>}
  * @throws {TelarError} X_INSTALL, X_PORT
  */
-export async function startServer({ session, port = 0 }) {
+export async function startServer({ session, port = 0, three }) {
   if (!existsSync(path.join(PAGE, 'page.js'))) {
     throw new TelarError('X_INSTALL', 'the page of telar view is not built; `npm run build:js` in a checkout builds it');
   }
   const token = randomBytes(TOKEN_BYTES).toString('base64url');
-  const routes = routesOf(session, pageFiles());
-  const server = createServer((request, response) => void answer(request, response, { token, routes, session }));
+  const routes = routesOf(session, pageFiles(three?.decoders), three);
+  const server = createServer((request, response) => void answer(request, response, { token, routes, session, three }));
   await new Promise((resolve, reject) => {
     server.once('error', (cause) =>
       reject(new TelarError('X_PORT', `port ${port} cannot be taken (${cause.code ?? cause.message}); without --port a free one is`, { cause })),

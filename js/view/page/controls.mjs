@@ -2,6 +2,7 @@ import { withFit, withFovY, withModelCamera, withProjection } from './camera_edi
 import { choicesOf, defaultOf, hasKey } from './choices.mjs';
 import { Client } from './client.mjs';
 import { titled } from './text.mjs';
+import { REVISION } from '../../shot/three_terms.mjs';
 
 const COLOUR = 'colour';
 const FRAMED = '';
@@ -13,6 +14,10 @@ const BACKGROUNDS = ['transparent', ENVIRONMENT];
 /** What lies beneath the model. */
 const NO_GROUND = 'none';
 const SHADOW = 'shadow';
+
+/** What "three" means beside this page's three.js: its release. */
+const revision = Number.parseInt(Client.revision, 10);
+const STOCK = revision === REVISION ? 'three' : { base: 'three', revision };
 
 /** How each control reads the state, and what it changes of the shot. Names are those of the form's elements. */
 const BINDINGS = {
@@ -41,7 +46,7 @@ const BINDINGS = {
     read: ({ resolved }) => resolved.pose?.time,
     change: (value, { resolved }) => ({ pose: { ...resolved.pose, time: Number(value) } }),
   },
-  shading: { read: ({ resolved: { shading } }) => shading.base ?? shading, change: (shading) => ({ shading }) },
+  shading: { read: ({ resolved: { shading } }) => shading.base ?? shading, change: (shading) => ({ shading: shading === 'three' ? STOCK : shading }) },
   toneMapping: { read: ({ resolved }) => resolved.toneMapping, change: (toneMapping) => ({ toneMapping }) },
   exposure: { read: ({ resolved }) => resolved.exposure, change: (value) => ({ exposure: Number(value) }) },
   environment: {
