@@ -4,11 +4,12 @@ import { encodePng, heatMap, htmlReport, junitReport } from '../compare/index.mj
 import { checkName, checkText, COLUMNS, number, regionRows, textTable } from '../compare/figures.mjs';
 import { EXIT_OVER_THE_GATE } from '../error/table.mjs';
 import { TelarError } from '../error/index.mjs';
-import { differingKeys, drawShotOf, shotText } from './drawn_shot.mjs';
+import { differingKeys, openShotOf, shotText } from './drawn_shot.mjs';
 import { removeUnfinished, writeFileAtomically } from './atomic_file.mjs';
 import { maskReader, readThresholds } from './compare_options.mjs';
-import { comparePair, readPicture } from './compare_pair.mjs';
+import { atOneSize, comparePair, readPicture } from './compare_pair.mjs';
 import { readLimits } from './limits.mjs';
+import { releaseHints } from './release_hint.mjs';
 
 /**
  * telar compare EXPECTED [ACTUAL]
@@ -44,21 +45,41 @@ const isFolder = (file) =>
     () => false,
   );
 
-function refuseHalves(folders, names, { model, update }) {
+function refuseHalves(folders, names, { model, update, explain }) {
   const usage = (message) => new TelarError('E_USAGE', message);
   if (folders[0] && model !== undefined) throw usage(`${names[0]} is a folder: --model draws the shot of one image`);
   const folder = folders.indexOf(true);
   if (folder >= 0) throw usage(`${names[folder]} is a folder and ${names[1 - folder]} is not: give two images or two folders`);
+  if (explain && model === undefined) throw usage('--explain draws the shot of EXPECTED again: it goes with --model');
   if (update && model !== undefined) throw usage('--update accepts ACTUAL; with --model, write the image with telar thumbnail');
 }
 
 async function compareFiles({ expected, actual }, options, context) {
-  const { signal, console, settings } = context;
   const first = await readPicture(expected, context);
-  const second = actual ? await readPicture(actual, context) : { shot: null, image: await drawShotOf(expected, first.shot, options, context) };
+  const drawn = actual ? undefined : await openShotOf(expected, first.shot, options, context);
+  try {
+    return await compareWith({ expected, actual, first, drawn }, options, context);
+  } finally {
+    await drawn?.close();
+  }
+}
+
+/** Why the pictures differ, as far as pictures and, where the model is at hand, other releases of three.js tell. */
+async function hintsOf({ first, drawn, found }, { explain, resize }) {
+  if (found.verdict.pass || !drawn) return found.hints;
+  const [expected] = found.images;
+  const draw = async (shading) => atOneSize(expected, await drawn.draw(shading), resize)[1];
+  return [...found.hints, ...(await releaseHints({ expected, shot: first.shot, draw, explain }))];
+}
+
+async function compareWith({ expected, actual, first, drawn }, options, context) {
+  const { signal, console, settings } = context;
+  const second = drawn ? { shot: null, image: await drawn.draw() } : await readPicture(actual, context);
   signal?.throwIfAborted();
   const shots = { expected: first.shot, actual: second.shot };
-  const { images, comparison, verdict, hints } = await comparePair({ expected: first.image, actual: second.image }, settings);
+  const found = await comparePair({ expected: first.image, actual: second.image }, settings);
+  const { images, comparison, verdict } = found;
+  const hints = await hintsOf({ first, drawn, found }, options);
   const names = { expected, actual: actual ?? options.model };
   await writeReports({ names, images, comparison, verdict, hints }, options, signal);
   const updated = options.update && !verdict.pass;

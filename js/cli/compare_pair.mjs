@@ -29,7 +29,7 @@ export async function readPicture(file, { limits, signal }) {
 const factorText = (factor) => String(Number(factor.toPrecision(3)));
 
 /** The larger of two pictures in the size of the smaller. @throws {TelarError} E_IMAGE_SIZE */
-function atOneSize(expected, actual, resize) {
+export function atOneSize(expected, actual, resize) {
   const difference = sizeFactor(expected, actual);
   if (!difference || !resize) return [expected, actual];
   return difference.larger === 'actual' ? [expected, shrinkImage(actual, expected)] : [shrinkImage(expected, actual), actual];

@@ -22,29 +22,36 @@ export function differingKeys({ output: _, ...first }, { output: __, ...second }
 }
 
 /**
- * Draws a model with the shot that a picture holds.
+ * What draws a model with the shot that a picture holds.
  * @param {string} file of the picture; relative paths in its shot start there
  * @param {object | null} shot of the picture
  * @param {{model: string, environment?: string, backend: string, timeoutMs?: string}} options
  * @param {{limits: object, signal?: AbortSignal, api: object}} context
- * @returns {Promise<import('../compare/image.mjs').Image>}
+ * @returns {Promise<{draw: (shading?: object) => Promise<import('../compare/image.mjs').Image>, close: () => Promise<void>}>} With the
+ *   shot's own shading, or another in its place.
  * @throws {TelarError} E_USAGE where the picture holds no shot
  */
-export async function drawShotOf(file, shot, { model, environment, backend, timeoutMs }, { limits, signal, api }) {
+export async function openShotOf(file, shot, { model, environment, backend, timeoutMs }, { limits, signal, api }) {
   if (!shot) throw new TelarError('E_USAGE', `${file} holds no shot: save the picture in telar view, or give the picture to compare with as ACTUAL`);
   const wanted = { ...withPathsFrom(path.dirname(file), shot), output: { format: 'png' } };
   if (environment !== undefined) wanted.environment = { ...(typeof shot.environment === 'object' ? shot.environment : {}), map: environment };
   const renderer = await api.createRenderer({ backend, limits, timeoutMs: readTimeout(timeoutMs), signal });
-  try {
-    return await readImage(await drawn(renderer, model, wanted, signal), { limits, signal });
-  } finally {
-    await renderer.close();
-  }
+  let loaded;
+  return {
+    async draw(shading) {
+      const changed = shading === undefined ? wanted : { ...wanted, shading };
+      loaded ??= await named(model, () => renderer.load(model, { signal }));
+      const { data } = await named(model, () => renderer.render(loaded, changed, { signal }));
+      return readImage(data, { limits, signal });
+    },
+    close: () => renderer.close(),
+  };
 }
 
-async function drawn(renderer, model, shot, signal) {
+/** @throws {TelarError} with the model's name in front */
+async function named(model, work) {
   try {
-    return (await renderer.render(model, shot, { signal })).data;
+    return await work();
   } catch (thrown) {
     const error = toTelarError(thrown);
     throw new TelarError(error.code, `${model}: ${error.message}`, error);

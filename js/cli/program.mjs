@@ -96,6 +96,7 @@ export function buildProgram(version, actions, output) {
         .option('--update', 'accept: write ACTUAL over EXPECTED where it is over the gate or new')
         .option('--model <model>', 'in place of ACTUAL: draw this model with the shot inside EXPECTED, which telar view saves')
         .option('--environment <file>', "the file of the shot's environment, where --model is given")
+        .option('--explain', 'over the gate, where --model is given: say which term of three.js differs')
         .addOption(new Option('--backend <backend>', 'where GL comes from, where --model is given').choices(BACKENDS).default('auto'))
         .option('--heatmap <out>', 'write FLIP of each pixel as a PNG')
         .option('--report <dir>', 'write a page with the images, the heat map and the figures')

@@ -6,8 +6,12 @@ import { checkPair, isOpaque, premultiply } from './image.mjs';
 /** A cause explains a difference where undoing it leaves at most this part of it. */
 const REST = 0.1;
 
-/** Mean over pixels of the largest channel difference of premultiplied RGBA, in 1/255. */
-function meanDifference(first, second) {
+/**
+ * Mean over pixels of the largest channel difference of premultiplied RGBA, in 1/255.
+ * @param {Uint8Array} first - RGBA8, straight alpha.
+ * @param {Uint8Array} second - Of the same size.
+ */
+export function meanDifference(first, second) {
   const [a, b] = [premultiply(first), premultiply(second)];
   let sum = 0;
   for (let i = 0; i < a.length; i += 4) sum += channelDifference(a, b, i);

@@ -112,6 +112,7 @@ test('--model without a shot, with ACTUAL, or with a shot that is damaged', () =
   for (const [args, exit, message] of [
     [['expected.png', '--model', MODEL], 2, /expected\.png holds no shot: save the picture in telar view/],
     [['expected.png', 'same.png', '--model', MODEL], 2, /either ACTUAL or --model/],
+    [['expected.png', 'same.png', '--explain'], 2, /--explain .* goes with --model/],
     [['damaged.png', '--model', MODEL], 3, /damaged\.png: .*E_IMAGE_CORRUPT/],
     [['screenshot.png', '--model', 'none.glb'], 3, /none\.glb.*E_FILE/],
   ]) {
