@@ -14,6 +14,12 @@ namespace {
 constexpr std::size_t ENTRIES_MAX = 4;  // about 4 MB of GPU memory each at face size 256
 constexpr std::size_t STUDIO_FILE_MAX = 16u << 20;
 
+/// Entries of one map that releases of three.js show otherwise are not one. The newest has the key itself.
+std::string entryId(const std::string& key, const ThreeTerms& three) {
+  if (!hasAtlas(three) && three.backgroundCube == 0) return key;
+  return key + " " + atlasName(three) + " " + std::to_string(three.backgroundCube);
+}
+
 }  // namespace
 
 EnvironmentCache::EnvironmentCache(const gl::Context& context, std::filesystem::path assetDirectory, DiskCache disk,
@@ -39,6 +45,20 @@ CubeMap EnvironmentCache::prefiltered(const std::string& key, bool studio, const
   return cube;
 }
 
+Atlas EnvironmentCache::atlas(const std::string& key, const ThreeTerms& three, const std::function<ImageF&()>& map,
+                              std::string& source, const CancelToken& cancel) {
+  if (const auto packed = disk_.read(key)) {
+    if (auto atlas = unpackAtlas(context_, *packed, key)) {
+      source = "disk";
+      return std::move(*atlas);
+    }
+  }
+  Atlas made = prefilterAtlas(context_, map(), three, cancel);
+  source = "prefiltered";
+  if (disk_.enabled()) disk_.write(key, packPmrem(context_, made, key));
+  return made;
+}
+
 const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::span<const std::byte> bytes,
                                          const EnvironmentUses& uses, const CancelToken& cancel) {
   const bool studio = wanted.source == Shot::Environment::Source::kStudio;
@@ -50,10 +70,12 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
   // The bundled environment is known by name: its file is read only for a cube that is not there yet.
   const std::string key = studio ? "studio" : sha256Hex(bytes);
 
-  auto found = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry->key == key; });
+  const std::string id = entryId(key, uses.three);
+
+  auto found = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry->key == id; });
   if (found == entries_.end()) {
     auto entry = std::make_unique<Entry>();
-    entry->key = key;
+    entry->key = id;
     entry->environment.source = "file";
     if (!studio) entry->environment.sha256 = key;
     if (entries_.size() >= ENTRIES_MAX) entries_.erase(entries_.begin());
@@ -73,13 +95,22 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
   // Also where a cube was found on disk: the file is read for them once, some milliseconds a megapixel. The studio has
   // none.
   if (uses.suns && !environment.suns) environment.suns = studio ? Suns() : sunsOf(map());
-  if (uses.prefiltered && environment.prefiltered.faceSize == 0) {
+  if (uses.prefiltered && hasAtlas(uses.three)) {
+    if (environment.atlas.faceSize == 0) {
+      if (studio) bytes = own = fileOf(wanted);
+      const std::string name = sha256Hex(bytes) + " " + atlasName(uses.three);
+      const std::string atlasKey = sha256Hex(std::as_bytes(std::span(name)));
+      environment.atlas = atlas(atlasKey, uses.three, map, environment.source, cancel);
+    }
+  } else if (uses.prefiltered && environment.prefiltered.faceSize == 0) {
     environment.prefiltered = prefiltered(key, studio, map, environment.source, cancel);
   }
   if (uses.background && environment.background.faceSize == 0) {
-    // Face size = height of the map, as three.js does.
+    // Face size = height of the map, or half of it, as three.js does.
+    const bool half = uses.three.backgroundCube == ThreeTerms::THREE_BACKGROUND_CUBE_HALF;
+    const auto rows = static_cast<int>(map().height);
     environment.background = equirectToCube(context_, uploadEquirect(context_.gl(), map()),
-                                            static_cast<int>(map().height), 1, false, cancel);
+                                            half ? std::max(rows / 2, 1) : rows, 1, false, cancel);
     context_.check("environment background");
   }
   if (uses.radiance && environment.radiance.faceSize == 0) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ibl/atlas_prefilter.h"
 #include "ibl/bright_directions.h"
 #include "ibl/disk_cache.h"
 #include "ibl/irradiance.h"
@@ -19,8 +20,9 @@ namespace telar::ibl {
 
 /// The environment of a shot on the GPU, in the forms that a frame needs.
 struct Environment {
-  CubeMap prefiltered;
-  CubeMap background;        ///< faceSize 0 until it is asked for, as the others
+  CubeMap prefiltered;  ///< faceSize 0 until it is asked for, as the others
+  Atlas atlas;          ///< in place of `prefiltered`, for a release of three.js that has one
+  CubeMap background;
   CubeMap radiance;          ///< of the map, with mip levels; alpha = luminance of the part that `bright` samples
   CubeMap irradiance;        ///< / PI, of what `radiance` holds; made with it
   BrightDirections bright;   ///< made with `radiance`
@@ -35,9 +37,10 @@ struct EnvironmentUses {
   bool background = false;   ///< is a sharp background
   bool radiance = false;     ///< lights surfaces that sample it
   bool suns = false;         ///< the prefiltered map, which lacks them, lights surfaces
+  ThreeTerms three{};        ///< how the release of three.js makes `prefiltered` and `background`
 };
 
-/// Keeps the environments that were used last on the GPU, and prefiltered cubes on disk by the SHA-256 of their file.
+/// Keeps the environments that were used last on the GPU, and prefiltered ones on disk by the SHA-256 of their file.
 class EnvironmentCache {
  public:
   /// @param assetDirectory  holds studio.hdr and studio.pmrem
@@ -56,6 +59,8 @@ class EnvironmentCache {
   std::vector<std::byte> fileOf(const Shot::Environment& wanted) const;
   CubeMap prefiltered(const std::string& key, bool studio, const std::function<ImageF&()>& map, std::string& source,
                       const CancelToken& cancel);
+  Atlas atlas(const std::string& key, const ThreeTerms& three, const std::function<ImageF&()>& map, std::string& source,
+              const CancelToken& cancel);
 
   const gl::Context& context_;
   std::filesystem::path assets_;

@@ -30,12 +30,15 @@ void BackgroundPass::draw(const frame::Camera& camera, const Shot& shot, const i
                           const shader::VariantKey& frame) {
   const gl::Functions& gl = context_.gl();
   const bool blurred = shot.background.blur > 0;
-  const Key key{frame.toneMapping, frame.outputLinear, blurred};
+  const int prefilter = blurred ? frame.three.prefilter : 0;
+  const bool atlas = blurred && ibl::hasAtlas(frame.three);
+  const Key key{frame.toneMapping, frame.outputLinear, blurred, prefilter};
   auto found = programs_.find(key);
   if (found == programs_.end()) {
     const shader::Defines defines{{"TONE_MAPPING", static_cast<int>(frame.toneMapping)},
                                   {"OUTPUT_LINEAR", frame.outputLinear ? 1 : 0},
-                                  {"BLURRED", blurred ? 1 : 0}};
+                                  {"BLURRED", blurred ? 1 : 0},
+                                  {"THREE_PREFILTER_TERM", prefilter}};
     found = programs_
                 .emplace(key, gl::Program(context_, "background", shader::assemble("environment/background.vert", {}),
                                           shader::assemble("environment/background.frag", defines)))
@@ -63,10 +66,16 @@ void BackgroundPass::draw(const frame::Camera& camera, const Shot& shot, const i
   program.set("exposure", static_cast<float>(shot.exposure));
   if (blurred) {
     program.set("backgroundBlur", static_cast<float>(shot.background.blur));
-    program.set("backgroundMaxLod", static_cast<float>(ibl::maxLodOf(environment.prefiltered)));
+    const int maxLod = atlas ? environment.atlas.maxMip() : ibl::maxLodOf(environment.prefiltered);
+    program.set("backgroundMaxLod", static_cast<float>(maxLod));
   }
   gl.ActiveTexture(GL_TEXTURE0);
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, (blurred ? environment.prefiltered : environment.background).texture.get());
+  if (atlas) {
+    program.set("backgroundTexel", environment.atlas.texel());
+    gl.BindTexture(GL_TEXTURE_2D, environment.atlas.texture.get());
+  } else {
+    gl.BindTexture(GL_TEXTURE_CUBE_MAP, (blurred ? environment.prefiltered : environment.background).texture.get());
+  }
   gl.BindSampler(0, 0);
   for (const GLenum capability : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE}) gl.Disable(capability);
   gl.DepthMask(GL_FALSE);

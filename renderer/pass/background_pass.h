@@ -19,7 +19,7 @@ class BackgroundPass {
 
  private:
   const gl::Context& context_;
-  using Key = std::tuple<shader::ToneMapping, bool, bool>;  // linear output, blurred
+  using Key = std::tuple<shader::ToneMapping, bool, bool, int>;  // linear output, blurred, term of the prefilter
   std::map<Key, gl::Program> programs_;
   gl::DrawCost cost_;
   gl::VertexArray cube_;

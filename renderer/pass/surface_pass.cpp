@@ -69,8 +69,13 @@ bool readsTransmission(const std::vector<DrawItem>* list) {
 
 void setPrefilteredEnvironment(const gl::Program& program, const SurfaceInputs& in) {
   program.set("environmentMap", static_cast<int>(ENVIRONMENT_UNIT));
-  program.set("environmentMaxLod",
-              in.environment ? static_cast<float>(ibl::maxLodOf(in.environment->prefiltered)) : 1.0f);
+  if (in.environment && in.environment->atlas.faceSize > 0) {
+    program.set("environmentMaxLod", static_cast<float>(in.environment->atlas.maxMip()));
+    program.set("environmentAtlasTexel", in.environment->atlas.texel());
+  } else {
+    program.set("environmentMaxLod",
+                in.environment ? static_cast<float>(ibl::maxLodOf(in.environment->prefiltered)) : 1.0f);
+  }
   program.set("environmentRotation", frame::environmentRotation(in.shot.environment.rotation));
 }
 
@@ -132,7 +137,7 @@ ibl::EnvironmentUses environmentUses(const FramePlan& plan, const Shot& shot) {
   const bool blurred = plan.environmentBackground && shot.background.blur > 0;
   const bool sampled = plan.frame.environmentSamples > 0;
   return {(plan.environment && !sampled) || blurred, plan.environmentBackground && !blurred,
-          plan.environment && sampled, plan.environment && !sampled};
+          plan.environment && sampled, plan.environment && !sampled, plan.frame.three};
 }
 
 SurfacePass::SurfacePass(const gl::Context& context, Limits limits)
@@ -280,10 +285,14 @@ void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {
   bind(DFG_UNIT, GL_TEXTURE_2D, dfg_);
   if (in.plan.environment) {
     const bool sampled = in.plan.frame.environmentSamples > 0;
-    bind(ENVIRONMENT_UNIT, GL_TEXTURE_CUBE_MAP,
-         !in.environment ? standIns().blackCube
-         : sampled       ? in.environment->radiance.texture
-                         : in.environment->prefiltered.texture);
+    if (!sampled && ibl::hasAtlas(in.plan.frame.three)) {
+      bind(ENVIRONMENT_UNIT, GL_TEXTURE_2D, in.environment ? in.environment->atlas.texture : standIns().white);
+    } else {
+      bind(ENVIRONMENT_UNIT, GL_TEXTURE_CUBE_MAP,
+           !in.environment ? standIns().blackCube
+           : sampled       ? in.environment->radiance.texture
+                           : in.environment->prefiltered.texture);
+    }
     if (sampled) {
       bind(IRRADIANCE_UNIT, GL_TEXTURE_CUBE_MAP,
            in.environment ? in.environment->irradiance.texture : standIns().blackCube);

@@ -8,29 +8,13 @@ precision highp int;
 precision highp samplerCube;
 
 #include "brdf/constants.glsl"
+#include "environment/ggx_samples.glsl"
 
 uniform samplerCube sourceMap;
 uniform float perceptualRoughness;
 uniform float lodBias;  // renderer/ibl/prefilter.cpp
 in vec3 vDirection;
 out vec4 fragmentColor;
-
-// SAMPLES = 2^SAMPLE_BITS
-#define SAMPLES (1 << SAMPLE_BITS)
-
-// Point i of Hammersley's set, [0, 1)^2. Its y has the bits of i in reverse order behind the point; every step is exact.
-vec2 hammersley(int i) {
-  float y = 0.0;
-  for (int bit = SAMPLE_BITS - 1; bit >= 0; --bit) y = 0.5 * (y + float((i >> bit) & 1));
-  return vec2(float(i) / float(SAMPLES), y);
-}
-
-// Two axes across n.
-mat2x3 axesAcross(vec3 n) {
-  vec3 pole = abs(n.z) < 0.999 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
-  vec3 x = normalize(cross(pole, n));
-  return mat2x3(x, cross(n, x));
-}
 
 // Radiance that a GGX mirror reflects along n.
 // For v = n, Heitz draws the microfacet normal m = (alpha sqrt(u.x) e(phi), sqrt(1 - u.x)) / sqrt(q) with

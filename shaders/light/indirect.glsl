@@ -6,6 +6,10 @@ struct HemisphereLight {
   vec3 ground;
 };
 #endif
+#if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0 && THREE_PREFILTER_TERM != THREE_PREFILTER_CUBE
+#include "environment/atlas.glsl"
+#include "environment/atlas_levels.glsl"
+#endif
 #include "light/indirect_inputs.glsl"
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES > 0
 #include "light/sampled_environment.glsl"
@@ -17,10 +21,18 @@ vec3 environmentRadiance(vec3 direction, float lod) {
   return environmentTexel(normalize(vec3(vec4(direction, 0.0) * viewMatrix)), lod);
 }
 
+// Level of the environment for a lobe of this roughness, and for the cosine lobe.
+#if THREE_PREFILTER_TERM == THREE_PREFILTER_CUBE
+float lobeLod(float perceptualRoughness) { return lodFromRoughness(perceptualRoughness, environmentMaxLod); }
+float cosineLod() { return environmentMaxLod; }
+#else
+float lobeLod(float perceptualRoughness) { return atlasMip(perceptualRoughness); }
+float cosineLod() { return ATLAS_MIP_ROUGHEST; }
+#endif
+
 // Radiance of the environment over a GGX lobe of this roughness about n.
 vec3 specularRadiance(float perceptualRoughness, vec3 n, vec3 v) {
-  return environmentRadiance(dominantReflection(perceptualRoughness, n, v),
-                             lodFromRoughness(perceptualRoughness, environmentMaxLod));
+  return environmentRadiance(dominantReflection(perceptualRoughness, n, v), lobeLod(perceptualRoughness));
 }
 #endif
 
@@ -47,7 +59,7 @@ vec3 irradianceBehind(vec3 n) {
   irradiance += domeIrradiance(-n);
 #endif
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
-  irradiance += PI * environmentRadiance(-n, environmentMaxLod);
+  irradiance += PI * environmentRadiance(-n, cosineLod());
 #endif
   return irradiance;
 }
@@ -66,7 +78,7 @@ Incident incidentLight(SurfaceInfo s) {
   incident.behind = irradianceBehind(s.n);
 #endif
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
-  incident.environmentIrradiance = PI * environmentRadiance(s.n, environmentMaxLod);
+  incident.environmentIrradiance = PI * environmentRadiance(s.n, cosineLod());
 #if ANISOTROPY || WEAVE
   vec3 reflector = bentNormal(s.perceptualRoughness, s.anisotropyStrength, s.n, s.b, s.v);
 #else

@@ -8,8 +8,13 @@ uniform vec3 hemisphereSky[HEMISPHERE_LIGHTS];
 uniform vec3 hemisphereGround[HEMISPHERE_LIGHTS];
 #endif
 #if ENVIRONMENT
+#if THREE_PREFILTER_TERM == THREE_PREFILTER_CUBE
 uniform samplerCube environmentMap;       // level k prefiltered for roughness 1 - sqrt(1 - k / environmentMaxLod)
-uniform float environmentMaxLod;
+#else
+uniform sampler2D environmentMap;         // an atlas
+uniform vec2 environmentAtlasTexel;        // 1 / its size
+#endif
+uniform float environmentMaxLod;          // of the cube's roughest level, of the atlas's sharpest
 uniform float environmentIntensity;
 uniform mat3 environmentRotation;         // world to environment
 #endif
@@ -23,7 +28,13 @@ HemisphereLight hemisphereLight(int i) { return HemisphereLight(hemisphereUp[i],
 
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
 // Prefiltered radiance.   world  unit
+#if THREE_PREFILTER_TERM == THREE_PREFILTER_CUBE
 vec3 environmentTexel(vec3 world, float lod) {
   return textureLod(environmentMap, environmentRotation * world, lod).rgb * environmentIntensity;
 }
+#else
+vec3 environmentTexel(vec3 world, float lod) {
+  return atlasRadiance(environmentMap, environmentAtlasTexel, environmentMaxLod, environmentRotation * world, lod) * environmentIntensity;
+}
+#endif
 #endif
