@@ -1,7 +1,7 @@
-import { nearestRevision, PATCHES, resolveThree, families, TONE_MAPPINGS_SINCE, THREE_SLOTS } from '../../js/shot/three_terms.mjs';
+import { nearestRevision, resolveThree, families, TONE_MAPPINGS_SINCE, THREE_SLOTS } from '../../js/shot/three_terms.mjs';
 import { CASES } from './cases.mjs';
 import { pageStamp, ReleaseBrowser } from './draw.mjs';
-import { fetchRelease } from './releases.mjs';
+import { fetchRelease, versionOf } from './releases.mjs';
 
 // The gate of older releases: real ones in Chromium on one side, telar with shading {base: "three", revision} on the other.
 
@@ -10,9 +10,6 @@ export const FIRST_GATED = 155;
 
 /** Environments turn since 0.162; a client that turns the texels itself has another map than the one that telar is handed. */
 const TURNS_SINCE = 162;
-
-/** The version of a release that its number means: patches draw alike but where js/shot/three_terms.mjs says otherwise. */
-export const versionOf = (revision) => PATCHES[revision] ?? `0.${revision}.0`;
 
 /** The newest release of each family but the last, oldest first: the gate itself draws that one. */
 export const GATED_REVISIONS = families()

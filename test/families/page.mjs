@@ -1,5 +1,7 @@
 import { CASES } from './cases.mjs';
 import { differences, LAST, rangeOf } from './families.mjs';
+import { REVISION, REVISION_MIN, termsOfRevision } from '../../js/shot/three_terms.mjs';
+import { compareReleases, versionOf } from './releases.mjs';
 import { SLOT_TERMS } from './slot_terms.mjs';
 
 const INTRO = `# Families of three.js releases
@@ -8,7 +10,7 @@ What three.js shows changed with its releases. This page says where: every relea
 in headless Chromium on Mesa llvmpipe, set up by \`applyShot\`. Releases that draw all of them alike, bit for bit, are a family. \`npm run families\` measures it again and
 writes this page; \`npm run families -- 0.188.0\` says of one release whether it is a new family, and in which cases.
 
-A client of an older release does by itself what that release asks for: it writes \`outputEncoding\` and gives an sRGB background (to 0.151), turns legacy lights off (to 0.154), turns
+\`applyShot\` does what an older release asks for: it writes \`outputEncoding\` and gives an sRGB background (to 0.151), turns legacy lights off (to 0.154), turns
 the texels of an environment (to 0.161), and sets \`envMapIntensity\` on each material (to 0.162). With legacy lights, which 0.150 to 0.154 have on by default, no light has the units of a shot.
 
 Figures are differences of the channel that differs most, in 1/255, inside of the model and before a drawn background: mean / largest. Pictures that differ only along silhouettes have 0.00 / 0.`;
@@ -52,11 +54,37 @@ const shownText = (shown) =>
     .map(({ name, moved }) => `${name} ${moved.mean.toFixed(2)} / ${moved.max}`)
     .join(', ');
 
+const IS_ABSENT = 'absent';
+
+/**
+ * What a shot calls a term of a slot.
+ * @param {import('./slot_terms.mjs').SlotTerms} row
+ * @param {import('./slot_terms.mjs').Term} term
+ * @returns {string} '' where a shot cannot name it: no slot of its own, or of a patch that is drawn as a later one.
+ */
+export function nameOfTerm({ key }, { from = `0.${REVISION_MIN}.0`, to, what }) {
+  if (!key || what === IS_ABSENT) return '';
+  const isWithin = (version) => compareReleases(from, version) <= 0 && (to === undefined || compareReleases(version, to) <= 0);
+  for (let revision = REVISION_MIN; revision <= REVISION; revision++) if (isWithin(versionOf(revision))) return termsOfRevision(revision)[key];
+  return '';
+}
+
+const quoted = (name) => (name ? `\`${name}\`` : '');
+
+/** The columns of a slot's table that are known without drawing: up to what a term computes. */
+export function slotCells(row, i) {
+  const { slot, key, terms } = row;
+  const { from = '', to = '', what } = terms[i];
+  const head = i === 0 ? `**${slot}**${key ? ` ${quoted(key)}` : ''}` : '';
+  return [head, quoted(nameOfTerm(row, terms[i])), from, to, what.replaceAll(/\s+/g, ' ').replaceAll('|', '\\|')];
+}
+
 function slotRows(proofs) {
-  return SLOT_TERMS.flatMap(({ slot, source, terms }) =>
-    terms.map(({ from = '', to = '', what }, i) => {
-      const proof = proofs.find(({ border }) => border.older === to)?.slots.find((row) => row.slot === slot);
-      return `| ${i === 0 ? `**${slot}**` : ''} | ${from} | ${to} | ${what.replaceAll(/\s+/g, ' ').replaceAll('|', '\\|')} | ${proof ? shownText(proof.shown) : ''} | ${i === 0 ? (source ?? '') : ''} |`;
+  return SLOT_TERMS.flatMap((row) =>
+    row.terms.map(({ to = '' }, i) => {
+      const proof = proofs.find(({ border }) => border.older === to)?.slots.find(({ slot }) => slot === row.slot);
+      const cells = [...slotCells(row, i), proof ? shownText(proof.shown) : '', i === 0 ? (row.source ?? '') : ''];
+      return `| ${cells.join(' | ')} |`;
     }),
   );
 }
@@ -90,10 +118,11 @@ ${familyRows(families).join('\n')}`,
     `## Slots
 
 What changed, as terms: r is the perceptual roughness, F0 and F90 the reflectances at 0 and 90 degrees, A and B the parts of DFG, E = A + B, m = 1 - E. The cases stand by the older term, with what putting it into
-the next release changes. Terms without cases were read in the sources.
+the next release changes. Terms without cases were read in the sources. Names in code are those of a shot: \`shading: {base: "three", revision: 180, dfg: "table-16"}\`. What has none
+is a client's own setting, a fault that is not drawn, or a patch that is drawn as the one after it.
 
-| slot | from | to | computes | cases that show it | source |
-|---|---|---|---|---|---|
+| slot | term | from | to | computes | cases that show it | source |
+|---|---|---|---|---|---|---|
 ${slotRows(proofs).join('\n')}`,
     `## Proofs
 

@@ -2,6 +2,7 @@ import { execFile } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, renameSync, rmSync } from 'node:fs';
 import path from 'node:path';
 import { promisify } from 'node:util';
+import { PATCHES } from '../../js/shot/three_terms.mjs';
 import { RELEASES_FOLDER } from './places.mjs';
 
 const run = promisify(execFile);
@@ -14,6 +15,9 @@ const PARTS = ['package/package.json', 'package/build', 'package/src', 'package/
 
 /** @param {string} version - 0.MINOR.PATCH */
 export const revisionOf = (version) => Number(version.split('.')[1]);
+
+/** The version that a release's number means: patches draw alike but where js/shot/three_terms.mjs says otherwise. */
+export const versionOf = (revision) => PATCHES[revision] ?? `0.${revision}.0`;
 
 /** Order of releases, oldest first. */
 export function compareReleases(a, b) {

@@ -15,6 +15,7 @@ import { familiesPage } from './page.mjs';
 import { PAGE, PICTURES } from './places.mjs';
 import { compareReleases, fetchRelease, listReleases } from './releases.mjs';
 import { BORDERS } from './slots.mjs';
+import { verdictOf } from './verdict.mjs';
 import { verifyBorder } from './verify.mjs';
 
 const { values: options, positionals: wanted } = parseArgs({
@@ -26,8 +27,9 @@ const all = await listReleases();
 const unknown = wanted.find((release) => !all.includes(release));
 if (unknown) throw new Error(`npm has no three@${unknown}: expected one of ${all.join(' ')}`);
 
-/** Named releases are told by the family of the last known one. */
-const named = wanted.length > 0 ? [...new Set([...wanted, LAST])].sort(compareReleases) : all;
+/** A named release is told by the one before it, and by the last known one. */
+const before = (release) => all[all.indexOf(release) - 1] ?? release;
+const named = wanted.length > 0 ? [...new Set([...wanted, ...wanted.map(before), LAST])].sort(compareReleases) : all;
 const releases = options.kept ? named.filter((release) => existsSync(path.join(PICTURES, `${release}.json`))) : named;
 const pictures = new Map();
 for (const release of releases) {
@@ -42,7 +44,8 @@ for (const release of releases) {
 for (const [name, { absent }] of Object.entries(pictures.get(LAST))) if (absent) throw new Error(`three.js ${LAST} does not draw ${name}: ${absent}`);
 
 const families = familiesOf(pictures);
-for (const [i, family] of families.entries()) {
+for (const release of wanted) for (const line of verdictOf(release, families, before(release))) console.log(line);
+for (const [i, family] of wanted.length > 0 ? [] : families.entries()) {
   console.log(`${rangeOf(family)}`);
   if (i + 1 < families.length) console.log(`  the next differs in ${namesOf(differences(family, families[i + 1]))}`);
 }

@@ -9,6 +9,7 @@
  *
  * @typedef {object} SlotTerms
  * @property {string} slot
+ * @property {string} [key] - Of js/shot/three_terms.mjs, where a shot can choose: left out for what a client sets, and for faults.
  * @property {string} [source] - Paper.
  * @property {Term[]} terms - Oldest first.
  */
@@ -25,7 +26,7 @@ const CHAIN = `faces and levels as before. Level i of n is level i - 1 under GGX
 // biome-ignore format: one row a line, read as a table
 export const SLOT_TERMS = [
   {
-    slot: 'environment prefilter', source: 'Heitz 2018, "Sampling the GGX Distribution of Visible Normals"; Karis 2013, "Real Shading in Unreal Engine 4"',
+    slot: 'environment prefilter', key: 'prefilter', source: 'Heitz 2018, "Sampling the GGX Distribution of Visible Normals"; Karis 2013, "Real Shading in Unreal Engine 4"',
     terms: [
       { to: '0.163.0', what: `${BLUR}. The pole of level i is number (i - 1) mod 10 of (1,1,1), (-1,1,1), (1,1,-1), (-1,1,-1), (0,p,q), (0,p,-q), (q,0,p), (-q,0,p), (p,q,0), (-p,q,0), p = 1.618..., q = 1 / p. ${READ}` },
       { from: '0.164.0', to: '0.180.0', what: 'as before; the pole of level i of n is number (n - i - 1) mod 10 of that list from its end' },
@@ -43,11 +44,11 @@ export const SLOT_TERMS = [
     ],
   },
   {
-    slot: 'reflection direction', source: 'Lagarde and de Rousiers 2014, "Moving Frostbite to PBR"',
+    slot: 'reflection direction', key: 'reflectionDirection', source: 'Lagarde and de Rousiers 2014, "Moving Frostbite to PBR"',
     terms: [{ to: '0.180.0', what: 'normalize(mix(reflect, normal, r^2))' }, { from: '0.181.0', what: 'normalize(mix(reflect, normal, r^4))' }],
   },
   {
-    slot: 'DFG', source: 'Karis 2014, "Physically Based Shading on Mobile"; Karis 2013',
+    slot: 'DFG', key: 'dfg', source: 'Karis 2014, "Physically Based Shading on Mobile"; Karis 2013',
     terms: [
       {
         to: '0.180.0',
@@ -58,14 +59,14 @@ export const SLOT_TERMS = [
     ],
   },
   {
-    slot: 'environment by metalness', source: 'Fdez-Aguera 2019, "A Multiple-Scattering Microfacet Model for Real-Time Image Based Lighting"',
+    slot: 'environment by metalness', key: 'environmentMetal', source: 'Fdez-Aguera 2019, "A Multiple-Scattering Microfacet Model for Real-Time Image Based Lighting"',
     terms: [
       { to: '0.181.2', what: 'one F0, mixed by metalness: single = F0 A + F90 B; multiple = single f / (1 - m f) m, f = F0 + (1 - F0) / 21; diffuse (1 - largest channel of single + multiple)' },
       { from: '0.182.0', what: 'single and multiple for the dielectric F0 and for the base colour, each, then mixed by metalness; diffuse (1 - single - multiple of the dielectric), by channel' },
     ],
   },
   {
-    slot: 'direct multiple scattering', source: 'Turquin 2019, "Practical Multiple Scattering Compensation for Microfacet Models"',
+    slot: 'direct multiple scattering', key: 'directMultiscatter', source: 'Turquin 2019, "Practical Multiple Scattering Compensation for Microfacet Models"',
     terms: [
       { to: '0.180.0', what: 'none' },
       { from: '0.181.0', to: '0.181.2', what: 'adds s(V) s(L) f / (1 - m(V) m(L) f^2 + 1e-6) m(V) m(L) to the BRDF, s = F0 A + F90 B, f = F0 + (1 - F0) / 21; without D, so it lights where N.L > 0' },
@@ -74,15 +75,15 @@ export const SLOT_TERMS = [
     ],
   },
   {
-    slot: 'diffuse under direct light',
+    slot: 'diffuse under direct light', key: 'directDiffuse',
     terms: [{ to: '0.185.1', what: 'base colour (1 - metalness) / pi' }, { from: '0.186.0', what: 'that times 1 - F, F of Schlick for the dielectric F0 and F90 at V.H' }],
   },
   {
-    slot: 'diffuse under ambient light',
+    slot: 'diffuse under ambient light', key: 'ambientDiffuse',
     terms: [{ to: '0.185.1', what: 'base colour (1 - metalness) / pi, for ambient and hemisphere lights' }, { from: '0.186.0', what: 'that times 1 - single - multiple of the dielectric, as under the environment' }],
   },
   {
-    slot: 'sheen albedo', source: 'Estevez and Kulla 2017, "Production Friendly Microfacet Sheen BRDF"',
+    slot: 'sheen albedo', key: 'sheenAlbedo', source: 'Estevez and Kulla 2017, "Production Friendly Microfacet Sheen BRDF"',
     terms: [
       {
         to: '0.181.2',
@@ -96,26 +97,26 @@ export const SLOT_TERMS = [
     ],
   },
   {
-    slot: 'sheen energy', source: 'Estevez and Kulla 2017; Kulla and Conty 2017',
+    slot: 'sheen energy', key: 'sheenEnergy', source: 'Estevez and Kulla 2017; Kulla and Conty 2017',
     terms: [
       { to: '0.181.2', what: 'all light of the base, emission too, times 1 - 0.157 max(sheen colour)' },
       { from: '0.182.0', what: 'direct light times 1 - max(colour) max(albedo at N.V, albedo at N.L); the environment and ambient light times 1 - max(colour) albedo at N.V' },
     ],
   },
-  { slot: 'sheen under ambient light', terms: [{ to: '0.185.1', what: 'none' }, { from: '0.186.0', what: 'ambient irradiance / pi times colour times albedo at N.V' }] },
+  { slot: 'sheen under ambient light', key: 'ambientSheen', terms: [{ to: '0.185.1', what: 'none' }, { from: '0.186.0', what: 'ambient irradiance / pi times colour times albedo at N.V' }] },
   {
-    slot: 'iridescence by metalness', source: 'Belcour and Barla 2017, "A Practical Extension to Microfacet Theory for the Modeling of Varying Iridescence"',
+    slot: 'iridescence by metalness', key: 'filmMetal', source: 'Belcour and Barla 2017, "A Practical Extension to Microfacet Theory for the Modeling of Varying Iridescence"',
     terms: [{ to: '0.181.2', what: 'film over F0 mixed by metalness' }, { from: '0.182.0', what: 'films over the dielectric F0 and over the base colour, mixed by metalness' }],
   },
   {
-    slot: 'iridescence in the environment',
+    slot: 'iridescence in the environment', key: 'filmEnvironment',
     terms: [
       { to: '0.185.1', what: 'the reflectance of the film at N.V stands for F0' },
       { from: '0.186.0', what: 'F0 = (R - x) / (1 - x), x = min((1 - N.V)^5, 0.9999), so that Schlick gives R at N.V' },
     ],
   },
   {
-    slot: 'anisotropic visibility', source: 'Heitz 2014, "Understanding the Masking-Shadowing Function"',
+    slot: 'anisotropic visibility', key: 'anisotropicVisibility', source: 'Heitz 2014, "Understanding the Masking-Shadowing Function"',
     terms: [
       { from: '0.153.0', to: '0.181.2', what: 'saturate(0.5 / (gv + gl))' },
       { from: '0.182.0', to: '0.183.2', what: '0.5 / (gv + gl)' },
@@ -123,29 +124,29 @@ export const SLOT_TERMS = [
     ],
   },
   {
-    slot: 'anisotropy direction',
+    slot: 'anisotropy direction', key: 'anisotropyDirection',
     terms: [
       { to: '0.152.2', what: 'no anisotropy' },
       { from: '0.153.0', to: '0.158.0', what: 't = T x - B y, b = B x + T y for the vector (x, y): turns the wrong way; a vector of length 0 gives no number' },
       { from: '0.159.0', what: 't = T x + B y, b = B x - T y; (1, 0) for a vector of length 0' },
     ],
   },
-  { slot: 'least roughness', terms: [{ to: '0.186.1', what: 'r and that of the coat are at least 0.0525, before the geometric roughness is added' }, { from: '0.187.0', what: 'at least 0.045' }] },
+  { slot: 'least roughness', key: 'roughnessMin', terms: [{ to: '0.186.1', what: 'r and that of the coat are at least 0.0525, before the geometric roughness is added' }, { from: '0.187.0', what: 'at least 0.045' }] },
   {
-    slot: 'diffuse roughness', source: 'Portsmouth, Kutz and Hill 2025, "EON: A Practical Energy-Preserving Rough Diffuse BRDF"',
+    slot: 'diffuse roughness', key: 'diffuseRoughness', source: 'Portsmouth, Kutz and Hill 2025, "EON: A Practical Energy-Preserving Rough Diffuse BRDF"',
     terms: [{ to: '0.186.1', what: 'KHR_materials_diffuse_roughness is not read' }, { from: '0.187.0', what: 'EON' }],
   },
   {
-    slot: 'occlusion of coat and sheen',
+    slot: 'occlusion of coat and sheen', key: 'layerOcclusion',
     terms: [{ to: '0.157.0', what: 'the occlusion map dims diffuse light and reflections of the environment' }, { from: '0.158.0', what: 'and, by its plain value, what coat and sheen take of the environment' }],
   },
   {
-    slot: 'rect light, F90', source: 'Hill and Heitz 2016, "Real-Time Area Lighting: a Journey from Research to Production"',
+    slot: 'rect light, F90', key: 'rectF90', source: 'Hill and Heitz 2016, "Real-Time Area Lighting: a Journey from Research to Production"',
     terms: [{ to: '0.182.0', what: 'F0 t2.x + (1 - F0) t2.y' }, { from: '0.183.0', what: 'F0 t2.x + (F90 - F0) t2.y' }],
   },
-  { slot: 'rect light on the coat', terms: [{ to: '0.182.0', what: 'none' }, { from: '0.183.0', what: 'the coat has its own, of its normal and roughness, F0 0.04 and F90 1' }] },
+  { slot: 'rect light on the coat', key: 'rectCoat', terms: [{ to: '0.182.0', what: 'none' }, { from: '0.183.0', what: 'the coat has its own, of its normal and roughness, F0 0.04 and F90 1' }] },
   {
-    slot: 'shadow filter', source: 'Jimenez 2014, "Next Generation Post Processing in Call of Duty" (noise); Vogel 1979 (disk)',
+    slot: 'shadow filter', key: 'shadowFilter', source: 'Jimenez 2014, "Next Generation Post Processing in Call of Duty" (noise); Vogel 1979 (disk)',
     terms: [
       {
         to: '0.181.2',
@@ -162,7 +163,7 @@ export const SLOT_TERMS = [
     ],
   },
   {
-    slot: 'shadows of point lights',
+    slot: 'shadows of point lights', key: 'pointShadow',
     terms: [
       { to: '0.162.0', what: 'points beyond near and far are compared too: dark beyond far' },
       { from: '0.163.0', to: '0.186.1', what: 'points beyond near and far are lit' },
@@ -170,14 +171,14 @@ export const SLOT_TERMS = [
     ],
   },
   {
-    slot: 'precision of samplers', source: 'GLSL ES 3.00, section 4.5.4',
+    slot: 'precision of samplers', key: 'samplerPrecision', source: 'GLSL ES 3.00, section 4.5.4',
     terms: [
       { to: '0.160.1', what: 'the default of GLSL ES, lowp for sampler2D and samplerCube: what Mesa reads of maps, environments, tables and packed depths is rounded to half floats; GPUs without small floats show nothing of it' },
       { from: '0.161.0', what: 'highp, as the rest of the text' },
     ],
   },
   {
-    slot: 'background cube',
+    slot: 'background cube', key: 'backgroundCube',
     terms: [{ to: '0.160.1', what: 'a sharp background is looked up in a cube whose faces have half the rows of the map' }, { from: '0.161.0', what: 'as many as the map has rows' }],
   },
   { slot: 'environment rotation', terms: [{ to: '0.161.0', what: 'none: a client turns the texels' }, { from: '0.162.0', what: 'a rotation of the direction that is looked up' }] },
@@ -197,38 +198,38 @@ export const SLOT_TERMS = [
     ],
   },
   {
-    slot: 'tone mapping neutral', source: 'Khronos PBR Neutral Tone Mapper',
+    slot: 'tone mapping neutral', key: 'neutralToneMapping', source: 'Khronos PBR Neutral Tone Mapper',
     terms: [{ to: '0.161.0', what: 'absent' }, { from: '0.162.0', to: '0.162.0', what: 'desaturates towards 1' }, { from: '0.163.0', what: 'desaturates towards the compressed peak' }],
   },
   { slot: 'tone mapping agx', terms: [{ to: '0.159.0', what: 'absent' }, { from: '0.160.0', what: 'as today' }] },
-  { slot: 'dispersion', terms: [{ to: '0.163.0', what: 'KHR_materials_dispersion is not read' }, { from: '0.164.0', what: 'three refractions, index ior -+ 0.025 dispersion (ior - 1)' }] },
+  { slot: 'dispersion', key: 'dispersion', terms: [{ to: '0.163.0', what: 'KHR_materials_dispersion is not read' }, { from: '0.164.0', what: 'three refractions, index ior -+ 0.025 dispersion (ior - 1)' }] },
   {
-    slot: 'transmission over a colour',
+    slot: 'transmission over a colour', key: 'glassBackground',
     terms: [
       { to: '0.164.1', what: "the buffer behind glass is cleared with the background's colour as the canvas has it, sRGB-encoded, in linear floats" },
       { from: '0.165.0', what: 'cleared with its linear colour' },
     ],
   },
   {
-    slot: 'back sides behind glass',
+    slot: 'back sides behind glass', key: 'glassBackSides',
     terms: [{ to: '0.150.1', what: 'two-sided glass does not see its own far side' }, { from: '0.151.0', what: 'the back sides of two-sided glass are drawn into the buffer behind it' }],
   },
   {
-    slot: 'buffer behind glass',
+    slot: 'buffer behind glass', key: 'glassBuffer',
     terms: [
       { to: '0.152.2', what: '1024 x 1024 texels whatever the size of the picture; where the canvas is see-through it is cleared to what the canvas is, (0, 0, 0, 0)' },
       { from: '0.153.0', what: 'as large as the canvas; where that is see-through, cleared to white of alpha 0.5. From 0.154.0 on with four samples even without antialias' },
     ],
   },
   {
-    slot: 'alpha of glass',
+    slot: 'alpha of glass', key: 'glassAlpha',
     terms: [
       { to: '0.152.2', what: 'alpha t + 0.1, t that of the buffer behind; attenuation does not count' },
       { from: '0.153.0', what: 'alpha 1 - (1 - t) k, k the mean over the channels of base colour times attenuation' },
     ],
   },
   {
-    slot: 'texture coordinates',
+    slot: 'texture coordinates', key: 'textureCoordinates',
     terms: [
       { to: '0.150.1', what: `one transform for all maps of a material: that of the first of map, normal, roughness, metalness, emissive, coat (factor, normal, roughness), iridescence, specular (factor, colour), transmission, thickness, sheen;
           occlusion has its own, and the second coordinates where the mesh has such. Other maps have the first coordinates` },
@@ -236,7 +237,7 @@ export const SLOT_TERMS = [
     ],
   },
   { slot: 'unlit', terms: [{ to: '0.155.0', what: 'as today' }, { from: '0.156.0', to: '0.156.0', what: 'GLTFLoader fails at a colour of an unlit material' }, { from: '0.156.1', what: 'as today' }] },
-  { slot: 'sorting', terms: [{ to: '0.151.3', what: "by depth of the object's origin" }, { from: '0.152.0', what: 'by depth of the middle of its bounding sphere' }] },
+  { slot: 'sorting', key: 'sorting', terms: [{ to: '0.151.3', what: "by depth of the object's origin" }, { from: '0.152.0', what: 'by depth of the middle of its bounding sphere' }] },
   {
     slot: 'colour management',
     terms: [
@@ -252,8 +253,8 @@ export const SLOT_TERMS = [
     ],
   },
   {
-    slot: 'texture transform',
+    slot: 'texture transform', key: 'textureTransform',
     terms: [{ to: '0.185.1', what: 'KHR_texture_transform turns before it scales: T S R' }, { from: '0.186.0', what: 'as glTF says: T R S' }],
   },
-  { slot: 'ior 0', terms: [{ to: '0.183.2', what: 'F0 = ((0 - 1) / (0 + 1))^2 = 1 before the specular factor, refraction by 0' }, { from: '0.184.0', what: 'an index of 1000' }] },
+  { slot: 'ior 0', key: 'ior0', terms: [{ to: '0.183.2', what: 'F0 = ((0 - 1) / (0 + 1))^2 = 1 before the specular factor, refraction by 0' }, { from: '0.184.0', what: 'an index of 1000' }] },
 ];
