@@ -80,7 +80,8 @@ export class ReleaseBrowser {
     return path.join(PICTURES, `${this.#release.name}.json`);
   }
 
-  #start() {
+  /** @returns {Promise<Browser>} Of its own. */
+  start() {
     const { folder, edited, log } = this.#release;
     const options = new URLSearchParams({
       hdr: existsSync(path.join(folder, 'examples/jsm/loaders/HDRLoader.js')) ? 'HDRLoader' : 'RGBELoader',
@@ -98,7 +99,7 @@ export class ReleaseBrowser {
     const texts = edited ? ['src', ...[...edited].flat()] : [];
     const key = sha256(stamp, JSON.stringify([shot, settings]), model, environment ?? '', ...texts);
     if (!this.#kept[key]) {
-      this.#browser ??= this.#start();
+      this.#browser ??= this.start();
       this.#kept[key] = await drawPicture(await this.#browser, { shot, settings, model, environment });
       if (++this.#unlisted >= LIST_AFTER) this.#writeList();
     }

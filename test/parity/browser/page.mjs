@@ -185,14 +185,14 @@ window.telarTerms = async (job) => {
 
 /**
  * PUTs every face of the prefiltered environment (prefilter.mjs) to `${job.result}/LEVEL-FACE`.
- * @returns {Promise<{name: string, size: number}[]>}
+ * @returns {Promise<{name: string, size: number, height?: number}[]>}
  */
 window.telarPrefilter = async (job) => {
   const { texture: environment } = environmentOf(THREE, await loadEnvironment(job.environment));
   const faces = [];
-  for (const { name, size, values } of prefilteredFaces(THREE, rendererFor(job.shot), environment)) {
-    await send(`${job.result}/${name}`, values);
-    faces.push({ name, size });
+  for (const { values, ...face } of prefilteredFaces(THREE, rendererFor(job.shot), environment)) {
+    await send(`${job.result}/${face.name}`, values);
+    faces.push(face);
   }
   return faces;
 };
