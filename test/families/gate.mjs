@@ -1,9 +1,13 @@
 import { nearestRevision, resolveThree, families, TONE_MAPPINGS_SINCE, THREE_SLOTS } from '../../js/shot/three_terms.mjs';
+import { makeCase } from '../parity/make_case.mjs';
+import { LIGHTS } from '../parity/shot.mjs';
 import { CASES } from './cases.mjs';
 import { pageStamp, ReleaseBrowser } from './draw.mjs';
 import { fetchRelease, versionOf } from './releases.mjs';
 
 // The gate of older releases: real ones in Chromium on one side, telar with shading {base: "three", revision} on the other.
+
+const SMALL = { size: 128, toneMapping: 'reinhard', camera: 'front' };
 
 /** Oldest release whose pictures telar must equal. */
 export const FIRST_GATED = 155;
@@ -17,6 +21,12 @@ export const GATED_REVISIONS = families()
   .filter((revision) => revision >= FIRST_GATED)
   .slice(0, -1);
 
+/** Drawn by the gate alone: what has no place in the families' page, as no release that telar is held against differs there. */
+const OWN_CASES = [makeCase('alpha-blend-origins', 'alpha-blend-origins', null, { ...SMALL, lights: [LIGHTS.ambient, LIGHTS.directional] })];
+
+/** What `npm test` draws: the environment, layers, direct light with highlights, shadows, and glass. */
+export const FAST = ['env-lamps', 'everything', 'light-directional', 'shadow-spot', 'transmission-color'];
+
 const isShown =
   (revision) =>
   ({ shot, settings }) =>
@@ -28,7 +38,7 @@ const isShown =
  * @param {number} revision
  * @returns {import('../parity/cases.mjs').Case[]} Named REVISION-CASE; their shots name stock three.js alone.
  */
-export const casesOf = (revision) => CASES.filter(isShown(revision)).map((item) => ({ ...item, name: `${revision}-${item.name}` }));
+export const casesOf = (revision) => [...CASES, ...OWN_CASES].filter(isShown(revision)).map((item) => ({ ...item, name: `${revision}-${item.name}` }));
 
 /**
  * Slots put in place of a release's own, as planted faults.
@@ -52,11 +62,11 @@ export function parseSwaps(texts = []) {
  * @param {number} revision
  * @param {{server: import('../parity/server.mjs').Server, swaps?: Record<string, string>, log?: (line: string) => void}} options - The
  *   server stays open when the sides close.
- * @returns {Promise<{browser: ReleaseBrowser, server?: {draw: Function}}>}
+ * @returns {Promise<{browser: ReleaseBrowser, shading: object, server?: {draw: Function}}>} `shading`: what this server draws with.
  */
 export async function sidesOf(revision, { server, swaps = {}, log = () => {} }) {
   const name = versionOf(nearestRevision(revision));
   const browser = new ReleaseBrowser({ name, folder: await fetchRelease(name), stamp: pageStamp(), log });
   const shading = resolveThree({ base: 'three', revision, ...swaps });
-  return { browser, server: server && { draw: (input) => server.draw({ ...input, shot: { ...input.shot, shading } }) } };
+  return { browser, shading, server: server && { draw: (input) => server.draw({ ...input, shot: { ...input.shot, shading } }) } };
 }

@@ -54,7 +54,8 @@ export async function fetchRelease(version) {
     await run('tar', ['-xzf', path.join(unfinished, `three-${version}.tgz`), '-C', unfinished, ...PARTS]);
     const { version: found } = JSON.parse(readFileSync(path.join(unfinished, 'package/package.json')));
     if (found !== version) throw new Error(`npm pack three@${version} gave ${found}`);
-    renameSync(path.join(unfinished, 'package'), folder);
+    // Another process may have fetched it meanwhile.
+    if (!existsSync(folder)) renameSync(path.join(unfinished, 'package'), folder);
   } finally {
     rmSync(unfinished, { recursive: true });
   }

@@ -11,14 +11,21 @@ function casesBySlot() {
   return cases;
 }
 
+/** As many as are worth a look: further down stand slots that share their cases with these. */
+const MOST = 8;
+
 /**
- * The slots that changed cases speak for: of those all of whose cases changed, the ones with most cases first.
+ * The slots that changed cases speak for: those of whose cases most changed first.
  * @param {string[]} changed - Names of cases.
  * @returns {{slot: string, changed: number, of: number}[]}
  */
 export function suspects(changed) {
   const rows = [...casesBySlot()].map(([slot, cases]) => ({ slot, of: cases.size, changed: [...cases].filter((name) => changed.includes(name)).length }));
-  return rows.filter((row) => row.changed > 0).sort((a, b) => b.changed / b.of - a.changed / a.of || b.of - a.of);
+  const isHalf = (row) => row.changed * 2 >= row.of;
+  return rows
+    .filter((row) => row.changed > 0 && isHalf(row))
+    .sort((a, b) => b.changed - a.changed || a.of - b.of)
+    .slice(0, MOST);
 }
 
 const shareText = ({ slot, changed, of }) => `${slot} (${changed} of ${of} cases)`;

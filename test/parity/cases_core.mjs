@@ -132,6 +132,7 @@ const lightSetCases = [
 ];
 
 const otherCases = [
+  make('alpha-blend-origins', 'alpha-blend-origins', null, { camera: 'front', lights: [ambient, ...SUN] }),
   make('alpha-blend-many-front', 'alpha-blend-many', 'gradient', { camera: 'front' }),
   make('variant-none', 'variants', 'lamps', { camera: 'front' }),
   make('variant-red', 'variants', 'lamps', { camera: 'front', variant: 'red' }),

@@ -12,6 +12,7 @@ import { figuresText, reportPage } from './report_page.mjs';
  * @property {import('./metrics.mjs').Difference} [difference]
  * @property {import('./rasterizers.mjs').Distances} [rasterizers]
  * @property {import('./trace.mjs').Trace} [trace] - The worst pixel followed through both shaders.
+ * @property {string} [explanation] - Which term of a release explains the difference.
  * @property {string} [error] - Why it could not be drawn.
  */
 
@@ -24,15 +25,16 @@ export class Report {
   /**
    * @param {import('./draw_cases.mjs').Result} result
    * @param {import('./trace.mjs').Trace} [trace]
+   * @param {string} [explanation]
    * @returns {string} Line for the console.
    */
-  add({ item, error, difference, rasterizers }, trace = undefined) {
+  add({ item, error, difference, rasterizers }, trace = undefined, explanation = undefined) {
     const pass = Boolean(difference?.pass) && (rasterizers?.pass ?? true);
     if (!pass) this.failed++;
-    const row = { name: item.name, pass, difference, rasterizers, trace, error: error && (error.stack ?? String(error)) };
+    const row = { name: item.name, pass, difference, rasterizers, trace, explanation, error: error && (error.stack ?? String(error)) };
     this.#rows.push(row);
     const text = error ? error.message.replaceAll('\n', ' ').slice(0, 160) : figuresText(row);
-    return `${pass ? 'ok  ' : 'FAIL'} ${item.name.padEnd(34)} ${text}`;
+    return `${pass ? 'ok  ' : 'FAIL'} ${item.name.padEnd(34)} ${text}${explanation ? ` | ${explanation}` : ''}`;
   }
 
   /**

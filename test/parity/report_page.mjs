@@ -89,7 +89,7 @@ function traceTable({ pixel, terms, cause }) {
 function section(row) {
   const heading = `<h2 id="${anchor(row.name)}" class="${row.pass ? 'within' : 'over'}">${row.pass ? 'within' : 'over'}: ${escaped(row.name)}</h2>`;
   if (row.error) return `<section>${heading}<pre>${escaped(row.error)}</pre></section>`;
-  return `<section>${heading}<p>${escaped(figuresText(row))}</p>\n${figures(row)}\n${row.trace ? traceTable(row.trace) : ''}</section>`;
+  return `<section>${heading}<p>${escaped(figuresText(row))}</p>${row.explanation ? `<p>${escaped(row.explanation)}</p>` : ''}\n${figures(row)}\n${row.trace ? traceTable(row.trace) : ''}</section>`;
 }
 
 /** What three.js does, what telar does, and both pictures. */

@@ -1,18 +1,20 @@
 // node test/parity/run.mjs [--all] [--fast] [--swiftshader] [--trace] [--keep] [--browser-only] [--own-text]
-// [filter...]
-//   [--revision LIST] [--families] [--swap SLOT=TERM]
+//   [--today | --families | --revision LIST] [--swap SLOT=TERM] [--explain] [filter...]
 // Draws the gate's cases, or those whose name contains a filter, with three.js in headless Chromium and with telar, prints
-// a line a case, writes out/parity/index.html and junit.xml. Exit code 1 when a case is over the bar.
+// a line a case, writes out/parity/index.html and junit.xml. Exit code 1 when a case is over the bar. Without a filter or another
+// choice of cases, draws those of older releases of three.js, too.
 //   --all           the extended set too
 //   --fast          only what `npm test` draws
 //   --swiftshader   also three.js on SwiftShader: telar must be no farther from it than three.js on Mesa is
 //   --trace         follow the worst pixel of each case that differs at all, not only of those that differ by more than 1/255
 //   --keep          leave the browser's pictures, the models and the shots in out/parity/browser
 //   --browser-only  only that, without telar
-//   --revision 160,180  in place of the gate's cases those of test/families, with these releases of three.js (fetched from npm, their
-//                   pictures kept in out/families) and with telar drawing as they do
-//   --families      the same of one release a family
+//   --today         the gate's cases alone
+//   --families      in their place those of test/families, with one release of three.js a family (fetched from npm, their pictures
+//                   kept in out/families) and with telar drawing as they do
+//   --revision 160,180  the same with these releases
 //   --swap dfg=karis  telar draws these releases with another term in a slot: a planted fault; may stand several times
+//   --explain       finds the term that explains each case of them that is over the bar, not of the first few alone
 //   --own-text      three.js shaded by telar's text of stock three.js in telar's place
 import { mkdirSync } from 'node:fs';
 import { parseArgs } from 'node:util';
@@ -23,13 +25,14 @@ import { drawCases } from './draw_cases.mjs';
 import { saveReference } from './files.mjs';
 import { KNOWN_CASES, KNOWN_DIFFERENCES } from './known_differences.mjs';
 import { OUT } from './places.mjs';
+import { explained, explanationText } from '../families/explain.mjs';
 import { casesOf, GATED_REVISIONS, parseSwaps, sidesOf } from '../families/gate.mjs';
 import { Report } from './report.mjs';
 import { openOwnText } from './own_text.mjs';
 import { openServer } from './server.mjs';
 import { traceOf } from './trace.mjs';
 
-const flags = ['all', 'fast', 'swiftshader', 'trace', 'keep', 'browser-only', 'own-text', 'families'];
+const flags = ['all', 'fast', 'swiftshader', 'trace', 'keep', 'browser-only', 'own-text', 'today', 'families', 'explain'];
 const { values, positionals } = parseArgs({
   allowPositionals: true,
   options: {
@@ -46,23 +49,29 @@ const chosen = (items) =>
     .filter(({ name }) => positionals.length === 0 || positionals.some((filter) => name.includes(filter)))
     .filter((item) => !values.fast || item.fast)
     .filter(({ shot }) => !values['own-text'] || shot.shading === 'three');
-const revisions = values.revision?.split(',').map(Number) ?? (values.families ? GATED_REVISIONS : []);
+const isWhole = positionals.length === 0 && !flags.some((name) => !['all', 'explain', 'families'].includes(name) && values[name]);
+const asksOlder = values.families || values.revision !== undefined;
+const revisions = values.revision?.split(',').map(Number) ?? (values.families || isWhole ? GATED_REVISIONS : []);
 const swaps = parseSwaps(values.swap);
 const rounds = revisions.map((revision) => ({ revision, cases: chosen(casesOf(revision)) }));
-const current = chosen(values.all || positionals.length > 0 ? CASES : GATE_CASES);
-const cases = rounds.length > 0 ? rounds.flatMap((round) => round.cases) : current;
-const knownCases = rounds.length > 0 || values['browser-only'] || values['own-text'] ? [] : chosen(KNOWN_CASES);
+const current = asksOlder ? [] : chosen(values.all || positionals.length > 0 ? CASES : GATE_CASES);
+const cases = [...current, ...rounds.flatMap((round) => round.cases)];
+const knownCases = asksOlder || values['browser-only'] || values['own-text'] ? [] : chosen(KNOWN_CASES);
 if (cases.length + knownCases.length === 0) throw new Error(`no case has one of these in its name: ${positionals.join(' ')}`);
 
 /** Cases followed through the shaders without --trace: each takes seconds, and one fault shows in many cases. */
 const MAX_TRACES = 12;
 let traces = 0;
 
+/** Cases of older releases that are explained without --explain: each is drawn some fifty times. */
+const MAX_EXPLAINED = 3;
+let explanations = 0;
+
 const report = new Report();
 const spent = {};
 const sides = {};
 const opening = Object.entries({
-  browser: rounds.length > 0 ? undefined : Browser.start(),
+  browser: asksOlder ? undefined : Browser.start(),
   server: values['browser-only'] || values['own-text'] ? undefined : openServer(),
   other: values.swiftshader ? Browser.start({ rasterizer: 'swiftshader' }) : undefined,
 }).map(async ([name, side]) => {
@@ -72,9 +81,9 @@ try {
   await Promise.all(opening);
   if (values['own-text']) sides.server = openOwnText(sides.browser);
   if (sides.server) sides.comparer = new Comparer();
-  for (const round of rounds) await drawRound(round);
-  if (rounds.length === 0) for await (const result of drawCases(cases, sides)) await finishCase(result);
+  for await (const result of drawCases(current, sides)) await finishCase(result);
   for await (const result of drawCases(knownCases, { ...sides, other: undefined })) console.log(report.addKnown(result));
+  for (const round of rounds) await drawRound(round);
 } finally {
   await Promise.allSettled(opening);
   await Promise.all(Object.values(sides).map((side) => side?.close()));
@@ -88,16 +97,23 @@ if (!values['browser-only']) {
 process.exitCode = report.failed ? 1 : 0;
 
 /** The cases of one older release. */
-async function drawRound({ revision, cases }) {
-  const both = await sidesOf(revision, { server: sides.server, swaps });
+async function drawRound({ revision, cases: own }) {
+  const { browser, server, shading } = await sidesOf(revision, { server: sides.server, swaps });
   try {
-    for await (const result of drawCases(cases, { ...both, comparer: sides.comparer })) await finishCase(result);
+    for await (const result of drawCases(own, { browser, server, comparer: sides.comparer })) await finishCase(result, shading);
   } finally {
-    await both.browser.close();
+    await browser.close();
   }
 }
 
-async function finishCase(result) {
+/** Which term of a release explains a case that is over the bar. */
+async function explanationOf(result, shading) {
+  if (result.difference?.pass !== false || !(values.explain || ++explanations <= MAX_EXPLAINED)) return undefined;
+  return explanationText(await explained(result, shading, sides.server));
+}
+
+/** @param {object} [shading] - Of telar where it draws as an older release. */
+async function finishCase(result, shading = undefined) {
   const { item, inputs, expected, error, difference, milliseconds } = result;
   for (const [stage, time] of Object.entries(milliseconds)) spent[stage] = (spent[stage] ?? 0) + time;
   if (expected && (values.keep || values['browser-only'] || !difference.pass)) saveReference(item, inputs, expected);
@@ -108,12 +124,12 @@ async function finishCase(result) {
     if (error) report.failed++;
     return;
   }
-  console.log(report.add(result, wantsTrace(difference) ? await traced(result) : undefined));
+  // What a trace reads is of the text of today's three.js.
+  if (shading) console.log(report.add(result, undefined, await explanationOf(result, shading)));
+  else console.log(report.add(result, wantsTrace(difference) ? await traced(result) : undefined));
 }
 
 function wantsTrace(difference) {
-  // The terms that a trace reads are of the text of 0.187.
-  if (rounds.length > 0) return false;
   const most = difference?.interior?.max ?? 0;
   if (values.trace) return most > 0 || difference?.pass === false;
   return (most > 1 || difference?.pass === false) && ++traces <= MAX_TRACES;

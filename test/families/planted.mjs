@@ -1,0 +1,44 @@
+/**
+ * A term of another release in each slot, and the case that catches it: what telar draws as 0.180 with this one term in place of its
+ * own is over the bar of the gate.
+ * @type {Record<keyof typeof import('../../js/shot/three_terms.mjs').THREE_SLOTS, [term: string, item: string]>}
+ */
+// biome-ignore format: one slot a line
+export const PLANTED = {
+  prefilter: ['blur', 'env-lamps'],
+  backgroundCube: ['half', 'transmission-tone'],
+  reflectionDirection: ['roughness-4', 'env-lamps'],
+  dfg: ['table-32', 'light-directional'],
+  environmentMetal: ['two-interfaces', 'env-studio'],
+  directMultiscatter: ['turquin', 'light-directional'],
+  directDiffuse: ['under-fresnel', 'base-color-map'],
+  ambientDiffuse: ['under-interface', 'light-hemisphere'],
+  sheenAlbedo: ['exponential', 'sheen-sun'],
+  sheenEnergy: ['albedo', 'sheen-sun'],
+  ambientSheen: ['albedo', 'sheen-hemisphere'],
+  filmMetal: ['two-films', 'everything'],
+  filmEnvironment: ['schlick-f0', 'iridescence-env'],
+  anisotropicVisibility: ['floored', 'anisotropy-sun'],
+  anisotropyDirection: ['turned-back', 'anisotropy-sun'],
+  roughnessMin: ['0.045', 'light-directional'],
+  diffuseRoughness: ['eon', 'diffuse-roughness-sun'],
+  layerOcclusion: ['none', 'everything'],
+  ior0: ['infinite', 'ior-0-hemisphere'],
+  rectF90: ['of-material', 'rect-specular'],
+  rectCoat: ['own-lobe', 'rect-clearcoat'],
+  shadowFilter: ['depth-disk', 'shadow-directional'],
+  pointShadow: ['range-compared', 'shadow-point'],
+  dispersion: ['none', 'transmission-dispersion'],
+  glassBackground: ['encoded', 'transmission-color'],
+  glassBackSides: ['none', 'transmission-two-sided'],
+  glassBuffer: ['square-1024', 'transmission'],
+  glassAlpha: ['added-tenth', 'transmission'],
+  samplerPrecision: ['lowp', 'shadow-spot'],
+  textureTransform: ['trs', 'texture-transform'],
+  textureCoordinates: ['first-map', 'two-uv-sets'],
+  neutralToneMapping: ['white', 'tone-neutral'],
+  sorting: ['origin', 'alpha-blend-origins'],
+};
+
+/** The release that they are planted in: of a family without a term of its own that is today's in every other slot. */
+export const PLANTED_REVISION = 180;
