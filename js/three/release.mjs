@@ -28,8 +28,11 @@ export function warnOnce(text) {
 export function matchRelease(shot, THREE, revision) {
   if (!['shot', 'client'].includes(revision)) throw new Error(`applyShot: expected revision "shot" or "client", got ${revision}`);
   const named = revisionOfShading(shot.shading);
-  if (named === null) return;
   const own = revisionOf(THREE);
+  if (named === null) {
+    if (familyOf(own).from !== familyOf(REVISION).from) warnOnce(`the shading is made for three.js 0.${REVISION}, and this page has 0.${own}`);
+    return;
+  }
   if (revision === 'client') {
     shot.shading = resolveThree({ base: 'three', revision: own });
     const remark = revisionRemark(own);
