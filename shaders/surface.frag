@@ -1,4 +1,4 @@
-// Metallic-roughness material and the layers of KHR_materials_* under punctual and indirect light, as three.js 0.187's
+// Metallic-roughness material and the layers of KHR_materials_* under punctual and indirect light, as three.js's
 // MeshStandardMaterial and MeshPhysicalMaterial shade them; with UNLIT as its MeshBasicMaterial.
 #if ALPHA_TO_COVERAGE && SAMPLE_MASK
 #extension GL_OES_sample_variables : require
@@ -18,6 +18,7 @@ precision highp samplerCube;
 #include "brdf/math.glsl"
 #include "brdf/tone_mapping.glsl"
 #include "brdf/color.glsl"
+#include "shading/three_terms.glsl"
 #include "output.glsl"
 #if ALPHA_TO_COVERAGE || ENVIRONMENT_SAMPLES > 0 || FLAT_SHADOWS + CUBE_SHADOWS > 0
 #include "pixel_noise.glsl"
@@ -100,7 +101,11 @@ void main() {
   vec4 transmitted = transmittedLight(s);
   float transmission = transmissionWeight();
   diffuse = mix(diffuse, vec3(transmitted), transmission);
+#if THREE_GLASS_ALPHA_TERM == THREE_GLASS_ALPHA_ADDED_TENTH
+  baseColor.a *= glassOpacityWithTenth(transmitted.a, transmission);
+#else
   baseColor.a *= mix(1.0, transmitted.a, transmission);
+#endif
 #endif
 #if EMISSIVE
   vec3 emitted = emittedRadiance();

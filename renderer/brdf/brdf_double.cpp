@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "brdf/brdf.h"
+#include "brdf/dfg_lookup.h"
 #include "brdf/shading.h"
 
 namespace telar::brdf_d {

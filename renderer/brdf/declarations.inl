@@ -77,6 +77,16 @@ Real bumpTerminator(Real alpha2, Real cosine);
 vec3 returningShare(vec3 f0, Real f90, Real averageMissing);
 vec3 interfaceAlbedo(vec3 f0, Real f90, vec3 returning, vec2 albedo);
 
+vec3 dominantReflectionByAlpha(Real perceptualRoughness, vec3 n, vec3 v);
+vec3 addedScattering(vec3 f0, Real f90, vec2 dfgV, vec2 dfgL, vec3 passes);
+vec3 diffuseShareOfLargest(Scattering whole);
+Real sheenAlbedoInRanges(Real sheenRoughness, Real cosine);
+Real underSheenOfColor(vec3 sheenColor);
+Real V_SmithGGXAnisotropicUnbounded(Real alphaT, Real alphaB, Real NoV, Real NoL, Real ToV, Real BoV, Real ToL, Real BoL);
+vec3 ltcAlbedoToWhite(vec3 f0, vec2 scaleAndBias);
+Real glassOpacityWithTenth(Real coverage, Real transmission);
+vec3 toneMapNeutralWhite(vec3 color, Real exposure);
+
 Real roughnessR115(Real perceptualRoughness);
 vec3 specularF0R115(vec3 baseColor, Real reflectivity, Real metallic);
 Real clearcoatDHR(Real perceptualRoughness, Real cosine);

@@ -20,6 +20,7 @@
 #include "environment_fit.glsl"
 #include "iridescence.glsl"
 #include "multiscatter.glsl"
+#include "three_releases.glsl"
 #include "r115.glsl"
 #include "transmission.glsl"
 #include "light.glsl"
@@ -28,4 +29,5 @@
 #include "environment.glsl"
 #include "importance.glsl"
 #include "tone_mapping.glsl"
+#include "neutral_white.glsl"
 #include "color.glsl"

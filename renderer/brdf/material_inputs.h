@@ -1,4 +1,5 @@
 #pragma once
+#include "brdf/release_factors.h"
 #include "brdf/shading.h"
 #include "telar/scene.h"
 
@@ -8,9 +9,10 @@ namespace telar {
 /// texels.
 /// @tparam Inputs   brdf_f::MaterialInputs or brdf_d::MaterialInputs
 /// @param baseColor its factor times texel and vertex colour, linear Rec.709
+/// @param three     the release, of the shading kThree
 /// @param read      texel of a texture, (const TextureRef&, bool srgb) -> vec4; white where there is none
 template <class Inputs, class Read>
-Inputs materialInputs(const Material& material, const glm::vec3& baseColor, const Read& read) {
+Inputs materialInputs(const Material& material, const glm::vec3& baseColor, const ThreeTerms& three, const Read& read) {
   using Real = decltype(Inputs::roughness);
   using Vec2 = glm::vec<2, Real>;
   using Vec3 = glm::vec<3, Real>;
@@ -27,6 +29,10 @@ Inputs materialInputs(const Material& material, const glm::vec3& baseColor, cons
   m.metallic = material.metallicFactor * metallicRoughness.b;
   m.roughness = material.roughnessFactor * metallicRoughness.g;
 #include "brdf/layer_inputs.inc"
+  m.three = three;
+  const PhysicalLayers& l = material.layers;
+  m.ior = iorOf(l, three);
+  m.sheenRoughness = sheenRoughnessOf(l, three) * texel(l.sheenRoughnessTexture, false).a;
   return m;
 }
 

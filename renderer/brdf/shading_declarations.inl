@@ -1,8 +1,11 @@
 // Included in a namespace where Real is the scalar type and `float` stands for it.
-#include "material/input_types.glsl"
 #include "../material/surface_types.glsl"
+#include "material/input_types.glsl"
 
 Reflected nothingReflected();
+
+/// (A, B) of the split sum as a release of three.js has it: brdf::dfgOf().
+vec2 splitSum(const ThreeTerms& three, Real perceptualRoughness, Real NoV);
 
 // From what the file says of a material to a surface, shaders/material/layers.glsl.
 MaterialInputs withShadedRoughness(MaterialInputs m, Real geometric);
@@ -24,7 +27,7 @@ YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, Real slope, Real cov
   Reflected addEnvironment(Reflected sum, SurfaceInfo s, Incident incident);    \
   vec3 composedRadiance(SurfaceInfo s, vec3 diffuse, Reflected direct, Reflected indirect, vec3 emitted);
 
-/// As three.js 0.187.
+/// As three.js: the release in SurfaceInfo.
 namespace three {
 TELAR_SHADING_FUNCTIONS
 }  // namespace three
@@ -50,7 +53,8 @@ struct ShadingFunctions {
   decltype(&three::addDome) addDome;
   decltype(&three::addEnvironment) addEnvironment;
   decltype(&three::composedRadiance) composedRadiance;
-  decltype(&fabric::addBehind) addBehind = nullptr;  ///< light of domes on the other side, where a shading lets any through
+  decltype(&fabric::addBehind) addBehind =
+      nullptr;  ///< light of domes on the other side, where a shading lets any through
 };
 
 /// A principled shading is what `terms` of its SurfaceInfo say: set them before preparedSurface().

@@ -1,8 +1,13 @@
 // The text of every shading; types are in shading_declarations.inl.
 #include "../light/reflected.glsl"
-#include "../material/layers.glsl"
 #include "../shading/terms.glsl"
 #include "../shading/three_terms.glsl"
+// After the names of terms.
+#include "../material/layers.glsl"
+
+vec2 splitSum(const ThreeTerms& three, Real perceptualRoughness, Real NoV) {
+  return vec2(brdf::dfgOf(three)(static_cast<decltype(0.0f)>(perceptualRoughness), static_cast<decltype(0.0f)>(NoV)));
+}
 
 #define TELAR_SHADING_TABLE(name) \
   { &name::preparedSurface, &name::addPunctual, &name::addDome, &name::addEnvironment, &name::composedRadiance }

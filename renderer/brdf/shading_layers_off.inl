@@ -8,3 +8,4 @@
 #undef SHADING_FABRIC
 #undef ALL_TERMS
 #undef CHOSEN
+#undef RELEASE

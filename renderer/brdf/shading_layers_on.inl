@@ -9,3 +9,4 @@
 #define SHADING_FABRIC 1
 #define ALL_TERMS 1
 #define CHOSEN(slot, number) s.terms.slot
+#define RELEASE(holder, slot, number) holder.three.slot

@@ -8,7 +8,9 @@
 namespace telar::frame {
 namespace {
 
-PixelEncoder::ToneMap toneMapOf(ToneMapping toneMapping) {
+PixelEncoder::ToneMap toneMapOf(ToneMapping toneMapping, const ThreeTerms& three) {
+  const bool white = three.neutralToneMapping == ThreeTerms::THREE_NEUTRAL_TONE_MAPPING_WHITE;
+  if (white && toneMapping == ToneMapping::kNeutral) return brdf_f::toneMapNeutralWhite;
   switch (toneMapping) {
     case ToneMapping::kNone:
       break;
@@ -26,7 +28,7 @@ std::byte byteOf(float x) { return static_cast<std::byte>(std::lround(glm::clamp
 }  // namespace
 
 PixelEncoder::PixelEncoder(const Shot& shot)
-    : toneMap_(toneMapOf(shot.toneMapping)), exposure_(static_cast<float>(shot.exposure)) {}
+    : toneMap_(toneMapOf(shot.toneMapping, shot.three)), exposure_(static_cast<float>(shot.exposure)) {}
 
 glm::vec4 PixelEncoder::operator()(const glm::vec4& pixel) const {
   const glm::vec3 radiance = pixel.a > 0 ? glm::vec3(pixel) / pixel.a : glm::vec3(0);

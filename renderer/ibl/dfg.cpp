@@ -3,12 +3,13 @@
 #include "brdf/dfg_lookup.h"
 
 namespace telar::ibl {
-gl::Texture createDfgTexture(const gl::Functions& gl) {
+gl::Texture createDfgTexture(const gl::Functions& gl, const ThreeTerms& three) {
+  const brdf::DfgTable table = brdf::dfgTableOf(three);
   gl::Texture texture(gl);
   gl.BindTexture(GL_TEXTURE_2D, texture.get());
-  gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RG16F, brdf::DFG_SIZE, brdf::DFG_SIZE);
+  gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RG16F, table.size, table.size);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, brdf::DFG_SIZE, brdf::DFG_SIZE, GL_RG, GL_HALF_FLOAT, brdf::dfgHalfs());
+  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, table.size, table.size, GL_RG, GL_HALF_FLOAT, table.halfs);
   for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
     gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})

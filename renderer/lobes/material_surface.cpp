@@ -1,20 +1,11 @@
 #include "lobes/material_surface.h"
 
-#include "brdf/dfg_lookup.h"
 #include "brdf/material_inputs.h"
 
 namespace telar::lobes {
-namespace {
-
-glm::dvec2 dfg(double perceptualRoughness, double NoV) {
-  return glm::dvec2(brdf::dfgLookup(static_cast<float>(perceptualRoughness), static_cast<float>(NoV)));
-}
-
-}  // namespace
-
 brdf_d::SurfaceInfo surfaceOf(const Material& material, const Shot& shot, const glm::dvec3& v) {
   const bool principled = isPrincipled(shot.shading);
-  auto m = materialInputs<brdf_d::MaterialInputs>(material, glm::vec3(material.baseColorFactor),
+  auto m = materialInputs<brdf_d::MaterialInputs>(material, glm::vec3(material.baseColorFactor), shot.three,
                                                   [](const TextureRef&, bool) { return glm::vec4(1); });
   if (!principled) m = brdf_d::withShadedRoughness(m, 0);
   brdf_d::Normals normals{};
@@ -26,8 +17,8 @@ brdf_d::SurfaceInfo surfaceOf(const Material& material, const Shot& shot, const 
   s = brdf_d::withLayers(s, m, normals);
   if (shot.shading == ShadingModel::kFabric && material.fabric.weave) s = brdf_d::withWeave(s, m, normals);
   if (principled) s.terms = shot.terms;
-  s.dfg = dfg(s.perceptualRoughness, s.NoV);
-  s.coatDfg = dfg(s.clearcoatRoughness, s.clearcoatNoV);
+  s.dfg = brdf_d::splitSum(shot.three, s.perceptualRoughness, s.NoV);
+  s.coatDfg = brdf_d::splitSum(shot.three, s.clearcoatRoughness, s.clearcoatNoV);
   return s;
 }
 

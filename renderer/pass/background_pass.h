@@ -19,7 +19,8 @@ class BackgroundPass {
 
  private:
   const gl::Context& context_;
-  using Key = std::tuple<shader::ToneMapping, bool, bool, int>;  // linear output, blurred, term of the prefilter
+  /// Neutral tone mapping's form, linear output, blurred, term of the prefilter.
+  using Key = std::tuple<shader::ToneMapping, int, bool, bool, int>;
   std::map<Key, gl::Program> programs_;
   gl::DrawCost cost_;
   gl::VertexArray cube_;

@@ -16,6 +16,7 @@ const gl::Program& GroundPass::program(const Key& key) {
   const shader::Defines defines{{"FLAT_SHADOWS", static_cast<int>(flat)},
                                 {"CUBE_SHADOWS", static_cast<int>(cube)},
                                 {"TONE_MAPPING", static_cast<int>(toneMapping)},
+                                {"THREE_NEUTRAL_TONE_MAPPING_TERM", 0},  // black is black in both
                                 {"OUTPUT_LINEAR", linear ? 1 : 0}};
   return programs_
       .emplace(key, gl::Program(context_, "ground", shader::assemble("shadow/ground.vert", defines),

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include "brdf/release_factors.h"
 #include "frame/sample_passes.h"
 #include "ibl/dfg.h"
 #include "pass/shadow_pass.h"
@@ -245,6 +246,9 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
   program.set("occlusionStrength", m.occlusionStrength);
   program.set("normalScale", normalScaleOf(m.normalScale, item));
   setLayers(program, item);
+  const ThreeTerms& three = item.key.three;
+  if (three.ior0 && (item.key.specular || item.key.transmission)) program.set("ior", iorOf(m.layers, three));
+  if (three.sheenAlbedo && item.key.sheen) program.set("sheenRoughnessFactor", sheenRoughnessOf(m.layers, three));
   if (item.key.transmission) {
     program.set("modelMatrix", glm::mat4(fromOrigin(item.node->world, in.plan.origin)));
     program.set("thicknessScale", scaleOf(glm::mat4(item.node->world)));
@@ -278,11 +282,13 @@ void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {
   gl.ActiveTexture(GL_TEXTURE0);
   if ((in.plan.environment && !in.environment) || (transmission && !in.transmission)) standIns();
   if (in.plan.frame.lights.area() > 0 && !ltc_) ltc_ = createLtcTextures(context_);
+  const bool dfg32 = in.plan.frame.three.dfg == ThreeTerms::THREE_DFG_TABLE_32;
+  if (dfg32 && !dfg32_) dfg32_ = ibl::createDfgTexture(gl, in.plan.frame.three);
   const auto bind = [&gl](GLuint unit, GLenum target, const gl::Texture& texture) {
     gl.ActiveTexture(GL_TEXTURE0 + unit);
     gl.BindTexture(target, texture.get());
   };
-  bind(DFG_UNIT, GL_TEXTURE_2D, dfg_);
+  bind(DFG_UNIT, GL_TEXTURE_2D, dfg32 ? dfg32_ : dfg_);
   if (in.plan.environment) {
     const bool sampled = in.plan.frame.environmentSamples > 0;
     if (!sampled && ibl::hasAtlas(in.plan.frame.three)) {

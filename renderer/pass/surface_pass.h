@@ -61,6 +61,7 @@ class SurfacePass {
   const gl::Context& context_;
   Limits limits_;
   gl::Texture dfg_;
+  gl::Texture dfg32_;  ///< of three.js 0.181, from its first frame on
   LtcTextures ltc_;
   SurfaceTextures textures_;
   std::optional<StandIns> standIns_;

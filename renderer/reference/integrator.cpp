@@ -23,18 +23,20 @@ struct Integrator::Path {
 };
 
 Integrator::Integrator(const TracedScene& scene, Transport transport, ShadingModel shading, const ShadingTerms& terms,
-                       glm::vec2 (*dfg)(float, float))
+                       const ThreeTerms& three)
     : scene_(scene),
       transport_{transport.occlusion, transport.occlusion ? transport.bounces : 0},
       shading_(brdf_f::shadingFunctions(shading)),
       terms_(isPrincipled(shading) ? std::optional(terms) : std::nullopt),
-      dfg_(dfg) {}
+      three_(three) {}
 
 brdf_f::Reflected Integrator::withBakedOcclusion(brdf_f::Reflected light, const Surface& surface) const {
   if (transport_.occlusion || surface.occlusion >= 1) return light;
   light.diffuse *= surface.occlusion;
-  light.coat *= surface.occlusion;
-  light.sheen *= surface.occlusion;
+  if (three_.layerOcclusion == ThreeTerms::THREE_LAYER_OCCLUSION_OCCLUDED) {
+    light.coat *= surface.occlusion;
+    light.sheen *= surface.occlusion;
+  }
   light.specular *= brdf_f::specularOcclusion(surface.info.perceptualRoughness, surface.occlusion, surface.info.NoV);
   return light;
 }
@@ -59,7 +61,7 @@ bool Integrator::intersect(Ray ray, const Footprint* footprint, Sampler& sampler
     ++sampler.rays;
     if (!scene_.geometry.intersect(ray, hit)) return false;
     surface =
-        surfaceAt(scene_.textures, scene_.meshes[hit.mesh], hit, ray, footprint, dfg_, terms_ ? &*terms_ : nullptr);
+        surfaceAt(scene_.textures, scene_.meshes[hit.mesh], hit, ray, footprint, three_, terms_ ? &*terms_ : nullptr);
     const bool oneSided = !scene_.meshes[hit.mesh].material->doubleSided;
     const bool solid = surface.shown && !(opaque && surface.glass.weight > 0);
     if (solid && (surface.alpha >= 1 || sampler.random.uniform() < surface.alpha)) {

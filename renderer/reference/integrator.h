@@ -40,7 +40,7 @@ struct TracedScene {
 class Integrator {
  public:
   Integrator(const TracedScene& scene, Transport transport, ShadingModel shading, const ShadingTerms& terms,
-             glm::vec2 (*dfg)(float, float));
+             const ThreeTerms& three);
 
   /// One estimate of the light along a camera ray.
   /// @return linear Rec.709 radiance, premultiplied with coverage, and coverage: 0..1 in the mean of many
@@ -98,7 +98,7 @@ class Integrator {
   Transport transport_;
   brdf_f::ShadingFunctions shading_;
   std::optional<ShadingTerms> terms_;  ///< of a principled shading
-  glm::vec2 (*dfg_)(float, float);
+  ThreeTerms three_;                   ///< of the shading kThree
 };
 
 }  // namespace telar::reference

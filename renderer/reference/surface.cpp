@@ -99,12 +99,12 @@ struct Reader {
 
 bool isWoven(const PlacedMesh& mesh) { return mesh.shading == ShadingModel::kFabric && mesh.material->fabric.weave; }
 
-Glass readGlass(const PhysicalLayers& l, const Reader& read, const PlacedMesh& mesh) {
+Glass readGlass(const PhysicalLayers& l, const Reader& read, const PlacedMesh& mesh, const ThreeTerms& three) {
   Glass glass;
   glass.weight = brdf_f::saturate(l.transmissionFactor * read(l.transmissionTexture).r);
   if (glass.weight == 0) return glass;
-  glass.ior = l.ior;
-  glass.dispersion = l.dispersion;
+  glass.ior = iorOf(l, three);
+  glass.dispersion = three.dispersion == ThreeTerms::THREE_DISPERSION_NONE ? 0 : l.dispersion;
   const glm::mat3& m = mesh.linear;
   const glm::vec3 scale(glm::length(m[0]), glm::length(m[1]), glm::length(m[2]));
   glass.thickness = l.thicknessFactor * read(l.thicknessTexture).g * scale;
@@ -171,7 +171,7 @@ float roughnessOfCurvature(const Corners& corners, const glm::vec3& n, const Foo
 }  // namespace
 
 Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const Ray& ray,
-                  const Footprint* footprint, glm::vec2 (*dfg)(float, float), const ShadingTerms* terms) {
+                  const Footprint* footprint, const ThreeTerms& three, const ShadingTerms* terms) {
   const Material& m = *mesh.material;
   const Primitive& primitive = *mesh.primitive;
   const Corners corners(mesh, hit.triangle);
@@ -198,7 +198,7 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   const glm::vec3 n = flat || !m.doubleSided ? interpolated : interpolated * face;
   const float geometric = flat || !footprint ? 0.0f : roughnessOfCurvature(corners, interpolated, *footprint);
   const brdf_f::Normals normals = normalsAt(mesh, corners, read, n, v, face, footprint);
-  brdf_f::MaterialInputs in = materialInputs<brdf_f::MaterialInputs>(m, glm::vec3(baseColor), read);
+  brdf_f::MaterialInputs in = materialInputs<brdf_f::MaterialInputs>(m, glm::vec3(baseColor), three, read);
   // Finer than a pixel yarns are not taken together: many samples do that.
   if (isWoven(mesh) && m.fabric.weaveTexture)
     in = brdf_f::withWeaveTexel(in, read(m.fabric.weaveTexture), glm::vec2(0));
@@ -212,10 +212,10 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   s = brdf_f::withLayers(s, in, normals);
   if (isWoven(mesh)) s = brdf_f::withWeave(s, in, normals);
   if (terms) s.terms = *terms;
-  s.dfg = dfg(s.perceptualRoughness, s.NoV);
-  s.coatDfg = dfg(s.clearcoatRoughness, s.clearcoatNoV);
+  s.dfg = brdf_f::splitSum(three, s.perceptualRoughness, s.NoV);
+  s.coatDfg = brdf_f::splitSum(three, s.clearcoatRoughness, s.clearcoatNoV);
   surface.info = s;
-  surface.glass = readGlass(m.layers, read, mesh);
+  surface.glass = readGlass(m.layers, read, mesh, three);
   if (m.occlusionTexture) surface.occlusion = brdf_f::diffuseOcclusion(read(m.occlusionTexture).r, m.occlusionStrength);
   return surface;
 }

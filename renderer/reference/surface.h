@@ -41,9 +41,9 @@ struct Surface {
 
 /// What the raster's shaders take from factors, textures and vertices, for a hit of a ray. World space.
 /// @param footprint  camera rays only: adds the geometric roughness of three.js
-/// @param dfg        (A, B) of the split sum by perceptual roughness and NoV, as the raster's table holds them
+/// @param three      the release of three.js, of the shading kThree
 /// @param terms      of a principled shading, which takes roughness as authored; null for the others
 Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const Ray& ray,
-                  const Footprint* footprint, glm::vec2 (*dfg)(float, float), const ShadingTerms* terms = nullptr);
+                  const Footprint* footprint, const ThreeTerms& three, const ShadingTerms* terms = nullptr);
 
 }  // namespace telar::reference

@@ -8,7 +8,6 @@
 #include <mutex>
 #include <thread>
 
-#include "brdf/dfg_lookup.h"
 #include "frame/linear_output.h"
 #include "frame/picture_facts.h"
 #include "frame/variant.h"
@@ -43,7 +42,7 @@ class World {
     background_.emplace(shot, light);
     const TracedScene traced{textures_, meshes_, geometry_, lights_, light, *background_, ground_ ? &*ground_ : nullptr,
                              radius_};
-    integrator_.emplace(traced, transport, shot.shading, shot.terms, brdf::dfgLookup);
+    integrator_.emplace(traced, transport, shot.shading, shot.terms, shot.three);
   }
   World(const World&) = delete;
   World& operator=(const World&) = delete;

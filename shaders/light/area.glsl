@@ -39,7 +39,7 @@ struct AreaLobes {
 #elif SHADING_PRINCIPLED && SHEEN
   vec3 fuzz;    // albedo of the sheen, a cosine lobe too
 #endif
-#if CLEARCOAT
+#if CLEARCOAT && THREE_RECT_COAT_TERM == THREE_RECT_COAT_OWN_LOBE
   LtcLobe coat;
 #endif
 };
@@ -48,6 +48,9 @@ AreaLobes areaLobes(SurfaceInfo s) {
   AreaLobes lobes;
   lobes.frame = ltcFrame(s.n, s.v);
   lobes.base = ltcLobe(lobes.frame, s.perceptualRoughness, s.NoV, s.f0, s.f90);
+#if THREE_RECT_F90_TERM == THREE_RECT_F90_ONE
+  lobes.base.albedo = ltcAlbedoToWhite(s.f0, texture(ltcAlbedoMap, ltcCoordinates(s.perceptualRoughness, s.NoV)).rg);
+#endif
 #if SHADING_FABRIC
   // Multiple scattering and the diffuse lobe both leave as a cosine lobe.
   lobes.base.albedo = glossReflectance(s);
@@ -66,7 +69,7 @@ AreaLobes areaLobes(SurfaceInfo s) {
 #else
   lobes.spread = s.diffuse;
 #endif
-#if CLEARCOAT
+#if CLEARCOAT && THREE_RECT_COAT_TERM == THREE_RECT_COAT_OWN_LOBE
   lobes.coat = ltcLobe(ltcFrame(s.coatNormal, s.v), s.clearcoatRoughness, s.clearcoatNoV, vec3(F0_DIELECTRIC), 1.0);
 #if SHADING_PRINCIPLED
   lobes.coat.albedo = vec3(coatAlbedoTerm(s));
@@ -97,7 +100,7 @@ Reflected addArea(Reflected sum, AreaLobes lobes, AreaLight light, vec3 p) {
 #if SHADING_PRINCIPLED && SHEEN
   sum.sheen += light.color * lobes.fuzz * cosineLobe;
 #endif
-#if CLEARCOAT
+#if CLEARCOAT && THREE_RECT_COAT_TERM == THREE_RECT_COAT_OWN_LOBE
   sum.coat += light.color * lobes.coat.albedo * formFactor(lobes.coat.toLobe, light, p);
 #endif
   return sum;

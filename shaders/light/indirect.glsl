@@ -32,7 +32,12 @@ float cosineLod() { return ATLAS_MIP_ROUGHEST; }
 
 // Radiance of the environment over a GGX lobe of this roughness about n.
 vec3 specularRadiance(float perceptualRoughness, vec3 n, vec3 v) {
-  return environmentRadiance(dominantReflection(perceptualRoughness, n, v), lobeLod(perceptualRoughness));
+#if THREE_REFLECTION_DIRECTION_TERM == THREE_REFLECTION_DIRECTION_ROUGHNESS_2
+  vec3 direction = dominantReflectionByAlpha(perceptualRoughness, n, v);
+#else
+  vec3 direction = dominantReflection(perceptualRoughness, n, v);
+#endif
+  return environmentRadiance(direction, lobeLod(perceptualRoughness));
 }
 #endif
 

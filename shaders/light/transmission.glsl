@@ -91,7 +91,11 @@ vec4 transmittedLight(SurfaceInfo s) {
   vec2 dfg = splitSum(s.perceptualRoughness, saturate(dot(n, v)));
   vec3 reflected = s.f0 * dfg.x + s.f90 * dfg.y;
   vec3 attenuated = transmittance * light.rgb;
+#if THREE_GLASS_ALPHA_TERM == THREE_GLASS_ALPHA_ADDED_TENTH
+  return vec4((1.0 - reflected) * attenuated, light.a);
+#else
   return vec4((1.0 - reflected) * attenuated, transmittedAlpha(transmittance, light.a));
+#endif
 }
 
 float transmissionWeight() {

@@ -47,7 +47,7 @@ in vec2 vUv0;
 in vec3 vWorldPosition;  // metres
 #endif
 #if !UNLIT
-uniform sampler2D dfgMap;  // RG = (A, B) of the split sum; x = perceptualRoughness, y = NoV, texel centres at (i + 0.5) / 16
+uniform sampler2D dfgMap;  // RG = (A, B) of the split sum; x = perceptualRoughness, y = NoV, texel centres at (i + 0.5) / size
 #endif
 #if ALPHA_TO_COVERAGE
 #if SAMPLE_MASK
@@ -88,7 +88,12 @@ float occlusionTexel() { return texture(occlusionMap, vOcclusionUv).r; }
 #endif
 
 // (A, B) of the split sum.
+#if THREE_DFG_TERM == THREE_DFG_KARIS
+vec2 dfgKaris(float perceptualRoughness, float NoV);
+vec2 splitSum(float perceptualRoughness, float NoV) { return dfgKaris(perceptualRoughness, NoV); }
+#else
 vec2 splitSum(float perceptualRoughness, float NoV) { return texture(dfgMap, vec2(perceptualRoughness, NoV)).rg; }
+#endif
 #endif
 
 #if ALPHA_TO_COVERAGE

@@ -6,6 +6,14 @@
 // shadings take roughness as authored.
 // geometric  geometricRoughness()
 MaterialInputs withShadedRoughness(MaterialInputs m, float geometric) {
+#if ALL_TERMS || THREE_ROUGHNESS_MIN_TERM == THREE_ROUGHNESS_MIN_0_0525
+  if (RELEASE(m, roughnessMin, THREE_ROUGHNESS_MIN_TERM) == THREE_ROUGHNESS_MIN_0_0525) {
+    m.roughness = max(m.roughness, PERCEPTUAL_ROUGHNESS_MIN_R186);
+#if CLEARCOAT
+    m.clearcoatRoughness = max(m.clearcoatRoughness, PERCEPTUAL_ROUGHNESS_MIN_R186);
+#endif
+  }
+#endif
   m.roughness = shadedRoughness(m.roughness, geometric);
 #if CLEARCOAT
   m.clearcoatRoughness = shadedRoughness(m.clearcoatRoughness, geometric);
@@ -88,6 +96,7 @@ Normals facingViewer(Normals normals, vec3 v) {
 SurfaceInfo baseSurface(MaterialInputs m, Normals normals, vec3 v) {
 #if ALL_TERMS
   SurfaceInfo s = SurfaceInfo();  // in C++, where no layer may be left out: all are 0
+  s.three = m.three;
 #else
   SurfaceInfo s;
 #endif
@@ -128,12 +137,21 @@ SurfaceInfo withAnisotropy(SurfaceInfo s, MaterialInputs m, mat3 frame) {
   axis = dot(axis, axis) > 0.0 ? normalize(axis) : vec2(1.0, 0.0);
   vec2 stretch = m.anisotropyVector;
   vec2 direction = vec2(stretch.x * axis.x - stretch.y * axis.y, stretch.y * axis.x + stretch.x * axis.y) * m.anisotropyTexel.z;
+#if ALL_TERMS
+  if (m.three.anisotropyDirection == THREE_ANISOTROPY_DIRECTION_NONE) direction = vec2(0.0);
+#endif
   s.anisotropyStrength = length(direction);
   direction = s.anisotropyStrength == 0.0 ? vec2(1.0, 0.0) : direction / s.anisotropyStrength;
   s.anisotropyStrength = saturate(s.anisotropyStrength);
   s.alphaT = alphaAlongTangent(s.perceptualRoughness, s.anisotropyStrength);
   s.t = frame[0] * direction.x + frame[1] * direction.y;
   s.b = frame[1] * direction.x - frame[0] * direction.y;
+#if ALL_TERMS || THREE_ANISOTROPY_DIRECTION_TERM == THREE_ANISOTROPY_DIRECTION_TURNED_BACK
+  if (RELEASE(m, anisotropyDirection, THREE_ANISOTROPY_DIRECTION_TERM) == THREE_ANISOTROPY_DIRECTION_TURNED_BACK) {
+    s.t = frame[0] * direction.x - frame[1] * direction.y;
+    s.b = frame[1] * direction.x + frame[0] * direction.y;
+  }
+#endif
   return s;
 }
 #endif
@@ -149,9 +167,20 @@ SurfaceInfo withFilm(SurfaceInfo s, MaterialInputs m) {
 #endif
   vec3 dielectric = F_Iridescence(m.iridescenceIor, m.iridescenceThickness, s.NoV, s.f0Dielectric);
   vec3 metal = F_Iridescence(m.iridescenceIor, m.iridescenceThickness, s.NoV, s.baseColor);
+#if ALL_TERMS || THREE_FILM_METAL_TERM == THREE_FILM_METAL_ONE_FILM
+  if (RELEASE(m, filmMetal, THREE_FILM_METAL_TERM) == THREE_FILM_METAL_ONE_FILM) {
+    dielectric = metal = F_Iridescence(m.iridescenceIor, m.iridescenceThickness, s.NoV, s.f0);
+  }
+#endif
   s.filmFresnel = mix(dielectric, metal, s.metallic);
   s.filmF0Dielectric = f0FromSchlick(dielectric, s.NoV);
   s.filmF0Metal = f0FromSchlick(metal, s.NoV);
+#if ALL_TERMS || THREE_FILM_ENVIRONMENT_TERM == THREE_FILM_ENVIRONMENT_REFLECTANCE
+  if (RELEASE(m, filmEnvironment, THREE_FILM_ENVIRONMENT_TERM) == THREE_FILM_ENVIRONMENT_REFLECTANCE) {
+    s.filmF0Dielectric = dielectric;
+    s.filmF0Metal = metal;
+  }
+#endif
   return s;
 }
 #endif
@@ -220,6 +249,9 @@ SurfaceInfo withLayers(SurfaceInfo s, MaterialInputs m, Normals normals) {
   s.f0 = mix(s.f0Dielectric, s.baseColor, s.metallic);
 #if DIFFUSE_ROUGHNESS
   s.diffuseRoughness = saturate(m.diffuseRoughness);
+#if ALL_TERMS
+  if (m.three.diffuseRoughness == THREE_DIFFUSE_ROUGHNESS_NONE) s.diffuseRoughness = 0.0;
+#endif
 #endif
 #if ANISOTROPY
   s = withAnisotropy(s, m, normals.frame);

@@ -55,6 +55,9 @@ struct GlossAlbedo {
 
 // Everything the lights need to know of one point of a surface.
 struct SurfaceInfo {
+#if ALL_TERMS
+  ThreeTerms three;          // of a release of three.js, chosen at run time: in C++ only
+#endif
   vec3 n;          // shading normal, view space
   vec3 v;          // to the viewer, view space
   vec3 baseColor;  // linear Rec.709

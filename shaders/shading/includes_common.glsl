@@ -1,6 +1,7 @@
 // The terms that more than one shading takes: a file is included once, wherever that is.
 #include "shading/terms.glsl"
 #include "shading/three_terms.glsl"
+#include "shading/release.glsl"
 #include "brdf/roughness.glsl"
 #include "brdf/distribution.glsl"
 #include "brdf/visibility.glsl"
@@ -11,6 +12,12 @@
 #include "brdf/light.glsl"
 #include "brdf/occlusion.glsl"
 #include "brdf/environment.glsl"
+#if THREE_DFG_TERM == THREE_DFG_KARIS || (SHADING_PRINCIPLED && ENVIRONMENT_TERM != ENVIRONMENT_THREE_TABLE)
+#include "brdf/environment_fit.glsl"
+#endif
+#if THREE_REFLECTION_DIRECTION_TERM + THREE_ENVIRONMENT_METAL_TERM + THREE_DIRECT_MULTISCATTER_TERM + THREE_SHEEN_ALBEDO_TERM + THREE_SHEEN_ENERGY_TERM + THREE_ANISOTROPIC_VISIBILITY_TERM + THREE_ROUGHNESS_MIN_TERM + THREE_RECT_F90_TERM + THREE_GLASS_ALPHA_TERM > 0
+#include "brdf/three_releases.glsl"
+#endif
 #if RECT_LIGHTS + DISK_LIGHTS > 0
 #include "brdf/area.glsl"
 #endif

@@ -3,8 +3,5 @@
 #include "brdf/disney.glsl"
 #include "brdf/disney_parameters.glsl"
 #include "brdf/principled_albedo.glsl"
-#if ENVIRONMENT_TERM != ENVIRONMENT_THREE_TABLE
-#include "brdf/environment_fit.glsl"
-#endif
 #include "shading/principled_terms.glsl"
 #include "shading/principled.glsl"

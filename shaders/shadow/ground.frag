@@ -7,6 +7,7 @@ precision highp int;
 #include "brdf/math.glsl"
 #include "brdf/tone_mapping.glsl"
 #include "brdf/color.glsl"
+#include "shading/three_terms.glsl"
 #include "output.glsl"
 #include "pixel_noise.glsl"
 #include "shadow/filter.glsl"

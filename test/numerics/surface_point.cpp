@@ -52,8 +52,7 @@ class Stage {
     const ShadingTerms terms = termsOf(model);
     const bool principled = isPrincipled(model);
     brdf_f::SurfaceInfo info =
-        reference::surfaceAt(textures, mesh, hit, {v, -v}, nullptr, brdf::dfgLookup, principled ? &terms : nullptr)
-            .info;
+        reference::surfaceAt(textures, mesh, hit, {v, -v}, nullptr, ThreeTerms{}, principled ? &terms : nullptr).info;
     // The path tracer turns every normal that is seen edge on, and so does fabric; the others shade it as it is.
     if (model != ShadingModel::kFabric) stand(info);
     return info;

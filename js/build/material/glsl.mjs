@@ -36,6 +36,9 @@ export function inputTypes() {
   return textOf([
     `${HEADER}// What the file says of a material at one point: factors times texels, linear Rec.709, under the names of glTF.`,
     'struct MaterialInputs {',
+    '#if ALL_TERMS',
+    '  ThreeTerms three;  // of a release of three.js, chosen at run time: in C++ only',
+    '#endif',
     '  vec3 baseColor;',
     '  float metallic;',
     '  float roughness;  // perceptual',

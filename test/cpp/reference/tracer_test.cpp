@@ -6,7 +6,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <optional>
 
-#include "brdf/dfg_lookup.h"
 #include "expect_error.h"
 #include "shading_terms.h"
 
@@ -151,7 +150,7 @@ TEST_P(ShadingTracer, EnvironmentOnAPlaneIsUnbiasedAgainstQuadrature) {
       const Ray ray{v * 5.0f + glm::vec3(0.01f, 0.02f, 0), -v};
       ASSERT_TRUE(Geometry(meshes).intersect(ray, hit));
       const ShadingTerms* terms = isPrincipled(shot.shading) ? &shot.terms : nullptr;
-      const Surface surface = surfaceAt(Textures(scene), meshes[0], hit, ray, nullptr, brdf::dfgLookup, terms);
+      const Surface surface = surfaceAt(Textures(scene), meshes[0], hit, ray, nullptr, ThreeTerms{}, terms);
       const glm::dvec3 expected = quadrature(light, surface.info, shot.shading), mean = meanOf(pixels);
       EXPECT_NEAR(mean.y, expected.y, 3 * error + 2e-3 * expected.y) << material.roughnessFactor << " " << elevation;
       EXPECT_LT(error, 0.03 * expected.y) << "too noisy to tell";
