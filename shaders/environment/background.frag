@@ -16,7 +16,6 @@ precision highp sampler2D;
 #endif
 #include "brdf/tone_mapping.glsl"
 #include "brdf/color.glsl"
-#include "shading/three_terms.glsl"
 #include "output.glsl"
 
 #if ATLAS

@@ -3,6 +3,7 @@
 #include "brdf/area_terms.h"
 #include "brdf/cloth_terms.h"
 #include "brdf/importance_terms.h"
+#include "brdf/release_terms.h"
 #include "brdf/term_rows.h"
 #include "brdf/transmission_terms.h"
 
@@ -157,7 +158,7 @@ const std::vector<Term>& terms() {
   static const std::vector<Term> all = [] {
     std::vector<Term> list = algebraTerms();
     for (auto part : {surfaceTerms(), layerTerms(), transmissionTerms(), lightTerms(), areaTerms(), importanceTerms(),
-                      displayTerms(), thesisTerms(), clothTerms()})
+                      displayTerms(), thesisTerms(), clothTerms(), releaseTerms()})
       list.insert(list.end(), part.begin(), part.end());
     return list;
   }();

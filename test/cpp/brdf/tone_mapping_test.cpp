@@ -90,5 +90,19 @@ TEST(Srgb, MatchesTheStandardWithinAHundredthOfACode) {
   }
 }
 
+TEST(ToneMapping, NeutralFadesToItsPeakAndInR162ToWhite) {
+  using namespace brdf_d;
+  const vec3 bright(3, 1, 0.5);
+  const auto by = [&](double faded) {
+    const double peak = 3 - 0.04, rolled = 1 - 0.24 * 0.24 / (peak + 0.24 - 0.76);
+    const double g = 1 - 1 / (0.15 * (peak - rolled) + 1);
+    return glm::mix((bright - 0.04) * (rolled / peak), vec3(faded == 0 ? rolled : faded), g);
+  };
+  EXPECT_LT(max3(abs(toneMapNeutralWhite(bright, 1) - by(1))), 1e-12);
+  EXPECT_LT(max3(abs(toneMapNeutral(bright, 1) - by(0))), 1e-12);
+  EXPECT_GT(max3(abs(by(0) - by(1))), 1e-3);
+  EXPECT_EQ(toneMapNeutralWhite(vec3(0.5, 0.4, 0.3), 1), toneMapNeutral(vec3(0.5, 0.4, 0.3), 1));
+}
+
 }  // namespace
 }  // namespace telar::test
