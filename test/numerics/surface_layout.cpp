@@ -50,11 +50,16 @@ Member memberIn(const std::string& line) {
   return {match[1], match[2]};
 }
 
-/// The terms of a principled shading, which only C++ chooses at run time.
-std::vector<std::string> termMembers(const std::string& prefix) {
+/// Terms, which only C++ chooses at run time: of a principled shading, or of a release of three.js. Empty for any other
+/// type.
+std::vector<std::string> termMembers(const std::string& type, const std::string& prefix) {
   std::vector<std::string> lines;
 #define TELAR_TERM_LINE(define, member, ...) lines.push_back("int " + prefix + #member);
-  TELAR_SHADING_SLOTS(TELAR_TERM_LINE)
+  if (type == "ShadingTerms") {
+    TELAR_SHADING_SLOTS(TELAR_TERM_LINE)
+  } else if (type == "ThreeTerms") {
+    TELAR_THREE_SLOTS(TELAR_TERM_LINE)
+  }
 #undef TELAR_TERM_LINE
   return lines;
 }
@@ -72,9 +77,9 @@ std::vector<std::string> flattened(const std::string& type, const std::string& p
       lines.push_back(member.type + " " + prefix + member.name);
     } else {
       const std::string outer = prefix + member.name + ".";
-      const bool terms = member.type == "ShadingTerms";
-      for (const std::string& inner : terms ? termMembers(outer) : flattened(member.type, outer))
-        lines.push_back(inner);
+      std::vector<std::string> inner = termMembers(member.type, outer);
+      if (inner.empty()) inner = flattened(member.type, outer);
+      lines.insert(lines.end(), inner.begin(), inner.end());
     }
   }
   return lines;
