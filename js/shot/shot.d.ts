@@ -303,6 +303,7 @@ export interface Shot {
     revision?: never;
     prefilter?: never;
     backgroundCube?: never;
+    environmentRotation?: never;
     reflectionDirection?: never;
     dfg?: never;
     environmentMetal?: never;
@@ -343,6 +344,8 @@ export interface Shot {
     prefilter?: 'cube' | 'ggx-chain-interpolated' | 'ggx-chain' | 'ggx-chain-floor' | 'blur-from-end' | 'blur';
     /** Term of the slot: js/docs/families.md. */
     backgroundCube?: 'full' | 'half';
+    /** Term of the slot: js/docs/families.md. */
+    environmentRotation?: 'direction' | 'columns';
     /** Term of the slot: js/docs/families.md. */
     reflectionDirection?: 'roughness-4' | 'roughness-2';
     /** Term of the slot: js/docs/families.md. */
@@ -740,6 +743,7 @@ export interface ResolvedShot {
     revision?: never;
     prefilter?: never;
     backgroundCube?: never;
+    environmentRotation?: never;
     reflectionDirection?: never;
     dfg?: never;
     environmentMetal?: never;
@@ -780,6 +784,8 @@ export interface ResolvedShot {
     prefilter: 'cube' | 'ggx-chain-interpolated' | 'ggx-chain' | 'ggx-chain-floor' | 'blur-from-end' | 'blur';
     /** Term of the slot: js/docs/families.md. */
     backgroundCube: 'full' | 'half';
+    /** Term of the slot: js/docs/families.md. */
+    environmentRotation: 'direction' | 'columns';
     /** Term of the slot: js/docs/families.md. */
     reflectionDirection: 'roughness-4' | 'roughness-2';
     /** Term of the slot: js/docs/families.md. */

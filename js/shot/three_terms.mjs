@@ -16,6 +16,7 @@ export const THREE_SLOTS = Object.freeze({
   // Light of the environment.
   prefilter: { cube: 187, 'ggx-chain-interpolated': 186, 'ggx-chain': 182, 'ggx-chain-floor': 181, 'blur-from-end': 164, blur: 150 },
   backgroundCube: { full: 161, half: 150 },
+  environmentRotation: { direction: 162, columns: 150 },
   reflectionDirection: { 'roughness-4': 181, 'roughness-2': 150 },
   // The split sum, and what bounces more than once.
   dfg: { 'table-16': 182, 'table-32': 181, karis: 150 },

@@ -1,6 +1,7 @@
 #include "ibl/environment_cache.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/read_file.h"
@@ -15,9 +16,21 @@ constexpr std::size_t ENTRIES_MAX = 4;  // about 4 MB of GPU memory each at face
 constexpr std::size_t STUDIO_FILE_MAX = 16u << 20;
 
 /// Entries of one map that releases of three.js show otherwise are not one. The newest has the key itself.
-std::string entryId(const std::string& key, const ThreeTerms& three) {
-  if (!hasAtlas(three) && three.backgroundCube == 0) return key;
-  return key + " " + atlasName(three) + " " + std::to_string(three.backgroundCube);
+std::string entryId(const std::string& key, const EnvironmentUses& uses) {
+  const ThreeTerms& three = uses.three;
+  if (!hasAtlas(three) && three.backgroundCube == 0 && uses.turned == 0) return key;
+  return key + " " + atlasName(three) + " " + std::to_string(three.backgroundCube) + " " + std::to_string(uses.turned);
+}
+
+/// Columns moved as js/three/older_release.mjs moves them.
+ImageF turned(const ImageF& map, double degrees) {
+  const auto width = static_cast<std::ptrdiff_t>(map.width);
+  const auto columns = static_cast<std::ptrdiff_t>(std::floor(degrees / 360 * static_cast<double>(width) + 0.5));
+  const std::ptrdiff_t first = (columns % width + width) % width;
+  ImageF out = map;
+  for (auto row = out.pixels.begin(); row != out.pixels.end(); row += width * 4)
+    std::rotate(row, row + first * 4, row + width * 4);
+  return out;
 }
 
 }  // namespace
@@ -70,7 +83,7 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
   // The bundled environment is known by name: its file is read only for a cube that is not there yet.
   const std::string key = studio ? "studio" : sha256Hex(bytes);
 
-  const std::string id = entryId(key, uses.three);
+  const std::string id = entryId(key, uses);
 
   auto found = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry->key == id; });
   if (found == entries_.end()) {
@@ -91,6 +104,12 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
     if (!decoded) decoded = readEnvironment(bytes, limits_, cancel, EnvironmentRange::kFull);
     return *decoded;
   };
+  std::optional<ImageF> moved;
+  const auto shownMap = [&]() -> ImageF& {
+    if (uses.turned == 0) return map();
+    if (!moved) moved = turned(map(), uses.turned);
+    return *moved;
+  };
   Environment& environment = (*found)->environment;
   // Also where a cube was found on disk: the file is read for them once, some milliseconds a megapixel. The studio has
   // none.
@@ -98,18 +117,19 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
   if (uses.prefiltered && hasAtlas(uses.three)) {
     if (environment.atlas.faceSize == 0) {
       if (studio) bytes = own = fileOf(wanted);
-      const std::string name = sha256Hex(bytes) + " " + atlasName(uses.three);
+      const std::string name = sha256Hex(bytes) + " " + atlasName(uses.three) + " " + std::to_string(uses.turned);
       const std::string atlasKey = sha256Hex(std::as_bytes(std::span(name)));
-      environment.atlas = atlas(atlasKey, uses.three, map, environment.source, cancel);
+      environment.atlas = atlas(atlasKey, uses.three, shownMap, environment.source, cancel);
     }
   } else if (uses.prefiltered && environment.prefiltered.faceSize == 0) {
-    environment.prefiltered = prefiltered(key, studio, map, environment.source, cancel);
+    environment.prefiltered = uses.turned == 0 ? prefiltered(key, studio, map, environment.source, cancel)
+                                               : prefilterEquirect(context_, shownMap(), cancel);
   }
   if (uses.background && environment.background.faceSize == 0) {
     // Face size = height of the map, or half of it, as three.js does.
     const bool half = uses.three.backgroundCube == ThreeTerms::THREE_BACKGROUND_CUBE_HALF;
-    const auto rows = static_cast<int>(map().height);
-    environment.background = equirectToCube(context_, uploadEquirect(context_.gl(), map()),
+    const auto rows = static_cast<int>(shownMap().height);
+    environment.background = equirectToCube(context_, uploadEquirect(context_.gl(), shownMap()),
                                             half ? std::max(rows / 2, 1) : rows, 1, false, cancel);
     context_.check("environment background");
   }

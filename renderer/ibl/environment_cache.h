@@ -38,7 +38,14 @@ struct EnvironmentUses {
   bool radiance = false;     ///< lights surfaces that sample it
   bool suns = false;         ///< the prefiltered map, which lacks them, lights surfaces
   ThreeTerms three{};        ///< how the release of three.js makes `prefiltered` and `background`
+  double turned = 0;         ///< degrees by which both are turned, in whole columns of the map
 };
+
+/// Degrees by which the texels of an environment are turned, where a release cannot turn what it looks up. Directions
+/// of the environment are sampled without (EnvironmentUses::radiance).
+inline double turnOfTexels(const ThreeTerms& three, double rotation) {
+  return three.environmentRotation == ThreeTerms::THREE_ENVIRONMENT_ROTATION_COLUMNS ? rotation : 0;
+}
 
 /// Keeps the environments that were used last on the GPU, and prefiltered ones on disk by the SHA-256 of their file.
 class EnvironmentCache {

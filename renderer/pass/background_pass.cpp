@@ -63,7 +63,8 @@ void BackgroundPass::draw(const frame::Camera& camera, const Shot& shot, const i
   program.set("projectionMatrix", glm::mat4(camera.projection));
   program.set("backgroundMap", 0);
   program.set("backgroundIntensity", static_cast<float>(shot.environment.intensity));
-  program.set("backgroundRotation", frame::environmentRotation(shot.environment.rotation));
+  const double rotation = shot.environment.rotation;
+  program.set("backgroundRotation", frame::environmentRotation(rotation - ibl::turnOfTexels(frame.three, rotation)));
   program.set("exposure", static_cast<float>(shot.exposure));
   if (blurred) {
     program.set("backgroundBlur", static_cast<float>(shot.background.blur));

@@ -77,7 +77,9 @@ void setPrefilteredEnvironment(const gl::Program& program, const SurfaceInputs& 
     program.set("environmentMaxLod",
                 in.environment ? static_cast<float>(ibl::maxLodOf(in.environment->prefiltered)) : 1.0f);
   }
-  program.set("environmentRotation", frame::environmentRotation(in.shot.environment.rotation));
+  const double rotation = in.shot.environment.rotation;
+  program.set("environmentRotation",
+              frame::environmentRotation(rotation - ibl::turnOfTexels(in.plan.frame.three, rotation)));
 }
 
 /// An order of the passes in which the first of them are spread evenly over all: bits reversed.
@@ -137,8 +139,12 @@ std::string labelOf(const shader::VariantKey& key) {
 ibl::EnvironmentUses environmentUses(const FramePlan& plan, const Shot& shot) {
   const bool blurred = plan.environmentBackground && shot.background.blur > 0;
   const bool sampled = plan.frame.environmentSamples > 0;
-  return {(plan.environment && !sampled) || blurred, plan.environmentBackground && !blurred,
-          plan.environment && sampled, plan.environment && !sampled, plan.frame.three};
+  return {(plan.environment && !sampled) || blurred,
+          plan.environmentBackground && !blurred,
+          plan.environment && sampled,
+          plan.environment && !sampled,
+          plan.frame.three,
+          ibl::turnOfTexels(plan.frame.three, shot.environment.rotation)};
 }
 
 SurfacePass::SurfacePass(const gl::Context& context, Limits limits)

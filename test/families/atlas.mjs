@@ -8,8 +8,7 @@ import { MODELS } from '../fixtures/index.mjs';
 import { withMap } from '../parity/tool.mjs';
 import { shot } from '../parity/shot.mjs';
 import { ReleaseBrowser } from './draw.mjs';
-import { fetchRelease } from './releases.mjs';
-import { versionOf } from './gate.mjs';
+import { fetchRelease, versionOf } from './releases.mjs';
 
 // The atlas that a release prefilters an environment to, and telar's of the same release, texel by texel.
 

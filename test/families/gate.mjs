@@ -12,9 +12,6 @@ const SMALL = { size: 128, toneMapping: 'reinhard', camera: 'front' };
 /** Oldest release whose pictures telar must equal. */
 export const FIRST_GATED = 155;
 
-/** Environments turn since 0.162; a client that turns the texels itself has another map than the one that telar is handed. */
-const TURNS_SINCE = 162;
-
 /** The newest release of each family but the last, oldest first: the gate itself draws that one. */
 export const GATED_REVISIONS = families()
   .map(({ to }) => to)
@@ -31,7 +28,7 @@ const isShown =
   (revision) =>
   ({ shot, settings }) =>
     // telar has the default of three.js alone, PCFShadowMap.
-    settings === undefined && (revision >= TURNS_SINCE || !(shot.environment.rotation > 0)) && !(revision < TONE_MAPPINGS_SINCE[shot.toneMapping]);
+    settings === undefined && !(revision < TONE_MAPPINGS_SINCE[shot.toneMapping]);
 
 /**
  * What both sides draw for a release.

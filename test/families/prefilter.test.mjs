@@ -57,7 +57,7 @@ function worstBehind(a, b, mask) {
   return worst;
 }
 
-test('the background of 0.160, sharp and blurred', async (t) => {
+test('the background of 0.160, sharp and blurred, and turned', async (t) => {
   const { browser } = await openRelease(160);
   t.after(() => browser.close());
   const renderer = await createRenderer({ cacheDirectory: null });
@@ -65,15 +65,19 @@ test('the background of 0.160, sharp and blurred', async (t) => {
   // Columns of four texels: a cube of half the rows shows their edges softer, and a blur leaves some of them.
   const map = hdr(256, (_, u) => (Math.floor(u * 64) % 2 ? [2, 2, 2] : [0, 0, 0]));
   const model = await MODELS.ball();
-  for (const [blur, fault] of [
-    [0, { backgroundCube: 'full' }],
-    [0.1, { prefilter: 'cube' }],
+  for (const [blur, rotation, fault] of [
+    [0, 0, { backgroundCube: 'full' }],
+    [0.1, 0, { prefilter: 'cube' }],
+    // 21.3 columns: 21.
+    [0, 30, { environmentRotation: 'direction' }],
+    [0.1, 30, { environmentRotation: 'direction' }],
   ]) {
     const { shot: asked } = makeCase('background', 'ball', 'lamps', {
       size: 96,
       toneMapping: 'reinhard',
       camera: 'front',
       background: blur ? { blur } : 'environment',
+      environmentSettings: { rotation },
     });
     const { image, mask } = await browser.draw({ shot: asked, model, environment: map });
     const off = async (swaps) => {
@@ -82,7 +86,7 @@ test('the background of 0.160, sharp and blurred', async (t) => {
       return worstBehind(image, data, mask);
     };
     // Both read the same texels; what comes of them may round to either side.
-    assert.ok((await off({})) <= 1, `blur ${blur}`);
-    assert.ok((await off(fault)) > 4, `blur ${blur}: ${JSON.stringify(fault)} is not seen`);
+    assert.ok((await off({})) <= 1, `blur ${blur}, turned by ${rotation}`);
+    assert.ok((await off(fault)) > 4, `blur ${blur}, turned by ${rotation}: ${JSON.stringify(fault)} is not seen`);
   }
 });

@@ -181,7 +181,7 @@ export const SLOT_TERMS = [
     slot: 'background cube', key: 'backgroundCube',
     terms: [{ to: '0.160.1', what: 'a sharp background is looked up in a cube whose faces have half the rows of the map' }, { from: '0.161.0', what: 'as many as the map has rows' }],
   },
-  { slot: 'environment rotation', terms: [{ to: '0.161.0', what: 'none: a client turns the texels' }, { from: '0.162.0', what: 'a rotation of the direction that is looked up' }] },
+  { slot: 'environment rotation', key: 'environmentRotation', terms: [{ to: '0.161.0', what: 'none: a client turns the texels, by as many columns of the map as the angle is, rounded' }, { from: '0.162.0', what: 'a rotation of the direction that is looked up' }] },
   {
     slot: 'soft shadows',
     terms: [
