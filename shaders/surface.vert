@@ -1,6 +1,9 @@
 // Transforms one primitive to view space. One varying a texture, because each has its own transform (KHR_texture_transform).
 
 #include "material/vertex_inputs.glsl"
+#if TANGENT
+#include "shading/three_terms.glsl"
+#endif
 #include "shadow/coords.glsl"
 
 void main() {
@@ -23,12 +26,15 @@ void main() {
 #endif
   vNormal = dot(viewNormal, viewNormal) > 0.0 ? normalize(viewNormal) : vec3(0.0);
 #if TANGENT
-#if INSTANCING
+#if INSTANCING && THREE_INSTANCE_TANGENTS_TERM == THREE_INSTANCE_TANGENTS_TURNED
   vTangent = normalize(vec3(modelViewMatrix * vec4(instance * tangent.xyz, 0.0)));
 #else
   vTangent = normalize(vec3(modelViewMatrix * vec4(tangent.xyz, 0.0)));
 #endif
   vBitangent = normalize(cross(vNormal, vTangent) * tangent.w) * NORMAL_SIGN;
+#if THREE_FLIPPED_TANGENTS_TERM == THREE_FLIPPED_TANGENTS_TURNED
+  vTangent *= NORMAL_SIGN;
+#endif
 #endif
 #endif
 #if FLAT_SHADOWS + CUBE_SHADOWS > 0

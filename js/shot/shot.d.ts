@@ -319,6 +319,7 @@ export interface Shot {
     anisotropyDirection?: never;
     roughnessMin?: never;
     diffuseRoughness?: never;
+    bump?: never;
     layerOcclusion?: never;
     ior0?: never;
     rectF90?: never;
@@ -329,12 +330,19 @@ export interface Shot {
     glassBackground?: never;
     glassBackSides?: never;
     glassBuffer?: never;
+    glassSamples?: never;
     glassAlpha?: never;
     samplerPrecision?: never;
     textureTransform?: never;
     textureCoordinates?: never;
     neutralToneMapping?: never;
     sorting?: never;
+    instanceColor?: never;
+    instanceTangents?: never;
+    flippedTangents?: never;
+    flatFrames?: never;
+    morphColors?: never;
+    lineMap?: never;
   } | {
     /** Stock three.js. */
     base: 'three';
@@ -377,6 +385,8 @@ export interface Shot {
     /** Term of the slot: js/docs/families.md. */
     diffuseRoughness?: 'eon' | 'none';
     /** Term of the slot: js/docs/families.md. */
+    bump?: 'drawn' | 'none';
+    /** Term of the slot: js/docs/families.md. */
     layerOcclusion?: 'occluded' | 'none';
     /** Term of the slot: js/docs/families.md. */
     ior0?: 'infinite' | 'zero';
@@ -391,11 +401,13 @@ export interface Shot {
     /** Term of the slot: js/docs/families.md. */
     dispersion?: 'three-rays' | 'none';
     /** Term of the slot: js/docs/families.md. */
-    glassBackground?: 'linear' | 'encoded';
+    glassBackground?: 'linear' | 'half-white' | 'as-canvas';
     /** Term of the slot: js/docs/families.md. */
     glassBackSides?: 'drawn' | 'none';
     /** Term of the slot: js/docs/families.md. */
     glassBuffer?: 'canvas' | 'square-1024';
+    /** Term of the slot: js/docs/families.md. */
+    glassSamples?: 'four' | 'of-canvas' | 'four-always' | 'of-antialias';
     /** Term of the slot: js/docs/families.md. */
     glassAlpha?: 'transmittance' | 'added-tenth';
     /** Term of the slot: js/docs/families.md. */
@@ -407,7 +419,19 @@ export interface Shot {
     /** Term of the slot: js/docs/families.md. */
     neutralToneMapping?: 'peak' | 'white';
     /** Term of the slot: js/docs/families.md. */
-    sorting?: 'bounding-sphere' | 'origin';
+    sorting?: 'bounding-sphere' | 'bounding-sphere-divided' | 'origin';
+    /** Term of the slot: js/docs/families.md. */
+    instanceColor?: 'drawn' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    instanceTangents?: 'turned' | 'of-mesh';
+    /** Term of the slot: js/docs/families.md. */
+    flippedTangents?: 'kept' | 'turned';
+    /** Term of the slot: js/docs/families.md. */
+    flatFrames?: 'turned' | 'kept' | 'turned-before';
+    /** Term of the slot: js/docs/families.md. */
+    morphColors?: 'drawn' | 'no-program' | 'drawn-before';
+    /** Term of the slot: js/docs/families.md. */
+    lineMap?: 'drawn' | 'none';
     parameters?: never;
     diffuse?: never;
     distribution?: never;
@@ -759,6 +783,7 @@ export interface ResolvedShot {
     anisotropyDirection?: never;
     roughnessMin?: never;
     diffuseRoughness?: never;
+    bump?: never;
     layerOcclusion?: never;
     ior0?: never;
     rectF90?: never;
@@ -769,12 +794,19 @@ export interface ResolvedShot {
     glassBackground?: never;
     glassBackSides?: never;
     glassBuffer?: never;
+    glassSamples?: never;
     glassAlpha?: never;
     samplerPrecision?: never;
     textureTransform?: never;
     textureCoordinates?: never;
     neutralToneMapping?: never;
     sorting?: never;
+    instanceColor?: never;
+    instanceTangents?: never;
+    flippedTangents?: never;
+    flatFrames?: never;
+    morphColors?: never;
+    lineMap?: never;
   } | {
     /** Stock three.js. */
     base: 'three';
@@ -817,6 +849,8 @@ export interface ResolvedShot {
     /** Term of the slot: js/docs/families.md. */
     diffuseRoughness: 'eon' | 'none';
     /** Term of the slot: js/docs/families.md. */
+    bump: 'drawn' | 'none';
+    /** Term of the slot: js/docs/families.md. */
     layerOcclusion: 'occluded' | 'none';
     /** Term of the slot: js/docs/families.md. */
     ior0: 'infinite' | 'zero';
@@ -831,11 +865,13 @@ export interface ResolvedShot {
     /** Term of the slot: js/docs/families.md. */
     dispersion: 'three-rays' | 'none';
     /** Term of the slot: js/docs/families.md. */
-    glassBackground: 'linear' | 'encoded';
+    glassBackground: 'linear' | 'half-white' | 'as-canvas';
     /** Term of the slot: js/docs/families.md. */
     glassBackSides: 'drawn' | 'none';
     /** Term of the slot: js/docs/families.md. */
     glassBuffer: 'canvas' | 'square-1024';
+    /** Term of the slot: js/docs/families.md. */
+    glassSamples: 'four' | 'of-canvas' | 'four-always' | 'of-antialias';
     /** Term of the slot: js/docs/families.md. */
     glassAlpha: 'transmittance' | 'added-tenth';
     /** Term of the slot: js/docs/families.md. */
@@ -847,7 +883,19 @@ export interface ResolvedShot {
     /** Term of the slot: js/docs/families.md. */
     neutralToneMapping: 'peak' | 'white';
     /** Term of the slot: js/docs/families.md. */
-    sorting: 'bounding-sphere' | 'origin';
+    sorting: 'bounding-sphere' | 'bounding-sphere-divided' | 'origin';
+    /** Term of the slot: js/docs/families.md. */
+    instanceColor: 'drawn' | 'none';
+    /** Term of the slot: js/docs/families.md. */
+    instanceTangents: 'turned' | 'of-mesh';
+    /** Term of the slot: js/docs/families.md. */
+    flippedTangents: 'kept' | 'turned';
+    /** Term of the slot: js/docs/families.md. */
+    flatFrames: 'turned' | 'kept' | 'turned-before';
+    /** Term of the slot: js/docs/families.md. */
+    morphColors: 'drawn' | 'no-program' | 'drawn-before';
+    /** Term of the slot: js/docs/families.md. */
+    lineMap: 'drawn' | 'none';
     parameters?: never;
     diffuse?: never;
     distribution?: never;

@@ -34,6 +34,7 @@ export const THREE_SLOTS = Object.freeze({
   anisotropyDirection: { vector: 159, 'turned-back': 153, none: 150 },
   roughnessMin: { 0.045: 187, 0.0525: 150 },
   diffuseRoughness: { eon: 187, none: 150 },
+  bump: { drawn: 159, none: 150 },
   layerOcclusion: { occluded: 158, none: 150 },
   ior0: { infinite: 184, zero: 150 },
   // Lights and shadows.
@@ -43,16 +44,24 @@ export const THREE_SLOTS = Object.freeze({
   pointShadow: { 'own-face': 187, 'range-lit': 163, 'range-compared': 150 },
   // Glass.
   dispersion: { 'three-rays': 164, none: 150 },
-  glassBackground: { linear: 165, encoded: 150 },
+  glassBackground: { linear: 165, 'half-white': 153, 'as-canvas': 150 },
   glassBackSides: { drawn: 151, none: 150 },
   glassBuffer: { canvas: 153, 'square-1024': 150 },
+  glassSamples: { four: 183, 'of-canvas': 182, 'four-always': 154, 'of-antialias': 150 },
   glassAlpha: { transmittance: 153, 'added-tenth': 150 },
   // Textures and output.
   samplerPrecision: { highp: 161, lowp: 150 },
   textureTransform: { trs: 186, tsr: 150 },
   textureCoordinates: { 'each-map': 151, 'first-map': 150 },
   neutralToneMapping: { peak: 163, white: 150 },
-  sorting: { 'bounding-sphere': 152, origin: 150 },
+  sorting: { 'bounding-sphere': 166, 'bounding-sphere-divided': 152, origin: 150 },
+  // What the loader and the vertex stage make of a mesh.
+  instanceColor: { drawn: 158, none: 150 },
+  instanceTangents: { turned: 159, 'of-mesh': 150 },
+  flippedTangents: { kept: 185, turned: 150 },
+  flatFrames: { turned: 185, kept: 151, 'turned-before': 150 },
+  morphColors: { drawn: 187, 'no-program': 183, 'drawn-before': 150 },
+  lineMap: { drawn: 151, none: 150 },
 });
 
 /** Releases whose first patches draw otherwise; their number means the patch that is named. */

@@ -92,6 +92,8 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   if (!key.unlit) key.shading = frame.shading, key.terms = frame.terms;
   key.three = frame.three;
   describeMaps(material, key);
+  const bool lines = primitive.topology != Topology::kTriangles && !key.points;
+  if (lines && key.three.lineMap == ThreeTerms::THREE_LINE_MAP_NONE) key.baseColorMap = key.baseColorUv1 = false;
   if (key.unlit) return key;
   key.ambient = frame.ambient;
   key.environment = frame.environment;
@@ -104,7 +106,8 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.tangentFrameUv0 = stretched && !key.normalMap && !key.clearcoatNormalMap && !key.weaveMap;
   // The normal of a flat face needs no flip. Its tangent frame does.
   const bool hasFrame = key.normalMap || key.clearcoatNormalMap || stretched;
-  key.doubleSided = material.doubleSided && (!key.flatShaded || hasFrame);
+  const bool turns = hasFrame && key.three.flatFrames != ThreeTerms::THREE_FLAT_FRAMES_KEPT;
+  key.doubleSided = material.doubleSided && (!key.flatShaded || turns);
   return key;
 }
 
@@ -132,10 +135,17 @@ void checkTextureUnits(const shader::VariantKey& key, const ShadowSet& shadows, 
   checkLimit("L_TEXTURE_UNITS", static_cast<double>(limits.textureUnits), static_cast<double>(units), "/lights");
 }
 
-void describeInstances(const Node& node, shader::VariantKey& key) {
+/// Releases whose programs of vertex colours that morph do not compile draw nothing of such a mesh but its shadow.
+bool hasProgram(const Primitive& primitive, const ThreeTerms& three) {
+  if (three.morphColors != ThreeTerms::THREE_MORPH_COLORS_NO_PROGRAM || !primitive.deformers) return true;
+  const auto& targets = primitive.deformers->targets;
+  return std::none_of(targets.begin(), targets.end(), [](const MorphTarget& t) { return !t.colors.empty(); });
+}
+
+void describeInstances(const Node& node, const ThreeTerms& three, shader::VariantKey& key) {
   if (!node.instances) return;
   key.instancing = true;
-  key.instanceColor = !node.instances->colors.empty();
+  key.instanceColor = !node.instances->colors.empty() && three.instanceColor == ThreeTerms::THREE_INSTANCE_COLOR_DRAWN;
   key.vertexColor |= key.instanceColor;  // white where the mesh has none
 }
 
@@ -143,6 +153,14 @@ void describeInstances(const Node& node, shader::VariantKey& key) {
 glm::dvec3 centerOf(const Node& node, const Primitive& primitive, std::size_t index) {
   if (node.instances) return node.instances->centers[index];
   return primitive.center ? *primitive.center : (primitive.bounds.min + primitive.bounds.max) * 0.5;
+}
+
+/// What three.js sorts by: clip z, in some releases over w, which is not the same for what is behind the camera.
+double depthOf(const DrawItem& item, std::size_t index, const glm::dmat4& viewProjection, const ThreeTerms& three) {
+  const bool origin = three.sorting == ThreeTerms::THREE_SORTING_ORIGIN;
+  const glm::dvec3 place = origin ? glm::dvec3(0) : centerOf(*item.node, *item.primitive, index);
+  const glm::dvec4 clip = viewProjection * item.node->world * glm::dvec4(place, 1.0);
+  return three.sorting == ThreeTerms::THREE_SORTING_BOUNDING_SPHERE ? clip.z : clip.z / clip.w;
 }
 
 void sortDraws(DrawList& draws) {
@@ -179,7 +197,7 @@ void splitBlended(std::vector<DrawItem>& list) {
 
 /// The draws into the transmission target: without exposure and tone mapping, which the surface in front applies
 /// later.
-void addBehind(DrawList& draws) {
+void addBehind(DrawList& draws, const ThreeTerms& three) {
   const auto linear = [](DrawItem item) {
     item.key.toneMapping = shader::ToneMapping::kNone;
     item.key.outputLinear = true;
@@ -187,6 +205,7 @@ void addBehind(DrawList& draws) {
     return item;
   };
   for (const DrawItem& item : draws.opaque) draws.behind.push_back(linear(item));
+  if (three.glassBackSides == ThreeTerms::THREE_GLASS_BACK_SIDES_NONE) return;
   for (const DrawItem& item : draws.transmissive) {
     if (item.bothSides) draws.behindBackSides.push_back(linear(oneSide(item, true)));
   }
@@ -248,22 +267,24 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
       if (primitive.positions.empty()) continue;
       const int index = materialIndex(primitive, variant);
       DrawItem item{&node, &primitive, &frame::materialAt(scene, index, shot.shading)};
+      if (const auto read = plan.materials.of(*item.material, primitive, frame.three)) item.material = read.get();
       item.key = keyOf(primitive, *item.material, frame);
       const bool transmissive = item.key.transmission;
-      describeInstances(node, item.key);
+      describeInstances(node, frame.three, item.key);
+      item.visible = hasProgram(primitive, frame.three);
       if (allFeatures) forceAllFeatures(item.key);
       checkTextureUnits(item.key, plan.shadows, limits);
       plan.environment |= item.key.environment;
       item.blend = item.material->alphaMode == AlphaMode::kBlend;
       item.mirrored = glm::determinant(glm::dmat3(node.world)) < 0;
-      item.depth = (viewProjection * node.world * glm::dvec4(centerOf(node, primitive, i), 1.0)).z;
+      item.depth = depthOf(item, i, viewProjection, frame.three);
       item.materialRank = ranks.emplace(index, static_cast<int>(ranks.size())).first->second;
       item.bothSides = item.material->doubleSided && primitive.topology == Topology::kTriangles;
       (transmissive ? plan.draws.transmissive : item.blend ? plan.draws.blended : plan.draws.opaque).push_back(item);
     }
   }
   sortDraws(plan.draws);
-  if (!plan.draws.transmissive.empty()) addBehind(plan.draws);
+  if (!plan.draws.transmissive.empty()) addBehind(plan.draws, frame.three);
   splitBlended(plan.draws.transmissive);
   splitBlended(plan.draws.blended);
   return plan;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "frame/camera.h"
+#include "frame/release_material.h"
 #include "pass/light_set.h"
 #include "pass/shadow_set.h"
 #include "shader/variant_key.h"
@@ -20,6 +21,7 @@ struct DrawItem {
   bool blend = false;      ///< alpha blended, without depth writes
   bool bothSides = false;  ///< faces of either winding, in one call
   bool mirrored = false;   ///< the node's matrix reverses the winding
+  bool visible = true;     ///< else it only casts its shadow
   double depth = 0;        ///< clip z of the primitive's centre
   int materialRank = 0;    ///< order of first use
 
@@ -51,6 +53,7 @@ struct FramePlan {
   glm::dvec3 origin{0};  ///< world point that shaders count world coordinates from
   LightSet lights;
   ShadowSet shadows;
+  frame::ReleaseMaterials materials;  ///< what draws point to where a release reads a material otherwise
   DrawList draws;
   shader::VariantKey frame;  ///< what all programs share: lights, tone mapping, kind of output
   bool environment = false;  ///< a lit material samples it

@@ -9,7 +9,6 @@
 #include <optional>
 #include <set>
 
-#include "brdf/brdf.h"
 #include "core/picture_json.h"
 #include "frame/picture_facts.h"
 #include "frame/pixel_mean.h"
@@ -17,6 +16,7 @@
 #include "gl/context.h"
 #include "ibl/environment_cache.h"
 #include "pass/background_pass.h"
+#include "pass/clear_color.h"
 #include "pass/draw_list.h"
 #include "pass/fragment_estimate.h"
 #include "pass/frame_target.h"
@@ -73,13 +73,6 @@ Json describePlan(const FramePlan& plan, const Shot& shot) {
   return {{"features", features}, {"programs", programs}, {"passes", passes}};
 }
 
-/// Transparent where the shot has no background colour. A colour is never tone mapped: three.js clears with it.
-glm::vec4 clearColor(const Shot& shot, bool linear) {
-  if (shot.background.type != Shot::Background::Type::kColor) return glm::vec4(0);
-  const glm::vec3 color = shot.background.color;
-  return {linear ? color : brdf_f::srgbFromLinear(glm::clamp(color, 0.0f, 1.0f)), 1.0f};
-}
-
 /// Suns that the prefiltered environment lacks. None where it lights nothing.
 ibl::Suns sunsThatLight(const FramePlan& plan, const Shot& shot, const ibl::Environment* environment) {
   const bool lights = environment && pass::environmentUses(plan, shot).suns;
@@ -107,13 +100,6 @@ Json rangeWarning(double share) {
   return {{"code", "W_ENVIRONMENT_RANGE"},
           {"message", std::string("shot.environment: three.js has no texel above 65504, the largest half float: ") +
                           percent + " % of the map's light is lost; every other shading keeps it"}};
-}
-
-/// Whether a pass draws a background on the whole picture. A colour behind an average is composed at the end. Without
-/// perspective the environment's cube covers a part of the picture, as in three.js.
-bool fillsBackground(const FramePlan& plan, const Shot& shot) {
-  if (plan.environmentBackground) return shot.camera.projection == Projection::kPerspective;
-  return shot.background.type == Shot::Background::Type::kColor && shot.resolve != Resolve::kLinear;
 }
 
 class GlRenderer final : public Renderer {
@@ -242,9 +228,9 @@ class GlRenderer final : public Renderer {
     target.bind();
     const bool debug = plan.frame.debugOutput;  // backgrounds and the ground have no shading
     // A colour behind an average is composed at the end. Until then alpha is the coverage.
-    const bool opaque = !debug && fillsBackground(plan, shot);
+    const bool opaque = !debug && pass::fillsBackground(plan, shot);
     const glm::vec4 behind =
-        debug || shot.resolve == Resolve::kLinear ? glm::vec4(0) : clearColor(shot, plan.frame.outputLinear);
+        debug || shot.resolve == Resolve::kLinear ? glm::vec4(0) : pass::clearColor(shot, plan.frame.outputLinear);
     clear(opaque ? glm::vec4(glm::vec3(behind), 0.0f) : behind);
     if (settled) settled_.draw();
     writeAlpha(!opaque);
@@ -260,7 +246,7 @@ class GlRenderer final : public Renderer {
     Frame frame = target.read(opaque);
     if (inputs.samplePass == 0) {
       coverage_.clear();
-      if (opaque || !plan.environmentBackground)
+      if (opaque || !(plan.environmentBackground || pass::piercesColor(plan, shot)))
         coverage_ = frame::coverageOf(frame, shot.ground && !opaque ? shot.ground->opacity : 0);
     }
     if (opaque) frame::makeOpaque(frame);
@@ -299,17 +285,17 @@ class GlRenderer final : public Renderer {
       return nullptr;
     }
     Shot shot = frame.shot;
-    if (!transmission_ || !transmission_->matches(shot.width, shot.height)) {
+    const ThreeTerms& three = frame.plan.frame.three;
+    const auto extent = pass::TransmissionTarget::extentOf(shot.width, shot.height, shot.samples, three);
+    if (!transmission_ || !transmission_->matches(extent)) {
       transmission_.reset();
-      transmission_ = std::make_unique<pass::TransmissionTarget>(*context_, shot.width, shot.height);
+      transmission_ = std::make_unique<pass::TransmissionTarget>(*context_, extent);
     }
     shot.exposure = 1;  // the transmissive surface in front is exposed
     pass::SurfaceInputs inputs{frame.plan, shot, frame.scene, frame.gpu, frame.environment, frame.cancel};
     inputs.samplePass = frame.samplePass;
     transmission_->bind();
-    // Nothing is half covered with white, as in three.js 0.187; premultiplied.
-    const bool color = shot.background.type == Shot::Background::Type::kColor;
-    clear(color ? clearColor(shot, true) : glm::vec4(0.5f));
+    clear(pass::clearColorBehind(shot, three));
     if (frame.plan.environmentBackground) {
       shader::VariantKey linear = frame.plan.frame;
       linear.toneMapping = shader::ToneMapping::kNone;
@@ -318,7 +304,8 @@ class GlRenderer final : public Renderer {
     }
     surfaces_.draw({&draws.behind}, inputs);
     transmission_->resolve();
-    if (!draws.behindBackSides.empty()) {
+    // Without samples of its own to draw into, WebGL refuses to draw into the texture that is read.
+    if (!draws.behindBackSides.empty() && extent.samples > 1) {
       inputs.transmission = transmission_.get();
       surfaces_.draw({&draws.behindBackSides}, inputs);
       transmission_->resolve();

@@ -335,7 +335,7 @@ void SurfacePass::draw(std::initializer_list<const std::vector<DrawItem>*> lists
   for (const std::vector<DrawItem>* list : lists) {
     for (const DrawItem& item : *list) {
       in.cancel.check();
-      drawItem(item, in);
+      if (item.visible) drawItem(item, in);
     }
   }
   gl.DepthMask(GL_TRUE);

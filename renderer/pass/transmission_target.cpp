@@ -7,9 +7,19 @@
 
 namespace telar::pass {
 
-TransmissionTarget::TransmissionTarget(const gl::Context& context, int width, int height)
-    : context_(context), width_(width), height_(height), color_(context.gl()), resolved_(context.gl()) {
+TransmissionTarget::Extent TransmissionTarget::extentOf(int width, int height, int frameSamples,
+                                                        const ThreeTerms& three) {
+  constexpr int SQUARE = 1024, SAMPLES = 4;
+  const bool square = three.glassBuffer == ThreeTerms::THREE_GLASS_BUFFER_SQUARE_1024;
+  const bool asFrame = three.glassSamples == ThreeTerms::THREE_GLASS_SAMPLES_OF_CANVAS ||
+                       three.glassSamples == ThreeTerms::THREE_GLASS_SAMPLES_OF_ANTIALIAS;
+  return {square ? SQUARE : width, square ? SQUARE : height, asFrame && frameSamples == 1 ? 1 : SAMPLES};
+}
+
+TransmissionTarget::TransmissionTarget(const gl::Context& context, const Extent& extent)
+    : context_(context), extent_(extent), color_(context.gl()), resolved_(context.gl()) {
   const gl::Functions& gl = context_.gl();
+  const auto [width, height, samples] = extent;
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_2D, color_.get());
   gl.TexStorage2D(GL_TEXTURE_2D, std::bit_width(static_cast<unsigned>(std::max(width, height))), GL_RGBA16F, width,
@@ -20,9 +30,8 @@ TransmissionTarget::TransmissionTarget(const gl::Context& context, int width, in
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.get());
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.get(), 0);
-  constexpr int SAMPLES = 4;
   // A GPU may lack multisampled half floats.
-  const int most = std::min(SAMPLES, context.capabilities().maxSamples);
+  const int most = std::min(samples, context.capabilities().maxSamples);
   const bool complete =
       draw_.allocate(gl, GL_RGBA16F, most, width, height) || draw_.allocate(gl, GL_RGBA16F, 1, width, height);
   context_.check("creation of the transmission target");

@@ -2,18 +2,27 @@
 #include "gl/context.h"
 #include "gl/gl_object.h"
 #include "pass/sample_buffer.h"
+#include "telar/shading.h"
 
 namespace telar::pass {
 
 /// What lies behind transmissive surfaces: linear Rec.709 radiance and coverage in half floats, with mip levels for
-/// rough surfaces. It has four samples a pixel whatever the frame has, as in three.js 0.187. The transmissive draws
-/// read it.
+/// rough surfaces. The transmissive draws read it.
 class TransmissionTarget {
  public:
-  /// @throws Error{X_GL, X_GL_MEMORY}
-  TransmissionTarget(const gl::Context& context, int width, int height);
+  /// How large it is, in texels and samples a texel.
+  struct Extent {
+    int width = 0, height = 0, samples = 1;
+    bool operator==(const Extent&) const = default;
+  };
 
-  bool matches(int width, int height) const { return width == width_ && height == height_; }
+  /// That of a frame in a release of three.js: in 0.187 four samples whatever the frame has.
+  static Extent extentOf(int width, int height, int frameSamples, const ThreeTerms& three);
+
+  /// @throws Error{X_GL, X_GL_MEMORY}
+  TransmissionTarget(const gl::Context& context, const Extent& extent);
+
+  bool matches(const Extent& extent) const { return extent == extent_; }
   /// Makes it the target of the draws that follow; what is drawn shows in texture() after resolve().
   void bind() const { draw_.bind(context_.gl()); }
   /// Averages the samples and makes the mip levels. More may be drawn on top and resolved again.
@@ -22,7 +31,7 @@ class TransmissionTarget {
 
  private:
   const gl::Context& context_;
-  int width_, height_;
+  Extent extent_;
   gl::Texture color_;
   SampleBuffer draw_;
   gl::Framebuffer resolved_;

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "frame/release_material.h"
 #include "frame/variant.h"
 
 namespace telar::reference {
@@ -54,15 +55,24 @@ void placeInstances(std::vector<PlacedMesh>& meshes, const Node& node, const Pri
 }  // namespace
 
 std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::dvec3& centre,
-                                    const CancelToken& cancel, ShadingModel shading) {
+                                    const CancelToken& cancel, ShadingModel shading, const ThreeTerms& three) {
   std::vector<PlacedMesh> meshes;
+  frame::ReleaseMaterials materials;
   for (const Node& node : scene.nodes) {
     cancel.check();
     if (node.mesh < 0) continue;
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
       if (primitive.topology != Topology::kTriangles || primitive.positions.empty()) continue;
-      placeInstances(meshes, node, primitive, frame::materialAt(scene, materialIndex(primitive, variant), shading),
-                     centre);
+      const std::size_t first = meshes.size();
+      const Material& material = frame::materialAt(scene, materialIndex(primitive, variant), shading);
+      placeInstances(meshes, node, primitive, material, centre);
+      const auto read = materials.of(material, primitive, three);
+      if (!read) continue;
+      for (std::size_t i = first; i < meshes.size(); ++i) {
+        meshes[i].material = read.get();
+        meshes[i].read = read;
+        if (three.instanceColor == ThreeTerms::THREE_INSTANCE_COLOR_NONE) meshes[i].tint = glm::vec3(1.0f);
+      }
     }
   }
   for (PlacedMesh& mesh : meshes) mesh.shading = shading;

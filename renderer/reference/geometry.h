@@ -16,6 +16,7 @@ namespace telar::reference {
 struct PlacedMesh {
   const Primitive* primitive = nullptr;
   const Material* material = nullptr;
+  std::shared_ptr<const Material> read;  ///< holds `material` where a release of three.js reads the file's otherwise
   std::vector<glm::vec3> positions;
   std::vector<glm::uvec3> triangles;
   glm::mat3 normalMatrix{1.0f};  ///< inverse transpose of the node's matrix
@@ -27,9 +28,11 @@ struct PlacedMesh {
 
 /// Every triangle that a variant of the scene shows. Points and lines have no area and are left out.
 /// @param centre  world position that becomes the origin
+/// @param three  a release reads other extensions, transforms and coordinates of textures
 /// @throws Error{X_CANCELLED}
 std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::dvec3& centre,
-                                    const CancelToken& cancel = {}, ShadingModel shading = ShadingModel::kThree);
+                                    const CancelToken& cancel = {}, ShadingModel shading = ShadingModel::kThree,
+                                    const ThreeTerms& three = {});
 
 struct Ray {
   glm::vec3 origin;

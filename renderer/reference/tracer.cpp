@@ -29,7 +29,8 @@ class World {
         const CancelToken& cancel)
       : centre_(scene.bounds.empty() ? glm::dvec3(0) : (scene.bounds.min + scene.bounds.max) * 0.5),
         radius_(scene.bounds.empty() ? 1.0f : static_cast<float>(glm::distance(scene.bounds.max, centre_))),
-        meshes_(placeMeshes(scene, frame::variantIndex(scene, shot.variant), centre_, cancel, shot.shading)),
+        meshes_(
+            placeMeshes(scene, frame::variantIndex(scene, shot.variant), centre_, cancel, shot.shading, shot.three)),
         geometry_(meshes_, cancel),
         textures_(scene),
         lights_(lightsOf(scene, shot, centre_, limits)),

@@ -1,4 +1,4 @@
-import { nearestRevision, resolveThree, families, TONE_MAPPINGS_SINCE, THREE_SLOTS } from '../../js/shot/three_terms.mjs';
+import { nearestRevision, resolveThree, families, termsOfRevision, TONE_MAPPINGS_SINCE, THREE_SLOTS } from '../../js/shot/three_terms.mjs';
 import { makeCase } from '../parity/make_case.mjs';
 import { LIGHTS } from '../parity/shot.mjs';
 import { CASES } from './cases.mjs';
@@ -18,15 +18,37 @@ export const GATED_REVISIONS = families()
   .filter((revision) => revision >= FIRST_GATED)
   .slice(0, -1);
 
+/** What a loader and the vertex stage make of a mesh. */
+const MESHES = [
+  'instances-colors',
+  'instances-unlit-colors',
+  'instances-tangents',
+  'bump-map',
+  'flat-normal-map-sides',
+  'alpha-blend-bumpy-tangents',
+  'morph',
+  'morph-colors',
+  'skin-tangents',
+  'lines-map',
+];
+
 /** Drawn by the gate alone: what has no place in the families' page, as no release that telar is held against differs there. */
-const OWN_CASES = [makeCase('alpha-blend-origins', 'alpha-blend-origins', null, { ...SMALL, lights: [LIGHTS.ambient, LIGHTS.directional] })];
+const OWN_CASES = [
+  makeCase('alpha-blend-origins', 'alpha-blend-origins', null, { ...SMALL, lights: [LIGHTS.ambient, LIGHTS.directional] }),
+  ...MESHES.map((model) => makeCase(model, model, null, { ...SMALL, camera: 'quarter', lights: [LIGHTS.hemisphere, LIGHTS.directional] })),
+  ...['gradient', 'lamps'].map((map) =>
+    makeCase(`transmission-aliased-${map}`, 'transmission-two-sided', map, { ...SMALL, camera: 'quarter', quality: { samples: 1 } }),
+  ),
+];
 
 /** What `npm test` draws: the environment, layers, direct light with highlights, shadows, and glass. */
 export const FAST = ['env-lamps', 'everything', 'light-directional', 'shadow-spot', 'transmission-color'];
 
 const isShown =
   (revision) =>
-  ({ shot, settings }) =>
+  ({ name, shot, settings }) =>
+    // Where no program compiles there is nothing to compare.
+    !(name === 'morph-colors' && termsOfRevision(revision).morphColors === 'no-program') &&
     // telar has the default of three.js alone, PCFShadowMap.
     settings === undefined && !(revision < TONE_MAPPINGS_SINCE[shot.toneMapping]);
 

@@ -206,8 +206,9 @@ export const SLOT_TERMS = [
   {
     slot: 'transmission over a colour', key: 'glassBackground',
     terms: [
-      { to: '0.164.1', what: "the buffer behind glass is cleared with the background's colour as the canvas has it, sRGB-encoded, in linear floats" },
-      { from: '0.165.0', what: 'cleared with its linear colour' },
+      { to: '0.152.2', what: 'the buffer behind glass is cleared to what the canvas is: a colour sRGB-encoded, in linear floats; (0, 0, 0, 0) where there is none' },
+      { from: '0.153.0', to: '0.164.1', what: 'cleared to white of alpha 0.5, premultiplied, over any colour: the clear alpha of a see-through canvas is below 1' },
+      { from: '0.165.0', what: 'cleared with the linear colour; to white of alpha 0.5 where there is none' },
     ],
   },
   {
@@ -217,8 +218,17 @@ export const SLOT_TERMS = [
   {
     slot: 'buffer behind glass', key: 'glassBuffer',
     terms: [
-      { to: '0.152.2', what: '1024 x 1024 texels whatever the size of the picture; where the canvas is see-through it is cleared to what the canvas is, (0, 0, 0, 0)' },
-      { from: '0.153.0', what: 'as large as the canvas; where that is see-through, cleared to white of alpha 0.5. From 0.154.0 on with four samples even without antialias' },
+      { to: '0.152.2', what: '1024 x 1024 texels whatever the size of the picture' },
+      { from: '0.153.0', what: 'as large as the canvas' },
+    ],
+  },
+  {
+    slot: 'samples behind glass', key: 'glassSamples',
+    terms: [
+      { to: '0.153.0', what: 'four a texel with antialias, else one' },
+      { from: '0.154.0', to: '0.181.2', what: 'four' },
+      { from: '0.182.0', to: '0.182.0', what: 'as many as the canvas has: one without antialias' },
+      { from: '0.183.0', what: 'as many as the canvas has, at least four' },
     ],
   },
   {
@@ -236,8 +246,42 @@ export const SLOT_TERMS = [
       { from: '0.151.0', what: 'each map has its own transform and coordinates' },
     ],
   },
+  { slot: 'nodes of several scenes', terms: [{ to: '0.182.0', what: 'a node that several scenes list is in the last of them alone, which need not be the one that is drawn' }, { from: '0.183.0', what: 'it is in each' }] },
+  { slot: 'animated weights', terms: [{ to: '0.183.2', what: "those of a node move the morph targets of all nodes beneath it too" }, { from: '0.184.0', what: "those of its own mesh" }] },
+  { slot: 'sparse normalized accessors', terms: [{ to: '0.168.0', what: 'what the sparse part gives is normalized twice' }, { from: '0.169.0', what: 'once' }] },
+  {
+    slot: 'KTX2 beside Basis Universal',
+    terms: [
+      { to: '0.176.0', what: 'of KHR_texture_basisu, ETC1S and UASTC as today; of what the extension does not allow, raw 8-bit, half and float formats alone, without mip levels of their own. A texture that is not read is left out' },
+      { from: '0.177.0', to: '0.179.1', what: 'and BC1, BC3, BC5, BC7' },
+      { from: '0.180.0', to: '0.181.2', what: 'and BC4, ETC2, ASTC 4 x 4 in sRGB, floats of 5, 9 to 11 bits' },
+      { from: '0.182.0', to: '0.183.2', what: 'and EAC' },
+      { from: '0.184.0', what: 'and 16-bit RGBA' },
+    ],
+  },
   { slot: 'unlit', terms: [{ to: '0.155.0', what: 'as today' }, { from: '0.156.0', to: '0.156.0', what: 'GLTFLoader fails at a colour of an unlit material' }, { from: '0.156.1', what: 'as today' }] },
-  { slot: 'sorting', key: 'sorting', terms: [{ to: '0.151.3', what: "by depth of the object's origin" }, { from: '0.152.0', what: 'by depth of the middle of its bounding sphere' }] },
+  { slot: 'sorting', key: 'sorting', terms: [{ to: '0.151.3', what: "by depth of the object's origin, z / w" }, { from: '0.152.0', to: '0.165.0', what: 'by z / w of the middle of its bounding sphere; that of a skinned or instanced mesh before it moves, to 0.152.2: what lies behind the camera counts as the farthest' }, { from: '0.166.0', what: 'by z of that in clip space' }] },
+  { slot: 'bump maps', key: 'bump', terms: [{ to: '0.158.0', what: 'EXT_materials_bump is not read' }, { from: '0.159.0', what: 'read' }] },
+  { slot: 'colours of instances', key: 'instanceColor', terms: [{ to: '0.157.0', what: '_COLOR_0 of EXT_mesh_gpu_instancing is not read' }, { from: '0.158.0', what: 'a factor on the colour' }] },
+  { slot: 'tangents of instances', key: 'instanceTangents', terms: [{ to: '0.158.0', what: 'those of the mesh, which do not turn with the instance' }, { from: '0.159.0', what: 'turned by its matrix' }] },
+  { slot: 'tangents of back sides', key: 'flippedTangents', terms: [{ to: '0.184.0', what: 'back sides that are drawn as front sides, of blended and of transmissive two-sided surfaces, have the tangent turned round' }, { from: '0.185.0', what: 'as the mesh has it' }] },
+  {
+    slot: 'normal maps of flat faces', key: 'flatFrames',
+    terms: [
+      { to: '0.150.1', what: 'tangent and bitangent turn round on the back of a two-sided face' },
+      { from: '0.151.0', to: '0.184.0', what: 'on flat faces they do not' },
+      { from: '0.185.0', what: 'on any face they do' },
+    ],
+  },
+  {
+    slot: 'vertex colours that morph', key: 'morphColors',
+    terms: [
+      { to: '0.182.0', what: 'as today' },
+      { from: '0.183.0', to: '0.186.1', what: 'the program does not compile: the mesh is not drawn, but casts its shadow' },
+      { from: '0.187.0', what: 'the sum of the weighed targets' },
+    ],
+  },
+  { slot: 'maps of lines', key: 'lineMap', terms: [{ to: '0.150.1', what: 'lines show no base colour texture' }, { from: '0.151.0', what: 'they do' }] },
   {
     slot: 'colour management',
     terms: [

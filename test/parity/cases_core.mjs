@@ -37,6 +37,7 @@ const FEATURES = [
   'flat-shading',
   'flat-shading-unindexed',
   'flat-normal-map',
+  'flat-normal-map-sides',
   'unlit',
   'default-material',
   'odd-images',
@@ -62,7 +63,7 @@ const featureCases = FEATURES.flatMap((model) => [
   make(`${model}-env`, model, 'lamps', {}, FAST_FEATURES.includes(model)),
 ]);
 
-const FACING = ['samplers', 'minification', 'back-sides', 'topologies'];
+const FACING = ['samplers', 'minification', 'back-sides', 'topologies', 'lines-map'];
 const facingCases = FACING.map((model) => make(model, model, null, { camera: 'front', lights: [hemisphere, ...SUN] }));
 
 /** Radiance 1 shows as 0.8, so that a gain of energy is not cut off. */

@@ -46,6 +46,9 @@ test('a release is refused a tone mapping that it does not have', () => {
   assert.throws(() => resolved({ base: 'three', revision: 159 }, { toneMapping: 'agx' }), { code: 'E_SHOT' });
 });
 
+/** Borders of what no case of the page shows: sorting, the samples behind glass, the frames of back sides. */
+const UNMEASURED = new Set([152, 154, 166, 185]);
+
 test('the table has every border that was measured, and no other', () => {
   const page = readFileSync(new URL('../../../js/docs/families.md', import.meta.url), 'utf8');
   const rows = [...page.matchAll(/^\| 0\.(\d+)\.\d+(?: to 0\.(\d+)\.\d+)? \| \d+ \|[^|]*\|(?: \d+, at most (\d+))? /gm)];
@@ -58,6 +61,5 @@ test('the table has every border that was measured, and no other', () => {
     if (change > 2 && to !== 181) assert.ok(isKnown, `0.${to} and 0.${to + 1} differ by ${change}`);
   }
   const starts = new Set(measured.map(({ from }) => from));
-  // What sorting does shows in no case that was measured.
-  for (const border of borders) assert.ok(starts.has(border) || border === 152, `nothing was measured to change at 0.${border}`);
+  for (const border of borders) assert.ok(starts.has(border) || UNMEASURED.has(border), `nothing was measured to change at 0.${border}`);
 });

@@ -1,0 +1,35 @@
+#include "pass/clear_color.h"
+
+#include "brdf/brdf.h"
+
+namespace telar::pass {
+namespace {
+
+bool hasColor(const Shot& shot) { return shot.background.type == Shot::Background::Type::kColor; }
+
+}  // namespace
+
+glm::vec4 clearColor(const Shot& shot, bool linear) {
+  if (!hasColor(shot)) return glm::vec4(0);
+  const glm::vec3 color = shot.background.color;
+  return {linear ? color : brdf_f::srgbFromLinear(glm::clamp(color, 0.0f, 1.0f)), 1.0f};
+}
+
+glm::vec4 clearColorBehind(const Shot& shot, const ThreeTerms& three) {
+  if (three.glassBackground == ThreeTerms::THREE_GLASS_BACKGROUND_AS_CANVAS) return clearColor(shot, false);
+  if (hasColor(shot) && three.glassBackground == ThreeTerms::THREE_GLASS_BACKGROUND_LINEAR)
+    return clearColor(shot, true);
+  return glm::vec4(0.5f);
+}
+
+bool piercesColor(const FramePlan& plan, const Shot& shot) {
+  return hasColor(shot) && !plan.draws.transmissive.empty() &&
+         plan.frame.three.glassBackground == ThreeTerms::THREE_GLASS_BACKGROUND_HALF_WHITE;
+}
+
+bool fillsBackground(const FramePlan& plan, const Shot& shot) {
+  if (plan.environmentBackground) return shot.camera.projection == Projection::kPerspective;
+  return hasColor(shot) && shot.resolve != Resolve::kLinear && !piercesColor(plan, shot);
+}
+
+}  // namespace telar::pass

@@ -1,0 +1,22 @@
+#pragma once
+#include "pass/draw_list.h"
+
+namespace telar::pass {
+
+/// What the picture is cleared with: transparent where the shot has no background colour. A colour is never tone
+/// mapped: three.js clears with it.
+glm::vec4 clearColor(const Shot& shot, bool linear);
+
+/// Of the transmission target, premultiplied: in three.js 0.187 the linear background, half covered with white where
+/// there is none.
+glm::vec4 clearColorBehind(const Shot& shot, const ThreeTerms& three);
+
+/// Whether glass is seen through to what lies behind a coloured background, as in releases whose buffer behind glass
+/// has no background.
+bool piercesColor(const FramePlan& plan, const Shot& shot);
+
+/// Whether a pass draws a background on the whole picture. A colour behind an average is composed at the end. Without
+/// perspective the environment's cube covers a part of the picture, as in three.js.
+bool fillsBackground(const FramePlan& plan, const Shot& shot);
+
+}  // namespace telar::pass
