@@ -16,6 +16,9 @@ export const isRelease = (shading) => shading === 'three' || shading?.base === '
 
 const revisionOf = (shading) => shading.revision ?? REVISION;
 
+/** A term that leaves no more than this part of the difference is the one: no other needs to be drawn. */
+const FOUND = 0.02;
+
 /** The family of a shading, or as many as draw what is looked at alike. */
 function rangeAround(fits, best) {
   const at = fits.indexOf(best);
@@ -45,23 +48,30 @@ export async function closestRelease(shading, { toneMapping, distanceOf }) {
 }
 
 /**
- * Swaps one term after the other, each alone.
+ * Swaps one term after the other, each alone, until one explains the difference.
  * @param {'three' | object} shading - Stock three.js.
  * @param {DistanceOf} distanceOf
  * @returns {Promise<{distance: number, swaps: Swap[], drawn: number}>} `distance` without a swap; `swaps` the best first.
  */
 export async function rankedSwaps(shading, distanceOf) {
-  const own = { ...termsOfRevision(revisionOf(shading)), ...(typeof shading === 'string' ? {} : shading) };
+  const distance = await distanceOf(shading);
   const swaps = [];
-  for (const [slot, terms] of Object.entries(THREE_SLOTS)) {
-    for (const to of Object.keys(terms)) {
-      if (to === own[slot]) continue;
-      const swapped = resolveThree({ ...own, base: 'three', revision: revisionOf(shading), [slot]: to });
-      swaps.push({ slot, from: own[slot], to, distance: await distanceOf(swapped) });
-    }
+  for (const swap of swapsOf(shading)) {
+    swaps.push({ ...swap, distance: await distanceOf(swap.shading) });
+    if (swaps.at(-1).distance <= FOUND * distance) break;
   }
   swaps.sort((a, b) => a.distance - b.distance);
-  return { distance: await distanceOf(shading), swaps, drawn: swaps.length };
+  return { distance, swaps: swaps.map(({ shading: _, ...swap }) => swap), drawn: swaps.length };
+}
+
+/** Each other term of each slot, put into a shading alone. */
+function swapsOf(shading) {
+  const own = { ...termsOfRevision(revisionOf(shading)), ...(typeof shading === 'string' ? {} : shading) };
+  return Object.entries(THREE_SLOTS).flatMap(([slot, terms]) =>
+    Object.keys(terms)
+      .filter((to) => to !== own[slot])
+      .map((to) => ({ slot, from: own[slot], to, shading: resolveThree({ ...own, base: 'three', revision: revisionOf(shading), [slot]: to }) })),
+  );
 }
 
 /** Swaps that leave as little as the best one does: where no other term shows, several are one. */

@@ -76,6 +76,12 @@ export function parseSwaps(texts = []) {
   );
 }
 
+/** Fetches releases one after the other, while others are drawn. */
+export async function fetchAhead(revisions) {
+  // One that fails is told by the round that wants it.
+  for (const revision of revisions) await fetchRelease(versionOf(nearestRevision(revision))).catch(() => {});
+}
+
 /**
  * Both sides of a release.
  * @param {number} revision

@@ -39,14 +39,22 @@ export async function listReleases() {
     .sort(compareReleases);
 }
 
+/** Releases on their way, by version. */
+const fetching = new Map();
+
 /**
  * Fetches a release by `npm pack`, which checks its integrity. A release that is there is left as it is.
  * @param {string} version
  * @returns {Promise<string>} Its folder.
  */
 export async function fetchRelease(version) {
+  if (existsSync(folderOf(version))) return folderOf(version);
+  if (!fetching.has(version)) fetching.set(version, fetched(version));
+  return fetching.get(version);
+}
+
+async function fetched(version) {
   const folder = folderOf(version);
-  if (existsSync(folder)) return folder;
   mkdirSync(RELEASES_FOLDER, { recursive: true });
   const unfinished = mkdtempSync(path.join(RELEASES_FOLDER, 'fetching-'));
   try {

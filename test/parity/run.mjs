@@ -25,8 +25,9 @@ import { drawCases } from './draw_cases.mjs';
 import { saveReference } from './files.mjs';
 import { KNOWN_CASES, KNOWN_DIFFERENCES } from './known_differences.mjs';
 import { OUT } from './places.mjs';
+import { familyName, familyOf } from '../../js/shot/three_terms.mjs';
 import { explained, explanationText } from '../families/explain.mjs';
-import { casesOf, GATED_REVISIONS, parseSwaps, sidesOf } from '../families/gate.mjs';
+import { casesOf, fetchAhead, GATED_REVISIONS, parseSwaps, sidesOf } from '../families/gate.mjs';
 import { Report } from './report.mjs';
 import { openOwnText } from './own_text.mjs';
 import { openServer } from './server.mjs';
@@ -63,11 +64,12 @@ if (cases.length + knownCases.length === 0) throw new Error(`no case has one of 
 const MAX_TRACES = 12;
 let traces = 0;
 
-/** Cases of older releases that are explained without --explain: each is drawn some fifty times. */
-const MAX_EXPLAINED = 3;
+/** Cases of older releases that are explained without --explain, where the gate is whole: each is drawn some fifty times. */
+const MAX_EXPLAINED = values.revision === undefined ? 3 : 0;
 let explanations = 0;
 
 const report = new Report();
+const releases = [];
 const spent = {};
 const sides = {};
 const opening = Object.entries({
@@ -77,6 +79,7 @@ const opening = Object.entries({
 }).map(async ([name, side]) => {
   sides[name] = await side;
 });
+void fetchAhead(revisions);
 try {
   await Promise.all(opening);
   if (values['own-text']) sides.server = openOwnText(sides.browser);
@@ -88,6 +91,7 @@ try {
   await Promise.allSettled(opening);
   await Promise.all(Object.values(sides).map((side) => side?.close()));
 }
+for (const line of releases) console.log(line);
 const summary = summaryOf();
 console.log(summary);
 if (!values['browser-only']) {
@@ -99,11 +103,16 @@ process.exitCode = report.failed ? 1 : 0;
 /** The cases of one older release. */
 async function drawRound({ revision, cases: own }) {
   const { browser, server, shading } = await sidesOf(revision, { server: sides.server, swaps });
+  const [begin, failed] = [performance.now(), report.failed];
   try {
     for await (const result of drawCases(own, { browser, server, comparer: sides.comparer })) await finishCase(result, shading);
   } finally {
     await browser.close();
   }
+  const within = `${own.length - (report.failed - failed)} of ${own.length}`;
+  releases.push(
+    `${familyName(familyOf(revision))}, drawn by 0.${revision}: ${within} cases within the bar, ${((performance.now() - begin) / 1000).toFixed(1)} s`,
+  );
 }
 
 /** Which term of a release explains a case that is over the bar. */

@@ -13,13 +13,14 @@ back into the second; compares them on the cloth alone; and ranks the terms.
 telar analyse --from three-r115 --to disney-2012 --report report
 telar analyse --to '{"base": "three-r115", "sheen": "zeltner", "diffuse": "eon"}' --fabrics velvet,towel --lights rim,sky
 telar analyse shirt.glb --lights studio,church.hdr --json
+telar analyse --from three@180 --to three@187 --fabrics wool
 telar analyse --terms
 \`\`\`
 
 | option | does |
 |---|---|
 | \`MODEL...\` | what to draw; without models the bundled drape, a cloth over a ball |
-| \`--from\`, \`--to\` | the shadings: \`three-r115\` (default of \`--from\`), \`disney-2012\` (of \`--to\`), or JSON of one with terms swapped; of \`three\` and \`fabric\`, which have no terms, the whole difference alone |
+| \`--from\`, \`--to\` | the shadings: \`three-r115\` (default of \`--from\`), \`disney-2012\` (of \`--to\`), or JSON of one with terms swapped; two releases of three.js (\`three@180\`) are compared slot by slot ([releases.md](releases.md)); of \`fabric\`, and of \`three\` beside another shading, the whole difference alone |
 | \`--fabrics NAMES\` | of the bundled drape: \`leather,wool,towel,velvet\`, all by default; glTF materials of numbers typical of the class |
 | \`--lights NAMES\` | $LIGHTS or environments (.hdr, .exr); \`studio,sun\` by default; lights in the model are left out |
 | \`--view VIEW\` | in place of the drape's own camera, or of the front of a model |
@@ -117,6 +118,43 @@ ${lines.join('\n')}
 Left to right: ${sheet}. Top to bottom, with that term: ${swapped}.
 
 ![${target}: lobes seen from 65 degrees](analysis/${target}-lobes-65.svg) ![${target}: directional albedo](analysis/${target}-albedo.svg)
+`;
+}
+
+/**
+ * What changed between two releases of three.js: the terms that show.
+ * @param {import('../../analyse/analyse.mjs').Analysis} analysis
+ * @returns {string} Markdown
+ */
+export function upgradeMarkdown({ names, shot, cells, rows }) {
+  const [shown, unseen] = [rows.filter(({ effect }) => effect > 0), rows.filter(({ effect }) => effect === 0)];
+  const { width, height } = shot.size;
+  return `${table(
+    ['rank', 'term', 'swap', 'FLIP alone', 'range', 'last', 'of the whole', 'alone, it makes the cloth'],
+    shown.map((term) => [
+      term.rank,
+      `**${term.slot}**`,
+      `${term.from} → ${term.to}`,
+      shortFigure(term.alone.flip.mean),
+      `${shortFigure(term.alone.flip.min)} to ${shortFigure(term.alone.flip.max)}`,
+      shortFigure(term.rest.flip.mean),
+      percent(term.share),
+      term.words,
+    ]),
+  )}
+
+${table(
+  [`${names.to} against ${names.from}`, 'FLIP', 'CIEDE2000', 'p95', 'in words'],
+  cells.map(({ target, light, all }) => [
+    `${target}, ${light}`,
+    shortFigure(all.flip.mean),
+    all.deltaE.mean.toFixed(2),
+    all.deltaE.p95.toFixed(2),
+    inWords(all),
+  ]),
+)}
+
+${width} x ${height} pixels, quality ${JSON.stringify(shot.quality)}; written by \`npm run analysis\`. These models do not show ${unseen.map(({ slot }) => slot).join(', ')}.
 `;
 }
 

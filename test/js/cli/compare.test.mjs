@@ -100,6 +100,17 @@ test('a screenshot with its shot inside needs the model alone, and tells what it
   assert.ok(existsSync(at('drawn/actual.png')));
 });
 
+test('a screenshot of another three.js than its shot names: the release is told, and what finding it took', async () => {
+  const renderer = await createRenderer();
+  const draw = async (shading) => (await renderer.render(MODEL, { ...SHOT, shading })).data;
+  writeFileSync(at('older.png'), embedShot(await draw({ base: 'three', revision: 170 }), SHOT));
+  await renderer.close();
+  const json = JSON.parse(compare('older.png', '--model', MODEL, '--json', '--gate', 'parity').stdout);
+  const [hint, ...more] = json.hints;
+  assert.deepEqual([json.exit, more, hint.cause, hint.from, hint.to], [1, [], 'release', 164, 180]);
+  assert.match(hint.message, /looks like three\.js 0\.164 to 0\.180: mean difference 0\/255, .* three@180 \(.*drawn in [\d.]+ s\)$/);
+});
+
 test('two screenshots: both shots are told, and in what they differ', () => {
   const { stdout } = compare('screenshot.png', 'spotted.png');
   assert.match(stdout, /^screenshot\.png shows .*\nspotted\.png shows .*variant="terracotta"\nthe shots differ in variant\n/);
