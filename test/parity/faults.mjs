@@ -63,7 +63,13 @@ export const FAULTS = [
   {
     name: 'a mip bias of one',
     item: 'sweep-gradient',
-    edits: [{ file: 'light/indirect_inputs.glsl', find: 'environmentRotation * world, lod)', replace: 'environmentRotation * world, lod + 1.0)' }],
+    edits: [
+      {
+        file: 'light/indirect_inputs.glsl',
+        find: 'textureLod(environmentMap, environmentRotation * world, lod)',
+        replace: 'textureLod(environmentMap, environmentRotation * world, lod + 1.0)',
+      },
+    ],
     first: 'radiance',
   },
   {
@@ -78,7 +84,7 @@ export const FAULTS = [
     edits: [
       {
         file: 'shading/three.glsl',
-        find: 'float underSheen = 1.0 - max3(s.sheenColor) * sheenE;',
+        find: 'float underSheen = underSheenTerm(s, sheenE);',
         replace: 'float underSheen = 1.0;',
       },
     ],
@@ -99,7 +105,7 @@ export const FAULTS = [
   {
     name: 'linear instead of sRGB: a picture that is not encoded',
     item: 'light-directional',
-    edits: [{ file: 'output.glsl', find: 'srgbFromLinear(toneMapped(', replace: '(toneMapped(' }],
+    edits: [{ file: 'output.glsl', find: 'srgbFromLinear(displayLight(', replace: '(displayLight(' }],
     first: 'encoded',
   },
   {
