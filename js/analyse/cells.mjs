@@ -1,4 +1,5 @@
 import { clothOf, difference, lookAt } from './differences.mjs';
+import { mayShow } from './shown_slots.mjs';
 
 /** Draws a target in every light with every shading, and compares. */
 
@@ -27,7 +28,7 @@ async function drawAll(renderer, model, shots, { signal, step }) {
   const work = async () => {
     for (const [i, shot] of next) {
       const { data, info } = await renderer.render(model, shot, { signal });
-      images[i] = { width: shot.size.width, height: shot.size.height, data: new Uint8Array(data), warnings: info.warnings };
+      images[i] = { width: shot.size.width, height: shot.size.height, data: new Uint8Array(data), warnings: info.warnings, features: info.features };
       step();
     }
   };
@@ -85,16 +86,41 @@ export async function cellsOf(renderer, model, target, { lights, swaps, shot }, 
   return cells;
 }
 
-async function cellOf(renderer, model, base, { list, indexOf, swaps }, options) {
-  const images = await drawAll(
-    renderer,
-    model,
-    list.map((shading) => ({ ...base, shading })),
-    options,
-  );
+/** By slot, the pictures that a swap in it gives, and those that stand for them where it cannot show. */
+const swapsOf = (slot) => [
+  [`alone:${slot}`, 'from'],
+  [`rest:${slot}`, 'to'],
+];
+
+/** Pictures by index; a slot that the model in this light does not have is not drawn again. */
+async function imagesOf(renderer, model, base, { list, indexOf, swaps }, options) {
+  const images = new Array(list.length);
+  const draw = async (indices) => {
+    const shots = indices.map((index) => ({ ...base, shading: list[index] }));
+    for (const [i, image] of (await drawAll(renderer, model, shots, options)).entries()) images[indices[i]] = image;
+  };
+  const ends = [...new Set([indexOf.from, indexOf.to])];
+  await draw(ends);
+  const features = ends.flatMap((index) => images[index].features);
+  const isHidden = new Map();
+  for (const { slot } of swaps.terms) {
+    if (mayShow(slot, features)) continue;
+    for (const [swapped, end] of swapsOf(slot)) if (!images[indexOf[swapped]]) isHidden.set(indexOf[swapped], indexOf[end]);
+  }
+  await draw([...list.keys()].filter((index) => !images[index] && !isHidden.has(index)));
+  for (const [index, end] of isHidden) {
+    images[index] = images[end];
+    options.step();
+  }
+  return images;
+}
+
+async function cellOf(renderer, model, base, plan, options) {
+  const { indexOf, swaps } = plan;
+  const images = await imagesOf(renderer, model, base, plan, options);
   const facing = await renderer.renderQuantity(model, { ...base, quality: 'draft', shading: 'three' }, 'NoV', { signal: options.signal });
-  const cloth = clothOf(images[0], facing.data);
+  const cloth = clothOf(images[indexOf.from], facing.data);
   const figures = await compared(images, indexOf, cloth, swaps.terms, options);
   const byName = Object.fromEntries(Object.entries(indexOf).map(([name, index]) => [name, images[index]]));
-  return { ...figures, cloth, images: byName, warnings: images[0].warnings };
+  return { ...figures, cloth, images: byName, warnings: images[indexOf.from].warnings };
 }

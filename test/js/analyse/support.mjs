@@ -40,7 +40,7 @@ export function plantedApi(effect, { delay = async () => {} } = {}) {
       calls.rendered += 1;
       const swapped = new Set(terms.filter(({ slot, to }) => shot.shading[slot] === to).map(({ slot }) => slot));
       const data = Uint8Array.from(draw(shot, (cosine) => [...new Array(3).fill(Math.round(100 + effect(swapped, cosine, shot))), 255]));
-      return { data: Buffer.from(data), info: { warnings: [{ code: 'W_RANGE', message: 'clamped' }] } };
+      return { data: Buffer.from(data), info: { warnings: [{ code: 'W_RANGE', message: 'clamped' }], features: [] } };
     },
     renderQuantity: async (_model, shot) => ({ ...shot.size, data: draw(shot, (cosine) => [cosine, 0, 0, 1]) }),
     release: async () => void (calls.released += 1),
