@@ -1,6 +1,8 @@
 // Included in a namespace where Real is the scalar type and `float` stands for it.
 #include "../material/surface_types.glsl"
 #include "material/input_types.glsl"
+// After what it samples.
+#include "../light/lobe_types.glsl"
 
 Reflected nothingReflected();
 
@@ -18,6 +20,11 @@ SurfaceInfo withLayers(SurfaceInfo s, MaterialInputs m, Normals normals);
 SurfaceInfo withWeave(SurfaceInfo s, MaterialInputs m, Normals normals);
 YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, Real slope, Real coverage, Real roughness, Real anisotropy,
                   vec3 specularColor);
+
+// Importance sampling, shaders/light/lobe_mixture.glsl.
+LobeMixture lobeMixture(SurfaceInfo s);
+vec3 sampleMixture(LobeMixture lobes, vec2 u);
+Real pdfMixture(LobeMixture lobes, vec3 l);
 
 // What each shading provides.
 #define TELAR_SHADING_FUNCTIONS                                                 \

@@ -28,6 +28,10 @@ namespace principled {
 #include "../shading/principled.glsl"
 }  // namespace principled
 
+// Yarns are fabric's alone.
+using fabric::isWoven;
+#include "../light/lobe_mixture.glsl"
+
 ShadingFunctions shadingFunctions(ShadingModel shading) {
   switch (shading) {
     case ShadingModel::kThreeR115:

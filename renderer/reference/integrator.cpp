@@ -131,7 +131,7 @@ Integrator::SampleCounts Integrator::sampleCounts(const Path& path, float lobePr
   return {2, transport_.bounces == 0 ? 3 : 1, lobeProbability};
 }
 
-glm::vec3 Integrator::sampleLd(const Surface& surface, const LobeSampler& lobes, const SampleCounts& counts,
+glm::vec3 Integrator::sampleLd(const Surface& surface, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,
                                Sampler& sampler) const {
   const glm::vec3 lights = sampleLights(surface, sampler);
   return lights + sampleEnvironment(surface, lobes, counts, sampler);
@@ -144,8 +144,8 @@ glm::vec3 Integrator::reflectedEnvironment(const Surface& surface, const glm::ve
   return f * scene_.environment->radiance(l);
 }
 
-glm::vec3 Integrator::sampleEnvironment(const Surface& surface, const LobeSampler& lobes, const SampleCounts& counts,
-                                        Sampler& sampler) const {
+glm::vec3 Integrator::sampleEnvironment(const Surface& surface, const brdf_f::LobeMixture& lobes,
+                                        const SampleCounts& counts, Sampler& sampler) const {
   glm::vec3 sum(0);
   if (!scene_.environment) return sum;
   const EnvironmentLight& environment = *scene_.environment;
@@ -156,19 +156,21 @@ glm::vec3 Integrator::sampleEnvironment(const Surface& surface, const LobeSample
     if (!(pdf > 0)) continue;
     const glm::vec3 light = reflectedEnvironment(surface, l, sampler);
     if (light == glm::vec3(0)) continue;
-    const float misWeight = brdf_f::powerHeuristic(counts.environment() * pdf, counts.lobe() * lobes.pdf(l));
+    const float misWeight =
+        brdf_f::powerHeuristic(counts.environment() * pdf, counts.lobe() * brdf_f::pdfMixture(lobes, l));
     sum += light * (misWeight / pdf);
   }
   return sum / counts.environment();
 }
 
-glm::vec3 Integrator::sampleLobes(const Surface& surface, const LobeSampler& lobes, const SampleCounts& counts,
+glm::vec3 Integrator::sampleLobes(const Surface& surface, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,
                                   Sampler& sampler) const {
   glm::vec3 sum(0);
   if (!scene_.environment) return sum;
   const EnvironmentLight& environment = *scene_.environment;
   for (int i = 0; i < counts.lobes; ++i) {
-    const auto [l, pdf] = lobes.sample(sampler.random);
+    const glm::vec3 l = brdf_f::sampleMixture(lobes, sampler.random.uniform2());
+    const float pdf = brdf_f::pdfMixture(lobes, l);
     if (!(pdf > 0)) continue;
     const glm::vec3 light = reflectedEnvironment(surface, l, sampler);
     if (light == glm::vec3(0)) continue;
@@ -215,12 +217,14 @@ bool Integrator::transmit(Path& path, Sampler& sampler) const {
   return false;
 }
 
-bool Integrator::reflect(Path& path, const LobeSampler& lobes, const SampleCounts& counts, Sampler& sampler) const {
+bool Integrator::reflect(Path& path, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,
+                         Sampler& sampler) const {
   if (path.bounces == transport_.bounces) {
     path.radiance += path.throughput * sampleLobes(path.surface, lobes, counts, sampler);
     return false;
   }
-  const auto [l, pdf] = lobes.sample(sampler.random);
+  const glm::vec3 l = brdf_f::sampleMixture(lobes, sampler.random.uniform2());
+  const float pdf = brdf_f::pdfMixture(lobes, l);
   if (!(pdf > 0)) return false;
   path.throughput *= bsdfCosine(path.surface, l, true) / (counts.lobe() * pdf);
   if (path.throughput == glm::vec3(0)) return false;
@@ -248,7 +252,7 @@ glm::vec4 Integrator::follow(Path& path, Sampler& sampler) const {
     const Surface& surface = path.surface;
     path.radiance += path.throughput * surface.emitted;
     if (surface.unlit) break;
-    const LobeSampler lobes(surface.info);
+    const brdf_f::LobeMixture lobes = brdf_f::lobeMixture(surface.info);
     // Transmission takes the place of the diffuse lobe alone, so some paths must still be reflected.
     const float transmitProbability = surface.glass.weight * 0.75f;
     const SampleCounts counts = sampleCounts(path, 1 - transmitProbability);

@@ -5,7 +5,6 @@
 #include "reference/geometry.h"
 #include "reference/ground.h"
 #include "reference/lights.h"
-#include "reference/lobe_sampler.h"
 #include "reference/surface.h"
 #include "reference/transmission.h"
 
@@ -72,7 +71,7 @@ class Integrator {
   /// The surface that is seen through another. @return false: none
   bool intersectBehind(const Surface& surface, const TransmissionSample& sample, Sampler& sampler, Surface& next) const;
   /// Moves the path along a direction drawn from the lobes. @return false: it ends
-  bool reflect(Path& path, const LobeSampler& lobes, const SampleCounts& counts, Sampler& sampler) const;
+  bool reflect(Path& path, const brdf_f::LobeMixture& lobes, const SampleCounts& counts, Sampler& sampler) const;
 
   /// The BSDF times the cosine: reflected radiance per irradiance on a surface that faces the light.
   /// @param ambient  light of the environment: baked occlusion counts where surfaces hide nothing
@@ -81,15 +80,15 @@ class Integrator {
   brdf_f::Reflected withBakedOcclusion(brdf_f::Reflected light, const Surface& surface) const;
 
   /// Direct light: all lights, and the environment by samples of its own map, weighted against those of the lobes.
-  glm::vec3 sampleLd(const Surface& surface, const LobeSampler& lobes, const SampleCounts& counts,
+  glm::vec3 sampleLd(const Surface& surface, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,
                      Sampler& sampler) const;
   glm::vec3 sampleLights(const Surface& surface, Sampler& sampler) const;
   /// What the surface reflects of the environment from `l`, unit; black where it is occluded.
   glm::vec3 reflectedEnvironment(const Surface& surface, const glm::vec3& l, Sampler& sampler) const;
-  glm::vec3 sampleEnvironment(const Surface& surface, const LobeSampler& lobes, const SampleCounts& counts,
+  glm::vec3 sampleEnvironment(const Surface& surface, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,
                               Sampler& sampler) const;
   /// The environment by samples of the lobes, for a path that ends here: reflect() does it for the others.
-  glm::vec3 sampleLobes(const Surface& surface, const LobeSampler& lobes, const SampleCounts& counts,
+  glm::vec3 sampleLobes(const Surface& surface, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,
                         Sampler& sampler) const;
   /// Light of one sample of a light. @param shadow  part that a shadow takes where the shot asks for one
   glm::vec3 estimateDirect(const Surface& surface, const LightSample& light, float shadow, Sampler& sampler) const;

@@ -6,7 +6,6 @@
 #include "brdf/quadrature.h"
 #include "checks.h"
 #include "evaluate.h"
-#include "reference/lobe_sampler.h"
 #include "surface_point.h"
 #include "worst.h"
 
@@ -170,10 +169,10 @@ std::vector<Figure> checkPdfs(Scale scale) {
     for (std::uint64_t i = from; i < to; ++i) {
       const SurfacePoint point = drawnFrom(i);
       woven += hasYarns(point);
-      const reference::LobeSampler sampler(point.info);
+      const brdf_f::LobeMixture lobes = brdf_f::lobeMixture(point.info);
       // Densities end at the horizon, and those of reflection where the half vector lies in the surface.
       const double whole = overSphere({0, -double{point.info.v.z}}, [&](const glm::dvec3& l) {
-        return static_cast<double>(sampler.pdf(glm::vec3(l)));
+        return static_cast<double>(brdf_f::pdfMixture(lobes, glm::vec3(l)));
       });
       parts[part].see(std::abs(whole - 1), i);
     }
