@@ -3,7 +3,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { errorsWithoutCode, layersWithoutTests, layerViolations, longFiles } from './layers/rules.mjs';
+import { errorsWithoutCode, layersWithoutTests, layerViolations, longFiles, testsOutsideRooms } from './layers/rules.mjs';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const MAX_LINES = 400;
@@ -82,6 +82,11 @@ test('every layer has its tests', () => {
   assert.deepEqual(layersWithoutTests(tests), []);
   const planted = tests.filter((name) => !name.startsWith('test/cpp/gl/'));
   assert.deepEqual(layersWithoutTests(planted), ['renderer/gl: no test in test/cpp/gl']);
+  const roomless = tests.filter((name) => !name.startsWith('test/cpp/asset/pose/'));
+  assert.deepEqual(layersWithoutTests(roomless), ['renderer/asset/pose: no test in test/cpp/asset/pose']);
+  assert.deepEqual(testsOutsideRooms(tests), []);
+  const stray = 'test/cpp/asset/planted_test.cpp';
+  assert.deepEqual(testsOutsideRooms([...tests, stray]), [stray]);
 });
 
 test('a test of C++ names the code of the error that it wants', () => {

@@ -217,12 +217,21 @@ const testsOf = (layer) => TESTED_IN[layer] ?? (layer.startsWith('js/') ? `test/
 
 /**
  * @param {string[]} tests - Paths of the test files from the root.
- * @returns {string[]} The layers that nothing tests. Rooms of a layer are tested with it.
+ * @returns {string[]} The layers that nothing tests. A room of C++ has a folder of tests too; one of JavaScript is tested with its layer.
  */
 export function layersWithoutTests(tests) {
-  const folders = [...Object.keys(CPP_LAYERS), ...Object.keys(JS_LAYERS)].filter((layer) => !/\.\w+$/.test(layer));
-  const layers = [...new Set(folders.map((folder) => folder.split('/').slice(0, 2).join('/')))];
+  const folders = [...Object.keys(CPP_LAYERS), ...Object.keys(JS_LAYERS).map((layer) => layer.split('/').slice(0, 2).join('/'))];
+  const layers = [...new Set(folders.filter((layer) => !/\.\w+$/.test(layer)))];
   return layers.filter((layer) => !tests.some((file) => within(file, testsOf(layer)))).map((layer) => `${layer}: no test in ${testsOf(layer)}`);
+}
+
+/**
+ * @param {string[]} tests - Paths of the test files from the root.
+ * @returns {string[]} Tests of a layer with rooms that lie in none of them.
+ */
+export function testsOutsideRooms(tests) {
+  const rooms = ASSET_ORDER.map(testsOf);
+  return tests.filter((file) => within(file, testsOf('renderer/asset')) && !rooms.some((room) => within(file, room)));
 }
 
 /**
