@@ -50,7 +50,8 @@ const isShown =
     // Where no program compiles there is nothing to compare.
     !(name === 'morph-colors' && termsOfRevision(revision).morphColors === 'no-program') &&
     // telar has the default of three.js alone, PCFShadowMap.
-    settings === undefined && !(revision < TONE_MAPPINGS_SINCE[shot.toneMapping]);
+    settings === undefined &&
+    !(revision < TONE_MAPPINGS_SINCE[shot.toneMapping]);
 
 /**
  * What both sides draw for a release.
