@@ -49,6 +49,8 @@ const isShown =
   ({ name, shot, settings }) =>
     // Where no program compiles there is nothing to compare.
     !(name === 'morph-colors' && termsOfRevision(revision).morphColors === 'no-program') &&
+    // Mesa rounds what vertices move by to half floats there; telar moves them before it knows the release.
+    !(name === 'morph' && termsOfRevision(revision).samplerPrecision === 'lowp') &&
     // telar has the default of three.js alone, PCFShadowMap.
     settings === undefined &&
     !(revision < TONE_MAPPINGS_SINCE[shot.toneMapping]);

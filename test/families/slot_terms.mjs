@@ -173,7 +173,7 @@ export const SLOT_TERMS = [
   {
     slot: 'precision of samplers', key: 'samplerPrecision', source: 'GLSL ES 3.00, section 4.5.4',
     terms: [
-      { to: '0.160.1', what: 'the default of GLSL ES, lowp for sampler2D and samplerCube: what Mesa reads of maps, environments, tables and packed depths is rounded to half floats; GPUs without small floats show nothing of it' },
+      { to: '0.160.1', what: 'the default of GLSL ES, lowp for sampler2D and samplerCube: what Mesa reads of maps, environments, tables and packed depths is rounded to half floats; GPUs without small floats show nothing of it. What morph targets move vertices by is mediump: it moves silhouettes by less than a pixel, which is not drawn' },
       { from: '0.161.0', what: 'highp, as the rest of the text' },
     ],
   },
