@@ -34,7 +34,8 @@ vec3 environmentTexel(vec3 world, float lod) {
 }
 #else
 vec3 environmentTexel(vec3 world, float lod) {
-  return atlasRadiance(environmentMap, environmentAtlasTexel, environmentMaxLod, environmentRotation * world, lod) * environmentIntensity;
+  vec3 direction = environmentRotation * world;
+  return atlasRadiance(environmentMap, environmentAtlasTexel, environmentMaxLod, direction, lod) * environmentIntensity;
 }
 #endif
 #endif
