@@ -1,13 +1,13 @@
 // Where a normal map and the surface disagree on which side light and viewer are. Shared text: see README.md.
 
-// The shading normal turned so far that the viewer is in front of it, however little.
+// The shading normal. If it faces away from the viewer, it is turned until it just faces him.
 // n, v  unit      return  unit
 vec3 normalFacing(vec3 n, vec3 v) {
   float away = 1.0e-3 - dot(n, v);
   return away > 0.0 ? safeNormalize(n + v * away, v) : n;
 }
 
-// What the squared cosine of two equal unit vectors may be off 1: no map, no bumps.
+// Rounding of the squared cosine of two equal unit vectors: below it there are no bumps.
 const float UNIT_ROUNDING = 1.0e-6;
 
 // Square of the width that the mapped normal stands for, [0, 1], of bumpTerminator().
@@ -18,8 +18,8 @@ float bumpAlpha2(vec3 surface, vec3 mapped, float slopeVariance) {
   return saturate(0.125 * ((1.0 - UNIT_ROUNDING - cosine2) / cosine2 + slopeVariance));
 }
 
-// How much of a light the bumps that a mapped normal stands for let through, [0, 1]: none from below the surface, and less
-// and less towards its horizon, in place of a hard edge.
+// Share of the light that reaches the bumps for which a mapped normal stands, [0, 1]. It falls to 0 towards the horizon of the
+// surface, in place of a hard edge.
 // cosine  [-1, 1], between the light and the normal of the geometry
 // src: Estevez, Lecocq & Stein 2019, "A Microfacet-Based Shadowing Function to Solve the Bump Terminator Problem", Ray
 //      Tracing Gems, chapter 12

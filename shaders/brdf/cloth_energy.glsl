@@ -1,8 +1,8 @@
-// How much light a GGX lobe sends back, in closed form, so that what it leaves can be given to the lobes below.
+// Albedo of a GGX lobe in closed form. What it does not reflect goes to the lobes below.
 // Shared text: see README.md. The numbers are fitted to the exact integrals by `node test/fits/cloth_energy.mjs`. Both
 // sides of every coupled lobe go by the same curve, so that it is reciprocal whatever the error of the fit.
 
-// Of the part of the reflectance that belongs to f90: its curve's coefficients.   r  perceptual roughness, (0, 1]
+// Coefficients of the curve of the part of the reflectance that belongs to f90.   r  perceptual roughness, (0, 1]
 vec4 grazingCurve(float r) {
   float n1 = -0.2037537 + r * (5.228794 - r * 10.03187);
   float q0 = 0.62014 + r * (3.359124 + r * (-3.627132 + r * 1.558323));
@@ -46,7 +46,7 @@ vec2 glossAverage(GlossCurve curve) {
          glossAlbedo(curve, 0.3735179) * 0.2702435 + glossAlbedo(curve, 0.8084923) * 0.6889268;
 }
 
-// Share of the light that leaves after two and more bounces between the microfacets, of all that does not after one.
+// Share of the light not reflected after one bounce that leaves after more bounces between the microfacets.
 // f0, f90  [0, 1]      averageMissing  x of glossAverage()
 // src: Kulla & Conty 2017, "Revisiting Physically Based Shading at Imageworks", with the colour of the first bounce as
 //      in Hill 2018, "A Multi-Faceted Exploration (Part 2)"

@@ -59,7 +59,7 @@ AreaLobes areaLobes(SurfaceInfo s) {
   lobes.sheen = sheenLtcLobe(lobes.frame, s);
 #endif
 #elif SHADING_PRINCIPLED
-  // Specular and clearcoat lobes are those of the tables, the others are cosine lobes. Each has the albedo of the model.
+  // The tables hold the specular and the clearcoat lobe. The others are cosine lobes. Each has the albedo of its model.
   float under = underCoatToViewer(s);
   lobes.base.albedo *= under * glossOfArea(s);
   lobes.spread = under * diffuseAlbedoTerm(s);

@@ -41,8 +41,8 @@ vec2 sobolPoint(uint index) {
   return vec2(uvec2(x, y) >> 8u) * 5.9604645e-8;
 }
 
-// Shifts the points of each pixel by another amount, [0, 1)^2. The error of a few points then averages out over neighbouring
-// pixels, where it would be bands without the shift.
+// Shift of the points, another for each pixel, [0, 1)^2. With it, the error of a few points averages out over neighbouring
+// pixels; without it, there would be bands.
 // src: Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences", R2 by pixel
 vec2 pixelShift() {
   return vec2(interleavedGradientNoise(gl_FragCoord.xy), fract(dot(gl_FragCoord.xy, vec2(0.7548776662, 0.5698402910))));
@@ -105,8 +105,8 @@ Reflected addSampledEnvironment(Reflected sum, SurfaceInfo s) {
     float pdf = pdfMixture(lobes, l);
     if (pdf > 0.0) {
       vec4 light = environmentMean(l, 1.0 / (pdf * all));
-      // The bright part has samples of its own, and so the lobes' count for less of it. What they read of a small sun is
-      // blurred: the power heuristic keeps that weight small.
+      // MIS weight: the bright part has samples of its own, so samples of the lobes count less there. They read a small sun
+      // blurred, and the power heuristic keeps their weight small.
       float bright = min(light.a / max(dot(vec3(light), LUMINANCE), 1.0e-30), 1.0);
       float misWeight = 1.0 - bright * powerHeuristic(brightDensity * light.a, pdf * all);
       vec3 lightColor = vec3(light) * (misWeight * environmentIntensity / (pdf * count));

@@ -1,15 +1,15 @@
 // Cut-out materials of the shading "fabric": which samples of a pixel the cloth covers. Levels of the base colour map
 // below 0 hold the share of a texel that is there (texture/coverage_level.frag).
 //
-// The holes of two layers do not know of each other: of two that each cover c, 1 - (1 - c)^2 is covered. A mask must
-// therefore take every sample as often as any other, and the masks of layers that lie over each other must be independent.
+// The holes of two layers are independent: two layers that each cover c together cover 1 - (1 - c)^2. So a mask must take every
+// sample equally often, and the masks of layers over each other must be independent.
 // WebGL has no masks but the first n samples and the last n (js/three/shading/coverage.mjs). From far, where the share is
 // all that is known, the two halves of a pixel are covered by thresholds of their own; at an edge that can be seen, the
 // first n samples are, or the last n.
 // src: Enderton, Sintorn, Shirley & Luebke 2010, "Stochastic Transparency": a mask of random samples for each layer,
 //      stratified; Wyman & McGuire 2017, "Hashed Alpha Testing": a hash of place in place of a random number
 
-// Digits of the depth that tell layers apart: they do where their depths differ by more than 1/8192.
+// Layers are told apart by these digits of their depth: their depths must differ by more than 1/8192.
 const int LAYER_DEPTH_SHIFT = 10;
 
 // A random number of the layer that is drawn, the same at the four pixels of a quad.
@@ -24,7 +24,7 @@ uint layerHash() {
 int firstSamples(int count) { return (1 << count) - 1; }
 int lastSamples(int count) { return firstSamples(count) << (coverageSamples - count); }
 
-// Samples of a pixel of which the share is known alone: those of a quad's thresholds lie evenly, from a random one on.
+// Samples to cover in a pixel of which only the share is known. The thresholds of a quad are evenly spaced from a random start.
 int maskOfShare(float share, uint hash) {
   uint place = (uint(gl_FragCoord.x) & 1u) | ((uint(gl_FragCoord.y) & 1u) << 1);
   float strata = coverageSamples > 1 ? 8.0 : 4.0;
@@ -40,7 +40,7 @@ int maskOfEdge(float share, uint hash) {
   return (hash & 4u) == 0u ? firstSamples(count) : lastSamples(count);
 }
 
-// Share of a pixel on the side of the edge that is there. Where alpha is even there is no edge.
+// Share of a pixel that lies on the covered side of the edge. Where alpha is constant there is no edge.
 float shareOfEdge(float alpha, float cutoff) {
   float width = fwidth(alpha);
   return width > 1e-4 ? clamp((alpha - cutoff) / width + 0.5, 0.0, 1.0) : step(cutoff, alpha);
@@ -57,7 +57,7 @@ int coveredSamples(float cutoff) {
   vec2 size = vec2(textureSize(baseColorMap, 0));
   vec2 dx = dFdx(vBaseColorUv) * size;
   vec2 dy = dFdy(vBaseColorUv) * size;
-  // How far the sampler has left level 0, and with it the alpha whose edge can be told.
+  // How far the sampler is from level 0. Only in level 0 does alpha have an edge.
   float level = 0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0));
   float there = textureLod(baseColorMap, vBaseColorUv, max(level, 1.0)).a;
   return level < 0.5 ? maskOfEdge(mix(edge, there, level), hash) : maskOfShare(mix(edge, there, min(level, 1.0)), hash);

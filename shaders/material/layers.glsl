@@ -1,9 +1,9 @@
 // What the layers of a material make of a surface: pure functions from factors times texels (MaterialInputs) to SurfaceInfo.
-// No uniforms and no textures: also compiled as C++ (renderer/brdf/shading.h), with every layer on. Who calls them fetches
-// texels, knows the frame of the surface, and looks up the split sum. Order of three r187.
+// No uniforms and no textures: also compiled as C++ (renderer/brdf/shading.h), with every layer on. The caller fetches
+// texels, knows the frame of the surface, and looks up the split sum. The layers are in the order of three r187.
 
-// Perceptual roughness as it is shaded: not below the floor, and wider where the surface turns within a pixel. The principled
-// shadings take roughness as authored.
+// Roughnesses to shade with: at least the floor, and higher where the normal turns within a pixel. The principled shadings take
+// roughness as authored.
 // geometric  geometricRoughness()
 MaterialInputs withShadedRoughness(MaterialInputs m, float geometric) {
 #if ALL_TERMS || THREE_ROUGHNESS_MIN_TERM == THREE_ROUGHNESS_MIN_0_0525
@@ -25,7 +25,7 @@ MaterialInputs withShadedRoughness(MaterialInputs m, float geometric) {
 }
 
 #if NORMAL_VARIANCE
-// Roughness with the bumps in it that a map of slopes has within the pixel.
+// Adds the variance of slopes that the map has within the pixel to the roughnesses.
 MaterialInputs withSlopes(MaterialInputs m, Normals normals) {
   m.roughness = roughnessWithSlopes(m.roughness, normals.slopeVariance);
 #if CLEARCOAT
@@ -39,7 +39,7 @@ MaterialInputs withSlopes(MaterialInputs m, Normals normals) {
 #endif
 
 #if WEAVE_MAP
-// Yarns within a pixel from which on their mean is shown, and from which on nothing else is.
+// From YARNS_SEEN yarns a pixel on, the mean of the yarns is blended in; from YARNS_BLENDED on, nothing else is shown.
 const float YARNS_SEEN = 0.25;
 const float YARNS_BLENDED = 0.5;
 
@@ -52,7 +52,7 @@ MaterialInputs withWeaveTexel(MaterialInputs m, vec4 texel, vec2 threads) {
   vec2 coverage = (m.yarnCoverage.x + m.yarnCoverage.y) * vec2(texel.w, 1.0 - texel.w);
   m.yarnTurn = 2.0 * vec2(texel) - 1.0;
   m.yarnSlope = 2.0 * texel.z - 1.0;
-  // The texel at hand is one thread or the other; from afar both are seen as they lie on average.
+  // Near, a texel is one yarn or the other. From afar both are shown as they lie on average.
   float blend = smoothstep(YARNS_SEEN, YARNS_BLENDED, max(threads.x, threads.y));
   m.yarnCoverage = mix(coverage, m.yarnCoverage, blend);
   m.yarnTurn = mix(m.yarnTurn, vec2(1.0, 0.0), blend);
@@ -62,8 +62,8 @@ MaterialInputs withWeaveTexel(MaterialInputs m, vec4 texel, vec2 threads) {
 #endif
 
 #if BUMP
-// EXT_materials_bump: a normal tilted by what heights change from a pixel to the next. As in three.js a height is measured
-// against a pixel's width: the same map is as deep at every scale of the model, and shallower in a larger picture.
+// EXT_materials_bump: the change of height from one pixel to the next tilts the normal. As in three.js the unit of height is the
+// width of a pixel. So a map is as deep at every scale of the model, and shallower in a larger picture.
 // dpdx, dpdy  change of place to the right and upwards, any length
 // rise        change of height likewise
 // face        1 on the front, -1 on the back
@@ -79,7 +79,7 @@ vec3 bumpedNormal(vec3 n, vec3 dpdx, vec3 dpdy, vec2 rise, float face) {
 #endif
 
 #if SHADING_FABRIC
-// Neither normal turned away from the viewer, as cloth is shaded.
+// Turns normals that face away from the viewer until they just face him, as cloth is shaded.
 Normals facingViewer(Normals normals, vec3 v) {
 #if NORMAL_MAP || BUMP
   normals.shading = normalFacing(normals.shading, v);
@@ -131,7 +131,7 @@ SurfaceInfo withSpecular(SurfaceInfo s, MaterialInputs m) {
 #endif
 
 #if ANISOTROPY
-// KHR_materials_anisotropy: the highlight is stretched along the vector, which a texel turns and shortens.
+// KHR_materials_anisotropy: the highlight is stretched along the vector. A texel turns and shortens the vector.
 SurfaceInfo withAnisotropy(SurfaceInfo s, MaterialInputs m, mat3 frame) {
   vec2 axis = 2.0 * vec2(m.anisotropyTexel) - 1.0;
   axis = dot(axis, axis) > 0.0 ? normalize(axis) : vec2(1.0, 0.0);
@@ -161,7 +161,7 @@ SurfaceInfo withAnisotropy(SurfaceInfo s, MaterialInputs m, mat3 frame) {
 SurfaceInfo withFilm(SurfaceInfo s, MaterialInputs m) {
   s.iridescence = m.iridescenceThickness == 0.0 ? 0.0 : saturate(m.iridescence);
 #if ALL_TERMS
-  // C++ has every layer on, and a film costs much.
+  // C++ has every layer on, so it skips a film that is not there: it costs much.
   s.filmFresnel = s.filmF0Dielectric = s.filmF0Metal = vec3(0.0);
   if (s.iridescence == 0.0) return s;
 #endif
@@ -244,7 +244,7 @@ SurfaceInfo withWeave(SurfaceInfo s, MaterialInputs m, Normals normals) {
 }
 #endif
 
-// The layers that lie on a surface, or in it.
+// Adds every other layer.
 SurfaceInfo withLayers(SurfaceInfo s, MaterialInputs m, Normals normals) {
   s.f0 = mix(s.f0Dielectric, s.baseColor, s.metallic);
 #if DIFFUSE_ROUGHNESS

@@ -17,8 +17,8 @@ mat3 derivativeFrame(vec3 p, vec3 n, vec2 uv) {
   return mat3(ofU * unit, ofV * unit, n);
 }
 
-// The vertex tangents where there are any, else derivatives of one texture's coordinates. A vertex whose tangent has no
-// length has none: normalize() makes it, and with it the triangle's, not a number.
+// The tangents of the vertices where there are any, else derivatives of the coordinates of one texture. A tangent without length
+// counts as none: normalize() would give NaN for it, and so for the whole triangle.
 mat3 tangentFrame(vec3 n, vec2 uv, float faceDirection) {
 #if TANGENT
   mat3 frame = mat3(normalize(vTangent), normalize(vBitangent), n);
@@ -42,8 +42,8 @@ vec3 plainNormalTexel(vec4 texel) {
   return 0.5 + 0.5 * normalize(vec3(texel.rg, 1.0));
 }
 
-// Variance of the slopes within what was filtered into one texel, along tangent and bitangent. Of each square as much is
-// left out as half floats are unsure of: one texel alone has no variance.
+// Variance of the slopes that were filtered into one texel, along tangent and bitangent. The rounding of half floats is taken
+// off, so that one texel alone has no variance.
 vec2 slopeVariance(vec4 texel, vec2 scale) {
   return max(texel.ba * (1.0 - 1.0 / 512.0) - texel.rg * texel.rg, 0.0) * scale * scale;
 }
@@ -58,7 +58,7 @@ vec3 mappedNormal(mat3 frame, vec3 texel, vec2 scale) {
 }
 #endif
 
-// The viewer's direction stands in for a normal of no length, which opposite vertices have between them.
+// Between vertices with opposite normals there is a normal of no length. The direction to the viewer stands in for it.
 vec3 unitNormal(vec3 n) {
   return dot(n, n) > 0.0 ? normalize(n) : viewDirection();
 }

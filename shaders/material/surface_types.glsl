@@ -1,6 +1,6 @@
 // What shading takes and gives. Also compiled as C++, with every layer on (renderer/brdf/shading.h).
 
-// How a surface stands at one point, view space.
+// Normals and tangent frame at one point, view space.
 struct Normals {
   vec3 geometric;  // interpolated (or of the flat face), turned to the viewer on double-sided surfaces
   vec3 shading;    // after the normal map
@@ -8,7 +8,7 @@ struct Normals {
   vec3 coat;       // after the clearcoat's own normal map
 #endif
 #if NORMAL_VARIANCE
-  vec2 slopeVariance;      // of what the normal map has within the pixel, along tangent and bitangent
+  vec2 slopeVariance;      // of the normal map within the pixel, along tangent and bitangent
 #if CLEARCOAT
   vec2 coatSlopeVariance;
 #endif
@@ -26,13 +26,13 @@ struct Normals {
 struct YarnLobe {
   vec3 t;              // along the yarn
   vec3 b;              // across it
-  vec3 n;              // square to both: it leans where the yarn dips under another
-  float coverage;      // share of the surface that shows it; 0 of both sets: there is no weave
+  vec3 n;              // square to both; leans where the yarn dips under another
+  float coverage;      // share of the surface that shows it; 0 in both sets means no weave
   float alphaT;        // along
   float alphaB;        // across
   vec3 specularColor;  // factor on the normal reflectance, [0, 1]
   vec3 lying;          // t without its slope
-  // The rest by preparedSurface(), as in SurfaceInfo.
+  // preparedSurface() sets the rest, as in SurfaceInfo.
   StretchedCurve gloss;
   vec2 albedo;
   vec3 f0;
@@ -105,7 +105,7 @@ struct SurfaceInfo {
 #endif
 #if DIFFUSE_TRANSMISSION
   float diffuseTransmission;  // share of the diffuse light that goes through
-  vec3 transmittedColor;      // what it is coloured by, linear Rec.709
+  vec3 transmittedColor;      // its colour, linear Rec.709
 #endif
 #if SHADING_PRINCIPLED
 #if ALL_TERMS
@@ -127,17 +127,17 @@ struct SurfaceInfo {
   YarnLobe warp;
   YarnLobe weft;
 #endif
-  // The rest by preparedSurface() of fabric.glsl.
+  // preparedSurface() of fabric.glsl sets the rest.
 #if ANISOTROPY
   StretchedCurve stretched;
 #endif
   GlossCurve gloss;           // of a lobe of one width
   GlossAlbedo albedo;         // towards the viewer
-  vec3 returning;             // of what the gloss does not reflect at once, what it reflects later
+  vec3 returning;             // share of what one bounce does not reflect that more bounces do
   vec3 returningLobe;         // the same as a lobe towards the viewer, for a light of missing share 1, [1/sr]
   vec3 returningDielectric;
   vec3 leaving;               // share of the light under the dielectric interface that passes towards the viewer
-  vec3 passing;               // the same, of what the average direction lets pass
+  vec3 passing;               // the same, relative to the average over all directions
 #if NORMAL_MAP
   float bumpAlpha2;           // of bumpTerminator()
 #endif

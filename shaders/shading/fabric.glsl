@@ -1,5 +1,5 @@
-// telar's cloth: every lobe takes its energy from the ones below it, alike under lights and under the environment. What
-// it models and why is in shaders/shading/README.md; fabric_energy.glsl comes before it. No uniforms and no textures: also
+// telar's cloth: every lobe takes its energy from the lobes below it, under lights and under the environment alike.
+// shaders/shading/README.md says what it models and why. Included after fabric_energy.glsl. No uniforms and no textures: also
 // compiled as C++ (renderer/brdf/shading.h), with every layer on.
 
 #if ANISOTROPY || WEAVE
@@ -29,13 +29,14 @@ vec3 yarnsLobe(SurfaceInfo s, vec3 l, vec3 h) {
 }
 #endif
 
-// GGX lobe of the base layer times NoL, after one bounce, [1/sr].
+// Specular lobe of the base layer times NoL, single scattering, [1/sr].
 vec3 specularLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL) {
 #if WEAVE
   if (isWoven(s)) {
     vec3 lobe = yarnsLobe(s, l, h);
 #if WEAVE_MAP
-    // What a leaning yarn sends below the surface meets the cloth beside it, which lies flat on average, and leaves mirrored.
+    // A leaning yarn also reflects below the surface. That light meets the cloth beside it, which lies flat on average, and
+    // leaves mirrored.
     vec3 below = l - (2.0 * NoL) * s.n;
     lobe += yarnsLobe(s, below, halfVector(s.n, below, s.v));
 #endif
@@ -49,7 +50,7 @@ vec3 specularLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL) {
 #endif
 }
 
-// The surface with what every light needs of it again.
+// Sets the members that every light needs.
 SurfaceInfo preparedSurface(SurfaceInfo s) {
 #if IRIDESCENCE
   s.f0Dielectric = mix(s.f0Dielectric, saturate(s.filmF0Dielectric), s.iridescence);
@@ -77,7 +78,7 @@ SurfaceInfo preparedSurface(SurfaceInfo s) {
   return s;
 }
 
-// Diffuse lobe times NoL under no interface, of what stays on the lit side, [1/sr].
+// Diffuse lobe times NoL, [1/sr], without an interface above it. Light that is transmitted is left out.
 vec3 diffuseLobe(SurfaceInfo s, vec3 l, float NoL) {
 #if DIFFUSE_ROUGHNESS
   // The coupled average underestimates the cosine-weighted exit by up to 0.8 %.
@@ -95,7 +96,7 @@ vec3 diffuseLobe(SurfaceInfo s, vec3 l, float NoL) {
   return lobe;
 }
 
-// Its albedo towards the viewer.
+// Albedo of the diffuse lobe towards the viewer.
 vec3 diffuseLobeAlbedo(SurfaceInfo s) {
 #if DIFFUSE_ROUGHNESS
   vec3 albedo = eonAlbedo(s.baseColor, s.diffuseRoughness, s.NoV) * (1.0 - s.metallic);
@@ -112,12 +113,12 @@ vec3 diffuseLobeAlbedo(SurfaceInfo s) {
 }
 
 #if DIFFUSE_TRANSMISSION
-// Albedo of the light that goes through.
+// Albedo of diffuse transmission.
 vec3 transmittedAlbedo(SurfaceInfo s) {
   return s.transmittedColor * (s.diffuseTransmission * (1.0 - s.metallic));
 }
 
-// Light from everywhere on the other side, of which only the mean is known.
+// Adds uniform light that arrives on the other side.
 // irradiance  linear Rec.709
 Reflected addBehind(Reflected sum, SurfaceInfo s, vec3 irradiance) {
   sum.diffuse += irradiance * RECIPROCAL_PI * transmittedAlbedo(s) * s.leaving;
@@ -157,7 +158,7 @@ Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
   return sum;
 }
 
-// Light from everywhere of which only the mean is known: that of ambient and hemisphere lights.
+// Adds uniform light: that of ambient and hemisphere lights.
 // irradiance  linear Rec.709
 Reflected addDome(Reflected sum, SurfaceInfo s, vec3 irradiance) {
   vec3 radiance = irradiance * RECIPROCAL_PI;
@@ -194,11 +195,11 @@ Reflected addEnvironment(Reflected sum, SurfaceInfo s, Incident incident) {
   return sum;
 }
 
-// The fits of the coat's albedo and of what lies under it may both be short: so much more is taken off below the coat.
+// The fitted albedos of the coat and of the layers below may both be too low. The coat therefore takes this much more.
 const float COAT_MARGIN = 0.001;
 
 // Radiance that leaves towards the viewer, linear Rec.709.
-// diffuse  of both, or what is seen through a transmissive surface in its place      emitted  linear Rec.709
+// diffuse  of direct and indirect; of a transmissive surface, mixed with the light that comes through      emitted  linear Rec.709
 vec3 composedRadiance(SurfaceInfo s, vec3 diffuse, Reflected direct, Reflected indirect, vec3 emitted) {
   vec3 radiance = diffuse + (direct.specular + indirect.specular);
 #if SHEEN

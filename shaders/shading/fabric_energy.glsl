@@ -1,6 +1,6 @@
-// How telar's cloth shares the light out: what the gloss reflects at once and later, what it leaves to the layers below, for a
-// light, for the viewer and for light from everywhere. No uniforms and no textures: also compiled as C++
-// (renderer/brdf/shading.h), with every layer on. fabric.glsl comes behind it.
+// Energies of telar's cloth: what the gloss reflects after one bounce and after more, and what it leaves to the layers below.
+// Each is given for one direction and for uniform light. No uniforms and no textures: also compiled as C++
+// (renderer/brdf/shading.h), with every layer on. fabric.glsl comes after it.
 
 #if WEAVE
 // A shader has WEAVE for woven cloth alone; C++ has every layer on.
@@ -12,8 +12,8 @@ bool isWoven(SurfaceInfo s) {
 #endif
 }
 
-// The surface with the one lobe that stands for its yarns where a lobe of one width reads the environment: the second moments
-// of both, which lie square to each other, along the frame's axes.
+// Replaces the yarns by one lobe, with which the prefiltered environment is read. Its widths are the second moments of both sets
+// of yarns along the axes of the frame.
 SurfaceInfo withMeanYarn(SurfaceInfo s) {
   float warp = s.warp.coverage / (s.warp.coverage + s.weft.coverage);
   float along = mix(pow2(s.weft.alphaT), pow2(s.warp.alphaB), warp);
@@ -41,13 +41,13 @@ vec2 yarnAlbedo(YarnLobe yarn, vec3 along, vec3 across, vec3 direction, float co
 #endif
 
 #if ANISOTROPY
-// Where a map leaves no stretch the lobe is the isotropic one, with its curves.
+// Where a map takes the anisotropy away, the lobe and its curves are the isotropic ones.
 bool isStretched(SurfaceInfo s) {
   return s.alphaT > s.alpha;
 }
 #endif
 
-// Of light of one direction.   cosine  [0, 1], with n
+// Albedo of the gloss for one direction.   cosine  [0, 1], with n
 GlossAlbedo albedoTowards(SurfaceInfo s, vec3 direction, float cosine) {
   GlossAlbedo albedo;
 #if WEAVE
@@ -78,7 +78,7 @@ vec3 passingShare(SurfaceInfo s, GlossAlbedo albedo) {
   return max(1.0 - interfaceAlbedo(s.f0Dielectric, s.f90, s.returningDielectric, albedo.base), 0.0);
 }
 
-// What the microfacets return of a light after more bounces, without its cosine, [1/sr].   albedo  of the gloss towards it
+// Lobe of multiple scattering between the microfacets, without the cosine of the light, [1/sr].   albedo  of the gloss towards it
 vec3 returnedLobe(SurfaceInfo s, GlossAlbedo albedo) {
 #if WEAVE
   if (isWoven(s)) return s.warp.returningLobe * albedo.base.x + s.weft.returningLobe * albedo.weft.x;
@@ -86,8 +86,8 @@ vec3 returnedLobe(SurfaceInfo s, GlossAlbedo albedo) {
   return s.returningLobe * albedo.base.x;
 }
 
-// Axes square to the normal, from which a map may have turned, and to each other: on axes that lean the lobe would have a
-// second peak.
+// Makes the axes square to the normal, which a map may have turned, and to each other. On axes that lean, the lobe would have
+// a second peak.
 #if ANISOTROPY || WEAVE
 SurfaceInfo withSquareFrame(SurfaceInfo s) {
   vec3 across = cross(s.n, s.t);
@@ -101,12 +101,12 @@ SurfaceInfo withSquareFrame(SurfaceInfo s) {
 #endif
 
 #if WEAVE
-// A set of yarns with what it reflects and what it leaves to the rest of the surface: each by its own width.
+// Sets the energies of one set of yarns, by its own widths.
 // f0Metal  normal reflectance of the metal
 YarnLobe withYarnEnergies(SurfaceInfo s, YarnLobe yarn, vec3 f0Metal) {
   yarn.gloss = stretchedCurve(yarn.alphaB, yarn.alphaT);
 #if WEAVE_MAP
-  // Yarns that lean away from the viewer are seen where they just face him.
+  // A yarn that leans away from the viewer is turned until it just faces him.
   yarn.n = normalFacing(yarn.n, s.v);
   yarn.t = safeNormalize(cross(yarn.b, yarn.n), anyTangent(yarn.n));
   yarn.b = cross(yarn.n, yarn.t);
@@ -122,7 +122,7 @@ YarnLobe withYarnEnergies(SurfaceInfo s, YarnLobe yarn, vec3 f0Metal) {
 }
 #endif
 
-// What the gloss reflects and what it leaves.   f0Metal  normal reflectance of the metal
+// Sets what the gloss reflects and what it leaves.   f0Metal  normal reflectance of the metal
 SurfaceInfo withEnergies(SurfaceInfo s, vec3 f0Metal) {
   GlossAlbedo average;
 #if WEAVE
@@ -153,7 +153,7 @@ SurfaceInfo withEnergies(SurfaceInfo s, vec3 f0Metal) {
   return s;
 }
 
-// What the gloss reflects at once of light from everywhere, [0, 1].
+// Share of uniform light that the gloss reflects after one bounce, [0, 1].
 vec3 glossReflectance(SurfaceInfo s) {
   vec2 base = s.albedo.base;
 #if WEAVE
@@ -166,7 +166,7 @@ vec3 glossReflectance(SurfaceInfo s) {
   return s.f0 * (1.0 - base.x - base.y) + s.f90 * base.y;
 }
 
-// What it reflects later, [0, 1].
+// Share that it reflects after more bounces, [0, 1].
 vec3 glossReturn(SurfaceInfo s) {
 #if WEAVE
   if (isWoven(s)) {
