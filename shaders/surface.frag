@@ -5,8 +5,8 @@
 #endif
 precision highp float;
 precision highp int;
-precision highp sampler2D;
-precision highp samplerCube;
+
+#include "sampler_precision.glsl"
 
 #if FULL_DETAIL
 // Several passes over the picture filter what is shaded, not the maps: cloth is darker and softer than its mean normals are.

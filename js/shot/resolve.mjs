@@ -93,14 +93,16 @@ function resolveEnvironment(environment) {
 const samePoint = (a, b) => a.every((x, i) => x === b[i]);
 
 /** The lights with their shadows, and the ground that these fall on: each is sized by the others. */
-function resolveStage({ lights: given, ground: wanted }, facts) {
+function resolveStage({ lights: given, ground: wanted, shading }, facts) {
   const placed = resolveLights(given);
   const lacksShadow = wanted !== 'none' && !placed.some(({ castShadow }) => castShadow);
   const lights = lacksShadow ? [...placed, ...contactLights(facts)] : placed;
   const ground = resolveGround(wanted, lights, facts);
   const receivers = cornersOfGround(ground);
+  const isPacked = resolveShading(shading).shadowFilter === 'packed-grid';
+  const shadowed = (light, i) => ({ ...light, shadow: resolveShadow(light, ['lights', i], facts, receivers, isPacked) });
   return {
-    lights: lights.map((light, i) => (light.castShadow ? { ...light, shadow: resolveShadow(light, ['lights', i], facts, receivers) } : light)),
+    lights: lights.map((light, i) => (light.castShadow ? shadowed(light, i) : light)),
     ground,
   };
 }

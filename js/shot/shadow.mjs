@@ -20,6 +20,9 @@ import { arcTangent, tanDegrees } from './trig.mjs';
 /** Reach of one bilinear tap, in texels, with room for the corner of a texel. */
 const TAP = 1.5;
 
+/** Reach of a tap that reads one texel, in texels: to the texel's far side. */
+const NEAREST_TAP = 0.5;
+
 /** Reach of a bilinear tap along the axes of the map, in texels. */
 const TEXEL = 1;
 
@@ -73,8 +76,11 @@ const roundingOf = (points, origin) => ROUNDING * largest(points, (point) => lar
 /** Where a light stands: one that is parallel stands anywhere. */
 const standOf = ({ type, position }, bounds) => (type === 'directional' ? nearTo(bounds, position) : position);
 
-/** Width in texels that the filter looks at to each side; at most a quarter of the map, so that most of it stays. */
-const reachOf = ({ radius, mapSize }) => Math.min(radius + TAP, mapSize / 4);
+/**
+ * Width in texels that the filter looks at to each side; at most a quarter of the map, so that most of it stays. The grid over packed
+ * maps is a square: it reaches farthest at its corners.
+ */
+const reachOf = ({ radius, mapSize }, isPacked) => Math.min(isPacked ? (radius + NEAREST_TAP) * Math.SQRT2 : radius + TAP, mapSize / 4);
 
 /** Depth range of points at these distances along the light's axis, with room for rounding. */
 function depthRange(casters, receivers, rounding) {
@@ -87,7 +93,7 @@ function depthRange(casters, receivers, rounding) {
   return { near: near - pad, far: far + pad };
 }
 
-function fitDirectional(light, shadow, casters, receivers, { bounds, origin }) {
+function fitDirectional(light, shadow, casters, receivers, { bounds, origin, isPacked }) {
   const [right, up, back] = lightAxes(light);
   const along = (points, axis) => points.map((point) => dot(subtract(point, light.position), axis));
   const rounding = roundingOf([...casters, ...receivers, standOf(light, bounds)], origin);
@@ -95,7 +101,7 @@ function fitDirectional(light, shadow, casters, receivers, { bounds, origin }) {
   const middle = (list) => (largest(list, (v) => v) + smallest(list, (v) => v)) / 2;
   const extent = (list) => largest(list, (v) => v) - smallest(list, (v) => v);
   // The filter may not reach over the border, whose texels would be repeated.
-  const width = Math.max(extent(x), extent(y), rounding) / (1 - (2 * reachOf(shadow)) / shadow.mapSize);
+  const width = Math.max(extent(x), extent(y), rounding) / (1 - (2 * reachOf(shadow, isPacked)) / shadow.mapSize);
   const { near, far } = depthRange(
     along(casters, back).map((d) => -d),
     along(receivers, back).map((d) => -d),
@@ -117,7 +123,7 @@ function perspectiveRange({ range }, nearest, farthest) {
   return { near: Math.min(Math.max(0.9 * nearest, 0), far / 2) || NEAREST * far, far };
 }
 
-function fitSpot(light, shadow, casters, receivers, { origin }) {
+function fitSpot(light, shadow, casters, receivers, { origin, isPacked }) {
   const [right, up, back] = lightAxes(light);
   const depth = (point) => dot(subtract(light.position, point), back);
   const slope = (point) => {
@@ -128,7 +134,7 @@ function fitSpot(light, shadow, casters, receivers, { origin }) {
   const nearest = smallest(casters, depth);
   // As narrow as the casters allow; the whole cone where the light stands in their midst.
   const cone = widestFocus(light);
-  const border = nearest > 0 ? largest(casters, slope) / (1 - (2 * reachOf(shadow)) / shadow.mapSize) : Infinity;
+  const border = nearest > 0 ? largest(casters, slope) / (1 - (2 * reachOf(shadow, isPacked)) / shadow.mapSize) : Infinity;
   return {
     ...perspectiveRange(light, nearest, Math.max(largest([...casters, ...receivers], depth), least)),
     focus: border < Infinity ? Math.min(cone, Math.max(arcTangent(border) / light.angle, NARROWEST)) : cone,
@@ -139,9 +145,9 @@ function fitSpot(light, shadow, casters, receivers, { origin }) {
 /** The part of a spot's cone that a map can hold. */
 const widestFocus = ({ angle }) => Math.min(1, ((WIDEST / 2) * (Math.PI / 180)) / angle);
 
-function fitPoint(light, shadow, casters, receivers, { origin }) {
-  // A face of the cube measures depth along its own axis: the largest component of the distance.
-  const depth = (point) => largest(subtract(point, light.position), Math.abs);
+function fitPoint(light, shadow, casters, receivers, { origin, isPacked }) {
+  // A face of the cube measures depth along its own axis: the largest component of the distance. A packed one measures the distance.
+  const depth = (point) => (isPacked ? length(subtract(point, light.position)) : largest(subtract(point, light.position), Math.abs));
   const least = roundingOf([...casters, light.position], origin);
   const [min, max] = [casters[0], casters[7]];
   const toBox = largest(
@@ -160,16 +166,18 @@ function slopeOf({ type, angle }, { focus }) {
 }
 
 /** Biases of one filter's width: {bias} of the depth range 0..1, {normalBias} metres. */
-function biasesOf(light, shadow, casterDepth, rounding) {
+function biasesOf(light, shadow, { casterDepth, rounding, isPacked }) {
   const { near, far, mapSize } = shadow;
   const biases = (texel, depthPerMetre) => ({
     bias: Math.max(-1, -(texel + rounding) * depthPerMetre),
-    normalBias: reachOf(shadow) * texel + rounding,
+    normalBias: reachOf(shadow, isPacked) * texel + rounding,
   });
   if (light.type === 'directional') return biases((shadow.right - shadow.left) / mapSize, 1 / (far - near));
-  // Texels are widest and depth is coarsest at the farthest caster: depth runs as -far near / ((far - near) distance).
+  // Texels are widest and depth is coarsest at the farthest caster: depth runs as -far near / ((far - near) distance), or with the
+  // distance.
   const depth = Math.min(far, casterDepth);
-  return biases((2 * depth * slopeOf(light, shadow)) / mapSize, (far * near) / ((far - near) * depth * depth));
+  const isDistance = isPacked && light.type === 'point';
+  return biases((2 * depth * slopeOf(light, shadow)) / mapSize, isDistance ? 1 / (far - near) : (far * near) / ((far - near) * depth * depth));
 }
 
 /**
@@ -205,18 +213,20 @@ export const filterOf = (light) => ({ ...otherwiseOf(rowOf(light)), ...light.sha
  * @param {(string | number)[]} path of the light in the shot
  * @param {{bounds?: Bounds}} facts
  * @param {Vec3[]} receivers corners of what receives shadows beside the model
+ * @param {boolean} isPacked whether maps are those of three.js before 0.182
  * @returns {object} near, far, normalBias and the extents in metres, radius in texels, bias as part of the depth 0..1
  */
-export function resolveShadow(light, path, facts, receivers) {
+export function resolveShadow(light, path, facts, receivers, isPacked) {
   const keys = Object.keys(rowOf(light).shape);
   const shadow = filterOf(light);
   if (keys.some((key) => shadow[key] === undefined)) {
     const bounds = needBounds(facts, path);
     const [casters, origin] = [cornersOfBox(bounds), nearTo(bounds, [0, 0, 0])];
-    const { casterDepth, ...fitted } = FIT[light.type](light, shadow, casters, receivers, { bounds, origin });
+    const { casterDepth, ...fitted } = FIT[light.type](light, shadow, casters, receivers, { bounds, origin, isPacked });
     Object.assign(shadow, { ...fitted, ...shadow });
     check(light, shadow, path);
-    Object.assign(shadow, { ...biasesOf(light, shadow, casterDepth, roundingOf([...casters, standOf(light, bounds)], origin)), ...shadow });
+    const rounding = roundingOf([...casters, standOf(light, bounds)], origin);
+    Object.assign(shadow, { ...biasesOf(light, shadow, { casterDepth, rounding, isPacked }), ...shadow });
   }
   check(light, shadow, path);
   return inOrder(rowOf(light), shadow);

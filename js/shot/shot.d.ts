@@ -325,6 +325,9 @@ export interface Shot {
     rectF90?: never;
     rectCoat?: never;
     shadowFilter?: never;
+    shadowPacking?: never;
+    shadowIntensity?: never;
+    shadowNormalOffset?: never;
     pointShadow?: never;
     dispersion?: never;
     glassBackground?: never;
@@ -396,6 +399,12 @@ export interface Shot {
     rectCoat?: 'own-lobe' | 'none';
     /** Term of the slot: js/docs/families.md. */
     shadowFilter?: 'depth-disk' | 'packed-grid';
+    /** Term of the slot: js/docs/families.md. */
+    shadowPacking?: 'to-one' | 'below-one';
+    /** Term of the slot: js/docs/families.md. */
+    shadowIntensity?: 'part' | 'whole';
+    /** Term of the slot: js/docs/families.md. */
+    shadowNormalOffset?: 'own-place' | 'no-place';
     /** Term of the slot: js/docs/families.md. */
     pointShadow?: 'own-face' | 'range-lit' | 'range-compared';
     /** Term of the slot: js/docs/families.md. */
@@ -789,6 +798,9 @@ export interface ResolvedShot {
     rectF90?: never;
     rectCoat?: never;
     shadowFilter?: never;
+    shadowPacking?: never;
+    shadowIntensity?: never;
+    shadowNormalOffset?: never;
     pointShadow?: never;
     dispersion?: never;
     glassBackground?: never;
@@ -860,6 +872,12 @@ export interface ResolvedShot {
     rectCoat: 'own-lobe' | 'none';
     /** Term of the slot: js/docs/families.md. */
     shadowFilter: 'depth-disk' | 'packed-grid';
+    /** Term of the slot: js/docs/families.md. */
+    shadowPacking: 'to-one' | 'below-one';
+    /** Term of the slot: js/docs/families.md. */
+    shadowIntensity: 'part' | 'whole';
+    /** Term of the slot: js/docs/families.md. */
+    shadowNormalOffset: 'own-place' | 'no-place';
     /** Term of the slot: js/docs/families.md. */
     pointShadow: 'own-face' | 'range-lit' | 'range-compared';
     /** Term of the slot: js/docs/families.md. */

@@ -41,6 +41,9 @@ export const THREE_SLOTS = Object.freeze({
   rectF90: { 'of-material': 183, one: 150 },
   rectCoat: { 'own-lobe': 183, none: 150 },
   shadowFilter: { 'depth-disk': 182, 'packed-grid': 150 },
+  shadowPacking: { 'to-one': 167, 'below-one': 150 },
+  shadowIntensity: { part: 166, whole: 150 },
+  shadowNormalOffset: { 'own-place': 184, 'no-place': 150 },
   pointShadow: { 'own-face': 187, 'range-lit': 163, 'range-compared': 150 },
   // Glass.
   dispersion: { 'three-rays': 164, none: 150 },

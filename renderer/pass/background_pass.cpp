@@ -32,14 +32,16 @@ void BackgroundPass::draw(const frame::Camera& camera, const Shot& shot, const i
   const bool blurred = shot.background.blur > 0;
   const int prefilter = blurred ? frame.three.prefilter : 0;
   const bool atlas = blurred && ibl::hasAtlas(frame.three);
-  const Key key{frame.toneMapping, frame.three.neutralToneMapping, frame.outputLinear, blurred, prefilter};
+  const Key key{frame.toneMapping, frame.three.neutralToneMapping, frame.outputLinear, blurred,
+                prefilter,         frame.three.samplerPrecision};
   auto found = programs_.find(key);
   if (found == programs_.end()) {
     const shader::Defines defines{{"TONE_MAPPING", static_cast<int>(frame.toneMapping)},
                                   {"THREE_NEUTRAL_TONE_MAPPING_TERM", frame.three.neutralToneMapping},
                                   {"OUTPUT_LINEAR", frame.outputLinear ? 1 : 0},
                                   {"BLURRED", blurred ? 1 : 0},
-                                  {"THREE_PREFILTER_TERM", prefilter}};
+                                  {"THREE_PREFILTER_TERM", prefilter},
+                                  {"THREE_SAMPLER_PRECISION_TERM", frame.three.samplerPrecision}};
     found = programs_
                 .emplace(key, gl::Program(context_, "background", shader::assemble("environment/background.vert", {}),
                                           shader::assemble("environment/background.frag", defines)))

@@ -19,8 +19,8 @@ class BackgroundPass {
 
  private:
   const gl::Context& context_;
-  /// Neutral tone mapping's form, linear output, blurred, term of the prefilter.
-  using Key = std::tuple<shader::ToneMapping, int, bool, bool, int>;
+  /// Neutral tone mapping's form, linear output, blurred, terms of prefilter and samplers.
+  using Key = std::tuple<shader::ToneMapping, int, bool, bool, int, int>;
   std::map<Key, gl::Program> programs_;
   gl::DrawCost cost_;
   gl::VertexArray cube_;

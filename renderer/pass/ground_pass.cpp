@@ -12,12 +12,17 @@ namespace telar::pass {
 const gl::Program& GroundPass::program(const Key& key) {
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
-  const auto& [flat, cube, toneMapping, linear] = key;
+  const auto& [flat, cube, toneMapping, linear, three] = key;
   const shader::Defines defines{{"FLAT_SHADOWS", static_cast<int>(flat)},
                                 {"CUBE_SHADOWS", static_cast<int>(cube)},
                                 {"TONE_MAPPING", static_cast<int>(toneMapping)},
                                 {"THREE_NEUTRAL_TONE_MAPPING_TERM", 0},  // black is black in both
-                                {"OUTPUT_LINEAR", linear ? 1 : 0}};
+                                {"OUTPUT_LINEAR", linear ? 1 : 0},
+                                {"THREE_SHADOW_FILTER_TERM", three.shadowFilter},
+                                {"THREE_SHADOW_PACKING_TERM", three.shadowPacking},
+                                {"THREE_SHADOW_NORMAL_OFFSET_TERM", three.shadowNormalOffset},
+                                {"THREE_POINT_SHADOW_TERM", three.pointShadow},
+                                {"THREE_SAMPLER_PRECISION_TERM", three.samplerPrecision}};
   return programs_
       .emplace(key, gl::Program(context_, "ground", shader::assemble("shadow/ground.vert", defines),
                                 shader::assemble("shadow/ground.frag", defines)))
@@ -45,8 +50,8 @@ void GroundPass::makeRectangle(const glm::dvec2& size) {
 void GroundPass::draw(const FramePlan& plan, const Shot& shot, GLuint firstUnit) {
   const gl::Functions& gl = context_.gl();
   const ShadowSet& shadows = plan.shadows;
-  const gl::Program& program =
-      this->program({shadows.flat.size(), shadows.cube.size(), plan.frame.toneMapping, plan.frame.outputLinear});
+  const gl::Program& program = this->program(
+      {shadows.flat.size(), shadows.cube.size(), plan.frame.toneMapping, plan.frame.outputLinear, plan.frame.three});
   makeRectangle(shot.ground->size);
   program.use();
   const glm::dmat4 world = glm::translate(glm::dmat4(1.0), shot.ground->position);

@@ -16,8 +16,8 @@ class GroundPass {
   void draw(const FramePlan& plan, const Shot& shot, GLuint firstUnit);
 
  private:
-  /// Numbers of flat and cube maps, tone mapping, linear output.
-  using Key = std::tuple<std::size_t, std::size_t, shader::ToneMapping, bool>;
+  /// Numbers of flat and cube maps, tone mapping, linear output, terms of a release.
+  using Key = std::tuple<std::size_t, std::size_t, shader::ToneMapping, bool, ThreeTerms>;
   const gl::Program& program(const Key& key);
   void makeRectangle(const glm::dvec2& size);
 

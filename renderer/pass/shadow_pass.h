@@ -20,26 +20,36 @@ class ShadowPass {
   void bind(const ShadowSet& shadows, GLuint firstUnit) const;
 
  private:
+  /// What a target is made for.
+  struct Kind {
+    bool cube = false, packed = false;
+    int size = 0;  ///< texels on a side of a face
+    auto operator<=>(const Kind&) const = default;
+    GLenum texture() const { return cube && !packed ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D; }
+  };
   struct Target {
-    bool cube = false;
-    int size = 0;
-    gl::Texture depth;
-    std::vector<gl::Framebuffer> faces;
+    Kind kind;
+    gl::Texture texture;
+    gl::Renderbuffer depth;               ///< of packed maps
+    std::vector<gl::Framebuffer> planes;  ///< one a face, or one for the atlas
   };
   /// What one caster program has compiled in.
   struct CasterKey {
-    bool mask = false, uv1 = false, instancing = false;
+    bool mask = false, uv1 = false, instancing = false, packedDepth = false, packedDistance = false;
+    int packing = 0, samplerPrecision = 0;  ///< of ThreeTerms
     auto operator<=>(const CasterKey&) const = default;
   };
 
   void resize(const ShadowSet& shadows);
-  Target makeTarget(bool cube, int size) const;
+  Target makeTarget(const Kind& kind) const;
+  void makeDepthPlanes(Target& target) const;
+  void makePackedPlane(Target& target) const;
   /// A program, and what its fragments cost.
   struct Caster {
     gl::Program program;
     gl::DrawCost cost;
   };
-  void drawView(const frame::Camera& view, int mapSize, const FramePlan& plan, const Scene& scene, GpuScene& gpu,
+  void drawView(const ShadowMap& map, std::size_t face, const FramePlan& plan, const Scene& scene, GpuScene& gpu,
                 const CancelToken& cancel);
   Caster& caster(CasterKey key);
 

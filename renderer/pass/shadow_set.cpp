@@ -27,8 +27,8 @@ frame::Camera flatView(const Light& light) {
   return camera;
 }
 
-/// Faces in GL's order, each as GL lays its texels out.
-std::vector<frame::Camera> cubeViews(const Light& light) {
+/// Faces in GL's order, each as GL lays its texels out; those of an atlas stand upright.
+std::vector<frame::Camera> cubeViews(const Light& light, bool atlas) {
   struct Face {
     glm::dvec3 direction, up;
   };
@@ -37,7 +37,8 @@ std::vector<frame::Camera> cubeViews(const Light& light) {
   std::vector<frame::Camera> views;
   for (const Face& face : faces) {
     frame::Camera camera;
-    camera.view = frame::lookAtView(light.position, light.position + face.direction, face.up);
+    const glm::dvec3 up = atlas && face.direction.y == 0 ? -face.up : face.up;
+    camera.view = frame::lookAtView(light.position, light.position + face.direction, up);
     camera.projection = glm::perspective(glm::radians(90.0), 1.0, light.shadow.near, light.shadow.far);
     views.push_back(camera);
   }
@@ -52,11 +53,13 @@ frame::Camera movedTo(frame::Camera camera, const glm::dvec3& point) {
   return camera;
 }
 
-ShadowMap mapOf(const Light& light, const Bounds& bounds) {
+ShadowMap mapOf(const Light& light, const ThreeTerms& three, const Bounds& bounds) {
   const glm::dvec3 origin = worldOrigin(bounds);
-  ShadowMap map{light.type, light.shadow, {}, glm::dmat4(1.0), shines(light)};
+  const bool packed = three.shadowFilter == ThreeTerms::THREE_SHADOW_FILTER_PACKED_GRID;
+  ShadowMap map{light.type, light.shadow, {}, glm::dmat4(1.0), shines(light), packed};
+  if (three.shadowIntensity == ThreeTerms::THREE_SHADOW_INTENSITY_WHOLE) map.settings.intensity = 1;
   if (light.type == Light::Type::kPoint) {
-    map.views = cubeViews(light);
+    map.views = cubeViews(light, packed);
     map.matrix = toOrigin(glm::translate(glm::dmat4(1.0), -light.position), origin);
   } else {
     map.views = {flatView(light)};
@@ -96,7 +99,8 @@ ShadowSet collectShadows(const Shot& shot, const Limits& limits, const Bounds& b
   checkLimit("L_SHADOW_TEXELS", static_cast<double>(limits.shadowTexels), texels);
   ShadowSet set;
   for (const Light& light : shot.lights) {
-    if (light.castShadow) (light.type == Light::Type::kPoint ? set.cube : set.flat).push_back(mapOf(light, bounds));
+    if (light.castShadow)
+      (light.type == Light::Type::kPoint ? set.cube : set.flat).push_back(mapOf(light, shot.three, bounds));
   }
   const auto order = [](const ShadowMap& a, const ShadowMap& b) {
     const auto rank = [](const ShadowMap& m) { return std::pair(!m.lit, m.type != Light::Type::kSpot); };

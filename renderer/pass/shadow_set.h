@@ -10,8 +10,8 @@
 
 namespace telar::pass {
 
-/// One shadow map as three.js 0.187 makes it: a square depth texture of a directional or spot light, or a cube of a
-/// point light.
+/// One shadow map as three.js makes it. Today that is a square depth texture of a directional or spot light, or a cube
+/// of a point light. Before 0.182 it is packed: bytes in a colour texture, an atlas of six faces for a point light.
 struct ShadowMap {
   Shot::Light::Type type;
   Shot::Light::Shadow settings;
@@ -19,6 +19,7 @@ struct ShadowMap {
   glm::dmat4 matrix{1.0};  ///< world, counted from worldOrigin(), to map coordinates, 0..1 after / w; to the vector
                            ///< from the light for a point light
   bool lit = false;        ///< the light lights surfaces too; else only the ground shows its shadow
+  bool packed = false;
 };
 
 /// The shadow maps of a frame. Those of lights that shine on surfaces come first in each list, spot before directional.

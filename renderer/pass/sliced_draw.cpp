@@ -12,16 +12,16 @@ double workOf(const Extent& extent) { return static_cast<double>(extent.parts) *
 }  // namespace
 
 SlicedDraw::SlicedDraw(const gl::Context& context, gl::DrawCost& cost, const DrawItem& item, GpuScene& scene,
-                       const glm::dmat4& worldToClip, int width, int height)
+                       const glm::dmat4& worldToClip, const gl::Pacer::Rectangle& target)
     : context_(context),
       pacer_(context.pacer()),
       cost_(cost),
       item_(item),
       gpu_(scene.primitive(*item.primitive, item.instances())),
       extents_(scene.extents(*item.primitive)),
-      estimate_(*item.primitive, worldToClip * item.node->world, width, height),
+      estimate_(*item.primitive, worldToClip * item.node->world, target.width, target.height),
       layout_(*item.primitive),
-      target_{0, 0, width, height} {}
+      target_(target) {}
 
 void SlicedDraw::drawParts(std::size_t begin, std::size_t end, GLsizei instance) const {
   gpu_.draw(context_.gl(), static_cast<GLint>(begin * layout_.step),

@@ -10,9 +10,9 @@ namespace telar::pass {
 /// pixel keep their order, so the bytes of the picture stay the same.
 class SlicedDraw {
  public:
-  /// @param estimate  of this item in the bound target    @param width, height  of that target, pixels
+  /// @param target  pixels of the bound target that the viewport shows
   SlicedDraw(const gl::Context& context, gl::DrawCost& cost, const DrawItem& item, GpuScene& scene,
-             const glm::dmat4& worldToClip, int width, int height);
+             const glm::dmat4& worldToClip, const gl::Pacer::Rectangle& target);
 
   /// @throws Error{X_CANCELLED, X_TIMEOUT}
   void run();

@@ -278,7 +278,8 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   cull ? gl.Enable(GL_CULL_FACE) : gl.Disable(GL_CULL_FACE);
   gl.FrontFace(item.mirrored != item.key.flipSided ? GL_CW : GL_CCW);
   const frame::Camera& camera = in.plan.camera;
-  SlicedDraw(context_, surface.cost, item, in.gpu, camera.projection * camera.view, in.shot.width, in.shot.height)
+  SlicedDraw(context_, surface.cost, item, in.gpu, camera.projection * camera.view,
+             {0, 0, in.shot.width, in.shot.height})
       .run();
 }
 

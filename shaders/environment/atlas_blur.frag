@@ -3,7 +3,7 @@
 // src: a separable Gaussian, cut at three deviations; step, weights and order of three r150 to r180
 precision mediump float;
 precision mediump int;
-#include "environment/atlas_samplers.glsl"
+#include "sampler_precision.glsl"
 
 #include "environment/atlas.glsl"
 

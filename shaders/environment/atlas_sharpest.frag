@@ -1,7 +1,7 @@
 // The sharpest level of an environment atlas: each texel one bilinear read of an equirectangular map, at a place in mediump.
 precision mediump float;
 precision mediump int;
-#include "environment/atlas_samplers.glsl"
+#include "sampler_precision.glsl"
 
 #include "brdf/constants.glsl"
 #include "environment/equirect.glsl"

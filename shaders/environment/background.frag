@@ -1,9 +1,6 @@
 // The environment as background, tone mapped like the model.
 precision highp float;
-precision highp samplerCube;
-precision highp sampler2D;
-
-#include "shading/three_terms.glsl"
+#include "sampler_precision.glsl"
 #define ATLAS (BLURRED && THREE_PREFILTER_TERM != THREE_PREFILTER_CUBE)
 #include "brdf/constants.glsl"
 #include "brdf/types.glsl"

@@ -14,6 +14,11 @@ uniform float cubeShadowNormalBias[CUBE_SHADOWS];
 out vec4 vCubeShadowCoord[CUBE_SHADOWS];
 #endif
 
+#include "shading/three_terms.glsl"
+#if THREE_SHADOW_NORMAL_OFFSET_TERM == THREE_SHADOW_NORMAL_OFFSET_NO_PLACE
+const float BEYOND_EVERY_MAP = 1e15;  // metres
+#endif
+
 #if FLAT_SHADOWS + CUBE_SHADOWS > 0
 // point       mesh space
 // viewNormal  view space, any length; 0 where the mesh has none
@@ -21,6 +26,18 @@ void setShadowCoords(vec3 point, vec3 viewNormal) {
   vec4 world = modelMatrix * vec4(point, 1.0);
   vec3 normal = vec3(0.0);
   if (viewNormal != vec3(0.0)) normal = normalize((vec4(viewNormal, 0.0) * viewMatrix).xyz);
+#if THREE_SHADOW_NORMAL_OFFSET_TERM == THREE_SHADOW_NORMAL_OFFSET_NO_PLACE
+  // three.js normalises a vector of length 0 here, and what is not a number lies in no map and before nothing.
+  else {
+#repeat FLAT_SHADOWS
+    vFlatShadowCoord[INDEX] = vec4(-1.0, -1.0, -1.0, 1.0);
+#end
+#repeat CUBE_SHADOWS
+    vCubeShadowCoord[INDEX] = vec4(BEYOND_EVERY_MAP, 0.0, 0.0, 1.0);
+#end
+    return;
+  }
+#endif
 #repeat FLAT_SHADOWS
   vFlatShadowCoord[INDEX] = flatShadowMatrix[INDEX] * (world + vec4(normal * flatShadowNormalBias[INDEX], 0.0));
 #end

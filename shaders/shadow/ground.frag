@@ -2,6 +2,7 @@
 precision highp float;
 precision highp int;
 
+#include "sampler_precision.glsl"
 #include "brdf/constants.glsl"
 #include "brdf/types.glsl"
 #include "brdf/math.glsl"

@@ -1,13 +1,10 @@
 import { nearestRevision, resolveThree, families, termsOfRevision, TONE_MAPPINGS_SINCE, THREE_SLOTS } from '../../js/shot/three_terms.mjs';
-import { makeCase } from '../parity/make_case.mjs';
-import { LIGHTS } from '../parity/shot.mjs';
 import { CASES } from './cases.mjs';
+import { GATE_CASES } from './cases_gate.mjs';
 import { pageStamp, ReleaseBrowser } from './draw.mjs';
 import { fetchRelease, versionOf } from './releases.mjs';
 
 // The gate of older releases: real ones in Chromium on one side, telar with shading {base: "three", revision} on the other.
-
-const SMALL = { size: 128, toneMapping: 'reinhard', camera: 'front' };
 
 /** Oldest release whose pictures telar must equal. */
 export const FIRST_GATED = 155;
@@ -17,29 +14,6 @@ export const GATED_REVISIONS = families()
   .map(({ to }) => to)
   .filter((revision) => revision >= FIRST_GATED)
   .slice(0, -1);
-
-/** What a loader and the vertex stage make of a mesh. */
-const MESHES = [
-  'instances-colors',
-  'instances-unlit-colors',
-  'instances-tangents',
-  'bump-map',
-  'flat-normal-map-sides',
-  'alpha-blend-bumpy-tangents',
-  'morph',
-  'morph-colors',
-  'skin-tangents',
-  'lines-map',
-];
-
-/** Drawn by the gate alone: what has no place in the families' page, as no release that telar is held against differs there. */
-const OWN_CASES = [
-  makeCase('alpha-blend-origins', 'alpha-blend-origins', null, { ...SMALL, lights: [LIGHTS.ambient, LIGHTS.directional] }),
-  ...MESHES.map((model) => makeCase(model, model, null, { ...SMALL, camera: 'quarter', lights: [LIGHTS.hemisphere, LIGHTS.directional] })),
-  ...['gradient', 'lamps'].map((map) =>
-    makeCase(`transmission-aliased-${map}`, 'transmission-two-sided', map, { ...SMALL, camera: 'quarter', quality: { samples: 1 } }),
-  ),
-];
 
 /** What `npm test` draws: the environment, layers, direct light with highlights, shadows, and glass. */
 export const FAST = ['env-lamps', 'everything', 'light-directional', 'shadow-spot', 'transmission-color'];
@@ -60,7 +34,7 @@ const isShown =
  * @param {number} revision
  * @returns {import('../parity/cases.mjs').Case[]} Named REVISION-CASE; their shots name stock three.js alone.
  */
-export const casesOf = (revision) => [...CASES, ...OWN_CASES].filter(isShown(revision)).map((item) => ({ ...item, name: `${revision}-${item.name}` }));
+export const casesOf = (revision) => [...CASES, ...GATE_CASES].filter(isShown(revision)).map((item) => ({ ...item, name: `${revision}-${item.name}` }));
 
 /**
  * Slots put in place of a release's own, as planted faults.

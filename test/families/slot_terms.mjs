@@ -163,6 +163,17 @@ export const SLOT_TERMS = [
     ],
   },
   {
+    slot: 'packing of shadow depths', key: 'shadowPacking',
+    terms: [
+      { to: '0.166.0', what: 'a depth of 1, which is that of what point lights see beyond far, is kept as 255 / 256: it shadows what lies nearly as far' },
+      { from: '0.167.0', what: 'as 1' },
+    ],
+  },
+  {
+    slot: 'intensity of shadows', key: 'shadowIntensity',
+    terms: [{ to: '0.165.0', what: 'none: a shadow takes all of the light' }, { from: '0.166.0', what: 'the part of the light that a shadow takes' }],
+  },
+  {
     slot: 'shadows of point lights', key: 'pointShadow',
     terms: [
       { to: '0.162.0', what: 'points beyond near and far are compared too: dark beyond far' },
@@ -191,9 +202,9 @@ export const SLOT_TERMS = [
     ],
   },
   {
-    slot: 'normal offset of shadows',
+    slot: 'normal offset of shadows', key: 'shadowNormalOffset',
     terms: [
-      { to: '0.183.2', what: 'meshes without normals are looked up at a place that is not defined where normalBias is not 0' },
+      { to: '0.183.2', what: 'meshes without normals are looked up at a vector of length 0, normalised: lit, but dark where points beyond near and far are compared' },
       { from: '0.184.0', what: 'at their own place' },
     ],
   },

@@ -167,6 +167,91 @@ TEST(Shadow, MapsAreReusedAndFreed) {
   EXPECT_EQ(count({}), none);
 }
 
+/// As three.js before 0.182.
+Shot packed(Shot shot) {
+  shot.three.shadowFilter = ThreeTerms::THREE_SHADOW_FILTER_PACKED_GRID;
+  shot.three.pointShadow = ThreeTerms::THREE_POINT_SHADOW_RANGE_LIT;
+  return shot;
+}
+
+TEST(PackedShadow, EachKindOfLightIsHiddenByTheModelAndTheFarSideIsLit) {
+  for (const auto type : {Light::Type::kDirectional, Light::Type::kSpot, Light::Type::kPoint}) {
+    const Drawn drawn = draw(stage(), packed(stageShot({casting(type, {-2, 3, 0})})));
+    EXPECT_EQ(at(drawn, {0.5, -1, 0, 1})[0], 0) << static_cast<int>(type);
+    EXPECT_GT(at(drawn, {-0.9, -1, 0, 1})[0], 60) << static_cast<int>(type);
+  }
+}
+
+TEST(PackedShadow, AMaskLetsLightThrough) {
+  Material holed = dull();
+  holed.alphaMode = AlphaMode::kMask;
+  holed.doubleSided = true;
+  holed.baseColorTexture.image = 0;
+  const auto scene = stage(holed);
+  scene->images = {Image8{1, 1, {255, 255, 255, 0}}};
+  for (const auto type : {Light::Type::kDirectional, Light::Type::kPoint})
+    EXPECT_GT(at(draw(scene, packed(stageShot({casting(type, {-2, 3, 0})}))), {0.5, -1, 0, 1})[0], 60);
+}
+
+TEST(PackedShadow, MapsAreMadeAnewForAnotherFilter) {
+  const auto renderer = Renderer::create({});
+  const auto scene = stage();
+  const auto count = [&](const Shot& shot) {
+    FrameInfo info;
+    renderer->draw(scene, shot, {}, CancelToken(), info);
+    return renderer->liveObjects();
+  };
+  const Shot shot = stageShot({casting(Light::Type::kPoint, {-2, 3, 0}, 64)});
+  count(packed(stageShot({})));
+  const int none = count(stageShot({}));
+  EXPECT_EQ(count(shot), none + 7);          // texture and six framebuffers
+  EXPECT_EQ(count(packed(shot)), none + 3);  // texture, depth and one framebuffer of an atlas
+  EXPECT_EQ(count(packed(shot)), none + 3);
+  EXPECT_EQ(count(shot), none + 7);
+}
+
+TEST(PackedShadow, AnAtlasIsFourFacesWide) {
+  FrameInfo info;
+  const Shot shot = packed(stageShot({casting(Light::Type::kPoint, {-2, 3, 0}, 1 << 14)}));
+  RendererOptions options;
+  options.limits.shadowTexels = std::uint64_t{1} << 40;
+  const auto renderer = Renderer::create(options);
+  EXPECT_ERROR(renderer->draw(stage(), shot, {}, CancelToken(), info), "L_OUTPUT_SIZE");
+}
+
+TEST(OlderShadow, IntensityIsNotReadBefore166) {
+  Light half = casting(Light::Type::kDirectional, {-2, 3, 0});
+  half.shadow.intensity = 0.5;
+  Shot shot = stageShot({half});
+  shot.three.shadowIntensity = ThreeTerms::THREE_SHADOW_INTENSITY_WHOLE;
+  EXPECT_EQ(at(draw(stage(), shot), {0.5, -1, 0, 1})[0], 0);
+}
+
+/// The floor has no normals; the ball's shadow would fall on it.
+TEST(OlderShadow, WithoutNormalsThereIsNoPlaceInAMap) {
+  const auto scene = stage();
+  for (Primitive& primitive : scene->meshes[0].primitives) primitive.normals.clear();
+  const auto shadow = [&](Light::Type type, int filter, int pointShadow) {
+    Shot shot = stageShot({casting(type, {-2, 3, 0})});
+    shot.three.shadowNormalOffset = ThreeTerms::THREE_SHADOW_NORMAL_OFFSET_NO_PLACE;
+    shot.three.shadowFilter = filter;
+    shot.three.pointShadow = pointShadow;
+    const Drawn drawn = draw(scene, shot);
+    return std::pair(at(drawn, {0.5, -1, 0, 1})[0], at(drawn, {-0.9, -1, 0, 1})[0]);
+  };
+  for (const int filter : {ThreeTerms::THREE_SHADOW_FILTER_DEPTH_DISK, ThreeTerms::THREE_SHADOW_FILTER_PACKED_GRID}) {
+    for (const auto type : {Light::Type::kDirectional, Light::Type::kSpot, Light::Type::kPoint}) {
+      const auto [near, far] = shadow(type, filter, ThreeTerms::THREE_POINT_SHADOW_RANGE_LIT);
+      EXPECT_GT(near, 60) << static_cast<int>(type);
+      EXPECT_GT(far, 60) << static_cast<int>(type);
+    }
+  }
+  const auto [near, far] = shadow(Light::Type::kPoint, ThreeTerms::THREE_SHADOW_FILTER_PACKED_GRID,
+                                  ThreeTerms::THREE_POINT_SHADOW_RANGE_COMPARED);
+  EXPECT_EQ(near, 0);
+  EXPECT_EQ(far, 0);
+}
+
 std::string codeOf(const Scene& scene, const Shot& shot, const Limits& limits = {}) {
   try {
     pass::planDraws(scene, shot, limits, false);

@@ -70,10 +70,10 @@ async function hints(terms, shading, explain) {
 test('the hint of telar compare names the release and tells what it cost', async () => {
   const [hint, ...more] = await hints(termsOfRevision(170), 'three');
   assert.deepEqual(more, []);
-  assert.deepEqual([hint.cause, hint.from, hint.to], ['release', 166, 180]);
+  assert.deepEqual([hint.cause, hint.from, hint.to], ['release', 167, 180]);
   assert.match(
     hint.message,
-    /looks like three\.js 0\.166 to 0\.180: mean difference 0\/255, where it is \d+\/255 as three\.js 0\.187; .*three@180 \(.* \d+ drawn in \d/,
+    /looks like three\.js 0\.167 to 0\.180: mean difference 0\/255, where it is \d+\/255 as three\.js 0\.187; .*three@180 \(.* \d+ drawn in \d/,
   );
   assert.deepEqual(await hints(termsOfRevision(REVISION), 'three'), []);
   assert.deepEqual(await hints(termsOfRevision(170), 'fabric'), []);

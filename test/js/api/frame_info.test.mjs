@@ -45,7 +45,7 @@ const infoOf = (shading) => frameInfo({ frame: FRAME, resolved: { output: {}, sh
 
 test('info tells the release and those that draw as it does', () => {
   assert.deepEqual(infoOf('three'), { revision: REVISION, family: { from: REVISION, to: REVISION } });
-  assert.deepEqual(infoOf({ base: 'three', revision: 170 }), { revision: 170, family: { from: 165, to: 180 } });
+  assert.deepEqual(infoOf({ base: 'three', revision: 170 }), { revision: 170, family: { from: 167, to: 180 } });
   assert.equal(infoOf('fabric'), undefined);
   assert.equal(infoOf({ base: 'disney-2012' }), undefined);
 });

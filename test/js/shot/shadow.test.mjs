@@ -88,6 +88,22 @@ test('biases are those of one filter: texels at the farthest caster', () => {
   assert.ok(coarse.normalBias > 15 * shadow.normalBias);
 });
 
+test('the maps of releases before 0.182 measure the distance to a point light, and their filter is a square', () => {
+  const position = [1.5, 2.2, 1.4];
+  const older = (light) => resolveLight(light, box, { shading: { base: 'three', revision: 181 } });
+  const { shadow } = older(casting('point', { position }));
+  const distances = cornersOfBox(box).map((corner) => Math.hypot(...corner.map((c, i) => c - position[i])));
+  assert.ok(Math.abs(shadow.far / (1.01 * Math.max(...distances)) - 1) < 1e-9);
+  assert.ok(shadow.near < Math.min(...distances) && shadow.near > 0);
+  const texel = (2 * Math.max(...distances)) / shadow.mapSize;
+  assert.ok(Math.abs((-shadow.bias * (shadow.far - shadow.near)) / texel - 1) < 0.01, 'one texel of distance');
+  // A cube measures along the axes of its faces, which is less.
+  assert.ok(resolveLight(casting('point', { position })).shadow.far < 0.9 * shadow.far);
+  const { shadow: flat } = older(casting('directional', { position: [1, 3, 2], shadow: { radius: 6 } }));
+  const flatTexel = (flat.right - flat.left) / flat.mapSize;
+  assert.ok(Math.abs(flat.normalBias / flatTexel / (6.5 * Math.SQRT2) - 1) < 0.01);
+});
+
 test('a far light and a light in the midst of the model have sound maps', () => {
   for (const light of [
     casting('directional', { position: [1e6, 1e6, 0] }),

@@ -47,7 +47,7 @@ test('a release is refused a tone mapping that it does not have', () => {
 });
 
 /** Borders of what no case of the page shows: sorting, the samples behind glass, the frames of back sides. */
-const UNMEASURED = new Set([152, 154, 166, 185]);
+const UNMEASURED = new Set([152, 154, 166, 167, 185]);
 
 test('the table has every border that was measured, and no other', () => {
   const page = readFileSync(new URL('../../../js/docs/families.md', import.meta.url), 'utf8');
