@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "expect_error.h"
 #include "pass/draw_list.h"
 #include "renderer/scenes.h"
 #include "telar/error.h"
@@ -230,7 +231,9 @@ TEST(OlderShadow, IntensityIsNotReadBefore166) {
 /// The floor has no normals; the ball's shadow would fall on it.
 TEST(OlderShadow, WithoutNormalsThereIsNoPlaceInAMap) {
   const auto scene = stage();
-  for (Primitive& primitive : scene->meshes[0].primitives) primitive.normals.clear();
+  std::vector<Primitive> bare(scene->meshes[0].primitives.begin(), scene->meshes[0].primitives.end());
+  for (Primitive& primitive : bare) primitive.normals.clear();
+  scene->meshes[0].primitives = bare;
   const auto shadow = [&](Light::Type type, int filter, int pointShadow) {
     Shot shot = stageShot({casting(type, {-2, 3, 0})});
     shot.three.shadowNormalOffset = ThreeTerms::THREE_SHADOW_NORMAL_OFFSET_NO_PLACE;
