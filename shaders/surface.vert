@@ -1,9 +1,7 @@
 // Transforms one primitive to view space. One varying a texture, because each has its own transform (KHR_texture_transform).
 
 #include "material/vertex_inputs.glsl"
-#if TANGENT
 #include "shading/three_terms.glsl"
-#endif
 #include "shadow/coords.glsl"
 
 void main() {
