@@ -50,7 +50,7 @@ export const THREE_SLOTS = Object.freeze({
   glassBackground: { linear: 165, 'half-white': 153, 'as-canvas': 150 },
   glassBackSides: { drawn: 151, none: 150 },
   glassBuffer: { canvas: 153, 'square-1024': 150 },
-  glassSamples: { four: 183, 'of-canvas': 182, 'four-always': 154, 'of-antialias': 150 },
+  glassSamples: { four: 184, 'of-canvas': 182, 'four-always': 154, 'of-antialias': 150 },
   glassAlpha: { transmittance: 153, 'added-tenth': 150 },
   // Textures and output.
   samplerPrecision: { highp: 161, lowp: 150 },

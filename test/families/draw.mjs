@@ -148,11 +148,15 @@ export async function drawRelease(drawn, cases, stamp, log) {
   return pictures;
 }
 
+/** No word of a release, and so nothing to keep: the machine ran out of something. */
+const CHROMIUM_ENDED = /Target .*has been closed|Target crashed/;
+
 async function drawPicture(browser, input) {
   try {
     const { image, mask } = await browser.draw(input);
     return { image: keep(image), mask: keep(mask) };
   } catch (error) {
+    if (CHROMIUM_ENDED.test(error.message)) throw error;
     // A release may fail at what others show, as 0.156.0 does at unlit materials; run.mjs asks that the last one does not.
     const reason = /(?:shot\.toneMapping: )(three\.js .* has no tone mapping .*)/.exec(error.message)?.[1] ?? `fails: ${error.message.split('\n')[0]}`;
     return { absent: reason };

@@ -42,6 +42,7 @@ export const PLANTED = {
   textureTransform: ['trs', 'texture-transform'],
   textureCoordinates: ['first-map', 'two-uv-sets'],
   neutralToneMapping: ['white', 'tone-neutral'],
+  environmentRotation: ['columns', 'env-turned'],
   sorting: ['origin', 'alpha-blend-origins'],
   instanceColor: ['none', 'instances-colors'],
   instanceTangents: ['of-mesh', 'instances-tangents'],
