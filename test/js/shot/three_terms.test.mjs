@@ -46,7 +46,7 @@ test('a release is refused a tone mapping that it does not have', () => {
   assert.throws(() => resolved({ base: 'three', revision: 159 }, { toneMapping: 'agx' }), { code: 'E_SHOT' });
 });
 
-/** Borders of what no case of the page shows: sorting, the samples behind glass, the frames of back sides. */
+/** Borders of what no case of the page shows: sorting, the samples behind glass, intensity and packing of shadows, the frames of back sides. */
 const UNMEASURED = new Set([152, 154, 166, 167, 185]);
 
 test('the table has every border that was measured, and no other', () => {
