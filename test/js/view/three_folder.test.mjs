@@ -64,7 +64,7 @@ test('a real older release draws the page, and the server follows it', async (t)
   const shading = async () => JSON.parse(await page.locator('#shot').inputValue()).shading;
   assert.deepEqual(await shading(), { base: 'three', revision: 170 });
   const followed = await figuresOf(page, 'interior');
-  assert.ok(followed.pixels > 3000);
+  assert.ok(followed.pixels > 3000 && followed.max <= 2 && followed['p99.9'] <= 1, JSON.stringify(followed));
   assert.deepEqual(said, []);
 
   // The release that the page does not have: the server draws it, and the page says so.
