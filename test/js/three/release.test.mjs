@@ -34,7 +34,7 @@ test('a page that draws with another family of three.js than the server is told 
 });
 
 test("the same family is no matter; shadings that no release has are made for today's", async (t) => {
-  assert.deepEqual((await apply(t, 180, resolve({ shading: { base: 'three', revision: 166 } }))).lines, []);
+  assert.deepEqual((await apply(t, 180, resolve({ shading: { base: 'three', revision: 170 } }))).lines, []);
   assert.deepEqual((await apply(t, REVISION, resolve())).lines, []);
   assert.deepEqual((await apply(t, `${REVISION}dev`, resolve())).lines, []);
   const fabric = resolve({ shading: 'fabric' });
