@@ -82,7 +82,6 @@ vec3 addedScattering(vec3 f0, Real f90, vec2 dfgV, vec2 dfgL, vec3 passes);
 vec3 diffuseShareOfLargest(Scattering whole);
 Real sheenAlbedoInRanges(Real sheenRoughness, Real cosine);
 Real underSheenOfColor(vec3 sheenColor);
-Real V_SmithGGXAnisotropicUnbounded(Real alphaT, Real alphaB, Real NoV, Real NoL, Real ToV, Real BoV, Real ToL, Real BoL);
 vec3 ltcAlbedoToWhite(vec3 f0, vec2 scaleAndBias);
 Real glassOpacityWithTenth(Real coverage, Real transmission);
 vec3 toneMapNeutralWhite(vec3 color, Real exposure);
@@ -130,6 +129,7 @@ vec2 dfgKaris(Real perceptualRoughness, Real NoV);
 vec2 dfgLazarov(Real perceptualRoughness, Real NoV);
 
 Real D_GGXAnisotropic(Real alphaT, Real alphaB, Real NoH, Real ToH, Real BoH);
+Real smithSumAnisotropic(Real alphaT, Real alphaB, Real NoV, Real NoL, Real ToV, Real BoV, Real ToL, Real BoL);
 Real V_SmithGGXCorrelatedAnisotropic(Real alphaT, Real alphaB, Real NoV, Real NoL, Real ToV, Real BoV, Real ToL, Real BoL);
 Real alphaAlongTangent(Real perceptualRoughness, Real strength);
 vec3 bentNormal(Real perceptualRoughness, Real strength, vec3 n, vec3 b, vec3 v);

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <string>
 
 #include "image/encoders.h"
@@ -11,26 +10,13 @@ using Format = OutputOptions::Format;
 
 [[noreturn]] void refuse(const std::string& what) { throw Error("X_OUTPUT", what); }
 
-bool isOneOf(int value, std::initializer_list<int> allowed) {
-  return std::find(allowed.begin(), allowed.end(), value) != allowed.end();
-}
-
 void checkOptions(const OutputOptions& options) {
-  const int bits = options.bitDepth;
-  switch (options.format) {
-    case Format::kPng:
-    case Format::kTiff:
-      if (!isOneOf(bits, {8, 16})) refuse("PNG and TIFF take a bit depth of 8 or 16");
-      return;
-    case Format::kExr:
-      if (!isOneOf(bits, {16, 32})) refuse("EXR takes a bit depth of 16 or 32");
-      return;
-    case Format::kRaw:
-      if (!isOneOf(bits, {8, 32})) refuse("raw takes a bit depth of 8 or 32");
-      return;
-    default:
-      if (options.quality < 1 || options.quality > 100) refuse("JPEG and WebP take a quality from 1 to 100");
+  const std::string name(namesOf(options.format)[static_cast<std::size_t>(options.format)]);
+  if (!shot::takesBitDepth(options.format, options.bitDepth)) {
+    refuse(name + " does not take " + std::to_string(options.bitDepth) + " bits a channel");
   }
+  const bool lossy = options.format == Format::kJpeg || options.format == Format::kWebp;
+  if (lossy && (options.quality < 1 || options.quality > 100)) refuse(name + " takes a quality from 1 to 100");
 }
 
 void checkFrame(const Frame& frame, const OutputOptions& options) {

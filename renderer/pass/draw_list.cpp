@@ -38,14 +38,6 @@ void describePrincipled(const Material& m, shader::VariantKey& key) {
   key.diffuseTransmission = fabric.diffuseTransmissionFactor > 0 && thin;
 }
 
-/// Without the layers that a release of three.js does not know.
-void describeRelease(shader::VariantKey& key) {
-  const ThreeTerms& three = key.three;
-  key.anisotropy &= three.anisotropyDirection != ThreeTerms::THREE_ANISOTROPY_DIRECTION_NONE;
-  key.diffuseRoughness &= three.diffuseRoughness != ThreeTerms::THREE_DIFFUSE_ROUGHNESS_NONE;
-  key.dispersion &= three.dispersion != ThreeTerms::THREE_DISPERSION_NONE;
-}
-
 /// Whether the factor of a texture is above 0.
 bool matters(const TextureSlot& slot, const Material& m, const shader::VariantKey& key) {
   using Key = shader::VariantKey;
@@ -64,7 +56,6 @@ void describeMaps(const Material& m, shader::VariantKey& key) {
     if (m.physical) describeLayers(m, key);
     if (key.shading == ShadingModel::kFabric) describeFabric(m, key);
     if (isPrincipled(key.shading)) describePrincipled(m, key);
-    describeRelease(key);
   }
   for (const TextureSlot& slot : TEXTURE_SLOTS) {
     const TextureRef& texture = slot.texture(m);
@@ -118,9 +109,11 @@ void forceAllFeatures(shader::VariantKey& key) {
       true;
   key.vertexColor = key.alphaMask = key.environment = true;
   // Anisotropy is left out: its frame changes the picture even at strength 0.
-  key.specular = key.clearcoat = key.sheen = key.iridescence = key.diffuseRoughness = true;
-  key.transmission = key.volume = key.attenuation = key.dispersion = true;
-  describeRelease(key);
+  key.specular = key.clearcoat = key.sheen = key.iridescence = true;
+  key.transmission = key.volume = key.attenuation = true;
+  // Releases of three.js that do not know them have no text for them.
+  key.diffuseRoughness = key.three.diffuseRoughness != ThreeTerms::THREE_DIFFUSE_ROUGHNESS_NONE;
+  key.dispersion = key.three.dispersion != ThreeTerms::THREE_DISPERSION_NONE;
 }
 
 /// Texture units of a program as three.js counts them: its maps, its tables, and every light that casts a shadow,

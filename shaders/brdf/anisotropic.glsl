@@ -11,11 +11,17 @@ float D_GGXAnisotropic(float alphaT, float alphaB, float NoH, float ToH, float B
   return RECIPROCAL_PI * a2 * pow2(w2);
 }
 
-// Height-correlated Smith visibility. src: Heitz 2014, "Understanding the Masking-Shadowing Function", eq. 99; order of three r187
-float V_SmithGGXCorrelatedAnisotropic(float alphaT, float alphaB, float NoV, float NoL, float ToV, float BoV, float ToL, float BoL) {
+// Half of what one is divided by to get the height-correlated Smith visibility, [0, 2]: 0 where NoV = NoL = 0.
+// src: Heitz 2014, "Understanding the Masking-Shadowing Function", eq. 99; order of three r187
+float smithSumAnisotropic(float alphaT, float alphaB, float NoV, float NoL, float ToV, float BoV, float ToL, float BoL) {
   float gv = NoL * length(vec3(alphaT * ToV, alphaB * BoV, NoV));
   float gl = NoV * length(vec3(alphaT * ToL, alphaB * BoL, NoL));
-  return 0.5 / max(gv + gl, VISIBILITY_EPSILON);
+  return gv + gl;
+}
+
+// Height-correlated Smith visibility.
+float V_SmithGGXCorrelatedAnisotropic(float alphaT, float alphaB, float NoV, float NoL, float ToV, float BoV, float ToL, float BoL) {
+  return 0.5 / max(smithSumAnisotropic(alphaT, alphaB, NoV, NoL, ToV, BoV, ToL, BoL), VISIBILITY_EPSILON);
 }
 
 // Width along the tangent: it grows from alpha to 1 with the strength.

@@ -55,15 +55,6 @@ float underSheenOfColor(vec3 sheenColor) {
   return 1.0 - 0.157 * max3(sheenColor);
 }
 
-// Anisotropic visibility that grows without bound towards grazing. The floor answers NoV = NoL = 0 alone, where no light is.
-// Arguments  as V_SmithGGXCorrelatedAnisotropic
-// src: Heitz 2014, "Understanding the Masking-Shadowing Function", eq. 99; three r182, r183
-float V_SmithGGXAnisotropicUnbounded(float alphaT, float alphaB, float NoV, float NoL, float ToV, float BoV, float ToL, float BoL) {
-  float toViewer = NoL * length(vec3(alphaT * ToV, alphaB * BoV, NoV));
-  float toLight = NoV * length(vec3(alphaT * ToL, alphaB * BoL, NoL));
-  return 0.5 / max(toViewer + toLight, COSINE_EPSILON);
-}
-
 // Albedo of an area light's GGX lobe whose reflectance at grazing is 1 whatever the material says, linear Rec.709.
 // scaleAndBias  as ltcAlbedo
 // src: three r150 to r182

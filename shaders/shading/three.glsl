@@ -1,5 +1,6 @@
-// How the lobes of one surface add up as three.js shades it: 0.187, or another release by its terms (js/docs/families.md). No uniforms and no textures: also compiled as C++
-// (renderer/brdf/shading.h), with every layer on.
+// How the lobes of one surface add up as three.js shades it: 0.187, or another release by its terms (js/docs/families.md). No
+// uniforms and no textures: also compiled as C++ (renderer/brdf/shading.h), with every layer on.
+
 // GGX lobe of the base layer, [1/sr].
 vec3 specularLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL, float NoH, float LoH) {
 #if ANISOTROPY || IRIDESCENCE
@@ -12,7 +13,12 @@ vec3 specularLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL, float NoH, float LoH
   float visibility = V_SmithGGXCorrelatedAnisotropic(alphaT, s.alpha, s.NoV, NoL, dot(s.t, s.v), dot(s.b, s.v), dot(s.t, l), dot(s.b, l));
 #if ALL_TERMS || THREE_ANISOTROPIC_VISIBILITY_TERM != THREE_ANISOTROPIC_VISIBILITY_FLOORED
   if (RELEASE(s, anisotropicVisibility, THREE_ANISOTROPIC_VISIBILITY_TERM) != THREE_ANISOTROPIC_VISIBILITY_FLOORED) {
-    visibility = V_SmithGGXAnisotropicUnbounded(alphaT, s.alpha, s.NoV, NoL, dot(s.t, s.v), dot(s.b, s.v), dot(s.t, l), dot(s.b, l));
+    float smithSum = smithSumAnisotropic(alphaT, s.alpha, s.NoV, NoL, dot(s.t, s.v), dot(s.b, s.v), dot(s.t, l), dot(s.b, l));
+#if ALL_TERMS
+    // These releases draw black where they divide by 0. The path tracer and the analysis find no light there.
+    smithSum = max(smithSum, COSINE_EPSILON);
+#endif
+    visibility = 0.5 / smithSum;
   }
   if (RELEASE(s, anisotropicVisibility, THREE_ANISOTROPIC_VISIBILITY_TERM) == THREE_ANISOTROPIC_VISIBILITY_SATURATED) {
     visibility = saturate(visibility);

@@ -21,8 +21,6 @@ export const FAST = ['env-lamps', 'everything', 'light-directional', 'shadow-spo
 const isShown =
   (revision) =>
   ({ name, shot, settings }) =>
-    // The browser's silhouettes are black where these releases divide by 0; telar draws the limit.
-    !(name === 'everything' && termsOfRevision(revision).anisotropicVisibility === 'unbounded') &&
     // Where no program compiles there is nothing to compare.
     !(name === 'morph-colors' && termsOfRevision(revision).morphColors === 'no-program') &&
     // Mesa rounds what vertices move by to half floats there; telar moves them before it knows the release.

@@ -119,7 +119,7 @@ export const SLOT_TERMS = [
     slot: 'anisotropic visibility', key: 'anisotropicVisibility', source: 'Heitz 2014, "Understanding the Masking-Shadowing Function"',
     terms: [
       { from: '0.153.0', to: '0.181.2', what: 'saturate(0.5 / (gv + gl))' },
-      { from: '0.182.0', to: '0.183.2', what: '0.5 / (gv + gl): no number along silhouettes, which is drawn black; telar draws the limit' },
+      { from: '0.182.0', to: '0.183.2', what: '0.5 / (gv + gl): no number along silhouettes, which is drawn black' },
       { from: '0.184.0', what: '0.5 / max(gv + gl, 1e-6)' },
     ],
   },

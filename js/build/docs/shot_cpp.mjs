@@ -1,6 +1,7 @@
 import { parseColour } from '../../shot/colour.mjs';
 import { DEBUG_QUANTITIES } from '../../shot/table/debug_quantities.mjs';
 import { SHOT } from '../../shot/table/index.mjs';
+import { FORMATS } from '../../shot/table/output.mjs';
 import { SAMPLES_OF_A_PASS } from '../../shot/table/quality.mjs';
 import { resolvedRow } from '../../shot/table/resolved.mjs';
 import { INDEX_MAX } from '../../shot/table/rows.mjs';
@@ -181,6 +182,20 @@ const toneMappingsMacro = () => [
   '',
 ];
 
+/** Which bits a channel the formats have. */
+const bitDepthsText = (formats) => [
+  '/// Whether a file of the format may have so many bits a channel.',
+  'constexpr bool takesBitDepth(Output::Format format, int bits) {',
+  '  switch (format) {',
+  ...Object.entries(formats).flatMap(([name, { bitDepths }]) => [
+    `    case Output::Format::${enumerator(name)}:`,
+    `      return ${bitDepths.map((bits) => `bits == ${bits}`).join(' || ')};`,
+  ]),
+  '  }',
+  '  return false;',
+  '}',
+];
+
 const samplesOfAPass = ['/// The most samples of a pixel that one pass over the model takes.', `constexpr int SAMPLES_OF_A_PASS = ${SAMPLES_OF_A_PASS};`];
 
 /** Choices of a struct that stand in a header of their own, as others need them without it. */
@@ -198,7 +213,7 @@ export function shotHeaders(shot = SHOT) {
   const headers = objects.map((row) => [
     row.name,
     headerText(
-      [...structText(row), ...enumsOf(row).flatMap(namesText)],
+      [...structText(row), ...enumsOf(row).flatMap(namesText), ...(row.name === 'Output' ? bitDepthsText(FORMATS) : [])],
       sharedOf(row).map(({ name }) => name),
     ),
   ]);

@@ -15,8 +15,6 @@ std::vector<Term> releaseTerms() {
            diffuseShareOfLargest(Scattering(vec3(p[0], p[1], p[2]), vec3(p[3], p[4], p[5])))),
       TERM("sheenAlbedoInRanges", ({SHEEN_ROUGHNESS, COSINE}), OF_ONE, true, vec3(sheenAlbedoInRanges(p[0], p[1]))),
       TERM("underSheenOfColor", ({UNIT, UNIT, UNIT}), OF_ONE, true, vec3(underSheenOfColor(vec3(p[0], p[1], p[2])))),
-      TERM("V_SmithGGXAnisotropicUnbounded", ({ALPHA, ALPHA, COSINE, COSINE, SLANT, SLANT, SLANT, SLANT}), PRODUCT,
-           true, vec3(V_SmithGGXAnisotropicUnbounded(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]))),
       TERM("ltcAlbedoToWhite", ({UNIT, UNIT, UNIT, UNIT, UNIT}), OF_ONE, true,
            ltcAlbedoToWhite(vec3(p[0], p[1], p[2]), vec2(p[3], p[4]))),
       TERM("glassOpacityWithTenth", ({UNIT, UNIT}), OF_ONE, true, vec3(glassOpacityWithTenth(p[0], p[1]))),

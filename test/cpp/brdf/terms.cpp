@@ -80,6 +80,8 @@ std::vector<Term> layerTerms() {
       TERM("sheenAlbedo", ({ROUGHNESS, COSINE}), PRODUCT, true, vec3(sheenAlbedo(p[0], p[1]))),
       TERM("D_GGXAnisotropic", ({ALPHA, ALPHA, OFF_GRAZING, SLANT, SLANT}), PRODUCT, false,
            vec3(D_GGXAnisotropic(p[0], p[1], p[2], p[3], p[4]))),
+      TERM("smithSumAnisotropic", ({ALPHA, ALPHA, COSINE, COSINE, SLANT, SLANT, SLANT, SLANT}), PRODUCT, true,
+           vec3(smithSumAnisotropic(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]))),
       TERM("V_SmithGGXCorrelatedAnisotropic", ({ALPHA, ALPHA, COSINE, COSINE, SLANT, SLANT, SLANT, SLANT}), PRODUCT,
            true, vec3(V_SmithGGXCorrelatedAnisotropic(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]))),
       TERM("alphaAlongTangent", ({ROUGHNESS, UNIT}), PRODUCT, true, vec3(alphaAlongTangent(p[0], p[1]))),

@@ -193,8 +193,11 @@ TEST(Encode, RefusesWhatDoesNotFit) {
   auto shortFrame = frame8(4, 4);
   shortFrame.pixels.pop_back();
   EXPECT_EQ(encodeAs(shortFrame, options), "X_OUTPUT");
-  options.bitDepth = 32;
-  EXPECT_EQ(encodeAs(frame8(4, 4), options), "X_OUTPUT");
+  for (const auto& [format, bits] : {std::pair(Format::kPng, 32), {Format::kJpeg, 16}, {Format::kWebp, 16}}) {
+    options = optionsOf(format);
+    options.bitDepth = bits;
+    EXPECT_EQ(encodeAs(frame8(4, 4), options), "X_OUTPUT") << bits;
+  }
   for (const int quality : {0, 101}) {
     options = optionsOf(Format::kJpeg);
     options.quality = quality;

@@ -8,10 +8,11 @@ namespace telar::reference {
 namespace {
 
 /// A unit square in the plane z = 0 of a node's space.
-Scene squareScene(const glm::dmat4& world) {
+Scene squareScene(const glm::dmat4& world, int material = -1) {
   Primitive square;
   square.positions = {{-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0}};
   square.indices = {0, 1, 2, 0, 2, 3};
+  square.material = material;
   Scene scene;
   scene.meshes.push_back({"square", {square}});
   Node node;
@@ -62,6 +63,30 @@ TEST(Geometry, InstancesStandWhereTheirMatricesPutThem) {
   ASSERT_TRUE(Geometry(meshes).intersect({{5.25f, 0, 3}, {0, 0, -1}}, hit));
   EXPECT_EQ(hit.mesh, 1u);
   EXPECT_FLOAT_EQ(hit.distance, 2);
+}
+
+TEST(Geometry, MaterialsAreReadAsTheReleaseReadsThem) {
+  Scene scene = squareScene(glm::dmat4(1), 0);
+  Material material;
+  material.layers.dispersion = 1;
+  material.baseColorTexture.image = 0;
+  material.baseColorTexture.uvTransform = glm::mat3(1, -2, 0, 3, 4, 0, 0, 0, 1);
+  scene.materials = {material};
+  auto instances = std::make_shared<Instances>();
+  instances->matrices = {glm::mat4(1)};
+  instances->colors = {{1, 0, 0}};
+  scene.nodes[0].instances = instances;
+  ThreeTerms older;
+  older.textureTransform = ThreeTerms::THREE_TEXTURE_TRANSFORM_TSR;
+  older.dispersion = ThreeTerms::THREE_DISPERSION_NONE;
+  older.instanceColor = ThreeTerms::THREE_INSTANCE_COLOR_NONE;
+  const auto today = placeMeshes(scene, -1, glm::dvec3(0));
+  EXPECT_EQ(today[0].material, &scene.materials[0]);
+  EXPECT_EQ(today[0].tint, glm::vec3(1, 0, 0));
+  const auto meshes = placeMeshes(scene, -1, glm::dvec3(0), {}, ShadingModel::kThree, older);
+  EXPECT_EQ(meshes[0].material->layers.dispersion, 0);
+  EXPECT_EQ(meshes[0].material->baseColorTexture.uvTransform, glm::mat3(1, -3, 0, 2, 4, 0, 0, 0, 1));
+  EXPECT_EQ(meshes[0].tint, glm::vec3(1));
 }
 
 TEST(Geometry, AnEmptySceneIsHitByNothing) {
