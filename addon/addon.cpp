@@ -9,6 +9,7 @@
 #include "parts.h"
 #include "state.h"
 #include "telar/load.h"
+#include "telar/measure.h"
 #include "telar/part.h"
 #include "telar/pose.h"
 #include "telar/reference.h"
@@ -111,6 +112,14 @@ Napi::Value measurePart(const Napi::CallbackInfo& info) {
   return textOnPool(info.Env(), job, [scene, query, job] { return describePart(*scene, query, job->cancel); });
 }
 
+/// measure(scene, request: string, token) -> Promise<string>
+Napi::Value measure(const Napi::CallbackInfo& info) {
+  auto scene = unwrap<SceneHandle>(info[0]).scene();
+  auto request = stringFromJs(info[1], "a request");
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
+  return textOnPool(info.Env(), job, [scene, request, job] { return measureScene(*scene, request, job->cancel); });
+}
+
 /// hashModel(path: string | Bytes, limits, {tolerant?: boolean, parts?: Parts}, token) -> Promise<string>
 Napi::Value hashModel(const Napi::CallbackInfo& info) {
   const Limits limits = limitsFromJs(info[1]);
@@ -206,6 +215,7 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["load"] = Napi::Function::New(env, load, "load");
   exports["pose"] = Napi::Function::New(env, pose, "pose");
   exports["measurePart"] = Napi::Function::New(env, measurePart, "measurePart");
+  exports["measure"] = Napi::Function::New(env, measure, "measure");
   exports["hashModel"] = Napi::Function::New(env, hashModel, "hashModel");
   exports["hashFile"] = Napi::Function::New(env, hashFile, "hashFile");
   exports["plan"] = Napi::Function::New(env, plan, "plan");

@@ -200,9 +200,130 @@ export interface Plan {
   fragments?: number;
 }
 
+/** A part of a model: all that is beneath the nodes of a name, or all that is drawn with the materials of a name; or one of them by index. */
+export type PartName = { node: string | number } | { material: string | number };
+
+/** Metres in world space, moved to the nearest point of the surface; or a place of a node's mesh. */
+export type MeasuredPoint =
+  | Readonly<Vec3>
+  | { node: string | number; primitive?: number; triangle: number; /** Barycentric, of the triangle's corners in drawing order. */ weights: Readonly<Vec3> }
+  | { node: string | number; primitive?: number; vertex: number };
+
+export interface MeasureOptions extends CallOptions {
+  /**
+   * The surface that is measured on. Ways along the surface stay on it.
+   * @default undefined: all that is drawn
+   */
+  part?: PartName;
+  /**
+   * Metres, 0 to 1: corners nearer than this to one another are one, which closes gaps between parts that the file does not join.
+   * @default 0: only what rounding has parted is joined
+   */
+  join?: number;
+  /**
+   * A KHR_materials_variants name, by which parts are found by material.
+   * @default '': the file's own materials
+   */
+  variant?: string;
+  /**
+   * As the shot has it.
+   * @default undefined: as the file stands
+   */
+  pose?: Shot['pose'];
+  /**
+   * As LoadingOptions has it.
+   * @default 20000
+   */
+  timeoutMs?: number | null;
+}
+
+export interface MeasurePointsOptions extends MeasureOptions {
+  /** 2 to 1024, in order. */
+  points: ReadonlyArray<MeasuredPoint>;
+  /**
+   * Through the air, or the shortest way over the surface (exact on the triangles: Chen and Han 1990, Xin and Wang 2009).
+   * @default 'straight'
+   */
+  along?: 'straight' | 'surface';
+  /**
+   * Whether the last point is joined to the first.
+   * @default false
+   */
+  closed?: boolean;
+}
+
+export interface MeasureGirthOptions extends MeasureOptions {
+  /** Around the part: of the loops in which this plane cuts the surface, the one nearest to the point. */
+  girth: {
+    point: Readonly<Vec3>;
+    /** @default [0, 1, 0] */
+    normal?: Readonly<Vec3>;
+    /**
+     * Draws the loop tight over the surface: to the closed geodesic that it can be moved to.
+     * @default false
+     */
+    tight?: boolean;
+  };
+}
+
+export interface MeasureBorderOptions extends MeasureOptions {
+  /** The open edges of the surface that is measured on: of a part, its border. */
+  border: true;
+}
+
+/** What Model.measure() takes, without what belongs to the call. */
+export type MeasureAsk = Omit<MeasurePointsOptions, CallKeys> | Omit<MeasureGirthOptions, CallKeys> | Omit<MeasureBorderOptions, CallKeys>;
+type CallKeys = 'pose' | 'signal' | 'timeoutMs';
+
+/** What was measured between points. All lengths are metres, all points world space. */
+export interface PointsMeasure {
+  length: number;
+  /** From each point to the next. */
+  lengths: number[];
+  /** Where each point is on the surface; `moved` is how far that is from where it was asked for. */
+  points: Array<{ position: Vec3; moved: number; node: number; nodeName: string; material: number; primitive: number; triangle: number; weights: Vec3 }>;
+  /** To draw it: its straight pieces lie on the surface, or are the straight way. */
+  polyline: Vec3[];
+}
+
+/** `polyline` of a closed one does not end with its first point. */
+export interface LoopMeasure {
+  length: number;
+  closed: boolean;
+  polyline: Vec3[];
+}
+
+export interface GirthMeasure extends LoopMeasure {
+  /** Length in the plane; where `tight` was asked for. */
+  section?: number;
+  /** The other loops in the plane, nearest first. */
+  others: Array<{ length: number; closed: boolean }>;
+}
+
+export interface BorderMeasure {
+  /** Of all loops. */
+  length: number;
+  /** Longest first. */
+  loops: LoopMeasure[];
+}
+
 /** A decoded model: draw many views of it. */
 export interface Model {
   readonly facts: ModelFacts;
+
+  /**
+   * Measures on what the model draws, in metres. Needs no GL.
+   * @param options - points, along, closed; or girth; or border; and part, join, variant, pose, timeoutMs, signal.
+   * @throws {TelarError} E_OPTION, E_MEASURE, E_VARIANT, L_MEASURE, L_TRIANGLES, X_TIMEOUT
+   * @example
+   * const chest = await model.measure({ points: [[-0.25, 0.45, 0.1], [0.25, 0.45, 0.1]], along: 'surface', part: { node: 'front' } });
+   * const hem = await model.measure({ border: true, part: { node: 'hem_bottom' } });
+   * const waist = await model.measure({ girth: { point: [0, 0.3, 0.1], tight: true } });
+   * console.log(chest.length, hem.loops.map(({ length }) => length), waist.polyline);
+   */
+  measure(options: MeasurePointsOptions): Promise<PointsMeasure>;
+  measure(options: MeasureGirthOptions): Promise<GirthMeasure>;
+  measure(options: MeasureBorderOptions): Promise<BorderMeasure>;
 }
 
 /** What a frame was made of. Native code may add keys. */
@@ -364,6 +485,11 @@ export interface InspectOptions extends LoadOptions {
    */
   shot?: Shot | ResolvedShot;
   /**
+   * What to measure on the model in the shot's pose, as Model.measure() takes it.
+   * @default []
+   */
+  measure?: ReadonlyArray<MeasureAsk>;
+  /**
    * What an input may cost, by the L_* names.
    * @default {}: the limits in js/docs/errors.md
    */
@@ -372,14 +498,14 @@ export interface InspectOptions extends LoadOptions {
 
 /**
  * Tells what is in a model, and what a render of it would compile and run. Needs no GL.
- * @param options - shot, limits, failOn, resolve, timeoutMs, signal.
- * @returns The facts; `plan` is null where there is nothing to draw.
+ * @param options - shot, measure, limits, failOn, resolve, timeoutMs, signal.
+ * @returns The facts; `plan` is null where there is nothing to draw, `measures` are in the order of options.measure.
  * @throws {TelarError} What Renderer.load() throws, E_SHOT
  * @example
  * const { triangles, materials, plan } = await inspect('shirt.glb', { shot: { quality: 'high' } });
  * console.log(triangles, materials.map(({ name }) => name), plan?.passes);
  */
-export function inspect(source: Source, options?: InspectOptions): Promise<ModelFacts & { plan: Plan | null }>;
+export function inspect(source: Source, options?: InspectOptions): Promise<ModelFacts & { measures?: Array<PointsMeasure | GirthMeasure | BorderMeasure>; plan: Plan | null }>;
 
 export interface PictureKeyOptions extends CallOptions {
   /**

@@ -13,18 +13,25 @@ export async function inspect(source, options = {}) {
 
 /** @internal */
 export async function inspectOn(native, source, options = {}) {
-  const { shot, limits, signal, timeoutMs, ...loading } = inspectOptions(options, Object.keys(native.limits));
+  const { shot, measure, limits, signal, timeoutMs, ...loading } = inspectOptions(options, Object.keys(native.limits));
   const maxBytes = limits.L_FILE_BYTES ?? native.limits.L_FILE_BYTES;
   const input = readSource(native, source, maxBytes);
   const request = readShot(native, shot, maxBytes);
   const work = new Work(native, signal, timeoutMs);
   const loaded = await loadModel(native, input, limits, { ...loading, work });
   const model = await poseModel(native, loaded, request.shot, { work, forget: true });
-  if (!model.facts.bounds) return { ...model.facts, plan: null };
+  const measures = measure.length > 0 && { measures: await measured(native, model, measure, work) };
+  if (!model.facts.bounds) return { ...model.facts, ...measures, plan: null };
   const { resolveShot } = await shotModule();
   const resolved = resolveShot(request.shot, await measuredFor(native, model, request.shot, work));
   if (request.map) resolved.environment.map = request.map;
   const json = shotJson(resolved);
   const plan = await nativeCall(native, work, (token) => native.plan(Model.sceneOf(model), json, limits, token));
-  return { ...model.facts, plan: JSON.parse(plan) };
+  return { ...model.facts, ...measures, plan: JSON.parse(plan) };
+}
+
+/** Few callers measure, so what it needs comes when it is asked for. */
+async function measured(native, model, list, work) {
+  const { measureAll } = await import('./measure.mjs');
+  return measureAll(native, model, list, work);
 }

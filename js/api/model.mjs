@@ -19,6 +19,12 @@ export class Model {
     this.facts = facts;
   }
 
+  /** Documented in js/index.d.ts. Few callers measure, so what it needs comes with the first call. */
+  async measure(options) {
+    const { measureModel } = await import('./measure.mjs');
+    return measureModel(this, options);
+  }
+
   /** @internal */
   static sceneOf(model) {
     return model.#scene;

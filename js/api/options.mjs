@@ -85,7 +85,7 @@ export const FAIL_ON = Object.freeze(['error', 'warning', 'none']);
  */
 
 /** @returns {Loading} @throws {TelarError} E_OPTION */
-function loading({ failOn, resolve, timeoutMs }, defaults) {
+export function loading({ failOn, resolve, timeoutMs }, defaults) {
   if (failOn !== undefined && !FAIL_ON.includes(failOn)) throw wrongOption('options.failOn', FAIL_ON.map((name) => JSON.stringify(name)).join(', '), failOn);
   if (resolve !== undefined && typeof resolve !== 'function') throw wrongOption('options.resolve', 'a function', resolve);
   const time = timeoutOption(timeoutMs);
@@ -93,7 +93,7 @@ function loading({ failOn, resolve, timeoutMs }, defaults) {
 }
 
 /** @type {Loading} */
-const STRICT = { failOn: 'error' };
+export const STRICT = { failOn: 'error' };
 
 /**
  * Options of one call: {signal}.
@@ -181,13 +181,14 @@ export function rendererOptions(options, limitNames) {
 }
 
 /**
- * Options of inspect: {shot, limits, timeoutMs, failOn, resolve, signal}.
+ * Options of inspect: {shot, measure, limits, timeoutMs, failOn, resolve, signal}.
  * @param {string[]} limitNames
  */
 export function inspectOptions(options, limitNames) {
-  checkObject('options', options, ['shot', 'limits', 'timeoutMs', 'failOn', 'resolve', 'signal']);
-  const { shot = {}, limits = {}, signal } = options;
-  return { shot, limits: limitsOption(limits, limitNames), ...loading(options, STRICT), signal: checkSignal(signal) };
+  checkObject('options', options, ['shot', 'measure', 'limits', 'timeoutMs', 'failOn', 'resolve', 'signal']);
+  const { shot = {}, measure = [], limits = {}, signal } = options;
+  if (!Array.isArray(measure)) throw wrongOption('options.measure', 'a list of what to measure', measure);
+  return { shot, measure, limits: limitsOption(limits, limitNames), ...loading(options, STRICT), signal: checkSignal(signal) };
 }
 
 /**

@@ -1,4 +1,5 @@
 import { TelarError } from '../error/index.mjs';
+import { shown } from '../shot/complain.mjs';
 import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
 import { checkModel } from './models.mjs';
 import { readShotOptions } from './shot_options.mjs';
@@ -18,10 +19,40 @@ export async function inspect(model, options, context) {
   const shot = await readShotOptions(options, context);
   const limits = readLimits(options.limit);
   const source = model === '-' ? await readAll(context.stdin, maxFileBytes(limits), context.signal) : model;
-  const facts = await context.api.inspect(source, { shot, limits, failOn: options.failOn, timeoutMs: readTimeout(options.timeoutMs), signal: context.signal });
+  const measure = readMeasures(options.measure);
+  const facts = await context.api.inspect(source, {
+    shot,
+    ...measure,
+    limits,
+    failOn: options.failOn,
+    timeoutMs: readTimeout(options.timeoutMs),
+    signal: context.signal,
+  });
   for (const warning of facts.warnings ?? []) context.console.warning(warning, model);
   await context.console.result({ ok: true, model, ...facts }, factLines(model, facts));
   return 0;
+}
+
+/** @throws {TelarError} E_USAGE */
+function readMeasures(texts) {
+  if (!texts) return {};
+  const parsed = texts.map((text) => {
+    try {
+      return JSON.parse(text);
+    } catch {
+      throw new TelarError('E_USAGE', `--measure: expected JSON, as in {"points": [[0, 0, 0], [0, 1, 0]], "along": "surface"}, got ${shown(text)}`);
+    }
+  });
+  return { measure: parsed };
+}
+
+/** Tenths of a millimetre, which is what a length on a model is good for. */
+const lengthText = (metre) => `${metre.toFixed(4)} m`;
+
+function measureText({ length, lengths, loops, closed }) {
+  if (loops) return `border of ${count(loops.length, 'loop')}, ${loops.map((loop) => lengthText(loop.length)).join(' + ')}`;
+  if (lengths) return `${lengthText(length)}${lengths.length > 1 ? ` (${lengths.map(lengthText).join(' + ')})` : ''}`;
+  return `girth ${lengthText(length)}${closed ? '' : ', open'}`;
 }
 
 const count = (n, noun, nouns = `${noun}s`) => `${n.toLocaleString('en-US')} ${n === 1 ? noun : nouns}`;
@@ -89,7 +120,8 @@ function factLines(model, facts) {
     `lights      ${lights.length === 0 ? 'none' : named(lights)}`,
     `extensions  ${extensionsUsed.length === 0 ? 'none' : extensionsUsed.join(', ')}`,
   ];
-  return [...lines, ...planLines(plan)];
+  const measures = (facts.measures ?? []).map((measure) => `measured    ${measureText(measure)}`);
+  return [...lines, ...measures, ...planLines(plan)];
 }
 
 const textOf = (item) => (typeof item === 'string' ? item : (item.name ?? JSON.stringify(item)));

@@ -78,7 +78,9 @@ export function buildProgram(version, actions, output) {
     addFailOn(
       addCommon(
         addShotOptions(
-          command('inspect', 'Say what is in a model, and what a render of it would compile and run').argument('<model>', '.glb or .gltf file; - is stdin'),
+          command('inspect', 'Say what is in a model, and what a render of it would compile and run')
+            .argument('<model>', '.glb or .gltf file; - is stdin')
+            .option('--measure <json>', 'a length in metres as Model.measure() takes it, as in {"border": true, "part": {"node": "hem"}}; repeatable', collect),
         ),
       ),
     ),

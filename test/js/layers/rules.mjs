@@ -26,6 +26,8 @@ const CPP_LAYERS = {
   'renderer/ibl': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/gl', 'renderer/shader'],
   'renderer/lobes': ['renderer/include', 'renderer/core', 'renderer/brdf'],
   'renderer/frame': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/shader'],
+  'renderer/surface': ['renderer/include', 'renderer/core'],
+  'renderer/measure': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/surface'],
   'renderer/pass': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/gl', 'renderer/shader', 'renderer/ibl', 'renderer/frame'],
   'renderer/reference/plugin.h': ['renderer/include'],
   // trace/ opens the library of reference/ at run time, and links nothing of it.
@@ -109,6 +111,7 @@ const TESTED_IN = {
   'renderer/oiio': 'test/cpp/image',
   'renderer/pass': 'test/cpp/renderer',
   'renderer/shader': 'test/cpp/brdf/shared_text_test.cpp',
+  'renderer/surface': 'test/cpp/measure',
   'renderer/trace': 'test/cpp/reference',
 };
 

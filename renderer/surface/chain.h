@@ -1,0 +1,18 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace telar::surface {
+
+/// Nodes in the order of a walk; closed = the last one is joined to the first.
+struct Chain {
+  std::vector<std::uint32_t> nodes;
+  bool closed = false;
+};
+
+/// Joins links between nodes into as few walks as have each link once: those with ends first. Where more than two links
+/// meet, a walk takes the first that is left.
+std::vector<Chain> chainLinks(const std::vector<std::array<std::uint32_t, 2>>& links);
+
+}  // namespace telar::surface

@@ -1,0 +1,84 @@
+#include "measure/loops.h"
+
+#include <gtest/gtest.h>
+
+#include "measure/shapes.h"
+
+namespace telar::measure {
+namespace {
+
+using surface::Surface;
+constexpr double PI = std::numbers::pi;
+
+Surface surfaceOf(const Scene& scene) { return surface::buildSurface(scene, {}, {}); }
+
+/// A tube along y, of radius 1 at its ends and `waist` in the middle.
+Surface tube(int around, double waist, double disorder) {
+  return surfaceOf(test::sheet(around, 24, disorder, [waist](double u, double v) {
+    const double r = waist + (1 - waist) * std::pow(2 * v - 1, 2), phi = 2 * PI * u;
+    return glm::dvec3(r * std::cos(phi), 2 * v - 1, -r * std::sin(phi));
+  }));
+}
+
+TEST(Section, OfATubeIsTheCircleOfItsSides) {
+  const Surface straight = tube(48, 1, 0);
+  const auto loops = sectionOf(straight, {1, 0.123, 0}, {0, 1, 0}, {});
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_TRUE(loops[0].closed);
+  EXPECT_NEAR(loops[0].length(), 96 * std::sin(PI / 48), 1e-6);
+}
+
+TEST(Section, ThroughCornersLosesNothing) {
+  const Surface straight = tube(48, 1, 0);
+  const auto loops = sectionOf(straight, {1, 0, 0}, {0, 1, 0}, {});  // a row of corners lies in it
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_TRUE(loops[0].closed);
+  EXPECT_NEAR(loops[0].length(), 96 * std::sin(PI / 48), 1e-6);
+}
+
+TEST(Section, OfAnOpenSheetIsOpen) {
+  const Surface flat = surfaceOf(test::sheet(5, 5, 0.3, [](double u, double v) { return glm::dvec3(u, v, 0); }));
+  const auto loops = sectionOf(flat, {0, 0.37, 0}, {0, 1, 0}, {});
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_FALSE(loops[0].closed);
+  EXPECT_NEAR(loops[0].length(), 1, 1e-6);
+}
+
+TEST(Border, OfATubeIsItsTwoEnds) {
+  const auto loops = borderOf(tube(48, 0.6, 0.4));
+  ASSERT_EQ(loops.size(), 2u);
+  for (const Loop& loop : loops) {
+    EXPECT_TRUE(loop.closed);
+    EXPECT_NEAR(loop.length(), 96 * std::sin(PI / 48), 1e-5);
+  }
+}
+
+TEST(Border, HasAHoleAsALoopOfItsOwn) {
+  // A square of nine quads without the middle one.
+  std::vector<glm::vec3> positions;
+  for (int i = 0; i < 16; ++i) positions.emplace_back(i % 4, i / 4, 0);
+  std::vector<std::uint32_t> indices;
+  for (const std::uint32_t a : {0u, 1u, 2u, 4u, 6u, 8u, 9u, 10u}) {
+    for (const std::uint32_t index : {a, a + 1, a + 5, a, a + 5, a + 4}) indices.push_back(index);
+  }
+  auto loops = borderOf(surfaceOf(test::sceneOf(positions, indices)));
+  ASSERT_EQ(loops.size(), 2u);
+  EXPECT_NEAR(loops[0].length() + loops[1].length(), 12 + 4, 1e-12);
+  EXPECT_NEAR(std::min(loops[0].length(), loops[1].length()), 4, 1e-12);
+}
+
+TEST(Tightened, ALoopSlidesToTheWaist) {
+  const CancelToken cancel;
+  for (const double disorder : {0.0, 0.4}) {
+    const Surface surface = tube(96, 0.6, disorder);
+    const auto loops = sectionOf(surface, {0.7, 0.3, 0}, {0.1, 1, 0}, cancel);
+    ASSERT_EQ(loops.size(), 1u);
+    const Loop tight = tightened(surface, loops[0], cancel);
+    const double waist = 2 * PI * 0.6;
+    EXPECT_GT(loops[0].length(), 1.05 * waist);
+    EXPECT_NEAR(tight.length(), waist, 0.005 * waist) << disorder;
+  }
+}
+
+}  // namespace
+}  // namespace telar::measure
