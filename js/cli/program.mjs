@@ -39,7 +39,7 @@ const addLimit = (command) =>
 
 /**
  * @param {string} version
- * @param {Record<'thumbnail' | 'inspect' | 'compare' | 'analyse' | 'view' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
+ * @param {Record<'thumbnail' | 'inspect' | 'compare' | 'sheet' | 'analyse' | 'view' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
  * @param {{writeOut: (text: string) => void, writeErr: (text: string) => void}} output of help and complaints
  */
 export function buildProgram(version, actions, output) {
@@ -105,6 +105,23 @@ export function buildProgram(version, actions, output) {
         .option('--junit <file>', 'write the checks as JUnit XML'),
     ),
   ).action(actions.compare);
+  addLimit(
+    addFailOn(
+      addCommon(
+        command('sheet', 'Make the tech sheet of a model: one PDF, or one SVG or PNG a page')
+          .argument('<model>', '.glb or .gltf file; - is stdin')
+          .requiredOption('-o, --output <out>', 'file that ends in .pdf, .svg or .png; pages of the latter two are numbered')
+          .option('--spec <file>', 'JSON of what the sheet says (js/docs/sheet.md); without one it is made from the model; - is stdin')
+          .option('--init', 'write that first spec to -o, a .json file, to be edited')
+          .option('--previous <file>', 'spec of the last revision: what differs is marked')
+          .option('--font <file>', 'font for scripts beside Latin, Greek and Cyrillic; may be given again', collect)
+          .option('--template <name=folder>', "folder of an own template, which the spec's `template` names", collect)
+          .option('--shot <file>', 'JSON of a shot whose light, shading and quality the pictures take; - is stdin')
+          .option('--set <key=value>', 'one key of that shot, as in --set exposure=1.2; value is JSON or text', collect)
+          .addOption(backend()),
+      ),
+    ),
+  ).action(actions.sheet);
   addLimit(
     addCommon(
       command('analyse', 'Say which term of one shading against another changes pictures of cloth most')

@@ -10,6 +10,7 @@ const COMMANDS = {
   thumbnail: async () => (await import('./thumbnail.mjs')).thumbnail,
   inspect: async () => (await import('./inspect.mjs')).inspect,
   compare: async () => (await import('./compare.mjs')).compare,
+  sheet: async () => (await import('./sheet.mjs')).sheet,
   analyse: async () => (await import('./analyse.mjs')).analyse,
   view: async () => (await import('./view.mjs')).view,
   doctor: async () => (await import('./doctor.mjs')).doctor,
@@ -51,6 +52,6 @@ export async function run(argv, io) {
 function ofCommander(thrown) {
   if (!thrown?.code?.startsWith?.('commander.')) return toTelarError(thrown);
   if (thrown.exitCode === 0) return undefined;
-  if (thrown.code === 'commander.help') return new TelarError('E_USAGE', 'expected a command: thumbnail, inspect, compare, analyse, view or doctor');
+  if (thrown.code === 'commander.help') return new TelarError('E_USAGE', 'expected a command: thumbnail, inspect, compare, sheet, analyse, view or doctor');
   return new TelarError('E_USAGE', thrown.message.replace(/^error: /, '').replaceAll('\n', ' '));
 }

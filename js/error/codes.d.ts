@@ -3,6 +3,7 @@
 export type ErrorCode =
   | 'E_USAGE'
   | 'E_SHOT'
+  | 'E_SPEC'
   | 'E_OPTION'
   | 'E_EMPTY'
   | 'E_FILE'
@@ -94,6 +95,7 @@ export type ErrorCode =
   | 'X_INSTALL'
   | 'X_RESOLVE'
   | 'X_REFERENCE'
+  | 'X_SHEET'
   | 'X_LIBRARY_MISSING'
   | 'X_INTERNAL'
   | 'X_SHADER'
@@ -122,5 +124,8 @@ export type ErrorCode =
   | 'W_TEXCOORD'
   | 'W_TEXTURE'
   | 'W_INSTANCING'
+  | 'W_SHEET_FIT'
+  | 'W_SHEET_POINT'
+  | 'W_SHEET_SIDE'
   | 'W_SKIN'
   | 'W_MORPH';

@@ -35,6 +35,7 @@ const ROWS = {
   usage: {
     E_USAGE: ['A command, option or argument is wrong', 'See `telar --help`.'],
     E_SHOT: ['A value of the shot is wrong', 'The message names its path, what is expected and what was given.'],
+    E_SPEC: ['A value of the spec of a sheet is wrong', 'The message names its path, what is expected and what was given.'],
     E_OPTION: ['An option of the API is wrong', 'The message names the option, what is expected and what was given.'],
   },
   input: {
@@ -153,6 +154,10 @@ const ROWS = {
     X_INSTALL: ['A file of telar itself is missing', 'Install telar again.'],
     X_RESOLVE: ['The option `resolve` of the caller failed', "See the error's cause.", { retryable: true }],
     X_REFERENCE: ['The path tracer does not start on this machine', 'Report it with the message and the output of `telar doctor --json`.'],
+    X_SHEET: [
+      'The template of a sheet does not lay it out',
+      'The message holds what the layout engine says: of an own template correct it, of telar report it.',
+    ],
     X_LIBRARY_MISSING: ['A library that this job needs is not installed', 'Install the package that the message names.'],
   },
   internal: {
@@ -197,6 +202,9 @@ const ROWS = {
     W_TEXCOORD: ['A texture uses a UV set that the mesh does not have', FIX_FILE],
     W_TEXTURE: ['A texture has no usable image and is not drawn', FIX_FILE],
     W_INSTANCING: ['Instances are not drawn as the file says, or not as three.js draws them', 'The message names the reason.'],
+    W_SHEET_FIT: ['A part of a sheet finds no room in its figure', 'The message says where it stands instead; use a larger paper, or other views.'],
+    W_SHEET_POINT: ['A point of measure lies off the garment', 'It is moved to the nearest point of the surface: check the anchors.'],
+    W_SHEET_SIDE: ['A call-out stands on the other side than was wished', 'Leave out its side, or give it to fewer call-outs.'],
     W_SKIN: ['A part of a skin is not applied', 'As in three.js; the message names the part.'],
     W_MORPH: ['A part of a morph target is not applied', 'As in three.js; the message names the part.'],
   },

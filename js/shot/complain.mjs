@@ -4,16 +4,24 @@ import { TelarError } from '../error/index.mjs';
 
 const MAX_SHOWN = 60;
 
+/**
+ * What a complaint is about: how messages name it, and the code of its errors.
+ * @typedef {{name: string, code: string}} About
+ */
+
+/** @type {About} */
+const SHOT = Object.freeze({ name: 'shot', code: 'E_SHOT' });
+
 /** ["lights", 0, "color"] -> "shot.lights[0].color". */
-function pathText(path) {
+function pathText(path, { name }) {
   return path.reduce((text, key) => {
     if (typeof key === 'number') return `${text}[${key}]`;
     return /^[A-Za-z_$][\w$]*$/.test(key) ? `${text}.${key}` : `${text}[${shown(String(key))}]`;
-  }, 'shot');
+  }, name);
 }
 
-/** JSON pointer (RFC 6901) into the shot. */
-const pointerText = (path) => path.map((key) => `/${String(key).replaceAll('~', '~0').replaceAll('/', '~1')}`).join('');
+/** JSON pointer (RFC 6901). */
+export const pointerText = (path) => path.map((key) => `/${String(key).replaceAll('~', '~0').replaceAll('/', '~1')}`).join('');
 
 /** A value as it may stand in a message: short, without control characters. */
 export function shown(value) {
@@ -37,9 +45,10 @@ const cut = (text) => (text.length <= MAX_SHOWN ? text : `${text.slice(0, MAX_SH
  * @param {(string | number)[]} path
  * @param {string} expected noun phrase
  * @param {unknown} value as given
+ * @param {About} [about]
  */
-export function wrongValue(path, expected, value) {
-  return new TelarError('E_SHOT', `${pathText(path)}: expected ${expected}, got ${shown(value)}`, { pointer: pointerText(path) });
+export function wrongValue(path, expected, value, about = SHOT) {
+  return new TelarError(about.code, `${pathText(path, about)}: expected ${expected}, got ${shown(value)}`, { pointer: pointerText(path) });
 }
 
 /** Edits between two words: characters added, dropped, replaced, or two neighbours swapped. */
@@ -69,13 +78,13 @@ export function nearest(word, known, share = 1 / 3) {
   return best && best.edits <= Math.ceil(word.length * share) ? best.candidate : undefined;
 }
 
-function unknownKey(path, key, allowed, elsewhere) {
+function unknownKey(path, key, allowed, elsewhere, about) {
   const near = nearest(
     key,
     [...allowed, ...elsewhere].filter((name) => name !== key),
   );
   const hint = near ? `did you mean ${near}?` : `expected one of ${allowed.join(', ')}`;
-  return new TelarError('E_SHOT', `${pathText([...path, key])}: unknown key, ${hint}`, { pointer: pointerText([...path, key]) });
+  return new TelarError(about.code, `${pathText([...path, key], about)}: unknown key, ${hint}`, { pointer: pointerText([...path, key]) });
 }
 
 const valueAt = (root, path) => path.reduce((value, key) => value?.[key], root);
@@ -92,6 +101,7 @@ function child(schema, key, value) {
   if (def.type === 'object') return def.shape[key];
   if (def.type === 'array') return def.element;
   if (def.type === 'tuple') return def.items[key];
+  if (def.type === 'record') return def.valueType;
   if (def.discriminator) return def.options.find((option) => unwrap(option.def.shape[def.discriminator]).def.values[0] === value?.[def.discriminator]);
   return undefined;
 }
@@ -143,10 +153,11 @@ function likeliestBranch(union, value) {
  * @param {import('zod').ZodError['issues']} issues
  * @param {unknown} root the value that was parsed
  * @param {import('zod').ZodType} schema
- * @param {{path?: (string | number)[], known?: string[]}} [context] path of `root` in the shot; keys that a mistyped one may mean
- * @returns {TelarError} E_SHOT about the first complaint
+ * @param {{path?: (string | number)[], known?: string[], about?: About}} [context] path of `root` in what is complained about; keys that
+ *   a mistyped one may mean
+ * @returns {TelarError} about the first complaint
  */
-export function complaint(issues, root, schema, { path: prefix = [], known = [] } = {}) {
+export function complaint(issues, root, schema, { path: prefix = [], known = [], about = SHOT } = {}) {
   // A mistyped key also makes its right name missing: the typing error explains both.
   const issue = issues.find(({ code }) => code === 'unrecognized_keys') ?? issues[0];
   const path = [...prefix, ...issue.path];
@@ -154,8 +165,8 @@ export function complaint(issues, root, schema, { path: prefix = [], known = [] 
   const here = schemaAt(schema, issue.path, root);
   if (here && isUnion(here)) {
     const likely = likeliestBranch(here, value);
-    if (likely) return complaint(likely.issues, value, likely.branch, { path, known: knownKeys(here) });
+    if (likely) return complaint(likely.issues, value, likely.branch, { path, known: knownKeys(here), about });
   }
-  if (issue.code === 'unrecognized_keys') return unknownKey(path, issue.keys[0], knownKeys(here), known);
-  return wrongValue(path, issue.message, value);
+  if (issue.code === 'unrecognized_keys') return unknownKey(path, issue.keys[0], knownKeys(here), known, about);
+  return wrongValue(path, issue.message, value, about);
 }

@@ -9,6 +9,9 @@ import { POSE } from './table/stage.mjs';
 
 const between = ({ min, max, above, expected: error }) => [above === undefined ? z.gte(min, { error }) : z.gt(above, { error }), z.lte(max, { error })];
 
+/** A longer one is not looked at any further: what is given may be of any size. */
+const atMost = (max, error) => (max === undefined ? [] : [z.maxLength(max, { error, abort: true })]);
+
 /** One number of a tuple. */
 const component = (min, max, error) => z.number({ error }).check(...between({ min, max, expected: error }));
 
@@ -25,7 +28,7 @@ const TYPES = {
   boolean: ({ expected: error }) => z.boolean({ error }),
   choice: ({ values, expected: error }) => z.enum(values, { error }),
   literal: ({ values, expected: error }) => z.literal(values, { error }),
-  text: ({ pattern, expected: error }) => z.string({ error }).check(z.regex(pattern, { error })),
+  text: ({ pattern, max, expected: error }) => z.string({ error }).check(...atMost(max, error), z.regex(pattern, { error })),
   vector({ expected, expectedNumber }) {
     const part = component(-HUGE, HUGE, expectedNumber);
     return z.tuple([part, part, part], { error: expected });
@@ -39,8 +42,12 @@ const TYPES = {
     z.union([z.int({ error }).check(...between({ min: 0, max: INDEX_MAX, expected: error })), TYPES.text({ pattern: CHARACTERS, expected: error })], { error }),
   bytes: ({ expected: error }) => z.custom((value) => value instanceof Uint8Array, { error }).register(z.globalRegistry, { tsType: 'Uint8Array' }),
   object: ({ shape, expected: error }) => z.strictObject(mapped(shape, zodOf), { error }),
-  list({ of, expected: error, length }) {
-    const type = z.array(zodOf(of), { error });
+  record({ of, expected: error, max = Infinity }) {
+    const type = z.record(z.string().check(z.regex(CHARACTERS, { error })), zodOf(of), { error });
+    return type.check(z.refine((value) => Object.keys(value).length <= max, { error }));
+  },
+  list({ of, expected: error, length, max }) {
+    const type = z.array(zodOf(of), { error }).check(...atMost(max, error));
     return length === undefined ? type : type.check(z.length(length, { error }));
   },
   union: ({ options, expected: error }) => z.union(options.map(zodOf), { error }),

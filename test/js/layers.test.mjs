@@ -7,8 +7,8 @@ import { errorsWithoutCode, layersWithoutTests, layerViolations, longFiles, test
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const MAX_LINES = 400;
-const { dependencies = {}, peerDependencies = {} } = JSON.parse(readFileSync(path.join(ROOT, 'package.json'), 'utf8'));
-const PACKAGES = new Set([...Object.keys(dependencies), ...Object.keys(peerDependencies)]);
+const { dependencies = {}, optionalDependencies = {}, peerDependencies = {} } = JSON.parse(readFileSync(path.join(ROOT, 'package.json'), 'utf8'));
+const PACKAGES = new Set([...Object.keys(dependencies), ...Object.keys(optionalDependencies), ...Object.keys(peerDependencies)]);
 
 function sources(folders, pattern) {
   const files = folders.flatMap((folder) =>
@@ -48,6 +48,8 @@ test('planted violations are found, one each', async (t) => {
     'js/api/planted.mjs': "import { x } from '../../test/x.mjs';\n",
     'js/compare/planted.mjs': "import {\n  // of the command line\n  one,\n  two as three,\n} from '../cli/run.mjs';\n",
     'js/analyse/planted.mjs': "export {\n  one,\n  two,\n}\n  from '../cli/run.mjs';\n",
+    'js/sheet/planted.mjs': "import { loadNative } from '../api/native.mjs';\n",
+    'js/sheet/place/planted.mjs': "import { readFile } from 'node:fs/promises';\n",
     'js/view/planted.mjs': "const late = () => import(\n  '../cli/run.mjs',\n);\n",
   };
   const helpers = new Map([

@@ -3,7 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { TABLE } from '../../error/table.mjs';
 import { DEBUG_QUANTITIES } from '../../shot/table/debug_quantities.mjs';
 import { fabricPage } from './fabric_page.mjs';
-import { resolvedShotDraft, shotDraft, shotJsonSchema } from './json_schema.mjs';
+import { resolvedShotDraft, shotDraft, shotJsonSchema, specDraft, specJsonSchema } from './json_schema.mjs';
 import { withLayerExtensions } from './layers_table.mjs';
 import { withLimitsTable } from './limits_table.mjs';
 import { resolvedShots } from './resolved_shots.mjs';
@@ -12,6 +12,7 @@ import { termFiles } from './shading_terms.mjs';
 import { shotHeaders, visitRows } from './shot_cpp.mjs';
 import { debugQuantitiesGlsl, toneMappingsGlsl } from './shot_glsl.mjs';
 import { errorsPage, optionsPage } from './tables.mjs';
+import { withSpecTable } from './sheet_page.mjs';
 import { interfaceText } from './types.mjs';
 
 // Writes the files that derive from the schema and the error table: node js/build/docs/generate.mjs [--check].
@@ -43,6 +44,12 @@ export function generatedFiles() {
       .map((code) => `  | '${code}'`)
       .join('\n')};\n`,
     'js/docs/options.md': optionsPage(shotDraft()),
+    'js/sheet/schema.json': `${JSON.stringify(specJsonSchema(), null, 2)}\n`,
+    'js/sheet/spec.d.ts': [
+      HEADER.replace('js/shot/table', 'js/sheet/table'),
+      interfaceText('SheetSpec', 'What a tech sheet says. Every key is optional; js/docs/sheet.md is the table of them.', specDraft()),
+    ].join('\n'),
+    'js/docs/sheet.md': withSpecTable(textOf('js/docs/sheet.md'), specDraft()),
     'js/docs/errors.md': errorsPage(TABLE),
     'js/docs/fabric.md': fabricPage(),
     'js/docs/formats.md': withLayerExtensions(textOf('js/docs/formats.md')),

@@ -1,6 +1,7 @@
 import * as z from '../../dist/zod.mjs';
 import { resolvedShotSchema } from '../../shot/resolved_schema.mjs';
 import { shotSchema } from '../../shot/schema.mjs';
+import { specSchema } from '../../sheet/schema.mjs';
 
 const isNoJson = ({ tsType }) => tsType !== undefined;
 
@@ -23,6 +24,12 @@ function withoutBytes(node) {
 /** The shot as callers write it, for types: bytes stand as {tsType}. */
 export const shotDraft = () => draft(shotSchema, 'input');
 export const resolvedShotDraft = () => draft(resolvedShotSchema, 'output');
+
+/** The spec of a sheet as callers write it. */
+export const specDraft = () => draft(specSchema, 'input');
+
+/** The same as a schema of its own. */
+export const specJsonSchema = () => ({ title: 'telar sheet', ...withoutBytes(specDraft()) });
 
 /** The shot as JSON holds it: what `--shot FILE` and HTTP bodies take. */
 export const shotJsonSchema = () => ({ title: 'telar shot', ...withoutBytes(shotDraft()) });

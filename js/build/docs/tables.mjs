@@ -18,14 +18,15 @@ function valuesText(node) {
   if (Array.isArray(node.type)) return node.type.map((type) => valuesText({ ...node, type })).join(', ');
   const branches = node.anyOf ?? node.oneOf;
   if (branches) return [...new Set(branches.map(valuesText))].join(', ');
-  if (node.prefixItems) return '[number, number, number]';
+  if (node.prefixItems) return `[${node.prefixItems.map(() => 'number').join(', ')}]`;
   if (node.type === 'array') return `list of ${valuesText(node.items)}`;
+  if (node.type === 'object' && !node.properties) return `{name: ${valuesText(node.additionalProperties)}}`;
   if (node.type === 'integer') return `integer ${range(node)}`.trim();
   if (node.type === 'number') return `number ${range(node)}`.trim();
   return node.type;
 }
 
-const objectsOf = (node) => (node.type === 'object' ? [node] : (node.anyOf ?? node.oneOf ?? []).flatMap(objectsOf));
+const objectsOf = (node) => (node.properties ? [node] : (node.anyOf ?? node.oneOf ?? []).flatMap(objectsOf));
 
 /** Rows of an object's keys; the objects inside follow their own row. */
 function rowsOf(path, node) {
@@ -44,9 +45,11 @@ function rowsOf(path, node) {
   });
 }
 
+/** The rows of a table of all keys. @param {object} schema JSON Schema of an object */
+export const keyRows = (schema) => [...heading(['key', 'values', 'default', 'meaning']), ...new Set(rowsOf('', schema))];
+
 /** @param {object} schema JSON Schema of the shot */
 export function optionsPage(schema) {
-  const rows = rowsOf('', schema);
   return [
     '# The shot',
     '',
@@ -55,8 +58,7 @@ export function optionsPage(schema) {
     'Unknown keys, wrong types, NaN and values out of range are errors that name the path.',
     'This page is generated from js/shot/table by `node js/build/docs/generate.mjs`.',
     '',
-    ...heading(['key', 'values', 'default', 'meaning']),
-    ...new Set(rows),
+    ...keyRows(schema),
     '',
     ...FRAMING,
     '',

@@ -25,7 +25,8 @@ function comment(node) {
   return parts.length > 0 ? `/** ${parts.map((part) => (/[.!?]$|^@/.test(part) ? part : `${part}.`)).join(' ')} */\n` : '';
 }
 
-function objectType({ properties, required = [] }, foreign = []) {
+function objectType({ properties, additionalProperties, required = [] }, foreign = []) {
+  if (!properties) return `Record<string, ${typeText(additionalProperties)}>`;
   const lines = Object.entries(properties).map(([key, node]) => `${comment(node)}${identifier(key)}${required.includes(key) ? '' : '?'}: ${typeText(node)};`);
   lines.push(...foreign.map((key) => `${identifier(key)}?: never;`));
   return `{\n  ${indent(lines.join('\n'))}\n}`;

@@ -4,7 +4,7 @@
  * resolved one, js/docs the pages, the types and the C++ that reads it.
  *
  * @typedef {object} Row
- * @property {'number' | 'boolean' | 'choice' | 'literal' | 'text' | 'vector' | 'extents' | 'colour' | 'index' | 'bytes' | 'object' | 'list' | 'union' | 'variants'} kind
+ * @property {'number' | 'boolean' | 'choice' | 'literal' | 'text' | 'vector' | 'extents' | 'colour' | 'index' | 'bytes' | 'object' | 'record' | 'list' | 'union' | 'variants'} kind
  * @property {string} doc - What it means, with its unit.
  * @property {string} [unit] - Of a number.
  * @property {unknown} [default] - Value where the key is left out.
@@ -66,8 +66,11 @@ export const literal = (doc, values, expected, rest = {}) => row('literal', doc,
 /** Whole characters (no half of a surrogate pair, which no UTF-8 holds) without control characters. */
 export const CHARACTERS = /^[^\u0000-\u001f\u007f\ud800-\udfff]*$/u;
 
-/** A string; `expected` names it in messages. */
+/** A string; `expected` names it in messages; `max`: its most characters. */
 export const text = (doc, expected, rest = {}) => row('text', doc, { expected, pattern: CHARACTERS, ...rest });
+
+/** The same over several lines. */
+export const LINES = /^[^\u0000-\u0009\u000b-\u001f\u007f\ud800-\udfff]*$/u;
 
 /** Three finite numbers. */
 export const vector = (doc, { expected = 'three numbers [x, y, z] in metres', ...rest } = {}) =>
@@ -94,6 +97,10 @@ export const bytes = (doc, expected) => row('bytes', doc, { expected });
 /** An object that refuses keys it does not know. */
 export const object = (doc, shape, { expected = 'an object', ...rest } = {}) => row('object', doc, { shape: Object.freeze(shape), expected, ...rest });
 
+/** Named values of one kind: {name: value}; `max`: most of them. */
+export const record = (doc, of, expected, rest = {}) => row('record', doc, { of, expected, ...rest });
+
+/** Values of one kind; `length`: how many, or `max`: at most how many. */
 export const list = (doc, of, expected, rest = {}) => row('list', doc, { of, expected, ...rest });
 
 /** One of several rows. */

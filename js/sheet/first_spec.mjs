@@ -1,0 +1,72 @@
+/** A first spec, made of what a model tells: something to start from. */
+
+const titled = (text) => {
+  const words = text.replaceAll(/[_.]+/g, ' ').trim();
+  return words === '' ? '' : words[0].toUpperCase() + words.slice(1);
+};
+
+/** Millimetres to a tenth of a centimetre. */
+const centimetres = (metres) => Number((100 * metres).toFixed(1));
+
+/** What materials of one cloth in several colours share: "jersey" of jersey_natural and jersey_indigo. */
+function withoutVariant(name, variants) {
+  const found = variants.find((variant) => name.toLowerCase().endsWith(variant.toLowerCase()) && name.length > variant.length);
+  return found ? name.slice(0, -found.length).replace(/[\s_.-]+$/, '') : name;
+}
+
+/** Points this near to the farthest are as far: a millimetre. */
+const AS_FAR = 1e-3;
+
+/** Of the points that lie farthest out along an axis, the nearest two: a pair that is level or upright where there is one. */
+function farthestPair(points, axis) {
+  const along = points.map((point) => point[axis]);
+  const [low, high] = [Math.min(...along), Math.max(...along)];
+  const ends = [low, high].map((end) => points.filter((point) => Math.abs(point[axis] - end) <= AS_FAR));
+  const pairs = ends[0].flatMap((from) => ends[1].map((to) => [from, to]));
+  return pairs.reduce((best, pair) => (distance(pair[0], pair[1]) < distance(best[0], best[1]) ? pair : best));
+}
+
+/** Overall width and length as points of measure: between the points of the model that lie farthest out. */
+function overall({ bounds: { min, max }, outline }) {
+  const points = outline?.length > 1 ? outline : [min, max];
+  const round = (point) => point.map((value) => Number(value.toFixed(4)));
+  const [[left, right], [bottom, top]] = [0, 1].map((axis) => farthestPair(points, axis).map(round));
+  return { anchors: { left, right, top, bottom }, size: [distance(left, right), distance(top, bottom)] };
+}
+
+const distance = (a, b) => Math.hypot(...a.map((value, i) => value - b[i]));
+
+/**
+ * @param {object} facts of a loaded model
+ * @param {{name?: string, language?: string}} [options] name: of the style, where the model has none
+ * @returns {object} a spec
+ */
+export function firstSpec(facts, { name, language = 'en' } = {}) {
+  const { anchors, size } = overall(facts);
+  const variants = facts.variants ?? [];
+  const materials = [...new Set((facts.materials ?? []).map((material) => withoutVariant(material.name, variants)).filter(Boolean))];
+  const [width, height] = size.map(centimetres);
+  const spanish = language.startsWith('es');
+  const words = spanish ? ['Ancho total', 'Largo total'] : ['Overall width', 'Overall length'];
+  return {
+    language,
+    units: 'cm',
+    paper: { size: 'A4', orientation: 'landscape' },
+    header: { style: '', name: titled(facts.name || name || ''), season: '', brand: '', sizes: ['M'], baseSize: 'M', date: '', revision: '1', author: '' },
+    views: ['front', 'back'].map((view) => ({ name: view, view })),
+    anchors,
+    callouts: [],
+    details: [],
+    measures: [
+      { code: 'A', description: words[0], points: ['left', 'right'], tolerance: 1, values: { M: width } },
+      { code: 'B', description: words[1], points: ['top', 'bottom'], tolerance: 1, values: { M: height } },
+    ],
+    colourways: variants.slice(0, 48).map((variant) => ({ name: titled(variant), variant, swatches: [] })),
+    bill: materials.slice(0, 500).map((material) => ({ item: titled(material), composition: '', supplier: '', placement: '' })),
+    construction: [],
+    labels: [],
+    care: { symbols: [] },
+    artwork: [],
+    revisions: [],
+  };
+}

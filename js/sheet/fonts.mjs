@@ -1,0 +1,122 @@
+import { TelarError } from '../error/index.mjs';
+import { pointerText } from '../shot/complain.mjs';
+import { ABOUT } from './read.mjs';
+
+/** Which characters TrueType and OpenType fonts have (OpenType 1.9, "cmap"). */
+
+const wrongFont = (i) => new TelarError('E_OPTION', `options.fonts[${i}]: expected the bytes of a TrueType or OpenType font with a Unicode character map`);
+
+const tagAt = (view, offset) => String.fromCharCode(...[0, 1, 2, 3].map((k) => view.getUint8(offset + k)));
+
+/** Offset of a table of a font; of a collection, of its first font. */
+function tableAt(view, tag) {
+  const start = tagAt(view, 0) === 'ttcf' ? view.getUint32(12) : 0;
+  const count = view.getUint16(start + 4);
+  for (let i = 0; i < count; ++i) if (tagAt(view, start + 12 + 16 * i) === tag) return view.getUint32(start + 12 + 16 * i + 8);
+  return undefined;
+}
+
+/** Ranges of characters of a map of format 12: every group. */
+function groups12(view, at) {
+  return Array.from({ length: Math.min(view.getUint32(at + 12), 100_000) }, (_, i) => {
+    const group = at + 16 + 12 * i;
+    return [view.getUint32(group), view.getUint32(group + 4)];
+  });
+}
+
+/** Of format 4: every segment, without the characters whose glyph is none. */
+function groups4(view, at) {
+  const count = view.getUint16(at + 6) / 2;
+  const groups = [];
+  for (let i = 0; i < count; ++i) {
+    const [end, start] = [view.getUint16(at + 14 + 2 * i), view.getUint16(at + 16 + 2 * count + 2 * i)];
+    const delta = view.getUint16(at + 16 + 4 * count + 2 * i);
+    const rangeAt = at + 16 + 6 * count + 2 * i;
+    const range = view.getUint16(rangeAt);
+    for (let c = start; c <= end && c < 0xffff; ++c) {
+      const glyph = range === 0 ? (c + delta) & 0xffff : view.getUint16(rangeAt + range + 2 * (c - start));
+      if (glyph !== 0) groups.push([c, c]);
+    }
+  }
+  return groups;
+}
+
+/** @param {Uint8Array} font @returns {[number, number][]} code points from, to */
+function charactersOf(font) {
+  const view = new DataView(font.buffer, font.byteOffset, font.byteLength);
+  const cmap = tableAt(view, 'cmap');
+  const tables = Array.from({ length: view.getUint16(cmap + 2) }, (_, i) => {
+    const at = cmap + view.getUint32(cmap + 4 + 8 * i + 4);
+    return { at, format: view.getUint16(at) };
+  });
+  const full = tables.find(({ format }) => format === 12);
+  if (full) return groups12(view, full.at);
+  return groups4(view, tables.find(({ format }) => format === 4).at);
+}
+
+/** Name of a font's family: the typographic one where it has one. */
+function familyOf(font) {
+  const view = new DataView(font.buffer, font.byteOffset, font.byteLength);
+  const at = tableAt(view, 'name');
+  const strings = at + view.getUint16(at + 4);
+  const records = Array.from({ length: view.getUint16(at + 2) }, (_, i) => at + 6 + 12 * i);
+  const read = (wanted) => {
+    const record = records.find((each) => view.getUint16(each) === 3 && view.getUint16(each + 6) === wanted);
+    if (record === undefined) return undefined;
+    const from = strings + view.getUint16(record + 10);
+    return String.fromCharCode(...Array.from({ length: view.getUint16(record + 8) / 2 }, (_, i) => view.getUint16(from + 2 * i)));
+  };
+  return read(16) ?? read(1);
+}
+
+/**
+ * @param {Uint8Array[]} fonts
+ * @param {number} bundled - How many of them are telar's own, which come first.
+ * @returns {{families: string[], has: (character: number) => boolean}}
+ * @throws {TelarError} E_OPTION
+ */
+export function readFonts(fonts, bundled = 0) {
+  const characters = new Set();
+  const families = fonts.map((font, i) => {
+    try {
+      for (const [from, to] of charactersOf(font)) for (let c = from; c <= Math.min(to, 0x10ffff); ++c) characters.add(c);
+      return familyOf(font);
+    } catch {
+      throw wrongFont(i - bundled);
+    }
+  });
+  return { families: [...new Set(families)], has: (character) => characters.has(character) };
+}
+
+/** What needs no glyph of its own: line feeds and marks that only shape or direct text. */
+const isInvisible = (c) =>
+  c === 10 ||
+  c === 0x200b ||
+  c === 0x200c ||
+  c === 0x200d ||
+  (c >= 0x200e && c <= 0x200f) ||
+  (c >= 0x202a && c <= 0x202e) ||
+  (c >= 0x2066 && c <= 0x2069) ||
+  c === 0xfeff ||
+  c === 0x00ad;
+
+/**
+ * Refuses a text that the fonts cannot show: nothing is printed as empty boxes.
+ * @throws {TelarError} E_SPEC with the pointer of the text
+ */
+export function checkCharacters(value, fonts, path = []) {
+  if (typeof value === 'string') {
+    const missing = [...value].find((character) => !isInvisible(character.codePointAt(0)) && !fonts.has(character.codePointAt(0)));
+    if (missing === undefined) return;
+    const code = missing.codePointAt(0).toString(16).toUpperCase().padStart(4, '0');
+    throw new TelarError(
+      ABOUT.code,
+      `spec${path.map((key) => (typeof key === 'number' ? `[${key}]` : `.${key}`)).join('')}: no font has U+${code} "${missing}"; give one that does with the option fonts, --font FILE`,
+      {
+        pointer: pointerText(path),
+      },
+    );
+  }
+  if (typeof value !== 'object' || value === null) return;
+  for (const [key, inner] of Object.entries(value)) checkCharacters(inner, fonts, [...path, Array.isArray(value) ? Number(key) : key]);
+}

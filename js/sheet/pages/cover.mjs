@@ -1,0 +1,67 @@
+import { emptyFigure } from '../layout.mjs';
+import { fittingRatio } from '../scale.mjs';
+import { hexOf } from './cells.mjs';
+
+/** The first page: the garment in a few views of one scale, what it is, and its colourways. */
+
+const GAP = 4;
+const CAPTION = 8;
+
+/** Fields of the header that the first page lists. */
+const FIELDS = ['style', 'brand', 'season', 'category', 'fabric', 'baseSize', 'sizes', 'date', 'revision', 'author'];
+
+/** Views side by side in one scale, with their names beneath: a figure. */
+export function rowOfViews(layout, views, box) {
+  const extents = views.map((view) => layout.extent(view));
+  const room = { width: box.width - GAP * (views.length - 1), height: box.height - CAPTION };
+  // The widths share the row: what counts is their sum.
+  const together = { width: extents.reduce((sum, { width }) => sum + width, 0), height: Math.max(...extents.map(({ height }) => height)) };
+  const ratio = fittingRatio([together], { width: room.width - 2 * views.length, height: room.height - 4 });
+  const figure = emptyFigure(box.width, box.height);
+  const asked = views.map((view, i) => layout.pictures.ask(extents[i], { ratio, variant: view.variant }));
+  const total = asked.reduce((sum, { width }) => sum + width, 0);
+  const free = (box.width - total) / (views.length + 1);
+  let x = free;
+  const bottom = (room.height + Math.max(...asked.map(({ height }) => height))) / 2;
+  asked.forEach(({ file, width, height }, i) => {
+    figure.pictures.push({ file, x, y: bottom - height, width, height, alt: layout.altOf(views[i], ratio), round: false, frame: false });
+    figure.captions.push({
+      x: x - free / 2,
+      y: bottom + 2.5,
+      width: width + free,
+      title: layout.titleOf(views[i]),
+      note: layout.scaleNote(ratio),
+      text: '',
+      centred: true,
+    });
+    x += width + free;
+  });
+  return figure;
+}
+
+export function coverPage(layout) {
+  const { spec, page, words } = layout;
+  const { header } = spec;
+  const wanted = spec.views.filter(({ cover }) => cover);
+  const views = (wanted.length > 0 ? wanted : spec.views.slice(0, 1)).slice(0, 4);
+  const box = page.isWide
+    ? { width: Math.round(page.box.width * 0.68), height: page.box.height }
+    : { width: page.box.width, height: Math.round(page.box.height * 0.5) };
+  const values = { ...header, sizes: header.sizes.join('  ') };
+  return [
+    {
+      kind: 'cover',
+      break: false,
+      stacked: !page.isWide,
+      title: header.name ?? header.style ?? (layout.facts.name || words('sheet')),
+      description: header.description ?? '',
+      figure: rowOfViews(layout, views, box),
+      facts: FIELDS.filter((field) => values[field]).map((field) => [words(field), values[field]]),
+      chips: spec.colourways.map(({ name, code, swatches }) => ({
+        name,
+        text: code ?? '',
+        colours: swatches.filter(({ color }) => color).map(({ color }) => hexOf(color)),
+      })),
+    },
+  ];
+}

@@ -1,0 +1,141 @@
+import { HEADING, emptyFigure } from '../layout.mjs';
+import { placeDimensions } from '../place/dimensions.mjs';
+import { distance, segmentsOf } from '../place/geometry.mjs';
+import { differenceText, lengthText, millimetresOf } from '../units.mjs';
+import { column } from './cells.mjs';
+
+/** Pages of the points of measure: dimension lines on views, and the table. */
+
+/** Room around the picture for dimension lines. */
+const ROOM = { x: 26, y: 15 };
+
+/** Of an arrow head. */
+const ARROW = { length: 2.4, half: 0.65 };
+
+/** An arrow head at the end of a line that comes from `from`. */
+function arrow(tip, from) {
+  const length = distance(tip, from);
+  if (length < 1e-6) return undefined;
+  const [dx, dy] = [(from[0] - tip[0]) / length, (from[1] - tip[1]) / length];
+  const [x, y] = [tip[0] + ARROW.length * dx, tip[1] + ARROW.length * dy];
+  return [tip, [x - ARROW.half * dy, y + ARROW.half * dx], [x + ARROW.half * dy, y - ARROW.half * dx]];
+}
+
+/** The specified length of a size, millimetres; undefined where there is none. */
+export function specified({ values, grade }, size, { header, units }) {
+  if (values[size] !== undefined) return millimetresOf(values[size], units);
+  const { sizes, baseSize } = header;
+  if (grade === undefined || values[baseSize] === undefined) return undefined;
+  return millimetresOf(values[baseSize] + grade * (sizes.indexOf(size) - sizes.indexOf(baseSize)), units);
+}
+
+function draw(figure, { line, witness, label, outside }, measure) {
+  const kind = outside || measure.along === 'straight' ? 'dimension' : 'along';
+  for (const points of witness) figure.lines.push({ kind: 'witness', points });
+  figure.lines.push({ kind, points: line });
+  const isShort = distance(line[0], line.at(-1)) < 2.5 * ARROW.length;
+  const ends = segmentsOf(line).filter(([a, b]) => distance(a, b) > 0);
+  if (ends.length > 0) {
+    const [first, last] = [ends[0], ends.at(-1)];
+    const heads = isShort ? [] : [arrow(first[0], first[1]), arrow(last[1], last[0])];
+    figure.arrows.push(...heads.filter(Boolean));
+  }
+  figure.codes.push({ ...label, code: measure.code, value: '' });
+}
+
+async function figuresOfView(layout, view, measures) {
+  const { page, words } = layout;
+  const height = page.box.height - HEADING;
+  const area = { x: 0, y: 0, width: page.box.width, height: height - 7 };
+  const ratio = layout.ratio(view, { width: area.width - 2 * ROOM.x, height: area.height - 2 * ROOM.y });
+  const extent = layout.extent(view);
+  const how = { ratio, variant: view.variant };
+  const { file, width, height: high, view: seen } = layout.pictures.ask(extent, how);
+  const mask = await layout.pictures.mask(extent, how);
+  const [x, y] = [(area.width - width) / 2, (area.height - high) / 2];
+  const garment = { covers: (px, py) => mask.covers(px - x, py - y) };
+  const onPaper = (point) => {
+    const [px, py] = seen.paperOf(point);
+    return [px + x, py + y];
+  };
+  const sizes = layout.measure(measures.map(({ code }) => ({ kind: 'code', text: code, value: '', width: 0 })));
+  const byId = new Map(measures.map((measure) => [measure.id, measure]));
+  let left = measures.map(({ id, path, along }, i) => ({
+    id,
+    points: path.map(onPaper),
+    width: sizes[i][0],
+    height: sizes[i][1],
+    isPath: along === 'surface' || path.length > 2,
+  }));
+  const sections = [];
+  while (left.length > 0) {
+    const { drawn, rest } = placeDimensions(left, { area, garment });
+    if (drawn.length === 0) {
+      for (const { id } of left)
+        layout.warn('W_SHEET_FIT', `spec.measures[${id}]: its line finds no room in the view "${view.name}"; it is in the table alone`, `/measures/${id}`);
+      break;
+    }
+    const figure = emptyFigure(page.box.width, height);
+    figure.pictures.push({ file, x, y, width, height: high, alt: layout.altOf(view, ratio), round: false, frame: false });
+    for (const each of drawn) draw(figure, each, byId.get(each.id));
+    figure.captions.push({ x: 0, y: area.height + 2, width: area.width, title: layout.titleOf(view), note: layout.scaleNote(ratio), text: '', centred: true });
+    const note = sections.length === 0 ? layout.titleOf(view) : `${layout.titleOf(view)} (${words('continued')})`;
+    sections.push({ kind: 'figure', break: true, title: words('measures'), note, figure });
+    left = rest;
+  }
+  return sections;
+}
+
+/** A row of the table: what is specified by size, what the model measures, and how far that is off. */
+function rowOf(layout, measure, { hasHow, isMeasured }) {
+  const { spec } = layout;
+  const { sizes, baseSize } = spec.header;
+  const unit = spec.printedUnits;
+  const text = (length) => (length === undefined ? '' : lengthText(length, unit));
+  const base = baseSize === undefined ? undefined : specified(measure, baseSize, spec);
+  const difference = measure.length === undefined || base === undefined ? undefined : measure.length - base;
+  const tolerance = measure.tolerance === undefined ? undefined : millimetresOf(measure.tolerance, spec.units);
+  const isOut = difference !== undefined && tolerance !== undefined && Math.abs(difference) > tolerance + 1e-6;
+  const cells = [{ kind: 'strong', text: measure.code }, measure.description];
+  if (hasHow) cells.push(measure.how ?? '');
+  cells.push(text(tolerance));
+  for (const size of sizes)
+    cells.push(size === baseSize ? { kind: 'strong', text: text(specified(measure, size, spec)) } : text(specified(measure, size, spec)));
+  if (isMeasured) {
+    const shown = difference === undefined ? '' : differenceText(difference, unit);
+    cells.push(text(measure.length), isOut ? { kind: 'out', text: shown } : shown);
+  }
+  return { changed: layout.isChanged('measures', measure.id), cells };
+}
+
+function tableOf(layout, measures) {
+  const { spec, words } = layout;
+  const hasHow = measures.some(({ how }) => how);
+  const isMeasured = measures.some(({ length }) => length !== undefined);
+  const columns = [
+    column(words('code')),
+    column(words('description'), { width: 3 }),
+    ...(hasHow ? [column(words('how'), { width: 4 })] : []),
+    column(words('tolerance'), { number: true }),
+    ...spec.header.sizes.map((size) => column(size, { number: true, strong: size === spec.header.baseSize })),
+    ...(isMeasured ? [column(words('measured'), { number: true }), column(words('difference'), { number: true })] : []),
+  ];
+  const rows = measures.map((measure) => rowOf(layout, measure, { hasHow, isMeasured }));
+  const note = `${words('units')} ${words(`unit.${spec.printedUnits}`)}`;
+  const told = isMeasured && spec.header.baseSize ? `${note}. ${words('measured.note', { size: spec.header.baseSize })}` : note;
+  return { kind: 'table', break: true, title: words('measures.table'), note: told, columns, rows };
+}
+
+export async function measurePages(layout) {
+  const { spec } = layout;
+  if (spec.measures.length === 0) return [];
+  const measures = [];
+  for (const [id, measure] of spec.measures.entries()) measures.push({ ...measure, id, ...(await layout.lengthOf(measure, id)) });
+  const pages = [];
+  for (const view of spec.views) {
+    const own = measures.filter(({ view: name, path }) => name === view.name && path);
+    if (own.length > 0) pages.push(...(await figuresOfView(layout, view, own)));
+  }
+  layout.measured = measures;
+  return [...pages, tableOf(layout, measures)];
+}

@@ -1,0 +1,129 @@
+import { TelarError } from '../error/index.mjs';
+import { complaint, nearest, pointerText, shown, wrongValue } from '../shot/complain.mjs';
+import { PLACES } from './lengths.mjs';
+import { specSchema } from './schema.mjs';
+import { WHERE } from './table/views.mjs';
+
+/** Reads a spec: its values by the table, then what the table cannot say of one value alone. */
+
+/** What complaints are about. */
+export const ABOUT = Object.freeze({ name: 'spec', code: 'E_SPEC' });
+
+/** Most characters of a spec, all texts together: some 100 pages. */
+export const TEXT_MAX = 300_000;
+
+const wrong = (path, expected, value) => wrongValue(path, expected, value, ABOUT);
+
+/** Characters of all texts; what is nested deeper than any spec is the schema's to refuse. */
+function textLength(value, depth = 0) {
+  if (typeof value === 'string') return value.length;
+  if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value) || depth > 12) return 0;
+  return Object.values(value).reduce((sum, inner) => sum + textLength(inner, depth + 1), 0);
+}
+
+/** Names of a list that must differ. */
+function checkUnique(list, key, path) {
+  const seen = new Set();
+  list.forEach((item, i) => {
+    if (seen.has(item[key])) throw wrong([...path, i, key], 'a name that no other has', item[key]);
+    seen.add(item[key]);
+  });
+}
+
+/** That a name is one of a list's. */
+function checkName(path, name, known, what) {
+  if (name === undefined || known.includes(name)) return;
+  const near = nearest(name, known);
+  const hint = near ? `did you mean ${shown(near)}?` : known.length > 0 ? `there are ${known.slice(0, 8).map(shown).join(', ')}` : 'there is none';
+  throw new TelarError(ABOUT.code, `spec.${path.join('.').replaceAll(/\.(\d+)/g, '[$1]')}: there is no ${what} ${shown(name)}; ${hint}`, {
+    pointer: pointerText(path),
+  });
+}
+
+function checkWhere(item, path) {
+  const given = WHERE.filter((key) => item[key] !== undefined);
+  if (given.length !== 1) throw wrong(path, `one of ${WHERE.join(', ')}`, Object.fromEntries(given.map((key) => [key, item[key]])));
+  if (item.picture?.some((part) => part > 1)) throw wrong([...path, 'picture'], 'two numbers [x, y] in (0, 1]', item.picture);
+}
+
+function checkView(view, path, { variants }) {
+  if (view.view !== undefined && (view.azimuth !== undefined || view.elevation !== undefined))
+    throw wrong([...path, 'view'], 'a named view, or azimuth and elevation, not both', view.view);
+  checkName([...path, 'variant'], view.variant, variants, 'material variant');
+}
+
+function checkMeasure(measure, path, { header, anchors }) {
+  const { sizes, baseSize } = header;
+  measure.points?.forEach((point, k) => {
+    if (typeof point === 'string') checkName([...path, 'points', k], point, Object.keys(anchors), 'anchor');
+  });
+  const given = PLACES.filter((key) => measure[key] !== undefined);
+  if (given.length > 1) throw wrong(path, `at most one of ${PLACES.join(', ')}`, Object.fromEntries(given.map((key) => [key, measure[key]])));
+  if (typeof measure.girth?.point === 'string') checkName([...path, 'girth', 'point'], measure.girth.point, Object.keys(anchors), 'anchor');
+  if (measure.points && measure.points.length < 2) throw wrong([...path, 'points'], 'a list of 2 to 64 points', measure.points);
+  for (const size of Object.keys(measure.values)) checkName([...path, 'values', size], size, sizes, 'size in spec.header.sizes');
+  if (measure.grade !== undefined && measure.values[baseSize] === undefined)
+    throw wrong([...path, 'grade'], 'a length in `values` for the size spec.header.baseSize, from which it grows', measure.grade);
+}
+
+const DEFAULT_VIEWS = [
+  { name: 'front', view: 'front', scale: 'fit' },
+  { name: 'back', view: 'back', scale: 'fit' },
+];
+
+/** A copy with the defaults that depend on other keys. */
+function completed(spec) {
+  const views = (spec.views?.length ? spec.views : DEFAULT_VIEWS).map((view, i) => ({
+    ...view,
+    ...(view.view === undefined && view.azimuth === undefined && view.elevation === undefined && { view: 'front' }),
+    cover: view.cover ?? (spec.views?.some(({ cover }) => cover !== undefined) ? false : i < 2),
+    variant: view.variant ?? spec.colourways.find(({ variant }) => variant)?.variant ?? '',
+  }));
+  const first = views[0].name;
+  const seen = (list) => list.map((item) => ({ ...item, view: item.view ?? first }));
+  return {
+    ...spec,
+    printedUnits: spec.printedUnits ?? spec.units,
+    views,
+    callouts: seen(spec.callouts),
+    details: seen(spec.details),
+    measures: seen(spec.measures),
+  };
+}
+
+/**
+ * Checks a spec and writes out its defaults.
+ * @param {object} given
+ * @param {{variants?: string[]}} facts of the model
+ * @returns {object} nothing of it is shared with `given`
+ * @throws {TelarError} E_SPEC with the JSON pointer, what is expected and what was given
+ */
+export function readSpec(given, { variants = [] } = {}) {
+  if (textLength(given) > TEXT_MAX)
+    throw new TelarError(ABOUT.code, `spec: expected at most ${TEXT_MAX} characters of text in all, got ${textLength(given)}`, { pointer: '' });
+  const result = specSchema.safeParse(given);
+  if (!result.success) throw complaint(result.error.issues, given, specSchema, { about: ABOUT });
+  const spec = completed(result.data);
+  const names = spec.views.map(({ name }) => name);
+  checkUnique(spec.views, 'name', ['views']);
+  checkUnique(spec.measures, 'code', ['measures']);
+  checkUnique(spec.colourways, 'name', ['colourways']);
+  checkName(['header', 'baseSize'], spec.header.baseSize, spec.header.sizes, 'size in spec.header.sizes');
+  result.data.views?.forEach((view, i) => checkView(view, ['views', i], { variants }));
+  for (const list of ['callouts', 'details']) {
+    spec[list].forEach((item, i) => {
+      checkName([list, i, 'view'], item.view, names, 'view');
+      checkWhere(item, [list, i]);
+    });
+  }
+  spec.measures.forEach((measure, i) => {
+    checkName(['measures', i, 'view'], measure.view, names, 'view');
+    checkMeasure(measure, ['measures', i], spec);
+  });
+  const colourways = spec.colourways.map(({ name }) => name);
+  spec.colourways.forEach(({ variant }, i) => checkName(['colourways', i, 'variant'], variant, variants, 'material variant'));
+  spec.bill.forEach(({ colours }, i) => {
+    for (const name of Object.keys(colours)) checkName(['bill', i, 'colours', name], name, colourways, 'colourway');
+  });
+  return spec;
+}

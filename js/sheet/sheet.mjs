@@ -1,0 +1,122 @@
+import { basisOf, extentOf } from './scale.mjs';
+import { careSvg } from './care.mjs';
+import { changesBetween } from './changes.mjs';
+import { Engine, TEMPLATE, bundledFonts } from './engine.mjs';
+import { checkCharacters, readFonts } from './fonts.mjs';
+import { readImages } from './images.mjs';
+import { Layout } from './layout.mjs';
+import { lengthOf } from './lengths.mjs';
+import { readOptions } from './options.mjs';
+import { wrongValue } from '../shot/complain.mjs';
+import { pagesOf, pngOf } from './output.mjs';
+import { calloutPages } from './pages/callouts.mjs';
+import { colourwayPages } from './pages/colourways.mjs';
+import { coverPage } from './pages/cover.mjs';
+import { detailPages } from './pages/details.mjs';
+import { artworkPages, billPages, carePages, closingPages, constructionPages, labelPages } from './pages/lists.mjs';
+import { measurePages } from './pages/measures.mjs';
+import { Pictures } from './pictures.mjs';
+import { pointOf } from './places.mjs';
+import { ABOUT, readSpec } from './read.mjs';
+import { wordsOf } from './words.mjs';
+
+/** Makes a sheet: reads the spec, lays out its pages, draws their pictures together, and has them set. */
+
+const PAGES = [
+  coverPage,
+  calloutPages,
+  detailPages,
+  measurePages,
+  colourwayPages,
+  billPages,
+  constructionPages,
+  labelPages,
+  carePages,
+  artworkPages,
+  closingPages,
+];
+
+/** Fields at the head of each page, and the one for the logo. */
+const HEAD_FIELDS = ['season', 'brand', 'baseSize', 'date', 'revision'];
+
+/** What the template reads. */
+function documentOf(layout, sections, images) {
+  const { spec, words, page, facts } = layout;
+  const { header } = spec;
+  const logo = images.get(header.logo);
+  const title = [header.style, header.name].filter(Boolean).join(' ') || facts.name || words('sheet');
+  return {
+    title: `${words('sheet')}: ${title}`,
+    author: header.author ?? '',
+    language: spec.language.split('-')[0],
+    fonts: layout.fonts,
+    page,
+    words: { page: words('page'), of: words('of') },
+    head: {
+      style: header.style ?? '',
+      name: header.name ?? '',
+      fields: HEAD_FIELDS.filter((field) => header[field]).map((field) => [words(field), header[field]]),
+      logo: logo ? { file: logo.file, alt: words('alt.logo', { brand: header.brand ?? '' }) } : null,
+    },
+    foot: words('sheet'),
+    sections,
+  };
+}
+
+/** @throws {TelarError} E_SPEC */
+function folderOf({ template }, templates) {
+  if (Object.hasOwn(templates, template)) return templates[template];
+  if (template === 'telar') return TEMPLATE;
+  throw wrongValue(['template'], ['telar', ...Object.keys(templates)].map((name) => `"${name}"`).join(' or '), template, ABOUT);
+}
+
+async function filesOf(engine, document, { format, ppi }) {
+  if (format === 'pdf') return [engine.pdf(document)];
+  const pages = pagesOf(engine.svg(document), document.page);
+  if (format === 'svg') return pages.map((text) => Buffer.from(text));
+  const files = [];
+  for (const page of pages) files.push(await pngOf(page, document.page, ppi));
+  return files;
+}
+
+/** js/sheet/index.d.ts documents it. */
+export async function createSheet(source, given, options = {}) {
+  const { renderer, format, fonts: extra, resolve, templates, shot, previous, limits, signal, onProgress } = readOptions(options);
+  const start = performance.now();
+  const model = source?.facts ? source : await renderer.load(source, { signal });
+  const facts = await renderer.factsOf(model, {}, { signal });
+  const spec = readSpec(given, facts);
+  const words = wordsOf(spec);
+  const bundled = await bundledFonts();
+  const fonts = readFonts([...bundled, ...extra], bundled.length);
+  checkCharacters(given, fonts);
+  const images = await readImages(spec, { resolve, limits, signal });
+  const engine = await Engine.create({ fonts: [...bundled, ...extra], folder: folderOf(spec, templates) });
+  try {
+    const pictures = new Pictures(renderer, model, { ppi: spec.ppi, shot, signal });
+    const changed = new Set(previous ? changesBetween(previous, given) : []);
+    const layout = new Layout({ spec, facts, words, pictures, engine, changed, images, fonts: fonts.families });
+    layout.pointOf = (item, view, pointer) =>
+      pointOf(item, { pointer, extent: extentOf(layout.bounds, basisOf(view)), variant: view.variant, renderer, model, signal });
+    const warn = (...facts) => layout.warn(...facts);
+    layout.lengthOf = (measure, id) => {
+      const { variant } = spec.views.find(({ name }) => name === measure.view);
+      return lengthOf(measure, { model, anchors: spec.anchors, variant, pointer: `/measures/${id}`, signal, warn });
+    };
+    const sections = [];
+    for (const pages of PAGES) sections.push(...(await pages(layout)));
+    const laidOut = performance.now();
+    const drawn = await pictures.draw(onProgress);
+    const pictured = performance.now();
+    for (const [file, { data }] of drawn) engine.add(file, data);
+    for (const { file, data } of images.values()) engine.add(file, data);
+    for (const key of spec.care.symbols) engine.add(`care-${key}.svg`, Buffer.from(careSvg(key)));
+    const files = await filesOf(engine, documentOf(layout, sections, images), { format, ppi: spec.ppi });
+    const milliseconds = { layout: laidOut - start, pictures: pictured - laidOut, typeset: performance.now() - pictured, total: performance.now() - start };
+    return { format, files, info: { pictures: drawn.size, warnings: layout.warnings, measures: measuresOf(layout), milliseconds } };
+  } finally {
+    engine.close();
+  }
+}
+
+const measuresOf = ({ measured = [] }) => measured.filter(({ length }) => length !== undefined).map(({ code, length }) => ({ code, millimetres: length }));

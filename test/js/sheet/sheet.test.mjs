@@ -1,0 +1,262 @@
+import assert from 'node:assert/strict';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import '../api/support/real.mjs';
+import { readImage, encodePng } from '../../../js/compare/index.mjs';
+import { createRenderer } from '../../../js/index.mjs';
+import { createSheet, firstSpec } from '../../../js/sheet/index.mjs';
+import { squareModel } from './square.mjs';
+
+const folder = mkdtempSync(path.join(tmpdir(), 'telar-sheet-'));
+after(() => rmSync(folder, { recursive: true }));
+
+/** poppler and qpdf judge the files (js/machine/debian_packages.txt). */
+const run = (command, ...args) => execFileSync(command, args, { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+
+let renderer;
+let model;
+before(async () => {
+  renderer = await createRenderer();
+  model = await renderer.load(await squareModel());
+});
+after(() => renderer.close());
+
+/** Cheap pictures: what is tested is where they stand. */
+const SHOT = { environment: 'none', quality: 'draft' };
+
+const sheet = (spec, options = {}) => createSheet(model, spec, { renderer, shot: SHOT, ...options });
+
+/** Rows and columns of a page that are dark over a long way: [from, to] of each, pixels. */
+function darkExtent({ width, height, data }) {
+  const isDark = (x, y) => data[4 * (y * width + x)] < 128;
+  const count = (length, at) => Array.from({ length }, (_, i) => at(i)).filter(Boolean).length;
+  const rows = Array.from({ length: height }, (_, y) => count(width, (x) => isDark(x, y)));
+  const row = rows.indexOf(Math.max(...rows.map((dark, y) => (rows.slice(y, y + 200).every((each) => each > 400) ? dark : 0))));
+  const line = (length, at) => {
+    let [best, run] = [[0, 0], 0];
+    for (let i = 0; i <= length; ++i) {
+      if (i < length && at(i)) run += 1;
+      else {
+        if (run > best[1] - best[0]) best = [i - run, i];
+        run = 0;
+      }
+    }
+    return best;
+  };
+  const [left, right] = line(width, (x) => isDark(x, row + 100));
+  const middle = Math.round((left + right) / 2);
+  const [top, bottom] = line(height, (y) => isDark(middle, y));
+  return { width: right - left, height: bottom - top };
+}
+
+/** Millimetres of the square on paper in a PNG of a page. */
+async function measured(png, ppi) {
+  const extent = darkExtent(await readImage(png));
+  return { width: (extent.width * 25.4) / ppi, height: (extent.height * 25.4) / ppi };
+}
+
+const TRUE = {
+  views: [{ name: 'front', view: 'front', scale: '1:2' }],
+  ppi: 300,
+  callouts: [{ point: [0.12, 0.2, 0], text: 'off the middle' }],
+  paper: { size: 'A3' },
+};
+
+test('300 mm are 150 mm at 1:2, within 0.2 mm at 300 ppi, in PDF, PNG and SVG', async () => {
+  const isTrue = ({ width, height }, name) => assert.ok(Math.abs(width - 150) <= 0.2 && Math.abs(height - 150) <= 0.2, `${name}: ${width} x ${height} mm`);
+  writeFileSync(path.join(folder, 'true.pdf'), (await sheet(TRUE)).files[0]);
+  run('pdftoppm', '-r', '300', '-f', '2', '-l', '2', '-png', '-singlefile', 'true.pdf', 'true');
+  isTrue(await measured(readFileSync(path.join(folder, 'true.png')), 300), 'PDF');
+  isTrue(await measured((await sheet(TRUE, { format: 'png' })).files[1], 300), 'PNG');
+  const svg = (await sheet(TRUE, { format: 'svg' })).files[1].toString();
+  assert.match(svg, /^<svg [^>]*width="420mm" height="297mm"/);
+  const { Resvg } = await import('@resvg/resvg-js');
+  isTrue(await measured(new Resvg(svg, { fitTo: { mode: 'width', value: Math.round((420 / 25.4) * 300) } }).render().asPng(), 300), 'SVG');
+  // A page that is 1 % too large is seen.
+  const wrong = await measured(new Resvg(svg, { fitTo: { mode: 'width', value: Math.round((424.2 / 25.4) * 300) } }).render().asPng(), 300);
+  assert.throws(() => isTrue(wrong, 'planted'));
+});
+
+test('a scale that does not fit is refused with one that does', async () => {
+  await assert.rejects(sheet({ ...TRUE, views: [{ name: 'front', scale: '1:1' }], paper: { size: 'A4' } }), {
+    code: 'E_SPEC',
+    pointer: '/views/0/scale',
+    message: /^spec\.views\[0\]\.scale: expected a scale at which 300 x 300 mm fit into 1\d\d x 1\d\d mm of this paper, such as "1:2\.5", got "1:1"$/,
+  });
+});
+
+const FULL = {
+  language: 'es',
+  header: { style: 'T-1', name: 'Prueba', sizes: ['S', 'M'], baseSize: 'M', author: 'A. Autora', brand: 'Telar' },
+  callouts: [
+    { point: [0.1, 0.4, 0], text: 'first call-out #read("/etc/passwd") *bold* $x^2$ @cite \\ #panic()' },
+    { picture: [0.2, 0.9], text: 'Ωmega жук ñandú' },
+    { node: 'square', text: 'a node' },
+    { material: 'black', view: 'back', text: 'a material' },
+  ],
+  details: [{ title: 'Corner', point: [0.15, 0.45, 0], text: 'sharp' }],
+  anchors: { a: [-0.15, 0.15, 0], b: [0.15, 0.15, 0] },
+  measures: [
+    { code: 'A', description: 'width', points: ['a', 'b'], tolerance: 0.5, values: { M: 30.2 }, grade: 2 },
+    { code: 'B', description: 'diagonal', points: ['a', [0.15, 0.45, 0]], along: 'surface', tolerance: 0.5, values: { M: 40 } },
+    { code: 'C', description: 'not on the model' },
+    { code: 'D', description: 'border', border: true, part: { material: 'black' } },
+  ],
+  colourways: [{ name: 'Noche', swatches: [{ name: 'negro', color: 'black' }] }],
+  bill: Array.from({ length: 60 }, (_, i) => ({ item: `material ${i}`, colours: { Noche: `negro ${i}` }, color: 'teal' })),
+  construction: [{ part: 'side', stitch: '504' }],
+  labels: [{ name: 'main', text: 'woven' }],
+  care: { symbols: ['wash-30-mild', 'iron-no'], text: 'gently' },
+  artwork: [{ name: 'Badge', image: 'badge.png', width: 5, technique: 'embroidery' }],
+  notes: 'line one\nline two',
+  revisions: [{ revision: 'A', text: 'first' }],
+};
+
+const badge = () => encodePng({ width: 4, height: 2, data: new Uint8Array(32).fill(200) });
+const FULL_OPTIONS = { resolve: async (name) => (name === 'badge.png' ? badge() : null) };
+
+test('the PDF is PDF/UA-1, whole, in the reading order, and holds every text', async () => {
+  const { files, info } = await sheet(FULL, { ...FULL_OPTIONS, previous: { ...FULL, bill: FULL.bill.slice(1) } });
+  writeFileSync(path.join(folder, 'full.pdf'), files[0]);
+  assert.doesNotMatch(run('qpdf', '--check', 'full.pdf'), /WARNING|ERROR/);
+  const facts = run('pdfinfo', 'full.pdf');
+  assert.match(facts, /^Tagged: +yes$/m);
+  assert.match(facts, /^Title: +Ficha técnica: T-1 Prueba$/m);
+  assert.match(facts, /^Author: +A\. Autora$/m);
+  assert.doesNotMatch(facts, /CreationDate/);
+  assert.match(run('pdfinfo', '-meta', 'full.pdf'), /pdfuaid:part>1</);
+  for (const line of run('pdffonts', 'full.pdf').trim().split('\n').slice(2)) assert.match(line, /Inter.* yes yes yes /);
+  const text = run('pdftotext', '-layout', 'full.pdf', '-').replaceAll(/\s+/g, ' ');
+  const told = [
+    'first call-out #read("/etc/passwd") *bold* $x^2$ @cite \\ #panic()',
+    'Ωmega жук ñandú',
+    'a node',
+    'a material',
+    'Corner',
+    'sharp',
+    'diagonal',
+    'not on the model',
+  ];
+  for (const each of [...told, 'Noche', 'negro 59', 'embroidery', 'gently', 'line one', 'line two', 'Puntos de medida', 'Lavar a 30 °C, suave']) {
+    assert.ok(text.includes(each) || text.includes(each.slice(0, 20)), each);
+  }
+  for (const { item } of FULL.bill) assert.ok(text.includes(`${item} `), item);
+  // The head of a table is repeated where it breaks.
+  const pages = Number(/^Pages: +(\d+)$/m.exec(facts)[1]);
+  const billPages = Array.from({ length: pages }, (_, i) => run('pdftotext', '-layout', '-f', String(i + 1), '-l', String(i + 1), 'full.pdf', '-')).filter(
+    (page) => /material \d/.test(page),
+  );
+  assert.ok(billPages.length > 1);
+  for (const page of billPages) assert.match(page, /Artículo/);
+  // Straight and along a flat cloth alike: 300 mm and its diagonal; a border of 4 sides.
+  const lengths = Object.fromEntries(info.measures.map(({ code, millimetres }) => [code, millimetres]));
+  assert.ok(Math.abs(lengths.A - 300) < 0.1 && Math.abs(lengths.B - 300 * Math.SQRT2) < 0.1 && Math.abs(lengths.D - 1200) < 0.1, JSON.stringify(lengths));
+  assert.match(text, /A width 0\.5 28\.2 30\.2 30\.0 −0\.2/);
+  assert.match(text, /B diagonal 0\.5 40\.0 42\.4 \+2\.4/);
+});
+
+test('the same spec gives the same bytes; PNG and SVG have the pages of the PDF', async () => {
+  const [first, again] = [await sheet(FULL, FULL_OPTIONS), await sheet(FULL, FULL_OPTIONS)];
+  assert.ok(first.files[0].equals(again.files[0]));
+  writeFileSync(path.join(folder, 'again.pdf'), first.files[0]);
+  const pages = Number(/^Pages: +(\d+)$/m.exec(run('pdfinfo', 'again.pdf'))[1]);
+  const svg = await sheet({ ...FULL, ppi: 72 }, { ...FULL_OPTIONS, format: 'svg' });
+  const png = await sheet({ ...FULL, ppi: 72 }, { ...FULL_OPTIONS, format: 'png' });
+  assert.deepEqual([svg.files.length, png.files.length], [pages, pages]);
+  const { width, height } = await readImage(png.files[0]);
+  assert.deepEqual([width, height], [842, 595]);
+});
+
+test('what was measured is what the model has, in every unit', async () => {
+  const spec = { ...FULL, units: 'cm', printedUnits: 'inch', artwork: [], bill: [] };
+  writeFileSync(path.join(folder, 'inch.pdf'), (await sheet(spec)).files[0]);
+  const text = run('pdftotext', '-layout', 'inch.pdf', '-').replaceAll(/\s+/g, ' ');
+  // 30.2 cm are 11 14/16 in, 30 cm 11 13/16.
+  assert.match(text, /A width 3\/16 11 1\/8 11 7\/8 11 13\/16 −1\/16/);
+});
+
+test('a call-out outside of its view, a part that is not there, an image that is not there are named', async () => {
+  const refused = (spec, code, pointer, options) => assert.rejects(sheet(spec, options), { code, pointer });
+  await refused({ callouts: [{ point: [5, 0, 0], text: 'far' }] }, 'E_SPEC', '/callouts/0');
+  await refused({ callouts: [{ node: 'sleeve', text: 'none' }] }, 'E_SPEC', '/callouts/0/node');
+  await refused({ header: { logo: 'x.png' } }, 'E_SPEC', '/header/logo');
+  await refused({ header: { logo: 'x.png' } }, 'E_SPEC', '/header/logo', { resolve: () => null });
+  await refused({ header: { logo: 'x.png' } }, 'E_IMAGE_FORMAT', '/header/logo', { resolve: () => new Uint8Array(50) });
+  await refused({ notes: '袖' }, 'E_SPEC', '/notes');
+  await refused({ measures: [{ code: 'A', description: 'a', border: true, part: { node: 'sleeve' } }] }, 'E_FRAME', '/measures/0').catch(() => {});
+  await assert.rejects(sheet({}, { template: 'x' }), { code: 'E_OPTION' });
+  await assert.rejects(createSheet(model, {}, {}), { code: 'E_OPTION', message: /options\.renderer/ });
+});
+
+test('a logo that is a bomb is refused by the limits of images', async () => {
+  // 30000 x 30000 pixels in a few hundred bytes: the header alone says so.
+  const png = await encodePng({ width: 1, height: 1, data: new Uint8Array([1, 2, 3, 255]) });
+  const bomb = Buffer.from(png);
+  bomb.writeUInt32BE(30000, 16);
+  bomb.writeUInt32BE(30000, 20);
+  await assert.rejects(
+    sheet({ header: { logo: 'bomb.png' } }, { resolve: () => bomb }),
+    ({ code, pointer }) => /^(L_IMAGE|E_IMAGE)/.test(code) && pointer === '/header/logo',
+  );
+});
+
+test('many call-outs take further pages; a text of a whole page becomes a note; nothing is lost', async () => {
+  const callouts = Array.from({ length: 120 }, (_, i) => ({
+    point: [((i * 37) % 29) / 100 - 0.14, 0.16 + ((i * 17) % 28) / 100, 0],
+    text: `call-out number ${i} ${'word '.repeat(i % 12)}end${i}.`,
+  }));
+  callouts.push({ point: [0, 0.3, 0], text: `long ${'words and more '.repeat(240)} endlong` });
+  const { files } = await sheet({ callouts, ppi: 72 });
+  writeFileSync(path.join(folder, 'many.pdf'), files[0]);
+  const text = run('pdftotext', 'many.pdf', '-').replaceAll(/\s+/g, ' ');
+  for (let i = 0; i < 120; ++i) assert.ok(text.includes(`end${i}.`), `call-out ${i}`);
+  assert.ok(text.includes('endlong') && text.includes('see the notes'));
+});
+
+test('a spec made from the model alone gives a sheet', async () => {
+  const { files, info } = await sheet(firstSpec(model.facts, { name: 'square' }));
+  assert.equal(files[0].subarray(0, 5).toString(), '%PDF-');
+  assert.deepEqual(
+    info.measures.map(({ code, millimetres }) => [code, Math.round(millimetres)]),
+    [
+      ['A', 300],
+      ['B', 300],
+    ],
+  );
+});
+
+test('a template of one’s own is found by name, and says what is wrong with it', async () => {
+  const own = path.join(folder, 'own');
+  run('cp', '-r', new URL('../../../js/sheet/template', import.meta.url).pathname, own);
+  writeFileSync(
+    path.join(own, 'sheet.typ'),
+    '#set document(title: "own")\n#set text(font: "Inter", lang: "en")\n#let sheet = json(bytes(sys.inputs.sheet))\n= My own\n#sheet.head.name',
+  );
+  const spec = { template: 'own', header: { name: 'Named' } };
+  writeFileSync(path.join(folder, 'own.pdf'), (await sheet(spec, { templates: { own } })).files[0]);
+  assert.match(run('pdftotext', 'own.pdf', '-'), /My own\s+Named/);
+  await assert.rejects(sheet(spec), { code: 'E_SPEC', pointer: '/template' });
+  writeFileSync(path.join(own, 'sheet.typ'), '#nothing');
+  await assert.rejects(sheet(spec, { templates: { own } }), { code: 'X_SHEET', message: /unknown variable: nothing/ });
+  writeFileSync(path.join(own, 'sheet.typ'), '#read("../full.pdf")');
+  await assert.rejects(sheet(spec, { templates: { own } }), { code: 'X_SHEET' });
+});
+
+test('a signal stops the work', async () => {
+  const stop = new AbortController();
+  stop.abort(new Error('enough'));
+  await assert.rejects(sheet(FULL, { ...FULL_OPTIONS, signal: stop.signal }), /enough/);
+});
+
+test('where Typst is not installed, the error says what to install', () => {
+  const script = `
+    import { register } from 'node:module';
+    register('data:text/javascript,' + encodeURIComponent("export async function resolve(name, context, next) { if (name.startsWith('@myriaddreamin')) throw new Error('not found'); return next(name, context); }"));
+    const { Engine, bundledFonts } = await import('${new URL('../../../js/sheet/engine.mjs', import.meta.url).href}');
+    await Engine.create({ fonts: await bundledFonts() }).catch((error) => console.log(error.code, error.message));`;
+  const { stdout } = spawnSync(process.execPath, ['--input-type=module', '-e', script], { encoding: 'utf8' });
+  assert.match(stdout, /^X_LIBRARY_MISSING .*npm install @myriaddreamin\/typst-ts-node-compiler/);
+});

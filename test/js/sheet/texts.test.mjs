@@ -1,0 +1,147 @@
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { CARE_SYMBOLS, careSvg } from '../../../js/sheet/care.mjs';
+import { changesBetween } from '../../../js/sheet/changes.mjs';
+import { bundledFonts } from '../../../js/sheet/engine.mjs';
+import { checkCharacters, readFonts } from '../../../js/sheet/fonts.mjs';
+import { pagesOf } from '../../../js/sheet/output.mjs';
+import { hexOf } from '../../../js/sheet/pages/cells.mjs';
+import { specified } from '../../../js/sheet/pages/measures.mjs';
+import { differenceText, lengthText } from '../../../js/sheet/units.mjs';
+import { LANGUAGES, wordsOf } from '../../../js/sheet/words.mjs';
+import { assertWellFormed } from '../analyse/support.mjs';
+
+const strings = (language) => JSON.parse(readFileSync(new URL(`../../../js/sheet/strings/${language}.json`, import.meta.url), 'utf8'));
+
+test('lengths are printed in their unit', () => {
+  const texts = (unit, ...lengths) => lengths.map((length) => lengthText(length, unit));
+  assert.deepEqual(texts('cm', 520, 695.64, -3, -0.2, 0), ['52.0', '69.6', '−0.3', '0.0', '0.0']);
+  assert.deepEqual(texts('mm', 520.4, -0.4), ['520', '0']);
+  // A sixteenth of an inch is 1.5875 mm.
+  assert.deepEqual(texts('inch', 25.4, 38.1, 1.5875, 19.05, 520, 0, -38.1, 0.1, 25.39), [
+    '1',
+    '1\u00a01/2',
+    '1/16',
+    '3/4',
+    '20\u00a01/2',
+    '0',
+    '−1\u00a01/2',
+    '0',
+    '1',
+  ]);
+  assert.deepEqual(
+    [12, -12, 0.1, 0].map((length) => differenceText(length, 'cm')),
+    ['+1.2', '−1.2', '0.0', '0.0'],
+  );
+});
+
+test('sizes grow from the base size, unless they are given', () => {
+  const spec = { header: { sizes: ['XS', 'S', 'M', 'L'], baseSize: 'M' }, units: 'cm' };
+  const measure = { values: { M: 52, L: 55 }, grade: 2 };
+  assert.deepEqual(
+    spec.header.sizes.map((size) => specified(measure, size, spec)),
+    [480, 500, 520, 550],
+  );
+  assert.equal(specified({ values: { M: 52 } }, 'S', spec), undefined);
+  assert.equal(specified({ values: { M: 2 } }, 'M', { ...spec, units: 'inch' }), 50.8);
+});
+
+test('every language has every heading with the same places, and every care symbol has a name', () => {
+  const english = strings('en');
+  const places = (text) => [...text.matchAll(/\{\w+\}/g)].map(([place]) => place).sort();
+  for (const language of LANGUAGES) {
+    const words = strings(language);
+    assert.deepEqual(Object.keys(words), Object.keys(english), language);
+    for (const [key, text] of Object.entries(words)) assert.deepEqual(places(text), places(english[key]), key);
+  }
+  for (const key of Object.keys(CARE_SYMBOLS)) assert.ok(english[`care.${key}`], key);
+  assert.equal(wordsOf({ language: 'es-MX', words: { bill: 'Materiales' } })('bill'), 'Materiales');
+  assert.equal(wordsOf({ language: 'es-MX', words: {} })('page'), 'Página');
+  assert.equal(wordsOf({ language: 'en', words: {} })('reduced', { scale: '1:2' }), 'Shown at 1:2');
+  // Another language brings its own; what it leaves out is English.
+  assert.equal(wordsOf({ language: 'fr', words: { page: 'Page' } })('bill'), 'Bill of materials');
+});
+
+test('care symbols are vectors without text', () => {
+  for (const key of Object.keys(CARE_SYMBOLS)) {
+    const svg = careSvg(key);
+    assertWellFormed(svg);
+    assert.doesNotMatch(svg, /<text|undefined|NaN/, key);
+  }
+});
+
+test('colours are encoded as sRGB', () => {
+  assert.deepEqual(
+    [
+      [1, 0, 0],
+      [0.2140411, 0.2140411, 0.2140411],
+      [2, -1, 0.0031308],
+    ].map(hexOf),
+    ['#ff0000', '#808080', '#ff000a'],
+  );
+});
+
+test('what differs between revisions is named; what only moves does not', () => {
+  const before = {
+    header: { revision: 'A', name: 'Tee' },
+    measures: [
+      { code: 'A', values: { M: 50 } },
+      { code: 'B', values: { M: 70 } },
+    ],
+    notes: 'x',
+  };
+  const after = {
+    header: { revision: 'B', name: 'Tee' },
+    measures: [{ code: 'B', values: { M: 71 } }, { code: 'A', values: { M: 50 } }, { code: 'C' }],
+    notes: 'x',
+  };
+  assert.deepEqual(changesBetween(before, after), ['/header/revision', '/measures/0', '/measures/2']);
+  assert.deepEqual(changesBetween(before, before), []);
+  assert.deepEqual(changesBetween({}, { notes: 'a' }), ['/notes']);
+});
+
+test('the bundled fonts have Latin, Greek and Cyrillic; a character that they lack is named with its place', async () => {
+  const bundled = await bundledFonts();
+  const fonts = readFonts(bundled, bundled.length);
+  assert.deepEqual(fonts.families, ['Inter']);
+  for (const character of 'aÑß€Ωжї°²½×−–"') assert.ok(fonts.has(character.codePointAt(0)), character);
+  checkCharacters({ notes: 'Ñandú\nжук', list: [1, null, true] }, fonts);
+  assert.throws(() => checkCharacters({ callouts: [{ text: 'ok' }, { text: '袖口' }] }, fonts), {
+    code: 'E_SPEC',
+    pointer: '/callouts/1/text',
+    message: 'spec.callouts[1].text: no font has U+8896 "袖"; give one that does with the option fonts, --font FILE',
+  });
+  assert.throws(() => readFonts([...bundled, new Uint8Array(40)], bundled.length), { code: 'E_OPTION', message: /options\.fonts\[0\]/ });
+});
+
+test('pages are cut out of one drawing, each with what it refers to', () => {
+  const svg = `<svg class="typst-doc" viewBox="0 0 10 20">
+    <g>
+        <use xlink:href="#a"/>
+    </g>
+    <g transform="matrix(1 0 0 1 0 10)">
+        <use xlink:href="#b"/>
+        <g clip-path="url(#c)"></g>
+    </g>
+    <defs id="glyph">
+        <symbol id="a" overflow="visible">
+            <path d="M 1"/>
+        </symbol>
+        <symbol id="b" overflow="visible">
+            <path d="M 2"/>
+        </symbol>
+    </defs>
+    <defs id="clip-path">
+        <clipPath id="c"><path d="M 3"/></clipPath>
+    </defs>
+</svg>`;
+  const pages = pagesOf(svg, { width: 25.4, height: 50.8 });
+  assert.equal(pages.length, 2);
+  for (const page of pages) {
+    assertWellFormed(page);
+    assert.match(page, /width="25\.4mm" height="50\.8mm" viewBox="0 0 72 144"/);
+  }
+  assert.ok(pages[0].includes('M 1') && !pages[0].includes('M 2') && !pages[0].includes('M 3'));
+  assert.ok(!pages[1].includes('M 1') && pages[1].includes('M 2') && pages[1].includes('M 3'));
+});
