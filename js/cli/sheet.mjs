@@ -50,6 +50,7 @@ export async function sheet(model, options, context) {
       shot,
       previous,
       limits,
+      timeoutMs,
       resolve: (image) => readBeside(options.spec, image),
       signal: context.signal,
       onProgress: (part) => bar.reach?.(0, part),

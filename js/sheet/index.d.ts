@@ -45,6 +45,11 @@ export interface SheetOptions {
    */
   limits?: Limits;
   /**
+   * Milliseconds that each picture and each measure may take; null = no bound.
+   * @default undefined: of pictures the renderer's, of measures 20000
+   */
+  timeoutMs?: number | null;
+  /**
    * Stops the work. The promise then rejects with the signal's reason.
    * @default undefined
    */

@@ -17,23 +17,23 @@ function askOf({ points, along, closed, girth, border, part, join }, anchors) {
   return border ? { ...common, border } : undefined;
 }
 
-/** The line that shows what was measured. */
-function pathOf(measured) {
-  const { polyline, closed } = measured.loops?.[0] ?? measured;
-  return closed ? [...polyline, polyline[0]] : polyline;
+/** The line that shows what was measured: of a border its longest loop. */
+function pathOf(measured, { closed: isAsked }) {
+  const { polyline, closed = isAsked } = measured.loops?.[0] ?? measured;
+  return { path: polyline, isLoop: closed };
 }
 
 /**
  * @param {object} measure of readSpec
- * @param {{model: object, anchors: object, variant: string, pointer: string, signal?: AbortSignal, warn: (code: string, message: string, pointer: string) => void}} context
- * @returns {Promise<{length?: number, path?: number[][]}>} millimetres, and where it runs, metres; nothing where it is not on the model
+ * @param {{model: object, anchors: object, variant: string, pointer: string, call: {signal?: AbortSignal, timeoutMs?: number | null}, warn: (code: string, message: string, pointer: string) => void}} context
+ * @returns {Promise<{length?: number, path?: number[][], isLoop?: boolean}>} millimetres, and where it runs, metres; nothing where it is not on the model
  * @throws {TelarError} of Model.measure, with the pointer into the spec
  */
-export async function lengthOf(measure, { model, anchors, variant, pointer, signal, warn }) {
+export async function lengthOf(measure, { model, anchors, variant, pointer, call, warn }) {
   const ask = askOf(measure, anchors);
   if (!ask) return {};
   try {
-    const measured = await model.measure({ ...ask, variant, signal });
+    const measured = await model.measure({ ...ask, variant, ...call });
     measured.points?.forEach(({ moved }, i) => {
       if (moved > MOVED)
         warn(
@@ -42,7 +42,7 @@ export async function lengthOf(measure, { model, anchors, variant, pointer, sign
           `${pointer}/points/${i}`,
         );
     });
-    return { length: 1000 * measured.length * measure.times, path: pathOf(measured) };
+    return { length: 1000 * measured.length * measure.times, ...pathOf(measured, measure) };
   } catch (thrown) {
     if (!(thrown instanceof TelarError) || thrown.kind === 'cancelled') throw thrown;
     throw new TelarError(thrown.code, `spec.measures: ${JSON.stringify(measure.code)} cannot be measured: ${thrown.message}`, {

@@ -16,6 +16,7 @@ const KNOWN = {
   shot: ['an object', (value) => isObject(value)],
   previous: ['a spec', (value) => isObject(value)],
   limits: ['an object', (value) => isObject(value)],
+  timeoutMs: ['a number of milliseconds above 0, or null for no bound', (value) => value === null || (Number.isFinite(value) && value > 0)],
   signal: ['an AbortSignal', (value) => value instanceof AbortSignal],
   onProgress: ['a function', (value) => typeof value === 'function'],
 };

@@ -26,7 +26,7 @@ export class Pictures {
   /**
    * @param {object} renderer
    * @param {object} model loaded
-   * @param {{ppi: number, shot: object, signal?: AbortSignal}} options shot: what pictures share: light, shading, quality
+   * @param {{ppi: number, shot: object, call: {signal?: AbortSignal, timeoutMs?: number | null}}} options shot: what pictures share: light, shading, quality
    */
   constructor(renderer, model, options) {
     this.#renderer = renderer;
@@ -70,7 +70,7 @@ export class Pictures {
       background: 'transparent',
       output: { format: 'raw' },
     };
-    const { data, info } = await this.#renderer.render(this.#model, shot, { signal: this.#options.signal });
+    const { data, info } = await this.#renderer.render(this.#model, shot, this.#options.call);
     const perMillimetre = MASK_PPI / 25.4;
     const covers = (x, y) => {
       const [px, py] = [Math.floor(x * perMillimetre), Math.floor(y * perMillimetre)];
@@ -86,7 +86,7 @@ export class Pictures {
    */
   async draw(onProgress) {
     const files = [...this.#asked.keys()];
-    const images = await this.#renderer.renderAll(this.#model, [...this.#asked.values()], { signal: this.#options.signal, onProgress });
+    const images = await this.#renderer.renderAll(this.#model, [...this.#asked.values()], { ...this.#options.call, onProgress });
     return new Map(files.map((file, i) => [file, images[i]]));
   }
 }

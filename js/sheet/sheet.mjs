@@ -81,7 +81,7 @@ async function filesOf(engine, document, { format, ppi }) {
 
 /** js/sheet/index.d.ts documents it. */
 export async function createSheet(source, given, options = {}) {
-  const { renderer, format, fonts: extra, resolve, templates, shot, previous, limits, signal, onProgress } = readOptions(options);
+  const { renderer, format, fonts: extra, resolve, templates, shot, previous, limits, timeoutMs, signal, onProgress } = readOptions(options);
   const start = performance.now();
   const model = source?.facts ? source : await renderer.load(source, { signal });
   const facts = await renderer.factsOf(model, {}, { signal });
@@ -93,7 +93,7 @@ export async function createSheet(source, given, options = {}) {
   const images = await readImages(spec, { resolve, limits, signal });
   const engine = await Engine.create({ fonts: [...bundled, ...extra], folder: folderOf(spec, templates) });
   try {
-    const pictures = new Pictures(renderer, model, { ppi: spec.ppi, shot, signal });
+    const pictures = new Pictures(renderer, model, { ppi: spec.ppi, shot, call: { signal, ...(timeoutMs !== undefined && { timeoutMs }) } });
     const changed = new Set(previous ? changesBetween(previous, given) : []);
     const layout = new Layout({ spec, facts, words, pictures, engine, changed, images, fonts: fonts.families });
     layout.pointOf = (item, view, pointer) =>
@@ -101,7 +101,14 @@ export async function createSheet(source, given, options = {}) {
     const warn = (...facts) => layout.warn(...facts);
     layout.lengthOf = (measure, id) => {
       const { variant } = spec.views.find(({ name }) => name === measure.view);
-      return lengthOf(measure, { model, anchors: spec.anchors, variant, pointer: `/measures/${id}`, signal, warn });
+      return lengthOf(measure, {
+        model,
+        anchors: spec.anchors,
+        variant,
+        pointer: `/measures/${id}`,
+        call: { signal, ...(timeoutMs !== undefined && { timeoutMs }) },
+        warn,
+      });
     };
     const sections = [];
     for (const pages of PAGES) sections.push(...(await pages(layout)));

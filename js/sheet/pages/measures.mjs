@@ -29,8 +29,21 @@ export function specified({ values, grade }, size, { header, units }) {
   return millimetresOf(values[baseSize] + grade * (sizes.indexOf(size) - sizes.indexOf(baseSize)), units);
 }
 
+/** The two points of a loop that a view shows farthest apart, along its longer side: a loop is drawn as the width that it shows. */
+function widthOf(points) {
+  const range = (axis) => [-1, 1].map((sign) => points.reduce((best, point) => (sign * point[axis] > sign * best[axis] ? point : best)));
+  const [level, upright] = [range(0), range(1)];
+  return distance(...level) >= distance(...upright) ? level : upright;
+}
+
+/** What is drawn of a point of measure. */
+function dimensionOf({ id, path, isLoop, along }, onPaper, [width, height]) {
+  const points = path.map(onPaper);
+  return { id, points: isLoop ? widthOf(points) : points, width, height, isPath: !isLoop && (along === 'surface' || path.length > 2) };
+}
+
 function draw(figure, { line, witness, label, outside }, measure) {
-  const kind = outside || measure.along === 'straight' ? 'dimension' : 'along';
+  const kind = outside || line.length === 2 ? 'dimension' : 'along';
   for (const points of witness) figure.lines.push({ kind: 'witness', points });
   figure.lines.push({ kind, points: line });
   const isShort = distance(line[0], line.at(-1)) < 2.5 * ARROW.length;
@@ -60,13 +73,7 @@ async function figuresOfView(layout, view, measures) {
   };
   const sizes = layout.measure(measures.map(({ code }) => ({ kind: 'code', text: code, value: '', width: 0 })));
   const byId = new Map(measures.map((measure) => [measure.id, measure]));
-  let left = measures.map(({ id, path, along }, i) => ({
-    id,
-    points: path.map(onPaper),
-    width: sizes[i][0],
-    height: sizes[i][1],
-    isPath: along === 'surface' || path.length > 2,
-  }));
+  let left = measures.map((measure, i) => dimensionOf(measure, onPaper, sizes[i]));
   const sections = [];
   while (left.length > 0) {
     const { drawn, rest } = placeDimensions(left, { area, garment });
