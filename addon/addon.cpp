@@ -8,6 +8,7 @@
 #include "lobes.h"
 #include "parts.h"
 #include "state.h"
+#include "telar/flat.h"
 #include "telar/load.h"
 #include "telar/measure.h"
 #include "telar/part.h"
@@ -120,6 +121,16 @@ Napi::Value measure(const Napi::CallbackInfo& info) {
   return textOnPool(info.Env(), job, [scene, request, job] { return measureScene(*scene, request, job->cancel); });
 }
 
+/// drawFlat(scene, shot: string, request: string, token) -> Promise<string>
+Napi::Value drawFlat(const Napi::CallbackInfo& info) {
+  auto scene = unwrap<SceneHandle>(info[0]).scene();
+  auto shot = stringFromJs(info[1], "the shot"), request = stringFromJs(info[2], "a request");
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[3]).token);
+  return textOnPool(info.Env(), job, [scene, shot, request, job] {
+    return telar::drawFlat(*scene, parseShot(shot), request, job->cancel);
+  });
+}
+
 /// hashModel(path: string | Bytes, limits, {tolerant?: boolean, parts?: Parts}, token) -> Promise<string>
 Napi::Value hashModel(const Napi::CallbackInfo& info) {
   const Limits limits = limitsFromJs(info[1]);
@@ -216,6 +227,7 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["pose"] = Napi::Function::New(env, pose, "pose");
   exports["measurePart"] = Napi::Function::New(env, measurePart, "measurePart");
   exports["measure"] = Napi::Function::New(env, measure, "measure");
+  exports["drawFlat"] = Napi::Function::New(env, drawFlat, "drawFlat");
   exports["hashModel"] = Napi::Function::New(env, hashModel, "hashModel");
   exports["hashFile"] = Napi::Function::New(env, hashFile, "hashFile");
   exports["plan"] = Napi::Function::New(env, plan, "plan");

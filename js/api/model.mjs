@@ -25,6 +25,12 @@ export class Model {
     return measureModel(this, options);
   }
 
+  /** Documented in js/index.d.ts. */
+  async flat(shot = {}, options = {}) {
+    const { flatOf } = await import('./flat.mjs');
+    return flatOf(this, shot, options);
+  }
+
   /** @internal */
   static sceneOf(model) {
     return model.#scene;

@@ -110,13 +110,7 @@ class Builder {
       }
       if (node.mesh >= 0) found |= place(static_cast<int>(i), within[i]);
     }
-    if (!found) throw Error("E_MEASURE", "the model draws no such part: " + nameOf(*options_.part)).at("/part");
-  }
-
-  static std::string nameOf(const PartQuery& part) {
-    const std::string kind = part.kind == PartQuery::Kind::kNode ? "node " : "material ";
-    if (const int* index = std::get_if<int>(&part.which)) return kind + std::to_string(*index);
-    return kind + telar::quoted(std::get<std::string>(part.which));
+    if (!found) throw noSuchPart(*options_.part).at("/part");
   }
 
   /// @return whether any of it is of the part
@@ -205,6 +199,24 @@ class Builder {
 };
 
 }  // namespace
+
+bool isOfPart(const Scene& scene, const Source& source, const PartQuery& part) {
+  if (part.kind == PartQuery::Kind::kMaterial) {
+    return source.material >= 0 && isMeant(part, source.material, scene.materials[static_cast<std::size_t>(source.material)].name);
+  }
+  for (int i = source.node; i >= 0; i = scene.nodes[static_cast<std::size_t>(i)].parent) {
+    const Node& node = scene.nodes[static_cast<std::size_t>(i)];
+    if (isMeant(part, node.file.node, node.name)) return true;
+  }
+  return false;
+}
+
+Error noSuchPart(const PartQuery& part) {
+  const std::string kind = part.kind == PartQuery::Kind::kNode ? "node " : "material ";
+  const int* index = std::get_if<int>(&part.which);
+  const std::string name = index ? std::to_string(*index) : telar::quoted(std::get<std::string>(part.which));
+  return {"E_MEASURE", "the model draws no such part: " + kind + name};
+}
 
 Surface buildSurface(const Scene& scene, const SurfaceOptions& options, const CancelToken& cancel) {
   return Builder(scene, options, cancel).build();

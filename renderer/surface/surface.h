@@ -78,6 +78,11 @@ struct SurfaceOptions {
 /// @throws Error{E_MEASURE (no such part), L_TRIANGLES, X_CANCELLED}
 Surface buildSurface(const Scene& scene, const SurfaceOptions& options, const CancelToken& cancel);
 
+/// Whether it is of the part: its node or one above it, or its material.
+bool isOfPart(const Scene& scene, const Source& source, const PartQuery& part);
+
+Error noSuchPart(const PartQuery& part);
+
 /// Fills edges, edgeFaces, pointFirst and pointFaces from the faces' points.
 void connect(Surface& surface, const CancelToken& cancel);
 

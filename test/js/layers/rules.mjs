@@ -28,6 +28,7 @@ const CPP_LAYERS = {
   'renderer/frame': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/shader'],
   'renderer/surface': ['renderer/include', 'renderer/core'],
   'renderer/measure': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/surface'],
+  'renderer/flat': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/surface'],
   'renderer/pass': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/gl', 'renderer/shader', 'renderer/ibl', 'renderer/frame'],
   'renderer/reference/plugin.h': ['renderer/include'],
   // trace/ opens the library of reference/ at run time, and links nothing of it.

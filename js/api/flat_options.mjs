@@ -1,0 +1,56 @@
+import { partOption } from './measure_options.mjs';
+import { checkObject, checkSignal, loading, STRICT, wrongOption } from './options.mjs';
+
+const KEYS = ['part', 'join', 'scale', 'creaseAngle', 'foldDepth', 'foldLength', 'tolerance', 'stitched', 'weights', 'color', 'signal', 'timeoutMs'];
+
+/** Line weights in millimetres, after ISO 128-2:2020: 0.7, 0.5, 0.35, 0.25 are neighbours in its series. */
+export const WEIGHTS = Object.freeze({ silhouette: 0.7, contour: 0.5, seam: 0.35, stitch: 0.25, crease: 0.25 });
+
+function number(name, value, min, max, what) {
+  if (typeof value === 'number' && value >= min && value <= max) return value;
+  throw wrongOption(name, `${what} from ${min} to ${max}`, value);
+}
+
+function weightsOf(weights) {
+  checkObject('options.weights', weights, Object.keys(WEIGHTS));
+  const given = Object.entries(weights).filter(([, weight]) => weight !== undefined);
+  for (const [kind, weight] of given) number(`options.weights.${kind}`, weight, 0, 10, 'millimetres');
+  return { ...WEIGHTS, ...Object.fromEntries(given) };
+}
+
+function stitchedOf(stitched) {
+  if (!Array.isArray(stitched)) throw wrongOption('options.stitched', 'a list of {node} or {material}', stitched);
+  return stitched.map((part, i) => {
+    if (part === null || part === undefined) throw wrongOption(`options.stitched[${i}]`, '{node} or {material}, by name or index', part);
+    return partOption(`options.stitched[${i}]`, part);
+  });
+}
+
+/** A colour of SVG that needs no escape. */
+const COLOR = /^(#[0-9a-fA-F]{3,8}|[a-zA-Z]{3,20})$/;
+
+/**
+ * Options of Model.flat() with every default written out.
+ * @param {object} options see js/index.d.ts
+ * @throws {import('../error/index.mjs').TelarError} E_OPTION
+ */
+export function flatOptions(options) {
+  checkObject('options', options, KEYS);
+  const { part, join = 0, scale, creaseAngle = 60, foldDepth = 0.008, foldLength = 0.02, tolerance = 0.3, stitched = [], weights = {}, color = 'black' } = options;
+  if (scale !== undefined) number('options.scale', scale, 1e-3, 1e4, 'n of the scale 1:n,');
+  if (typeof color !== 'string' || !COLOR.test(color)) throw wrongOption('options.color', 'a CSS name or #rrggbb', color);
+  return {
+    request: {
+      part: partOption('options.part', part),
+      join: number('options.join', join, 0, 1, 'metres'),
+      creaseAngle: number('options.creaseAngle', creaseAngle, 1, 180, 'degrees'),
+      foldDepth: number('options.foldDepth', foldDepth, 0, 1e3, 'metres'),
+      foldLength: number('options.foldLength', foldLength, 0, 1, 'part of the height of the picture'),
+      tolerance: number('options.tolerance', tolerance, 0, 10, 'pixels'),
+      stitched: stitchedOf(stitched),
+    },
+    style: { scale, weights: weightsOf(weights), color },
+    signal: checkSignal(options.signal),
+    timeoutMs: loading({ timeoutMs: options.timeoutMs }, STRICT).timeoutMs,
+  };
+}

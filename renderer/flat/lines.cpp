@@ -1,0 +1,203 @@
+#include "flat/lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace telar::flat {
+namespace {
+
+/// Pixels over which ends are joined.
+constexpr double GAP = 3;
+/// Cosine of the angle by which a joined stroke may bend there.
+constexpr double GOES_ON = 0.5;
+/// Pixels within which a line is a double of another: the pen is as wide.
+constexpr double DOUBLE = 1.5;
+constexpr std::size_t STROKES_PER_CANCEL_CHECK = 256;
+
+std::uint64_t cellOf(const glm::dvec2& p, double size, int dx = 0, int dy = 0) {
+  const auto x = static_cast<std::int64_t>(std::floor(p.x / size)) + dx, y = static_cast<std::int64_t>(std::floor(p.y / size)) + dy;
+  return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xffffffffu);
+}
+
+/// Points by place.
+template <class Value>
+class PlaceMap {
+ public:
+  explicit PlaceMap(double size) : size_(size) {}
+  void add(const glm::dvec2& p, const Value& value) { cells_[cellOf(p, size_)].push_back({p, value}); }
+  /// Those within the size of p.
+  template <class Visit>
+  void near(const glm::dvec2& p, const Visit& visit) const {
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const auto cell = cells_.find(cellOf(p, size_, dx, dy));
+        if (cell == cells_.end()) continue;
+        for (const auto& [q, value] : cell->second) {
+          if (glm::distance(p, q) <= size_) visit(q, value);
+        }
+      }
+    }
+  }
+
+ private:
+  double size_;
+  std::unordered_map<std::uint64_t, std::vector<std::pair<glm::dvec2, Value>>> cells_;
+};
+
+/// Direction in which a stroke leaves at its end, over some pixels: single pieces may be crooked.
+glm::dvec2 leaving(const std::vector<glm::dvec2>& points) {
+  constexpr double LOOK_BACK = 4;
+  std::size_t i = points.size() - 1;
+  while (i > 0 && glm::distance(points[i], points.back()) < LOOK_BACK) --i;
+  const glm::dvec2 direction = points.back() - points[i];
+  const double length = glm::length(direction);
+  return length > 0 ? direction / length : glm::dvec2(0);
+}
+
+struct End {
+  std::size_t stroke;
+  bool front;
+};
+
+/// The other stroke's end that goes on from this one's back.
+std::optional<End> continuation(const std::vector<Stroke>& strokes, const PlaceMap<End>& ends, std::size_t self) {
+  const Stroke& stroke = strokes[self];
+  const glm::dvec2 direction = leaving(stroke.points);
+  std::optional<End> best;
+  double least = std::numeric_limits<double>::infinity();
+  ends.near(stroke.points.back(), [&](const glm::dvec2& p, const End& end) {
+    const Stroke& other = strokes[end.stroke];
+    if (end.stroke == self || other.closed || other.points.empty() || other.kind != stroke.kind) return;
+    if (p != (end.front ? other.points.front() : other.points.back())) return;  // joined meanwhile
+    std::vector<glm::dvec2> points = other.points;
+    if (end.front) std::reverse(points.begin(), points.end());
+    const double bend = glm::dot(direction, -leaving(points)), distance = glm::distance(p, stroke.points.back());
+    if (bend < GOES_ON || distance >= least) return;
+    least = distance;
+    best = end;
+  });
+  return best;
+}
+
+double distanceToSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
+  const double length2 = glm::dot(b - a, b - a);
+  const double part = length2 > 0 ? std::clamp(glm::dot(p - a, b - a) / length2, 0.0, 1.0) : 0.0;
+  return glm::distance(p, glm::mix(a, b, part));
+}
+
+}  // namespace
+
+double lengthOf(const std::vector<glm::dvec2>& points) {
+  double sum = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += glm::distance(points[i - 1], points[i]);
+  return sum;
+}
+
+void closeGaps(std::vector<Stroke>& strokes) {
+  PlaceMap<End> ends(GAP);
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    ends.add(strokes[i].points.front(), {i, true});
+    ends.add(strokes[i].points.back(), {i, false});
+  }
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    Stroke& stroke = strokes[i];
+    for (int side = 0; side < 2 && !stroke.points.empty(); ++side) {
+      while (const auto next = continuation(strokes, ends, i)) {
+        std::vector<glm::dvec2>& points = strokes[next->stroke].points;
+        if (!next->front) std::reverse(points.begin(), points.end());
+        stroke.points.insert(stroke.points.end(), points.begin(), points.end());
+        points.clear();
+        ends.add(stroke.points.back(), {i, false});
+      }
+      std::reverse(stroke.points.begin(), stroke.points.end());
+      ends.add(stroke.points.back(), {i, false});
+      ends.add(stroke.points.front(), {i, true});
+    }
+    if (stroke.points.size() > 3 && glm::distance(stroke.points.front(), stroke.points.back()) <= GAP && lengthOf(stroke.points) > 4 * GAP) {
+      stroke.closed = true;
+      if (stroke.points.front() == stroke.points.back()) stroke.points.pop_back();
+    }
+  }
+  std::erase_if(strokes, [](const Stroke& stroke) { return stroke.points.size() < 2; });
+}
+
+std::vector<Stroke> withoutDoubles(std::vector<Stroke> strokes, const CancelToken& cancel) {
+  std::stable_sort(strokes.begin(), strokes.end(), [](const Stroke& p, const Stroke& q) {
+    return p.kind != q.kind ? p.kind < q.kind : lengthOf(p.points) > lengthOf(q.points);
+  });
+  constexpr double STEP = 0.75;  // pixels
+  PlaceMap<char> drawn(DOUBLE);
+  std::vector<Stroke> out;
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    if (i % STROKES_PER_CANCEL_CHECK == 0) cancel.check();
+    const Stroke& stroke = strokes[i];
+    std::vector<glm::dvec2> dense{stroke.points.front()};
+    const std::size_t count = stroke.points.size();
+    for (std::size_t k = 1; k < count + (stroke.closed ? 1 : 0); ++k) {
+      const glm::dvec2 a = stroke.points[k - 1], b = stroke.points[k % count];
+      const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(a, b) / STEP)));
+      for (int s = 1; s <= steps; ++s) dense.push_back(glm::mix(a, b, double{1} * s / steps));
+    }
+    Stroke piece{stroke.kind, stroke.closed, {}};
+    const auto end = [&] {
+      if (piece.points.size() > 1) out.push_back(piece);
+      piece.points.clear();
+    };
+    for (const glm::dvec2& p : dense) {
+      bool isDouble = false;
+      drawn.near(p, [&](const glm::dvec2&, char) { isDouble = true; });
+      if (!isDouble) {
+        piece.points.push_back(p);
+        continue;
+      }
+      // The line goes on to the one that it meets, so that no gap is seen between them.
+      if (!piece.points.empty()) piece.points.push_back(p);
+      piece.closed = false;
+      end();
+    }
+    end();
+    for (const glm::dvec2& p : dense) drawn.add(p, 1);
+  }
+  return out;
+}
+
+std::vector<glm::dvec2> simplified(const std::vector<glm::dvec2>& points, double tolerance, bool closed) {
+  std::vector<glm::dvec2> line = points;
+  if (closed) line.push_back(points.front());
+  std::vector<char> kept(line.size());
+  std::vector<std::pair<std::size_t, std::size_t>> spans;
+  const auto keep = [&](std::size_t i) { kept[i] = 1; };
+  keep(0), keep(line.size() - 1);
+  if (closed) {
+    std::size_t farthest = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (glm::distance(line[i], line[0]) > glm::distance(line[farthest], line[0])) farthest = i;
+    }
+    keep(farthest);
+    spans = {{0, farthest}, {farthest, line.size() - 1}};
+  } else {
+    spans = {{0, line.size() - 1}};
+  }
+  while (!spans.empty()) {
+    const auto [from, to] = spans.back();
+    spans.pop_back();
+    std::size_t farthest = from;
+    double most = tolerance;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double distance = distanceToSegment(line[i], line[from], line[to]);
+      if (distance > most) most = distance, farthest = i;
+    }
+    if (farthest == from) continue;
+    keep(farthest);
+    spans.emplace_back(from, farthest);
+    spans.emplace_back(farthest, to);
+  }
+  std::vector<glm::dvec2> out;
+  for (std::size_t i = 0; i + (closed ? 1 : 0) < line.size(); ++i) {
+    if (kept[i]) out.push_back(line[i]);
+  }
+  return out;
+}
+
+}  // namespace telar::flat

@@ -1,0 +1,52 @@
+#pragma once
+#include <vector>
+
+#include "surface/surface.h"
+#include "telar/shot.h"
+
+namespace telar::flat {
+
+/// A surface as one camera sees it: pixels, y down, and what is in front of any place. All lines of sight are parallel
+/// in pixels, so a grid over the picture finds the triangles at a place, and no hierarchy is needed.
+class View {
+ public:
+  /// @param surface  outlives it
+  /// @throws Error{X_CANCELLED}
+  View(const surface::Surface& surface, const Shot& shot, const CancelToken& cancel);
+
+  /// Pixels from the top left corner, and the depth 0..1 that is linear in them.
+  const glm::dvec3& point(std::uint32_t i) const { return points_[i]; }
+  glm::dvec3 project(const glm::dvec3& world) const;
+  /// Whether the camera sees it undistorted: beyond the near plane.
+  bool isSeen(std::uint32_t i) const { return seen_[i] != 0; }
+  /// Metres along the line of sight.
+  double metres(double depth) const;
+
+  struct Hit {
+    double depth = 0;
+    std::uint32_t face = surface::NONE;  ///< NONE = background
+  };
+  /// The nearest triangle at a place.
+  Hit nearest(const glm::dvec2& place) const;
+  /// Whether a triangle that is none of `own` lies in front of `depth` (metres) there.
+  bool isHidden(const glm::dvec2& place, double metresThere, std::span<const std::uint32_t> own) const;
+
+ private:
+  template <class Visit>
+  void visit(const glm::dvec2& place, const Visit& visit) const;
+  bool cellsOf(std::uint32_t face, glm::ivec2& low, glm::ivec2& high) const;
+  void buildGrid(const CancelToken& cancel);
+
+  const surface::Surface& surface_;
+  glm::dmat4 toPixel_{1};
+  bool orthographic_;
+  double near_, far_;
+  glm::ivec2 size_;
+  std::vector<glm::dvec3> points_;
+  std::vector<char> seen_;
+  double cell_ = 4;  ///< pixels
+  glm::ivec2 cells_{0};
+  std::vector<std::uint32_t> first_, faces_;
+};
+
+}  // namespace telar::flat
