@@ -23,7 +23,20 @@ constexpr double BESIDE = 0.6;
 /// their corners. Half a millimetre on a garment of a metre.
 constexpr double LAYER_OF_EXTENT = 5e-4;
 
+/// Part of the extent within which sewn parts run into one another: there neither's border is seen, but the line where
+/// one goes into the other. Two millimetres on a garment of a metre, and three across the surface.
+constexpr double SEWN_OF_EXTENT = 2e-3, SEWN_ACROSS_OF_EXTENT = 3e-3;
+
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+/// Pixels by which pieces that go on into one another may lie apart.
+constexpr double BEND = 3;
+
+/// What is drawn at a place of an edge.
+struct Mark {
+  Kind kind;
+  double offset = 0;  ///< pixels across the edge
+};
 
 /// What an edge is by itself, whatever lies around it.
 struct Feature {
@@ -37,7 +50,8 @@ class Pieces {
  public:
   Pieces(const Surface& surface, const View& view, const FlatOptions& options)
       : surface_(surface), view_(view), options_(options), creaseCosine_(std::cos(options.creaseAngle * std::numbers::pi / 180)) {
-    layer_ = LAYER_OF_EXTENT * glm::distance(surface.bounds.min, surface.bounds.max);
+    const double extent = glm::distance(surface.bounds.min, surface.bounds.max);
+    layer_ = LAYER_OF_EXTENT * extent, sewn_ = SEWN_OF_EXTENT * extent, across_ = SEWN_ACROSS_OF_EXTENT * extent;
     nextNode_ = static_cast<std::uint32_t>(surface.points.size());
   }
 
@@ -104,10 +118,12 @@ class Pieces {
 
   void addEdge(const Edge& edge, const Feature& feature) {
     const glm::dvec3 &a = view_.point(edge.a), &b = view_.point(edge.b);
-    const bool stitched = isStitched(edge);
-    addSegment(a, b, edge.a, edge.b, [&](const glm::dvec3& p, const glm::dvec2& normal) -> std::optional<Kind> {
-      if (view_.isHidden(glm::dvec2(p), view_.metres(p.z) - layer_, surface_.facesOf(edge))) return std::nullopt;
-      return kindAt(p, normal, feature, stitched);
+    const auto own = surface_.facesOf(edge);
+    addSegment(a, b, edge.a, edge.b, [&](const glm::dvec3& p, const glm::dvec2& normal) -> std::optional<Mark> {
+      const double metres = view_.metres(p.z);
+      if (!view_.isHidden(glm::dvec2(p), metres - layer_, own)) return markAt(p, normal, feature);
+      if (feature.border && !view_.isHidden(glm::dvec2(p), metres - sewn_, own)) return sewnAt(p, normal, metres);
+      return std::nullopt;
     });
   }
 
@@ -116,62 +132,88 @@ class Pieces {
       const glm::dvec3 a = view_.project(line.points[i - 1]), b = view_.project(line.points[i]);
       const std::uint32_t from = i == 1 ? nextNode_++ : lastNode_;
       lastNode_ = nextNode_++;
-      addSegment(a, b, from, lastNode_, [&](const glm::dvec3& p, const glm::dvec2&) -> std::optional<Kind> {
+      addSegment(a, b, from, lastNode_, [&](const glm::dvec3& p, const glm::dvec2&) -> std::optional<Mark> {
         if (view_.isHidden(glm::dvec2(p), view_.metres(p.z) - layer_, {})) return std::nullopt;
-        return Kind::kStitch;
+        return Mark{Kind::kStitch};
       });
     }
   }
 
-  bool isStitched(const Edge& edge) const {
-    if (options_.stitched.empty()) return false;
-    for (const std::uint32_t f : surface_.facesOf(edge)) {
-      if (options_.stitched[surface_.faces[f].source]) return true;
-    }
-    return false;
+  Kind seamBetween(const View::Hit& left, const View::Hit& right) const {
+    const auto isStitched = [this](const View::Hit& hit) {
+      return hit.face != surface::NONE && !options_.stitched.empty() && options_.stitched[surface_.faces[hit.face].source];
+    };
+    return isStitched(left) || isStitched(right) ? Kind::kStitch : Kind::kSeam;
   }
 
   /// What a visible edge is there, by what lies on its two sides; none = a fold that is not drawn.
-  std::optional<Kind> kindAt(const glm::dvec3& p, const glm::dvec2& normal, const Feature& feature, bool stitched) const {
+  std::optional<Mark> markAt(const glm::dvec3& p, const glm::dvec2& normal, const Feature& feature) const {
     const View::Hit left = view_.nearest(glm::dvec2(p) + BESIDE * normal), right = view_.nearest(glm::dvec2(p) - BESIDE * normal);
     const bool outside = left.face == surface::NONE || right.face == surface::NONE;
-    if (outside && (feature.turns || feature.border)) return Kind::kSilhouette;
-    if (!outside && (feature.turns || feature.border)) {
-      const double jump = std::abs(view_.metres(left.depth) - view_.metres(right.depth));
-      if (jump > options_.foldDepth) return Kind::kContour;
+    if (feature.turns || feature.border) {
+      if (outside) return Mark{Kind::kSilhouette};
+      if (jump(left, right) > options_.foldDepth) return Mark{Kind::kContour};
     }
-    if (feature.border) return stitched ? Kind::kStitch : Kind::kSeam;
-    if (feature.crease) return Kind::kCrease;
+    if (feature.border) return Mark{seamBetween(left, right)};
+    if (feature.crease) return Mark{Kind::kCrease};
     return std::nullopt;
   }
 
-  template <class KindAt>
-  void addSegment(const glm::dvec3& a, const glm::dvec3& b, std::uint32_t from, std::uint32_t to, const KindAt& kindAt) {
+  double jump(const View::Hit& left, const View::Hit& right) const { return std::abs(view_.metres(left.depth) - view_.metres(right.depth)); }
+
+  /// Where, across a border just below another surface, one part goes into the other.
+  std::optional<Mark> sewnAt(const glm::dvec3& p, const glm::dvec2& normal, double metres) const {
+    const int reach = static_cast<int>(std::min(32.0, std::ceil(across_ * view_.pixelsPerMetre(metres) / BESIDE)));
+    const auto hitAt = [&](int i) { return view_.nearest(glm::dvec2(p) + i * BESIDE * normal); };
+    for (int i = 0; i < reach; ++i) {
+      for (const int k : {i, -i - 1}) {
+        const View::Hit left = hitAt(k), right = hitAt(k + 1);
+        if (differ(left, right) && jump(left, right) <= options_.foldDepth) return Mark{seamBetween(left, right), (k + 0.5) * BESIDE};
+      }
+    }
+    return std::nullopt;
+  }
+
+  bool differ(const View::Hit& left, const View::Hit& right) const {
+    if (left.face == surface::NONE || right.face == surface::NONE) return false;
+    const surface::Source &p = surface_.sources[surface_.faces[left.face].source], &q = surface_.sources[surface_.faces[right.face].source];
+    return p.node != q.node || p.material != q.material;
+  }
+
+  /// Looks along a segment, and draws what `markAt` sees: runs on the segment as they are, those beside it point by point.
+  template <class MarkAt>
+  void addSegment(const glm::dvec3& a, const glm::dvec3& b, std::uint32_t from, std::uint32_t to, const MarkAt& markAt) {
     const glm::dvec2 along(b - a);
     const double length = glm::length(along);
     if (!(length > 0) || !(length < 1e7)) return;
     const glm::dvec2 normal = glm::dvec2(-along.y, along.x) / length;
     const auto steps = static_cast<int>(std::clamp(std::ceil(length / STEP), 1.0, STEPS_MAX));
-    const auto at = [&](int i) { return (i + 0.5) / steps; };
-    std::optional<Kind> kind = kindAt(glm::mix(a, b, at(0)), normal);
+    const auto place = [&](double at, const Mark& mark) { return glm::dvec2(glm::mix(a, b, at)) + mark.offset * normal; };
+    std::optional<Mark> last;
     double begin = 0;
     std::uint32_t node = from;
-    for (int i = 1; i <= steps; ++i) {
-      const std::optional<Kind> next = i < steps ? kindAt(glm::mix(a, b, at(i)), normal) : std::nullopt;
-      if (i < steps && next == kind) continue;
-      const double end = i < steps ? double{1} * i / steps : 1;
-      const std::uint32_t last = i < steps ? nextNode_++ : to;
-      if (kind) pieces_.push_back({*kind, node, last, glm::dvec2(glm::mix(a, b, begin)), glm::dvec2(glm::mix(a, b, end))});
-      kind = next;
-      begin = end;
-      node = last;
+    const auto end = [&](double at, std::uint32_t there) {
+      if (last) pieces_.push_back({last->kind, node, there, place(begin, *last), place(at, *last)});
+      begin = at;
+      node = there;
+    };
+    for (int i = 0; i < steps; ++i) {
+      const std::optional<Mark> mark = markAt(glm::mix(a, b, (i + 0.5) / steps), normal);
+      const bool same = mark.has_value() == last.has_value() && (!mark || (mark->kind == last->kind && mark->offset == last->offset));
+      if (i > 0 && !same) {
+        end(double{1} * i / steps, nextNode_++);
+        if (mark && last && std::abs(mark->offset - last->offset) > BEND) node = nextNode_++;
+      }
+      if (i == 0 && mark && std::abs(mark->offset) > BEND) node = nextNode_++;
+      last = mark;
     }
+    end(1, last && std::abs(last->offset) > BEND ? nextNode_++ : to);
   }
 
   const Surface& surface_;
   const View& view_;
   const FlatOptions& options_;
-  double creaseCosine_, layer_;
+  double creaseCosine_, layer_ = 0, sewn_ = 0, across_ = 0;
   std::uint32_t nextNode_, lastNode_ = 0;
   std::vector<Piece> pieces_;
 };

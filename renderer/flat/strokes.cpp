@@ -40,7 +40,9 @@ double wholeLength(const Stroke& stroke) {
 }
 
 double leastLength(Kind kind, const FlatOptions& options) {
-  return kind == Kind::kContour || kind == Kind::kCrease ? std::max(SPECK, options.foldLength) : SPECK;
+  if (kind == Kind::kSilhouette) return SPECK;
+  const bool fold = kind == Kind::kContour || kind == Kind::kCrease;
+  return std::max(SPECK, fold ? options.foldLength : options.foldLength / 2);
 }
 
 void dropShort(std::vector<Stroke>& strokes, const FlatOptions& options) {

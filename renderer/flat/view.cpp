@@ -23,6 +23,7 @@ View::View(const surface::Surface& surface, const Shot& shot, const CancelToken&
     : surface_(surface), near_(shot.camera.near), far_(shot.camera.far), size_(shot.width, shot.height) {
   const frame::Camera camera = frame::cameraOf(shot);
   orthographic_ = camera.orthographic;
+  pixelsPerMetre_ = camera.projection[1][1] * shot.height / 2;
   toPixel_ = frame::worldToPixel(camera, shot.width, shot.height);
   for (const glm::dvec3& p : surface.points) {
     points_.push_back(project(p));

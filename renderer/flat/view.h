@@ -22,6 +22,9 @@ class View {
   /// Metres along the line of sight.
   double metres(double depth) const;
 
+  /// Of what lies across the line of sight so far away.
+  double pixelsPerMetre(double metres) const { return orthographic_ ? pixelsPerMetre_ : pixelsPerMetre_ / metres; }
+
   struct Hit {
     double depth = 0;
     std::uint32_t face = surface::NONE;  ///< NONE = background
@@ -40,7 +43,7 @@ class View {
   const surface::Surface& surface_;
   glm::dmat4 toPixel_{1};
   bool orthographic_;
-  double near_, far_;
+  double near_, far_, pixelsPerMetre_;
   glm::ivec2 size_;
   std::vector<glm::dvec3> points_;
   std::vector<char> seen_;

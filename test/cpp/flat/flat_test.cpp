@@ -14,6 +14,7 @@ namespace telar::flat {
 namespace {
 
 using surface::Surface;
+using surface::buildSurface;
 
 /// From +z, orthographic, `height` metres over `pixels`.
 Shot frontOf(int pixels, double height, const glm::dvec3& target, double side = 1) {

@@ -1,7 +1,8 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { createRenderer } from '../../../js/index.mjs';
-import { square } from './support/square.mjs';
+import { plane } from '../../fixtures/geometry.mjs';
+import { GlbBuilder } from '../../fixtures/glb.mjs';
 import './support/real.mjs';
 
 const FRONT = { size: { width: 400, height: 400 }, camera: { projection: 'orthographic', position: [0, 0, 3], target: [0, 0, 0], height: 0.4, near: 1, far: 5 } };
@@ -10,7 +11,9 @@ let renderer;
 let model;
 before(async () => {
   renderer = await createRenderer();
-  model = await renderer.load(square(0.3));
+  const builder = new GlbBuilder();
+  builder.add(plane(0.3, 0.3), builder.material({ name: 'black' }), { name: 'square' });
+  model = await renderer.load(await builder.bytes());
 });
 after(() => renderer.close());
 
