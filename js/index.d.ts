@@ -415,7 +415,7 @@ export interface Model {
    * @example
    * const view: Shot = { size: { width: 1600, height: 1600 }, camera: { view: 'front', projection: 'orthographic' } };
    * const flat = await model.flat(view, { scale: 10, stitched: [{ node: 'hem_bottom' }] });
-   * await writeFile('front.svg', flat.svg);
+   * await writeFile('front.svg', Buffer.from(flat.svg));
    */
   flat(shot?: Shot | ResolvedShot, options?: FlatOptions): Promise<Flat>;
 }

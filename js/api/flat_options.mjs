@@ -36,7 +36,18 @@ const COLOR = /^(#[0-9a-fA-F]{3,8}|[a-zA-Z]{3,20})$/;
  */
 export function flatOptions(options) {
   checkObject('options', options, KEYS);
-  const { part, join = 0, scale, creaseAngle = 60, foldDepth = 0.008, foldLength = 0.02, tolerance = 0.3, stitched = [], weights = {}, color = 'black' } = options;
+  const {
+    part,
+    join = 0,
+    scale,
+    creaseAngle = 60,
+    foldDepth = 0.008,
+    foldLength = 0.02,
+    tolerance = 0.3,
+    stitched = [],
+    weights = {},
+    color = 'black',
+  } = options;
   if (scale !== undefined) number('options.scale', scale, 1e-3, 1e4, 'n of the scale 1:n,');
   if (typeof color !== 'string' || !COLOR.test(color)) throw wrongOption('options.color', 'a CSS name or #rrggbb', color);
   return {

@@ -59,7 +59,9 @@ std::string drawFlat(const Scene& scene, const Shot& shot, std::string_view text
   for (const flat::Stroke& stroke : strokesOf(visiblePieces(surface, view, options, cancel), options, cancel)) {
     json points = json::array();
     for (const glm::dvec2& p : stroke.points) points.push_back({rounded(p.x), rounded(p.y)});
-    out["strokes"].push_back({{"kind", flat::KIND_NAMES[static_cast<std::size_t>(stroke.kind)]}, {"closed", stroke.closed}, {"points", points}});
+    out["strokes"].push_back({{"kind", flat::KIND_NAMES[static_cast<std::size_t>(stroke.kind)]},
+                              {"closed", stroke.closed},
+                              {"points", points}});
   }
   const glm::dmat4 toPixel = frame::worldToPixel(frame::cameraOf(shot), shot.width, shot.height);
   out["worldToPixel"] = std::vector<double>(glm::value_ptr(toPixel), glm::value_ptr(toPixel) + 16);

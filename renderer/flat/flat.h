@@ -12,10 +12,10 @@ enum class Kind { kSilhouette, kContour, kSeam, kStitch, kCrease };
 constexpr std::array<std::string_view, 5> KIND_NAMES{"silhouette", "contour", "seam", "stitch", "crease"};
 
 struct FlatOptions {
-  double creaseAngle = 60;    ///< degrees between the normals of two faces
-  double foldDepth = 0;       ///< metres: a surface that lies less before another is a fold that is not drawn
-  double foldLength = 0;      ///< pixels: contours and creases that are shorter are not drawn
-  double tolerance = 0.3;     ///< pixels that a simplified line may leave the exact one
+  double creaseAngle = 60;       ///< degrees between the normals of two faces
+  double foldDepth = 0;          ///< metres: a surface that lies less before another is a fold that is not drawn
+  double foldLength = 0;         ///< pixels: contours and creases that are shorter are not drawn
+  double tolerance = 0.3;        ///< pixels that a simplified line may leave the exact one
   std::vector<char> stitched{};  ///< by source: its seams are stitches
 };
 
@@ -34,7 +34,8 @@ struct Piece {
 
 /// The edges of a surface that a flat shows, without what is hidden.
 /// @throws Error{X_CANCELLED, X_TIMEOUT}
-std::vector<Piece> visiblePieces(const surface::Surface& surface, const View& view, const FlatOptions& options, const CancelToken& cancel);
+std::vector<Piece> visiblePieces(const surface::Surface& surface, const View& view, const FlatOptions& options,
+                                 const CancelToken& cancel);
 
 /// Pieces to long lines: chained over small gaps, kinds that flicker made one, doubles left out, simplified.
 std::vector<Stroke> strokesOf(const std::vector<Piece>& pieces, const FlatOptions& options, const CancelToken& cancel);

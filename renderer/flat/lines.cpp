@@ -11,12 +11,13 @@ namespace {
 constexpr double GAP = 3;
 /// Cosine of the angle by which a joined stroke may bend there.
 constexpr double GOES_ON = 0.5;
-/// Pixels within which a line is a double of another: the pen is as wide.
-constexpr double DOUBLE = 1.5;
+/// Pixels within which a line is a double of another.
+constexpr double DOUBLE = 1;
 constexpr std::size_t STROKES_PER_CANCEL_CHECK = 256;
 
 std::uint64_t cellOf(const glm::dvec2& p, double size, int dx = 0, int dy = 0) {
-  const auto x = static_cast<std::int64_t>(std::floor(p.x / size)) + dx, y = static_cast<std::int64_t>(std::floor(p.y / size)) + dy;
+  const auto x = static_cast<std::int64_t>(std::floor(p.x / size)) + dx,
+             y = static_cast<std::int64_t>(std::floor(p.y / size)) + dy;
   return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xffffffffu);
 }
 
@@ -114,7 +115,8 @@ void closeGaps(std::vector<Stroke>& strokes) {
       ends.add(stroke.points.back(), {i, false});
       ends.add(stroke.points.front(), {i, true});
     }
-    if (stroke.points.size() > 3 && glm::distance(stroke.points.front(), stroke.points.back()) <= GAP && lengthOf(stroke.points) > 4 * GAP) {
+    if (stroke.points.size() > 3 && glm::distance(stroke.points.front(), stroke.points.back()) <= GAP &&
+        lengthOf(stroke.points) > 4 * GAP) {
       stroke.closed = true;
       if (stroke.points.front() == stroke.points.back()) stroke.points.pop_back();
     }
@@ -143,18 +145,20 @@ std::vector<Stroke> withoutDoubles(std::vector<Stroke> strokes, const CancelToke
     const auto end = [&] {
       if (piece.points.size() > 1) out.push_back(piece);
       piece.points.clear();
-    };
-    for (const glm::dvec2& p : dense) {
-      bool isDouble = false;
-      drawn.near(p, [&](const glm::dvec2&, char) { isDouble = true; });
-      if (!isDouble) {
-        piece.points.push_back(p);
-        continue;
-      }
-      // The line goes on to the one that it meets, so that no gap is seen between them.
-      if (!piece.points.empty()) piece.points.push_back(p);
       piece.closed = false;
-      end();
+    };
+    std::vector<char> isDouble(dense.size());
+    for (std::size_t k = 0; k < dense.size(); ++k)
+      drawn.near(dense[k], [&](const glm::dvec2&, char) { isDouble[k] = 1; });
+    // A line goes on to the one that it meets, at both its ends, so that no gap is seen between them.
+    constexpr std::size_t REACH = 2;
+    for (std::size_t k = 0; k < dense.size(); ++k) {
+      bool meets = false;
+      for (std::size_t n = k - std::min(k, REACH); n <= std::min(k + REACH, dense.size() - 1); ++n)
+        meets |= !isDouble[n];
+      if (isDouble[k]) piece.closed = false;
+      if (meets) piece.points.push_back(dense[k]);
+      if (!meets) end();
     }
     end();
     for (const glm::dvec2& p : dense) drawn.add(p, 1);

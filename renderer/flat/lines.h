@@ -12,7 +12,8 @@ struct Walk {
 };
 std::vector<Walk> walksOf(const std::vector<Piece>& pieces);
 
-/// Joins open strokes of one kind whose ends are near and go on into one another; closes those that end where they begin.
+/// Joins open strokes of one kind whose ends are near and go on into one another; closes those that end where they
+/// begin.
 void closeGaps(std::vector<Stroke>& strokes);
 
 /// Leaves out what lies on a more important stroke, or on a longer one of the same kind.

@@ -19,8 +19,8 @@ constexpr double STEP = 0.5;
 constexpr double STEPS_MAX = 32768;
 /// Pixels beside a line where its two sides are looked at: within a pixel of it, and clear of its own rounding.
 constexpr double BESIDE = 0.6;
-/// Part of the extent that lies before an edge without hiding it: layers that are sewn together bend differently between
-/// their corners. Half a millimetre on a garment of a metre.
+/// Part of the extent that lies before an edge without hiding it: layers that are sewn together bend differently
+/// between their corners. Half a millimetre on a garment of a metre.
 constexpr double LAYER_OF_EXTENT = 5e-4;
 
 /// Part of the extent within which sewn parts run into one another: there neither's border is seen, but the line where
@@ -49,7 +49,10 @@ struct Feature {
 class Pieces {
  public:
   Pieces(const Surface& surface, const View& view, const FlatOptions& options)
-      : surface_(surface), view_(view), options_(options), creaseCosine_(std::cos(options.creaseAngle * std::numbers::pi / 180)) {
+      : surface_(surface),
+        view_(view),
+        options_(options),
+        creaseCosine_(std::cos(options.creaseAngle * std::numbers::pi / 180)) {
     const double extent = glm::distance(surface.bounds.min, surface.bounds.max);
     layer_ = LAYER_OF_EXTENT * extent, sewn_ = SEWN_OF_EXTENT * extent, across_ = SEWN_ACROSS_OF_EXTENT * extent;
     nextNode_ = static_cast<std::uint32_t>(surface.points.size());
@@ -141,25 +144,32 @@ class Pieces {
 
   Kind seamBetween(const View::Hit& left, const View::Hit& right) const {
     const auto isStitched = [this](const View::Hit& hit) {
-      return hit.face != surface::NONE && !options_.stitched.empty() && options_.stitched[surface_.faces[hit.face].source];
+      return hit.face != surface::NONE && !options_.stitched.empty() &&
+             options_.stitched[surface_.faces[hit.face].source];
     };
     return isStitched(left) || isStitched(right) ? Kind::kStitch : Kind::kSeam;
   }
 
   /// What a visible edge is there, by what lies on its two sides; none = a fold that is not drawn.
   std::optional<Mark> markAt(const glm::dvec3& p, const glm::dvec2& normal, const Feature& feature) const {
-    const View::Hit left = view_.nearest(glm::dvec2(p) + BESIDE * normal), right = view_.nearest(glm::dvec2(p) - BESIDE * normal);
+    const View::Hit left = view_.nearest(glm::dvec2(p) + BESIDE * normal),
+                    right = view_.nearest(glm::dvec2(p) - BESIDE * normal);
     const bool outside = left.face == surface::NONE || right.face == surface::NONE;
     if (feature.turns || feature.border) {
       if (outside) return Mark{Kind::kSilhouette};
       if (jump(left, right) > options_.foldDepth) return Mark{Kind::kContour};
     }
-    if (feature.border) return Mark{seamBetween(left, right)};
+    // A part that turns away before another ends there, however near they lie. A border on its own part, without a
+    // step, is not seen.
+    if ((feature.border || feature.turns) && differ(left, right)) return Mark{seamBetween(left, right)};
+    if (feature.border && jump(left, right) > layer_) return Mark{seamBetween(left, right)};
     if (feature.crease) return Mark{Kind::kCrease};
     return std::nullopt;
   }
 
-  double jump(const View::Hit& left, const View::Hit& right) const { return std::abs(view_.metres(left.depth) - view_.metres(right.depth)); }
+  double jump(const View::Hit& left, const View::Hit& right) const {
+    return std::abs(view_.metres(left.depth) - view_.metres(right.depth));
+  }
 
   /// Where, across a border just below another surface, one part goes into the other.
   std::optional<Mark> sewnAt(const glm::dvec3& p, const glm::dvec2& normal, double metres) const {
@@ -168,7 +178,8 @@ class Pieces {
     for (int i = 0; i < reach; ++i) {
       for (const int k : {i, -i - 1}) {
         const View::Hit left = hitAt(k), right = hitAt(k + 1);
-        if (differ(left, right) && jump(left, right) <= options_.foldDepth) return Mark{seamBetween(left, right), (k + 0.5) * BESIDE};
+        if (differ(left, right) && jump(left, right) <= options_.foldDepth)
+          return Mark{seamBetween(left, right), (k + 0.5) * BESIDE};
       }
     }
     return std::nullopt;
@@ -176,19 +187,24 @@ class Pieces {
 
   bool differ(const View::Hit& left, const View::Hit& right) const {
     if (left.face == surface::NONE || right.face == surface::NONE) return false;
-    const surface::Source &p = surface_.sources[surface_.faces[left.face].source], &q = surface_.sources[surface_.faces[right.face].source];
+    const surface::Source &p = surface_.sources[surface_.faces[left.face].source],
+                          &q = surface_.sources[surface_.faces[right.face].source];
     return p.node != q.node || p.material != q.material;
   }
 
-  /// Looks along a segment, and draws what `markAt` sees: runs on the segment as they are, those beside it point by point.
+  /// Looks along a segment, and draws what `markAt` sees: runs on the segment as they are, those beside it point by
+  /// point.
   template <class MarkAt>
-  void addSegment(const glm::dvec3& a, const glm::dvec3& b, std::uint32_t from, std::uint32_t to, const MarkAt& markAt) {
+  void addSegment(const glm::dvec3& a, const glm::dvec3& b, std::uint32_t from, std::uint32_t to,
+                  const MarkAt& markAt) {
     const glm::dvec2 along(b - a);
     const double length = glm::length(along);
     if (!(length > 0) || !(length < 1e7)) return;
     const glm::dvec2 normal = glm::dvec2(-along.y, along.x) / length;
     const auto steps = static_cast<int>(std::clamp(std::ceil(length / STEP), 1.0, STEPS_MAX));
-    const auto place = [&](double at, const Mark& mark) { return glm::dvec2(glm::mix(a, b, at)) + mark.offset * normal; };
+    const auto place = [&](double at, const Mark& mark) {
+      return glm::dvec2(glm::mix(a, b, at)) + mark.offset * normal;
+    };
     std::optional<Mark> last;
     double begin = 0;
     std::uint32_t node = from;
@@ -199,7 +215,8 @@ class Pieces {
     };
     for (int i = 0; i < steps; ++i) {
       const std::optional<Mark> mark = markAt(glm::mix(a, b, (i + 0.5) / steps), normal);
-      const bool same = mark.has_value() == last.has_value() && (!mark || (mark->kind == last->kind && mark->offset == last->offset));
+      const bool same =
+          mark.has_value() == last.has_value() && (!mark || (mark->kind == last->kind && mark->offset == last->offset));
       if (i > 0 && !same) {
         end(double{1} * i / steps, nextNode_++);
         if (mark && last && std::abs(mark->offset - last->offset) > BEND) node = nextNode_++;
@@ -220,7 +237,8 @@ class Pieces {
 
 }  // namespace
 
-std::vector<Piece> visiblePieces(const Surface& surface, const View& view, const FlatOptions& options, const CancelToken& cancel) {
+std::vector<Piece> visiblePieces(const Surface& surface, const View& view, const FlatOptions& options,
+                                 const CancelToken& cancel) {
   return Pieces(surface, view, options).all(cancel);
 }
 

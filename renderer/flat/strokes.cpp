@@ -31,7 +31,8 @@ void settleKinds(Walk& walk) {
   for (std::size_t i = 0; i < runs.size() && runs.size() > 1; ++i) {
     if (runs[i].length >= RUN) continue;
     const Run& other = i == 0 ? runs[1] : runs[i - 1];
-    for (std::size_t k = runs[i].begin; k < runs[i].end; ++k) walk.kinds[k] = walk.kinds[i == 0 ? other.begin : other.end - 1];
+    for (std::size_t k = runs[i].begin; k < runs[i].end; ++k)
+      walk.kinds[k] = walk.kinds[i == 0 ? other.begin : other.end - 1];
   }
 }
 
@@ -42,7 +43,7 @@ double wholeLength(const Stroke& stroke) {
 double leastLength(Kind kind, const FlatOptions& options) {
   if (kind == Kind::kSilhouette) return SPECK;
   const bool fold = kind == Kind::kContour || kind == Kind::kCrease;
-  return std::max(SPECK, fold ? options.foldLength : options.foldLength / 2);
+  return std::max(SPECK, fold ? options.foldLength : options.foldLength / 4);
 }
 
 void dropShort(std::vector<Stroke>& strokes, const FlatOptions& options) {
@@ -56,8 +57,10 @@ std::vector<Stroke> strokesOf(const std::vector<Piece>& pieces, const FlatOption
   for (Walk& walk : walksOf(pieces)) {
     settleKinds(walk);
     for (const Run& run : runsOf(walk)) {
-      strokes.push_back({run.kind, false, {walk.points.begin() + static_cast<std::ptrdiff_t>(run.begin),
-                                           walk.points.begin() + static_cast<std::ptrdiff_t>(run.end) + 1}});
+      strokes.push_back({run.kind,
+                         false,
+                         {walk.points.begin() + static_cast<std::ptrdiff_t>(run.begin),
+                          walk.points.begin() + static_cast<std::ptrdiff_t>(run.end) + 1}});
     }
   }
   cancel.check();

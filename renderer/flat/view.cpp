@@ -11,7 +11,8 @@ namespace {
 
 using surface::Face;
 
-/// Triangles over cells that the grid may hold: a GB at most. Few large cells take more triangles each, not more memory.
+/// Triangles over cells that the grid may hold: a GB at most. Few large cells take more triangles each, not more
+/// memory.
 constexpr std::uint64_t ENTRIES_MAX = std::uint64_t{1} << 26;
 constexpr std::uint32_t FACES_PER_CANCEL_CHECK = 1 << 14;
 
@@ -88,7 +89,8 @@ template <class Visit>
 void View::visit(const glm::dvec2& place, const Visit& visit) const {
   const glm::dvec2 cell = glm::floor(place / cell_);
   if (!(cell.x >= 0 && cell.y >= 0 && cell.x < cells_.x && cell.y < cells_.y)) return;
-  const auto index = static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(cells_.x) + static_cast<std::size_t>(cell.x);
+  const auto index =
+      static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(cells_.x) + static_cast<std::size_t>(cell.x);
   for (std::uint32_t i = first_[index]; i < first_[index + 1]; ++i) {
     const Face& face = surface_.faces[faces_[i]];
     const glm::dvec3 &a = points_[face.points[0]], &b = points_[face.points[1]], &c = points_[face.points[2]];

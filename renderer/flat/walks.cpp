@@ -49,7 +49,8 @@ class Walker {
       for (const std::uint32_t i : at_.at(node)) {
         if (used_[i]) continue;
         ++left;
-        const double cost = turn(direction, far(i, node) - end) + (pieces_[i].kind == walk.kinds.back() ? 0 : OTHER_KIND);
+        const double cost =
+            turn(direction, far(i, node) - end) + (pieces_[i].kind == walk.kinds.back() ? 0 : OTHER_KIND);
         if (cost < least) least = cost, best = i;
       }
       if (best == surface::NONE && left == 1) {
@@ -64,8 +65,12 @@ class Walker {
     }
   }
 
-  glm::dvec2 far(std::uint32_t piece, std::uint32_t node) const { return pieces_[piece].from == node ? pieces_[piece].b : pieces_[piece].a; }
-  static double turn(const glm::dvec2& u, const glm::dvec2& v) { return std::abs(std::atan2(u.x * v.y - u.y * v.x, glm::dot(u, v))); }
+  glm::dvec2 far(std::uint32_t piece, std::uint32_t node) const {
+    return pieces_[piece].from == node ? pieces_[piece].b : pieces_[piece].a;
+  }
+  static double turn(const glm::dvec2& u, const glm::dvec2& v) {
+    return std::abs(std::atan2(u.x * v.y - u.y * v.x, glm::dot(u, v)));
+  }
 
   const std::vector<Piece>& pieces_;
   std::vector<char> used_;

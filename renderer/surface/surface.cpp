@@ -202,7 +202,8 @@ class Builder {
 
 bool isOfPart(const Scene& scene, const Source& source, const PartQuery& part) {
   if (part.kind == PartQuery::Kind::kMaterial) {
-    return source.material >= 0 && isMeant(part, source.material, scene.materials[static_cast<std::size_t>(source.material)].name);
+    return source.material >= 0 &&
+           isMeant(part, source.material, scene.materials[static_cast<std::size_t>(source.material)].name);
   }
   for (int i = source.node; i >= 0; i = scene.nodes[static_cast<std::size_t>(i)].parent) {
     const Node& node = scene.nodes[static_cast<std::size_t>(i)];

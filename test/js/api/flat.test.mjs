@@ -5,7 +5,10 @@ import { plane } from '../../fixtures/geometry.mjs';
 import { GlbBuilder } from '../../fixtures/glb.mjs';
 import './support/real.mjs';
 
-const FRONT = { size: { width: 400, height: 400 }, camera: { projection: 'orthographic', position: [0, 0, 3], target: [0, 0, 0], height: 0.4, near: 1, far: 5 } };
+const FRONT = {
+  size: { width: 400, height: 400 },
+  camera: { projection: 'orthographic', position: [0, 0, 3], target: [0, 0, 0], height: 0.4, near: 1, far: 5 },
+};
 
 let renderer;
 let model;
@@ -20,7 +23,10 @@ after(() => renderer.close());
 const near = (actual, expected, tolerance) => assert.ok(Math.abs(actual - expected) <= tolerance, `${actual}, expected ${expected}`);
 
 test('a square of 300 mm is 300 mm at the scale 1:1, and 30 mm at 1:10', async () => {
-  for (const [scale, side] of [[1, 300], [10, 30]]) {
+  for (const [scale, side] of [
+    [1, 300],
+    [10, 30],
+  ]) {
     const { svg, strokes, millimetresPerPixel } = await model.flat(FRONT, { scale });
     assert.equal(strokes.length, 1);
     near(millimetresPerPixel, 1, 1e-12);
