@@ -87,7 +87,11 @@ export class Layout {
 
   altOf(view, ratio) {
     const { name, style } = this.spec.header;
-    return this.words('alt.view', { name: name ?? style ?? this.facts.name ?? '', title: this.titleOf(view), scale: scaleText(ratio) });
+    return this.words(view.style === 'flat' ? 'alt.flat' : 'alt.view', {
+      name: name ?? style ?? this.facts.name ?? '',
+      title: this.titleOf(view),
+      scale: scaleText(ratio),
+    });
   }
 
   isChanged(...path) {

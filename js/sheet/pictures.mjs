@@ -1,4 +1,5 @@
 import { createHash } from 'node:crypto';
+import { TelarError } from '../error/index.mjs';
 import { trueView } from './scale.mjs';
 
 /** The pictures of one sheet: asked for while pages are laid out, drawn together from one load of the model. */
@@ -14,19 +15,26 @@ const MASK_PPI = 76.2;
 
 const WHITE = '#ffffff';
 
+/** Widths of the lines of flats on paper, millimetres: the series of ISO 128-2:2020 one step beneath that of Model.flat, for A4. */
+const WEIGHTS = { silhouette: 0.5, contour: 0.35, seam: 0.25, stitch: 0.18, crease: 0.18 };
+
 /** Metres from the middle of a model to a camera that sees all of it. */
 const depthOf = ({ min, max }) => 2 * Math.hypot(...max.map((high, i) => high - min[i])) + 0.01;
+
+const nameOf = (asked) => createHash('sha256').update(JSON.stringify(asked)).digest('hex').slice(0, 16);
 
 export class Pictures {
   #renderer;
   #model;
   #options;
   #asked = new Map();
+  #flats = new Map();
 
   /**
    * @param {object} renderer
    * @param {object} model loaded
-   * @param {{ppi: number, shot: object, call: {signal?: AbortSignal, timeoutMs?: number | null}}} options shot: what pictures share: light, shading, quality
+   * @param {{ppi: number, shot: object, flats: object, call: {signal?: AbortSignal, timeoutMs?: number | null}}} options shot: what pictures
+   *   share: light, shading, quality; flats: of the spec
    */
   constructor(renderer, model, options) {
     this.#renderer = renderer;
@@ -37,22 +45,29 @@ export class Pictures {
   /**
    * A picture in true scale, drawn later.
    * @param {import('./scale.mjs').Extent} extent
-   * @param {{ratio: number, variant: string, margin?: number}} how
+   * @param {{ratio: number, variant: string, style?: 'render' | 'flat', margin?: number}} how
    * @returns {{file: string, width: number, height: number, view: import('./scale.mjs').TrueView}} millimetres of paper
    */
-  ask(extent, { ratio, variant, margin = MARGIN }) {
+  ask(extent, { ratio, variant, style = 'render', margin = MARGIN }) {
     const view = trueView(extent, { ratio, ppi: this.#options.ppi, margin, depth: depthOf(this.#model.facts.bounds) });
-    const shot = {
-      ...this.#options.shot,
-      size: view.size,
-      camera: view.camera,
-      variant,
-      background: WHITE,
-      output: { format: 'jpeg', quality: QUALITY, ppi: Math.round(this.#options.ppi) },
-    };
-    const file = `${createHash('sha256').update(JSON.stringify(shot)).digest('hex').slice(0, 16)}.jpg`;
-    this.#asked.set(file, shot);
+    const seen = { size: view.size, camera: view.camera, variant };
+    const file = style === 'flat' ? this.#askFlat(seen, ratio) : this.#askRender(seen);
     return { file, ...view.paper, view };
+  }
+
+  #askRender(seen) {
+    const shot = { ...this.#options.shot, ...seen, background: WHITE, output: { format: 'jpeg', quality: QUALITY, ppi: Math.round(this.#options.ppi) } };
+    const file = `${nameOf(shot)}.jpg`;
+    this.#asked.set(file, shot);
+    return file;
+  }
+
+  #askFlat(shot, scale) {
+    const { foldLength, ...flats } = this.#options.flats;
+    const options = { ...flats, foldLength: Math.min(1, foldLength / shot.camera.height), scale, weights: WEIGHTS };
+    const file = `${nameOf([shot, options])}.svg`;
+    this.#flats.set(file, { shot, options });
+    return file;
   }
 
   /**
@@ -87,6 +102,18 @@ export class Pictures {
   async draw(onProgress) {
     const files = [...this.#asked.keys()];
     const images = await this.#renderer.renderAll(this.#model, [...this.#asked.values()], { ...this.#options.call, onProgress });
-    return new Map(files.map((file, i) => [file, images[i]]));
+    const drawn = new Map(files.map((file, i) => [file, images[i]]));
+    for (const [file, flat] of this.#flats) drawn.set(file, { data: Buffer.from(await this.#flat(flat)) });
+    return drawn;
+  }
+
+  async #flat({ shot, options }) {
+    try {
+      return (await this.#model.flat(shot, { ...options, ...this.#options.call })).svg;
+    } catch (thrown) {
+      // Of what the options name, parts alone may not be there.
+      if (thrown.code !== 'E_MEASURE') throw thrown;
+      throw new TelarError('E_SPEC', `spec.flats.stitched: ${thrown.message}`, { pointer: `/flats${thrown.pointer}`, cause: thrown });
+    }
   }
 }

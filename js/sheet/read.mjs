@@ -52,6 +52,10 @@ function checkView(view, path, { variants }) {
   checkName([...path, 'variant'], view.variant, variants, 'material variant');
 }
 
+function checkDetail({ shape, height }, path) {
+  if (height !== undefined && shape === 'circle') throw wrong([...path, 'height'], 'none where `shape` is not "rectangle"', height);
+}
+
 function checkMeasure(measure, path, { header, anchors }) {
   const { sizes, baseSize } = header;
   measure.points?.forEach((point, k) => {
@@ -86,7 +90,7 @@ function completed(spec) {
     printedUnits: spec.printedUnits ?? spec.units,
     views,
     callouts: seen(spec.callouts),
-    details: seen(spec.details),
+    details: seen(spec.details).map((detail) => ({ ...detail, style: detail.style ?? views.find(({ name }) => name === detail.view)?.style })),
     measures: seen(spec.measures),
   };
 }
@@ -116,6 +120,7 @@ export function readSpec(given, { variants = [] } = {}) {
       checkWhere(item, [list, i]);
     });
   }
+  spec.details.forEach((detail, i) => checkDetail(detail, ['details', i]));
   spec.measures.forEach((measure, i) => {
     checkName(['measures', i, 'view'], measure.view, names, 'view');
     checkMeasure(measure, ['measures', i], spec);

@@ -15,6 +15,7 @@ import { coverPage } from './pages/cover.mjs';
 import { detailPages } from './pages/details.mjs';
 import { artworkPages, billPages, carePages, closingPages, constructionPages, labelPages } from './pages/lists.mjs';
 import { measurePages } from './pages/measures.mjs';
+import { viewPages } from './pages/views.mjs';
 import { Pictures } from './pictures.mjs';
 import { pointOf } from './places.mjs';
 import { ABOUT, readSpec } from './read.mjs';
@@ -24,6 +25,7 @@ import { wordsOf } from './words.mjs';
 
 const PAGES = [
   coverPage,
+  viewPages,
   calloutPages,
   detailPages,
   measurePages,
@@ -79,10 +81,16 @@ async function filesOf(engine, document, { format, ppi }) {
   return files;
 }
 
-/** js/sheet/index.d.ts documents it. */
-export async function createSheet(source, given, options = {}) {
-  const { renderer, format, fonts: extra, resolve, templates, shot, previous, limits, timeoutMs, signal, onProgress } = readOptions(options);
-  const start = performance.now();
+/**
+ * Reads a spec and lays its pages out: where everything stands, before any picture is drawn.
+ * @param {object} source as createSheet's
+ * @param {object} given a spec
+ * @param {object} settings of readOptions
+ * @returns {Promise<{layout: Layout, sections: object[], engine: Engine, pictures: Pictures, images: Map}>} the engine is to be closed
+ */
+export async function layOut(source, given, settings) {
+  const { renderer, fonts: extra, resolve, templates, shot, previous, limits, timeoutMs, signal } = settings;
+  const call = { signal, ...(timeoutMs !== undefined && { timeoutMs }) };
   const model = source?.facts ? source : await renderer.load(source, { signal });
   const facts = await renderer.factsOf(model, {}, { signal });
   const spec = readSpec(given, facts);
@@ -93,32 +101,39 @@ export async function createSheet(source, given, options = {}) {
   const images = await readImages(spec, { resolve, limits, signal });
   const engine = await Engine.create({ fonts: [...bundled, ...extra], folder: folderOf(spec, templates) });
   try {
-    const pictures = new Pictures(renderer, model, { ppi: spec.ppi, shot, call: { signal, ...(timeoutMs !== undefined && { timeoutMs }) } });
+    const pictures = new Pictures(renderer, model, { ppi: spec.ppi, shot, flats: spec.flats, call });
     const changed = new Set(previous ? changesBetween(previous, given) : []);
     const layout = new Layout({ spec, facts, words, pictures, engine, changed, images, fonts: fonts.families });
     layout.pointOf = (item, view, pointer) =>
       pointOf(item, { pointer, extent: extentOf(layout.bounds, basisOf(view)), variant: view.variant, renderer, model, signal });
-    const warn = (...facts) => layout.warn(...facts);
+    const warn = (...told) => layout.warn(...told);
     layout.lengthOf = (measure, id) => {
       const { variant } = spec.views.find(({ name }) => name === measure.view);
-      return lengthOf(measure, {
-        model,
-        anchors: spec.anchors,
-        variant,
-        pointer: `/measures/${id}`,
-        call: { signal, ...(timeoutMs !== undefined && { timeoutMs }) },
-        warn,
-      });
+      return lengthOf(measure, { model, anchors: spec.anchors, variant, pointer: `/measures/${id}`, call, warn });
     };
     const sections = [];
     for (const pages of PAGES) sections.push(...(await pages(layout)));
+    return { layout, sections, engine, pictures, images };
+  } catch (thrown) {
+    engine.close();
+    throw thrown;
+  }
+}
+
+/** js/sheet/index.d.ts documents it. */
+export async function createSheet(source, given, options = {}) {
+  const settings = readOptions(options);
+  const start = performance.now();
+  const { layout, sections, engine, pictures, images } = await layOut(source, given, settings);
+  try {
     const laidOut = performance.now();
-    const drawn = await pictures.draw(onProgress);
+    const drawn = await pictures.draw(settings.onProgress);
     const pictured = performance.now();
     for (const [file, { data }] of drawn) engine.add(file, data);
     for (const { file, data } of images.values()) engine.add(file, data);
-    for (const key of spec.care.symbols) engine.add(`care-${key}.svg`, Buffer.from(careSvg(key)));
-    const files = await filesOf(engine, documentOf(layout, sections, images), { format, ppi: spec.ppi });
+    for (const key of layout.spec.care.symbols) engine.add(`care-${key}.svg`, Buffer.from(careSvg(key)));
+    const { format } = settings;
+    const files = await filesOf(engine, documentOf(layout, sections, images), { format, ppi: layout.spec.ppi });
     const milliseconds = { layout: laidOut - start, pictures: pictured - laidOut, typeset: performance.now() - pictured, total: performance.now() - start };
     return { format, files, info: { pictures: drawn.size, warnings: layout.warnings, measures: measuresOf(layout), milliseconds } };
   } finally {

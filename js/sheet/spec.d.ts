@@ -66,9 +66,32 @@ export interface SheetSpec {
     variant?: string;
     /** Scale on paper; "fit": the largest usual one that fits. @default "fit" */
     scale?: string;
+    /** "render": as it looks; "flat": the technical flat, lines alone, as vectors. @default "render" */
+    style?: 'render' | 'flat';
     /** Whether it is on the first page; default: the first two views. */
     cover?: boolean;
   }>;
+  /** What technical flats draw: the options of the same names of Model.flat. */
+  flats?: {
+    /** Parts whose seams are stitches, which are dashed. @default [] */
+    stitched?: Array<{
+      /** Index or name of a node. */
+      node: number | string;
+      material?: never;
+    } | {
+      /** Index or name of a material. */
+      material: number | string;
+      node?: never;
+    }>;
+    /** Corners nearer than this are one. Range 0 to 1. @default 0 */
+    join?: number;
+    /** Where two triangles bend more, there is a crease. Range 1 to 180. @default 60 */
+    creaseAngle?: number;
+    /** A surface that lies less before another is a fold that is not drawn. Range 0 to 1000. @default 0.008 */
+    foldDepth?: number;
+    /** Contours and creases that are shorter are not drawn. Range 0 to 100. @default 0.015 */
+    foldLength?: number;
+  };
   /** Named places in the model, metres: "hps", "cf-hem", ... */
   anchors?: Record<string, [number, number, number]>;
   /** Texts with lines to places in a view. @default [] */
@@ -102,12 +125,16 @@ export interface SheetSpec {
     material?: number | string;
     /** Instead: a place in the picture of the view, parts of its width and height from the top left corner. */
     picture?: [number, number];
-    /** Diameter or side of what is shown, metres of the garment. Range 0.0001 to 100. @default 0.08 */
+    /** Diameter or width of what is shown, metres of the garment. Range 0.0001 to 100. @default 0.08 */
     size?: number;
+    /** Height of a rectangle, metres of the garment; default `size`. Range 0.0001 to 100. */
+    height?: number;
     /** Shape of the crop. @default "circle" */
     shape?: 'circle' | 'rectangle';
     /** Scale on paper. @default "fit" */
     scale?: string;
+    /** How it is drawn; default as its view. */
+    style?: 'render' | 'flat';
     /** What it says. */
     text?: string;
   }>;

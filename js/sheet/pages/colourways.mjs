@@ -7,11 +7,16 @@ const GAP = 8;
 const WIDEST = 132;
 const HIGHEST = 100;
 
+/** The views of the first page, those that show colours before flats. */
+function shownOf(views) {
+  const lists = [views.filter(({ cover, style }) => cover && style === 'render'), views.filter(({ cover }) => cover), views.slice(0, 1)];
+  return lists.find((list) => list.length > 0).slice(0, 2);
+}
+
 export function colourwayPages(layout) {
   const { spec, words, page, pictures } = layout;
   if (spec.colourways.length === 0) return [];
-  const covered = spec.views.filter(({ cover }) => cover).slice(0, 2);
-  const views = covered.length > 0 ? covered : spec.views.slice(0, 1);
+  const views = shownOf(spec.views).map((view) => ({ ...view, style: 'render' }));
   const perRow = Math.max(1, Math.min(spec.colourways.length, Math.floor((page.box.width + GAP) / ((page.isWide ? 84 : 78) + GAP))));
   const width = Math.min(WIDEST, (page.box.width - GAP * (perRow - 1)) / perRow);
   const extents = views.map((view) => layout.extent(view));

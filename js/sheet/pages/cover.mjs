@@ -4,21 +4,27 @@ import { hexOf } from './cells.mjs';
 
 /** The first page: the garment in a few views of one scale, what it is, and its colourways. */
 
-const GAP = 4;
-const CAPTION = 8;
+export const GAP = 4;
+export const CAPTION = 8;
 
 /** Fields of the header that the first page lists. */
 const FIELDS = ['style', 'brand', 'season', 'category', 'fabric', 'baseSize', 'sizes', 'date', 'revision', 'author'];
 
-/** Views side by side in one scale, with their names beneath: a figure. */
-export function rowOfViews(layout, views, box) {
+/** The views of the first page. */
+export function coverViews({ views }) {
+  const wanted = views.filter(({ cover }) => cover);
+  return (wanted.length > 0 ? wanted : views.slice(0, 1)).slice(0, 4);
+}
+
+/** Views side by side in one scale, the given one or the largest that fits, with their names beneath: a figure. */
+export function rowOfViews(layout, views, box, given) {
   const extents = views.map((view) => layout.extent(view));
   const room = { width: box.width - GAP * (views.length - 1), height: box.height - CAPTION };
   // The widths share the row: what counts is their sum.
   const together = { width: extents.reduce((sum, { width }) => sum + width, 0), height: Math.max(...extents.map(({ height }) => height)) };
-  const ratio = fittingRatio([together], { width: room.width - 2 * views.length, height: room.height - 4 });
+  const ratio = given ?? fittingRatio([together], { width: room.width - 2 * views.length, height: room.height - 4 });
   const figure = emptyFigure(box.width, box.height);
-  const asked = views.map((view, i) => layout.pictures.ask(extents[i], { ratio, variant: view.variant }));
+  const asked = views.map((view, i) => layout.pictures.ask(extents[i], { ratio, variant: view.variant, style: view.style }));
   const total = asked.reduce((sum, { width }) => sum + width, 0);
   const free = (box.width - total) / (views.length + 1);
   let x = free;
@@ -42,8 +48,7 @@ export function rowOfViews(layout, views, box) {
 export function coverPage(layout) {
   const { spec, page, words } = layout;
   const { header } = spec;
-  const wanted = spec.views.filter(({ cover }) => cover);
-  const views = (wanted.length > 0 ? wanted : spec.views.slice(0, 1)).slice(0, 4);
+  const views = coverViews(spec);
   const box = page.isWide
     ? { width: Math.round(page.box.width * 0.68), height: page.box.height }
     : { width: page.box.width, height: Math.round(page.box.height * 0.5) };

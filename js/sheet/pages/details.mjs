@@ -16,11 +16,11 @@ const keyOf = (i) => (i < 26 ? KEYS[i] : keyOf(Math.floor(i / 26) - 1) + KEYS[i 
 async function cellOf(layout, view, detail) {
   const { page, words, pictures } = layout;
   const room = page.isWide ? SIDE.wide : SIDE.upright;
-  const size = { width: detail.size, height: detail.size };
+  const size = { width: detail.size, height: detail.height ?? detail.size };
   const ratio = detail.scale === 'fit' ? fittingRatio([size], { width: room, height: room }) : ratioOf(detail.scale);
   const centre = await layout.pointOf(detail, view, ['details', detail.id]);
   const { basis } = layout.extent(view);
-  const { file, width, height } = pictures.ask({ basis, centre, ...size }, { ratio, variant: view.variant, margin: 0 });
+  const { file, width, height } = pictures.ask({ basis, centre, ...size }, { ratio, variant: view.variant, style: detail.style, margin: 0 });
   return {
     centre,
     picture: {
@@ -36,25 +36,28 @@ async function cellOf(layout, view, detail) {
     note: layout.scaleNote(ratio),
     text: detail.text ?? '',
     changed: layout.isChanged('details', detail.id),
-    size: detail.size,
+    size,
   };
 }
 
-/** The view with rings at the places of its details. */
+/** The view with rings and frames at the places of its details. */
 function parentOf(layout, view, cells, width) {
   const { page } = layout;
   const height = page.box.height - HEADING;
   const extent = layout.extent(view);
   const ratio = fittingRatio([extent], { width: width - 4, height: height - 14 });
-  const { file, width: wide, height: high, view: seen } = layout.pictures.ask(extent, { ratio, variant: view.variant });
+  const { file, width: wide, height: high, view: seen } = layout.pictures.ask(extent, { ratio, variant: view.variant, style: view.style });
   const x = (width - wide) / 2;
   const figure = emptyFigure(width, high + 9);
   figure.pictures.push({ file, x, y: 0, width: wide, height: high, alt: layout.altOf(view, ratio), round: false, frame: false });
   figure.captions.push({ x: 0, y: high + 2, width, title: layout.titleOf(view), note: layout.scaleNote(ratio), text: '', centred: true });
-  for (const { centre, key, size } of cells) {
+  for (const { centre, key, size, picture } of cells) {
     const [px, py] = seen.paperOf(centre);
-    const radius = Math.max(1.5, (500 * size) / ratio);
-    figure.rings.push({ x: x + px, y: py, radius, key, keyX: x + px + radius * 0.75 + 0.6, keyY: py - radius * 0.75 - 2.6 });
+    const [halfWidth, halfHeight] = [size.width, size.height].map((side) => Math.max(1.5, (500 * side) / ratio));
+    // Where the circle is nearest to the corner.
+    const part = picture.round ? Math.SQRT1_2 : 1;
+    const box = { x: x + px - halfWidth, y: py - halfHeight, width: 2 * halfWidth, height: 2 * halfHeight };
+    figure.rings.push({ ...box, round: picture.round, key, keyX: x + px + halfWidth * part + 0.6, keyY: py - halfHeight * part - 2.6 });
   }
   return figure;
 }

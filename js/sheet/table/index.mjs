@@ -1,6 +1,7 @@
 import { choice, number, object, record, text } from '../../shot/table/rows.mjs';
 import { MOST, cell, paragraph } from './basics.mjs';
 import { artwork, bill, care, colourways, construction, labels, revisions } from './cloth.mjs';
+import { flats } from './flats.mjs';
 import { header } from './header.mjs';
 import { anchors, measures } from './measures.mjs';
 import { callouts, details, views } from './views.mjs';
@@ -44,6 +45,7 @@ export const SHEET = object('What a tech sheet says', {
   template: text('Name of the template', 'a name of letters, digits, - and _', { pattern: /^[\w-]{1,64}$/u, default: 'telar' }),
   header,
   views,
+  flats,
   anchors,
   callouts,
   details,

@@ -17,15 +17,19 @@ export const anchors = record(
 const POINTS = 'a list of 2 to 64 points';
 const PART = '{node} or {material}';
 
-const part = union(
-  'The part of the garment on which it is measured; default all of it',
-  [
-    object('', { node: indexOrName('Index or name of a node', 'the index or the name of a node in the model') }, { expected: PART }),
-    object('', { material: indexOrName('Index or name of a material', 'the index or the name of a material in the model') }, { expected: PART }),
-  ],
-  PART,
-  { optional: true },
-);
+/** A part of the garment, by node or material. */
+export const garmentPart = (doc, rest = {}) =>
+  union(
+    doc,
+    [
+      object('', { node: indexOrName('Index or name of a node', 'the index or the name of a node in the model') }, { expected: PART }),
+      object('', { material: indexOrName('Index or name of a material', 'the index or the name of a material in the model') }, { expected: PART }),
+    ],
+    PART,
+    rest,
+  );
+
+const part = garmentPart('The part of the garment on which it is measured; default all of it', { optional: true });
 
 const girth = object(
   'Instead of `points`: around the part, in a plane',

@@ -10,6 +10,9 @@ const SCALE = '"fit" or a scale such as "1:5"';
 /** Scales that a drawing may have: "1:5", "2:1", "1:2.5". */
 export const SCALE_TEXT = /^(?:fit|0*[1-9]\d{0,3}(?:\.\d{1,3})?:0*[1-9]\d{0,3}(?:\.\d{1,3})?)$/u;
 
+/** How a picture is drawn. */
+const STYLES = ['render', 'flat'];
+
 const view = object('A picture of the garment in true scale', {
   name: name('What other parts of the spec call it'),
   title: nameIfAny('What is printed beneath it'),
@@ -18,6 +21,7 @@ const view = object('A picture of the garment in true scale', {
   elevation: degrees('Instead of `view`: degrees above the horizon', -90, 90),
   variant: nameIfAny('Name of a material variant of the model; default that of the first colourway'),
   scale: text('Scale on paper; "fit": the largest usual one that fits', SCALE, { pattern: SCALE_TEXT, default: 'fit' }),
+  style: choice('"render": as it looks; "flat": the technical flat, lines alone, as vectors', STYLES, { default: 'render' }),
   cover: boolean('Whether it is on the first page; default: the first two views', { optional: true }),
 });
 
@@ -50,13 +54,17 @@ export const callouts = list('Texts with lines to places in a view', callout, `a
   default: [],
 });
 
+const METRES = { what: 'a length in metres', unit: 'metres', min: 1e-4, max: 100 };
+
 const detail = object('A part of a view, drawn anew at a larger scale', {
   title: name('What is printed beneath it'),
   view: nameIfAny('Name of the view; default the first'),
   ...where,
-  size: number('Diameter or side of what is shown, metres of the garment', { what: 'a length in metres', unit: 'metres', min: 1e-4, max: 100, default: 0.08 }),
+  size: number('Diameter or width of what is shown, metres of the garment', { ...METRES, default: 0.08 }),
+  height: number('Height of a rectangle, metres of the garment; default `size`', { ...METRES, optional: true }),
   shape: choice('Shape of the crop', ['circle', 'rectangle'], { default: 'circle' }),
   scale: text('Scale on paper', SCALE, { pattern: SCALE_TEXT, default: 'fit' }),
+  style: choice('How it is drawn; default as its view', STYLES, { optional: true }),
   text: paragraph('What it says'),
 });
 export const details = list('Enlarged parts of views', detail, `a list of at most ${MOST.details} details`, { max: MOST.details, default: [] });

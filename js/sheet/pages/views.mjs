@@ -1,0 +1,42 @@
+import { HEADING } from '../layout.mjs';
+import { ratioOf } from '../scale.mjs';
+import { CAPTION, GAP, coverViews, rowOfViews } from './cover.mjs';
+
+/** Pages of the views that no other page shows, and of all flats beside each other: rows of one scale. */
+
+const ROW = 4;
+
+const isShown = (spec, view) => [...spec.callouts, ...spec.details].some((item) => item.view === view.name);
+
+/** Views that share a row: neighbours of one style, and of one scale where it is given. */
+function rowsOf(layout, views, box) {
+  const rows = [];
+  for (const view of views) {
+    const row = rows.at(-1);
+    const isLike = row && row.length < ROW && row[0].style === view.style && row[0].scale === view.scale;
+    if (isLike && (view.scale === 'fit' || fits(layout, [...row, view], box))) row.push(view);
+    else rows.push([view]);
+  }
+  return rows;
+}
+
+/** Whether views of a given scale stand side by side. */
+function fits(layout, views, box) {
+  const ratio = ratioOf(views[0].scale);
+  const width = views.reduce((sum, view) => sum + (1000 * layout.extent(view).width) / ratio, 0);
+  return width <= box.width - (GAP + 4) * views.length;
+}
+
+export function viewPages(layout) {
+  const { spec, words, page } = layout;
+  const measured = spec.measures.filter(({ points, girth, border }) => points || girth || border).map(({ view }) => view);
+  const isLeft = (view) => view.style === 'flat' || (!isShown(spec, view) && !measured.includes(view.name));
+  const left = spec.views.filter((view) => !coverViews(spec).includes(view) && isLeft(view));
+  const box = { width: page.box.width, height: page.box.height - HEADING };
+  return rowsOf(layout, left, box).map((views) => {
+    // A view alone says what is wrong with its scale.
+    const ratio = views[0].scale === 'fit' ? undefined : layout.ratio(views[0], { width: box.width - 8, height: box.height - CAPTION - 4 });
+    const flat = views[0].style === 'flat';
+    return { kind: 'figure', break: true, title: words(flat ? 'flats' : 'views'), note: null, figure: rowOfViews(layout, views, box, ratio) };
+  });
+}
