@@ -15,6 +15,7 @@
 #include "telar/pose.h"
 #include "telar/reference.h"
 #include "telar/shot.h"
+#include "telar/swatch.h"
 
 /// The export table. Every function is called by js/ alone, with arguments that js/ has checked.
 namespace telar::addon {
@@ -119,6 +120,18 @@ Napi::Value measure(const Napi::CallbackInfo& info) {
   auto request = stringFromJs(info[1], "a request");
   auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
   return textOnPool(info.Env(), job, [scene, request, job] { return measureScene(*scene, request, job->cancel); });
+}
+
+/// swatch(scene, request: string, token) -> Promise<{scene, facts: string}>
+Napi::Value swatch(const Napi::CallbackInfo& info) {
+  auto scene = unwrap<SceneHandle>(info[0]).scene();
+  auto request = stringFromJs(info[1], "a request");
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
+  return State::of(info.Env()).runOnPool(info.Env(), job, [job, scene, request] {
+    auto square = swatchOf(scene, request, job->cancel);
+    std::string facts = describeScene(*square, job->cancel);
+    job->value = [square, facts = std::move(facts)](Napi::Env env) { return sceneToJs(env, square, facts); };
+  });
 }
 
 /// drawFlat(scene, shot: string, request: string, token) -> Promise<string>
@@ -227,6 +240,7 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["pose"] = Napi::Function::New(env, pose, "pose");
   exports["measurePart"] = Napi::Function::New(env, measurePart, "measurePart");
   exports["measure"] = Napi::Function::New(env, measure, "measure");
+  exports["swatch"] = Napi::Function::New(env, swatch, "swatch");
   exports["drawFlat"] = Napi::Function::New(env, drawFlat, "drawFlat");
   exports["hashModel"] = Napi::Function::New(env, hashModel, "hashModel");
   exports["hashFile"] = Napi::Function::New(env, hashFile, "hashFile");

@@ -389,6 +389,31 @@ export interface Flat {
   svg: string;
 }
 
+export interface SwatchOptions extends CallOptions {
+  /** A material; or a node, of which the material that covers most of it is meant. */
+  part: PartName;
+  /**
+   * Name of a material variant.
+   * @default ''
+   */
+  variant?: string;
+  /**
+   * Side of the square in metres, 0.001 to 10.
+   * @default 0.1
+   */
+  size?: number;
+  /**
+   * Whether it hangs from its upper edge in folds that grow downwards. Its rows keep their length.
+   * @default false
+   */
+  draped?: boolean;
+  /**
+   * As LoadingOptions has it.
+   * @default 20000
+   */
+  timeoutMs?: number | null;
+}
+
 /** A decoded model: draw many views of it. */
 export interface Model {
   readonly facts: ModelFacts;
@@ -415,9 +440,21 @@ export interface Model {
    * @example
    * const view: Shot = { size: { width: 1600, height: 1600 }, camera: { view: 'front', projection: 'orthographic' } };
    * const flat = await model.flat(view, { scale: 10, stitched: [{ node: 'hem_bottom' }] });
-   * await writeFile('front.svg', Buffer.from(flat.svg));
+   * await writeFile('front.svg', new TextEncoder().encode(flat.svg));
    */
   flat(shot?: Shot | ResolvedShot, options?: FlatOptions): Promise<Flat>;
+
+  /**
+   * A square of one material in true size, as a model of its own: it stands upright about the origin, its face to +Z. Textures repeat on it
+   * as often in a metre as they do on the garment, along u and along v, by the mean over its triangles; the file's lights and cameras are
+   * left out. It shares its images with this model. Needs no GL.
+   * @param options - part, variant, size, draped, timeoutMs, signal.
+   * @throws {TelarError} E_OPTION, E_MEASURE, E_VARIANT, L_TRIANGLES, X_TIMEOUT
+   * @example
+   * const jersey = await model.swatch({ part: { material: 'jersey' }, size: 0.1 });
+   * const image = await renderer.render(jersey, { size: { width: 800, height: 800 } });
+   */
+  swatch(options: SwatchOptions): Promise<Model>;
 }
 
 /** What a frame was made of. Native code may add keys. */

@@ -31,6 +31,12 @@ export class Model {
     return flatOf(this, shot, options);
   }
 
+  /** Documented in js/index.d.ts. */
+  async swatch(options) {
+    const { swatchOf } = await import('./swatch.mjs');
+    return swatchOf(this, options);
+  }
+
   /** @internal */
   static sceneOf(model) {
     return model.#scene;

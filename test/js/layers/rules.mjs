@@ -29,6 +29,7 @@ const CPP_LAYERS = {
   'renderer/surface': ['renderer/include', 'renderer/core'],
   'renderer/measure': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/surface'],
   'renderer/flat': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/surface'],
+  'renderer/swatch': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/surface'],
   'renderer/pass': ['renderer/include', 'renderer/core', 'renderer/brdf', 'renderer/gl', 'renderer/shader', 'renderer/ibl', 'renderer/frame'],
   'renderer/reference/plugin.h': ['renderer/include'],
   // trace/ opens the library of reference/ at run time, and links nothing of it.
@@ -121,6 +122,7 @@ const TESTED_IN = {
   'renderer/pass': 'test/cpp/renderer',
   'renderer/shader': 'test/cpp/brdf/shared_text_test.cpp',
   'renderer/surface': 'test/cpp/measure',
+  'renderer/swatch': 'test/js/api/swatch.test.mjs',
   'renderer/trace': 'test/cpp/reference',
 };
 

@@ -1,0 +1,71 @@
+#include "swatch/worn.h"
+
+#include <algorithm>
+#include <map>
+
+namespace telar::swatch {
+namespace {
+
+constexpr std::size_t FACES_PER_CANCEL_CHECK = 1 << 14;
+
+const Primitive& primitiveOf(const Scene& scene, const surface::Source& source) {
+  const Node& node = scene.nodes[static_cast<std::size_t>(source.node)];
+  return scene.meshes[static_cast<std::size_t>(node.mesh)].primitives[static_cast<std::size_t>(source.primitive)];
+}
+
+using Corners = std::array<std::uint32_t, 3>;
+
+/// Adds a triangle of edges p and q in space. Over it a point is a linear function of (u, v), whose derivatives are the
+/// metres of texture along u and along v.
+void addCoordinates(Worn::Coordinates& sum, const std::vector<glm::vec2>& uvs, const Corners& corners,
+                    const glm::dvec3& p, const glm::dvec3& q) {
+  if (uvs.empty()) return;
+  const glm::dvec2 origin(uvs[corners[0]]);
+  const glm::dvec2 a = glm::dvec2(uvs[corners[1]]) - origin, b = glm::dvec2(uvs[corners[2]]) - origin;
+  const double determinant = a.x * b.y - a.y * b.x;
+  const glm::dvec2 metres(glm::length((b.y * p - a.y * q) / determinant),
+                          glm::length((a.x * q - b.x * p) / determinant));
+  const double area = glm::length(glm::cross(p, q)) / 2;
+  // A triangle without area in the texture says nothing of its size.
+  if (!std::isfinite(metres.x + metres.y) || area == 0) return;
+  sum.area += area;
+  sum.metres += area * metres;
+  // v runs down the picture: what is not mirrored runs clockwise.
+  sum.turned -= std::copysign(area, determinant);
+}
+
+}  // namespace
+
+Worn mostWorn(const Scene& scene, const surface::Surface& surface, const CancelToken& cancel) {
+  std::map<int, Worn> worn;
+  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+    if (f % FACES_PER_CANCEL_CHECK == 0) cancel.check();
+    const surface::Face& face = surface.faces[f];
+    const surface::Source& source = surface.sources[face.source];
+    const Primitive& primitive = primitiveOf(scene, source);
+    Corners corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t at = std::size_t{3} * face.triangle + k;
+      corners[k] = primitive.indices.empty() ? static_cast<std::uint32_t>(at) : primitive.indices[at];
+    }
+    const glm::dvec3 &a = surface.corner(face, 0), &b = surface.corner(face, 1), &c = surface.corner(face, 2);
+    const glm::dvec3 p = b - a, q = c - a;
+    const double area = glm::length(glm::cross(p, q)) / 2;
+    Worn& sum = worn[source.material];
+    sum.material = source.material;
+    sum.area += area;
+    for (std::size_t set = 0; set < 2; ++set) addCoordinates(sum.coordinates[set], primitive.uvs[set], corners, p, q);
+    glm::dvec4 color(1);
+    if (!primitive.colors.empty()) {
+      color = glm::dvec4(primitive.colors[corners[0]]) + glm::dvec4(primitive.colors[corners[1]]) +
+              glm::dvec4(primitive.colors[corners[2]]);
+      color /= 3.0;
+    }
+    sum.color += area * color;
+  }
+  return std::max_element(worn.begin(), worn.end(),
+                          [](const auto& p, const auto& q) { return p.second.area < q.second.area; })
+      ->second;
+}
+
+}  // namespace telar::swatch
