@@ -446,8 +446,8 @@ export interface Model {
 
   /**
    * A square of one material in true size, as a model of its own: it stands upright about the origin, its face to +Z. Textures repeat on it
-   * as often in a metre as they do on the garment, along u and along v, by the mean over its triangles; the file's lights and cameras are
-   * left out. It shares its images with this model. Needs no GL.
+   * as often in a metre as they do on the garment, along u and along v, by the mean over its triangles. Occlusion maps and the file's lights and
+   * cameras are left out. It shares its images with this model. Needs no GL.
    * @param options - part, variant, size, draped, timeoutMs, signal.
    * @throws {TelarError} E_OPTION, E_MEASURE, E_VARIANT, L_TRIANGLES, X_TIMEOUT
    * @example

@@ -61,6 +61,9 @@ export interface SheetOptions {
   onProgress?: (part: number) => void;
 }
 
+/** CIE Lab: L, a, b. */
+export type Lab = [number, number, number];
+
 export interface Sheet {
   format: 'pdf' | 'svg' | 'png';
   /** The PDF, or one file a page. */
@@ -72,6 +75,8 @@ export interface Sheet {
     warnings: Warning[];
     /** Lengths measured on the model. */
     measures: Array<{ code: string; millimetres: number }>;
+    /** Colours of the spec's swatches: the mean albedo, without light; nearest of the list, with the distance CIEDE2000. */
+    swatches: Array<{ title: string; srgb: string; labD50: Lab; labD65: Lab; nearest: Array<{ name: string; difference: number }> }>;
     /** Wall-clock milliseconds of each stage. */
     milliseconds: { layout: number; pictures: number; typeset: number; total: number };
   };

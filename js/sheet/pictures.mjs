@@ -1,6 +1,6 @@
 import { createHash } from 'node:crypto';
 import { TelarError } from '../error/index.mjs';
-import { trueView } from './scale.mjs';
+import { basisOf, trueView } from './scale.mjs';
 
 /** The pictures of one sheet: asked for while pages are laid out, drawn together from one load of the model. */
 
@@ -29,6 +29,7 @@ export class Pictures {
   #options;
   #asked = new Map();
   #flats = new Map();
+  #squares = new Map();
 
   /**
    * @param {object} renderer
@@ -55,8 +56,12 @@ export class Pictures {
     return { file, ...view.paper, view };
   }
 
+  #renderOf(seen) {
+    return { ...this.#options.shot, ...seen, background: WHITE, output: { format: 'jpeg', quality: QUALITY, ppi: Math.round(this.#options.ppi) } };
+  }
+
   #askRender(seen) {
-    const shot = { ...this.#options.shot, ...seen, background: WHITE, output: { format: 'jpeg', quality: QUALITY, ppi: Math.round(this.#options.ppi) } };
+    const shot = this.#renderOf(seen);
     const file = `${nameOf(shot)}.jpg`;
     this.#asked.set(file, shot);
     return file;
@@ -68,6 +73,21 @@ export class Pictures {
     const file = `${nameOf([shot, options])}.svg`;
     this.#flats.set(file, { shot, options });
     return file;
+  }
+
+  /**
+   * A picture of a square of a material, drawn later.
+   * @param {object} square model of Model.swatch
+   * @param {{size: number, ratio: number}} how size: metres
+   * @returns {{file: string, width: number, height: number}} millimetres of paper
+   */
+  askSquare(square, { size, ratio }) {
+    const extent = { basis: basisOf({ view: 'front' }), centre: [0, 0, 0], width: size, height: size };
+    const view = trueView(extent, { ratio, ppi: this.#options.ppi, depth: depthOf(square.facts.bounds) });
+    const shot = this.#renderOf({ size: view.size, camera: view.camera });
+    const file = `${nameOf([shot, this.#squares.size])}.jpg`;
+    this.#squares.set(file, { square, shot });
+    return { file, ...view.paper };
   }
 
   /**
@@ -103,6 +123,7 @@ export class Pictures {
     const files = [...this.#asked.keys()];
     const images = await this.#renderer.renderAll(this.#model, [...this.#asked.values()], { ...this.#options.call, onProgress });
     const drawn = new Map(files.map((file, i) => [file, images[i]]));
+    for (const [file, { square, shot }] of this.#squares) drawn.set(file, await this.#renderer.render(square, shot, this.#options.call));
     for (const [file, flat] of this.#flats) drawn.set(file, { data: Buffer.from(await this.#flat(flat)) });
     return drawn;
   }

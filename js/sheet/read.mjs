@@ -1,6 +1,7 @@
 import { TelarError } from '../error/index.mjs';
 import { complaint, nearest, pointerText, shown, wrongValue } from '../shot/complain.mjs';
 import { PLACES } from './lengths.mjs';
+import { ratioOf } from './scale.mjs';
 import { specSchema } from './schema.mjs';
 import { WHERE } from './table/views.mjs';
 
@@ -52,6 +53,17 @@ function checkView(view, path, { variants }) {
   checkName([...path, 'variant'], view.variant, variants, 'material variant');
 }
 
+/** The smallest and the largest scale of a square of 10 cm: 1 cm and its own size fit into any paper. */
+const SQUARE_RATIOS = [1, 10];
+
+function checkSwatch({ material, node, variant, scale }, path, { variants }) {
+  if ((material === undefined) === (node === undefined))
+    throw wrong(path, 'one of material, node', Object.fromEntries(Object.entries({ material, node }).filter(([, value]) => value !== undefined)));
+  checkName([...path, 'variant'], variant, variants, 'material variant');
+  const ratio = scale === 'fit' ? SQUARE_RATIOS[0] : ratioOf(scale);
+  if (ratio < SQUARE_RATIOS[0] || ratio > SQUARE_RATIOS[1]) throw wrong([...path, 'scale'], 'a scale from "1:1" to "1:10"', scale);
+}
+
 function checkDetail({ shape, height }, path) {
   if (height !== undefined && shape === 'circle') throw wrong([...path, 'height'], 'none where `shape` is not "rectangle"', height);
 }
@@ -75,13 +87,16 @@ const DEFAULT_VIEWS = [
   { name: 'back', view: 'back', scale: 'fit' },
 ];
 
+/** The variant that pictures show where nothing says another: that of the first colourway. */
+const shownVariant = ({ colourways }) => colourways.find(({ variant }) => variant)?.variant ?? '';
+
 /** A copy with the defaults that depend on other keys. */
 function completed(spec) {
   const views = (spec.views?.length ? spec.views : DEFAULT_VIEWS).map((view, i) => ({
     ...view,
     ...(view.view === undefined && view.azimuth === undefined && view.elevation === undefined && { view: 'front' }),
     cover: view.cover ?? (spec.views?.some(({ cover }) => cover !== undefined) ? false : i < 2),
-    variant: view.variant ?? spec.colourways.find(({ variant }) => variant)?.variant ?? '',
+    variant: view.variant ?? shownVariant(spec),
   }));
   const first = views[0].name;
   const seen = (list) => list.map((item) => ({ ...item, view: item.view ?? first }));
@@ -92,6 +107,7 @@ function completed(spec) {
     callouts: seen(spec.callouts),
     details: seen(spec.details).map((detail) => ({ ...detail, style: detail.style ?? views.find(({ name }) => name === detail.view)?.style })),
     measures: seen(spec.measures),
+    swatches: spec.swatches.map((swatch) => ({ ...swatch, variant: swatch.variant ?? shownVariant(spec) })),
   };
 }
 
@@ -127,6 +143,12 @@ export function readSpec(given, { variants = [] } = {}) {
   });
   const colourways = spec.colourways.map(({ name }) => name);
   spec.colourways.forEach(({ variant }, i) => checkName(['colourways', i, 'variant'], variant, variants, 'material variant'));
+  result.data.swatches.forEach((swatch, i) => checkSwatch(swatch, ['swatches', i], { variants }));
+  spec.colourways.forEach(({ swatches }, i) =>
+    swatches.forEach(({ color, material }, k) => {
+      if (color !== undefined && material !== undefined) throw wrong(['colourways', i, 'swatches', k], 'one of color, material', { color, material });
+    }),
+  );
   spec.bill.forEach(({ colours }, i) => {
     for (const name of Object.keys(colours)) checkName(['bill', i, 'colours', name], name, colourways, 'colourway');
   });

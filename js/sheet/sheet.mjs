@@ -15,10 +15,12 @@ import { coverPage } from './pages/cover.mjs';
 import { detailPages } from './pages/details.mjs';
 import { artworkPages, billPages, carePages, closingPages, constructionPages, labelPages } from './pages/lists.mjs';
 import { measurePages } from './pages/measures.mjs';
+import { swatchPages } from './pages/swatches.mjs';
 import { viewPages } from './pages/views.mjs';
 import { Pictures } from './pictures.mjs';
 import { pointOf } from './places.mjs';
 import { ABOUT, readSpec } from './read.mjs';
+import { Squares, colourListOf } from './squares.mjs';
 import { wordsOf } from './words.mjs';
 
 /** Makes a sheet: reads the spec, lays out its pages, draws their pictures together, and has them set. */
@@ -30,6 +32,7 @@ const PAGES = [
   detailPages,
   measurePages,
   colourwayPages,
+  swatchPages,
   billPages,
   constructionPages,
   labelPages,
@@ -104,6 +107,8 @@ export async function layOut(source, given, settings) {
     const pictures = new Pictures(renderer, model, { ppi: spec.ppi, shot, flats: spec.flats, call });
     const changed = new Set(previous ? changesBetween(previous, given) : []);
     const layout = new Layout({ spec, facts, words, pictures, engine, changed, images, fonts: fonts.families });
+    layout.squares = new Squares({ model, renderer, call, list: await colourListOf(spec, resolve) });
+    layout.colours = [];
     layout.pointOf = (item, view, pointer) =>
       pointOf(item, { pointer, extent: extentOf(layout.bounds, basisOf(view)), variant: view.variant, renderer, model, signal });
     const warn = (...told) => layout.warn(...told);
@@ -135,7 +140,7 @@ export async function createSheet(source, given, options = {}) {
     const { format } = settings;
     const files = await filesOf(engine, documentOf(layout, sections, images), { format, ppi: layout.spec.ppi });
     const milliseconds = { layout: laidOut - start, pictures: pictured - laidOut, typeset: performance.now() - pictured, total: performance.now() - start };
-    return { format, files, info: { pictures: drawn.size, warnings: layout.warnings, measures: measuresOf(layout), milliseconds } };
+    return { format, files, info: { pictures: drawn.size, warnings: layout.warnings, measures: measuresOf(layout), swatches: layout.colours, milliseconds } };
   } finally {
     engine.close();
   }

@@ -204,8 +204,34 @@ export interface SheetSpec {
       code?: string;
       /** The colour: CSS (sRGB) or linear [r, g, b]. */
       color?: string | [number, number, number];
+      /** Instead of `color`: index or name of a material, whose mean albedo is meant. */
+      material?: number | string;
     }>;
   }>;
+  /** Materials as they look. @default [] */
+  swatches?: Array<{
+    /** What is printed beneath it. */
+    title: string;
+    /** Index or name of the material. */
+    material?: number | string;
+    /** Instead: index or name of a node, of which the material that covers most of it is meant. */
+    node?: number | string;
+    /** Name of a material variant of the model; default that of the first colourway. */
+    variant?: string;
+    /** Scale on paper, at least 1:10. @default "1:2" */
+    scale?: string;
+    /** Whether it is shown draped too. @default true */
+    draped?: boolean;
+    /** What else there is to say. */
+    text?: string;
+  }>;
+  /** A list of colours: the nearest of them are named beside each swatch, with the distance CIEDE2000. */
+  colourList?: {
+    /** Name of a CSV file beside the spec: name, L, a, b. */
+    file: string;
+    /** Light that its Lab values are of. @default "D50" */
+    light?: 'D50' | 'D65';
+  };
   /** Bill of materials. @default [] */
   bill?: Array<{
     /** Reference number. */

@@ -100,6 +100,8 @@ std::shared_ptr<const Scene> sceneOf(const std::shared_ptr<const Scene>& model, 
   node.name = "swatch";
   node.mesh = static_cast<int>(out->meshes.size()) - 1;
   out->nodes = {node};
+  // What the garment's own folds shade is no part of the cloth.
+  for (Material& material : out->materials) material.occlusionTexture = {};
   out->lights.clear();
   out->cameras.clear();
   out->motion.reset();

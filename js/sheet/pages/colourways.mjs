@@ -13,7 +13,18 @@ function shownOf(views) {
   return lists.find((list) => list.length > 0).slice(0, 2);
 }
 
-export function colourwayPages(layout) {
+/** Colours of a colourway: as the spec has them, or of a material in its variant. */
+export async function chipsOf(layout, { swatches, variant = '' }, i) {
+  const chips = [];
+  for (const [k, swatch] of swatches.entries()) {
+    const { part = '', name, code = '', color, material } = swatch;
+    const measured = material === undefined ? undefined : await layout.squares.colour({ material, variant }, ['colourways', i, 'swatches', k]);
+    chips.push({ colour: color ? hexOf(color) : (measured?.srgb ?? null), part, name: name ?? measured?.nearest[0]?.name ?? '', code });
+  }
+  return chips;
+}
+
+export async function colourwayPages(layout) {
   const { spec, words, page, pictures } = layout;
   if (spec.colourways.length === 0) return [];
   const views = shownOf(spec.views).map((view) => ({ ...view, style: 'render' }));
@@ -22,6 +33,8 @@ export function colourwayPages(layout) {
   const extents = views.map((view) => layout.extent(view));
   const together = { width: extents.reduce((sum, extent) => sum + extent.width, 0), height: Math.max(...extents.map(({ height }) => height)) };
   const ratio = fittingRatio([together], { width: width - 4 * views.length - 2, height: HIGHEST });
+  const chips = [];
+  for (const [i, colourway] of spec.colourways.entries()) chips.push(await chipsOf(layout, colourway, i));
   return [
     {
       kind: 'colourways',
@@ -30,7 +43,7 @@ export function colourwayPages(layout) {
       note: layout.scaleNote(ratio),
       gap: GAP,
       columns: perRow,
-      cells: spec.colourways.map(({ name, code, variant, swatches }, i) => ({
+      cells: spec.colourways.map(({ name, code, variant }, i) => ({
         name,
         code: code ?? '',
         changed: layout.isChanged('colourways', i),
@@ -38,12 +51,7 @@ export function colourwayPages(layout) {
           const { file, width: wide, height } = pictures.ask(extents[k], { ratio, variant: variant ?? view.variant });
           return { file, width: wide, height, alt: `${name}: ${layout.altOf(view, ratio)}` };
         }),
-        swatches: swatches.map((swatch) => ({
-          colour: swatch.color ? hexOf(swatch.color) : null,
-          part: swatch.part ?? '',
-          name: swatch.name ?? '',
-          code: swatch.code ?? '',
-        })),
+        swatches: chips[i],
       })),
     },
   ];

@@ -1,6 +1,6 @@
 import { emptyFigure } from '../layout.mjs';
 import { fittingRatio } from '../scale.mjs';
-import { hexOf } from './cells.mjs';
+import { chipsOf } from './colourways.mjs';
 
 /** The first page: the garment in a few views of one scale, what it is, and its colourways. */
 
@@ -45,7 +45,7 @@ export function rowOfViews(layout, views, box, given) {
   return figure;
 }
 
-export function coverPage(layout) {
+export async function coverPage(layout) {
   const { spec, page, words } = layout;
   const { header } = spec;
   const views = coverViews(spec);
@@ -53,6 +53,11 @@ export function coverPage(layout) {
     ? { width: Math.round(page.box.width * 0.68), height: page.box.height }
     : { width: page.box.width, height: Math.round(page.box.height * 0.5) };
   const values = { ...header, sizes: header.sizes.join('  ') };
+  const chips = [];
+  for (const [i, colourway] of spec.colourways.entries()) {
+    const colours = (await chipsOf(layout, colourway, i)).map(({ colour }) => colour).filter(Boolean);
+    chips.push({ name: colourway.name, text: colourway.code ?? '', colours });
+  }
   return [
     {
       kind: 'cover',
@@ -62,11 +67,7 @@ export function coverPage(layout) {
       description: header.description ?? '',
       figure: rowOfViews(layout, views, box),
       facts: FIELDS.filter((field) => values[field]).map((field) => [words(field), values[field]]),
-      chips: spec.colourways.map(({ name, code, swatches }) => ({
-        name,
-        text: code ?? '',
-        colours: swatches.filter(({ color }) => color).map(({ color }) => hexOf(color)),
-      })),
+      chips,
     },
   ];
 }

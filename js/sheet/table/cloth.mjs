@@ -1,17 +1,20 @@
-import { colour, list, object, record } from '../../shot/table/rows.mjs';
+import { boolean, choice, colour, indexOrName, list, object, record, text } from '../../shot/table/rows.mjs';
 import { CARE_SYMBOLS } from '../care.mjs';
-import { choice } from '../../shot/table/rows.mjs';
+import { SCALE, SCALE_TEXT } from './views.mjs';
 import { MOST, cell, image, lengthIn, name, nameIfAny, paragraph } from './basics.mjs';
 
 /** Rows of what the garment is made of and how: colourways, bill of materials, construction, labels, care, artwork, revisions. */
 
 const rows = (doc, of, what, max = MOST.notes) => list(doc, of, `a list of at most ${max} ${what}`, { max, default: [] });
 
+const MATERIAL = 'the index or the name of a material in the model';
+
 const swatch = object('A colour of a colourway', {
   part: nameIfAny('Where it is: "body", "rib"'),
   name: nameIfAny('Name of the colour'),
   code: nameIfAny('Its code in a colour system'),
   color: colour('The colour: CSS (sRGB) or linear [r, g, b]', { optional: true }),
+  material: indexOrName('Instead of `color`: index or name of a material, whose mean albedo is meant', MATERIAL, { optional: true }),
 });
 
 const colourway = object('One colouring of the garment', {
@@ -21,6 +24,28 @@ const colourway = object('One colouring of the garment', {
   swatches: rows('Its colours', swatch, 'colours', MOST.symbols),
 });
 export const colourways = rows('Colourings of the garment', colourway, 'colourways', MOST.colourways);
+
+const square = object('A square of a material, 10 cm wide, flat and draped, with its colour', {
+  title: name('What is printed beneath it'),
+  material: indexOrName('Index or name of the material', MATERIAL, { optional: true }),
+  node: indexOrName('Instead: index or name of a node, of which the material that covers most of it is meant', 'the index or the name of a node in the model', {
+    optional: true,
+  }),
+  variant: nameIfAny('Name of a material variant of the model; default that of the first colourway'),
+  scale: text('Scale on paper, at least 1:10', SCALE, { pattern: SCALE_TEXT, default: '1:2' }),
+  draped: boolean('Whether it is shown draped too', { default: true }),
+  text: paragraph('What else there is to say'),
+});
+export const swatches = rows('Materials as they look', square, 'squares', MOST.symbols);
+
+export const colourList = object(
+  'A list of colours: the nearest of them are named beside each swatch, with the distance CIEDE2000',
+  {
+    file: name('Name of a CSV file beside the spec: name, L, a, b'),
+    light: choice('Light that its Lab values are of', ['D50', 'D65'], { default: 'D50' }),
+  },
+  { optional: true },
+);
 
 const material = object('A line of the bill of materials', {
   reference: nameIfAny('Reference number'),

@@ -1,6 +1,6 @@
 import { choice, number, object, record, text } from '../../shot/table/rows.mjs';
 import { MOST, cell, paragraph } from './basics.mjs';
-import { artwork, bill, care, colourways, construction, labels, revisions } from './cloth.mjs';
+import { artwork, bill, care, colourList, colourways, construction, labels, revisions, swatches } from './cloth.mjs';
 import { flats } from './flats.mjs';
 import { header } from './header.mjs';
 import { anchors, measures } from './measures.mjs';
@@ -51,6 +51,8 @@ export const SHEET = object('What a tech sheet says', {
   details,
   measures,
   colourways,
+  swatches,
+  colourList,
   bill,
   construction,
   labels,

@@ -5,7 +5,7 @@ import { MOST, name, nameIfAny, paragraph, place } from './basics.mjs';
 /** Rows of `views`, `callouts` and `details`: pictures of the garment, and what points at them. */
 
 const degrees = (doc, min, max) => number(doc, { what: 'a number of degrees', unit: 'degrees', min, max, optional: true });
-const SCALE = '"fit" or a scale such as "1:5"';
+export const SCALE = '"fit" or a scale such as "1:5"';
 
 /** Scales that a drawing may have: "1:5", "2:1", "1:2.5". */
 export const SCALE_TEXT = /^(?:fit|0*[1-9]\d{0,3}(?:\.\d{1,3})?:0*[1-9]\d{0,3}(?:\.\d{1,3})?)$/u;

@@ -1,0 +1,77 @@
+import { TelarError } from '../error/index.mjs';
+import { pointerText } from '../shot/complain.mjs';
+import { readColourList } from './colour_list.mjs';
+import { LIGHTS, nearestColours } from './colour.mjs';
+import { hexOf } from './pages/cells.mjs';
+import { ABOUT } from './read.mjs';
+
+/** Squares of the materials of a model, and their colours. */
+
+/** Side of a square, metres. */
+export const SIDE = 0.1;
+
+/** Pixels of a side of the picture whose mean is taken: of what is finer, the mip levels hold the mean. */
+const PIXELS = 256;
+
+const CAMERA = { projection: 'orthographic', position: [0, 0, 1], target: [0, 0, 0], height: SIDE, near: 0.5, far: 1.5 };
+
+/** Mean of a picture of linear floats, by coverage. @returns {number[]} linear Rec.709 */
+export function meanOf({ data }) {
+  const sums = [0, 0, 0, 0];
+  for (let i = 0; i < data.length; i += 4) for (let c = 0; c < 4; ++c) sums[c] += (c < 3 ? data[i + 3] : 1) * data[i + c];
+  return sums.slice(0, 3).map((sum) => (sums[3] > 0 ? sum / sums[3] : 0));
+}
+
+/** @throws {TelarError} E_SPEC where the file is not there or no list */
+export async function colourListOf({ colourList }, resolve) {
+  if (!colourList) return undefined;
+  const bytes = await resolve?.(colourList.file);
+  if (!bytes)
+    throw new TelarError(ABOUT.code, `spec.colourList.file: there is no file ${JSON.stringify(colourList.file)}${resolve ? '' : '; give the option resolve'}`, {
+      pointer: '/colourList/file',
+    });
+  return { light: colourList.light, colours: readColourList(bytes) };
+}
+
+export class Squares {
+  #context;
+  #made = new Map();
+
+  /** @param {{model: object, renderer: object, call: object, list?: {light: string, colours: object[]}}} context list: of colourListOf */
+  constructor(context) {
+    this.#context = context;
+  }
+
+  /**
+   * @param {{material?: number | string, node?: number | string, variant: string}} what
+   * @param {(string | number)[]} path of what names it
+   * @param {boolean} [draped]
+   * @returns {Promise<object>} model
+   * @throws {TelarError} E_SPEC where the model has no such part
+   */
+  async model({ material, node, variant }, path, draped = false) {
+    const kind = material !== undefined ? 'material' : 'node';
+    const key = JSON.stringify([kind, material ?? node, variant, draped]);
+    if (this.#made.has(key)) return this.#made.get(key);
+    const { model, call } = this.#context;
+    try {
+      const square = await model.swatch({ part: { [kind]: material ?? node }, variant, size: SIDE, draped, ...call });
+      this.#made.set(key, square);
+      return square;
+    } catch (thrown) {
+      if (thrown.code !== 'E_MEASURE') throw thrown;
+      throw new TelarError(ABOUT.code, `spec.${path.join('.')}: ${thrown.message}`, { pointer: pointerText([...path, kind]), cause: thrown });
+    }
+  }
+
+  /**
+   * The colour of the material itself, without light: the mean of its albedo.
+   * @returns {Promise<{linear: number[], srgb: string, labD50: number[], labD65: number[], nearest: {name: string, difference: number}[]}>}
+   */
+  async colour(what, path) {
+    const { renderer, call, list } = this.#context;
+    const shot = { size: { width: PIXELS, height: PIXELS }, camera: CAMERA, quality: 'draft', environment: 'none' };
+    const linear = meanOf(await renderer.renderQuantity(await this.model(what, path), shot, 'baseColor', call));
+    return { linear, srgb: hexOf(linear), labD50: LIGHTS.D50(linear), labD65: LIGHTS.D65(linear), nearest: list ? nearestColours(linear, list) : [] };
+  }
+}
