@@ -148,6 +148,10 @@ export function buildProgram(version, actions, output) {
         addShotOptions(
           command('view', "Show the browser client beside the server's picture, and their difference, on a local page")
             .argument('<model>', '.glb or .gltf file; - is a GLB on stdin')
+            .option(
+              '--spec <file>',
+              'spec of a tech sheet to edit: call-outs and points of measure are made by clicks; a first one is made where there is none',
+            )
             .option('--port <port>', 'port on 127.0.0.1; a free one by default', port)
             .option('--three <folder>', "three.js that draws the browser's picture, as in --three node_modules/three; telar's own by default")
             .option('--open', 'open the page in the browser'),

@@ -14,6 +14,10 @@ const PAGE = fileURLToPath(new URL('../dist/view/', import.meta.url));
 const HOST = '127.0.0.1';
 const TOKEN_BYTES = 24;
 const MAX_SHOT_BYTES = 1 << 20;
+/** One point of measure: 64 points and texts of at most 500 characters. */
+const MAX_MEASURE_BYTES = 1 << 16;
+/** As the command line reads at most. */
+const MAX_SPEC_BYTES = 1 << 23;
 /** 8192 x 8192 RGBA. */
 const MAX_PIXEL_BYTES = 2 ** 28;
 
@@ -69,6 +73,18 @@ function pageFiles(decoders = new Map()) {
 const BUNDLED = /<script type="module" src="page\/page\.js"><\/script>/;
 const withOwnThree = (html, { importMap }) => html.replace(BUNDLED, `${importMap}\n<script type="module" src="page/own.js"></script>`);
 
+const sendJson = (response, value) => send(response, 200, 'application/json; charset=utf-8', JSON.stringify(value));
+
+/** What a page asks of the spec that it edits. */
+const specRoutesOf = (session) => ({
+  'GET spec': async ({ response }) => sendJson(response, await session.describeSpec()),
+  'POST measure': async ({ request, response }) => {
+    const body = await jsonOf(request, MAX_MEASURE_BYTES);
+    sendJson(response, await session.measure(body, signalOf(response)));
+  },
+  'POST spec': async ({ request, response }) => sendJson(response, await session.saveSpec(await jsonOf(request, MAX_SPEC_BYTES))),
+});
+
 /** What lies beneath the token, by method and first part of the path; `name` is the rest of it, decoded. */
 const routesOf = (session, page, three) => ({
   'GET ': async ({ response }) => {
@@ -77,7 +93,7 @@ const routesOf = (session, page, three) => ({
   },
   'GET three': ({ response, name }) => sendFile(response, three?.files.get(name)),
   'GET page': ({ response, name }) => sendFile(response, page.get(name)),
-  'GET session': async ({ response }) => send(response, 200, 'application/json; charset=utf-8', JSON.stringify(await session.describe(signalOf(response)))),
+  'GET session': async ({ response }) => sendJson(response, await session.describe(signalOf(response))),
   'GET model': ({ response, name }) => {
     const found = session.modelFile(name);
     if (found instanceof Uint8Array) return send(response, 200, 'model/gltf-binary', found);
@@ -93,6 +109,7 @@ const routesOf = (session, page, three) => ({
     const multipart = new Response(form);
     send(response, 200, multipart.headers.get('content-type'), Buffer.from(await multipart.arrayBuffer()));
   },
+  ...(session.hasSpec && specRoutesOf(session)),
   // Encodes pixels of the page, so that no canvas rounds their colours under alpha.
   'POST png': async ({ request, response, query }) => {
     const data = await bodyOf(request, 'application/octet-stream', MAX_PIXEL_BYTES);

@@ -19,6 +19,7 @@ export class Session {
   #source;
   #shot;
   #environments;
+  #spec;
   #model;
   #files;
   #isFresh = false;
@@ -28,10 +29,12 @@ export class Session {
    * @param {Awaited<ReturnType<import('../api/renderer.mjs').createRenderer>>} what.renderer
    * @param {string | Uint8Array} what.source path, or bytes of a GLB
    * @param {object} what.shot not resolved
+   * @param {import('./spec_file.mjs').SpecFile} [what.spec] the spec of a tech sheet that the page edits
    */
-  constructor({ renderer, source, shot }) {
+  constructor({ renderer, source, shot, spec }) {
     this.#renderer = renderer;
     this.#source = source;
+    this.#spec = spec;
     this.#environments = new Environments(shot);
     this.#shot = this.#environments.forPage(shot);
   }
@@ -81,6 +84,7 @@ export class Session {
       name: this.name,
       shot: this.#shot,
       environments: this.#environments.list(),
+      spec: this.#spec?.name ?? null,
       server: { backend, renderer: gl.renderer, version: gl.version },
     };
   }
@@ -105,6 +109,31 @@ export class Session {
     const { data, info } = await this.#renderer.render(this.#model, { ...known, output: PIXELS }, { signal });
     const { width, height, milliseconds, warnings } = info;
     return { data, info: { width, height, milliseconds, warnings, shot: this.#environments.forPage(info.shot) } };
+  }
+
+  /** @returns what a spec is read against: the model's facts, and the style's name where it has none */
+  get #about() {
+    return { facts: this.#model.facts, style: typeof this.#source === 'string' ? path.parse(this.#source).name : '' };
+  }
+
+  /** Whether a spec is edited. */
+  get hasSpec() {
+    return this.#spec !== undefined;
+  }
+
+  /** @see SpecFile.describe */
+  describeSpec() {
+    return this.#spec.describe(this.#about);
+  }
+
+  /** @see SpecFile.measure */
+  measure(body, signal) {
+    return this.#spec.measure(body, { ...this.#about, model: this.#model, signal });
+  }
+
+  /** @see SpecFile.save */
+  saveSpec(body) {
+    return this.#spec.save(body, this.#about);
   }
 
   /** Whether the model has KTX2 textures: three's transcoder for them makes functions of text. */

@@ -25,6 +25,9 @@ export class Client {
   #environments;
   #textures = new Map();
 
+  /** Is called when a picture stands. */
+  onDraw = () => {};
+
   /** three.js's own number. */
   static revision = THREE.REVISION;
 
@@ -112,6 +115,35 @@ export class Client {
     renderer.render(this.#scene, this.#camera);
     if (renderer !== this.#renderer) this.#place.replaceChildren(renderer.domElement);
     this.#renderer = renderer;
+    this.onDraw();
+  }
+
+  /**
+   * The point of the garment that the last picture shows at a place.
+   * @param {number[]} place parts of its width and height, from the top left corner
+   * @returns {number[] | undefined} metres; undefined beside the garment
+   */
+  pick([x, y]) {
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(new THREE.Vector2(2 * x - 1, 1 - 2 * y), this.#camera);
+    const isShown = (object) => object === null || (object.visible && isShown(object.parent));
+    const hits = ray.intersectObject(this.#model.scene, true);
+    return hits.find(({ object }) => object.isMesh && isShown(object))?.point.toArray();
+  }
+
+  /**
+   * Where the last picture shows a point.
+   * @param {number[]} point metres
+   * @returns {number[] | undefined} as pick's place; undefined behind the camera
+   */
+  project(point) {
+    const at = new THREE.Vector3(...point).project(this.#camera);
+    return at.z < 1 && at.z > -1 ? [(at.x + 1) / 2, (1 - at.y) / 2] : undefined;
+  }
+
+  /** @returns {number[]} the direction from what the last picture shows to the viewer */
+  get back() {
+    return this.#camera.getWorldDirection(new THREE.Vector3()).negate().toArray();
   }
 
   /** @returns {import('../../compare/image.mjs').Image} the last picture */

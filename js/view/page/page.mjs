@@ -7,6 +7,7 @@ import { addOrbit } from './orbit.mjs';
 import { Pictures } from './pictures.mjs';
 import { session } from './remote.mjs';
 import { savePicture } from './saving.mjs';
+import { addSheet } from './sheet.mjs';
 import { bindShortcuts } from './shortcuts.mjs';
 import { ShotState } from './shot_state.mjs';
 import { bindShotText } from './shot_text.mjs';
@@ -80,7 +81,7 @@ function addModes(stage) {
 
 async function start() {
   setPhase('loading');
-  const { name, shot, environments, server } = await session();
+  const { name, shot, environments, spec, server } = await session();
   $('model-name').textContent = name;
   document.title = `${name} · telar`;
   const client = await Client.load({ place: $('client-canvas'), model: `model/${encodeURIComponent(name)}`, environments, shot });
@@ -99,8 +100,10 @@ async function start() {
   for (const side of ['browser', 'server']) $(`save-${side}`).addEventListener('click', () => save(side));
   const help = () => $('help').showModal();
   $('help-button').addEventListener('click', help);
+  const sheetKeys = spec ? await addSheet({ client, shots: state, tell }) : {};
   bindShortcuts(
     {
+      ...sheetKeys,
       ...addViews(state),
       ...addModes(stage),
       ' ': () => stage.pause(),

@@ -24,6 +24,22 @@ async function request(path, options) {
 /** @returns {Promise<object>} what js/view/session.mjs describes */
 export const session = async () => (await request('session')).json();
 
+const post = async (path, body, signal) =>
+  (await request(path, { method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify(body), signal })).json();
+
+/** @returns {Promise<object>} what SpecFile.describe in js/view/spec_file.mjs gives */
+export const spec = async () => (await request('spec')).json();
+
+/**
+ * The length of a point of measure, by the server.
+ * @param {{measure: object, index: number}} body
+ * @param {AbortSignal} signal
+ */
+export const measure = (body, signal) => post('measure', body, signal);
+
+/** @param {{version: string, callouts: object[], measures: object[]}} body @returns {Promise<{version: string}>} */
+export const saveSpec = (body) => post('spec', body);
+
 /**
  * The server's picture of a shot.
  * @param {object} shot not resolved

@@ -91,7 +91,7 @@ const JS_LAYERS = {
   'js/sheet/care.mjs': { imports: [], browser: true },
   'js/sheet/scale.mjs': { imports: ['js/shot'], browser: true },
   'js/sheet/place': { imports: [], browser: true },
-  'js/view': { imports: ['js/error', 'js/shot', 'js/compare', 'js/api/native.mjs'] },
+  'js/view': { imports: ['js/error', 'js/shot', 'js/compare', 'js/sheet', 'js/api/native.mjs'] },
   'js/view/page': { imports: ['js/error', 'js/shot', 'js/three', 'js/compare', 'js/dist/zod.mjs'], browser: true, bundled: true },
   'js/cli': { imports: ['js/error', 'js/shot', 'js/compare', 'js/analyse', 'js/sheet', 'js/view', 'js/index.mjs'] },
   'js/machine': { imports: [], builtinsOnly: true },

@@ -1,0 +1,187 @@
+import { Lengths } from './lengths.mjs';
+import { Marks } from './marks.mjs';
+import { addPicking } from './picking.mjs';
+import { saveSpec, spec as readSpec } from './remote.mjs';
+import { Rows } from './spec_rows.mjs';
+import { SpecState, nearestView, nextCode, rounded } from './spec_state.mjs';
+
+const $ = (id) => document.getElementById(id);
+
+const HINTS = {
+  turn: 'Choose what a click on the garment makes.',
+  callout: 'Click on the garment: the call-out points there.',
+  straight: 'Click on the garment where the measure begins and where it ends.',
+  surface: 'Click on the garment where the measure begins and where it ends.',
+};
+const SECOND = 'Now where it ends.';
+
+const IN_POSE = 'Points are those of the garment as the file stands: choose the animation "As in the file" first.';
+
+/**
+ * The part of the page that edits a tech sheet's spec.
+ * @param {object} options
+ * @param {import('./client.mjs').Client} options.client
+ * @param {import('./shot_state.mjs').ShotState} options.shots
+ * @param {(error?: Error) => void} options.tell
+ * @returns {Promise<Record<string, () => unknown>>} what single keys do
+ */
+export async function addSheet({ client, shots, tell }) {
+  const about = await readSpec();
+  const state = new SpecState(about);
+  const sheet = new SheetPanel({ about, state, client, shots, tell });
+  $('sheet').hidden = false;
+  $('sheet-keys').hidden = false;
+  return sheet.keys;
+}
+
+class SheetPanel {
+  #about;
+  #state;
+  #client;
+  #shots;
+  #tell;
+  #marks;
+  #rows;
+  #lengths;
+  /** First point of a measure whose second is to come. */
+  #begun;
+  #chosen = {};
+  #isSaving = false;
+
+  constructor({ about, state, client, shots, tell }) {
+    this.#about = about;
+    this.#state = state;
+    this.#client = client;
+    this.#shots = shots;
+    this.#tell = tell;
+    this.#lengths = new Lengths(() => this.#show());
+    this.#marks = new Marks([$('client-picture'), $('server-picture')], (point) => client.camera && client.project(point));
+    this.#rows = Object.fromEntries(['callouts', 'measures'].map((list) => [list, new Rows($(list).tBodies[0], list, state, about)]));
+    client.onDraw = () => this.#showMarks();
+    addPicking($('stage'), (place) => this.#pick(place));
+    state.addEventListener('change', () => this.#show());
+    for (const radio of this.#tools) radio.addEventListener('change', () => this.#useTool());
+    for (const list of ['callouts', 'measures']) $(list).addEventListener('focusin', ({ target }) => this.#choose(list, target.closest('tr')?.dataset.index));
+    $('undo').addEventListener('click', () => state.undo());
+    $('redo').addEventListener('click', () => state.redo());
+    $('save-spec').addEventListener('click', () => void this.#save());
+    document.addEventListener('keydown', (event) => this.#onKey(event));
+    addEventListener('beforeunload', (event) => state.isEdited && event.preventDefault());
+    $('save-spec').textContent = `Save ${about.name}`;
+    this.#useTool();
+    this.#show();
+  }
+
+  get #tools() {
+    return [...document.querySelectorAll('input[name=tool]')];
+  }
+
+  get #tool() {
+    return this.#tools.find(({ checked }) => checked).value;
+  }
+
+  get keys() {
+    const tools = this.#tools.map((radio) => [radio.dataset.key, () => radio.click()]);
+    return { ...Object.fromEntries(tools), Escape: () => (this.#begun ? this.#useTool() : this.#tools[0].click()) };
+  }
+
+  /** Undo and redo, but for typed text, which the browser undoes itself. */
+  #onKey(event) {
+    const { key, ctrlKey, metaKey, shiftKey, target } = event;
+    if (!(ctrlKey || metaKey) || target.matches('textarea, input[type=text], input[type=number]')) return;
+    const letter = key.toLowerCase();
+    if (letter !== 'z' && letter !== 'y') return;
+    event.preventDefault();
+    if (letter === 'y' || shiftKey) this.#state.redo();
+    else this.#state.undo();
+  }
+
+  #useTool() {
+    this.#begun = undefined;
+    $('stage').dataset.tool = this.#tool;
+    $('tool-hint').textContent = HINTS[this.#tool];
+    this.#showMarks();
+  }
+
+  #choose(list, index) {
+    if (this.#chosen.list === list && this.#chosen.index === Number(index)) return;
+    this.#chosen = { list, index: Number(index) };
+    this.#showMarks();
+  }
+
+  #pick(place) {
+    const tool = this.#tool;
+    if (tool === 'turn') return;
+    if (this.#shots.resolved.pose) return this.#tell(new Error(IN_POSE));
+    const found = this.#client.pick(place);
+    if (!found) return this.#tell(new Error('There is no garment at this place.'));
+    this.#tell();
+    const point = rounded(found);
+    const view = nearestView(this.#about.views, this.#client.back);
+    if (tool === 'callout') return this.#add('callouts', { view, point, text: 'New call-out' }, 'text');
+    if (!this.#begun) {
+      this.#begun = point;
+      $('tool-hint').textContent = SECOND;
+      return this.#showMarks();
+    }
+    const row = { code: nextCode(this.#state.lists.measures), description: 'New measure', view, points: [this.#begun, point], along: tool };
+    this.#useTool();
+    return this.#add('measures', row, 'description');
+  }
+
+  #add(list, row, field) {
+    this.#state.add(list, row);
+    this.#rows[list].focus(this.#state.lists[list].length - 1, field);
+  }
+
+  #show() {
+    const { callouts, measures } = this.#state.lists;
+    this.#rows.callouts.show();
+    this.#rows.measures.show((row) => this.#lengths.told(row));
+    this.#lengths.want(measures);
+    $('undo').disabled = !this.#state.canUndo;
+    $('redo').disabled = !this.#state.canRedo;
+    $('save-spec').disabled = this.#isSaving || !(this.#state.isEdited || this.#about.isNew);
+    const counts = `${callouts.length} call-outs, ${measures.length} points of measure`;
+    $('sheet-state').textContent = this.#about.isNew ? `${counts}; not in a file yet` : `${counts}${this.#state.isEdited ? '; not saved' : ''}`;
+    $('sheet').dataset.saved = String(!this.#about.isNew && !this.#state.isEdited);
+    this.#showMarks();
+  }
+
+  #showMarks() {
+    if (!this.#client.camera) return;
+    // Of another pose the points would lie beside the garment.
+    this.#marks.show(this.#shots.resolved.pose ? [] : [...this.#savedMarks(), ...(this.#begun ? [{ points: [this.#begun], label: '', isChosen: true }] : [])]);
+  }
+
+  #savedMarks() {
+    const { callouts, measures } = this.#state.lists;
+    const isChosen = (list, index) => this.#chosen.list === list && this.#chosen.index === index;
+    const placeOf = (point) => (typeof point === 'string' ? this.#about.anchors[point] : point);
+    return [
+      ...callouts.map(({ point }, i) => ({ points: point ? [point] : [], label: String(i + 1), isChosen: isChosen('callouts', i) })),
+      ...measures.map((row, i) => {
+        const { path, isLoop, text } = this.#lengths.known(row) ?? {};
+        const points = (row.points ?? []).map(placeOf).filter(Boolean);
+        return { points, path, isLoop, label: [row.code, text].filter(Boolean).join('  '), isChosen: isChosen('measures', i) };
+      }),
+    ];
+  }
+
+  async #save() {
+    const { lists } = this.#state;
+    this.#isSaving = true;
+    this.#show();
+    try {
+      const { version } = await saveSpec({ version: this.#about.version, ...lists });
+      this.#about = { ...this.#about, version, isNew: false };
+      this.#tell();
+    } catch (error) {
+      this.#isSaving = false;
+      this.#show();
+      return this.#tell(error);
+    }
+    this.#isSaving = false;
+    return this.#state.markSaved(lists);
+  }
+}
