@@ -30,7 +30,8 @@ export class Lengths {
     const found = this.#known.get(whereOf(row));
     if (found?.error) return { text: found.error.message, isWrong: true };
     if (!found) return { text: '\u2026' };
-    return found.warnings.length > 0 ? { text: `${found.text}: ${found.warnings[0]}`, isWrong: true } : { text: found.text };
+    if (found.warnings.length === 0) return { text: found.text };
+    return { text: `${found.text}: ${found.warnings[0].replace(/^spec\.measures: /, '')}`, isWrong: true };
   }
 
   /** @param {object[]} measures all that there are */

@@ -1,7 +1,9 @@
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { connect } from 'node:net';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
 import { test } from 'node:test';
 import { CLI, openView, SHIRT } from './support.mjs';
 
@@ -58,6 +60,35 @@ test('wrong usage and wrong models end before there is a page', () => {
   ]) {
     const { status, stdout, stderr } = run(args);
     assert.deepEqual([status, stdout], [exit, ''], `${args}: ${stderr}`);
+    assert.match(stderr, message);
+  }
+});
+
+test('--spec: a first spec is made, measured and saved whole; wrong ones end it', async (t) => {
+  const folder = mkdtempSync(path.join(tmpdir(), 'telar-view-cli-'));
+  t.after(() => rmSync(folder, { recursive: true }));
+  const file = path.join(folder, 'shirt.json');
+  const view = await openView(SHIRT, ['--size', '32', '--spec', file]);
+  t.after(() => view.stop());
+  const { name, isNew, version, callouts, measures } = await (await fetch(`${view.url}spec`)).json();
+  assert.deepEqual([name, isNew, callouts.length, readdirSync(folder).length], ['shirt.json', true, 0, 0]);
+  const post = async (target, body) =>
+    (await fetch(view.url + target, { method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify(body) })).json();
+  // The outline's farthest points are the model's own: the first spec says what is measured.
+  const { millimetres } = await post('measure', { measure: measures[0], index: 0 });
+  assert.ok(Math.abs(millimetres / 10 - measures[0].values.M) < 0.06, `${millimetres} mm`);
+  assert.match((await post('spec', { version, callouts, measures })).version, /^[0-9a-f]{64}$/);
+  assert.deepEqual(readdirSync(folder), ['shirt.json'], 'no temporary file is left');
+  assert.deepEqual(JSON.parse(readFileSync(file)).measures, measures);
+  mkdirSync(path.join(folder, 'folder.json'));
+  writeFileSync(path.join(folder, 'wrong.json'), '{"paper": {"size": "A9"}}');
+  for (const [spec, exit, message] of [
+    ['shirt.txt', 2, /--spec "shirt\.txt": expected the name of a \.json file.*E_USAGE/],
+    [path.join(folder, 'folder.json'), 3, /cannot be read \(EISDIR\).*E_FILE/],
+    [path.join(folder, 'wrong.json'), 2, /spec\.paper\.size: expected "A4".*E_SPEC/],
+  ]) {
+    const { status, stdout, stderr } = run([SHIRT, '--spec', spec]);
+    assert.deepEqual([status, stdout], [exit, ''], stderr);
     assert.match(stderr, message);
   }
 });
