@@ -19,6 +19,10 @@ export function pageOf({ paper: { size, orientation } }) {
   return { width, height, margin: MARGIN, top: TOP, bottom: BOTTOM, box: { width: width - 2 * MARGIN, height: height - TOP - BOTTOM }, isWide: width > height };
 }
 
+/** White above the name of a view, and beneath it. */
+export const CAPTION_GAP = 2.5;
+const CAPTION_END = 2;
+
 /** A figure without anything in it. */
 export const emptyFigure = (width, height) => ({
   width,
@@ -79,6 +83,12 @@ export class Layout {
   titleOf(view) {
     if (view.title) return view.title;
     return view.view ? this.words(`view.${view.view}`) : view.name;
+  }
+
+  /** Room that the name of a view takes beneath it, millimetres, with the gap above. */
+  captionRoom(views, width) {
+    const sizes = this.measure(views.map((view) => ({ kind: 'caption', text: this.titleOf(view), value: this.scaleNote(88.888), width })));
+    return CAPTION_GAP + Math.max(...sizes.map(([, height]) => height)) + CAPTION_END;
   }
 
   scaleNote(ratio) {

@@ -44,6 +44,17 @@ const PAGES = [
 /** Fields at the head of each page, and the one for the logo. */
 const HEAD_FIELDS = ['season', 'brand', 'baseSize', 'date', 'revision'];
 
+/** Most characters of what stands at the head of every page; the first page has it in full. */
+const HEAD = { style: 28, name: 48, field: 20 };
+
+const cut = (text = '', most) =>
+  [...text].length > most
+    ? `${[...text]
+        .slice(0, most - 1)
+        .join('')
+        .trimEnd()}…`
+    : text;
+
 /** What the template reads. */
 function documentOf(layout, sections, images) {
   const { spec, words, page, facts } = layout;
@@ -58,9 +69,9 @@ function documentOf(layout, sections, images) {
     page,
     words: { page: words('page'), of: words('of') },
     head: {
-      style: header.style ?? '',
-      name: header.name ?? '',
-      fields: HEAD_FIELDS.filter((field) => header[field]).map((field) => [words(field), header[field]]),
+      style: cut(header.style, HEAD.style),
+      name: cut(header.name, HEAD.name),
+      fields: HEAD_FIELDS.filter((field) => header[field]).map((field) => [cut(words(field), HEAD.field), cut(header[field], HEAD.field)]),
       logo: logo ? { file: logo.file, alt: words('alt.logo', { brand: header.brand ?? '' }) } : null,
     },
     foot: words('sheet'),
@@ -110,7 +121,7 @@ export async function layOut(source, given, settings) {
     layout.squares = new Squares({ model, renderer, call, list: await colourListOf(spec, resolve) });
     layout.colours = [];
     layout.pointOf = (item, view, pointer) =>
-      pointOf(item, { pointer, extent: extentOf(layout.bounds, basisOf(view)), variant: view.variant, renderer, model, signal });
+      pointOf(item, { pointer, extent: extentOf(layout.bounds, basisOf(view)), variant: view.variant, renderer, model, call });
     const warn = (...told) => layout.warn(...told);
     layout.lengthOf = (measure, id) => {
       const { variant } = spec.views.find(({ name }) => name === measure.view);

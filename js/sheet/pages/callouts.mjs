@@ -1,4 +1,4 @@
-import { emptyFigure, HEADING } from '../layout.mjs';
+import { CAPTION_GAP, HEADING, emptyFigure } from '../layout.mjs';
 import { placeCallouts } from '../place/callouts.mjs';
 import { wrongValue } from '../../shot/complain.mjs';
 import { ABOUT } from '../read.mjs';
@@ -20,7 +20,8 @@ const NOTE_PART = 0.5;
 const columnWidth = (width) => Math.min(66, Math.max(38, width * 0.23));
 
 /** Columns and the box of the picture on a page. */
-function arrangement({ page }) {
+function arrangement(layout, view) {
+  const { page } = layout;
   const width = columnWidth(page.box.width);
   const height = page.box.height - HEADING;
   const columns = {
@@ -33,7 +34,7 @@ function arrangement({ page }) {
     stub: STUB,
   };
   const inset = width + STUB + AIR;
-  return { columns, box: { x: inset, y: 0, width: page.box.width - 2 * inset, height: height - 8 } };
+  return { columns, box: { x: inset, y: 0, width: page.box.width - 2 * inset, height: height - layout.captionRoom([view], page.box.width - 2 * inset) } };
 }
 
 /** Texts with their heights; those that are too high become notes, and say where they are. */
@@ -54,7 +55,7 @@ function figureOf(layout, { view, ratio, box, placed, labels, picture }) {
   figure.pictures.push({ ...picture, alt: layout.altOf(view, ratio), round: false, frame: false });
   figure.captions.push({
     x: box.x,
-    y: box.height + 2.5,
+    y: box.height + CAPTION_GAP,
     width: box.width,
     title: layout.titleOf(view),
     note: layout.scaleNote(ratio),
@@ -75,7 +76,7 @@ function figureOf(layout, { view, ratio, box, placed, labels, picture }) {
 
 async function pagesOfView(layout, view, callouts) {
   const { words } = layout;
-  const { columns, box } = arrangement(layout);
+  const { columns, box } = arrangement(layout, view);
   const extent = layout.extent(view);
   const ratio = layout.ratio(view, { width: box.width - 4, height: box.height - 4 });
   const { file, width, height, view: seen } = layout.pictures.ask(extent, { ratio, variant: view.variant, style: view.style });

@@ -46,6 +46,8 @@ export async function colourwayPages(layout) {
       cells: spec.colourways.map(({ name, code, variant }, i) => ({
         name,
         code: code ?? '',
+        // So many colours are higher than a page with pictures.
+        long: chips[i].length > 6,
         changed: layout.isChanged('colourways', i),
         pictures: views.map((view, k) => {
           const { file, width: wide, height } = pictures.ask(extents[k], { ratio, variant: variant ?? view.variant });

@@ -1,11 +1,10 @@
-import { emptyFigure } from '../layout.mjs';
+import { CAPTION_GAP, emptyFigure } from '../layout.mjs';
 import { fittingRatio } from '../scale.mjs';
 import { chipsOf } from './colourways.mjs';
 
 /** The first page: the garment in a few views of one scale, what it is, and its colourways. */
 
 export const GAP = 4;
-export const CAPTION = 8;
 
 /** Fields of the header that the first page lists. */
 const FIELDS = ['style', 'brand', 'season', 'category', 'fabric', 'baseSize', 'sizes', 'date', 'revision', 'author'];
@@ -19,27 +18,25 @@ export function coverViews({ views }) {
 /** Views side by side in one scale, the given one or the largest that fits, with their names beneath: a figure. */
 export function rowOfViews(layout, views, box, given) {
   const extents = views.map((view) => layout.extent(view));
-  const room = { width: box.width - GAP * (views.length - 1), height: box.height - CAPTION };
   // The widths share the row: what counts is their sum.
-  const together = { width: extents.reduce((sum, { width }) => sum + width, 0), height: Math.max(...extents.map(({ height }) => height)) };
+  const sum = extents.reduce((all, { width }) => all + width, 0);
+  const share = (box.width - GAP * views.length) / views.length;
+  const narrowest = Math.min(share, ...extents.map(({ width }) => (box.width * width) / sum));
+  const room = { width: box.width - GAP * (views.length - 1), height: box.height - layout.captionRoom(views, Math.max(narrowest, 20)) };
+  const together = { width: sum, height: Math.max(...extents.map(({ height }) => height)) };
   const ratio = given ?? fittingRatio([together], { width: room.width - 2 * views.length, height: room.height - 4 });
   const figure = emptyFigure(box.width, box.height);
   const asked = views.map((view, i) => layout.pictures.ask(extents[i], { ratio, variant: view.variant, style: view.style }));
-  const total = asked.reduce((sum, { width }) => sum + width, 0);
-  const free = (box.width - total) / (views.length + 1);
-  let x = free;
+  const free = (box.width - asked.reduce((all, { width }) => all + width, 0)) / (views.length + 1);
+  // Each in an even share of the row where all are narrower, else with even white between.
+  const isEven = asked.every(({ width }) => width <= share);
   const bottom = (room.height + Math.max(...asked.map(({ height }) => height))) / 2;
+  let x = free;
   asked.forEach(({ file, width, height }, i) => {
-    figure.pictures.push({ file, x, y: bottom - height, width, height, alt: layout.altOf(views[i], ratio), round: false, frame: false });
-    figure.captions.push({
-      x: x - free / 2,
-      y: bottom + 2.5,
-      width: width + free,
-      title: layout.titleOf(views[i]),
-      note: layout.scaleNote(ratio),
-      text: '',
-      centred: true,
-    });
+    const left = isEven ? GAP / 2 + i * (share + GAP) + (share - width) / 2 : x;
+    const name = isEven ? { x: left - (share - width) / 2, width: share } : { x: left - free / 2, width: width + free };
+    figure.pictures.push({ file, x: left, y: bottom - height, width, height, alt: layout.altOf(views[i], ratio), round: false, frame: false });
+    figure.captions.push({ ...name, y: bottom + CAPTION_GAP, title: layout.titleOf(views[i]), note: layout.scaleNote(ratio), text: '', centred: true });
     x += width + free;
   });
   return figure;

@@ -1,4 +1,6 @@
-import { HEADING, emptyFigure } from '../layout.mjs';
+import { CAPTION_GAP, HEADING, emptyFigure } from '../layout.mjs';
+import { isWithin, overlaps } from '../place/geometry.mjs';
+import { isLong } from './cells.mjs';
 import { fittingRatio, ratioOf, scaleText } from '../scale.mjs';
 
 /** Pages of details: parts of a view drawn anew at a larger scale, with their places marked on the view. */
@@ -35,30 +37,73 @@ async function cellOf(layout, view, detail) {
     title: detail.title,
     note: layout.scaleNote(ratio),
     text: detail.text ?? '',
+    long: isLong(detail.text),
     changed: layout.isChanged('details', detail.id),
     size,
   };
 }
+
+/** Of a letter of a key. */
+const LETTER = { width: 2, height: 2.6 };
+
+/** Where a ring's key stands: at its upper right, else round it and farther out, where no other key is. */
+function keyPlace(box, { key, round, taken, figure }) {
+  const size = { width: LETTER.width * key.length, height: LETTER.height };
+  // Where the circle is nearest to the corner.
+  const part = round ? Math.SQRT1_2 : 1;
+  const [cx, cy] = [box.x + box.width / 2, box.y + box.height / 2];
+  const paper = { x: 0, y: 0, width: figure.width, height: figure.height };
+  for (let out = 0.6; out < 40; out += 1.5)
+    for (const [sx, sy] of CORNERS) {
+      const [ex, ey] = [cx + (sx * part * box.width) / 2 + sx * out, cy + (sy * part * box.height) / 2 + sy * (out - 0.6)];
+      const place = { x: sx > 0 ? ex : ex - size.width, y: sy > 0 ? ey : ey - size.height, ...size };
+      if (isWithin(place, paper) && !taken.some((other) => overlaps(place, other))) return place;
+    }
+  return { x: cx, y: cy, ...size };
+}
+
+const CORNERS = [
+  [1, -1],
+  [-1, -1],
+  [1, 1],
+  [-1, 1],
+];
 
 /** The view with rings and frames at the places of its details. */
 function parentOf(layout, view, cells, width) {
   const { page } = layout;
   const height = page.box.height - HEADING;
   const extent = layout.extent(view);
-  const ratio = fittingRatio([extent], { width: width - 4, height: height - 14 });
+  const caption = layout.captionRoom([view], width);
+  const ratio = fittingRatio([extent], { width: width - 4, height: height - caption - 5 });
   const { file, width: wide, height: high, view: seen } = layout.pictures.ask(extent, { ratio, variant: view.variant, style: view.style });
   const x = (width - wide) / 2;
-  const figure = emptyFigure(width, high + 9);
-  figure.pictures.push({ file, x, y: 0, width: wide, height: high, alt: layout.altOf(view, ratio), round: false, frame: false });
-  figure.captions.push({ x: 0, y: high + 2, width, title: layout.titleOf(view), note: layout.scaleNote(ratio), text: '', centred: true });
-  for (const { centre, key, size, picture } of cells) {
+  const boxes = cells.map(({ centre, size }) => {
     const [px, py] = seen.paperOf(centre);
     const [halfWidth, halfHeight] = [size.width, size.height].map((side) => Math.max(1.5, (500 * side) / ratio));
-    // Where the circle is nearest to the corner.
-    const part = picture.round ? Math.SQRT1_2 : 1;
-    const box = { x: x + px - halfWidth, y: py - halfHeight, width: 2 * halfWidth, height: 2 * halfHeight };
-    figure.rings.push({ ...box, round: picture.round, key, keyX: x + px + halfWidth * part + 0.6, keyY: py - halfHeight * part - 2.6 });
-  }
+    return { x: x + px - halfWidth, y: py - halfHeight, width: 2 * halfWidth, height: 2 * halfHeight };
+  });
+  // Rings may stand out of the picture: above it, they push it down.
+  const top = Math.max(0, ...boxes.map(({ y }) => -y));
+  const low = Math.max(high, ...boxes.map((box) => box.y + box.height));
+  const figure = emptyFigure(width, top + low + caption);
+  figure.pictures.push({ file, x, y: top, width: wide, height: high, alt: layout.altOf(view, ratio), round: false, frame: false });
+  figure.captions.push({
+    x: 0,
+    y: top + low + CAPTION_GAP,
+    width,
+    title: layout.titleOf(view),
+    note: layout.scaleNote(ratio),
+    text: '',
+    centred: true,
+  });
+  const taken = [];
+  cells.forEach(({ key, picture }, i) => {
+    const box = { ...boxes[i], y: boxes[i].y + top };
+    const at = keyPlace(box, { key, round: picture.round, taken, figure });
+    taken.push(at);
+    figure.rings.push({ ...box, round: picture.round, key, keyX: at.x, keyY: at.y });
+  });
   return figure;
 }
 

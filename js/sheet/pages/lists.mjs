@@ -1,6 +1,6 @@
 import { lengthText, millimetresOf } from '../units.mjs';
 import { scaleText } from '../scale.mjs';
-import { hexOf, listTable } from './cells.mjs';
+import { hexOf, isLong, listTable, shared } from './cells.mjs';
 
 /** Pages that are lists: materials, sewing, labels, care, artwork, comments, revisions. */
 
@@ -10,24 +10,33 @@ function swatchCell(layout, { color, image, item, name }) {
   return color === undefined ? '' : { kind: 'swatch', colour: hexOf(color) };
 }
 
+/** Most colourways beside what else a line of the bill says, and in a table of their own. */
+const COLOURS = { wide: [4, 9], upright: [1, 5] };
+
 export function billPages(layout) {
-  const { spec, words } = layout;
+  const { spec, words, page } = layout;
   const plain = (key, width) => ({ key, name: words(key), width });
-  return listTable(layout, {
-    list: 'bill',
-    title: words('bill'),
-    columns: [
-      { key: 'image', name: words('swatch'), cell: (item) => swatchCell(layout, item) },
-      plain('reference', 1.1),
-      { key: 'item', name: words('item'), width: 2, cell: ({ item }) => ({ kind: 'strong', text: item }) },
-      plain('supplier', 1.5),
-      plain('composition', 2),
-      plain('weight', 1.1),
-      plain('quantity', 1),
-      plain('placement', 1.6),
-      ...spec.colourways.map(({ name }) => ({ key: name, name, width: 1.2, cell: ({ colours }) => colours[name] })),
-    ],
-  });
+  const item = { key: 'item', name: words('item'), width: 2, cell: (line) => ({ kind: 'strong', text: line.item }) };
+  const colour = ({ name }) => ({ key: name, name, width: 1.2, cell: ({ colours }) => colours[name] });
+  const [beside, apart] = page.isWide ? COLOURS.wide : COLOURS.upright;
+  const isBeside = spec.colourways.length <= beside;
+  const columns = [
+    { key: 'image', name: words('swatch'), cell: (line) => swatchCell(layout, line) },
+    plain('reference', 1.1),
+    item,
+    plain('supplier', 1.5),
+    plain('composition', 2),
+    plain('weight', 1.1),
+    plain('quantity', 1),
+    plain('placement', 1.6),
+  ];
+  const tables = listTable(layout, { list: 'bill', title: words('bill'), columns: [...columns, ...(isBeside ? spec.colourways.map(colour) : [])] });
+  if (isBeside || !spec.bill.some(({ colours }) => Object.keys(colours).length > 0)) return tables;
+  const title = `${words('bill')}: ${words('colourways')}`;
+  const further = shared(spec.colourways, apart).flatMap((some) =>
+    listTable(layout, { list: 'bill', title, columns: [plain('reference', 1.1), item, ...some.map(colour)] }),
+  );
+  return [...tables, ...further];
 }
 
 export function constructionPages(layout) {
@@ -65,7 +74,10 @@ export function labelPages(layout) {
   });
 }
 
-export function carePages({ spec, words }) {
+/** Width of a care symbol with its gap. */
+const SYMBOL = 24;
+
+export function carePages({ spec, words, page }) {
   const { symbols, text = '' } = spec.care;
   if (symbols.length === 0 && text === '') return [];
   return [
@@ -74,6 +86,7 @@ export function carePages({ spec, words }) {
       break: false,
       title: words('care'),
       note: null,
+      columns: Math.max(1, Math.min(symbols.length, Math.floor((page.box.width + 2) / SYMBOL))),
       symbols: symbols.map((key) => ({ file: `care-${key}.svg`, name: words(`care.${key}`) })),
       text,
     },
@@ -96,7 +109,16 @@ function printOf(layout, print, i) {
     ['colours', print.colours],
     ['text', print.text],
   ];
-  const shown = { name: print.name, file: null, width: 0, height: 0, alt: '', note: '', changed: layout.isChanged('artwork', i) };
+  const shown = {
+    name: print.name,
+    file: null,
+    width: 0,
+    height: 0,
+    alt: '',
+    note: '',
+    long: isLong(print.text) || isLong(print.position) || isLong(print.colours),
+    changed: layout.isChanged('artwork', i),
+  };
   if (image) {
     const proportion = image.height / image.width;
     const size = { width: wide ?? (tall ? tall / proportion : 60), height: tall ?? (wide ?? 60) * proportion };

@@ -1,8 +1,8 @@
-import { HEADING, emptyFigure } from '../layout.mjs';
+import { CAPTION_GAP, HEADING, emptyFigure } from '../layout.mjs';
 import { placeDimensions } from '../place/dimensions.mjs';
 import { distance, segmentsOf } from '../place/geometry.mjs';
 import { differenceText, lengthText, millimetresOf } from '../units.mjs';
-import { column } from './cells.mjs';
+import { column, shared, widthFor } from './cells.mjs';
 
 /** Pages of the points of measure: dimension lines on views, and the table. */
 
@@ -59,7 +59,7 @@ function draw(figure, { line, witness, label, outside }, measure) {
 async function figuresOfView(layout, view, measures) {
   const { page, words } = layout;
   const height = page.box.height - HEADING;
-  const area = { x: 0, y: 0, width: page.box.width, height: height - 7 };
+  const area = { x: 0, y: 0, width: page.box.width, height: height - layout.captionRoom([view], page.box.width) };
   const ratio = layout.ratio(view, { width: area.width - 2 * ROOM.x, height: area.height - 2 * ROOM.y });
   const extent = layout.extent(view);
   const how = { ratio, variant: view.variant, style: view.style };
@@ -85,7 +85,15 @@ async function figuresOfView(layout, view, measures) {
     const figure = emptyFigure(page.box.width, height);
     figure.pictures.push({ file, x, y, width, height: high, alt: layout.altOf(view, ratio), round: false, frame: false });
     for (const each of drawn) draw(figure, each, byId.get(each.id));
-    figure.captions.push({ x: 0, y: area.height + 2, width: area.width, title: layout.titleOf(view), note: layout.scaleNote(ratio), text: '', centred: true });
+    figure.captions.push({
+      x: 0,
+      y: area.height + CAPTION_GAP,
+      width: area.width,
+      title: layout.titleOf(view),
+      note: layout.scaleNote(ratio),
+      text: '',
+      centred: true,
+    });
     const note = sections.length === 0 ? layout.titleOf(view) : `${layout.titleOf(view)} (${words('continued')})`;
     sections.push({ kind: 'figure', break: true, title: words('measures'), note, figure });
     left = rest;
@@ -94,9 +102,9 @@ async function figuresOfView(layout, view, measures) {
 }
 
 /** A row of the table: what is specified by size, what the model measures, and how far that is off. */
-function rowOf(layout, measure, { hasHow, isMeasured }) {
+function rowOf(layout, measure, { hasHow, isMeasured, sizes }) {
   const { spec } = layout;
-  const { sizes, baseSize } = spec.header;
+  const { baseSize } = spec.header;
   const unit = spec.printedUnits;
   const text = (length) => (length === undefined ? '' : lengthText(length, unit));
   const base = baseSize === undefined ? undefined : specified(measure, baseSize, spec);
@@ -115,22 +123,33 @@ function rowOf(layout, measure, { hasHow, isMeasured }) {
   return { changed: layout.isChanged('measures', measure.id), cells };
 }
 
-function tableOf(layout, measures) {
-  const { spec, words } = layout;
+/** Most sizes in one table. */
+const SIZES = { wide: 12, upright: 7 };
+
+/** The table, or several where there are many sizes. */
+function tablesOf(layout, measures) {
+  const { spec, words, page } = layout;
   const hasHow = measures.some(({ how }) => how);
-  const isMeasured = measures.some(({ length }) => length !== undefined);
-  const columns = [
-    column(words('code')),
-    column(words('description'), { width: 3 }),
-    ...(hasHow ? [column(words('how'), { width: 4 })] : []),
-    column(words('tolerance'), { number: true }),
-    ...spec.header.sizes.map((size) => column(size, { number: true, strong: size === spec.header.baseSize })),
-    ...(isMeasured ? [column(words('measured'), { number: true }), column(words('difference'), { number: true })] : []),
-  ];
-  const rows = measures.map((measure) => rowOf(layout, measure, { hasHow, isMeasured }));
+  const measured = measures.some(({ length }) => length !== undefined);
+  const lists = shared(spec.header.sizes, page.isWide ? SIZES.wide : SIZES.upright);
   const note = `${words('units')} ${words(`unit.${spec.printedUnits}`)}`;
-  const told = isMeasured && spec.header.baseSize ? `${note}. ${words('measured.note', { size: spec.header.baseSize })}` : note;
-  return { kind: 'table', break: true, title: words('measures.table'), note: told, columns, rows };
+  const told = measured && spec.header.baseSize ? `${note}. ${words('measured.note', { size: spec.header.baseSize })}` : note;
+  const codes = measures.map(({ code }) => code);
+  return lists.map((sizes, i) => {
+    // What was measured stands beside the base size.
+    const isMeasured = measured && (sizes.includes(spec.header.baseSize) || (spec.header.baseSize === undefined && i === 0));
+    const own = { hasHow: hasHow && i === 0, isMeasured, sizes };
+    const columns = [
+      column(words('code'), { width: widthFor({ name: '' }, codes) }),
+      column(words('description'), { width: 3 }),
+      ...(own.hasHow ? [column(words('how'), { width: 4 })] : []),
+      column(words('tolerance'), { number: true }),
+      ...sizes.map((size) => column(size, { width: size.length > 8 ? 0.8 : 0, number: true, strong: size === spec.header.baseSize })),
+      ...(isMeasured ? [column(words('measured'), { number: true }), column(words('difference'), { number: true })] : []),
+    ];
+    const title = i === 0 ? words('measures.table') : `${words('measures.table')} (${words('continued')})`;
+    return { kind: 'table', break: true, title, note: told, columns, rows: measures.map((measure) => rowOf(layout, measure, own)) };
+  });
 }
 
 export async function measurePages(layout) {
@@ -144,5 +163,5 @@ export async function measurePages(layout) {
     if (own.length > 0) pages.push(...(await figuresOfView(layout, view, own)));
   }
   layout.measured = measures;
-  return [...pages, tableOf(layout, measures)];
+  return [...pages, ...tablesOf(layout, measures)];
 }

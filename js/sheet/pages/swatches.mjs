@@ -1,3 +1,4 @@
+import { isLong } from './cells.mjs';
 import { ratioOf, scaleText } from '../scale.mjs';
 import { SIDE } from '../squares.mjs';
 
@@ -42,6 +43,7 @@ async function cellOf(layout, swatch, i) {
     title: swatch.title,
     note: layout.scaleNote(ratio),
     text: swatch.text ?? '',
+    long: isLong(swatch.text),
     changed: layout.isChanged('swatches', i),
     pictures: shown,
     colour: colour.srgb,

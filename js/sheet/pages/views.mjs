@@ -1,6 +1,6 @@
 import { HEADING } from '../layout.mjs';
 import { ratioOf } from '../scale.mjs';
-import { CAPTION, GAP, coverViews, rowOfViews } from './cover.mjs';
+import { GAP, coverViews, rowOfViews } from './cover.mjs';
 
 /** Pages of the views that no other page shows, and of all flats beside each other: rows of one scale. */
 
@@ -35,7 +35,10 @@ export function viewPages(layout) {
   const box = { width: page.box.width, height: page.box.height - HEADING };
   return rowsOf(layout, left, box).map((views) => {
     // A view alone says what is wrong with its scale.
-    const ratio = views[0].scale === 'fit' ? undefined : layout.ratio(views[0], { width: box.width - 8, height: box.height - CAPTION - 4 });
+    const ratio =
+      views[0].scale === 'fit'
+        ? undefined
+        : layout.ratio(views[0], { width: box.width - 8, height: box.height - layout.captionRoom(views, box.width / views.length) - 4 });
     const flat = views[0].style === 'flat';
     return { kind: 'figure', break: true, title: words(flat ? 'flats' : 'views'), note: null, figure: rowOfViews(layout, views, box, ratio) };
   });

@@ -16,7 +16,8 @@ import { between, crosses, distance, grown, isWithin, linesCross, overlaps, pass
 /** Steps outwards, and the white between garment, lines and labels. */
 const STEP = 1.5;
 const CLEAR = 2;
-/** Farthest from what it measures. */
+/** Farthest from what it measures: up to the first on its own account, up to the second where there is no room on the garment. */
+const NEAR = 50;
 const REACH = 80;
 /** A witness line begins off its point and ends behind the dimension line. */
 const OFF = 1;
@@ -110,12 +111,12 @@ function toSegment([px, py], [[ax, ay], [bx, by]]) {
 const withinArea = (line, { x, y, width, height }) => line.every(([px, py]) => px >= x && py >= y && px <= x + width && py <= y + height);
 
 /** Off the garment, as near as there is room. */
-function outside(dimension, area, garment, drawn) {
+function outside(dimension, { area, garment, drawn, from = CLEAR, to }) {
   const [a, b] = [dimension.points[0], dimension.points.at(-1)];
   const length = distance(a, b);
   if (length < 1) return undefined;
   const normal = [-(b[1] - a[1]) / length, (b[0] - a[0]) / length];
-  for (let off = CLEAR; off <= REACH; off += STEP) {
+  for (let off = from; off <= to; off += STEP) {
     for (const sign of [1, -1]) {
       const move = ([x, y], by) => [x + sign * by * normal[0], y + sign * by * normal[1]];
       const line = [move(a, off), move(b, off)];
@@ -151,7 +152,8 @@ export function placeDimensions(dimensions, { area, garment }) {
   const drawn = [];
   const order = [...dimensions].sort((a, b) => lengthOf(a) - lengthOf(b));
   for (const dimension of order) {
-    const placed = (!dimension.isPath && outside(dimension, area, garment, drawn)) || inside(dimension, area, drawn);
+    const off = (reach) => (dimension.isPath ? undefined : outside(dimension, { area, garment, drawn, ...reach }));
+    const placed = off({ to: NEAR }) ?? inside(dimension, area, drawn) ?? off({ from: NEAR, to: REACH });
     if (placed) drawn.push(placed);
   }
   const ids = new Set(drawn.map(({ id }) => id));
