@@ -21,7 +21,7 @@ export function rowOfViews(layout, views, box, given) {
   // The widths share the row: what counts is their sum.
   const sum = extents.reduce((all, { width }) => all + width, 0);
   const share = (box.width - GAP * views.length) / views.length;
-  const narrowest = Math.min(share, ...extents.map(({ width }) => (box.width * width) / sum));
+  const narrowest = Math.min(share, ...extents.map(({ width }) => (sum > 0 ? (box.width * width) / sum : share)));
   const room = { width: box.width - GAP * (views.length - 1), height: box.height - layout.captionRoom(views, Math.max(narrowest, 20)) };
   const together = { width: sum, height: Math.max(...extents.map(({ height }) => height)) };
   const ratio = given ?? fittingRatio([together], { width: room.width - 2 * views.length, height: room.height - 4 });

@@ -122,7 +122,7 @@ function outside(dimension, { area, garment, drawn, from = CLEAR, to }) {
       const line = [move(a, off), move(b, off)];
       if (!withinArea(line, area) || touches(garment, line)) continue;
       const witness = [a, b].map((point) => [move(point, OFF), move(point, off + BEHIND)]);
-      if (!isClear(line, witness, drawn)) continue;
+      if (!witness.every((each) => withinArea(each, area)) || !isClear(line, witness, drawn)) continue;
       const label = labelOf(dimension, line, area, garment, drawn);
       if (label) return { id: dimension.id, line, witness, label, outside: true };
     }
