@@ -21,6 +21,8 @@ constexpr double ON_SIDE = 1e-9;
 constexpr double MISS = 1e-9;
 /// A way that is shorter by less is not another way.
 constexpr double SHORTER = 1 - 1e-13;
+/// By how much more than its part a known way may be shorter than the sum that it was found by.
+constexpr double ROUNDED = 1 + 1e-9;
 
 double angleBetween(const glm::dvec3& u, const glm::dvec3& v) {
   return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
@@ -118,11 +120,13 @@ void Geodesic::reset() {
   windows_.clear();
   queue_.clear();
   best_ = INF;
+  found_ = false;
   bestLabel_ = {};
 }
 
-std::optional<Path> Geodesic::between(const surface::Place& from, const surface::Place& to) {
+std::optional<Path> Geodesic::between(const surface::Place& from, const surface::Place& to, double known) {
   reset();
+  best_ = known * ROUNDED;
   from_ = endOf(from);
   to_ = endOf(to);
   start();
@@ -134,8 +138,8 @@ std::optional<Path> Geodesic::between(const surface::Place& from, const surface:
     if (event.key >= best_) break;
     event.isWindow ? propagate(event.index) : visitCorner(event.index);
   }
-  if (best_ == INF) return std::nullopt;
-  return trace();
+  if (found_) return trace();
+  return known < INF ? between(from, to) : std::nullopt;
 }
 
 void Geodesic::start() {
@@ -175,6 +179,7 @@ void Geodesic::reach(std::uint32_t point, double distance, const Label& label) {
 void Geodesic::reachEnd(double distance, const Label& label) {
   if (!(distance < best_ * SHORTER)) return;
   best_ = distance;
+  found_ = true;
   bestLabel_ = label;
 }
 
@@ -209,11 +214,10 @@ void Geodesic::push(Window window, const EdgeFrame& frame) {
   if (window.image.y == 0 || surface_.edges[window.edge].count < 2) return;  // along the edge, or out of the surface
   const Edge& edge = surface_.edges[window.edge];
   if (!cutByEnds(window, frame.length, corners_[edge.a].distance, corners_[edge.b].distance)) return;
-  const double nearest = std::clamp(window.image.x, window.begin, window.end);
-  const glm::dvec3 first = onEdge(window.edge, window.begin), last = onEdge(window.edge, window.end);
-  const double length2 = glm::dot(last - first, last - first);
-  const double part = length2 > 0 ? std::clamp(glm::dot(to_.position - first, last - first) / length2, 0.0, 1.0) : 0.0;
-  const double key = window.distanceTo({nearest, 0}) + glm::distance(to_.position, glm::mix(first, last, part));
+  // No way through the window is shorter than two straight lines that meet on it: those of the flattened target.
+  const glm::dvec2 target = flat(window.edge, to_.position);
+  const glm::dvec2 meets(std::clamp(window.crossing(target), window.begin, window.end), 0);
+  const double key = window.distanceTo(meets) + glm::distance(meets, target);
   if (key >= best_) return;
   if (windows_.size() >= WINDOWS_MAX) {
     throw Error(

@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -25,9 +26,11 @@ class Geodesic {
   /// @param surface, cancel  outlive it
   Geodesic(const surface::Surface& surface, const CancelToken& cancel);
 
+  /// @param known  metres of a way that there is, if it is known: longer ones are not looked at
   /// @return none where no way joins them
   /// @throws Error{L_MEASURE, X_CANCELLED, X_TIMEOUT}
-  std::optional<Path> between(const surface::Place& from, const surface::Place& to);
+  std::optional<Path> between(const surface::Place& from, const surface::Place& to,
+                              double known = std::numeric_limits<double>::infinity());
 
   /// Work of one call: about 400 MB.
   static constexpr std::size_t WINDOWS_MAX = std::size_t{1} << 22;
@@ -90,6 +93,7 @@ class Geodesic {
   std::vector<Event> queue_;
   End from_, to_;
   double best_ = 0;
+  bool found_ = false;
   Label bestLabel_;
 };
 

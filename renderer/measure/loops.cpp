@@ -1,6 +1,8 @@
 #include "measure/loops.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "surface/chain.h"
 
@@ -16,6 +18,10 @@ constexpr std::size_t PLACES = 8;
 constexpr int ROUNDS_MAX = 200;
 /// A round that shortens by less ends it. What is left is a few times that.
 constexpr double SETTLED = 1e-6;
+/// No way is known yet.
+constexpr double UNKNOWN = std::numeric_limits<double>::infinity();
+/// Part of its length below which a loop is on its way to a point.
+constexpr double VANISHED = 1e-2;
 
 std::vector<Loop> loopsOf(const std::vector<std::array<std::uint32_t, 2>>& links,
                           const std::vector<glm::dvec3>& points) {
@@ -97,19 +103,28 @@ Loop tightened(const Surface& surface, const Loop& loop, const CancelToken& canc
     places.push_back(nearestPlace(surface, along(closed, whole * static_cast<double>(i) / PLACES), cancel));
   }
   Geodesic geodesic(surface, cancel);
-  const auto way = [&](std::size_t from, std::size_t to) {
-    const auto path = geodesic.between(places[from % PLACES], places[to % PLACES]);
+  const auto way = [&](std::size_t from, std::size_t to, double known = UNKNOWN) {
+    const auto path = geodesic.between(places[from % PLACES], places[to % PLACES], known);
     if (!path) throw Error("E_MEASURE", "no way over the surface joins the loop");
     return *path;
   };
+  std::array<double, PLACES> halves;  // of the way that each place is the middle of
+  halves.fill(UNKNOWN);
   double before = whole;
   for (int round = 0; round < ROUNDS_MAX; ++round) {
     double length = 0;
     for (std::size_t i = 0; i < PLACES; ++i) {
       const std::size_t middle = (2 * i + 1 + (i >= PLACES / 2 ? 1 : 0)) % PLACES;  // odd ones, then even ones
-      const Path path = way(middle + PLACES - 1, middle + 1);
+      const std::size_t last = (middle + PLACES - 1) % PLACES, next = (middle + 1) % PLACES;
+      const Path path = way(last, next, halves[last] + halves[next]);
+      halves[middle] = path.length / 2;
       places[middle] = nearestPlace(surface, along(path.points, path.length / 2), cancel);
       if (i >= PLACES / 2) length += path.length;
+    }
+    if (length < VANISHED * whole) {
+      throw Error("E_MEASURE",
+                  "the loop cannot be drawn tight: it slips off the part, or through where the option join closes it")
+          .at("/girth");
     }
     if (length >= before * (1 - SETTLED)) break;
     before = length;

@@ -19,7 +19,7 @@ std::vector<Loop> sectionOf(const surface::Surface& surface, const glm::dvec3& p
 /// The open edges: of a part, its border, other parts left out.
 std::vector<Loop> borderOf(const surface::Surface& surface);
 
-/// The loop drawn tight over the surface: a closed geodesic that it can be moved to, a point where there is none.
+/// The loop drawn tight over the surface: a closed geodesic that it can be moved to.
 /// Birkhoff's curve shortening (Birkhoff 1917, "Dynamical systems with two degrees of freedom"): every second of eight
 /// places goes to the middle of the shortest way between its neighbours, until nothing changes.
 Loop tightened(const surface::Surface& surface, const Loop& loop, const CancelToken& cancel);

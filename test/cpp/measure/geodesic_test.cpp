@@ -79,6 +79,24 @@ TEST(Geodesic, OnASphereItIsTheGreatCircle) {
   }
 }
 
+TEST(Geodesic, OnABadlyTriangulatedSphereItIsTheGreatCircle) {
+  // Corners moved by up to 0.4 of their quad, diagonals either way: the longest edges are some 1.5 times those of the
+  // even sphere.
+  const auto bent = [](double u, double v) {
+    const double phi = 2 * PI * u, theta = PI * (0.1 + 0.8 * v);
+    return glm::dvec3(std::sin(theta) * std::cos(phi), std::cos(theta), -std::sin(theta) * std::sin(phi));
+  };
+  const Surface sphere = surfaceOf(sheet(64, 32, 0.4, bent));
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> around(0.05, 0.4), height(0.2, 0.8);
+  for (int i = 0; i < 20; ++i) {
+    const glm::dvec3 from = bent(around(random), height(random)), to = bent(around(random) + 0.05, height(random));
+    const double exact = std::acos(glm::dot(from, to));
+    if (exact < 0.3) continue;
+    EXPECT_NEAR(between(sphere, from, to), exact, 0.005 * exact) << i;
+  }
+}
+
 TEST(Geodesic, AroundTheCornerOfABoxItIsTheBestOfTheUnfoldings) {
   // The unit cube's opposite corners: sqrt(5) over two faces.
   std::vector<glm::vec3> corners;
@@ -104,6 +122,8 @@ TEST(Geodesic, GoesAroundAHole) {
   }
   const Surface surface = surfaceOf(test::sceneOf(positions, indices));
   EXPECT_NEAR(between(surface, {0.5, 1.5, 0}, {2.5, 1.5, 0}), 1 + 2 * std::sqrt(0.5), 1e-12);
+  // Past one corner of it, and on over faces that the corner does not touch.
+  EXPECT_NEAR(between(surface, {0.1, 1.5, 0}, {2.9, 2.9, 0}), std::hypot(0.9, 0.5) + std::hypot(1.9, 0.9), 1e-12);
 }
 
 TEST(Geodesic, FollowsAnyFaceOfAnEdgeThatHasThree) {
@@ -117,6 +137,24 @@ TEST(Geodesic, PassesAPointThatPartsTouchAt) {
   const Surface bow =
       surfaceOf(test::sceneOf({{0, 0, 0}, {-1, -1, 0}, {-1, 1, 0}, {1, -1, 0}, {1, 1, 0}}, {0, 1, 2, 0, 3, 4}));
   EXPECT_NEAR(between(bow, {-1, 0.5, 0}, {1, 0.5, 0}), 2 * std::hypot(1, 0.5), 1e-12);
+}
+
+TEST(Geodesic, FansThatTouchAtACornerAreLeftByIt) {
+  // Two closed pyramids that share their apex alone. All edges have two faces, and neither apex has an angle of 2 pi.
+  std::vector<glm::vec3> positions{{0, 0, 0}};
+  std::vector<std::uint32_t> indices;
+  for (const float y : {-1.0f, 1.0f}) {
+    const auto base = static_cast<std::uint32_t>(positions.size());
+    for (const glm::vec3& p : {glm::vec3(0.3f, y, 0.3f), {-0.3f, y, 0.3f}, {-0.3f, y, -0.3f}, {0.3f, y, -0.3f}})
+      positions.push_back(p);
+    for (std::uint32_t k = 0; k < 4; ++k)
+      for (const std::uint32_t index : {0u, base + k, base + (k + 1) % 4}) indices.push_back(index);
+    for (const std::uint32_t k : {0u, 1u, 2u, 0u, 2u, 3u}) indices.push_back(base + k);
+  }
+  const Surface pyramids = surfaceOf(test::sceneOf(positions, indices));
+  // Down a side of the one, up a side of the other, and from the middle of its base's edge to the base's middle.
+  const glm::dvec3 from(0, -0.5, 0.15);
+  EXPECT_NEAR(between(pyramids, from, {0, 1, 0}), glm::length(from) + std::hypot(1, 0.3) + 0.3, 1e-6);
 }
 
 TEST(Geodesic, SaysWhereNothingJoinsTwoPoints) {

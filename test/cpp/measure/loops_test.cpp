@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "expect_error.h"
 #include "measure/shapes.h"
 
 namespace telar::measure {
@@ -78,6 +79,15 @@ TEST(Tightened, ALoopSlidesToTheWaist) {
     EXPECT_GT(loops[0].length(), 1.05 * waist);
     EXPECT_NEAR(tight.length(), waist, 0.005 * waist) << disorder;
   }
+}
+
+TEST(Tightened, ALoopThatCanSlipOffIsRefused) {
+  // Around a sphere it can be drawn to a point.
+  const Surface sphere = surfaceOf(test::sphere(48, 24));
+  const CancelToken cancel;
+  const auto loops = sectionOf(sphere, {0.8, 0.6, 0}, {0, 1, 0}, cancel);
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_ERROR(tightened(sphere, loops[0], cancel), "E_MEASURE");
 }
 
 }  // namespace
