@@ -22,14 +22,22 @@ function textLength(value, depth = 0) {
   return Object.values(value).reduce((sum, inner) => sum + textLength(inner, depth + 1), 0);
 }
 
-/** Names of a list that must differ. */
-function checkUnique(list, key, path) {
+/** That names differ and are some. @param {string[]} names @param {(i: number) => (string | number)[]} pathOf */
+function checkNames(names, pathOf) {
   const seen = new Set();
-  list.forEach((item, i) => {
-    if (seen.has(item[key])) throw wrong([...path, i, key], 'a name that no other has', item[key]);
-    seen.add(item[key]);
+  names.forEach((name, i) => {
+    if (name === '') throw wrong(pathOf(i), 'a name of at least one character', name);
+    if (seen.has(name)) throw wrong(pathOf(i), 'a name that no other has', name);
+    seen.add(name);
   });
 }
+
+/** Names of a list by which other parts of a spec, or its readers, tell the items apart. */
+const checkUnique = (list, key, path) =>
+  checkNames(
+    list.map((item) => item[key]),
+    (i) => [...path, i, key],
+  );
 
 /** That a name is one of a list's. */
 function checkName(path, name, known, what) {
@@ -76,6 +84,8 @@ function checkMeasure(measure, path, { header, anchors }) {
   const given = PLACES.filter((key) => measure[key] !== undefined);
   if (given.length > 1) throw wrong(path, `at most one of ${PLACES.join(', ')}`, Object.fromEntries(given.map((key) => [key, measure[key]])));
   if (typeof measure.girth?.point === 'string') checkName([...path, 'girth', 'point'], measure.girth.point, Object.keys(anchors), 'anchor');
+  if (measure.girth && !(Math.hypot(...measure.girth.normal) > 0))
+    throw wrong([...path, 'girth', 'normal'], 'a direction, not [0, 0, 0]', measure.girth.normal);
   if (measure.points && measure.points.length < 2) throw wrong([...path, 'points'], 'a list of 2 to 64 points', measure.points);
   for (const size of Object.keys(measure.values)) checkName([...path, 'values', size], size, sizes, 'size in spec.header.sizes');
   if (measure.grade !== undefined && measure.values[baseSize] === undefined)
@@ -128,6 +138,8 @@ export function readSpec(given, { variants = [] } = {}) {
   checkUnique(spec.views, 'name', ['views']);
   checkUnique(spec.measures, 'code', ['measures']);
   checkUnique(spec.colourways, 'name', ['colourways']);
+  checkNames(spec.header.sizes, (i) => ['header', 'sizes', i]);
+  checkNames(Object.keys(spec.anchors), () => ['anchors', '']);
   checkName(['header', 'baseSize'], spec.header.baseSize, spec.header.sizes, 'size in spec.header.sizes');
   result.data.views?.forEach((view, i) => checkView(view, ['views', i], { variants }));
   for (const list of ['callouts', 'details']) {

@@ -149,6 +149,14 @@ function likeliestBranch(union, value) {
     .sort((a, b) => isNamed(b.branch, value) - isNamed(a.branch, value) || a.unknown - b.unknown || a.issues.length - b.issues.length)[0];
 }
 
+/** Whether an object names none of several things that are named by one key each, or two: what one branch says of it would mislead. */
+function isOfNoBranch(union, value) {
+  if (!isPlainObject(value)) return false;
+  const shapes = union.def.options.map((branch) => unwrap(branch).def.shape).filter(Boolean);
+  if (shapes.some((shape) => Object.keys(shape).length !== 1)) return false;
+  return Object.keys(value).length === 0 || shapes.filter((shape) => Object.keys(shape)[0] in value).length > 1;
+}
+
 /**
  * @param {import('zod').ZodError['issues']} issues
  * @param {unknown} root the value that was parsed
@@ -165,8 +173,10 @@ export function complaint(issues, root, schema, { path: prefix = [], known = [],
   const here = schemaAt(schema, issue.path, root);
   if (here && isUnion(here)) {
     const likely = likeliestBranch(here, value);
-    if (likely) return complaint(likely.issues, value, likely.branch, { path, known: knownKeys(here), about });
+    if (likely && !isOfNoBranch(here, value)) return complaint(likely.issues, value, likely.branch, { path, known: knownKeys(here), about });
   }
   if (issue.code === 'unrecognized_keys') return unknownKey(path, issue.keys[0], knownKeys(here), known, about);
+  if (issue.code === 'too_big' && Array.isArray(value))
+    return new TelarError(about.code, `${pathText(path, about)}: expected ${issue.message}, got ${value.length}`, { pointer: pointerText(path) });
   return wrongValue(path, issue.message, value, about);
 }

@@ -39,7 +39,7 @@ export const SHEET = object('What a tech sheet says', {
       size: choice('Format', Object.keys(PAPERS), { default: 'A4' }),
       orientation: choice('How it lies', ['landscape', 'portrait'], { default: 'landscape' }),
     },
-    { default: {} },
+    { expected: '{size, orientation}', default: {} },
   ),
   ppi: number('Resolution of the pictures', { what: 'a number', unit: 'pixels per inch of paper', min: 36, max: 600, default: 200 }),
   template: text('Name of the template', 'a name of letters, digits, - and _', { pattern: /^[\w-]{1,64}$/u, default: 'telar' }),

@@ -7,7 +7,7 @@ import { anchor } from './views.mjs';
 export const anchors = record(
   'Named places in the model, metres: "hps", "cf-hem", ...',
   place('A place in the model, metres'),
-  `at most ${MOST.named} named points`,
+  `an object of at most ${MOST.named} named points`,
   {
     max: MOST.named,
     default: {},
@@ -55,7 +55,7 @@ const measure = object('A point of measure', {
   join: number('Corners nearer than this are one: it closes gaps between parts', { what: 'a length in metres', unit: 'metres', min: 0, max: 1, default: 0 }),
   times: number('How often the length counts: 2 for a circumference measured flat', { what: 'a factor', unit: 'factor', above: 0, max: 100, default: 1 }),
   tolerance: lengthIn('How far a garment may be off', { min: 0 }),
-  values: record('The specified length by size', lengthIn('A length', { optional: false }), `lengths by size, at most ${MOST.sizes}`, {
+  values: record('The specified length by size', lengthIn('A length', { optional: false, min: 0 }), `lengths by size, at most ${MOST.sizes}`, {
     max: MOST.sizes,
     default: {},
   }),

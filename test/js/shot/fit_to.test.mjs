@@ -123,7 +123,8 @@ test('a wrong frame says what there may be', () => {
   const expected = 'expected "scene", "model", {node} or {material}';
   for (const [frame, message] of [
     ['sleeve', `shot.camera.frame: ${expected}, got "sleeve"`],
-    [{}, 'shot.camera.frame.node: expected the index or the name of a node in the model, got nothing'],
+    [{}, `shot.camera.frame: ${expected}, got {}`],
+    [{ node: 'x', material: 'y' }, `shot.camera.frame: ${expected}, got {"node", "material"}`],
     [{ nodes: 'x' }, 'shot.camera.frame.nodes: unknown key, did you mean node?'],
     [{ node: -1 }, 'shot.camera.frame.node: expected the index or the name of a node in the model, got -1'],
     [{ material: true }, 'shot.camera.frame.material: expected the index or the name of a material in the model, got true'],
