@@ -1,10 +1,11 @@
 import { spawnSync } from 'node:child_process';
-import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { copyFile, mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import sharp from 'sharp';
 import { Browser } from '../../../test/parity/browser/chromium.mjs';
+import { measured } from '../../../test/js/view/spec_support.mjs';
 import { launchChromium, openView, settled } from '../../../test/js/view/support.mjs';
 import { createRenderer } from '../../index.mjs';
 
@@ -80,7 +81,28 @@ async function viewPage(out) {
   await view.stop();
 }
 
-const PICTURES = { 'beside_browser.jpg': besideBrowser, 'contact_sheet.jpg': contactSheet, 'view.png': viewPage };
+/** The page of `telar view --spec`: the example's call-outs and points of measure. */
+async function specPage(out) {
+  const work = await mkdtemp(path.join(tmpdir(), 'telar-pictures-'));
+  const spec = path.join(work, 'tshirt.json');
+  await copyFile(fileOf('../docs/sheet/tshirt.json'), spec);
+  const view = await openView(fileOf('tshirt.glb'), ['--size', '640', '--background', BACKDROP, '--spec', spec]);
+  const browser = await launchChromium();
+  const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, colorScheme: 'light' });
+  await page.goto(view.url);
+  await settled(page);
+  await measured(page);
+  await page.locator('input[name=tool][value=surface]').check({ force: true });
+  await page.locator('#measures [data-field=description]').first().focus();
+  await sharp(await page.screenshot())
+    .jpeg({ quality: 86 })
+    .toFile(out);
+  await browser.close();
+  await view.stop();
+  await rm(work, { recursive: true });
+}
+
+const PICTURES = { 'beside_browser.jpg': besideBrowser, 'contact_sheet.jpg': contactSheet, 'view.png': viewPage, 'view_spec.jpg': specPage };
 
 await mkdir(OUT, { recursive: true });
 const wanted = process.argv.slice(2);
