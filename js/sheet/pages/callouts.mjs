@@ -2,7 +2,7 @@ import { CAPTION_GAP, HEADING, emptyFigure } from '../layout.mjs';
 import { placeCallouts } from '../place/callouts.mjs';
 import { wrongValue } from '../../shot/complain.mjs';
 import { ABOUT } from '../read.mjs';
-import { isWithin } from '../place/geometry.mjs';
+import { grown, isWithin, passes, segmentsOf } from '../place/geometry.mjs';
 
 /** Pages of call-outs: a view with texts at both sides. */
 
@@ -50,12 +50,21 @@ function labelsOf(layout, callouts, columns) {
   });
 }
 
+/** Where the name of the view begins: close beneath the picture, else beneath all where a line would strike it. */
+function captionTop(layout, { view, ratio, box, picture, placed }) {
+  const y = picture.y + picture.height + CAPTION_GAP;
+  const [[width, height]] = layout.measure([{ kind: 'caption', text: layout.titleOf(view), value: layout.scaleNote(ratio), width: 0 }]);
+  const name = { x: box.x + Math.max(0, box.width - width) / 2, y, width: Math.min(width, box.width), height: 2 * height };
+  const isStruck = placed.some(({ leader }) => segmentsOf(leader).some((segment) => passes(segment, grown(name, 1))));
+  return isStruck || width > box.width ? box.height + CAPTION_GAP : y;
+}
+
 function figureOf(layout, { view, ratio, box, placed, labels, picture }) {
   const figure = emptyFigure(layout.page.box.width, layout.page.box.height - HEADING);
   figure.pictures.push({ ...picture, alt: layout.altOf(view, ratio), round: false, frame: false });
   figure.captions.push({
     x: box.x,
-    y: box.height + CAPTION_GAP,
+    y: captionTop(layout, { view, ratio, box, picture, placed }),
     width: box.width,
     title: layout.titleOf(view),
     note: layout.scaleNote(ratio),
