@@ -138,8 +138,8 @@ std::optional<Path> Geodesic::between(const surface::Place& from, const surface:
     if (event.key >= best_) break;
     event.isWindow ? propagate(event.index) : visitCorner(event.index);
   }
-  if (found_) return trace();
-  return known < INF ? between(from, to) : std::nullopt;
+  if (!found_) return std::nullopt;
+  return trace();
 }
 
 void Geodesic::start() {
@@ -164,6 +164,7 @@ void Geodesic::start() {
 }
 
 void Geodesic::reach(std::uint32_t point, double distance, const Label& label) {
+  if (!isWithin(point)) return;
   Corner& corner = corners_[point];
   if (!(distance < corner.distance * SHORTER)) return;
   const double key = distance + glm::distance(surface_.points[point], to_.position);
@@ -213,6 +214,7 @@ void Geodesic::spread(std::uint32_t point) {
 void Geodesic::push(Window window, const EdgeFrame& frame) {
   if (window.image.y == 0 || surface_.edges[window.edge].count < 2) return;  // along the edge, or out of the surface
   const Edge& edge = surface_.edges[window.edge];
+  if (!isWithin(edge.a) && !isWithin(edge.b)) return;
   if (!cutByEnds(window, frame.length, corners_[edge.a].distance, corners_[edge.b].distance)) return;
   // No way through the window is shorter than two straight lines that meet on it: those of the flattened target.
   const glm::dvec2 target = flat(window.edge, to_.position);

@@ -27,10 +27,13 @@ class Geodesic {
   Geodesic(const surface::Surface& surface, const CancelToken& cancel);
 
   /// @param known  metres of a way that there is, if it is known: longer ones are not looked at
-  /// @return none where no way joins them
+  /// @return none where no way joins them, or none that is as short
   /// @throws Error{L_MEASURE, X_CANCELLED, X_TIMEOUT}
   std::optional<Path> between(const surface::Place& from, const surface::Place& to,
                               double known = std::numeric_limits<double>::infinity());
+
+  /// Ways keep to these points from now on, and so may be longer than the shortest; empty = to none.
+  void confine(std::vector<char> within) { within_ = std::move(within); }
 
   /// Work of one call: about 400 MB.
   static constexpr std::size_t WINDOWS_MAX = std::size_t{1} << 22;
@@ -78,6 +81,7 @@ class Geodesic {
   double lengthOf(const surface::Edge& edge) const {
     return glm::distance(surface_.points[edge.a], surface_.points[edge.b]);
   }
+  bool isWithin(std::uint32_t point) const { return within_.empty() || within_[point]; }
   EdgeFrame frameOf(std::uint32_t edge, std::uint32_t face) const;
   /// A point of a face laid flat with one of its edges.
   glm::dvec2 flat(std::uint32_t edge, const glm::dvec3& p) const;
@@ -86,6 +90,7 @@ class Geodesic {
 
   const surface::Surface& surface_;
   const CancelToken& cancel_;
+  std::vector<char> within_;   ///< by point; empty = all
   std::vector<char> spreads_;  ///< by point: shortest ways may bend there
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> touched_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "surface/chain.h"
 
@@ -18,8 +17,8 @@ constexpr std::size_t PLACES = 8;
 constexpr int ROUNDS_MAX = 200;
 /// A round that shortens by less ends it. What is left is a few times that.
 constexpr double SETTLED = 1e-6;
-/// No way is known yet.
-constexpr double UNKNOWN = std::numeric_limits<double>::infinity();
+/// Half the width of the strip along a loop that most rounds keep to, as part of the loop.
+constexpr double STRIP = 0.01;
 /// Part of its length below which a loop is on its way to a point.
 constexpr double VANISHED = 1e-2;
 
@@ -43,6 +42,95 @@ glm::dvec3 along(const std::vector<glm::dvec3>& points, double length) {
   }
   return points.back();
 }
+
+/// The points of the surface that are near to a loop.
+std::vector<char> stripAlong(const Surface& surface, const Loop& loop, double reach) {
+  Bounds bounds;
+  for (const glm::dvec3& p : loop.points) bounds.add(p);
+  std::vector<char> within(surface.points.size());
+  for (std::size_t i = 0; i < within.size(); ++i) {
+    const glm::dvec3& p = surface.points[i];
+    const glm::dvec3 outside = glm::max(glm::max(bounds.min - p, p - bounds.max), glm::dvec3(0));
+    within[i] = glm::dot(outside, outside) <= reach * reach && loop.distanceTo(p) <= reach;
+  }
+  return within;
+}
+
+/// A loop on its way to a tight one: places of it, of which every second moves at a time.
+class Tightening {
+ public:
+  Tightening(const Surface& surface, const Loop& loop, const CancelToken& cancel)
+      : surface_(surface), cancel_(cancel), geodesic_(surface, cancel), whole_(loop.length()), line_(loop) {
+    std::vector<glm::dvec3> closed = loop.points;
+    closed.push_back(loop.points.front());
+    for (std::size_t i = 0; i < PLACES; ++i) {
+      const double at = whole_ * static_cast<double>(i) / PLACES;
+      places_.push_back(nearestPlace(surface, along(closed, at), cancel));
+    }
+    halves_.fill(whole_ / PLACES);
+  }
+
+  Loop settle() {
+    // Rounds that keep to a strip along the loop cost a fraction of the others, one of which has the last word.
+    bool confined = true;
+    double before = whole_;
+    for (int i = 0; i < ROUNDS_MAX; ++i) {
+      geodesic_.confine(confined ? stripAlong(surface_, line_, STRIP * whole_) : std::vector<char>());
+      const double length = round();
+      if (length < VANISHED * whole_) {
+        throw Error("E_MEASURE",
+                    "the loop cannot be drawn tight: it slips off the part, or through where the option join closes it")
+            .at("/girth");
+      }
+      const bool settled = length >= before * (1 - SETTLED);
+      if (settled && !confined) break;
+      confined = !settled;
+      before = length;
+    }
+    return line_;
+  }
+
+ private:
+  /// Moves each place once. @return metres
+  double round() {
+    line_ = {{}, true};
+    double length = 0;
+    for (std::size_t i = 0; i < PLACES; ++i) {
+      const std::size_t middle = (2 * i + 1 + (i >= PLACES / 2 ? 1 : 0)) % PLACES;  // odd ones, then even ones
+      const std::size_t last = (middle + PLACES - 1) % PLACES, next = (middle + 1) % PLACES;
+      const Path path = way(last, next, halves_[last] + halves_[next]);
+      halves_[middle] = path.length / 2;
+      places_[middle] = nearestPlace(surface_, along(path.points, path.length / 2), cancel_);
+      if (i < PLACES / 2) continue;
+      length += path.length;
+      append(line_, path);
+    }
+    return length;
+  }
+
+  Path way(std::size_t from, std::size_t to, double known) {
+    auto path = geodesic_.between(places_[from], places_[to], known);
+    if (!path) {
+      // The strip of a coarse mesh may hold no such way: never the way around the other side of the loop.
+      geodesic_.confine({});
+      path = geodesic_.between(places_[from], places_[to]);
+    }
+    if (!path) throw Error("E_MEASURE", "no way over the surface joins the loop");
+    return *path;
+  }
+
+  static void append(Loop& loop, const Path& path) {
+    loop.points.insert(loop.points.end(), path.points.begin(), path.points.end() - 1);
+  }
+
+  const Surface& surface_;
+  const CancelToken& cancel_;
+  Geodesic geodesic_;
+  double whole_;  ///< metres, of the loop as it was given
+  Loop line_;     ///< of the last round
+  std::vector<surface::Place> places_;
+  std::array<double, PLACES> halves_{};  ///< metres of a way from each place to one beside it
+};
 
 }  // namespace
 
@@ -95,46 +183,7 @@ std::vector<Loop> borderOf(const Surface& surface) {
 }
 
 Loop tightened(const Surface& surface, const Loop& loop, const CancelToken& cancel) {
-  std::vector<glm::dvec3> closed = loop.points;
-  closed.push_back(loop.points.front());
-  const double whole = loop.length();
-  std::vector<surface::Place> places;
-  for (std::size_t i = 0; i < PLACES; ++i) {
-    places.push_back(nearestPlace(surface, along(closed, whole * static_cast<double>(i) / PLACES), cancel));
-  }
-  Geodesic geodesic(surface, cancel);
-  const auto way = [&](std::size_t from, std::size_t to, double known = UNKNOWN) {
-    const auto path = geodesic.between(places[from % PLACES], places[to % PLACES], known);
-    if (!path) throw Error("E_MEASURE", "no way over the surface joins the loop");
-    return *path;
-  };
-  std::array<double, PLACES> halves;  // of the way that each place is the middle of
-  halves.fill(UNKNOWN);
-  double before = whole;
-  for (int round = 0; round < ROUNDS_MAX; ++round) {
-    double length = 0;
-    for (std::size_t i = 0; i < PLACES; ++i) {
-      const std::size_t middle = (2 * i + 1 + (i >= PLACES / 2 ? 1 : 0)) % PLACES;  // odd ones, then even ones
-      const std::size_t last = (middle + PLACES - 1) % PLACES, next = (middle + 1) % PLACES;
-      const Path path = way(last, next, halves[last] + halves[next]);
-      halves[middle] = path.length / 2;
-      places[middle] = nearestPlace(surface, along(path.points, path.length / 2), cancel);
-      if (i >= PLACES / 2) length += path.length;
-    }
-    if (length < VANISHED * whole) {
-      throw Error("E_MEASURE",
-                  "the loop cannot be drawn tight: it slips off the part, or through where the option join closes it")
-          .at("/girth");
-    }
-    if (length >= before * (1 - SETTLED)) break;
-    before = length;
-  }
-  Loop out{{}, true};
-  for (std::size_t i = 0; i < PLACES; ++i) {
-    const Path path = way(i, i + 1);
-    out.points.insert(out.points.end(), path.points.begin(), path.points.end() - 1);
-  }
-  return out;
+  return Tightening(surface, loop, cancel).settle();
 }
 
 }  // namespace telar::measure

@@ -81,6 +81,16 @@ TEST(Tightened, ALoopSlidesToTheWaist) {
   }
 }
 
+TEST(Tightened, ACoarseTubeHoldsTheLoopAsAFineOneDoes) {
+  // Its edges are longer than the strip that most rounds keep to is wide. At the waist it is a polygon of twelve sides.
+  const CancelToken cancel;
+  const Surface surface = tube(12, 0.6, 0);
+  const auto loops = sectionOf(surface, {0.7, 0.3, 0}, {0.1, 1, 0}, cancel);
+  ASSERT_EQ(loops.size(), 1u);
+  const double waist = 24 * std::sin(PI / 12) * 0.6;
+  EXPECT_NEAR(tightened(surface, loops[0], cancel).length(), waist, 0.005 * waist);
+}
+
 TEST(Tightened, ALoopThatCanSlipOffIsRefused) {
   // Around a sphere it can be drawn to a point.
   const Surface sphere = surfaceOf(test::sphere(48, 24));

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { createRenderer, inspect } from '../../../js/index.mjs';
 import './support/real.mjs';
 import { strip } from './support/strip.mjs';
@@ -79,6 +80,14 @@ test('a girth through an open strip is open, and cannot be drawn tight', async (
   assert.deepEqual([closed, others], [false, []]);
   near(length, 1);
   await assert.rejects(model.measure({ girth: { ...girth, tight: true } }), { code: 'E_MEASURE', pointer: '/girth' });
+});
+
+test('a girth drawn tight is shorter than its section, and stays on the part: chest and sleeve of the bundled garment', async () => {
+  const shirt = await renderer.load(fileURLToPath(new URL('../../../js/assets/tshirt.glb', import.meta.url)));
+  for (const girth of [{ point: [0, 0.42, 0.1] }, { point: [0.28, 0.5, 0], normal: [1, -0.6, 0] }]) {
+    const { length, section, closed } = await shirt.measure({ girth: { ...girth, tight: true } });
+    assert.ok(closed && length < section && length > 0.96 * section, `${length} of ${section}`);
+  }
 });
 
 test('errors say what is not there', async () => {
