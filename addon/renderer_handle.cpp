@@ -3,6 +3,7 @@
 #include "handles.h"
 #include "state.h"
 #include "telar/codec.h"
+#include "telar/layers.h"
 #include "telar/render_frame.h"
 
 namespace telar::addon {
@@ -29,6 +30,7 @@ struct Render {
   Frame frame;
   FrameInfo info;
   Bytes encoded;
+  std::vector<std::pair<std::string, Bytes>> layers;  ///< encoded, by name
 
   double lap() {
     const double ms = millisecondsSince(since);
@@ -60,6 +62,9 @@ void draw(Render& render, Renderer& renderer, FreedMemory& freed, const CancelTo
 Napi::Value toJs(Napi::Env env, Render& render) {
   Napi::Object object = Napi::Object::New(env);
   object["data"] = bytesToJs(env, std::move(render.encoded));
+  Napi::Object layers = Napi::Object::New(env);
+  for (auto& [name, bytes] : render.layers) layers[name] = bytesToJs(env, std::move(bytes));
+  object["layers"] = layers;
   object["width"] = render.frame.width;
   object["height"] = render.frame.height;
   object["info"] = render.info.json;
@@ -71,8 +76,18 @@ Napi::Value toJs(Napi::Env env, Render& render) {
 }
 
 void encodeInto(Render& render, const CancelToken& cancel) {
-  render.encoded = encode(render.frame, render.output, cancel);
+  if (render.output.layers.together && !render.frame.layers.empty()) {
+    render.encoded = encodeTogether(render.frame, render.output, cancel);
+  } else {
+    render.encoded = encode(render.frame, render.output, cancel);
+    for (const LayerImage& layer : render.frame.layers) {
+      const auto names = namesOf(layer.layer);
+      render.layers.emplace_back(names[static_cast<std::size_t>(layer.layer)],
+                                 encodeLayer(render.frame, layer, render.output, cancel));
+    }
+  }
   std::vector<std::byte>().swap(render.frame.pixels);
+  std::vector<LayerImage>().swap(render.frame.layers);
   render.encodeMs = render.lap();
 }
 

@@ -490,13 +490,35 @@ export interface FrameInfo extends Plan {
   peakBytes: number;
   /** Column-major 4 x 4: (X, Y, Z, W) = M (x, y, z, 1); the pixel is (X / W, Y / W) from the top left corner. */
   worldToPixel: number[];
+  /** Millimetres of the model on a pixel, exact; null in perspective. */
+  millimetresPerPixel: number | null;
+  /** Of a shot with layers. */
+  layers?: LayerFacts;
   shot: ResolvedShot;
   [key: string]: unknown;
+}
+
+/** A node or a material by its number in a layer; `node` and `material` are indices in the file, null of glTF's default material. */
+export interface LegendEntry {
+  id: number;
+  name: string;
+  node?: number;
+  material?: number | null;
+}
+
+/** What the layers of a frame hold beside their pixels. */
+export interface LayerFacts {
+  depth?: { /** Least and largest depth, metres: what PNG spreads its numbers over. */ range: [number, number] };
+  partId?: { legend: LegendEntry[] };
+  materialId?: { legend: LegendEntry[] };
+  [layer: string]: Record<string, unknown> | undefined;
 }
 
 export interface Image {
   /** The encoded file. */
   data: Buffer;
+  /** The encoded layers that the shot asks for, by name; left out where there are none, or where `data` holds them (`output.layers.together`). */
+  layers?: Partial<Record<Exclude<ResolvedShot['layers'][number], 'beauty'>, Buffer>>;
   info: FrameInfo;
 }
 
@@ -741,3 +763,12 @@ export interface Versions {
 }
 
 export const versions: Readonly<Versions>;
+
+/**
+ * An animated WebP file out of still ones of one size, which keep every byte of their pictures.
+ * @example
+ * const shots = turntable({ output: { format: 'webp' } }, 36).map(({ shot }) => shot);
+ * const frames = await renderer.renderAll('shirt.glb', shots);
+ * const file = animateWebp(frames.map(({ data }) => data), { frameMs: 80 });
+ */
+export function animateWebp(frames: readonly Uint8Array[], options?: { /** @default 100 */ frameMs?: number; /** 0 = for ever. @default 0 */ loops?: number }): Buffer;

@@ -1,10 +1,15 @@
+import { flat as FLAT } from '../shot/table/flat.mjs';
 import { partOption } from './measure_options.mjs';
 import { checkObject, checkSignal, loading, STRICT, wrongOption } from './options.mjs';
 
 const KEYS = ['part', 'join', 'scale', 'creaseAngle', 'foldDepth', 'foldLength', 'tolerance', 'stitched', 'weights', 'color', 'signal', 'timeoutMs'];
 
-/** Line weights in millimetres, after ISO 128-2:2020: 0.7, 0.5, 0.35, 0.25 are neighbours in its series. */
-export const WEIGHTS = Object.freeze({ silhouette: 0.7, contour: 0.5, seam: 0.35, stitch: 0.25, crease: 0.25 });
+/** Defaults are those of the shot's `flat`. */
+const ROWS = FLAT.shape;
+const defaultsOf = (rows) => Object.freeze(Object.fromEntries(Object.entries(rows).map(([key, row]) => [key, row.default])));
+
+/** Line weights in millimetres. */
+export const WEIGHTS = defaultsOf(ROWS.weights.shape);
 
 function number(name, value, min, max, what) {
   if (typeof value === 'number' && value >= min && value <= max) return value;
@@ -38,12 +43,12 @@ export function flatOptions(options) {
   checkObject('options', options, KEYS);
   const {
     part,
-    join = 0,
+    join = ROWS.join.default,
     scale,
-    creaseAngle = 60,
-    foldDepth = 0.008,
-    foldLength = 0.02,
-    tolerance = 0.3,
+    creaseAngle = ROWS.creaseAngle.default,
+    foldDepth = ROWS.foldDepth.default,
+    foldLength = ROWS.foldLength.default,
+    tolerance = ROWS.tolerance.default,
     stitched = [],
     weights = {},
     color = 'black',

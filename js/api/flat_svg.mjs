@@ -1,7 +1,7 @@
+import { DASH } from '../shot/table/flat.mjs';
+
 /** Millimetres of an inch and pixels of CSS in it. */
 const PIXEL_MM = 25.4 / 96;
-/** Dash and gap of stitches, in line weights. */
-const DASH = [5, 3.5];
 
 const text = (x) => String(Number(x.toFixed(3)));
 

@@ -60,6 +60,9 @@ function releaseOf(shading) {
   return { revision, family: familyOf(revision) };
 }
 
+/** Millimetres of the model on a pixel, exact; null in perspective, where it differs from place to place. */
+const scaleOf = ({ camera, size }) => (camera.projection === 'orthographic' ? (1000 * camera.height) / size.height : null);
+
 /**
  * `info` of one frame.
  * @param {object} parts
@@ -89,6 +92,7 @@ export function frameInfo({ frame, resolved, milliseconds, renderer, key, warnin
     warnings: [...warnings, ...(drawn.warnings ?? []), ...pictureWarnings(drawn.picture)],
     // Largest resident memory of this process so far, the GL driver's included where it draws in software.
     peakBytes: process.resourceUsage().maxRSS * 1024,
+    millimetresPerPixel: scaleOf(resolved),
     shot: resolved,
   };
 }

@@ -268,7 +268,8 @@ class Renderer {
     const milliseconds = { load: loaded - start, pose: posedAt - loaded, resolve: resolvedAt - posedAt, total: performance.now() - start };
     const info = frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings });
     refuseWarnings(loading.failOn, info.warnings);
-    return { data: frame.data, info };
+    const layers = Object.keys(frame.layers).length > 0 && { layers: frame.layers };
+    return { data: frame.data, ...layers, info };
   }
 
   /** The shot with every default, and what is known to be wrong before it is drawn. @throws {TelarError} E_SHOT, E_WARNING, ... */

@@ -1,5 +1,6 @@
 import { toTelarError } from '../error/index.mjs';
 import { writeFileAtomically } from './atomic_file.mjs';
+import { layerFiles } from './layer_files.mjs';
 
 /** Draws the pictures of a command line. A picture that fails does not stop the others. */
 
@@ -35,6 +36,7 @@ function byModel(jobs) {
  * @property {boolean} [unchanged] it was there already
  * @property {string} [key]
  * @property {number} [bytes]
+ * @property {Record<string, string>} [layers] files of the layers by name
  * @property {object} [info] where it was drawn
  * @property {import('../error/index.mjs').TelarError} [error]
  */
@@ -99,7 +101,10 @@ export class Drawing {
     const { source, shot } = jobs[index];
     // A model that cannot be read tells so when it is drawn.
     const key = await keyOf(source, shot).catch(() => undefined);
-    if (key === undefined || !(await known.has(outputs[index].file, key))) return false;
+    if (key === undefined) return false;
+    const files = [outputs[index].file, ...Object.values(layerFiles(outputs[index].file, shot))];
+    const same = await Promise.all(files.map((file) => known.has(file, key)));
+    if (same.includes(false)) return false;
     this.#settle(index, { unchanged: true, key });
     return true;
   }
@@ -109,11 +114,16 @@ export class Drawing {
     const { file } = outputs[index];
     const onProgress = progress.reach && ((part) => progress.reach(index, part));
     try {
-      const { data, info } = await renderer.render(source, jobs[index].shot, { signal, onProgress });
+      const { data, layers = {}, info } = await renderer.render(source, jobs[index].shot, { signal, onProgress });
       if (file === '-') await toStdout(data);
       else await writeFileAtomically(file, data, signal);
       known?.add(file, info.key, data);
-      this.#settle(index, { bytes: data.length, key: info.key, info });
+      const files = layerFiles(file, jobs[index].shot);
+      for (const [layer, bytes] of Object.entries(layers)) {
+        await writeFileAtomically(files[layer], bytes, signal);
+        known?.add(files[layer], info.key, bytes);
+      }
+      this.#settle(index, { bytes: data.length, key: info.key, info, ...(Object.keys(layers).length > 0 && { layers: files }) });
     } catch (thrown) {
       this.#settle(index, { error: toTelarError(thrown) });
     }

@@ -59,6 +59,28 @@ const viewName = ({ camera }) => {
 };
 const variantName = ({ variant }) => (typeof variant === 'string' && variant !== '' ? variant : 'default');
 
+/** Most frames of a turntable. */
+const FRAMES_MAX = 720;
+
+/** "36" of --turntable. */
+function framesOf({ turntable, views }) {
+  if (turntable === undefined) return undefined;
+  if (views !== undefined) throw usage('--turntable and --views: give one of them');
+  const frames = Number(turntable);
+  if (!(Number.isInteger(frames) && frames >= 1 && frames <= FRAMES_MAX)) {
+    throw usage(`--turntable: expected a whole number of frames from 1 to ${FRAMES_MAX}, got ${shown(turntable)}`);
+  }
+  return frames;
+}
+
+/** The frames of a shot's turntable, with the name that {view} stands for. */
+async function turned(shot, frames) {
+  const { camera } = shot;
+  if (camera?.position !== undefined || camera?.gltf !== undefined) throw usage('--turntable: the camera is to be a view, which frames the model');
+  const { turntable } = await import('../shot/turntable.mjs');
+  return turntable(shot, frames).map(({ name, shot: each }) => ({ shot: each, view: name }));
+}
+
 /** The shot with each variant and each view; itself where none is asked for. */
 function crossed(shot, variants, views) {
   const coloured = variants.length === 0 ? [shot] : variants.map((variant) => ({ ...shot, variant }));
@@ -69,23 +91,27 @@ function crossed(shot, variants, views) {
 /**
  * Every picture of a command line, in order: models, variants, views.
  * @param {Array<{model: string, source: string | Uint8Array, folder: string, where?: string, shot: object, output?: string}>} entries
- * @param {{views?: string, view?: string, variants?: string, variant?: string}} options as commander parsed them
+ * @param {{views?: string, view?: string, turntable?: string, variants?: string, variant?: string}} options as commander parsed them
  * @param {number} maxBytes of a model
  * @returns {Promise<{jobs: Job[], crosses: {views: boolean, variants: boolean}}>} crosses: whether a model has many
  * @throws {TelarError} E_USAGE, E_SHOT, E_SHOT_UNAVAILABLE
  */
 export async function makeJobs(entries, options, maxBytes) {
   const views = await viewsOf(options);
+  const frames = framesOf(options);
   const chosen = variantsOf(options);
   const jobs = [];
   for (const { shot, ...entry } of entries) {
     const variants = chosen ? chosen(await variantNames(entry.source, maxBytes)) : [];
-    for (const each of crossed(shot, variants, views)) jobs.push({ ...entry, shot: each, view: viewName(each), variant: variantName(each) });
+    for (const each of crossed(shot, variants, views)) {
+      const shots = frames === undefined ? [{ shot: each, view: viewName(each) }] : await turned(each, frames);
+      for (const one of shots) jobs.push({ ...entry, ...one, variant: variantName(each) });
+    }
   }
   // A name that a file gives is the file's fault, and no other picture's.
   const isOwn = options.variants === 'all';
   await checkShots(isOwn ? jobs.map(({ shot: { variant: _, ...shot }, where }) => ({ shot, where })) : jobs);
-  return { jobs, crosses: { views: views?.length > 1, variants: chosen !== undefined } };
+  return { jobs, crosses: { views: views?.length > 1 || frames > 1, variants: chosen !== undefined } };
 }
 
 /** Tells a wrong shot early, and each once. What depends on the model is left to its own turn. */

@@ -7,6 +7,9 @@ import { readAll } from './streams.mjs';
 
 /** The command line's way to a shot: --shot FILE, then the flags, then each --set in order. */
 
+/** Resolution of pictures in true scale: what printers take. */
+const PAPER_PPI = 300;
+
 const BUNDLED = ['studio', 'none'];
 const usage = (message) => new TelarError('E_USAGE', message);
 const collect = (value, list = []) => [...list, value];
@@ -24,7 +27,13 @@ export function addShotOptions(command) {
     .option('--shading <shading>', describe('shading'))
     .option('--environment <map>', describe('environment.map'))
     .option('--background <colour>', describe('background'))
-    .option('--variant <name>', describe('variant'));
+    .option('--variant <name>', describe('variant'))
+    .option(
+      '--layers <names>',
+      'images beside the colour, with commas between: depth, normal, partId, materialId, ao, albedo, shadow, coverage, line; OUT.depth.png and so on',
+    )
+    .option('--style <style>', describe('style'))
+    .option('--scale <scale>', '1:5 and the like: true scale on paper at output.ppi, 300 where --set gives none; the size follows');
 }
 
 /**
@@ -70,7 +79,7 @@ export function withPathsFrom(folder, shot) {
   return shot;
 }
 
-function applyFlags(shot, { view, frame, fitTo, size, quality, shading, environment, background, variant }) {
+function applyFlags(shot, { view, frame, fitTo, size, quality, shading, environment, background, variant, layers, style, scale }) {
   if (view !== undefined) shot.camera = { ...framingOf(shot.camera), view };
   if (frame !== undefined) shot.camera = { ...shot.camera, frame: parseFrame(frame) };
   if (fitTo !== undefined) shot.camera = { ...shot.camera, fitTo };
@@ -80,6 +89,12 @@ function applyFlags(shot, { view, frame, fitTo, size, quality, shading, environm
   if (environment !== undefined) shot.environment = { ...settingsOf(shot.environment), map: environment };
   if (background !== undefined) shot.background = parseValue(background);
   if (variant !== undefined) shot.variant = variant;
+  if (layers !== undefined) shot.layers = layers.split(',').map((name) => name.trim());
+  if (style !== undefined) shot.style = style;
+  if (scale !== undefined) {
+    shot.scale = scale;
+    shot.output = { ppi: PAPER_PPI, ...shot.output };
+  }
 }
 
 const pick = (object, keys) => Object.fromEntries(keys.filter((key) => object?.[key] !== undefined).map((key) => [key, object[key]]));

@@ -7,6 +7,7 @@ import { makeJobs } from './jobs.mjs';
 import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
 import { readManifest } from './manifest.mjs';
 import { refuseParts } from './model_parts.mjs';
+import { checkLayerFiles } from './layer_files.mjs';
 import { findModels } from './models.mjs';
 import { outputNames } from './output_names.mjs';
 import { readShotOptions } from './shot_options.mjs';
@@ -31,6 +32,7 @@ export async function thumbnail(models, options, context) {
   const { jobs, crosses } = await makeJobs(entries, options, maxFileBytes(limits));
   const outputs = outputNames(options.output, jobs, crosses);
   await refuseParts(jobs, outputs);
+  checkLayerFiles(jobs, outputs);
   await checkSheet(options.contactSheet, jobs, outputs);
   jobs.forEach((job, i) => {
     if (job.shot.output === undefined || typeof job.shot.output === 'object')
@@ -107,11 +109,12 @@ async function writeSheet(results, { contactSheet: file, views }, { limits, sign
   return file;
 }
 
-const resultJson = ({ job, file, unchanged, key, bytes, info, error }, crossed) => ({
+const resultJson = ({ job, file, layers, unchanged, key, bytes, info, error }, crossed) => ({
   model: job.model,
   ok: error === undefined,
   ...(crossed && { variant: job.variant, view: job.view }),
   ...(error ? { error } : { output: file }),
+  ...(layers && { layers }),
   ...(unchanged && { unchanged, key }),
   ...(info && { bytes, info }),
 });

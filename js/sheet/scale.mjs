@@ -1,4 +1,7 @@
 import { cornersOfBox, dot, subtract, viewBasis, VIEWS } from '../shot/frame.mjs';
+import { INCH, metresPerPixelOf, PIXELS_MAX, ratioOf } from '../shot/true_scale.mjs';
+
+export { INCH, ratioOf };
 
 /**
  * Views in true scale: an orthographic camera whose millimetres per pixel are exact, and where it sees a point of the model. Pure.
@@ -12,20 +15,8 @@ import { cornersOfBox, dot, subtract, viewBasis, VIEWS } from '../shot/frame.mjs
  * @property {number} height - Metres along `basis.up`.
  */
 
-/** Millimetres of an inch. */
-export const INCH = 25.4;
-
 /** Usual scales of drawings, millimetres of the garment on one of paper: small ones enlarge. */
 const USUAL = [0.1, 0.2, 0.25, 0.5, 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 25, 30, 40, 50, 75, 100, 200, 500, 1000, 2000, 5000];
-
-/** Sides of a picture, pixels, as the shot takes them. */
-const PIXELS_MAX = 8192;
-
-/** "1:5" = 5, "2:1" = 0.5: millimetres of the garment on one of paper. @param {string} text as in the spec, but for "fit" */
-export function ratioOf(text) {
-  const [paper, garment] = text.split(':').map(Number);
-  return garment / paper;
-}
 
 /** 5 = "1:5", 0.5 = "2:1". */
 export const scaleText = (ratio) => (ratio >= 1 ? `1:${Number(ratio.toFixed(3))}` : `${Number((1 / ratio).toFixed(3))}:1`);
@@ -76,7 +67,7 @@ export function fittingRatio(extents, box) {
  * @property {number} ratio
  */
 export function trueView({ basis, centre, width, height }, { ratio, ppi, margin = 0, depth = 10 }) {
-  const metresPerPixel = (INCH / ppi / 1000) * ratio;
+  const metresPerPixel = metresPerPixelOf(ratio, ppi);
   const side = (length) => Math.min(PIXELS_MAX, Math.max(1, Math.ceil(length / metresPerPixel + (2 * margin * ppi) / INCH)));
   const size = { width: side(width), height: side(height) };
   const camera = {

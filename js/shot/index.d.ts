@@ -88,3 +88,11 @@ export function srgbToLinear(encoded: number): number;
 
 /** Azimuth and elevation in degrees of each named view. */
 export const VIEWS: Readonly<Record<'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'three-quarter', { azimuth: number; elevation: number }>>;
+
+/**
+ * The shots of a turntable, evenly spaced from the shot's own view on; all share one scale and one axis.
+ * @param shot its camera is a view
+ * @param frames at least 1
+ * @returns in order; name: "side-000", by degrees from the first
+ */
+export function turntable(shot: Shot, frames: number): Array<{ name: string; angle: number; shot: Shot }>;

@@ -1,5 +1,4 @@
 import { TelarError } from '../error/index.mjs';
-import { resolveCamera } from './camera.mjs';
 import { complaint, nearest, shown, wrongValue } from './complain.mjs';
 import { contactLights } from './contact.mjs';
 import { readFacts } from './facts.mjs';
@@ -12,11 +11,13 @@ import { shotSchema } from './schema.mjs';
 import { resolveTerms, WITHOUT_TERMS } from './shading_terms.mjs';
 import { resolveShadow } from './shadow.mjs';
 import { SHOT } from './table/index.mjs';
+import { LAYERS, LAYER_FORMATS } from './table/layers.mjs';
 import { FORMATS, output as OUTPUT } from './table/output.mjs';
 import { copied, inOrder } from './table/resolved.mjs';
 import { HUGE } from './table/rows.mjs';
 import { ENVIRONMENT } from './table/stage.mjs';
 import { resolveThree, TONE_MAPPINGS_SINCE } from './three_terms.mjs';
+import { resolveScale } from './true_scale.mjs';
 import { refuseUnavailable } from './unavailable.mjs';
 
 const WHITE = [1, 1, 1];
@@ -36,15 +37,15 @@ const WHITE = [1, 1, 1];
 export function resolveShot(shot = {}, facts = undefined) {
   const parsed = parseShot(shot);
   const known = readFacts(facts);
-  const { output, environment, background, shading, quality } = resolveWithoutModel(parsed);
+  const { output, environment, background, shading, quality, layers } = resolveWithoutModel(parsed);
   const { lights, ground } = resolveStage(parsed, known);
   const standing = { corners: cornersOfGround(ground), shadow: fallenShadow(ground, lights, known) };
-  const camera = resolveCamera(parsed.camera, parsed.size.width / parsed.size.height, known, standing);
+  const { size, camera } = resolveScale(parsed, { hasSize: shot.size !== undefined, facts: known, standing });
   const lens = resolveLens(parsed.lens, camera);
   checkFitted({ camera, lens, lights, ground });
   const variant = resolveVariant(parsed.variant, known.variants);
   const pose = posed(parsed.pose, known.animations);
-  return inOrder(SHOT, { ...copied(parsed), camera, lens, environment, lights, background, ground, shading, quality, variant, pose, output });
+  return inOrder(SHOT, { ...copied(parsed), size, camera, lens, environment, lights, background, ground, shading, quality, variant, pose, layers, output });
 }
 
 /** What is fitted to a camera or a light that stands beyond measure may leave the range that a shot can say. */
@@ -73,15 +74,16 @@ export function parseShot(shot) {
  * @throws {TelarError} E_SHOT
  */
 export function resolveWithoutModel(parsed) {
-  const output = resolveOutput(parsed.output);
+  const output = resolveOutput(parsed);
   const environment = resolveEnvironment(parsed.environment);
   checkToneMapping(parsed);
   return {
     output,
     environment,
-    background: resolveBackground(parsed.background, output.format, environment),
+    background: resolveBackground(parsed, output.format, environment),
     shading: resolveShading(parsed.shading),
     quality: resolveQuality(parsed.quality),
+    layers: resolveLayers(parsed.layers),
   };
 }
 
@@ -117,8 +119,8 @@ function resolveLights(lights) {
   });
 }
 
-function resolveBackground(background, format, environment) {
-  if (background === undefined) return format === 'jpeg' ? [...WHITE] : 'transparent';
+function resolveBackground({ background, style }, format, environment) {
+  if (background === undefined) return format === 'jpeg' || style === 'flat' ? [...WHITE] : 'transparent';
   if (background === 'transparent' && format === 'jpeg') {
     throw wrongValue(['background'], 'a colour or "environment", as jpeg has no transparency', background);
   }
@@ -126,6 +128,7 @@ function resolveBackground(background, format, environment) {
   if (type === 'environment' && environment.map === 'none') {
     throw wrongValue(['background'], '"transparent" or a colour, as shot.environment is "none"', background);
   }
+  if (type === 'environment' && style === 'flat') throw wrongValue(['background'], '"transparent" or a colour with style "flat"', background);
   return blur === 0 ? 'environment' : background;
 }
 
@@ -148,11 +151,24 @@ function resolveVariant(variant, variants) {
   throw new TelarError('E_VARIANT', `shot.variant: the model has no variant ${shown(variant)}; ${hint}`, { pointer: '/variant' });
 }
 
-function resolveOutput(output) {
+function resolveOutput({ output, scale }) {
   const { bitDepths, ppi, icc } = FORMATS[output.format];
   const { bitDepth = bitDepths[0] } = output;
   if (!bitDepths.includes(bitDepth)) throw wrongValue(['output', 'bitDepth'], `${bitDepths.join(' or ')} for ${output.format}`, bitDepth);
-  if (output.ppi > 0 && !ppi) throw wrongValue(['output', 'ppi'], `0, as ${output.format} holds no ppi`, output.ppi);
+  if (output.ppi > 0 && !ppi && scale === 'none') throw wrongValue(['output', 'ppi'], `0, as ${output.format} holds no ppi`, output.ppi);
   if (output.icc && !icc) throw wrongValue(['output', 'icc'], `false, as ${output.format} holds no profile here`, output.icc);
-  return inOrder(OUTPUT, { ...output, bitDepth });
+  return inOrder(OUTPUT, { ...output, bitDepth, layers: resolveLayerOutput(output) });
 }
+
+function resolveLayerOutput({ format: colour, layers }) {
+  const bitDepths = LAYER_FORMATS[layers.format];
+  const { bitDepth = bitDepths[0], format, together } = layers;
+  if (!bitDepths.includes(bitDepth)) throw wrongValue(['output', 'layers', 'bitDepth'], `${bitDepths.join(' or ')} for ${format}`, bitDepth);
+  if (together && (format !== 'exr' || colour !== 'exr')) {
+    throw wrongValue(['output', 'layers', 'together'], 'false, as output.format and output.layers.format are not both "exr"', together);
+  }
+  return inOrder(OUTPUT.shape.layers, { ...layers, bitDepth });
+}
+
+/** Each once, in the order of the table; the colour is always drawn. */
+const resolveLayers = (wanted) => ['beauty', ...Object.keys(LAYERS).filter((name) => wanted.includes(name))];

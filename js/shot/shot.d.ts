@@ -498,8 +498,38 @@ export interface Shot {
     /** Seconds from its start; before the start and after the end it stands as at the start or the end. @default 0 */
     time?: number;
   } | null;
-  /** Images to draw. @default ["beauty"] */
-  layers?: 'beauty'[];
+  /** Images to draw: "beauty", the colour, which is always there, and beside it "depth": distance from the plane through the camera, along the view, metres; "normal": shading normal with its maps, world space, unit; "partId": number of the node, `info.layers.partId.legend`; "materialId": number of the material, `info.layers.materialId.legend`; "ao": ambient occlusion: part of the hemisphere above the surface that is open, weighted by the cosine, 0..1; "albedo": base colour, linear Rec.709; in PNG sRGB; "shadow": part of the light of lights with `castShadow` that does not arrive, 0..1; on the `ground` too; "coverage": part of the pixel that the model covers, 0..1, antialiased as the colour; "line": the technical flat, antialiased: 0 on its lines, 1 on the paper. Where nothing is seen they hold 0, "line" 1. @default ["beauty"] */
+  layers?: Array<'beauty' | 'depth' | 'normal' | 'partId' | 'materialId' | 'ao' | 'albedo' | 'shadow' | 'coverage' | 'line'>;
+  /** "shaded", or "flat": the technical flat of the same camera, black lines on the background, which is white where none is given. @default "shaded" */
+  style?: 'shaded' | 'flat';
+  /** How the lines of `style: "flat"` and of the layer "line" are found. */
+  flat?: {
+    /** Points of the mesh that are nearer to one another are one; 0 = of rounding alone. Range 0 to 1. @default 0 */
+    join?: number;
+    /** Least angle between two faces that is drawn as a crease. Range 1 to 180. @default 60 */
+    creaseAngle?: number;
+    /** A surface that lies less before another is a fold that is not drawn. Range 0 to 1000. @default 0.008 */
+    foldDepth?: number;
+    /** Contours and creases that are shorter are not drawn, as a part of the height of the picture. Range 0 to 1. @default 0.02 */
+    foldLength?: number;
+    /** Pixels that a simplified line may leave the exact one. Range 0 to 10. @default 0.3 */
+    tolerance?: number;
+    /** Line weights in millimetres of the picture, at `output.ppi`, or 96 pixels an inch where that is 0. */
+    weights?: {
+      /** Border between the model and what is behind it; 0 = not drawn. Range 0 to 10. @default 0.7 */
+      silhouette?: number;
+      /** Where a surface turns away before another; 0 = not drawn. Range 0 to 10. @default 0.5 */
+      contour?: number;
+      /** Where parts or materials meet, and open edges; 0 = not drawn. Range 0 to 10. @default 0.35 */
+      seam?: number;
+      /** Seams of parts that are stitched, dashed; 0 = not drawn. Range 0 to 10. @default 0.25 */
+      stitch?: number;
+      /** Sharp edges; 0 = not drawn. Range 0 to 10. @default 0.25 */
+      crease?: number;
+    };
+  };
+  /** True scale: "1:5" is a fifth of the model's size on paper, at `output.ppi`, "none" no scale. The camera is orthographic then, and where no `size` is given, the picture is as large as the model needs. @default "none" */
+  scale?: string;
   /** The encoded file. */
   output?: {
     /** File format. @default "png" */
@@ -514,6 +544,15 @@ export interface Shot {
     ppi?: number;
     /** Embed an sRGB profile: png, tiff, jpeg. @default false */
     icc?: boolean;
+    /** How layers are encoded. */
+    layers?: {
+      /** "png": whole numbers; "exr" and "raw": floats. @default "png" */
+      format?: 'png' | 'exr' | 'raw';
+      /** Bits a channel: png 16 or 8, exr 32 or 16 (numbers are 32 always), raw 32; default the first. */
+      bitDepth?: 16 | 8 | 32;
+      /** All in the one EXR file of the colour, as channels "depth.Z" and so on; needs format "exr" of both. @default false */
+      together?: boolean;
+    };
   };
 }
 
@@ -970,8 +1009,38 @@ export interface ResolvedShot {
     /** Seconds from its start; before the start and after the end it stands as at the start or the end. */
     time: number;
   } | null;
-  /** Images to draw. */
-  layers: 'beauty'[];
+  /** Images to draw: "beauty", the colour, which is always there, and beside it "depth": distance from the plane through the camera, along the view, metres; "normal": shading normal with its maps, world space, unit; "partId": number of the node, `info.layers.partId.legend`; "materialId": number of the material, `info.layers.materialId.legend`; "ao": ambient occlusion: part of the hemisphere above the surface that is open, weighted by the cosine, 0..1; "albedo": base colour, linear Rec.709; in PNG sRGB; "shadow": part of the light of lights with `castShadow` that does not arrive, 0..1; on the `ground` too; "coverage": part of the pixel that the model covers, 0..1, antialiased as the colour; "line": the technical flat, antialiased: 0 on its lines, 1 on the paper. Where nothing is seen they hold 0, "line" 1. */
+  layers: Array<'beauty' | 'depth' | 'normal' | 'partId' | 'materialId' | 'ao' | 'albedo' | 'shadow' | 'coverage' | 'line'>;
+  /** "shaded", or "flat": the technical flat of the same camera, black lines on the background, which is white where none is given. */
+  style: 'shaded' | 'flat';
+  /** How the lines of `style: "flat"` and of the layer "line" are found. */
+  flat: {
+    /** Points of the mesh that are nearer to one another are one; 0 = of rounding alone. Range 0 to 1. */
+    join: number;
+    /** Least angle between two faces that is drawn as a crease. Range 1 to 180. */
+    creaseAngle: number;
+    /** A surface that lies less before another is a fold that is not drawn. Range 0 to 1000. */
+    foldDepth: number;
+    /** Contours and creases that are shorter are not drawn, as a part of the height of the picture. Range 0 to 1. */
+    foldLength: number;
+    /** Pixels that a simplified line may leave the exact one. Range 0 to 10. */
+    tolerance: number;
+    /** Line weights in millimetres of the picture, at `output.ppi`, or 96 pixels an inch where that is 0. */
+    weights: {
+      /** Border between the model and what is behind it; 0 = not drawn. Range 0 to 10. */
+      silhouette: number;
+      /** Where a surface turns away before another; 0 = not drawn. Range 0 to 10. */
+      contour: number;
+      /** Where parts or materials meet, and open edges; 0 = not drawn. Range 0 to 10. */
+      seam: number;
+      /** Seams of parts that are stitched, dashed; 0 = not drawn. Range 0 to 10. */
+      stitch: number;
+      /** Sharp edges; 0 = not drawn. Range 0 to 10. */
+      crease: number;
+    };
+  };
+  /** True scale: "1:5" is a fifth of the model's size on paper, at `output.ppi`, "none" no scale. The camera is orthographic then, and where no `size` is given, the picture is as large as the model needs. */
+  scale: string;
   /** The encoded file. */
   output: {
     /** File format. */
@@ -986,6 +1055,15 @@ export interface ResolvedShot {
     ppi: number;
     /** Embed an sRGB profile: png, tiff, jpeg. */
     icc: boolean;
+    /** How layers are encoded. */
+    layers: {
+      /** "png": whole numbers; "exr" and "raw": floats. */
+      format: 'png' | 'exr' | 'raw';
+      /** Bits a channel: png 16 or 8, exr 32 or 16 (numbers are 32 always), raw 32; default the first. */
+      bitDepth: 16 | 8 | 32;
+      /** All in the one EXR file of the colour, as channels "depth.Z" and so on; needs format "exr" of both. */
+      together: boolean;
+    };
   };
 }
 

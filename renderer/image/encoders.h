@@ -8,6 +8,16 @@ namespace telar::image {
 
 /// Colour type 6 with an sRGB chunk; 16 bit repeats each byte (v * 257).
 std::vector<std::byte> encodePng(const Frame& frame, const OutputOptions& options, const CancelToken& cancel);
+/// What rows of a PNG file are: whole numbers, the most significant byte first.
+struct PngRows {
+  std::uint32_t width, height;
+  int bitDepth;  ///< 8 or 16
+  int channels;  ///< 1 grey, 3 RGB, 4 RGBA
+  bool srgb;     ///< says that they are sRGB-encoded
+  double ppi;    ///< 0 = not written
+};
+std::vector<std::byte> encodePngRows(const PngRows& png, const std::vector<std::uint8_t>& rows,
+                                     const CancelToken& cancel);
 /// Leaves alpha out: the frame is opaque. Full-resolution chroma from quality 90 on.
 /// @param profile ICC profile, empty = none
 std::vector<std::byte> encodeJpeg(const Frame& frame, const OutputOptions& options, std::span<const std::byte> profile,

@@ -63,16 +63,42 @@ TelarOiioFormat formatOf(OutputOptions::Format format) {
   }
 }
 
-}  // namespace
-
-std::vector<std::byte> encodeWithOiio(const Frame& frame, const OutputOptions& options, const CancelToken& cancel) {
-  std::vector<std::byte> file;
-  const TelarOiioWrite job = {formatOf(options.format), frame.width, frame.height, frame.pixels.data(),
-                              options.bitDepth,         options.ppi, options.icc,  cancelOf(cancel)};
+void writeInto(std::vector<std::byte>& file, const TelarOiioWrite& job, const CancelToken& cancel) {
   const TelarOiioSink sink = {&file, append};
   TelarOiioResult result;
   Library().function<TelarOiioWriteFunction>("telar_oiio_write")(&job, &sink, &result);
   check(result, "X_OUTPUT", "writing the image", cancel);
+}
+
+}  // namespace
+
+std::vector<std::byte> encodeWithOiio(const Frame& frame, const OutputOptions& options, const CancelToken& cancel) {
+  std::vector<std::byte> file;
+  const TelarOiioWrite job = {formatOf(options.format),
+                              frame.width,
+                              frame.height,
+                              frame.pixels.data(),
+                              options.bitDepth,
+                              options.ppi,
+                              options.icc,
+                              cancelOf(cancel),
+                              4,
+                              nullptr,
+                              nullptr};
+  writeInto(file, job, cancel);
+  return file;
+}
+
+std::vector<std::byte> encodeChannels(std::uint32_t width, std::uint32_t height, const std::vector<float>& pixels,
+                                      const std::vector<Channel>& channels, const CancelToken& cancel) {
+  std::vector<const char*> names;
+  std::vector<int> bits;
+  for (const Channel& channel : channels) names.push_back(channel.name.c_str()), bits.push_back(channel.bitDepth);
+  std::vector<std::byte> file;
+  writeInto(file,
+            {TELAR_OIIO_EXR, width, height, pixels.data(), 32, 0, false, cancelOf(cancel),
+             static_cast<std::uint32_t>(channels.size()), names.data(), bits.data()},
+            cancel);
   return file;
 }
 

@@ -1,4 +1,7 @@
 #pragma once
+#include <string>
+#include <vector>
+
 #include "image/bytes.h"
 #include "telar/cancel.h"
 #include "telar/codec.h"
@@ -10,6 +13,15 @@ namespace telar::image {
 
 /// PNG with ICC profile, TIFF, EXR. @throws Error{X_OUTPUT}
 std::vector<std::byte> encodeWithOiio(const Frame& frame, const OutputOptions& options, const CancelToken& cancel);
+
+/// A channel of an EXR file.
+struct Channel {
+  std::string name;
+  int bitDepth = 32;  ///< 16 or 32, float
+};
+/// EXR. @param pixels  as many floats a pixel as there are channels    @throws Error{X_OUTPUT}
+std::vector<std::byte> encodeChannels(std::uint32_t width, std::uint32_t height, const std::vector<float>& pixels,
+                                      const std::vector<Channel>& channels, const CancelToken& cancel);
 
 /// Bytes of an sRGB ICC profile, the same in every call.
 std::vector<std::byte> srgbProfile();

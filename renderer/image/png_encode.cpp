@@ -89,23 +89,31 @@ std::vector<std::uint8_t> rowsOf(const Frame& frame, bool wide) {
 }  // namespace
 
 std::vector<std::byte> encodePng(const Frame& frame, const OutputOptions& options, const CancelToken& cancel) {
+  const bool wide = options.bitDepth == 16;
+  return encodePngRows({frame.width, frame.height, options.bitDepth, 4, true, options.ppi}, rowsOf(frame, wide),
+                       cancel);
+}
+
+std::vector<std::byte> encodePngRows(const PngRows& png, const std::vector<std::uint8_t>& rows,
+                                     const CancelToken& cancel) {
   constexpr std::string_view SIGNATURE = "\x89PNG\r\n\x1a\n";
   constexpr double INCH = 0.0254;  // metres
-  const bool wide = options.bitDepth == 16;
-  const std::size_t pixelBytes = wide ? 8 : 4;
-  const auto filtered = filterRows(rowsOf(frame, wide), frame.width * pixelBytes, pixelBytes, cancel);
+  constexpr int GREY = 0, RGB = 2, RGBA = 6;
+  const std::size_t pixelBytes = static_cast<std::size_t>(png.channels * png.bitDepth / 8);
+  const auto filtered = filterRows(rows, png.width * pixelBytes, pixelBytes, cancel);
+  const int colorType = png.channels == 1 ? GREY : png.channels == 3 ? RGB : RGBA;
 
   std::vector<std::byte> out;
   for (const char c : SIGNATURE) out.push_back(std::byte(c));
   appendChunk(out, "IHDR", [&] {
-    append32(out, frame.width);
-    append32(out, frame.height);
-    for (const int b : {options.bitDepth, 6, 0, 0, 0}) out.push_back(std::byte(b));
+    append32(out, png.width);
+    append32(out, png.height);
+    for (const int b : {png.bitDepth, colorType, 0, 0, 0}) out.push_back(std::byte(b));
   });
-  appendChunk(out, "sRGB", [&] { out.push_back(std::byte{0}); });  // perceptual intent
-  if (options.ppi > 0) {
+  if (png.srgb) appendChunk(out, "sRGB", [&] { out.push_back(std::byte{0}); });  // perceptual intent
+  if (png.ppi > 0) {
     appendChunk(out, "pHYs", [&] {
-      const auto perMetre = std::uint32_t(std::lround(options.ppi / INCH));
+      const auto perMetre = std::uint32_t(std::lround(png.ppi / INCH));
       append32(out, perMetre);
       append32(out, perMetre);
       out.push_back(std::byte{1});

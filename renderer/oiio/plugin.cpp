@@ -9,6 +9,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "oiio/srgb_profile.h"
@@ -78,8 +79,14 @@ OIIO::ImageSpec describe(const TelarOiioWrite& job) {
   const bool floats = job.format == TELAR_OIIO_EXR;
   const auto stored = floats ? (job.bitDepth == 16 ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT)
                              : (job.bitDepth == 16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8);
-  OIIO::ImageSpec spec(int(job.width), int(job.height), 4, stored);
-  spec.alpha_channel = 3;
+  OIIO::ImageSpec spec(int(job.width), int(job.height), int(job.channels), stored);
+  spec.alpha_channel = job.names ? -1 : 3;
+  if (job.names) spec.channelnames.assign(job.names, job.names + job.channels);
+  for (std::uint32_t i = 0; job.bitDepths && i < job.channels; ++i)
+    spec.channelformats.push_back(job.bitDepths[i] == 16 ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
+  for (std::uint32_t i = 0; job.names && i < job.channels; ++i) {
+    if (std::string_view(job.names[i]) == "A") spec.alpha_channel = int(i);
+  }
   if (floats)
     describeFloats(spec);
   else

@@ -7,7 +7,7 @@
 /// do.
 extern "C" {
 
-constexpr std::uint32_t TELAR_OIIO_VERSION = 1;
+constexpr std::uint32_t TELAR_OIIO_VERSION = 2;
 
 enum TelarOiioFormat : std::uint32_t { TELAR_OIIO_PNG, TELAR_OIIO_TIFF, TELAR_OIIO_EXR, TELAR_OIIO_HDR };
 
@@ -36,8 +36,8 @@ struct TelarOiioSink {
   bool (*append)(void* user, const void* bytes, std::size_t count);
 };
 
-/// Rows from the top, tightly packed RGBA: bytes for PNG and TIFF (sRGB, straight alpha), floats for EXR (linear
-/// Rec.709, premultiplied).
+/// Rows from the top, tightly packed, RGBA where no channels are named: bytes for PNG and TIFF (sRGB, straight alpha),
+/// floats for EXR (linear Rec.709, premultiplied).
 struct TelarOiioWrite {
   TelarOiioFormat format;
   std::uint32_t width, height;
@@ -46,6 +46,9 @@ struct TelarOiioWrite {
   double ppi;    ///< 0 = not written
   bool icc;      ///< PNG, TIFF
   TelarOiioCancel cancel;
+  std::uint32_t channels;    ///< 4 where there are no names
+  const char* const* names;  ///< EXR: of the channels, in place of R, G, B, A; null = these
+  const int* bitDepths;      ///< EXR: of each channel that has a name; null = bitDepth
 };
 
 /// A picture to read: one whose size the caller took from the header and allowed.

@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "frame/layers.h"
 #include "frame/sample_passes.h"
 #include "frame/variant.h"
 #include "pass/texture_slots.h"
@@ -63,7 +64,7 @@ void describeMaps(const Material& m, shader::VariantKey& key) {
     key.*slot.uv1 = key.*slot.map && texture.texCoord == 1;
   }
   // Passes that read maps unfiltered need no variance and no coverage.
-  if (key.shading != ShadingModel::kFabric || key.fullDetail) return;
+  if (key.shading != ShadingModel::kFabric || key.fullDetail || key.layers) return;
   key.normalVariance = key.normalMap || key.clearcoatNormalMap;
   key.alphaToCoverage = key.alphaMask && key.baseColorMap;
 }
@@ -74,6 +75,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.outputLinear = frame.outputLinear;
   key.debugOutput = frame.debugOutput;
   key.fullDetail = frame.fullDetail;
+  key.layers = frame.layers;
   key.points = primitive.topology == Topology::kPoints;
   // three.js shows points and lines with unlit materials of the same colour.
   key.unlit = material.unlit || primitive.topology != Topology::kTriangles;
@@ -204,24 +206,9 @@ void addBehind(DrawList& draws, const ThreeTerms& three) {
   }
 }
 
-}  // namespace
-
-std::size_t DrawList::size() const {
-  std::size_t sum = 0;
-  for (const auto* list : all()) sum += list->size();
-  return sum;
-}
-
-std::set<shader::VariantKey> FramePlan::keys() const {
-  std::set<shader::VariantKey> keys;
-  for (const auto* list : draws.all()) {
-    for (const DrawItem& item : *list) keys.insert(item.key);
-  }
-  return keys;
-}
-
-FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures) {
+FramePlan planFrame(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures, bool layers) {
   FramePlan plan;
+  plan.frame.layers = layers;
   plan.camera = frame::cameraOf(shot);
   plan.origin = worldOrigin(scene.bounds);
   plan.lights = collectLights(scene, shot, plan.camera, limits);
@@ -261,6 +248,7 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
       const int index = materialIndex(primitive, variant);
       DrawItem item{&node, &primitive, &frame::materialAt(scene, index, shot.shading)};
       if (const auto read = plan.materials.of(*item.material, primitive, frame.three)) item.material = read.get();
+      if (layers) item.material = plan.plain.emplace_back(frame::plainMaterial(*item.material)).get();
       item.key = keyOf(primitive, *item.material, frame);
       const bool transmissive = item.key.transmission;
       describeInstances(node, frame.three, item.key);
@@ -268,7 +256,8 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
       if (allFeatures) forceAllFeatures(item.key);
       checkTextureUnits(item.key, plan.shadows, limits);
       plan.environment |= item.key.environment;
-      item.blend = item.material->alphaMode == AlphaMode::kBlend;
+      item.blend = item.material->alphaMode == AlphaMode::kBlend && !layers;
+      item.materialIndex = index;
       item.mirrored = glm::determinant(glm::dmat3(node.world)) < 0;
       item.depth = depthOf(item, i, viewProjection, frame.three);
       item.materialRank = ranks.emplace(index, static_cast<int>(ranks.size())).first->second;
@@ -281,6 +270,40 @@ FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, 
   splitBlended(plan.draws.transmissive);
   splitBlended(plan.draws.blended);
   return plan;
+}
+
+}  // namespace
+
+std::size_t DrawList::size() const {
+  std::size_t sum = 0;
+  for (const auto* list : all()) sum += list->size();
+  return sum;
+}
+
+std::set<shader::VariantKey> FramePlan::keys() const {
+  std::set<shader::VariantKey> keys;
+  for (const auto* list : draws.all()) {
+    for (const DrawItem& item : *list) keys.insert(item.key);
+  }
+  return keys;
+}
+
+FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures) {
+  return planFrame(scene, shot, limits, allFeatures, false);
+}
+
+FramePlan planLayers(const Scene& scene, const Shot& shot, const Limits& limits) {
+  Shot plain = shot;
+  plain.environment = {};
+  plain.background = {};
+  plain.modelLights = false;
+  const bool shadows = shot.hasLayer(Layer::kShadow);
+  std::erase_if(plain.lights, [&](const Shot::Light& light) { return !shadows || !light.castShadow; });
+  if (!shadows) plain.ground.reset();
+  plain.debugOutput = DebugOutput::kNone;
+  plain.toneMapping = ToneMapping::kNone;
+  plain.samples = 1;
+  return planFrame(scene, plain, limits, false, true);
 }
 
 }  // namespace telar::pass

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct DrawItem {
   bool visible = true;     ///< else it only casts its shadow
   double depth = 0;        ///< clip z of the primitive's centre
   int materialRank = 0;    ///< order of first use
+  int materialIndex = -1;  ///< in the scene, in the shot's variant; -1 = glTF's default one
 
   /// Null = drawn once, where the node is.
   const Instances* instances() const { return node->instances.get(); }
@@ -54,6 +56,7 @@ struct FramePlan {
   LightSet lights;
   ShadowSet shadows;
   frame::ReleaseMaterials materials;  ///< what draws point to where a release reads a material otherwise
+  std::vector<std::shared_ptr<const Material>> plain;  ///< what those of layers point to
   DrawList draws;
   shader::VariantKey frame;  ///< what all programs share: lights, tone mapping, kind of output
   bool environment = false;  ///< a lit material samples it
@@ -69,5 +72,10 @@ struct FramePlan {
 /// @param allFeatures  turn everything on (benchmark)
 /// @throws Error{E_VARIANT, L_LIGHTS, L_SHADOW_TEXELS, L_TEXTURE_UNITS}
 FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures);
+
+/// The same for the layers beside the picture: every surface once, as opaque as its alpha is at least
+/// frame::LAYER_ALPHA, with what its normal and its base colour are made of, and the lights that cast a shadow where
+/// the shot has the layer of shadows.
+FramePlan planLayers(const Scene& scene, const Shot& shot, const Limits& limits);
 
 }  // namespace telar::pass

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "core/picture_json.h"
+#include "frame/layers.h"
 #include "frame/picture_facts.h"
 #include "frame/pixel_mean.h"
 #include "frame/sample_passes.h"
@@ -22,6 +23,7 @@
 #include "pass/frame_target.h"
 #include "pass/gpu_scene.h"
 #include "pass/ground_pass.h"
+#include "pass/layer_pass.h"
 #include "pass/settled_mask.h"
 #include "pass/shadow_pass.h"
 #include "pass/surface_pass.h"
@@ -160,6 +162,7 @@ class GlRenderer final : public Renderer {
     if (!suns.list.empty() && !sunlit) json["warnings"] = Json::array({rangeWarning(suns.share)});
     info.json = json.dump();
     if (environment) info.environmentSha256 = environment->sha256;
+    if (!asked.layers.empty()) addLayers(frame, scene, asked, cancel, info);
     return frame;
   }
 
@@ -198,6 +201,26 @@ class GlRenderer final : public Renderer {
   void forgetReleasedScenes() {
     // Poses keep their models alive, so that a model is never forgotten before them.
     std::erase_if(scenes_, [](const auto& entry) { return entry.second->expired(); });
+  }
+
+  /// The layers of a picture that is drawn, and what info says of them.
+  void addLayers(Frame& frame, const std::shared_ptr<const Scene>& scene, const Shot& shot, const CancelToken& cancel,
+                 FrameInfo& info) {
+    StageTimer timer;
+    if (!layers_) layers_ = std::make_unique<pass::LayerPass>(*context_);
+    frame.layers =
+        layers_->draw({*scene, shot, gpuSceneOf(scene), surfaces_, shadows_, ground_, options_.limits, cancel});
+    if (shot.hasLayer(Layer::kCoverage)) {
+      FrameInfo unused;
+      const bool known = frame::alphaIsCoverage(shot);
+      frame.layers.push_back(
+          frame::coverageLayer(known ? frame : draw(scene, frame::coverageShot(shot), {}, cancel, unused)));
+    }
+    timer.lap("layers");
+    Json json = Json::parse(info.json);
+    json["layers"] = frame::describeLayers(*scene, shot, frame.layers);
+    json["ms"]["layers"] = timer.json()["layers"];
+    info.json = json.dump();
   }
 
   pass::GpuScene& gpuSceneOf(const std::shared_ptr<const Scene>& scene) {
@@ -349,6 +372,7 @@ class GlRenderer final : public Renderer {
   std::unique_ptr<pass::FrameTarget> target_;
   std::vector<std::uint8_t> coverage_;  ///< of the last picture by the model, from its first pass; empty = not known
   std::unique_ptr<pass::TransmissionTarget> transmission_;
+  std::unique_ptr<pass::LayerPass> layers_;  ///< from the first frame with layers on
   std::map<const Scene*, std::unique_ptr<pass::GpuScene>> scenes_;
 };
 

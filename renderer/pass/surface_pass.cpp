@@ -165,7 +165,7 @@ int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
     shader::Defines defines = key.defines();
     defines.emplace_back("SAMPLE_MASK", context_.capabilities().sampleMask);
     gl::Program program(context_, labelOf(key), shader::assemble("surface.vert", defines),
-                        shader::assemble("surface.frag", defines));
+                        shader::assemble(key.layers ? "layers/layers.frag" : "surface.frag", defines));
     programs_.emplace(key, Surface{std::move(program), gl::DrawCost(weightOf(key))});
     ++compiled;
   }
@@ -201,6 +201,7 @@ SurfacePass::Surface& SurfacePass::useProgram(const shader::VariantKey& key, con
   program.set("exposure", static_cast<float>(in.shot.exposure));
   if (key.alphaToCoverage) program.set("coverageSamples", in.samples);
   if (key.debugOutput) program.set("debugOutput", static_cast<int>(in.shot.debugOutput));
+  if (key.layers) program.set("viewToWorld", glm::mat3(glm::transpose(glm::dmat3(in.plan.camera.view))));
   if (key.unlit) return surface;
   in.plan.lights.upload(program);
   program.set("ltcInverseMap", static_cast<int>(LTC_INVERSE_UNIT));
@@ -270,6 +271,7 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   program.set("normalMatrix", normalMatrixOf(glm::dmat3(modelView)));
   if (item.key.lights.shadows() > 0)
     program.set("modelMatrix", glm::mat4(fromOrigin(item.node->world, in.plan.origin)));
+  if (in.ids) program.set("layerIds", glm::vec2(in.ids->part(*item.node), in.ids->material(item.materialIndex)));
   bindMaterial(program, item, in);
 
   item.blend ? gl.Enable(GL_BLEND) : gl.Disable(GL_BLEND);

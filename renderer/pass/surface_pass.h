@@ -2,6 +2,7 @@
 #include <map>
 #include <optional>
 
+#include "frame/layers.h"
 #include "gl/program.h"
 #include "ibl/environment_cache.h"
 #include "pass/draw_list.h"
@@ -22,6 +23,7 @@ struct SurfaceInputs {
   int samples = 1;                                   ///< of a pixel of the target
   const TransmissionTarget* transmission = nullptr;  ///< the resolved transmission target
   int samplePass = 0;                                ///< index of the pass, where a picture takes several
+  const frame::LayerIds* ids = nullptr;              ///< of a plan of planLayers()
 };
 
 /// The forms of the environment that a frame reads.

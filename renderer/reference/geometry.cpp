@@ -64,8 +64,10 @@ std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
       if (primitive.topology != Topology::kTriangles || primitive.positions.empty()) continue;
       const std::size_t first = meshes.size();
-      const Material& material = frame::materialAt(scene, materialIndex(primitive, variant), shading);
+      const int index = materialIndex(primitive, variant);
+      const Material& material = frame::materialAt(scene, index, shading);
       placeInstances(meshes, node, primitive, material, centre);
+      for (std::size_t i = first; i < meshes.size(); ++i) meshes[i].node = &node, meshes[i].materialIndex = index;
       const auto read = materials.of(material, primitive, three);
       if (!read) continue;
       for (std::size_t i = first; i < meshes.size(); ++i) {

@@ -24,6 +24,8 @@ struct PlacedMesh {
   bool mirrored = false;         ///< the node's matrix reverses the winding
   ShadingModel shading = ShadingModel::kThree;
   glm::vec3 tint{1.0f};  ///< of an instance, linear Rec.709: a factor on the base colour
+  const Node* node = nullptr;
+  int materialIndex = -1;  ///< in the scene, in the variant; -1 = glTF's default one
 };
 
 /// Every triangle that a variant of the scene shows. Points and lines have no area and are left out.

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <exception>
-#include <functional>
-#include <mutex>
 #include <thread>
 
+#include "frame/layers.h"
 #include "frame/linear_output.h"
 #include "frame/picture_facts.h"
 #include "frame/variant.h"
+#include "reference/layers.h"
 #include "reference/ray_camera.h"
+#include "reference/rows.h"
 
 namespace telar::reference {
 namespace {
@@ -90,27 +90,6 @@ glm::vec4 pixelOf(const World& world, const glm::dvec2& corner, std::uint32_t in
   return glm::vec4(sum / static_cast<double>(options.samples));
 }
 
-/// Runs rows on several threads until all are done or one fails.
-void forEachRow(int rows, int threads, const std::function<void(int)>& job) {
-  std::atomic<int> next = 0;
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto work = [&] {
-    try {
-      for (int row = next++; row < rows; row = next++) job(row);
-    } catch (...) {
-      next = rows;  // the others stop after their row
-      const std::lock_guard lock(mutex);
-      if (!failure) failure = std::current_exception();
-    }
-  };
-  std::vector<std::jthread> pool;
-  for (int i = 1; i < threads; ++i) pool.emplace_back(work);
-  work();
-  pool.clear();
-  if (failure) std::rethrow_exception(failure);
-}
-
 }  // namespace
 
 TraceOptions optionsOf(const Shot& shot) {
@@ -156,6 +135,15 @@ Frame trace(const Scene& scene, const Shot& shot, const ImageF* environment, con
   Frame frame = frame::toFrame(pixels, shot);
   if (facts && shot.background.type != Shot::Background::Type::kEnvironment) {
     facts->picture = frame::pictureFacts(frame, frame::coverageOf(pixels, shot.ground ? shot.ground->opacity : 0));
+  }
+  if (shot.layers.empty()) return frame;
+  frame.layers = traceLayers(scene, shot, options, limits, cancel);
+  if (shot.hasLayer(Layer::kCoverage)) {
+    LayerImage& coverage = frame.layers.emplace_back(LayerImage{Layer::kCoverage, std::vector<float>(pixels.size())});
+    const auto covering = frame::alphaIsCoverage(shot)
+                              ? pixels
+                              : traceRadiance(scene, frame::coverageShot(shot), nullptr, options, limits, cancel, {});
+    for (std::size_t i = 0; i < covering.size(); ++i) coverage.pixels[i] = covering[i].a;
   }
   return frame;
 }

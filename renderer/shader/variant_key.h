@@ -70,6 +70,7 @@ struct VariantKey {
   ShadingTerms terms;                    ///< of a principled shading, else as made
   ThreeTerms three;                      ///< of kThree, and of what an unlit material takes of a release
   bool fullDetail = false;               ///< maps are read at level 0: the passes over a picture filter them
+  bool layers = false;                   ///< draws layers/layers.frag in place of the colour
   std::uint16_t environmentSamples = 0;  ///< directions of the environment a pass; 0 = prefiltered
   ToneMapping toneMapping = ToneMapping::kNone;
 

@@ -137,6 +137,16 @@ void readShading(const JsonPath& json, Shot& shot) {
 #undef TELAR_SHADING_READ
 }
 
+std::vector<Layer> readLayers(const JsonPath& json) {
+  std::vector<std::string_view> names{"beauty"};
+  for (const std::string_view name : namesOf(Layer())) names.push_back(name);
+  std::vector<Layer> layers;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    if (const std::size_t chosen = json.at(i).choice(names)) layers.push_back(static_cast<Layer>(chosen - 1));
+  }
+  return layers;
+}
+
 Shot readShot(const JsonPath& json) {
   Shot shot;
   const Reader keys(json);
@@ -153,6 +163,8 @@ Shot readShot(const JsonPath& json) {
   readShading(json.at("shading"), shot);
   readQuality(json.at("quality"), shot);
   shot.pose = readOptional<Pose>(json.at("pose"));
+  shot.flat = readRow<shot::Flat>(json.at("flat"));
+  shot.layers = readLayers(json.at("layers"));
   shot.output = readRow<OutputOptions>(json.at("output"));
   if (json.has("debugOutput")) keys("debugOutput", shot.debugOutput);
   return shot;

@@ -5,6 +5,7 @@
 #include "core/own_library.h"
 #include "core/picture_json.h"
 #include "frame/camera.h"
+#include "frame/layers.h"
 #include "reference/plugin.h"
 #include "telar/reference.h"
 
@@ -80,7 +81,9 @@ Frame drawReference(const Scene& scene, const Shot& shot, std::span<const std::b
   TraceJob job{scene, shot, lit ? &map : nullptr, options.limits, cancel, progress};
   library.function<TelarReferenceDrawFunction>("telar_reference_draw")(&job);
   if (job.failure) throwFailure(*job.failure);
-  info.json = describe(shot, job.facts, environmentMs).dump();
+  Json json = describe(shot, job.facts, environmentMs);
+  if (!job.frame.layers.empty()) json["layers"] = frame::describeLayers(scene, shot, job.frame.layers);
+  info.json = json.dump();
   return std::move(job.frame);
 }
 

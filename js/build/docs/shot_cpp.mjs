@@ -1,6 +1,8 @@
 import { parseColour } from '../../shot/colour.mjs';
+import { DASH } from '../../shot/table/flat.mjs';
 import { DEBUG_QUANTITIES } from '../../shot/table/debug_quantities.mjs';
 import { SHOT } from '../../shot/table/index.mjs';
+import { LAYERS } from '../../shot/table/layers.mjs';
 import { FORMATS } from '../../shot/table/output.mjs';
 import { SAMPLES_OF_A_PASS } from '../../shot/table/quality.mjs';
 import { resolvedRow } from '../../shot/table/resolved.mjs';
@@ -171,6 +173,27 @@ const DEBUG_OUTPUT = {
   values: ['none', ...Object.keys(DEBUG_QUANTITIES)],
 };
 
+/** What `layers` may hold beside "beauty". */
+const LAYER = { name: 'Layer', doc: 'An image beside the colour: js/shot/table/layers.mjs says what each holds.', values: Object.keys(LAYERS) };
+
+/** Channels of each layer in an EXR file, which are as many as its image has. */
+const layerChannels = () => [
+  'constexpr std::array<std::string_view, 3> channelsOf(Layer layer) {',
+  '  switch (layer) {',
+  ...Object.entries(LAYERS).flatMap(([name, { channels }]) => [
+    `    case Layer::${enumerator(name)}:`,
+    `      return {${channels.map((channel) => JSON.stringify(channel)).join(', ')}};`,
+  ]),
+  '  }',
+  '  return {};',
+  '}',
+  'constexpr std::size_t channelCount(Layer layer) {',
+  '  std::size_t count = 0;',
+  '  for (const std::string_view name : channelsOf(layer)) count += !name.empty();',
+  '  return count;',
+  '}',
+];
+
 /** X-macro of the tone mappings that are functions. */
 const toneMappingsMacro = () => [
   '// T(enumerator, function of shaders/brdf/tone_mapping.glsl, function of three.js)',
@@ -198,6 +221,8 @@ const bitDepthsText = (formats) => [
 
 const samplesOfAPass = ['/// The most samples of a pixel that one pass over the model takes.', `constexpr int SAMPLES_OF_A_PASS = ${SAMPLES_OF_A_PASS};`];
 
+const flatDash = ['/// Dash of stitches and the gap after it, in line weights.', `constexpr double FLAT_DASH = ${DASH[0]}, FLAT_GAP = ${DASH[1]};`];
+
 /** Choices of a struct that stand in a header of their own, as others need them without it. */
 const sharedOf = (row) =>
   mergedMembers(shapesOf(row), row.by)
@@ -220,7 +245,9 @@ export function shotHeaders(shot = SHOT) {
   const shared = objects.flatMap(sharedOf).map((row) => [row.name, enumHeader(row, row.name === 'ToneMapping' ? toneMappingsMacro() : [])]);
   const others = [
     ['DebugOutput', enumHeader(DEBUG_OUTPUT)],
+    ['Layer', headerText([...enumText(LAYER), ...namesText(LAYER), ...layerChannels()])],
     ['Passes', headerText(samplesOfAPass)],
+    ['FlatDash', headerText(flatDash)],
   ];
   return Object.fromEntries([...headers, ...shared, ...others].map(([name, text]) => [`renderer/include/${pathOf(name)}`, text]));
 }

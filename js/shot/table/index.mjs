@@ -1,10 +1,12 @@
 import { BASES, SLOTS, WITHOUT_TERMS } from '../shading_terms.mjs';
 import { REVISION, REVISION_MIN, THREE_SLOTS } from '../three_terms.mjs';
 import { camera } from './camera.mjs';
+import { flat, style } from './flat.mjs';
+import { layers } from './layers.mjs';
 import { lights } from './lights.mjs';
 import { output } from './output.mjs';
 import { quality } from './quality.mjs';
-import { boolean, choice, list, literal, number, object, text, union } from './rows.mjs';
+import { boolean, but, choice, literal, number, object, text, union } from './rows.mjs';
 import { POSE, background, environment, ground, lens } from './stage.mjs';
 import { TONE_MAPPINGS } from './tone_mappings.mjs';
 
@@ -45,7 +47,12 @@ const shading = union(
   },
 );
 
-const LAYERS = '["beauty"]';
+const SCALE = text(
+  'True scale: "1:5" is a fifth of the model\'s size on paper, at `output.ppi`, "none" no scale. The camera is orthographic then, and where no `size` is ' +
+    'given, the picture is as large as the model needs',
+  '"none", or a scale as in "1:5", numbers from 0.001 to 10000',
+  { pattern: /^(?:none|\d{1,5}(?:\.\d{1,3})?:\d{1,5}(?:\.\d{1,3})?)$/, default: 'none' },
+);
 
 /** @type {import('./rows.mjs').Row} */
 export const SHOT = object(
@@ -65,7 +72,10 @@ export const SHOT = object(
     quality,
     variant: text('Name of a material variant of the model (KHR_materials_variants); "" = none', 'the name of a variant', { default: '' }),
     pose: POSE,
-    layers: list('Images to draw', literal('', 'beauty', LAYERS), LAYERS, { default: ['beauty'], length: 1, drawn: false }),
+    layers,
+    style,
+    flat,
+    scale: but(SCALE, { drawn: false }),
     output,
   },
   { name: 'Values' },

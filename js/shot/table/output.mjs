@@ -1,3 +1,4 @@
+import { layerOutput } from './layers.mjs';
 import { boolean, choice, literal, number, object } from './rows.mjs';
 
 /** Rows of `output`. */
@@ -33,6 +34,7 @@ export const output = object(
     ),
     ppi: number('Pixels per inch written to the file; 0 = none', { unit: 'pixels per inch', min: 0, max: 65535, default: 0 }),
     icc: boolean('Embed an sRGB profile: png, tiff, jpeg', { default: false }),
+    layers: layerOutput,
   },
   { name: 'Output', default: {} },
 );

@@ -3,6 +3,8 @@
 #include <string_view>
 
 #include "telar/cancel.h"
+#include "telar/image.h"
+#include "telar/renderer.h"
 #include "telar/scene.h"
 #include "telar/shot.h"
 
@@ -16,5 +18,16 @@ namespace telar {
 /// @return JSON: {strokes: [{kind, closed, points: [[x, y], ...]}, ...], worldToPixel: [16], triangles}; pixels, y down
 /// @throws Error{E_MEASURE (no such part), L_TRIANGLES, X_CANCELLED, X_TIMEOUT}
 std::string drawFlat(const Scene& scene, const Shot& shot, std::string_view request, const CancelToken& cancel);
+
+/// The layer of lines: the flat of the shot's own settings as antialiased pixels, 0 on its lines, 1 on the paper.
+/// @throws Error{L_TRIANGLES, X_CANCELLED, X_TIMEOUT}
+LayerImage drawLines(const Scene& scene, const Shot& shot, const CancelToken& cancel);
+
+/// The picture of a shot of Style::kFlat: black lines on its background.
+/// @param lines  of drawLines()
+Frame flatFrame(const LayerImage& lines, const Shot& shot);
+
+/// What info says of such a frame.
+std::string describeFlat(const Shot& shot, double milliseconds);
 
 }  // namespace telar

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "telar/shot/layer.inc"
+
 namespace telar {
 
 /// How texels become linear light when a material reads them.
@@ -89,12 +91,20 @@ enum class PixelType {
   kRgbaF32,  ///< linear Rec.709 scene radiance times exposure, before tone mapping, premultiplied alpha
 };
 
+/// An image beside the colour of a frame, as large as it: js/shot/table/layers.mjs says what it holds. 0 where nothing
+/// is seen; row 0 is the top row.
+struct LayerImage {
+  shot::Layer layer;
+  std::vector<float> pixels;  ///< width * height * channelCount(layer)
+};
+
 /// One drawn picture; row 0 is the top row, tightly packed.
 struct Frame {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   PixelType type = PixelType::kRgba8;
   std::vector<std::byte> pixels;
+  std::vector<LayerImage> layers;  ///< those that the shot asks for, in its order
 };
 
 }  // namespace telar

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -12,7 +13,9 @@
 #include "telar/shot/debug_output.inc"
 #include "telar/shot/environment.inc"
 #include "telar/shot/environment_background.inc"
+#include "telar/shot/flat.inc"
 #include "telar/shot/ground.inc"
+#include "telar/shot/layer.inc"
 #include "telar/shot/lens.inc"
 #include "telar/shot/light.inc"
 #include "telar/shot/passes.inc"
@@ -24,6 +27,8 @@
 namespace telar {
 
 using shot::DebugOutput;
+using shot::Layer;
+using Style = shot::Values::Style;
 using shot::ToneMapping;
 using Projection = shot::Camera::Projection;
 using Resolve = shot::RasterQuality::Resolve;
@@ -62,10 +67,14 @@ struct Shot : shot::Size, shot::Values, shot::RasterQuality {
   ThreeTerms three;                    ///< of kThree
   std::optional<Reference> reference;  ///< set = the path tracer draws, not the raster
   std::optional<Pose> pose;            ///< none = as the file stands
+  std::vector<Layer> layers;           ///< beside the colour
+  shot::Flat flat;                     ///< of Style::kFlat and Layer::kLine
   OutputOptions output;
   /// Drawn in place of the colour; for a raw output of 32 bits. Key `debugOutput` of the JSON, which
   /// resolveShot does not write: `renderQuantity` does.
   DebugOutput debugOutput = DebugOutput::kNone;
+
+  bool hasLayer(Layer layer) const { return std::find(layers.begin(), layers.end(), layer) != layers.end(); }
 };
 
 /// @throws Error{E_SHOT} naming the path of a missing or wrong key (a resolved shot has them all).

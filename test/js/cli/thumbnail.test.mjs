@@ -241,7 +241,7 @@ test('usage errors: exit 2, nothing drawn, one JSON object with --json', async (
 test('what is not available, missing files and a machine without GL have their own exit codes', async () => {
   const at = freshFolder();
   const exits = async (...argv) => (await runFake(['thumbnail', 'm.glb', '-o', at('a.png'), ...argv])).exit;
-  assert.equal(await exits('--set', 'layers=["depth"]'), 3);
+  assert.equal(await exits('--set', 'quality={"maxError":1}'), 3);
   assert.equal(await exits('--variant', 'crimson'), 3);
   assert.equal(await exits('--shot', at('absent.json')), 3);
   assert.equal(await exits('--backend', 'egl-device'), 6);

@@ -20,7 +20,7 @@ test('a number of the table is a member with its meaning and its default, and is
   const shot = planted('gain', factor());
   const header = shotHeaders(shot)[HEADER('output')];
   assert.match(header, /\/\/\/ How much more \[factor, 0 to 9\]\n {2}double gain = 1;\n/);
-  assert.match(visitRows(shot), /on\("icc", row\.icc\);\n {2}on\("gain", row\.gain\);\n/);
+  assert.match(visitRows(shot), /\n {2}\}\);\n {2}on\("gain", row\.gain\);\n/);
   assert.doesNotMatch(visitRows(), /gain/, 'and no other is');
 });
 

@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { TelarError, resolveShot } from '../../../js/shot/index.mjs';
 import { nearest } from '../../../js/shot/complain.mjs';
+import { LAYERS as LAYER_TABLE } from '../../../js/shot/table/layers.mjs';
 import { SHOT } from '../../../js/shot/table/index.mjs';
 import { FORMATS } from '../../../js/shot/table/output.mjs';
 import { TONE_MAPPINGS } from '../../../js/shot/table/tone_mappings.mjs';
@@ -27,6 +28,7 @@ function complaintOf(shot, of = facts) {
 
 /** Keys of the shot, and names of a list of the table, as messages write them. */
 const KEYS = Object.keys(SHOT.shape).join(', ');
+const LAYERS = ['beauty', ...Object.keys(LAYER_TABLE)].map((name) => JSON.stringify(name)).join(', ');
 const oneOf = (table) => new Intl.ListFormat('en-GB', { type: 'disjunction' }).format(Object.keys(table).map((name) => JSON.stringify(name)));
 
 const pixels = { expected: 'a whole number of pixels in [1, 8192]', good: [1, 8192], bad: [0, 8193, 1.5, -1] };
@@ -239,8 +241,26 @@ const MESSAGES = [
   ],
   [{ quality: { preset: 'draft', samples: 4 } }, 'shot.quality.samples: expected 1 with preset "draft", or no preset, got 4'],
   [{ variant: 3 }, 'shot.variant: expected the name of a variant, got 3'],
-  [{ layers: 'beauty' }, 'shot.layers: expected ["beauty"], got "beauty"'],
-  [{ layers: [] }, 'shot.layers: expected ["beauty"], got []'],
+  [{ layers: 'beauty' }, `shot.layers: expected a list of ${LAYERS}, got "beauty"`],
+  [{ layers: ['beauty', 'ambient'] }, `shot.layers[1]: expected ${LAYERS}, got "ambient"`],
+  [{ output: { layers: { bitDepth: 32 } } }, 'shot.output.layers.bitDepth: expected 16 or 8 for png, got 32'],
+  [{ output: { layers: { format: 'exr', bitDepth: 8 } } }, 'shot.output.layers.bitDepth: expected 32 or 16 for exr, got 8'],
+  [
+    { output: { layers: { format: 'exr', together: true } } },
+    'shot.output.layers.together: expected false, as output.format and output.layers.format are not both "exr", got true',
+  ],
+  [{ scale: 'half' }, 'shot.scale: expected "none", or a scale as in "1:5", numbers from 0.001 to 10000, got "half"'],
+  [{ scale: '1:5' }, 'shot.output.ppi: expected pixels per inch above 0 with scale "1:5", got 0'],
+  [{ scale: '1:0', output: { ppi: 300 } }, 'shot.scale: expected "none", or a scale from "1000:1" to "1:10000", got "1:0"'],
+  [
+    { scale: '100:1', output: { ppi: 300 } },
+    'shot.scale: expected a scale at which the picture has at most 8192 pixels a side; this one has 2624672 x 2624672, got "100:1"',
+  ],
+  [
+    { scale: '1:5', output: { ppi: 254 }, camera: { position: [0, 0, 1], target: [0, 0, 0], height: 0.2, near: 0.1, far: 2 } },
+    'shot.camera.height: expected 0.256 metres, as size, scale and output.ppi say, or none, got 0.2',
+  ],
+  [{ style: 'flat', background: 'environment' }, 'shot.background: expected "transparent" or a colour with style "flat", got "environment"'],
   [{ output: { format: 'jpg' } }, `shot.output.format: expected ${oneOf(FORMATS)}, got "jpg"`],
   [{ output: { format: 'jpeg', bitDepth: 16 } }, 'shot.output.bitDepth: expected 8 for jpeg, got 16'],
   [{ output: { bitDepth: 10 } }, 'shot.output.bitDepth: expected 8, 16 or 32 bits a channel, got 10'],
@@ -263,12 +283,6 @@ const UNAVAILABLE = [
     `shot.quality.${key}: a quality by ${key}`,
     'use {samples, environmentSamples}',
     `/quality/${key}`,
-  ]),
-  ...['depth', 'normal', 'partId', 'ao', 'albedo', 'line', 'shadow'].map((layer) => [
-    { layers: ['beauty', layer] },
-    `shot.layers[1]: "${layer}"`,
-    'use "beauty"',
-    '/layers/1',
   ]),
 ];
 
