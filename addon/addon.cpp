@@ -8,6 +8,7 @@
 #include "lobes.h"
 #include "parts.h"
 #include "state.h"
+#include "telar/explode.h"
 #include "telar/flat.h"
 #include "telar/load.h"
 #include "telar/measure.h"
@@ -72,6 +73,19 @@ Napi::Value load(const Napi::CallbackInfo& info) {
   return how.run(info.Env(), job, [job, limits, how, source = Source(info[0])] {
     auto scene = source.bytes ? loadBytes(*source.bytes, limits, job->cancel, how.options)
                               : loadPath(source.path, limits, job->cancel, how.options);
+    std::string facts = describeScene(*scene, job->cancel);
+    job->value = [scene, facts = std::move(facts)](Napi::Env env) { return sceneToJs(env, scene, facts); };
+  });
+}
+
+/// explode(scene, distance: number, token) -> Promise<{scene, facts: string}>
+Napi::Value explode(const Napi::CallbackInfo& info) {
+  auto model = unwrap<SceneHandle>(info[0]).scene();
+  const double distance = info[1].ToNumber().DoubleValue();
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
+  return State::of(info.Env()).runOnPool(info.Env(), job, [job, distance, model = std::move(model)]() mutable {
+    auto scene = explodeScene(model, distance, job->cancel);
+    model.reset();
     std::string facts = describeScene(*scene, job->cancel);
     job->value = [scene, facts = std::move(facts)](Napi::Env env) { return sceneToJs(env, scene, facts); };
   });
@@ -237,6 +251,7 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["Bytes"] = BytesHandle::define(env);
   exports["Parts"] = PartsHandle::define(env);
   exports["load"] = Napi::Function::New(env, load, "load");
+  exports["explode"] = Napi::Function::New(env, explode, "explode");
   exports["pose"] = Napi::Function::New(env, pose, "pose");
   exports["measurePart"] = Napi::Function::New(env, measurePart, "measurePart");
   exports["measure"] = Napi::Function::New(env, measure, "measure");

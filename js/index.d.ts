@@ -445,6 +445,17 @@ export interface Model {
   flat(shot?: Shot | ResolvedShot, options?: FlatOptions): Promise<Flat>;
 
   /**
+   * The model with its parts apart: the mesh of each node moves along its mean normal, or away from the middle of the model where its
+   * normals cancel out, as those of a sleeve do. It shares the data of this one; a shot's pose shows it whole again.
+   * @param distance - Metres, 0 or more.
+   * @throws {TelarError} E_OPTION, X_TIMEOUT
+   * @example
+   * const apart = await model.explode(0.15);
+   * const { data } = await renderer.render(apart, { camera: { view: 'three-quarter' } });
+   */
+  explode(distance: number, options?: LoadOptions): Promise<Model>;
+
+  /**
    * A square of one material in true size, as a model of its own: it stands upright about the origin, its face to +Z. Textures repeat on it
    * as often in a metre as they do on the garment, along u and along v, by the mean over its triangles. Occlusion maps and the file's lights and
    * cameras are left out. It shares its images with this model. Needs no GL.

@@ -37,6 +37,12 @@ export class Model {
     return swatchOf(this, options);
   }
 
+  /** Documented in js/index.d.ts. */
+  async explode(distance, options = {}) {
+    const { explodeModel } = await import('./explode.mjs');
+    return explodeModel(this, distance, options);
+  }
+
   /** @internal */
   static sceneOf(model) {
     return model.#scene;

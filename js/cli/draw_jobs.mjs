@@ -51,6 +51,7 @@ export class Drawing {
    * @param {object} context.renderer
    * @param {(bytes: Uint8Array) => Promise<void>} context.toStdout
    * @param {(source: string | Uint8Array, shot: object) => Promise<string>} context.keyOf
+   * @param {number} [context.explode] metres by which parts are moved apart
    * @param {import('./unchanged.mjs').KnownPictures} [context.known] to leave out what has not changed
    * @param {{step(name: string, index: number): void, reach?: (index: number, part: number) => void}} context.progress
    * @param {AbortSignal} [context.signal]
@@ -74,13 +75,15 @@ export class Drawing {
     await eachOf(indices, signal, async (index) => {
       if (!(await this.#isUnchanged(index))) changed.push(index);
     });
-    if (changed.length < 2) {
+    const { explode } = this.#context;
+    if (changed.length < 2 && explode === undefined) {
       for (const index of changed) await this.#draw(index, jobs[index].source);
       return;
     }
     let model;
     try {
       model = await renderer.load(jobs[changed[0]].source, { signal });
+      if (explode !== undefined) model = await model.explode(explode, { signal });
     } catch (thrown) {
       const error = toTelarError(thrown);
       for (const index of changed) this.#settle(index, { error });

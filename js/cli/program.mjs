@@ -70,6 +70,7 @@ export function buildProgram(version, actions, output) {
             '--turntable <frames>',
             'so many images of a full turn, in one scale, named side-000 and so on by degrees; one -o that ends in .webp is animated',
           )
+          .option('--explode <metres>', 'move the parts (nodes) of the model so far apart, along their mean normals')
           .option('--variants <names>', 'one image for each of these variants, with commas between; all = each that the model has')
           .option('--manifest <file>', 'JSON lines {"model", "shot", "output"} in place of models; relative paths start at the file; - is stdin')
           .option('--skip-unchanged', 'leave out images that are there and would be drawn from the same bytes and shot by the same version')

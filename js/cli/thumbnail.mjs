@@ -1,6 +1,7 @@
 import path from 'node:path';
 import { TelarError, worstExit } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
+import { isAnimation, writeAnimation } from './animation.mjs';
 import { removeUnfinished, sweepStale, writeFileAtomically } from './atomic_file.mjs';
 import { Drawing } from './draw_jobs.mjs';
 import { makeJobs } from './jobs.mjs';
@@ -30,6 +31,7 @@ export async function thumbnail(models, options, context) {
   const shot = await readShotOptions(options, context);
   const entries = await readEntries(models, options, shot, limits, context);
   const { jobs, crosses } = await makeJobs(entries, options, maxFileBytes(limits));
+  if (isAnimation(options)) return animate(jobs, options, { limits, timeoutMs }, context);
   const outputs = outputNames(options.output, jobs, crosses);
   await refuseParts(jobs, outputs);
   checkLayerFiles(jobs, outputs);
@@ -51,8 +53,24 @@ export async function thumbnail(models, options, context) {
   }
 }
 
-function checkUsage(models, { shot, output, json, manifest, skipUnchanged }) {
+async function animate(jobs, options, { limits, timeoutMs }, context) {
+  const renderer = await context.api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, timeoutMs, signal: context.signal });
+  try {
+    return await writeAnimation({ jobs, options, renderer }, context);
+  } finally {
+    removeUnfinished();
+    await renderer.close();
+  }
+}
+
+function checkUsage(models, { shot, output, json, manifest, skipUnchanged, explode, turntable }) {
   const usage = (message) => new TelarError('E_USAGE', message);
+  if (explode !== undefined) {
+    if (!(Number(explode) >= 0 && explode.trim() !== '' && Number.isFinite(Number(explode))))
+      throw usage(`--explode: expected metres, 0 or more, got ${shown(explode)}`);
+    if (skipUnchanged) throw usage('--explode and --skip-unchanged: give one of them');
+    if (isAnimation({ turntable, output })) throw usage('--explode: a turntable of it goes to files, as in out/{view}.png');
+  }
   if (manifest === undefined && models.length === 0) throw usage("missing required argument 'model': name models, a folder with -r, or a --manifest");
   if (manifest !== undefined && models.length > 0) throw usage('models and --manifest: give one of them');
   if (manifest === undefined && output === undefined) throw usage("required option '-o, --output <out>' not specified");
@@ -94,7 +112,8 @@ async function drawAll({ jobs, outputs, options, renderer, limits }, { api, cons
   const known = options.skipUnchanged ? new KnownPictures() : undefined;
   const keyOf = (source, shot) => api.pictureKey(source, shot, { limits, signal });
   try {
-    return await new Drawing({ jobs, outputs, renderer, known, keyOf, progress, signal, toStdout: (bytes) => console.bytes(bytes) }).run();
+    const explode = options.explode === undefined ? undefined : Number(options.explode);
+    return await new Drawing({ jobs, explode, outputs, renderer, known, keyOf, progress, signal, toStdout: (bytes) => console.bytes(bytes) }).run();
   } finally {
     progress.stop();
     await known?.save();

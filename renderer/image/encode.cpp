@@ -28,11 +28,6 @@ void checkFrame(const Frame& frame, const OutputOptions& options) {
 
 }  // namespace
 
-PixelType framePixelType(const OutputOptions& options) {
-  const bool floats = options.format == Format::kExr || (options.format == Format::kRaw && options.bitDepth == 32);
-  return floats ? PixelType::kRgbaF32 : PixelType::kRgba8;
-}
-
 std::vector<std::byte> encode(const Frame& frame, const OutputOptions& options, const CancelToken& cancel) {
   cancel.check();
   checkOptions(options);

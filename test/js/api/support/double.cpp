@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "telar/codec.h"
+#include "telar/explode.h"
 #include "telar/load.h"
 #include "telar/part.h"
 #include "telar/pose.h"
@@ -155,6 +156,10 @@ Frame drawReference(const Scene& scene, const Shot& shot, std::span<const std::b
   frame.pixels.assign(head, head + scene.name.size() + 1);
   info.json = json{{"features", json::array()}, {"passes", {"trace"}}, {"backend", "reference"}}.dump();
   return frame;
+}
+
+std::shared_ptr<const Scene> explodeScene(const std::shared_ptr<const Scene>& model, double, const CancelToken&) {
+  return model;
 }
 
 std::string probeReference() { return R"({"works": true, "version": "double"})"; }

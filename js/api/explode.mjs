@@ -1,0 +1,22 @@
+import { createHash } from 'node:crypto';
+import { loadOptions, STRICT, wrongOption } from './options.mjs';
+import { Model } from './model.mjs';
+import { loadNative } from './native.mjs';
+import { nativeCall } from './native_call.mjs';
+import { Work } from './work.mjs';
+
+/**
+ * Documented in js/index.d.ts as Model.explode.
+ * @internal
+ */
+export async function explodeModel(model, distance, options) {
+  const { signal, timeoutMs } = loadOptions(options, STRICT);
+  if (!(Number.isFinite(distance) && distance >= 0)) throw wrongOption('distance', 'metres, 0 or more', distance);
+  const native = loadNative();
+  const work = new Work(native, signal, timeoutMs);
+  const { scene, facts } = await nativeCall(native, work, (token) => native.explode(Model.sceneOf(model), distance, token));
+  const read = JSON.parse(facts);
+  // Its pictures are others than those of the file.
+  const sha256 = createHash('sha256').update(`${read.sha256} exploded by ${distance}`).digest('hex');
+  return new Model(scene, { ...read, sha256 });
+}
