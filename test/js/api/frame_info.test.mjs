@@ -41,7 +41,9 @@ test('a release that is drawn as another one says so', () => {
 });
 
 const FRAME = { width: 1, height: 1, info: '{}', queueMs: 0, drawMs: 0, encodeMs: 0 };
-const infoOf = (shading) => frameInfo({ frame: FRAME, resolved: { output: {}, shading, camera: { projection: 'perspective' } }, milliseconds: {}, renderer: { backend: 'egl', gl: {} } }).three;
+const infoOf = (shading) =>
+  frameInfo({ frame: FRAME, resolved: { output: {}, shading, camera: { projection: 'perspective' } }, milliseconds: {}, renderer: { backend: 'egl', gl: {} } })
+    .three;
 
 test('info tells the release and those that draw as it does', () => {
   assert.deepEqual(infoOf('three'), { revision: REVISION, family: { from: REVISION, to: REVISION } });
