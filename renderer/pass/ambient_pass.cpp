@@ -12,7 +12,7 @@ namespace telar::pass {
 namespace {
 
 constexpr int MAPS = 8;          ///< a pass reads: a driver has 16 units at least
-constexpr int DIRECTIONS = 512;  ///< half of them lie above a surface: the cosine's quadrature is within 0.002
+constexpr int DIRECTIONS = 256;  ///< half of them lie above a surface
 constexpr int SIDE = 1024;       ///< texels
 /// A surface is looked up so many texels above itself, so that it does not hide itself: a bilinear tap reaches 1.5.
 constexpr double LIFT = 2;
