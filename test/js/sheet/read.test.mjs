@@ -165,6 +165,10 @@ test('a first spec holds what the model tells', () => {
       ['Ecru', 'ecru'],
     ],
   );
+  assert.deepEqual(
+    spec.views.filter(({ style }) => style === 'flat').map(({ name }) => name),
+    ['flat-front', 'flat-back'],
+  );
   assert.deepEqual(spec.anchors.left, [-0.4, 0.5, 0]);
   assert.deepEqual(
     spec.measures.map(({ values }) => values.M),
