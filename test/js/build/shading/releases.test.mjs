@@ -62,7 +62,7 @@ test('a scene of 0.187 compiles no term of another release', () => {
   const today = compiled(text);
   for (const [slot, [, line]] of Object.entries(OLDER)) assert.ok(!today.has(line), slot);
   const names = [...readFileSync(new URL('brdf/three_releases.glsl', SHADERS), 'utf8').matchAll(/^\w+ (?:\w+ )?(\w+)[(= ]/gm)].map((match) => match[1]);
-  assert.ok(names.length > 8, 'the names of older terms are read');
+  assert.ok(names.length >= 8, 'the names of older terms are read');
   const all = [...today].join('\n');
   for (const name of names) assert.ok(!new RegExp(`\\b${name}\\b`).test(all), name);
 });
