@@ -8,6 +8,7 @@ import { Browser } from '../../../test/parity/browser/chromium.mjs';
 import { measured } from '../../../test/js/view/spec_support.mjs';
 import { launchChromium, openView, settled } from '../../../test/js/view/support.mjs';
 import { createRenderer } from '../../index.mjs';
+import { createSheet } from '../../sheet/index.mjs';
 
 // The pictures of README and docs: npm run pictures [-- NAME...], all of them or those that are named.
 
@@ -102,7 +103,27 @@ async function specPage(out) {
   await rm(work, { recursive: true });
 }
 
-const PICTURES = { 'beside_browser.jpg': besideBrowser, 'contact_sheet.jpg': contactSheet, 'view.png': viewPage, 'view_spec.jpg': specPage };
+/** Four pages of the example's tech sheet: cover, flats, construction, points of measure. */
+async function sheetPages(out) {
+  const [page, gap] = [{ width: 640, height: 453 }, 8];
+  const spec = JSON.parse(await readFile(fileOf('../docs/sheet/tshirt.json'), 'utf8'));
+  const renderer = await createRenderer();
+  const { files } = await createSheet(fileOf('tshirt.glb'), spec, { renderer, format: 'png', resolve: (name) => readFile(fileOf(`../docs/sheet/${name}`)) });
+  await renderer.close();
+  const shown = await Promise.all([0, 1, 2, 5].map((i) => sharp(files[i]).flatten({ background: 'white' }).resize(page).png().toBuffer()));
+  await sharp({ create: { width: 2 * page.width + 3 * gap, height: 2 * page.height + 3 * gap, channels: 3, background: '#b9b4ab' } })
+    .composite(shown.map((input, i) => ({ input, left: gap + (i % 2) * (page.width + gap), top: gap + (i >> 1) * (page.height + gap) })))
+    .jpeg({ quality: 86 })
+    .toFile(out);
+}
+
+const PICTURES = {
+  'beside_browser.jpg': besideBrowser,
+  'contact_sheet.jpg': contactSheet,
+  'view.png': viewPage,
+  'view_spec.jpg': specPage,
+  'sheet.jpg': sheetPages,
+};
 
 await mkdir(OUT, { recursive: true });
 const wanted = process.argv.slice(2);
