@@ -11,15 +11,23 @@ const SCRIPT = `
   import { MODELS } from '${fixturesUrl}';
   const models = await Promise.all(['cloth', 'variants', 'alpha-blend', 'model-lights', 'ball'].map((name) => MODELS[name]()));
   const renderer = await createRenderer({ cacheDirectory: null });
+  // Models that nobody holds go when their finalizers have run, which a busy machine does late.
+  const settledObjects = async () => {
+    let fewest = Infinity;
+    for (let look = 0; look < 8; ++look) {
+      globalThis.gc();
+      await new Promise((resolve) => setTimeout(resolve, 50));
+      fewest = Math.min(fewest, await renderer.liveObjects());
+    }
+    return fewest;
+  };
   const measure = async () => {
-    globalThis.gc();
-    await new Promise((resolve) => setTimeout(resolve, 50));
-    globalThis.gc();
+    const objects = await settledObjects();
     return {
       kibibytes: Number(/VmRSS:\\s+(\\d+)/.exec(readFileSync('/proc/self/status', 'utf8'))[1]),
       files: readdirSync('/proc/self/fd').length,
       threads: readdirSync('/proc/self/task').length,
-      objects: await renderer.liveObjects(),
+      objects,
     };
   };
   const frame = async (i) => {
