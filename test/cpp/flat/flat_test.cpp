@@ -13,8 +13,8 @@
 namespace telar::flat {
 namespace {
 
-using surface::Surface;
 using surface::buildSurface;
+using surface::Surface;
 
 /// From +z, orthographic, `height` metres over `pixels`.
 Shot frontOf(int pixels, double height, const glm::dvec3& target, double side = 1) {
@@ -51,7 +51,8 @@ double lengthOf(const Stroke& stroke) {
 
 /// A square of `size` about a place, in front of others by its z.
 void addSquare(Scene& scene, const glm::dvec3& at, double size) {
-  const Scene one = test::sceneOf({{-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0}}, {0, 1, 2, 0, 2, 3});
+  const Scene one =
+      test::sceneOf({{-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0}}, {0, 1, 2, 0, 2, 3});
   scene.meshes.push_back(one.meshes[0]);
   Node node = one.nodes[0];
   node.mesh = static_cast<int>(scene.meshes.size()) - 1;
@@ -76,7 +77,8 @@ TEST(Flat, WhatASquareHidesOfAnotherIsNotDrawn) {
   double silhouette = 0, contour = 0;
   for (const Stroke& stroke : ofKind(strokes, Kind::kSilhouette)) silhouette += lengthOf(stroke);
   for (const Stroke& stroke : ofKind(strokes, Kind::kContour)) contour += lengthOf(stroke);
-  // 100 pixels a side: two halves of sides of the front one lie before the other, and two halves of that one are hidden.
+  // 100 pixels a side: two halves of sides of the front one lie before the other, and two halves of that one are
+  // hidden.
   EXPECT_NEAR(contour, 100, 3);
   EXPECT_NEAR(silhouette, 600, 6);
 }
@@ -98,7 +100,8 @@ TEST(Flat, AFoldBelowTheDepthIsNotDrawn) {
 
 TEST(Flat, ACreaseIsDrawnAboveItsAngle) {
   // A roof of two planes, 90 degrees between them, seen from above its ridge.
-  const Surface roof = buildSurface(test::sheet(2, 4, 0, [](double u, double v) { return glm::dvec3(2 * u - 1, v, -std::abs(2 * u - 1)); }), {}, {});
+  const Surface roof = buildSurface(
+      test::sheet(2, 4, 0, [](double u, double v) { return glm::dvec3(2 * u - 1, v, -std::abs(2 * u - 1)); }), {}, {});
   FlatOptions options;
   options.creaseAngle = 80;
   ASSERT_EQ(ofKind(strokesOf(roof, frontOf(400, 4, {0, 0, 0}), options), Kind::kCrease).size(), 1u);

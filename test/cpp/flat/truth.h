@@ -49,15 +49,25 @@ struct Picture {
   std::vector<glm::dvec3> normal;
 
   Picture(const surface::Surface& surface, int w, int h, const std::function<glm::dvec3(const glm::dvec3&)>& project)
-      : width(w), height(h), depth(static_cast<std::size_t>(w * h), 1e30), part(depth.size(), -1), normal(depth.size()) {
+      : width(w),
+        height(h),
+        depth(static_cast<std::size_t>(w * h), 1e30),
+        part(depth.size(), -1),
+        normal(depth.size()) {
     for (const surface::Face& face : surface.faces) {
-      const glm::dvec3 a = project(surface.corner(face, 0)), b = project(surface.corner(face, 1)), c = project(surface.corner(face, 2));
-      const glm::dvec3 n = glm::cross(surface.corner(face, 1) - surface.corner(face, 0), surface.corner(face, 2) - surface.corner(face, 0));
-      const auto side = [](const glm::dvec3& p, const glm::dvec3& q, double x, double y) { return (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x); };
+      const glm::dvec3 a = project(surface.corner(face, 0)), b = project(surface.corner(face, 1)),
+                       c = project(surface.corner(face, 2));
+      const glm::dvec3 n = glm::cross(surface.corner(face, 1) - surface.corner(face, 0),
+                                      surface.corner(face, 2) - surface.corner(face, 0));
+      const auto side = [](const glm::dvec3& p, const glm::dvec3& q, double x, double y) {
+        return (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x);
+      };
       const double area = side(a, b, c.x, c.y);
       if (area == 0) continue;
-      for (int y = std::max(0, static_cast<int>(std::min({a.y, b.y, c.y})) - 1); y < std::min<double>(h, std::max({a.y, b.y, c.y}) + 1); ++y) {
-        for (int x = std::max(0, static_cast<int>(std::min({a.x, b.x, c.x})) - 1); x < std::min<double>(w, std::max({a.x, b.x, c.x}) + 1); ++x) {
+      for (int y = std::max(0, static_cast<int>(std::min({a.y, b.y, c.y})) - 1);
+           y < std::min<double>(h, std::max({a.y, b.y, c.y}) + 1); ++y) {
+        for (int x = std::max(0, static_cast<int>(std::min({a.x, b.x, c.x})) - 1);
+             x < std::min<double>(w, std::max({a.x, b.x, c.x}) + 1); ++x) {
           const double u = side(b, c, x + 0.5, y + 0.5) / area, v = side(c, a, x + 0.5, y + 0.5) / area, t = 1 - u - v;
           if (u < 0 || v < 0 || t < 0) continue;
           const auto i = static_cast<std::size_t>(y * w + x);
@@ -84,7 +94,8 @@ struct Picture {
 };
 
 /// Pixels that strokes of these kinds run through.
-inline Mask drawn(const std::vector<flat::Stroke>& strokes, int width, int height, const std::function<bool(flat::Kind)>& isMeant) {
+inline Mask drawn(const std::vector<flat::Stroke>& strokes, int width, int height,
+                  const std::function<bool(flat::Kind)>& isMeant) {
   Mask mask(width, height);
   for (const flat::Stroke& stroke : strokes) {
     if (!isMeant(stroke.kind)) continue;
@@ -94,7 +105,8 @@ inline Mask drawn(const std::vector<flat::Stroke>& strokes, int width, int heigh
       const int steps = std::max(1, static_cast<int>(glm::distance(a, b) * 3));
       for (int s = 0; s <= steps; ++s) {
         const glm::dvec2 p = glm::floor(glm::mix(a, b, double{1} * s / steps));
-        if (mask.inside(static_cast<int>(p.x), static_cast<int>(p.y))) mask.at(static_cast<int>(p.x), static_cast<int>(p.y)) = 1;
+        if (mask.inside(static_cast<int>(p.x), static_cast<int>(p.y)))
+          mask.at(static_cast<int>(p.x), static_cast<int>(p.y)) = 1;
       }
     }
   }
