@@ -29,7 +29,7 @@ View::View(const surface::Surface& surface, const Shot& shot, const CancelToken&
   for (const glm::dvec3& p : surface.points) {
     points_.push_back(project(p));
     const double ahead = -(camera.view * glm::dvec4(p, 1)).z;
-    seen_.push_back(orthographic_ || ahead > near_);
+    seen_.push_back(orthographic_ || ahead > near_ ? 1 : 0);
   }
   cancel.check();
   buildGrid(cancel);
@@ -80,7 +80,9 @@ void View::buildGrid(const CancelToken& cancel) {
     if (f % FACES_PER_CANCEL_CHECK == 0) cancel.check();
     if (!cellsOf(f, low, high)) continue;
     for (int y = low.y; y <= high.y; ++y) {
-      for (int x = low.x; x <= high.x; ++x) faces_[next[static_cast<std::size_t>(y * cells_.x + x)]++] = f;
+      for (int x = low.x; x <= high.x; ++x)
+        faces_[next[static_cast<std::size_t>(y) * static_cast<std::size_t>(cells_.x) + static_cast<std::size_t>(x)]++] =
+            f;
     }
   }
 }

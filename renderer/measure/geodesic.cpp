@@ -37,7 +37,7 @@ Geodesic::Geodesic(const Surface& surface, const CancelToken& cancel)
       corners_(surface.points.size(), {INF, INF, {}}) {
   for (std::uint32_t point = 0; point < spreads_.size(); ++point) {
     if (point % EVENTS_PER_CANCEL_CHECK == 0) cancel.check();
-    spreads_[point] = spreadsFrom(point);
+    spreads_[point] = spreadsFrom(point) ? 1 : 0;
   }
 }
 

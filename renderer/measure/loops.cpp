@@ -51,7 +51,7 @@ std::vector<char> stripAlong(const Surface& surface, const Loop& loop, double re
   for (std::size_t i = 0; i < within.size(); ++i) {
     const glm::dvec3& p = surface.points[i];
     const glm::dvec3 outside = glm::max(glm::max(bounds.min - p, p - bounds.max), glm::dvec3(0));
-    within[i] = glm::dot(outside, outside) <= reach * reach && loop.distanceTo(p) <= reach;
+    within[i] = glm::dot(outside, outside) <= reach * reach && loop.distanceTo(p) <= reach ? 1 : 0;
   }
   return within;
 }

@@ -83,7 +83,7 @@ OIIO::ImageSpec describe(const TelarOiioWrite& job) {
   spec.alpha_channel = job.names ? -1 : 3;
   if (job.names) spec.channelnames.assign(job.names, job.names + job.channels);
   for (std::uint32_t i = 0; job.bitDepths && i < job.channels; ++i)
-    spec.channelformats.push_back(job.bitDepths[i] == 16 ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
+    spec.channelformats.emplace_back(job.bitDepths[i] == 16 ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
   for (std::uint32_t i = 0; job.names && i < job.channels; ++i) {
     if (std::string_view(job.names[i]) == "A") spec.alpha_channel = int(i);
   }

@@ -105,8 +105,8 @@ class Builder {
       cancel_.check();
       const Node& node = scene_.nodes[i];
       if (options_.part && options_.part->kind == PartQuery::Kind::kNode) {
-        within[i] = isMeant(*options_.part, node.file.node, node.name) ||
-                    (node.parent >= 0 && within[static_cast<std::size_t>(node.parent)]);
+        const bool parentIs = node.parent >= 0 && within[static_cast<std::size_t>(node.parent)];
+        within[i] = parentIs || isMeant(*options_.part, node.file.node, node.name) ? 1 : 0;
       }
       if (node.mesh >= 0) found |= place(static_cast<int>(i), within[i]);
     }
@@ -136,7 +136,8 @@ class Builder {
 
   void count(const Primitive& primitive, std::size_t places) {
     const std::size_t vertices = primitive.indices.empty() ? primitive.positions.size() : primitive.indices.size();
-    triangles_ += static_cast<double>(vertices / 3) * static_cast<double>(places);
+    const std::size_t triangles = vertices / 3;
+    triangles_ += static_cast<double>(triangles) * static_cast<double>(places);
     const auto max = static_cast<double>(options_.maxTriangles);
     if (triangles_ > max) {
       throw Error("L_TRIANGLES",
