@@ -105,7 +105,7 @@ const JS_LAYERS = {
     development: true,
   },
   'js/setup': { imports: ['js/machine', 'js/build/addon.mjs'], builtinsOnly: true },
-  'js/assets/make': { imports: ['js/index.mjs'], development: true },
+  'js/assets/make': { imports: ['js/index.mjs', 'js/sheet'], development: true },
 };
 
 const QUOTED_INCLUDE = /^\s*#\s*include\s*"([^"]+)"/;
