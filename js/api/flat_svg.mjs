@@ -1,7 +1,8 @@
+import { INCH } from '../shot/true_scale.mjs';
 import { DASH } from '../shot/table/flat.mjs';
 
 /** Millimetres of an inch and pixels of CSS in it. */
-const PIXEL_MM = 25.4 / 96;
+const PIXEL_MM = INCH / 96;
 
 const text = (x) => String(Number(x.toFixed(3)));
 

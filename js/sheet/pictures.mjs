@@ -1,6 +1,6 @@
 import { createHash } from 'node:crypto';
 import { TelarError } from '../error/index.mjs';
-import { basisOf, trueView } from './scale.mjs';
+import { INCH, basisOf, trueView } from './scale.mjs';
 
 /** The pictures of one sheet: asked for while pages are laid out, drawn together from one load of the model. */
 
@@ -106,7 +106,7 @@ export class Pictures {
       output: { format: 'raw' },
     };
     const { data, info } = await this.#renderer.render(this.#model, shot, this.#options.call);
-    const perMillimetre = MASK_PPI / 25.4;
+    const perMillimetre = MASK_PPI / INCH;
     const covers = (x, y) => {
       const [px, py] = [Math.floor(x * perMillimetre), Math.floor(y * perMillimetre)];
       return px >= 0 && py >= 0 && px < info.width && py < info.height && data[4 * (py * info.width + px) + 3] > 0;

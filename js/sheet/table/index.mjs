@@ -1,3 +1,4 @@
+import { INCH } from '../../shot/true_scale.mjs';
 import { choice, number, object, record, text } from '../../shot/table/rows.mjs';
 import { MOST, cell, paragraph } from './basics.mjs';
 import { artwork, bill, care, colourList, colourways, construction, labels, revisions, swatches } from './cloth.mjs';
@@ -15,7 +16,7 @@ import { callouts, details, views } from './views.mjs';
 export const PAPERS = Object.freeze({ A4: [210, 297], A3: [297, 420], Letter: [215.9, 279.4] });
 
 /** Lengths of one unit, millimetres. */
-export const UNITS = Object.freeze({ cm: 10, mm: 1, inch: 25.4 });
+export const UNITS = Object.freeze({ cm: 10, mm: 1, inch: INCH });
 
 const LANGUAGE = 'a language tag such as "en", "es" or "pt-BR"';
 

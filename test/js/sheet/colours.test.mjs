@@ -9,6 +9,7 @@ import { readColourList } from '../../../js/sheet/colour_list.mjs';
 import { LIGHTS, nearestColours } from '../../../js/sheet/colour.mjs';
 import { createSheet } from '../../../js/sheet/index.mjs';
 import { layOut } from '../../../js/sheet/sheet.mjs';
+import { CHEAP } from './square.mjs';
 
 const near = (actual, expected, tolerance) =>
   assert.ok(
@@ -111,7 +112,7 @@ const SPEC = {
   colourways: [{ name: 'Grey', swatches: [{ part: 'body', material: 'striped' }] }],
 };
 const list = (mean) => bytes(['grey', 'dark'].map((name, i) => `${name},${(LIGHTS.D65(Array(3).fill(i === 0 ? mean : 0.04))).join(',')}`).join('\n'));
-const settings = (rest) => ({ renderer, shot: { environment: 'none', quality: 'draft' }, resolve: async () => list(0.34), ...rest });
+const settings = (rest) => ({ renderer, shot: CHEAP, resolve: async () => list(0.34), ...rest });
 
 test('the colour of a swatch is the mean of the albedo, whatever the light, and is named by the list', async () => {
   const { info } = await createSheet(model, SPEC, settings());

@@ -6,18 +6,15 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import '../api/support/real.mjs';
-import { createRenderer } from '../../../js/index.mjs';
 import { createSheet } from '../../../js/sheet/index.mjs';
 import { layOut } from '../../../js/sheet/sheet.mjs';
 import { crosses, isWithin, overlaps, passes, segmentsOf } from '../../../js/sheet/place/geometry.mjs';
 import { randomSpec } from './random_specs.mjs';
-import { squareModel } from './square.mjs';
+import { CHEAP, openSquare } from './square.mjs';
 
 /** Hebrew and Arabic; Chinese, Japanese and Korean (js/machine/debian_packages.txt). */
 const FONTS = ['/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf', '/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf'];
 export const fonts = () => FONTS.map((file) => readFileSync(file));
-
-const SHOT = { environment: 'none', quality: 'draft' };
 
 /** Faults of a figure. */
 function figureFaults({ width, height, pictures, labels, codes, captions, lines, sites }) {
@@ -104,7 +101,7 @@ export function wordFaults(pages, told) {
 
 /** All faults of a document. */
 export async function faultsOf(renderer, model, { spec, told }) {
-  const settings = { renderer, shot: SHOT, fonts: fonts() };
+  const settings = { renderer, shot: CHEAP, fonts: fonts() };
   const laid = await layOut(model, spec, { format: 'pdf', templates: {}, ...settings });
   laid.engine.close();
   const { files } = await createSheet(model, spec, settings);
@@ -113,9 +110,8 @@ export async function faultsOf(renderer, model, { spec, told }) {
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const [count, first] = [Number(process.argv[2] ?? 500), Number(process.argv[3] ?? 1)];
-  const renderer = await createRenderer();
+  const { renderer, model } = await openSquare();
   try {
-    const model = await renderer.load(await squareModel());
     let wrong = 0;
     for (let seed = first; seed < first + count; ++seed) {
       const faults = await faultsOf(renderer, model, randomSpec(seed)).catch((error) => [error.stack]);

@@ -1,18 +1,16 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import '../api/support/real.mjs';
-import { createRenderer } from '../../../js/index.mjs';
 import { createSheet } from '../../../js/sheet/index.mjs';
 import { layOut } from '../../../js/sheet/sheet.mjs';
 import { faultsOf, fonts, layoutFaults, wordFaults, wordsOf } from './documents.mjs';
 import { randomSpec } from './random_specs.mjs';
-import { squareModel } from './square.mjs';
+import { CHEAP, openSquare } from './square.mjs';
 
 let renderer;
 let model;
 before(async () => {
-  renderer = await createRenderer();
-  model = await renderer.load(await squareModel());
+  ({ renderer, model } = await openSquare());
 });
 after(() => renderer.close());
 
@@ -23,7 +21,7 @@ test(`${DOCUMENTS} random documents: nothing overlaps, crosses, leaves the page 
   for (let seed = 1; seed <= DOCUMENTS; ++seed) assert.deepEqual(await faultsOf(renderer, model, randomSpec(seed)), [], `seed ${seed}`);
 });
 
-const SETTINGS = { format: 'pdf', templates: {}, shot: { environment: 'none', quality: 'draft' } };
+const SETTINGS = { format: 'pdf', templates: {}, shot: CHEAP };
 const callouts = Array.from({ length: 6 }, (_, i) => ({ point: [-0.12 + 0.05 * i, 0.2 + 0.04 * i, 0], text: `Text number Q${i}Z of the call-outs` }));
 const measures = [
   {

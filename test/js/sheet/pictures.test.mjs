@@ -1,32 +1,24 @@
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import '../api/support/real.mjs';
 import { readImage } from '../../../js/compare/index.mjs';
-import { createRenderer } from '../../../js/index.mjs';
 import { createSheet } from '../../../js/sheet/index.mjs';
 import { layOut } from '../../../js/sheet/sheet.mjs';
-import { squareModel } from './square.mjs';
+import { judgedFolder } from './judged_folder.mjs';
+import { CHEAP, openSquare } from './square.mjs';
 
-const folder = mkdtempSync(path.join(tmpdir(), 'telar-pictures-'));
-after(() => rmSync(folder, { recursive: true }));
-
-/** poppler judges the files. */
-const run = (command, ...args) => execFileSync(command, args, { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+const { folder, run } = judgedFolder('pictures');
 
 let renderer;
 let model;
 before(async () => {
-  renderer = await createRenderer();
-  model = await renderer.load(await squareModel());
+  ({ renderer, model } = await openSquare());
 });
 after(() => renderer.close());
 
-const SHOT = { environment: 'none', quality: 'draft' };
-const options = (rest) => ({ renderer, shot: SHOT, ...rest });
+const options = (rest) => ({ renderer, shot: CHEAP, ...rest });
 const write = async (name, spec) => writeFileSync(path.join(folder, name), (await createSheet(model, spec, options())).files[0]);
 
 const isDark = ({ width, data }, x, y) => data[4 * (y * width + x)] < 128;

@@ -1,7 +1,5 @@
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
@@ -10,10 +8,11 @@ import '../api/support/real.mjs';
 import { readImage, shrinkImage } from '../../../js/compare/index.mjs';
 import { createRenderer } from '../../../js/index.mjs';
 import { sheetOf } from './examples.mjs';
+import { judgedFolder } from './judged_folder.mjs';
 
 /** A sheet in two readers that share no code: poppler, and PDFium in Chromium. */
 
-const folder = mkdtempSync(path.join(tmpdir(), 'telar-readers-'));
+const { folder, run } = judgedFolder('readers');
 let browser;
 before(async () => {
   const renderer = await createRenderer();
@@ -29,12 +28,7 @@ before(async () => {
     args: ['--headless=new', '--no-sandbox', '--no-first-run', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
   });
 });
-after(async () => {
-  await browser?.close();
-  rmSync(folder, { recursive: true });
-});
-
-const run = (command, ...args) => execFileSync(command, args, { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+after(() => browser?.close());
 
 /** The white paper on the viewer's dark ground; undefined where there is none yet. */
 function paperOf({ width, height, data }) {

@@ -1,33 +1,24 @@
 import assert from 'node:assert/strict';
-import { execFileSync, spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { spawnSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import '../api/support/real.mjs';
 import { readImage, encodePng } from '../../../js/compare/index.mjs';
-import { createRenderer } from '../../../js/index.mjs';
 import { createSheet, firstSpec } from '../../../js/sheet/index.mjs';
-import { squareModel } from './square.mjs';
+import { judgedFolder } from './judged_folder.mjs';
+import { CHEAP, openSquare } from './square.mjs';
 
-const folder = mkdtempSync(path.join(tmpdir(), 'telar-sheet-'));
-after(() => rmSync(folder, { recursive: true }));
-
-/** poppler and qpdf judge the files (js/machine/debian_packages.txt). */
-const run = (command, ...args) => execFileSync(command, args, { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+const { folder, run } = judgedFolder('sheet');
 
 let renderer;
 let model;
 before(async () => {
-  renderer = await createRenderer();
-  model = await renderer.load(await squareModel());
+  ({ renderer, model } = await openSquare());
 });
 after(() => renderer.close());
 
-/** Cheap pictures: what is tested is where they stand. */
-const SHOT = { environment: 'none', quality: 'draft' };
-
-const sheet = (spec, options = {}) => createSheet(model, spec, { renderer, shot: SHOT, ...options });
+const sheet = (spec, options = {}) => createSheet(model, spec, { renderer, shot: CHEAP, ...options });
 
 /** Rows and columns of a page that are dark over a long way: [from, to] of each, pixels. */
 function darkExtent({ width, height, data }) {
