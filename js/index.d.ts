@@ -340,7 +340,7 @@ export interface FlatOptions extends CallOptions {
    */
   foldDepth?: number;
   /**
-   * Contours and creases that are shorter are not drawn, in parts of the height of the picture, 0 to 1.
+   * Contours and creases within one part that are shorter are not drawn, in parts of the height of the picture, 0 to 1.
    * @default 0.02
    */
   foldLength?: number;

@@ -89,7 +89,7 @@ export interface SheetSpec {
     creaseAngle?: number;
     /** A surface that lies less before another is a fold that is not drawn. Range 0 to 1000. @default 0.008 */
     foldDepth?: number;
-    /** Contours and creases that are shorter are not drawn. Range 0 to 100. @default 0.015 */
+    /** Contours and creases within one part that are shorter are not drawn. Range 0 to 100. @default 0.015 */
     foldLength?: number;
   };
   /** Named places in the model, metres: "hps", "cf-hem", ... */

@@ -510,7 +510,7 @@ export interface Shot {
     creaseAngle?: number;
     /** A surface that lies less before another is a fold that is not drawn. Range 0 to 1000. @default 0.008 */
     foldDepth?: number;
-    /** Contours and creases that are shorter are not drawn, as a part of the height of the picture. Range 0 to 1. @default 0.02 */
+    /** Contours and creases within one part that are shorter are not drawn, as a part of the height of the picture. Range 0 to 1. @default 0.02 */
     foldLength?: number;
     /** Pixels that a simplified line may leave the exact one. Range 0 to 10. @default 0.3 */
     tolerance?: number;
@@ -1021,7 +1021,7 @@ export interface ResolvedShot {
     creaseAngle: number;
     /** A surface that lies less before another is a fold that is not drawn. Range 0 to 1000. */
     foldDepth: number;
-    /** Contours and creases that are shorter are not drawn, as a part of the height of the picture. Range 0 to 1. */
+    /** Contours and creases within one part that are shorter are not drawn, as a part of the height of the picture. Range 0 to 1. */
     foldLength: number;
     /** Pixels that a simplified line may leave the exact one. Range 0 to 10. */
     tolerance: number;

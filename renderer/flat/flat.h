@@ -14,13 +14,14 @@ constexpr std::array<std::string_view, 5> KIND_NAMES{"silhouette", "contour", "s
 struct FlatOptions {
   double creaseAngle = 60;       ///< degrees between the normals of two faces
   double foldDepth = 0;          ///< metres: a surface that lies less before another is a fold that is not drawn
-  double foldLength = 0;         ///< pixels: contours and creases that are shorter are not drawn
+  double foldLength = 0;         ///< pixels: contours and creases within one part that are shorter are not drawn
   double tolerance = 0.3;        ///< pixels that a simplified line may leave the exact one
   std::vector<char> stitched{};  ///< by source: its seams are stitches
 };
 
 struct Stroke {
   Kind kind = Kind::kSilhouette;
+  bool fold = false;  ///< where short, it is none: of one part by itself, and no silhouette
   bool closed = false;
   std::vector<glm::dvec2> points;  ///< pixels
 };
@@ -28,6 +29,7 @@ struct Stroke {
 /// A visible piece of an edge.
 struct Piece {
   Kind kind;
+  bool fold;               ///< of one part by itself
   std::uint32_t from, to;  ///< nodes: pieces that meet have one in common
   glm::dvec2 a, b;         ///< pixels
 };

@@ -108,6 +108,7 @@ void closeGaps(std::vector<Stroke>& strokes) {
         std::vector<glm::dvec2>& points = strokes[next->stroke].points;
         if (!next->front) std::reverse(points.begin(), points.end());
         stroke.points.insert(stroke.points.end(), points.begin(), points.end());
+        stroke.fold = stroke.fold && strokes[next->stroke].fold;
         points.clear();
         ends.add(stroke.points.back(), {i, false});
       }
@@ -141,7 +142,7 @@ std::vector<Stroke> withoutDoubles(std::vector<Stroke> strokes, const CancelToke
       const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(a, b) / STEP)));
       for (int s = 1; s <= steps; ++s) dense.push_back(glm::mix(a, b, double{1} * s / steps));
     }
-    Stroke piece{stroke.kind, stroke.closed, {}};
+    Stroke piece{stroke.kind, stroke.fold, stroke.closed, {}};
     const auto end = [&] {
       if (piece.points.size() > 1) out.push_back(piece);
       piece.points.clear();

@@ -9,6 +9,7 @@ double lengthOf(const std::vector<glm::dvec2>& points);
 struct Walk {
   std::vector<glm::dvec2> points;
   std::vector<Kind> kinds;  ///< of the piece from points[i] to points[i + 1]
+  std::vector<char> folds;  ///< of that piece
 };
 std::vector<Walk> walksOf(const std::vector<Piece>& pieces);
 

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 
+#include "flat/crossings.h"
 #include "flat/flat.h"
 
 namespace telar::flat {
@@ -35,6 +37,7 @@ constexpr double BEND = 3;
 /// What is drawn at a place of an edge.
 struct Mark {
   Kind kind;
+  bool fold = false;
   double offset = 0;  ///< pixels across the edge
 };
 
@@ -70,6 +73,7 @@ class Pieces {
       cancel.check();
       addLine(line);
     }
+    addCrossings(cancel);
     return std::move(pieces_);
   }
 
@@ -125,7 +129,7 @@ class Pieces {
     addSegment(a, b, edge.a, edge.b, [&](const glm::dvec3& p, const glm::dvec2& normal) -> std::optional<Mark> {
       const double metres = view_.metres(p.z);
       if (!view_.isHidden(glm::dvec2(p), metres - layer_, own)) return markAt(p, normal, feature);
-      if (feature.border && !view_.isHidden(glm::dvec2(p), metres - sewn_, own)) return sewnAt(p, normal, metres);
+      if (feature.border && !view_.isHiddenBeyond(glm::dvec2(p), metres, sewn_, own)) return sewnAt(p, normal, metres);
       return std::nullopt;
     });
   }
@@ -139,6 +143,24 @@ class Pieces {
         if (view_.isHidden(glm::dvec2(p), view_.metres(p.z) - layer_, {})) return std::nullopt;
         return Mark{Kind::kStitch};
       });
+    }
+  }
+
+  /// Where one part runs through another: a border of both.
+  void addCrossings(const CancelToken& cancel) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> nodes;
+    for (const Crossing& crossing : crossingsOf(surface_, view_, cancel)) {
+      const auto nodeOf = [&](const Crossing::End& end) {
+        const auto [node, isNew] = nodes.try_emplace({end.edge, end.face}, nextNode_);
+        if (isNew) ++nextNode_;
+        return node->second;
+      };
+      const auto& [from, to] = crossing.ends;
+      addSegment(from.at, to.at, nodeOf(from), nodeOf(to),
+                 [&](const glm::dvec3& p, const glm::dvec2& normal) -> std::optional<Mark> {
+                   if (view_.isHidden(glm::dvec2(p), view_.metres(p.z) - layer_, crossing.faces)) return std::nullopt;
+                   return markAt(p, normal, {false, true, false});
+                 });
     }
   }
 
@@ -157,13 +179,13 @@ class Pieces {
     const bool outside = left.face == surface::NONE || right.face == surface::NONE;
     if (feature.turns || feature.border) {
       if (outside) return Mark{Kind::kSilhouette};
-      if (jump(left, right) > options_.foldDepth) return Mark{Kind::kContour};
+      if (jump(left, right) > options_.foldDepth) return Mark{Kind::kContour, !differ(left, right)};
     }
     // A part that turns away before another ends there, however near they lie. A border on its own part, without a
     // step, is not seen.
     if ((feature.border || feature.turns) && differ(left, right)) return Mark{seamBetween(left, right)};
     if (feature.border && jump(left, right) > layer_) return Mark{seamBetween(left, right)};
-    if (feature.crease) return Mark{Kind::kCrease};
+    if (feature.crease) return Mark{Kind::kCrease, true};
     return std::nullopt;
   }
 
@@ -179,7 +201,7 @@ class Pieces {
       for (const int k : {i, -i - 1}) {
         const View::Hit left = hitAt(k), right = hitAt(k + 1);
         if (differ(left, right) && jump(left, right) <= options_.foldDepth)
-          return Mark{seamBetween(left, right), (k + 0.5) * BESIDE};
+          return Mark{seamBetween(left, right), false, (k + 0.5) * BESIDE};
       }
     }
     return std::nullopt;
@@ -209,14 +231,15 @@ class Pieces {
     double begin = 0;
     std::uint32_t node = from;
     const auto end = [&](double at, std::uint32_t there) {
-      if (last) pieces_.push_back({last->kind, node, there, place(begin, *last), place(at, *last)});
+      if (last) pieces_.push_back({last->kind, last->fold, node, there, place(begin, *last), place(at, *last)});
       begin = at;
       node = there;
     };
     for (int i = 0; i < steps; ++i) {
       const std::optional<Mark> mark = markAt(glm::mix(a, b, (i + 0.5) / steps), normal);
       const bool same =
-          mark.has_value() == last.has_value() && (!mark || (mark->kind == last->kind && mark->offset == last->offset));
+          mark.has_value() == last.has_value() &&
+          (!mark || (mark->kind == last->kind && mark->fold == last->fold && mark->offset == last->offset));
       if (i > 0 && !same) {
         end(double{1} * i / steps, nextNode_++);
         if (mark && last && std::abs(mark->offset - last->offset) > BEND) node = nextNode_++;

@@ -11,7 +11,7 @@ constexpr double SPECK = 3;
 struct Run {
   Kind kind;
   std::size_t begin, end;  ///< pieces of the walk
-  double length;
+  double length, folded = 0;
 };
 
 std::vector<Run> runsOf(const Walk& walk) {
@@ -21,6 +21,7 @@ std::vector<Run> runsOf(const Walk& walk) {
     if (runs.empty() || runs.back().kind != walk.kinds[i]) runs.push_back({walk.kinds[i], i, i, 0});
     runs.back().end = i + 1;
     runs.back().length += length;
+    if (walk.folds[i]) runs.back().folded += length;
   }
   return runs;
 }
@@ -40,14 +41,13 @@ double wholeLength(const Stroke& stroke) {
   return lengthOf(stroke.points) + (stroke.closed ? glm::distance(stroke.points.front(), stroke.points.back()) : 0);
 }
 
-double leastLength(Kind kind, const FlatOptions& options) {
-  if (kind == Kind::kSilhouette) return SPECK;
-  const bool fold = kind == Kind::kContour || kind == Kind::kCrease;
-  return std::max(SPECK, fold ? options.foldLength : options.foldLength / 4);
+double leastLength(const Stroke& stroke, const FlatOptions& options) {
+  if (stroke.kind == Kind::kSilhouette) return SPECK;
+  return std::max(SPECK, stroke.fold ? options.foldLength : options.foldLength / 4);
 }
 
 void dropShort(std::vector<Stroke>& strokes, const FlatOptions& options) {
-  std::erase_if(strokes, [&](const Stroke& stroke) { return wholeLength(stroke) < leastLength(stroke.kind, options); });
+  std::erase_if(strokes, [&](const Stroke& stroke) { return wholeLength(stroke) < leastLength(stroke, options); });
 }
 
 }  // namespace
@@ -58,6 +58,7 @@ std::vector<Stroke> strokesOf(const std::vector<Piece>& pieces, const FlatOption
     settleKinds(walk);
     for (const Run& run : runsOf(walk)) {
       strokes.push_back({run.kind,
+                         2 * run.folded > run.length,
                          false,
                          {walk.points.begin() + static_cast<std::ptrdiff_t>(run.begin),
                           walk.points.begin() + static_cast<std::ptrdiff_t>(run.end) + 1}});

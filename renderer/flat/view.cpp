@@ -55,6 +55,18 @@ bool View::cellsOf(std::uint32_t f, glm::ivec2& low, glm::ivec2& high) const {
   return true;
 }
 
+std::span<const std::uint32_t> View::facesIn(const glm::ivec2& cell) const {
+  const auto index =
+      static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(cells_.x) + static_cast<std::size_t>(cell.x);
+  return {faces_.data() + first_[index], first_[index + 1] - first_[index]};
+}
+
+glm::ivec2 View::firstCell(std::uint32_t face) const {
+  glm::ivec2 low(0), high;
+  cellsOf(face, low, high);
+  return low;
+}
+
 void View::buildGrid(const CancelToken& cancel) {
   const auto faces = static_cast<std::uint32_t>(surface_.faces.size());
   glm::ivec2 low, high;
@@ -91,17 +103,15 @@ template <class Visit>
 void View::visit(const glm::dvec2& place, const Visit& visit) const {
   const glm::dvec2 cell = glm::floor(place / cell_);
   if (!(cell.x >= 0 && cell.y >= 0 && cell.x < cells_.x && cell.y < cells_.y)) return;
-  const auto index =
-      static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(cells_.x) + static_cast<std::size_t>(cell.x);
-  for (std::uint32_t i = first_[index]; i < first_[index + 1]; ++i) {
-    const Face& face = surface_.faces[faces_[i]];
+  for (const std::uint32_t f : facesIn(glm::ivec2(cell))) {
+    const Face& face = surface_.faces[f];
     const glm::dvec3 &a = points_[face.points[0]], &b = points_[face.points[1]], &c = points_[face.points[2]];
     const glm::dvec2 u(b - a), v(c - a), w = place - glm::dvec2(a);
     const double area = cross(u, v);
     if (area == 0) continue;
     const double s = cross(w, v) / area, t = cross(u, w) / area;
     if (s < 0 || t < 0 || s + t > 1) continue;
-    visit(faces_[i], a.z + s * (b.z - a.z) + t * (c.z - a.z));
+    visit(f, a.z + s * (b.z - a.z) + t * (c.z - a.z));
   }
 }
 
@@ -117,6 +127,26 @@ bool View::isHidden(const glm::dvec2& place, double metresThere, std::span<const
   bool hidden = false;
   visit(place, [&](std::uint32_t face, double depth) {
     hidden |= metres(depth) < metresThere && std::find(own.begin(), own.end(), face) == own.end();
+  });
+  return hidden;
+}
+
+/// Cosine between a face's normal and the line of sight.
+double View::flatness(std::uint32_t face) const {
+  const auto& [i, k, m] = surface_.faces[face].points;
+  const glm::dvec3 &a = points_[i], &b = points_[k], &c = points_[m];
+  const glm::dvec2 u(b - a), v(c - a);
+  const double at = metres(a.z), toB = metres(b.z) - at, toC = metres(c.z) - at, area = cross(u, v);
+  const glm::dvec2 rise = glm::dvec2(toB * v.y - toC * u.y, toC * u.x - toB * v.x) / area * pixelsPerMetre(at);
+  return 1 / std::sqrt(1 + glm::dot(rise, rise));
+}
+
+bool View::isHiddenBeyond(const glm::dvec2& place, double metresThere, double away,
+                          std::span<const std::uint32_t> own) const {
+  bool hidden = false;
+  visit(place, [&](std::uint32_t face, double depth) {
+    const double before = metresThere - metres(depth);
+    hidden |= before > away && before * flatness(face) > away && std::find(own.begin(), own.end(), face) == own.end();
   });
   return hidden;
 }

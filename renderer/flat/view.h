@@ -25,6 +25,11 @@ class View {
   /// Of what lies across the line of sight so far away.
   double pixelsPerMetre(double metres) const { return orthographic_ ? pixelsPerMetre_ : pixelsPerMetre_ / metres; }
 
+  /// The grid: cells across and down, the triangles in one, and the first cell of one, by rows and columns apart.
+  glm::ivec2 cells() const { return cells_; }
+  std::span<const std::uint32_t> facesIn(const glm::ivec2& cell) const;
+  glm::ivec2 firstCell(std::uint32_t face) const;
+
   struct Hit {
     double depth = 0;
     std::uint32_t face = surface::NONE;  ///< NONE = background
@@ -33,10 +38,15 @@ class View {
   Hit nearest(const glm::dvec2& place) const;
   /// Whether a triangle that is none of `own` lies in front of `depth` (metres) there.
   bool isHidden(const glm::dvec2& place, double metresThere, std::span<const std::uint32_t> own) const;
+  /// The same of triangles that are more than `away` (metres) from the place, across them: one that is seen nearly from
+  /// its edge is far before what it touches.
+  bool isHiddenBeyond(const glm::dvec2& place, double metresThere, double away,
+                      std::span<const std::uint32_t> own) const;
 
  private:
   template <class Visit>
   void visit(const glm::dvec2& place, const Visit& visit) const;
+  double flatness(std::uint32_t face) const;
   bool cellsOf(std::uint32_t face, glm::ivec2& low, glm::ivec2& high) const;
   void buildGrid(const CancelToken& cancel);
 

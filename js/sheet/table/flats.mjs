@@ -20,7 +20,13 @@ export const flats = object(
       max: 1000,
       default: 0.008,
     }),
-    foldLength: number('Contours and creases that are shorter are not drawn', { what: 'a length in metres', unit: 'metres', min: 0, max: 100, default: 0.015 }),
+    foldLength: number('Contours and creases within one part that are shorter are not drawn', {
+      what: 'a length in metres',
+      unit: 'metres',
+      min: 0,
+      max: 100,
+      default: 0.015,
+    }),
   },
   { default: {} },
 );

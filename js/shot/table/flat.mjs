@@ -30,7 +30,7 @@ export const flat = object(
     join: number('Points of the mesh that are nearer to one another are one; 0 = of rounding alone', { unit: 'metres', min: 0, max: 1, default: 0 }),
     creaseAngle: number('Least angle between two faces that is drawn as a crease', { unit: 'degrees', min: 1, max: 180, default: 60 }),
     foldDepth: number('A surface that lies less before another is a fold that is not drawn', { unit: 'metres', min: 0, max: 1e3, default: 0.008 }),
-    foldLength: number('Contours and creases that are shorter are not drawn, as a part of the height of the picture', {
+    foldLength: number('Contours and creases within one part that are shorter are not drawn, as a part of the height of the picture', {
       unit: 'part of the height',
       min: 0,
       max: 1,

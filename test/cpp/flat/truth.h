@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -47,13 +48,15 @@ struct Picture {
   std::vector<double> depth;  ///< metres
   std::vector<int> part;      ///< source, -1 = background
   std::vector<glm::dvec3> normal;
+  std::vector<glm::dvec2> slope;  ///< metres of depth a pixel
 
   Picture(const surface::Surface& surface, int w, int h, const std::function<glm::dvec3(const glm::dvec3&)>& project)
       : width(w),
         height(h),
         depth(static_cast<std::size_t>(w * h), 1e30),
         part(depth.size(), -1),
-        normal(depth.size()) {
+        normal(depth.size()),
+        slope(depth.size()) {
     for (const surface::Face& face : surface.faces) {
       const glm::dvec3 a = project(surface.corner(face, 0)), b = project(surface.corner(face, 1)),
                        c = project(surface.corner(face, 2));
@@ -64,19 +67,52 @@ struct Picture {
       };
       const double area = side(a, b, c.x, c.y);
       if (area == 0) continue;
+      const glm::dvec3 ab = b - a, ac = c - a;
+      const glm::dvec2 rise = glm::dvec2(ab.z * ac.y - ac.z * ab.y, ac.z * ab.x - ab.z * ac.x) / area;
+      const auto put = [&](int x, int y, double u, double v) {
+        const auto i = static_cast<std::size_t>(y * w + x);
+        const double z = u * a.z + v * b.z + (1 - u - v) * c.z;
+        if (z >= depth[i]) return;
+        depth[i] = z, part[i] = static_cast<int>(face.source), normal[i] = glm::length(n) > 0 ? glm::normalize(n) : n;
+        slope[i] = rise;
+      };
       for (int y = std::max(0, static_cast<int>(std::min({a.y, b.y, c.y})) - 1);
            y < std::min<double>(h, std::max({a.y, b.y, c.y}) + 1); ++y) {
         for (int x = std::max(0, static_cast<int>(std::min({a.x, b.x, c.x})) - 1);
              x < std::min<double>(w, std::max({a.x, b.x, c.x}) + 1); ++x) {
-          const double u = side(b, c, x + 0.5, y + 0.5) / area, v = side(c, a, x + 0.5, y + 0.5) / area, t = 1 - u - v;
-          if (u < 0 || v < 0 || t < 0) continue;
-          const auto i = static_cast<std::size_t>(y * w + x);
-          const double z = u * a.z + v * b.z + t * c.z;
-          if (z >= depth[i]) continue;
-          depth[i] = z, part[i] = static_cast<int>(face.source), normal[i] = glm::length(n) > 0 ? glm::normalize(n) : n;
+          const double u = side(b, c, x + 0.5, y + 0.5) / area, v = side(c, a, x + 0.5, y + 0.5) / area;
+          if (u >= 0 && v >= 0 && u + v <= 1) put(x, y, u, v);
         }
       }
+      // What is seen from its edge runs between the middles of pixels: its longest side is drawn.
+      const std::array<std::array<glm::dvec3, 2>, 3> sides{{{a, b}, {b, c}, {c, a}}};
+      std::size_t longest = 0;
+      for (std::size_t k = 1; k < 3; ++k) {
+        if (flatLength(sides[k]) > flatLength(sides[longest])) longest = k;
+      }
+      const double length = flatLength(sides[longest]);
+      if (std::abs(area) > SLIVER * length) continue;
+      const auto steps = static_cast<int>(std::ceil(4 * length));
+      for (int s = 0; s <= steps; ++s) {
+        const glm::dvec3 p = glm::mix(sides[longest][0], sides[longest][1], double{1} * s / std::max(1, steps));
+        if (!(p.x >= 0 && p.y >= 0 && p.x < w && p.y < h)) continue;
+        put(static_cast<int>(p.x), static_cast<int>(p.y), side(b, c, p.x, p.y) / area, side(c, a, p.x, p.y) / area);
+      }
     }
+  }
+
+  /// Pixels across, below which a triangle is a sliver.
+  static constexpr double SLIVER = 0.5;
+  static double flatLength(const std::array<glm::dvec3, 2>& line) {
+    return glm::distance(glm::dvec2(line[0]), glm::dvec2(line[1]));
+  }
+
+  /// Metres by which neither of two neighbours goes on into the other, however steep they are.
+  double step(std::size_t i, std::size_t k) const {
+    const bool below = k == i + static_cast<std::size_t>(width);
+    const auto rise = [&](std::size_t at) { return below ? slope[at].y : slope[at].x; };
+    const double whole = depth[k] - depth[i];
+    return std::min({std::abs(whole), std::abs(whole - rise(i)), std::abs(whole - rise(k))});
   }
 
   /// Pixels at whose right or lower side `differs(i, k)`.
@@ -92,6 +128,19 @@ struct Picture {
     return mask;
   }
 };
+
+/// The pixels of the model beside the background.
+inline Mask rimOf(const Picture& picture) {
+  Mask rim(picture.width, picture.height);
+  for (int y = 1; y + 1 < picture.height; ++y) {
+    for (int x = 1; x + 1 < picture.width; ++x) {
+      const auto i = static_cast<std::size_t>(y * picture.width + x), row = static_cast<std::size_t>(picture.width);
+      const auto isBare = [&](std::size_t k) { return picture.part[k] < 0; };
+      rim.at(x, y) = !isBare(i) && (isBare(i - 1) || isBare(i + 1) || isBare(i - row) || isBare(i + row));
+    }
+  }
+  return rim;
+}
 
 /// Pixels that strokes of these kinds run through.
 inline Mask drawn(const std::vector<flat::Stroke>& strokes, int width, int height,
