@@ -15,11 +15,33 @@ const PIXELS = 256;
 
 const CAMERA = { projection: 'orthographic', position: [0, 0, 1], target: [0, 0, 0], height: SIDE, near: 0.5, far: 1.5 };
 
-/** Mean of a picture of linear floats, by coverage. @returns {number[]} linear Rec.709 */
-export function meanOf({ data }) {
-  const sums = [0, 0, 0, 0];
-  for (let i = 0; i < data.length; i += 4) for (let c = 0; c < 4; ++c) sums[c] += (c < 3 ? data[i + 3] : 1) * data[i + c];
-  return sums.slice(0, 3).map((sum) => (sums[3] > 0 ? sum / sums[3] : 0));
+const ALBEDO = Object.freeze({
+  size: { width: PIXELS, height: PIXELS },
+  camera: CAMERA,
+  quality: 'draft',
+  environment: 'none',
+  background: 'transparent',
+  layers: ['albedo', 'coverage'],
+  output: { format: 'raw', layers: { format: 'raw' } },
+});
+
+/** Layers as they come: bytes of floats that may begin anywhere. */
+const floatsOf = (bytes) => new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
+
+/**
+ * Mean of a picture by coverage.
+ * @param {Float32Array} colours three floats a pixel, linear Rec.709
+ * @param {Float32Array} coverage 0..1
+ * @returns {number[]} linear Rec.709
+ */
+export function meanOf(colours, coverage) {
+  const sums = [0, 0, 0];
+  let whole = 0;
+  for (const [i, part] of coverage.entries()) {
+    whole += part;
+    for (let c = 0; c < 3; ++c) sums[c] += part * colours[3 * i + c];
+  }
+  return sums.map((sum) => (whole > 0 ? sum / whole : 0));
 }
 
 /** @throws {TelarError} E_SPEC where the file is not there or no list */
@@ -70,8 +92,8 @@ export class Squares {
    */
   async colour(what, path) {
     const { renderer, call, list } = this.#context;
-    const shot = { size: { width: PIXELS, height: PIXELS }, camera: CAMERA, quality: 'draft', environment: 'none' };
-    const linear = meanOf(await renderer.renderQuantity(await this.model(what, path), shot, 'baseColor', call));
+    const { layers } = await renderer.render(await this.model(what, path), ALBEDO, call);
+    const linear = meanOf(floatsOf(layers.albedo), floatsOf(layers.coverage));
     return { linear, srgb: hexOf(linear), labD50: LIGHTS.D50(linear), labD65: LIGHTS.D65(linear), nearest: list ? nearestColours(linear, list) : [] };
   }
 }

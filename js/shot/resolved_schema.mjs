@@ -1,7 +1,7 @@
 import * as z from '../dist/zod.mjs';
 import { SHOT } from './table/index.mjs';
 import { resolvedRow } from './table/resolved.mjs';
-import { INDEX_MAX } from './table/rows.mjs';
+import { CHARACTERS, INDEX_MAX } from './table/rows.mjs';
 
 /**
  * What checks a resolved shot, made of its table, for types and tests: what resolveShot returns and the renderer reads.
@@ -15,6 +15,8 @@ function numberType({ integer, min, max, above }) {
 
 const tuple = (length, type) => z.tuple(Array(length).fill(type));
 
+const index = z.int().check(z.gte(0), z.lte(INDEX_MAX));
+
 /** A zod type of each kind of row. */
 const TYPES = {
   number: numberType,
@@ -25,7 +27,7 @@ const TYPES = {
   vector: () => tuple(3, z.number()),
   extents: () => tuple(2, z.number()),
   colour: ({ keywords }) => (keywords.length > 0 ? z.union([z.enum(keywords), tuple(3, z.number().check(z.gte(0)))]) : tuple(3, z.number().check(z.gte(0)))),
-  index: () => z.int().check(z.gte(0), z.lte(INDEX_MAX)),
+  index: ({ named }) => (named ? z.union([index, z.string().check(z.regex(CHARACTERS))]) : index),
   bytes: () => z.custom((value) => value instanceof Uint8Array).register(z.globalRegistry, { tsType: 'Uint8Array' }),
   object: ({ shape }) => z.strictObject(Object.fromEntries(Object.entries(shape).map(([key, row]) => [key, zodOf(row)]))),
   list: ({ of }) => z.array(zodOf(of)),

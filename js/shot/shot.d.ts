@@ -514,6 +514,16 @@ export interface Shot {
     foldLength?: number;
     /** Pixels that a simplified line may leave the exact one. Range 0 to 10. @default 0.3 */
     tolerance?: number;
+    /** Parts whose seams are stitches, which are dashed. @default [] */
+    stitched?: Array<{
+      /** Index or name of a node. */
+      node: number | string;
+      material?: never;
+    } | {
+      /** Index or name of a material. */
+      material: number | string;
+      node?: never;
+    }>;
     /** Line weights in millimetres of the picture, at `output.ppi`, or 96 pixels an inch where that is 0. */
     weights?: {
       /** Border between the model and what is behind it; 0 = not drawn. Range 0 to 10. @default 0.7 */
@@ -1025,6 +1035,16 @@ export interface ResolvedShot {
     foldLength: number;
     /** Pixels that a simplified line may leave the exact one. Range 0 to 10. */
     tolerance: number;
+    /** Parts whose seams are stitches, which are dashed. */
+    stitched: Array<{
+      /** Index or name of a node. */
+      node: number | string;
+      material?: never;
+    } | {
+      /** Index or name of a material. */
+      material: number | string;
+      node?: never;
+    }>;
     /** Line weights in millimetres of the picture, at `output.ppi`, or 96 pixels an inch where that is 0. */
     weights: {
       /** Border between the model and what is behind it; 0 = not drawn. Range 0 to 10. */

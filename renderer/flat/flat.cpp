@@ -24,23 +24,32 @@ PartQuery partOf(const json& part) {
   return query;
 }
 
+/// Which sources are of the parts.
+/// @param pointer  names the list where one is not there
+std::vector<char> stitchedOf(const Scene& scene, const surface::Surface& surface, const std::vector<PartQuery>& parts,
+                             const char* pointer) {
+  std::vector<char> stitched(surface.sources.size());
+  for (const PartQuery& part : parts) {
+    bool found = false;
+    for (std::size_t i = 0; i < surface.sources.size(); ++i) {
+      const bool meant = surface::isOfPart(scene, surface.sources[i], part);
+      found |= meant;
+      if (meant) stitched[i] = 1;
+    }
+    if (!found) throw surface::noSuchPart(part).at(pointer);
+  }
+  return stitched;
+}
+
 flat::FlatOptions optionsOf(const Scene& scene, const surface::Surface& surface, const json& request) {
   flat::FlatOptions options;
   options.creaseAngle = request.at("creaseAngle").get<double>();
   options.foldDepth = request.at("foldDepth").get<double>();
   options.foldLength = request.at("foldLength").get<double>();
   options.tolerance = request.at("tolerance").get<double>();
-  options.stitched.assign(surface.sources.size(), 0);
-  for (const json& part : request.at("stitched")) {
-    const PartQuery query = partOf(part);
-    bool found = false;
-    for (std::size_t i = 0; i < surface.sources.size(); ++i) {
-      const bool meant = surface::isOfPart(scene, surface.sources[i], query);
-      found |= meant;
-      if (meant) options.stitched[i] = 1;
-    }
-    if (!found) throw surface::noSuchPart(query).at("/stitched");
-  }
+  std::vector<PartQuery> stitched;
+  for (const json& part : request.at("stitched")) stitched.push_back(partOf(part));
+  options.stitched = stitchedOf(scene, surface, stitched, "/stitched");
   return options;
 }
 
@@ -79,7 +88,7 @@ LayerImage drawLines(const Scene& scene, const Shot& shot, const CancelToken& ca
   const surface::Surface surface = buildSurface(scene, what, cancel);
   flat::FlatOptions options{shot.flat.creaseAngle, shot.flat.foldDepth, shot.flat.foldLength * shot.height,
                             shot.flat.tolerance};
-  options.stitched.assign(surface.sources.size(), 0);
+  options.stitched = stitchedOf(scene, surface, shot.flat.stitched, "/flat/stitched");
   const flat::View view(surface, shot, cancel);
   const auto strokes = strokesOf(visiblePieces(surface, view, options, cancel), options, cancel);
   constexpr double INCH_MM = 25.4, SCREEN_PPI = 96;

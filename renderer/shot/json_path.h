@@ -23,6 +23,7 @@ class JsonPath {
   bool isNull() const { return value_.is_null(); }
   bool isArray() const { return value_.is_array(); }
   bool isObject() const { return value_.is_object(); }
+  bool isString() const { return value_.is_string(); }
   std::size_t size() const;
 
   /// Finite.

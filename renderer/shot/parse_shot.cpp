@@ -1,4 +1,5 @@
 #include <initializer_list>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
@@ -147,6 +148,22 @@ std::vector<Layer> readLayers(const JsonPath& json) {
   return layers;
 }
 
+/// {node} or {material}, by index or name.
+PartQuery readPart(const JsonPath& json) {
+  PartQuery part;
+  if (!json.has("node")) part.kind = PartQuery::Kind::kMaterial;
+  const JsonPath which = json.at(part.kind == PartQuery::Kind::kNode ? "node" : "material");
+  which.isString() ? part.which = which.string() : part.which = which.integer(0, std::numeric_limits<int>::max());
+  return part;
+}
+
+Shot::Flat readFlat(const JsonPath& json) {
+  Shot::Flat flat{readRow<shot::Flat>(json), {}};
+  const JsonPath stitched = json.at("stitched");
+  for (std::size_t i = 0; i < stitched.size(); ++i) flat.stitched.push_back(readPart(stitched.at(i)));
+  return flat;
+}
+
 Shot readShot(const JsonPath& json) {
   Shot shot;
   const Reader keys(json);
@@ -163,7 +180,7 @@ Shot readShot(const JsonPath& json) {
   readShading(json.at("shading"), shot);
   readQuality(json.at("quality"), shot);
   shot.pose = readOptional<Pose>(json.at("pose"));
-  shot.flat = readRow<shot::Flat>(json.at("flat"));
+  shot.flat = readFlat(json.at("flat"));
   shot.layers = readLayers(json.at("layers"));
   shot.output = readRow<OutputOptions>(json.at("output"));
   if (json.has("debugOutput")) keys("debugOutput", shot.debugOutput);

@@ -1,4 +1,5 @@
-import { boolean, choice, indexOrName, list, literal, number, object, record, union, vector } from '../../shot/table/rows.mjs';
+import { garmentPart } from '../../shot/table/parts.mjs';
+import { boolean, choice, list, literal, number, object, record, vector } from '../../shot/table/rows.mjs';
 import { MOST, cell, lengthIn, name, nameIfAny, place } from './basics.mjs';
 import { anchor } from './views.mjs';
 
@@ -15,19 +16,6 @@ export const anchors = record(
 );
 
 const POINTS = 'a list of 2 to 64 points';
-const PART = '{node} or {material}';
-
-/** A part of the garment, by node or material. */
-export const garmentPart = (doc, rest = {}) =>
-  union(
-    doc,
-    [
-      object('', { node: indexOrName('Index or name of a node', 'the index or the name of a node in the model') }, { expected: PART }),
-      object('', { material: indexOrName('Index or name of a material', 'the index or the name of a material in the model') }, { expected: PART }),
-    ],
-    PART,
-    rest,
-  );
 
 const part = garmentPart('The part of the garment on which it is measured; default all of it', { optional: true });
 

@@ -1,4 +1,5 @@
 import { FITS, VIEWS } from '../frame.mjs';
+import { material, node } from './parts.mjs';
 import { HUGE, TINY, but, choice, indexOrName, literal, number, object, union, variants, vector } from './rows.mjs';
 
 /** Rows of `camera`. */
@@ -23,10 +24,8 @@ export const FRAME_ROW = union(
     'long as the model; "model", without the shadow; or a part of the model by name',
   [
     choice('', ['scene', 'model'], { expected: FRAME }),
-    object('The nodes of this name, with all beneath them', { node: indexOrName('Index or name of a node', 'the index or the name of a node in the model') }),
-    object('All that is drawn with the materials of this name', {
-      material: indexOrName('Index or name of a material', 'the index or the name of a material in the model'),
-    }),
+    object('The nodes of this name, with all beneath them', { node }),
+    object('All that is drawn with the materials of this name', { material }),
   ],
   FRAME,
   { default: 'scene' },

@@ -1,4 +1,5 @@
-import { choice, number, object } from './rows.mjs';
+import { garmentPart } from './parts.mjs';
+import { choice, list, number, object } from './rows.mjs';
 
 /** Rows of `style` and `flat`: the technical flat. */
 
@@ -24,6 +25,13 @@ const weights = object(
   { name: 'Weights', default: {} },
 );
 
+const STITCHED_MAX = 64;
+
+export const stitched = list('Parts whose seams are stitches, which are dashed', garmentPart('A part'), `a list of at most ${STITCHED_MAX} parts`, {
+  max: STITCHED_MAX,
+  default: [],
+});
+
 export const flat = object(
   'How the lines of `style: "flat"` and of the layer "line" are found',
   {
@@ -37,6 +45,7 @@ export const flat = object(
       default: 0.02,
     }),
     tolerance: number('Pixels that a simplified line may leave the exact one', { unit: 'pixels', min: 0, max: 10, default: 0.3 }),
+    stitched,
     weights,
   },
   { name: 'Flat', default: {} },

@@ -15,6 +15,7 @@
  * @property {string} [when] - The key beside it that says by true that this one is there, in a resolved shot.
  * @property {Row | null} [resolved] - What it is in a resolved shot, where that is another thing; null = it is not there.
  * @property {string} [name] - Of an object or a choice that has a C++ type of its own.
+ * @property {boolean} [named] - Of an index: whether it stays a name in a resolved shot where it was given as one.
  * @property {boolean} [isShared] - Of a choice: whether its C++ type has a header of its own.
  * @property {boolean} [drawn] - false: the renderer does not read it.
  */
@@ -88,7 +89,7 @@ export const expectedColour = (keywords = [], others = []) => [...keywords.map((
 export const colour = (doc, { keywords = [], expected = expectedColour(keywords), ...rest } = {}) =>
   row('colour', doc, { keywords, expected, expectedNumber: `a number in ${interval(0, HUGE)}`, ...rest });
 
-/** Index or name of something in the model, `expected`. In a resolved shot an index, but for a node or a material. */
+/** Index or name of something in the model, `expected`. In a resolved shot an index, or as it was given where it is `named`. */
 export const indexOrName = (doc, expected, rest = {}) => row('index', doc, { expected, ...rest });
 
 /** Bytes of a file: in JavaScript alone. */

@@ -8,6 +8,7 @@
 
 #include "telar/codec.h"
 #include "telar/motion.h"
+#include "telar/part_query.h"
 #include "telar/shading.h"
 #include "telar/shot/camera.inc"
 #include "telar/shot/debug_output.inc"
@@ -68,7 +69,10 @@ struct Shot : shot::Size, shot::Values, shot::RasterQuality {
   std::optional<Reference> reference;  ///< set = the path tracer draws, not the raster
   std::optional<Pose> pose;            ///< none = as the file stands
   std::vector<Layer> layers;           ///< beside the colour
-  shot::Flat flat;                     ///< of Style::kFlat and Layer::kLine
+  /// Of Style::kFlat and Layer::kLine.
+  struct Flat : shot::Flat {
+    std::vector<PartQuery> stitched;  ///< whose seams are stitches
+  } flat;
   OutputOptions output;
   /// Drawn in place of the colour; for a raw output of 32 bits. Key `debugOutput` of the JSON, which
   /// resolveShot does not write: `renderQuantity` does.

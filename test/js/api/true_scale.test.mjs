@@ -112,3 +112,21 @@ test('the flat is drawn by the camera of the colour: lines in true scale, ink on
   const lines = new Float32Array(layer.layers.line.buffer.slice(layer.layers.line.byteOffset, layer.layers.line.byteOffset + layer.layers.line.length));
   for (let i = 0; i < lines.length; i++) assert.equal(Math.round(lines[i] * 255), data[4 * i]);
 });
+
+test('seams of parts that are stitched are dashed, and a part that is not there is named', async () => {
+  const shirt = await renderer.load(new URL('../../../js/assets/tshirt.glb', import.meta.url));
+  // Stitches alone: without a list there are none.
+  const weights = { silhouette: 0, contour: 0, seam: 0, crease: 0, stitch: 1 };
+  const shot = { size: { width: 200, height: 200 }, camera: { view: 'front', projection: 'orthographic' }, style: 'flat', output: { format: 'raw' } };
+  const inkOf = async (flat) => (await renderer.render(shirt, { ...shot, flat: { weights, ...flat } })).data.filter((v, i) => i % 4 === 0 && v < 255).length;
+  assert.equal(await inkOf({}), 0);
+  const byMaterial = await inkOf({ stitched: [{ material: 'stitched_natural' }] });
+  assert.ok(byMaterial > 100, `${byMaterial}`);
+  const { strokes } = await shirt.flat(shot, { stitched: [{ node: 'neck_rib' }] });
+  const [byNode, length] = [await inkOf({ stitched: [{ node: 'neck_rib' }] }), strokes.filter(({ kind }) => kind === 'stitch').length];
+  assert.ok(byNode > 0 && byNode < byMaterial && length > 0, `${byNode} of ${byMaterial}`);
+  await assert.rejects(renderer.render(shirt, { ...shot, flat: { stitched: [{ node: 'pocket' }] } }), { code: 'E_MEASURE', pointer: '/flat/stitched' });
+  const { info } = await renderer.render(shirt, { ...shot, flat: { stitched: [{ node: 'neck_rib' }] } });
+  assert.deepEqual(info.shot.flat.stitched, [{ node: 'neck_rib' }]);
+  assert.deepEqual((await renderer.render(shirt, info.shot)).info.shot, info.shot);
+});
