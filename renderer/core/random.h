@@ -13,6 +13,13 @@ class Random {
   Random(std::uint64_t seed, std::uint32_t pixel, std::uint32_t sample)
       : state_(mixed(mixed(seed) + pixel)), sample_(sample) {}
 
+  /// Sample `i` after this one of the same pixel.
+  Random after(int i) const {
+    Random later = *this;
+    later.sample_ += static_cast<std::uint32_t>(i);
+    return later;
+  }
+
   /// [0, 1)
   float uniform() {
     const Pair pair = next();

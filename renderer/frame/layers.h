@@ -33,6 +33,43 @@ class LayerIds {
   std::vector<int> parts_;  ///< by node; 0 = draws nothing
 };
 
+/// Writes a layer's channels of one pixel. Coverage and lines are found otherwise.
+/// @param seen  what is seen there: depth(), normal(), partId(), materialId(), open(), albedo(), shadow(), of which
+/// only
+///              the one that is asked for is called
+template <class Seen>
+void writeLayer(Layer layer, const Seen& seen, float* to) {
+  const auto triple = [&](const glm::vec3& v) {
+    for (int c = 0; c < 3; ++c) to[c] = v[c];
+  };
+  switch (layer) {
+    case Layer::kDepth:
+      *to = seen.depth();
+      break;
+    case Layer::kNormal:
+      triple(seen.normal());
+      break;
+    case Layer::kPartId:
+      *to = seen.partId();
+      break;
+    case Layer::kMaterialId:
+      *to = seen.materialId();
+      break;
+    case Layer::kAo:
+      *to = seen.open();
+      break;
+    case Layer::kAlbedo:
+      triple(seen.albedo());
+      break;
+    case Layer::kShadow:
+      *to = seen.shadow();
+      break;
+    case Layer::kCoverage:
+    case Layer::kLine:
+      break;
+  }
+}
+
 /// `layers` of a frame's info, by name: the range of depths, the legends of numbers.
 nlohmann::ordered_json describeLayers(const Scene& scene, const Shot& shot, const std::vector<LayerImage>& layers);
 

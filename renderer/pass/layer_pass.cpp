@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <string>
 
+#include "frame/layers.h"
 #include "gl/incomplete.h"
+#include "pass/ambient_layer.h"
 
 namespace telar::pass {
 namespace {
@@ -26,52 +28,30 @@ void clear(const gl::Functions& gl, GLbitfield what) {
 
 /// What the pass has drawn, row 0 on top.
 struct Texels {
-  std::vector<glm::vec4> place, color, number, ambient, ground;
+  std::vector<glm::vec4> place, color, number, ground;
+  std::vector<float> open;  ///< ambient occlusion
 };
 
-float shadowOf(const Texels& texels, std::size_t i, float groundOpacity) {
-  if (texels.number[i].x > 0 || texels.ground.empty()) return texels.color[i].a;
-  return groundOpacity > 0 ? std::min(texels.ground[i].a / groundOpacity, 1.0f) : 0.0f;
-}
+/// What one pixel shows.
+struct SeenTexel {
+  const Texels& texels;
+  std::size_t i;
+  float groundOpacity;
 
-LayerImage imageOf(Layer layer, const Texels& texels, float groundOpacity) {
-  const std::size_t count = texels.place.size(), channels = channelCount(layer);
-  LayerImage image{layer, std::vector<float>(count * channels)};
-  for (std::size_t i = 0; i < count; ++i) {
-    float* to = &image.pixels[i * channels];
-    const glm::vec4 &place = texels.place[i], &color = texels.color[i], &number = texels.number[i];
-    switch (layer) {
-      case Layer::kDepth:
-        *to = place.w;
-        break;
-      case Layer::kNormal:
-        for (int c = 0; c < 3; ++c) to[c] = place[c];
-        break;
-      case Layer::kPartId:
-        *to = number.x;
-        break;
-      case Layer::kMaterialId:
-        *to = number.y;
-        break;
-      case Layer::kAo:
-        *to = texels.ambient[i].y > 0 ? texels.ambient[i].x / texels.ambient[i].y : 0.0f;
-        break;
-      case Layer::kAlbedo:
-        for (int c = 0; c < 3; ++c) to[c] = color[c];
-        break;
-      case Layer::kShadow:
-        *to = shadowOf(texels, i, groundOpacity);
-        break;
-      case Layer::kCoverage:
-      case Layer::kLine:
-        break;
-    }
+  bool isSurface() const { return texels.number[i].x > 0; }
+  float depth() const { return texels.place[i].w; }
+  glm::vec3 normal() const { return glm::vec3(texels.place[i]); }
+  float partId() const { return texels.number[i].x; }
+  float materialId() const { return texels.number[i].y; }
+  float open() const { return texels.open[i]; }
+  glm::vec3 albedo() const { return glm::vec3(texels.color[i]); }
+  float shadow() const {
+    if (isSurface() || texels.ground.empty()) return texels.color[i].a;
+    return groundOpacity > 0 ? std::min(texels.ground[i].a / groundOpacity, 1.0f) : 0.0f;
   }
-  return image;
-}
+};
 
-}  // namespace
-
+/// A texture of four floats a texel, read texel by texel.
 gl::Texture floatTexture(const gl::Functions& gl, int width, int height) {
   gl::Texture texture(gl);
   gl.ActiveTexture(GL_TEXTURE0);
@@ -82,6 +62,7 @@ gl::Texture floatTexture(const gl::Functions& gl, int width, int height) {
   return texture;
 }
 
+/// Row 0 on top.
 std::vector<glm::vec4> readTexels(const gl::Context& context, const gl::Texture& texture, int width, int height) {
   const gl::Functions& gl = context.gl();
   const gl::Framebuffer framebuffer(gl);
@@ -96,6 +77,8 @@ std::vector<glm::vec4> readTexels(const gl::Context& context, const gl::Texture&
     std::swap_ranges(&texels[y * row], &texels[y * row] + row, &texels[(rows - 1 - y) * row]);
   return texels;
 }
+
+}  // namespace
 
 LayerPass::Target LayerPass::makeTarget(const Shot& shot) const {
   const gl::Functions& gl = context_.gl();
@@ -158,15 +141,17 @@ std::vector<LayerImage> LayerPass::draw(const LayerInputs& in) {
   };
   Texels texels{read(target.textures[0]), read(target.textures[1]), read(target.textures[2]), {}, {}};
   texels.ground = groundShadow(target, plan, in);
-  if (in.shot.hasLayer(Layer::kAo)) {
-    const gl::Texture sums =
-        ambient_.draw({plan, in.shot, in.scene, in.gpu, in.cancel}, target.textures[0], target.textures[2]);
-    texels.ambient = read(sums);
-  }
+  if (in.shot.hasLayer(Layer::kAo))
+    texels.open = ambientLayer({texels.place, texels.number, in.shot.width, in.shot.height}, plan.camera, in.scene,
+                               in.shot, in.cancel);
   const float opacity = in.shot.ground ? static_cast<float>(in.shot.ground->opacity) : 0.0f;
   std::vector<LayerImage> images;
   for (const Layer layer : in.shot.layers) {
-    if (layer != Layer::kCoverage && layer != Layer::kLine) images.push_back(imageOf(layer, texels, opacity));
+    if (layer == Layer::kCoverage || layer == Layer::kLine) continue;
+    const std::size_t count = texels.place.size(), channels = channelCount(layer);
+    LayerImage& image = images.emplace_back(LayerImage{layer, std::vector<float>(count * channels)});
+    for (std::size_t i = 0; i < count; ++i)
+      frame::writeLayer(layer, SeenTexel{texels, i, opacity}, &image.pixels[i * channels]);
   }
   return images;
 }

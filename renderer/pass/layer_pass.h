@@ -1,8 +1,6 @@
 #pragma once
 #include <array>
-#include <optional>
 
-#include "pass/ambient_pass.h"
 #include "pass/ground_pass.h"
 #include "pass/shadow_pass.h"
 #include "pass/surface_pass.h"
@@ -25,7 +23,7 @@ struct LayerInputs {
 /// of floats. Owns nothing between frames but programs.
 class LayerPass {
  public:
-  explicit LayerPass(const gl::Context& context) : context_(context), ambient_(context) {}
+  explicit LayerPass(const gl::Context& context) : context_(context) {}
 
   /// All layers of the shot but coverage, in its order.
   std::vector<LayerImage> draw(const LayerInputs& in);
@@ -43,13 +41,6 @@ class LayerPass {
   std::vector<glm::vec4> groundShadow(const Target& target, const FramePlan& plan, const LayerInputs& in) const;
 
   const gl::Context& context_;
-  AmbientPass ambient_;
 };
-
-/// Texels of a texture of floats, row 0 on top.
-std::vector<glm::vec4> readTexels(const gl::Context& context, const gl::Texture& texture, int width, int height);
-
-/// A texture of four floats a texel, read texel by texel. @throws Error{X_GL}
-gl::Texture floatTexture(const gl::Functions& gl, int width, int height);
 
 }  // namespace telar::pass

@@ -1,6 +1,6 @@
 #include "reference/geometry.h"
 
-#include <limits>
+#include <array>
 
 #include "frame/release_material.h"
 #include "frame/variant.h"
@@ -52,6 +52,19 @@ void placeInstances(std::vector<PlacedMesh>& meshes, const Node& node, const Pri
   }
 }
 
+/// Whether any ray ends at any triangle of a mesh.
+bool blocksAlways(const PlacedMesh& mesh) {
+  return mesh.material->doubleSided && mesh.material->alphaMode == AlphaMode::kOpaque;
+}
+
+/// What Embree hands to keepBlockers().
+struct ShellContext {
+  RTCIntersectContext embree{};
+  float shells = 0;
+};
+
+constexpr std::size_t PACKET = 16;  ///< rays at once: as wide as the widest registers
+
 }  // namespace
 
 std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::dvec3& centre,
@@ -81,7 +94,8 @@ std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::
   return meshes;
 }
 
-Geometry::Geometry(const std::vector<PlacedMesh>& meshes, const CancelToken& cancel) {
+Geometry::Geometry(const std::vector<PlacedMesh>& meshes, const CancelToken& cancel, Blocks blocks)
+    : blocks_(blocks ? std::make_unique<const Blocks>(std::move(blocks)) : nullptr) {
   // Embree builds with one thread, so that the hierarchy does not depend on the number of threads.
   device_.reset(rtcNewDevice("threads=1"));
   if (!device_) throw Error("X_REFERENCE", "Embree does not start on this machine");
@@ -98,6 +112,10 @@ Geometry::Geometry(const std::vector<PlacedMesh>& meshes, const CancelToken& can
     if (positions && triangles) {
       std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<glm::vec3*>(positions));
       std::copy(mesh.triangles.begin(), mesh.triangles.end(), static_cast<glm::uvec3*>(triangles));
+      if (blocks_ && !blocksAlways(mesh)) {
+        rtcSetGeometryUserData(geometry, const_cast<Blocks*>(blocks_.get()));
+        rtcSetGeometryOccludedFilterFunction(geometry, keepBlockers);
+      }
       rtcCommitGeometry(geometry);
       rtcAttachGeometryByID(scene_.get(), geometry, static_cast<unsigned>(i));
     }
@@ -131,6 +149,42 @@ bool Geometry::intersect(const Ray& ray, Hit& hit) const {
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
   hit = {query.hit.geomID, query.hit.primID, {query.hit.u, query.hit.v}, query.ray.tfar};
   return true;
+}
+
+void Geometry::keepBlockers(const RTCFilterFunctionNArguments* met) {
+  const Blocks& blocks = *static_cast<const Blocks*>(met->geometryUserPtr);
+  const float shells = reinterpret_cast<const ShellContext*>(met->context)->shells;
+  for (unsigned i = 0; i < met->N; ++i) {
+    if (met->valid[i] == 0) continue;
+    const RTCHit hit = rtcGetHitFromHitN(met->hit, met->N, i);
+    const RTCRay ray = rtcGetRayFromRayN(met->ray, met->N, i);
+    if (!blocks({hit.geomID, hit.primID, {hit.u, hit.v}, ray.tfar}, {ray.dir_x, ray.dir_y, ray.dir_z}, shells))
+      met->valid[i] = 0;
+  }
+}
+
+int Geometry::countHidden(const Rays& rays) const {
+  int hidden = 0;
+  ShellContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.shells = rays.shells;
+  for (std::size_t first = 0; first < rays.directions.size(); first += PACKET) {
+    const std::size_t count = std::min(rays.directions.size() - first, PACKET);
+    RTCRay16 packet = {};
+    alignas(64) std::array<int, PACKET> valid{};
+    for (std::size_t i = 0; i < count; ++i) {
+      const glm::vec3& direction = rays.directions[first + i];
+      valid[i] = -1;
+      packet.org_x[i] = rays.origin.x, packet.org_y[i] = rays.origin.y, packet.org_z[i] = rays.origin.z;
+      packet.dir_x[i] = direction.x, packet.dir_y[i] = direction.y, packet.dir_z[i] = direction.z;
+      packet.tfar[i] = rays.far;
+      packet.mask[i] = ~0u;
+    }
+    rtcOccluded16(valid.data(), scene_.get(), &context.embree, &packet);
+    // Embree marks a ray that met something by a length of minus infinity.
+    for (std::size_t i = 0; i < count; ++i) hidden += packet.tfar[i] < 0;
+  }
+  return hidden;
 }
 
 }  // namespace telar::reference

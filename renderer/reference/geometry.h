@@ -1,8 +1,11 @@
 #pragma once
 #include <embree3/rtcore.h>
 
+#include <functional>
 #include <glm/glm.hpp>
+#include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "telar/cancel.h"
@@ -49,18 +52,38 @@ struct Hit {
   float distance = 0;
 };
 
+/// Within this part of the scene's radius two surfaces are shells of one cloth: 5 to 10 mm of a garment.
+constexpr float SHELL = 0.02f;
+
+/// Rays that start at one point.
+struct Rays {
+  glm::vec3 origin;
+  std::span<const glm::vec3> directions;               ///< unit
+  float far = std::numeric_limits<float>::infinity();  ///< metres that they go
+  float shells = 0;  ///< metres on which they pass one-sided surfaces: the point is seen through them from behind
+};
+
+/// Whether a ray ends at a triangle that it meets. @param shells  of its Rays
+using Blocks = std::function<bool(const Hit& hit, const glm::vec3& direction, float shells)>;
+
 /// The triangles in Embree's hierarchy. Many threads may query it at once.
 class Geometry {
  public:
+  /// @param blocks  asked by countHidden() where a material is one-sided or not opaque; left out: all block
   /// @throws Error{X_REFERENCE, X_MEMORY, X_CANCELLED}
-  explicit Geometry(const std::vector<PlacedMesh>& meshes, const CancelToken& cancel = {});
+  explicit Geometry(const std::vector<PlacedMesh>& meshes, const CancelToken& cancel = {}, Blocks blocks = {});
   bool intersect(const Ray& ray, Hit& hit) const;
+  /// How many of the rays something ends.
+  int countHidden(const Rays& rays) const;
 
  private:
   struct Release {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
   };
+  static void keepBlockers(const RTCFilterFunctionNArguments* met);
+
+  std::unique_ptr<const Blocks> blocks_;  ///< Embree has its address
   std::unique_ptr<RTCDeviceTy, Release> device_;
   std::unique_ptr<RTCSceneTy, Release> scene_;
 };

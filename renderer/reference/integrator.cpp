@@ -9,8 +9,6 @@ constexpr int MAX_LAYERS = 256;        ///< transparent surfaces that one ray pa
 constexpr int MAX_TRANSMISSIONS = 64;  ///< of one path
 constexpr float FAR = std::numeric_limits<float>::infinity();
 
-/// Within this part of the scene's radius two surfaces are shells of one cloth: 5 to 10 mm of a garment.
-constexpr float CLOSE = 0.02f;
 
 }  // namespace
 
@@ -56,7 +54,7 @@ bool Integrator::intersect(Ray ray, const Footprint* footprint, Sampler& sampler
   Hit hit;
   int shells = 0;
   float lastShell = -FAR;
-  const float close = scene_.radius * CLOSE;
+  const float close = scene_.radius * SHELL;
   for (int layer = 0; layer < MAX_LAYERS; ++layer) {
     ++sampler.rays;
     if (!scene_.geometry.intersect(ray, hit)) return false;

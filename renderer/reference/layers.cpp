@@ -1,13 +1,13 @@
 #include "reference/layers.h"
 
-#include <cmath>
 #include <optional>
 
 #include "frame/camera.h"
 #include "frame/layers.h"
-#include "frame/variant.h"
+#include "reference/ambient.h"
 #include "reference/ground.h"
 #include "reference/lights.h"
+#include "reference/placed_scene.h"
 #include "reference/ray_camera.h"
 #include "reference/rows.h"
 #include "telar/luminance.h"
@@ -16,18 +16,18 @@ namespace telar::reference {
 namespace {
 
 constexpr int MAX_SURFACES = 256;   ///< that one ray passes
-constexpr float STEP = 1e-5f;       ///< of the scene's radius: a ray starts so far from its surface
+constexpr float STEP = 1e-5f;       ///< of the scene's radius, behind a surface that a ray passes
 constexpr int GROUND_SAMPLES = 64;  ///< of the blur of a shadow on the ground
-constexpr float FAR = std::numeric_limits<float>::infinity();
 
 Shot sharp(Shot shot) {
   shot.lens.reset();
   return shot;
 }
 
-/// What a pixel shows.
+/// A surface that a ray shows.
 struct Seen {
   Surface surface;
+  Rays from;  ///< of rays that leave it
   const PlacedMesh* mesh = nullptr;
 };
 
@@ -36,7 +36,6 @@ struct Pixel {
   std::uint64_t seed;
   std::uint32_t index;
   int rays;  ///< of ambient occlusion
-  Random random(int ray) const { return {seed, index, static_cast<std::uint32_t>(ray)}; }
 };
 
 /// The surfaces of a scene with plain materials, and what looks at them.
@@ -44,64 +43,60 @@ class LayerWorld {
  public:
   LayerWorld(const Scene& scene, const Shot& shot, const Limits& limits, const CancelToken& cancel)
       : shot_(shot),
-        centre_(scene.bounds.empty() ? glm::dvec3(0) : (scene.bounds.min + scene.bounds.max) * 0.5),
-        radius_(scene.bounds.empty() ? 1.0f : static_cast<float>(glm::distance(scene.bounds.max, centre_))),
-        meshes_(
-            placeMeshes(scene, frame::variantIndex(scene, shot.variant), centre_, cancel, shot.shading, shot.three)),
-        geometry_(meshes_, cancel),
-        textures_(scene),
-        lights_(lightsOf(scene, shot, centre_, limits)),
-        camera_(sharp(shot), centre_),
+        placed_(scene, shot, cancel),
+        lights_(lightsOf(scene, shot, placed_.centre, limits)),
+        camera_(sharp(shot), placed_.centre),
         view_(frame::cameraOf(shot).view),
         ids_(scene) {
-    for (PlacedMesh& mesh : meshes_) {
+    for (PlacedMesh& mesh : placed_.meshes) {
       mesh.read = frame::plainMaterial(*mesh.material);
       mesh.material = mesh.read.get();
     }
     std::erase_if(lights_.punctual, [](const PunctualLight& light) { return light.shadow == 0; });
-    if (shot.ground && shot.hasLayer(Layer::kShadow)) ground_.emplace(shot, centre_);
-  }
-
-  /// @param[out] to  the channels of a layer
-  void write(Layer layer, const Seen& seen, const Pixel& pixel, float* to) const {
-    const Surface& surface = seen.surface;
-    switch (layer) {
-      case Layer::kDepth:
-        *to = static_cast<float>(-(view_ * glm::dvec4(glm::dvec3(surface.position) + centre_, 1.0)).z);
-        break;
-      case Layer::kNormal:
-        for (int c = 0; c < 3; ++c) to[c] = surface.info.n[c];
-        break;
-      case Layer::kPartId:
-        *to = ids_.part(*seen.mesh->node);
-        break;
-      case Layer::kMaterialId:
-        *to = ids_.material(seen.mesh->materialIndex);
-        break;
-      case Layer::kAo:
-        *to = openPart(surface, pixel);
-        break;
-      case Layer::kAlbedo:
-        for (int c = 0; c < 3; ++c) to[c] = surface.info.baseColor[c];
-        break;
-      case Layer::kShadow:
-        *to = hiddenPart(surface);
-        break;
-      case Layer::kCoverage:
-      case Layer::kLine:
-        break;
-    }
+    if (shot.ground && shot.hasLayer(Layer::kShadow)) ground_.emplace(shot, placed_.centre);
   }
 
   /// The ray through the centre of a pixel.
   Ray ray(const glm::dvec2& pixel) const { return camera_.generateRay(pixel + 0.5, {}); }
 
   std::optional<Seen> seen(const glm::dvec2& pixel) const {
-    const Ray through = ray(pixel);
-    const Footprint footprint{ray(pixel + glm::dvec2(1, 0)), ray(pixel - glm::dvec2(0, 1)), camera_.toView()};
-    Seen seen;
-    if (!nearest(through, &footprint, seen)) return std::nullopt;
-    return seen;
+    Ray through = ray(pixel);
+    const Footprint footprint = camera_.footprint(pixel + 0.5, {});
+    Hit hit;
+    for (int i = 0; i < MAX_SURFACES; ++i) {
+      if (!placed_.geometry.intersect(through, hit)) return std::nullopt;
+      const PlacedMesh& mesh = placed_.meshes[hit.mesh];
+      if (endsAt(placed_.textures, mesh, hit, through.direction, frame::LAYER_ALPHA))
+        return seenAt(surfaceAt(placed_.textures, mesh, hit, through, &footprint, shot_.three), mesh, through);
+      through.from = hit.distance + placed_.radius * STEP;
+    }
+    return std::nullopt;
+  }
+
+  float depth(const Seen& seen) const {
+    const glm::dvec3 world = glm::dvec3(seen.surface.position) + placed_.centre;
+    return static_cast<float>(-(view_ * glm::dvec4(world, 1.0)).z);
+  }
+  float partId(const Seen& seen) const { return ids_.part(*seen.mesh->node); }
+  float materialId(const Seen& seen) const { return ids_.material(seen.mesh->materialIndex); }
+  float open(const Seen& seen, const Pixel& pixel) const {
+    return openPart(placed_.geometry, seen.from, seen.surface.geometricNormal, Random(pixel.seed, pixel.index, 0),
+                    pixel.rays);
+  }
+
+  /// Part of the light of lights that cast shadows that something hides from a surface.
+  float shadow(const Seen& seen) const {
+    const Surface& surface = seen.surface;
+    float sent = 0, arrives = 0;
+    for (const PunctualLight& light : lights_.punctual) {
+      const auto sample = light.sampleLi(surface.position);
+      if (!sample) continue;
+      const float light1 = luminance(sample->irradiance);
+      sent += light1;
+      if (glm::dot(surface.geometricNormal, sample->direction) <= 0) continue;
+      arrives += light1 * (hides(seen.from, sample->direction, sample->distance) ? 1 - light.shadow : 1.0f);
+    }
+    return sent > 0 ? 1 - arrives / sent : 0;
   }
 
   /// Of the ground, where no surface lies before it.
@@ -111,72 +106,45 @@ class LayerWorld {
     if (!distance || opacity == 0) return 0;
     float sum = 0;
     for (int i = 0; i < GROUND_SAMPLES; ++i) {
-      Random random = pixel.random(i);
-      sum += ground_->opacity(through, *distance, random,
-                              [&](const Ray& towards, float far) { return hits(towards, far); });
+      Random random(pixel.seed, pixel.index, static_cast<std::uint32_t>(i));
+      sum += ground_->opacity(through, *distance, random, [&](const Ray& towards, float far) {
+        return hides({towards.origin}, towards.direction, far);
+      });
     }
     return sum / (opacity * GROUND_SAMPLES);
   }
 
  private:
-  bool nearest(Ray through, const Footprint* footprint, Seen& seen) const {
-    Hit hit;
-    for (int i = 0; i < MAX_SURFACES; ++i) {
-      if (!geometry_.intersect(through, hit)) return false;
-      seen.mesh = &meshes_[hit.mesh];
-      seen.surface = surfaceAt(textures_, *seen.mesh, hit, through, footprint, shot_.three);
-      if (seen.surface.shown && seen.surface.alpha >= frame::LAYER_ALPHA) return true;
-      through.from = hit.distance + radius_ * STEP;
-    }
-    return false;
+  Seen seenAt(const Surface& surface, const PlacedMesh& mesh, const Ray& through) const {
+    return {surface, placed_.raysFrom(surface.position, surface.geometricNormal, -through.direction), &mesh};
   }
-
-  bool hits(const Ray& towards, float far) const {
-    Seen blocker;
-    return nearest(towards, nullptr, blocker) && blocker.surface.distance < far;
-  }
-
-  Ray leaving(const Surface& surface, const glm::vec3& direction) const {
-    return {surface.position + surface.geometricNormal * (radius_ * STEP), direction};
-  }
-
-  float openPart(const Surface& surface, const Pixel& pixel) const {
-    const glm::mat3 frame = brdf_f::basisAbout(surface.geometricNormal);
-    int open = 0;
-    for (int i = 0; i < pixel.rays; ++i) {
-      // By the cosine: even over the disk beneath the hemisphere (Malley's method).
-      const glm::vec2 u = pixel.random(i).uniform2();
-      const float r = std::sqrt(u.x), phi = 6.2831853f * u.y;
-      const glm::vec3 local(r * std::cos(phi), r * std::sin(phi), std::sqrt(std::max(1 - u.x, 0.0f)));
-      open += !hits(leaving(surface, frame * local), FAR);
-    }
-    return static_cast<float>(open) / static_cast<float>(pixel.rays);
-  }
-
-  float hiddenPart(const Surface& surface) const {
-    float sent = 0, arrives = 0;
-    for (const PunctualLight& light : lights_.punctual) {
-      const auto sample = light.sampleLi(surface.position);
-      if (!sample) continue;
-      const float light1 = luminance(sample->irradiance);
-      sent += light1;
-      if (glm::dot(surface.geometricNormal, sample->direction) <= 0) continue;
-      arrives += light1 * (hits(leaving(surface, sample->direction), sample->distance) ? 1 - light.shadow : 1.0f);
-    }
-    return sent > 0 ? 1 - arrives / sent : 0;
+  bool hides(Rays from, const glm::vec3& direction, float far) const {
+    from.directions = {&direction, 1}, from.far = far;
+    return placed_.geometry.countHidden(from) > 0;
   }
 
   const Shot& shot_;
-  glm::dvec3 centre_;
-  float radius_;
-  std::vector<PlacedMesh> meshes_;
-  Geometry geometry_;
-  Textures textures_;
+  PlacedScene placed_;
   Lights lights_;
   RayCamera camera_;
   glm::dmat4 view_;
   frame::LayerIds ids_;
   std::optional<Ground> ground_;
+};
+
+/// What one pixel shows.
+struct SeenPixel {
+  const LayerWorld& world;
+  const Seen& seen;
+  const Pixel& pixel;
+
+  float depth() const { return world.depth(seen); }
+  glm::vec3 normal() const { return seen.surface.info.n; }
+  float partId() const { return world.partId(seen); }
+  float materialId() const { return world.materialId(seen); }
+  float open() const { return world.open(seen, pixel); }
+  glm::vec3 albedo() const { return seen.surface.info.baseColor; }
+  float shadow() const { return world.shadow(seen); }
 };
 
 }  // namespace
@@ -201,7 +169,7 @@ std::vector<LayerImage> traceLayers(const Scene& scene, const Shot& shot, const 
         const Pixel numbers{options.seed, static_cast<std::uint32_t>(pixel), options.samples};
         float* to = &image.pixels[pixel * channelCount(image.layer)];
         if (seen)
-          world.write(image.layer, *seen, numbers, to);
+          frame::writeLayer(image.layer, SeenPixel{world, *seen, numbers}, to);
         else if (image.layer == Layer::kShadow)
           *to = world.groundShadow(world.ray(corner), numbers);
       }

@@ -6,15 +6,17 @@
 #include <exception>
 #include <new>
 
+#include "reference/ambient.h"
 #include "reference/tracer.h"
 
 namespace telar::reference {
 namespace {
 
-void draw(TraceJob& job) {
+/// What fails is told by the job: no exception crosses the library.
+template <class Job, class Work>
+void told(Job& job, const Work& work) {
   try {
-    job.frame = trace(job.scene, job.shot, job.environment, optionsOf(job.shot), job.limits, job.cancel, job.progress,
-                      &job.facts);
+    work();
   } catch (const Error& error) {
     job.failure = {error.code, error.what(), error.pointer, error.limit};
   } catch (const std::bad_alloc&) {
@@ -22,6 +24,13 @@ void draw(TraceJob& job) {
   } catch (const std::exception& error) {
     job.failure = {"X_INTERNAL", std::string("the path tracer failed: ") + error.what(), {}, {}};
   }
+}
+
+void draw(TraceJob& job) {
+  told(job, [&] {
+    job.frame = trace(job.scene, job.shot, job.environment, optionsOf(job.shot), job.limits, job.cancel, job.progress,
+                      &job.facts);
+  });
 }
 
 }  // namespace
@@ -32,3 +41,7 @@ std::uint64_t telar_reference_layout() { return telar::traceLayout(); }
 const char* telar_reference_version() { return "Embree " RTC_VERSION_STRING; }
 
 void telar_reference_draw(telar::TraceJob* job) { telar::reference::draw(*job); }
+
+void telar_reference_ambient(telar::AmbientJob* job) {
+  telar::reference::told(*job, [&] { telar::reference::findAmbient(*job); });
+}

@@ -1,8 +1,11 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "telar/ambient.h"
 #include "telar/cancel.h"
 #include "telar/codec.h"
 #include "telar/picture_facts.h"
@@ -42,11 +45,23 @@ struct TraceJob {
   std::optional<TraceFailure> failure{};  ///< set: there is no frame
 };
 
+/// Ambient occlusion of points.
+struct AmbientJob {
+  const Scene& scene;
+  const Shot& shot;  ///< its variant and its shading
+  std::span<const SurfacePoint> points;
+  int threads;  ///< at least 1; the same numbers with any
+  const CancelToken& cancel;
+  std::vector<float> open{};              ///< of each point, 0..1
+  std::optional<TraceFailure> failure{};  ///< set: there are none
+};
+
 /// Equal in two libraries of one build. It changes with the layout of the types that cross.
 constexpr std::uint64_t traceLayout() {
   std::uint64_t layout = 1;  // raise it for a change that keeps every size
-  for (const std::size_t size : {sizeof(Scene), sizeof(Shot), sizeof(Shot::Light), sizeof(Material), sizeof(Primitive),
-                                 sizeof(Node), sizeof(Image8), sizeof(Limits), sizeof(TraceJob), sizeof(Frame)}) {
+  for (const std::size_t size :
+       {sizeof(Scene), sizeof(Shot), sizeof(Shot::Light), sizeof(Material), sizeof(Primitive), sizeof(Node),
+        sizeof(Image8), sizeof(Limits), sizeof(TraceJob), sizeof(Frame), sizeof(AmbientJob), sizeof(SurfacePoint)}) {
     layout = layout * 1000003 + size;
   }
   return layout;
@@ -59,6 +74,7 @@ extern "C" {
 using TelarReferenceLayoutFunction = std::uint64_t();
 using TelarReferenceVersionFunction = const char*();
 using TelarReferenceDrawFunction = void(telar::TraceJob*);
+using TelarReferenceAmbientFunction = void(telar::AmbientJob*);
 
 #ifdef TELAR_REFERENCE_PLUGIN
 #define TELAR_REFERENCE_EXPORT __attribute__((visibility("default")))
@@ -66,6 +82,7 @@ TELAR_REFERENCE_EXPORT TelarReferenceLayoutFunction telar_reference_layout;
 /// "Embree 3.13.5"; the text lives as long as the library
 TELAR_REFERENCE_EXPORT TelarReferenceVersionFunction telar_reference_version;
 TELAR_REFERENCE_EXPORT TelarReferenceDrawFunction telar_reference_draw;
+TELAR_REFERENCE_EXPORT TelarReferenceAmbientFunction telar_reference_ambient;
 #endif
 
 }  // extern "C"

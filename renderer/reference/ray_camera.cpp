@@ -32,6 +32,10 @@ Ray RayCamera::generateRay(const glm::dvec2& pixel, const glm::dvec2& u) const {
   return {glm::vec3(origin + direction * from), glm::vec3(direction)};
 }
 
+Footprint RayCamera::footprint(const glm::dvec2& pixel, const glm::dvec2& u) const {
+  return {generateRay(pixel + glm::dvec2(1, 0), u), generateRay(pixel - glm::dvec2(0, 1), u), toView_};
+}
+
 glm::dvec3 RayCamera::point(const glm::dvec2& ndc, double depth) const {
   const glm::dvec4 p = toWorld_ * glm::dvec4(ndc, depth, 1);
   return glm::dvec3(p) / p.w;

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "reference/geometry.h"
+#include "reference/surface.h"
 #include "telar/shot.h"
 
 namespace telar::reference {
@@ -17,7 +17,8 @@ class RayCamera {
   /// @param pixel  from the top-left corner, y down
   /// @param u      [0, 1)^2, chooses the point on the lens; without a lens it changes nothing
   Ray generateRay(const glm::dvec2& pixel, const glm::dvec2& u) const;
-  const glm::mat3& toView() const { return toView_; }
+  /// What that ray's surface needs to know how wide a pixel is.
+  Footprint footprint(const glm::dvec2& pixel, const glm::dvec2& u) const;
   bool hasLens() const { return lens_.has_value(); }
 
  private:

@@ -168,7 +168,36 @@ float roughnessOfCurvature(const Corners& corners, const glm::vec3& n, const Foo
   return brdf_f::geometricRoughness(change(footprint.right), change(footprint.above));
 }
 
+/// Factor, texture, tint and vertex colours.
+glm::vec4 baseColorAt(const PlacedMesh& mesh, const Corners& corners, const Reader& read) {
+  const glm::vec4 color =
+      mesh.material->baseColorFactor * read(mesh.material->baseColorTexture, true) * glm::vec4(mesh.tint, 1.0f);
+  const auto& ofVertices = mesh.primitive->colors;
+  return ofVertices.empty() ? color : color * corners.at(ofVertices, read.barycentric);
+}
+
+/// Whether a direction comes upon the side that the triangle's winding shows.
+bool meetsFront(const PlacedMesh& mesh, const Corners& corners, const glm::vec3& direction) {
+  return (glm::dot(corners.cross(), -direction) < 0) == mesh.mirrored;
+}
+
+bool isCutOut(const Material& m, float alpha) { return m.alphaMode == AlphaMode::kMask && alpha < m.alphaCutoff; }
+
+/// Of a base colour. 1 where the material is not blended.
+float opacityOf(const Material& m, float alpha) {
+  return m.alphaMode == AlphaMode::kBlend ? brdf_f::saturate(alpha) : 1.0f;
+}
+
 }  // namespace
+
+bool endsAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const glm::vec3& direction, float alpha) {
+  const Material& m = *mesh.material;
+  const Corners corners(mesh, hit.triangle);
+  if (!m.doubleSided && !meetsFront(mesh, corners, direction)) return false;
+  if (m.alphaMode == AlphaMode::kOpaque) return true;
+  const float own = baseColorAt(mesh, corners, {textures, corners, hit.barycentric}).a;
+  return !isCutOut(m, own) && opacityOf(m, own) >= alpha;
+}
 
 Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const Ray& ray,
                   const Footprint* footprint, const ThreeTerms& three, const ShadingTerms* terms) {
@@ -181,14 +210,13 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   surface.distance = hit.distance;
   const glm::vec3 v = surface.info.v = -ray.direction;
   const glm::vec3 cross = corners.cross();
-  const bool front = (glm::dot(cross, v) < 0) == mesh.mirrored;
+  const bool front = meetsFront(mesh, corners, ray.direction);
   const float face = front ? 1.0f : -1.0f;
   surface.front = front;
   surface.geometricNormal = brdf_f::safeNormalize(glm::dot(cross, v) < 0 ? -cross : cross, v);
-  glm::vec4 baseColor = m.baseColorFactor * read(m.baseColorTexture, true) * glm::vec4(mesh.tint, 1.0f);
-  if (!primitive.colors.empty()) baseColor *= corners.at(primitive.colors, b);
-  surface.alpha = m.alphaMode == AlphaMode::kBlend ? brdf_f::saturate(baseColor.a) : 1.0f;
-  surface.shown = (front || m.doubleSided) && !(m.alphaMode == AlphaMode::kMask && baseColor.a < m.alphaCutoff);
+  const glm::vec4 baseColor = baseColorAt(mesh, corners, read);
+  surface.alpha = opacityOf(m, baseColor.a);
+  surface.shown = (front || m.doubleSided) && !isCutOut(m, baseColor.a);
   surface.unlit = m.unlit;
   surface.emitted = m.unlit ? glm::vec3(baseColor) : m.emissiveFactor * glm::vec3(read(m.emissiveTexture, true));
   if (!surface.shown || surface.unlit) return surface;

@@ -46,4 +46,7 @@ struct Surface {
 Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const Ray& ray,
                   const Footprint* footprint, const ThreeTerms& three, const ShadingTerms* terms = nullptr);
 
+/// Whether a ray ends at a hit: on a side that is shown, where the material is at least as opaque as `alpha`.
+bool endsAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const glm::vec3& direction, float alpha);
+
 }  // namespace telar::reference

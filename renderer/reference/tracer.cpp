@@ -8,8 +8,8 @@
 #include "frame/layers.h"
 #include "frame/linear_output.h"
 #include "frame/picture_facts.h"
-#include "frame/variant.h"
 #include "reference/layers.h"
+#include "reference/placed_scene.h"
 #include "reference/ray_camera.h"
 #include "reference/rows.h"
 
@@ -27,48 +27,35 @@ class World {
  public:
   World(const Scene& scene, const Shot& shot, const ImageF* environment, Transport transport, const Limits& limits,
         const CancelToken& cancel)
-      : centre_(scene.bounds.empty() ? glm::dvec3(0) : (scene.bounds.min + scene.bounds.max) * 0.5),
-        radius_(scene.bounds.empty() ? 1.0f : static_cast<float>(glm::distance(scene.bounds.max, centre_))),
-        meshes_(
-            placeMeshes(scene, frame::variantIndex(scene, shot.variant), centre_, cancel, shot.shading, shot.three)),
-        geometry_(meshes_, cancel),
-        textures_(scene),
-        lights_(lightsOf(scene, shot, centre_, limits)),
-        camera_(shot, centre_) {
+      : placed_(scene, shot, cancel),
+        lights_(lightsOf(scene, shot, placed_.centre, limits)),
+        camera_(shot, placed_.centre) {
     if (environment && shot.environment.intensity > 0) {
       environment_.emplace(*environment, shot.environment.rotation, shot.environment.intensity);
     }
-    if (shot.ground) ground_.emplace(shot, centre_);
+    if (shot.ground) ground_.emplace(shot, placed_.centre);
     const EnvironmentLight* light = environment_ ? &*environment_ : nullptr;
     background_.emplace(shot, light);
-    const TracedScene traced{textures_, meshes_, geometry_, lights_, light, *background_, ground_ ? &*ground_ : nullptr,
-                             radius_};
+    const TracedScene traced{
+        placed_.textures, placed_.meshes, placed_.geometry, lights_, light, *background_, ground_ ? &*ground_ : nullptr,
+        placed_.radius};
     integrator_.emplace(traced, transport, shot.shading, shot.terms, shot.three);
   }
-  World(const World&) = delete;
-  World& operator=(const World&) = delete;
 
   /// One estimate of the light of a pixel. @param pixel  its top-left corner
   glm::vec4 Li(const glm::dvec2& pixel, Sampler& sampler) const {
     const glm::dvec2 at = pixel + glm::dvec2(sampler.random.uniform2());
     const glm::dvec2 lens = camera_.hasLens() ? glm::dvec2(sampler.random.uniform2()) : glm::dvec2(0);
-    const Ray ray = camera_.generateRay(at, lens);
-    const Footprint footprint{camera_.generateRay(at + glm::dvec2(1, 0), lens),
-                              camera_.generateRay(at - glm::dvec2(0, 1), lens), camera_.toView()};
-    return integrator_->Li(ray, footprint, sampler);
+    return integrator_->Li(camera_.generateRay(at, lens), camera_.footprint(at, lens), sampler);
   }
   std::uint64_t triangles() const {
     std::uint64_t sum = 0;
-    for (const PlacedMesh& mesh : meshes_) sum += mesh.triangles.size();
+    for (const PlacedMesh& mesh : placed_.meshes) sum += mesh.triangles.size();
     return sum;
   }
 
  private:
-  glm::dvec3 centre_;
-  float radius_;
-  std::vector<PlacedMesh> meshes_;
-  Geometry geometry_;
-  Textures textures_;
+  PlacedScene placed_;
   Lights lights_;
   RayCamera camera_;
   std::optional<EnvironmentLight> environment_;

@@ -1,12 +1,15 @@
+#include <algorithm>
 #include <chrono>
 #include <glm/gtc/type_ptr.hpp>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "core/own_library.h"
 #include "core/picture_json.h"
 #include "frame/camera.h"
 #include "frame/layers.h"
 #include "reference/plugin.h"
+#include "telar/ambient.h"
 #include "telar/reference.h"
 
 namespace telar {
@@ -19,7 +22,7 @@ using Source = Shot::Environment::Source;
 class Library : public OwnLibrary {
  public:
   Library()
-      : OwnLibrary("libtelar_reference.so", "Embree is needed for quality \"reference\"",
+      : OwnLibrary("libtelar_reference.so", "Embree is needed for quality \"reference\" and the layer \"ao\"",
                    "apt-get install libembree3-3") {
     if (function<TelarReferenceLayoutFunction>("telar_reference_layout")() != traceLayout()) refuse();
   }
@@ -85,6 +88,16 @@ Frame drawReference(const Scene& scene, const Shot& shot, std::span<const std::b
   if (!job.frame.layers.empty()) json["layers"] = frame::describeLayers(scene, shot, job.frame.layers);
   info.json = json.dump();
   return std::move(job.frame);
+}
+
+std::vector<float> ambientOcclusion(const Scene& scene, const Shot& shot, std::span<const SurfacePoint> points,
+                                    const CancelToken& cancel) {
+  const Library library;
+  const int threads = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
+  AmbientJob job{scene, shot, points, threads, cancel};
+  library.function<TelarReferenceAmbientFunction>("telar_reference_ambient")(&job);
+  if (job.failure) throwFailure(*job.failure);
+  return std::move(job.open);
 }
 
 std::string probeReference() {

@@ -206,7 +206,7 @@ for (const quality of Object.keys(QUALITIES)) {
       [...pixels(frame)]
         .filter(({ i }) => frame.partId[i] > 0)
         .map(({ x, y, i }) => ({ point: at(x, y, frame.depth[i]), value: ao[i], face: faces[frame.partId[i]] }))
-        // A bilinear look-up of a map with texels of 1.7 mm reaches 4 mm: nearer to another face it may miss that one.
+        // The raster's corners lie on a grid of 1/256 of a pixel, and its rays start 1/64 of one above: nearer to another face they may miss it.
         .filter(({ point, face }) => point.every((v, k) => k === face.axis || v > 0.01))
         .map(({ point, value, face: { normal, axis } }) => {
           const others = [0, 1, 2].filter((k) => k !== axis).map((k) => formFactor(point, normal, square(k)));
@@ -218,8 +218,10 @@ for (const quality of Object.keys(QUALITIES)) {
       return { mean: list.reduce((a, b) => a + b, 0) / list.length, worst: most(list) };
     };
     const { mean, worst } = figure(frame.ao);
-    // 128 directions above a face, or 64 rays that fill the disk evenly: a border through N points is off by about N ** -0.75.
-    const bars = { raster: { mean: 0.008, worst: 0.04 }, reference: { mean: 0.03, worst: 0.15 } }[quality];
+    // 256 rays of a pixel and its neighbours, or 64 of a pixel, that fill the disk evenly: a border through N points is off by about
+    // N ** -0.75, 0.016 and 0.044; the mean of many by half of it. The raster's neighbours reach 5 cm here: where a crease ends at an open
+    // border, occlusion falls by as much as 0.15 on that way, and half of it remains.
+    const bars = { raster: { mean: 0.008, worst: 0.08 }, reference: { mean: 0.03, worst: 0.15 } }[quality];
     assert.ok(mean < bars.mean && worst < bars.worst, `${mean} ${worst}`);
     assert.ok(figure(frame.ao.map((v) => v ** 0.8)).mean > bars.mean, 'occlusion that is too weak');
     assert.ok(figure(frame.ao.map(() => 1)).mean > bars.mean, 'none');
@@ -255,7 +257,7 @@ test('raster and path tracer draw the same layers', async () => {
     albedo: 1e-6,
     partId: 0,
     materialId: 0,
-    // 128 directions against 64 rays: the rays' own error.
+    // 256 rays against 64: the error of the 64.
     ao: 0.15,
     // No light throws a shadow here.
     shadow: 0,

@@ -121,7 +121,7 @@ async function printed(script, env = {}) {
     import { MODELS } from ${JSON.stringify(path.join(ROOT, 'test/fixtures/index.mjs'))};
     const loaded = () => /libembree/.test(readFileSync('/proc/self/maps', 'utf8'));
     const renderer = await createRenderer({ cacheDirectory: null });
-    const draw = async (quality) => renderer.render(await MODELS.ball(), { size: { width: 8, height: 8 }, environment: 'none', quality });
+    const draw = async (quality, layers) => renderer.render(await MODELS.ball(), { size: { width: 8, height: 8 }, environment: 'none', quality, layers });
     ${script}
     await renderer.close();`,
     ],
@@ -146,11 +146,13 @@ test('a host without the library, or without Embree, draws the rest and names th
   const script = `
     const { info } = await draw('standard');
     const error = await draw({ preset: 'reference', samples: 1 }).catch((thrown) => thrown);
-    console.log(JSON.stringify([info.passes.length > 0, error.code, error.exit, error.message, (await doctor()).reference]));`;
+    const layer = await draw('standard', ['ao']).catch((thrown) => thrown);
+    const sees = Object.keys((await draw('standard', ['depth'])).layers);
+    console.log(JSON.stringify([info.passes.length > 0, error.code, error.exit, error.message, layer.message === error.message, sees, (await doctor()).reference]));`;
   const missing = (file) =>
-    `Embree is needed for quality "reference", but ${file} cannot be loaded; run: apt-get install libembree3-3, and build telar again if it is older`;
+    `Embree is needed for quality "reference" and the layer "ao", but ${file} cannot be loaded; run: apt-get install libembree3-3, and build telar again if it is older`;
   try {
-    const expect = (file) => [true, 'X_LIBRARY_MISSING', 6, missing(file), { works: false, failure: missing(file) }];
+    const expect = (file) => [true, 'X_LIBRARY_MISSING', 6, missing(file), true, ['depth'], { works: false, failure: missing(file) }];
     assert.deepEqual(await printed(script, { TELAR_LIBRARY_DIR: folder }), expect('libtelar_reference.so'));
     const copy = path.join(folder, 'libtelar_reference.so');
     copyFileSync(LIBRARY, copy);
