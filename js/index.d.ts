@@ -185,6 +185,8 @@ export interface ModelFacts {
   /** In the file's order. */
   animations: AnimationFact[];
   variants: string[];
+  /** Of each variant, the indices of the materials that it draws, those that cover most triangles first. */
+  variantMaterials: number[][];
   extensionsUsed: string[];
   generator: string;
   copyright: string;

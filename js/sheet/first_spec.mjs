@@ -36,6 +36,19 @@ function overall({ bounds: { min, max }, outline }) {
 
 const distance = (a, b) => Math.hypot(...a.map((value, i) => value - b[i]));
 
+/** Most colours of a colourway: those of the materials that are most of it. */
+const SWATCHES = 6;
+
+/** The materials of a variant as its colours, which the sheet measures; by name where no other has it. */
+function swatchesOf({ materials = [], variants, variantMaterials = [] }, i) {
+  return (variantMaterials[i] ?? []).slice(0, SWATCHES).map((index) => {
+    const { name } = materials[index];
+    const part = titled(withoutVariant(name, variants));
+    const isAlone = name !== '' && materials.filter((other) => other.name === name).length === 1;
+    return { ...(part && { part }), material: isAlone ? name : index };
+  });
+}
+
 /**
  * @param {object} facts of a loaded model
  * @param {{name?: string, language?: string}} [options] name: of the style, where the model has none
@@ -61,7 +74,7 @@ export function firstSpec(facts, { name, language = 'en' } = {}) {
       { code: 'A', description: words[0], view: 'flat-front', points: ['left', 'right'], tolerance: 1, values: { M: width } },
       { code: 'B', description: words[1], view: 'flat-front', points: ['top', 'bottom'], tolerance: 1, values: { M: height } },
     ],
-    colourways: variants.slice(0, 48).map((variant) => ({ name: titled(variant), variant, swatches: [] })),
+    colourways: variants.slice(0, 48).map((variant, i) => ({ name: titled(variant), variant, swatches: swatchesOf(facts, i) })),
     bill: materials.slice(0, 500).map((material) => ({ item: titled(material), composition: '', supplier: '', placement: '' })),
     construction: [],
     labels: [],

@@ -1,11 +1,51 @@
 import { fittingRatio } from '../scale.mjs';
+import { HEADING } from '../layout.mjs';
 import { hexOf } from './cells.mjs';
 
 /** Pages of colourways: each in the views of the first page, with its colours. */
 
 const GAP = 8;
-const WIDEST = 132;
-const HIGHEST = 100;
+/** Narrowest column: names of colours stand beneath the pictures. */
+const NARROWEST = 58;
+/** Fewest colourways of a page, where there are so many: scale grows with pages. */
+const FEWEST = 3;
+/** Between the pictures of one colourway. */
+const BETWEEN = 2;
+/** Beneath the pictures: the rule with the name, and each row of colours. */
+const NAME = 14;
+const CHIP = { width: 42, height: 8.8 };
+/** Most colours that are kept on one page. */
+const LONG = 6;
+/** White around a picture, and its rounding up to pixels. */
+const WHITE = 4;
+
+/** Colours beside each other in a column. */
+const chipColumns = (width) => Math.max(1, Math.floor(width / CHIP.width));
+
+/**
+ * How colourways stand on a page: the way that shows them largest; of those, the views beside each other and the most columns.
+ * @param {{count: number, chips: number, extents: {width: number, height: number}[], box: {width: number, height: number}}} what chips: most
+ *   colours of one; extents: of the views, metres
+ * @returns {{columns: number, width: number, isStacked: boolean, ratio: number}}
+ */
+export function arrangementOf({ count, chips, extents, box }) {
+  const sum = (key) => extents.reduce((total, extent) => total + extent[key], 0);
+  const most = (key) => Math.max(...extents.map((extent) => extent[key]));
+  const within = (extents.length - 1) * BETWEEN + extents.length * WHITE;
+  const ways = [];
+  for (let columns = Math.min(count, Math.floor((box.width + GAP) / (NARROWEST + GAP))); columns >= 1; --columns)
+    for (let rows = 1; rows <= Math.ceil(count / columns); ++rows) {
+      if (columns * rows < Math.min(FEWEST, count)) continue;
+      const width = (box.width - GAP * (columns - 1)) / columns;
+      const height = (box.height - HEADING - GAP * rows) / rows - NAME - CHIP.height * Math.ceil(chips / chipColumns(width));
+      for (const isStacked of extents.length > 1 ? [false, true] : [false]) {
+        const together = isStacked ? { width: most('width'), height: sum('height') } : { width: sum('width'), height: most('height') };
+        const room = isStacked ? { width: width - WHITE, height: height - within } : { width: width - within, height: height - WHITE };
+        if (room.width > 0 && room.height > 0) ways.push({ columns, width, isStacked, ratio: fittingRatio([together], room) });
+      }
+    }
+  return ways.reduce((best, way) => (way.ratio < best.ratio || (way.ratio === best.ratio && best.isStacked && !way.isStacked) ? way : best));
+}
 
 /** The views of the first page, those that show colours before flats. */
 function shownOf(views) {
@@ -28,13 +68,17 @@ export async function colourwayPages(layout) {
   const { spec, words, page, pictures } = layout;
   if (spec.colourways.length === 0) return [];
   const views = shownOf(spec.views).map((view) => ({ ...view, style: 'render' }));
-  const perRow = Math.max(1, Math.min(spec.colourways.length, Math.floor((page.box.width + GAP) / ((page.isWide ? 84 : 78) + GAP))));
-  const width = Math.min(WIDEST, (page.box.width - GAP * (perRow - 1)) / perRow);
   const extents = views.map((view) => layout.extent(view));
-  const together = { width: extents.reduce((sum, extent) => sum + extent.width, 0), height: Math.max(...extents.map(({ height }) => height)) };
-  const ratio = fittingRatio([together], { width: width - 4 * views.length - 2, height: HIGHEST });
   const chips = [];
   for (const [i, colourway] of spec.colourways.entries()) chips.push(await chipsOf(layout, colourway, i));
+  // So many colours are higher than a page with pictures.
+  const isLong = ({ length }) => length > LONG;
+  const { columns, width, isStacked, ratio } = arrangementOf({
+    count: spec.colourways.length,
+    chips: Math.max(...chips.filter((list) => !isLong(list)).map(({ length }) => length), 0),
+    extents,
+    box: page.box,
+  });
   return [
     {
       kind: 'colourways',
@@ -42,12 +86,13 @@ export async function colourwayPages(layout) {
       title: words('colourways'),
       note: layout.scaleNote(ratio),
       gap: GAP,
-      columns: perRow,
+      columns,
+      chipColumns: chipColumns(width),
+      isStacked,
       cells: spec.colourways.map(({ name, code, variant }, i) => ({
         name,
         code: code ?? '',
-        // So many colours are higher than a page with pictures.
-        long: chips[i].length > 6,
+        long: isLong(chips[i]),
         changed: layout.isChanged('colourways', i),
         pictures: views.map((view, k) => {
           const { file, width: wide, height } = pictures.ask(extents[k], { ratio, variant: variant ?? view.variant });

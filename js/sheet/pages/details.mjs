@@ -8,18 +8,40 @@ import { fittingRatio, ratioOf, scaleText } from '../scale.mjs';
 const GAP = 6;
 /** Share of the page's width that the view takes. */
 const PARENT = 0.34;
-/** Side of a detail where its scale is to fit. */
-const SIDE = { wide: 50, upright: 42 };
+/** Side of a detail where its scale is to fit: least, where there are many, and most. */
+const SIDE = { wide: 50, upright: 42, most: 120 };
+/** Beneath a detail: its title, and what lies between it and the next row. */
+const TITLE = 6.5;
+const ROW_GAP = 7;
+
+/**
+ * How details stand beside their view: the way in which those whose scale is to fit are largest. Where there are many, they flow on to further pages.
+ * @param {{sizes: {width: number, height: number}[], textHeight: (width: number) => number, room: {width: number, height: number}, least: number}} what
+ *   sizes: metres of those that are to fit; textHeight: of the highest text beneath one
+ * @returns {{width: number, height: number}} of one, at most
+ */
+export function roomOfDetail({ sizes, count, textHeight, room, least }) {
+  let best;
+  for (let columns = 1; columns <= count; ++columns) {
+    const rows = Math.ceil(count / columns);
+    const width = Math.min(SIDE.most, (room.width - GAP * (columns - 1)) / columns);
+    if (width < least) break;
+    const height = Math.min(SIDE.most, (room.height - ROW_GAP * (rows - 1)) / rows - TITLE - textHeight(width));
+    if (height < least) continue;
+    const value = sizes.reduce((sum, size) => sum + 1 / fittingRatio([size], { width, height }), 0);
+    if (!best || value > best.value) best = { width, height, value };
+  }
+  return best ?? { width: least, height: least };
+}
 
 const KEYS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ';
 /** A, B, ... Z, AA, AB, ... */
 const keyOf = (i) => (i < 26 ? KEYS[i] : keyOf(Math.floor(i / 26) - 1) + KEYS[i % 26]);
 
-async function cellOf(layout, view, detail) {
-  const { page, words, pictures } = layout;
-  const room = page.isWide ? SIDE.wide : SIDE.upright;
+async function cellOf(layout, view, detail, room) {
+  const { words, pictures } = layout;
   const size = { width: detail.size, height: detail.height ?? detail.size };
-  const ratio = detail.scale === 'fit' ? fittingRatio([size], { width: room, height: room }) : ratioOf(detail.scale);
+  const ratio = detail.scale === 'fit' ? fittingRatio([size], room) : ratioOf(detail.scale);
   const centre = await layout.pointOf(detail, view, ['details', detail.id]);
   const { basis } = layout.extent(view);
   const { file, width, height } = pictures.ask({ basis, centre, ...size }, { ratio, variant: view.variant, style: detail.style, margin: 0 });
@@ -107,16 +129,30 @@ function parentOf(layout, view, cells, width) {
   return figure;
 }
 
+/** Of the highest text beneath a detail that is so wide; long ones may leave the page. */
+function textHeight(layout, details, width) {
+  const texts = details.filter(({ text }) => text && !isLong(text)).map(({ text }) => ({ kind: 'note', text, value: '', width }));
+  return Math.max(0, ...layout.measure(texts).map(([, height]) => height));
+}
+
 export async function detailPages(layout) {
   const { spec, words, page } = layout;
   const details = spec.details.map((detail, i) => ({ ...detail, id: i, key: keyOf(i) }));
   const sections = [];
   for (const view of spec.views) {
-    const cells = [];
-    for (const detail of details.filter((each) => each.view === view.name)) cells.push(await cellOf(layout, view, detail));
-    if (cells.length === 0) continue;
+    const own = details.filter((each) => each.view === view.name);
+    if (own.length === 0) continue;
     const width = Math.round(page.box.width * PARENT);
     const room = page.box.width - width - GAP;
+    const most = roomOfDetail({
+      sizes: own.filter(({ scale }) => scale === 'fit').map(({ size, height = size }) => ({ width: size, height })),
+      count: own.length,
+      textHeight: (side) => textHeight(layout, own, side),
+      room: { width: room, height: page.box.height - HEADING },
+      least: page.isWide ? SIDE.wide : SIDE.upright,
+    });
+    const cells = [];
+    for (const detail of own) cells.push(await cellOf(layout, view, detail, most));
     const widest = Math.max(...cells.map(({ picture }) => picture.width));
     const columns = Math.max(1, Math.floor((room + GAP) / (widest + GAP)));
     sections.push({

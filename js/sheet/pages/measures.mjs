@@ -85,9 +85,11 @@ async function figuresOfView(layout, view, measures) {
     const figure = emptyFigure(page.box.width, height);
     figure.pictures.push({ file, x, y, width, height: high, alt: layout.altOf(view, ratio), round: false, frame: false });
     for (const each of drawn) draw(figure, each, byId.get(each.id));
+    // Close beneath what is lowest: the garment, a line or a code.
+    const low = Math.max(y + high, ...figure.lines.flatMap(({ points }) => points.map(([, py]) => py)), ...figure.codes.map((code) => code.y + code.height));
     figure.captions.push({
       x: 0,
-      y: area.height + CAPTION_GAP,
+      y: Math.min(low, area.height) + CAPTION_GAP,
       width: area.width,
       title: layout.titleOf(view),
       note: layout.scaleNote(ratio),

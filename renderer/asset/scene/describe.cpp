@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "asset/scene/outline.h"
 #include "telar/load.h"
 #include "telar/material_textures.inc"
+#include "telar/variant_material.h"
 
 namespace telar {
 namespace {
@@ -155,6 +157,28 @@ json describeCameras(const Scene& scene) {
   return out;
 }
 
+/// What each variant draws, those of most corners first.
+json describeVariants(const Scene& scene) {
+  json out = json::array();
+  for (std::size_t variant = 0; variant < scene.variants.size(); ++variant) {
+    std::map<int, std::size_t> corners;
+    for (const Node& node : scene.nodes) {
+      if (node.mesh < 0) continue;
+      for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+        const int material = materialIndex(primitive, static_cast<int>(variant));
+        if (material < 0 || static_cast<std::size_t>(material) >= scene.fileMaterials) continue;
+        corners[material] += primitive.indices.empty() ? primitive.positions.size() : primitive.indices.size();
+      }
+    }
+    std::vector<std::pair<int, std::size_t>> drawn(corners.begin(), corners.end());
+    std::stable_sort(drawn.begin(), drawn.end(), [](const auto& p, const auto& q) { return p.second > q.second; });
+    json materials = json::array();
+    for (const auto& [material, count] : drawn) materials.push_back(material);
+    out.push_back(materials);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string describeScene(const Scene& scene, const CancelToken& cancel) {
@@ -183,6 +207,7 @@ std::string describeScene(const Scene& scene, const CancelToken& cancel) {
   out["cameras"] = describeCameras(scene);
   out["animations"] = describeAnimations(scene);
   out["variants"] = scene.variants;
+  out["variantMaterials"] = describeVariants(scene);
   out["extensionsUsed"] = scene.extensionsUsed;
   out["generator"] = scene.generator;
   out["copyright"] = scene.copyright;

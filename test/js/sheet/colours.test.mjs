@@ -3,11 +3,12 @@ import { after, before, test } from 'node:test';
 import '../api/support/real.mjs';
 import { plane } from '../../fixtures/geometry.mjs';
 import { GlbBuilder } from '../../fixtures/glb.mjs';
+import { jacket } from '../../fixtures/garments/index.mjs';
 import { png } from '../../fixtures/images.mjs';
 import { createRenderer } from '../../../js/index.mjs';
 import { readColourList } from '../../../js/sheet/colour_list.mjs';
 import { LIGHTS, nearestColours } from '../../../js/sheet/colour.mjs';
-import { createSheet } from '../../../js/sheet/index.mjs';
+import { createSheet, firstSpec } from '../../../js/sheet/index.mjs';
 import { layOut } from '../../../js/sheet/sheet.mjs';
 import { CHEAP } from './square.mjs';
 
@@ -152,4 +153,22 @@ test('what is wrong with a swatch is named', async () => {
   await refused({ colourways: [{ name: 'a', swatches: [{ material: 'silk' }] }] }, '/colourways/0/swatches/0/material');
   await refused({}, '/colourList/file', { resolve: () => null });
   await refused({}, '/colourList/file', { resolve: () => bytes('a,b') });
+});
+
+test('a first spec has the colours of each variant, the cloth that is most of it first', async () => {
+  const garment = await renderer.load(await jacket());
+  const { facts } = garment;
+  assert.deepEqual(
+    facts.variantMaterials.map((list) => list.map((index) => facts.materials[index].name)),
+    facts.variants.map((variant) => ['canvas', 'collar', 'button'].map((cloth) => `${cloth}_${variant}`)),
+  );
+  const { layout, sections, engine } = await layOut(garment, firstSpec(facts), { renderer, shot: CHEAP, format: 'pdf', fonts: [], templates: {} });
+  engine.close();
+  assert.deepEqual(layout.warnings, []);
+  const { cells } = sections.find(({ kind }) => kind === 'colourways');
+  const colours = cells.map(({ swatches }) => swatches.map(({ colour }) => colour));
+  assert.ok(colours.flat().every((colour) => /^#[0-9a-f]{6}$/.test(colour)));
+  // The cloth of each variant is another, and its buttons of horn are one.
+  assert.equal(new Set(colours.map(([cloth]) => cloth)).size, 3);
+  assert.equal(colours[1][2], colours[2][2]);
 });

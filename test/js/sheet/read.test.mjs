@@ -149,8 +149,12 @@ test('a first spec holds what the model tells', () => {
     name: 'crew_neck',
     bounds: { min: [-0.4, 0, 0], max: [0.4, 0.75, 0.1] },
     outline,
-    materials: [{ name: 'jersey_navy' }, { name: 'jersey_ecru' }, { name: 'label' }],
+    materials: [{ name: 'jersey_navy' }, { name: 'jersey_ecru' }, { name: 'label' }, { name: '' }, { name: '' }],
     variants: ['navy', 'ecru'],
+    variantMaterials: [
+      [0, 2],
+      [1, 2, 4],
+    ],
   };
   const spec = firstSpec(facts);
   assert.equal(spec.header.name, 'Crew neck');
@@ -163,6 +167,16 @@ test('a first spec holds what the model tells', () => {
     [
       ['Navy', 'navy'],
       ['Ecru', 'ecru'],
+    ],
+  );
+  assert.deepEqual(
+    spec.colourways.map(({ swatches }) => swatches),
+    [
+      [
+        { part: 'Jersey', material: 'jersey_navy' },
+        { part: 'Label', material: 'label' },
+      ],
+      [{ part: 'Jersey', material: 'jersey_ecru' }, { part: 'Label', material: 'label' }, { material: 4 }],
     ],
   );
   assert.deepEqual(
