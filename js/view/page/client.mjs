@@ -9,6 +9,7 @@ import { ANY_MODEL } from '../../shot/facts.mjs';
 import { resolvePart } from '../../shot/part.mjs';
 import { resolvePose } from '../../shot/pose.mjs';
 import { resolveShot } from '../../shot/resolve.mjs';
+import { Depths } from './depths.mjs';
 import { alphaOf, straightPixels } from './pixels.mjs';
 
 /**
@@ -23,6 +24,8 @@ export class Client {
   #camera;
   #renderer;
   #environments;
+  #depths;
+  #diagonal;
   #textures = new Map();
 
   /** Is called when a picture stands. */
@@ -115,6 +118,7 @@ export class Client {
     renderer.render(this.#scene, this.#camera);
     if (renderer !== this.#renderer) this.#place.replaceChildren(renderer.domElement);
     this.#renderer = renderer;
+    this.#depths = undefined;
     this.onDraw();
   }
 
@@ -139,6 +143,19 @@ export class Client {
   project(point) {
     const at = new THREE.Vector3(...point).project(this.#camera);
     return at.z < 1 && at.z > -1 ? [(at.x + 1) / 2, (1 - at.y) / 2] : undefined;
+  }
+
+  /**
+   * Whether the garment hides a point from the last picture.
+   * @param {number[]} point metres
+   */
+  hides(point) {
+    const at = new THREE.Vector3(...point).project(this.#camera);
+    if (!(at.z < 1 && at.z > -1)) return false;
+    const model = this.#model.scene;
+    this.#diagonal ??= new THREE.Box3().setFromObject(model).getSize(new THREE.Vector3()).length();
+    this.#depths ??= new Depths({ THREE, renderer: this.#renderer, scene: this.#scene, camera: this.#camera, model });
+    return this.#depths.hides([(at.x + 1) / 2, (1 - at.y) / 2], (at.z + 1) / 2, this.#diagonal);
   }
 
   /** @returns {number[]} the direction from what the last picture shows to the viewer */

@@ -12,22 +12,25 @@ const element = (name, attributes, text = '') => {
 };
 
 /**
- * Points and lines of the garment over its pictures, where the camera sees them.
+ * Points and lines of the garment over its pictures; what lies behind it is pale and dashed.
  *
  * @typedef {{points: number[][], path?: number[][], isLoop?: boolean, label: string, isChosen?: boolean}} Mark metres
  */
 export class Marks {
   #layers;
   #project;
+  #hides;
   #marks = [];
 
   /**
    * @param {HTMLElement[]} pictures that show the garment
    * @param {(point: number[]) => number[] | undefined} project parts of the picture's width and height, from its top left corner;
    *   undefined: behind the camera
+   * @param {(point: number[]) => boolean} hides whether the garment lies before it: drawn pale and dashed
    */
-  constructor(pictures, project) {
+  constructor(pictures, project, hides) {
     this.#project = project;
+    this.#hides = hides;
     this.#layers = pictures.map((picture) => {
       const svg = element('svg', { class: 'marks', 'aria-hidden': 'true' });
       picture.append(svg);
@@ -44,25 +47,49 @@ export class Marks {
 
   /** Draws them again: the camera or the pictures have moved. */
   draw() {
+    const known = new Map();
+    const hides = (point) => {
+      if (!known.has(point)) known.set(point, this.#hides(point));
+      return known.get(point);
+    };
     for (const svg of this.#layers) {
       const { clientWidth: width, clientHeight: height } = svg.parentElement.querySelector('.paper');
       if (width === 0) continue;
       svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
       const place = (point) => this.#project(point)?.map((part, i) => (part * [width, height][i]).toFixed(2));
-      svg.replaceChildren(...this.#marks.map((mark) => drawn(mark, place)));
+      svg.replaceChildren(...this.#marks.map((mark) => drawn(mark, place, hides)));
     }
   }
 }
 
-function drawn({ points, path, isLoop, label, isChosen }, place) {
+function drawn({ points, path, isLoop, label, isChosen }, place, hides) {
   const group = element('g', { class: isChosen ? 'mark chosen' : 'mark' });
   group.dataset.label = label;
-  const line = path?.map(place) ?? [];
+  const line = path?.map((point) => ({ at: place(point), isHidden: hides(point) })) ?? [];
   // A line that runs behind the camera is not drawn: its picture would be another line.
-  if (line.length > 1 && line.every(Boolean)) group.append(element(isLoop ? 'polygon' : 'polyline', { points: line.map((at) => at.join(',')).join(' ') }));
-  const places = points.map(place).filter(Boolean);
-  for (const [cx, cy] of places) group.append(element('circle', { cx, cy, r: RADIUS }));
-  const at = places[0] ?? line.find(Boolean);
-  if (at) group.append(element('text', { x: Number(at[0]) + LABEL.x, y: Number(at[1]) + LABEL.y }, label));
+  const isDrawn = line.length > 1 && line.every(({ at }) => at);
+  if (isDrawn) for (const run of runsOf(isLoop ? [...line, line[0]] : line)) group.append(lineOf(run));
+  const places = points.map((point) => ({ at: place(point), isHidden: hides(point) })).filter(({ at }) => at);
+  for (const { at, isHidden } of places) group.append(element('circle', { cx: at[0], cy: at[1], r: RADIUS, ...(isHidden && HIDDEN) }));
+  const all = [...places, ...(isDrawn ? line : [])];
+  const first = places[0]?.at ?? line.find(({ at }) => at)?.at;
+  const isBehind = all.length > 0 && all.every(({ isHidden }) => isHidden);
+  if (first) group.append(element('text', { x: Number(first[0]) + LABEL.x, y: Number(first[1]) + LABEL.y, ...(isBehind && HIDDEN) }, label));
   return group;
 }
+
+const HIDDEN = { class: 'hidden' };
+
+/** A line in runs that are seen and runs that are not: between two points that are hidden it is hidden. */
+function runsOf(line) {
+  const runs = [];
+  line.slice(1).forEach((to, i) => {
+    const from = line[i];
+    const isHidden = from.isHidden && to.isHidden;
+    if (runs.at(-1)?.isHidden === isHidden) runs.at(-1).points.push(to.at);
+    else runs.push({ isHidden, points: [from.at, to.at] });
+  });
+  return runs;
+}
+
+const lineOf = ({ isHidden, points }) => element('polyline', { points: points.map((at) => at.join(',')).join(' '), ...(isHidden && HIDDEN) });

@@ -6,7 +6,7 @@ const MAIN_BUTTON = 0;
 /**
  * Clicks on the pictures, as parts of their width and height from the top left corner. A drag is none: it turns the camera.
  * @param {HTMLElement} stage
- * @param {(place: number[]) => void} onPick
+ * @param {(place: number[], how: {isByKey: boolean}) => void} onPick
  */
 export function addPicking(stage, onPick) {
   let pressed;
@@ -21,12 +21,12 @@ export function addPicking(stage, onPick) {
     pressed = undefined;
     if (Math.hypot(clientX - x, clientY - y) > STILL) return;
     const { left, top, width, height } = canvas.getBoundingClientRect();
-    onPick([(clientX - left) / width, (clientY - top) / height]);
+    onPick([(clientX - left) / width, (clientY - top) / height], { isByKey: false });
   });
   // By keys: what stands in the middle of the picture.
   stage.addEventListener('keydown', (event) => {
     if (event.target !== stage || event.key !== 'Enter') return;
     event.preventDefault();
-    onPick([0.5, 0.5]);
+    onPick([0.5, 0.5], { isByKey: true });
   });
 }

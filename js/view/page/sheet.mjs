@@ -11,9 +11,19 @@ const HINTS = {
   turn: 'Choose what a click on the garment makes.',
   callout: 'Click on the garment: the call-out points there.',
   straight: 'Click on the garment where the measure begins and where it ends.',
-  surface: 'Click on the garment where the measure begins and where it ends.',
+  surface: 'Click on the garment where the measure begins, and where it goes on.',
 };
 const SECOND = 'Now where it ends.';
+const FURTHER = 'Click where it goes on; Enter, or a second click on its end, ends it.';
+
+/** Pixels of the screen within which a click is on the point before it. */
+const SAME = 6;
+
+/** Elements whose own Enter is another thing. */
+const TAKES_ENTER = '#stage, button, summary, a';
+
+/** Most points that a spec takes of one measure. */
+const POINTS_MAX = 64;
 
 const IN_POSE = 'Points are those of the garment as the file stands: choose the animation "As in the file" first.';
 
@@ -43,8 +53,9 @@ class SheetPanel {
   #marks;
   #rows;
   #lengths;
-  /** First point of a measure whose second is to come. */
-  #begun;
+  /** Points of a measure that is not ended yet, and whether the last came of a key. */
+  #begun = [];
+  #isByKey = false;
   #chosen = {};
   #isSaving = false;
 
@@ -55,12 +66,16 @@ class SheetPanel {
     this.#shots = shots;
     this.#tell = tell;
     this.#lengths = new Lengths(() => this.#show());
-    this.#marks = new Marks([$('client-picture'), $('server-picture')], (point) => client.camera && client.project(point));
+    this.#marks = new Marks(
+      [$('client-picture'), $('server-picture')],
+      (point) => client.camera && client.project(point),
+      (point) => client.hides(point),
+    );
     this.#rows = Object.fromEntries(['callouts', 'measures'].map((list) => [list, new Rows($(list).tBodies[0], list, state, about)]));
     client.onDraw = () => this.#showMarks();
-    addPicking($('stage'), (place) => this.#pick(place));
+    addPicking($('stage'), (place, how) => this.#pick(place, how));
     state.addEventListener('change', () => this.#show());
-    for (const radio of this.#tools) radio.addEventListener('change', () => this.#useTool());
+    for (const radio of this.#tools) radio.addEventListener('change', () => this.#end('surface') || this.#useTool());
     for (const list of ['callouts', 'measures']) $(list).addEventListener('focusin', ({ target }) => this.#choose(list, target.closest('tr')?.dataset.index));
     $('undo').addEventListener('click', () => state.undo());
     $('redo').addEventListener('click', () => state.redo());
@@ -82,7 +97,11 @@ class SheetPanel {
 
   get keys() {
     const tools = this.#tools.map((radio) => [radio.dataset.key, () => radio.click()]);
-    return { ...Object.fromEntries(tools), Escape: () => (this.#begun ? this.#useTool() : this.#tools[0].click()) };
+    return {
+      ...Object.fromEntries(tools),
+      Enter: () => !document.activeElement.matches(TAKES_ENTER) && this.#end(),
+      Escape: () => (this.#begun.length > 0 ? this.#drop() : this.#tools[0].click()),
+    };
   }
 
   /** Undo and redo, but for typed text, which the browser undoes itself. */
@@ -96,8 +115,13 @@ class SheetPanel {
     else this.#state.undo();
   }
 
+  #drop() {
+    this.#begun = [];
+    this.#useTool();
+  }
+
   #useTool() {
-    this.#begun = undefined;
+    this.#begun = [];
     $('stage').dataset.tool = this.#tool;
     $('tool-hint').textContent = HINTS[this.#tool];
     this.#showMarks();
@@ -109,8 +133,28 @@ class SheetPanel {
     this.#showMarks();
   }
 
-  #pick(place) {
+  /** Makes the measure of the points so far. @returns {boolean} whether there were enough of them */
+  #end(along = this.#tool) {
+    const points = this.#begun;
+    if (points.length < 2) return false;
+    const view = nearestView(this.#about.views, this.#client.back);
+    this.#useTool();
+    this.#add('measures', { code: nextCode(this.#state.lists.measures), description: 'New measure', view, points, along }, 'description');
+    return true;
+  }
+
+  /** Whether a place of the picture is that of the last point. */
+  #isLast([x, y]) {
+    const last = this.#begun.length > 0 && this.#client.project(this.#begun.at(-1));
+    const { clientWidth: width, clientHeight: height } = $('client-picture').querySelector('.paper');
+    return Boolean(last) && Math.hypot((x - last[0]) * width, (y - last[1]) * height) <= SAME;
+  }
+
+  #pick(place, { isByKey }) {
     const tool = this.#tool;
+    // Enter ends what clicks have made, and what keys have made where the picture has not been turned since.
+    const isEnd = this.#isLast(place) || (isByKey && this.#begun.length > 1 && !this.#isByKey);
+    if (isEnd && tool === 'surface') return this.#end();
     if (tool === 'turn') return;
     if (this.#shots.resolved.pose) return this.#tell(new Error(IN_POSE));
     const found = this.#client.pick(place);
@@ -119,14 +163,11 @@ class SheetPanel {
     const point = rounded(found);
     const view = nearestView(this.#about.views, this.#client.back);
     if (tool === 'callout') return this.#add('callouts', { view, point, text: 'New call-out' }, 'text');
-    if (!this.#begun) {
-      this.#begun = point;
-      $('tool-hint').textContent = SECOND;
-      return this.#showMarks();
-    }
-    const row = { code: nextCode(this.#state.lists.measures), description: 'New measure', view, points: [this.#begun, point], along: tool };
-    this.#useTool();
-    return this.#add('measures', row, 'description');
+    this.#begun = [...this.#begun, point];
+    this.#isByKey = isByKey;
+    if (this.#begun.length === (tool === 'straight' ? 2 : POINTS_MAX)) return this.#end();
+    $('tool-hint').textContent = this.#begun.length > 1 ? FURTHER : SECOND;
+    return this.#showMarks();
   }
 
   #add(list, row, field) {
@@ -151,7 +192,11 @@ class SheetPanel {
   #showMarks() {
     if (!this.#client.camera) return;
     // Of another pose the points would lie beside the garment.
-    this.#marks.show(this.#shots.resolved.pose ? [] : [...this.#savedMarks(), ...(this.#begun ? [{ points: [this.#begun], label: '', isChosen: true }] : [])]);
+    this.#marks.show(
+      this.#shots.resolved.pose
+        ? []
+        : [...this.#savedMarks(), ...(this.#begun.length > 0 ? [{ points: this.#begun, path: this.#begun, label: '', isChosen: true }] : [])],
+    );
   }
 
   #savedMarks() {

@@ -89,6 +89,8 @@ export class Rows {
   #list;
   #state;
   #fields;
+  /** Controls whose text is not the state's yet. */
+  #typed = new Set();
 
   /**
    * @param {HTMLTableSectionElement} body
@@ -133,6 +135,9 @@ export class Rows {
       const control = made();
       control.dataset.field = name;
       control.setAttribute('aria-label', `${label} of ${what} ${index + 1}`);
+      control.addEventListener('input', () => this.#typed.add(control));
+      control.addEventListener('blur', () => this.#typed.delete(control));
+      control.addEventListener('change', () => this.#typed.delete(control));
       control.addEventListener('change', () => this.#state.edit(this.#list, index, keys(control.value, this.#state.lists[this.#list][index])));
       return make('td', {}, control);
     });
@@ -150,7 +155,8 @@ export class Rows {
     for (const control of node.querySelectorAll('[data-field]')) {
       const value = this.#fields[control.dataset.field].read(row);
       control.disabled = value === undefined;
-      if (value !== undefined && control.value !== String(value)) control.value = value;
+      // Text that is being typed is its writer's: a length that comes meanwhile must not take it away.
+      if (value !== undefined && !this.#typed.has(control) && control.value !== String(value)) control.value = value;
     }
     const output = node.querySelector('output');
     if (!output) return;

@@ -186,6 +186,79 @@ async function dragsTurnAndMakeNothing(page) {
   assert.equal(await page.locator('#alert').textContent(), 'There is no garment at this place.');
 }
 
+/** Two further places on the strip, and one between A and B. */
+const WAY = [A, [0.3, 0.4, 0], [0.5, 0.1, -0.1], B];
+
+async function waysOfManyPointsAreEnded(page) {
+  const camera = await cameraOf(page);
+  const clickAll = async () => {
+    await tool(page, 'surface');
+    for (const place of WAY) await clickAt(page, placeOf(camera, place));
+  };
+  const ends = [
+    () => page.keyboard.press('Enter'),
+    // A click on the last point again, as the second of a double click is.
+    () => clickAt(page, placeOf(camera, B)),
+    () => tool(page, 'turn'),
+  ];
+  for (const end of ends) {
+    await clickAll();
+    await end();
+  }
+  await clickAll();
+  await page.locator('#stage').focus();
+  await page.keyboard.press('Escape');
+  await measured(page);
+  await save(page);
+  const added = specOf().measures.slice(1);
+  assert.deepEqual(
+    added.map(({ points, along }) => [points.length, along]),
+    ends.map(() => [WAY.length, 'surface']),
+  );
+  for (const { points } of added) points.forEach((point, i) => assert.ok(apart(point, WAY[i]) < 0.01, `${point}, clicked at ${WAY[i]}`));
+  // Over the strip laid flat.
+  const flat = WAY.map(([x, y, z]) => [x - z, y, 0]);
+  const length = flat.slice(1).reduce((sum, point, i) => sum + apart(point, flat[i]), 0);
+  const rows = await rowsOf(page, 'measures');
+  for (const row of rows.slice(1)) assert.ok(Math.abs(lengthIn(row.length) - 1000 * length) < 8, `${row.length}, expected about ${length} m`);
+}
+
+async function whatTheGarmentHidesIsPale(page) {
+  const camera = await cameraOf(page);
+  await tool(page, 'callout');
+  for (const place of [A, B]) await clickAt(page, placeOf(camera, place));
+  const hidden = async () => (await marksOf(page)).filter(({ places }) => places.length === 1).flatMap(({ isHidden }) => isHidden);
+  // The first call-out is on the upper edge, beside which the other half ends.
+  assert.deepEqual((await hidden()).slice(1), [false, false]);
+  // From behind and the side the one half stands before the other.
+  const shot = JSON.stringify({ camera: { azimuth: 135, elevation: 0, frame: { node: 'strip' } }, size: { width: 128, height: 128 } });
+  const apply = (text) => {
+    document.querySelector('#shot').value = text;
+    document.querySelector('#apply-shot').click();
+  };
+  await changing(page, () => page.evaluate(apply, shot));
+  assert.deepEqual((await hidden()).slice(1), [true, false]);
+}
+
+async function aLengthThatComesLeavesTypedText(page) {
+  let release;
+  const released = new Promise((resolve) => {
+    release = resolve;
+  });
+  await page.route('**/measure', async (route) => {
+    await released;
+    await route.continue();
+  });
+  await page.getByLabel('Way of point of measure 1').selectOption('straight');
+  await page.getByLabel('Code of point of measure 1').fill('10.1');
+  release();
+  await measured(page);
+  await page.keyboard.press('Tab');
+  assert.equal((await rowsOf(page, 'measures'))[0].code, '10.1');
+  await save(page);
+  assert.equal(specOf().measures[0].code, '10.1');
+}
+
 async function refusalsAreTold(page) {
   await page.getByLabel('Tolerance, cm of point of measure 1').fill('-1');
   await page.keyboard.press('Tab');
@@ -259,6 +332,26 @@ const CHECKS = [
         const original = Math.hypot;
         Math.hypot = (...parts) => (parts.length === 2 ? 0 : original(...parts));
       }),
+  },
+  {
+    check: waysOfManyPointsAreEnded,
+    fault: 'a server that measures from the first point to the last',
+    plant: onRoute(
+      'measure',
+      withBody(({ measure }) => {
+        measure.points = [measure.points[0], measure.points.at(-1)];
+      }),
+    ),
+  },
+  {
+    check: whatTheGarmentHidesIsPale,
+    fault: 'a garment that is nowhere',
+    plant: (page) => page.addInitScript(() => (WebGL2RenderingContext.prototype.readPixels = () => {})),
+  },
+  {
+    check: aLengthThatComesLeavesTypedText,
+    fault: 'a page that does not hear what is typed',
+    plant: (page) => page.addInitScript(() => addEventListener('input', (event) => event.stopImmediatePropagation(), true)),
   },
   {
     check: refusalsAreTold,

@@ -68,10 +68,8 @@ export const marksOf = (page, selector = '#client-picture') =>
     return [...svg.querySelectorAll('g')].map((group) => ({
       label: group.dataset.label,
       places: [...group.querySelectorAll('circle')].map((circle) => part([Number(circle.getAttribute('cx')), Number(circle.getAttribute('cy'))])),
-      line: (group.querySelector('polyline, polygon')?.getAttribute('points') ?? '')
-        .split(' ')
-        .filter(Boolean)
-        .map((pair) => part(pair.split(',').map(Number))),
+      line: [...group.querySelectorAll('polyline')].flatMap((line) => line.getAttribute('points').split(' ')).map((pair) => part(pair.split(',').map(Number))),
+      isHidden: [...group.querySelectorAll('circle')].map((circle) => circle.classList.contains('hidden')),
     }));
   });
 
