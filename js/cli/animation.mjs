@@ -24,7 +24,9 @@ export async function writeAnimation({ jobs, options, renderer }, { api, console
     throw usage(`-o ${shown(file)}: an animation has no --contact-sheet and no --skip-unchanged`);
   if (jobs.some(({ shot }) => shot.layers?.some((layer) => layer !== 'beauty'))) throw usage(`-o ${shown(file)}: an animation has no layers`);
   const shots = jobs.map(({ shot }) => ({ ...shot, output: { ...shot.output, format: 'webp' } }));
-  const frames = await renderer.renderAll(jobs[0].source, shots, { signal });
+  const source =
+    options.explode === undefined ? jobs[0].source : await (await renderer.load(jobs[0].source, { signal })).explode(Number(options.explode), { signal });
+  const frames = await renderer.renderAll(source, shots, { signal });
   const data = api.animateWebp(frames.map(({ data: still }) => still));
   await writeFileAtomically(file, data, signal);
   const { width, height, warnings } = frames[0].info;

@@ -32,6 +32,7 @@ export function addShotOptions(command) {
       '--layers <names>',
       'images beside the colour, with commas between: depth, normal, partId, materialId, ao, albedo, shadow, coverage, line; OUT.depth.png and so on',
     )
+    .option('--ghost <part[:opacity]>', 'draw a part translucent, as in --ghost node=front:0.2, or leave it out by 0; * in names; repeatable', collect)
     .option('--style <style>', describe('style'))
     .option('--scale <scale>', '1:5 and the like: true scale on paper at output.ppi, 300 where --set gives none; the size follows');
 }
@@ -79,7 +80,7 @@ export function withPathsFrom(folder, shot) {
   return shot;
 }
 
-function applyFlags(shot, { view, frame, fitTo, size, quality, shading, environment, background, variant, layers, style, scale }) {
+function applyFlags(shot, { view, frame, fitTo, size, quality, shading, environment, background, variant, layers, ghost, style, scale }) {
   if (view !== undefined) shot.camera = { ...framingOf(shot.camera), view };
   if (frame !== undefined) shot.camera = { ...shot.camera, frame: parseFrame(frame) };
   if (fitTo !== undefined) shot.camera = { ...shot.camera, fitTo };
@@ -90,6 +91,7 @@ function applyFlags(shot, { view, frame, fitTo, size, quality, shading, environm
   if (background !== undefined) shot.background = parseValue(background);
   if (variant !== undefined) shot.variant = variant;
   if (layers !== undefined) shot.layers = layers.split(',').map((name) => name.trim());
+  if (ghost !== undefined) shot.ghost = ghost.map(parseGhost);
   if (style !== undefined) shot.style = style;
   if (scale !== undefined) {
     shot.scale = scale;
@@ -102,6 +104,13 @@ const pick = (object, keys) => Object.fromEntries(keys.filter((key) => object?.[
 /** A named view takes the place of any other camera, and keeps how that one framed. */
 export const framingOf = (camera) => (camera?.position === undefined ? pick(camera, ['projection', 'fovY', 'fit', 'frame', 'fitTo']) : {});
 const settingsOf = (environment) => pick(environment, ['intensity', 'rotation']);
+
+/** "node=front:0.2" as {node: "front", opacity: 0.2}. Other words are the schema's to judge. */
+function parseGhost(text) {
+  const [, part, opacity] = /^(.*?)(?::([\d.]+))?$/s.exec(text);
+  const named = parseFrame(part);
+  return typeof named === 'string' ? text : { ...named, ...(opacity !== undefined && { opacity: Number(opacity) }) };
+}
 
 /** "node=Sleeve" as {node: "Sleeve"}; a number is an index. Other words are the schema's to judge. */
 function parseFrame(text) {

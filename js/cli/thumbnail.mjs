@@ -63,13 +63,12 @@ async function animate(jobs, options, { limits, timeoutMs }, context) {
   }
 }
 
-function checkUsage(models, { shot, output, json, manifest, skipUnchanged, explode, turntable }) {
+function checkUsage(models, { shot, output, json, manifest, skipUnchanged, explode }) {
   const usage = (message) => new TelarError('E_USAGE', message);
   if (explode !== undefined) {
     if (!(Number(explode) >= 0 && explode.trim() !== '' && Number.isFinite(Number(explode))))
       throw usage(`--explode: expected metres, 0 or more, got ${shown(explode)}`);
     if (skipUnchanged) throw usage('--explode and --skip-unchanged: give one of them');
-    if (isAnimation({ turntable, output })) throw usage('--explode: a turntable of it goes to files, as in out/{view}.png');
   }
   if (manifest === undefined && models.length === 0) throw usage("missing required argument 'model': name models, a folder with -r, or a --manifest");
   if (manifest !== undefined && models.length > 0) throw usage('models and --manifest: give one of them');

@@ -77,7 +77,7 @@ const ROWS = {
     E_ENVIRONMENT_MISSING: ['The environment file does not exist, is a folder or cannot be read', 'Check the path and the permissions.'],
     E_VARIANT: ['The model has no such material variant', '`telar inspect` lists the variants.'],
     E_POSE: ['The model has no such animation', '`telar inspect` lists the animations.'],
-    E_FRAME: ['The model has no such node or material to frame', 'The message names what it has; `telar inspect` lists the materials.'],
+    E_FRAME: ['The model has no such node or material to frame, or to draw as a ghost', 'The message names what it has; `telar inspect` lists the materials.'],
     E_MEASURE: ['What is to be measured is not there, or no way over the surface joins it', 'The message names the point, the part or the gap.'],
     E_CAMERA: ['The model has no such camera, or one that cannot be drawn from', '`telar inspect` lists the cameras.'],
     E_WARNING: ['The model or the shot gives a warning, and `failOn` is "warning"', 'The message holds the warning, whose code has a row of its own.'],

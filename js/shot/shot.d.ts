@@ -498,6 +498,20 @@ export interface Shot {
     /** Seconds from its start; before the start and after the end it stands as at the start or the end. @default 0 */
     time?: number;
   } | null;
+  /** Parts that are drawn translucent, so that lining, pockets and the back neck show through them, or left out, as a mannequin: opacity 0. In names * stands for any characters. What is less opaque than 0.5 is not there for layers; cameras frame the whole model. @default [] */
+  ghost?: Array<{
+    /** Index or name of a node. */
+    node: number | string;
+    /** Factor on its alpha; 0 = left out. Range 0 to 1. @default 0.25 */
+    opacity?: number;
+    material?: never;
+  } | {
+    /** Index or name of a material. */
+    material: number | string;
+    /** Factor on its alpha; 0 = left out. Range 0 to 1. @default 0.25 */
+    opacity?: number;
+    node?: never;
+  }>;
   /** Images to draw: "beauty", the colour, which is always there, and beside it "depth": distance from the plane through the camera, along the view, metres; "normal": shading normal with its maps, world space, unit; "partId": number of the node, `info.layers.partId.legend`; "materialId": number of the material, `info.layers.materialId.legend`; "ao": ambient occlusion: part of the hemisphere above the surface that is open, weighted by the cosine, 0..1; "albedo": base colour, linear Rec.709; in PNG sRGB; "shadow": part of the light of lights with `castShadow` that does not arrive, 0..1; on the `ground` too; "coverage": part of the pixel that the model covers, 0..1, antialiased as the colour; "line": the technical flat, antialiased: 0 on its lines, 1 on the paper. Where nothing is seen they hold 0, "line" 1. @default ["beauty"] */
   layers?: Array<'beauty' | 'depth' | 'normal' | 'partId' | 'materialId' | 'ao' | 'albedo' | 'shadow' | 'coverage' | 'line'>;
   /** "shaded", or "flat": the technical flat of the same camera, black lines on the background, which is white where none is given. @default "shaded" */
@@ -1019,6 +1033,20 @@ export interface ResolvedShot {
     /** Seconds from its start; before the start and after the end it stands as at the start or the end. */
     time: number;
   } | null;
+  /** Parts that are drawn translucent, so that lining, pockets and the back neck show through them, or left out, as a mannequin: opacity 0. In names * stands for any characters. What is less opaque than 0.5 is not there for layers; cameras frame the whole model. */
+  ghost: Array<{
+    /** Index or name of a node. */
+    node: number | string;
+    /** Factor on its alpha; 0 = left out. Range 0 to 1. */
+    opacity: number;
+    material?: never;
+  } | {
+    /** Index or name of a material. */
+    material: number | string;
+    /** Factor on its alpha; 0 = left out. Range 0 to 1. */
+    opacity: number;
+    node?: never;
+  }>;
   /** Images to draw: "beauty", the colour, which is always there, and beside it "depth": distance from the plane through the camera, along the view, metres; "normal": shading normal with its maps, world space, unit; "partId": number of the node, `info.layers.partId.legend`; "materialId": number of the material, `info.layers.materialId.legend`; "ao": ambient occlusion: part of the hemisphere above the surface that is open, weighted by the cosine, 0..1; "albedo": base colour, linear Rec.709; in PNG sRGB; "shadow": part of the light of lights with `castShadow` that does not arrive, 0..1; on the `ground` too; "coverage": part of the pixel that the model covers, 0..1, antialiased as the colour; "line": the technical flat, antialiased: 0 on its lines, 1 on the paper. Where nothing is seen they hold 0, "line" 1. */
   layers: Array<'beauty' | 'depth' | 'normal' | 'partId' | 'materialId' | 'ao' | 'albedo' | 'shadow' | 'coverage' | 'line'>;
   /** "shaded", or "flat": the technical flat of the same camera, black lines on the background, which is white where none is given. */

@@ -1,6 +1,7 @@
 import { lensExposure } from '../shot/lens_exposure.mjs';
 import { TONE_MAPPINGS } from '../shot/table/tone_mappings.mjs';
 import { applyOlderOutput, backgroundColor, dimEnvironment, environmentTurned } from './older_release.mjs';
+import { applyGhosts, removeGhosts } from './ghost.mjs';
 import { applyPose } from './pose.mjs';
 import { isStockShading, matchRelease, revisionOf } from './release.mjs';
 import { applyLightShadow, applyShadows } from './shadows.mjs';
@@ -79,9 +80,11 @@ function toneMappingOf(THREE, name) {
 
 /** The materials of the variant, shaded as the shot says. */
 async function applyMaterials(shot, model, THREE) {
+  removeGhosts(model.scene);
   restoreMaterials(model.scene);
   await applyVariant(model, shot.variant);
   await applyShading(model, shot.shading, { THREE });
+  applyGhosts(model, shot);
 }
 
 function applyOutput(shot, THREE, renderer) {

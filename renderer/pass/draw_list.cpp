@@ -236,6 +236,7 @@ FramePlan planFrame(const Scene& scene, const Shot& shot, const Limits& limits, 
   }
   frame.toneMapping = frame.outputLinear ? shader::ToneMapping::kNone : shot.toneMapping;
 
+  plan.ghosts = frame::Ghosts(scene, shot);
   const int variant = frame::variantIndex(scene, shot.variant);
   const glm::dmat4 viewProjection = plan.camera.projection * plan.camera.view;
   std::map<int, int> ranks;
@@ -248,6 +249,10 @@ FramePlan planFrame(const Scene& scene, const Shot& shot, const Limits& limits, 
       const int index = materialIndex(primitive, variant);
       DrawItem item{&node, &primitive, &frame::materialAt(scene, index, shot.shading)};
       if (const auto read = plan.materials.of(*item.material, primitive, frame.three)) item.material = read.get();
+      const float opacity = plan.ghosts.opacity(node, index);
+      if (opacity == 0) continue;
+      item.ghost = opacity < 1;
+      if (item.ghost) item.material = plan.ghosts.of(*item.material, opacity).get();
       if (layers) item.material = plan.plain.emplace_back(frame::plainMaterial(*item.material)).get();
       item.key = keyOf(primitive, *item.material, frame);
       const bool transmissive = item.key.transmission;

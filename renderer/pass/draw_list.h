@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frame/camera.h"
+#include "frame/ghosts.h"
 #include "frame/release_material.h"
 #include "pass/light_set.h"
 #include "pass/shadow_set.h"
@@ -22,6 +23,7 @@ struct DrawItem {
   bool blend = false;      ///< alpha blended, without depth writes
   bool bothSides = false;  ///< faces of either winding, in one call
   bool mirrored = false;   ///< the node's matrix reverses the winding
+  bool ghost = false;      ///< of frame::Ghosts: it casts no shadow
   bool visible = true;     ///< else it only casts its shadow
   double depth = 0;        ///< clip z of the primitive's centre
   int materialRank = 0;    ///< order of first use
@@ -55,6 +57,7 @@ struct FramePlan {
   glm::dvec3 origin{0};  ///< world point that shaders count world coordinates from
   LightSet lights;
   ShadowSet shadows;
+  frame::Ghosts ghosts;               ///< what draws of translucent parts point to
   frame::ReleaseMaterials materials;  ///< what draws point to where a release reads a material otherwise
   std::vector<std::shared_ptr<const Material>> plain;  ///< what those of layers point to
   DrawList draws;

@@ -77,7 +77,7 @@ void uploadKind(const gl::Program& program, const std::string& name, const std::
 }  // namespace
 
 bool castsShadow(const DrawItem& item) {
-  return item.primitive->topology == Topology::kTriangles && !item.key.flipSided;
+  return item.primitive->topology == Topology::kTriangles && !item.key.flipSided && !item.ghost;
 }
 
 void ShadowPass::makeDepthPlanes(Target& target) const {

@@ -68,7 +68,8 @@ constexpr std::size_t PACKET = 16;  ///< rays at once: as wide as the widest reg
 }  // namespace
 
 std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::dvec3& centre,
-                                    const CancelToken& cancel, ShadingModel shading, const ThreeTerms& three) {
+                                    const CancelToken& cancel, ShadingModel shading, const ThreeTerms& three,
+                                    frame::Ghosts ghosts) {
   std::vector<PlacedMesh> meshes;
   frame::ReleaseMaterials materials;
   for (const Node& node : scene.nodes) {
@@ -78,10 +79,13 @@ std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::
       if (primitive.topology != Topology::kTriangles || primitive.positions.empty()) continue;
       const std::size_t first = meshes.size();
       const int index = materialIndex(primitive, variant);
+      const float opacity = ghosts.opacity(node, index);
+      if (opacity == 0) continue;
       const Material& material = frame::materialAt(scene, index, shading);
       placeInstances(meshes, node, primitive, material, centre);
       for (std::size_t i = first; i < meshes.size(); ++i) meshes[i].node = &node, meshes[i].materialIndex = index;
-      const auto read = materials.of(material, primitive, three);
+      auto read = materials.of(material, primitive, three);
+      if (opacity < 1) read = ghosts.of(read ? *read : material, opacity);
       if (!read) continue;
       for (std::size_t i = first; i < meshes.size(); ++i) {
         meshes[i].material = read.get();

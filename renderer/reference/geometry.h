@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "frame/ghosts.h"
 #include "telar/cancel.h"
 #include "telar/scene.h"
 #include "telar/shading.h"
@@ -37,7 +38,7 @@ struct PlacedMesh {
 /// @throws Error{X_CANCELLED}
 std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::dvec3& centre,
                                     const CancelToken& cancel = {}, ShadingModel shading = ShadingModel::kThree,
-                                    const ThreeTerms& three = {});
+                                    const ThreeTerms& three = {}, frame::Ghosts ghosts = {});
 
 struct Ray {
   glm::vec3 origin;

@@ -11,7 +11,8 @@ constexpr float STEP = 1e-5f;  ///< of the scene's radius: a ray starts so far f
 PlacedScene::PlacedScene(const Scene& scene, const Shot& shot, const CancelToken& cancel)
     : centre(scene.bounds.empty() ? glm::dvec3(0) : (scene.bounds.min + scene.bounds.max) * 0.5),
       radius(scene.bounds.empty() ? 1.0f : static_cast<float>(glm::distance(scene.bounds.max, centre))),
-      meshes(placeMeshes(scene, frame::variantIndex(scene, shot.variant), centre, cancel, shot.shading, shot.three)),
+      meshes(placeMeshes(scene, frame::variantIndex(scene, shot.variant), centre, cancel, shot.shading, shot.three,
+                         frame::Ghosts(scene, shot))),
       textures(scene),
       geometry(meshes, cancel, [this](const Hit& hit, const glm::vec3& direction, float shells) {
         const PlacedMesh& mesh = meshes[hit.mesh];

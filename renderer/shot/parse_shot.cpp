@@ -182,6 +182,9 @@ Shot readShot(const JsonPath& json) {
   shot.pose = readOptional<Pose>(json.at("pose"));
   shot.flat = readFlat(json.at("flat"));
   shot.layers = readLayers(json.at("layers"));
+  const JsonPath ghost = json.at("ghost");
+  for (std::size_t i = 0; i < ghost.size(); ++i)
+    shot.ghost.push_back({readPart(ghost.at(i)), static_cast<float>(ghost.at(i).at("opacity").number())});
   shot.output = readRow<OutputOptions>(json.at("output"));
   if (json.has("debugOutput")) keys("debugOutput", shot.debugOutput);
   return shot;

@@ -5,6 +5,7 @@ import { flat, style } from './flat.mjs';
 import { layers } from './layers.mjs';
 import { lights } from './lights.mjs';
 import { output } from './output.mjs';
+import { ghost } from './parts.mjs';
 import { quality } from './quality.mjs';
 import { boolean, but, choice, literal, number, object, text, union } from './rows.mjs';
 import { POSE, background, environment, ground, lens } from './stage.mjs';
@@ -72,6 +73,7 @@ export const SHOT = object(
     quality,
     variant: text('Name of a material variant of the model (KHR_materials_variants); "" = none', 'the name of a variant', { default: '' }),
     pose: POSE,
+    ghost,
     layers,
     style,
     flat,

@@ -69,6 +69,12 @@ struct Shot : shot::Size, shot::Values, shot::RasterQuality {
   std::optional<Reference> reference;  ///< set = the path tracer draws, not the raster
   std::optional<Pose> pose;            ///< none = as the file stands
   std::vector<Layer> layers;           ///< beside the colour
+  /// A part that is drawn translucent.
+  struct Ghost {
+    PartQuery part;
+    float opacity = 1;  ///< 0 = it is left out
+  };
+  std::vector<Ghost> ghost;
   /// Of Style::kFlat and Layer::kLine.
   struct Flat : shot::Flat {
     std::vector<PartQuery> stitched;  ///< whose seams are stitches

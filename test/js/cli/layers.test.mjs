@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
-import { mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
@@ -76,4 +76,61 @@ test('a turntable as files and as one animation', async () => {
   const wrong = await telar('-o', at('x/'), '--turntable', '0');
   assert.equal(wrong.exit, 2);
   assert.match(wrong.stderr, /--turntable: expected a whole number of frames from 1 to 720, got "0"/);
+});
+
+test('--explode moves parts apart, in files and in an animation', async () => {
+  const bytesOf = async (name, ...argv) => {
+    const { exit, stderr } = await telar('-o', at(name), '--size', '40x40', '--view', 'right', ...argv);
+    assert.equal(exit, 0, stderr);
+    return readFileSync(at(name));
+  };
+  const [whole, still, apart] = [await bytesOf('w.png'), await bytesOf('s.png', '--explode', '0'), await bytesOf('e.png', '--explode', '0.5')];
+  assert.ok(still.equals(whole), 'by 0 m it is the same picture');
+  assert.ok(!apart.equals(whole));
+  const turn = ['--turntable', '3'];
+  const [plain, moved] = [await bytesOf('plain.webp', ...turn), await bytesOf('moved.webp', ...turn, '--explode', '0.5')];
+  assert.equal((await sharp(moved, { animated: true }).metadata()).pages, 3);
+  assert.ok(!moved.equals(plain), 'the frames show the parts apart');
+  for (const wrong of ['-1', 'far', ' ']) {
+    const { exit, stderr } = await telar('-o', at('x.png'), `--explode=${wrong}`);
+    assert.equal(exit, 2);
+    assert.match(stderr, /--explode: expected metres, 0 or more, got "/);
+  }
+  const known = await telar('-o', at('x.png'), '--explode', '0.1', '--skip-unchanged');
+  assert.equal(known.exit, 2);
+  assert.match(known.stderr, /--explode and --skip-unchanged: give one of them/);
+});
+
+test('--ghost draws parts translucent, by default or as opaque as it says', async () => {
+  const partsOf = async (...argv) => {
+    const { exit, stdout, stderr } = await telar(
+      '-o',
+      at('g.png'),
+      '--size',
+      '40x40',
+      '--layers',
+      'partId',
+      '--set',
+      'output.layers.bitDepth=8',
+      '--json',
+      ...argv,
+    );
+    assert.equal(exit, 0, stderr);
+    const ids = await sharp(at('g.partId.png')).raw().toBuffer();
+    return { ghost: JSON.parse(stdout).images[0].info.shot.ghost, parts: [...new Set(ids)].sort() };
+  };
+  assert.deepEqual(await partsOf(), { ghost: [], parts: [0, 1, 2] });
+  assert.deepEqual(await partsOf('--ghost', 'node=ba*'), { ghost: [{ node: 'ba*', opacity: 0.25 }], parts: [0, 2] });
+  assert.deepEqual(await partsOf('--ghost', 'node=ball:0.8', '--ghost', 'material=1:0'), {
+    ghost: [
+      { node: 'ball', opacity: 0.8 },
+      { material: 1, opacity: 0 },
+    ],
+    parts: [0, 1],
+  });
+  for (const wrong of ['ball', 'node=ball:7']) {
+    const { exit, stderr } = await telar('-o', at('x.png'), '--ghost', wrong);
+    assert.equal(exit, 2, stderr);
+    assert.match(stderr, /shot\.ghost\[0\]/);
+  }
 });

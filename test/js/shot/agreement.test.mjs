@@ -110,8 +110,8 @@ test('what resolveShot takes, C++ takes', async () => {
 test('what C++ takes, it can plan: the faults of a plan are limits', async () => {
   for (const { resolved } of accepted.slice(0, 500)) {
     const scene = await loadScene();
-    const variant = ''; // the fixture has none
-    const plan = native.plan(scene, shotJson({ ...resolved, variant, pose: null }), native.limits, new native.CancelToken());
+    const variant = ''; // the fixture has none, nor parts for ghosts
+    const plan = native.plan(scene, shotJson({ ...resolved, variant, pose: null, ghost: [] }), native.limits, new native.CancelToken());
     await plan.catch(({ code, message }) => assert.match(code, /^L_/, `${message}: ${JSON.stringify(resolved)}`));
   }
 });

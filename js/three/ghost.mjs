@@ -1,0 +1,69 @@
+import { materialIndexOf } from './variant.mjs';
+
+/** The materials that stand in for others, with those. */
+const solid = new WeakMap();
+/** Meshes that a ghost was made of, with whether they cast shadows. */
+const casting = new WeakMap();
+
+/** A name as a ghost gives it: * stands for any characters. */
+const matches = (wanted, index, name) =>
+  typeof wanted === 'number' ? wanted === index : new RegExp(`^${wanted.replace(/[.+?^${}()|[\]\\]/g, '\\$&').replace(/\*+/g, '.*')}$`, 's').test(name ?? '');
+
+const mapped = (material, change) => (Array.isArray(material) ? material.map(change) : change(material));
+
+/** Puts back what applyGhosts() has put others in place of. @param {import('three').Object3D} root */
+export function removeGhosts(root) {
+  root.traverse((object) => {
+    if (!object.material) return;
+    object.material = mapped(object.material, (material) => solid.get(material) ?? material);
+    if (casting.has(object)) object.castShadow = casting.get(object);
+    casting.delete(object);
+  });
+}
+
+/** Opacity of what an object draws: the last ghost of a node it hangs on, times the last of its material. */
+function opacityOf({ scene, parser }, object, { ghost, variant }) {
+  let [ofNode, ofMaterial] = [1, 1];
+  const nodes = [];
+  for (let at = object; at && at !== scene; at = at.parent) {
+    const index = parser.associations.get(at)?.nodes;
+    if (index !== undefined) nodes.push({ index, name: parser.json.nodes[index].name });
+  }
+  const index = materialIndexOf(parser, object, variant);
+  for (const { node, material, opacity } of ghost) {
+    if (node !== undefined && nodes.some((part) => matches(node, part.index, part.name))) ofNode = opacity;
+    if (material !== undefined && index !== undefined && matches(material, index, parser.json.materials[index].name)) ofMaterial = opacity;
+  }
+  return ofNode * ofMaterial;
+}
+
+/** A copy is blended as GLTFLoader sets up alpha mode BLEND. */
+function ghostOf(material, opacity) {
+  const ghost = material.clone();
+  Object.assign(ghost, { transparent: true, depthWrite: false, alphaTest: 0, opacity: material.opacity * opacity, visible: material.visible && opacity > 0 });
+  solid.set(ghost, material);
+  return ghost;
+}
+
+/**
+ * Draws parts of a model translucent, or not at all, as the server does (renderer/frame/ghosts.h). After variant and shading.
+ * @param {{scene: import('three').Object3D, parser?: object}} model - What GLTFLoader gave.
+ * @param {{ghost: object[], variant: string}} shot - Resolved.
+ */
+export function applyGhosts(model, shot) {
+  if (shot.ghost.length === 0 || !model.parser) return;
+  const made = new Map();
+  model.scene.traverse((object) => {
+    if (!object.material) return;
+    const opacity = opacityOf(model, object, shot);
+    if (opacity === 1) return;
+    object.material = mapped(object.material, (material) => {
+      if (!made.has(material)) made.set(material, new Map());
+      const ghosts = made.get(material);
+      if (!ghosts.has(opacity)) ghosts.set(opacity, ghostOf(material, opacity));
+      return ghosts.get(opacity);
+    });
+    casting.set(object, object.castShadow);
+    object.castShadow = false;
+  });
+}
