@@ -19,6 +19,10 @@ constexpr int ROUNDS_MAX = 200;
 constexpr double SETTLED = 1e-6;
 /// Half the width of the strip along a loop that most rounds keep to, as part of the loop.
 constexpr double STRIP = 0.01;
+/// Rounds that keep to one strip: a loop moves little in each.
+constexpr int STRIP_ROUNDS = 4;
+/// Metres from a face, by part of the loop, within which a point of a way lies on it.
+constexpr double ON_FACE = 1e-9;
 /// Part of its length below which a loop is on its way to a point.
 constexpr double VANISHED = 1e-2;
 
@@ -73,9 +77,12 @@ class Tightening {
   Loop settle() {
     // Rounds that keep to a strip along the loop cost a fraction of the others, one of which has the last word.
     bool confined = true;
+    int age = STRIP_ROUNDS;
     double before = whole_;
     for (int i = 0; i < ROUNDS_MAX; ++i) {
-      geodesic_.confine(confined ? stripAlong(surface_, line_, STRIP * whole_) : std::vector<char>());
+      if (!confined || age >= STRIP_ROUNDS)
+        keepTo(confined ? stripAlong(surface_, line_, STRIP * whole_) : std::vector<char>());
+      age = confined ? age % STRIP_ROUNDS + 1 : STRIP_ROUNDS;
       const double length = round();
       if (length < VANISHED * whole_) {
         throw Error("E_MEASURE",
@@ -91,6 +98,23 @@ class Tightening {
   }
 
  private:
+  /// Ways keep to these points, and places are looked for around them; none = to all of the surface.
+  void keepTo(std::vector<char> within) {
+    faces_.clear();
+    for (std::uint32_t f = 0; f < surface_.faces.size() && !within.empty(); ++f) {
+      const auto& points = surface_.faces[f].points;
+      if (std::any_of(points.begin(), points.end(), [&](std::uint32_t p) { return within[p] != 0; }))
+        faces_.push_back(f);
+    }
+    geodesic_.confine(std::move(within));
+  }
+
+  /// The place of a point of a way.
+  surface::Place placeOf(const glm::dvec3& p) const {
+    const surface::Place near = nearestOf(surface_, p, faces_);
+    return near.distance <= ON_FACE * whole_ ? near : nearestPlace(surface_, p, cancel_);
+  }
+
   /// Moves each place once. @return metres
   double round() {
     line_ = {{}, true};
@@ -100,7 +124,7 @@ class Tightening {
       const std::size_t last = (middle + PLACES - 1) % PLACES, next = (middle + 1) % PLACES;
       const Path path = way(last, next, halves_[last] + halves_[next]);
       halves_[middle] = path.length / 2;
-      places_[middle] = nearestPlace(surface_, along(path.points, path.length / 2), cancel_);
+      places_[middle] = placeOf(along(path.points, path.length / 2));
       if (i < PLACES / 2) continue;
       length += path.length;
       append(line_, path);
@@ -129,6 +153,7 @@ class Tightening {
   double whole_;  ///< metres, of the loop as it was given
   Loop line_;     ///< of the last round
   std::vector<surface::Place> places_;
+  std::vector<std::uint32_t> faces_;     ///< that have a corner in the strip
   std::array<double, PLACES> halves_{};  ///< metres of a way from each place to one beside it
 };
 

@@ -46,21 +46,41 @@ Place placeAt(const Surface& surface, std::uint32_t face, const glm::dvec3& weig
           weights[0] * surface.corner(f, 0) + weights[1] * surface.corner(f, 1) + weights[2] * surface.corner(f, 2), 0};
 }
 
+namespace {
+
+/// The nearer of a place and the nearest of a face.
+void approach(const Surface& surface, std::uint32_t f, const glm::dvec3& p, Place& best) {
+  const Face& face = surface.faces[f];
+  const glm::dvec3 &a = surface.corner(face, 0), &b = surface.corner(face, 1), &c = surface.corner(face, 2);
+  // No point of the triangle is nearer than its box.
+  const glm::dvec3 outside =
+      glm::max(glm::max(glm::min(glm::min(a, b), c) - p, p - glm::max(glm::max(a, b), c)), glm::dvec3(0));
+  if (glm::dot(outside, outside) >= best.distance * best.distance) return;
+  Place place = placeAt(surface, f, nearestWeights(p, a, b, c));
+  place.distance = glm::distance(place.position, p);
+  if (place.distance < best.distance) best = place;
+}
+
+Place nowhere() {
+  Place place;
+  place.distance = std::numeric_limits<double>::infinity();
+  return place;
+}
+
+}  // namespace
+
 Place nearestPlace(const Surface& surface, const glm::dvec3& p, const CancelToken& cancel) {
-  Place best;
-  best.distance = std::numeric_limits<double>::infinity();
+  Place best = nowhere();
   for (std::uint32_t f = 0; f < surface.faces.size(); ++f) {
     if (f % FACES_PER_CANCEL_CHECK == 0) cancel.check();
-    const Face& face = surface.faces[f];
-    const glm::dvec3 &a = surface.corner(face, 0), &b = surface.corner(face, 1), &c = surface.corner(face, 2);
-    // No point of the triangle is nearer than its box.
-    const glm::dvec3 outside =
-        glm::max(glm::max(glm::min(glm::min(a, b), c) - p, p - glm::max(glm::max(a, b), c)), glm::dvec3(0));
-    if (glm::dot(outside, outside) >= best.distance * best.distance) continue;
-    Place place = placeAt(surface, f, nearestWeights(p, a, b, c));
-    place.distance = glm::distance(place.position, p);
-    if (place.distance < best.distance) best = place;
+    approach(surface, f, p, best);
   }
+  return best;
+}
+
+Place nearestOf(const Surface& surface, const glm::dvec3& p, std::span<const std::uint32_t> faces) {
+  Place best = nowhere();
+  for (const std::uint32_t f : faces) approach(surface, f, p, best);
   return best;
 }
 

@@ -14,6 +14,8 @@ struct Place {
 /// The point of the surface that is nearest to p. The surface has faces.
 /// @throws Error{X_CANCELLED}
 Place nearestPlace(const Surface& surface, const glm::dvec3& p, const CancelToken& cancel);
+/// Of these faces alone. Its distance is infinite where there are none.
+Place nearestOf(const Surface& surface, const glm::dvec3& p, std::span<const std::uint32_t> faces);
 
 Place placeAt(const Surface& surface, std::uint32_t face, const glm::dvec3& weights);
 

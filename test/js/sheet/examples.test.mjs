@@ -18,13 +18,18 @@ after(() => renderer.close());
  */
 const LIMITS = { 'frame.deltaE.max': 8, 'frame.deltaE.mean': 0.1 };
 
+/** Pages that are the same to the byte, as those of one GL are, need no figures: those take longer than the drawing. */
+const isAsGolden = (golden, page) =>
+  (golden.width === page.width && golden.height === page.height && Buffer.compare(golden.data, page.data) === 0) ||
+  judge(compareImages(golden, page), 'draft', LIMITS).pass;
+
 /** Pages that are not as their golden ones. */
 async function faultsOf(name, pages) {
   const faults = [];
   for (const [i, page] of pages.entries()) {
     const file = goldenFile(name, i);
     if (!existsSync(file)) faults.push(`${name}: page ${i + 1} is new`);
-    else if (!judge(compareImages(await readImage(readFileSync(file)), page), 'draft', LIMITS).pass) faults.push(`${name}: page ${i + 1} is another`);
+    else if (!isAsGolden(await readImage(readFileSync(file)), page)) faults.push(`${name}: page ${i + 1} is another`);
   }
   if (existsSync(goldenFile(name, pages.length))) faults.push(`${name}: page ${pages.length + 1} is missing`);
   return faults;
