@@ -21,13 +21,14 @@ function shrunkRows(pixels, width, rows, to) {
   const result = new Float32Array(rows * to * 4);
   const columns = coverages(width, to);
   for (let y = 0; y < rows; y++) {
-    columns.forEach(({ first, weights }, x) => {
+    for (let x = 0; x < to; x++) {
+      const { first, weights } = columns[x];
       const out = (y * to + x) * 4;
-      weights.forEach((weight, i) => {
+      for (let i = 0; i < weights.length; i++) {
         const at = (y * width + first + i) * 4;
-        for (let c = 0; c < 4; c++) result[out + c] += weight * pixels[at + c];
-      });
-    });
+        for (let c = 0; c < 4; c++) result[out + c] += weights[i] * pixels[at + c];
+      }
+    }
   }
   return result;
 }
@@ -43,7 +44,15 @@ function transposed(pixels, width, height) {
   return result;
 }
 
-const premultiplied = (data) => Float32Array.from(data, (value, i) => (i % 4 === 3 ? value : (value * data[i - (i % 4) + 3]) / 255));
+function premultiplied(data) {
+  // A plain loop: Float32Array.from with a function takes ten times as long.
+  const result = new Float32Array(data.length);
+  for (let i = 0; i < data.length; i += 4) {
+    for (let c = 0; c < 3; c++) result[i + c] = (data[i + c] * data[i + 3]) / 255;
+    result[i + 3] = data[i + 3];
+  }
+  return result;
+}
 
 function straight(pixels) {
   const data = new Uint8Array(pixels.length);

@@ -18,7 +18,7 @@ after(() => renderer.close());
  */
 const LIMITS = { 'frame.deltaE.max': 8, 'frame.deltaE.mean': 0.1 };
 
-/** Pages that are the same to the byte, as those of one GL are, need no figures: those take longer than the drawing. */
+/** Pages that are the same to the byte, as those of one GL are, need no figures. */
 const isAsGolden = (golden, page) =>
   (golden.width === page.width && golden.height === page.height && Buffer.compare(golden.data, page.data) === 0) ||
   judge(compareImages(golden, page), 'draft', LIMITS).pass;
