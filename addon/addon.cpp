@@ -8,6 +8,7 @@
 #include "lobes.h"
 #include "parts.h"
 #include "state.h"
+#include "telar/dress.h"
 #include "telar/explode.h"
 #include "telar/flat.h"
 #include "telar/load.h"
@@ -106,11 +107,59 @@ Napi::Value pose(const Napi::CallbackInfo& info) {
   });
 }
 
+std::vector<int> indicesFromJs(const Napi::Value& value) {
+  const auto list = value.As<Napi::Array>();
+  std::vector<int> out;
+  for (std::uint32_t i = 0; i < list.Length(); ++i) out.push_back(list.Get(i).ToNumber().Int32Value());
+  return out;
+}
+
+/// {materials: number[], nodes: number[], cloth?: scene, color?: [r, g, b], scale: number, rotation: number}
+Dressing dressingFromJs(const Napi::Object& value) {
+  Dressing out;
+  out.materials = indicesFromJs(value.Get("materials"));
+  out.nodes = indicesFromJs(value.Get("nodes"));
+  if (value.Get("cloth").IsObject()) out.cloth = unwrap<SceneHandle>(value.Get("cloth")).scene();
+  if (value.Get("color").IsArray()) {
+    const auto color = value.Get("color").As<Napi::Array>();
+    const auto part = [&color](std::uint32_t i) { return color.Get(i).ToNumber().FloatValue(); };
+    out.color = {part(0), part(1), part(2)};
+  }
+  out.scale = value.Get("scale").ToNumber().DoubleValue();
+  out.rotation = value.Get("rotation").ToNumber().DoubleValue();
+  return out;
+}
+
+/// dress(scene, dressings: object[], forget: boolean, token) -> Promise<{scene, facts: string}>
+/// forget: the model is free to go with what is made of it.
+Napi::Value dress(const Napi::CallbackInfo& info) {
+  SceneHandle& handle = unwrap<SceneHandle>(info[0]);
+  const auto list = info[1].As<Napi::Array>();
+  std::vector<Dressing> dressings;
+  for (std::uint32_t i = 0; i < list.Length(); ++i) dressings.push_back(dressingFromJs(list.Get(i).ToObject()));
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[3]).token);
+  auto model = info[2].ToBoolean() ? handle.detach() : handle.scene();
+  const auto work = [job, model = std::move(model), dressings = std::move(dressings)]() mutable {
+    auto scene = dressScene(model, dressings, job->cancel);
+    model.reset();
+    std::string facts = describeScene(*scene, job->cancel);
+    job->value = [scene, facts = std::move(facts)](Napi::Env env) { return sceneToJs(env, scene, facts); };
+  };
+  return State::of(info.Env()).runOnPool(info.Env(), job, work);
+}
+
 /// Makes the promise's value of the text that `make` returns on the pool.
 Napi::Value textOnPool(Napi::Env env, const std::shared_ptr<Job>& job, std::function<std::string()> make) {
   return State::of(env).runOnPool(env, job, [job, make = std::move(make)] {
     job->value = [text = make()](Napi::Env to) { return Napi::String::New(to, text); };
   });
+}
+
+/// namesOf(scene, token) -> Promise<string>
+Napi::Value names(const Napi::CallbackInfo& info) {
+  auto scene = unwrap<SceneHandle>(info[0]).scene();
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[1]).token);
+  return textOnPool(info.Env(), job, [scene] { return describeNames(*scene); });
 }
 
 /// measurePart(scene, kind: "node" | "material", which: number | string, variant: string, token) -> Promise<string>
@@ -251,6 +300,8 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["Bytes"] = BytesHandle::define(env);
   exports["Parts"] = PartsHandle::define(env);
   exports["load"] = Napi::Function::New(env, load, "load");
+  exports["dress"] = Napi::Function::New(env, dress, "dress");
+  exports["namesOf"] = Napi::Function::New(env, names, "namesOf");
   exports["explode"] = Napi::Function::New(env, explode, "explode");
   exports["pose"] = Napi::Function::New(env, pose, "pose");
   exports["measurePart"] = Napi::Function::New(env, measurePart, "measurePart");

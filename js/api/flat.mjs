@@ -1,7 +1,7 @@
 import { wrongOption } from './options.mjs';
 import { flatOptions } from './flat_options.mjs';
 import { svgOf } from './flat_svg.mjs';
-import { measuredFor, Model, poseModel, shotModule } from './model.mjs';
+import { measuredFor, Model, shownModel, shotModule } from './model.mjs';
 import { loadNative } from './native.mjs';
 import { nativeCall } from './native_call.mjs';
 import { shotJson } from './shot_json.mjs';
@@ -17,7 +17,7 @@ export async function flatOf(model, shot, options) {
   const { request, style, signal, timeoutMs } = flatOptions(options);
   const native = loadNative();
   const work = new Work(native, signal, timeoutMs);
-  const posed = await poseModel(native, model, shot, { work });
+  const posed = await shownModel(native, model, shot, { work });
   const { resolveShot } = await shotModule();
   const resolved = resolveShot(shot, await measuredFor(native, posed, shot, work));
   const { width, height } = resolved.size;

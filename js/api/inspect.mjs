@@ -4,7 +4,7 @@ import { Work } from './work.mjs';
 import { shotJson } from './shot_json.mjs';
 import { readShot, readSource } from './source.mjs';
 import { loadNative } from './native.mjs';
-import { Model, loadModel, measuredFor, poseModel, shotModule } from './model.mjs';
+import { Model, loadModel, measuredFor, shownModel, shotModule } from './model.mjs';
 
 /** Documented in js/index.d.ts. */
 export async function inspect(source, options = {}) {
@@ -19,7 +19,7 @@ export async function inspectOn(native, source, options = {}) {
   const request = readShot(native, shot, maxBytes);
   const work = new Work(native, signal, timeoutMs);
   const loaded = await loadModel(native, input, limits, { ...loading, work });
-  const model = await poseModel(native, loaded, request.shot, { work, forget: true });
+  const model = await shownModel(native, loaded, request.shot, { work, forget: true });
   const measures = measure.length > 0 && { measures: await measured(native, model, measure, work) };
   if (!model.facts.bounds) return { ...model.facts, ...measures, plan: null };
   const { resolveShot } = await shotModule();

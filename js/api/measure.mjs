@@ -1,5 +1,5 @@
 import { ASK_KEYS, measureOptions } from './measure_options.mjs';
-import { Model, poseModel } from './model.mjs';
+import { Model, shownModel } from './model.mjs';
 import { loadNative } from './native.mjs';
 import { nativeCall } from './native_call.mjs';
 import { Work } from './work.mjs';
@@ -12,7 +12,7 @@ export async function measureModel(model, options) {
   const { request, pose, signal, timeoutMs } = measureOptions(options);
   const native = loadNative();
   const work = new Work(native, signal, timeoutMs);
-  return measureOn(native, await poseModel(native, model, { pose }, { work }), request, work);
+  return measureOn(native, await shownModel(native, model, { pose }, { work }), request, work);
 }
 
 /** @internal */

@@ -73,16 +73,26 @@ export async function loadModel(native, input, limits, { work, failOn = 'error',
 }
 
 /**
- * The model as the shot's pose shows it, with the facts of that pose: the model itself where the shot has none.
+ * The model as a shot shows it, in its pose and in its cloths, with the facts of that: the model itself where the shot has neither.
  * @internal
  * @param {object} native the addon's exports
  * @param {Model} model
  * @param {object} shot not resolved
- * @param {{work?: import('./work.mjs').Work, forget?: boolean}} [options] forget: the model is not used afterwards, so free it with the pose
+ * @param {object} [options]
+ * @param {import('./work.mjs').Work} [options.work]
+ * @param {boolean} [options.forget] the model is not used afterwards, so free it with what is made of it
+ * @param {Map<string, Promise<Model>>} [options.cloths] of the renderer, decoded
  * @returns {Promise<Model>}
- * @throws {TelarError} E_SHOT, E_POSE
+ * @throws {TelarError} E_SHOT, E_POSE, E_CLOTH
  */
-export async function poseModel(native, model, shot, { work, forget = false } = {}) {
+export async function shownModel(native, model, shot, { work, forget = false, cloths } = {}) {
+  const posed = await poseModel(native, model, shot, { work, forget });
+  if (Object.keys(shot.materials ?? {}).length === 0) return posed;
+  const { dressModel } = await import('./dress.mjs');
+  return dressModel(native, posed, shot, { work, cloths, forget: forget || posed !== model });
+}
+
+async function poseModel(native, model, shot, { work, forget }) {
   const { resolvePose } = await shotModule();
   const pose = resolvePose(shot, model.facts);
   if (!pose) return model;
@@ -91,10 +101,10 @@ export async function poseModel(native, model, shot, { work, forget = false } = 
 }
 
 /**
- * What resolveShot needs to know of a posed model: its facts, and what the part measures that the shot frames.
+ * What resolveShot needs to know of a model: its facts, and what the part measures that the shot frames.
  * @internal
  * @param {object} native the addon's exports
- * @param {Model} model in the shot's pose
+ * @param {Model} model as the shot shows it
  * @param {object} shot not resolved
  * @param {import('./work.mjs').Work} [work]
  * @returns {Promise<object>}
@@ -108,44 +118,45 @@ export async function measuredFor(native, model, shot, work) {
   return { ...model.facts, part: { frame: part.frame, ...JSON.parse(measured) } };
 }
 
-/** Poses of one model that many shots share: each is made when first needed, and let go with the last shot that shows it. */
-export class SharedPoses {
+/** What many shots show of one model, in a pose or in cloths: each is made when first needed, and let go with the last shot that shows it. */
+export class SharedModels {
   #native;
   #model;
-  #begin;
-  #poses = new Map();
+  #make;
+  #shown = new Map();
 
   /**
    * @param {object} native
    * @param {Model} model
    * @param {object[]} shots all that will be asked for
-   * @param {() => import('./work.mjs').Work} begin of each pose
+   * @param {() => object} make the options of shownModel, for each
    */
-  constructor(native, model, shots, begin) {
+  constructor(native, model, shots, make) {
     this.#native = native;
     this.#model = model;
-    this.#begin = begin;
+    this.#make = make;
     for (const shot of shots) {
       const key = keyOf(shot);
-      const pose = this.#poses.get(key) ?? { shots: 0 };
-      this.#poses.set(key, pose);
-      pose.shots += 1;
+      const shown = this.#shown.get(key) ?? { shots: 0 };
+      this.#shown.set(key, shown);
+      shown.shots += 1;
     }
   }
 
   /** @returns {Promise<Model>} */
   of(shot) {
-    const pose = this.#poses.get(keyOf(shot));
-    pose.model ??= poseModel(this.#native, this.#model, shot, { work: this.#begin() });
-    return pose.model;
+    const shown = this.#shown.get(keyOf(shot));
+    shown.model ??= shownModel(this.#native, this.#model, shot, this.#make());
+    return shown.model;
   }
 
-  /** Counts a shot off. @returns {boolean} whether it was the last of its pose */
+  /** Counts a shot off. @returns {boolean} whether it was the last that shows it, and it is another than the model */
   isLast(shot) {
-    const pose = this.#poses.get(keyOf(shot));
-    pose.shots -= 1;
-    return pose.shots === 0 && (shot.pose ?? null) !== null;
+    const key = keyOf(shot);
+    const shown = this.#shown.get(key);
+    shown.shots -= 1;
+    return shown.shots === 0 && key !== keyOf({});
   }
 }
 
-const keyOf = ({ pose }) => JSON.stringify(pose ?? null);
+const keyOf = ({ pose, materials }) => JSON.stringify([pose ?? null, materials ?? {}]);

@@ -10,7 +10,7 @@ import { ProgressReport } from './progress.mjs';
 import { Work } from './work.mjs';
 import { shotJson } from './shot_json.mjs';
 import { readShot, readSource } from './source.mjs';
-import { Model, SharedPoses, loadModel, measuredFor, poseModel, qualityModule, shotModule } from './model.mjs';
+import { Model, SharedModels, loadModel, measuredFor, shownModel, qualityModule, shotModule } from './model.mjs';
 import { ASSET_DIRECTORY, loadNative } from './native.mjs';
 import { DEBUG_QUANTITIES } from '../shot/table/debug_quantities.mjs';
 import { versions } from './versions.mjs';
@@ -74,6 +74,7 @@ class Renderer {
   #limits;
   #loading;
   #gate;
+  #cloths = new Map();
   #pending = new Set();
   #closed;
 
@@ -138,7 +139,7 @@ class Renderer {
     return this.#track(
       this.#gate.run(async () => {
         const loaded = model ?? (await loadModel(this.#native, input, this.#limits, { ...loading, work }));
-        return measuredFor(this.#native, await poseModel(this.#native, loaded, shot, { work, forget: !model }), shot, work);
+        return measuredFor(this.#native, await shownModel(this.#native, loaded, shot, { work, forget: !model, cloths: this.#cloths }), shot, work);
       }, signal),
     );
   }
@@ -211,11 +212,11 @@ class Renderer {
     try {
       loaded ??= await this.#gate.run(() => loadModel(this.#native, input, this.#limits, { ...loading, work: begin() }), signal);
       const shots = requests.filter(({ failure }) => !failure).map(({ shot }) => shot);
-      const poses = new SharedPoses(this.#native, loaded, shots, begin);
+      const shared = new SharedModels(this.#native, loaded, shots, () => ({ work: begin(), cloths: this.#cloths }));
       const draw = async ({ failure, ...request }, job) => {
         try {
           if (failure) throw failure;
-          return await this.#gate.run(() => this.#render({ ...request, loading, model: loaded, poses, job }, begin(), report), signal);
+          return await this.#gate.run(() => this.#render({ ...request, loading, model: loaded, shared, job }, begin(), report), signal);
         } catch (thrown) {
           report?.finish(job);
           throw ofShot(settled ? toTelarError(thrown) : thrown, job);
@@ -233,23 +234,23 @@ class Renderer {
     return this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model), forget)));
   }
 
-  async #render({ input, model: given, loading, poses, job = 0, shot, environment, map, quantity }, work, report) {
+  async #render({ input, model: given, loading, shared, job = 0, shot, environment, map, quantity }, work, report) {
     const start = performance.now();
     const model = given ?? (await loadModel(this.#native, input, this.#limits, { ...loading, work }));
     const loaded = performance.now();
-    const posed = await (poses ? poses.of(shot) : poseModel(this.#native, model, shot, { work, forget: !given }));
-    const posedAt = performance.now();
-    const { resolved, warnings } = await this.#resolve(shot, posed, loading, work).catch((error) => {
-      if (poses?.isLast(shot)) this.#releaseScene(posed).catch(() => {});
+    const shown = await (shared ? shared.of(shot) : shownModel(this.#native, model, shot, { work, forget: !given, cloths: this.#cloths }));
+    const shownAt = performance.now();
+    const { resolved, warnings } = await this.#resolve(shot, shown, loading, work).catch((error) => {
+      if (shared?.isLast(shot)) this.#releaseScene(shown).catch(() => {});
       throw error;
     });
     if (map) resolved.environment.map = map;
     if ((await qualityModule()).isLong(resolved.quality)) work.allowLong();
     const request = {
-      scene: Model.sceneOf(posed),
+      scene: Model.sceneOf(shown),
       shot: shotJson(quantity ? { ...resolved, debugOutput: quantity } : resolved),
       environment,
-      releaseScene: poses ? poses.isLast(shot) : !given || posed !== model,
+      releaseScene: shared ? shared.isLast(shot) : !given || shown !== model,
     };
     const resolvedAt = performance.now();
     const frame = await nativeCall(this.#native, work, (token) => {
@@ -265,7 +266,7 @@ class Renderer {
       drawn: frame.environmentSha256,
       limits: this.#limits,
     });
-    const milliseconds = { load: loaded - start, pose: posedAt - loaded, resolve: resolvedAt - posedAt, total: performance.now() - start };
+    const milliseconds = { load: loaded - start, pose: shownAt - loaded, resolve: resolvedAt - shownAt, total: performance.now() - start };
     const info = frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings });
     refuseWarnings(loading.failOn, info.warnings);
     const layers = Object.keys(frame.layers).length > 0 && { layers: frame.layers };
@@ -273,10 +274,10 @@ class Renderer {
   }
 
   /** The shot with every default, and what is known to be wrong before it is drawn. @throws {TelarError} E_SHOT, E_WARNING, ... */
-  async #resolve(shot, posed, { failOn }, work) {
+  async #resolve(shot, shown, { failOn }, work) {
     const { resolveShot } = await shotModule();
-    const resolved = resolveShot(shot, await measuredFor(this.#native, posed, shot, work));
-    const warnings = [...(posed.facts.warnings ?? []), ...shotWarnings(resolved, posed.facts.extensionsUsed)];
+    const resolved = resolveShot(shot, await measuredFor(this.#native, shown, shot, work));
+    const warnings = [...(shown.facts.warnings ?? []), ...shotWarnings(resolved, shown.facts.extensionsUsed)];
     refuseWarnings(failOn, warnings);
     return { resolved, warnings };
   }

@@ -29,6 +29,11 @@ export function addShotOptions(command) {
     .option('--background <colour>', describe('background'))
     .option('--variant <name>', describe('variant'))
     .option(
+      '--material <part=cloth>',
+      'a part in another cloth, PART=PRESET, PART=PRESET:COLOUR or PART=:COLOUR, as in --material "Body*=denim:#23324f"; may stand several times',
+      collect,
+    )
+    .option(
       '--layers <names>',
       'images beside the colour, with commas between: depth, normal, partId, materialId, ao, albedo, shadow, coverage, line; OUT.depth.png and so on',
     )
@@ -80,7 +85,7 @@ export function withPathsFrom(folder, shot) {
   return shot;
 }
 
-function applyFlags(shot, { view, frame, fitTo, size, quality, shading, environment, background, variant, layers, ghost, style, scale }) {
+function applyFlags(shot, { view, frame, fitTo, size, quality, shading, environment, background, variant, material, layers, ghost, style, scale }) {
   if (view !== undefined) shot.camera = { ...framingOf(shot.camera), view };
   if (frame !== undefined) shot.camera = { ...shot.camera, frame: parseFrame(frame) };
   if (fitTo !== undefined) shot.camera = { ...shot.camera, fitTo };
@@ -90,6 +95,7 @@ function applyFlags(shot, { view, frame, fitTo, size, quality, shading, environm
   if (environment !== undefined) shot.environment = { ...settingsOf(shot.environment), map: environment };
   if (background !== undefined) shot.background = parseValue(background);
   if (variant !== undefined) shot.variant = variant;
+  if (material !== undefined) shot.materials = { ...shot.materials, ...Object.fromEntries(material.map(parseMaterial)) };
   if (layers !== undefined) shot.layers = layers.split(',').map((name) => name.trim());
   if (ghost !== undefined) shot.ghost = ghost.map(parseGhost);
   if (style !== undefined) shot.style = style;
@@ -116,6 +122,14 @@ function parseGhost(text) {
 function parseFrame(text) {
   const [, kind, which] = /^(node|material)=(.*)$/s.exec(text) ?? [];
   return kind === undefined ? text : { [kind]: /^\d+$/.test(which) ? Number(which) : which };
+}
+
+/** "Body*=denim:#23324f" as ["Body*", {preset: "denim", color: "#23324f"}]. @throws {TelarError} E_USAGE */
+function parseMaterial(text) {
+  const [isMaterial, part, preset, color] = /^(.*?)=([^:]*)(?::(.*))?$/s.exec(text) ?? [];
+  if (!isMaterial || part === '' || (preset === '' && !color))
+    throw usage(`--material: expected PART=PRESET:COLOUR, as in "Body*=denim:#23324f", got ${shown(text)}`);
+  return [part, { ...(preset !== '' && { preset }), ...(color !== undefined && { color }) }];
 }
 
 /** "512x512" or "512" as {width, height} in pixels. @throws {TelarError} E_USAGE */

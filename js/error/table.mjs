@@ -77,6 +77,10 @@ const ROWS = {
     E_ENVIRONMENT_MISSING: ['The environment file does not exist, is a folder or cannot be read', 'Check the path and the permissions.'],
     E_VARIANT: ['The model has no such material variant', '`telar inspect` lists the variants.'],
     E_POSE: ['The model has no such animation', '`telar inspect` lists the animations.'],
+    E_CLOTH: [
+      'No material or node of the model has this name, or the cloth that it is to be shown in has no material',
+      '`telar inspect` lists the materials; the message names what it has.',
+    ],
     E_FRAME: ['The model has no such node or material to frame, or to draw as a ghost', 'The message names what it has; `telar inspect` lists the materials.'],
     E_MEASURE: ['What is to be measured is not there, or no way over the surface joins it', 'The message names the point, the part or the gap.'],
     E_CAMERA: ['The model has no such camera, or one that cannot be drawn from', '`telar inspect` lists the cameras.'],
@@ -200,6 +204,10 @@ const ROWS = {
     W_RANGE: ['A value was clamped to its range', FIX_FILE],
     W_SAMPLER: ['A texture sampler is wrong and was replaced by the default', FIX_FILE],
     W_TEXCOORD: ['A texture uses a UV set that the mesh does not have', FIX_FILE],
+    W_CLOTH_UV: [
+      'A surface without texture coordinates wears a cloth: the maps of the cloth are not drawn',
+      'Unwrap the mesh, or choose a cloth without a pattern.',
+    ],
     W_TEXTURE: ['A texture has no usable image and is not drawn', FIX_FILE],
     W_INSTANCING: ['Instances are not drawn as the file says, or not as three.js draws them', 'The message names the reason.'],
     W_SHEET_FIT: ['A part of a sheet finds no room in its figure', 'The message says where it stands instead; use a larger paper, or other views.'],

@@ -12,7 +12,14 @@ import { DEFAULT_FOV_Y } from './table/camera.mjs';
  */
 export function shotIdentity(shot) {
   const parsed = parseShot(shot);
-  return { ...parsed, ...resolveWithoutModel(parsed), camera: cameraIdentity(parsed.camera), lights: parsed.lights.map(lightIdentity) };
+  return {
+    ...parsed,
+    ...resolveWithoutModel(parsed),
+    camera: cameraIdentity(parsed.camera),
+    lights: parsed.lights.map(lightIdentity),
+    // As a list: the order in which cloths are put on counts.
+    materials: Object.entries(parsed.materials),
+  };
 }
 
 function cameraIdentity(camera) {

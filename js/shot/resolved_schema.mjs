@@ -30,6 +30,7 @@ const TYPES = {
   index: ({ named }) => (named ? z.union([index, z.string().check(z.regex(CHARACTERS))]) : index),
   bytes: () => z.custom((value) => value instanceof Uint8Array).register(z.globalRegistry, { tsType: 'Uint8Array' }),
   object: ({ shape }) => z.strictObject(Object.fromEntries(Object.entries(shape).map(([key, row]) => [key, zodOf(row)]))),
+  record: ({ of }) => z.record(z.string(), zodOf(of)),
   list: ({ of }) => z.array(zodOf(of)),
   union: ({ options }) => z.union(options.map(zodOf)),
   variants: ({ by, of }) => z.discriminatedUnion(by, Object.values(of).map(zodOf)),

@@ -2,6 +2,7 @@ import * as z from '../dist/zod.mjs';
 import { parseColour } from './colour.mjs';
 import { FRAME_ROW } from './table/camera.mjs';
 import { SHOT } from './table/index.mjs';
+import { materials } from './table/materials.mjs';
 import { CHARACTERS, HUGE, INDEX_MAX, TINY } from './table/rows.mjs';
 import { POSE } from './table/stage.mjs';
 
@@ -76,3 +77,4 @@ export const shotSchema = zodOf(SHOT);
 /** The parts that are read before the rest, as what the model measures depends on them. */
 export const frameSchema = zodOf(FRAME_ROW);
 export const poseSchema = zodOf(POSE);
+export const materialsSchema = zodOf(materials);

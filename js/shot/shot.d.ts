@@ -491,6 +491,17 @@ export interface Shot {
   };
   /** Name of a material variant of the model (KHR_materials_variants); "" = none. @default "" */
   variant?: string;
+  /** Parts in another cloth: by the name of a material or of a node with all beneath it, `*` and `?` standing for any characters and any one; digits alone are the index of a material. A later one holds before an earlier one, an index before names, a node before a material. */
+  materials?: Record<string, {
+    /** Cloth of js/docs/fabric.md with its maps; null = its own material in another colour. @default null */
+    preset?: 'cotton-jersey' | 'denim' | 'wool-felt' | 'towel' | 'velvet' | 'satin' | 'silk' | 'leather' | 'waxed-cotton' | 'nylon-shell' | 'tulle' | 'lace' | 'sequin-thread' | null;
+    /** Its colour; null = the part's own, with its picture where the cloth has none. @default null */
+    color?: string | [number, number, number] | null;
+    /** Size of its pattern, 1 = true to the metres of the model. Range 0.001 to 1000. @default 1 */
+    scale?: number;
+    /** Turns the grain line, which runs along v of the texture coordinates, counter-clockwise. Range -360 to 360. @default 0 */
+    rotation?: number;
+  }>;
   /** A moment of one of the model's animations; null = as the file stands. @default null */
   pose?: {
     /** Index or name of an animation in the model. */
@@ -1026,6 +1037,17 @@ export interface ResolvedShot {
   };
   /** Name of a material variant of the model (KHR_materials_variants); "" = none. */
   variant: string;
+  /** Parts in another cloth: by the name of a material or of a node with all beneath it, `*` and `?` standing for any characters and any one; digits alone are the index of a material. A later one holds before an earlier one, an index before names, a node before a material. */
+  materials: Record<string, {
+    /** Cloth of js/docs/fabric.md with its maps; null = its own material in another colour. */
+    preset: 'cotton-jersey' | 'denim' | 'wool-felt' | 'towel' | 'velvet' | 'satin' | 'silk' | 'leather' | 'waxed-cotton' | 'nylon-shell' | 'tulle' | 'lace' | 'sequin-thread' | null;
+    /** Its colour; null = the part's own, with its picture where the cloth has none. */
+    color: [number, number, number] | null;
+    /** Size of its pattern, 1 = true to the metres of the model. Range 0.001 to 1000. */
+    scale: number;
+    /** Turns the grain line, which runs along v of the texture coordinates, counter-clockwise. Range -360 to 360. */
+    rotation: number;
+  }>;
   /** A moment of one of the model's animations; null = as the file stands. */
   pose: {
     /** Index or name of an animation in the model. Range at least 0. */

@@ -1,5 +1,6 @@
 import { lensExposure } from '../shot/lens_exposure.mjs';
 import { TONE_MAPPINGS } from '../shot/table/tone_mappings.mjs';
+import { putOnCloths, takeOffCloths } from './cloths.mjs';
 import { applyOlderOutput, backgroundColor, dimEnvironment, environmentTurned } from './older_release.mjs';
 import { applyGhosts, removeGhosts } from './ghost.mjs';
 import { applyPose } from './pose.mjs';
@@ -42,6 +43,8 @@ export function rendererParameters(shot) {
  *   as FloatType, what it has above 65504 lights every shading but "three", as on the server; halves do not hold that.
  * @param {() => Promise<{RectAreaLightUniformsLib: {init(): void}}>} [target.areaLightTables] - Gives three's tables of rect
  *   lights, `() => import('three/addons/lights/RectAreaLightUniformsLib.js')`; called for the first shot with such a light.
+ * @param {(preset: string) => Promise<object>} [target.cloths] - Gives telar/cloths/PRESET.glb as GLTFLoader loads it; called for the presets of
+ *   the shot's `materials`.
  * @param {'shot' | 'client'} [target.revision] - What to do where the shot names another release of three.js than `THREE` is and the
  *   two draw differently. "shot", the default, warns on the console. "client" writes the client's release into `shot`: the
  *   server, handed the same shot, then draws as this client does.
@@ -49,7 +52,7 @@ export function rendererParameters(shot) {
  * @throws {Error} When the client's release lacks the tone mapping, or the shot needs an environment or the tables of rect lights, and none was given, or names a variant
  *   that the model lacks.
  */
-export async function applyShot(shot, { THREE, renderer, scene, camera, model, environment, areaLightTables, revision = 'shot' }) {
+export async function applyShot(shot, { THREE, renderer, scene, camera, model, environment, areaLightTables, cloths, revision = 'shot' }) {
   matchRelease(shot, THREE, revision);
   applyOutput(shot, THREE, renderer);
   if (shot.lights.some(({ type }) => type === 'rect')) await prepareAreaLights(THREE, areaLightTables);
@@ -60,9 +63,9 @@ export async function applyShot(shot, { THREE, renderer, scene, camera, model, e
   applyShadows(shot, THREE, { renderer, scene, model });
   applyEnvironment(shot, THREE, scene, lighting?.texture);
   applyBackground(shot, THREE, scene);
-  if (model) await applyMaterials(shot, model, THREE);
-  dimEnvironment(THREE, scene, shot.environment.intensity);
   if (model) applyPose(model, shot.pose, { THREE });
+  if (model) await applyMaterials(shot, model, { THREE, cloths });
+  dimEnvironment(THREE, scene, shot.environment.intensity);
   return applyCamera(shot, THREE, camera);
 }
 
@@ -78,11 +81,13 @@ function toneMappingOf(THREE, name) {
   return constant;
 }
 
-/** The materials of the variant, shaded as the shot says. */
-async function applyMaterials(shot, model, THREE) {
+/** The materials of the variant and the cloths over them, shaded as the shot says. */
+async function applyMaterials(shot, model, { THREE, cloths }) {
   removeGhosts(model.scene);
   restoreMaterials(model.scene);
+  takeOffCloths(model.scene);
   await applyVariant(model, shot.variant);
+  await putOnCloths(shot, model, { THREE, cloths });
   await applyShading(model, shot.shading, { THREE });
   applyGhosts(model, shot);
 }

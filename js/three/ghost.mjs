@@ -1,3 +1,4 @@
+import { matchesName } from '../shot/name_pattern.mjs';
 import { materialIndexOf } from './variant.mjs';
 
 /** The materials that stand in for others, with those. */
@@ -6,8 +7,7 @@ const solid = new WeakMap();
 const casting = new WeakMap();
 
 /** A name as a ghost gives it: * stands for any characters. */
-const matches = (wanted, index, name) =>
-  typeof wanted === 'number' ? wanted === index : new RegExp(`^${wanted.replace(/[.+?^${}()|[\]\\]/g, '\\$&').replace(/\*+/g, '.*')}$`, 's').test(name ?? '');
+const matches = (wanted, index, name = '') => (typeof wanted === 'number' ? wanted === index : matchesName(wanted, name));
 
 const mapped = (material, change) => (Array.isArray(material) ? material.map(change) : change(material));
 

@@ -29,6 +29,8 @@ export function applyShot(shot: ResolvedShot, target: {
    * first shot with such a light, required there.
    */
   areaLightTables?: () => Promise<Three>;
+  /** Gives telar/cloths/PRESET.glb as GLTFLoader loads it; called for the presets of the shot's `materials`. */
+  cloths?: (preset: string) => Promise<Three>;
   /**
    * Where the shot names another release of three.js than THREE is, and the two draw differently: "shot", the default, warns on the
    * console; "client" writes the client's release into `shot.shading`, so that the server, handed the same shot, draws as this client does.

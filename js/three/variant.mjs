@@ -43,7 +43,7 @@ function variantNames(parser) {
 }
 
 /** The primitive of the file that a mesh shows; an instanced one is known by its node alone. */
-function primitiveOf({ associations, json }, mesh) {
+export function primitiveOf({ associations, json }, mesh) {
   const { meshes, primitives = 0 } = associations.get(mesh) ?? {};
   if (meshes !== undefined) return json.meshes[meshes].primitives[primitives];
   if (!mesh.isInstancedMesh) return undefined;

@@ -62,7 +62,7 @@ Json LayerIds::materials(const std::string& variant) const {
   for (const Node& node : scene_.nodes) {
     if (node.mesh < 0) continue;
     for (const Primitive& primitive : scene_.meshes[static_cast<std::size_t>(node.mesh)].primitives)
-      used.insert(materialIndex(primitive, index));
+      used.insert(materialIndex(node, primitive, index));
   }
   Json legend = Json::array();
   for (const int i : used) {

@@ -95,7 +95,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.lights = frame.lights;
   key.flatShaded = primitive.normals.empty();
   const bool stretched = key.anisotropy || key.weave;
-  key.tangent = (key.normalMap || stretched) && !key.flatShaded && !primitive.tangents.empty();
+  key.tangent = (key.normalMap || stretched) && !key.flatShaded && hasTangents(primitive, material);
   key.tangentFrameUv0 = stretched && !key.normalMap && !key.clearcoatNormalMap && !key.weaveMap;
   // The normal of a flat face needs no flip. Its tangent frame does.
   const bool hasFrame = key.normalMap || key.clearcoatNormalMap || stretched;
@@ -246,7 +246,7 @@ FramePlan planFrame(const Scene& scene, const Shot& shot, const Limits& limits, 
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       const Primitive& primitive = primitives[i];
       if (primitive.positions.empty()) continue;
-      const int index = materialIndex(primitive, variant);
+      const int index = materialIndex(node, primitive, variant);
       DrawItem item{&node, &primitive, &frame::materialAt(scene, index, shot.shading)};
       if (const auto read = plan.materials.of(*item.material, primitive, frame.three)) item.material = read.get();
       const float opacity = plan.ghosts.opacity(node, index);

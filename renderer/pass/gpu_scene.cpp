@@ -17,14 +17,14 @@ constexpr std::uint64_t MOMENT_BYTES = 5;  ///< a texel of the source, while its
 }  // namespace
 
 GpuScene::GpuScene(const gl::Context& context, const std::shared_ptr<const Scene>& scene, GpuScene* model)
-    : context_(context), scene_(scene), model_(model) {
+    : context_(context), scene_(scene), model_(model), fileImages_(static_cast<int>(scene->fileImages)) {
   if (!model) return;
   for (std::size_t i = scene->fileMeshes; i < scene->meshes.size(); ++i) {
     for (const Primitive& primitive : scene->meshes[i].primitives) own_.insert(&primitive);
   }
 }
 
-bool GpuScene::isPoseOf(const Scene& model) const {
+bool GpuScene::isMadeOf(const Scene& model) const {
   const auto scene = scene_.lock();
   return scene && scene->model.get() == &model;
 }
@@ -53,7 +53,7 @@ const PartExtents& GpuScene::extents(const Primitive& primitive) {
 }
 
 GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel) {
-  if (model_) return model_->texture(scene, image, colorUse, cancel);
+  if (isModels(image)) return model_->texture(scene, image, colorUse, cancel);
   const bool srgb = decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, colorUse);
   const auto key = std::make_pair(image, srgb);
   const auto found = textures_.find(key);
@@ -67,16 +67,17 @@ GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const Can
 }
 
 GLuint GpuScene::derived(const DerivedTexture& key, const std::function<gl::Texture()>& make) {
-  if (model_) return model_->derived(key, make);
+  if (isModels(key.image)) return model_->derived(key, make);
   const auto found = derived_.find(key);
   if (found != derived_.end()) return found->second.get();
   return derived_.emplace(key, make()).first->second.get();
 }
 
 std::uint64_t GpuScene::derivedBytes(const Scene& scene, std::set<DerivedTexture> wanted) const {
-  if (model_) return model_->derivedBytes(scene, std::move(wanted));
   std::uint64_t bytes = 0, largest = 0;
-  for (const auto& made : derived_) wanted.insert(made.first);
+  for (const GpuScene* of = this; of; of = of->model_) {
+    for (const auto& made : of->derived_) wanted.insert(made.first);
+  }
   for (const DerivedTexture& key : wanted) {
     const Image8& image = scene.images[static_cast<std::size_t>(key.image)];
     const std::uint64_t texels = std::uint64_t{image.width} * image.height;

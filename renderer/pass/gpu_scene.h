@@ -23,11 +23,11 @@ struct DerivedTexture {
   auto operator<=>(const DerivedTexture&) const = default;
 };
 
-/// A scene's data on the GPU. It is made when a draw first needs it and freed with the object. A pose owns only its
-/// deformed meshes.
+/// A scene's data on the GPU. It is made when a draw first needs it and freed with the object. A scene that was made of
+/// another one owns only what that lacks: deformed meshes, images of cloths.
 class GpuScene {
  public:
-  /// @param model of the scene that `scene` is a pose of, which outlives this; null = it is none
+  /// @param model of the scene that `scene` was made of, which outlives this; null = it was loaded
   GpuScene(const gl::Context& context, const std::shared_ptr<const Scene>& scene, GpuScene* model);
 
   /// @param instances null = drawn once
@@ -43,13 +43,16 @@ class GpuScene {
   std::uint64_t derivedBytes(const Scene& scene, std::set<DerivedTexture> wanted) const;
   GLuint sampler(const Sampler& sampler);
   bool expired() const { return scene_.expired(); }
-  bool isPoseOf(const Scene& model) const;
+  bool isMadeOf(const Scene& model) const;
 
  private:
+  bool isModels(int image) const { return model_ && image < fileImages_; }
+
   const gl::Context& context_;
   std::weak_ptr<const Scene> scene_;
   GpuScene* model_;
-  std::set<const Primitive*> own_;  ///< of a pose: the deformed ones
+  std::set<const Primitive*> own_;  ///< where there is a model: the deformed ones
+  int fileImages_;                  ///< images below are the model's
   std::map<const Primitive*, VertexStreams> streams_;
   std::map<const Primitive*, PartExtents> extents_;
   std::map<const Instances*, InstanceStreams> instances_;

@@ -167,10 +167,10 @@ class GlRenderer final : public Renderer {
   }
 
   void release(const Scene& scene) override {
-    // Poses of a scene hang on to its copies.
-    std::erase_if(scenes_, [&](const auto& entry) { return entry.second->isPoseOf(scene); });
+    // Scenes that were made of a scene hang on to its copies.
+    std::erase_if(scenes_, [&](const auto& entry) { return entry.second->isMadeOf(scene); });
     scenes_.erase(&scene);
-    // A pose that alone keeps its model alive is the last that draws it.
+    // One that alone keeps that scene alive is the last that draws it.
     if (scene.model && scene.model.use_count() == 1) scenes_.erase(scene.model.get());
   }
 

@@ -44,7 +44,7 @@ glm::mat3 normalMatrixOf(const glm::dmat3& m) {
 /// Without vertex tangents the frame follows the texture's rows downwards: y turns round, as in three.js's loader,
 /// which does so twice for instances. On back faces that are drawn as front faces both turn round, as in its renderer.
 glm::vec2 normalScaleOf(float scale, const DrawItem& item) {
-  const glm::vec2 signs(1, item.primitive->tangents.empty() && !item.instances() ? -1 : 1);
+  const glm::vec2 signs(1, hasTangents(*item.primitive, *item.material) || item.instances() ? 1 : -1);
   return signs * (item.key.flipSided ? -scale : scale);
 }
 

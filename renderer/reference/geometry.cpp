@@ -78,7 +78,7 @@ std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
       if (primitive.topology != Topology::kTriangles || primitive.positions.empty()) continue;
       const std::size_t first = meshes.size();
-      const int index = materialIndex(primitive, variant);
+      const int index = materialIndex(node, primitive, variant);
       const float opacity = ghosts.opacity(node, index);
       if (opacity == 0) continue;
       const Material& material = frame::materialAt(scene, index, shading);

@@ -63,8 +63,8 @@ class Corners {
 glm::mat3 tangentFrame(const PlacedMesh& mesh, const Corners& corners, const glm::vec2& b, const glm::vec3& n,
                        const TextureRef& texture, const glm::vec3& v, float face) {
   const Primitive& primitive = *mesh.primitive;
-  const bool hasTangents = !primitive.tangents.empty() && !primitive.normals.empty();
-  if (hasTangents && corners.haveLength(primitive.tangents)) {
+  const bool ownTangents = hasTangents(primitive, *mesh.material) && !primitive.normals.empty();
+  if (ownTangents && corners.haveLength(primitive.tangents)) {
     const glm::vec4 tangent = corners.at(primitive.tangents, b);
     const glm::vec3 t = glm::normalize(mesh.linear * glm::vec3(tangent));
     const glm::vec3 vertexNormal = n * face;
@@ -77,7 +77,7 @@ glm::mat3 tangentFrame(const PlacedMesh& mesh, const Corners& corners, const glm
   const glm::vec3 bt = turn * glm::cross(corners.edge(2) * d1.y - corners.edge(1) * d2.y, n);
   const float det = std::max(glm::dot(t, t), glm::dot(bt, bt));
   const float scale = (det == 0 ? 0.0f : 1.0f / std::sqrt(det)) * (mesh.material->doubleSided ? face : 1.0f);
-  return {t * scale, bt * (hasTangents ? -scale : scale), n};
+  return {t * scale, bt * (ownTangents ? -scale : scale), n};
 }
 
 glm::vec3 mappedNormal(const glm::mat3& frame, const glm::vec4& texel, const glm::vec2& scale) {
@@ -132,10 +132,10 @@ glm::vec3 bumpedAt(const PhysicalLayers& l, const Corners& corners, const Reader
 brdf_f::Normals normalsAt(const PlacedMesh& mesh, const Corners& corners, const Reader& read, const glm::vec3& n,
                           const glm::vec3& v, float face, const Footprint* footprint) {
   const Material& m = *mesh.material;
-  const bool hasTangents = !mesh.primitive->tangents.empty();
+  const bool ownTangents = hasTangents(*mesh.primitive, m);
   const TextureRef& coatMap = m.layers.clearcoatNormalTexture;
   // Without vertex tangents the frame follows the texture's rows downwards.
-  const glm::vec2 signs(1, hasTangents ? 1 : -1);
+  const glm::vec2 signs(1, ownTangents ? 1 : -1);
   const auto frameOf = [&](const TextureRef& texture) {
     return tangentFrame(mesh, corners, read.barycentric, n, texture, v, face);
   };
@@ -155,7 +155,7 @@ brdf_f::Normals normalsAt(const PlacedMesh& mesh, const Corners& corners, const 
   const bool stretched = m.layers.anisotropyStrength > 0 || isWoven(mesh);
   const bool framed = stretched && glm::dot(mapped[0], mapped[0]) > 0 && glm::dot(mapped[1], mapped[1]) > 0;
   normals.frame = framed ? mapped : brdf_f::basisAbout(normals.shading);
-  normals.upward = hasTangents ? 1.0f : -1.0f;
+  normals.upward = ownTangents ? 1.0f : -1.0f;
   return normals;
 }
 

@@ -119,7 +119,7 @@ class Builder {
     const auto& primitives = scene_.meshes[static_cast<std::size_t>(node.mesh)].primitives;
     bool any = false;
     for (std::size_t p = 0; p < primitives.size(); ++p) {
-      const int material = materialIndex(primitives[p], options_.variant);
+      const int material = materialIndex(node, primitives[p], options_.variant);
       if (!(within || wears(material)) || primitives[p].topology == Topology::kPoints) continue;
       any = true;
       const std::size_t places = node.instances ? node.instances->matrices.size() : 1;

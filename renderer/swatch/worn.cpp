@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "core/uv_metres.h"
+
 namespace telar::swatch {
 namespace {
 
@@ -15,16 +17,14 @@ const Primitive& primitiveOf(const Scene& scene, const surface::Source& source) 
 
 using Corners = std::array<std::uint32_t, 3>;
 
-/// Adds a triangle of edges p and q in space. Over it a point is a linear function of (u, v), whose derivatives are the
-/// metres of texture along u and along v.
+/// Adds a triangle of edges p and q in space.
 void addCoordinates(Worn::Coordinates& sum, const std::vector<glm::vec2>& uvs, const Corners& corners,
                     const glm::dvec3& p, const glm::dvec3& q) {
   if (uvs.empty()) return;
   const glm::dvec2 origin(uvs[corners[0]]);
   const glm::dvec2 a = glm::dvec2(uvs[corners[1]]) - origin, b = glm::dvec2(uvs[corners[2]]) - origin;
   const double determinant = a.x * b.y - a.y * b.x;
-  const glm::dvec2 metres(glm::length((b.y * p - a.y * q) / determinant),
-                          glm::length((a.x * q - b.x * p) / determinant));
+  const glm::dvec2 metres = uvMetres(p, q, a, b);
   const double area = glm::length(glm::cross(p, q)) / 2;
   // A triangle without area in the texture says nothing of its size.
   if (!std::isfinite(metres.x + metres.y) || area == 0) return;

@@ -26,6 +26,7 @@ const FILES = [
   'cases_shadow.mjs',
   'cases_framing.mjs',
   'cases_shading.mjs',
+  'cases_materials.mjs',
 ];
 
 const modules = await Promise.all(FILES.map((file) => import(`./${file}`)));

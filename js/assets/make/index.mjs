@@ -3,17 +3,19 @@ import { existsSync } from 'node:fs';
 import { mkdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { makeCloth, PRESETS } from './cloths/index.mjs';
 import { makeFabrics } from './fabrics/index.mjs';
 import { makeStudio } from './studio.mjs';
 import { makeTshirt } from './tshirt.mjs';
 
 /** Writes the bundled assets beside this folder, or into the folder given as the first argument. */
 const target = process.argv[2] ?? fileURLToPath(new URL('..', import.meta.url));
-await mkdir(target, { recursive: true });
+await mkdir(path.join(target, 'cloths'), { recursive: true });
 for (const [name, make] of [
   ['studio.hdr', makeStudio],
   ['tshirt.glb', makeTshirt],
   ['fabrics.glb', makeFabrics],
+  ...Object.keys(PRESETS).map((preset) => [`cloths/${preset}.glb`, () => makeCloth(preset)]),
 ]) {
   const bytes = await make();
   await writeFile(path.join(target, name), bytes);

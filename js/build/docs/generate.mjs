@@ -2,6 +2,7 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync
 import { fileURLToPath } from 'node:url';
 import { TABLE } from '../../error/table.mjs';
 import { DEBUG_QUANTITIES } from '../../shot/table/debug_quantities.mjs';
+import { clothNames } from './cloth_names.mjs';
 import { fabricPage } from './fabric_page.mjs';
 import { resolvedShotDraft, shotDraft, shotJsonSchema, specDraft, specJsonSchema } from './json_schema.mjs';
 import { withLayerExtensions } from './layers_table.mjs';
@@ -43,6 +44,7 @@ export function generatedFiles() {
     'js/error/codes.d.ts': `${HEADER.replace('js/shot/table', 'js/error/table.mjs')}\nexport type ErrorCode =\n${codes
       .map((code) => `  | '${code}'`)
       .join('\n')};\n`,
+    'js/shot/table/cloths.mjs': clothNames(),
     'js/docs/options.md': optionsPage(shotDraft()),
     'js/sheet/schema.json': `${JSON.stringify(specJsonSchema(), null, 2)}\n`,
     'js/sheet/spec.d.ts': [

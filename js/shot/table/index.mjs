@@ -4,6 +4,7 @@ import { camera } from './camera.mjs';
 import { flat, style } from './flat.mjs';
 import { layers } from './layers.mjs';
 import { lights } from './lights.mjs';
+import { materials } from './materials.mjs';
 import { output } from './output.mjs';
 import { ghost } from './parts.mjs';
 import { quality } from './quality.mjs';
@@ -72,6 +73,7 @@ export const SHOT = object(
     exposure: number('Factor on radiance before tone mapping', { unit: 'factor', min: 0, default: 1 }),
     quality,
     variant: text('Name of a material variant of the model (KHR_materials_variants); "" = none', 'the name of a variant', { default: '' }),
+    materials,
     pose: POSE,
     ghost,
     layers,

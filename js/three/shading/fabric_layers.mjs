@@ -82,15 +82,18 @@ function finalMaterial(parser, mesh, material) {
  * @param {object} parser - Of GLTFLoader.
  * @param {object | null} definition - As of clothOf.
  * @param {typeof import('three')} THREE
+ * @param {(texture: import('three').Texture) => import('three').Texture} [placed] - Of a cloth that a shot put on: its texture on the garment.
  * @returns {Promise<{fabric: object | null, diffuseTransmission: object | null}>} As FabricMaterial takes them.
  */
-export async function extensionsOf(parser, definition, THREE) {
+export async function extensionsOf(parser, definition, THREE, placed = (texture) => texture) {
   const [fabric, diffuseTransmission] = await Promise.all(
     [FABRIC, DIFFUSE_TRANSMISSION].map(async (name) => {
       const extension = definition?.extensions?.[name];
       if (!extension) return null;
       const copy = structuredClone(extension);
-      await Promise.all(texturesIn(name).map(([path, isColor]) => loadTexture(parser, copy, path, isColor ? THREE.SRGBColorSpace : THREE.NoColorSpace)));
+      await Promise.all(
+        texturesIn(name).map(([path, isColor]) => loadTexture(parser, copy, path, isColor ? THREE.SRGBColorSpace : THREE.NoColorSpace, placed)),
+      );
       return copy;
     }),
   );
@@ -98,7 +101,7 @@ export async function extensionsOf(parser, definition, THREE) {
     // What the back leaves out is as on the front.
     const { baseColorFactor, baseColorTexture } = definition.pbrMetallicRoughness ?? {};
     Object.assign(fabric.back, structuredClone({ baseColorFactor: baseColorFactor?.slice(0, 3), baseColorTexture }));
-    await loadTexture(parser, fabric, ['back', 'baseColorTexture'], THREE.SRGBColorSpace);
+    await loadTexture(parser, fabric, ['back', 'baseColorTexture'], THREE.SRGBColorSpace, placed);
   }
   if (fabric?.back) fabric.back.roughnessFactor ??= definition.pbrMetallicRoughness?.roughnessFactor;
   return { fabric, diffuseTransmission };
@@ -107,11 +110,12 @@ export async function extensionsOf(parser, definition, THREE) {
 const hasOwnColor = (back) => back.baseColorFactor !== undefined || back.baseColorTexture !== undefined;
 
 /** Puts the texture itself in place of what the file says of it. */
-async function loadTexture(parser, extension, path, colorSpace) {
+async function loadTexture(parser, extension, path, colorSpace, placed) {
   const key = path.at(-1);
   const holder = path.slice(0, -1).reduce((part, name) => part?.[name], extension);
   if (!holder?.[key]) return;
   const reference = holder[key];
   delete holder[key];
   await parser.assignTexture(holder, key, reference, colorSpace);
+  if (holder[key]) holder[key] = placed(holder[key]);
 }

@@ -1,4 +1,5 @@
 import { TEXTS } from '../../dist/shading/index.mjs';
+import { wornCloth } from '../cloths.mjs';
 import { clothMaterialClass } from './cloth_material.mjs';
 import { clothOf, extensionsOf } from './fabric_layers.mjs';
 import { shadingMaterialClass } from './material.mjs';
@@ -35,13 +36,20 @@ export async function openShading(THREE, shading) {
     key: JSON.stringify(shading),
     create: () => new Material(),
     update: async (material, original, { model: { parser }, mesh }) => {
+      const worn = wornCloth(original);
+      const file = worn?.parser ?? parser;
       // Presets are of the shading "fabric" alone.
-      const cloth = await clothOf(parser, mesh, original, shading === 'fabric' ? TEXTS.presets : null);
+      const cloth = await clothOf(file, mesh, worn?.material ?? original, shading === 'fabric' ? TEXTS.presets : null);
       material.copy(cloth.material);
+      worn?.finish(material);
       material.shadingDefines = hasTerms ? definesOfTerms(shading) : {};
       // GLTFLoader gives geometries with tangents materials of their own.
       if (shading !== 'three')
-        Object.assign(material, { hasTangents: mesh.geometry.attributes.tangent !== undefined }, await extensionsOf(parser, cloth.definition, THREE));
+        Object.assign(
+          material,
+          { hasTangents: mesh.geometry.attributes.tangent !== undefined },
+          await extensionsOf(file, cloth.definition, THREE, worn?.placed),
+        );
     },
   };
 }

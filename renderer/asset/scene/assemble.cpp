@@ -211,6 +211,7 @@ void Assembler::loadImages() {
     }
   }
   scene_.images = std::move(loaded.images);
+  scene_.fileImages = scene_.images.size();
 }
 
 /// What deforms is copied for the moment that is drawn: at rest, and in a pose where there is one. Each is uploaded.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "asset/scene/outline.h"
+#include "telar/dress.h"
 #include "telar/load.h"
 #include "telar/material_textures.inc"
 #include "telar/variant_material.h"
@@ -214,6 +215,15 @@ std::string describeScene(const Scene& scene, const CancelToken& cancel) {
   out["warnings"] = json::array();
   for (const Warning& warning : scene.warnings) out["warnings"].push_back(describe(warning));
   return out.dump();
+}
+
+std::string describeNames(const Scene& scene) {
+  json out = {{"materials", json::array()}, {"nodes", json::array()}};
+  for (std::size_t i = 0; i < scene.fileMaterials; ++i) out["materials"].push_back(scene.materials[i].name);
+  for (const Node& node : scene.nodes) {
+    out["nodes"].push_back({{"node", node.file.node}, {"name", node.name}, {"parent", node.parent}});
+  }
+  return out.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 }  // namespace telar

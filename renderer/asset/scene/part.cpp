@@ -58,14 +58,14 @@ class PartMeasure {
  private:
   void measure(const Node& node, bool within) {
     for (const Primitive& primitive : scene_.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-      if (!within && !wears(primitive)) continue;
+      if (!within && !wears(node, primitive)) continue;
       points_.visit(node, primitive, [this](const glm::dvec3& p) { bounds_.add(p), outline_.add(p); });
     }
   }
 
-  bool wears(const Primitive& primitive) const {
+  bool wears(const Node& node, const Primitive& primitive) const {
     if (query_.kind != PartQuery::Kind::kMaterial) return false;
-    const int index = materialIndex(primitive, variant_);
+    const int index = materialIndex(node, primitive, variant_);
     return index >= 0 && isMeant(query_, index, scene_.materials[static_cast<std::size_t>(index)].name);
   }
 
@@ -92,7 +92,7 @@ class PartMeasure {
 
   void addMaterials(const Node& node, std::map<int, std::string>& drawn) const {
     for (const Primitive& primitive : scene_.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-      const int index = materialIndex(primitive, variant_);
+      const int index = materialIndex(node, primitive, variant_);
       if (index >= 0) drawn.emplace(index, scene_.materials[static_cast<std::size_t>(index)].name);
     }
   }

@@ -52,6 +52,8 @@ struct Material {
   AlphaMode alphaMode = AlphaMode::kOpaque;
   float alphaCutoff = 0.5f;
   bool doubleSided = false;
+  /// The tangent frame follows its textures' coordinates: the mesh's tangents belong to others.
+  bool ignoresTangents = false;
   bool unlit = false;     ///< KHR_materials_unlit
   bool physical = false;  ///< an extension of `layers` is there: three.js shades with MeshPhysicalMaterial
   PhysicalLayers layers;
@@ -83,6 +85,11 @@ struct Primitive {
   std::optional<glm::dvec3> center;            ///< that draws are sorted by, mesh space; none = of the bounds
   std::shared_ptr<const Deformers> deformers;  ///< null = its vertices stand still in mesh space
 };
+
+/// Whether the tangent frame of a material is that of the mesh's own tangents.
+inline bool hasTangents(const Primitive& primitive, const Material& material) {
+  return !primitive.tangents.empty() && !material.ignoresTangents;
+}
 
 struct Mesh {
   std::string name;
@@ -125,6 +132,7 @@ struct Node {
   int skin = -1;               ///< index into Motion::skins
   std::vector<float> weights;  ///< of the morph targets
   std::shared_ptr<const Instances> instances;  ///< null = drawn once, where the node is
+  std::map<int, int> materials;                ///< by index of a material: the one that its mesh shows in its place
 };
 
 struct Warning {
@@ -153,8 +161,11 @@ struct Scene {
   std::size_t fileWarnings = 0;          ///< so many of `warnings` are the file's; those of the pose follow
   std::size_t fileMaterials = 0;         ///< so many of `materials` are the file's; those with presets follow
   std::size_t fileMeshes = 0;            ///< so many of `meshes` are the file's; deformed ones follow
+  std::size_t fileImages = 0;            ///< so many of `images` are the file's; those of cloths follow
   std::shared_ptr<const Motion> motion;  ///< null = nothing moves
-  std::shared_ptr<const Scene> model;  ///< of a pose: the scene as loaded, which owns the images and the file's meshes
+  /// Of a scene that was made of another one (posed, dressed, exploded): the one as loaded, which owns the file's
+  /// meshes and images.
+  std::shared_ptr<const Scene> model;
 };
 
 /// What a shading draws of one of the scene's materials: the shading "fabric" takes it with its preset.

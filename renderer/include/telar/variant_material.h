@@ -12,4 +12,11 @@ inline int materialIndex(const Primitive& primitive, int variant) {
   return mapped == primitive.variantMaterials.end() ? primitive.material : mapped->second;
 }
 
+/// The one that is drawn: a node that is dressed shows another than its mesh has.
+inline int materialIndex(const Node& node, const Primitive& primitive, int variant) {
+  const int own = materialIndex(primitive, variant);
+  const auto worn = node.materials.find(own);
+  return worn == node.materials.end() ? own : worn->second;
+}
+
 }  // namespace telar

@@ -108,7 +108,8 @@ export class RandomShots {
     }[type]();
   }
 
-  #object({ properties, required = [] }, share) {
+  #object({ properties, additionalProperties, required = [] }, share) {
+    if (!properties) return this.#random() < share ? { 'Body*': this.#value(additionalProperties), 0: this.#value(additionalProperties) } : {};
     const keys = Object.keys(properties).filter((key) => required.includes(key) || this.#random() < share);
     return Object.fromEntries(keys.map((key) => [key, this.#value(properties[key])]));
   }

@@ -74,6 +74,7 @@ async function prepare(job) {
       model,
       environment,
       revision: 'client',
+      cloths: (preset) => loaderFor(renderer).loadAsync(`/js/assets/cloths/${preset}.glb`),
       areaLightTables: () => import('three/addons/lights/RectAreaLightUniformsLib.js'),
     });
   const camera = await apply(job.shot);

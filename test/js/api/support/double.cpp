@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "telar/codec.h"
+#include "telar/dress.h"
 #include "telar/explode.h"
 #include "telar/load.h"
 #include "telar/part.h"
@@ -161,6 +162,13 @@ Frame drawReference(const Scene& scene, const Shot& shot, std::span<const std::b
 std::shared_ptr<const Scene> explodeScene(const std::shared_ptr<const Scene>& model, double, const CancelToken&) {
   return model;
 }
+
+std::shared_ptr<const Scene> dressScene(const std::shared_ptr<const Scene>& model, const std::vector<Dressing>&,
+                                        const CancelToken&) {
+  return model;
+}
+
+std::string describeNames(const Scene&) { return R"({"materials": [], "nodes": []})"; }
 
 std::string probeReference() { return R"({"works": true, "version": "double"})"; }
 

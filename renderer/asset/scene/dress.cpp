@@ -1,0 +1,211 @@
+#include "telar/dress.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <new>
+#include <utility>
+
+#include "asset/check/pointer.h"
+#include "asset/check/warnings.h"
+#include "asset/material/material.h"
+#include "telar/variant_material.h"
+
+namespace telar {
+namespace {
+
+const Material& materialOf(const Scene& cloth) {
+  for (const Node& node : cloth.nodes) {
+    if (node.mesh < 0) continue;
+    for (const Primitive& primitive : cloth.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+      if (primitive.material >= 0) return cloth.materials[static_cast<std::size_t>(primitive.material)];
+    }
+  }
+  throw Error("E_CLOTH", "the file of the cloth draws nothing with a material");
+}
+
+int indexIn(const Scene& scene, const Material& material) {
+  return static_cast<int>(&material - scene.materials.data());
+}
+
+/// From a garment's texture coordinates to those of a cloth: to metres, turned, to the cloth's own measure.
+glm::dmat3 placement(const glm::dvec2& garment, const glm::dvec2& cloth, const Dressing& dressing) {
+  const double c = std::cos(dressing.rotation), s = std::sin(dressing.rotation);
+  const glm::dvec2 per = 1.0 / (cloth * dressing.scale);
+  // v runs down the picture: what turns counter-clockwise to the eye is looked up by (c -s; s c).
+  return {glm::dvec3(garment.x * c * per.x, garment.x * s * per.y, 0),
+          glm::dvec3(-garment.y * s * per.x, garment.y * c * per.y, 0), glm::dvec3(0, 0, 1)};
+}
+
+float linear(std::uint8_t code) {
+  const double c = code / 255.0;
+  return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+}
+
+/// Mean of what is there of a picture of a colour, linear; one where that is not known.
+glm::vec3 meanColor(const Image8& image) {
+  if (image.type != TexelType::kByte || image.pixels.empty()) return glm::vec3(1);
+  std::array<float, 256> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) table[i] = linear(static_cast<std::uint8_t>(i));
+  glm::dvec4 sum(0);
+  for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
+    const double alpha = image.pixels[i + 3];
+    sum += alpha * glm::dvec4(table[image.pixels[i]], table[image.pixels[i + 1]], table[image.pixels[i + 2]], 1);
+  }
+  return sum.w > 0 && sum.x > 0 && sum.y > 0 && sum.z > 0 ? glm::vec3(glm::dvec3(sum) / sum.w) : glm::vec3(1);
+}
+
+class Dresser {
+ public:
+  Dresser(const std::shared_ptr<const Scene>& model, const CancelToken& cancel)
+      : model_(*model), out_(std::make_shared<Scene>(model_)), cancel_(cancel), warnings_(std::move(out_->warnings)) {
+    out_->model = model->model ? model->model : model;
+  }
+
+  void dress(const Dressing& dressing) {
+    const int images = dressing.cloth ? addImages(dressing.cloth) : 0;
+    for (const int material : dressing.materials) {
+      const auto at = static_cast<std::size_t>(material);
+      out_->materials[at] = wear(material, dressing, images);
+    }
+    for (Node& node : out_->nodes) {
+      const bool meant =
+          std::find(dressing.nodes.begin(), dressing.nodes.end(), node.file.node) != dressing.nodes.end();
+      if (!meant || node.mesh < 0) continue;
+      for (const Primitive& primitive : out_->meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+        dressOnNode(node, primitive.material, dressing, images);
+        for (const auto& [variant, material] : primitive.variantMaterials)
+          dressOnNode(node, material, dressing, images);
+      }
+    }
+  }
+
+  std::shared_ptr<const Scene> take() {
+    out_->warnings = warnings_.take();
+    return out_;
+  }
+
+ private:
+  /// @return index of the cloth's first image in the scene
+  int addImages(const std::shared_ptr<const Scene>& cloth) {
+    const auto [at, isNew] = firstImages_.emplace(cloth.get(), static_cast<int>(out_->images.size()));
+    if (isNew) out_->images = out_->images.joined(cloth->images);
+    return at->second;
+  }
+
+  void dressOnNode(Node& node, int material, const Dressing& dressing, int images) {
+    if (material < 0) return;
+    node.materials[material] = static_cast<int>(out_->materials.size());
+    out_->materials.push_back(wear(material, dressing, images));
+  }
+
+  /// @param at     index of the material that is replaced
+  /// @param images of addImages()
+  Material wear(int at, const Dressing& dressing, int images) {
+    const Material& own = model_.materials[static_cast<std::size_t>(at)];
+    if (!dressing.cloth) return recolored(own, dressing);
+    const Material& cloth = materialOf(*dressing.cloth);
+    Material out = worn(own, cloth, dressing, images, at);
+    if (cloth.withPreset < 0) return out;
+    out.withPreset = static_cast<int>(out_->materials.size());
+    const Material& filled = dressing.cloth->materials[static_cast<std::size_t>(cloth.withPreset)];
+    out_->materials.push_back(worn(own, filled, dressing, images, at));
+    return out;
+  }
+
+  Material recolored(const Material& own, const Dressing& dressing) {
+    Material out = own;
+    if (dressing.color) paint(out, *dressing.color);
+    if (own.withPreset >= 0 && dressing.color) {
+      Material filled = model_.materials[static_cast<std::size_t>(own.withPreset)];
+      paint(filled, *dressing.color);
+      out.withPreset = static_cast<int>(out_->materials.size());
+      out_->materials.push_back(std::move(filled));
+    }
+    return out;
+  }
+
+  /// A picture that cuts the part's shape out stays.
+  static void paint(Material& material, const glm::vec3& color) {
+    material.baseColorFactor = glm::vec4(color, material.baseColorFactor.a);
+    if (material.alphaMode == AlphaMode::kOpaque) material.baseColorTexture = {};
+  }
+
+  Material worn(const Material& own, const Material& cloth, const Dressing& dressing, int images, int at) {
+    Material out = cloth;
+    out.name = own.name;
+    out.doubleSided = own.doubleSided;
+    out.ignoresTangents = dressing.rotation != 0;
+    place(out, dressing, images, at);
+    out.occlusionTexture = own.occlusionTexture;
+    out.occlusionStrength = own.occlusionStrength;
+    out.withPreset = -1;
+    if (dressing.color) {
+      out.baseColorFactor = glm::vec4(*dressing.color / meanOf(out.baseColorTexture), cloth.baseColorFactor.a);
+    } else {
+      const glm::vec3 color = glm::vec3(own.baseColorFactor) / meanOf(out.baseColorTexture);
+      out.baseColorFactor = glm::vec4(color, own.baseColorFactor.a);
+      if (!cloth.baseColorTexture) {
+        out.baseColorTexture = own.baseColorTexture;
+        out.alphaMode = own.alphaMode;
+        out.alphaCutoff = own.alphaCutoff;
+      }
+    }
+    return out;
+  }
+
+  /// The colour of a cloth is the mean of what its picture shows.
+  glm::vec3 meanOf(const TextureRef& texture) const {
+    return texture ? meanColor(out_->images[static_cast<std::size_t>(texture.image)]) : glm::vec3(1);
+  }
+
+  void place(Material& material, const Dressing& dressing, int images, int at) {
+    const auto uses = asset::texturesOf(material);
+    if (uses.empty()) return;
+    const auto garment = scaleOf(at);
+    const auto cloth = metresPerUv(*dressing.cloth, indexIn(*dressing.cloth, materialOf(*dressing.cloth)), cancel_);
+    if (!garment || !cloth) {
+      warnings_.add("W_CLOTH_UV", "the surface has no texture coordinates: the maps of its cloth are not drawn",
+                    asset::pointer("materials", at));
+      for (const asset::TextureUse& use : uses) *use.texture = {};
+      return;
+    }
+    const glm::dmat3 to = placement(*garment, *cloth, dressing);
+    for (const asset::TextureUse& use : uses) {
+      TextureRef& texture = *use.texture;
+      texture.image += images;
+      texture.texCoord = 0;
+      texture.uvTransform = glm::mat3(glm::dmat3(texture.uvTransform) * to);
+      texture.hasTransform = true;
+    }
+  }
+
+  std::optional<glm::dvec2> scaleOf(int material) {
+    const auto found = scales_.find(material);
+    if (found != scales_.end()) return found->second;
+    return scales_.emplace(material, metresPerUv(model_, material, cancel_)).first->second;
+  }
+
+  const Scene& model_;
+  std::shared_ptr<Scene> out_;
+  const CancelToken& cancel_;
+  asset::Warnings warnings_;
+  std::map<const Scene*, int> firstImages_;
+  std::map<int, std::optional<glm::dvec2>> scales_;  ///< by material
+};
+
+}  // namespace
+
+std::shared_ptr<const Scene> dressScene(const std::shared_ptr<const Scene>& model,
+                                        const std::vector<Dressing>& dressings, const CancelToken& cancel) {
+  try {
+    Dresser dresser(model, cancel);
+    for (const Dressing& dressing : dressings) dresser.dress(dressing);
+    return dresser.take();
+  } catch (const std::bad_alloc&) {
+    throw Error("X_MEMORY", "there is not enough memory to dress the model");
+  }
+}
+
+}  // namespace telar

@@ -1,0 +1,31 @@
+// Parts in another cloth: `materials` of the shot, which server and browser put on by themselves.
+import { makeCase } from './make_case.mjs';
+import { CAMERAS, LIGHTS } from './shot.mjs';
+
+const NAVY = [0.02, 0.035, 0.08];
+
+/** name: model, materials, and whether all shadings draw it. */
+const WORN = {
+  denim: ['cloth', { '*': { preset: 'denim', color: NAVY } }],
+  'denim-turned': ['cloth', { '*': { preset: 'denim', color: NAVY, rotation: 35, scale: 6 } }],
+  'satin-turned-tangents': ['cloth-tangents', { '*': { preset: 'satin', color: [0.5, 0.12, 0.2], rotation: 35, scale: 20 } }],
+  'leather-own-color': ['cloth', { '*': { preset: 'leather', scale: 3 } }],
+  lace: ['cloth', { '*': { preset: 'lace', color: [0.8, 0.78, 0.72], scale: 4 } }],
+  recolored: ['cloth', { '*': { color: NAVY } }],
+  'no-uvs': ['no-uvs', { '*': { preset: 'leather', color: NAVY } }],
+  variant: ['variants', { '*': { preset: 'towel', color: [0.75, 0.72, 0.62], scale: 2 } }, { variant: 'blue' }],
+  skin: ['skin', { '*': { preset: 'leather', color: [0.12, 0.05, 0.025], scale: 3 } }],
+  instances: ['instances', { 0: { preset: 'nylon-shell', color: [0.6, 0.16, 0.02], scale: 20 } }],
+};
+
+export const CASES = Object.entries(WORN).flatMap(([name, [model, materials, rest]]) =>
+  ['three', 'fabric'].map((shading) =>
+    makeCase(
+      `materials-${name}-${shading}`,
+      model,
+      null,
+      { camera: CAMERAS.quarter, lights: [LIGHTS.directional, LIGHTS.ambient], shading, ...rest, materials },
+      name === 'denim-turned',
+    ),
+  ),
+);
