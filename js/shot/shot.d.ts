@@ -491,7 +491,7 @@ export interface Shot {
   };
   /** Name of a material variant of the model (KHR_materials_variants); "" = none. @default "" */
   variant?: string;
-  /** Parts in another cloth: by the name of a material or of a node with all beneath it, `*` and `?` standing for any characters and any one; digits alone are the index of a material. A later one holds before an earlier one, an index before names, a node before a material. */
+  /** Parts in another cloth: by the name of a material or of a node with all beneath it, `*` standing for any characters; digits alone are the index of a material. A later one holds before an earlier one, an index before names, a node before a material. */
   materials?: Record<string, {
     /** Cloth of js/docs/fabric.md with its maps; null = its own material in another colour. @default null */
     preset?: 'cotton-jersey' | 'denim' | 'wool-felt' | 'towel' | 'velvet' | 'satin' | 'silk' | 'leather' | 'waxed-cotton' | 'nylon-shell' | 'tulle' | 'lace' | 'sequin-thread' | null;
@@ -1037,7 +1037,7 @@ export interface ResolvedShot {
   };
   /** Name of a material variant of the model (KHR_materials_variants); "" = none. */
   variant: string;
-  /** Parts in another cloth: by the name of a material or of a node with all beneath it, `*` and `?` standing for any characters and any one; digits alone are the index of a material. A later one holds before an earlier one, an index before names, a node before a material. */
+  /** Parts in another cloth: by the name of a material or of a node with all beneath it, `*` standing for any characters; digits alone are the index of a material. A later one holds before an earlier one, an index before names, a node before a material. */
   materials: Record<string, {
     /** Cloth of js/docs/fabric.md with its maps; null = its own material in another colour. */
     preset: 'cotton-jersey' | 'denim' | 'wool-felt' | 'towel' | 'velvet' | 'satin' | 'silk' | 'leather' | 'waxed-cotton' | 'nylon-shell' | 'tulle' | 'lace' | 'sequin-thread' | null;
