@@ -20,7 +20,8 @@ mat3 basisAbout(vec3 n);
 
 Real geometricRoughness(vec3 dndx, vec3 dndy);
 Real shadedRoughness(Real perceptualRoughness, Real geometric);
-Real roughnessWithSlopes(Real perceptualRoughness, vec2 slopeVariance);
+Real roughnessWithSlopes(Real perceptualRoughness, Real slopeVariance);
+Real widthWithSlopes(Real alpha, Real slopeVariance);
 Real alphaFromRoughness(Real perceptualRoughness);
 
 Real D_GGX(Real alpha, Real NoH);
@@ -59,6 +60,7 @@ Real sheenCosine(vec4 view, Real NoV, Real NoL, Real LoV);
 
 GlossCurve glossCurve(Real perceptualRoughness);
 vec4 grazingCurve(Real r);
+Real grazingExcess(Real perceptualRoughness, Real cosine);
 Real glossMissing(GlossCurve curve, Real cosine);
 Real glossGrazing(vec4 curve, Real cosine);
 vec2 glossAlbedo(GlossCurve curve, Real cosine);
@@ -71,9 +73,20 @@ vec3 sheetMultiple(vec3 rho);
 vec3 Fd_SheetCosine(vec3 albedo, Real NoV, Real NoL);
 vec3 sheetReflectance(vec3 albedo, Real NoV);
 vec3 normalFacing(vec3 n, vec3 v);
-Real bumpAlpha2(vec3 surface, vec3 mapped, Real slopeVariance);
+Real bumpAlpha2(vec3 surface, vec3 mapped);
 Real bumpMean(Real alpha2);
 Real bumpTerminator(Real alpha2, Real cosine);
+Real reliefDiffuse(Real relief);
+Real reliefDiffuseTowards(Real relief, Real NoL);
+vec2 reliefGloss(Real relief, Real perceptualRoughness, Real NoV);
+SheenRing sheenRing(Real relief, Real sheenRoughness, vec3 n, vec3 v, Real NoV);
+Real reliefSheenAlbedo(Real relief, Real sheenRoughness, Real NoV);
+Real sheenRingCosine(SheenRing ring, vec3 l, Real NoL, Real LoV);
+Real reliefSheen(Real relief, Real sheenRoughness);
+SheenTaps sheenTaps(Real relief, Real sheenRoughness, vec3 n, vec3 v, Real NoV);
+Real stretchedTaps(Real wide, Real narrow);
+Real tapRoughness(Real wide, Real narrow, Real taps);
+vec4 stretchedTap(vec3 n, vec3 axis, vec3 v, Real wide, Real u);
 vec3 returningShare(vec3 f0, Real f90, Real averageMissing);
 vec3 interfaceAlbedo(vec3 f0, Real f90, vec3 returning, vec2 albedo);
 
@@ -130,7 +143,8 @@ vec2 dfgLazarov(Real perceptualRoughness, Real NoV);
 
 Real D_GGXAnisotropic(Real alphaT, Real alphaB, Real NoH, Real ToH, Real BoH);
 Real smithSumAnisotropic(Real alphaT, Real alphaB, Real NoV, Real NoL, Real ToV, Real BoV, Real ToL, Real BoL);
-Real V_SmithGGXCorrelatedAnisotropic(Real alphaT, Real alphaB, Real NoV, Real NoL, Real ToV, Real BoV, Real ToL, Real BoL);
+Real V_SmithGGXCorrelatedAnisotropic(Real alphaT, Real alphaB, Real NoV, Real NoL, Real ToV, Real BoV, Real ToL,
+                                     Real BoL);
 Real alphaAlongTangent(Real perceptualRoughness, Real strength);
 vec3 bentNormal(Real perceptualRoughness, Real strength, vec3 n, vec3 b, vec3 v);
 

@@ -14,6 +14,8 @@
 #include "yarn_energy.glsl"
 #include "thin_sheet.glsl"
 #include "bump.glsl"
+#include "relief.glsl"
+#include "stretched_taps.glsl"
 #include "disney.glsl"
 #include "disney_parameters.glsl"
 #include "principled_albedo.glsl"

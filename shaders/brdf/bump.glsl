@@ -11,11 +11,10 @@ vec3 normalFacing(vec3 n, vec3 v) {
 const float UNIT_ROUNDING = 1.0e-6;
 
 // Square of the width that the mapped normal stands for, [0, 1], of bumpTerminator().
-// surface  unit, of the geometry      mapped  unit      slopeVariance  [0, inf)  of the slopes that were filtered into `mapped`,
-// the sum of both axes: bumps finer than a pixel hide as much as those that are seen
-float bumpAlpha2(vec3 surface, vec3 mapped, float slopeVariance) {
+// surface  unit, of the geometry      mapped  unit
+float bumpAlpha2(vec3 surface, vec3 mapped) {
   float cosine2 = pow2(max(abs(dot(surface, mapped)), 1.0e-3));
-  return saturate(0.125 * ((1.0 - UNIT_ROUNDING - cosine2) / cosine2 + slopeVariance));
+  return saturate(0.125 * (1.0 - UNIT_ROUNDING - cosine2) / cosine2);
 }
 
 // Share of the light that reaches the bumps for which a mapped normal stands, [0, 1]. It falls to 0 towards the horizon of the

@@ -34,6 +34,14 @@ float glossGrazing(vec4 curve, float cosine) {
   return pow2((1.0 - cosine) * (1.0 + curve.x * cosine) / (curve.y + cosine * (curve.z + cosine * curve.w)));
 }
 
+// What glossGrazing() has too much. It is bounded from one side, so that no cloth sends back more than it gets. Of a rough
+// dielectric it is up to a sixth of the whole gloss: light from everywhere does without.
+// perceptualRoughness  [0, 1]      cosine  [0, 1]
+float grazingExcess(float perceptualRoughness, float cosine) {
+  float sine2 = 1.0 - pow2(cosine);
+  return 0.0115 * max(perceptualRoughness - 0.5, 0.0) * sine2 * sqrt(max(sine2, 0.0));
+}
+
 // x: glossMissing(), y: glossGrazing(). The lobe's albedo is f0 (1 - x - y) + f90 y.
 // cosine  [0, 1]
 vec2 glossAlbedo(GlossCurve curve, float cosine) {

@@ -14,11 +14,14 @@ float shadedRoughness(float perceptualRoughness, float geometric) {
   return min(max(perceptualRoughness, PERCEPTUAL_ROUGHNESS_MIN) + geometric, 1.0);
 }
 
-// Perceptual roughness of a surface whose normals vary within what is seen of it at once, [0, 1].
-// perceptualRoughness  [0, 1]      slopeVariance  [0, inf)  of the slopes along two axes that are square
+// GGX width of a surface whose normals vary within what is seen of it at once, (0, 1].
+// alpha  (0, 1]      slopeVariance  [0, inf)  of the slopes along two axes that are square, their sum
 // src: Olano & Baker 2010, "LEAN Mapping": variances of slopes add; alpha^2 is twice the variance of one axis
-float roughnessWithSlopes(float perceptualRoughness, vec2 slopeVariance) {
-  return sqrt(sqrt(min(pow4(perceptualRoughness) + slopeVariance.x + slopeVariance.y, 1.0)));
+float widthWithSlopes(float alpha, float slopeVariance) { return sqrt(min(pow2(alpha) + slopeVariance, 1.0)); }
+
+// The same of a perceptual roughness, [0, 1].
+float roughnessWithSlopes(float perceptualRoughness, float slopeVariance) {
+  return sqrt(widthWithSlopes(pow2(perceptualRoughness), slopeVariance));
 }
 
 // GGX width, [PERCEPTUAL_ROUGHNESS_MIN^2, 1].

@@ -33,3 +33,25 @@ struct Scattering {
   vec3 single;    // after one bounce between the microfacets
   vec3 multiple;  // after two and more
 };
+
+// Sheen of a relief: see relief.glsl.
+struct SheenRing {
+  vec3 towards;      // tangents, to the viewer and aside, as long as the sine of the angle by which the normals lean
+  vec3 aside;
+  float upright;     // cosine of that angle
+  vec3 NoV;          // of the normals that lean to the viewer, aside and away
+  vec4 viewTowards;  // sheenView() of these
+  vec4 viewAside;
+  vec4 viewAway;
+  float albedo;      // of all
+  float scale;       // of the sum of six lobes
+};
+
+// Lobes of the environment: see relief.glsl.
+struct SheenTaps {
+  vec3 front;       // unit; the others have a weight alone where they are
+  vec3 left;
+  vec3 right;
+  float aside;      // weight of each of these two, [0, 0.4]
+  float roughness;  // perceptual, of each
+};

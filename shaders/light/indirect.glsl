@@ -41,6 +41,38 @@ vec3 specularRadiance(float perceptualRoughness, vec3 n, vec3 v) {
 }
 #endif
 
+#if SHADING_FABRIC && SHEEN && ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
+// Radiance of the environment over the lobe of the sheen.
+vec3 sheenRadiance(SurfaceInfo s) {
+  float roughness = max(s.sheenRoughness, CLOTH_SHEEN_ROUGHNESS_MIN);
+#if RELIEF
+  SheenTaps taps = sheenTaps(s.relief, roughness, s.n, s.v, s.NoV);
+#else
+  SheenTaps taps = sheenTaps(0.0, roughness, s.n, s.v, s.NoV);
+#endif
+  float lod = lobeLod(taps.roughness);
+  vec3 front = environmentRadiance(taps.front, lod);
+  if (taps.aside == 0.0) return front;
+  return mix(front, 0.5 * (environmentRadiance(taps.left, lod) + environmentRadiance(taps.right, lod)), 2.0 * taps.aside);
+}
+#endif
+
+#if SHADING_FABRIC && (ANISOTROPY || WEAVE) && ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
+// Radiance of the environment over a GGX lobe of two widths.
+vec3 stretchedRadiance(vec3 n, vec3 axis, vec3 v, float wide, float narrow) {
+  float taps = stretchedTaps(wide, narrow);
+  float roughness = tapRoughness(wide, narrow, taps);
+  float lod = lobeLod(roughness);
+  vec4 sum = vec4(0.0);
+  for (float i = 0.5; i < taps; ++i) {
+    vec4 tap = stretchedTap(n, axis, v, wide, 2.0 * i / taps - 1.0);
+    vec3 l = mix(vec3(tap), n, pow4(roughness));
+    sum += vec4(environmentRadiance(l, lod), 1.0) * tap.w;
+  }
+  return vec3(sum) / max(sum.w, 1.0e-4);
+}
+#endif
+
 #if AMBIENT || HEMISPHERE_LIGHTS > 0
 vec3 domeIrradiance(vec3 n) {
   vec3 irradiance = vec3(0.0);
@@ -84,12 +116,27 @@ Incident incidentLight(SurfaceInfo s) {
 #endif
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
   incident.environmentIrradiance = PI * environmentRadiance(s.n, cosineLod());
-#if ANISOTROPY || WEAVE
-  vec3 reflector = bentNormal(s.perceptualRoughness, s.anisotropyStrength, s.n, s.b, s.v);
-#else
-  vec3 reflector = s.n;
+#if SHADING_FABRIC && DIFFUSE_TRANSMISSION && RELIEF
+  incident.behind = mix(incident.behind, incident.environmentIrradiance, 0.5 * s.relief);
 #endif
+#if SHADING_FABRIC && WEAVE
+  incident.radiance = stretchedRadiance(s.warp.n, s.warp.b, s.v, s.warp.alphaB, s.warp.alphaT);
+  incident.weftRadiance = stretchedRadiance(s.weft.n, s.weft.b, s.v, s.weft.alphaB, s.weft.alphaT);
+#elif SHADING_FABRIC && ANISOTROPY
+  incident.radiance = stretchedRadiance(s.n, s.t, s.v, s.alphaT, s.alpha);
+#elif ANISOTROPY || WEAVE
+  vec3 reflector = bentNormal(s.perceptualRoughness, s.anisotropyStrength, s.n, s.b, s.v);
   incident.radiance = specularRadiance(s.perceptualRoughness, reflector, s.v);
+#elif SHADING_FABRIC && RELIEF
+  // A relief blurs the lobe more than it bends it.
+  float bending = roughnessWithSlopes(s.glossRoughness, 0.5 * s.slopeVariance);
+  incident.radiance = environmentRadiance(dominantReflection(bending, s.n, s.v), lobeLod(s.perceptualRoughness));
+#else
+  incident.radiance = specularRadiance(s.perceptualRoughness, s.n, s.v);
+#endif
+#if SHADING_FABRIC && SHEEN
+  incident.sheenRadiance = sheenRadiance(s);
+#endif
 #if CLEARCOAT
   incident.coatRadiance = specularRadiance(s.clearcoatRoughness, s.coatNormal, s.v);
 #endif

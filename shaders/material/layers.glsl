@@ -24,16 +24,10 @@ MaterialInputs withShadedRoughness(MaterialInputs m, float geometric) {
   return m;
 }
 
-#if NORMAL_VARIANCE
-// Adds the variance of slopes that the map has within the pixel to the roughnesses.
-MaterialInputs withSlopes(MaterialInputs m, Normals normals) {
-  m.roughness = roughnessWithSlopes(m.roughness, normals.slopeVariance);
-#if CLEARCOAT
-  m.clearcoatRoughness = roughnessWithSlopes(m.clearcoatRoughness, normals.coatSlopeVariance);
-#endif
-#if WEAVE
-  m.yarnRoughness = vec2(roughnessWithSlopes(m.yarnRoughness.x, normals.slopeVariance), roughnessWithSlopes(m.yarnRoughness.y, normals.slopeVariance));
-#endif
+#if NORMAL_VARIANCE && CLEARCOAT
+// Widens the coat by what its normal map has within the pixel. The other lobes: withRelief() of the shading "fabric".
+MaterialInputs withCoatRelief(MaterialInputs m, Normals normals) {
+  m.clearcoatRoughness = roughnessWithSlopes(m.clearcoatRoughness, normals.coatRelief.y);
   return m;
 }
 #endif
@@ -112,11 +106,10 @@ SurfaceInfo baseSurface(MaterialInputs m, Normals normals, vec3 v) {
   s.alpha = alphaFromRoughness(m.roughness);
 #if SHADING_FABRIC && NORMAL_MAP
   s.geometricNormal = normals.geometric;
-#if NORMAL_VARIANCE
-  s.slopeVariance = normals.slopeVariance.x + normals.slopeVariance.y;
-#else
-  s.slopeVariance = 0.0;
 #endif
+#if SHADING_FABRIC && RELIEF
+  s.relief = normals.relief.x;
+  s.slopeVariance = normals.relief.y;
 #endif
   return s;
 }

@@ -37,15 +37,17 @@ mat3 tangentFrame(vec3 n, vec2 uv, float faceDirection) {
 }
 
 #if NORMAL_VARIANCE
-// Colour of a plain normal map for a texel of a map of slopes (texture/slope_level.frag).
-vec3 plainNormalTexel(vec4 texel) {
-  return 0.5 + 0.5 * normalize(vec3(texel.rg, 1.0));
-}
+// Colour of a plain normal map for a texel of a map of relief (texture/relief_level.frag).
+vec3 plainNormalTexel(vec4 texel) { return 0.5 + 0.5 * texel.rgb; }
 
-// Variance of the slopes that were filtered into one texel, along tangent and bitangent. The rounding of half floats is taken
-// off, so that one texel alone has no variance.
-vec2 slopeVariance(vec4 texel, vec2 scale) {
-  return max(texel.ba * (1.0 - 1.0 / 512.0) - texel.rg * texel.rg, 0.0) * scale * scale;
+// Normals::relief. The rounding of half floats is taken off, so that one texel alone has none.
+vec2 reliefOf(vec4 texel, vec2 scale) {
+  float scale2 = 0.5 * dot(scale, scale);
+  float length2 = min(dot(texel.rgb, texel.rgb) * (1.0 + 1.0 / 512.0), 1.0);
+  float lean2 = (1.0 / max(length2, 1.0e-4) - 1.0) * scale2;
+  float mean2 = dot(texel.rg, texel.rg) / max(texel.b * texel.b, 1.0e-4);
+  float squares = 0.25 * (1.0 / max(texel.a, 1.0e-3) - 1.0) * (1.0 - 1.0 / 256.0);
+  return vec2(1.0 - inversesqrt(1.0 + lean2), max(squares - mean2, 0.0) * scale2);
 }
 #endif
 
@@ -76,16 +78,16 @@ Normals shadingNormals() {
 #endif
   normals.shading = normals.geometric;
 #if NORMAL_VARIANCE
-  normals.slopeVariance = vec2(0.0);
+  normals.relief = vec2(0.0);
 #if CLEARCOAT
-  normals.coatSlopeVariance = vec2(0.0);
+  normals.coatRelief = vec2(0.0);
 #endif
 #endif
 #if NORMAL_MAP
   mat3 frame = tangentFrame(normals.geometric, vNormalUv, faceDirection);
 #if NORMAL_VARIANCE
   vec4 varied = normalTexel();
-  normals.slopeVariance = slopeVariance(varied, normalScale);
+  normals.relief = reliefOf(varied, normalScale);
   normals.shading = mappedNormal(frame, plainNormalTexel(varied), normalScale);
 #else
   normals.shading = mappedNormal(frame, normalTexel().xyz, normalScale);
@@ -114,7 +116,7 @@ Normals shadingNormals() {
   mat3 coatFrame = tangentFrame(normals.geometric, vClearcoatNormalUv, faceDirection);
 #if NORMAL_VARIANCE
   vec4 variedCoat = coatNormalTexel();
-  normals.coatSlopeVariance = slopeVariance(variedCoat, clearcoatNormalScale);
+  normals.coatRelief = reliefOf(variedCoat, clearcoatNormalScale);
   normals.coat = mappedNormal(coatFrame, plainNormalTexel(variedCoat), clearcoatNormalScale);
 #else
   normals.coat = mappedNormal(coatFrame, coatNormalTexel().xyz, clearcoatNormalScale);

@@ -11,8 +11,8 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
   vec2 rise = m.bump * vec2(bumpTexel(bumpUv() + dFdx(bumpUv())).r - height, bumpTexel(bumpUv() + dFdy(bumpUv())).r - height);
   normals.shading = bumpedNormal(normals.geometric, -dFdx(vViewPosition), -dFdy(vViewPosition), rise, gl_FrontFacing ? 1.0 : -1.0);
 #endif
-#if NORMAL_VARIANCE
-  m = withSlopes(m, normals);
+#if NORMAL_VARIANCE && CLEARCOAT
+  m = withCoatRelief(m, normals);
 #endif
 #if !SHADING_PRINCIPLED
   m = withShadedRoughness(m, geometricRoughness(dFdx(normals.geometric), dFdy(normals.geometric)));

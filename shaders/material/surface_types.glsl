@@ -1,5 +1,8 @@
 // What shading takes and gives. Also compiled as C++, with every layer on (renderer/brdf/shading.h).
 
+// Whether a normal map may have what is finer than a pixel.
+#define RELIEF (NORMAL_MAP && NORMAL_VARIANCE)
+
 // Normals and tangent frame at one point, view space.
 struct Normals {
   vec3 geometric;  // interpolated (or of the flat face), turned to the viewer on double-sided surfaces
@@ -8,9 +11,10 @@ struct Normals {
   vec3 coat;       // after the clearcoat's own normal map
 #endif
 #if NORMAL_VARIANCE
-  vec2 slopeVariance;      // of the normal map within the pixel, along tangent and bitangent
+  vec2 relief;             // of the normal map within the pixel: x 1 - length of the mean normal, y variance of the slopes about
+                           // it that most of the surface has, the sum of both axes
 #if CLEARCOAT
-  vec2 coatSlopeVariance;
+  vec2 coatRelief;
 #endif
 #endif
 #if ANISOTROPY || WEAVE
@@ -121,7 +125,10 @@ struct SurfaceInfo {
 #if SHADING_FABRIC
 #if NORMAL_MAP
   vec3 geometricNormal;       // before the normal map
-  float slopeVariance;        // of the slopes that the normal map has within the pixel, the sum of both axes
+#endif
+#if RELIEF
+  float relief;               // as Normals::relief has both
+  float slopeVariance;
 #endif
 #if WEAVE
   YarnLobe warp;
@@ -141,8 +148,15 @@ struct SurfaceInfo {
 #if NORMAL_MAP
   float bumpAlpha2;           // of bumpTerminator()
 #endif
+  float glossRoughness;       // perceptual, of a texel
+#if RELIEF
+  vec2 glossKept;             // of reliefGloss()
+#endif
 #if SHEEN
   float sheenAlbedo;          // at NoV, per unit of colour
+#if RELIEF
+  SheenRing sheenRing;        // where relief is above 0
+#endif
   vec4 sheenView;
 #endif
 #if CLEARCOAT
@@ -161,6 +175,12 @@ struct Incident {
 #endif
 #if DIFFUSE_TRANSMISSION
   vec3 behind;                 // irradiance of all these on the other side
+#endif
+#if SHADING_FABRIC && WEAVE
+  vec3 weftRadiance;           // environment, as the weft sees it: `radiance` is that of the warp
+#endif
+#if SHADING_FABRIC && SHEEN
+  vec3 sheenRadiance;          // environment, as the sheen sees it
 #endif
 };
 

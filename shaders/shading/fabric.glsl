@@ -50,6 +50,30 @@ vec3 specularLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL) {
 #endif
 }
 
+#if RELIEF
+// Takes from the lobes what a relief hides that is finer than the pixel, and widens them. Their energies are those of a texel.
+SurfaceInfo withRelief(SurfaceInfo s) {
+  float hidden = s.relief;
+#if WEAVE_MAP
+  // The yarns lean as the normals do, and once more about these.
+  if (isWoven(s)) hidden = min(1.5 * hidden, 1.0);
+#endif
+  s.glossKept = reliefGloss(hidden, s.glossRoughness, s.NoV);
+  s.perceptualRoughness = roughnessWithSlopes(s.perceptualRoughness, s.slopeVariance);
+  s.alpha = widthWithSlopes(s.alpha, s.slopeVariance);
+#if ANISOTROPY || WEAVE
+  s.alphaT = widthWithSlopes(s.alphaT, s.slopeVariance);
+#endif
+#if WEAVE
+  s.warp.alphaT = widthWithSlopes(s.warp.alphaT, s.slopeVariance);
+  s.warp.alphaB = widthWithSlopes(s.warp.alphaB, s.slopeVariance);
+  s.weft.alphaT = widthWithSlopes(s.weft.alphaT, s.slopeVariance);
+  s.weft.alphaB = widthWithSlopes(s.weft.alphaB, s.slopeVariance);
+#endif
+  return s;
+}
+#endif
+
 // Sets the members that every light needs.
 SurfaceInfo preparedSurface(SurfaceInfo s) {
 #if IRIDESCENCE
@@ -64,11 +88,22 @@ SurfaceInfo preparedSurface(SurfaceInfo s) {
 #endif
   s = withEnergies(s, f0Metal);
 #if NORMAL_MAP
-  s.bumpAlpha2 = bumpAlpha2(s.geometricNormal, s.n, s.slopeVariance);
+  s.bumpAlpha2 = bumpAlpha2(s.geometricNormal, s.n);
+#endif
+  s.glossRoughness = s.perceptualRoughness;
+#if RELIEF
+  s = withRelief(s);
 #endif
 #if SHEEN
-  vec3 fit = sheenFit(max(s.sheenRoughness, CLOTH_SHEEN_ROUGHNESS_MIN), s.NoV);
+  float sheenRoughness = max(s.sheenRoughness, CLOTH_SHEEN_ROUGHNESS_MIN);
+  vec3 fit = sheenFit(sheenRoughness, s.NoV);
   s.sheenAlbedo = fit.x;
+#if RELIEF
+  if (s.relief > 0.0) {
+    s.sheenRing = sheenRing(s.relief, sheenRoughness, s.n, s.v, s.NoV);
+    s.sheenAlbedo = s.sheenRing.albedo;
+  }
+#endif
   s.sheenView = sheenView(fit, s.NoV);
 #endif
 #if CLEARCOAT
@@ -104,7 +139,12 @@ vec3 diffuseLobeAlbedo(SurfaceInfo s) {
   vec3 albedo = s.diffuse;
 #endif
 #if FLATNESS
-  albedo = mix(albedo, sheetReflectance(s.baseColor, s.NoV) * (1.0 - s.metallic), s.flatness);
+#if RELIEF
+  float NoV = s.NoV * (1.0 - s.relief);
+#else
+  float NoV = s.NoV;
+#endif
+  albedo = mix(albedo, sheetReflectance(s.baseColor, NoV) * (1.0 - s.metallic), s.flatness);
 #endif
 #if DIFFUSE_TRANSMISSION
   albedo *= 1.0 - s.diffuseTransmission;
@@ -143,17 +183,28 @@ Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
 #endif
 #if DIFFUSE_TRANSMISSION
   float behind = saturate(-cosine);
+#if RELIEF
+  behind = mix(behind, 0.25, s.relief);
+#endif
   sum.diffuse += lightColor * (behind * RECIPROCAL_PI) * transmittedAlbedo(s) * s.passing * passingShare(s, albedoTowards(s, l, behind));
 #endif
 #if NORMAL_MAP
   lightColor *= bumpTerminator(s.bumpAlpha2, dot(s.geometricNormal, l));
 #endif
   float NoL = saturate(cosine);
+
 #if SHEEN
-  sum.sheen += lightColor * s.sheenColor * sheenCosine(s.sheenView, s.NoV, NoL, dot(l, s.v));
+  float sheen = sheenCosine(s.sheenView, s.NoV, NoL, dot(l, s.v));
+#if RELIEF
+  if (s.relief > 0.0) sheen = sheenRingCosine(s.sheenRing, l, NoL, dot(l, s.v));
+#endif
+  sum.sheen += lightColor * s.sheenColor * sheen;
 #endif
   GlossAlbedo albedo = albedoTowards(s, l, NoL);
   sum.specular += lightColor * (specularLobe(s, l, h, NoL) + returnedLobe(s, albedo) * NoL);
+#if RELIEF
+  lightColor *= reliefDiffuseTowards(s.relief, NoL);
+#endif
   sum.diffuse += lightColor * diffuseLobe(s, l, NoL) * s.passing * passingShare(s, albedo);
   return sum;
 }
@@ -182,13 +233,33 @@ Reflected addEnvironment(Reflected sum, SurfaceInfo s, Incident incident) {
 #if CLEARCOAT
   sum.coat += incident.coatRadiance * s.coatAlbedo;
 #endif
+#if SHEEN
+  vec3 sheenRadiance = incident.sheenRadiance;
+#endif
 #if NORMAL_MAP
   float unhidden = bumpMean(s.bumpAlpha2);
   meanRadiance *= unhidden;
   incident.radiance *= unhidden;
+#if WEAVE
+  incident.weftRadiance *= unhidden;
 #endif
 #if SHEEN
-  sum.sheen += meanRadiance * s.sheenColor * s.sheenAlbedo;
+  sheenRadiance *= unhidden;
+#endif
+#endif
+#if RELIEF && SHEEN
+  sheenRadiance *= reliefSheen(s.relief, s.sheenRoughness);
+#endif
+#if SHEEN
+  sum.sheen += sheenRadiance * s.sheenColor * s.sheenAlbedo;
+#endif
+#if RELIEF
+  meanRadiance *= reliefDiffuse(s.relief);
+#endif
+#if WEAVE
+  if (isWoven(s)) {
+    sum.specular += incident.radiance * yarnReflectance(s, s.warp) + incident.weftRadiance * yarnReflectance(s, s.weft) + meanRadiance * glossReturn(s);
+  } else
 #endif
   sum.specular += incident.radiance * glossReflectance(s) + meanRadiance * glossReturn(s);
   sum.diffuse += meanRadiance * diffuseLobeAlbedo(s) * s.leaving;

@@ -153,17 +153,35 @@ SurfaceInfo withEnergies(SurfaceInfo s, vec3 f0Metal) {
   return s;
 }
 
+// Parts of a gloss's albedo that belong to f0 and f90, less what a relief hides of them.
+vec2 unhiddenParts(SurfaceInfo s, vec2 albedo) {
+  vec2 parts = vec2(1.0 - albedo.x - albedo.y, albedo.y);
+#if RELIEF
+  parts *= s.glossKept;
+#endif
+  return parts;
+}
+
+#if WEAVE
+// Share of uniform light that one set of yarns reflects after one bounce, [0, 1].
+vec3 yarnReflectance(SurfaceInfo s, YarnLobe yarn) {
+  vec2 parts = unhiddenParts(s, yarn.albedo);
+  return yarn.coverage * (yarn.f0 * parts.x + s.f90 * parts.y);
+}
+#endif
+
 // Share of uniform light that the gloss reflects after one bounce, [0, 1].
 vec3 glossReflectance(SurfaceInfo s) {
-  vec2 base = s.albedo.base;
+  vec2 albedo = s.albedo.base;
 #if WEAVE
-  if (isWoven(s)) {
-    vec2 weft = s.albedo.weft;
-    return s.warp.coverage * (s.warp.f0 * (1.0 - base.x - base.y) + s.f90 * base.y) +
-           s.weft.coverage * (s.weft.f0 * (1.0 - weft.x - weft.y) + s.f90 * weft.y);
-  }
+  if (isWoven(s)) return yarnReflectance(s, s.warp) + yarnReflectance(s, s.weft);
 #endif
-  return s.f0 * (1.0 - base.x - base.y) + s.f90 * base.y;
+#if ANISOTROPY
+  if (!isStretched(s))
+#endif
+    albedo.y = max(albedo.y - grazingExcess(s.glossRoughness, s.NoV), 0.0);
+  vec2 parts = unhiddenParts(s, albedo);
+  return s.f0 * parts.x + s.f90 * parts.y;
 }
 
 // Share that it reflects after more bounces, [0, 1].

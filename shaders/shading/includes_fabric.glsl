@@ -1,8 +1,12 @@
 // The shading "fabric" and its own terms.
 #include "brdf/cloth_energy.glsl"
 #include "brdf/bump.glsl"
+#if RELIEF || SHEEN
+#include "brdf/relief.glsl"
+#endif
 #if ANISOTROPY || WEAVE
 #include "brdf/yarn_energy.glsl"
+#include "brdf/stretched_taps.glsl"
 #endif
 #if FLATNESS
 #include "brdf/thin_sheet.glsl"

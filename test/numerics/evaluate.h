@@ -54,7 +54,7 @@ class Shaded {
   Vec3 environment() const {
     typename Side<Real>::Incident incident{};
     incident.environmentIrradiance = Vec3(static_cast<Real>(3.14159265358979));
-    incident.radiance = incident.coatRadiance = Vec3(1);
+    incident.radiance = incident.coatRadiance = incident.weftRadiance = incident.sheenRadiance = Vec3(1);
     return composed(Side<Real>::nothing(), functions_.addEnvironment(Side<Real>::nothing(), info_, incident));
   }
   Vec3 composed(const typename Side<Real>::Reflected& direct, const typename Side<Real>::Reflected& indirect) const {

@@ -60,12 +60,13 @@ const MAPS = `## Maps
 
 **Normal maps.** A weave is finer than a pixel in a picture of a garment. Averaged normals lose their spread, and cloth seen from far
 would gloss like varnish and shimmer. For the shading \`fabric\` each normal map (also that of a clearcoat) is made anew once a model, on the
-GPU, into a map of slopes whose mip levels hold the mean of the slopes along tangent and bitangent and the mean of their squares. What
-the sampler filters of both tells the mean normal and the variance about it, which widens the highlight: \`alpha² + variance\` (Olano &
-Baker 2010, LEAN mapping). A single texel has no variance: from near, nothing changes. The roughness texture may have another size, UV
-set, transform or sampler: the variance travels with the normals.
+GPU, into a map of relief whose mip levels hold the mean of its unit normals and of how flat they lie. The length of a mean normal tells what
+light the texels lose that turn away from it: diffuse light, gloss and sheen each take their mean over the texels (shaders/brdf/relief.glsl;
+Toksvig 2005, Han et al. 2007). How flat most of them lie widens the highlight: \`alpha² + variance\` (Olano & Baker 2010, LEAN mapping),
+and a few steep edges do not. A single texel has neither: from near, nothing changes. The roughness texture may have another size, UV
+set, transform or sampler: the relief travels with the normals.
 Set a sampler that reads mip levels (glTF's default does); with \`minFilter\` LINEAR or NEAREST there is nothing to read it from.
-Materials without a normal map and other shadings pay nothing. The map of slopes takes 8 bytes of GPU memory a texel, beside the image.
+Materials without a normal map and other shadings pay nothing. The map of relief takes 8 bytes of GPU memory a texel, beside the image.
 
 **Holes** (\`alphaMode\` MASK with a base colour texture): lace, tulle, mesh. Mip levels hold the share of a texel that is there, and the
 colour of that part alone; the edge of level 0 is drawn as wide as a pixel. The share becomes halves of the pixel's samples, by a noise

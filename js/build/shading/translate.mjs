@@ -108,8 +108,8 @@ function knownFeatureText(fixed, asked) {
 export function textureShaders() {
   const files = {
     vertex: 'level.vert',
-    slopeMoments: 'slope_moments.frag',
-    slopeLevel: 'slope_level.frag',
+    reliefMoments: 'relief_moments.frag',
+    reliefLevel: 'relief_level.frag',
     coverageMoments: 'coverage_moments.frag',
     coverageLevel: 'coverage_level.frag',
   };

@@ -96,7 +96,7 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
     onBeforeRender(renderer, ...rest) {
       const { NORMAL_VARIANCE, ALPHA_TO_COVERAGE } = this.isFabricMaterial ? featuresOf(this) : {};
       if (NORMAL_VARIANCE) {
-        for (const [name, key] of Object.entries(VARIANCE_MAPS)) this.madeMaps[name] = bakedTexture(THREE, textureShaders, renderer, 'slope', this[key]);
+        for (const [name, key] of Object.entries(VARIANCE_MAPS)) this.madeMaps[name] = bakedTexture(THREE, textureShaders, renderer, 'relief', this[key]);
       }
       if (ALPHA_TO_COVERAGE) {
         this.madeMaps.coverageMap = bakedTexture(THREE, textureShaders, renderer, 'coverage', this.map, textureCutoff(this));

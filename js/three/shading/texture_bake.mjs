@@ -2,7 +2,7 @@
 const made = new WeakMap();
 
 /** Type of the texels that are made: as renderer/pass/texture_bake has them. */
-const TEXEL_TYPES = { slope: 'HalfFloatType', coverage: 'UnsignedByteType' };
+const TEXEL_TYPES = { relief: 'HalfFloatType', coverage: 'UnsignedByteType' };
 
 /** Programs and the triangle that they are drawn with, for each three.js module. */
 const drawings = new WeakMap();
@@ -13,8 +13,8 @@ const drawings = new WeakMap();
  * @param {typeof import('three')} THREE
  * @param {Record<string, string>} shaders - Module js/dist/shading/texture.mjs.
  * @param {import('three').WebGLRenderer} renderer - Which is not drawing into the texture; its target is put back.
- * @param {'slope' | 'coverage'} kind - slope: of a normal map, RG the mean of its slopes, BA that of their
- *   squares; coverage: of a colour map with holes, A the share of the texel that is there.
+ * @param {'relief' | 'coverage'} kind - relief: of a normal map, RGB the mean of its unit normals, A that of how flat they
+ *   lie; coverage: of a colour map with holes, A the share of the texel that is there.
  * @param {import('three').Texture} source
  * @param {number} [cutoff] - coverage: alpha from which on a texel is there.
  * @returns {import('three').Texture | null} With the source's sampler; null while the source has no image.
@@ -47,7 +47,7 @@ function bake(THREE, shaders, renderer, { kind, source, cutoff }) {
   const out = new THREE.WebGLRenderTarget(width, height, {
     ...samplerOf(source),
     type: THREE[TEXEL_TYPES[kind]],
-    colorSpace: kind === 'slope' ? THREE.NoColorSpace : source.colorSpace,
+    colorSpace: kind === 'relief' ? THREE.NoColorSpace : source.colorSpace,
     depthBuffer: false,
     generateMipmaps: false,
   });

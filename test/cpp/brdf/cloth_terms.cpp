@@ -17,6 +17,7 @@ const Column LTC_ROUGHNESS{0.05, 1, {0.05, 0.1, 0.3, 0.5, 1}};
 // Closer to grazing Lambda is exp(20): an ulp of the exponent is then more than the tolerance.
 const Column OFF_CLIFF{0.1, 1, {0.1, 0.3, 0.5, 1}};
 const Column SHADED_ROUGHNESS{0.045, 1, {0.045, 0.089, 0.2, 0.5, 0.8, 1}};
+const Column RELIEF_LEFT{0.01, 0.5, {0.01, 0.05, 0.2, 0.5}};
 const Column WIDE{0.25, 1, {0.25, 0.64, 1}};
 const Column NARROW{0.002025, 0.25, {0.002025, 0.04, 0.25}};
 const Column MISSING{0, 0.55, {0, 0.1, 0.55}};
@@ -108,8 +109,31 @@ std::vector<Term> clothTerms() {
            sheetReflectance(vec3(p[0], p[1], p[2]), p[3])),
       TERM("normalFacing", ({DIRECTION, DIRECTION, UPWARD, DIRECTION, DIRECTION, UPWARD}), OF_ONE, false,
            normalFacing(normalize(vec3(p[0], p[1], p[2])), normalize(vec3(p[3], p[4], p[5])))),
-      TERM("bumpAlpha2", ({DIRECTION, DIRECTION, UPWARD, UNIT}), OF_ONE, true,
-           vec3(bumpAlpha2(vec3(0.0, 0.0, 1.0), normalize(vec3(p[0], p[1], p[2])), p[3]))),
+      TERM("bumpAlpha2", ({DIRECTION, DIRECTION, UPWARD}), OF_ONE, true,
+           vec3(bumpAlpha2(vec3(0.0, 0.0, 1.0), normalize(vec3(p[0], p[1], p[2]))))),
+      TERM("reliefDiffuse", ({UNIT}), OF_ONE, true, vec3(reliefDiffuse(p[0]))),
+      TERM("reliefDiffuseTowards", ({UNIT, COSINE}), OF_ONE, true, vec3(reliefDiffuseTowards(p[0], p[1]))),
+      TERM("reliefGloss", ({UNIT, SHADED_ROUGHNESS, COSINE}), CANCELLING, true,
+           vec3(reliefGloss(p[0], p[1], p[2]), 0.0)),
+      TERM("reliefSheen", ({RELIEF_LEFT, LTC_ROUGHNESS}), OF_ONE, true, vec3(reliefSheen(p[0], p[1]))),
+      TERM("reliefSheenAlbedo", ({RELIEF_LEFT, LTC_ROUGHNESS, COSINE}), CANCELLING, true,
+           vec3(reliefSheenAlbedo(p[0], p[1], p[2]))),
+      TERM("sheenRing", ({RELIEF_LEFT, LTC_ROUGHNESS, OFF_GRAZING, DIRECTION, DIRECTION, UPWARD}), CANCELLING, false,
+           vec3(sheenRingCosine(
+               sheenRing(p[0], p[1], vec3(0.0, 0.0, 1.0), vec3(sqrt(1.0 - p[2] * p[2]), 0.0, p[2]), p[2]),
+               normalize(vec3(p[3], p[4], p[5])), normalize(vec3(p[3], p[4], p[5])).z,
+               dot(normalize(vec3(p[3], p[4], p[5])), vec3(sqrt(1.0 - p[2] * p[2]), 0.0, p[2]))))),
+      TERM("sheenTaps", ({RELIEF_LEFT, LTC_ROUGHNESS, OFF_GRAZING}), CANCELLING, false,
+           sheenTaps(p[0], p[1], vec3(0.0, 0.0, 1.0), vec3(sqrt(1.0 - p[2] * p[2]), 0.0, p[2]), p[2]).left +
+               sheenTaps(p[0], p[1], vec3(0.0, 0.0, 1.0), vec3(sqrt(1.0 - p[2] * p[2]), 0.0, p[2]), p[2]).aside),
+      TERM("grazingExcess", ({ROUGHNESS, COSINE}), OF_ONE, true, vec3(grazingExcess(p[0], p[1]))),
+      TERM("tapRoughness", ({WIDE, NARROW}), PRODUCT, true, vec3(tapRoughness(p[0], p[1], stretchedTaps(p[0], p[1])))),
+      TERM("stretchedTap", ({WIDE, OFF_GRAZING, SLANT}), OF_ONE, false,
+           vec3(stretchedTap(vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0), vec3(sqrt(1.0 - p[1] * p[1]), 0.0, p[1]), p[0],
+                             0.75 * p[2])) +
+               stretchedTap(vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0), vec3(sqrt(1.0 - p[1] * p[1]), 0.0, p[1]), p[0],
+                            0.75 * p[2])
+                   .w),
       TERM("bumpMean", ({UNIT}), OF_ONE, true, vec3(bumpMean(p[0]))),
       TERM("bumpTerminator", ({UNIT, COSINE}), OF_ONE, true, vec3(bumpTerminator(p[0], p[1]))),
       TERM("glossAlbedo", ({SHADED_ROUGHNESS, COSINE}), OF_ONE, true, vec3(glossAlbedo(glossCurve(p[0]), p[1]), 0.0)),

@@ -23,8 +23,8 @@ std::vector<Term> algebraTerms() {
       TERM("geometricRoughness", ({DERIVATIVE, DERIVATIVE, DERIVATIVE, DERIVATIVE, DERIVATIVE, DERIVATIVE}), PRODUCT,
            true, vec3(geometricRoughness(vec3(p[0], p[1], p[2]), vec3(p[3], p[4], p[5])))),
       TERM("shadedRoughness", ({ROUGHNESS, UNIT}), PRODUCT, true, vec3(shadedRoughness(p[0], p[1]))),
-      TERM("roughnessWithSlopes", ({ROUGHNESS, UNIT, UNIT}), PRODUCT, true,
-           vec3(roughnessWithSlopes(p[0], vec2(p[1], p[2])))),
+      TERM("roughnessWithSlopes", ({ROUGHNESS, UNIT}), PRODUCT, true, vec3(roughnessWithSlopes(p[0], p[1]))),
+      TERM("widthWithSlopes", ({ALPHA, UNIT}), PRODUCT, true, vec3(widthWithSlopes(p[0], p[1]))),
       TERM("alphaFromRoughness", ({ROUGHNESS}), PRODUCT, true, vec3(alphaFromRoughness(p[0]))),
   };
 }

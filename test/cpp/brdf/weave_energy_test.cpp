@@ -83,7 +83,7 @@ double composed(const SurfaceInfo& s, const Reflected& sum) {
 double ofEnvironment(const SurfaceInfo& s) {
   Incident sky{};
   sky.environmentIrradiance = dvec3(PI);
-  sky.radiance = dvec3(1);
+  sky.radiance = sky.weftRadiance = dvec3(1);
   return composed(s, fabric().addEnvironment(brdf_d::nothingReflected(), s, sky));
 }
 
@@ -210,7 +210,7 @@ TEST(WeaveEnergy, ColoursOfYarnsStayTheirOwn) {
   s = fabric().preparedSurface(s);
   Incident sky{};
   sky.environmentIrradiance = dvec3(PI);
-  sky.radiance = dvec3(1);
+  sky.radiance = sky.weftRadiance = dvec3(1);
   const dvec3 light = fabric().addEnvironment(brdf_d::nothingReflected(), s, sky).specular;
   EXPECT_NEAR(light.x, 0.5, 0.01);
   EXPECT_NEAR(light.z, 0.5, 0.01);

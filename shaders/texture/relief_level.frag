@@ -1,10 +1,10 @@
-// One mip level of a map of slopes: RG the mean slope along tangent and bitangent, BA the mean of its square.
+// One mip level of a map of relief: RGB the mean of unit normals, A that of how flat they lie (relief.glsl).
 // FROM_IMAGE 1: level 0, of the normal map's own texels; 0: a smaller one, of its moments.
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 
-#include "texture/slope.glsl"
+#include "texture/relief.glsl"
 
 uniform sampler2D sourceMap;
 
@@ -13,8 +13,7 @@ out vec4 fragmentColor;
 void main() {
   vec4 texel = texelFetch(sourceMap, ivec2(gl_FragCoord.xy), 0);
 #if FROM_IMAGE
-  vec2 slope = slopeOfTexel(texel.rgb);
-  fragmentColor = vec4(slope, slope * slope);
+  fragmentColor = reliefOfTexel(texel.rgb);
 #else
   fragmentColor = texel;
 #endif

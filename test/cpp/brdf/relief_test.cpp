@@ -1,0 +1,206 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "brdf/brdf.h"
+#include "brdf/quadrature.h"
+#include "brdf/shading.h"
+
+/// Cloth whose normal map is finer than a pixel, against the mean over the texels that it stands for.
+namespace telar::test {
+namespace {
+
+using brdf_d::Incident;
+using brdf_d::Reflected;
+using brdf_d::SurfaceInfo;
+using glm::dvec3;
+
+constexpr double PI = TWO_PI / 2;
+constexpr double COSINES[] = {0.2, 0.5, 0.8, 0.97};
+
+brdf_d::ShadingFunctions fabric() { return brdf_d::shadingFunctions(ShadingModel::kFabric); }
+
+struct Cloth {
+  double albedo, roughness, metallic, sheen, sheenRoughness;
+};
+const Cloth WHITE[] = {
+    {1, 0.3, 0, 0, 0.3}, {1, 0.9, 0, 0, 0.3}, {1, 0.6, 0, 1, 0.3}, {1, 0.8, 0, 1, 0.8}, {1, 0.4, 1, 0, 0.3}};
+
+/// @param n  shading normal; that of the geometry is +z
+SurfaceInfo surfaceOf(const Cloth& cloth, const dvec3& n, const dvec3& v, double relief, double slopeVariance) {
+  SurfaceInfo s{};
+  s.n = brdf_d::normalFacing(n, v);
+  s.geometricNormal = dvec3(0, 0, 1);
+  s.v = v;
+  s.NoV = brdf_d::saturate(glm::dot(s.n, v));
+  s.baseColor = dvec3(cloth.albedo);
+  s.metallic = cloth.metallic;
+  s.diffuse = dvec3(cloth.albedo * (1 - cloth.metallic));
+  s.f0Dielectric = dvec3(0.045);
+  s.f90 = 1;
+  s.perceptualRoughness = cloth.roughness;
+  s.alpha = cloth.roughness * cloth.roughness;
+  s.sheenColor = dvec3(cloth.sheen);
+  s.sheenRoughness = cloth.sheenRoughness;
+  s.coatNormal = s.n;
+  s.clearcoatRoughness = 0.5;
+  s.clearcoatNoV = s.NoV;
+  s.relief = relief;
+  s.slopeVariance = slopeVariance;
+  return fabric().preparedSurface(s);
+}
+
+Reflected lit(const SurfaceInfo& s, const dvec3& l) {
+  return fabric().addPunctual(brdf_d::nothingReflected(), s, l, dvec3(1));
+}
+
+Reflected underSky(const SurfaceInfo& s) {
+  Incident sky{};
+  sky.environmentIrradiance = dvec3(PI);
+  sky.radiance = sky.coatRadiance = sky.weftRadiance = sky.sheenRadiance = dvec3(1);
+  return fabric().addEnvironment(brdf_d::nothingReflected(), s, sky);
+}
+
+double composed(const SurfaceInfo& s, const Reflected& sum) {
+  return fabric().composedRadiance(s, sum.diffuse, sum, brdf_d::nothingReflected(), dvec3(0)).x;
+}
+
+/// Normals of a relief.
+struct Relief {
+  const char* name;
+  std::vector<dvec3> normals;
+
+  double lost() const {
+    dvec3 mean(0);
+    for (const dvec3& n : normals) mean += n;
+    return 1 - glm::length(mean) / double(normals.size());
+  }
+  /// As texture/relief.glsl has it.
+  double slopeVariance() const {
+    double flat = 0;
+    for (const dvec3& n : normals) flat += n.z * n.z / (4 - 3 * n.z * n.z);
+    return 0.25 * (double(normals.size()) / flat - 1);
+  }
+};
+
+/// Round yarns side by side along two axes: slopes of a sine. The terms are fitted to other reliefs.
+Relief weave(const char* name, double steepest) {
+  constexpr int STEPS = 12;
+  Relief relief{name, {}};
+  for (int i = 0; i < STEPS; ++i) {
+    for (int j = 0; j < STEPS; ++j) {
+      const double x = TWO_PI * (i + 0.5) / STEPS, y = TWO_PI * (j + 0.5) / STEPS;
+      relief.normals.push_back(glm::normalize(dvec3(steepest * std::sin(x), steepest * std::sin(y), 1)));
+    }
+  }
+  return relief;
+}
+
+std::vector<Relief> reliefs() { return {weave("shallow", 0.4), weave("middle", 0.8), weave("steep", 1.4)}; }
+
+struct Lobes {
+  double diffuse = 0, specular = 0, sheen = 0;
+};
+
+/// Light of a white sky that the texels send to the viewer, by the lights' own path.
+Lobes ofTexels(const Cloth& cloth, const Relief& relief, double NoV) {
+  constexpr int AROUND = 4, STRATA = 20;
+  Lobes lobes;
+  for (int k = 0; k < AROUND; ++k) {
+    const dvec3 v = direction(NoV, TWO_PI * (k + 0.37) / AROUND);
+    for (const dvec3& n : relief.normals) {
+      const SurfaceInfo s = surfaceOf(cloth, n, v, 0, 0);
+      const dvec3 sum = overHemisphere(STRATA, [&](const dvec3& l) {
+        const Reflected r = lit(s, l);
+        return dvec3(r.diffuse.x, r.specular.x, r.sheen.x);
+      });
+      const double part = 1.0 / (AROUND * double(relief.normals.size()));
+      lobes.diffuse += sum.x * part;
+      lobes.specular += sum.y * part;
+      lobes.sheen += sum.z * part;
+    }
+  }
+  return lobes;
+}
+
+SurfaceInfo filtered(const Cloth& cloth, const Relief& relief, double NoV) {
+  return surfaceOf(cloth, dvec3(0, 0, 1), direction(NoV, 0), relief.lost(), relief.slopeVariance());
+}
+
+/// Worst ratio between a lobe of the filtered map, as the environment gives it, and the mean over the texels.
+double worstOf(const Cloth& cloth, double Lobes::*lobe, double (*ofFiltered)(const Reflected&),
+               bool withRelief = true) {
+  double worst = 1;
+  for (const Relief& relief : reliefs()) {
+    for (const double NoV : COSINES) {
+      SurfaceInfo s = filtered(cloth, relief, NoV);
+      if (!withRelief) s = surfaceOf(cloth, dvec3(0, 0, 1), direction(NoV, 0), 0, relief.slopeVariance());
+      const double truth = ofTexels(cloth, relief, NoV).*lobe, got = ofFiltered(underSky(s));
+      worst = std::max(worst, std::max(truth / got, got / truth));
+    }
+  }
+  return worst;
+}
+
+double diffuseOf(const Reflected& r) { return r.diffuse.x; }
+double specularOf(const Reflected& r) { return r.specular.x; }
+double sheenOf(const Reflected& r) { return r.sheen.x; }
+
+TEST(Relief, DiffuseLightIsTheMeanOverItsTexels) {
+  const Cloth cloth{0.5, 0.9, 0, 0, 0.3};
+  // The steep one at a grazing viewer, to whom its normals turn. The others are within 3 %.
+  EXPECT_LT(worstOf(cloth, &Lobes::diffuse, diffuseOf), 1.1);
+  EXPECT_GT(worstOf(cloth, &Lobes::diffuse, diffuseOf, false), 1.3);  // a mean normal of length 1
+}
+
+TEST(Relief, GlossIsTheMeanOverItsTexels) {
+  const Cloth metal{0.8, 0.6, 1, 0, 0.3};
+  // The steep one again, which is steeper than what the term is fitted to. The others are within 6 %.
+  EXPECT_LT(worstOf(metal, &Lobes::specular, specularOf), 1.2);
+  EXPECT_GT(worstOf(metal, &Lobes::specular, specularOf, false), 1.4);
+}
+
+TEST(Relief, SheenIsTheMeanOverItsTexels) {
+  const Cloth felt{0.2, 0.9, 0, 1, 0.8};
+  EXPECT_LT(worstOf(felt, &Lobes::sheen, sheenOf), 1.1);
+  EXPECT_GT(worstOf(felt, &Lobes::sheen, sheenOf, false), 1.3);
+}
+
+TEST(Relief, NoneChangesNothing) {
+  for (const Cloth& cloth : WHITE) {
+    for (const double NoV : COSINES) {
+      const SurfaceInfo s = surfaceOf(cloth, dvec3(0, 0, 1), direction(NoV, 0), 0, 0);
+      EXPECT_EQ(s.glossKept, brdf_d::vec2(1));
+      EXPECT_EQ(s.alpha, cloth.roughness * cloth.roughness);
+      EXPECT_EQ(brdf_d::reliefDiffuse(0), 1);
+      EXPECT_EQ(brdf_d::reliefDiffuseTowards(0, NoV), 1);
+      EXPECT_EQ(brdf_d::reliefSheen(0, cloth.sheenRoughness), 1);
+      EXPECT_NEAR(brdf_d::reliefSheenAlbedo(0, cloth.sheenRoughness, NoV),
+                  brdf_d::sheenFit(cloth.sheenRoughness, NoV).x, 1e-12);
+    }
+  }
+}
+
+/// The white furnace: no relief makes light, under lights or under a sky.
+double brightest(double tamper) {
+  double most = 0;
+  for (const Cloth& cloth : WHITE) {
+    for (const double relief : {0.02, 0.1, 0.3, 0.6, 0.9}) {
+      for (const double NoV : COSINES) {
+        SurfaceInfo s = surfaceOf(cloth, dvec3(0, 0, 1), direction(NoV, 0), relief, relief);
+        s.relief *= tamper;
+        const dvec3 sum = overHemisphere(64, [&](const dvec3& l) { return dvec3(composed(s, lit(s, l))); });
+        most = std::max({most, sum.x, composed(s, underSky(s))});
+      }
+    }
+  }
+  return most;
+}
+
+TEST(Relief, MakesNoLight) {
+  EXPECT_LT(brightest(1), 1.005);
+  EXPECT_GT(brightest(-1), 1.1);  // a relief that gives what it should take
+}
+
+}  // namespace
+}  // namespace telar::test
