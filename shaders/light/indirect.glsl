@@ -90,13 +90,34 @@ vec3 domeIrradiance(vec3 n) {
 #endif
 
 #if DIFFUSE_TRANSMISSION
-vec3 irradianceBehind(vec3 n) {
+#if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
+// Mean radiance of the environment on the other side of a surface, by the cosine.
+vec3 environmentBehind(SurfaceInfo s) {
+  float lod = cosineLod();
+#if SHADING_FABRIC && RELIEF
+  // The texels of a relief lean three ways: light comes through from the sides too.
+  float leaning = saturate(20.0 * s.relief - 1.0);
+  if (leaning > 0.0) {
+    vec3 back = s.n * (s.relief - 1.0);
+    mat3 frame = basisAbout(s.n) * sqrt(max(1.0 - pow2(1.0 - s.relief), 0.0));
+    vec3 x = frame[0];
+    vec3 y = frame[1] * 0.8660254;
+    vec3 sum = environmentRadiance(back + x, lod) + environmentRadiance(back - 0.5 * x + y, lod) + environmentRadiance(back - 0.5 * x - y, lod);
+    sum *= 1.0 / 3.0;
+    return leaning < 1.0 ? mix(environmentRadiance(-s.n, lod), sum, leaning) : sum;
+  }
+#endif
+  return environmentRadiance(-s.n, lod);
+}
+#endif
+
+vec3 irradianceBehind(SurfaceInfo s) {
   vec3 irradiance = vec3(0.0);
 #if AMBIENT || HEMISPHERE_LIGHTS > 0
-  irradiance += domeIrradiance(-n);
+  irradiance += domeIrradiance(-s.n);
 #endif
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
-  irradiance += PI * environmentRadiance(-n, cosineLod());
+  irradiance += PI * environmentBehind(s);
 #endif
   return irradiance;
 }
@@ -112,13 +133,10 @@ Incident incidentLight(SurfaceInfo s) {
   incident.irradiance = domeIrradiance(s.n);
 #endif
 #if DIFFUSE_TRANSMISSION
-  incident.behind = irradianceBehind(s.n);
+  incident.behind = irradianceBehind(s);
 #endif
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
   incident.environmentIrradiance = PI * environmentRadiance(s.n, cosineLod());
-#if SHADING_FABRIC && DIFFUSE_TRANSMISSION && RELIEF
-  incident.behind = mix(incident.behind, incident.environmentIrradiance, 0.5 * s.relief);
-#endif
 #if SHADING_FABRIC && WEAVE
   incident.radiance = stretchedRadiance(s.warp.n, s.warp.b, s.v, s.warp.alphaB, s.warp.alphaT);
   incident.weftRadiance = stretchedRadiance(s.weft.n, s.weft.b, s.v, s.weft.alphaB, s.weft.alphaT);
