@@ -166,6 +166,7 @@ export function buildProgram(version, actions, output) {
       ),
     ),
   ).action(actions.view);
+  addCommon(command('looks', 'Say what the looks of --look are; --json prints the shots that they stand for')).action(actions.looks);
   addCommon(command('doctor', 'Say which GL backends this machine has, which is chosen, and how to cure a missing one')).action(actions.doctor);
   return program;
 }

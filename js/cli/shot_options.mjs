@@ -19,6 +19,7 @@ export function addShotOptions(command) {
   return command
     .option('--shot <file>', 'JSON of a shot; relative paths in it start at the file; - is stdin')
     .option('--set <key=value>', 'one key of the shot, as in --set camera.fit=0.8 or --set lights.0.color=red; value is JSON or text', collect)
+    .option('--look <look>', 'catalogue, ghost, hanger, flat-lay, furniture or hero: what the shot leaves out, as `telar looks` says')
     .option('--view <view>', describe('camera.view'))
     .option('--frame <what>', 'scene, model, node=NAME or material=NAME, as in --frame node=Sleeve: what a view frames')
     .option('--fit-to <what>', describe('camera.fitTo'))
@@ -85,7 +86,8 @@ export function withPathsFrom(folder, shot) {
   return shot;
 }
 
-function applyFlags(shot, { view, frame, fitTo, size, quality, shading, environment, background, variant, material, layers, ghost, style, scale }) {
+function applyFlags(shot, { look, view, frame, fitTo, size, quality, shading, environment, background, variant, material, layers, ghost, style, scale }) {
+  if (look !== undefined) shot.look = look;
   if (view !== undefined) shot.camera = { ...framingOf(shot.camera), view };
   if (frame !== undefined) shot.camera = { ...shot.camera, frame: parseFrame(frame) };
   if (fitTo !== undefined) shot.camera = { ...shot.camera, fitTo };

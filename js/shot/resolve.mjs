@@ -5,6 +5,7 @@ import { readFacts } from './facts.mjs';
 import { fallenShadow } from './fallen_shadow.mjs';
 import { cornersOfGround, resolveGround } from './ground.mjs';
 import { resolveLens } from './lens.mjs';
+import { withLook } from './looks.mjs';
 import { posed } from './pose.mjs';
 import { resolveQuality } from './quality.mjs';
 import { shotSchema } from './schema.mjs';
@@ -62,8 +63,9 @@ function checkFitted(value, path = []) {
  */
 export function parseShot(shot) {
   refuseUnavailable(shot);
-  const result = shotSchema.safeParse(shot);
-  if (!result.success) throw complaint(result.error.issues, shot, shotSchema);
+  const whole = withLook(shot);
+  const result = shotSchema.safeParse(whole);
+  if (!result.success) throw complaint(result.error.issues, whole, shotSchema);
   return result.data;
 }
 

@@ -2,6 +2,8 @@
 
 /** What to draw. Every key is optional; js/docs/options.md is the table of them. */
 export interface Shot {
+  /** Keys that the shot leaves out are taken from a look, those of `camera` one by one; `telar looks --json` prints them as shots. "catalogue": a garment from the front before white, lit from the upper left, as shops list it; "ghost": a garment as if worn by nobody: even light, no background, so that the inside of the neck is seen; "hanger": a garment that hangs: light from above, grey behind it; "flat-lay": a garment as it lies on paper, without perspective, in soft light; "furniture": what stands on the floor, from a corner and a little above, with its shadow; "hero": a garment from below its middle, rim light against a dark background. @default "none" */
+  look?: 'none' | 'catalogue' | 'ghost' | 'hanger' | 'flat-lay' | 'furniture' | 'hero';
   /** Size of the image. */
   size?: {
     /** Pixels. Range 1 to 8192. @default 512 */
@@ -593,6 +595,8 @@ export interface Shot {
 
 /** A shot with every default written out: metres, degrees (spot cones: radians), linear Rec.709. */
 export interface ResolvedShot {
+  /** Keys that the shot leaves out are taken from a look, those of `camera` one by one; `telar looks --json` prints them as shots. "catalogue": a garment from the front before white, lit from the upper left, as shops list it; "ghost": a garment as if worn by nobody: even light, no background, so that the inside of the neck is seen; "hanger": a garment that hangs: light from above, grey behind it; "flat-lay": a garment as it lies on paper, without perspective, in soft light; "furniture": what stands on the floor, from a corner and a little above, with its shadow; "hero": a garment from below its middle, rim light against a dark background. */
+  look: 'none' | 'catalogue' | 'ghost' | 'hanger' | 'flat-lay' | 'furniture' | 'hero';
   /** Size of the image. */
   size: {
     /** Pixels. Range 1 to 8192. */

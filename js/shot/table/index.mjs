@@ -4,6 +4,7 @@ import { camera } from './camera.mjs';
 import { flat, style } from './flat.mjs';
 import { layers } from './layers.mjs';
 import { lights } from './lights.mjs';
+import { look } from './looks.mjs';
 import { materials } from './materials.mjs';
 import { output } from './output.mjs';
 import { ghost } from './parts.mjs';
@@ -60,6 +61,7 @@ const SCALE = text(
 export const SHOT = object(
   'What to draw',
   {
+    look,
     size: object('Size of the image', { width: pixels, height: pixels }, { name: 'Size', default: {} }),
     camera,
     lens,

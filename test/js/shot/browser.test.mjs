@@ -17,8 +17,9 @@ test('the browser bundle needs nothing of Node and resolves to the same bits', a
     globalName: 'telarShot',
     platform: 'browser',
   });
-  // The schema and its parser; a library that slips in is more. Layers, flats and true scale took it from 108 to 112 kB.
-  assert.ok(text.length < 115_000, `${text.length} bytes`);
+  // The schema and its parser; a library that slips in is more. Layers, flats and true scale took it from 108 to 112 kB, ghosts, cloths and
+  // looks to 117: names, their meanings and six shots.
+  assert.ok(text.length < 119_000, `${text.length} bytes`);
   // A realm with the language alone: no process, no require, no Buffer.
   const realm = vm.createContext({});
   vm.runInContext(text, realm);
