@@ -162,6 +162,13 @@ Napi::Value names(const Napi::CallbackInfo& info) {
   return textOnPool(info.Env(), job, [scene] { return describeNames(*scene); });
 }
 
+/// uvScales(scene, token) -> Promise<string>
+Napi::Value uvScales(const Napi::CallbackInfo& info) {
+  auto scene = unwrap<SceneHandle>(info[0]).scene();
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[1]).token);
+  return textOnPool(info.Env(), job, [scene, job] { return describeUvScales(*scene, job->cancel); });
+}
+
 /// measurePart(scene, kind: "node" | "material", which: number | string, variant: string, token) -> Promise<string>
 Napi::Value measurePart(const Napi::CallbackInfo& info) {
   auto scene = unwrap<SceneHandle>(info[0]).scene();
@@ -302,6 +309,7 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["load"] = Napi::Function::New(env, load, "load");
   exports["dress"] = Napi::Function::New(env, dress, "dress");
   exports["namesOf"] = Napi::Function::New(env, names, "namesOf");
+  exports["uvScales"] = Napi::Function::New(env, uvScales, "uvScales");
   exports["explode"] = Napi::Function::New(env, explode, "explode");
   exports["pose"] = Napi::Function::New(env, pose, "pose");
   exports["measurePart"] = Napi::Function::New(env, measurePart, "measurePart");

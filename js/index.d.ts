@@ -160,6 +160,13 @@ export interface ModelFacts {
       weave?: { warp: number; weft: number; threadsPerUv: [number, number] };
       back?: true;
     } | null;
+    /**
+     * Metres that one unit of u and one of v cover, in TEXCOORD_0: medians by area over the file's surfaces of this material; null where they
+     * have none. Of inspect alone.
+     */
+    metresPerUv?: [number, number] | null;
+    /** The cloth that the name suggests, for a look at it by `materials` of a shot; it is never applied by itself. Of inspect alone. */
+    proposedPreset?: string | null;
   }>;
   /** Width 0: no drawn material uses it, so it was not decoded. */
   images: Array<{

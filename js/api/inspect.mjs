@@ -21,13 +21,21 @@ export async function inspectOn(native, source, options = {}) {
   const loaded = await loadModel(native, input, limits, { ...loading, work });
   const model = await shownModel(native, loaded, request.shot, { work, forget: true });
   const measures = measure.length > 0 && { measures: await measured(native, model, measure, work) };
-  if (!model.facts.bounds) return { ...model.facts, ...measures, plan: null };
+  const cloths = { materials: await withCloths(native, model, work) };
+  if (!model.facts.bounds) return { ...model.facts, ...cloths, ...measures, plan: null };
   const { resolveShot } = await shotModule();
   const resolved = resolveShot(request.shot, await measuredFor(native, model, request.shot, work));
   if (request.map) resolved.environment.map = request.map;
   const json = shotJson(resolved);
   const plan = await nativeCall(native, work, (token) => native.plan(Model.sceneOf(model), json, limits, token));
-  return { ...model.facts, ...measures, plan: JSON.parse(plan) };
+  return { ...model.facts, ...cloths, ...measures, plan: JSON.parse(plan) };
+}
+
+/** The materials with the size of their texture coordinates, and the cloth that their names suggest. */
+async function withCloths(native, model, work) {
+  const { proposedPreset } = await import('./proposed_preset.mjs');
+  const scales = JSON.parse(await nativeCall(native, work, (token) => native.uvScales(Model.sceneOf(model), token)));
+  return model.facts.materials?.map((material, i) => ({ ...material, metresPerUv: scales[i] ?? null, proposedPreset: proposedPreset(material.name) }));
 }
 
 /** Few callers measure, so what it needs comes when it is asked for. */

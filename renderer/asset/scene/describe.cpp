@@ -217,6 +217,15 @@ std::string describeScene(const Scene& scene, const CancelToken& cancel) {
   return out.dump();
 }
 
+std::string describeUvScales(const Scene& scene, const CancelToken& cancel) {
+  json out = json::array();
+  for (std::size_t i = 0; i < scene.fileMaterials; ++i) {
+    const auto metres = metresPerUv(scene, static_cast<int>(i), cancel);
+    out.push_back(metres ? json{metres->x, metres->y} : json(nullptr));
+  }
+  return out.dump();
+}
+
 std::string describeNames(const Scene& scene) {
   json out = {{"materials", json::array()}, {"nodes", json::array()}};
   for (std::size_t i = 0; i < scene.fileMaterials; ++i) out["materials"].push_back(scene.materials[i].name);

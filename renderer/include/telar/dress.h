@@ -36,4 +36,7 @@ std::string describeNames(const Scene& scene);
 /// @param material  index into Scene::materials; the file's own, with or without a variant
 std::optional<glm::dvec2> metresPerUv(const Scene& scene, int material, const CancelToken& cancel);
 
+/// JSON: metresPerUv() of each of the file's materials, [u, v] or null.
+std::string describeUvScales(const Scene& scene, const CancelToken& cancel);
+
 }  // namespace telar

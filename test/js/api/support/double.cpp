@@ -170,6 +170,8 @@ std::shared_ptr<const Scene> dressScene(const std::shared_ptr<const Scene>& mode
 
 std::string describeNames(const Scene&) { return R"({"materials": [], "nodes": []})"; }
 
+std::string describeUvScales(const Scene&, const CancelToken&) { return "[]"; }
+
 std::string probeReference() { return R"({"works": true, "version": "double"})"; }
 
 std::string probeBackends() { return R"({"chosen": "double", "backends": []})"; }
