@@ -50,6 +50,9 @@ export function takeOffCloths(scene) {
   });
 }
 
+/** What the meshes of a model wear, by its scene: made once for as long as shots put on the same. */
+const wardrobes = new WeakMap();
+
 /**
  * Puts the cloths of a shot on a model that shows its own materials, in the shot's variant and pose.
  * @param {object} shot - Resolved.
@@ -59,18 +62,39 @@ export function takeOffCloths(scene) {
  * @param {(preset: string) => Promise<{scene: import('three').Object3D, parser: object}>} [options.cloths] - Gives js/assets/cloths/PRESET.glb
  *   as GLTFLoader loads it.
  */
-export async function putOnCloths({ materials, variant }, model, { THREE, cloths }) {
-  if (Object.keys(materials).length === 0) return;
+export async function putOnCloths({ materials, variant, pose }, model, { THREE, cloths }) {
+  const key = JSON.stringify([Object.entries(materials), variant, pose]);
+  let wardrobe = wardrobes.get(model.scene);
+  if (wardrobe?.key !== key) {
+    wardrobe?.made.forEach((item) => item.dispose());
+    wardrobes.delete(model.scene);
+    if (Object.keys(materials).length === 0) return;
+    wardrobe = await fill({ key, made: new Set(), looks: new Map() }, { materials, variant }, model, { THREE, cloths });
+    wardrobes.set(model.scene, wardrobe);
+  }
+  for (const [mesh, look] of wardrobe.looks) {
+    undressed.set(mesh, { material: mesh.material, geometry: mesh.geometry });
+    Object.assign(mesh, look);
+  }
+}
+
+/** Makes what the meshes are to wear: `looks` by mesh, and in `made` what is to be disposed of with it. */
+async function fill(wardrobe, { materials, variant }, model, { THREE, cloths }) {
   const dressings = dressingsOf(materials, namesOf(model));
   if (!cloths && dressings.some(({ preset }) => preset !== null))
     throw new Error('shot.materials: give applyShot `cloths`, which loads telar/cloths/PRESET.glb by GLTFLoader');
   model.scene.updateMatrixWorld(true);
-  const put = new Map();
+  const opened = new Map();
   for (const [mesh, { index, dressing }] of wearers(model, variant, dressings)) {
     const key = `${dressings.indexOf(dressing)} ${index}`;
-    if (!put.has(key)) put.set(key, await opened(model, index, dressing, { THREE, cloths }));
-    put.get(key)(mesh);
+    if (!opened.has(key)) opened.set(key, await open(model, index, dressing, { THREE, cloths, made: wardrobe.made }));
+    const look = opened.get(key)(mesh);
+    if (!look) continue;
+    wardrobe.looks.set(mesh, look);
+    wardrobe.made.add(look.material);
+    if (look.geometry !== mesh.geometry) wardrobe.made.add(look.geometry);
   }
+  return wardrobe;
 }
 
 /** The meshes that are dressed, each with the dressing that holds: the last of its node, else the last of its material. */
@@ -96,10 +120,10 @@ function nodeOf({ scene, parser }, object) {
   return undefined;
 }
 
-/** @returns {Promise<(mesh: import('three').Mesh) => void>} What dresses a mesh that wears this material of the file. */
-async function opened(model, index, dressing, { THREE, cloths }) {
+/** @returns {Promise<(mesh: import('three').Mesh) => object | undefined>} What a mesh that wears this material of the file shows instead: {material, geometry}. */
+async function open(model, index, dressing, { THREE, cloths, made }) {
   const color = dressing.color && new THREE.Color().setRGB(...dressing.color, THREE.LinearSRGBColorSpace);
-  if (dressing.preset === null) return (mesh) => color && recolor(model, mesh, color);
+  if (dressing.preset === null) return (mesh) => color && recolored(model, mesh, color);
   const { scene, parser } = await cloths(dressing.preset);
   scene.updateMatrixWorld(true);
   const square = firstMesh(scene);
@@ -107,27 +131,33 @@ async function opened(model, index, dressing, { THREE, cloths }) {
   const material = await parser.getDependency('material', parser.associations.get(square.material).materials);
   const [garment, tile] = [metresPerUv(wearersOf(model, index), THREE), metresPerUv([square], THREE)];
   const matrix = garment && tile && placement(THREE, garment, tile, dressing);
-  const placed = memo((texture) => placedTexture(texture, matrix));
+  const placed = memo((texture) => {
+    const out = placedTexture(texture, matrix);
+    if (out) made.add(out);
+    return out;
+  });
   return (mesh) => {
-    const own = mesh.material;
-    undressed.set(mesh, { material: own, geometry: mesh.geometry });
+    const own = { material: mesh.material, geometry: mesh.geometry };
     if (dressing.rotation !== 0) mesh.geometry = withoutTangents(mesh.geometry);
-    assignMaterial(model.parser, mesh, dressed(own, material, color, placed));
-    worn.set(mesh.material, { parser, material, finish: (copy) => copy.copy(mesh.material), placed });
+    assignMaterial(model.parser, mesh, dressed(own.material, material, color, placed));
+    const look = { material: mesh.material, geometry: mesh.geometry };
+    Object.assign(mesh, own);
+    worn.set(look.material, { parser, material, finish: (copy) => copy.copy(look.material), placed });
+    return look;
   };
 }
 
-/** Gives a mesh its own material in another color. A picture that cuts its shape out stays. */
-function recolor(model, mesh, color) {
+/** A mesh's own material in another color. A picture that cuts its shape out stays. */
+function recolored(model, mesh, color) {
   const own = mesh.material;
-  const finish = (material) => {
-    material.color.copy(color);
-    if (!own.transparent && own.alphaTest === 0) material.map = null;
+  const finish = (copy) => {
+    copy.color.copy(color);
+    if (!own.transparent && own.alphaTest === 0) copy.map = null;
   };
-  undressed.set(mesh, { material: own, geometry: mesh.geometry });
-  mesh.material = own.clone();
-  finish(mesh.material);
-  worn.set(mesh.material, { parser: model.parser, material: own, finish, placed: (texture) => texture });
+  const material = own.clone();
+  finish(material);
+  worn.set(material, { parser: model.parser, material: own, finish, placed: (texture) => texture });
+  return { material, geometry: mesh.geometry };
 }
 
 /** The tangents of a geometry stand along texture coordinates that a turned pattern does not have. */

@@ -11,6 +11,9 @@ import { HttpError, bodyOf, askedOf, jsonOf, send, sendFile, signalOf } from './
 /** Where js/build/page.mjs puts the page. */
 const PAGE = fileURLToPath(new URL('../dist/view/', import.meta.url));
 
+/** The cloths that `materials` of a shot puts on. */
+const CLOTHS = fileURLToPath(new URL('../assets/cloths/', import.meta.url));
+
 const HOST = '127.0.0.1';
 const TOKEN_BYTES = 24;
 const MAX_SHOT_BYTES = 1 << 20;
@@ -66,7 +69,8 @@ function problemOf(thrown) {
 function pageFiles(decoders = new Map()) {
   const entries = readdirSync(PAGE, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
   const files = entries.map((entry) => path.join(entry.parentPath ?? entry.path, entry.name));
-  return new Map([...files.map((file) => [path.relative(PAGE, file).split(path.sep).join('/'), file]), ...decoders]);
+  const cloths = readdirSync(CLOTHS).map((name) => [`cloths/${name}`, path.join(CLOTHS, name)]);
+  return new Map([...files.map((file) => [path.relative(PAGE, file).split(path.sep).join('/'), file]), ...cloths, ...decoders]);
 }
 
 /** The page's own script, and the tag of the one that imports three.js by its name. */

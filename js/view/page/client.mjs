@@ -4,6 +4,7 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
+import { namesOf } from '../../three/cloths.mjs';
 import { applyShot, factsOf, rendererParameters } from '../../three/index.mjs';
 import { ANY_MODEL } from '../../shot/facts.mjs';
 import { resolvePart } from '../../shot/part.mjs';
@@ -27,6 +28,8 @@ export class Client {
   #depths;
   #diagonal;
   #textures = new Map();
+  #loader;
+  #cloths = new Map();
 
   /** Is called when a picture stands. */
   onDraw = () => {};
@@ -50,6 +53,7 @@ export class Client {
       .setDRACOLoader(new DRACOLoader().setDecoderPath(new URL('page/draco/', document.baseURI).href))
       .setKTX2Loader(new KTX2Loader().setTranscoderPath(new URL('page/basis/', document.baseURI).href).detectSupport(renderer))
       .setMeshoptDecoder(MeshoptDecoder);
+    self.#loader = loader;
     self.#model = await loader.loadAsync(model);
     self.#scene.add(self.#model.scene);
     return self;
@@ -102,6 +106,16 @@ export class Client {
     return this.#textures.get(map);
   }
 
+  #cloth(preset) {
+    if (!this.#cloths.has(preset)) this.#cloths.set(preset, this.#loader.loadAsync(`page/cloths/${preset}.glb`));
+    return this.#cloths.get(preset);
+  }
+
+  /** What its parts are called. */
+  get names() {
+    return namesOf(this.#model);
+  }
+
   /** Draws a resolved shot; one at a time. */
   async draw(resolved) {
     const renderer = this.#rendererFor(resolved);
@@ -113,6 +127,7 @@ export class Client {
       camera: this.#camera,
       model: this.#model,
       environment,
+      cloths: (preset) => this.#cloth(preset),
       areaLightTables: () => import('three/addons/lights/RectAreaLightUniformsLib.js'),
     });
     renderer.render(this.#scene, this.#camera);

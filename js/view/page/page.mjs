@@ -2,6 +2,7 @@ import './no_eval.mjs';
 import { VIEWS } from '../../shot/frame.mjs';
 import { withView } from './camera_edit.mjs';
 import { Client } from './client.mjs';
+import { bindCloths } from './cloths_picker.mjs';
 import { bindControls } from './controls.mjs';
 import { addOrbit } from './orbit.mjs';
 import { Pictures } from './pictures.mjs';
@@ -90,6 +91,7 @@ async function start() {
   const pictures = new Pictures({ state, client, stage, serverGl: server.renderer, setPhase, fail });
   const { cameras, variants } = client.facts(shot);
   bindControls($('controls'), state, { environments, cameras, variants, animations: client.animations }, attempt);
+  bindCloths($('controls'), state, client.names, attempt);
   bindShotText($('shot-text'), state, attempt);
   addOrbit($('stage'), state, () => client.camera, attempt);
   const stem = name.replace(/\.[^.]*$/, '');
