@@ -14,6 +14,7 @@
 #include "telar/load.h"
 #include "telar/measure.h"
 #include "telar/part.h"
+#include "telar/part_opacities.h"
 #include "telar/pose.h"
 #include "telar/reference.h"
 #include "telar/shot.h"
@@ -169,7 +170,8 @@ Napi::Value uvScales(const Napi::CallbackInfo& info) {
   return textOnPool(info.Env(), job, [scene, job] { return describeUvScales(*scene, job->cancel); });
 }
 
-/// measurePart(scene, kind: "node" | "material", which: number | string, variant: string, token) -> Promise<string>
+/// measurePart(scene, kind: "node" | "material", which: number | string, {variant, ghost: string}, token) ->
+/// Promise<string>
 Napi::Value measurePart(const Napi::CallbackInfo& info) {
   auto scene = unwrap<SceneHandle>(info[0]).scene();
   PartQuery query;
@@ -179,9 +181,23 @@ Napi::Value measurePart(const Napi::CallbackInfo& info) {
   } else {
     query.which = stringFromJs(info[2], "a name");
   }
-  query.variant = stringFromJs(info[3], "the variant");
+  const auto shown = info[3].As<Napi::Object>();
+  query.variant = stringFromJs(shown.Get("variant"), "the variant");
+  const auto ghost = parseGhosts(stringFromJs(shown.Get("ghost"), "the ghosts"));
   auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[4]).token);
-  return textOnPool(info.Env(), job, [scene, query, job] { return describePart(*scene, query, job->cancel); });
+  return textOnPool(info.Env(), job,
+                    [scene, query, ghost, job] { return describePart(*scene, query, ghost, job->cancel); });
+}
+
+/// measureShown(scene, {variant, ghost: string}, token) -> Promise<string>
+Napi::Value measureShown(const Napi::CallbackInfo& info) {
+  auto scene = unwrap<SceneHandle>(info[0]).scene();
+  const auto shown = info[1].As<Napi::Object>();
+  const auto variant = stringFromJs(shown.Get("variant"), "the variant");
+  const auto ghost = parseGhosts(stringFromJs(shown.Get("ghost"), "the ghosts"));
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
+  return textOnPool(info.Env(), job,
+                    [scene, variant, ghost, job] { return describeShown(*scene, variant, ghost, job->cancel); });
 }
 
 /// measure(scene, request: string, token) -> Promise<string>
@@ -313,6 +329,7 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["explode"] = Napi::Function::New(env, explode, "explode");
   exports["pose"] = Napi::Function::New(env, pose, "pose");
   exports["measurePart"] = Napi::Function::New(env, measurePart, "measurePart");
+  exports["measureShown"] = Napi::Function::New(env, measureShown, "measureShown");
   exports["measure"] = Napi::Function::New(env, measure, "measure");
   exports["swatch"] = Napi::Function::New(env, swatch, "swatch");
   exports["drawFlat"] = Napi::Function::New(env, drawFlat, "drawFlat");

@@ -608,8 +608,8 @@ export interface Renderer {
   renderQuantity(source: Source | Model, shot: Shot | ResolvedShot, quantity: Quantity, options?: LoadOptions): Promise<{ width: number; height: number; data: Float32Array }>;
 
   /**
-   * What resolveShot() needs to know of a model for a shot: its facts in the shot's pose, and the extent of the part that the shot
-   * frames. render() resolves a shot with it.
+   * What resolveShot() needs to know of a model for a shot: its facts in the shot's pose, bounds and outline without what its `ghost`
+   * leaves out, and the extent of the part that the shot frames. render() resolves a shot with it.
    * @param options - failOn, resolve, timeoutMs, signal.
    * @throws {TelarError} What load() throws, E_SHOT
    * @example

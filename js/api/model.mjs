@@ -101,7 +101,7 @@ async function poseModel(native, model, shot, { work, forget }) {
 }
 
 /**
- * What resolveShot needs to know of a model: its facts, and what the part measures that the shot frames.
+ * What resolveShot needs to know of a model: its facts without what the shot leaves out, and what the part measures that the shot frames.
  * @internal
  * @param {object} native the addon's exports
  * @param {Model} model as the shot shows it
@@ -110,12 +110,14 @@ async function poseModel(native, model, shot, { work, forget }) {
  * @returns {Promise<object>}
  */
 export async function measuredFor(native, model, shot, work) {
-  const { resolvePart } = await shotModule();
-  const part = resolvePart(shot);
-  if (!part) return model.facts;
-  const variant = typeof shot.variant === 'string' ? shot.variant : '';
-  const measured = await nativeCall(native, work, (token) => native.measurePart(Model.sceneOf(model), part.kind, part.which, variant, token));
-  return { ...model.facts, part: { frame: part.frame, ...JSON.parse(measured) } };
+  const { resolveLeftOut, resolvePart } = await shotModule();
+  const [part, ghost] = [resolvePart(shot), resolveLeftOut(shot)];
+  if (!part && !ghost) return model.facts;
+  const shown = { variant: typeof shot.variant === 'string' ? shot.variant : '', ghost: JSON.stringify(ghost ?? []) };
+  const scene = Model.sceneOf(model);
+  const rest = ghost && JSON.parse(await nativeCall(native, work, (token) => native.measureShown(scene, shown, token)));
+  const measured = part && JSON.parse(await nativeCall(native, work, (token) => native.measurePart(scene, part.kind, part.which, shown, token)));
+  return { ...model.facts, ...rest, ...(part && { part: { frame: part.frame, ...measured } }) };
 }
 
 /** What many shots show of one model, in a pose or in cloths: each is made when first needed, and let go with the last shot that shows it. */

@@ -43,6 +43,7 @@ export class Layout {
    * @param {object} parts
    * @param {object} parts.spec of readSpec
    * @param {object} parts.facts of the model
+   * @param {{model: object, facts: object}[]} parts.shown of shownBy
    * @param {(key: string, values?: object) => string} parts.words
    * @param {import('./pictures.mjs').Pictures} parts.pictures
    * @param {import('./engine.mjs').Engine} parts.engine
@@ -52,15 +53,25 @@ export class Layout {
     Object.assign(this, parts);
     this.page = pageOf(parts.spec);
     this.warnings = [];
-    this.bounds = { ...parts.facts.bounds, outline: parts.facts.outline };
   }
 
   warn(code, message, pointer) {
     this.warnings.push({ code, message, pointer });
   }
 
+  #indexOf({ name }) {
+    return this.spec.views.findIndex((view) => view.name === name);
+  }
+
   extent(view) {
-    return extentOf(this.bounds, basisOf(view));
+    const { bounds, outline } = this.shown[this.#indexOf(view)].facts;
+    return extentOf({ ...bounds, outline }, basisOf(view));
+  }
+
+  /** What pictures need to know of a view. @returns {import('./pictures.mjs').Seen} */
+  seen(view) {
+    const index = this.#indexOf(view);
+    return { model: this.shown[index].model, variant: view.variant, ghost: view.ghost, style: view.style, index };
   }
 
   /** The scale of a view that has a box to itself. @throws {TelarError} E_SPEC where the spec's does not fit */

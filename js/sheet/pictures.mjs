@@ -1,6 +1,17 @@
 import { createHash } from 'node:crypto';
 import { TelarError } from '../error/index.mjs';
+import { ofView } from './shown.mjs';
 import { INCH, basisOf, trueView } from './scale.mjs';
+
+/**
+ * What a view shows.
+ * @typedef {object} Seen
+ * @property {object} model - Loaded, or with its parts apart.
+ * @property {string} variant
+ * @property {object[]} ghost - Of the shot.
+ * @property {'render' | 'flat'} style
+ * @property {number} index - Of the view in the spec.
+ */
 
 /** The pictures of one sheet: asked for while pages are laid out, drawn together from one load of the model. */
 
@@ -25,7 +36,6 @@ const nameOf = (asked) => createHash('sha256').update(JSON.stringify(asked)).dig
 
 export class Pictures {
   #renderer;
-  #model;
   #options;
   #asked = new Map();
   #flats = new Map();
@@ -33,26 +43,24 @@ export class Pictures {
 
   /**
    * @param {object} renderer
-   * @param {object} model loaded
    * @param {{ppi: number, shot: object, flats: object, call: {signal?: AbortSignal, timeoutMs?: number | null}}} options shot: what pictures
    *   share: light, shading, quality; flats: of the spec
    */
-  constructor(renderer, model, options) {
+  constructor(renderer, options) {
     this.#renderer = renderer;
-    this.#model = model;
     this.#options = options;
   }
 
   /**
    * A picture in true scale, drawn later.
    * @param {import('./scale.mjs').Extent} extent
-   * @param {{ratio: number, variant: string, style?: 'render' | 'flat', margin?: number}} how
+   * @param {Seen & {ratio: number, margin?: number}} how
    * @returns {{file: string, width: number, height: number, view: import('./scale.mjs').TrueView}} millimetres of paper
    */
-  ask(extent, { ratio, variant, style = 'render', margin = MARGIN }) {
-    const view = trueView(extent, { ratio, ppi: this.#options.ppi, margin, depth: depthOf(this.#model.facts.bounds) });
-    const seen = { size: view.size, camera: view.camera, variant };
-    const file = style === 'flat' ? this.#askFlat(seen, ratio) : this.#askRender(seen);
+  ask(extent, { ratio, model, variant, ghost, style, index, margin = MARGIN }) {
+    const view = trueView(extent, { ratio, ppi: this.#options.ppi, margin, depth: depthOf(model.facts.bounds) });
+    const seen = { size: view.size, camera: view.camera, variant, ...(ghost.length > 0 && { ghost }) };
+    const file = style === 'flat' ? this.#askFlat(seen, { ratio, model, index }) : this.#askRender(seen, { model, index });
     return { file, ...view.paper, view };
   }
 
@@ -60,18 +68,18 @@ export class Pictures {
     return { ...this.#options.shot, ...seen, background: WHITE, output: { format: 'jpeg', quality: QUALITY, ppi: Math.round(this.#options.ppi) } };
   }
 
-  #askRender(seen) {
+  #askRender(seen, { model, index }) {
     const shot = this.#renderOf(seen);
-    const file = `${nameOf(shot)}.jpg`;
-    this.#asked.set(file, shot);
+    const file = `${nameOf([shot, model.facts.sha256])}.jpg`;
+    this.#asked.set(file, { shot, model, index });
     return file;
   }
 
-  #askFlat(shot, scale) {
+  #askFlat(shot, { ratio: scale, model, index }) {
     const { foldLength, ...flats } = this.#options.flats;
     const options = { ...flats, foldLength: Math.min(1, foldLength / shot.camera.height), scale, weights: WEIGHTS };
-    const file = `${nameOf([shot, options])}.svg`;
-    this.#flats.set(file, { shot, options });
+    const file = `${nameOf([shot, options, model.facts.sha256])}.svg`;
+    this.#flats.set(file, { shot, options, model, index });
     return file;
   }
 
@@ -92,20 +100,25 @@ export class Pictures {
 
   /**
    * Where the garment is in a picture, drawn at once.
+   * @param {import('./scale.mjs').Extent} extent
+   * @param {Seen & {ratio: number, margin?: number}} how
    * @returns {Promise<{covers: (x: number, y: number) => boolean}>} millimetres of paper in the picture
    */
-  async mask(extent, { ratio, variant, margin = MARGIN }) {
-    const view = trueView(extent, { ratio, ppi: MASK_PPI, margin, depth: depthOf(this.#model.facts.bounds) });
+  async mask(extent, { ratio, model, variant, ghost, index, margin = MARGIN }) {
+    const view = trueView(extent, { ratio, ppi: MASK_PPI, margin, depth: depthOf(model.facts.bounds) });
     const shot = {
       ...this.#options.shot,
       quality: 'draft',
       size: view.size,
       camera: view.camera,
       variant,
+      ghost,
       background: 'transparent',
       output: { format: 'raw' },
     };
-    const { data, info } = await this.#renderer.render(this.#model, shot, this.#options.call);
+    const { data, info } = await this.#renderer.render(model, shot, this.#options.call).catch((thrown) => {
+      throw ofView(thrown, index);
+    });
     const perMillimetre = MASK_PPI / INCH;
     const covers = (x, y) => {
       const [px, py] = [Math.floor(x * perMillimetre), Math.floor(y * perMillimetre)];
@@ -120,20 +133,39 @@ export class Pictures {
    * @returns {Promise<Map<string, {data: Buffer, info: object}>>} by file
    */
   async draw(onProgress) {
-    const files = [...this.#asked.keys()];
-    const images = await this.#renderer.renderAll(this.#model, [...this.#asked.values()], { ...this.#options.call, onProgress });
-    const drawn = new Map(files.map((file, i) => [file, images[i]]));
+    const drawn = new Map();
+    // One load of each model: of the whole, and of each with its parts apart.
+    const models = new Set([...this.#asked.values()].map(({ model }) => model));
+    for (const model of models) {
+      const asked = [...this.#asked].filter(([, picture]) => picture.model === model);
+      const before = drawn.size;
+      const progress = onProgress && ((part) => onProgress((before + part * asked.length) / this.#asked.size));
+      for (const [file, image] of await this.#renders(model, asked, progress)) drawn.set(file, image);
+    }
     for (const [file, { square, shot }] of this.#squares) drawn.set(file, await this.#renderer.render(square, shot, this.#options.call));
     for (const [file, flat] of this.#flats) drawn.set(file, { data: Buffer.from(await this.#flat(flat)) });
     return drawn;
   }
 
-  async #flat({ shot, options }) {
+  async #renders(model, asked, onProgress) {
     try {
-      return (await this.#model.flat(shot, { ...options, ...this.#options.call })).svg;
+      const images = await this.#renderer.renderAll(
+        model,
+        asked.map(([, { shot }]) => shot),
+        { ...this.#options.call, onProgress },
+      );
+      return asked.map(([file], i) => [file, images[i]]);
+    } catch (thrown) {
+      throw ofView(thrown, asked[thrown.index]?.[1].index);
+    }
+  }
+
+  async #flat({ shot, options, model, index }) {
+    try {
+      return (await model.flat(shot, { ...options, ...this.#options.call })).svg;
     } catch (thrown) {
       // Of what the options name, parts alone may not be there.
-      if (thrown.code !== 'E_MEASURE') throw thrown;
+      if (thrown.code !== 'E_MEASURE') throw ofView(thrown, index);
       throw new TelarError('E_SPEC', `spec.flats.stitched: ${thrown.message}`, { pointer: `/flats${thrown.pointer}`, cause: thrown });
     }
   }

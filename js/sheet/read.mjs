@@ -49,6 +49,22 @@ function checkName(path, name, known, what) {
   });
 }
 
+/** A place of the whole model is another once parts have moved: lengths, and points given in metres. */
+function checkPlaces(spec) {
+  const exploded = new Set(spec.views.filter(({ explode }) => explode > 0).map(({ name }) => name));
+  const refuse = (list, isOfWhole) =>
+    spec[list].forEach((item, i) => {
+      if (exploded.has(item.view) && isOfWhole(item))
+        throw wrong([list, i, 'view'], 'a view that is not exploded, or a node, a material or a picture', item.view);
+    });
+  refuse('callouts', ({ point }) => point);
+  refuse('details', ({ point }) => point);
+  spec.measures.forEach((measure, i) => {
+    const isMeasured = PLACES.some((key) => measure[key] !== undefined);
+    if (exploded.has(measure.view) && isMeasured) throw wrong(['measures', i, 'view'], 'a view that is not exploded', measure.view);
+  });
+}
+
 function checkWhere(item, path) {
   const given = WHERE.filter((key) => item[key] !== undefined);
   if (given.length !== 1) throw wrong(path, `one of ${WHERE.join(', ')}`, Object.fromEntries(given.map((key) => [key, item[key]])));
@@ -93,8 +109,8 @@ function checkMeasure(measure, path, { header, anchors }) {
 }
 
 const DEFAULT_VIEWS = [
-  { name: 'front', view: 'front', scale: 'fit' },
-  { name: 'back', view: 'back', scale: 'fit' },
+  { name: 'front', view: 'front', scale: 'fit', style: 'render', ghost: [], explode: 0 },
+  { name: 'back', view: 'back', scale: 'fit', style: 'render', ghost: [], explode: 0 },
 ];
 
 /** The variant that pictures show where nothing says another: that of the first colourway. */
@@ -153,6 +169,7 @@ export function readSpec(given, { variants = [] } = {}) {
     checkName(['measures', i, 'view'], measure.view, names, 'view');
     checkMeasure(measure, ['measures', i], spec);
   });
+  checkPlaces(spec);
   const colourways = spec.colourways.map(({ name }) => name);
   spec.colourways.forEach(({ variant }, i) => checkName(['colourways', i, 'variant'], variant, variants, 'material variant'));
   result.data.swatches.forEach((swatch, i) => checkSwatch(swatch, ['swatches', i], { variants }));

@@ -1,4 +1,3 @@
-import { basisOf, extentOf } from './scale.mjs';
 import { careSvg } from './care.mjs';
 import { changesBetween } from './changes.mjs';
 import { Engine, TEMPLATE, bundledFonts } from './engine.mjs';
@@ -21,6 +20,7 @@ import { Pictures } from './pictures.mjs';
 import { pointOf } from './places.mjs';
 import { ABOUT, readSpec } from './read.mjs';
 import { Squares, colourListOf } from './squares.mjs';
+import { shownBy } from './shown.mjs';
 import { wordsOf } from './words.mjs';
 
 /** Makes a sheet: reads the spec, lays out its pages, draws their pictures together, and has them set. */
@@ -108,6 +108,7 @@ export async function layOut(source, given, settings) {
   const model = source?.facts ? source : await renderer.load(source, { signal });
   const facts = await renderer.factsOf(model, {}, { signal });
   const spec = readSpec(given, facts);
+  const shown = await shownBy(spec.views, model, { renderer, facts, signal });
   const words = wordsOf(spec);
   const bundled = await bundledFonts();
   const fonts = readFonts([...bundled, ...extra], bundled.length);
@@ -115,13 +116,13 @@ export async function layOut(source, given, settings) {
   const images = await readImages(spec, { resolve, limits, signal });
   const engine = await Engine.create({ fonts: [...bundled, ...extra], folder: folderOf(spec, templates) });
   try {
-    const pictures = new Pictures(renderer, model, { ppi: spec.ppi, shot, flats: spec.flats, call });
+    const pictures = new Pictures(renderer, { ppi: spec.ppi, shot, flats: spec.flats, call });
     const changed = new Set(previous ? changesBetween(previous, given) : []);
-    const layout = new Layout({ spec, facts, words, pictures, engine, changed, images, fonts: fonts.families });
+    const layout = new Layout({ spec, facts, shown, words, pictures, engine, changed, images, fonts: fonts.families });
     layout.squares = new Squares({ model, renderer, call, list: await colourListOf(spec, resolve) });
     layout.colours = [];
     layout.pointOf = (item, view, pointer) =>
-      pointOf(item, { pointer, extent: extentOf(layout.bounds, basisOf(view)), variant: view.variant, renderer, model, call });
+      pointOf(item, { pointer, extent: layout.extent(view), variant: view.variant, renderer, model: layout.seen(view).model, call });
     const warn = (...told) => layout.warn(...told);
     layout.lengthOf = (measure, id) => {
       const { variant } = spec.views.find(({ name }) => name === measure.view);

@@ -68,6 +68,22 @@ export interface SheetSpec {
     scale?: string;
     /** "render": as it looks; "flat": the technical flat, lines alone, as vectors. @default "render" */
     style?: 'render' | 'flat';
+    /** Parts that are drawn translucent, so that lining, pockets and the back neck show through them, or left out, as a mannequin: opacity 0. In names * stands for any characters. What is less opaque than 0.5 is not there for layers, but for line; what is left out is not framed. @default [] */
+    ghost?: Array<{
+      /** Index or name of a node. */
+      node: number | string;
+      /** Factor on its alpha; 0 = left out. Range 0 to 1. @default 0.25 */
+      opacity?: number;
+      material?: never;
+    } | {
+      /** Index or name of a material. */
+      material: number | string;
+      /** Factor on its alpha; 0 = left out. Range 0 to 1. @default 0.25 */
+      opacity?: number;
+      node?: never;
+    }>;
+    /** Parts (nodes) are moved apart so far, along their mean normals. Range 0 to 10. @default 0 */
+    explode?: number;
     /** Whether it is on the first page; default: the first two views. */
     cover?: boolean;
   }>;

@@ -80,6 +80,12 @@ export function resolvePose(shot: Shot | ResolvedShot, facts?: { animations?: re
  */
 export function resolvePart(shot: Shot | ResolvedShot): { kind: 'node' | 'material'; which: number | string; frame: PartFact['frame'] } | undefined;
 
+/**
+ * The ghosts of a shot that leaves out a part of the model; undefined where it leaves out nothing. Facts depend on it, as on the pose: what
+ * is left out is not framed.
+ */
+export function resolveLeftOut(shot: Shot | ResolvedShot): ResolvedShot['ghost'] | undefined;
+
 /** An opaque CSS colour as linear Rec.709, the bits of THREE.Color; undefined when the text is none. */
 export function parseColour(text: string): Vec3 | undefined;
 

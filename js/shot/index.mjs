@@ -2,6 +2,7 @@
 export { resolveShot } from './resolve.mjs';
 export { resolvePose } from './pose.mjs';
 export { resolvePart } from './part.mjs';
+export { resolveLeftOut } from './left_out.mjs';
 export { parseColour, srgbToLinear } from './colour.mjs';
 export { turntable } from './turntable.mjs';
 export { VIEWS } from './frame.mjs';

@@ -3,6 +3,7 @@ import { parseColour } from './colour.mjs';
 import { FRAME_ROW } from './table/camera.mjs';
 import { SHOT } from './table/index.mjs';
 import { materials } from './table/materials.mjs';
+import { ghost } from './table/parts.mjs';
 import { CHARACTERS, HUGE, INDEX_MAX, TINY } from './table/rows.mjs';
 import { POSE } from './table/stage.mjs';
 
@@ -78,3 +79,4 @@ export const shotSchema = zodOf(SHOT);
 export const frameSchema = zodOf(FRAME_ROW);
 export const poseSchema = zodOf(POSE);
 export const materialsSchema = zodOf(materials);
+export const ghostSchema = zodOf(ghost);

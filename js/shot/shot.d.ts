@@ -511,7 +511,7 @@ export interface Shot {
     /** Seconds from its start; before the start and after the end it stands as at the start or the end. @default 0 */
     time?: number;
   } | null;
-  /** Parts that are drawn translucent, so that lining, pockets and the back neck show through them, or left out, as a mannequin: opacity 0. In names * stands for any characters. What is less opaque than 0.5 is not there for layers; cameras frame the whole model. @default [] */
+  /** Parts that are drawn translucent, so that lining, pockets and the back neck show through them, or left out, as a mannequin: opacity 0. In names * stands for any characters. What is less opaque than 0.5 is not there for layers, but for line; what is left out is not framed. @default [] */
   ghost?: Array<{
     /** Index or name of a node. */
     node: number | string;
@@ -1059,7 +1059,7 @@ export interface ResolvedShot {
     /** Seconds from its start; before the start and after the end it stands as at the start or the end. */
     time: number;
   } | null;
-  /** Parts that are drawn translucent, so that lining, pockets and the back neck show through them, or left out, as a mannequin: opacity 0. In names * stands for any characters. What is less opaque than 0.5 is not there for layers; cameras frame the whole model. */
+  /** Parts that are drawn translucent, so that lining, pockets and the back neck show through them, or left out, as a mannequin: opacity 0. In names * stands for any characters. What is less opaque than 0.5 is not there for layers, but for line; what is left out is not framed. */
   ghost: Array<{
     /** Index or name of a node. */
     node: number | string;

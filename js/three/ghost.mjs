@@ -21,21 +21,34 @@ export function removeGhosts(root) {
   });
 }
 
-/** Opacity of what an object draws: the last ghost of a node it hangs on, times the last of its material. */
-function opacityOf({ scene, parser }, object, { ghost, variant }) {
-  let [ofNode, ofMaterial] = [1, 1];
+/** The last ghosts of a node that an object hangs on, and of its material; none for a scene without a parser. */
+function ghostsOf({ scene, parser }, object, { ghost, variant }) {
+  const last = [];
+  if (!parser) return last;
   const nodes = [];
   for (let at = object; at && at !== scene; at = at.parent) {
     const index = parser.associations.get(at)?.nodes;
     if (index !== undefined) nodes.push({ index, name: parser.json.nodes[index].name });
   }
   const index = materialIndexOf(parser, object, variant);
-  for (const { node, material, opacity } of ghost) {
-    if (node !== undefined && nodes.some((part) => matches(node, part.index, part.name))) ofNode = opacity;
-    if (material !== undefined && index !== undefined && matches(material, index, parser.json.materials[index].name)) ofMaterial = opacity;
+  for (const part of ghost) {
+    const { node, material } = part;
+    if (node !== undefined && nodes.some((one) => matches(node, one.index, one.name))) last[0] = part;
+    if (material !== undefined && index !== undefined && matches(material, index, parser.json.materials[index].name)) last[1] = part;
   }
-  return ofNode * ofMaterial;
+  return last.filter(Boolean);
 }
+
+/** Opacity of what an object draws: that of its node times that of its material. */
+const opacityOf = (model, object, shot) => ghostsOf(model, object, shot).reduce((product, { opacity }) => product * opacity, 1);
+
+/**
+ * Whether a shot leaves out what an object draws.
+ * @param {{scene: import('three').Object3D, parser?: object}} model - What GLTFLoader gave.
+ * @param {import('three').Object3D} object
+ * @param {{ghost: object[], variant: string}} shot - Resolved, or not.
+ */
+export const isLeftOut = (model, object, shot) => ghostsOf(model, object, shot).some(({ opacity }) => opacity === 0);
 
 /** A copy is blended as GLTFLoader sets up alpha mode BLEND. */
 function ghostOf(material, opacity) {

@@ -50,6 +50,8 @@ export function factsOf(model: { scene: Three; parser?: Three; animations?: Thre
   frame?: unknown;
   /** The shot's `variant`, in which a material is looked for. Default '', the file's own materials. */
   variant?: string;
+  /** The shot's `ghost`: bounds, outline and `part` are without what it leaves out. */
+  ghost?: readonly object[];
 }): {
   bounds: { min: number[]; max: number[] } | null;
   /** Drawn vertices that lie farthest out. */

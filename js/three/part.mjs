@@ -1,5 +1,6 @@
 import { Outline } from '../shot/outline.mjs';
 import { visitDrawnPoints } from './drawn_points.mjs';
+import { isLeftOut } from './ghost.mjs';
 import { materialIndexOf } from './variant.mjs';
 
 /**
@@ -8,10 +9,10 @@ import { materialIndexOf } from './variant.mjs';
  *
  * @param {{scene: import('three').Object3D, parser?: object}} model - What GLTFLoader gave, world matrices up to date.
  * @param {{node: number | string} | {material: number | string}} frame - Of the shot.
- * @param {{THREE: typeof import('three'), variant: string}} options
+ * @param {{THREE: typeof import('three'), variant: string, ghost: object[]}} options
  * @returns {import('../shot/part.mjs').PartFact}
  */
-export function measurePart(model, frame, { THREE, variant }) {
+export function measurePart(model, frame, { THREE, variant, ghost }) {
   const [[kind, which]] = Object.entries(frame);
   const partsOf = kind === 'node' ? nodesOf : materialsOf;
   const isMeant = (part) => (typeof which === 'number' ? part.index === which : part.name === which);
@@ -22,7 +23,7 @@ export function measurePart(model, frame, { THREE, variant }) {
     if (!object.geometry?.attributes.position) return;
     const parts = partsOf(model, object, variant);
     drawn.push(...parts);
-    if (!parts.some(isMeant)) return;
+    if (!parts.some(isMeant) || isLeftOut(model, object, { ghost, variant })) return;
     visitDrawnPoints(object, THREE, (point) => {
       box.expandByPoint(point);
       outline.add(point.x, point.y, point.z);

@@ -1,12 +1,9 @@
 #pragma once
 #include <map>
 #include <memory>
-#include <string_view>
 #include <utility>
-#include <vector>
 
-#include "telar/scene.h"
-#include "telar/shot.h"
+#include "telar/part_opacities.h"
 
 namespace telar::frame {
 
@@ -17,21 +14,16 @@ class Ghosts {
  public:
   Ghosts() = default;  ///< of none
   /// @throws Error{E_FRAME} where the model draws no such part
-  Ghosts(const Scene& scene, const Shot& shot);
+  Ghosts(const Scene& scene, const Shot& shot) : opacities_(scene, shot.ghost) {}
 
-  /// 0..1. 1 = as the file has it, 0 = not drawn; of several that mean a node, or a material, the last one counts.
-  /// @param material  index of materialIndex()
-  float opacity(const Node& node, int material) const;
+  /// As PartOpacities::of().
+  float opacity(const Node& node, int material) const { return opacities_.of(node, material); }
   /// A copy that may outlive this and the scene.
   std::shared_ptr<const Material> of(const Material& material, float opacity);
 
  private:
-  const Scene* scene_ = nullptr;
-  std::vector<float> nodes_, materials_;  ///< by index; below 0 = none
+  PartOpacities opacities_;
   std::map<std::pair<const Material*, float>, std::shared_ptr<const Material>> made_;
 };
-
-/// A name as a ghost gives it: * stands for any characters.
-bool matchesName(std::string_view pattern, std::string_view name);
 
 }  // namespace telar::frame

@@ -249,7 +249,7 @@ FramePlan planFrame(const Scene& scene, const Shot& shot, const Limits& limits, 
       const int index = materialIndex(node, primitive, variant);
       DrawItem item{&node, &primitive, &frame::materialAt(scene, index, shot.shading)};
       if (const auto read = plan.materials.of(*item.material, primitive, frame.three)) item.material = read.get();
-      const float opacity = plan.ghosts.opacity(node, index);
+      const float opacity = plan.ghosts.opacity(node, materialIndex(primitive, variant));
       if (opacity == 0) continue;
       item.ghost = opacity < 1;
       if (item.ghost) item.material = plan.ghosts.of(*item.material, opacity).get();

@@ -79,7 +79,7 @@ std::vector<PlacedMesh> placeMeshes(const Scene& scene, int variant, const glm::
       if (primitive.topology != Topology::kTriangles || primitive.positions.empty()) continue;
       const std::size_t first = meshes.size();
       const int index = materialIndex(node, primitive, variant);
-      const float opacity = ghosts.opacity(node, index);
+      const float opacity = ghosts.opacity(node, materialIndex(primitive, variant));
       if (opacity == 0) continue;
       const Material& material = frame::materialAt(scene, index, shading);
       placeInstances(meshes, node, primitive, material, centre);

@@ -6,6 +6,7 @@
 #include "shot/json_path.h"
 #include "shot/visit_rows.inc"
 #include "telar/error.h"
+#include "telar/part_opacities.h"
 #include "telar/shot.h"
 
 namespace telar {
@@ -164,6 +165,21 @@ Shot::Flat readFlat(const JsonPath& json) {
   return flat;
 }
 
+std::vector<Shot::Ghost> readGhosts(const JsonPath& json) {
+  std::vector<Shot::Ghost> ghosts;
+  for (std::size_t i = 0; i < json.size(); ++i)
+    ghosts.push_back({readPart(json.at(i)), static_cast<float>(json.at(i).at("opacity").number())});
+  return ghosts;
+}
+
+nlohmann::json parsed(std::string_view text) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::exception&) {
+    throw Error("E_SHOT", "the shot is not JSON: pass what resolveShot returns");
+  }
+}
+
 Shot readShot(const JsonPath& json) {
   Shot shot;
   const Reader keys(json);
@@ -182,9 +198,7 @@ Shot readShot(const JsonPath& json) {
   shot.pose = readOptional<Pose>(json.at("pose"));
   shot.flat = readFlat(json.at("flat"));
   shot.layers = readLayers(json.at("layers"));
-  const JsonPath ghost = json.at("ghost");
-  for (std::size_t i = 0; i < ghost.size(); ++i)
-    shot.ghost.push_back({readPart(ghost.at(i)), static_cast<float>(ghost.at(i).at("opacity").number())});
+  shot.ghost = readGhosts(json.at("ghost"));
   shot.output = readRow<OutputOptions>(json.at("output"));
   if (json.has("debugOutput")) keys("debugOutput", shot.debugOutput);
   return shot;
@@ -193,13 +207,13 @@ Shot readShot(const JsonPath& json) {
 }  // namespace
 
 Shot parseShot(std::string_view resolvedJson) {
-  nlohmann::json root;
-  try {
-    root = nlohmann::json::parse(resolvedJson);
-  } catch (const nlohmann::json::exception&) {
-    throw Error("E_SHOT", "the shot is not JSON: pass what resolveShot returns");
-  }
+  const nlohmann::json root = parsed(resolvedJson);
   return readShot(JsonPath(root));
+}
+
+std::vector<Shot::Ghost> parseGhosts(std::string_view json) {
+  const nlohmann::json root = parsed(json);
+  return readGhosts(JsonPath(root));
 }
 
 }  // namespace telar

@@ -122,6 +122,7 @@ class Builder {
       const int material = materialIndex(node, primitives[p], options_.variant);
       if (!(within || wears(material)) || primitives[p].topology == Topology::kPoints) continue;
       any = true;
+      if (options_.isMeant && !options_.isMeant(node, materialIndex(primitives[p], options_.variant))) continue;
       const std::size_t places = node.instances ? node.instances->matrices.size() : 1;
       count(primitives[p], places);
       for (std::size_t i = 0; i < places; ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 #include <span>
@@ -71,7 +72,9 @@ struct Surface {
 struct SurfaceOptions {
   int variant = -1;                 ///< index into Scene::variants
   std::optional<PartQuery> part{};  ///< none = all that is drawn
-  double join = 0;                  ///< metres: points nearer than this are one; 0 = of rounding alone
+  /// What is looked at; none = all. @param material  of the file: materialIndex(primitive, variant)
+  std::function<bool(const Node&, int material)> isMeant{};
+  double join = 0;  ///< metres: points nearer than this are one; 0 = of rounding alone
   std::uint64_t maxTriangles = std::uint64_t{1} << 22;  ///< of what is looked at
 };
 

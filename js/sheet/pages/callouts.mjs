@@ -88,7 +88,7 @@ async function pagesOfView(layout, view, callouts) {
   const { columns, box } = arrangement(layout, view);
   const extent = layout.extent(view);
   const ratio = layout.ratio(view, { width: box.width - 4, height: box.height - 4 });
-  const { file, width, height, view: seen } = layout.pictures.ask(extent, { ratio, variant: view.variant, style: view.style });
+  const { file, width, height, view: seen } = layout.pictures.ask(extent, { ratio, ...layout.seen(view) });
   const picture = { file, width, height, x: box.x + (box.width - width) / 2, y: (box.height - height) / 2 };
   const labels = [];
   for (const label of labelsOf(layout, callouts, columns)) {

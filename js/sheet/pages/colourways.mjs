@@ -95,7 +95,7 @@ export async function colourwayPages(layout) {
         long: isLong(chips[i]),
         changed: layout.isChanged('colourways', i),
         pictures: views.map((view, k) => {
-          const { file, width: wide, height } = pictures.ask(extents[k], { ratio, variant: variant ?? view.variant });
+          const { file, width: wide, height } = pictures.ask(extents[k], { ratio, ...layout.seen(view), variant: variant ?? view.variant });
           return { file, width: wide, height, alt: `${name}: ${layout.altOf(view, ratio)}` };
         }),
         swatches: chips[i],

@@ -26,7 +26,7 @@ export function rowOfViews(layout, views, box, given) {
   const together = { width: sum, height: Math.max(...extents.map(({ height }) => height)) };
   const ratio = given ?? fittingRatio([together], { width: room.width - 2 * views.length, height: room.height - 4 });
   const figure = emptyFigure(box.width, box.height);
-  const asked = views.map((view, i) => layout.pictures.ask(extents[i], { ratio, variant: view.variant, style: view.style }));
+  const asked = views.map((view, i) => layout.pictures.ask(extents[i], { ratio, ...layout.seen(view) }));
   const free = (box.width - asked.reduce((all, { width }) => all + width, 0)) / (views.length + 1);
   // Each in an even share of the row where all are narrower, else with even white between.
   const isEven = asked.every(({ width }) => width <= share);

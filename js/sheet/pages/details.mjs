@@ -44,7 +44,7 @@ async function cellOf(layout, view, detail, room) {
   const ratio = detail.scale === 'fit' ? fittingRatio([size], room) : ratioOf(detail.scale);
   const centre = await layout.pointOf(detail, view, ['details', detail.id]);
   const { basis } = layout.extent(view);
-  const { file, width, height } = pictures.ask({ basis, centre, ...size }, { ratio, variant: view.variant, style: detail.style, margin: 0 });
+  const { file, width, height } = pictures.ask({ basis, centre, ...size }, { ratio, ...layout.seen(view), style: detail.style, margin: 0 });
   return {
     centre,
     picture: {
@@ -98,7 +98,7 @@ function parentOf(layout, view, cells, width) {
   const extent = layout.extent(view);
   const caption = layout.captionRoom([view], width);
   const ratio = fittingRatio([extent], { width: width - 4, height: height - caption - 5 });
-  const { file, width: wide, height: high, view: seen } = layout.pictures.ask(extent, { ratio, variant: view.variant, style: view.style });
+  const { file, width: wide, height: high, view: seen } = layout.pictures.ask(extent, { ratio, ...layout.seen(view) });
   const x = (width - wide) / 2;
   const boxes = cells.map(({ centre, size }) => {
     const [px, py] = seen.paperOf(centre);

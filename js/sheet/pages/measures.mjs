@@ -62,7 +62,7 @@ async function figuresOfView(layout, view, measures) {
   const area = { x: 0, y: 0, width: page.box.width, height: height - layout.captionRoom([view], page.box.width) };
   const ratio = layout.ratio(view, { width: area.width - 2 * ROOM.x, height: area.height - 2 * ROOM.y });
   const extent = layout.extent(view);
-  const how = { ratio, variant: view.variant, style: view.style };
+  const how = { ratio, ...layout.seen(view) };
   const { file, width, height: high, view: seen } = layout.pictures.ask(extent, how);
   const mask = await layout.pictures.mask(extent, how);
   const [x, y] = [(area.width - width) / 2, (area.height - high) / 2];

@@ -1,4 +1,5 @@
 import { VIEWS } from '../../shot/frame.mjs';
+import { ghost } from '../../shot/table/parts.mjs';
 import { boolean, choice, extents, indexOrName, list, number, object, text, union } from '../../shot/table/rows.mjs';
 import { MOST, name, nameIfAny, paragraph, place } from './basics.mjs';
 
@@ -22,6 +23,14 @@ const view = object('A picture of the garment in true scale', {
   variant: nameIfAny('Name of a material variant of the model; default that of the first colourway'),
   scale: text('Scale on paper; "fit": the largest usual one that fits', SCALE, { pattern: SCALE_TEXT, default: 'fit' }),
   style: choice('"render": as it looks; "flat": the technical flat, lines alone, as vectors', STYLES, { default: 'render' }),
+  ghost,
+  explode: number('Parts (nodes) are moved apart so far, along their mean normals', {
+    what: 'a length in metres',
+    unit: 'metres',
+    min: 0,
+    max: 10,
+    default: 0,
+  }),
   cover: boolean('Whether it is on the first page; default: the first two views', { optional: true }),
 });
 

@@ -18,7 +18,7 @@ const opacity = number('Factor on its alpha; 0 = left out', { unit: 'part', min:
 /** Parts that are seen through. */
 export const ghost = list(
   'Parts that are drawn translucent, so that lining, pockets and the back neck show through them, or left out, as a mannequin: opacity 0. ' +
-    'In names * stands for any characters. What is less opaque than 0.5 is not there for layers; cameras frame the whole model',
+    'In names * stands for any characters. What is less opaque than 0.5 is not there for layers, but for line; what is left out is not framed',
   union('A part', [object('', { node, opacity }, { expected: GHOST }), object('', { material, opacity }, { expected: GHOST })], GHOST),
   `a list of at most ${GHOSTS_MAX} parts, ${GHOST}`,
   { max: GHOSTS_MAX, default: [], drawn: false },

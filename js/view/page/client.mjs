@@ -7,6 +7,7 @@ import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { namesOf } from '../../three/cloths.mjs';
 import { applyShot, factsOf, rendererParameters } from '../../three/index.mjs';
 import { ANY_MODEL } from '../../shot/facts.mjs';
+import { resolveLeftOut } from '../../shot/left_out.mjs';
 import { resolvePart } from '../../shot/part.mjs';
 import { resolvePose } from '../../shot/pose.mjs';
 import { resolveShot } from '../../shot/resolve.mjs';
@@ -59,10 +60,10 @@ export class Client {
     return self;
   }
 
-  /** What resolveShot needs to know of the model in the shot's pose; measured anew where that, or the part framed, is another one. */
+  /** What resolveShot needs to know of the model in the shot's pose; measured anew where that, or the part framed or left out, is another one. */
   facts(shot) {
     const { frame } = resolvePart(shot) ?? {};
-    const wanted = { pose: resolvePose(shot, this), frame, variant: shot.variant };
+    const wanted = { pose: resolvePose(shot, this), frame, variant: shot.variant, ghost: resolveLeftOut(shot) };
     const key = JSON.stringify(wanted);
     if (this.#measured?.key !== key) this.#measured = { key, facts: factsOf(this.#model, { THREE, ...wanted }) };
     return this.#measured.facts;

@@ -6,6 +6,7 @@
 
 #include "asset/geometry/drawn_points.h"
 #include "asset/scene/outline.h"
+#include "telar/part_opacities.h"
 #include "telar/variant_material.h"
 
 namespace telar {
@@ -20,13 +21,34 @@ bool isMeant(const PartQuery& query, int index, const std::string& name) {
   return name == std::get<std::string>(query.which);
 }
 
+/// -1 = none of this name
+int variantOf(const Scene& scene, const std::string& name) {
+  const auto variant = std::find(scene.variants.begin(), scene.variants.end(), name);
+  return variant == scene.variants.end() ? -1 : static_cast<int>(variant - scene.variants.begin());
+}
+
+/// Where something is, of its points.
+struct Extent {
+  Bounds bounds;
+  asset::Outline outline;
+
+  void add(const glm::dvec3& p) { bounds.add(p), outline.add(p); }
+  void describe(json& out) const {
+    out["bounds"] = bounds.empty() ? json(nullptr) : json{{"min", list(bounds.min)}, {"max", list(bounds.max)}};
+    out["outline"] = json::array();
+    for (const glm::dvec3& point : outline.points()) out["outline"].push_back(list(point));
+  }
+};
+
 class PartMeasure {
  public:
-  PartMeasure(const Scene& scene, const PartQuery& query, const CancelToken& cancel)
-      : scene_(scene), query_(query), points_(cancel) {
-    const auto variant = std::find(scene.variants.begin(), scene.variants.end(), query.variant);
-    if (variant != scene.variants.end()) variant_ = static_cast<int>(variant - scene.variants.begin());
-  }
+  PartMeasure(const Scene& scene, const PartQuery& query, const std::vector<Shot::Ghost>& ghost,
+              const CancelToken& cancel)
+      : scene_(scene),
+        query_(query),
+        opacities_(scene, ghost),
+        variant_(variantOf(scene, query.variant)),
+        points_(cancel) {}
 
   void run(const CancelToken& cancel) {
     std::vector<char> within(scene_.nodes.size());  // nodes that are meant, and those beneath them
@@ -48,19 +70,21 @@ class PartMeasure {
   std::string describe() const {
     json out;
     out["found"] = found_;
-    out["bounds"] = bounds_.empty() ? json(nullptr) : json{{"min", list(bounds_.min)}, {"max", list(bounds_.max)}};
-    out["outline"] = json::array();
-    for (const glm::dvec3& point : outline_.points()) out["outline"].push_back(list(point));
-    if (bounds_.empty()) out["names"] = names();
+    extent_.describe(out);
+    if (extent_.bounds.empty()) out["names"] = names();
     return out.dump(-1, ' ', false, json::error_handler_t::replace);
   }
 
  private:
   void measure(const Node& node, bool within) {
     for (const Primitive& primitive : scene_.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-      if (!within && !wears(node, primitive)) continue;
-      points_.visit(node, primitive, [this](const glm::dvec3& p) { bounds_.add(p), outline_.add(p); });
+      if (!(within || wears(node, primitive)) || isLeftOut(node, primitive)) continue;
+      points_.visit(node, primitive, [this](const glm::dvec3& p) { extent_.add(p); });
     }
+  }
+
+  bool isLeftOut(const Node& node, const Primitive& primitive) const {
+    return opacities_.of(node, materialIndex(primitive, variant_)) == 0;
   }
 
   bool wears(const Node& node, const Primitive& primitive) const {
@@ -99,19 +123,39 @@ class PartMeasure {
 
   const Scene& scene_;
   const PartQuery& query_;
-  int variant_ = -1;
+  PartOpacities opacities_;
+  int variant_;
   bool found_ = false;
-  Bounds bounds_;
-  asset::Outline outline_;
+  Extent extent_;
   asset::DrawnPoints points_;
 };
 
 }  // namespace
 
-std::string describePart(const Scene& scene, const PartQuery& query, const CancelToken& cancel) {
-  PartMeasure measure(scene, query, cancel);
+std::string describePart(const Scene& scene, const PartQuery& query, const std::vector<Shot::Ghost>& ghost,
+                         const CancelToken& cancel) {
+  PartMeasure measure(scene, query, ghost, cancel);
   measure.run(cancel);
   return measure.describe();
+}
+
+std::string describeShown(const Scene& scene, const std::string& variant, const std::vector<Shot::Ghost>& ghost,
+                          const CancelToken& cancel) {
+  const PartOpacities opacities(scene, ghost);
+  const int index = variantOf(scene, variant);
+  asset::DrawnPoints points(cancel);
+  Extent extent;
+  for (const Node& node : scene.nodes) {
+    cancel.check();
+    if (node.mesh < 0) continue;
+    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+      if (opacities.of(node, materialIndex(primitive, index)) == 0) continue;
+      points.visit(node, primitive, [&](const glm::dvec3& p) { extent.add(p); });
+    }
+  }
+  json out;
+  extent.describe(out);
+  return out.dump();
 }
 
 }  // namespace telar

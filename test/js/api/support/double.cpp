@@ -126,8 +126,12 @@ std::string describeScene(const Scene& scene, const CancelToken&) {
       .dump();
 }
 
-std::string describePart(const Scene&, const PartQuery&, const CancelToken&) {
+std::string describePart(const Scene&, const PartQuery&, const std::vector<Shot::Ghost>&, const CancelToken&) {
   return R"({"found": false, "bounds": null, "outline": [], "names": []})";
+}
+
+std::string describeShown(const Scene&, const std::string&, const std::vector<Shot::Ghost>&, const CancelToken&) {
+  return R"({"bounds": null, "outline": []})";
 }
 
 std::vector<std::byte> encode(const Frame& frame, const OutputOptions&, const CancelToken& cancel) {
