@@ -60,7 +60,13 @@ test('a view is as large as what it shows', async () => {
 test('pictures and flats of such views are drawn, and others than those of the whole', async () => {
   const view = { name: 'one', view: 'three-quarter' };
   const pages = [];
-  for (const more of [{}, { ghost: ALONE }, { ghost: [...ALONE, { node: 'front' }] }, { explode: 0.1 }, { explode: 0.1, style: 'flat' }])
+  for (const more of [
+    {},
+    { ghost: ALONE },
+    { ghost: [...ALONE, { node: 'front' }] },
+    { ghost: ALONE, explode: 0.1 },
+    { ghost: ALONE, explode: 0.1, style: 'flat' },
+  ])
     pages.push((await sheet({ views: [{ ...view, ...more }] })).files[0].toString());
   assert.equal(new Set(pages).size, pages.length);
 });
