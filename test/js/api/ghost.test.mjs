@@ -75,6 +75,13 @@ for (const [name, quality] of Object.entries(QUALITIES)) {
     assert.ok(Math.abs(sheer.depth - solid.depth - 0.2) < 1e-5, `${sheer.depth} ${solid.depth}`);
   });
 
+  test(`${name}: a part in another cloth is a ghost by the material of the file`, async () => {
+    const worn = (ghost) => drawn(ghost, quality, { materials: { front_left: { color: 'lime' } }, layers: ['partId'] });
+    assert.equal((await worn([])).layers.partId, 1, 'planted: nothing is left out');
+    assert.equal((await worn([{ material: 'red', opacity: 0 }])).layers.partId, 2);
+    assert.equal((await worn([{ material: 'blue', opacity: 0 }])).layers.partId, 1);
+  });
+
   test(`${name}: a part that is not there is named`, async () => {
     await assert.rejects(drawn([{ node: 'back' }, { node: 'lining*' }], quality), {
       code: 'E_FRAME',
