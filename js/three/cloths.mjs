@@ -1,5 +1,6 @@
 import { dressingsOf } from '../shot/dressings.mjs';
 import { assignMaterial } from './assign_material.mjs';
+import { sheenDye } from './sheen_dye.mjs';
 import { metresPerUv, wearersOf } from './uv_scale.mjs';
 import { materialIndexOf } from './variant.mjs';
 
@@ -150,7 +151,10 @@ async function open(model, index, dressing, { THREE, cloths, made }) {
 /** A mesh's own material in another color. A picture that cuts its shape out stays. */
 function recolored(model, mesh, color) {
   const own = mesh.material;
+  const isDyed = !own.sheenColor || own.sheenColor.getHex() === 0; // a sheen that the file does not have is the preset's
+  const [before, after] = [own.color, color].map((dye) => sheenDye(dye.toArray()));
   const finish = (copy) => {
+    if (isDyed && copy.sheenColor) scaleColor(copy.sheenColor, (i) => after[i] / before[i]);
     copy.color.copy(color);
     if (!own.transparent && own.alphaTest === 0) copy.map = null;
   };
@@ -159,6 +163,8 @@ function recolored(model, mesh, color) {
   worn.set(material, { parser: model.parser, material: own, finish, placed: (texture) => texture });
   return { material, geometry: mesh.geometry };
 }
+
+const scaleColor = (color, factor) => color.fromArray(color.toArray().map((c, i) => c * factor(i)));
 
 /** The tangents of a geometry stand along texture coordinates that a turned pattern does not have. */
 const withoutTangents = (geometry) => (geometry.attributes.tangent ? geometry.clone().deleteAttribute('tangent') : geometry);
@@ -204,6 +210,8 @@ function dressed(own, cloth, color, placed) {
   Object.assign(out, { name: own.name, side: own.side, aoMap: own.aoMap, aoMapIntensity: own.aoMapIntensity });
   const mean = out.map ? meanColor(out.map) : [1, 1, 1];
   const { r, g, b } = color ?? own.color;
+  const dye = sheenDye([r, g, b]);
+  if (out.sheenColor) scaleColor(out.sheenColor, (i) => dye[i]);
   out.color.setRGB(r / mean[0], g / mean[1], b / mean[2]);
   if (color || cloth.map) return out;
   return Object.assign(out, { map: own.map, transparent: own.transparent, opacity: own.opacity, alphaTest: own.alphaTest, depthWrite: own.depthWrite });

@@ -2,7 +2,7 @@ import { writeFileSync } from 'node:fs';
 import { mean } from '../../js/compare/statistics.mjs';
 import { row } from '../../js/build/docs/tables.mjs';
 import { createRenderer } from '../../js/index.mjs';
-import { ENVIRONMENTS, FABRIC_MODELS } from '../fixtures/index.mjs';
+import { ENVIRONMENTS, FABRIC_MODELS, LAYERED_FABRICS } from '../fixtures/index.mjs';
 import { errorsOf } from './measure.mjs';
 
 // npm run accuracy [-- PATHS [CLOTH]]: qualities of the raster against the path tracer on cloth, in a window of a thumbnail;
@@ -20,7 +20,7 @@ const SIZE = 64;
 const camera = { position: [0, -0.03, 0.95], target: [0.08, 0.03, 0.06], fovY: (30 * SIZE) / THUMBNAIL };
 
 /** Cloths of one surface: lace lies over a card. */
-const cloths = Object.keys(FABRIC_MODELS).filter((name) => name !== 'fabric-lace' && name.includes(only));
+const cloths = LAYERED_FABRICS.filter((name) => name !== 'fabric-lace' && name.includes(only));
 
 const renderer = await createRenderer({ cacheDirectory: null });
 const rows = [];

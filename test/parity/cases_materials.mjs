@@ -12,6 +12,9 @@ const WORN = {
   'leather-own-color': ['cloth', { '*': { preset: 'leather', scale: 3 } }],
   lace: ['cloth', { '*': { preset: 'lace', color: [0.8, 0.78, 0.72], scale: 4 } }],
   recolored: ['cloth', { '*': { color: NAVY } }],
+  // A preset's sheen is dyed: more in green and blue than in red.
+  velvet: ['cloth', { '*': { preset: 'velvet', color: [0.3, 0.02, 0] } }],
+  chiffon: ['cloth', { '*': { preset: 'chiffon', color: [0.7, 0.4, 0.45], scale: 4 } }],
   'no-uvs': ['no-uvs', { '*': { preset: 'leather', color: NAVY } }],
   variant: ['variants', { '*': { preset: 'towel', color: [0.75, 0.72, 0.62], scale: 2 } }, { variant: 'blue' }],
   skin: ['skin', { '*': { preset: 'leather', color: [0.12, 0.05, 0.025], scale: 3 } }],

@@ -1,7 +1,7 @@
 // Every other shading than stock three.js's: the browser runs telar's text (js/three/shading), the server the same text.
 import { resolveShot } from '../../js/shot/index.mjs';
 import { SLOTS } from '../../js/shot/shading_terms.mjs';
-import { FABRIC_MODELS } from '../fixtures/index.mjs';
+import { FABRIC_MODELS, LAYERED_FABRICS } from '../fixtures/index.mjs';
 import { CLOTH_MAP_MODELS } from '../fixtures/scenes_cloth_maps.mjs';
 import { CASES as AREA } from './cases_area.mjs';
 import { CASES as CORE } from './cases_core.mjs';
@@ -104,8 +104,8 @@ function termCase(base, slot, term) {
 const DRAPE = { projection: 'perspective', fovY: 30, position: [0.3, 0.25, 0.7], target: [0, -0.02, 0], near: 0.3, far: 1.6 };
 const BEHIND = { type: 'directional', color: [1, 0.95, 0.9], intensity: 3, position: [-0.5, 0.6, -1], target: [0, 0, 0] };
 
-/** A cloth of each class: in a studio, under the sun, and with the light behind it. */
-const clothCases = Object.keys(FABRIC_MODELS).flatMap((model) => {
+/** Cloths in a studio, under the sun, and with the light behind them: the classes whose layers are another set. */
+const clothCases = LAYERED_FABRICS.flatMap((model) => {
   const name = model.replace(/^fabric-/, 'cloth-');
   return [
     makeCase(`${name}-studio`, model, 'soft-studio', { camera: DRAPE, shading: 'fabric' }, name === 'cloth-denim'),
@@ -113,6 +113,14 @@ const clothCases = Object.keys(FABRIC_MODELS).flatMap((model) => {
     makeCase(`${name}-behind`, model, null, { camera: DRAPE, shading: 'fabric', lights: [BEHIND, LIGHTS.hemisphere] }),
   ];
 });
+
+/** The others differ from one of those in their maps, which each of them shows once. */
+const otherClassCases = Object.keys(FABRIC_MODELS)
+  .filter((model) => !LAYERED_FABRICS.includes(model))
+  .map((model) => makeCase(model.replace(/^fabric-/, 'cloth-'), model, 'soft-studio', { camera: DRAPE, shading: 'fabric' }));
+
+/** A preset's sheen is dyed anew with its cloth. */
+const RECOLORED = { camera: DRAPE, shading: 'fabric', lights: [BEHIND], materials: { '*': { color: [0.3, 0.3, 0.01] } } };
 
 /** From far, where a pixel holds many threads and holes, and without multisampling. */
 const AFAR = { ...DRAPE, position: DRAPE.position.map((c) => 3 * c), near: 1.5, far: 3.5 };
@@ -133,7 +141,7 @@ const sunCases = ['three', 'fabric', 'three-r115', 'disney-2012'].map((shading) 
 );
 
 /** Every map and factor of cloth, both sides of it seen. */
-const mapCases = Object.keys(CLOTH_MAP_MODELS).flatMap((model) => [
+const clothMapCases = Object.keys(CLOTH_MAP_MODELS).flatMap((model) => [
   makeCase(`${model}-sun`, model, null, { shading: 'fabric', lights: [LIGHTS.ambient, LIGHTS.directional, LIGHTS.point] }),
   makeCase(`${model}-env`, model, 'lamps', { shading: 'fabric', camera: 'tilted' }, model === 'cloth-maps-second-uv'),
   makeCase(`${model}-disney`, model, 'lamps', { shading: { base: 'disney-2012', diffuse: 'disney-2015-thin' }, lights: [BEHIND] }),
@@ -147,7 +155,9 @@ export const CASES = [
   ...termCases,
   ...clothCases,
   ...afarCases,
-  ...mapCases,
+  ...otherClassCases,
+  makeCase('cloth-velvet-recolored', 'fabric-velvet', 'soft-studio', RECOLORED),
+  ...clothMapCases,
   ...sunCases,
   ...['some', 'none'].map((kind) => makeCase(`tangents-${kind}-fabric`, `known-tangents-${kind}`, 'lamps', { shading: 'fabric' })),
   makeCase('tangents-some-disney', 'known-tangents-some', 'lamps', { shading: 'disney-2012' }),

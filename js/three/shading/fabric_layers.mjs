@@ -1,5 +1,6 @@
 import { LAYERS, texturesOf } from '../../material/table.mjs';
 import { assignMaterial } from '../assign_material.mjs';
+import { sheenDye } from '../sheen_dye.mjs';
 
 /** Names of glTF for what GLTFLoader leaves to us. */
 const FABRIC = 'TELAR_materials_fabric';
@@ -28,7 +29,19 @@ async function definitionOf(parser, index, loadPresets) {
   const own = { ...definition, extensions: { ...definition.extensions, [FABRIC]: fabric } };
   const presets = loadPresets && fabric.preset ? (await loadPresets()).PRESETS : {};
   const preset = Object.hasOwn(presets, fabric.preset) && presets[fabric.preset];
-  return preset ? { definition: merged(preset.material, own), isPreset: true } : { definition: own, isPreset: false };
+  return preset ? { definition: dyed(merged(preset.material, own), own), isPreset: true } : { definition: own, isPreset: false };
+}
+
+const SHEEN = 'KHR_materials_sheen';
+
+/** The preset's sheen in the colour of a material that says nothing of it. */
+function dyed(definition, own) {
+  const sheen = definition.extensions[SHEEN];
+  const color = definition.pbrMetallicRoughness?.baseColorFactor;
+  if (own.extensions[SHEEN]?.sheenColorFactor || !sheen || !color) return definition;
+  const dye = sheenDye(color);
+  const sheenColorFactor = sheen.sheenColorFactor.map((c, i) => c * dye[i]);
+  return { ...definition, extensions: { ...definition.extensions, [SHEEN]: { ...sheen, sheenColorFactor } } };
 }
 
 /** RFC 7396: `patch` over `target`. */

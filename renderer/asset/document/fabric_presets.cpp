@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "asset/check/pointer.h"
+#include "core/sheen_dye.h"
 
 namespace telar::asset {
 namespace {
@@ -32,6 +33,22 @@ void keepWeave(json& fabric) {
 json* fabricOf(json& material) {
   const auto extensions = material.find("extensions");
   return extensions != material.end() && extensions->contains(NAME) ? &(*extensions)[NAME] : nullptr;
+}
+
+/// The preset's sheen in the colour of a material that says nothing of it.
+void dyeSheen(json& filled, const json& own) {
+  const json::json_pointer sheen("/extensions/KHR_materials_sheen/sheenColorFactor");
+  if (own.contains(sheen) || !filled.contains(sheen)) return;
+  const json color = filled["pbrMetallicRoughness"].value("baseColorFactor", json());
+  if (!color.is_array()) return;
+  glm::vec3 base(1);
+  for (int i = 0; i < 3; ++i) base[i] = color.at(static_cast<std::size_t>(i)).get<float>();
+  const glm::vec3 dye = sheenDye(base);
+  json& factor = filled[sheen];
+  for (int i = 0; i < 3; ++i) {
+    json& channel = factor[static_cast<std::size_t>(i)];
+    channel = channel.get<float>() * dye[i];
+  }
 }
 
 std::string namesOf(const json& presets) {
@@ -66,6 +83,7 @@ std::vector<FabricSource> applyFabricPresets(json& reduced, Warnings& warnings) 
     }
     json filled = (*preset)["material"];
     filled.merge_patch(material);  // RFC 7396: the material's own values stay
+    dyeSheen(filled, material);
     out[i].withPreset = static_cast<int>(count + withPresets.size());
     withPresets.push_back(std::move(filled));
   }

@@ -10,6 +10,7 @@
 #include "asset/check/pointer.h"
 #include "asset/check/warnings.h"
 #include "asset/material/material.h"
+#include "core/sheen_dye.h"
 #include "telar/variant_material.h"
 
 namespace telar {
@@ -120,6 +121,9 @@ class Dresser {
     if (own.withPreset >= 0 && dressing.color) {
       Material filled = model_.materials[static_cast<std::size_t>(own.withPreset)];
       paint(filled, *dressing.color);
+      // A sheen that the file does not have is the preset's, in the colour that was.
+      if (own.layers.sheenColorFactor == glm::vec3(0))
+        filled.layers.sheenColorFactor *= sheenDye(*dressing.color) / sheenDye(glm::vec3(own.baseColorFactor));
       out.withPreset = static_cast<int>(out_->materials.size());
       out_->materials.push_back(std::move(filled));
     }
@@ -141,6 +145,7 @@ class Dresser {
     out.occlusionTexture = own.occlusionTexture;
     out.occlusionStrength = own.occlusionStrength;
     out.withPreset = -1;
+    out.layers.sheenColorFactor *= sheenDye(dressing.color.value_or(glm::vec3(own.baseColorFactor)));
     if (dressing.color) {
       out.baseColorFactor = glm::vec4(*dressing.color / meanOf(out.baseColorTexture), cloth.baseColorFactor.a);
     } else {

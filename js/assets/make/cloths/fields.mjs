@@ -1,3 +1,5 @@
+import { eachCell, fract, mod, noiseAt, smooth, TAU, valueNoise } from './noise.mjs';
+
 /**
  * The surface of one repeat of a cloth. A field is a function of x and y, which run with u and v (down), both in threads; it repeats after
  * a whole number of them.
@@ -8,28 +10,9 @@
  * @property {number} slope - Rise of that yarn a thread, along x (weft) or y (warp).
  * @property {number} turn - Angle by which it is turned out of its axis, radians, counter-clockwise.
  * @property {0 | 1} [cover] - Of a net: whether there is thread.
+ * @property {number | number[]} [shade] - Linear colour about that of the cloth, 0..1: dyed yarns, and the light that hollows keep.
+ * @property {number} [gloss] - Factor on the roughness.
  */
-
-const TAU = 2 * Math.PI;
-const smooth = (t) => t * t * (3 - 2 * t);
-const fract = (t) => t - Math.floor(t);
-const mod = (i, n) => ((i % n) + n) % n;
-
-/** Uniform in [0, 1) from two whole numbers. */
-function noiseAt(i, j, seed = 0) {
-  let h = Math.imul(i + 0x9e3779b9, 0x85ebca6b) ^ Math.imul(j + seed * 7919 + 0x165667b1, 0xc2b2ae35);
-  h = Math.imul(h ^ (h >>> 15), 0x2c1b3c6d);
-  h = Math.imul(h ^ (h >>> 12), 0x297a2d39);
-  return ((h ^ (h >>> 15)) >>> 0) / 4294967296;
-}
-
-/** Smooth noise that repeats after `period` cells. */
-function valueNoise(x, y, period, seed) {
-  const [i, j] = [Math.floor(x), Math.floor(y)];
-  const [u, v] = [smooth(x - i), smooth(y - j)];
-  const at = (a, b) => noiseAt(mod(i + a, period), mod(j + b, period), seed);
-  return (at(0, 0) * (1 - u) + at(1, 0) * u) * (1 - v) + (at(0, 1) * (1 - u) + at(1, 1) * u) * v;
-}
 
 /**
  * A weave.
@@ -74,14 +57,9 @@ export function jersey(x, y) {
 /** Bumps at jittered places: loops of terry, pebbles of leather. */
 const cells = (period, radius, seed, shape) => (x, y) => {
   let best = 9;
-  for (let dj = -1; dj <= 1; dj++) {
-    for (let di = -1; di <= 1; di++) {
-      const [i, j] = [Math.floor(x) + di, Math.floor(y) + dj];
-      const [ci, cj] = [mod(i, period), mod(j, period)];
-      const [px, py] = [i + 0.5 + 0.7 * (noiseAt(ci, cj, seed) - 0.5), j + 0.5 + 0.7 * (noiseAt(ci, cj, seed + 1) - 0.5)];
-      best = Math.min(best, Math.hypot(x - px, y - py));
-    }
-  }
+  eachCell(x, y, period, seed, 0.7, (dx, dy) => {
+    best = Math.min(best, Math.hypot(dx, dy));
+  });
   return { height: shape(Math.min(best / radius, 1)), warp: 1, slope: 0, turn: 0 };
 };
 export const terry = (period) => cells(period, 0.72, 3, (d) => 0.7 * Math.sqrt(1 - d * d));

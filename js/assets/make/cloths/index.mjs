@@ -31,19 +31,21 @@ function image(size, pixel) {
 }
 
 /** @returns {Promise<Record<string, Buffer>>} PNG by the name of the texture */
-async function mapsOf({ field, threads, size = SIZE, weave, yarns, holes }) {
-  const make = (kind, ...rest) => image(size, mapPixels[kind](field, size, threads, ...rest));
+async function mapsOf({ field, threads, size = SIZE, weave, shaded, glossy, holes, sheer }) {
+  const make = (kind) => image(size, mapPixels[kind](field, size, threads));
   return {
     normalTexture: await make('normal'),
     ...(weave && { weaveTexture: await make('weave') }),
-    ...(yarns && { baseColorTexture: await make('color', yarns) }),
-    ...(holes && { baseColorTexture: await make('cover') }),
+    ...((holes || sheer) && { baseColorTexture: await make('cover') }),
+    ...(shaded && { baseColorTexture: await make('color') }),
+    ...(glossy && { metallicRoughnessTexture: await make('roughness') }),
   };
 }
 
 /** The preset's glTF material with its textures: indices of `names`. */
-function materialOf(name, { weave, holes, threads }, names) {
+function materialOf(name, { weave, holes, sheer, threads }, names) {
   const texture = (key) => ({ index: names.indexOf(key) });
+  const inCore = ['baseColorTexture', 'metallicRoughnessTexture'].filter((key) => names.includes(key));
   const { extensions = {}, pbrMetallicRoughness, ...rest } = structuredClone(PRESETS[name].material);
   const fabric = { ...extensions.TELAR_materials_fabric };
   if (weave) fabric.weave = { ...fabric.weave, threadsPerUv: [threads, threads], weaveTexture: texture('weaveTexture') };
@@ -53,7 +55,8 @@ function materialOf(name, { weave, holes, threads }, names) {
     doubleSided: true,
     ...rest,
     ...(holes && { alphaMode: 'MASK' }),
-    pbrMetallicRoughness: { ...pbrMetallicRoughness, ...(names.includes('baseColorTexture') && { baseColorTexture: texture('baseColorTexture') }) },
+    ...(sheer && { alphaMode: 'BLEND' }),
+    pbrMetallicRoughness: { ...pbrMetallicRoughness, ...Object.fromEntries(inCore.map((key) => [key, texture(key)])) },
     normalTexture: texture('normalTexture'),
     ...(Object.keys(all).length > 0 && { extensions: all }),
   };

@@ -24,8 +24,15 @@ export const mapPixels = {
     return [0.5 + 0.5 * Math.cos(turn), 0.5 + 0.5 * Math.sin(turn), 0.5 + (0.5 * rise) / Math.hypot(1, rise), warp];
   },
 
-  /** Colour of the yarn on top. @param {number[][]} colors - Of weft and warp, linear. */
-  color: (field, size, threads, colors) => (u, v) => colors[field(u * threads, v * threads).warp].map(encoded),
+  /** Colour of the yarn on top, or of the surface. @param {number[][]} [colors] - Of weft and warp, linear. */
+  color: (field, size, threads, colors) => (u, v) => {
+    const { warp, shade, cover } = field(u * threads, v * threads);
+    const color = (colors ? colors[warp] : [shade, shade, shade].flat().slice(-3)).map(encoded);
+    return cover === undefined ? color : [...color, cover];
+  },
+
+  /** glTF's roughness in green; nothing is metal. */
+  roughness: (field, size, threads) => (u, v) => [1, field(u * threads, v * threads).gloss, 0],
 
   /** White where there is thread, with the net's holes in the alpha channel. */
   cover: (field, size, threads) => (u, v) => [1, 1, 1, field(u * threads, v * threads).cover],

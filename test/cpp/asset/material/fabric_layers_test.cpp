@@ -1,3 +1,6 @@
+#include <cmath>
+
+#include "asset/document/fabric_presets.h"
 #include "asset/model_builder.h"
 
 namespace telar::test {
@@ -162,19 +165,29 @@ TEST_F(FabricLayersTest, APresetFillsWhatTheMaterialLeavesOut) {
   EXPECT_EQ(cloth.roughnessFactor, 0.5f);                // its own
   EXPECT_EQ(cloth.layers.sheenRoughnessFactor, 0.125f);  // its own, within an object of both
   EXPECT_EQ(cloth.metallicFactor, 0);
-  EXPECT_GT(cloth.layers.sheenColorFactor.x, 0.2f);
+  // Red velvet has no white rim: the preset's sheen by the root of the colour, which has a floor.
+  EXPECT_NEAR(cloth.layers.sheenColorFactor.x, std::sqrt(0.5f), 1e-6f);
+  EXPECT_NEAR(cloth.layers.sheenColorFactor.y, std::sqrt(0.001f), 1e-6f);
   EXPECT_EQ(cloth.baseColorFactor, glm::vec4(0.5f, 0, 0, 1));
   const Material& plain = scene->materials[0];
   EXPECT_EQ(plain.metallicFactor, 1);
   EXPECT_EQ(plain.layers.sheenColorFactor, glm::vec3(0));
 }
 
+TEST_F(FabricLayersTest, ASheenOfTheFilesOwnKeepsItsColour) {
+  json material = fabric({{"preset", "velvet"}});
+  material["pbrMetallicRoughness"] = {{"baseColorFactor", {0.5, 0, 0, 1}}};
+  material["extensions"]["KHR_materials_sheen"] = {{"sheenColorFactor", {0.25, 0.5, 1}}};
+  EXPECT_EQ(filled(material).layers.sheenColorFactor, glm::vec3(0.25f, 0.5f, 1));
+}
+
 TEST_F(FabricLayersTest, EveryPresetIsRead) {
-  for (const char* name : {"cotton-jersey", "denim", "wool-felt", "towel", "velvet", "satin", "silk", "leather",
-                           "waxed-cotton", "nylon-shell", "tulle", "lace", "sequin-thread"}) {
+  const json presets = json::parse(asset::fabricPresetText());
+  for (const auto& item : presets.items()) {
+    const std::string& name = item.key();
     const Material cloth = filled(fabric({{"preset", name}}));
     EXPECT_TRUE(scene->warnings.empty()) << name;
-    EXPECT_EQ(cloth.metallicFactor, std::string(name) == "sequin-thread" ? 1 : 0) << name;
+    EXPECT_EQ(cloth.metallicFactor, name == "sequin-thread" ? 1 : 0) << name;
     if (cloth.fabric.weave) {
       EXPECT_LE(cloth.fabric.warp.coverage + cloth.fabric.weft.coverage, 1) << name;
     }
