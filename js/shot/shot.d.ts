@@ -496,7 +496,7 @@ export interface Shot {
   /** Parts in another cloth: by the name of a material or of a node with all beneath it, `*` standing for any characters; digits alone are the index of a material. A later one holds before an earlier one, an index before names, a node before a material. */
   materials?: Record<string, {
     /** Cloth of js/docs/fabric.md with its maps; null = its own material in another colour. @default null */
-    preset?: 'cotton-jersey' | 'denim' | 'wool-felt' | 'towel' | 'velvet' | 'satin' | 'silk' | 'leather' | 'waxed-cotton' | 'nylon-shell' | 'tulle' | 'lace' | 'sequin-thread' | 'twill' | 'linen' | 'tweed' | 'seersucker' | 'corduroy' | 'rib-knit' | 'cable-knit' | 'boucle' | 'fleece' | 'suede' | 'patent-leather' | 'quilted-nylon' | 'chiffon' | 'organza' | 'mesh' | null;
+    preset?: 'cotton-jersey' | 'denim' | 'wool-felt' | 'towel' | 'velvet' | 'satin' | 'silk' | 'leather' | 'waxed-cotton' | 'nylon-shell' | 'tulle' | 'lace' | 'sequin-thread' | 'twill' | 'linen' | 'tweed' | 'seersucker' | 'corduroy' | 'rib-knit' | 'cable-knit' | 'boucle' | 'fleece' | 'suede' | 'patent-leather' | 'quilted-nylon' | 'chiffon' | 'organza' | 'athletic-mesh' | null;
     /** Its colour; null = the part's own, with its picture where the cloth has none. @default null */
     color?: string | [number, number, number] | null;
     /** Size of its pattern, 1 = true to the metres of the model. Range 0.001 to 1000. @default 1 */
@@ -1044,7 +1044,7 @@ export interface ResolvedShot {
   /** Parts in another cloth: by the name of a material or of a node with all beneath it, `*` standing for any characters; digits alone are the index of a material. A later one holds before an earlier one, an index before names, a node before a material. */
   materials: Record<string, {
     /** Cloth of js/docs/fabric.md with its maps; null = its own material in another colour. */
-    preset: 'cotton-jersey' | 'denim' | 'wool-felt' | 'towel' | 'velvet' | 'satin' | 'silk' | 'leather' | 'waxed-cotton' | 'nylon-shell' | 'tulle' | 'lace' | 'sequin-thread' | 'twill' | 'linen' | 'tweed' | 'seersucker' | 'corduroy' | 'rib-knit' | 'cable-knit' | 'boucle' | 'fleece' | 'suede' | 'patent-leather' | 'quilted-nylon' | 'chiffon' | 'organza' | 'mesh' | null;
+    preset: 'cotton-jersey' | 'denim' | 'wool-felt' | 'towel' | 'velvet' | 'satin' | 'silk' | 'leather' | 'waxed-cotton' | 'nylon-shell' | 'tulle' | 'lace' | 'sequin-thread' | 'twill' | 'linen' | 'tweed' | 'seersucker' | 'corduroy' | 'rib-knit' | 'cable-knit' | 'boucle' | 'fleece' | 'suede' | 'patent-leather' | 'quilted-nylon' | 'chiffon' | 'organza' | 'athletic-mesh' | null;
     /** Its colour; null = the part's own, with its picture where the cloth has none. */
     color: [number, number, number] | null;
     /** Size of its pattern, 1 = true to the metres of the model. Range 0.001 to 1000. */

@@ -9,6 +9,7 @@ import { measured } from '../../../test/js/view/spec_support.mjs';
 import { launchChromium, openView, settled } from '../../../test/js/view/support.mjs';
 import { createRenderer } from '../../index.mjs';
 import { createSheet } from '../../sheet/index.mjs';
+import { clothsPicture } from './cloths_picture.mjs';
 
 // The pictures of README and docs: npm run pictures [-- NAME...], all of them or those that are named.
 
@@ -123,6 +124,7 @@ const PICTURES = {
   'view.png': viewPage,
   'view_spec.jpg': specPage,
   'sheet.jpg': sheetPages,
+  'cloths.jpg': clothsPicture,
 };
 
 await mkdir(OUT, { recursive: true });

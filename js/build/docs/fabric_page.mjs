@@ -48,7 +48,7 @@ telar thumbnail shirt.glb -o shirt.png --shading fabric --material 'Body*=denim:
 
 - **A part** goes by the name of a material, or of a node with all beneath it; \`telar inspect\` lists the materials. \`*\` stands for any characters,
   digits alone for the index of a material. What nothing is called is the error \`E_CLOTH\`.
-- **A preset** brings everything but occlusion, sides and name of the part, with maps of its construction: js/assets/cloths/PRESET.glb, a square of 10 cm.
+- **A preset** brings everything but occlusion, sides and name of the part, with maps of its construction: js/assets/cloths/PRESET.glb, a square of 10 cm. [All of them](cloths.md) in a picture.
 - **The size** is true: metres that a unit of the part's texture coordinates (TEXCOORD_0) covers are measured on the model, as medians by area, along u and v
   apart. The warp runs along v; \`rotation\` turns it. A part without texture coordinates wears the cloth without its maps (\`W_CLOTH_UV\`).
 - **\`color\`** is the mean of what the cloth shows, also where its yarns differ. Without it the part keeps its own colour, and its picture where the cloth has none.
