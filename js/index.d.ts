@@ -192,7 +192,7 @@ export interface ModelFacts {
   /** In the file's order. */
   animations: AnimationFact[];
   variants: string[];
-  /** Of each variant, the indices of the materials that it draws, those that cover most triangles first. */
+  /** Of each variant, the indices of the materials that it draws, those of most triangles first, at most 8. */
   variantMaterials: number[][];
   extensionsUsed: string[];
   generator: string;

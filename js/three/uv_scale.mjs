@@ -1,7 +1,7 @@
 import { materialIndexOf, primitiveOf } from './variant.mjs';
 
 /**
- * Metres that one unit of u and one of v cover on surfaces: medians by area, as the server measures them (renderer/asset/scene/uv_scale.cpp).
+ * Metres that one unit of u and one of v cover on surfaces: medians by area, of a mesh and then of all, as the server measures them (renderer/asset/scene/uv_scale.cpp).
  */
 
 /** The value that half of the area has at most. */
@@ -36,14 +36,16 @@ const cross = (p, q) => [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p
  * @returns {[number, number] | null} null where none has texture coordinates
  */
 export function metresPerUv(meshes, THREE) {
-  const [u, v] = [[], []];
-  for (const mesh of meshes) addTriangles(mesh, THREE, u, v);
-  return u.length > 0 ? [median(u), median(v)] : null;
+  const scales = [...meshes].map((mesh) => scaleOf(mesh, THREE)).filter(Boolean);
+  const along = (axis) => median(scales.map(({ metres, area }) => ({ metres: metres[axis], area })));
+  return scales.length > 0 ? [along(0), along(1)] : null;
 }
 
-function addTriangles(mesh, THREE, u, v) {
+/** Of the triangles of one mesh. */
+function scaleOf(mesh, THREE) {
   const { attributes, index } = mesh.geometry;
-  if (!mesh.isMesh || !attributes.uv) return;
+  if (!mesh.isMesh || !attributes.uv) return null;
+  const [u, v] = [[], []];
   const points = pointsOf(mesh, THREE);
   const uvs = Array.from({ length: attributes.uv.count }, (_, i) => [attributes.uv.getX(i), attributes.uv.getY(i)]);
   const count = index?.count ?? attributes.position.count;
@@ -57,6 +59,7 @@ function addTriangles(mesh, THREE, u, v) {
     u.push({ metres: alongU, area });
     v.push({ metres: alongV, area });
   }
+  return u.length > 0 ? { metres: [median(u), median(v)], area: u.reduce((sum, { area }) => sum + area, 0) } : null;
 }
 
 /** Its vertices in world space, in its pose; of instances the first. */

@@ -158,23 +158,53 @@ json describeCameras(const Scene& scene) {
   return out;
 }
 
-/// What each variant draws, those of most corners first.
+std::size_t cornersOf(const Primitive& primitive) {
+  return primitive.indices.empty() ? primitive.positions.size() : primitive.indices.size();
+}
+
+/// So many materials of a variant are listed.
+constexpr std::size_t VARIANT_MATERIALS_MAX = 8;
+
+/// What each variant draws, those of most corners first, ties in the file's order. A file may have thousands of
+/// variants and of materials: what no variant changes is counted once, and each adds what it changes.
 json describeVariants(const Scene& scene) {
-  json out = json::array();
-  for (std::size_t variant = 0; variant < scene.variants.size(); ++variant) {
-    std::map<int, std::size_t> corners;
-    for (const Node& node : scene.nodes) {
-      if (node.mesh < 0) continue;
-      for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-        const int material = materialIndex(primitive, static_cast<int>(variant));
-        if (material < 0 || static_cast<std::size_t>(material) >= scene.fileMaterials) continue;
-        corners[material] += primitive.indices.empty() ? primitive.positions.size() : primitive.indices.size();
+  if (scene.variants.empty()) return json::array();
+  const auto known = [&scene](int i) { return i >= 0 && static_cast<std::size_t>(i) < scene.fileMaterials; };
+  std::map<int, std::int64_t> all;
+  std::vector<std::map<int, std::int64_t>> changes(scene.variants.size());
+  for (const Node& node : scene.nodes) {
+    if (node.mesh < 0) continue;
+    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+      const auto corners = static_cast<std::int64_t>(cornersOf(primitive));
+      if (known(primitive.material)) all[primitive.material] += corners;
+      for (const auto& [variant, material] : primitive.variantMaterials) {
+        if (variant < 0 || static_cast<std::size_t>(variant) >= changes.size()) continue;
+        auto& change = changes[static_cast<std::size_t>(variant)];
+        if (known(primitive.material)) change[primitive.material] -= corners;
+        if (known(material)) change[material] += corners;
       }
     }
-    std::vector<std::pair<int, std::size_t>> drawn(corners.begin(), corners.end());
-    std::stable_sort(drawn.begin(), drawn.end(), [](const auto& p, const auto& q) { return p.second > q.second; });
+  }
+  using Drawn = std::pair<int, std::int64_t>;
+  const auto byCorners = [](const Drawn& p, const Drawn& q) {
+    return p.second != q.second ? p.second > q.second : p.first < q.first;
+  };
+  std::vector<Drawn> most(all.begin(), all.end());
+  std::sort(most.begin(), most.end(), byCorners);
+  json out = json::array();
+  for (const auto& change : changes) {
+    std::vector<Drawn> drawn;
+    for (const auto& [material, corners] : change) {
+      const auto base = all.find(material);
+      drawn.emplace_back(material, corners + (base == all.end() ? 0 : base->second));
+    }
+    for (std::size_t i = 0, taken = 0; i < most.size() && taken < VARIANT_MATERIALS_MAX; ++i) {
+      if (!change.contains(most[i].first)) drawn.push_back(most[i]), ++taken;
+    }
+    std::erase_if(drawn, [](const Drawn& d) { return d.second <= 0; });
+    std::sort(drawn.begin(), drawn.end(), byCorners);
     json materials = json::array();
-    for (const auto& [material, count] : drawn) materials.push_back(material);
+    for (std::size_t i = 0; i < std::min(drawn.size(), VARIANT_MATERIALS_MAX); ++i) materials.push_back(drawn[i].first);
     out.push_back(materials);
   }
   return out;
@@ -219,8 +249,7 @@ std::string describeScene(const Scene& scene, const CancelToken& cancel) {
 
 std::string describeUvScales(const Scene& scene, const CancelToken& cancel) {
   json out = json::array();
-  for (std::size_t i = 0; i < scene.fileMaterials; ++i) {
-    const auto metres = metresPerUv(scene, static_cast<int>(i), cancel);
+  for (const auto& metres : metresPerUv(scene, std::vector<bool>(scene.fileMaterials, true), cancel)) {
     out.push_back(metres ? json{metres->x, metres->y} : json(nullptr));
   }
   return out.dump();

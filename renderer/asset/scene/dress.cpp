@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <new>
+#include <set>
 #include <utility>
 
 #include "asset/check/pointer.h"
@@ -24,10 +25,6 @@ const Material& materialOf(const Scene& cloth) {
     }
   }
   throw Error("E_CLOTH", "the file of the cloth draws nothing with a material");
-}
-
-int indexIn(const Scene& scene, const Material& material) {
-  return static_cast<int>(&material - scene.materials.data());
 }
 
 /// From a garment's texture coordinates to those of a cloth: to metres, turned, to the cloth's own measure.
@@ -64,21 +61,31 @@ class Dresser {
     out_->model = model->model ? model->model : model;
   }
 
+  /// Measures what the dressings need, once.
+  void measure(const std::vector<Dressing>& dressings) {
+    std::vector<bool> wanted(model_.fileMaterials, false);
+    for (const Dressing& dressing : dressings) {
+      if (!dressing.cloth) continue;
+      for (const int material : dressing.materials) wanted[static_cast<std::size_t>(material)] = true;
+      if (!dressing.nodes.empty()) wanted.assign(wanted.size(), true);
+    }
+    scales_ = metresPerUv(model_, wanted, cancel_);
+  }
+
   void dress(const Dressing& dressing) {
     const int images = dressing.cloth ? addImages(dressing.cloth) : 0;
     for (const int material : dressing.materials) {
       const auto at = static_cast<std::size_t>(material);
       out_->materials[at] = wear(material, dressing, images);
     }
+    const std::set<int> meant(dressing.nodes.begin(), dressing.nodes.end());
+    std::map<int, int> worn;                                            // by material
+    std::map<int, std::shared_ptr<const std::map<int, int>>> ofMeshes;  // by mesh
     for (Node& node : out_->nodes) {
-      const bool meant =
-          std::find(dressing.nodes.begin(), dressing.nodes.end(), node.file.node) != dressing.nodes.end();
-      if (!meant || node.mesh < 0) continue;
-      for (const Primitive& primitive : out_->meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-        dressOnNode(node, primitive.material, dressing, images);
-        for (const auto& [variant, material] : primitive.variantMaterials)
-          dressOnNode(node, material, dressing, images);
-      }
+      if (node.mesh < 0 || !meant.contains(node.file.node)) continue;
+      auto& ofMesh = ofMeshes[node.mesh];
+      if (!ofMesh) ofMesh = dressedMesh(node.mesh, dressing, images, worn);
+      node.materials = ofMesh;
     }
   }
 
@@ -95,10 +102,25 @@ class Dresser {
     return at->second;
   }
 
-  void dressOnNode(Node& node, int material, const Dressing& dressing, int images) {
-    if (material < 0) return;
-    node.materials[material] = static_cast<int>(out_->materials.size());
-    out_->materials.push_back(wear(material, dressing, images));
+  /// @param worn  what this dressing has made so far, by material
+  std::shared_ptr<const std::map<int, int>> dressedMesh(int mesh, const Dressing& dressing, int images,
+                                                        std::map<int, int>& worn) {
+    std::map<int, int> out;
+    const auto add = [&](int material) {
+      if (material < 0 || out.contains(material)) return;
+      const auto [made, isNew] = worn.emplace(material, 0);
+      if (isNew) {
+        Material dressed = wear(material, dressing, images);
+        made->second = static_cast<int>(out_->materials.size());
+        out_->materials.push_back(std::move(dressed));
+      }
+      out[material] = made->second;
+    };
+    for (const Primitive& primitive : out_->meshes[static_cast<std::size_t>(mesh)].primitives) {
+      add(primitive.material);
+      for (const auto& [variant, material] : primitive.variantMaterials) add(material);
+    }
+    return std::make_shared<const std::map<int, int>>(std::move(out));
   }
 
   /// @param at     index of the material that is replaced
@@ -168,8 +190,8 @@ class Dresser {
   void place(Material& material, const Dressing& dressing, int images, int at) {
     const auto uses = asset::texturesOf(material);
     if (uses.empty()) return;
-    const auto garment = scaleOf(at);
-    const auto cloth = metresPerUv(*dressing.cloth, indexIn(*dressing.cloth, materialOf(*dressing.cloth)), cancel_);
+    const auto& garment = scales_[static_cast<std::size_t>(at)];
+    const auto cloth = clothScale(*dressing.cloth);
     if (!garment || !cloth) {
       warnings_.add("W_CLOTH_UV", "the surface has no texture coordinates: the maps of its cloth are not drawn",
                     asset::pointer("materials", at));
@@ -186,10 +208,11 @@ class Dresser {
     }
   }
 
-  std::optional<glm::dvec2> scaleOf(int material) {
-    const auto found = scales_.find(material);
-    if (found != scales_.end()) return found->second;
-    return scales_.emplace(material, metresPerUv(model_, material, cancel_)).first->second;
+  std::optional<glm::dvec2> clothScale(const Scene& cloth) const {
+    const auto at = static_cast<std::size_t>(&materialOf(cloth) - cloth.materials.data());
+    std::vector<bool> wanted(at + 1, false);
+    wanted[at] = true;
+    return metresPerUv(cloth, wanted, cancel_)[at];
   }
 
   const Scene& model_;
@@ -197,7 +220,7 @@ class Dresser {
   const CancelToken& cancel_;
   asset::Warnings warnings_;
   std::map<const Scene*, int> firstImages_;
-  std::map<int, std::optional<glm::dvec2>> scales_;  ///< by material
+  std::vector<std::optional<glm::dvec2>> scales_;  ///< by material
 };
 
 }  // namespace
@@ -206,6 +229,7 @@ std::shared_ptr<const Scene> dressScene(const std::shared_ptr<const Scene>& mode
                                         const std::vector<Dressing>& dressings, const CancelToken& cancel) {
   try {
     Dresser dresser(model, cancel);
+    dresser.measure(dressings);
     for (const Dressing& dressing : dressings) dresser.dress(dressing);
     return dresser.take();
   } catch (const std::bad_alloc&) {

@@ -31,10 +31,12 @@ std::shared_ptr<const Scene> dressScene(const std::shared_ptr<const Scene>& mode
 /// node: index in the file; parent: place in the list, which stands before it, -1 = none.
 std::string describeNames(const Scene& scene);
 
-/// Metres that one unit of u and one of v cover on the surfaces that are drawn with a material: medians by area, so
-/// that a squeezed patch changes nothing. None where no such surface has TEXCOORD_0.
-/// @param material  index into Scene::materials; the file's own, with or without a variant
-std::optional<glm::dvec2> metresPerUv(const Scene& scene, int material, const CancelToken& cancel);
+/// Metres that one unit of u and one of v cover on the surfaces of each of the file's materials, in any variant: the
+/// median by area over the triangles of a mesh, then over the meshes, so that a squeezed patch changes nothing. None
+/// where no such surface has TEXCOORD_0.
+/// @param wanted  whether to measure, by index into Scene::materials
+std::vector<std::optional<glm::dvec2>> metresPerUv(const Scene& scene, const std::vector<bool>& wanted,
+                                                   const CancelToken& cancel);
 
 /// JSON: metresPerUv() of each of the file's materials, [u, v] or null.
 std::string describeUvScales(const Scene& scene, const CancelToken& cancel);

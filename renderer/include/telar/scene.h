@@ -132,7 +132,8 @@ struct Node {
   int skin = -1;               ///< index into Motion::skins
   std::vector<float> weights;  ///< of the morph targets
   std::shared_ptr<const Instances> instances;  ///< null = drawn once, where the node is
-  std::map<int, int> materials;                ///< by index of a material: the one that its mesh shows in its place
+  /// By index of a material: the one that its mesh shows in its place. Null = its own; nodes of one mesh share it.
+  std::shared_ptr<const std::map<int, int>> materials;
 };
 
 struct Warning {

@@ -15,8 +15,9 @@ inline int materialIndex(const Primitive& primitive, int variant) {
 /// The one that is drawn: a node that is dressed shows another than its mesh has.
 inline int materialIndex(const Node& node, const Primitive& primitive, int variant) {
   const int own = materialIndex(primitive, variant);
-  const auto worn = node.materials.find(own);
-  return worn == node.materials.end() ? own : worn->second;
+  if (!node.materials) return own;
+  const auto worn = node.materials->find(own);
+  return worn == node.materials->end() ? own : worn->second;
 }
 
 }  // namespace telar

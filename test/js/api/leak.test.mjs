@@ -53,7 +53,8 @@ test('500 renders in one process: memory, file descriptors, threads and GL names
   const samples = JSON.parse(stdout);
   const [first, last] = [samples[1], samples.at(-1)];
   assert.equal(last.files, first.files, JSON.stringify(samples));
-  assert.equal(last.threads, first.threads, JSON.stringify(samples));
+  // A load that was aborted may still have its thread at the first look.
+  assert.ok(last.threads <= first.threads, JSON.stringify(samples));
   assert.ok(Math.abs(last.objects - first.objects) <= 20, JSON.stringify(samples));
   assert.ok(last.kibibytes - first.kibibytes < 8 * 1024, JSON.stringify(samples));
 });
