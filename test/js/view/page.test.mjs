@@ -155,21 +155,6 @@ for (const [selector, keys, key] of PRESSED) {
   });
 }
 
-test('a part is shown in another cloth, alike on both sides, and in its own again', async () => {
-  const before = await pictures(page);
-  await page.locator('#part').selectOption('*');
-  await changing(page, () => page.locator('#cloth').selectOption('denim'));
-  await changing(page, () => page.locator('#clothColour').fill('#23324f'));
-  assert.deepEqual((await shotOf()).materials, { '*': { preset: 'denim', color: '#23324f' } });
-  assert.equal(await verdict(), 'Parity');
-  assert.notDeepEqual(await pictures(page), before);
-  await changing(page, () => page.locator('#clothRotation').fill('45'));
-  assert.equal(await verdict(), 'Parity');
-  await changing(page, () => page.locator('#cloth').selectOption(''));
-  assert.equal((await shotOf()).materials, undefined);
-  assert.deepEqual(await pictures(page), before, 'its own again');
-});
-
 test('the silhouette before a background is judged apart, as without one', async () => {
   await page.focus('#background');
   await changing(page, () => page.keyboard.press('Home'));

@@ -56,6 +56,29 @@ test('a .gltf with its files beside it, beneath an environment of the command li
   await second.close();
 });
 
+test('a part is shown in another cloth, alike on both sides, and in its own again', async (t) => {
+  const view = await openView(SHIRT, ['--size', '96']);
+  t.after(() => view.stop());
+  const page = await newPage();
+  await page.goto(view.url);
+  await settled(page);
+  const shotOf = async () => JSON.parse(await page.locator('#shot').inputValue());
+  const verdict = () => page.locator('#verdict').textContent();
+  const before = await pictures(page);
+  await page.locator('#part').selectOption('*');
+  await changing(page, () => page.locator('#cloth').selectOption('denim'));
+  await changing(page, () => page.locator('#clothColour').fill('#23324f'));
+  assert.deepEqual((await shotOf()).materials, { '*': { preset: 'denim', color: '#23324f' } });
+  assert.equal(await verdict(), 'Parity');
+  assert.notDeepEqual(await pictures(page), before);
+  await changing(page, () => page.locator('#clothRotation').fill('45'));
+  assert.equal(await verdict(), 'Parity');
+  await changing(page, () => page.locator('#cloth').selectOption(''));
+  assert.equal((await shotOf()).materials, undefined);
+  assert.deepEqual(await pictures(page), before, 'its own again');
+  await page.close();
+});
+
 test('keys alone: a moment of an animation, framed and drawn alike', async (t) => {
   writeFileSync(at('moving.glb'), await MODELS['morph-and-skin']());
   const other = await openView(at('moving.glb'), ['--size', '64']);
