@@ -15,6 +15,15 @@ const WORDS = {
   lace: ['encaje', 'pizzo', 'spitze', 'dentelle', 'blonda', 'guipure'],
   towel: ['terry', 'rizo', 'frottee', 'spugna', 'éponge', 'toalla'],
   'wool-felt': ['felt', 'fieltro', 'filz', 'feltro', 'feutre', 'melton'],
+  twill: ['gabardine', 'gabardina', 'sarga', 'chino', 'köper'],
+  linen: ['lino', 'leinen', 'lin'],
+  corduroy: ['pana', 'cord', 'kord'],
+  'rib-knit': ['ribbing', 'canalé', 'costina'],
+  fleece: ['polar', 'vlies', 'felpa'],
+  suede: ['ante', 'gamuza', 'wildleder', 'nubuck', 'daim'],
+  'quilted-nylon': ['quilted', 'quilting', 'acolchado', 'puffer', 'gesteppt'],
+  chiffon: ['gasa', 'georgette'],
+  boucle: ['bouclé', 'rizado'],
   'cotton-jersey': ['jersey', 'tshirt', 'punto', 'trikot', 'interlock'],
 };
 

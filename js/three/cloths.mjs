@@ -1,6 +1,6 @@
 import { dressingsOf } from '../shot/dressings.mjs';
 import { assignMaterial } from './assign_material.mjs';
-import { sheenDye } from './sheen_dye.mjs';
+import { sheenDye, transmissionDye } from './dye.mjs';
 import { metresPerUv, wearersOf } from './uv_scale.mjs';
 import { materialIndexOf } from './variant.mjs';
 
@@ -16,6 +16,7 @@ const undressed = new WeakMap();
  * @property {import('three').Material} material - As that file has it.
  * @property {(material: import('three').Material) => void} finish - Changes a copy of that into what is worn, the color for one.
  * @property {(texture: import('three').Texture) => import('three').Texture | null} placed - A texture of that file, on the garment.
+ * @property {(layer: object) => object} through - Its KHR_materials_diffuse_transmission in the colour that is worn.
  */
 
 /** @type {WeakMap<import('three').Material, Worn>} */
@@ -143,7 +144,9 @@ async function open(model, index, dressing, { THREE, cloths, made }) {
     assignMaterial(model.parser, mesh, dressed(own.material, material, color, placed));
     const look = { material: mesh.material, geometry: mesh.geometry };
     Object.assign(mesh, own);
-    worn.set(look.material, { parser, material, finish: (copy) => copy.copy(look.material), placed });
+    const map = color || material.map ? undefined : own.material.map;
+    const through = (layer) => withColor(layer, transmissionDye((color ?? own.material.color).toArray()), map);
+    worn.set(look.material, { parser, material, finish: (copy) => copy.copy(look.material), placed, through });
     return look;
   };
 }
@@ -160,8 +163,30 @@ function recolored(model, mesh, color) {
   };
   const material = own.clone();
   finish(material);
-  worn.set(material, { parser: model.parser, material: own, finish, placed: (texture) => texture });
+  const [had, has] = [own.color, color].map((dye) => transmissionDye(dye.toArray()));
+  const isOwn = saysThrough(model.parser, own);
+  const through = (layer) =>
+    isOwn
+      ? layer
+      : withColor(
+          layer,
+          has.map((c, i) => c / had[i]),
+        );
+  worn.set(material, { parser: model.parser, material: own, finish, placed: (texture) => texture, through });
   return { material, geometry: mesh.geometry };
+}
+
+/** Whether the file itself has light that passes through the material. */
+function saysThrough({ associations, json }, material) {
+  const { diffuseTransmissionFactor = 0 } = json.materials[associations.get(material)?.materials]?.extensions?.KHR_materials_diffuse_transmission ?? {};
+  return diffuseTransmissionFactor > 0;
+}
+
+/** KHR_materials_diffuse_transmission with its colour multiplied, and a picture in place of none. */
+function withColor(layer, factor, map) {
+  const { diffuseTransmissionColorFactor: color = [1, 1, 1] } = layer;
+  const texture = layer.diffuseTransmissionColorTexture ?? map;
+  return { ...layer, diffuseTransmissionColorFactor: color.map((c, i) => c * factor[i]), ...(texture && { diffuseTransmissionColorTexture: texture }) };
 }
 
 const scaleColor = (color, factor) => color.fromArray(color.toArray().map((c, i) => c * factor(i)));

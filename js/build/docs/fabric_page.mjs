@@ -92,7 +92,8 @@ const PRESETS = `## Presets
 A preset is part of a glTF material. What the material leaves out, at any depth, is taken from it, in the shading \`fabric\` alone; what glTF
 gives a default to counts as left out when the file does not write it (metallicFactor, roughnessFactor). The base colour, textures,
 \`doubleSided\` and \`alphaMode\` stay the material's own. A sheen that comes from the preset is that of undyed fibre:
-it is multiplied by the root of the base colour factor, for light that leaves near the ends of fibres has crossed about half of the dye (reasoned). An unknown name costs \`W_ENUM\`. js/assets/fabric_presets.json is the one table of
+it is multiplied by the root of the base colour factor, for light that leaves near the ends of fibres has crossed about half of the dye (reasoned), and light that passes
+through is multiplied by the factor itself. An unknown name costs \`W_ENUM\`. js/assets/fabric_presets.json is the one table of
 them, for the server and the browser.
 
 Where a number is measured the source is named; the others are reasoned from the construction of the cloth, which is said.

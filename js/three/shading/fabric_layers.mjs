@@ -1,6 +1,6 @@
 import { LAYERS, texturesOf } from '../../material/table.mjs';
 import { assignMaterial } from '../assign_material.mjs';
-import { sheenDye } from '../sheen_dye.mjs';
+import { sheenDye, transmissionDye } from '../dye.mjs';
 
 /** Names of glTF for what GLTFLoader leaves to us. */
 const FABRIC = 'TELAR_materials_fabric';
@@ -34,14 +34,19 @@ async function definitionOf(parser, index, loadPresets) {
 
 const SHEEN = 'KHR_materials_sheen';
 
-/** The preset's sheen in the colour of a material that says nothing of it. */
+/** The preset's sheen, and its light that passes through, in the colour of a material that says nothing of them. */
 function dyed(definition, own) {
-  const sheen = definition.extensions[SHEEN];
   const color = definition.pbrMetallicRoughness?.baseColorFactor;
-  if (own.extensions[SHEEN]?.sheenColorFactor || !sheen || !color) return definition;
-  const dye = sheenDye(color);
-  const sheenColorFactor = sheen.sheenColorFactor.map((c, i) => c * dye[i]);
-  return { ...definition, extensions: { ...definition.extensions, [SHEEN]: { ...sheen, sheenColorFactor } } };
+  if (!color) return definition;
+  const extensions = { ...definition.extensions };
+  const dye = (extension, key, factors) => {
+    const layer = extensions[extension];
+    if (!layer || own.extensions[extension]?.[key]) return;
+    extensions[extension] = { ...layer, [key]: (layer[key] ?? [1, 1, 1]).map((c, i) => c * factors[i]) };
+  };
+  dye(SHEEN, 'sheenColorFactor', sheenDye(color));
+  dye(DIFFUSE_TRANSMISSION, 'diffuseTransmissionColorFactor', transmissionDye(color));
+  return { ...definition, extensions };
 }
 
 /** RFC 7396: `patch` over `target`. */

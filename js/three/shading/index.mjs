@@ -44,12 +44,10 @@ export async function openShading(THREE, shading) {
       worn?.finish(material);
       material.shadingDefines = hasTerms ? definesOfTerms(shading) : {};
       // GLTFLoader gives geometries with tangents materials of their own.
-      if (shading !== 'three')
-        Object.assign(
-          material,
-          { hasTangents: mesh.geometry.attributes.tangent !== undefined },
-          await extensionsOf(file, cloth.definition, THREE, worn?.placed),
-        );
+      if (shading === 'three') return;
+      const extensions = await extensionsOf(file, cloth.definition, THREE, worn?.placed);
+      if (worn && extensions.diffuseTransmission) extensions.diffuseTransmission = worn.through(extensions.diffuseTransmission);
+      Object.assign(material, { hasTangents: mesh.geometry.attributes.tangent !== undefined }, extensions);
     },
   };
 }

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "asset/check/pointer.h"
-#include "core/sheen_dye.h"
+#include "core/dye.h"
 
 namespace telar::asset {
 namespace {
@@ -35,19 +35,28 @@ json* fabricOf(json& material) {
   return extensions != material.end() && extensions->contains(NAME) ? &(*extensions)[NAME] : nullptr;
 }
 
-/// The preset's sheen in the colour of a material that says nothing of it.
-void dyeSheen(json& filled, const json& own) {
-  const json::json_pointer sheen("/extensions/KHR_materials_sheen/sheenColorFactor");
-  if (own.contains(sheen) || !filled.contains(sheen)) return;
+/// Multiplies a preset's colour by what the dye leaves of it.
+void dye(json& filled, const char* extension, const char* key, const glm::vec3& dye) {
+  json& layer = filled["extensions"][extension];
+  const json undyed = layer.value(key, json::array({1, 1, 1}));
+  for (std::size_t i = 0; i < 3; ++i) layer[key][i] = undyed.at(i).get<float>() * dye[static_cast<int>(i)];
+}
+
+/// The preset's sheen, and its light that passes through, in the colour of a material that says nothing of them.
+void dyeLayers(json& filled, const json& own) {
   const json color = filled["pbrMetallicRoughness"].value("baseColorFactor", json());
   if (!color.is_array()) return;
   glm::vec3 base(1);
   for (int i = 0; i < 3; ++i) base[i] = color.at(static_cast<std::size_t>(i)).get<float>();
-  const glm::vec3 dye = sheenDye(base);
-  json& factor = filled[sheen];
-  for (int i = 0; i < 3; ++i) {
-    json& channel = factor[static_cast<std::size_t>(i)];
-    channel = channel.get<float>() * dye[i];
+  const auto says = [](const json& material, const std::string& path) {
+    return material.contains(json::json_pointer("/extensions/" + path));
+  };
+  const std::string sheen = "KHR_materials_sheen", through = "KHR_materials_diffuse_transmission";
+  if (says(filled, sheen + "/sheenColorFactor") && !says(own, sheen + "/sheenColorFactor")) {
+    dye(filled, sheen.c_str(), "sheenColorFactor", sheenDye(base));
+  }
+  if (says(filled, through) && !says(own, through + "/diffuseTransmissionColorFactor")) {
+    dye(filled, through.c_str(), "diffuseTransmissionColorFactor", transmissionDye(base));
   }
 }
 
@@ -83,7 +92,7 @@ std::vector<FabricSource> applyFabricPresets(json& reduced, Warnings& warnings) 
     }
     json filled = (*preset)["material"];
     filled.merge_patch(material);  // RFC 7396: the material's own values stay
-    dyeSheen(filled, material);
+    dyeLayers(filled, material);
     out[i].withPreset = static_cast<int>(count + withPresets.size());
     withPresets.push_back(std::move(filled));
   }

@@ -11,7 +11,7 @@
 #include "asset/check/pointer.h"
 #include "asset/check/warnings.h"
 #include "asset/material/material.h"
-#include "core/sheen_dye.h"
+#include "core/dye.h"
 #include "telar/variant_material.h"
 
 namespace telar {
@@ -146,6 +146,10 @@ class Dresser {
       // A sheen that the file does not have is the preset's, in the colour that was.
       if (own.layers.sheenColorFactor == glm::vec3(0))
         filled.layers.sheenColorFactor *= sheenDye(*dressing.color) / sheenDye(glm::vec3(own.baseColorFactor));
+      // So is light that passes through.
+      if (own.fabric.diffuseTransmissionFactor == 0)
+        filled.fabric.diffuseTransmissionColorFactor *=
+            transmissionDye(*dressing.color) / transmissionDye(glm::vec3(own.baseColorFactor));
       out.withPreset = static_cast<int>(out_->materials.size());
       out_->materials.push_back(std::move(filled));
     }
@@ -167,7 +171,9 @@ class Dresser {
     out.occlusionTexture = own.occlusionTexture;
     out.occlusionStrength = own.occlusionStrength;
     out.withPreset = -1;
-    out.layers.sheenColorFactor *= sheenDye(dressing.color.value_or(glm::vec3(own.baseColorFactor)));
+    const glm::vec3 dye = dressing.color.value_or(glm::vec3(own.baseColorFactor));
+    out.layers.sheenColorFactor *= sheenDye(dye);
+    out.fabric.diffuseTransmissionColorFactor *= transmissionDye(dye);
     if (dressing.color) {
       out.baseColorFactor = glm::vec4(*dressing.color / meanOf(out.baseColorTexture), cloth.baseColorFactor.a);
     } else {
@@ -175,6 +181,7 @@ class Dresser {
       out.baseColorFactor = glm::vec4(color, own.baseColorFactor.a);
       if (!cloth.baseColorTexture) {
         out.baseColorTexture = own.baseColorTexture;
+        out.fabric.diffuseTransmissionColorTexture = own.baseColorTexture;
         out.alphaMode = own.alphaMode;
         out.alphaCutoff = own.alphaCutoff;
       }

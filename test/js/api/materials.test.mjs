@@ -113,6 +113,30 @@ test("the sheen of a preset takes the cloth's colour, whoever gives it", async (
   assert.ok(furthest(await draw(await velvet(red, [1, 1, 1]), grazing), wanted) > 20, 'white rims');
 });
 
+test("light that passes through a preset's cloth takes its colour, whoever gives it", async () => {
+  const red = [0.5, 0.03, 0.01];
+  const jersey = (color, diffuseTransmission) => {
+    const builder = new GlbBuilder();
+    const { uvs, ...bare } = plane(0.1, 0.1);
+    assert.ok(uvs);
+    const layers = { fabric: { definition: { preset: 'cotton-jersey' }, textures: {} }, ...(diffuseTransmission && { diffuseTransmission }) };
+    const material = builder.material({ name: 'plain', baseColor: [...color, 1], doubleSided: true, layers });
+    material.setMetallicFactor(1).setRoughnessFactor(1); // left to the preset
+    builder.add(bare, material, { name: 'front' });
+    return builder.bytes();
+  };
+  const behind = { environment: 'none', lights: [{ type: 'directional', position: [0, 0, -1], intensity: 6 }], toneMapping: 'none' };
+  const mean = (pixels, c) => pixels.filter((_, i) => i % 4 === c).reduce((sum, x) => sum + x, 0) / (pixels.length / 4);
+  const wanted = await draw(await jersey(red), behind);
+  assert.ok(mean(wanted, 0) > 60 && mean(wanted, 1) < 0.45 * mean(wanted, 0), `${mean(wanted, 0)} ${mean(wanted, 1)}`);
+  const recolored = await draw(await jersey([0.02, 0.04, 0.5]), { ...behind, materials: { plain: { color: red } } });
+  const worn = await draw(await jersey([1, 1, 1]), { ...behind, materials: { plain: { preset: 'cotton-jersey', color: red } } });
+  assert.ok(furthest(recolored, wanted) <= 1 && furthest(worn, wanted) <= 1, `${furthest(recolored, wanted)} ${furthest(worn, wanted)}`);
+  // White light through, which a file may say, is told from it.
+  const white = await draw(await jersey(red, { diffuseTransmissionFactor: 0.2, diffuseTransmissionColorFactor: [1, 1, 1] }), behind);
+  assert.ok(mean(white, 1) > 0.9 * mean(white, 0), `${mean(white, 0)} ${mean(white, 1)}`);
+});
+
 test('the rest of the model stays as it was, and a node comes before a material', async () => {
   const list = ['left', 'right'].map((node) => ({ node, material: 'plain', baseColor: [0.6, 0.6, 0.6, 1] }));
   const garment = await squares(
@@ -162,20 +186,20 @@ test('a part without texture coordinates wears the cloth without its maps, with 
 });
 
 test('shots share what is dressed alike, keys tell them apart, and nothing of the GPU is left', async () => {
+  // A renderer of its own: models of the tests before go when their finalizers run.
+  const own = await createRenderer();
   const garment = await squares([{ node: 'front', material: 'plain' }]);
-  await draw(garment, {});
-  const before = await renderer.liveObjects();
   const materials = { plain: { preset: 'towel' } };
   const shots = [{ materials }, { materials }, { materials: { plain: { preset: 'satin' } } }, {}].map((shot) => ({ ...CLOSE, camera: OVERHEAD, ...shot }));
-  const frames = await renderer.renderAll(garment, shots);
+  const frames = await own.renderAll(garment, shots);
   assert.deepEqual(frames[0].data, frames[1].data);
   assert.equal(new Set(frames.map(({ info }) => info.key)).size, 3);
   assert.deepEqual(frames[3].data, await draw(garment, {}));
   // Programs stay.
-  const again = await renderer.liveObjects();
-  await renderer.renderAll(garment, shots);
-  assert.ok((await renderer.liveObjects()) <= again, 'models of the tests before may go meanwhile');
-  assert.ok(again >= before);
+  const objects = await own.liveObjects();
+  await own.renderAll(garment, shots);
+  assert.equal(await own.liveObjects(), objects);
+  await own.close();
 });
 
 test('what the model does not have is told', async () => {

@@ -9,4 +9,7 @@ namespace telar {
 /// @param color linear base colour
 inline glm::vec3 sheenDye(const glm::vec3& color) { return glm::sqrt(glm::clamp(color, 0.001f, 1.0f)); }
 
+/// What it leaves of light that passes through an undyed cloth: all that diffuse light crosses. The same floor.
+inline glm::vec3 transmissionDye(const glm::vec3& color) { return glm::clamp(color, 0.001f, 1.0f); }
+
 }  // namespace telar
