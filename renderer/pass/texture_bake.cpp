@@ -112,7 +112,8 @@ gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int h
 }
 
 gl::Texture TextureBaker::normalVariance(GLuint source, int width, int height, const CancelToken& cancel) {
-  return bake({"texture/relief_moments.frag", "texture/relief_level.frag", GL_RGBA16F}, source, width, height, 0, cancel);
+  return bake({"texture/relief_moments.frag", "texture/relief_level.frag", GL_RGBA16F}, source, width, height, 0,
+              cancel);
 }
 
 gl::Texture TextureBaker::coverage(GLuint source, bool srgb, int width, int height, float cutoff,

@@ -14,8 +14,8 @@ class TextureBaker {
  public:
   explicit TextureBaker(const gl::Context& context) : context_(context) {}
 
-  /// A normal map as relief, RGBA16F: RGB = the mean of unit normals, whose length tells how far they differ, A = the mean of
-  /// 1 / (1 + 4 slope^2). All can be filtered.
+  /// A normal map as relief, RGBA16F: RGB = the mean of unit normals, whose length tells how far they differ, A = the
+  /// mean of 1 / (1 + 4 slope^2). All can be filtered.
   /// @param source its level 0 holds the normals; `width` x `height` texels
   gl::Texture normalVariance(GLuint source, int width, int height, const CancelToken& cancel);
 

@@ -9,7 +9,6 @@ constexpr int MAX_LAYERS = 256;        ///< transparent surfaces that one ray pa
 constexpr int MAX_TRANSMISSIONS = 64;  ///< of one path
 constexpr float FAR = std::numeric_limits<float>::infinity();
 
-
 }  // namespace
 
 struct Integrator::Path {

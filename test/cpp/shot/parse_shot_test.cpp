@@ -284,7 +284,8 @@ TEST(ParseShot, RefusesShadowsOfAnotherType) {
 
 /// Keys that say nothing to the renderer: what there is one of, and where settings are from.
 bool isNotRead(const std::string& pointer) {
-  const std::vector<std::string> keys{"/quality/preset", "/scale", "/materials", "/look", "/background/type", "/ground/shadow"};
+  const std::vector<std::string> keys{"/quality/preset", "/scale",           "/materials",
+                                      "/look",           "/background/type", "/ground/shadow"};
   return std::ranges::find(keys, pointer) != keys.end();
 }
 

@@ -146,7 +146,9 @@ test('the script makes the committed files, byte for byte', { timeout: 600e3 }, 
   context.after(() => rm(folder, { recursive: true, force: true }));
   const made = spawnSync(process.execPath, [path.join(assets, 'make', 'index.mjs'), folder], { encoding: 'utf8' });
   assert.equal(made.status, 0, made.stderr);
-  for (const name of ['tshirt.glb', 'studio.hdr']) {
+  const cloths = (await readdir(path.join(assets, 'cloths'))).map((name) => `cloths/${name}`);
+  assert.ok(cloths.length > 20);
+  for (const name of ['tshirt.glb', 'studio.hdr', ...cloths]) {
     assert.ok((await readFile(path.join(folder, name))).equals(await readFile(path.join(assets, name))), `js/assets/${name} is stale: npm run assets`);
   }
 });
