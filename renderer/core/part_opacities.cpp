@@ -51,9 +51,9 @@ PartOpacities::PartOpacities(const Scene& scene, const std::vector<Shot::Ghost>&
       std::vector<char> within(scene.nodes.size());
       for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
-        within[i] = isMeant(part, node.file.node, node.name) ||
-                    (node.parent >= 0 && within[static_cast<std::size_t>(node.parent)]);
-        if (within[i]) nodes_[i] = opacity, found |= node.mesh >= 0;
+        const bool beneath = node.parent >= 0 && within[static_cast<std::size_t>(node.parent)] != 0;
+        within[i] = static_cast<char>(isMeant(part, node.file.node, node.name) || beneath);
+        if (within[i] != 0) nodes_[i] = opacity, found |= node.mesh >= 0;
       }
     } else {
       for (std::size_t i = 0; i < materials_.size(); ++i) {

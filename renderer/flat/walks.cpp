@@ -30,7 +30,7 @@ class Walker {
       if (used_[i]) continue;
       used_[i] = true;
       const Piece& piece = pieces_[i];
-      Walk back{{piece.b, piece.a}, {piece.kind}, {piece.fold}};
+      Walk back{{piece.b, piece.a}, {piece.kind}, {static_cast<char>(piece.fold)}};
       extend(back, piece.from);
       std::reverse(back.points.begin(), back.points.end());
       std::reverse(back.kinds.begin(), back.kinds.end());
@@ -62,7 +62,7 @@ class Walker {
       used_[best] = true;
       walk.points.push_back(far(best, node));
       walk.kinds.push_back(pieces_[best].kind);
-      walk.folds.push_back(pieces_[best].fold);
+      walk.folds.push_back(static_cast<char>(pieces_[best].fold));
       node = pieces_[best].from == node ? pieces_[best].to : pieces_[best].from;
     }
   }

@@ -85,8 +85,9 @@ template <class Take>
 void forPairsAbout(const Seen& seen, std::size_t k, const glm::ivec2& size, const Take& take) {
   const int x = static_cast<int>(seen.pixels[k]) % size.x, y = static_cast<int>(seen.pixels[k]) / size.x;
   const auto at = [&](int dx, int dy) {
-    const bool inside = x + dx >= 0 && x + dx < size.x && y + dy >= 0 && y + dy < size.y;
-    return inside ? seen.at[static_cast<std::size_t>((y + dy) * size.x + x + dx)] : -1;
+    const int column = x + dx, row = y + dy;
+    if (column < 0 || column >= size.x || row < 0 || row >= size.y) return -1;
+    return seen.at[static_cast<std::size_t>(row) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(column)];
   };
   for (int dy = 0; dy <= REACH; ++dy) {
     for (int dx = dy == 0 ? 1 : -REACH; dx <= REACH; ++dx) {

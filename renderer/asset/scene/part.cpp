@@ -57,8 +57,9 @@ class PartMeasure {
       const Node& node = scene_.nodes[i];
       const bool meant = query_.kind == PartQuery::Kind::kNode && isMeant(query_, node.file.node, node.name);
       found_ |= meant;
-      within[i] = meant || (node.parent >= 0 && within[static_cast<std::size_t>(node.parent)]);
-      if (node.mesh >= 0) measure(node, within[i]);
+      const bool beneath = node.parent >= 0 && within[static_cast<std::size_t>(node.parent)] != 0;
+      within[i] = static_cast<char>(meant || beneath);
+      if (node.mesh >= 0) measure(node, meant || beneath);
     }
     if (query_.kind == PartQuery::Kind::kMaterial) {
       for (std::size_t i = 0; i < scene_.fileMaterials; ++i) {
