@@ -1,6 +1,7 @@
 import { dressingsOf } from '../shot/dressings.mjs';
 import { assignMaterial } from './assign_material.mjs';
 import { sheenDye, transmissionDye } from './dye.mjs';
+import { nodesOf } from './nodes.mjs';
 import { metresPerUv, wearersOf } from './uv_scale.mjs';
 import { materialIndexOf } from './variant.mjs';
 
@@ -106,20 +107,12 @@ function wearers(model, variant, dressings) {
     if (!mesh.isMesh && !mesh.isLine && !mesh.isPoints) return;
     const index = materialIndexOf(model.parser, mesh, variant);
     if (index === undefined) return;
-    const node = nodeOf(model, mesh);
+    // A mesh of several primitives is a group of the node.
+    const node = nodesOf(model, mesh)[0]?.index;
     const dressing = dressings.findLast(({ nodes }) => nodes.includes(node)) ?? dressings.findLast(({ materials }) => materials.includes(index));
     if (dressing) found.set(mesh, { index, dressing });
   });
   return found;
-}
-
-/** A mesh of several primitives is a group of the node. */
-function nodeOf({ scene, parser }, object) {
-  for (let at = object; at && at !== scene; at = at.parent) {
-    const node = parser.associations.get(at)?.nodes;
-    if (node !== undefined) return node;
-  }
-  return undefined;
 }
 
 /** @returns {Promise<(mesh: import('three').Mesh) => object | undefined>} What a mesh that wears this material of the file shows instead: {material, geometry}. */

@@ -1,4 +1,5 @@
 import { matchesName } from '../shot/name_pattern.mjs';
+import { nodesOf } from './nodes.mjs';
 import { materialIndexOf } from './variant.mjs';
 
 /** The materials that stand in for others, with those. */
@@ -22,14 +23,11 @@ export function removeGhosts(root) {
 }
 
 /** The last ghosts of a node that an object hangs on, and of its material; none for a scene without a parser. */
-function ghostsOf({ scene, parser }, object, { ghost, variant }) {
+function ghostsOf(model, object, { ghost, variant }) {
+  const { parser } = model;
   const last = [];
   if (!parser) return last;
-  const nodes = [];
-  for (let at = object; at && at !== scene; at = at.parent) {
-    const index = parser.associations.get(at)?.nodes;
-    if (index !== undefined) nodes.push({ index, name: parser.json.nodes[index].name });
-  }
+  const nodes = nodesOf(model, object);
   const index = materialIndexOf(parser, object, variant);
   for (const part of ghost) {
     const { node, material } = part;

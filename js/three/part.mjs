@@ -1,6 +1,7 @@
 import { Outline } from '../shot/outline.mjs';
 import { visitDrawnPoints } from './drawn_points.mjs';
 import { isLeftOut } from './ghost.mjs';
+import { nodesOf } from './nodes.mjs';
 import { materialIndexOf } from './variant.mjs';
 
 /**
@@ -43,16 +44,6 @@ const namesOf = (parts) => [
       .filter((name) => name),
   ),
 ];
-
-/** The nodes that an object hangs on, itself first. */
-function nodesOf({ scene, parser }, object) {
-  const nodes = [];
-  for (let at = object; at; at = at === scene ? null : at.parent) {
-    const index = parser ? parser.associations.get(at)?.nodes : at.id;
-    if (index !== undefined) nodes.push({ index, name: parser ? parser.json.nodes[index].name : at.name });
-  }
-  return nodes;
-}
 
 /** The material that an object wears, where it is one of the file's. */
 function materialsOf({ parser }, object, variant) {
