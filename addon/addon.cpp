@@ -131,8 +131,8 @@ Dressing dressingFromJs(const Napi::Object& value) {
   return out;
 }
 
-/// dress(scene, dressings: object[], forget: boolean, token) -> Promise<{scene, facts: string}>
-/// forget: the model is free to go with what is made of it.
+/// dress(scene, dressings: object[], forget: boolean, token) -> Promise<{scene, facts: string}>, facts: of
+/// describeDressed() forget: the model is free to go with what is made of it.
 Napi::Value dress(const Napi::CallbackInfo& info) {
   SceneHandle& handle = unwrap<SceneHandle>(info[0]);
   const auto list = info[1].As<Napi::Array>();
@@ -143,7 +143,7 @@ Napi::Value dress(const Napi::CallbackInfo& info) {
   const auto work = [job, model = std::move(model), dressings = std::move(dressings)]() mutable {
     auto scene = dressScene(model, dressings, job->cancel);
     model.reset();
-    std::string facts = describeScene(*scene, job->cancel);
+    std::string facts = describeDressed(*scene);
     job->value = [scene, facts = std::move(facts)](Napi::Env env) { return sceneToJs(env, scene, facts); };
   };
   return State::of(info.Env()).runOnPool(info.Env(), job, work);

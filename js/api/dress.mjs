@@ -43,5 +43,6 @@ export async function dressModel(native, model, shot, { work, cloths = new Map()
     })),
   );
   const made = await nativeCall(native, work, (token) => native.dress(scene, dressings, forget, token));
-  return new Model(made.scene, JSON.parse(made.facts));
+  // What is drawn where stays: the outline for one need not be found again.
+  return new Model(made.scene, { ...model.facts, ...JSON.parse(made.facts) });
 }

@@ -210,6 +210,22 @@ json describeVariants(const Scene& scene) {
   return out;
 }
 
+template <class List>
+json describeAll(const List& list) {
+  json out = json::array();
+  for (const auto& item : list) out.push_back(describe(item));
+  return out;
+}
+
+json describeMaterials(const Scene& scene) {
+  json out = json::array();
+  for (std::size_t i = 0; i < scene.fileMaterials; ++i) {
+    const Material& material = scene.materials[i];
+    out.push_back(describe(material, shownMaterial(scene, material, ShadingModel::kFabric)));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string describeScene(const Scene& scene, const CancelToken& cancel) {
@@ -227,13 +243,8 @@ std::string describeScene(const Scene& scene, const CancelToken& cancel) {
   out["triangles"] = scene.triangleCount;
   out["fileBytes"] = scene.fileBytes;
   out["sha256"] = scene.sha256;
-  out["materials"] = json::array();
-  for (std::size_t i = 0; i < scene.fileMaterials; ++i) {
-    const Material& material = scene.materials[i];
-    out["materials"].push_back(describe(material, shownMaterial(scene, material, ShadingModel::kFabric)));
-  }
-  out["images"] = json::array();
-  for (const Image8& image : scene.images) out["images"].push_back(describe(image));
+  out["materials"] = describeMaterials(scene);
+  out["images"] = describeAll(scene.images);
   out["lights"] = describeLights(scene);
   out["cameras"] = describeCameras(scene);
   out["animations"] = describeAnimations(scene);
@@ -242,9 +253,15 @@ std::string describeScene(const Scene& scene, const CancelToken& cancel) {
   out["extensionsUsed"] = scene.extensionsUsed;
   out["generator"] = scene.generator;
   out["copyright"] = scene.copyright;
-  out["warnings"] = json::array();
-  for (const Warning& warning : scene.warnings) out["warnings"].push_back(describe(warning));
+  out["warnings"] = describeAll(scene.warnings);
   return out.dump();
+}
+
+std::string describeDressed(const Scene& scene) {
+  return json{{"materials", describeMaterials(scene)},
+              {"images", describeAll(scene.images)},
+              {"warnings", describeAll(scene.warnings)}}
+      .dump();
 }
 
 std::string describeUvScales(const Scene& scene, const CancelToken& cancel) {

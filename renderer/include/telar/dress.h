@@ -27,6 +27,9 @@ struct Dressing {
 std::shared_ptr<const Scene> dressScene(const std::shared_ptr<const Scene>& model,
                                         const std::vector<Dressing>& dressings, const CancelToken& cancel);
 
+/// JSON {materials, images, warnings} as describeScene() has them: what of a scene's facts its cloths change.
+std::string describeDressed(const Scene& scene);
+
 /// JSON {materials: [name], nodes: [{node, name, parent}]}: what parts of the scene are called, in the file's words.
 /// node: index in the file; parent: place in the list, which stands before it, -1 = none.
 std::string describeNames(const Scene& scene);
