@@ -192,7 +192,7 @@ export const FAULTS = [
     edits: [
       {
         file: 'material/normal.glsl',
-        find: 'return max(texel.ba * (1.0 - 1.0 / 512.0) - texel.rg * texel.rg, 0.0) * scale * scale;',
+        find: 'return vec2(1.0 - inversesqrt(1.0 + lean2), max(squares - mean2, 0.0) * scale2);',
         replace: 'return vec2(0.0);',
       },
     ],

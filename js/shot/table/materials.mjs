@@ -6,7 +6,11 @@ import { choice, colour, number, object, record } from './rows.mjs';
 const MOST = 256;
 
 export const material = object('What a part is shown in', {
-  preset: choice('Cloth of js/docs/fabric.md with its maps; null = its own material in another colour', CLOTHS, { nullable: true, default: null }),
+  preset: choice('Cloth of js/docs/fabric.md with its maps; null = its own material in another colour', CLOTHS, {
+    expected: 'the name of a cloth in js/docs/cloths.md, as "denim", or null',
+    nullable: true,
+    default: null,
+  }),
   color: colour("Its colour; null = the part's own, with its picture where the cloth has none", { nullable: true, default: null }),
   scale: number('Size of its pattern, 1 = true to the metres of the model', { unit: 'factor', min: 1e-3, max: 1e3, default: 1 }),
   rotation: degrees('Turns the grain line, which runs along v of the texture coordinates, counter-clockwise', -360, 360, { default: 0 }),
