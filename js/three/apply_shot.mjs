@@ -56,13 +56,14 @@ export async function applyShot(shot, { THREE, renderer, scene, camera, model, e
   matchRelease(shot, THREE, revision);
   applyOutput(shot, THREE, renderer);
   if (shot.lights.some(({ type }) => type === 'rect')) await prepareAreaLights(THREE, areaLightTables);
-  const lighting = shot.environment.map !== 'none' && environment ? environmentOf(THREE, environment) : null;
   const isStock = isStockShading(shot.shading);
+  const mapOf = (smallToo) => (shot.environment.map !== 'none' && environment ? environmentOf(THREE, environment, smallToo) : null);
+  const lighting = mapOf(shot.shading === 'fabric');
   applyLights(shot, THREE, scene, model, isStock ? [] : lighting?.suns);
   if (lighting && !isStock) warnIfCut(environment);
   applyShadows(shot, THREE, { renderer, scene, model });
   applyEnvironment(shot, THREE, scene, lighting?.texture);
-  applyBackground(shot, THREE, scene);
+  applyBackground(shot, THREE, scene, () => mapOf(false).texture);
   if (model) applyPose(model, shot.pose, { THREE });
   if (model) await applyMaterials(shot, model, { THREE, cloths });
   dimEnvironment(THREE, scene, shot.environment.intensity);
@@ -213,8 +214,7 @@ function applyEnvironment(shot, THREE, scene, environment) {
     return;
   }
   if (!environment) throw new Error('shot.environment: give applyShot the loaded equirectangular texture as `environment`');
-  const turned = environmentTurned(THREE, environment, rotation);
-  turned.mapping = THREE.EquirectangularReflectionMapping;
+  const turned = turnedEnvironment(shot, THREE, environment);
   const y = THREE.MathUtils.degToRad(rotation);
   scene.environment = turned;
   scene.environmentIntensity = intensity;
@@ -223,14 +223,21 @@ function applyEnvironment(shot, THREE, scene, environment) {
   scene.backgroundRotation?.set(0, y, 0);
 }
 
+function turnedEnvironment(shot, THREE, environment) {
+  const turned = environmentTurned(THREE, environment, shot.environment.rotation);
+  turned.mapping = THREE.EquirectangularReflectionMapping;
+  return turned;
+}
+
 /** scene.backgroundBlurriness of a background that is the environment as it is. */
 const SHARP = 0;
 
-function applyBackground(shot, THREE, scene) {
+/** @param {() => import('three').Texture} wholeMap - With all lights, which are seen in it. */
+function applyBackground(shot, THREE, scene, wholeMap) {
   if (shot.background === 'transparent') scene.background = null;
   else if (shot.background === 'environment' || shot.background.type === 'environment') {
     if (!scene.environment) throw new Error('shot.background: "environment" needs an environment');
-    scene.background = scene.environment;
+    scene.background = turnedEnvironment(shot, THREE, wholeMap());
     scene.backgroundBlurriness = shot.background.blur ?? SHARP;
   } else scene.background = backgroundColor(THREE, linearColor(THREE, shot.background));
 }

@@ -17,9 +17,20 @@ constexpr std::size_t STUDIO_FILE_MAX = 16u << 20;
 
 /// Entries of one map that releases of three.js show otherwise are not one. The newest has the key itself.
 std::string entryId(const std::string& key, const EnvironmentUses& uses) {
+  if (uses.smallSuns) {
+    EnvironmentUses rest = uses;
+    rest.smallSuns = false;
+    return entryId(key, rest) + " without suns";
+  }
   const ThreeTerms& three = uses.three;
   if (!hasAtlas(three) && three.backgroundCube == 0 && uses.turned == 0) return key;
   return key + " " + atlasName(three) + " " + std::to_string(three.backgroundCube) + " " + std::to_string(uses.turned);
+}
+
+/// Key on disk of a cube of a file. A cube without suns is another one.
+std::string fileKey(const std::string& sha256, const EnvironmentUses& uses) {
+  const std::string name = sha256 + " without suns";
+  return uses.smallSuns ? sha256Hex(std::as_bytes(std::span(name))) : sha256;
 }
 
 /// Columns moved as js/three/older_release.mjs moves them.
@@ -84,7 +95,6 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
   const std::string key = studio ? "studio" : sha256Hex(bytes);
 
   const std::string id = entryId(key, uses);
-
   auto found = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry->key == id; });
   if (found == entries_.end()) {
     auto entry = std::make_unique<Entry>();
@@ -99,10 +109,17 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
     found = entries_.end() - 1;
   }
   std::optional<ImageF> decoded;
+  Suns taken;
   const auto map = [&]() -> ImageF& {
-    if (!decoded && studio) bytes = own = fileOf(wanted);
-    if (!decoded) decoded = readEnvironment(bytes, limits_, cancel, EnvironmentRange::kFull);
+    if (decoded) return *decoded;
+    if (studio) bytes = own = fileOf(wanted);
+    decoded = readEnvironment(bytes, limits_, cancel, EnvironmentRange::kFull);
+    if (uses.smallSuns) taken = takeSuns(*decoded);
     return *decoded;
+  };
+  const auto suns = [&] {
+    const ImageF& whole = map();
+    return uses.smallSuns ? taken : sunsOf(whole);
   };
   std::optional<ImageF> moved;
   const auto shownMap = [&]() -> ImageF& {
@@ -113,17 +130,19 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
   Environment& environment = (*found)->environment;
   // Also where a cube was found on disk: the file is read for them once, some milliseconds a megapixel. The studio has
   // none.
-  if (uses.suns && !environment.suns) environment.suns = studio ? Suns() : sunsOf(map());
+  if (uses.suns && !environment.suns) environment.suns = studio ? Suns() : suns();
   if (uses.prefiltered && hasAtlas(uses.three)) {
     if (environment.atlas.faceSize == 0) {
       if (studio) bytes = own = fileOf(wanted);
-      const std::string name = sha256Hex(bytes) + " " + atlasName(uses.three) + " " + std::to_string(uses.turned);
+      const std::string name =
+          fileKey(sha256Hex(bytes), uses) + " " + atlasName(uses.three) + " " + std::to_string(uses.turned);
       const std::string atlasKey = sha256Hex(std::as_bytes(std::span(name)));
       environment.atlas = atlas(atlasKey, uses.three, shownMap, environment.source, cancel);
     }
   } else if (uses.prefiltered && environment.prefiltered.faceSize == 0) {
-    environment.prefiltered = uses.turned == 0 ? prefiltered(key, studio, map, environment.source, cancel)
-                                               : prefilterEquirect(context_, shownMap(), cancel);
+    environment.prefiltered = uses.turned == 0
+                                  ? prefiltered(fileKey(key, uses), studio, map, environment.source, cancel)
+                                  : prefilterEquirect(context_, shownMap(), cancel);
   }
   if (uses.background && environment.background.faceSize == 0) {
     // Face size = height of the map, or half of it, as three.js does.

@@ -26,7 +26,7 @@ struct Environment {
   CubeMap radiance;          ///< of the map, with mip levels; alpha = luminance of the part that `bright` samples
   CubeMap irradiance;        ///< / PI, of what `radiance` holds; made with it
   BrightDirections bright;   ///< made with `radiance`
-  std::optional<Suns> suns;  ///< none until they are asked for
+  std::optional<Suns> suns;  ///< none until they are asked for; `prefiltered` does not have their light
   std::string source;        ///< where it came from: "gpu", "bundled", "disk", "prefiltered" or, as it is, "file"
   std::string sha256;        ///< of its file; empty for the bundled one
 };
@@ -37,6 +37,7 @@ struct EnvironmentUses {
   bool background = false;   ///< is a sharp background
   bool radiance = false;     ///< lights surfaces that sample it
   bool suns = false;         ///< the prefiltered map, which lacks them, lights surfaces
+  bool smallSuns = false;    ///< so does one without its small lights (takeSuns())
   ThreeTerms three{};        ///< how the release of three.js makes `prefiltered` and `background`
   double turned = 0;         ///< degrees by which both are turned, in whole columns of the map
 };

@@ -6,8 +6,7 @@
 
 namespace telar::ibl {
 
-/// The light of an equirectangular map above the largest half float. Prefiltered cubes, three.js's and ours, hold half
-/// floats, which clamp a texel to 65504. What a texel has above that becomes a directional light.
+/// The light of an equirectangular map that prefiltered cubes do not hold well, as directional lights.
 /// js/three/suns.mjs is the same in the browser.
 struct Suns {
   struct Sun {
@@ -21,7 +20,14 @@ struct Suns {
   double share = 0;       ///< of the luminance of the whole map, 0..1
 };
 
+/// The light above the largest half float: cubes, three.js's and ours, hold half floats, which clamp a texel to 65504.
 /// @param map  linear Rec.709, as EnvironmentRange::kFull gives it
 Suns sunsOf(const ImageF& map);
+
+/// The same, and small lights of any radiance before it: a texel far brighter than the mean of the map is dimmed, and
+/// the rest of its light is a sun's. Prefiltered, a sun of half a degree would be as wide as a texel of the cube, and
+/// as the samples that it was made of lie apart. Where there is more than a few such lights, all stay in the map.
+/// @param map  loses the light that the suns have, but what halves do not hold
+Suns takeSuns(ImageF& map);
 
 }  // namespace telar::ibl

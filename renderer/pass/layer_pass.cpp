@@ -131,7 +131,7 @@ std::vector<LayerImage> LayerPass::draw(const LayerInputs& in) {
   clear(gl, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   in.shadows.bind(plan.shadows, SurfacePass::firstShadowUnit());
   const frame::LayerIds ids(in.scene);
-  SurfaceInputs inputs{plan, in.shot, in.scene, in.gpu, nullptr, in.cancel};
+  SurfaceInputs inputs{plan, in.shot, in.scene, in.gpu, nullptr, nullptr, in.cancel};
   inputs.ids = &ids;
   in.surfaces.draw({&plan.draws.opaque, &plan.draws.blended}, inputs);
   context_.pacer().finish();

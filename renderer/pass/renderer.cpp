@@ -75,12 +75,6 @@ Json describePlan(const FramePlan& plan, const Shot& shot) {
   return {{"features", features}, {"programs", programs}, {"passes", passes}};
 }
 
-/// Suns that the prefiltered environment lacks. None where it lights nothing.
-ibl::Suns sunsThatLight(const FramePlan& plan, const Shot& shot, const ibl::Environment* environment) {
-  const bool lights = environment && pass::environmentUses(plan, shot).suns;
-  return lights && environment->suns ? *environment->suns : ibl::Suns();
-}
-
 /// The shot with a directional light for each sun.
 Shot withSuns(Shot shot, const ibl::Suns& suns) {
   const glm::dmat3 toWorld = glm::transpose(glm::dmat3(frame::environmentRotation(shot.environment.rotation)));
@@ -127,11 +121,14 @@ class GlRenderer final : public Renderer {
     checkFragments(plan, asked, gpu, cancel);
     timer.lap("plan");
     const bool wanted = asked.environment.source != Shot::Environment::Source::kNone;
+    const pass::EnvironmentForms forms = pass::environmentForms(plan, asked);
+    const auto environmentOf = [&](const ibl::EnvironmentUses& uses) {
+      return &environments_.get(asked.environment, environmentFile, uses, cancel);
+    };
     const ibl::Environment* environment = nullptr;
-    if (wanted && (plan.environment || plan.environmentBackground)) {
-      environment = &environments_.get(asked.environment, environmentFile, pass::environmentUses(plan, asked), cancel);
-    }
-    const ibl::Suns suns = sunsThatLight(plan, asked, environment);
+    if (wanted && (plan.environment || plan.environmentBackground)) environment = environmentOf(forms.lit);
+    const ibl::Environment* background = wanted && forms.seen ? environmentOf(*forms.seen) : environment;
+    const ibl::Suns suns = environment && forms.lit.suns ? environment->suns.value_or(ibl::Suns()) : ibl::Suns();
     std::optional<Shot> sunlit;
     if (!suns.list.empty() && asked.shading != ShadingModel::kThree) {
       sunlit = withSuns(asked, suns);
@@ -151,7 +148,7 @@ class GlRenderer final : public Renderer {
       timer.lap("shadows");
     }
     shadows_.bind(plan.shadows, pass::SurfacePass::firstShadowUnit());
-    const pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, cancel};
+    const pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, background, cancel};
     const bool accumulates = shot.resolve == Resolve::kLinear && !plan.frame.debugOutput;
     int passes = 1;
     Frame frame = accumulates ? drawAveraged(plan, inputs, passes, timer) : drawOnce(inputs, false, timer);
@@ -257,7 +254,7 @@ class GlRenderer final : public Renderer {
     clear(opaque ? glm::vec4(glm::vec3(behind), 0.0f) : behind);
     if (settled) settled_.draw();
     writeAlpha(!opaque);
-    if (plan.environmentBackground && !debug) background_.draw(plan.camera, shot, *inputs.environment, plan.frame);
+    if (plan.environmentBackground && !debug) background_.draw(plan.camera, shot, *inputs.background, plan.frame);
     writeAlpha(true);
     surfaces_.draw({&plan.draws.opaque, &plan.draws.transmissive}, inputs);
     writeAlpha(!opaque);
@@ -315,7 +312,8 @@ class GlRenderer final : public Renderer {
       transmission_ = std::make_unique<pass::TransmissionTarget>(*context_, extent);
     }
     shot.exposure = 1;  // the transmissive surface in front is exposed
-    pass::SurfaceInputs inputs{frame.plan, shot, frame.scene, frame.gpu, frame.environment, frame.cancel};
+    pass::SurfaceInputs inputs{frame.plan,       shot,        frame.scene, frame.gpu, frame.environment,
+                               frame.background, frame.cancel};
     inputs.samplePass = frame.samplePass;
     transmission_->bind();
     clear(pass::clearColorBehind(shot, three));
@@ -323,7 +321,7 @@ class GlRenderer final : public Renderer {
       shader::VariantKey linear = frame.plan.frame;
       linear.toneMapping = shader::ToneMapping::kNone;
       linear.outputLinear = true;
-      background_.draw(frame.plan.camera, shot, *frame.environment, linear);
+      background_.draw(frame.plan.camera, shot, *frame.background, linear);
     }
     surfaces_.draw({&draws.behind}, inputs);
     transmission_->resolve();

@@ -136,15 +136,25 @@ std::string labelOf(const shader::VariantKey& key) {
 
 }  // namespace
 
-ibl::EnvironmentUses environmentUses(const FramePlan& plan, const Shot& shot) {
-  const bool blurred = plan.environmentBackground && shot.background.blur > 0;
+EnvironmentForms environmentForms(const FramePlan& plan, const Shot& shot) {
   const bool sampled = plan.frame.environmentSamples > 0;
-  return {(plan.environment && !sampled) || blurred,
-          plan.environmentBackground && !blurred,
-          plan.environment && sampled,
-          plan.environment && !sampled,
-          plan.frame.three,
-          ibl::turnOfTexels(plan.frame.three, shot.environment.rotation)};
+  EnvironmentForms forms;
+  forms.lit.three = plan.frame.three;
+  forms.lit.turned = ibl::turnOfTexels(plan.frame.three, shot.environment.rotation);
+  ibl::EnvironmentUses seen = forms.lit;
+  seen.prefiltered = plan.environmentBackground && shot.background.blur > 0;
+  seen.background = plan.environmentBackground && shot.background.blur <= 0;
+  forms.lit.prefiltered = forms.lit.suns = plan.environment && !sampled;
+  forms.lit.radiance = plan.environment && sampled;
+  const bool studio = shot.environment.source == Shot::Environment::Source::kStudio;  // it has no small lights
+  forms.lit.smallSuns = forms.lit.suns && !studio && shot.shading == ShadingModel::kFabric;
+  if (forms.lit.smallSuns && plan.environmentBackground) {
+    forms.seen = seen;
+  } else {
+    forms.lit.prefiltered = forms.lit.prefiltered || seen.prefiltered;
+    forms.lit.background = seen.background;
+  }
+  return forms;
 }
 
 SurfacePass::SurfacePass(const gl::Context& context, Limits limits)

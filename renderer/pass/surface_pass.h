@@ -18,7 +18,8 @@ struct SurfaceInputs {
   const Shot& shot;
   const Scene& scene;
   GpuScene& gpu;
-  const ibl::Environment* environment;  ///< null where the plan needs none
+  const ibl::Environment* environment;  ///< that lights surfaces, null where the plan needs none
+  const ibl::Environment* background;   ///< that is seen, likewise
   const CancelToken& cancel;
   int samples = 1;                                   ///< of a pixel of the target
   const TransmissionTarget* transmission = nullptr;  ///< the resolved transmission target
@@ -27,7 +28,11 @@ struct SurfaceInputs {
 };
 
 /// The forms of the environment that a frame reads.
-ibl::EnvironmentUses environmentUses(const FramePlan& plan, const Shot& shot);
+struct EnvironmentForms {
+  ibl::EnvironmentUses lit;                  ///< by surfaces and background
+  std::optional<ibl::EnvironmentUses> seen;  ///< by the background, where it needs a map of its own
+};
+EnvironmentForms environmentForms(const FramePlan& plan, const Shot& shot);
 
 /// Draws the model's primitives. Keeps its programs for as long as it lives.
 class SurfacePass {

@@ -9,8 +9,11 @@
 // Share that diffuse light keeps of light from everywhere.
 float reliefDiffuse(float relief) { return 1.0 - 0.86 * relief; }
 
-// The same of light of one direction.   NoL  [0, 1]
-float reliefDiffuseTowards(float relief, float NoL) { return max(1.0 - 1.03 * relief * NoL * (2.0 - NoL), 0.0); }
+// The same of light of one direction: of grazing light, texels that lean towards it take more.   NoL  [0, 1]
+float reliefDiffuseTowards(float relief, float NoL) {
+  float leaning = 0.8 * saturate(20.0 * relief) * exp(-NoL / (0.03 + 0.6 * relief));
+  return (1.0 - relief) * (1.0 + leaning);
+}
 
 // Shares that the gloss keeps of light from everywhere, of its parts of f0 (x) and of f90 (y).
 // perceptualRoughness  (0, 1], of a texel      NoV  [0, 1]

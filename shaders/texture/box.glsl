@@ -22,7 +22,7 @@ vec4 boxMean(vec2 texel) {
     for (int i = 0; i < 3; ++i) {
       ivec2 at = first + ivec2(i, j);
       float weight = covered(float(at.x), from.x, to.x) * covered(float(at.y), from.y, to.y);
-      sum += weight * momentsAt(min(at, ivec2(sourceSize) - 1));
+      if (weight > 0.0) sum += weight * momentsAt(min(at, ivec2(sourceSize) - 1));
       area += weight;
     }
   }

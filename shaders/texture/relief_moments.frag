@@ -11,14 +11,27 @@ uniform sampler2D sourceMap;
 
 out vec4 moments;  // of reliefOfTexel()
 
-vec4 momentsAt(ivec2 at) {
-  vec4 texel = texelFetch(sourceMap, at, 0);
 #if FROM_IMAGE
-  return reliefOfTexel(texel.rgb);
-#else
-  return texel;
-#endif
+vec3 texelBeside(ivec2 at, ivec2 step) {
+  ivec2 size = ivec2(sourceSize);
+  return texelFetch(sourceMap, (at + step + size) % size, 0).rgb;
 }
+
+// Between the middles of texels the sampler blends them, and a texture in full detail is seen so: means over texels alone would
+// be too steep. Four points of each texel, between it and its neighbours.
+vec4 momentsAt(ivec2 at) {
+  vec3 texel = texelFetch(sourceMap, at, 0).rgb;
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < 4; ++i) {
+    ivec2 side = 2 * ivec2(i & 1, i >> 1) - 1;
+    vec3 beside = texelBeside(at, ivec2(side.x, 0)) + texelBeside(at, ivec2(0, side.y));
+    sum += reliefOfTexel((9.0 * texel + 3.0 * beside + texelBeside(at, side)) / 16.0);
+  }
+  return 0.25 * sum;
+}
+#else
+vec4 momentsAt(ivec2 at) { return texelFetch(sourceMap, at, 0); }
+#endif
 
 void main() {
   moments = boxMean(floor(gl_FragCoord.xy));

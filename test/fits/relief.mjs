@@ -59,6 +59,17 @@ function meanOver(normals, NoV, draw) {
   return sum / (normals.length * AROUND * LIGHTS);
 }
 
+/** Share that diffuse light of one direction keeps, by the texels and by the text. */
+function keptTowards(normals, NoL, relief) {
+  let sum = 0;
+  for (let k = 0; k < AROUND; k += 1) {
+    const l = at(NoL, (2 * Math.PI * (k + 0.37)) / AROUND);
+    for (const n of normals) sum += Math.max(dot(n, l), 0) * terminator(n, NoL);
+  }
+  const leaning = 0.8 * Math.min(20 * relief, 1) * Math.exp(-NoL / (0.03 + 0.6 * relief));
+  return [sum / (normals.length * AROUND * NoL), (1 - relief) * (1 + leaning)];
+}
+
 const cosineLobe = (_, [a, b]) => [at(Math.sqrt(1 - a), 2 * Math.PI * b), 1];
 
 /** GGX by its visible normals. @param {number} f0 - With f90 1. */
@@ -99,6 +110,8 @@ for (const [name, made] of Object.entries(RELIEFS)) {
   const keeps = meanOver(normals, 0.7, cosineLobe);
   diffuse.push({ keeps, relief });
   process.stdout.write(`${name.padEnd(7)} relief ${relief.toFixed(3)} diffuse keeps ${keeps.toFixed(3)}, by the text ${(1 - 0.86 * relief).toFixed(3)}\n`);
+  const towards = COSINES.map((NoL) => `${NoL}: ${keptTowards(normals, NoL, relief).map((x) => x.toFixed(3))}`);
+  process.stdout.write(`        of one direction, by the texels and by the text: ${towards.join('; ')}\n`);
   for (const r of ROUGHNESSES) {
     for (const c of COSINES) {
       const [one, grazing] = [1, 0].map((f0) => meanOver(normals, c, ggxLobe(r * r, f0)));

@@ -140,6 +140,20 @@ const sunCases = ['three', 'fabric', 'three-r115', 'disney-2012'].map((shading) 
   makeCase(`bright-suns-${shading}`, 'sheen', 'bright-suns', { ...SUNLIT, shading }, shading === 'fabric'),
 );
 
+/** A small light that halves hold: of cloth it is a light too, and stands in the background all the same. */
+const smallSunCases = [
+  ['sharp', 'environment'],
+  ['blurred', { blur: 0.3 }],
+].map(([name, background]) =>
+  makeCase(
+    `fabric-sunny-sky-${name}`,
+    'fabric-velvet',
+    'sunny-sky',
+    { environmentSettings: { rotation: 40 }, camera: DRAPE, shading: 'fabric', background },
+    name === 'sharp',
+  ),
+);
+
 /** Every map and factor of cloth, both sides of it seen. */
 const clothMapCases = Object.keys(CLOTH_MAP_MODELS).flatMap((model) => [
   makeCase(`${model}-sun`, model, null, { shading: 'fabric', lights: [LIGHTS.ambient, LIGHTS.directional, LIGHTS.point] }),
@@ -159,6 +173,7 @@ export const CASES = [
   makeCase('cloth-velvet-recolored', 'fabric-velvet', 'soft-studio', RECOLORED),
   ...clothMapCases,
   ...sunCases,
+  ...smallSunCases,
   ...['some', 'none'].map((kind) => makeCase(`tangents-${kind}-fabric`, `known-tangents-${kind}`, 'lamps', { shading: 'fabric' })),
   makeCase('tangents-some-disney', 'known-tangents-some', 'lamps', { shading: 'disney-2012' }),
 ];

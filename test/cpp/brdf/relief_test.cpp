@@ -153,6 +153,35 @@ TEST(Relief, DiffuseLightIsTheMeanOverItsTexels) {
   EXPECT_GT(worstOf(cloth, &Lobes::diffuse, diffuseOf, false), 1.3);  // a mean normal of length 1
 }
 
+TEST(Relief, DiffuseLightOfOneDirectionIsTheMeanOverItsTexels) {
+  const Cloth cloth{0.5, 0.9, 0, 0, 0.3};
+  constexpr int AROUND = 16;
+  for (const bool withRelief : {true, false}) {
+    double worst = 1;
+    for (const Relief& relief : reliefs()) {
+      for (const double NoL : {0.2, 0.5, 0.8, 0.97}) {
+        const dvec3 v = direction(0.97, 1);
+        double truth = 0;
+        for (int k = 0; k < AROUND; ++k) {
+          const dvec3 l = direction(NoL, TWO_PI * (k + 0.3) / AROUND);
+          for (const dvec3& n : relief.normals)
+            truth += lit(surfaceOf(cloth, n, v, 0, 0), l).diffuse.x / (AROUND * double(relief.normals.size()));
+        }
+        const double hidden = withRelief ? relief.lost() : 0;
+        const SurfaceInfo s = surfaceOf(cloth, dvec3(0, 0, 1), v, hidden, relief.slopeVariance());
+        const double got = lit(s, direction(NoL, 0)).diffuse.x;
+        worst = std::max(worst, std::max(truth / got, got / truth));
+      }
+    }
+    // The steep one where light grazes it. The others are within 6 %.
+    if (withRelief) {
+      EXPECT_LT(worst, 1.12);
+    } else {
+      EXPECT_GT(worst, 1.3);
+    }
+  }
+}
+
 TEST(Relief, GlossIsTheMeanOverItsTexels) {
   const Cloth metal{0.8, 0.6, 1, 0, 0.3};
   // The steep one again, which is steeper than what the term is fitted to. The others are within 6 %.

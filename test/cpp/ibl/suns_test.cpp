@@ -33,6 +33,45 @@ TEST(Suns, HoldWhatHalvesDoNot) {
   EXPECT_NEAR(suns.share, luminance(sun.irradiance) / whole, 1e-6);
 }
 
+TEST(Suns, AreSmallLightsThatLeaveTheMap) {
+  ImageF map = skyOf(1);
+  for (const std::uint32_t x : {100u, 101u}) setTexel(map, x, 12, {9000, 6000, 3000});
+  const ImageF whole = map;
+  const auto light = [](const ImageF& of) {
+    glm::dvec3 sum(0);
+    for (std::uint32_t y = 0; y < HEIGHT; ++y) {
+      for (std::uint32_t x = 0; x < WIDTH; ++x) {
+        for (int c = 0; c < 3; ++c)
+          sum[c] += of.pixels[(std::size_t{y} * WIDTH + x) * 4 + std::size_t(c)] * GRID.solidAngle(y);
+      }
+    }
+    return sum;
+  };
+  EXPECT_TRUE(sunsOf(map).list.empty());
+  const Suns suns = takeSuns(map);
+  ASSERT_EQ(suns.list.size(), 1u);
+  const Suns::Sun& sun = suns.list.front();
+  EXPECT_NEAR(glm::length(sun.direction - glm::normalize(GRID.direction(100, 12) + GRID.direction(101, 12))), 0, 1e-9);
+  // No light is lost, and what is left of it is a hundred times the mean at the most.
+  const glm::dvec3 expected = light(whole);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(sun.irradiance[c] + light(map)[c], expected[c], 1e-6 * expected[c]);
+  const float left = map.pixels[(std::size_t{12} * WIDTH + 100) * 4 + 1];
+  EXPECT_NEAR(left,
+              100 * luminance(expected) / (4 * glm::pi<double>()) * 6000 / luminance(glm::dvec3(9000, 6000, 3000)),
+              1e-3 * left);
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < map.pixels.size(); ++i) changed += map.pixels[i] != whole.pixels[i];
+  EXPECT_EQ(changed, 6u);
+}
+
+TEST(Suns, OfManySmallLightsAreNone) {
+  ImageF map = skyOf(0);
+  for (std::uint32_t x = 0; x < 80; x += 20) setTexel(map, x, 30, glm::vec3(5e4f));
+  const ImageF whole = map;
+  EXPECT_TRUE(takeSuns(map).list.empty());
+  EXPECT_EQ(map.pixels, whole.pixels);
+}
+
 TEST(Suns, OfAMapThatHalvesHoldAreNone) {
   for (const float radiance : {0.0f, 1.0f, HALF_MAX}) {
     const Suns suns = sunsOf(skyOf(radiance));
