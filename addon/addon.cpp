@@ -19,6 +19,7 @@
 #include "telar/reference.h"
 #include "telar/shot.h"
 #include "telar/swatch.h"
+#include "visibility.h"
 
 /// The export table. Every function is called by js/ alone, with arguments that js/ has checked.
 namespace telar::addon {
@@ -326,6 +327,8 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["dress"] = Napi::Function::New(env, dress, "dress");
   exports["namesOf"] = Napi::Function::New(env, names, "namesOf");
   exports["uvScales"] = Napi::Function::New(env, uvScales, "uvScales");
+  exports["withVisibility"] = Napi::Function::New(env, withVisibility, "withVisibility");
+  exports["visibilityOf"] = Napi::Function::New(env, visibilityOf, "visibilityOf");
   exports["explode"] = Napi::Function::New(env, explode, "explode");
   exports["pose"] = Napi::Function::New(env, pose, "pose");
   exports["measurePart"] = Napi::Function::New(env, measurePart, "measurePart");

@@ -35,6 +35,7 @@ constexpr std::array LIMIT_FIELDS{
     LimitField{"L_IMAGE_BYTES", &Limits::imageBytes},
     LimitField{"L_IMAGE_SCANS", &Limits::imageScans},
     LimitField{"L_INSTANCES", &Limits::instances},
+    LimitField{"L_VISIBILITY_RAYS", &Limits::visibilityRays},
     LimitField{"L_KEYFRAME_VALUES", &Limits::keyframeValues},
     LimitField{"L_MORPH_TARGETS", &Limits::morphTargets},
     LimitField{"L_LIGHTS", &Limits::lights},

@@ -51,6 +51,13 @@ export interface LoadingOptions {
    * @default 20000
    */
   timeoutMs?: number | null;
+  /**
+   * Finds by rays what each vertex sees of its surroundings, and darkens what the shading "fabric" draws of light from everywhere
+   * there: folds, the inside of sleeves (js/docs/visibility.md). In place of what the file says of it. `rays`: of each side of a
+   * vertex, 16 to 4096. Needs libembree3-3.
+   * @default false: the file's attributes count, where it has them; true stands for { rays: 256 }
+   */
+  ambientVisibility?: boolean | { rays?: number };
 }
 
 export interface RendererOptions extends LoadingOptions {
@@ -556,7 +563,7 @@ export interface Renderer {
   /**
    * Loads a model once, to draw it many times. It is freed with the last reference to it.
    * @param source - Path, file: URL or bytes of a .glb or .gltf.
-   * @param options - failOn, resolve, timeoutMs, signal.
+   * @param options - failOn, resolve, timeoutMs, ambientVisibility, signal.
    * @throws {TelarError} E_* and L_* of the file, X_TIMEOUT, X_BUSY, X_CLOSED
    * @example
    * const model = await renderer.load('shirt.glb', { failOn: 'warning' });
@@ -568,7 +575,7 @@ export interface Renderer {
    * Draws one picture.
    * @param source - A loaded model, or what load() takes.
    * @param shot - What to draw; {} is the front view, 512 by 512 pixels, as PNG.
-   * @param options - onProgress, failOn, resolve, timeoutMs, signal.
+   * @param options - onProgress, failOn, resolve, timeoutMs, ambientVisibility, signal.
    * @returns The encoded file and what is known of the picture.
    * @throws {TelarError} E_SHOT, and what load() throws
    * @example
@@ -582,7 +589,7 @@ export interface Renderer {
   /**
    * Draws several pictures of one model. While one is drawn, the one before is encoded.
    * @param shots - One each picture; the result has their order.
-   * @param options - settled, onProgress, failOn, resolve, timeoutMs, signal.
+   * @param options - settled, onProgress, failOn, resolve, timeoutMs, ambientVisibility, signal.
    * @throws {TelarError} Of the first shot that fails, with its `index`. With `settled` it rejects only where no shot can be drawn:
    *   the model, the signal, onProgress.
    * @example
@@ -598,7 +605,7 @@ export interface Renderer {
   /**
    * Draws a quantity of the shading in place of the colour. It shows what a picture is made of: to find the cause of a difference, or
    * to mask parts of it. Not for quality "high", which draws in several passes.
-   * @param options - failOn, resolve, timeoutMs, signal.
+   * @param options - failOn, resolve, timeoutMs, ambientVisibility, signal.
    * @returns RGBA, top row first; alpha 0 where nothing is drawn
    * @throws {TelarError} E_OPTION, and what render() throws
    * @example
@@ -610,7 +617,7 @@ export interface Renderer {
   /**
    * What resolveShot() needs to know of a model for a shot: its facts in the shot's pose, bounds and outline without what its `ghost`
    * leaves out, and the extent of the part that the shot frames. render() resolves a shot with it.
-   * @param options - failOn, resolve, timeoutMs, signal.
+   * @param options - failOn, resolve, timeoutMs, ambientVisibility, signal.
    * @throws {TelarError} What load() throws, E_SHOT
    * @example
    * const shot: Shot = { pose: { animation: 'walk', time: 0.5 } };
@@ -671,7 +678,7 @@ export interface InspectOptions extends LoadOptions {
 
 /**
  * Tells what is in a model, and what a render of it would compile and run. Needs no GL.
- * @param options - shot, measure, limits, failOn, resolve, timeoutMs, signal.
+ * @param options - shot, measure, limits, failOn, resolve, timeoutMs, ambientVisibility, signal.
  * @returns The facts; `plan` is null where there is nothing to draw, `measures` are in the order of options.measure.
  * @throws {TelarError} What Renderer.load() throws, E_SHOT
  * @example
@@ -691,18 +698,66 @@ export interface PictureKeyOptions extends CallOptions {
    * @default undefined: files are read beside the model
    */
   resolve?: Resolve;
+  /**
+   * As LoadingOptions has it.
+   * @default false
+   */
+  ambientVisibility?: boolean | { rays?: number };
 }
 
 /**
  * Gives the key that a picture will have as `info.key`. It neither draws the picture nor decodes the model. A service can answer
  * "not modified" by it, and a batch can leave out what has not changed.
- * @param options - limits, resolve, signal.
+ * @param options - limits, resolve, ambientVisibility, signal.
  * @returns 64 hex digits
  * @throws {TelarError} E_SHOT, E_OPTION
  * @example
  * const etag = await pictureKey('shirt.glb', { camera: { view: 'back' } });
  */
 export function pictureKey(source: Source, shot?: Shot | ResolvedShot, options?: PictureKeyOptions): Promise<string>;
+
+export interface BakeOptions extends CallOptions, Pick<LoadingOptions, 'failOn' | 'resolve'> {
+  /**
+   * Rays of each side of a vertex, 16 to 4096.
+   * @default 256
+   */
+  rays?: number;
+  /**
+   * What the input may cost, by the L_* names.
+   * @default {}: the limits in js/docs/errors.md
+   */
+  limits?: Limits;
+  /**
+   * Milliseconds before it ends with X_TIMEOUT; null = no bound.
+   * @default null
+   */
+  timeoutMs?: number | null;
+}
+
+export interface BakedFile {
+  /** The file with its new attributes. */
+  data: Buffer;
+  info: {
+    format: 'glb' | 'gltf';
+    /** The files that it names, beside which it has to lie. */
+    parts: string[];
+    /** That have got attributes. */
+    primitives: number;
+    vertices: number;
+    rays: number;
+    warnings: Warning[];
+  };
+}
+
+/**
+ * Writes the ambient visibility of a model into its vertices (js/docs/visibility.md), for the shading "fabric" on the server and in
+ * browsers. Everything else in the file stays as it is. Needs no GL, but libembree3-3.
+ * @param options - rays, limits, failOn, resolve, timeoutMs, signal.
+ * @throws {TelarError} What Renderer.load() throws, L_VISIBILITY_RAYS, X_LIBRARY_MISSING
+ * @example
+ * const { data } = await bake('shirt.glb', { rays: 64 });
+ */
+export function bake(source: Source, options?: BakeOptions): Promise<BakedFile>;
 
 /** Light by lobe, linear [r, g, b]; `total` is the sum of the other four. */
 export type Lobes = Record<'diffuse' | 'specular' | 'sheen' | 'coat' | 'total', Vec3>;

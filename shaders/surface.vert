@@ -53,6 +53,12 @@ void main() {
 #if TANGENT_FRAME_UV0
   vUv0 = uv0;
 #endif
+#if AMBIENT_VISIBILITY
+  vVisibility = visibilityInView(visibility);
+#endif
+#if AMBIENT_VISIBILITY_BACK
+  vVisibilityBack = visibilityInView(visibilityBack);
+#endif
 #if TRANSMISSION
   vWorldPosition = vec3(modelMatrix * meshSpace);
 #endif

@@ -1,6 +1,7 @@
 import { refuseWarnings } from './fail_on.mjs';
 import { nativeCall } from './native_call.mjs';
 import { withParts } from './parts.mjs';
+import { digestWithVisibility } from './visibility.mjs';
 
 /** The schema of the shot costs load time, so it comes with the first job. */
 export const shotModule = () => import('../shot/index.mjs');
@@ -63,11 +64,13 @@ export class Model {
  * @param {import('./options.mjs').Loading & {work?: import('./work.mjs').Work}} [options]
  * @returns {Promise<Model>}
  */
-export async function loadModel(native, input, limits, { work, failOn = 'error', resolve } = {}) {
-  const { scene, facts } = await withParts(native, { resolve, signal: work?.signal }, (parts) =>
+export async function loadModel(native, input, limits, { work, failOn = 'error', resolve, ambientVisibility: rays } = {}) {
+  const loaded = await withParts(native, { resolve, signal: work?.signal }, (parts) =>
     nativeCall(native, work, (token) => native.load(input, limits, { tolerant: failOn === 'none', parts }, token)),
   );
-  const model = new Model(scene, JSON.parse(facts));
+  const { scene, facts } = rays ? await nativeCall(native, work, (token) => native.withVisibility(loaded.scene, rays, limits, token)) : loaded;
+  const read = JSON.parse(facts);
+  const model = new Model(scene, { ...read, sha256: digestWithVisibility(read.sha256, rays) });
   refuseWarnings(failOn, model.facts.warnings);
   return model;
 }

@@ -2,16 +2,15 @@ import os from 'node:os';
 import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { nearest, shown } from '../shot/complain.mjs';
+import { isObject, wrongOption } from './option_check.mjs';
+import { raysOption, visibilityOption } from './visibility.mjs';
+
+export { isObject, wrongOption };
 
 export const BACKENDS = Object.freeze(['auto', 'egl-device', 'egl-surfaceless', 'osmesa']);
 const MAX_WAITING = 1024;
 /** Some two hundred prefiltered environments. */
 const CACHE_BYTES = 256 * 2 ** 20;
-
-/** @returns {TelarError} E_OPTION */
-export const wrongOption = (name, expected, value) => new TelarError('E_OPTION', `${name}: expected ${expected}, got ${shown(value)}`);
-
-export const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
 /** As many keys as a message can hold. */
 const MAX_LISTED = 12;
@@ -81,15 +80,21 @@ export const FAIL_ON = Object.freeze(['error', 'warning', 'none']);
 /**
  * What decides how a model is loaded and how long work on it may take, where the caller does not say it again. timeoutMs: see
  * Work; undefined where nobody said it.
- * @typedef {{failOn: 'error' | 'warning' | 'none', resolve?: (uri: string, options: {signal?: AbortSignal}) => unknown, timeoutMs?: number | null}} Loading
+ * @typedef {{failOn: 'error' | 'warning' | 'none', resolve?: (uri: string, options: {signal?: AbortSignal}) => unknown, timeoutMs?: number | null,
+ *   ambientVisibility?: number}} Loading ambientVisibility: rays of each side of a vertex
  */
 
 /** @returns {Loading} @throws {TelarError} E_OPTION */
-export function loading({ failOn, resolve, timeoutMs }, defaults) {
+export function loading({ failOn, resolve, timeoutMs, ambientVisibility }, defaults) {
   if (failOn !== undefined && !FAIL_ON.includes(failOn)) throw wrongOption('options.failOn', FAIL_ON.map((name) => JSON.stringify(name)).join(', '), failOn);
   if (resolve !== undefined && typeof resolve !== 'function') throw wrongOption('options.resolve', 'a function', resolve);
   const time = timeoutOption(timeoutMs);
-  return { failOn: failOn ?? defaults.failOn, resolve: resolve ?? defaults.resolve, timeoutMs: time === undefined ? defaults.timeoutMs : time };
+  return {
+    failOn: failOn ?? defaults.failOn,
+    resolve: resolve ?? defaults.resolve,
+    timeoutMs: time === undefined ? defaults.timeoutMs : time,
+    ambientVisibility: visibilityOption(ambientVisibility) ?? defaults.ambientVisibility,
+  };
 }
 
 /** @type {Loading} */
@@ -105,17 +110,17 @@ export function callOptions(options) {
 }
 
 /**
- * Options of a call that loads: {signal, timeoutMs, failOn, resolve}.
+ * Options of a call that loads: {signal, timeoutMs, failOn, resolve, ambientVisibility}.
  * @param {object} options
  * @param {Loading} defaults of the renderer
  * @returns {Loading & {signal: AbortSignal | undefined}}
  */
 export function loadOptions(options, defaults) {
-  checkObject('options', options, ['signal', 'timeoutMs', 'failOn', 'resolve']);
+  checkObject('options', options, ['signal', 'timeoutMs', 'failOn', 'resolve', 'ambientVisibility']);
   return { ...loading(options, defaults), signal: checkSignal(options.signal) };
 }
 
-const DRAW_KEYS = ['signal', 'timeoutMs', 'onProgress', 'failOn', 'resolve'];
+const DRAW_KEYS = ['signal', 'timeoutMs', 'onProgress', 'failOn', 'resolve', 'ambientVisibility'];
 
 /**
  * Options of a drawing: those of a call, and onProgress.
@@ -154,6 +159,7 @@ export function rendererOptions(options, limitNames) {
     'timeoutMs',
     'failOn',
     'resolve',
+    'ambientVisibility',
     'allFeatures',
     'signal',
   ]);
@@ -181,24 +187,39 @@ export function rendererOptions(options, limitNames) {
 }
 
 /**
- * Options of inspect: {shot, measure, limits, timeoutMs, failOn, resolve, signal}.
+ * Options of inspect: {shot, measure, limits, timeoutMs, failOn, resolve, ambientVisibility, signal}.
  * @param {string[]} limitNames
  */
 export function inspectOptions(options, limitNames) {
-  checkObject('options', options, ['shot', 'measure', 'limits', 'timeoutMs', 'failOn', 'resolve', 'signal']);
+  checkObject('options', options, ['shot', 'measure', 'limits', 'timeoutMs', 'failOn', 'resolve', 'ambientVisibility', 'signal']);
   const { shot = {}, measure = [], limits = {}, signal } = options;
   if (!Array.isArray(measure)) throw wrongOption('options.measure', 'a list of what to measure', measure);
   return { shot, measure, limits: limitsOption(limits, limitNames), ...loading(options, STRICT), signal: checkSignal(signal) };
 }
 
 /**
- * Options of pictureKey: {limits, resolve, signal}.
+ * Options of pictureKey: {limits, resolve, ambientVisibility, signal}.
  * @param {string[]} limitNames
  */
 export function keyOptions(options, limitNames) {
-  checkObject('options', options, ['limits', 'resolve', 'signal']);
-  const { limits = {}, resolve, signal } = options;
-  return { limits: limitsOption(limits, limitNames), ...loading({ resolve }, STRICT), signal: checkSignal(signal) };
+  checkObject('options', options, ['limits', 'resolve', 'ambientVisibility', 'signal']);
+  const { limits = {}, resolve, ambientVisibility, signal } = options;
+  return { limits: limitsOption(limits, limitNames), ...loading({ resolve, ambientVisibility }, STRICT), signal: checkSignal(signal) };
+}
+
+/**
+ * Options of bake: {rays, limits, timeoutMs, failOn, resolve, signal}.
+ * @param {string[]} limitNames
+ */
+export function bakeOptions(options, limitNames) {
+  checkObject('options', options, ['rays', 'limits', 'timeoutMs', 'failOn', 'resolve', 'signal']);
+  const { rays, limits = {}, timeoutMs, failOn, resolve, signal } = options;
+  return {
+    ...loading({ timeoutMs, failOn, resolve }, STRICT),
+    ambientVisibility: raysOption(rays),
+    limits: limitsOption(limits, limitNames),
+    signal: checkSignal(signal),
+  };
 }
 
 /**

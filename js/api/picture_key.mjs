@@ -5,6 +5,7 @@ import { nativeCall } from './native_call.mjs';
 import { keyOptions } from './options.mjs';
 import { withParts } from './parts.mjs';
 import { readShot, readSource } from './source.mjs';
+import { digestWithVisibility } from './visibility.mjs';
 import { versions } from './versions.mjs';
 
 /** The key of a picture: SHA-256 of all that it is made of. Equal keys mean the same picture by the same GL. */
@@ -52,7 +53,7 @@ const environmentOf = ({ map }, bytes) => bytes ?? path.resolve(map);
 /** Documented in js/index.d.ts. */
 export async function pictureKey(source, shot = {}, options = {}) {
   const native = loadNative();
-  const { limits, resolve, signal } = keyOptions(options, Object.keys(native.limits));
+  const { limits, resolve, ambientVisibility, signal } = keyOptions(options, Object.keys(native.limits));
   const maxBytes = limits.L_FILE_BYTES ?? native.limits.L_FILE_BYTES;
   const input = readSource(native, source, maxBytes);
   const request = readShot(native, shot, maxBytes);
@@ -65,7 +66,7 @@ export async function pictureKey(source, shot = {}, options = {}) {
     ),
     NAMED.includes(map) ? map : digestOf(native, environmentOf(identity.environment, request.environment), limits, signal),
   ]);
-  return keyOfParts({ version: versions.telar, model, environment, shot: identity });
+  return keyOfParts({ version: versions.telar, model: digestWithVisibility(model, ambientVisibility), environment, shot: identity });
 }
 
 /**

@@ -39,7 +39,7 @@ const addLimit = (command) =>
 
 /**
  * @param {string} version
- * @param {Record<'thumbnail' | 'inspect' | 'compare' | 'sheet' | 'analyse' | 'view' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
+ * @param {Record<'thumbnail' | 'inspect' | 'compare' | 'sheet' | 'analyse' | 'view' | 'bake' | 'looks' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
  * @param {{writeOut: (text: string) => void, writeErr: (text: string) => void}} output of help and complaints
  */
 export function buildProgram(version, actions, output) {
@@ -70,6 +70,7 @@ export function buildProgram(version, actions, output) {
             '--turntable <frames>',
             'so many images of a full turn, in one scale, named side-000 and so on by degrees; one -o that ends in .webp is animated',
           )
+          .option('--ambient-visibility', 'darken folds: what each vertex sees of its surroundings is found by rays when the model is loaded')
           .option('--explode <metres>', 'move the parts (nodes) of the model so far apart, along their mean normals')
           .option('--variants <names>', 'one image for each of these variants, with commas between; all = each that the model has')
           .option('--manifest <file>', 'JSON lines {"model", "shot", "output"} in place of models; relative paths start at the file; - is stdin')
@@ -166,6 +167,16 @@ export function buildProgram(version, actions, output) {
       ),
     ),
   ).action(actions.view);
+  addLimit(
+    addFailOn(
+      addCommon(
+        command('bake', 'Write a model with its ambient visibility in its vertices, which the shading "fabric" reads')
+          .argument('<model>', '.glb or .gltf file; - is stdin')
+          .requiredOption('-o, --output <out>', 'file that ends as the model does; - is stdout')
+          .option('--rays <n>', 'rays of each side of a vertex, 16 to 4096; 256 by default'),
+      ),
+    ),
+  ).action(actions.bake);
   addCommon(command('looks', 'Say what the looks of --look are; --json prints the shots that they stand for')).action(actions.looks);
   addCommon(command('doctor', 'Say which GL backends this machine has, which is chosen, and how to cure a missing one')).action(actions.doctor);
   return program;

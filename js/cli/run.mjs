@@ -13,6 +13,7 @@ const COMMANDS = {
   sheet: async () => (await import('./sheet.mjs')).sheet,
   analyse: async () => (await import('./analyse.mjs')).analyse,
   view: async () => (await import('./view.mjs')).view,
+  bake: async () => (await import('./bake.mjs')).bake,
   looks: async () => (await import('./looks.mjs')).looks,
   doctor: async () => (await import('./doctor.mjs')).doctor,
 };
@@ -54,6 +55,6 @@ function ofCommander(thrown) {
   if (!thrown?.code?.startsWith?.('commander.')) return toTelarError(thrown);
   if (thrown.exitCode === 0) return undefined;
   if (thrown.code === 'commander.help')
-    return new TelarError('E_USAGE', 'expected a command: thumbnail, inspect, compare, sheet, analyse, view, looks or doctor');
+    return new TelarError('E_USAGE', 'expected a command: thumbnail, inspect, compare, sheet, analyse, view, bake, looks or doctor');
   return new TelarError('E_USAGE', thrown.message.replace(/^error: /, '').replaceAll('\n', ' '));
 }

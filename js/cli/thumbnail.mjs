@@ -42,7 +42,7 @@ export async function thumbnail(models, options, context) {
   });
   await Promise.all([...new Set(outputs.filter(({ file }) => file !== '-').map(({ file }) => path.dirname(file)))].map(sweepStale));
 
-  const renderer = await context.api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, timeoutMs, signal: context.signal });
+  const renderer = await openRenderer(options, { limits, timeoutMs }, context);
   try {
     const results = await drawAll({ jobs, outputs, options, renderer, limits }, context);
     const sheet = await writeSheet(results, options, { limits, signal: context.signal });
@@ -53,8 +53,14 @@ export async function thumbnail(models, options, context) {
   }
 }
 
+/** How the models are loaded, and their keys made. */
+const visibilityOf = ({ ambientVisibility }) => ambientVisibility && { ambientVisibility };
+
+const openRenderer = (options, { limits, timeoutMs }, { api, signal }) =>
+  api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, ...visibilityOf(options), timeoutMs, signal });
+
 async function animate(jobs, options, { limits, timeoutMs }, context) {
-  const renderer = await context.api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, timeoutMs, signal: context.signal });
+  const renderer = await openRenderer(options, { limits, timeoutMs }, context);
   try {
     return await writeAnimation({ jobs, options, renderer }, context);
   } finally {
@@ -109,7 +115,7 @@ async function drawAll({ jobs, outputs, options, renderer, limits }, { api, cons
   const gradual = jobs.some(({ shot: { quality } }) => (quality?.preset ?? quality) === 'reference');
   const progress = await console.progress(jobs.length, { gradual });
   const known = options.skipUnchanged ? new KnownPictures() : undefined;
-  const keyOf = (source, shot) => api.pictureKey(source, shot, { limits, signal });
+  const keyOf = (source, shot) => api.pictureKey(source, shot, { limits, ...visibilityOf(options), signal });
   try {
     const explode = options.explode === undefined ? undefined : Number(options.explode);
     return await new Drawing({ jobs, explode, outputs, renderer, known, keyOf, progress, signal, toStdout: (bytes) => console.bytes(bytes) }).run();

@@ -80,6 +80,7 @@ export type ErrorCode =
   | 'L_FRAGMENTS'
   | 'L_MEASURE'
   | 'L_INSTANCES'
+  | 'L_VISIBILITY_RAYS'
   | 'L_KEYFRAME_VALUES'
   | 'L_MORPH_TARGETS'
   | 'X_TIMEOUT'

@@ -132,6 +132,10 @@ const ROWS = {
     ],
     L_MEASURE: ['A length along the surface takes too much work', 'Measure a part of the model, or in shorter steps.'],
     L_INSTANCES: ['Too many instances', RAISE],
+    L_VISIBILITY_RAYS: [
+      'Too many rays for the ambient visibility of so many vertices',
+      'Ask for fewer rays, reduce the file, or raise this limit for files that you trust.',
+    ],
     L_KEYFRAME_VALUES: ['The animations have too many keyframes', RAISE],
     L_MORPH_TARGETS: ['Too many morph targets', RAISE],
   },

@@ -43,11 +43,14 @@ export async function applyShading(model, shading, { THREE, ownText = false }) {
   for (const mesh of meshes) {
     for (const material of [mesh.material].flat()) {
       const original = originalOf(material);
-      if (isStock(original) && !made.has(original)) made.set(original, await refreshed(original, maker, { model, mesh }));
+      if (isStock(original) && !made.has(original)) made.set(original, await refreshed(original, maker, { model, mesh, drawn: drawnWith(meshes, original) }));
     }
     mesh.material = mapped(mesh.material, (material) => made.get(originalOf(material)) ?? material);
   }
 }
+
+/** The meshes that show a material. */
+const drawnWith = (meshes, original) => meshes.filter((mesh) => [mesh.material].flat().some((material) => originalOf(material) === original));
 
 /** Lit by three.js's own text: a FabricMaterial that a client has put there itself stays. */
 const isStock = (material) => material.isMeshStandardMaterial === true && !material.isTelarShadingMaterial;

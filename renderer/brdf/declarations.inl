@@ -184,6 +184,12 @@ vec3 ltcAlbedo(vec3 f0, Real f90, vec2 scaleAndBias);
 Real diffuseOcclusion(Real texel, Real strength);
 Real specularOcclusion(Real perceptualRoughness, Real occlusion, Real NoV);
 
+vec3 multiBounceVisibility(Real visibility, vec3 albedo);
+Real visibilityBesideMap(Real visibility, Real occlusion);
+Real arcCosine(Real x);
+Real conesIntersection(Real cosA, Real cosB, Real cosBetween);
+Real specularVisibility(Real visibility, Real perceptualRoughness, Real cosOpen, Real cosFace);
+
 Real lodFromRoughness(Real perceptualRoughness, Real maxLod);
 vec3 dominantReflection(Real perceptualRoughness, vec3 n, vec3 v);
 vec3 environmentSpecular(Scattering scattering, vec3 radiance, vec3 meanRadiance);

@@ -28,6 +28,7 @@
 #include "light.glsl"
 #include "area.glsl"
 #include "occlusion.glsl"
+#include "ambient_visibility.glsl"
 #include "environment.glsl"
 #include "importance.glsl"
 #include "tone_mapping.glsl"

@@ -21,6 +21,9 @@ SurfaceInfo withWeave(SurfaceInfo s, MaterialInputs m, Normals normals);
 YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, Real slope, Real coverage, Real roughness, Real anisotropy,
                   vec3 specularColor);
 
+SurfaceInfo withVisibility(SurfaceInfo s, vec4 side, vec4 other);
+Reflected visibleLight(Reflected indirect, SurfaceInfo s);
+
 // Importance sampling, shaders/light/lobe_mixture.glsl.
 LobeMixture lobeMixture(SurfaceInfo s);
 vec3 sampleMixture(LobeMixture lobes, vec2 u);

@@ -31,6 +31,7 @@ namespace principled {
 // Yarns are fabric's alone.
 using fabric::isWoven;
 #include "../light/lobe_mixture.glsl"
+#include "../light/visible.glsl"
 
 ShadingFunctions shadingFunctions(ShadingModel shading) {
   switch (shading) {

@@ -69,6 +69,14 @@ void describeMaps(const Material& m, shader::VariantKey& key) {
   key.alphaToCoverage = key.alphaMask && key.baseColorMap;
 }
 
+/// Which sides know what of the hemisphere above them is open. Only the shading "fabric" reads it.
+void describeVisibility(const Primitive& primitive, const Material& material, shader::VariantKey& key) {
+  if (key.shading != ShadingModel::kFabric || key.layers) return;
+  key.ambientVisibility = !primitive.visibility[0].empty();
+  key.ambientVisibilityBack =
+      key.ambientVisibility && !primitive.visibility[1].empty() && (material.doubleSided || key.diffuseTransmission);
+}
+
 shader::VariantKey keyOf(const Primitive& primitive, const Material& material, const shader::VariantKey& frame) {
   shader::VariantKey key;
   key.toneMapping = frame.toneMapping;
@@ -94,6 +102,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.orthographic = frame.orthographic;
   key.lights = frame.lights;
   key.flatShaded = primitive.normals.empty();
+  describeVisibility(primitive, material, key);
   const bool stretched = key.anisotropy || key.weave;
   key.tangent = (key.normalMap || stretched) && !key.flatShaded && hasTangents(primitive, material);
   key.tangentFrameUv0 = stretched && !key.normalMap && !key.clearcoatNormalMap && !key.weaveMap;

@@ -68,6 +68,8 @@ VertexStreams::VertexStreams(const gl::Context& context, const Primitive& primit
   add(UV0, 2, primitive.uvs[0]);
   add(UV1, 2, primitive.uvs[1]);
   add(COLOR, 4, primitive.colors);
+  add(VISIBILITY, 4, primitive.visibility[0]);
+  add(VISIBILITY_BACK, 4, primitive.visibility[1]);
   gl.BindVertexArray(0);  // an index buffer binds to the vertex array of the moment
   vertices_ = uploaded(gl, GL_ARRAY_BUFFER, nullptr, bytes);
   for (std::size_t i = 0; i < streams.size(); ++i) {

@@ -18,6 +18,8 @@ enum VertexLocation : GLuint {
   COLOR = 5,
   INSTANCE_MATRIX = 6,  ///< four columns, to 9
   INSTANCE_COLOR = 10,
+  VISIBILITY = 11,
+  VISIBILITY_BACK = 12,
 };
 
 /// One primitive's streams on the GPU, each uploaded once.

@@ -167,8 +167,8 @@ void Geometry::keepBlockers(const RTCFilterFunctionNArguments* met) {
   }
 }
 
-int Geometry::countHidden(const Rays& rays) const {
-  int hidden = 0;
+template <class Found>
+void Geometry::castShadows(const Rays& rays, const Found& found) const {
   ShellContext context;
   rtcInitIntersectContext(&context.embree);
   context.shells = rays.shells;
@@ -186,9 +186,18 @@ int Geometry::countHidden(const Rays& rays) const {
     }
     rtcOccluded16(valid.data(), scene_.get(), &context.embree, &packet);
     // Embree marks a ray that met something by a length of minus infinity.
-    for (std::size_t i = 0; i < count; ++i) hidden += packet.tfar[i] < 0;
+    for (std::size_t i = 0; i < count; ++i) found(first + i, packet.tfar[i] < 0);
   }
+}
+
+int Geometry::countHidden(const Rays& rays) const {
+  int hidden = 0;
+  castShadows(rays, [&hidden](std::size_t, bool ended) { hidden += ended; });
   return hidden;
+}
+
+void Geometry::findHidden(const Rays& rays, std::span<bool> hidden) const {
+  castShadows(rays, [hidden](std::size_t i, bool ended) { hidden[i] = ended; });
 }
 
 }  // namespace telar::reference

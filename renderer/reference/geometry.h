@@ -76,12 +76,17 @@ class Geometry {
   bool intersect(const Ray& ray, Hit& hit) const;
   /// How many of the rays something ends.
   int countHidden(const Rays& rays) const;
+  /// Whether something ends each of the rays.
+  void findHidden(const Rays& rays, std::span<bool> hidden) const;
 
  private:
   struct Release {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
   };
+  /// Calls found(index of a ray, whether something ends it) for each.
+  template <class Found>
+  void castShadows(const Rays& rays, const Found& found) const;
   static void keepBlockers(const RTCFilterFunctionNArguments* met);
 
   std::unique_ptr<const Blocks> blocks_;  ///< Embree has its address

@@ -28,7 +28,13 @@ Integrator::Integrator(const TracedScene& scene, Transport transport, ShadingMod
       three_(three) {}
 
 brdf_f::Reflected Integrator::withBakedOcclusion(brdf_f::Reflected light, const Surface& surface) const {
-  if (transport_.occlusion || surface.occlusion >= 1) return light;
+  if (transport_.occlusion) return light;
+  if (surface.hasVisibility) light = brdf_f::visibleLight(light, surface.info);
+  return withOcclusionMap(light, surface);
+}
+
+brdf_f::Reflected Integrator::withOcclusionMap(brdf_f::Reflected light, const Surface& surface) const {
+  if (surface.occlusion >= 1) return light;
   light.diffuse *= surface.occlusion;
   if (three_.layerOcclusion == ThreeTerms::THREE_LAYER_OCCLUSION_OCCLUDED) {
     light.coat *= surface.occlusion;
@@ -44,7 +50,12 @@ glm::vec3 Integrator::bsdfCosine(const Surface& surface, const glm::vec3& l, boo
   const bool behind = glm::dot(s.n, l) <= 0 && glm::dot(s.coatNormal, l) <= 0;
   if (behind && s.diffuseTransmission == 0) return glm::vec3(0);
   brdf_f::Reflected direct = shading_.addPunctual(brdf_f::nothingReflected(), surface.info, l, glm::vec3(1));
-  if (ambient) direct = withBakedOcclusion(direct, surface);
+  if (ambient && surface.hasVisibility && !transport_.occlusion && glm::dot(s.n, l) <= 0) {
+    direct.diffuse *= s.visibilityBehind;
+    direct = withOcclusionMap(direct, surface);
+  } else if (ambient) {
+    direct = withBakedOcclusion(direct, surface);
+  }
   return shading_.composedRadiance(surface.info, direct.diffuse * (1 - surface.glass.weight), direct,
                                    brdf_f::nothingReflected(), glm::vec3(0));
 }
@@ -109,11 +120,14 @@ glm::vec3 Integrator::sampleLights(const Surface& surface, Sampler& sampler) con
     if (sample) sum += estimateDirect(surface, *sample, 0, sampler);
   }
   const glm::vec3 dome = scene_.lights.irradiance(surface.info.n);
-  const glm::vec3 behind = shading_.addBehind ? scene_.lights.irradiance(-surface.info.n) : glm::vec3(0);
+  glm::vec3 behind = shading_.addBehind ? scene_.lights.irradiance(-surface.info.n) : glm::vec3(0);
   if (dome != glm::vec3(0) || behind != glm::vec3(0)) {
     brdf_f::Reflected lit = shading_.addDome(brdf_f::nothingReflected(), surface.info, dome);
+    // Vertices know each side, a map of occlusion takes from the light of both.
+    const bool sides = surface.hasVisibility && !transport_.occlusion;
+    if (sides) lit = brdf_f::visibleLight(lit, surface.info), behind *= surface.info.visibilityBehind;
     if (shading_.addBehind) lit = shading_.addBehind(lit, surface.info, behind);
-    lit = withBakedOcclusion(lit, surface);
+    if (!transport_.occlusion) lit = withOcclusionMap(lit, surface);
     sum += shading_.composedRadiance(surface.info, lit.diffuse * (1 - surface.glass.weight), brdf_f::nothingReflected(),
                                      lit, glm::vec3(0));
   }

@@ -78,6 +78,8 @@ class Integrator {
   glm::vec3 bsdfCosine(const Surface& surface, const glm::vec3& l, bool ambient) const;
   /// What baked occlusion leaves of ambient light.
   brdf_f::Reflected withBakedOcclusion(brdf_f::Reflected light, const Surface& surface) const;
+  /// By the material's map alone.
+  brdf_f::Reflected withOcclusionMap(brdf_f::Reflected light, const Surface& surface) const;
 
   /// Direct light: all lights, and the environment by samples of its own map, weighted against those of the lobes.
   glm::vec3 sampleLd(const Surface& surface, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,

@@ -16,7 +16,6 @@ namespace telar::reference {
 namespace {
 
 constexpr int MAX_SURFACES = 256;   ///< that one ray passes
-constexpr float STEP = 1e-5f;       ///< of the scene's radius, behind a surface that a ray passes
 constexpr int GROUND_SAMPLES = 64;  ///< of the blur of a shadow on the ground
 
 Shot sharp(Shot shot) {

@@ -6,8 +6,6 @@
 
 namespace telar::reference {
 
-constexpr float STEP = 1e-5f;  ///< of the scene's radius: a ray starts so far from its surface
-
 PlacedScene::PlacedScene(const Scene& scene, const Shot& shot, const CancelToken& cancel)
     : centre(scene.bounds.empty() ? glm::dvec3(0) : (scene.bounds.min + scene.bounds.max) * 0.5),
       radius(scene.bounds.empty() ? 1.0f : static_cast<float>(glm::distance(scene.bounds.max, centre))),

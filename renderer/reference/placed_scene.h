@@ -5,6 +5,8 @@
 
 namespace telar::reference {
 
+constexpr float STEP = 1e-5f;  ///< of the scene's radius: a ray starts so far from its surface
+
 /// What rays meet: the surfaces of a scene in the tracer's world, metres about its centre. What it hands to Embree
 /// stays where it is.
 struct PlacedScene {

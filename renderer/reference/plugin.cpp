@@ -8,6 +8,7 @@
 
 #include "reference/ambient.h"
 #include "reference/tracer.h"
+#include "reference/visibility.h"
 
 namespace telar::reference {
 namespace {
@@ -44,4 +45,8 @@ void telar_reference_draw(telar::TraceJob* job) { telar::reference::draw(*job); 
 
 void telar_reference_ambient(telar::AmbientJob* job) {
   telar::reference::told(*job, [&] { telar::reference::findAmbient(*job); });
+}
+
+void telar_reference_visibility(telar::VisibilityJob* job) {
+  telar::reference::told(*job, [&] { telar::reference::findVisibility(*job); });
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -56,12 +57,33 @@ struct AmbientJob {
   std::optional<TraceFailure> failure{};  ///< set: there are none
 };
 
+/// A mesh that is drawn more often has the ambient visibility of so many of its places.
+constexpr int VISIBILITY_PLACES = 8;
+
+/// Whether any light reaches or leaves the back of a surface.
+inline bool seenFromBehind(const Material& material) {
+  return material.doubleSided || material.fabric.diffuseTransmissionFactor > 0;
+}
+
+/// Ambient visibility of vertices.
+struct VisibilityJob {
+  using Sides = decltype(Primitive::visibility);
+  const Scene& scene;
+  const Shot& shot;  ///< its variant and its shading
+  int rays;          ///< of each side of a vertex, at least 1
+  int threads;       ///< at least 1; the same numbers with any
+  const CancelToken& cancel;
+  std::map<const Primitive*, Sides>
+      sides{};                            ///< of drawn triangle meshes; the back is empty where nothing comes from it
+  std::optional<TraceFailure> failure{};  ///< set: there are none
+};
+
 /// Equal in two libraries of one build. It changes with the layout of the types that cross.
 constexpr std::uint64_t traceLayout() {
   std::uint64_t layout = 1;  // raise it for a change that keeps every size
-  for (const std::size_t size :
-       {sizeof(Scene), sizeof(Shot), sizeof(Shot::Light), sizeof(Material), sizeof(Primitive), sizeof(Node),
-        sizeof(Image8), sizeof(Limits), sizeof(TraceJob), sizeof(Frame), sizeof(AmbientJob), sizeof(SurfacePoint)}) {
+  for (const std::size_t size : {sizeof(Scene), sizeof(Shot), sizeof(Shot::Light), sizeof(Material), sizeof(Primitive),
+                                 sizeof(Node), sizeof(Image8), sizeof(Limits), sizeof(TraceJob), sizeof(Frame),
+                                 sizeof(AmbientJob), sizeof(SurfacePoint), sizeof(VisibilityJob)}) {
     layout = layout * 1000003 + size;
   }
   return layout;
@@ -75,6 +97,7 @@ using TelarReferenceLayoutFunction = std::uint64_t();
 using TelarReferenceVersionFunction = const char*();
 using TelarReferenceDrawFunction = void(telar::TraceJob*);
 using TelarReferenceAmbientFunction = void(telar::AmbientJob*);
+using TelarReferenceVisibilityFunction = void(telar::VisibilityJob*);
 
 #ifdef TELAR_REFERENCE_PLUGIN
 #define TELAR_REFERENCE_EXPORT __attribute__((visibility("default")))
@@ -83,6 +106,7 @@ TELAR_REFERENCE_EXPORT TelarReferenceLayoutFunction telar_reference_layout;
 TELAR_REFERENCE_EXPORT TelarReferenceVersionFunction telar_reference_version;
 TELAR_REFERENCE_EXPORT TelarReferenceDrawFunction telar_reference_draw;
 TELAR_REFERENCE_EXPORT TelarReferenceAmbientFunction telar_reference_ambient;
+TELAR_REFERENCE_EXPORT TelarReferenceVisibilityFunction telar_reference_visibility;
 #endif
 
 }  // extern "C"

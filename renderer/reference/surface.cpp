@@ -21,6 +21,10 @@ class Corners {
   auto at(const Stream& stream, const glm::vec2& b) const {
     return stream[index_.x] * (1 - b.x - b.y) + stream[index_.y] * b.x + stream[index_.z] * b.y;
   }
+  template <class Stream>
+  auto of(const Stream& stream, int k) const {
+    return stream[index_[k]];
+  }
   /// Of the tangents at all three.
   bool haveLength(const std::vector<glm::vec4>& tangents) const {
     const auto has = [&](std::uint32_t i) { return glm::vec3(tangents[i]) != glm::vec3(0); };
@@ -176,6 +180,21 @@ glm::vec4 baseColorAt(const PlacedMesh& mesh, const Corners& corners, const Read
   return ofVertices.empty() ? color : color * corners.at(ofVertices, read.barycentric);
 }
 
+/// Ambient visibility of one side, in world space. Without numbers a side is open.
+glm::vec4 visibilityAt(const PlacedMesh& mesh, const Corners& corners, const glm::vec2& b, bool front) {
+  const auto& stream = mesh.primitive->visibility[front ? 0 : 1];
+  if (stream.empty()) return {0, 0, 0, 1};
+  const glm::vec3 weights(1 - b.x - b.y, b.x, b.y);
+  glm::vec4 sum(0);
+  for (int k = 0; k < 3; ++k) {
+    // As in the vertex stage: each corner's direction counts alike, however long it is.
+    const glm::vec4 v = corners.of(stream, k);
+    const glm::vec3 direction = brdf_f::safeNormalize(mesh.normalMatrix * glm::vec3(v), glm::vec3(0));
+    sum += weights[k] * glm::vec4(direction, v.w);
+  }
+  return sum;
+}
+
 /// Whether a direction comes upon the side that the triangle's winding shows.
 bool meetsFront(const PlacedMesh& mesh, const Corners& corners, const glm::vec3& direction) {
   return (glm::dot(corners.cross(), -direction) < 0) == mesh.mirrored;
@@ -236,6 +255,9 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   }
   if (!terms) in = brdf_f::withShadedRoughness(in, geometric);
   SurfaceInfo s = brdf_f::baseSurface(in, normals, v);
+  surface.hasVisibility = mesh.shading == ShadingModel::kFabric && !primitive.visibility[0].empty();
+  if (surface.hasVisibility)
+    s = brdf_f::withVisibility(s, visibilityAt(mesh, corners, b, front), visibilityAt(mesh, corners, b, !front));
   if (m.physical) s = brdf_f::withSpecular(s, in);
   s = brdf_f::withLayers(s, in, normals);
   if (isWoven(mesh)) s = brdf_f::withWeave(s, in, normals);
@@ -245,6 +267,7 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   surface.info = s;
   surface.glass = readGlass(m.layers, read, mesh, three);
   if (m.occlusionTexture) surface.occlusion = brdf_f::diffuseOcclusion(read(m.occlusionTexture).r, m.occlusionStrength);
+  surface.info.visibility = brdf_f::visibilityBesideMap(surface.info.visibility, surface.occlusion);
   return surface;
 }
 

@@ -30,13 +30,14 @@ struct Surface {
   brdf_f::SurfaceInfo info;
   Glass glass;
   glm::vec3 emitted{0};
-  float distance = 0;   ///< along the ray that met it, metres
-  float occlusion = 1;  ///< baked, of light from everywhere, 0..1
-  float alpha = 1;      ///< 1 where the material is opaque
-  bool unlit = false;   ///< `emitted` is all there is
-  bool shown = true;    ///< false: a culled back side, or cut out by the alpha mask
-  bool front = true;    ///< the side that the triangle's winding shows
-  int shells = 0;       ///< culled back sides that the ray passed closely before it
+  float distance = 0;          ///< along the ray that met it, metres
+  float occlusion = 1;         ///< baked, of light from everywhere, 0..1
+  float alpha = 1;             ///< 1 where the material is opaque
+  bool hasVisibility = false;  ///< of its vertices, in `info`
+  bool unlit = false;          ///< `emitted` is all there is
+  bool shown = true;           ///< false: a culled back side, or cut out by the alpha mask
+  bool front = true;           ///< the side that the triangle's winding shows
+  int shells = 0;              ///< culled back sides that the ray passed closely before it
 };
 
 /// What the raster's shaders take from factors, textures and vertices, for a hit of a ray. World space.

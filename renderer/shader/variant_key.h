@@ -40,6 +40,8 @@ using shot::ToneMapping;
   F(EMISSIVE_UV1, emissiveUv1, "")                                          \
   F(TANGENT_FRAME_UV0, tangentFrameUv0, "")                                 \
   TELAR_LAYER_FEATURES(F)                                                   \
+  F(AMBIENT_VISIBILITY, ambientVisibility, "ambient-visibility")            \
+  F(AMBIENT_VISIBILITY_BACK, ambientVisibilityBack, "")                     \
   F(NORMAL_VARIANCE, normalVariance, "normal-variance")                     \
   F(ALPHA_TO_COVERAGE, alphaToCoverage, "alpha-to-coverage")                \
   F(AMBIENT, ambient, "ambient-light")                                      \

@@ -4,36 +4,18 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "core/own_library.h"
 #include "core/picture_json.h"
 #include "frame/camera.h"
 #include "frame/layers.h"
-#include "reference/plugin.h"
 #include "telar/ambient.h"
 #include "telar/reference.h"
+#include "trace/library.h"
 
 namespace telar {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using Source = Shot::Environment::Source;
-
-/// The loaded library.
-class Library : public OwnLibrary {
- public:
-  Library()
-      : OwnLibrary("libtelar_reference.so", "Embree is needed for quality \"reference\" and the layer \"ao\"",
-                   "apt-get install libembree3-3") {
-    if (function<TelarReferenceLayoutFunction>("telar_reference_layout")() != traceLayout()) refuse();
-  }
-};
-
-[[noreturn]] void throwFailure(const TraceFailure& failure) {
-  Error error(failure.code, failure.message);
-  if (failure.pointer) error.at(*failure.pointer);
-  if (failure.limit) error.withLimit(failure.limit->name, failure.limit->max, failure.limit->actual);
-  throw error;
-}
 
 ImageF readMap(const Shot& shot, std::span<const std::byte> bytes, const RendererOptions& options,
                const CancelToken& cancel) {
@@ -76,14 +58,14 @@ Frame drawReference(const Scene& scene, const Shot& shot, std::span<const std::b
   if (shot.debugOutput != DebugOutput::kNone)
     throw Error("E_SHOT_UNAVAILABLE", "a quantity of the shading is drawn by the raster: use quality \"standard\"")
         .at("/quality");
-  const Library library;
+  const trace::Library library;
   const Clock::time_point start = Clock::now();
   const bool lit = shot.environment.source != Source::kNone;
   const ImageF map = lit ? readMap(shot, environment, options, cancel) : ImageF();
   const double environmentMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   TraceJob job{scene, shot, lit ? &map : nullptr, options.limits, cancel, progress};
   library.function<TelarReferenceDrawFunction>("telar_reference_draw")(&job);
-  if (job.failure) throwFailure(*job.failure);
+  if (job.failure) trace::throwFailure(*job.failure);
   Json json = describe(shot, job.facts, environmentMs);
   if (!job.frame.layers.empty()) json["layers"] = frame::describeLayers(scene, shot, job.frame.layers);
   info.json = json.dump();
@@ -92,17 +74,17 @@ Frame drawReference(const Scene& scene, const Shot& shot, std::span<const std::b
 
 std::vector<float> ambientOcclusion(const Scene& scene, const Shot& shot, std::span<const SurfacePoint> points,
                                     const CancelToken& cancel) {
-  const Library library;
+  const trace::Library library;
   const int threads = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
   AmbientJob job{scene, shot, points, threads, cancel};
   library.function<TelarReferenceAmbientFunction>("telar_reference_ambient")(&job);
-  if (job.failure) throwFailure(*job.failure);
+  if (job.failure) trace::throwFailure(*job.failure);
   return std::move(job.open);
 }
 
 std::string probeReference() {
   try {
-    const Library library;
+    const trace::Library library;
     return Json{{"works", true},
                 {"version", library.function<TelarReferenceVersionFunction>("telar_reference_version")()}}
         .dump();

@@ -162,6 +162,9 @@ Incident incidentLight(SurfaceInfo s) {
   return incident;
 }
 
+#if SHADING_FABRIC && AMBIENT_VISIBILITY
+#include "light/visible.glsl"
+#endif
 Reflected indirectLight(SurfaceInfo s, Incident incident) {
   Reflected sum = nothingReflected();
 #if AMBIENT || HEMISPHERE_LIGHTS > 0
@@ -171,6 +174,20 @@ Reflected indirectLight(SurfaceInfo s, Incident incident) {
   sum = addSampledEnvironment(sum, s);
 #elif ENVIRONMENT
   sum = addEnvironment(sum, s, incident);
+#endif
+#if SHADING_FABRIC && AMBIENT_VISIBILITY
+#if OCCLUSION_MAP
+  // The map and the vertices may tell of the same folds: the darker of them counts. occluded() takes what the map says.
+  s.visibility = visibilityBesideMap(s.visibility, diffuseOcclusion(occlusionTexel(), occlusionStrength));
+#endif
+  sum = visibleLight(sum, s);
+#if DIFFUSE_TRANSMISSION
+  incident.behind *= s.visibilityBehind;
+#if ENVIRONMENT && ENVIRONMENT_SAMPLES > 0
+  // What the samples have found on the other side is hidden as that side is, not as this one.
+  sum = addBehind(sum, s, environmentIrradiance(-s.n) * (s.visibilityBehind - multiBounceVisibility(s.visibility, s.diffuse)));
+#endif
+#endif
 #endif
 #if DIFFUSE_TRANSMISSION
   sum = addBehind(sum, s, incident.behind);

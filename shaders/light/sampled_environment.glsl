@@ -76,15 +76,16 @@ SampledIrradiance addIrradiance(SampledIrradiance sum, SurfaceInfo s, vec3 l, ve
   return sum;
 }
 
+// Of the whole map, at a surface that faces a direction of view space, linear Rec.709.
+vec3 environmentIrradiance(vec3 n) { return PI * environmentIntensity * textureLod(environmentIrradianceMap, viewToEnvironment * n, 0.0).rgb; }
+
 // A control variate: the irradiance of the whole map is known exactly, and the difference to that of the samples is added as
 // ambient light. Diffuse light is then noisy only where its lobe differs from the cosine.
 // src: control variates, as Owen 2013, "Monte Carlo Theory, Methods and Examples", section 8.9
 Reflected addControlVariate(Reflected sum, SurfaceInfo s, SampledIrradiance sampled) {
-  float whole = PI * environmentIntensity;
-  vec3 facing = viewToEnvironment * s.n;
-  sum.diffuse += addDome(nothingReflected(), s, whole * textureLod(environmentIrradianceMap, facing, 0.0).rgb - sampled.front).diffuse;
+  sum.diffuse += addDome(nothingReflected(), s, environmentIrradiance(s.n) - sampled.front).diffuse;
 #if DIFFUSE_TRANSMISSION
-  sum = addBehind(sum, s, whole * textureLod(environmentIrradianceMap, -facing, 0.0).rgb - sampled.back);
+  sum = addBehind(sum, s, environmentIrradiance(-s.n) - sampled.back);
 #endif
   return sum;
 }

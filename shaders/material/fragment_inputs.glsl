@@ -42,6 +42,12 @@ in vec2 vEmissiveUv;
 #if TANGENT_FRAME_UV0
 in vec2 vUv0;
 #endif
+#if AMBIENT_VISIBILITY
+in vec4 vVisibility;  // as material/visibility_vertex.glsl gives it
+#if AMBIENT_VISIBILITY_BACK
+in vec4 vVisibilityBack;
+#endif
+#endif
 #include "material/layer_declarations.glsl"
 #if TRANSMISSION
 in vec3 vWorldPosition;  // metres

@@ -111,8 +111,23 @@ SurfaceInfo baseSurface(MaterialInputs m, Normals normals, vec3 v) {
   s.relief = normals.relief.x;
   s.slopeVariance = normals.relief.y;
 #endif
+#if SHADING_FABRIC && AMBIENT_VISIBILITY
+  s.faceNormal = s.openDirection = normals.geometric;
+  s.visibility = s.visibilityBehind = 1.0;
+#endif
   return s;
 }
+
+#if SHADING_FABRIC && AMBIENT_VISIBILITY
+// What of light from everywhere reaches the point.
+// side, other  of the side that is seen and of the other: xyz mean open direction, any length, 0 = the normal; w open part
+SurfaceInfo withVisibility(SurfaceInfo s, vec4 side, vec4 other) {
+  s.openDirection = safeNormalize(vec3(side), s.faceNormal);
+  s.visibility = saturate(side.w);
+  s.visibilityBehind = saturate(other.w);
+  return s;
+}
+#endif
 
 #if SPECULAR
 // KHR_materials_specular and KHR_materials_ior.

@@ -3,6 +3,23 @@
 #include "material/material_inputs.glsl"
 #include "material/normal.glsl"
 
+#if SHADING_FABRIC && AMBIENT_VISIBILITY
+// Of the side that is seen, or of the other one.
+vec4 visibilityOf(bool seenSide) {
+#if FLIP_SIDED
+  bool front = !seenSide;
+#else
+  bool front = gl_FrontFacing == seenSide;
+#endif
+  if (front) return vVisibility;
+#if AMBIENT_VISIBILITY_BACK
+  return vVisibilityBack;
+#else
+  return vec4(0.0, 0.0, 0.0, 1.0);
+#endif
+}
+#endif
+
 SurfaceInfo surfaceInfo(vec3 baseColor) {
   MaterialInputs m = materialInputs(baseColor);
   Normals normals = shadingNormals();
@@ -22,6 +39,9 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
   normals = facingViewer(normals, v);
 #endif
   SurfaceInfo s = baseSurface(m, normals, v);
+#if SHADING_FABRIC && AMBIENT_VISIBILITY
+  s = withVisibility(s, visibilityOf(true), visibilityOf(false));
+#endif
 #if SPECULAR
   s = withSpecular(s, m);
 #endif

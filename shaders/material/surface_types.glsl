@@ -134,6 +134,12 @@ struct SurfaceInfo {
   YarnLobe warp;
   YarnLobe weft;
 #endif
+#if AMBIENT_VISIBILITY
+  vec3 faceNormal;            // before the normal map
+  vec3 openDirection;         // mean of those that nothing hides
+  float visibility;           // open part of the hemisphere, by the cosine
+  float visibilityBehind;     // the same of the other side
+#endif
   // preparedSurface() of fabric.glsl sets the rest.
 #if ANISOTROPY
   StretchedCurve stretched;

@@ -15,6 +15,12 @@ layout(location = 6) in mat4 instanceMatrix;  // instance to mesh space
 #if INSTANCE_COLOR
 layout(location = 10) in vec3 instanceColor;  // linear Rec.709
 #endif
+#if AMBIENT_VISIBILITY
+layout(location = 11) in vec4 visibility;  // of the front: Primitive::visibility
+#endif
+#if AMBIENT_VISIBILITY_BACK
+layout(location = 12) in vec4 visibilityBack;
+#endif
 
 #if TRANSMISSION || FLAT_SHADOWS + CUBE_SHADOWS > 0
 uniform mat4 modelMatrix;
@@ -48,3 +54,4 @@ out vec2 vUv0;
 out vec3 vWorldPosition;  // metres
 #endif
 #include "material/uv_varyings.glsl"
+#include "material/visibility_vertex.glsl"

@@ -8,6 +8,9 @@
 #include "brdf/yarn_energy.glsl"
 #include "brdf/stretched_taps.glsl"
 #endif
+#if AMBIENT_VISIBILITY
+#include "brdf/ambient_visibility.glsl"
+#endif
 #if FLATNESS
 #include "brdf/thin_sheet.glsl"
 #endif

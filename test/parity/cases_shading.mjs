@@ -3,6 +3,7 @@ import { resolveShot } from '../../js/shot/index.mjs';
 import { SLOTS } from '../../js/shot/shading_terms.mjs';
 import { FABRIC_MODELS, LAYERED_FABRICS } from '../fixtures/index.mjs';
 import { CLOTH_MAP_MODELS } from '../fixtures/scenes_cloth_maps.mjs';
+import { VISIBILITY_MODELS } from '../fixtures/scenes_visibility.mjs';
 import { CASES as AREA } from './cases_area.mjs';
 import { CASES as CORE } from './cases_core.mjs';
 import { CASES as FILES } from './cases_files.mjs';
@@ -161,6 +162,12 @@ const clothMapCases = Object.keys(CLOTH_MAP_MODELS).flatMap((model) => [
   makeCase(`${model}-disney`, model, 'lamps', { shading: { base: 'disney-2012', diffuse: 'disney-2015-thin' }, lights: [BEHIND] }),
 ]);
 
+/** What vertices say of their surroundings, under an environment and under lamps from everywhere. */
+const visibilityCases = Object.keys(VISIBILITY_MODELS).flatMap((model) => [
+  makeCase(`${model}-env`, model, 'soft-studio', { camera: DRAPE, shading: 'fabric' }, model === 'visibility'),
+  makeCase(`${model}-dome`, model, null, { camera: DRAPE, shading: 'fabric', lights: [LIGHTS.ambient, LIGHTS.hemisphere, BEHIND] }),
+]);
+
 /** @type {import('./cases.mjs').Case[]} */
 export const CASES = [
   ...ALIKE.map((name) => shaded('r115', 'three-r115', name)),
@@ -172,6 +179,7 @@ export const CASES = [
   ...otherClassCases,
   makeCase('cloth-velvet-recolored', 'fabric-velvet', 'soft-studio', RECOLORED),
   ...clothMapCases,
+  ...visibilityCases,
   ...sunCases,
   ...smallSunCases,
   ...['some', 'none'].map((kind) => makeCase(`tangents-${kind}-fabric`, `known-tangents-${kind}`, 'lamps', { shading: 'fabric' })),

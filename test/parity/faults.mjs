@@ -169,6 +169,12 @@ export const FAULTS = [
     first: 'direct',
   },
   {
+    name: 'an open part of the hemisphere that is taken for that of the other side',
+    item: 'visibility-env',
+    edits: [{ file: 'material/surface_info.glsl', find: 'bool front = gl_FrontFacing == seenSide;', replace: 'bool front = gl_FrontFacing != seenSide;' }],
+    first: 'indirect',
+  },
+  {
     name: 'another D in cloth: alpha for alpha squared',
     item: 'fabric-sweep-sun',
     edits: [{ file: 'brdf/cloth.glsl', find: 'float k = alpha / (NxH2 + pow2(NoH * alpha));', replace: 'float k = alpha / (NxH2 + pow2(NoH) * alpha);' }],

@@ -18,13 +18,14 @@ const FIXED = {
 };
 
 /** Of cloth, beside its layers. */
-const CLOTH = ['NORMAL_VARIANCE', 'ALPHA_TO_COVERAGE'];
+const CLOTH = ['NORMAL_VARIANCE', 'ALPHA_TO_COVERAGE', 'AMBIENT_VISIBILITY', 'AMBIENT_VISIBILITY_BACK'];
 
 /** Feature of surface.frag: the condition under which three.js has it, as its preprocessor knows it. */
 const CORE = {
   FLAT_SHADED: 'defined(FLAT_SHADED)',
   DOUBLE_SIDED: 'defined(DOUBLE_SIDED)',
   FLIP_SIDED: 'defined(FLIP_SIDED)',
+  INSTANCING: 'defined(USE_INSTANCING)',
   TANGENT: 'defined(USE_TANGENT)',
   TANGENT_FRAME_UV0: 'defined(USE_ANISOTROPY) || defined(USE_UV)',
   NORMAL_MAP: 'defined(USE_NORMALMAP_TANGENTSPACE)',

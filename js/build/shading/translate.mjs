@@ -56,7 +56,11 @@ export function shadingText(family) {
   const text = withoutComments(included(readHost('declarations.glsl').replaceAll('FAMILY', family), readerOf(family)));
   const main = withoutComments(readHost('main.glsl'));
   const textures = ownLayers(family).flatMap(texturesOf);
-  const vertex = { declarations: vertexDeclarations(textures).join('\n'), main: vertexMain(textures).join('\n') };
+  const cloth = family === 'fabric' ? clothVertex() : { declarations: [], main: [] };
+  const vertex = {
+    declarations: [...vertexDeclarations(textures), ...cloth.declarations].join('\n'),
+    main: [...vertexMain(textures), ...cloth.main].join('\n'),
+  };
 
   const fixed = {
     ...fixedFeatures(family),
@@ -69,12 +73,12 @@ export function shadingText(family) {
   const features = [...new Set(asked)].filter((name) => !(name in FEATURES || name in COUNTS || name in fixed || defined.has(name) || TERMS.includes(name)));
 
   const inputs = [...new Set(matches(`${text}\n${vertex.declarations}`, DECLARATION, 2))];
-  const names = new Set([...namesIn(text), ...inputs, ...asked, ...TERMS]);
+  const names = new Set([...namesIn(`${text}\n${vertex.declarations}`), ...inputs, ...asked, ...TERMS]);
   const translate = (part) => renamed(part, names);
   return {
     declarations: [knownFeatureText(fixed, asked), ownFeatureText(features), translate(text)].join('\n'),
     main: translate(main),
-    vertexDeclarations: [ownFeatureText(features), translate(vertex.declarations)].join('\n'),
+    vertexDeclarations: [knownFeatureText(fixed, conditionNames(vertex.declarations)), ownFeatureText(features), translate(vertex.declarations)].join('\n'),
     vertexMain:
       textures.length > 0
         ? `${SECOND_UV}\n${translate(vertex.main)
@@ -83,6 +87,14 @@ export function shadingText(family) {
         : '',
     uniforms: inputs.filter((name) => !/^v[A-Z]/.test(name)),
     features,
+  };
+}
+
+/** What the vertex stage does for cloth alone: shaders/surface.vert in the names of three.js. */
+function clothVertex() {
+  return {
+    declarations: [readHost('host_cloth_vertex.glsl'), withoutComments(readFileSync(new URL('material/visibility_vertex.glsl', SHADERS), 'utf8'))],
+    main: [readHost('host_cloth_vertex_main.glsl')],
   };
 }
 

@@ -15,6 +15,12 @@ const MAPS = Object.fromEntries(
   ),
 );
 
+/**
+ * Attributes of geometries, as GLTFLoader names those of the file. A geometry without one is open on that side: what WebGL reads
+ * in place of a missing attribute is (0, 0, 0, 1).
+ */
+export const VISIBILITY_ATTRIBUTES = { front: '_telar_visibility', back: '_telar_visibility_back' };
+
 /** Uniform of a normal map that was made anew, and the material's own map. */
 const VARIANCE_MAPS = { normalVarianceMap: 'normalMap', clearcoatNormalVarianceMap: 'clearcoatNormalMap' };
 
@@ -38,6 +44,9 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
 
     /** Whether the geometries have tangents: a weave stands along them, also where no map of three.js needs them. */
     hasTangents = false;
+
+    /** Which sides of the geometries have ambient visibility: attributes of the names in VISIBILITY_ATTRIBUTES. */
+    visibleSides = { front: false, back: false };
 
     /** Uniforms of the text, made once. */
     ownUniforms = {};
@@ -116,6 +125,7 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
       super.copy(source);
       this.fabric = source.fabric ?? null;
       this.hasTangents = source.hasTangents ?? false;
+      this.visibleSides = { front: false, back: false, ...source.visibleSides };
       this.diffuseTransmission = source.diffuseTransmission ?? null;
       return this;
     }
@@ -154,7 +164,7 @@ function hasYarns(fabric) {
 }
 
 /** Defines of 0 or 1, as renderer/pass sets them. */
-function featuresOf({ fabric, diffuseTransmission, map, alphaTest, normalMap, clearcoatNormalMap }) {
+function featuresOf({ fabric, diffuseTransmission, map, alphaTest, normalMap, clearcoatNormalMap, visibleSides }) {
   const features = {
     DIFFUSE_TRANSMISSION: diffuseTransmission?.diffuseTransmissionFactor > 0,
     FLATNESS: fabric?.flatness > 0,
@@ -162,6 +172,8 @@ function featuresOf({ fabric, diffuseTransmission, map, alphaTest, normalMap, cl
     BACK: Boolean(fabric?.back),
     NORMAL_VARIANCE: Boolean(normalMap ?? clearcoatNormalMap),
     ALPHA_TO_COVERAGE: Boolean(map) && alphaTest > 0,
+    AMBIENT_VISIBILITY: visibleSides.front,
+    AMBIENT_VISIBILITY_BACK: visibleSides.front && visibleSides.back,
   };
   return numbers(features);
 }

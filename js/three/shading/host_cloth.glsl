@@ -17,3 +17,10 @@ uniform int coverageSamples;    // of a pixel
 uniform int coverageMask;       // bits of those that are covered where this draw is seen
 bool isCovered(int mask) { return mask != 0 && mask == coverageMask; }
 #endif
+
+#if AMBIENT_VISIBILITY
+in vec4 vVisibility;
+#if AMBIENT_VISIBILITY_BACK
+in vec4 vVisibilityBack;
+#endif
+#endif

@@ -1,6 +1,6 @@
 import { TEXTS } from '../../dist/shading/index.mjs';
 import { wornCloth } from '../cloths.mjs';
-import { clothMaterialClass } from './cloth_material.mjs';
+import { clothMaterialClass, VISIBILITY_ATTRIBUTES } from './cloth_material.mjs';
 import { clothOf, extensionsOf } from './fabric_layers.mjs';
 import { shadingMaterialClass } from './material.mjs';
 import { definesOfTerms } from './terms.mjs';
@@ -35,7 +35,7 @@ export async function openShading(THREE, shading) {
   return {
     key: JSON.stringify(shading),
     create: () => new Material(),
-    update: async (material, original, { model: { parser }, mesh }) => {
+    update: async (material, original, { model: { parser }, mesh, drawn }) => {
       const worn = wornCloth(original);
       const file = worn?.parser ?? parser;
       // Presets are of the shading "fabric" alone.
@@ -47,7 +47,13 @@ export async function openShading(THREE, shading) {
       if (shading === 'three') return;
       const extensions = await extensionsOf(file, cloth.definition, THREE, worn?.placed);
       if (worn && extensions.diffuseTransmission) extensions.diffuseTransmission = worn.through(extensions.diffuseTransmission);
-      Object.assign(material, { hasTangents: mesh.geometry.attributes.tangent !== undefined }, extensions);
+      Object.assign(material, { hasTangents: mesh.geometry.attributes.tangent !== undefined, visibleSides: sidesOf(drawn) }, extensions);
     },
   };
 }
+
+/** Which sides of any of the meshes know what they see. */
+const sidesOf = (meshes) =>
+  Object.fromEntries(
+    Object.entries(VISIBILITY_ATTRIBUTES).map(([side, name]) => [side, meshes.some(({ geometry }) => geometry.attributes[name] !== undefined)]),
+  );

@@ -11,6 +11,7 @@ namespace {
 
 constexpr const char* DRACO = "KHR_draco_mesh_compression";
 constexpr const char* UV_NAMES[] = {"TEXCOORD_0", "TEXCOORD_1"};
+constexpr const char* VISIBILITY_NAMES[] = {"_TELAR_VISIBILITY", "_TELAR_VISIBILITY_BACK"};
 
 }  // namespace
 
@@ -41,6 +42,7 @@ void GeometryReader::checkLayout(const Source& source) const {
   for (const char* name : UV_NAMES) checkAttribute(source, name, 2, 2);
   checkAttribute(source, "TANGENT", 4, 4);
   checkAttribute(source, "COLOR_0", 3, 4);
+  for (const char* name : VISIBILITY_NAMES) checkAttribute(source, name, 4, 4);
   if (source.indices < 0) return;
   const auto& info = from_.accessors.info(source.indices);
   const std::string where = where_ + "/indices";
@@ -59,6 +61,7 @@ void GeometryReader::chargeStreams(const Source& source) const {
     if (attribute(source, name) >= 0) floats += static_cast<std::uint64_t>(count);
   }
   for (const char* name : UV_NAMES) floats += attribute(source, name) >= 0 ? 2 : 0;
+  for (const char* name : VISIBILITY_NAMES) floats += attribute(source, name) >= 0 ? 4 : 0;
   std::uint64_t indices = source.indices >= 0 ? from_.accessors.count(source.indices) : 0;
   if (source.mode == MODE_STRIP || source.mode == MODE_FAN) indices = 3 * std::max(indices, vertices);
   from_.memory.charge(2 * sizeof(float) * (vertices * floats + indices), where_);
@@ -152,6 +155,11 @@ void GeometryReader::readAttributes(const Source& source, const DracoMesh* draco
     out.uvs[set].resize(vertices);
     readStream(source, draco, UV_NAMES[set], floatsOf(out.uvs[set]));
   }
+  for (std::size_t side = 0; side < out.visibility.size(); ++side) {
+    if (attribute(source, VISIBILITY_NAMES[side]) < 0) continue;
+    out.visibility[side].resize(vertices);
+    readStream(source, draco, VISIBILITY_NAMES[side], floatsOf(out.visibility[side]));
+  }
   const int color = attribute(source, "COLOR_0");
   if (color < 0) return;
   out.colorsHaveAlpha = from_.accessors.components(color) == 4;
@@ -172,6 +180,7 @@ void GeometryReader::repairStreams(Primitive& out) const {
   warn(repairTangents(out), "tangents were not of length 1; without length they are not used");
   for (auto& uvs : out.uvs) warn(repairUvs(uvs), "texture coordinates were not finite and were set to 0");
   warn(repairColors(out.colors), "vertex colours were out of range and were clamped");
+  for (auto& visibility : out.visibility) warn(repairVisibility(visibility), "ambient visibilities were not usable");
 }
 
 void GeometryReader::readVariants(const Source& source, Primitive& out) const {
@@ -229,6 +238,7 @@ std::optional<Primitive> GeometryReader::read(int mesh, std::size_t primitive, s
   if (out.positions.empty()) return std::nullopt;
   readAttributes(source, mesher, out);
   repairStreams(out);
+  out.file = static_cast<int>(primitive);
   out.material = source.material;
   readVariants(source, out);
   out.deformers = deformers.read(

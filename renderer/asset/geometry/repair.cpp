@@ -110,6 +110,19 @@ std::size_t repairUvs(std::vector<glm::vec2>& uvs) {
   return changed;
 }
 
+std::size_t repairVisibility(std::vector<glm::vec4>& visibility) {
+  std::size_t changed = 0;
+  for (glm::vec4& v : visibility) {
+    const glm::vec4 before = v;
+    // Directions are of length 1 at most; what is far from that is no number of a direction.
+    const glm::vec3 direction(v);
+    if (!isFinite(direction) || glm::dot(direction, direction) > 4.0f) v = glm::vec4(0, 0, 0, v.w);
+    v.w = std::isfinite(v.w) ? std::clamp(v.w, 0.0f, 1.0f) : 1.0f;
+    changed += v != before;  // true for NaN too
+  }
+  return changed;
+}
+
 std::size_t repairColors(std::vector<glm::vec4>& colors) { return clampColors(colors); }
 std::size_t repairColors(std::vector<glm::vec3>& colors) { return clampColors(colors); }
 

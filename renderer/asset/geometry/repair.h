@@ -28,5 +28,8 @@ std::size_t repairUvs(std::vector<glm::vec2>& uvs);
 /// Components that are not finite become 1; the others are clamped to [0, 65504], the largest half.
 std::size_t repairColors(std::vector<glm::vec4>& colors);
 std::size_t repairColors(std::vector<glm::vec3>& colors);
+/// Directions that are not finite or too long for one become 0, which is the normal. An open part is clamped to [0, 1],
+/// and is 1 where it is not finite.
+std::size_t repairVisibility(std::vector<glm::vec4>& visibility);
 
 }  // namespace telar::asset

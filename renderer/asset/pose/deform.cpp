@@ -82,7 +82,8 @@ std::size_t dropBad(Primitive& out) {
   const std::size_t dropped = dropElements(out.topology, out.positions.size(), bad, order);
   out.indices = std::move(*order);
   // Nothing is left to draw, and no stream may be longer than another.
-  if (out.indices.empty()) out.positions = {}, out.normals = {}, out.tangents = {}, out.uvs = {}, out.colors = {};
+  if (!out.indices.empty()) return dropped;
+  out.positions = {}, out.normals = {}, out.tangents = {}, out.uvs = {}, out.colors = {}, out.visibility = {};
   return dropped;
 }
 

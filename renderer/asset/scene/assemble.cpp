@@ -26,7 +26,8 @@ double elementCount(int mode, double corners) {
 std::uint64_t bytesOf(const Primitive& primitive) {
   const auto size = [](const auto& stream) { return std::uint64_t{stream.size()} * sizeof(stream[0]); };
   return size(primitive.positions) + size(primitive.normals) + size(primitive.tangents) + size(primitive.uvs[0]) +
-         size(primitive.uvs[1]) + size(primitive.colors) + size(primitive.indices);
+         size(primitive.uvs[1]) + size(primitive.colors) + size(primitive.visibility[0]) +
+         size(primitive.visibility[1]) + size(primitive.indices);
 }
 
 }  // namespace
@@ -69,6 +70,7 @@ int Assembler::readMesh(int mesh) {
   const auto& source = model().meshes[static_cast<std::size_t>(mesh)];
   Mesh out;
   out.name = source.name;
+  out.file = mesh;
   std::vector<Primitive> primitives;
   for (std::size_t i = 0; i < source.primitives.size(); ++i) {
     if (auto primitive = geometry_.read(mesh, i, joints_[static_cast<std::size_t>(mesh)]))

@@ -36,6 +36,7 @@ struct Limits {
   std::uint64_t textureUnits = 16;            ///< L_TEXTURE_UNITS: of one program with shadows, as in WebGL 2
   std::uint64_t environmentPixels = 8192ull * 4096;  ///< L_ENVIRONMENT_PIXELS
   std::uint64_t programs = 64;                       ///< L_PROGRAMS: shader programs of one render
+  std::uint64_t visibilityRays = 10'000'000'000;     ///< L_VISIBILITY_RAYS: of ambient visibility, over all vertices
   std::uint64_t fragments = 10'000'000'000;          ///< L_FRAGMENTS: of one pass over a picture, hidden ones too
 };
 

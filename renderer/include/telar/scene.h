@@ -78,7 +78,11 @@ struct Primitive {
   std::array<std::vector<glm::vec2>, 2> uvs;
   std::vector<glm::vec4> colors;  ///< linear, alpha 1 where the file gives RGB
   bool colorsHaveAlpha = false;
+  /// Ambient visibility of the front and of the back: w the part of the hemisphere above that is open, by the cosine,
+  /// 0..1; xyz the mean open direction as normals are given, not unit, 0 where the normal stands for it.
+  std::array<std::vector<glm::vec4>, 2> visibility;
   std::vector<std::uint32_t> indices;          ///< empty = draw vertices in order; every index < positions.size()
+  int file = -1;                               ///< index in its mesh of the file; -1 = of no file
   int material = -1;                           ///< -1 = glTF's default material
   std::map<int, int> variantMaterials;         ///< by variant index; a variant that is not here keeps `material`
   Bounds bounds;                               ///< of positions, in mesh space
@@ -94,6 +98,7 @@ inline bool hasTangents(const Primitive& primitive, const Material& material) {
 struct Mesh {
   std::string name;
   SharedList<Primitive> primitives;
+  int file = -1;  ///< index in the file; -1 = of no file
 };
 
 enum class LightType { kDirectional, kPoint, kSpot };

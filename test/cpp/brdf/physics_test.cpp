@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <regex>
 
 #include "brdf/brdf.h"
@@ -13,6 +14,7 @@ namespace telar::test {
 namespace {
 
 using namespace brdf_d;
+using glm::dvec3;
 
 constexpr int STRATA = 256;
 
@@ -204,6 +206,73 @@ TEST(Occlusion, IsOneWithoutAnyAndZeroWhenWhole) {
     }
   }
   EXPECT_DOUBLE_EQ(diffuseOcclusion(0.25, 0.5), 0.625);
+}
+
+TEST(AmbientVisibility, ChangesNothingWhereNothingHides) {
+  for (const double albedo : {0.0, 0.5, 1.0}) EXPECT_NEAR(multiBounceVisibility(1, dvec3(albedo)).x, 1, 4e-4);
+  for (const double roughness : {0.0, 0.3, 0.7, 1.0}) {
+    for (const double cosine : {0.02, 0.3, 1.0}) EXPECT_EQ(specularVisibility(1, roughness, cosine, cosine), 1);
+    EXPECT_EQ(specularVisibility(0, roughness, 1, 1), 0);
+  }
+  // A mirror sees what is open and nothing of what is not, but for a cone's width.
+  EXPECT_GT(specularVisibility(0.5, 0, 1, 1), 0.99);
+  EXPECT_EQ(specularVisibility(0.5, 0, 0.2, 0.9), 0);
+}
+
+TEST(AmbientVisibility, LightBetweenFoldsIsThatOfTheirColour) {
+  // Jimenez et al. 2016, figure 7: a white corner is lighter than its visibility says, a black one is not.
+  for (double visibility = 0.05; visibility < 1; visibility += 0.05) {
+    const dvec3 lit = multiBounceVisibility(visibility, dvec3(0, 0.5, 0.9));
+    EXPECT_EQ(lit.x, visibility);
+    EXPECT_GT(lit.y, visibility);
+    EXPECT_GT(lit.z, lit.y);
+    EXPECT_LE(lit.z, 1);
+  }
+}
+
+TEST(AmbientVisibility, ArcCosineIsWithinItsBound) {
+  double most = 0;
+  for (double x = -1; x <= 1; x += 1e-4) most = std::max(most, std::abs(arcCosine(x) - std::acos(x)));
+  EXPECT_LT(most, 7e-5);
+}
+
+/// Of a sphere cut into rings, the part within both cones.
+double conesByQuadrature(double a, double b, double between) {
+  constexpr int RINGS = 800, STEPS = 1600;
+  const double pi = std::numbers::pi;
+  const dvec3 axis(std::sin(between), 0, std::cos(between));
+  double sum = 0;
+  for (int i = 0; i < RINGS; ++i) {
+    const double theta = a * (i + 0.5) / RINGS;
+    for (int k = 0; k < STEPS; ++k) {
+      const double phi = 2 * pi * (k + 0.5) / STEPS;
+      const dvec3 d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+      if (dot(d, axis) > std::cos(b)) sum += std::sin(theta);
+    }
+  }
+  return sum * (a / RINGS) * (2 * pi / STEPS) / (2 * pi);
+}
+
+TEST(AmbientVisibility, ConesMeetAboutAsTheyDo) {
+  // The smooth step of the source is that far from the lens of two caps: told where half of the smaller one is within.
+  constexpr double STEP_ERROR = 0.12;
+  double most = 0;
+  for (const double a : {0.4, 0.9, 1.4}) {
+    for (const double b : {0.5, 1.2}) {
+      for (const double between : {0.0, 0.3, 0.8, 1.3, 1.9}) {
+        const double whole = std::min(1 - std::cos(a), 1 - std::cos(b));
+        const double fit = conesIntersection(std::cos(a), std::cos(b), std::cos(between));
+        most = std::max(most, std::abs(fit - conesByQuadrature(a, b, between)) / whole);
+      }
+    }
+  }
+  EXPECT_LT(most, STEP_ERROR);
+  EXPECT_GT(
+      std::abs(conesIntersection(std::cos(0.9), std::cos(0.5), std::cos(0.8)) - conesByQuadrature(0.9, 0.5, 1.2)) /
+          (1 - std::cos(0.5)),
+      STEP_ERROR)
+      << "an axis 0.4 radians farther";
+  EXPECT_EQ(conesIntersection(std::cos(0.4), std::cos(0.4), std::cos(1.0)), 0) << "apart";
 }
 
 }  // namespace

@@ -118,6 +118,15 @@ std::vector<Term> lightTerms() {
            hemisphereIrradiance(vec3(p[0], p[1], p[2]), vec3(p[3], p[4], p[5]), p[6])),
       TERM("diffuseOcclusion", ({UNIT, UNIT}), OF_ONE, true, vec3(diffuseOcclusion(p[0], p[1]))),
       TERM("specularOcclusion", ({ROUGHNESS, UNIT, COSINE}), OF_ONE, true, vec3(specularOcclusion(p[0], p[1], p[2]))),
+      TERM("multiBounceVisibility", ({UNIT, UNIT, UNIT, UNIT}), OF_ONE, true,
+           multiBounceVisibility(p[0], vec3(p[1], p[2], p[3]))),
+      TERM("visibilityBesideMap", ({UNIT, UNIT}), OF_ONE, true, vec3(visibilityBesideMap(p[0], p[1]))),
+      TERM("arcCosine", ({SIGNED_COSINE}), OF_ONE, true, vec3(arcCosine(p[0]))),
+      TERM("conesIntersection", ({UNIT, UNIT, SIGNED_COSINE}), OF_ONE, true, vec3(conesIntersection(p[0], p[1], p[2]))),
+      // The cosines of narrow cones are near 1, and a tenth is left of a lobe half below the horizon: fp32 has no more
+      // digits.
+      TERM("specularVisibility", ({UNIT, ROUGHNESS, COSINE, COSINE}), 20 * OF_ONE, true,
+           vec3(specularVisibility(p[0], p[1], p[2], p[3]))),
       TERM("lodFromRoughness", ({ROUGHNESS, MAX_LOD}), PRODUCT, true, vec3(lodFromRoughness(p[0], p[1]))),
       TERM("dominantReflection", ({ROUGHNESS, DIRECTION, DIRECTION, DIRECTION, DIRECTION, DIRECTION, DIRECTION}),
            OF_ONE, false,

@@ -161,5 +161,49 @@ TEST(RasterAgainstReference, ThinCloth) {
   expectTheSamePicture(test::sceneOf(test::spherePrimitive(1), m), 0.02, 0.001, ShadingModel::kDisney2012, terms);
 }
 
+/// Ambient visibility of both sides, light from everywhere alone.
+std::shared_ptr<Scene> halfHiddenSphere(bool transmits) {
+  Primitive sphere = test::spherePrimitive(1);
+  for (const glm::vec3& n : sphere.normals) {
+    const glm::vec3 leaning = glm::normalize(n + glm::vec3(0.3f, 0.4f, 0));
+    sphere.visibility[0].emplace_back(leaning, 0.5f + 0.4f * n.x);
+    sphere.visibility[1].emplace_back(-n, 0.5f - 0.4f * n.y);
+  }
+  Material m = named("half hidden", 0.4f, 0);
+  m.layers.sheenColorFactor = {0.3f, 0.3f, 0.3f};
+  m.physical = true;
+  if (transmits) m.fabric.diffuseTransmissionFactor = 0.5f;
+  m.doubleSided = true;
+  return test::sceneOf(std::move(sphere), m);
+}
+
+Shot domeShot() {
+  Shot shot = litShot();
+  Shot::Light dome{Shot::Light::Type::kHemisphere};
+  dome.intensity = 2;
+  dome.groundColor = {0.1f, 0.2f, 0.4f};
+  shot.lights = {dome};
+  shot.shading = ShadingModel::kFabric;
+  shot.terms = termsOf(shot.shading);
+  return shot;
+}
+
+TEST(RasterAgainstReference, AmbientVisibilityIsThatOfTheTracer) {
+  for (const bool transmits : {false, true}) {
+    const auto scene = halfHiddenSphere(transmits);
+    const Shot shot = domeShot();
+    const Frame raster = rastered(scene, shot);
+    const Frame truth = trace(*scene, shot, nullptr, {.samples = 64}, Limits(), CancelToken(), {});
+    const auto [worst, average] = differenceOf(raster, truth);
+    EXPECT_LE(worst, 0.01) << transmits;
+    EXPECT_LE(average, 0.001) << transmits;
+    const auto open = std::make_shared<Scene>(*scene);
+    std::vector<Primitive> primitives(scene->meshes[0].primitives.begin(), scene->meshes[0].primitives.end());
+    primitives[0].visibility = {};
+    open->meshes[0].primitives = primitives;
+    EXPECT_GT(differenceOf(rastered(open, shot), truth).second, 0.01) << "it is left out";
+  }
+}
+
 }  // namespace
 }  // namespace telar::reference

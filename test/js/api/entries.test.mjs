@@ -18,7 +18,7 @@ function run(text, type) {
 const commonjs = (text) => run(text, 'commonjs');
 const module = (text) => run(text, 'module');
 
-const NAMES = ['TelarError', 'animateWebp', 'createRenderer', 'doctor', 'evaluateShading', 'inspect', 'pictureKey', 'toTelarError', 'versions'];
+const NAMES = ['TelarError', 'animateWebp', 'bake', 'createRenderer', 'doctor', 'evaluateShading', 'inspect', 'pictureKey', 'toTelarError', 'versions'];
 
 test('require and import give the same names', () => {
   assert.deepEqual(commonjs("console.log(JSON.stringify(Object.keys(require('telar')).sort()))"), NAMES);

@@ -150,7 +150,7 @@ test('a host without the library, or without Embree, draws the rest and names th
     const sees = Object.keys((await draw('standard', ['depth'])).layers);
     console.log(JSON.stringify([info.passes.length > 0, error.code, error.exit, error.message, layer.message === error.message, sees, (await doctor()).reference]));`;
   const missing = (file) =>
-    `Embree is needed for quality "reference" and the layer "ao", but ${file} cannot be loaded; run: apt-get install libembree3-3, and build telar again if it is older`;
+    `Embree is needed for quality "reference", the layer "ao" and ambient visibility, but ${file} cannot be loaded; run: apt-get install libembree3-3, and build telar again if it is older`;
   try {
     const expect = (file) => [true, 'X_LIBRARY_MISSING', 6, missing(file), true, ['depth'], { works: false, failure: missing(file) }];
     assert.deepEqual(await printed(script, { TELAR_LIBRARY_DIR: folder }), expect('libtelar_reference.so'));

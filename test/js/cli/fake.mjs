@@ -10,7 +10,7 @@ const FACTS = { bounds: { min: [-1, 0, -1], max: [1, 2, 1] }, variants: ['navy']
  * Stands in for the API: "draws" the resolved shot as JSON, fails for models named after an error code, and notes each call.
  */
 export function fakeApi({ delayMs = 0 } = {}) {
-  const calls = { created: [], rendered: [], loaded: [], released: 0, closed: 0, inspected: [] };
+  const calls = { created: [], rendered: [], loaded: [], released: 0, closed: 0, inspected: [], baked: [] };
   const wait = (signal) =>
     new Promise((resolve, reject) => {
       signal?.throwIfAborted();
@@ -53,6 +53,12 @@ export function fakeApi({ delayMs = 0 } = {}) {
       calls.inspected.push({ source, options });
       if (failing(source)) throw new TelarError(failing(source), 'it fails');
       return { ...FACTS, warnings: warningsOf(source), plan: { features: ['normalMap'], programs: [{}], passes: ['opaque'] } };
+    },
+    bake: async (source, options) => {
+      calls.baked.push({ source, options });
+      if (failing(source)) throw new TelarError(failing(source), 'it fails');
+      const format = /\.gltf$/.test(String(source)) ? 'gltf' : 'glb';
+      return { data: Buffer.from('baked'), info: { format, parts: format === 'gltf' ? ['m.bin'] : [], vertices: 3, warnings: warningsOf(source) } };
     },
     doctor: async () => ({
       ok: true,

@@ -88,14 +88,14 @@ function typeErrors(examples) {
   writeFileSync(
     path.join(FOLDER, 'all.mts'),
     [
-      "import { animateWebp, createRenderer, doctor, evaluateShading, inspect, pictureKey, type Model, type Renderer, type Resolve, type Shot } from 'telar';",
+      "import { animateWebp, bake, createRenderer, doctor, evaluateShading, inspect, pictureKey, type Model, type Renderer, type Resolve, type Shot } from 'telar';",
       "import { resolveShot, turntable } from 'telar/shot';",
       'declare function writeFile(path: string, data: Uint8Array): Promise<void>;',
       ...examples.map(
         (example, i) =>
           `export async function example${i}(${example.includes('const renderer') || example.includes('using renderer') ? '' : 'renderer: Renderer, '}${example.includes('const model') ? '' : 'model: Model'}) {\n${example}}`,
       ),
-      'export const all = [animateWebp, turntable, createRenderer, doctor, evaluateShading, inspect, pictureKey, resolveShot];',
+      'export const all = [animateWebp, bake, turntable, createRenderer, doctor, evaluateShading, inspect, pictureKey, resolveShot];',
       'export type All = [Model, Renderer, Resolve, Shot];',
     ].join('\n'),
   );

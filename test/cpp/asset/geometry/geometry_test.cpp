@@ -205,5 +205,42 @@ TEST(Geometry, UnusableUvsAndColoursAreReplaced) {
   EXPECT_EQ(first(scene).colors[0], glm::vec4(1, 0, 65504, 1));
 }
 
+TEST(Geometry, VisibilityIsReadOfBothSides) {
+  ModelBuilder model;
+  json& primitive = model.quad();
+  const std::vector<std::int16_t> shorts(4 * 4, 16384);
+  primitive["attributes"]["_TELAR_VISIBILITY"] = model.accessor(shorts, 5122, "VEC4", true);
+  const auto scene = load(model);
+  ASSERT_EQ(first(scene).visibility[0].size(), 4u);
+  EXPECT_NEAR(first(scene).visibility[0][3].w, 0.5, 1e-4);
+  EXPECT_TRUE(first(scene).visibility[1].empty());
+  EXPECT_EQ(first(scene).file, 0);
+}
+
+TEST(Geometry, VisibilityOfHostileFilesIsMadeUsable) {
+  ModelBuilder model;
+  json& primitive = model.quad();
+  const std::vector<float> values = {NAN_F, 0, 1, 0.5f, 1e30f, 0, 0, 2, 0, INF_F, 0, -3, 0, 1, 0, NAN_F};
+  primitive["attributes"]["_TELAR_VISIBILITY_BACK"] = model.accessor(values, 5126, "VEC4");
+  const auto scene = load(model);
+  const std::vector<glm::vec4> wanted = {{0, 0, 0, 0.5f}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 1, 0, 1}};
+  EXPECT_EQ(first(scene).visibility[1], wanted);
+  ASSERT_EQ(scene->warnings.size(), 1u);
+  EXPECT_EQ(scene->warnings[0].code, "W_NONFINITE");
+}
+
+TEST(Geometry, VisibilityOfAnotherShapeIsRefused) {
+  const auto errorWith = [](const char* type, const std::vector<float>& values) {
+    ModelBuilder model;
+    json& primitive = model.quad();
+    primitive["attributes"]["_TELAR_VISIBILITY"] = model.accessor(values, 5126, type);
+    return errorOf(model);
+  };
+  const std::string refused = "E_ACCESSOR at /meshes/0/primitives/0/attributes/_TELAR_VISIBILITY";
+  EXPECT_EQ(errorWith("VEC3", std::vector<float>(12, 0)), refused);
+  EXPECT_EQ(errorWith("VEC4", std::vector<float>(12, 0)), refused) << "three vertices of four";
+  EXPECT_EQ(errorWith("VEC4", std::vector<float>(16, 0)), "");
+}
+
 }  // namespace
 }  // namespace telar::test

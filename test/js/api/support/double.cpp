@@ -13,6 +13,7 @@
 #include "telar/pose.h"
 #include "telar/reference.h"
 #include "telar/renderer.h"
+#include "telar/visibility.h"
 
 /// Stands in for the loader, the renderer and the encoder in tests of threads, cancellation and lifetimes. The model is
 /// JSON that says what each stage does:
@@ -161,6 +162,11 @@ Frame drawReference(const Scene& scene, const Shot& shot, std::span<const std::b
   frame.pixels.assign(head, head + scene.name.size() + 1);
   info.json = json{{"features", json::array()}, {"passes", {"trace"}}, {"backend", "reference"}}.dump();
   return frame;
+}
+
+std::shared_ptr<const Scene> withAmbientVisibility(const std::shared_ptr<const Scene>& model, int, const Limits&,
+                                                   const CancelToken&) {
+  return model;
 }
 
 std::shared_ptr<const Scene> explodeScene(const std::shared_ptr<const Scene>& model, double, const CancelToken&) {

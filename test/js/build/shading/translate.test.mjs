@@ -13,7 +13,7 @@ import { termDefine } from '../../../../js/three/shading/terms.mjs';
 const hostText = ['host', 'host_maps', 'host_cloth', 'host_lights', 'host_area']
   .map((name) => withoutComments(readFileSync(new URL(`../../../../js/three/shading/${name}.glsl`, import.meta.url), 'utf8')))
   .join('\n');
-const declared = new Set([...hostText.matchAll(/^(?:uniform \w+|#define) (\w+)/gm)].map(([, name]) => name));
+const declared = new Set([...hostText.matchAll(/^(?:uniform \w+|in \w+|#define) (\w+)/gm)].map(([, name]) => name));
 
 /** Every chunk and program of three.js that a MeshPhysicalMaterial may take in. */
 const threeText = [...Object.values(THREE.ShaderChunk), THREE.ShaderLib.physical.fragmentShader].join('\n');

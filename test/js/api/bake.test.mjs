@@ -1,0 +1,159 @@
+import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { WebIO } from '@gltf-transform/core';
+import { KHRONOS_EXTENSIONS } from '@gltf-transform/extensions';
+import { bake, createRenderer, inspect, pictureKey } from '../../../js/index.mjs';
+import { drape } from '../../fixtures/drape.mjs';
+import { editedGlb } from '../../fixtures/edited_glb.mjs';
+import { plane } from '../../fixtures/geometry.mjs';
+import { GlbBuilder } from '../../fixtures/glb.mjs';
+import './support/real.mjs';
+
+const RAYS = 256;
+const SHOT = { size: { width: 64, height: 64 }, shading: 'fabric' };
+
+/** A floor that faces up, with vertices at these distances from a long wall of 1 m; a wall in a mesh of its own. */
+const DISTANCES = [0.2, 0.5, 1, 2];
+
+async function corner({ material = {} } = {}) {
+  const builder = new GlbBuilder();
+  const cloth = builder.material({ doubleSided: true, ...material });
+  const positions = DISTANCES.flatMap((x) => [x, 0, 0.01, x, 0, -0.01]);
+  const indices = DISTANCES.slice(1).flatMap((_, i) => [2 * i, 2 * i + 2, 2 * i + 1, 2 * i + 1, 2 * i + 2, 2 * i + 3]);
+  builder.add({ positions, normals: DISTANCES.flatMap(() => [0, 1, 0, 0, 1, 0]), indices }, cloth, { name: 'floor' });
+  const half = Math.SQRT1_2;
+  builder.add(plane(200, 1), cloth, { name: 'wall', translation: [0, 0.5, 0], rotation: [0, half, 0, half] });
+  return builder.bytes();
+}
+
+async function draped() {
+  const builder = new GlbBuilder();
+  builder.add(drape({ cells: 24 }), builder.material({ doubleSided: true, baseColor: [0.5, 0.4, 0.3, 1], roughness: 0.7 }));
+  return builder.bytes();
+}
+
+/** Configuration factor of a strip: Siegel and Howell. */
+const openBeside = (x) => 1 - (1 - x / Math.hypot(x, 1)) / 2;
+
+async function readAttributes(bytes, mesh = 0) {
+  const document = await new WebIO().registerExtensions(KHRONOS_EXTENSIONS).readBinary(new Uint8Array(bytes));
+  const [primitive] = document.getRoot().listMeshes()[mesh].listPrimitives();
+  const list = (name) => {
+    const accessor = primitive.getAttribute(name);
+    return accessor && Array.from({ length: accessor.getCount() }, (_, i) => accessor.getElement(i, []));
+  };
+  return { front: list('_TELAR_VISIBILITY'), back: list('_TELAR_VISIBILITY_BACK') };
+}
+
+let renderer;
+let model;
+before(async () => {
+  renderer = await createRenderer({ cacheDirectory: null });
+  model = await corner();
+});
+after(() => renderer.close());
+
+test('the file has what its vertices see, as glTF stores it', async () => {
+  const { data, info } = await bake(model, { rays: 4096 });
+  const { front, back } = await readAttributes(data);
+  DISTANCES.forEach((x, i) => {
+    const [bx, by, bz, open] = front[2 * i];
+    // 4096 rays are within 0.004 of the integral (test/cpp/reference/visibility_test.cpp).
+    assert.ok(Math.abs(open - openBeside(x)) < 0.004, `${x}: ${open}, expected ${openBeside(x)}`);
+    assert.ok(Math.abs(Math.hypot(bx, by, bz) - 1) < 1e-3 && bx > 0, 'leans away from the wall');
+  });
+  assert.ok(Math.abs(front[2][3] - openBeside(DISTANCES[1] + 0.05)) > 0.004, 'a wall 5 cm farther is told from it');
+  assert.ok(back.every(([, y, , open]) => open === 1 && y < -0.99));
+  assert.deepEqual({ ...info, warnings: [] }, { format: 'glb', parts: [], primitives: 2, vertices: 12, rays: 4096, warnings: [] });
+});
+
+test('a baked file is drawn as the model that is loaded with the option', async () => {
+  const cloth = await draped();
+  const { data } = await bake(cloth, { rays: RAYS });
+  const baked = await renderer.render(data, SHOT);
+  const loaded = await renderer.render(cloth, SHOT, { ambientVisibility: { rays: RAYS } });
+  const plain = await renderer.render(cloth, SHOT);
+  assert.ok(baked.info.features.includes('ambient-visibility') && loaded.info.features.includes('ambient-visibility'));
+  assert.ok(!plain.info.features.includes('ambient-visibility'));
+  assert.ok((await worst(plain, loaded)) > 20, 'folds are darker');
+  assert.ok((await worst(baked, loaded)) <= 1, 'shorts round the floats of the option: at most 1 of 255 apart');
+});
+
+async function worst(...images) {
+  const { default: sharp } = await import('sharp');
+  const [a, b] = await Promise.all(images.map(({ data }) => sharp(data).raw().toBuffer()));
+  return a.reduce((most, value, i) => Math.max(most, Math.abs(value - b[i])), 0);
+}
+
+test('the shading three does not read it, and its program has no trace of it', async () => {
+  const { data } = await bake(model, { rays: 16 });
+  const [with_, without] = await Promise.all([data, model].map((bytes) => renderer.render(bytes, { ...SHOT, shading: 'three' })));
+  assert.ok(with_.data.equals(without.data));
+  assert.deepEqual(with_.info.features, without.info.features);
+});
+
+test('the picture of it has a key of its own, which is known before it is drawn', async () => {
+  const options = { ambientVisibility: { rays: 32 } };
+  const { info } = await renderer.render(model, SHOT, options);
+  assert.equal(info.key, await pictureKey(model, SHOT, options));
+  assert.notEqual(info.key, await pictureKey(model, SHOT));
+  assert.notEqual(info.key, await pictureKey(model, SHOT, { ambientVisibility: true }));
+  const facts = await inspect(model, { shot: SHOT, ...options });
+  assert.ok(facts.plan.features.includes('ambient-visibility'));
+});
+
+test('a baked file may be baked again, and everything else in it stays', async () => {
+  const builder = new GlbBuilder();
+  const mesh = drape({ cells: 8 });
+  builder.add(mesh, builder.material({ doubleSided: true, name: 'cloth' }), { name: 'drape' });
+  const bytes = editedGlb(await builder.bytes(), (json) => {
+    json.extras = { ours: [1, 2] };
+  });
+  const once = await bake(bytes, { rays: 16 });
+  const twice = await bake(once.data, { rays: 16 });
+  assert.deepEqual(await readAttributes(twice.data), await readAttributes(once.data));
+  const jsonOf = (data) => JSON.parse(data.subarray(20, 20 + data.readUInt32LE(12)).toString());
+  assert.deepEqual(jsonOf(twice.data).extras, { ours: [1, 2] });
+  const { front } = await readAttributes(once.data);
+  assert.ok(Math.min(...front.map((v) => v[3])) < 0.8 && Math.max(...front.map((v) => v[3])) > 0.95, 'folds hide, the top does not');
+});
+
+test('a .gltf file keeps its parts beside it and gets its bytes within', async () => {
+  const folder = mkdtempSync(path.join(os.tmpdir(), 'telar-bake-'));
+  try {
+    const glb = Buffer.from(model);
+    const length = glb.readUInt32LE(12);
+    const json = JSON.parse(glb.subarray(20, 20 + length).toString());
+    json.buffers[0].uri = 'shirt.bin';
+    writeFileSync(path.join(folder, 'shirt.bin'), glb.subarray(28 + length));
+    writeFileSync(path.join(folder, 'shirt.gltf'), JSON.stringify(json));
+    const { data, info } = await bake(path.join(folder, 'shirt.gltf'), { rays: 16 });
+    assert.deepEqual([info.format, info.parts], ['gltf', ['shirt.bin']]);
+    writeFileSync(path.join(folder, 'baked.gltf'), data);
+    const facts = await inspect(path.join(folder, 'baked.gltf'), { shot: SHOT });
+    assert.ok(facts.plan.features.includes('ambient-visibility'));
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test('what is wrong is told: rays out of range, too many of them, another option', async () => {
+  const refused = (promise) =>
+    promise.then(
+      () => 'no error',
+      ({ code, message }) => `${code} ${message}`,
+    );
+  assert.equal(await refused(bake(model, { rays: 8 })), 'E_OPTION options.rays: expected a whole number from 16 to 4096, got 8');
+  assert.equal(await refused(bake(model, { rays: 16.5 })), 'E_OPTION options.rays: expected a whole number from 16 to 4096, got 16.5');
+  assert.match(await refused(bake(model, { limits: { L_VISIBILITY_RAYS: 100 } })), /^L_VISIBILITY_RAYS /);
+  assert.equal(
+    await refused(renderer.load(model, { ambientVisibility: 'yes' })),
+    'E_OPTION options.ambientVisibility: expected true, false or an object with rays, got "yes"',
+  );
+  assert.match(await refused(renderer.load(model, { ambientVisibility: { rays: 5000 } })), /^E_OPTION options\.ambientVisibility\.rays: /);
+  const stopped = AbortSignal.abort(new Error('enough'));
+  assert.match(await refused(bake(model, { signal: stopped })), /enough/);
+});
