@@ -69,14 +69,14 @@ void main() {
   vec4 baseColor = baseColorAndAlpha();
 #if ALPHA_TO_COVERAGE
 #if VERTEX_COLOR
-  coverSamples(vColor.a);
+  baseColor.a = coverSamples(vColor.a);
 #else
-  coverSamples(1.0);
+  baseColor.a = coverSamples(1.0);
 #endif
 #elif ALPHA_MASK
   if (baseColor.a < alphaCutoff) discard;
 #endif
-#if ALPHA_OPAQUE
+#if ALPHA_OPAQUE && !ALPHA_TO_COVERAGE
   baseColor.a = 1.0;
 #endif
 #if UNLIT

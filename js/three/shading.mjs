@@ -40,10 +40,12 @@ export async function applyShading(model, shading, { THREE, ownText = false }) {
   const { openShading } = await import('./shading/index.mjs');
   const maker = await openShading(THREE, shading);
   const made = new Map();
+  const transmits = meshes.some(({ material }) => [material].flat().some((each) => originalOf(each).transmission > 0));
   for (const mesh of meshes) {
     for (const material of [mesh.material].flat()) {
       const original = originalOf(material);
-      if (isStock(original) && !made.has(original)) made.set(original, await refreshed(original, maker, { model, mesh, drawn: drawnWith(meshes, original) }));
+      if (isStock(original) && !made.has(original))
+        made.set(original, await refreshed(original, maker, { model, mesh, drawn: drawnWith(meshes, original), transmits }));
     }
     mesh.material = mapped(mesh.material, (material) => made.get(originalOf(material)) ?? material);
   }

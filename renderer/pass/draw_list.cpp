@@ -67,6 +67,8 @@ void describeMaps(const Material& m, shader::VariantKey& key) {
   if (key.shading != ShadingModel::kFabric || key.fullDetail || key.layers) return;
   key.normalVariance = key.normalMap || key.clearcoatNormalMap;
   key.alphaToCoverage = key.alphaMask && key.baseColorMap;
+  key.normalHoles = key.alphaToCoverage && key.normalMap && m.normalTexture.texCoord == m.baseColorTexture.texCoord &&
+                    m.normalTexture.uvTransform == m.baseColorTexture.uvTransform;
 }
 
 /// Which sides know what of the hemisphere above them is open. Only the shading "fabric" reads it.
@@ -178,6 +180,18 @@ void sortDraws(DrawList& draws) {
   }
 }
 
+/// Cut-out cloth is drawn after all that is opaque, so that what is there in part is blended over it. Where something
+/// transmits, it stays: what is blended is not seen through glass.
+void blendCoverage(DrawList& draws) {
+  const auto cut = std::stable_partition(draws.opaque.begin(), draws.opaque.end(),
+                                         [](const DrawItem& item) { return !item.key.alphaToCoverage; });
+  for (auto item = cut; item != draws.opaque.end(); ++item) {
+    item->blendsCoverage = true;
+    draws.blended.push_back(*item);
+  }
+  draws.opaque.erase(cut, draws.opaque.end());
+}
+
 DrawItem oneSide(DrawItem item, bool back) {
   item.bothSides = item.key.doubleSided = false;
   item.key.flipSided = back;
@@ -279,6 +293,7 @@ FramePlan planFrame(const Scene& scene, const Shot& shot, const Limits& limits, 
       (transmissive ? plan.draws.transmissive : item.blend ? plan.draws.blended : plan.draws.opaque).push_back(item);
     }
   }
+  if (plan.draws.transmissive.empty() && !frame.debugOutput) blendCoverage(plan.draws);
   sortDraws(plan.draws);
   if (!plan.draws.transmissive.empty()) addBehind(plan.draws, frame.three);
   splitBlended(plan.draws.transmissive);

@@ -20,14 +20,15 @@ struct DrawItem {
   const Primitive* primitive = nullptr;
   const Material* material = nullptr;
   shader::VariantKey key;
-  bool blend = false;      ///< alpha blended, without depth writes
-  bool bothSides = false;  ///< faces of either winding, in one call
-  bool mirrored = false;   ///< the node's matrix reverses the winding
-  bool ghost = false;      ///< of frame::Ghosts: it casts no shadow
-  bool visible = true;     ///< else it only casts its shadow
-  double depth = 0;        ///< clip z of the primitive's centre
-  int materialRank = 0;    ///< order of first use
-  int materialIndex = -1;  ///< in the scene, in the shot's variant; -1 = glTF's default one
+  bool blend = false;           ///< alpha blended, without depth writes
+  bool blendsCoverage = false;  ///< drawn once more so, for what of a cut-out cloth is there in part
+  bool bothSides = false;       ///< faces of either winding, in one call
+  bool mirrored = false;        ///< the node's matrix reverses the winding
+  bool ghost = false;           ///< of frame::Ghosts: it casts no shadow
+  bool visible = true;          ///< else it only casts its shadow
+  double depth = 0;             ///< clip z of the primitive's centre
+  int materialRank = 0;         ///< order of first use
+  int materialIndex = -1;       ///< in the scene, in the shot's variant; -1 = glTF's default one
 
   /// Null = drawn once, where the node is.
   const Instances* instances() const { return node->instances.get(); }

@@ -18,7 +18,8 @@ struct DerivedTexture {
   enum class Kind { kNormalVariance, kCoverage } kind = Kind::kNormalVariance;
   int image = -1;
   bool srgb = false;
-  float cutoff = 0;  ///< kCoverage
+  float cutoff = 0;  ///< alpha from which on it is there: kCoverage, and where there is a cover
+  int cover = -1;    ///< kNormalVariance of a cut-out material: the image whose alpha tells its holes
 
   auto operator<=>(const DerivedTexture&) const = default;
 };

@@ -315,6 +315,7 @@ class GlRenderer final : public Renderer {
     pass::SurfaceInputs inputs{frame.plan,       shot,        frame.scene, frame.gpu, frame.environment,
                                frame.background, frame.cancel};
     inputs.samplePass = frame.samplePass;
+    inputs.samples = extent.samples;
     transmission_->bind();
     clear(pass::clearColorBehind(shot, three));
     if (frame.plan.environmentBackground) {

@@ -121,6 +121,9 @@ void setSampledEnvironment(const gl::Program& program, const shader::VariantKey&
   if (in.environment) setBrightDirections(program, in, key.brightDirections(), passes);
 }
 
+/// What a draw of cut-out cloth shows: of shaders/material/coverage.glsl.
+constexpr int COVERAGE_MASKED = 0, COVERAGE_WHOLE = 1, COVERAGE_BLENDED = 2;
+
 /// Cost of a fragment, in plain ones: each light, shadow and direction of the environment adds to it.
 double weightOf(const shader::VariantKey& key) {
   const shader::LightCounts& lights = key.lights;
@@ -284,15 +287,26 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   if (in.ids) program.set("layerIds", glm::vec2(in.ids->part(*item.node), in.ids->material(item.materialIndex)));
   bindMaterial(program, item, in);
 
-  item.blend ? gl.Enable(GL_BLEND) : gl.Disable(GL_BLEND);
-  gl.DepthMask(item.blend ? GL_FALSE : GL_TRUE);
+  const auto blends = [&gl](bool yes) {
+    yes ? gl.Enable(GL_BLEND) : gl.Disable(GL_BLEND);
+    gl.DepthMask(yes ? GL_FALSE : GL_TRUE);
+  };
+  blends(item.blend);
   const bool cull = !item.bothSides && item.primitive->topology == Topology::kTriangles;
   cull ? gl.Enable(GL_CULL_FACE) : gl.Disable(GL_CULL_FACE);
   gl.FrontFace(item.mirrored != item.key.flipSided ? GL_CW : GL_CCW);
   const frame::Camera& camera = in.plan.camera;
-  SlicedDraw(context_, surface.cost, item, in.gpu, camera.projection * camera.view,
-             {0, 0, in.shot.width, in.shot.height})
-      .run();
+  const auto draw = [&] {
+    SlicedDraw(context_, surface.cost, item, in.gpu, camera.projection * camera.view,
+               {0, 0, in.shot.width, in.shot.height})
+        .run();
+  };
+  if (item.key.alphaToCoverage) program.set("coverageDraw", item.blendsCoverage ? COVERAGE_WHOLE : COVERAGE_MASKED);
+  draw();
+  if (!item.blendsCoverage) return;
+  program.set("coverageDraw", COVERAGE_BLENDED);
+  blends(true);
+  draw();
 }
 
 void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {

@@ -15,7 +15,12 @@ std::optional<DerivedTexture> derivedOf(const DrawItem& item, const TextureSlot&
   const int image = slot.texture(*item.material).image;
   const bool srgb = decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, slot.srgb);
   if (item.key.normalVariance && (slot.map == &Key::normalMap || slot.map == &Key::clearcoatNormalMap)) {
-    return DerivedTexture{DerivedTexture::Kind::kNormalVariance, image, srgb};
+    DerivedTexture relief{DerivedTexture::Kind::kNormalVariance, image, srgb};
+    if (item.key.normalHoles && slot.map == &Key::normalMap) {
+      relief.cutoff = textureCutoff(*item.material);
+      relief.cover = item.material->baseColorTexture.image;
+    }
+    return relief;
   }
   if (item.key.alphaToCoverage && slot.map == &Key::baseColorMap) {
     return DerivedTexture{DerivedTexture::Kind::kCoverage, image, srgb, textureCutoff(*item.material)};
@@ -66,10 +71,11 @@ GLuint SurfaceTextures::texture(const DrawItem& item, const TextureSlot& slot, c
   if (!key) return plain;
   const Image8& image = scene.images[static_cast<std::size_t>(index)];
   const auto width = static_cast<int>(image.width), height = static_cast<int>(image.height);
+  const GLuint cover = key->cover < 0 ? 0 : gpu.texture(scene, key->cover, true, cancel);
   return gpu.derived(*key, [&] {
     return key->kind == DerivedTexture::Kind::kCoverage
                ? baker_.coverage(plain, key->srgb, width, height, key->cutoff, cancel)
-               : baker_.normalVariance(plain, width, height, cancel);
+               : baker_.normalVariance(plain, width, height, cover, key->cutoff, cancel);
   });
 }
 

@@ -79,7 +79,7 @@ const gl::Program& TextureBaker::program(const char* file, bool fromImage) {
   return programs_.emplace(key, std::move(made)).first->second;
 }
 
-gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int height, float cutoff,
+gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int height, GLuint cover, float cutoff,
                                const CancelToken& cancel) {
   const gl::Functions& gl = context_.gl();
   const auto levels = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
@@ -87,6 +87,10 @@ gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int h
   const GLenum momentFormat = context_.capabilities().colorBufferFloat ? GL_RGBA32F : GL_RGBA16F;
   gl::Texture out = emptyTexture(gl, kind.format, levels, width, height);
   const Drawing drawing(context_);
+  gl.ActiveTexture(GL_TEXTURE1);
+  gl.BindSampler(1, 0);
+  gl.BindTexture(GL_TEXTURE_2D, cover);
+  gl.ActiveTexture(GL_TEXTURE0);
   gl::Texture larger;  // moments of the level before
   for (int level = 0; level < levels; ++level) {
     cancel.check();
@@ -96,6 +100,7 @@ gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int h
       const gl::Program& average = program(kind.moments, level == 1);
       average.use();
       average.set("sourceMap", 0);
+      average.set("coverMap", 1);
       average.set("sourceSize", glm::vec2(sideAt(width, level - 1), sideAt(height, level - 1)));
       average.set("targetSize", glm::vec2(size));
       average.set("cutoff", cutoff);
@@ -105,22 +110,25 @@ gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int h
     const gl::Program& write = program(kind.level, level == 0);
     write.use();
     write.set("sourceMap", 0);
+    write.set("coverMap", 1);
+    write.set("cutoff", cutoff);
     drawing.draw(level == 0 ? source : larger.get(), out, level, size, cost_);
   }
   context_.check("texture bake");
   return out;
 }
 
-gl::Texture TextureBaker::normalVariance(GLuint source, int width, int height, const CancelToken& cancel) {
-  return bake({"texture/relief_moments.frag", "texture/relief_level.frag", GL_RGBA16F}, source, width, height, 0,
-              cancel);
+gl::Texture TextureBaker::normalVariance(GLuint source, int width, int height, GLuint cover, float cutoff,
+                                         const CancelToken& cancel) {
+  return bake({"texture/relief_moments.frag", "texture/relief_level.frag", GL_RGBA16F}, source, width, height, cover,
+              cover != 0 ? cutoff : 0, cancel);
 }
 
 gl::Texture TextureBaker::coverage(GLuint source, bool srgb, int width, int height, float cutoff,
                                    const CancelToken& cancel) {
   return bake({"texture/coverage_moments.frag", "texture/coverage_level.frag",
                srgb ? GLenum{GL_SRGB8_ALPHA8} : GLenum{GL_RGBA8}},
-              source, width, height, cutoff, cancel);
+              source, width, height, 0, cutoff, cancel);
 }
 
 }  // namespace telar::pass

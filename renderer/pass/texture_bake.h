@@ -17,7 +17,9 @@ class TextureBaker {
   /// A normal map as relief, RGBA16F: RGB = the mean of unit normals, whose length tells how far they differ, A = the
   /// mean of 1 / (1 + 4 slope^2). All can be filtered.
   /// @param source its level 0 holds the normals; `width` x `height` texels
-  gl::Texture normalVariance(GLuint source, int width, int height, const CancelToken& cancel);
+  /// @param cover  its level 0 tells holes, which lie flat, by an alpha below `cutoff`; 0 = there are none
+  gl::Texture normalVariance(GLuint source, int width, int height, GLuint cover, float cutoff,
+                             const CancelToken& cancel);
 
   /// An alpha-tested colour map, SRGB8_ALPHA8 or RGBA8. Level 0 is the source's. In the others alpha is the part of the
   /// texel that passes the test, and the colour is the mean of that part.
@@ -26,7 +28,8 @@ class TextureBaker {
 
  private:
   struct Kind;
-  gl::Texture bake(const Kind& kind, GLuint source, int width, int height, float cutoff, const CancelToken& cancel);
+  gl::Texture bake(const Kind& kind, GLuint source, int width, int height, GLuint cover, float cutoff,
+                   const CancelToken& cancel);
   const gl::Program& program(const char* file, bool fromImage);
 
   const gl::Context& context_;

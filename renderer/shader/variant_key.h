@@ -44,6 +44,7 @@ using shot::ToneMapping;
   F(AMBIENT_VISIBILITY_BACK, ambientVisibilityBack, "")                     \
   F(NORMAL_VARIANCE, normalVariance, "normal-variance")                     \
   F(ALPHA_TO_COVERAGE, alphaToCoverage, "alpha-to-coverage")                \
+  F(NORMAL_HOLES, normalHoles, "")                                          \
   F(AMBIENT, ambient, "ambient-light")                                      \
   F(ENVIRONMENT, environment, "environment")                                \
   F(ORTHOGRAPHIC, orthographic, "orthographic")                             \

@@ -1,11 +1,15 @@
 // Cut-out materials of the shading "fabric": which samples of a pixel the cloth covers. Levels of the base colour map
 // below 0 hold the share of a texel that is there (texture/coverage_level.frag).
 //
-// The holes of two layers are independent: two layers that each cover c together cover 1 - (1 - c)^2. So a mask must take every
-// sample equally often, and the masks of layers over each other must be independent.
-// WebGL has no masks but the first n samples and the last n (js/three/shading/coverage.mjs). From far, where the share is
-// all that is known, the two halves of a pixel are covered by thresholds of their own; at an edge that can be seen, the
-// first n samples are, or the last n.
+// The holes of two layers are independent: two layers that each cover c together cover 1 - (1 - c)^2.
+//
+// At an edge that can be seen, the first n samples of a pixel are covered, or the last n: WebGL has no other masks
+// (js/three/shading/coverage.mjs). From far, where the share is all that is known, what is there in part is blended over what
+// lies behind it, after all else of the model and without depth: whatever the order, layers cover what they should. Alone the colours
+// of layers may trade their weights.
+// What is blended cannot be seen through glass. Where there is any, masks stand in from far too: the two halves of a pixel are
+// covered by thresholds of their own. Then a mask must take every sample equally often, and the masks of layers over each other
+// must be independent.
 // src: Enderton, Sintorn, Shirley & Luebke 2010, "Stochastic Transparency": a mask of random samples for each layer,
 //      stratified; Wyman & McGuire 2017, "Hashed Alpha Testing": a hash of place in place of a random number
 
@@ -46,29 +50,47 @@ float shareOfEdge(float alpha, float cutoff) {
   return width > 1e-4 ? clamp((alpha - cutoff) / width + 0.5, 0.0, 1.0) : step(cutoff, alpha);
 }
 
-// Bits of the samples to cover.
+// coverageDraw
+const int COVERAGE_MASKED = 0;   // all that is there, by masks
+const int COVERAGE_WHOLE = 1;    // edges, and where nothing is missing
+const int COVERAGE_BLENDED = 2;  // the rest, blended
+
+// Shares that count as the whole, and as nothing.
+const float WHOLE_SHARE = 0.99;
+const float NO_SHARE = 0.002;
+
+struct Coverage {
+  int mask;     // bits of the samples to cover
+  float alpha;  // straight, of what is blended
+};
+
 // cutoff  of the map's alpha
-int coveredSamples(float cutoff) {
+Coverage coverageFrom(float cutoff) {
   uint hash = layerHash();
   float edge = shareOfEdge(texture(baseColorMap, vBaseColorUv).a, cutoff);
-#if FULL_DETAIL
-  return maskOfEdge(edge, hash);
-#else
   vec2 size = vec2(textureSize(baseColorMap, 0));
   vec2 dx = dFdx(vBaseColorUv) * size;
   vec2 dy = dFdy(vBaseColorUv) * size;
   // How far the sampler is from level 0. Only in level 0 does alpha have an edge.
   float level = 0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0));
   float there = textureLod(baseColorMap, vBaseColorUv, max(level, 1.0)).a;
-  return level < 0.5 ? maskOfEdge(mix(edge, there, level), hash) : maskOfShare(mix(edge, there, min(level, 1.0)), hash);
-#endif
+  if (level < 0.5) return Coverage(coverageDraw == COVERAGE_BLENDED ? 0 : maskOfEdge(mix(edge, there, level), hash), 1.0);
+  float share = mix(edge, there, min(level, 1.0));
+  if (coverageDraw == COVERAGE_MASKED) return Coverage(maskOfShare(share, hash), 1.0);
+  bool isWhole = share > WHOLE_SHARE;
+  int all = firstSamples(coverageSamples);
+  if (coverageDraw == COVERAGE_WHOLE) return Coverage(isWhole ? all : 0, 1.0);
+  return Coverage(isWhole || share < NO_SHARE ? 0 : all, share);
 }
 
-void coverSamples(float vertexAlpha) {
+// return  alpha of the fragment
+float coverSamples(float vertexAlpha) {
   float cutoff = alphaCutoff / max(baseColorFactor.a * vertexAlpha, 1e-6);
-  int mask = cutoff > 1.0 ? 0 : coveredSamples(cutoff);
-  if (!isCovered(mask)) discard;
+  Coverage coverage = Coverage(0, 1.0);
+  if (cutoff <= 1.0) coverage = coverageFrom(cutoff);
+  if (!isCovered(coverage.mask)) discard;
 #if SAMPLE_MASK
-  gl_SampleMask[0] = mask;
+  gl_SampleMask[0] = coverage.mask;
 #endif
+  return coverage.alpha;
 }

@@ -61,6 +61,7 @@ uniform int coverageSamples;  // of a pixel: 1 or an even number
 #else
 const int coverageSamples = 1;
 #endif
+uniform int coverageDraw;  // what is drawn: COVERAGE_ of material/coverage.glsl
 #endif
 
 #if !UNLIT
@@ -105,4 +106,6 @@ vec2 splitSum(float perceptualRoughness, float NoV) { return texture(dfgMap, vec
 #if ALPHA_TO_COVERAGE
 // Whether a draw covers a pixel whose covered samples are the bits of `mask`.
 bool isCovered(int mask) { return mask != 0; }
+// Share of what the maps show that is there.
+float shareThere() { return texture(baseColorMap, vBaseColorUv).a; }
 #endif

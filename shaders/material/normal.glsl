@@ -40,6 +40,14 @@ mat3 tangentFrame(vec3 n, vec2 uv, float faceDirection) {
 // Colour of a plain normal map for a texel of a map of relief (texture/relief_level.frag).
 vec3 plainNormalTexel(vec4 texel) { return 0.5 + 0.5 * texel.rgb; }
 
+#if NORMAL_HOLES
+// A map of relief where a share of the texel is there: holes lie flat in it (texture/relief.glsl).
+vec4 withoutHoles(vec4 texel, float share) {
+  share = max(share, 0.02);
+  return (texel - (1.0 - share) * vec4(0.0, 0.0, 1.0, 1.0)) / share;
+}
+#endif
+
 // Normals::relief. The rounding of half floats is taken off, so that one texel alone has none.
 vec2 reliefOf(vec4 texel, vec2 scale) {
   float scale2 = 0.5 * dot(scale, scale);
@@ -86,7 +94,11 @@ Normals shadingNormals() {
 #if NORMAL_MAP
   mat3 frame = tangentFrame(normals.geometric, vNormalUv, faceDirection);
 #if NORMAL_VARIANCE
+#if NORMAL_HOLES
+  vec4 varied = withoutHoles(normalTexel(), shareThere());
+#else
   vec4 varied = normalTexel();
+#endif
   normals.relief = reliefOf(varied, normalScale);
   normals.shading = mappedNormal(frame, plainNormalTexel(varied), normalScale);
 #else

@@ -12,3 +12,14 @@ vec4 reliefOfTexel(vec3 texel) {
   vec2 slope = n.xy / max(n.z, sqrt(length2) / STEEPEST);
   return vec4(normalize(vec3(slope, 1.0)), 1.0 / (1.0 + 4.0 * dot(slope, slope)));
 }
+
+// Holes of a cut-out material lie flat: how much of a level they are is known from the map of coverage, so that they can be taken
+// out again (material/normal.glsl).
+uniform sampler2D coverMap;  // alpha
+uniform float cutoff;        // alpha from which on it is there; 0 = no holes
+
+// at  place in the normal map, [0, 1]
+vec4 reliefWithHoles(vec3 texel, vec2 at) {
+  if (cutoff > 0.0 && textureLod(coverMap, at, 0.0).a < cutoff) return vec4(0.0, 0.0, 1.0, 1.0);
+  return reliefOfTexel(texel);
+}

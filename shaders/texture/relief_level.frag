@@ -13,7 +13,7 @@ out vec4 fragmentColor;
 void main() {
   vec4 texel = texelFetch(sourceMap, ivec2(gl_FragCoord.xy), 0);
 #if FROM_IMAGE
-  fragmentColor = reliefOfTexel(texel.rgb);
+  fragmentColor = reliefWithHoles(texel.rgb, gl_FragCoord.xy / vec2(textureSize(sourceMap, 0)));
 #else
   fragmentColor = texel;
 #endif

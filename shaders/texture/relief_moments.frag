@@ -25,7 +25,8 @@ vec4 momentsAt(ivec2 at) {
   for (int i = 0; i < 4; ++i) {
     ivec2 side = 2 * ivec2(i & 1, i >> 1) - 1;
     vec3 beside = texelBeside(at, ivec2(side.x, 0)) + texelBeside(at, ivec2(0, side.y));
-    sum += reliefOfTexel((9.0 * texel + 3.0 * beside + texelBeside(at, side)) / 16.0);
+    vec2 place = (vec2(at) + 0.5 + 0.25 * vec2(side)) / sourceSize;
+    sum += reliefWithHoles((9.0 * texel + 3.0 * beside + texelBeside(at, side)) / 16.0, place);
   }
   return 0.25 * sum;
 }

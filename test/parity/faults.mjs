@@ -207,16 +207,14 @@ export const FAULTS = [
   {
     name: 'cut-out cloth that is cut at its mean alpha from far',
     item: 'cloth-tulle-studio',
-    edits: [{ file: 'material/coverage.glsl', find: 'maskOfShare(mix(edge, there, min(level, 1.0)), hash)', replace: 'maskOfEdge(edge, hash)' }],
-    first: null,
+    edits: [{ file: 'material/coverage.glsl', find: ': all, share);', replace: ': all, step(0.5, share));' }],
+    first: 'n',
   },
   {
-    name: 'layers of cut-out cloth whose holes lie over each other',
-    item: 'cloth-layers-sun',
-    edits: [
-      { file: 'material/coverage.glsl', find: 'mixedBits(mixedBits(quad) ^ uint(floatBitsToInt(depth) >> LAYER_DEPTH_SHIFT))', replace: 'mixedBits(quad)' },
-    ],
-    first: 'direct', // of another layer, which is nearer to the point lamp
+    name: 'holes of a net that count in its mean normal',
+    item: 'cloth-tulle-studio',
+    edits: [{ file: 'material/normal.glsl', find: 'share = max(share, 0.02);', replace: 'share = 1.0;' }],
+    first: 'n',
   },
   { name: 'a camera shift of 0.5 px', item: 'camera-ortho', shot: (shot) => shiftCamera(shot, 0.5), first: 'n' },
   { name: 'an environment rotated by 1 degree', item: 'environment-rotated', shot: (shot) => turnEnvironment(shot, 1), first: 'radiance' },

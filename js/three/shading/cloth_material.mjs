@@ -58,6 +58,9 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
 
     coverageMask = 1;
 
+    /** What the next draw shows, COVERAGE of coverage.mjs. */
+    coverageDraw = 0;
+
     /** The same material for pixels that it covers in part (coverage.mjs). */
     coverageParts = [];
 
@@ -80,6 +83,7 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
         ...this.madeMaps,
         coverageSamples: this.coverageSamples,
         coverageMask: this.coverageMask,
+        coverageDraw: this.coverageDraw,
       };
       for (const [name, value] of Object.entries(values)) {
         if (!text.uniforms.includes(name)) continue;
@@ -103,21 +107,24 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
 
     /** Before each draw: what has changed since reaches the program, and maps that are new are made anew. */
     onBeforeRender(renderer, ...rest) {
-      const { NORMAL_VARIANCE, ALPHA_TO_COVERAGE } = this.isFabricMaterial ? featuresOf(this) : {};
+      const { NORMAL_VARIANCE, ALPHA_TO_COVERAGE, NORMAL_HOLES } = this.isFabricMaterial ? featuresOf(this) : {};
       if (NORMAL_VARIANCE) {
-        for (const [name, key] of Object.entries(VARIANCE_MAPS)) this.madeMaps[name] = bakedTexture(THREE, textureShaders, renderer, 'relief', this[key]);
+        for (const [name, key] of Object.entries(VARIANCE_MAPS)) {
+          const holes = NORMAL_HOLES && key === 'normalMap' ? { cutoff: textureCutoff(this), cover: this.map } : {};
+          this.madeMaps[name] = bakedTexture(THREE, textureShaders, renderer, 'relief', this[key], holes);
+        }
       }
       if (ALPHA_TO_COVERAGE) {
-        this.madeMaps.coverageMap = bakedTexture(THREE, textureShaders, renderer, 'coverage', this.map, textureCutoff(this));
+        this.madeMaps.coverageMap = bakedTexture(THREE, textureShaders, renderer, 'coverage', this.map, { cutoff: textureCutoff(this) });
         drawPartlyCovered(this, [renderer, ...rest]);
       } else {
         this.textUniforms();
       }
     }
 
-    /** Which of a pixel's samples, in bits, the pixels cover that the next draw is for. */
-    setCoverage(samples, mask) {
-      Object.assign(this, { coverageSamples: samples, coverageMask: mask });
+    /** Which of a pixel's samples, in bits, the pixels cover that the next draw is for, and what it shows. */
+    setCoverage(samples, mask, draw) {
+      Object.assign(this, { coverageSamples: samples, coverageMask: mask, coverageDraw: draw });
       this.textUniforms();
     }
 
@@ -174,8 +181,18 @@ function featuresOf({ fabric, diffuseTransmission, map, alphaTest, normalMap, cl
     ALPHA_TO_COVERAGE: Boolean(map) && alphaTest > 0,
     AMBIENT_VISIBILITY: visibleSides.front,
     AMBIENT_VISIBILITY_BACK: visibleSides.front && visibleSides.back,
+    NORMAL_HOLES: Boolean(map && normalMap) && alphaTest > 0 && samePlace(map, normalMap),
   };
   return numbers(features);
+}
+
+/** Whether two textures lie on each other. */
+function samePlace(...textures) {
+  const [a, b] = textures.map((texture) => {
+    if (texture.matrixAutoUpdate) texture.updateMatrix();
+    return texture;
+  });
+  return a.channel === b.channel && a.matrix.equals(b.matrix);
 }
 
 /** The part that the principled shadings read, where their diffuse lobe has a place for it. */

@@ -15,7 +15,9 @@ vec4 coatNormalTexel() { return texture(clearcoatNormalVarianceMap, vClearcoatNo
 uniform sampler2D coverageMap;  // sRGB
 uniform int coverageSamples;    // of a pixel
 uniform int coverageMask;       // bits of those that are covered where this draw is seen
+uniform int coverageDraw;       // as the server's
 bool isCovered(int mask) { return mask != 0 && mask == coverageMask; }
+float shareThere() { return texture(coverageMap, vMapUv).a; }
 #endif
 
 #if AMBIENT_VISIBILITY

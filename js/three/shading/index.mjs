@@ -27,7 +27,7 @@ export async function loadShading(THREE, family) {
  * @param {typeof import('three')} THREE
  * @param {string | object} shading
  * @returns {Promise<{key: string, create: () => import('three').Material, update: (material: import('three').Material,
- *   original: import('three').Material, place: {model: object, mesh: import('three').Mesh}) => Promise<void>}>}
+ *   original: import('three').Material, place: {model: object, mesh: import('three').Mesh, transmits: boolean}) => Promise<void>}>}
  */
 export async function openShading(THREE, shading) {
   const hasTerms = typeof shading !== 'string';
@@ -35,7 +35,7 @@ export async function openShading(THREE, shading) {
   return {
     key: JSON.stringify(shading),
     create: () => new Material(),
-    update: async (material, original, { model: { parser }, mesh, drawn }) => {
+    update: async (material, original, { model: { parser }, mesh, drawn, transmits }) => {
       const worn = wornCloth(original);
       const file = worn?.parser ?? parser;
       // Presets are of the shading "fabric" alone.
@@ -47,6 +47,10 @@ export async function openShading(THREE, shading) {
       if (shading === 'three') return;
       const extensions = await extensionsOf(file, cloth.definition, THREE, worn?.placed);
       if (worn && extensions.diffuseTransmission) extensions.diffuseTransmission = worn.through(extensions.diffuseTransmission);
+      // What is blended is not seen through glass.
+      if (shading === 'fabric' && material.map && material.alphaTest > 0 && !transmits) {
+        Object.assign(material, { transparent: true, depthWrite: false, forceSinglePass: true });
+      }
       Object.assign(material, { hasTangents: mesh.geometry.attributes.tangent !== undefined, visibleSides: sidesOf(drawn) }, extensions);
     },
   };

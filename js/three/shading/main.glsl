@@ -7,9 +7,9 @@ void main() {
 #include <logdepthbuf_fragment>
 #if ALPHA_TO_COVERAGE
 #if defined(USE_COLOR_ALPHA)
-  coverSamples(vColor.a);
+  float telarAlpha = coverSamples(vColor.a);
 #else
-  coverSamples(1.0);
+  float telarAlpha = coverSamples(1.0);
 #endif
   diffuseColor *= texture(coverageMap, vMapUv);
 #else
@@ -21,6 +21,9 @@ void main() {
 #include <alphatest_fragment>
 #endif
 #include <alphahash_fragment>
+#if ALPHA_TO_COVERAGE
+  diffuseColor.a = telarAlpha;
+#endif
 #include <emissivemap_fragment>
 
   SurfaceInfo telarSurface = surfaceInfo(diffuseColor.rgb);

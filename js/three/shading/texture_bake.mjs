@@ -16,10 +16,12 @@ const drawings = new WeakMap();
  * @param {'relief' | 'coverage'} kind - relief: of a normal map, RGB the mean of its unit normals, A that of how flat they
  *   lie; coverage: of a colour map with holes, A the share of the texel that is there.
  * @param {import('three').Texture} source
- * @param {number} [cutoff] - coverage: alpha from which on a texel is there.
+ * @param {object} [holes]
+ * @param {number} [holes.cutoff] - Alpha from which on a texel is there.
+ * @param {import('three').Texture} [holes.cover] - relief: of a cut-out material, the map of that alpha.
  * @returns {import('three').Texture | null} With the source's sampler; null while the source has no image.
  */
-export function bakedTexture(THREE, shaders, renderer, kind, source, cutoff = 0) {
+export function bakedTexture(THREE, shaders, renderer, kind, source, { cutoff = 0, cover = null } = {}) {
   if (!source?.image?.width) return null;
   if (!made.has(renderer)) made.set(renderer, new WeakMap());
   const ofRenderer = made.get(renderer);
@@ -32,16 +34,16 @@ export function bakedTexture(THREE, shaders, renderer, kind, source, cutoff = 0)
     });
   }
   const known = ofRenderer.get(source);
-  const key = `${kind} ${cutoff}`;
+  const key = `${kind} ${cutoff} ${cover ? `${cover.uuid} ${cover.version}` : ''}`;
   const last = known.get(key);
   if (last?.version === source.version) return last.target.texture;
   last?.target.dispose();
-  const target = bake(THREE, shaders, renderer, { kind, source, cutoff });
+  const target = bake(THREE, shaders, renderer, { kind, source, cutoff, cover });
   known.set(key, { target, version: source.version });
   return target.texture;
 }
 
-function bake(THREE, shaders, renderer, { kind, source, cutoff }) {
+function bake(THREE, shaders, renderer, { kind, source, cutoff, cover }) {
   const { width, height } = source.image;
   const levels = Math.floor(Math.log2(Math.max(width, height))) + 1;
   const out = new THREE.WebGLRenderTarget(width, height, {
@@ -59,12 +61,12 @@ function bake(THREE, shaders, renderer, { kind, source, cutoff }) {
     const size = sizeAt(THREE, source, level);
     if (level > 0) {
       const moments = momentTarget(THREE, renderer, size);
-      const uniforms = { sourceMap: larger?.texture ?? source, sourceSize: sizeAt(THREE, source, level - 1), targetSize: size, cutoff };
+      const uniforms = { sourceMap: larger?.texture ?? source, sourceSize: sizeAt(THREE, source, level - 1), targetSize: size, cutoff, coverMap: cover };
       drawing.draw(renderer, `${kind}Moments`, level === 1, uniforms, moments, 0, size);
       larger?.dispose();
       larger = moments;
     }
-    drawing.draw(renderer, `${kind}Level`, level === 0, { sourceMap: larger?.texture ?? source }, out, level, size);
+    drawing.draw(renderer, `${kind}Level`, level === 0, { sourceMap: larger?.texture ?? source, cutoff, coverMap: cover }, out, level, size);
   }
   larger?.dispose();
   putBack();
@@ -123,7 +125,7 @@ function drawingOf(THREE, shaders) {
           vertexShader: shaders.vertex,
           fragmentShader: shaders[name],
           defines: { FROM_IMAGE: Number(fromImage) },
-          uniforms: { sourceMap: { value: null }, sourceSize: { value: null }, targetSize: { value: null }, cutoff: { value: 0 } },
+          uniforms: { sourceMap: { value: null }, sourceSize: { value: null }, targetSize: { value: null }, cutoff: { value: 0 }, coverMap: { value: null } },
           depthTest: false,
           depthWrite: false,
           blending: THREE.NoBlending,

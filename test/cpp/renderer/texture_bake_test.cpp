@@ -23,6 +23,36 @@ glm::dvec2 slopeOf(const glm::dvec4& texel) {
   return glm::dvec2(n) / std::max(n.z, glm::length(n) / STEEPEST);
 }
 
+glm::dvec4 texelAt(const Image8& image, int x, int y) {
+  const int w = int(image.width), h = int(image.height);
+  return storedTexel(&image.pixels[4 * (std::size_t((y + h) % h) * image.width + std::size_t((x + w) % w))]);
+}
+
+/// RGB a texel's normal, A how flat it lies.
+glm::dvec4 reliefOf(const glm::dvec4& texel) {
+  const glm::dvec2 s = slopeOf(texel);
+  return {glm::normalize(glm::dvec3(s, 1)), 1 / (1 + 4 * glm::dot(s, s))};
+}
+
+/// An image of the means over texels as a sampler shows them: blended with their neighbours, at four points of each.
+std::vector<glm::dvec4> blendedReliefs(const Image8& image) {
+  std::vector<glm::dvec4> list;
+  for (int y = 0; y < int(image.height); ++y) {
+    for (int x = 0; x < int(image.width); ++x) {
+      glm::dvec4 sum(0);
+      for (const int dy : {-1, 1}) {
+        for (const int dx : {-1, 1}) {
+          const glm::dvec4 row = 0.75 * texelAt(image, x, y) + 0.25 * texelAt(image, x + dx, y);
+          const glm::dvec4 next = 0.75 * texelAt(image, x, y + dy) + 0.25 * texelAt(image, x + dx, y + dy);
+          sum += reliefOf(0.75 * row + 0.25 * next) / 4.0;
+        }
+      }
+      list.push_back(sum);
+    }
+  }
+  return list;
+}
+
 /// Mean of f over the part of the image that a texel of a mip level covers, by area.
 template <typename F>
 glm::dvec4 meanOver(const Image8& image, glm::ivec2 at, glm::ivec2 levelSize, const F& f) {
@@ -34,7 +64,7 @@ glm::dvec4 meanOver(const Image8& image, glm::ivec2 at, glm::ivec2 levelSize, co
     for (int x = 0; h > 0 && x < int(image.width); ++x) {
       const double w = std::min(x + 1.0, (at.x + 1) * ratio.x) - std::max(double(x), at.x * ratio.x);
       if (w <= 0) continue;
-      sum += w * h * f(storedTexel(&image.pixels[4 * (std::size_t(y) * image.width + std::size_t(x))]));
+      sum += w * h * f(x, y);
       area += w * h;
     }
   }
@@ -75,16 +105,15 @@ TEST_F(TextureBake, LevelsHoldTheMeansOfNormalsAndOfHowFlatTheyLie) {
   for (const glm::uvec2 size : {glm::uvec2(64, 64), glm::uvec2(44, 27), glm::uvec2(1, 5)}) {
     const Image8 image = weaveNormals(size.x, size.y, 3.3, 0.9);
     const gl::Texture source = upload(image, GL_RGBA8);
-    const gl::Texture baked = baker_.normalVariance(source.get(), int(size.x), int(size.y), CancelToken());
+    const gl::Texture baked = baker_.normalVariance(source.get(), int(size.x), int(size.y), 0, 0, CancelToken());
+    const std::vector<glm::dvec4> blended = blendedReliefs(image);
     for (int level = 0; (std::max(size.x, size.y) >> level) > 0; ++level) {
       const glm::ivec2 levelSize = sizeAt(image, level);
       const auto texels = read<float>(baked, level, levelSize);
       for (int i = 0; i < levelSize.x * levelSize.y; ++i) {
-        const glm::dvec4 moments =
-            meanOver(image, {i % levelSize.x, i / levelSize.x}, levelSize, [](const auto& texel) {
-              const glm::dvec2 s = slopeOf(texel);
-              return glm::dvec4(glm::normalize(glm::dvec3(s, 1)), 1 / (1 + 4 * glm::dot(s, s)));
-            });
+        const glm::dvec4 moments = meanOver(image, {i % levelSize.x, i / levelSize.x}, levelSize, [&](int x, int y) {
+          return level == 0 ? reliefOf(texelAt(image, x, y)) : blended[std::size_t(y) * size.x + std::size_t(x)];
+        });
         // Where sides are odd, a texel of a level is in part that of two of the one before: wider averages then.
         const bool exact = size.x == 64 || level < 2;
         for (int c = 0; c < 4; ++c) {
@@ -96,12 +125,34 @@ TEST_F(TextureBake, LevelsHoldTheMeansOfNormalsAndOfHowFlatTheyLie) {
   }
 }
 
+TEST_F(TextureBake, HolesOfACutOutMaterialLieFlat) {
+  const Image8 normals = weaveNormals(16, 16, 3.3, 0.9);
+  const Image8 cover = imageOf(16, 16, [](double u, double) { return glm::vec4(1, 1, 1, u < 0.5 ? 1 : 0.25); });
+  const gl::Texture source = upload(normals, GL_RGBA8), alpha = upload(cover, GL_RGBA8);
+  const gl::Texture whole = baker_.normalVariance(source.get(), 16, 16, 0, 0, CancelToken());
+  const gl::Texture baked = baker_.normalVariance(source.get(), 16, 16, alpha.get(), 0.5f, CancelToken());
+  for (const int level : {0, 2}) {
+    const glm::ivec2 size = sizeAt(normals, level);
+    const auto texels = read<float>(baked, level, size), plain = read<float>(whole, level, size);
+    std::size_t leaning = 0;
+    for (int i = 0; i < size.x * size.y; ++i) {
+      const bool hole = 2 * (i % size.x) >= size.x;
+      for (int c = 0; c < 4; ++c) {
+        const std::size_t at = std::size_t(i) * 4 + std::size_t(c);
+        EXPECT_EQ(texels[at], hole ? float(c > 1) : plain[at]) << level << " " << i;
+        leaning += hole && plain[at] != float(c > 1);
+      }
+    }
+    EXPECT_GT(leaning, 0u);  // without a cover they would not be flat
+  }
+}
+
 TEST_F(TextureBake, SpoiltNormalsGiveFiniteTexels) {
   const Image8 image = imageOf(8, 8, [](double u, double v) {
     return u < 0.5 ? (v < 0.5 ? glm::vec4(0) : glm::vec4(0.5f, 0.5f, 0.5f, 1)) : glm::vec4(1, v, 0, 1);
   });
   const gl::Texture source = upload(image, GL_RGBA8);
-  const gl::Texture baked = baker_.normalVariance(source.get(), 8, 8, CancelToken());
+  const gl::Texture baked = baker_.normalVariance(source.get(), 8, 8, 0, 0, CancelToken());
   const auto first = read<float>(baked, 0, {8, 8});
   EXPECT_EQ(glm::vec4(first[224], first[225], first[226], first[227]), glm::vec4(0, 0, 1, 1));  // no length: no slope
   for (int level = 0; level < 4; ++level) {
@@ -148,8 +199,8 @@ double distributionOf(const Image8& image, double alpha, double tilt) {
   for (int k = 0; k < AROUND; ++k) {
     const double phi = glm::two_pi<double>() * (k + 0.5) / AROUND;
     const glm::dvec3 h(std::sin(tilt) * std::cos(phi), std::sin(tilt) * std::sin(phi), std::cos(tilt));
-    const auto facet = [&](const glm::dvec4& texel) {
-      const glm::dvec3 n = glm::normalize(glm::dvec3(slopeOf(texel), 1));
+    const auto facet = [&](int x, int y) {
+      const glm::dvec3 n = glm::normalize(glm::dvec3(slopeOf(texelAt(image, x, y)), 1));
       return glm::dvec4(brdf_d::D_GGX(alpha, std::max(glm::dot(n, h), 0.0)) / n.z);
     };
     sum += meanOver(image, {0, 0}, {1, 1}, facet).x;
@@ -162,7 +213,7 @@ TEST_F(TextureBake, WidenedHighlightsAreAsWideAsWhatTheyStandFor) {
   for (const double depth : {0.15, 0.4, 0.8}) {
     const Image8 image = weaveNormals(48, 48, 3, depth);
     const gl::Texture source = upload(image, GL_RGBA8);
-    const gl::Texture baked = baker_.normalVariance(source.get(), 48, 48, CancelToken());
+    const gl::Texture baked = baker_.normalVariance(source.get(), 48, 48, 0, 0, CancelToken());
     const auto texel = read<float>(baked, 5, {1, 1});
     for (const double roughness : {0.2, 0.35, 0.5}) {
       const double alpha = roughness * roughness;
@@ -203,8 +254,9 @@ TEST_F(TextureBake, LevelsHoldTheShareThatIsThereAndItsColourAlone) {
       const glm::ivec2 size = sizeAt(image, level);
       const auto pixels = read<std::uint8_t>(baked, level, size);
       for (int i = 0; i < size.x * size.y; ++i) {
-        const glm::dvec4 share = meanOver(image, {i % size.x, i / size.x}, size,
-                                          [](const glm::dvec4& t) { return glm::dvec4(t.w >= 0.5 ? 1.0 : 0.0); });
+        const glm::dvec4 share = meanOver(image, {i % size.x, i / size.x}, size, [&](int x, int y) {
+          return glm::dvec4(texelAt(image, x, y).w >= 0.5 ? 1.0 : 0.0);
+        });
         const std::uint8_t* got = &pixels[std::size_t(i) * 4];
         EXPECT_NEAR(got[3], share.x * 255, 0.6) << level;
         if (share.x < 0.05) continue;

@@ -146,3 +146,17 @@ test('a FabricMaterial that a client has put into the scene stays', async () => 
   await applyShading({ scene }, 'fabric', { THREE });
   assert.equal(scene.children[0].material, own);
 });
+
+test('cut-out cloth is blended in part, and by masks where a part of the model transmits', async () => {
+  for (const transmission of [0, 0.5]) {
+    const scene = new THREE.Group();
+    const lace = new THREE.MeshStandardMaterial({ map: new THREE.Texture(), alphaTest: 0.5 });
+    const pane = new THREE.MeshPhysicalMaterial({ transmission });
+    for (const material of [lace, pane]) scene.add(new THREE.Mesh(new THREE.BufferGeometry(), material));
+    await applyShading({ scene }, 'fabric', { THREE });
+    const [{ transparent, depthWrite }, other] = scene.children.map(({ material }) => material);
+    assert.deepEqual([transparent, depthWrite, other.transparent], transmission > 0 ? [false, true, false] : [true, false, false]);
+    restoreMaterials(scene);
+    assert.equal(scene.children[0].material.transparent, false);
+  }
+});
