@@ -5,7 +5,7 @@ import { copied, inOrder } from './table/resolved.mjs';
 import { GROUND } from './table/stage.mjs';
 
 /**
- * The ground: a level rectangle at the model's lowest point that shows shadows and nothing else, as wide as they fall.
+ * The ground: a level rectangle at the model's lowest point, or as far below it as it hangs, that shows shadows and nothing else, as wide as they fall.
  *
  * @typedef {import('./frame.mjs').Vec3} Vec3
  * @typedef {import('./frame.mjs').Bounds} Bounds
@@ -49,12 +49,13 @@ function shadowOf(light, corners, height, diagonal) {
  */
 export function resolveGround(ground, lights, { bounds }) {
   if (ground === 'none') return ground;
-  const { position, size } = ground;
+  const { position, size, gap } = ground;
   if (position && size) return copied(inOrder(GROUND, ground));
   if (!bounds) {
     throw new TelarError('E_NO_GEOMETRY', 'shot.ground: the model has nothing that could stand on it; leave the ground out', { pointer: '/ground' });
   }
-  const fitted = fitGround(position?.[1] ?? bounds.min[1], lights, bounds);
+  const lowest = bounds.min[1] - gap * (bounds.max[1] - bounds.min[1]);
+  const fitted = fitGround(position?.[1] ?? lowest, lights, bounds);
   return copied(inOrder(GROUND, { ...ground, position: position ?? fitted.position, size: size ?? fitted.size }));
 }
 

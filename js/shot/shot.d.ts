@@ -273,7 +273,9 @@ export interface Shot {
     shadow?: true;
     /** Opacity of a full shadow. Range 0 to 1. @default 0.5 */
     opacity?: number;
-    /** Its centre, metres; default the model's lowest point. */
+    /** How far below the model it lies, of one that hangs, in heights of the model. Range 0 to 1. @default 0 */
+    gap?: number;
+    /** Its centre, metres; default the model's lowest point less the gap. */
     position?: [number, number, number];
     /** Metres along x and z; default as wide as the shadows fall. */
     size?: [number, number];
@@ -823,7 +825,9 @@ export interface ResolvedShot {
     shadow: true;
     /** Opacity of a full shadow. Range 0 to 1. */
     opacity: number;
-    /** Its centre, metres; default the model's lowest point. */
+    /** How far below the model it lies, of one that hangs, in heights of the model. Range 0 to 1. */
+    gap: number;
+    /** Its centre, metres; default the model's lowest point less the gap. */
     position: [number, number, number];
     /** Metres along x and z; default as wide as the shadows fall. */
     size: [number, number];

@@ -11,6 +11,9 @@ const key = { type: 'directional', position: [-1, 1.2, 1.6], intensity: 1.6 };
 const fill = { type: 'directional', position: [1.4, 0.3, 1.2], intensity: 0.5 };
 const rim = { type: 'directional', position: [0.8, 1.1, -1.5], intensity: 1.2 };
 
+/** Between a garment that nobody wears and its shadow on the floor, in heights of the garment: near enough to belong to it. */
+const HANGING = 0.1;
+
 export const LOOKS = Object.freeze({
   catalogue: {
     doc: 'a garment from the front before white, lit from the upper left, as shops list it',
@@ -18,7 +21,12 @@ export const LOOKS = Object.freeze({
   },
   ghost: {
     doc: 'a garment as if worn by nobody: even light, no background, so that the inside of the neck is seen',
-    shot: { camera: { azimuth: 0, elevation: 6, fovY: 15, fit: 0.9 }, background: 'transparent', environment: { map: 'studio', intensity: 1.05 } },
+    shot: {
+      camera: { azimuth: 0, elevation: 6, fovY: 15, fit: 0.9 },
+      background: 'transparent',
+      environment: { map: 'studio', intensity: 1.05 },
+      ground: { opacity: 0.3, gap: HANGING },
+    },
   },
   hanger: {
     doc: 'a garment that hangs: light from above, grey behind it',
@@ -27,6 +35,7 @@ export const LOOKS = Object.freeze({
       background: '#e9e7e4',
       environment: { map: 'studio', intensity: 0.6 },
       lights: [{ type: 'directional', position: [-0.5, 2, 1.1], intensity: 1.8 }, fill],
+      ground: { opacity: 0.4, gap: HANGING },
     },
   },
   'flat-lay': {

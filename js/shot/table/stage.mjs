@@ -63,14 +63,21 @@ export const background = union(
   { optional: true },
 );
 
-const GROUND_WORDS = '"none" or {shadow, opacity}';
+const GROUND_WORDS = '"none" or {shadow, opacity, gap}';
 /** The ground where there is one. */
 export const GROUND = object(
   'Ground beneath the model that shows nothing but shadows',
   {
     shadow: literal('Show shadows', true, 'true', { default: true }),
     opacity: number('Opacity of a full shadow', { unit: 'part', min: 0, max: 1, default: 0.5 }),
-    position: vector("Its centre, metres; default the model's lowest point", { optional: true }),
+    gap: number('How far below the model it lies, of one that hangs, in heights of the model', {
+      unit: "part of the model's height",
+      min: 0,
+      max: 1,
+      default: 0,
+      drawn: false,
+    }),
+    position: vector("Its centre, metres; default the model's lowest point less the gap", { optional: true }),
     size: extents('Metres along x and z; default as wide as the shadows fall', { optional: true }),
   },
   { name: 'Ground' },

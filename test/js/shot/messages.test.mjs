@@ -183,7 +183,7 @@ const MESSAGES = [
     { lights: [{ type: 'directional', castShadow: true, shadow: { bottom: 1, top: 1 } }] },
     'shot.lights[0].shadow.top: expected a number above bottom (1), got 1',
   ],
-  [{ ground: 'floor' }, 'shot.ground: expected "none" or {shadow, opacity}, got "floor"'],
+  [{ ground: 'floor' }, 'shot.ground: expected "none" or {shadow, opacity, gap}, got "floor"'],
   [{ ground: { shadow: false } }, 'shot.ground.shadow: expected true, got false'],
   [{ ground: { opacity: 1.5 } }, 'shot.ground.opacity: expected a number in [0, 1], got 1.5'],
   [{ ground: { size: [1, 0] } }, 'shot.ground.size[1]: expected two lengths [x, z] in metres, got 0'],

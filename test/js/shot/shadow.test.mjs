@@ -184,3 +184,24 @@ test('where no light casts, lights that shine on nothing do: soft, from above', 
 test('arc tangent to the last bits, from arithmetic alone', () => {
   for (const x of [0, 1e-9, 0.1, 0.5, 1, 3, 100, 1e9]) assert.ok(Math.abs(arcTangent(x) - Math.atan(x)) <= 4e-15, `${x}`);
 });
+
+test('what hangs has its shadow as far below it as it is told to, and the frame holds that', () => {
+  const facts = { bounds: { min: [-0.4, 0.2, -0.15], max: [0.4, 1.2, 0.15] } };
+  const resolved = (ground) => resolveShot({ ground, camera: { elevation: 6 } }, facts);
+  const [standing, hanging] = [resolved({}), resolved({ gap: 0.1 })];
+  assert.equal(standing.ground.position[1], 0.2);
+  assert.ok(Math.abs(hanging.ground.position[1] - 0.1) < 1e-12, 'a tenth of its height of 1 m');
+  assert.ok(hanging.camera.position[2] > standing.camera.position[2], 'it stands back for the shadow');
+  assert.deepEqual(resolveShot(hanging, facts), hanging, 'and once resolved it moves no further');
+  assert.equal(resolved({ gap: 0.1, position: [0, -1, 0] }).ground.position[1], -1, 'a place that is given stays');
+});
+
+test('a garment that hangs has a soft shadow below it in the looks that hang it', () => {
+  const facts = { bounds: { min: [-0.4, 0, -0.15], max: [0.4, 1, 0.15] } };
+  for (const look of ['hanger', 'ghost']) {
+    const { ground, lights } = resolveShot({ look }, facts);
+    assert.ok(ground.position[1] < -0.05, look);
+    assert.equal(lights.filter(({ castShadow, intensity }) => castShadow && intensity === 0).length, 3, 'of light that shines on nothing');
+  }
+  assert.equal(resolveShot({ look: 'furniture' }, facts).ground.position[1], 0, 'what stands touches the floor');
+});
