@@ -12,7 +12,7 @@ export const SLOTS = Object.freeze({
   distribution: ['ggx', 'gtr2-anisotropic'],
   visibility: ['smith-correlated', 'smith-separable'],
   fresnel: ['schlick-exp2', 'schlick'],
-  sheen: ['charlie-neubelt', 'disney-2012', 'ashikhmin-velvet', 'charlie-estevez-kulla', 'zeltner'],
+  sheen: ['charlie-neubelt', 'disney-2012', 'ashikhmin-velvet', 'charlie-estevez-kulla', 'zeltner', 'uncharted-4'],
   clearcoat: ['three-r115', 'disney-2012'],
   layering: ['three-r115', 'disney-2012'],
   scattering: ['fdez-aguera', 'single'],

@@ -295,7 +295,7 @@ export interface Shot {
     /** Term of the slot: js/docs/shading.md. */
     fresnel?: 'schlick-exp2' | 'schlick';
     /** Term of the slot: js/docs/shading.md. */
-    sheen?: 'charlie-neubelt' | 'disney-2012' | 'ashikhmin-velvet' | 'charlie-estevez-kulla' | 'zeltner';
+    sheen?: 'charlie-neubelt' | 'disney-2012' | 'ashikhmin-velvet' | 'charlie-estevez-kulla' | 'zeltner' | 'uncharted-4';
     /** Term of the slot: js/docs/shading.md. */
     clearcoat?: 'three-r115' | 'disney-2012';
     /** Term of the slot: js/docs/shading.md. */
@@ -846,7 +846,7 @@ export interface ResolvedShot {
     /** Term of the slot: js/docs/shading.md. */
     fresnel: 'schlick-exp2' | 'schlick';
     /** Term of the slot: js/docs/shading.md. */
-    sheen: 'charlie-neubelt' | 'disney-2012' | 'ashikhmin-velvet' | 'charlie-estevez-kulla' | 'zeltner';
+    sheen: 'charlie-neubelt' | 'disney-2012' | 'ashikhmin-velvet' | 'charlie-estevez-kulla' | 'zeltner' | 'uncharted-4';
     /** Term of the slot: js/docs/shading.md. */
     clearcoat: 'three-r115' | 'disney-2012';
     /** Term of the slot: js/docs/shading.md. */

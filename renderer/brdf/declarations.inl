@@ -50,6 +50,7 @@ Real charlieCurve(Real alpha, Real x);
 Real lambdaCharlie(Real alpha, Real cosine);
 Real V_CharlieSoftened(Real alpha, Real NoV, Real NoL);
 Real D_Ashikhmin(Real alpha, Real NoH);
+Real fuzzUncharted4(Real sheenRoughness, Real NoV);
 Real V_SmithGGXCosine(Real alpha, Real NoV, Real NoL);
 Real V_SmithGGXAnisotropicCosine(Real alphaT, Real alphaB, Real NoV, Real NoL, Real ToV, Real BoV, Real ToL, Real BoL);
 vec3 sheenFit(Real sheenRoughness, Real NoV);

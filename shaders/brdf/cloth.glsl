@@ -54,6 +54,19 @@ float V_CharlieSoftened(float alpha, float NoV, float NoL) {
   return 1.0 / ((1.0 + lambdaCharlie(alpha, v) + softened) * 4.0 * v * l);
 }
 
+// Fuzz of a game: fibres that stand off a cloth, as bright as the light on it and as the viewer's angle says; what it reflects of
+// light from everywhere, [0, 1]. Times NoL / PI it is a lobe. No light moves it, so it is not reciprocal, and what lies below gives nothing for it.
+// sheenRoughness  perceptual [0, 1]: how far the fibres stand off and how unlike they are      NoV  [0, 1]
+// src: Jiang 2016, "The Process of Creating Volumetric-based Materials in Uncharted 4": powers of the viewer's cosine with weights and
+//      exponents that an artist sets for each cloth. Those here are ours, for glTF's one roughness; together they are at most 1.
+float fuzzUncharted4(float sheenRoughness, float NoV) {
+  float edge = 1.0 - NoV;
+  float rim = 0.7 * pow(edge, mix(8.0, 3.0, sheenRoughness));         // along the outline
+  float outer = 0.3 * sheenRoughness * pow2(edge);                    // long fibres, far into the cloth
+  float inner = 0.2 * sheenRoughness * pow(NoV, mix(6.0, 2.0, sheenRoughness));  // those that point at the viewer
+  return rim + outer + inner;
+}
+
 // Velvet: an inverted Gaussian on a floor that keeps some light facing the viewer; [1/sr].
 // alpha  (0, 1]      NoH  [0, 1]
 // src: Ashikhmin & Premoze 2007, "Distribution-based BRDFs", normalised as in Guy & Agopian 2018, section 4.12.1

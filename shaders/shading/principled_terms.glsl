@@ -212,6 +212,9 @@ float sheenCosineTerm(SurfaceInfo s, vec3 l, float NoL, float NoH, float LoH) {
     return sheenLtcCosine(s.sheenLtc, vec3(along, sqrt(max(1.0 - pow2(along) - pow2(NoL), 0.0)), NoL));
   }
 #endif
+#if ALL_TERMS || SHEEN_TERM == SHEEN_UNCHARTED_4
+  if (CHOSEN(sheen, SHEEN_TERM) == SHEEN_UNCHARTED_4) return fuzzUncharted4(s.sheenRoughness, s.NoV) * (RECIPROCAL_PI * NoL);
+#endif
 #if ALL_TERMS || SHEEN_TERM == SHEEN_CHARLIE_NEUBELT
   return Fr_SheenR115(vec3(1.0), max(s.perceptualRoughness, SHEEN_ROUGHNESS_MIN), s.NoV, NoL, NoH).x * NoL;
 #else
@@ -232,6 +235,9 @@ float sheenAlbedoTerm(SurfaceInfo s) {
 #endif
 #if ALL_TERMS || SHEEN_TERM == SHEEN_ZELTNER
   if (CHOSEN(sheen, SHEEN_TERM) == SHEEN_ZELTNER) return s.sheenLtc.x;
+#endif
+#if ALL_TERMS || SHEEN_TERM == SHEEN_UNCHARTED_4
+  if (CHOSEN(sheen, SHEEN_TERM) == SHEEN_UNCHARTED_4) return fuzzUncharted4(s.sheenRoughness, s.NoV);
 #endif
   return sheenAlbedoR115(s.perceptualRoughness, s.NoV);
 }

@@ -1,4 +1,5 @@
 import { inWords, LIGHTS, percent, ranksText, shortFigure, strongestIn } from '../../analyse/index.mjs';
+import { fuzzMarkdown } from './fuzz_section.mjs';
 import { heading, row } from './tables.mjs';
 
 /** js/docs/analysis.md: how to use telar analyse, and what it found; every figure and word of the second part is from the run. */
@@ -161,9 +162,10 @@ ${width} x ${height} pixels, quality ${JSON.stringify(shot.quality)}; written by
 /**
  * @param {import('../../analyse/analyse.mjs').Analysis} analysis
  * @param {string[]} targets
+ * @param {Awaited<ReturnType<typeof import('./fuzz_section.mjs').fuzzOf>>} fuzz
  * @returns {string} Markdown
  */
-export function analysisMarkdown(analysis, targets) {
+export function analysisMarkdown(analysis, targets, fuzz) {
   const { names, shot, cells, rows } = analysis;
   const { width, height } = shot.size;
   return `${USAGE}
@@ -176,5 +178,6 @@ ${ranking(analysis)}
 
 ${byView(analysis)}
 
-${targets.map((target) => fabricSection(target, analysis)).join('\n')}`;
+${targets.map((target) => fabricSection(target, analysis)).join('\n')}
+${fuzzMarkdown(fuzz)}`;
 }

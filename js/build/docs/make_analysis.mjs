@@ -3,6 +3,7 @@ import sharp from 'sharp';
 import { analyse, analysisSteps, FABRICS, fabricTargets, lightsOf, picturesOf, plotsOf, strongestIn, swapsBetween } from '../../analyse/index.mjs';
 import * as api from '../../index.mjs';
 import { analysisMarkdown } from './analysis_page.mjs';
+import { fuzzOf } from './fuzz_section.mjs';
 
 // npm run analysis: js/docs/analysis.md and its pictures, three-r115 against disney-2012 on the bundled drape.
 
@@ -53,6 +54,7 @@ function step(name) {
   console.log(`${steps} of ${analysisSteps(plan)}: ${name}`);
 }
 const analysis = await analyse(api, renderer, plan, { step });
+const fuzz = await fuzzOf(api, renderer, plan.shot);
 await renderer.close();
 
 await rm(FOLDER, { recursive: true, force: true });
@@ -66,5 +68,5 @@ for (const curves of analysis.curves) {
   for (const plot of PLOTS) await write(`${curves.target}-${plot}.svg`, plots[plot]);
   await write(`${curves.target}.png`, await sheet(analysis.cells.filter(({ target }) => target === curves.target)));
 }
-await writeFile(new URL('../../docs/analysis.md', import.meta.url), analysisMarkdown(analysis, FABRICS));
+await writeFile(new URL('../../docs/analysis.md', import.meta.url), analysisMarkdown(analysis, FABRICS, fuzz));
 console.log('js/docs/analysis.md');

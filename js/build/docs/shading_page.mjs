@@ -72,6 +72,11 @@ const TEXTS = {
         'Scattering in a volume of fibres as a transformed cosine; it reflects its albedo by construction',
         'Zeltner, Burley & Chiang 2022, "Practical Multiple-Scattering Sheen Using Linearly Transformed Cosines"',
       ],
+      'uncharted-4': [
+        "Fuzz by the viewer's angle alone: a rim, an outer and an inner part, as bright as the light on the cloth. It conserves nothing and is not reciprocal " +
+          '([analysis.md](analysis.md) has the figures); weights and exponents, which the talk leaves to artists, are ours by sheenRoughness; detail is the texture of the sheen colour, where a file has one',
+        'Jiang 2016, "The Process of Creating Volumetric-based Materials in Uncharted 4"',
+      ],
     },
   ],
   clearcoat: [
@@ -197,7 +202,7 @@ export function shadingPage() {
     '',
     'It is prefiltered and read as in three.js 0.187, whatever the shading. The diffuse lobe reads the irradiance times its directional albedo: in closed',
     'form for `disney-2012`, `frostbite`, `disney-2015-thin` and `eon`. Sheen, where the layering has it, reads the same times the albedo of its lobe:',
-    '`disney-2012` within 1e-4, `zeltner` exactly, `charlie-neubelt` within 0.012, `ashikhmin-velvet` 0.03, `charlie-estevez-kulla` 0.06. With',
+    '`disney-2012` within 1e-4, `zeltner` and `uncharted-4` exactly, `charlie-neubelt` within 0.012, `ashikhmin-velvet` 0.03, `charlie-estevez-kulla` 0.06. With',
     "`smith-separable` the split sum is reduced as the lobe is, within 0.05. Disney's coat reads the environment at the width of its lobe times its albedo, within 0.005.",
     '',
     "Quality `reference`, and `high` where it asks for directions of the environment, light a surface from each of them as a lamp does: there r115's",

@@ -146,6 +146,7 @@ std::vector<Term> clothTerms() {
       TERM("V_CharlieSoftened", ({ALPHA, OFF_CLIFF, OFF_CLIFF}), PRODUCT, true,
            vec3(V_CharlieSoftened(p[0], p[1], p[2]))),
       TERM("D_Ashikhmin", ({SHEEN_ALPHA, COSINE}), OF_CHARLIE, true, vec3(D_Ashikhmin(p[0], p[1]))),
+      TERM("fuzzUncharted4", ({UNIT, COSINE}), OF_ONE, true, vec3(fuzzUncharted4(p[0], p[1]))),
       TERM("sheenLtc", ({LTC_ROUGHNESS, COSINE}), OF_ONE, false, sheenLtc(p[0], p[1])),
       TERM("sheenFit", ({LTC_ROUGHNESS, COSINE}), OF_ONE, false, sheenFit(p[0], p[1])),
       TERM("sheenView", ({LTC_ROUGHNESS, COSINE}), OF_ONE, false, vec3(sheenView(sheenFit(p[0], p[1]), p[1]))),

@@ -211,7 +211,8 @@ TEST(PrincipledComposed, SheenOfADomeIsThatOfItsLobe) {
                                            {Terms::SHEEN_DISNEY_2012, 5e-4},
                                            {Terms::SHEEN_ASHIKHMIN_VELVET, 0.035},
                                            {Terms::SHEEN_CHARLIE_ESTEVEZ_KULLA, 0.06},
-                                           {Terms::SHEEN_ZELTNER, 0.01}};
+                                           {Terms::SHEEN_ZELTNER, 0.01},
+                                           {Terms::SHEEN_UNCHARTED_4, 1e-4}};
   for (const auto& [sheen, tolerance] : within) {
     for (const double roughness : {0.2, 0.5, 1.0}) {
       for (const double NoV : {0.05, 0.3, 0.8}) {
@@ -260,7 +261,7 @@ const Say SAYS[] = {
     {"distribution", &Terms::distribution, 2, false, true, false, false},
     {"visibility", &Terms::visibility, 2, false, true, false, false},
     {"fresnel", &Terms::fresnel, 2, false, true, false, false},
-    {"sheen", &Terms::sheen, 5, false, false, true, false},
+    {"sheen", &Terms::sheen, 6, false, false, true, false},
     {"clearcoat", &Terms::clearcoat, 2, true, true, true, true},  // its width says what it takes from beneath
     {"layering", &Terms::layering, 2, true, true, true, false},
     {"scattering", &Terms::scattering, 2, false, false, false, false},

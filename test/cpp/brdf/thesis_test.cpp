@@ -137,6 +137,23 @@ TEST(Cloth, CharlieWithItsOwnVisibility) {
   }
 }
 
+TEST(Cloth, FuzzOfUncharted4IsItsThreeParts) {
+  // Of fibres that lie: the rim alone. Of fibres that stand: all three, each where it is said to be.
+  for (const double NoV : {0.0, 0.3, 1.0}) EXPECT_NEAR(fuzzUncharted4(0, NoV), 0.7 * std::pow(1 - NoV, 8), 1e-15);
+  EXPECT_NEAR(fuzzUncharted4(1, 0), 1, 1e-15);
+  EXPECT_NEAR(fuzzUncharted4(1, 1), 0.2, 1e-15);
+  EXPECT_NEAR(fuzzUncharted4(1, 0.5), 0.7 / 8 + 0.3 / 4 + 0.2 / 4, 1e-15);
+  for (double roughness = 0; roughness <= 1; roughness += 0.05) {
+    for (double NoV = 0; NoV <= 1; NoV += 0.05) EXPECT_LE(fuzzUncharted4(roughness, NoV), 1);
+  }
+}
+
+TEST(Cloth, FuzzOfUncharted4ConservesNothingAndIsNotReciprocal) {
+  // What the page tells of it is so: a lobe that were reciprocal would have one value both ways.
+  const auto lobe = [](double NoV) { return fuzzUncharted4(0.5, NoV) / PI; };
+  EXPECT_GT(lobe(std::cos(1.4)) / lobe(std::cos(0.3)), 2);
+}
+
 TEST(Cloth, AshikhminProjectsToUnitAreaAbout) {
   for (const double alpha : {0.2, 0.5, 1.0}) {
     EXPECT_NEAR(projectedArea([&](double NoH) { return D_Ashikhmin(alpha, NoH); }), 1, 0.01) << alpha;
