@@ -460,10 +460,10 @@ export interface Shot {
   toneMapping?: 'neutral' | 'none' | 'linear' | 'reinhard' | 'cineon' | 'aces' | 'agx';
   /** Factor on radiance before tone mapping. Range at least 0. @default 1 */
   exposure?: number;
-  /** "draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": up to 1024, averaged in linear light, and the environment integrated with the material; "reference": traced paths of light, slow and without GL. @default "standard" */
-  quality?: 'standard' | 'draft' | 'high' | 'reference' | {
+  /** "draft": 1 sample a pixel; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with one direction of the environment each; "high": up to 1024, averaged in linear light, and the environment integrated with the material; "reference": traced paths of light, slow and without GL. @default "standard" */
+  quality?: 'standard' | 'draft' | 'medium' | 'high' | 'reference' | {
     /** Settings to start from. */
-    preset?: 'standard' | 'draft' | 'high';
+    preset?: 'standard' | 'draft' | 'medium' | 'high';
     /** Antialiasing samples a pixel; more than 4 shade as often, and read textures unfiltered; default 4. */
     samples?: 1 | 4 | 16 | 64 | 256 | 1024;
     /** What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone mapping; default "encoded", "linear" for more than 4 samples. */
@@ -1013,7 +1013,7 @@ export interface ResolvedShot {
   exposure: number;
   quality: {
     /** Settings to start from. */
-    preset?: 'standard' | 'draft' | 'high';
+    preset?: 'standard' | 'draft' | 'medium' | 'high';
     /** Antialiasing samples a pixel; more than 4 shade as often, and read textures unfiltered. */
     samples: 1 | 4 | 16 | 64 | 256 | 1024;
     /** What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone mapping; default "encoded", "linear" for more than 4 samples. */

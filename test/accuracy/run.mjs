@@ -10,7 +10,7 @@ import { errorsOf } from './measure.mjs';
 
 const [paths = '2048', only = ''] = process.argv.slice(2);
 const SKIES = ['soft-studio', 'sunny-sky', 'overcast-sky'];
-const QUALITIES = { draft: 'draft', standard: 'standard', '64 samples': { samples: 64, environmentSamples: 256 }, high: 'high' };
+const QUALITIES = { draft: 'draft', standard: 'standard', medium: 'medium', '64 samples': { samples: 64, environmentSamples: 256 }, high: 'high' };
 const names = Object.keys(QUALITIES);
 const MOST = { flip: 0.02, deltaE: 2 };
 

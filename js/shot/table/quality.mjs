@@ -6,14 +6,15 @@ import { choice, literal, number, object, union } from './rows.mjs';
 export const PRESETS = Object.freeze({
   standard: { samples: 4, resolve: 'encoded', noise: 0, environmentSamples: 0 },
   draft: { samples: 1, resolve: 'encoded', noise: 0, environmentSamples: 0 },
+  medium: { samples: 64, resolve: 'linear', noise: 4, environmentSamples: 64 },
   high: { samples: 1024, resolve: 'linear', noise: 1.25, environmentSamples: 2048 },
 });
 
 /** Samples of a pixel that one pass over the model takes: more take several passes. */
 export const SAMPLES_OF_A_PASS = 4;
 
-const PRESET = '"standard", "draft", "high" or "reference"';
-const QUALITY = '"standard", "draft", "high", "reference", {samples, resolve, noise, environmentSamples} or {preset: "reference", ...}';
+const PRESET = '"standard", "draft", "medium", "high" or "reference"';
+const QUALITY = '"standard", "draft", "medium", "high", "reference", {samples, resolve, noise, environmentSamples} or {preset: "reference", ...}';
 
 /** Settings of the raster renderer. */
 export const RASTER = object(
@@ -67,7 +68,7 @@ export const REFERENCE = object(
 );
 
 export const quality = union(
-  '"draft": 1 sample a pixel; "standard": 4, as a browser shows it; "high": up to 1024, averaged in linear light, ' +
+  '"draft": 1 sample a pixel; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with one direction of the environment each; "high": up to 1024, averaged in linear light, ' +
     'and the environment integrated with the material; "reference": traced paths of light, slow and without GL',
   [choice('', [...Object.keys(PRESETS), 'reference'], { expected: QUALITY }), RASTER, REFERENCE],
   QUALITY,

@@ -71,7 +71,7 @@ test('a time that was given goes for long qualities too; the default does not', 
   }
   for (const timeoutMs of [undefined, null, 500]) new Work({ CancelToken }, undefined, timeoutMs).allowLong();
   assert.deepEqual(allowed, [20_000]);
-  for (const quality of ['high', 'reference', { samples: 16 }]) {
+  for (const quality of ['medium', 'high', 'reference', { samples: 16 }]) {
     await timesOut(() => renderer.render(model({ drawMs: ENDLESS_MS }), { ...SHOT, quality }, { timeoutMs: 100 }));
   }
 });
@@ -80,7 +80,7 @@ test('which qualities are long', async () => {
   const { isLong, resolveQuality } = await import('../../../js/shot/quality.mjs');
   const long = (quality) => isLong(resolveQuality(quality));
   assert.deepEqual(['draft', 'standard', { samples: 4 }, { environmentSamples: 64 }].map(long), [false, false, false, false]);
-  assert.deepEqual(['high', 'reference', { samples: 16 }, { preset: 'reference', samples: 1 }].map(long), [true, true, true, true]);
+  assert.deepEqual(['medium', 'high', 'reference', { samples: 16 }, { preset: 'reference', samples: 1 }].map(long), [true, true, true, true, true]);
 });
 
 test('close() waits for a job no longer than its time', async () => {

@@ -214,14 +214,14 @@ const MESSAGES = [
   [{ toneMapping: 'filmic' }, `shot.toneMapping: expected ${oneOf(TONE_MAPPINGS)}, got "filmic"`],
   [
     { quality: 'best' },
-    'shot.quality: expected "standard", "draft", "high", "reference", {samples, resolve, noise, environmentSamples} or {preset: "reference", ...}, got "best"',
+    'shot.quality: expected "standard", "draft", "medium", "high", "reference", {samples, resolve, noise, environmentSamples} or {preset: "reference", ...}, got "best"',
   ],
   [{ quality: { samples: 2 } }, 'shot.quality.samples: expected 1, 4, 16, 64, 256 or 1024 samples a pixel, got 2'],
   [{ quality: { samples: 4, noise: 1 } }, 'shot.quality.noise: expected 0 with 4 samples or fewer, got 1'],
   [{ quality: { samples: 16, resolve: 'encoded' } }, 'shot.quality.resolve: expected "linear" with more than 4 samples, got "encoded"'],
   [{ quality: { environmentSamples: 0.5 } }, 'shot.quality.environmentSamples: expected a whole number of directions in [0, 4096], got 0.5'],
   [{ quality: { preset: 'standard', environmentSamples: 64 } }, 'shot.quality.environmentSamples: expected 0 with preset "standard", or no preset, got 64'],
-  [{ quality: { preset: 'best' } }, 'shot.quality.preset: expected "standard", "draft", "high" or "reference", got "best"'],
+  [{ quality: { preset: 'best' } }, 'shot.quality.preset: expected "standard", "draft", "medium", "high" or "reference", got "best"'],
   [{ quality: { preset: 'reference', samples: 0 } }, 'shot.quality.samples: expected a whole number of paths a pixel in [1, 65536], got 0'],
   [
     { quality: { preset: 'reference', resolve: 'linear' } },

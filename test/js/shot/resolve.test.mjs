@@ -50,6 +50,7 @@ const SHOTS = [
   { quality: 'draft' },
   { quality: { samples: 1 } },
   { quality: { preset: 'standard' } },
+  { quality: 'medium' },
   { quality: 'high' },
   { quality: { samples: 64, environmentSamples: 32 } },
   { quality: { samples: 256, noise: 2.5 } },
