@@ -67,12 +67,15 @@ class Random {
     x ^= x * 0x8d22f6e6u;
     return reversed(x);
   }
-  /// Second dimension of Sobol's points; the first is the index reversed.
+  /// Second dimension of Sobol's points; the first is the index reversed. Its matrix is Pascal's triangle modulo 2,
+  /// which is a product of five: each adds to the bits of one half of a word, a half word and so on those of the other.
   static std::uint32_t sobol(std::uint32_t index) {
-    std::uint32_t x = 0;
-    for (std::uint32_t v = 1u << 31; index != 0; index >>= 1, v ^= v >> 1) {
-      if (index & 1) x ^= v;
-    }
+    std::uint32_t x = reversed(index);
+    x ^= x << 16;
+    x ^= (x & 0x00ff00ffu) << 8;
+    x ^= (x & 0x0f0f0f0fu) << 4;
+    x ^= (x & 0x33333333u) << 2;
+    x ^= (x & 0x55555555u) << 1;
     return x;
   }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "brdf/brdf.h"
@@ -99,6 +100,23 @@ TEST(Random, StreamsAreTheSameEachTimeAndApartFromEachOther) {
   }
   EXPECT_LT(same, 5);
   EXPECT_NEAR(sum / 10000, 0.5, 0.01);
+}
+
+// Sobol's points are a net: of 2^k each rectangle of area 2^-k, however long and narrow, holds one. A wrong bit of
+// either dimension puts two into one.
+TEST(Random, PairsOfAPixelFillEveryRectangleEvenly) {
+  constexpr int BITS = 8, COUNT = 1 << BITS;
+  std::vector<glm::vec2> points;
+  for (std::uint32_t i = 0; i < COUNT; ++i) points.push_back(Random(5, 3, i).uniform2());
+  for (int across = 0; across <= BITS; ++across) {
+    const int columns = 1 << across, rows = COUNT / columns;
+    std::vector<int> held(COUNT, 0);
+    for (const glm::vec2& p : points) {
+      ++held[static_cast<std::size_t>(static_cast<int>(p.y * static_cast<float>(rows)) * columns +
+                                      static_cast<int>(p.x * static_cast<float>(columns)))];
+    }
+    EXPECT_EQ(std::count(held.begin(), held.end(), 1), COUNT) << columns << " columns";
+  }
 }
 
 }  // namespace
