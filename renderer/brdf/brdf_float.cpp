@@ -13,7 +13,9 @@ namespace {
 // In this order.
 // clang-format off
 #include "brdf/shading_layers_on.inl"
+#define TELAR_WITH_VARIANTS
 #include "brdf/shading_definitions.inl"
+#undef TELAR_WITH_VARIANTS
 #include "brdf/shading_layers_off.inl"
 // clang-format on
 #undef float

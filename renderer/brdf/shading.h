@@ -9,6 +9,28 @@
 
 namespace telar::brdf_f {
 #include "brdf/shading_declarations.inl"
+
+/// baseSurface(), and where they are wanted withSpecular() and withWeave(), with withLayers() between: one call without
+/// copies.
+void readSurface(SurfaceInfo& s, const MaterialInputs& m, const Normals& normals, const vec3& v, bool specular,
+                 bool woven);
+
+/// A shading without the layers that some surfaces do not have: each function is one call, without copies of the
+/// surface, and costs what its layers cost. What is left out changes nothing but roundings.
+struct ShadingVariant {
+  int layers;  ///< bits of those it has
+  void (*prepare)(SurfaceInfo& s);
+  /// addPunctual() of irradiance 1. @param s  prepared  @param l  unit
+  Reflected (*punctual)(const SurfaceInfo& s, const vec3& l);
+  /// composedRadiance() of it. @param diffuse  factor on the diffuse lobe
+  vec3 (*bsdfCosine)(const SurfaceInfo& s, const vec3& l, Real diffuse);
+  void (*lobeMixture)(const SurfaceInfo& s, LobeMixture& lobes);
+  vec3 (*sampleMixture)(const LobeMixture& lobes, const vec2& u);
+  Real (*pdfMixture)(const LobeMixture& lobes, const vec3& l);
+};
+/// The variant that leaves out most of what a surface does not have. Relief is always left out.
+/// @param s  before preparedSurface()
+const ShadingVariant& shadingVariant(ShadingModel shading, const SurfaceInfo& s);
 }  // namespace telar::brdf_f
 
 namespace telar::brdf_d {

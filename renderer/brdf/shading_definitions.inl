@@ -2,6 +2,10 @@
 #include "../light/reflected.glsl"
 #include "../shading/terms.glsl"
 #include "../shading/three_terms.glsl"
+#ifdef TELAR_WITH_VARIANTS
+#include "brdf/shading_variants.inl"
+#endif
+
 // After the names of terms.
 #include "../material/layers.glsl"
 
