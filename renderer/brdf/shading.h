@@ -22,7 +22,12 @@ struct ShadingVariant {
   void (*prepare)(SurfaceInfo& s);
   /// addPunctual() of irradiance 1. @param s  prepared  @param l  unit
   Reflected (*punctual)(const SurfaceInfo& s, const vec3& l);
-  /// composedRadiance() of it. @param diffuse  factor on the diffuse lobe
+  Reflected (*dome)(const SurfaceInfo& s, const vec3& irradiance);  ///< addDome()
+  /// addBehind(); null where none comes through.
+  Reflected (*behind)(const Reflected& lit, const SurfaceInfo& s, const vec3& irradiance);
+  /// composedRadiance(). @param diffuse  in place of that of `lit`
+  vec3 (*composed)(const SurfaceInfo& s, const vec3& diffuse, const Reflected& lit);
+  /// composed() of punctual(). @param diffuse  factor on the diffuse lobe
   vec3 (*bsdfCosine)(const SurfaceInfo& s, const vec3& l, Real diffuse);
   void (*lobeMixture)(const SurfaceInfo& s, LobeMixture& lobes);
   vec3 (*sampleMixture)(const LobeMixture& lobes, const vec2& u);

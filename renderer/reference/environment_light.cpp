@@ -1,7 +1,10 @@
 #include "reference/environment_light.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "frame/camera.h"
 #include "telar/luminance.h"
@@ -23,14 +26,6 @@ float toCdf(float* begin, std::size_t count) {
     begin[i] = sum > 0 ? static_cast<float>(begin[i] / sum) : static_cast<float>(i) / static_cast<float>(count);
   }
   return static_cast<float>(sum);
-}
-
-/// The interval of a CDF that u falls in, and the place within it.
-std::pair<std::size_t, float> find(const float* begin, std::size_t count, float u) {
-  const float* above = std::upper_bound(begin, begin + count, u);
-  const std::size_t i = std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - begin - 1, 0)), count - 1);
-  const float width = begin[i + 1] - begin[i];
-  return {i, width > 0 ? std::clamp((u - begin[i]) / width, 0.0f, 0.99999994f) : 0.5f};
 }
 
 }  // namespace
@@ -55,53 +50,138 @@ EnvironmentLight::EnvironmentLight(const ImageF& map, double rotation, double in
     rows_[static_cast<std::size_t>(y) + 1] = static_cast<float>(toCdf(row, w) * sine);
   }
   toCdf(rows_.data(), h);
+  rowGuide_.resize(guideLength(h));
+  fillGuide(rows_.data(), h, rowGuide_.data());
+  columnGuide_.resize(guideLength(w) * h);
+  for (std::size_t y = 0; y < h; ++y) fillGuide(&columns_[y * (w + 1)], w, &columnGuide_[y * guideLength(w)]);
   for (std::size_t y = 0; y <= h; ++y) {
     heights_.push_back(std::sin(PI * (0.5 - static_cast<double>(y) / static_cast<double>(h))));
   }
+  for (std::size_t y = 0; y < h; ++y) {
+    const double angle = 2 * PI / width * (heights_[y] - heights_[y + 1]);
+    densities_.push_back(static_cast<float>(static_cast<double>(rows_[y + 1] - rows_[y]) / angle));
+  }
+}
+
+void EnvironmentLight::fillGuide(const float* begin, std::size_t count, std::uint16_t* guide) {
+  const std::size_t entries = guideLength(count);
+  std::size_t i = 0;
+  for (std::size_t k = 0; k < entries; ++k) {
+    // Rounding of u times the number may reach the next entry: each starts a little early.
+    const float u = (static_cast<float>(k) - 0.01f) / static_cast<float>(entries);
+    while (i + 1 < count && begin[i + 1] <= u) ++i;
+    guide[k] = static_cast<std::uint16_t>(std::min<std::size_t>(i, std::numeric_limits<std::uint16_t>::max()));
+  }
+}
+
+EnvironmentLight::Cdf EnvironmentLight::columns(std::size_t row) const {
+  const std::size_t width = map_.width;
+  return {&columns_[row * (width + 1)], &columnGuide_[row * guideLength(width)], width};
+}
+
+const std::uint16_t* EnvironmentLight::Cdf::guideOf(float u) const {
+  const std::size_t entries = guideLength(count);
+  return guide + std::min(static_cast<std::size_t>(u * static_cast<float>(entries)), entries - 1);
+}
+
+std::pair<std::size_t, float> EnvironmentLight::Cdf::find(float u) const {
+  std::size_t i = *guideOf(u);
+  while (i + 1 < count && begin[i + 1] <= u) ++i;
+  const float width = begin[i + 1] - begin[i];
+  return {i, width > 0 ? std::clamp((u - begin[i]) / width, 0.0f, 0.99999994f) : 0.5f};
+}
+
+const float* EnvironmentLight::texelAt(int x, int y) const {
+  const int cx = std::clamp(x, 0, static_cast<int>(map_.width) - 1),
+            cy = std::clamp(y, 0, static_cast<int>(map_.height) - 1);
+  return &map_.pixels[(static_cast<std::size_t>(cy) * map_.width + static_cast<std::size_t>(cx)) * 4];
 }
 
 glm::vec3 EnvironmentLight::texel(int x, int y) const {
-  const int cx = std::clamp(x, 0, static_cast<int>(map_.width) - 1),
-            cy = std::clamp(y, 0, static_cast<int>(map_.height) - 1);
-  const float* p = &map_.pixels[(static_cast<std::size_t>(cy) * map_.width + static_cast<std::size_t>(cx)) * 4];
+  const float* p = texelAt(x, y);
   return {p[0], p[1], p[2]};
 }
 
 glm::vec2 EnvironmentLight::coordinates(const glm::vec3& direction) const {
-  const glm::dvec3 d(toEnvironment_ * direction);
-  return {static_cast<float>(std::atan2(d.z, d.x) / (2 * PI) + 0.5),
-          static_cast<float>(0.5 - std::asin(std::clamp(d.y, -1.0, 1.0)) / PI)};
+  // In float, as the shaders: an eight-thousandth of a texel of the widest maps.
+  const glm::vec3 d = toEnvironment_ * direction;
+  constexpr float RECIPROCAL_PI = static_cast<float>(1 / PI);
+  return {std::atan2(d.z, d.x) * (RECIPROCAL_PI / 2) + 0.5f,
+          0.5f - std::asin(std::clamp(d.y, -1.0f, 1.0f)) * RECIPROCAL_PI};
+}
+
+EnvironmentLight::Sample EnvironmentLight::sampleRow(std::size_t row, float inRow, float u) const {
+  const auto [column, inColumn] = columns(row).find(u);
+  const float across = (static_cast<float>(column) + inColumn) / static_cast<float>(map_.width);
+  const float phi = (across - 0.5f) * static_cast<float>(2 * PI);
+  // Uniform in height, which is uniform in solid angle. In double: at the poles a float has no digits left.
+  const double top = heights_[row], y = top + (heights_[row + 1] - top) * inRow;
+  const auto radius = static_cast<float>(std::sqrt(std::max(0.0, 1 - y * y)));
+  const glm::vec3 direction(radius * std::cos(phi), static_cast<float>(y), radius * std::sin(phi));
+  const glm::vec2 at(across, 0.5f - std::asin(static_cast<float>(y)) * static_cast<float>(1 / PI));
+  return {glm::normalize(direction * toEnvironment_), pdfOf(row, column), at};
 }
 
 EnvironmentLight::Sample EnvironmentLight::sample(const glm::vec2& u) const {
-  const auto [row, inRow] = find(rows_.data(), map_.height, u.y);
-  const auto [column, inColumn] = find(&columns_[row * (map_.width + 1)], map_.width, u.x);
-  const double phi = ((static_cast<double>(column) + inColumn) / map_.width - 0.5) * 2 * PI;
-  // Uniform in height, which is uniform in solid angle.
-  const double top = heights_[row], y = top + (heights_[row + 1] - top) * inRow,
-               radius = std::sqrt(std::max(0.0, 1 - y * y));
-  const glm::vec3 direction(glm::dvec3(radius * std::cos(phi), y, radius * std::sin(phi)));
-  return {glm::normalize(glm::transpose(toEnvironment_) * direction), pdfOf(row, column)};
+  const auto [row, inRow] = rows().find(u.y);
+  return sampleRow(row, inRow, u.x);
 }
 
-float EnvironmentLight::pdf(const glm::vec3& direction) const {
+void EnvironmentLight::sample(std::span<const glm::vec2> us, Sample* samples) const {
+  assert(us.size() <= MAX_SAMPLES);
+  std::array<std::pair<std::size_t, float>, MAX_SAMPLES> found;
+  for (std::size_t i = 0; i < us.size(); ++i) {
+    found[i] = rows().find(us[i].y);
+    __builtin_prefetch(columns(found[i].first).guideOf(us[i].x));
+  }
+  for (std::size_t i = 0; i < us.size(); ++i) {
+    const Cdf cdf = columns(found[i].first);
+    __builtin_prefetch(cdf.begin + *cdf.guideOf(us[i].x));
+  }
+  for (std::size_t i = 0; i < us.size(); ++i) {
+    samples[i] = sampleRow(found[i].first, found[i].second, us[i].x);
+    prefetch(samples[i].at);
+  }
+}
+
+float EnvironmentLight::pdf(const glm::vec3& direction) const { return pdfAt(coordinates(direction)); }
+
+glm::vec3 EnvironmentLight::radiance(const glm::vec3& direction) const { return radianceAt(coordinates(direction)); }
+
+EnvironmentLight::Place EnvironmentLight::find(const glm::vec3& direction) const {
   const glm::vec2 at = coordinates(direction);
-  const auto row = std::min(static_cast<std::size_t>(std::max(at.y, 0.0f) * static_cast<float>(map_.height)),
-                            static_cast<std::size_t>(map_.height - 1));
-  const auto column = std::min(static_cast<std::size_t>(std::max(at.x, 0.0f) * static_cast<float>(map_.width)),
-                               static_cast<std::size_t>(map_.width - 1));
+  prefetch(at);
+  const auto [row, column] = rowAndColumn(at);
+  __builtin_prefetch(columns(row).begin + column);
+  return {at};
+}
+
+std::pair<std::size_t, std::size_t> EnvironmentLight::rowAndColumn(const glm::vec2& at) const {
+  return {std::min(static_cast<std::size_t>(std::max(at.y, 0.0f) * static_cast<float>(map_.height)),
+                   static_cast<std::size_t>(map_.height - 1)),
+          std::min(static_cast<std::size_t>(std::max(at.x, 0.0f) * static_cast<float>(map_.width)),
+                   static_cast<std::size_t>(map_.width - 1))};
+}
+
+float EnvironmentLight::pdfAt(const glm::vec2& at) const {
+  const auto [row, column] = rowAndColumn(at);
   return pdfOf(row, column);
 }
 
 float EnvironmentLight::pdfOf(std::size_t row, std::size_t column) const {
   const float* columns = &columns_[row * (map_.width + 1)];
-  const double share = static_cast<double>(rows_[row + 1] - rows_[row]) * (columns[column + 1] - columns[column]);
-  const double angle = 2 * PI / map_.width * (heights_[row] - heights_[row + 1]);
-  return static_cast<float>(share / angle);
+  return densities_[row] * (columns[column + 1] - columns[column]);
 }
 
-glm::vec3 EnvironmentLight::radiance(const glm::vec3& direction) const {
-  const glm::vec2 at = coordinates(direction) * glm::vec2(map_.width, map_.height) - 0.5f;
+void EnvironmentLight::prefetch(const glm::vec2& coordinates) const {
+  const glm::vec2 low = glm::floor(coordinates * glm::vec2(map_.width, map_.height) - 0.5f);
+  const int x = static_cast<int>(low.x), y = static_cast<int>(low.y);
+  __builtin_prefetch(texelAt(x, y));
+  __builtin_prefetch(texelAt(x, y + 1));
+}
+
+glm::vec3 EnvironmentLight::radianceAt(const glm::vec2& coordinates) const {
+  const glm::vec2 at = coordinates * glm::vec2(map_.width, map_.height) - 0.5f;
   const glm::vec2 low = glm::floor(at), part = at - low;
   const int x = static_cast<int>(low.x), y = static_cast<int>(low.y);
   return intensity_ * glm::mix(glm::mix(texel(x, y), texel(x + 1, y), part.x),

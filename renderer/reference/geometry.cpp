@@ -155,6 +155,19 @@ bool Geometry::intersect(const Ray& ray, Hit& hit) const {
   return true;
 }
 
+bool Geometry::occluded(const Ray& ray, float far) const {
+  RTCRay query = {};
+  query.org_x = ray.origin.x, query.org_y = ray.origin.y, query.org_z = ray.origin.z;
+  query.dir_x = ray.direction.x, query.dir_y = ray.direction.y, query.dir_z = ray.direction.z;
+  query.tnear = ray.from;
+  query.tfar = far;
+  query.mask = ~0u;
+  ShellContext context;
+  rtcInitIntersectContext(&context.embree);
+  rtcOccluded1(scene_.get(), &context.embree, &query);
+  return query.tfar < 0;  // Embree's mark of a ray that met something
+}
+
 void Geometry::keepBlockers(const RTCFilterFunctionNArguments* met) {
   const Blocks& blocks = *static_cast<const Blocks*>(met->geometryUserPtr);
   const float shells = reinterpret_cast<const ShellContext*>(met->context)->shells;

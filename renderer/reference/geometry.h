@@ -74,6 +74,8 @@ class Geometry {
   /// @throws Error{X_REFERENCE, X_MEMORY, X_CANCELLED}
   explicit Geometry(const std::vector<PlacedMesh>& meshes, const CancelToken& cancel = {}, Blocks blocks = {});
   bool intersect(const Ray& ray, Hit& hit) const;
+  /// Whether something ends a ray, as Blocks says. It is cheaper than the first hit. @param far  metres that it goes
+  bool occluded(const Ray& ray, float far) const;
   /// How many of the rays something ends.
   int countHidden(const Rays& rays) const;
   /// Whether something ends each of the rays.

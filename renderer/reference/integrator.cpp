@@ -1,6 +1,10 @@
 #include "reference/integrator.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <new>
+#include <type_traits>
 
 namespace telar::reference {
 namespace {
@@ -23,9 +27,11 @@ Integrator::Integrator(const TracedScene& scene, Transport transport, ShadingMod
                        const ThreeTerms& three)
     : scene_(scene),
       transport_{transport.occlusion, transport.occlusion ? transport.bounces : 0},
-      shading_(brdf_f::shadingFunctions(shading)),
+      model_(shading),
       terms_(isPrincipled(shading) ? std::optional(terms) : std::nullopt),
-      three_(three) {}
+      three_(three),
+      blended_(std::ranges::any_of(
+          scene.meshes, [](const PlacedMesh& mesh) { return mesh.material->alphaMode == AlphaMode::kBlend; })) {}
 
 brdf_f::Reflected Integrator::withBakedOcclusion(brdf_f::Reflected light, const Surface& surface) const {
   if (transport_.occlusion) return light;
@@ -49,43 +55,62 @@ glm::vec3 Integrator::bsdfCosine(const Surface& surface, const glm::vec3& l, boo
   const brdf_f::SurfaceInfo& s = surface.info;
   const bool behind = glm::dot(s.n, l) <= 0 && glm::dot(s.coatNormal, l) <= 0;
   if (behind && s.diffuseTransmission == 0) return glm::vec3(0);
-  brdf_f::Reflected direct = shading_.addPunctual(brdf_f::nothingReflected(), surface.info, l, glm::vec3(1));
-  if (ambient && surface.hasVisibility && !transport_.occlusion && glm::dot(s.n, l) <= 0) {
+  const float diffuse = 1 - surface.glass.weight;
+  const bool baked = ambient && !transport_.occlusion && (surface.hasVisibility || surface.occlusion < 1);
+  if (!baked) return surface.shading->bsdfCosine(s, l, diffuse);
+  brdf_f::Reflected direct = surface.shading->punctual(s, l);
+  if (surface.hasVisibility && glm::dot(s.n, l) <= 0) {
     direct.diffuse *= s.visibilityBehind;
     direct = withOcclusionMap(direct, surface);
-  } else if (ambient) {
+  } else {
     direct = withBakedOcclusion(direct, surface);
   }
-  return shading_.composedRadiance(surface.info, direct.diffuse * (1 - surface.glass.weight), direct,
-                                   brdf_f::nothingReflected(), glm::vec3(0));
+  return surface.shading->composed(s, direct.diffuse * diffuse, direct);
 }
 
-bool Integrator::intersect(Ray ray, const Footprint* footprint, Sampler& sampler, Surface& surface, bool opaque) const {
-  Hit hit;
-  int shells = 0;
+std::optional<Integrator::Seen> Integrator::firstSeen(Ray ray, Sampler& sampler, bool opaque) const {
+  Seen seen;
+  const Hit& hit = seen.hit;
   float lastShell = -FAR;
   const float close = scene_.radius * SHELL;
   for (int layer = 0; layer < MAX_LAYERS; ++layer) {
     ++sampler.rays;
-    if (!scene_.geometry.intersect(ray, hit)) return false;
-    surface =
-        surfaceAt(scene_.textures, scene_.meshes[hit.mesh], hit, ray, footprint, three_, terms_ ? &*terms_ : nullptr);
-    const bool oneSided = !scene_.meshes[hit.mesh].material->doubleSided;
-    const bool solid = surface.shown && !(opaque && surface.glass.weight > 0);
-    if (solid && (surface.alpha >= 1 || sampler.random.uniform() < surface.alpha)) {
+    if (!scene_.geometry.intersect(ray, seen.hit)) return std::nullopt;
+    const PlacedMesh& mesh = scene_.meshes[hit.mesh];
+    const Meeting met = meetingAt(scene_.textures, mesh, hit, ray.direction);
+    const bool oneSided = !mesh.material->doubleSided;
+    const bool solid = met.shown && !(opaque && transmissionAt(scene_.textures, mesh, hit) > 0);
+    if (solid && (met.alpha >= 1 || sampler.random.uniform() < met.alpha)) {
       if (!oneSided || ray.passes == 0 || hit.distance > close) {
-        surface.shells = hit.distance - lastShell <= close ? shells : 0;
-        if (!surface.unlit) surface.info = shading_.preparedSurface(surface.info);
-        return true;
+        if (hit.distance - lastShell > close) seen.shells = 0;
+        return seen;
       }
       --ray.passes;
-    } else if (oneSided && !surface.front) {
-      shells = hit.distance - lastShell <= close ? shells + 1 : 1;
+    } else if (oneSided && !met.front) {
+      seen.shells = hit.distance - lastShell <= close ? seen.shells + 1 : 1;
       lastShell = hit.distance;
     }
     ray.from = hit.distance + scene_.radius * 1e-5f;
   }
-  return false;
+  return std::nullopt;
+}
+
+bool Integrator::intersect(const Ray& ray, const PixelPoint* from, Sampler& sampler, Surface& surface,
+                           bool opaque) const {
+  const auto seen = firstSeen(ray, sampler, opaque);
+  if (!seen) return false;
+  const auto footprint = from ? std::optional(from->footprint()) : std::nullopt;
+  // In place: to copy a surface takes as long as to read some of its textures.
+  static_assert(std::is_trivially_destructible_v<Surface>);
+  new (&surface)
+      Surface(surfaceAt(scene_.textures, scene_.meshes[seen->hit.mesh], seen->hit, ray,
+                        footprint ? &*footprint : nullptr, three_, terms_ ? &*terms_ : nullptr, !transport_.occlusion));
+  surface.shells = seen->shells;
+  if (!surface.unlit) {
+    surface.shading = &brdf_f::shadingVariant(model_, surface.info);
+    surface.shading->prepare(surface.info);
+  }
+  return true;
 }
 
 Ray Integrator::spawnRay(const Surface& from, const glm::vec3& direction) const {
@@ -96,8 +121,12 @@ Ray Integrator::spawnRay(const Surface& from, const glm::vec3& direction) const 
 }
 
 bool Integrator::occluded(const Ray& ray, float distance, Sampler& sampler) const {
-  Surface blocker;
-  return intersect(ray, nullptr, sampler, blocker) && blocker.distance < distance;
+  if (ray.passes == 0 && !blended_) {
+    ++sampler.rays;
+    return scene_.geometry.occluded(ray, distance);
+  }
+  const auto seen = firstSeen(ray, sampler, false);
+  return seen && seen->hit.distance < distance;
 }
 
 glm::vec3 Integrator::estimateDirect(const Surface& surface, const LightSample& light, float shadow,
@@ -120,16 +149,16 @@ glm::vec3 Integrator::sampleLights(const Surface& surface, Sampler& sampler) con
     if (sample) sum += estimateDirect(surface, *sample, 0, sampler);
   }
   const glm::vec3 dome = scene_.lights.irradiance(surface.info.n);
-  glm::vec3 behind = shading_.addBehind ? scene_.lights.irradiance(-surface.info.n) : glm::vec3(0);
+  const brdf_f::ShadingVariant& shading = *surface.shading;
+  glm::vec3 behind = shading.behind ? scene_.lights.irradiance(-surface.info.n) : glm::vec3(0);
   if (dome != glm::vec3(0) || behind != glm::vec3(0)) {
-    brdf_f::Reflected lit = shading_.addDome(brdf_f::nothingReflected(), surface.info, dome);
+    brdf_f::Reflected lit = shading.dome(surface.info, dome);
     // Vertices know each side, a map of occlusion takes from the light of both.
     const bool sides = surface.hasVisibility && !transport_.occlusion;
     if (sides) lit = brdf_f::visibleLight(lit, surface.info), behind *= surface.info.visibilityBehind;
-    if (shading_.addBehind) lit = shading_.addBehind(lit, surface.info, behind);
+    if (shading.behind) lit = shading.behind(lit, surface.info, behind);
     if (!transport_.occlusion) lit = withOcclusionMap(lit, surface);
-    sum += shading_.composedRadiance(surface.info, lit.diffuse * (1 - surface.glass.weight), brdf_f::nothingReflected(),
-                                     lit, glm::vec3(0));
+    sum += shading.composed(surface.info, lit.diffuse * (1 - surface.glass.weight), lit);
   }
   return sum;
 }
@@ -148,11 +177,8 @@ glm::vec3 Integrator::sampleLd(const Surface& surface, const brdf_f::LobeMixture
   return lights + sampleEnvironment(surface, lobes, counts, sampler);
 }
 
-glm::vec3 Integrator::reflectedEnvironment(const Surface& surface, const glm::vec3& l, Sampler& sampler) const {
-  const glm::vec3 f = bsdfCosine(surface, l, true);
-  if (f == glm::vec3(0)) return f;
-  if (transport_.occlusion && occluded(spawnRay(surface, l), FAR, sampler)) return glm::vec3(0);
-  return f * scene_.environment->radiance(l);
+bool Integrator::hidden(const Surface& surface, const glm::vec3& l, Sampler& sampler) const {
+  return transport_.occlusion && occluded(spawnRay(surface, l), FAR, sampler);
 }
 
 glm::vec3 Integrator::sampleEnvironment(const Surface& surface, const brdf_f::LobeMixture& lobes,
@@ -161,15 +187,22 @@ glm::vec3 Integrator::sampleEnvironment(const Surface& surface, const brdf_f::Lo
   if (!scene_.environment) return sum;
   const EnvironmentLight& environment = *scene_.environment;
   const auto strata = static_cast<float>(counts.strata);
-  for (int i = 0; i < counts.strata * counts.strata; ++i) {
-    const glm::vec2 cell(i % counts.strata, i / counts.strata);
-    const auto [l, pdf] = environment.sample((cell + sampler.random.uniform2()) / strata);
-    if (!(pdf > 0)) continue;
-    const glm::vec3 light = reflectedEnvironment(surface, l, sampler);
-    if (light == glm::vec3(0)) continue;
-    const float misWeight =
-        brdf_f::powerHeuristic(counts.environment() * pdf, counts.lobe() * brdf_f::pdfMixture(lobes, l));
-    sum += light * (misWeight / pdf);
+  const auto count = static_cast<std::size_t>(counts.strata * counts.strata);
+  std::array<glm::vec2, EnvironmentLight::MAX_SAMPLES> us;
+  std::array<EnvironmentLight::Sample, EnvironmentLight::MAX_SAMPLES> drawn;
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::vec2 cell(static_cast<int>(i) % counts.strata, static_cast<int>(i) / counts.strata);
+    us[i] = (cell + sampler.random.uniform2()) / strata;
+  }
+  environment.sample(std::span(us).first(count), drawn.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    const EnvironmentLight::Sample& light = drawn[i];
+    if (!(light.pdf > 0)) continue;
+    const glm::vec3 f = bsdfCosine(surface, light.direction, true);
+    if (f == glm::vec3(0) || hidden(surface, light.direction, sampler)) continue;
+    const float misWeight = brdf_f::powerHeuristic(counts.environment() * light.pdf,
+                                                   counts.lobe() * surface.shading->pdfMixture(lobes, light.direction));
+    sum += f * environment.radiance(light) * (misWeight / light.pdf);
   }
   return sum / counts.environment();
 }
@@ -180,13 +213,15 @@ glm::vec3 Integrator::sampleLobes(const Surface& surface, const brdf_f::LobeMixt
   if (!scene_.environment) return sum;
   const EnvironmentLight& environment = *scene_.environment;
   for (int i = 0; i < counts.lobes; ++i) {
-    const glm::vec3 l = brdf_f::sampleMixture(lobes, sampler.random.uniform2());
-    const float pdf = brdf_f::pdfMixture(lobes, l);
+    const glm::vec3 l = surface.shading->sampleMixture(lobes, sampler.random.uniform2());
+    const float pdf = surface.shading->pdfMixture(lobes, l);
     if (!(pdf > 0)) continue;
-    const glm::vec3 light = reflectedEnvironment(surface, l, sampler);
-    if (light == glm::vec3(0)) continue;
-    const float misWeight = brdf_f::powerHeuristic(counts.lobe() * pdf, counts.environment() * environment.pdf(l));
-    sum += light * (misWeight / pdf);
+    const glm::vec3 f = bsdfCosine(surface, l, true);
+    if (f == glm::vec3(0)) continue;
+    const EnvironmentLight::Place place = environment.find(l);
+    if (hidden(surface, l, sampler)) continue;
+    const float misWeight = brdf_f::powerHeuristic(counts.lobe() * pdf, counts.environment() * environment.pdf(place));
+    sum += f * environment.radiance(place) * (misWeight / pdf);
   }
   return sum / counts.lobe();
 }
@@ -209,8 +244,7 @@ bool Integrator::intersectBehind(const Surface& surface, const TransmissionSampl
 bool Integrator::transmit(Path& path, Sampler& sampler) const {
   if (++path.transmissions > MAX_TRANSMISSIONS) return false;
   const TransmissionSample sample = sampleTransmission(path.surface, sampler.random);
-  const brdf_f::Reflected none = brdf_f::nothingReflected();
-  path.throughput *= shading_.composedRadiance(path.surface.info, sample.share, none, none, glm::vec3(0));
+  path.throughput *= path.surface.shading->composed(path.surface.info, sample.share, brdf_f::nothingReflected());
   Surface next;
   if (intersectBehind(path.surface, sample, sampler, next)) {
     path.surface = next;
@@ -234,18 +268,18 @@ bool Integrator::reflect(Path& path, const brdf_f::LobeMixture& lobes, const Sam
     path.radiance += path.throughput * sampleLobes(path.surface, lobes, counts, sampler);
     return false;
   }
-  const glm::vec3 l = brdf_f::sampleMixture(lobes, sampler.random.uniform2());
-  const float pdf = brdf_f::pdfMixture(lobes, l);
+  const glm::vec3 l = path.surface.shading->sampleMixture(lobes, sampler.random.uniform2());
+  const float pdf = path.surface.shading->pdfMixture(lobes, l);
   if (!(pdf > 0)) return false;
   path.throughput *= bsdfCosine(path.surface, l, true) / (counts.lobe() * pdf);
   if (path.throughput == glm::vec3(0)) return false;
   path.straight = false;
-  Surface next;
-  if (!intersect(spawnRay(path.surface, l), nullptr, sampler, next)) {
-    if (!scene_.environment) return false;
-    const float misWeight =
-        brdf_f::powerHeuristic(counts.lobe() * pdf, counts.environment() * scene_.environment->pdf(l));
-    path.radiance += path.throughput * scene_.environment->radiance(l) * misWeight;
+  const EnvironmentLight* environment = scene_.environment;
+  const EnvironmentLight::Place place = environment ? environment->find(l) : EnvironmentLight::Place{};
+  if (!intersect(spawnRay(path.surface, l), nullptr, sampler, path.surface)) {
+    if (!environment) return false;
+    const float misWeight = brdf_f::powerHeuristic(counts.lobe() * pdf, counts.environment() * environment->pdf(place));
+    path.radiance += path.throughput * environment->radiance(place) * misWeight;
     return false;
   }
   // Russian roulette: a long path ends at random, and those that survive make up for it.
@@ -254,7 +288,6 @@ bool Integrator::reflect(Path& path, const brdf_f::LobeMixture& lobes, const Sam
     if (sampler.random.uniform() >= survival) return false;
     path.throughput /= survival;
   }
-  path.surface = next;
   return true;
 }
 
@@ -263,7 +296,8 @@ glm::vec4 Integrator::follow(Path& path, Sampler& sampler) const {
     const Surface& surface = path.surface;
     path.radiance += path.throughput * surface.emitted;
     if (surface.unlit) break;
-    const brdf_f::LobeMixture lobes = brdf_f::lobeMixture(surface.info);
+    brdf_f::LobeMixture lobes;
+    surface.shading->lobeMixture(surface.info, lobes);
     // Transmission takes the place of the diffuse lobe alone, so some paths must still be reflected.
     const float transmitProbability = surface.glass.weight * 0.75f;
     const SampleCounts counts = sampleCounts(path, 1 - transmitProbability);
@@ -278,11 +312,12 @@ glm::vec4 Integrator::follow(Path& path, Sampler& sampler) const {
   return {path.radiance, path.coverage};
 }
 
-glm::vec4 Integrator::Li(const Ray& ray, const Footprint& footprint, Sampler& sampler) const {
+glm::vec4 Integrator::Li(const PixelPoint& from, Sampler& sampler) const {
+  const Ray ray = from.ray();
   Path path;
   float distance = FAR;
   glm::vec4 light(0);
-  if (intersect(ray, &footprint, sampler, path.surface)) {
+  if (intersect(ray, &from, sampler, path.surface)) {
     distance = path.surface.distance;
     light = follow(path, sampler);
   } else if (scene_.background.shown()) {

@@ -5,6 +5,7 @@
 #include "reference/geometry.h"
 #include "reference/ground.h"
 #include "reference/lights.h"
+#include "reference/ray_camera.h"
 #include "reference/surface.h"
 #include "reference/transmission.h"
 
@@ -43,7 +44,7 @@ class Integrator {
 
   /// One estimate of the light along a camera ray.
   /// @return linear Rec.709 radiance, premultiplied with coverage, and coverage: 0..1 in the mean of many
-  glm::vec4 Li(const Ray& ray, const Footprint& footprint, Sampler& sampler) const;
+  glm::vec4 Li(const PixelPoint& from, Sampler& sampler) const;
 
  private:
   struct Path;
@@ -58,9 +59,16 @@ class Integrator {
   };
   SampleCounts sampleCounts(const Path& path, float lobeProbability) const;
 
-  /// The next surface along a ray that is not culled or cut out. Alpha below 1 is a probability.
+  /// A hit that a ray ends at, and the culled back sides that it passed closely before it.
+  struct Seen {
+    Hit hit;
+    int shells = 0;
+  };
+  /// The next hit along a ray that is not culled or cut out. Alpha below 1 is a probability.
   /// @param opaque  passes through what transmits
-  bool intersect(Ray ray, const Footprint* footprint, Sampler& sampler, Surface& surface, bool opaque = false) const;
+  std::optional<Seen> firstSeen(Ray ray, Sampler& sampler, bool opaque) const;
+  /// firstSeen() with its material read and prepared. @param from  of a camera ray, else null
+  bool intersect(const Ray& ray, const PixelPoint* from, Sampler& sampler, Surface& surface, bool opaque = false) const;
   bool occluded(const Ray& ray, float distance, Sampler& sampler) const;
   Ray spawnRay(const Surface& from, const glm::vec3& direction) const;
 
@@ -85,8 +93,8 @@ class Integrator {
   glm::vec3 sampleLd(const Surface& surface, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,
                      Sampler& sampler) const;
   glm::vec3 sampleLights(const Surface& surface, Sampler& sampler) const;
-  /// What the surface reflects of the environment from `l`, unit; black where it is occluded.
-  glm::vec3 reflectedEnvironment(const Surface& surface, const glm::vec3& l, Sampler& sampler) const;
+  /// Whether something hides the environment in the direction `l`, unit.
+  bool hidden(const Surface& surface, const glm::vec3& l, Sampler& sampler) const;
   glm::vec3 sampleEnvironment(const Surface& surface, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,
                               Sampler& sampler) const;
   /// The environment by samples of the lobes, for a path that ends here: reflect() does it for the others.
@@ -97,9 +105,10 @@ class Integrator {
 
   TracedScene scene_;
   Transport transport_;
-  brdf_f::ShadingFunctions shading_;
+  ShadingModel model_;
   std::optional<ShadingTerms> terms_;  ///< of a principled shading
   ThreeTerms three_;                   ///< of the shading kThree
+  bool blended_;                       ///< a ray may pass some material at random
 };
 
 }  // namespace telar::reference

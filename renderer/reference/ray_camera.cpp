@@ -10,7 +10,17 @@ RayCamera::RayCamera(const Shot& shot, const glm::dvec3& centre) : width_(shot.w
   const frame::Camera camera = frame::cameraOf(shot);
   glm::dmat4 view = camera.view;
   view[3] += camera.view * glm::dvec4(centre, 0.0);  // the tracer's world starts at the centre
-  toWorld_ = glm::inverse(camera.projection * view);
+  const glm::dmat4 toWorld = glm::inverse(camera.projection * view);
+  const auto planeAt = [&](double depth) {
+    const auto point = [&](double x, double y) {
+      const glm::dvec4 p = toWorld * glm::dvec4(x, y, depth, 1);
+      return glm::dvec3(p) / p.w;
+    };
+    const glm::dvec3 middle = point(0, 0);
+    return Plane{middle, point(1, 0) - middle, point(0, 1) - middle};
+  };
+  near_ = planeAt(-1);
+  far_ = planeAt(1);
   toView_ = glm::mat3(glm::dmat3(view));
   if (!shot.lens || !shot.lens->focusDistance || shot.camera.projection != Projection::kPerspective) return;
   const double focalLength = SENSOR_HEIGHT_M / 2 / std::tan(glm::radians(shot.camera.fovY) / 2);
@@ -20,7 +30,7 @@ RayCamera::RayCamera(const Shot& shot, const glm::dvec3& centre) : width_(shot.w
 
 Ray RayCamera::generateRay(const glm::dvec2& pixel, const glm::dvec2& u) const {
   const glm::dvec2 ndc(2 * pixel.x / width_ - 1, 1 - 2 * pixel.y / height_);
-  const glm::dvec3 near = point(ndc, -1), far = point(ndc, 1), straight = glm::normalize(far - near);
+  const glm::dvec3 near = near_.at(ndc), straight = glm::normalize(far_.at(ndc) - near);
   if (!lens_) return {glm::vec3(near), glm::vec3(straight)};
   const glm::dvec3 forward = -lens_->axes[2];
   const glm::dvec3 sharp = lens_->centre + straight * (lens_->focusDistance / glm::dot(straight, forward));
@@ -34,11 +44,6 @@ Ray RayCamera::generateRay(const glm::dvec2& pixel, const glm::dvec2& u) const {
 
 Footprint RayCamera::footprint(const glm::dvec2& pixel, const glm::dvec2& u) const {
   return {generateRay(pixel + glm::dvec2(1, 0), u), generateRay(pixel - glm::dvec2(0, 1), u), toView_};
-}
-
-glm::dvec3 RayCamera::point(const glm::dvec2& ndc, double depth) const {
-  const glm::dvec4 p = toWorld_ * glm::dvec4(ndc, depth, 1);
-  return glm::dvec3(p) / p.w;
 }
 
 }  // namespace telar::reference

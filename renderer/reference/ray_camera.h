@@ -28,12 +28,24 @@ class RayCamera {
     glm::dvec3 centre{0};
     glm::dmat3 axes{1.0};  ///< right, up, back
   };
-  glm::dvec3 point(const glm::dvec2& ndc, double depth) const;
+  /// A plane across the view: its points are linear in device coordinates.
+  struct Plane {
+    glm::dvec3 centre{0}, right{0}, up{0};
+    glm::dvec3 at(const glm::dvec2& ndc) const { return centre + right * ndc.x + up * ndc.y; }
+  };
 
   int width_, height_;
-  glm::dmat4 toWorld_{1.0};
+  Plane near_, far_;
   glm::mat3 toView_{1.0f};
   std::optional<Lens> lens_;
+};
+
+/// A point of the picture that a path starts at.
+struct PixelPoint {
+  const RayCamera& camera;
+  glm::dvec2 pixel, lens;  ///< of generateRay()
+  Ray ray() const { return camera.generateRay(pixel, lens); }
+  Footprint footprint() const { return camera.footprint(pixel, lens); }
 };
 
 }  // namespace telar::reference

@@ -103,9 +103,13 @@ struct Reader {
 
 bool isWoven(const PlacedMesh& mesh) { return mesh.shading == ShadingModel::kFabric && mesh.material->fabric.weave; }
 
+float transmissionOf(const PhysicalLayers& l, const Reader& read) {
+  return brdf_f::saturate(l.transmissionFactor * read(l.transmissionTexture).r);
+}
+
 Glass readGlass(const PhysicalLayers& l, const Reader& read, const PlacedMesh& mesh, const ThreeTerms& three) {
   Glass glass;
-  glass.weight = brdf_f::saturate(l.transmissionFactor * read(l.transmissionTexture).r);
+  glass.weight = transmissionOf(l, read);
   if (glass.weight == 0) return glass;
   glass.ior = iorOf(l, three);
   glass.dispersion = three.dispersion == ThreeTerms::THREE_DISPERSION_NONE ? 0 : l.dispersion;
@@ -209,17 +213,31 @@ float opacityOf(const Material& m, float alpha) {
 
 }  // namespace
 
-bool endsAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const glm::vec3& direction, float alpha) {
+Meeting meetingAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const glm::vec3& direction) {
   const Material& m = *mesh.material;
   const Corners corners(mesh, hit.triangle);
-  if (!m.doubleSided && !meetsFront(mesh, corners, direction)) return false;
-  if (m.alphaMode == AlphaMode::kOpaque) return true;
+  Meeting meeting{.front = meetsFront(mesh, corners, direction)};
+  meeting.shown = meeting.front || m.doubleSided;
+  if (!meeting.shown || m.alphaMode == AlphaMode::kOpaque) return meeting;
   const float own = baseColorAt(mesh, corners, {textures, corners, hit.barycentric}).a;
-  return !isCutOut(m, own) && opacityOf(m, own) >= alpha;
+  meeting.shown = !isCutOut(m, own);
+  meeting.alpha = opacityOf(m, own);
+  return meeting;
+}
+
+float transmissionAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit) {
+  if (mesh.material->unlit) return 0;
+  const Corners corners(mesh, hit.triangle);
+  return transmissionOf(mesh.material->layers, {textures, corners, hit.barycentric});
+}
+
+bool endsAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const glm::vec3& direction, float alpha) {
+  const Meeting meeting = meetingAt(textures, mesh, hit, direction);
+  return meeting.shown && meeting.alpha >= alpha;
 }
 
 Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const Ray& ray,
-                  const Footprint* footprint, const ThreeTerms& three, const ShadingTerms* terms) {
+                  const Footprint* footprint, const ThreeTerms& three, const ShadingTerms* terms, bool baked) {
   const Material& m = *mesh.material;
   const Primitive& primitive = *mesh.primitive;
   const Corners corners(mesh, hit.triangle);
@@ -227,18 +245,21 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   const Reader read{textures, corners, b};
   Surface surface{.position = corners.position(b)};
   surface.distance = hit.distance;
-  const glm::vec3 v = surface.info.v = -ray.direction;
+  const glm::vec3 v = -ray.direction;
   const glm::vec3 cross = corners.cross();
   const bool front = meetsFront(mesh, corners, ray.direction);
   const float face = front ? 1.0f : -1.0f;
-  surface.front = front;
   surface.geometricNormal = brdf_f::safeNormalize(glm::dot(cross, v) < 0 ? -cross : cross, v);
+  const auto prefetch = [&](const TextureRef& texture) {
+    if (texture) textures.prefetch(texture, corners.uv(texture.texCoord, b));
+  };
+  // Reads at one point wait for memory together.
+  prefetch(m.normalTexture);
+  prefetch(m.metallicRoughnessTexture);
   const glm::vec4 baseColor = baseColorAt(mesh, corners, read);
-  surface.alpha = opacityOf(m, baseColor.a);
-  surface.shown = (front || m.doubleSided) && !isCutOut(m, baseColor.a);
   surface.unlit = m.unlit;
   surface.emitted = m.unlit ? glm::vec3(baseColor) : m.emissiveFactor * glm::vec3(read(m.emissiveTexture, true));
-  if (!surface.shown || surface.unlit) return surface;
+  if (surface.unlit) return surface;
 
   const bool flat = primitive.normals.empty();
   const glm::vec3 interpolated = flat ? surface.geometricNormal : corners.normal(b);
@@ -254,20 +275,21 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
     in.roughness = m.fabric.backRoughnessFactor;
   }
   if (!terms) in = brdf_f::withShadedRoughness(in, geometric);
-  SurfaceInfo s = brdf_f::baseSurface(in, normals, v);
-  surface.hasVisibility = mesh.shading == ShadingModel::kFabric && !primitive.visibility[0].empty();
+  SurfaceInfo& s = surface.info;
+  brdf_f::readSurface(s, in, normals, v, m.physical, isWoven(mesh));
+  surface.hasVisibility = baked && mesh.shading == ShadingModel::kFabric && !primitive.visibility[0].empty();
   if (surface.hasVisibility)
     s = brdf_f::withVisibility(s, visibilityAt(mesh, corners, b, front), visibilityAt(mesh, corners, b, !front));
-  if (m.physical) s = brdf_f::withSpecular(s, in);
-  s = brdf_f::withLayers(s, in, normals);
-  if (isWoven(mesh)) s = brdf_f::withWeave(s, in, normals);
   if (terms) s.terms = *terms;
-  s.dfg = brdf_f::splitSum(three, s.perceptualRoughness, s.NoV);
-  s.coatDfg = brdf_f::splitSum(three, s.clearcoatRoughness, s.clearcoatNoV);
-  surface.info = s;
   surface.glass = readGlass(m.layers, read, mesh, three);
-  if (m.occlusionTexture) surface.occlusion = brdf_f::diffuseOcclusion(read(m.occlusionTexture).r, m.occlusionStrength);
-  surface.info.visibility = brdf_f::visibilityBesideMap(surface.info.visibility, surface.occlusion);
+  // The fabric's energies are curves: only its glass reads the table.
+  if (mesh.shading != ShadingModel::kFabric || surface.glass.weight > 0) {
+    s.dfg = brdf_f::splitSum(three, s.perceptualRoughness, s.NoV);
+    s.coatDfg = brdf_f::splitSum(three, s.clearcoatRoughness, s.clearcoatNoV);
+  }
+  if (baked && m.occlusionTexture)
+    surface.occlusion = brdf_f::diffuseOcclusion(read(m.occlusionTexture).r, m.occlusionStrength);
+  s.visibility = brdf_f::visibilityBesideMap(s.visibility, surface.occlusion);
   return surface;
 }
 

@@ -28,24 +28,36 @@ struct Surface {
   glm::vec3 position{0};
   glm::vec3 geometricNormal{0};  ///< unit, on the viewer's side
   brdf_f::SurfaceInfo info;
+  const brdf_f::ShadingVariant* shading = nullptr;  ///< of `info`; none where the surface is unlit
   Glass glass;
   glm::vec3 emitted{0};
   float distance = 0;          ///< along the ray that met it, metres
   float occlusion = 1;         ///< baked, of light from everywhere, 0..1
-  float alpha = 1;             ///< 1 where the material is opaque
   bool hasVisibility = false;  ///< of its vertices, in `info`
   bool unlit = false;          ///< `emitted` is all there is
-  bool shown = true;           ///< false: a culled back side, or cut out by the alpha mask
-  bool front = true;           ///< the side that the triangle's winding shows
   int shells = 0;              ///< culled back sides that the ray passed closely before it
 };
 
-/// What the raster's shaders take from factors, textures and vertices, for a hit of a ray. World space.
+/// What the raster's shaders take from factors, textures and vertices, for a hit of a ray that is shown. World space.
 /// @param footprint  camera rays only: adds the geometric roughness of three.js
 /// @param three      the release of three.js, of the shading kThree
 /// @param terms      of a principled shading, which takes roughness as authored; null for the others
+/// @param baked      reads baked occlusion and ambient visibility; else nothing is hidden
 Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const Ray& ray,
-                  const Footprint* footprint, const ThreeTerms& three, const ShadingTerms* terms = nullptr);
+                  const Footprint* footprint, const ThreeTerms& three, const ShadingTerms* terms = nullptr,
+                  bool baked = true);
+
+/// What decides whether a hit is seen, without the rest of the material.
+struct Meeting {
+  bool front = true;  ///< the side that the triangle's winding shows
+  bool shown = true;  ///< false: a culled back side, or cut out by the alpha mask
+  float alpha = 1;    ///< 1 where the material is not blended
+};
+/// @param direction  of the ray
+Meeting meetingAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const glm::vec3& direction);
+
+/// Share of light that comes through what transmits, in place of the diffuse lobe, 0..1.
+float transmissionAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit);
 
 /// Whether a ray ends at a hit: on a side that is shown, where the material is at least as opaque as `alpha`.
 bool endsAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const glm::vec3& direction, float alpha);

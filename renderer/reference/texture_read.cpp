@@ -1,5 +1,6 @@
 #include "reference/texture_read.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
@@ -12,27 +13,45 @@ namespace {
 
 constexpr std::uint32_t NEAREST = 9728, CLAMP_TO_EDGE = 33071, MIRRORED_REPEAT = 33648;
 
-/// Texel index that a wrap mode gives; `i` is any whole number.
-std::size_t wrapped(long long i, std::uint32_t size, std::uint32_t mode) {
-  const auto n = static_cast<long long>(size);
-  if (i >= 0 && i < n) return static_cast<std::size_t>(i);
-  if (mode == CLAMP_TO_EDGE) return static_cast<std::size_t>(i < 0 ? 0 : i >= n ? n - 1 : i);
-  const long long period = mode == MIRRORED_REPEAT ? 2 * n : n;
-  long long at = i % period;
-  if (at < 0) at += period;
-  return static_cast<std::size_t>(at >= n ? period - 1 - at : at);
+/// The texels on both sides of a place, and how far it is from the first to the second.
+struct Taps {
+  std::size_t low, high;
+  float part;
+};
+
+std::size_t wrapped(std::int64_t i, std::int64_t size, std::uint32_t mode) {
+  if (mode == CLAMP_TO_EDGE) return static_cast<std::size_t>(std::clamp<std::int64_t>(i, 0, size - 1));
+  const std::int64_t period = mode == MIRRORED_REPEAT ? 2 * size : size;
+  const std::int64_t at = i < 0 ? i + period : i >= period ? i - period : i;
+  return static_cast<std::size_t>(at >= size ? period - 1 - at : at);
+}
+
+/// Where a coordinate stands among texels, wrapped to within one of the map (two of a mirrored one): a division of
+/// whole numbers for each texel would take longer than the reads.
+double placeOf(float coordinate, std::uint32_t size, std::uint32_t mode) {
+  const double c = coordinate;
+  if (mode == CLAMP_TO_EDGE) return std::clamp(c, -1.0, 2.0) * size;
+  const double periods = mode == MIRRORED_REPEAT ? 2 : 1;
+  return (c - std::floor(c / periods) * periods) * size;
+}
+
+Taps tapsOf(float coordinate, std::uint32_t size, std::uint32_t mode) {
+  const double place = placeOf(coordinate, size, mode) - 0.5, low = std::floor(place);
+  const auto i = static_cast<std::int64_t>(low);
+  return {wrapped(i, size, mode), wrapped(i + 1, size, mode), static_cast<float>(place - low)};
+}
+
+std::size_t nearestOf(float coordinate, std::uint32_t size, std::uint32_t mode) {
+  return wrapped(static_cast<std::int64_t>(std::floor(placeOf(coordinate, size, mode))), size, mode);
 }
 
 struct Reader {
   const Image8& image;
-  const Sampler& sampler;
   const std::array<float, 256>& colours;
   const std::array<float, 256>& alphas;
 
-  glm::vec4 texel(long long x, long long y) const {
-    const std::size_t at =
-        wrapped(y, image.height, sampler.wrapT) * image.width + wrapped(x, image.width, sampler.wrapS);
-    const std::uint8_t* p = &image.pixels[at * texelBytes(image.type)];
+  glm::vec4 texel(std::size_t x, std::size_t y) const {
+    const std::uint8_t* p = &image.pixels[(y * image.width + x) * texelBytes(image.type)];
     if (image.type == TexelType::kByte) return {colours[p[0]], colours[p[1]], colours[p[2]], alphas[p[3]]};
     if (image.type == TexelType::kHalf) {
       std::uint64_t halves = 0;
@@ -68,16 +87,25 @@ glm::vec4 Textures::read(const TextureRef& texture, const glm::vec2& uv, bool sr
   const glm::vec3 moved = texture.uvTransform * glm::vec3(uv, 1.0f);
   // Far outside of [0, 1] a float has no fraction to filter with, and an integer may not hold it.
   if (!(std::abs(moved.x) < 1e9f && std::abs(moved.y) < 1e9f)) return glm::vec4(1.0f);
-  const Reader reader{image, texture.sampler, decodesSrgb(image.coding, srgb) ? linear_ : bytes_, bytes_};
-  const double x = static_cast<double>(moved.x) * image.width, y = static_cast<double>(moved.y) * image.height;
-  if (texture.sampler.magFilter == NEAREST) {
-    return reader.texel(static_cast<long long>(std::floor(x)), static_cast<long long>(std::floor(y)));
+  const Reader reader{image, decodesSrgb(image.coding, srgb) ? linear_ : bytes_, bytes_};
+  const Sampler& sampler = texture.sampler;
+  if (sampler.magFilter == NEAREST) {
+    return reader.texel(nearestOf(moved.x, image.width, sampler.wrapS),
+                        nearestOf(moved.y, image.height, sampler.wrapT));
   }
-  const double left = std::floor(x - 0.5), top = std::floor(y - 0.5);
-  const auto ix = static_cast<long long>(left), iy = static_cast<long long>(top);
-  const auto partX = static_cast<float>(x - 0.5 - left), partY = static_cast<float>(y - 0.5 - top);
-  return glm::mix(glm::mix(reader.texel(ix, iy), reader.texel(ix + 1, iy), partX),
-                  glm::mix(reader.texel(ix, iy + 1), reader.texel(ix + 1, iy + 1), partX), partY);
+  const Taps x = tapsOf(moved.x, image.width, sampler.wrapS), y = tapsOf(moved.y, image.height, sampler.wrapT);
+  return glm::mix(glm::mix(reader.texel(x.low, y.low), reader.texel(x.high, y.low), x.part),
+                  glm::mix(reader.texel(x.low, y.high), reader.texel(x.high, y.high), x.part), y.part);
+}
+
+void Textures::prefetch(const TextureRef& texture, const glm::vec2& uv) const {
+  if (!texture) return;
+  const Image8& image = scene_.images[static_cast<std::size_t>(texture.image)];
+  const glm::vec3 moved = texture.uvTransform * glm::vec3(uv, 1.0f);
+  if (image.pixels.empty() || !(std::abs(moved.x) < 1e9f && std::abs(moved.y) < 1e9f)) return;
+  const std::size_t x = nearestOf(moved.x, image.width, texture.sampler.wrapS),
+                    y = nearestOf(moved.y, image.height, texture.sampler.wrapT);
+  __builtin_prefetch(&image.pixels[(y * image.width + x) * texelBytes(image.type)]);
 }
 
 }  // namespace telar::reference

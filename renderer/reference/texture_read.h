@@ -17,6 +17,8 @@ class Textures {
   /// @param srgb  decode to linear light before filtering
   /// @return white where the reference has no texture
   glm::vec4 read(const TextureRef& texture, const glm::vec2& uv, bool srgb) const;
+  /// Asks the memory for the texel at a point that read() is about to read.
+  void prefetch(const TextureRef& texture, const glm::vec2& uv) const;
 
  private:
   const Scene& scene_;

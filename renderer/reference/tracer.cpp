@@ -46,7 +46,7 @@ class World {
   glm::vec4 Li(const glm::dvec2& pixel, Sampler& sampler) const {
     const glm::dvec2 at = pixel + glm::dvec2(sampler.random.uniform2());
     const glm::dvec2 lens = camera_.hasLens() ? glm::dvec2(sampler.random.uniform2()) : glm::dvec2(0);
-    return integrator_->Li(camera_.generateRay(at, lens), camera_.footprint(at, lens), sampler);
+    return integrator_->Li({camera_, at, lens}, sampler);
   }
   std::uint64_t triangles() const {
     std::uint64_t sum = 0;

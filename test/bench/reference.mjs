@@ -1,17 +1,50 @@
-// The path tracer on the T-shirt, 512 x 512 at 64 paths a pixel: milliseconds, rays and paths a second, and as a ratio to the
+// The path tracer: paths a second on cloths, then on the T-shirt, 512 x 512 at 64 paths a pixel: milliseconds, rays and paths a second, and as a ratio to the
 // raster's standard frame, and how noisy a sample is.
 // node test/bench/reference.mjs [SAMPLES]      needs the release build
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { createRenderer } from '../../js/index.mjs';
+import { median } from '../median.mjs';
 
 const SIZE = 512;
 const samples = Number(process.argv[2] ?? 64);
-const shirt = path.join(fileURLToPath(new URL('../../', import.meta.url)), 'js/assets/tshirt.glb');
+const asset = (name) => path.join(fileURLToPath(new URL('../../js/assets/', import.meta.url)), name);
 const raw = { size: { width: SIZE, height: SIZE }, toneMapping: 'none', output: { format: 'raw', bitDepth: 32 } };
 
 const renderer = await createRenderer({ cacheDirectory: null });
-const model = await renderer.load(shirt);
+const model = await renderer.load(asset('tshirt.glb'));
+
+/** Cloths with few and many layers, shells and large textures. */
+const CLOTHS = [
+  ['T-shirt', 'tshirt.glb', 'fabric'],
+  ['T-shirt', 'tshirt.glb', 'three'],
+  ['drape of leather', 'fabrics.glb', 'fabric'],
+  ['towel', 'cloths/towel.glb', 'fabric'],
+  ['denim', 'cloths/denim.glb', 'fabric'],
+];
+const SIDE = 128;
+const ROUNDS = 3;
+
+/** Million paths a second of CPU: what more paths take, so that reading the environment and building the hierarchy do not count. */
+async function pathsPerSecond(cloth, shading) {
+  const size = { width: SIDE, height: SIDE };
+  const cpuMs = async (count) => {
+    const before = process.cpuUsage();
+    await renderer.render(cloth, { ...raw, size, shading, quality: { preset: 'reference', samples: count, threads: 1 } });
+    const { user, system } = process.cpuUsage(before);
+    return (user + system) / 1000;
+  };
+  await cpuMs(1);
+  const rounds = [];
+  for (let i = 0; i < ROUNDS; ++i) rounds.push((await cpuMs(samples)) - (await cpuMs(1)));
+  return (SIDE * SIDE * (samples - 1)) / median(rounds) / 1000;
+}
+
+for (const [name, file, shading] of CLOTHS) {
+  const cloth = await renderer.load(asset(file));
+  const rate = await pathsPerSecond(cloth, shading);
+  console.log(`${`${name}, shading ${shading}`.padEnd(33)} ${rate.toFixed(3)} million paths a second of CPU`);
+}
 
 async function timed(quality) {
   const before = process.cpuUsage();

@@ -83,7 +83,8 @@ std::vector<vec3> directions() {
   return all;
 }
 
-/// Largest difference of a variant from the text with every layer on, relative to the largest value.
+/// Largest difference of a variant from the text with every layer on, under single lights and a dome, relative to the
+/// largest value.
 float differenceOf(const ShadingVariant& variant, ShadingModel shading, const SurfaceInfo& surface) {
   const ShadingFunctions functions = shadingFunctions(shading);
   const SurfaceInfo whole = functions.preparedSurface(surface);
@@ -92,12 +93,18 @@ float differenceOf(const ShadingVariant& variant, ShadingModel shading, const Su
   variant.prepare(own);
   LobeMixture lobes;
   variant.lobeMixture(own, lobes);
-  float most = 0, largest = 0;
+  const auto composed = [&](const Reflected& lit) {
+    return functions.composedRadiance(whole, lit.diffuse, lit, nothingReflected(), vec3(0));
+  };
+  const auto apart = [](const vec3& a, const vec3& b) { return max3(glm::abs(a - b)); };
+  Reflected dome = functions.addDome(nothingReflected(), whole, vec3(1)), ownDome = variant.dome(own, vec3(1));
+  if (functions.addBehind) dome = functions.addBehind(dome, whole, vec3(0.5f));
+  if (variant.behind) ownDome = variant.behind(ownDome, own, vec3(0.5f));
+  float most = apart(variant.composed(own, ownDome.diffuse, ownDome), composed(dome)), largest = composed(dome).x;
   for (const vec3& l : directions()) {
     const Reflected lit = functions.addPunctual(nothingReflected(), whole, l, vec3(1));
-    const vec3 expected = functions.composedRadiance(whole, lit.diffuse, lit, nothingReflected(), vec3(0));
-    const vec3 difference = glm::abs(variant.bsdfCosine(own, l, 1) - expected);
-    most = std::max({most, difference.x, difference.y, difference.z,
+    const vec3 expected = composed(lit);
+    most = std::max({most, apart(variant.bsdfCosine(own, l, 1), expected),
                      std::abs(variant.pdfMixture(lobes, l) - pdfMixture(wholeLobes, l))});
     largest = std::max({largest, expected.x, pdfMixture(wholeLobes, l)});
   }

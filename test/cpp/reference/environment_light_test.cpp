@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/random.h"
@@ -30,7 +31,7 @@ std::pair<double, double> estimate(const EnvironmentLight& light, int n, F f) {
   Random random(3, 0, 0);
   double sum = 0, squares = 0;
   for (int i = 0; i < n; ++i) {
-    const auto [direction, pdf] = light.sample(random.uniform2());
+    const auto [direction, pdf, place] = light.sample(random.uniform2());
     const double x = pdf > 0 ? f(direction) / pdf : 0;
     sum += x, squares += x * x;
   }
@@ -48,6 +49,31 @@ double quadrature(const EnvironmentLight& light, float glm::vec3::*channel) {
     }
   }
   return sum * 4 * 3.14159265358979 / (ROWS * COLUMNS);
+}
+
+// A place of the map is drawn by its luminance: what falls between two places of [0, 1) is what lies between them.
+TEST(EnvironmentLight, DrawsInvertTheDistribution) {
+  const ImageF map = sunnyMap();
+  const EnvironmentLight light(map, 37, 0.7);
+  // Where places of equal distances are drawn, the density of each is that of its direction.
+  constexpr int SIDE = 200;
+  std::array<EnvironmentLight::Sample, EnvironmentLight::MAX_SAMPLES> together;
+  int inSun = 0;
+  for (int i = 0; i < SIDE * SIDE; ++i) {
+    const glm::vec2 u = (glm::vec2(i % SIDE, i / SIDE) + 0.5f) / static_cast<float>(SIDE);
+    const EnvironmentLight::Sample sample = light.sample(u);
+    const float pdf = light.pdf(sample.direction);
+    // Directions on the edge of a texel may be found in the next one.
+    if (std::abs(pdf - sample.pdf) > 1e-3f * sample.pdf) continue;
+    inSun += pdf > 3;  // an even map: 0.08
+    const glm::vec3 whole = light.radiance(sample.direction), carried = light.radiance(sample);
+    EXPECT_NEAR(carried.y, whole.y, 1e-3f * whole.y + 1e-5f);
+    const std::array<glm::vec2, 2> us{glm::vec2(1) - u, u};
+    light.sample(us, together.data());
+    EXPECT_EQ(together[1].direction, sample.direction);
+    EXPECT_EQ(together[1].pdf, sample.pdf);
+  }
+  EXPECT_GT(inSun, SIDE * SIDE / 20);
 }
 
 TEST(EnvironmentLight, DrawsGiveTheIntegralOfTheMapWithoutBias) {
@@ -84,7 +110,7 @@ TEST(EnvironmentLight, RotationTurnsTheMap) {
 TEST(EnvironmentLight, ABlackMapIsDrawnFromEvenly) {
   const ImageF map{4, 2, std::vector<float>(4 * 2 * 4, 0.0f)};
   const EnvironmentLight light(map, 0, 1);
-  const auto [direction, pdf] = light.sample({0.3f, 0.9f});
+  const auto [direction, pdf, place] = light.sample({0.3f, 0.9f});
   EXPECT_NEAR(glm::length(direction), 1, 1e-5f);
   EXPECT_GT(pdf, 0);
   EXPECT_EQ(light.radiance(direction), glm::vec3(0));
