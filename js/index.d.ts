@@ -519,6 +519,8 @@ export interface FrameInfo extends Plan {
   worldToPixel: number[];
   /** Millimetres of the model on a pixel, exact; null in perspective. */
   millimetresPerPixel: number | null;
+  /** Factor that `metering` of the shot came to; absent without it. */
+  meteredExposure?: number;
   /** Of a shot with layers. */
   layers?: LayerFacts;
   shot: ResolvedShot;

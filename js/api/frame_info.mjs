@@ -72,8 +72,9 @@ const scaleOf = ({ camera, size }) => (camera.projection === 'orthographic' ? (1
  * @param {{backend: string, gl: object}} parts.renderer
  * @param {string} [parts.key] of picture_key.mjs
  * @param {object[]} [parts.warnings] of the model
+ * @param {number} [parts.metered] factor of the shot's `metering`
  */
-export function frameInfo({ frame, resolved, milliseconds, renderer, key, warnings = [] }) {
+export function frameInfo({ frame, resolved, milliseconds, renderer, key, warnings = [], metered }) {
   // The stages of drawing come from the renderer itself; `draw` alone where it tells none.
   const { ms = { draw: frame.drawMs }, ...drawn } = JSON.parse(frame.info);
   const { load, pose, resolve, total } = milliseconds;
@@ -93,6 +94,7 @@ export function frameInfo({ frame, resolved, milliseconds, renderer, key, warnin
     // Largest resident memory of this process so far, the GL driver's included where it draws in software.
     peakBytes: process.resourceUsage().maxRSS * 1024,
     millimetresPerPixel: scaleOf(resolved),
+    ...(metered !== undefined && { meteredExposure: metered }),
     shot: resolved,
   };
 }

@@ -6,6 +6,9 @@ import { digestWithVisibility } from './visibility.mjs';
 /** The schema of the shot costs load time, so it comes with the first job. */
 export const shotModule = () => import('../shot/index.mjs');
 
+/** For shots that are exposed by their picture. @internal */
+export const meteringModule = () => import('../shot/metering.mjs');
+
 /** Comes with it. @internal */
 export const qualityModule = () => import('../shot/quality.mjs');
 

@@ -10,7 +10,7 @@ import { ProgressReport } from './progress.mjs';
 import { Work } from './work.mjs';
 import { shotJson } from './shot_json.mjs';
 import { readShot, readSource } from './source.mjs';
-import { Model, SharedModels, loadModel, measuredFor, shownModel, qualityModule, shotModule } from './model.mjs';
+import { Model, SharedModels, loadModel, measuredFor, shownModel, meteringModule, qualityModule, shotModule } from './model.mjs';
 import { ASSET_DIRECTORY, loadNative } from './native.mjs';
 import { DEBUG_QUANTITIES } from '../shot/table/debug_quantities.mjs';
 import { versions } from './versions.mjs';
@@ -252,6 +252,8 @@ class Renderer {
       environment,
       releaseScene: shared ? shared.isLast(shot) : !given || shown !== model,
     };
+    const metered = resolved.metering && !quantity ? await this.#meter(request, resolved, work) : undefined;
+    if (metered) request.shot = shotJson({ ...resolved, exposure: resolved.exposure * metered });
     const resolvedAt = performance.now();
     const frame = await nativeCall(this.#native, work, (token) => {
       report?.begin(job, token);
@@ -267,10 +269,18 @@ class Renderer {
       limits: this.#limits,
     });
     const milliseconds = { load: loaded - start, pose: shownAt - loaded, resolve: resolvedAt - shownAt, total: performance.now() - start };
-    const info = frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings });
+    const info = frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings, metered });
     refuseWarnings(loading.failOn, info.warnings);
     const layers = Object.keys(frame.layers).length > 0 && { layers: frame.layers };
     return { data: frame.data, ...layers, info };
+  }
+
+  /** The factor of the shot's `metering`, by a small picture of the model alone. @throws {TelarError} */
+  async #meter(request, resolved, work) {
+    const { meteredExposure, meteringShot } = await meteringModule();
+    const shot = shotJson(meteringShot(resolved));
+    const { data } = await nativeCall(this.#native, work, (token) => this.#handle.render({ ...request, shot, releaseScene: false }, token));
+    return meteredExposure(resolved, new Float32Array(data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength)));
   }
 
   /** The shot with every default, and what is known to be wrong before it is drawn. @throws {TelarError} E_SHOT, E_WARNING, ... */

@@ -460,6 +460,17 @@ export interface Shot {
   toneMapping?: 'neutral' | 'none' | 'linear' | 'reinhard' | 'cineon' | 'aces' | 'agx';
   /** Factor on radiance before tone mapping. Range at least 0. @default 1 */
   exposure?: number;
+  /** Exposure by what the picture shows: a factor beside `exposure` that brings the luminance of its brighter parts to a level; null = none. @default null */
+  metering?: {
+    /** Part of the pixels of the model that are darker: the 5 % below are brought to the level. Range 0 to 1. @default 0.98 */
+    percentile?: number;
+    /** Luminance before tone mapping that it is brought to. Range 0.001 to 1000. @default 0.8 */
+    level?: number;
+    /** Least factor. Range 0.001 to 1. @default 0.5 */
+    least?: number;
+    /** Largest factor, so that black cloth stays black. Range 1 to 1000. @default 1.25 */
+    most?: number;
+  } | null;
   /** "draft": 1 sample a pixel; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with one direction of the environment each; "high": up to 1024, averaged in linear light, and the environment integrated with the material; "reference": traced paths of light, slow and without GL. @default "standard" */
   quality?: 'standard' | 'draft' | 'medium' | 'high' | 'reference' | {
     /** Settings to start from. */
@@ -1011,6 +1022,17 @@ export interface ResolvedShot {
   toneMapping: 'neutral' | 'none' | 'linear' | 'reinhard' | 'cineon' | 'aces' | 'agx';
   /** Factor on radiance before tone mapping. Range at least 0. */
   exposure: number;
+  /** Exposure by what the picture shows: a factor beside `exposure` that brings the luminance of its brighter parts to a level; null = none. */
+  metering: {
+    /** Part of the pixels of the model that are darker: the 5 % below are brought to the level. Range 0 to 1. */
+    percentile: number;
+    /** Luminance before tone mapping that it is brought to. Range 0.001 to 1000. */
+    level: number;
+    /** Least factor. Range 0.001 to 1. */
+    least: number;
+    /** Largest factor, so that black cloth stays black. Range 1 to 1000. */
+    most: number;
+  } | null;
   quality: {
     /** Settings to start from. */
     preset?: 'standard' | 'draft' | 'medium' | 'high';

@@ -3,6 +3,7 @@ import { TONE_MAPPINGS } from '../shot/table/tone_mappings.mjs';
 import { putOnCloths, takeOffCloths } from './cloths.mjs';
 import { applyOlderOutput, backgroundColor, dimEnvironment, environmentTurned } from './older_release.mjs';
 import { applyGhosts, removeGhosts } from './ghost.mjs';
+import { applyMetering } from './metering.mjs';
 import { applyPose } from './pose.mjs';
 import { isStockShading, matchRelease, revisionOf } from './release.mjs';
 import { applyLightShadow, applyShadows } from './shadows.mjs';
@@ -67,7 +68,9 @@ export async function applyShot(shot, { THREE, renderer, scene, camera, model, e
   if (model) applyPose(model, shot.pose, { THREE });
   if (model) await applyMaterials(shot, model, { THREE, cloths });
   dimEnvironment(THREE, scene, shot.environment.intensity);
-  return applyCamera(shot, THREE, camera);
+  const placed = applyCamera(shot, THREE, camera);
+  if (shot.metering) applyMetering(shot, { THREE, renderer, scene, camera: placed });
+  return placed;
 }
 
 /**

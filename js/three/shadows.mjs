@@ -40,6 +40,15 @@ export function applyShadows(shot, THREE, { renderer, scene, model }) {
   applyGround(shot.ground, THREE, scene);
 }
 
+/** @param {import('three').Scene} scene @returns {() => void} Shows it again. */
+export function hideGround(scene) {
+  const ground = scene.getObjectByName(GROUND);
+  if (ground) ground.visible = false;
+  return () => {
+    if (ground) ground.visible = true;
+  };
+}
+
 function applyGround(ground, THREE, scene) {
   const last = scene.getObjectByName(GROUND);
   last?.removeFromParent();

@@ -27,6 +27,7 @@ const FILES = [
   'cases_framing.mjs',
   'cases_shading.mjs',
   'cases_materials.mjs',
+  'cases_metering.mjs',
 ];
 
 const modules = await Promise.all(FILES.map((file) => import(`./${file}`)));

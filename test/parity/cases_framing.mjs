@@ -24,4 +24,5 @@ export const CASES = [
   make('frame-turntable', { azimuth: 100, elevation: 20, view: undefined, fitTo: 'turntable' }, { ground: {} }),
   make('frame-all', { view: 'top', fitTo: 'all' }),
   make('frame-shadow', {}, { ground: { opacity: 0.8 }, lights: [LIGHTS.ambient, { ...LIGHTS.directional, position: [-1.5, 2, -2], castShadow: true }] }),
+  make('frame-metered', {}, { ground: { opacity: 0.8 }, background: '#e0e0e0', metering: { level: 0.5 } }),
 ];

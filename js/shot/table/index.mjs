@@ -10,7 +10,7 @@ import { output } from './output.mjs';
 import { ghost } from './parts.mjs';
 import { quality } from './quality.mjs';
 import { boolean, but, choice, literal, number, object, text, union } from './rows.mjs';
-import { POSE, background, environment, ground, lens } from './stage.mjs';
+import { POSE, background, environment, ground, lens, metering } from './stage.mjs';
 import { TONE_MAPPINGS } from './tone_mappings.mjs';
 
 /**
@@ -73,6 +73,7 @@ export const SHOT = object(
     shading,
     toneMapping: choice('As in three.js', Object.keys(TONE_MAPPINGS), { name: 'ToneMapping', isShared: true, default: 'neutral' }),
     exposure: number('Factor on radiance before tone mapping', { unit: 'factor', min: 0, default: 1 }),
+    metering,
     quality,
     variant: text('Name of a material variant of the model (KHR_materials_variants); "" = none', 'the name of a variant', { default: '' }),
     materials,

@@ -14,10 +14,19 @@ const rim = { type: 'directional', position: [0.8, 1.1, -1.5], intensity: 1.2 };
 /** Between a garment that nobody wears and its shadow on the floor, in heights of the garment: near enough to belong to it. */
 const HANGING = 0.1;
 
+/** A white shirt keeps its folds; what is dark stays dark. */
+const metering = { percentile: 0.98, level: 0.95, least: 0.6, most: 1.15 };
+
 export const LOOKS = Object.freeze({
   catalogue: {
     doc: 'a garment from the front before white, lit from the upper left, as shops list it',
-    shot: { camera: { view: 'front', fovY: 15, fit: 0.88 }, background: 'white', environment: { map: 'studio', intensity: 0.75 }, lights: [key, fill] },
+    shot: {
+      camera: { view: 'front', fovY: 15, fit: 0.88 },
+      background: 'white',
+      environment: { map: 'studio', intensity: 0.75 },
+      lights: [key, fill],
+      metering,
+    },
   },
   ghost: {
     doc: 'a garment as if worn by nobody: even light, no background, so that the inside of the neck is seen',
@@ -26,6 +35,7 @@ export const LOOKS = Object.freeze({
       background: 'transparent',
       environment: { map: 'studio', intensity: 1.05 },
       ground: { opacity: 0.3, gap: HANGING },
+      metering,
     },
   },
   hanger: {
@@ -36,6 +46,7 @@ export const LOOKS = Object.freeze({
       environment: { map: 'studio', intensity: 0.6 },
       lights: [{ type: 'directional', position: [-0.5, 2, 1.1], intensity: 1.8 }, fill],
       ground: { opacity: 0.4, gap: HANGING },
+      metering,
     },
   },
   'flat-lay': {
@@ -45,6 +56,7 @@ export const LOOKS = Object.freeze({
       background: '#f7f6f4',
       environment: { map: 'studio', intensity: 0.9 },
       lights: [{ type: 'directional', position: [-1, 1, 2.4], intensity: 0.7 }],
+      metering,
     },
   },
   furniture: {
@@ -55,6 +67,7 @@ export const LOOKS = Object.freeze({
       environment: { map: 'studio', intensity: 0.85 },
       lights: [key, fill],
       ground: { opacity: 0.55 },
+      metering,
     },
   },
   hero: {
@@ -68,6 +81,7 @@ export const LOOKS = Object.freeze({
         { ...rim, intensity: 3.5 },
       ],
       toneMapping: 'agx',
+      metering,
     },
   },
 });

@@ -26,6 +26,19 @@ export const lens = object(
   { name: 'Lens', nullable: true, default: null },
 );
 
+const part = (doc, byDefault) => number(doc, { unit: 'part', min: 0, max: 1, default: byDefault });
+
+export const metering = object(
+  'Exposure by what the picture shows: a factor beside `exposure` that brings the luminance of its brighter parts to a level; null = none',
+  {
+    percentile: part('Part of the pixels of the model that are darker: the 5 % below are brought to the level', 0.98),
+    level: number('Luminance before tone mapping that it is brought to', { unit: 'factor', min: 1e-3, max: 1e3, default: 0.8 }),
+    least: number('Least factor', { unit: 'factor', min: 1e-3, max: 1, default: 0.5 }),
+    most: number('Largest factor, so that black cloth stays black', { unit: 'factor', min: 1, max: 1e3, default: 1.25 }),
+  },
+  { name: 'Metering', nullable: true, default: null, drawn: false },
+);
+
 const MAP = '"studio", "none", a path that ends in .hdr or .exr, or bytes';
 const map = union(
   '"studio" (bundled), "none", or an equirectangular .hdr or .exr map: path, or bytes in JavaScript. ' +

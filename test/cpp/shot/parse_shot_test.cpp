@@ -284,8 +284,8 @@ TEST(ParseShot, RefusesShadowsOfAnotherType) {
 
 /// Keys that say nothing to the renderer: what there is one of, where settings are from, and what others are made of.
 bool isNotRead(const std::string& pointer) {
-  const std::vector<std::string> keys{"/quality/preset",  "/scale",         "/materials", "/look",
-                                      "/background/type", "/ground/shadow", "/ground/gap"};
+  const std::vector<std::string> keys{"/quality/preset", "/scale",           "/materials",     "/metering",
+                                      "/look",           "/background/type", "/ground/shadow", "/ground/gap"};
   return std::ranges::find(keys, pointer) != keys.end();
 }
 
