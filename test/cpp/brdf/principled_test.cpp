@@ -207,12 +207,10 @@ TEST(PrincipledComposed, ADomeIsLightFromEverywhere) {
 }
 
 TEST(PrincipledComposed, SheenOfADomeIsThatOfItsLobe) {
-  const std::pair<int, double> within[] = {{Terms::SHEEN_CHARLIE_NEUBELT, 0.015},
-                                           {Terms::SHEEN_DISNEY_2012, 5e-4},
-                                           {Terms::SHEEN_ASHIKHMIN_VELVET, 0.035},
-                                           {Terms::SHEEN_CHARLIE_ESTEVEZ_KULLA, 0.06},
-                                           {Terms::SHEEN_ZELTNER, 0.01},
-                                           {Terms::SHEEN_UNCHARTED_4, 1e-4}};
+  const std::pair<int, double> within[] = {
+      {Terms::SHEEN_CHARLIE_NEUBELT, 0.015},  {Terms::SHEEN_DISNEY_2012, 5e-4},
+      {Terms::SHEEN_ASHIKHMIN_VELVET, 0.035}, {Terms::SHEEN_CHARLIE_ESTEVEZ_KULLA, 0.06},
+      {Terms::SHEEN_ZELTNER, 0.01},           {Terms::SHEEN_UNCHARTED_4, 1e-4}};
   for (const auto& [sheen, tolerance] : within) {
     for (const double roughness : {0.2, 0.5, 1.0}) {
       for (const double NoV : {0.05, 0.3, 0.8}) {
