@@ -159,6 +159,8 @@ export interface ModelFacts {
     metallic: number;
     roughness: number;
     textures: string[];
+    /** Of TELAR_materials_fabric; null where it names none. */
+    preset: string | null;
     /** What only the shading "fabric" reads, with the material's preset (js/docs/fabric.md); null where there is nothing. */
     fabric: {
       diffuseTransmission?: number;

@@ -73,7 +73,7 @@ function fabricText({ diffuseTransmission, flatness, weave, back }) {
 const percent = (share) => `${Math.round(100 * share)} %`;
 
 function materialLines(materials) {
-  return materials.map(({ name, alphaMode, doubleSided, unlit, metallic, roughness, textures = [], fabric, metresPerUv, proposedPreset }, i) => {
+  return materials.map(({ name, alphaMode, doubleSided, unlit, metallic, roughness, textures = [], preset, fabric, metresPerUv, proposedPreset }, i) => {
     const facts = [
       `metallic ${metallic}`,
       `roughness ${Number(roughness?.toPrecision(3))}`,
@@ -81,6 +81,7 @@ function materialLines(materials) {
       doubleSided && 'double-sided',
       unlit && 'unlit',
       textures.length > 0 && `textures ${textures.join(' ')}`,
+      preset && `preset ${preset}`,
       fabric && fabricText(fabric),
       metresPerUv && `${metresPerUv.map((x) => Number(x.toPrecision(3))).join(' x ')} m a unit of UV`,
       proposedPreset && `perhaps ${proposedPreset}`,

@@ -48,7 +48,7 @@ export const IMAGE_FAULTS = [
     name: 'a sun that is lost in half floats',
     check: 'sun beyond half floats',
     fails: ['part of its light kept'],
-    shot: (shot) => ({ ...shot, quality: 'standard' }),
+    shot: (shot) => ({ ...shot, quality: 'standard', shading: 'three' }),
   },
 ];
 

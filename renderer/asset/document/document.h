@@ -26,6 +26,7 @@ struct ImageSource {
 /// Where a material has its TELAR_materials_fabric from.
 struct FabricSource {
   bool inExtras = false;
+  std::string preset;   ///< that there is; empty = it names none
   int withPreset = -1;  ///< index into the model's materials of the one with its preset, -1 = it names none
 };
 

@@ -93,6 +93,7 @@ std::vector<FabricSource> applyFabricPresets(json& reduced, Warnings& warnings) 
     json filled = (*preset)["material"];
     filled.merge_patch(material);  // RFC 7396: the material's own values stay
     dyeLayers(filled, material);
+    out[i].preset = name;
     out[i].withPreset = static_cast<int>(count + withPresets.size());
     withPresets.push_back(std::move(filled));
   }

@@ -30,6 +30,7 @@ class MaterialReader {
     readEmissive(out);
     readAlpha(out);
     out.doubleSided = source_.doubleSided;
+    out.preset = fabric_.preset;
     out.withPreset = fabric_.withPreset;
     out.unlit = source_.extensions.contains("KHR_materials_unlit");
     if (out.unlit) {

@@ -66,9 +66,15 @@ json describe(const Material& material, const Material& worn) {
   if (material.field) textures.push_back(#name);
   TELAR_MATERIAL_TEXTURES(TELAR_TEXTURE_NAME)
 #undef TELAR_TEXTURE_NAME
-  return {{"name", material.name},   {"alphaMode", nameOf(material.alphaMode)}, {"doubleSided", material.doubleSided},
-          {"unlit", material.unlit}, {"metallic", material.metallicFactor},     {"roughness", material.roughnessFactor},
-          {"textures", textures},    {"fabric", describeFabric(worn)}};
+  return {{"name", material.name},
+          {"alphaMode", nameOf(material.alphaMode)},
+          {"doubleSided", material.doubleSided},
+          {"unlit", material.unlit},
+          {"metallic", material.metallicFactor},
+          {"roughness", material.roughnessFactor},
+          {"textures", textures},
+          {"preset", material.preset.empty() ? json(nullptr) : json(material.preset)},
+          {"fabric", describeFabric(worn)}};
 }
 
 json describe(const Image8& image) {

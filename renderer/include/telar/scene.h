@@ -58,6 +58,7 @@ struct Material {
   bool physical = false;  ///< an extension of `layers` is there: three.js shades with MeshPhysicalMaterial
   PhysicalLayers layers;
   FabricLayers fabric;  ///< read by the shading "fabric" only
+  std::string preset;   ///< of TELAR_materials_fabric; empty = none
   int withPreset = -1;  ///< index into Scene::materials of this material with its preset: the shading "fabric" takes it
 };
 

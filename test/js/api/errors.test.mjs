@@ -70,7 +70,7 @@ const CALLER_ERRORS = [
   [() => createRendererOn(native, { allFeatures: 1 }), 'options.allFeatures: expected true or false, got 1'],
   [
     () => createRendererOn(native, { zzz: 1 }),
-    'options.zzz: unknown key, expected one of backend, cacheDirectory, cacheBytes, limits, maxWaiting, timeoutMs, failOn, resolve, allFeatures, signal',
+    'options.zzz: unknown key, expected one of backend, cacheDirectory, cacheBytes, limits, maxWaiting, timeoutMs, failOn, resolve, ambientVisibility, allFeatures, signal',
   ],
   [() => createRendererOn(native, { cacheBytes: -1 }), 'options.cacheBytes: expected a whole number of at least 0, got -1'],
   [() => createRendererOn(native, { failOn: 'warn' }), 'options.failOn: expected "error", "warning", "none", got "warn"'],
@@ -78,7 +78,10 @@ const CALLER_ERRORS = [
   [(r) => r.load(model(), { failOn: true }), 'options.failOn: expected "error", "warning", "none", got true'],
   [(r) => r.render(model(), SHOT, { resolve: 'a' }), 'options.resolve: expected a function, got "a"'],
   [(r) => r.renderAll(model(), [], { settled: 1 }), 'options.settled: expected true or false, got 1'],
-  [(r) => r.render(model(), SHOT, { settled: true }), 'options.settled: unknown key, expected one of signal, timeoutMs, onProgress, failOn, resolve'],
+  [
+    (r) => r.render(model(), SHOT, { settled: true }),
+    'options.settled: unknown key, expected one of signal, timeoutMs, onProgress, failOn, resolve, ambientVisibility',
+  ],
   [() => inspectOn(native, model(), { failOn: 0 }), 'options.failOn: expected "error", "warning", "none", got 0'],
   [() => inspectOn(native, model(), { limits: [] }), 'options.limits: expected an object, got []'],
 ];

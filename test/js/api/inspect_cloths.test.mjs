@@ -49,3 +49,16 @@ test('inspect tells the size of texture coordinates: a squeezed patch changes no
     ],
   );
 });
+
+test('inspect names the preset that a material has, and none that there is not', async () => {
+  const builder = new GlbBuilder();
+  for (const preset of ['velvet', 'no such cloth', undefined]) {
+    const material = builder.material({ layers: { fabric: { definition: { preset }, textures: {} } } });
+    builder.add(plane(0.1, 0.1), material);
+  }
+  const { materials } = await inspect(await builder.bytes());
+  assert.deepEqual(
+    materials.map(({ preset }) => preset),
+    ['velvet', null, null],
+  );
+});
