@@ -187,7 +187,8 @@ glm::vec3 Integrator::sampleEnvironment(const Surface& surface, const brdf_f::Lo
   if (!scene_.environment) return sum;
   const EnvironmentLight& environment = *scene_.environment;
   const auto strata = static_cast<float>(counts.strata);
-  const auto count = static_cast<std::size_t>(counts.strata * counts.strata);
+  const auto side = static_cast<std::size_t>(counts.strata);
+  const std::size_t count = side * side;
   std::array<glm::vec2, EnvironmentLight::MAX_SAMPLES> us;
   std::array<EnvironmentLight::Sample, EnvironmentLight::MAX_SAMPLES> drawn;
   for (std::size_t i = 0; i < count; ++i) {

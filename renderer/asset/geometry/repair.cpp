@@ -89,8 +89,7 @@ std::size_t repairNormals(Primitive& primitive) {
 
 std::size_t repairTangents(Primitive& primitive) {
   std::size_t changed = 0;
-  for (std::size_t i = 0; i < primitive.tangents.size(); ++i) {
-    glm::vec4& tangent = primitive.tangents[i];
+  for (glm::vec4& tangent : primitive.tangents) {
     glm::vec3 direction(tangent);
     const Direction state = settle(direction);
     if (state == Direction::kBad) direction = glm::vec3(0);
