@@ -14,7 +14,7 @@ const SCRIPT = `
   // Models that nobody holds go when their finalizers have run, which a busy machine does late.
   const settledObjects = async () => {
     let fewest = Infinity;
-    for (let look = 0; look < 8; ++look) {
+    for (let look = 0; look < 20; ++look) {
       globalThis.gc();
       await new Promise((resolve) => setTimeout(resolve, 50));
       fewest = Math.min(fewest, await renderer.liveObjects());
