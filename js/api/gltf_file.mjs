@@ -17,6 +17,7 @@ export class GltfFile {
   #addedBytes = 0;
   #buffer;
   #start;
+  #growsBin;
 
   /** @param {Buffer} bytes of a .glb or .gltf file */
   constructor(bytes) {
@@ -30,9 +31,9 @@ export class GltfFile {
     }
     // The file's own bytes grow where it is a GLB that has some; else the new ones are a buffer of their own.
     const buffers = (this.document.buffers ??= []);
-    const hasBin = this.#isBinary && this.#bin && buffers.length > 0 && buffers[0].uri === undefined;
-    this.#buffer = hasBin ? 0 : buffers.length;
-    this.#start = hasBin ? aligned(buffers[0].byteLength) : 0;
+    this.#growsBin = this.#isBinary && this.#bin !== undefined && buffers.length > 0 && buffers[0].uri === undefined;
+    this.#buffer = this.#growsBin ? 0 : buffers.length;
+    this.#start = this.#growsBin ? aligned(buffers[0].byteLength) : 0;
   }
 
   /** "glb" or "gltf". */
@@ -66,7 +67,7 @@ export class GltfFile {
   bytes() {
     const added = Buffer.concat(this.#added);
     const { buffers } = this.document;
-    if (added.length > 0 && this.#buffer === 0 && this.#isBinary && buffers.length > 0 && buffers[0].uri === undefined) {
+    if (added.length > 0 && this.#growsBin) {
       const own = this.#bin.subarray(0, buffers[0].byteLength);
       this.#bin = Buffer.concat([own, Buffer.alloc(this.#start - own.length), added]);
       buffers[0] = { ...buffers[0], byteLength: this.#bin.length };

@@ -67,6 +67,12 @@ function ofShot(thrown, index) {
   return new TelarError(thrown.code, `shots[${index}]: ${thrown.message}`, { ...thrown.toJSON(), index, cause: thrown });
 }
 
+/** Of a picture in the format raw with 32 bits a channel; a copy, as its bytes need not lie on a boundary of 4. */
+const floatsOf = (data) => new Float32Array(data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength));
+
+/** Whether the shot is exposed by its picture: a flat has no light, and a quantity no exposure. */
+const isMetered = ({ metering, style }, quantity) => metering !== null && style !== 'flat' && !quantity;
+
 /** js/index.d.ts documents the public methods. */
 class Renderer {
   #native;
@@ -117,8 +123,7 @@ class Renderer {
     if (!QUANTITIES.includes(quantity)) throw wrongOption('quantity', `one of ${QUANTITIES.join(', ')}`, quantity);
     const request = this.#readRequest(source, { ...shot, background: 'transparent', output: { format: 'raw', bitDepth: 32 } });
     const { data, info } = await this.#track(this.#gate.run(() => this.#render({ ...request, loading, quantity }, this.#begin(signal, loading)), signal));
-    const floats = new Float32Array(data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength));
-    return { width: info.width, height: info.height, data: floats };
+    return { width: info.width, height: info.height, data: floatsOf(data) };
   }
 
   async renderAll(source, shots, options = {}) {
@@ -252,7 +257,7 @@ class Renderer {
       environment,
       releaseScene: shared ? shared.isLast(shot) : !given || shown !== model,
     };
-    const metered = resolved.metering && !quantity ? await this.#meter(request, resolved, work) : undefined;
+    const metered = isMetered(resolved, quantity) ? await this.#meter(request, resolved, work) : undefined;
     if (metered) request.shot = shotJson({ ...resolved, exposure: resolved.exposure * metered });
     const resolvedAt = performance.now();
     const frame = await nativeCall(this.#native, work, (token) => {
@@ -280,7 +285,7 @@ class Renderer {
     const { meteredExposure, meteringShot } = await meteringModule();
     const shot = shotJson(meteringShot(resolved));
     const { data } = await nativeCall(this.#native, work, (token) => this.#handle.render({ ...request, shot, releaseScene: false }, token));
-    return meteredExposure(resolved, new Float32Array(data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength)));
+    return meteredExposure(resolved, floatsOf(data));
   }
 
   /** The shot with every default, and what is known to be wrong before it is drawn. @throws {TelarError} E_SHOT, E_WARNING, ... */

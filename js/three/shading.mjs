@@ -40,19 +40,29 @@ export async function applyShading(model, shading, { THREE, ownText = false }) {
   const { openShading } = await import('./shading/index.mjs');
   const maker = await openShading(THREE, shading);
   const made = new Map();
+  const drawn = meshesByMaterial(meshes);
   const transmits = meshes.some(({ material }) => [material].flat().some((each) => originalOf(each).transmission > 0));
   for (const mesh of meshes) {
     for (const material of [mesh.material].flat()) {
       const original = originalOf(material);
       if (isStock(original) && !made.has(original))
-        made.set(original, await refreshed(original, maker, { model, mesh, drawn: drawnWith(meshes, original), transmits }));
+        made.set(original, await refreshed(original, maker, { model, mesh, drawn: drawn.get(original), transmits }));
     }
     mesh.material = mapped(mesh.material, (material) => made.get(originalOf(material)) ?? material);
   }
 }
 
-/** The meshes that show a material. */
-const drawnWith = (meshes, original) => meshes.filter((mesh) => [mesh.material].flat().some((material) => originalOf(material) === original));
+/** The meshes that show each material. */
+function meshesByMaterial(meshes) {
+  const found = new Map();
+  for (const mesh of meshes) {
+    for (const original of new Set([mesh.material].flat().map(originalOf))) {
+      if (!found.has(original)) found.set(original, []);
+      found.get(original).push(mesh);
+    }
+  }
+  return found;
+}
 
 /** Lit by three.js's own text: a FabricMaterial that a client has put there itself stays. */
 const isStock = (material) => material.isMeshStandardMaterial === true && !material.isTelarShadingMaterial;

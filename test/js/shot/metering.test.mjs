@@ -80,3 +80,10 @@ test('a metered picture is that of its factor, and tells it', async (t) => {
   assert.ok(Math.abs(dimmed.info.meteredExposure / other.info.meteredExposure - 4) < 0.02, 'a quarter of the light, four times the factor');
   assert.deepEqual(dimmed.data.length, other.data.length);
 });
+
+test('a flat has no light to meter', async (t) => {
+  const renderer = await createRenderer();
+  t.after(() => renderer.close());
+  const { info } = await renderer.render(await MODELS.stage(), { style: 'flat', metering: {}, size: { width: 64, height: 64 } });
+  assert.equal(info.meteredExposure, undefined);
+});
