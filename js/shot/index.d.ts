@@ -96,7 +96,7 @@ export function srgbToLinear(encoded: number): number;
 export const VIEWS: Readonly<Record<'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'three-quarter', { azimuth: number; elevation: number }>>;
 
 /**
- * The shots of a turntable, evenly spaced from the shot's own view on; all share one scale and one axis.
+ * The shots of a turntable, evenly spaced from the shot's own view on; all share one scale, one axis and one exposure: `metering` is left out.
  * @param shot its camera is a view
  * @param frames at least 1
  * @returns in order; name: "side-000", by degrees from the first

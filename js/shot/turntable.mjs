@@ -8,9 +8,12 @@ const degreesText = (angle) => {
   return part === undefined ? whole.padStart(3, '0') : `${whole.padStart(3, '0')}.${part}`;
 };
 
+/** Each frame would be metered by itself, and the model grow bright and dark as it turns. */
+const unmetered = ({ look, metering }) => (look || metering ? { metering: null } : {});
+
 /**
  * The shots of a turntable, evenly spaced, the first one the shot's own view: all share one scale and one axis
- * (`camera.fitTo: "turntable"`).
+ * (`camera.fitTo: "turntable"`), and one exposure, as nothing is metered.
  * @param {object} shot not resolved; its camera is a view
  * @param {number} frames at least 1
  * @returns {{name: string, angle: number, shot: object}[]} in order; name: "side-000", by degrees from the first
@@ -23,6 +26,6 @@ export function turntable(shot, frames) {
     const angle = (360 * i) / frames;
     const turned = (first.azimuth + angle) % 360;
     const camera = { ...framing, azimuth: turned, elevation: first.elevation, fitTo: 'turntable' };
-    return { name: `side-${degreesText(angle)}`, angle, shot: { ...shot, camera } };
+    return { name: `side-${degreesText(angle)}`, angle, shot: { ...shot, ...unmetered(shot), camera } };
   });
 }

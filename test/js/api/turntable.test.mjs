@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import sharp from 'sharp';
 import { animateWebp, createRenderer } from '../../../js/index.mjs';
-import { turntable } from '../../../js/shot/index.mjs';
+import { resolveShot, turntable } from '../../../js/shot/index.mjs';
 import { sphereAndSlope } from './support/layer_scenes.mjs';
 import './support/real.mjs';
 
@@ -68,4 +68,9 @@ test('what is no frame is refused by its place', async () => {
   assert.throws(() => animateWebp([one, one.subarray(0, 60)]), { code: 'E_OPTION', message: /^frames\[1\]: expected a whole WebP file/ });
   assert.throws(() => animateWebp([Buffer.from('GIF89a')]), { code: 'E_OPTION', message: /^frames\[0\]: expected a WebP file/ });
   assert.throws(() => animateWebp([]), { code: 'E_OPTION' });
+});
+
+test('frames of a look share one exposure: none is metered by itself', () => {
+  const shots = turntable({ look: 'catalogue' }, 6).map(({ shot }) => resolveShot(shot, { min: [-0.4, 0, -0.2], max: [0.4, 0.8, 0.2] }));
+  assert.deepEqual([...new Set(shots.map(({ metering, exposure }) => `${metering} ${exposure}`))], ['null 1']);
 });
