@@ -5,6 +5,7 @@
 #include "convert.h"
 #include "handles.h"
 #include "images.h"
+#include "isolation.h"
 #include "lobes.h"
 #include "parts.h"
 #include "state.h"
@@ -252,12 +253,14 @@ Napi::Value hashFile(const Napi::CallbackInfo& info) {
   });
 }
 
-/// plan(scene, shot: string, limits, token) -> Promise<string>; the scene is gone afterwards
+/// plan(scene, shot: string, limits, token, keep?: boolean) -> Promise<string>; the scene is gone afterwards unless it
+/// is kept
 Napi::Value plan(const Napi::CallbackInfo& info) {
   auto shot = stringFromJs(info[1], "the shot");
   const Limits limits = limitsFromJs(info[2]);
   auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[3]).token);
-  auto scene = unwrap<SceneHandle>(info[0]).detach();
+  SceneHandle& handle = unwrap<SceneHandle>(info[0]);
+  auto scene = info[4].ToBoolean() ? handle.scene() : handle.detach();
   return textOnPool(info.Env(), job, [scene, shot, limits] { return planFrame(*scene, parseShot(shot), limits); });
 }
 
@@ -269,6 +272,22 @@ Napi::Value probe(const Napi::CallbackInfo& info) {
 /// probeReference() -> Promise<string>
 Napi::Value probeTracer(const Napi::CallbackInfo& info) {
   return textOnPool(info.Env(), std::make_shared<Job>(CancelToken()), probeReference);
+}
+
+/// failureOfImageFiles() -> Promise<string>
+Napi::Value probeFormats(const Napi::CallbackInfo& info) {
+  return textOnPool(info.Env(), std::make_shared<Job>(CancelToken()), failureOfImageFiles);
+}
+
+/// probeIsolation() -> Promise<string>
+Napi::Value probeRights(const Napi::CallbackInfo& info) {
+  return textOnPool(info.Env(), std::make_shared<Job>(CancelToken()), probeIsolation);
+}
+
+/// isolate(dataBytes: number) -> string; for a worker of the pool, which has nothing else to do
+Napi::Value isolate(const Napi::CallbackInfo& info) {
+  const double dataBytes = info[0].ToNumber().DoubleValue();
+  return Napi::String::New(info.Env(), isolateProcess(dataBytes >= 1 ? static_cast<std::uint64_t>(dataBytes) : 0));
 }
 
 /// createRenderer({backend, assetDirectory, cacheDirectory, cacheBytes, limits, allFeatures, maxQueued}, token)
@@ -341,6 +360,9 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["plan"] = Napi::Function::New(env, plan, "plan");
   exports["probe"] = Napi::Function::New(env, probe, "probe");
   exports["probeReference"] = Napi::Function::New(env, probeTracer, "probeReference");
+  exports["failureOfImageFiles"] = Napi::Function::New(env, probeFormats, "failureOfImageFiles");
+  exports["probeIsolation"] = Napi::Function::New(env, probeRights, "probeIsolation");
+  exports["isolate"] = Napi::Function::New(env, isolate, "isolate");
   exports["decodeImage"] = Napi::Function::New(env, decodeImage, "decodeImage");
   exports["encodePng"] = Napi::Function::New(env, encodePng, "encodePng");
   exports["evaluateLobes"] = Napi::Function::New(env, evaluateLobes, "evaluateLobes");

@@ -51,7 +51,21 @@ Napi::Function TokenHandle::define(Napi::Env env) {
   return DefineClass(
       env, "CancelToken",
       {InstanceMethod("cancel", &TokenHandle::cancel), InstanceMethod("allowAnyTime", &TokenHandle::allowAnyTime),
-       InstanceMethod("progress", &TokenHandle::reached)});
+       InstanceMethod("progress", &TokenHandle::reached), InstanceMethod("askPreviews", &TokenHandle::askPreviews),
+       InstanceMethod("takePreview", &TokenHandle::takePreview)});
+}
+
+Napi::Value TokenHandle::takePreview(const Napi::CallbackInfo& info) {
+  const std::optional<Preview> preview = progress.previews.take();
+  if (!preview) return info.Env().Undefined();
+  const Frame& frame = preview->frame;
+  Napi::Object taken = Napi::Object::New(info.Env());
+  taken.Set("width", frame.width);
+  taken.Set("height", frame.height);
+  taken.Set("bitDepth", frame.type == PixelType::kRgba8 ? 8 : 32);
+  taken.Set("samples", preview->samples);
+  taken.Set("data", Napi::Buffer<std::byte>::Copy(info.Env(), frame.pixels.data(), frame.pixels.size()));
+  return taken;
 }
 
 TokenHandle::TokenHandle(const Napi::CallbackInfo& info) : ObjectWrap(info), token(tokenFromJs(info[0])) {

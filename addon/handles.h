@@ -16,7 +16,8 @@
 /// Each class has a type tag, so that one is never taken for another.
 namespace telar::addon {
 
-/// new CancelToken(timeoutMs?: number); cancel(); allowAnyTime(); progress(): 0..1 of the job that it was given to
+/// new CancelToken(timeoutMs?: number); cancel(); allowAnyTime(); progress(): 0..1 of the job that it was given
+/// to; askPreviews(); takePreview(): {width, height, bitDepth, samples, data: Buffer} | undefined
 class TokenHandle : public Napi::ObjectWrap<TokenHandle> {
  public:
   static constexpr napi_type_tag TAG{0x74656c6172000001, 0x9a3f5c1e7b2d4860};
@@ -29,6 +30,8 @@ class TokenHandle : public Napi::ObjectWrap<TokenHandle> {
  private:
   void cancel(const Napi::CallbackInfo&) { token.cancel(); }
   void allowAnyTime(const Napi::CallbackInfo&) { token.allowAnyTime(); }
+  void askPreviews(const Napi::CallbackInfo&) { progress.previews.ask(); }
+  Napi::Value takePreview(const Napi::CallbackInfo& info);
   Napi::Value reached(const Napi::CallbackInfo& info) { return Napi::Number::New(info.Env(), progress.part()); }
 };
 

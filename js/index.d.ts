@@ -47,7 +47,7 @@ export interface LoadingOptions {
   /**
    * Milliseconds of work on one image, its loading included, before it ends with X_TIMEOUT; null = no bound. Each image of
    * renderAll has its own time, and so has the loading. Time spent waiting for a turn does not count. Where neither the call nor
-   * the renderer gives it, quality "high", quality "reference" and more than 4 samples have no bound.
+   * the renderer gives it, quality "high", quality "reference", more than 4 samples and a goal have no bound.
    * @default 20000
    */
   timeoutMs?: number | null;
@@ -110,11 +110,33 @@ export interface LoadOptions extends CallOptions, LoadingOptions {}
 
 export interface DrawOptions extends LoadOptions {
   /**
-   * Is called with the part that is done, 0..1. It never falls and ends with 1. Quality "reference" tells each row, the others each
-   * frame. What it throws stops the work and rejects the promise.
+   * Is called with the part that is done, 0..1. It never falls and ends with 1. Quality "reference" tells each row; "high", where the
+   * path tracer draws it, each doubling of its paths; the others each frame. What it throws stops the work and rejects the promise.
    * @default undefined
    */
   onProgress?: (part: number) => void;
+}
+
+/** A picture as far as it is. */
+export interface Preview {
+  width: number;
+  height: number;
+  /** 8: sRGB-encoded, straight alpha. 32: linear floats, premultiplied, for shots whose output has floats. */
+  bitDepth: 8 | 32;
+  /** That a pixel has taken so far, at most. */
+  samples: number;
+  /** RGBA without padding, row 0 on top. */
+  data: Buffer;
+}
+
+export interface RenderOptions extends DrawOptions {
+  /**
+   * Is called with the picture so far at each doubling of its samples, where it takes more than one pass: more than 4 samples, and the path tracer.
+   * One that is overtaken by the next is left out; the finished picture is only returned. The bytes of that stay the same. What it throws stops
+   * the work and rejects the promise, as an abort does.
+   * @default undefined
+   */
+  onPreview?: (preview: Preview) => void;
 }
 
 export interface DrawAllOptions extends DrawOptions {
@@ -209,7 +231,7 @@ export interface ModelFacts {
   warnings: Warning[];
 }
 
-/** What a render compiles and runs. */
+/** What a render compiles and runs. That of `inspect` tells the wish: where the path tracer is to draw quality "high" and Embree is not there, the raster does. */
 export interface Plan {
   features: string[];
   programs: Array<{ features: string[] }>;
@@ -486,12 +508,26 @@ export interface Model {
   swatch(options: SwatchOptions): Promise<Model>;
 }
 
+/** Settings that were chosen for a goal of error or time, and why: js/docs/trade.md. */
+export interface QualityGoal {
+  maxError?: number;
+  budgetMs?: number;
+  /** Name of the settings among those that were measured. */
+  setting: string;
+  /** FLIP that 95 of 100 scenes of the class do not pass; CPU milliseconds that are likely, and those that 9 of 10 pictures do not pass. */
+  predicted: { flip: number; cpuMs: number; mostMs: number };
+  /** false: nothing is predicted to hold it; W_QUALITY. */
+  holds: boolean;
+  /** What the prediction is from. */
+  basis: string;
+}
+
 /** What a frame was made of. Native code may add keys. */
 export interface FrameInfo extends Plan {
   width: number;
   height: number;
   format: ResolvedShot['output']['format'];
-  /** "reference": the path tracer, without GL. */
+  /** "reference": the path tracer, without GL. It draws quality "high" too, where that costs less and Embree is there: js/docs/reference.md. */
   backend: Backend | 'reference';
   /** Strings of the GL context. */
   gl: Record<string, unknown>;
@@ -503,7 +539,8 @@ export interface FrameInfo extends Plan {
   three?: { revision: number; family: { from: number; to: number } };
   /**
    * Of what the picture is made of: the model's bytes and its parts', the environment's, the shot, telar's version. 64 hex
-   * digits, fit for an ETag. What pictureKey() gives.
+   * digits, fit for an ETag. What pictureKey() gives. Hosts with and without Embree give one key to pictures of quality "high" that
+   * differ a little: W_LIBRARY_MISSING tells the latter.
    */
   key: string;
   /** Wall-clock milliseconds of each stage. */
@@ -512,9 +549,13 @@ export interface FrameInfo extends Plan {
   /**
    * What the picture shows of the model, parts 0..1: `coverage` of all pixels; of those that the model covers wholly, `dark`
    * (no channel above 2/255), `bright` (none below 250/255) and `saturated` (each at one of these ends). Left out where the
-   * environment is the background in quality "reference" or without perspective. W_EMPTY and W_EXPOSURE go by it.
+   * raster draws the environment as the background without perspective. W_EMPTY and W_EXPOSURE go by it.
    */
   picture?: { coverage: number; dark: number; bright: number; saturated: number };
+  /** Triangles that the picture draws, instances counted each; of the path tracer, those that rays meet. Absent for flats. */
+  triangles?: number;
+  /** So many of them were left out before they were shaded, for they are hidden at every sample; no byte differs. Of the last pass. */
+  hiddenTriangles?: number;
   /** Largest resident memory of the process so far. */
   peakBytes: number;
   /** Column-major 4 x 4: (X, Y, Z, W) = M (x, y, z, 1); the pixel is (X / W, Y / W) from the top left corner. */
@@ -523,6 +564,8 @@ export interface FrameInfo extends Plan {
   millimetresPerPixel: number | null;
   /** Factor that `metering` of the shot came to; absent without it. */
   meteredExposure?: number;
+  /** Of a shot whose quality is a goal. `quality` and `shot` have the settings that were chosen for it. */
+  goal?: QualityGoal;
   /** Of a shot with layers. */
   layers?: LayerFacts;
   shot: ResolvedShot;
@@ -588,7 +631,7 @@ export interface Renderer {
    * await writeFile('shirt.webp', data);
    * console.log(info.milliseconds.total, info.warnings);
    */
-  render(source: Source | Model, shot?: Shot | ResolvedShot, options?: DrawOptions): Promise<Image>;
+  render(source: Source | Model, shot?: Shot | ResolvedShot, options?: RenderOptions): Promise<Image>;
 
   /**
    * Draws several pictures of one model. While one is drawn, the one before is encoded.
@@ -689,7 +732,15 @@ export interface InspectOptions extends LoadOptions {
  * const { triangles, materials, plan } = await inspect('shirt.glb', { shot: { quality: 'high' } });
  * console.log(triangles, materials.map(({ name }) => name), plan?.passes);
  */
-export function inspect(source: Source, options?: InspectOptions): Promise<ModelFacts & { measures?: Array<PointsMeasure | GirthMeasure | BorderMeasure>; plan: Plan | null }>;
+export function inspect(source: Source, options?: InspectOptions): Promise<Inspection>;
+
+/** What inspect() gives. */
+export interface Inspection extends ModelFacts {
+  /** In the order that `measure` has. */
+  measures?: Array<PointsMeasure | GirthMeasure | BorderMeasure>;
+  /** What a render would compile and run; null where there is nothing to draw. */
+  plan: Plan | null;
+}
 
 export interface PictureKeyOptions extends CallOptions {
   /**
@@ -824,6 +875,18 @@ export interface DoctorReport {
   backends: BackendReport[];
   /** Whether quality "reference" can be drawn. */
   reference: { works: true; version: string } | { works: false; failure: string };
+  /** CPU milliseconds of two small pictures, by GL, as measured here for `quality: {budgetMs}`; empty before its first picture. tracer: 0 without Embree. */
+  calibration: Record<string, { raster: number; tracer: number }>;
+  /** Whether .hdr, .exr, TIFF and ICC profiles can be had; PNG, JPEG, WebP and KTX2 always can. */
+  imageFiles: { works: true } | { works: false; failure: string };
+  /** What a worker of telar/pool gives up, and what this kernel refuses; empty where the native part is missing. */
+  isolation: IsolationStep[];
+}
+
+/** A right that a worker of telar/pool gives up; `failure`: what the kernel said, as "EPERM", null where it did. */
+export interface IsolationStep {
+  step: string;
+  failure: string | null;
 }
 
 /**

@@ -6,12 +6,21 @@ import { nativeCall } from './native_call.mjs';
 import { Work } from './work.mjs';
 
 /**
+ * Options of Model.explode().
+ * @throws {import('../error/index.mjs').TelarError} E_OPTION
+ */
+export function explodeOptions(distance, options) {
+  const { signal, timeoutMs } = loadOptions(options, STRICT);
+  if (!(Number.isFinite(distance) && distance >= 0)) throw wrongOption('distance', 'metres, 0 or more', distance);
+  return { signal, timeoutMs };
+}
+
+/**
  * Documented in js/index.d.ts as Model.explode.
  * @internal
  */
 export async function explodeModel(model, distance, options) {
-  const { signal, timeoutMs } = loadOptions(options, STRICT);
-  if (!(Number.isFinite(distance) && distance >= 0)) throw wrongOption('distance', 'metres, 0 or more', distance);
+  const { signal, timeoutMs } = explodeOptions(distance, options);
   const native = loadNative();
   const work = new Work(native, signal, timeoutMs);
   const { scene, facts } = await nativeCall(native, work, (token) => native.explode(Model.sceneOf(model), distance, token));

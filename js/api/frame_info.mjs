@@ -73,8 +73,9 @@ const scaleOf = ({ camera, size }) => (camera.projection === 'orthographic' ? (1
  * @param {string} [parts.key] of picture_key.mjs
  * @param {object[]} [parts.warnings] of the model
  * @param {number} [parts.metered] factor of the shot's `metering`
+ * @param {object} [parts.goal] of goal.mjs
  */
-export function frameInfo({ frame, resolved, milliseconds, renderer, key, warnings = [], metered }) {
+export function frameInfo({ frame, resolved, milliseconds, renderer, key, warnings = [], metered, goal }) {
   // The stages of drawing come from the renderer itself; `draw` alone where it tells none.
   const { ms = { draw: frame.drawMs }, ...drawn } = JSON.parse(frame.info);
   const { load, pose, resolve, total } = milliseconds;
@@ -95,6 +96,7 @@ export function frameInfo({ frame, resolved, milliseconds, renderer, key, warnin
     peakBytes: process.resourceUsage().maxRSS * 1024,
     millimetresPerPixel: scaleOf(resolved),
     ...(metered !== undefined && { meteredExposure: metered }),
+    ...(goal && { goal }),
     shot: resolved,
   };
 }

@@ -5,14 +5,17 @@ import { onAbort } from './on_abort.mjs';
 export class Gate {
   #free;
   #maxWaiting;
+  #owner;
   #waiting = new Set();
 
   /**
    * @param {number} places
    * @param {number} maxWaiting
+   * @param {string} [owner] whose places they are
    */
-  constructor(places, maxWaiting) {
+  constructor(places, maxWaiting, owner = 'renderer') {
     this.#free = places;
+    this.#owner = owner;
     this.#maxWaiting = maxWaiting;
   }
 
@@ -37,7 +40,7 @@ export class Gate {
   /** Resolves with a place taken over from a task that left. */
   #wait(signal) {
     if (this.#waiting.size >= this.#maxWaiting) {
-      throw new TelarError('X_BUSY', `${this.#waiting.size} jobs wait for this renderer, its maxWaiting; try again later`);
+      throw new TelarError('X_BUSY', `${this.#waiting.size} jobs wait for this ${this.#owner}, its maxWaiting; try again later`);
     }
     return new Promise((resolve, reject) => {
       const enter = () => {

@@ -4,7 +4,7 @@ import { Work } from './work.mjs';
 import { shotJson } from './shot_json.mjs';
 import { readShot, readSource } from './source.mjs';
 import { loadNative } from './native.mjs';
-import { Model, loadModel, measuredFor, shownModel, shotModule } from './model.mjs';
+import { Model, goalModule, loadModel, measuredFor, qualityModule, shownModel, shotModule } from './model.mjs';
 
 /** Documented in js/index.d.ts. */
 export async function inspect(source, options = {}) {
@@ -26,9 +26,26 @@ export async function inspectOn(native, source, options = {}) {
   const { resolveShot } = await shotModule();
   const resolved = resolveShot(request.shot, await measuredFor(native, model, request.shot, work));
   if (request.map) resolved.environment.map = request.map;
+  const goal = (await qualityModule()).isGoal(resolved.quality) && (await aimed(native, { resolved, model, limits }, work));
   const json = shotJson(resolved);
   const plan = await nativeCall(native, work, (token) => native.plan(Model.sceneOf(model), json, limits, token));
-  return { ...model.facts, ...cloths, ...measures, plan: JSON.parse(plan) };
+  return { ...model.facts, ...cloths, ...measures, plan: JSON.parse(plan), ...(goal && { goal }) };
+}
+
+/** Puts settings in the place of a goal. Nothing draws here, so times are those of the machine that was measured. A flat has no error to reach. */
+async function aimed(native, { resolved, model, limits }, work) {
+  if (resolved.style === 'flat') {
+    resolved.quality = (await qualityModule()).resolveQuality('standard');
+    return undefined;
+  }
+  const { settingsFor } = await goalModule();
+  const { quality, goal } = await settingsFor(
+    native,
+    { resolved, scene: Model.sceneOf(model), facts: model.facts, limits, machine: async () => undefined },
+    work,
+  );
+  resolved.quality = quality;
+  return goal;
 }
 
 /** The materials with the size of their texture coordinates, and the cloth that their names suggest. */

@@ -9,6 +9,9 @@ export const shotModule = () => import('../shot/index.mjs');
 /** For shots that are exposed by their picture. @internal */
 export const meteringModule = () => import('../shot/metering.mjs');
 
+/** For shots whose quality is a goal. @internal */
+export const goalModule = () => import('./goal.mjs');
+
 /** Comes with it. @internal */
 export const qualityModule = () => import('../shot/quality.mjs');
 

@@ -8,13 +8,26 @@ import { TelarError } from '../error/index.mjs';
 // The only file that loads the native part: telar.node, which the addon/ folder builds.
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
-const CURE = 'run `npm run build` in the folder of telar (it needs the Debian packages that `npm run setup` installs)';
+const require = createRequire(import.meta.url);
+const PLATFORM = `telar-${process.platform}-${process.arch}`;
+const CURE = existsSync(path.join(ROOT, 'CMakeLists.txt'))
+  ? 'run `npm run build` in the folder of telar (it needs the Debian packages that `npm run setup` installs)'
+  : `install telar with its optional dependencies, of which ${PLATFORM} is one (Linux with glibc), or compile it from its sources`;
 
-/** Where a build puts the addon, the first that exists wins. TELAR_BUILD_DIR names one build folder and no other. */
+/** Where a build puts the addon, or npm the package of this platform: the first that exists wins. TELAR_BUILD_DIR names one build folder and no other. */
 function candidates() {
   const { TELAR_BUILD_DIR } = process.env;
   if (TELAR_BUILD_DIR) return [path.join(path.resolve(TELAR_BUILD_DIR), 'addon/telar.node')];
-  return ['out/release/addon/telar.node', 'build/Release/telar.node'].map((file) => path.join(ROOT, file));
+  return [...['out/release/addon/telar.node', 'build/Release/telar.node'].map((file) => path.join(ROOT, file)), ...packaged()];
+}
+
+/** The addon of the package that npm chose for this platform (js/build/package). */
+function packaged() {
+  try {
+    return [require.resolve(PLATFORM)];
+  } catch {
+    return [];
+  }
 }
 
 /** Folder of the data that the renderer reads: the bundled environment. */
@@ -45,7 +58,7 @@ function load() {
     throw new TelarError('X_NATIVE_MISSING', `the native part of telar is not built (tried ${tried.map(shortened).join(', ')}): ${CURE}`);
   }
   try {
-    return { file, exports: endWithProcess(createRequire(import.meta.url)(file)) };
+    return { file, exports: endWithProcess(require(file)) };
   } catch (cause) {
     const why = cause.message.split('\n')[0].replaceAll(ROOT, '');
     throw new TelarError('X_NATIVE_MISSING', `${shortened(file)} does not load (${why}): ${CURE}`, { cause });

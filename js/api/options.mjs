@@ -30,7 +30,8 @@ export function checkObject(name, value, known) {
   }
 }
 
-function count(name, value, min) {
+/** @throws {TelarError} E_OPTION unless it is a whole number of at least `min` */
+export function count(name, value, min) {
   if (Number.isSafeInteger(value) && value >= min) return value;
   throw wrongOption(name, `a whole number of at least ${min}`, value);
 }
@@ -45,7 +46,7 @@ function limitsOption(value, known) {
 }
 
 /** Where prefiltered environments are kept between processes; null where the user has no folder. */
-function defaultCache() {
+export function defaultCache() {
   if (process.env.XDG_CACHE_HOME) return path.join(process.env.XDG_CACHE_HOME, 'telar');
   try {
     return path.join(os.homedir(), '.cache/telar');
@@ -136,6 +137,14 @@ export function drawOptions(options, defaults, keys = DRAW_KEYS) {
   return { ...loading(options, defaults), signal: checkSignal(signal), onProgress };
 }
 
+/** Options of a renderer's render: those of a drawing, and onPreview. A pool has no previews: they would cross processes. */
+export function renderOptions(options, defaults) {
+  const known = drawOptions(options, defaults, [...DRAW_KEYS, 'onPreview']);
+  const { onPreview } = options;
+  if (onPreview !== undefined && typeof onPreview !== 'function') throw wrongOption('options.onPreview', 'a function', onPreview);
+  return { ...known, onPreview };
+}
+
 /** Options of renderAll: those of a drawing, and settled. */
 export function drawAllOptions(options, defaults) {
   const known = drawOptions(options, defaults, [...DRAW_KEYS, 'settled']);
@@ -144,25 +153,28 @@ export function drawAllOptions(options, defaults) {
   return { ...known, settled };
 }
 
+/** Keys of the options of createRenderer. */
+export const RENDERER_KEYS = Object.freeze([
+  'backend',
+  'cacheDirectory',
+  'cacheBytes',
+  'limits',
+  'maxWaiting',
+  'timeoutMs',
+  'failOn',
+  'resolve',
+  'ambientVisibility',
+  'allFeatures',
+  'signal',
+]);
+
 /**
  * Options of createRenderer with every default written out.
  * @param {object} options see createRenderer
  * @param {string[]} limitNames
  */
 export function rendererOptions(options, limitNames) {
-  checkObject('options', options, [
-    'backend',
-    'cacheDirectory',
-    'cacheBytes',
-    'limits',
-    'maxWaiting',
-    'timeoutMs',
-    'failOn',
-    'resolve',
-    'ambientVisibility',
-    'allFeatures',
-    'signal',
-  ]);
+  checkObject('options', options, RENDERER_KEYS);
   const {
     backend = 'auto',
     cacheDirectory = defaultCache(),

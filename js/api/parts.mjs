@@ -25,6 +25,17 @@ export async function withParts(native, { resolve, signal }, use) {
 }
 
 /**
+ * What the caller's `resolve` gave for a file that is there.
+ * @returns {Uint8Array}
+ * @throws {TelarError} E_OPTION where it is no bytes
+ */
+export function partBytes(given, uri) {
+  const bytes = bytesOf(given);
+  if (!bytes) throw wrongOption('options.resolve', `bytes (Buffer, Uint8Array, ArrayBuffer) or null for ${shown(uri)}`, given);
+  return bytes;
+}
+
+/**
  * The files that a model names, as a caller hands them over: native code asks for one after the other while it loads, on a
  * thread that waits, and takes a copy of what it is given.
  */
@@ -66,16 +77,10 @@ class Parts {
   async #answer(id, uri) {
     try {
       const given = await this.#resolve(uri, { signal: this.#signal });
-      this.#native.answer(id, given === null || given === undefined ? undefined : this.#bytes(given, uri));
+      this.#native.answer(id, given === null || given === undefined ? undefined : partBytes(given, uri));
     } catch (cause) {
       this.#failure ??= { uri, cause };
       this.#native.fail(id);
     }
-  }
-
-  #bytes(given, uri) {
-    const bytes = bytesOf(given);
-    if (!bytes) throw wrongOption('options.resolve', `bytes (Buffer, Uint8Array, ArrayBuffer) or null for ${shown(uri)}`, given);
-    return bytes;
   }
 }

@@ -1,18 +1,19 @@
 import { TelarError, toTelarError } from '../error/index.mjs';
+import { checkQuantity, checkShots, ofShot, quantityShot } from './draw_request.mjs';
 import { refuseWarnings } from './fail_on.mjs';
 import { Gate } from './gate.mjs';
 import { frameInfo, shotWarnings } from './frame_info.mjs';
 import { nativeCall } from './native_call.mjs';
 import { onAbort } from './on_abort.mjs';
 import { keyOfDrawn } from './picture_key.mjs';
-import { drawAllOptions, drawOptions, loadOptions, rendererOptions, wrongOption } from './options.mjs';
+import { drawAllOptions, loadOptions, renderOptions, rendererOptions, STRICT, wrongOption } from './options.mjs';
 import { ProgressReport } from './progress.mjs';
 import { Work } from './work.mjs';
 import { shotJson } from './shot_json.mjs';
 import { readShot, readSource } from './source.mjs';
-import { Model, SharedModels, loadModel, measuredFor, shownModel, meteringModule, qualityModule, shotModule } from './model.mjs';
+import { Model, SharedModels, loadModel, measuredFor, shownModel, goalModule, meteringModule, qualityModule, shotModule } from './model.mjs';
 import { ASSET_DIRECTORY, loadNative } from './native.mjs';
-import { DEBUG_QUANTITIES } from '../shot/table/debug_quantities.mjs';
+import { calibrationOf } from './calibration.mjs';
 import { versions } from './versions.mjs';
 
 /** Frames on their way at once: one is drawn while others load or are encoded. More would only hold memory. */
@@ -21,30 +22,28 @@ const FRAMES_IN_FLIGHT = 4;
 /** Frames and small requests in the GL thread's own queue. */
 const MAX_QUEUED = 64;
 
-/** What `renderQuantity` draws. */
-const QUANTITIES = Object.keys(DEBUG_QUANTITIES);
-
 /**
- * Runs jobs that end together: the first that fails, the caller's signal or a throwing onProgress cancels them all.
+ * Runs jobs that end together: the first that fails, the caller's signal or a throwing callback cancels them all.
  * @param {AbortSignal | undefined} outer
- * @param {((part: number) => void) | undefined} onProgress
+ * @param {{onProgress?: (part: number) => void, onPreview?: (preview: object) => void}} callbacks
  * @param {number} jobs
  * @param {(signal: AbortSignal, report: ProgressReport | undefined) => Promise<T>} run
  * @returns {Promise<T>}
  * @template T
  */
-async function inScope(outer, onProgress, jobs, run) {
+async function inScope(outer, { onProgress, onPreview }, jobs, run) {
   outer?.throwIfAborted();
   const scope = new AbortController();
   const stopListening = outer && onAbort(outer, (reason) => scope.abort(reason));
-  const tell = (part) => {
+  const guarded = (callback) => (what) => {
     try {
-      onProgress(part);
+      // What is on its way when the work ends is not told.
+      if (!scope.signal.aborted) callback(what);
     } catch (error) {
       scope.abort(error);
     }
   };
-  const report = onProgress && new ProgressReport(tell, jobs);
+  const report = (onProgress || onPreview) && new ProgressReport(guarded(onProgress ?? (() => {})), jobs, onPreview && guarded(onPreview));
   try {
     const result = await run(scope.signal, report);
     scope.signal.throwIfAborted();
@@ -56,15 +55,6 @@ async function inScope(outer, onProgress, jobs, run) {
     stopListening?.();
     report?.stop();
   }
-}
-
-/**
- * The error of one of renderAll's shots, which says which: `index`. What an AbortSignal or onProgress threw is of no shot.
- * Shots may share an error (of their pose), so each gets its own.
- */
-function ofShot(thrown, index) {
-  if (!(thrown instanceof TelarError)) return thrown;
-  return new TelarError(thrown.code, `shots[${index}]: ${thrown.message}`, { ...thrown.toJSON(), index, cause: thrown });
 }
 
 /** Of a picture in the format raw with 32 bits a channel; a copy, as its bytes need not lie on a boundary of 4. */
@@ -81,14 +71,17 @@ class Renderer {
   #loading;
   #gate;
   #cloths = new Map();
+  #cacheDirectory;
+  #machine;
   #pending = new Set();
   #closed;
 
-  constructor(native, handle, facts, { limits, loading, maxWaiting }) {
+  constructor(native, handle, facts, { limits, loading, maxWaiting, cacheDirectory }) {
     this.#native = native;
     this.#handle = handle;
     this.#limits = limits;
     this.#loading = loading;
+    this.#cacheDirectory = cacheDirectory;
     this.#gate = new Gate(FRAMES_IN_FLIGHT, maxWaiting);
     const { backend, ...gl } = facts;
     this.backend = backend;
@@ -109,19 +102,19 @@ class Renderer {
 
   async render(source, shot = {}, options = {}) {
     this.#assertOpen();
-    const { signal, onProgress, ...loading } = drawOptions(options, this.#loading);
+    const { signal, onProgress, onPreview, ...loading } = renderOptions(options, this.#loading);
     const request = { ...this.#readRequest(source, shot), loading };
-    if (!onProgress) return this.#track(this.#gate.run(() => this.#render(request, this.#begin(signal, loading)), signal));
+    if (!onProgress && !onPreview) return this.#track(this.#gate.run(() => this.#render(request, this.#begin(signal, loading)), signal));
     return this.#track(
-      inScope(signal, onProgress, 1, (scope, report) => this.#gate.run(() => this.#render(request, this.#begin(scope, loading), report), scope)),
+      inScope(signal, { onProgress, onPreview }, 1, (scope, report) => this.#gate.run(() => this.#render(request, this.#begin(scope, loading), report), scope)),
     );
   }
 
   async renderQuantity(source, shot, quantity, options = {}) {
     this.#assertOpen();
     const { signal, ...loading } = loadOptions(options, this.#loading);
-    if (!QUANTITIES.includes(quantity)) throw wrongOption('quantity', `one of ${QUANTITIES.join(', ')}`, quantity);
-    const request = this.#readRequest(source, { ...shot, background: 'transparent', output: { format: 'raw', bitDepth: 32 } });
+    checkQuantity(quantity);
+    const request = this.#readRequest(source, quantityShot(shot));
     const { data, info } = await this.#track(this.#gate.run(() => this.#render({ ...request, loading, quantity }, this.#begin(signal, loading)), signal));
     return { width: info.width, height: info.height, data: floatsOf(data) };
   }
@@ -129,11 +122,11 @@ class Renderer {
   async renderAll(source, shots, options = {}) {
     this.#assertOpen();
     const { signal, onProgress, settled, ...loading } = drawAllOptions(options, this.#loading);
-    if (!Array.isArray(shots)) throw wrongOption('shots', 'an array of shots', shots);
+    checkShots(shots);
     const input = this.#readInput(source);
     const requests = shots.map((shot, job) => this.#readShotOf(shot, job, settled));
     const all = { requests, settled, loading };
-    return this.#track(inScope(signal, onProgress, shots.length, (scope, report) => this.#renderAll(input, all, scope, report)));
+    return this.#track(inScope(signal, { onProgress }, shots.length, (scope, report) => this.#renderAll(input, all, scope, report)));
   }
 
   async factsOf(source, shot = {}, options = {}) {
@@ -245,7 +238,7 @@ class Renderer {
     const loaded = performance.now();
     const shown = await (shared ? shared.of(shot) : shownModel(this.#native, model, shot, { work, forget: !given, cloths: this.#cloths }));
     const shownAt = performance.now();
-    const { resolved, warnings } = await this.#resolve(shot, shown, loading, work).catch((error) => {
+    const { resolved, warnings, goal } = await this.#resolve({ shot, quantity }, shown, loading, work).catch((error) => {
       if (shared?.isLast(shot)) this.#releaseScene(shown).catch(() => {});
       throw error;
     });
@@ -274,7 +267,7 @@ class Renderer {
       limits: this.#limits,
     });
     const milliseconds = { load: loaded - start, pose: shownAt - loaded, resolve: resolvedAt - shownAt, total: performance.now() - start };
-    const info = frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings, metered });
+    const info = frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings, metered, goal });
     refuseWarnings(loading.failOn, info.warnings);
     const layers = Object.keys(frame.layers).length > 0 && { layers: frame.layers };
     return { data: frame.data, ...layers, info };
@@ -289,12 +282,43 @@ class Renderer {
   }
 
   /** The shot with every default, and what is known to be wrong before it is drawn. @throws {TelarError} E_SHOT, E_WARNING, ... */
-  async #resolve(shot, shown, { failOn }, work) {
+  async #resolve({ shot, quantity }, shown, { failOn }, work) {
     const { resolveShot } = await shotModule();
     const resolved = resolveShot(shot, await measuredFor(this.#native, shown, shot, work));
-    const warnings = [...(shown.facts.warnings ?? []), ...shotWarnings(resolved, shown.facts.extensionsUsed)];
+    const goal = await this.#aim(resolved, quantity, shown, work);
+    const warnings = [...(shown.facts.warnings ?? []), ...(goal?.warnings ?? []), ...shotWarnings(resolved, shown.facts.extensionsUsed)];
     refuseWarnings(failOn, warnings);
-    return { resolved, warnings };
+    return { resolved, warnings, goal: goal?.told };
+  }
+
+  /** Where the shot's quality is a goal, puts settings in its place. @returns {Promise<{told: object, warnings: object[]} | undefined>} */
+  async #aim(resolved, quantity, shown, work) {
+    const { isGoal, resolveQuality } = await qualityModule();
+    if (!isGoal(resolved.quality)) return undefined;
+    if (quantity || resolved.style === 'flat') {
+      // Neither has an error to reach.
+      resolved.quality = resolveQuality('standard');
+      return undefined;
+    }
+    const { goalWarnings, settingsFor } = await goalModule();
+    const request = { resolved, scene: Model.sceneOf(shown), facts: shown.facts, limits: this.#limits, machine: () => this.#calibration() };
+    const { quality, goal } = await settingsFor(this.#native, request, work);
+    resolved.quality = quality;
+    return { told: goal, warnings: goalWarnings(goal) };
+  }
+
+  /** How fast this machine draws. Its pictures go past the gate: the frame that waits for them has its place there. */
+  #calibration() {
+    this.#machine ??= (async () => {
+      const { calibrate, hasTracer } = await goalModule();
+      const draw = (source, shot) => this.#render({ ...this.#readRequest(source, shot), loading: STRICT }, this.#begin(undefined, { timeoutMs: null }));
+      const has = { tracer: await hasTracer(this.#native) };
+      return calibrationOf(this.#cacheDirectory, String(this.gl.renderer), () => calibrate(draw, has));
+    })().catch((error) => {
+      this.#machine = undefined;
+      throw error;
+    });
+    return this.#machine;
   }
 }
 

@@ -10,7 +10,11 @@ const KEYS = ['part', 'variant', 'size', 'draped', 'signal', 'timeoutMs'];
 /** Metres. */
 const SIZES = { min: 1e-3, max: 10 };
 
-function swatchOptions(options) {
+/**
+ * Options of Model.swatch() with every default written out.
+ * @throws {import('../error/index.mjs').TelarError} E_OPTION
+ */
+export function swatchOptions(options) {
   checkObject('options', options, KEYS);
   const { part, variant = '', size = 0.1, draped = false, signal, timeoutMs } = options;
   if (part === undefined || part === null) throw wrongOption('options.part', '{node} or {material}, by name or index', part);

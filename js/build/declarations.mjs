@@ -7,7 +7,19 @@ import { fileURLToPath } from 'node:url';
 const JS = fileURLToPath(new URL('..', import.meta.url));
 
 /** Entries that require() reaches, and what they import. */
-const DECLARED = ['index', 'shot/index', 'shot/shot', 'compare/index', 'error/index', 'error/codes'];
+const DECLARED = [
+  'index',
+  'shot/index',
+  'shot/shot',
+  'compare/index',
+  'sheet/index',
+  'sheet/spec',
+  'pool/index',
+  'server/index',
+  'server/options',
+  'error/index',
+  'error/codes',
+];
 
 /** The same text, with its imports led to .d.cts files. */
 const forCommonJs = (text) => text.replaceAll(/((?:from |import\()'\.{1,2}\/[^']*)\.js'/g, "$1.cjs'");

@@ -19,7 +19,7 @@ import { ANY_MODEL } from '../shot/facts.mjs';
 import { resolveShot } from '../shot/index.mjs';
 import { BASES, resolveTerms, SLOTS } from '../shot/shading_terms.mjs';
 import { TONE_MAPPINGS_SINCE } from '../shot/three_terms.mjs';
-import { removeUnfinished, writeFileAtomically } from './atomic_file.mjs';
+import { removeUnfinished, writeFileAtomically } from '../api/atomic_file.mjs';
 import { readLimits, readTimeout } from './limits.mjs';
 import { parseShading, parseSize, parseValue } from './shot_options.mjs';
 

@@ -1,7 +1,7 @@
 import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
-import { writeFileAtomically } from './atomic_file.mjs';
+import { writeFileAtomically } from '../api/atomic_file.mjs';
 
 /** A turntable in one animated file. */
 

@@ -1,7 +1,7 @@
 import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
-import { removeUnfinished, writeFileAtomically } from './atomic_file.mjs';
+import { removeUnfinished, writeFileAtomically } from '../api/atomic_file.mjs';
 import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
 import { checkModel } from './models.mjs';
 import { readAll } from './streams.mjs';

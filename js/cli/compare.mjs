@@ -5,7 +5,7 @@ import { checkName, checkText, COLUMNS, number, regionRows, textTable } from '..
 import { EXIT_OVER_THE_GATE } from '../error/table.mjs';
 import { TelarError } from '../error/index.mjs';
 import { differingKeys, openShotOf, shotText } from './drawn_shot.mjs';
-import { removeUnfinished, writeFileAtomically } from './atomic_file.mjs';
+import { removeUnfinished, writeFileAtomically } from '../api/atomic_file.mjs';
 import { maskReader, readThresholds } from './compare_options.mjs';
 import { atOneSize, comparePair, readPicture } from './compare_pair.mjs';
 import { readLimits } from './limits.mjs';

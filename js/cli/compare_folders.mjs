@@ -5,7 +5,7 @@ import { checkName, checkText } from '../compare/figures.mjs';
 import { EXIT_OVER_THE_GATE } from '../error/table.mjs';
 import { TelarError, toTelarError, worstExit } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
-import { writeFileAtomically } from './atomic_file.mjs';
+import { writeFileAtomically } from '../api/atomic_file.mjs';
 import { comparePair, readPicture } from './compare_pair.mjs';
 
 /** `telar compare` of two folders: images of one name are compared. */

@@ -76,10 +76,14 @@ export class Console {
       barIncompleteChar: '-',
       barsize: 24,
     });
-    bar.start(total, 0, { name: '' });
+    const start = () => bar.start(total, 0, { name: '' });
+    if (total > 1) start();
     if (!gradual) return { step: (name) => bar.increment({ name }), stop: () => bar.stop() };
     const parts = new Array(total).fill(0);
     const reach = (index, part, payload = {}) => {
+      // One picture alone may be drawn by the raster, which tells its end only: there is no bar then.
+      if (!bar.isActive && part === 1) return;
+      if (!bar.isActive) start();
       parts[index] = part;
       bar.update(
         parts.reduce((sum, each) => sum + each, 0),

@@ -19,7 +19,20 @@ function backendLines({ backend, works, failure, cure, vendor, renderer, version
   return [`  ${backend}: ${facts.join(', ')}`];
 }
 
-function reportLines({ versions, system, native, chosen, reason, backends, reference }) {
+/** What the kernel refuses to a worker of the pool. */
+function isolationLine(isolation) {
+  const refused = isolation.filter(({ failure }) => failure !== null).map(({ step, failure }) => `${step} (${failure})`);
+  return `workers     ${refused.length === 0 ? isolation.map(({ step }) => step).join(', ') : `without ${refused.join(', ')}`}`;
+}
+
+/** What {budgetMs} goes by. */
+function calibrationLines(calibration) {
+  const all = Object.entries(calibration);
+  if (all.length === 0) return ['speed       not measured yet: the first picture with quality {budgetMs} does it'];
+  return all.map(([gl, { raster, tracer }]) => `speed       ${raster.toFixed(0)} ms the raster, ${tracer.toFixed(0)} ms the tracer, for its sample by ${gl}`);
+}
+
+function reportLines({ versions, system, native, chosen, reason, backends, reference, imageFiles, isolation = [], calibration = {} }) {
   return [
     `telar       ${versions.telar}, node ${versions.node}`,
     `system      ${system}`,
@@ -27,6 +40,9 @@ function reportLines({ versions, system, native, chosen, reason, backends, refer
     'backends',
     ...backends.flatMap(backendLines),
     `reference   ${reference.works ? reference.version : `no: ${reference.failure}`}`,
+    `image files ${imageFiles.works ? 'all' : `PNG, JPEG and WebP alone: ${imageFiles.failure}`}`,
+    ...(isolation.length > 0 ? [isolationLine(isolation)] : []),
+    ...calibrationLines(calibration),
     chosen ? `chosen      ${chosen}: ${reason}` : `chosen      none: ${reason}`,
   ];
 }

@@ -1,5 +1,5 @@
 import { toTelarError } from '../error/index.mjs';
-import { writeFileAtomically } from './atomic_file.mjs';
+import { writeFileAtomically } from '../api/atomic_file.mjs';
 import { layerFiles } from './layer_files.mjs';
 
 /** Draws the pictures of a command line. A picture that fails does not stop the others. */
@@ -7,8 +7,8 @@ import { layerFiles } from './layer_files.mjs';
 /** Models on their way at once, and pictures of each; the renderer draws one at a time, loading and encoding run beside it. */
 const IN_FLIGHT = 4;
 
-/** Runs `run` on every item, a few at once; takes no more when the signal has fired, so that one at least tells of it. */
-async function eachOf(items, signal, run) {
+/** Runs `run` on every item, so many at once; takes no more when the signal has fired, so that one at least tells of it. */
+async function eachOf(items, { signal, atOnce = 0 }, run) {
   const next = items.values();
   const work = async () => {
     for (const item of next) {
@@ -16,7 +16,7 @@ async function eachOf(items, signal, run) {
       if (signal?.aborted) return;
     }
   };
-  await Promise.all(Array.from({ length: Math.min(IN_FLIGHT, items.length) }, work));
+  await Promise.all(Array.from({ length: Math.min(Math.max(IN_FLIGHT, atOnce), items.length) }, work));
 }
 
 /** Indices of the jobs by model, so that each model is decoded once. */
@@ -51,6 +51,7 @@ export class Drawing {
    * @param {object} context.renderer
    * @param {(bytes: Uint8Array) => Promise<void>} context.toStdout
    * @param {(source: string | Uint8Array, shot: object) => Promise<string>} context.keyOf
+   * @param {number} [context.atOnce] pictures that the renderer draws at once, where it is a pool
    * @param {number} [context.explode] metres by which parts are moved apart
    * @param {import('./unchanged.mjs').KnownPictures} [context.known] to leave out what has not changed
    * @param {{step(name: string, index: number): void, reach?: (index: number, part: number) => void}} context.progress
@@ -63,8 +64,8 @@ export class Drawing {
 
   /** @returns {Promise<Result[]>} in the order of the jobs; those that an abort left out are missing */
   async run() {
-    const { jobs, signal } = this.#context;
-    await eachOf(byModel(jobs), signal, (indices) => this.#drawModel(indices));
+    const { jobs } = this.#context;
+    await eachOf(byModel(jobs), this.#context, (indices) => this.#drawModel(indices));
     return this.#results.filter(Boolean);
   }
 
@@ -72,7 +73,7 @@ export class Drawing {
   async #drawModel(indices) {
     const { signal, renderer, jobs } = this.#context;
     const changed = [];
-    await eachOf(indices, signal, async (index) => {
+    await eachOf(indices, this.#context, async (index) => {
       if (!(await this.#isUnchanged(index))) changed.push(index);
     });
     const { explode } = this.#context;
@@ -91,7 +92,7 @@ export class Drawing {
     }
     await eachOf(
       changed.sort((a, b) => a - b),
-      signal,
+      this.#context,
       (index) => this.#draw(index, model),
     );
     // What goes wrong with the renderer itself, its pictures have told.

@@ -94,7 +94,7 @@ function crossed(shot, variants, views) {
  * @param {{views?: string, view?: string, turntable?: string, variants?: string, variant?: string}} options as commander parsed them
  * @param {number} maxBytes of a model
  * @returns {Promise<{jobs: Job[], crosses: {views: boolean, variants: boolean}}>} crosses: whether a model has many
- * @throws {TelarError} E_USAGE, E_SHOT, E_SHOT_UNAVAILABLE
+ * @throws {TelarError} E_USAGE, E_SHOT
  */
 export async function makeJobs(entries, options, maxBytes) {
   const views = await viewsOf(options);
@@ -125,7 +125,7 @@ async function checkShots(jobs) {
     try {
       resolveShot(shot, ANY_MODEL);
     } catch (error) {
-      if (error.code !== 'E_SHOT' && error.code !== 'E_SHOT_UNAVAILABLE') continue;
+      if (error.code !== 'E_SHOT') continue;
       throw where === undefined ? error : new TelarError(error.code, `${where}: ${error.message}`, error);
     }
   }

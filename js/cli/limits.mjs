@@ -32,5 +32,21 @@ export function readTimeout(text) {
   return Number(text);
 }
 
+/** More processes than a machine has cores. */
+const MOST_WORKERS = 1024;
+
+/**
+ * Processes that draw, from --jobs: undefined where it is not given, null for "auto".
+ * @param {string} [text]
+ * @returns {number | null | undefined}
+ * @throws {TelarError} E_USAGE
+ */
+export function readWorkers(text) {
+  if (text === undefined) return undefined;
+  if (text === 'auto') return null;
+  if (/^[1-9]\d{0,3}$/.test(text) && Number(text) <= MOST_WORKERS) return Number(text);
+  throw new TelarError('E_USAGE', `--jobs: expected processes from 1 to ${MOST_WORKERS}, or auto, got ${shown(text)}`);
+}
+
 /** How much of stdin to take. */
 export const maxFileBytes = (limits) => limits.L_FILE_BYTES ?? FILE_BYTES;

@@ -1,13 +1,14 @@
 import { Command, InvalidArgumentError, Option } from 'commander';
 import { DEFAULT_GATE, GATES } from '../compare/gates.mjs';
 import { describe } from './describe.mjs';
+import { addServiceOptions } from './service_options.mjs';
 import { addShotOptions } from './shot_options.mjs';
 
 /** The command line's grammar: commands, options, help. */
 
 const BACKENDS = ['auto', 'egl-device', 'egl-surfaceless', 'osmesa'];
 const EXIT_CODES =
-  'Exit codes: 0 done, 1 over the gate, 2 usage, 3 input, 4 limit, 5 time or memory, 6 this machine, 7 internal.\n' +
+  'Exit codes: 0 done, 1 over the gate, 2 usage, 3 input, 4 limit, 5 time or memory, 6 this machine, 7 internal or a crash.\n' +
   'Of many models, the highest exit code is told.';
 const collect = (value, list = []) => [...list, value];
 
@@ -32,14 +33,17 @@ const addFailOn = (command) =>
       .default('error'),
   );
 
+const addLimitOption = (command) => command.option('--limit <name=n>', 'raise or lower a limit, as in L_TRIANGLES=30000000', collect);
+
 const addLimit = (command) =>
-  command
-    .option('--limit <name=n>', 'raise or lower a limit, as in L_TRIANGLES=30000000', collect)
-    .option('--timeout-ms <ms>', 'milliseconds that the work on one image may take, or none; by default 20000, and none for quality high and reference');
+  addLimitOption(command).option(
+    '--timeout-ms <ms>',
+    'milliseconds that the work on one image may take, or none; by default 20000, and none for quality high and reference',
+  );
 
 /**
  * @param {string} version
- * @param {Record<'thumbnail' | 'inspect' | 'compare' | 'sheet' | 'analyse' | 'view' | 'bake' | 'looks' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
+ * @param {Record<'thumbnail' | 'inspect' | 'compare' | 'sheet' | 'analyse' | 'view' | 'serve' | 'bake' | 'benchTrade' | 'looks' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
  * @param {{writeOut: (text: string) => void, writeErr: (text: string) => void}} output of help and complaints
  */
 export function buildProgram(version, actions, output) {
@@ -75,6 +79,7 @@ export function buildProgram(version, actions, output) {
           .option('--variants <names>', 'one image for each of these variants, with commas between; all = each that the model has')
           .option('--manifest <file>', 'JSON lines {"model", "shot", "output"} in place of models; relative paths start at the file; - is stdin')
           .option('--skip-unchanged', 'leave out images that are there and would be drawn from the same bytes and shot by the same version')
+          .option('--jobs <n>', 'draw in so many processes of their own, each one image at a time; auto = one for each core, as far as the memory goes')
           .option('--contact-sheet <file>', 'write one PNG with a labelled thumbnail of every image')
           .addOption(backend()),
       ),
@@ -168,6 +173,17 @@ export function buildProgram(version, actions, output) {
     ),
   ).action(actions.view);
   addLimit(
+    addCommon(
+      addServiceOptions(
+        command('serve', 'Draw over HTTP: thumbnails, sheets, comparisons and what is in a model, in processes of their own (js/docs/server.md)'),
+      )
+        .option('--workers <n>', 'draw in so many processes; auto = one for each core, as far as the memory goes', 'auto')
+        .option('--models <folder>', 'let requests name models by their paths beneath this folder')
+        .option('--environment <name=file>', 'let shots name this .hdr or .exr file; repeatable', collect)
+        .addOption(backend()),
+    ),
+  ).action(actions.serve);
+  addLimit(
     addFailOn(
       addCommon(
         command('bake', 'Write a model with its ambient visibility in its vertices, which the shading "fabric" reads')
@@ -177,6 +193,25 @@ export function buildProgram(version, actions, output) {
       ),
     ),
   ).action(actions.bake);
+  const benches = program.command('bench').description('Measure this machine and telar on it').allowExcessArguments(false);
+  addCommon(
+    addLimitOption(
+      benches
+        .command('trade')
+        .description('Time and error of every quality against the path tracer, as a page, CSV and SVG; a run that was stopped goes on where it was')
+        .argument('[model...]', '.glb or .gltf files in place of the bundled drape in cloths; with --cloths beside it')
+        .requiredOption('-o, --output <dir>', 'folder of the page, the figures and what was measured so far')
+        .option('--cloths <names>', 'cloths of js/docs/cloths.md for the bundled drape, with commas between')
+        .option('--environments <names>', 'studio, sun, rim, sky or .hdr and .exr files, with commas between; studio,sun,sky by default')
+        .option('--sizes <pixels>', 'of the pictures, with commas between', '256,512,1024')
+        .option('--shadings <names>', 'with commas between', 'fabric')
+        .option('--settings <names>', 'some of those that are measured, with commas between; all by default')
+        .option('--setting <name=json>', 'a quality beside them, as in fine={"samples":64,"environmentSamples":1024}; repeatable', collect)
+        .option('--window <pixels>', 'side of the part of each picture that is compared', '48')
+        .option('--cap <seconds>', 'CPU time from which on a setting is drawn in the window alone', '20')
+        .addOption(backend()),
+    ),
+  ).action(actions.benchTrade);
   addCommon(command('looks', 'Say what the looks of --look are; --json prints the shots that they stand for')).action(actions.looks);
   addCommon(command('doctor', 'Say which GL backends this machine has, which is chosen, and how to cure a missing one')).action(actions.doctor);
   return program;

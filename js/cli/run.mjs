@@ -13,7 +13,9 @@ const COMMANDS = {
   sheet: async () => (await import('./sheet.mjs')).sheet,
   analyse: async () => (await import('./analyse.mjs')).analyse,
   view: async () => (await import('./view.mjs')).view,
+  serve: async () => (await import('./serve.mjs')).serve,
   bake: async () => (await import('./bake.mjs')).bake,
+  benchTrade: async () => (await import('./bench.mjs')).benchTrade,
   looks: async () => (await import('./looks.mjs')).looks,
   doctor: async () => (await import('./doctor.mjs')).doctor,
 };
@@ -21,7 +23,7 @@ const COMMANDS = {
 /**
  * Runs one command line. Never throws; never ends the process.
  * @param {string[]} argv without node and the script
- * @param {import('./console.mjs').Io & {loadApi: () => Promise<object>}} io
+ * @param {import('./console.mjs').Io & {loadApi: () => Promise<object>, loadPool: () => Promise<object>}} io
  * @returns {Promise<number>} exit code
  */
 export async function run(argv, io) {
@@ -33,7 +35,7 @@ export async function run(argv, io) {
     async (...args) => {
       const call = await COMMANDS[name]();
       const values = args.slice(0, -1); // the last one is commander's own command object
-      exit = await call(...values, { ...io, console, api: await io.loadApi() });
+      exit = await call(...values, { ...io, console, version, api: await io.loadApi() });
     };
   const actions = Object.fromEntries(Object.keys(COMMANDS).map((name) => [name, action(name)]));
   // Complaints come as exceptions as well: they are told once, in our own form.
@@ -55,6 +57,6 @@ function ofCommander(thrown) {
   if (!thrown?.code?.startsWith?.('commander.')) return toTelarError(thrown);
   if (thrown.exitCode === 0) return undefined;
   if (thrown.code === 'commander.help')
-    return new TelarError('E_USAGE', 'expected a command: thumbnail, inspect, compare, sheet, analyse, view, bake, looks or doctor');
+    return new TelarError('E_USAGE', 'expected a command: thumbnail, inspect, compare, sheet, analyse, view, serve, bake, bench, looks or doctor');
   return new TelarError('E_USAGE', thrown.message.replace(/^error: /, '').replaceAll('\n', ' '));
 }

@@ -1,10 +1,11 @@
 #!/usr/bin/env node
-import { removeUnfinished } from './atomic_file.mjs';
+import { removeUnfinished } from '../api/atomic_file.mjs';
 import { run } from './run.mjs';
 
 // The first SIGINT or SIGTERM cancels the work, which removes what it has begun; then the signal is given its usual effect,
 // so that the shell sees it. A second one does not wait, and the first not for ever: a driver or a file system may be stuck.
-const PATIENCE_MS = 1000;
+// A command that takes a signal as its ordinary end says so, and how long that may take.
+const ending = { patienceMs: 1000, isWell: false };
 const cancelled = new AbortController();
 let received;
 
@@ -12,7 +13,7 @@ function onSignal(signal) {
   if (received) dieUnfinished();
   received = signal;
   cancelled.abort();
-  setTimeout(dieUnfinished, PATIENCE_MS).unref();
+  setTimeout(dieUnfinished, ending.patienceMs).unref();
 }
 
 function dieUnfinished() {
@@ -34,6 +35,8 @@ process.exitCode = await run(process.argv.slice(2), {
   stderr,
   env,
   signal: cancelled.signal,
+  ending,
   loadApi: () => import('../index.mjs'),
+  loadPool: () => import('../pool/index.mjs'),
 });
-if (received) dieUnfinished();
+if (received && !ending.isWell) dieUnfinished();

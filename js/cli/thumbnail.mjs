@@ -1,11 +1,12 @@
 import path from 'node:path';
 import { TelarError, worstExit } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
+import { isGoal } from '../shot/quality.mjs';
 import { isAnimation, writeAnimation } from './animation.mjs';
-import { removeUnfinished, sweepStale, writeFileAtomically } from './atomic_file.mjs';
+import { removeUnfinished, sweepStale, writeFileAtomically } from '../api/atomic_file.mjs';
 import { Drawing } from './draw_jobs.mjs';
 import { makeJobs } from './jobs.mjs';
-import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
+import { maxFileBytes, readLimits, readTimeout, readWorkers } from './limits.mjs';
 import { readManifest } from './manifest.mjs';
 import { refuseParts } from './model_parts.mjs';
 import { checkLayerFiles } from './layer_files.mjs';
@@ -28,6 +29,7 @@ export async function thumbnail(models, options, context) {
   checkUsage(models, options);
   const limits = readLimits(options.limit);
   const timeoutMs = readTimeout(options.timeoutMs);
+  readWorkers(options.jobs);
   const shot = await readShotOptions(options, context);
   const entries = await readEntries(models, options, shot, limits, context);
   const { jobs, crosses } = await makeJobs(entries, options, maxFileBytes(limits));
@@ -56,8 +58,14 @@ export async function thumbnail(models, options, context) {
 /** How the models are loaded, and their keys made. */
 const visibilityOf = ({ ambientVisibility }) => ambientVisibility && { ambientVisibility };
 
-const openRenderer = (options, { limits, timeoutMs }, { api, signal }) =>
-  api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, ...visibilityOf(options), timeoutMs, signal });
+/** What draws: a renderer in this process, or with --jobs a pool of others. */
+async function openRenderer(options, { limits, timeoutMs }, { api, loadPool, signal }) {
+  const how = { backend: options.backend, limits, failOn: options.failOn, ...visibilityOf(options), timeoutMs, signal };
+  const workers = readWorkers(options.jobs);
+  if (workers === undefined) return api.createRenderer(how);
+  const { createPool } = await loadPool();
+  return createPool({ ...how, ...(workers !== null && { size: workers }) });
+}
 
 async function animate(jobs, options, { limits, timeoutMs }, context) {
   const renderer = await openRenderer(options, { limits, timeoutMs }, context);
@@ -111,14 +119,21 @@ async function checkSheet(sheet, jobs, outputs) {
   if (taken) throw usage('a picture or a model has this name');
 }
 
+/** Whether the path tracer draws it, or quality "high" or a goal lets it: the model decides. */
+function mayBeTraced({ quality, shading }) {
+  const preset = quality?.preset ?? quality;
+  return preset === 'reference' || isGoal(preset ?? {}) || (preset === 'high' && shading === 'fabric');
+}
+
 async function drawAll({ jobs, outputs, options, renderer, limits }, { api, console, signal }) {
-  const gradual = jobs.some(({ shot: { quality } }) => (quality?.preset ?? quality) === 'reference');
+  const gradual = jobs.some(({ shot }) => mayBeTraced(shot));
   const progress = await console.progress(jobs.length, { gradual });
   const known = options.skipUnchanged ? new KnownPictures() : undefined;
   const keyOf = (source, shot) => api.pictureKey(source, shot, { limits, ...visibilityOf(options), signal });
   try {
     const explode = options.explode === undefined ? undefined : Number(options.explode);
-    return await new Drawing({ jobs, explode, outputs, renderer, known, keyOf, progress, signal, toStdout: (bytes) => console.bytes(bytes) }).run();
+    const atOnce = renderer.workers?.length;
+    return await new Drawing({ jobs, explode, atOnce, outputs, renderer, known, keyOf, progress, signal, toStdout: (bytes) => console.bytes(bytes) }).run();
   } finally {
     progress.stop();
     await known?.save();

@@ -1,7 +1,7 @@
 import { createHash } from 'node:crypto';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
-import { writeFileAtomically } from './atomic_file.mjs';
+import { writeFileAtomically } from '../api/atomic_file.mjs';
 
 /**
  * Which pictures are as they would be drawn again. A file in each output folder keeps the key of every picture, and the

@@ -4,7 +4,7 @@ import { readFile, stat } from 'node:fs/promises';
 import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
-import { writeFileAtomically } from './atomic_file.mjs';
+import { writeFileAtomically } from '../api/atomic_file.mjs';
 import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
 import { checkModel } from './models.mjs';
 import { readShotOptions } from './shot_options.mjs';

@@ -2,7 +2,7 @@ import type { ErrorCode } from './codes.js';
 
 export type { ErrorCode };
 export type ErrorKind =
-  | 'usage' | 'input' | 'denied' | 'unsupported' | 'limit' | 'time' | 'memory' | 'cancelled' | 'busy' | 'machine' | 'internal' | 'warning';
+  | 'usage' | 'input' | 'denied' | 'unsupported' | 'limit' | 'time' | 'memory' | 'cancelled' | 'busy' | 'machine' | 'crash' | 'internal' | 'warning';
 
 /** A limit that an input went over, in the unit that its name says. */
 export interface LimitFact {
@@ -16,6 +16,8 @@ export interface ErrorFacts {
   offset?: number;
   limit?: LimitFact;
   index?: number;
+  signal?: string;
+  input?: string;
   cause?: unknown;
 }
 
@@ -28,6 +30,8 @@ export interface PlainError {
   offset?: number;
   limit?: LimitFact;
   index?: number;
+  signal?: string;
+  input?: string;
 }
 
 /** The one error type of telar; js/docs/errors.md is the table of its codes. */
@@ -44,6 +48,10 @@ export class TelarError extends Error {
   readonly limit?: LimitFact;
   /** Of renderAll: which of the shots, from 0. */
   readonly index?: number;
+  /** Of X_CRASH: what ended the worker, as "SIGSEGV". */
+  readonly signal?: string;
+  /** Of X_CRASH and X_QUARANTINE: SHA-256 of the model's bytes, 64 hex digits. */
+  readonly input?: string;
   /** Exit code of the command line for this error. */
   readonly exit: number;
   /** HTTP status for this error. */

@@ -3,23 +3,30 @@ import { TABLE } from './table.mjs';
 // Copies of this module (ESM beside CommonJS, two versions in one tree) recognise each other's errors by this symbol.
 const BRAND = Symbol.for('telar.TelarError');
 const MESSAGE_MAX = 300;
+/** What an error may say beside its row of the table. */
+const FACTS = ['pointer', 'offset', 'limit', 'index', 'signal', 'input'];
+
+const factsOf = (error) => Object.fromEntries(FACTS.filter((key) => error?.[key] !== undefined).map((key) => [key, error[key]]));
 
 /**
  * The one error type of telar.
  * @property {string} code a row of js/error/table.mjs
  * @property {string} kind class of the error: usage, input, denied, unsupported, limit, time, memory, cancelled, busy,
- *   machine, internal
+ *   machine, crash, internal
  * @property {boolean} retryable the same call may succeed later
  * @property {string} [pointer] JSON pointer into the document that is wrong: the glTF, or the shot for E_SHOT
  * @property {number} [offset] byte offset in the file
  * @property {{name: string, max: number, actual: number}} [limit]
  * @property {number} [index] of renderAll: which of the shots, from 0
+ * @property {string} [signal] of X_CRASH: what ended the worker, as "SIGSEGV"
+ * @property {string} [input] of X_CRASH and X_QUARANTINE: SHA-256 of the model's bytes, 64 hex digits
  */
 export class TelarError extends Error {
   /**
    * @param {string} code
    * @param {string} message what is wrong, where, and what to do; cut at 300 characters
-   * @param {{pointer?: string, offset?: number, limit?: {name: string, max: number, actual: number}, index?: number, cause?: unknown}} [facts]
+   * @param {{pointer?: string, offset?: number, limit?: {name: string, max: number, actual: number}, index?: number, signal?: string,
+   *   input?: string, cause?: unknown}} [facts]
    */
   constructor(code, message, facts = {}) {
     super(cut(message), facts.cause === undefined ? undefined : { cause: facts.cause });
@@ -27,7 +34,7 @@ export class TelarError extends Error {
     this.code = code;
     this.kind = row.kind;
     this.retryable = row.retryable;
-    for (const key of ['pointer', 'offset', 'limit', 'index']) {
+    for (const key of FACTS) {
       if (facts[key] !== undefined) this[key] = facts[key];
     }
     Object.defineProperty(this, BRAND, { value: true });
@@ -49,17 +56,8 @@ export class TelarError extends Error {
 
   /** Plain data for JSON: no stack, no cause (either may hold a path of the server). */
   toJSON() {
-    const { code, kind, message, retryable, pointer, offset, limit, index } = this;
-    return {
-      code,
-      kind,
-      message,
-      retryable,
-      ...(pointer !== undefined && { pointer }),
-      ...(offset !== undefined && { offset }),
-      ...(limit !== undefined && { limit }),
-      ...(index !== undefined && { index }),
-    };
+    const { code, kind, message, retryable } = this;
+    return { code, kind, message, retryable, ...factsOf(this) };
   }
 
   static [Symbol.hasInstance](value) {
@@ -76,14 +74,14 @@ function cut(message) {
 /**
  * Makes a TelarError of the plain data that native code, a worker or toJSON() gives.
  * An unknown code becomes X_INTERNAL and stays in the message.
- * @param {{code?: string, message?: string, pointer?: string, offset?: number, limit?: object, index?: number}} plain
+ * @param {{code?: string, message?: string, pointer?: string, offset?: number, limit?: object, index?: number, signal?: string, input?: string}} plain
  * @returns {TelarError}
  */
 export function fromNative(plain) {
   if (plain instanceof TelarError) return plain;
-  const { code, message = 'no message', pointer, offset, limit, index } = plain ?? {};
-  if (Object.hasOwn(TABLE, code ?? '')) return new TelarError(code, message, { pointer, offset, limit, index });
-  return new TelarError('X_INTERNAL', code === undefined ? message : `${code}: ${message}`, { pointer, offset, limit, index });
+  const { code, message = 'no message' } = plain ?? {};
+  if (Object.hasOwn(TABLE, code ?? '')) return new TelarError(code, message, factsOf(plain));
+  return new TelarError('X_INTERNAL', code === undefined ? message : `${code}: ${message}`, factsOf(plain));
 }
 
 /**

@@ -20,6 +20,7 @@ export const KINDS = Object.freeze({
   cancelled: { exit: 5, http: 499, retryable: true },
   busy: { exit: 5, http: 429, retryable: true },
   machine: { exit: 6, http: 500, retryable: false },
+  crash: { exit: 7, http: 500, retryable: true },
   internal: { exit: 7, http: 500, retryable: false },
   warning: { exit: 0, http: 200, retryable: false },
 });
@@ -37,6 +38,12 @@ const ROWS = {
     E_SHOT: ['A value of the shot is wrong', 'The message names its path, what is expected and what was given.'],
     E_SPEC: ['A value of the spec of a sheet is wrong', 'The message names its path, what is expected and what was given.'],
     E_OPTION: ['An option of the API is wrong', 'The message names the option, what is expected and what was given.'],
+    E_REQUEST: ['A request over HTTP is malformed, or a value of it is wrong', 'The message names the value, what is expected and what was given.'],
+    E_NOT_FOUND: ['The service has no such route, model or job', '/openapi.json lists the routes.', { http: 404 }],
+    E_METHOD: ['The route takes another method', 'The header `allow` names it.', { http: 405 }],
+    E_ACCEPT: ['The answer is of none of the types that the request accepts', 'The message names the types; send another header `accept`.', { http: 406 }],
+    E_PRECONDITION: ['The answer is the one that `if-none-match` names', 'Use the one that you have.', { http: 412 }],
+    E_MEDIA_TYPE: ['The body of the request is of a type that the route does not take', 'The message names the types that it takes.', { http: 415 }],
   },
   input: {
     E_EMPTY: ['The file has no bytes', 'Check the export or the upload.'],
@@ -138,9 +145,12 @@ const ROWS = {
     ],
     L_KEYFRAME_VALUES: ['The animations have too many keyframes', RAISE],
     L_MORPH_TARGETS: ['Too many morph targets', RAISE],
+    L_REQUEST_BYTES: ['A request, or a part of it, is too large', 'Send less, or let the owner of the service raise `requestBytes`.'],
+    L_OUTPUT_BYTES: ['The pictures of a job are too large together for this pool', 'Ask for fewer or smaller ones, or raise `outputBytes` of createPool.'],
   },
   time: {
     X_TIMEOUT: ['The work took longer than allowed', 'Try again; reduce the model, the size or the quality.'],
+    X_UPLOAD_TIME: ['The body of a request came too slowly', 'Send it faster, or let the owner of the service raise `uploadMs`.', { http: 408 }],
   },
   memory: {
     X_MEMORY: ['There is not enough memory', 'Reduce the model or the size, or give the process more memory.'],
@@ -148,10 +158,11 @@ const ROWS = {
   },
   cancelled: {
     X_CANCELLED: ['The caller cancelled the work', 'Nothing to cure.'],
-    X_CLOSED: ['The renderer was closed', 'Create a new renderer.', { retryable: false }],
+    X_CLOSED: ['The renderer or pool was closed', 'Create a new one.', { retryable: false }],
   },
   busy: {
     X_BUSY: ['Too much work is waiting', 'Send the request again later.'],
+    X_SHUTDOWN: ['The service is ending', 'Send the request again: another one, or the next one, answers.', { http: 503 }],
   },
   machine: {
     X_GL: ['No OpenGL ES 3.0 context', '`telar doctor` says what is missing and the cure.'],
@@ -166,7 +177,28 @@ const ROWS = {
       'The template of a sheet does not lay it out',
       'The message holds what the layout engine says: of an own template correct it, of telar report it.',
     ],
+    X_SOURCE: [
+      'The host that has the model does not give it',
+      'The message says what it answers. Try again, or upload the model.',
+      { retryable: true, http: 502 },
+    ],
+    X_WORKERS: [
+      'The workers of a pool do not start',
+      'The message says why; the pool tries again by itself. `telar doctor` says what is missing.',
+      { retryable: true, http: 503 },
+    ],
     X_LIBRARY_MISSING: ['A library that this job needs is not installed', 'Install the package that the message names.'],
+  },
+  crash: {
+    X_CRASH: [
+      'The worker that drew this ended in the middle of it',
+      'Try again once; `signal` says how it ended, and `input` which file it drew. Report a file that does it twice.',
+    ],
+    X_QUARANTINE: [
+      'The file ended two workers of this pool, which refuses it for a while',
+      'Report the file whose digest is `input`; `quarantineMs` of createPool is how long.',
+      { retryable: false, http: 422 },
+    ],
   },
   internal: {
     X_INTERNAL: ['A fault of telar itself', 'Report it together with the model and the shot.'],
@@ -193,6 +225,14 @@ const ROWS = {
       'Name a release of js/docs/families.md, and let the client use one: the message says which is drawn.',
     ],
     W_LENS: ['The depth of field of the lens is not drawn', 'Ask for quality "reference", or leave out lens.focusDistance.'],
+    W_LIBRARY_MISSING: [
+      'The raster draws quality "high" where the path tracer would, for Embree is not there',
+      'Install the package that the message names, or give the settings of "high" one by one: the raster draws these everywhere.',
+    ],
+    W_QUALITY: [
+      'No settings are predicted to hold the error or the time that the shot asks for',
+      'The picture has the most accurate or the fastest ones: allow more, or take it as it is. `info.goal` has the prediction.',
+    ],
     W_LIGHT: ['A light is malformed and was left out', FIX_FILE],
     W_GEOMETRY: ['A primitive has nothing to draw and was left out', FIX_FILE],
     W_SCALE: ["A node's scale is zero or not finite, so its mesh is not drawn", FIX_FILE],

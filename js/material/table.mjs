@@ -106,6 +106,9 @@ const yarn = (within) => [
   { key: 'specularColorFactor', type: 'vec3', default: 1, within },
 ];
 
+/** Which metals the shading "fabric" gives two highlights, one of flat facets of the normal map and one of the edges between them: by factors, not by texels. */
+export const POLISHED = { roughnessMax: 0.3, metalnessMin: 0.5 };
+
 /** Textures of metallic-roughness: their factors are the material's own fields. @type {Texture[]} */
 export const CORE_TEXTURES = [
   { ...colour('baseColorTexture'), channels: 'rgba', three: '' },

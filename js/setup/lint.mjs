@@ -53,12 +53,22 @@ function changedSources(base) {
   return files.split('\n').filter((file) => /^(addon|renderer)\/(?!brdf\/).*\.cpp$/.test(file));
 }
 
-/** Writes the build's commands less its precompiled headers, so that a source that leaves out an #include is found. @returns {string} Folder */
+/** A command that compiles several sources as one, as one command a source. */
+function commandsOfSources(entry) {
+  if (!/\/unity_\d+_cxx\.cxx$/.test(entry.file)) return [entry];
+  const sources = [...readFileSync(entry.file, 'utf8').matchAll(/^#include "(.+)"$/gm)];
+  return sources.map(([, file]) => ({ ...entry, file, command: entry.command.replaceAll(entry.file, file) }));
+}
+
+/** Writes the build's commands, each source by itself and less precompiled headers, so that a source that leaves out an #include is
+ * found. @returns {string} Folder */
 function commandsForTidy() {
   const commands = JSON.parse(readFileSync(path.join(ROOT, BUILD, 'compile_commands.json'), 'utf8'));
   const folder = path.join(ROOT, BUILD, 'tidy');
   mkdirSync(folder, { recursive: true });
-  const plain = commands.map((entry) => ({ ...entry, command: entry.command.replace(/ -Winvalid-pch| -include \S*cmake_pch\.hxx/g, '') }));
+  const plain = commands
+    .flatMap(commandsOfSources)
+    .map((entry) => ({ ...entry, command: entry.command.replace(/ -Winvalid-pch| -include \S*cmake_pch\.hxx/g, '') }));
   writeFileSync(path.join(folder, 'compile_commands.json'), JSON.stringify(plain));
   return folder;
 }

@@ -14,6 +14,9 @@ const BUILD = path.join(ROOT, 'out', PRESET);
 /** Some tests end only when the work that they stop has stopped: one that hangs has failed. Milliseconds for a file. */
 const HANGS_AFTER_MS = 1_800_000;
 
+/** Files tested at once: a test waits for processes and browsers for a third of its time, in which another one runs. */
+const AT_ONCE = Math.ceil(1.5 * os.availableParallelism());
+
 /** All test files under test/, as paths from the root: node 20 takes no glob here. The longest first, so that no core waits for one at the end. */
 function testFiles() {
   const files = readdirSync(path.join(ROOT, 'test'), { recursive: true })
@@ -28,7 +31,6 @@ const LONGEST = [
   'test/js/determinism.test.mjs',
   'test/parity/parity.test.mjs',
   'test/js/view/page.test.mjs',
-  'test/js/assets/tshirt.test.mjs',
   'test/js/api/weave_energy.test.mjs',
 ];
 
@@ -40,13 +42,7 @@ async function runNodeTests({ files }) {
     `--test-reporter=${path.join(ROOT, 'js/setup/skipped_reporter.mjs')}`,
     `--test-reporter-destination=${log}`,
   ];
-  const args = [
-    '--test',
-    `--test-concurrency=${os.availableParallelism()}`,
-    `--test-timeout=${HANGS_AFTER_MS}`,
-    ...reporters,
-    ...(files.length ? files : testFiles()),
-  ];
+  const args = ['--test', `--test-concurrency=${AT_ONCE}`, `--test-timeout=${HANGS_AFTER_MS}`, ...reporters, ...(files.length ? files : testFiles())];
   const status = await runShown(process.execPath, args, { env: { TELAR_BUILD_DIR: BUILD } });
   return { status, skipped: existsSync(log) ? readFileSync(log, 'utf8').trim().split('\n').filter(Boolean) : [] };
 }

@@ -8,7 +8,7 @@ import { DEFAULT_FOV_Y } from './table/camera.mjs';
  * same said in two ways is said in one. Two shots with the same identity give the same picture of the same model.
  * @param {object} shot not resolved
  * @returns {object} plain data; `environment.map` as given
- * @throws {import('../error/index.mjs').TelarError} E_SHOT, E_SHOT_UNAVAILABLE
+ * @throws {import('../error/index.mjs').TelarError} E_SHOT
  */
 export function shotIdentity(shot) {
   const parsed = parseShot(shot);

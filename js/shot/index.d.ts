@@ -63,7 +63,7 @@ export type ShotFacts = Box | {
 /**
  * Writes out every default of a shot. Pure and synchronous, the same bits in the browser and on the server; a resolved shot
  * resolves to itself. `facts` is needed unless the camera is explicit with near and far.
- * @throws {TelarError} E_SHOT with the path, the expected thing and the value given; E_SHOT_UNAVAILABLE; E_CAMERA; E_FRAME; E_VARIANT;
+ * @throws {TelarError} E_SHOT with the path, the expected thing and the value given; E_CAMERA; E_FRAME; E_VARIANT;
  *   E_NO_GEOMETRY; E_EXTENT; E_OPTION
  */
 export function resolveShot(shot?: Shot | ResolvedShot, facts?: ShotFacts | null): ResolvedShot;

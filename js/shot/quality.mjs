@@ -6,12 +6,16 @@ import { inOrder } from './table/resolved.mjs';
 /** Samples of several passes are averaged in linear light by default. */
 const resolveOf = (samples) => (samples > SAMPLES_OF_A_PASS ? 'linear' : 'encoded');
 
+/** Whether a quality says what is to be reached, and not how. */
+export const isGoal = ({ maxError, budgetMs }) => maxError !== undefined || budgetMs !== undefined;
+
 /**
- * Every setting of a quality. A preset comes with all of its own: where one differs, it is another quality.
+ * Every setting of a quality, but of a goal: that stays one until the model and the machine are known. A preset comes with all of its own: where one differs, it is another quality.
  * @param {string | object} quality - As the schema parsed it.
- * @returns {{preset?: string, samples: number, resolve: string, noise: number, environmentSamples: number}}
+ * @returns {{preset?: string, samples: number, resolve: string, noise: number, environmentSamples: number} | {maxError: number} | {budgetMs: number}}
  */
 export function resolveQuality(quality) {
+  if (isGoal(quality)) return { ...quality };
   if (quality === 'reference') return resolveReference({});
   if (quality.preset === 'reference') return resolveReference(quality);
   if (typeof quality === 'string') return inOrder(RASTER, { preset: quality, ...PRESETS[quality] });
@@ -35,7 +39,7 @@ export function resolveQuality(quality) {
 }
 
 /**
- * Whether a caller who asks for this asks for long work: paths of light, or more than one pass over the picture.
+ * Whether a caller who asks for this asks for long work: paths of light, more than one pass over the picture, or a goal, which may need them.
  * @param {object} quality - Resolved.
  */
-export const isLong = ({ preset, samples }) => preset === 'reference' || samples > SAMPLES_OF_A_PASS;
+export const isLong = (quality) => quality.preset === 'reference' || quality.samples > SAMPLES_OF_A_PASS || isGoal(quality);

@@ -19,7 +19,6 @@ import { HUGE } from './table/rows.mjs';
 import { ENVIRONMENT } from './table/stage.mjs';
 import { resolveThree, TONE_MAPPINGS_SINCE } from './three_terms.mjs';
 import { resolveScale } from './true_scale.mjs';
-import { refuseUnavailable } from './unavailable.mjs';
 
 const WHITE = [1, 1, 1];
 
@@ -32,8 +31,8 @@ const WHITE = [1, 1, 1];
  * @param {import('../index.d.ts').ShotFacts} [facts] of the model, or its box {min, max}; needed unless the camera is
  *   explicit with near and far; of the model in the shot's pose (`resolvePose`) where it has one
  * @returns {import('../index.d.ts').ResolvedShot} new objects throughout; the arguments stay as they were
- * @throws {TelarError} E_SHOT with the path, the expected thing and the value given; E_SHOT_UNAVAILABLE for what this version
- *   does not draw; E_CAMERA, E_FRAME, E_VARIANT, E_POSE, E_NO_GEOMETRY, E_EXTENT where the model lacks what the shot asks for; E_OPTION for wrong facts
+ * @throws {TelarError} E_SHOT with the path, the expected thing and the value given; E_CAMERA,
+ *   E_FRAME, E_VARIANT, E_POSE, E_NO_GEOMETRY, E_EXTENT where the model lacks what the shot asks for; E_OPTION for wrong facts
  */
 export function resolveShot(shot = {}, facts = undefined) {
   const parsed = parseShot(shot);
@@ -59,10 +58,9 @@ function checkFitted(value, path = []) {
 /**
  * A shot with the defaults of the schema.
  * @internal
- * @throws {TelarError} E_SHOT, E_SHOT_UNAVAILABLE
+ * @throws {TelarError} E_SHOT
  */
 export function parseShot(shot) {
-  refuseUnavailable(shot);
   const whole = withLook(shot);
   const result = shotSchema.safeParse(whole);
   if (!result.success) throw complaint(result.error.issues, whole, shotSchema);

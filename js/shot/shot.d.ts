@@ -471,7 +471,7 @@ export interface Shot {
     /** Largest factor, so that black cloth stays black. Range 1 to 1000. @default 1.25 */
     most?: number;
   } | null;
-  /** "draft": 1 sample a pixel; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with one direction of the environment each; "high": up to 1024, averaged in linear light, and the environment integrated with the material; "reference": traced paths of light, slow and without GL. @default "standard" */
+  /** "draft": 1 sample a pixel; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with one direction of the environment each; "high": up to 1024, averaged in linear light, and the environment integrated with the material, by the tracer where it costs less; "reference": traced paths of light, slow and without GL. @default "standard" */
   quality?: 'standard' | 'draft' | 'medium' | 'high' | 'reference' | {
     /** Settings to start from. */
     preset?: 'standard' | 'draft' | 'medium' | 'high';
@@ -487,11 +487,15 @@ export interface Shot {
     transport?: never;
     bounces?: never;
     threads?: never;
+    maxError?: never;
+    budgetMs?: never;
   } | {
     /** The path tracer. */
     preset: 'reference';
     /** Paths a pixel; the noise falls with the root of it; default 256. Range 1 to 65536. */
     samples?: number;
+    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more paths, from 16 of them on; 0 = every pixel takes all; default 0. Range 0 to 64. */
+    noise?: number;
     /** The same seed gives the same bytes, with any number of threads; default 1. Range 0 to 1000000000. */
     seed?: number;
     /** "global": all light, over `bounces` reflections; "occlusion": light that arrives directly, less what surfaces hide; "direct": the same with nothing hidden but the shadows that the shot asks for, which is what the raster computes; default "global". */
@@ -501,8 +505,35 @@ export interface Shot {
     /** Threads that trace; 0 = one for each core; default 0. Range 0 to 256. */
     threads?: number;
     resolve?: never;
+    environmentSamples?: never;
+    maxError?: never;
+    budgetMs?: never;
+  } | {
+    /** Mean FLIP of the model against the path tracer; the cheapest settings are taken that are predicted to hold it for a scene of this kind. Range above 0 to 1. */
+    maxError: number;
+    preset?: never;
+    samples?: never;
+    resolve?: never;
     noise?: never;
     environmentSamples?: never;
+    seed?: never;
+    transport?: never;
+    bounces?: never;
+    threads?: never;
+    budgetMs?: never;
+  } | {
+    /** CPU milliseconds of all threads for drawing a loaded model; the most accurate settings are taken that are predicted to fit into it on this machine. Range above 0 to 1000000000. */
+    budgetMs: number;
+    preset?: never;
+    samples?: never;
+    resolve?: never;
+    noise?: never;
+    environmentSamples?: never;
+    seed?: never;
+    transport?: never;
+    bounces?: never;
+    threads?: never;
+    maxError?: never;
   };
   /** Name of a material variant of the model (KHR_materials_variants); "" = none. @default "" */
   variant?: string;
@@ -1048,11 +1079,15 @@ export interface ResolvedShot {
     transport?: never;
     bounces?: never;
     threads?: never;
+    maxError?: never;
+    budgetMs?: never;
   } | {
     /** The path tracer. */
     preset: 'reference';
     /** Paths a pixel; the noise falls with the root of it. Range 1 to 65536. */
     samples: number;
+    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more paths, from 16 of them on; 0 = every pixel takes all. Range 0 to 64. */
+    noise: number;
     /** The same seed gives the same bytes, with any number of threads. Range 0 to 1000000000. */
     seed: number;
     /** "global": all light, over `bounces` reflections; "occlusion": light that arrives directly, less what surfaces hide; "direct": the same with nothing hidden but the shadows that the shot asks for, which is what the raster computes. */
@@ -1062,8 +1097,35 @@ export interface ResolvedShot {
     /** Threads that trace; 0 = one for each core. Range 0 to 256. */
     threads: number;
     resolve?: never;
+    environmentSamples?: never;
+    maxError?: never;
+    budgetMs?: never;
+  } | {
+    /** Mean FLIP of the model against the path tracer; the cheapest settings are taken that are predicted to hold it for a scene of this kind. Range above 0 to 1. */
+    maxError: number;
+    preset?: never;
+    samples?: never;
+    resolve?: never;
     noise?: never;
     environmentSamples?: never;
+    seed?: never;
+    transport?: never;
+    bounces?: never;
+    threads?: never;
+    budgetMs?: never;
+  } | {
+    /** CPU milliseconds of all threads for drawing a loaded model; the most accurate settings are taken that are predicted to fit into it on this machine. Range above 0 to 1000000000. */
+    budgetMs: number;
+    preset?: never;
+    samples?: never;
+    resolve?: never;
+    noise?: never;
+    environmentSamples?: never;
+    seed?: never;
+    transport?: never;
+    bounces?: never;
+    threads?: never;
+    maxError?: never;
   };
   /** Name of a material variant of the model (KHR_materials_variants); "" = none. */
   variant: string;

@@ -23,7 +23,7 @@ const LIGHT_GROUP = 'telar lights';
  * @returns {{antialias: boolean, alpha: boolean, premultipliedAlpha: boolean}} Spread into the constructor's argument.
  */
 export function rendererParameters(shot) {
-  return { antialias: shot.quality.samples > 1, alpha: true, premultipliedAlpha: true };
+  return { antialias: shot.quality.samples !== 1, alpha: true, premultipliedAlpha: true };
 }
 
 /**

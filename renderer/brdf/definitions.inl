@@ -15,6 +15,7 @@
 #include "thin_sheet.glsl"
 #include "bump.glsl"
 #include "relief.glsl"
+#include "facets.glsl"
 #include "stretched_taps.glsl"
 #include "disney.glsl"
 #include "disney_parameters.glsl"

@@ -6,6 +6,9 @@
 
 namespace telar::flat {
 
+/// Twice the signed area of the triangle 0, a, b.
+inline double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
 /// Where two triangles of different parts run through one another: no edge of the mesh is there.
 struct Crossing {
   /// What an end is the same as in a neighbour: an edge of the surface that goes through a face.

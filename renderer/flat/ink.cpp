@@ -9,7 +9,7 @@ namespace telar::flat {
 namespace {
 
 /// Points every so often along a polyline: where dashes begin and end.
-struct Walker {
+struct Dashes {
   const std::vector<glm::dvec2>& points;
   std::size_t at = 0;
   double along = 0;  ///< of the piece from points[at]
@@ -70,16 +70,16 @@ void Paper::draw(const Stroke& stroke, double weight) {
   if (weight <= 0 || stroke.points.empty()) return;
   std::vector<glm::dvec2> points = stroke.points;
   if (stroke.closed) points.push_back(points.front());
-  Walker walker{points};
+  Dashes dashes{points};
   if (stroke.kind != Kind::kStitch) {
     for (std::size_t i = 0; i + 1 < points.size(); ++i) segment(points[i], points[i + 1], weight, true);
     return;
   }
   bool goes = true;
   while (goes) {
-    goes = walker.advance(shot::FLAT_DASH * weight,
+    goes = dashes.advance(shot::FLAT_DASH * weight,
                           [&](const glm::dvec2& a, const glm::dvec2& b) { segment(a, b, weight, false); });
-    goes = goes && walker.advance(shot::FLAT_GAP * weight, [](const glm::dvec2&, const glm::dvec2&) {});
+    goes = goes && dashes.advance(shot::FLAT_GAP * weight, [](const glm::dvec2&, const glm::dvec2&) {});
   }
 }
 

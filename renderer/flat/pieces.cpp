@@ -29,8 +29,6 @@ constexpr double LAYER_OF_EXTENT = 5e-4;
 /// one goes into the other. Two millimetres on a garment of a metre, and three across the surface.
 constexpr double SEWN_OF_EXTENT = 2e-3, SEWN_ACROSS_OF_EXTENT = 3e-3;
 
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
-
 /// Pixels by which pieces that go on into one another may lie apart.
 constexpr double BEND = 3;
 

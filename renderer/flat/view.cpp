@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "flat/crossings.h"
 #include "frame/camera.h"
 
 namespace telar::flat {
@@ -15,8 +16,6 @@ using surface::Face;
 /// memory.
 constexpr std::uint64_t ENTRIES_MAX = std::uint64_t{1} << 26;
 constexpr std::uint32_t FACES_PER_CANCEL_CHECK = 1 << 14;
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 }  // namespace
 

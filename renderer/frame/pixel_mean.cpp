@@ -9,7 +9,6 @@
 namespace telar::frame {
 namespace {
 
-constexpr unsigned FEWEST = 16;  ///< passes before a pixel is looked at
 constexpr int REACH = 2;  ///< pixels, half the window of the error estimate: one pixel alone may seem right by chance
 
 /// Means over the window of REACH around each value of a line.
@@ -32,22 +31,22 @@ void blur(std::vector<float>& picture, int width, int height) {
 
 }  // namespace
 
-PixelMean::PixelMean(const Shot& shot)
+PixelMean::PixelMean(const Shot& shot, bool exposed)
     : shot_(shot), left_(static_cast<std::size_t>(shot.width) * static_cast<std::size_t>(shot.height)) {
-  shot_.exposure = 1;  // the passes were exposed
+  if (exposed) shot_.exposure = 1;
   first_.resize(left_);
   second_.resize(left_);
   count_.resize(left_);
 }
 
-bool PixelMean::add(const Frame& frame, bool last) {
+bool PixelMean::add(const Frame& frame, bool last, unsigned passes) {
   const auto* pixel = reinterpret_cast<const glm::vec4*>(frame.pixels.data());
   for (std::size_t i = 0; i < second_.size(); ++i) {
     if (!settled_.empty() && settled_[i]) continue;
     second_[i] += pixel[i];
-    ++count_[i];
+    count_[i] += passes;
   }
-  if (!std::has_single_bit(++passes_)) return false;
+  if (!std::has_single_bit(passes_ += passes)) return false;
   const bool looks = shot_.noise > 0 && passes_ >= FEWEST && !last;
   if (looks) settle();
   for (std::size_t i = 0; i < second_.size(); ++i) first_[i] += std::exchange(second_[i], glm::vec4(0));
@@ -56,8 +55,9 @@ bool PixelMean::add(const Frame& frame, bool last) {
 
 /// Difference of the two halves in encoded luma, over black and over white.
 glm::vec2 PixelMean::difference(std::size_t pixel, const PixelEncoder& encoded) const {
+  const auto passes = passes_ / 2;
   const auto shown = [&](const glm::vec4& sum) {
-    const glm::vec4 color = encoded(glm::max(sum, 0.0f) / static_cast<float>(passes_ / 2));
+    const glm::vec4 color = encoded(glm::max(sum, 0.0f) / static_cast<float>(passes));
     const float black = luminance(glm::clamp(glm::vec3(color), 0.0f, 1.0f)) * color.a;
     return glm::vec2(black, black + 1 - color.a);
   };
@@ -86,7 +86,7 @@ void PixelMean::settle() {
 std::vector<glm::vec4> PixelMean::mean() const {
   std::vector<glm::vec4> picture(first_.size());
   for (std::size_t i = 0; i < picture.size(); ++i)
-    picture[i] = glm::max(first_[i] + second_[i], 0.0f) / static_cast<float>(std::max<int>(count_[i], 1));
+    picture[i] = glm::max(first_[i] + second_[i], 0.0f) / static_cast<float>(std::max(count_[i], 1u));
   return picture;
 }
 

@@ -11,14 +11,17 @@ namespace telar::frame {
 /// Averages the passes over a picture. A pixel whose standard error is small enough takes no more of them.
 class PixelMean {
  public:
-  /// @param shot  its size, output and noise
-  explicit PixelMean(const Shot& shot);
+  static constexpr unsigned FEWEST = 16;  ///< passes before a pixel is looked at
+
+  /// @param shot  its size, output and noise    @param exposed  whether the passes are, by its exposure
+  explicit PixelMean(const Shot& shot, bool exposed = true);
 
   /// Adds a pass to the pixels that are not settled. Where that makes 16, 32, 64 ... of them, those are settled whose
   /// standard error, as the two halves of their passes differ there and in their neighbours, is Shot::noise or less.
   /// @param frame  kRgbaF32 of the shot's size    @param last  no pass follows: nothing is settled any more
+  /// @param passes  that the frame is the sum of; a power of two is not passed by, but reached
   /// @return whether pixels were looked at
-  bool add(const Frame& frame, bool last = false);
+  bool add(const Frame& frame, bool last = false, unsigned passes = 1);
 
   /// Which pixels are settled: 255 or 0, row 0 on top. Empty before they are looked at.
   std::span<const std::uint8_t> settled() const { return settled_; }
@@ -37,7 +40,7 @@ class PixelMean {
   unsigned passes_ = 0;
   std::size_t left_;
   std::vector<glm::vec4> first_, second_;  ///< sums of the two halves of a pixel's passes
-  std::vector<std::uint16_t> count_;
+  std::vector<std::uint32_t> count_;
   std::vector<std::uint8_t> settled_;
 };
 

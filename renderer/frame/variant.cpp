@@ -16,8 +16,8 @@ int variantIndex(const Scene& scene, const std::string& name) {
   const auto found = std::find(scene.variants.begin(), scene.variants.end(), name);
   if (found != scene.variants.end()) return static_cast<int>(found - scene.variants.begin());
   std::string known;
-  for (const std::string& variant : scene.variants) known += (known.empty() ? "" : ", ") + quoted(variant);
-  throw Error("E_VARIANT", "shot.variant: this model has no variant " + quoted(name) +
+  for (const std::string& variant : scene.variants) known += (known.empty() ? "" : ", ") + telar::quoted(variant);
+  throw Error("E_VARIANT", "shot.variant: this model has no variant " + telar::quoted(name) +
                                (known.empty() ? "; it has none" : "; it has " + known));
 }
 

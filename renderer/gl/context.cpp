@@ -31,6 +31,13 @@ bool hasExtension(const Functions& gl, const char* name) {
   return false;
 }
 
+bool isAtLeast(const Functions& gl, GLint major, GLint minor) {
+  GLint has[2] = {};
+  gl.GetIntegerv(GL_MAJOR_VERSION, &has[0]);
+  gl.GetIntegerv(GL_MINOR_VERSION, &has[1]);
+  return has[0] > major || (has[0] == major && has[1] >= minor);
+}
+
 const char* errorName(GLenum error) {
   switch (error) {
     case GL_INVALID_ENUM:
@@ -151,6 +158,8 @@ void Context::initialise(Backend backend, ProcLoader loader, bool debug, bool ro
   capabilities_.floatLinear = capabilities_.desktop || hasExtension(functions_, "GL_OES_texture_float_linear");
   capabilities_.sampleMask =
       hasExtension(functions_, capabilities_.desktop ? "GL_ARB_sample_shading" : "GL_OES_sample_variables");
+  capabilities_.samplePlaces = functions_.GetMultisamplefv && (capabilities_.desktop || isAtLeast(functions_, 3, 1));
+  capabilities_.shadesHidden = renderer_.find("llvmpipe") != std::string::npos;
   functions_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &capabilities_.maxTextureSize);
   functions_.GetIntegerv(GL_MAX_SAMPLES, &capabilities_.maxSamples);
   functions_.GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &capabilities_.maxFragmentTextureUnits);

@@ -30,6 +30,8 @@ struct Capabilities {
   bool colorBufferFloat = false;  ///< RGBA32F is renderable
   bool floatLinear = false;       ///< fp32 textures can be filtered
   bool sampleMask = false;        ///< a fragment can choose the samples that it covers
+  bool samplePlaces = false;      ///< the GL tells where a pixel's samples are
+  bool shadesHidden = false;      ///< fragments of a multisampled target are shaded though the depth test hides them
   bool desktop = false;           ///< an OpenGL core profile with ARB_ES3_compatibility (OSMesa)
   int maxTextureSize = 0;         ///< px
   int maxSamples = 0;

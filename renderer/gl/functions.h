@@ -95,11 +95,12 @@ namespace telar::gl {
   F(VERTEXATTRIBPOINTER, VertexAttribPointer)                       \
   F(VIEWPORT, Viewport)
 
-// Entry points of extensions; null where the backend lacks them.
+// Entry points of extensions and of OpenGL ES 3.1; null where the backend lacks them.
 #define TELAR_GL_OPTIONAL_FUNCTIONS(F)              \
   F(DEBUGMESSAGECALLBACK, DebugMessageCallback)     \
   F(DEBUGMESSAGECONTROL, DebugMessageControl)       \
   F(GETGRAPHICSRESETSTATUS, GetGraphicsResetStatus) \
+  F(GETMULTISAMPLEFV, GetMultisamplefv)             \
   F(OBJECTLABEL, ObjectLabel)                       \
   F(PUSHDEBUGGROUP, PushDebugGroup)                 \
   F(POPDEBUGGROUP, PopDebugGroup)

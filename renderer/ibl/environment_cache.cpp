@@ -33,6 +33,14 @@ std::string fileKey(const std::string& sha256, const EnvironmentUses& uses) {
   return uses.smallSuns ? sha256Hex(std::as_bytes(std::span(name))) : sha256;
 }
 
+/// Whether it has all forms that are asked for.
+bool holds(const Environment& environment, const EnvironmentUses& uses) {
+  const int light = hasAtlas(uses.three) ? environment.atlas.faceSize : environment.prefiltered.faceSize;
+  return (!uses.suns || environment.suns) && (!uses.prefiltered || light > 0) &&
+         (!uses.background || environment.background.faceSize > 0) &&
+         (!uses.radiance || environment.radiance.faceSize > 0);
+}
+
 /// Columns moved as js/three/older_release.mjs moves them.
 ImageF turned(const ImageF& map, double degrees) {
   const auto width = static_cast<std::ptrdiff_t>(map.width);
@@ -83,30 +91,47 @@ Atlas EnvironmentCache::atlas(const std::string& key, const ThreeTerms& three, c
   return made;
 }
 
+EnvironmentCache::Entry* EnvironmentCache::recent(const std::string& id) {
+  const auto found =
+      std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry->key == id; });
+  if (found == entries_.end()) return nullptr;
+  std::rotate(found, found + 1, entries_.end());
+  return entries_.back().get();
+}
+
+const Environment* EnvironmentCache::known(const Shot::Environment& wanted, const EnvironmentUses& uses) {
+  const auto sha256 = files_.sha256(wanted.path);
+  Entry* const entry = sha256 ? recent(entryId(*sha256, uses)) : nullptr;
+  if (!entry || !holds(entry->environment, uses)) return nullptr;
+  entry->environment.source = "gpu";
+  return &entry->environment;
+}
+
 const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::span<const std::byte> bytes,
                                          const EnvironmentUses& uses, const CancelToken& cancel) {
   const bool studio = wanted.source == Shot::Environment::Source::kStudio;
   std::vector<std::byte> own;
-  if (wanted.source == Shot::Environment::Source::kPath) {
+  const bool path = wanted.source == Shot::Environment::Source::kPath;
+  std::optional<FileStamp> stamp;
+  if (path) {
+    if (const Environment* environment = known(wanted, uses)) return *environment;
+    stamp = stampOf(wanted.path);
     own = fileOf(wanted);
     bytes = own;
   }
   // The bundled environment is known by name: its file is read only for a cube that is not there yet.
   const std::string key = studio ? "studio" : sha256Hex(bytes);
-
+  if (path) files_.remember(wanted.path, stamp, key);
   const std::string id = entryId(key, uses);
-  auto found = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry->key == id; });
-  if (found == entries_.end()) {
-    auto entry = std::make_unique<Entry>();
+  Entry* entry = recent(id);
+  if (entry) {
+    entry->environment.source = "gpu";
+  } else {
+    if (entries_.size() >= ENTRIES_MAX) entries_.erase(entries_.begin());
+    entry = entries_.emplace_back(std::make_unique<Entry>()).get();
     entry->key = id;
     entry->environment.source = "file";
     if (!studio) entry->environment.sha256 = key;
-    if (entries_.size() >= ENTRIES_MAX) entries_.erase(entries_.begin());
-    found = entries_.insert(entries_.end(), std::move(entry));
-  } else {
-    (*found)->environment.source = "gpu";
-    std::rotate(found, found + 1, entries_.end());
-    found = entries_.end() - 1;
   }
   std::optional<ImageF> decoded;
   Suns taken;
@@ -127,7 +152,7 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
     if (!moved) moved = turned(map(), uses.turned);
     return *moved;
   };
-  Environment& environment = (*found)->environment;
+  Environment& environment = entry->environment;
   // Also where a cube was found on disk: the file is read for them once, some milliseconds a megapixel. The studio has
   // none.
   if (uses.suns && !environment.suns) environment.suns = studio ? Suns() : suns();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/known_files.h"
 #include "ibl/atlas_prefilter.h"
 #include "ibl/bright_directions.h"
 #include "ibl/disk_cache.h"
@@ -64,6 +65,10 @@ class EnvironmentCache {
     std::string key;
     Environment environment;
   };
+  /// The environment if it is here in all forms that are asked for, without a look into its file; else null.
+  const Environment* known(const Shot::Environment& wanted, const EnvironmentUses& uses);
+  /// Moves an entry to the end. @return null where there is none
+  Entry* recent(const std::string& id);
   std::vector<std::byte> fileOf(const Shot::Environment& wanted) const;
   CubeMap prefiltered(const std::string& key, bool studio, const std::function<ImageF&()>& map, std::string& source,
                       const CancelToken& cancel);
@@ -74,6 +79,7 @@ class EnvironmentCache {
   std::filesystem::path assets_;
   DiskCache disk_;
   Limits limits_;
+  KnownFiles files_;
   std::vector<std::unique_ptr<Entry>> entries_;  // most recent last
 };
 

@@ -125,3 +125,16 @@ void readWithOiio(Bytes file, EnvironmentFormat format, ImageF& image, const Can
 }
 
 }  // namespace telar::image
+
+namespace telar {
+
+std::string failureOfImageFiles() {
+  try {
+    const image::Library library;
+    return {};
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+}  // namespace telar

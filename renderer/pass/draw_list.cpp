@@ -71,6 +71,15 @@ void describeMaps(const Material& m, shader::VariantKey& key) {
                     m.normalTexture.uvTransform == m.baseColorTexture.uvTransform;
 }
 
+/// Whether flat facets of a normal map and the edges between them are to have highlights of their own: on polished
+/// metal, whose light is all gloss.
+bool hasFacets(const Material& m, const shader::VariantKey& key) {
+#include "pass/polished.inc"
+  const bool oneLobe = !key.weave && !key.anisotropy && !key.normalHoles;
+  return key.normalVariance && key.normalMap && oneLobe && key.environmentSamples == 0 &&
+         m.roughnessFactor <= POLISHED_ROUGHNESS_MAX && m.metallicFactor >= POLISHED_METALNESS_MIN;
+}
+
 /// Which sides know what of the hemisphere above them is open. Only the shading "fabric" reads it.
 void describeVisibility(const Primitive& primitive, const Material& material, shader::VariantKey& key) {
   if (key.shading != ShadingModel::kFabric || key.layers) return;
@@ -104,6 +113,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.orthographic = frame.orthographic;
   key.lights = frame.lights;
   key.flatShaded = primitive.normals.empty();
+  key.normalFacets = hasFacets(material, key);
   describeVisibility(primitive, material, key);
   const bool stretched = key.anisotropy || key.weave;
   key.tangent = (key.normalMap || stretched) && !key.flatShaded && hasTangents(primitive, material);

@@ -124,16 +124,23 @@ void InstanceStreams::attach(const gl::Functions& gl, GLsizei first) const {
 void GpuPrimitive::draw(const gl::Functions& gl, GLint first, GLsizei number, GLsizei firstInstance,
                         GLsizei drawn) const {
   gl.BindVertexArray(vertexArray.get());
-  const void* indices = offsetOf(static_cast<std::size_t>(first) * sizeof(std::uint32_t));
+  const void* from = offsetOf(static_cast<std::size_t>(first) * sizeof(std::uint32_t));
   if (!instances) {
-    indexed ? gl.DrawElements(mode, number, GL_UNSIGNED_INT, indices) : gl.DrawArrays(mode, first, number);
+    indices ? gl.DrawElements(mode, number, GL_UNSIGNED_INT, from) : gl.DrawArrays(mode, first, number);
     return;
   }
   // OpenGL ES 3.0 cannot begin at an instance.
   if (firstInstance > 0) instances->attach(gl, firstInstance);
-  indexed ? gl.DrawElementsInstanced(mode, number, GL_UNSIGNED_INT, indices, drawn)
+  indices ? gl.DrawElementsInstanced(mode, number, GL_UNSIGNED_INT, from, drawn)
           : gl.DrawArraysInstanced(mode, first, number, drawn);
   if (firstInstance > 0) instances->attach(gl);
+}
+
+void GpuPrimitive::drawOnly(const gl::Functions& gl, GLuint buffer, std::size_t byte, GLsizei number) const {
+  gl.BindVertexArray(vertexArray.get());
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+  gl.DrawElements(mode, number, GL_UNSIGNED_INT, offsetOf(byte));
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
 }
 
 }  // namespace telar::pass

@@ -31,7 +31,7 @@ class VertexStreams {
   void attach(const gl::Functions& gl) const;
   GLenum mode() const { return mode_; }
   GLsizei count() const { return count_; }
-  bool indexed() const { return static_cast<bool>(indices_); }
+  GLuint indices() const { return indices_.get(); }
 
  private:
   struct Attribute {
@@ -64,14 +64,16 @@ class InstanceStreams {
 struct GpuPrimitive {
   gl::VertexArray vertexArray;
   GLenum mode = GL_TRIANGLES;
-  GLsizei count = 0;  ///< indices, or vertices where there are none
-  bool indexed = false;
+  GLsizei count = 0;                           ///< indices, or vertices where there are none
+  GLuint indices = 0;                          ///< buffer, 0 = the vertices in their order
   const InstanceStreams* instances = nullptr;  ///< null = drawn once, without instance attributes
 
   /// All of it.
   void draw(const gl::Functions& gl) const { draw(gl, 0, count, 0, instances ? instances->count() : 0); }
   /// Indices, or vertices, from `first` on, of `drawn` instances from `firstInstance` on. The vertex array stays bound.
   void draw(const gl::Functions& gl, GLint first, GLsizei number, GLsizei firstInstance, GLsizei drawn) const;
+  /// `number` indices of another buffer, from a byte on, of what is drawn once. The vertex array stays bound.
+  void drawOnly(const gl::Functions& gl, GLuint buffer, std::size_t byte, GLsizei number) const;
 };
 
 }  // namespace telar::pass

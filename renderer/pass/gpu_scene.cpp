@@ -9,15 +9,16 @@ namespace {
 
 /// RGBA16F or RGBA8; all mip levels are a third as large as the first.
 std::uint64_t bytesOf(DerivedTexture::Kind kind, std::uint64_t texels) {
-  const std::uint64_t first = texels * (kind == DerivedTexture::Kind::kNormalVariance ? 8 : 4);
+  const std::uint64_t first = texels * (kind == DerivedTexture::Kind::kCoverage ? 4 : 8);
   return first + first / 3;
 }
 constexpr std::uint64_t MOMENT_BYTES = 5;  ///< a texel of the source, while its first levels are made in RGBA32F
 
 }  // namespace
 
-GpuScene::GpuScene(const gl::Context& context, const std::shared_ptr<const Scene>& scene, GpuScene* model)
-    : context_(context), scene_(scene), model_(model), fileImages_(static_cast<int>(scene->fileImages)) {
+GpuScene::GpuScene(const gl::Context& context, MipMaker& mips, const std::shared_ptr<const Scene>& scene,
+                   GpuScene* model)
+    : context_(context), mips_(mips), scene_(scene), model_(model), fileImages_(static_cast<int>(scene->fileImages)) {
   if (!model) return;
   for (std::size_t i = scene->fileMeshes; i < scene->meshes.size(); ++i) {
     for (const Primitive& primitive : scene->meshes[i].primitives) own_.insert(&primitive);
@@ -38,7 +39,7 @@ const GpuPrimitive& GpuScene::primitive(const Primitive& primitive, const Instan
   const VertexStreams& streams = streams_.try_emplace(&primitive, context_, primitive).first->second;
   const InstanceStreams* places =
       instances ? &instances_.try_emplace(instances, context_, *instances).first->second : nullptr;
-  GpuPrimitive made{gl::VertexArray(gl), streams.mode(), streams.count(), streams.indexed(), places};
+  GpuPrimitive made{gl::VertexArray(gl), streams.mode(), streams.count(), streams.indices(), places};
   gl.BindVertexArray(made.vertexArray.get());
   streams.attach(gl);
   if (places) places->attach(gl);
@@ -62,7 +63,7 @@ GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const Can
   const gl::Functions& gl = context_.gl();
   gl::Texture texture(gl);
   gl.BindTexture(GL_TEXTURE_2D, texture.get());
-  uploadTexture(context_, scene.images[static_cast<std::size_t>(image)], srgb);
+  uploadTexture(context_, mips_, scene.images[static_cast<std::size_t>(image)], srgb);
   return textures_.emplace(key, std::move(texture)).first->second.get();
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pass/gpu_primitive.h"
+#include "pass/mip_levels.h"
 #include "pass/part_extents.h"
 #include "telar/cancel.h"
 
@@ -15,7 +16,7 @@ namespace telar::pass {
 
 /// What a texture is made into for the shading "fabric" (TextureBaker).
 struct DerivedTexture {
-  enum class Kind { kNormalVariance, kCoverage } kind = Kind::kNormalVariance;
+  enum class Kind { kNormalVariance, kNormalFacets, kCoverage } kind = Kind::kNormalVariance;
   int image = -1;
   bool srgb = false;
   float cutoff = 0;  ///< alpha from which on it is there: kCoverage, and where there is a cover
@@ -29,7 +30,7 @@ struct DerivedTexture {
 class GpuScene {
  public:
   /// @param model of the scene that `scene` was made of, which outlives this; null = it was loaded
-  GpuScene(const gl::Context& context, const std::shared_ptr<const Scene>& scene, GpuScene* model);
+  GpuScene(const gl::Context& context, MipMaker& mips, const std::shared_ptr<const Scene>& scene, GpuScene* model);
 
   /// @param instances null = drawn once
   const GpuPrimitive& primitive(const Primitive& primitive, const Instances* instances);
@@ -46,10 +47,14 @@ class GpuScene {
   bool expired() const { return scene_.expired(); }
   bool isMadeOf(const Scene& model) const;
 
+  /// Frames to come for which VisibleDraws does not look for hidden triangles, for it found few.
+  int framesWithoutLook = 0;
+
  private:
   bool isModels(int image) const { return model_ && image < fileImages_; }
 
   const gl::Context& context_;
+  MipMaker& mips_;
   std::weak_ptr<const Scene> scene_;
   GpuScene* model_;
   std::set<const Primitive*> own_;  ///< where there is a model: the deformed ones

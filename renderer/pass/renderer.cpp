@@ -1,7 +1,7 @@
 #include "telar/renderer.h"
 
 #include <algorithm>
-#include <chrono>
+#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <glm/gtc/type_ptr.hpp>
@@ -26,31 +26,18 @@
 #include "pass/layer_pass.h"
 #include "pass/settled_mask.h"
 #include "pass/shadow_pass.h"
+#include "pass/stage_timer.h"
 #include "pass/surface_pass.h"
 #include "pass/transmission_target.h"
+#include "pass/visible_draws.h"
+#include "telar/reference.h"
 
 namespace telar {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using pass::FramePlan;
-
-/// Milliseconds of each stage, in order; of all its passes where there are several.
-class StageTimer {
- public:
-  void lap(const char* stage) {
-    const auto now = Clock::now();
-    const double ms = std::chrono::duration<double, std::milli>(now - last_).count();
-    stages_[stage] = stages_.value(stage, 0.0) + ms;
-    last_ = now;
-  }
-  const Json& json() const { return stages_; }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point last_ = Clock::now();
-  Json stages_ = Json::object();
-};
+using pass::StageTimer;
 
 /// What a plan compiles and runs, for info and `telar inspect`.
 Json describePlan(const FramePlan& plan, const Shot& shot) {
@@ -108,10 +95,12 @@ class GlRenderer final : public Renderer {
         background_(*context_),
         shadows_(*context_),
         ground_(*context_),
-        settled_(*context_) {}
+        settled_(*context_),
+        visible_(*context_, options.hiddenTriangles),
+        mips_(*context_) {}
 
   Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& asked, std::span<const std::byte> environmentFile,
-             const CancelToken& cancel, FrameInfo& info) override {
+             const CancelToken& cancel, FrameInfo& info, const Progress& progress) override {
     StageTimer timer;
     context_->pacer().begin(cancel, options_.sliceMs);
     forgetReleasedScenes();
@@ -151,7 +140,7 @@ class GlRenderer final : public Renderer {
     const pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, background, cancel};
     const bool accumulates = shot.resolve == Resolve::kLinear && !plan.frame.debugOutput;
     int passes = 1;
-    Frame frame = accumulates ? drawAveraged(plan, inputs, passes, timer) : drawOnce(inputs, false, timer);
+    Frame frame = accumulates ? drawAveraged(plan, inputs, passes, progress, timer) : drawOnce(inputs, false, timer);
     Json json = describeFrame(plan, shot, environment, timer);
     json["samples"] = passes * target_->samples();
     json["programsCompiled"] = compiled;
@@ -211,7 +200,7 @@ class GlRenderer final : public Renderer {
       FrameInfo unused;
       const bool known = frame::alphaIsCoverage(shot);
       frame.layers.push_back(
-          frame::coverageLayer(known ? frame : draw(scene, frame::coverageShot(shot), {}, cancel, unused)));
+          frame::coverageLayer(known ? frame : draw(scene, frame::coverageShot(shot), {}, cancel, unused, {})));
     }
     timer.lap("layers");
     Json json = Json::parse(info.json);
@@ -223,7 +212,7 @@ class GlRenderer final : public Renderer {
   pass::GpuScene& gpuSceneOf(const std::shared_ptr<const Scene>& scene) {
     pass::GpuScene* model = scene->model ? &gpuSceneOf(scene->model) : nullptr;
     auto& entry = scenes_[scene.get()];
-    if (!entry) entry = std::make_unique<pass::GpuScene>(*context_, scene, model);
+    if (!entry) entry = std::make_unique<pass::GpuScene>(*context_, mips_, scene, model);
     return *entry;
   }
 
@@ -246,6 +235,10 @@ class GlRenderer final : public Renderer {
     inputs.transmission = drawBehind(inputs);
     inputs.samples = target.samples();
     target.bind();
+    const pass::VisibleDraws::Frame found(visible_);
+    visible_.find(plan, inputs.gpu, {shot.width, shot.height}, target.samples(), inputs.cancel);
+    inputs.visible = &visible_;
+    timer.lap("visibility");
     const bool debug = plan.frame.debugOutput;  // backgrounds and the ground have no shading
     // A colour behind an average is composed at the end. Until then alpha is the coverage.
     const bool opaque = !debug && pass::fillsBackground(plan, shot);
@@ -279,22 +272,29 @@ class GlRenderer final : public Renderer {
   /// The mean of passes that are moved by parts of a pixel, in linear light before tone mapping.
   /// @param plan  that of the inputs: its projection is shifted and restored    @param[out] drawn  number of passes
   /// until every pixel was settled
-  Frame drawAveraged(FramePlan& plan, pass::SurfaceInputs inputs, int& drawn, StageTimer& timer) {
-    const Shot& shot = inputs.shot;
+  Frame drawAveraged(FramePlan& plan, const pass::SurfaceInputs& frame, int& drawn, const Progress& progress,
+                     StageTimer& timer) {
+    Shot shot = frame.shot;
+    // Without tone mapping a picture has no exposure, as in three.js; linear passes would have it.
+    if (shot.toneMapping == ToneMapping::kNone && framePixelType(shot.output) == PixelType::kRgba8) shot.exposure = 1;
+    pass::SurfaceInputs inputs{plan, shot, frame.scene, frame.gpu, frame.environment, frame.background, frame.cancel};
     const frame::SamplePasses passes = frame::samplePassesOf(shot);
     const glm::dmat4 projection = plan.camera.projection;
     frame::PixelMean mean(shot);
     for (drawn = 0; drawn < passes.count && !mean.allSettled();) {
       inputs.samplePass = drawn;
       plan.camera.projection = frame::shifted(projection, passes.shift(drawn++), shot.width, shot.height);
-      if (!mean.add(drawOnce(inputs, !mean.settled().empty(), timer), drawn == passes.count)) continue;
+      const bool looked = mean.add(drawOnce(inputs, !mean.settled().empty(), timer), drawn == passes.count);
+      if (progress.previews.asked() && std::has_single_bit(static_cast<unsigned>(drawn)) && drawn < passes.count)
+        progress.previews.put({mean.frame(), drawn});
+      if (!looked) continue;
       settled_.set(mean.settled(), shot.width, shot.height);
       timer.lap("settle");
     }
     plan.camera.projection = projection;
-    Frame frame = mean.frame();
+    Frame averaged = mean.frame();
     timer.lap("resolve");
-    return frame;
+    return averaged;
   }
 
   /// Draws the transmission target. Null where nothing transmits.
@@ -351,6 +351,8 @@ class GlRenderer final : public Renderer {
     json["backend"] = gl::backendName(context_->backend());
     json["gl"] = {{"vendor", context_->vendor()}, {"renderer", context_->renderer()}, {"version", context_->version()}};
     json["drawCalls"] = plan.draws.size();
+    json["triangles"] = visible_.count().all;
+    json["hiddenTriangles"] = visible_.count().hidden;
     json["environmentSource"] = environment ? Json(environment->source) : Json(nullptr);
     json["glObjects"] = liveObjects();
     const glm::dmat4 toPixel = frame::worldToPixel(plan.camera, shot.width, shot.height);
@@ -368,10 +370,12 @@ class GlRenderer final : public Renderer {
   pass::ShadowPass shadows_;
   pass::GroundPass ground_;
   pass::SettledMask settled_;
+  pass::VisibleDraws visible_;
   std::unique_ptr<pass::FrameTarget> target_;
   std::vector<std::uint8_t> coverage_;  ///< of the last picture by the model, from its first pass; empty = not known
   std::unique_ptr<pass::TransmissionTarget> transmission_;
   std::unique_ptr<pass::LayerPass> layers_;  ///< from the first frame with layers on
+  pass::MipMaker mips_;
   std::map<const Scene*, std::unique_ptr<pass::GpuScene>> scenes_;
 };
 
@@ -382,7 +386,7 @@ std::unique_ptr<Renderer> Renderer::create(const RendererOptions& options) {
 }
 
 std::string planFrame(const Scene& scene, const Shot& shot, const Limits& limits) {
-  if (shot.reference)
+  if (shot.reference || tracedInstead(scene, shot))
     return Json{{"features", Json::array()}, {"programs", Json::array()}, {"passes", {"trace"}}}.dump();
   const FramePlan plan = pass::planDraws(scene, shot, limits, false);
   Json json = describePlan(plan, shot);

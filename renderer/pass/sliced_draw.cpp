@@ -12,7 +12,7 @@ double workOf(const Extent& extent) { return static_cast<double>(extent.parts) *
 }  // namespace
 
 SlicedDraw::SlicedDraw(const gl::Context& context, gl::DrawCost& cost, const DrawItem& item, GpuScene& scene,
-                       const glm::dmat4& worldToClip, const gl::Pacer::Rectangle& target)
+                       const glm::dmat4& worldToClip, const gl::Pacer::Rectangle& target, const VisibleDraws* visible)
     : context_(context),
       pacer_(context.pacer()),
       cost_(cost),
@@ -21,9 +21,17 @@ SlicedDraw::SlicedDraw(const gl::Context& context, gl::DrawCost& cost, const Dra
       extents_(scene.extents(*item.primitive)),
       estimate_(*item.primitive, worldToClip * item.node->world, target.width, target.height),
       layout_(*item.primitive),
+      visible_(visible ? visible->of(item) : nullptr),
+      visibleIndices_(visible ? visible->indices() : 0),
       target_(target) {}
 
 void SlicedDraw::drawParts(std::size_t begin, std::size_t end, GLsizei instance) const {
+  if (visible_) {
+    constexpr std::size_t BYTES = sizeof(std::uint32_t);
+    gpu_.drawOnly(context_.gl(), visibleIndices_, visible_->offset + begin * layout_.step * BYTES,
+                  static_cast<GLsizei>((end - begin) * layout_.step));
+    return;
+  }
   gpu_.draw(context_.gl(), static_cast<GLint>(begin * layout_.step),
             static_cast<GLsizei>((end - begin) * layout_.step + layout_.more), instance, 1);
 }
@@ -48,7 +56,7 @@ void SlicedDraw::runParts(GLsizei instance) {
     counted = 0;
   };
   const auto add = [&](std::size_t part) {
-    const double fragments = estimate_.of(part) + FRAGMENTS_PER_PART;
+    const double fragments = estimate_.of(visible_ ? visible_->parts[part] : part) + FRAGMENTS_PER_PART;
     if (!pacer_.fits(cost_, counted + fragments)) {
       drawTo(part);
       pacer_.finish();
@@ -61,16 +69,21 @@ void SlicedDraw::runParts(GLsizei instance) {
     counted += fragments;
   };
   std::size_t part = 0;
-  for (const Extent& block : extents_.blocks) {
-    const std::size_t end = part + block.parts;
-    const double most = workOf(block) + estimate_.atMost(block);
+  const auto addBlock = [&](std::size_t parts, double fragments) {
+    const std::size_t end = part + parts;
+    const double most = static_cast<double>(parts) * FRAGMENTS_PER_PART + fragments;
     if (pacer_.fits(cost_, counted + most)) {
       counted += most;
       part = end;
     }
     for (; part < end; ++part) add(part);
+  };
+  if (visible_) {
+    addBlock(visible_->parts.size(), visible_->fragments);
+  } else {
+    for (const Extent& block : extents_.blocks) addBlock(block.parts, estimate_.atMost(block));
   }
-  drawTo(layout_.parts);
+  drawTo(part);
 }
 
 void SlicedDraw::runInstances(const Instances& instances) {

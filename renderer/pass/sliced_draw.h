@@ -2,6 +2,7 @@
 #include "gl/context.h"
 #include "pass/fragment_estimate.h"
 #include "pass/gpu_scene.h"
+#include "pass/visible_draws.h"
 
 namespace telar::pass {
 
@@ -11,8 +12,9 @@ namespace telar::pass {
 class SlicedDraw {
  public:
   /// @param target  pixels of the bound target that the viewport shows
+  /// @param visible  what is left of draws; null = all
   SlicedDraw(const gl::Context& context, gl::DrawCost& cost, const DrawItem& item, GpuScene& scene,
-             const glm::dmat4& worldToClip, const gl::Pacer::Rectangle& target);
+             const glm::dmat4& worldToClip, const gl::Pacer::Rectangle& target, const VisibleDraws* visible = nullptr);
 
   /// @throws Error{X_CANCELLED, X_TIMEOUT}
   void run();
@@ -30,6 +32,8 @@ class SlicedDraw {
   const PartExtents& extents_;
   FragmentEstimate estimate_;
   PartLayout layout_;
+  const VisibleParts* visible_;
+  GLuint visibleIndices_;
   gl::Pacer::Rectangle target_;
 };
 

@@ -298,7 +298,7 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   const frame::Camera& camera = in.plan.camera;
   const auto draw = [&] {
     SlicedDraw(context_, surface.cost, item, in.gpu, camera.projection * camera.view,
-               {0, 0, in.shot.width, in.shot.height})
+               {0, 0, in.shot.width, in.shot.height}, in.visible)
         .run();
   };
   if (item.key.alphaToCoverage) program.set("coverageDraw", item.blendsCoverage ? COVERAGE_WHOLE : COVERAGE_MASKED);

@@ -9,6 +9,7 @@
 #include "pass/ltc.h"
 #include "pass/surface_textures.h"
 #include "pass/transmission_target.h"
+#include "pass/visible_draws.h"
 
 namespace telar::pass {
 
@@ -23,6 +24,7 @@ struct SurfaceInputs {
   const CancelToken& cancel;
   int samples = 1;                                   ///< of a pixel of the target
   const TransmissionTarget* transmission = nullptr;  ///< the resolved transmission target
+  const VisibleDraws* visible = nullptr;             ///< what is left of draws; null = all
   int samplePass = 0;                                ///< index of the pass, where a picture takes several
   const frame::LayerIds* ids = nullptr;              ///< of a plan of planLayers()
 };

@@ -14,6 +14,8 @@ std::optional<DerivedTexture> derivedOf(const DrawItem& item, const TextureSlot&
   using Key = shader::VariantKey;
   const int image = slot.texture(*item.material).image;
   const bool srgb = decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, slot.srgb);
+  if (item.key.normalFacets && slot.map == &Key::normalMap)
+    return DerivedTexture{DerivedTexture::Kind::kNormalFacets, image, srgb};
   if (item.key.normalVariance && (slot.map == &Key::normalMap || slot.map == &Key::clearcoatNormalMap)) {
     DerivedTexture relief{DerivedTexture::Kind::kNormalVariance, image, srgb};
     if (item.key.normalHoles && slot.map == &Key::normalMap) {
@@ -73,9 +75,10 @@ GLuint SurfaceTextures::texture(const DrawItem& item, const TextureSlot& slot, c
   const auto width = static_cast<int>(image.width), height = static_cast<int>(image.height);
   const GLuint cover = key->cover < 0 ? 0 : gpu.texture(scene, key->cover, true, cancel);
   return gpu.derived(*key, [&] {
-    return key->kind == DerivedTexture::Kind::kCoverage
-               ? baker_.coverage(plain, key->srgb, width, height, key->cutoff, cancel)
-               : baker_.normalVariance(plain, width, height, cover, key->cutoff, cancel);
+    using Kind = DerivedTexture::Kind;
+    if (key->kind == Kind::kCoverage) return baker_.coverage(plain, key->srgb, width, height, key->cutoff, cancel);
+    if (key->kind == Kind::kNormalFacets) return baker_.normalFacets(plain, width, height, cancel);
+    return baker_.normalVariance(plain, width, height, cover, key->cutoff, cancel);
   });
 }
 

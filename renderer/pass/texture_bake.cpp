@@ -70,12 +70,12 @@ struct TextureBaker::Kind {
   GLenum format;
 };
 
-const gl::Program& TextureBaker::program(const char* file, bool fromImage) {
-  const auto key = std::make_pair(std::string(file), fromImage);
+const gl::Program& TextureBaker::program(const char* file, bool fromImage, bool holes) {
+  const auto key = std::make_tuple(std::string(file), fromImage, holes);
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   gl::Program made(context_, file, shader::assemble("texture/level.vert", {}),
-                   shader::assemble(file, {{"FROM_IMAGE", fromImage ? 1 : 0}}));
+                   shader::assemble(file, {{"FROM_IMAGE", fromImage ? 1 : 0}, {"HOLES", holes ? 1 : 0}}));
   return programs_.emplace(key, std::move(made)).first->second;
 }
 
@@ -97,7 +97,7 @@ gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int h
     const glm::ivec2 size(sideAt(width, level), sideAt(height, level));
     if (level > 0) {
       gl::Texture moments = emptyTexture(gl, momentFormat, 1, size.x, size.y);
-      const gl::Program& average = program(kind.moments, level == 1);
+      const gl::Program& average = program(kind.moments, level == 1, cover != 0);
       average.use();
       average.set("sourceMap", 0);
       average.set("coverMap", 1);
@@ -107,7 +107,7 @@ gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int h
       drawing.draw(level == 1 ? source : larger.get(), moments, 0, size, cost_);
       larger = std::move(moments);
     }
-    const gl::Program& write = program(kind.level, level == 0);
+    const gl::Program& write = program(kind.level, level == 0, cover != 0);
     write.use();
     write.set("sourceMap", 0);
     write.set("coverMap", 1);
@@ -122,6 +122,11 @@ gl::Texture TextureBaker::normalVariance(GLuint source, int width, int height, G
                                          const CancelToken& cancel) {
   return bake({"texture/relief_moments.frag", "texture/relief_level.frag", GL_RGBA16F}, source, width, height, cover,
               cover != 0 ? cutoff : 0, cancel);
+}
+
+gl::Texture TextureBaker::normalFacets(GLuint source, int width, int height, const CancelToken& cancel) {
+  return bake({"texture/facets_moments.frag", "texture/facets_level.frag", GL_RGBA16F}, source, width, height, 0, 0,
+              cancel);
 }
 
 gl::Texture TextureBaker::coverage(GLuint source, bool srgb, int width, int height, float cutoff,

@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "gl/program.h"
@@ -21,6 +22,10 @@ class TextureBaker {
   gl::Texture normalVariance(GLuint source, int width, int height, GLuint cover, float cutoff,
                              const CancelToken& cancel);
 
+  /// The flat part of a normal map, RGBA16F: its slopes RG and their square A, each times its share B.
+  /// @param source as above
+  gl::Texture normalFacets(GLuint source, int width, int height, const CancelToken& cancel);
+
   /// An alpha-tested colour map, SRGB8_ALPHA8 or RGBA8. Level 0 is the source's. In the others alpha is the part of the
   /// texel that passes the test, and the colour is the mean of that part.
   /// @param cutoff smallest alpha that passes the test
@@ -30,10 +35,10 @@ class TextureBaker {
   struct Kind;
   gl::Texture bake(const Kind& kind, GLuint source, int width, int height, GLuint cover, float cutoff,
                    const CancelToken& cancel);
-  const gl::Program& program(const char* file, bool fromImage);
+  const gl::Program& program(const char* file, bool fromImage, bool holes);
 
   const gl::Context& context_;
-  std::map<std::pair<std::string, bool>, gl::Program> programs_;
+  std::map<std::tuple<std::string, bool, bool>, gl::Program> programs_;  ///< by the file, FROM_IMAGE and HOLES
   gl::DrawCost cost_;
 };
 

@@ -90,7 +90,7 @@ std::vector<std::uint8_t> emptyLevel(const Image8& image, GLint level) {
   return out;
 }
 
-void uploadTexels(const gl::Functions& gl, const Image8& image, bool srgb) {
+void uploadTexels(const gl::Functions& gl, MipMaker& mips, const Image8& image, bool srgb) {
   const TexelFormat format = formatOf(image.type, srgb);
   const GLsizei levels = levelCount(image);
   gl.TexStorage2D(GL_TEXTURE_2D, levels, format.stored, sideOf(image.width, 0), sideOf(image.height, 0));
@@ -100,7 +100,10 @@ void uploadTexels(const gl::Functions& gl, const Image8& image, bool srgb) {
                      format.component, pixels.data());
   };
   put(0, image.pixels);
-  if (!image.ownLevels) return gl.GenerateMipmap(GL_TEXTURE_2D);
+  if (!image.ownLevels) {
+    if (image.type == TexelType::kByte) return mips.make(image.pixels.data(), image.width, image.height, srgb);
+    return gl.GenerateMipmap(GL_TEXTURE_2D);
+  }
   GLint level = 1;
   for (const auto& pixels : image.smallerLevels) put(level++, pixels);
   for (; level < levels; ++level) put(level, emptyLevel(image, level));
@@ -131,11 +134,11 @@ void uploadBlocks(const gl::Context& context, const Image8& image, bool srgb) {
 
 }  // namespace
 
-void uploadTexture(const gl::Context& context, const Image8& image, bool srgb) {
+void uploadTexture(const gl::Context& context, MipMaker& mips, const Image8& image, bool srgb) {
   if (image.type == TexelType::kBlocks) {
     uploadBlocks(context, image, srgb);
   } else {
-    uploadTexels(context.gl(), image, srgb);
+    uploadTexels(context.gl(), mips, image, srgb);
   }
   context.check("texture upload");
 }

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "frame/camera.h"
 #include "telar/luminance.h"
@@ -12,7 +13,7 @@
 namespace telar::reference {
 namespace {
 
-constexpr double PI = 3.141592653589793;
+constexpr double PI = std::numbers::pi;
 
 /// Turns weights into a CDF, uniform where all are 0. @return their sum
 float toCdf(float* begin, std::size_t count) {

@@ -2,14 +2,13 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "brdf/brdf.h"
 #include "frame/camera.h"
 
 namespace telar::reference {
 namespace {
-
-constexpr float PI = 3.14159265f;
 
 glm::vec3 directionOf(const glm::dvec3& v) {
   return glm::dot(v, v) > 0 ? glm::vec3(glm::normalize(v)) : glm::vec3(0, 1, 0);
@@ -115,7 +114,7 @@ std::optional<LightSample> PunctualLight::sampleLi(const glm::vec3& point) const
 }
 
 std::optional<LightSample> AreaLight::sampleLi(const glm::vec3& point, const glm::vec2& u) const {
-  const float r = std::sqrt(u.x), phi = 2 * PI * u.y;
+  const float r = std::sqrt(u.x), phi = 2 * std::numbers::pi_v<float> * u.y;
   const glm::vec2 place = disk ? r * glm::vec2(std::cos(phi), std::sin(phi)) : 2.0f * u - 1.0f;
   const glm::vec3 toLight = centre + halfWidth * place.x + halfHeight * place.y - point;
   const float distance2 = glm::dot(toLight, toLight);
@@ -124,7 +123,7 @@ std::optional<LightSample> AreaLight::sampleLi(const glm::vec3& point, const glm
   const glm::vec3 l = toLight / distance;
   const float facing = -glm::dot(normal, l);
   if (facing <= 0) return std::nullopt;
-  const float area = (disk ? PI : 4.0f) * glm::length(halfWidth) * glm::length(halfHeight);
+  const float area = (disk ? std::numbers::pi_v<float> : 4.0f) * glm::length(halfWidth) * glm::length(halfHeight);
   return LightSample{l, radiance * (facing * area / distance2), distance * (1 - 1e-4f)};
 }
 

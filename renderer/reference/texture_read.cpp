@@ -45,7 +45,7 @@ std::size_t nearestOf(float coordinate, std::uint32_t size, std::uint32_t mode) 
   return wrapped(static_cast<std::int64_t>(std::floor(placeOf(coordinate, size, mode))), size, mode);
 }
 
-struct Reader {
+struct TexelReader {
   const Image8& image;
   const std::array<float, 256>& colours;
   const std::array<float, 256>& alphas;
@@ -87,7 +87,7 @@ glm::vec4 Textures::read(const TextureRef& texture, const glm::vec2& uv, bool sr
   const glm::vec3 moved = texture.uvTransform * glm::vec3(uv, 1.0f);
   // Far outside of [0, 1] a float has no fraction to filter with, and an integer may not hold it.
   if (!(std::abs(moved.x) < 1e9f && std::abs(moved.y) < 1e9f)) return glm::vec4(1.0f);
-  const Reader reader{image, decodesSrgb(image.coding, srgb) ? linear_ : bytes_, bytes_};
+  const TexelReader reader{image, decodesSrgb(image.coding, srgb) ? linear_ : bytes_, bytes_};
   const Sampler& sampler = texture.sampler;
   if (sampler.magFilter == NEAREST) {
     return reader.texel(nearestOf(moved.x, image.width, sampler.wrapS),

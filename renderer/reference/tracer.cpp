@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <thread>
+#include <utility>
 
 #include "frame/layers.h"
 #include "frame/linear_output.h"
 #include "frame/picture_facts.h"
+#include "frame/pixel_mean.h"
 #include "reference/layers.h"
 #include "reference/placed_scene.h"
 #include "reference/ray_camera.h"
@@ -64,17 +67,115 @@ class World {
   std::optional<Integrator> integrator_;
 };
 
-/// Mean of a pixel's samples. @param rays  grows by those that were followed
-glm::vec4 pixelOf(const World& world, const glm::dvec2& corner, std::uint32_t index, const TraceOptions& options,
-                  const CancelToken& cancel, std::uint64_t& rays) {
-  glm::dvec4 sum(0);
-  for (int i = 0; i < options.samples; ++i) {
-    if (i % SAMPLES_PER_CANCEL_CHECK == 0) cancel.check();
-    Sampler sampler{Random(options.seed, index, static_cast<std::uint32_t>(i))};
-    sum += glm::dvec4(world.Li(corner, sampler));
-    rays += sampler.rays;
+/// Some of the samples of each pixel.
+struct Samples {
+  int first, end;
+};
+
+/// Follows paths through a picture, on several threads.
+class Follower {
+ public:
+  Follower(const World& world, const Shot& shot, const TraceOptions& options, const CancelToken& cancel)
+      : world_(world), width_(shot.width), height_(shot.height), options_(options), cancel_(cancel) {}
+
+  /// Adds the light of these samples to each pixel but those that are settled.
+  /// @param settled  255 or 0; empty = none    @param rowDone  called on any thread    @param sums  empty = 0
+  std::vector<glm::dvec4> follow(const Samples& samples, std::span<const std::uint8_t> settled,
+                                 const std::function<void()>& rowDone, std::vector<glm::dvec4> sums = {}) {
+    const auto width = static_cast<std::size_t>(width_);
+    sums.resize(width * static_cast<std::size_t>(height_));
+    forEachRow(height_, threads(), [&](int y) {
+      std::uint64_t rays = 0;
+      for (std::size_t x = 0; x < width; ++x) {
+        const std::size_t pixel = static_cast<std::size_t>(y) * width + x;
+        if (settled.empty() || !settled[pixel])
+          addTo(sums[pixel], {static_cast<double>(x), y}, static_cast<std::uint32_t>(pixel), samples, rays);
+      }
+      rays_ += rays;
+      rowDone();
+    });
+    return sums;
   }
-  return glm::vec4(sum / static_cast<double>(options.samples));
+  int threads() const { return std::clamp(options_.threads, 1, height_); }
+  std::uint64_t rays() const { return rays_; }
+
+ private:
+  void addTo(glm::dvec4& sum, const glm::dvec2& corner, std::uint32_t index, const Samples& samples,
+             std::uint64_t& rays) const {
+    for (int i = samples.first; i < samples.end; ++i) {
+      if (i % SAMPLES_PER_CANCEL_CHECK == 0) cancel_.check();
+      Sampler sampler{Random(options_.seed, index, static_cast<std::uint32_t>(i))};
+      sum += glm::dvec4(world_.Li(corner, sampler));
+      rays += sampler.rays;
+    }
+  }
+
+  const World& world_;
+  int width_, height_;
+  const TraceOptions& options_;
+  const CancelToken& cancel_;
+  std::atomic<std::uint64_t> rays_ = 0;
+};
+
+/// Every pixel takes all samples: at once, or for previews in rounds that double them. The sums are the same.
+std::vector<glm::vec4> followAll(Follower& follower, const Shot& shot, int samples, const Progress& progress) {
+  std::vector<glm::dvec4> sums;
+  const auto mean = [&sums](int taken) {
+    std::vector<glm::vec4> pixels(sums.size());
+    std::transform(sums.begin(), sums.end(), pixels.begin(),
+                   [taken](const glm::dvec4& sum) { return glm::vec4(sum / static_cast<double>(taken)); });
+    return pixels;
+  };
+  for (int taken = 0; taken < samples;) {
+    const Samples round{taken, progress.previews.asked() ? std::min(std::max(2 * taken, 1), samples) : samples};
+    std::atomic<int> rows = 0;
+    const auto rowDone = [&] {
+      const float part = static_cast<float>(++rows) / static_cast<float>(shot.height);
+      const float done = static_cast<float>(round.first) + part * static_cast<float>(round.end - round.first);
+      progress.reach(done / static_cast<float>(samples));
+    };
+    sums = follower.follow(round, {}, rowDone, std::move(sums));
+    taken = round.end;
+    if (progress.previews.asked() && taken < samples) progress.previews.put({frame::toFrame(mean(taken), shot), taken});
+  }
+  return mean(samples);
+}
+
+/// PixelMean compares two halves: the first look is after the second round.
+constexpr int FIRST_SAMPLES = frame::PixelMean::FEWEST / 2;
+
+/// A pixel takes samples until its standard error is Shot::noise, as in the raster's passes, and `most` at most.
+/// @param[out] taken  by the pixel that took most
+std::vector<glm::vec4> followUntilSettled(Follower& follower, const Shot& shot, int most, const Progress& progress,
+                                          int& taken) {
+  frame::PixelMean mean(shot, false);
+  const auto width = static_cast<std::uint32_t>(shot.width), height = static_cast<std::uint32_t>(shot.height);
+  Frame sums{width, height, PixelType::kRgbaF32,
+             std::vector<std::byte>(std::size_t{width} * height * sizeof(glm::vec4))};
+  for (taken = 0; taken < most && !mean.allSettled();) {
+    const Samples samples{taken, std::min(std::max(2 * taken, FIRST_SAMPLES), most)};
+    const auto followed = follower.follow(samples, mean.settled(), [] {});
+    std::copy(followed.begin(), followed.end(), reinterpret_cast<glm::vec4*>(sums.pixels.data()));
+    taken = samples.end;
+    mean.add(sums, taken == most, static_cast<unsigned>(samples.end - samples.first));
+    if (progress.previews.asked() && taken < most && !mean.allSettled())
+      progress.previews.put({frame::toFrame(mean.mean(), shot), taken});
+    progress.reach(static_cast<float>(taken) / static_cast<float>(most));
+  }
+  progress.reach(1);  // all may be settled before
+  return mean.mean();
+}
+
+/// Paths of a pixel that tell what of it the model covers: as many as samples of the raster's first pass.
+constexpr int COVERAGE_SAMPLES = 4;
+
+/// What of each pixel the model covers. Behind it an environment makes alpha 1 everywhere: then few paths tell.
+std::vector<std::uint8_t> coverageOf(const std::vector<glm::vec4>& pixels, const Scene& scene, const Shot& shot,
+                                     TraceOptions options, const Limits& limits, const CancelToken& cancel) {
+  if (shot.background.type != Shot::Background::Type::kEnvironment)
+    return frame::coverageOf(pixels, shot.ground ? shot.ground->opacity : 0);
+  options.samples = std::min(options.samples, COVERAGE_SAMPLES);
+  return frame::coverageOf(traceRadiance(scene, frame::coverageShot(shot), nullptr, options, limits, cancel, {}), 0);
 }
 
 }  // namespace
@@ -95,23 +196,18 @@ std::vector<glm::vec4> traceRadiance(const Scene& scene, const Shot& shot, const
   const Clock::time_point start = Clock::now();
   const World world(scene, shot, environment, options.transport, limits, cancel);
   const Clock::time_point built = Clock::now();
-  const auto width = static_cast<std::size_t>(shot.width);
-  std::vector<glm::vec4> pixels(width * static_cast<std::size_t>(shot.height));
-  const int threads = std::clamp(options.threads, 1, shot.height);
-  std::atomic<int> done = 0;
-  std::atomic<std::uint64_t> rays = 0;
-  forEachRow(shot.height, threads, [&](int y) {
-    std::uint64_t ofRow = 0;
-    for (std::size_t x = 0; x < width; ++x) {
-      const std::size_t pixel = static_cast<std::size_t>(y) * width + x;
-      pixels[pixel] =
-          pixelOf(world, {static_cast<double>(x), y}, static_cast<std::uint32_t>(pixel), options, cancel, ofRow);
-    }
-    rays += ofRow;
-    progress.reach(static_cast<float>(++done) / static_cast<float>(shot.height));
-  });
+  Follower follower(world, shot, options, cancel);
+  int taken = options.samples;
+  auto pixels = shot.noise > 0 ? followUntilSettled(follower, shot, options.samples, progress, taken)
+                               : followAll(follower, shot, options.samples, progress);
   if (facts) {
-    *facts = {threads, world.triangles(), rays, milliseconds(built - start), milliseconds(Clock::now() - built), {}};
+    *facts = {follower.threads(),
+              taken,
+              world.triangles(),
+              follower.rays(),
+              milliseconds(built - start),
+              milliseconds(Clock::now() - built),
+              {}};
   }
   return pixels;
 }
@@ -120,9 +216,7 @@ Frame trace(const Scene& scene, const Shot& shot, const ImageF* environment, con
             const Limits& limits, const CancelToken& cancel, const Progress& progress, TraceFacts* facts) {
   const auto pixels = traceRadiance(scene, shot, environment, options, limits, cancel, progress, facts);
   Frame frame = frame::toFrame(pixels, shot);
-  if (facts && shot.background.type != Shot::Background::Type::kEnvironment) {
-    facts->picture = frame::pictureFacts(frame, frame::coverageOf(pixels, shot.ground ? shot.ground->opacity : 0));
-  }
+  if (facts) facts->picture = frame::pictureFacts(frame, coverageOf(pixels, scene, shot, options, limits, cancel));
   if (shot.layers.empty()) return frame;
   frame.layers = traceLayers(scene, shot, options, limits, cancel);
   if (shot.hasLayer(Layer::kCoverage)) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <nlohmann/json.hpp>
+#include <string>
 #include <utility>
 
 #include "telar/flat.h"
@@ -20,14 +22,39 @@ bool isLinesAlone(const Shot& shot) {
          std::all_of(shot.layers.begin(), shot.layers.end(), [](Layer layer) { return layer == Layer::kLine; });
 }
 
+/// The picture is another one than elsewhere: the tracer's noise and light differ a little from the raster's.
+void warnOfRaster(FrameInfo& info, const std::string& missing) {
+  auto json = nlohmann::ordered_json::parse(info.json);
+  json["warnings"].push_back(
+      {{"code", "W_LIBRARY_MISSING"},
+       {"message", "shot.quality: the raster draws \"high\" where the path tracer would, for less. " + missing},
+       {"pointer", "/quality"}});
+  info.json = json.dump();
+}
+
 }  // namespace
 
 Frame renderFrame(Renderer& raster, const std::shared_ptr<const Scene>& scene, const Shot& shot,
                   std::span<const std::byte> environment, const RendererOptions& options, const CancelToken& cancel,
                   const Progress& progress, FrameInfo& info) {
   const auto shaded = [&] {
-    if (shot.reference) return drawReference(*scene, shot, environment, options, cancel, progress, info);
-    return raster.draw(scene, shot, environment, cancel, info);
+    const auto traced = [&](const Shot& how) {
+      return drawReference(*scene, how, environment, options, cancel, progress, info);
+    };
+    if (shot.reference) return traced(shot);
+    std::string missing;
+    if (const auto instead = tracedInstead(*scene, shot)) {
+      try {
+        return traced(*instead);
+      } catch (const Error& error) {
+        // A host without Embree draws everything but "reference".
+        if (error.code != "X_LIBRARY_MISSING") throw;
+        missing = error.what();
+      }
+    }
+    Frame frame = raster.draw(scene, shot, environment, cancel, info, progress);
+    if (!missing.empty()) warnOfRaster(info, missing);
+    return frame;
   };
   if (!drawsLines(shot)) return shaded();
   const Clock::time_point start = Clock::now();

@@ -43,6 +43,7 @@ using shot::ToneMapping;
   F(AMBIENT_VISIBILITY, ambientVisibility, "ambient-visibility")            \
   F(AMBIENT_VISIBILITY_BACK, ambientVisibilityBack, "")                     \
   F(NORMAL_VARIANCE, normalVariance, "normal-variance")                     \
+  F(NORMAL_FACETS, normalFacets, "normal-facets")                           \
   F(ALPHA_TO_COVERAGE, alphaToCoverage, "alpha-to-coverage")                \
   F(NORMAL_HOLES, normalHoles, "")                                          \
   F(AMBIENT, ambient, "ambient-light")                                      \

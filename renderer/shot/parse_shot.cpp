@@ -111,8 +111,10 @@ void readQuality(const JsonPath& json, Shot& shot) {
   if (json.has("preset") && json.at("preset").string() == "reference") {
     shot.samples = 1;
     shot.reference = readRow<Shot::Reference>(json);
+    shot.noise = shot.reference->noise;
   } else {
     visitRows(static_cast<shot::RasterQuality&>(shot), Reader(json));
+    shot.isHigh = json.has("preset") && json.at("preset").string() == "high";
   }
 }
 

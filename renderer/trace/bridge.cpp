@@ -36,7 +36,7 @@ Json describe(const Shot& shot, const TraceFacts& facts, double environmentMs) {
                {"passes", {"trace"}},
                {"backend", "reference"},
                {"gl", Json::object()},
-               {"samples", shot.reference->samples},
+               {"samples", facts.samples},
                {"drawCalls", 0},
                {"programsCompiled", 0},
                {"environmentSource", lit ? Json(nameOf(shot.environment.source)) : Json(nullptr)},

@@ -41,3 +41,9 @@ const float SHEEN_ROUGHNESS_MIN = 1.0e-4;
 
 // Mean of sheetAlbedo() over the cosine-weighted hemisphere: 1/2 - (4 ln 2 - 1) / 6.
 const float SHEET_AVERAGE = 0.2045685;
+
+// Of facets.glsl.
+const float FACET_SLOPE2 = 0.09;  // square of the slope from which on a texel counts more as edge
+const float FACET_SHARE_MIN = 1.0e-4;  // half floats hold slopes times it
+const float EDGE_ALPHA = 0.7;     // width of the highlight of edges, about the normal of the geometry
+const float EDGE_KEPT = 0.42;     // of its light: edges turn the rest below the horizon

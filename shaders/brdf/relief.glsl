@@ -6,10 +6,8 @@
 // src: Toksvig 2005, "Mipmapping Normal Maps", for that length; Han et al. 2007, "Frequency Domain Normal Map Filtering", for
 //      lobes over a distribution of normals
 
-// Share that diffuse light keeps of light from everywhere.
-float reliefDiffuse(float relief) { return 1.0 - 0.86 * relief; }
-
-// The same of light of one direction: of grazing light, texels that lean towards it take more.   NoL  [0, 1]
+// Share that diffuse light keeps of light of one direction: of grazing light, texels that lean towards it take more. Of light from
+// everywhere: bumpMean().   NoL  [0, 1]
 float reliefDiffuseTowards(float relief, float NoL) {
   float leaning = 0.8 * saturate(20.0 * relief) * exp(-NoL / (0.03 + 0.6 * relief));
   return (1.0 - relief) * (1.0 + leaning);

@@ -34,6 +34,9 @@ struct AreaLobes {
   mat3 frame;   // of the cosine lobe
   vec3 spread;  // albedo of the cosine lobe
   LtcLobe base;
+#if SHADING_FABRIC && FACETS
+  LtcLobe edges;
+#endif
 #if SHADING_FABRIC && SHEEN
   LtcLobe sheen;
 #elif SHADING_PRINCIPLED && SHEEN
@@ -55,6 +58,10 @@ AreaLobes areaLobes(SurfaceInfo s) {
   // Multiple scattering and the diffuse lobe both leave as a cosine lobe.
   lobes.base.albedo = glossReflectance(s);
   lobes.spread = s.diffuse * s.leaving + glossReturn(s);
+#if FACETS
+  lobes.edges = ltcLobe(ltcFrame(s.edges.n, s.v), sqrt(EDGE_ALPHA), s.edges.NoV, s.f0, s.f90);
+  lobes.edges.albedo = s.edges.reflectance;
+#endif
 #if SHEEN
   lobes.sheen = sheenLtcLobe(lobes.frame, s);
 #endif
@@ -92,6 +99,9 @@ float formFactor(mat3 toLobe, AreaLight light, vec3 p) {
 
 Reflected addArea(Reflected sum, AreaLobes lobes, AreaLight light, vec3 p) {
   sum.specular += light.color * lobes.base.albedo * formFactor(lobes.base.toLobe, light, p);
+#if SHADING_FABRIC && FACETS
+  sum.specular += light.color * lobes.edges.albedo * formFactor(lobes.edges.toLobe, light, p);
+#endif
 #if SHADING_FABRIC && SHEEN
   sum.sheen += light.color * lobes.sheen.albedo * formFactor(lobes.sheen.toLobe, light, p);
 #endif

@@ -66,7 +66,11 @@ vec3 stretchedRadiance(vec3 n, vec3 axis, vec3 v, float wide, float narrow) {
   vec4 sum = vec4(0.0);
   for (float i = 0.5; i < taps; ++i) {
     vec4 tap = stretchedTap(n, axis, v, wide, 2.0 * i / taps - 1.0);
+#if WEAVE
+    vec3 l = vec3(tap);  // what widens the lobe of yarns is mostly relief, which bends it little
+#else
     vec3 l = mix(vec3(tap), n, pow4(roughness));
+#endif
     sum += vec4(environmentRadiance(l, lod), 1.0) * tap.w;
   }
   return vec3(sum) / max(sum.w, 1.0e-4);
@@ -136,7 +140,12 @@ Incident incidentLight(SurfaceInfo s) {
   incident.behind = irradianceBehind(s);
 #endif
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
+#if SHADING_FABRIC && NORMAL_MAP
+  // A normal that leans takes no light from below the surface.
+  incident.environmentIrradiance = PI * environmentRadiance(bumpBent(s.geometricNormal, s.n), cosineLod());
+#else
   incident.environmentIrradiance = PI * environmentRadiance(s.n, cosineLod());
+#endif
 #if SHADING_FABRIC && WEAVE
   incident.radiance = stretchedRadiance(s.warp.n, s.warp.b, s.v, s.warp.alphaB, s.warp.alphaT);
   incident.weftRadiance = stretchedRadiance(s.weft.n, s.weft.b, s.v, s.weft.alphaB, s.weft.alphaT);
@@ -149,6 +158,9 @@ Incident incidentLight(SurfaceInfo s) {
   // A relief blurs the lobe more than it bends it.
   float bending = roughnessWithSlopes(s.glossRoughness, 0.5 * s.slopeVariance);
   incident.radiance = environmentRadiance(dominantReflection(bending, s.n, s.v), lobeLod(s.perceptualRoughness));
+#if FACETS
+  incident.edgeRadiance = specularRadiance(sqrt(EDGE_ALPHA), s.edges.n, s.v);
+#endif
 #else
   incident.radiance = specularRadiance(s.perceptualRoughness, s.n, s.v);
 #endif

@@ -86,6 +86,10 @@ vec4 metallicRoughnessTexel() {
 // Of a normal map, or of the map of slopes that was made of it (NORMAL_VARIANCE).
 #if NORMAL_MAP
 vec4 normalTexel() { return texture(normalMap, vNormalUv); }
+#if NORMAL_FACETS
+vec4 normalTexel(float lodBias) { return texture(normalMap, vNormalUv, lodBias); }
+vec2 normalMapSize() { return vec2(textureSize(normalMap, 0)); }
+#endif
 #endif
 #if CLEARCOAT_NORMAL_MAP
 vec4 coatNormalTexel() { return texture(clearcoatNormalMap, vClearcoatNormalUv); }

@@ -111,6 +111,9 @@ SurfaceInfo baseSurface(MaterialInputs m, Normals normals, vec3 v) {
   s.relief = normals.relief.x;
   s.slopeVariance = normals.relief.y;
 #endif
+#if SHADING_FABRIC && FACETS
+  s.edges.share = normals.edgeShare;
+#endif
 #if SHADING_FABRIC && AMBIENT_VISIBILITY
   s.faceNormal = s.openDirection = normals.geometric;
   s.visibility = s.visibilityBehind = 1.0;

@@ -59,6 +59,29 @@ vec2 reliefOf(vec4 texel, vec2 scale) {
 }
 #endif
 
+#if FACETS
+// Levels by which polished maps are read sharper. Between texels of the size of a pixel the sampler's mean reaches two pixels wide;
+// between those of half a pixel it is one wide.
+const float FACET_LOD_BIAS = -1.0;
+
+// The flat part of a polished normal map within the pixel, and how much of it is edges. A texel that is edge alone is all there is of
+// its pixel: its lobe is its own.
+// texel  of texture/facets.glsl      averaged  how far it is of a level above the first, [0, 1]: between texels of the first one the
+//        slopes run on, and do not vary
+// src: Han et al. 2007, "Frequency Domain Normal Map Filtering": a mixture of lobes for what a pixel has of a normal map
+Normals withFacets(Normals normals, mat3 frame, vec4 texel, float averaged, vec2 scale) {
+  float scale2 = 0.5 * dot(scale, scale);
+  float share = max(texel.b, FACET_SHARE_MIN);  // but for rounding, no mean is below it
+  vec2 slope = texel.rg / share;
+  float slope2 = texel.a / share;
+  normals.shading = safeNormalize(frame * vec3(slope * scale, 1.0), frame[2]);
+  normals.relief.y = max(slope2 - dot(slope, slope), 0.0) * (scale2 * averaged);
+  normals.edgeShare = edgeShare(share, slope2);
+  normals.relief.x = normals.edgeShare * (1.0 - inversesqrt(1.0 + pow2(EDGE_ALPHA)));
+  return normals;
+}
+#endif
+
 // A texel without a direction leaves the surface as it is.
 vec3 mappedNormal(mat3 frame, vec3 texel, vec2 scale) {
   vec3 n = texel * 2.0 - 1.0;
@@ -94,6 +117,12 @@ Normals shadingNormals() {
 #if NORMAL_MAP
   mat3 frame = tangentFrame(normals.geometric, vNormalUv, faceDirection);
 #if NORMAL_VARIANCE
+#if FACETS
+  vec2 across = dFdx(vNormalUv) * normalMapSize();
+  vec2 down = dFdy(vNormalUv) * normalMapSize();
+  float texels2 = max(dot(across, across), dot(down, down)) * exp2(2.0 * FACET_LOD_BIAS);
+  normals = withFacets(normals, frame, normalTexel(FACET_LOD_BIAS), saturate((texels2 - 1.0) / 3.0), normalScale);
+#else
 #if NORMAL_HOLES
   vec4 varied = withoutHoles(normalTexel(), shareThere());
 #else
@@ -101,6 +130,7 @@ Normals shadingNormals() {
 #endif
   normals.relief = reliefOf(varied, normalScale);
   normals.shading = mappedNormal(frame, plainNormalTexel(varied), normalScale);
+#endif
 #else
   normals.shading = mappedNormal(frame, normalTexel().xyz, normalScale);
 #endif

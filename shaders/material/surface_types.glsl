@@ -3,6 +3,20 @@
 // Whether a normal map may have what is finer than a pixel.
 #define RELIEF (NORMAL_MAP && NORMAL_VARIANCE)
 
+// Whether a polished relief has two highlights: of its flat facets, whose normal is the shading normal, and of the edges between them.
+#define FACETS (RELIEF && NORMAL_FACETS)
+
+#if FACETS
+// The highlight of the edges, about the normal of the geometry.
+struct EdgeLobe {
+  float share;        // of the surface, [0, 1]; 0: there is one highlight
+  // preparedSurface() sets the rest.
+  vec3 n;             // view space
+  float NoV;
+  vec3 reflectance;   // share of uniform light that it reflects after one bounce
+};
+#endif
+
 // Normals and tangent frame at one point, view space.
 struct Normals {
   vec3 geometric;  // interpolated (or of the flat face), turned to the viewer on double-sided surfaces
@@ -16,6 +30,9 @@ struct Normals {
 #if CLEARCOAT
   vec2 coatRelief;
 #endif
+#endif
+#if FACETS
+  float edgeShare;         // of a polished normal map: what of the pixel is edges between facets
 #endif
 #if ANISOTROPY || WEAVE
   mat3 frame;      // columns: tangent, bitangent, geometric normal
@@ -130,6 +147,9 @@ struct SurfaceInfo {
   float relief;               // as Normals::relief has both
   float slopeVariance;
 #endif
+#if FACETS
+  EdgeLobe edges;
+#endif
 #if WEAVE
   YarnLobe warp;
   YarnLobe weft;
@@ -184,6 +204,9 @@ struct Incident {
 #endif
 #if SHADING_FABRIC && WEAVE
   vec3 weftRadiance;           // environment, as the weft sees it: `radiance` is that of the warp
+#endif
+#if SHADING_FABRIC && FACETS
+  vec3 edgeRadiance;           // environment, as the edges see it
 #endif
 #if SHADING_FABRIC && SHEEN
   vec3 sheenRadiance;          // environment, as the sheen sees it

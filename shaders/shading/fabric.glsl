@@ -29,6 +29,14 @@ vec3 yarnsLobe(SurfaceInfo s, vec3 l, vec3 h) {
 }
 #endif
 
+#if FACETS
+// Highlight of the edges of a polished relief, [1/sr].
+vec3 edgesLobe(SurfaceInfo s, vec3 l, vec3 h) {
+  float kept = EDGE_KEPT * s.edges.share;
+  return kept * isotropicLobe(s.edges.n, s.v, s.edges.NoV, saturate(dot(s.edges.n, l)), EDGE_ALPHA, s.f0, s.f90, h);
+}
+#endif
+
 // Specular lobe of the base layer times NoL, single scattering, [1/sr].
 vec3 specularLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL) {
 #if WEAVE
@@ -44,10 +52,14 @@ vec3 specularLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL) {
   }
 #endif
 #if ANISOTROPY
-  return anisotropicLobe(s, s.t, s.b, s.n, s.alphaT, s.alpha, s.f0, l, h);
+  vec3 lobe = anisotropicLobe(s, s.t, s.b, s.n, s.alphaT, s.alpha, s.f0, l, h);
 #else
-  return isotropicLobe(s.n, s.v, s.NoV, NoL, s.alpha, s.f0, s.f90, h);
+  vec3 lobe = isotropicLobe(s.n, s.v, s.NoV, NoL, s.alpha, s.f0, s.f90, h);
 #endif
+#if FACETS
+  lobe *= 1.0 - s.edges.share;
+#endif
+  return lobe;
 }
 
 #if RELIEF
@@ -59,6 +71,9 @@ SurfaceInfo withRelief(SurfaceInfo s) {
   if (isWoven(s)) hidden = min(1.5 * hidden, 1.0);
 #endif
   s.glossKept = reliefGloss(hidden, s.glossRoughness, s.NoV);
+#if FACETS
+  if (hasEdges(s)) s.glossKept = vec2(1.0 - s.edges.share);  // facets lie too flat to hide anything
+#endif
   s.perceptualRoughness = roughnessWithSlopes(s.perceptualRoughness, s.slopeVariance);
   s.alpha = widthWithSlopes(s.alpha, s.slopeVariance);
 #if ANISOTROPY || WEAVE
@@ -71,6 +86,17 @@ SurfaceInfo withRelief(SurfaceInfo s) {
   s.weft.alphaB = widthWithSlopes(s.weft.alphaB, s.slopeVariance);
 #endif
   return s;
+}
+#endif
+
+#if FACETS
+// Sets what lights need of the edges.
+EdgeLobe preparedEdges(SurfaceInfo s) {
+  EdgeLobe edges = s.edges;
+  edges.n = normalFacing(s.geometricNormal, s.v);
+  edges.NoV = saturate(dot(edges.n, s.v));
+  edges.reflectance = s.f0 * (EDGE_KEPT * edges.share);
+  return edges;
 }
 #endif
 
@@ -91,6 +117,9 @@ SurfaceInfo preparedSurface(SurfaceInfo s) {
   s.bumpAlpha2 = bumpAlpha2(s.geometricNormal, s.n);
 #endif
   s.glossRoughness = s.perceptualRoughness;
+#if FACETS
+  if (hasEdges(s)) s.edges = preparedEdges(s);
+#endif
 #if RELIEF
   s = withRelief(s);
 #endif
@@ -188,6 +217,9 @@ Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
 #endif
   sum.diffuse += lightColor * (behind * RECIPROCAL_PI) * transmittedAlbedo(s) * s.passing * passingShare(s, albedoTowards(s, l, behind));
 #endif
+#if FACETS
+  if (hasEdges(s)) sum.specular += lightColor * edgesLobe(s, l, h);
+#endif
 #if NORMAL_MAP
   lightColor *= bumpTerminator(s.bumpAlpha2, dot(s.geometricNormal, l));
 #endif
@@ -209,6 +241,26 @@ Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
   return sum;
 }
 
+#if NORMAL_MAP
+// Share of uniform light that a mapped normal keeps.   length  [0, 1], of the mean normal
+float unhiddenDiffuse(SurfaceInfo s, float length) { return bumpMean(saturate(dot(s.geometricNormal, s.n)) * length); }
+
+float unhiddenDiffuse(SurfaceInfo s) {
+#if RELIEF
+  return unhiddenDiffuse(s, 1.0 - s.relief);
+#else
+  return unhiddenDiffuse(s, 1.0);
+#endif
+}
+
+// The same of the gloss and of the sheen, but for what the relief within the pixel takes of these.
+float unhiddenGloss(SurfaceInfo s) {
+  float cosine = dot(s.geometricNormal, dominantReflection(s.perceptualRoughness, s.n, s.v));
+  return bumpGloss(s.perceptualRoughness, s.bumpAlpha2, cosine, unhiddenDiffuse(s, 1.0));
+}
+float unhiddenSheen(SurfaceInfo s) { return unhiddenDiffuse(s, 1.0); }
+#endif
+
 // Adds uniform light: that of ambient and hemisphere lights.
 // irradiance  linear Rec.709
 Reflected addDome(Reflected sum, SurfaceInfo s, vec3 irradiance) {
@@ -216,20 +268,30 @@ Reflected addDome(Reflected sum, SurfaceInfo s, vec3 irradiance) {
 #if CLEARCOAT
   sum.coat += radiance * s.coatAlbedo;
 #endif
+#if FACETS
+  if (hasEdges(s)) sum.specular += radiance * s.edges.reflectance;
+#endif
+  vec3 ofDiffuse = radiance;
+  vec3 ofSheen = radiance;
 #if NORMAL_MAP
-  radiance *= bumpMean(s.bumpAlpha2);
+  radiance *= unhiddenGloss(s);
+  ofDiffuse *= unhiddenDiffuse(s);
+  ofSheen *= unhiddenSheen(s);
 #endif
 #if SHEEN
-  sum.sheen += radiance * s.sheenColor * s.sheenAlbedo;
+  sum.sheen += ofSheen * s.sheenColor * s.sheenAlbedo;
 #endif
-  sum.specular += radiance * (glossReflectance(s) + glossReturn(s));
-  sum.diffuse += radiance * diffuseLobeAlbedo(s) * s.leaving;
+  sum.specular += radiance * glossReflectance(s) + ofDiffuse * glossReturn(s);
+  sum.diffuse += ofDiffuse * diffuseLobeAlbedo(s) * s.leaving;
   return sum;
 }
 
 // Adds what the surface reflects of the prefiltered environment.
 Reflected addEnvironment(Reflected sum, SurfaceInfo s, Incident incident) {
   vec3 meanRadiance = incident.environmentIrradiance * RECIPROCAL_PI;
+#if FACETS
+  if (hasEdges(s)) sum.specular += incident.edgeRadiance * s.edges.reflectance;
+#endif
 #if CLEARCOAT
   sum.coat += incident.coatRadiance * s.coatAlbedo;
 #endif
@@ -237,14 +299,14 @@ Reflected addEnvironment(Reflected sum, SurfaceInfo s, Incident incident) {
   vec3 sheenRadiance = incident.sheenRadiance;
 #endif
 #if NORMAL_MAP
-  float unhidden = bumpMean(s.bumpAlpha2);
-  meanRadiance *= unhidden;
+  meanRadiance *= unhiddenDiffuse(s);
+  float unhidden = unhiddenGloss(s);
   incident.radiance *= unhidden;
 #if WEAVE
   incident.weftRadiance *= unhidden;
 #endif
 #if SHEEN
-  sheenRadiance *= unhidden;
+  sheenRadiance *= unhiddenSheen(s);
 #endif
 #endif
 #if RELIEF && SHEEN
@@ -252,9 +314,6 @@ Reflected addEnvironment(Reflected sum, SurfaceInfo s, Incident incident) {
 #endif
 #if SHEEN
   sum.sheen += sheenRadiance * s.sheenColor * s.sheenAlbedo;
-#endif
-#if RELIEF
-  meanRadiance *= reliefDiffuse(s.relief);
 #endif
 #if WEAVE
   if (isWoven(s)) {

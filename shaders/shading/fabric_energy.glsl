@@ -40,6 +40,17 @@ vec2 yarnAlbedo(YarnLobe yarn, vec3 along, vec3 across, vec3 direction, float co
 }
 #endif
 
+#if FACETS
+// A shader has FACETS for polished reliefs alone; C++ has every layer on.
+bool hasEdges(SurfaceInfo s) {
+#if ALL_TERMS
+  return s.edges.share > 0.0;
+#else
+  return true;
+#endif
+}
+#endif
+
 #if ANISOTROPY
 // Where a map takes the anisotropy away, the lobe and its curves are the isotropic ones.
 bool isStretched(SurfaceInfo s) {

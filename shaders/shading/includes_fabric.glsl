@@ -4,6 +4,9 @@
 #if RELIEF || SHEEN
 #include "brdf/relief.glsl"
 #endif
+#if FACETS
+#include "brdf/facets.glsl"
+#endif
 #if ANISOTROPY || WEAVE
 #include "brdf/yarn_energy.glsl"
 #include "brdf/stretched_taps.glsl"

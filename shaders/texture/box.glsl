@@ -16,10 +16,11 @@ vec4 boxMean(vec2 texel) {
   vec2 from = texel * sourceSize / targetSize;
   vec2 to = (texel + 1.0) * sourceSize / targetSize;
   ivec2 first = ivec2(from);
+  ivec2 reach = ivec2(ceil(sourceSize / targetSize));  // 2 where a side halves: a third texel has no weight, and its cost
   vec4 sum = vec4(0.0);
   float area = 0.0;
-  for (int j = 0; j < 3; ++j) {
-    for (int i = 0; i < 3; ++i) {
+  for (int j = 0; j < reach.y; ++j) {
+    for (int i = 0; i < reach.x; ++i) {
       ivec2 at = first + ivec2(i, j);
       float weight = covered(float(at.x), from.x, to.x) * covered(float(at.y), from.y, to.y);
       if (weight > 0.0) sum += weight * momentsAt(min(at, ivec2(sourceSize) - 1));

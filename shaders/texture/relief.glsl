@@ -2,24 +2,33 @@
 
 const float STEEPEST = 8.0;  // slope that a texel can have: its z is kept above 1/8 of its length
 
+// Of a texel without a direction there is none.
+vec2 slopeOfTexel(vec3 texel) {
+  vec3 n = texel * 2.0 - 1.0;
+  float length2 = dot(n, n);
+  return length2 > 1e-4 ? n.xy / max(n.z, sqrt(length2) / STEEPEST) : vec2(0.0);
+}
+
 // RGB the unit normal, A the share of a flat texel that it is: 1 / (1 + 4 slope^2). The mean of that is told by the many texels that
 // lie flat, where the mean of squared slopes is told by the few edges.
 // texel  colour of a normal map
 vec4 reliefOfTexel(vec3 texel) {
-  vec3 n = texel * 2.0 - 1.0;
-  float length2 = dot(n, n);
-  if (length2 <= 1e-4) return vec4(0.0, 0.0, 1.0, 1.0);
-  vec2 slope = n.xy / max(n.z, sqrt(length2) / STEEPEST);
+  vec2 slope = slopeOfTexel(texel);
   return vec4(normalize(vec3(slope, 1.0)), 1.0 / (1.0 + 4.0 * dot(slope, slope)));
 }
 
 // Holes of a cut-out material lie flat: how much of a level they are is known from the map of coverage, so that they can be taken
 // out again (material/normal.glsl).
+// HOLES 0: there are none. A software GL would look them up all the same.
+#if HOLES
 uniform sampler2D coverMap;  // alpha
-uniform float cutoff;        // alpha from which on it is there; 0 = no holes
+uniform float cutoff;        // alpha from which on it is there
+#endif
 
 // at  place in the normal map, [0, 1]
 vec4 reliefWithHoles(vec3 texel, vec2 at) {
-  if (cutoff > 0.0 && textureLod(coverMap, at, 0.0).a < cutoff) return vec4(0.0, 0.0, 1.0, 1.0);
+#if HOLES
+  if (textureLod(coverMap, at, 0.0).a < cutoff) return vec4(0.0, 0.0, 1.0, 1.0);
+#endif
   return reliefOfTexel(texel);
 }

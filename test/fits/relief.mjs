@@ -109,7 +109,9 @@ for (const [name, made] of Object.entries(RELIEFS)) {
   const relief = 1 - Math.hypot(...mean) / NORMALS;
   const keeps = meanOver(normals, 0.7, cosineLobe);
   diffuse.push({ keeps, relief });
-  process.stdout.write(`${name.padEnd(7)} relief ${relief.toFixed(3)} diffuse keeps ${keeps.toFixed(3)}, by the text ${(1 - 0.86 * relief).toFixed(3)}\n`);
+  process.stdout.write(
+    `${name.padEnd(7)} relief ${relief.toFixed(3)} diffuse keeps ${keeps.toFixed(3)}, by the text ${Math.max(1 - 0.87 * relief, 0.7 - 0.43 * relief).toFixed(3)}\n`,
+  );
   const towards = COSINES.map((NoL) => `${NoL}: ${keptTowards(normals, NoL, relief).map((x) => x.toFixed(3))}`);
   process.stdout.write(`        of one direction, by the texels and by the text: ${towards.join('; ')}\n`);
   for (const r of ROUGHNESSES) {

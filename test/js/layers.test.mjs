@@ -46,6 +46,7 @@ test('planted violations are found, one each', async (t) => {
     'js/build/planted.mjs': "import { setUp } from '../setup/index.mjs';\n",
     'js/setup/planted.mjs': "const { z } = await import('zod');\n",
     'js/api/planted.mjs': "import { x } from '../../test/x.mjs';\n",
+    'js/pool/planted.mjs': "import { run } from '../cli/run.mjs';\n",
     'js/compare/planted.mjs': "import {\n  // of the command line\n  one,\n  two as three,\n} from '../cli/run.mjs';\n",
     'js/analyse/planted.mjs': "export {\n  one,\n  two,\n}\n  from '../cli/run.mjs';\n",
     'js/sheet/planted.mjs': "import { loadNative } from '../api/native.mjs';\n",

@@ -2,6 +2,7 @@
 // environment, for each layer alone and for any mix of them, from all sides.
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "albedo.h"
 #include "checks.h"
@@ -14,9 +15,14 @@ namespace {
 constexpr double COSINES[] = {0.02, 0.05, 0.1, 0.2, 0.3, 0.6, 1.0};
 constexpr double ROUGHNESSES[] = {0.0, 0.1, 0.2, 0.3, 0.5, 0.7, 0.85, 1.0};
 
-constexpr double PI = 3.14159265358979;
 /// Of the viewer against the tangent. A quarter turn is all of a lobe of two axes.
-constexpr double AZIMUTHS[] = {0, PI / 12, PI / 6, PI / 4, PI / 3, 5 * PI / 12, PI / 2};
+constexpr double AZIMUTHS[] = {0,
+                               std::numbers::pi / 12,
+                               std::numbers::pi / 6,
+                               std::numbers::pi / 4,
+                               std::numbers::pi / 3,
+                               5 * std::numbers::pi / 12,
+                               std::numbers::pi / 2};
 constexpr std::uint64_t MIXES = 300;
 
 struct Sheet {
@@ -36,7 +42,7 @@ std::vector<View> viewsOf(const Sheet& sheet) {
   Seeded random(~sheet.seed);
   for (const double cosine : COSINES) {
     if (sheet.seed > 0) {
-      views.push_back({cosine, random.between(-PI, PI)});
+      views.push_back({cosine, random.between(-std::numbers::pi, std::numbers::pi)});
     } else if (sheet.turned) {
       for (const double azimuth : AZIMUTHS) views.push_back({cosine, azimuth});
     } else {

@@ -1,5 +1,6 @@
 // Reciprocity, peaks, slopes.
 #include <algorithm>
+#include <numbers>
 #include <vector>
 
 #include "checks.h"
@@ -10,12 +11,11 @@
 namespace telar::numerics {
 namespace {
 
-constexpr double PI = 3.14159265358979;
-
 Directions randomDirections(Seeded& r, double least) {
   const auto cosine = [&] { return r.edged(least, 1, {least, 0.1, 1}); };
   const double NoV = cosine(), NoL = cosine();
-  return {NoV, NoL, r.edged(-PI, PI, {0, 1e-3, PI}), r.between(-PI, PI)};
+  return {NoV, NoL, r.edged(-std::numbers::pi, std::numbers::pi, {0, 1e-3, std::numbers::pi}),
+          r.between(-std::numbers::pi, std::numbers::pi)};
 }
 
 /// Without what looks at the viewer by its definition: a film's colour.
@@ -101,9 +101,10 @@ double peak(ShadingModel model, const Material& material, double NoV) {
   double most = 0;
   for (int i = -400; i <= 400; ++i) {
     // Dense about the mirror direction: angles of up to a quarter turn, as the lobe is wide.
-    const double t = i / 400.0, angle = towards + std::copysign(std::min(PI, 8 * alpha + 0.05) * t * t, t);
-    if (std::abs(angle) >= PI / 2) continue;
-    const SurfacePoint lit = pointOn(model, material, {NoV, std::cos(angle), angle >= 0 ? PI : 0});
+    const double t = i / 400.0,
+                 angle = towards + std::copysign(std::min(std::numbers::pi, 8 * alpha + 0.05) * t * t, t);
+    if (std::abs(angle) >= std::numbers::pi / 2) continue;
+    const SurfacePoint lit = pointOn(model, material, {NoV, std::cos(angle), angle >= 0 ? std::numbers::pi : 0});
     most = std::max(most, shaded.lobes(glm::dvec3(lit.l)).specular.y);
   }
   return most;

@@ -1,11 +1,10 @@
 #include "materials.h"
 
+#include <numbers>
 #include <sstream>
 
 namespace telar::numerics {
 namespace {
-
-constexpr double PI = 3.14159265358979;
 
 float unitEdged(Seeded& r) { return static_cast<float>(r.edged(0, 1, {0, 1e-6, 0.02, 0.04, 0.5, 1})); }
 float roughness(Seeded& r) { return static_cast<float>(r.edged(0, 1, {0, 0.01, 0.045, 0.089, 0.2, 0.5, 0.8, 1})); }
@@ -95,7 +94,8 @@ Material randomMaterial(Seeded& r, const Layers& layers) {
   }
   if (layers.anisotropy) {
     l.anisotropyStrength = std::max(unitEdged(r), 1e-6f);
-    l.anisotropyRotation = static_cast<float>(r.edged(-PI, PI, {0, PI / 2, PI}));
+    l.anisotropyRotation =
+        static_cast<float>(r.edged(-std::numbers::pi, std::numbers::pi, {0, std::numbers::pi / 2, std::numbers::pi}));
   }
   if (layers.iridescence) addFilm(r, l);
   if (layers.diffuseRoughness) l.diffuseRoughnessFactor = std::max(unitEdged(r), 1e-6f);

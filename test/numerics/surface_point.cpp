@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "brdf/dfg_lookup.h"
@@ -12,8 +13,6 @@
 
 namespace telar::numerics {
 namespace {
-
-constexpr double PI = 3.14159265358979;
 
 /// What the renderer does with the normal after it is known.
 void turnNormal(brdf_f::SurfaceInfo& s, const glm::vec3& n) {
@@ -122,12 +121,14 @@ SurfacePoint randomPoint(ShadingModel model, std::uint64_t seed) {
   point.material.doubleSided = true;
   const glm::vec2 direction(static_cast<float>(r.unit()), static_cast<float>(r.unit()));
   const Stage stage(r.chance(0.1) ? glm::mat3(1.0f) : brdf_f::basisAbout(reference::sampleSphere(direction)));
-  const double phi = r.between(-PI, PI);
+  const double phi = r.between(-std::numbers::pi, std::numbers::pi);
   point.info = stage.read(model, point.material, stage.toWorld(local(edgedCosine(r), phi)));
-  const double turned = r.edged(-PI, PI, {0, 1e-3, 0.5, 1, 2, PI});
+  const double turned = r.edged(-std::numbers::pi, std::numbers::pi, {0, 1e-3, 0.5, 1, 2, std::numbers::pi});
   const double NoL = r.chance(0.1) ? -edgedCosine(r) : edgedCosine(r);
   point.l = stage.toWorld(local(NoL, phi + turned));
-  const auto tilted = [&] { return glm::normalize(stage.toWorld(local(r.between(-0.3, 1), r.between(-PI, PI)))); };
+  const auto tilted = [&] {
+    return glm::normalize(stage.toWorld(local(r.between(-0.3, 1), r.between(-std::numbers::pi, std::numbers::pi))));
+  };
   if (r.chance(0.1)) turnNormal(point.info, tilted());
   if (r.chance(0.1)) {
     turnCoat(point.info, tilted());
@@ -140,7 +141,7 @@ namespace {
 
 constexpr std::array ROUGHNESS{0.0, 0.01, 0.045, 0.089, 0.2, 0.5, 0.8, 1.0};
 constexpr std::array COSINE{0.0, 1e-6, 1e-4, 1e-2, 0.1, 0.3, 0.6, 0.9, 1.0};
-constexpr std::array AZIMUTH{0.0, 1e-3, 0.5, 1.0, 2.0, PI};
+constexpr std::array AZIMUTH{0.0, 1e-3, 0.5, 1.0, 2.0, std::numbers::pi};
 constexpr std::array IOR{1.0, 1.329, 1.5, 5.828, 1000.0};  // normal reflectances 0, 0.02, 0.04, 0.5, 1
 constexpr std::array SHEEN_ROUGHNESS{0.0, 0.04, 0.1, 0.3, 0.5, 1.0};
 constexpr std::uint64_t SHEENS = 1 + 2 * SHEEN_ROUGHNESS.size();

@@ -2,6 +2,7 @@
 #include "weaves.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "albedo.h"
 #include "checks.h"
@@ -9,8 +10,6 @@
 
 namespace telar::numerics {
 namespace {
-
-constexpr double PI = 3.14159265358979;
 
 Yarn yarn(Seeded& r, double coverage) {
   const auto roughness = static_cast<float>(r.edged(0, 1, {0, 0.045, 0.1, 1}, 0.2));
@@ -67,7 +66,7 @@ SeenWeave randomWeave(std::uint64_t seed) {
   m.fabric.warp = yarn(r, warp);
   m.fabric.weft = yarn(r, covered - warp);
   weave.seen.NoV = r.edged(0.02, 1, {0.02, 0.05, 0.1, 1}, 0.3);
-  weave.seen.turn = r.between(-PI, PI);
+  weave.seen.turn = r.between(-std::numbers::pi, std::numbers::pi);
   return weave;
 }
 

@@ -77,7 +77,7 @@ describe('the gate catches', () => {
       t.diagnostic(`${fault.item}: ${figures}`);
       assert.ok(!pass, `${fault.item} fails with the fault: ${figures}`);
 
-      const trace = await traceOf(result, { browser, server });
+      const trace = await traceOf(result, { browser, server }, { through: fault.first });
       assert.equal(trace.first, fault.first, traceText(trace));
     });
   }
@@ -91,7 +91,7 @@ const SOUND = [
 
 for (const [name, pixel, count] of SOUND) {
   test(`without a fault the trace of ${name} names nothing`, async () => {
-    const trace = await traceOf(await referenceOf(name), { browser, server: openEdited([]) }, pixel);
+    const trace = await traceOf(await referenceOf(name), { browser, server: openEdited([]) }, { pixel });
     assert.equal(trace.first, null, traceText(trace));
     assert.equal(trace.terms.filter((term) => term.browser && term.telar).length, count, traceText(trace));
   });

@@ -151,7 +151,7 @@ async function traced(result) {
   const pixel = { interior, edge }[over]?.worst ?? interior?.worst ?? edge?.worst;
   if (!pixel) return undefined;
   try {
-    return await traceOf(result, sides, pixel);
+    return await traceOf(result, sides, { pixel });
   } catch (error) {
     console.error(`${result.item.name} cannot be traced: ${error.message}`);
     return undefined;

@@ -34,15 +34,18 @@ import { openServer } from './server.mjs';
  * Follows one pixel of a case through both shaders. Both draw it again, without antialiasing, into floats.
  * @param {{item: import('./cases.mjs').Case, inputs: object, difference?: object}} result - Of draw_cases.mjs.
  * @param {{browser: Browser, server: import('./server.mjs').Server}} sides
- * @param {[number, number]} [pixel] - Counted from the top left; the worst one where it is left out.
+ * @param {object} [options]
+ * @param {[number, number]} [options.pixel] - Counted from the top left; the worst one where it is left out.
+ * @param {string | null} [options.through] - Last quantity that is followed; all of them where it is left out or null.
  * @returns {Promise<Trace>}
  */
-export async function traceOf({ item, inputs, difference }, { browser, server }, pixel = worstPixel(difference)) {
+export async function traceOf({ item, inputs, difference }, { browser, server }, { pixel = worstPixel(difference), through } = {}) {
   const input = { shot: item.shot, ...inputs };
-  const expected = await browser.terms({ ...input, terms: QUANTITY_NAMES, pixel });
-  const actual = await server.debug(input, QUANTITY_NAMES);
+  const names = through ? QUANTITY_NAMES.slice(0, QUANTITY_NAMES.indexOf(through) + 1) : QUANTITY_NAMES;
+  const expected = await browser.terms({ ...input, terms: names, pixel });
+  const actual = await server.debug(input, names);
   const at = pixel[1] * item.shot.size.width + pixel[0];
-  const terms = QUANTITY_NAMES.map((term) => compareTerm(term, valueAt(expected[term], 0), valueAt(actual[term], at)));
+  const terms = names.map((term) => compareTerm(term, valueAt(expected[term], 0), valueAt(actual[term], at)));
   return { pixel, terms, ...causeOf(terms) };
 }
 
@@ -106,7 +109,7 @@ async function main() {
     for await (const result of drawCases([item], sides)) {
       if (result.error) throw result.error;
       const pixel = numbers.length === 2 ? numbers.map(Number) : undefined;
-      console.log(`${name}\n${traceText(await traceOf(result, sides, pixel))}`);
+      console.log(`${name}\n${traceText(await traceOf(result, sides, { pixel }))}`);
       if (values.dump) await dump(values.dump, { shot: item.shot, ...result.inputs }, sides);
     }
   } finally {

@@ -1,6 +1,7 @@
 // Checked by tsc against the published entries, never run.
 import { TelarError, createRenderer, doctor, inspect, toTelarError, versions, type FrameInfo, type Model, type SettledImage, type Shot } from 'telar';
 import { compareImages, embedShot, encodePng, heatMap, htmlReport, judge, junitReport, readEmbeddedShot, readImage } from 'telar/compare';
+import { createPool, type Pool, type PoolModel } from 'telar/pool';
 import { VIEWS, parseColour, resolveShot, type ResolvedShot } from 'telar/shot';
 import { applyShot, rendererParameters } from 'telar/three';
 
@@ -72,4 +73,14 @@ export async function compare(signal: AbortSignal): Promise<number> {
   judge(comparison, 'strict');
   // @ts-expect-error a region may be empty
   return comparison.edge.flip.mean;
+}
+
+export async function drawInWorkers(pool: Pool): Promise<number> {
+  const model: PoolModel = await pool.load('shirt.glb');
+  const [first] = await pool.renderAll(await model.swatch({ part: { material: 0 } }), [shot], { settled: true });
+  const own = await createPool({ size: 2, memoryBytes: 1e9, cpuMs: null, backend: 'osmesa' });
+  // @ts-expect-error: it is no option
+  await createPool({ sizes: 2 });
+  await own.close();
+  return first?.status === 'fulfilled' ? first.value.data.length : pool.workers.length;
 }

@@ -5,23 +5,33 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { makeCloth, PRESETS } from './cloths/index.mjs';
 import { makeFabrics } from './fabrics/index.mjs';
+import { assetHashes, MADE_FILE, sourcesHash } from './made.mjs';
 import { makeStudio } from './studio.mjs';
 import { makeTshirt } from './tshirt.mjs';
 
-/** Writes the bundled assets beside this folder, or into the folder given as the first argument. */
-const target = process.argv[2] ?? fileURLToPath(new URL('..', import.meta.url));
+// node js/assets/make/index.mjs [FOLDER [NAME...]]: writes the bundled assets, or those of these names, beside this folder or into FOLDER.
+const BUNDLED = fileURLToPath(new URL('..', import.meta.url));
+const [target = BUNDLED, ...wanted] = process.argv.slice(2);
+const MAKERS = {
+  'studio.hdr': makeStudio,
+  'tshirt.glb': makeTshirt,
+  'fabrics.glb': makeFabrics,
+  ...Object.fromEntries(Object.keys(PRESETS).map((preset) => [`cloths/${preset}.glb`, () => makeCloth(preset)])),
+};
+const unknown = wanted.filter((name) => !MAKERS[name]);
+if (unknown.length > 0) throw new Error(`no such asset: ${unknown.join(', ')}; there are ${Object.keys(MAKERS).join(', ')}`);
+
 await mkdir(path.join(target, 'cloths'), { recursive: true });
-for (const [name, make] of [
-  ['studio.hdr', makeStudio],
-  ['tshirt.glb', makeTshirt],
-  ['fabrics.glb', makeFabrics],
-  ...Object.keys(PRESETS).map((preset) => [`cloths/${preset}.glb`, () => makeCloth(preset)]),
-]) {
-  const bytes = await make();
+for (const name of wanted.length > 0 ? wanted : Object.keys(MAKERS)) {
+  const bytes = await MAKERS[name]();
   await writeFile(path.join(target, name), bytes);
   console.log(`${name}  ${bytes.length} bytes`);
 }
-prefilterStudio();
+if (wanted.length === 0) {
+  prefilterStudio();
+  const made = { sources: await sourcesHash(), files: await assetHashes(target, Object.keys(MAKERS)) };
+  await writeFile(path.join(target, MADE_FILE), `${JSON.stringify(made, null, 2)}\n`);
+}
 
 /** studio.pmrem: the studio as the renderer prefilters it, so that a first picture does not wait for it. */
 function prefilterStudio() {

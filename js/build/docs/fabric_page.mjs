@@ -65,6 +65,9 @@ light the texels lose that turn away from it: diffuse light, gloss and sheen eac
 Toksvig 2005, Han et al. 2007). How flat most of them lie widens the highlight: \`alpha² + variance\` (Olano & Baker 2010, LEAN mapping),
 and a few steep edges do not. A single texel has neither: from near, nothing changes. The roughness texture may have another size, UV
 set, transform or sampler: the relief travels with the normals.
+On polished metal (\`metallicFactor\` of at least 0.5, \`roughnessFactor\` of 0.3 at most; sequins) the map holds the slopes of what lies flat in
+place of all normals, and is read one level sharper: flat facets keep a sharp highlight, and the edges between them have a wide one of their own
+(shaders/brdf/facets.glsl; a mixture of lobes, Han et al. 2007). Woven, stretched and cut-out materials have one highlight as before.
 Set a sampler that reads mip levels (glTF's default does); with \`minFilter\` LINEAR or NEAREST there is nothing to read it from.
 Materials without a normal map and other shadings pay nothing. The map of relief takes 8 bytes of GPU memory a texel, beside the image.
 

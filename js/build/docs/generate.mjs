@@ -12,7 +12,9 @@ import { shadingPage } from './shading_page.mjs';
 import { termFiles } from './shading_terms.mjs';
 import { shotHeaders, visitRows } from './shot_cpp.mjs';
 import { debugQuantitiesGlsl, toneMappingsGlsl } from './shot_glsl.mjs';
+import { openapi } from './openapi.mjs';
 import { errorsPage, optionsPage } from './tables.mjs';
+import { serverOptionTypes, withServerTables } from './server_page.mjs';
 import { withSpecTable } from './sheet_page.mjs';
 import { interfaceText } from './types.mjs';
 
@@ -52,6 +54,9 @@ export function generatedFiles() {
       interfaceText('SheetSpec', 'What a tech sheet says. Every key is optional; js/docs/sheet.md is the table of them.', specDraft()),
     ].join('\n'),
     'js/docs/sheet.md': withSpecTable(textOf('js/docs/sheet.md'), specDraft()),
+    'js/server/options.d.ts': serverOptionTypes(HEADER.replace('js/shot/table', 'js/server/table.mjs')),
+    'js/docs/server.md': withServerTables(textOf('js/docs/server.md')),
+    'js/server/openapi.json': `${JSON.stringify(openapi(), null, 2)}\n`,
     'js/docs/errors.md': errorsPage(TABLE),
     'js/docs/fabric.md': fabricPage(),
     'js/docs/formats.md': withLayerExtensions(textOf('js/docs/formats.md')),

@@ -92,7 +92,7 @@ export function errorsPage(table) {
     '# Error and warning codes',
     '',
     'The same in JavaScript (`TelarError`), `--json` of the CLI, HTTP problem+json and queue results.',
-    'Exit codes: 0 done, 1 compared and over the gate, 2 usage, 3 input, 4 limit, 5 time or memory, 6 this machine, 7 internal.',
+    'Exit codes: 0 done, 1 compared and over the gate, 2 usage, 3 input, 4 limit, 5 time or memory, 6 this machine, 7 internal or a crash.',
     'Of many models in one run, the highest exit code is told.',
     'This page is generated from js/error/table.mjs by `node js/build/docs/generate.mjs`.',
     '',

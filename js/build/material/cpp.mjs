@@ -1,4 +1,4 @@
-import { CORE_TEXTURES, inputName, LAYERS, NOT_DRAWN, texturesOf, textureName, upper } from '../../material/table.mjs';
+import { CORE_TEXTURES, inputName, LAYERS, NOT_DRAWN, POLISHED, texturesOf, textureName, upper } from '../../material/table.mjs';
 
 /** The C++ part of js/material/table.mjs: files that renderer/ includes, written when CMake configures. */
 
@@ -194,6 +194,9 @@ const inputs = () =>
     }),
   );
 
+/** Numbers of an object, as constants. */
+const constants = (prefix, numbers) => textOf(Object.entries(numbers).map(([key, value]) => `constexpr float ${prefix}_${upper(key)} = ${real(value)};`));
+
 /** @returns {Record<string, string>} Path: text. */
 export const cppFiles = () => ({
   'telar/physical_layers.inc': fields('layers'),
@@ -212,6 +215,7 @@ export const cppFiles = () => ({
   'pass/physical_conditions.inc': conditions('layers'),
   'pass/physical_uniforms.inc': uniforms('layers'),
   'pass/fabric_uniforms.inc': uniforms('fabric'),
+  'pass/polished.inc': constants('POLISHED', POLISHED),
   'brdf/layer_inputs.inc': inputs(),
   'brdf/layers_on.inc': textOf(LAYERS.map(({ name }) => `#define ${upper(name)} 1`)),
   'brdf/layers_off.inc': textOf(LAYERS.map(({ name }) => `#undef ${upper(name)}`)),

@@ -122,6 +122,8 @@ export function textureShaders() {
     vertex: 'level.vert',
     reliefMoments: 'relief_moments.frag',
     reliefLevel: 'relief_level.frag',
+    facetsMoments: 'facets_moments.frag',
+    facetsLevel: 'facets_level.frag',
     coverageMoments: 'coverage_moments.frag',
     coverageLevel: 'coverage_level.frag',
   };

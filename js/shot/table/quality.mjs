@@ -14,7 +14,8 @@ export const PRESETS = Object.freeze({
 export const SAMPLES_OF_A_PASS = 4;
 
 const PRESET = '"standard", "draft", "medium", "high" or "reference"';
-const QUALITY = '"standard", "draft", "medium", "high", "reference", {samples, resolve, noise, environmentSamples} or {preset: "reference", ...}';
+const QUALITY =
+  '"standard", "draft", "medium", "high", "reference", {samples, resolve, noise, environmentSamples}, {preset: "reference", ...}, {maxError} or {budgetMs}';
 
 /** Settings of the raster renderer. */
 export const RASTER = object(
@@ -53,6 +54,12 @@ export const REFERENCE = object(
   {
     preset: literal('The path tracer', 'reference', '"reference"'),
     samples: whole('Paths a pixel; the noise falls with the root of it', ' of paths a pixel', { unit: 'paths a pixel', min: 1, max: 65536, otherwise: 256 }),
+    noise: number('Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more paths, from 16 of them on; 0 = every pixel takes all', {
+      unit: '1/255',
+      min: 0,
+      max: 64,
+      otherwise: 0,
+    }),
     seed: whole('The same seed gives the same bytes, with any number of threads', '', { unit: 'seed', min: 0, max: 1e9, otherwise: 1 }),
     transport: choice(
       '"global": all light, over `bounces` reflections; "occlusion": light that arrives directly, less what surfaces hide; ' +
@@ -67,10 +74,25 @@ export const REFERENCE = object(
   { name: 'ReferenceQuality' },
 );
 
+/** What the picture is to reach, whatever the settings: they are chosen when it is drawn (js/predict). */
+const MAX_ERROR = object('Error that the picture may have', {
+  maxError: number('Mean FLIP of the model against the path tracer; the cheapest settings are taken that are predicted to hold it for a scene of this kind', {
+    unit: 'FLIP',
+    above: 0,
+    max: 1,
+  }),
+});
+const BUDGET = object('Time that the picture may take', {
+  budgetMs: number(
+    'CPU milliseconds of all threads for drawing a loaded model; the most accurate settings are taken that are predicted to fit into it on this machine',
+    { unit: 'ms', above: 0, max: 1e9 },
+  ),
+});
+
 export const quality = union(
   '"draft": 1 sample a pixel; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with one direction of the environment each; "high": up to 1024, averaged in linear light, ' +
-    'and the environment integrated with the material; "reference": traced paths of light, slow and without GL',
-  [choice('', [...Object.keys(PRESETS), 'reference'], { expected: QUALITY }), RASTER, REFERENCE],
+    'and the environment integrated with the material, by the tracer where it costs less; "reference": traced paths of light, slow and without GL',
+  [choice('', [...Object.keys(PRESETS), 'reference'], { expected: QUALITY }), RASTER, REFERENCE, MAX_ERROR, BUDGET],
   QUALITY,
-  { default: 'standard', resolved: union('', [RASTER, REFERENCE], QUALITY) },
+  { default: 'standard', resolved: union('', [RASTER, REFERENCE, MAX_ERROR, BUDGET], QUALITY) },
 );

@@ -1,4 +1,4 @@
-import { LAYERS, texturesOf, textureName, upper } from '../../material/table.mjs';
+import { LAYERS, POLISHED, texturesOf, textureName, upper } from '../../material/table.mjs';
 import { SLOTS } from '../../shot/shading_terms.mjs';
 import { drawPartlyCovered } from './coverage.mjs';
 import { shadingMaterialClass } from './material.mjs';
@@ -54,6 +54,9 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
     /** Textures that were made of the material's own, by the name of their uniform. */
     madeMaps = { normalVarianceMap: null, clearcoatNormalVarianceMap: null, coverageMap: null };
 
+    /** What the normal map was made as for the last draw. */
+    normalMapKind = '';
+
     coverageSamples = 1;
 
     coverageMask = 1;
@@ -107,11 +110,13 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
 
     /** Before each draw: what has changed since reaches the program, and maps that are new are made anew. */
     onBeforeRender(renderer, ...rest) {
-      const { NORMAL_VARIANCE, ALPHA_TO_COVERAGE, NORMAL_HOLES } = this.isFabricMaterial ? featuresOf(this) : {};
+      const { NORMAL_VARIANCE, NORMAL_FACETS, ALPHA_TO_COVERAGE, NORMAL_HOLES } = this.isFabricMaterial ? featuresOf(this) : {};
       if (NORMAL_VARIANCE) {
+        const kind = NORMAL_FACETS ? 'facets' : 'relief';
+        this.compileFor(`${kind} ${NORMAL_HOLES}`);
         for (const [name, key] of Object.entries(VARIANCE_MAPS)) {
           const holes = NORMAL_HOLES && key === 'normalMap' ? { cutoff: textureCutoff(this), cover: this.map } : {};
-          this.madeMaps[name] = bakedTexture(THREE, textureShaders, renderer, 'relief', this[key], holes);
+          this.madeMaps[name] = bakedTexture(THREE, textureShaders, renderer, key === 'normalMap' ? kind : 'relief', this[key], holes);
         }
       }
       if (ALPHA_TO_COVERAGE) {
@@ -120,6 +125,14 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
       } else {
         this.textUniforms();
       }
+    }
+
+    /**
+     * Has three.js choose the program anew where the normal map is made as another kind: clients change roughness, metalness and the
+     * places of maps without `needsUpdate`, and each program reads one kind.
+     */
+    compileFor(normalMapKind) {
+      if (this.normalMapKind !== normalMapKind) Object.assign(this, { normalMapKind, needsUpdate: true });
     }
 
     /** Which of a pixel's samples, in bits, the pixels cover that the next draw is for, and what it shows. */
@@ -171,7 +184,8 @@ function hasYarns(fabric) {
 }
 
 /** Defines of 0 or 1, as renderer/pass sets them. */
-function featuresOf({ fabric, diffuseTransmission, map, alphaTest, normalMap, clearcoatNormalMap, visibleSides }) {
+function featuresOf(material) {
+  const { fabric, diffuseTransmission, map, alphaTest, normalMap, clearcoatNormalMap, visibleSides } = material;
   const features = {
     DIFFUSE_TRANSMISSION: diffuseTransmission?.diffuseTransmissionFactor > 0,
     FLATNESS: fabric?.flatness > 0,
@@ -183,8 +197,12 @@ function featuresOf({ fabric, diffuseTransmission, map, alphaTest, normalMap, cl
     AMBIENT_VISIBILITY_BACK: visibleSides.front && visibleSides.back,
     NORMAL_HOLES: Boolean(map && normalMap) && alphaTest > 0 && samePlace(map, normalMap),
   };
-  return numbers(features);
+  const NORMAL_FACETS = Boolean(normalMap) && isPolished(material) && !features.WEAVE && !features.NORMAL_HOLES;
+  return numbers({ ...features, NORMAL_FACETS });
 }
+
+/** As hasFacets() of renderer/pass/draw_list.cpp has it. */
+const isPolished = ({ roughness, metalness, anisotropy }) => roughness <= POLISHED.roughnessMax && metalness >= POLISHED.metalnessMin && !(anisotropy > 0);
 
 /** Whether two textures lie on each other. */
 function samePlace(...textures) {

@@ -2,6 +2,10 @@
 #if NORMAL_MAP
 uniform sampler2D normalVarianceMap;
 vec4 normalTexel() { return texture(normalVarianceMap, vNormalMapUv); }
+#if NORMAL_FACETS
+vec4 normalTexel(float lodBias) { return texture(normalVarianceMap, vNormalMapUv, lodBias); }
+vec2 normalMapSize() { return vec2(textureSize(normalVarianceMap, 0)); }
+#endif
 #endif
 
 #if CLEARCOAT_NORMAL_MAP

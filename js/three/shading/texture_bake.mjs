@@ -2,7 +2,7 @@
 const made = new WeakMap();
 
 /** Type of the texels that are made: as renderer/pass/texture_bake has them. */
-const TEXEL_TYPES = { relief: 'HalfFloatType', coverage: 'UnsignedByteType' };
+const TEXEL_TYPES = { relief: 'HalfFloatType', facets: 'HalfFloatType', coverage: 'UnsignedByteType' };
 
 /** Programs and the triangle that they are drawn with, for each three.js module. */
 const drawings = new WeakMap();
@@ -13,8 +13,10 @@ const drawings = new WeakMap();
  * @param {typeof import('three')} THREE
  * @param {Record<string, string>} shaders - Module js/dist/shading/texture.mjs.
  * @param {import('three').WebGLRenderer} renderer - Which is not drawing into the texture; its target is put back.
- * @param {'relief' | 'coverage'} kind - relief: of a normal map, RGB the mean of its unit normals, A that of how flat they
- *   lie; coverage: of a colour map with holes, A the share of the texel that is there.
+ * @param {'relief' | 'facets' | 'coverage'} kind
+ *   - relief: of a normal map, RGB the mean of its unit normals, A that of how flat they lie.
+ *   - facets: of a polished normal map, RG the slopes of its flat part and A their square, each times B, its share.
+ *   - coverage: of a colour map with holes, A the share of the texel that is there.
  * @param {import('three').Texture} source
  * @param {object} [holes]
  * @param {number} [holes.cutoff] - Alpha from which on a texel is there.
@@ -49,7 +51,7 @@ function bake(THREE, shaders, renderer, { kind, source, cutoff, cover }) {
   const out = new THREE.WebGLRenderTarget(width, height, {
     ...samplerOf(source),
     type: THREE[TEXEL_TYPES[kind]],
-    colorSpace: kind === 'relief' ? THREE.NoColorSpace : source.colorSpace,
+    colorSpace: kind === 'coverage' ? source.colorSpace : THREE.NoColorSpace,
     depthBuffer: false,
     generateMipmaps: false,
   });
@@ -115,8 +117,8 @@ function drawingOf(THREE, shaders) {
   const scene = new THREE.Scene().add(mesh);
   const camera = new THREE.Camera();
   const materials = new Map();
-  const materialOf = (name, fromImage) => {
-    const key = `${name} ${fromImage}`;
+  const materialOf = (name, fromImage, holes) => {
+    const key = `${name} ${fromImage} ${holes}`;
     if (!materials.has(key)) {
       materials.set(
         key,
@@ -124,7 +126,7 @@ function drawingOf(THREE, shaders) {
           glslVersion: THREE.GLSL3,
           vertexShader: shaders.vertex,
           fragmentShader: shaders[name],
-          defines: { FROM_IMAGE: Number(fromImage) },
+          defines: { FROM_IMAGE: Number(fromImage), HOLES: Number(holes) },
           uniforms: { sourceMap: { value: null }, sourceSize: { value: null }, targetSize: { value: null }, cutoff: { value: 0 }, coverMap: { value: null } },
           depthTest: false,
           depthWrite: false,
@@ -135,7 +137,7 @@ function drawingOf(THREE, shaders) {
     return materials.get(key);
   };
   const draw = (renderer, name, fromImage, uniforms, target, level, { x, y }) => {
-    mesh.material = materialOf(name, fromImage);
+    mesh.material = materialOf(name, fromImage, uniforms.coverMap !== null);
     for (const [uniform, value] of Object.entries(uniforms)) mesh.material.uniforms[uniform].value = value;
     mesh.material.uniformsNeedUpdate = true;
     target.viewport.set(0, 0, x, y);

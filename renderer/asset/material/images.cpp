@@ -1,5 +1,11 @@
 #include "asset/material/images.h"
 
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <system_error>
+#include <thread>
+
 #include "asset/check/pointer.h"
 #include "telar/codec.h"
 
@@ -10,6 +16,46 @@ namespace {
 std::uint64_t bytesOf(const ImageHeader& header, ImageUse use) {
   const std::uint64_t texels = std::uint64_t{header.width} * header.height * header.texelBytes;
   return texels + use.ways() * (texels + texels / 3);
+}
+
+/// More hold more scratch memory, and few models have more large images.
+constexpr unsigned DECODERS_MAX = 4;
+
+/// A limit, a lack of memory and a resolver that failed are no property of the image.
+bool isOfImage(const Error& error) { return error.code.starts_with("E_"); }
+
+/// Calls work(i) for each i below `count`, on this thread and others. @param tolerant whether the rest is done after
+/// one that is damaged; where it is not, all below the first that throws are done still. @return what each has thrown
+template <class Work>
+std::vector<std::exception_ptr> eachOnThreads(std::size_t count, bool tolerant, const Work& work) {
+  std::vector<std::exception_ptr> thrown(count);
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> ended = false;
+  const auto run = [&] {
+    while (!ended) {
+      const std::size_t i = next++;
+      if (i >= count) return;
+      try {
+        work(i);
+      } catch (const Error& error) {
+        thrown[i] = std::current_exception();
+        if (!tolerant || !isOfImage(error)) ended = true;
+      } catch (...) {
+        thrown[i] = std::current_exception();
+        ended = true;
+      }
+    }
+  };
+  const std::size_t threads = std::min<std::size_t>({count, std::thread::hardware_concurrency(), DECODERS_MAX});
+  std::vector<std::jthread> others;
+  try {
+    while (others.size() + 1 < threads) others.emplace_back(run);
+  } catch (const std::system_error&) {
+    // The machine has no thread to give: those that there are do it.
+  }
+  run();
+  others.clear();
+  return thrown;
 }
 
 }  // namespace
@@ -39,8 +85,7 @@ void ImageLoader::tolerating(std::size_t image, std::vector<bool>& missing, cons
   try {
     step();
   } catch (const Error& error) {
-    // A limit, a lack of memory and a resolver that failed are no property of the image.
-    if (!from_.tolerant || !error.code.starts_with("E_")) throw;
+    if (!from_.tolerant || !isOfImage(error)) throw;
     missing[image] = true;
     from_.warnings.add("W_TEXTURE", "a texture is not drawn: " + std::string(error.what()) + " [" + error.code + "]",
                        error.pointer.value_or(pointer("images", image)));
@@ -60,11 +105,20 @@ LoadedImages ImageLoader::load(const std::vector<ImageUse>& uses) const {
       probeUnused(i);
     }
   }
+  std::vector<std::size_t> used;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if (uses[i].ways() == 0 || out.missing[i]) continue;
-    tolerating(i, out.missing,
-               [&] { out.images[i] = at(i, [&] { return decodeImage(files[i].bytes, from_.limits, from_.cancel); }); });
-    files[i] = {};
+    if (uses[i].ways() > 0 && !out.missing[i]) used.push_back(i);
+  }
+  const auto thrown = eachOnThreads(used.size(), from_.tolerant, [&](std::size_t at) {
+    File file = std::move(files[used[at]]);
+    out.images[used[at]] = decodeImage(file.bytes, from_.limits, from_.cancel);
+  });
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    tolerating(used[i], out.missing, [&] {
+      at(used[i], [&] {
+        if (thrown[i]) std::rethrow_exception(thrown[i]);
+      });
+    });
   }
   return out;
 }

@@ -32,6 +32,9 @@ ImageHeader readImageHeader(std::span<const std::byte> file, const Limits& limit
 /// truncated or damaged file is an error.
 Image8 decodeImage(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel);
 
+/// Why .hdr, .exr, TIFF and ICC profiles cannot be had here; empty where they can. Never throws.
+std::string failureOfImageFiles();
+
 /// The key `output` of a shot.
 using OutputOptions = shot::Output;
 

@@ -2,6 +2,8 @@
 #include <atomic>
 #include <memory>
 
+#include "telar/previews.h"
+
 namespace telar {
 
 /// How far a job is: set by the threads that do it, read by whoever waits.
@@ -14,6 +16,8 @@ class Progress {
     }
   }
   float part() const { return part_->load(std::memory_order_relaxed); }
+
+  Previews previews;
 
  private:
   std::shared_ptr<std::atomic<float>> part_ = std::make_shared<std::atomic<float>>(0.0f);

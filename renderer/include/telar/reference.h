@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 
@@ -16,6 +17,13 @@ namespace telar {
 Frame drawReference(const Scene& scene, const Shot& shot, std::span<const std::byte> environment,
                     const RendererOptions& options, const CancelToken& cancel, const Progress& progress,
                     FrameInfo& info);
+
+/// A shot of quality "high" as one of the path tracer, where that costs less than the raster's passes and shows the
+/// same: light that arrives directly, as many paths as there were samples at most, the same standard error to stop at.
+/// It goes by counts and never by a clock, so that a shot is drawn the same way on each machine that has Embree;
+/// renderFrame() lets the raster draw it elsewhere, with the warning W_LIBRARY_MISSING.
+/// @return nothing where the raster is to draw it
+std::optional<Shot> tracedInstead(const Scene& scene, const Shot& shot);
 
 /// Whether such frames can be drawn here: {works, version} or {works: false, failure} as JSON. Never throws.
 std::string probeReference();

@@ -7,9 +7,9 @@
 
 namespace telar {
 
-/// Draws one frame by what the shot asks for: by following paths of light (telar/reference.h) where it has `reference`,
-/// else by the raster. Call it on the raster's thread, also for a frame that makes no GL call: the frames of one
-/// renderer stay in order.
+/// Draws one frame by what the shot asks for: by following paths of light where it has `reference`, or where
+/// tracedInstead() (telar/reference.h) says so and Embree is there; else by the raster. Call it on the raster's thread,
+/// also for a frame that makes no GL call: the frames of one renderer stay in order.
 /// @param environment  file bytes when shot.environment.source is kBytes
 /// @param options  those that the raster was created with
 /// @param progress  told by the path tracer alone

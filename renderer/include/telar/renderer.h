@@ -9,6 +9,7 @@
 #include "telar/cancel.h"
 #include "telar/image.h"
 #include "telar/limits.h"
+#include "telar/progress.h"
 #include "telar/scene.h"
 #include "telar/shot.h"
 
@@ -25,6 +26,8 @@ struct RendererOptions {
   bool allFeatures = false;  ///< benchmark only: compile every feature into every program
   /// Wall-clock time between two looks at the cancel token while drawing, about. Tests only: infinity cuts nothing.
   double sliceMs = 50;
+  /// Whether triangles that nobody sees are found and left out. Tests only, but for kWhereItPays: no byte differs.
+  enum class LeaveOut { kWhereItPays, kAlways, kNever } hiddenTriangles = LeaveOut::kWhereItPays;
 };
 
 /// What a drawn frame was made of; toJson() is `info` of the API less what JavaScript adds.
@@ -44,8 +47,10 @@ class Renderer {
   /// Draws one frame. GPU copies of the scene's data are kept until the scene is released or release() is called.
   /// @param environment file bytes when shot.environment.source is kBytes
   /// @throws Error{X_GL, X_GL_MEMORY, X_CANCELLED, E_VARIANT, ...}; never a partial frame.
+  /// @param progress  previews are put there, where they are asked for and the picture takes several passes
   virtual Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& shot,
-                     std::span<const std::byte> environment, const CancelToken& cancel, FrameInfo& info) = 0;
+                     std::span<const std::byte> environment, const CancelToken& cancel, FrameInfo& info,
+                     const Progress& progress = {}) = 0;
 
   /// Frees the GPU copies of one scene.
   virtual void release(const Scene& scene) = 0;
@@ -57,7 +62,7 @@ class Renderer {
 };
 
 /// What draw() would compile and run for this scene and shot, without a context: {features: [...], programs:
-/// [{features}], passes: [...]} as JSON.
+/// [{features}], passes: [...]} as JSON. For a shot that tracedInstead() takes, what a host with Embree runs.
 std::string planFrame(const Scene& scene, const Shot& shot, const Limits& limits);
 
 /// Tries every backend and says what each gave: JSON for `telar doctor`. Never throws.

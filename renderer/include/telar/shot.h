@@ -67,6 +67,7 @@ struct Shot : shot::Size, shot::Values, shot::RasterQuality {
   ShadingTerms terms;                  ///< of a principled shading
   ThreeTerms three;                    ///< of kThree
   std::optional<Reference> reference;  ///< set = the path tracer draws, not the raster
+  bool isHigh = false;                 ///< quality "high" by its name: tracedInstead() says which of the two draws it
   std::optional<Pose> pose;            ///< none = as the file stands
   std::vector<Layer> layers;           ///< beside the colour
   /// A part that is drawn translucent.

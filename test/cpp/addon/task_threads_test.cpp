@@ -128,7 +128,7 @@ class FakeRenderer : public Renderer {
   explicit FakeRenderer(std::thread::id* destroyed) : destroyed_(destroyed) {}
   ~FakeRenderer() override { *destroyed_ = std::this_thread::get_id(); }
   Frame draw(const std::shared_ptr<const Scene>&, const Shot&, std::span<const std::byte>, const CancelToken&,
-             FrameInfo&) override {
+             FrameInfo&, const Progress&) override {
     return {};
   }
   void release(const Scene&) override {}

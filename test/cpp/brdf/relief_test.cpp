@@ -201,13 +201,85 @@ TEST(Relief, NoneChangesNothing) {
       const SurfaceInfo s = surfaceOf(cloth, dvec3(0, 0, 1), direction(NoV, 0), 0, 0);
       EXPECT_EQ(s.glossKept, brdf_d::vec2(1));
       EXPECT_EQ(s.alpha, cloth.roughness * cloth.roughness);
-      EXPECT_EQ(brdf_d::reliefDiffuse(0), 1);
+      EXPECT_EQ(brdf_d::bumpMean(1), 1);
       EXPECT_EQ(brdf_d::reliefDiffuseTowards(0, NoV), 1);
       EXPECT_EQ(brdf_d::reliefSheen(0, cloth.sheenRoughness), 1);
       EXPECT_NEAR(brdf_d::reliefSheenAlbedo(0, cloth.sheenRoughness, NoV),
                   brdf_d::sheenFit(cloth.sheenRoughness, NoV).x, 1e-12);
     }
   }
+}
+
+/// A texel that is as large as the pixel and leans. The light of a white sky that it sends to the viewer, and its mean
+/// direction.
+struct Leaning {
+  double lean;  ///< [0, PI / 2)
+  dvec3 normal() const { return direction(std::cos(lean), 0); }
+  /// xyz sum of directions, w of light
+  glm::dvec4 diffuse() const {
+    const Cloth cloth{0.5, 0.9, 0, 0, 0.3};
+    const SurfaceInfo s = surfaceOf(cloth, normal(), direction(0.97, 0), 0, 0);
+    return overHemisphere(60, [&](const dvec3& l) {
+      const double light = brdf_d::saturate(glm::dot(s.n, l)) * brdf_d::bumpTerminator(s.bumpAlpha2, l.z);
+      return glm::dvec4(l, 1) * light / PI;
+    });
+  }
+};
+const Leaning LEANING[] = {{0.1}, {0.3}, {0.6}, {0.9}, {1.2}, {1.5}};
+
+TEST(Bump, LightFromBelowTheSurfaceDoesNotReachANormalThatLeans) {
+  double worst = 0, withoutTerm = 0;
+  for (const Leaning& texel : LEANING) {
+    const double truth = texel.diffuse().w;
+    worst = std::max(worst, std::abs(brdf_d::bumpMean(std::cos(texel.lean)) - truth));
+    withoutTerm = std::max(withoutTerm, 1 - truth);
+  }
+  EXPECT_LT(worst, 0.012);
+  EXPECT_GT(withoutTerm, 0.5);
+}
+
+TEST(Bump, LightOfANormalThatLeansComesFromAbove) {
+  constexpr double WITHIN = 2.5 * PI / 180;
+  double worst = 0, unbent = 0;
+  for (const Leaning& texel : LEANING) {
+    const dvec3 truth = glm::normalize(dvec3(texel.diffuse()));
+    const dvec3 got = brdf_d::bumpBent({0, 0, 1}, texel.normal());
+    EXPECT_NEAR(glm::length(got), 1, 1e-12);
+    worst = std::max(worst, std::acos(std::min(glm::dot(truth, got), 1.0)));
+    unbent = std::max(unbent, std::acos(std::min(glm::dot(truth, texel.normal()), 1.0)));
+  }
+  EXPECT_LT(worst, WITHIN);
+  EXPECT_GT(unbent, 10 * WITHIN);
+}
+
+/// rms of the share of a gloss that a texel that leans keeps of a white sky.
+/// @param withDirection false = as diffuse light keeps it
+double glossOffBy(bool withDirection) {
+  double squares = 0;
+  int count = 0;
+  for (const double roughness : {0.3, 0.5, 0.7, 0.9}) {
+    const Cloth metal{0.8, roughness, 1, 0, 0.3};
+    for (const Leaning& texel : LEANING) {
+      for (const double NoV : {0.5, 0.97}) {
+        for (const double phi : {0.0, 1.5, 3.0}) {
+          const SurfaceInfo s = surfaceOf(metal, texel.normal(), direction(NoV, phi), 0, 0);
+          if (s.NoV < 0.1) continue;
+          const double whole = underSky(surfaceOf(metal, {0, 0, 1}, direction(s.NoV, 0), 0, 0)).specular.x;
+          const double truth = overHemisphere(60, [&](const dvec3& l) { return lit(s, l).specular.x; }) / whole;
+          const double share = underSky(s).specular.x / whole;
+          const double got = withDirection ? share : brdf_d::bumpMean(s.n.z);
+          squares += (got - truth) * (got - truth);
+          ++count;
+        }
+      }
+    }
+  }
+  return std::sqrt(squares / count);
+}
+
+TEST(Bump, GlossOfANormalThatLeansKeepsWhatItsDirectionSays) {
+  EXPECT_LT(glossOffBy(true), 0.1);
+  EXPECT_GT(glossOffBy(false), 0.15);
 }
 
 /// The white furnace: no relief makes light, under lights or under a sky.

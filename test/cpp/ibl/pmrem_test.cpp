@@ -261,6 +261,23 @@ TEST_F(EnvironmentDisk, KeepsAPrefilteredCubeByContent) {
   EXPECT_EQ(cache.get(wanted, bytes, {.prefiltered = true}, CancelToken()).source, "gpu");
 }
 
+TEST_F(EnvironmentDisk, AFileThatIsKnownHasTheFormsThatAreAskedForNext) {
+  Shot::Environment wanted;
+  wanted.source = Shot::Environment::Source::kPath;
+  wanted.path = TELAR_SOURCE_DIR "/js/assets/studio.hdr";
+  EnvironmentCache cache(*context_, "", {folder_, 64u << 20}, Limits{});
+  const auto get = [&](const EnvironmentUses& uses) -> const Environment& { return cache.get(wanted, {}, uses, {}); };
+  const Environment& first = get({.prefiltered = true});
+  EXPECT_EQ(first.source, "prefiltered");
+  const Environment& again = get({.prefiltered = true});
+  EXPECT_EQ(&again, &first);
+  EXPECT_EQ(again.source, "gpu");
+  EXPECT_EQ(again.sha256, sha256Hex(*readFile(wanted.path, 64u << 20)));
+  EXPECT_GT(get({.background = true}).background.faceSize, 0);
+  EXPECT_TRUE(get({.prefiltered = true, .suns = true}).suns);
+  EXPECT_NE(&get({.prefiltered = true, .smallSuns = true}), &first) << "this is another cube";
+}
+
 TEST_F(EnvironmentDisk, TheFileOfAnotherMapIsNotTaken) {
   const auto bright = map('\x40'), dark = map('\x04');
   EXPECT_EQ(sourceOf(bright), "prefiltered");

@@ -185,6 +185,48 @@ TEST(Tracer, TheSeedGivesTheBytesWithAnyNumberOfThreads) {
   EXPECT_NE(first, frame(8, 1));
 }
 
+TEST(Tracer, PixelsTakePathsUntilTheirStandardErrorIsTheShots) {
+  const ImageF map = sky();
+  const Scene scene = plane(cloth(0.5f));
+  Shot shot = shotOf(24);
+  shot.exposure = 0.5f;
+  const auto draw = [&](double noise, std::uint64_t seed, int threads, TraceFacts& facts) {
+    shot.noise = noise;
+    return traceRadiance(scene, shot, &map, {.samples = 1024, .seed = seed, .threads = threads}, Limits(),
+                         CancelToken(), {}, &facts);
+  };
+  TraceFacts all, strict, loose;
+  const auto truth = draw(0, 1, 2, all), sure = draw(1, 2, 2, strict), rough = draw(8, 2, 2, loose);
+  EXPECT_EQ(all.samples, 1024);
+  EXPECT_LT(loose.samples, strict.samples);
+  EXPECT_LT(strict.samples, 1024);
+  EXPECT_LT(strict.rays, all.rays);
+  // As shown the mean slope of sRGB is near 1 here, so that the standard error of radiance is about noise / 255.
+  const auto errorOf = [&](const std::vector<glm::vec4>& pixels) {
+    double squares = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) squares += std::pow(shot.exposure * (pixels[i].y - truth[i].y), 2);
+    return 255 * std::sqrt(squares / static_cast<double>(pixels.size()));
+  };
+  EXPECT_LT(errorOf(sure), 1.25);
+  EXPECT_GT(errorOf(rough), 1.25) << "the planted fault: it stops too soon";
+  EXPECT_NEAR(meanOf(sure).y, meanOf(truth).y, 0.01 * meanOf(truth).y);
+  EXPECT_EQ(draw(1, 2, 5, strict), sure) << "with any number of threads";
+}
+
+TEST(Tracer, ItIsDoneWhereAllPixelsSettleEarly) {
+  const ImageF map = sky();
+  Shot shot = shotOf(24);
+  for (const double noise : {0.0, 8.0}) {
+    shot.noise = noise;
+    const Progress progress;
+    TraceFacts facts;
+    traceRadiance(plane(cloth(0.5f)), shot, &map, {.samples = 256, .threads = 2}, Limits(), CancelToken(), progress,
+                  &facts);
+    EXPECT_EQ(facts.samples<256, noise> 0) << "the case is one that ends early, and its contrary";
+    EXPECT_EQ(progress.part(), 1) << noise;
+  }
+}
+
 TEST(Tracer, PunctualLightsAreExact) {
   Shot shot = shotOf(4);
   Shot::Light sun{Shot::Light::Type::kDirectional};

@@ -189,15 +189,55 @@ TEST_F(ClothTexture, YarnsFinerThanTwoPixelsShowTheirMeanAlone) {
   EXPECT_LT(far, 0.02);
 }
 
+/// A polished relief under white light from everywhere, as a dome and as lights so wide that they fill the sky.
+TEST_F(ClothTexture, PolishedReliefsReflectAreaLightsAsTheyDoDomes) {
+  Material polished;
+  polished.roughnessFactor = 0.18f;
+  // Three quarters are steep: edges, of which more than half of the light is lost.
+  const Image8 ridges = imageOf(64, 64, [](double u, double) {
+    const int column = int(u * 64) % 4;
+    const glm::vec3 n =
+        glm::normalize(glm::vec3(column == 0 ? 0.0f : 0.9f * float(column - 2), column == 2 ? 0.9f : 0, 1));
+    return glm::vec4(n * 0.5f + 0.5f, 1);
+  });
+  const auto scene = clothOf(ridges, &Material::normalTexture, 60, polished);
+  scene->materials.back().metallicFactor = 1;
+  const auto under = [&](Shot::Light light) {
+    light.position = {0, 0, 1};
+    light.target = {0, 0, 0};
+    light.width = light.height = 2000;
+    light.radius = 1000;
+    light.intensity = light.type == Shot::Light::Type::kAmbient ? glm::pi<double>() : 1;  // radiance 1 of each
+    Shot shot = flatShot(16, 0.5);
+    shot.lights = {light};
+    return meanOf(draw(scene, shot), 1);
+  };
+  const double dome = under({Shot::Light::Type::kAmbient});
+  EXPECT_LT(dome, 0.8);  // the edges matter: of the facets alone an area light would be darker by a sixth or more
+  EXPECT_GT(dome, 0.42);
+  // The light ends a thousandth above the horizon; the tables' own sums are 1 within 1 %.
+  EXPECT_NEAR(under({Shot::Light::Type::kRect}) / dome, 1, 0.015);
+  EXPECT_NEAR(under({Shot::Light::Type::kDisk}) / dome, 1, 0.015);
+}
+
 TEST_F(ClothTexture, NothingIsPaidWhereItIsNotAskedFor) {
   const auto features = [&](ShadingModel shading, const Material& material) {
     auto scene = clothOf(weaveNormals(16, 16, 4, 0.5), &Material::normalTexture, 4, material);
+    scene->materials.back().metallicFactor = material.metallicFactor;
+    scene->materials.back().roughnessFactor = material.roughnessFactor;
     Shot shot = flatShot(16, 2);
     shot.shading = shading;
     return planFrame(*scene, shot, Limits());
   };
   EXPECT_NE(features(ShadingModel::kFabric, {}).find("normal-variance"), std::string::npos);
   EXPECT_EQ(features(ShadingModel::kThree, {}).find("normal-variance"), std::string::npos);
+  Material polished;
+  polished.roughnessFactor = 0.2f;
+  EXPECT_NE(features(ShadingModel::kFabric, polished).find("normal-facets"), std::string::npos);
+  EXPECT_EQ(features(ShadingModel::kThree, polished).find("normal-facets"), std::string::npos);
+  EXPECT_EQ(features(ShadingModel::kFabric, {}).find("normal-facets"), std::string::npos);
+  polished.metallicFactor = 0;
+  EXPECT_EQ(features(ShadingModel::kFabric, polished).find("normal-facets"), std::string::npos);
   Material mask;
   mask.alphaMode = AlphaMode::kMask;
   EXPECT_EQ(features(ShadingModel::kFabric, mask).find("alpha-to-coverage"), std::string::npos);

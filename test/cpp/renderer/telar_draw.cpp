@@ -39,6 +39,12 @@ telar::Backend backendOf(const std::string& name) {
   return telar::Backend::kAuto;
 }
 
+telar::RendererOptions::LeaveOut leaveOut(const std::string& name) {
+  using LeaveOut = telar::RendererOptions::LeaveOut;
+  if (name == "always") return LeaveOut::kAlways;
+  return name == "never" ? LeaveOut::kNever : LeaveOut::kWhereItPays;
+}
+
 struct Arguments {
   telar::RendererOptions options;
   std::string environmentFile, shaderEdits, debugOutputs;
@@ -58,6 +64,7 @@ Arguments parseArguments(int argc, char** argv) {
       arguments.options.cacheDirectory = argv[i + 1];
       arguments.options.cacheBytes = 64u << 20;
     }
+    if (flag == "--hidden") arguments.options.hiddenTriangles = leaveOut(argv[i + 1]);
     if (flag == "--slice-ms") arguments.options.sliceMs = std::atof(argv[i + 1]);
     if (flag == "--repeat") arguments.repeat = std::atoi(argv[i + 1]);
     if (flag == "--debug") arguments.debugOutputs = argv[i + 1];

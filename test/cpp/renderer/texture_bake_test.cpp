@@ -34,8 +34,16 @@ glm::dvec4 reliefOf(const glm::dvec4& texel) {
   return {glm::normalize(glm::dvec3(s, 1)), 1 / (1 + 4 * glm::dot(s, s))};
 }
 
+/// The slope and its square, times the share that lies flat.
+glm::dvec4 facetOf(const glm::dvec4& texel) {
+  const glm::dvec2 s = slopeOf(texel);
+  const double slope2 = glm::dot(s, s);
+  return glm::dvec4(s, 1, slope2) * std::max(1 / (1 + std::pow(slope2 / 0.09, 2)), 1e-4);
+}
+
 /// An image of the means over texels as a sampler shows them: blended with their neighbours, at four points of each.
-std::vector<glm::dvec4> blendedReliefs(const Image8& image) {
+template <typename F>
+std::vector<glm::dvec4> blended(const Image8& image, const F& of) {
   std::vector<glm::dvec4> list;
   for (int y = 0; y < int(image.height); ++y) {
     for (int x = 0; x < int(image.width); ++x) {
@@ -44,7 +52,7 @@ std::vector<glm::dvec4> blendedReliefs(const Image8& image) {
         for (const int dx : {-1, 1}) {
           const glm::dvec4 row = 0.75 * texelAt(image, x, y) + 0.25 * texelAt(image, x + dx, y);
           const glm::dvec4 next = 0.75 * texelAt(image, x, y + dy) + 0.25 * texelAt(image, x + dx, y + dy);
-          sum += reliefOf(0.75 * row + 0.25 * next) / 4.0;
+          sum += of(0.75 * row + 0.25 * next) / 4.0;
         }
       }
       list.push_back(sum);
@@ -106,13 +114,13 @@ TEST_F(TextureBake, LevelsHoldTheMeansOfNormalsAndOfHowFlatTheyLie) {
     const Image8 image = weaveNormals(size.x, size.y, 3.3, 0.9);
     const gl::Texture source = upload(image, GL_RGBA8);
     const gl::Texture baked = baker_.normalVariance(source.get(), int(size.x), int(size.y), 0, 0, CancelToken());
-    const std::vector<glm::dvec4> blended = blendedReliefs(image);
+    const std::vector<glm::dvec4> means = blended(image, reliefOf);
     for (int level = 0; (std::max(size.x, size.y) >> level) > 0; ++level) {
       const glm::ivec2 levelSize = sizeAt(image, level);
       const auto texels = read<float>(baked, level, levelSize);
       for (int i = 0; i < levelSize.x * levelSize.y; ++i) {
         const glm::dvec4 moments = meanOver(image, {i % levelSize.x, i / levelSize.x}, levelSize, [&](int x, int y) {
-          return level == 0 ? reliefOf(texelAt(image, x, y)) : blended[std::size_t(y) * size.x + std::size_t(x)];
+          return level == 0 ? reliefOf(texelAt(image, x, y)) : means[std::size_t(y) * size.x + std::size_t(x)];
         });
         // Where sides are odd, a texel of a level is in part that of two of the one before: wider averages then.
         const bool exact = size.x == 64 || level < 2;
@@ -121,6 +129,56 @@ TEST_F(TextureBake, LevelsHoldTheMeansOfNormalsAndOfHowFlatTheyLie) {
           EXPECT_NEAR(texels[std::size_t(i) * 4 + std::size_t(c)], moments[c], bar) << level << " " << i;
         }
       }
+    }
+  }
+}
+
+TEST_F(TextureBake, LevelsHoldTheSlopesOfFacetsApartFromEdges) {
+  constexpr int SIDE = 32;
+  const Image8 image = weaveNormals(SIDE, SIDE, 3.3, 0.9);
+  const gl::Texture source = upload(image, GL_RGBA8);
+  const gl::Texture baked = baker_.normalFacets(source.get(), SIDE, SIDE, CancelToken());
+  const std::vector<glm::dvec4> means = blended(image, facetOf);
+  std::vector<float> smallest;
+  for (int level = 0; (SIDE >> level) > 0; ++level) {
+    const glm::ivec2 size = sizeAt(image, level);
+    const auto texels = read<float>(baked, level, size);
+    for (int i = 0; i < size.x * size.y; ++i) {
+      const glm::dvec4 moments = meanOver(image, {i % size.x, i / size.x}, size, [&](int x, int y) {
+        const glm::dvec2 slope = slopeOf(texelAt(image, x, y));
+        if (level == 0) return glm::dvec4(slope, 1, glm::dot(slope, slope));  // texels from near are as they are
+        return means[std::size_t(y) * SIDE + std::size_t(x)];
+      });
+      for (int c = 0; c < 4; ++c)
+        EXPECT_NEAR(texels[std::size_t(i) * 4 + std::size_t(c)], moments[c], 1e-4 + 1e-3 * std::abs(moments[c]))
+            << level;
+      smallest = texels;
+    }
+  }
+  double all = 0;
+  for (int i = 0; i < SIDE * SIDE; ++i) {
+    const glm::dvec2 slope = slopeOf(texelAt(image, i % SIDE, i / SIDE));
+    all += glm::dot(slope, slope) / (SIDE * SIDE);
+  }
+  EXPECT_LT(2 * smallest[3] / smallest[2], all);  // mean square of slopes: without the edges it is small
+}
+
+/// Where all is as steep there are no edges between facets, in whatever a level of half floats keeps of it.
+TEST_F(TextureBake, EvenSlopesAreNoEdges) {
+  for (const float slope : {0.5f, 2.0f, 4.0f, 7.0f}) {
+    const Image8 image = imageOf(
+        8, 8, [&](double, double) { return glm::vec4(glm::normalize(glm::vec3(slope, 0, 1)) * 0.5f + 0.5f, 1); });
+    const glm::dvec2 stored = slopeOf(texelAt(image, 0, 0));
+    const gl::Texture source = upload(image, GL_RGBA8);
+    const gl::Texture baked = baker_.normalFacets(source.get(), 8, 8, CancelToken());
+    for (int level = 0; level < 4; ++level) {
+      const auto texel = read<float>(baked, level, glm::ivec2(8 >> level));
+      const double share = std::max(double(texel[2]), brdf_d::FACET_SHARE_MIN);  // as material/normal.glsl
+      EXPECT_NEAR(texel[0] / share, stored.x, 1e-3 * stored.x) << slope << " " << level;
+      if (level == 0) continue;  // all of it counts as facet
+      // Relative roundings of half floats are 2^-11 at most: that of the weighted square counts twice, that of the
+      // share three times.
+      EXPECT_LT(brdf_d::edgeShare(share, texel[3] / share), 2.5e-3) << slope << " " << level;
     }
   }
 }

@@ -26,6 +26,7 @@ test('require and import give the same names', () => {
   const shot = module("console.log(JSON.stringify(Object.keys(await import('telar/shot')).sort()))");
   assert.ok(shot.includes('resolveShot'));
   assert.deepEqual(commonjs("console.log(JSON.stringify(Object.keys(require('telar/shot')).sort()))"), shot);
+  assert.deepEqual(commonjs("console.log(JSON.stringify(Object.keys(require('telar/pool'))))"), ['createPool']);
   const compare = module("console.log(JSON.stringify(Object.keys(await import('telar/compare')).sort()))");
   assert.ok(compare.includes('compareImages'));
   assert.deepEqual(commonjs("console.log(JSON.stringify(Object.keys(require('telar/compare')).sort()))"), compare);
@@ -55,6 +56,19 @@ test('a frame drawn through require', () => {
       console.log(JSON.stringify([data.subarray(1, 4).toString(), info.environmentSource]));
     })();`);
   assert.deepEqual(seen, ['PNG', 'bundled']);
+});
+
+test('a frame drawn in a worker through require', () => {
+  const seen = commonjs(`
+    const { createPool } = require('telar/pool');
+    (async () => {
+      const { MODELS } = await import('${new URL('../../fixtures/index.mjs', import.meta.url)}');
+      const pool = await createPool({ size: 1, cacheDirectory: null });
+      const { data } = await pool.render(await MODELS.ball(), { size: { width: 16, height: 16 } });
+      await pool.close();
+      console.log(JSON.stringify(data.subarray(1, 4).toString()));
+    })();`);
+  assert.equal(seen, 'PNG');
 });
 
 test("both kinds of module share one addon and its renderers' threads in a process", () => {

@@ -47,6 +47,7 @@ const BACKGROUNDS = {
   'one sample': { background: '#888', quality: 'draft' },
   'traced paths': { background: '#888', quality: { preset: 'reference', samples: 8 } },
   'traced paths, transparent': { quality: { preset: 'reference', samples: 8 } },
+  'environment behind traced paths': { environment: dim, background: 'environment', quality: { preset: 'reference', samples: 8 } },
 };
 const AWAY = { position: [0, 0, 5], target: [0, 0, 9], near: 0.1, far: 50 };
 
@@ -84,11 +85,25 @@ for (const [name, background] of Object.entries(BACKGROUNDS)) {
   });
 }
 
-test('where alpha does not tell the model, nothing is said', async () => {
-  for (const shot of [{ camera: { projection: 'orthographic' } }, { quality: { preset: 'reference', samples: 1 } }]) {
-    const { picture, warnings } = await draw(ball, { environment: dim, background: 'environment', ...shot });
-    assert.deepEqual([picture, warnings], [undefined, []]);
+test('quality high tells the same of an environment behind the model, traced or by the raster', async () => {
+  const shot = { size: { width: 32, height: 32 }, environment: dim, background: 'environment', shading: 'fabric' };
+  for (const more of [{}, { toneMapping: 'linear', exposure: 400 }, { camera: AWAY }]) {
+    const traced = await draw(ball, { ...shot, quality: 'high', ...more });
+    const raster = await draw(ball, { ...shot, quality: 'standard', ...more });
+    assert.deepEqual([traced.backend, raster.backend], ['reference', renderer.backend]);
+    assert.deepEqual(codes(traced), codes(raster));
+    // Each asks four places of a pixel, other ones: along the outline, a ninth of these pixels, one of ten may differ.
+    for (const [fact, part] of Object.entries(raster.picture)) {
+      assert.ok(Math.abs(traced.picture[fact] - part) < 0.015, JSON.stringify([more, fact, traced.picture, raster.picture]));
+    }
+    if (more.camera) assert.deepEqual(codes(traced), ['W_EMPTY']);
+    if (more.exposure) assert.deepEqual(codes(traced), ['W_EXPOSURE']);
   }
+});
+
+test('where alpha does not tell the model, nothing is said', async () => {
+  const { picture, warnings } = await draw(ball, { environment: dim, background: 'environment', camera: { projection: 'orthographic' } });
+  assert.deepEqual([picture, warnings], [undefined, []]);
 });
 
 test('too small, and see-through', async () => {
@@ -110,6 +125,19 @@ test('exposure: too much, too little, no light at all', async () => {
       assert.deepEqual(codes(await draw(ball, { lights: sun, exposure: 1e-5, toneMapping, ...background })), ['W_EXPOSURE'], toneMapping);
     }
     assert.deepEqual(codes(await draw(ball, { lights: [], ...background })), ['W_EXPOSURE']);
+  }
+});
+
+test('without tone mapping bytes have no exposure in any quality, and floats have it', async () => {
+  const light = async (quality, exposure, output) => {
+    const { data } = await renderer.render(ball, lit({ environment: dim, quality, exposure, output: { format: 'raw', ...output } }));
+    const values = output ? new Float32Array(data.buffer, data.byteOffset, data.length / 4) : data;
+    return values.reduce((sum, value, i) => sum + (i % 4 === 3 ? 0 : value), 0);
+  };
+  for (const quality of ['standard', { samples: 16, noise: 0 }, { preset: 'reference', samples: 4 }]) {
+    assert.equal(await light(quality, 4), await light(quality, 1), JSON.stringify(quality));
+    const floats = (await light(quality, 4, { bitDepth: 32 })) / (await light(quality, 1, { bitDepth: 32 }));
+    assert.ok(Math.abs(floats - 4) < 1e-4, `${floats} of ${JSON.stringify(quality)}`);
   }
 });
 

@@ -7,6 +7,7 @@ import { after, before, test } from 'node:test';
 import { promisify } from 'node:util';
 import { createRenderer, doctor } from '../../../js/index.mjs';
 import { nativePath } from '../../../js/api/native.mjs';
+import { compareImages } from '../../../js/compare/index.mjs';
 import { MODELS } from '../../fixtures/index.mjs';
 import './support/real.mjs';
 
@@ -29,7 +30,7 @@ after(() => renderer.close());
 test('info tells what a traced frame is made of', async () => {
   const { data, info } = await renderer.render(ball, { size: SIZE, quality: reference({ seed: 3 }) });
   assert.equal(data.subarray(1, 4).toString(), 'PNG');
-  assert.deepEqual(info.quality, { preset: 'reference', samples: 4, seed: 3, transport: 'global', bounces: 8, threads: 0 });
+  assert.deepEqual(info.quality, { preset: 'reference', samples: 4, noise: 0, seed: 3, transport: 'global', bounces: 8, threads: 0 });
   assert.deepEqual([info.backend, info.gl, info.features, info.programs, info.passes, info.drawCalls], ['reference', {}, [], [], ['trace'], 0]);
   assert.equal(info.environmentSource, 'bundled');
   assert.equal(info.threads, Math.min(os.availableParallelism(), SIZE.height));
@@ -38,6 +39,36 @@ test('info tells what a traced frame is made of', async () => {
   const raster = await renderer.render(ball, { size: SIZE });
   assert.deepEqual(info.worldToPixel, raster.info.worldToPixel);
   assert.equal(raster.info.backend, renderer.backend);
+});
+
+test('quality high of a fine mesh is traced where that costs less, and shows what the passes of the raster do', async () => {
+  const shot = { size: SIZE, shading: 'fabric', output: { format: 'raw' } };
+  const shirt = path.join(ROOT, 'js/assets/tshirt.glb');
+  const draw = (quality, model = shirt) => renderer.render(model, { ...shot, quality });
+  const high = await draw('high');
+  assert.deepEqual([high.info.backend, high.info.passes, high.info.quality.preset], ['reference', ['trace'], 'high']);
+  assert.ok(high.info.samples >= 16 && high.info.samples <= 1024);
+  const passes = await draw({ samples: 256, environmentSamples: 512 });
+  assert.equal(passes.info.backend, renderer.backend, 'settings one by one are the raster');
+  const apart = ({ data }) => compareImages({ ...SIZE, data: passes.data }, { ...SIZE, data }).object.flip.mean;
+  const facts = { high: apart(high), occluded: apart(await draw(reference({ samples: 64, transport: 'occlusion' }))) };
+  assert.ok(facts.high < 0.03, JSON.stringify(facts));
+  assert.ok(facts.occluded > 0.03, `planted fault: another light. ${JSON.stringify(facts)}`);
+});
+
+test('noise ends the paths of quiet pixels, and what is left of it is as small as asked', async () => {
+  const draw = (settings) => renderer.render(ball, { size: SIZE, quality: reference({ transport: 'direct', ...settings }), output: { format: 'raw' } });
+  const truth = await draw({ samples: 2048, seed: 2 });
+  assert.equal(truth.info.samples, 2048);
+  const [coarse, fine] = [await draw({ samples: 2048, noise: 8 }), await draw({ samples: 2048, noise: 1.5 })];
+  // Inside: the colour of a pixel that the ball hardly covers is that of few paths.
+  const inside = [...truth.data.keys()].filter((i) => truth.data[i | 3] === 255);
+  const rms = ({ data }) => Math.sqrt(inside.reduce((sum, i) => sum + (data[i] - truth.data[i]) ** 2, 0) / inside.length);
+  const facts = [coarse, fine].map((each) => ({ samples: each.info.samples, rays: each.info.rays, rms: rms(each) }));
+  assert.ok(facts[0].samples >= 16 && facts[0].samples < facts[1].samples && facts[1].samples < 2048, JSON.stringify(facts));
+  assert.ok(facts[0].rays < facts[1].rays && facts[1].rays < truth.info.rays, JSON.stringify(facts));
+  // The truth's own error and rounding come on top.
+  assert.ok(facts[1].rms < 1.5 && facts[0].rms > facts[1].rms, JSON.stringify(facts));
 });
 
 test('the seed gives the bytes, with any number of threads', async () => {
@@ -121,7 +152,7 @@ async function printed(script, env = {}) {
     import { MODELS } from ${JSON.stringify(path.join(ROOT, 'test/fixtures/index.mjs'))};
     const loaded = () => /libembree/.test(readFileSync('/proc/self/maps', 'utf8'));
     const renderer = await createRenderer({ cacheDirectory: null });
-    const draw = async (quality, layers) => renderer.render(await MODELS.ball(), { size: { width: 8, height: 8 }, environment: 'none', quality, layers });
+    const draw = async (quality, layers, more) => renderer.render(await MODELS.ball(), { size: { width: 8, height: 8 }, environment: 'none', quality, layers, ...more });
     ${script}
     await renderer.close();`,
     ],
@@ -148,11 +179,17 @@ test('a host without the library, or without Embree, draws the rest and names th
     const error = await draw({ preset: 'reference', samples: 1 }).catch((thrown) => thrown);
     const layer = await draw('standard', ['ao']).catch((thrown) => thrown);
     const sees = Object.keys((await draw('standard', ['depth'])).layers);
-    console.log(JSON.stringify([info.passes.length > 0, error.code, error.exit, error.message, layer.message === error.message, sees, (await doctor()).reference]));`;
+    const missed = ({ warnings }) => warnings.filter(({ code }) => code === 'W_LIBRARY_MISSING');
+    const { info: high } = await draw('high', undefined, { shading: 'fabric' });
+    const instead = [high.backend === renderer.backend, missed(high).map(({ message, pointer }) => [message.endsWith(error.message), pointer])];
+    const told = [error.code, error.exit, error.message, layer.message === error.message];
+    const { reference, imageFiles } = await doctor();
+    console.log(JSON.stringify([info.passes.length > 0, missed(info), ...told, sees, instead, reference, imageFiles.works]));`;
   const missing = (file) =>
     `Embree is needed for quality "reference", the layer "ao" and ambient visibility, but ${file} cannot be loaded; run: apt-get install libembree3-3, and build telar again if it is older`;
   try {
-    const expect = (file) => [true, 'X_LIBRARY_MISSING', 6, missing(file), true, ['depth'], { works: false, failure: missing(file) }];
+    const instead = [true, [[true, '/quality']]];
+    const expect = (file) => [true, [], 'X_LIBRARY_MISSING', 6, missing(file), true, ['depth'], instead, { works: false, failure: missing(file) }, false];
     assert.deepEqual(await printed(script, { TELAR_LIBRARY_DIR: folder }), expect('libtelar_reference.so'));
     const copy = path.join(folder, 'libtelar_reference.so');
     copyFileSync(LIBRARY, copy);

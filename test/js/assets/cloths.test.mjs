@@ -9,7 +9,7 @@ import { inspect } from '../../../js/index.mjs';
 const FOLDER = new URL('../../../js/assets/cloths/', import.meta.url);
 const NAMES = Object.keys(PRESETS);
 
-// That the script makes these files is looked at in tshirt.test.mjs, which runs it.
+// That the script makes these files is looked at in made.test.mjs.
 test('each preset has a construction and a file, and nothing else lies there', async () => {
   assert.deepEqual(Object.keys(CONSTRUCTIONS).sort(), [...NAMES].sort());
   assert.deepEqual((await readdir(FOLDER)).sort(), NAMES.map((name) => `${name}.glb`).sort());

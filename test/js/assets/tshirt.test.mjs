@@ -1,8 +1,6 @@
 import assert from 'node:assert/strict';
-import { mkdtemp, readFile, readdir, rm, stat } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
+import { readFile, readdir, stat } from 'node:fs/promises';
 import path from 'node:path';
-import { spawnSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 import { before, test } from 'node:test';
 import { NodeIO } from '@gltf-transform/core';
@@ -139,16 +137,4 @@ test("the drape's occlusion lies on the second coordinates, which stay inside of
 
 test('the file says whose it is', () => {
   assert.match(root.getAsset().copyright, /telar/);
-});
-
-test('the script makes the committed files, byte for byte', { timeout: 600e3 }, async (context) => {
-  const folder = await mkdtemp(path.join(tmpdir(), 'telar-assets-'));
-  context.after(() => rm(folder, { recursive: true, force: true }));
-  const made = spawnSync(process.execPath, [path.join(assets, 'make', 'index.mjs'), folder], { encoding: 'utf8' });
-  assert.equal(made.status, 0, made.stderr);
-  const cloths = (await readdir(path.join(assets, 'cloths'))).map((name) => `cloths/${name}`);
-  assert.ok(cloths.length > 20);
-  for (const name of ['tshirt.glb', 'studio.hdr', ...cloths]) {
-    assert.ok((await readFile(path.join(folder, name))).equals(await readFile(path.join(assets, name))), `js/assets/${name} is stale: npm run assets`);
-  }
 });

@@ -52,6 +52,7 @@ test('doctor names backends, the choice and the cure', async () => {
   assert.match(stdout, /osmesa: llvmpipe, OpenGL ES 3\.2, in software/);
   assert.match(stdout, /^chosen +osmesa: first$/m);
   assert.match(stdout, /^reference +Embree 3$/m);
+  assert.match(stdout, /^image files +PNG, JPEG and WebP alone: no OpenImageIO$/m);
   assert.equal(JSON.parse((await runFake(['doctor', '--json'])).stdout).chosen, 'osmesa');
 });
 
@@ -66,6 +67,7 @@ test('doctor fails where nothing can draw', async () => {
       reason: 'not built',
       backends: [],
       reference: { works: false, failure: 'not built' },
+      imageFiles: { works: false, failure: 'not built' },
     }),
   };
   const { exit, stdout } = await runFake(['doctor'], { api });

@@ -170,22 +170,41 @@ test('each backend that doctor finds draws', () => {
   }
 });
 
-test('SIGINT ends the run as a signal does and leaves whole files only', async () => {
-  const at = freshFolder();
-  const copies = Array.from({ length: 40 }, (_, i) => {
-    writeFileSync(at(`${i}.glb`), readFileSync(SHIRT));
-    return at(`${i}.glb`);
+for (const jobs of [[], ['--jobs', '2']]) {
+  test(`SIGINT ends the run as a signal does and leaves whole files only ${jobs.join(' ')}`, async () => {
+    const at = freshFolder();
+    const copies = Array.from({ length: 40 }, (_, i) => {
+      writeFileSync(at(`${i}.glb`), readFileSync(SHIRT));
+      return at(`${i}.glb`);
+    });
+    const child = spawn(BIN, ['thumbnail', ...copies, '-o', at('out'), '--size', '1500', ...jobs], { stdio: ['ignore', 'pipe', 'pipe'] });
+    const ended = once(child, 'close');
+    const deadline = Date.now() + 60_000;
+    while (!(existsSync(at('out')) && readdirSync(at('out')).some((name) => name.endsWith('.png'))) && Date.now() < deadline) await sleep(5);
+    child.kill('SIGINT');
+    const [code, signal] = await ended;
+    assert.deepEqual([code, signal], [null, 'SIGINT']);
+    const files = readdirSync(at('out'));
+    assert.ok(files.length >= 1 && files.length < copies.length, `${files.length} files`);
+    for (const file of files) assert.ok(/^\d+\.png$/.test(file) && isWholePng(at('out', file)), file);
   });
-  const child = spawn(BIN, ['thumbnail', ...copies, '-o', at('out'), '--size', '1500'], { stdio: ['ignore', 'pipe', 'pipe'] });
-  const ended = once(child, 'close');
-  const deadline = Date.now() + 60_000;
-  while (!(existsSync(at('out')) && readdirSync(at('out')).some((name) => name.endsWith('.png'))) && Date.now() < deadline) await sleep(5);
-  child.kill('SIGINT');
-  const [code, signal] = await ended;
-  assert.deepEqual([code, signal], [null, 'SIGINT']);
-  const files = readdirSync(at('out'));
-  assert.ok(files.length >= 1 && files.length < copies.length, `${files.length} files`);
-  for (const file of files) assert.ok(/^\d+\.png$/.test(file) && isWholePng(at('out', file)), file);
+}
+
+test('--jobs draws the same bytes, and a file that is damaged stops no other', () => {
+  const at = freshFolder();
+  const models = ['a', 'b', 'c'].map((name) => at(`${name}.glb`));
+  for (const model of models) writeFileSync(model, readFileSync(SHIRT));
+  writeFileSync(models[1], 'no model');
+  const [own, far] = [[], ['--jobs', '2']].map((jobs) => {
+    const out = at(`out${jobs.length}`);
+    const { status, stdout } = telar(['thumbnail', ...models, '-o', out, '--views', 'front,back', '--json', ...SMALL, ...jobs]);
+    const { images } = jsonOf({ stdout });
+    const pictures = images.map(({ ok, error, output }) => [ok, error?.code, ok && readFileSync(output).toString('base64')]);
+    return { status, pictures };
+  });
+  assert.equal(far.status, 3);
+  assert.equal(far.pictures.filter(([ok]) => ok).length, 4);
+  assert.deepEqual(far, own);
 });
 
 test('a reader that leaves early is an output error, not a hang', async () => {

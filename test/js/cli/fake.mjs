@@ -9,8 +9,8 @@ const FACTS = { bounds: { min: [-1, 0, -1], max: [1, 2, 1] }, variants: ['navy']
 /**
  * Stands in for the API: "draws" the resolved shot as JSON, fails for models named after an error code, and notes each call.
  */
-export function fakeApi({ delayMs = 0 } = {}) {
-  const calls = { created: [], rendered: [], loaded: [], released: 0, closed: 0, inspected: [], baked: [] };
+export function fakeApi({ delayMs = 0, told = 0.5 } = {}) {
+  const calls = { created: [], rendered: [], loaded: [], released: 0, closed: 0, mostAtOnce: 0, inspected: [], baked: [] };
   const wait = (signal) =>
     new Promise((resolve, reject) => {
       signal?.throwIfAborted();
@@ -28,7 +28,7 @@ export function fakeApi({ delayMs = 0 } = {}) {
       .digest('hex');
   const render = async (given, shot, { signal, onProgress }) => {
     const source = given?.loaded ?? given;
-    onProgress?.(0.5);
+    onProgress?.(told);
     await wait(signal);
     if (failing(source)) throw new TelarError(failing(source), 'it fails', { pointer: '/nodes/0' });
     const resolved = resolveShot(shot, FACTS);
@@ -42,12 +42,13 @@ export function fakeApi({ delayMs = 0 } = {}) {
     return { loaded: source };
   };
   const release = async () => void (calls.released += 1);
+  const open = async (options) => {
+    calls.created.push(options);
+    if (options.backend === 'egl-device') throw new TelarError('X_GL', 'no device');
+    return { render, load, release, close: async () => void (calls.closed += 1) };
+  };
   const api = {
-    createRenderer: async (options) => {
-      calls.created.push(options);
-      if (options.backend === 'egl-device') throw new TelarError('X_GL', 'no device');
-      return { render, load, release, close: async () => void (calls.closed += 1) };
-    },
+    createRenderer: open,
     pictureKey: async (source, shot) => keyOf(source, shot),
     inspect: async (source, options) => {
       calls.inspected.push({ source, options });
@@ -72,9 +73,22 @@ export function fakeApi({ delayMs = 0 } = {}) {
         { backend: 'osmesa', works: true, renderer: 'llvmpipe', version: 'OpenGL ES 3.2', software: true },
       ],
       reference: { works: true, version: 'Embree 3' },
+      imageFiles: { works: false, failure: 'no OpenImageIO' },
     }),
   };
-  return { api, calls };
+  let running = 0;
+  const pool = {
+    createPool: async ({ size = 3, ...options }) => {
+      const renderer = await open({ ...options, size });
+      const counted = async (...args) => {
+        running += 1;
+        calls.mostAtOnce = Math.max(calls.mostAtOnce, running);
+        return renderer.render(...args).finally(() => (running -= 1));
+      };
+      return { ...renderer, render: counted, workers: new Array(size).fill({}) };
+    },
+  };
+  return { api, pool, calls };
 }
 
 const TERMINAL = { isTTY: true };
@@ -88,6 +102,14 @@ export async function runFake(argv, { stdin = '', env = {}, tty = false, signal,
       tty && TERMINAL,
     );
   const [stdout, stderr] = [sink('stdout'), sink('stderr')];
-  const exit = await run(argv, { stdin: Readable.from(stdin === '' ? [] : [Buffer.from(stdin)]), stdout, stderr, env, signal, loadApi: async () => api });
+  const exit = await run(argv, {
+    stdin: Readable.from(stdin === '' ? [] : [Buffer.from(stdin)]),
+    stdout,
+    stderr,
+    env,
+    signal,
+    loadApi: async () => api,
+    loadPool: async () => fake.pool,
+  });
   return { exit, stdout: Buffer.concat(collected.stdout).toString(), stderr: Buffer.concat(collected.stderr).toString(), calls: fake.calls };
 }

@@ -299,3 +299,22 @@ test('what a contact sheet cannot show is refused first', async () => {
   assert.match(await usageOf(at('a.glb'), '-o', at('a.png'), '--contact-sheet', at('a.png')), /a picture or a model has this name/);
   assert.match(await usageOf(at('a.glb'), '-o', '-', '--contact-sheet', at('s.png')), /one goes to stdout/);
 });
+
+test('--jobs draws in a pool of so many, and keeps them all busy', async () => {
+  const at = freshFolder();
+  fill(at, Object.fromEntries(Array.from({ length: 12 }, (_, i) => [`in/${i}.glb`, ''])));
+  const fake = () => fakeApi({ delayMs: 20 });
+  for (const [args, size, most] of [
+    [['--jobs', '6', '--timeout-ms', '70'], 6, 6],
+    [['--jobs', 'auto'], 3, 4],
+  ]) {
+    const { exit, calls } = await runFake(['thumbnail', '-r', at('in'), '-o', at(`out${size}`), ...args], { fake: fake() });
+    assert.deepEqual([exit, calls.created.length, calls.created[0].size, calls.closed, calls.mostAtOnce], [0, 1, size, 1, most]);
+    assert.equal(filesIn(at(`out${size}`)).length, 12);
+    if (size === 6) assert.equal(calls.created[0].timeoutMs, 70);
+  }
+  assert.equal((await runFake(['thumbnail', '-r', at('in'), '-o', at('one')], { fake: fake() })).calls.created[0].size, undefined, 'without it, a renderer');
+  for (const wrong of ['0', '-1', '1.5', 'all', '1025']) {
+    assert.match(await usageOf('-r', at('in'), '-o', at('no'), '--jobs', wrong), /--jobs: expected processes from 1 to 1024, or auto, got/);
+  }
+});

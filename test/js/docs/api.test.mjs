@@ -1,15 +1,17 @@
-// js/index.d.ts documents the package: every function and method with an example, every option with its default.
+// js/index.d.ts and js/pool/index.d.ts document the package: every function and method with an example, every option with its default.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { callOptions, drawAllOptions, drawOptions, inspectOptions, keyOptions, loadOptions, rendererOptions } from '../../../js/api/options.mjs';
+import { callOptions, drawAllOptions, drawOptions, inspectOptions, keyOptions, loadOptions, RENDERER_KEYS, rendererOptions } from '../../../js/api/options.mjs';
+import { DEFAULTS } from '../../../js/pool/defaults.mjs';
+import { poolOptions } from '../../../js/pool/options.mjs';
 import { lobesOptions } from '../../../js/api/lobes_options.mjs';
 
 const ROOT = fileURLToPath(new URL('../../../', import.meta.url));
-const TEXT = readFileSync(path.join(ROOT, 'js/index.d.ts'), 'utf8');
+const TEXT = ['js/index.d.ts', 'js/pool/index.d.ts'].map((file) => readFileSync(path.join(ROOT, file), 'utf8')).join('\n');
 
 /** Members of an interface, those that it extends included: name to comment. */
 function membersOf(name, text = TEXT) {
@@ -24,6 +26,9 @@ function membersOf(name, text = TEXT) {
   for (const [member, fact] of own) if (!own.some(([other, { comment }]) => other === member && comment) || fact.comment) members.set(member, fact);
   return members;
 }
+
+/** More keys than a message names are listed by those who look for them. */
+const LISTED = { PoolOptions: ['size', ...Object.keys(DEFAULTS), ...RENDERER_KEYS] };
 
 /** What a reader of options says that it knows: its message names the keys. */
 function knownBy(read) {
@@ -43,12 +48,14 @@ const READERS = {
   RendererOptions: (options) => rendererOptions(options, []),
   InspectOptions: (options) => inspectOptions(options, []),
   PictureKeyOptions: (options) => keyOptions(options, []),
+  PoolOptions: (options) => poolOptions(options, []),
   EvaluateShadingOptions: (options) => lobesOptions(options),
 };
 
 for (const [name, read] of Object.entries(READERS)) {
   test(`${name}: each option has a text and a default, and is read`, () => {
-    const known = knownBy(read);
+    const known = LISTED[name] ?? knownBy(read);
+    for (const option of LISTED[name] ?? []) read({ [option]: undefined });
     for (const [option, { comment, optional }] of membersOf(name)) {
       assert.ok(known.includes(option), `${option} is documented, and refused`);
       assert.match(comment, /[A-Z][^@]{10,}/, `${option} has a text`);
@@ -63,6 +70,9 @@ test('the defaults are those that are read', () => {
   for (const option of ['backend', 'cacheBytes', 'limits', 'maxWaiting', 'allFeatures']) {
     assert.deepEqual(JSON.parse(written(option).replaceAll("'", '"')), defaults[option], option);
   }
+  for (const [option, value] of Object.entries(DEFAULTS)) {
+    assert.deepEqual(JSON.parse(/@default (\S+)/.exec(membersOf('PoolOptions').get(option).comment)[1]), value, option);
+  }
   assert.equal(written('failOn'), `'${defaults.loading.failOn}'`);
 });
 
@@ -70,8 +80,8 @@ test('the defaults are those that are read', () => {
 const EXAMPLES = [...TEXT.matchAll(/ \* @example\n((?: *\* [^\n]*\n)+?) *\*(?:\/| @)/g)].map(([, lines]) => lines.replaceAll(/^ *\* /gm, ''));
 
 test('every method and function has an example', () => {
-  for (const [method, { comment }] of membersOf('Renderer')) {
-    if (!['backend', 'gl'].includes(method)) assert.match(comment, /@example\n/, method);
+  for (const [method, { comment }] of [...membersOf('Renderer'), ...membersOf('Pool')]) {
+    if (!['backend', 'gl', 'workers'].includes(method)) assert.match(comment, /@example\n/, method);
   }
   for (const [, comment, name] of TEXT.matchAll(/^(?:\/\*\*((?:(?!\*\/)[\s\S])*?)\*\/\n)?export function (\w+)/gm))
     assert.match(comment ?? '', /@example\n/, name);
@@ -89,13 +99,14 @@ function typeErrors(examples) {
     path.join(FOLDER, 'all.mts'),
     [
       "import { animateWebp, bake, createRenderer, doctor, evaluateShading, inspect, pictureKey, type Model, type Renderer, type Resolve, type Shot } from 'telar';",
+      "import { createPool, type Pool, type PoolModel } from 'telar/pool';",
       "import { resolveShot, turntable } from 'telar/shot';",
       'declare function writeFile(path: string, data: Uint8Array): Promise<void>;',
       ...examples.map(
         (example, i) =>
-          `export async function example${i}(${example.includes('const renderer') || example.includes('using renderer') ? '' : 'renderer: Renderer, '}${example.includes('const model') ? '' : 'model: Model'}) {\n${example}}`,
+          `export async function example${i}(${example.includes('using pool') ? '' : 'pool: Pool, poolModel: PoolModel, '}${example.includes('const renderer') || example.includes('using renderer') ? '' : 'renderer: Renderer, '}${example.includes('const model') ? '' : 'model: Model'}) {\n${example}}`,
       ),
-      'export const all = [animateWebp, bake, turntable, createRenderer, doctor, evaluateShading, inspect, pictureKey, resolveShot];',
+      'export const all = [animateWebp, bake, turntable, createPool, createRenderer, doctor, evaluateShading, inspect, pictureKey, resolveShot];',
       'export type All = [Model, Renderer, Resolve, Shot];',
     ].join('\n'),
   );

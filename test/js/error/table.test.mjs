@@ -69,6 +69,7 @@ test('exit codes are the documented ones', () => {
     cancelled: 5,
     busy: 5,
     machine: 6,
+    crash: 7,
     internal: 7,
     warning: 0,
   });

@@ -8,7 +8,7 @@ import { aptLine, listedPackages, missingPackages } from '../../../js/machine/de
 import { ROOT } from '../../../js/machine/step.mjs';
 import { rootCommands } from '../../../js/setup/debian.mjs';
 
-const GROUPS = ['build', 'run', 'test', 'lint'];
+const GROUPS = ['build', 'run', 'test', 'lint', 'fuzz'];
 const hasDpkg = spawnSync('dpkg-query', ['--version']).status === 0;
 
 test('the list: every line has a name, a known group and a reason', () => {
@@ -16,7 +16,7 @@ test('the list: every line has a name, a known group and a reason', () => {
     .split('\n')
     .filter((line) => line && !line.startsWith('#'));
   assert.ok(lines.length > 20);
-  for (const line of lines) assert.match(line, /^[a-z0-9.+-]+ +(build|run|test|lint) +\S.{4,}/);
+  for (const line of lines) assert.match(line, /^[a-z0-9.+-]+ +(build|run|test|lint|fuzz) +\S.{4,}/);
   const names = listedPackages(GROUPS);
   assert.equal(names.length, lines.length);
   assert.equal(new Set(names).size, names.length, 'no package twice');

@@ -214,7 +214,7 @@ const MESSAGES = [
   [{ toneMapping: 'filmic' }, `shot.toneMapping: expected ${oneOf(TONE_MAPPINGS)}, got "filmic"`],
   [
     { quality: 'best' },
-    'shot.quality: expected "standard", "draft", "medium", "high", "reference", {samples, resolve, noise, environmentSamples} or {preset: "reference", ...}, got "best"',
+    'shot.quality: expected "standard", "draft", "medium", "high", "reference", {samples, resolve, noise, environmentSamples}, {preset: "reference", ...}, {maxError} or {budgetMs}, got "best"',
   ],
   [{ quality: { samples: 2 } }, 'shot.quality.samples: expected 1, 4, 16, 64, 256 or 1024 samples a pixel, got 2'],
   [{ quality: { samples: 4, noise: 1 } }, 'shot.quality.noise: expected 0 with 4 samples or fewer, got 1'],
@@ -222,10 +222,14 @@ const MESSAGES = [
   [{ quality: { environmentSamples: 0.5 } }, 'shot.quality.environmentSamples: expected a whole number of directions in [0, 4096], got 0.5'],
   [{ quality: { preset: 'standard', environmentSamples: 64 } }, 'shot.quality.environmentSamples: expected 0 with preset "standard", or no preset, got 64'],
   [{ quality: { preset: 'best' } }, 'shot.quality.preset: expected "standard", "draft", "medium", "high" or "reference", got "best"'],
+  [{ quality: { maxError: 0 } }, 'shot.quality.maxError: expected a number in (0, 1], got 0'],
+  [{ quality: { budgetMs: '1 s' } }, 'shot.quality.budgetMs: expected a number in (0, 1e9], got "1 s"'],
+  [{ quality: { maxError: 0.1, budgetMs: 3 } }, 'shot.quality.budgetMs: unknown key, expected one of maxError'],
+  [{ quality: { preset: 'reference', noise: 65 } }, 'shot.quality.noise: expected a number in [0, 64], got 65'],
   [{ quality: { preset: 'reference', samples: 0 } }, 'shot.quality.samples: expected a whole number of paths a pixel in [1, 65536], got 0'],
   [
     { quality: { preset: 'reference', resolve: 'linear' } },
-    'shot.quality.resolve: unknown key, expected one of preset, samples, seed, transport, bounces, threads',
+    'shot.quality.resolve: unknown key, expected one of preset, samples, noise, seed, transport, bounces, threads',
   ],
   [{ quality: { preset: 'reference', sead: 1 } }, 'shot.quality.sead: unknown key, did you mean seed?'],
   [{ quality: { preset: 'reference', transport: 'all' } }, 'shot.quality.transport: expected "global", "occlusion" or "direct", got "all"'],
@@ -273,24 +277,6 @@ test('exact messages', () => {
     const error = complaintOf(shot);
     assert.equal(error.message, message);
     assert.equal(error.code, 'E_SHOT');
-  }
-});
-
-/** [shot, what is refused, what stands instead, pointer] */
-const UNAVAILABLE = [
-  ...['maxError', 'budgetMs'].map((key) => [
-    { quality: { [key]: 1 } },
-    `shot.quality.${key}: a quality by ${key}`,
-    'use {samples, environmentSamples}',
-    `/quality/${key}`,
-  ]),
-];
-
-test('what this version does not draw is refused by name, and what there is instead is named', () => {
-  for (const [shot, what, instead, pointer] of UNAVAILABLE) {
-    const error = complaintOf(shot);
-    assert.equal(error.message, `${what} is not available in this version of telar; ${instead}`);
-    assert.deepEqual([error.code, error.kind, error.exit, error.pointer], ['E_SHOT_UNAVAILABLE', 'unsupported', 3, pointer]);
   }
 });
 

@@ -127,7 +127,7 @@ test('all defaults are written out', () => {
 });
 
 test("the path tracer's settings are written out, and the lens focuses on the target", () => {
-  const reference = { preset: 'reference', samples: 256, seed: 1, transport: 'global', bounces: 8, threads: 0 };
+  const reference = { preset: 'reference', samples: 256, noise: 0, seed: 1, transport: 'global', bounces: 8, threads: 0 };
   assert.deepEqual(resolveShot({ quality: 'reference' }, box).quality, reference);
   assert.deepEqual(resolveShot({ quality: { preset: 'reference', transport: 'direct', samples: 4 } }, box).quality, {
     ...reference,

@@ -10,6 +10,8 @@ import { clothOf, extensionsOf } from '../../../js/three/shading/fabric_layers.m
 import { loadShading } from '../../../js/three/shading/index.mjs';
 import '../built.mjs';
 
+const NO_YARNS = { warp: { coverage: 0 }, weft: { coverage: 0 } };
+
 /** A quad with a material; images do not load in Node, so textures stand for them. */
 async function load(material, textures = 0) {
   const { doc, bin } = quad();
@@ -118,6 +120,25 @@ test('FabricMaterial by hand: parameters, clones, programs that differ by what i
   thin.diffuseTransmission.diffuseTransmissionFactor = 0.6;
   thin.textUniforms();
   assert.equal(uniforms.diffuseTransmissionFactor.value, 0.6);
+});
+
+test('a material that becomes polished, or no longer is, is drawn by the program that reads what its normal map is made as', async () => {
+  const material = new (await loadFabricMaterial(THREE))({ normalMap: new THREE.Texture(), fabric: { weave: NO_YARNS }, metalness: 1, roughness: 0.2 });
+  const seen = [];
+  for (const roughness of [0.2, 0.25, 0.5, 0.6, 0.2]) {
+    material.roughness = roughness;
+    const { version } = material;
+    material.onBeforeRender({});
+    const { NORMAL_FACETS } = material.textDefines();
+    seen.push([NORMAL_FACETS, material.version - version]);
+  }
+  assert.deepEqual(seen, [
+    [1, 1],
+    [1, 0],
+    [0, 1],
+    [0, 0],
+    [1, 1],
+  ]);
 });
 
 for (const family of ['fabric', 'principled']) {

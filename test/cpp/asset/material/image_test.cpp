@@ -67,5 +67,20 @@ TEST_F(ImageTest, EachDistinctImageIsDecodedOnce) {
   EXPECT_EQ(errorOf(model, limits), "L_IMAGE_BYTES at /images/2");
 }
 
+// Several threads decode: which one meets a damaged image first must not show.
+TEST_F(ImageTest, OfSeveralDamagedImagesTheFirstIsTold) {
+  Bytes cut = pngPixel();
+  cut.resize(cut.size() / 2);
+  const char* slots[] = {"normalTexture", "occlusionTexture", "emissiveTexture"};
+  model.doc["textures"] = json::array();
+  for (int i = 0; i < 4; ++i) {
+    const int view = model.view(i == 1 || i == 3 ? cut : pngPixel());
+    model.doc["images"].push_back({{"bufferView", view}, {"mimeType", "image/png"}});
+    model.doc["textures"].push_back({{"source", i}});
+    if (i > 0) model.doc["materials"][0][slots[i - 1]] = {{"index", i}};
+  }
+  for (int run = 0; run < 200; ++run) EXPECT_EQ(errorOf(model), "E_IMAGE_CORRUPT at /images/1");
+}
+
 }  // namespace
 }  // namespace telar::test

@@ -54,7 +54,7 @@ std::shared_ptr<const Scene> load(std::string text, const CancelToken& cancel) {
 class Double : public Renderer {
  public:
   Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& shot, std::span<const std::byte> environment,
-             const CancelToken& cancel, FrameInfo& info) override {
+             const CancelToken& cancel, FrameInfo& info, const Progress&) override {
     if (std::this_thread::get_id() != thread_)
       throw std::logic_error("draw() was called on another thread than create()");
     const json plan = json::parse(scene->name);

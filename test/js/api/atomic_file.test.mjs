@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, beforeEach, test } from 'node:test';
 import { promisify } from 'node:util';
-import { sweepStale, writeFileAtomically } from '../../../js/cli/atomic_file.mjs';
+import { sweepStale, writeFileAtomically } from '../../../js/api/atomic_file.mjs';
 
 const root = mkdtempSync(path.join(tmpdir(), 'telar-atomic-'));
 after(() => rmSync(root, { recursive: true }));

@@ -1,0 +1,65 @@
+import { nativeCall } from './native_call.mjs';
+import { onAbort } from './on_abort.mjs';
+import { shotJson } from './shot_json.mjs';
+
+/** Settings for a shot whose quality is a goal: {maxError} or {budgetMs}. They depend on the model, those of a budget on the machine too. */
+
+/** Few shots have a goal, so what it needs comes with the first. */
+const predictModule = () => import('../predict/index.mjs');
+
+let tracer;
+
+/** Whether the path tracer is there; it is looked for once. */
+export function hasTracer(native) {
+  tracer ??= nativeCall(native, undefined, () => native.probeReference()).then((json) => JSON.parse(json).works);
+  return tracer;
+}
+
+/** As js/predict has it. @type {typeof import('../predict/calibrate.mjs').calibrate} */
+export const calibrate = async (...args) => (await predictModule()).calibrate(...args);
+
+/** What others wait for too goes on when one of them leaves. */
+function untilAbort(promise, signal) {
+  if (!signal) return promise;
+  signal.throwIfAborted();
+  return new Promise((resolve, reject) => {
+    const stopListening = onAbort(signal, reject);
+    promise.then(resolve, reject).finally(stopListening);
+  });
+}
+
+/** What the narrowest class of a scene and its numbers say, in words. */
+const basisOf = ({ basis, scenes }, isHere) => `${scenes} measured scenes of the class "${basis}"${isHere ? ', times by the calibration of this machine' : ''}`;
+
+/**
+ * @param {object} native the addon's exports
+ * @param {object} request
+ * @param {object} request.resolved shot whose quality is a goal
+ * @param {object} request.scene native
+ * @param {{triangles: number}} request.facts of the model
+ * @param {object} request.limits
+ * @param {() => Promise<import('../predict/choose.mjs').Machine>} request.machine calibration, where it is needed
+ * @param {import('./work.mjs').Work} [work]
+ * @returns {Promise<{quality: object, goal: object}>} quality: resolved; goal: what info tells of it
+ */
+export async function settingsFor(native, { resolved, scene, facts, limits, machine }, work) {
+  const { choose, featuresOf, TABLE } = await predictModule();
+  const { resolveQuality } = await import('../shot/quality.mjs');
+  const draft = shotJson({ ...resolved, quality: resolveQuality('draft') });
+  const plan = JSON.parse(await nativeCall(native, work, (token) => native.plan(scene, draft, limits, token, true)));
+  const isHere = resolved.quality.budgetMs !== undefined;
+  const here = { tracer: await hasTracer(native), machine: isHere ? await untilAbort(machine(), work?.signal) : undefined };
+  const { setting, quality, flip, cpuMs, mostMs, holds, ...from } = choose(TABLE, resolved.quality, featuresOf(resolved, plan, facts), here);
+  const goal = { ...resolved.quality, setting, predicted: { flip, cpuMs, mostMs }, holds, basis: basisOf(from, isHere) };
+  return { quality: resolveQuality(quality), goal };
+}
+
+/** @param {object} goal of settingsFor @returns {{code: string, message: string, pointer: string}[]} */
+export function goalWarnings({ maxError, budgetMs, setting, predicted, holds }) {
+  if (holds) return [];
+  const [key, wanted, reached] =
+    maxError === undefined
+      ? ['budgetMs', `${budgetMs} ms`, `the fastest, ${setting}, may take ${Math.ceil(predicted.mostMs)} ms`]
+      : ['maxError', `FLIP ${maxError}`, `the most accurate, ${setting}, is at ${predicted.flip.toFixed(4)}`];
+  return [{ code: 'W_QUALITY', pointer: `/quality/${key}`, message: `shot.quality.${key}: no setting is predicted to hold ${wanted} here; ${reached}` }];
+}

@@ -1,0 +1,94 @@
+import { execFileSync } from 'node:child_process';
+import { copyFileSync, cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { ROOT } from '../../machine/step.mjs';
+import { copyNative } from './native.mjs';
+import { withNative } from './sbom.mjs';
+
+// Packages that install without a compiler and without a script: telar in JavaScript, and its compiled part for one platform, which npm
+// takes by `os`, `cpu` and `libc`.
+
+/** What compiles, and package.json, which is another one: not in a package that brings the compiled part. */
+const LEFT_OUT = /^(addon|renderer|shaders|js\/build|js\/setup)\/|^(binding\.gyp|CMake.*|package\.json)$/;
+const COMPILER_PACKAGES = ['node-addon-api', 'node-api-headers'];
+
+const platformName = () => `telar-linux-${process.arch}`;
+const json = (value) => `${JSON.stringify(value, null, 2)}\n`;
+
+/** Packs a folder. @returns {string} The file. */
+function packed(folder, into) {
+  const said = execFileSync('npm', ['pack', '--ignore-scripts', '--json', '--pack-destination', into], {
+    cwd: folder,
+    encoding: 'utf8',
+    stdio: ['ignore', 'pipe', 'ignore'],
+  });
+  return path.join(into, JSON.parse(said)[0].filename);
+}
+
+/** package.json of the part in JavaScript. Without `files`: all that stands beside it is packed. */
+function scriptless(own) {
+  const { scripts, config, allowScripts, devDependencies, private: _, files, dependencies, ...rest } = own;
+  return {
+    ...rest,
+    dependencies: Object.fromEntries(Object.entries(dependencies).filter(([name]) => !COMPILER_PACKAGES.includes(name))),
+    optionalDependencies: { ...rest.optionalDependencies, [platformName()]: own.version },
+  };
+}
+
+/** Files that `files` of package.json names, as npm reads them, are copied; then npm packs the copy with another package.json. */
+function packScripts(own, work, into) {
+  const listed = JSON.parse(
+    execFileSync('npm', ['pack', '--ignore-scripts', '--dry-run', '--json'], { cwd: ROOT, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }),
+  );
+  const folder = path.join(work, 'telar');
+  for (const { path: file } of listed[0].files) {
+    if (LEFT_OUT.test(file)) continue;
+    mkdirSync(path.dirname(path.join(folder, file)), { recursive: true });
+    copyFileSync(path.join(ROOT, file), path.join(folder, file));
+  }
+  writeFileSync(path.join(folder, 'package.json'), json(scriptless(own)));
+  return packed(folder, into);
+}
+
+function packNative(own, build, work, into) {
+  const folder = path.join(work, platformName());
+  const { packages, glibc, glibcxx } = copyNative(build, folder);
+  for (const { name, copyright } of packages) {
+    mkdirSync(path.join(folder, 'licences'), { recursive: true });
+    copyFileSync(copyright, path.join(folder, 'licences', `${name}.txt`));
+  }
+  cpSync(path.join(ROOT, 'NOTICE'), path.join(folder, 'licences/NOTICE'));
+  const facts = { name: platformName(), version: own.version, description: `The compiled part of telar for Linux on ${process.arch}`, license: own.license };
+  writeFileSync(path.join(folder, 'package.json'), json({ ...facts, main: 'telar.node', os: ['linux'], cpu: [process.arch], libc: ['glibc'], glibc, glibcxx }));
+  writeFileSync(
+    path.join(folder, 'README.md'),
+    `# ${platformName()}\n\n${facts.description}: npm installs it with telar. It needs glibc ${glibc} and libstdc++ with GLIBCXX_${glibcxx}, or newer ones.\n` +
+      'What it holds of others is in licences/.\n',
+  );
+  return { file: packed(folder, into), packages };
+}
+
+/**
+ * Writes telar-VERSION.tgz, telar-linux-ARCH-VERSION.tgz and telar.cdx.json. The build and js/dist stand already.
+ * @param {{build: string, folder: string}} options - Folder of the build, as out/release; where to.
+ * @returns {{files: string[], packages: {name: string, version: string}[]}}
+ * @throws {SetupError}
+ */
+export function writePackages({ build, folder }) {
+  const own = JSON.parse(readFileSync(path.join(ROOT, 'package.json'), 'utf8'));
+  mkdirSync(folder, { recursive: true });
+  const work = mkdtempSync(path.join(tmpdir(), 'telar-package-'));
+  try {
+    const { file, packages } = packNative(own, build, work, folder);
+    const scripts = packScripts(own, work, folder);
+    const npm = JSON.parse(
+      execFileSync('npm', ['sbom', '--omit', 'dev', '--sbom-format', 'cyclonedx'], { cwd: ROOT, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }),
+    );
+    const bill = path.join(folder, 'telar.cdx.json');
+    writeFileSync(bill, json(withNative(npm, packages, platformName())));
+    return { files: [scripts, file, bill], packages };
+  } finally {
+    rmSync(work, { recursive: true, force: true });
+  }
+}

@@ -1,0 +1,81 @@
+import { once } from 'node:events';
+import { constants } from 'node:fs';
+import { open, readFile, realpath } from 'node:fs/promises';
+import path from 'node:path';
+import { TelarError } from '../error/index.mjs';
+import { shown } from '../shot/complain.mjs';
+import { OPTIONS } from '../server/table.mjs';
+import { readLimits, readTimeout, readWorkers } from './limits.mjs';
+import { serviceFlag } from './service_options.mjs';
+
+/** Milliseconds that the end of the workers gets beside the draining. */
+const LEEWAY_MS = 5000;
+
+/**
+ * telar serve
+ * Draws over HTTP until it is told to end; then it takes no more work, finishes what runs, and ends well.
+ * @param {object} options as commander parsed them
+ * @param {import('./console.mjs').Io & {console: import('./console.mjs').Console, ending: {patienceMs: number, isWell: boolean}}} context
+ * @returns {Promise<number>} 0
+ */
+export async function serve(options, { console, signal, stderr, ending }) {
+  const { listen } = await import('../server/index.mjs');
+  const own = Object.fromEntries(Object.keys(OPTIONS).map((name) => [name, options[serviceFlag(name).attributeName()]]));
+  const workers = readWorkers(options.workers);
+  const service = await listen(
+    {
+      ...own,
+      environments: await environmentsOf(options.environment),
+      ...(options.models !== undefined && { resolve: await filesBeneath(options.models) }),
+      pool: {
+        backend: options.backend,
+        limits: readLimits(options.limit),
+        timeoutMs: readTimeout(options.timeoutMs),
+        signal,
+        ...(workers && { size: workers }),
+      },
+    },
+    { log: stderr },
+  );
+  ending.patienceMs = service.drainMs + LEEWAY_MS;
+  ending.isWell = true;
+  await console.result({ ok: true, url: service.url, port: service.port }, [service.url]);
+  console.note('Ctrl-C ends.');
+  if (!signal.aborted) await once(signal, 'abort');
+  await service.drain();
+  return 0;
+}
+
+/** --environment NAME=FILE */
+async function environmentsOf(list = []) {
+  const pairs = list.map(async (text) => {
+    const at = text.indexOf('=');
+    if (at < 1) throw new TelarError('E_USAGE', `--environment ${shown(text)}: expected NAME=FILE`);
+    try {
+      return [text.slice(0, at), await readFile(text.slice(at + 1))];
+    } catch (cause) {
+      throw new TelarError('E_FILE', `--environment ${shown(text)} cannot be read (${cause.code})`, { cause });
+    }
+  });
+  return Object.fromEntries(await Promise.all(pairs));
+}
+
+/** References as names of files beneath a folder; what leads out of it, by links too, is not there. */
+async function filesBeneath(folder) {
+  const root = await realpath(folder).catch((cause) => {
+    throw new TelarError('E_FILE', `--models ${shown(folder)} cannot be read (${cause.code})`, { cause });
+  });
+  return async (reference, { signal }) => {
+    if (reference === '' || /[\0\\]/.test(reference)) return null;
+    const file = await realpath(path.join(root, reference)).catch(() => undefined);
+    if (file === undefined || !file.startsWith(root + path.sep)) return null;
+    // A pipe is not waited for.
+    const handle = await open(file, constants.O_RDONLY | constants.O_NONBLOCK | constants.O_NOFOLLOW).catch(() => undefined);
+    if (!handle) return null;
+    try {
+      return (await handle.stat()).isFile() ? await handle.readFile({ signal }) : null;
+    } finally {
+      await handle.close();
+    }
+  };
+}

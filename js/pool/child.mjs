@@ -1,0 +1,45 @@
+// A worker of the pool: a process of its own that draws what its parent sends. It never writes a picture, and ends with the pipe.
+import net from 'node:net';
+import v8 from 'node:v8';
+import { loadNative } from '../api/native.mjs';
+import { createRenderer } from '../api/renderer.mjs';
+import { toTelarError } from '../error/index.mjs';
+import { Channel } from './channel.mjs';
+import { ChildJobs } from './child_jobs.mjs';
+
+/** What the pool speaks through: one end of a socket pair. */
+const PIPE = 3;
+
+// A service that ends sends these to all of its processes; the parent says when.
+for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.on(signal, () => {});
+
+const pipe = new net.Socket({ fd: PIPE });
+for (const event of ['end', 'close', 'error']) pipe.on(event, () => process.exit(0));
+
+// Whoever took this process over may write anything: so the parent is sent JSON, which makes nothing but plain data.
+const channel = new Channel(pipe, {
+  encode: (message) => Buffer.from(JSON.stringify(message)),
+  decode: v8.deserialize,
+  take: (message, parts) => void take(message, parts),
+  refuse: () => process.exit(1),
+});
+
+let jobs;
+
+async function take(message, parts) {
+  if (message.start) await start(message.start);
+  else jobs.take(message, parts);
+}
+
+/** Opens the renderer, and gives up what drawing does not need: after it, since a driver may start programs when it is opened. */
+async function start({ renderer: options, bound, dataBytes }) {
+  try {
+    const renderer = await createRenderer(options);
+    const isolation = JSON.parse(loadNative().isolate(dataBytes));
+    jobs = new ChildJobs(renderer, { ...bound, limits: options.limits }, (answer, parts) => channel.send(answer, parts));
+    channel.send({ ready: { backend: renderer.backend, gl: renderer.gl, isolation } });
+  } catch (error) {
+    channel.send({ failed: toTelarError(error).toJSON() });
+    channel.end();
+  }
+}

@@ -1,0 +1,40 @@
+import { threadsOfEach } from './defaults.mjs';
+
+/** What a worker gets of the environment of this process: where programs, libraries, caches and the GL driver are, and the language. No secret. */
+const NAMES = ['PATH', 'HOME', 'USER', 'LANG', 'LANGUAGE', 'TZ', 'TMPDIR', 'LD_LIBRARY_PATH', 'LD_PRELOAD', 'CUDA_VISIBLE_DEVICES', 'DRI_PRIME'];
+const BEGINNINGS = [
+  'TELAR_',
+  'XDG_CACHE_',
+  'XDG_DATA_',
+  'XDG_CONFIG_',
+  'LC_',
+  'LIBGL_',
+  'GALLIUM_',
+  'MESA_',
+  'EGL_',
+  '__EGL_',
+  '__GLX_',
+  '__NV_',
+  'NVIDIA_',
+  'LP_',
+  'GLIBC_',
+  'ASAN_',
+  'UBSAN_',
+  'LSAN_',
+];
+
+const isPassedOn = (name) => NAMES.includes(name) || BEGINNINGS.some((beginning) => name.startsWith(beginning));
+
+/**
+ * The environment of one of so many workers.
+ * @param {number} size
+ * @param {Record<string, string | undefined>} [from]
+ */
+export function workerEnvironment(size, from = process.env) {
+  const own = Object.fromEntries(Object.entries(from).filter(([name]) => isPassedOn(name)));
+  // io_uring is a second way to system calls, which the filter of a worker does not see. Decoded textures come and go with each job: kept as heap
+  // and in large pages, their memory need not be given by the kernel and cleared anew.
+  return { LP_NUM_THREADS: String(threadsOfEach(size)), UV_USE_IO_URING: '0', GLIBC_TUNABLES: TUNABLES, ...own };
+}
+
+const TUNABLES = 'glibc.malloc.hugetlb=1:glibc.malloc.mmap_threshold=4294967295:glibc.malloc.trim_threshold=4294967295';

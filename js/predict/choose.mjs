@@ -1,0 +1,86 @@
+import { narrowest } from './classes.mjs';
+import { FAMILIES, familyOf, SETTINGS } from './settings.mjs';
+
+/**
+ * What was measured, by setting and class.
+ * @typedef {object} TradeTable
+ * @property {number} scenes
+ * @property {number} rows
+ * @property {Machine} machine - That it was measured on.
+ * @property {Record<string, Record<string, {flip: number, count: number}>>} errors
+ * @property {Record<string, Record<string, {base: number, triangle: number, pixel: number, spread: number, count: number}>>} times
+ *
+ * CPU milliseconds of two small pictures: js/predict/calibrate.mjs.
+ * @typedef {{raster: number, tracer: number}} Machine
+ *
+ * @typedef {object} Prediction
+ * @property {string} setting
+ * @property {number} flip - Not passed by HELD of the scenes of this class.
+ * @property {number} cpuMs - Most likely.
+ * @property {number} mostMs - Not passed by 9 of 10 pictures.
+ * @property {string} basis - Class that it is from.
+ * @property {number} scenes - That were measured of it.
+ */
+
+/** Speed of another machine: how many times longer it takes. */
+const slowness = (setting, table, machine) => {
+  const kind = familyOf(setting) === 'tracer' ? 'tracer' : 'raster';
+  return machine ? machine[kind] / table.machine[kind] : 1;
+};
+
+/**
+ * What every setting that can draw a scene is predicted to take and to err.
+ * @param {TradeTable} table
+ * @param {import('./features.mjs').Features} features
+ * @param {{tracer: boolean, machine?: Machine}} here tracer: whether it is there; machine: none = that of the table
+ * @returns {Prediction[]}
+ */
+export function predictAll(table, features, { tracer, machine }) {
+  const times = timesOf(table, features);
+  const drawable = (setting) => familyOf(setting) !== 'tracer' || (tracer && features.traceable);
+  return [...times]
+    .filter(([setting]) => drawable(setting))
+    .flatMap(([setting, { ms, spread }]) => {
+      const error = narrowest(table.errors[setting] ?? {}, features);
+      if (!error) return [];
+      const likely = ms * slowness(setting, table, machine);
+      return [{ setting, flip: error.flip, cpuMs: likely, mostMs: likely * spread, basis: error.name, scenes: error.count }];
+    });
+}
+
+/** Likely times on the machine of the table. None is less than one before it in its family, nor than that of the cheapest of all: so small pictures stay in order. */
+function timesOf(table, features) {
+  const times = new Map();
+  let first = 0;
+  for (const family of Object.values(FAMILIES)) {
+    let before = first;
+    for (const setting of Object.keys(family)) {
+      const time = narrowest(table.times[setting] ?? {}, features);
+      if (!time) continue;
+      before = Math.max(before, time.base + time.triangle * features.triangles + time.pixel * features.covered);
+      if (times.size === 0) first = before;
+      times.set(setting, { ms: before, spread: time.spread });
+    }
+  }
+  return times;
+}
+
+const least = (list, of) => list.reduce((best, each) => (best === undefined || of(each) < of(best) ? each : best), undefined);
+
+/**
+ * The cheapest setting that is predicted to hold an error, or the most accurate one that is predicted to fit into a time. Where none is, the most
+ * accurate or the cheapest: `holds` tells.
+ * @param {TradeTable} table
+ * @param {{maxError: number} | {budgetMs: number}} wanted
+ * @param {import('./features.mjs').Features} features
+ * @param {{tracer: boolean, machine?: Machine}} here
+ * @returns {Prediction & {quality: string | object, holds: boolean}}
+ */
+export function choose(table, { maxError, budgetMs }, features, here) {
+  const all = predictAll(table, features, here);
+  const held = all.filter(({ flip, mostMs }) => (maxError === undefined ? mostMs <= budgetMs : flip <= maxError));
+  const time = ({ cpuMs }) => cpuMs;
+  const error = ({ flip }) => flip;
+  const found = maxError === undefined ? (least(held, error) ?? least(all, time)) : (least(held, time) ?? least(all, error));
+  return { ...found, quality: SETTINGS[found.setting], holds: held.length > 0 };
+}

@@ -1,0 +1,26 @@
+/**
+ * Classes of scenes, from the narrowest to all: what is predicted of a scene is what was measured of others of its class.
+ * @param {import('./features.mjs').Features} features
+ * @returns {string[]}
+ */
+export const classesOf = ({ shading, surface, environment, shadows }) => [
+  `${shading}, ${surface}, ${environment}${shadows ? ' with a lamp' : ''}`,
+  `${shading}, ${surface}`,
+  shading,
+  'all',
+];
+
+/** Scenes that a class needs to be gone by. */
+export const FEWEST = 5;
+
+/**
+ * The narrowest class of a scene that was measured often enough.
+ * @template T
+ * @param {Record<string, T & {count: number}>} byClass
+ * @param {import('./features.mjs').Features} features
+ * @returns {(T & {name: string, count: number}) | undefined}
+ */
+export function narrowest(byClass, features) {
+  const name = classesOf(features).find((each) => byClass[each]?.count >= FEWEST);
+  return name === undefined ? undefined : { name, ...byClass[name] };
+}

@@ -1,0 +1,50 @@
+import { outlinePixels } from './outline_area.mjs';
+
+/** What of a scene decides how far a setting is off and what it costs, known before it is drawn. */
+
+/** Kinds of surface by the features of their programs, the first that fits: the hardest of a scene decides. */
+const SURFACES = {
+  cut: ['alpha-mask', 'alpha-to-coverage', 'blended'],
+  facets: ['normal-facets'],
+  stretched: ['weave', 'anisotropy'],
+  napped: ['sheen'],
+  relief: ['normal-map', 'bump-map'],
+};
+
+/** What the tracer shows otherwise than the raster. */
+const RASTER_ALONE = ['transmission', 'points'];
+
+/**
+ * @typedef {object} Features
+ * @property {string} shading - Its base.
+ * @property {'cut' | 'facets' | 'stretched' | 'napped' | 'relief' | 'smooth'} surface
+ * @property {'none' | 'studio' | 'file'} environment
+ * @property {boolean} shadows - Whether a lamp casts them.
+ * @property {number} triangles
+ * @property {number} pixels - Of the picture.
+ * @property {number} covered - Those that the model covers, at most.
+ * @property {boolean} traceable - Whether the tracer shows what the raster does.
+ */
+
+/**
+ * @param {object} resolved shot
+ * @param {{features: string[], fragments?: number}} plan of inspect()
+ * @param {{triangles: number, outline?: number[][]}} facts of the model
+ * @returns {Features}
+ */
+export function featuresOf(resolved, { features, fragments = Infinity }, { triangles, outline = [] }) {
+  const { shading, environment, lights, size, layers, camera } = resolved;
+  const has = (names) => names.some((name) => features.includes(name));
+  const { map } = environment;
+  const pixels = size.width * size.height;
+  return {
+    shading: shading.base ?? shading,
+    surface: Object.keys(SURFACES).find((kind) => has(SURFACES[kind])) ?? 'smooth',
+    environment: map === 'none' || map === 'studio' ? map : 'file',
+    shadows: lights.some(({ castShadow }) => castShadow),
+    triangles,
+    pixels,
+    covered: Math.round(Math.min(pixels, fragments, outline.length > 2 ? outlinePixels(outline, camera, size) : Infinity)),
+    traceable: !has(RASTER_ALONE) && layers.length === 1,
+  };
+}

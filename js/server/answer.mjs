@@ -1,0 +1,85 @@
+import { randomBytes } from 'node:crypto';
+import { FORMATS } from '../shot/table/output.mjs';
+import { isObject } from '../api/option_check.mjs';
+import { negotiate } from './negotiate.mjs';
+import { SHEET_TYPES } from './perform.mjs';
+
+/** From results to answers of HTTP. */
+
+export const JSON_TYPE = 'application/json';
+
+const IMAGE_TYPES = Object.fromEntries(Object.entries(FORMATS).map(([format, { mediaType }]) => [mediaType, format]));
+const SHEET_FORMATS = Object.fromEntries(Object.entries(SHEET_TYPES).map(([format, type]) => [type, format]));
+
+/** In the order of preference: formats with transparency first, those that browsers do not show last. */
+const PICTURES = ['png', 'webp', 'jpeg'].map((format) => FORMATS[format].mediaType);
+const OTHERS = Object.keys(IMAGE_TYPES).filter((type) => !PICTURES.includes(type));
+
+const outputOf = (shot) => (isObject(shot?.output) ? shot.output : {});
+
+/**
+ * What the client gets, by `accept` and by what the task says: the task with the format of its file, and the type of the answer.
+ * @type {Record<string, (task: import('./task.mjs').Task, accept: string | undefined) => {task: import('./task.mjs').Task, type: string}>}
+ */
+const WANTED = {
+  thumbnail(task, accept) {
+    const { shot = {} } = task.asked;
+    const { format } = outputOf(shot);
+    // A wrong one is the worker's to refuse, with the message of the shot.
+    const offered = format === undefined ? [...PICTURES, JSON_TYPE, ...OTHERS] : [FORMATS[format]?.mediaType ?? JSON_TYPE, JSON_TYPE];
+    const type = negotiate(accept, offered);
+    if (format !== undefined || !IMAGE_TYPES[type] || (shot.output !== undefined && !isObject(shot.output))) return { task, type };
+    return { task: { ...task, asked: { ...task.asked, shot: { ...shot, output: { ...shot.output, format: IMAGE_TYPES[type] } } } }, type };
+  },
+  inspect: (task, accept) => ({ task, type: negotiate(accept, [JSON_TYPE]) }),
+  sheet(task, accept) {
+    const { format } = task.asked;
+    const type = negotiate(accept, format ? [SHEET_TYPES[format], JSON_TYPE] : [...Object.values(SHEET_TYPES), JSON_TYPE]);
+    return { task: { ...task, asked: { ...task.asked, format: format ?? SHEET_FORMATS[type] ?? 'pdf' } }, type };
+  },
+  compare(task, accept) {
+    const type = negotiate(accept, [JSON_TYPE, 'image/png']);
+    return { task: { ...task, asked: { ...task.asked, heatMap: type === 'image/png' } }, type };
+  },
+};
+
+/** @throws {import('../error/index.mjs').TelarError} E_ACCEPT */
+export const wantedOf = (task, accept) => WANTED[task.kind](task, accept);
+
+/** All of a result: bytes in base64. */
+const jsonOf = ({ key, info, files }) =>
+  JSON.stringify({
+    ...(key && { key }),
+    info,
+    files: files.map(({ name, type, data }) => ({ name, type, data: Buffer.from(data.buffer, data.byteOffset, data.byteLength).toString('base64') })),
+  });
+
+/** Several files (RFC 2046, 5.1). */
+function mixed(files) {
+  const boundary = `telar-${randomBytes(16).toString('hex')}`;
+  const parts = files.flatMap(({ name, type, data }) => [
+    Buffer.from(`--${boundary}\r\ncontent-type: ${type}\r\ncontent-disposition: attachment; filename="${name}"\r\n\r\n`),
+    data,
+    Buffer.from('\r\n'),
+  ]);
+  return { type: `multipart/mixed; boundary=${boundary}`, body: Buffer.concat([...parts, Buffer.from(`--${boundary}--\r\n`)]) };
+}
+
+const codesOf = (warnings = []) => [...new Set(warnings.map(({ code }) => code))].join(', ');
+
+/**
+ * @param {import('./perform.mjs').Result} result
+ * @param {{kind: string, type: string}} wanted
+ * @returns {{type: string, body: Buffer | string, headers: Record<string, string>}}
+ */
+export function bodyOf(result, { kind, type }) {
+  const codes = codesOf(result.info.warnings);
+  const headers = codes && { 'telar-warnings': codes };
+  if (type === JSON_TYPE) {
+    const text = kind === 'thumbnail' || kind === 'sheet' ? jsonOf(result) : JSON.stringify(result.info);
+    return { type: `${JSON_TYPE}; charset=utf-8`, body: text, headers };
+  }
+  if (kind === 'sheet' && result.files.length > 1) return { ...mixed(result.files), headers };
+  const [{ type: own, name, data }] = result.files;
+  return { type: own, body: data, headers: { ...headers, 'content-disposition': `inline; filename="${name}"` } };
+}

@@ -1,0 +1,47 @@
+import { isObject, wrongOption } from '../api/option_check.mjs';
+import { bytesOf } from '../api/source.mjs';
+import { complaint } from '../shot/complain.mjs';
+import { zodOf } from '../shot/schema.mjs';
+import { OPTIONS, PLUGIN_OPTIONS, SERVICE } from './table.mjs';
+
+/** What complaints are about. */
+const ABOUT = Object.freeze({ name: 'options', code: 'E_OPTION' });
+
+const schemas = { plugin: zodOf(PLUGIN_OPTIONS), service: zodOf(SERVICE) };
+
+/** Options that are no plain data. */
+const OWN = ['pool', 'resolve', 'environments', 'templates'];
+
+const isFunctionOr = (value) => value === undefined || typeof value === 'function';
+
+/** @param {Record<string, unknown>} given @returns {Record<string, Uint8Array>} */
+function environmentsOf(given) {
+  if (!isObject(given)) throw wrongOption('options.environments', 'an object of bytes by name', given);
+  return Object.fromEntries(
+    Object.entries(given).map(([name, value]) => {
+      const bytes = bytesOf(value);
+      if (!bytes) throw wrongOption(`options.environments.${name}`, 'bytes of a .hdr or .exr file', value);
+      return [name, bytes];
+    }),
+  );
+}
+
+/**
+ * Options with every default written out.
+ * @param {object} options js/server/index.d.ts documents them
+ * @param {'plugin' | 'service'} of
+ * @throws {import('../error/index.mjs').TelarError} E_OPTION
+ */
+export function readOptions(options, of = 'plugin') {
+  if (!isObject(options)) throw wrongOption('options', 'an object', options);
+  const given = Object.fromEntries(Object.entries(options).filter(([key, value]) => !OWN.includes(key) && value !== undefined));
+  const parsed = schemas[of].safeParse(given);
+  if (!parsed.success) throw complaint(parsed.error.issues, given, schemas[of], { about: ABOUT, known: OWN });
+  const { pool, resolve, environments = {}, templates = {} } = options;
+  if (!isFunctionOr(resolve)) throw wrongOption('options.resolve', 'a function', resolve);
+  if (pool !== undefined && !isObject(pool)) throw wrongOption('options.pool', 'a pool, or options of createPool', pool);
+  return { ...parsed.data, pool, resolve, environments: environmentsOf(environments), templates };
+}
+
+/** Names of the options that are plain data, by what reads them. */
+export const namesOf = (of) => Object.keys(OPTIONS).filter((name) => (OPTIONS[name].of ?? 'plugin') === of);

@@ -1,0 +1,69 @@
+import { TelarError } from '../error/index.mjs';
+
+/** Milliseconds that `prefer: wait=N` asks for (RFC 7240), at most those that the service allows. */
+export function waitOf({ headers }, most) {
+  const [, seconds] = /(?:^|[,;\s])wait=(\d{1,6})(?:$|[,;\s])/i.exec(headers.prefer ?? '') ?? [];
+  return seconds === undefined ? most : Math.min(1000 * Number(seconds), most);
+}
+
+/** Whether the client wants to be told where the answer will be, in place of the answer (RFC 7240, 4.1). */
+export const isAsync = ({ headers }) => /(?:^|[,;\s])respond-async(?:$|[,;\s])/i.test(headers.prefer ?? '');
+
+/** One answer in the making: its signal fires when its client is gone, when its time is over, or when the service ends. */
+export class Scope {
+  /** @type {Promise<void>} */
+  ended;
+  #settle;
+  #controller = new AbortController();
+  #timer;
+  #end;
+  #response;
+  #onClose;
+
+  /** @param {import('node:http').ServerResponse} [response] that its client waits for */
+  constructor(response) {
+    this.#response = response;
+    this.ended = new Promise((resolve) => {
+      this.#settle = resolve;
+    });
+    this.#onClose = () => {
+      if (!response?.writableFinished) this.abort(new TelarError('X_CANCELLED', 'the client no longer waits for the answer'));
+    };
+    response?.once('close', this.#onClose);
+  }
+
+  get signal() {
+    return this.#controller.signal;
+  }
+
+  /** @param {Error} reason */
+  abort(reason) {
+    this.#controller.abort(reason);
+  }
+
+  /** The clock of the answer starts. */
+  startClock(ms) {
+    this.#end = performance.now() + ms;
+    this.#timer = setTimeout(
+      () =>
+        this.abort(
+          new TelarError(
+            'X_TIMEOUT',
+            this.#response ? `the answer took longer than the ${ms} ms that it may take, waiting included` : `the job took longer than ${ms} ms`,
+          ),
+        ),
+      ms,
+    );
+  }
+
+  /** Milliseconds that are left. */
+  get left() {
+    return Math.max(1, Math.ceil(this.#end - performance.now()));
+  }
+
+  close() {
+    clearTimeout(this.#timer);
+    this.#response?.off('close', this.#onClose);
+    this.#settle();
+  }
+}

@@ -1,0 +1,219 @@
+import { TelarError } from '../error/index.mjs';
+import { loadNative } from '../api/native.mjs';
+import { onAbort } from '../api/on_abort.mjs';
+import { Admission } from './admission.mjs';
+import { wantedOf } from './answer.mjs';
+import { tagOf, isUnchanged } from './conditional.mjs';
+import { keyOf } from './key.mjs';
+import { checkSize, ownLight } from './light.mjs';
+import { openMetrics } from './metrics.mjs';
+import { perform } from './perform.mjs';
+import { References } from './references.mjs';
+import { MemoryQueue } from './memory_queue.mjs';
+import { Scope, waitOf } from './scope.mjs';
+import { readTask } from './task.mjs';
+
+/** Jobs that wait for each worker, where the owner does not say it. */
+const WAITING_EACH = 4;
+
+const isPool = (value) => typeof value?.render === 'function' && typeof value.close === 'function';
+
+/** What the routes share: the pool, who may use it now, and how a request becomes a result. */
+export class Service {
+  #options;
+  #pool;
+  #ownsPool;
+  #references;
+  #fileBytes;
+  #timeoutMs;
+  #scopes = new Set();
+
+  /** @param {object} options of readOptions() */
+  static async open(options) {
+    const given = options.pool ?? {};
+    if (isPool(given)) return new Service(options, given, false).#withMetrics();
+    const { createPool } = await import('../pool/index.mjs');
+    return new Service(options, await createPool(given), true).#withMetrics();
+  }
+
+  constructor(options, pool, ownsPool) {
+    this.#options = options;
+    this.#pool = pool;
+    this.#ownsPool = ownsPool;
+    this.#timeoutMs = (ownsPool && options.pool?.timeoutMs) || Infinity;
+    this.#fileBytes = Math.min(options.requestBytes, (ownsPool && options.pool?.limits?.L_FILE_BYTES) || loadNative().limits.L_FILE_BYTES);
+    this.#references = new References({ ...options, maxBytes: this.#fileBytes });
+    const places = Math.max(1, pool.workers.length);
+    const { jobs, jobBytes, resultBytes, resultMs } = options;
+    this.queue = new MemoryQueue((task, how) => this.#workLater(task, how), { atOnce: places, jobs, jobBytes, resultBytes, resultMs });
+    this.admission = new Admission({ places, waiting: options.waiting ?? WAITING_EACH * places, uploads: options.uploads });
+  }
+
+  async #withMetrics() {
+    this.metrics = await openMetrics({ admission: this.admission, queue: this.queue, pool: this.#pool });
+    return this;
+  }
+
+  /** Whether a worker is there, and work is let in. */
+  get state() {
+    const { workers } = this.#pool;
+    const count = (state) => workers.filter((worker) => worker.state === state).length;
+    const facts = {
+      workers: { idle: count('idle'), busy: count('busy'), starting: count('starting') },
+      running: this.admission.running,
+      waiting: this.admission.waiting,
+      jobs: this.queue.counts(),
+    };
+    const status = this.admission.isClosed ? 'ending' : facts.workers.idle + facts.workers.busy === 0 ? 'no workers' : 'ready';
+    return { status, ...facts };
+  }
+
+  /**
+   * A request as a task whose bytes are there.
+   * @param {string} kind
+   * @param {{method: string, query: URLSearchParams, raw: import('node:http').IncomingMessage}} request
+   * @param {Scope} scope its clock starts when the request is there: what the owner or another host takes for a reference is part of the answer's time
+   * @param {() => void} [check] whether there is room
+   * @returns {Promise<import('./task.mjs').Task>}
+   */
+  read(kind, request, scope, check) {
+    const { uploadMs, requestBytes, environments, side, deadlineMs } = this.#options;
+    const { signal } = scope;
+    return this.admission.receive(async () => {
+      const { asked, files } = await readTask(kind, request, { signal, ms: uploadMs, maxBytes: requestBytes, fileBytes: this.#fileBytes });
+      scope.startClock(waitOf(request.raw, deadlineMs));
+      const { model: reference, ...rest } = asked;
+      const { environment: light, ...own } = files;
+      if (kind !== 'compare') own.model = await this.#modelOf(reference, files.model, signal);
+      else for (const name of ['expected', 'actual']) if (!own[name]) throw missing(name);
+      const isDrawn = kind === 'thumbnail' || kind === 'inspect' || kind === 'sheet';
+      const shot = isDrawn && ownLight(rest.shot ?? {}, { environments, file: light });
+      if (kind === 'thumbnail') checkSize(shot, side);
+      this.metrics.received.inc(Object.values(own).reduce((sum, { byteLength }) => sum + byteLength, 0));
+      return { kind, asked: { ...rest, ...(isDrawn && { shot }) }, files: own };
+    }, check);
+  }
+
+  async #modelOf(reference, file, signal) {
+    if (file && reference !== undefined) throw new TelarError('E_REQUEST', 'request.model: it is a file and a reference; give one', { pointer: '/model' });
+    if (file) return file;
+    if (reference === undefined) throw missing('model');
+    return this.#references.bytes(reference, signal);
+  }
+
+  /**
+   * The result of a request, or the news that its client has it already.
+   * @param {string} kind
+   * @param {{method: string, query: URLSearchParams, raw: import('node:http').IncomingMessage}} request
+   * @param {import('node:http').ServerResponse} response
+   * @returns {Promise<{type: string, kind: string, tag?: string, result?: import('./perform.mjs').Result, waited: number, worked: number}>} without result: 304
+   */
+  answer(kind, request, response) {
+    return this.#within(new Scope(response), async (scope) => {
+      const { task, type, tag, isKnown } = await this.#wanted(kind, request, scope);
+      if (isKnown) return { type, kind, tag };
+      const { result, waited, worked } = await this.#work(task, scope, 'run');
+      return { type, kind, result, waited, worked };
+    });
+  }
+
+  /**
+   * A request as a job whose result is fetched later; of what the client has already there is none.
+   * @returns {Promise<import('./memory_queue.mjs').JobState>}
+   */
+  submit(kind, request, response) {
+    return this.#within(new Scope(response), async (scope) => {
+      const { task, type } = await this.#wanted(kind, request, scope, () => this.queue.check());
+      return this.queue.add(task, { type, kind });
+    });
+  }
+
+  async #within(scope, use) {
+    this.#scopes.add(scope);
+    try {
+      return await use(scope);
+    } finally {
+      this.#scopes.delete(scope);
+      scope.close();
+    }
+  }
+
+  async #wanted(kind, request, scope, check) {
+    const read = await this.read(kind, request, scope, check);
+    const { task, type } = wantedOf(read, request.raw.headers.accept);
+    const key = await keyOf(task);
+    const tag = key && tagOf(key, type);
+    return { task, type, tag, isKnown: key !== undefined && isUnchanged(request.raw, tag) };
+  }
+
+  /** @param {'run' | 'runLater'} how it is admitted */
+  async #work(task, scope, how, { onProgress, onStart } = {}) {
+    const asked = performance.now();
+    let begun;
+    const result = await this.admission[how](() => {
+      begun = performance.now();
+      onStart?.();
+      return this.#perform(task, scope, onProgress);
+    }, scope.signal);
+    const [waited, worked] = [(begun - asked) / 1000, (performance.now() - begun) / 1000];
+    this.metrics.waited.observe({ kind: task.kind }, waited);
+    this.metrics.worked.observe({ kind: task.kind }, worked);
+    return { result, waited, worked };
+  }
+
+  /** What the queue does with a job; its clock starts when it has a worker. */
+  #workLater(task, { signal, onProgress, onStart }) {
+    return this.#within(new Scope(), async (scope) => {
+      const stopListening = onAbort(signal, (reason) => scope.abort(reason));
+      try {
+        const start = () => {
+          scope.startClock(this.#options.jobMs);
+          onStart();
+        };
+        return (await this.#work(task, scope, 'runLater', { onProgress, onStart: start })).result;
+      } finally {
+        stopListening();
+      }
+    });
+  }
+
+  /** A worker that ended is not the client's fault: another one gets the job, once. */
+  async #perform(task, scope, onProgress) {
+    const how = () => ({ signal: scope.signal, onProgress, timeoutMs: Math.min(scope.left, this.#timeoutMs), templates: this.#options.templates });
+    try {
+      return await perform(this.#pool, task, how());
+    } catch (error) {
+      if (error.code !== 'X_CRASH' || scope.signal.aborted) throw error;
+      this.metrics.retries.inc();
+      return perform(this.#pool, task, how());
+    }
+  }
+
+  /** Nothing new is let in. */
+  end() {
+    this.admission.close();
+  }
+
+  /** Resolves when nothing runs. */
+  async idle() {
+    await this.queue.idle();
+    while (this.#scopes.size > 0) await Promise.allSettled([...this.#scopes].map(({ ended }) => ended));
+  }
+
+  /** What still runs is ended. */
+  abort() {
+    const reason = new TelarError('X_SHUTDOWN', 'the service ended before the answer was there');
+    this.queue.abort(reason);
+    for (const scope of this.#scopes) scope.abort(reason);
+  }
+
+  async close() {
+    this.end();
+    this.abort();
+    this.metrics.close();
+    if (this.#ownsPool) await this.#pool.close();
+  }
+}
+
+const missing = (name) =>
+  new TelarError('E_REQUEST', `request.${name}: expected a file of the request${name === 'model' ? ' or a reference' : ''}, got none`, { pointer: `/${name}` });

@@ -1,0 +1,42 @@
+import { TelarError, toTelarError } from '../error/index.mjs';
+import { featuresOf } from '../predict/features.mjs';
+import { measureScene } from './measure.mjs';
+
+/** Settings times scenes: what `bench` counts off. */
+export const benchSteps = ({ scenes, settings }) => scenes.length * Object.keys(settings).length;
+
+/**
+ * Draws every scene with every setting.
+ * @param {object} api with inspect
+ * @param {object} renderer of api.createRenderer
+ * @param {{scenes: import('./measure.mjs').Scene[], settings: Record<string, object | string>, window: number, capMs: number, truth?: object}} plan
+ * @param {object} store of measureScene
+ * @param {{signal?: AbortSignal, step?: (name: string) => void}} [options]
+ * @returns {Promise<import('./measure.mjs').Row[]>}
+ * @throws {TelarError} with the scene's name in front; the signal's reason
+ */
+export async function bench(api, renderer, plan, store, { signal, step } = {}) {
+  const rows = [];
+  let held;
+  for (const scene of plan.scenes) {
+    try {
+      if (held?.source !== scene.source) {
+        if (held) await renderer.release(held.model);
+        held = { source: scene.source, model: await renderer.load(scene.source, { signal }) };
+      }
+      const featuresOfShot = async (shot) => {
+        const { plan: drawn, ...facts } = await api.inspect(scene.source, {
+          shot: { ...shot, materials: scene.shot.materials ?? {}, quality: 'draft' },
+          signal,
+        });
+        return featuresOf(shot, drawn, facts);
+      };
+      rows.push(...(await measureScene(renderer, held.model, scene, { ...plan, featuresOf: featuresOfShot }, store, { signal, step })));
+    } catch (thrown) {
+      signal?.throwIfAborted();
+      const error = toTelarError(thrown);
+      throw new TelarError(error.code, `${scene.model}, ${scene.light}: ${error.message}`, error);
+    }
+  }
+  return rows;
+}

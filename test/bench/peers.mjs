@@ -1,0 +1,145 @@
+// A picture by telar against the same by three.js in headless Chromium on the same Mesa: CPU time, wall time and memory, and what the
+// first picture takes from the start of the process. The two draw in turns; medians. CPU time says what a server pays, whatever else runs.
+// That they draw the same is checked first, by the bars of the parity gate.
+// npm run bench -- peers      node test/bench/peers.mjs [--runs N] [--write]   --write: the table of the README
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+import { createRenderer } from '../../js/index.mjs';
+import { median } from '../median.mjs';
+import { Browser } from '../parity/browser/chromium.mjs';
+import { difference } from '../parity/metrics.mjs';
+import { chair, helmet, shirt } from './peer_models.mjs';
+
+const { values } = parseArgs({ options: { runs: { type: 'string', default: '9' }, write: { type: 'boolean', default: false } } });
+const RUNS = Number(values.runs);
+const ROOT = fileURLToPath(new URL('../../', import.meta.url));
+const ASSETS = path.join(ROOT, 'js/assets');
+const CLI = path.join(ROOT, 'js/cli/telar.mjs');
+const TSHIRT = path.join(ASSETS, 'tshirt.glb');
+const CASES = [
+  { name: 'T-shirt of 58,000 triangles', model: TSHIRT },
+  { name: 'the same, 256 x 256', model: TSHIRT, side: 256 },
+  { name: 'shirt of 20,000 triangles, two JPEGs', model: await shirt() },
+  { name: 'chair with sheen', model: await chair() },
+  { name: 'ball with five textures of 2048 x 2048', model: await helmet() },
+];
+const TICKS_A_SECOND = 100;
+
+/** Fields of /proc/PID/stat from the state on, or undefined where it has ended. */
+function statOf(pid) {
+  try {
+    return readFileSync(`/proc/${pid}/stat`, 'utf8').split(') ').at(-1).split(' ');
+  } catch {
+    return undefined;
+  }
+}
+
+/** Processes below this one. */
+function descendants() {
+  const parents = new Map(
+    readdirSync('/proc')
+      .filter((name) => /^\d+$/.test(name))
+      .map((pid) => [pid, statOf(pid)?.[1]]),
+  );
+  const isBelow = (pid) => pid !== undefined && (parents.get(pid) === String(process.pid) || (pid !== '1' && isBelow(parents.get(pid))));
+  return [...parents.keys()].filter(isBelow);
+}
+
+/** Milliseconds of CPU of the processes below this one that live, and of those that have ended. */
+function cpuBelow() {
+  const ticks = (fields, from) => Number(fields?.[from] ?? 0) + Number(fields?.[from + 1] ?? 0);
+  return (
+    ((descendants().reduce((sum, pid) => sum + ticks(statOf(pid), 11) + ticks(statOf(pid), 13), 0) + ticks(statOf(process.pid), 13)) * 1000) / TICKS_A_SECOND
+  );
+}
+
+/** Mebibytes that processes have for themselves, with their shares of what is shared. */
+const pssOf = (pids) => pids.reduce((sum, pid) => sum + Number(/^Pss:\s+(\d+)/m.exec(readFileSync(`/proc/${pid}/smaps_rollup`, 'utf8'))[1]), 0) / 1024;
+
+/** {cpu, wall} in milliseconds. `cpuNow`: of whom. */
+async function measured(cpuNow, job) {
+  const [cpu, wall] = [cpuNow(), performance.now()];
+  await job();
+  return { cpu: cpuNow() - cpu, wall: performance.now() - wall };
+}
+const ownCpu = () => Object.values(process.cpuUsage()).reduce((sum, us) => sum + us, 0) / 1000;
+
+const rows = [];
+
+/** A row of the table. @param {{cpu: number, wall: number}[]} telar @param {{cpu: number, wall: number}[]} browser milliseconds */
+function tell(name, telar, browser) {
+  const of = (samples, key) => median(samples.map((sample) => sample[key]));
+  const ratio = (key) => (of(browser, key) / of(telar, key)).toFixed(1);
+  const cpu = (samples) => `${of(samples, 'cpu').toFixed(0)} ms`;
+  rows.push([name, cpu(telar), cpu(browser), ratio('cpu'), ratio('wall')]);
+  console.log(rows.at(-1).join(' | '));
+}
+
+const premultiplied = (rgba) => rgba.map((value, i) => (i % 4 === 3 ? value : Math.round((value * rgba[i - (i % 4) + 3]) / 255)));
+
+/** @throws {Error} where the pictures are not the same by the bars of the parity gate */
+async function checkSame(name, { model, shot }, expected) {
+  const { data, info } = await renderer.render(model, { ...shot, output: { format: 'raw' } });
+  const { image, mask } = expected;
+  const { verdict } = difference({ expected: image, actual: premultiplied(data), mask, width: info.width, height: info.height, background: false });
+  if (!verdict.pass) throw new Error(`${name}: the two do not draw the same: ${JSON.stringify(verdict.checks.filter(({ pass }) => !pass))}`);
+}
+
+const environment = readFileSync(path.join(ASSETS, 'studio.hdr'));
+const renderer = await createRenderer();
+const browser = await Browser.start();
+for (const { name, model, side = 512 } of CASES) {
+  const shot = { size: { width: side, height: side } };
+  const { info } = await renderer.render(model, shot);
+  // To the browser's favour: its pixels are not encoded, and it keeps its programs.
+  const byBrowser = () => browser.draw({ shot: info.shot, model, environment, keepPrograms: true });
+  await checkSame(name, { model, shot }, await byBrowser());
+  const [telar, theirs] = [[], []];
+  for (let i = 0; i < RUNS; ++i) {
+    telar.push(await measured(ownCpu, () => renderer.render(model, shot)));
+    theirs.push(await measured(cpuBelow, byBrowser));
+  }
+  tell(name, telar, theirs);
+}
+const memory = [pssOf([process.pid]), pssOf(descendants())];
+await Promise.all([renderer.close(), browser.close()]);
+
+const folder = mkdtempSync(path.join(tmpdir(), 'telar-bench-'));
+const [telar, theirs] = [[], []];
+for (let i = 0; i < Math.ceil(RUNS / 3); ++i) {
+  telar.push(
+    await measured(cpuBelow, () => spawnSync(process.execPath, [CLI, 'thumbnail', TSHIRT, '-o', path.join(folder, 'a.png'), '--size', '512', '--quiet'])),
+  );
+  const { shot } = JSON.parse(
+    spawnSync(process.execPath, [CLI, 'thumbnail', TSHIRT, '-o', path.join(folder, 'a.png'), '--size', '512', '--json'], { encoding: 'utf8' }).stdout,
+  ).images[0].info;
+  let fresh;
+  theirs.push(
+    await measured(cpuBelow, async () => {
+      fresh = await Browser.start();
+      await fresh.draw({ shot, model: TSHIRT, environment });
+    }),
+  );
+  await fresh.close();
+}
+tell('the T-shirt, from the start of the process', telar, theirs);
+rmSync(folder, { recursive: true });
+rows.push(['memory of all processes, the five pictures drawn', ...memory.map((mib) => `${mib.toFixed(0)} MiB`), (memory[1] / memory[0]).toFixed(1), '']);
+console.log(rows.at(-1).join(' | '));
+
+if (values.write) {
+  const head = ['a picture of 512 x 512, no GPU: CPU time from file to pixels', 'telar', 'headless Chromium', 'ratio', 'ratio of wall time'];
+  const table = [head, head.map(() => '---'), ...rows].map((row) => `| ${row.join(' | ')} |`).join('\n');
+  const file = path.join(ROOT, 'README.md');
+  const text = readFileSync(file, 'utf8');
+  const between = /(<!-- peers -->\n)[\s\S]*?(\n<!-- end -->)/;
+  if (!between.test(text)) throw new Error('README.md has no place for the table: <!-- peers --> and <!-- end -->');
+  writeFileSync(
+    file,
+    text.replace(between, (_, before, after) => `${before}${table}${after}`),
+  );
+}

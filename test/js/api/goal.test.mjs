@@ -1,0 +1,128 @@
+import assert from 'node:assert/strict';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import os from 'node:os';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { keptCalibrations } from '../../../js/api/calibration.mjs';
+import { createRenderer, inspect } from '../../../js/index.mjs';
+import { TABLE } from '../../../js/predict/index.mjs';
+import { SETTINGS } from '../../../js/predict/settings.mjs';
+import { resolveQuality } from '../../../js/shot/quality.mjs';
+import { MODELS } from '../../fixtures/index.mjs';
+import './support/real.mjs';
+
+// Qualities that are a goal: {maxError} and {budgetMs}.
+
+const SHOT = { size: { width: 24, height: 24 }, shading: 'fabric', output: { format: 'raw' } };
+const asked = (quality) => ({ ...SHOT, quality });
+
+let folder, renderer, glb, model;
+before(async () => {
+  folder = await mkdtemp(path.join(os.tmpdir(), 'telar-goal-'));
+  renderer = await createRenderer({ cacheDirectory: folder });
+  glb = await MODELS.cloth();
+  model = await renderer.load(glb);
+});
+after(async () => {
+  await renderer.close();
+  await rm(folder, { recursive: true });
+});
+
+test('an error: info has the settings, the prediction and what it is from; the settings draw the same', async () => {
+  const { data, info } = await renderer.render(model, asked({ maxError: 0.9 }));
+  const { goal, quality, shot, warnings } = info;
+  assert.deepEqual(quality, resolveQuality(SETTINGS[goal.setting]));
+  assert.deepEqual(shot.quality, quality);
+  assert.equal(goal.maxError, 0.9);
+  assert.ok(goal.holds && goal.predicted.flip > 0 && goal.predicted.flip <= 0.9, JSON.stringify(goal));
+  assert.ok(goal.predicted.cpuMs > 0 && goal.predicted.mostMs >= goal.predicted.cpuMs);
+  assert.match(goal.basis, /^\d+ measured scenes of the class "/);
+  assert.deepEqual(warnings, []);
+  const again = await renderer.render(model, shot);
+  assert.deepEqual(again.data, data);
+  assert.equal(again.info.goal, undefined);
+  const exact = await renderer.render(model, asked({ maxError: 0.05 }));
+  assert.notEqual(exact.info.goal.setting, goal.setting);
+  assert.notDeepEqual(exact.data, data);
+});
+
+test('an error that nothing holds: the most accurate settings, and a warning that can be refused', async () => {
+  const { info } = await renderer.render(model, asked({ maxError: 1e-6 }), { timeoutMs: null });
+  assert.equal(info.goal.holds, false);
+  const [{ code, pointer, message }] = info.warnings;
+  assert.deepEqual([code, pointer], ['W_QUALITY', '/quality/maxError']);
+  assert.equal(
+    message,
+    `shot.quality.maxError: no setting is predicted to hold FLIP 0.000001 here; the most accurate, ${info.goal.setting}, is at ${info.goal.predicted.flip.toFixed(4)}`,
+  );
+  await assert.rejects(renderer.render(model, asked({ maxError: 1e-6 }), { failOn: 'warning' }), { code: 'E_WARNING' });
+});
+
+test('a time: this machine is measured once, by two renders at once too', async () => {
+  assert.deepEqual(await keptCalibrations(folder), {});
+  const [first] = await Promise.all([1e6, 2e6].map((budgetMs) => renderer.render(model, asked({ budgetMs }))));
+  assert.ok(first.info.goal.holds && first.info.goal.predicted.mostMs <= 1e6);
+  assert.match(first.info.goal.basis, /times by the calibration of this machine$/);
+  const kept = await keptCalibrations(folder);
+  assert.deepEqual(Object.keys(kept), [renderer.gl.renderer]);
+  assert.ok(kept[renderer.gl.renderer].raster > 1 && kept[renderer.gl.renderer].tracer > 1, JSON.stringify(kept));
+  const text = await readFile(path.join(folder, 'calibration.json'), 'utf8');
+  const other = await createRenderer({ cacheDirectory: folder });
+  await other.render(glb, asked({ budgetMs: 1e6 }));
+  await other.close();
+  assert.equal(await readFile(path.join(folder, 'calibration.json'), 'utf8'), text, 'not measured again');
+});
+
+test('planted: the file says that this machine is slow, or nothing that can be read', async () => {
+  const file = path.join(folder, 'calibration.json');
+  const kept = JSON.parse(await readFile(file, 'utf8'));
+  const drawnWith = async (text) => {
+    await writeFile(file, text);
+    const other = await createRenderer({ cacheDirectory: folder });
+    try {
+      return (await other.render(glb, asked({ budgetMs: 5000 }))).info;
+    } finally {
+      await other.close();
+    }
+  };
+  const slow = Object.fromEntries(Object.keys(kept).map((name) => [name, { raster: 1e6 * TABLE.machine.raster, tracer: 1e6 * TABLE.machine.tracer }]));
+  const { goal, warnings } = await drawnWith(JSON.stringify(slow));
+  assert.deepEqual([goal.setting, goal.holds, warnings[0].code], ['draft', false, 'W_QUALITY']);
+  assert.match(warnings[0].message, /^shot\.quality\.budgetMs: no setting is predicted to hold 5000 ms here; the fastest, draft, may take \d+ ms$/);
+  for (const text of ['{"', '[]', 'null', JSON.stringify(Object.fromEntries(Object.keys(kept).map((name) => [name, { raster: 'x' }])))]) {
+    assert.equal((await drawnWith(text)).goal.holds, true, text);
+    assert.ok((await keptCalibrations(folder))[renderer.gl.renderer].raster > 1, 'measured again');
+  }
+});
+
+test('an abort while the machine is measured ends that picture alone', async () => {
+  const other = await createRenderer({ cacheDirectory: null });
+  try {
+    const aborted = new AbortController();
+    const ends = other.render(glb, asked({ budgetMs: 5000 }), { signal: aborted.signal });
+    const stays = other.render(glb, asked({ budgetMs: 5000 }));
+    setTimeout(() => aborted.abort(), 20);
+    await assert.rejects(ends, { name: 'AbortError' });
+    assert.equal((await stays).info.goal.holds, true);
+  } finally {
+    await other.close();
+  }
+});
+
+test('inspect tells the settings and what they compile, without a machine to draw on', async () => {
+  const { plan, goal } = await inspect(glb, { shot: asked({ maxError: 0.02 }) });
+  const { info } = await renderer.render(model, asked({ maxError: 0.02 }));
+  assert.deepEqual(goal, info.goal);
+  assert.ok(plan.passes.length > 0);
+  const timed = await inspect(glb, { shot: asked({ budgetMs: 1e6 }) });
+  assert.ok(timed.goal.holds && timed.goal.budgetMs === 1e6);
+  assert.equal((await inspect(glb, { shot: SHOT })).goal, undefined);
+});
+
+test('quantities and flats have no error to reach', async () => {
+  const { data } = await renderer.renderQuantity(model, asked({ budgetMs: 1 }), 'n');
+  assert.equal(data.length, 24 * 24 * 4);
+  const { info } = await renderer.render(model, { ...asked({ maxError: 1e-6 }), style: 'flat' });
+  assert.deepEqual([info.goal, info.warnings, info.quality.preset], [undefined, [], 'standard']);
+  assert.equal((await inspect(glb, { shot: { ...asked({ maxError: 1e-6 }), style: 'flat' } })).goal, undefined);
+});

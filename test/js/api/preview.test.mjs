@@ -1,0 +1,89 @@
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { createRenderer } from '../../../js/index.mjs';
+import { compareImages } from '../../../js/compare/index.mjs';
+import { createPool } from '../../../js/pool/index.mjs';
+import { MODELS } from '../../fixtures/index.mjs';
+import './support/real.mjs';
+
+// The option onPreview: the picture so far.
+
+const SIZE = { width: 96, height: 96 };
+const SHOT = { size: SIZE, shading: 'fabric', output: { format: 'raw' } };
+const QUALITIES = {
+  raster: { samples: 256, environmentSamples: 512 },
+  tracer: { preset: 'reference', transport: 'direct', samples: 600 },
+  'tracer with noise': { preset: 'reference', transport: 'direct', samples: 2048, noise: 1 },
+};
+
+let renderer, model;
+before(async () => {
+  renderer = await createRenderer({ cacheDirectory: null });
+  model = await renderer.load(await MODELS.ball());
+});
+after(() => renderer.close());
+
+async function drawn(quality, more = {}) {
+  const previews = [];
+  const { data, info } = await renderer.render(model, { ...SHOT, ...more, quality }, { onPreview: (preview) => previews.push(preview) });
+  return { data, info, previews };
+}
+
+for (const [name, quality] of Object.entries(QUALITIES)) {
+  test(`${name}: powers of two, nearer and nearer, and the same bytes in the end`, async () => {
+    const { data, info, previews } = await drawn(quality);
+    assert.ok(previews.length >= 2, String(previews.length));
+    const samples = previews.map((preview) => preview.samples);
+    assert.deepEqual(
+      samples,
+      [...new Set(samples)].toSorted((a, b) => a - b),
+    );
+    assert.ok(
+      samples.every((count) => Number.isInteger(Math.log2(count)) && count < info.samples),
+      `${samples} of ${info.samples}`,
+    );
+    const apart = (bytes) => compareImages({ ...SIZE, data }, { ...SIZE, data: bytes }).object.flip.mean;
+    for (const { width, height, bitDepth, data: bytes } of previews) assert.deepEqual([width, height, bitDepth, bytes.length], [96, 96, 8, 96 * 96 * 4]);
+    const errors = previews.map((preview) => apart(preview.data));
+    assert.ok(errors.at(-1) < errors[0] && errors.at(-1) > 0, String(errors));
+    const flipped = Buffer.from(previews.at(-1).data).reverse();
+    assert.ok(apart(flipped) > 2 * errors.at(-1), 'planted fault: a preview upside down');
+    const plain = await renderer.render(model, { ...SHOT, quality });
+    assert.ok(plain.data.equals(data), 'previews change nothing');
+  });
+}
+
+test('an abort and what it throws end the work', async () => {
+  const endless = { preset: 'reference', samples: 65536 };
+  const ended = new AbortController();
+  let last;
+  const onPreview = (preview) => {
+    last = preview;
+    if (preview.samples >= 8) ended.abort();
+  };
+  await assert.rejects(renderer.render(model, { ...SHOT, quality: endless }, { onPreview, signal: ended.signal }), { name: 'AbortError' });
+  assert.ok(last.samples >= 8 && last.samples < 65536);
+  const thrown = new Error('enough');
+  const fail = () => {
+    throw thrown;
+  };
+  await assert.rejects(renderer.render(model, { ...SHOT, quality: endless }, { onPreview: fail }), (error) => error === thrown);
+});
+
+test('floats for outputs of floats; none where one pass is all', async () => {
+  const output = { format: 'raw', bitDepth: 32 };
+  const { previews } = await drawn(QUALITIES.tracer, { output });
+  assert.deepEqual([previews[0].bitDepth, previews[0].data.length], [32, 96 * 96 * 16]);
+  assert.deepEqual((await drawn('standard')).previews, []);
+});
+
+test('what is no function is refused, and so are previews of a pool', async () => {
+  await assert.rejects(renderer.render(model, SHOT, { onPreview: 1 }), { code: 'E_OPTION', message: 'options.onPreview: expected a function, got 1' });
+  const pool = await createPool({ size: 1 });
+  try {
+    await assert.rejects(pool.render(path.resolve('none.glb'), SHOT, { onPreview() {} }), { code: 'E_OPTION' });
+  } finally {
+    await pool.close();
+  }
+});

@@ -1,0 +1,76 @@
+import assert from 'node:assert/strict';
+import { appendFileSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { after, test } from 'node:test';
+import { plantedBench } from '../trade/support.mjs';
+import { runFake } from './fake.mjs';
+
+const root = mkdtempSync(path.join(tmpdir(), 'telar-bench-'));
+after(() => rmSync(root, { recursive: true }));
+let folders = 0;
+const freshFolder = () => path.join(root, String(folders++));
+
+const run = (argv, fake = plantedBench()) => runFake(['bench', 'trade', ...argv], { fake, api: fake.api });
+const SMALL = ['--cloths', 'denim', '--environments', 'studio', '--sizes', '64', '--window', '32', '--settings', 'draft,standard,tracer 8'];
+
+test('a folder with page, CSV, plot; the tables on stdout', async () => {
+  const folder = freshFolder();
+  const { exit, stdout, stderr, calls } = await run(['-o', folder, ...SMALL]);
+  assert.equal(exit, 0, stderr);
+  assert.deepEqual(readdirSync(folder).sort(), ['index.html', 'measured.jsonl', 'trade.csv', 'trade.svg', 'truth']);
+  const lines = readFileSync(path.join(folder, 'trade.csv'), 'utf8').trim().split('\n');
+  assert.equal(lines.length, 4);
+  const flips = lines.slice(1).map((line) => Number(line.split(',')[6]));
+  assert.ok(flips[0] > flips[1] && flips[1] > flips[2], String(flips));
+  assert.match(stdout, /^setting +FLIP, median/);
+  assert.equal(calls.closed, 1);
+  const seeds = calls.rendered.filter(({ shot }) => shot.quality.preset === 'reference').map(({ shot }) => shot.quality.seed);
+  assert.ok(seeds.includes(1) && seeds.includes(2), 'truth and tracer take different paths');
+});
+
+test('a run goes on where another stopped, a cut line is measured again', async () => {
+  const folder = freshFolder();
+  const stopped = plantedBench({
+    fail: (count) => {
+      if (count === 6) throw new Error('stopped');
+    },
+  });
+  assert.notEqual((await run(['-o', folder, ...SMALL], stopped)).exit, 0);
+  const truths = readdirSync(path.join(folder, 'truth'));
+  assert.equal(truths.length, 1);
+  const { calls } = await run(['-o', folder, ...SMALL]);
+  const truth = ({ shot }) => shot.quality.seed === 2;
+  assert.equal(calls.rendered.filter(truth).length, 0, 'the truth is kept');
+  const again = await run(['-o', folder, ...SMALL]);
+  assert.equal(again.calls.rendered.length, 1, 'nothing but the look for the window');
+  appendFileSync(path.join(folder, 'measured.jsonl'), '{"key":"cut');
+  const cut = await run(['-o', folder, ...SMALL, '--setting', 'own={"samples":16}', '--json']);
+  const { rows } = JSON.parse(cut.stdout);
+  assert.deepEqual(
+    rows.map(({ setting }) => setting),
+    ['draft', 'standard', 'tracer 8', 'own'],
+  );
+});
+
+test('wrong options are told before anything is opened', async () => {
+  const folder = freshFolder();
+  const told = async (...argv) => {
+    const fake = plantedBench();
+    const { exit, stderr } = await run(['-o', folder, ...argv], fake);
+    assert.equal(fake.calls.loaded.length, 0);
+    return [exit, stderr];
+  };
+  for (const [argv, text] of [
+    [['--settings', 'fast'], /--settings: there is no setting "fast"; expected some of draft, /],
+    [['--setting', 'a={"samples":3}'], /--setting .*expected NAME=JSON of a quality \(shot.quality.samples: expected 1, 4/],
+    [['--sizes', '2'], /--sizes: expected a whole number in \[16, 8192\], got "2"/],
+    [['--environments', 'studoi'], /--environments: .*did you mean studio\?/],
+    [['--cap', 'x'], /--cap: expected a whole number/],
+    [['--cloths', 'denmi'], /denim/],
+  ]) {
+    const [exit, stderr] = await told(...argv);
+    assert.match(stderr, text);
+    assert.ok(exit === 2 || exit === 3, String(exit));
+  }
+});

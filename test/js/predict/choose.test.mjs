@@ -1,0 +1,151 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { calibrate, choose, featuresOf, predictAll, TABLE } from '../../../js/predict/index.mjs';
+import { fitTable } from '../../../js/predict/fit.mjs';
+import { familyOf, SETTINGS } from '../../../js/predict/settings.mjs';
+import { resolveShot } from '../../../js/shot/index.mjs';
+import { featuresWith, MACHINE, plantedRows } from './support.mjs';
+
+const table = fitTable(plantedRows(), MACHINE);
+const HERE = { tracer: true };
+const features = featuresWith();
+
+test('an error gets the cheapest setting that holds it', () => {
+  const all = predictAll(table, features, HERE);
+  assert.equal(all.length, Object.keys(SETTINGS).length);
+  for (const maxError of [0.3, 0.1, 0.05, 0.02, 0.01]) {
+    const chosen = choose(table, { maxError }, features, HERE);
+    assert.ok(chosen.holds && chosen.flip <= maxError, JSON.stringify(chosen));
+    assert.deepEqual(chosen.quality, SETTINGS[chosen.setting]);
+    for (const { setting, flip, cpuMs } of all) assert.ok(flip > maxError || cpuMs >= chosen.cpuMs, `${setting} holds ${maxError} for less`);
+  }
+});
+
+test('a time gets the most accurate setting that fits, by what it takes at most', () => {
+  const all = predictAll(table, features, HERE);
+  for (const budgetMs of [60, 200, 1000, 5000, 100_000]) {
+    const chosen = choose(table, { budgetMs }, features, HERE);
+    assert.ok(chosen.holds && chosen.mostMs <= budgetMs, JSON.stringify(chosen));
+    for (const { setting, flip, mostMs } of all) assert.ok(mostMs > budgetMs || flip >= chosen.flip, `${setting} is nearer in ${budgetMs}`);
+  }
+});
+
+test('what nothing holds gets the most accurate or the fastest, and says so', () => {
+  const all = predictAll(table, features, HERE);
+  const exact = choose(table, { maxError: 1e-6 }, features, HERE);
+  assert.deepEqual([exact.holds, exact.flip], [false, Math.min(...all.map(({ flip }) => flip))]);
+  const fast = choose(table, { budgetMs: 0.001 }, features, HERE);
+  assert.deepEqual([fast.holds, fast.setting], [false, 'draft']);
+});
+
+test('a smaller error never costs less, a longer time never errs more', () => {
+  const errors = Array.from({ length: 40 }, (_, i) => choose(table, { maxError: 0.4 * 0.85 ** i }, features, HERE));
+  for (let i = 1; i < errors.length; i++) assert.ok(!errors[i].holds || errors[i].cpuMs >= errors[i - 1].cpuMs);
+  const times = Array.from({ length: 40 }, (_, i) => choose(table, { budgetMs: 10 * 1.3 ** i }, features, HERE));
+  for (let i = 1; i < times.length; i++) assert.ok(!times[i - 1].holds || times[i].flip <= times[i - 1].flip);
+});
+
+test('a machine of half the speed gets less for the same time; an error has the same settings', () => {
+  const slow = { tracer: true, machine: { raster: 2 * MACHINE.raster, tracer: 2 * MACHINE.tracer } };
+  const chosen = choose(table, { budgetMs: 2000 }, features, slow);
+  assert.equal(chosen.setting, choose(table, { budgetMs: 1000 }, features, HERE).setting);
+  const slowTracer = { tracer: true, machine: { ...MACHINE, tracer: 100 * MACHINE.tracer } };
+  assert.notEqual(familyOf(choose(table, { budgetMs: 100_000 }, features, slowTracer).setting), 'tracer');
+});
+
+test('the tracer is left out where it is not there or shows otherwise', () => {
+  for (const [of, here] of [
+    [features, { tracer: false }],
+    [featuresWith({ traceable: false }), HERE],
+  ]) {
+    assert.ok(predictAll(table, of, here).every(({ setting }) => familyOf(setting) !== 'tracer'));
+    assert.notEqual(familyOf(choose(table, { maxError: 1e-6 }, of, here).setting), 'tracer');
+  }
+});
+
+test('in the smallest pictures the draft stays the cheapest, and families in order', () => {
+  const planted = structuredClone(table);
+  // As a fit gives it that no small picture is in.
+  for (const name of ['medium', 'tracer 8']) for (const time of Object.values(planted.times[name])) time.base = 0;
+  const all = predictAll(planted, featuresWith({ pixels: 4, covered: 2, triangles: 0 }), HERE);
+  assert.equal(all[0].setting, 'draft');
+  for (const { cpuMs } of all) assert.ok(cpuMs >= all[0].cpuMs);
+  const of = (family) => all.filter(({ setting }) => familyOf(setting) === family).map(({ cpuMs }) => cpuMs);
+  for (const family of ['raster', 'tracer'])
+    assert.deepEqual(
+      of(family),
+      of(family).toSorted((a, b) => a - b),
+    );
+});
+
+test('more pixels and triangles take longer', () => {
+  const time = (more) => choose(table, { maxError: 0.05 }, featuresWith(more), HERE).cpuMs;
+  assert.ok(time({ pixels: 1 << 20, covered: 1e6 }) > 2 * time({}));
+  assert.ok(time({ triangles: 100_000 }) > 2 * time({}));
+});
+
+test('features are those of the shot, of what is drawn and of the model', () => {
+  const shot = resolveShot(
+    { size: { width: 64, height: 32 }, shading: 'fabric', environment: 'none', lights: [{ type: 'directional', castShadow: true }] },
+    { bounds: { min: [-1, -1, -1], max: [1, 1, 1] } },
+  );
+  const square = [-0.5, 0.5].flatMap((x) => [-0.5, 0.5].map((y) => [x, y, 0]));
+  const of = (drawn, more = {}, { fragments, outline } = {}) => featuresOf({ ...shot, ...more }, { features: drawn, fragments }, { triangles: 12, outline });
+  assert.deepEqual(of(['normal-map']), {
+    shading: 'fabric',
+    surface: 'relief',
+    environment: 'none',
+    shadows: true,
+    triangles: 12,
+    pixels: 2048,
+    covered: 2048,
+    traceable: true,
+  });
+  assert.deepEqual(
+    [['normal-map', 'sheen'], ['weave', 'normal-map', 'sheen'], ['alpha-mask', 'normal-map'], ['normal-facets', 'normal-map'], []].map(
+      (drawn) => of(drawn).surface,
+    ),
+    ['napped', 'stretched', 'cut', 'facets', 'smooth'],
+  );
+  assert.equal(of([], {}, { fragments: 300 }).covered, 300);
+  const camera = { projection: 'orthographic', position: [0, 0, 2], target: [0, 0, 0], up: [0, 1, 0], height: 4, near: 1, far: 3 };
+  assert.equal(of([], { camera }, { outline: square }).covered, 64, 'a quarter of the height of 32, squared');
+  const near = { projection: 'perspective', position: [0, 0, 1], target: [0, 0, 0], up: [0, 1, 0], fovY: 90, near: 0.1, far: 3 };
+  assert.equal(of([], { camera: near }, { outline: square }).covered, 256, 'half of the height');
+  assert.equal(of([], { camera: { ...near, position: [0, 0, 0.1] } }, { outline: square }).covered, 2048, 'no more than there are');
+  assert.equal(of([], { camera: near }, { outline: [...square, [0, 0, 1.5]] }).covered, 2048, 'a point behind the camera');
+  assert.equal(of(['transmission']).traceable, false);
+  assert.equal(of([], { layers: ['beauty', 'depth'] }).traceable, false);
+  assert.equal(of([], { environment: { map: 'hall.hdr', intensity: 1 } }).environment, 'file');
+  assert.equal(of([], { shading: { base: 'three', revision: 180 } }).shading, 'three');
+});
+
+test('the calibration is the least of several, without the first', async () => {
+  const spent = [];
+  const spin = (ms) => {
+    const { user, system } = process.cpuUsage();
+    while (process.cpuUsage().user + process.cpuUsage().system - user - system < 1000 * ms);
+  };
+  const draw = async (_, { quality }) => {
+    spent.push(quality.preset ?? quality);
+    spin(spent.length === 1 ? 1 : 10);
+  };
+  const { raster, tracer } = await calibrate(draw, { tracer: true });
+  assert.ok(raster >= 10 && tracer >= 10, `${raster}, ${tracer}: the first, of 1 ms, does not count`);
+  assert.deepEqual([...new Set(spent)], ['standard', 'reference']);
+  assert.equal((await calibrate(draw, { tracer: false })).tracer, 0);
+});
+
+test('what is shipped answers every kind of scene', () => {
+  for (const shading of ['fabric', 'three', 'three-r115', 'disney-2012']) {
+    for (const surface of ['relief', 'smooth']) {
+      for (const environment of ['none', 'studio', 'file']) {
+        const of = featuresWith({ shading, surface, environment, shadows: environment === 'none' });
+        const cheap = choose(TABLE, { maxError: 1 }, of, HERE);
+        const exact = choose(TABLE, { maxError: 1e-6 }, of, HERE);
+        assert.ok(cheap.holds && !exact.holds && exact.cpuMs > cheap.cpuMs && exact.flip < cheap.flip, `${shading}, ${surface}, ${environment}`);
+        for (const { flip, cpuMs, mostMs } of predictAll(TABLE, of, HERE)) assert.ok(flip > 0 && flip <= 1 && cpuMs > 0 && mostMs >= cpuMs);
+      }
+    }
+  }
+});

@@ -1,0 +1,191 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { setTimeout as sleep } from 'node:timers/promises';
+import { ENDLESS, GLB, HOURS, MODELS, SHOT, bytesOf, connect, head, openPool, post, postForm, problemOf, readiness, serve, until } from './support.mjs';
+
+// What clients may take of the service: time, bytes, connections, places. By real sockets: most of these are no requests that fetch would send.
+
+const THUMBNAILS = '/v1/thumbnails';
+
+let pool, glb;
+before(async () => {
+  [pool, glb] = await Promise.all([openPool(), MODELS.cloth()]);
+});
+after(() => pool.close());
+
+/** A service for one test, on the pool of all. */
+async function withService(options, use) {
+  const service = await serve({ pool, ...options });
+  try {
+    return await use(service);
+  } finally {
+    await service.drain();
+  }
+}
+
+const statusOf = (said) => Number(/^HTTP\/1\.1 (\d+)/.exec(said)?.[1]);
+const codeOf = (said) => JSON.parse(said.slice(said.indexOf('\r\n\r\n') + 4)).code;
+
+test('headers that come slowly end in 408, however alive the sender is', () =>
+  withService({ headersMs: 300 }, async (service) => {
+    const { socket, said } = await connect(service);
+    socket.write(`POST ${THUMBNAILS} HTTP/1.1\r\nhost: here\r\n`);
+    const dripping = setInterval(() => socket.write('x-drip: 1\r\n'), 50);
+    const answer = await said;
+    clearInterval(dripping);
+    assert.deepEqual([statusOf(answer), codeOf(answer)], [408, 'X_UPLOAD_TIME']);
+    assert.match(answer, /content-type: application\/problem\+json/);
+  }));
+
+for (const [way, headers, chunk] of [
+  ['with its length', { 'content-length': 1_000_000 }, 'x'],
+  ['in chunks', { 'transfer-encoding': 'chunked' }, '1\r\nx\r\n'],
+]) {
+  test(`a body ${way} that comes slowly ends in 408, however alive the sender is`, () =>
+    withService({ uploadMs: 300 }, async (service) => {
+      const { socket, said } = await connect(service);
+      socket.write(head(THUMBNAILS, { 'content-type': GLB, ...headers }));
+      const dripping = setInterval(() => socket.write(chunk), 50);
+      const answer = await said;
+      clearInterval(dripping);
+      assert.deepEqual([statusOf(answer), codeOf(answer)], [408, 'X_UPLOAD_TIME']);
+    }));
+}
+
+test('a form that comes slowly too', () =>
+  withService({ uploadMs: 300 }, async (service) => {
+    const { socket, said } = await connect(service);
+    socket.write(head(THUMBNAILS, { 'content-type': 'multipart/form-data; boundary=b', 'content-length': 1_000_000 }));
+    socket.write('--b\r\ncontent-disposition: form-data; name="model"; filename="m"\r\n\r\nglTF');
+    const answer = await said;
+    assert.deepEqual([statusOf(answer), codeOf(answer)], [408, 'X_UPLOAD_TIME']);
+  }));
+
+test('a body that says it is too large is refused before it is sent', () =>
+  withService({ requestBytes: 1000 }, async (service) => {
+    const { socket, said } = await connect(service);
+    socket.write(head(THUMBNAILS, { 'content-type': GLB, 'content-length': 2 ** 40 }));
+    const answer = await said;
+    assert.deepEqual([statusOf(answer), codeOf(answer)], [413, 'L_FILE_BYTES']);
+  }));
+
+test('a body that does not say it is cut at its bound, and its sender reads the answer', () =>
+  withService({ requestBytes: 1000 }, async (service) => {
+    const { socket, said } = await connect(service);
+    socket.write(head(THUMBNAILS, { 'content-type': GLB, 'transfer-encoding': 'chunked' }));
+    let sent = 0;
+    const flood = setInterval(() => {
+      sent += 65_536;
+      socket.write(`10000\r\n${'x'.repeat(65_536)}\r\n`);
+    }, 5);
+    const answer = await said;
+    clearInterval(flood);
+    assert.deepEqual([statusOf(answer), codeOf(answer)], [413, 'L_FILE_BYTES']);
+    assert.ok(sent < 2 ** 28);
+  }));
+
+test('a file, a field and the whole of a form are bounded', () =>
+  withService({ requestBytes: 3_000_000, pool: { size: 1, cacheDirectory: null, limits: { L_FILE_BYTES: 1000 } } }, async ({ url }) => {
+    const ask = async (fields) => {
+      const { status, code, limit } = await problemOf(await postForm(url, THUMBNAILS, fields));
+      return [status, code, limit?.max];
+    };
+    assert.deepEqual(await ask({ model: Buffer.alloc(1001) }), [413, 'L_FILE_BYTES', 1000]);
+    assert.deepEqual(await ask({ model: Buffer.alloc(10), shot: ' '.repeat(2 ** 20 + 1) }), [413, 'L_REQUEST_BYTES', 2 ** 20]);
+    assert.deepEqual(await ask({ model: Buffer.alloc(3_000_000) }), [413, 'L_REQUEST_BYTES', 3_000_000]);
+  }));
+
+test('so many bodies at once, and one more is refused at once with retry-after', () =>
+  withService({ uploads: 2, uploadMs: HOURS }, async (service) => {
+    const slow = await Promise.all([1, 2].map(() => connect(service)));
+    for (const { socket } of slow) socket.write(head(THUMBNAILS, { 'content-type': GLB, 'content-length': 100 }));
+    const metrics = async () => (await fetch(new URL('/metrics', service.url))).text();
+    await until(async () => /^telar_uploads 2$/m.test(await metrics()));
+    const refused = await post(service.url, THUMBNAILS, glb, { shot: SHOT });
+    assert.match(refused.headers.get('retry-after'), /^\d+$/);
+    assert.deepEqual([refused.status, (await problemOf(refused)).code], [429, 'X_BUSY']);
+    slow[0].socket.destroy();
+    await until(async () => /^telar_uploads 1$/m.test(await metrics()));
+    assert.equal((await post(service.url, THUMBNAILS, glb, { shot: SHOT })).status, 200);
+    slow[1].socket.destroy();
+  }));
+
+test('so many connections at once', () =>
+  withService({ connections: 2 }, async (service) => {
+    const held = [await connect(service), await connect(service)];
+    const { said } = await connect(service);
+    assert.equal(await said, '', 'closed without a word');
+    for (const { socket } of held) socket.destroy();
+    await until(async () => (await fetch(new URL('/healthz', service.url)).catch(() => ({}))).status === 200);
+  }));
+
+test('as many jobs as workers run, so many wait, one more is refused before its body is read; who goes away makes room', () =>
+  withService({ waiting: 1, deadlineMs: HOURS }, async (service) => {
+    const clients = [1, 2].map(() => new AbortController());
+    const endless = ({ signal }) => fetch(...endlessOf(service, signal)).catch(({ name }) => name);
+    const answers = [endless(clients[0])];
+    await until(async () => (await readiness(service.url)).running === 1);
+    answers.push(endless(clients[1]));
+    await until(async () => (await readiness(service.url)).waiting === 1);
+    const { socket, said } = await connect(service);
+    socket.write(head(THUMBNAILS, { 'content-type': GLB, 'content-length': 1000 }));
+    const refused = await said;
+    assert.deepEqual([statusOf(refused), codeOf(refused)], [429, 'X_BUSY']);
+    assert.match(refused, /retry-after: \d+\r\n/);
+    assert.deepEqual(await readiness(service.url).then(({ running, waiting }) => [running, waiting]), [1, 1]);
+    clients[1].abort();
+    await until(async () => (await readiness(service.url)).waiting === 0);
+    const last = post(service.url, THUMBNAILS, glb, { shot: SHOT });
+    await until(async () => (await readiness(service.url)).waiting === 1);
+    clients[0].abort();
+    assert.equal((await last).status, 200, 'the worker draws again');
+    assert.deepEqual(await Promise.all(answers), ['AbortError', 'AbortError']);
+    const log = await (await fetch(new URL('/metrics', service.url))).text();
+    assert.match(log, /^telar_requests_total\{route="\/v1\/thumbnails",status="499",code="X_CANCELLED"\} 2$/m);
+  }));
+
+const endlessOf = ({ url }, signal) => [
+  new URL(`${THUMBNAILS}?shot=${encodeURIComponent(JSON.stringify(ENDLESS))}`, url),
+  { method: 'POST', body: glb, signal, headers: { 'content-type': GLB } },
+];
+
+test('an answer that takes longer than its deadline is a 504, running or waiting; prefer: wait shortens it', () =>
+  withService({ deadlineMs: 1500 }, async ({ url }) => {
+    const ask = async (headers) => {
+      const start = performance.now();
+      const { status, code, retryable } = await problemOf(await post(url, THUMBNAILS, glb, { shot: ENDLESS }, headers));
+      return { told: [status, code, retryable], seconds: (performance.now() - start) / 1000 };
+    };
+    const running = ask();
+    await until(async () => (await readiness(url)).running === 1);
+    const [first, waiting] = await Promise.all([running, ask()]);
+    assert.deepEqual(first.told, [504, 'X_TIMEOUT', true]);
+    assert.deepEqual(waiting.told, [504, 'X_TIMEOUT', true]);
+    const short = await ask({ prefer: 'wait=1' });
+    assert.deepEqual(short.told, [504, 'X_TIMEOUT', true]);
+    assert.ok(short.seconds < 1.45, `${short.seconds} s`);
+  }));
+
+test('a worker that ends in the middle costs no answer: another one draws it', () =>
+  withService({}, async ({ url }) => {
+    const before = (await pool.render(glb, SHOT)).data;
+    const answering = post(url, THUMBNAILS, glb, { shot: { ...SHOT, quality: 'high' } });
+    const { pid } = await until(() => pool.workers.find(({ state }) => state === 'busy'));
+    process.kill(pid, 'SIGKILL');
+    const answer = await answering;
+    assert.equal(answer.status, 200);
+    assert.ok((await bytesOf(answer)).equals((await pool.render(glb, { ...SHOT, quality: 'high' })).data) && before.length > 0);
+    assert.match(await (await fetch(new URL('/metrics', url))).text(), /^telar_retries_total 1$/m);
+  }));
+
+test('what is no HTTP gets a 400, and a connection that says nothing costs nothing', () =>
+  withService({}, async (service) => {
+    const { socket, said } = await connect(service);
+    socket.write('\x16\x03\x01 what is this\r\n\r\n');
+    const answer = await said;
+    assert.deepEqual([statusOf(answer), codeOf(answer)], [400, 'E_REQUEST']);
+    const long = await connect(service);
+    long.socket.write(`GET /healthz?${'x'.repeat(100_000)} HTTP/1.1\r\n\r\n`);
+    assert.deepEqual([statusOf(await long.said), codeOf(await long.said)], [400, 'E_REQUEST']);
+    await sleep(0);
+  }));

@@ -1,0 +1,115 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Admission } from '../../../js/server/admission.mjs';
+import { negotiate } from '../../../js/server/negotiate.mjs';
+import { waitOf } from '../../../js/server/scope.mjs';
+
+const OFFERED = ['image/png', 'image/webp', 'image/jpeg', 'application/json'];
+
+/** Header and what it gets; RFC 9110, 12.5.1. */
+const NEGOTIATED = [
+  [undefined, 'image/png'],
+  ['', 'image/png'],
+  ['*/*', 'image/png'],
+  ['image/*', 'image/png'],
+  ['application/json', 'application/json'],
+  ['IMAGE/WEBP', 'image/webp'],
+  ['image/webp, image/jpeg', 'image/webp'],
+  ['image/jpeg, image/webp;q=0.9', 'image/jpeg'],
+  ['image/*;q=0.5, image/jpeg;q=0.9', 'image/jpeg'],
+  ['image/png;q=0, */*', 'image/webp'],
+  ['image/png;q=0.1, image/*;q=0.2', 'image/webp'],
+  ['image/avif,image/webp,*/*;q=0.8', 'image/webp'],
+  ['text/html, */*;q=0.1', 'image/png'],
+  ['nonsense, image/jpeg', 'image/jpeg'],
+  ['image/jpeg;q=2, image/webp;q=0.1', 'image/webp'],
+];
+for (const [accept, type] of NEGOTIATED) {
+  test(`accept: ${accept} gets ${type}`, () => assert.equal(negotiate(accept, OFFERED), type));
+}
+
+for (const accept of ['text/html', 'image/png;q=0, image/avif', '*/*;q=0', 'nonsense']) {
+  test(`accept: ${accept} gets nothing`, () => assert.throws(() => negotiate(accept, OFFERED), { code: 'E_ACCEPT' }));
+}
+
+const WAITS = { 'wait=2': 2000, 'respond-async, wait=3': 3000, 'WAIT=1;x': 1000, 'wait=100': 5000, 'await=1': 5000, 'wait=-1': 5000, '': 5000 };
+for (const [prefer, ms] of Object.entries(WAITS)) {
+  test(`prefer: ${prefer} waits ${ms} ms of at most 5000`, () => assert.equal(waitOf({ headers: { prefer } }, 5000), ms));
+}
+
+/** A job, and what ends it. */
+function job() {
+  let end;
+  const done = new Promise((resolve) => {
+    end = resolve;
+  });
+  return { task: () => done, end };
+}
+
+const alive = () => new AbortController().signal;
+const errorOf = (promise) =>
+  promise.then(
+    () => undefined,
+    ({ code }) => code,
+  );
+
+test('admission: as many run as there are places, the rest in order, one more is refused', async () => {
+  const admission = new Admission({ places: 2, waiting: 2, uploads: 1 });
+  const order = [];
+  const jobs = Array.from({ length: 4 }, job);
+  const ended = jobs.map(({ task }, i) =>
+    admission.run(() => {
+      order.push(i);
+      return task();
+    }, alive()),
+  );
+  await Promise.resolve();
+  assert.deepEqual([admission.running, admission.waiting, order], [2, 2, [0, 1]]);
+  assert.equal(await errorOf(admission.run(() => {}, alive())), 'X_BUSY');
+  assert.throws(() => admission.check(), { code: 'X_BUSY' });
+  jobs[1].end();
+  await ended[1];
+  assert.deepEqual([admission.running, admission.waiting, order], [2, 1, [0, 1, 2]]);
+  for (const { end } of jobs) end();
+  await Promise.all(ended);
+  assert.deepEqual([admission.running, admission.waiting, order], [0, 0, [0, 1, 2, 3]]);
+});
+
+test('admission: a job that fails gives its place back, one that is called off while it waits leaves the queue', async () => {
+  const admission = new Admission({ places: 1, waiting: 1, uploads: 1 });
+  const first = job();
+  const running = admission.run(first.task, alive());
+  const controller = new AbortController();
+  const waiting = admission.run(() => assert.fail('it was called off'), controller.signal);
+  controller.abort(new Error('gone'));
+  await assert.rejects(waiting, /gone/);
+  assert.equal(admission.waiting, 0);
+  const next = admission.run(() => Promise.reject(new Error('no')), alive());
+  first.end();
+  await running;
+  await assert.rejects(next, /no/);
+  assert.equal(admission.running, 0);
+  assert.equal(await admission.run(async () => 5, alive()), 5);
+});
+
+test('admission: closed, no body is received, and what waits or was received still gets its turn', async () => {
+  const admission = new Admission({ places: 1, waiting: 2, uploads: 1 });
+  const first = job();
+  const all = [admission.run(first.task, alive()), admission.run(async () => 'second', alive())];
+  admission.close();
+  all.push(admission.run(async () => 'received before', alive()));
+  assert.equal(await errorOf(admission.receive(() => {})), 'X_SHUTDOWN');
+  first.end('first');
+  assert.deepEqual(await Promise.all(all), ['first', 'second', 'received before']);
+});
+
+test('admission: retry-after grows with what waits and what jobs take, within 1 and 60 s', async () => {
+  const admission = new Admission({ places: 1, waiting: 100, uploads: 1 });
+  assert.equal(admission.retryAfter, 1);
+  const first = job();
+  const all = [admission.run(first.task, alive()), ...Array.from({ length: 99 }, () => admission.run(() => {}, alive()))];
+  assert.equal(admission.retryAfter, 60);
+  first.end();
+  await Promise.all(all);
+  assert.equal(admission.retryAfter, 1);
+});

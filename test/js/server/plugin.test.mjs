@@ -1,0 +1,64 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import Fastify from 'fastify';
+import { createPool } from '../../../js/pool/index.mjs';
+import { telarServer } from '../../../js/server/index.mjs';
+import { MODELS, SHOT, bytesOf, post, problemOf } from './support.mjs';
+
+// The plugin in a server that does other things too.
+
+let fastify, url, glb;
+before(async () => {
+  glb = await MODELS.cloth();
+  fastify = Fastify({ forceCloseConnections: true });
+  fastify.post('/own', async ({ body }) => ({ got: body }));
+  fastify.get('/broken', async () => {
+    throw new Error('own');
+  });
+  await fastify.register(telarServer, { prefix: '/pictures', metrics: false, side: 64, pool: { size: 1, cacheDirectory: null } });
+  url = await fastify.listen({ port: 0 });
+});
+after(() => fastify.close());
+
+test('beneath its prefix it draws, and leads there', async () => {
+  const response = await post(url, '/pictures/v1/thumbnails', glb, { shot: SHOT });
+  assert.equal(response.status, 200);
+  assert.equal((await bytesOf(response)).subarray(1, 4).toString(), 'PNG');
+  const { code, type } = await problemOf(await post(url, '/pictures/v1/thumbnails', '', {}));
+  assert.deepEqual([code, type], ['E_EMPTY', '/pictures/v1/errors/E_EMPTY']);
+  assert.equal((await fetch(new URL(type, url))).status, 200);
+  assert.equal((await fetch(new URL('/pictures/metrics', url))).status, 404);
+});
+
+test('what the server itself has stays as it was: bodies, errors, routes that are not there', async () => {
+  const headers = { 'content-type': 'application/json' };
+  assert.deepEqual(await (await fetch(new URL('/own', url), { method: 'POST', body: '{"a":1}', headers })).json(), { got: { a: 1 } });
+  const broken = await fetch(new URL('/broken', url));
+  assert.deepEqual([broken.status, (await broken.json()).message, broken.headers.get('x-request-id')], [500, 'own', null]);
+  assert.equal((await (await fetch(new URL('/none', url))).json()).message, 'Route GET:/none not found');
+});
+
+test('a pool of the owner stays open when the server closes; one of the plugin ends with it', async () => {
+  const pool = await createPool({ size: 1, cacheDirectory: null });
+  const other = Fastify();
+  await other.register(telarServer, { pool });
+  await other.listen({ port: 0 });
+  await other.close();
+  assert.ok((await pool.render(glb, SHOT)).data.length > 100);
+  await pool.close();
+});
+
+for (const [options, message] of [
+  [{ sides: 1 }, /^options\.sides: unknown key, did you mean side\?/],
+  [{ port: 1 }, /^options\.port: unknown key/],
+  [{ pool: 1 }, /^options\.pool: expected a pool, or options of createPool, got 1/],
+  [{ resolve: 'x' }, /^options\.resolve: expected a function, got "x"/],
+  [{ environments: { sky: 'sky.hdr' } }, /^options\.environments\.sky: expected bytes of a \.hdr or \.exr file, got "sky\.hdr"/],
+  [{ deadlineMs: 0 }, /^options\.deadlineMs: expected a whole number in \[1, /],
+]) {
+  test(`refused: ${JSON.stringify(options)}`, async () => {
+    const one = Fastify();
+    one.register(telarServer, options);
+    await assert.rejects(async () => one.ready(), { code: 'E_OPTION', message });
+  });
+}

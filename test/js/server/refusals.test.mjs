@@ -1,0 +1,173 @@
+import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { ERRORS } from '../../../js/error/index.mjs';
+import { GLB, MODELS, SHOT, at, logLines, openPool, post, postForm, problemOf, serve } from './support.mjs';
+
+// What the service refuses, how it says so, and what neither its answers nor its log tell.
+
+const THUMBNAILS = '/v1/thumbnails';
+const SECRET = 'hunter2';
+
+let pool, service, url, glb, folder;
+const log = logLines();
+before(async () => {
+  [pool, glb] = await Promise.all([openPool(), MODELS.cloth()]);
+  folder = mkdtempSync(path.join(tmpdir(), 'telar-server-'));
+  writeFileSync(path.join(folder, 'light.hdr'), '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\nabcdefgh');
+  const resolve = () => {
+    throw new Error(`cannot open ${folder} with ${SECRET}`);
+  };
+  service = await serve({ pool, side: 256, logLevel: 'debug', resolve }, { log });
+  ({ url } = service);
+});
+after(async () => {
+  await service.drain();
+  await pool.close();
+  rmSync(folder, { recursive: true });
+});
+
+const json = (body) => fetch(at(url, THUMBNAILS), { method: 'POST', body, headers: { 'content-type': 'application/json' } });
+
+const REFUSED = {
+  'no model': [() => postForm(url, THUMBNAILS, { shot: SHOT }), 400, 'E_REQUEST', 'request.model: expected a file of the request or a reference, got none'],
+  'a model twice': [
+    () => postForm(url, THUMBNAILS, { model: [['a'], ['b']].map(([text]) => [Buffer.from(text)]) }),
+    400,
+    'E_REQUEST',
+    'request.model: it is given twice',
+  ],
+  'a model as file and reference': [
+    () => fetch(at(url, THUMBNAILS, { model: 'x' }), { method: 'POST', body: glb, headers: { 'content-type': GLB } }),
+    400,
+    'E_REQUEST',
+    'request.model: the body is the model already',
+  ],
+  'an unknown key': [() => post(url, THUMBNAILS, glb, { shto: SHOT }), 400, 'E_REQUEST', 'request.shto: unknown key, did you mean shot?'],
+  'an unknown file': [
+    () => postForm(url, THUMBNAILS, { model: glb, texture: Buffer.from('x') }),
+    400,
+    'E_REQUEST',
+    'request.texture: unknown file, expected one of model, environment, part',
+  ],
+  'a shot that is no JSON': [() => post(url, THUMBNAILS, glb, { shot: '{"size":' }), 400, 'E_REQUEST', /^request\.shot: it is not JSON \(/],
+  'a shot that is no object': [() => post(url, THUMBNAILS, glb, { shot: '[1]' }), 400, 'E_REQUEST', 'request.shot: expected an object, got [1]'],
+  'a key of the prototype': [() => json('{"__proto__":{"shot":{}}}'), 400, 'E_REQUEST', /^request\.__proto__: unknown key/],
+  'a wrong choice': [
+    () => post(url, THUMBNAILS, glb, { failOn: 'never' }),
+    400,
+    'E_REQUEST',
+    'request.failOn: expected "error", "warning" or "none", got "never"',
+  ],
+  'a body that is no JSON': [() => json('{'), 400, 'E_REQUEST', /^the body is not JSON: /],
+  'a value of the shot': [() => post(url, THUMBNAILS, glb, { shot: { exposure: -1 } }), 400, 'E_SHOT', 'shot.exposure: expected a number in [0, 1e30], got -1'],
+  'too many pixels': [
+    () => post(url, THUMBNAILS, glb, { shot: { size: { width: 257, height: 1 } } }),
+    413,
+    'L_OUTPUT_SIZE',
+    'shot.size.width: this service draws at most 256 pixels a side, got 257',
+  ],
+  'a form that is none': [
+    () => fetch(at(url, THUMBNAILS), { method: 'POST', body: 'x', headers: { 'content-type': 'multipart/form-data' } }),
+    400,
+    'E_REQUEST',
+    /^the form is malformed: /,
+  ],
+  'a form that is cut': [
+    () =>
+      fetch(at(url, THUMBNAILS), {
+        method: 'POST',
+        body: '--b\r\ncontent-disposition: form-data; name="model"; filename="m"\r\n\r\nglTF',
+        headers: { 'content-type': 'multipart/form-data; boundary=b' },
+      }),
+    400,
+    'E_REQUEST',
+    /^the form is malformed: /,
+  ],
+  'another type': [
+    () => post(url, THUMBNAILS, 'x', {}, { 'content-type': 'text/html' }),
+    415,
+    'E_MEDIA_TYPE',
+    'the body is "text/html"; this route takes multipart/form-data, application/json, model/gltf-binary, model/gltf+json, application/octet-stream',
+  ],
+  'no type': [() => fetch(at(url, THUMBNAILS), { method: 'POST', body: new Uint8Array(3) }), 415, 'E_MEDIA_TYPE', /^the body is ""; this route takes/],
+  'an empty model': [() => post(url, THUMBNAILS, '', { shot: SHOT }), 422, 'E_EMPTY', undefined],
+  'an archive': [() => post(url, THUMBNAILS, 'PK\x03\x04', { shot: SHOT }), 422, 'E_NOT_GLTF', undefined],
+  'another route': [() => fetch(at(url, '/v1/thumbnail')), 404, 'E_NOT_FOUND', undefined],
+  'another method': [() => fetch(at(url, '/v1/sheets')), 405, 'E_METHOD', 'this route takes POST'],
+  'a picture to compare with': [
+    () => postForm(url, '/v1/compare', { expected: Buffer.from('x') }),
+    400,
+    'E_REQUEST',
+    'request.actual: expected a file of the request, got none',
+  ],
+  'pictures that are none': [() => postForm(url, '/v1/compare', { expected: Buffer.from('x'), actual: Buffer.from('y') }), 422, 'E_IMAGE_FORMAT', undefined],
+};
+for (const [name, [ask, status, code, message]] of Object.entries(REFUSED)) {
+  test(`refused: ${name}`, async () => {
+    const response = await ask();
+    const problem = await problemOf(response);
+    assert.deepEqual([problem.status, problem.code, problem.type], [status, code, `/v1/errors/${code}`], problem.message);
+    assert.equal(response.headers.get('content-type'), 'application/problem+json; charset=utf-8');
+    assert.equal(response.headers.get('cache-control'), 'no-store');
+    if (message instanceof RegExp) assert.match(problem.detail, message);
+    else if (message) assert.equal(problem.detail, message);
+    assert.equal(problem.title, ERRORS[code].meaning);
+    assert.equal(problem.kind, ERRORS[code].kind);
+    assert.equal(response.headers.get('x-request-id'), problem.instance);
+  });
+}
+
+test('each type of problem has a page of its own', async () => {
+  const [, { type }] = [0, await (await fetch(at(url, '/nowhere'))).json()];
+  assert.deepEqual(await (await fetch(at(url, type))).json(), { code: 'E_NOT_FOUND', ...ERRORS.E_NOT_FOUND });
+  assert.equal((await fetch(at(url, '/v1/errors/constructor'))).status, 404);
+});
+
+test('no file of the server is opened: by no environment, by no reference, by no file that a model names', async () => {
+  const file = path.join(folder, 'light.hdr');
+  for (const environment of [file, { map: file }, `../../${file}`, `file://${file}`]) {
+    for (const route of [THUMBNAILS, '/v1/inspect', '/v1/sheets']) {
+      const problem = await problemOf(await post(url, route, glb, { shot: { environment } }));
+      assert.deepEqual([problem.status, problem.code], [400, 'E_SHOT'], problem.message);
+      assert.match(problem.message, /^shot\.environment: expected "studio", "none" or a file of the request, got /);
+    }
+  }
+  const gltf = JSON.stringify({ asset: { version: '2.0' }, buffers: [{ uri: path.basename(file), byteLength: 8 }] });
+  const problem = await problemOf(await post(url, THUMBNAILS, gltf, { shot: SHOT }, { 'content-type': 'model/gltf+json' }));
+  assert.deepEqual([problem.status, problem.code], [422, 'E_URI_DENIED']);
+});
+
+test('what the owner throws is for the log, without its folders; the client is told where to look', async () => {
+  const response = await fetch(at(url, THUMBNAILS, { model: 'shirt?token=hunter2', shot: SHOT }), {
+    headers: { 'x-request-id': 'mine-1', authorization: SECRET },
+  });
+  const text = await response.text();
+  const problem = JSON.parse(text);
+  assert.deepEqual([problem.status, problem.code], [500, 'X_RESOLVE']);
+  assert.equal(problem.message, `${ERRORS.X_RESOLVE.meaning}; the log of the service says more, under mine-1`);
+  assert.ok(!text.includes(folder) && !text.includes(process.cwd()) && !text.includes(SECRET));
+  const line = log.lines.find(({ request, msg }) => request === 'mine-1' && msg === 'failed');
+  assert.equal(line.code, 'X_RESOLVE');
+  assert.match(line.cause, /cannot open/);
+  assert.ok(!line.message.includes(SECRET), 'nor what a reference is signed with');
+});
+
+test('an id of the caller that is none is not taken over', async () => {
+  for (const id of ['a b', 'x'.repeat(65), '<script>']) {
+    const response = await fetch(at(url, '/healthz'), { headers: { 'x-request-id': id } });
+    assert.match(response.headers.get('x-request-id'), /^req-[0-9a-z]+$/);
+  }
+});
+
+test('the log has one line an answer: no address, no header, no folder', async () => {
+  await fetch(at(url, THUMBNAILS, { model: `at/${SECRET}` }), { headers: { 'x-request-id': 'mine-2', cookie: SECRET } });
+  const lines = log.lines.filter(({ request, msg }) => request === 'mine-2' && msg === 'answered');
+  assert.equal(lines.length, 1);
+  const { time, ms, level, ...facts } = lines[0];
+  assert.deepEqual(facts, { request: 'mine-2', method: 'GET', route: THUMBNAILS, status: 500, code: 'X_RESOLVE', msg: 'answered' });
+  const answered = JSON.stringify(log.lines.filter(({ msg }) => msg === 'answered'));
+  assert.ok(!answered.includes(SECRET) && !answered.includes(folder) && !answered.includes(process.cwd()));
+});

@@ -1,0 +1,134 @@
+import { heading, row } from '../../js/build/docs/tables.mjs';
+import { SETTINGS } from '../../js/predict/settings.mjs';
+import { presetsByClass, tablesOf } from '../../js/trade/index.mjs';
+
+/** js/docs/trade.md: how to use goals and the bench, and what was measured; every figure is from the run. */
+
+const table = ({ head, lines }) => [...heading(head), ...lines.map(row)].join('\n');
+const percent = (share) => (share === undefined ? '-' : `${(100 * share).toFixed(0)} %`);
+
+/** Presets that are not where they should be, by class of scenes. */
+const aboveTable = (rows) => ({
+  head: ['preset', 'class', 'time over the front, median', 'scenes within 10 %', 'what most often is better'],
+  lines: presetsByClass(rows)
+    .filter(({ within, scenes }) => within < scenes / 2)
+    .map(({ preset, group, times, within, scenes, better }) => [preset, group, times.toFixed(2), `${within} of ${scenes}`, better]),
+});
+
+/**
+ * @param {object} result
+ * @param {import('../../js/trade/measure.mjs').Row[]} result.rows
+ * @param {import('../../js/predict/choose.mjs').TradeTable} result.table
+ * @param {ReturnType<typeof import('./judge.mjs').judge>} result.verdict
+ * @param {string} result.command, result.machine
+ * @param {number} result.window pixels
+ * @param {{fit: number, heldOut: number}} result.counts scenes
+ */
+export function docsPage({ rows, table: predicted, verdict, command, machine, window, counts }) {
+  const { overall, presets } = tablesOf(rows);
+  const { maxError, budgetMs, byError, byBudget } = verdict;
+  return `# Time and error
+
+Every quality is a trade of time for accuracy. What each takes and how far it is off can be measured, and a shot can ask for an error or a time in place of settings.
+
+## A goal in place of settings
+
+\`\`\`sh
+telar thumbnail shirt.glb -o shirt.png --shading fabric --set 'quality={"maxError":0.02}'
+telar thumbnail shirt.glb -o shirt.png --shading fabric --set 'quality={"budgetMs":500}'
+\`\`\`
+
+| key | meaning |
+|---|---|
+| \`maxError\` | the cheapest settings that are predicted to hold this mean FLIP over the model's pixels, against the path tracer with light that arrives directly |
+| \`budgetMs\` | the most accurate settings that are predicted to draw a loaded model within so many milliseconds of CPU, all threads together, on this machine |
+
+\`info.goal\` tells the settings that were chosen, the predicted error and time and what they are based on; \`info.quality\` and \`info.shot\` have the settings themselves, so that
+the same picture can be asked for again. Where nothing is predicted to hold the goal, the picture has the most accurate or the fastest settings, \`info.goal.holds\` is false and
+the warning \`W_QUALITY\` says so.
+
+Bounds of a class are those of its hardest cloths, so that an easy one gets dearer settings than it needs: see the last section. Who draws one model often finds its cheapest settings by\n\`telar bench trade\`.\n\n\`maxError\` goes by the scene alone: the same shot of the same model has the same settings on each machine that has Embree. \`budgetMs\` goes by the speed of the
+machine too. Two small pictures tell it, once; they are kept in telar's cache folder, and \`telar doctor\` names them. Keys of pictures (\`info.key\`, \`pictureKey()\`) tell the
+goal and not the settings: hosts that share them should have one speed, or ask by \`maxError\`. \`inspect()\` has no machine to draw on and predicts times of the one below.
+The time is that of drawing. Loading a model, compiling its programs and preparing a new environment come on top, once each.
+
+What is predicted of a scene is what was measured of others of its class: shading, kind of surface (cut out, facets, stretched highlights, napped, relief or smooth: the hardest of the\nscene), where its light comes from. Errors are
+upper bounds: of a class of n scenes the k-th smallest value, k = 0.95 (n + 1) rounded up (conformal prediction: Vovk, Gammerman & Shafer 2005), and where there are too few the largest
+with a margin. A class of fewer than 5 scenes gives way to the wider one. Times are linear in triangles and covered pixels, with the factor that 9 of 10 pictures stay below.
+
+## The picture so far
+
+A picture of more than 4 samples, or by the path tracer, can be looked at while it is drawn, and ended when it is good enough:
+
+\`\`\`js
+const enough = new AbortController();
+let last;
+const onPreview = (preview) => {
+  last = preview; // {data, width, height, bitDepth, samples}
+  if (preview.samples >= 64) enough.abort();
+};
+await renderer.render('shirt.glb', { quality: 'reference' }, { onPreview, signal: enough.signal }).catch(() => {});
+\`\`\`
+
+It is handed over at each doubling of the samples; one that the next overtakes is left out. Nobody who does not ask pays for it, and the finished bytes are the same. A pool
+has no previews.
+
+## Measuring
+
+\`\`\`sh
+telar bench trade -o report                                          # the bundled drape in eight cloths, three lights, three sizes
+telar bench trade shirt.glb --environments studio,church.hdr --sizes 256 -o report
+telar bench trade shirt.glb --setting 'fine={"samples":64,"environmentSamples":1024}' -o report
+\`\`\`
+
+It writes \`index.html\` (plots, the cheapest setting for FLIP 0.005, 0.01, 0.02 and 0.04, how far the presets lie above the front), \`trade.csv\` and \`trade.svg\` into the folder. What is
+measured stays there: a run that was stopped goes on, and one with more settings measures these alone. The error is that of a window of the picture, at the scale of the
+whole, since the tracer needs thousands of paths a pixel there. The time is CPU time of the whole picture; from \`--cap\` seconds on that of the window is scaled by the pixels that the model covers.
+
+## What was measured
+
+\`${command}\` on ${machine}, other work beside: ${counts.fit} scenes to predict from and ${counts.heldOut} to judge by, ${Object.keys(SETTINGS).length} settings, ${rows.length} measurements, windows of ${window} x ${window} pixels. The truth's own
+noise is part of every error.
+
+${table(overall)}
+
+![CPU time against FLIP, medians of all scenes](trade/trade.svg)
+
+Presets, against the settings that no other one beats in time and error ("the front") of each scene:
+
+${table(presets)}
+
+Where a preset lies above it in more than half of the scenes of a class:
+
+${table(aboveTable(rows))}
+
+## How often predictions hold
+
+${verdict.scenes} scenes of cloths and models that no prediction was made from, with the times that were measured in the same run. Each was asked for ${byError.length} errors and ${byBudget.length} times.
+
+| | goals | said to hold | did hold | within twice the time of the cheapest that held |
+|---|---|---|---|---|
+| \`maxError\` | ${maxError.asked} | ${maxError.promised} | ${percent(maxError.held)} | ${percent(maxError.near)} |
+| \`budgetMs\` | ${budgetMs.asked} | ${budgetMs.promised} | ${percent(budgetMs.held)} | |
+
+${percent(maxError.possible)} of the errors that some setting did hold were said to hold.
+
+${table({
+  head: ['maxError', 'said to hold', 'did hold', 'within twice the time', 'time over the cheapest, median'],
+  lines: byError.map(({ maxError: wanted, promised, held, near, median }) => [
+    String(wanted),
+    String(promised),
+    percent(held),
+    percent(near),
+    median === undefined ? '-' : median.toFixed(2),
+  ]),
+})}
+
+${table({
+  head: ['budgetMs', 'said to fit', 'did fit'],
+  lines: byBudget.map(({ budgetMs: wanted, promised, held }) => [String(wanted), String(promised), percent(held)]),
+})}
+
+Wanted are 95 % of errors held, all within twice the time of the cheapest, and 90 % of times held. Predictions are from ${predicted.scenes} scenes.
+`;
+}

@@ -1,0 +1,73 @@
+import { choose } from '../../js/predict/choose.mjs';
+import { familyOf } from '../../js/predict/settings.mjs';
+import { cheapestWithin } from '../../js/trade/front.mjs';
+
+/** Goals that the predictions are judged by: FLIP, and CPU milliseconds. */
+export const MAX_ERRORS = [0.01, 0.015, 0.02, 0.03, 0.04, 0.06, 0.1, 0.2];
+export const BUDGETS = [30, 60, 120, 250, 500, 1000, 2000, 4000, 8000, 16000];
+
+/** How many times the time of the cheapest setting that holds a chosen one may take. */
+const DEAR = 2;
+
+const share = (list, isTrue) => (list.length === 0 ? undefined : list.filter(isTrue).length / list.length);
+
+/**
+ * Goals put to measured scenes, as a renderer would answer them.
+ * @param {import('../../js/predict/choose.mjs').TradeTable} table that knows nothing of them
+ * @param {import('../../js/trade/measure.mjs').Row[][]} scenes rows of each
+ * @param {{raster: number, tracer: number}} machine that they were measured on
+ */
+export function judge(table, scenes, machine) {
+  const here = { tracer: true, machine };
+  const asked = (goal, rows) => {
+    const drawable = rows.filter(({ setting, features }) => familyOf(setting) !== 'tracer' || features.traceable);
+    const chosen = choose(table, goal, rows[0].features, here);
+    return { chosen, drawn: rows.find(({ setting }) => setting === chosen.setting), drawable };
+  };
+  const errors = scenes.flatMap((rows) =>
+    MAX_ERRORS.map((maxError) => {
+      const { chosen, drawn, drawable } = asked({ maxError }, rows);
+      const best = cheapestWithin(drawable, maxError);
+      const isHeld = drawn.flip <= maxError;
+      return { maxError, promised: chosen.holds, held: isHeld, setting: chosen.setting, best: best?.setting, times: best && drawn.cpuMs / best.cpuMs };
+    }),
+  );
+  const budgets = scenes.flatMap((rows) =>
+    BUDGETS.map((budgetMs) => {
+      const { chosen, drawn } = asked({ budgetMs }, rows);
+      return { budgetMs, promised: chosen.holds, held: drawn.cpuMs <= budgetMs, setting: chosen.setting };
+    }),
+  );
+  const promised = (list) => list.filter((each) => each.promised);
+  const [ownErrors, ownBudgets] = [promised(errors), promised(budgets)];
+  const comparable = ownErrors.filter(({ held, times }) => held && times !== undefined);
+  return {
+    scenes: scenes.length,
+    maxError: {
+      asked: errors.length,
+      promised: ownErrors.length,
+      held: share(ownErrors, ({ held }) => held),
+      near: share(comparable, ({ times }) => times <= DEAR),
+      possible: share(
+        errors.filter(({ best }) => best !== undefined),
+        (each) => each.promised,
+      ),
+    },
+    budgetMs: { asked: budgets.length, promised: ownBudgets.length, held: share(ownBudgets, ({ held }) => held) },
+    byError: MAX_ERRORS.map((maxError) => {
+      const own = ownErrors.filter((each) => each.maxError === maxError);
+      const times = own.flatMap((each) => (each.held && each.times !== undefined ? [each.times] : [])).sort((a, b) => a - b);
+      return {
+        maxError,
+        promised: own.length,
+        held: share(own, ({ held }) => held),
+        near: share(times, (each) => each <= DEAR),
+        median: times[Math.floor(times.length / 2)],
+      };
+    }),
+    byBudget: BUDGETS.map((budgetMs) => {
+      const own = ownBudgets.filter((each) => each.budgetMs === budgetMs);
+      return { budgetMs, promised: own.length, held: share(own, ({ held }) => held) };
+    }),
+  };
+}
