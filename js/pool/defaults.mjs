@@ -18,8 +18,11 @@ export const DEFAULTS = Object.freeze({
 /** Part of the machine's memory that workers of the default number may take. */
 const PART_OF_MEMORY = 0.75;
 
+/** Memory of this machine, or of the container where that is less; `constrained` is 0 or absurd where there is no bound. */
+export const usableBytes = (constrained = process.constrainedMemory(), total = os.totalmem()) => Math.min(total, constrained || Number.POSITIVE_INFINITY);
+
 /** Workers: one for each core, as far as the memory goes. */
-export function defaultSize(memoryBytes, { cores = os.availableParallelism(), totalBytes = os.totalmem() } = {}) {
+export function defaultSize(memoryBytes, { cores = os.availableParallelism(), totalBytes = usableBytes() } = {}) {
   return Math.max(1, Math.min(cores, Math.floor((PART_OF_MEMORY * totalBytes) / memoryBytes)));
 }
 

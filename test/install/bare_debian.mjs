@@ -1,44 +1,17 @@
 // npm install of what `npm run package` wrote, on a bare Debian: no compiler, no -dev package, Node and Mesa alone. Draws the bundled velvet,
 // and says how long it took from `npm install` to the picture. As root, with debootstrap, a network, and out/package.
 // node test/install/bare_debian.mjs [bookworm|trixie]... [--node 20,22,24]
-import { execFileSync, spawnSync } from 'node:child_process';
-import { copyFileSync, cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { spawnSync } from 'node:child_process';
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+import { addNode, system } from './system.mjs';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
-/** Not under out/: tools that walk the checkout follow the links of a system. */
-const KEPT = path.join(tmpdir(), 'telar-bare');
-const MESA = ['ca-certificates', 'libegl1', 'libgles2', 'libgl1-mesa-dri'];
-const CERTIFICATES = '/etc/ssl/certs/ca-certificates.crt';
+const MESA = ['libegl1', 'libgles2', 'libgl1-mesa-dri'];
 const { values, positionals } = parseArgs({ options: { node: { type: 'string', default: '20,22,24' } }, allowPositionals: true });
 const releases = positionals.length ? positionals : ['bookworm', 'trixie'];
-
-/** A system of a release with Mesa, made once. */
-function system(release) {
-  const folder = path.join(KEPT, release);
-  if (existsSync(path.join(folder, '.made'))) return folder;
-  rmSync(folder, { recursive: true, force: true });
-  mkdirSync(folder, { recursive: true });
-  execFileSync('debootstrap', ['--variant=minbase', release, folder, 'http://deb.debian.org/debian'], { stdio: 'ignore' });
-  copyFileSync('/etc/resolv.conf', path.join(folder, 'etc/resolv.conf'));
-  execFileSync('chroot', [folder, 'apt-get', 'install', '-y', '--no-install-recommends', ...MESA], { stdio: 'ignore' });
-  // A proxy in between has an authority of its own.
-  copyFileSync(CERTIFICATES, path.join(folder, CERTIFICATES));
-  writeFileSync(path.join(folder, '.made'), '');
-  return folder;
-}
-
-/** Puts Node of a version and npm into a system. @returns {string} The version in full. */
-function addNode(folder, version) {
-  const kept = path.join(KEPT, `node-${version}`);
-  if (!existsSync(kept)) execFileSync('npm', ['install', '--silent', '--prefix', kept, `node@${version}`, 'npm@10'], { stdio: 'ignore' });
-  copyFileSync(path.join(kept, 'node_modules/node/bin/node'), path.join(folder, 'usr/bin/node'));
-  cpSync(path.join(kept, 'node_modules/npm'), path.join(folder, 'opt/npm'), { recursive: true, force: true, verbatimSymlinks: true });
-  return execFileSync('chroot', [folder, 'node', '--version'], { encoding: 'utf8' }).trim();
-}
 
 /** Installs and draws. @returns {{seconds: number, png: Buffer, doctor: string}} */
 function installAndDraw(folder) {
@@ -61,7 +34,7 @@ function installAndDraw(folder) {
 }
 
 for (const release of releases) {
-  const folder = system(release);
+  const folder = system(release, MESA);
   if (existsSync(path.join(folder, 'usr/bin/cc'))) throw new Error(`${release} has a compiler: it is not bare`);
   for (const version of values.node.split(',')) {
     const full = addNode(folder, version);

@@ -7,7 +7,7 @@ import { test } from 'node:test';
 import { awake } from '../../../js/pool/awake.mjs';
 import { Breaker } from '../../../js/pool/breaker.mjs';
 import { Channel } from '../../../js/pool/channel.mjs';
-import { DEFAULTS, defaultSize, threadsOfEach } from '../../../js/pool/defaults.mjs';
+import { DEFAULTS, defaultSize, threadsOfEach, usableBytes } from '../../../js/pool/defaults.mjs';
 import { workerEnvironment } from '../../../js/pool/environment.mjs';
 import { HeldModels } from '../../../js/pool/held_models.mjs';
 import { Quarantine } from '../../../js/pool/quarantine.mjs';
@@ -200,6 +200,8 @@ test('workers by default: one a core, as far as the memory goes', () => {
   assert.equal(defaultSize(2 * GIB, { cores: 4, totalBytes: 64 * GIB }), 4);
   assert.equal(defaultSize(2 * GIB, { cores: 16, totalBytes: 16 * GIB }), 6);
   assert.equal(defaultSize(2 * GIB, { cores: 2, totalBytes: GIB }), 1);
+  assert.equal(usableBytes(6 * GIB, 64 * GIB), 6 * GIB, 'a container');
+  for (const none of [0, undefined, 2 ** 64]) assert.equal(usableBytes(none, 64 * GIB), 64 * GIB);
   const options = poolOptions({ memoryBytes: undefined }, []);
   assert.equal(options.bound.memoryBytes, DEFAULTS.memoryBytes);
 });
