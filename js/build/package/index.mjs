@@ -1,10 +1,11 @@
 import { execFileSync } from 'node:child_process';
-import { copyFileSync, cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { ROOT } from '../../machine/step.mjs';
 import { copyNative } from './native.mjs';
-import { withNative } from './sbom.mjs';
+import { copyLicences } from './licences.mjs';
+import { billOf } from './sbom.mjs';
 
 // Packages that install without a compiler and without a script: telar in JavaScript, and its compiled part for one platform, which npm
 // takes by `os`, `cpu` and `libc`.
@@ -54,11 +55,7 @@ function packScripts(own, work, into) {
 function packNative(own, build, work, into) {
   const folder = path.join(work, platformName());
   const { packages, glibc, glibcxx } = copyNative(build, folder);
-  for (const { name, copyright } of packages) {
-    mkdirSync(path.join(folder, 'licences'), { recursive: true });
-    copyFileSync(copyright, path.join(folder, 'licences', `${name}.txt`));
-  }
-  cpSync(path.join(ROOT, 'NOTICE'), path.join(folder, 'licences/NOTICE'));
+  copyLicences(packages, path.join(folder, 'licences'));
   const facts = { name: platformName(), version: own.version, description: `The compiled part of telar for Linux on ${process.arch}`, license: own.license };
   writeFileSync(path.join(folder, 'package.json'), json({ ...facts, main: 'telar.node', os: ['linux'], cpu: [process.arch], libc: ['glibc'], glibc, glibcxx }));
   writeFileSync(
@@ -82,12 +79,30 @@ export function writePackages({ build, folder }) {
   try {
     const { file, packages } = packNative(own, build, work, folder);
     const scripts = packScripts(own, work, folder);
-    const npm = JSON.parse(
-      execFileSync('npm', ['sbom', '--omit', 'dev', '--sbom-format', 'cyclonedx'], { cwd: ROOT, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }),
-    );
-    const bill = path.join(folder, 'telar.cdx.json');
-    writeFileSync(bill, json(withNative(npm, packages, platformName())));
-    return { files: [scripts, file, bill], packages };
+    return { files: [scripts, file, writeBill(packages, folder)], packages };
+  } finally {
+    rmSync(work, { recursive: true, force: true });
+  }
+}
+
+/** @returns {string} The file. */
+function writeBill(packages, folder) {
+  const file = path.join(folder, 'telar.cdx.json');
+  writeFileSync(file, json(billOf(packages, platformName())));
+  return file;
+}
+
+/**
+ * Writes the bill of materials alone.
+ * @param {{build: string, folder: string}} options - As of writePackages.
+ * @returns {{files: string[]}}
+ * @throws {SetupError}
+ */
+export function writeSbom({ build, folder }) {
+  mkdirSync(folder, { recursive: true });
+  const work = mkdtempSync(path.join(tmpdir(), 'telar-package-'));
+  try {
+    return { files: [writeBill(copyNative(build, work).packages, folder)] };
   } finally {
     rmSync(work, { recursive: true, force: true });
   }

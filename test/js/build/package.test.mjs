@@ -7,7 +7,8 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { missingIn } from '../../../js/build/package/native.mjs';
 import { writePackages } from '../../../js/build/package/index.mjs';
-import { withNative } from '../../../js/build/package/sbom.mjs';
+import { missingTexts } from '../../../js/build/package/licences.mjs';
+import { withParts } from '../../../js/build/package/sbom.mjs';
 import { addonFile } from '../api/support/real.mjs';
 import '../built.mjs';
 
@@ -102,17 +103,26 @@ test('without the compiled part the cure is an installation, not a compiler', ()
 test('the bill of materials names each package of Debian inside, with a licence whose text is in the package', () => {
   assert.equal(bill.specVersion, '1.5');
   const debian = bill.components.filter(({ purl }) => purl.startsWith('pkg:deb/'));
+  const licences = path.join(modules, NATIVE, 'licences');
   assert.deepEqual(
-    debian.map(({ name }) => `${name}.txt`).sort(),
-    readdirSync(path.join(modules, NATIVE, 'licences'))
-      .filter((name) => name !== 'NOTICE')
+    [...debian.map(({ name }) => `${name}.txt`), 'node-addon-api.txt', 'node-api-headers.txt'].sort(),
+    readdirSync(licences)
+      .filter((name) => name.endsWith('.txt'))
       .sort(),
   );
+  assert.deepEqual(missingTexts(licences), [], 'a licence that leads to a Debian');
+  renameSync(path.join(licences, 'common/Apache-2.0'), path.join(folder, 'Apache-2.0'));
+  assert.deepEqual(missingTexts(licences), ['Apache-2.0'], 'planted');
   const known = new Set(['telar@0.1.0', ...bill.components.map((component) => component['bom-ref'])]);
   assert.deepEqual(
     bill.dependencies.flatMap(({ ref, dependsOn = [] }) => [ref, ...dependsOn]).filter((ref) => !known.has(ref)),
     [],
   );
+  assert.deepEqual(
+    ['three', 'zod', 'draco', 'basis_universal'].filter((name) => !bill.components.some((component) => component.name === name)),
+    [],
+    'what js/dist holds',
+  );
   const empty = { metadata: { component: { 'bom-ref': 'a', version: '1' } }, components: [], dependencies: [] };
-  assert.throws(() => withNative(empty, [{ name: 'libnew1', version: '1' }], 'b'), /no licence for libnew1/);
+  assert.throws(() => withParts(empty, { packages: [{ name: 'libnew1', version: '1' }], nativeName: 'b' }), /no licence for libnew1/);
 });
