@@ -27,11 +27,19 @@ export function npmPackagesPresent(root = ROOT) {
 export async function ensureNpmPackages(begin) {
   if (npmPackagesPresent()) return 'present';
   begin('npm ci');
+  return installPackages([], 'npm-ci.log');
+}
+
+/**
+ * npm ci, without scripts.
+ * @param {string[]} options - Further ones
+ * @param {string} log - File name in out/setup
+ * @returns {Promise<string>}
+ * @throws {SetupError}
+ */
+export async function installPackages(options, log) {
   const npm = process.env.npm_execpath ? [process.execPath, process.env.npm_execpath] : ['npm'];
-  const args = ['ci', '--include=dev', '--ignore-scripts', '--no-audit', '--no-fund', '--no-progress'];
-  await runLogged(npm[0], [...npm.slice(1), ...args], {
-    log: 'npm-ci.log',
-    cure: 'see that this machine reaches an npm registry (npm ping), then the same command again',
-  });
+  const args = ['ci', '--include=dev', '--ignore-scripts', '--no-audit', '--no-fund', '--no-progress', ...options];
+  await runLogged(npm[0], [...npm.slice(1), ...args], { log, cure: 'see that this machine reaches an npm registry (npm ping), then the same command again' });
   return 'done';
 }

@@ -6,7 +6,7 @@ import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync,
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
-import { addNode, system } from './system.mjs';
+import { addNode, system } from '../../js/setup/bare_system.mjs';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const MESA = ['libegl1', 'libgles2', 'libgl1-mesa-dri'];
@@ -27,7 +27,7 @@ function installAndDraw(folder) {
     if (status !== 0) throw new Error(`${command} ended with ${status}\n${stdout}\n${stderr}`);
     return stdout;
   };
-  inside(`node /opt/npm/bin/npm-cli.js install --no-audit --no-fund ${packages.map((name) => `./${name}`).join(' ')}`);
+  inside(`npm install --no-audit --no-fund ${packages.map((name) => `./${name}`).join(' ')}`);
   inside('node node_modules/telar/js/cli/telar.mjs thumbnail node_modules/telar/js/assets/cloths/velvet.glb -o velvet.png');
   const seconds = (performance.now() - started) / 1000;
   return { seconds, png: readFileSync(path.join(app, 'velvet.png')), doctor: inside('node node_modules/telar/js/cli/telar.mjs doctor || true') };

@@ -2,7 +2,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import path from 'node:path';
 import { expanded } from './dockerfile.mjs';
-import { addNode, KEPT, PROXY, system } from './system.mjs';
+import { addNode, KEPT, PROXY, system } from '../../js/setup/bare_system.mjs';
 
 // Stages of a Dockerfile as folders: each an overlay over its base, made by the stage's own lines. As root, in a mount namespace of its own.
 
@@ -16,8 +16,7 @@ function base(image) {
   if (!version) throw new Error(`FROM ${image}: only node:VERSION-RELEASE and its slim form are known here`);
   const folder = system(release, [], `node-${version}-${release}`);
   addNode(folder, version);
-  const npm = 'printf \'#!/bin/sh\\nexec node /opt/npm/bin/npm-cli.js "$@"\\n\' > /usr/local/bin/npm; chmod +x /usr/local/bin/npm';
-  inside(folder, `id node > /dev/null 2>&1 || useradd --uid 1000 --user-group --create-home node; ${npm}`);
+  inside(folder, 'id node > /dev/null 2>&1 || useradd --uid 1000 --user-group --create-home node');
   return folder;
 }
 

@@ -48,7 +48,7 @@ function npmBill() {
 
 /**
  * The bill of telar and its compiled part.
- * @param {{name: string, version: string}[]} packages - Of Debian, whose code is in the compiled part.
+ * @param {{name: string, version: string, architecture: string}[]} packages - Of Debian, whose code is in the compiled part.
  * @param {string} nativeName - Of the package that holds them.
  * @returns {object} CycloneDX 1.5.
  */
@@ -56,15 +56,15 @@ export const billOf = (packages, nativeName) => withParts(npmBill(), { packages,
 
 /**
  * @param {object} npm - What `npm sbom --sbom-format cyclonedx` says.
- * @param {{packages: {name: string, version: string}[], nativeName: string, bundled?: object[]}} parts - `packages` of Debian, in the package
+ * @param {{packages: {name: string, version: string, architecture: string}[], nativeName: string, bundled?: object[]}} parts - `packages` of Debian, in the package
  *   `nativeName`; `bundled`: components in js/dist.
  * @returns {object} CycloneDX 1.5.
  * @throws {Error} For a package without a licence above.
  */
 export function withParts(npm, { packages, nativeName, bundled = [] }) {
-  const components = packages.map(({ name, version }) => {
+  const components = packages.map(({ name, version, architecture }) => {
     if (!LICENCES[name]) throw new Error(`js/build/package/sbom.mjs has no licence for ${name}`);
-    const purl = `pkg:deb/debian/${encodeURIComponent(name)}@${encodeURIComponent(version)}`;
+    const purl = `pkg:deb/debian/${encodeURIComponent(name)}@${encodeURIComponent(version)}?arch=${architecture}`;
     return { 'bom-ref': purl, type: 'library', name, version, purl, licenses: [{ expression: LICENCES[name] }] };
   });
   const version = npm.metadata.component.version;

@@ -130,6 +130,7 @@ const JS_LAYERS = {
   'js/build/addon.mjs': { imports: ['js/machine'], builtinsOnly: true },
   'js/build/install.mjs': { imports: ['js/machine'], builtinsOnly: true },
   'js/build/package': { imports: ['js/machine'], builtinsOnly: true, development: true },
+  'js/build/site': { imports: ['js/machine'], builtinsOnly: true, development: true },
   'js/build/material': { imports: ['js/material'], builtinsOnly: true },
   'js/build/shading': { imports: ['js/shot', 'js/three', 'js/material', 'js/build/material'], development: true },
   'js/build/docs': {

@@ -7,6 +7,9 @@ import path from 'node:path';
 
 /** Not under out/: tools that walk the checkout follow the links of a system. */
 export const KEPT = path.join(tmpdir(), 'telar-bare');
+/** The one in which js/setup/package_arm64.mjs compiles. */
+export const CROSS_SYSTEM = 'bookworm-cross-arm64';
+
 const CERTIFICATES = '/etc/ssl/certs/ca-certificates.crt';
 
 /** What a proxy in between needs, as `docker build` hands it over too. */
@@ -32,11 +35,14 @@ export function system(release, packages, name = release) {
   return folder;
 }
 
+const NPM = '#!/bin/sh\nexec node /opt/npm/bin/npm-cli.js "$@"\n';
+
 /** Puts Node of a version and npm into a system. @returns {string} The version in full. */
 export function addNode(folder, version) {
   const kept = path.join(KEPT, `node-${version}`);
   if (!existsSync(kept)) execFileSync('npm', ['install', '--silent', '--prefix', kept, `node@${version}`, 'npm@10'], { stdio: 'ignore' });
   copyFileSync(path.join(kept, 'node_modules/node/bin/node'), path.join(folder, 'usr/bin/node'));
   cpSync(path.join(kept, 'node_modules/npm'), path.join(folder, 'opt/npm'), { recursive: true, force: true, verbatimSymlinks: true });
+  writeFileSync(path.join(folder, 'usr/local/bin/npm'), NPM, { mode: 0o755 });
   return execFileSync('chroot', [folder, 'node', '--version'], { encoding: 'utf8' }).trim();
 }
