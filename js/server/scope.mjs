@@ -13,6 +13,8 @@ export const isAsync = ({ headers }) => /(?:^|[,;\s])respond-async(?:$|[,;\s])/i
 export class Scope {
   /** @type {Promise<void>} */
   ended;
+  /** @type {TelarError | undefined} what its client is told when its time is over */
+  late;
   #settle;
   #controller = new AbortController();
   #timer;
@@ -44,16 +46,9 @@ export class Scope {
   /** The clock of the answer starts. */
   startClock(ms) {
     this.#end = performance.now() + ms;
-    this.#timer = setTimeout(
-      () =>
-        this.abort(
-          new TelarError(
-            'X_TIMEOUT',
-            this.#response ? `the answer took longer than the ${ms} ms that it may take, waiting included` : `the job took longer than ${ms} ms`,
-          ),
-        ),
-      ms,
-    );
+    const what = this.#response ? `the answer took longer than the ${ms} ms that it may take, waiting included` : `the job took longer than ${ms} ms`;
+    this.late = new TelarError('X_TIMEOUT', what);
+    this.#timer = setTimeout(() => this.abort(this.late), ms);
   }
 
   /** Milliseconds that are left. */

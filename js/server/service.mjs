@@ -179,13 +179,24 @@ export class Service {
 
   /** A worker that ended is not the client's fault: another one gets the job, once. */
   async #perform(task, scope, onProgress) {
-    const how = () => ({ signal: scope.signal, onProgress, timeoutMs: Math.min(scope.left, this.#timeoutMs), templates: this.#options.templates });
     try {
-      return await perform(this.#pool, task, how());
+      return await this.#performOnce(task, scope, onProgress);
     } catch (error) {
       if (error.code !== 'X_CRASH' || scope.signal.aborted) throw error;
       this.metrics.retries.inc();
-      return perform(this.#pool, task, how());
+      return this.#performOnce(task, scope, onProgress);
+    }
+  }
+
+  async #performOnce(task, scope, onProgress) {
+    const { left } = scope;
+    const timeoutMs = Math.min(left, this.#timeoutMs);
+    try {
+      return await perform(this.#pool, task, { signal: scope.signal, onProgress, timeoutMs, templates: this.#options.templates });
+    } catch (error) {
+      // Of two clocks with one end the worker's may be the first.
+      if (error.code === 'X_TIMEOUT' && timeoutMs === left) throw scope.late;
+      throw error;
     }
   }
 

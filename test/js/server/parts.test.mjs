@@ -1,8 +1,10 @@
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
+import { mock, test } from 'node:test';
 import { Admission } from '../../../js/server/admission.mjs';
+import { jobHandlers } from '../../../js/server/job_handlers.mjs';
 import { negotiate } from '../../../js/server/negotiate.mjs';
 import { waitOf } from '../../../js/server/scope.mjs';
+import { importMutant } from './mutants.mjs';
 
 const OFFERED = ['image/png', 'image/webp', 'image/jpeg', 'application/json'];
 
@@ -113,3 +115,62 @@ test('admission: retry-after grows with what waits and what jobs take, within 1 
   await Promise.all(all);
   assert.equal(admission.retryAfter, 1);
 });
+
+/** Events of one job for a client that reads, or does not; what was written, and how the job changes. */
+async function events(handlers) {
+  const written = [];
+  const closing = [];
+  const raw = { writableNeedDrain: false, writeHead: () => {}, write: (text) => written.push(text), end: () => written.push('end') };
+  raw.once = (name, then) => closing.push(then);
+  let tell;
+  const state = { id: 'a', kind: 'thumbnail', state: 'running', progress: 0.1, created: 0 };
+  const watched = { get: async () => state, watch: (id, listener) => [(tell = listener), () => (tell = undefined)][1] };
+  await handlers(watched, '', () => {}).jobEvents({ method: 'GET', params: { id: 'a' } }, { getHeaders: () => ({}), hijack: () => {}, raw });
+  const change = (facts) => tell?.({ ...state, ...facts });
+  return { raw, written, change, isWatched: () => tell !== undefined, leave: () => closing.forEach((then) => then()) };
+}
+
+const EVENTS = {
+  async 'events: a client that does not read misses progress, and no end'(handlers) {
+    const { raw, written, change, isWatched } = await events(handlers);
+    written.length = 0;
+    raw.writableNeedDrain = true;
+    change({ progress: 0.5 });
+    assert.deepEqual(written, []);
+    change({ state: 'done', progress: 1 });
+    assert.match(written[0], /^event: done\n/);
+    assert.deepEqual([written[1], written.length, isWatched()], ['end', 2, false]);
+  },
+  async 'events: a sign of life each 15 s until the job is over'(handlers) {
+    mock.timers.enable({ apis: ['setInterval'] });
+    try {
+      const { written, change } = await events(handlers);
+      written.length = 0;
+      mock.timers.tick(15_000);
+      assert.deepEqual(written, [':\n\n']);
+      change({ state: 'done' });
+      mock.timers.tick(60_000);
+      assert.equal(written.at(-1), 'end');
+    } finally {
+      mock.timers.reset();
+    }
+  },
+  async 'events: nothing is told of a job whose client is gone'(handlers) {
+    const { leave, isWatched } = await events(handlers);
+    assert.ok(isWatched());
+    leave();
+    assert.ok(!isWatched());
+  },
+};
+const EVENT_FAULTS = [
+  ['if (!isOver(state) && raw.writableNeedDrain) return;', ''],
+  ['clearInterval(beat);', ''],
+  ["raw.once('close', stop);", ''],
+];
+for (const [i, [name, check]] of Object.entries(EVENTS).entries()) {
+  test(name, async () => {
+    await check(jobHandlers);
+    const planted = await importMutant([['job_handlers.mjs', ...EVENT_FAULTS[i]]], 'job_handlers.mjs');
+    await assert.rejects(check(planted.jobHandlers), { name: 'AssertionError' });
+  });
+}

@@ -34,8 +34,8 @@ export function at(url, route, asked = {}) {
 }
 
 /** Posts a model as the body. */
-export const post = (url, route, body, asked, headers = {}) =>
-  fetch(at(url, route, asked), { method: 'POST', body, headers: { 'content-type': GLB, ...headers } });
+export const post = (url, route, body, asked, headers = {}, signal = undefined) =>
+  fetch(at(url, route, asked), { method: 'POST', body, headers: { 'content-type': GLB, ...headers }, signal });
 
 /** Posts a form: texts as they are, bytes and [bytes, name] as files. */
 export function postForm(url, route, fields, headers = {}) {
