@@ -43,7 +43,7 @@ const addLimit = (command) =>
 
 /**
  * @param {string} version
- * @param {Record<'thumbnail' | 'inspect' | 'compare' | 'sheet' | 'analyse' | 'view' | 'serve' | 'bake' | 'benchTrade' | 'looks' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
+ * @param {Record<'thumbnail' | 'inspect' | 'compare' | 'sheet' | 'analyse' | 'view' | 'serve' | 'sign' | 'bake' | 'benchTrade' | 'looks' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
  * @param {{writeOut: (text: string) => void, writeErr: (text: string) => void}} output of help and complaints
  */
 export function buildProgram(version, actions, output) {
@@ -183,6 +183,14 @@ export function buildProgram(version, actions, output) {
         .addOption(backend()),
     ),
   ).action(actions.serve);
+  addCommon(
+    addShotOptions(
+      command('sign', 'Make the signed address of a thumbnail for `telar serve`; TELAR_SIGN_KEY and TELAR_SIGN_SALT have key and salt in hexadecimal')
+        .argument('<model>', 'reference of the model, as the service takes it')
+        .option('--url <url>', 'address of the service, with its prefix', '')
+        .option('--expires <seconds>', 'from now on; without it the address is good for ever'),
+    ),
+  ).action(actions.sign);
   addLimit(
     addFailOn(
       addCommon(

@@ -7,6 +7,7 @@ import { shown } from '../shot/complain.mjs';
 import { OPTIONS } from '../server/table.mjs';
 import { readLimits, readTimeout, readWorkers } from './limits.mjs';
 import { serviceFlag } from './service_options.mjs';
+import { signingKeysOf } from './sign.mjs';
 
 /** Milliseconds that the end of the workers gets beside the draining. */
 const LEEWAY_MS = 5000;
@@ -26,6 +27,7 @@ export async function serve(options, { console, signal, stderr, ending }) {
     {
       ...own,
       environments: await environmentsOf(options.environment),
+      signingKeys: signingKeysOf(process.env),
       ...(options.models !== undefined && { resolve: await filesBeneath(options.models) }),
       pool: {
         backend: options.backend,

@@ -46,17 +46,18 @@ export function addShotOptions(command) {
 /**
  * @param {object} options as commander parsed them
  * @param {{stdin: import('node:stream').Readable}} io
+ * @param {{isLocal?: boolean}} [how] isLocal: its environment may be a file here
  * @returns {Promise<object>} shot, not yet resolved
  * @throws {TelarError} E_USAGE, E_FILE
  */
-export async function readShotOptions(options, io) {
-  const shot = options.shot === undefined ? {} : await readShotFile(options.shot, io);
+export async function readShotOptions(options, io, { isLocal = true } = {}) {
+  const shot = options.shot === undefined ? {} : await readShotFile(options.shot, io, isLocal);
   applyFlags(shot, options);
   for (const assignment of options.set ?? []) applyAssignment(shot, assignment);
   return shot;
 }
 
-async function readShotFile(file, { stdin }) {
+async function readShotFile(file, { stdin }, isLocal) {
   const text = await readText(file, stdin);
   let shot;
   try {
@@ -65,7 +66,7 @@ async function readShotFile(file, { stdin }) {
     throw usage(`--shot ${shown(file)} is not JSON: ${error.message}`);
   }
   if (typeof shot !== 'object' || shot === null || Array.isArray(shot)) throw usage(`--shot ${shown(file)}: expected an object, got ${shown(shot)}`);
-  return file === '-' ? shot : withPathsFrom(path.dirname(file), shot);
+  return file === '-' || !isLocal ? shot : withPathsFrom(path.dirname(file), shot);
 }
 
 async function readText(file, stdin) {

@@ -51,6 +51,7 @@ export type ErrorCode =
   | 'E_MEASURE'
   | 'E_CAMERA'
   | 'E_WARNING'
+  | 'E_SIGNATURE'
   | 'E_URI_DENIED'
   | 'E_EXT_REQUIRED'
   | 'E_SHOT_UNAVAILABLE'

@@ -94,6 +94,11 @@ const ROWS = {
     E_WARNING: ['The model or the shot gives a warning, and `failOn` is "warning"', 'The message holds the warning, whose code has a row of its own.'],
   },
   denied: {
+    E_SIGNATURE: [
+      'The address of a thumbnail is not signed by a key of the service, or its time is over',
+      'Ask who gave the address for a new one; `telar sign` makes them.',
+      { http: 403 },
+    ],
     E_URI_DENIED: ["A URI leads out of the model's folder, or there is no folder", 'Embed the file, or put it beneath the model.'],
   },
   unsupported: {

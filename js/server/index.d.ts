@@ -1,4 +1,5 @@
 import type { Pool, PoolOptions } from '../pool/index.js';
+import type { Shot } from '../shot/index.js';
 import type { PluginSettings, ServiceSettings } from './options.js';
 
 export { TelarError } from '../error/index.js';
@@ -26,7 +27,41 @@ export interface OwnOptions {
    * @default {}
    */
   templates?: Record<string, string>;
+  /**
+   * Keys of signed addresses, in hexadecimal: key of at least 16 bytes, salt of at least 1. Several are for rotation. Where there are some, references
+   * of models are taken from signed addresses alone; models in the request itself are not concerned.
+   * @default []
+   */
+  signingKeys?: SigningKey[];
 }
+
+/** A key and its salt, in hexadecimal. `openssl rand -hex 32` makes one. */
+export interface SigningKey {
+  key: string;
+  salt: string;
+}
+
+/** What a signed address asks for. */
+export interface SignedRequest {
+  /** As of a request; its environment is one that the service names. @default {} */
+  shot?: Shot;
+  /** @default 'error' */
+  failOn?: 'error' | 'warning' | 'none';
+  /** @default false */
+  ambientVisibility?: boolean;
+  /** Seconds since 1970 from which on the address is refused. @default undefined: never */
+  expires?: number;
+}
+
+/**
+ * Makes the address of a thumbnail that a service with the same key draws on GET: /v1/thumbnails/SIGNATURE/OPTIONS/SOURCE, to put behind the address
+ * of the service and its prefix. Options and source are base64url, readable by whoever has the address; the signature is HMAC-SHA256.
+ * @param model - The reference, as of `model` of a request.
+ * @throws {TelarError} E_OPTION, whose message has nothing of the key
+ * @example
+ * const path = signThumbnail('shirts/cloth.glb', { shot: { size: { width: 256, height: 256 } } }, { key, salt });
+ */
+export function signThumbnail(model: string, asked: SignedRequest, key: SigningKey): string;
 
 /** Options of the plugin. */
 export interface ServerOptions extends PluginSettings, OwnOptions {}

@@ -2,6 +2,7 @@ import { isObject, wrongOption } from '../api/option_check.mjs';
 import { bytesOf } from '../api/source.mjs';
 import { complaint } from '../shot/complain.mjs';
 import { zodOf } from '../shot/schema.mjs';
+import { readSigningKeys } from './signature.mjs';
 import { OPTIONS, PLUGIN_OPTIONS, SERVICE } from './table.mjs';
 
 /** What complaints are about. */
@@ -10,7 +11,7 @@ const ABOUT = Object.freeze({ name: 'options', code: 'E_OPTION' });
 const schemas = { plugin: zodOf(PLUGIN_OPTIONS), service: zodOf(SERVICE) };
 
 /** Options that are no plain data. */
-const OWN = ['pool', 'resolve', 'environments', 'templates'];
+const OWN = ['pool', 'resolve', 'environments', 'templates', 'signingKeys'];
 
 const isFunctionOr = (value) => value === undefined || typeof value === 'function';
 
@@ -37,10 +38,10 @@ export function readOptions(options, of = 'plugin') {
   const given = Object.fromEntries(Object.entries(options).filter(([key, value]) => !OWN.includes(key) && value !== undefined));
   const parsed = schemas[of].safeParse(given);
   if (!parsed.success) throw complaint(parsed.error.issues, given, schemas[of], { about: ABOUT, known: OWN });
-  const { pool, resolve, environments = {}, templates = {} } = options;
+  const { pool, resolve, environments = {}, templates = {}, signingKeys = [] } = options;
   if (!isFunctionOr(resolve)) throw wrongOption('options.resolve', 'a function', resolve);
   if (pool !== undefined && !isObject(pool)) throw wrongOption('options.pool', 'a pool, or options of createPool', pool);
-  return { ...parsed.data, pool, resolve, environments: environmentsOf(environments), templates };
+  return { ...parsed.data, pool, resolve, environments: environmentsOf(environments), templates, signingKeys: readSigningKeys(signingKeys) };
 }
 
 /** Names of the options that are plain data, by what reads them. */

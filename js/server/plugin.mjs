@@ -76,10 +76,12 @@ export async function mount(fastify, service, { cacheSeconds, metrics: isMetered
     throw new TelarError('E_NOT_FOUND', 'there is no such route; /openapi.json lists them');
   });
 
+  const maxAge = ({ telar: { expires } }) =>
+    expires === undefined ? cacheSeconds : Math.max(0, Math.min(cacheSeconds, expires - Math.ceil(Date.now() / 1000)));
   const send = (request, reply, { result, kind, type, waited, worked }) => {
     const { method } = request;
     const isCached = method === 'GET' || method === 'HEAD';
-    reply.header('vary', 'accept').header('cache-control', isCached ? `public, max-age=${cacheSeconds}` : 'no-cache');
+    reply.header('vary', 'accept').header('cache-control', isCached ? `public, max-age=${maxAge(request)}` : 'no-cache');
     const { type: own, body, headers } = bodyOf(result, { kind, type });
     if (result.key) reply.header('etag', tagOf(result.key, type));
     request.telar.key = result.key;
@@ -90,9 +92,9 @@ export async function mount(fastify, service, { cacheSeconds, metrics: isMetered
       .send(body);
   };
 
-  const work = (kind) => async (request, reply) => {
-    const { raw, method } = request;
-    const asked = { method, query: queryOf(request), raw };
+  const work = (kind) => (request, reply) => answer(kind, { method: request.method, query: queryOf(request), raw: request.raw }, request, reply);
+  const answer = async (kind, asked, request, reply) => {
+    const { raw, method } = asked;
     if (method === 'POST' && isAsync(raw)) {
       const job = jobJson(await service.submit(kind, asked, reply.raw), prefix);
       return reply.code(202).headers({ location: job.links.self, 'preference-applied': 'respond-async', 'cache-control': 'no-store' }).send(job);
@@ -100,12 +102,18 @@ export async function mount(fastify, service, { cacheSeconds, metrics: isMetered
     const { result, tag, ...answer } = await service.answer(kind, asked, reply.raw);
     if (result) return send(request, reply, { ...answer, result });
     return reply
-      .headers({ vary: 'accept', 'cache-control': `public, max-age=${cacheSeconds}`, etag: tag })
+      .headers({ vary: 'accept', 'cache-control': `public, max-age=${maxAge(request)}`, etag: tag })
       .code(304)
       .send();
   };
 
   const handlers = {
+    signed(request, reply) {
+      const { raw, method } = request;
+      const { query, expires } = service.signatures.open(request.params['*'], Date.now());
+      request.telar.expires = expires;
+      return answer('thumbnail', { method, query: new URLSearchParams(query), raw, isSigned: true }, request, reply);
+    },
     async error({ params: { code } }) {
       if (!Object.hasOwn(ERRORS, code)) throw new TelarError('E_NOT_FOUND', 'there is no such code');
       return { code, ...ERRORS[code] };
@@ -126,9 +134,9 @@ export async function mount(fastify, service, { cacheSeconds, metrics: isMetered
     ...(await descriptionHandlers(prefix, { metrics: isMetered })),
   };
 
-  for (const [name, { url, methods, kind }] of Object.entries(ROUTES)) {
+  for (const [name, { url, pattern = url, methods, kind }] of Object.entries(ROUTES)) {
     const handler = kind ? work(kind) : handlers[name];
-    if (handler) addRoute(fastify, url, methods, handler);
+    if (handler) addRoute(fastify, pattern, methods, handler);
   }
 }
 

@@ -2,10 +2,18 @@ import { REQUESTS } from './requests.mjs';
 
 /**
  * The routes of the service: the plugin registers them, and openapi.json lists them.
- * @type {Readonly<Record<string, {url: string, methods: string[], doc: string, kind?: string}>>} by name; kind: of REQUESTS, where the route does work
+ * @type {Readonly<Record<string, {url: string, methods: string[], doc: string, kind?: string, pattern?: string}>>} by name; kind: of REQUESTS, where the
+ *   route does work; pattern: in place of the url, for Fastify
  */
 export const ROUTES = Object.freeze({
   thumbnails: { url: '/v1/thumbnails', methods: ['GET', 'POST'], doc: REQUESTS.thumbnail.doc, kind: 'thumbnail' },
+  signed: {
+    url: '/v1/thumbnails/:signature/:options/:source',
+    // Fastify bounds the length of a parameter that has a name.
+    pattern: '/v1/thumbnails/*',
+    methods: ['GET'],
+    doc: 'Draws what a signed address says: see signThumbnail() of telar/server',
+  },
   inspect: { url: '/v1/inspect', methods: ['POST'], doc: REQUESTS.inspect.doc, kind: 'inspect' },
   compare: { url: '/v1/compare', methods: ['POST'], doc: REQUESTS.compare.doc, kind: 'compare' },
   sheets: { url: '/v1/sheets', methods: ['POST'], doc: REQUESTS.sheet.doc, kind: 'sheet' },

@@ -11,6 +11,7 @@ import { perform } from './perform.mjs';
 import { References } from './references.mjs';
 import { MemoryQueue } from './memory_queue.mjs';
 import { Scope, waitOf } from './scope.mjs';
+import { Signatures } from './signature.mjs';
 import { readTask } from './task.mjs';
 
 /** Jobs that wait for each worker, where the owner does not say it. */
@@ -42,6 +43,7 @@ export class Service {
     this.#ownsPool = ownsPool;
     this.#timeoutMs = (ownsPool && options.pool?.timeoutMs) || Infinity;
     this.#fileBytes = Math.min(options.requestBytes, (ownsPool && options.pool?.limits?.L_FILE_BYTES) || loadNative().limits.L_FILE_BYTES);
+    this.signatures = new Signatures(options.signingKeys);
     this.#references = new References({ ...options, maxBytes: this.#fileBytes });
     const places = Math.max(1, pool.workers.length);
     const { jobs, jobBytes, resultBytes, resultMs } = options;
@@ -71,7 +73,7 @@ export class Service {
   /**
    * A request as a task whose bytes are there.
    * @param {string} kind
-   * @param {{method: string, query: URLSearchParams, raw: import('node:http').IncomingMessage}} request
+   * @param {{method: string, query: URLSearchParams, raw: import('node:http').IncomingMessage, isSigned?: boolean}} request
    * @param {Scope} scope its clock starts when the request is there: what the owner or another host takes for a reference is part of the answer's time
    * @param {() => void} [check] whether there is room
    * @returns {Promise<import('./task.mjs').Task>}
@@ -84,7 +86,7 @@ export class Service {
       scope.startClock(waitOf(request.raw, deadlineMs));
       const { model: reference, ...rest } = asked;
       const { environment: light, ...own } = files;
-      if (kind !== 'compare') own.model = await this.#modelOf(reference, files.model, signal);
+      if (kind !== 'compare') own.model = await this.#modelOf(reference, files.model, request, signal);
       else for (const name of ['expected', 'actual']) if (!own[name]) throw missing(name);
       const isDrawn = kind === 'thumbnail' || kind === 'inspect' || kind === 'sheet';
       const shot = isDrawn && ownLight(rest.shot ?? {}, { environments, file: light });
@@ -94,10 +96,11 @@ export class Service {
     }, check);
   }
 
-  async #modelOf(reference, file, signal) {
+  async #modelOf(reference, file, { isSigned }, signal) {
     if (file && reference !== undefined) throw new TelarError('E_REQUEST', 'request.model: it is a file and a reference; give one', { pointer: '/model' });
     if (file) return file;
     if (reference === undefined) throw missing('model');
+    if (this.signatures.areNeeded && !isSigned) throw new TelarError('E_SIGNATURE', 'this service takes references from signed addresses alone');
     return this.#references.bytes(reference, signal);
   }
 

@@ -140,8 +140,13 @@ function work({ kind, doc }, method) {
   };
 }
 
-/** What routes that do no work answer. */
+/** What routes without keys of their own answer. */
 const PLAIN = {
+  signed: {
+    200: { description: 'The picture', content: CONTENT.thumbnail },
+    304: { description: 'The client has it' },
+    ...refusals(),
+  },
   job: { 200: { description: 'The job', ...json(ref('schemas', 'Job')) }, 404: ref('responses', 'e404') },
   jobEvents: {
     200: { description: 'Events named by the state of the job, with the job as data', content: { 'text/event-stream': { schema: text() } } },

@@ -60,7 +60,7 @@ test('each route of the table is described, and each is there', async () => {
   const described = Object.entries(ROUTES).filter(([name]) => !UNDESCRIBED.includes(name));
   assert.deepEqual(
     Object.keys(DOCUMENT.paths),
-    described.map(([, route]) => route.url.replace(/:(\w+)/, '{$1}')),
+    described.map(([, route]) => route.url.replaceAll(/:(\w+)/g, '{$1}')),
   );
   for (const { url: route, methods } of Object.values(ROUTES).filter(({ url: one }) => one !== '/metrics' && !one.includes(':id'))) {
     for (const method of ['GET', 'POST']) {
