@@ -7,6 +7,7 @@ import { fabricPage } from './fabric_page.mjs';
 import { resolvedShotDraft, shotDraft, shotJsonSchema, specDraft, specJsonSchema } from './json_schema.mjs';
 import { withLayerExtensions } from './layers_table.mjs';
 import { withLimitsTable } from './limits_table.mjs';
+import { recipePages } from './recipes.mjs';
 import { resolvedShots } from './resolved_shots.mjs';
 import { shadingPage } from './shading_page.mjs';
 import { termFiles } from './shading_terms.mjs';
@@ -62,6 +63,7 @@ export function generatedFiles() {
     'js/docs/formats.md': withLayerExtensions(textOf('js/docs/formats.md')),
     'SECURITY.md': withLimitsTable(textOf('SECURITY.md'), textOf('renderer/include/telar/limits.h')),
     'js/docs/shading.md': shadingPage(),
+    ...recipePages(),
     ...termFiles(),
     ...shotHeaders(),
     'renderer/shot/visit_rows.inc': visitRows(),

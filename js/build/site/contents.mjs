@@ -16,14 +16,21 @@ export const GROUPS = [
   { text: 'Tech sheets', pages: ['sheet'] },
   { text: 'Cloth', pages: ['fabric', 'cloths', 'visibility', 'shading'] },
   { text: 'In production', pages: ['pool', 'server', 'queue', 'scale', 'security'] },
-  { text: 'Recipes', folder: 'recipes' },
+  { text: 'Recipes', pages: ['recipes'], folder: 'recipes' },
   { text: 'Accuracy', pages: ['trade', 'reference', 'accuracy', 'fabric_accuracy', 'numerics', 'analysis', 'figures'] },
   { text: 'Releases of three.js', pages: ['releases', 'families'] },
   { text: 'The project', pages: ['architecture', 'contributing', 'changelog'] },
 ];
 
 /** What the side bar calls a page where that is not its heading. */
-export const TITLES = { start: 'Introduction', install: 'Install', container: 'Container', server: 'Over HTTP (telar serve)', pool: 'A pool of workers' };
+export const TITLES = {
+  recipes: 'Overview',
+  start: 'Introduction',
+  install: 'Install',
+  container: 'Container',
+  server: 'Over HTTP (telar serve)',
+  pool: 'A pool of workers',
+};
 
 /** Group of pages that no other one names. */
 export const REST = 'More';

@@ -50,7 +50,10 @@ const headingOf = (text, fallback) => /^# (.+)$/m.exec(text)?.[1].replaceAll('`'
 export function sidebarOf(titles) {
   const item = (page) => ({ text: titles.get(page), link: `/${page}` });
   const inFolder = (folder) => [...titles.keys()].filter((page) => page.startsWith(`${folder}/`)).sort();
-  const groups = GROUPS.map(({ text, pages, folder }) => ({ text, pages: (pages ?? inFolder(folder)).filter((page) => titles.has(page)) }));
+  const groups = GROUPS.map(({ text, pages, folder }) => ({
+    text,
+    pages: [...(pages ?? []), ...(folder ? inFolder(folder) : [])].filter((page) => titles.has(page)),
+  }));
   const named = new Set(groups.flatMap(({ pages }) => pages));
   const rest = [...titles.keys()].filter((page) => !named.has(page)).sort();
   return [...groups, { text: REST, pages: rest }]

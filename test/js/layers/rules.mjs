@@ -137,6 +137,8 @@ const JS_LAYERS = {
     imports: ['js/error', 'js/material', 'js/shot', 'js/cli', 'js/analyse', 'js/sheet', 'js/server', 'js/index.mjs', 'js/dist/zod.mjs'],
     development: true,
   },
+  // What readers copy: it imports telar by its name.
+  'js/docs/recipes': { imports: [], development: true },
   'js/setup': { imports: ['js/machine', 'js/build/addon.mjs', 'js/build/package'], builtinsOnly: true },
   'js/assets/make': { imports: ['js/index.mjs', 'js/sheet'], development: true },
 };
