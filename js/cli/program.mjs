@@ -179,6 +179,7 @@ export function buildProgram(version, actions, output) {
       )
         .option('--workers <n>', 'draw in so many processes; auto = one for each core, as far as the memory goes', 'auto')
         .option('--models <folder>', 'let requests name models by their paths beneath this folder')
+        .option('--store <folder>', 'keep pictures in this folder, and draw none of them twice')
         .option('--environment <name=file>', 'let shots name this .hdr or .exr file; repeatable', collect)
         .addOption(backend()),
     ),

@@ -27,6 +27,7 @@ export async function serve(options, { console, signal, stderr, ending }) {
     {
       ...own,
       environments: await environmentsOf(options.environment),
+      ...(options.store !== undefined && { store: options.store }),
       signingKeys: signingKeysOf(process.env),
       ...(options.models !== undefined && { resolve: await filesBeneath(options.models) }),
       pool: {

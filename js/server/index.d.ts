@@ -33,6 +33,23 @@ export interface OwnOptions {
    * @default []
    */
   signingKeys?: SigningKey[];
+  /**
+   * Where results of thumbnails are kept by their content key, so that none is drawn twice: a folder, or callbacks that give addresses. What fails
+   * there costs no answer; `telar_store_total` of /metrics counts it.
+   * @default undefined: nowhere
+   */
+  store?: string | ResultAddresses;
+}
+
+/** Where a result is, as presigned addresses of S3 say it. */
+export type ResultAddress = string | URL | { url: string | URL; headers?: Record<string, string> };
+
+/** Gives the address of a result by its name: letters, digits and dashes, at most 80. Null: it is not kept there. */
+export interface ResultAddresses {
+  /** Asked with GET; 404 and 403 mean that there is none. */
+  get?: (name: string) => ResultAddress | null | undefined | Promise<ResultAddress | null | undefined>;
+  /** Written with PUT and the type application/octet-stream. */
+  put?: (name: string) => ResultAddress | null | undefined | Promise<ResultAddress | null | undefined>;
 }
 
 /** A key and its salt, in hexadecimal. `openssl rand -hex 32` makes one. */

@@ -69,6 +69,12 @@ export async function openMetrics({ admission, queue, pool }) {
     waited: new Histogram({ name: 'telar_wait_seconds', help: 'How long jobs waited for a worker', registers, labelNames: ['kind'], buckets: BUCKETS }),
     worked: new Histogram({ name: 'telar_work_seconds', help: 'How long workers took for jobs', registers, labelNames: ['kind'], buckets: BUCKETS }),
     retries: new Counter({ name: 'telar_retries_total', help: 'Jobs that were given to a second worker, as the first one ended', registers }),
+    stored: new Counter({
+      name: 'telar_store_total',
+      help: 'What came of looking into the store of results, and of writing there',
+      registers,
+      labelNames: ['outcome'],
+    }),
     received: new Counter({ name: 'telar_received_bytes_total', help: 'Bytes of bodies', registers }),
     close: () => delay.disable(),
   };

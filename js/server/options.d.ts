@@ -26,6 +26,8 @@ export interface PluginSettings {
   side?: number;
   /** Seconds for which caches may keep the answer to a GET without asking again. Range 0 to 31536000. @default 300 */
   cacheSeconds?: number;
+  /** Bytes of a folder of results, from which those that were read longest ago go; at addresses, of one result. Range at least 1. @default 1073741824 */
+  storeBytes?: number;
   /** Hosts from which models are fetched by https, as in models.example.com; a whole origin as in http://store:9000 allows its own scheme and port. @default [] */
   allowHosts?: string[];
   /** Answer /metrics. @default true */

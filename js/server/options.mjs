@@ -11,7 +11,7 @@ const ABOUT = Object.freeze({ name: 'options', code: 'E_OPTION' });
 const schemas = { plugin: zodOf(PLUGIN_OPTIONS), service: zodOf(SERVICE) };
 
 /** Options that are no plain data. */
-const OWN = ['pool', 'resolve', 'environments', 'templates', 'signingKeys'];
+const OWN = ['pool', 'resolve', 'environments', 'templates', 'signingKeys', 'store'];
 
 const isFunctionOr = (value) => value === undefined || typeof value === 'function';
 
@@ -27,6 +27,13 @@ function environmentsOf(given) {
   );
 }
 
+/** A folder, or callbacks that give addresses. */
+function storeOf(given) {
+  if (given === undefined || (typeof given === 'string' && given !== '')) return given;
+  if (isObject(given) && isFunctionOr(given.get) && isFunctionOr(given.put) && (given.get || given.put)) return given;
+  throw wrongOption('options.store', 'a folder, or {get, put} that give addresses', given);
+}
+
 /**
  * Options with every default written out.
  * @param {object} options js/server/index.d.ts documents them
@@ -38,10 +45,18 @@ export function readOptions(options, of = 'plugin') {
   const given = Object.fromEntries(Object.entries(options).filter(([key, value]) => !OWN.includes(key) && value !== undefined));
   const parsed = schemas[of].safeParse(given);
   if (!parsed.success) throw complaint(parsed.error.issues, given, schemas[of], { about: ABOUT, known: OWN });
-  const { pool, resolve, environments = {}, templates = {}, signingKeys = [] } = options;
+  const { pool, resolve, environments = {}, templates = {}, signingKeys = [], store } = options;
   if (!isFunctionOr(resolve)) throw wrongOption('options.resolve', 'a function', resolve);
   if (pool !== undefined && !isObject(pool)) throw wrongOption('options.pool', 'a pool, or options of createPool', pool);
-  return { ...parsed.data, pool, resolve, environments: environmentsOf(environments), templates, signingKeys: readSigningKeys(signingKeys) };
+  return {
+    ...parsed.data,
+    pool,
+    resolve,
+    environments: environmentsOf(environments),
+    templates,
+    signingKeys: readSigningKeys(signingKeys),
+    store: storeOf(store),
+  };
 }
 
 /** Names of the options that are plain data, by what reads them. */

@@ -10,6 +10,7 @@ import { openMetrics } from './metrics.mjs';
 import { perform } from './perform.mjs';
 import { References } from './references.mjs';
 import { MemoryQueue } from './memory_queue.mjs';
+import { ResultStore } from './result_store.mjs';
 import { Scope, waitOf } from './scope.mjs';
 import { Signatures } from './signature.mjs';
 import { readTask } from './task.mjs';
@@ -28,6 +29,8 @@ export class Service {
   #fileBytes;
   #timeoutMs;
   #scopes = new Set();
+  /** @type {ResultStore | undefined} */
+  #store;
 
   /** @param {object} options of readOptions() */
   static async open(options) {
@@ -53,6 +56,8 @@ export class Service {
 
   async #withMetrics() {
     this.metrics = await openMetrics({ admission: this.admission, queue: this.queue, pool: this.#pool });
+    const { store, storeBytes } = this.#options;
+    this.#store = await ResultStore.open(store, storeBytes, (outcome) => this.metrics.stored.inc({ outcome }));
     return this;
   }
 
@@ -113,9 +118,9 @@ export class Service {
    */
   answer(kind, request, response) {
     return this.#within(new Scope(response), async (scope) => {
-      const { task, type, tag, isKnown } = await this.#wanted(kind, request, scope);
+      const { task, type, tag, key, isKnown } = await this.#wanted(kind, request, scope);
       if (isKnown) return { type, kind, tag };
-      const { result, waited, worked } = await this.#work(task, scope, 'run');
+      const { result, waited, worked } = await this.#work(task, scope, 'run', { key });
       return { type, kind, result, waited, worked };
     });
   }
@@ -146,11 +151,16 @@ export class Service {
     const { task, type } = wantedOf(read, request.raw.headers.accept);
     const key = await keyOf(task);
     const tag = key && tagOf(key, type);
-    return { task, type, tag, isKnown: key !== undefined && isUnchanged(request.raw, tag) };
+    return { task, type, tag, key, isKnown: key !== undefined && isUnchanged(request.raw, tag) };
   }
 
   /** @param {'run' | 'runLater'} how it is admitted */
-  async #work(task, scope, how, { onProgress, onStart } = {}) {
+  async #work(task, scope, how, { key, onProgress, onStart } = {}) {
+    const kept = key && (await this.#store?.get(key, scope.signal));
+    if (kept) {
+      onStart?.();
+      return { result: kept };
+    }
     const asked = performance.now();
     let begun;
     const result = await this.admission[how](() => {
@@ -161,6 +171,8 @@ export class Service {
     const [waited, worked] = [(begun - asked) / 1000, (performance.now() - begun) / 1000];
     this.metrics.waited.observe({ kind: task.kind }, waited);
     this.metrics.worked.observe({ kind: task.kind }, worked);
+    // By the key that was found here: a worker that was taken over names no other picture's.
+    if (key) this.#store?.put({ ...result, key });
     return { result, waited, worked };
   }
 
@@ -173,7 +185,8 @@ export class Service {
           scope.startClock(this.#options.jobMs);
           onStart();
         };
-        return (await this.#work(task, scope, 'runLater', { onProgress, onStart: start })).result;
+        const key = this.#store && (await keyOf(task));
+        return (await this.#work(task, scope, 'runLater', { key, onProgress, onStart: start })).result;
       } finally {
         stopListening();
       }
@@ -224,6 +237,7 @@ export class Service {
   async close() {
     this.end();
     this.abort();
+    await this.#store?.idle();
     this.metrics.close();
     if (this.#ownsPool) await this.#pool.close();
   }

@@ -61,6 +61,13 @@ const PLUGIN = {
     max: 31_536_000,
     default: 300,
   }),
+  storeBytes: whole('Bytes of a folder of results, from which those that were read longest ago go; at addresses, of one result', {
+    flag: '--store-bytes <n>',
+    unit: 'bytes',
+    min: 1,
+    max: 2 ** 44,
+    default: 1024 * MIB,
+  }),
   allowHosts: {
     ...list(
       'Hosts from which models are fetched by https, as in models.example.com; a whole origin as in http://store:9000 allows its own scheme and port',
