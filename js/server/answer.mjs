@@ -1,12 +1,15 @@
 import { randomBytes } from 'node:crypto';
 import { FORMATS } from '../shot/table/output.mjs';
+import { AVIF_TYPE } from '../api/avif.mjs';
 import { isObject } from '../api/option_check.mjs';
+import { TelarError } from '../error/index.mjs';
 import { negotiate } from './negotiate.mjs';
 import { SHEET_TYPES } from './perform.mjs';
 
 /** From results to answers of HTTP. */
 
 export const JSON_TYPE = 'application/json';
+export { AVIF_TYPE };
 
 const IMAGE_TYPES = Object.fromEntries(Object.entries(FORMATS).map(([format, { mediaType }]) => [mediaType, format]));
 const SHEET_FORMATS = Object.fromEntries(Object.entries(SHEET_TYPES).map(([format, type]) => [type, format]));
@@ -15,19 +18,36 @@ const SHEET_FORMATS = Object.fromEntries(Object.entries(SHEET_TYPES).map(([forma
 const PICTURES = ['png', 'webp', 'jpeg'].map((format) => FORMATS[format].mediaType);
 const OTHERS = Object.keys(IMAGE_TYPES).filter((type) => !PICTURES.includes(type));
 
+const NO_AVIF = 'image/avif can be had where the package sharp is installed beside the service';
+
 const outputOf = (shot) => (isObject(shot?.output) ? shot.output : {});
+
+/** AVIF has one picture, and takes longest to encode: it comes after the others. */
+const avifOf = ({ layers, output }, { avif }) => (avif && layers === undefined && (output === undefined || isObject(output)) ? [AVIF_TYPE] : []);
+
+const asPixels = (shot) => ({ ...shot, output: { ...shot.output, format: 'raw', bitDepth: 8 } });
+
+function negotiatedPicture(accept, offered, { avif }) {
+  try {
+    return negotiate(accept, offered);
+  } catch (error) {
+    if (avif || !/image\/avif/i.test(accept)) throw error;
+    throw new TelarError('E_ACCEPT', `${error.message}; ${NO_AVIF}`);
+  }
+}
 
 /**
  * What the client gets, by `accept` and by what the task says: the task with the format of its file, and the type of the answer.
- * @type {Record<string, (task: import('./task.mjs').Task, accept: string | undefined) => {task: import('./task.mjs').Task, type: string}>}
+ * @type {Record<string, (task: import('./task.mjs').Task, accept: string | undefined, able: {avif: boolean}) => {task: import('./task.mjs').Task, type: string}>}
  */
 const WANTED = {
-  thumbnail(task, accept) {
+  thumbnail(task, accept, able) {
     const { shot = {} } = task.asked;
     const { format } = outputOf(shot);
     // A wrong one is the worker's to refuse, with the message of the shot.
-    const offered = format === undefined ? [...PICTURES, JSON_TYPE, ...OTHERS] : [FORMATS[format]?.mediaType ?? JSON_TYPE, JSON_TYPE];
-    const type = negotiate(accept, offered);
+    const offered = format === undefined ? [...PICTURES, ...avifOf(shot, able), JSON_TYPE, ...OTHERS] : [FORMATS[format]?.mediaType ?? JSON_TYPE, JSON_TYPE];
+    const type = negotiatedPicture(accept, offered, able);
+    if (type === AVIF_TYPE) return { task: { ...task, asked: { ...task.asked, shot: asPixels(shot), encode: 'avif' } }, type };
     if (format !== undefined || !IMAGE_TYPES[type] || (shot.output !== undefined && !isObject(shot.output))) return { task, type };
     return { task: { ...task, asked: { ...task.asked, shot: { ...shot, output: { ...shot.output, format: IMAGE_TYPES[type] } } } }, type };
   },
@@ -43,8 +63,11 @@ const WANTED = {
   },
 };
 
-/** @throws {import('../error/index.mjs').TelarError} E_ACCEPT */
-export const wantedOf = (task, accept) => WANTED[task.kind](task, accept);
+/**
+ * @param {{avif: boolean}} able what can be encoded beside telar's own formats
+ * @throws {TelarError} E_ACCEPT
+ */
+export const wantedOf = (task, accept, able) => WANTED[task.kind](task, accept, able);
 
 /** All of a result: bytes in base64. */
 const jsonOf = ({ key, info, files }) =>

@@ -12,7 +12,7 @@ export async function digestOf(bytes) {
 }
 
 /**
- * The key of a picture before it is drawn: that of `info.key`, found without opening the model.
+ * The key of a picture before it is drawn: that of `info.key`, found without opening the model; of pixels that are encoded afterwards with that format.
  * @param {import('./task.mjs').Task} task
  * @returns {Promise<string | undefined>} undefined where it takes the files that the model names
  * @throws {import('../error/index.mjs').TelarError} E_SHOT
@@ -22,5 +22,11 @@ export async function keyOf({ kind, asked, files }) {
   const identity = shotIdentity(asked.shot ?? {});
   const map = bytesOf(identity.environment.map);
   const [model, environment] = await Promise.all([digestOf(files.model), map ? digestOf(map) : identity.environment.map]);
-  return keyOfParts({ version: versions.telar, model: digestWithVisibility(model, visibilityOption(asked.ambientVisibility)), environment, shot: identity });
+  const key = keyOfParts({
+    version: versions.telar,
+    model: digestWithVisibility(model, visibilityOption(asked.ambientVisibility)),
+    environment,
+    shot: identity,
+  });
+  return asked.encode ? `${key}-${asked.encode}` : key;
 }

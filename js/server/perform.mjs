@@ -1,3 +1,4 @@
+import { AVIF_TYPE, encodeAvif } from '../api/avif.mjs';
 import { bytesOf } from '../api/source.mjs';
 import { FORMATS } from '../shot/table/output.mjs';
 
@@ -36,8 +37,13 @@ function plainInfo(info) {
 /** @type {Record<string, (pool: import('../pool/index.js').Pool, task: import('./task.mjs').Task, how: object) => Promise<Result>>} */
 const KINDS = {
   async thumbnail(pool, { asked, files }, how) {
-    const { shot = {}, failOn, ambientVisibility } = asked;
+    const { shot = {}, failOn, ambientVisibility, encode } = asked;
     const { data, layers = {}, info } = await pool.render(files.model, shot, { ...how, failOn, ambientVisibility, ...resolverOf(files) });
+    if (encode === 'avif') {
+      const { quality } = shot.output;
+      const file = { name: 'thumbnail.avif', type: AVIF_TYPE, data: await encodeAvif({ ...info, data }, { quality }) };
+      return { key: `${info.key}-avif`, info: { ...plainInfo(info), format: 'avif' }, files: [file] };
+    }
     const { extensions, mediaType } = FORMATS[info.format];
     const beside = Object.entries(layers).map(([name, bytes]) => ({ name: `${name}${extensions[0]}`, type: mediaType, data: bytes }));
     return { key: info.key, info: plainInfo(info), files: [{ name: `thumbnail${extensions[0]}`, type: mediaType, data }, ...beside] };

@@ -1,4 +1,5 @@
 import { TelarError } from '../error/index.mjs';
+import { hasSharp } from '../api/avif.mjs';
 import { loadNative } from '../api/native.mjs';
 import { onAbort } from '../api/on_abort.mjs';
 import { Admission } from './admission.mjs';
@@ -29,6 +30,7 @@ export class Service {
   #fileBytes;
   #timeoutMs;
   #scopes = new Set();
+  #able = { avif: hasSharp() };
   /** @type {ResultStore | undefined} */
   #store;
 
@@ -148,7 +150,7 @@ export class Service {
 
   async #wanted(kind, request, scope, check) {
     const read = await this.read(kind, request, scope, check);
-    const { task, type } = wantedOf(read, request.raw.headers.accept);
+    const { task, type } = wantedOf(read, request.raw.headers.accept, this.#able);
     const key = await keyOf(task);
     const tag = key && tagOf(key, type);
     return { task, type, tag, key, isKnown: key !== undefined && isUnchanged(request.raw, tag) };

@@ -41,7 +41,7 @@ test('planted violations are found, one each', async (t) => {
     'addon/planted.cpp': '#include "core/text.h"\n',
     'js/shot/planted.mjs': "import fs from 'node:fs';\n",
     'js/error/planted.mjs': "import { resolveShot } from '../shot/index.mjs';\n",
-    'js/three/planted.mjs': "import sharp from 'sharp';\n",
+    'js/three/planted.mjs': "import ajv from 'ajv';\n",
     'js/cli/planted.mjs': "import { addon } from '../api/native.mjs';\n",
     'js/build/planted.mjs': "import { setUp } from '../setup/index.mjs';\n",
     'js/setup/planted.mjs': "const { z } = await import('zod');\n",

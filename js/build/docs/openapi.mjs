@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import * as z from '../../dist/zod.mjs';
 import { ERRORS } from '../../error/index.mjs';
 import { SHEET_TYPES } from '../../server/perform.mjs';
+import { AVIF_TYPE } from '../../server/answer.mjs';
 import { REQUESTS } from '../../server/requests.mjs';
 import { ROUTES, UNDESCRIBED } from '../../server/routes.mjs';
 import { MODEL_TYPES } from '../../server/task.mjs';
@@ -92,7 +93,7 @@ const RESULT = { type: 'object', properties: { key: text('Content key'), info: {
 
 /** What goes well, by kind: types of the answer. */
 const CONTENT = {
-  thumbnail: { ...binary(Object.values(FORMATS).map(({ mediaType }) => mediaType)), [JSON_TYPE]: { schema: RESULT } },
+  thumbnail: { ...binary([...Object.values(FORMATS).map(({ mediaType }) => mediaType), AVIF_TYPE]), [JSON_TYPE]: { schema: RESULT } },
   inspect: { [JSON_TYPE]: { schema: { type: 'object' } } },
   compare: { [JSON_TYPE]: { schema: { type: 'object', required: ['comparison', 'verdict', 'hints'] } }, 'image/png': {} },
   sheet: { ...binary([...Object.values(SHEET_TYPES), 'multipart/mixed']), [JSON_TYPE]: { schema: RESULT } },
