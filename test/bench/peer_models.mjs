@@ -1,3 +1,4 @@
+import { fileURLToPath } from 'node:url';
 import sharp from 'sharp';
 import { addGridIndices, sphere } from '../fixtures/geometry.mjs';
 import { GlbBuilder } from '../fixtures/glb.mjs';
@@ -97,3 +98,14 @@ export async function helmet() {
   glb.add(sphere(1, { rings: 62 }), glb.material({ metallic: 1, emissive: [0.1, 0.1, 0.1], textures }), { name: 'helmet' });
   return glb.bytes();
 }
+
+const TSHIRT = fileURLToPath(new URL('../../js/assets/tshirt.glb', import.meta.url));
+
+/** The pictures that are drawn by telar and by the browser: `side` in pixels, 512 where it is left out. */
+export const cases = async () => [
+  { name: 'T-shirt of 58,000 triangles', model: TSHIRT },
+  { name: 'the same, 256 x 256', model: TSHIRT, side: 256 },
+  { name: 'shirt of 20,000 triangles, two JPEGs', model: await shirt() },
+  { name: 'chair with sheen', model: await chair() },
+  { name: 'ball with five textures of 2048 x 2048', model: await helmet() },
+];

@@ -1,7 +1,8 @@
 // A picture by telar against the same by three.js in headless Chromium on the same Mesa: CPU time, wall time and memory, and what the
 // first picture takes from the start of the process. The two draw in turns; medians. CPU time says what a server pays, whatever else runs.
 // That they draw the same is checked first, by the bars of the parity gate.
-// npm run bench -- peers      node test/bench/peers.mjs [--runs N] [--write]   --write: the table of the README
+// npm run bench -- peers      node test/bench/peers.mjs [--runs N] [--write] [--json FILE]   --write: the table of the README; --json: what was
+// measured, for npm run scale
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -12,21 +13,15 @@ import { createRenderer } from '../../js/index.mjs';
 import { median } from '../median.mjs';
 import { Browser } from '../parity/browser/chromium.mjs';
 import { difference } from '../parity/metrics.mjs';
-import { chair, helmet, shirt } from './peer_models.mjs';
+import { cases } from './peer_models.mjs';
 
-const { values } = parseArgs({ options: { runs: { type: 'string', default: '9' }, write: { type: 'boolean', default: false } } });
+const { values } = parseArgs({ options: { runs: { type: 'string', default: '9' }, write: { type: 'boolean', default: false }, json: { type: 'string' } } });
 const RUNS = Number(values.runs);
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const ASSETS = path.join(ROOT, 'js/assets');
 const CLI = path.join(ROOT, 'js/cli/telar.mjs');
 const TSHIRT = path.join(ASSETS, 'tshirt.glb');
-const CASES = [
-  { name: 'T-shirt of 58,000 triangles', model: TSHIRT },
-  { name: 'the same, 256 x 256', model: TSHIRT, side: 256 },
-  { name: 'shirt of 20,000 triangles, two JPEGs', model: await shirt() },
-  { name: 'chair with sheen', model: await chair() },
-  { name: 'ball with five textures of 2048 x 2048', model: await helmet() },
-];
+const CASES = await cases();
 const TICKS_A_SECOND = 100;
 
 /** Fields of /proc/PID/stat from the state on, or undefined where it has ended. */
@@ -69,6 +64,8 @@ async function measured(cpuNow, job) {
 const ownCpu = () => Object.values(process.cpuUsage()).reduce((sum, us) => sum + us, 0) / 1000;
 
 const rows = [];
+/** For --json: medians, in milliseconds. @type {{name: string, telar: {cpu: number, wall: number}, browser: {cpu: number, wall: number}}[]} */
+const told = [];
 
 /** A row of the table. @param {{cpu: number, wall: number}[]} telar @param {{cpu: number, wall: number}[]} browser milliseconds */
 function tell(name, telar, browser) {
@@ -76,6 +73,8 @@ function tell(name, telar, browser) {
   const ratio = (key) => (of(browser, key) / of(telar, key)).toFixed(1);
   const cpu = (samples) => `${of(samples, 'cpu').toFixed(0)} ms`;
   rows.push([name, cpu(telar), cpu(browser), ratio('cpu'), ratio('wall')]);
+  const medians = (samples) => ({ cpu: of(samples, 'cpu'), wall: of(samples, 'wall') });
+  told.push({ name, telar: medians(telar), browser: medians(browser) });
   console.log(rows.at(-1).join(' | '));
 }
 
@@ -131,6 +130,7 @@ rmSync(folder, { recursive: true });
 rows.push(['memory of all processes, the five pictures drawn', ...memory.map((mib) => `${mib.toFixed(0)} MiB`), (memory[1] / memory[0]).toFixed(1), '']);
 console.log(rows.at(-1).join(' | '));
 
+if (values.json) writeFileSync(values.json, JSON.stringify({ pictures: told, mebibytes: { telar: memory[0], browser: memory[1] } }));
 if (values.write) {
   const head = ['a picture of 512 x 512, no GPU: CPU time from file to pixels', 'telar', 'headless Chromium', 'ratio', 'ratio of wall time'];
   const table = [head, head.map(() => '---'), ...rows].map((row) => `| ${row.join(' | ')} |`).join('\n');

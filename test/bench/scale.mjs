@@ -1,8 +1,8 @@
 // How CPU time and memory of a picture grow with its pixels, triangles, texels, textures and lights, one at a time; each point in a process of
 // its own. A straight line through the points says what is fixed and what each one more costs; R2 how straight it is.
-// npm run bench -- scale      node test/bench/scale.mjs [AXIS...] [--runs N]
+// npm run bench -- scale      node test/bench/scale.mjs [AXIS...] [--runs N] [--json FILE]   --json: what was measured, for npm run scale
 import { spawnSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { createRenderer } from '../../js/index.mjs';
@@ -144,11 +144,13 @@ function line(points) {
   return { fixed, each, r2 };
 }
 
-const { values, positionals } = parseArgs({ options: { runs: { type: 'string', default: '3' }, point: { type: 'string' } }, allowPositionals: true });
+const OPTIONS = { runs: { type: 'string', default: '3' }, point: { type: 'string' }, json: { type: 'string' } };
+const { values, positionals } = parseArgs({ options: OPTIONS, allowPositionals: true });
 if (values.point) {
   const [axis, value] = values.point.split('=');
   console.log(JSON.stringify(await point(axis, Number(value), Number(values.runs))));
 } else {
+  const told = [];
   console.log('| one more | CPU ms | MiB | R2 of time, of memory | fixed CPU ms, MiB | points: CPU ms |\n|---|---|---|---|---|---|');
   for (const axis of positionals.length ? positionals : Object.keys(AXES)) {
     const points = AXES[axis].values.map((value) => {
@@ -159,6 +161,7 @@ if (values.point) {
       return { count: AXES[axis].count(value), ...JSON.parse(stdout) };
     });
     const [cpu, mib] = ['cpu', 'mib'].map((key) => line(points.map((each) => [each.count, each[key]])));
+    told.push({ axis, unit: AXES[axis].unit, cpu, mib, points });
     const cells = [
       AXES[axis].unit,
       cpu.each.toFixed(2),
@@ -169,4 +172,5 @@ if (values.point) {
     ];
     console.log(`| ${cells.join(' | ')} |`);
   }
+  if (values.json) writeFileSync(values.json, JSON.stringify(told));
 }

@@ -1,0 +1,83 @@
+// npm run scale [-- --runs N] [--price P] [--busy PART] [--write]: what a picture costs here, beside Chromium's, and how that grows. With --write into
+// js/docs/scale.md, else to the terminal. --peers FILE, --growth FILE: measured before, by the --json of test/bench/peers.mjs and scale.mjs.
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+import { createRenderer } from '../../js/index.mjs';
+import { cases } from '../bench/peer_models.mjs';
+import { median } from '../median.mjs';
+import { scalePage } from './page.mjs';
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+const { values } = parseArgs({
+  options: {
+    runs: { type: 'string', default: '9' },
+    price: { type: 'string', default: '0.04' },
+    busy: { type: 'string', default: '0.7' },
+    peers: { type: 'string' },
+    growth: { type: 'string' },
+    write: { type: 'boolean', default: false },
+  },
+});
+const runs = Number(values.runs);
+const load = os.loadavg()[0];
+const folder = mkdtempSync(path.join(os.tmpdir(), 'telar-scale-'));
+
+/** What a benchmark writes by --json. */
+function benchmark(name, times, kept) {
+  const file = kept ?? path.join(folder, `${name}.json`);
+  if (!kept) {
+    const { status } = spawnSync(process.execPath, [path.join(ROOT, `test/bench/${name}.mjs`), '--runs', String(times), '--json', file], {
+      stdio: ['ignore', 2, 2],
+    });
+    if (status !== 0) throw new Error(`test/bench/${name}.mjs ended with ${status}`);
+  }
+  return JSON.parse(readFileSync(file, 'utf8'));
+}
+
+const cpuMs = () => Object.values(process.cpuUsage()).reduce((sum, us) => sum + us, 0) / 1000;
+const TINY = { width: 16, height: 16 };
+
+/** A picture's bytes, and its CPU by what takes it; medians. */
+async function pictureOf(renderer, { model, side = 512 }) {
+  const drawn = async (size) => {
+    const samples = [];
+    for (let i = 0; i <= runs; i++) {
+      const start = cpuMs();
+      const { data, info } = await renderer.render(model, { size });
+      // The first one compiles.
+      if (i > 0) samples.push({ cpu: cpuMs() - start, after: info.milliseconds.read + info.milliseconds.encode, data, info });
+    }
+    const of = (key) => median(samples.map((sample) => sample[key]));
+    return { cpu: of('cpu'), after: of('after'), bytes: samples[0].data.length, info: samples[0].info };
+  };
+  const { cpu, after, bytes, info } = await drawn({ width: side, height: side });
+  const facts = { bytes, cpu, after, covered: info.picture.coverage * side ** 2 };
+  return { facts: side === 512 ? { ...facts, tiny: (await drawn(TINY)).cpu } : facts, gl: info.gl };
+}
+
+const renderer = await createRenderer();
+const pictures = {};
+let gl;
+for (const each of await cases()) {
+  const { facts, gl: used } = await pictureOf(renderer, each);
+  pictures[each.name] = facts;
+  gl = used;
+}
+await renderer.close();
+const machine = {
+  cores: os.availableParallelism(),
+  cpu: os.cpus()[0].model.trim(),
+  gl: `${/Mesa [\d.]+/.exec(gl.version)?.[0] ?? gl.version} ${gl.renderer.split(' ')[0]}`,
+  node: process.versions.node,
+  load,
+  runs,
+};
+const told = { machine, pictures, peers: benchmark('peers', runs, values.peers), growth: benchmark('scale', Math.ceil(runs / 3), values.growth) };
+rmSync(folder, { recursive: true });
+const text = scalePage(told, { price: Number(values.price), busy: Number(values.busy), command: 'npm run scale -- --write' });
+if (values.write) writeFileSync(path.join(ROOT, 'js/docs/scale.md'), text);
+else process.stdout.write(text);
