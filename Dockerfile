@@ -19,7 +19,8 @@ COPY --from=build /src/out/package/ /
 FROM node:${NODE}-bookworm-slim AS app
 WORKDIR /opt/telar
 COPY --from=packages /*.tgz /tmp/packages/
-RUN npm install --omit=dev --ignore-scripts --no-audit --no-fund /tmp/packages/*.tgz
+RUN npm install --omit=dev --ignore-scripts --no-audit --no-fund \
+  /tmp/packages/telar-[0-9]*.tgz /tmp/packages/telar-linux-$(node -p process.arch)-[0-9]*.tgz
 
 FROM node:${NODE}-bookworm-slim
 # Features that telar itself does not bring along, by the names of js/docs/install.md:

@@ -7,7 +7,7 @@ const SHADERS = path.join(ROOT, 'shaders');
 const BUNDLER = path.join(JS, 'build/dist.mjs');
 
 /** What no bundle is made of. */
-const NO_SOURCE = /^(assets\/make|build\/docs|dist|setup)\//;
+const NO_SOURCE = /^(assets\/make|build\/(docs|package|site)|dist|docs|setup)\//;
 
 /** Whether every source is older than the oldest bundle. */
 export function bundlesFresh() {

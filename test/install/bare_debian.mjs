@@ -18,7 +18,8 @@ function installAndDraw(folder) {
   const app = path.join(folder, 'app');
   rmSync(app, { recursive: true, force: true });
   mkdirSync(app);
-  const packages = readdirSync(path.join(ROOT, 'out/package')).filter((name) => name.endsWith('.tgz'));
+  const own = new RegExp(`^telar-(linux-${process.arch}-)?\\d.*\\.tgz$`);
+  const packages = readdirSync(path.join(ROOT, 'out/package')).filter((name) => own.test(name));
   for (const name of packages) copyFileSync(path.join(ROOT, 'out/package', name), path.join(app, name));
   writeFileSync(path.join(app, 'package.json'), '{"private": true}');
   const started = performance.now();

@@ -72,6 +72,10 @@ const who = run('sh', '-c', 'id -u; grep -E "^(CapEff|CapBnd|NoNewPrivs)" /proc/
 expect('a user without rights', /^[1-9]\d*\n/.test(who) && /CapEff:\s+0+\n/.test(who) && /CapBnd:\s+0+\n/.test(who) && /NoNewPrivs:\s+1/.test(who), who);
 expect('no compiler, no package with headers', run('sh', '-c', 'command -v cc gcc g++ cmake make || ls /usr/include/*.h').status !== 0);
 
+for (const line of run(...config.entrypoint, 'doctor')
+  .stdout.toString()
+  .split('\n'))
+  if (/^(reference|image files|workers|chosen)/.test(line)) console.log(`doctor: ${line}`);
 const drawn = run(...config.entrypoint, 'thumbnail', VELVET, '-o', '/tmp/velvet.png');
 expect('a picture by the command line', drawn.status === 0, drawn.stderr.toString());
 const picture = readFileSync(path.join(root, 'tmp/velvet.png'));

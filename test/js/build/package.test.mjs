@@ -6,7 +6,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { missingIn } from '../../../js/build/package/native.mjs';
-import { writePackages } from '../../../js/build/package/index.mjs';
+import { writePackages, writeSbom } from '../../../js/build/package/index.mjs';
 import { missingTexts } from '../../../js/build/package/licences.mjs';
 import { withParts } from '../../../js/build/package/sbom.mjs';
 import { addonFile } from '../api/support/real.mjs';
@@ -125,4 +125,21 @@ test('the bill of materials names each package of Debian inside, with a licence 
   );
   const empty = { metadata: { component: { 'bom-ref': 'a', version: '1' } }, components: [], dependencies: [] };
   assert.throws(() => withParts(empty, { packages: [{ name: 'libnew1', version: '1' }], nativeName: 'b' }), /no licence for libnew1/);
+});
+
+test('what NOTICE names as a licence text is in the package', () => {
+  const named = (notice) => [...notice.matchAll(/js\/dist\/[\w./-]+(?:LICENSE\.txt|README\.md)/g)].map(([file]) => file);
+  const missing = (notice) => named(notice).filter((file) => !existsSync(path.join(modules, 'telar', file)));
+  const notice = readFileSync(path.join(modules, 'telar/NOTICE'), 'utf8');
+  assert.equal(named(notice).length, 5);
+  assert.deepEqual(missing(notice), []);
+  assert.deepEqual(missing(notice.replace('zod.LICENSE', 'planted.LICENSE')), ['js/dist/planted.LICENSE.txt']);
+});
+
+test('npm run sbom: the same bill without the packages', () => {
+  const alone = path.join(folder, 'alone');
+  const { files } = writeSbom({ build: path.resolve(addonFile, '../..'), folder: alone });
+  assert.deepEqual(readdirSync(alone), ['telar.cdx.json']);
+  const { components, dependencies } = JSON.parse(readFileSync(files[0], 'utf8'));
+  assert.deepEqual([components, dependencies], [bill.components, bill.dependencies]);
 });
