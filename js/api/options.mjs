@@ -137,7 +137,7 @@ export function drawOptions(options, defaults, keys = DRAW_KEYS) {
   return { ...loading(options, defaults), signal: checkSignal(signal), onProgress };
 }
 
-/** Options of a renderer's render: those of a drawing, and onPreview. A pool has no previews: they would cross processes. */
+/** Options of render: those of a drawing, and onPreview. */
 export function renderOptions(options, defaults) {
   const known = drawOptions(options, defaults, [...DRAW_KEYS, 'onPreview']);
   const { onPreview } = options;

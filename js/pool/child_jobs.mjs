@@ -87,7 +87,8 @@ export class ChildJobs {
     const source = job.model ? await this.#modelOf(job.model, given, loading) : inputOf(job.input);
     const others = Object.fromEntries((job.others ?? []).map(([name, input]) => [name, inputOf(input)]));
     if (job.model) this.#answer({ beat: job.id });
-    const options = job.loading && { ...loading(job.loading), ...(onProgress && { onProgress }) };
+    const onPreview = job.preview ? ({ data, ...preview }) => this.#answer({ preview, of: job.id }, [data]) : undefined;
+    const options = job.loading && { ...loading(job.loading), ...(onProgress && { onProgress }), ...(onPreview && { onPreview }) };
     const shots = job.shots?.map((shot) => shotOf(shot, given));
     const { settled, quantity, args } = job;
     return { renderer: this.#renderer, limits: this.#limits, source, others, shots, options, settled, quantity, args, parts, signal };

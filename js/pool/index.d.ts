@@ -1,6 +1,6 @@
 import type { Comparison, GateName, LimitedFigure, Region, Verdict } from '../compare/index.js';
 import type {
-  DrawAllOptions, DrawOptions, Image, InspectOptions, Inspection, IsolationStep, LoadOptions, Model, Renderer, RendererOptions, SettledImage, Source,
+  DrawAllOptions, Image, InspectOptions, Inspection, IsolationStep, LoadOptions, Model, RenderOptions, Renderer, RendererOptions, SettledImage, Source,
 } from '../index.js';
 import type { Sheet, SheetOptions, SheetSpec } from '../sheet/index.js';
 
@@ -163,7 +163,7 @@ export interface Pool {
    * const { data, info } = await pool.render('shirt.glb', { size: { width: 512, height: 512 } }, { timeoutMs: 5000 });
    * console.log(data.length, info.warnings);
    */
-  render(source: Source | PoolModel, shot?: Parameters<Renderer['render']>[1], options?: DrawOptions): Promise<Image>;
+  render(source: Source | PoolModel, shot?: Parameters<Renderer['render']>[1], options?: RenderOptions): Promise<Image>;
 
   /**
    * As Renderer.renderAll(): one job of one worker.

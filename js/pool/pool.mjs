@@ -3,7 +3,7 @@ import { checkQuantity, checkShots, ofShot } from '../api/draw_request.mjs';
 import { Gate } from '../api/gate.mjs';
 import { loadNative } from '../api/native.mjs';
 import { onAbort } from '../api/on_abort.mjs';
-import { drawAllOptions, drawOptions, loadOptions, wrongOption } from '../api/options.mjs';
+import { drawAllOptions, loadOptions, renderOptions, wrongOption } from '../api/options.mjs';
 import { readShot, readSource } from '../api/source.mjs';
 import { awake } from './awake.mjs';
 import { PoolModel } from './model.mjs';
@@ -74,11 +74,11 @@ class Pool {
 
   async render(source, shot = {}, options = {}) {
     this.#assertOpen();
-    const { signal, onProgress, ...loading } = drawOptions(options, this.#loading);
+    const { signal, onProgress, onPreview, ...loading } = renderOptions(options, this.#loading);
     const of = this.#readSource(source);
     const read = this.#readShot(shot);
     const unpack = (value, parts) => unpackPicture(value, parts, read.map);
-    return this.#ask({ method: 'render', ...of, shots: [read], onProgress, ...this.#times(loading), unpack }, signal);
+    return this.#ask({ method: 'render', ...of, shots: [read], onProgress, onPreview, ...this.#times(loading), unpack }, signal);
   }
 
   async renderQuantity(source, shot, quantity, options = {}) {

@@ -44,8 +44,9 @@ export class RunningJob {
   }
 
   /** @returns {boolean} whether the job is done, and its worker free */
-  take({ progress, beat, ask, done, uri, value, error }, parts) {
+  take({ progress, preview, beat, ask, done, uri, value, error }, parts) {
     if (progress !== undefined) this.#progress(progress);
+    if (preview !== undefined) this.#preview(preview, parts);
     if (beat === this.#id) this.#hold();
     if (ask !== undefined) void this.#resolve(ask, uri);
     if (done !== this.#id) return false;
@@ -122,9 +123,19 @@ export class RunningJob {
   #progress(part) {
     this.#told = true;
     if (DRAW_MANY.includes(this.#request.method)) this.#startClock();
+    this.#call(this.#request.onProgress, part);
+  }
+
+  /** Of a worker that was taken over these may be any numbers: what is told has as many bytes as its size says. */
+  #preview({ width, height, bitDepth, samples }, [data]) {
+    const isWhole = [width, height, bitDepth, samples].every(Number.isSafeInteger) && data?.length === (width * height * bitDepth) / 2;
+    if (isWhole) this.#call(this.#request.onPreview, { width, height, bitDepth, samples, data });
+  }
+
+  #call(callback, what) {
     if (this.#scope.signal.aborted) return;
     try {
-      this.#request.onProgress?.(part);
+      callback?.(what);
     } catch (error) {
       this.#abort(error);
     }

@@ -1,4 +1,5 @@
 import { TelarError } from '../error/index.mjs';
+import { previewJson } from './preview.mjs';
 import { problemOf } from './problem.mjs';
 
 /** The routes of jobs: their state, their events, their results. */
@@ -39,9 +40,20 @@ function stream(raw, first, queue, prefix) {
     clearInterval(beat);
     stopWatching();
   };
-  const stopWatching = queue.watch(first.id, (state) => {
-    // A client that does not read misses progress, and no end.
+  let isShowing = false;
+  const show = async (id, preview) => {
+    isShowing = true;
+    const shown = await previewJson(preview).catch(() => undefined);
+    isShowing = false;
+    if (shown && !raw.writableEnded && !raw.destroyed) raw.write(event('preview', { id, ...shown }));
+  };
+  const stopWatching = queue.watch(first.id, (state, preview) => {
+    // A client that does not read misses progress and previews, and no end.
     if (!isOver(state) && raw.writableNeedDrain) return;
+    if (preview) {
+      if (!isShowing) void show(state.id, preview);
+      return;
+    }
     raw.write(event(state.state, jobJson(state, prefix)));
     if (!isOver(state)) return;
     stop();

@@ -9,7 +9,8 @@ import { TelarError, toTelarError } from '../error/index.mjs';
  * @property {(id: string) => Promise<JobState | undefined>} get
  * @property {(id: string) => Promise<{result: import('./perform.mjs').Result, meta: object} | undefined>} result of a job that is done
  * @property {(id: string) => Promise<JobState | undefined>} cancel
- * @property {(id: string, listener: (state: JobState) => void) => () => void} watch tells of what changes; the returned function ends it
+ * @property {(id: string, listener: (state: JobState, preview?: import('../index.js').Preview) => void) => () => void} watch tells of what changes, and
+ *   shows pictures so far where it has them; the returned function ends it
  * @property {() => Promise<void>} idle resolves when no job waits or runs
  * @property {() => {waiting: number, running: number, kept: number}} counts
  * @property {(reason: TelarError) => void} abort ends what waits and runs
@@ -138,13 +139,16 @@ export class MemoryQueue {
       job.progress = part;
       tell(job);
     };
+    const onPreview = (preview) => {
+      if (!isOver(job)) tell(job, preview);
+    };
     const onStart = () => {
       if (isOver(job)) return;
       Object.assign(job, { state: 'running', started: Date.now() });
       tell(job);
     };
     try {
-      const result = await this.#work(job.task, { signal: job.controller.signal, onProgress, onStart });
+      const result = await this.#work(job.task, { signal: job.controller.signal, onProgress, onPreview, onStart });
       this.#end(job, 'done', { result, progress: 1 });
     } catch (error) {
       this.#end(job, 'failed', { error: toTelarError(error) });
@@ -184,6 +188,6 @@ function stateOf({ id, kind, state, progress, created, started, ended, error }) 
   return { id, kind, state, progress, created, ...(started && { started }), ...(ended && { ended }), ...(error && { error }) };
 }
 
-function tell(job) {
-  for (const listener of job.listeners) listener(stateOf(job));
+function tell(job, preview) {
+  for (const listener of job.listeners) listener(stateOf(job), preview);
 }

@@ -48,11 +48,11 @@ const KINDS = {
     const beside = Object.entries(layers).map(([name, bytes]) => ({ name: `${name}${extensions[0]}`, type: mediaType, data: bytes }));
     return { key: info.key, info: plainInfo(info), files: [{ name: `thumbnail${extensions[0]}`, type: mediaType, data }, ...beside] };
   },
-  async inspect(pool, { asked, files }, { onProgress, ...how }) {
+  async inspect(pool, { asked, files }, { onProgress, onPreview, ...how }) {
     const { shot = {}, failOn, measure } = asked;
     return { info: await pool.inspect(files.model, { ...how, shot, failOn, measure, ...resolverOf(files) }), files: [] };
   },
-  async sheet(pool, { asked, files }, how) {
+  async sheet(pool, { asked, files }, { onPreview, ...how }) {
     const { spec, previous, shot = {}, name, format } = asked;
     const images = named(files, 'image');
     const made = await pool.sheet(files.model, spec ?? null, {
@@ -67,7 +67,7 @@ const KINDS = {
     const page = (i) => (made.files.length > 1 ? `-${i + 1}` : '');
     return { info: made.info, files: made.files.map((data, i) => ({ name: `sheet${page(i)}.${format}`, type: SHEET_TYPES[format], data })) };
   },
-  async compare(pool, { asked, files }, { onProgress, ...how }) {
+  async compare(pool, { asked, files }, { onProgress, onPreview, ...how }) {
     const { heatMap, ...info } = await pool.compare(files.expected, files.actual, { ...how, ...asked });
     return { info, files: heatMap ? [{ name: 'heat_map.png', type: 'image/png', data: heatMap }] : [] };
   },
@@ -76,7 +76,7 @@ const KINDS = {
 /**
  * @param {import('../pool/index.js').Pool} pool
  * @param {import('./task.mjs').Task} task
- * @param {{signal: AbortSignal, timeoutMs?: number | null, onProgress?: (part: number) => void, templates?: Record<string, string>}} how
+ * @param {{signal: AbortSignal, timeoutMs?: number | null, onProgress?: (part: number) => void, onPreview?: (preview: object) => void, templates?: Record<string, string>}} how
  * @returns {Promise<Result>}
  * @throws {import('../error/index.mjs').TelarError}
  */

@@ -157,7 +157,7 @@ export class Service {
   }
 
   /** @param {'run' | 'runLater'} how it is admitted */
-  async #work(task, scope, how, { key, onProgress, onStart } = {}) {
+  async #work(task, scope, how, { key, onProgress, onPreview, onStart } = {}) {
     const kept = key && (await this.#store?.get(key, scope.signal));
     if (kept) {
       onStart?.();
@@ -168,7 +168,7 @@ export class Service {
     const result = await this.admission[how](() => {
       begun = performance.now();
       onStart?.();
-      return this.#perform(task, scope, onProgress);
+      return this.#perform(task, scope, { onProgress, onPreview });
     }, scope.signal);
     const [waited, worked] = [(begun - asked) / 1000, (performance.now() - begun) / 1000];
     this.metrics.waited.observe({ kind: task.kind }, waited);
@@ -179,7 +179,7 @@ export class Service {
   }
 
   /** What the queue does with a job; its clock starts when it has a worker. */
-  #workLater(task, { signal, onProgress, onStart }) {
+  #workLater(task, { signal, onProgress, onPreview, onStart }) {
     return this.#within(new Scope(), async (scope) => {
       const stopListening = onAbort(signal, (reason) => scope.abort(reason));
       try {
@@ -188,7 +188,7 @@ export class Service {
           onStart();
         };
         const key = this.#store && (await keyOf(task));
-        return (await this.#work(task, scope, 'runLater', { key, onProgress, onStart: start })).result;
+        return (await this.#work(task, scope, 'runLater', { key, onProgress, onPreview, onStart: start })).result;
       } finally {
         stopListening();
       }
@@ -196,21 +196,21 @@ export class Service {
   }
 
   /** A worker that ended is not the client's fault: another one gets the job, once. */
-  async #perform(task, scope, onProgress) {
+  async #perform(task, scope, callbacks) {
     try {
-      return await this.#performOnce(task, scope, onProgress);
+      return await this.#performOnce(task, scope, callbacks);
     } catch (error) {
       if (error.code !== 'X_CRASH' || scope.signal.aborted) throw error;
       this.metrics.retries.inc();
-      return this.#performOnce(task, scope, onProgress);
+      return this.#performOnce(task, scope, callbacks);
     }
   }
 
-  async #performOnce(task, scope, onProgress) {
+  async #performOnce(task, scope, callbacks) {
     const { left } = scope;
     const timeoutMs = Math.min(left, this.#timeoutMs);
     try {
-      return await perform(this.#pool, task, { signal: scope.signal, onProgress, timeoutMs, templates: this.#options.templates });
+      return await perform(this.#pool, task, { ...callbacks, signal: scope.signal, timeoutMs, templates: this.#options.templates });
     } catch (error) {
       // Of two clocks with one end the worker's may be the first.
       if (error.code === 'X_TIMEOUT' && timeoutMs === left) throw scope.late;

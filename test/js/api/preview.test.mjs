@@ -78,11 +78,36 @@ test('floats for outputs of floats; none where one pass is all', async () => {
   assert.deepEqual((await drawn('standard')).previews, []);
 });
 
-test('what is no function is refused, and so are previews of a pool', async () => {
+test('of a pool: the same previews, an abort, and what it throws', async () => {
+  const pool = await createPool({ size: 1, cacheDirectory: null });
+  try {
+    const size = { width: 40, height: 30 };
+    const quality = { preset: 'reference', samples: 64 };
+    const [previews, own] = [[], await drawn(quality, { size })];
+    const { data } = await pool.render(await MODELS.ball(), { ...SHOT, size, quality }, { onPreview: (preview) => previews.push(preview) });
+    assert.ok(data.equals(own.data));
+    // Which are overtaken by the next goes by the load of the machine.
+    const bySamples = new Map(own.previews.map((preview) => [preview.samples, preview]));
+    const common = previews.filter(({ samples }) => bySamples.has(samples));
+    assert.ok(common.length > 0, `${previews.map(({ samples }) => samples)} and ${[...bySamples.keys()]}`);
+    for (const preview of common) assert.deepEqual(preview, bySamples.get(preview.samples));
+    assert.notDeepEqual(common[0].data, Buffer.from(common[0].data).reverse(), 'planted fault: upside down');
+    const thrown = new Error('enough');
+    const fail = () => {
+      throw thrown;
+    };
+    const endless = { ...SHOT, quality: { preset: 'reference', samples: 65536 } };
+    await assert.rejects(pool.render(await MODELS.ball(), endless, { onPreview: fail }), (error) => error === thrown);
+  } finally {
+    await pool.close();
+  }
+});
+
+test('what is no function is refused, by a pool too', async () => {
   await assert.rejects(renderer.render(model, SHOT, { onPreview: 1 }), { code: 'E_OPTION', message: 'options.onPreview: expected a function, got 1' });
   const pool = await createPool({ size: 1 });
   try {
-    await assert.rejects(pool.render(path.resolve('none.glb'), SHOT, { onPreview() {} }), { code: 'E_OPTION' });
+    await assert.rejects(pool.render(path.resolve('none.glb'), SHOT, { onPreview: 1 }), { code: 'E_OPTION' });
   } finally {
     await pool.close();
   }

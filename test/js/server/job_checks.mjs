@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { readImage } from '../../../js/compare/index.mjs';
 import { ENDLESS, HOURS, SHOT, bytesOf, post, postForm, problemOf, readiness, until } from './support.mjs';
 
 // What jobs promise: asked for now, fetched later. jobs.test.mjs checks it of the service, job_faults.test.mjs of services with planted faults.
@@ -110,8 +111,9 @@ export const JOB_CHECKS = {
       if (!isFree) cancel(blocking.self);
       isFree = true;
     });
-    assert.deepEqual([...new Set(events.map(([name]) => name))], ['waiting', 'running', 'done']);
-    const parts = events.map(([, { progress }]) => progress);
+    const changes = events.filter(([name]) => name !== 'preview');
+    assert.deepEqual([...new Set(changes.map(([name]) => name))], ['waiting', 'running', 'done']);
+    const parts = changes.map(([, { progress }]) => progress);
     assert.ok(
       parts.some((part) => part > 0 && part < 1),
       String(parts),
@@ -124,6 +126,27 @@ export const JOB_CHECKS = {
     assert.deepEqual(
       again.map(([name, { state, links: at }]) => [name, state, at.result]),
       [['done', 'done', `${links.self}/result`]],
+    );
+  },
+
+  async 'events: pictures so far, until the job is over'({ url, glb }) {
+    const { submit, cancel, eventsOf } = clientOf(url, glb);
+    const links = await submit(ENDLESS);
+    const events = await eventsOf(links, ([name, { samples }]) => {
+      if (name === 'preview' && samples >= 4) cancel(links.self);
+    });
+    assert.equal(events.at(-1)[0], 'cancelled');
+    const previews = events.filter(([name]) => name === 'preview').map(([, preview]) => preview);
+    for (const { id, width, height, data } of previews) {
+      assert.deepEqual([id, width, height], [links.self.split('/').at(-1), ENDLESS.size.width, ENDLESS.size.height]);
+      const picture = await readImage(Buffer.from(data, 'base64'));
+      assert.deepEqual([picture.width, picture.height], [128, 128]);
+      assert.ok(picture.data.some((value, i) => i % 4 === 3 && value === 255) && picture.data.some((value, i) => i % 4 === 3 && value === 0), 'a garment');
+    }
+    const samples = previews.map(({ samples: count }) => count);
+    assert.deepEqual(
+      samples,
+      [...new Set(samples)].sort((a, b) => a - b),
     );
   },
 

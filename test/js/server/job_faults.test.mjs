@@ -19,13 +19,19 @@ const FAULTS = {
     ['another type', 'service.mjs', 'this.queue.add(task, { type, kind })', "this.queue.add(task, { type: 'image/png', kind })"],
     ['no link to it', 'job_handlers.mjs', "state === 'done' && { result:", "state === 'failed' && { result:"],
   ],
-  events: [
+  'events: from': [
     ['no progress', 'memory_queue.mjs', 'job.progress = part;', 'return;'],
     ['progress goes back', 'memory_queue.mjs', 'job.progress = part;', 'job.progress = part > 0.5 ? 0.2 : part;'],
     ['another name', 'job_handlers.mjs', 'event(state.state, jobJson(state, prefix))', "event('change', jobJson(state, prefix))"],
     ['the end twice', 'job_handlers.mjs', 'return raw.end();', 'return raw.end(event(first.state, jobJson(first, prefix)));'],
     ['not what is now', 'job_handlers.mjs', 'event(first.state,', "event('running',"],
     ['the stream never ends', 'job_handlers.mjs', 'return raw.end();', 'return;', { hangs: true }],
+  ],
+  'events: pictures': [
+    ['none', 'memory_queue.mjs', 'if (!isOver(job)) tell(job, preview);', '', { hangs: true }],
+    ['the size of the small one', 'preview.mjs', 'width: preview.width, height: preview.height', 'width, height'],
+    ['other pixels', 'preview.mjs', 'from[y * step * width + x * step]', 'from[0]'],
+    ['without an id', 'job_handlers.mjs', "event('preview', { id, ...shown })", "event('preview', shown)"],
   ],
   cancel: [
     ['told as failed', 'memory_queue.mjs', "? 'cancelled' : 'failed'", "? 'failed' : 'failed'"],
