@@ -50,10 +50,14 @@ export async function mount(fastify, service, { cacheSeconds, metrics: isMetered
     metrics.requests.inc({ route, status, code });
     metrics.seconds.observe({ route }, seconds);
     answerLine(request, { status, seconds, code });
+    request.telar.span.end({ attributes: { 'http.response.status_code': status }, code, isFault: status >= 500 });
   };
   fastify.decorateRequest('telar', null);
   fastify.addHook('onRequest', async (request, reply) => {
-    request.telar = { start: performance.now(), id: requestId(request, request.id), route: request.routeOptions.url ?? 'none' };
+    const { method, headers, routeOptions } = request;
+    const route = routeOptions.url ?? 'none';
+    const span = service.spans.request(headers, `${method} ${route}`, { 'http.request.method': method, 'http.route': route });
+    request.telar = { start: performance.now(), id: requestId(request, request.id), route, span };
     reply.header('x-request-id', request.telar.id);
     reply.header('x-content-type-options', 'nosniff');
     // Also of clients that are gone: Fastify's own hooks are for answers that were sent.
@@ -92,7 +96,8 @@ export async function mount(fastify, service, { cacheSeconds, metrics: isMetered
       .send(body);
   };
 
-  const work = (kind) => (request, reply) => answer(kind, { method: request.method, query: queryOf(request), raw: request.raw }, request, reply);
+  const work = (kind) => (request, reply) =>
+    answer(kind, { method: request.method, query: queryOf(request), raw: request.raw, span: request.telar.span }, request, reply);
   const answer = async (kind, asked, request, reply) => {
     const { raw, method } = asked;
     if (method === 'POST' && isAsync(raw)) {
@@ -112,7 +117,7 @@ export async function mount(fastify, service, { cacheSeconds, metrics: isMetered
       const { raw, method } = request;
       const { query, expires } = service.signatures.open(request.params['*'], Date.now());
       request.telar.expires = expires;
-      return answer('thumbnail', { method, query: new URLSearchParams(query), raw, isSigned: true }, request, reply);
+      return answer('thumbnail', { method, query: new URLSearchParams(query), raw, span: request.telar.span, isSigned: true }, request, reply);
     },
     async error({ params: { code } }) {
       if (!Object.hasOwn(ERRORS, code)) throw new TelarError('E_NOT_FOUND', 'there is no such code');

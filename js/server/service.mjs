@@ -14,6 +14,7 @@ import { MemoryQueue } from './memory_queue.mjs';
 import { ResultStore } from './result_store.mjs';
 import { Scope, waitOf } from './scope.mjs';
 import { Signatures } from './signature.mjs';
+import { openSpans } from './spans.mjs';
 import { readTask } from './task.mjs';
 
 /** Jobs that wait for each worker, where the owner does not say it. */
@@ -58,6 +59,7 @@ export class Service {
 
   async #withMetrics() {
     this.metrics = await openMetrics({ admission: this.admission, queue: this.queue, pool: this.#pool });
+    this.spans = await openSpans();
     const { store, storeBytes } = this.#options;
     this.#store = await ResultStore.open(store, storeBytes, (outcome) => this.metrics.stored.inc({ outcome }));
     return this;
@@ -122,7 +124,7 @@ export class Service {
     return this.#within(new Scope(response), async (scope) => {
       const { task, type, tag, key, isKnown } = await this.#wanted(kind, request, scope);
       if (isKnown) return { type, kind, tag };
-      const { result, waited, worked } = await this.#work(task, scope, 'run', { key });
+      const { result, waited, worked } = await this.#work(task, scope, 'run', { key, span: request.span });
       return { type, kind, result, waited, worked };
     });
   }
@@ -149,7 +151,8 @@ export class Service {
   }
 
   async #wanted(kind, request, scope, check) {
-    const read = await this.read(kind, request, scope, check);
+    const begun = performance.now();
+    const read = await this.read(kind, request, scope, check).finally(() => request.span.add('telar.receive', begun, performance.now()));
     const { task, type } = wantedOf(read, request.raw.headers.accept, this.#able);
     const key = await keyOf(task);
     const tag = key && tagOf(key, type);
@@ -157,19 +160,24 @@ export class Service {
   }
 
   /** @param {'run' | 'runLater'} how it is admitted */
-  async #work(task, scope, how, { key, onProgress, onPreview, onStart } = {}) {
+  async #work(task, scope, how, { key, span, onProgress, onPreview, onStart } = {}) {
+    const asked = performance.now();
     const kept = key && (await this.#store?.get(key, scope.signal));
+    if (key && this.#store) span.add('telar.store', asked, performance.now(), { 'telar.outcome': kept ? 'hit' : 'miss' });
     if (kept) {
       onStart?.();
       return { result: kept };
     }
-    const asked = performance.now();
     let begun;
+    const spanned = () => {
+      span.add('telar.wait', asked, begun ?? performance.now());
+      if (begun) span.add('telar.work', begun, performance.now(), { 'telar.kind': task.kind });
+    };
     const result = await this.admission[how](() => {
       begun = performance.now();
       onStart?.();
       return this.#perform(task, scope, { onProgress, onPreview });
-    }, scope.signal);
+    }, scope.signal).finally(spanned);
     const [waited, worked] = [(begun - asked) / 1000, (performance.now() - begun) / 1000];
     this.metrics.waited.observe({ kind: task.kind }, waited);
     this.metrics.worked.observe({ kind: task.kind }, worked);
@@ -181,6 +189,8 @@ export class Service {
   /** What the queue does with a job; its clock starts when it has a worker. */
   #workLater(task, { signal, onProgress, onPreview, onStart }) {
     return this.#within(new Scope(), async (scope) => {
+      const span = this.spans.job({ 'telar.kind': task.kind });
+      let code;
       const stopListening = onAbort(signal, (reason) => scope.abort(reason));
       try {
         const start = () => {
@@ -188,8 +198,12 @@ export class Service {
           onStart();
         };
         const key = this.#store && (await keyOf(task));
-        return (await this.#work(task, scope, 'runLater', { key, onProgress, onPreview, onStart: start })).result;
+        return (await this.#work(task, scope, 'runLater', { key, span, onProgress, onPreview, onStart: start })).result;
+      } catch (error) {
+        ({ code } = error);
+        throw error;
       } finally {
+        span.end({ attributes: {}, code, isFault: code !== undefined });
         stopListening();
       }
     });
