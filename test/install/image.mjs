@@ -81,6 +81,9 @@ expect('a picture by the command line', drawn.status === 0, drawn.stderr.toStrin
 const picture = readFileSync(path.join(root, 'tmp/velvet.png'));
 expect('it is one', picture.toString('latin1', 1, 4) === 'PNG' && picture.length > 10_000, `${picture.length} bytes`);
 
+const sheet = run(...config.entrypoint, 'sheet', VELVET, '-o', '/tmp/velvet.pdf');
+expect('a tech sheet', sheet.status === 0 && readFileSync(path.join(root, 'tmp/velvet.pdf')).toString('latin1', 0, 5) === '%PDF-', sheet.stderr.toString());
+
 const [[command, ...args], options] = started([...config.entrypoint, ...config.command], { pids: true });
 const serving = spawn(command, args, { ...options, stdio: ['ignore', 'inherit', 'ignore'] });
 let isReady = false;

@@ -14,7 +14,7 @@ const DOCUMENTS = [
   'SECURITY.md',
   'CONTRIBUTING.md',
   'CHANGELOG.md',
-  ...readdirSync(new URL('../../../js/docs/', import.meta.url))
+  ...readdirSync(new URL('../../../js/docs/', import.meta.url), { recursive: true })
     .filter((name) => name.endsWith('.md'))
     .map((name) => `js/docs/${name}`),
 ];
@@ -73,6 +73,30 @@ test('every link to a file leads somewhere', () => {
       assert.ok(existsSync(path.join(ROOT, path.dirname(document), target)), `${document}: ${target}`);
     }
   }
+});
+
+/** Ids of a document's headings, as GitHub, npm and `npm run site` make them. */
+const idsOf = (text) =>
+  [...text.replace(/^```[\s\S]*?^```/gm, '').matchAll(/^#+ (.+)$/gm)].map(([, heading]) =>
+    heading
+      .trim()
+      .toLowerCase()
+      .replace(/[^\p{L}\p{N}\p{M} _-]/gu, '')
+      .replaceAll(' ', '-'),
+  );
+
+/** Links to headings that are not there: `document: link`. */
+const lostHeadings = (document, text) =>
+  [...text.matchAll(/\]\((?!https?:)([^)#\s]*)#([^)\s]+)\)/g)]
+    .filter(([, target, id]) => !idsOf(target ? read(path.join(path.dirname(document), target)) : text).includes(id))
+    .map(([link]) => `${document}: ${link}`);
+
+test('every link to a heading leads to one', () => {
+  assert.deepEqual(
+    DOCUMENTS.flatMap((document) => lostHeadings(document, read(document))),
+    [],
+  );
+  assert.equal(lostHeadings('README.md', '[a](js/docs/install.md#planted), [b](js/docs/install.md#arm64)').length, 1);
 });
 
 test('every npm script that a document names exists', () => {
