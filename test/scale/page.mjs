@@ -27,10 +27,11 @@ const meanOf = (list) => list.reduce((sum, value) => sum + value, 0) / list.leng
 
 function costs({ peers, pictures }) {
   return table(
-    ['picture, from file to PNG', 'telar, CPU', 'bytes', 'Chromium, CPU', 'ratio', 'telar, wall', 'Chromium, wall'],
+    ['picture, from file to PNG', 'telar, CPU', 'memory', 'bytes', 'Chromium, CPU', 'ratio', 'telar, wall', 'Chromium, wall'],
     peers.pictures.map(({ name, telar, browser }) => [
       name,
       ms(telar.cpu),
+      pictures[name] ? gibibytes(pictures[name].mib) : '',
       pictures[name] ? grouped(pictures[name].bytes) : '',
       ms(browser.cpu),
       (browser.cpu / telar.cpu).toFixed(1),
@@ -98,7 +99,7 @@ const growthTable = ({ growth }) =>
   );
 
 /**
- * @param {object} told - `peers`: what test/bench/peers.mjs writes; `growth`: test/bench/scale.mjs; `pictures`: by name, `bytes` of the PNG, and
+ * @param {object} told - `peers`: what test/bench/peers.mjs writes; `growth`: test/bench/scale.mjs; `pictures`: by name, `bytes` of the PNG, `mib` of the process, and
  *   milliseconds of CPU: `cpu` of a picture, `tiny` of the same at 16 x 16, `after` of reading back and encoding; `covered` pixels; `machine`
  * @param {{price: number, busy: number, command: string}} settings
  * @returns {string} js/docs/scale.md
@@ -118,7 +119,8 @@ at the start ${machine.load.toFixed(1)}${machine.load > 0.5 ? ', so that other w
 
 ${costs(told)}
 
-The two draw in turns, the same pictures by the bars of the parity gate, on the same Mesa; Chromium hands over pixels, not a PNG. CPU is of all threads and processes. Ratio of the
+The two draw in turns, the same pictures by the bars of the parity gate, on the same Mesa; Chromium hands over pixels, not a PNG. CPU is of all threads and processes; memory
+the largest of a process that draws that picture alone, Node included. Ratio of the
 pictures that are drawn again, mean: ${meanOf(ratios).toFixed(1)}. Memory of all processes with five models drawn: ${gibibytes(told.peers.mebibytes.telar)} and ${gibibytes(told.peers.mebibytes.browser)}.
 
 ## Many pictures

@@ -3,11 +3,11 @@ import { test } from 'node:test';
 import { coresFor, priceOfMillion, scalePage } from './page.mjs';
 
 const SETTINGS = { price: 0.04, busy: 0.5, command: 'npm run scale' };
-const SHIRT = { cpu: 100, after: 5, tiny: 30, bytes: 131_072, covered: 50_000 };
+const SHIRT = { cpu: 100, after: 5, tiny: 30, mib: 250, bytes: 131_072, covered: 50_000 };
 const line = { fixed: 12, each: 3.1449, r2: 0.99987 };
 const TOLD = {
   machine: { cores: 2, cpu: 'a processor', gl: 'Mesa 22.3.6 llvmpipe', node: '20.0.0', load: 0.1, runs: 9 },
-  pictures: { shirt: SHIRT, 'shirt, 256 x 256': { cpu: 40, after: 2, bytes: 30_000, covered: 12_000 } },
+  pictures: { shirt: SHIRT, 'shirt, 256 x 256': { cpu: 40, after: 2, mib: 240, bytes: 30_000, covered: 12_000 } },
   peers: {
     pictures: [
       { name: 'shirt', telar: { cpu: 100, wall: 60 }, browser: { cpu: 400, wall: 300 } },
@@ -33,7 +33,7 @@ test('cores and price follow from CPU time, the part that is busy, and the price
 });
 
 test('ratios are of the pictures that are drawn again', () => {
-  assert.match(page(), /^\| shirt \| 100 ms \| 131,072 \| 400 ms \| 4\.0 \| 60 ms \| 300 ms \|$/m);
+  assert.match(page(), /^\| shirt \| 100 ms \| 250 MiB \| 131,072 \| 400 ms \| 4\.0 \| 60 ms \| 300 ms \|$/m);
   assert.match(page(), /drawn again, mean: 3\.0\./);
   assert.match(page(), /1\.2 GiB of pictures leave each second/);
 });

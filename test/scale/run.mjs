@@ -7,10 +7,10 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { createRenderer } from '../../js/index.mjs';
-import { cases } from '../bench/peer_models.mjs';
 import { median } from '../median.mjs';
 import { scalePage } from './page.mjs';
 
+const SELF = fileURLToPath(import.meta.url);
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const { values } = parseArgs({
   options: {
@@ -20,11 +20,12 @@ const { values } = parseArgs({
     peers: { type: 'string' },
     growth: { type: 'string' },
     write: { type: 'boolean', default: false },
+    picture: { type: 'string' },
+    side: { type: 'string' },
   },
 });
 const runs = Number(values.runs);
 const load = os.loadavg()[0];
-const folder = mkdtempSync(path.join(os.tmpdir(), 'telar-scale-'));
 
 /** What a benchmark writes by --json. */
 function benchmark(name, times, kept) {
@@ -42,7 +43,7 @@ const cpuMs = () => Object.values(process.cpuUsage()).reduce((sum, us) => sum + 
 const TINY = { width: 16, height: 16 };
 
 /** A picture's bytes, and its CPU by what takes it; medians. */
-async function pictureOf(renderer, { model, side = 512 }) {
+async function pictureOf(renderer, { model, side }) {
   const drawn = async (size) => {
     const samples = [];
     for (let i = 0; i <= runs; i++) {
@@ -55,19 +56,33 @@ async function pictureOf(renderer, { model, side = 512 }) {
     return { cpu: of('cpu'), after: of('after'), bytes: samples[0].data.length, info: samples[0].info };
   };
   const { cpu, after, bytes, info } = await drawn({ width: side, height: side });
-  const facts = { bytes, cpu, after, covered: info.picture.coverage * side ** 2 };
+  const facts = { bytes, cpu, after, covered: info.picture.coverage * side ** 2, mib: info.peakBytes / 2 ** 20 };
   return { facts: side === 512 ? { ...facts, tiny: (await drawn(TINY)).cpu } : facts, gl: info.gl };
 }
 
-const renderer = await createRenderer();
-const pictures = {};
-let gl;
-for (const each of await cases()) {
-  const { facts, gl: used } = await pictureOf(renderer, each);
-  pictures[each.name] = facts;
-  gl = used;
+/** In a process of its own that makes no models, so that its memory is that of one. */
+function pictureApart({ model, side = 512 }, index) {
+  const file = path.join(folder, `${index}.glb`);
+  writeFileSync(file, typeof model === 'string' ? readFileSync(model) : model);
+  const { stdout, stderr, status } = spawnSync(process.execPath, [SELF, '--picture', file, '--side', String(side), '--runs', values.runs], {
+    encoding: 'utf8',
+  });
+  if (status !== 0) throw new Error(`picture ${index}: ${stderr}`);
+  return JSON.parse(stdout);
 }
-await renderer.close();
+
+if (values.picture) {
+  const renderer = await createRenderer();
+  process.stdout.write(JSON.stringify(await pictureOf(renderer, { model: values.picture, side: Number(values.side) })));
+  await renderer.close();
+  process.exit();
+}
+const folder = mkdtempSync(path.join(os.tmpdir(), 'telar-scale-'));
+const { cases } = await import('../bench/peer_models.mjs');
+const all = await cases();
+const apart = all.map(pictureApart);
+const pictures = Object.fromEntries(all.map(({ name }, index) => [name, apart[index].facts]));
+const [{ gl }] = apart;
 const machine = {
   cores: os.availableParallelism(),
   cpu: os.cpus()[0].model.trim(),
