@@ -1,0 +1,118 @@
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import '../api/support/real.mjs';
+import { MODELS } from '../../fixtures/index.mjs';
+import { buildLibrary, failAllocations, faultsOf } from '../../faults/support.mjs';
+
+// Faults of the machine: no memory, no descriptors, a full or read-only disk, no home, no GL. Each ends in a typed error, with nothing half written.
+
+const BIN = fileURLToPath(new URL('../../../js/cli/telar.mjs', import.meta.url));
+const { EMFILE, EROFS, ENOSPC, EIO, EACCES } = os.constants.errno;
+/** Files whose path holds this meet the faults. */
+const MARK = '/faulty';
+
+let built, model, good;
+before(async () => {
+  built = buildLibrary();
+  model = path.join(built.folder, 'cloth.glb');
+  writeFileSync(model, await MODELS.cloth());
+  const { out, exit } = await thumbnail({});
+  assert.equal(exit, 0);
+  good = readFileSync(path.join(out, 'cloth.png'));
+});
+
+const run = (file, argv, env) =>
+  new Promise((resolve) => {
+    execFile(file, argv, { env }, (error, stdout, stderr) => resolve({ exit: error?.code ?? 0, stdout, stderr }));
+  });
+
+const withLibrary = (faults) => ({ LD_PRELOAD: built.library, TELAR_FAULT_PATH: MARK, ...faults });
+
+/** Draws into a folder of its own; what the command says, and what is there. */
+async function thumbnail(env, { argv = [], drop = [] } = {}) {
+  const out = mkdtempSync(path.join(built.folder, 'faulty-'));
+  const kept = Object.fromEntries(Object.entries(process.env).filter(([name]) => !drop.includes(name)));
+  const told = await run(process.execPath, [BIN, 'thumbnail', model, '-o', path.join(out, 'cloth.png'), '--size', '48', '--json', ...argv], {
+    ...kept,
+    ...env,
+  });
+  return { ...told, out, files: readdirSync(out) };
+}
+
+const POINTS = [1, 2, 5, 20, 100, 400, 1000, 2000, 3000, 5000];
+test('an allocation of a worker that fails: the picture or a typed error, and the next job is drawn', async () => {
+  const found = await failAllocations(built, POINTS);
+  assert.deepEqual(
+    found.flatMap(({ n, faults }) => faults.map((fault) => `${n}: ${fault}`)),
+    [],
+  );
+  assert.ok(found.filter(({ isHit }) => isHit).length > 5 && found.some(({ outcome }) => outcome !== 'picture'), JSON.stringify(found));
+});
+
+test('planted: what must not come of it', () => {
+  const [drawn, other] = [{ data: Buffer.from('good') }, { data: Buffer.from('other') }];
+  const of = (told, again) => faultsOf(told, again, drawn.data);
+  assert.deepEqual([of(drawn, drawn), of({ code: 'X_MEMORY' }, drawn), of({ code: 'X_CRASH' }, drawn)], [[], [], []]);
+  assert.deepEqual(of(other, drawn), ['another picture']);
+  assert.deepEqual(of({ code: 'E_JSON', message: 'no' }, drawn), ['E_JSON: no']);
+  assert.deepEqual([of(drawn, other), of(drawn, { code: 'X_WORKERS' })], [['afterwards another picture'], ['afterwards X_WORKERS']]);
+});
+
+const REFUSED = {
+  'no descriptor for the output (EMFILE)': { TELAR_FAULT_OPEN: EMFILE },
+  'a read-only disk (EROFS)': { TELAR_FAULT_OPEN: EROFS },
+  'a disk that is full in the middle (ENOSPC)': { TELAR_FAULT_WRITE: ENOSPC },
+  'a disk that breaks (EIO)': { TELAR_FAULT_SYNC: EIO },
+  'a name that is not given (EACCES)': { TELAR_FAULT_RENAME: EACCES },
+};
+for (const [name, faults] of Object.entries(REFUSED)) {
+  test(`${name}: X_OUTPUT, and nothing half written`, async () => {
+    const { exit, stdout, files } = await thumbnail(withLibrary(faults));
+    assert.deepEqual([exit, JSON.parse(stdout).images[0].error?.code], [6, 'X_OUTPUT'], stdout);
+    assert.deepEqual(files, []);
+  });
+}
+
+test('short writes: the whole file', async () => {
+  const { exit, out, files, stderr } = await thumbnail(withLibrary({ TELAR_FAULT_SHORT: 1 }));
+  assert.deepEqual([exit, files], [0, ['cloth.png']], stderr);
+  assert.ok(readFileSync(path.join(out, 'cloth.png')).equals(good));
+});
+
+test('planted: what writes in place leaves half of a file on a full disk', async () => {
+  const out = path.join(built.folder, 'faulty-planted');
+  mkdirSync(out);
+  const script = `require('node:fs').writeFileSync(${JSON.stringify(path.join(out, 'half'))}, 'more than seven bytes')`;
+  const { stderr } = await run(process.execPath, ['-e', script], { ...process.env, ...withLibrary({ TELAR_FAULT_WRITE: ENOSPC }) });
+  assert.match(stderr, /ENOSPC/);
+  assert.equal(readFileSync(path.join(out, 'half')).length, 7);
+});
+
+test('no home, or one that cannot be written to: it draws', async () => {
+  const home = path.join(built.folder, 'faulty-home');
+  mkdirSync(home);
+  const homes = ['HOME', 'XDG_CACHE_HOME', 'XDG_CONFIG_HOME', 'XDG_DATA_HOME'];
+  const all = [
+    await thumbnail({}, { drop: homes }),
+    await thumbnail({ HOME: '/nowhere' }, { drop: homes }),
+    await thumbnail({ ...withLibrary({ TELAR_FAULT_OPEN: EROFS }), TELAR_FAULT_PATH: home, HOME: home }, { drop: homes }),
+  ];
+  for (const { exit, out, stderr } of all) {
+    assert.equal(exit, 0, stderr);
+    assert.ok(readFileSync(path.join(out, 'cloth.png')).equals(good));
+  }
+});
+
+test('no GL: X_GL with its cure, from a renderer and from a pool', async () => {
+  const none = { __EGL_VENDOR_LIBRARY_FILENAMES: '/nowhere.json' };
+  for (const argv of [[], ['--jobs', '2']]) {
+    const { exit, stdout, files } = await thumbnail(none, { argv: ['--backend', 'egl-surfaceless', ...argv] });
+    assert.deepEqual([exit, files], [6, []], stdout);
+    assert.match(stdout, /"X_GL"|"X_WORKERS"/);
+  }
+});
