@@ -6,7 +6,7 @@
 #include "renderer/cloth_images.h"
 
 /// Cut-out cloth of the shading "fabric" over itself, and at the ends of what glTF lets a cutoff be.
-namespace telar {
+namespace telar::cloth_layers_test {
 namespace {
 
 using test::flatShot;
@@ -151,4 +151,4 @@ TEST_P(ClothLayers, NothingIsThereAboveTheHighestAlpha) {
 INSTANTIATE_TEST_SUITE_P(Samples, ClothLayers, testing::Values(1, 4));
 
 }  // namespace
-}  // namespace telar
+}  // namespace telar::cloth_layers_test

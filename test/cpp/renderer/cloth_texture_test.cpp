@@ -7,7 +7,7 @@
 
 /// What the textures of the shading "fabric" do to pictures: cloth covers as much from far as from near, and its
 /// highlights do not shimmer.
-namespace telar {
+namespace telar::cloth_texture_test {
 namespace {
 
 using test::flatShot;
@@ -244,4 +244,4 @@ TEST_F(ClothTexture, NothingIsPaidWhereItIsNotAskedFor) {
 }
 
 }  // namespace
-}  // namespace telar
+}  // namespace telar::cloth_texture_test

@@ -4,7 +4,7 @@
 
 #include "renderer/scenes.h"
 
-namespace telar {
+namespace telar::debug_output_test {
 namespace {
 
 using test::pixelF;
@@ -96,4 +96,4 @@ TEST(DebugOutput, IsCompiledOnlyWhenAskedFor) {
 }
 
 }  // namespace
-}  // namespace telar
+}  // namespace telar::debug_output_test

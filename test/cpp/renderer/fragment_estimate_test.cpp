@@ -9,7 +9,7 @@
 
 #include "renderer/scenes.h"
 
-namespace telar {
+namespace telar::fragment_estimate_test {
 namespace {
 
 using test::sceneOf;
@@ -181,4 +181,4 @@ TEST(PlanFrame, TellsTheFragments) {
 }
 
 }  // namespace
-}  // namespace telar
+}  // namespace telar::fragment_estimate_test

@@ -8,7 +8,7 @@
 
 #include "renderer/scenes.h"
 
-namespace telar {
+namespace telar::layer_pass_test {
 namespace {
 
 using test::sceneOf;
@@ -166,4 +166,4 @@ TEST(LayerPass, PartsAndMaterialsHaveTheirNumbersExactly) {
 }
 
 }  // namespace
-}  // namespace telar
+}  // namespace telar::layer_pass_test

@@ -7,7 +7,7 @@
 #include "renderer/scenes.h"
 #include "telar/error.h"
 
-namespace telar {
+namespace telar::shadow_test {
 namespace {
 
 using test::pixel8;
@@ -300,4 +300,4 @@ TEST(Shadow, ADozenLightsOfAllKindsCompileAndDraw) {
 }
 
 }  // namespace
-}  // namespace telar
+}  // namespace telar::shadow_test

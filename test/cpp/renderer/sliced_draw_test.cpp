@@ -12,7 +12,7 @@
 
 // What is cut into slices gives the same bytes, and can be stopped.
 
-namespace telar {
+namespace telar::sliced_draw_test {
 namespace {
 
 using test::CpuClock;
@@ -279,4 +279,4 @@ TEST(SlicedDraw, WhatIsTooMuchIsRefusedBeforeItIsDrawn) {
 }
 
 }  // namespace
-}  // namespace telar
+}  // namespace telar::sliced_draw_test

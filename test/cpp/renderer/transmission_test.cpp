@@ -7,7 +7,7 @@
 #include "pass/draw_list.h"
 #include "renderer/scenes.h"
 
-namespace telar {
+namespace telar::transmission_test {
 namespace {
 
 using test::pixel8;
@@ -248,4 +248,4 @@ TEST(Transmission, NoExtremeGivesAPixelThatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace telar
+}  // namespace telar::transmission_test

@@ -9,7 +9,7 @@
 
 // Pictures without the triangles that nobody sees have the bytes of those with all of them.
 
-namespace telar {
+namespace telar::visible_draws_test {
 namespace {
 
 using test::sceneOf;
@@ -295,4 +295,4 @@ TEST(VisibleDraws, WhatHidesLittleIsNotLookedAtEachFrame) {
 }
 
 }  // namespace
-}  // namespace telar
+}  // namespace telar::visible_draws_test

@@ -9,11 +9,11 @@ import './support/real.mjs';
 
 // The option onPreview: the picture so far.
 
-const SIZE = { width: 96, height: 96 };
+const SIZE = { width: 48, height: 48 };
 const SHOT = { size: SIZE, shading: 'fabric', output: { format: 'raw' } };
 const QUALITIES = {
   raster: { samples: 256, environmentSamples: 512 },
-  tracer: { preset: 'reference', transport: 'direct', samples: 600 },
+  tracer: { preset: 'reference', transport: 'direct', samples: 300 },
   'tracer with noise': { preset: 'reference', transport: 'direct', samples: 2048, noise: 1 },
 };
 
@@ -44,7 +44,7 @@ for (const [name, quality] of Object.entries(QUALITIES)) {
       `${samples} of ${info.samples}`,
     );
     const apart = (bytes) => compareImages({ ...SIZE, data }, { ...SIZE, data: bytes }).object.flip.mean;
-    for (const { width, height, bitDepth, data: bytes } of previews) assert.deepEqual([width, height, bitDepth, bytes.length], [96, 96, 8, 96 * 96 * 4]);
+    for (const { width, height, bitDepth, data: bytes } of previews) assert.deepEqual([width, height, bitDepth, bytes.length], [48, 48, 8, 48 * 48 * 4]);
     const errors = previews.map((preview) => apart(preview.data));
     assert.ok(errors.at(-1) < errors[0] && errors.at(-1) > 0, String(errors));
     const flipped = Buffer.from(previews.at(-1).data).reverse();
@@ -74,7 +74,7 @@ test('an abort and what it throws end the work', async () => {
 test('floats for outputs of floats; none where one pass is all', async () => {
   const output = { format: 'raw', bitDepth: 32 };
   const { previews } = await drawn(QUALITIES.tracer, { output });
-  assert.deepEqual([previews[0].bitDepth, previews[0].data.length], [32, 96 * 96 * 16]);
+  assert.deepEqual([previews[0].bitDepth, previews[0].data.length], [32, 48 * 48 * 16]);
   assert.deepEqual((await drawn('standard')).previews, []);
 });
 

@@ -85,9 +85,9 @@ function check(light, covered, text) {
   assert.ok(Math.max(...Object.values(light)) - Math.min(...Object.values(light)) <= AGREE, told);
 }
 
-test('30 weaves at random reflect the same light drawn, traced and integrated, and never more than there is', async () => {
+test('16 weaves at random reflect the same light drawn, traced and integrated, and never more than there is', async () => {
   const unit = numbers(1);
-  for (let i = 0; i < 30; i += 1) {
+  for (let i = 0; i < 16; i += 1) {
     const cloth = randomWeave(unit);
     const material = { pbrMetallicRoughness: { metallicFactor: cloth.metallic }, extensions: { TELAR_materials_fabric: { weave: cloth.weave } } };
     const { albedo } = await evaluateShading({ material, shading: 'fabric', viewAngle: cloth.viewAngle, albedo: true });
@@ -98,7 +98,7 @@ test('30 weaves at random reflect the same light drawn, traced and integrated, a
 
 test('yarns that are turned and lean reflect the same light drawn and traced', async () => {
   const unit = numbers(2);
-  for (let i = 0; i < 12; i += 1) {
+  for (let i = 0; i < 8; i += 1) {
     const cloth = randomWeave(unit);
     const turn = Math.PI * (unit() - 0.5);
     const texel = [0.5 + Math.cos(turn) / 2, 0.5 + Math.sin(turn) / 2, 0.05 + 0.9 * unit(), i % 2];
@@ -106,16 +106,15 @@ test('yarns that are turned and lean reflect the same light drawn and traced', a
   }
 });
 
-test('no preset in white makes light or loses more than a tenth of it', async () => {
+test('no preset in white, seen flat, makes light or loses more than a tenth of it', async () => {
+  const viewAngle = 1.4; // seen flat, where fuzz and gloss add most
   for (const name of Object.keys(PRESETS)) {
     const through = PRESETS[name].material.extensions?.KHR_materials_diffuse_transmission?.diffuseTransmissionFactor ?? 0;
-    for (const viewAngle of [0, 1.4]) {
-      const material = { pbrMetallicRoughness: { baseColorFactor: [1, 1, 1, 1] }, extensions: { TELAR_materials_fabric: { preset: name } } };
-      const { albedo, albedoError } = await evaluateShading({ material, shading: 'fabric', viewAngle, albedo: true });
-      const { total, diffuse } = albedo;
-      // What goes through the cloth is not reflected: it is this share of all that enters it.
-      const light = total[0] + (diffuse[0] * through) / (1 - through);
-      assert.ok(light <= MOST + albedoError.total[0] && light >= LEAST, `${name} at ${viewAngle}: ${light}`);
-    }
+    const material = { pbrMetallicRoughness: { baseColorFactor: [1, 1, 1, 1] }, extensions: { TELAR_materials_fabric: { preset: name } } };
+    const { albedo, albedoError } = await evaluateShading({ material, shading: 'fabric', viewAngle, albedo: true });
+    const { total, diffuse } = albedo;
+    // What goes through the cloth is not reflected: it is this share of all that enters it.
+    const light = total[0] + (diffuse[0] * through) / (1 - through);
+    assert.ok(light <= MOST + albedoError.total[0] && light >= LEAST, `${name}: ${light}`);
   }
 });

@@ -2,7 +2,7 @@
 
 #include "asset/model_builder.h"
 
-namespace telar::test {
+namespace telar::test::morph_test {
 namespace {
 
 constexpr float NAN_F = std::numeric_limits<float>::quiet_NaN();
@@ -128,4 +128,4 @@ TEST(Morph, TangentsStay) {
 }
 
 }  // namespace
-}  // namespace telar::test
+}  // namespace telar::test::morph_test

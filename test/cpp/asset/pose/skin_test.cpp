@@ -3,7 +3,7 @@
 
 #include "asset/model_builder.h"
 
-namespace telar::test {
+namespace telar::test::skin_test {
 namespace {
 
 constexpr float NAN_F = std::numeric_limits<float>::quiet_NaN();
@@ -189,4 +189,4 @@ TEST(Skin, DeformedCopiesCountAsVertices) {
 }
 
 }  // namespace
-}  // namespace telar::test
+}  // namespace telar::test::skin_test
