@@ -67,7 +67,7 @@ Error corrupt(std::string_view format, std::string_view what) {
 }
 
 Image8 blank(const ImageHeader& header) {
-  return {header.width, header.height, std::vector<std::uint8_t>(std::size_t{header.width} * header.height * 4)};
+  return {header.width, header.height, ZeroedBytes(std::size_t{header.width} * header.height * 4)};
 }
 
 }  // namespace image

@@ -127,7 +127,7 @@ class JpegReader {
 
 /// Adobe writes CMYK inverted (0 = full ink), which is what every such file in use does; so R = C K / 255,
 /// rounded down as Chromium does. In place.
-void cmykToRgba(std::vector<std::uint8_t>& pixels) {
+void cmykToRgba(ZeroedBytes& pixels) {
   for (std::size_t i = 0; i < pixels.size(); i += 4) {
     for (std::size_t c = i; c < i + 3; ++c) pixels[c] = std::uint8_t(pixels[c] * pixels[i + 3] / 255);
     pixels[i + 3] = 255;

@@ -47,7 +47,7 @@ int readOrientation(Bytes exif) {
 Image8 upright(Image8 stored, int orientation) {
   if (orientation == 1) return stored;
   const std::size_t w = stored.width, h = stored.height;
-  Image8 image{stored.width, stored.height, std::vector<std::uint8_t>(stored.pixels.size())};
+  Image8 image{stored.width, stored.height, ZeroedBytes(stored.pixels.size())};
   if (swapsSides(orientation)) std::swap(image.width, image.height);
   for (std::size_t y = 0; y < image.height; ++y) {
     for (std::size_t x = 0; x < image.width; ++x) {

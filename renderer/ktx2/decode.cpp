@@ -13,7 +13,7 @@ namespace {
 /// One level that is being filled; the texels of blocks are 8-bit.
 struct Target {
   std::uint32_t width, height;
-  std::vector<std::uint8_t> pixels;
+  ZeroedBytes pixels;
 
   std::uint8_t* texel(std::uint32_t x, std::uint32_t y) { return pixels.data() + (std::size_t{y} * width + x) * 4; }
 };

@@ -1,8 +1,7 @@
 #include "pass/gpu_scene.h"
 
 #include <algorithm>
-
-#include "pass/texture_upload.h"
+#include <utility>
 
 namespace telar::pass {
 namespace {
@@ -16,13 +15,17 @@ constexpr std::uint64_t MOMENT_BYTES = 5;  ///< a texel of the source, while its
 
 }  // namespace
 
-GpuScene::GpuScene(const gl::Context& context, MipMaker& mips, const std::shared_ptr<const Scene>& scene,
+GpuScene::GpuScene(const gl::Context& context, TextureStore& store, const std::shared_ptr<const Scene>& scene,
                    GpuScene* model)
-    : context_(context), mips_(mips), scene_(scene), model_(model), fileImages_(static_cast<int>(scene->fileImages)) {
+    : context_(context), store_(store), scene_(scene), model_(model), fileImages_(static_cast<int>(scene->fileImages)) {
   if (!model) return;
   for (std::size_t i = scene->fileMeshes; i < scene->meshes.size(); ++i) {
     for (const Primitive& primitive : scene->meshes[i].primitives) own_.insert(&primitive);
   }
+}
+
+GpuScene::~GpuScene() {
+  for (auto& entry : textures_) store_.keep(std::move(entry.second));
 }
 
 bool GpuScene::isMadeOf(const Scene& model) const {
@@ -58,13 +61,10 @@ GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const Can
   const bool srgb = decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, colorUse);
   const auto key = std::make_pair(image, srgb);
   const auto found = textures_.find(key);
-  if (found != textures_.end()) return found->second.get();
+  if (found != textures_.end()) return found->second.texture.get();
   cancel.check();
-  const gl::Functions& gl = context_.gl();
-  gl::Texture texture(gl);
-  gl.BindTexture(GL_TEXTURE_2D, texture.get());
-  uploadTexture(context_, mips_, scene.images[static_cast<std::size_t>(image)], srgb);
-  return textures_.emplace(key, std::move(texture)).first->second.get();
+  StoredTexture stored = store_.upload(scene.images[static_cast<std::size_t>(image)], srgb);
+  return textures_.emplace(key, std::move(stored)).first->second.texture.get();
 }
 
 GLuint GpuScene::derived(const DerivedTexture& key, const std::function<gl::Texture()>& make) {

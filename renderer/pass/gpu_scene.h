@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "pass/gpu_primitive.h"
-#include "pass/mip_levels.h"
 #include "pass/part_extents.h"
+#include "pass/texture_store.h"
 #include "telar/cancel.h"
 
 namespace telar::pass {
@@ -30,13 +30,17 @@ struct DerivedTexture {
 class GpuScene {
  public:
   /// @param model of the scene that `scene` was made of, which outlives this; null = it was loaded
-  GpuScene(const gl::Context& context, MipMaker& mips, const std::shared_ptr<const Scene>& scene, GpuScene* model);
+  GpuScene(const gl::Context& context, TextureStore& store, const std::shared_ptr<const Scene>& scene, GpuScene* model);
+  GpuScene(const GpuScene&) = delete;
+  GpuScene& operator=(const GpuScene&) = delete;
+  /// The store keeps its textures.
+  ~GpuScene();
 
   /// @param instances null = drawn once
   const GpuPrimitive& primitive(const Primitive& primitive, const Instances* instances);
   /// The extents of its parts.
   const PartExtents& extents(const Primitive& primitive);
-  /// Uploads once for each way of decoding, with mip levels (texture_upload.h): from sRGB or linear, as the image's
+  /// Uploads once for each way of decoding, with mip levels (TextureStore): from sRGB or linear, as the image's
   /// coding and the use as a colour or as data say. @throws Error{E_IMAGE_FORMAT}
   GLuint texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel);
   /// The same for a texture that is made of another one, once for each key.
@@ -54,7 +58,7 @@ class GpuScene {
   bool isModels(int image) const { return model_ && image < fileImages_; }
 
   const gl::Context& context_;
-  MipMaker& mips_;
+  TextureStore& store_;
   std::weak_ptr<const Scene> scene_;
   GpuScene* model_;
   std::set<const Primitive*> own_;  ///< where there is a model: the deformed ones
@@ -63,7 +67,7 @@ class GpuScene {
   std::map<const Primitive*, PartExtents> extents_;
   std::map<const Instances*, InstanceStreams> instances_;
   std::map<std::pair<const Primitive*, const Instances*>, GpuPrimitive> primitives_;
-  std::map<std::pair<int, bool>, gl::Texture> textures_;
+  std::map<std::pair<int, bool>, StoredTexture> textures_;
   std::map<DerivedTexture, gl::Texture> derived_;
   std::vector<std::pair<Sampler, gl::Sampler>> samplers_;
 };

@@ -97,7 +97,7 @@ class GlRenderer final : public Renderer {
         ground_(*context_),
         settled_(*context_),
         visible_(*context_, options.hiddenTriangles),
-        mips_(*context_) {}
+        textures_(*context_) {}
 
   Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& asked, std::span<const std::byte> environmentFile,
              const CancelToken& cancel, FrameInfo& info, const Progress& progress) override {
@@ -170,7 +170,7 @@ class GlRenderer final : public Renderer {
         .dump();
   }
 
-  int liveObjects() const override { return context_->gl().liveObjects; }
+  int liveObjects() const override { return context_->gl().liveObjects - textures_.keptCount(); }
 
  private:
   void checkSize(const Shot& shot) const {
@@ -212,7 +212,7 @@ class GlRenderer final : public Renderer {
   pass::GpuScene& gpuSceneOf(const std::shared_ptr<const Scene>& scene) {
     pass::GpuScene* model = scene->model ? &gpuSceneOf(scene->model) : nullptr;
     auto& entry = scenes_[scene.get()];
-    if (!entry) entry = std::make_unique<pass::GpuScene>(*context_, mips_, scene, model);
+    if (!entry) entry = std::make_unique<pass::GpuScene>(*context_, textures_, scene, model);
     return *entry;
   }
 
@@ -375,7 +375,7 @@ class GlRenderer final : public Renderer {
   std::vector<std::uint8_t> coverage_;  ///< of the last picture by the model, from its first pass; empty = not known
   std::unique_ptr<pass::TransmissionTarget> transmission_;
   std::unique_ptr<pass::LayerPass> layers_;  ///< from the first frame with layers on
-  pass::MipMaker mips_;
+  pass::TextureStore textures_;
   std::map<const Scene*, std::unique_ptr<pass::GpuScene>> scenes_;
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "telar/shot/layer.inc"
+#include "telar/zeroed_bytes.h"
 
 namespace telar {
 
@@ -66,11 +67,11 @@ enum class MissingLevels {
 struct Image8 {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  std::vector<std::uint8_t> pixels;
+  ZeroedBytes pixels;
   /// The file decides on the mip levels (KTX2): these, level 1 first, max(1, side >> level) texels a side, perhaps
   /// none. Otherwise all levels are generated.
   bool ownLevels = false;
-  std::vector<std::vector<std::uint8_t>> smallerLevels;
+  std::vector<ZeroedBytes> smallerLevels;
   TexelCoding coding = TexelCoding::kByUse;
   std::string format;  ///< what the file is, for people: "PNG", "KTX2 UASTC zstd"
   TexelType type = TexelType::kByte;

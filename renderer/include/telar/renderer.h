@@ -57,7 +57,7 @@ class Renderer {
 
   /// {backend, vendor, renderer, version, ...} as JSON.
   virtual std::string describe() const = 0;
-  /// GL names alive in this context (leak tests).
+  /// GL names that models, programs and targets of this context have (leak tests).
   virtual int liveObjects() const = 0;
 };
 

@@ -46,7 +46,7 @@ TEST(Decode, OneLevelIsAsLargeAsItsBlocksMoreAreNot) {
   EXPECT_EQ(two.width, 3u);
   EXPECT_EQ(two.height, 1u);
   ASSERT_EQ(two.smallerLevels.size(), 1u);
-  EXPECT_EQ(two.smallerLevels[0], (std::vector<std::uint8_t>{1, 2, 3, 4}));
+  EXPECT_EQ(two.smallerLevels[0], (ZeroedBytes{1, 2, 3, 4}));
 }
 
 TEST(Decode, Etc1sIsWhatTheClientsTranscoderGives) {

@@ -32,7 +32,7 @@ Ktx2Fields oneBlock();
 
 /// 8 x 4 texels in ETC1S with alpha, as test/fixtures/etc1s.mjs wrote it, and what three.js's transcoder makes of it.
 File etc1sFile();
-std::vector<std::uint8_t> etc1sTexels();
+ZeroedBytes etc1sTexels();
 
 /// Writes a little-endian number of `bytes` bytes at an offset.
 void put(File& file, std::size_t offset, std::uint64_t value, unsigned bytes);

@@ -64,7 +64,7 @@ TEST_F(MaterialTest, ReadsEveryProperty) {
   EXPECT_EQ(m.occlusionTexture.texCoord, 1);
   EXPECT_EQ(m.normalTexture.sampler, (Sampler{33071, 33648, 9728, 9985}));
   ASSERT_EQ(scene->images.size(), 1u);
-  EXPECT_EQ(scene->images[0].pixels, (std::vector<std::uint8_t>{255, 0, 0, 255}));
+  EXPECT_EQ(scene->images[0].pixels, (ZeroedBytes{255, 0, 0, 255}));
   EXPECT_TRUE(scene->warnings.empty());
 }
 

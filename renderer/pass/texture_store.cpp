@@ -1,10 +1,12 @@
-#include "pass/texture_upload.h"
+#include "pass/texture_store.h"
 
 #include <GLES2/gl2ext.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <new>
+#include <utility>
 
 namespace telar::pass {
 namespace {
@@ -90,32 +92,83 @@ std::vector<std::uint8_t> emptyLevel(const Image8& image, GLint level) {
   return out;
 }
 
-void uploadTexels(const gl::Functions& gl, MipMaker& mips, const Image8& image, bool srgb) {
+/// With all its levels, which take a third of the first.
+std::size_t bytesOf(const TextureStorage& storage) {
+  return static_cast<std::size_t>(storage.width) * static_cast<std::size_t>(storage.height) * 16 / 3;
+}
+
+}  // namespace
+
+StoredTexture TextureStore::take(const TextureStorage& storage) {
+  const gl::Functions& gl = context_.gl();
+  const auto found =
+      std::find_if(kept_.begin(), kept_.end(), [&](const StoredTexture& kept) { return kept.storage == storage; });
+  if (found != kept_.end()) {
+    StoredTexture taken = std::move(*found);
+    kept_.erase(found);
+    keptBytes_ -= bytesOf(storage);
+    gl.BindTexture(GL_TEXTURE_2D, taken.texture.get());
+    return taken;
+  }
+  // Memory grows by new textures only as far as it would without those that are kept.
+  const std::size_t before = keptBytes_;
+  while (!kept_.empty() && before - keptBytes_ < bytesOf(storage)) dropOldest();
+  StoredTexture made{gl::Texture(gl), storage};
+  gl.BindTexture(GL_TEXTURE_2D, made.texture.get());
+  gl.TexStorage2D(GL_TEXTURE_2D, storage.levels, storage.format, storage.width, storage.height);
+  return made;
+}
+
+void TextureStore::keep(StoredTexture&& unused) noexcept {
+  const TextureStorage storage = unused.storage;
+  if (storage.format != GL_RGBA8 && storage.format != GL_SRGB8_ALPHA8) return;
+  const std::size_t bytes = bytesOf(storage);
+  if (bytes > MOST_KEPT_BYTES) return;
+  while (keptBytes_ + bytes > MOST_KEPT_BYTES) dropOldest();
+  try {
+    kept_.push_back(std::move(unused));
+    keptBytes_ += bytes;
+  } catch (const std::bad_alloc&) {  // It is deleted, as if there were no store.
+  }
+}
+
+void TextureStore::dropOldest() {
+  keptBytes_ -= bytesOf(kept_.front().storage);
+  kept_.pop_front();
+}
+
+StoredTexture TextureStore::uploadTexels(const Image8& image, bool srgb) {
+  const gl::Functions& gl = context_.gl();
   const TexelFormat format = formatOf(image.type, srgb);
   const GLsizei levels = levelCount(image);
-  gl.TexStorage2D(GL_TEXTURE_2D, levels, format.stored, sideOf(image.width, 0), sideOf(image.height, 0));
+  StoredTexture stored = take({format.stored, levels, sideOf(image.width, 0), sideOf(image.height, 0)});
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  const auto put = [&](GLint level, const std::vector<std::uint8_t>& pixels) {
+  const auto put = [&](GLint level, const auto& pixels) {
     gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, sideOf(image.width, level), sideOf(image.height, level), GL_RGBA,
                      format.component, pixels.data());
   };
   put(0, image.pixels);
-  if (!image.ownLevels) {
-    if (image.type == TexelType::kByte) return mips.make(image.pixels.data(), image.width, image.height, srgb);
-    return gl.GenerateMipmap(GL_TEXTURE_2D);
+  if (!image.ownLevels && image.type == TexelType::kByte) {
+    mips_.make(image.pixels.data(), image.width, image.height, srgb);
+  } else if (!image.ownLevels) {
+    gl.GenerateMipmap(GL_TEXTURE_2D);
+  } else {
+    GLint level = 1;
+    for (const auto& pixels : image.smallerLevels) put(level++, pixels);
+    for (; level < levels; ++level) put(level, emptyLevel(image, level));
   }
-  GLint level = 1;
-  for (const auto& pixels : image.smallerLevels) put(level++, pixels);
-  for (; level < levels; ++level) put(level, emptyLevel(image, level));
+  return stored;
 }
 
-void uploadBlocks(const gl::Context& context, const Image8& image, bool srgb) {
-  const gl::Functions& gl = context.gl();
+StoredTexture TextureStore::uploadBlocks(const Image8& image, bool srgb) {
+  const gl::Functions& gl = context_.gl();
   const GLenum format = formatOf(image.blocks, srgb);
-  context.check("textures");
+  context_.check("textures");
+  StoredTexture stored{gl::Texture(gl), {}};
+  gl.BindTexture(GL_TEXTURE_2D, stored.texture.get());
   gl.TexStorage2D(GL_TEXTURE_2D, levelCount(image), format, sideOf(image.width, 0), sideOf(image.height, 0));
   try {
-    context.check("compressed textures");
+    context_.check("compressed textures");
   } catch (const Error& error) {
     if (error.code != "X_GL") throw;
     throw Error("E_IMAGE_FORMAT", "the image is " + image.format +
@@ -123,24 +176,20 @@ void uploadBlocks(const gl::Context& context, const Image8& image, bool srgb) {
                                       "ETC1S or UASTC");
   }
   GLint level = 0;
-  const auto put = [&](const std::vector<std::uint8_t>& bytes) {
+  const auto put = [&](const auto& bytes) {
     gl.CompressedTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, sideOf(image.width, level), sideOf(image.height, level),
                                format, static_cast<GLsizei>(bytes.size()), bytes.data());
     ++level;
   };
   put(image.pixels);
   for (const auto& bytes : image.smallerLevels) put(bytes);
+  return stored;
 }
 
-}  // namespace
-
-void uploadTexture(const gl::Context& context, MipMaker& mips, const Image8& image, bool srgb) {
-  if (image.type == TexelType::kBlocks) {
-    uploadBlocks(context, image, srgb);
-  } else {
-    uploadTexels(context.gl(), mips, image, srgb);
-  }
-  context.check("texture upload");
+StoredTexture TextureStore::upload(const Image8& image, bool srgb) {
+  StoredTexture stored = image.type == TexelType::kBlocks ? uploadBlocks(image, srgb) : uploadTexels(image, srgb);
+  context_.check("texture upload");
+  return stored;
 }
 
 }  // namespace telar::pass

@@ -1,0 +1,51 @@
+#include "telar/zeroed_bytes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace telar {
+namespace {
+
+constexpr std::size_t MIB = std::size_t{1} << 20;
+
+bool isZero(const ZeroedBytes& bytes) {
+  return std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte == 0; });
+}
+
+TEST(ZeroedBytes, AreZeroAlsoWhereOthersLayBefore) {
+  for (const std::size_t size : {std::size_t{0}, std::size_t{5}, MIB, 2 * MIB, 2 * MIB + 1, 7 * MIB - 1}) {
+    for (int time = 0; time < 3; ++time) {
+      ZeroedBytes bytes(size);
+      ASSERT_EQ(bytes.size(), size);
+      EXPECT_TRUE(isZero(bytes)) << size;
+      std::ranges::fill(bytes, 0xa5);
+      EXPECT_EQ(isZero(bytes), size == 0) << "planted fault: bytes of before";
+    }
+  }
+}
+
+TEST(ZeroedBytes, LargeOnesBeginAtAHugePage) {
+  const ZeroedBytes bytes(3 * MIB);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(bytes.data()) % (2 * MIB), 0u);
+}
+
+TEST(ZeroedBytes, CopiesMovesAndGrowthKeepTheBytes) {
+  ZeroedBytes bytes(2 * MIB, 7);
+  bytes.resize(5 * MIB);
+  const ZeroedBytes copy = bytes;
+  const ZeroedBytes moved = std::move(bytes);
+  EXPECT_EQ(copy, moved);
+  EXPECT_EQ(copy[2 * MIB - 1], 7);
+  EXPECT_EQ(copy[2 * MIB], 0);
+  EXPECT_EQ(copy.back(), 0);
+}
+
+TEST(ZeroedBytes, WhatNoMemoryHoldsIsRefused) {
+  for (const std::size_t size : {~std::size_t{0}, ~std::size_t{0} - 3 * MIB, std::size_t{1} << 62}) {
+    EXPECT_THROW(allocateZeroed(size), std::bad_alloc);
+  }
+}
+
+}  // namespace
+}  // namespace telar
