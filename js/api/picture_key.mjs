@@ -1,5 +1,6 @@
 import { createHash } from 'node:crypto';
 import path from 'node:path';
+import { canonical } from './digest.mjs';
 import { loadNative } from './native.mjs';
 import { nativeCall } from './native_call.mjs';
 import { keyOptions } from './options.mjs';
@@ -15,12 +16,6 @@ const identityModule = () => import('../shot/identity.mjs');
 
 /** Environments that come with telar, or are none: known by name, and by telar's version. */
 const NAMED = ['none', 'studio'];
-
-/** JSON with the keys of every object in order. */
-const canonical = (value) =>
-  JSON.stringify(value, (_, item) =>
-    typeof item === 'object' && item !== null && !Array.isArray(item) ? Object.fromEntries(Object.entries(item).sort(([a], [b]) => (a < b ? -1 : 1))) : item,
-  );
 
 /**
  * @param {object} parts

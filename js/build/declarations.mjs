@@ -15,6 +15,8 @@ const DECLARED = [
   'sheet/index',
   'sheet/spec',
   'pool/index',
+  'queue/index',
+  'queue/options',
   'server/index',
   'server/options',
   'error/index',

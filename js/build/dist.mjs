@@ -12,7 +12,14 @@ import { buildZod, zodBeside } from './zod.mjs';
 
 const JS = fileURLToPath(new URL('..', import.meta.url));
 
-const ENTRIES = { index: 'index.mjs', shot: 'shot/index.mjs', compare: 'compare/index.mjs', pool: 'pool/index.mjs', server: 'server/index.mjs' };
+const ENTRIES = {
+  index: 'index.mjs',
+  shot: 'shot/index.mjs',
+  compare: 'compare/index.mjs',
+  pool: 'pool/index.mjs',
+  queue: 'queue/index.mjs',
+  server: 'server/index.mjs',
+};
 
 // import.meta.url of the bundled sources: those that read it all lie in js/api.
 const BANNER = "const importMetaUrl = require('node:url').pathToFileURL(require('node:path').join(__dirname, '..', 'api', 'bundle.cjs')).href;";

@@ -1,7 +1,7 @@
 import { Command, InvalidArgumentError, Option } from 'commander';
 import { DEFAULT_GATE, GATES } from '../compare/gates.mjs';
 import { describe } from './describe.mjs';
-import { addServiceOptions } from './service_options.mjs';
+import { addServiceOptions, addWorkerOptions } from './service_options.mjs';
 import { addShotOptions } from './shot_options.mjs';
 
 /** The command line's grammar: commands, options, help. */
@@ -43,7 +43,7 @@ const addLimit = (command) =>
 
 /**
  * @param {string} version
- * @param {Record<'thumbnail' | 'inspect' | 'compare' | 'sheet' | 'analyse' | 'view' | 'serve' | 'sign' | 'bake' | 'benchTrade' | 'looks' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
+ * @param {Record<'thumbnail' | 'inspect' | 'compare' | 'sheet' | 'analyse' | 'view' | 'serve' | 'sign' | 'worker' | 'bake' | 'benchTrade' | 'looks' | 'doctor', (...args: unknown[]) => Promise<void>>} actions
  * @param {{writeOut: (text: string) => void, writeErr: (text: string) => void}} output of help and complaints
  */
 export function buildProgram(version, actions, output) {
@@ -192,6 +192,14 @@ export function buildProgram(version, actions, output) {
         .option('--expires <seconds>', 'from now on; without it the address is good for ever'),
     ),
   ).action(actions.sign);
+  addLimit(
+    addCommon(
+      addWorkerOptions(command('worker', 'Draw the jobs of a queue that other processes fill, as telar serve does (js/docs/queue.md)'))
+        .option('--workers <n>', 'draw in so many processes; auto = one for each core, as far as the memory goes', 'auto')
+        .option('--put-host <host>', 'host, or host:port, that jobs may have their results sent to; repeatable; any by default', collect)
+        .addOption(backend()),
+    ),
+  ).action(actions.worker);
   addLimit(
     addFailOn(
       addCommon(

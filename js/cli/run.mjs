@@ -15,6 +15,7 @@ const COMMANDS = {
   view: async () => (await import('./view.mjs')).view,
   serve: async () => (await import('./serve.mjs')).serve,
   sign: async () => (await import('./sign.mjs')).sign,
+  worker: async () => (await import('./worker.mjs')).worker,
   bake: async () => (await import('./bake.mjs')).bake,
   benchTrade: async () => (await import('./bench.mjs')).benchTrade,
   looks: async () => (await import('./looks.mjs')).looks,
@@ -58,6 +59,9 @@ function ofCommander(thrown) {
   if (!thrown?.code?.startsWith?.('commander.')) return toTelarError(thrown);
   if (thrown.exitCode === 0) return undefined;
   if (thrown.code === 'commander.help')
-    return new TelarError('E_USAGE', 'expected a command: thumbnail, inspect, compare, sheet, analyse, view, serve, sign, bake, bench, looks or doctor');
+    return new TelarError(
+      'E_USAGE',
+      'expected a command: thumbnail, inspect, compare, sheet, analyse, view, serve, sign, worker, bake, bench, looks or doctor',
+    );
   return new TelarError('E_USAGE', thrown.message.replace(/^error: /, '').replaceAll('\n', ' '));
 }

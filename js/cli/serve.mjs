@@ -4,9 +4,8 @@ import { open, readFile, realpath } from 'node:fs/promises';
 import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
-import { OPTIONS } from '../server/table.mjs';
 import { readLimits, readTimeout, readWorkers } from './limits.mjs';
-import { serviceFlag } from './service_options.mjs';
+import { serviceOptions } from './service_options.mjs';
 import { signingKeysOf } from './sign.mjs';
 
 /** Milliseconds that the end of the workers gets beside the draining. */
@@ -19,13 +18,12 @@ const LEEWAY_MS = 5000;
  * @param {import('./console.mjs').Io & {console: import('./console.mjs').Console, ending: {patienceMs: number, isWell: boolean}}} context
  * @returns {Promise<number>} 0
  */
-export async function serve(options, { console, signal, stderr, ending }) {
+export async function serve(options, { console, signal, stderr, env, ending }) {
   const { listen } = await import('../server/index.mjs');
-  const own = Object.fromEntries(Object.keys(OPTIONS).map((name) => [name, options[serviceFlag(name).attributeName()]]));
   const workers = readWorkers(options.workers);
   const service = await listen(
     {
-      ...own,
+      ...serviceOptions(options, env),
       environments: await environmentsOf(options.environment),
       ...(options.store !== undefined && { store: options.store }),
       signingKeys: signingKeysOf(process.env),
@@ -42,6 +40,7 @@ export async function serve(options, { console, signal, stderr, ending }) {
   );
   ending.patienceMs = service.drainMs + LEEWAY_MS;
   ending.isWell = true;
+  for (const warning of service.warnings) console.warning(warning, 'queue');
   await console.result({ ok: true, url: service.url, port: service.port }, [service.url]);
   console.note('Ctrl-C ends.');
   if (!signal.aborted) await once(signal, 'abort');

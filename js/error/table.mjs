@@ -192,6 +192,11 @@ const ROWS = {
       'The message says why; the pool tries again by itself. `telar doctor` says what is missing.',
       { retryable: true, http: 503 },
     ],
+    X_QUEUE: [
+      'The queue of jobs is not there, is not set up as it has to be, or has lost what belongs to a job',
+      'The message says which. Try again; js/docs/queue.md says how a queue has to be set up.',
+      { retryable: true, http: 503 },
+    ],
     X_LIBRARY_MISSING: ['A library that this job needs is not installed', 'Install the package that the message names.'],
   },
   crash: {
@@ -200,8 +205,8 @@ const ROWS = {
       'Try again once; `signal` says how it ended, and `input` which file it drew. Report a file that does it twice.',
     ],
     X_QUARANTINE: [
-      'The file ended two workers of this pool, which refuses it for a while',
-      'Report the file whose digest is `input`; `quarantineMs` of createPool is how long.',
+      'The file ended two workers of this pool, or the job as many as `poison` of its queue says; it is refused for a while',
+      'Report the file whose digest is `input`; `quarantineMs` of createPool and of openQueue is how long.',
       { retryable: false, http: 422 },
     ],
   },
@@ -219,6 +224,7 @@ const ROWS = {
       'More than half of the model is black, white or saturated in the picture',
       'Change the exposure, the lights or the environment. Unlit materials of pure colours are meant so.',
     ],
+    W_QUEUE: ['The queue of jobs is kept where jobs can be lost', 'The message names the setting; js/docs/queue.md says what it has to be.'],
     W_ENUM: ['An unknown enumeration value was replaced by its default', FIX_FILE],
     W_CAMERA: ['A camera is malformed and was left out', FIX_FILE],
     W_ENVIRONMENT_RANGE: [

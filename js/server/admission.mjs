@@ -73,14 +73,14 @@ export class Admission {
   /**
    * Receives a body.
    * @param {() => Promise<T>} receive
-   * @param {() => void} [check] whether there is room for what is asked
+   * @param {() => void | Promise<void>} [check] whether there is room for what is asked
    * @returns {Promise<T>}
    * @throws {TelarError} X_BUSY, X_SHUTDOWN
    * @template T
    */
   async receive(receive, check = () => this.check()) {
     this.#checkOpen();
-    check();
+    await check();
     if (this.receiving >= this.#uploads) throw busy(`${this.receiving} requests are being received by this service, as many as may; try again later`);
     this.receiving += 1;
     try {

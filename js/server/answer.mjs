@@ -4,7 +4,7 @@ import { AVIF_TYPE } from '../api/avif.mjs';
 import { isObject } from '../api/option_check.mjs';
 import { TelarError } from '../error/index.mjs';
 import { negotiate } from './negotiate.mjs';
-import { SHEET_TYPES } from './perform.mjs';
+import { SHEET_TYPES } from '../queue/perform.mjs';
 
 /** From results to answers of HTTP. */
 
@@ -91,7 +91,7 @@ function mixed(files) {
 const codesOf = (warnings = []) => [...new Set(warnings.map(({ code }) => code))].join(', ');
 
 /**
- * @param {import('./perform.mjs').Result} result
+ * @param {import('../queue/perform.mjs').Result} result
  * @param {{kind: string, type: string}} wanted
  * @returns {{type: string, body: Buffer | string, headers: Record<string, string>}}
  */

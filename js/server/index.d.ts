@@ -1,4 +1,5 @@
 import type { Pool, PoolOptions } from '../pool/index.js';
+import type { Queue, QueueOptions } from '../queue/index.js';
 import type { Shot } from '../shot/index.js';
 import type { PluginSettings, ServiceSettings } from './options.js';
 
@@ -12,6 +13,11 @@ export interface OwnOptions {
    * @default {}
    */
   pool?: Pool | PoolOptions;
+  /**
+   * The queue of jobs (`prefer: respond-async`): one of openQueue, which its owner closes, or the options of one, which the plugin opens and closes.
+   * @default a queue in this process
+   */
+  queue?: Queue | QueueOptions;
   /**
    * Gives the bytes of the model that a request names (`model` of its body or address); null where there is none. What it throws the client is not told.
    * @default undefined: such requests are refused
@@ -97,6 +103,8 @@ export interface Listening {
   port: number;
   /** As the option says it. */
   drainMs: number;
+  /** Of the queue: W_QUEUE. */
+  warnings: Array<{ code: string; message: string }>;
   /** Lets no new work in, waits for what runs, at most `drainMs`, and ends. */
   drain(): Promise<void>;
 }

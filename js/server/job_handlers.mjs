@@ -64,7 +64,7 @@ function stream(raw, first, queue, prefix) {
 
 /**
  * Handlers by the names of ROUTES.
- * @param {import('./memory_queue.mjs').JobQueue} queue
+ * @param {import('../queue/job_queue.mjs').JobQueue} queue
  * @param {string} prefix
  * @param {(reply: object, answer: object) => unknown} send as the routes that work send their answers
  */

@@ -1,15 +1,9 @@
+import { digestOf } from '../api/digest.mjs';
 import { keyOfParts } from '../api/picture_key.mjs';
 import { digestWithVisibility, visibilityOption } from '../api/visibility.mjs';
 import { bytesOf } from '../api/source.mjs';
 import { versions } from '../api/versions.mjs';
 import { shotIdentity } from '../shot/identity.mjs';
-
-/** SHA-256, on another thread than the event loop's. @returns {Promise<string>} hex */
-export async function digestOf(bytes) {
-  // WebCrypto reads no shared memory.
-  const own = bytes.buffer instanceof SharedArrayBuffer ? Uint8Array.from(bytes) : bytes;
-  return Buffer.from(await crypto.subtle.digest('SHA-256', own)).toString('hex');
-}
 
 /**
  * The key of a picture before it is drawn: that of `info.key`, found without opening the model; of pixels that are encoded afterwards with that format.

@@ -35,7 +35,7 @@ function onClientError(error, socket) {
  * Listens.
  * @param {object} given options of the plugin and of the server
  * @param {{log?: import('node:stream').Writable}} [io] where lines of the log go
- * @returns {Promise<{url: string, port: number, drainMs: number, drain: () => Promise<void>}>} drain: lets no new work in, waits for what runs, and ends
+ * @returns {Promise<{url: string, port: number, drainMs: number, warnings: object[], drain: () => Promise<void>}>} warnings: of the queue; drain: lets no new work in, waits for what runs, and ends
  * @throws {TelarError} E_OPTION, X_PORT, and what createPool throws
  */
 export async function listen(given, { log } = {}) {
@@ -59,7 +59,8 @@ export async function listen(given, { log } = {}) {
     await mount(fastify, service, options);
     await take(fastify, { host, port });
     const { port: taken } = fastify.server.address();
-    return { url: `http://${host.includes(':') ? `[${host}]` : host}:${taken}`, port: taken, drainMs, drain: () => drain(fastify, service, drainMs) };
+    const url = `http://${host.includes(':') ? `[${host}]` : host}:${taken}`;
+    return { url, port: taken, drainMs, warnings: service.queue.warnings, drain: () => drain(fastify, service, drainMs) };
   } catch (error) {
     await service.close();
     throw error;

@@ -8,7 +8,7 @@ const RESOLUTION_MS = 10;
 
 /**
  * What Prometheus reads, in a registry of its own.
- * @param {{admission: import('./admission.mjs').Admission, queue: import('./memory_queue.mjs').JobQueue, pool: import('../pool/index.js').Pool}} of
+ * @param {{admission: import('./admission.mjs').Admission, queue: import('../queue/job_queue.mjs').JobQueue, pool: import('../pool/index.js').Pool}} of
  */
 export async function openMetrics({ admission, queue, pool }) {
   const { Counter, Gauge, Histogram, Registry } = (await import('prom-client')).default;
@@ -29,8 +29,13 @@ export async function openMetrics({ admission, queue, pool }) {
   gauge(
     'telar_queue',
     'Jobs of the queue by state; kept: those that are over',
-    function () {
-      for (const [state, count] of Object.entries(queue.counts())) this.set({ state }, count);
+    async function () {
+      // A queue that is away has no figures; the others are told.
+      try {
+        for (const [state, count] of Object.entries(await queue.counts())) this.set({ state }, count);
+      } catch {
+        this.reset();
+      }
     },
     ['state'],
   );

@@ -22,6 +22,10 @@ export interface PluginSettings {
   resultMs?: number;
   /** Bytes of the results that are kept; the oldest go first. Range at least 1. @default 268435456 */
   resultBytes?: number;
+  /** Draw jobs of the queue in this process too; otherwise `telar worker` does. @default true */
+  drawJobs?: boolean;
+  /** Header, in small letters, that names the tenant of a request; what stands before the service sets it. */
+  tenantHeader?: string;
   /** Most pixels of a side of a picture. Range 1 to 8192. @default 4096 */
   side?: number;
   /** Seconds for which caches may keep the answer to a GET without asking again. Range 0 to 31536000. @default 300 */

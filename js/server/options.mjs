@@ -11,7 +11,7 @@ const ABOUT = Object.freeze({ name: 'options', code: 'E_OPTION' });
 const schemas = { plugin: zodOf(PLUGIN_OPTIONS), service: zodOf(SERVICE) };
 
 /** Options that are no plain data. */
-const OWN = ['pool', 'resolve', 'environments', 'templates', 'signingKeys', 'store'];
+const OWN = ['pool', 'queue', 'resolve', 'environments', 'templates', 'signingKeys', 'store'];
 
 const isFunctionOr = (value) => value === undefined || typeof value === 'function';
 
@@ -45,12 +45,14 @@ export function readOptions(options, of = 'plugin') {
   const given = Object.fromEntries(Object.entries(options).filter(([key, value]) => !OWN.includes(key) && value !== undefined));
   const parsed = schemas[of].safeParse(given);
   if (!parsed.success) throw complaint(parsed.error.issues, given, schemas[of], { about: ABOUT, known: OWN });
-  const { pool, resolve, environments = {}, templates = {}, signingKeys = [], store } = options;
+  const { pool, queue, resolve, environments = {}, templates = {}, signingKeys = [], store } = options;
   if (!isFunctionOr(resolve)) throw wrongOption('options.resolve', 'a function', resolve);
   if (pool !== undefined && !isObject(pool)) throw wrongOption('options.pool', 'a pool, or options of createPool', pool);
+  if (queue !== undefined && !isObject(queue)) throw wrongOption('options.queue', 'a queue, or options of openQueue', queue);
   return {
     ...parsed.data,
     pool,
+    queue,
     resolve,
     environments: environmentsOf(environments),
     templates,

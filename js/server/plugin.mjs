@@ -125,7 +125,7 @@ export async function mount(fastify, service, { cacheSeconds, metrics: isMetered
     },
     health: async () => ({ status: 'ok' }),
     async readiness(request, reply) {
-      const { state } = service;
+      const state = await service.state();
       reply.code(state.status === 'ready' ? 200 : 503).header('cache-control', 'no-store');
       return state;
     },

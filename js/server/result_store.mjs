@@ -35,7 +35,7 @@ export class ResultStore {
     this.#count = count;
   }
 
-  /** @param {string} key @param {AbortSignal} signal @returns {Promise<import('./perform.mjs').Result | undefined>} */
+  /** @param {string} key @param {AbortSignal} signal @returns {Promise<import('../queue/perform.mjs').Result | undefined>} */
   async get(key, signal) {
     try {
       const bytes = await this.#place.get(key, signal);
@@ -50,7 +50,7 @@ export class ResultStore {
     }
   }
 
-  /** Begins to write; the answer does not wait for it. @param {import('./perform.mjs').Result} result with a key */
+  /** Begins to write; the answer does not wait for it. @param {import('../queue/perform.mjs').Result} result with a key */
   put(result) {
     if (this.#writing.size >= MOST_WRITING) return this.#count('skipped');
     const writing = this.#write(result).finally(() => this.#writing.delete(writing));

@@ -9,6 +9,12 @@ export function waitOf({ headers }, most) {
 /** Whether the client wants to be told where the answer will be, in place of the answer (RFC 7240, 4.1). */
 export const isAsync = ({ headers }) => /(?:^|[,;\s])respond-async(?:$|[,;\s])/i.test(headers.prefer ?? '');
 
+/** How urgent a job is: `priority: u=0` to `u=7` (RFC 9218, 4.1), 0 first. */
+export function priorityOf({ priority = '' }) {
+  const [, urgency] = /(?:^|[,;\s])u=([0-7])(?:$|[,;\s])/.exec(priority) ?? [];
+  return urgency === undefined ? {} : { priority: Number(urgency) };
+}
+
 /** One answer in the making: its signal fires when its client is gone, when its time is over, or when the service ends. */
 export class Scope {
   /** @type {Promise<void>} */

@@ -8,11 +8,11 @@ import { tagOf, isUnchanged } from './conditional.mjs';
 import { keyOf } from './key.mjs';
 import { checkSize, ownLight } from './light.mjs';
 import { openMetrics } from './metrics.mjs';
-import { perform } from './perform.mjs';
+import { openQueue } from '../queue/open.mjs';
+import { perform } from '../queue/perform.mjs';
 import { References } from './references.mjs';
-import { MemoryQueue } from './memory_queue.mjs';
 import { ResultStore } from './result_store.mjs';
-import { Scope, waitOf } from './scope.mjs';
+import { Scope, priorityOf, waitOf } from './scope.mjs';
 import { Signatures } from './signature.mjs';
 import { openSpans } from './spans.mjs';
 import { readTask } from './task.mjs';
@@ -21,12 +21,27 @@ import { readTask } from './task.mjs';
 const WAITING_EACH = 4;
 
 const isPool = (value) => typeof value?.render === 'function' && typeof value.close === 'function';
+const isQueue = (value) => typeof value?.take === 'function' && typeof value.close === 'function';
+
+/** null where the queue is away. */
+async function countsOf(queue) {
+  try {
+    return await queue.counts();
+  } catch {
+    return null;
+  }
+}
+
+/** The queue in this process, or the one that the owner names; it holds what a request may be. */
+function ownQueue({ queue, jobs, jobBytes, resultBytes, resultMs, requestBytes }) {
+  return openQueue({ jobs, jobBytes, resultBytes, resultMs, taskBytes: requestBytes, ...queue });
+}
 
 /** What the routes share: the pool, who may use it now, and how a request becomes a result. */
 export class Service {
   #options;
   #pool;
-  #ownsPool;
+  #owns;
   #references;
   #fileBytes;
   #timeoutMs;
@@ -38,23 +53,30 @@ export class Service {
   /** @param {object} options of readOptions() */
   static async open(options) {
     const given = options.pool ?? {};
-    if (isPool(given)) return new Service(options, given, false).#withMetrics();
-    const { createPool } = await import('../pool/index.mjs');
-    return new Service(options, await createPool(given), true).#withMetrics();
+    const queue = isQueue(options.queue) ? options.queue : await ownQueue(options);
+    const owns = { queue: queue !== options.queue, pool: !isPool(given) };
+    try {
+      const pool = owns.pool ? await (await import('../pool/index.mjs')).createPool(given) : given;
+      return await new Service(options, { pool, queue, owns }).#withMetrics();
+    } catch (error) {
+      if (owns.queue) await queue.close();
+      throw error;
+    }
   }
 
-  constructor(options, pool, ownsPool) {
+  constructor(options, { pool, queue, owns }) {
     this.#options = options;
     this.#pool = pool;
-    this.#ownsPool = ownsPool;
+    this.#owns = owns;
+    this.queue = queue;
+    const ownsPool = owns.pool;
     this.#timeoutMs = (ownsPool && options.pool?.timeoutMs) || Infinity;
     this.#fileBytes = Math.min(options.requestBytes, (ownsPool && options.pool?.limits?.L_FILE_BYTES) || loadNative().limits.L_FILE_BYTES);
     this.signatures = new Signatures(options.signingKeys);
     this.#references = new References({ ...options, maxBytes: this.#fileBytes });
     const places = Math.max(1, pool.workers.length);
-    const { jobs, jobBytes, resultBytes, resultMs } = options;
-    this.queue = new MemoryQueue((task, how) => this.#workLater(task, how), { atOnce: places, jobs, jobBytes, resultBytes, resultMs });
     this.admission = new Admission({ places, waiting: options.waiting ?? WAITING_EACH * places, uploads: options.uploads });
+    if (options.drawJobs) queue.take((task, how) => this.#workLater(task, how), { atOnce: places });
   }
 
   async #withMetrics() {
@@ -66,17 +88,17 @@ export class Service {
   }
 
   /** Whether a worker is there, and work is let in. */
-  get state() {
+  async state() {
     const { workers } = this.#pool;
     const count = (state) => workers.filter((worker) => worker.state === state).length;
     const facts = {
       workers: { idle: count('idle'), busy: count('busy'), starting: count('starting') },
       running: this.admission.running,
       waiting: this.admission.waiting,
-      jobs: this.queue.counts(),
+      jobs: await countsOf(this.queue),
     };
-    const status = this.admission.isClosed ? 'ending' : facts.workers.idle + facts.workers.busy === 0 ? 'no workers' : 'ready';
-    return { status, ...facts };
+    const lacks = facts.workers.idle + facts.workers.busy === 0 ? 'no workers' : facts.jobs === null && 'no queue';
+    return { status: this.admission.isClosed ? 'ending' : lacks || 'ready', ...facts };
   }
 
   /**
@@ -118,7 +140,7 @@ export class Service {
    * @param {string} kind
    * @param {{method: string, query: URLSearchParams, raw: import('node:http').IncomingMessage}} request
    * @param {import('node:http').ServerResponse} response
-   * @returns {Promise<{type: string, kind: string, tag?: string, result?: import('./perform.mjs').Result, waited: number, worked: number}>} without result: 304
+   * @returns {Promise<{type: string, kind: string, tag?: string, result?: import('../queue/perform.mjs').Result, waited: number, worked: number}>} without result: 304
    */
   answer(kind, request, response) {
     return this.#within(new Scope(response), async (scope) => {
@@ -131,12 +153,14 @@ export class Service {
 
   /**
    * A request as a job whose result is fetched later; of what the client has already there is none.
-   * @returns {Promise<import('./memory_queue.mjs').JobState>}
+   * @returns {Promise<import('../queue/job_queue.mjs').JobState>}
    */
   submit(kind, request, response) {
     return this.#within(new Scope(response), async (scope) => {
-      const { task, type } = await this.#wanted(kind, request, scope, () => this.queue.check());
-      return this.queue.add(task, { type, kind });
+      const { headers } = request.raw;
+      const tenant = headers[this.#options.tenantHeader] ?? '';
+      const { task, type } = await this.#wanted(kind, request, scope, () => this.queue.check(tenant));
+      return this.queue.add(task, { meta: { type, kind }, tenant, ...priorityOf(headers) });
     });
   }
 
@@ -255,7 +279,8 @@ export class Service {
     this.abort();
     await this.#store?.idle();
     this.metrics.close();
-    if (this.#ownsPool) await this.#pool.close();
+    if (this.#owns.queue) await this.queue.close();
+    if (this.#owns.pool) await this.#pool.close();
   }
 }
 

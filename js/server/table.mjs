@@ -1,3 +1,4 @@
+import { BOUNDS } from '../queue/table.mjs';
 import { boolean, choice, list, number, object, text } from '../shot/table/rows.mjs';
 
 /**
@@ -8,6 +9,7 @@ import { boolean, choice, list, number, object, text } from '../shot/table/rows.
 
 const HOUR = 3_600_000;
 const MIB = 2 ** 20;
+const { jobs, jobBytes, resultMs, resultBytes } = BOUNDS;
 
 const whole = (doc, { flag, of, ...rest }) => ({ ...number(doc, { what: 'a whole number', integer: true, ...rest }), flag, of });
 const milliseconds = (doc, flag, rest) => whole(doc, { flag, unit: 'milliseconds', min: 1, max: 24 * HOUR, ...rest });
@@ -36,23 +38,19 @@ const PLUGIN = {
     max: 65_536,
     optional: true,
   }),
-  jobs: whole('Jobs (`prefer: respond-async`) that wait in the queue; one more is X_BUSY', { flag: '--jobs <n>', min: 0, max: 1_000_000, default: 256 }),
-  jobBytes: whole('Bytes of the models of jobs that wait and run; more is X_BUSY', {
-    flag: '--job-bytes <n>',
-    unit: 'bytes',
-    min: 1,
-    max: 2 ** 40,
-    default: 1024 * MIB,
-  }),
+  jobs,
+  jobBytes,
   jobMs: milliseconds('Milliseconds that a job may work, waiting aside', '--job-ms <ms>', { default: HOUR / 6 }),
-  resultMs: milliseconds('Milliseconds for which the result of a job is kept', '--result-ms <ms>', { default: HOUR / 6 }),
-  resultBytes: whole('Bytes of the results that are kept; the oldest go first', {
-    flag: '--result-bytes <n>',
-    unit: 'bytes',
-    min: 1,
-    max: 2 ** 40,
-    default: 256 * MIB,
-  }),
+  resultMs,
+  resultBytes,
+  drawJobs: { ...boolean('Draw jobs of the queue in this process too; otherwise `telar worker` does', { default: true }), flag: '--no-draw-jobs' },
+  tenantHeader: {
+    ...text('Header, in small letters, that names the tenant of a request; what stands before the service sets it', 'the name of a header', {
+      max: 64,
+      optional: true,
+    }),
+    flag: '--tenant-header <name>',
+  },
   side: whole('Most pixels of a side of a picture', { flag: '--side <px>', unit: 'pixels', min: 1, max: 8192, default: 4096 }),
   cacheSeconds: whole('Seconds for which caches may keep the answer to a GET without asking again', {
     flag: '--cache-seconds <s>',

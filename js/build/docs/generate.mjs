@@ -15,7 +15,7 @@ import { shotHeaders, visitRows } from './shot_cpp.mjs';
 import { debugQuantitiesGlsl, toneMappingsGlsl } from './shot_glsl.mjs';
 import { openapi } from './openapi.mjs';
 import { errorsPage, optionsPage } from './tables.mjs';
-import { serverOptionTypes, withServerTables } from './server_page.mjs';
+import { queueOptionTypes, serverOptionTypes, withQueueTable, withServerTables } from './server_page.mjs';
 import { withSpecTable } from './sheet_page.mjs';
 import { interfaceText } from './types.mjs';
 
@@ -56,6 +56,8 @@ export function generatedFiles() {
     ].join('\n'),
     'js/docs/sheet.md': withSpecTable(textOf('js/docs/sheet.md'), specDraft()),
     'js/server/options.d.ts': serverOptionTypes(HEADER.replace('js/shot/table', 'js/server/table.mjs')),
+    'js/queue/options.d.ts': queueOptionTypes(HEADER.replace('js/shot/table', 'js/queue/table.mjs')),
+    'js/docs/queue.md': withQueueTable(textOf('js/docs/queue.md')),
     'js/docs/server.md': withServerTables(textOf('js/docs/server.md')),
     'js/server/openapi.json': `${JSON.stringify(openapi(), null, 2)}\n`,
     'js/docs/errors.md': errorsPage(TABLE),

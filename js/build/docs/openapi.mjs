@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import * as z from '../../dist/zod.mjs';
 import { ERRORS } from '../../error/index.mjs';
-import { SHEET_TYPES } from '../../server/perform.mjs';
+import { SHEET_TYPES } from '../../queue/perform.mjs';
 import { AVIF_TYPE } from '../../server/answer.mjs';
 import { REQUESTS } from '../../server/requests.mjs';
 import { ROUTES, UNDESCRIBED } from '../../server/routes.mjs';

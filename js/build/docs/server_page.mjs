@@ -1,27 +1,28 @@
 import * as z from '../../dist/zod.mjs';
 import { zodOf } from '../../shot/schema.mjs';
 import { REQUESTS } from '../../server/requests.mjs';
+import { OPTIONS as QUEUE_ROWS, QUEUE_OPTIONS } from '../../queue/table.mjs';
 import { OPTIONS, PLUGIN_OPTIONS, SERVICE } from '../../server/table.mjs';
 import { heading, row } from './tables.mjs';
 import { interfaceText } from './types.mjs';
 
-/** The tables of js/docs/server.md, and the types of the service's options. */
+/** The tables of js/docs/server.md and js/docs/queue.md, and the types of the options of service and queue. */
 
-const between = (name) => [`<!-- ${name}: written by js/build/docs/generate.mjs from js/server -->`, `<!-- end of ${name} -->`];
+const between = (name, source) => [`<!-- ${name}: written by js/build/docs/generate.mjs from js/${source} -->`, `<!-- end of ${name} -->`];
 
-function replaced(page, name, lines) {
-  const [begin, end] = between(name);
+function replaced(page, name, lines, source = 'server') {
+  const [begin, end] = between(name, source);
   const [from, to] = [page.indexOf(begin), page.indexOf(end)];
-  if (from < 0 || to < from) throw new Error(`js/docs/server.md has no place for the table of ${name}`);
+  if (from < 0 || to < from) throw new Error(`js/docs/${source}.md has no place for the table of ${name}`);
   return [page.slice(0, from) + begin, '', ...lines, '', page.slice(to)].join('\n');
 }
 
 const code = (value) => `\`${value}\``;
 const shownDefault = (value) => (value === undefined ? '' : code(typeof value === 'object' ? JSON.stringify(value) : value));
 
-const optionRows = () => [
+const optionRows = (options) => [
   ...heading(['option', 'flag', 'default', 'meaning']),
-  ...Object.entries(OPTIONS).map(([name, { flag, doc, default: value, expected }]) => {
+  ...Object.entries(options).map(([name, { flag, doc, default: value, expected }]) => {
     const range = /in (\[.*\])$/.exec(expected)?.[1];
     return row([code(name), code(flag), shownDefault(value), `${doc}${range ? `; ${range}` : ''}`]);
   }),
@@ -40,9 +41,12 @@ const requestRows = (kind) => {
 
 /** @param {string} page @returns {string} the page with its tables */
 export function withServerTables(page) {
-  const tables = { options: optionRows(), ...Object.fromEntries(Object.keys(REQUESTS).map((kind) => [`keys of ${kind}`, requestRows(kind)])) };
+  const tables = { options: optionRows(OPTIONS), ...Object.fromEntries(Object.keys(REQUESTS).map((kind) => [`keys of ${kind}`, requestRows(kind)])) };
   return Object.entries(tables).reduce((text, [name, lines]) => replaced(text, name, lines), page);
 }
+
+/** @param {string} page @returns {string} the page with its table */
+export const withQueueTable = (page) => replaced(page, 'options', optionRows(QUEUE_ROWS), 'queue');
 
 const draft = (options) => z.toJSONSchema(zodOf(options), { io: 'input', unrepresentable: 'any' });
 
@@ -57,3 +61,7 @@ export const serverOptionTypes = (header) => {
     interfaceText('ServiceSettings', 'Options of the server that listen() makes, beside those of the plugin.', { ...service, properties: own }),
   ].join('\n');
 };
+
+/** @returns {string} js/queue/options.d.ts */
+export const queueOptionTypes = (header) =>
+  [header, interfaceText('QueueSettings', 'Options of a queue. js/docs/queue.md is the table of them.', draft(QUEUE_OPTIONS))].join('\n');

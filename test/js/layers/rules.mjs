@@ -96,7 +96,8 @@ const JS_LAYERS = {
   'js/api': { imports: ['js/error', 'js/shot', 'js/predict'] },
   'js/api/atomic_file.mjs': { imports: ['js/error', 'js/shot'] },
   'js/pool': { imports: ['js/error', 'js/shot', 'js/api', 'js/compare', 'js/sheet'] },
-  'js/server': { imports: ['js/error', 'js/shot', 'js/api', 'js/pool', 'js/compare', 'js/sheet'] },
+  'js/queue': { imports: ['js/error', 'js/shot', 'js/api'] },
+  'js/server': { imports: ['js/error', 'js/shot', 'js/api', 'js/pool', 'js/queue', 'js/compare', 'js/sheet'] },
   'js/server/page': { imports: [], browser: true },
   'js/compare': { imports: ['js/error', 'js/shot', 'js/api'] },
   'js/analyse': { imports: ['js/error', 'js/shot', 'js/compare'] },
@@ -119,6 +120,7 @@ const JS_LAYERS = {
       'js/sheet',
       'js/view',
       'js/pool',
+      'js/queue',
       'js/server',
       'js/trade',
       'js/predict',
@@ -134,7 +136,7 @@ const JS_LAYERS = {
   'js/build/material': { imports: ['js/material'], builtinsOnly: true },
   'js/build/shading': { imports: ['js/shot', 'js/three', 'js/material', 'js/build/material'], development: true },
   'js/build/docs': {
-    imports: ['js/error', 'js/material', 'js/shot', 'js/cli', 'js/analyse', 'js/sheet', 'js/server', 'js/index.mjs', 'js/dist/zod.mjs'],
+    imports: ['js/error', 'js/material', 'js/shot', 'js/cli', 'js/analyse', 'js/sheet', 'js/queue', 'js/server', 'js/index.mjs', 'js/dist/zod.mjs'],
     development: true,
   },
   // What readers copy: it imports telar by its name.

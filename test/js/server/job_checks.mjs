@@ -22,6 +22,13 @@ export function recording(pool, ending = new AbortController().signal) {
   return Object.defineProperty(own, 'workers', { get: () => pool.workers });
 }
 
+/** A shot like no other: the same bytes and shot are the same job. */
+let exposure = 10;
+const another = (shot = SHOT) => {
+  exposure += 0.01;
+  return { ...shot, exposure };
+};
+
 /** A client of the service at an address. */
 function clientOf(url, glb) {
   const get = (path, options) => fetch(new URL(path, url), options);
@@ -103,7 +110,7 @@ export const JOB_CHECKS = {
 
   async 'events: from what is now to the end, with progress on the way; a job that is over tells its end at once'({ url, glb }) {
     const { submit, runs, cancel, eventsOf } = clientOf(url, glb);
-    const blocking = await submit(ENDLESS);
+    const blocking = await submit(another(ENDLESS));
     await runs(blocking.self);
     const links = await submit({ size: { width: 64, height: 64 }, quality: { preset: 'reference', samples: 64 } });
     let isFree = false;
@@ -152,7 +159,7 @@ export const JOB_CHECKS = {
 
   async 'cancel: running or waiting, its worker is free again, and there is no result'({ url, glb }) {
     const { submit, runs, get, job, cancel, over } = clientOf(url, glb);
-    const [running, waiting] = [await submit(ENDLESS), await submit(ENDLESS)];
+    const [running, waiting] = [await submit(another(ENDLESS)), await submit(another(ENDLESS))];
     await runs(running.self);
     const early = await problemOf(await get(`${running.self}/result`));
     assert.deepEqual([early.status, early.code, early.message], [404, 'E_NOT_FOUND', 'the job has no result yet; it is running']);
@@ -163,7 +170,7 @@ export const JOB_CHECKS = {
       const none = await problemOf(await get(`${self}/result`));
       assert.deepEqual([none.status, none.code], [499, 'X_CANCELLED']);
     }
-    const done = await over((await submit()).self);
+    const done = await over((await submit(another())).self);
     assert.equal(done.state, 'done', 'the worker draws again');
     assert.equal((await cancel(done.links.self)).state, 'done', 'what is over stays as it is');
   },
@@ -192,7 +199,7 @@ export const JOB_CHECKS = {
     await until(async () => (await readiness(url)).running === 1);
     const jobs = [];
     for (const exposure of [3, 4, 5]) jobs.push(await submit({ ...SHOT, exposure }));
-    const refused = await ask(glb, { shot: SHOT }, ASYNC);
+    const refused = await ask(glb, { shot: another() }, ASYNC);
     assert.match(refused.headers.get('retry-after') ?? '', /^\d+$/);
     assert.deepEqual([refused.status, (await problemOf(refused)).code], [429, 'X_BUSY']);
     const atOnce = ask(glb, { shot: { ...SHOT, exposure: 2 } });
@@ -213,11 +220,11 @@ export const JOB_CHECKS = {
   },
 
   async 'more results than may be kept: the oldest go first'({ serve, glb, drawn }) {
-    const own = await serve({ resultBytes: 2 * drawn.length });
+    const own = await serve({ resultBytes: Math.round(2.5 * drawn.length) });
     const { submit, get } = clientOf(own.url, glb);
     const links = [];
     for (let i = 0; i < 3; ++i) {
-      links.push(await submit());
+      links.push(await submit({ ...SHOT, exposure: 1 + 0.001 * i }));
       await until(async () => (await readiness(own.url)).jobs.running === 0);
     }
     const statuses = await Promise.all(links.map(async ({ self }) => (await get(self)).status));
@@ -227,11 +234,26 @@ export const JOB_CHECKS = {
   async 'draining ends the jobs that run and wait, and tells those that listen'({ serve, glb }) {
     const own = await serve({ drainMs: 300, jobMs: HOURS });
     const { submit, get } = clientOf(own.url, glb);
-    const [running, waiting] = [await submit(ENDLESS), await submit(ENDLESS)];
+    const [running, waiting] = [await submit(another(ENDLESS)), await submit(another(ENDLESS))];
     const listening = await Promise.all([running, waiting].map(({ events }) => get(events)));
     await until(async () => (await readiness(own.url)).jobs.running === 1);
     await own.drain();
     for (const response of listening) assert.match(await response.text(), /event: failed\ndata: .*"code":"X_SHUTDOWN"/);
+  },
+
+  async 'asked for again it is the same job, drawn once; for another tenant, or as another type, it is another'({ serve, glb, pool }) {
+    const own = await serve({ tenantHeader: 'x-tenant' });
+    const { submit, over, post: ask } = clientOf(own.url, glb);
+    const shot = another();
+    const { self } = await submit(shot);
+    assert.equal((await over(self)).state, 'done');
+    const drawn = pool.order.length;
+    const again = await ask(glb, { shot }, { ...ASYNC, priority: 'u=0' });
+    const told = await again.json();
+    assert.deepEqual([again.status, told.state, told.links.self, told.links.result], [202, 'done', self, `${self}/result`]);
+    assert.equal(pool.order.length, drawn);
+    const others = [await submit(shot, { 'x-tenant': 'one' }), await submit(shot, { accept: 'image/webp' })];
+    assert.equal(new Set([self, ...others.map((links) => links.self)]).size, 3);
   },
 
   async 'a job that is none'({ url, glb }) {

@@ -2,19 +2,20 @@ import { register } from 'node:module';
 import { setTimeout as sleep } from 'node:timers/promises';
 
 // Code with a planted fault, beside the right one in the same process: js/server/index.mjs?mutant=... is the service with some texts of its sources
-// replaced. What lies outside of js/server is shared with the right one.
+// replaced. What lies outside of js/server and js/queue is shared with the right one.
 
 const SERVER = new URL('../../../js/server/', import.meta.url).href;
+const QUEUE = new URL('../../../js/queue/', import.meta.url).href;
 
 let isRegistered = false;
 
 /**
- * @param {[file: string, right: string, wrong: string][]} edits of js/server; each right text is there once
+ * @param {[file: string, right: string, wrong: string][]} edits of js/server and js/queue, whose file names differ; each right text is there once
  * @param {string} [file] of js/server
  * @returns {Promise<object>} the module
  */
 export function importMutant(edits, file = 'index.mjs') {
-  if (!isRegistered) register(new URL('./mutant_hooks.mjs', import.meta.url), { data: { folder: SERVER } });
+  if (!isRegistered) register(new URL('./mutant_hooks.mjs', import.meta.url), { data: { folders: [SERVER, QUEUE] } });
   isRegistered = true;
   const id = Buffer.from(JSON.stringify(edits)).toString('base64url');
   return import(`${SERVER}${file}?mutant=${id}`);

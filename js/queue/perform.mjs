@@ -34,7 +34,7 @@ function plainInfo(info) {
   return bytesOf(environment?.map) ? { ...info, shot: { ...info.shot, environment: { ...environment, map: null } } } : info;
 }
 
-/** @type {Record<string, (pool: import('../pool/index.js').Pool, task: import('./task.mjs').Task, how: object) => Promise<Result>>} */
+/** @type {Record<string, (pool: import('../pool/index.js').Pool, task: import('./job_queue.mjs').Task, how: object) => Promise<Result>>} */
 const KINDS = {
   async thumbnail(pool, { asked, files }, how) {
     const { shot = {}, failOn, ambientVisibility, encode } = asked;
@@ -75,7 +75,7 @@ const KINDS = {
 
 /**
  * @param {import('../pool/index.js').Pool} pool
- * @param {import('./task.mjs').Task} task
+ * @param {import('./job_queue.mjs').Task} task
  * @param {{signal: AbortSignal, timeoutMs?: number | null, onProgress?: (part: number) => void, onPreview?: (preview: object) => void, templates?: Record<string, string>}} how
  * @returns {Promise<Result>}
  * @throws {import('../error/index.mjs').TelarError}

@@ -1,0 +1,154 @@
+import type { TelarError } from '../error/index.js';
+import type { Pool } from '../pool/index.js';
+import type { QueueSettings } from './options.js';
+
+export { TelarError } from '../error/index.js';
+export type { QueueSettings };
+
+/** Options of openQueue: `redis` or `sqlite` says where jobs are kept; without either they are in this process, and end with it. */
+export type QueueOptions = QueueSettings;
+
+/** What is to be drawn: keys and files as the routes of js/docs/server.md have them. */
+export interface Task {
+  kind: 'thumbnail' | 'inspect' | 'sheet' | 'compare';
+  /** The keys of the route: `shot`, `failOn`, `spec`, `gate`, ... */
+  asked: Record<string, unknown>;
+  /** `model`, or `expected` and `actual`; files beside a model by "part NAME", images and fonts of a sheet by "image NAME" and "font NAME". */
+  files: Record<string, Uint8Array>;
+}
+
+/** What is said with a job. */
+export interface AddOptions {
+  /**
+   * Plain data that comes back with the result.
+   * @default {}
+   */
+  meta?: Record<string, unknown>;
+  /**
+   * On whose behalf; `tenantJobs` counts for each, and jobs of two are never the same.
+   * @default ''
+   */
+  tenant?: string;
+  /**
+   * 0 to 7, 0 first (RFC 9218).
+   * @default 3
+   */
+  priority?: number;
+  /**
+   * Addresses that take the files of the result by PUT, in their order, as presigned ones of S3 do. The queue then keeps no bytes of the result.
+   * @default undefined
+   */
+  put?: string[];
+}
+
+/** A job as it is now. */
+export interface JobState {
+  /** SHA-256 of the task, what is said with it and telar's version, 64 hex digits. */
+  id: string;
+  kind: Task['kind'];
+  state: 'waiting' | 'running' | 'done' | 'failed' | 'cancelled';
+  /** 0..1 */
+  progress: number;
+  /** Milliseconds since 1970, as the other times. */
+  created: number;
+  /** Of the last try. */
+  started?: number;
+  ended?: number;
+  /** Tries that were begun. */
+  tries: number;
+  /** Of a job that failed or was cancelled. */
+  error?: TelarError;
+}
+
+/** A file of a result: its bytes, or where they were sent. */
+export interface ResultFile {
+  name: string;
+  type: string;
+  data?: Uint8Array;
+  /** Length of what was sent to `url`, which lacks its signature. */
+  bytes?: number;
+  url?: string;
+}
+
+export interface JobResult {
+  result: { key?: string; info: any; files: ResultFile[] };
+  meta: Record<string, unknown>;
+}
+
+/** Jobs that are asked for now and fetched later. js/docs/queue.md says what is promised. */
+export interface Queue {
+  /** What is not as it should be where jobs are kept: W_QUEUE. */
+  readonly warnings: Array<{ code: string; message: string }>;
+  /** @throws {TelarError} X_BUSY where one more job of this tenant would be refused, X_QUEUE */
+  check(tenant?: string): void | Promise<void>;
+  /**
+   * Asks for a job. One that waits, runs or is done already is the same job.
+   * @throws {TelarError} E_OPTION, L_REQUEST_BYTES, X_BUSY, X_QUEUE
+   */
+  add(task: Task, options?: AddOptions): Promise<JobState>;
+  /** undefined where there is no such job, or it is no longer kept. */
+  get(id: string): Promise<JobState | undefined>;
+  /** undefined where the job is not done. */
+  result(id: string): Promise<JobResult | undefined>;
+  /** A job that waits does not run, one that runs is stopped; the state afterwards. */
+  cancel(id: string): Promise<JobState | undefined>;
+  /** Tells what changes, by whichever process, until the job is over; the returned function ends it. */
+  watch(id: string, listener: (state: JobState) => void): () => void;
+  counts(): { waiting: number; running: number; kept: number } | Promise<{ waiting: number; running: number; kept: number }>;
+  /** Ends what this process runs for the queue, and lets go of where it is kept. */
+  close(): Promise<void>;
+}
+
+/**
+ * Opens a queue.
+ * @throws {TelarError} E_OPTION, X_QUEUE, X_LIBRARY_MISSING
+ * @example
+ * const queue = await openQueue({ redis: process.env.REDIS_URL });
+ * const { id } = await queue.add({ kind: 'thumbnail', asked: { shot: { size: { width: 512, height: 512 } } }, files: { model: bytes } });
+ * const stop = queue.watch(id, ({ state, progress }) => console.log(state, progress));
+ */
+export function openQueue(options?: QueueOptions): Promise<Queue>;
+
+export interface WorkerOptions {
+  /** Draws; its owner closes it, after drain(). */
+  pool: Pool;
+  /**
+   * Jobs at once.
+   * @default the workers of the pool
+   */
+  atOnce?: number;
+  /**
+   * Milliseconds that a job may work.
+   * @default 600000
+   */
+  jobMs?: number;
+  /**
+   * Folders of own templates of sheets, by name.
+   * @default undefined
+   */
+  templates?: Record<string, string>;
+  /**
+   * Hosts, as host or host:port, that `put` of a job may name.
+   * @default undefined: any
+   */
+  putHosts?: string[];
+}
+
+export interface Worker {
+  /** Takes no more jobs, finishes those that run, and gives back those that take longer than `ms`; a queue in this process is emptied first. */
+  drain(ms: number): Promise<void>;
+}
+
+/**
+ * Draws the jobs of a queue in this process, as `telar worker` does; once for each queue.
+ * @throws {TelarError} E_OPTION
+ * @example
+ * const pool = await createPool();
+ * const worker = startWorker(queue, { pool });
+ * process.once('SIGTERM', async () => {
+ *   await worker.drain(25_000);
+ *   await queue.close();
+ *   await pool.close();
+ * });
+ */
+export function startWorker(queue: Queue, options: WorkerOptions): Worker;

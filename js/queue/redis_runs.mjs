@@ -1,0 +1,108 @@
+import { toTelarError } from '../error/index.mjs';
+import { connect } from './redis_server.mjs';
+import { loadTask, refsOf, storeResult } from './stored.mjs';
+import { backoffOf, cancelled, isPoison, poisoned, verdictOf } from './verdict.mjs';
+
+/** Milliseconds between two looks whether jobs that run here were cancelled. */
+const LOOK_MS = 500;
+/** Milliseconds between two writings of how far a job is. */
+const PROGRESS_MS = 250;
+
+/** Jobs of a RedisQueue that run in this process: BullMQ's worker takes them, and renews their locks while the process lives. */
+export class RedisRuns {
+  #how;
+  #work;
+  #client;
+  #store;
+  #worker;
+  #running = new Map();
+  #timer;
+  #closing;
+
+  /**
+   * @param {import('./job_queue.mjs').Work} work
+   * @param {object} how
+   */
+  constructor(work, how) {
+    const { bullmq, bounds, prefix, atOnce } = how;
+    this.#work = work;
+    this.#how = how;
+    // Unlike whoever adds, a worker waits for a server that is away.
+    this.#client = connect(bullmq.Redis, bounds.redis, { waits: true });
+    this.#store = how.store(this.#client);
+    this.#worker = new bullmq.Worker(bounds.name, (job, token) => this.#process(job, token), {
+      connection: this.#client,
+      prefix,
+      skipVersionCheck: true,
+      concurrency: atOnce,
+      lockDuration: bounds.leaseMs,
+      stalledInterval: Math.ceil(bounds.leaseMs / 2),
+      maxStalledCount: bounds.poison - 1,
+      settings: { backoffStrategy: (tries) => backoffOf(tries, bounds) },
+    });
+    this.#worker.on('error', () => {}); // it connects again
+    // What cannot be removed goes by itself, later.
+    const drop = ({ data }) => this.#store.drop(refsOf(data.task)).catch(() => {});
+    this.#worker.on('completed', drop);
+    this.#worker.on('failed', (job) => {
+      if (job?.finishedOn) drop(job);
+    });
+    this.#timer = setInterval(() => this.#look(), LOOK_MS);
+  }
+
+  async #process(job, token) {
+    const { bullmq, bounds, hosts } = this.#how;
+    const controller = new AbortController();
+    this.#running.set(job.id, controller);
+    const { signal } = controller;
+    try {
+      if (await this.#client.exists(this.#how.markOf(job.id))) throw cancelled();
+      const ends = job.data.ends + job.stalledCounter;
+      if (isPoison(ends, bounds)) throw poisoned(ends);
+      const task = await loadTask(this.#store, job.data.task);
+      const result = await this.#work(task, { signal, onProgress: progressOf(job), onStart: () => {} });
+      const stored = await storeResult(this.#store, result, { ms: bounds.resultMs, put: job.data.put, signal, hosts });
+      // BullMQ keeps it where this worker has the job still; otherwise its bytes go by themselves, later.
+      return stored;
+    } catch (thrown) {
+      const verdict = verdictOf(thrown, { tries: job.attemptsMade + 1, ends: job.data.ends }, bounds);
+      if (verdict.does === 'give back') {
+        await job.moveToWait(token);
+        throw new bullmq.WaitingError();
+      }
+      if (verdict.does === 'end') throw new bullmq.UnrecoverableError(JSON.stringify(verdict.error));
+      if (verdict.ends > job.data.ends) await job.updateData({ ...job.data, ends: verdict.ends });
+      throw new Error(JSON.stringify(toTelarError(thrown)));
+    } finally {
+      this.#running.delete(job.id);
+    }
+  }
+
+  async #look() {
+    const ids = [...this.#running.keys()];
+    if (ids.length === 0) return;
+    const marks = await this.#client.mget(ids.map((id) => this.#how.markOf(id))).catch(() => []);
+    for (const [i, mark] of marks.entries()) if (mark) this.#running.get(ids[i])?.abort(cancelled());
+  }
+
+  idle() {
+    this.#closing ??= this.#worker.close().finally(() => {
+      clearInterval(this.#timer);
+      this.#client.disconnect();
+    });
+    return this.#closing;
+  }
+
+  abort(reason) {
+    for (const controller of this.#running.values()) controller.abort(reason);
+  }
+}
+
+function progressOf(job) {
+  let said = 0;
+  return (part) => {
+    if (Date.now() - said < PROGRESS_MS) return;
+    said = Date.now();
+    job.updateProgress(part).catch(() => {});
+  };
+}

@@ -1,0 +1,241 @@
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { TelarError } from '../../../js/queue/index.mjs';
+import { QUEUES, deferred, onRedis, open, over, resultOf, startRedis, taskOf, until } from './support.mjs';
+
+// What holds for each of the three queues.
+
+let server;
+before(async () => {
+  server = await startRedis();
+});
+after(() => server.stop());
+
+const fails = (code, message = code) => Promise.reject(new TelarError(code, message));
+const codeOf = (promise) =>
+  Promise.resolve(promise).then(
+    () => undefined,
+    ({ code }) => code,
+  );
+
+for (const [name, kind] of Object.entries({ ...QUEUES, Redis: { place: () => onRedis(server).place() } })) {
+  describe(name, () => {
+    /** A queue, and what was asked of its work so far. */
+    async function working(t, work, { atOnce = 1, ...options } = {}) {
+      const queue = await open(t, { ...(await kind.place(t)), ...options });
+      const runs = [];
+      queue.take(
+        async (task, how) => {
+          runs.push(task.asked.name);
+          return work(task, how, runs.length);
+        },
+        { atOnce },
+      );
+      return { queue, runs };
+    }
+
+    test('a job waits, runs and is done; bytes come and go whole, wherever they lie in a task', async (t) => {
+      let seen;
+      const gate = deferred();
+      const { queue } = await working(t, async (task) => {
+        seen = task;
+        await gate.promise;
+        return resultOf(task.asked.name);
+      });
+      const map = Uint8Array.from([7, 8, 9]);
+      const task = {
+        ...taskOf('a', { shot: { environment: { map, rotation: 1 } } }),
+        files: { model: Buffer.from('glb'), 'part __proto__': Buffer.from('p') },
+      };
+      const meta = { type: 'image/png' };
+      const added = await queue.add(task, { meta });
+      assert.match(added.id, /^[0-9a-f]{64}$/);
+      assert.deepEqual([added.kind, added.progress, added.state === 'waiting' || added.state === 'running'], ['thumbnail', 0, true]);
+      await until(() => seen);
+      assert.equal((await queue.get(added.id)).state, name === 'in memory' ? 'waiting' : 'running', 'in this process it runs from onStart() on');
+      assert.equal(await queue.result(added.id), undefined);
+      gate.settle();
+      const told = await over(queue, added.id);
+      assert.deepEqual([told.state, told.progress, told.tries, told.error], ['done', 1, 1, undefined]);
+      assert.ok(told.created <= told.ended);
+      assert.deepEqual([Buffer.from(seen.files.model).toString(), Buffer.from(seen.files['part __proto__']).toString()], ['glb', 'p']);
+      assert.deepEqual([[...seen.asked.shot.environment.map], seen.asked.shot.environment.rotation], [[7, 8, 9], 1]);
+      const kept = await queue.result(added.id);
+      assert.deepEqual(kept.meta, meta);
+      assert.deepEqual({ ...kept.result, files: undefined }, { ...resultOf('a'), files: undefined });
+      assert.deepEqual(
+        kept.result.files.map(({ data, ...file }) => ({ ...file, data: data.toString() })),
+        [{ name: 'a.txt', type: 'text/plain', data: 'result a' }],
+      );
+    });
+
+    test('what is asked for again is the same job; other bytes, shots, tenants and answers are others', async (t) => {
+      const { queue, runs } = await working(t, async ({ asked }) => resultOf(asked.name), { atOnce: 2 });
+      const ids = new Set();
+      for (const [task, how] of [
+        [taskOf('a')],
+        [{ ...taskOf('a'), files: { model: Buffer.from('other') } }],
+        [taskOf('a', { shot: { exposure: 2 } })],
+        [taskOf('a'), { tenant: 'one' }],
+        [taskOf('a'), { meta: { type: 'json' } }],
+      ]) {
+        const [first, again] = await Promise.all([queue.add(task, how), queue.add(task, how)]);
+        assert.equal(again.id, first.id);
+        assert.equal((await over(queue, first.id)).state, 'done');
+        assert.equal((await queue.add(task, { ...how, priority: 0 })).state, 'done', 'a result that is there is not made again');
+        ids.add(first.id);
+      }
+      assert.deepEqual([ids.size, runs.length], [5, 5]);
+    });
+
+    test('the urgent one first, then in order', async (t) => {
+      const gate = deferred();
+      const { queue, runs } = await working(t, async ({ asked }) => {
+        if (asked.name === 'first') await gate.promise;
+        return resultOf(asked.name);
+      });
+      await queue.add(taskOf('first'));
+      await until(() => runs.length === 1);
+      const added = [];
+      for (const [task, priority] of [
+        ['later', 7],
+        ['a', undefined],
+        ['b', 3],
+        ['now', 0],
+      ])
+        added.push(await queue.add(taskOf(task), { priority }));
+      gate.settle();
+      for (const { id } of added) await over(queue, id);
+      assert.deepEqual(runs, ['first', 'now', 'a', 'b', 'later']);
+    });
+
+    test('so many wait, so large, so often by a tenant; one more is refused, and the same one again is not', async (t) => {
+      const queue = await open(t, { ...(await kind.place(t)), jobs: 3, taskBytes: 20, tenantJobs: 2, tenantMs: 3_600_000 });
+      assert.equal(await codeOf(queue.add(taskOf('a name that is too long'))), 'L_REQUEST_BYTES');
+      const { id } = await queue.add(taskOf('a'), { tenant: 'one' });
+      await queue.add(taskOf('b'), { tenant: 'one' });
+      assert.equal(await codeOf(queue.add(taskOf('c'), { tenant: 'one' })), 'X_BUSY');
+      await assert.rejects(async () => queue.check('one'), { code: 'X_BUSY', message: /^2 jobs were added within 3600000 ms/ });
+      await queue.add(taskOf('c'), { tenant: 'two' });
+      await assert.rejects(async () => queue.check('three'), { code: 'X_BUSY', message: /^3 jobs wait/ });
+      assert.equal(await codeOf(queue.add(taskOf('d'), { tenant: 'three' })), 'X_BUSY');
+      assert.equal((await queue.add(taskOf('a'), { tenant: 'one' })).id, id);
+      assert.deepEqual(await queue.counts(), { waiting: 3, running: 0, kept: 0 });
+    });
+
+    test('an error that may pass is tried again, later each time; another one ends the job at once', async (t) => {
+      const { queue, runs } = await working(t, ({ asked }, _, run) => {
+        if (asked.name === 'wrong') return fails('E_JSON', 'the glTF JSON is cut');
+        if (asked.name === 'slow') return fails('X_TIMEOUT');
+        return asked.name === 'lost' || run < 3 ? fails('X_GL_LOST') : resultOf(asked.name);
+      });
+      const passing = await over(queue, (await queue.add(taskOf('passing'))).id);
+      assert.deepEqual([passing.state, passing.tries, runs.length], ['done', 3, 3]);
+      const slow = await over(queue, (await queue.add(taskOf('slow'))).id);
+      assert.deepEqual([slow.state, slow.error.code, slow.tries, runs.length], ['failed', 'X_TIMEOUT', 2, 5], 'a clock is given one more chance');
+      const lost = await over(queue, (await queue.add(taskOf('lost'))).id);
+      assert.deepEqual([lost.state, lost.error.code, lost.tries, runs.length], ['failed', 'X_GL_LOST', 3, 8]);
+      const wrong = await over(queue, (await queue.add(taskOf('wrong'))).id);
+      assert.deepEqual([wrong.state, wrong.error.code, wrong.error.message, runs.length], ['failed', 'E_JSON', 'the glTF JSON is cut', 9]);
+      assert.ok(wrong.error instanceof TelarError);
+      assert.equal(await queue.result(wrong.id), undefined);
+      await over(queue, (await queue.add(taskOf('wrong'))).id);
+      await until(() => runs.length === 10);
+    });
+
+    test('a job that ends its workers is put aside, and is not run again', async (t) => {
+      const input = 'ab'.repeat(32);
+      const crash = () => Promise.reject(new TelarError('X_CRASH', 'SIGSEGV', { input }));
+      const { queue, runs } = await working(t, crash, { poison: 2, attempts: 9 });
+      const told = await over(queue, (await queue.add(taskOf('a'))).id);
+      assert.deepEqual([told.state, told.error.code, told.error.retryable, told.error.input], ['failed', 'X_QUARANTINE', false, input]);
+      assert.equal(told.error.message, 'the job ended 2 workers, and is not run again; report it');
+      assert.equal((await queue.add(taskOf('a'))).error.code, 'X_QUARANTINE');
+      assert.equal(runs.length, 2);
+    });
+
+    test('cancel: waiting or running; what is over stays, and asked for again it runs', async (t) => {
+      const { queue, runs } = await working(t, ({ asked }, { signal }) => {
+        if (asked.name !== 'endless') return resultOf(asked.name);
+        return new Promise((_, reject) => signal.addEventListener('abort', () => reject(signal.reason), { once: true }));
+      });
+      const running = await queue.add(taskOf('endless'));
+      await until(() => runs.length === 1);
+      const waiting = await queue.add(taskOf('b'));
+      for (const { id } of [waiting, running]) {
+        assert.equal((await queue.cancel(id)).state, 'cancelled');
+        const told = await queue.get(id);
+        assert.deepEqual([told.state, told.error.code], ['cancelled', 'X_CANCELLED']);
+        assert.equal(await queue.result(id), undefined);
+      }
+      const after = await over(queue, (await queue.add(taskOf('c'))).id);
+      assert.deepEqual([after.state, runs], ['done', ['endless', 'c']], 'the worker is free again, and what waited never ran');
+      assert.equal((await queue.cancel(after.id)).state, 'done');
+      assert.equal((await over(queue, (await queue.add(taskOf('b'))).id)).state, 'done');
+      assert.equal(await queue.cancel('0'.repeat(64)), undefined);
+    });
+
+    test('listeners are told of each state and of progress until the end', async (t) => {
+      const gate = deferred();
+      const { queue } = await working(t, async (_, { onProgress, onStart }) => {
+        onStart();
+        await gate.promise;
+        onProgress(0.5);
+        await until(() => told.some(({ progress }) => progress === 0.5));
+        return resultOf('a');
+      });
+      const told = [];
+      const { id } = await queue.add(taskOf('a'));
+      queue.watch(id, (state) => told.push(state));
+      const mute = queue.watch(id, () => assert.fail('it was called off'));
+      mute();
+      gate.settle();
+      await until(() => told.at(-1)?.state === 'done');
+      const states = told.map(({ state, progress }) => `${state} ${progress}`);
+      assert.ok(states.includes('running 0.5'), String(states));
+      assert.equal(new Set(states).size, states.length);
+    });
+
+    test('results are kept as long as is said', async (t) => {
+      const { queue } = await working(t, async ({ asked }) => resultOf(asked.name), { resultMs: 300 });
+      const { id } = await over(queue, (await queue.add(taskOf('a'))).id);
+      await until(async () => (await queue.get(id)) === undefined);
+      assert.equal(await queue.result(id), undefined);
+      assert.equal((await over(queue, (await queue.add(taskOf('a'))).id)).state, 'done');
+    });
+
+    test('results go to signed addresses, on allowed hosts alone', async (t) => {
+      const { createServer } = await import('node:http');
+      const got = [];
+      let refuses = true;
+      const store = createServer(async (request, response) => {
+        const chunks = (await Array.fromAsync?.(request).catch(() => [])) ?? [];
+        if (!Array.fromAsync) for await (const chunk of request) chunks.push(chunk);
+        got.push([request.method, request.url, request.headers['content-type'], Buffer.concat(chunks).toString()]);
+        response.writeHead(refuses ? 503 : 200).end();
+        refuses = false;
+      }).listen(0, '127.0.0.1');
+      t.after(() => store.close());
+      await until(() => store.listening);
+      const host = `127.0.0.1:${store.address().port}`;
+      const { queue } = await working(t, async ({ asked }) => resultOf(asked.name));
+      const { id } = await over(queue, (await queue.add(taskOf('a'), { put: [`http://${host}/a.txt?signature=1`] })).id);
+      const sent = ['PUT', '/a.txt?signature=1', 'text/plain', 'result a'];
+      assert.deepEqual(got, [sent, sent], 'once more, as the store refused it');
+      assert.deepEqual((await queue.result(id)).result.files, [{ name: 'a.txt', type: 'text/plain', bytes: 8, url: `http://${host}/a.txt` }]);
+      assert.equal((await queue.add(taskOf('a'), { put: [`http://${host}/a.txt?signature=2`] })).id, id);
+    });
+
+    test('what is wrong is told', async (t) => {
+      const queue = await open(t, await kind.place(t));
+      for (const [how, message] of [
+        [{ priority: 8 }, /^options\.priority: expected a whole number in \[0, 7\], got 8$/],
+        [{ tenant: 5 }, /^options\.tenant: expected a text of at most 256 characters, got 5$/],
+        [{ put: ['file:///etc/passwd'] }, /^options\.put: expected a list of addresses, got/],
+        [{ urgent: true }, /^options\.urgent: expected meta, tenant, priority or put, got true$/],
+      ]) {
+        await assert.rejects(queue.add(taskOf('a'), how), { code: 'E_OPTION', message });
+      }
+    });
+  });
+}
