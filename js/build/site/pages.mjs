@@ -36,7 +36,7 @@ export function withSiteLinks(text, file, pages, exists, titleOf = (page) => pag
     if (PICTURE.test(named) || (OFFERED.test(named) && named.startsWith(DOCS))) {
       copied.push(named);
       const place = `${path.posix.relative(here, '.') || '.'}/files/${named}`;
-      return mark ? `![${words}](${place})` : `<a href="/files/${named}" target="_self">${words.replaceAll('`', '')}</a>`;
+      return mark ? `![${words}](${place})` : `<a href="${place}" target="_self">${words.replaceAll('`', '')}</a>`;
     }
     return /^`.*`$/.test(words) ? words : `${words} (\`${named}\`)`;
   });

@@ -26,7 +26,8 @@ test('links lead to pages, pictures and files of the site; sources are text', ()
   assert.equal(led('[it](../options.md)', 'js/docs/recipes/s3.md').text, '[it](../options.md)');
   assert.deepEqual(led('![a shirt](../assets/a.jpg)'), { text: '![a shirt](./files/js/assets/a.jpg)', copied: ['js/assets/a.jpg'] });
   assert.equal(led('![a](../../assets/a.jpg)', 'js/docs/recipes/s3.md').text, '![a](../files/js/assets/a.jpg)');
-  assert.deepEqual(led('[a spec](sheet/skirt.json)').copied, ['js/docs/sheet/skirt.json']);
+  const offered = { text: '<a href="./files/js/docs/sheet/skirt.json" target="_self">a spec</a>', copied: ['js/docs/sheet/skirt.json'] };
+  assert.deepEqual(led('[a spec](sheet/skirt.json)'), offered, 'relative: the site may lie anywhere on its host');
   assert.equal(led('[the gate](../../test/parity/README.md)').text, 'the gate (`test/parity/README.md`)');
   assert.equal(led('[out](https://example.com/a.md), [here](#part)').text, '[out](https://example.com/a.md), [here](#part)');
   assert.throws(() => led('[gone](gone.md)', 'README.md', () => false), /README.md: gone.md is not there/);
