@@ -43,6 +43,9 @@ export function withSiteLinks(text, file, pages, exists, titleOf = (page) => pag
   return { text: led, copied };
 }
 
+/** Numbers in tables stay beside their units. */
+export const unbroken = (text) => text.replace(/^\|.*$/gm, (line) => line.replace(/(\d) (?=(?:ms|s|min|MB|[KMG]iB|px|mm|%)(?![\w]))/g, '$1\u00a0'));
+
 /** Its first heading. */
 const headingOf = (text, fallback) => /^# (.+)$/m.exec(text)?.[1].replaceAll('`', '') ?? fallback;
 
@@ -84,7 +87,7 @@ export function writePages(root, out) {
       (name) => existsSync(path.join(root, name)),
       (to) => headings.get(to),
     );
-    put(page, (to) => writeFileSync(to, text));
+    put(page, (to) => writeFileSync(to, unbroken(text)));
     for (const name of copied) put(`${PICTURE.test(name) ? 'files' : 'public/files'}/${name}`, (to) => copyFileSync(path.join(root, name), to));
   }
   const peers = /<!-- peers -->\n([\s\S]*?)<!-- end -->/.exec(read('README.md'))?.[1] ?? '';

@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { GROUPS, OTHERS } from '../../../js/build/site/contents.mjs';
 import { deadLinks } from '../../../js/build/site/links.mjs';
-import { pagesOf, sidebarOf, withSiteLinks, writePages } from '../../../js/build/site/pages.mjs';
+import { pagesOf, sidebarOf, unbroken, withSiteLinks, writePages } from '../../../js/build/site/pages.mjs';
 
 // What makes the site of the Markdown, but for VitePress and TypeDoc, which `npm run site` installs.
 
@@ -31,6 +31,10 @@ test('links lead to pages, pictures and files of the site; sources are text', ()
   assert.equal(led('[the gate](../../test/parity/README.md)').text, 'the gate (`test/parity/README.md`)');
   assert.equal(led('[out](https://example.com/a.md), [here](#part)').text, '[out](https://example.com/a.md), [here](#part)');
   assert.throws(() => led('[gone](gone.md)', 'README.md', () => false), /README.md: gone.md is not there/);
+});
+
+test('numbers in tables stay beside their units', () => {
+  assert.equal(unbroken('| 190 ms | 2 GiB, 5 sides |\n190 ms'), '| 190\u00a0ms | 2\u00a0GiB, 5 sides |\n190 ms');
 });
 
 test('every page of js/docs is in the side bar, once; one without a group comes last', (t) => {
