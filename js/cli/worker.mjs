@@ -31,7 +31,7 @@ export async function worker(options, { console, signal, env, ending, loadPool }
       for (const warning of queue.warnings) console.warning(warning, 'queue');
       const drawing = startWorker(queue, { pool, jobMs, putHosts: options.putHost });
       const count = pool.workers.length;
-      await console.result({ ok: true, workers: count }, [`${count} worker${count === 1 ? ' draws' : 's draw'} the jobs of ${where.name ?? 'the queue'}`]);
+      await console.result({ ok: true, workers: count }, [`${count} worker${count === 1 ? ' draws' : 's draw'} the jobs of the queue`]);
       if (!signal.aborted) await once(signal, 'abort');
       await drawing.drain(drainMs);
     } finally {

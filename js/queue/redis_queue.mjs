@@ -4,7 +4,7 @@ import { STEP, isKept, isOver } from './job_queue.mjs';
 import { readAdding } from './options.mjs';
 import { jobId, packTask } from './pack.mjs';
 import { RedisRuns } from './redis_runs.mjs';
-import { checkServer, connect, libraries, told } from './redis_server.mjs';
+import { checkServer, closedInTime, connect, letGoOf, libraries, told } from './redis_server.mjs';
 import { RedisStore } from './redis_store.mjs';
 import { loadResult, refsOf, storeTask } from './stored.mjs';
 import { cancelled, poisoned, tooLarge, tooManyWait, tooOften } from './verdict.mjs';
@@ -44,7 +44,8 @@ export class RedisQueue {
   #store;
   #runs;
   #events;
-  #eventsClient;
+  /** What lets go of the connections. */
+  #lettingGo = [];
   #listeners = new Map();
   #timers = [];
 
@@ -56,7 +57,11 @@ export class RedisQueue {
     const bullmq = await libraries();
     const client = connect(bullmq.Redis, bounds.redis, { waits: false });
     try {
-      await told(() => client.connect());
+      let why;
+      client.on('error', (error) => {
+        why = error;
+      });
+      await told(() => client.connect().catch((error) => Promise.reject(why ?? error)));
       const warnings = await told(() => checkServer(client));
       const store = bounds.folder === undefined ? new RedisStore(client, `${PREFIX}-bytes:${bounds.name}:`) : await FolderStore.open(bounds.folder);
       return new RedisQueue(bounds, { bullmq, client, store, warnings });
@@ -71,6 +76,7 @@ export class RedisQueue {
     this.#bounds = bounds;
     this.#bullmq = bullmq;
     this.#client = client;
+    this.#lettingGo.push(letGoOf(client));
     this.#store = store;
     this.#queue = new bullmq.Queue(bounds.name, { connection: client, prefix: PREFIX, skipVersionCheck: true });
     this.#queue.on('error', () => {}); // each call tells
@@ -206,8 +212,9 @@ export class RedisQueue {
   /** One stream of events for all listeners. */
   #listen() {
     if (this.#events) return;
-    this.#eventsClient = connect(this.#bullmq.Redis, this.#bounds.redis, { waits: true });
-    this.#events = new this.#bullmq.QueueEvents(this.#bounds.name, { connection: this.#eventsClient, prefix: PREFIX, skipVersionCheck: true });
+    const connection = connect(this.#bullmq.Redis, this.#bounds.redis, { waits: true });
+    this.#lettingGo.push(letGoOf(connection));
+    this.#events = new this.#bullmq.QueueEvents(this.#bounds.name, { connection, prefix: PREFIX, skipVersionCheck: true });
     this.#events.on('error', () => {}); // it connects again
     for (const event of EVENTS) this.#events.on(event, ({ jobId }) => this.#tell(jobId));
   }
@@ -261,10 +268,8 @@ export class RedisQueue {
     this.#timers.forEach(clearInterval);
     this.abort(new TelarError('X_SHUTDOWN', 'the queue was closed'));
     await this.idle();
-    this.#eventsClient?.disconnect();
-    await this.#events?.close().catch(() => {});
-    await this.#queue.close().catch(() => {});
-    this.#client.disconnect();
+    await closedInTime([this.#events?.close(), this.#queue.close()]);
+    for (const letGo of this.#lettingGo) letGo();
   }
 }
 

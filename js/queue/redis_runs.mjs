@@ -1,5 +1,5 @@
 import { toTelarError } from '../error/index.mjs';
-import { connect } from './redis_server.mjs';
+import { connect, letGoOf } from './redis_server.mjs';
 import { loadTask, refsOf, storeResult } from './stored.mjs';
 import { backoffOf, cancelled, isPoison, poisoned, verdictOf } from './verdict.mjs';
 
@@ -18,6 +18,7 @@ export class RedisRuns {
   #running = new Map();
   #timer;
   #closing;
+  #letGo;
 
   /**
    * @param {import('./job_queue.mjs').Work} work
@@ -29,6 +30,7 @@ export class RedisRuns {
     this.#how = how;
     // Unlike whoever adds, a worker waits for a server that is away.
     this.#client = connect(bullmq.Redis, bounds.redis, { waits: true });
+    this.#letGo = letGoOf(this.#client);
     this.#store = how.store(this.#client);
     this.#worker = new bullmq.Worker(bounds.name, (job, token) => this.#process(job, token), {
       connection: this.#client,
@@ -88,7 +90,7 @@ export class RedisRuns {
   idle() {
     this.#closing ??= this.#worker.close().finally(() => {
       clearInterval(this.#timer);
-      this.#client.disconnect();
+      this.#letGo();
     });
     return this.#closing;
   }

@@ -1,3 +1,4 @@
+import { setTimeout as sleep } from 'node:timers/promises';
 import { TelarError } from '../error/index.mjs';
 
 /** The connection to a Redis or Valkey server, and what its settings have to be. */
@@ -48,6 +49,32 @@ export function connect(Redis, url, { waits }) {
   });
   client.on('error', () => {}); // It connects again; each command tells.
   return client;
+}
+
+/**
+ * Lets go of a client and of what BullMQ makes after its pattern: without a server, neither would end by itself.
+ * @param {import('ioredis').Redis} client
+ * @returns {() => void}
+ */
+export function letGoOf(client) {
+  const all = [client];
+  const duplicate = client.duplicate.bind(client);
+  client.duplicate = (...args) => {
+    all.push(duplicate(...args));
+    return all.at(-1);
+  };
+  return () => all.forEach((one) => one.disconnect());
+}
+
+/** Milliseconds that the server has to answer when a queue is closed. */
+const CLOSE_MS = 2000;
+
+/** Resolves when all are closed, or when a server that is away has had its time. @param {Promise<unknown>[]} closing */
+export async function closedInTime(closing) {
+  const clock = new AbortController();
+  const late = sleep(CLOSE_MS, undefined, { signal: clock.signal }).catch(() => {});
+  await Promise.race([Promise.allSettled(closing), late]);
+  clock.abort();
 }
 
 /** "key:value" lines of INFO. */
