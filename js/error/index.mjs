@@ -94,6 +94,8 @@ export function toTelarError(thrown) {
   if (thrown?.name === 'AbortError' || thrown?.name === 'TimeoutError') {
     return new TelarError(thrown.name === 'AbortError' ? 'X_CANCELLED' : 'X_TIMEOUT', thrown.message, { cause: thrown });
   }
+  // Of C++ that was called without a job: node-addon-api makes it an Error.
+  if (thrown?.message === 'std::bad_alloc') return new TelarError('X_MEMORY', 'there is not enough memory for this job', { cause: thrown });
   return new TelarError('X_INTERNAL', thrown instanceof Error ? thrown.message : String(thrown), { cause: thrown });
 }
 

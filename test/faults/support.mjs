@@ -20,7 +20,7 @@ export function buildLibrary() {
 const SHOT = { size: { width: 48, height: 48 } };
 
 /** What a job may end with where there is no memory for one allocation of its worker. */
-export const OF_MEMORY = ['X_MEMORY', 'X_GL_MEMORY', 'X_CRASH', 'X_GL', 'X_GL_LOST', 'X_SHADER'];
+export const OF_MEMORY = ['X_MEMORY', 'X_GL_MEMORY', 'X_CRASH', 'X_TIMEOUT', 'X_GL', 'X_GL_LOST', 'X_SHADER'];
 
 const settled = (promise) =>
   promise.then(
