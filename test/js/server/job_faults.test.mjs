@@ -101,7 +101,7 @@ async function outcome(check, edits, { hangs }) {
   };
   const { url } = await serve(JOB_OPTIONS);
   const about = { url, pool, serve, glb, drawn };
-  const found = await outcomeOf(() => check(about), { hangMs: hangs ? HANG_MS : 10 * HANG_MS });
+  const found = await outcomeOf(() => check(about), { hangMs: hangs ? HANG_MS : 100 * HANG_MS });
   // What hangs would hold the worker.
   ending.abort();
   await Promise.all(all.map((one) => one.drain()));

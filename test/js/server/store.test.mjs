@@ -217,7 +217,7 @@ const CHECKS = {
   },
 };
 /** Milliseconds after which a check that passes would have passed. */
-const HANG_MS = 4000;
+const HANG_MS = 2500;
 
 /** What is wrong in js/server, by the beginning of the check that must find it. */
 const FAULTS = [
