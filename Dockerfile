@@ -17,10 +17,12 @@ COPY --from=build /src/out/package/ /
 
 # npm and its cache stay behind here.
 FROM node:${NODE}-bookworm-slim AS app
+# npm packages of features that telar does not bring along: --build-arg NPM_PACKAGES="bullmq ioredis" for queues on Redis (js/docs/queue.md)
+ARG NPM_PACKAGES=""
 WORKDIR /opt/telar
 COPY --from=packages /*.tgz /tmp/packages/
 RUN npm install --omit=dev --ignore-scripts --no-audit --no-fund \
-  /tmp/packages/telar-[0-9]*.tgz /tmp/packages/telar-linux-$(node -p process.arch)-[0-9]*.tgz
+  /tmp/packages/telar-[0-9]*.tgz /tmp/packages/telar-linux-$(node -p process.arch)-[0-9]*.tgz ${NPM_PACKAGES}
 
 FROM node:${NODE}-bookworm-slim
 # Features that telar itself does not bring along, by the names of js/docs/install.md:

@@ -2,6 +2,7 @@
 import { TelarError, createRenderer, doctor, inspect, toTelarError, versions, type FrameInfo, type Model, type SettledImage, type Shot } from 'telar';
 import { compareImages, embedShot, encodePng, heatMap, htmlReport, judge, junitReport, readEmbeddedShot, readImage } from 'telar/compare';
 import { createPool, type Pool, type PoolModel } from 'telar/pool';
+import { openQueue, startWorker, type JobState } from 'telar/queue';
 import { VIEWS, parseColour, resolveShot, type ResolvedShot } from 'telar/shot';
 import { applyShot, rendererParameters } from 'telar/three';
 
@@ -83,4 +84,16 @@ export async function drawInWorkers(pool: Pool): Promise<number> {
   await createPool({ sizes: 2 });
   await own.close();
   return first?.status === 'fulfilled' ? first.value.data.length : pool.workers.length;
+}
+
+export async function drawLater(pool: Pool): Promise<Uint8Array | undefined> {
+  const queue = await openQueue({ sqlite: 'jobs.db', attempts: 2 });
+  const { id }: JobState = await queue.add({ kind: 'thumbnail', asked: { shot }, files: { model: new Uint8Array(4) } }, { priority: 1, tenant: 'one' });
+  const worker = startWorker(queue, { pool, atOnce: 2 });
+  const stop = queue.watch(id, ({ state, error }) => console.log(state, error?.retryable));
+  await worker.drain(1000);
+  stop();
+  // @ts-expect-error: no such kind
+  await queue.add({ kind: 'picture', asked: {}, files: {} });
+  return (await queue.result(id))?.result.files[0]?.data;
 }

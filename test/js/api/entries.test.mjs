@@ -27,6 +27,7 @@ test('require and import give the same names', () => {
   assert.ok(shot.includes('resolveShot'));
   assert.deepEqual(commonjs("console.log(JSON.stringify(Object.keys(require('telar/shot')).sort()))"), shot);
   assert.deepEqual(commonjs("console.log(JSON.stringify(Object.keys(require('telar/pool'))))"), ['createPool']);
+  assert.deepEqual(commonjs("console.log(JSON.stringify(Object.keys(require('telar/queue')).sort()))"), ['TelarError', 'openQueue', 'startWorker']);
   const compare = module("console.log(JSON.stringify(Object.keys(await import('telar/compare')).sort()))");
   assert.ok(compare.includes('compareImages'));
   assert.deepEqual(commonjs("console.log(JSON.stringify(Object.keys(require('telar/compare')).sort()))"), compare);
@@ -69,6 +70,25 @@ test('a frame drawn in a worker through require', () => {
       console.log(JSON.stringify(data.subarray(1, 4).toString()));
     })();`);
   assert.equal(seen, 'PNG');
+});
+
+test('a job of each queue through require', () => {
+  const seen = commonjs(`
+    const { openQueue } = require('telar/queue');
+    const { mkdtempSync, rmSync } = require('node:fs');
+    (async () => {
+      const folder = mkdtempSync(require('node:path').join(require('node:os').tmpdir(), 'telar-entries-'));
+      const codes = [];
+      for (const place of [{}, { sqlite: folder + '/jobs.db' }, { redis: 'redis://127.0.0.1:1' }]) {
+        const queue = await openQueue(place).catch(({ code }) => codes.push(code));
+        if (!queue.add) continue;
+        codes.push((await queue.add({ kind: 'inspect', asked: {}, files: { model: Buffer.from('a') } })).state);
+        await queue.close();
+      }
+      rmSync(folder, { recursive: true });
+      console.log(JSON.stringify(codes));
+    })();`);
+  assert.deepEqual(seen, ['waiting', 'waiting', 'X_QUEUE']);
 });
 
 test("both kinds of module share one addon and its renderers' threads in a process", () => {

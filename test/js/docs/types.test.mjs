@@ -14,7 +14,7 @@ test('the types hold for ESM and CommonJS users, and refuse what is wrong', () =
 });
 
 test('each entry declares exactly what it exports', async () => {
-  for (const entry of ['js/index', 'js/shot/index', 'js/compare/index', 'js/pool/index', 'js/three/index']) {
+  for (const entry of ['js/index', 'js/shot/index', 'js/compare/index', 'js/pool/index', 'js/queue/index', 'js/three/index']) {
     const declared = [...readFileSync(`${root}${entry}.d.ts`, 'utf8').matchAll(/^export (?:class|function|const) (\w+)|^export \{ ([\w, ]+) \}/gm)].flatMap(
       ([, one, many]) => one ?? many.split(', '),
     );
