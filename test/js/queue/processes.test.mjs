@@ -95,7 +95,7 @@ for (const [name, kind] of Object.entries(KINDS)) {
     test('SIGTERM: what takes too long is given back, and counts for nothing', async (t) => {
       const [place, log] = [await kind.place(t), logFile(t)];
       const queue = await open(t, { ...place, poison: 1, attempts: 1 });
-      const { id } = await queue.add(taskOf('a', { sleep: 2000 }));
+      const { id } = await queue.add(taskOf('a', { sleep: 800 }));
       const slow = await startProcess(t, { ...place, poison: 1, attempts: 1 }, { log });
       await until(() => runsIn(log).length === 1);
       slow.child.kill('SIGTERM');
