@@ -2,6 +2,7 @@
 
 #define TINYGLTF_IMPLEMENTATION
 #include <limits>
+#include <new>
 
 #include "asset/check/pointer.h"
 #include "asset/document/tinygltf_model.h"
@@ -37,6 +38,8 @@ tinygltf::Model parseModel(const std::string& json) {
   std::string error, warning;
   const bool done = parser.LoadASCIIFromString(&model, &error, &warning, json.data(),
                                                static_cast<unsigned int>(json.size()), {}, tinygltf::NO_REQUIRE);
+  // It catches all exceptions: that memory is short is not the document's fault.
+  if (!done && error == std::bad_alloc().what()) throw std::bad_alloc();
   if (!done) fail("E_SCHEMA", "the glTF document cannot be read: " + telar::quoted(error), "");
   return model;
 }
