@@ -67,14 +67,14 @@ const pricesTable = (told, settings) =>
     }),
   );
 
-/** Milliseconds that stay on the CPU where pixels cost nothing. */
-const leftOf = ({ cpu, tiny, after }) => Math.min(cpu, tiny + after);
+/** Milliseconds that stay on the CPU where drawing costs nothing. */
+const leftOf = ({ cpu, redrawn, after }) => Math.min(cpu, cpu - redrawn + after);
 
 const gpuTable = (told) =>
   table(
-    ['picture', 'pixels covered', 'CPU at 512 x 512', 'of it by pixels', 'left with a GPU', 'at most faster by'],
+    ['picture', 'pixels covered', 'CPU at 512 x 512', 'of it the drawing', 'left with a GPU', 'at most faster by'],
     warm(told)
-      .filter(({ name }) => told.pictures[name].tiny !== undefined)
+      .filter(({ name }) => told.pictures[name].redrawn !== undefined)
       .map(({ name }) => {
         const { cpu, covered } = told.pictures[name];
         const left = leftOf(told.pictures[name]);
@@ -100,7 +100,7 @@ const growthTable = ({ growth }) =>
 
 /**
  * @param {object} told - `peers`: what test/bench/peers.mjs writes; `growth`: test/bench/scale.mjs; `pictures`: by name, `bytes` of the PNG, `mib` of the process, and
- *   milliseconds of CPU: `cpu` of a picture, `tiny` of the same at 16 x 16, `after` of reading back and encoding; `covered` pixels; `machine`
+ *   milliseconds of CPU: `cpu` of a picture, `redrawn` of the same of a model that is kept, `after` of reading back and encoding; `covered` pixels; `machine`
  * @param {{price: number, busy: number, command: string}} settings
  * @returns {string} js/docs/scale.md
  */
@@ -141,13 +141,13 @@ ${pricesTable(told, settings)}
 
 ## What a GPU changes
 
-No GPU was at hand. What it could take is what depends on pixels: shading of fragments, and the look for hidden triangles, which only llvmpipe needs. What stays is reading and decoding the model, uploads, reading
-back and the PNG. The same picture at 16 x 16 has all of the former and nearly no pixels:
+No GPU was at hand. What it could take is the drawing: vertices, fragments, and the look for hidden triangles, which only llvmpipe needs. A model that is kept (\`load()\`) is only drawn, read back and encoded; what
+a GPU leaves is the rest of a picture from its file, reading back and the PNG:
 
 ${gpuTable(told)}
 
-So a GPU helps large pictures, many samples and dear materials, and hardly one thumbnail of a model that is decoded for it alone. A GPU that shades a billion fragments a second, which small ones do, takes ${fill} ms for
-the most of these pixels, each of their four samples apart; with the model kept (\`load()\`), what is left on the CPU falls to uploads and the PNG. Cores feed a GPU: 100 of the first picture a second still take ${cores(coresFor(100, fed.left, settings.busy))} of
+So a GPU helps large pictures, many samples and dear materials, and less a thumbnail of a model that is decoded for it alone. A GPU that shades a billion fragments a second, which small ones do, takes ${fill} ms for
+the most of these pixels, each of their four samples apart; with the model kept, what is left on the CPU is the PNG. Cores feed a GPU: 100 of the first picture a second still take ${cores(coresFor(100, fed.left, settings.busy))} of
 them in place of ${cores(coresFor(100, fed.cpu, settings.busy))}.
 
 ## Growth
