@@ -78,6 +78,7 @@ function cut(message) {
  * @returns {TelarError}
  */
 export function fromNative(plain) {
+  if (plain instanceof Error && plain.code === undefined) return toTelarError(plain);
   if (plain instanceof TelarError) return plain;
   const { code, message = 'no message' } = plain ?? {};
   if (Object.hasOwn(TABLE, code ?? '')) return new TelarError(code, message, factsOf(plain));
@@ -94,7 +95,7 @@ export function toTelarError(thrown) {
   if (thrown?.name === 'AbortError' || thrown?.name === 'TimeoutError') {
     return new TelarError(thrown.name === 'AbortError' ? 'X_CANCELLED' : 'X_TIMEOUT', thrown.message, { cause: thrown });
   }
-  // Of C++ that was called without a job: node-addon-api makes it an Error.
+  // Of C++ outside of a job's own thread: node-addon-api makes it an Error.
   if (thrown?.message === 'std::bad_alloc') return new TelarError('X_MEMORY', 'there is not enough memory for this job', { cause: thrown });
   return new TelarError('X_INTERNAL', thrown instanceof Error ? thrown.message : String(thrown), { cause: thrown });
 }

@@ -69,4 +69,5 @@ test('foreign throws are classed and keep their cause', () => {
   assert.equal(toTelarError(cause).cause, cause);
   assert.equal(toTelarError('text').message, 'text');
   assert.equal(toTelarError(new Error('std::bad_alloc')).code, 'X_MEMORY');
+  assert.equal(fromNative(new Error('std::bad_alloc')).code, 'X_MEMORY');
 });
