@@ -17,7 +17,8 @@
 namespace telar::addon {
 
 /// new CancelToken(timeoutMs?: number); cancel(); allowAnyTime(); progress(): 0..1 of the job that it was given
-/// to; askPreviews(); takePreview(): {width, height, bitDepth, samples, data: Buffer} | undefined
+/// to; askPreviews(); takePreview(): {width, height, bitDepth, samples, data: Buffer} | undefined; settle(): the
+/// picture as it is will do
 class TokenHandle : public Napi::ObjectWrap<TokenHandle> {
  public:
   static constexpr napi_type_tag TAG{0x74656c6172000001, 0x9a3f5c1e7b2d4860};
@@ -31,6 +32,7 @@ class TokenHandle : public Napi::ObjectWrap<TokenHandle> {
   void cancel(const Napi::CallbackInfo&) { token.cancel(); }
   void allowAnyTime(const Napi::CallbackInfo&) { token.allowAnyTime(); }
   void askPreviews(const Napi::CallbackInfo&) { progress.previews.ask(); }
+  void settle(const Napi::CallbackInfo&) { progress.settle(); }
   Napi::Value takePreview(const Napi::CallbackInfo& info);
   Napi::Value reached(const Napi::CallbackInfo& info) { return Napi::Number::New(info.Env(), progress.part()); }
 };

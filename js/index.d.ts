@@ -139,6 +139,15 @@ export interface RenderOptions extends DrawOptions {
   onPreview?: (preview: Preview) => void;
 }
 
+export interface GrowingOptions extends RenderOptions {
+  /**
+   * Ends the work with the best that there is: where it fires, the promise resolves with the picture as it is, of at least one pass or path; `info.ended`
+   * tells its samples, and its key is another one. `AbortSignal.timeout(2000)` is a picture within 2 s. A picture of one pass is finished first.
+   * @default undefined
+   */
+  enough?: AbortSignal;
+}
+
 export interface DrawAllOptions extends DrawOptions {
   /**
    * false: the first shot that fails ends the others. true: the others are drawn, and each shot has an outcome as
@@ -566,6 +575,8 @@ export interface FrameInfo extends Plan {
   meteredExposure?: number;
   /** Of a shot whose quality is a goal. `quality` and `shot` have the settings that were chosen for it. */
   goal?: QualityGoal;
+  /** Samples of a pixel, at most, when the caller had enough: the option `enough`. Absent of what was finished before. */
+  ended?: number;
   /** Of a shot with layers. */
   layers?: LayerFacts;
   shot: ResolvedShot;
@@ -631,7 +642,7 @@ export interface Renderer {
    * await writeFile('shirt.webp', data);
    * console.log(info.milliseconds.total, info.warnings);
    */
-  render(source: Source | Model, shot?: Shot | ResolvedShot, options?: RenderOptions): Promise<Image>;
+  render(source: Source | Model, shot?: Shot | ResolvedShot, options?: GrowingOptions): Promise<Image>;
 
   /**
    * Draws several pictures of one model. While one is drawn, the one before is encoded.

@@ -62,9 +62,9 @@ function directory(name, value) {
 }
 
 /** @throws {TelarError} E_OPTION unless it is an AbortSignal or undefined */
-export function checkSignal(signal) {
+export function checkSignal(signal, name = 'options.signal') {
   if (signal === undefined || (isObject(signal) && typeof signal.aborted === 'boolean' && typeof signal.addEventListener === 'function')) return signal;
-  throw wrongOption('options.signal', 'an AbortSignal', signal);
+  throw wrongOption(name, 'an AbortSignal', signal);
 }
 
 const MAX_TIMEOUT_MS = 2 ** 31 - 1;
@@ -143,6 +143,13 @@ export function renderOptions(options, defaults) {
   const { onPreview } = options;
   if (onPreview !== undefined && typeof onPreview !== 'function') throw wrongOption('options.onPreview', 'a function', onPreview);
   return { ...known, onPreview };
+}
+
+/** Options of a renderer's own render: those, and enough. A pool has no such one. */
+export function growingOptions(options, defaults) {
+  if (!isObject(options)) return renderOptions(options, defaults);
+  const { enough, ...others } = options;
+  return { ...renderOptions(others, defaults), enough: checkSignal(enough, 'options.enough') };
 }
 
 /** Options of renderAll: those of a drawing, and settled. */

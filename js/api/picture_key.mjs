@@ -74,12 +74,13 @@ export async function pictureKey(source, shot = {}, options = {}) {
  * @param {object} [parts.environment] native bytes
  * @param {string} parts.drawn SHA-256 of the environment as it was drawn; empty where the renderer read none
  * @param {object} parts.limits
+ * @param {number} [parts.ended] samples with which the caller had enough: another picture than the finished one
  * @returns {Promise<string>}
  */
-export async function keyOfDrawn(native, { version, model, shot, environment, drawn, limits }) {
+export async function keyOfDrawn(native, { version, model, shot, environment, drawn, limits, ended }) {
   const { shotIdentity } = await identityModule();
   const identity = shotIdentity(shot);
   const { map } = identity.environment;
   const light = NAMED.includes(map) ? map : drawn || (await digestOf(native, environmentOf(identity.environment, environment), limits));
-  return keyOfParts({ version, model, environment: light, shot: identity });
+  return keyOfParts({ version, model, environment: light, shot: ended === undefined ? identity : { ...identity, ended } });
 }

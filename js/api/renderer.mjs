@@ -6,7 +6,7 @@ import { frameInfo, shotWarnings } from './frame_info.mjs';
 import { nativeCall } from './native_call.mjs';
 import { onAbort } from './on_abort.mjs';
 import { keyOfDrawn } from './picture_key.mjs';
-import { drawAllOptions, loadOptions, renderOptions, rendererOptions, STRICT, wrongOption } from './options.mjs';
+import { drawAllOptions, growingOptions, loadOptions, rendererOptions, STRICT, wrongOption } from './options.mjs';
 import { ProgressReport } from './progress.mjs';
 import { Work } from './work.mjs';
 import { shotJson } from './shot_json.mjs';
@@ -57,6 +57,20 @@ async function inScope(outer, { onProgress, onPreview }, jobs, run) {
   }
 }
 
+/** Ends a job with the picture as it is when its caller has enough. Rounds double, so that there is one. @returns {() => void} stops listening */
+function untilEnough(enough, token) {
+  token.askPreviews();
+  if (!enough.aborted) return onAbort(enough, () => token.settle());
+  token.settle();
+  return () => {};
+}
+
+/** That a pixel has taken, at most, where these are not all; undefined of a picture that is finished. */
+function samplesBefore(quality, { info }) {
+  const { samples } = JSON.parse(info);
+  return samples < quality.samples ? samples : undefined;
+}
+
 /** Of a picture in the format raw with 32 bits a channel; a copy, as its bytes need not lie on a boundary of 4. */
 const floatsOf = (data) => new Float32Array(data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength));
 
@@ -102,8 +116,8 @@ class Renderer {
 
   async render(source, shot = {}, options = {}) {
     this.#assertOpen();
-    const { signal, onProgress, onPreview, ...loading } = renderOptions(options, this.#loading);
-    const request = { ...this.#readRequest(source, shot), loading };
+    const { signal, onProgress, onPreview, enough, ...loading } = growingOptions(options, this.#loading);
+    const request = { ...this.#readRequest(source, shot), loading, enough };
     if (!onProgress && !onPreview) return this.#track(this.#gate.run(() => this.#render(request, this.#begin(signal, loading)), signal));
     return this.#track(
       inScope(signal, { onProgress, onPreview }, 1, (scope, report) => this.#gate.run(() => this.#render(request, this.#begin(scope, loading), report), scope)),
@@ -232,7 +246,7 @@ class Renderer {
     return this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model), forget)));
   }
 
-  async #render({ input, model: given, loading, shared, job = 0, shot, environment, map, quantity }, work, report) {
+  async #render({ input, model: given, loading, shared, job = 0, shot, environment, map, quantity, enough }, work, report) {
     const start = performance.now();
     const model = given ?? (await loadModel(this.#native, input, this.#limits, { ...loading, work }));
     const loaded = performance.now();
@@ -255,9 +269,11 @@ class Renderer {
     const resolvedAt = performance.now();
     const frame = await nativeCall(this.#native, work, (token) => {
       report?.begin(job, token);
-      return this.#handle.render(request, token);
+      const stopListening = enough && untilEnough(enough, token);
+      return this.#handle.render(request, token).finally(stopListening);
     });
     report?.finish(job);
+    const ended = enough?.aborted ? samplesBefore(resolved.quality, frame) : undefined;
     const key = await keyOfDrawn(this.#native, {
       version: versions.telar,
       model: model.facts.sha256,
@@ -265,9 +281,10 @@ class Renderer {
       environment,
       drawn: frame.environmentSha256,
       limits: this.#limits,
+      ended,
     });
     const milliseconds = { load: loaded - start, pose: shownAt - loaded, resolve: resolvedAt - shownAt, total: performance.now() - start };
-    const info = frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings, metered, goal });
+    const info = frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings, metered, goal, ended });
     refuseWarnings(loading.failOn, info.warnings);
     const layers = Object.keys(frame.layers).length > 0 && { layers: frame.layers };
     return { data: frame.data, ...layers, info };

@@ -113,6 +113,24 @@ const routesOf = (session, page, three) => ({
     const multipart = new Response(form);
     send(response, 200, multipart.headers.get('content-type'), Buffer.from(await multipart.arrayBuffer()));
   },
+  // The same as it grows: a line of JSON and its pixels for each picture so far, then for the finished one.
+  'POST grow': async ({ request, response }) => {
+    const shot = await jsonOf(request, MAX_SHOT_BYTES);
+    const tell = (what, data = Buffer.alloc(0)) => {
+      if (!response.headersSent) response.writeHead(200, { 'content-type': 'application/octet-stream' });
+      response.write(`${JSON.stringify({ ...what, bytes: data.length })}\n`);
+      response.write(data);
+    };
+    try {
+      const { data, info } = await session.draw(shot, signalOf(response), ({ data: pixels, ...preview }) => tell({ preview }, pixels));
+      tell({ info }, data);
+    } catch (thrown) {
+      // Before the first picture it is an answer like any other.
+      if (!response.headersSent) throw thrown;
+      tell({ problem: problemOf(thrown) });
+    }
+    response.end();
+  },
   ...(session.hasSpec && specRoutesOf(session)),
   // Encodes pixels of the page, so that no canvas rounds their colours under alpha.
   'POST png': async ({ request, response, query }) => {

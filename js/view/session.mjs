@@ -93,10 +93,11 @@ export class Session {
    * Draws a shot of the page.
    * @param {object} shot not resolved; its output is not looked at
    * @param {AbortSignal} signal
+   * @param {(preview: import('../index.js').Preview) => void} [onPreview] each picture so far
    * @returns {Promise<{data: Buffer, info: object}>} RGBA8, straight alpha, top row first; `info.shot` as the page knows it
    * @throws {import('../error/index.mjs').TelarError}
    */
-  async draw(shot, signal) {
+  async draw(shot, signal, onPreview) {
     if (typeof shot !== 'object' || shot === null) throw new TelarError('E_SHOT', 'shot: expected an object', { pointer: '' });
     const known = this.#environments.forRenderer(shot);
     if (!known) {
@@ -106,7 +107,7 @@ export class Session {
         .join(', ');
       throw new TelarError('E_SHOT', `shot.environment: this view has ${names}; open it with --environment to use another file`, { pointer: '/environment' });
     }
-    const { data, info } = await this.#renderer.render(this.#model, { ...known, output: PIXELS }, { signal });
+    const { data, info } = await this.#renderer.render(this.#model, { ...known, output: PIXELS }, { signal, onPreview });
     const { width, height, milliseconds, warnings } = info;
     return { data, info: { width, height, milliseconds, warnings, shot: this.#environments.forPage(info.shot) } };
   }

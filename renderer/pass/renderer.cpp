@@ -281,7 +281,8 @@ class GlRenderer final : public Renderer {
     const frame::SamplePasses passes = frame::samplePassesOf(shot);
     const glm::dmat4 projection = plan.camera.projection;
     frame::PixelMean mean(shot);
-    for (drawn = 0; drawn < passes.count && !mean.allSettled();) {
+    const auto isEnough = [&] { return drawn > 0 && progress.isEnough(); };
+    for (drawn = 0; drawn < passes.count && !mean.allSettled() && !isEnough();) {
       inputs.samplePass = drawn;
       plan.camera.projection = frame::shifted(projection, passes.shift(drawn++), shot.width, shot.height);
       const bool looked = mean.add(drawOnce(inputs, !mean.settled().empty(), timer), drawn == passes.count);

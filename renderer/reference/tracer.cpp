@@ -75,16 +75,27 @@ struct Samples {
 /// Follows paths through a picture, on several threads.
 class Follower {
  public:
-  Follower(const World& world, const Shot& shot, const TraceOptions& options, const CancelToken& cancel)
-      : world_(world), width_(shot.width), height_(shot.height), options_(options), cancel_(cancel) {}
+  Follower(const World& world, const Shot& shot, const TraceOptions& options, const CancelToken& cancel,
+           const Progress& progress)
+      : world_(world),
+        width_(shot.width),
+        height_(shot.height),
+        options_(options),
+        cancel_(cancel),
+        progress_(progress) {}
 
   /// Adds the light of these samples to each pixel but those that are settled.
+  /// A picture that is enough as it is leaves later samples out: isCut() tells, and the sums are of no use.
   /// @param settled  255 or 0; empty = none    @param rowDone  called on any thread    @param sums  empty = 0
   std::vector<glm::dvec4> follow(const Samples& samples, std::span<const std::uint8_t> settled,
                                  const std::function<void()>& rowDone, std::vector<glm::dvec4> sums = {}) {
     const auto width = static_cast<std::size_t>(width_);
     sums.resize(width * static_cast<std::size_t>(height_));
     forEachRow(height_, threads(), [&](int y) {
+      if (samples.first > 0 && progress_.isEnough()) {
+        cut_ = true;
+        return;
+      }
       std::uint64_t rays = 0;
       for (std::size_t x = 0; x < width; ++x) {
         const std::size_t pixel = static_cast<std::size_t>(y) * width + x;
@@ -98,6 +109,7 @@ class Follower {
   }
   int threads() const { return std::clamp(options_.threads, 1, height_); }
   std::uint64_t rays() const { return rays_; }
+  bool isCut() const { return cut_; }
 
  private:
   void addTo(glm::dvec4& sum, const glm::dvec2& corner, std::uint32_t index, const Samples& samples,
@@ -114,19 +126,24 @@ class Follower {
   int width_, height_;
   const TraceOptions& options_;
   const CancelToken& cancel_;
+  const Progress& progress_;
   std::atomic<std::uint64_t> rays_ = 0;
+  std::atomic<bool> cut_ = false;
 };
 
 /// Every pixel takes all samples: at once, or for previews in rounds that double them. The sums are the same.
-std::vector<glm::vec4> followAll(Follower& follower, const Shot& shot, int samples, const Progress& progress) {
+/// @param[out] taken  samples of each pixel: fewer where the picture was enough before
+std::vector<glm::vec4> followAll(Follower& follower, const Shot& shot, int samples, const Progress& progress,
+                                 int& taken) {
   std::vector<glm::dvec4> sums;
-  const auto mean = [&sums](int taken) {
+  std::vector<glm::vec4> before;
+  const auto mean = [&sums, &taken] {
     std::vector<glm::vec4> pixels(sums.size());
     std::transform(sums.begin(), sums.end(), pixels.begin(),
-                   [taken](const glm::dvec4& sum) { return glm::vec4(sum / static_cast<double>(taken)); });
+                   [&taken](const glm::dvec4& sum) { return glm::vec4(sum / static_cast<double>(taken)); });
     return pixels;
   };
-  for (int taken = 0; taken < samples;) {
+  for (taken = 0; taken < samples;) {
     const Samples round{taken, progress.previews.asked() ? std::min(std::max(2 * taken, 1), samples) : samples};
     std::atomic<int> rows = 0;
     const auto rowDone = [&] {
@@ -135,10 +152,13 @@ std::vector<glm::vec4> followAll(Follower& follower, const Shot& shot, int sampl
       progress.reach(done / static_cast<float>(samples));
     };
     sums = follower.follow(round, {}, rowDone, std::move(sums));
+    if (follower.isCut()) return before;
     taken = round.end;
-    if (progress.previews.asked() && taken < samples) progress.previews.put({frame::toFrame(mean(taken), shot), taken});
+    if (!progress.previews.asked() || taken == samples) continue;
+    before = mean();
+    progress.previews.put({frame::toFrame(before, shot), taken});
   }
-  return mean(samples);
+  return mean();
 }
 
 /// PixelMean compares two halves: the first look is after the second round.
@@ -155,6 +175,7 @@ std::vector<glm::vec4> followUntilSettled(Follower& follower, const Shot& shot, 
   for (taken = 0; taken < most && !mean.allSettled();) {
     const Samples samples{taken, std::min(std::max(2 * taken, FIRST_SAMPLES), most)};
     const auto followed = follower.follow(samples, mean.settled(), [] {});
+    if (follower.isCut()) break;
     std::copy(followed.begin(), followed.end(), reinterpret_cast<glm::vec4*>(sums.pixels.data()));
     taken = samples.end;
     mean.add(sums, taken == most, static_cast<unsigned>(samples.end - samples.first));
@@ -196,10 +217,10 @@ std::vector<glm::vec4> traceRadiance(const Scene& scene, const Shot& shot, const
   const Clock::time_point start = Clock::now();
   const World world(scene, shot, environment, options.transport, limits, cancel);
   const Clock::time_point built = Clock::now();
-  Follower follower(world, shot, options, cancel);
-  int taken = options.samples;
+  Follower follower(world, shot, options, cancel, progress);
+  int taken = 0;
   auto pixels = shot.noise > 0 ? followUntilSettled(follower, shot, options.samples, progress, taken)
-                               : followAll(follower, shot, options.samples, progress);
+                               : followAll(follower, shot, options.samples, progress, taken);
   if (facts) {
     *facts = {follower.threads(),
               taken,

@@ -62,16 +62,19 @@ A picture of more than 4 samples, or by the path tracer, can be looked at while 
 
 \`\`\`js
 const enough = new AbortController();
-let last;
-const onPreview = (preview) => {
-  last = preview; // {data, width, height, bitDepth, samples}
-  if (preview.samples >= 64) enough.abort();
+const onPreview = ({ data, width, height, bitDepth, samples }) => {
+  if (samples >= 64) enough.abort();
 };
-await renderer.render('shirt.glb', { quality: 'reference' }, { onPreview, signal: enough.signal }).catch(() => {});
+const { data, info } = await renderer.render('shirt.glb', { quality: 'reference' }, { onPreview, enough: enough.signal });
+console.log(info.ended);
 \`\`\`
 
 It is handed over at each doubling of the samples; one that the next overtakes is left out. Nobody who does not ask pays for it, and the finished bytes are the same. A pool
-has no previews.
+has previews too.
+
+Where the signal \`enough\` fires, the picture is returned as it is, encoded as any other: the raster ends the pass that it draws, the tracer drops the round that it is in.
+\`info.ended\` tells the samples, and \`info.key\` is not that of the finished picture. \`enough: AbortSignal.timeout(2000)\` is the best picture of 2 seconds. An abort of \`signal\`
+rejects, as everywhere. A pool has no \`enough\`. \`telar view\` shows pictures of many samples as they grow.
 
 ## Measuring
 

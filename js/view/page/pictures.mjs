@@ -1,6 +1,7 @@
 import { Comparer } from './comparison.mjs';
 import { showFigures } from './figures.mjs';
-import { draw } from './remote.mjs';
+import { isLong } from '../../shot/quality.mjs';
+import { draw, grow } from './remote.mjs';
 import { shotDifferences } from './shot_differences.mjs';
 
 /** How long a shot must stand still before the server draws it. */
@@ -85,7 +86,8 @@ export class Pictures {
     try {
       // The picture as it is shown, whatever file it was meant for: jpeg, for one, has a background of its own.
       const { output, ...seen } = shot;
-      const { image, info } = await draw({ ...seen, background: resolved.background }, signal);
+      const asked = { ...seen, background: resolved.background };
+      const { image, info } = await (isLong(resolved.quality) ? grow(asked, signal, (...sofar) => this.#showGrowing(...sofar)) : draw(asked, signal));
       await this.#drawing;
       if (signal.aborted) return;
       this.shown = { browser: this.#client.pixels(), server: image, resolved };
@@ -95,6 +97,11 @@ export class Pictures {
     } catch (error) {
       if (!signal.aborted) this.#fail(error);
     }
+  }
+
+  #showGrowing(image, samples) {
+    this.#stage.showGrowing(image);
+    $('server-time').textContent = `${samples} samples so far`;
   }
 
   /** Known once the browser has drawn. Another GL rounds, filters and antialiases otherwise; the browser's name of one holds the server's. */

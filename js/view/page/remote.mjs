@@ -54,6 +54,50 @@ export async function draw(shot, signal) {
   return { image: { width: info.width, height: info.height, data }, info };
 }
 
+/** Lines of JSON, each with as many bytes behind it as it says, from a stream of chunks. */
+async function* toldOf(stream) {
+  let held = new Uint8Array(0);
+  const more = (chunk) => {
+    const joined = new Uint8Array(held.length + chunk.length);
+    joined.set(held);
+    joined.set(chunk, held.length);
+    held = joined;
+  };
+  const reader = stream.getReader();
+  let line;
+  for (;;) {
+    const end = line ? line.bytes : held.indexOf(10);
+    if (end >= 0 && held.length >= end) {
+      const part = held.slice(0, end);
+      held = held.slice(line ? end : end + 1);
+      if (line) yield { ...line, data: part };
+      line = line ? undefined : JSON.parse(new TextDecoder().decode(part));
+      continue;
+    }
+    const { done, value } = await reader.read();
+    if (done) return;
+    more(value);
+  }
+}
+
+/**
+ * The same of a shot that takes long, with each picture so far.
+ * @param {object} shot not resolved
+ * @param {AbortSignal} signal
+ * @param {(image: import('../../compare/image.mjs').Image, samples: number) => void} show
+ * @returns {Promise<{image: import('../../compare/image.mjs').Image, info: object}>}
+ */
+export async function grow(shot, signal, show) {
+  const response = await request('grow', { method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify(shot), signal });
+  const imageOf = ({ width, height }, data) => ({ width, height, data: new Uint8ClampedArray(data.buffer, data.byteOffset, data.length) });
+  for await (const { preview, info, problem, data } of toldOf(response.body)) {
+    if (problem) throw new RemoteError(problem);
+    if (info) return { image: imageOf(info, data), info };
+    if (!signal.aborted) show(imageOf(preview, data), preview.samples);
+  }
+  throw new RemoteError({ code: 'X_CLOSED', message: 'telar view does not answer: it has ended' });
+}
+
 /** @returns {Promise<Uint8Array>} a PNG file of the pixels */
 export async function png({ width, height, data }) {
   const response = await request(`png?width=${width}&height=${height}`, {

@@ -61,6 +61,11 @@ export class Stage {
     this.#root.classList.remove('stale');
   }
 
+  /** The server's picture so far: the maps are still of an older shot. */
+  showGrowing(image) {
+    paint(this.#serverCanvas, image);
+  }
+
   /** The server's picture and the maps are of an older shot. */
   markStale() {
     this.#root.classList.add('stale');

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { createRenderer } from '../../../js/index.mjs';
-import { compareImages } from '../../../js/compare/index.mjs';
+import { compareImages, readImage } from '../../../js/compare/index.mjs';
 import { createPool } from '../../../js/pool/index.mjs';
 import { MODELS } from '../../fixtures/index.mjs';
 import './support/real.mjs';
@@ -69,6 +69,39 @@ test('an abort and what it throws end the work', async () => {
     throw thrown;
   };
   await assert.rejects(renderer.render(model, { ...SHOT, quality: endless }, { onPreview: fail }), (error) => error === thrown);
+});
+
+for (const [name, quality] of Object.entries({ ...QUALITIES, 'all paths': { preset: 'reference', samples: 65536 } })) {
+  test(`${name}: a caller who has enough gets the picture as it is, encoded, with a key of its own`, async () => {
+    const enough = new AbortController();
+    let last;
+    const onPreview = (preview) => {
+      last = preview;
+      if (preview.samples >= 4) enough.abort();
+    };
+    const output = { format: 'png' };
+    const { data, info } = await renderer.render(model, { ...SHOT, quality, output }, { onPreview, enough: enough.signal });
+    assert.ok(info.ended >= 4 && info.ended === info.samples && info.samples < quality.samples, `${info.ended} of ${info.samples}`);
+    const { data: pixels } = await readImage(data);
+    const apart = (bytes) => compareImages({ ...SIZE, data: last.data }, { ...SIZE, data: bytes }).object.flip.mean;
+    assert.ok(apart(pixels) < 0.2, String(apart(pixels)));
+    assert.ok(apart(Buffer.from(pixels).reverse()) > 2 * apart(pixels), 'planted fault: upside down');
+    const { key } = (await renderer.render(model, { ...SHOT, quality: 'standard', output })).info;
+    assert.notEqual(info.key, key);
+  });
+}
+
+test('who has enough before it begins gets one round; a picture of one pass is finished, with its own key', async () => {
+  const enough = AbortSignal.abort();
+  const { info } = await renderer.render(model, { ...SHOT, quality: QUALITIES.tracer }, { enough });
+  assert.equal(info.ended, 1);
+  const [plain, asked] = [await renderer.render(model, SHOT), await renderer.render(model, SHOT, { enough })];
+  assert.deepEqual([asked.info.ended, asked.info.key], [undefined, plain.info.key]);
+  assert.ok(asked.data.equals(plain.data));
+  await assert.rejects(renderer.render(model, SHOT, { enough: true }), {
+    code: 'E_OPTION',
+    message: 'options.enough: expected an AbortSignal, got true',
+  });
 });
 
 test('floats for outputs of floats; none where one pass is all', async () => {

@@ -7,6 +7,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { TelarError } from '../../../js/error/index.mjs';
 import { openView } from '../../../js/view/index.mjs';
+import { grow } from '../../../js/view/page/remote.mjs';
 import './support.mjs';
 import '../built.mjs';
 
@@ -30,7 +31,7 @@ const GLTF = {
   images: [{ uri: 'maps/red%20wool.png' }, { uri: 'maps/../maps/link.png' }, { uri: 'maps' }, { uri: '..%2fsecret.txt' }, { bufferView: 0 }],
 };
 
-/** A renderer that draws 1 x 1 at once, or never where the shot's exposure is 0. */
+/** A renderer that draws 1 x 1 at once, or never where the shot's exposure is 0; one of 3 and 4 grows, and 4 fails then. */
 function fakeRenderer() {
   const calls = { loaded: 0, released: [], rendered: [], aborted: [] };
   return {
@@ -40,7 +41,7 @@ function fakeRenderer() {
     load: async () => ({ number: ++calls.loaded, facts: { bounds: { min: [0, 0, 0], max: [1, 1, 1] }, variants: [], cameras: [], warnings: [] } }),
     factsOf: async (model) => model.facts,
     release: async (model) => void calls.released.push(model.number),
-    async render(model, shot, { signal }) {
+    async render(model, shot, { signal, onPreview }) {
       calls.rendered.push(shot);
       if (shot.exposure === 0) {
         await once(signal, 'abort');
@@ -48,6 +49,9 @@ function fakeRenderer() {
         throw signal.reason;
       }
       if (shot.exposure < 0) throw new TelarError('E_SHOT', 'shot.exposure: expected a number', { pointer: '/exposure' });
+      for (const samples of shot.exposure >= 3 ? [1, 2] : [])
+        onPreview({ width: 1, height: 1, bitDepth: 8, samples, data: Buffer.from([10, samples, 123, 255]) });
+      if (shot.exposure === 4) throw new TelarError('X_GL', 'lost');
       return { data: Buffer.from([1, 2, 3, 255]), info: { width: 1, height: 1, milliseconds: { total: 1 }, warnings: [], shot } };
     },
   };
@@ -197,6 +201,43 @@ test('a drawing is pixels as they are, with their facts', async () => {
   const form = await response.formData();
   assert.deepEqual([...new Uint8Array(await form.get('pixels').arrayBuffer())], [1, 2, 3, 255]);
   assert.deepEqual(JSON.parse(form.get('info')).shot, { exposure: 2, output: { format: 'raw' } });
+});
+
+/** What the page's own module makes of the answer; `change`: of its bytes. */
+async function grown(shot, change = (bytes) => bytes) {
+  const { fetch } = globalThis;
+  globalThis.fetch = async (name, options) => {
+    const response = await fetch(new URL(name, view.url), options);
+    const { status, headers } = response;
+    const bytes = change(Buffer.from(await response.arrayBuffer()));
+    // In chunks that end anywhere.
+    const chunks = Array.from({ length: Math.ceil(bytes.length / 7) }, (_, i) => bytes.subarray(7 * i, 7 * i + 7));
+    return new Response(ReadableStream.from(chunks), { status, headers });
+  };
+  try {
+    const seen = [];
+    const { image, info } = await grow(shot, new AbortController().signal, (picture, samples) => seen.push([samples, ...picture.data]));
+    return { seen, data: [...image.data], info };
+  } finally {
+    globalThis.fetch = fetch;
+  }
+}
+
+test('a picture that grows comes as it is, then finished', async () => {
+  const { seen, data, info } = await grown({ exposure: 3 });
+  assert.deepEqual(seen, [
+    [1, 10, 1, 123, 255],
+    [2, 10, 2, 123, 255],
+  ]);
+  assert.deepEqual([data, info.width, info.shot.exposure], [[1, 2, 3, 255], 1, 3]);
+  assert.deepEqual((await grown({ exposure: 2 })).seen, [], 'one that does not grow');
+  await assert.rejects(grown({ exposure: 4 }), { code: 'X_GL', message: /lost/ });
+  await assert.rejects(grown({ exposure: -1 }), { code: 'E_SHOT' });
+  await assert.rejects(
+    grown({ exposure: 3 }, (bytes) => bytes.subarray(0, -1)),
+    { code: 'X_CLOSED' },
+    'planted fault: an answer that is cut off',
+  );
 });
 
 test('errors come as problem+json with the codes of the table', async () => {
