@@ -338,20 +338,6 @@ test('the shot as text: what is applied is drawn, what is wrong is told and chan
   assert.equal(await page.locator('#alert').isVisible(), false);
 });
 
-test('a picture of many samples is shown as it grows, and stands in the end', async () => {
-  const before = await shotOf();
-  const grows = () => asked.filter((url) => url.endsWith('/grow')).length;
-  assert.equal(grows(), 0, 'one pass has nothing to grow');
-  await page.fill('#shot', JSON.stringify({ ...before, quality: { samples: 64 } }));
-  await changing(page, () => page.click('#apply-shot'));
-  assert.equal(grows(), 1);
-  assert.match(await page.locator('#server-time').textContent(), /^\d+ ms$/);
-  const [, many] = await pictures(page);
-  await page.fill('#shot', JSON.stringify(before));
-  await changing(page, () => page.click('#apply-shot'));
-  assert.notEqual((await pictures(page))[1], many);
-});
-
 test('help lists the keys, and turns single keys off', async () => {
   await page.evaluate(() => document.activeElement?.blur());
   await page.keyboard.press('?');

@@ -56,6 +56,25 @@ test('a .gltf with its files beside it, beneath an environment of the command li
   await second.close();
 });
 
+test('a picture of many samples is asked for as it grows, and stands in the end', async (t) => {
+  const view = await openView(SHIRT, ['--size', '64']);
+  t.after(() => view.stop());
+  const page = await newPage();
+  const asked = [];
+  page.on('request', (request) => asked.push(request.url().split('/').at(-1)));
+  await page.goto(view.url);
+  await settled(page);
+  assert.ok(asked.includes('draw') && !asked.includes('grow'), 'one pass has nothing to grow');
+  const [, once] = await pictures(page);
+  await page.locator('#shot-text').evaluate((details) => (details.open = true));
+  await page.fill('#shot', JSON.stringify({ ...JSON.parse(await page.locator('#shot').inputValue()), quality: { samples: 64 } }));
+  await changing(page, () => page.click('#apply-shot'));
+  assert.ok(asked.includes('grow'));
+  assert.match(await page.locator('#server-time').textContent(), /^\d+ ms$/);
+  assert.notEqual((await pictures(page))[1], once);
+  await page.close();
+});
+
 test('a part is shown in another cloth, alike on both sides, and in its own again', async (t) => {
   const view = await openView(SHIRT, ['--size', '96']);
   t.after(() => view.stop());
