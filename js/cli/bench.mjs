@@ -14,9 +14,12 @@ import {
   clothModels,
   csvOf,
   fileModels,
+  KNOB_SETTINGS,
+  knobsTable,
   overallPoints,
   scenesOf,
   tablesOf,
+  together,
   tradePage,
   tradePlot,
 } from '../trade/index.mjs';
@@ -48,8 +51,12 @@ function wholeOf(option, text, min, max) {
   throw usage(`--${option}: expected a whole number in [${min}, ${max}], got ${shown(text)}`);
 }
 
-/** The ladder's, or those of it that are named, and own ones: NAME=JSON of a quality. */
-function settingsOf({ settings, setting: own = [] }) {
+/** The ladder's, or those of it that are named, and own ones: NAME=JSON of a quality. Of knobs: each alone. */
+function settingsOf({ settings, setting: own = [], knobs }) {
+  if (knobs) {
+    if (settings !== undefined) throw usage('--knobs has settings of its own: leave --settings out');
+    return { ...KNOB_SETTINGS, ...Object.fromEntries(own.map(ownSetting)) };
+  }
   const known = Object.keys(SETTINGS);
   const chosen = namesOf('settings', settings, known);
   const unknown = chosen.find((name) => !known.includes(name));
@@ -110,13 +117,15 @@ export async function benchTrade(models, options, { console, signal, api, versio
   const progress = await console.progress(benchSteps(plan));
   let rows;
   try {
-    rows = await bench(api, renderer, plan, store, { signal, step: (name) => progress.step(name) });
+    const measure = (settings) => bench(api, renderer, { ...plan, settings }, store, { signal, step: (name) => progress.step(name) });
+    rows = await measure(plan.settings);
+    if (options.knobs) rows.push(...(await measure(together(rows))));
   } finally {
     progress.stop();
     await renderer.close();
   }
   const files = await writeResult(folder, rows, { ...plan, machine: machineOf(renderer) }, signal);
-  const tables = tablesOf(rows);
+  const tables = { ...tablesOf(rows), ...(options.knobs && { knobs: knobsTable(rows) }) };
   await console.result({ ok: true, exit: 0, files, rows, tables }, [
     ...linesOf(tables.overall),
     '',
@@ -124,6 +133,7 @@ export async function benchTrade(models, options, { console, signal, api, versio
     '',
     ...linesOf(tables.presets),
     '',
+    ...(tables.knobs ? [...linesOf(tables.knobs), ''] : []),
     files[0],
   ]);
   return 0;

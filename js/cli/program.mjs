@@ -224,6 +224,7 @@ export function buildProgram(version, actions, output) {
         .option('--shadings <names>', 'with commas between', 'fabric')
         .option('--settings <names>', 'some of those that are measured, with commas between; all by default')
         .option('--setting <name=json>', 'a quality beside them, as in fine={"samples":64,"environmentSamples":1024}; repeatable', collect)
+        .option('--knobs', 'each number of a quality and of shadows alone, from "standard", and the steepest together, in place of --settings')
         .option('--window <pixels>', 'side of the part of each picture that is compared', '48')
         .option('--cap <seconds>', 'CPU time from which on a setting is drawn in the window alone', '20')
         .addOption(backend()),

@@ -1,7 +1,7 @@
 import { compareImages } from '../compare/index.mjs';
 import { TelarError } from '../error/index.mjs';
 import { familyOf } from '../predict/settings.mjs';
-import { windowCamera, windowOf } from './window.mjs';
+import { windowCamera, windowOf } from '../predict/window.mjs';
 
 /**
  * What the error is measured against: light that arrives directly and the environment, path traced. Another seed than the settings':
@@ -23,6 +23,13 @@ export const scaledTime = (small, large, pixels) => small.ms + ((large.ms - smal
 /** CPU time from which on a window is drawn no second time, and up to which it is drawn a third time. */
 const LONG_MS = 1500;
 const SHORT_MS = 300;
+
+/** A shot with a setting: a quality, or that and what of the shadows of its lamps is other. */
+const withSetting = (shot, setting) => {
+  if (setting.shadow === undefined) return { ...shot, quality: setting };
+  const lights = shot.lights.map((light) => (light.castShadow ? { ...light, shadow: { ...light.shadow, ...setting.shadow } } : light));
+  return { ...shot, quality: setting.quality, lights };
+};
 
 /** Pictures that are timed, by the milliseconds that one is expected to take: the least of them counts, for whatever else runs only adds. */
 const runsFor = (ms) => (ms < 150 ? 5 : ms < 600 ? 3 : 1);
@@ -54,7 +61,7 @@ const runsFor = (ms) => (ms < 150 ? 5 : ms < 600 ? 3 : 1);
  * @param {object} model loaded
  * @param {Scene} scene
  * @param {object} plan
- * @param {Record<string, object | string>} plan.settings quality by name
+ * @param {Record<string, object | string>} plan.settings quality by name, or {quality, shadow}: those are left out where no lamp casts a shadow
  * @param {number} plan.window side in pixels
  * @param {object} [plan.truth] quality
  * @param {number} plan.capMs CPU time above which a setting is drawn in the window alone
@@ -118,18 +125,23 @@ export async function measureScene(
   };
   const rows = [];
   for (const [setting, quality] of Object.entries(settings)) {
+    if (quality.shadow !== undefined && !features.shadows) {
+      step(`${scene.model}, ${scene.light}: ${setting}`);
+      continue;
+    }
     const name = keyOf({ setting, quality, capMs });
     let row = store.row(name);
     if (!row) {
       const reference = await truthOf();
-      const drawn = await draw({ ...shown, quality });
+      const shot = withSetting(shown, quality);
+      const drawn = await draw(shot);
       // The first picture may compile programs.
-      const again = drawn.cpuMs < LONG_MS ? await leastOf({ ...shown, quality }, 1) : drawn.cpuMs;
-      const windowMs = Math.min(drawn.cpuMs, again < SHORT_MS ? await leastOf({ ...shown, quality }, 1) : again, again);
+      const again = drawn.cpuMs < LONG_MS ? await leastOf(shot, 1) : drawn.cpuMs;
+      const windowMs = Math.min(drawn.cpuMs, again < SHORT_MS ? await leastOf(shot, 1) : again, again);
       const { flip, deltaE } = compareImages({ ...size, data: reference }, { ...size, data: drawn.data }).object;
-      const expectedMs = await wholeTime({ ...shown, quality }, windowMs);
+      const expectedMs = await wholeTime(shot, windowMs);
       const fits = expectedMs <= capMs;
-      const cpuMs = fits ? await leastOf({ ...whole, quality }, runsFor(expectedMs)) : expectedMs;
+      const cpuMs = fits ? await leastOf(withSetting({ ...whole, lights: resolved.lights }, quality), runsFor(expectedMs)) : expectedMs;
       row = {
         model: scene.model,
         light: scene.light,

@@ -1,5 +1,6 @@
 import { escaped } from '../compare/markup.mjs';
 import { familyOf } from '../predict/settings.mjs';
+import { FROM, KNOB_SETTINGS, knobsTable } from './knobs.mjs';
 import { BARS, byScene, cheapestTable, LEEWAY, overall, presetsAboveFront } from './figures.mjs';
 import { tradePlot } from './plots.mjs';
 
@@ -38,6 +39,9 @@ export function tablesOf(rows) {
   };
 }
 
+/** Whether some were measured. */
+const hasKnobs = (rows) => rows.some(({ setting }) => setting !== FROM && Object.hasOwn(KNOB_SETTINGS, setting));
+
 /** Medians of settings as a plot takes them. */
 export const overallPoints = (rows) => overall(rows).map((point) => ({ ...point, family: familyOf(point.setting) ?? 'other' }));
 
@@ -49,6 +53,7 @@ export const overallPoints = (rows) => overall(rows).map((point) => ({ ...point,
 export function tradePage(rows, { command, machine, window }) {
   const { overall: all, cheapest, presets } = tablesOf(rows);
   const scenes = byScene(rows);
+  const knobs = knobsTable(rows);
   const title = 'Time against error';
   return `<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width,initial-scale=1"><title>${title}</title><style>${STYLE}</style></head>
@@ -64,7 +69,7 @@ ${table(all.head, all.lines)}
 ${table(cheapest.head, cheapest.lines)}
 <h2>Presets above the front</h2>
 ${table(presets.head, presets.lines)}
-<h2>Scenes</h2>
+${hasKnobs(rows) ? `<h2>Knobs</h2>\n${table(knobs.head, knobs.lines)}\n` : ''}<h2>Scenes</h2>
 ${scenes.map(({ name, rows: own }) => `<figure>${tradePlot(name, own)}</figure>`).join('\n')}
 </body></html>
 `;

@@ -53,6 +53,19 @@ test('a run goes on where another stopped, a cut line is measured again', async 
   );
 });
 
+test('--knobs: each alone, then the steepest together; shadows only where a lamp casts them', async () => {
+  const { exit, stdout, stderr } = await run(['-o', freshFolder(), '--knobs', ...SMALL.slice(0, -2), '--json']);
+  assert.equal(exit, 0, stderr);
+  const { rows, tables } = JSON.parse(stdout);
+  const names = rows.map(({ setting }) => setting);
+  assert.ok(names.includes('standard') && names.includes('environmentSamples 16') && !names.some((name) => name.startsWith('shadow')), String(names));
+  assert.equal(tables.knobs.lines.length, names.length - 1);
+  const lit = JSON.parse((await run(['-o', freshFolder(), '--knobs', ...SMALL.slice(0, -2), '--environments', 'sun', '--json'])).stdout);
+  assert.ok(lit.rows.some(({ setting }) => setting === 'shadow.mapSize 512'));
+  const { exit: refused, stderr: why } = await run(['-o', freshFolder(), '--knobs', ...SMALL]);
+  assert.deepEqual([refused, why.includes('leave --settings out')], [2, true]);
+});
+
 test('wrong options are told before anything is opened', async () => {
   const folder = freshFolder();
   const told = async (...argv) => {

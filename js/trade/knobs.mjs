@@ -1,0 +1,95 @@
+import { percentile } from '../compare/statistics.mjs';
+import { PRESETS } from '../shot/table/quality.mjs';
+import { byScene } from './figures.mjs';
+
+/** Each number of the shot that trades time for error, alone and the steepest together, from quality `standard`. */
+
+const { standard } = PRESETS;
+
+/** The setting that all others differ from. */
+export const FROM = 'standard';
+
+const sampled = (samples, more = {}) => ({ ...standard, samples, ...(samples > 4 && { resolve: 'linear' }), ...more });
+
+/** By knob and value: what of a quality it changes, or of the shadows of lamps. A knob that another needs comes with it, and the name says so. */
+export const KNOBS = Object.freeze({
+  samples: { 1: { samples: 1 }, 16: { samples: 16 }, 64: { samples: 64 } },
+  resolve: { linear: { resolve: 'linear' } },
+  environmentSamples: { 4: { environmentSamples: 4 }, 16: { environmentSamples: 16 }, 64: { environmentSamples: 64 }, 256: { environmentSamples: 256 } },
+  'shadow.mapSize': { 256: { shadow: { mapSize: 256 } }, 512: { shadow: { mapSize: 512 } }, 2048: { shadow: { mapSize: 2048 } } },
+  'shadow.radius': { 0: { shadow: { radius: 0 } }, 1: { shadow: { radius: 1 } } },
+});
+
+/** A setting of js/trade/measure.mjs. */
+const settingOf = ({ shadow, samples = standard.samples, ...rest }) => {
+  const quality = sampled(samples, rest);
+  return shadow ? { quality, shadow } : quality;
+};
+
+const alone = Object.entries(KNOBS).flatMap(([knob, values]) => Object.entries(values).map(([value, change]) => ({ name: `${knob} ${value}`, knob, change })));
+
+/** Each knob alone, by name. */
+export const KNOB_SETTINGS = Object.freeze({ [FROM]: FROM, ...Object.fromEntries(alone.map(({ name, change }) => [name, settingOf(change)])) });
+
+const median = (values) =>
+  percentile(
+    values.toSorted((a, b) => a - b),
+    0.5,
+  );
+
+/**
+ * What each setting changes against `standard` of the same scene.
+ * @param {import('./measure.mjs').Row[]} rows
+ * @returns {{setting: string, flip: number, cpuMs: number, perSecond: number, scenes: number}[]} flip, cpuMs: medians of the changes; perSecond: FLIP that a
+ *   second of CPU takes away, of the means; the steepest first
+ */
+export function sensitivity(rows) {
+  const pairs = byScene(rows).flatMap(({ rows: own }) => {
+    const from = own.find(({ setting }) => setting === FROM);
+    return from ? own.filter((row) => row !== from).map((row) => ({ ...row, by: { flip: row.flip - from.flip, cpuMs: row.cpuMs - from.cpuMs } })) : [];
+  });
+  const mean = (values) => values.reduce((sum, each) => sum + each, 0) / values.length;
+  return [...new Set(pairs.map(({ setting }) => setting))]
+    .map((setting) => {
+      const own = pairs.filter((pair) => pair.setting === setting).map(({ by }) => by);
+      const of = (key) => own.map((by) => by[key]);
+      const perSecond = (-1000 * mean(of('flip'))) / mean(of('cpuMs'));
+      return { setting, flip: median(of('flip')), cpuMs: median(of('cpuMs')), perSecond, scenes: own.length };
+    })
+    .toSorted((a, b) => b.perSecond - a.perSecond);
+}
+
+/** How many knobs are tried together. */
+const STEEPEST = 3;
+
+/**
+ * The steepest knobs that take error away, each at its steepest value, together: all pairs, and all.
+ * @param {import('./measure.mjs').Row[]} rows of KNOB_SETTINGS
+ * @returns {Record<string, object>} settings by name
+ */
+export function together(rows) {
+  const found = [];
+  for (const { setting, flip, cpuMs } of sensitivity(rows)) {
+    const own = alone.find(({ name }) => name === setting);
+    if (own && flip < 0 && cpuMs > 0 && !found.some(({ knob }) => knob === own.knob)) found.push(own);
+  }
+  const steepest = found.slice(0, STEEPEST);
+  const pairs = steepest.flatMap((a, i) => steepest.slice(i + 1).map((b) => [a, b]));
+  const sets = steepest.length > 2 ? [...pairs, steepest] : pairs;
+  return Object.fromEntries(sets.map((set) => [set.map(({ name }) => name).join(', '), settingOf(Object.assign({}, ...set.map(({ change }) => change)))]));
+}
+
+const signed = (value, digits) => `${value > 0 ? '+' : ''}${value.toFixed(digits)}`;
+
+/** Heads and lines of the table. @param {import('./measure.mjs').Row[]} rows */
+export const knobsTable = (rows) => ({
+  head: ['from `standard`', 'FLIP', 'CPU time, ms', 'FLIP less for a second', 'scenes'],
+  lines: sensitivity(rows).map(({ setting, flip, cpuMs, perSecond, scenes }) => [
+    setting,
+    signed(flip, 4),
+    signed(cpuMs, 0),
+    // Less error in less time has no slope, nor has more in more.
+    flip < 0 === cpuMs > 0 ? perSecond.toFixed(3) : flip < 0 ? 'less of both' : 'more of both',
+    String(scenes),
+  ]),
+});
