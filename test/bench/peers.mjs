@@ -11,7 +11,9 @@ import path from 'node:path';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+import { compareImages } from '../../js/compare/index.mjs';
 import { createRenderer } from '../../js/index.mjs';
+import { MODELS } from '../fixtures/index.mjs';
 import { median } from '../median.mjs';
 import { Browser } from '../parity/browser/chromium.mjs';
 import { difference } from '../parity/metrics.mjs';
@@ -103,31 +105,89 @@ const environment = readFileSync(path.join(ASSETS, 'studio.hdr'));
 const renderer = await createRenderer();
 const drawer = fork(new URL('peers_telar.mjs', import.meta.url));
 await once(drawer, 'message');
-/** A picture by the process that only draws. */
-async function byTelar(model, shot) {
-  drawer.send({ model, shot });
+/** Work of the process that only draws: peers_telar.mjs. */
+async function telarDoes(asked) {
+  drawer.send(asked);
   return (await once(drawer, 'message'))[0];
 }
+const byTelar = (model, shot) => telarDoes({ model, shot });
+
+/** Both in turns. @returns {Promise<{cpu: number, wall: number}[][]>} */
+async function inTurns(byUs, byThem, runs = RUNS) {
+  const [telar, theirs] = [[], []];
+  for (let i = 0; i < runs; ++i) {
+    await settled();
+    telar.push(await byUs());
+    await settled();
+    theirs.push(await measured(cpuBelow, byThem));
+  }
+  return [telar, theirs];
+}
+
+const fileOf = (name, model) => {
+  const file = path.join(folder, `${name}.glb`);
+  writeFileSync(file, typeof model === 'string' ? readFileSync(model) : model);
+  return file;
+};
+
 const browser = await Browser.start();
 for (const { name, model, side = 512 } of CASES) {
   const shot = { size: { width: side, height: side } };
-  const file = path.join(folder, 'model.glb');
-  writeFileSync(file, typeof model === 'string' ? readFileSync(model) : model);
+  const file = fileOf('model', model);
   await byTelar(file, shot);
   const { info } = await renderer.render(model, shot);
   // To the browser's favour: its pixels are not encoded, and it keeps its programs.
   const byBrowser = () => browser.draw({ shot: info.shot, model, environment, keepPrograms: true });
   await checkSame(name, { model, shot }, await byBrowser());
-  const [telar, theirs] = [[], []];
-  for (let i = 0; i < RUNS; ++i) {
-    await settled();
-    telar.push(await byTelar(file, shot));
-    await settled();
-    theirs.push(await measured(cpuBelow, byBrowser));
-  }
-  tell(name, telar, theirs);
+  tell(name, ...(await inTurns(() => byTelar(file, shot), byBrowser)));
 }
 const memory = [pssOf([drawer.pid]), pssOf(descendants().filter((pid) => pid !== String(drawer.pid)))];
+
+// What a trade and many pictures make of it: quality draft against the browser's picture, four views of one model, six models in turn by two pages.
+{
+  const shot = { size: { width: 512, height: 512 }, quality: 'draft' };
+  const pixels = async (quality) => (await renderer.render(TSHIRT, { ...shot, quality, output: { format: 'raw' } })).data;
+  const [standard, draft] = [await pixels('standard'), await pixels('draft')];
+  const { flip } = compareImages({ ...shot.size, data: standard }, { ...shot.size, data: draft }).object;
+  const { info } = await renderer.render(TSHIRT, { size: shot.size });
+  const byBrowser = () => browser.draw({ shot: info.shot, model: TSHIRT, environment, keepPrograms: true });
+  tell(`the T-shirt in quality draft, FLIP ${flip.mean.toFixed(3)} against standard`, ...(await inTurns(() => byTelar(TSHIRT, shot), byBrowser)));
+
+  const views = ['front', 'back', 'left', 'right'].map((view) => ({ size: shot.size, camera: { view } }));
+  const resolved = (await renderer.renderAll(TSHIRT, views)).map((image) => image.info.shot);
+  const four = await inTurns(
+    () => telarDoes({ work: 'views', model: TSHIRT, shots: views }),
+    () => browser.sequence({ shots: resolved, model: TSHIRT, environment, keepPrograms: true }),
+  );
+  tell('four views of it', ...four);
+  const [one] = await inTurns(
+    () => byTelar(TSHIRT, views[0]),
+    async () => {},
+  );
+  const cpuOf = (samples) => median(samples.map(({ cpu }) => cpu));
+  console.log(`four views of it cost ${(cpuOf(four[0]) / cpuOf(one)).toFixed(2)} of one`);
+
+  const models = [...CASES.filter(({ side = 512 }) => side === 512).map(({ model }) => model), await MODELS.cloth(), await MODELS['physical-everything']()];
+  const files = models.map((model, i) => fileOf(`turn-${i}`, model));
+  const plain = { size: shot.size };
+  const turn = [];
+  for (const model of files) turn.push({ model, shot: (await renderer.render(model, plain)).info.shot, environment, keepPrograms: true });
+  const pages = [browser, await browser.another()];
+  const byPages = async () => {
+    const left = [...turn];
+    const draw = async (page) => {
+      for (let job = left.shift(); job; job = left.shift()) await page.draw(job);
+    };
+    await Promise.all(pages.map(draw));
+  };
+  await byPages();
+  await telarDoes({ work: 'turn', models: files, shot: plain, rounds: 1 });
+  tell(
+    `${files.length} models in turn, all cores; Chromium with two pages`,
+    ...(await inTurns(() => telarDoes({ work: 'turn', models: files, shot: plain, rounds: 1 }), byPages)),
+  );
+  await pages[1].close();
+}
 drawer.disconnect();
 await Promise.all([renderer.close(), browser.close()]);
 

@@ -36,10 +36,10 @@ export class Browser {
    * @returns {Promise<Browser>}
    * @throws {Error} With the cure, when Chromium cannot be started.
    */
-  static async start({ rasterizer = 'mesa', three, edited, page = 'test/parity/browser/page.html', log = console.error } = {}) {
-    const self = new Browser();
+  static async start({ rasterizer = 'mesa', ...options } = {}) {
+    let browser;
     try {
-      self.#browser = await chromium.launch({
+      browser = await chromium.launch({
         executablePath: executablePath(),
         args: [...COMMON_FLAGS, ...RASTERIZER_FLAGS[rasterizer]],
       });
@@ -47,8 +47,20 @@ export class Browser {
       const cure = 'install it with "apt-get install chromium", or name another one in TELAR_CHROMIUM';
       throw new Error(`Chromium does not start from ${executablePath()}: ${cure}\n${cause.message}`, { cause });
     }
+    const self = await Browser.#open(browser, options);
+    self.#browser = browser;
+    return self;
+  }
+
+  /** A second page beside this one, with renderers of its own. It is closed with this one's browser, or before. */
+  another(options) {
+    return Browser.#open(this.#page.context().browser(), options);
+  }
+
+  static async #open(browser, { three, edited, page = 'test/parity/browser/page.html', log = console.error } = {}) {
+    const self = new Browser();
     self.#server = await startServer({ three, edited });
-    self.#page = await self.#browser.newPage();
+    self.#page = await browser.newPage();
     self.#page.on('pageerror', (error) => log(`page: ${error.stack ?? error}`));
     self.#page.on('console', (message) => {
       if (['warning', 'error'].includes(message.type())) log(`page: ${message.text()}`);
@@ -148,7 +160,7 @@ export class Browser {
   }
 
   async close() {
-    await this.#browser?.close();
+    await (this.#browser ?? this.#page)?.close();
     await this.#server?.close();
   }
 }
