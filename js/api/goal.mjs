@@ -29,7 +29,8 @@ function untilAbort(promise, signal) {
 }
 
 /** What the narrowest class of a scene and its numbers say, in words. */
-const basisOf = ({ basis, scenes }, isHere) => `${scenes} measured scenes of the class "${basis}"${isHere ? ', times by the calibration of this machine' : ''}`;
+const basisOf = ({ basis, scenes, looked }, isHere) =>
+  `${looked ? `a window of ${looked} pixels, and times of ` : ''}${scenes} measured scenes of the class "${basis}"${isHere ? ', times by the calibration of this machine' : ''}`;
 
 /**
  * @param {object} native the addon's exports
@@ -39,17 +40,20 @@ const basisOf = ({ basis, scenes }, isHere) => `${scenes} measured scenes of the
  * @param {{triangles: number}} request.facts of the model
  * @param {object} request.limits
  * @param {() => Promise<import('../predict/choose.mjs').Machine>} request.machine calibration, where it is needed
+ * @param {(shot: object) => Promise<Uint8Array>} [request.draw] resolved shot to RGBA: an error is then also looked for in a window of the picture
  * @param {import('./work.mjs').Work} [work]
  * @returns {Promise<{quality: object, goal: object}>} quality: resolved; goal: what info tells of it
  */
-export async function settingsFor(native, { resolved, scene, facts, limits, machine }, work) {
-  const { choose, featuresOf, TABLE } = await predictModule();
+export async function settingsFor(native, { resolved, scene, facts, limits, machine, draw }, work) {
+  const { choose, chooseByWindow, featuresOf, TABLE } = await predictModule();
   const { resolveQuality } = await import('../shot/quality.mjs');
   const draft = shotJson({ ...resolved, quality: resolveQuality('draft') });
   const plan = JSON.parse(await nativeCall(native, work, (token) => native.plan(scene, draft, limits, token, true)));
   const isHere = resolved.quality.budgetMs !== undefined;
   const here = { tracer: await hasTracer(native), machine: isHere ? await untilAbort(machine(), work?.signal) : undefined };
-  const { setting, quality, flip, cpuMs, mostMs, holds, ...from } = choose(TABLE, resolved.quality, featuresOf(resolved, plan, facts), here);
+  const of = [TABLE, resolved.quality, featuresOf(resolved, plan, facts), here];
+  const chosen = draw && !isHere ? await chooseByWindow(...of, resolved, draw) : choose(...of);
+  const { setting, quality, flip, cpuMs, mostMs, holds, ...from } = chosen;
   const goal = { ...resolved.quality, setting, predicted: { flip, cpuMs, mostMs }, holds, basis: basisOf(from, isHere) };
   return { quality: resolveQuality(quality), goal };
 }

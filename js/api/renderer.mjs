@@ -252,11 +252,10 @@ class Renderer {
     const loaded = performance.now();
     const shown = await (shared ? shared.of(shot) : shownModel(this.#native, model, shot, { work, forget: !given, cloths: this.#cloths }));
     const shownAt = performance.now();
-    const { resolved, warnings, goal } = await this.#resolve({ shot, quantity }, shown, loading, work).catch((error) => {
+    const { resolved, warnings, goal } = await this.#resolve({ shot, quantity, environment, map }, shown, loading, work).catch((error) => {
       if (shared?.isLast(shot)) this.#releaseScene(shown).catch(() => {});
       throw error;
     });
-    if (map) resolved.environment.map = map;
     if ((await qualityModule()).isLong(resolved.quality)) work.allowLong();
     const request = {
       scene: Model.sceneOf(shown),
@@ -299,17 +298,18 @@ class Renderer {
   }
 
   /** The shot with every default, and what is known to be wrong before it is drawn. @throws {TelarError} E_SHOT, E_WARNING, ... */
-  async #resolve({ shot, quantity }, shown, { failOn }, work) {
+  async #resolve({ shot, quantity, environment, map }, shown, { failOn }, work) {
     const { resolveShot } = await shotModule();
     const resolved = resolveShot(shot, await measuredFor(this.#native, shown, shot, work));
-    const goal = await this.#aim(resolved, quantity, shown, work);
+    if (map) resolved.environment.map = map;
+    const goal = await this.#aim(resolved, { quantity, environment }, shown, work);
     const warnings = [...(shown.facts.warnings ?? []), ...(goal?.warnings ?? []), ...shotWarnings(resolved, shown.facts.extensionsUsed)];
     refuseWarnings(failOn, warnings);
     return { resolved, warnings, goal: goal?.told };
   }
 
   /** Where the shot's quality is a goal, puts settings in its place. @returns {Promise<{told: object, warnings: object[]} | undefined>} */
-  async #aim(resolved, quantity, shown, work) {
+  async #aim(resolved, { quantity, environment }, shown, work) {
     const { isGoal, resolveQuality } = await qualityModule();
     if (!isGoal(resolved.quality)) return undefined;
     if (quantity || resolved.style === 'flat') {
@@ -318,7 +318,12 @@ class Renderer {
       return undefined;
     }
     const { goalWarnings, settingsFor } = await goalModule();
-    const request = { resolved, scene: Model.sceneOf(shown), facts: shown.facts, limits: this.#limits, machine: () => this.#calibration() };
+    const scene = Model.sceneOf(shown);
+    const draw = async (shot) => {
+      const request = { scene, shot: shotJson(shot), environment, releaseScene: false };
+      return (await nativeCall(this.#native, work, (token) => this.#handle.render(request, token))).data;
+    };
+    const request = { resolved, scene, facts: shown.facts, limits: this.#limits, machine: () => this.#calibration(), draw };
     const { quality, goal } = await settingsFor(this.#native, request, work);
     resolved.quality = quality;
     return { told: goal, warnings: goalWarnings(goal) };

@@ -6,6 +6,7 @@
 export const classesOf = ({ shading, surface, environment, shadows }) => [
   `${shading}, ${surface}, ${environment}${shadows ? ' with a lamp' : ''}`,
   `${shading}, ${surface}`,
+  `${shading}, ${surface === 'cut' ? 'cut' : 'solid'}`,
   shading,
   'all',
 ];

@@ -74,12 +74,36 @@ function timesOf(rows) {
 }
 
 /**
+ * A look at a window of a measured scene.
+ * @typedef {object} Look
+ * @property {string} setting
+ * @property {number} noise - Of the window's truth.
+ * @property {number} flip - In the window.
+ * @property {number} is - That was measured of the scene.
+ */
+
+/** By noise and setting: times what a window shows, so that HELD of the scenes stay below. @param {Look[]} looks */
+export function factorsOf(looks) {
+  const byNoise = groupBy(looks, ({ noise }) => [noise]).map(([noise, own]) => {
+    const bounds = groupBy(own, ({ setting }) => [setting])
+      .filter(([, list]) => list.length >= FEWEST)
+      .map(([setting, list]) => {
+        const ratios = list.map(({ flip, is }) => is / flip);
+        return [setting, round(upperBound(ratios, HELD))];
+      });
+    return [noise, Object.fromEntries(bounds)];
+  });
+  return Object.fromEntries(byNoise);
+}
+
+/**
  * What is predicted from measurements.
  * @param {import('../trade/measure.mjs').Row[]} rows
  * @param {{raster: number, tracer: number}} machine calibration of the machine that they were measured on
+ * @param {Look[]} [looks]
  * @returns {import('./choose.mjs').TradeTable}
  */
-export function fitTable(rows, machine) {
+export function fitTable(rows, machine, looks = []) {
   const scenes = new Set(rows.map(({ model, light, size, shading }) => [model, light, size, shading].join()));
-  return { scenes: scenes.size, rows: rows.length, machine, errors: errorsOf(rows), times: timesOf(rows) };
+  return { scenes: scenes.size, rows: rows.length, machine, errors: errorsOf(rows), times: timesOf(rows), window: factorsOf(looks) };
 }

@@ -20,13 +20,13 @@ const aboveTable = (rows) => ({
  * @param {import('../../js/trade/measure.mjs').Row[]} result.rows
  * @param {import('../../js/predict/choose.mjs').TradeTable} result.table
  * @param {ReturnType<typeof import('./judge.mjs').judge>} result.verdict
+ * @param {ReturnType<typeof import('./judge.mjs').judge>} result.byClass without a look at a window
  * @param {string} result.command, result.machine
  * @param {number} result.window pixels
  * @param {{fit: number, heldOut: number}} result.counts scenes
  */
-export function docsPage({ rows, table: predicted, verdict, command, machine, window, counts }) {
+export function docsPage({ rows, table: predicted, verdict, byClass, command, machine, window, counts }) {
   const { overall, presets } = tablesOf(rows);
-  const { maxError, budgetMs, byError, byBudget } = verdict;
   return `# Time and error
 
 Every quality is a trade of time for accuracy. What each takes and how far it is off can be measured, and a shot can ask for an error or a time in place of settings.
@@ -105,13 +105,26 @@ Where a preset lies above it in more than half of the scenes of a class:
 
 ${table(aboveTable(rows))}
 
-## How often predictions hold
+${heldSection(verdict, byClass, predicted)}`;
+}
 
-${verdict.scenes} scenes of cloths and models that no prediction was made from, with the times that were measured in the same run. Each was asked for ${byError.length} errors and ${byBudget.length} times.
+/**
+ * How often predictions hold.
+ * @param {ReturnType<typeof import('./judge.mjs').judge>} verdict
+ * @param {ReturnType<typeof import('./judge.mjs').judge>} byClass
+ * @param {import('../../js/predict/choose.mjs').TradeTable} predicted
+ */
+export function heldSection(verdict, byClass, predicted) {
+  const { maxError, budgetMs, byError, byBudget } = verdict;
+  return `## How often predictions hold
+
+${verdict.scenes} scenes of cloths and models that no prediction was made from, with the times that were measured in the same run. The time of an error has that of the look at the window in it.
+Each was asked for ${byError.length} errors and ${byBudget.length} times.
 
 | | goals | said to hold | did hold | within twice the time of the cheapest that held |
 |---|---|---|---|---|
 | \`maxError\` | ${maxError.asked} | ${maxError.promised} | ${percent(maxError.held)} | ${percent(maxError.near)} |
+| \`maxError\` by the class alone, as \`inspect()\` and hosts without Embree have it | ${byClass.maxError.asked} | ${byClass.maxError.promised} | ${percent(byClass.maxError.held)} | ${percent(byClass.maxError.near)} |
 | \`budgetMs\` | ${budgetMs.asked} | ${budgetMs.promised} | ${percent(budgetMs.held)} | |
 
 ${percent(maxError.possible)} of the errors that some setting did hold were said to hold.

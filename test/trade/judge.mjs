@@ -16,20 +16,23 @@ const share = (list, isTrue) => (list.length === 0 ? undefined : list.filter(isT
  * @param {import('../../js/predict/choose.mjs').TradeTable} table that knows nothing of them
  * @param {import('../../js/trade/measure.mjs').Row[][]} scenes rows of each
  * @param {{raster: number, tracer: number}} machine that they were measured on
+ * @param {Record<number, {setting: string, holds: boolean, lookMs: number}>[]} [answers] of each scene, by error: what a renderer chose that looked at a
+ *   window, and what that took (looks.mjs); none: by the class alone
  */
-export function judge(table, scenes, machine) {
+export function judge(table, scenes, machine, answers) {
   const here = { tracer: true, machine };
-  const asked = (goal, rows) => {
+  const asked = (goal, rows, answer) => {
     const drawable = rows.filter(({ setting, features }) => familyOf(setting) !== 'tracer' || features.traceable);
-    const chosen = choose(table, goal, rows[0].features, here);
+    const chosen = answer ?? choose(table, goal, rows[0].features, here);
     return { chosen, drawn: rows.find(({ setting }) => setting === chosen.setting), drawable };
   };
-  const errors = scenes.flatMap((rows) =>
+  const errors = scenes.flatMap((rows, scene) =>
     MAX_ERRORS.map((maxError) => {
-      const { chosen, drawn, drawable } = asked({ maxError }, rows);
+      const { chosen, drawn, drawable } = asked({ maxError }, rows, answers?.[scene][maxError]);
       const best = cheapestWithin(drawable, maxError);
       const isHeld = drawn.flip <= maxError;
-      return { maxError, promised: chosen.holds, held: isHeld, setting: chosen.setting, best: best?.setting, times: best && drawn.cpuMs / best.cpuMs };
+      const { holds, setting, lookMs = 0 } = chosen;
+      return { maxError, promised: holds, held: isHeld, setting, best: best?.setting, times: best && (drawn.cpuMs + lookMs) / best.cpuMs };
     }),
   );
   const budgets = scenes.flatMap((rows) =>

@@ -12,6 +12,7 @@ import { SETTINGS } from '../../js/predict/settings.mjs';
 import { bench, csvOf, overallPoints, tradePage, tradePlot } from '../../js/trade/index.mjs';
 import { docsPage } from './docs_page.mjs';
 import { judge } from './judge.mjs';
+import { answersOf, looksOf } from './looks.mjs';
 import { tradeScenes } from './scenes.mjs';
 
 // npm run trade [-- --minutes N] [--write]: measures the scenes of scenes.mjs, as far as the minutes go (a run goes on where the last one stopped),
@@ -52,19 +53,46 @@ const order = [...fit.map((scene, i) => ({ scene, kind: 'fit', at: i / 3 })), ..
   .map((each) => ({ ...each, isDone: isDone(each.scene) }))
   .toSorted((a, b) => b.isDone - a.isDone || a.at - b.at);
 const measured = { fit: [], heldOut: [] };
+const looks = [];
+const held = [];
+
+/** With its model. */
+async function withModel({ source }, work) {
+  const model = await renderer.load(source);
+  try {
+    return await work(model);
+  } finally {
+    await renderer.release(model);
+  }
+}
+
+/** Kept as what is measured is. */
+async function keptLooks(scene, rows) {
+  const key = store.keyOf({ looks: { ...scene, settings: SETTINGS } });
+  const kept = store.row(key) ?? { looks: await withModel(scene, (model) => looksOf(renderer, model, scene, rows)) };
+  if (!store.row(key)) await store.keep(key, kept);
+  return kept.looks;
+}
+
 let done = 0;
 for (const { scene, kind, isDone: isKept } of order) {
   if (!isKept && Date.now() > end) break;
   const rows = await bench(api, renderer, { scenes: [scene], settings: SETTINGS, window: WINDOW, capMs: CAP_MS }, store);
   measured[kind].push(rows);
+  if (kind === 'fit') looks.push(...(await keptLooks(scene, rows)));
+  else held.push(scene);
   done += 1;
   process.stderr.write(`${done} of ${order.length}, ${kind}: ${scene.model}, ${scene.light}, ${scene.shot.size.width}, ${scene.shot.shading}\n`);
 }
 const gl = renderer.gl.renderer;
+const table = fitTable(measured.fit.flat(), machine, looks);
+const answers = [];
+for (const [i, scene] of held.entries())
+  answers.push(await withModel(scene, (model) => answersOf(renderer, model, scene, table, measured.heldOut[i][0].features)));
 await renderer.close();
 
-const table = fitTable(measured.fit.flat(), machine);
-const verdict = judge(table, measured.heldOut, machine);
+const verdict = judge(table, measured.heldOut, machine, answers);
+const byClass = judge(table, measured.heldOut, machine);
 const command = 'npm run trade -- --write';
 const rows = [...measured.fit, ...measured.heldOut].flat();
 const machineName = `${os.cpus()[0].model.trim()}, ${gl}`;
@@ -76,6 +104,15 @@ if (values.write) {
   writeFileSync(path.join(ROOT, 'js/docs/trade/trade.svg'), `${tradePlot('Medians of all scenes', overallPoints(rows))}\n`);
   writeFileSync(
     path.join(ROOT, 'js/docs/trade.md'),
-    docsPage({ rows, table, verdict, command, machine: machineName, window: WINDOW, counts: { fit: measured.fit.length, heldOut: measured.heldOut.length } }),
+    docsPage({
+      rows,
+      table,
+      verdict,
+      byClass,
+      command,
+      machine: machineName,
+      window: WINDOW,
+      counts: { fit: measured.fit.length, heldOut: measured.heldOut.length },
+    }),
   );
 }

@@ -101,7 +101,7 @@ const JS_LAYERS = {
   'js/server/page': { imports: [], browser: true },
   'js/compare': { imports: ['js/error', 'js/shot', 'js/api'] },
   'js/analyse': { imports: ['js/error', 'js/shot', 'js/compare'] },
-  'js/predict': { imports: ['js/error', 'js/shot'] },
+  'js/predict': { imports: ['js/error', 'js/shot', 'js/compare'] },
   'js/trade': { imports: ['js/error', 'js/shot', 'js/compare', 'js/analyse', 'js/predict'] },
   'js/sheet': { imports: ['js/error', 'js/shot', 'js/compare', 'js/dist/zod.mjs'] },
   'js/sheet/table': { imports: ['js/shot', 'js/sheet/care.mjs'], browser: true },
