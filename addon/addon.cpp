@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "allocations.h"
 #include "convert.h"
 #include "handles.h"
 #include "images.h"
@@ -290,6 +291,12 @@ Napi::Value isolate(const Napi::CallbackInfo& info) {
   return Napi::String::New(info.Env(), isolateProcess(dataBytes >= 1 ? static_cast<std::uint64_t>(dataBytes) : 0));
 }
 
+/// failedAllocations() -> number | null; null where libtelar_allocations.so does not count them
+Napi::Value countFailures(const Napi::CallbackInfo& info) {
+  const std::optional<unsigned> failures = failedAllocations();
+  return failures ? Napi::Number::New(info.Env(), *failures) : info.Env().Null();
+}
+
 /// createRenderer({backend, assetDirectory, cacheDirectory, cacheBytes, limits, allFeatures, maxQueued}, token)
 ///   -> Promise<{renderer, facts: string}>
 Napi::Value createRenderer(const Napi::CallbackInfo& info) {
@@ -363,6 +370,7 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["failureOfImageFiles"] = Napi::Function::New(env, probeFormats, "failureOfImageFiles");
   exports["probeIsolation"] = Napi::Function::New(env, probeRights, "probeIsolation");
   exports["isolate"] = Napi::Function::New(env, isolate, "isolate");
+  exports["failedAllocations"] = Napi::Function::New(env, countFailures, "failedAllocations");
   exports["decodeImage"] = Napi::Function::New(env, decodeImage, "decodeImage");
   exports["encodePng"] = Napi::Function::New(env, encodePng, "encodePng");
   exports["evaluateLobes"] = Napi::Function::New(env, evaluateLobes, "evaluateLobes");

@@ -890,11 +890,11 @@ export interface DoctorReport {
   calibration: Record<string, { raster: number; tracer: number }>;
   /** Whether .hdr, .exr, TIFF and ICC profiles can be had; PNG, JPEG, WebP and KTX2 always can. */
   imageFiles: { works: true } | { works: false; failure: string };
-  /** What a worker of telar/pool gives up, and what this kernel refuses; empty where the native part is missing. */
+  /** What a worker of telar/pool gives up, what this kernel refuses, and whether failed allocations are noticed; empty where the native part is missing. */
   isolation: IsolationStep[];
 }
 
-/** A right that a worker of telar/pool gives up; `failure`: what the kernel said, as "EPERM", null where it did. */
+/** A right that a worker of telar/pool gives up, or what it watches of itself; `failure`: what the kernel said, as "EPERM", or why else not; null where it did. */
 export interface IsolationStep {
   step: string;
   failure: string | null;

@@ -33,6 +33,28 @@ function packaged() {
 /** Folder of the data that the renderer reads: the bundled environment. */
 export const ASSET_DIRECTORY = path.join(ROOT, 'js/assets');
 
+/** What a worker says of the library below, and what `telar doctor` says of it. */
+export const NOTICES_ALLOCATIONS = 'failed allocations noticed';
+
+/**
+ * The library that counts allocations which fail, as LD_PRELOAD takes it: it lies beside the addon.
+ * @returns {{file: string, failure: null} | {failure: string}}
+ * @throws {TelarError} X_NATIVE_MISSING
+ */
+export function allocationGuard() {
+  loaded ??= load();
+  return guardBeside(loaded.file);
+}
+
+/** @param {string} addon its file */
+export function guardBeside(addon) {
+  const file = path.join(path.dirname(addon), 'libtelar_allocations.so');
+  if (!existsSync(file)) return { failure: 'libtelar_allocations.so is not beside telar.node' };
+  // What the loader takes for a border between two names, or for a variable.
+  if (/[\s:$]/.test(file)) return { failure: 'LD_PRELOAD takes no path with a space, a colon or a dollar sign, and the folder of telar.node has one' };
+  return { file, failure: null };
+}
+
 let loaded;
 
 /**

@@ -1,7 +1,7 @@
 // A worker of the pool: a process of its own that draws what its parent sends. It never writes a picture, and ends with the pipe.
 import net from 'node:net';
 import v8 from 'node:v8';
-import { loadNative } from '../api/native.mjs';
+import { loadNative, NOTICES_ALLOCATIONS } from '../api/native.mjs';
 import { createRenderer } from '../api/renderer.mjs';
 import { toTelarError } from '../error/index.mjs';
 import { Channel } from './channel.mjs';
@@ -35,8 +35,13 @@ async function take(message, parts) {
 async function start({ renderer: options, bound, dataBytes }) {
   try {
     const renderer = await createRenderer(options);
-    const isolation = JSON.parse(loadNative().isolate(dataBytes));
-    jobs = new ChildJobs(renderer, { ...bound, limits: options.limits }, (answer, parts) => channel.send(answer, parts));
+    const native = loadNative();
+    const isolation = JSON.parse(native.isolate(dataBytes));
+    // What failed while the driver tried what this machine has is no news: the renderer is open.
+    const before = native.failedAllocations();
+    isolation.push({ step: NOTICES_ALLOCATIONS, failure: before === null ? 'libtelar_allocations.so is not preloaded' : null });
+    const isSpoiled = () => native.failedAllocations() !== before;
+    jobs = new ChildJobs(renderer, { ...bound, limits: options.limits }, { answer: (answer, parts) => channel.send(answer, parts), isSpoiled });
     channel.send({ ready: { backend: renderer.backend, gl: renderer.gl, isolation } });
   } catch (error) {
     channel.send({ failed: toTelarError(error).toJSON() });

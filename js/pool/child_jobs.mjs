@@ -1,7 +1,7 @@
 import { inspect } from '../api/inspect.mjs';
 import { TelarError, fromNative, toTelarError } from '../error/index.mjs';
 import { packFlat, packPicture, withMap } from './pictures.mjs';
-import { overOutput } from './verdicts.mjs';
+import { overOutput, untrusted } from './verdicts.mjs';
 
 /** Loading options as the renderer takes them. */
 const loadingOf = ({ failOn, timeoutMs, rays }) => ({ failOn, timeoutMs, ambientVisibility: rays ? { rays } : false });
@@ -37,6 +37,7 @@ export class ChildJobs {
   #limits;
   #bound;
   #answer;
+  #isSpoiled;
   #models = new Map();
   #running;
   #asked = new Map();
@@ -44,13 +45,16 @@ export class ChildJobs {
   /**
    * @param {import('../index.js').Renderer} renderer
    * @param {{outputBytes: number, limits: Record<string, number>}} bound limits: of models and pictures
-   * @param {(message: object, parts?: Buffer[]) => void} answer
+   * @param {object} ends
+   * @param {(message: object, parts?: Buffer[]) => void} ends.answer
+   * @param {() => boolean} ends.isSpoiled whether an allocation of this process has failed
    */
-  constructor(renderer, { limits, ...bound }, answer) {
+  constructor(renderer, { limits, ...bound }, { answer, isSpoiled }) {
     this.#renderer = renderer;
     this.#limits = limits;
     this.#bound = bound;
     this.#answer = answer;
+    this.#isSpoiled = isSpoiled;
   }
 
   /** A message of the parent: {job}, {cancel}, {part} or {forget}. */
@@ -70,13 +74,19 @@ export class ChildJobs {
       const value = await METHODS[job.method](await this.#open(job, given, parts, scope.signal));
       const bytes = parts.reduce((sum, { byteLength }) => sum + byteLength, 0);
       if (bytes > this.#bound.outputBytes) throw overOutput(this.#bound.outputBytes, bytes);
-      this.#answer({ done: job.id, value }, parts);
+      this.#end(job.id, { value }, parts);
     } catch (error) {
-      this.#answer({ done: job.id, error: toTelarError(error).toJSON() });
+      this.#end(job.id, { error: toTelarError(error).toJSON() });
     } finally {
       this.#running = undefined;
       this.#asked.clear();
     }
+  }
+
+  /** Nothing of what comes after a failed allocation is told: GL drivers go on without looking, and parsers call it a fault of the file. */
+  #end(id, outcome, parts) {
+    if (!this.#isSpoiled()) this.#answer({ done: id, ...outcome }, parts);
+    else this.#answer({ done: id, error: outcome.error?.kind === 'memory' ? outcome.error : untrusted().toJSON(), isSpoiled: true });
   }
 
   /** A job's model, shots and options as the renderer takes them. */
@@ -87,11 +97,15 @@ export class ChildJobs {
     const source = job.model ? await this.#modelOf(job.model, given, loading) : inputOf(job.input);
     const others = Object.fromEntries((job.others ?? []).map(([name, input]) => [name, inputOf(input)]));
     if (job.model) this.#answer({ beat: job.id });
-    const onPreview = job.preview ? ({ data, ...preview }) => this.#answer({ preview, of: job.id }, [data]) : undefined;
+    const onPreview = job.preview ? (preview) => this.#preview(job.id, preview) : undefined;
     const options = job.loading && { ...loading(job.loading), ...(onProgress && { onProgress }), ...(onPreview && { onPreview }) };
     const shots = job.shots?.map((shot) => shotOf(shot, given));
     const { settled, quantity, args } = job;
     return { renderer: this.#renderer, limits: this.#limits, source, others, shots, options, settled, quantity, args, parts, signal };
+  }
+
+  #preview(of, { data, ...preview }) {
+    if (!this.#isSpoiled()) this.#answer({ preview, of }, [data]);
   }
 
   /** A model that is held, or one that is loaded as it was the first time, or made of another. */

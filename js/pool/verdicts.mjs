@@ -23,6 +23,10 @@ export const overMemory = (max, actual) =>
     { limit: { name: 'memoryBytes', max, actual } },
   );
 
+/** An allocation of the worker failed, whoever asked for it. */
+export const untrusted = () =>
+  new TelarError('X_MEMORY', 'there was not enough memory for an allocation of the worker, and the GL driver may have drawn without it; try again');
+
 export const overOutput = (max, actual) =>
   new TelarError('L_OUTPUT_BYTES', `the pictures of the job have ${inMib(actual)}, and outputBytes of the pool is ${inMib(max)}`, {
     limit: { name: 'outputBytes', max, actual },

@@ -35,6 +35,8 @@ export class WorkerProcess {
   ended;
   held;
   jobs = 0;
+  /** Whether an allocation of it failed: then it may draw wrong pictures. */
+  isSpoiled = false;
   facts;
   #process;
   #channel;
@@ -145,7 +147,10 @@ export class WorkerProcess {
       this.facts = message.ready;
       this.#opened.resolve(message.ready);
     } else if (message.failed) this.#opened.reject(fromNative(message.failed));
-    else if (this.#job?.take(message, parts)) this.#free();
+    else {
+      this.isSpoiled ||= message.isSpoiled === true;
+      if (this.#job?.take(message, parts)) this.#free();
+    }
   }
 
   #free() {

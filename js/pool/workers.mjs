@@ -79,7 +79,8 @@ export class Workers {
 
   /** A worker that was taken has done its job, or has ended. */
   async give(worker) {
-    if (await this.#isWornOut(worker)) void worker.close();
+    if (worker.isSpoiled) worker.kill();
+    else if (await this.#isWornOut(worker)) void worker.close();
     else this.#offer(worker);
   }
 

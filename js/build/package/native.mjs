@@ -6,9 +6,9 @@ import { targetOf } from './target.mjs';
 
 // The compiled part of telar with the libraries that it links: what a machine needs no compiler and no -dev package for.
 
-/** What the build writes. The second and third are loaded when first needed; where what they link is missing, that feature is. */
+/** What the build writes. The others are loaded when first needed; where what they link is missing, that feature is. */
 const ADDON = 'telar.node';
-const ON_DEMAND = ['libtelar_oiio.so', 'libtelar_reference.so'];
+const ON_DEMAND = ['libtelar_allocations.so', 'libtelar_oiio.so', 'libtelar_reference.so'];
 
 /** Libraries that telar.node loads by name when a model needs them (core/lazy_library). */
 const LOADED = ['libzstd.so.1', 'libmeshoptimizer.so.2d'];

@@ -7,6 +7,10 @@ import { before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import '../api/support/real.mjs';
 import { MODELS } from '../../fixtures/index.mjs';
+import { allocationGuard } from '../../../js/api/native.mjs';
+import { TelarError } from '../../../js/error/index.mjs';
+import { ChildJobs } from '../../../js/pool/child_jobs.mjs';
+import { until } from '../../until.mjs';
 import { buildLibrary, failAllocations, faultsOf } from '../../faults/support.mjs';
 
 // Faults of the machine: no memory, no descriptors, a full or read-only disk, no home, no GL. Each ends in a typed error, with nothing half written.
@@ -44,15 +48,63 @@ async function thumbnail(env, { argv = [], drop = [] } = {}) {
   return { ...told, out, files: readdirSync(out) };
 }
 
-/** From the first of a job until the GL has the model; later ones are Mesa's, which may draw a wrong picture then (js/docs/pool.md). */
-const POINTS = [1, 2, 5, 20, 100, 250, 400, 600, 800, 1000, 1200];
+/** From the first of a job until the GL has the model, and of those that Mesa makes while it draws. */
+const LOADING = [1, 2, 5, 20, 100, 250, 400, 600, 800, 1000, 1200];
+const DRAWING = [1500, 1800, 2100, 2400, 2700, 2806, 2950];
 test('an allocation of a worker that fails: the picture or a typed error, and the next job is drawn', async () => {
-  const found = await failAllocations(built, POINTS);
+  const found = await failAllocations(built, [...LOADING, ...DRAWING]);
   assert.deepEqual(
     found.flatMap(({ n, faults }) => faults.map((fault) => `${n}: ${fault}`)),
     [],
   );
-  assert.ok(found.filter(({ isHit }) => isHit).length > 5 && found.some(({ outcome }) => outcome !== 'picture'), JSON.stringify(found));
+  const loading = found.filter(({ n, isHit }) => isHit && LOADING.includes(n));
+  assert.ok(loading.length > 5 && loading.every(({ outcome }) => outcome !== 'picture'), JSON.stringify(found));
+});
+
+/** What a process with a bound on its memory has counted: at its start, after an allocation within the bound, and after one over it. */
+async function counted(preload) {
+  const text = `
+    import { loadNative } from ${JSON.stringify(new URL('../../../js/api/native.mjs', import.meta.url).href)};
+    const native = loadNative();
+    native.isolate(2 ** 30);
+    const told = [native.failedAllocations()];
+    for (const bytes of [1e6, 1.5 * 2 ** 30]) {
+      try { new ArrayBuffer(bytes); } catch {}
+      told.push(native.failedAllocations());
+    }
+    console.log(JSON.stringify(told));
+    process.exit(0);`;
+  const { stdout, stderr } = await run(process.execPath, ['--input-type=module', '-e', text], { ...process.env, LD_PRELOAD: preload.join(' ') });
+  return JSON.parse(stdout || assert.fail(stderr));
+}
+
+test('an allocation that failed is counted, of another allocator too; planted: without the library nobody does', async () => {
+  const { file } = allocationGuard();
+  for (const preload of [[file], [file, built.library]]) {
+    const [before, within, over] = await counted(preload);
+    assert.ok(within === before && over > before, JSON.stringify([before, within, over]));
+  }
+  assert.deepEqual(await counted([built.library]), [null, null, null]);
+});
+
+test('what a worker finds after a failed allocation is not told; planted: one that does not look tells it', async () => {
+  const endOf = async (isSpoiled, factsOf) => {
+    const told = [];
+    const jobs = new ChildJobs({ factsOf }, { outputBytes: 1, limits: {} }, { answer: (answer) => told.push(answer), isSpoiled });
+    jobs.take({ job: { id: 1, method: 'factsOf', input: { path: 'a' }, shots: [{}] } }, []);
+    await until(() => told.length > 0);
+    const [{ value, error, isSpoiled: isOver = false }] = told;
+    return [value, error?.code, isOver];
+  };
+  const [good, wrong, full] = [() => 'facts', () => Promise.reject(new TelarError('E_JSON', 'a')), () => Promise.reject(new TelarError('X_GL_MEMORY', 'a'))];
+  const all = (isSpoiled) => Promise.all([good, wrong, full].map((factsOf) => endOf(isSpoiled, factsOf)));
+  const spoiled = [
+    [undefined, 'X_MEMORY', true],
+    [undefined, 'X_MEMORY', true],
+    [undefined, 'X_GL_MEMORY', true],
+  ];
+  assert.deepEqual(await all(() => true), spoiled);
+  assert.notDeepEqual(await all(() => false), spoiled);
 });
 
 test('planted: what must not come of it', () => {

@@ -5,7 +5,8 @@ import { readFileSync } from 'node:fs';
 import { before, test } from 'node:test';
 import { MODELS } from '../../fixtures/index.mjs';
 import { fixturesUrl } from '../api/support/real.mjs';
-import { busy, ENDLESS, errorOf, isAlive, open, SHOT, until } from './support.mjs';
+import { busy, ENDLESS, errorOf, isAlive, open, SHOT } from './support.mjs';
+import { until } from '../../until.mjs';
 
 // The workers of a pool: how many jobs wait, when workers are replaced, how they end.
 
@@ -170,7 +171,7 @@ test('workers give their rights up, this process does not', async () => {
     assert.deepEqual([statusOf(pid).NoNewPrivs, statusOf(pid).Seccomp], ['1', '2']);
     assert.match(readFileSync(`/proc/${pid}/limits`, 'utf8'), /Max core file size +0 +0/);
   }
-  assert.equal(isolation.length, 7);
+  assert.equal(isolation.length, 8);
   assert.notEqual(statusOf(process.pid).Seccomp, '2');
   await pool.close();
 });

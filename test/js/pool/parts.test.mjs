@@ -1,9 +1,10 @@
 import assert from 'node:assert/strict';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { Duplex, PassThrough } from 'node:stream';
 import { test } from 'node:test';
+import { guardBeside } from '../../../js/api/native.mjs';
 import { awake } from '../../../js/pool/awake.mjs';
 import { Breaker } from '../../../js/pool/breaker.mjs';
 import { Channel } from '../../../js/pool/channel.mjs';
@@ -190,10 +191,31 @@ test('models that a worker holds: those that were used last', () => {
 test('a worker gets no secret of the environment, and its share of the cores', () => {
   const from = { PATH: '/bin', AWS_SECRET_ACCESS_KEY: 'x', DATABASE_URL: 'x', NODE_OPTIONS: 'x', MESA_DEBUG: '1', TELAR_BUILD_DIR: '/b', LC_ALL: 'C' };
   const secrets = { TELAR_SIGN_KEY: '00', TELAR_SIGN_SALT: '11' };
-  const { GLIBC_TUNABLES, ...env } = workerEnvironment(1000, { ...from, ...secrets });
-  assert.deepEqual(env, { PATH: '/bin', MESA_DEBUG: '1', TELAR_BUILD_DIR: '/b', LC_ALL: 'C', LP_NUM_THREADS: '1', UV_USE_IO_URING: '0' });
+  const { GLIBC_TUNABLES, ...env } = workerEnvironment(1000, { ...from, ...secrets }, '/guard.so');
+  const own = { LP_NUM_THREADS: '1', UV_USE_IO_URING: '0', LD_PRELOAD: '/guard.so' };
+  assert.deepEqual(env, { PATH: '/bin', MESA_DEBUG: '1', TELAR_BUILD_DIR: '/b', LC_ALL: 'C', ...own });
   assert.equal(workerEnvironment(1, { LP_NUM_THREADS: '7' }).LP_NUM_THREADS, '7', 'what the operator says counts');
   assert.deepEqual([threadsOfEach(1, 8), threadsOfEach(3, 8), threadsOfEach(8, 8), threadsOfEach(9, 8)], [8, 2, 1, 1]);
+});
+
+test('what counts failed allocations is preloaded before what the caller preloads, and not beside a sanitizer', () => {
+  const preloaded = (LD_PRELOAD, guard = '/guard.so') => workerEnvironment(1, { LD_PRELOAD }, guard).LD_PRELOAD;
+  assert.equal(preloaded('/lib/libjemalloc.so.2'), '/guard.so /lib/libjemalloc.so.2');
+  for (const sanitizer of ['/lib/libasan.so.8', '/lib/libclang_rt.asan-x86_64.so']) assert.equal(preloaded(sanitizer), sanitizer);
+  assert.equal(preloaded('/lib/other.so', null), '/lib/other.so');
+});
+
+test('where that library cannot be preloaded, the reason is told', (t) => {
+  const folder = mkdtempSync(path.join(tmpdir(), 'telar-guard-'));
+  t.after(() => rmSync(folder, { recursive: true }));
+  const addonIn = (name, has = true) => {
+    mkdirSync(path.join(folder, name));
+    if (has) writeFileSync(path.join(folder, name, 'libtelar_allocations.so'), '');
+    return path.join(folder, name, 'telar.node');
+  };
+  assert.deepEqual(guardBeside(addonIn('good')), { file: path.join(folder, 'good/libtelar_allocations.so'), failure: null });
+  assert.match(guardBeside(addonIn('without', false)).failure, /^libtelar_allocations.so is not beside telar.node$/);
+  for (const name of ['a b', 'a:b', 'a$LIB']) assert.match(guardBeside(addonIn(name)).failure, /^LD_PRELOAD takes no path with a space/);
 });
 
 test('workers by default: one a core, as far as the memory goes', () => {
