@@ -2,7 +2,7 @@ import { Command, InvalidArgumentError, Option } from 'commander';
 import { DEFAULT_GATE, GATES } from '../compare/gates.mjs';
 import { describe } from './describe.mjs';
 import { addServiceOptions, addWorkerOptions } from './service_options.mjs';
-import { addShotOptions } from './shot_options.mjs';
+import { addShotOptions, collect } from './shot_options.mjs';
 
 /** The command line's grammar: commands, options, help. */
 
@@ -10,7 +10,6 @@ const BACKENDS = ['auto', 'egl-device', 'egl-surfaceless', 'osmesa'];
 const EXIT_CODES =
   'Exit codes: 0 done, 1 over the gate, 2 usage, 3 input, 4 limit, 5 time or memory, 6 this machine, 7 internal or a crash.\n' +
   'Of many models, the highest exit code is told.';
-const collect = (value, list = []) => [...list, value];
 
 const backend = () => new Option('--backend <backend>', 'where GL comes from').choices(BACKENDS).default('auto');
 

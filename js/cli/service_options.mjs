@@ -1,15 +1,14 @@
 import { Option } from 'commander';
 import { BOUNDS, PLACES, TRIES } from '../queue/table.mjs';
 import { OPTIONS } from '../server/table.mjs';
+import { collect } from './shot_options.mjs';
 
 /** Flags of `telar serve` and `telar worker`, from the tables of the options of service and queue. */
 
 /** Numbers as such; what is none is told by the table's own message. */
 const numberOf = (text) => (/^\d{1,15}$/.test(text) ? Number(text) : text);
 
-const collect = (value, list = []) => [...list, value];
-
-/** @param {import('../server/table.mjs').OptionRow} row @returns {Option} */
+/** @param {import('../queue/option_rows.mjs').OptionRow} row @returns {Option} */
 function flagOf({ flag, doc, kind, values, default: value }) {
   const isSaid = value !== undefined && typeof value !== 'boolean' && !Array.isArray(value);
   const option = new Option(flag, kind === 'boolean' ? `do not: ${doc}` : `${doc}${isSaid ? ` (${value} by default)` : ''}`);

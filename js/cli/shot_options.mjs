@@ -12,7 +12,8 @@ const PAPER_PPI = 300;
 
 const BUNDLED = ['studio', 'none'];
 const usage = (message) => new TelarError('E_USAGE', message);
-const collect = (value, list = []) => [...list, value];
+/** Values of a flag that may be given again, as commander hands them over. */
+export const collect = (value, list = []) => [...list, value];
 
 /** Adds the options that make a shot to a commander command. */
 export function addShotOptions(command) {

@@ -1,5 +1,6 @@
 import { constants } from 'node:fs';
 import { open } from 'node:fs/promises';
+import { digestOf } from '../api/digest.mjs';
 import { TelarError } from '../error/index.mjs';
 
 /** A file may end so many workers before it is refused. */
@@ -26,12 +27,6 @@ async function bytesOf({ path, bytes }, size) {
   } finally {
     await file?.close();
   }
-}
-
-/** SHA-256, on another thread than the event loop's. */
-async function digestOf(bytes) {
-  // WebCrypto reads no shared memory: the bytes are the pool's own copy.
-  return Buffer.from(await crypto.subtle.digest('SHA-256', bytes)).toString('hex');
 }
 
 /** Remembers which files ended workers, and refuses those that did it twice. Nothing is hashed while there is none. */

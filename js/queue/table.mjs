@@ -1,27 +1,21 @@
-import { number, object, text } from '../shot/table/rows.mjs';
+import { object, text } from '../shot/table/rows.mjs';
+import { HOUR, MIB, milliseconds, whole } from './option_rows.mjs';
 
-/**
- * The options of a queue: what openQueue() takes, `telar serve` and `telar worker` have as flags, and js/docs/queue.md lists.
- * @typedef {import('../shot/table/rows.mjs').Row & {flag?: string}} OptionRow
- */
-
-const HOUR = 3_600_000;
-const MIB = 2 ** 20;
-
-const whole = (doc, flag, rest) => ({ ...number(doc, { what: 'a whole number', integer: true, ...rest }), flag });
-const milliseconds = (doc, flag, rest) => whole(doc, flag, { unit: 'milliseconds', min: 1, max: 24 * HOUR, ...rest });
+/** The options of a queue: what openQueue() takes, `telar serve` and `telar worker` have as flags, and js/docs/queue.md lists. */
 
 /** How much waits and is kept: of the service too, for the queue in its own process. */
 export const BOUNDS = {
-  jobs: whole('Jobs (`prefer: respond-async`) that wait in the queue; one more is X_BUSY', '--jobs <n>', { min: 0, max: 1_000_000, default: 256 }),
-  jobBytes: whole('Bytes of the models of jobs that wait and run; more is X_BUSY', '--job-bytes <n>', {
+  jobs: whole('Jobs (`prefer: respond-async`) that wait in the queue; one more is X_BUSY', { flag: '--jobs <n>', min: 0, max: 1_000_000, default: 256 }),
+  jobBytes: whole('Bytes of the models of jobs that wait and run; more is X_BUSY', {
+    flag: '--job-bytes <n>',
     unit: 'bytes',
     min: 1,
     max: 2 ** 40,
     default: 1024 * MIB,
   }),
   resultMs: milliseconds('Milliseconds for which the result of a job is kept', '--result-ms <ms>', { default: HOUR / 6 }),
-  resultBytes: whole('Bytes of the results that are kept; the oldest go first', '--result-bytes <n>', {
+  resultBytes: whole('Bytes of the results that are kept; the oldest go first', {
+    flag: '--result-bytes <n>',
     unit: 'bytes',
     min: 1,
     max: 2 ** 40,
@@ -54,24 +48,24 @@ export const PLACES = {
 
 /** How jobs are tried. */
 export const TRIES = {
-  taskBytes: whole('Bytes of the models of one job', '--task-bytes <n>', { unit: 'bytes', min: 1, max: 2 ** 32, default: 128 * MIB }),
+  taskBytes: whole('Bytes of the models of one job', { flag: '--task-bytes <n>', unit: 'bytes', min: 1, max: 2 ** 32, default: 128 * MIB }),
   waitMs: milliseconds('Milliseconds from the asking to the end of a job, tries included; then its model is no longer kept', '--wait-ms <ms>', {
     max: 30 * 24 * HOUR,
     default: 24 * HOUR,
   }),
-  attempts: whole('Tries of a job whose error may pass', '--attempts <n>', { min: 1, max: 100, default: 3 }),
+  attempts: whole('Tries of a job whose error may pass', { flag: '--attempts <n>', min: 1, max: 100, default: 3 }),
   backoffMs: milliseconds('Milliseconds before the second try; before each later one four times as many', '--backoff-ms <ms>', { default: 1000 }),
-  poison: whole('Workers that a job may end; then it fails with X_QUARANTINE', '--poison <n>', { min: 1, max: 100, default: 3 }),
+  poison: whole('Workers that a job may end; then it fails with X_QUARANTINE', { flag: '--poison <n>', min: 1, max: 100, default: 3 }),
   quarantineMs: milliseconds('Milliseconds for which such a job is not run again', '--quarantine-ms <ms>', { default: 24 * HOUR }),
   leaseMs: milliseconds('Milliseconds without a sign of life after which the jobs of a worker go to another one', '--lease-ms <ms>', {
     min: 100,
     default: 30_000,
   }),
-  tenantJobs: whole('Jobs that a tenant may add within `tenantMs`; one more is X_BUSY', '--tenant-jobs <n>', { min: 1, max: 1_000_000, optional: true }),
+  tenantJobs: whole('Jobs that a tenant may add within `tenantMs`; one more is X_BUSY', { flag: '--tenant-jobs <n>', min: 1, max: 1_000_000, optional: true }),
   tenantMs: milliseconds('Milliseconds that `tenantJobs` counts', '--tenant-ms <ms>', { default: 60_000 }),
 };
 
-/** @type {Record<string, OptionRow>} */
+/** @type {Record<string, import('./option_rows.mjs').OptionRow>} */
 export const OPTIONS = Object.freeze({ ...PLACES, ...BOUNDS, ...TRIES });
 
 export const QUEUE_OPTIONS = object('Options', OPTIONS, { expected: 'an object' });

@@ -1,18 +1,10 @@
+import { HOUR, MIB, milliseconds, whole } from '../queue/option_rows.mjs';
 import { BOUNDS } from '../queue/table.mjs';
-import { boolean, choice, list, number, object, text } from '../shot/table/rows.mjs';
+import { boolean, choice, list, object, text } from '../shot/table/rows.mjs';
 
-/**
- * The options of the service: what `telar serve` takes as flags, the plugin as options, and the pages list. `flag` is the command line's; `of`: what
- * reads it, the plugin or the server that `telar serve` makes.
- * @typedef {import('../shot/table/rows.mjs').Row & {flag?: string, of?: 'server'}} OptionRow
- */
+/** The options of the service: what `telar serve` takes as flags, the plugin as options, and the pages list. */
 
-const HOUR = 3_600_000;
-const MIB = 2 ** 20;
 const { jobs, jobBytes, resultMs, resultBytes } = BOUNDS;
-
-const whole = (doc, { flag, of, ...rest }) => ({ ...number(doc, { what: 'a whole number', integer: true, ...rest }), flag, of });
-const milliseconds = (doc, flag, rest) => whole(doc, { flag, unit: 'milliseconds', min: 1, max: 24 * HOUR, ...rest });
 
 /** Of the plugin. */
 const PLUGIN = {
@@ -92,7 +84,7 @@ const SERVER = {
   },
 };
 
-/** @type {Record<string, OptionRow>} */
+/** @type {Record<string, import('../queue/option_rows.mjs').OptionRow>} */
 export const OPTIONS = Object.freeze({ ...SERVER, ...PLUGIN });
 
 const shapeOf = (rows) => object('Options', rows, { expected: 'an object' });
