@@ -6,6 +6,7 @@ import { Worker } from 'node:worker_threads';
 import { fileURLToPath } from 'node:url';
 import { runChild } from './support/child.mjs';
 import { ENDLESS_MS, SHOT, model, openRenderer } from './support/double.mjs';
+import { until } from '../../until.mjs';
 
 const WORKER = new URL('./support/worker.mjs', import.meta.url);
 
@@ -16,10 +17,6 @@ before(async () => {
 after(() => renderer.close());
 
 const threadCount = async () => (await readdir('/proc/self/task')).length;
-
-async function until(condition) {
-  while (!(await condition())) await sleep(5);
-}
 
 /** Begins endless work, does something meanwhile, and ends the work. */
 async function during(plans, act, shots = plans.map(() => SHOT)) {

@@ -1,7 +1,6 @@
 // The examples of js/docs/browser.md, bundled as a client does it and run in Chromium.
 import assert from 'node:assert/strict';
 import { createReadStream, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
@@ -10,13 +9,14 @@ import { build } from 'esbuild';
 import sharp from 'sharp';
 import { launchChromium } from '../view/support.mjs';
 import '../built.mjs';
+import { startHost } from '../../http_host.mjs';
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 const TYPES = { '.js': 'text/javascript', '.html': 'text/html' };
 const examples = [...readFileSync(path.join(ROOT, 'js/docs/browser.md'), 'utf8').matchAll(/^```js\n([\s\S]*?)^```$/gm)].map(([, text]) => text);
 
 let folder;
-let server;
+let host;
 let browser;
 let page;
 
@@ -38,7 +38,7 @@ before(async () => {
     target: 'es2022',
     logLevel: 'warning',
   });
-  server = createServer(({ url }, response) => {
+  host = await startHost(({ url }, response) => {
     const name = url.slice(1);
     const file = { 'shirt.glb': 'js/assets/tshirt.glb', 'studio.hdr': 'js/assets/studio.hdr' }[name];
     if (name.endsWith('.html'))
@@ -50,13 +50,12 @@ before(async () => {
       createReadStream(path.join(folder, 'out', name)).pipe(response.setHeader('Content-Type', TYPES['.js']));
     else response.writeHead(404).end();
   });
-  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
   browser = await launchChromium();
   page = await browser.newPage();
 });
 after(async () => {
   await browser?.close();
-  server?.close();
+  host?.stop();
   rmSync(folder, { recursive: true });
 });
 
@@ -66,7 +65,7 @@ async function run(index) {
   page.removeAllListeners();
   page.on('pageerror', (error) => said.push(String(error)));
   page.on('console', (message) => message.type() === 'error' && said.push(message.text()));
-  await page.goto(`http://127.0.0.1:${server.address().port}/example${index}.html`);
+  await page.goto(`${host.origin}/example${index}.html`);
   await page.waitForFunction(() => window.done, undefined, { timeout: 30_000 });
   assert.deepEqual(said, []);
 }

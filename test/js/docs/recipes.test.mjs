@@ -14,7 +14,6 @@ import {
   symlinkSync,
   writeFileSync,
 } from 'node:fs';
-import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
@@ -23,6 +22,7 @@ import { parse } from 'yaml';
 import { withCode } from '../../../js/build/docs/recipes.mjs';
 import { embedShot } from '../../../js/compare/index.mjs';
 import '../built.mjs';
+import { startHost } from '../../http_host.mjs';
 
 // The files of js/docs/recipes run as a reader runs them: in a project of their own that has telar installed.
 
@@ -160,23 +160,21 @@ test('S3: the model is read, its parts too, and the picture put under its key', 
     ['/garments/1/velvet.gltf', Buffer.from(JSON.stringify(json))],
     ['/garments/1/velvet.bin', binary],
   ]);
-  const server = createServer(async (request, response) => {
+  const { origin, stop } = await startHost(async (request, response) => {
     const url = new URL(request.url, 'http://store');
     if (url.searchParams.get('signed') !== `${request.method}${url.pathname}`) return response.writeHead(403).end();
     if (request.method === 'PUT') {
-      store.set(url.pathname, Buffer.concat(await gathered(request)));
+      store.set(url.pathname, Buffer.concat(await request.toArray()));
       return response.end();
     }
     const bytes = store.get(url.pathname);
     return bytes ? response.writeHead(200, { 'content-length': bytes.length }).end(bytes) : response.writeHead(404).end();
   });
-  server.listen(0, '127.0.0.1');
-  await once(server, 'listening');
-  t.after(() => server.close());
+  t.after(stop);
   const outcome = await driven(
     folder,
     `const { thumbnail, close } = await import('./s3.mjs');
-     const sign = async (method, key) => 'http://127.0.0.1:${server.address().port}/' + key + '?signed=' + method + '/' + key;
+     const sign = async (method, key) => '${origin}/' + key + '?signed=' + method + '/' + key;
      const key = await thumbnail('garments/1/velvet.gltf', { size: { width: 64, height: 64 } }, { sign });
      const missing = await thumbnail('garments/1/none.glb', {}, { sign }).catch((error) => error.message);
      const denied = await thumbnail('garments/1/velvet.gltf', {}, { sign: async (method, key) => (await sign(method, key)) + 'x' }).catch((error) => error.message);
@@ -187,12 +185,6 @@ test('S3: the model is read, its parts too, and the picture put under its key', 
   assert.ok(isPng(store.get(`/${outcome[0]}`)));
   assert.deepEqual(outcome.slice(1), ['garments/1/none.glb is not in the bucket', 'the store answered 403']);
 });
-
-async function gathered(stream) {
-  const chunks = [];
-  for await (const chunk of stream) chunks.push(chunk);
-  return chunks;
-}
 
 /** JSON and binary chunk of a GLB. */
 function splitGlb(glb) {
@@ -230,16 +222,14 @@ test('from puppeteer: the picture before and the one after are the same', async 
   mkdirSync(path.join(folder, 'node_modules/puppeteer'));
   writeFileSync(path.join(folder, 'node_modules/puppeteer/package.json'), '{"name": "puppeteer", "type": "module", "main": "index.js"}');
   writeFileSync(path.join(folder, 'node_modules/puppeteer/index.js'), PUPPETEER);
-  const server = createServer((request, response) => {
+  const { origin, stop } = await startHost((request, response) => {
     if (!request.url.startsWith('/three/')) return response.writeHead(200, { 'content-type': 'text/html' }).end('<!doctype html>');
     response.setHeader('content-type', 'text/javascript');
     return createReadStream(path.join(ROOT, 'node_modules', new URL(request.url, 'http://a').pathname)).pipe(response);
   });
-  server.listen(0, '127.0.0.1');
-  await once(server, 'listening');
-  t.after(() => server.close());
+  t.after(stop);
   for (const name of ['puppeteer_before.mjs', 'puppeteer_after.mjs']) {
-    const { code, stderr } = await run(process.execPath, [name], folder, { PAGES: `http://127.0.0.1:${server.address().port}/` });
+    const { code, stderr } = await run(process.execPath, [name], folder, { PAGES: `${origin}/` });
     assert.equal(code, 0, stderr);
   }
   const compare = (actual) => run('npx', ['telar', 'compare', 'before.png', actual, '--gate', 'parity'], folder);

@@ -2,7 +2,8 @@ import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { before, test } from 'node:test';
 import { MODELS } from '../../fixtures/index.mjs';
-import { busy, ENDLESS, errorOf, isAlive, open, SHOT, until } from './support.mjs';
+import { busy, ENDLESS, errorOf, isAlive, open, SHOT } from './support.mjs';
+import { until } from '../../until.mjs';
 
 // A worker that ends, hangs or takes too much costs its own job, and nothing else.
 

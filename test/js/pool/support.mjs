@@ -1,6 +1,6 @@
-import { setTimeout as sleep } from 'node:timers/promises';
 import '../api/support/real.mjs';
 import { createPool } from '../../../js/pool/index.mjs';
+import { until } from '../../until.mjs';
 
 export const SHOT = { size: { width: 48, height: 48 } };
 
@@ -16,11 +16,6 @@ export const errorOf = (promise) =>
     () => undefined,
     (error) => error,
   );
-
-/** Waits until it holds; a test that waits for ever is ended by its runner. */
-export async function until(holds) {
-  while (!(await holds())) await sleep(10);
-}
 
 /** Process ids of the workers that have a job, once there are so many. */
 export async function busy(pool, count = 1) {

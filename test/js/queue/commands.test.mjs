@@ -1,16 +1,14 @@
 import '../api/support/real.mjs';
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
-import { once } from 'node:events';
 import path from 'node:path';
-import { after, before, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
+import { before, test } from 'node:test';
 import { MODELS, SHOT, bytesOf, openPool, post } from '../server/support.mjs';
-import { startRedis, temporaryFolder, until } from './support.mjs';
+import { startRedis, temporaryFolder } from './support.mjs';
+import { startTelar } from '../../telar_process.mjs';
+import { until } from '../../until.mjs';
 
 // `telar serve` and `telar worker`, in processes of their own.
 
-const BIN = fileURLToPath(new URL('../../../js/cli/telar.mjs', import.meta.url));
 const THUMBNAILS = '/v1/thumbnails';
 
 let glb, drawn;
@@ -21,28 +19,11 @@ before(async () => {
   await pool.close();
 });
 
-const left = [];
-after(() => left.forEach((child) => child.kill('SIGKILL')));
-
-/** Runs a command until it says what is looked for, or to its end. */
-async function run(argv, says, env = {}) {
-  const child = spawn(BIN, argv, { stdio: ['ignore', 'pipe', 'pipe'], env: { ...process.env, REDIS_URL: '', ...env } });
-  left.push(child);
-  const said = { out: '', err: '' };
-  child.stdout.on('data', (text) => {
-    said.out += text;
-  });
-  child.stderr.on('data', (text) => {
-    said.err += text;
-  });
-  const ended = once(child, 'exit').then(([code, signal]) => ({ code, signal }));
-  const found = await until(() => says.exec(said.out) ?? (child.exitCode !== null && []));
-  return { child, said, ended, found: found[0] };
-}
-
 const SERVE = ['serve', '--port', '0', '--workers', '1', '--log-level', 'silent', '--no-draw-jobs'];
-const serve = (argv, env) => run([...SERVE, ...argv], /http:\S+\n/, env);
-const work = (argv, env) => run(['worker', '--workers', '1', ...argv], /1 worker draws the jobs of the queue\n/, env);
+/** Of no queue but the one that is tested. */
+const start = (argv, says, env) => startTelar(argv, { says, env: { REDIS_URL: '', ...env } });
+const serve = (argv, env) => start([...SERVE, ...argv], /http:\S+\n/, env);
+const work = (argv, env) => start(['worker', '--workers', '1', ...argv], /1 worker draws the jobs of the queue\n/, env);
 
 const job = async (url, self) => (await fetch(new URL(self, url))).json();
 
@@ -90,7 +71,7 @@ test('what is wrong with a queue is told with the exit code of its error', async
     [['worker', '--sqlite', '/nowhere/at/all.db'], 6, /X_QUEUE/],
     [['serve', '--port', '0', '--redis', 'redis://127.0.0.1:1'], 6, /X_QUEUE/],
   ]) {
-    const { ended, said } = await run(argv, /never/);
+    const { ended, said } = await start(argv);
     assert.deepEqual([(await ended).code, message.test(said.err)], [code, true], said.err);
   }
 });

@@ -4,7 +4,8 @@ import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { FolderStore } from '../../../js/queue/folder_store.mjs';
 import { openQueue } from '../../../js/queue/index.mjs';
-import { QUEUES, onRedis, open, over, startProcess, startRedis, taskOf, temporaryFolder, textOf, until } from './support.mjs';
+import { QUEUES, onRedis, open, over, startProcess, startRedis, taskOf, temporaryFolder, textOf } from './support.mjs';
+import { until } from '../../until.mjs';
 
 // Queues that several processes share: their ends, by kill -9 too.
 

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { freePort, open, over, startProcess, startRedis, taskOf, textOf, until } from './support.mjs';
+import { freePort, open, over, startProcess, startRedis, taskOf, textOf } from './support.mjs';
+import { until } from '../../until.mjs';
 
 // The Redis server itself: its settings, its end and its return.
 

@@ -1,7 +1,9 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { TelarError } from '../../../js/queue/index.mjs';
-import { QUEUES, deferred, onRedis, open, over, resultOf, startRedis, taskOf, until } from './support.mjs';
+import { QUEUES, deferred, onRedis, open, over, resultOf, startRedis, taskOf } from './support.mjs';
+import { startHost } from '../../http_host.mjs';
+import { until } from '../../until.mjs';
 
 // What holds for each of the three queues.
 
@@ -205,19 +207,15 @@ for (const [name, kind] of Object.entries({ ...QUEUES, Redis: { place: () => onR
     });
 
     test('results go to signed addresses, on allowed hosts alone', async (t) => {
-      const { createServer } = await import('node:http');
       const got = [];
       let refuses = true;
-      const store = createServer(async (request, response) => {
-        const chunks = (await Array.fromAsync?.(request).catch(() => [])) ?? [];
-        if (!Array.fromAsync) for await (const chunk of request) chunks.push(chunk);
+      const { host, stop } = await startHost(async (request, response) => {
+        const chunks = await request.toArray();
         got.push([request.method, request.url, request.headers['content-type'], Buffer.concat(chunks).toString()]);
         response.writeHead(refuses ? 503 : 200).end();
         refuses = false;
-      }).listen(0, '127.0.0.1');
-      t.after(() => store.close());
-      await until(() => store.listening);
-      const host = `127.0.0.1:${store.address().port}`;
+      });
+      t.after(stop);
       const { queue } = await working(t, async ({ asked }) => resultOf(asked.name));
       const { id } = await over(queue, (await queue.add(taskOf('a'), { put: [`http://${host}/a.txt?signature=1`] })).id);
       const sent = ['PUT', '/a.txt?signature=1', 'text/plain', 'result a'];

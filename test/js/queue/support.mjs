@@ -4,9 +4,9 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import net from 'node:net';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import { setTimeout as sleep } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { openQueue } from '../../../js/queue/index.mjs';
+import { until } from '../../until.mjs';
 
 /** A folder of its own, and what removes it. */
 export function temporaryFolder(name) {
@@ -21,15 +21,6 @@ export async function freePort() {
   server.close();
   await once(server, 'close');
   return port;
-}
-
-/** Waits until it holds; a test that waits for ever is ended by its runner. */
-export async function until(holds) {
-  for (;;) {
-    const held = await holds();
-    if (held) return held;
-    await sleep(10);
-  }
 }
 
 /**

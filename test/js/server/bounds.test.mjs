@@ -1,7 +1,8 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { setTimeout as sleep } from 'node:timers/promises';
-import { ENDLESS, GLB, HOURS, MODELS, SHOT, bytesOf, connect, head, openPool, post, postForm, problemOf, readiness, serve, until } from './support.mjs';
+import { ENDLESS, GLB, HOURS, MODELS, SHOT, bytesOf, connect, head, openPool, post, postForm, problemOf, readiness, serve } from './support.mjs';
+import { until } from '../../until.mjs';
 
 // What clients may take of the service: time, bytes, connections, places. By real sockets: most of these are no requests that fetch would send.
 

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { readImage } from '../../../js/compare/index.mjs';
-import { ENDLESS, HOURS, SHOT, bytesOf, post, postForm, problemOf, readiness, until } from './support.mjs';
+import { ENDLESS, HOURS, SHOT, bytesOf, post, postForm, problemOf, readiness } from './support.mjs';
+import { until } from '../../until.mjs';
 
 // What jobs promise: asked for now, fetched later. jobs.test.mjs checks it of the service, job_faults.test.mjs of services with planted faults.
 

@@ -1,8 +1,7 @@
 import assert from 'node:assert/strict';
-import { once } from 'node:events';
-import { createServer } from 'node:http';
 import { after, before, test } from 'node:test';
 import { HOURS, MODELS, SHOT, at, bytesOf, openPool, problemOf, serve } from './support.mjs';
+import { startHost } from '../../http_host.mjs';
 
 // References: nothing is fetched but from hosts that the owner allows, and then no more than a model may have.
 
@@ -11,16 +10,14 @@ const asked = [];
 before(async () => {
   [pool, glb] = await Promise.all([openPool(), MODELS.cloth()]);
   drawn = (await pool.render(glb, SHOT)).data;
-  host = createServer((request, response) => {
+  host = await startHost((request, response) => {
     asked.push({ url: request.url, headers: request.headers });
     HOST[request.url.split('?')[0]]?.(response) ?? response.writeHead(404).end();
-  }).listen(0, '127.0.0.1');
-  await once(host, 'listening');
-  origin = `http://127.0.0.1:${host.address().port}`;
+  });
+  ({ origin } = host);
 });
 after(async () => {
-  host.closeAllConnections();
-  host.close();
+  host.stop();
   await pool.close();
 });
 
@@ -70,7 +67,7 @@ test("without the owner's leave no reference is opened, and no address is asked"
 });
 
 test('addresses that only look as if they were of an allowed host', async () => {
-  const { port } = host.address();
+  const { port } = host;
   const allowHosts = [`http://models.test:${port}`];
   for (const reference of [
     `http://models.test:${port}@127.0.0.1:${port}/model.glb`,

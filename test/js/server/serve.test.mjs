@@ -1,17 +1,15 @@
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
-import { once } from 'node:events';
 import { mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
 import { gradient } from '../../fixtures/environment.mjs';
-import { ENDLESS, GLB, MODELS, SHOT, at, bytesOf, connect, post, problemOf, readiness, until } from './support.mjs';
+import { ENDLESS, GLB, MODELS, SHOT, at, bytesOf, connect, post, problemOf, readiness } from './support.mjs';
+import { startTelar } from '../../telar_process.mjs';
+import { until } from '../../until.mjs';
 
 // The real program: `telar serve`, and its end by SIGTERM.
 
-const BIN = fileURLToPath(new URL('../../../js/cli/telar.mjs', import.meta.url));
 const glb = await MODELS.cloth();
 
 const folder = mkdtempSync(path.join(tmpdir(), 'telar-serve-'));
@@ -24,29 +22,16 @@ symlinkSync(path.join(folder, 'secret.glb'), path.join(folder, 'models/link.glb'
 
 /** Runs the program until it listens. */
 async function serve(argv, env) {
-  const child = spawn(BIN, ['serve', ...argv], { stdio: ['ignore', 'pipe', 'pipe'], env: { ...process.env, ...env } });
-  const said = { out: '', err: '' };
-  child.stdout.on('data', (text) => {
-    said.out += text;
-  });
-  child.stderr.on('data', (text) => {
-    said.err += text;
-  });
-  const ended = once(child, 'exit').then(([code, signal]) => ({ code, signal }));
-  const url = await Promise.race([until(() => /http:\S+\n/.test(said.out) && said.out.match(/http:[^"\s]+/)[0]), ended]);
-  assert.equal(typeof url, 'string', said.err);
-  return { child, url, port: Number(new URL(url).port), ended, said };
+  const { said, found, ...rest } = await startTelar(['serve', ...argv], { says: /http:\S+\n/, env });
+  assert.ok(found, said.err);
+  const [url] = /http:[^"\s]+/.exec(found);
+  return { ...rest, said, url, port: Number(new URL(url).port) };
 }
 
 /** Runs the program to its end. */
 async function ends(argv) {
-  const child = spawn(BIN, ['serve', ...argv], { stdio: ['ignore', 'pipe', 'pipe'] });
-  let text = '';
-  child.stderr.on('data', (part) => {
-    text += part;
-  });
-  const [code] = await once(child, 'exit');
-  return { code, text };
+  const { ended, said } = await startTelar(['serve', ...argv]);
+  return { code: (await ended).code, text: said.err };
 }
 
 test('with no more than a port it draws at once, on this machine alone; models beneath a folder, environments by name', async () => {

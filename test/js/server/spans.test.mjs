@@ -7,7 +7,8 @@ import * as api from '@opentelemetry/api';
 import { listen } from '../../../js/server/index.mjs';
 import { NO_SPANS, openSpans } from '../../../js/server/spans.mjs';
 import { importMutant } from './mutants.mjs';
-import { MODELS, SHOT, at, bytesOf, openPool, post, until } from './support.mjs';
+import { MODELS, SHOT, at, bytesOf, openPool, post } from './support.mjs';
+import { until } from '../../until.mjs';
 
 // Spans of OpenTelemetry: a small SDK takes them.
 

@@ -1,14 +1,14 @@
 import assert from 'node:assert/strict';
-import { once } from 'node:events';
 import { mkdtempSync, readFileSync, readdirSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { listen } from '../../../js/server/index.mjs';
 import { importMutant, outcomeOf } from './mutants.mjs';
-import { ENDLESS, HOURS, MODELS, SHOT, bytesOf, openPool, post, problemOf, until } from './support.mjs';
+import { ENDLESS, HOURS, MODELS, SHOT, bytesOf, openPool, post, problemOf } from './support.mjs';
+import { startHost } from '../../http_host.mjs';
+import { until } from '../../until.mjs';
 
 // The store of results: what was drawn once is not drawn again, and a store that is damaged, full or gone costs no answer.
 
@@ -31,7 +31,7 @@ before(async () => {
   };
   pool = Object.defineProperty({ render, close: () => real.close() }, 'workers', { get: () => real.workers });
   root = mkdtempSync(path.join(tmpdir(), 'telar-store-'));
-  host = createServer(async (request, response) => {
+  host = await startHost(async (request, response) => {
     const { pathname, searchParams } = new URL(request.url, 'http://host');
     if (mood === 'never') return;
     if (mood === 'broken' || searchParams.get('signed') !== request.method) return response.writeHead(500).end();
@@ -40,13 +40,11 @@ before(async () => {
     await held;
     bucket.set(pathname, Buffer.concat(chunks));
     response.end();
-  }).listen(0, '127.0.0.1');
-  await once(host, 'listening');
-  origin = `http://127.0.0.1:${host.address().port}`;
+  });
+  ({ origin } = host);
 });
 after(async () => {
-  host.closeAllConnections();
-  host.close();
+  host.stop();
   await pool.close();
   rmSync(root, { recursive: true });
 });

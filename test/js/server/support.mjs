@@ -1,21 +1,13 @@
 import { once } from 'node:events';
 import net from 'node:net';
-import { setTimeout as sleep } from 'node:timers/promises';
-import '../api/support/real.mjs';
-import { createPool } from '../../../js/pool/index.mjs';
 import { listen } from '../../../js/server/index.mjs';
 import { MODELS } from '../../fixtures/index.mjs';
 
+export { ENDLESS, SHOT, open as openPool } from '../pool/support.mjs';
 export { MODELS };
 
-export const SHOT = { size: { width: 48, height: 48 } };
 export const GLB = 'model/gltf-binary';
-/** Takes hours: what ends it is what is tested. */
-export const ENDLESS = { size: { width: 256, height: 256 }, quality: { preset: 'reference', samples: 65_536 } };
 export const HOURS = 80_000_000;
-
-/** A pool of one worker unless said otherwise. */
-export const openPool = (options) => createPool({ size: 1, cacheDirectory: null, ...options });
 
 /** A service on a free port. */
 export const serve = (options, io) => listen({ port: 0, ...options }, io);
@@ -56,15 +48,6 @@ export const bytesOf = async (response) => Buffer.from(await response.arrayBuffe
 export async function problemOf(response) {
   const { status } = response;
   return { status, type: response.headers.get('content-type'), ...(await response.json()) };
-}
-
-/** Waits until it holds; a test that waits for ever is ended by its runner. */
-export async function until(holds) {
-  for (;;) {
-    const held = await holds();
-    if (held) return held;
-    await sleep(10);
-  }
 }
 
 export const readiness = async (url) => (await fetch(new URL('/readyz', url))).json();
