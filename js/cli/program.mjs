@@ -11,6 +11,8 @@ const EXIT_CODES =
   'Exit codes: 0 done, 1 over the gate, 2 usage, 3 input, 4 limit, 5 time or memory, 6 this machine, 7 internal or a crash.\n' +
   'Of many models, the highest exit code is told.';
 
+const STORE_FLAG = ['--store <folder>', 'keep pictures in this folder, and draw none of them twice'];
+
 const backend = () => new Option('--backend <backend>', 'where GL comes from').choices(BACKENDS).default('auto');
 
 function port(text) {
@@ -178,7 +180,7 @@ export function buildProgram(version, actions, output) {
       )
         .option('--workers <n>', 'draw in so many processes; auto = one for each core, as far as the memory goes', 'auto')
         .option('--models <folder>', 'let requests name models by their paths beneath this folder')
-        .option('--store <folder>', 'keep pictures in this folder, and draw none of them twice')
+        .option(...STORE_FLAG)
         .option('--environment <name=file>', 'let shots name this .hdr or .exr file; repeatable', collect)
         .addOption(backend()),
     ),
@@ -195,6 +197,7 @@ export function buildProgram(version, actions, output) {
     addCommon(
       addWorkerOptions(command('worker', 'Draw the jobs of a queue that other processes fill, as telar serve does (js/docs/queue.md)'))
         .option('--workers <n>', 'draw in so many processes; auto = one for each core, as far as the memory goes', 'auto')
+        .option(...STORE_FLAG)
         .option('--put-host <host>', 'host, or host:port, that jobs may have their results sent to; repeatable; any by default', collect)
         .addOption(backend()),
     ),

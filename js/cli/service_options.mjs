@@ -1,5 +1,5 @@
 import { Option } from 'commander';
-import { BOUNDS, PLACES, TRIES } from '../queue/table.mjs';
+import { BOUNDS, PLACES, STORE, TRIES } from '../queue/table.mjs';
 import { OPTIONS } from '../server/table.mjs';
 import { collect } from './shot_options.mjs';
 
@@ -25,7 +25,7 @@ const OF_SERVED = { ...PLACES, ...tries };
 /** Of `telar worker`: it adds no job. */
 const { tenantJobs: _jobs, tenantMs: _ms, waitMs: _wait, ...ofWork } = tries;
 const OF_WORKER = { ...PLACES, ...ofWork, resultMs: BOUNDS.resultMs, resultBytes: BOUNDS.resultBytes };
-const WORK = { jobMs: OPTIONS.jobMs, drainMs: OPTIONS.drainMs };
+const WORK = { jobMs: OPTIONS.jobMs, drainMs: OPTIONS.drainMs, ...STORE };
 
 const add = (command, rows) => Object.values(rows).reduce((whole, row) => whole.addOption(flagOf(row)), command);
 
@@ -46,5 +46,5 @@ export const addWorkerOptions = (command) => add(command, { ...WORK, ...OF_WORKE
 /** @returns {object} options of listen() that are plain data, with those of its queue */
 export const serviceOptions = (options, env) => ({ ...valuesOf(options, OPTIONS), queue: queueOf(options, OF_SERVED, env) });
 
-/** @returns {{queue: object, jobMs?: number, drainMs?: number}} */
+/** @returns {{queue: object, jobMs?: number, drainMs?: number, storeBytes?: number}} */
 export const workerOptions = (options, env) => ({ ...valuesOf(options, WORK), queue: queueOf(options, OF_WORKER, env) });

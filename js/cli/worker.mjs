@@ -15,7 +15,7 @@ const LEEWAY_MS = 5000;
  * @returns {Promise<number>} 0
  */
 export async function worker(options, { console, signal, env, ending, loadPool }) {
-  const { queue: where, jobMs = OPTIONS.jobMs.default, drainMs = OPTIONS.drainMs.default } = workerOptions(options, env);
+  const { queue: where, jobMs = OPTIONS.jobMs.default, drainMs = OPTIONS.drainMs.default, storeBytes } = workerOptions(options, env);
   if (where.redis === undefined && where.sqlite === undefined)
     throw new TelarError('E_USAGE', 'telar worker: expected --redis URL, --sqlite FILE or REDIS_URL in the environment');
   const { openQueue, startWorker } = await import('../queue/index.mjs');
@@ -29,7 +29,8 @@ export async function worker(options, { console, signal, env, ending, loadPool }
       ending.patienceMs = drainMs + LEEWAY_MS;
       ending.isWell = true;
       for (const warning of queue.warnings) console.warning(warning, 'queue');
-      const drawing = startWorker(queue, { pool, jobMs, putHosts: options.putHost });
+      const drawing = startWorker(queue, { pool, jobMs, putHosts: options.putHost, store: options.store, storeBytes });
+      await drawing.ready;
       const count = pool.workers.length;
       await console.result({ ok: true, workers: count }, [`${count} worker${count === 1 ? ' draws' : 's draw'} the jobs of the queue`]);
       if (!signal.aborted) await once(signal, 'abort');

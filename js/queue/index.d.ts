@@ -75,6 +75,17 @@ export interface JobResult {
   meta: Record<string, unknown>;
 }
 
+/** The picture of a job as far as it is, of qualities that take many samples. */
+export interface JobPreview {
+  /** Of the picture itself, in pixels. */
+  width: number;
+  height: number;
+  /** That a pixel has taken so far, at most. */
+  samples: number;
+  /** The picture so far, shrunk to a side of at most 192 pixels. */
+  png: Uint8Array;
+}
+
 /** Jobs that are asked for now and fetched later. js/docs/queue.md says what is promised. */
 export interface Queue {
   /** What is not as it should be where jobs are kept: W_QUEUE. */
@@ -92,8 +103,8 @@ export interface Queue {
   result(id: string): Promise<JobResult | undefined>;
   /** A job that waits does not run, one that runs is stopped; the state afterwards. */
   cancel(id: string): Promise<JobState | undefined>;
-  /** Tells what changes, by whichever process, until the job is over; the returned function ends it. */
-  watch(id: string, listener: (state: JobState) => void): () => void;
+  /** Tells what changes, and shows pictures so far, by whichever process, until the job is over; the returned function ends it. */
+  watch(id: string, listener: (state: JobState, preview?: JobPreview) => void): () => void;
   counts(): { waiting: number; running: number; kept: number } | Promise<{ waiting: number; running: number; kept: number }>;
   /** Ends what this process runs for the queue, and lets go of where it is kept. */
   close(): Promise<void>;
@@ -108,6 +119,17 @@ export interface Queue {
  * const stop = queue.watch(id, ({ state, progress }) => console.log(state, progress));
  */
 export function openQueue(options?: QueueOptions): Promise<Queue>;
+
+/** Where a result is, as presigned addresses of S3 say it. */
+export type ResultAddress = string | URL | { url: string | URL; headers?: Record<string, string> };
+
+/** Gives the address of a result by its name: letters, digits and dashes, at most 80. Null: it is not kept there. */
+export interface ResultAddresses {
+  /** Asked with GET; 404 and 403 mean that there is none. */
+  get?: (name: string) => ResultAddress | null | undefined | Promise<ResultAddress | null | undefined>;
+  /** Written with PUT and the type application/octet-stream. */
+  put?: (name: string) => ResultAddress | null | undefined | Promise<ResultAddress | null | undefined>;
+}
 
 export interface WorkerOptions {
   /** Draws; its owner closes it, after drain(). */
@@ -132,9 +154,22 @@ export interface WorkerOptions {
    * @default undefined: any
    */
   putHosts?: string[];
+  /**
+   * Where pictures are kept by their content keys, so that none is drawn twice: a folder, which services and workers may share, or callbacks that
+   * give addresses, as `store` of the service. A store that fails costs time, and no job.
+   * @default undefined
+   */
+  store?: string | ResultAddresses;
+  /**
+   * Bytes of that folder, from which those that were read longest ago go; at addresses, of one result.
+   * @default 1073741824
+   */
+  storeBytes?: number;
 }
 
 export interface Worker {
+  /** Resolves when jobs are taken; rejects with E_OPTION where the folder of `store` cannot be made. */
+  readonly ready: Promise<void>;
   /** Takes no more jobs, finishes those that run, and gives back those that take longer than `ms`; a queue in this process is emptied first. */
   drain(ms: number): Promise<void>;
 }

@@ -9,8 +9,8 @@
  * @property {(id: string) => Promise<JobState | undefined>} get
  * @property {(id: string) => Promise<{result: import('./perform.mjs').Result, meta: object} | undefined>} result of a job that is done
  * @property {(id: string) => Promise<JobState | undefined>} cancel
- * @property {(id: string, listener: (state: JobState, preview?: import('../index.js').Preview) => void) => () => void} watch tells of what changes, by
- *   whichever process; a queue in this process shows pictures so far; the returned function ends it
+ * @property {(id: string, listener: (state: JobState, preview?: import('./preview.mjs').ShownPreview) => void) => () => void} watch tells of what
+ *   changes, and shows pictures so far, by whichever process; the returned function ends it
  * @property {() => Counts | Promise<Counts>} counts
  * @property {(work: Work, how: {atOnce: number}) => void} take begins to run jobs in this process; once
  * @property {() => Promise<void>} idle takes no more jobs that another process could take, and resolves when none runs here

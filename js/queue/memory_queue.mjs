@@ -2,6 +2,7 @@ import { TelarError, toTelarError } from '../error/index.mjs';
 import { STEP, isKept, isOver } from './job_queue.mjs';
 import { readAdding } from './options.mjs';
 import { jobId, packTask } from './pack.mjs';
+import { showing } from './preview.mjs';
 import { putFiles } from './put.mjs';
 import { Rates } from './rates.mjs';
 import { busy, cancelled, tooLarge, tooManyWait, tooOften, verdictOf } from './verdict.mjs';
@@ -153,9 +154,9 @@ export class MemoryQueue {
       job.progress = part;
       tell(job);
     };
-    const onPreview = (preview) => {
+    const onPreview = showing((preview) => {
       if (!isOver(job)) tell(job, preview);
-    };
+    });
     const onStart = () => {
       if (isOver(job)) return;
       Object.assign(job, { state: 'running', started: Date.now() });

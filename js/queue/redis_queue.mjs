@@ -225,11 +225,23 @@ export class RedisQueue {
     if (!entry) return;
     entry.last = entry.last.then(async () => {
       const state = await this.get(id).catch(() => undefined);
-      if (!state || !isNews(entry.told, state)) return;
-      entry.told = state;
-      for (const listener of entry.all) listener(state);
+      if (!state) return;
+      if (isNews(entry.told, state)) {
+        entry.told = state;
+        for (const listener of entry.all) listener(state);
+      }
       if (isOver(state)) this.#listeners.delete(id);
+      else if (state.state === 'running') await this.#show(state, entry);
     });
+  }
+
+  /** The picture so far, where it is another one than before. */
+  async #show(state, entry) {
+    const text = await this.#client.get(this.#key('preview', state.id)).catch(() => null);
+    const { png, ...shown } = JSON.parse(text ?? '{}');
+    if (!text || shown.samples === entry.samples) return;
+    entry.samples = shown.samples;
+    for (const listener of entry.all) listener(state, { ...shown, png: Buffer.from(png, 'base64') });
   }
 
   /** Events may be missed while the server is away. */
@@ -253,6 +265,7 @@ export class RedisQueue {
       prefix: PREFIX,
       store: (client) => (this.#store instanceof RedisStore ? new RedisStore(client, `${PREFIX}-bytes:${this.#bounds.name}:`) : this.#store),
       markOf: (id) => this.#key('cancelled', id),
+      previewOf: (id) => this.#key('preview', id),
     });
   }
 

@@ -1,4 +1,5 @@
 import { toTelarError } from '../error/index.mjs';
+import { showing } from './preview.mjs';
 import { connect, letGoOf } from './redis_server.mjs';
 import { loadTask, refsOf, storeResult } from './stored.mjs';
 import { backoffOf, cancelled, isPoison, poisoned, verdictOf } from './verdict.mjs';
@@ -44,7 +45,7 @@ export class RedisRuns {
     });
     this.#worker.on('error', () => {}); // it connects again
     // What cannot be removed goes by itself, later.
-    const drop = ({ data }) => this.#store.drop(refsOf(data.task)).catch(() => {});
+    const drop = ({ id, data }) => Promise.all([this.#store.drop(refsOf(data.task)), this.#client.unlink(how.previewOf(id))]).catch(() => {});
     this.#worker.on('completed', drop);
     this.#worker.on('failed', (job) => {
       if (job?.finishedOn) drop(job);
@@ -62,7 +63,8 @@ export class RedisRuns {
       const ends = job.data.ends + job.stalledCounter;
       if (isPoison(ends, bounds)) throw poisoned(ends);
       const task = await loadTask(this.#store, job.data.task);
-      const result = await this.#work(task, { signal, onProgress: progressOf(job), onStart: () => {} });
+      const told = this.#tellerOf(job);
+      const result = await this.#work(task, { signal, ...told, onStart: () => {} });
       const stored = await storeResult(this.#store, result, { ms: bounds.resultMs, put: job.data.put, signal, hosts });
       // BullMQ keeps it where this worker has the job still; otherwise its bytes go by themselves, later.
       return stored;
@@ -78,6 +80,25 @@ export class RedisRuns {
     } finally {
       this.#running.delete(job.id);
     }
+  }
+
+  /** Tells how far a job is, and shows its picture so far: whoever watches is told of the progress, and looks. */
+  #tellerOf(job) {
+    let [said, last] = [0, 0];
+    const tell = (part) => {
+      said = Date.now();
+      return job.updateProgress(part).catch(() => {});
+    };
+    return {
+      onProgress: (part) => {
+        last = part;
+        if (Date.now() - said >= PROGRESS_MS) void tell(part);
+      },
+      onPreview: showing(async ({ png, ...shown }) => {
+        await this.#client.set(this.#how.previewOf(job.id), JSON.stringify({ ...shown, png: png.toString('base64') }), 'PX', this.#how.bounds.resultMs);
+        await tell(last);
+      }),
+    };
   }
 
   async #look() {
@@ -98,13 +119,4 @@ export class RedisRuns {
   abort(reason) {
     for (const controller of this.#running.values()) controller.abort(reason);
   }
-}
-
-function progressOf(job) {
-  let said = 0;
-  return (part) => {
-    if (Date.now() - said < PROGRESS_MS) return;
-    said = Date.now();
-    job.updateProgress(part).catch(() => {});
-  };
 }

@@ -191,6 +191,7 @@ export class SqliteQueue {
   }
 
   #over(id) {
+    this.#table.change('hide', { id });
     this.#drop(refsOf(parsed(this.#table.row('get', { id }).task)));
     this.#runs?.check(id);
     this.#tell(id);
@@ -206,11 +207,21 @@ export class SqliteQueue {
     const entry = this.#listeners.get(id);
     if (!entry) return;
     const row = this.#table.row('get', { id });
-    const text = JSON.stringify(row && stateOf(row));
-    if (!row || text === entry.told) return;
+    if (!row) return;
+    const text = JSON.stringify(stateOf(row));
+    if (text !== entry.told) for (const listener of entry.all) listener(stateOf(row));
     entry.told = text;
-    for (const listener of entry.all) listener(stateOf(row));
     if (isOver(row)) this.#listeners.delete(id);
+    else if (row.state === 'running') this.#show(row, entry);
+  }
+
+  /** The picture so far, where it is another one than before. */
+  #show(row, entry) {
+    const shown = this.#table.row('preview', { id: row.id });
+    if (!shown || shown.samples === entry.samples) return;
+    entry.samples = shown.samples;
+    const { samples, width, height, png } = shown;
+    for (const listener of entry.all) listener(stateOf(row), { samples, width, height, png: Buffer.from(png) });
   }
 
   #tellAll(ids) {
@@ -236,6 +247,7 @@ export class SqliteQueue {
       this.#runs?.next();
       if (now - this.#swept < SWEEP_MS) return;
       this.#swept = now;
+      this.#table.change('forgetShown');
       this.#table.change('forgetAdded', { span: Math.floor(now / this.#bounds.tenantMs) });
       this.#forget();
       this.#store.sweep(Math.max(this.#bounds.waitMs, this.#bounds.resultMs)).catch(() => {});

@@ -1,5 +1,6 @@
 import { randomBytes } from 'node:crypto';
 import { TelarError } from '../error/index.mjs';
+import { showing } from './preview.mjs';
 import { cancelled, verdictOf } from './verdict.mjs';
 
 /** Milliseconds between two writings of how far a job is. */
@@ -61,8 +62,11 @@ export class SqliteRuns {
         // The next one says more.
       }
     };
+    const onPreview = showing((shown) => {
+      if (table.change('show', { id, token, ...shown })) changed(id);
+    });
     try {
-      const result = await this.#work(await load(row), { signal, onProgress, onStart: () => {} });
+      const result = await this.#work(await load(row), { signal, onProgress, onPreview, onStart: () => {} });
       await keep(result, row, signal);
     } catch (error) {
       const verdict = verdictOf(error, { tries: row.failures + 1, ends: row.ends }, bounds);

@@ -1,9 +1,9 @@
 import { TelarError } from '../error/index.mjs';
 
-/** The database of SqliteQueue: one table of jobs, one of how many each tenant added. */
+/** The database of SqliteQueue: one table of jobs, one of their pictures so far, one of how many each tenant added. */
 
-/** What the tables look like; a database of another one is refused. */
-const SHAPE = 1;
+/** What the tables look like: an older database gets what it lacks, one of a later telar is refused. */
+const SHAPE = 2;
 
 const SCHEMA = `
 CREATE TABLE IF NOT EXISTS jobs (
@@ -14,6 +14,7 @@ CREATE TABLE IF NOT EXISTS jobs (
 ) STRICT;
 CREATE INDEX IF NOT EXISTS jobs_next ON jobs (state, priority, place);
 CREATE INDEX IF NOT EXISTS jobs_ended ON jobs (ended, resultBytes);
+CREATE TABLE IF NOT EXISTS previews (id TEXT PRIMARY KEY, samples INTEGER NOT NULL, width INTEGER NOT NULL, height INTEGER NOT NULL, png BLOB NOT NULL) STRICT;
 CREATE TABLE IF NOT EXISTS added (tenant TEXT PRIMARY KEY, span INTEGER NOT NULL, count INTEGER NOT NULL) STRICT;
 PRAGMA user_version = ${SHAPE};
 `;
@@ -32,6 +33,10 @@ const STATEMENTS = {
           WHERE id = (SELECT id FROM jobs WHERE state = 'waiting' AND due <= :now ORDER BY priority, place LIMIT 1) RETURNING *`,
   renew: `UPDATE jobs SET lease = :lease ${OWN}`,
   progress: `UPDATE jobs SET progress = :progress ${OWN}`,
+  preview: 'SELECT samples, width, height, png FROM previews WHERE id = :id',
+  show: `INSERT OR REPLACE INTO previews SELECT :id, :samples, :width, :height, :png WHERE EXISTS (SELECT 1 FROM jobs ${OWN})`,
+  hide: 'DELETE FROM previews WHERE id = :id',
+  forgetShown: "DELETE FROM previews WHERE id NOT IN (SELECT id FROM jobs WHERE state = 'running')",
   done: `UPDATE jobs SET state = 'done', progress = 1, ended = :now, token = NULL, result = :result, resultBytes = :bytes ${OWN}`,
   end: `UPDATE jobs SET state = :state, ended = :now, token = NULL, error = :error ${OWN}`,
   retry: `UPDATE jobs SET state = 'waiting', progress = 0, token = NULL, due = :due, failures = failures + 1, ends = :ends ${OWN}`,
@@ -84,8 +89,8 @@ export class Table {
     // FULL: what was told to be added survives a power cut too.
     db.exec('PRAGMA busy_timeout = 10000; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL');
     const { user_version: shape } = db.prepare('PRAGMA user_version').get();
-    if (shape !== 0 && shape !== SHAPE) throw new TelarError('X_QUEUE', 'the database of the queue is of another version of telar: name another file');
-    if (shape === 0) this.#within('IMMEDIATE', () => db.exec(SCHEMA));
+    if (shape > SHAPE) throw new TelarError('X_QUEUE', 'the database of the queue is of another version of telar: name another file');
+    if (shape < SHAPE) this.#within('IMMEDIATE', () => db.exec(SCHEMA));
     this.#statements = Object.fromEntries(Object.entries(STATEMENTS).map(([name, text]) => [name, db.prepare(text)]));
   }
 

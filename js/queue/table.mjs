@@ -23,6 +23,17 @@ export const BOUNDS = {
   }),
 };
 
+/** What is drawn once, of a service and of a worker. */
+export const STORE = {
+  storeBytes: whole('Bytes of a folder of results, from which those that were read longest ago go; at addresses, of one result', {
+    flag: '--store-bytes <n>',
+    unit: 'bytes',
+    min: 1,
+    max: 2 ** 44,
+    default: 1024 * MIB,
+  }),
+};
+
 /** Where the queue is. */
 export const PLACES = {
   redis: {

@@ -1,10 +1,11 @@
 import type { Pool, PoolOptions } from '../pool/index.js';
-import type { Queue, QueueOptions } from '../queue/index.js';
+import type { Queue, QueueOptions, ResultAddresses } from '../queue/index.js';
 import type { Shot } from '../shot/index.js';
 import type { PluginSettings, ServiceSettings } from './options.js';
 
 export { TelarError } from '../error/index.js';
 export type { PluginSettings, ServiceSettings };
+export type { ResultAddress, ResultAddresses } from '../queue/index.js';
 
 /** What is no plain data of the options. */
 export interface OwnOptions {
@@ -45,17 +46,6 @@ export interface OwnOptions {
    * @default undefined: nowhere
    */
   store?: string | ResultAddresses;
-}
-
-/** Where a result is, as presigned addresses of S3 say it. */
-export type ResultAddress = string | URL | { url: string | URL; headers?: Record<string, string> };
-
-/** Gives the address of a result by its name: letters, digits and dashes, at most 80. Null: it is not kept there. */
-export interface ResultAddresses {
-  /** Asked with GET; 404 and 403 mean that there is none. */
-  get?: (name: string) => ResultAddress | null | undefined | Promise<ResultAddress | null | undefined>;
-  /** Written with PUT and the type application/octet-stream. */
-  put?: (name: string) => ResultAddress | null | undefined | Promise<ResultAddress | null | undefined>;
 }
 
 /** A key and its salt, in hexadecimal. `openssl rand -hex 32` makes one. */

@@ -1,5 +1,4 @@
 import { TelarError } from '../error/index.mjs';
-import { previewJson } from './preview.mjs';
 import { problemOf } from './problem.mjs';
 
 /** The routes of jobs: their state, their events, their results. */
@@ -40,19 +39,12 @@ function stream(raw, first, queue, prefix) {
     clearInterval(beat);
     stopWatching();
   };
-  let isShowing = false;
-  const show = async (id, preview) => {
-    isShowing = true;
-    const shown = await previewJson(preview).catch(() => undefined);
-    isShowing = false;
-    if (shown && !raw.writableEnded && !raw.destroyed) raw.write(event('preview', { id, ...shown }));
-  };
   const stopWatching = queue.watch(first.id, (state, preview) => {
     // A client that does not read misses progress and previews, and no end.
     if (!isOver(state) && raw.writableNeedDrain) return;
     if (preview) {
-      if (!isShowing) void show(state.id, preview);
-      return;
+      const { png, ...shown } = preview;
+      return void raw.write(event('preview', { id: state.id, ...shown, data: png.toString('base64') }));
     }
     raw.write(event(state.state, jobJson(state, prefix)));
     if (!isOver(state)) return;

@@ -1,5 +1,6 @@
 import { isObject, wrongOption } from '../api/option_check.mjs';
 import { bytesOf } from '../api/source.mjs';
+import { storeOption } from '../queue/result_store.mjs';
 import { complaint } from '../shot/complain.mjs';
 import { zodOf } from '../shot/schema.mjs';
 import { readSigningKeys } from './signature.mjs';
@@ -27,13 +28,6 @@ function environmentsOf(given) {
   );
 }
 
-/** A folder, or callbacks that give addresses. */
-function storeOf(given) {
-  if (given === undefined || (typeof given === 'string' && given !== '')) return given;
-  if (isObject(given) && isFunctionOr(given.get) && isFunctionOr(given.put) && (given.get || given.put)) return given;
-  throw wrongOption('options.store', 'a folder, or {get, put} that give addresses', given);
-}
-
 /**
  * Options with every default written out.
  * @param {object} options js/server/index.d.ts documents them
@@ -57,7 +51,7 @@ export function readOptions(options, of = 'plugin') {
     environments: environmentsOf(environments),
     templates,
     signingKeys: readSigningKeys(signingKeys),
-    store: storeOf(store),
+    store: storeOption(store),
   };
 }
 

@@ -1,5 +1,5 @@
 import { HOUR, MIB, milliseconds, whole } from '../queue/option_rows.mjs';
-import { BOUNDS } from '../queue/table.mjs';
+import { BOUNDS, STORE } from '../queue/table.mjs';
 import { boolean, choice, list, object, text } from '../shot/table/rows.mjs';
 
 /** The options of the service: what `telar serve` takes as flags, the plugin as options, and the pages list. */
@@ -51,13 +51,7 @@ const PLUGIN = {
     max: 31_536_000,
     default: 300,
   }),
-  storeBytes: whole('Bytes of a folder of results, from which those that were read longest ago go; at addresses, of one result', {
-    flag: '--store-bytes <n>',
-    unit: 'bytes',
-    min: 1,
-    max: 2 ** 44,
-    default: 1024 * MIB,
-  }),
+  ...STORE,
   allowHosts: {
     ...list(
       'Hosts from which models are fetched by https, as in models.example.com; a whole origin as in http://store:9000 allows its own scheme and port',

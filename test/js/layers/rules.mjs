@@ -96,7 +96,7 @@ const JS_LAYERS = {
   'js/api': { imports: ['js/error', 'js/shot', 'js/predict'] },
   'js/api/atomic_file.mjs': { imports: ['js/error', 'js/shot'] },
   'js/pool': { imports: ['js/error', 'js/shot', 'js/api', 'js/compare', 'js/sheet'] },
-  'js/queue': { imports: ['js/error', 'js/shot', 'js/api'] },
+  'js/queue': { imports: ['js/error', 'js/shot', 'js/api', 'js/compare'] },
   'js/server': { imports: ['js/error', 'js/shot', 'js/api', 'js/pool', 'js/queue', 'js/compare', 'js/sheet'] },
   'js/server/page': { imports: [], browser: true },
   'js/compare': { imports: ['js/error', 'js/shot', 'js/api'] },

@@ -1,5 +1,7 @@
 import '../api/support/real.mjs';
 import assert from 'node:assert/strict';
+import { readdirSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { before, test } from 'node:test';
 import { MODELS, SHOT, bytesOf, openPool, post } from '../server/support.mjs';
@@ -32,8 +34,10 @@ async function submit(url) {
   return (await response.json()).links;
 }
 
-async function checkPlace(argv, env) {
-  const [api, worker] = await Promise.all([serve(argv, env), work(argv, env)]);
+async function checkPlace(t, argv, env) {
+  const { folder: store, remove } = temporaryFolder('store');
+  t.after(remove);
+  const [api, worker] = await Promise.all([serve(argv, env), work([...argv, '--store', store], env)]);
   const url = api.found?.trim();
   assert.ok(url && worker.found, api.said.err + worker.said.err);
   const { self } = await submit(url);
@@ -50,18 +54,19 @@ async function checkPlace(argv, env) {
   assert.match(await (await fetch(new URL('/metrics', nextUrl))).text(), /^telar_queue\{state="kept"\} 1$/m);
   for (const { child } of [worker, next]) child.kill('SIGTERM');
   for (const { ended, said } of [worker, next]) assert.deepEqual(await ended, { code: 0, signal: null }, said.err);
+  assert.equal(readdirSync(store).length, 1, 'what it drew is in the store');
 }
 
 test('SQLite: the API adds, the worker draws, and both end well', async (t) => {
   const { folder, remove } = temporaryFolder('commands');
   t.after(remove);
-  await checkPlace(['--sqlite', path.join(folder, 'jobs.db')]);
+  await checkPlace(t, ['--sqlite', path.join(folder, 'jobs.db')]);
 });
 
 test('REDIS_URL: the same', async (t) => {
   const server = await startRedis();
   t.after(() => server.stop());
-  await checkPlace([], { REDIS_URL: server.url });
+  await checkPlace(t, [], { REDIS_URL: server.url });
 });
 
 test('what is wrong with a queue is told with the exit code of its error', async () => {
@@ -69,6 +74,7 @@ test('what is wrong with a queue is told with the exit code of its error', async
     [['worker'], 2, /expected --redis URL, --sqlite FILE or REDIS_URL/],
     [['worker', '--redis', 'http://here'], 2, /options\.redis: expected an address/],
     [['worker', '--sqlite', '/nowhere/at/all.db'], 6, /X_QUEUE/],
+    [['worker', '--sqlite', path.join(tmpdir(), 'telar-none.db'), '--store', '/dev/null/store'], 2, /options\.store: the folder cannot be made/],
     [['serve', '--port', '0', '--redis', 'redis://127.0.0.1:1'], 6, /X_QUEUE/],
   ]) {
     const { ended, said } = await start(argv);

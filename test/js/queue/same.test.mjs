@@ -1,6 +1,9 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { TelarError } from '../../../js/queue/index.mjs';
+import '../api/support/real.mjs';
+import { readImage } from '../../../js/compare/index.mjs';
+import { TelarError, openQueue } from '../../../js/queue/index.mjs';
+import { importMutant, outcomeOf } from '../server/mutants.mjs';
 import { QUEUES, deferred, onRedis, open, over, resultOf, startRedis, taskOf } from './support.mjs';
 import { startHost } from '../../http_host.mjs';
 import { until } from '../../until.mjs';
@@ -19,6 +22,51 @@ const codeOf = (promise) =>
     () => undefined,
     ({ code }) => code,
   );
+
+/** A job shows two pictures, and one of floats; another queue of the same place watches. */
+async function checkPreviews(t, openOne, place) {
+  const worker = await openOne({ leaseMs: 1000, ...place });
+  const watcher = place.sqlite || place.redis ? await openOne(place) : worker;
+  t.after(() => Promise.all([worker.close(), watcher.close()]));
+  const shown = [];
+  const showing = deferred();
+  worker.take(
+    async (_, { signal, onPreview, onStart }) => {
+      onStart();
+      await showing.promise;
+      for (const [samples, bitDepth] of [
+        [1, 32],
+        [2, 8],
+        [4, 8],
+      ]) {
+        onPreview({ width: 400, height: 200, bitDepth, samples, data: Buffer.alloc(50 * 200 * bitDepth * 4, 255) });
+        if (bitDepth === 8) await until(() => signal.aborted || shown.at(-1)?.preview.samples === samples);
+      }
+      return resultOf('a');
+    },
+    { atOnce: 1 },
+  );
+  const { id } = await watcher.add(taskOf('a'));
+  watcher.watch(id, (state, preview) => preview && shown.push({ state, preview }));
+  showing.settle();
+  await over(watcher, id);
+  for (const { state, preview } of shown) {
+    const { png, ...rest } = preview;
+    const { width, height } = await readImage(png);
+    assert.deepEqual([state.id, state.state, rest.width, rest.height, width, height], [id, 'running', 400, 200, 134, 67]);
+  }
+  assert.deepEqual(
+    shown.map(({ preview }) => preview.samples),
+    [2, 4],
+  );
+}
+
+/** What is wrong in js/queue, by the queue whose check must find it. */
+const LOST_PREVIEWS = {
+  'in memory': ['memory_queue.mjs', 'if (!isOver(job)) tell(job, preview);', ''],
+  SQLite: ['sqlite_runs.mjs', "if (table.change('show', { id, token, ...shown })) changed(id);", ''],
+  Redis: ['redis_queue.mjs', "previewOf: (id) => this.#key('preview', id)", "previewOf: (id) => this.#key('previous', id)"],
+};
 
 for (const [name, kind] of Object.entries({ ...QUEUES, Redis: { place: () => onRedis(server).place() } })) {
   describe(name, () => {
@@ -196,6 +244,16 @@ for (const [name, kind] of Object.entries({ ...QUEUES, Redis: { place: () => onR
       const states = told.map(({ state, progress }) => `${state} ${progress}`);
       assert.ok(states.includes('running 0.5'), String(states));
       assert.equal(new Set(states).size, states.length);
+    });
+
+    test('pictures so far are shown small to whoever watches, by whichever process', async (t) => {
+      await checkPreviews(t, openQueue, await kind.place(t));
+    });
+
+    test(`planted: pictures so far of ${name} that nobody is shown`, async (t) => {
+      const { openQueue: mutant } = await importMutant([LOST_PREVIEWS[name]], '../queue/index.mjs');
+      const place = await kind.place(t);
+      assert.equal(await outcomeOf(() => checkPreviews(t, mutant, place), { hangMs: 1500 }), 'hangs');
     });
 
     test('results are kept as long as is said', async (t) => {

@@ -31,7 +31,7 @@ const FAULTS = {
     ['none', 'memory_queue.mjs', 'if (!isOver(job)) tell(job, preview);', '', { hangs: true }],
     ['the size of the small one', 'preview.mjs', 'width: preview.width, height: preview.height', 'width, height'],
     ['other pixels', 'preview.mjs', 'from[y * step * width + x * step]', 'from[0]'],
-    ['without an id', 'job_handlers.mjs', "event('preview', { id, ...shown })", "event('preview', shown)"],
+    ['without an id', 'job_handlers.mjs', '{ id: state.id, ...shown, data:', '{ ...shown, data:'],
   ],
   cancel: [
     ['told as failed', 'memory_queue.mjs', "? 'cancelled' : 'failed'", "? 'failed' : 'failed'"],

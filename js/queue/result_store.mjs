@@ -1,3 +1,4 @@
+import { isObject, wrongOption } from '../api/option_check.mjs';
 import { ResultAddresses } from './result_addresses.mjs';
 import { ResultFolder } from './result_folder.mjs';
 import { packResult, unpackResult } from './stored_result.mjs';
@@ -9,6 +10,15 @@ import { packResult, unpackResult } from './stored_result.mjs';
  * @property {(name: string, bytes: Buffer) => Promise<void>} put whole or not at all
  * @property {(name: string) => Promise<void>} drop
  */
+
+const isFunctionOr = (value) => value === undefined || typeof value === 'function';
+
+/** The option `store`: a folder, or callbacks that give addresses. @throws {import('../error/index.mjs').TelarError} E_OPTION */
+export function storeOption(given) {
+  if (given === undefined || (typeof given === 'string' && given !== '')) return given;
+  if (isObject(given) && isFunctionOr(given.get) && isFunctionOr(given.put) && (given.get || given.put)) return given;
+  throw wrongOption('options.store', 'a folder, or {get, put} that give addresses', given);
+}
 
 /** Writings at once; what is drawn meanwhile is not stored. */
 const MOST_WRITING = 16;
@@ -35,7 +45,7 @@ export class ResultStore {
     this.#count = count;
   }
 
-  /** @param {string} key @param {AbortSignal} signal @returns {Promise<import('../queue/perform.mjs').Result | undefined>} */
+  /** @param {string} key @param {AbortSignal} signal @returns {Promise<import('./perform.mjs').Result | undefined>} */
   async get(key, signal) {
     try {
       const bytes = await this.#place.get(key, signal);
@@ -50,7 +60,7 @@ export class ResultStore {
     }
   }
 
-  /** Begins to write; the answer does not wait for it. @param {import('../queue/perform.mjs').Result} result with a key */
+  /** Begins to write; the answer does not wait for it. @param {import('./perform.mjs').Result} result with a key */
   put(result) {
     if (this.#writing.size >= MOST_WRITING) return this.#count('skipped');
     const writing = this.#write(result).finally(() => this.#writing.delete(writing));

@@ -8,7 +8,7 @@ const BEGIN = MAGIC.length + DIGEST_BYTES;
 
 const sha256 = (pieces) => pieces.reduce((hash, piece) => hash.update(piece), createHash('sha256')).digest();
 
-/** @param {import('../queue/perform.mjs').Result} result @returns {Buffer} */
+/** @param {import('./perform.mjs').Result} result @returns {Buffer} */
 export function packResult({ key, info, files }) {
   const header = { key, info, files: files.map(({ name, type, data }) => ({ name, type, bytes: data.byteLength })) };
   const pieces = [Buffer.from(`${JSON.stringify(header)}\n`), ...files.map(({ data }) => data)];
@@ -18,7 +18,7 @@ export function packResult({ key, info, files }) {
 /**
  * @param {Buffer} bytes
  * @param {string} key that it must have
- * @returns {import('../queue/perform.mjs').Result | undefined} undefined of bytes that are damaged, cut, or of another key
+ * @returns {import('./perform.mjs').Result | undefined} undefined of bytes that are damaged, cut, or of another key
  */
 export function unpackResult(bytes, key) {
   const rest = bytes.subarray(BEGIN);

@@ -7,7 +7,7 @@ import { shotIdentity } from '../shot/identity.mjs';
 
 /**
  * The key of a picture before it is drawn: that of `info.key`, found without opening the model; of pixels that are encoded afterwards with that format.
- * @param {import('./task.mjs').Task} task
+ * @param {import('./job_queue.mjs').Task} task
  * @returns {Promise<string | undefined>} undefined where it takes the files that the model names
  * @throws {import('../error/index.mjs').TelarError} E_SHOT
  */
