@@ -1,3 +1,6 @@
+/** Kinds of surface of which few pixels tell little: what is wrong there is wrong by far. */
+const SPARSE = ['cut', 'facets'];
+
 /**
  * Classes of scenes, from the narrowest to all: what is predicted of a scene is what was measured of others of its class.
  * @param {import('./features.mjs').Features} features
@@ -6,7 +9,7 @@
 export const classesOf = ({ shading, surface, environment, shadows }) => [
   `${shading}, ${surface}, ${environment}${shadows ? ' with a lamp' : ''}`,
   `${shading}, ${surface}`,
-  `${shading}, ${surface === 'cut' ? 'cut' : 'solid'}`,
+  `${shading}, ${SPARSE.includes(surface) ? 'holes or glitter' : 'plain'}`,
   shading,
   'all',
 ];

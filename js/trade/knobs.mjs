@@ -41,20 +41,19 @@ const median = (values) =>
  * What each setting changes against `standard` of the same scene.
  * @param {import('./measure.mjs').Row[]} rows
  * @returns {{setting: string, flip: number, cpuMs: number, perSecond: number, scenes: number}[]} flip, cpuMs: medians of the changes; perSecond: FLIP that a
- *   second of CPU takes away, of the means; the steepest first
+ *   second of CPU takes away, by these; the steepest first
  */
 export function sensitivity(rows) {
   const pairs = byScene(rows).flatMap(({ rows: own }) => {
     const from = own.find(({ setting }) => setting === FROM);
     return from ? own.filter((row) => row !== from).map((row) => ({ ...row, by: { flip: row.flip - from.flip, cpuMs: row.cpuMs - from.cpuMs } })) : [];
   });
-  const mean = (values) => values.reduce((sum, each) => sum + each, 0) / values.length;
   return [...new Set(pairs.map(({ setting }) => setting))]
     .map((setting) => {
       const own = pairs.filter((pair) => pair.setting === setting).map(({ by }) => by);
-      const of = (key) => own.map((by) => by[key]);
-      const perSecond = (-1000 * mean(of('flip'))) / mean(of('cpuMs'));
-      return { setting, flip: median(of('flip')), cpuMs: median(of('cpuMs')), perSecond, scenes: own.length };
+      const of = (key) => median(own.map((by) => by[key]));
+      const [flip, cpuMs] = [of('flip'), of('cpuMs')];
+      return { setting, flip, cpuMs, perSecond: flip === 0 ? 0 : (-1000 * flip) / cpuMs, scenes: own.length };
     })
     .toSorted((a, b) => b.perSecond - a.perSecond);
 }
@@ -76,7 +75,10 @@ export function together(rows) {
   const steepest = found.slice(0, STEEPEST);
   const pairs = steepest.flatMap((a, i) => steepest.slice(i + 1).map((b) => [a, b]));
   const sets = steepest.length > 2 ? [...pairs, steepest] : pairs;
-  return Object.fromEntries(sets.map((set) => [set.map(({ name }) => name).join(', '), settingOf(Object.assign({}, ...set.map(({ change }) => change)))]));
+  const isAlone = (setting) => Object.values(KNOB_SETTINGS).some((each) => JSON.stringify(each) === JSON.stringify(setting));
+  const named = sets.map((set) => [set.map(({ name }) => name).join(', '), settingOf(Object.assign({}, ...set.map(({ change }) => change)))]);
+  // More samples average in linear light anyway.
+  return Object.fromEntries(named.filter(([, setting]) => !isAlone(setting)));
 }
 
 const signed = (value, digits) => `${value > 0 ? '+' : ''}${value.toFixed(digits)}`;
@@ -89,7 +91,7 @@ export const knobsTable = (rows) => ({
     signed(flip, 4),
     signed(cpuMs, 0),
     // Less error in less time has no slope, nor has more in more.
-    flip < 0 === cpuMs > 0 ? perSecond.toFixed(3) : flip < 0 ? 'less of both' : 'more of both',
+    flip < 0 === cpuMs > 0 || flip === 0 ? perSecond.toFixed(3) : flip < 0 ? 'less of both' : 'more of both',
     String(scenes),
   ]),
 });

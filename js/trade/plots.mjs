@@ -6,10 +6,11 @@ import { frontOf } from './front.mjs';
 
 const FRAME = { width: 560, height: 340, left: 52, right: 440, top: 30, bottom: 290 };
 const STYLE = `.axis{stroke:#8a8a8a;stroke-width:.6;fill:none}.grid{stroke:#8a8a8a;stroke-width:.4;stroke-dasharray:2 3}.front{stroke:#2867b8;stroke-width:1.6;fill:none}
-.prefiltered{fill:#b8501f}.raster{fill:#2867b8}.tracer{fill:#3d8f4f}.other{fill:#777}.scaled{fill-opacity:.35}
+.prefiltered{fill:#b8501f}.raster{fill:#2867b8}.tracer{fill:#3d8f4f}.peer{fill:#8a4fbf}.other{fill:#777}.scaled{fill-opacity:.35}
 text{font:10px system-ui,sans-serif;fill:#444}.title{font-weight:600;font-size:11px;fill:#222}.preset{font-weight:600}`;
-const DARK = '.front{stroke:#7db2f5}.prefiltered{fill:#f0965f}.raster{fill:#7db2f5}.tracer{fill:#7fce91}text{fill:#c4c4c4}.title{fill:#e8e8e8}';
-const FAMILY_NAMES = { prefiltered: 'prefiltered light', raster: 'raster, many samples', tracer: 'path tracer' };
+const DARK =
+  '.front{stroke:#7db2f5}.prefiltered{fill:#f0965f}.raster{fill:#7db2f5}.tracer{fill:#7fce91}.peer{fill:#c79bf0}text{fill:#c4c4c4}.title{fill:#e8e8e8}';
+const FAMILY_NAMES = { prefiltered: 'prefiltered light', raster: 'raster, many samples', tracer: 'path tracer', peer: 'others' };
 
 const n = (value) => Number(value.toFixed(1));
 const text = (x, y, content, more = '') => `<text x="${n(x)}" y="${n(y)}"${more}>${escaped(content)}</text>`;
@@ -26,7 +27,7 @@ const timeText = (ms) => (ms >= 1000 ? `${ms / 1000} s` : `${ms} ms`);
 /**
  * @param {string} title
  * @param {{setting: string, family: string, cpuMs: number, flip: number, timed?: string}[]} points not empty
- * @returns {string} SVG: time on a logarithmic axis against FLIP, the Pareto front, presets by name
+ * @returns {string} SVG: time on a logarithmic axis against FLIP, the Pareto front, presets and others (family "peer", not on the front) by name
  */
 export function tradePlot(title, points) {
   const { width, height, left, right, top, bottom } = FRAME;
@@ -36,11 +37,12 @@ export function tradePlot(title, points) {
   const y = (flip) => bottom - (flip / most) * (bottom - top);
   const ticks = Array.from({ length: to - from + 1 }, (_, i) => 10 ** (from + i));
   const steps = [0, 0.25, 0.5, 0.75, 1].map((part) => part * most);
-  const front = frontOf(points);
+  const front = frontOf(points.filter(({ family }) => family !== 'peer'));
   const stairs = front.map(({ cpuMs, flip }, i) => (i === 0 ? `M${n(x(cpuMs))} ${n(y(flip))}` : `H${n(x(cpuMs))}V${n(y(flip))}`)).join('');
   const named = Object.entries(PRESET_NAMES).flatMap(([preset, setting]) =>
     points.filter((point) => point.setting === setting).map((point) => [preset, point]),
   );
+  named.push(...points.filter(({ family }) => family === 'peer').map((point) => [point.setting, point]));
   const families = Object.entries(FAMILY_NAMES).filter(([family]) => points.some((point) => point.family === family));
   const mark = ({ setting, family, cpuMs, flip, timed }) =>
     `<circle class="${family}${timed === 'window' ? ' scaled' : ''}" cx="${n(x(cpuMs))}" cy="${n(y(flip))}" r="3.4"><title>${escaped(`${setting}: FLIP ${flip.toFixed(4)}, ${cpuMs.toFixed(0)} ms`)}</title></circle>`;

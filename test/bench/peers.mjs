@@ -5,7 +5,7 @@
 // measured, for npm run scale
 import { fork, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
-import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { setTimeout as sleep } from 'node:timers/promises';
@@ -15,6 +15,7 @@ import { compareImages } from '../../js/compare/index.mjs';
 import { createRenderer } from '../../js/index.mjs';
 import { MODELS } from '../fixtures/index.mjs';
 import { median } from '../median.mjs';
+import { cpuBelow, descendants, measured, pssOf } from '../processes.mjs';
 import { Browser } from '../parity/browser/chromium.mjs';
 import { difference } from '../parity/metrics.mjs';
 import { cases } from './peer_models.mjs';
@@ -26,45 +27,6 @@ const ASSETS = path.join(ROOT, 'js/assets');
 const CLI = path.join(ROOT, 'js/cli/telar.mjs');
 const TSHIRT = path.join(ASSETS, 'tshirt.glb');
 const CASES = await cases();
-const TICKS_A_SECOND = 100;
-
-/** Fields of /proc/PID/stat from the state on, or undefined where it has ended. */
-function statOf(pid) {
-  try {
-    return readFileSync(`/proc/${pid}/stat`, 'utf8').split(') ').at(-1).split(' ');
-  } catch {
-    return undefined;
-  }
-}
-
-/** Processes below this one. */
-function descendants() {
-  const parents = new Map(
-    readdirSync('/proc')
-      .filter((name) => /^\d+$/.test(name))
-      .map((pid) => [pid, statOf(pid)?.[1]]),
-  );
-  const isBelow = (pid) => pid !== undefined && (parents.get(pid) === String(process.pid) || (pid !== '1' && isBelow(parents.get(pid))));
-  return [...parents.keys()].filter(isBelow);
-}
-
-/** Milliseconds of CPU of the processes below this one that live, and of those that have ended. */
-function cpuBelow() {
-  const ticks = (fields, from) => Number(fields?.[from] ?? 0) + Number(fields?.[from + 1] ?? 0);
-  return (
-    ((descendants().reduce((sum, pid) => sum + ticks(statOf(pid), 11) + ticks(statOf(pid), 13), 0) + ticks(statOf(process.pid), 13)) * 1000) / TICKS_A_SECOND
-  );
-}
-
-/** Mebibytes that processes have for themselves, with their shares of what is shared. */
-const pssOf = (pids) => pids.reduce((sum, pid) => sum + Number(/^Pss:\s+(\d+)/m.exec(readFileSync(`/proc/${pid}/smaps_rollup`, 'utf8'))[1]), 0) / 1024;
-
-/** {cpu, wall} in milliseconds. `cpuNow`: of whom. */
-async function measured(cpuNow, job) {
-  const [cpu, wall] = [cpuNow(), performance.now()];
-  await job();
-  return { cpu: cpuNow() - cpu, wall: performance.now() - wall };
-}
 
 /** Resolves when nothing below works any more: a browser goes on for a while after a picture, and would slow down the other's. */
 async function settled() {

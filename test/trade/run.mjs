@@ -12,17 +12,31 @@ import { SETTINGS } from '../../js/predict/settings.mjs';
 import { bench, csvOf, overallPoints, tradePage, tradePlot } from '../../js/trade/index.mjs';
 import { docsPage } from './docs_page.mjs';
 import { judge } from './judge.mjs';
+import { keptKnobs, measureKnobs } from './knobs.mjs';
+import { measurePeers } from './peers.mjs';
 import { answersOf, looksOf } from './looks.mjs';
 import { tradeScenes } from './scenes.mjs';
 
 // npm run trade [-- --minutes N] [--write]: measures the scenes of scenes.mjs, as far as the minutes go (a run goes on where the last one stopped),
 // fits what {maxError} and {budgetMs} go by, and judges it by scenes that it does not know. --write: js/predict/table.json, js/docs/trade.md.
 
-const { values } = parseArgs({ options: { minutes: { type: 'string', default: '600' }, write: { type: 'boolean', default: false } } });
+const { values } = parseArgs({
+  options: {
+    minutes: { type: 'string', default: '600' },
+    write: { type: 'boolean', default: false },
+    knobs: { type: 'boolean', default: false },
+    peers: { type: 'boolean', default: false },
+  },
+});
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const OUT = path.join(ROOT, 'out/trade');
 const WINDOW = 40;
 const CAP_MS = 1500;
+
+const how = { version: versions.telar, write: values.write };
+if (values.knobs) await measureKnobs(OUT, how);
+if (values.peers) await measurePeers(OUT, how);
+if (values.knobs || values.peers) process.exit();
 
 const end = Date.now() + 60_000 * Number(values.minutes);
 const store = new TradeStore(OUT, versions.telar);
@@ -109,6 +123,7 @@ if (values.write) {
       table,
       verdict,
       byClass,
+      knobs: keptKnobs(),
       command,
       machine: machineName,
       window: WINDOW,

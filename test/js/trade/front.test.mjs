@@ -76,6 +76,15 @@ test('the plot: time is logarithmic, presets are named, the front is stairs', ()
   assert.match(svg, /class="front" d="M52 [\d.]+H[\d.]+V[\d.]+H[\d.]+V[\d.]+"/);
 });
 
+test('another renderer is a point with its name, and not on the front', () => {
+  const stairs = (svg) => /class="front" d="M52[^"]*"/.exec(svg)[0];
+  const own = POINTS.filter(({ setting }) => setting !== 'b');
+  const svg = tradePlot('t', [...own, { ...point('b', 300, 0.01), family: 'peer' }]);
+  assertWellFormed(svg);
+  assert.ok(svg.includes('class="peer"') && svg.includes('>b<') && svg.includes('>others<'));
+  assert.notEqual(stairs(svg), stairs(tradePlot('t', POINTS)), 'planted fault: as a setting it is on the front');
+});
+
 test('the page is one well-formed file that needs no other', () => {
   const html = tradePage(
     POINTS.map((each) => rowOf(each)),

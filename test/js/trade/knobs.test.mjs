@@ -59,7 +59,6 @@ test('together: the steepest value of each of the three steepest knobs that take
   assert.deepEqual(Object.keys(sets), [
     'environmentSamples 16, resolve linear',
     'environmentSamples 16, samples 16',
-    'resolve linear, samples 16',
     'environmentSamples 16, resolve linear, samples 16',
   ]);
   assert.deepEqual(sets['environmentSamples 16, samples 16'], { samples: 16, resolve: 'linear', noise: 0, environmentSamples: 16 });
