@@ -9,7 +9,7 @@ import { FAMILIES, familyOf, SETTINGS } from './settings.mjs';
  * @property {Machine} machine - That it was measured on.
  * @property {Record<string, Record<string, {flip: number, count: number}>>} errors
  * @property {Record<string, Record<string, {base: number, triangle: number, pixel: number, spread: number, count: number}>>} times
- * @property {Record<string, Record<string, number>>} window - By noise and setting, what the error in a window is multiplied by: js/predict/probe.mjs.
+ * @property {Record<string, number>} [window] - By setting, what the error in a window is multiplied by: js/predict/probe.mjs.
  *
  * CPU milliseconds of two small pictures: js/predict/calibrate.mjs.
  * @typedef {{raster: number, tracer: number}} Machine

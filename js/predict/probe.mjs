@@ -15,22 +15,18 @@ export const SIDE = 24;
 /** Larger side of the small picture in which the window is looked for, pixels. */
 const OVERVIEW = 64;
 
-/** Standard errors, in 1/255, at which the paths of a window's truth end: the coarsest is taken that a goal is not lost in. */
-export const NOISES = [8, 4, 2];
-const COARSEST = [
-  { noise: 8, from: 0.06 },
-  { noise: 4, from: 0.03 },
-  { noise: 2, from: 0.012 },
-];
+/** Standard error, in 1/255, at which the paths of a window's truth end. */
+const NOISE = 8;
 
-/** Part of the time of what a class is sure of up to which another setting is worth a look. */
+/** FLIP below which a goal is lost in that noise. */
+const LEAST = 0.025;
+
+/** CPU milliseconds of what a class is sure of from which on a look is worth its own, and the part of them up to which another setting is. */
+const WORTH_MS = 300;
 const WORTH = 0.67;
 
 /** Light that arrives directly; another seed than that of the settings. */
-const truthOf = (noise) => ({ preset: 'reference', transport: 'direct', samples: 4096, noise, seed: 3 });
-
-/** The standard error for a goal; undefined where noise is more than the goal allows. @param {number} maxError FLIP */
-export const noiseFor = (maxError) => COARSEST.find(({ from }) => maxError >= from)?.noise;
+const TRUTH = { preset: 'reference', transport: 'direct', samples: 4096, noise: NOISE, seed: 3 };
 
 const within = (value, least, most) => Math.min(Math.max(value, least), most);
 
@@ -51,20 +47,19 @@ async function windowShot(draw, resolved) {
 /**
  * @param {(shot: object) => Promise<Uint8Array>} draw resolved shot to RGBA, 8 bits a channel
  * @param {object} resolved shot; its quality is not looked at
- * @returns {Promise<{pixels: number, flipOf(setting: string, noise: number): Promise<number>}>} flipOf: mean FLIP of a setting against paths of that noise;
- *   each is drawn once
+ * @returns {Promise<{pixels: number, flipOf(setting: string): Promise<number>}>} flipOf: mean FLIP of a setting against traced paths; these are drawn once
  */
 export async function openWindow(draw, resolved) {
   const shot = await windowShot(draw, resolved);
-  const kept = new Map();
-  const drawn = async (name, quality) => {
-    if (!kept.has(name)) kept.set(name, await draw({ ...shot, quality: resolveQuality(quality) }));
-    return { ...shot.size, data: kept.get(name) };
-  };
+  const drawn = async (quality) => ({ ...shot.size, data: await draw({ ...shot, quality: resolveQuality(quality) }) });
+  let truth;
   return {
     pixels: shot.size.width * shot.size.height,
-    // A window without the model says nothing.
-    flipOf: async (setting, noise) => compareImages(await drawn(noise, truthOf(noise)), await drawn(setting, SETTINGS[setting])).object?.flip.mean ?? 1,
+    async flipOf(setting) {
+      truth ??= await drawn(TRUTH);
+      // A window without the model says nothing.
+      return compareImages(truth, await drawn(SETTINGS[setting])).object?.flip.mean ?? 1;
+    },
   };
 }
 
@@ -80,16 +75,15 @@ export async function openWindow(draw, resolved) {
  */
 export async function chooseByWindow(table, { maxError }, features, here, resolved, draw) {
   const sure = choose(table, { maxError }, features, here);
-  const noise = noiseFor(maxError);
-  if (noise === undefined || !here.tracer || !features.traceable) return sure;
-  const factors = table.window?.[noise] ?? {};
+  const factors = table.window ?? {};
+  if (maxError < LEAST || !here.tracer || !features.traceable || (sure.holds && sure.cpuMs < WORTH_MS)) return sure;
   const cheaper = predictAll(table, features, here)
     .filter(({ setting, cpuMs }) => factors[setting] !== undefined && (!sure.holds || cpuMs < WORTH * sure.cpuMs))
     .toSorted((a, b) => a.cpuMs - b.cpuMs);
   if (cheaper.length === 0) return sure;
   const window = await openWindow(draw, resolved);
   for (const each of cheaper) {
-    const flip = factors[each.setting] * (await window.flipOf(each.setting, noise));
+    const flip = factors[each.setting] * (await window.flipOf(each.setting));
     if (flip <= maxError) return { ...each, flip, quality: SETTINGS[each.setting], holds: true, looked: window.pixels };
   }
   return sure;

@@ -1,7 +1,10 @@
-import { NOISES, chooseByWindow, openWindow } from '../../js/predict/probe.mjs';
+import { chooseByWindow, openWindow } from '../../js/predict/probe.mjs';
 import { MAX_ERRORS } from './judge.mjs';
 
 /** Looks at windows of measured scenes: what the factors of js/predict/table.json are from, and what they are judged by. */
+
+/** Of others the class says as much. */
+const LOOKED_AT = ['draft', 'standard', 'raster 16/16', 'raster 16/64', 'medium', 'raster 64/256', 'tracer 4', 'tracer 8'];
 
 const DRAWN = { timeoutMs: null };
 
@@ -13,7 +16,7 @@ async function opened(renderer, model, scene) {
 }
 
 /**
- * What a window shows of each measured setting, for each noise of its truth.
+ * What a window shows of the settings that are looked at.
  * @param {import('../../js/trade/measure.mjs').Row[]} rows of the scene
  * @returns {Promise<import('../../js/predict/fit.mjs').Look[]>}
  */
@@ -21,7 +24,7 @@ export async function looksOf(renderer, model, scene, rows) {
   const { draw, resolved } = await opened(renderer, model, scene);
   const window = await openWindow(draw, resolved);
   const looks = [];
-  for (const noise of NOISES) for (const { setting, flip } of rows) looks.push({ setting, noise, flip: await window.flipOf(setting, noise), is: flip });
+  for (const { setting, flip } of rows.filter((row) => LOOKED_AT.includes(row.setting))) looks.push({ setting, flip: await window.flipOf(setting), is: flip });
   return looks;
 }
 

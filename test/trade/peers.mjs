@@ -6,6 +6,7 @@ import * as api from '../../js/index.mjs';
 import { TradeStore } from '../../js/cli/trade_store.mjs';
 import { windowCamera, windowOf } from '../../js/predict/window.mjs';
 import { SETTINGS } from '../../js/predict/settings.mjs';
+import { resolveQuality } from '../../js/shot/quality.mjs';
 import { bench, benchLights, fileModels, scenesOf, tradePlot, TRUTH } from '../../js/trade/index.mjs';
 import { Browser } from '../parity/browser/chromium.mjs';
 import { cpuBelow, measured } from '../processes.mjs';
@@ -37,7 +38,8 @@ export async function measurePeers(folder, { version, write }) {
   const { data, info } = await renderer.render(scene.source, { ...raw, quality: 'draft' });
   const window = windowOf(data, info.shot.size, PLAN.window);
   const size = { width: window.width, height: window.height };
-  const shown = { ...info.shot, size, camera: windowCamera(info.shot.camera, info.shot.size, window) };
+  const standard = { ...info.shot, quality: resolveQuality('standard') };
+  const shown = { ...standard, size, camera: windowCamera(info.shot.camera, info.shot.size, window) };
   const truth = (await renderer.render(scene.source, { ...shown, quality: TRUTH }, { timeoutMs: null })).data;
   await renderer.close();
 
@@ -45,7 +47,7 @@ export async function measurePeers(folder, { version, write }) {
   const environment = readFileSync(path.join(ASSETS, 'studio.hdr'));
   const drawn = { model: scene.source, environment, keepPrograms: true };
   const { image } = await browser.draw({ ...drawn, shot: shown });
-  const times = async (count) => (await measured(cpuBelow, () => browser.sequence({ ...drawn, shots: new Array(count).fill(info.shot) }))).cpu;
+  const times = async (count) => (await measured(cpuBelow, () => browser.sequence({ ...drawn, shots: new Array(count).fill(standard) }))).cpu;
   await times(1);
   const cpuMs = ((await times(1 + MANY)) - (await times(1))) / MANY;
   await browser.close();

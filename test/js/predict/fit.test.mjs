@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { choose } from '../../../js/predict/choose.mjs';
+import { choose, predictAll } from '../../../js/predict/choose.mjs';
 import { FEWEST } from '../../../js/predict/classes.mjs';
 import { fitTable, upperBound } from '../../../js/predict/fit.mjs';
 import { leastSquares } from '../../../js/predict/least_squares.mjs';
@@ -84,6 +84,17 @@ test('a class of few scenes has no say: the wider one has', () => {
   assert.equal(table.errors.standard['fabric, smooth'], undefined);
   const { basis } = choose(table, { maxError: 0.5 }, featuresWith({ surface: 'smooth' }), { tracer: true });
   assert.equal(basis, 'fabric, plain');
+});
+
+test('a class of scenes of one size does not tell what a pixel takes: the wider one does', () => {
+  const rows = plantedRows().map((row) => (row.features.surface === 'smooth' ? { ...row, features: { ...row.features, covered: 30_000 } } : row));
+  const { times } = fitTable(rows, MACHINE);
+  assert.deepEqual([times.standard['fabric, smooth'], times.standard['fabric, relief'] !== undefined], [undefined, true]);
+  const large = featuresWith({ surface: 'smooth', covered: 600_000 });
+  assert.ok(
+    predictAll(fitTable(rows, MACHINE), large, { tracer: true })[0].cpuMs >
+      5 * predictAll(fitTable(rows, MACHINE), { ...large, covered: 30_000 }, { tracer: true })[0].cpuMs,
+  );
 });
 
 test('every setting has a family, by one name', () => {
