@@ -2,7 +2,8 @@
 #include <bit>
 #include <cmath>
 
-#include "image/environment_header.h"
+#include "image/oiio_bridge.h"
+#include "image/radiance_decode.h"
 
 namespace telar {
 namespace {
@@ -12,8 +13,8 @@ constexpr float HALF_NORMAL_MIN = 0x1p-14f;
 constexpr float HALF_STEP_MIN = 0x1p-24f;
 constexpr std::size_t TEXELS_PER_STEP = 1 << 20;  // between two looks at the cancel token
 
-/// OpenImageIO decodes RGBE as mantissa / 256, three.js as mantissa / 255. Both are one product in double here and in
-/// three.js, with factors that differ by a power of two, so the rounded results are equal bit for bit.
+/// RGBE is mantissa / 256, which three.js takes as mantissa / 255. Both are one product in double here and in three.js,
+/// with factors that differ by a power of two, so the rounded results are equal bit for bit.
 float rescaleRgbe(float value) { return float(double(value) * (256.0 / 255.0)); }
 
 /// Largest half not above `value` in [0, 65504]: three.js drops the bits that a half has no room for.
@@ -37,11 +38,11 @@ ImageF readEnvironment(std::span<const std::byte> file, const Limits& limits, co
   const image::EnvironmentHeader header = image::readEnvironmentHeader(file);
   const double texels = double(header.width) * header.height;
   checkLimit("L_ENVIRONMENT_PIXELS", double(limits.environmentPixels), texels);
-  ImageF out{header.width, header.height, std::vector<float>(std::size_t(texels) * 4)};
-  image::readWithOiio(file, header.format, out, cancel);
+  const bool rgbe = header.format == image::EnvironmentFormat::kHdr;
+  ImageF out =
+      rgbe ? image::decodeRadiance(file, header, cancel) : image::readExr(file, header.width, header.height, cancel);
 
   const float most = range == EnvironmentRange::kFull ? FULL_MAX : HALF_MAX;
-  const bool rgbe = header.format == image::EnvironmentFormat::kHdr;
   for (std::size_t i = 0; i < out.pixels.size(); i += 4) {
     if (i % (TEXELS_PER_STEP * 4) == 0) cancel.check();
     for (std::size_t c = i; c < i + 3; ++c) {

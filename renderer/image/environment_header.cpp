@@ -14,10 +14,6 @@ Error unsupported(const std::string& what) {
   return Error("E_ENVIRONMENT_FORMAT", "the environment " + what + "; save it as an equirectangular .hdr or .exr map");
 }
 
-Error damaged(const std::string& what, std::size_t offset) {
-  return Error("E_ENVIRONMENT_CORRUPT", "the environment " + what + "; save it again").atOffset(offset);
-}
-
 /// Radiance picture format: text lines, an empty line, then "-Y height +X width".
 class HdrLines {
  public:
@@ -25,7 +21,7 @@ class HdrLines {
 
   std::string_view next() {
     const std::size_t end = text_.substr(0, HDR_HEADER_MAX).find('\n', position_);
-    if (end == std::string_view::npos) throw damaged(".hdr header does not end", position_);
+    if (end == std::string_view::npos) throw damagedEnvironment(".hdr header does not end", position_);
     const std::string_view line = text_.substr(position_, end - position_);
     position_ = end + 1;
     return line;
@@ -62,8 +58,9 @@ EnvironmentHeader readHdr(Bytes file) {
   header.height = takeSide(size, "-Y ");
   header.width = takeSide(size, " +X ");
   if (!header.width || !header.height || !size.empty()) {
-    throw damaged(".hdr file has no size line \"-Y height +X width\"", offset);
+    throw damagedEnvironment(".hdr file has no size line \"-Y height +X width\"", offset);
   }
+  header.pixels = lines.position();
   return header;
 }
 
@@ -78,10 +75,11 @@ class ExrAttributes {
     name = word();
     if (name.empty()) return false;
     type = word();
-    if (file_.size() - position_ < 4) throw damaged(".exr header is cut", file_.size());
+    if (file_.size() - position_ < 4) throw damagedEnvironment(".exr header is cut", file_.size());
     const std::size_t size = le32(data(file_) + position_);
     position_ += 4;
-    if (size > file_.size() - position_) throw damaged(".exr header has an attribute longer than the file", position_);
+    if (size > file_.size() - position_)
+      throw damagedEnvironment(".exr header has an attribute longer than the file", position_);
     value = file_.subspan(position_, size);
     position_ += size;
     return true;
@@ -94,7 +92,7 @@ class ExrAttributes {
   std::string_view word() {
     const std::string_view text(reinterpret_cast<const char*>(file_.data()), file_.size());
     const std::size_t end = text.find('\0', position_);
-    if (end == std::string_view::npos) throw damaged(".exr header is cut", file_.size());
+    if (end == std::string_view::npos) throw damagedEnvironment(".exr header is cut", file_.size());
     const std::string_view found = text.substr(position_, end - position_);
     position_ = end + 1;
     return found;
@@ -111,7 +109,7 @@ std::uint32_t side(const std::uint8_t* box, std::size_t axis) {
 }
 
 EnvironmentHeader readExr(Bytes file) {
-  if (file.size() < 8) throw damaged(".exr header is cut", file.size());
+  if (file.size() < 8) throw damagedEnvironment(".exr header is cut", file.size());
   EnvironmentHeader header{EnvironmentFormat::kExr};
   ExrAttributes attributes(file);
   while (attributes.next()) {
@@ -119,11 +117,15 @@ EnvironmentHeader readExr(Bytes file) {
     header.width = side(data(attributes.value), 0);
     header.height = side(data(attributes.value), 1);
   }
-  if (!header.width || !header.height) throw damaged(".exr file has no data window", 8);
+  if (!header.width || !header.height) throw damagedEnvironment(".exr file has no data window", 8);
   return header;
 }
 
 }  // namespace
+
+Error damagedEnvironment(const std::string& what, std::size_t offset) {
+  return Error("E_ENVIRONMENT_CORRUPT", "the environment " + what + "; save it again").atOffset(offset);
+}
 
 EnvironmentHeader readEnvironmentHeader(Bytes file) {
   if (hasAt(file, 0, "#?")) return readHdr(file);

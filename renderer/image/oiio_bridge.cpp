@@ -13,7 +13,7 @@ namespace {
 class Library : public OwnLibrary {
  public:
   Library()
-      : OwnLibrary("libtelar_oiio.so", "OpenImageIO is needed for .hdr, .exr and TIFF files and for ICC profiles",
+      : OwnLibrary("libtelar_oiio.so", "OpenImageIO is needed for .exr and TIFF files and for ICC profiles",
                    "apt-get install libopenimageio2.4 liblcms2-2 libtiff6") {
     if (function<TelarOiioVersionFunction>("telar_oiio_version")() != TELAR_OIIO_VERSION) refuse();
   }
@@ -111,17 +111,13 @@ std::vector<std::byte> srgbProfile() {
   return profile;
 }
 
-void readWithOiio(Bytes file, EnvironmentFormat format, ImageF& image, const CancelToken& cancel) {
-  const TelarOiioRead job = {format == EnvironmentFormat::kHdr ? TELAR_OIIO_HDR : TELAR_OIIO_EXR,
-                             file.data(),
-                             file.size(),
-                             image.width,
-                             image.height,
-                             image.pixels.data(),
-                             cancelOf(cancel)};
+ImageF readExr(Bytes file, std::uint32_t width, std::uint32_t height, const CancelToken& cancel) {
+  ImageF image{width, height, std::vector<float>(std::size_t{width} * height * 4)};
+  const TelarOiioRead job = {file.data(), file.size(), width, height, image.pixels.data(), cancelOf(cancel)};
   TelarOiioResult result;
   Library().function<TelarOiioReadFunction>("telar_oiio_read")(&job, &result);
   check(result, "E_ENVIRONMENT_CORRUPT", "reading the environment", cancel);
+  return image;
 }
 
 }  // namespace telar::image

@@ -26,10 +26,8 @@ std::vector<std::byte> encodeChannels(std::uint32_t width, std::uint32_t height,
 /// Bytes of an sRGB ICC profile, the same in every call.
 std::vector<std::byte> srgbProfile();
 
-enum class EnvironmentFormat { kHdr, kExr };
-
-/// Fills R, G and B of `image`, whose size is the file's, with the file's values.
+/// R, G and B of an .exr file, whose size the caller took from the header and allowed. A is left 0.
 /// @throws Error{E_ENVIRONMENT_FORMAT, E_ENVIRONMENT_CORRUPT}
-void readWithOiio(Bytes file, EnvironmentFormat format, ImageF& image, const CancelToken& cancel);
+ImageF readExr(Bytes file, std::uint32_t width, std::uint32_t height, const CancelToken& cancel);
 
 }  // namespace telar::image

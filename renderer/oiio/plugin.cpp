@@ -42,16 +42,7 @@ void settle() {
   OIIO::attribute("exr_threads", -1);
 }
 
-const char* pluginName(TelarOiioFormat format) {
-  switch (format) {
-    case TELAR_OIIO_PNG:
-      return "png";
-    case TELAR_OIIO_EXR:
-      return "openexr";
-    default:
-      return "hdr";
-  }
-}
+const char* pluginName(TelarOiioFormat format) { return format == TELAR_OIIO_PNG ? "png" : "openexr"; }
 
 void describeIntegers(const TelarOiioWrite& job, OIIO::ImageSpec& spec) {
   spec.attribute("oiio:UnassociatedAlpha", 1);
@@ -151,7 +142,7 @@ Channels findChannels(const OIIO::ImageSpec& spec) {
 
 void read(const TelarOiioRead& job) {
   settle();
-  const std::string name = pluginName(job.format);
+  const std::string name = pluginName(TELAR_OIIO_EXR);
   OIIO::Filesystem::IOMemReader memory(job.file, job.fileBytes);
   const auto input = OIIO::ImageInput::create(name);
   if (!input) stop(TELAR_OIIO_FAILED, "OpenImageIO has no reader for " + name + ": " + OIIO::geterror());

@@ -7,9 +7,9 @@
 /// do.
 extern "C" {
 
-constexpr std::uint32_t TELAR_OIIO_VERSION = 2;
+constexpr std::uint32_t TELAR_OIIO_VERSION = 3;
 
-enum TelarOiioFormat : std::uint32_t { TELAR_OIIO_PNG, TELAR_OIIO_TIFF, TELAR_OIIO_EXR, TELAR_OIIO_HDR };
+enum TelarOiioFormat : std::uint32_t { TELAR_OIIO_PNG, TELAR_OIIO_TIFF, TELAR_OIIO_EXR };
 
 enum TelarOiioStatus : std::uint32_t {
   TELAR_OIIO_OK,
@@ -51,9 +51,8 @@ struct TelarOiioWrite {
   const int* bitDepths;      ///< EXR: of each channel that has a name; null = bitDepth
 };
 
-/// A picture to read: one whose size the caller took from the header and allowed.
+/// An EXR file to read: one whose size the caller took from the header and allowed.
 struct TelarOiioRead {
-  TelarOiioFormat format;  ///< EXR or HDR
   const void* file;
   std::size_t fileBytes;
   std::uint32_t width, height;

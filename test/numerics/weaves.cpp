@@ -77,7 +77,7 @@ std::string describe(const SeenWeave& weave) {
 
 std::vector<Figure> checkWeaves(const ShadingPromise& shading, Scale scale) {
   constexpr std::uint64_t FULL = 20'000;
-  const std::vector<Albedos> all = measured(shading, countOf(scale, 400, FULL));
+  const std::vector<Albedos> all = measured(shading, countOf(scale, 200, FULL));
   Worst most, apart, mostOfEnvironment;
   double leastWhole = 1e9, leastWithGaps = 1e9;
   std::uint64_t wholeAt = 0, gapsAt = 0, woven = 0, far = 0;

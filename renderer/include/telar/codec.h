@@ -11,9 +11,9 @@
 #include "telar/limits.h"
 #include "telar/shot/output.inc"
 
-/// Image files in and out. PNG, JPEG, WebP and TIFF go through their own libraries; .hdr, .exr and PNG with an ICC
-/// profile go through OpenImageIO, which lives with libtiff in a library of our own (libtelar_oiio.so) that is loaded
-/// when first needed.
+/// Image files in and out. PNG, JPEG, WebP and TIFF go through their own libraries; .exr and PNG with an ICC profile go
+/// through OpenImageIO, which lives with libtiff in a library of our own (libtelar_oiio.so) that is loaded when first
+/// needed. .hdr needs none.
 namespace telar {
 
 struct ImageHeader {
@@ -32,7 +32,7 @@ ImageHeader readImageHeader(std::span<const std::byte> file, const Limits& limit
 /// truncated or damaged file is an error.
 Image8 decodeImage(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel);
 
-/// Why .hdr, .exr, TIFF and ICC profiles cannot be had here; empty where they can. Never throws.
+/// Why .exr, TIFF and ICC profiles cannot be had here; empty where they can. Never throws.
 std::string failureOfImageFiles();
 
 /// The key `output` of a shot.

@@ -176,7 +176,7 @@ TEST(WeaveEnergy, NoWeaveMakesLightAndNoneLosesMoreThanATenth) {
   int count = 0, far = 0;
   for (const bool leaning : {false, true}) {
     Weaves weaves(leaning ? 2 : 1);
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < 150; ++i) {
       const Weave w = weaves.next(leaning);
       const double light = ofLights(prepared(w), POINTS);
       EXPECT_LE(light, MOST) << w.describe();

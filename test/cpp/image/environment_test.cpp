@@ -1,3 +1,5 @@
+#include <sys/resource.h>
+
 #include <cmath>
 
 #include "image/sample_files.h"
@@ -9,7 +11,6 @@ namespace {
 constexpr float HALF_MAX = 65504.0f;
 
 std::vector<float> redsOf(const File& file) {
-  useBuiltLibrary();
   const auto image = telar::readEnvironment(file, {}, {});
   std::vector<float> reds;
   for (std::size_t i = 0; i < image.pixels.size(); i += 4) reds.push_back(image.pixels[i]);
@@ -36,6 +37,53 @@ TEST(Environment, HdrValuesAreThoseOfThree) {
 
 TEST(Environment, HdrIsClampedToTheLargestHalf) {
   EXPECT_EQ(redsOf(flatHdr(1, 1, {255, 255, 255, 255})), std::vector<float>{HALF_MAX});
+}
+
+// Four rows of 8 texels, of run lengths: R is one run, G literals, B both; the exponents are those of [1, 2).
+TEST(Environment, HdrRunsAreThoseOfFlatRows) {
+  const std::vector<std::uint8_t> row{2,   2, 0, 8,   136, 255, 8, 0,   51,  102, 153, 204,
+                                      255, 9, 1, 131, 51,  1,   7, 132, 102, 136, 129};
+  const std::vector<float> reds = redsOf(flatHdr(8, 1, row));
+  EXPECT_EQ(reds, std::vector<float>(8, 2));
+  const auto image = telar::readEnvironment(flatHdr(8, 1, row), {}, {});
+  const std::vector<std::uint8_t> greens{0, 51, 102, 153, 204, 255, 9, 1}, blues{51, 51, 51, 7, 102, 102, 102, 102};
+  for (std::size_t x = 0; x < 8; ++x) {
+    const auto same = telar::readEnvironment(flatHdr(1, 1, {255, greens[x], blues[x], 129}), {}, {});
+    for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(image.pixels[x * 4 + c], same.pixels[c]) << x << " " << c;
+  }
+}
+
+TEST(Environment, HdrRunsThatFitNoRowAreRefused) {
+  const std::vector<std::uint8_t> whole{2, 2, 0, 8, 136, 1, 136, 1, 136, 1, 136, 129};
+  EXPECT_EQ(codeOf([&] { telar::readEnvironment(flatHdr(8, 1, whole), {}, {}); }), "");
+  const auto with = [&](std::size_t at, std::uint8_t byte) {
+    auto row = whole;
+    row[at] = byte;
+    return flatHdr(8, 1, row);
+  };
+  for (const File& file : {with(3, 9), with(4, 137), with(4, 135), with(4, 0), with(4, 128), with(10, 9)})
+    EXPECT_EQ(codeOf([&] { telar::readEnvironment(file, {}, {}); }), "E_ENVIRONMENT_CORRUPT");
+  for (std::size_t n = 0; n < whole.size(); ++n) {
+    const File file = flatHdr(8, 1, {whole.begin(), whole.begin() + long(n)});
+    EXPECT_EQ(codeOf([&] { telar::readEnvironment(file, {}, {}); }), "E_ENVIRONMENT_CORRUPT") << n;
+  }
+}
+
+TEST(Environment, HdrOfAFewBytesAllocatesNoLargePicture) {
+  const auto tooShort = [] { telar::readEnvironment(flatHdr(8192, 4096, {2, 2, 32, 0}), {}, {}); };
+  struct rlimit before;
+  getrlimit(RLIMIT_AS, &before);
+  const struct rlimit little { 64 << 20, before.rlim_max };
+  setrlimit(RLIMIT_AS, &little);
+  const std::string code = codeOf(tooShort);
+  setrlimit(RLIMIT_AS, &before);
+  EXPECT_EQ(code, "E_ENVIRONMENT_CORRUPT");
+}
+
+TEST(Environment, HdrNeedsNoLibrary) {
+  setenv("TELAR_LIBRARY_DIR", "/nonexistent", 1);
+  EXPECT_EQ(codeOf([] { telar::readEnvironment(flatHdr(1, 1, {1, 1, 1, 128}), {}, {}); }), "");
+  useBuiltLibrary();
 }
 
 TEST(Environment, ExrNanAndInfinityBecomeFinite) {

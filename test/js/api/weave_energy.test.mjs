@@ -85,9 +85,9 @@ function check(light, covered, text) {
   assert.ok(Math.max(...Object.values(light)) - Math.min(...Object.values(light)) <= AGREE, told);
 }
 
-test('16 weaves at random reflect the same light drawn, traced and integrated, and never more than there is', async () => {
+test('8 weaves at random reflect the same light drawn, traced and integrated, and never more than there is', async () => {
   const unit = numbers(1);
-  for (let i = 0; i < 16; i += 1) {
+  for (let i = 0; i < 8; i += 1) {
     const cloth = randomWeave(unit);
     const material = { pbrMetallicRoughness: { metallicFactor: cloth.metallic }, extensions: { TELAR_materials_fabric: { weave: cloth.weave } } };
     const { albedo } = await evaluateShading({ material, shading: 'fabric', viewAngle: cloth.viewAngle, albedo: true });
@@ -98,7 +98,7 @@ test('16 weaves at random reflect the same light drawn, traced and integrated, a
 
 test('yarns that are turned and lean reflect the same light drawn and traced', async () => {
   const unit = numbers(2);
-  for (let i = 0; i < 8; i += 1) {
+  for (let i = 0; i < 4; i += 1) {
     const cloth = randomWeave(unit);
     const turn = Math.PI * (unit() - 0.5);
     const texel = [0.5 + Math.cos(turn) / 2, 0.5 + Math.sin(turn) / 2, 0.05 + 0.9 * unit(), i % 2];
