@@ -1,8 +1,8 @@
 // A picture by telar against the same by three.js in headless Chromium on the same Mesa: CPU time, wall time and memory, and what the
 // first picture takes from the start of the process. The two draw in turns; medians. CPU time says what a server pays, whatever else runs.
 // That they draw the same is checked first, by the bars of the parity gate.
-// npm run bench -- peers      node test/bench/peers.mjs [--runs N] [--write] [--json FILE]   --write: the table of the README; --json: what was
-// measured, for npm run scale
+// npm run bench -- peers      node test/bench/peers.mjs [--runs N] [--more] [--write] [--json FILE]   --more: draft, views and models in turn alone;
+// --write: the table of the README; --json: what was measured, for npm run scale
 import { fork, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -20,7 +20,9 @@ import { Browser } from '../parity/browser/chromium.mjs';
 import { difference } from '../parity/metrics.mjs';
 import { cases } from './peer_models.mjs';
 
-const { values } = parseArgs({ options: { runs: { type: 'string', default: '9' }, write: { type: 'boolean', default: false }, json: { type: 'string' } } });
+const { values } = parseArgs({
+  options: { runs: { type: 'string', default: '9' }, more: { type: 'boolean' }, write: { type: 'boolean' }, json: { type: 'string' } },
+});
 const RUNS = Number(values.runs);
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const ASSETS = path.join(ROOT, 'js/assets');
@@ -93,7 +95,7 @@ const fileOf = (name, model) => {
 };
 
 const browser = await Browser.start();
-for (const { name, model, side = 512 } of CASES) {
+for (const { name, model, side = 512 } of values.more ? [] : CASES) {
   const shot = { size: { width: side, height: side } };
   const file = fileOf('model', model);
   await byTelar(file, shot);
@@ -152,6 +154,10 @@ const memory = [pssOf([drawer.pid]), pssOf(descendants().filter((pid) => pid !==
 }
 drawer.disconnect();
 await Promise.all([renderer.close(), browser.close()]);
+if (values.more) {
+  rmSync(folder, { recursive: true });
+  process.exit();
+}
 
 const [telar, theirs] = [[], []];
 for (let i = 0; i < Math.ceil(RUNS / 3); ++i) {
