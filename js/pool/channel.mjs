@@ -54,8 +54,9 @@ export class Channel {
    * @param {(header: Buffer) => object} ends.decode
    * @param {(message: object, parts: Buffer[]) => void} ends.take a frame
    * @param {(error: Error) => void} ends.refuse a frame is TooLarge, or decode or take threw; nothing is read any more
+   * @param {boolean} [ends.isFed] whoever reads the stream calls read()
    */
-  constructor(stream, { encode, decode, take, refuse }) {
+  constructor(stream, { encode, decode, take, refuse, isFed = false }) {
     this.#stream = stream;
     this.#encode = encode;
     this.#refuse = refuse;
@@ -64,7 +65,7 @@ export class Channel {
       (header, parts) => take(decode(header), parts),
     );
     this.#next();
-    stream.on('data', (chunk) => this.#read(chunk));
+    if (!isFed) stream.on('data', (chunk) => this.read(chunk));
   }
 
   /**
@@ -85,7 +86,8 @@ export class Channel {
     this.#stream.end();
   }
 
-  #read(chunk) {
+  /** @param {Buffer} chunk what came next; it is copied */
+  read(chunk) {
     for (let at = 0; at < chunk.length && this.#piece; ) {
       const copied = chunk.copy(this.#piece, this.#filled, at);
       at += copied;

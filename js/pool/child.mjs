@@ -1,5 +1,6 @@
 // A worker of the pool: a process of its own that draws what its parent sends. It never writes a picture, and ends with the pipe.
 import net from 'node:net';
+import os from 'node:os';
 import v8 from 'node:v8';
 import { loadNative, NOTICES_ALLOCATIONS } from '../api/native.mjs';
 import { createRenderer } from '../api/renderer.mjs';
@@ -10,10 +11,21 @@ import { ChildJobs } from './child_jobs.mjs';
 /** What the pool speaks through: one end of a socket pair. */
 const PIPE = 3;
 
+/** What a worker leaves to its parent: who draws with all cores would let who answers wait. Threads that are made later have it too. */
+const NICER = 5;
+os.setPriority(Math.min(os.constants.priority.PRIORITY_LOW, os.getPriority() + NICER));
+
 // A service that ends sends these to all of its processes; the parent says when.
 for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.on(signal, () => {});
 
-const pipe = new net.Socket({ fd: PIPE });
+/** What a socket of the kernel holds at most, more or less. */
+const READ_BYTES = 2 ** 18;
+
+// One piece of memory for all that comes: a new one for each piece that is read would keep the garbage collector busy.
+const pipe = new net.Socket({
+  fd: PIPE,
+  onread: { buffer: Buffer.allocUnsafeSlow(READ_BYTES), callback: (bytes, buffer) => channel.read(buffer.subarray(0, bytes)) },
+});
 for (const event of ['end', 'close', 'error']) pipe.on(event, () => process.exit(0));
 
 // Whoever took this process over may write anything: so the parent is sent JSON, which makes nothing but plain data.
@@ -22,6 +34,7 @@ const channel = new Channel(pipe, {
   decode: v8.deserialize,
   take: (message, parts) => void take(message, parts),
   refuse: () => process.exit(1),
+  isFed: true,
 });
 
 let jobs;

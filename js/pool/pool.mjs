@@ -1,6 +1,7 @@
 import { TelarError, fromNative } from '../error/index.mjs';
 import { checkQuantity, checkShots, ofShot } from '../api/draw_request.mjs';
 import { Gate } from '../api/gate.mjs';
+import { isHandedOver } from '../api/handed_over.mjs';
 import { loadNative } from '../api/native.mjs';
 import { onAbort } from '../api/on_abort.mjs';
 import { drawAllOptions, loadOptions, renderOptions, wrongOption } from '../api/options.mjs';
@@ -17,13 +18,14 @@ import { WorkerEnded } from './worker_process.mjs';
 import { Workers } from './workers.mjs';
 
 /**
- * What readSource() copies bytes into here: the pool's own memory, as they cross a pipe later. What is too large is refused by the addon, before
- * it is copied and in the same words.
+ * What readSource() copies bytes into here: the pool's own memory, as they cross a pipe later; what was handed over is not copied. What is too large is
+ * refused by the addon, before it is copied and in the same words.
  */
 const copying = (native) => ({
   Bytes: class {
     constructor(bytes, maxBytes) {
-      this.bytes = bytes.byteLength > maxBytes ? new native.Bytes(bytes, maxBytes) : Buffer.from(bytes);
+      if (bytes.byteLength > maxBytes) this.bytes = new native.Bytes(bytes, maxBytes);
+      else this.bytes = isHandedOver(bytes) ? bytes : Buffer.from(bytes);
     }
   },
 });

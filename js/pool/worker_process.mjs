@@ -37,6 +37,7 @@ export class WorkerProcess {
   jobs = 0;
   /** Whether an allocation of it failed: then it may draw wrong pictures. */
   isSpoiled = false;
+  hasEnded = false;
   facts;
   #process;
   #channel;
@@ -161,6 +162,7 @@ export class WorkerProcess {
   }
 
   #end(facts, resolve) {
+    this.hasEnded = true;
     this.#opened.reject(notStarted(facts));
     if (this.#job) {
       this.#job.end(new WorkerEnded(facts, this.#verdict));

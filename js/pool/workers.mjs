@@ -78,9 +78,10 @@ export class Workers {
   }
 
   /** A worker that was taken has done its job, or has ended. */
-  async give(worker) {
+  give(worker) {
+    if (worker.hasEnded) return;
     if (worker.isSpoiled) worker.kill();
-    else if (await this.#isWornOut(worker)) void worker.close();
+    else if (this.#isWornOut(worker)) void worker.close();
     else this.#offer(worker);
   }
 
@@ -101,10 +102,10 @@ export class Workers {
     taker.resolve(worker);
   }
 
-  async #isWornOut(worker) {
+  #isWornOut(worker) {
     if (!this.#all.has(worker)) return false;
     const { jobs, bytes } = this.#options.recycle;
-    return worker.jobs >= jobs || (await residentBytes(worker.pid)) > bytes;
+    return worker.jobs >= jobs || residentBytes(worker.pid) > bytes;
   }
 
   #add() {

@@ -1,3 +1,5 @@
+import { createHash } from 'node:crypto';
+import { handOver } from '../api/handed_over.mjs';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
 import { receive, tooLarge } from './receive.mjs';
@@ -37,10 +39,17 @@ class Parts {
 
   file(field, stream, name = '') {
     const chunks = [];
-    stream.on('data', (chunk) => chunks.push(chunk));
+    const hash = createHash('sha256');
+    stream.on('data', (chunk) => {
+      chunks.push(chunk);
+      hash.update(chunk);
+    });
     stream.on('limit', () => this.fail(tooLarge('L_FILE_BYTES', this.#fileBytes, this.#fileBytes + 1, `the file ${shown(field)}`)));
     stream.on('error', () => this.fail(malformed('a file of it ends early')));
-    stream.on('end', () => this.files.push({ field, name, bytes: chunks.length === 1 ? chunks[0] : Buffer.concat(chunks) }));
+    stream.on('end', () => {
+      const bytes = chunks.length === 1 ? chunks[0] : Buffer.concat(chunks);
+      this.files.push({ field, name, bytes: handOver(bytes, hash.digest('hex')) });
+    });
   }
 
   fail(error) {

@@ -1,3 +1,5 @@
+import { createHash } from 'node:crypto';
+import { handOver } from '../api/handed_over.mjs';
 import { TelarError } from '../error/index.mjs';
 import { onAbort } from '../api/on_abort.mjs';
 
@@ -55,8 +57,12 @@ export function receive(message, { maxBytes, limit = 'L_REQUEST_BYTES', ms, sign
   });
 }
 
-/** The body in one piece; arguments and errors as of receive(). @returns {Promise<Buffer>} */
-export async function receiveBytes(message, bounds) {
+/**
+ * The body in one piece; other arguments and errors as of receive().
+ * @param {(chunk: Buffer) => void} [look] at each piece
+ * @returns {Promise<Buffer>}
+ */
+export async function receiveBytes(message, bounds, look) {
   const declared = declaredBytes(message);
   // In place of a copy of all at the end. A declared length that never comes costs no memory: the system gives pages when they are written to.
   const whole = declared !== undefined && declared <= bounds.maxBytes ? Buffer.allocUnsafeSlow(declared) : undefined;
@@ -66,8 +72,16 @@ export async function receiveBytes(message, bounds) {
     if (whole) chunk.copy(whole, at);
     else chunks.push(chunk);
     at += chunk.length;
+    look?.(chunk);
   });
   return whole ? whole.subarray(0, bytes) : Buffer.concat(chunks);
+}
+
+/** A body whose SHA-256 is wanted: found piece by piece as it comes, which holds up nobody and copies nothing. @returns {Promise<Buffer>} */
+export async function receiveHashed(message, bounds) {
+  const hash = createHash('sha256');
+  const bytes = await receiveBytes(message, bounds, (chunk) => hash.update(chunk));
+  return handOver(bytes, hash.digest('hex'));
 }
 
 /**

@@ -4,7 +4,7 @@ import { complaint, nearest, shown, wrongValue } from '../shot/complain.mjs';
 import { zodOf } from '../shot/schema.mjs';
 import { object } from '../shot/table/rows.mjs';
 import { receiveForm } from './form.mjs';
-import { receiveBytes } from './receive.mjs';
+import { receiveBytes, receiveHashed } from './receive.mjs';
 import { REQUESTS } from './requests.mjs';
 
 /**
@@ -123,7 +123,7 @@ export async function readTask(kind, { method, query, raw }, { fileBytes, ...bou
   if (known.model && MODEL_TYPES.includes(type)) {
     const asked = checked(kind, fromTexts(kind, query));
     if (asked.model !== undefined) throw wrong('request.model: the body is the model already', '/model');
-    return { kind, asked, files: { model: await receiveBytes(raw, { ...bounds, maxBytes: fileBytes, limit: 'L_FILE_BYTES' }) } };
+    return { kind, asked, files: { model: await receiveHashed(raw, { ...bounds, maxBytes: fileBytes, limit: 'L_FILE_BYTES' }) } };
   }
   const takes = ['multipart/form-data', ...(known.model ? ['application/json', ...MODEL_TYPES] : [])];
   throw new TelarError('E_MEDIA_TYPE', `the body is ${shown(type)}; this route takes ${takes.join(', ')}`);

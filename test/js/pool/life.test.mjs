@@ -1,7 +1,8 @@
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
-import { readFileSync } from 'node:fs';
+import { readFileSync, readdirSync } from 'node:fs';
+import os from 'node:os';
 import { before, test } from 'node:test';
 import { MODELS } from '../../fixtures/index.mjs';
 import { fixturesUrl } from '../api/support/real.mjs';
@@ -144,6 +145,18 @@ test('a program that closes nothing ends by itself, and so do its workers', asyn
   const [code] = await once(parent, 'exit');
   assert.equal(code, 0);
   await until(() => !pids.some(isAlive));
+});
+
+test('the parent goes before its workers, and before each of their threads', async () => {
+  const pool = await open();
+  await pool.render(glb, SHOT);
+  const [{ pid }] = pool.workers;
+  const niceOf = (thread) => Number(readFileSync(`/proc/${pid}/task/${thread}/stat`, 'utf8').split(') ')[1].split(' ')[16]);
+  const namedAs = (name) => (thread) => readFileSync(`/proc/${pid}/task/${thread}/comm`, 'utf8').startsWith(name);
+  const threads = readdirSync(`/proc/${pid}/task`);
+  const drawing = threads.filter(namedAs('llvmpipe'));
+  assert.deepEqual([...new Set([String(pid), ...drawing].map(niceOf))], [Math.min(19, os.getPriority() + 5)]);
+  await pool.close();
 });
 
 test('signals that end a service are for the parent: a worker finishes its job', async () => {

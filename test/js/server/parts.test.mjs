@@ -1,5 +1,10 @@
 import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { Readable } from 'node:stream';
 import { mock, test } from 'node:test';
+import { digestOf } from '../../../js/api/digest.mjs';
+import { isHandedOver, knownDigest } from '../../../js/api/handed_over.mjs';
+import * as receiving from '../../../js/server/receive.mjs';
 import { Admission } from '../../../js/server/admission.mjs';
 import { jobHandlers } from '../../../js/server/job_handlers.mjs';
 import { negotiate } from '../../../js/server/negotiate.mjs';
@@ -170,5 +175,32 @@ for (const [i, [name, check]] of Object.entries(EVENTS).entries()) {
     t.after(() => mock.timers.reset());
     await check(jobHandlers);
     await assert.rejects(check(planted.jobHandlers), { name: 'AssertionError' });
+  });
+}
+
+/** A request of these pieces. */
+const messageOf = (pieces, headers = {}) => Object.assign(Readable.from(pieces.map((text) => Buffer.from(text))), { headers });
+const BOUNDS = { maxBytes: 100, ms: 60_000, signal: new AbortController().signal };
+const sha256 = (text) => createHash('sha256').update(text).digest('hex');
+
+async function checkHashed({ receiveHashed }) {
+  for (const headers of [{}, { 'content-length': '6' }]) {
+    const bytes = await receiveHashed(messageOf(['glT', 'F', '..'], headers), BOUNDS);
+    assert.deepEqual([String(bytes), knownDigest(bytes), await digestOf(bytes)], ['glTF..', sha256('glTF..'), sha256('glTF..')]);
+    assert.equal(knownDigest(new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength)), sha256('glTF..'), 'any view of them');
+    for (const part of [bytes.subarray(1), bytes.subarray(0, 5), Buffer.from(bytes)]) {
+      assert.deepEqual([isHandedOver(part), await digestOf(part)], [false, sha256(part)]);
+    }
+  }
+}
+
+test('the SHA-256 of a body is found as it comes, and known by its memory', () => checkHashed(receiving));
+
+for (const [right, wrong] of [
+  ['(chunk) => hash.update(chunk)', '(chunk) => hash.update(chunk.subarray(1))'],
+  ["return handOver(bytes, hash.digest('hex'));", 'return bytes;'],
+]) {
+  test(`planted: ${wrong}`, async () => {
+    await assert.rejects(checkHashed(await importMutant([['receive.mjs', right, wrong]], 'receive.mjs')));
   });
 }
