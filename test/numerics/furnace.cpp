@@ -32,19 +32,24 @@ struct Sheet {
   std::uint64_t seed = 0;  ///< of the azimuths of a mix
 };
 
+/// Of the lists: at the least scale, each third.
+std::size_t stepOf(Scale scale) { return scale == Scale::kLeast ? 3 : 1; }
+
 struct View {
   double NoV, azimuth;
 };
 
-/// Every cosine, and every azimuth where it matters; of a mix one azimuth a cosine.
-std::vector<View> viewsOf(const Sheet& sheet) {
+/// Every cosine, and every azimuth where it matters, or some of both; of a mix one azimuth a cosine.
+std::vector<View> viewsOf(const Sheet& sheet, Scale scale) {
+  const std::size_t step = stepOf(scale);
   std::vector<View> views;
   Seeded random(~sheet.seed);
-  for (const double cosine : COSINES) {
+  for (std::size_t c = 0; c < std::size(COSINES); c += step) {
+    const double cosine = COSINES[c];
     if (sheet.seed > 0) {
       views.push_back({cosine, random.between(-std::numbers::pi, std::numbers::pi)});
     } else if (sheet.turned) {
-      for (const double azimuth : AZIMUTHS) views.push_back({cosine, azimuth});
+      for (std::size_t a = 0; a < std::size(AZIMUTHS); a += step) views.push_back({cosine, AZIMUTHS[a]});
     } else {
       views.push_back({cosine, 0});
     }
@@ -71,7 +76,7 @@ Material woven(double roughness, double metallic) {
 /// White cloths: each layer at every roughness, and mixes.
 std::vector<Sheet> sheets(Scale scale) {
   std::vector<Sheet> list;
-  for (std::size_t i = 0; i < std::size(ROUGHNESSES); i += scale == Scale::kLeast ? 3 : 1) {
+  for (std::size_t i = 0; i < std::size(ROUGHNESSES); i += stepOf(scale)) {
     const double roughness = ROUGHNESSES[i];
     list.push_back({"base", white(roughness)});
     for (const double metallic : {0.5, 1.0}) list.push_back({"metal", white(roughness, metallic)});
@@ -137,7 +142,7 @@ std::vector<Figure> extremes(const ShadingPromise& shading, Scale scale, const s
   std::vector<Measured> all(list.size());
   inParallel(list.size(), [&](std::uint64_t from, std::uint64_t to, unsigned) {
     for (std::uint64_t i = from; i < to; ++i) {
-      all[i].views = viewsOf(list[i]);
+      all[i].views = viewsOf(list[i], scale);
       for (const auto& [NoV, azimuth] : all[i].views) {
         const SurfacePoint p = pointOn(shading.model, list[i].material, {NoV, 1, 0, azimuth});
         const Shaded<double> shaded(shading.model, inDouble(p.info));
@@ -156,7 +161,7 @@ std::vector<Figure> extremes(const ShadingPromise& shading, Scale scale, const s
     for (std::size_t j = 0; j < all[i].views.size(); ++j)
       rangeOf(list[i].layer).see(all[i].albedos[j], all[i].coverage, all[i].yarns, placeOf(list[i], all[i].views[j]));
   }
-  for (const Sheet& sheet : sheets(Scale::kFull)) rangeOf(sheet.layer).full += viewsOf(sheet).size();
+  for (const Sheet& sheet : sheets(Scale::kFull)) rangeOf(sheet.layer).full += viewsOf(sheet, Scale::kFull).size();
   std::vector<Figure> out;
   for (const Range& r : ranges) {
     const double high = shading.conserves ? 1.005 : NO_BAR, low = shading.conserves ? 0.90 : -NO_BAR;
