@@ -7,7 +7,7 @@ import { MODELS, SHOT, openPool } from './support.mjs';
 // Faults planted in the code of jobs, each of which its check must find.
 
 /** Milliseconds after which a check that passes would have passed. */
-const HANG_MS = 5000;
+const HANG_MS = 2500;
 
 /** By the beginning of the check's name: [what is wrong, file, right, wrong]; hangs: the check then waits for what never comes. */
 const FAULTS = {
