@@ -8,6 +8,10 @@ const loadingOf = ({ failOn, timeoutMs, rays }) => ({ failOn, timeoutMs, ambient
 
 const shotOf = ({ shot, environment }, parts) => (environment === undefined ? shot : withMap(shot, parts[environment]));
 
+/** Whether the renderer's GL context is gone, of one picture or of one of several: it draws no other. */
+const hasLostContext = ({ value, error }) =>
+  [error, ...(Array.isArray(value) ? value.map(({ reason }) => reason) : [])].some((each) => each?.code === 'X_GL_LOST');
+
 /** What a worker can be asked for: the answer's plain part, of an opened job. */
 const METHODS = {
   load: async ({ source }) => source.facts,
@@ -85,7 +89,7 @@ export class ChildJobs {
 
   /** Nothing of what comes after a failed allocation is told: GL drivers go on without looking, and parsers call it a fault of the file. */
   #end(id, outcome, parts) {
-    if (!this.#isSpoiled()) this.#answer({ done: id, ...outcome }, parts);
+    if (!this.#isSpoiled()) this.#answer({ done: id, ...outcome, ...(hasLostContext(outcome) && { isSpoiled: true }) }, parts);
     else this.#answer({ done: id, error: outcome.error?.kind === 'memory' ? outcome.error : untrusted().toJSON(), isSpoiled: true });
   }
 

@@ -35,7 +35,7 @@ export class WorkerProcess {
   ended;
   held;
   jobs = 0;
-  /** Whether an allocation of it failed: then it may draw wrong pictures. */
+  /** Whether it draws no more: an allocation of it failed, and its pictures may be wrong; or its GL context was lost. */
   isSpoiled = false;
   hasEnded = false;
   facts;

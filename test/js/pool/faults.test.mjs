@@ -87,6 +87,28 @@ test('an allocation that failed is counted, of another allocator too; planted: w
   assert.deepEqual(await counted([built.library]), [null, null, null]);
 });
 
+const lost = () => Promise.reject(new TelarError('X_GL_LOST', 'the GL context was lost'));
+for (const [method, renderer] of [
+  ['factsOf', { factsOf: lost }],
+  ['renderAll', { renderAll: async () => [{ status: 'rejected', reason: new TelarError('X_GL_LOST', 'the GL context was lost') }] }],
+]) {
+  test(`a worker whose GL context was lost is replaced: ${method}; planted: of another error it stays`, async () => {
+    const toldOf = async (from) => {
+      const told = [];
+      const jobs = new ChildJobs(from, { outputBytes: 1, limits: {} }, { answer: (answer) => told.push(answer), isSpoiled: () => false });
+      const loading = { failOn: 'error' };
+      jobs.take({ job: { id: 1, method, input: { path: 'a' }, shots: [{}], settled: true, loading } }, []);
+      await until(() => told.length > 0);
+      return told[0].isSpoiled === true;
+    };
+    const other = {
+      factsOf: () => Promise.reject(new TelarError('E_JSON', 'a')),
+      renderAll: async () => [{ status: 'rejected', reason: new TelarError('E_JSON', 'a') }],
+    };
+    assert.deepEqual([await toldOf(renderer), await toldOf(other)], [true, false]);
+  });
+}
+
 test('what a worker finds after a failed allocation is not told; planted: one that does not look tells it', async () => {
   const endOf = async (isSpoiled, factsOf) => {
     const told = [];
