@@ -25,6 +25,8 @@
 // A path sees what is finer than a pixel.
 #undef NORMAL_VARIANCE
 #define NORMAL_VARIANCE 0
+#undef YARN_RELIEF
+#define YARN_RELIEF 0
 
 // Without its layers some of the text has no use.
 #pragma GCC diagnostic push

@@ -50,6 +50,11 @@ bool matters(const TextureSlot& slot, const Material& m, const shader::VariantKe
   return !slot.layer || key.*slot.layer;
 }
 
+/// Whether two textures lie on each other.
+bool samePlace(const TextureRef& a, const TextureRef& b) {
+  return a.texCoord == b.texCoord && a.uvTransform == b.uvTransform;
+}
+
 /// Texture features of a material; a map that is multiplied by 0 is not sampled.
 void describeMaps(const Material& m, shader::VariantKey& key) {
   if (!key.unlit) {
@@ -67,8 +72,13 @@ void describeMaps(const Material& m, shader::VariantKey& key) {
   if (key.shading != ShadingModel::kFabric || key.fullDetail || key.layers) return;
   key.normalVariance = key.normalMap || key.clearcoatNormalMap;
   key.alphaToCoverage = key.alphaMask && key.baseColorMap;
-  key.normalHoles = key.alphaToCoverage && key.normalMap && m.normalTexture.texCoord == m.baseColorTexture.texCoord &&
-                    m.normalTexture.uvTransform == m.baseColorTexture.uvTransform;
+  key.normalHoles = key.alphaToCoverage && key.normalMap && samePlace(m.normalTexture, m.baseColorTexture);
+  key.yarnRelief =
+      key.normalMap && key.weaveMap && !key.normalHoles && samePlace(m.fabric.weaveTexture, m.normalTexture);
+  // Colours of cut-out cloth are means of what is there.
+  key.metalMeans = key.baseColorMap && key.metallicRoughnessMap && m.metallicFactor > 0 && !key.alphaToCoverage &&
+                   !key.unlit && samePlace(m.metallicRoughnessTexture, m.baseColorTexture);
+  key.metalYarns = key.metalMeans && key.weaveMap && samePlace(m.fabric.weaveTexture, m.baseColorTexture);
 }
 
 /// Whether flat facets of a normal map and the edges between them are to have highlights of their own: on polished
@@ -148,6 +158,7 @@ void checkTextureUnits(const shader::VariantKey& key, const ShadowSet& shadows, 
   std::size_t units = 1 + key.environment + (key.environmentSamples > 0) + key.transmission + areaTables +
                       shadows.flat.size() + shadows.cube.size();
   for (const TextureSlot& slot : TEXTURE_SLOTS) units += key.*slot.map;
+  units += key.metalMeans + key.yarnRelief;
   checkLimit("L_TEXTURE_UNITS", static_cast<double>(limits.textureUnits), static_cast<double>(units), "/lights");
 }
 

@@ -8,7 +8,10 @@ namespace {
 
 /// RGBA16F or RGBA8; all mip levels are a third as large as the first.
 std::uint64_t bytesOf(DerivedTexture::Kind kind, std::uint64_t texels) {
-  const std::uint64_t first = texels * (kind == DerivedTexture::Kind::kCoverage ? 4 : 8);
+  using Kind = DerivedTexture::Kind;
+  std::uint64_t first = texels * 8;
+  if (kind == Kind::kCoverage || kind == Kind::kMetal) first = texels * 4;
+  if (kind == Kind::kYarnRelief) first = texels / 2 + 8;  // a sixteenth of the texels
   return first + first / 3;
 }
 constexpr std::uint64_t MOMENT_BYTES = 5;  ///< a texel of the source, while its first levels are made in RGBA32F
@@ -68,7 +71,7 @@ GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const Can
 }
 
 GLuint GpuScene::derived(const DerivedTexture& key, const std::function<gl::Texture()>& make) {
-  if (isModels(key.image)) return model_->derived(key, make);
+  if (isModels(key.image) && isModels(key.cover) && isModels(key.yarns)) return model_->derived(key, make);
   const auto found = derived_.find(key);
   if (found != derived_.end()) return found->second.get();
   return derived_.emplace(key, make()).first->second.get();

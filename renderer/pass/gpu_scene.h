@@ -16,11 +16,13 @@ namespace telar::pass {
 
 /// What a texture is made into for the shading "fabric" (TextureBaker).
 struct DerivedTexture {
-  enum class Kind { kNormalVariance, kNormalFacets, kCoverage } kind = Kind::kNormalVariance;
+  enum class Kind { kNormalVariance, kNormalFacets, kCoverage, kMetal, kYarnRelief } kind = Kind::kNormalVariance;
   int image = -1;
   bool srgb = false;
   float cutoff = 0;  ///< alpha from which on it is there: kCoverage, and where there is a cover
-  int cover = -1;    ///< kNormalVariance of a cut-out material: the image whose alpha tells its holes
+  int cover = -1;  ///< kNormalVariance of a cut-out material: the image whose alpha tells its holes; kMetal: whose blue
+                   ///< is metalness
+  int yarns = -1;  ///< kYarnRelief, and kMetal of a woven material: the image that tells which yarn lies on top
 
   auto operator<=>(const DerivedTexture&) const = default;
 };

@@ -23,7 +23,9 @@ constexpr GLuint IRRADIANCE_UNIT = ENVIRONMENT_UNIT + 1;
 constexpr GLuint LTC_INVERSE_UNIT = IRRADIANCE_UNIT + 1;
 constexpr GLuint LTC_ALBEDO_UNIT = LTC_INVERSE_UNIT + 1;
 constexpr GLuint TRANSMISSION_UNIT = LTC_ALBEDO_UNIT + 1;
-constexpr GLuint UNIT_COUNT = TRANSMISSION_UNIT + 1;
+constexpr GLuint METAL_UNIT = TRANSMISSION_UNIT + 1;
+constexpr GLuint YARN_RELIEF_UNIT = METAL_UNIT + 1;
+constexpr GLuint UNIT_COUNT = YARN_RELIEF_UNIT + 1;
 
 /// Half floats: 8 bits cannot hold the 0.5 of a flat normal.
 gl::Texture texelTexture(const gl::Functions& gl, const std::array<float, 4>& rgba) {
@@ -256,6 +258,18 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
       gl.BindTexture(GL_TEXTURE_2D, (normal ? standIns().flatNormal : standIns().white).get());
       gl.BindSampler(unit, 0);
     }
+  }
+  if (item.key.metalMeans) {
+    program.set("metalMap", static_cast<int>(METAL_UNIT));
+    gl.ActiveTexture(GL_TEXTURE0 + METAL_UNIT);
+    gl.BindTexture(GL_TEXTURE_2D, textures_.metal(item, in.scene, in.gpu, in.cancel));
+    gl.BindSampler(METAL_UNIT, in.gpu.sampler(m.baseColorTexture.sampler));
+  }
+  if (item.key.yarnRelief) {
+    program.set("yarnReliefMap", static_cast<int>(YARN_RELIEF_UNIT));
+    gl.ActiveTexture(GL_TEXTURE0 + YARN_RELIEF_UNIT);
+    gl.BindTexture(GL_TEXTURE_2D, textures_.yarnRelief(item, in.scene, in.gpu, in.cancel));
+    gl.BindSampler(YARN_RELIEF_UNIT, in.gpu.sampler(m.normalTexture.sampler));
   }
   program.set("baseColorFactor", m.baseColorFactor);
   program.set("alphaCutoff", m.alphaMode == AlphaMode::kMask ? m.alphaCutoff : 0.0f);

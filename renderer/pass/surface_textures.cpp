@@ -30,6 +30,33 @@ std::optional<DerivedTexture> derivedOf(const DrawItem& item, const TextureSlot&
   return std::nullopt;
 }
 
+/// The map of what of the base colour is metal's.
+DerivedTexture metalOf(const DrawItem& item, const Scene& scene) {
+  const Material& m = *item.material;
+  const int image = m.baseColorTexture.image;
+  DerivedTexture metal{DerivedTexture::Kind::kMetal, image,
+                       decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, true)};
+  metal.cover = m.metallicRoughnessTexture.image;
+  if (item.key.metalYarns) metal.yarns = m.fabric.weaveTexture.image;
+  return metal;
+}
+
+/// Whether a map of metalness, in blue, has metal anywhere. Most files have such a map for its roughness alone.
+bool hasMetal(const Image8& image) {
+  if (image.type != TexelType::kByte) return true;
+  for (std::size_t i = 2; i < image.pixels.size(); i += 4) {
+    if (image.pixels[i] != 0) return true;
+  }
+  return false;
+}
+
+/// The map of how flat warp and weft lie.
+DerivedTexture yarnReliefOf(const DrawItem& item) {
+  DerivedTexture relief{DerivedTexture::Kind::kYarnRelief, item.material->normalTexture.image};
+  relief.yarns = item.material->fabric.weaveTexture.image;
+  return relief;
+}
+
 /// Textures that the list samples: calls visit(item, slot) for each.
 template <class Visit>
 void eachTexture(const std::vector<DrawItem>& list, const Visit& visit) {
@@ -49,6 +76,10 @@ void SurfaceTextures::checkMemory(const FramePlan& plan, const Scene& scene, con
     eachTexture(*list, [&](const DrawItem& item, const TextureSlot& slot) {
       if (const auto derived = derivedOf(item, slot, scene)) wanted.insert(*derived);
     });
+    for (const DrawItem& item : *list) {
+      if (item.key.metalMeans) wanted.insert(metalOf(item, scene));
+      if (item.key.yarnRelief) wanted.insert(yarnReliefOf(item));
+    }
   }
   if (wanted.empty()) return;
   checkLimit("L_MEMORY_BYTES", static_cast<double>(memoryBytes_),
@@ -62,6 +93,10 @@ void SurfaceTextures::upload(const FramePlan& plan, const Scene& scene, GpuScene
       cancel.check();
       texture(item, slot, scene, gpu, cancel);
     });
+    for (const DrawItem& item : *list) {
+      if (item.key.metalMeans) metal(item, scene, gpu, cancel);
+      if (item.key.yarnRelief) yarnRelief(item, scene, gpu, cancel);
+    }
   }
 }
 
@@ -79,6 +114,29 @@ GLuint SurfaceTextures::texture(const DrawItem& item, const TextureSlot& slot, c
     if (key->kind == Kind::kCoverage) return baker_.coverage(plain, key->srgb, width, height, key->cutoff, cancel);
     if (key->kind == Kind::kNormalFacets) return baker_.normalFacets(plain, width, height, cancel);
     return baker_.normalVariance(plain, width, height, cover, key->cutoff, cancel);
+  });
+}
+
+GLuint SurfaceTextures::metal(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
+  const DerivedTexture key = metalOf(item, scene);
+  return gpu.derived(key, [&] {
+    const auto imageOf = [&](int index) -> const Image8& { return scene.images[static_cast<std::size_t>(index)]; };
+    const Image8& image = imageOf(key.image);
+    const bool any = hasMetal(imageOf(key.cover));  // else one texel says so of all
+    const int width = any ? static_cast<int>(image.width) : 1, height = any ? static_cast<int>(image.height) : 1;
+    const GLuint color = gpu.texture(scene, key.image, true, cancel);
+    const GLuint metallic = gpu.texture(scene, key.cover, false, cancel);
+    const GLuint yarns = key.yarns < 0 ? 0 : gpu.texture(scene, key.yarns, false, cancel);
+    return baker_.metal(color, key.srgb, width, height, metallic, yarns, cancel);
+  });
+}
+
+GLuint SurfaceTextures::yarnRelief(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
+  const DerivedTexture key = yarnReliefOf(item);
+  return gpu.derived(key, [&] {
+    const Image8& image = scene.images[static_cast<std::size_t>(key.image)];
+    return baker_.yarnRelief(gpu.texture(scene, key.image, false, cancel), static_cast<int>(image.width),
+                             static_cast<int>(image.height), gpu.texture(scene, key.yarns, false, cancel), cancel);
   });
 }
 

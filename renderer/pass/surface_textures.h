@@ -20,6 +20,12 @@ class SurfaceTextures {
   GLuint texture(const DrawItem& item, const TextureSlot& slot, const Scene& scene, GpuScene& gpu,
                  const CancelToken& cancel);
 
+  /// What of the item's base colour is metal's, for programs with metalMeans; made now if it is not there yet.
+  GLuint metal(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);
+
+  /// How flat the item's warp and weft lie, for programs with yarnRelief; made now if it is not there yet.
+  GLuint yarnRelief(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);
+
  private:
   void checkMemory(const FramePlan& plan, const Scene& scene, const GpuScene& gpu) const;
 

@@ -11,6 +11,9 @@ namespace {
 
 constexpr GLenum FRAMEBUFFER_SRGB = 0x8DB9;  // desktop GL only: OpenGL ES always encodes for sRGB targets
 
+/// A quarter of the side: it only shares out what the map of relief has, which is little from near.
+constexpr int YARN_RELIEF_FIRST = 2;
+
 int sideAt(int side, int level) { return std::max(1, side >> level); }
 
 gl::Texture emptyTexture(const gl::Functions& gl, GLenum format, int levels, int width, int height) {
@@ -68,28 +71,41 @@ struct TextureBaker::Kind {
   const char* moments;  ///< shader that averages from one level to the next
   const char* level;    ///< shader that makes a level's texels of them
   GLenum format;
+  int first =
+      0;  ///< level of the source that is level 0 of what is made: what is only seen from far needs no finer ones
 };
 
-const gl::Program& TextureBaker::program(const char* file, bool fromImage, bool holes) {
-  const auto key = std::make_tuple(std::string(file), fromImage, holes);
+/// Textures that are read beside the source, and what of them counts.
+struct TextureBaker::Beside {
+  GLuint cover = 0;
+  float cutoff = 0;
+  GLuint yarns = 0;
+};
+
+const gl::Program& TextureBaker::program(const char* file, bool fromImage, const Beside& beside) {
+  const bool holes = beside.cover != 0, yarns = beside.yarns != 0;
+  const auto key = std::make_tuple(std::string(file), fromImage, holes, yarns);
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   gl::Program made(context_, file, shader::assemble("texture/level.vert", {}),
-                   shader::assemble(file, {{"FROM_IMAGE", fromImage ? 1 : 0}, {"HOLES", holes ? 1 : 0}}));
+                   shader::assemble(file, {{"FROM_IMAGE", fromImage}, {"HOLES", holes}, {"YARNS", yarns}}));
   return programs_.emplace(key, std::move(made)).first->second;
 }
 
-gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int height, GLuint cover, float cutoff,
+gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int height, const Beside& beside,
                                const CancelToken& cancel) {
   const gl::Functions& gl = context_.gl();
   const auto levels = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
   // A variance is a small difference of large sums, which needs the precision.
   const GLenum momentFormat = context_.capabilities().colorBufferFloat ? GL_RGBA32F : GL_RGBA16F;
-  gl::Texture out = emptyTexture(gl, kind.format, levels, width, height);
+  const int first = std::min(kind.first, levels - 1);
+  gl::Texture out = emptyTexture(gl, kind.format, levels - first, sideAt(width, first), sideAt(height, first));
   const Drawing drawing(context_);
-  gl.ActiveTexture(GL_TEXTURE1);
-  gl.BindSampler(1, 0);
-  gl.BindTexture(GL_TEXTURE_2D, cover);
+  for (const auto& [unit, texture] : {std::pair{1u, beside.cover}, std::pair{2u, beside.yarns}}) {
+    gl.ActiveTexture(GL_TEXTURE0 + unit);
+    gl.BindSampler(unit, 0);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+  }
   gl.ActiveTexture(GL_TEXTURE0);
   gl::Texture larger;  // moments of the level before
   for (int level = 0; level < levels; ++level) {
@@ -97,22 +113,25 @@ gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int h
     const glm::ivec2 size(sideAt(width, level), sideAt(height, level));
     if (level > 0) {
       gl::Texture moments = emptyTexture(gl, momentFormat, 1, size.x, size.y);
-      const gl::Program& average = program(kind.moments, level == 1, cover != 0);
+      const gl::Program& average = program(kind.moments, level == 1, beside);
       average.use();
       average.set("sourceMap", 0);
       average.set("coverMap", 1);
       average.set("sourceSize", glm::vec2(sideAt(width, level - 1), sideAt(height, level - 1)));
       average.set("targetSize", glm::vec2(size));
-      average.set("cutoff", cutoff);
+      average.set("yarnMap", 2);
+      average.set("cutoff", beside.cutoff);
       drawing.draw(level == 1 ? source : larger.get(), moments, 0, size, cost_);
       larger = std::move(moments);
     }
-    const gl::Program& write = program(kind.level, level == 0, cover != 0);
+    if (level < first) continue;
+    const gl::Program& write = program(kind.level, level == 0, beside);
     write.use();
     write.set("sourceMap", 0);
     write.set("coverMap", 1);
-    write.set("cutoff", cutoff);
-    drawing.draw(level == 0 ? source : larger.get(), out, level, size, cost_);
+    write.set("yarnMap", 2);
+    write.set("cutoff", beside.cutoff);
+    drawing.draw(level == 0 ? source : larger.get(), out, level - first, size, cost_);
   }
   context_.check("texture bake");
   return out;
@@ -120,20 +139,32 @@ gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int h
 
 gl::Texture TextureBaker::normalVariance(GLuint source, int width, int height, GLuint cover, float cutoff,
                                          const CancelToken& cancel) {
-  return bake({"texture/relief_moments.frag", "texture/relief_level.frag", GL_RGBA16F}, source, width, height, cover,
-              cover != 0 ? cutoff : 0, cancel);
+  return bake({"texture/relief_moments.frag", "texture/relief_level.frag", GL_RGBA16F}, source, width, height,
+              {cover, cover != 0 ? cutoff : 0}, cancel);
 }
 
 gl::Texture TextureBaker::normalFacets(GLuint source, int width, int height, const CancelToken& cancel) {
-  return bake({"texture/facets_moments.frag", "texture/facets_level.frag", GL_RGBA16F}, source, width, height, 0, 0,
+  return bake({"texture/facets_moments.frag", "texture/facets_level.frag", GL_RGBA16F}, source, width, height, {},
               cancel);
+}
+
+gl::Texture TextureBaker::yarnRelief(GLuint source, int width, int height, GLuint yarns, const CancelToken& cancel) {
+  return bake({"texture/yarns_moments.frag", "texture/yarns_level.frag", GL_RGBA16F, YARN_RELIEF_FIRST}, source, width,
+              height, {.yarns = yarns}, cancel);
 }
 
 gl::Texture TextureBaker::coverage(GLuint source, bool srgb, int width, int height, float cutoff,
                                    const CancelToken& cancel) {
   return bake({"texture/coverage_moments.frag", "texture/coverage_level.frag",
                srgb ? GLenum{GL_SRGB8_ALPHA8} : GLenum{GL_RGBA8}},
-              source, width, height, 0, cutoff, cancel);
+              source, width, height, {.cutoff = cutoff}, cancel);
+}
+
+gl::Texture TextureBaker::metal(GLuint source, bool srgb, int width, int height, GLuint metallic, GLuint yarns,
+                                const CancelToken& cancel) {
+  return bake(
+      {"texture/metal_moments.frag", "texture/metal_level.frag", srgb ? GLenum{GL_SRGB8_ALPHA8} : GLenum{GL_RGBA8}},
+      source, width, height, {.cover = metallic, .yarns = yarns}, cancel);
 }
 
 }  // namespace telar::pass

@@ -46,6 +46,9 @@ using shot::ToneMapping;
   F(NORMAL_FACETS, normalFacets, "normal-facets")                           \
   F(ALPHA_TO_COVERAGE, alphaToCoverage, "alpha-to-coverage")                \
   F(NORMAL_HOLES, normalHoles, "")                                          \
+  F(METAL_MEANS, metalMeans, "metal-means")                                 \
+  F(METAL_YARNS, metalYarns, "")                                            \
+  F(YARN_RELIEF, yarnRelief, "yarn-relief")                                 \
   F(AMBIENT, ambient, "ambient-light")                                      \
   F(ENVIRONMENT, environment, "environment")                                \
   F(ORTHOGRAPHIC, orthographic, "orthographic")                             \

@@ -58,14 +58,19 @@ vec3 sheenRadiance(SurfaceInfo s) {
 #endif
 
 #if SHADING_FABRIC && (ANISOTROPY || WEAVE) && ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
-// Radiance of the environment over a GGX lobe of two widths.
+// Radiance of the environment over a GGX lobe of two widths. Where more taps begin they come apart from those before: relief changes
+// the widths from pixel to pixel, and a step would show.
 vec3 stretchedRadiance(vec3 n, vec3 axis, vec3 v, float wide, float narrow) {
   float taps = stretchedTaps(wide, narrow);
-  float roughness = tapRoughness(wide, narrow, taps);
+  float fewer = max(0.5 * taps, 1.0);
+  float begun = taps > 2.0 ? saturate((wide / narrow - 1.6) / 0.2) : saturate((wide / narrow - 1.15) / 0.15);
+  float roughness = mix(tapRoughness(wide, narrow, fewer), tapRoughness(wide, narrow, taps), begun);
   float lod = lobeLod(roughness);
+  float apart = sqrt(max(pow2(wide) - pow2(narrow), 0.0));  // each tap is as wide as the narrow axis by itself
   vec4 sum = vec4(0.0);
   for (float i = 0.5; i < taps; ++i) {
-    vec4 tap = stretchedTap(n, axis, v, wide, 2.0 * i / taps - 1.0);
+    float before = 2.0 * (floor(i * fewer / taps) + 0.5) / fewer - 1.0;
+    vec4 tap = stretchedTap(n, axis, v, apart, mix(before, 2.0 * i / taps - 1.0, begun));
 #if WEAVE
     vec3 l = vec3(tap);  // what widens the lobe of yarns is mostly relief, which bends it little
 #else
@@ -74,6 +79,14 @@ vec3 stretchedRadiance(vec3 n, vec3 axis, vec3 v, float wide, float narrow) {
     sum += vec4(environmentRadiance(l, lod), 1.0) * tap.w;
   }
   return vec3(sum) / max(sum.w, 1.0e-4);
+}
+#endif
+
+#if SHADING_FABRIC && WEAVE && ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
+// The same over the lobe of one set of yarns. Relief may make it wider along the yarn than across.
+vec3 yarnRadiance(YarnLobe yarn, vec3 v) {
+  if (yarn.alphaB < yarn.alphaT) return stretchedRadiance(yarn.n, yarn.t, v, yarn.alphaT, yarn.alphaB);
+  return stretchedRadiance(yarn.n, yarn.b, v, yarn.alphaB, yarn.alphaT);
 }
 #endif
 
@@ -147,8 +160,8 @@ Incident incidentLight(SurfaceInfo s) {
   incident.environmentIrradiance = PI * environmentRadiance(s.n, cosineLod());
 #endif
 #if SHADING_FABRIC && WEAVE
-  incident.radiance = stretchedRadiance(s.warp.n, s.warp.b, s.v, s.warp.alphaB, s.warp.alphaT);
-  incident.weftRadiance = stretchedRadiance(s.weft.n, s.weft.b, s.v, s.weft.alphaB, s.weft.alphaT);
+  incident.radiance = yarnRadiance(s.warp, s.v);
+  incident.weftRadiance = yarnRadiance(s.weft, s.v);
 #elif SHADING_FABRIC && ANISOTROPY
   incident.radiance = stretchedRadiance(s.n, s.t, s.v, s.alphaT, s.alpha);
 #elif ANISOTROPY || WEAVE

@@ -21,6 +21,12 @@ in vec4 vColor;
 uniform sampler2D baseColorMap;  // sRGB
 in vec2 vBaseColorUv;
 #endif
+#if METAL_MEANS
+uniform sampler2D metalMap;  // sRGB: as texture/metal.glsl has it
+#endif
+#if YARN_RELIEF
+uniform sampler2D yarnReliefMap;  // as texture/yarns.glsl has it
+#endif
 #if METALLIC_ROUGHNESS_MAP
 uniform sampler2D metallicRoughnessMap;  // linear, G roughness, B metalness
 in vec2 vMetallicRoughnessUv;
@@ -82,6 +88,15 @@ vec4 metallicRoughnessTexel() {
   return vec4(1.0);
 #endif
 }
+
+#if METAL_MEANS
+vec3 colorTexel() { return texture(baseColorMap, vBaseColorUv).rgb; }
+vec4 metalTexel() { return texture(metalMap, vBaseColorUv); }
+#endif
+
+#if YARN_RELIEF
+vec4 yarnReliefTexel() { return texture(yarnReliefMap, vNormalUv); }
+#endif
 
 // Of a normal map, or of the map of slopes that was made of it (NORMAL_VARIANCE).
 #if NORMAL_MAP

@@ -33,6 +33,9 @@ MaterialInputs withCoatRelief(MaterialInputs m, Normals normals) {
 #endif
 
 #if WEAVE_MAP
+// Shares of warp and weft as a texel of a weave map has them.   coverage  of the material
+vec2 sharesOfTexel(vec2 coverage, vec4 texel) { return (coverage.x + coverage.y) * vec2(texel.w, 1.0 - texel.w); }
+
 // From YARNS_SEEN yarns a pixel on, the mean of the yarns is blended in; from YARNS_BLENDED on, nothing else is shown.
 const float YARNS_SEEN = 0.25;
 const float YARNS_BLENDED = 0.5;
@@ -43,7 +46,7 @@ const float YARNS_BLENDED = 0.5;
 //          yarns of a texel differ
 // threads  yarns that lie within a pixel: warp, weft; 0 where many samples see each of them
 MaterialInputs withWeaveTexel(MaterialInputs m, vec4 texel, vec2 threads) {
-  vec2 coverage = (m.yarnCoverage.x + m.yarnCoverage.y) * vec2(texel.w, 1.0 - texel.w);
+  vec2 coverage = sharesOfTexel(m.yarnCoverage, texel);
   m.yarnTurn = 2.0 * vec2(texel) - 1.0;
   m.yarnSlope = 2.0 * texel.z - 1.0;
   // Near, a texel is one yarn or the other. From afar both are shown as they lie on average.
@@ -104,8 +107,11 @@ SurfaceInfo baseSurface(MaterialInputs m, Normals normals, vec3 v) {
   s.f90 = 1.0;
   s.perceptualRoughness = m.roughness;
   s.alpha = alphaFromRoughness(m.roughness);
-#if SHADING_FABRIC && NORMAL_MAP
+#if SHADING_FABRIC
+  s.metalColor = m.baseColor;
+#if NORMAL_MAP
   s.geometricNormal = normals.geometric;
+#endif
 #endif
 #if SHADING_FABRIC && RELIEF
   s.relief = normals.relief.x;
@@ -128,6 +134,20 @@ SurfaceInfo withVisibility(SurfaceInfo s, vec4 side, vec4 other) {
   s.openDirection = safeNormalize(vec3(side), s.faceNormal);
   s.visibility = saturate(side.w);
   s.visibilityBehind = saturate(other.w);
+  return s;
+}
+#endif
+
+#if SHADING_FABRIC && METAL_MEANS
+const float PART_MIN = 0.002;  // of metal or of the rest, below which its colour is not told
+
+// Of a pixel in which metal and the rest differ in colour: means of base colour and metalness are no longer of one material.
+// share  of the base colour that is metal's, [0, 1] a channel
+SurfaceInfo withMetalMeans(SurfaceInfo s, vec3 share) {
+  vec3 color = s.baseColor;
+  s.metalColor = min(color * share / max(s.metallic, PART_MIN), vec3(1.0));
+  s.baseColor = min(color * (1.0 - share) / max(1.0 - s.metallic, PART_MIN), vec3(1.0));
+  s.diffuse = diffuseAlbedo(s.baseColor, s.metallic);
   return s;
 }
 #endif
@@ -177,7 +197,11 @@ SurfaceInfo withFilm(SurfaceInfo s, MaterialInputs m) {
   if (s.iridescence == 0.0) return s;
 #endif
   vec3 dielectric = F_Iridescence(m.iridescenceIor, m.iridescenceThickness, s.NoV, s.f0Dielectric);
+#if SHADING_FABRIC
+  vec3 metal = F_Iridescence(m.iridescenceIor, m.iridescenceThickness, s.NoV, s.metalColor);
+#else
   vec3 metal = F_Iridescence(m.iridescenceIor, m.iridescenceThickness, s.NoV, s.baseColor);
+#endif
 #if ALL_TERMS || THREE_FILM_METAL_TERM == THREE_FILM_METAL_ONE_FILM
   if (RELEASE(m, filmMetal, THREE_FILM_METAL_TERM) == THREE_FILM_METAL_ONE_FILM) {
     dielectric = metal = F_Iridescence(m.iridescenceIor, m.iridescenceThickness, s.NoV, s.f0);
@@ -240,6 +264,50 @@ YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, float slope, float c
   return yarn;
 }
 
+#if YARN_RELIEF
+// Share of a pixel up to which the normals of a set of yarns are told less and less.
+const float YARN_SHARE_TOLD = 0.1;
+
+// From the first of these variances of slopes on, what relief turns below the horizon leaves less and less of an axis; from the
+// second on none.
+const float YARN_RELIEF_LOW = 0.083;
+const float YARN_RELIEF_HIGH = 0.25;
+
+// YarnLobe::slopeVariance of one set of yarns: the variance of all normals, shared out along it and across it as its own are.
+// flatness   means of 1 / (1 + 4 slope^2) along and across it, times its share      meanSlope  of the pixel, likewise
+// variance   of the slopes of all normals, the sum of both axes
+vec2 yarnSlopeVariance(float variance, vec2 flatness, float share, vec2 meanSlope) {
+  vec2 squares = 0.25 * share / max(flatness, vec2(1.0e-3)) - 0.25;
+  vec2 own = max(squares - meanSlope * meanSlope, vec2(0.0)) + 0.05 * variance;  // a small one is not told exactly
+  vec2 shares = own * (2.0 / max(own.x + own.y, 1.0e-5));
+  float axis = saturate((YARN_RELIEF_HIGH - variance) / (YARN_RELIEF_HIGH - YARN_RELIEF_LOW)) * saturate(share / YARN_SHARE_TOLD);
+  return variance * mix(vec2(1.0), shares, axis);
+}
+
+// Tells the relief of warp and weft apart.
+// texel  of texture/yarns.glsl      warp  share of the pixel, [0, 1]      slope  mean of the normal map's, +Y up the texture
+SurfaceInfo withYarnRelief(SurfaceInfo s, MaterialInputs m, vec4 texel, float warp, vec2 slope) {
+  vec2 turn = vec2(safeNormalize(vec3(m.yarnTurn, 0.0), vec3(1.0, 0.0, 0.0)));
+  float rise = clamp(m.yarnSlope, -0.95, 0.95);
+  rise *= inversesqrt(1.0 - rise * rise);
+  float inTurn = dot(slope, turn);
+  float aside = slope.y * turn.x - slope.x * turn.y;
+  s.warp.slopeVariance = yarnSlopeVariance(s.slopeVariance, vec2(texel.x, texel.y), warp, vec2(aside - rise, inTurn));
+  s.weft.slopeVariance = yarnSlopeVariance(s.slopeVariance, vec2(texel.z, texel.w), 1.0 - warp, vec2(inTurn - rise, aside));
+  return s;
+}
+#endif
+
+#if METAL_YARNS
+// Metal that lies in one set of yarns alone is theirs.   warp  metalness of a pixel that lies in the warp, times its share, [0, 1]
+SurfaceInfo withMetalYarns(SurfaceInfo s, float warp) {
+  vec2 shares = vec2(s.warp.coverage, s.weft.coverage) / max(s.warp.coverage + s.weft.coverage, PART_MIN);
+  s.warp.metallic = saturate(warp / max(shares.x, PART_MIN));
+  s.weft.metallic = saturate((s.metallic - warp) / max(shares.y, PART_MIN));
+  return s;
+}
+#endif
+
 // The two sets of yarns of TELAR_materials_fabric, along the frame on the shading normal.
 SurfaceInfo withWeave(SurfaceInfo s, MaterialInputs m, Normals normals) {
   vec3 weft = safeNormalize(normals.frame[0] - s.n * dot(s.n, normals.frame[0]), anyTangent(s.n));
@@ -251,6 +319,10 @@ SurfaceInfo withWeave(SurfaceInfo s, MaterialInputs m, Normals normals) {
   s.anisotropyStrength = 0.0;
   s.warp = yarnLobe(s.n, warp, -weft, m.yarnTurn, m.yarnSlope, m.yarnCoverage.x, m.yarnRoughness.x, m.yarnAnisotropy.x, m.warpSpecularColor);
   s.weft = yarnLobe(s.n, weft, warp, m.yarnTurn, m.yarnSlope, m.yarnCoverage.y, m.yarnRoughness.y, m.yarnAnisotropy.y, m.weftSpecularColor);
+  s.warp.metallic = s.weft.metallic = s.metallic;
+#if RELIEF
+  s.warp.slopeVariance = s.weft.slopeVariance = vec2(s.slopeVariance);
+#endif
   return s;
 }
 #endif

@@ -22,6 +22,8 @@ vec3 backColor() {
 #endif
 
 #if WEAVE_MAP
+vec4 weaveTexel() { return texture(weaveMap, vWeaveUv); }
+
 // Yarns that lie within one pixel: warp, weft; 0 where the file does not tell, and where many samples see each of them.
 vec2 threadsPerPixel() {
 #if FULL_DETAIL
@@ -40,7 +42,11 @@ MaterialInputs materialInputs(vec3 baseColor) {
   m.roughness = roughnessFactor * metallicRoughness.g;
   m = withLayerInputs(m, metallicRoughness);
 #if WEAVE_MAP
-  m = withWeaveTexel(m, texture(weaveMap, vWeaveUv), threadsPerPixel());
+  vec4 weave = weaveTexel();
+  m = withWeaveTexel(m, weave, threadsPerPixel());
+#if METAL_YARNS
+  m.yarnCoverage = sharesOfTexel(m.yarnCoverage, weave);
+#endif
 #endif
 #if BACK
   if (seenFromBack()) {

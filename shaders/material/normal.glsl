@@ -129,6 +129,9 @@ Normals shadingNormals() {
   vec4 varied = normalTexel();
 #endif
   normals.relief = reliefOf(varied, normalScale);
+#if YARN_RELIEF
+  normals.meanSlope = vec2(varied) / max(varied.b, 1.0e-2);
+#endif
   normals.shading = mappedNormal(frame, plainNormalTexel(varied), normalScale);
 #endif
 #else

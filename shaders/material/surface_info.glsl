@@ -39,6 +39,13 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
   normals = facingViewer(normals, v);
 #endif
   SurfaceInfo s = baseSurface(m, normals, v);
+#if METAL_MEANS
+  vec4 metal = metalTexel();
+#if BACK
+  if (!seenFromBack())
+#endif
+    s = withMetalMeans(s, saturate(metallicFactor * vec3(metal) / max(colorTexel(), vec3(PART_MIN))));
+#endif
 #if SHADING_FABRIC && AMBIENT_VISIBILITY
   s = withVisibility(s, visibilityOf(true), visibilityOf(false));
 #endif
@@ -48,6 +55,12 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
   s = withLayers(s, m, normals);
 #if WEAVE
   s = withWeave(s, m, normals);
+#if YARN_RELIEF
+  s = withYarnRelief(s, m, yarnReliefTexel(), weaveTexel().a, normals.meanSlope);
+#endif
+#if METAL_YARNS
+  s = withMetalYarns(s, metallicFactor * metal.a);
+#endif
 #endif
 #if !SHADING_FABRIC
   s.dfg = splitSum(s.perceptualRoughness, s.NoV);

@@ -37,6 +37,9 @@ struct Normals {
 #if ANISOTROPY || WEAVE
   mat3 frame;      // columns: tangent, bitangent, geometric normal
 #endif
+#if YARN_RELIEF
+  vec2 meanSlope;          // of the normal map within the pixel, +Y up the texture
+#endif
 #if WEAVE
   float upward;    // 1: the bitangent is Y of the tangent space, the texture's v upwards; -1: it runs against it
 #endif
@@ -53,6 +56,10 @@ struct YarnLobe {
   float alphaB;        // across
   vec3 specularColor;  // factor on the normal reflectance, [0, 1]
   vec3 lying;          // t without its slope
+  float metallic;
+#if RELIEF
+  vec2 slopeVariance;  // of the normals within the pixel, along it and across it, each twice that of the axis
+#endif
   // preparedSurface() sets the rest, as in SurfaceInfo.
   StretchedCurve gloss;
   vec2 albedo;
@@ -82,7 +89,7 @@ struct SurfaceInfo {
   vec3 n;          // shading normal, view space
   vec3 v;          // to the viewer, view space
   vec3 baseColor;  // linear Rec.709
-  float metallic;
+  float metallic;  // of a woven cloth whose metal lies in some yarns: their mean
   vec3 diffuse;    // albedo of the diffuse lobe
   vec3 f0;         // of the dielectric-metal blend
   vec3 f0Dielectric;
@@ -140,6 +147,7 @@ struct SurfaceInfo {
   vec3 compensation;  // factor on the GGX lobe of one direction
 #endif
 #if SHADING_FABRIC
+  vec3 metalColor;            // base colour of what is metal; baseColor is that of the rest
 #if NORMAL_MAP
   vec3 geometricNormal;       // before the normal map
 #endif

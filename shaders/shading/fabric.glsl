@@ -63,6 +63,14 @@ vec3 specularLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL) {
 }
 
 #if RELIEF
+#if WEAVE
+YarnLobe withYarnWidths(YarnLobe yarn) {
+  yarn.alphaT = widthWithSlopes(yarn.alphaT, yarn.slopeVariance.x);
+  yarn.alphaB = widthWithSlopes(yarn.alphaB, yarn.slopeVariance.y);
+  return yarn;
+}
+#endif
+
 // Takes from the lobes what a relief hides that is finer than the pixel, and widens them. Their energies are those of a texel.
 SurfaceInfo withRelief(SurfaceInfo s) {
   float hidden = s.relief;
@@ -80,10 +88,8 @@ SurfaceInfo withRelief(SurfaceInfo s) {
   s.alphaT = widthWithSlopes(s.alphaT, s.slopeVariance);
 #endif
 #if WEAVE
-  s.warp.alphaT = widthWithSlopes(s.warp.alphaT, s.slopeVariance);
-  s.warp.alphaB = widthWithSlopes(s.warp.alphaB, s.slopeVariance);
-  s.weft.alphaT = widthWithSlopes(s.weft.alphaT, s.slopeVariance);
-  s.weft.alphaB = widthWithSlopes(s.weft.alphaB, s.slopeVariance);
+  s.warp = withYarnWidths(s.warp);
+  s.weft = withYarnWidths(s.weft);
 #endif
   return s;
 }
@@ -104,9 +110,9 @@ EdgeLobe preparedEdges(SurfaceInfo s) {
 SurfaceInfo preparedSurface(SurfaceInfo s) {
 #if IRIDESCENCE
   s.f0Dielectric = mix(s.f0Dielectric, saturate(s.filmF0Dielectric), s.iridescence);
-  vec3 f0Metal = mix(s.baseColor, saturate(s.filmF0Metal), s.iridescence);
+  vec3 f0Metal = mix(s.metalColor, saturate(s.filmF0Metal), s.iridescence);
 #else
-  vec3 f0Metal = s.baseColor;
+  vec3 f0Metal = s.metalColor;
 #endif
   s.f0 = mix(s.f0Dielectric, f0Metal, s.metallic);
 #if ANISOTROPY || WEAVE

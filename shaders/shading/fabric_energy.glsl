@@ -124,10 +124,10 @@ YarnLobe withYarnEnergies(SurfaceInfo s, YarnLobe yarn, vec3 f0Metal) {
 #endif
   yarn.albedo = yarnAlbedo(yarn, yarn.t, yarn.b, s.v, saturate(dot(yarn.n, s.v)));
   yarn.f0Dielectric = s.f0Dielectric * yarn.specularColor;
-  yarn.f0 = s.f0 * yarn.specularColor;
+  yarn.f0 = mix(s.f0Dielectric, f0Metal, yarn.metallic) * yarn.specularColor;
   float average = yarn.gloss.average.x;
   yarn.returningDielectric = returningShare(yarn.f0Dielectric, s.f90, average);
-  yarn.returning = mix(yarn.returningDielectric, returningShare(f0Metal * yarn.specularColor, s.f90, average), s.metallic);
+  yarn.returning = mix(yarn.returningDielectric, returningShare(f0Metal * yarn.specularColor, s.f90, average), yarn.metallic);
   yarn.returningLobe = yarn.returning * (yarn.coverage * yarn.albedo.x * RECIPROCAL_PI / average);
   return yarn;
 }

@@ -13,7 +13,7 @@ const MOST_BYTES = 4 * 2 ** 20;
 const SIZE = { width: 64, height: 64 };
 const asset = (name) => new URL(`../../js/assets/${name}`, import.meta.url);
 
-const BYTES_A_TEXEL = { map: 4, relief: 8, coverage: 4 }; // RGBA8 or SRGB8_ALPHA8; RGBA16F, of facets too; as the map
+const BYTES_A_TEXEL = { map: 4, relief: 8, yarns: 0.5, coverage: 4 }; // RGBA8 or SRGB8_ALPHA8; RGBA16F, of facets too; the same of a sixteenth of the texels; as the map
 const MIP_LEVELS = 4 / 3;
 
 /** @returns {{json: object, binary: Buffer}} of a GLB */
@@ -54,8 +54,10 @@ function bytesOf({ json, images }) {
   };
   const maps = images.reduce((sum, { width, height }) => sum + width * height * BYTES_A_TEXEL.map, 0);
   const relief = material.normalTexture ? texels(material.normalTexture) * BYTES_A_TEXEL.relief : 0;
+  const weave = material.extensions?.TELAR_materials_fabric?.weave?.weaveTexture;
+  const yarns = weave && material.normalTexture ? texels(material.normalTexture) * BYTES_A_TEXEL.yarns : 0;
   const cut = material.alphaMode === 'MASK' && material.pbrMetallicRoughness?.baseColorTexture;
-  return { maps: maps * MIP_LEVELS, made: (relief + (cut ? texels(cut) * BYTES_A_TEXEL.coverage : 0)) * MIP_LEVELS };
+  return { maps: maps * MIP_LEVELS, made: (relief + yarns + (cut ? texels(cut) * BYTES_A_TEXEL.coverage : 0)) * MIP_LEVELS };
 }
 
 const renderer = await createRenderer({ cacheDirectory: null, timeoutMs: null });

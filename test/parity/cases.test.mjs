@@ -95,6 +95,7 @@ const ROWS = {
     'fabric-physical-everything-lights',
     'fabric-shadow-everything',
     'fabric-tshirt-front',
+    'cloth-brocade-studio',
   ],
   'shadings of before, and their terms': [
     'r115-sheen-sun',

@@ -129,6 +129,10 @@ const afarCases = [
   ...['denim', 'satin', 'towel', 'lace', 'tulle'].map((name) =>
     makeCase(`cloth-${name}-far`, `fabric-${name}`, 'soft-studio', { camera: AFAR, shading: 'fabric', lights: [LIGHTS.directional] }, name === 'lace'),
   ),
+  // Metal that lies in one set of yarns, from near and from where means of its maps alone are seen.
+  makeCase('cloth-brocade-studio', 'brocade', 'soft-studio', { camera: DRAPE, shading: 'fabric' }, true),
+  makeCase('cloth-brocade-far', 'brocade', 'soft-studio', { camera: AFAR, shading: 'fabric', lights: [LIGHTS.directional] }),
+  makeCase('cloth-brocade-behind', 'brocade', null, { camera: DRAPE, shading: 'fabric', lights: [BEHIND, LIGHTS.hemisphere] }),
   makeCase('cloth-layers-samples-1', 'cloth-layers', null, { shading: 'fabric', quality: { samples: 1 } }),
   ...['satin', 'lace'].map((name) =>
     makeCase(`cloth-${name}-samples-1`, `fabric-${name}`, 'soft-studio', { camera: DRAPE, shading: 'fabric', quality: { samples: 1 } }),

@@ -68,8 +68,15 @@ set, transform or sampler: the relief travels with the normals.
 On polished metal (\`metallicFactor\` of at least 0.5, \`roughnessFactor\` of 0.3 at most; sequins) the map holds the slopes of what lies flat in
 place of all normals, and is read one level sharper: flat facets keep a sharp highlight, and the edges between them have a wide one of their own
 (shaders/brdf/facets.glsl; a mixture of lobes, Han et al. 2007). Woven, stretched and cut-out materials have one highlight as before.
+Where a weave map lies on the normal map, a second map, of a quarter of its side, holds how flat the warp and the weft lie, each along itself and across
+it, as normal map and weave map have them together: a yarn is round across and straight along, so that relief widens its highlight across it more.
 Set a sampler that reads mip levels (glTF's default does); with \`minFilter\` LINEAR or NEAREST there is nothing to read it from.
 Materials without a normal map and other shadings pay nothing. The map of relief takes 8 bytes of GPU memory a texel, beside the image.
+
+**Metal and the rest in one pixel**, as gold yarns on silk. Means of base colour and of metalness by themselves do not tell whose colour the metal
+has. Where a material has both textures in one place (set and transform) and is not cut out, a map of 4 bytes a texel holds the mean of base colour
+times metalness; with a weave map in the same place also how much of the metal lies in the warp. A metalness without metal costs one texel. Of
+other materials the metal has the mean colour, as before.
 
 **Holes** (\`alphaMode\` MASK with a base colour texture): lace, tulle, mesh. Mip levels hold the share of a texel that is there, and the
 colour of that part alone; the edge of level 0 is drawn as wide as a pixel. The share becomes halves of the pixel's samples, by a noise

@@ -18,7 +18,17 @@ const FIXED = {
 };
 
 /** Of cloth, beside its layers. */
-const CLOTH = ['NORMAL_VARIANCE', 'NORMAL_FACETS', 'ALPHA_TO_COVERAGE', 'NORMAL_HOLES', 'AMBIENT_VISIBILITY', 'AMBIENT_VISIBILITY_BACK'];
+const CLOTH = [
+  'NORMAL_VARIANCE',
+  'NORMAL_FACETS',
+  'ALPHA_TO_COVERAGE',
+  'NORMAL_HOLES',
+  'METAL_MEANS',
+  'METAL_YARNS',
+  'YARN_RELIEF',
+  'AMBIENT_VISIBILITY',
+  'AMBIENT_VISIBILITY_BACK',
+];
 
 /** Feature of surface.frag: the condition under which three.js has it, as its preprocessor knows it. */
 const CORE = {

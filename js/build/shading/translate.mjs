@@ -124,6 +124,10 @@ export function textureShaders() {
     reliefLevel: 'relief_level.frag',
     facetsMoments: 'facets_moments.frag',
     facetsLevel: 'facets_level.frag',
+    yarnsMoments: 'yarns_moments.frag',
+    yarnsLevel: 'yarns_level.frag',
+    metalMoments: 'metal_moments.frag',
+    metalLevel: 'metal_level.frag',
     coverageMoments: 'coverage_moments.frag',
     coverageLevel: 'coverage_level.frag',
   };

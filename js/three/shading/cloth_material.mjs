@@ -52,10 +52,10 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
     ownUniforms = {};
 
     /** Textures that were made of the material's own, by the name of their uniform. */
-    madeMaps = { normalVarianceMap: null, clearcoatNormalVarianceMap: null, coverageMap: null };
+    madeMaps = { normalVarianceMap: null, clearcoatNormalVarianceMap: null, coverageMap: null, metalMap: null, yarnReliefMap: null };
 
-    /** What the normal map was made as for the last draw. */
-    normalMapKind = '';
+    /** What maps were made as for the last draw. */
+    madeAs = '';
 
     coverageSamples = 1;
 
@@ -110,14 +110,23 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
 
     /** Before each draw: what has changed since reaches the program, and maps that are new are made anew. */
     onBeforeRender(renderer, ...rest) {
-      const { NORMAL_VARIANCE, NORMAL_FACETS, ALPHA_TO_COVERAGE, NORMAL_HOLES } = this.isFabricMaterial ? featuresOf(this) : {};
+      const { NORMAL_VARIANCE, NORMAL_FACETS, ALPHA_TO_COVERAGE, NORMAL_HOLES, METAL_MEANS, METAL_YARNS, YARN_RELIEF } = this.isFabricMaterial
+        ? featuresOf(this)
+        : {};
+      const kind = NORMAL_FACETS ? 'facets' : 'relief';
+      if (this.isFabricMaterial) this.compileFor([NORMAL_VARIANCE && kind, NORMAL_HOLES, METAL_MEANS, METAL_YARNS, YARN_RELIEF].join(' '));
       if (NORMAL_VARIANCE) {
-        const kind = NORMAL_FACETS ? 'facets' : 'relief';
-        this.compileFor(`${kind} ${NORMAL_HOLES}`);
         for (const [name, key] of Object.entries(VARIANCE_MAPS)) {
           const holes = NORMAL_HOLES && key === 'normalMap' ? { cutoff: textureCutoff(this), cover: this.map } : {};
           this.madeMaps[name] = bakedTexture(THREE, textureShaders, renderer, key === 'normalMap' ? kind : 'relief', this[key], holes);
         }
+      }
+      if (YARN_RELIEF) {
+        this.madeMaps.yarnReliefMap = bakedTexture(THREE, textureShaders, renderer, 'yarns', this.normalMap, { yarns: this.fabric.weave.weaveTexture });
+      }
+      if (METAL_MEANS) {
+        const beside = { cover: this.metalnessMap, ...(METAL_YARNS && { yarns: this.fabric.weave.weaveTexture }) };
+        this.madeMaps.metalMap = bakedTexture(THREE, textureShaders, renderer, 'metal', this.map, beside);
       }
       if (ALPHA_TO_COVERAGE) {
         this.madeMaps.coverageMap = bakedTexture(THREE, textureShaders, renderer, 'coverage', this.map, { cutoff: textureCutoff(this) });
@@ -128,11 +137,11 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
     }
 
     /**
-     * Has three.js choose the program anew where the normal map is made as another kind: clients change roughness, metalness and the
+     * Has three.js choose the program anew where maps are made as other kinds: clients change roughness, metalness and the
      * places of maps without `needsUpdate`, and each program reads one kind.
      */
-    compileFor(normalMapKind) {
-      if (this.normalMapKind !== normalMapKind) Object.assign(this, { normalMapKind, needsUpdate: true });
+    compileFor(madeAs) {
+      if (this.madeAs !== madeAs) Object.assign(this, { madeAs, needsUpdate: true });
     }
 
     /** Which of a pixel's samples, in bits, the pixels cover that the next draw is for, and what it shows. */
@@ -197,6 +206,11 @@ function featuresOf(material) {
     AMBIENT_VISIBILITY_BACK: visibleSides.front && visibleSides.back,
     NORMAL_HOLES: Boolean(map && normalMap) && alphaTest > 0 && samePlace(map, normalMap),
   };
+  const { metalnessMap, metalness } = material;
+  const weaveMap = fabric?.weave?.weaveTexture;
+  features.YARN_RELIEF = Boolean(normalMap && weaveMap) && features.WEAVE && !features.NORMAL_HOLES && samePlace(normalMap, weaveMap);
+  features.METAL_MEANS = Boolean(map && metalnessMap) && metalness > 0 && !features.ALPHA_TO_COVERAGE && samePlace(map, metalnessMap);
+  features.METAL_YARNS = features.METAL_MEANS && features.WEAVE && Boolean(weaveMap) && samePlace(map, weaveMap);
   const NORMAL_FACETS = Boolean(normalMap) && isPolished(material) && !features.WEAVE && !features.NORMAL_HOLES;
   return numbers({ ...features, NORMAL_FACETS });
 }

@@ -24,6 +24,17 @@ bool isCovered(int mask) { return mask != 0 && mask == coverageMask; }
 float shareThere() { return texture(coverageMap, vMapUv).a; }
 #endif
 
+#if METAL_MEANS
+uniform sampler2D metalMap;  // sRGB
+vec3 colorTexel() { return texture(map, vMapUv).rgb; }
+vec4 metalTexel() { return texture(metalMap, vMapUv); }
+#endif
+
+#if YARN_RELIEF
+uniform sampler2D yarnReliefMap;
+vec4 yarnReliefTexel() { return texture(yarnReliefMap, vNormalMapUv); }
+#endif
+
 #if AMBIENT_VISIBILITY
 in vec4 vVisibility;
 #if AMBIENT_VISIBILITY_BACK

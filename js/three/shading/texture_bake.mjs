@@ -2,7 +2,10 @@
 const made = new WeakMap();
 
 /** Type of the texels that are made: as renderer/pass/texture_bake has them. */
-const TEXEL_TYPES = { relief: 'HalfFloatType', facets: 'HalfFloatType', coverage: 'UnsignedByteType' };
+const TEXEL_TYPES = { relief: 'HalfFloatType', facets: 'HalfFloatType', yarns: 'HalfFloatType', coverage: 'UnsignedByteType', metal: 'UnsignedByteType' };
+
+/** Level of the source that is level 0 of what is made, where it is not the first: as renderer/pass/texture_bake has it. */
+const FIRST_LEVELS = { yarns: 2 };
 
 /** Programs and the triangle that they are drawn with, for each three.js module. */
 const drawings = new WeakMap();
@@ -13,17 +16,20 @@ const drawings = new WeakMap();
  * @param {typeof import('three')} THREE
  * @param {Record<string, string>} shaders - Module js/dist/shading/texture.mjs.
  * @param {import('three').WebGLRenderer} renderer - Which is not drawing into the texture; its target is put back.
- * @param {'relief' | 'facets' | 'coverage'} kind
+ * @param {'relief' | 'facets' | 'yarns' | 'coverage' | 'metal'} kind
  *   - relief: of a normal map, RGB the mean of its unit normals, A that of how flat they lie.
  *   - facets: of a polished normal map, RG the slopes of its flat part and A their square, each times B, its share.
+ *   - yarns: of a normal map, how flat warp and weft lie, along and across them.
  *   - coverage: of a colour map with holes, A the share of the texel that is there.
+ *   - metal: of a colour map, RGB the colour times metalness, A metalness times the share of the warp.
  * @param {import('three').Texture} source
- * @param {object} [holes]
- * @param {number} [holes.cutoff] - Alpha from which on a texel is there.
- * @param {import('three').Texture} [holes.cover] - relief: of a cut-out material, the map of that alpha.
+ * @param {object} [beside]
+ * @param {number} [beside.cutoff] - Alpha from which on a texel is there.
+ * @param {import('three').Texture} [beside.cover] - relief: of a cut-out material, the map of that alpha; metal: the map of metalness.
+ * @param {import('three').Texture} [beside.yarns] - metal and yarns: of a woven material, the weave map.
  * @returns {import('three').Texture | null} With the source's sampler; null while the source has no image.
  */
-export function bakedTexture(THREE, shaders, renderer, kind, source, { cutoff = 0, cover = null } = {}) {
+export function bakedTexture(THREE, shaders, renderer, kind, source, { cutoff = 0, cover = null, yarns = null } = {}) {
   if (!source?.image?.width) return null;
   if (!made.has(renderer)) made.set(renderer, new WeakMap());
   const ofRenderer = made.get(renderer);
@@ -36,26 +42,28 @@ export function bakedTexture(THREE, shaders, renderer, kind, source, { cutoff = 
     });
   }
   const known = ofRenderer.get(source);
-  const key = `${kind} ${cutoff} ${cover ? `${cover.uuid} ${cover.version}` : ''}`;
+  const key = [kind, cutoff, ...[cover, yarns].map((texture) => (texture ? `${texture.uuid} ${texture.version}` : ''))].join(' ');
   const last = known.get(key);
   if (last?.version === source.version) return last.target.texture;
   last?.target.dispose();
-  const target = bake(THREE, shaders, renderer, { kind, source, cutoff, cover });
+  const target = bake(THREE, shaders, renderer, { kind, source, cutoff, cover, yarns });
   known.set(key, { target, version: source.version });
   return target.texture;
 }
 
-function bake(THREE, shaders, renderer, { kind, source, cutoff, cover }) {
+function bake(THREE, shaders, renderer, { kind, source, cutoff, cover, yarns }) {
   const { width, height } = source.image;
   const levels = Math.floor(Math.log2(Math.max(width, height))) + 1;
-  const out = new THREE.WebGLRenderTarget(width, height, {
+  const first = Math.min(FIRST_LEVELS[kind] ?? 0, levels - 1);
+  const { x, y } = sizeAt(THREE, source, first);
+  const out = new THREE.WebGLRenderTarget(x, y, {
     ...samplerOf(source),
     type: THREE[TEXEL_TYPES[kind]],
-    colorSpace: kind === 'coverage' ? source.colorSpace : THREE.NoColorSpace,
+    colorSpace: TEXEL_TYPES[kind] === 'UnsignedByteType' ? source.colorSpace : THREE.NoColorSpace,
     depthBuffer: false,
     generateMipmaps: false,
   });
-  out.texture.mipmaps = Array.from({ length: levels }, () => ({}));
+  out.texture.mipmaps = Array.from({ length: levels - first }, () => ({}));
   const drawing = drawingOf(THREE, shaders);
   const putBack = setAside(renderer);
   let larger = null; // moments of the level before
@@ -63,12 +71,28 @@ function bake(THREE, shaders, renderer, { kind, source, cutoff, cover }) {
     const size = sizeAt(THREE, source, level);
     if (level > 0) {
       const moments = momentTarget(THREE, renderer, size);
-      const uniforms = { sourceMap: larger?.texture ?? source, sourceSize: sizeAt(THREE, source, level - 1), targetSize: size, cutoff, coverMap: cover };
+      const uniforms = {
+        sourceMap: larger?.texture ?? source,
+        sourceSize: sizeAt(THREE, source, level - 1),
+        targetSize: size,
+        cutoff,
+        coverMap: cover,
+        yarnMap: yarns,
+      };
       drawing.draw(renderer, `${kind}Moments`, level === 1, uniforms, moments, 0, size);
       larger?.dispose();
       larger = moments;
     }
-    drawing.draw(renderer, `${kind}Level`, level === 0, { sourceMap: larger?.texture ?? source, cutoff, coverMap: cover }, out, level, size);
+    if (level < first) continue;
+    drawing.draw(
+      renderer,
+      `${kind}Level`,
+      level === 0,
+      { sourceMap: larger?.texture ?? source, cutoff, coverMap: cover, yarnMap: yarns },
+      out,
+      level - first,
+      size,
+    );
   }
   larger?.dispose();
   putBack();
@@ -117,8 +141,8 @@ function drawingOf(THREE, shaders) {
   const scene = new THREE.Scene().add(mesh);
   const camera = new THREE.Camera();
   const materials = new Map();
-  const materialOf = (name, fromImage, holes) => {
-    const key = `${name} ${fromImage} ${holes}`;
+  const materialOf = (name, fromImage, holes, yarns) => {
+    const key = `${name} ${fromImage} ${holes} ${yarns}`;
     if (!materials.has(key)) {
       materials.set(
         key,
@@ -126,8 +150,8 @@ function drawingOf(THREE, shaders) {
           glslVersion: THREE.GLSL3,
           vertexShader: shaders.vertex,
           fragmentShader: shaders[name],
-          defines: { FROM_IMAGE: Number(fromImage), HOLES: Number(holes) },
-          uniforms: { sourceMap: { value: null }, sourceSize: { value: null }, targetSize: { value: null }, cutoff: { value: 0 }, coverMap: { value: null } },
+          defines: { FROM_IMAGE: Number(fromImage), HOLES: Number(holes), YARNS: Number(yarns) },
+          uniforms: Object.fromEntries(['sourceMap', 'sourceSize', 'targetSize', 'cutoff', 'coverMap', 'yarnMap'].map((uniform) => [uniform, { value: null }])),
           depthTest: false,
           depthWrite: false,
           blending: THREE.NoBlending,
@@ -137,7 +161,7 @@ function drawingOf(THREE, shaders) {
     return materials.get(key);
   };
   const draw = (renderer, name, fromImage, uniforms, target, level, { x, y }) => {
-    mesh.material = materialOf(name, fromImage, uniforms.coverMap !== null);
+    mesh.material = materialOf(name, fromImage, uniforms.coverMap !== null, uniforms.yarnMap !== null);
     for (const [uniform, value] of Object.entries(uniforms)) mesh.material.uniforms[uniform].value = value;
     mesh.material.uniformsNeedUpdate = true;
     target.viewport.set(0, 0, x, y);

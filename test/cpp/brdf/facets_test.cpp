@@ -29,7 +29,7 @@ SurfaceInfo metalOf(const dvec3& n, const dvec3& v, double slopeVariance, double
   s.geometricNormal = UP;
   s.v = v;
   s.NoV = brdf_d::saturate(glm::dot(s.n, v));
-  s.baseColor = dvec3(1);
+  s.baseColor = s.metalColor = dvec3(1);
   s.metallic = 1;
   s.f0Dielectric = dvec3(0.04);
   s.f90 = 1;

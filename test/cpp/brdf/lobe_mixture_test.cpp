@@ -38,7 +38,7 @@ brdf_f::SurfaceInfo surfaceOf(const Lobes& lobes) {
   // Leans, as an axis of texture coordinates does.
   s.t = glm::normalize(frame[0] + 0.4f * n + 0.3f * frame[1]);
   s.b = frame[1];
-  s.baseColor = glm::vec3(0.5f, 0.6f, 0.7f);
+  s.baseColor = s.metalColor = glm::vec3(0.5f, 0.6f, 0.7f);
   s.metallic = lobes.metallic;
   s.diffuse = s.baseColor * (1 - lobes.metallic);
   s.f0 = glm::mix(glm::vec3(0.04f), s.baseColor, lobes.metallic);
@@ -54,6 +54,7 @@ brdf_f::SurfaceInfo surfaceOf(const Lobes& lobes) {
   s.clearcoatNoV = brdf_f::saturate(glm::dot(s.coatNormal, s.v));
   s.diffuseTransmission = lobes.through;
   // The weft lies across the warp, which dips.
+  s.warp.metallic = s.weft.metallic = lobes.metallic;
   s.warp.coverage = 0.6f * lobes.yarns, s.weft.coverage = 0.4f * lobes.yarns;
   s.warp.t = glm::normalize(frame[1] + 0.3f * n), s.warp.b = frame[0], s.warp.n = glm::normalize(n - 0.3f * frame[1]);
   s.weft.t = frame[0], s.weft.b = frame[1], s.weft.n = n;

@@ -33,7 +33,7 @@ SurfaceInfo surfaceOf(const Cloth& cloth, const dvec3& n, const dvec3& v, double
   s.geometricNormal = dvec3(0, 0, 1);
   s.v = v;
   s.NoV = brdf_d::saturate(glm::dot(s.n, v));
-  s.baseColor = dvec3(cloth.albedo);
+  s.baseColor = s.metalColor = dvec3(cloth.albedo);
   s.metallic = cloth.metallic;
   s.diffuse = dvec3(cloth.albedo * (1 - cloth.metallic));
   s.f0Dielectric = dvec3(0.045);

@@ -57,7 +57,7 @@ SurfaceInfo surfaceOf(const Weave& w) {
   const double sine = std::sqrt(1 - w.NoV * w.NoV);
   s.v = {sine * std::cos(w.azimuth), sine * std::sin(w.azimuth), w.NoV};
   s.NoV = s.clearcoatNoV = w.NoV;
-  s.baseColor = dvec3(1);
+  s.baseColor = s.metalColor = dvec3(1);
   s.metallic = w.metallic;
   s.diffuse = brdf_d::diffuseAlbedo(s.baseColor, s.metallic);
   s.f0Dielectric = dvec3(w.f0);
@@ -71,6 +71,8 @@ SurfaceInfo surfaceOf(const Weave& w) {
   };
   s.warp = yarns(w.warp, s.b, -s.t);
   s.weft = yarns(w.weft, s.t, s.b);
+  s.warp.metallic = s.weft.metallic = w.metallic;
+  s.warp.slopeVariance = s.weft.slopeVariance = glm::dvec2(0);
   return s;
 }
 

@@ -220,6 +220,43 @@ TEST_F(ClothTexture, PolishedReliefsReflectAreaLightsAsTheyDoDomes) {
   EXPECT_NEAR(under({Shot::Light::Type::kDisk}) / dome, 1, 0.015);
 }
 
+/// Gold weft on a warp of red silk, from so near that each yarn is seen and from so far that none is: the same light.
+TEST_F(ClothTexture, MetalOfOneSetOfYarnsKeepsItsColourAndItsLightFromAfar) {
+  constexpr int THREADS = 4;
+  const auto isWarp = [](double u, double v) { return (int(u * THREADS) + int(v * THREADS)) % 2 == 0; };
+  const glm::vec3 gold(0.97f, 0.83f, 0.58f), silk(0.46f, 0.15f, 0.25f);  // as sRGB has them
+  Material brocade;
+  brocade.roughnessFactor = 0.6f;
+  brocade.fabric.weave = true;
+  brocade.fabric.warp = {0.5f, 0.5f, 0, glm::vec3(1)};
+  brocade.fabric.weft = {0.5f, 0.5f, 0, glm::vec3(0.94f, 0.66f, 0.3f)};
+  brocade.fabric.threadsPerUv = glm::vec2(THREADS);
+  brocade.baseColorTexture.image = 0, brocade.metallicRoughnessTexture.image = 1, brocade.fabric.weaveTexture.image = 2;
+  const auto clothWith = [&](bool apart) {
+    auto scene = sceneOf(squareCloth(40), brocade);
+    scene->images = {
+        imageOf(64, 64, [&](double u, double v) { return glm::vec4(isWarp(u, v) ? silk : gold, 1); }),
+        imageOf(64, 64, [&](double u, double v) { return glm::vec4(1, 1, isWarp(u, v) ? 0 : 1, 1); }),
+        imageOf(64, 64, [&](double u, double v) { return glm::vec4(1, 0.5f, 0.5f, isWarp(u, v) ? 1 : 0); })};
+    // With another place of the metalness its products with the colour are not known.
+    if (apart) scene->materials.back().metallicRoughnessTexture.uvTransform[0][0] = 1.0001f;
+    return scene;
+  };
+  const auto lightOf = [&](double height, bool apart) {
+    Shot shot = flatShot(SIZE, height);
+    shot.samples = 1;
+    shot.lights.push_back({Shot::Light::Type::kAmbient});
+    const Frame frame = draw(clothWith(apart), shot);
+    return glm::dvec3(meanOf(frame, 0), meanOf(frame, 1), meanOf(frame, 2));
+  };
+  const glm::dvec3 near = lightOf(2.0 / 40, false), far = lightOf(2, false), mixed = lightOf(2, true);
+  std::cout << "brocade: green of red from near " << near.g / near.r << ", from far " << far.g / far.r
+            << ", of means alone " << mixed.g / mixed.r << "; light x" << far.g / near.g << ", x" << mixed.g / near.g
+            << "\n";
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(far[c] / near[c], 1, 0.02) << c;
+  EXPECT_GT(std::abs(mixed.b / near.b - 1), 0.1);  // what it is without
+}
+
 TEST_F(ClothTexture, NothingIsPaidWhereItIsNotAskedFor) {
   const auto features = [&](ShadingModel shading, const Material& material) {
     auto scene = clothOf(weaveNormals(16, 16, 4, 0.5), &Material::normalTexture, 4, material);
@@ -238,6 +275,16 @@ TEST_F(ClothTexture, NothingIsPaidWhereItIsNotAskedFor) {
   EXPECT_EQ(features(ShadingModel::kFabric, {}).find("normal-facets"), std::string::npos);
   polished.metallicFactor = 0;
   EXPECT_EQ(features(ShadingModel::kFabric, polished).find("normal-facets"), std::string::npos);
+  EXPECT_EQ(features(ShadingModel::kFabric, {}).find("metal-means"), std::string::npos);
+  EXPECT_EQ(features(ShadingModel::kFabric, {}).find("yarn-relief"), std::string::npos);
+  Material woven;
+  woven.fabric.weave = true;
+  woven.fabric.weaveTexture.image = woven.baseColorTexture.image = woven.metallicRoughnessTexture.image = 0;
+  EXPECT_NE(features(ShadingModel::kFabric, woven).find("yarn-relief"), std::string::npos);
+  EXPECT_EQ(features(ShadingModel::kThree, woven).find("yarn-relief"), std::string::npos);
+  woven.metallicFactor = 0.5f;
+  EXPECT_NE(features(ShadingModel::kFabric, woven).find("metal-means"), std::string::npos);
+  EXPECT_EQ(features(ShadingModel::kThree, woven).find("metal-means"), std::string::npos);
   Material mask;
   mask.alphaMode = AlphaMode::kMask;
   EXPECT_EQ(features(ShadingModel::kFabric, mask).find("alpha-to-coverage"), std::string::npos);

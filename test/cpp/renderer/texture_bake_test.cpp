@@ -326,5 +326,64 @@ TEST_F(TextureBake, LevelsHoldTheShareThatIsThereAndItsColourAlone) {
   }
 }
 
+/// Round yarns that lie straight: flat along, steep across, each set in its own axis.
+TEST_F(TextureBake, LevelsHoldHowFlatWarpAndWeftLieAlongAndAcross) {
+  constexpr int SIDE = 32;
+  const auto isWarp = [](double u, double) { return std::fmod(u * 4, 1.0) < 0.5; };
+  const Image8 normals = imageOf(SIDE, SIDE, [&](double u, double v) {
+    const float slope = 0.6f * float(std::sin(glm::two_pi<double>() * 8 * (isWarp(u, v) ? u : v)));
+    return glm::vec4(glm::normalize(isWarp(u, v) ? glm::vec3(slope, 0, 1) : glm::vec3(0, slope, 1)) * 0.5f + 0.5f, 1);
+  });
+  const Image8 yarns = imageOf(SIDE, SIDE, [&](double u, double v) { return glm::vec4(1, 0.5f, 0.5f, isWarp(u, v)); });
+  const gl::Texture source = upload(normals, GL_RGBA8), weave = upload(yarns, GL_RGBA8);
+  const gl::Texture baked = baker_.yarnRelief(source.get(), SIDE, SIDE, weave.get(), CancelToken());
+  const auto texel = read<float>(baked, 3, {1, 1});  // of 8 x 8 texels
+  const auto squares = [&](int c) { return 0.25 * (0.5 / texel[std::size_t(c)] - 1); };
+  std::cout << "mean squares of slopes: warp " << squares(0) << " along, " << squares(1) << " across, weft "
+            << squares(2) << ", " << squares(3) << "\n";
+  for (const int c : {0, 2}) EXPECT_LT(squares(c), 0.02) << c;  // but where texels of both are blended
+  for (const int c : {1, 3}) EXPECT_GT(squares(c), 0.06) << c;
+}
+
+/// Gold yarns on red ones, which are the warp: means of colour and metalness alone would make half of the red metal.
+TEST_F(TextureBake, LevelsHoldWhatOfTheColourIsMetals) {
+  constexpr int SIDE = 32;
+  const auto isGold = [](double u, double v) { return std::fmod(u * 8, 1.0) < 0.4 && v > 0.3; };
+  const Image8 color = imageOf(SIDE, SIDE, [&](double u, double v) {
+    return isGold(u, v) ? glm::vec4(0.9f, 0.7f, 0.3f, 1) : glm::vec4(0.5f, 0.05f, 0.1f, 1);
+  });
+  const Image8 metalness =
+      imageOf(SIDE, SIDE, [&](double u, double v) { return glm::vec4(1, 1, isGold(u, v) ? 0.8f : 0, 1); });
+  const Image8 yarns =
+      imageOf(SIDE, SIDE, [&](double u, double v) { return glm::vec4(1, 0.5f, 0.5f, u < 0.5 || !isGold(u, v)); });
+  const gl::Texture metallic = upload(metalness, GL_RGBA8), weave = upload(yarns, GL_RGBA8);
+  for (const bool woven : {false, true}) {
+    const gl::Texture source = upload(color, GL_RGBA8);
+    const gl::Texture baked =
+        baker_.metal(source.get(), false, SIDE, SIDE, metallic.get(), woven ? weave.get() : 0, CancelToken());
+    for (int level = 0; (SIDE >> level) > 0; ++level) {
+      const glm::ivec2 size = sizeAt(color, level);
+      const auto pixels = read<std::uint8_t>(baked, level, size);
+      for (int i = 0; i < size.x * size.y; ++i) {
+        const glm::dvec4 mean = meanOver(color, {i % size.x, i / size.x}, size, [&](int x, int y) {
+          const double m = texelAt(metalness, x, y).z;
+          return m * glm::dvec4(glm::dvec3(texelAt(color, x, y)), woven ? texelAt(yarns, x, y).w : 1.0);
+        });
+        for (int c = 0; c < 4; ++c) EXPECT_NEAR(pixels[std::size_t(i * 4 + c)], 255 * mean[c], 0.6) << level;
+      }
+    }
+  }
+}
+
+TEST_F(TextureBake, MetalOfAnSrgbColourIsAveragedLinearly) {
+  const Image8 color = imageOf(8, 8, [](double u, double) { return glm::vec4(u < 0.5 ? 1.0f : 0.2f, 0, 0, 1); });
+  const Image8 metalness = imageOf(8, 8, [](double u, double) { return glm::vec4(0, 0, u < 0.5, 1); });
+  const gl::Texture source = upload(color, GL_SRGB8_ALPHA8), metallic = upload(metalness, GL_RGBA8);
+  const gl::Texture baked = baker_.metal(source.get(), true, 8, 8, metallic.get(), 0, CancelToken());
+  const auto last = read<std::uint8_t>(baked, 3, {1, 1});
+  EXPECT_NEAR(last[0], 188, 1);  // a half, encoded
+  EXPECT_NEAR(last[3], 127.5, 1);
+}
+
 }  // namespace
 }  // namespace telar
