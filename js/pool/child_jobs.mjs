@@ -85,6 +85,13 @@ export class ChildJobs {
       this.#running = undefined;
       this.#asked.clear();
     }
+    await this.#tellObjects();
+  }
+
+  /** GL names that are alive after a job: one that leaves some behind shows in `pool.workers`. A renderer that has ended has none to tell. */
+  async #tellObjects() {
+    const glObjects = await this.#renderer.liveObjects().catch(() => undefined);
+    if (glObjects !== undefined) this.#answer({ glObjects });
   }
 
   /** Nothing of what comes after a failed allocation is told: GL drivers go on without looking, and parsers call it a fault of the file. */

@@ -54,6 +54,8 @@ export interface WorkerFacts {
   state: 'starting' | 'idle' | 'busy';
   /** That it was given. */
   jobs: number;
+  /** GL names (textures, buffers, programs, ...) that it held after its last job: flat where nothing leaks. */
+  glObjects: number;
   /** What it gave up, and what the kernel refused; empty while it starts. */
   isolation: IsolationStep[];
 }

@@ -58,10 +58,11 @@ class Pool {
   }
 
   get workers() {
-    return this.#workers.all.map(({ pid, facts, isBusy, jobs }) => ({
+    return this.#workers.all.map(({ pid, facts, isBusy, jobs, glObjects }) => ({
       pid,
       state: facts ? (isBusy ? 'busy' : 'idle') : 'starting',
       jobs,
+      glObjects,
       isolation: facts?.isolation ?? [],
     }));
   }

@@ -35,6 +35,8 @@ export class WorkerProcess {
   ended;
   held;
   jobs = 0;
+  /** GL names that it held after its last job. */
+  glObjects = 0;
   /** Whether it draws no more: an allocation of it failed, and its pictures may be wrong; or its GL context was lost. */
   isSpoiled = false;
   hasEnded = false;
@@ -148,6 +150,7 @@ export class WorkerProcess {
       this.facts = message.ready;
       this.#opened.resolve(message.ready);
     } else if (message.failed) this.#opened.reject(fromNative(message.failed));
+    else if (message.glObjects !== undefined) this.glObjects = Number(message.glObjects);
     else {
       this.isSpoiled ||= message.isSpoiled === true;
       if (this.#job?.take(message, parts)) this.#free();

@@ -1,6 +1,7 @@
 // A model, .glb or .gltf, as loadBytes() takes it: the container, the schema, Draco, meshopt and the images inside.
 // Whatever is no Error of telar ends the program. The mutator changes the JSON of a .glb as JSON, or else bytes
-// anywhere.
+// anywhere. With TELAR_FUZZ_BUFFERS it leaves the JSON of a .glb as it is, so that all goes to the decoders of its
+// buffers.
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -45,11 +46,26 @@ std::size_t replaceJson(std::uint8_t* data, std::size_t size, std::size_t most, 
   return total;
 }
 
+#ifdef TELAR_FUZZ_BUFFERS
+/// Changes what lies behind the JSON and its chunk's header; what is cut off is 0, so that every length holds.
+bool changeBuffers(std::uint8_t* data, std::size_t size, std::size_t json) {
+  constexpr std::size_t CHUNK = 8;
+  const std::size_t begin = HEADER + json + CHUNK;
+  if (begin >= size) return false;
+  const std::size_t left = LLVMFuzzerMutate(data + begin, size - begin, size - begin);
+  std::fill(data + begin + left, data + size, std::uint8_t{0});
+  return true;
+}
+#else
+bool changeBuffers(std::uint8_t*, std::size_t, std::size_t) { return false; }
+#endif
+
 }  // namespace
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
   telar::fuzz::Random random(seed);
   const std::optional<std::size_t> length = jsonLength(data, size);
+  if (length && changeBuffers(data, size, *length)) return size;
   if (!length || random() % 2) return LLVMFuzzerMutate(data, size, most);
   const std::string text(reinterpret_cast<const char*>(data) + HEADER, *length);
   std::string json = telar::fuzz::changed(text, most, random);

@@ -15,8 +15,9 @@ import { makeCases } from '../robust/make_cases.mjs';
 const MOST_BYTES = 65_536;
 const SHOTS = new URL('../cpp/shot/resolved_shots.json', import.meta.url);
 
+const side = { width: 24, height: 16 };
+
 async function images() {
-  const side = { width: 24, height: 16 };
   const noise = Buffer.from(Array.from({ length: 24 * 16 * 4 }, (_, i) => (Math.imul(i, 2654435761) >>> 24) & 255));
   const base = () => sharp(noise, { raw: { ...side, channels: 4 } });
   return Promise.all([
@@ -28,13 +29,17 @@ async function images() {
     base().greyscale().jpeg().toBuffer(),
     base().webp().toBuffer(),
     base().webp({ lossless: true }).toBuffer(),
+  ]);
+}
+
+const ktx2 = () =>
+  Promise.all([
     uastcKtx2(picture()),
     etc1sKtx2(picture(64, 64), { alpha: true }),
     rawKtx2(picture()),
     rawFormatKtx2('rgba16f', picture(), { zstd: true }),
     blockKtx2('bc7-srgb', picture()),
   ]);
-}
 
 async function models() {
   const made = await Promise.all(Object.values(MODELS).map((make) => make()));
@@ -43,9 +48,22 @@ async function models() {
 
 const shots = async () => Object.values(JSON.parse(readFileSync(SHOTS, 'utf8'))).map((shot) => Buffer.from(JSON.stringify(shot)));
 
+const made = (names) => Promise.all(names.map((name) => MODELS[name]()));
+const draco = () => made(Object.keys(MODELS).filter((name) => name.startsWith('draco')));
+const meshopt = async () => [meshoptTorus(), meshoptTorus({ extension: 'KHR_meshopt_compression' })];
+
+/** The same texels in flat rows and in runs. */
+function environments() {
+  const { width, height } = side;
+  const head = Buffer.from(`#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y ${height} +X ${width}\n`);
+  const flat = Buffer.from(Array.from({ length: width * height * 4 }, (_, i) => (i % 4 === 3 ? 128 : 40 + (i % 200))));
+  const row = Buffer.from([2, 2, 0, width, ...[200, 100, 50, 129].flatMap((value) => [128 + 20, value, 4, 1, 2, 3, 4])]);
+  return [Buffer.concat([head, flat]), Buffer.concat([head, ...Array(height).fill(row)])];
+}
+
 /** Seeds by target. @type {Record<string, () => Promise<Uint8Array[]>>} */
 export const SEEDS = Object.fromEntries(
-  Object.entries({ model: models, image: images, shot: shots }).map(([name, make]) => [
+  Object.entries({ model: models, draco, meshopt, image: images, ktx2, environment: environments, shot: shots }).map(([name, make]) => [
     name,
     async () => (await make()).filter(({ length }) => length <= MOST_BYTES),
   ]),

@@ -88,6 +88,8 @@ test('an allocation that failed is counted, of another allocator too; planted: w
 });
 
 const lost = () => Promise.reject(new TelarError('X_GL_LOST', 'the GL context was lost'));
+const liveObjects = async () => 0;
+
 for (const [method, renderer] of [
   ['factsOf', { factsOf: lost }],
   ['renderAll', { renderAll: async () => [{ status: 'rejected', reason: new TelarError('X_GL_LOST', 'the GL context was lost') }] }],
@@ -95,7 +97,7 @@ for (const [method, renderer] of [
   test(`a worker whose GL context was lost is replaced: ${method}; planted: of another error it stays`, async () => {
     const toldOf = async (from) => {
       const told = [];
-      const jobs = new ChildJobs(from, { outputBytes: 1, limits: {} }, { answer: (answer) => told.push(answer), isSpoiled: () => false });
+      const jobs = new ChildJobs({ ...from, liveObjects }, { outputBytes: 1, limits: {} }, { answer: (answer) => told.push(answer), isSpoiled: () => false });
       const loading = { failOn: 'error' };
       jobs.take({ job: { id: 1, method, input: { path: 'a' }, shots: [{}], settled: true, loading } }, []);
       await until(() => told.length > 0);
@@ -112,7 +114,7 @@ for (const [method, renderer] of [
 test('what a worker finds after a failed allocation is not told; planted: one that does not look tells it', async () => {
   const endOf = async (isSpoiled, factsOf) => {
     const told = [];
-    const jobs = new ChildJobs({ factsOf }, { outputBytes: 1, limits: {} }, { answer: (answer) => told.push(answer), isSpoiled });
+    const jobs = new ChildJobs({ factsOf, liveObjects }, { outputBytes: 1, limits: {} }, { answer: (answer) => told.push(answer), isSpoiled });
     jobs.take({ job: { id: 1, method: 'factsOf', input: { path: 'a' }, shots: [{}] } }, []);
     await until(() => told.length > 0);
     const [{ value, error, isSpoiled: isOver = false }] = told;

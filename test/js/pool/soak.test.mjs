@@ -7,7 +7,7 @@ import '../api/support/real.mjs';
 
 const MIB = 2 ** 20;
 
-test('renders and hostile files in turns: each ends as before, no worker is lost, threads and descriptors stay as many', async () => {
+test('renders and hostile files in turns: each ends as before, no worker is lost, threads, descriptors and GL names stay as many', async () => {
   const result = await soak({ renders: 120, looks: 6 });
   assert.deepEqual(judgeSoak(result).faults, []);
   assert.ok(result.outcomes.picture > 60 && Object.keys(result.outcomes).length > 4, JSON.stringify(result.outcomes));
@@ -17,7 +17,9 @@ test('renders and hostile files in turns: each ends as before, no worker is lost
 const looksOf = (change = (facts) => facts) =>
   Array.from({ length: 20 }, (_, i) => ({
     renders: 500 * (i + 1),
-    processes: [0, 1, 2].map((which) => change({ bytes: (300 + ((i * 7) % 5)) * MIB, threads: 12, descriptors: 20 }, which, i)),
+    processes: [0, 1, 2].map((which) =>
+      change({ bytes: (300 + ((i * 7) % 5)) * MIB, threads: 12, descriptors: 20, ...(which > 0 && { glObjects: 60 + (i % 3) }) }, which, i),
+    ),
   }));
 const FLAT = { changed: [], lost: 0 };
 const faultsOf = (change, facts = {}) => judgeSoak({ ...FLAT, looks: looksOf(change), ...facts }).faults;
@@ -38,6 +40,10 @@ test('planted leaks are found, and what is no leak is not', () => {
   assert.deepEqual(
     faultsOf((facts, which, i) => ({ ...facts, threads: 12 + (isLast(which) && i > 11 ? 1 : 0) })),
     ['worker 2 has 13 threads in place of 12'],
+  );
+  assert.deepEqual(
+    faultsOf((facts, which, i) => ({ ...facts, ...(isLast(which) && { glObjects: 60 + 2 * i }) })),
+    ['worker 2 has 86 glObjects in place of 72'],
   );
   const step = (facts, which, i) => ({ ...facts, bytes: facts.bytes + (isLast(which) && i > 10 ? 40 * MIB : 0) });
   assert.deepEqual(faultsOf(step), [], 'one large file, and flat again');
