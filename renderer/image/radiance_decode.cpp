@@ -94,7 +94,7 @@ ImageF decodeRadiance(Bytes file, const EnvironmentHeader& header, const CancelT
     const std::uint8_t* row = rows.next().data();
     for (std::size_t x = 0; x < header.width; ++x, texel += 4) {
       const float f = scale[row[3 * std::size_t{header.width} + x]];
-      for (std::size_t channel = 0; channel < 3; ++channel) texel[channel] = row[channel * header.width + x] * f;
+      for (std::size_t channel = 0; channel < 3; ++channel) texel[channel] = float(row[channel * header.width + x]) * f;
     }
   }
   return out;
