@@ -44,6 +44,7 @@ export class ChildJobs {
   #isSpoiled;
   #models = new Map();
   #running;
+  #glObjects = 0;
   #asked = new Map();
 
   /**
@@ -88,10 +89,12 @@ export class ChildJobs {
     await this.#tellObjects();
   }
 
-  /** GL names that are alive after a job: one that leaves some behind shows in `pool.workers`. A renderer that has ended has none to tell. */
+  /** How many GL names are alive after a job, where they are more or fewer than before: `pool.workers` shows it. A renderer that has ended has none to tell. */
   async #tellObjects() {
-    const glObjects = await this.#renderer.liveObjects().catch(() => undefined);
-    if (glObjects !== undefined) this.#answer({ glObjects });
+    const glObjects = await this.#renderer.liveObjects().catch(() => this.#glObjects);
+    if (glObjects === this.#glObjects) return;
+    this.#glObjects = glObjects;
+    this.#answer({ glObjects });
   }
 
   /** Nothing of what comes after a failed allocation is told: GL drivers go on without looking, and parsers call it a fault of the file. */

@@ -10,6 +10,10 @@ const MIB = 2 ** 20;
 test('renders and hostile files in turns: each ends as before, no worker is lost, threads, descriptors and GL names stay as many', async () => {
   const result = await soak({ renders: 120, looks: 6 });
   assert.deepEqual(judgeSoak(result).faults, []);
+  assert.ok(
+    result.looks.every(({ processes: [, ...workers] }) => workers.every(({ glObjects }) => glObjects > 0)),
+    'workers tell their GL names',
+  );
   assert.ok(result.outcomes.picture > 60 && Object.keys(result.outcomes).length > 4, JSON.stringify(result.outcomes));
 });
 
