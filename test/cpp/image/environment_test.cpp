@@ -53,6 +53,15 @@ TEST(Environment, HdrRunsAreThoseOfFlatRows) {
   }
 }
 
+// 128 literals are the most of one code; from 129 on it is a run.
+TEST(Environment, HdrCodeOf128IsLiterals) {
+  std::vector<std::uint8_t> row{2, 2, 0, 128, 128}, flat;
+  for (int x = 0; x < 128; ++x)
+    row.push_back(std::uint8_t(2 * x)), flat.insert(flat.end(), {std::uint8_t(2 * x), 0, 0, 129});
+  for (const std::uint8_t value : {0, 0, 129}) row.insert(row.end(), {255, value, 129, value});  // runs of 127 and 1
+  EXPECT_EQ(redsOf(flatHdr(128, 1, row)), redsOf(flatHdr(128, 1, flat)));
+}
+
 TEST(Environment, HdrRunsThatFitNoRowAreRefused) {
   const std::vector<std::uint8_t> whole{2, 2, 0, 8, 136, 1, 136, 1, 136, 1, 136, 129};
   EXPECT_EQ(codeOf([&] { telar::readEnvironment(flatHdr(8, 1, whole), {}, {}); }), "");
