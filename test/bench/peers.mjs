@@ -94,7 +94,7 @@ const fileOf = (name, model) => {
   return file;
 };
 
-const browser = await Browser.start();
+const browser = await Browser.start({ isMeasured: true });
 for (const { name, model, side = 512 } of values.more ? [] : CASES) {
   const shot = { size: { width: side, height: side } };
   const file = fileOf('model', model);
@@ -170,7 +170,7 @@ for (let i = 0; i < Math.ceil(RUNS / 3); ++i) {
   let fresh;
   theirs.push(
     await measured(cpuBelow, async () => {
-      fresh = await Browser.start();
+      fresh = await Browser.start({ isMeasured: true });
       await fresh.draw({ shot, model: TSHIRT, environment });
     }),
   );

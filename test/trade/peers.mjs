@@ -43,7 +43,7 @@ export async function measurePeers(folder, { version, write }) {
   const truth = (await renderer.render(scene.source, { ...shown, quality: TRUTH }, { timeoutMs: null })).data;
   await renderer.close();
 
-  const browser = await Browser.start();
+  const browser = await Browser.start({ isMeasured: true });
   const environment = readFileSync(path.join(ASSETS, 'studio.hdr'));
   const drawn = { model: scene.source, environment, keepPrograms: true };
   const { image } = await browser.draw({ ...drawn, shot: shown });

@@ -3,25 +3,18 @@ import { once } from 'node:events';
 import { createInterface } from 'node:readline';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
+import { COMMON_FLAGS, PLAIN_PAGE_FLAGS, RASTERIZER_FLAGS } from '../../parity/browser/flags.mjs';
 import '../api/support/real.mjs';
 import '../built.mjs';
 
 export const SHIRT = fileURLToPath(new URL('../../../js/assets/tshirt.glb', import.meta.url));
 export const CLI = fileURLToPath(new URL('../../../js/cli/telar.mjs', import.meta.url));
 
-const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
-
-/** As test/parity/browser/chromium.mjs: by Mesa the same llvmpipe draws both pictures. */
-const RASTERIZER_FLAGS = {
-  mesa: ['--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'],
-  swiftshader: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
-};
-
 /** @param {keyof typeof RASTERIZER_FLAGS} [rasterizer] */
 export const launchChromium = (rasterizer = 'mesa') =>
   chromium.launch({
     executablePath: process.env.TELAR_CHROMIUM ?? '/usr/bin/chromium',
-    args: [...FLAGS, ...RASTERIZER_FLAGS[rasterizer]],
+    args: [...COMMON_FLAGS, ...RASTERIZER_FLAGS[rasterizer], ...PLAIN_PAGE_FLAGS],
   });
 
 /** Milliseconds: a page that is not done then will not be, on however busy a machine. */

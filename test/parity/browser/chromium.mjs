@@ -1,14 +1,7 @@
 import { chromium } from 'playwright-core';
 import { serial } from '../serial.mjs';
+import { COMMON_FLAGS, PLAIN_PAGE_FLAGS, RASTERIZER_FLAGS } from './flags.mjs';
 import { startServer } from './server.mjs';
-
-const COMMON_FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
-
-/** Flags by rasteriser. `mesa` is the one that parity is judged on: the server draws with the same llvmpipe. */
-const RASTERIZER_FLAGS = {
-  mesa: ['--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'],
-  swiftshader: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
-};
 
 /** Executable: TELAR_CHROMIUM, else Debian's. */
 const executablePath = () => process.env.TELAR_CHROMIUM ?? '/usr/bin/chromium';
@@ -29,6 +22,7 @@ export class Browser {
   /**
    * @param {object} [options]
    * @param {'mesa' | 'swiftshader'} [options.rasterizer]
+   * @param {boolean} [options.isMeasured] - Draws the page around WebGL by GL as well, as browsers do: what it costs is compared.
    * @param {string} [options.three] - Folder of the three.js to draw with; the development dependency where it is left out.
    * @param {Map<string, string>} [options.edited] - Texts in place of files of that folder, by their path in it.
    * @param {string} [options.page] - The page, from the project's root.
@@ -36,12 +30,12 @@ export class Browser {
    * @returns {Promise<Browser>}
    * @throws {Error} With the cure, when Chromium cannot be started.
    */
-  static async start({ rasterizer = 'mesa', ...options } = {}) {
+  static async start({ rasterizer = 'mesa', isMeasured = false, ...options } = {}) {
     let browser;
     try {
       browser = await chromium.launch({
         executablePath: executablePath(),
-        args: [...COMMON_FLAGS, ...RASTERIZER_FLAGS[rasterizer]],
+        args: [...COMMON_FLAGS, ...RASTERIZER_FLAGS[rasterizer], ...(isMeasured ? [] : PLAIN_PAGE_FLAGS)],
       });
     } catch (cause) {
       const cure = 'install it with "apt-get install chromium", or name another one in TELAR_CHROMIUM';
