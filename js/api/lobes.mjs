@@ -45,7 +45,15 @@ async function sceneOf(native, { model, material }, signal) {
 }
 
 /** {diffuse: [r, g, b], ...} of the numbers from `start`. */
-const lobesAt = (numbers, start) => Object.fromEntries(LOBES.map((lobe, i) => [lobe, [...numbers.subarray(start + i * 3, start + i * 3 + 3)]]));
+function lobesAt(numbers, start) {
+  const lobes = {};
+  let at = start;
+  for (const lobe of LOBES) {
+    lobes[lobe] = [numbers[at], numbers[at + 1], numbers[at + 2]];
+    at += 3;
+  }
+  return lobes;
+}
 
 /** Documented in js/index.d.ts. */
 export async function evaluateShading(options) {

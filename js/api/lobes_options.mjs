@@ -5,7 +5,7 @@ const DIRECTIONS_MAX = 65536;
 const UNIT_TOLERANCE = 1e-6;
 
 const isDirection = (value) =>
-  Array.isArray(value) && value.length === 3 && value.every(Number.isFinite) && Math.abs(Math.hypot(...value) - 1) <= UNIT_TOLERANCE;
+  Array.isArray(value) && value.length === 3 && value.every(Number.isFinite) && Math.abs(Math.hypot(value[0], value[1], value[2]) - 1) <= UNIT_TOLERANCE;
 
 function checkDirections(directions) {
   if (!Array.isArray(directions) || directions.length > DIRECTIONS_MAX) {

@@ -33,72 +33,75 @@ function lobesOf({ roughness = 0.5, anisotropy = [0, 0], weave }) {
 
 /**
  * Directions and their weights dl: normals of a GGX lobe, whose slopes are r (width cos, width sin) with r² = u / (1 - u) for an even u, about
- * which the viewer is mirrored. They are dense where the lobe is narrow and reach all of the hemisphere.
+ * which the viewer is mirrored. They are dense where the lobe is narrow and reach all of the hemisphere. Some rings at once: no more
+ * of them are held than are asked for together.
  */
-function slopeGrid({ turn, widths: [a, b] }, v, rings, sectors) {
-  const directions = [];
-  const weights = [];
-  for (let i = 0; i < rings; i += 1) {
-    // Both ends are drawn out, where the lobe's centre and its far slopes lie.
-    const s = (i + 0.5) / rings;
-    const u = s * s * s * (s * (6 * s - 15) + 10);
-    const du = (30 * s * s * (1 - s) ** 2) / rings;
-    const r = Math.sqrt(u / (1 - u));
-    for (let j = 0; j < sectors; j += 1) {
-      const phi = (2 * Math.PI * (j + 0.5)) / sectors;
-      const [x, y] = [a * r * Math.cos(phi), b * r * Math.sin(phi)];
-      const length = Math.hypot(x, y, 1);
-      const h = [(x * Math.cos(turn) - y * Math.sin(turn)) / length, (x * Math.sin(turn) + y * Math.cos(turn)) / length, 1 / length];
-      const VoH = h[0] * v[0] + h[2] * v[2];
-      const l = h.map((c, k) => 2 * VoH * c - v[k]);
-      if (!(VoH > 0) || !(l[2] > 0)) continue;
-      const norm = Math.hypot(...l);
-      directions.push(l.map((c) => c / norm));
-      // dx dy = a b r dr dphi, dr² = du / (1 - u)²; dh = h.z³ dx dy; dl = 4 VoH dh.
-      weights.push((4 * VoH * a * b * du * Math.PI) / ((1 - u) ** 2 * sectors * length ** 3));
+function* slopeGrid({ turn, widths: [a, b] }, v, rings, sectors) {
+  for (let first = 0; first < rings; first += RINGS_AT_ONCE) {
+    const directions = [];
+    const weights = [];
+    for (let i = first; i < Math.min(first + RINGS_AT_ONCE, rings); i += 1) {
+      // Both ends are drawn out, where the lobe's centre and its far slopes lie.
+      const s = (i + 0.5) / rings;
+      const u = s * s * s * (s * (6 * s - 15) + 10);
+      const du = (30 * s * s * (1 - s) ** 2) / rings;
+      const r = Math.sqrt(u / (1 - u));
+      for (let j = 0; j < sectors; j += 1) {
+        const phi = (2 * Math.PI * (j + 0.5)) / sectors;
+        const [x, y] = [a * r * Math.cos(phi), b * r * Math.sin(phi)];
+        const length = Math.hypot(x, y, 1);
+        const h = [(x * Math.cos(turn) - y * Math.sin(turn)) / length, (x * Math.sin(turn) + y * Math.cos(turn)) / length, 1 / length];
+        const VoH = h[0] * v[0] + h[2] * v[2];
+        const l = [2 * VoH * h[0] - v[0], 2 * VoH * h[1] - v[1], 2 * VoH * h[2] - v[2]];
+        if (!(VoH > 0) || !(l[2] > 0)) continue;
+        const norm = Math.hypot(l[0], l[1], l[2]);
+        directions.push([l[0] / norm, l[1] / norm, l[2] / norm]);
+        // dx dy = a b r dr dphi, dr² = du / (1 - u)²; dh = h.z³ dx dy; dl = 4 VoH dh.
+        weights.push((4 * VoH * a * b * du * Math.PI) / ((1 - u) ** 2 * sectors * length ** 3));
+      }
     }
+    yield { directions, weights };
   }
-  return { directions, weights };
 }
 
-const weighted = (radiance, weights, lobe) => radiance.reduce((sum, lobes, i) => sum + lobes[lobe][0] * weights[i], 0);
+const RINGS_AT_ONCE = 10;
 
 const WIDE = { turn: 0, widths: [1, 1] };
 
 /** Albedo by lobe. The highlight is on a grid for each set of yarns and a wide one, which share it by how dense they are. */
 async function integrated(material, options, rings, sectors) {
   const v = [Math.sin(options.viewAngle), 0, Math.cos(options.viewAngle)];
-  const over = async (lobe) => {
-    const { directions, weights } = slopeGrid(lobe, v, rings, sectors);
-    return { weights, directions, ...(await evaluateShading({ ...options, directions })) };
-  };
   const base = [...lobesOf(material), WIDE];
-  const shares = base.map((lobe) => (l) => densityOf(lobe, v, l));
-  const parts = await Promise.all(base.map(over));
-  const specular = parts.reduce(
-    (sum, { directions, weights, radiance }, i) =>
-      sum +
-      radiance.reduce((part, lobes, k) => {
-        const all = shares.reduce((total, share) => total + share(directions[k]), 0);
-        return part + (lobes.specular[0] * weights[k] * shares[i](directions[k])) / all;
-      }, 0),
-    0,
-  );
-  const wide = parts.at(-1);
-  const coat = material.coat === undefined ? 0 : await over({ turn: 0, widths: [alphaOf(material.coat), alphaOf(material.coat)] });
-  return {
-    specular,
-    diffuse: weighted(wide.radiance, wide.weights, 'diffuse'),
-    sheen: weighted(wide.radiance, wide.weights, 'sheen'),
-    coat: coat && weighted(coat.radiance, coat.weights, 'coat'),
+  const sums = { specular: 0, diffuse: 0, sheen: 0, coat: 0 };
+  const over = async (grid, add) => {
+    for (const { directions, weights } of slopeGrid(grid, v, rings, sectors)) {
+      const { radiance } = await evaluateShading({ ...options, directions });
+      radiance.forEach((lobes, i) => add(lobes, weights[i], directions[i]));
+    }
   };
+  for (const grid of base) {
+    const share = (l) => densityOf(grid, v, l) / base.reduce((total, other) => total + densityOf(other, v, l), 0);
+    await over(grid, (lobes, weight, l) => {
+      sums.specular += lobes.specular[0] * weight * share(l);
+      if (grid !== WIDE) return;
+      sums.diffuse += lobes.diffuse[0] * weight;
+      sums.sheen += lobes.sheen[0] * weight;
+    });
+  }
+  if (material.coat !== undefined) {
+    const coat = alphaOf(material.coat);
+    await over({ turn: 0, widths: [coat, coat] }, (lobes, weight) => {
+      sums.coat += lobes.coat[0] * weight;
+    });
+  }
+  return sums;
 }
 
 /** How dense the grid's directions lie about one of them, but for a factor that all lobes have. */
 function densityOf({ turn, widths: [a, b] }, v, l) {
-  const h = l.map((c, k) => c + v[k]);
-  const [x, y] = [h[0] * Math.cos(turn) + h[1] * Math.sin(turn), h[1] * Math.cos(turn) - h[0] * Math.sin(turn)];
-  return 1 / (a * b * ((x / a) ** 2 + (y / b) ** 2 + h[2] ** 2) ** 2);
+  const [hx, hy, hz] = [l[0] + v[0], l[1] + v[1], l[2] + v[2]];
+  const [x, y] = [hx * Math.cos(turn) + hy * Math.sin(turn), hy * Math.cos(turn) - hx * Math.sin(turn)];
+  return 1 / (a * b * ((x / a) ** 2 + (y / b) ** 2 + hz ** 2) ** 2);
 }
 
 const yarns = (coverage, roughnessFactor, anisotropyStrength) => ({ coverage, roughnessFactor, anisotropyStrength });
