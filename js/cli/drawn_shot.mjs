@@ -2,6 +2,7 @@ import path from 'node:path';
 import { readImage } from '../compare/index.mjs';
 import { TelarError, toTelarError } from '../error/index.mjs';
 import { ANY_MODEL } from '../shot/facts.mjs';
+import { faultyFile } from './faulty_file.mjs';
 import { readTimeout } from './limits.mjs';
 import { withPathsFrom } from './shot_options.mjs';
 
@@ -41,19 +42,19 @@ export async function openShotOf(file, shot, { model, environment, backend, time
     async draw(shading) {
       const changed = shading === undefined ? wanted : { ...wanted, shading };
       loaded ??= await named(model, () => renderer.load(model, { signal }));
-      const { data } = await named(model, () => renderer.render(loaded, changed, { signal }));
+      const { data } = await named(model, () => renderer.render(loaded, changed, { signal }), changed);
       return readImage(data, { limits, signal });
     },
     close: () => renderer.close(),
   };
 }
 
-/** @throws {TelarError} with the model's name in front */
-async function named(model, work) {
+/** @throws {TelarError} with the name of the model in front, or of the environment */
+async function named(model, work, shot = {}) {
   try {
     return await work();
   } catch (thrown) {
     const error = toTelarError(thrown);
-    throw new TelarError(error.code, `${model}: ${error.message}`, error);
+    throw new TelarError(error.code, `${faultyFile(error, model, shot)}: ${error.message}`, error);
   }
 }

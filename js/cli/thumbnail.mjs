@@ -5,6 +5,7 @@ import { isGoal } from '../shot/quality.mjs';
 import { isAnimation, writeAnimation } from './animation.mjs';
 import { removeUnfinished, sweepStale, writeFileAtomically } from '../api/atomic_file.mjs';
 import { Drawing } from './draw_jobs.mjs';
+import { faultyFile } from './faulty_file.mjs';
 import { makeJobs } from './jobs.mjs';
 import { maxFileBytes, readLimits, readTimeout, readWorkers } from './limits.mjs';
 import { readManifest } from './manifest.mjs';
@@ -181,12 +182,14 @@ function tellFaults(results, console) {
     said.add(text);
   };
   for (const {
-    job: { model, where },
+    job: { model, where, shot },
     error,
     info,
   } of results) {
-    const about = where === undefined ? model : `${where}: ${model}`;
-    if (error) once(`${about} ${error.code} ${error.message}`, () => console.error(error, about));
+    const at = (file) => (where === undefined ? file : `${where}: ${file}`);
+    const about = at(model);
+    const faulty = at(faultyFile(error, model, shot));
+    if (error) once(`${faulty} ${error.code} ${error.message}`, () => console.error(error, faulty));
     for (const warning of info?.warnings ?? []) once(`${model} ${JSON.stringify(warning)}`, () => console.warning(warning, about));
   }
 }

@@ -26,5 +26,11 @@ export function defaultSize(memoryBytes, { cores = os.availableParallelism(), to
   return Math.max(1, Math.min(cores, Math.floor((PART_OF_MEMORY * totalBytes) / memoryBytes)));
 }
 
-/** Threads of llvmpipe in each of so many workers: together as many as there are cores. */
-export const threadsOfEach = (size, cores = os.availableParallelism()) => Math.max(1, Math.floor(cores / size));
+/**
+ * Threads of llvmpipe in each of so many workers: together as many as there are cores. 0 where that is one: the thread that draws rasterises too, and
+ * hands nothing to another.
+ */
+export function threadsOfEach(size, cores = os.availableParallelism()) {
+  const share = Math.floor(cores / size);
+  return share > 1 ? share : 0;
+}

@@ -14,15 +14,18 @@ Error unsupported(const std::string& what) {
   return Error("E_ENVIRONMENT_FORMAT", "the environment " + what + "; save it as an equirectangular .hdr or .exr map");
 }
 
-/// Radiance picture format: text lines, an empty line, then "-Y height +X width".
+/// Radiance picture format: text lines, an empty line, then "-Y height +X width". Lines end with LF, or with CR and LF,
+/// as three.js reads them.
 class HdrLines {
  public:
   explicit HdrLines(Bytes file) : text_(reinterpret_cast<const char*>(file.data()), file.size()) {}
 
   std::string_view next() {
     const std::size_t end = text_.substr(0, HDR_HEADER_MAX).find('\n', position_);
-    if (end == std::string_view::npos) throw damagedEnvironment(".hdr header does not end", position_);
-    const std::string_view line = text_.substr(position_, end - position_);
+    if (end == std::string_view::npos)
+      throw damagedEnvironment(".hdr header has no empty line and size line at its end", position_);
+    std::string_view line = text_.substr(position_, end - position_);
+    if (line.ends_with('\r')) line.remove_suffix(1);
     position_ = end + 1;
     return line;
   }

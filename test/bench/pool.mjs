@@ -17,18 +17,25 @@ const glb = readFileSync(file);
 const say = (line) => process.stdout.write(`${line}\n`);
 const mib = (bytes) => `${Math.round(bytes / 2 ** 20)} MiB`;
 
-/** Median wall time and mean CPU of this process and of the given ones, one thumbnail after the other. */
-async function oneByOne(to, pids = () => []) {
-  for (let i = 0; i < WARM_UP; ++i) await to.render(glb, SHOT);
-  const used = async () => (await Promise.all([process.pid, ...pids()].map(cpuMs))).reduce((sum, each) => sum + each);
-  const before = await used();
-  const times = [];
-  for (let i = 0; i < COUNT; ++i) {
-    const start = performance.now();
-    await to.render(glb, SHOT);
-    times.push(performance.now() - start);
+/** One thumbnail after the other, in the renderer and in the pool in turns: what else runs on the machine meets both. Told: median wall time, mean CPU. */
+async function inTurns(renderer, pool) {
+  const [{ pid }] = pool.workers;
+  const own = () => {
+    const { user, system } = process.cpuUsage();
+    return (user + system) / 1000;
+  };
+  const turns = [renderer, pool].map((to) => ({ to, times: [], all: 0, here: 0 }));
+  for (let i = -WARM_UP; i < COUNT; ++i) {
+    for (const turn of i % 2 ? turns : turns.toReversed()) {
+      const [start, here, there] = [performance.now(), own(), cpuMs(pid)];
+      await turn.to.render(glb, SHOT);
+      if (i < 0) continue;
+      turn.times.push(performance.now() - start);
+      turn.here += own() - here;
+      turn.all += own() - here + cpuMs(pid) - there;
+    }
   }
-  return `${median(times).toFixed(0)} ms, ${(((await used()) - before) / COUNT).toFixed(0)} ms of CPU`;
+  return turns.map(({ times, all, here }) => ({ wall: median(times), cpu: all / COUNT, parent: here / COUNT }));
 }
 
 async function perSecond(to, atOnce) {
@@ -67,14 +74,32 @@ async function recovery() {
   return `${of(([whole]) => whole)} ms, ${of(([, drawing]) => drawing)} ms of it the drawing`;
 }
 
-const renderer = await createRenderer();
-say(`renderer, one by one:   ${await oneByOne(renderer)}`);
-say(`renderer, four at once: ${await perSecond(renderer, 4)}`);
-await renderer.close();
-for (const size of [1, 2]) {
-  const pool = await createPool({ size });
-  say(`pool of ${size}, one by one:  ${await oneByOne(pool, () => pool.workers.map(({ pid }) => pid))}`);
-  say(`pool of ${size}, four at once: ${await perSecond(pool, 4)}`);
+const one = async (count) => {
+  const pool = await createPool({ size: 1 });
+  say(`pool of 1, ${count} at once: ${await perSecond(pool, count)}`);
+  await pool.close();
+};
+
+{
+  const [renderer, pool] = [await createRenderer(), await createPool({ size: 1 })];
+  const [inProcess, pooled] = await inTurns(renderer, pool);
+  for (const [name, { wall, cpu, parent }] of Object.entries({ renderer: inProcess, 'pool of 1': pooled })) {
+    say(`${name}, in turns: ${wall.toFixed(1)} ms, ${cpu.toFixed(1)} ms of CPU${name === 'renderer' ? '' : `, ${parent.toFixed(1)} ms of it in the parent`}`);
+  }
+  const more = 100 * (pooled.cpu / inProcess.cpu - 1);
+  say(`  the pool takes ${(pooled.wall - inProcess.wall).toFixed(1)} ms and ${more.toFixed(1)} % of CPU more`);
+  await pool.close();
+  for (const count of [1, 4]) say(`renderer, ${count} at once: ${await perSecond(renderer, count)}`);
+  await renderer.close();
+}
+for (const count of [1, 4]) await one(count);
+process.env.LP_NUM_THREADS = '0';
+say('on one core:');
+await one(1);
+delete process.env.LP_NUM_THREADS;
+{
+  const pool = await createPool({ size: 2 });
+  say(`pool of 2, 4 at once: ${await perSecond(pool, 4)}`);
   say(`  its workers have ${(await Promise.all(pool.workers.map(({ pid }) => residentBytes(pid)))).map(mib).join(', ')}`);
   await pool.close();
 }

@@ -78,6 +78,20 @@ TEST(Environment, HdrRunsThatFitNoRowAreRefused) {
   }
 }
 
+TEST(Environment, HdrHeaderMayHaveLinesOfWindows) {
+  const auto file = [](std::string_view end) {
+    std::string text = "#?RADIANCE|# a comment|FORMAT=32-bit_rle_rgbe||-Y 1 +X 2|";
+    for (std::size_t at; (at = text.find('|')) != std::string::npos;) text.replace(at, 1, end);
+    text.append("\xff\r\n\x80\r\n\xff\x80", 8);
+    const auto bytes = std::as_bytes(std::span(text));
+    return File(bytes.begin(), bytes.end());
+  };
+  const std::vector<float> reds = redsOf(file("\n"));
+  EXPECT_EQ(redsOf(file("\r\n")), reds);
+  EXPECT_EQ(reds[0], 1);
+  EXPECT_EQ(codeOf([&] { redsOf(file("\r")); }), "E_ENVIRONMENT_CORRUPT");
+}
+
 TEST(Environment, HdrOfAFewBytesAllocatesNoLargePicture) {
   const auto tooShort = [] { telar::readEnvironment(flatHdr(8192, 4096, {2, 2, 32, 0}), {}, {}); };
   struct rlimit before;

@@ -235,6 +235,20 @@ test('one bad file does not lose the others, whatever is crossed with it', async
   assert.match(stderr, /2 of 4 pictures drawn/);
 });
 
+test('what is wrong with an environment is told of its file, everything else of the model', async () => {
+  const at = freshFolder();
+  for (const [code, environment, named] of [
+    ['E_ENVIRONMENT_CORRUPT', 'hall.hdr', 'hall.hdr'],
+    ['L_ENVIRONMENT_PIXELS', 'hall.hdr', 'hall.hdr'],
+    ['E_ENVIRONMENT_CORRUPT', undefined, at('E_ENVIRONMENT_CORRUPT.glb')],
+    ['E_JSON', 'hall.hdr', at('E_JSON.glb')],
+  ]) {
+    fill(at, { [`${code}.glb`]: gltf() });
+    const { stderr } = await runFake(['thumbnail', at(`${code}.glb`), '-o', at('out.png'), ...(environment ? ['--environment', environment] : [])]);
+    assert.ok(stderr.includes(`telar: ${named}: it fails [${code}`), stderr);
+  }
+});
+
 test('--skip-unchanged leaves out what would be the same, and nothing else', async () => {
   const at = freshFolder();
   const drawn = async (...argv) => {
