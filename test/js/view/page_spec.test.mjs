@@ -34,11 +34,14 @@ const SPEC = {
 
 let view;
 let browser;
+/** Of all pages, which hold nothing between them but the files that they have read. */
+let context;
 before(async () => {
   writeFileSync(MODEL, strip());
   writeFileSync(FILE, `${JSON.stringify(SPEC, null, 2)}\n`);
   const shot = JSON.stringify({ view: 'three-quarter', frame: { node: 'strip' } });
   [view, browser] = await Promise.all([openView(MODEL, ['--size', '128', '--set', `camera=${shot}`, '--spec', FILE]), launchChromium()]);
+  context = await browser.newContext({ viewport: { width: 1280, height: 900 } });
 });
 after(async () => {
   await browser?.close();
@@ -363,7 +366,6 @@ const CHECKS = [
 for (const { check, fault, plant } of CHECKS) {
   const run = async (prepare) => {
     writeFileSync(FILE, `${JSON.stringify(SPEC, null, 2)}\n`);
-    const context = await browser.newContext({ viewport: { width: 1280, height: 900 } });
     const page = await context.newPage();
     page.setDefaultTimeout(30_000);
     const said = [];
@@ -375,7 +377,7 @@ for (const { check, fault, plant } of CHECKS) {
       await check(page);
       assert.deepEqual(said, []);
     } finally {
-      await context.close();
+      await page.close();
     }
   };
   test(`${check.name.replaceAll(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`)}`, () => run());
