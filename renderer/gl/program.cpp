@@ -1,8 +1,8 @@
 #include "gl/program.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <glm/gtc/type_ptr.hpp>
-#include <regex>
 #include <sstream>
 
 namespace telar::gl {
@@ -12,9 +12,12 @@ constexpr int SOURCE_LINES_AROUND = 6;
 
 /// The lines of `source` around the first line number in a driver's log ("0:123(4): error").
 std::string sourceAround(const std::string& source, const std::string& log) {
-  std::smatch match;
-  if (!std::regex_search(log, match, std::regex(R"(\d+:(\d+))"))) return "";
-  const int line = std::stoi(match[1]);
+  const auto isDigit = [&](std::size_t i) { return i < log.size() && log[i] >= '0' && log[i] <= '9'; };
+  std::size_t colon = log.find(':');
+  while (colon != std::string::npos && !(colon > 0 && isDigit(colon - 1) && isDigit(colon + 1)))
+    colon = log.find(':', colon + 1);
+  if (colon == std::string::npos) return "";
+  const int line = std::atoi(log.c_str() + colon + 1);
   std::istringstream in(source);
   std::string text, out;
   for (int i = 1; std::getline(in, text); ++i) {

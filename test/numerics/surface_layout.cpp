@@ -1,7 +1,8 @@
 // SurfaceInfo member by member, read from its declaration: a member that somebody adds is tested from then on.
+#include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <map>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -44,10 +45,14 @@ struct Member {
 
 /// The member that a line declares; empty for any other line.
 Member memberIn(const std::string& line) {
-  static const std::regex pattern(R"(^\s*(\w+)\s+(\w+)\s*;)");
-  std::smatch match;
-  if (!std::regex_search(line, match, pattern)) return {};
-  return {match[1], match[2]};
+  std::istringstream words(line.substr(0, line.find(';')));
+  Member member;
+  std::string more;
+  const auto isWord = [](const std::string& text) {
+    return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  };
+  const bool isOne = line.find(';') != std::string::npos && words >> member.type >> member.name && !(words >> more);
+  return isOne && isWord(member.type) && isWord(member.name) ? member : Member{};
 }
 
 /// Terms, which only C++ chooses at run time: of a principled shading, or of a release of three.js. Empty for any other

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
-#include <regex>
 
 #include "brdf/brdf.h"
 #include "brdf/quadrature.h"
@@ -155,9 +154,8 @@ TEST(Environment, TableOfThreeIsTheIntegralOfTheseTerms) {
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "three is not installed";
   const std::string text = readFile(path);
   std::vector<double> table;
-  const std::regex number("0x([0-9a-f]{4})");
-  for (std::sregex_iterator match(text.begin(), text.end(), number), end; match != end; ++match) {
-    table.push_back(half(static_cast<unsigned>(std::stoul((*match)[1], nullptr, 16))));
+  for (std::size_t at = text.find("0x"); at != std::string::npos; at = text.find("0x", at + 2)) {
+    table.push_back(half(static_cast<unsigned>(std::stoul(text.substr(at + 2, 4), nullptr, 16))));
   }
   ASSERT_EQ(table.size(), 16u * 16 * 2);
   for (int row = 0; row < 16; ++row) {

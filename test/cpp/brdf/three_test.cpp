@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <regex>
 
 #include "brdf/gpu_probe.h"
 #include "brdf/terms.h"
@@ -138,7 +137,11 @@ const Pair PAIRS[] = {
 std::string chunk(const std::string& name) {
   const std::string file = readFile(CHUNKS + name + ".glsl.js");
   const std::size_t begin = file.find('`') + 1;
-  return std::regex_replace(file.substr(begin, file.rfind('`') - begin), std::regex("#include[^\n]*"), "");
+  std::string text = file.substr(begin, file.rfind('`') - begin);
+  for (std::size_t at = text.find("#include"); at != std::string::npos; at = text.find("#include", at)) {
+    text.erase(at, text.find('\n', at) - at);
+  }
+  return text;
 }
 
 /// What WebGLRenderer puts around these chunks for a MeshStandardMaterial under one hemisphere light.
@@ -154,7 +157,8 @@ std::string threeText() {
     text += chunk(name);
   }
   // Exposure is an argument here; its value at the start silences drivers that see it read before it is set.
-  text = std::regex_replace(text, std::regex("uniform float toneMappingExposure"), "float toneMappingExposure = 1.0");
+  const std::string exposure = "uniform float toneMappingExposure";
+  text.replace(text.find(exposure), exposure.size(), "float toneMappingExposure = 1.0");
   return text +
          "vec3 scattering(vec2 fab, vec3 f0, float f90, int part) {\n  vec3 single = vec3(0.0), multiple = vec3(0.0);\n"
          "  computeMultiscattering(fab, f0, f90, single, multiple);\n  return part == 0 ? single : multiple;\n}\n";
