@@ -90,6 +90,9 @@ void main() {
 #endif
 #if POINT_LIGHTS + SPOT_LIGHTS + DIRECTIONAL_LIGHTS > 0
   Reflected direct = punctualLight(s);
+#if FACETS
+  direct.specular += facetLight(s);
+#endif
 #else
   Reflected direct = nothingReflected();
 #endif

@@ -16,6 +16,7 @@
 #include "bump.glsl"
 #include "relief.glsl"
 #include "facets.glsl"
+#include "facet_cell.glsl"
 #include "stretched_taps.glsl"
 #include "disney.glsl"
 #include "disney_parameters.glsl"

@@ -18,6 +18,7 @@ uniform vec3 directionalDirection[DIRECTIONAL_LIGHTS];  // to the light
 uniform vec3 directionalColor[DIRECTIONAL_LIGHTS];
 #endif
 
+#include "light/one_light.glsl"
 #if POINT_LIGHTS + SPOT_LIGHTS + DIRECTIONAL_LIGHTS > 0
 // The direction to a light at the shaded point itself is 0: the light gives nothing there.
 const vec3 NO_DIRECTION = vec3(0.0);
@@ -31,7 +32,7 @@ Reflected punctualLight(SurfaceInfo s) {
 #if CUBE_SHADOWS > 0
     color *= cubeShadowVisibility(i);
 #endif
-    sum = addPunctual(sum, s, safeNormalize(toLight, NO_DIRECTION), color);
+    sum = addLight(sum, s, safeNormalize(toLight, NO_DIRECTION), color);
   }
 #endif
 #if SPOT_LIGHTS > 0
@@ -44,7 +45,7 @@ Reflected punctualLight(SurfaceInfo s) {
 #if SPOT_SHADOWS > 0
       if (i < SPOT_SHADOWS) color *= flatShadowVisibility(i);
 #endif
-      sum = addPunctual(sum, s, l, color);
+      sum = addLight(sum, s, l, color);
     }
   }
 #endif
@@ -54,7 +55,7 @@ Reflected punctualLight(SurfaceInfo s) {
 #if FLAT_SHADOWS > SPOT_SHADOWS
     if (i < FLAT_SHADOWS - SPOT_SHADOWS) color *= flatShadowVisibility(SPOT_SHADOWS + i);
 #endif
-    sum = addPunctual(sum, s, directionalDirection[i], color);
+    sum = addLight(sum, s, directionalDirection[i], color);
   }
 #endif
   return sum;

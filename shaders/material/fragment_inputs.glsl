@@ -103,6 +103,8 @@ vec4 yarnReliefTexel() { return texture(yarnReliefMap, vNormalUv); }
 vec4 normalTexel() { return texture(normalMap, vNormalUv); }
 #if NORMAL_FACETS
 vec4 normalTexel(float lodBias) { return texture(normalMap, vNormalUv, lodBias); }
+// Its first level.
+vec4 sharpNormalTexel(vec2 uv) { return textureLod(normalMap, uv, 0.0); }
 vec2 normalMapSize() { return vec2(textureSize(normalMap, 0)); }
 #endif
 #endif

@@ -119,6 +119,7 @@ SurfaceInfo baseSurface(MaterialInputs m, Normals normals, vec3 v) {
 #endif
 #if SHADING_FABRIC && FACETS
   s.edges.share = normals.edgeShare;
+  s.facetsTold = normals.facetsTold;
 #endif
 #if SHADING_FABRIC && AMBIENT_VISIBILITY
   s.faceNormal = s.openDirection = normals.geometric;

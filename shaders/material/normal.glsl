@@ -61,8 +61,11 @@ vec2 reliefOf(vec4 texel, vec2 scale) {
 
 #if FACETS
 // Levels by which polished maps are read sharper. Between texels of the size of a pixel the sampler's mean reaches two pixels wide;
-// between those of half a pixel it is one wide.
-const float FACET_LOD_BIAS = -1.0;
+// between those of half a pixel it is one wide. A little sharper still it flickers no more than what it stands for.
+const float FACET_LOD_BIAS = -1.5;
+
+// Texels along the longer side of a pixel up to which facets are shaded place by place; where there are twice as many, none is.
+const float FACET_TEXELS = 12.0;
 
 // The flat part of a polished normal map within the pixel, and how much of it is edges. A texel that is edge alone is all there is of
 // its pixel: its lobe is its own.
@@ -76,7 +79,7 @@ Normals withFacets(Normals normals, mat3 frame, vec4 texel, float averaged, vec2
   float slope2 = texel.a / share;
   normals.shading = safeNormalize(frame * vec3(slope * scale, 1.0), frame[2]);
   normals.relief.y = max(slope2 - dot(slope, slope), 0.0) * (scale2 * averaged);
-  normals.edgeShare = edgeShare(share, slope2);
+  normals.edgeShare = edgeShare(share, slope2) * averaged;
   normals.relief.x = normals.edgeShare * (1.0 - inversesqrt(1.0 + pow2(EDGE_ALPHA)));
   return normals;
 }
@@ -120,8 +123,9 @@ Normals shadingNormals() {
 #if FACETS
   vec2 across = dFdx(vNormalUv) * normalMapSize();
   vec2 down = dFdy(vNormalUv) * normalMapSize();
-  float texels2 = max(dot(across, across), dot(down, down)) * exp2(2.0 * FACET_LOD_BIAS);
-  normals = withFacets(normals, frame, normalTexel(FACET_LOD_BIAS), saturate((texels2 - 1.0) / 3.0), normalScale);
+  float texels2 = max(dot(across, across), dot(down, down));
+  normals = withFacets(normals, frame, normalTexel(FACET_LOD_BIAS), saturate((texels2 * exp2(2.0 * FACET_LOD_BIAS) - 1.0) / 3.0), normalScale);
+  normals.facetsTold = saturate(2.0 - sqrt(texels2) / FACET_TEXELS);
 #else
 #if NORMAL_HOLES
   vec4 varied = withoutHoles(normalTexel(), shareThere());

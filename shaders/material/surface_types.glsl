@@ -33,6 +33,7 @@ struct Normals {
 #endif
 #if FACETS
   float edgeShare;         // of a polished normal map: what of the pixel is edges between facets
+  float facetsTold;        // of the light from one direction, what is shaded place by place (light/facets.glsl), [0, 1]
 #endif
 #if ANISOTROPY || WEAVE
   mat3 frame;      // columns: tangent, bitangent, geometric normal
@@ -157,6 +158,7 @@ struct SurfaceInfo {
 #endif
 #if FACETS
   EdgeLobe edges;
+  float facetsTold;           // share of light from one direction that these two highlights leave to light/facets.glsl, [0, 1]
 #endif
 #if WEAVE
   YarnLobe warp;

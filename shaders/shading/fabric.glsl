@@ -32,7 +32,7 @@ vec3 yarnsLobe(SurfaceInfo s, vec3 l, vec3 h) {
 #if FACETS
 // Highlight of the edges of a polished relief, [1/sr].
 vec3 edgesLobe(SurfaceInfo s, vec3 l, vec3 h) {
-  float kept = EDGE_KEPT * s.edges.share;
+  float kept = EDGE_KEPT * s.edges.share * (1.0 - s.facetsTold);
   return kept * isotropicLobe(s.edges.n, s.v, s.edges.NoV, saturate(dot(s.edges.n, l)), EDGE_ALPHA, s.f0, s.f90, h);
 }
 #endif
@@ -57,7 +57,7 @@ vec3 specularLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL) {
   vec3 lobe = isotropicLobe(s.n, s.v, s.NoV, NoL, s.alpha, s.f0, s.f90, h);
 #endif
 #if FACETS
-  lobe *= 1.0 - s.edges.share;
+  lobe *= (1.0 - s.edges.share) * (1.0 - s.facetsTold);
 #endif
   return lobe;
 }

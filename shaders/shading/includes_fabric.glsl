@@ -6,6 +6,7 @@
 #endif
 #if FACETS
 #include "brdf/facets.glsl"
+#include "brdf/facet_cell.glsl"
 #endif
 #if ANISOTROPY || WEAVE
 #include "brdf/yarn_energy.glsl"

@@ -1,4 +1,5 @@
-// One mip level of a map of facets (facets.glsl). Level 0 is seen from near, texel by texel: all of it counts as facet.
+// One mip level of a map of facets (facets.glsl). Level 0 is seen from near, place by place: it has the texel's normal, so that between
+// texels it blends as the normal map does, and B is no share there.
 precision highp float;
 precision highp int;
 precision highp sampler2D;
@@ -7,8 +8,11 @@ precision highp sampler2D;
 
 #if FROM_IMAGE
 vec4 momentsOfTexel(vec3 texel, vec2 at) {
-  vec2 slope = slopeOfTexel(texel);
-  return vec4(slope, 1.0, dot(slope, slope));
+  vec3 n = texel * 2.0 - 1.0;
+  float length2 = dot(n, n);
+  if (length2 <= 1e-4) return vec4(0.0, 0.0, 1.0, 0.0);
+  n.z = max(n.z, sqrt(length2) / STEEPEST);
+  return vec4(n, dot(n.xy, n.xy) / n.z);
 }
 #endif
 

@@ -44,7 +44,13 @@ const CORE = {
 };
 
 /** Counts: three.js writes numbers in place of its own names. */
-export const COUNTS = { HEMISPHERE_LIGHTS: 'NUM_HEMI_LIGHTS', RECT_LIGHTS: 'NUM_RECT_AREA_LIGHTS' };
+export const COUNTS = {
+  HEMISPHERE_LIGHTS: 'NUM_HEMI_LIGHTS',
+  RECT_LIGHTS: 'NUM_RECT_AREA_LIGHTS',
+  POINT_LIGHTS: 'NUM_POINT_LIGHTS',
+  SPOT_LIGHTS: 'NUM_SPOT_LIGHTS',
+  DIRECTIONAL_LIGHTS: 'NUM_DIR_LIGHTS',
+};
 
 const ofThree = LAYERS.filter(({ three }) => three);
 

@@ -37,7 +37,7 @@ export function withoutComments(text) {
 export function conditionNames(text) {
   const names = new Set();
   for (const line of text.split('\n')) {
-    const condition = CONDITION.exec(line)?.[1] ?? /^#define \w+ (\(.*\|\|.*\))$/.exec(line)?.[1];
+    const condition = CONDITION.exec(line)?.[1] ?? /^#define \w+ (\(.*(?:\|\||\+).*\))$/.exec(line)?.[1];
     for (const name of condition?.replaceAll(/defined\s*\(\s*\w+\s*\)/g, '').match(NAME) ?? []) names.add(name);
   }
   return names;

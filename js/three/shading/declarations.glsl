@@ -7,6 +7,7 @@
 #include "shading/includes_common.glsl"
 #include "shading/includes_FAMILY.glsl"
 #include "material/surface_info.glsl"
+#include "light/one_light.glsl"
 #include "light/area.glsl"
 #include "light/indirect.glsl"
 #include "light/occluded.glsl"

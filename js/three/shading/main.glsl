@@ -34,8 +34,11 @@ void main() {
 #undef RE_Direct
 #undef RE_Direct_RectArea
 #undef RE_IndirectSpecular
-#define RE_Direct(light, position, normal, view, coatNormal, material, reflected) telarDirect = addPunctual(telarDirect, telarSurface, lightDirection(light.direction), light.color)
+#define RE_Direct(light, position, normal, view, coatNormal, material, reflected) telarDirect = addLight(telarDirect, telarSurface, lightDirection(light.direction), light.color)
 TELAR_LIGHT_LOOPS
+#if FACETS && FACET_LIGHTS > 0
+  telarDirect.specular += facetLight(telarSurface);
+#endif
 #include <lights_fragment_maps>
 #if RECT_LIGHTS > 0
   telarDirect = addAreaLight(telarDirect, telarSurface);

@@ -20,6 +20,7 @@ const Column SHADED_ROUGHNESS{0.045, 1, {0.045, 0.089, 0.2, 0.5, 0.8, 1}};
 const Column RELIEF_LEFT{0.01, 0.5, {0.01, 0.05, 0.2, 0.5}};
 const Column WIDE{0.25, 1, {0.25, 0.64, 1}};
 const Column NARROW{0.002025, 0.25, {0.002025, 0.04, 0.25}};
+const Column LEANING{-0.5, 0.5, {-0.5, 0, 0.01, 0.5}};
 const Column MISSING{0, 0.55, {0, 0.1, 0.55}};
 const Column NXH2{1e-6, 1, {1e-6, 1e-3, 0.5, 1}};
 
@@ -112,6 +113,13 @@ std::vector<Term> clothTerms() {
       TERM("bumpAlpha2", ({DIRECTION, DIRECTION, UPWARD}), OF_ONE, true,
            vec3(bumpAlpha2(vec3(0.0, 0.0, 1.0), normalize(vec3(p[0], p[1], p[2]))))),
       TERM("facetShare", ({UNIT}), OF_ONE, true, vec3(facetShare(p[0]))),
+      TERM("facetCellLobe",
+           ({NARROW, LEANING, LEANING, LEANING, LEANING, DIRECTION, DIRECTION, UPWARD, DIRECTION, DIRECTION, UPWARD}),
+           CANCELLING, true,
+           vec3(facetCellLobe(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0), p[0], vec3(p[1], p[2], 0.0),
+                              vec3(p[3], p[4], 0.0), normalize(vec3(p[5], p[6], p[7])),
+                              normalize(vec3(p[8], p[9], p[10])),
+                              normalize(normalize(vec3(p[5], p[6], p[7])) + normalize(vec3(p[8], p[9], p[10])))))),
       TERM("edgeShare", ({UNIT, UNIT}), CANCELLING, true, vec3(edgeShare(p[0], p[1]))),
       TERM("reliefDiffuseTowards", ({UNIT, COSINE}), OF_ONE, true, vec3(reliefDiffuseTowards(p[0], p[1]))),
       TERM("reliefGloss", ({UNIT, SHADED_ROUGHNESS, COSINE}), CANCELLING, true,

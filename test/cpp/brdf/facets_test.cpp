@@ -116,6 +116,83 @@ TEST(Facets, NoEdgesChangeNothing) {
   }
 }
 
+/// A normal that turns by `across` and `down` about UP, at one of the points of a place.   i, j  [-0.5, 0.5]
+dvec3 turned(const dvec3& across, const dvec3& down, double i, double j) {
+  return glm::normalize(UP + across * i + down * j);
+}
+
+/// Light of one lobe for a place, against the mean of narrow lobes over it.   spread  factor on the turns that the lobe
+/// is told of
+double placeAgainstItsNormals(double spread, double* worst) {
+  constexpr double ALPHA = 0.05;
+  constexpr int SIDE = 64;
+  double told = 0, truth = 0;
+  *worst = 0;
+  for (const double turn : {0.0, 0.1, 0.5}) {
+    const dvec3 across(turn, 0, 0), down(0.03, 0.02, 0), v = direction(0.9, 1);
+    double sums[2] = {};
+    overHemisphere(96, [&](const dvec3& l) {
+      const dvec3 h = glm::normalize(l + v);
+      double mean = 0;
+      for (int k = 0; k < SIDE; ++k) {
+        const dvec3 n = turned(across, down, (k + 0.5) / SIDE - 0.5, std::fmod(k * 0.618, 1.0) - 0.5);
+        mean += brdf_d::facetCellLobe(UP, n, ALPHA * ALPHA, dvec3(0), dvec3(0), v, l, h) / SIDE;
+      }
+      sums[0] += mean;
+      sums[1] += brdf_d::facetCellLobe(UP, UP, ALPHA * ALPHA, spread * across, spread * down, v, l, h);
+      return dvec3(0);
+    });
+    told += sums[1];
+    truth += sums[0];
+    const dvec3 mirrored = glm::reflect(-v, UP), h = glm::normalize(mirrored + v);
+    double mean = 0;
+    for (int k = 0; k < SIDE; ++k)
+      mean += brdf_d::facetCellLobe(UP, turned(across, down, (k + 0.5) / SIDE - 0.5, std::fmod(k * 0.618, 1.0) - 0.5),
+                                    ALPHA * ALPHA, dvec3(0), dvec3(0), v, mirrored, h) /
+              SIDE;
+    const double got = brdf_d::facetCellLobe(UP, UP, ALPHA * ALPHA, spread * across, spread * down, v, mirrored, h);
+    *worst = std::max(*worst, std::abs(got / mean - 1));
+  }
+  return told / truth;
+}
+
+TEST(Facets, APlaceWhoseNormalTurnsIsAsBrightAsItsNormals) {
+  double worst = 0;
+  EXPECT_NEAR(placeAgainstItsNormals(1, &worst), 1, 0.06);
+  EXPECT_LT(worst, 0.5);  // in its middle GGX is higher than a plate
+  placeAgainstItsNormals(0, &worst);
+  EXPECT_GT(worst, 2);  // a lobe that is not as wide as the normal turns
+}
+
+TEST(Facets, APlaceMakesNoLight) {
+  const auto albedo = [](double turn, double factor) {
+    return overHemisphere(
+               128,
+               [&](const dvec3& l) {
+                 const dvec3 v = direction(0.8, 1);
+                 return dvec3(factor * brdf_d::facetCellLobe(UP, UP, 0.01, dvec3(turn, 0, 0), dvec3(0, turn, 0), v, l,
+                                                             glm::normalize(l + v)));
+               })
+        .x;
+  };
+  for (const double turn : {0.0, 0.2, 0.6}) EXPECT_LT(albedo(turn, 1), 1.005) << turn;
+  EXPECT_GT(albedo(0, 1.2), 1.1);
+}
+
+/// What is left to light/facets.glsl is taken from both highlights, and nothing of what comes from everywhere.
+TEST(Facets, WhatIsToldPlaceByPlaceIsNotShadedTwice) {
+  SurfaceInfo s = metalOf(UP, direction(0.9, 0), 0.02, 0.3);
+  const dvec3 l = direction(0.8, 2.5), dome = fabric().addDome(brdf_d::nothingReflected(), s, dvec3(1)).specular;
+  const double all = lit(s, l);
+  s.facetsTold = 0.5;
+  const double half = lit(s, l);
+  s.facetsTold = 1;
+  const double none = lit(s, l);
+  EXPECT_NEAR(half - none, 0.5 * (all - none), 1e-9);
+  EXPECT_LT(none, 0.05 * all);  // light that comes back from between the facets
+  EXPECT_EQ(fabric().addDome(brdf_d::nothingReflected(), s, dvec3(1)).specular, dome);
+}
+
 /// The white furnace under lights, under a prefiltered sky and under a dome. @param tamper  factor on the edges' share
 double brightest(double tamper) {
   double most = 0;

@@ -147,7 +147,10 @@ TEST_F(TextureBake, LevelsHoldTheSlopesOfFacetsApartFromEdges) {
     for (int i = 0; i < size.x * size.y; ++i) {
       const glm::dvec4 moments = meanOver(image, {i % size.x, i / size.x}, size, [&](int x, int y) {
         const glm::dvec2 slope = slopeOf(texelAt(image, x, y));
-        if (level == 0) return glm::dvec4(slope, 1, glm::dot(slope, slope));  // texels from near are as they are
+        if (level == 0) {  // texels from near are as they are
+          const double z = texels[std::size_t(y * SIDE + x) * 4 + 2];
+          return z * glm::dvec4(slope, 1, glm::dot(slope, slope));
+        }
         return means[std::size_t(y) * SIDE + std::size_t(x)];
       });
       for (int c = 0; c < 4; ++c)
