@@ -8,10 +8,14 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { SEEDS } from './seeds.mjs';
+import { fuzzSpec, plantedRead } from './spec.mjs';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const BUILD = path.join(ROOT, 'out/fuzz');
 const MOST_BYTES = 131_072;
+const SPEC = 'spec';
+const SPECS = path.join(ROOT, 'test/fuzz/regressions', SPEC);
+const PLANTED_RUNS = 20_000;
 const { values, positionals } = parseArgs({ options: { seconds: { type: 'string', default: '60' } }, allowPositionals: true });
 
 function cmake(...args) {
@@ -70,10 +74,32 @@ async function fuzz(target) {
   return { runs: Number(/number_of_executed_units: *(\d+)/.exec(stderr)?.[1] ?? 0), coverage: Number(last.slice(5)), found };
 }
 
-cmake('--preset', 'fuzz');
-cmake('--build', '--preset', 'fuzz');
-await checkPlanted();
-for (const target of positionals.length ? positionals : Object.keys(SEEDS)) {
+/** The spec of a sheet, which JavaScript reads: its own changes of structure, and complaints in place of edges. */
+function fuzzSpecs() {
+  const planted = fuzzSpec({ runs: PLANTED_RUNS, read: plantedRead });
+  if (!planted.fault?.includes('planted')) throw new Error(`the planted fault was not found in ${PLANTED_RUNS} runs`);
+  console.log(`planted fault of a spec: found after ${planted.runs} runs`);
+  const { runs, outcomes, fault, spec } = fuzzSpec({ seconds: Number(values.seconds), seed: Date.now() });
+  if (fault) {
+    const bytes = JSON.stringify(spec);
+    mkdirSync(SPECS, { recursive: true });
+    const file = path.join(SPECS, `${createHash('sha256').update(bytes).digest('hex').slice(0, 16)}.json`);
+    writeFileSync(file, bytes);
+    console.log(`${file}: ${fault}`);
+    process.exitCode = 1;
+  }
+  console.log(`${SPEC}: ${runs} runs in ${values.seconds} s, ${outcomes} different complaints, ${fault ? 'found the above' : 'nothing found'}`);
+}
+
+const wanted = positionals.length ? positionals : [...Object.keys(SEEDS), SPEC];
+if (wanted.includes(SPEC)) fuzzSpecs();
+const compiled = wanted.filter((target) => target !== SPEC);
+if (compiled.length > 0) {
+  cmake('--preset', 'fuzz');
+  cmake('--build', '--preset', 'fuzz');
+  await checkPlanted();
+}
+for (const target of compiled) {
   const { runs, coverage, found } = await fuzz(target);
   console.log(`${target}: ${runs} runs in ${values.seconds} s, ${coverage} edges, ${found.length ? `found ${found.join(', ')}` : 'nothing found'}`);
   if (found.length || runs === 0) process.exitCode = 1;
