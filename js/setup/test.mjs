@@ -28,21 +28,20 @@ function testFiles() {
 }
 const LONGEST = [
   'test/parity/faults.test.mjs',
-  'test/js/determinism.test.mjs',
+  'test/js/view/page_spec.test.mjs',
   'test/parity/parity.test.mjs',
+  'test/js/view/page_models.test.mjs',
+  'test/js/queue/processes.test.mjs',
+  'test/js/server/job_faults.test.mjs',
+  'test/families/prefilter.test.mjs',
   'test/js/view/page.test.mjs',
-  'test/js/api/weave_energy.test.mjs',
+  'test/js/docs/recipes.test.mjs',
 ];
 
 async function runNodeTests({ files }) {
   const log = path.join(ROOT, 'out/setup/skipped-js.log');
-  const reporters = [
-    '--test-reporter=spec',
-    '--test-reporter-destination=stdout',
-    `--test-reporter=${path.join(ROOT, 'js/setup/skipped_reporter.mjs')}`,
-    `--test-reporter-destination=${log}`,
-  ];
-  const args = ['--test', `--test-concurrency=${AT_ONCE}`, `--test-timeout=${HANGS_AFTER_MS}`, ...reporters, ...(files.length ? files : testFiles())];
+  const wanted = { files: files.length ? files : testFiles(), concurrency: AT_ONCE, timeout: HANGS_AFTER_MS, log };
+  const args = [path.join(ROOT, 'js/setup/run_tests.mjs'), JSON.stringify({ ...wanted, files: wanted.files.map((file) => path.resolve(file)) })];
   const status = await runShown(process.execPath, args, { env: { TELAR_BUILD_DIR: BUILD } });
   return { status, skipped: existsSync(log) ? readFileSync(log, 'utf8').trim().split('\n').filter(Boolean) : [] };
 }
