@@ -565,6 +565,8 @@ export interface FrameInfo extends Plan {
   triangles?: number;
   /** So many of them were left out before they were shaded, for they are hidden at every sample; no byte differs. Of the last pass. */
   hiddenTriangles?: number;
+  /** Fragments that were shaded in dense rows, where what is seen was found first (js/docs/figures.md, Visibility buffer); absent where it was not. */
+  shadedFragments?: number;
   /** Largest resident memory of the process so far. */
   peakBytes: number;
   /** Column-major 4 x 4: (X, Y, Z, W) = M (x, y, z, 1); the pixel is (X / W, Y / W) from the top left corner. */

@@ -6,6 +6,12 @@
 precision highp float;
 precision highp int;
 
+#if VISIBILITY_BUFFER
+#define VARYING
+#else
+#define VARYING in
+#endif
+
 #include "sampler_precision.glsl"
 
 #if FULL_DETAIL
@@ -66,6 +72,9 @@ precision highp int;
 out vec4 fragmentColor;
 
 void main() {
+#if VISIBILITY_BUFFER
+  readVaryings();
+#endif
   vec4 baseColor = baseColorAndAlpha();
 #if ALPHA_TO_COVERAGE
 #if VERTEX_COLOR

@@ -1,6 +1,8 @@
 // Transforms one primitive to view space. One varying a texture, because each has its own transform (KHR_texture_transform).
+#define VARYING out
 
 #include "material/vertex_inputs.glsl"
+#include "material/visibility_vertex.glsl"
 #include "shading/three_terms.glsl"
 #include "shadow/coords.glsl"
 

@@ -7,6 +7,7 @@ namespace telar::gl {
 #define TELAR_GL_FUNCTIONS(F)                                       \
   F(ACTIVETEXTURE, ActiveTexture)                                   \
   F(ATTACHSHADER, AttachShader)                                     \
+  F(BEGINTRANSFORMFEEDBACK, BeginTransformFeedback)                 \
   F(BINDATTRIBLOCATION, BindAttribLocation)                         \
   F(BINDBUFFER, BindBuffer)                                         \
   F(BINDBUFFERBASE, BindBufferBase)                                 \
@@ -48,6 +49,7 @@ namespace telar::gl {
   F(DRAWELEMENTSINSTANCED, DrawElementsInstanced)                   \
   F(ENABLE, Enable)                                                 \
   F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)               \
+  F(ENDTRANSFORMFEEDBACK, EndTransformFeedback)                     \
   F(FINISH, Finish)                                                 \
   F(FLUSH, Flush)                                                   \
   F(FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer)               \
@@ -71,6 +73,7 @@ namespace telar::gl {
   F(GETUNIFORMBLOCKINDEX, GetUniformBlockIndex)                     \
   F(GETUNIFORMLOCATION, GetUniformLocation)                         \
   F(LINKPROGRAM, LinkProgram)                                       \
+  F(MAPBUFFERRANGE, MapBufferRange)                                 \
   F(PIXELSTOREI, PixelStorei)                                       \
   F(READPIXELS, ReadPixels)                                         \
   F(RENDERBUFFERSTORAGEMULTISAMPLE, RenderbufferStorageMultisample) \
@@ -80,6 +83,7 @@ namespace telar::gl {
   F(TEXPARAMETERI, TexParameteri)                                   \
   F(TEXSTORAGE2D, TexStorage2D)                                     \
   F(TEXSUBIMAGE2D, TexSubImage2D)                                   \
+  F(TRANSFORMFEEDBACKVARYINGS, TransformFeedbackVaryings)           \
   F(UNIFORM1F, Uniform1f)                                           \
   F(UNIFORM1I, Uniform1i)                                           \
   F(UNIFORM2FV, Uniform2fv)                                         \
@@ -89,6 +93,7 @@ namespace telar::gl {
   F(UNIFORMBLOCKBINDING, UniformBlockBinding)                       \
   F(UNIFORMMATRIX3FV, UniformMatrix3fv)                             \
   F(UNIFORMMATRIX4FV, UniformMatrix4fv)                             \
+  F(UNMAPBUFFER, UnmapBuffer)                                       \
   F(USEPROGRAM, UseProgram)                                         \
   F(VERTEXATTRIB4F, VertexAttrib4f)                                 \
   F(VERTEXATTRIBDIVISOR, VertexAttribDivisor)                       \

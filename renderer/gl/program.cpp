@@ -46,13 +46,19 @@ Shader<Stage> compile(const Functions& gl, std::string_view label, const std::st
 
 }  // namespace
 
-Program::Program(const Context& context, std::string_view label, const std::string& vertex, const std::string& fragment)
+Program::Program(const Context& context, std::string_view label, const std::string& vertex, const std::string& fragment,
+                 const std::vector<std::string>& captured)
     : gl_(&context.gl()), name_(context.gl()) {
   const Functions& gl = *gl_;
   const auto vertexShader = compile<GL_VERTEX_SHADER>(gl, label, vertex);
   const auto fragmentShader = compile<GL_FRAGMENT_SHADER>(gl, label, fragment);
   gl.AttachShader(name_.get(), vertexShader.get());
   gl.AttachShader(name_.get(), fragmentShader.get());
+  if (!captured.empty()) {
+    std::vector<const char*> names;
+    for (const std::string& name : captured) names.push_back(name.c_str());
+    gl.TransformFeedbackVaryings(name_.get(), static_cast<GLsizei>(names.size()), names.data(), GL_INTERLEAVED_ATTRIBS);
+  }
   gl.LinkProgram(name_.get());
   // 255 is what every driver takes.
   if (gl.ObjectLabel)

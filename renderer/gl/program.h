@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "gl/context.h"
 #include "gl/gl_object.h"
@@ -16,7 +17,9 @@ class Program {
   Program() = default;
   /// @param label name in debug tools and error messages
   /// @throws Error{X_SHADER} with the driver's log and the source lines around it.
-  Program(const Context& context, std::string_view label, const std::string& vertex, const std::string& fragment);
+  /// @param captured  outputs of the vertex stage that transform feedback writes, one after the other
+  Program(const Context& context, std::string_view label, const std::string& vertex, const std::string& fragment,
+          const std::vector<std::string>& captured = {});
 
   void use() const { gl_->UseProgram(name_.get()); }
   bool has(const char* uniform) const { return location(uniform) >= 0; }

@@ -32,4 +32,12 @@ bool fillsBackground(const FramePlan& plan, const Shot& shot) {
   return hasColor(shot) && shot.resolve != Resolve::kLinear && !piercesColor(plan, shot);
 }
 
+Behind behindOf(const FramePlan& plan, const Shot& shot) {
+  const bool debug = plan.frame.debugOutput;
+  const bool opaque = !debug && fillsBackground(plan, shot);
+  const bool none = debug || shot.resolve == Resolve::kLinear;
+  const glm::vec4 color = none ? glm::vec4(0) : clearColor(shot, plan.frame.outputLinear);
+  return {opaque, opaque ? glm::vec4(glm::vec3(color), 0.0f) : color};
+}
+
 }  // namespace telar::pass

@@ -19,4 +19,13 @@ bool piercesColor(const FramePlan& plan, const Shot& shot);
 /// perspective the environment's cube covers a part of the picture, as in three.js.
 bool fillsBackground(const FramePlan& plan, const Shot& shot);
 
+/// What is behind all that is drawn.
+struct Behind {
+  bool opaque;      ///< its alpha is not drawn: until the picture is read, alpha is the coverage of what is in front
+  glm::vec4 color;  ///< that the target is cleared with
+};
+
+/// A colour behind an average is composed at the end; backgrounds have no debug output.
+Behind behindOf(const FramePlan& plan, const Shot& shot);
+
 }  // namespace telar::pass

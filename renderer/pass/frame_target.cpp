@@ -1,6 +1,8 @@
 #include "pass/frame_target.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <string>
 
 #include "gl/incomplete.h"
@@ -55,29 +57,41 @@ bool FrameTarget::matches(int width, int height, int samples, PixelType type) co
 
 void FrameTarget::bind() const { draw_.bind(context_.gl()); }
 
-Frame FrameTarget::read(bool opaque) const {
+Frame FrameTarget::read() const {
   const gl::Functions& gl = context_.gl();
   if (samples_ > 1) {
     draw_.resolveInto(gl, resolved_.get());
     gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.get());
   }
   const std::size_t texelBytes = type_ == PixelType::kRgba8 ? 4 : 16;
-  const std::size_t row = static_cast<std::size_t>(width_) * texelBytes, rows = static_cast<std::size_t>(height_);
-  Frame frame{static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_), type_,
-              std::vector<std::byte>(row * rows)};
+  Frame frame{
+      static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_), type_,
+      std::vector<std::byte>(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * texelBytes)};
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.ReadPixels(0, 0, width_, height_, GL_RGBA, type_ == PixelType::kRgba8 ? GL_UNSIGNED_BYTE : GL_FLOAT,
                 frame.pixels.data());
   context_.check("readback");
+  return frame;
+}
+
+Frame FrameTarget::filled(const glm::vec4& color) const {
+  std::uint8_t texel[4];
+  for (int i = 0; i < 4; ++i) texel[i] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(color[i], 0.0f, 1.0f)));
+  Frame frame{static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_), type_,
+              std::vector<std::byte>(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4)};
+  for (std::size_t at = 0; at < frame.pixels.size(); at += 4) std::memcpy(frame.pixels.data() + at, texel, 4);
+  return frame;
+}
+
+void FrameTarget::finish(Frame& frame, bool opaque) {
+  const std::size_t rows = frame.height, row = frame.pixels.size() / std::max<std::size_t>(rows, 1);
   for (std::size_t y = 0; y < rows / 2; ++y) {
     std::swap_ranges(frame.pixels.begin() + static_cast<std::ptrdiff_t>(y * row),
                      frame.pixels.begin() + static_cast<std::ptrdiff_t>((y + 1) * row),
                      frame.pixels.begin() + static_cast<std::ptrdiff_t>((rows - 1 - y) * row));
   }
-  if (type_ == PixelType::kRgba8 && !opaque) {
-    unpremultiply(reinterpret_cast<std::uint8_t*>(frame.pixels.data()), static_cast<std::size_t>(width_) * rows);
-  }
-  return frame;
+  if (frame.type == PixelType::kRgba8 && !opaque)
+    unpremultiply(reinterpret_cast<std::uint8_t*>(frame.pixels.data()), frame.width * rows);
 }
 
 }  // namespace telar::pass

@@ -16,9 +16,13 @@ class FrameTarget {
 
   bool matches(int width, int height, int samples, PixelType type) const;
   void bind() const;
-  /// Resolves and reads: row 0 is the top row; kRgba8 has straight alpha, kRgbaF32 premultiplied.
+  /// Resolves and reads, as the GL has it: row 0 is the lowest one, colours are premultiplied.
+  Frame read() const;
+  /// What it would read after it was cleared, without drawing; kRgba8.
+  Frame filled(const glm::vec4& color) const;
+  /// Turns what was read into a picture: row 0 is the top row; kRgba8 has straight alpha, kRgbaF32 premultiplied.
   /// @param opaque  a background is drawn whose alpha was not: alpha is what covers it, and colours stay as they are
-  Frame read(bool opaque) const;
+  static void finish(Frame& frame, bool opaque);
   int samples() const { return samples_; }
 
  private:

@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdio>
-#include <glm/gtc/type_ptr.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 
 #include "core/picture_json.h"
 #include "frame/layers.h"
@@ -18,6 +15,7 @@
 #include "ibl/environment_cache.h"
 #include "pass/background_pass.h"
 #include "pass/clear_color.h"
+#include "pass/describe.h"
 #include "pass/draw_list.h"
 #include "pass/fragment_estimate.h"
 #include "pass/frame_target.h"
@@ -29,61 +27,18 @@
 #include "pass/stage_timer.h"
 #include "pass/surface_pass.h"
 #include "pass/transmission_target.h"
+#include "pass/varyings.h"
 #include "pass/visible_draws.h"
-#include "telar/reference.h"
 
 namespace telar {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using pass::Behind;
 using pass::FramePlan;
+using pass::rangeWarning;
 using pass::StageTimer;
-
-/// What a plan compiles and runs, for info and `telar inspect`.
-Json describePlan(const FramePlan& plan, const Shot& shot) {
-  std::set<std::string> features;
-  Json programs = Json::array();
-  for (const shader::VariantKey& key : plan.keys()) {
-    const auto list = key.features();
-    features.insert(list.begin(), list.end());
-    programs.push_back({{"features", list}});
-  }
-  Json passes = Json::array();
-  for (const auto* maps : {&plan.shadows.flat, &plan.shadows.cube}) {
-    for (const pass::ShadowMap& map : *maps) passes.push_back(std::string("shadow-") + pass::nameOf(map.type));
-  }
-  if (!plan.draws.transmissive.empty()) passes.push_back("transmission");
-  if (plan.environmentBackground) passes.push_back("background");
-  if (!plan.draws.opaque.empty()) passes.push_back("opaque");
-  if (!plan.draws.transmissive.empty()) passes.push_back("transmissive");
-  if (plan.ground) passes.push_back("ground");
-  if (!plan.draws.blended.empty()) passes.push_back("blend");
-  if (shot.samples > 1 || shot.resolve == Resolve::kLinear) passes.push_back("resolve");
-  return {{"features", features}, {"programs", programs}, {"passes", passes}};
-}
-
-/// The shot with a directional light for each sun.
-Shot withSuns(Shot shot, const ibl::Suns& suns) {
-  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(frame::environmentRotation(shot.environment.rotation)));
-  for (const auto& [direction, irradiance] : suns.list) {
-    Shot::Light& light = shot.lights.emplace_back();
-    light.type = Shot::Light::Type::kDirectional;
-    const double brightest = std::max({irradiance.r, irradiance.g, irradiance.b});
-    light.color = glm::vec3(irradiance / brightest);
-    light.intensity = brightest * shot.environment.intensity;
-    light.position = toWorld * direction;
-  }
-  return shot;
-}
-
-/// three.js clamps an environment to half floats, and so does the shading "three".
-Json rangeWarning(double share) {
-  char percent[16];
-  std::snprintf(percent, sizeof percent, "%.3g", 100 * share);
-  return {{"code", "W_ENVIRONMENT_RANGE"},
-          {"message", std::string("shot.environment: three.js has no texel above 65504, the largest half float: ") +
-                          percent + " % of the map's light is lost; every other shading keeps it"}};
-}
+using pass::withSuns;
 
 class GlRenderer final : public Renderer {
  public:
@@ -97,6 +52,7 @@ class GlRenderer final : public Renderer {
         ground_(*context_),
         settled_(*context_),
         visible_(*context_, options.hiddenTriangles),
+        buffer_(*context_, options.visibilityBuffer),
         textures_(*context_) {}
 
   Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& asked, std::span<const std::byte> environmentFile,
@@ -127,9 +83,14 @@ class GlRenderer final : public Renderer {
     }
     const Shot& shot = sunlit ? *sunlit : asked;
     timer.lap("environment");
+    const bool accumulates = shot.resolve == Resolve::kLinear && !plan.frame.debugOutput;
+    const pass::VisibilityBuffer::Frame found(buffer_);
+    bool buffered = !accumulates && framePixelType(shot.output) == PixelType::kRgba8 &&
+                    buffer_.mayDraw(plan, shot, targetFor(shot).samples());
+    readVaryingsFromMap(plan, buffered);
     surfaces_.upload(plan, *scene, gpu, cancel);
     timer.lap("upload");
-    const int compiled = surfaces_.prepare(plan, cancel);
+    int compiled = surfaces_.prepare(plan, cancel);
     timer.lap("compile");
     shadows_.draw(plan, *scene, gpu, cancel);
     if (!plan.shadows.empty()) {
@@ -138,10 +99,17 @@ class GlRenderer final : public Renderer {
     }
     shadows_.bind(plan.shadows, pass::SurfacePass::firstShadowUnit());
     const pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, background, cancel};
-    const bool accumulates = shot.resolve == Resolve::kLinear && !plan.frame.debugOutput;
+    if (buffered && !findVisible(inputs, timer)) {
+      buffered = false;
+      readVaryingsFromMap(plan, false);
+      compiled += surfaces_.prepare(plan, cancel);
+    }
     int passes = 1;
-    Frame frame = accumulates ? drawAveraged(plan, inputs, passes, progress, timer) : drawOnce(inputs, false, timer);
-    Json json = describeFrame(plan, shot, environment, timer);
+    Frame frame = accumulates ? drawAveraged(plan, inputs, passes, progress, timer)
+                  : buffered  ? drawBuffered(inputs, timer)
+                              : drawOnce(inputs, false, timer);
+    Json json = pass::describeFrame(plan, shot, environment, *context_, {buffer_.count(), visible_.count()}, timer);
+    json["glObjects"] = liveObjects();
     json["samples"] = passes * target_->samples();
     json["programsCompiled"] = compiled;
     if (!plan.frame.debugOutput && !coverage_.empty()) json["picture"] = toJson(frame::pictureFacts(frame, coverage_));
@@ -216,6 +184,13 @@ class GlRenderer final : public Renderer {
     return *entry;
   }
 
+  static void readVaryingsFromMap(FramePlan& plan, bool yes) {
+    for (pass::DrawItem& item : plan.draws.opaque) {
+      item.key.visibilityBuffer = yes;
+      item.key.sharedUv = yes && pass::sharesUv(*item.material, item.key);
+    }
+  }
+
   const pass::FrameTarget& targetFor(const Shot& shot) {
     const PixelType type = shot.resolve == Resolve::kLinear ? PixelType::kRgbaF32 : framePixelType(shot.output);
     const int samples = frame::samplePassesOf(shot).samples;
@@ -224,6 +199,18 @@ class GlRenderer final : public Renderer {
       target_ = std::make_unique<pass::FrameTarget>(*context_, shot.width, shot.height, samples, type);
     }
     return *target_;
+  }
+
+  void drawBackground(const pass::SurfaceInputs& inputs, const Behind& behind) {
+    writeAlpha(!behind.opaque);
+    background_.draw(inputs.plan.camera, inputs.shot, *inputs.background, inputs.plan.frame);
+    writeAlpha(true);
+  }
+
+  void drawGround(const pass::SurfaceInputs& inputs, const Behind& behind) {
+    writeAlpha(!behind.opaque);
+    ground_.draw(inputs.plan, inputs.shot, pass::SurfacePass::firstShadowUnit());
+    writeAlpha(true);
   }
 
   /// One pass over everything that the shot shows, read back.
@@ -239,30 +226,69 @@ class GlRenderer final : public Renderer {
     visible_.find(plan, inputs.gpu, {shot.width, shot.height}, target.samples(), inputs.cancel);
     inputs.visible = &visible_;
     timer.lap("visibility");
-    const bool debug = plan.frame.debugOutput;  // backgrounds and the ground have no shading
-    // A colour behind an average is composed at the end. Until then alpha is the coverage.
-    const bool opaque = !debug && pass::fillsBackground(plan, shot);
-    const glm::vec4 behind =
-        debug || shot.resolve == Resolve::kLinear ? glm::vec4(0) : pass::clearColor(shot, plan.frame.outputLinear);
-    clear(opaque ? glm::vec4(glm::vec3(behind), 0.0f) : behind);
+    const bool debug = plan.frame.debugOutput;
+    const Behind behind = pass::behindOf(plan, shot);
+    clear(behind.color);
     if (settled) settled_.draw();
-    writeAlpha(!opaque);
-    if (plan.environmentBackground && !debug) background_.draw(plan.camera, shot, *inputs.background, plan.frame);
-    writeAlpha(true);
+    if (plan.environmentBackground && !debug) drawBackground(inputs, behind);
     surfaces_.draw({&plan.draws.opaque, &plan.draws.transmissive}, inputs);
-    writeAlpha(!opaque);
-    if (plan.ground && !debug) ground_.draw(plan, shot, pass::SurfacePass::firstShadowUnit());
-    writeAlpha(true);
+    if (plan.ground && !debug) drawGround(inputs, behind);
     surfaces_.draw({&plan.draws.blended}, inputs);
     context_->pacer().finish();
     timer.lap("draw");
-    Frame frame = target.read(opaque);
+    return finished(target.read(), inputs, behind, timer);
+  }
+
+  /// Whether the visibility buffer can draw the picture.
+  bool findVisible(pass::SurfaceInputs inputs, StageTimer& timer) {
+    const pass::FrameTarget& target = targetFor(inputs.shot);
+    target.bind();
+    buffer_.begin(inputs.plan, inputs.shot);
+    inputs.samples = target.samples();
+    inputs.buffer = &buffer_;
+    inputs.captures = true;
+    surfaces_.draw({&inputs.plan.draws.opaque}, inputs);
+    timer.lap("vertices");
+    const bool found = buffer_.find(inputs.plan, inputs.shot, inputs.cancel);
+    timer.lap("visibility");
+    return found;
+  }
+
+  /// The same by the visibility buffer, which has found what is seen.
+  Frame drawBuffered(pass::SurfaceInputs inputs, StageTimer& timer) {
+    const FramePlan& plan = inputs.plan;
+    const pass::FrameTarget& target = targetFor(inputs.shot);
+    const Behind behind = pass::behindOf(plan, inputs.shot);
+    Frame frame;
+    if ((plan.environmentBackground || plan.ground) && !plan.frame.debugOutput) {
+      target.bind();
+      clear(behind.color);
+      if (plan.environmentBackground) drawBackground(inputs, behind);
+      if (plan.ground) drawGround(inputs, behind);
+      frame = target.read();
+    } else {
+      frame = target.filled(behind.color);
+    }
+    inputs.samples = target.samples();
+    inputs.buffer = &buffer_;
+    buffer_.bind();
+    surfaces_.draw({&plan.draws.opaque}, inputs);
+    context_->pacer().finish();
+    timer.lap("draw");
+    buffer_.compose(frame);
+    return finished(std::move(frame), inputs, behind, timer);
+  }
+
+  /// @param frame  as the GL has it
+  Frame finished(Frame frame, const pass::SurfaceInputs& inputs, const Behind& behind, StageTimer& timer) {
+    const Shot& shot = inputs.shot;
+    pass::FrameTarget::finish(frame, behind.opaque);
     if (inputs.samplePass == 0) {
       coverage_.clear();
-      if (opaque || !(plan.environmentBackground || pass::piercesColor(plan, shot)))
-        coverage_ = frame::coverageOf(frame, shot.ground && !opaque ? shot.ground->opacity : 0);
+      if (behind.opaque || !(inputs.plan.environmentBackground || pass::piercesColor(inputs.plan, shot)))
+        coverage_ = frame::coverageOf(frame, shot.ground && !behind.opaque ? shot.ground->opacity : 0);
     }
-    if (opaque) frame::makeOpaque(frame);
+    if (behind.opaque) frame::makeOpaque(frame);
     timer.lap("read");
     return frame;
   }
@@ -346,22 +372,6 @@ class GlRenderer final : public Renderer {
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   }
 
-  Json describeFrame(const FramePlan& plan, const Shot& shot, const ibl::Environment* environment,
-                     const StageTimer& timer) const {
-    Json json = describePlan(plan, shot);
-    json["backend"] = gl::backendName(context_->backend());
-    json["gl"] = {{"vendor", context_->vendor()}, {"renderer", context_->renderer()}, {"version", context_->version()}};
-    json["drawCalls"] = plan.draws.size();
-    json["triangles"] = visible_.count().all;
-    json["hiddenTriangles"] = visible_.count().hidden;
-    json["environmentSource"] = environment ? Json(environment->source) : Json(nullptr);
-    json["glObjects"] = liveObjects();
-    const glm::dmat4 toPixel = frame::worldToPixel(plan.camera, shot.width, shot.height);
-    json["worldToPixel"] = std::vector<double>(glm::value_ptr(toPixel), glm::value_ptr(toPixel) + 16);
-    json["ms"] = timer.json();
-    return json;
-  }
-
   // The context is first, so that it is destroyed after everything that owns GL names.
   RendererOptions options_;
   std::unique_ptr<gl::Context> context_;
@@ -372,6 +382,7 @@ class GlRenderer final : public Renderer {
   pass::GroundPass ground_;
   pass::SettledMask settled_;
   pass::VisibleDraws visible_;
+  pass::VisibilityBuffer buffer_;
   std::unique_ptr<pass::FrameTarget> target_;
   std::vector<std::uint8_t> coverage_;  ///< of the last picture by the model, from its first pass; empty = not known
   std::unique_ptr<pass::TransmissionTarget> transmission_;
@@ -384,15 +395,6 @@ class GlRenderer final : public Renderer {
 
 std::unique_ptr<Renderer> Renderer::create(const RendererOptions& options) {
   return std::make_unique<GlRenderer>(options);
-}
-
-std::string planFrame(const Scene& scene, const Shot& shot, const Limits& limits) {
-  if (shot.reference || tracedInstead(scene, shot))
-    return Json{{"features", Json::array()}, {"programs", Json::array()}, {"passes", {"trace"}}}.dump();
-  const FramePlan plan = pass::planDraws(scene, shot, limits, false);
-  Json json = describePlan(plan, shot);
-  json["fragments"] = std::ceil(pass::fragmentsOf(plan, shot, static_cast<double>(limits.fragments), CancelToken()));
-  return json.dump();
 }
 
 }  // namespace telar

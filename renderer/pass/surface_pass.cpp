@@ -10,8 +10,8 @@
 #include "ibl/dfg.h"
 #include "pass/shadow_pass.h"
 #include "pass/sliced_draw.h"
+#include "pass/surface_programs.h"
 #include "pass/world_origin.h"
-#include "shader/library.h"
 
 namespace telar::pass {
 namespace {
@@ -25,7 +25,8 @@ constexpr GLuint LTC_ALBEDO_UNIT = LTC_INVERSE_UNIT + 1;
 constexpr GLuint TRANSMISSION_UNIT = LTC_ALBEDO_UNIT + 1;
 constexpr GLuint METAL_UNIT = TRANSMISSION_UNIT + 1;
 constexpr GLuint YARN_RELIEF_UNIT = METAL_UNIT + 1;
-constexpr GLuint UNIT_COUNT = YARN_RELIEF_UNIT + 1;
+constexpr GLuint VARYING_UNIT = YARN_RELIEF_UNIT + 1;
+constexpr GLuint UNIT_COUNT = VARYING_UNIT + 1;
 
 /// Half floats: 8 bits cannot hold the 0.5 of a flat normal.
 gl::Texture texelTexture(const gl::Functions& gl, const std::array<float, 4>& rgba) {
@@ -126,19 +127,6 @@ void setSampledEnvironment(const gl::Program& program, const shader::VariantKey&
 /// What a draw of cut-out cloth shows: of shaders/material/coverage.glsl.
 constexpr int COVERAGE_MASKED = 0, COVERAGE_WHOLE = 1, COVERAGE_BLENDED = 2;
 
-/// Cost of a fragment, in plain ones: each light, shadow and direction of the environment adds to it.
-double weightOf(const shader::VariantKey& key) {
-  const shader::LightCounts& lights = key.lights;
-  const int all = lights.point + lights.spot + lights.directional + lights.hemisphere + 4 * lights.area();
-  return 1 + all * 0.25 + lights.shadows() * 0.5 + key.environmentSamples * 0.5;
-}
-
-std::string labelOf(const shader::VariantKey& key) {
-  std::string label = "surface";
-  for (const std::string& feature : key.features()) label += " " + feature;
-  return label;
-}
-
 }  // namespace
 
 EnvironmentForms environmentForms(const FramePlan& plan, const Shot& shot) {
@@ -168,7 +156,10 @@ SurfacePass::SurfacePass(const gl::Context& context, Limits limits)
 GLuint SurfacePass::firstShadowUnit() { return UNIT_COUNT; }
 
 int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
-  const std::set<shader::VariantKey> wanted = plan.keys();
+  std::set<shader::VariantKey> wanted = plan.keys();
+  for (const shader::VariantKey& key : plan.keys()) {
+    if (key.visibilityBuffer) wanted.insert(capturedKey(key));
+  }
   checkLimit("L_PROGRAMS", static_cast<double>(limits_.programs), static_cast<double>(wanted.size()));
   // Programs of earlier frames are kept while they are few. A service that sees many kinds of files drops them all at
   // times.
@@ -177,10 +168,7 @@ int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
   for (const shader::VariantKey& key : wanted) {
     if (programs_.contains(key)) continue;
     cancel.check();
-    shader::Defines defines = key.defines();
-    defines.emplace_back("SAMPLE_MASK", context_.capabilities().sampleMask);
-    gl::Program program(context_, labelOf(key), shader::assemble("surface.vert", defines),
-                        shader::assemble(key.layers ? "layers/layers.frag" : "surface.frag", defines));
+    gl::Program program = programOf(context_, key);
     programs_.emplace(key, Surface{std::move(program), gl::DrawCost(weightOf(key))});
     ++compiled;
   }
@@ -291,7 +279,7 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
 
 void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   const gl::Functions& gl = context_.gl();
-  Surface& surface = useProgram(item.key, in);
+  Surface& surface = useProgram(in.captures ? capturedKey(item.key) : item.key, in);
   const gl::Program& program = surface.program;
   const glm::dmat4 modelView = in.plan.camera.view * item.node->world;
   program.set("modelViewMatrix", glm::mat4(modelView));
@@ -306,6 +294,15 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
     gl.DepthMask(yes ? GL_FALSE : GL_TRUE);
   };
   blends(item.blend);
+  if (in.captures) {
+    in.buffer->capture(item, in.gpu);
+    return;
+  }
+  if (item.key.visibilityBuffer) {
+    gl.Disable(GL_CULL_FACE);
+    in.buffer->draw(item, program, surface.cost, VARYING_UNIT);
+    return;
+  }
   const bool cull = !item.bothSides && item.primitive->topology == Topology::kTriangles;
   cull ? gl.Enable(GL_CULL_FACE) : gl.Disable(GL_CULL_FACE);
   gl.FrontFace(item.mirrored != item.key.flipSided ? GL_CW : GL_CCW);

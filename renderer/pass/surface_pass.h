@@ -9,6 +9,7 @@
 #include "pass/ltc.h"
 #include "pass/surface_textures.h"
 #include "pass/transmission_target.h"
+#include "pass/visibility_buffer.h"
 #include "pass/visible_draws.h"
 
 namespace telar::pass {
@@ -25,6 +26,8 @@ struct SurfaceInputs {
   int samples = 1;                                   ///< of a pixel of the target
   const TransmissionTarget* transmission = nullptr;  ///< the resolved transmission target
   const VisibleDraws* visible = nullptr;             ///< what is left of draws; null = all
+  VisibilityBuffer* buffer = nullptr;                ///< of draws that read it
+  bool captures = false;                             ///< runs the vertex stage of those draws
   int samplePass = 0;                                ///< index of the pass, where a picture takes several
   const frame::LayerIds* ids = nullptr;              ///< of a plan of planLayers()
 };

@@ -10,15 +10,10 @@ namespace {
 using visibility::DrawnMesh;
 using visibility::Faces;
 
-/// Below this the look costs what it saves: on llvmpipe 0.1 ms.
-constexpr std::size_t FEW = 256;
 /// The look takes as long as this part of the shading, about. A scene that hides less is looked at again only after
 /// some frames, for another camera may see another side.
 constexpr double LEAST_HIDDEN = 0.1;
 constexpr int FRAMES_WITHOUT = 15;
-/// Above this many pixels the depths take more than 64 MiB of memory.
-constexpr std::int64_t MOST_PIXELS = 2048 * 2048;
-
 std::int64_t pixelsOf(const glm::ivec2& size) { return std::int64_t{size.x} * size.y; }
 
 bool isMesh(const DrawItem& item) {
@@ -27,6 +22,8 @@ bool isMesh(const DrawItem& item) {
 
 /// Whether all that it draws is opaque and has depth.
 bool hides(const DrawItem& item) { return !item.blend && !item.key.alphaMask && !item.key.alphaToCoverage; }
+
+}  // namespace
 
 std::size_t trianglesOf(const DrawItem& item) {
   if (item.primitive->topology != Topology::kTriangles) return 0;
@@ -39,15 +36,17 @@ Faces facesOf(const DrawItem& item) {
   return item.mirrored != item.key.flipSided ? Faces::kClockwise : Faces::kCounterClockwise;
 }
 
-DrawnMesh meshOf(const DrawItem& item, const frame::Camera& camera) {
-  return {item.primitive->positions,    item.primitive->indices, glm::mat4(camera.view * item.node->world),
-          glm::mat4(camera.projection), facesOf(item),           hides(item)};
-}
-
 visibility::SampleGrid gridOf(const gl::Functions& gl, const glm::ivec2& size) {
   visibility::SampleGrid grid{size.x, size.y};
   for (GLuint i = 0; i < visibility::SAMPLES; ++i) gl.GetMultisamplefv(GL_SAMPLE_POSITION, i, &grid.places[i].x);
   return grid;
+}
+
+namespace {
+
+DrawnMesh meshOf(const DrawItem& item, const frame::Camera& camera) {
+  return {item.primitive->positions,    item.primitive->indices, glm::mat4(camera.view * item.node->world),
+          glm::mat4(camera.projection), facesOf(item),           hides(item)};
 }
 
 }  // namespace
@@ -59,7 +58,7 @@ bool VisibleDraws::mayLook(const FramePlan& plan, const glm::ivec2& size, int sa
 
 bool VisibleDraws::pays(GpuScene& scene) const {
   if (use_ == Use::kAlways) return true;
-  if (!context_.capabilities().shadesHidden || count_.all < FEW) return false;
+  if (!context_.capabilities().shadesHidden || count_.all < FEW_TRIANGLES) return false;
   if (scene.framesWithoutLook == 0) return true;
   --scene.framesWithoutLook;
   return false;

@@ -12,6 +12,17 @@
 
 namespace telar::pass {
 
+/// Below this many triangles a look at what is hidden costs what it saves: on llvmpipe 0.1 ms.
+constexpr std::size_t FEW_TRIANGLES = 256;
+/// Above this many pixels what is kept of samples takes more than 64 MiB of memory.
+constexpr std::int64_t MOST_PIXELS = 2048 * 2048;
+
+/// Of all its instances; 0 for points and lines.
+std::size_t trianglesOf(const DrawItem& item);
+visibility::Faces facesOf(const DrawItem& item);
+/// Of the bound target. @pre  the GL tells where samples are
+visibility::SampleGrid gridOf(const gl::Functions& gl, const glm::ivec2& size);
+
 /// What a draw shows of its primitive: the triangles that own a sample.
 struct VisibleParts {
   std::size_t offset = 0;            ///< bytes into the buffer of indices

@@ -53,6 +53,7 @@ using shot::ToneMapping;
   F(ENVIRONMENT, environment, "environment")                                \
   F(ORTHOGRAPHIC, orthographic, "orthographic")                             \
   F(POINTS, points, "points")                                               \
+  F(VISIBILITY_BUFFER, visibilityBuffer, "")                                \
   F(DEBUG_OUTPUT, debugOutput, "debug-output")                              \
   F(OUTPUT_LINEAR, outputLinear, "linear-output")
 
@@ -77,6 +78,8 @@ struct VariantKey {
   ShadingTerms terms;                    ///< of a principled shading, else as made
   ThreeTerms three;                      ///< of kThree, and of what an unlit material takes of a release
   bool fullDetail = false;               ///< maps are read at level 0: the passes over a picture filter them
+  bool sharedUv = false;                 ///< all its maps have the same texture coordinates
+  bool captured = false;                 ///< its vertex stage alone, for VISIBILITY_BUFFER
   bool layers = false;                   ///< draws layers/layers.frag in place of the colour
   std::uint16_t environmentSamples = 0;  ///< directions of the environment a pass; 0 = prefiltered
   ToneMapping toneMapping = ToneMapping::kNone;

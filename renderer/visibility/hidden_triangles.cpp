@@ -2,45 +2,15 @@
 
 #include <algorithm>
 
+#include "visibility/patience.h"
+
 namespace telar::visibility {
 namespace {
 
 /// Where the GL may place vertices farther off than this, in pixels, hardly a triangle hides another.
 constexpr float COARSE = 1.0f / 16;
 
-std::size_t countOf(const DrawnMesh& mesh) {
-  return (mesh.indices.empty() ? mesh.positions.size() : mesh.indices.size()) / 3;
-}
-
-Corners cornersOf(const DrawnMesh& mesh, std::size_t triangle) {
-  const std::size_t first = triangle * 3;
-  if (!mesh.indices.empty()) return {mesh.indices[first], mesh.indices[first + 1], mesh.indices[first + 2]};
-  const auto vertex = static_cast<std::uint32_t>(first);
-  return {vertex, vertex + 1, vertex + 2};
-}
-
 bool isCoarse(const WindowVertices& v) { return !(v.slack < COARSE); }
-
-/// Counts what is looked at, and looks at a cancel token now and then.
-class Patience {
- public:
-  explicit Patience(const CancelToken& cancel) : cancel_(cancel) {}
-  /// Pixels so far, and what takes as long as one.
-  std::int64_t steps = 0;
-  /// For each triangle.
-  void spend() {
-    steps += TRIANGLE;
-    if (steps - checked_ < MOST) return;
-    checked_ = steps;
-    cancel_.check();
-  }
-
- private:
-  static constexpr std::int64_t TRIANGLE = 16;   ///< what a triangle costs besides its pixels
-  static constexpr std::int64_t MOST = 1 << 22;  ///< some 20 ms
-  const CancelToken& cancel_;
-  std::int64_t checked_ = 0;
-};
 
 /// Pixels that all vertices stand in.
 Pixels extentOf(const std::vector<WindowVertices>& all, const SampleGrid& grid) {
@@ -91,7 +61,7 @@ std::int64_t HiddenTriangles::addOccluders(std::size_t index, const CancelToken&
   WindowTriangle triangle;
   Patience patience(cancel);
   edge_.clear();
-  for (std::size_t i = 0; i < countOf(mesh); ++i) {
+  for (std::size_t i = 0; i < trianglesOf(mesh); ++i) {
     patience.spend();
     const Corners at = cornersOf(mesh, i);
     if (make(index, at, triangle) != WindowTriangle::Kind::kRegular) continue;
@@ -140,7 +110,7 @@ VisibleTriangles HiddenTriangles::visible(std::size_t index, const CancelToken& 
   const double all = static_cast<double>(size.x) * size.y;
   VisibleTriangles out;
   const bool coarse = isCoarse(vertices);
-  const std::size_t count = countOf(mesh);
+  const std::size_t count = trianglesOf(mesh);
   out.indices.reserve(count * 3);
   out.parts.reserve(count);
   WindowTriangle triangle;

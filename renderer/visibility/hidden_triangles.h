@@ -5,21 +5,11 @@
 #include <vector>
 
 #include "telar/cancel.h"
+#include "visibility/drawn_mesh.h"
 #include "visibility/sample_depth.h"
 #include "visibility/triangle_fans.h"
 
 namespace telar::visibility {
-
-using Corners = std::array<std::uint32_t, 3>;
-
-/// A mesh of triangles as one draw shows it.
-struct DrawnMesh {
-  std::span<const glm::vec3> positions;
-  std::span<const std::uint32_t> indices;  ///< empty = the vertices in their order
-  glm::mat4 modelView{1}, projection{1};   ///< as the GL has them
-  Faces faces = Faces::kBoth;
-  bool hides = true;  ///< each of its fragments is opaque and has depth
-};
 
 /// What is left of a mesh.
 struct VisibleTriangles {

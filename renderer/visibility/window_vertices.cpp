@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "visibility/lanes.h"
+#include "visibility/quad_varyings.h"
 
 namespace telar::visibility {
 namespace {
@@ -49,6 +50,25 @@ glm::dvec4 magnitude(const glm::mat4& m, const glm::dvec4& v) {
 }
 
 }  // namespace
+
+void WindowVertices::place(const float* clip, std::size_t stride, std::size_t count, const glm::vec2& size) {
+  vertices.resize(count);
+  overW.resize(count);
+  const bool fused = fusesProducts();
+  for (std::size_t i = 0; i < count; ++i, clip += stride) {
+    WindowVertex& vertex = vertices[i];
+    vertex = {0, 0, 0, UNPROJECTED};
+    const float w = clip[3];
+    overW[i] = 1 / w;
+    // Negated: what is no number is not projected.
+    if (!(w > 0 && clip[2] >= -w && clip[2] <= w)) continue;
+    const glm::vec3 place = windowPlace(clip, overW[i], size, fused);
+    if (!(std::abs(place.x) < UNBOUNDED && std::abs(place.y) < UNBOUNDED)) continue;
+    vertex = {place.x, place.y, place.z,
+              (place.x < 0 ? LEFT : 0u) | (place.x > size.x ? RIGHT : 0u) | (place.y < 0 ? BELOW : 0u) |
+                  (place.y > size.y ? ABOVE : 0u)};
+  }
+}
 
 void WindowVertices::project(std::span<const glm::vec3> positions, const glm::mat4& modelView,
                              const glm::mat4& projection, const SampleGrid& grid) {

@@ -31,9 +31,14 @@ constexpr float CLIPPED_SLACK = 1.0f / 16;
 /// be off.
 struct WindowVertices {
   std::vector<WindowVertex> vertices;
+  std::vector<float> overW;         ///< of place(): 1 / w of each
   float slack = 0;                  ///< px, in x and y each, of those within: rounding of the transform and of the grid
   float depthSlack = 0;             ///< of z, of those within: rounding of the transform
   float low[2] = {}, high[2] = {};  ///< px, of those that are projected and not clipped; none where low is above high
+
+  /// Another mesh's in place of these, where the GL puts them.
+  /// @param clip  four floats a vertex    @param stride  floats from one vertex to the next
+  void place(const float* clip, std::size_t stride, std::size_t count, const glm::vec2& size);
 
   /// Another mesh's in place of these.
   void project(std::span<const glm::vec3> positions, const glm::mat4& modelView, const glm::mat4& projection,

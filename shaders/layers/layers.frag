@@ -3,6 +3,8 @@
 precision highp float;
 precision highp int;
 
+#define VARYING in
+
 #include "sampler_precision.glsl"
 #include "brdf/constants.glsl"
 #include "brdf/types.glsl"

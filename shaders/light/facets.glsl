@@ -18,7 +18,7 @@ vec3 facetNormal(SurfaceInfo s, mat3 frame, vec2 uv) {
 
 // Of all lights that addLight() has had.
 vec3 facetLight(SurfaceInfo s) {
-  mat3 frame = tangentFrame(s.geometricNormal, vNormalUv, gl_FrontFacing ? 1.0 : -1.0);
+  mat3 frame = tangentFrame(s.geometricNormal, vNormalUv, frontFacing() ? 1.0 : -1.0);
   vec2 across = dFdx(vNormalUv);
   vec2 down = dFdy(vNormalUv);
   vec2 size = normalMapSize();

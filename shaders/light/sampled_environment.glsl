@@ -45,7 +45,7 @@ vec2 sobolPoint(uint index) {
 // pixels; without it, there would be bands.
 // src: Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences", R2 by pixel
 vec2 pixelShift() {
-  return vec2(interleavedGradientNoise(gl_FragCoord.xy), fract(dot(gl_FragCoord.xy, vec2(0.7548776662, 0.5698402910))));
+  return vec2(interleavedGradientNoise(pixelCentre()), fract(dot(pixelCentre(), vec2(0.7548776662, 0.5698402910))));
 }
 
 // Mean over a solid angle about a direction. RGB radiance, A luminance of the bright part.

@@ -6,20 +6,10 @@ uniform float metallicFactor;
 uniform float roughnessFactor;  // perceptual
 uniform vec3 emissiveFactor;
 
-in vec3 vViewPosition;
-#if !FLAT_SHADED && !UNLIT
-in vec3 vNormal;
-#if TANGENT
-in vec3 vTangent;
-in vec3 vBitangent;
-#endif
-#endif
-#if VERTEX_COLOR
-in vec4 vColor;
-#endif
+#include "material/varyings.glsl"
+#include "shadow/varyings.glsl"
 #if BASE_COLOR_MAP
 uniform sampler2D baseColorMap;  // sRGB
-in vec2 vBaseColorUv;
 #endif
 #if METAL_MEANS
 uniform sampler2D metalMap;  // sRGB: as texture/metal.glsl has it
@@ -29,35 +19,19 @@ uniform sampler2D yarnReliefMap;  // as texture/yarns.glsl has it
 #endif
 #if METALLIC_ROUGHNESS_MAP
 uniform sampler2D metallicRoughnessMap;  // linear, G roughness, B metalness
-in vec2 vMetallicRoughnessUv;
 #endif
 #if NORMAL_MAP
 uniform sampler2D normalMap;  // linear
 uniform vec2 normalScale;
-in vec2 vNormalUv;
 #endif
 #if OCCLUSION_MAP
 uniform sampler2D occlusionMap;  // linear, R
 uniform float occlusionStrength;
-in vec2 vOcclusionUv;
 #endif
 #if EMISSIVE_MAP
 uniform sampler2D emissiveMap;  // sRGB
-in vec2 vEmissiveUv;
-#endif
-#if TANGENT_FRAME_UV0
-in vec2 vUv0;
-#endif
-#if AMBIENT_VISIBILITY
-in vec4 vVisibility;  // as material/visibility_vertex.glsl gives it
-#if AMBIENT_VISIBILITY_BACK
-in vec4 vVisibilityBack;
-#endif
 #endif
 #include "material/layer_declarations.glsl"
-#if TRANSMISSION
-in vec3 vWorldPosition;  // metres
-#endif
 #if !UNLIT
 uniform sampler2D dfgMap;  // RG = (A, B) of the split sum; x = perceptualRoughness, y = NoV, texel centres at (i + 0.5) / size
 #endif
@@ -68,6 +42,28 @@ uniform int coverageSamples;  // of a pixel: 1 or an even number
 const int coverageSamples = 1;
 #endif
 uniform int coverageDraw;  // what is drawn: COVERAGE_ of material/coverage.glsl
+#endif
+
+#if VISIBILITY_BUFFER
+// What each fragment has of its triangle: front or back, its pixel in the picture, then the varyings (renderer/pass/varyings.h).
+uniform highp sampler2D varyingMap;
+uniform int varyingTexels;  // of a fragment, in rows one above the other
+
+bool triangleFront = true;
+vec2 trianglePixel = vec2(0.0);
+
+vec4 varyingTexel(int i) { return texelFetch(varyingMap, ivec2(int(gl_FragCoord.x), int(gl_FragCoord.y) * varyingTexels + i), 0); }
+
+// Written for the varyings that the program has.
+void readVaryings();
+
+bool frontFacing() { return triangleFront; }
+vec2 pixelCentre() { return trianglePixel; }
+#else
+// Whether the front of the surface is seen.
+bool frontFacing() { return gl_FrontFacing; }
+// Centre of the fragment's pixel in the picture, pixels from the lower left corner.
+vec2 pixelCentre() { return gl_FragCoord.xy; }
 #endif
 
 #if !UNLIT

@@ -5,9 +5,9 @@
 // Whether the back of the cloth is seen. FLIP_SIDED draws back faces as if they were front faces.
 bool seenFromBack() {
 #if FLIP_SIDED
-  return gl_FrontFacing;
+  return frontFacing();
 #else
-  return !gl_FrontFacing;
+  return !frontFacing();
 #endif
 }
 

@@ -100,7 +100,7 @@ vec3 unitNormal(vec3 n) {
 }
 
 Normals shadingNormals() {
-  float faceDirection = gl_FrontFacing ? 1.0 : -1.0;
+  float faceDirection = frontFacing() ? 1.0 : -1.0;
   Normals normals;
 #if FLAT_SHADED
   normals.geometric = unitNormal(cross(dFdx(vViewPosition), dFdy(vViewPosition)));

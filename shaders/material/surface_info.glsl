@@ -9,7 +9,7 @@ vec4 visibilityOf(bool seenSide) {
 #if FLIP_SIDED
   bool front = !seenSide;
 #else
-  bool front = gl_FrontFacing == seenSide;
+  bool front = frontFacing() == seenSide;
 #endif
   if (front) return vVisibility;
 #if AMBIENT_VISIBILITY_BACK
@@ -26,7 +26,7 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
 #if BUMP && !NORMAL_MAP
   float height = bumpTexel(bumpUv()).r;
   vec2 rise = m.bump * vec2(bumpTexel(bumpUv() + dFdx(bumpUv())).r - height, bumpTexel(bumpUv() + dFdy(bumpUv())).r - height);
-  normals.shading = bumpedNormal(normals.geometric, -dFdx(vViewPosition), -dFdy(vViewPosition), rise, gl_FrontFacing ? 1.0 : -1.0);
+  normals.shading = bumpedNormal(normals.geometric, -dFdx(vViewPosition), -dFdy(vViewPosition), rise, frontFacing() ? 1.0 : -1.0);
 #endif
 #if NORMAL_VARIANCE && CLEARCOAT
   m = withCoatRelief(m, normals);

@@ -1,4 +1,4 @@
-// Vertex streams and what the fragment stage takes over. Locations are those of renderer/pass/gpu_primitive.h.
+// Vertex streams, and what the fragment stage takes over. Locations are those of renderer/pass/gpu_primitive.h.
 layout(location = 0) in vec3 position;  // mesh space, metres
 #if !FLAT_SHADED && !UNLIT
 layout(location = 1) in vec3 normal;    // mesh space
@@ -36,22 +36,4 @@ uniform mat3 normalMatrix;  // inverse transpose of modelViewMatrix
 #define NORMAL_SIGN 1.0
 #endif
 
-out vec3 vViewPosition;  // from the surface to the eye, view space
-#if !FLAT_SHADED && !UNLIT
-out vec3 vNormal;  // view space
-#if TANGENT
-out vec3 vTangent;
-out vec3 vBitangent;
-#endif
-#endif
-#if VERTEX_COLOR
-out vec4 vColor;
-#endif
-#if TANGENT_FRAME_UV0
-out vec2 vUv0;
-#endif
-#if TRANSMISSION
-out vec3 vWorldPosition;  // metres
-#endif
-#include "material/uv_varyings.glsl"
-#include "material/visibility_vertex.glsl"
+#include "material/varyings.glsl"

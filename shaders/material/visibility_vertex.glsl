@@ -1,10 +1,5 @@
 // Vertex stage: the ambient visibility of both sides, for the fragments. Its directions turn as normals do.
 #if AMBIENT_VISIBILITY
-out vec4 vVisibility;  // xyz view space, not unit; w open part of the hemisphere
-#if AMBIENT_VISIBILITY_BACK
-out vec4 vVisibilityBack;
-#endif
-
 vec4 visibilityInView(vec4 visibility) {
   vec3 n = vec3(visibility);
 #if INSTANCING

@@ -3,15 +3,14 @@
 #if FLAT_SHADOWS + CUBE_SHADOWS > 0
 uniform mat4 viewMatrix;
 #endif
+#include "shadow/varyings.glsl"
 #if FLAT_SHADOWS > 0
 uniform mat4 flatShadowMatrix[FLAT_SHADOWS];  // world to map coordinates 0..1, after / w
 uniform float flatShadowNormalBias[FLAT_SHADOWS];  // metres
-out vec4 vFlatShadowCoord[FLAT_SHADOWS];
 #endif
 #if CUBE_SHADOWS > 0
 uniform mat4 cubeShadowMatrix[CUBE_SHADOWS];  // world to the vector from the light
 uniform float cubeShadowNormalBias[CUBE_SHADOWS];
-out vec4 vCubeShadowCoord[CUBE_SHADOWS];
 #endif
 
 #include "shading/three_terms.glsl"

@@ -11,16 +11,15 @@ precision highp sampler2DShadow;
 precision highp samplerCubeShadow;
 #endif
 
+#include "shadow/varyings.glsl"
 #if FLAT_SHADOWS > 0
 uniform FlatShadowMap flatShadowMap[FLAT_SHADOWS];
 uniform vec4 flatShadow[FLAT_SHADOWS];  // radius in texels, texels on a side, bias, part of the light that it takes
-in vec4 vFlatShadowCoord[FLAT_SHADOWS];
 #endif
 #if CUBE_SHADOWS > 0
 uniform CubeShadowMap cubeShadowMap[CUBE_SHADOWS];
 uniform vec4 cubeShadow[CUBE_SHADOWS];
 uniform vec2 cubeShadowRange[CUBE_SHADOWS];  // near and far, metres
-in vec4 vCubeShadowCoord[CUBE_SHADOWS];
 #endif
 
 #if THREE_SHADOW_FILTER_TERM == THREE_SHADOW_FILTER_DEPTH_DISK
@@ -29,7 +28,7 @@ const float GOLDEN_ANGLE = 2.399963229728653;
 const int TAPS = 5;
 
 // Angle of the disk at this pixel.
-float diskAngle() { return interleavedGradientNoise(gl_FragCoord.xy) * TURN; }
+float diskAngle() { return interleavedGradientNoise(pixelCentre()) * TURN; }
 
 // One of TAPS points spread evenly over the unit disk: Vogel's spiral.
 vec2 diskPoint(int tap, float angle) {

@@ -2,6 +2,8 @@
 precision highp float;
 precision highp int;
 
+#define VARYING in
+
 #include "sampler_precision.glsl"
 #include "brdf/constants.glsl"
 #include "brdf/types.glsl"
@@ -11,6 +13,9 @@ precision highp int;
 #include "shading/three_terms.glsl"
 #include "output.glsl"
 #include "pixel_noise.glsl"
+
+vec2 pixelCentre() { return gl_FragCoord.xy; }
+
 #include "shadow/filter.glsl"
 
 uniform float opacity;

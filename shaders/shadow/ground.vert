@@ -1,4 +1,5 @@
 // The ground: a level rectangle that shows nothing but shadows.
+#define VARYING out
 layout(location = 0) in vec3 position;  // about its centre, metres
 
 uniform mat4 modelMatrix;

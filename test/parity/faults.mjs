@@ -171,7 +171,7 @@ export const FAULTS = [
   {
     name: 'an open part of the hemisphere that is taken for that of the other side',
     item: 'visibility-env',
-    edits: [{ file: 'material/surface_info.glsl', find: 'bool front = gl_FrontFacing == seenSide;', replace: 'bool front = gl_FrontFacing != seenSide;' }],
+    edits: [{ file: 'material/surface_info.glsl', find: 'bool front = frontFacing() == seenSide;', replace: 'bool front = frontFacing() != seenSide;' }],
     first: 'indirect',
   },
   {

@@ -142,11 +142,16 @@ export const vertexMain = (textures) =>
 
 export const ALL_TEXTURES = [...CORE_TEXTURES, ...LAYERS.flatMap(texturesOf)];
 
+const ownFragmentDeclarations = () => fragmentDeclarations().filter((line) => !line.startsWith('in '));
+
+// Once for both stages: shaders/material/varyings.glsl.
+const ownVertexDeclarations = () => vertexDeclarations(ALL_TEXTURES).map((line) => line.replace(/^out /, 'VARYING '));
+
 /** @returns {Record<string, string>} Path below shaders/: text. */
 export const shaderFiles = () => ({
   'material/input_types.glsl': inputTypes(),
-  'material/layer_declarations.glsl': `${HEADER}// Factors are linear Rec.709; sRGB textures are decoded by the sampler.\n${textOf(fragmentDeclarations())}`,
+  'material/layer_declarations.glsl': `${HEADER}// Factors are linear Rec.709; sRGB textures are decoded by the sampler.\n${textOf(ownFragmentDeclarations())}`,
   'material/layer_inputs.glsl': HEADER + textOf(inputsFunction()),
-  'material/uv_varyings.glsl': HEADER + textOf(vertexDeclarations(ALL_TEXTURES)),
+  'material/uv_varyings.glsl': HEADER + textOf(ownVertexDeclarations()),
   'material/uv_transforms.glsl': `${HEADER}// Inside main() of the vertex stage.\n${textOf(vertexMain(ALL_TEXTURES))}`,
 });

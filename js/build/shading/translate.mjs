@@ -23,7 +23,13 @@ const THREE_TERMS = Object.fromEntries(Object.keys(THREE_SLOTS).map((slot) => [t
 /** three.js declares the second set where a map has it. */
 const SECOND_UV = `#ifdef USE_UV1\n#define ${PREFIX}uv1 uv1\n#else\n#define ${PREFIX}uv1 uv\n#endif`;
 
-const DEFINITIONS = [/^struct (\w+)/gm, /^(?:const )?\w+ (\w+)\(/gm, /^const \w+ (\w+)/gm, /^#define (\w+)/gm];
+const DEFINITIONS = [
+  /^struct (\w+)/gm,
+  /^(?:const )?\w+ (\w+)\(/gm,
+  /^const \w+ (\w+)/gm,
+  /^(?:bool|int|float|vec[234]) (\w+)(?:\[\w+\])?(?: =|;)/gm,
+  /^#define (\w+)/gm,
+];
 const DECLARATION = /^(uniform|in|out) \w+ (\w+);/gm;
 const SECOND_SET = /\b(\w+_UV1) ==/g;
 

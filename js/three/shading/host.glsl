@@ -15,6 +15,8 @@
 #define ltcInverseMap ltc_1
 #define ltcAlbedoMap ltc_2
 
+bool frontFacing() { return gl_FrontFacing; }
+
 vec3 viewDirection() { return isOrthographic ? vec3(0.0, 0.0, 1.0) : normalize(vViewPosition); }
 
 vec2 splitSum(float perceptualRoughness, float NoV) { return texture(dfgLUT, vec2(perceptualRoughness, NoV)).rg; }

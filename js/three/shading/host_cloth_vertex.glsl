@@ -4,3 +4,9 @@ attribute vec4 _telar_visibility;
 attribute vec4 _telar_visibility_back;
 #endif
 #endif
+#if AMBIENT_VISIBILITY
+out vec4 vVisibility;
+#if AMBIENT_VISIBILITY_BACK
+out vec4 vVisibilityBack;
+#endif
+#endif

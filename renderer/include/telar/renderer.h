@@ -28,6 +28,8 @@ struct RendererOptions {
   double sliceMs = 50;
   /// Whether triangles that nobody sees are found and left out. Tests only, but for kWhereItPays: no byte differs.
   enum class LeaveOut { kWhereItPays, kAlways, kNever } hiddenTriangles = LeaveOut::kWhereItPays;
+  /// Whether what is seen is found first and shaded in dense rows. Tests only, but for kWhereItPays: no byte differs.
+  LeaveOut visibilityBuffer = LeaveOut::kWhereItPays;
 };
 
 /// What a drawn frame was made of; toJson() is `info` of the API less what JavaScript adds.

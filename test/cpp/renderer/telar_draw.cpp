@@ -64,7 +64,11 @@ Arguments parseArguments(int argc, char** argv) {
       arguments.options.cacheDirectory = argv[i + 1];
       arguments.options.cacheBytes = 64u << 20;
     }
-    if (flag == "--hidden") arguments.options.hiddenTriangles = leaveOut(argv[i + 1]);
+    if (flag == "--hidden") {
+      arguments.options.hiddenTriangles = leaveOut(argv[i + 1]);
+      arguments.options.visibilityBuffer = telar::RendererOptions::LeaveOut::kNever;  // it has no use for them
+    }
+    if (flag == "--buffer") arguments.options.visibilityBuffer = leaveOut(argv[i + 1]);
     if (flag == "--slice-ms") arguments.options.sliceMs = std::atof(argv[i + 1]);
     if (flag == "--repeat") arguments.repeat = std::atoi(argv[i + 1]);
     if (flag == "--debug") arguments.debugOutputs = argv[i + 1];

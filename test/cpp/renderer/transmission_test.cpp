@@ -186,7 +186,9 @@ TEST(Transmission, AllFeaturesForcedOnGiveTheSamePicture) {
 }
 
 TEST(Transmission, ItsTargetIsFreedByAFrameWithoutIt) {
-  const auto renderer = Renderer::create({});
+  RendererOptions options;
+  options.visibilityBuffer = RendererOptions::LeaveOut::kNever;  // it has names of its own
+  const auto renderer = Renderer::create(options);
   const auto opaque = sceneOf(spherePrimitive(1, 8));
   const auto scene = ballBehind(glass());
   FrameInfo info;

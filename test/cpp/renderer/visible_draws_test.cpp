@@ -20,6 +20,7 @@ using LeaveOut = RendererOptions::LeaveOut;
 std::unique_ptr<Renderer> rendererWith(LeaveOut hiddenTriangles) {
   RendererOptions options;
   options.hiddenTriangles = hiddenTriangles;
+  options.visibilityBuffer = LeaveOut::kNever;
   return Renderer::create(options);
 }
 
@@ -182,6 +183,7 @@ TEST_P(PicturesOf, KeepTheirBytes) {
   const auto scene = wardrobe(kind == Kind::kTransmission);
   RendererOptions options;
   options.hiddenTriangles = LeaveOut::kAlways;
+  options.visibilityBuffer = LeaveOut::kNever;
   if (kind == Kind::kSlices) options.sliceMs = 1e-3;
   const auto whole = rendererWith(LeaveOut::kNever), less = Renderer::create(options);
   std::mt19937 engine(static_cast<std::uint32_t>(GetParam()));

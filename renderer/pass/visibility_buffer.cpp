@@ -1,0 +1,316 @@
+#include "pass/visibility_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "gl/incomplete.h"
+#include "pass/varyings.h"
+#include "pass/visible_draws.h"
+
+namespace telar::pass {
+namespace {
+
+using visibility::ShadingQuad;
+
+constexpr std::size_t WIDTH = 1024;            ///< texels; a power of two
+constexpr std::size_t BLOCK = 4;               ///< texels on a side
+constexpr std::size_t QUADS = 4;               ///< in a block
+constexpr std::size_t BLOCKS = WIDTH / BLOCK;  ///< side by side
+/// Floats that transform feedback writes for a vertex, at most: what each GL has, less the place.
+constexpr std::size_t MOST_VARYINGS = 60;
+/// Bytes of the vertices' outputs, and of the fragments' varyings, at most.
+constexpr std::size_t MOST_BYTES = 192u << 20;
+
+/// First texel of a quad.
+glm::uvec2 texelOf(std::size_t block, std::size_t quad) {
+  return {(block % BLOCKS) * BLOCK + (quad & 1) * 2, (block / BLOCKS) * BLOCK + (quad >> 1) * 2};
+}
+
+bool isPlain(const DrawItem& item) {
+  const shader::VariantKey& key = item.key;
+  return item.visible && !item.instances() && item.primitive->topology == Topology::kTriangles && !item.blend &&
+         !key.alphaMask && !key.alphaToCoverage && !key.transmission && !key.layers;
+}
+
+/// Depths of the ground in the window. What lies above its horizon has depths beyond those that are drawn.
+visibility::Plane groundDepths(const FramePlan& plan, const Shot& shot) {
+  const glm::dmat4 toClip = plan.camera.projection * plan.camera.view;
+  const glm::dvec4 plane = glm::transpose(glm::inverse(toClip)) * glm::dvec4(0, 1, 0, -shot.ground->position.y);
+  const glm::dvec2 scale = 2.0 / glm::dvec2(shot.width, shot.height);
+  const double half = -0.5 / plane.z;
+  return {static_cast<float>(half * plane.x * scale.x), static_cast<float>(half * plane.y * scale.y),
+          static_cast<float>(half * (plane.w - plane.x - plane.y) + 0.5)};
+}
+
+gl::Texture nearestTexture(const gl::Functions& gl, GLenum format, int rows) {
+  gl::Texture texture(gl);
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_2D, texture.get());
+  gl.TexStorage2D(GL_TEXTURE_2D, 1, format, WIDTH, rows);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+  return texture;
+}
+
+std::size_t outputsOf(const DrawItem& item) { return 4 + componentsOf(varyingsOf(item.key)); }
+
+}  // namespace
+
+bool VisibilityBuffer::mayDraw(const FramePlan& plan, const Shot& shot, int samples) const {
+  const gl::Capabilities& can = context_.capabilities();
+  if (use_ == Use::kNever || samples != visibility::SAMPLES || !can.samplePlaces || plan.frame.environmentSamples > 0)
+    return false;
+  if (std::int64_t{shot.width} * shot.height > MOST_PIXELS) return false;
+  const DrawList& draws = plan.draws;
+  if (draws.opaque.empty() || !draws.transmissive.empty() || !draws.blended.empty()) return false;
+  std::size_t triangles = 0, floats = 0;
+  for (const DrawItem& item : draws.opaque) {
+    if (!isPlain(item) || outputsOf(item) > MOST_VARYINGS + 4) return false;
+    triangles += trianglesOf(item);
+    floats += item.primitive->positions.size() * outputsOf(item);
+  }
+  if (floats * sizeof(float) > MOST_BYTES) return false;
+  return use_ == Use::kAlways || (can.shadesHidden && triangles >= FEW_TRIANGLES);
+}
+
+void VisibilityBuffer::begin(const FramePlan& plan, const Shot& shot) {
+  count_ = {};
+  first_ = plan.draws.opaque.data();
+  size_ = {shot.width, shot.height};
+  grid_ = gridOf(context_.gl(), {shot.width, shot.height});
+  captured_.clear();
+  std::size_t floats = 0;
+  for (const DrawItem& item : plan.draws.opaque) {
+    captured_.push_back({floats, componentsOf(varyingsOf(item.key))});
+    floats += item.primitive->positions.size() * outputsOf(item);
+  }
+  vertices_.resize(floats + 3);  // vectors of four are read at the end of a vertex
+}
+
+void VisibilityBuffer::capture(const DrawItem& item, GpuScene& gpu) {
+  const gl::Functions& gl = context_.gl();
+  const Captured& captured = captured_[indexOf(item)];
+  const std::size_t vertices = item.primitive->positions.size();
+  const auto bytes = static_cast<GLsizeiptr>(vertices * (captured.varyings + 4) * sizeof(float));
+  if (bytes == 0) return;
+  if (!outputs_) outputs_ = gl::Buffer(gl);
+  gl.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, outputs_.get());
+  gl.BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
+  gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, outputs_.get());
+  gl.BindVertexArray(gpu.primitive(*item.primitive, nullptr).vertexArray.get());
+  gl.Enable(GL_RASTERIZER_DISCARD);
+  gl.BeginTransformFeedback(GL_POINTS);
+  gl.DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertices));
+  gl.EndTransformFeedback();
+  gl.Disable(GL_RASTERIZER_DISCARD);
+  const void* from = gl.MapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, GL_MAP_READ_BIT);
+  if (from) std::memcpy(vertices_.data() + captured.first, from, static_cast<std::size_t>(bytes));
+  gl.UnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
+  gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+  context_.check("outputs of the vertex stage");
+}
+
+bool VisibilityBuffer::find(const FramePlan& plan, const Shot& shot, const CancelToken& cancel) {
+  meshes_.clear();
+  for (const DrawItem& item : plan.draws.opaque) {
+    const Captured& captured = captured_[indexOf(item)];
+    meshes_.push_back({{vertices_.data() + captured.first, captured.varyings},
+                       item.primitive->positions.size(),
+                       item.primitive->indices,
+                       facesOf(item)});
+  }
+  if (!owners_.look(grid_, meshes_, cancel)) return false;
+  if (plan.ground && !owners_.inFrontOf(groundDepths(plan, shot))) return false;
+  quads_.find(owners_, cancel);
+  if (!fill(plan)) return false;
+  fillPlaces();
+  upload();
+  count_.triangles = owners_.triangles();
+  count_.hidden = count_.triangles - quads_.shown();
+  return true;
+}
+
+bool VisibilityBuffer::fill(const FramePlan& plan) {
+  const auto& all = quads_.all();
+  ranges_.clear();
+  layers_ = 0;
+  std::size_t blocks = 0;
+  for (std::size_t mesh = 0; mesh < all.size(); ++mesh) {
+    const std::size_t count = (all[mesh].size() + QUADS - 1) / QUADS;
+    ranges_.push_back({blocks, blocks + count});
+    blocks += count;
+    count_.fragments += all[mesh].size() * 4;
+    layers_ = std::max(layers_, (captured_[mesh].varyings + FRAGMENT_FACTS + 3) / 4);
+  }
+  const std::size_t rows = std::max<std::size_t>((blocks + BLOCKS - 1) / BLOCKS, 1) * BLOCK;
+  if (rows * layers_ > static_cast<std::size_t>(context_.capabilities().maxTextureSize) ||
+      rows * layers_ * WIDTH * sizeof(glm::vec4) > MOST_BYTES)
+    return false;
+  rows_ = static_cast<int>(rows);
+  texels_.resize(rows * layers_ * WIDTH * 4);
+  visibility::VaryingMixer mixer;
+  const visibility::FragmentTexels out{texels_.data(), WIDTH, layers_};
+  for (std::size_t mesh = 0; mesh < all.size(); ++mesh) {
+    const DrawItem& item = plan.draws.opaque[mesh];
+    const bool frontTurn = item.mirrored == item.key.flipSided;
+    const std::size_t facts = captured_[mesh].varyings;
+    for (std::size_t i = 0; i < all[mesh].size(); ++i) {
+      const ShadingQuad& quad = all[mesh][i];
+      const glm::uvec2 corner = texelOf(ranges_[mesh].firstBlock + i / QUADS, i % QUADS);
+      if (i == 0 || quad.triangle != all[mesh][i - 1].triangle)
+        mixer.begin(meshes_[mesh].outputs, owners_.vertices(mesh), visibility::cornersOf(meshes_[mesh], quad.triangle),
+                    quad.counterClockwise);
+      mixer.mix(quad, out, corner);
+      for (unsigned pixel = 0; pixel < 4; ++pixel) {
+        const unsigned dx = pixel & 1, dy = pixel >> 1;
+        const float told[FRAGMENT_FACTS] = {quad.counterClockwise == frontTurn ? 1.0f : 0.0f,
+                                            static_cast<float>(quad.x + dx) + 0.5f,
+                                            static_cast<float>(quad.y + dy) + 0.5f};
+        for (std::size_t fact = 0; fact < FRAGMENT_FACTS; ++fact) {
+          const std::size_t at = facts + fact;
+          out.of({corner.x + dx, corner.y + dy}, at / 4)[at % 4] = told[fact];
+        }
+      }
+    }
+  }
+  return true;
+}
+
+void VisibilityBuffer::fillPlaces() {
+  const visibility::Pixels& covered = owners_.covered();
+  const auto width = static_cast<std::size_t>(covered.toX - covered.fromX + 1);
+  const auto height = static_cast<std::size_t>(covered.toY - covered.fromY + 1);
+  surfaces_ = 0;
+  const auto& all = quads_.all();
+  for (std::size_t mesh = 0; mesh < all.size(); ++mesh) {
+    for (std::size_t i = 0; i < all[mesh].size(); ++i) {
+      const ShadingQuad& quad = all[mesh][i];
+      const glm::uvec2 corner = texelOf(ranges_[mesh].firstBlock + i / QUADS, i % QUADS);
+      for (unsigned pixel = 0; pixel < 4; ++pixel) {
+        const unsigned samples = (quad.samples >> (4 * pixel)) & 15u, dx = pixel & 1, dy = pixel >> 1;
+        if (samples == 0) continue;
+        const std::size_t at = (quad.y + dy - static_cast<std::size_t>(covered.fromY)) * width + quad.x + dx -
+                               static_cast<std::size_t>(covered.fromX);
+        std::size_t surface = 0;
+        while (surface < surfaces_ && places_[surface][at] != 0) ++surface;
+        if (surface == surfaces_) places_[surfaces_++].assign(width * height, 0);
+        places_[surface][at] = static_cast<std::uint32_t>(((corner.y + dy) * WIDTH + corner.x + dx) << 4) | samples;
+      }
+    }
+  }
+}
+
+void VisibilityBuffer::upload() {
+  const gl::Functions& gl = context_.gl();
+  const glm::ivec2 rows(rows_ * static_cast<int>(layers_), rows_);
+  if (rows.x > held_.x || rows.y > held_.y) {
+    const int most = context_.capabilities().maxTextureSize;
+    held_ = glm::min(glm::max(rows + rows / 4, held_), glm::ivec2(most));
+    varyings_ = nearestTexture(gl, GL_RGBA32F, held_.x);
+    shaded_ = nearestTexture(gl, GL_RGBA8, held_.y);
+    target_ = gl::Framebuffer(gl);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, target_.get());
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, shaded_.get(), 0);
+    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+      gl::failIncomplete(gl, "shaded fragments");
+  }
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_2D, varyings_.get());
+  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, WIDTH, rows.x, GL_RGBA, GL_FLOAT, texels_.data());
+  context_.check("visibility buffer");
+}
+
+void VisibilityBuffer::bind() { context_.gl().BindFramebuffer(GL_FRAMEBUFFER, target_.get()); }
+
+void VisibilityBuffer::draw(const DrawItem& item, const gl::Program& program, gl::DrawCost& cost, GLuint unit) {
+  const Range& range = ranges_[indexOf(item)];
+  if (range.firstBlock == range.endBlock) return;
+  const gl::Functions& gl = context_.gl();
+  program.set("varyingMap", static_cast<int>(unit));
+  program.set("varyingTexels", static_cast<int>(layers_));
+  gl.ActiveTexture(GL_TEXTURE0 + unit);
+  gl.BindTexture(GL_TEXTURE_2D, varyings_.get());
+  if (!noVertices_) noVertices_ = gl::VertexArray(gl);
+  gl.BindVertexArray(noVertices_.get());
+  // What is left of the first line of blocks, whole lines, the beginning of the last.
+  for (std::size_t from = range.firstBlock; from < range.endBlock;) {
+    const std::size_t column = from % BLOCKS;
+    const std::size_t lines = column == 0 ? (range.endBlock - from) / BLOCKS : 0;
+    const std::size_t blocks = lines > 0 ? BLOCKS : std::min(BLOCKS - column, range.endBlock - from);
+    const gl::Pacer::Rectangle part{static_cast<int>(column * BLOCK), static_cast<int>(from / BLOCKS * BLOCK),
+                                    static_cast<int>(blocks * BLOCK),
+                                    static_cast<int>(std::max<std::size_t>(lines, 1) * BLOCK)};
+    gl.Viewport(part.x, part.y, part.width, part.height);
+    context_.pacer().draw(cost, part.area(), part, [&] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
+    from += lines > 0 ? lines * BLOCKS : blocks;
+  }
+}
+
+void VisibilityBuffer::compose(telar::Frame& behind) {
+  const std::size_t rows = static_cast<std::size_t>(rows_);
+  shadedTexels_.resize(rows * WIDTH);
+  const gl::Functions& gl = context_.gl();
+  bind();
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.ReadPixels(0, 0, WIDTH, rows_, GL_RGBA, GL_UNSIGNED_BYTE, shadedTexels_.data());
+  context_.check("readback of shaded fragments");
+  const visibility::Pixels& covered = owners_.covered();
+  const auto width = static_cast<std::size_t>(covered.toX - covered.fromX + 1);
+  auto* picture = reinterpret_cast<std::uint8_t*>(behind.pixels.data());
+  const int right = std::min(covered.toX, static_cast<int>(behind.width) - 1);
+  const int top = std::min(covered.toY, static_cast<int>(behind.height) - 1);
+  for (int y = covered.fromY; y <= top; ++y) {
+    std::size_t at = static_cast<std::size_t>(y - covered.fromY) * width;
+    std::uint8_t* pixel =
+        picture + (static_cast<std::size_t>(y) * behind.width + static_cast<std::size_t>(covered.fromX)) * 4;
+    for (int x = covered.fromX; x <= right; ++x, ++at, pixel += 4) {
+      const std::uint32_t first = surfaces_ > 0 ? places_[0][at] : 0;
+      if (first == 0) continue;
+      if ((first & 15u) == 15u) {
+        std::memcpy(pixel, &shadedTexels_[first >> 4], 4);
+        continue;
+      }
+      mix(at, pixel);
+    }
+  }
+}
+
+// The mean of the samples in floats, as llvmpipe resolves them: of two bytes that are as near it takes the same one.
+void VisibilityBuffer::mix(std::size_t at, std::uint8_t* pixel) const {
+  std::uint8_t samples[visibility::SAMPLES][4];
+  for (auto& sample : samples) std::memcpy(sample, pixel, sizeof sample);
+  for (std::size_t layer = 0; layer < surfaces_; ++layer) {
+    const std::uint32_t place = places_[layer][at];
+    for (unsigned i = 0; i < visibility::SAMPLES; ++i) {
+      if ((place >> i & 1u) != 0) std::memcpy(samples[i], &shadedTexels_[place >> 4], sizeof samples[i]);
+    }
+  }
+  constexpr float UNIT = 1.0f / 255, SHARE = 1.0f / visibility::SAMPLES;
+  for (int i = 0; i < 4; ++i) {
+    float sum = 0;
+    for (const auto& sample : samples) sum += static_cast<float>(sample[i]) * UNIT;
+    pixel[i] = static_cast<std::uint8_t>(std::lrint(sum * SHARE * 255));
+  }
+}
+
+void VisibilityBuffer::release() {
+  first_ = nullptr;
+  meshes_.clear();
+  if (memory() <= KEPT) return;
+  owners_ = {};
+  quads_ = {};
+  vertices_ = {};
+  texels_ = {};
+  shadedTexels_ = {};
+  places_ = {};
+}
+
+std::size_t VisibilityBuffer::memory() const {
+  std::size_t bytes = owners_.memory() + quads_.memory() + visibility::bytesOf(vertices_) +
+                      visibility::bytesOf(texels_) + visibility::bytesOf(shadedTexels_);
+  for (const auto& places : places_) bytes += visibility::bytesOf(places);
+  return bytes;
+}
+
+}  // namespace telar::pass

@@ -1,0 +1,104 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "gl/program.h"
+#include "pass/draw_list.h"
+#include "pass/gpu_scene.h"
+#include "telar/renderer.h"
+#include "visibility/quad_varyings.h"
+
+namespace telar::pass {
+
+/// Shades what is seen alone, in dense rows: the GL runs the vertex stage and hands its outputs over, the processor
+/// finds the triangle of each sample and mixes its varyings, the GL shades these fragments, and their colours are put
+/// to the samples. llvmpipe shades blocks of 4 by 4 pixels for each triangle, and those of a garment have a few pixels.
+/// src: Burns & Hunt 2013, "The Visibility Buffer: A Cache-Friendly Approach to Deferred Shading"
+class VisibilityBuffer {
+ public:
+  using Use = RendererOptions::LeaveOut;
+  VisibilityBuffer(const gl::Context& context, Use use) : context_(context), use_(use) {}
+
+  /// Whether a picture of one pass may be drawn so.
+  bool mayDraw(const FramePlan& plan, const Shot& shot, int samples) const;
+  /// Begins a picture. The target with its samples is bound.
+  void begin(const FramePlan& plan, const Shot& shot);
+  /// Runs the vertex stage of a draw of the plan's opaque list. Its program, of a captured key, and its uniforms are
+  /// set.
+  void capture(const DrawItem& item, GpuScene& gpu);
+  /// Looks at what was captured. @return false = it has to be drawn triangle by triangle
+  /// @throws Error{X_CANCELLED, X_TIMEOUT}
+  bool find(const FramePlan& plan, const Shot& shot, const CancelToken& cancel);
+  /// Makes the fragments the target.
+  void bind();
+  /// Shades what is seen of a draw of the plan's opaque list. Its program and its uniforms are set.
+  void draw(const DrawItem& item, const gl::Program& program, gl::DrawCost& cost, GLuint unit);
+  /// Puts what they have shaded in front of a picture. @param behind  kRgba8; row 0 is the lowest one
+  void compose(telar::Frame& behind);
+
+  /// Of the last picture that was found.
+  struct Count {
+    std::size_t triangles = 0, hidden = 0, fragments = 0;
+  };
+  const Count& count() const { return count_; }
+
+  /// Gives back what a picture takes, at its end, however it ends.
+  class Frame {
+   public:
+    explicit Frame(VisibilityBuffer& buffer) : buffer_(buffer) {}
+    ~Frame() { buffer_.release(); }
+    Frame(const Frame&) = delete;
+    Frame& operator=(const Frame&) = delete;
+
+   private:
+    VisibilityBuffer& buffer_;
+  };
+
+ private:
+  /// Vertices of one draw.
+  struct Captured {
+    std::size_t first = 0;  ///< float
+    std::size_t varyings = 0;
+  };
+  /// Texels of one draw, in blocks of four by four: llvmpipe shades these at once.
+  struct Range {
+    std::size_t firstBlock = 0, endBlock = 0;
+  };
+
+  std::size_t indexOf(const DrawItem& item) const { return static_cast<std::size_t>(&item - first_); }
+  bool fill(const FramePlan& plan);
+  void fillPlaces();
+  void upload();
+  void mix(std::size_t at, std::uint8_t* pixel) const;
+  void release();
+  std::size_t memory() const;
+  /// Bytes that are kept from picture to picture, of the processor's memory.
+  static constexpr std::size_t KEPT = 64u << 20;
+
+  const gl::Context& context_;
+  Use use_;
+  const DrawItem* first_ = nullptr;
+  glm::vec2 size_{0};
+  visibility::SampleGrid grid_;
+  gl::Buffer outputs_;
+  std::vector<float> vertices_;
+  std::vector<Captured> captured_;  ///< by draw
+  std::vector<visibility::PlacedMesh> meshes_;
+  visibility::SampleOwners owners_;
+  visibility::ShadingQuads quads_;
+  std::vector<Range> ranges_;  ///< by draw
+  std::size_t layers_ = 0;     ///< texels of a fragment
+  std::vector<float> texels_;
+  int rows_ = 0;        ///< of fragments
+  glm::ivec2 held_{0};  ///< rows that the textures have, of texels and of fragments
+  gl::Texture varyings_, shaded_;
+  gl::Framebuffer target_;
+  std::vector<std::uint32_t> shadedTexels_;
+  std::size_t surfaces_ = 0;  ///< most of a pixel
+  /// Of each pixel that may be covered: texel, and in the lowest four bits the samples that have its colour; 0 = none
+  std::array<std::vector<std::uint32_t>, visibility::SAMPLES> places_;
+  gl::VertexArray noVertices_;
+  Count count_;
+};
+
+}  // namespace telar::pass

@@ -1,0 +1,57 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+
+#include "visibility/lanes.h"
+#include "visibility/shading_quads.h"
+
+namespace telar::visibility {
+
+/// Where the texels of fragments lie: those of one fragment one above the other.
+struct FragmentTexels {
+  float* texels = nullptr;  ///< four floats each
+  std::size_t width = 0;    ///< texels of a row
+  std::size_t layers = 0;   ///< texels of a fragment
+  float* of(const glm::uvec2& at, std::size_t layer) const {
+    return texels + ((at.y * layers + layer) * width + at.x) * 4;
+  }
+};
+
+/// Whether LLVM fuses a product and a sum here.
+bool fusesProducts();
+
+/// Place in the window of one in clip space, as llvmpipe (Mesa 22.3) computes it. @param size  px
+glm::vec3 windowPlace(const float* clip, float overW, const glm::vec2& size, bool fused);
+
+/// Mixes the varyings of a triangle at the centres of pixels, in perspective, with the operations of llvmpipe
+/// (Mesa 22.3, lp_state_setup.c and lp_bld_interp.c) in their order: where a triangle is a hundredth of a pixel high,
+/// what another order rounds is seen.
+class VaryingMixer {
+ public:
+  VaryingMixer() : fused_(fusesProducts()) {}
+  /// @param corners  in the order of the draw
+  void begin(const VertexOutputs& outputs, const WindowVertices& vertices, const Corners& corners,
+             bool counterClockwise);
+  /// Four fragments of that triangle. @param at  texel of the first of them
+  void mix(const ShadingQuad& quad, const FragmentTexels& out, const glm::uvec2& at) const;
+
+ private:
+  /// Of four floats, over the window.
+  struct Plane4 {
+    Lanes atOrigin, dx, dy;
+  };
+  static constexpr std::size_t MOST = 24;  ///< planes
+
+  bool fused_;
+  std::size_t count_ = 0;
+  Plane4 overW_{};
+  std::array<Plane4, MOST> planes_;
+
+  template <class Rounding>
+  void mixAs(const ShadingQuad& quad, const FragmentTexels& out, const glm::uvec2& at) const;
+  void mixFused(const ShadingQuad& quad, const FragmentTexels& out, const glm::uvec2& at) const;
+};
+
+}  // namespace telar::visibility

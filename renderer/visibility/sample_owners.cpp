@@ -1,0 +1,266 @@
+#include "visibility/sample_owners.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "visibility/lanes.h"
+#include "visibility/patience.h"
+
+namespace telar::visibility {
+namespace {
+
+/// Steps of the grid that corners stand on, in a pixel: llvmpipe's.
+constexpr int STEPS = 256;
+/// Depths of the buffer: 24 bits.
+constexpr float DEPTHS = 16777215;
+constexpr std::int32_t FARTHEST = 1 << 24;
+/// Up to so many pixels on a side, edge functions in steps fit into 32 bits.
+constexpr int SMALL = 60;
+
+using Doubles = double __attribute__((vector_size(32)));
+using LongMask = std::int64_t __attribute__((vector_size(32)));
+
+Doubles doublesOf(double value) { return Doubles{value, value, value, value}; }
+
+}  // namespace
+
+/// A triangle whose corners run counter-clockwise.
+struct SampleOwners::Setup {
+  Pixels box;
+  Lanes depth;           ///< at the samples of the pixel at the window's corner
+  float depthX, depthY;  ///< a pixel on
+  float nearest, farthest;
+  Owner owner;
+};
+
+namespace {
+
+/// An edge function at the four samples of pixels: twice the area of a point and the edge in steps, positive inside,
+/// and 0 or more for what belongs to the triangle. Of a point on the edge between two triangles one has it: left and
+/// lower edges keep theirs.
+/// @tparam Vector  Mask, where all numbers fit into 32 bits, or Doubles: whole numbers below 2^53 are exact
+template <class Vector>
+class Edge {
+ public:
+  using Scalar = std::conditional_t<std::is_same_v<Vector, Mask>, std::int32_t, double>;
+  /// @param placesX, placesY  of the samples in a pixel, in steps    @param x, y  first pixel
+  Edge(const glm::ivec2& u, const glm::ivec2& v, const Mask& placesX, const Mask& placesY, int x, int y) {
+    const auto dx = static_cast<Scalar>(v.x - u.x), dy = static_cast<Scalar>(v.y - u.y);
+    const bool keeps = dy < 0 || (dy == 0 && dx > 0);
+    const Scalar fromX = static_cast<Scalar>(x * STEPS - u.x), fromY = static_cast<Scalar>(y * STEPS - u.y);
+    const Scalar begin = dx * fromY - dy * fromX - static_cast<Scalar>(keeps ? 0 : 1);
+    begin_ = __builtin_convertvector(placesY, Vector) * dx - __builtin_convertvector(placesX, Vector) * dy + begin;
+    nextX_ = -dy * STEPS;
+    nextY_ = dx * STEPS;
+  }
+  const Vector& begin() const { return begin_; }
+  Scalar nextX() const { return nextX_; }
+  Scalar nextY() const { return nextY_; }
+
+ private:
+  Vector begin_{};
+  Scalar nextX_, nextY_;
+};
+
+Mask insideOf(const Mask& a, const Mask& b, const Mask& c) { return (a | b | c) >= Mask{0, 0, 0, 0}; }
+Mask insideOf(const Doubles& a, const Doubles& b, const Doubles& c) {
+  const Doubles zero = doublesOf(0);
+  return __builtin_convertvector((a >= zero) & (b >= zero) & (c >= zero), Mask);
+}
+
+template <class Vector>
+using Edges = std::array<Edge<Vector>, 3>;
+
+}  // namespace
+
+template <class EdgesOf>
+void SampleOwners::cover(const Setup& setup, const EdgesOf& edges, std::int64_t& steps) {
+  const Pixels& box = setup.box;
+  auto row0 = edges[0].begin(), row1 = edges[1].begin(), row2 = edges[2].begin();
+  const Lanes depthX = lanesOf(setup.depthX), nearest = lanesOf(setup.nearest), farthest = lanesOf(setup.farthest);
+  steps += static_cast<std::int64_t>(countOf(box));
+  for (int y = box.fromY; y <= box.toY; ++y) {
+    auto e0 = row0, e1 = row1, e2 = row2;
+    Lanes depth = setup.depth + lanesOf(setup.depthY * static_cast<float>(y - box.fromY));
+    PixelSamples* at = &samples_[indexOf(box.fromX, y)];
+    for (int x = box.fromX; x <= box.toX; ++x, ++at) {
+      const Mask inside = insideOf(e0, e1, e2);
+      if (any(inside)) {
+        // Where a triangle is thin, its plane may leave the depths of its corners.
+        const Lanes held = larger(nearest, smaller(farthest, depth));
+        const Mask z = __builtin_convertvector(held * lanesOf(DEPTHS) + lanesOf(0.5f), Mask);
+        Mask known, owner;
+        std::memcpy(&known, at->depths, sizeof known);
+        std::memcpy(&owner, at->owners, sizeof owner);
+        const Mask wins = inside & (z <= known);
+        const auto number = static_cast<std::int32_t>(setup.owner);
+        known = wins ? z : known;
+        owner = wins ? Mask{number, number, number, number} : owner;
+        std::memcpy(at->depths, &known, sizeof known);
+        std::memcpy(at->owners, &owner, sizeof owner);
+      }
+      e0 += edges[0].nextX();
+      e1 += edges[1].nextX();
+      e2 += edges[2].nextX();
+      depth += depthX;
+    }
+    row0 += edges[0].nextY();
+    row1 += edges[1].nextY();
+    row2 += edges[2].nextY();
+  }
+}
+
+void SampleOwners::drawTriangle(const WindowVertices& vertices, const Corners& at, Faces faces, Owner owner,
+                                std::int64_t& steps) {
+  const glm::ivec2 *p = &steps_[at[0]], *q = &steps_[at[1]], *r = &steps_[at[2]];
+  const glm::ivec2 low = glm::min(glm::min(*p, *q), *r), high = glm::max(glm::max(*p, *q), *r);
+  // Pixels with a sample between them: rounded towards where there are fewer, but for numbers below 0.
+  const Pixels box{std::max((low.x - lastPlace_.x + STEPS - 1) / STEPS, 0),
+                   std::min((high.x - firstPlace_.x) / STEPS, grid_.width - 1),
+                   std::max((low.y - lastPlace_.y + STEPS - 1) / STEPS, 0),
+                   std::min((high.y - firstPlace_.y) / STEPS, grid_.height - 1)};
+  if (box.fromX > box.toX || box.fromY > box.toY) return;
+  const std::int64_t area = std::int64_t{q->x - p->x} * (r->y - p->y) - std::int64_t{r->x - p->x} * (q->y - p->y);
+  if (area == 0) return;
+  const bool counterClockwise = area > 0;
+  if (faces != Faces::kBoth && counterClockwise != (faces == Faces::kCounterClockwise)) return;
+  const WindowVertex &a = vertices.vertices[at[0]], &b = vertices.vertices[at[1]], &c = vertices.vertices[at[2]];
+  Setup setup;
+  setup.box = box;
+  setup.owner = owner | (counterClockwise ? COUNTER_CLOCKWISE : 0);
+  // In floats about the first corner, as the places were before they were rounded.
+  const float x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;
+  const float z1 = b.z - a.z, z2 = c.z - a.z, determinant = x1 * y2 - x2 * y1;
+  const float inverse = determinant != 0 ? 1 / determinant : 0;
+  setup.depthX = (z1 * y2 - z2 * y1) * inverse;
+  setup.depthY = (x1 * z2 - x2 * z1) * inverse;
+  setup.nearest = std::min({a.z, b.z, c.z});
+  setup.farthest = std::max({a.z, b.z, c.z});
+  Lanes placesX, placesY;
+  std::memcpy(&placesX, placesX_, sizeof placesX);
+  std::memcpy(&placesY, placesY_, sizeof placesY);
+  setup.depth = lanesOf(a.z) + lanesOf(setup.depthX) * (placesX + lanesOf(static_cast<float>(box.fromX) - a.x)) +
+                lanesOf(setup.depthY) * (placesY + lanesOf(static_cast<float>(box.fromY) - a.y));
+  const Mask inStepsX = __builtin_convertvector(placesX * lanesOf(STEPS), Mask);
+  const Mask inStepsY = __builtin_convertvector(placesY * lanesOf(STEPS), Mask);
+  if (!counterClockwise) std::swap(q, r);
+  const auto edgesAs = [&](auto vector) {
+    using Vector = decltype(vector);
+    const auto edge = [&](const glm::ivec2& u, const glm::ivec2& v) {
+      return Edge<Vector>(u, v, inStepsX, inStepsY, box.fromX, box.fromY);
+    };
+    cover(setup, Edges<Vector>{edge(*p, *q), edge(*q, *r), edge(*r, *p)}, steps);
+  };
+  // A corner outside of the window is as far from the box as the triangle is large.
+  if (high.x - low.x < SMALL * STEPS && high.y - low.y < SMALL * STEPS) {
+    edgesAs(Mask{});
+  } else {
+    edgesAs(Doubles{});
+  }
+}
+
+bool SampleOwners::draw(std::size_t index, const CancelToken& cancel) {
+  const PlacedMesh& mesh = meshes_[index];
+  const WindowVertices& vertices = vertices_[index];
+  steps_.clear();
+  for (const WindowVertex& v : vertices.vertices)
+    steps_.emplace_back(static_cast<int>(std::lrint(v.x * STEPS)), static_cast<int>(std::lrint(v.y * STEPS)));
+  Patience patience(cancel);
+  for (std::size_t i = 0; i < trianglesOf(mesh); ++i) {
+    patience.spend();
+    const Corners at = cornersOf(mesh, i);
+    const std::uint32_t any =
+        vertices.vertices[at[0]].outside | vertices.vertices[at[1]].outside | vertices.vertices[at[2]].outside;
+    if ((any & UNPROJECTED) != 0) return false;
+    if ((vertices.vertices[at[0]].outside & vertices.vertices[at[1]].outside & vertices.vertices[at[2]].outside &
+         FAR_OFF) != 0)
+      continue;
+    drawTriangle(vertices, at, mesh.faces, firsts_[index] + static_cast<Owner>(i), patience.steps);
+  }
+  return true;
+}
+
+void SampleOwners::begin() {
+  Pixels all{grid_.width, -1, grid_.height, -1};
+  for (const WindowVertices& v : vertices_) {
+    for (const WindowVertex& at : v.vertices) {
+      if ((at.outside & UNPROJECTED) != 0) continue;
+      all.fromX = std::min(all.fromX, static_cast<int>(std::floor(at.x)) - 1);
+      all.fromY = std::min(all.fromY, static_cast<int>(std::floor(at.y)) - 1);
+      all.toX = std::max(all.toX, static_cast<int>(std::floor(at.x)) + 1);
+      all.toY = std::max(all.toY, static_cast<int>(std::floor(at.y)) + 1);
+    }
+  }
+  const auto even = [](int v) { return std::max(v, 0) & ~1; };
+  const auto odd = [](int v, int size) { return std::min(v, size - 1) | 1; };
+  covered_ = {even(all.fromX), odd(all.toX, grid_.width), even(all.fromY), odd(all.toY, grid_.height)};
+  const bool none = covered_.fromX > covered_.toX || covered_.fromY > covered_.toY;
+  stride_ = none ? 0 : static_cast<std::size_t>(covered_.toX - covered_.fromX + 1);
+  samples_.assign(none ? 0 : stride_ * static_cast<std::size_t>(covered_.toY - covered_.fromY + 1),
+                  {{FARTHEST, FARTHEST, FARTHEST, FARTHEST}, {NO_OWNER, NO_OWNER, NO_OWNER, NO_OWNER}});
+}
+
+bool SampleOwners::look(const SampleGrid& grid, std::span<const PlacedMesh> meshes, const CancelToken& cancel) {
+  grid_ = grid;
+  meshes_ = meshes;
+  firstPlace_ = glm::ivec2(STEPS);
+  lastPlace_ = glm::ivec2(0);
+  for (std::size_t i = 0; i < SAMPLES; ++i) {
+    placesX_[i] = grid.places[i].x;
+    placesY_[i] = grid.places[i].y;
+    firstPlace_ = glm::min(firstPlace_, glm::ivec2(grid.places[i] * static_cast<float>(STEPS)));
+    lastPlace_ = glm::max(lastPlace_, glm::ivec2(grid.places[i] * static_cast<float>(STEPS)));
+  }
+  firsts_.clear();
+  vertices_.resize(meshes.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    cancel.check();
+    firsts_.push_back(static_cast<std::uint32_t>(count));
+    count += trianglesOf(meshes[i]);
+    if (count >= COUNTER_CLOCKWISE - 1) return false;
+    vertices_[i].place(meshes[i].outputs.floats, meshes[i].outputs.stride(), meshes[i].count,
+                       {grid.width, grid.height});
+  }
+  firsts_.push_back(static_cast<std::uint32_t>(count));
+  begin();
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (!draw(i, cancel)) return false;
+  }
+  return true;
+}
+
+bool SampleOwners::inFrontOf(const Plane& depths) const {
+  constexpr float ROUNDING = 4;  // depths: of the plane, of a place, of a depth
+  Lanes placesX, placesY;
+  std::memcpy(&placesX, placesX_, sizeof placesX);
+  std::memcpy(&placesY, placesY_, sizeof placesY);
+  for (int y = covered_.fromY; y <= covered_.toY; ++y) {
+    for (int x = covered_.fromX; x <= covered_.toX; ++x) {
+      const PixelSamples& pixel = samples_[indexOf(x, y)];
+      Mask known, owners;
+      std::memcpy(&known, pixel.depths, sizeof known);
+      std::memcpy(&owners, pixel.owners, sizeof owners);
+      const Lanes plane = lanesOf(depths.a) * (placesX + lanesOf(static_cast<float>(x))) +
+                          lanesOf(depths.b) * (placesY + lanesOf(static_cast<float>(y))) + lanesOf(depths.c);
+      const Lanes depth = __builtin_convertvector(known, Lanes);
+      if (any((depth > plane * lanesOf(DEPTHS) + lanesOf(ROUNDING)) & (owners != Mask{-1, -1, -1, -1}))) return false;
+    }
+  }
+  return true;
+}
+
+SampleOwners::Triangle SampleOwners::triangle(Owner owner) const {
+  const std::uint32_t number = numberOf(owner);
+  const auto next = std::upper_bound(firsts_.begin(), firsts_.end() - 1, number);
+  const auto mesh = static_cast<std::uint32_t>(next - firsts_.begin() - 1);
+  return {mesh, number - firsts_[mesh]};
+}
+
+std::size_t SampleOwners::memory() const {
+  std::size_t bytes = bytesOf(samples_) + bytesOf(vertices_) + bytesOf(firsts_) + bytesOf(steps_);
+  for (const WindowVertices& v : vertices_) bytes += bytesOf(v.vertices);
+  return bytes;
+}
+
+}  // namespace telar::visibility
