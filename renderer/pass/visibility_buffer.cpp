@@ -20,7 +20,7 @@ constexpr std::size_t BLOCKS = WIDTH / BLOCK;  ///< side by side
 /// Floats that transform feedback writes for a vertex, at most: what each GL has, less the place.
 constexpr std::size_t MOST_VARYINGS = 60;
 /// Bytes of the vertices' outputs, and of the fragments' varyings, at most.
-constexpr std::size_t MOST_BYTES = 192u << 20;
+constexpr std::size_t MOST_BYTES = 96u << 20;
 
 /// First texel of a quad.
 glm::uvec2 texelOf(std::size_t block, std::size_t quad) {
@@ -296,7 +296,15 @@ void VisibilityBuffer::mix(std::size_t at, std::uint8_t* pixel) const {
 
 void VisibilityBuffer::release() {
   first_ = nullptr;
+  count_ = {};
   meshes_.clear();
+  outputs_.reset();
+  if (std::size_t{16} * WIDTH * static_cast<std::size_t>(held_.x) > KEPT) {
+    varyings_.reset();
+    shaded_.reset();
+    target_.reset();
+    held_ = {0, 0};
+  }
   if (memory() <= KEPT) return;
   owners_ = {};
   quads_ = {};

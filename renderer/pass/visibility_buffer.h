@@ -36,7 +36,7 @@ class VisibilityBuffer {
   /// Puts what they have shaded in front of a picture. @param behind  kRgba8; row 0 is the lowest one
   void compose(telar::Frame& behind);
 
-  /// Of the last picture that was found.
+  /// Of this picture, once it is found.
   struct Count {
     std::size_t triangles = 0, hidden = 0, fragments = 0;
   };
@@ -72,7 +72,7 @@ class VisibilityBuffer {
   void mix(std::size_t at, std::uint8_t* pixel) const;
   void release();
   std::size_t memory() const;
-  /// Bytes that are kept from picture to picture, of the processor's memory.
+  /// Bytes that are kept from picture to picture: of the processor's memory, and of the GL's.
   static constexpr std::size_t KEPT = 64u << 20;
 
   const gl::Context& context_;

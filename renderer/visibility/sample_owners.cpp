@@ -18,7 +18,6 @@ constexpr std::int32_t FARTHEST = 1 << 24;
 constexpr int SMALL = 60;
 
 using Doubles = double __attribute__((vector_size(32)));
-using LongMask = std::int64_t __attribute__((vector_size(32)));
 
 Doubles doublesOf(double value) { return Doubles{value, value, value, value}; }
 
@@ -38,7 +37,8 @@ namespace {
 /// An edge function at the four samples of pixels: twice the area of a point and the edge in steps, positive inside,
 /// and 0 or more for what belongs to the triangle. Of a point on the edge between two triangles one has it: left and
 /// lower edges keep theirs.
-/// @tparam Vector  Mask, where all numbers fit into 32 bits, or Doubles: whole numbers below 2^53 are exact
+/// @tparam Vector  Mask, where all numbers fit into 32 bits, or Doubles, which are exact: no corner is farther off than
+/// MOST_PLACE, and whole numbers below 2^53 have no rounding
 template <class Vector>
 class Edge {
  public:

@@ -63,7 +63,7 @@ void WindowVertices::place(const float* clip, std::size_t stride, std::size_t co
     // Negated: what is no number is not projected.
     if (!(w > 0 && clip[2] >= -w && clip[2] <= w)) continue;
     const glm::vec3 place = windowPlace(clip, overW[i], size, fused);
-    if (!(std::abs(place.x) < UNBOUNDED && std::abs(place.y) < UNBOUNDED)) continue;
+    if (!(std::abs(place.x) < MOST_PLACE && std::abs(place.y) < MOST_PLACE)) continue;
     vertex = {place.x, place.y, place.z,
               (place.x < 0 ? LEFT : 0u) | (place.x > size.x ? RIGHT : 0u) | (place.y < 0 ? BELOW : 0u) |
                   (place.y > size.y ? ABOVE : 0u)};

@@ -27,6 +27,9 @@ enum Outside : std::uint32_t {
 /// By how many pixels a place that is CLIPPED may be off. Where it could be more it is UNPROJECTED.
 constexpr float CLIPPED_SLACK = 1.0f / 16;
 
+/// Of place(): pixels from which on a place is none, so that the product of two in steps of 1/256 is below 2^52.
+constexpr float MOST_PLACE = 1e5f;
+
 /// A mesh's vertices as the vertex stage places them, in floats and in its order of products, and how far the GL's may
 /// be off.
 struct WindowVertices {

@@ -211,6 +211,14 @@ TEST(VisibilityBuffer, DrawsWhatIsOpaqueAndWholeBeforeTheCamera) {
   EXPECT_FALSE(isBuffered(glass, litShot(32)));
 }
 
+TEST(VisibilityBuffer, IsToldOfItsOwnPictureAlone) {
+  const auto renderer = rendererWith(LeaveOut::kAlways);
+  EXPECT_TRUE(drawn(*renderer, balls(false), litShot(32)).buffered());
+  Shot one = litShot(32);
+  one.samples = 1;
+  EXPECT_FALSE(drawn(*renderer, balls(false), one).buffered());
+}
+
 TEST(VisibilityBuffer, IsLeftOutWhereTrianglesAreFew) {
   const auto few = sceneOf(test::stackedSquares(2), colored({1, 1, 1}, 0.5f));
   EXPECT_FALSE(drawn(*rendererWith(LeaveOut::kWhereItPays), few, litShot(32)).buffered());
