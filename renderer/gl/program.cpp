@@ -56,6 +56,7 @@ Program::Program(const Context& context, std::string_view label, const std::stri
   gl.AttachShader(name_.get(), fragmentShader.get());
   if (!captured.empty()) {
     std::vector<const char*> names;
+    names.reserve(captured.size());
     for (const std::string& name : captured) names.push_back(name.c_str());
     gl.TransformFeedbackVaryings(name_.get(), static_cast<GLsizei>(names.size()), names.data(), GL_INTERLEAVED_ATTRIBS);
   }

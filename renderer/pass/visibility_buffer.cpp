@@ -179,8 +179,7 @@ bool VisibilityBuffer::fill(const FramePlan& plan) {
 
 void VisibilityBuffer::fillPlaces() {
   const visibility::Pixels& covered = owners_.covered();
-  const auto width = static_cast<std::size_t>(covered.toX - covered.fromX + 1);
-  const auto height = static_cast<std::size_t>(covered.toY - covered.fromY + 1);
+  const std::size_t width = owners_.width(), pixels = owners_.pixels();
   surfaces_ = 0;
   const auto& all = quads_.all();
   for (std::size_t mesh = 0; mesh < all.size(); ++mesh) {
@@ -194,7 +193,7 @@ void VisibilityBuffer::fillPlaces() {
                                static_cast<std::size_t>(covered.fromX);
         std::size_t surface = 0;
         while (surface < surfaces_ && places_[surface][at] != 0) ++surface;
-        if (surface == surfaces_) places_[surfaces_++].assign(width * height, 0);
+        if (surface == surfaces_) places_[surfaces_++].assign(pixels, 0);
         places_[surface][at] = static_cast<std::uint32_t>(((corner.y + dy) * WIDTH + corner.x + dx) << 4) | samples;
       }
     }
@@ -256,7 +255,7 @@ void VisibilityBuffer::compose(telar::Frame& behind) {
   gl.ReadPixels(0, 0, WIDTH, rows_, GL_RGBA, GL_UNSIGNED_BYTE, shadedTexels_.data());
   context_.check("readback of shaded fragments");
   const visibility::Pixels& covered = owners_.covered();
-  const auto width = static_cast<std::size_t>(covered.toX - covered.fromX + 1);
+  const std::size_t width = owners_.width();
   auto* picture = reinterpret_cast<std::uint8_t*>(behind.pixels.data());
   const int right = std::min(covered.toX, static_cast<int>(behind.width) - 1);
   const int top = std::min(covered.toY, static_cast<int>(behind.height) - 1);

@@ -4,8 +4,8 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "visibility/lanes.h"
 #include "visibility/shading_quads.h"
+#include "visibility/triangle_setup.h"
 
 namespace telar::visibility {
 
@@ -19,15 +19,10 @@ struct FragmentTexels {
   }
 };
 
-/// Whether LLVM fuses a product and a sum here.
-bool fusesProducts();
-
 /// Place in the window of one in clip space, as llvmpipe (Mesa 22.3) computes it. @param size  px
 glm::vec3 windowPlace(const float* clip, float overW, const glm::vec2& size, bool fused);
 
-/// Mixes the varyings of a triangle at the centres of pixels, in perspective, with the operations of llvmpipe
-/// (Mesa 22.3, lp_state_setup.c and lp_bld_interp.c) in their order: where a triangle is a hundredth of a pixel high,
-/// what another order rounds is seen.
+/// Mixes the varyings of a triangle at the centres of pixels, in perspective, as llvmpipe does.
 class VaryingMixer {
  public:
   VaryingMixer() : fused_(fusesProducts()) {}
@@ -38,10 +33,7 @@ class VaryingMixer {
   void mix(const ShadingQuad& quad, const FragmentTexels& out, const glm::uvec2& at) const;
 
  private:
-  /// Of four floats, over the window.
-  struct Plane4 {
-    Lanes atOrigin, dx, dy;
-  };
+  using Plane4 = LinearPlane<Lanes>;
   static constexpr std::size_t MOST = 24;  ///< planes
 
   bool fused_;

@@ -26,9 +26,7 @@ Doubles doublesOf(double value) { return Doubles{value, value, value, value}; }
 /// A triangle whose corners run counter-clockwise.
 struct SampleOwners::Setup {
   Pixels box;
-  Lanes depth;           ///< at the samples of the pixel at the window's corner
-  float depthX, depthY;  ///< a pixel on
-  float nearest, farthest;
+  LinearPlane<float> depth;
   Owner owner;
 };
 
@@ -73,22 +71,23 @@ using Edges = std::array<Edge<Vector>, 3>;
 
 }  // namespace
 
-template <class EdgesOf>
-void SampleOwners::cover(const Setup& setup, const EdgesOf& edges, std::int64_t& steps) {
+template <class Rounding, class EdgesOf>
+[[gnu::always_inline]] inline void SampleOwners::coverAs(const Setup& setup, const EdgesOf& edges,
+                                                         std::int64_t& steps) {
   const Pixels& box = setup.box;
   auto row0 = edges[0].begin(), row1 = edges[1].begin(), row2 = edges[2].begin();
-  const Lanes depthX = lanesOf(setup.depthX), nearest = lanesOf(setup.nearest), farthest = lanesOf(setup.farthest);
+  const Lanes placesX = load(placesX_), placesY = load(placesY_);
   steps += static_cast<std::int64_t>(countOf(box));
   for (int y = box.fromY; y <= box.toY; ++y) {
     auto e0 = row0, e1 = row1, e2 = row2;
-    Lanes depth = setup.depth + lanesOf(setup.depthY * static_cast<float>(y - box.fromY));
+    const Lanes sampleY = placesY + lanesOf(static_cast<float>(y));
     PixelSamples* at = &samples_[indexOf(box.fromX, y)];
     for (int x = box.fromX; x <= box.toX; ++x, ++at) {
       const Mask inside = insideOf(e0, e1, e2);
       if (any(inside)) {
-        // Where a triangle is thin, its plane may leave the depths of its corners.
-        const Lanes held = larger(nearest, smaller(farthest, depth));
-        const Mask z = __builtin_convertvector(held * lanesOf(DEPTHS) + lanesOf(0.5f), Mask);
+        const Lanes depth = valueAt<Rounding>(setup.depth, placesX + lanesOf(static_cast<float>(x)), sampleY);
+        const Lanes held = larger(lanesOf(0), smaller(lanesOf(1), depth));
+        const Mask z = __builtin_convertvector(held * lanesOf(DEPTHS), Mask);
         Mask known, owner;
         std::memcpy(&known, at->depths, sizeof known);
         std::memcpy(&owner, at->owners, sizeof owner);
@@ -102,12 +101,21 @@ void SampleOwners::cover(const Setup& setup, const EdgesOf& edges, std::int64_t&
       e0 += edges[0].nextX();
       e1 += edges[1].nextX();
       e2 += edges[2].nextX();
-      depth += depthX;
     }
     row0 += edges[0].nextY();
     row1 += edges[1].nextY();
     row2 += edges[2].nextY();
   }
+}
+
+template <class EdgesOf>
+TELAR_FUSED void SampleOwners::coverFused(const Setup& setup, const EdgesOf& edges, std::int64_t& steps) {
+  coverAs<Fused>(setup, edges, steps);
+}
+
+template <class EdgesOf>
+void SampleOwners::cover(const Setup& setup, const EdgesOf& edges, std::int64_t& steps) {
+  fused_ ? coverFused(setup, edges, steps) : coverAs<Apart>(setup, edges, steps);
 }
 
 void SampleOwners::drawTriangle(const WindowVertices& vertices, const Corners& at, Faces faces, Owner owner,
@@ -124,23 +132,14 @@ void SampleOwners::drawTriangle(const WindowVertices& vertices, const Corners& a
   if (area == 0) return;
   const bool counterClockwise = area > 0;
   if (faces != Faces::kBoth && counterClockwise != (faces == Faces::kCounterClockwise)) return;
-  const WindowVertex &a = vertices.vertices[at[0]], &b = vertices.vertices[at[1]], &c = vertices.vertices[at[2]];
-  Setup setup;
-  setup.box = box;
-  setup.owner = owner | (counterClockwise ? COUNTER_CLOCKWISE : 0);
-  // In floats about the first corner, as the places were before they were rounded.
-  const float x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;
-  const float z1 = b.z - a.z, z2 = c.z - a.z, determinant = x1 * y2 - x2 * y1;
-  const float inverse = determinant != 0 ? 1 / determinant : 0;
-  setup.depthX = (z1 * y2 - z2 * y1) * inverse;
-  setup.depthY = (x1 * z2 - x2 * z1) * inverse;
-  setup.nearest = std::min({a.z, b.z, c.z});
-  setup.farthest = std::max({a.z, b.z, c.z});
-  Lanes placesX, placesY;
-  std::memcpy(&placesX, placesX_, sizeof placesX);
-  std::memcpy(&placesY, placesY_, sizeof placesY);
-  setup.depth = lanesOf(a.z) + lanesOf(setup.depthX) * (placesX + lanesOf(static_cast<float>(box.fromX) - a.x)) +
-                lanesOf(setup.depthY) * (placesY + lanesOf(static_cast<float>(box.fromY) - a.y));
+  Corners turned = at;
+  if (counterClockwise) std::swap(turned[0], turned[1]);
+  const WindowVertex* corners[3];
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = &vertices.vertices[turned[i]];
+  const Setup setup{
+      box, TriangleSetup(*corners[0], *corners[1], *corners[2]).plane(corners[0]->z, corners[1]->z, corners[2]->z),
+      owner | (counterClockwise ? COUNTER_CLOCKWISE : 0)};
+  const Lanes placesX = load(placesX_), placesY = load(placesY_);
   const Mask inStepsX = __builtin_convertvector(placesX * lanesOf(STEPS), Mask);
   const Mask inStepsY = __builtin_convertvector(placesY * lanesOf(STEPS), Mask);
   if (!counterClockwise) std::swap(q, r);

@@ -6,6 +6,7 @@
 #include "telar/cancel.h"
 #include "visibility/drawn_mesh.h"
 #include "visibility/memory.h"
+#include "visibility/triangle_setup.h"
 #include "visibility/window_vertices.h"
 
 namespace telar::visibility {
@@ -16,8 +17,8 @@ using Owner = std::uint32_t;
 constexpr Owner NO_OWNER = 0xffffffffu, COUNTER_CLOCKWISE = 1u << 31;
 inline std::uint32_t numberOf(Owner owner) { return owner & ~COUNTER_CLOCKWISE; }
 
-/// Which triangle each sample of a view shows: what the rasterizer and the depth test of the GL give, with a rasterizer
-/// of its own. Places are rounded to 1/256 pixel and depths to 24 bits, so that a sample between two triangles has one
+/// Which triangle each sample of a view shows: what llvmpipe's rasterizer and depth test give, with a rasterizer of its
+/// own. Places are rounded to 1/256 pixel and depths cut to 24 bits, so that a sample between two triangles has one
 /// owner.
 class SampleOwners {
  public:
@@ -29,6 +30,8 @@ class SampleOwners {
 
   /// Pixels that may be covered: from even ones to odd ones, beyond the window by one where its size is odd.
   const Pixels& covered() const { return covered_; }
+  std::size_t width() const { return stride_; }           ///< of covered()
+  std::size_t pixels() const { return samples_.size(); }  ///< of covered()
   /// Of the samples of a pixel in covered(), SAMPLES of them.
   const Owner* of(int x, int y) const { return samples_[indexOf(x, y)].owners; }
 
@@ -59,9 +62,14 @@ class SampleOwners {
   void begin();
   bool draw(std::size_t mesh, const CancelToken& cancel);
   void drawTriangle(const WindowVertices& vertices, const Corners& at, Faces faces, Owner owner, std::int64_t& steps);
+  template <class Rounding, class Edges>
+  void coverAs(const Setup& setup, const Edges& edges, std::int64_t& steps);
+  template <class Edges>
+  void coverFused(const Setup& setup, const Edges& edges, std::int64_t& steps);
   template <class Edges>
   void cover(const Setup& setup, const Edges& edges, std::int64_t& steps);
 
+  bool fused_ = fusesProducts();
   SampleGrid grid_;
   float placesX_[SAMPLES] = {}, placesY_[SAMPLES] = {};  ///< of the samples in a pixel
   glm::ivec2 firstPlace_{0}, lastPlace_{0};              ///< of them, in steps of the grid

@@ -52,6 +52,25 @@ Image8 checkered(int size) {
   return image;
 }
 
+/// A ring about the axis that the camera looks along.
+Primitive ringPrimitive(float radius, float tube, int steps) {
+  Primitive p;
+  const auto at = [&](int x, int y) { return static_cast<std::uint32_t>(y * (2 * steps + 1) + x); };
+  for (int y = 0; y <= steps; ++y) {
+    for (int x = 0; x <= 2 * steps; ++x) {
+      const float v = glm::two_pi<float>() * static_cast<float>(y) / static_cast<float>(steps);
+      const float u = glm::pi<float>() * static_cast<float>(x) / static_cast<float>(steps);
+      p.normals.emplace_back(std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v));
+      p.positions.push_back(glm::vec3(std::cos(u), std::sin(u), 0) * radius + p.normals.back() * tube);
+      p.bounds.add(glm::dvec3(p.positions.back()));
+      if (x == 0 || y == 0) continue;
+      for (const std::uint32_t i : {at(x - 1, y - 1), at(x, y - 1), at(x, y), at(x - 1, y - 1), at(x, y), at(x - 1, y)})
+        p.indices.push_back(i);
+    }
+  }
+  return p;
+}
+
 /// Three balls: one of a texture by the second UV set with tangents, one mirrored with vertex colours, one behind them,
 /// seen from both sides.
 std::shared_ptr<Scene> balls(bool unlit) {
@@ -131,6 +150,15 @@ TEST(VisibilityBuffer, KeepsTheBytesOfLitPictures) {
   Shot colored = litShot(128);
   colored.background.type = Shot::Background::Type::kColor;
   expectSameBytes(balls(false), colored, "background");
+}
+
+// At a rim the face before and the one behind it lie less than a depth apart: the depths themselves must be the GL's.
+TEST(VisibilityBuffer, KeepsTheBytesOfRims) {
+  for (const int rings : {16, 40}) {
+    auto scene = sceneOf(ringPrimitive(1, 0.4f, rings), colored({0.8f, 0.5f, 0.3f}, 0.5f));
+    scene->materials[0].doubleSided = true;
+    for (int size = 96; size <= 256; size += 16) expectSameBytes(scene, litShot(size), std::to_string(size));
+  }
 }
 
 TEST(VisibilityBuffer, KeepsTheBytesOfFlatFaces) {

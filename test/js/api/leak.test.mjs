@@ -56,7 +56,9 @@ test('500 renders in one process: memory, file descriptors, threads and GL names
   // A load that was aborted may still have its thread at the first look.
   assert.ok(last.threads <= first.threads, JSON.stringify(samples));
   assert.ok(Math.abs(last.objects - first.objects) <= 20, JSON.stringify(samples));
-  assert.ok(last.kibibytes - first.kibibytes < 8 * 1024, JSON.stringify(samples));
+  // What one picture holds comes and goes; what leaks is in the least of two looks too.
+  const least = (looks) => Math.min(...looks.map(({ kibibytes }) => kibibytes));
+  assert.ok(least(samples.slice(3)) - least(samples.slice(1, 3)) < 8 * 1024, JSON.stringify(samples));
 });
 
 test('45 renderers one after another: memory, threads and file descriptors stay flat', async () => {
