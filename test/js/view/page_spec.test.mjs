@@ -34,14 +34,19 @@ const SPEC = {
 
 let view;
 let browser;
-/** Of all pages, which hold nothing between them but the files that they have read. */
-let context;
+/** The tab of all checks: each new one has a process of its own. Tabs hold nothing from one page to the next but the files that they have read. */
+let page;
+const said = [];
 before(async () => {
   writeFileSync(MODEL, strip());
   writeFileSync(FILE, `${JSON.stringify(SPEC, null, 2)}\n`);
-  const shot = JSON.stringify({ view: 'three-quarter', frame: { node: 'strip' } });
-  [view, browser] = await Promise.all([openView(MODEL, ['--size', '128', '--set', `camera=${shot}`, '--spec', FILE]), launchChromium()]);
-  context = await browser.newContext({ viewport: { width: 1280, height: 900 } });
+  const camera = JSON.stringify({ view: 'three-quarter', frame: { node: 'strip' } });
+  // None of the checks looks at light, and each page would prefilter an environment.
+  const options = ['--size', '128', '--set', `camera=${camera}`, '--set', 'environment=none', '--spec', FILE];
+  [view, browser] = await Promise.all([openView(MODEL, options), launchChromium()]);
+  page = await browser.newPage();
+  page.setDefaultTimeout(30_000);
+  page.on('pageerror', (error) => said.push(String(error)));
 });
 after(async () => {
   await browser?.close();
@@ -234,7 +239,8 @@ async function whatTheGarmentHidesIsPale(page) {
   // The first call-out is on the upper edge, beside which the other half ends.
   assert.deepEqual((await hidden()).slice(1), [false, false]);
   // From behind and the side the one half stands before the other.
-  const shot = JSON.stringify({ camera: { azimuth: 135, elevation: 0, frame: { node: 'strip' } }, size: { width: 128, height: 128 } });
+  const behind = { azimuth: 135, elevation: 0, frame: { node: 'strip' } };
+  const shot = JSON.stringify({ camera: behind, environment: 'none', size: { width: 128, height: 128 } });
   const apply = (text) => {
     document.querySelector('#shot').value = text;
     document.querySelector('#apply-shot').click();
@@ -366,18 +372,17 @@ const CHECKS = [
 for (const { check, fault, plant } of CHECKS) {
   const run = async (prepare) => {
     writeFileSync(FILE, `${JSON.stringify(SPEC, null, 2)}\n`);
-    const page = await context.newPage();
-    page.setDefaultTimeout(30_000);
-    const said = [];
-    page.on('pageerror', (error) => said.push(String(error)));
+    said.length = 0;
+    await page.setViewportSize({ width: 1280, height: 900 });
+    const planted = await prepare?.(page);
     try {
-      await prepare?.(page);
       await page.goto(view.url);
       await settled(page);
       await check(page);
       assert.deepEqual(said, []);
     } finally {
-      await page.close();
+      await planted?.dispose();
+      await page.unrouteAll({ behavior: 'ignoreErrors' });
     }
   };
   test(`${check.name.replaceAll(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`)}`, () => run());
