@@ -70,11 +70,12 @@ export async function atlasOfTelar(environment, revision, swaps = {}) {
 /**
  * A release in Chromium.
  * @param {number} revision
+ * @param {import('../parity/browser/chromium.mjs').Browser} [beside] - Whose Chromium it shares.
  * @returns {Promise<{browser: import('../parity/browser/chromium.mjs').Browser, atlas: (environment: Uint8Array) => Promise<Atlas>}>}
  */
-export async function openRelease(revision) {
+export async function openRelease(revision, beside) {
   const name = versionOf(revision);
-  const browser = await new ReleaseBrowser({ name, folder: await fetchRelease(name), stamp: '', log: console.error }).start();
+  const browser = await new ReleaseBrowser({ name, folder: await fetchRelease(name), stamp: '', log: console.error }).start(beside);
   return {
     browser,
     async atlas(environment) {

@@ -80,14 +80,15 @@ export class ReleaseBrowser {
     return path.join(PICTURES, `${this.#release.name}.json`);
   }
 
-  /** @returns {Promise<Browser>} Of its own. */
-  start() {
+  /** @param {Browser} [beside] - Whose Chromium it shares. @returns {Promise<Browser>} Of its own. */
+  start(beside) {
     const { folder, edited, log } = this.#release;
     const options = new URLSearchParams({
       hdr: existsSync(path.join(folder, 'examples/jsm/loaders/HDRLoader.js')) ? 'HDRLoader' : 'RGBELoader',
       three: edited ? 'src/Three.js' : 'build/three.module.js',
     });
-    return Browser.start({ three: folder, edited, page: `test/families/browser/page.html?${options}`, log });
+    const asked = { three: folder, edited, page: `test/families/browser/page.html?${options}`, log };
+    return beside ? beside.another(asked) : Browser.start(asked);
   }
 
   /**

@@ -1,6 +1,6 @@
 // The page that draws with a release, on the three.js of the development dependencies: its build, its sources, and an edit of them.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
+import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { Browser } from '../parity/browser/chromium.mjs';
 import { loadInputs } from '../parity/inputs.mjs';
@@ -10,9 +10,15 @@ import { BORDERS } from './slots.mjs';
 
 const THREE = fileURLToPath(new URL('../../node_modules/three/', import.meta.url));
 
+/** The first, whose Chromium the others share. */
+let first;
+after(() => first?.close());
+
 async function drawn(edited, names) {
   const page = `test/families/browser/page.html?three=${edited ? 'src/Three.js' : 'build/three.module.js'}`;
-  const browser = await Browser.start({ three: THREE, edited, page });
+  const asked = { three: THREE, edited, page };
+  const browser = first ? await first.another(asked) : await Browser.start(asked);
+  first ??= browser;
   try {
     const images = {};
     for (const item of CASES.filter(({ name }) => names.includes(name))) {
@@ -20,7 +26,7 @@ async function drawn(edited, names) {
     }
     return images;
   } finally {
-    await browser.close();
+    if (browser !== first) await browser.close();
   }
 }
 

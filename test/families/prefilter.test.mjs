@@ -1,6 +1,6 @@
 // What real releases before 0.187 prefilter an environment to, against telar's, and what they draw of it as a background.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
+import { after, before, test } from 'node:test';
 import { createRenderer } from '../../js/index.mjs';
 import { resolveThree } from '../../js/shot/three_terms.mjs';
 import { MODELS } from '../fixtures/index.mjs';
@@ -30,12 +30,19 @@ const RELEASES = [
   { revision: 160, bar: EXACT, faults: [{ samplerPrecision: 'highp' }] },
 ];
 
+/** Of the release that has two tests; the others are pages beside it. */
+let shared;
+before(async () => {
+  shared = await openRelease(160);
+});
+after(() => shared.browser.close());
+
 const isWithin = (rows, bar) => rows.every(({ equal, relative }) => equal >= bar.equal && relative <= bar.relative);
 
 for (const { revision, bar, faults } of RELEASES) {
   test(`the atlas of 0.${revision}`, async (t) => {
-    const release = await openRelease(revision);
-    t.after(() => release.browser.close());
+    const release = revision === 160 ? shared : await openRelease(revision, shared.browser);
+    if (release !== shared) t.after(() => release.browser.close());
     for (const [name, map] of Object.entries(MAPS)) {
       const theirs = await release.atlas(map);
       const rows = distances(theirs, await atlasOfTelar(map, revision));
@@ -58,8 +65,7 @@ function worstBehind(a, b, mask) {
 }
 
 test('the background of 0.160, sharp and blurred, and turned', async (t) => {
-  const { browser } = await openRelease(160);
-  t.after(() => browser.close());
+  const { browser } = shared;
   const renderer = await createRenderer({ cacheDirectory: null });
   t.after(() => renderer.close());
   // Columns of four texels: a cube of half the rows shows their edges softer, and a blur leaves some of them.

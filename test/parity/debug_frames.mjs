@@ -55,4 +55,8 @@ export async function openDebugAddon() {
   };
 }
 
-const floatsOf = (bytes) => new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
+/** A view where the bytes lie as floats do, else a copy. */
+function floatsOf({ buffer, byteOffset, length }) {
+  const isAligned = byteOffset % Float32Array.BYTES_PER_ELEMENT === 0;
+  return isAligned ? new Float32Array(buffer, byteOffset, length / 4) : new Float32Array(buffer.slice(byteOffset, byteOffset + length));
+}

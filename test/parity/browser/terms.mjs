@@ -107,6 +107,11 @@ export function* measureTerms(THREE, { renderer, scene, camera }, { shot, terms,
   // three compiles tone mapping and sRGB encoding for such a target as for the canvas.
   target.isXRRenderTarget = true;
   target.texture.colorSpace = renderer.outputColorSpace;
+  if (region) {
+    // What is not read is not shaded.
+    target.scissor.set(x, y, width, height);
+    target.scissorTest = true;
+  }
   const choice = { value: 0 };
   let wanted = 0;
   // What is drawn behind a transmissive surface, into a target of three's own, stays as it is.
