@@ -12,7 +12,7 @@ export const isGoal = ({ maxError, budgetMs }) => maxError !== undefined || budg
 /**
  * Every setting of a quality, but of a goal: that stays one until the model and the machine are known. A preset comes with all of its own: where one differs, it is another quality.
  * @param {string | object} quality - As the schema parsed it.
- * @returns {{preset?: string, samples: number, resolve: string, noise: number, environmentSamples: number} | {maxError: number} | {budgetMs: number}}
+ * @returns {{preset?: string, samples: number, resolve: string, noise: number, environmentSamples: number, mergeQuads: boolean} | {maxError: number} | {budgetMs: number}}
  */
 export function resolveQuality(quality) {
   if (isGoal(quality)) return { ...quality };

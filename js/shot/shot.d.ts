@@ -471,7 +471,7 @@ export interface Shot {
     /** Largest factor, so that black cloth stays black. Range 1 to 1000. @default 1.25 */
     most?: number;
   } | null;
-  /** "draft": 1 sample a pixel; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with one direction of the environment each; "high": up to 1024, averaged in linear light, and the environment integrated with the material, by the tracer where it costs less; "reference": traced paths of light, slow and without GL. @default "standard" */
+  /** "draft": 1 sample a pixel, triangles that meet in it shaded once; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with one direction of the environment each; "high": up to 1024, averaged in linear light, and the environment integrated with the material, by the tracer where it costs less; "reference": traced paths of light, slow and without GL. @default "standard" */
   quality?: 'standard' | 'draft' | 'medium' | 'high' | 'reference' | {
     /** Settings to start from. */
     preset?: 'standard' | 'draft' | 'medium' | 'high';
@@ -483,6 +483,8 @@ export interface Shot {
     noise?: number;
     /** Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered maps, as three.js has them; default 0. Range 0 to 4096. */
     environmentSamples?: number;
+    /** Shade triangles that share a vertex once where they meet in two by two pixels, as one surface: each pixel shows one of them. Saves time on the processor alone, where triangles have a few pixels; default false. */
+    mergeQuads?: boolean;
     seed?: never;
     transport?: never;
     bounces?: never;
@@ -506,6 +508,7 @@ export interface Shot {
     threads?: number;
     resolve?: never;
     environmentSamples?: never;
+    mergeQuads?: never;
     maxError?: never;
     budgetMs?: never;
   } | {
@@ -516,6 +519,7 @@ export interface Shot {
     resolve?: never;
     noise?: never;
     environmentSamples?: never;
+    mergeQuads?: never;
     seed?: never;
     transport?: never;
     bounces?: never;
@@ -529,6 +533,7 @@ export interface Shot {
     resolve?: never;
     noise?: never;
     environmentSamples?: never;
+    mergeQuads?: never;
     seed?: never;
     transport?: never;
     bounces?: never;
@@ -1075,6 +1080,8 @@ export interface ResolvedShot {
     noise: number;
     /** Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered maps, as three.js has them. Range 0 to 4096. */
     environmentSamples: number;
+    /** Shade triangles that share a vertex once where they meet in two by two pixels, as one surface: each pixel shows one of them. Saves time on the processor alone, where triangles have a few pixels. */
+    mergeQuads: boolean;
     seed?: never;
     transport?: never;
     bounces?: never;
@@ -1098,6 +1105,7 @@ export interface ResolvedShot {
     threads: number;
     resolve?: never;
     environmentSamples?: never;
+    mergeQuads?: never;
     maxError?: never;
     budgetMs?: never;
   } | {
@@ -1108,6 +1116,7 @@ export interface ResolvedShot {
     resolve?: never;
     noise?: never;
     environmentSamples?: never;
+    mergeQuads?: never;
     seed?: never;
     transport?: never;
     bounces?: never;
@@ -1121,6 +1130,7 @@ export interface ResolvedShot {
     resolve?: never;
     noise?: never;
     environmentSamples?: never;
+    mergeQuads?: never;
     seed?: never;
     transport?: never;
     bounces?: never;

@@ -16,6 +16,7 @@ export const KNOBS = Object.freeze({
   samples: { 1: { samples: 1 }, 16: { samples: 16 }, 64: { samples: 64 } },
   resolve: { linear: { resolve: 'linear' } },
   environmentSamples: { 4: { environmentSamples: 4 }, 16: { environmentSamples: 16 }, 64: { environmentSamples: 64 }, 256: { environmentSamples: 256 } },
+  mergeQuads: { true: { mergeQuads: true } },
   'shadow.mapSize': { 256: { shadow: { mapSize: 256 } }, 512: { shadow: { mapSize: 512 } }, 2048: { shadow: { mapSize: 2048 } } },
   'shadow.radius': { 0: { shadow: { radius: 0 } }, 1: { shadow: { radius: 1 } } },
 });

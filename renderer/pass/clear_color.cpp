@@ -40,4 +40,17 @@ Behind behindOf(const FramePlan& plan, const Shot& shot) {
   return {opaque, opaque ? glm::vec4(glm::vec3(color), 0.0f) : color};
 }
 
+void clearTarget(const gl::Functions& gl, const glm::vec4& color) {
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.DepthMask(GL_TRUE);
+  gl.ClearColor(color.r, color.g, color.b, color.a);
+  gl.ClearDepthf(1.0f);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+}
+
+void writeAlpha(const gl::Functions& gl, bool write) {
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, write ? GL_TRUE : GL_FALSE);
+}
+
 }  // namespace telar::pass

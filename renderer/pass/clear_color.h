@@ -1,4 +1,5 @@
 #pragma once
+#include "gl/functions.h"
 #include "pass/draw_list.h"
 
 namespace telar::pass {
@@ -27,5 +28,10 @@ struct Behind {
 
 /// A colour behind an average is composed at the end; backgrounds have no debug output.
 Behind behindOf(const FramePlan& plan, const Shot& shot);
+
+/// Clears all of the target that is bound.
+void clearTarget(const gl::Functions& gl, const glm::vec4& color);
+/// Whether draws write alpha.
+void writeAlpha(const gl::Functions& gl, bool write);
 
 }  // namespace telar::pass

@@ -57,16 +57,19 @@ bool FrameTarget::matches(int width, int height, int samples, PixelType type) co
 
 void FrameTarget::bind() const { draw_.bind(context_.gl()); }
 
+Frame FrameTarget::unread() const {
+  const std::size_t texels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  return {static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_), type_,
+          std::vector<std::byte>(texels * texelBytes())};
+}
+
 Frame FrameTarget::read() const {
   const gl::Functions& gl = context_.gl();
   if (samples_ > 1) {
     draw_.resolveInto(gl, resolved_.get());
     gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.get());
   }
-  const std::size_t texelBytes = type_ == PixelType::kRgba8 ? 4 : 16;
-  Frame frame{
-      static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_), type_,
-      std::vector<std::byte>(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * texelBytes)};
+  Frame frame = unread();
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.ReadPixels(0, 0, width_, height_, GL_RGBA, type_ == PixelType::kRgba8 ? GL_UNSIGNED_BYTE : GL_FLOAT,
                 frame.pixels.data());
@@ -75,11 +78,12 @@ Frame FrameTarget::read() const {
 }
 
 Frame FrameTarget::filled(const glm::vec4& color) const {
-  std::uint8_t texel[4];
-  for (int i = 0; i < 4; ++i) texel[i] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(color[i], 0.0f, 1.0f)));
-  Frame frame{static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_), type_,
-              std::vector<std::byte>(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4)};
-  for (std::size_t at = 0; at < frame.pixels.size(); at += 4) std::memcpy(frame.pixels.data() + at, texel, 4);
+  Frame frame = unread();
+  std::uint8_t bytes[4];
+  for (int i = 0; i < 4; ++i) bytes[i] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(color[i], 0.0f, 1.0f)));
+  const void* texel = type_ == PixelType::kRgba8 ? static_cast<const void*>(bytes) : &color;
+  const std::size_t size = texelBytes();
+  for (std::size_t at = 0; at < frame.pixels.size(); at += size) std::memcpy(frame.pixels.data() + at, texel, size);
   return frame;
 }
 

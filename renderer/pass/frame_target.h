@@ -18,15 +18,18 @@ class FrameTarget {
   void bind() const;
   /// Resolves and reads, as the GL has it: row 0 is the lowest one, colours are premultiplied.
   Frame read() const;
-  /// What it would read after it was cleared, without drawing; kRgba8.
+  /// What it would read after it was cleared, without drawing.
   Frame filled(const glm::vec4& color) const;
   /// Turns what was read into a picture: row 0 is the top row; kRgba8 has straight alpha, kRgbaF32 premultiplied.
   /// @param opaque  a background is drawn whose alpha was not: alpha is what covers it, and colours stay as they are
   static void finish(Frame& frame, bool opaque);
   int samples() const { return samples_; }
+  PixelType type() const { return type_; }
 
  private:
   bool tryFormat(GLenum format, int samples);
+  std::size_t texelBytes() const { return type_ == PixelType::kRgba8 ? 4 : 16; }
+  Frame unread() const;
 
   const gl::Context& context_;
   int width_, height_, samples_, samplesAsked_;

@@ -83,14 +83,12 @@ class GlRenderer final : public Renderer {
     }
     const Shot& shot = sunlit ? *sunlit : asked;
     timer.lap("environment");
-    const bool accumulates = shot.resolve == Resolve::kLinear && !plan.frame.debugOutput;
     const pass::VisibilityBuffer::Frame found(buffer_);
-    bool buffered = !accumulates && framePixelType(shot.output) == PixelType::kRgba8 &&
-                    buffer_.mayDraw(plan, shot, targetFor(shot).samples());
-    readVaryingsFromMap(plan, buffered);
+    Picture picture{plan, timer, buffer_.mayDraw(plan, shot, targetFor(shot))};
+    readVaryingsFromMap(plan, picture.buffered);
     surfaces_.upload(plan, *scene, gpu, cancel);
     timer.lap("upload");
-    int compiled = surfaces_.prepare(plan, cancel);
+    picture.compiled = surfaces_.prepare(plan, cancel);
     timer.lap("compile");
     shadows_.draw(plan, *scene, gpu, cancel);
     if (!plan.shadows.empty()) {
@@ -99,19 +97,12 @@ class GlRenderer final : public Renderer {
     }
     shadows_.bind(plan.shadows, pass::SurfacePass::firstShadowUnit());
     const pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, background, cancel};
-    if (buffered && !findVisible(inputs, timer)) {
-      buffered = false;
-      readVaryingsFromMap(plan, false);
-      compiled += surfaces_.prepare(plan, cancel);
-    }
-    int passes = 1;
-    Frame frame = accumulates ? drawAveraged(plan, inputs, passes, progress, timer)
-                  : buffered  ? drawBuffered(inputs, timer)
-                              : drawOnce(inputs, false, timer);
+    const bool accumulates = shot.resolve == Resolve::kLinear && !plan.frame.debugOutput;
+    Frame frame = accumulates ? drawAveraged(inputs, picture, progress) : drawPass(inputs, {}, picture);
     Json json = pass::describeFrame(plan, shot, environment, *context_, {buffer_.count(), visible_.count()}, timer);
     json["glObjects"] = liveObjects();
-    json["samples"] = passes * target_->samples();
-    json["programsCompiled"] = compiled;
+    json["samples"] = picture.passes * target_->samples();
+    json["programsCompiled"] = picture.compiled;
     if (!plan.frame.debugOutput && !coverage_.empty()) json["picture"] = toJson(frame::pictureFacts(frame, coverage_));
     if (!suns.list.empty() && !sunlit) json["warnings"] = Json::array({rangeWarning(suns.share)});
     info.json = json.dump();
@@ -141,6 +132,15 @@ class GlRenderer final : public Renderer {
   int liveObjects() const override { return context_->gl().liveObjects - textures_.keptCount(); }
 
  private:
+  /// A picture that is drawn, in one pass or several.
+  struct Picture {
+    FramePlan& plan;
+    StageTimer& timer;
+    bool buffered;  ///< by the visibility buffer
+    int compiled = 0;
+    int passes = 1;
+  };
+
   void checkSize(const Shot& shot) const {
     checkLimit("L_OUTPUT_SIZE", context_->capabilities().maxTextureSize, std::max(shot.width, shot.height), "");
   }
@@ -202,20 +202,31 @@ class GlRenderer final : public Renderer {
   }
 
   void drawBackground(const pass::SurfaceInputs& inputs, const Behind& behind) {
-    writeAlpha(!behind.opaque);
+    pass::writeAlpha(context_->gl(), !behind.opaque);
     background_.draw(inputs.plan.camera, inputs.shot, *inputs.background, inputs.plan.frame);
-    writeAlpha(true);
+    pass::writeAlpha(context_->gl(), true);
   }
 
   void drawGround(const pass::SurfaceInputs& inputs, const Behind& behind) {
-    writeAlpha(!behind.opaque);
+    pass::writeAlpha(context_->gl(), !behind.opaque);
     ground_.draw(inputs.plan, inputs.shot, pass::SurfacePass::firstShadowUnit());
-    writeAlpha(true);
+    pass::writeAlpha(context_->gl(), true);
   }
 
   /// One pass over everything that the shot shows, read back.
-  /// @param settled  whether settled_ masks pixels
-  Frame drawOnce(pass::SurfaceInputs inputs, bool settled, StageTimer& timer) {
+  /// @param settled  pixels that are not asked for, the upper row first; settled_ masks them; empty = none
+  Frame drawPass(const pass::SurfaceInputs& inputs, std::span<const std::uint8_t> settled, Picture& picture) {
+    if (picture.buffered) {
+      if (findVisible(inputs, settled, picture.timer)) return drawBuffered(inputs, picture.timer);
+      picture.buffered = false;
+      readVaryingsFromMap(picture.plan, false);
+      picture.compiled += surfaces_.prepare(picture.plan, inputs.cancel);
+    }
+    return drawTriangles(inputs, !settled.empty(), picture.timer);
+  }
+
+  /// The same by the GL's own rasterizer.
+  Frame drawTriangles(pass::SurfaceInputs inputs, bool settled, StageTimer& timer) {
     const FramePlan& plan = inputs.plan;
     const Shot& shot = inputs.shot;
     const pass::FrameTarget& target = targetFor(shot);
@@ -228,7 +239,7 @@ class GlRenderer final : public Renderer {
     timer.lap("visibility");
     const bool debug = plan.frame.debugOutput;
     const Behind behind = pass::behindOf(plan, shot);
-    clear(behind.color);
+    pass::clearTarget(context_->gl(), behind.color);
     if (settled) settled_.draw();
     if (plan.environmentBackground && !debug) drawBackground(inputs, behind);
     surfaces_.draw({&plan.draws.opaque, &plan.draws.transmissive}, inputs);
@@ -239,17 +250,17 @@ class GlRenderer final : public Renderer {
     return finished(target.read(), inputs, behind, timer);
   }
 
-  /// Whether the visibility buffer can draw the picture.
-  bool findVisible(pass::SurfaceInputs inputs, StageTimer& timer) {
+  /// Whether the visibility buffer can draw the pass.
+  bool findVisible(pass::SurfaceInputs inputs, std::span<const std::uint8_t> settled, StageTimer& timer) {
     const pass::FrameTarget& target = targetFor(inputs.shot);
     target.bind();
-    buffer_.begin(inputs.plan, inputs.shot);
+    buffer_.begin(inputs.plan, inputs.shot, target);
     inputs.samples = target.samples();
     inputs.buffer = &buffer_;
     inputs.captures = true;
     surfaces_.draw({&inputs.plan.draws.opaque}, inputs);
     timer.lap("vertices");
-    const bool found = buffer_.find(inputs.plan, inputs.shot, inputs.cancel);
+    const bool found = buffer_.find(inputs.plan, inputs.shot, settled, inputs.cancel);
     timer.lap("visibility");
     return found;
   }
@@ -262,7 +273,7 @@ class GlRenderer final : public Renderer {
     Frame frame;
     if ((plan.environmentBackground || plan.ground) && !plan.frame.debugOutput) {
       target.bind();
-      clear(behind.color);
+      pass::clearTarget(context_->gl(), behind.color);
       if (plan.environmentBackground) drawBackground(inputs, behind);
       if (plan.ground) drawGround(inputs, behind);
       frame = target.read();
@@ -293,13 +304,12 @@ class GlRenderer final : public Renderer {
     return frame;
   }
 
-  void writeAlpha(bool write) const { context_->gl().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, write ? GL_TRUE : GL_FALSE); }
-
   /// The mean of passes that are moved by parts of a pixel, in linear light before tone mapping.
-  /// @param plan  that of the inputs: its projection is shifted and restored    @param[out] drawn  number of passes
-  /// until every pixel was settled
-  Frame drawAveraged(FramePlan& plan, const pass::SurfaceInputs& frame, int& drawn, const Progress& progress,
-                     StageTimer& timer) {
+  /// @param picture  the projection of its plan is shifted and restored; its passes are those until every pixel was
+  /// settled
+  Frame drawAveraged(const pass::SurfaceInputs& frame, Picture& picture, const Progress& progress) {
+    FramePlan& plan = picture.plan;
+    int& drawn = picture.passes;
     Shot shot = frame.shot;
     // Without tone mapping a picture has no exposure, as in three.js; linear passes would have it.
     if (shot.toneMapping == ToneMapping::kNone && framePixelType(shot.output) == PixelType::kRgba8) shot.exposure = 1;
@@ -311,16 +321,16 @@ class GlRenderer final : public Renderer {
     for (drawn = 0; drawn < passes.count && !mean.allSettled() && !isEnough();) {
       inputs.samplePass = drawn;
       plan.camera.projection = frame::shifted(projection, passes.shift(drawn++), shot.width, shot.height);
-      const bool looked = mean.add(drawOnce(inputs, !mean.settled().empty(), timer), drawn == passes.count);
+      const bool looked = mean.add(drawPass(inputs, mean.settled(), picture), drawn == passes.count);
       if (progress.previews.asked() && std::has_single_bit(static_cast<unsigned>(drawn)) && drawn < passes.count)
         progress.previews.put({mean.frame(), drawn});
       if (!looked) continue;
       settled_.set(mean.settled(), shot.width, shot.height);
-      timer.lap("settle");
+      picture.timer.lap("settle");
     }
     plan.camera.projection = projection;
     Frame averaged = mean.frame();
-    timer.lap("resolve");
+    picture.timer.lap("resolve");
     return averaged;
   }
 
@@ -344,7 +354,7 @@ class GlRenderer final : public Renderer {
     inputs.samplePass = frame.samplePass;
     inputs.samples = extent.samples;
     transmission_->bind();
-    clear(pass::clearColorBehind(shot, three));
+    pass::clearTarget(context_->gl(), pass::clearColorBehind(shot, three));
     if (frame.plan.environmentBackground) {
       shader::VariantKey linear = frame.plan.frame;
       linear.toneMapping = shader::ToneMapping::kNone;
@@ -360,16 +370,6 @@ class GlRenderer final : public Renderer {
       transmission_->resolve();
     }
     return transmission_.get();
-  }
-
-  void clear(const glm::vec4& color) const {
-    const gl::Functions& gl = context_->gl();
-    gl.Disable(GL_SCISSOR_TEST);
-    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl.DepthMask(GL_TRUE);
-    gl.ClearColor(color.r, color.g, color.b, color.a);
-    gl.ClearDepthf(1.0f);
-    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   }
 
   // The context is first, so that it is destroyed after everything that owns GL names.

@@ -57,10 +57,10 @@ std::size_t outputsOf(const DrawItem& item) { return 4 + componentsOf(varyingsOf
 
 }  // namespace
 
-bool VisibilityBuffer::mayDraw(const FramePlan& plan, const Shot& shot, int samples) const {
+bool VisibilityBuffer::mayDraw(const FramePlan& plan, const Shot& shot, const FrameTarget& target) const {
   const gl::Capabilities& can = context_.capabilities();
-  if (use_ == Use::kNever || samples != visibility::SAMPLES || !can.samplePlaces || plan.frame.environmentSamples > 0)
-    return false;
+  const bool ofFour = target.samples() == visibility::SAMPLES && can.samplePlaces && target.type() == PixelType::kRgba8;
+  if (use_ == Use::kNever || !(ofFour || target.samples() == 1)) return false;
   if (std::int64_t{shot.width} * shot.height > MOST_PIXELS) return false;
   const DrawList& draws = plan.draws;
   if (draws.opaque.empty() || !draws.transmissive.empty() || !draws.blended.empty()) return false;
@@ -74,11 +74,12 @@ bool VisibilityBuffer::mayDraw(const FramePlan& plan, const Shot& shot, int samp
   return use_ == Use::kAlways || (can.shadesHidden && triangles >= FEW_TRIANGLES);
 }
 
-void VisibilityBuffer::begin(const FramePlan& plan, const Shot& shot) {
+void VisibilityBuffer::begin(const FramePlan& plan, const Shot& shot, const FrameTarget& target) {
   count_ = {};
   first_ = plan.draws.opaque.data();
-  size_ = {shot.width, shot.height};
-  grid_ = gridOf(context_.gl(), {shot.width, shot.height});
+  asked_ = target.type();
+  grid_ = target.samples() == 1 ? visibility::SampleGrid::ofOneSample(shot.width, shot.height)
+                                : gridOf(context_.gl(), {shot.width, shot.height});
   captured_.clear();
   std::size_t floats = 0;
   for (const DrawItem& item : plan.draws.opaque) {
@@ -111,18 +112,20 @@ void VisibilityBuffer::capture(const DrawItem& item, GpuScene& gpu) {
   context_.check("outputs of the vertex stage");
 }
 
-bool VisibilityBuffer::find(const FramePlan& plan, const Shot& shot, const CancelToken& cancel) {
+bool VisibilityBuffer::find(const FramePlan& plan, const Shot& shot, std::span<const std::uint8_t> settled,
+                            const CancelToken& cancel) {
   meshes_.clear();
   for (const DrawItem& item : plan.draws.opaque) {
     const Captured& captured = captured_[indexOf(item)];
     meshes_.push_back({{vertices_.data() + captured.first, captured.varyings},
                        item.primitive->positions.size(),
                        item.primitive->indices,
-                       facesOf(item)});
+                       facesOf(item),
+                       !item.key.flatShaded});
   }
   if (!owners_.look(grid_, meshes_, cancel)) return false;
   if (plan.ground && !owners_.inFrontOf(groundDepths(plan, shot))) return false;
-  quads_.find(owners_, cancel);
+  quads_.find(owners_, {shot.mergeQuads, settled}, cancel);
   if (!fill(plan)) return false;
   fillPlaces();
   upload();
@@ -149,23 +152,20 @@ bool VisibilityBuffer::fill(const FramePlan& plan) {
     return false;
   rows_ = static_cast<int>(rows);
   texels_.resize(rows * layers_ * WIDTH * 4);
-  visibility::VaryingMixer mixer;
   const visibility::FragmentTexels out{texels_.data(), WIDTH, layers_};
   for (std::size_t mesh = 0; mesh < all.size(); ++mesh) {
     const DrawItem& item = plan.draws.opaque[mesh];
     const bool frontTurn = item.mirrored == item.key.flipSided;
     const std::size_t facts = captured_[mesh].varyings;
+    visibility::VaryingMixer mixer(meshes_[mesh], owners_.vertices(mesh), grid_.offset);
     for (std::size_t i = 0; i < all[mesh].size(); ++i) {
       const ShadingQuad& quad = all[mesh][i];
       const glm::uvec2 corner = texelOf(ranges_[mesh].firstBlock + i / QUADS, i % QUADS);
-      if (i == 0 || quad.triangle != all[mesh][i - 1].triangle)
-        mixer.begin(meshes_[mesh].outputs, owners_.vertices(mesh), visibility::cornersOf(meshes_[mesh], quad.triangle),
-                    quad.counterClockwise);
       mixer.mix(quad, out, corner);
+      const bool isFront = ((quad.owners[0] & visibility::COUNTER_CLOCKWISE) != 0) == frontTurn;
       for (unsigned pixel = 0; pixel < 4; ++pixel) {
         const unsigned dx = pixel & 1, dy = pixel >> 1;
-        const float told[FRAGMENT_FACTS] = {quad.counterClockwise == frontTurn ? 1.0f : 0.0f,
-                                            static_cast<float>(quad.x + dx) + 0.5f,
+        const float told[FRAGMENT_FACTS] = {isFront ? 1.0f : 0.0f, static_cast<float>(quad.x + dx) + 0.5f,
                                             static_cast<float>(quad.y + dy) + 0.5f};
         for (std::size_t fact = 0; fact < FRAGMENT_FACTS; ++fact) {
           const std::size_t at = facts + fact;
@@ -203,11 +203,12 @@ void VisibilityBuffer::fillPlaces() {
 void VisibilityBuffer::upload() {
   const gl::Functions& gl = context_.gl();
   const glm::ivec2 rows(rows_ * static_cast<int>(layers_), rows_);
-  if (rows.x > held_.x || rows.y > held_.y) {
+  if (rows.x > held_.x || rows.y > held_.y || type_ != asked_) {
     const int most = context_.capabilities().maxTextureSize;
     held_ = glm::min(glm::max(rows + rows / 4, held_), glm::ivec2(most));
     varyings_ = nearestTexture(gl, GL_RGBA32F, held_.x);
-    shaded_ = nearestTexture(gl, GL_RGBA8, held_.y);
+    type_ = asked_;
+    shaded_ = nearestTexture(gl, type_ == PixelType::kRgba8 ? GL_RGBA8 : GL_RGBA32F, held_.y);
     target_ = gl::Framebuffer(gl);
     gl.BindFramebuffer(GL_FRAMEBUFFER, target_.get());
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, shaded_.get(), 0);
@@ -247,31 +248,50 @@ void VisibilityBuffer::draw(const DrawItem& item, const gl::Program& program, gl
 }
 
 void VisibilityBuffer::compose(telar::Frame& behind) {
-  const std::size_t rows = static_cast<std::size_t>(rows_);
-  shadedTexels_.resize(rows * WIDTH);
+  const std::size_t texels = static_cast<std::size_t>(rows_) * WIDTH;
   const gl::Functions& gl = context_.gl();
   bind();
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl.ReadPixels(0, 0, WIDTH, rows_, GL_RGBA, GL_UNSIGNED_BYTE, shadedTexels_.data());
+  if (type_ == PixelType::kRgba8) {
+    shadedBytes_.resize(texels);
+    gl.ReadPixels(0, 0, WIDTH, rows_, GL_RGBA, GL_UNSIGNED_BYTE, shadedBytes_.data());
+  } else {
+    shadedFloats_.resize(texels);
+    gl.ReadPixels(0, 0, WIDTH, rows_, GL_RGBA, GL_FLOAT, shadedFloats_.data());
+  }
   context_.check("readback of shaded fragments");
+  if (surfaces_ == 0) return;
   const visibility::Pixels& covered = owners_.covered();
-  const std::size_t width = owners_.width();
-  auto* picture = reinterpret_cast<std::uint8_t*>(behind.pixels.data());
   const int right = std::min(covered.toX, static_cast<int>(behind.width) - 1);
   const int top = std::min(covered.toY, static_cast<int>(behind.height) - 1);
   for (int y = covered.fromY; y <= top; ++y) {
-    std::size_t at = static_cast<std::size_t>(y - covered.fromY) * width;
-    std::uint8_t* pixel =
-        picture + (static_cast<std::size_t>(y) * behind.width + static_cast<std::size_t>(covered.fromX)) * 4;
-    for (int x = covered.fromX; x <= right; ++x, ++at, pixel += 4) {
-      const std::uint32_t first = surfaces_ > 0 ? places_[0][at] : 0;
-      if (first == 0) continue;
-      if ((first & 15u) == 15u) {
-        std::memcpy(pixel, &shadedTexels_[first >> 4], 4);
-        continue;
-      }
+    const std::size_t at = static_cast<std::size_t>(y - covered.fromY) * owners_.width();
+    const std::size_t pixel = static_cast<std::size_t>(y) * behind.width + static_cast<std::size_t>(covered.fromX);
+    const auto count = static_cast<std::size_t>(std::max(right + 1 - covered.fromX, 0));
+    if (type_ == PixelType::kRgba8) {
+      composeRow(at, count, reinterpret_cast<std::uint8_t*>(behind.pixels.data()) + pixel * 4);
+    } else {
+      composeRow(at, count, reinterpret_cast<glm::vec4*>(behind.pixels.data()) + pixel);
+    }
+  }
+}
+
+void VisibilityBuffer::composeRow(std::size_t at, std::size_t count, std::uint8_t* pixel) const {
+  for (const std::size_t end = at + count; at < end; ++at, pixel += 4) {
+    const std::uint32_t first = places_[0][at];
+    if (first == 0) continue;
+    if ((first & 15u) == 15u) {
+      std::memcpy(pixel, &shadedBytes_[first >> 4], 4);
+    } else {
       mix(at, pixel);
     }
+  }
+}
+
+// One sample a pixel.
+void VisibilityBuffer::composeRow(std::size_t at, std::size_t count, glm::vec4* pixel) const {
+  for (const std::size_t end = at + count; at < end; ++at, ++pixel) {
+    if (places_[0][at] != 0) *pixel = shadedFloats_[places_[0][at] >> 4];
   }
 }
 
@@ -282,7 +302,7 @@ void VisibilityBuffer::mix(std::size_t at, std::uint8_t* pixel) const {
   for (std::size_t layer = 0; layer < surfaces_; ++layer) {
     const std::uint32_t place = places_[layer][at];
     for (unsigned i = 0; i < visibility::SAMPLES; ++i) {
-      if ((place >> i & 1u) != 0) std::memcpy(samples[i], &shadedTexels_[place >> 4], sizeof samples[i]);
+      if ((place >> i & 1u) != 0) std::memcpy(samples[i], &shadedBytes_[place >> 4], sizeof samples[i]);
     }
   }
   constexpr float UNIT = 1.0f / 255, SHARE = 1.0f / visibility::SAMPLES;
@@ -309,13 +329,15 @@ void VisibilityBuffer::release() {
   quads_ = {};
   vertices_ = {};
   texels_ = {};
-  shadedTexels_ = {};
+  shadedBytes_ = {};
+  shadedFloats_ = {};
   places_ = {};
 }
 
 std::size_t VisibilityBuffer::memory() const {
   std::size_t bytes = owners_.memory() + quads_.memory() + visibility::bytesOf(vertices_) +
-                      visibility::bytesOf(texels_) + visibility::bytesOf(shadedTexels_);
+                      visibility::bytesOf(texels_) + visibility::bytesOf(shadedBytes_) +
+                      visibility::bytesOf(shadedFloats_);
   for (const auto& places : places_) bytes += visibility::bytesOf(places);
   return bytes;
 }

@@ -4,6 +4,7 @@
 
 #include "gl/program.h"
 #include "pass/draw_list.h"
+#include "pass/frame_target.h"
 #include "pass/gpu_scene.h"
 #include "telar/renderer.h"
 #include "visibility/quad_varyings.h"
@@ -19,21 +20,23 @@ class VisibilityBuffer {
   using Use = RendererOptions::LeaveOut;
   VisibilityBuffer(const gl::Context& context, Use use) : context_(context), use_(use) {}
 
-  /// Whether a picture of one pass may be drawn so.
-  bool mayDraw(const FramePlan& plan, const Shot& shot, int samples) const;
-  /// Begins a picture. The target with its samples is bound.
-  void begin(const FramePlan& plan, const Shot& shot);
+  /// Whether passes over a picture may be drawn so: with four samples of bytes, or with one sample.
+  bool mayDraw(const FramePlan& plan, const Shot& shot, const FrameTarget& target) const;
+  /// Begins a pass. @param target  is bound
+  void begin(const FramePlan& plan, const Shot& shot, const FrameTarget& target);
   /// Runs the vertex stage of a draw of the plan's opaque list. Its program, of a captured key, and its uniforms are
   /// set.
   void capture(const DrawItem& item, GpuScene& gpu);
-  /// Looks at what was captured. @return false = it has to be drawn triangle by triangle
+  /// Looks at what was captured.
+  /// @param settled  pixels that are not asked for, the upper row first; empty = none
+  /// @return false = it has to be drawn triangle by triangle
   /// @throws Error{X_CANCELLED, X_TIMEOUT}
-  bool find(const FramePlan& plan, const Shot& shot, const CancelToken& cancel);
+  bool find(const FramePlan& plan, const Shot& shot, std::span<const std::uint8_t> settled, const CancelToken& cancel);
   /// Makes the fragments the target.
   void bind();
   /// Shades what is seen of a draw of the plan's opaque list. Its program and its uniforms are set.
   void draw(const DrawItem& item, const gl::Program& program, gl::DrawCost& cost, GLuint unit);
-  /// Puts what they have shaded in front of a picture. @param behind  kRgba8; row 0 is the lowest one
+  /// Puts what they have shaded in front of a picture. @param behind  of the target; row 0 is the lowest one
   void compose(telar::Frame& behind);
 
   /// Of this picture, once it is found.
@@ -69,6 +72,9 @@ class VisibilityBuffer {
   bool fill(const FramePlan& plan);
   void fillPlaces();
   void upload();
+  /// A row of what is covered. @param at  its first pixel in places_    @param pixel  the same of the picture
+  void composeRow(std::size_t at, std::size_t count, std::uint8_t* pixel) const;
+  void composeRow(std::size_t at, std::size_t count, glm::vec4* pixel) const;
   void mix(std::size_t at, std::uint8_t* pixel) const;
   void release();
   std::size_t memory() const;
@@ -78,7 +84,6 @@ class VisibilityBuffer {
   const gl::Context& context_;
   Use use_;
   const DrawItem* first_ = nullptr;
-  glm::vec2 size_{0};
   visibility::SampleGrid grid_;
   gl::Buffer outputs_;
   std::vector<float> vertices_;
@@ -91,9 +96,11 @@ class VisibilityBuffer {
   std::vector<float> texels_;
   int rows_ = 0;        ///< of fragments
   glm::ivec2 held_{0};  ///< rows that the textures have, of texels and of fragments
+  PixelType asked_ = PixelType::kRgba8, type_ = PixelType::kRgba8;  ///< of the target, of shaded_
   gl::Texture varyings_, shaded_;
   gl::Framebuffer target_;
-  std::vector<std::uint32_t> shadedTexels_;
+  std::vector<std::uint32_t> shadedBytes_;
+  std::vector<glm::vec4> shadedFloats_;
   std::size_t surfaces_ = 0;  ///< most of a pixel
   /// Of each pixel that may be covered: texel, and in the lowest four bits the samples that have its colour; 0 = none
   std::array<std::vector<std::uint32_t>, visibility::SAMPLES> places_;

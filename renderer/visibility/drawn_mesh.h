@@ -34,6 +34,7 @@ struct PlacedMesh {
   std::size_t count = 0;                   ///< vertices
   std::span<const std::uint32_t> indices;  ///< empty = the vertices in their order
   Faces faces = Faces::kBoth;
+  bool smooth = true;  ///< what vertices have runs on from triangle to triangle
   std::size_t vertices() const { return count; }
 };
 

@@ -22,28 +22,35 @@ struct FragmentTexels {
 /// Place in the window of one in clip space, as llvmpipe (Mesa 22.3) computes it. @param size  px
 glm::vec3 windowPlace(const float* clip, float overW, const glm::vec2& size, bool fused);
 
-/// Mixes the varyings of a triangle at the centres of pixels, in perspective, as llvmpipe does.
+/// Mixes the varyings of triangles at the centres of pixels, in perspective, as llvmpipe does.
 class VaryingMixer {
  public:
-  VaryingMixer() : fused_(fusesProducts()) {}
-  /// @param corners  in the order of the draw
-  void begin(const VertexOutputs& outputs, const WindowVertices& vertices, const Corners& corners,
-             bool counterClockwise);
-  /// Four fragments of that triangle. @param at  texel of the first of them
-  void mix(const ShadingQuad& quad, const FragmentTexels& out, const glm::uvec2& at) const;
+  /// @param offset  of the grid
+  VaryingMixer(const PlacedMesh& mesh, const WindowVertices& vertices, float offset)
+      : mesh_(mesh), vertices_(vertices), offset_(offset), centre_(0.5f - offset), fused_(fusesProducts()) {}
+  /// Four fragments. Of quads of one triangle one after the other, the triangle is set up once.
+  /// @param at  texel of the first of them
+  void mix(const ShadingQuad& quad, const FragmentTexels& out, const glm::uvec2& at);
 
  private:
   using Plane4 = LinearPlane<Lanes>;
   static constexpr std::size_t MOST = 24;  ///< planes
 
+  const PlacedMesh& mesh_;
+  const WindowVertices& vertices_;
+  float offset_, centre_;  ///< centre: of a pixel, less the offset
   bool fused_;
+  Owner setUp_ = NO_OWNER;  ///< triangle that the planes are of
   std::size_t count_ = 0;
   Plane4 overW_{};
   std::array<Plane4, MOST> planes_;
 
+  void setUp(Owner owner);
   template <class Rounding>
-  void mixAs(const ShadingQuad& quad, const FragmentTexels& out, const glm::uvec2& at) const;
-  void mixFused(const ShadingQuad& quad, const FragmentTexels& out, const glm::uvec2& at) const;
+  void mixPixels(const ShadingQuad& quad, unsigned from, unsigned to, const FragmentTexels& out,
+                 const glm::uvec2& at) const;
+  void mixFused(const ShadingQuad& quad, unsigned from, unsigned to, const FragmentTexels& out,
+                const glm::uvec2& at) const;
 };
 
 }  // namespace telar::visibility

@@ -25,14 +25,14 @@ Doubles doublesOf(double value) { return Doubles{value, value, value, value}; }
 
 /// A triangle whose corners run counter-clockwise.
 struct SampleOwners::Setup {
-  Pixels box;
+  Pixels box;  ///< cells
   LinearPlane<float> depth;
   Owner owner;
 };
 
 namespace {
 
-/// An edge function at the four samples of pixels: twice the area of a point and the edge in steps, positive inside,
+/// An edge function at the four samples of cells: twice the area of a point and the edge in steps, positive inside,
 /// and 0 or more for what belongs to the triangle. Of a point on the edge between two triangles one has it: left and
 /// lower edges keep theirs.
 /// @tparam Vector  Mask, where all numbers fit into 32 bits, or Doubles, which are exact: no corner is farther off than
@@ -41,15 +41,15 @@ template <class Vector>
 class Edge {
  public:
   using Scalar = std::conditional_t<std::is_same_v<Vector, Mask>, std::int32_t, double>;
-  /// @param placesX, placesY  of the samples in a pixel, in steps    @param x, y  first pixel
-  Edge(const glm::ivec2& u, const glm::ivec2& v, const Mask& placesX, const Mask& placesY, int x, int y) {
+  /// @param placesX, placesY  of the samples in a cell, in steps    @param x, y  first cell    @param cell  steps
+  Edge(const glm::ivec2& u, const glm::ivec2& v, const Mask& placesX, const Mask& placesY, int x, int y, int cell) {
     const auto dx = static_cast<Scalar>(v.x - u.x), dy = static_cast<Scalar>(v.y - u.y);
     const bool keeps = dy < 0 || (dy == 0 && dx > 0);
-    const Scalar fromX = static_cast<Scalar>(x * STEPS - u.x), fromY = static_cast<Scalar>(y * STEPS - u.y);
+    const Scalar fromX = static_cast<Scalar>(x * cell - u.x), fromY = static_cast<Scalar>(y * cell - u.y);
     const Scalar begin = dx * fromY - dy * fromX - static_cast<Scalar>(keeps ? 0 : 1);
     begin_ = __builtin_convertvector(placesY, Vector) * dx - __builtin_convertvector(placesX, Vector) * dy + begin;
-    nextX_ = -dy * STEPS;
-    nextY_ = dx * STEPS;
+    nextX_ = -dy * static_cast<Scalar>(cell);
+    nextY_ = dx * static_cast<Scalar>(cell);
   }
   const Vector& begin() const { return begin_; }
   Scalar nextX() const { return nextX_; }
@@ -80,12 +80,13 @@ template <class Rounding, class EdgesOf>
   steps += static_cast<std::int64_t>(countOf(box));
   for (int y = box.fromY; y <= box.toY; ++y) {
     auto e0 = row0, e1 = row1, e2 = row2;
-    const Lanes sampleY = placesY + lanesOf(static_cast<float>(y));
-    PixelSamples* at = &samples_[indexOf(box.fromX, y)];
+    const Lanes sampleY = placesY + lanesOf(static_cast<float>(y * grid_.cell));
+    CellSamples* at = &samples_[indexOf(box.fromX, y)];
     for (int x = box.fromX; x <= box.toX; ++x, ++at) {
       const Mask inside = insideOf(e0, e1, e2);
       if (any(inside)) {
-        const Lanes depth = valueAt<Rounding>(setup.depth, placesX + lanesOf(static_cast<float>(x)), sampleY);
+        const Lanes depth =
+            valueAt<Rounding>(setup.depth, placesX + lanesOf(static_cast<float>(x * grid_.cell)), sampleY);
         const Lanes held = larger(lanesOf(0), smaller(lanesOf(1), depth));
         const Mask z = __builtin_convertvector(held * lanesOf(DEPTHS), Mask);
         Mask known, owner;
@@ -122,11 +123,12 @@ void SampleOwners::drawTriangle(const WindowVertices& vertices, const Corners& a
                                 std::int64_t& steps) {
   const glm::ivec2 *p = &steps_[at[0]], *q = &steps_[at[1]], *r = &steps_[at[2]];
   const glm::ivec2 low = glm::min(glm::min(*p, *q), *r), high = glm::max(glm::max(*p, *q), *r);
-  // Pixels with a sample between them: rounded towards where there are fewer, but for numbers below 0.
-  const Pixels box{std::max((low.x - lastPlace_.x + STEPS - 1) / STEPS, 0),
-                   std::min((high.x - firstPlace_.x) / STEPS, grid_.width - 1),
-                   std::max((low.y - lastPlace_.y + STEPS - 1) / STEPS, 0),
-                   std::min((high.y - firstPlace_.y) / STEPS, grid_.height - 1)};
+  // Cells with a sample between them: rounded towards where there are fewer, but for numbers below 0.
+  const int cell = grid_.cell * STEPS;
+  const Pixels box{std::max((low.x - lastPlace_.x + cell - 1) / cell, 0),
+                   std::min((high.x - firstPlace_.x) / cell, (grid_.width - 1) / grid_.cell),
+                   std::max((low.y - lastPlace_.y + cell - 1) / cell, 0),
+                   std::min((high.y - firstPlace_.y) / cell, (grid_.height - 1) / grid_.cell)};
   if (box.fromX > box.toX || box.fromY > box.toY) return;
   const std::int64_t area = std::int64_t{q->x - p->x} * (r->y - p->y) - std::int64_t{r->x - p->x} * (q->y - p->y);
   if (area == 0) return;
@@ -136,9 +138,10 @@ void SampleOwners::drawTriangle(const WindowVertices& vertices, const Corners& a
   if (counterClockwise) std::swap(turned[0], turned[1]);
   const WindowVertex* corners[3];
   for (std::size_t i = 0; i < 3; ++i) corners[i] = &vertices.vertices[turned[i]];
-  const Setup setup{
-      box, TriangleSetup(*corners[0], *corners[1], *corners[2]).plane(corners[0]->z, corners[1]->z, corners[2]->z),
-      owner | (counterClockwise ? COUNTER_CLOCKWISE : 0)};
+  const Setup setup{box,
+                    TriangleSetup(*corners[0], *corners[1], *corners[2], grid_.offset)
+                        .plane(corners[0]->z, corners[1]->z, corners[2]->z),
+                    owner | (counterClockwise ? COUNTER_CLOCKWISE : 0)};
   const Lanes placesX = load(placesX_), placesY = load(placesY_);
   const Mask inStepsX = __builtin_convertvector(placesX * lanesOf(STEPS), Mask);
   const Mask inStepsY = __builtin_convertvector(placesY * lanesOf(STEPS), Mask);
@@ -146,7 +149,7 @@ void SampleOwners::drawTriangle(const WindowVertices& vertices, const Corners& a
   const auto edgesAs = [&](auto vector) {
     using Vector = decltype(vector);
     const auto edge = [&](const glm::ivec2& u, const glm::ivec2& v) {
-      return Edge<Vector>(u, v, inStepsX, inStepsY, box.fromX, box.fromY);
+      return Edge<Vector>(u, v, inStepsX, inStepsY, box.fromX, box.fromY, cell);
     };
     cover(setup, Edges<Vector>{edge(*p, *q), edge(*q, *r), edge(*r, *p)}, steps);
   };
@@ -162,8 +165,8 @@ bool SampleOwners::draw(std::size_t index, const CancelToken& cancel) {
   const PlacedMesh& mesh = meshes_[index];
   const WindowVertices& vertices = vertices_[index];
   steps_.clear();
-  for (const WindowVertex& v : vertices.vertices)
-    steps_.emplace_back(static_cast<int>(std::lrint(v.x * STEPS)), static_cast<int>(std::lrint(v.y * STEPS)));
+  const auto stepOf = [this](float v) { return static_cast<int>(std::lrint((v - grid_.offset) * STEPS)); };
+  for (const WindowVertex& v : vertices.vertices) steps_.emplace_back(stepOf(v.x), stepOf(v.y));
   Patience patience(cancel);
   for (std::size_t i = 0; i < trianglesOf(mesh); ++i) {
     patience.spend();
@@ -194,15 +197,18 @@ void SampleOwners::begin() {
   const auto odd = [](int v, int size) { return std::min(v, size - 1) | 1; };
   covered_ = {even(all.fromX), odd(all.toX, grid_.width), even(all.fromY), odd(all.toY, grid_.height)};
   const bool none = covered_.fromX > covered_.toX || covered_.fromY > covered_.toY;
-  stride_ = none ? 0 : static_cast<std::size_t>(covered_.toX - covered_.fromX + 1);
-  samples_.assign(none ? 0 : stride_ * static_cast<std::size_t>(covered_.toY - covered_.fromY + 1),
+  const auto cells = [this](int from, int to) {
+    return static_cast<std::size_t>(to + 1 - from) / static_cast<std::size_t>(grid_.cell);
+  };
+  stride_ = none ? 0 : cells(covered_.fromX, covered_.toX);
+  samples_.assign(none ? 0 : stride_ * cells(covered_.fromY, covered_.toY),
                   {{FARTHEST, FARTHEST, FARTHEST, FARTHEST}, {NO_OWNER, NO_OWNER, NO_OWNER, NO_OWNER}});
 }
 
 bool SampleOwners::look(const SampleGrid& grid, std::span<const PlacedMesh> meshes, const CancelToken& cancel) {
   grid_ = grid;
   meshes_ = meshes;
-  firstPlace_ = glm::ivec2(STEPS);
+  firstPlace_ = glm::ivec2(grid.cell * STEPS);
   lastPlace_ = glm::ivec2(0);
   for (std::size_t i = 0; i < SAMPLES; ++i) {
     placesX_[i] = grid.places[i].x;
@@ -231,15 +237,13 @@ bool SampleOwners::look(const SampleGrid& grid, std::span<const PlacedMesh> mesh
 
 bool SampleOwners::inFrontOf(const Plane& depths) const {
   constexpr float ROUNDING = 4;  // depths: of the plane, of a place, of a depth
-  Lanes placesX, placesY;
-  std::memcpy(&placesX, placesX_, sizeof placesX);
-  std::memcpy(&placesY, placesY_, sizeof placesY);
-  for (int y = covered_.fromY; y <= covered_.toY; ++y) {
-    for (int x = covered_.fromX; x <= covered_.toX; ++x) {
-      const PixelSamples& pixel = samples_[indexOf(x, y)];
+  const Lanes placesX = load(placesX_) + lanesOf(grid_.offset), placesY = load(placesY_) + lanesOf(grid_.offset);
+  for (int y = covered_.fromY; y <= covered_.toY; y += grid_.cell) {
+    for (int x = covered_.fromX; x <= covered_.toX; x += grid_.cell) {
+      const CellSamples& cell = samples_[indexOf(x / grid_.cell, y / grid_.cell)];
       Mask known, owners;
-      std::memcpy(&known, pixel.depths, sizeof known);
-      std::memcpy(&owners, pixel.owners, sizeof owners);
+      std::memcpy(&known, cell.depths, sizeof known);
+      std::memcpy(&owners, cell.owners, sizeof owners);
       const Lanes plane = lanesOf(depths.a) * (placesX + lanesOf(static_cast<float>(x))) +
                           lanesOf(depths.b) * (placesY + lanesOf(static_cast<float>(y))) + lanesOf(depths.c);
       const Lanes depth = __builtin_convertvector(known, Lanes);

@@ -30,10 +30,11 @@ class SampleOwners {
 
   /// Pixels that may be covered: from even ones to odd ones, beyond the window by one where its size is odd.
   const Pixels& covered() const { return covered_; }
-  std::size_t width() const { return stride_; }           ///< of covered()
-  std::size_t pixels() const { return samples_.size(); }  ///< of covered()
-  /// Of the samples of a pixel in covered(), SAMPLES of them.
-  const Owner* of(int x, int y) const { return samples_[indexOf(x, y)].owners; }
+  std::size_t width() const { return stride_ * static_cast<std::size_t>(grid_.cell); }  ///< px, of covered()
+  std::size_t pixels() const { return samples_.size() * static_cast<std::size_t>(grid_.cell * grid_.cell); }
+  /// Of the samples of the cell of a pixel in covered(), SAMPLES of them.
+  const Owner* of(int x, int y) const { return samples_[indexOf(x / grid_.cell, y / grid_.cell)].owners; }
+  const SampleGrid& grid() const { return grid_; }
 
   /// Whether no sample shows a triangle that is farther than a plane, but for rounding.
   /// @param depths  of the plane in the depth buffer, at places in the window in pixels
@@ -50,14 +51,16 @@ class SampleOwners {
   std::size_t memory() const;
 
  private:
-  struct alignas(16) PixelSamples {
+  struct alignas(16) CellSamples {
     std::int32_t depths[SAMPLES];
     Owner owners[SAMPLES];
   };
   struct Setup;
 
+  /// @param x, y  cell
   std::size_t indexOf(int x, int y) const {
-    return static_cast<std::size_t>(y - covered_.fromY) * stride_ + static_cast<std::size_t>(x - covered_.fromX);
+    return static_cast<std::size_t>(y - covered_.fromY / grid_.cell) * stride_ +
+           static_cast<std::size_t>(x - covered_.fromX / grid_.cell);
   }
   void begin();
   bool draw(std::size_t mesh, const CancelToken& cancel);
@@ -71,15 +74,15 @@ class SampleOwners {
 
   bool fused_ = fusesProducts();
   SampleGrid grid_;
-  float placesX_[SAMPLES] = {}, placesY_[SAMPLES] = {};  ///< of the samples in a pixel
+  float placesX_[SAMPLES] = {}, placesY_[SAMPLES] = {};  ///< of the samples in a cell
   glm::ivec2 firstPlace_{0}, lastPlace_{0};              ///< of them, in steps of the grid
   std::span<const PlacedMesh> meshes_;
   std::vector<std::uint32_t> firsts_;  ///< number of each mesh's first triangle, and the end
   std::vector<WindowVertices> vertices_;
   std::vector<glm::ivec2> steps_;  ///< of one mesh's vertices: places on the grid of the rasterizer
   Pixels covered_{0, -1, 0, -1};
-  std::size_t stride_ = 0;
-  std::vector<PixelSamples> samples_;
+  std::size_t stride_ = 0;  ///< cells
+  std::vector<CellSamples> samples_;
 };
 
 }  // namespace telar::visibility

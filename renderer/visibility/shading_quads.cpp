@@ -2,85 +2,143 @@
 
 #include <algorithm>
 
-#include "visibility/lanes.h"
-
 namespace telar::visibility {
 namespace {
 
 constexpr unsigned PIXELS = 4;
-constexpr std::uint16_t ALL_SAMPLES = 0xffff;
+/// Of the numbers below 16.
+constexpr std::array<std::int8_t, 16> BITS{0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
 
-bool areAll(const Owner* const (&pixels)[PIXELS], Owner owner) {
-  const auto value = static_cast<std::int32_t>(owner);
-  const Mask one{value, value, value, value};
-  Mask other{};
-  for (const Owner* pixel : pixels) {
-    Mask samples;
-    std::memcpy(&samples, pixel, sizeof samples);
-    other |= samples != one;
-  }
-  return !any(other);
+bool shareVertex(const Corners& a, const Corners& b) {
+  return std::any_of(a.begin(), a.end(), [&](std::uint32_t u) { return u == b[0] || u == b[1] || u == b[2]; });
 }
 
 }  // namespace
 
-void ShadingQuads::put(const SampleOwners& owners, Owner owner, int x, int y, std::uint16_t samples) {
-  const SampleOwners::Triangle triangle = owners.triangle(owner);
-  quads_[triangle.mesh].push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), samples,
-                                   (owner & COUNTER_CLOCKWISE) != 0, triangle.number});
+void ShadingQuads::show(Owner owner) {
+  std::uint8_t& shown = isShown_[numberOf(owner)];
+  shown_ += shown == 0;
+  shown = 1;
 }
 
-void ShadingQuads::add(const SampleOwners& owners, int x, int y) {
-  const Owner* pixels[PIXELS] = {owners.of(x, y), owners.of(x + 1, y), owners.of(x, y + 1), owners.of(x + 1, y + 1)};
-  if (areAll(pixels, pixels[0][0])) {
-    if (pixels[0][0] != NO_OWNER) put(owners, pixels[0][0], x, y, ALL_SAMPLES);
-    return;
-  }
-  Owner known[PIXELS * SAMPLES];
-  std::uint16_t samples[PIXELS * SAMPLES];
-  std::size_t count = 0;
-  for (unsigned i = 0; i < PIXELS * SAMPLES; ++i) {
-    const Owner owner = pixels[i / SAMPLES][i % SAMPLES];
-    if (owner == NO_OWNER) continue;
-    std::size_t at = 0;
-    while (at < count && known[at] != owner) ++at;
-    if (at == count) {
-      known[count] = owner;
-      samples[count++] = 0;
+void ShadingQuads::join(const SampleOwners& owners) {
+  std::array<Corners, PIXELS * SAMPLES> corners;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    Part& part = parts_[i];
+    if (!owners.meshes()[part.triangle.mesh].smooth) continue;
+    corners[i] = cornersOf(owners.meshes()[part.triangle.mesh], part.triangle.number);
+    for (std::size_t k = 0; k < i; ++k) {
+      const Part& other = parts_[k];
+      if (other.surface == part.surface || other.triangle.mesh != part.triangle.mesh ||
+          ((other.owner ^ part.owner) & COUNTER_CLOCKWISE) != 0 || !shareVertex(corners[i], corners[k]))
+        continue;
+      const std::uint16_t from = std::max(part.surface, other.surface), to = std::min(part.surface, other.surface);
+      for (std::size_t j = 0; j <= i; ++j) {
+        if (parts_[j].surface == from) parts_[j].surface = to;
+      }
     }
-    samples[at] = static_cast<std::uint16_t>(samples[at] | 1u << i);
   }
-  for (std::size_t i = 0; i < count; ++i) put(owners, known[i], x, y, samples[i]);
 }
 
-void ShadingQuads::find(const SampleOwners& owners, const CancelToken& cancel) {
+void ShadingQuads::emit(int x, int y) {
+  for (std::size_t surface = 0; surface < parts_.size(); ++surface) {
+    if (parts_[surface].surface != surface) continue;
+    ShadingQuad quad{static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0, {}};
+    std::array<int, PIXELS> most{};
+    for (std::size_t i = surface; i < parts_.size(); ++i) {
+      const Part& part = parts_[i];
+      if (part.surface != surface) continue;
+      quad.samples = static_cast<std::uint16_t>(quad.samples | part.samples);
+      for (unsigned pixel = 0; pixel < PIXELS; ++pixel) {
+        const int count = BITS[part.in(pixel)];
+        if (count <= most[pixel]) continue;
+        most[pixel] = count;
+        quad.owners[pixel] = part.ofMesh();
+      }
+    }
+    // A pixel without a sample of it shows how the triangle beside it runs on: to the left or right, else above or
+    // below.
+    for (unsigned pixel = 0; pixel < PIXELS; ++pixel) {
+      if (most[pixel] > 0) continue;
+      for (const unsigned other : {pixel ^ 1u, pixel ^ 2u, pixel ^ 3u}) {
+        if (most[other] == 0) continue;
+        quad.owners[pixel] = quad.owners[other];
+        break;
+      }
+    }
+    quads_[parts_[surface].triangle.mesh].push_back(quad);
+  }
+}
+
+void ShadingQuads::add(const SampleOwners& owners, int x, int y, bool merge) {
+  // Owner of each sample of each pixel: SAMPLES of them, or the one that stands for them.
+  const bool ofOneSample = owners.grid().cell == 2;
+  std::array<Owner, PIXELS * SAMPLES> all;
+  const unsigned each = ofOneSample ? 1 : SAMPLES;
+  if (ofOneSample) {
+    std::copy_n(owners.of(x, y), PIXELS, all.begin());
+  } else {
+    for (unsigned i = 0; i < PIXELS; ++i)
+      std::copy_n(owners.of(x + static_cast<int>(i & 1), y + static_cast<int>(i >> 1)), SAMPLES, &all[i * SAMPLES]);
+  }
+  parts_.clear();
+  for (unsigned i = 0; i < PIXELS * each; ++i) {
+    if (all[i] == NO_OWNER) continue;
+    const auto bits = static_cast<std::uint16_t>(ofOneSample ? 15u << (4 * i) : 1u << i);
+    const auto known = std::find_if(parts_.begin(), parts_.end(), [&](const Part& p) { return p.owner == all[i]; });
+    if (known != parts_.end()) {
+      known->samples = static_cast<std::uint16_t>(known->samples | bits);
+    } else {
+      parts_.push_back({all[i], bits, static_cast<std::uint16_t>(parts_.size()), owners.triangle(all[i])});
+      show(all[i]);
+    }
+  }
+  if (merge && parts_.size() > 1) join(owners);
+  emit(x, y);
+}
+
+bool ShadingQuads::isSettled(const SampleOwners& owners, std::span<const std::uint8_t> settled, int x, int y) {
+  const SampleGrid& grid = owners.grid();
+  for (int up = y; up < std::min(y + 2, grid.height); ++up) {
+    const std::uint8_t* row =
+        &settled[static_cast<std::size_t>(grid.height - 1 - up) * static_cast<std::size_t>(grid.width)];
+    for (int right = x; right < std::min(x + 2, grid.width); ++right) {
+      if (row[right] == 0) return false;
+    }
+  }
+  return true;
+}
+
+void ShadingQuads::find(const SampleOwners& owners, const Wanted& wanted, const CancelToken& cancel) {
   quads_.resize(owners.meshes().size());
   for (auto& quads : quads_) quads.clear();
+  isShown_.assign(owners.triangles(), 0);
   shown_ = 0;
   const Pixels& covered = owners.covered();
   for (int y = covered.fromY; y < covered.toY; y += 2) {
     cancel.check();
-    for (int x = covered.fromX; x < covered.toX; x += 2) add(owners, x, y);
+    for (int x = covered.fromX; x < covered.toX; x += 2) {
+      if (wanted.settled.empty() || !isSettled(owners, wanted.settled, x, y)) add(owners, x, y, wanted.merge);
+    }
   }
   for (std::size_t mesh = 0; mesh < quads_.size(); ++mesh) sort(quads_[mesh], trianglesOf(owners.meshes()[mesh]));
 }
 
 void ShadingQuads::sort(std::vector<ShadingQuad>& quads, std::size_t triangles) {
   ends_.assign(triangles, 0);
-  for (const ShadingQuad& quad : quads) ++ends_[quad.triangle];
+  for (const ShadingQuad& quad : quads) ++ends_[numberOf(quad.owners[0])];
   std::uint32_t end = 0;
   for (std::uint32_t& count : ends_) {
-    shown_ += count > 0;
     end += count;
     count = end;
   }
   sorted_.resize(quads.size());
-  for (std::size_t i = quads.size(); i-- > 0;) sorted_[--ends_[quads[i].triangle]] = quads[i];
+  for (std::size_t i = quads.size(); i-- > 0;) sorted_[--ends_[numberOf(quads[i].owners[0])]] = quads[i];
   quads.swap(sorted_);
 }
 
 std::size_t ShadingQuads::memory() const {
-  std::size_t bytes = bytesOf(ends_) + bytesOf(sorted_);
+  std::size_t bytes = bytesOf(ends_) + bytesOf(sorted_) + bytesOf(isShown_);
   for (const auto& quads : quads_) bytes += bytesOf(quads);
   return bytes;
 }

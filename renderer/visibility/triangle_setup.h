@@ -53,11 +53,13 @@ template <class Rounding, class Number>
 }
 
 /// A triangle in the window. llvmpipe turns one round whose corners run counter-clockwise: (1, 0, 2).
+/// @param offset  of the grid: planes are over places less that
 struct TriangleSetup {
   float dy20, dy01, dx20, dx01;  ///< divided by the area
   float x0, y0;
 
-  TriangleSetup(const WindowVertex& a, const WindowVertex& b, const WindowVertex& c) : x0(a.x), y0(a.y) {
+  TriangleSetup(const WindowVertex& a, const WindowVertex& b, const WindowVertex& c, float offset)
+      : x0(a.x - offset), y0(a.y - offset) {
     const float x01 = a.x - b.x, y01 = a.y - b.y, x20 = c.x - a.x, y20 = c.y - a.y;
     const float overArea = 1 / (x01 * y20 - y01 * x20);
     dy20 = y20 * overArea;

@@ -1,13 +1,13 @@
-import { choice, literal, number, object, union } from './rows.mjs';
+import { boolean, choice, literal, number, object, union } from './rows.mjs';
 
 /** Rows of `quality`. */
 
 /** What the raster renderer does for each quality. */
 export const PRESETS = Object.freeze({
-  standard: { samples: 4, resolve: 'encoded', noise: 0, environmentSamples: 0 },
-  draft: { samples: 1, resolve: 'encoded', noise: 0, environmentSamples: 0 },
-  medium: { samples: 64, resolve: 'linear', noise: 4, environmentSamples: 64 },
-  high: { samples: 1024, resolve: 'linear', noise: 1.25, environmentSamples: 2048 },
+  standard: { samples: 4, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: false },
+  draft: { samples: 1, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: true },
+  medium: { samples: 64, resolve: 'linear', noise: 4, environmentSamples: 64, mergeQuads: true },
+  high: { samples: 1024, resolve: 'linear', noise: 1.25, environmentSamples: 2048, mergeQuads: false },
 });
 
 /** Samples of a pixel that one pass over the model takes: more take several passes. */
@@ -15,7 +15,7 @@ export const SAMPLES_OF_A_PASS = 4;
 
 const PRESET = '"standard", "draft", "medium", "high" or "reference"';
 const QUALITY =
-  '"standard", "draft", "medium", "high", "reference", {samples, resolve, noise, environmentSamples}, {preset: "reference", ...}, {maxError} or {budgetMs}';
+  '"standard", "draft", "medium", "high", "reference", {samples, resolve, noise, environmentSamples, mergeQuads}, {preset: "reference", ...}, {maxError} or {budgetMs}';
 
 /** Settings of the raster renderer. */
 export const RASTER = object(
@@ -41,6 +41,11 @@ export const RASTER = object(
     environmentSamples: number(
       'Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered ' + 'maps, as three.js has them',
       { what: 'a whole number of directions', unit: 'directions a pixel', min: 0, max: 4096, integer: true, otherwise: PRESETS.standard.environmentSamples },
+    ),
+    mergeQuads: boolean(
+      'Shade triangles that share a vertex once where they meet in two by two pixels, as one surface: each pixel shows one of them. ' +
+        'Saves time on the processor alone, where triangles have a few pixels',
+      { otherwise: PRESETS.standard.mergeQuads },
     ),
   },
   { name: 'RasterQuality' },
@@ -90,7 +95,7 @@ const BUDGET = object('Time that the picture may take', {
 });
 
 export const quality = union(
-  '"draft": 1 sample a pixel; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with one direction of the environment each; "high": up to 1024, averaged in linear light, ' +
+  '"draft": 1 sample a pixel, triangles that meet in it shaded once; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with one direction of the environment each; "high": up to 1024, averaged in linear light, ' +
     'and the environment integrated with the material, by the tracer where it costs less; "reference": traced paths of light, slow and without GL',
   [choice('', [...Object.keys(PRESETS), 'reference'], { expected: QUALITY }), RASTER, REFERENCE, MAX_ERROR, BUDGET],
   QUALITY,

@@ -161,6 +161,51 @@ TEST(VisibilityBuffer, KeepsTheBytesOfRims) {
   }
 }
 
+TEST(VisibilityBuffer, KeepsTheBytesOfOneSample) {
+  for (const int size : {64, 151}) {
+    Shot shot = litShot(size);
+    shot.samples = 1;
+    expectSameBytes(balls(false), shot, std::to_string(size));
+    shot.resolve = Resolve::kLinear;
+    expectSameBytes(balls(false), shot, std::to_string(size) + ", floats");
+  }
+}
+
+// In passes, of which pixels that are settled take no more.
+TEST(VisibilityBuffer, KeepsTheBytesOfAveragedPictures) {
+  Shot shot = litShot(96);
+  shot.samples = 64;
+  shot.resolve = Resolve::kLinear;
+  for (const double noise : {0.0, 4.0}) {
+    shot.noise = noise;
+    expectSameBytes(balls(false), shot, "noise " + std::to_string(noise));
+  }
+}
+
+TEST(VisibilityBuffer, MergesTheQuadsOfSmoothSurfaces) {
+  const auto renderer = rendererWith(LeaveOut::kAlways);
+  Primitive ball = spherePrimitive(1, 64);
+  const auto fragmentsOf = [&](const Primitive& primitive, bool merge, Frame& picture) {
+    Shot shot = litShot(128);
+    shot.samples = 1;
+    shot.mergeQuads = merge;
+    Drawn out = drawn(*renderer, sceneOf(primitive, colored({0.8f, 0.8f, 0.8f}, 0.5f)), shot);
+    picture = std::move(out.frame);
+    return out.told.at("shadedFragments").get<int>();
+  };
+  Frame apart, merged;
+  EXPECT_LT(1.5 * fragmentsOf(ball, true, merged), fragmentsOf(ball, false, apart));
+  // Each pixel has the varyings of its own triangle.
+  int most = 0;
+  for (std::size_t i = 0; i < apart.pixels.size(); ++i)
+    most = std::max(most, std::abs(static_cast<int>(apart.pixels[i]) - static_cast<int>(merged.pixels[i])));
+  EXPECT_LE(most, 1);
+  // Normals of faces are derivatives: of two faces in one quad they would be of neither.
+  ball.normals.clear();
+  EXPECT_EQ(fragmentsOf(ball, true, merged), fragmentsOf(ball, false, apart));
+  EXPECT_TRUE(apart.pixels == merged.pixels);
+}
+
 TEST(VisibilityBuffer, KeepsTheBytesOfFlatFaces) {
   Primitive faceted = spherePrimitive(1, 12);
   faceted.normals.clear();
@@ -222,10 +267,7 @@ TEST(VisibilityBuffer, DrawsWhatIsOpaqueAndWholeBeforeTheCamera) {
   inside.camera.position = {0, 0, 0.3};
   inside.camera.near = 0.01;
   EXPECT_FALSE(isBuffered(balls(false), inside));
-  Shot one = litShot(32);
-  one.samples = 1;
-  EXPECT_FALSE(isBuffered(balls(false), one));
-  Shot floats = litShot(32);
+  Shot floats = litShot(32);  // with four samples
   floats.resolve = Resolve::kLinear;
   EXPECT_FALSE(isBuffered(balls(false), floats));
   for (const AlphaMode mode : {AlphaMode::kBlend, AlphaMode::kMask}) {
@@ -242,9 +284,9 @@ TEST(VisibilityBuffer, DrawsWhatIsOpaqueAndWholeBeforeTheCamera) {
 TEST(VisibilityBuffer, IsToldOfItsOwnPictureAlone) {
   const auto renderer = rendererWith(LeaveOut::kAlways);
   EXPECT_TRUE(drawn(*renderer, balls(false), litShot(32)).buffered());
-  Shot one = litShot(32);
-  one.samples = 1;
-  EXPECT_FALSE(drawn(*renderer, balls(false), one).buffered());
+  Shot floats = litShot(32);
+  floats.resolve = Resolve::kLinear;
+  EXPECT_FALSE(drawn(*renderer, balls(false), floats).buffered());
 }
 
 TEST(VisibilityBuffer, IsLeftOutWhereTrianglesAreFew) {

@@ -22,7 +22,8 @@ struct Mixed {
     return clip.x * 0.5f + clip.y * 2 - clip.w * 0.25f + static_cast<float>(i);
   }
 
-  Mixed(const std::array<glm::vec4, 3>& corners, bool counterClockwise) : texels(WIDTH * LAYERS * 4 * 4) {
+  Mixed(const std::array<glm::vec4, 3>& corners, bool counterClockwise, float offset = 0)
+      : texels(WIDTH * LAYERS * 4 * 4) {
     for (const glm::vec4& at : corners) {
       floats.insert(floats.end(), {at.x, at.y, at.z, at.w});
       for (std::size_t i = 0; i < VARYINGS; ++i) floats.push_back(valueOf(at, i));
@@ -31,9 +32,10 @@ struct Mixed {
     WindowVertices vertices;
     const VertexOutputs outputs{floats.data(), VARYINGS};
     vertices.place(floats.data(), outputs.stride(), 3, SIZE);
-    VaryingMixer mixer;
-    mixer.begin(outputs, vertices, {0, 1, 2}, counterClockwise);
-    mixer.mix({20, 30, 0, counterClockwise, 0}, {texels.data(), WIDTH, LAYERS}, {2, 0});
+    const PlacedMesh mesh{outputs, 3, {}, Faces::kBoth};
+    const Owner owner = counterClockwise ? COUNTER_CLOCKWISE : 0;
+    VaryingMixer(mesh, vertices, offset)
+        .mix({20, 30, 0, {owner, owner, owner, owner}}, {texels.data(), WIDTH, LAYERS}, {2, 0});
   }
 
   float at(unsigned pixel, std::size_t i) const {

@@ -66,9 +66,10 @@ int faultsOf(const SampleOwners& owners, const std::vector<PlacedMesh>& meshes, 
   int faults = 0;
   for (int y = 0; y < grid.height; ++y) {
     for (int x = 0; x < grid.width; ++x) {
+      const int cellX = x / grid.cell * grid.cell, cellY = y / grid.cell * grid.cell;
       for (std::size_t i = 0; i < SAMPLES; ++i) {
-        const auto sx = static_cast<std::int64_t>((static_cast<float>(x) + grid.places[i].x) * 256);
-        const auto sy = static_cast<std::int64_t>((static_cast<float>(y) + grid.places[i].y) * 256);
+        const auto sx = static_cast<std::int64_t>((static_cast<float>(cellX) + grid.places[i].x + grid.offset) * 256);
+        const auto sy = static_cast<std::int64_t>((static_cast<float>(cellY) + grid.places[i].y + grid.offset) * 256);
         double nearest = std::numeric_limits<double>::infinity(), owned = nearest;
         const Pixels& covered = owners.covered();
         const bool in = x >= covered.fromX && x <= covered.toX && y >= covered.fromY && y <= covered.toY;
@@ -114,8 +115,10 @@ TEST(SampleOwners, AreTheNearestTrianglesThatCoverASample) {
       const Placed a = placed(first), b = placed(second, turn % 2 == 0 ? Faces::kClockwise : Faces::kCounterClockwise);
       const std::vector<PlacedMesh> meshes{a.mesh, b.mesh};
       SampleOwners owners;
-      ASSERT_TRUE(owners.look(gridOf(SIZE), meshes, {}));
-      EXPECT_EQ(faultsOf(owners, meshes, gridOf(SIZE)), 0) << "reach " << reach << ", turn " << turn;
+      for (const SampleGrid& grid : {gridOf(SIZE), SampleGrid::ofOneSample(SIZE, SIZE)}) {
+        ASSERT_TRUE(owners.look(grid, meshes, {}));
+        EXPECT_EQ(faultsOf(owners, meshes, grid), 0) << "reach " << reach << ", turn " << turn;
+      }
     }
   }
 }

@@ -38,10 +38,12 @@ Triangles sheet(int cells, const Depth& depth) {
   return out;
 }
 
-std::vector<std::vector<ShadingQuad>> quadsOf(const std::vector<PlacedMesh>& meshes, SampleOwners& owners) {
-  EXPECT_TRUE(owners.look(gridOf(SIZE), meshes, {}));
+std::vector<std::vector<ShadingQuad>> quadsOf(const std::vector<PlacedMesh>& meshes, SampleOwners& owners,
+                                              const ShadingQuads::Wanted& wanted = {},
+                                              const SampleGrid& grid = gridOf(SIZE)) {
+  EXPECT_TRUE(owners.look(grid, meshes, {}));
   ShadingQuads quads;
-  quads.find(owners, {});
+  quads.find(owners, wanted, {});
   return quads.all();
 }
 
@@ -63,8 +65,8 @@ TEST(ShadingQuads, EverySampleIsShownByItsOwnerOnce) {
           const Owner owner = owners.of(x, y)[i];
           ASSERT_NE(owner, NO_OWNER);
           EXPECT_EQ(owners.triangle(owner).mesh, mesh);
-          EXPECT_EQ(owners.triangle(owner).number, quad.triangle);
-          EXPECT_EQ((owner & COUNTER_CLOCKWISE) != 0, quad.counterClockwise);
+          EXPECT_EQ(owners.triangle(owner).number, numberOf(quad.owners[pixel]));
+          EXPECT_EQ(owner & COUNTER_CLOCKWISE, quad.owners[pixel] & COUNTER_CLOCKWISE);
         }
       }
     }
@@ -85,7 +87,7 @@ TEST(ShadingQuads, OfOneTriangleAreTogether) {
   SampleOwners owners;
   const auto all = quadsOf({a.mesh}, owners);
   EXPECT_TRUE(std::is_sorted(all[0].begin(), all[0].end(),
-                             [](const ShadingQuad& u, const ShadingQuad& v) { return u.triangle < v.triangle; }));
+                             [](const ShadingQuad& u, const ShadingQuad& v) { return u.owners[0] < v.owners[0]; }));
 }
 
 TEST(ShadingQuads, CountTheTrianglesThatAreShown) {
@@ -96,8 +98,90 @@ TEST(ShadingQuads, CountTheTrianglesThatAreShown) {
   const std::vector<PlacedMesh> meshes{a.mesh, b.mesh};
   ASSERT_TRUE(owners.look(gridOf(SIZE), meshes, {}));
   ShadingQuads quads;
-  quads.find(owners, {});
+  quads.find(owners, {}, {});
   EXPECT_EQ(quads.shown(), 2u);
+}
+
+TEST(ShadingQuads, OfOneSampleShowEachPixelOnce) {
+  const Triangles wave = sheet(24, [](float x) { return 0.3f * std::sin(9 * x); });
+  const Placed a = placed(wave);
+  SampleOwners owners;
+  const auto all = quadsOf({a.mesh}, owners, {}, SampleGrid::ofOneSample(SIZE, SIZE));
+  std::vector<int> seen(SIZE * SIZE);
+  for (const ShadingQuad& quad : all[0]) {
+    for (unsigned pixel = 0; pixel < 4; ++pixel) {
+      const int x = quad.x + static_cast<int>(pixel & 1), y = quad.y + static_cast<int>(pixel >> 1);
+      const unsigned samples = (quad.samples >> (4 * pixel)) & 15u;
+      ASSERT_TRUE(samples == 0 || samples == 15);
+      if (samples == 0) continue;
+      ++seen[static_cast<std::size_t>(y * SIZE + x)];
+      EXPECT_EQ(numberOf(owners.of(x, y)[pixel]), numberOf(quad.owners[pixel]));
+    }
+  }
+  // The sheet reaches over 0.9 of the window.
+  for (int i = 0; i < SIZE * SIZE; ++i) {
+    const auto in = [](int p) { return p >= 2 && p < SIZE - 2; };
+    if (in(i % SIZE) && in(i / SIZE)) {
+      EXPECT_EQ(seen[static_cast<std::size_t>(i)], 1) << i;
+    }
+  }
+}
+
+std::size_t countOf(const std::vector<PlacedMesh>& meshes, const ShadingQuads::Wanted& wanted) {
+  SampleOwners owners;
+  std::size_t count = 0;
+  for (const auto& quads : quadsOf(meshes, owners, wanted)) count += quads.size();
+  return count;
+}
+
+TEST(ShadingQuads, MergedOnASheetAreOneEach) {
+  const Triangles flat = sheet(20, [](float) { return 0.0f; });
+  const Placed a = placed(flat);
+  const std::size_t wanted = (SIZE * 9 / 10 / 2 + 2) * (SIZE * 9 / 10 / 2 + 2);
+  EXPECT_LE(countOf({a.mesh}, {true, {}}), wanted);
+  EXPECT_GT(countOf({a.mesh}, {}), 3 * countOf({a.mesh}, {true, {}}));
+}
+
+TEST(ShadingQuads, MergedShowATriangleOfTheirPixel) {
+  const Triangles wave = sheet(24, [](float x) { return 0.3f * std::sin(9 * x); });
+  const Placed a = placed(wave);
+  SampleOwners owners;
+  const auto all = quadsOf({a.mesh}, owners, {true, {}});
+  for (const ShadingQuad& quad : all[0]) {
+    for (unsigned pixel = 0; pixel < 4; ++pixel) {
+      if (((quad.samples >> (4 * pixel)) & 15u) == 0) continue;
+      const Owner* samples = owners.of(quad.x + static_cast<int>(pixel & 1), quad.y + static_cast<int>(pixel >> 1));
+      EXPECT_TRUE(std::any_of(samples, samples + SAMPLES, [&](Owner o) { return o == quad.owners[pixel]; }));
+    }
+  }
+}
+
+TEST(ShadingQuads, OfMeshesThatShareNoVertexAreNotMerged) {
+  const Triangles left = rectangle({-0.9f, -0.9f}, {0.03f, 0.9f}, 0),
+                  right = rectangle({0.03f, -0.9f}, {0.9f, 0.9f}, 0);
+  const Placed a = placed(left), b = placed(right);
+  const std::size_t apart = countOf({a.mesh, b.mesh}, {true, {}});
+  Triangles both = left;
+  both.positions.insert(both.positions.end(), right.positions.begin(), right.positions.end());
+  for (const std::uint32_t i : right.indices) both.indices.push_back(i + 4);
+  EXPECT_EQ(countOf({placed(both).mesh}, {true, {}}), apart);
+  for (std::uint32_t& i : both.indices) i = i == 4 ? 1 : i == 7 ? 2 : i;
+  EXPECT_LT(countOf({placed(both).mesh}, {true, {}}), apart);
+}
+
+TEST(ShadingQuads, OfSettledPixelsAreLeftOut) {
+  const Triangles flat = sheet(4, [](float) { return 0.0f; });
+  const Placed a = placed(flat);
+  std::vector<std::uint8_t> settled(SIZE * SIZE, 255);
+  EXPECT_EQ(countOf({a.mesh}, {false, settled}), 0u);
+  settled[static_cast<std::size_t>(SIZE * 3 + 9)] = 0;  // the fourth row from above
+  SampleOwners owners;
+  const auto all = quadsOf({a.mesh}, owners, {false, settled});
+  ASSERT_FALSE(all[0].empty());
+  for (const ShadingQuad& quad : all[0]) {
+    EXPECT_EQ(quad.x, 8);
+    EXPECT_EQ(quad.y, SIZE - 4);
+  }
 }
 
 }  // namespace

@@ -214,7 +214,7 @@ const MESSAGES = [
   [{ toneMapping: 'filmic' }, `shot.toneMapping: expected ${oneOf(TONE_MAPPINGS)}, got "filmic"`],
   [
     { quality: 'best' },
-    'shot.quality: expected "standard", "draft", "medium", "high", "reference", {samples, resolve, noise, environmentSamples}, {preset: "reference", ...}, {maxError} or {budgetMs}, got "best"',
+    'shot.quality: expected "standard", "draft", "medium", "high", "reference", {samples, resolve, noise, environmentSamples, mergeQuads}, {preset: "reference", ...}, {maxError} or {budgetMs}, got "best"',
   ],
   [{ quality: { samples: 2 } }, 'shot.quality.samples: expected 1, 4, 16, 64, 256 or 1024 samples a pixel, got 2'],
   [{ quality: { samples: 4, noise: 1 } }, 'shot.quality.noise: expected 0 with 4 samples or fewer, got 1'],

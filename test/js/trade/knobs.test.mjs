@@ -61,7 +61,7 @@ test('together: the steepest value of each of the three steepest knobs that take
     'environmentSamples 16, samples 16',
     'environmentSamples 16, resolve linear, samples 16',
   ]);
-  assert.deepEqual(sets['environmentSamples 16, samples 16'], { samples: 16, resolve: 'linear', noise: 0, environmentSamples: 16 });
+  assert.deepEqual(sets['environmentSamples 16, samples 16'], { samples: 16, resolve: 'linear', noise: 0, environmentSamples: 16, mergeQuads: false });
   assert.deepEqual(together(rowsBy({ standard: [0, 0], 'samples 1': [0.01, -20] })), {});
 });
 
