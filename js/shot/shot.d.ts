@@ -471,7 +471,7 @@ export interface Shot {
     /** Largest factor, so that black cloth stays black. Range 1 to 1000. @default 1.25 */
     most?: number;
   } | null;
-  /** "draft": 1 sample a pixel, triangles that meet in it shaded once; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with one direction of the environment each; "high": up to 1024, averaged in linear light, and the environment integrated with the material, by the tracer where it costs less; "reference": traced paths of light, slow and without GL. @default "standard" */
+  /** "draft": 1 sample a pixel, triangles that meet in it shaded once; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with two directions of the environment each; "high": up to 1024, averaged in linear light, and the environment integrated with the material, by the tracer where it costs less; "reference": traced paths of light, slow and without GL. @default "standard" */
   quality?: 'standard' | 'draft' | 'medium' | 'high' | 'reference' | {
     /** Settings to start from. */
     preset?: 'standard' | 'draft' | 'medium' | 'high';

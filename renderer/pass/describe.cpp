@@ -14,6 +14,15 @@ namespace pass {
 
 using Json = nlohmann::ordered_json;
 
+Json describeContext(const gl::Context& context) {
+  return {{"backend", gl::backendName(context.backend())},
+          {"vendor", context.vendor()},
+          {"renderer", context.renderer()},
+          {"version", context.version()},
+          {"robust", context.capabilities().robust},
+          {"maxTextureSize", context.capabilities().maxTextureSize}};
+}
+
 Json describePlan(const FramePlan& plan, const Shot& shot) {
   std::set<std::string> features;
   Json programs = Json::array();

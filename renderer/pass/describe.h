@@ -9,6 +9,9 @@
 
 namespace telar::pass {
 
+/// What draws, for doctor.
+nlohmann::ordered_json describeContext(const gl::Context& context);
+
 /// What a plan compiles and runs, for info and `telar inspect`.
 nlohmann::ordered_json describePlan(const FramePlan& plan, const Shot& shot);
 

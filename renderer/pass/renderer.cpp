@@ -119,15 +119,7 @@ class GlRenderer final : public Renderer {
     if (scene.model && scene.model.use_count() == 1) scenes_.erase(scene.model.get());
   }
 
-  std::string describe() const override {
-    return Json{{"backend", gl::backendName(context_->backend())},
-                {"vendor", context_->vendor()},
-                {"renderer", context_->renderer()},
-                {"version", context_->version()},
-                {"robust", context_->capabilities().robust},
-                {"maxTextureSize", context_->capabilities().maxTextureSize}}
-        .dump();
-  }
+  std::string describe() const override { return pass::describeContext(*context_).dump(); }
 
   int liveObjects() const override { return context_->gl().liveObjects - textures_.keptCount(); }
 
@@ -136,7 +128,9 @@ class GlRenderer final : public Renderer {
   struct Picture {
     FramePlan& plan;
     StageTimer& timer;
-    bool buffered;  ///< by the visibility buffer
+    bool buffered;                         ///< by the visibility buffer
+    glm::dvec2 shift{0};                   ///< px, of the pass
+    std::optional<glm::dvec2> capturedAt;  ///< shift when the vertex stage ran for the buffer
     int compiled = 0;
     int passes = 1;
   };
@@ -217,7 +211,7 @@ class GlRenderer final : public Renderer {
   /// @param settled  pixels that are not asked for, the upper row first; settled_ masks them; empty = none
   Frame drawPass(const pass::SurfaceInputs& inputs, std::span<const std::uint8_t> settled, Picture& picture) {
     if (picture.buffered) {
-      if (findVisible(inputs, settled, picture.timer)) return drawBuffered(inputs, picture.timer);
+      if (findVisible(inputs, settled, picture)) return drawBuffered(inputs, picture.timer);
       picture.buffered = false;
       readVaryingsFromMap(picture.plan, false);
       picture.compiled += surfaces_.prepare(picture.plan, inputs.cancel);
@@ -251,17 +245,21 @@ class GlRenderer final : public Renderer {
   }
 
   /// Whether the visibility buffer can draw the pass.
-  bool findVisible(pass::SurfaceInputs inputs, std::span<const std::uint8_t> settled, StageTimer& timer) {
-    const pass::FrameTarget& target = targetFor(inputs.shot);
-    target.bind();
-    buffer_.begin(inputs.plan, inputs.shot, target);
-    inputs.samples = target.samples();
-    inputs.buffer = &buffer_;
-    inputs.captures = true;
-    surfaces_.draw({&inputs.plan.draws.opaque}, inputs);
-    timer.lap("vertices");
-    const bool found = buffer_.find(inputs.plan, inputs.shot, settled, inputs.cancel);
-    timer.lap("visibility");
+  bool findVisible(pass::SurfaceInputs inputs, std::span<const std::uint8_t> settled, Picture& picture) {
+    if (!picture.capturedAt) {
+      const pass::FrameTarget& target = targetFor(inputs.shot);
+      target.bind();
+      buffer_.begin(inputs.plan, inputs.shot, target);
+      inputs.samples = target.samples();
+      inputs.buffer = &buffer_;
+      inputs.captures = true;
+      surfaces_.draw({&inputs.plan.draws.opaque}, inputs);
+      picture.capturedAt = picture.shift;
+      picture.timer.lap("vertices");
+    }
+    const bool found = buffer_.find(inputs.plan, inputs.shot, {glm::vec2(picture.shift - *picture.capturedAt), settled},
+                                    inputs.cancel);
+    picture.timer.lap("visibility");
     return found;
   }
 
@@ -320,7 +318,8 @@ class GlRenderer final : public Renderer {
     const auto isEnough = [&] { return drawn > 0 && progress.isEnough(); };
     for (drawn = 0; drawn < passes.count && !mean.allSettled() && !isEnough();) {
       inputs.samplePass = drawn;
-      plan.camera.projection = frame::shifted(projection, passes.shift(drawn++), shot.width, shot.height);
+      picture.shift = passes.shift(drawn++);
+      plan.camera.projection = frame::shifted(projection, picture.shift, shot.width, shot.height);
       const bool looked = mean.add(drawPass(inputs, mean.settled(), picture), drawn == passes.count);
       if (progress.previews.asked() && std::has_single_bit(static_cast<unsigned>(drawn)) && drawn < passes.count)
         progress.previews.put({mean.frame(), drawn});

@@ -112,7 +112,7 @@ void VisibilityBuffer::capture(const DrawItem& item, GpuScene& gpu) {
   context_.check("outputs of the vertex stage");
 }
 
-bool VisibilityBuffer::find(const FramePlan& plan, const Shot& shot, std::span<const std::uint8_t> settled,
+bool VisibilityBuffer::find(const FramePlan& plan, const Shot& shot, const visibility::SampleOwners::Part& part,
                             const CancelToken& cancel) {
   meshes_.clear();
   for (const DrawItem& item : plan.draws.opaque) {
@@ -123,12 +123,13 @@ bool VisibilityBuffer::find(const FramePlan& plan, const Shot& shot, std::span<c
                        facesOf(item),
                        !item.key.flatShaded});
   }
-  if (!owners_.look(grid_, meshes_, cancel)) return false;
+  if (!owners_.look(grid_, meshes_, part, cancel)) return false;
   if (plan.ground && !owners_.inFrontOf(groundDepths(plan, shot))) return false;
-  quads_.find(owners_, {shot.mergeQuads, settled}, cancel);
+  quads_.find(owners_, {shot.mergeQuads, part.settled}, cancel);
   if (!fill(plan)) return false;
   fillPlaces();
   upload();
+  if (!part.settled.empty()) return true;
   count_.triangles = owners_.triangles();
   count_.hidden = count_.triangles - quads_.shown();
   return true;
@@ -297,20 +298,25 @@ void VisibilityBuffer::composeRow(std::size_t at, std::size_t count, glm::vec4* 
 
 // The mean of the samples in floats, as llvmpipe resolves them: of two bytes that are as near it takes the same one.
 void VisibilityBuffer::mix(std::size_t at, std::uint8_t* pixel) const {
-  std::uint8_t samples[visibility::SAMPLES][4];
-  for (auto& sample : samples) std::memcpy(sample, pixel, sizeof sample);
+  std::uint32_t samples[visibility::SAMPLES];
+  for (auto& sample : samples) std::memcpy(&sample, pixel, sizeof sample);
   for (std::size_t layer = 0; layer < surfaces_; ++layer) {
     const std::uint32_t place = places_[layer][at];
+    if (place == 0) break;
     for (unsigned i = 0; i < visibility::SAMPLES; ++i) {
-      if ((place >> i & 1u) != 0) std::memcpy(samples[i], &shadedBytes_[place >> 4], sizeof samples[i]);
+      if ((place >> i & 1u) != 0) samples[i] = shadedBytes_[place >> 4];
     }
   }
   constexpr float UNIT = 1.0f / 255, SHARE = 1.0f / visibility::SAMPLES;
-  for (int i = 0; i < 4; ++i) {
-    float sum = 0;
-    for (const auto& sample : samples) sum += static_cast<float>(sample[i]) * UNIT;
-    pixel[i] = static_cast<std::uint8_t>(std::lrint(sum * SHARE * 255));
-  }
+  constexpr float ROUNDS = 12582912;  // 1.5 * 2^23: with it, a float has no digits after the point
+  visibility::Lanes sum{};
+  for (const std::uint32_t sample : samples)
+    sum += visibility::Lanes{float(sample & 255u), float(sample >> 8 & 255u), float(sample >> 16 & 255u),
+                             float(sample >> 24)} *
+           visibility::lanesOf(UNIT);
+  const visibility::Lanes mean =
+      sum * visibility::lanesOf(SHARE) * visibility::lanesOf(255) + visibility::lanesOf(ROUNDS);
+  for (int i = 0; i < 4; ++i) pixel[i] = static_cast<std::uint8_t>(mean[i] - ROUNDS);
 }
 
 void VisibilityBuffer::release() {

@@ -22,16 +22,17 @@ class VisibilityBuffer {
 
   /// Whether passes over a picture may be drawn so: with four samples of bytes, or with one sample.
   bool mayDraw(const FramePlan& plan, const Shot& shot, const FrameTarget& target) const;
-  /// Begins a pass. @param target  is bound
+  /// Begins a picture. @param target  is bound
   void begin(const FramePlan& plan, const Shot& shot, const FrameTarget& target);
   /// Runs the vertex stage of a draw of the plan's opaque list. Its program, of a captured key, and its uniforms are
   /// set.
   void capture(const DrawItem& item, GpuScene& gpu);
-  /// Looks at what was captured.
-  /// @param settled  pixels that are not asked for, the upper row first; empty = none
+  /// Looks at what was captured, once or more.
+  /// @param part  of the picture that is asked for
   /// @return false = it has to be drawn triangle by triangle
   /// @throws Error{X_CANCELLED, X_TIMEOUT}
-  bool find(const FramePlan& plan, const Shot& shot, std::span<const std::uint8_t> settled, const CancelToken& cancel);
+  bool find(const FramePlan& plan, const Shot& shot, const visibility::SampleOwners::Part& part,
+            const CancelToken& cancel);
   /// Makes the fragments the target.
   void bind();
   /// Shades what is seen of a draw of the plan's opaque list. Its program and its uniforms are set.
@@ -39,7 +40,7 @@ class VisibilityBuffer {
   /// Puts what they have shaded in front of a picture. @param behind  of the target; row 0 is the lowest one
   void compose(telar::Frame& behind);
 
-  /// Of this picture, once it is found.
+  /// Of this picture, once it is found: triangles of its first pass, fragments of all.
   struct Count {
     std::size_t triangles = 0, hidden = 0, fragments = 0;
   };

@@ -14,6 +14,9 @@ constexpr int STEPS = 256;
 /// Depths of the buffer: 24 bits.
 constexpr float DEPTHS = 16777215;
 constexpr std::int32_t FARTHEST = 1 << 24;
+/// Pixels of a tile, on a side.
+constexpr int TILE = 8;
+int tilesOf(int pixels) { return (pixels + TILE - 1) / TILE; }
 /// Up to so many pixels on a side, edge functions in steps fit into 32 bits.
 constexpr int SMALL = 60;
 
@@ -129,7 +132,7 @@ void SampleOwners::drawTriangle(const WindowVertices& vertices, const Corners& a
                    std::min((high.x - firstPlace_.x) / cell, (grid_.width - 1) / grid_.cell),
                    std::max((low.y - lastPlace_.y + cell - 1) / cell, 0),
                    std::min((high.y - firstPlace_.y) / cell, (grid_.height - 1) / grid_.cell)};
-  if (box.fromX > box.toX || box.fromY > box.toY) return;
+  if (box.fromX > box.toX || box.fromY > box.toY || !isAskedFor(box)) return;
   const std::int64_t area = std::int64_t{q->x - p->x} * (r->y - p->y) - std::int64_t{r->x - p->x} * (q->y - p->y);
   if (area == 0) return;
   const bool counterClockwise = area > 0;
@@ -205,7 +208,33 @@ void SampleOwners::begin() {
                   {{FARTHEST, FARTHEST, FARTHEST, FARTHEST}, {NO_OWNER, NO_OWNER, NO_OWNER, NO_OWNER}});
 }
 
-bool SampleOwners::look(const SampleGrid& grid, std::span<const PlacedMesh> meshes, const CancelToken& cancel) {
+void SampleOwners::findTiles(std::span<const std::uint8_t> settled) {
+  tiles_.clear();
+  if (settled.empty()) return;
+  tiles_.assign(static_cast<std::size_t>(tilesOf(grid_.width)) * static_cast<std::size_t>(tilesOf(grid_.height)), 0);
+  const std::uint8_t* pixel = settled.data();
+  for (int y = grid_.height - 1; y >= 0; --y) {
+    std::uint8_t* row = &tiles_[static_cast<std::size_t>(y / TILE * tilesOf(grid_.width))];
+    for (int x = 0; x < grid_.width; ++x) row[x / TILE] |= *pixel++ == 0;
+  }
+}
+
+/// @param box  cells
+bool SampleOwners::isAskedFor(const Pixels& box) const {
+  if (tiles_.empty()) return true;
+  const auto tile = [this](int cell, int size) { return std::min(cell * grid_.cell, size - 1) / TILE; };
+  const auto last = [this](int cell, int size) { return std::min((cell + 1) * grid_.cell - 1, size - 1) / TILE; };
+  for (int y = tile(box.fromY, grid_.height); y <= last(box.toY, grid_.height); ++y) {
+    const std::uint8_t* row = &tiles_[static_cast<std::size_t>(y * tilesOf(grid_.width))];
+    for (int x = tile(box.fromX, grid_.width); x <= last(box.toX, grid_.width); ++x) {
+      if (row[x] != 0) return true;
+    }
+  }
+  return false;
+}
+
+bool SampleOwners::look(const SampleGrid& grid, std::span<const PlacedMesh> meshes, const Part& part,
+                        const CancelToken& cancel) {
   grid_ = grid;
   meshes_ = meshes;
   firstPlace_ = glm::ivec2(grid.cell * STEPS);
@@ -224,11 +253,12 @@ bool SampleOwners::look(const SampleGrid& grid, std::span<const PlacedMesh> mesh
     firsts_.push_back(static_cast<std::uint32_t>(count));
     count += trianglesOf(meshes[i]);
     if (count >= COUNTER_CLOCKWISE - 1) return false;
-    vertices_[i].place(meshes[i].outputs.floats, meshes[i].outputs.stride(), meshes[i].count,
-                       {grid.width, grid.height});
+    vertices_[i].place(meshes[i].outputs.floats, meshes[i].outputs.stride(), meshes[i].count, {grid.width, grid.height},
+                       part.moved);
   }
   firsts_.push_back(static_cast<std::uint32_t>(count));
   begin();
+  findTiles(part.settled);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     if (!draw(i, cancel)) return false;
   }
@@ -261,7 +291,7 @@ SampleOwners::Triangle SampleOwners::triangle(Owner owner) const {
 }
 
 std::size_t SampleOwners::memory() const {
-  std::size_t bytes = bytesOf(samples_) + bytesOf(vertices_) + bytesOf(firsts_) + bytesOf(steps_);
+  std::size_t bytes = bytesOf(samples_) + bytesOf(vertices_) + bytesOf(firsts_) + bytesOf(steps_) + bytesOf(tiles_);
   for (const WindowVertices& v : vertices_) bytes += bytesOf(v.vertices);
   return bytes;
 }

@@ -22,11 +22,17 @@ inline std::uint32_t numberOf(Owner owner) { return owner & ~COUNTER_CLOCKWISE; 
 /// owner.
 class SampleOwners {
  public:
+  struct Part {
+    glm::vec2 moved{0};  ///< px by which all is moved in the window
+    /// Pixels that are not asked for, the upper row first; empty = none. Some of them have owners still.
+    std::span<const std::uint8_t> settled;
+  };
   /// Another view in place of this one.
   /// @param meshes  as they are drawn; what they point to outlives this
+  /// @param part  of the view
   /// @return false = a triangle reaches behind the camera or beyond the depths, or there are too many: nothing is known
   /// @throws Error{X_CANCELLED, X_TIMEOUT}
-  bool look(const SampleGrid& grid, std::span<const PlacedMesh> meshes, const CancelToken& cancel);
+  bool look(const SampleGrid& grid, std::span<const PlacedMesh> meshes, const Part& part, const CancelToken& cancel);
 
   /// Pixels that may be covered: from even ones to odd ones, beyond the window by one where its size is odd.
   const Pixels& covered() const { return covered_; }
@@ -63,6 +69,8 @@ class SampleOwners {
            static_cast<std::size_t>(x - covered_.fromX / grid_.cell);
   }
   void begin();
+  void findTiles(std::span<const std::uint8_t> settled);
+  bool isAskedFor(const Pixels& box) const;
   bool draw(std::size_t mesh, const CancelToken& cancel);
   void drawTriangle(const WindowVertices& vertices, const Corners& at, Faces faces, Owner owner, std::int64_t& steps);
   template <class Rounding, class Edges>
@@ -83,6 +91,7 @@ class SampleOwners {
   Pixels covered_{0, -1, 0, -1};
   std::size_t stride_ = 0;  ///< cells
   std::vector<CellSamples> samples_;
+  std::vector<std::uint8_t> tiles_;  ///< by square of pixels: whether one of them is asked for; empty = all
 };
 
 }  // namespace telar::visibility

@@ -51,7 +51,8 @@ glm::dvec4 magnitude(const glm::mat4& m, const glm::dvec4& v) {
 
 }  // namespace
 
-void WindowVertices::place(const float* clip, std::size_t stride, std::size_t count, const glm::vec2& size) {
+void WindowVertices::place(const float* clip, std::size_t stride, std::size_t count, const glm::vec2& size,
+                           const glm::vec2& moved) {
   vertices.resize(count);
   overW.resize(count);
   const bool fused = fusesProducts();
@@ -62,7 +63,7 @@ void WindowVertices::place(const float* clip, std::size_t stride, std::size_t co
     overW[i] = 1 / w;
     // Negated: what is no number is not projected.
     if (!(w > 0 && clip[2] >= -w && clip[2] <= w)) continue;
-    const glm::vec3 place = windowPlace(clip, overW[i], size, fused);
+    const glm::vec3 place = windowPlace(clip, overW[i], size, fused) + glm::vec3(moved, 0);
     if (!(std::abs(place.x) < MOST_PLACE && std::abs(place.y) < MOST_PLACE)) continue;
     vertex = {place.x, place.y, place.z,
               (place.x < 0 ? LEFT : 0u) | (place.x > size.x ? RIGHT : 0u) | (place.y < 0 ? BELOW : 0u) |

@@ -40,8 +40,9 @@ struct WindowVertices {
   float low[2] = {}, high[2] = {};  ///< px, of those that are projected and not clipped; none where low is above high
 
   /// Another mesh's in place of these, where the GL puts them.
-  /// @param clip  four floats a vertex    @param stride  floats from one vertex to the next
-  void place(const float* clip, std::size_t stride, std::size_t count, const glm::vec2& size);
+  /// @param clip  four floats a vertex    @param stride  floats from one vertex to the next    @param moved  px, after
+  /// the projection
+  void place(const float* clip, std::size_t stride, std::size_t count, const glm::vec2& size, const glm::vec2& moved);
 
   /// Another mesh's in place of these.
   void project(std::span<const glm::vec3> positions, const glm::mat4& modelView, const glm::mat4& projection,

@@ -6,7 +6,7 @@ import { boolean, choice, literal, number, object, union } from './rows.mjs';
 export const PRESETS = Object.freeze({
   standard: { samples: 4, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: false },
   draft: { samples: 1, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: true },
-  medium: { samples: 64, resolve: 'linear', noise: 4, environmentSamples: 64, mergeQuads: true },
+  medium: { samples: 64, resolve: 'linear', noise: 4, environmentSamples: 128, mergeQuads: true },
   high: { samples: 1024, resolve: 'linear', noise: 1.25, environmentSamples: 2048, mergeQuads: false },
 });
 
@@ -95,7 +95,7 @@ const BUDGET = object('Time that the picture may take', {
 });
 
 export const quality = union(
-  '"draft": 1 sample a pixel, triangles that meet in it shaded once; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with one direction of the environment each; "high": up to 1024, averaged in linear light, ' +
+  '"draft": 1 sample a pixel, triangles that meet in it shaded once; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with two directions of the environment each; "high": up to 1024, averaged in linear light, ' +
     'and the environment integrated with the material, by the tracer where it costs less; "reference": traced paths of light, slow and without GL',
   [choice('', [...Object.keys(PRESETS), 'reference'], { expected: QUALITY }), RASTER, REFERENCE, MAX_ERROR, BUDGET],
   QUALITY,

@@ -31,7 +31,7 @@ struct Mixed {
     floats.resize(floats.size() + 3);
     WindowVertices vertices;
     const VertexOutputs outputs{floats.data(), VARYINGS};
-    vertices.place(floats.data(), outputs.stride(), 3, SIZE);
+    vertices.place(floats.data(), outputs.stride(), 3, SIZE, {});
     const PlacedMesh mesh{outputs, 3, {}, Faces::kBoth};
     const Owner owner = counterClockwise ? COUNTER_CLOCKWISE : 0;
     VaryingMixer(mesh, vertices, offset)
@@ -71,7 +71,7 @@ TEST(VaryingMixer, MixesInPerspective) {
 TEST(WindowVertices, StandWhereTheGLPutsThem) {
   const float clip[] = {0.5f, -0.25f, 0.5f, 2, -4, 0, 0, 2, 0, 0, -3, 2};
   WindowVertices vertices;
-  vertices.place(clip, 4, 3, SIZE);
+  vertices.place(clip, 4, 3, SIZE, {});
   EXPECT_FLOAT_EQ(vertices.vertices[0].x, 40);
   EXPECT_FLOAT_EQ(vertices.vertices[0].y, 21);
   EXPECT_FLOAT_EQ(vertices.vertices[0].z, 0.625f);

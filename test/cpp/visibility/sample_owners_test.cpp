@@ -116,7 +116,7 @@ TEST(SampleOwners, AreTheNearestTrianglesThatCoverASample) {
       const std::vector<PlacedMesh> meshes{a.mesh, b.mesh};
       SampleOwners owners;
       for (const SampleGrid& grid : {gridOf(SIZE), SampleGrid::ofOneSample(SIZE, SIZE)}) {
-        ASSERT_TRUE(owners.look(grid, meshes, {}));
+        ASSERT_TRUE(owners.look(grid, meshes, {}, {}));
         EXPECT_EQ(faultsOf(owners, meshes, grid), 0) << "reach " << reach << ", turn " << turn;
       }
     }
@@ -127,7 +127,7 @@ TEST(SampleOwners, OfAShiftedViewAreSeenToBeWrong) {
   std::mt19937 engine(2);
   Triangles mesh = scattered(engine, 30, 0.9f, 0.3f);
   SampleOwners owners;
-  ASSERT_TRUE(owners.look(gridOf(SIZE), std::vector{placed(mesh).mesh}, {}));
+  ASSERT_TRUE(owners.look(gridOf(SIZE), std::vector{placed(mesh).mesh}, {}, {}));
   for (glm::vec3& p : mesh.positions) p.x += 0.2f / SIZE;  // a tenth of a pixel
   const Placed shifted = placed(mesh);
   EXPECT_GT(faultsOf(owners, {shifted.mesh}, gridOf(SIZE)), 20);
@@ -141,7 +141,7 @@ TEST(SampleOwners, OfLargeAndSmallTrianglesFollowTheSameRule) {
     const Placed a = placed(left), b = placed(right);
     const std::vector<PlacedMesh> meshes{a.mesh, b.mesh};
     SampleOwners owners;
-    ASSERT_TRUE(owners.look(gridOf(128), meshes, {}));
+    ASSERT_TRUE(owners.look(gridOf(128), meshes, {}, {}));
     EXPECT_EQ(owners.triangle(owners.of(20, 50)[0]).mesh, 1u);
     EXPECT_EQ(faultsOf(owners, meshes, gridOf(128)), 0);
   }
@@ -150,35 +150,35 @@ TEST(SampleOwners, OfLargeAndSmallTrianglesFollowTheSameRule) {
 TEST(SampleOwners, LaterTrianglesWinAtTheSameDepth) {
   const Triangles square = rectangle({-0.9f, -0.9f}, {0.9f, 0.9f}, 0.25f);
   SampleOwners owners;
-  ASSERT_TRUE(owners.look(gridOf(SIZE), std::vector{placed(square).mesh, placed(square).mesh}, {}));
+  ASSERT_TRUE(owners.look(gridOf(SIZE), std::vector{placed(square).mesh, placed(square).mesh}, {}, {}));
   EXPECT_EQ(owners.triangle(owners.of(20, 20)[0]).mesh, 1u);
 }
 
 TEST(SampleOwners, TellTheWindingAndTheTriangle) {
   Triangles square = rectangle({-0.9f, -0.9f}, {0.9f, 0.9f}, 0);
   SampleOwners owners;
-  ASSERT_TRUE(owners.look(gridOf(SIZE), std::vector{placed(square).mesh}, {}));
+  ASSERT_TRUE(owners.look(gridOf(SIZE), std::vector{placed(square).mesh}, {}, {}));
   EXPECT_NE(owners.of(20, 5)[0] & COUNTER_CLOCKWISE, 0u);
   EXPECT_EQ(owners.triangle(owners.of(30, 5)[0]).number, 0u);
   EXPECT_EQ(owners.triangle(owners.of(5, 30)[0]).number, 1u);
   std::swap(square.indices[1], square.indices[2]);
   std::swap(square.indices[4], square.indices[5]);
-  ASSERT_TRUE(owners.look(gridOf(SIZE), std::vector{placed(square).mesh}, {}));
+  ASSERT_TRUE(owners.look(gridOf(SIZE), std::vector{placed(square).mesh}, {}, {}));
   EXPECT_EQ(owners.of(20, 5)[0] & COUNTER_CLOCKWISE, 0u);
 }
 
 TEST(SampleOwners, AreNotFoundWhereATriangleReachesBehindTheCamera) {
   Triangles square = rectangle({-0.5f, -0.5f}, {0.5f, 0.5f}, 0.25f);
   SampleOwners owners;
-  EXPECT_TRUE(owners.look(gridOf(SIZE), std::vector{placed(square).mesh}, {}));
+  EXPECT_TRUE(owners.look(gridOf(SIZE), std::vector{placed(square).mesh}, {}, {}));
   square.positions[0].z = -1.5f;
-  EXPECT_FALSE(owners.look(gridOf(SIZE), std::vector{placed(square).mesh}, {}));
+  EXPECT_FALSE(owners.look(gridOf(SIZE), std::vector{placed(square).mesh}, {}, {}));
 }
 
 TEST(SampleOwners, AreInFrontOfAPlaneOrNot) {
   const Triangles square = rectangle({-0.5f, -0.5f}, {0.5f, 0.5f}, 0.2f);  // depth 0.6
   SampleOwners owners;
-  ASSERT_TRUE(owners.look(gridOf(SIZE), std::vector{placed(square).mesh}, {}));
+  ASSERT_TRUE(owners.look(gridOf(SIZE), std::vector{placed(square).mesh}, {}, {}));
   EXPECT_TRUE(owners.inFrontOf({0, 0, 0.61f}));
   EXPECT_TRUE(owners.inFrontOf({0, 0, 0.6f}));
   EXPECT_FALSE(owners.inFrontOf({0, 0, 0.59f}));
@@ -189,7 +189,7 @@ TEST(SampleOwners, AreInFrontOfAPlaneOrNot) {
 
 TEST(SampleOwners, OfNothingAreNone) {
   SampleOwners owners;
-  ASSERT_TRUE(owners.look(gridOf(SIZE), {}, {}));
+  ASSERT_TRUE(owners.look(gridOf(SIZE), {}, {}, {}));
   EXPECT_GT(owners.covered().fromX, owners.covered().toX);
   EXPECT_EQ(owners.triangles(), 0u);
 }

@@ -41,7 +41,7 @@ Triangles sheet(int cells, const Depth& depth) {
 std::vector<std::vector<ShadingQuad>> quadsOf(const std::vector<PlacedMesh>& meshes, SampleOwners& owners,
                                               const ShadingQuads::Wanted& wanted = {},
                                               const SampleGrid& grid = gridOf(SIZE)) {
-  EXPECT_TRUE(owners.look(grid, meshes, {}));
+  EXPECT_TRUE(owners.look(grid, meshes, {}, {}));
   ShadingQuads quads;
   quads.find(owners, wanted, {});
   return quads.all();
@@ -96,7 +96,7 @@ TEST(ShadingQuads, CountTheTrianglesThatAreShown) {
   SampleOwners owners;
   const Placed a = placed(flat), b = placed(front);
   const std::vector<PlacedMesh> meshes{a.mesh, b.mesh};
-  ASSERT_TRUE(owners.look(gridOf(SIZE), meshes, {}));
+  ASSERT_TRUE(owners.look(gridOf(SIZE), meshes, {}, {}));
   ShadingQuads quads;
   quads.find(owners, {}, {});
   EXPECT_EQ(quads.shown(), 2u);
