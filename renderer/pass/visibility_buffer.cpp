@@ -13,13 +13,14 @@ namespace {
 
 using visibility::ShadingQuad;
 
-constexpr std::size_t WIDTH = 1024;            ///< texels; a power of two
+constexpr std::size_t WIDTH = FragmentStrips::WIDTH;
 constexpr std::size_t BLOCK = 4;               ///< texels on a side
 constexpr std::size_t QUADS = 4;               ///< in a block
 constexpr std::size_t BLOCKS = WIDTH / BLOCK;  ///< side by side
+constexpr std::size_t STRIP_BLOCKS = FragmentStrips::ROWS / BLOCK * BLOCKS;
 /// Floats that transform feedback writes for a vertex, at most: what each GL has, less the place.
 constexpr std::size_t MOST_VARYINGS = 60;
-/// Bytes of the vertices' outputs, and of the fragments' varyings, at most.
+/// Bytes of the vertices' outputs, and of the colours, at most.
 constexpr std::size_t MOST_BYTES = 96u << 20;
 
 /// First texel of a quad.
@@ -41,16 +42,6 @@ visibility::Plane groundDepths(const FramePlan& plan, const Shot& shot) {
   const double half = -0.5 / plane.z;
   return {static_cast<float>(half * plane.x * scale.x), static_cast<float>(half * plane.y * scale.y),
           static_cast<float>(half * (plane.w - plane.x - plane.y) + 0.5)};
-}
-
-gl::Texture nearestTexture(const gl::Functions& gl, GLenum format, int rows) {
-  gl::Texture texture(gl);
-  gl.ActiveTexture(GL_TEXTURE0);
-  gl.BindTexture(GL_TEXTURE_2D, texture.get());
-  gl.TexStorage2D(GL_TEXTURE_2D, 1, format, WIDTH, rows);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-  return texture;
 }
 
 std::size_t outputsOf(const DrawItem& item) { return 4 + componentsOf(varyingsOf(item.key)); }
@@ -126,44 +117,52 @@ bool VisibilityBuffer::find(const FramePlan& plan, const Shot& shot, const visib
   if (!owners_.look(grid_, meshes_, part, cancel)) return false;
   if (plan.ground && !owners_.inFrontOf(groundDepths(plan, shot))) return false;
   quads_.find(owners_, {shot.mergeQuads, part.settled}, cancel);
-  if (!fill(plan)) return false;
+  if (!arrange(plan)) return false;
   fillPlaces();
-  upload();
   if (!part.settled.empty()) return true;
   count_.triangles = owners_.triangles();
   count_.hidden = count_.triangles - quads_.shown();
   return true;
 }
 
-bool VisibilityBuffer::fill(const FramePlan& plan) {
+bool VisibilityBuffer::arrange(const FramePlan& plan) {
   const auto& all = quads_.all();
   ranges_.clear();
-  layers_ = 0;
-  std::size_t blocks = 0;
+  std::size_t blocks = 0, layers = 0;
   for (std::size_t mesh = 0; mesh < all.size(); ++mesh) {
     const std::size_t count = (all[mesh].size() + QUADS - 1) / QUADS;
-    ranges_.push_back({blocks, blocks + count});
+    const DrawItem& item = plan.draws.opaque[mesh];
+    ranges_.push_back({blocks, blocks + count, item.mirrored == item.key.flipSided});
     blocks += count;
     count_.fragments += all[mesh].size() * 4;
-    layers_ = std::max(layers_, (captured_[mesh].varyings + FRAGMENT_FACTS + 3) / 4);
+    layers = std::max(layers, (captured_[mesh].varyings + FRAGMENT_FACTS + 3) / 4);
   }
   const std::size_t rows = std::max<std::size_t>((blocks + BLOCKS - 1) / BLOCKS, 1) * BLOCK;
-  if (rows * layers_ > static_cast<std::size_t>(context_.capabilities().maxTextureSize) ||
-      rows * layers_ * WIDTH * sizeof(glm::vec4) > MOST_BYTES)
+  if (rows > static_cast<std::size_t>(context_.capabilities().maxTextureSize) ||
+      rows * WIDTH * sizeof(glm::vec4) > MOST_BYTES)
     return false;
-  rows_ = static_cast<int>(rows);
-  texels_.resize(rows * layers_ * WIDTH * 4);
-  const visibility::FragmentTexels out{texels_.data(), WIDTH, layers_};
+  rows_ = rows;
+  layers_ = layers;
+  strips_.begin(layers);
+  return true;
+}
+
+void VisibilityBuffer::fill(std::size_t strip, const visibility::FragmentTexels& out) const {
+  const std::size_t begin = strip * STRIP_BLOCKS, end = begin + STRIP_BLOCKS;
+  const auto firstRow = static_cast<unsigned>(strip * FragmentStrips::ROWS);
+  const auto& all = quads_.all();
   for (std::size_t mesh = 0; mesh < all.size(); ++mesh) {
-    const DrawItem& item = plan.draws.opaque[mesh];
-    const bool frontTurn = item.mirrored == item.key.flipSided;
+    const Range& range = ranges_[mesh];
+    if (range.endBlock <= begin || range.firstBlock >= end) continue;
     const std::size_t facts = captured_[mesh].varyings;
     visibility::VaryingMixer mixer(meshes_[mesh], owners_.vertices(mesh), grid_.offset);
-    for (std::size_t i = 0; i < all[mesh].size(); ++i) {
+    const std::size_t first = (std::max(range.firstBlock, begin) - range.firstBlock) * QUADS;
+    const std::size_t last = std::min((std::min(range.endBlock, end) - range.firstBlock) * QUADS, all[mesh].size());
+    for (std::size_t i = first; i < last; ++i) {
       const ShadingQuad& quad = all[mesh][i];
-      const glm::uvec2 corner = texelOf(ranges_[mesh].firstBlock + i / QUADS, i % QUADS);
+      const glm::uvec2 corner = texelOf(range.firstBlock + i / QUADS, i % QUADS) - glm::uvec2(0, firstRow);
       mixer.mix(quad, out, corner);
-      const bool isFront = ((quad.owners[0] & visibility::COUNTER_CLOCKWISE) != 0) == frontTurn;
+      const bool isFront = ((quad.owners[0] & visibility::COUNTER_CLOCKWISE) != 0) == range.frontTurn;
       for (unsigned pixel = 0; pixel < 4; ++pixel) {
         const unsigned dx = pixel & 1, dy = pixel >> 1;
         const float told[FRAGMENT_FACTS] = {isFront ? 1.0f : 0.0f, static_cast<float>(quad.x + dx) + 0.5f,
@@ -175,7 +174,6 @@ bool VisibilityBuffer::fill(const FramePlan& plan) {
       }
     }
   }
-  return true;
 }
 
 void VisibilityBuffer::fillPlaces() {
@@ -201,28 +199,22 @@ void VisibilityBuffer::fillPlaces() {
   }
 }
 
-void VisibilityBuffer::upload() {
+void VisibilityBuffer::bind() {
   const gl::Functions& gl = context_.gl();
-  const glm::ivec2 rows(rows_ * static_cast<int>(layers_), rows_);
-  if (rows.x > held_.x || rows.y > held_.y || type_ != asked_) {
-    const int most = context_.capabilities().maxTextureSize;
-    held_ = glm::min(glm::max(rows + rows / 4, held_), glm::ivec2(most));
-    varyings_ = nearestTexture(gl, GL_RGBA32F, held_.x);
+  if (rows_ > held_ || type_ != asked_) {
+    held_ =
+        std::min(std::max(rows_ + rows_ / 4, held_), static_cast<std::size_t>(context_.capabilities().maxTextureSize));
     type_ = asked_;
-    shaded_ = nearestTexture(gl, type_ == PixelType::kRgba8 ? GL_RGBA8 : GL_RGBA32F, held_.y);
+    gl.ActiveTexture(GL_TEXTURE0);
+    shaded_ = nearestTexture(gl, type_ == PixelType::kRgba8 ? GL_RGBA8 : GL_RGBA32F, WIDTH, held_);
     target_ = gl::Framebuffer(gl);
     gl.BindFramebuffer(GL_FRAMEBUFFER, target_.get());
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, shaded_.get(), 0);
     if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
       gl::failIncomplete(gl, "shaded fragments");
   }
-  gl.ActiveTexture(GL_TEXTURE0);
-  gl.BindTexture(GL_TEXTURE_2D, varyings_.get());
-  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, WIDTH, rows.x, GL_RGBA, GL_FLOAT, texels_.data());
-  context_.check("visibility buffer");
+  gl.BindFramebuffer(GL_FRAMEBUFFER, target_.get());
 }
-
-void VisibilityBuffer::bind() { context_.gl().BindFramebuffer(GL_FRAMEBUFFER, target_.get()); }
 
 void VisibilityBuffer::draw(const DrawItem& item, const gl::Program& program, gl::DrawCost& cost, GLuint unit) {
   const Range& range = ranges_[indexOf(item)];
@@ -230,15 +222,28 @@ void VisibilityBuffer::draw(const DrawItem& item, const gl::Program& program, gl
   const gl::Functions& gl = context_.gl();
   program.set("varyingMap", static_cast<int>(unit));
   program.set("varyingTexels", static_cast<int>(layers_));
-  gl.ActiveTexture(GL_TEXTURE0 + unit);
-  gl.BindTexture(GL_TEXTURE_2D, varyings_.get());
   if (!noVertices_) noVertices_ = gl::VertexArray(gl);
   gl.BindVertexArray(noVertices_.get());
-  // What is left of the first line of blocks, whole lines, the beginning of the last.
   for (std::size_t from = range.firstBlock; from < range.endBlock;) {
+    const std::size_t strip = from / STRIP_BLOCKS, stripEnd = (strip + 1) * STRIP_BLOCKS;
+    const std::size_t firstRow = strip * FragmentStrips::ROWS, to = std::min(range.endBlock, stripEnd);
+    gl.ActiveTexture(GL_TEXTURE0 + unit);
+    strips_.bind(strip, std::min(rows_ - firstRow, FragmentStrips::ROWS),
+                 [&](const visibility::FragmentTexels& out) { fill(strip, out); });
+    program.set("varyingRow", static_cast<int>(firstRow));
+    drawBlocks(from, to, cost);
+    if (to == stripEnd) gl.Flush();
+    from = to;
+  }
+}
+
+void VisibilityBuffer::drawBlocks(std::size_t from, std::size_t to, gl::DrawCost& cost) const {
+  const gl::Functions& gl = context_.gl();
+  // What is left of the first line of blocks, whole lines, the beginning of the last.
+  while (from < to) {
     const std::size_t column = from % BLOCKS;
-    const std::size_t lines = column == 0 ? (range.endBlock - from) / BLOCKS : 0;
-    const std::size_t blocks = lines > 0 ? BLOCKS : std::min(BLOCKS - column, range.endBlock - from);
+    const std::size_t lines = column == 0 ? (to - from) / BLOCKS : 0;
+    const std::size_t blocks = lines > 0 ? BLOCKS : std::min(BLOCKS - column, to - from);
     const gl::Pacer::Rectangle part{static_cast<int>(column * BLOCK), static_cast<int>(from / BLOCKS * BLOCK),
                                     static_cast<int>(blocks * BLOCK),
                                     static_cast<int>(std::max<std::size_t>(lines, 1) * BLOCK)};
@@ -249,16 +254,16 @@ void VisibilityBuffer::draw(const DrawItem& item, const gl::Program& program, gl
 }
 
 void VisibilityBuffer::compose(telar::Frame& behind) {
-  const std::size_t texels = static_cast<std::size_t>(rows_) * WIDTH;
+  const std::size_t texels = rows_ * WIDTH;
   const gl::Functions& gl = context_.gl();
   bind();
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
   if (type_ == PixelType::kRgba8) {
     shadedBytes_.resize(texels);
-    gl.ReadPixels(0, 0, WIDTH, rows_, GL_RGBA, GL_UNSIGNED_BYTE, shadedBytes_.data());
+    gl.ReadPixels(0, 0, WIDTH, static_cast<GLsizei>(rows_), GL_RGBA, GL_UNSIGNED_BYTE, shadedBytes_.data());
   } else {
     shadedFloats_.resize(texels);
-    gl.ReadPixels(0, 0, WIDTH, rows_, GL_RGBA, GL_FLOAT, shadedFloats_.data());
+    gl.ReadPixels(0, 0, WIDTH, static_cast<GLsizei>(rows_), GL_RGBA, GL_FLOAT, shadedFloats_.data());
   }
   context_.check("readback of shaded fragments");
   if (surfaces_ == 0) return;
@@ -324,26 +329,22 @@ void VisibilityBuffer::release() {
   count_ = {};
   meshes_.clear();
   outputs_.reset();
-  if (std::size_t{16} * WIDTH * static_cast<std::size_t>(held_.x) > KEPT) {
-    varyings_.reset();
-    shaded_.reset();
-    target_.reset();
-    held_ = {0, 0};
-  }
   if (memory() <= KEPT) return;
   owners_ = {};
   quads_ = {};
   vertices_ = {};
-  texels_ = {};
+  strips_.release();
+  shaded_.reset();
+  target_.reset();
+  held_ = 0;
   shadedBytes_ = {};
   shadedFloats_ = {};
   places_ = {};
 }
 
 std::size_t VisibilityBuffer::memory() const {
-  std::size_t bytes = owners_.memory() + quads_.memory() + visibility::bytesOf(vertices_) +
-                      visibility::bytesOf(texels_) + visibility::bytesOf(shadedBytes_) +
-                      visibility::bytesOf(shadedFloats_);
+  std::size_t bytes = owners_.memory() + quads_.memory() + visibility::bytesOf(vertices_) + strips_.memory() +
+                      visibility::bytesOf(shadedBytes_) + visibility::bytesOf(shadedFloats_);
   for (const auto& places : places_) bytes += visibility::bytesOf(places);
   return bytes;
 }

@@ -4,6 +4,7 @@
 
 #include "gl/program.h"
 #include "pass/draw_list.h"
+#include "pass/fragment_strips.h"
 #include "pass/frame_target.h"
 #include "pass/gpu_scene.h"
 #include "telar/renderer.h"
@@ -18,7 +19,7 @@ namespace telar::pass {
 class VisibilityBuffer {
  public:
   using Use = RendererOptions::LeaveOut;
-  VisibilityBuffer(const gl::Context& context, Use use) : context_(context), use_(use) {}
+  VisibilityBuffer(const gl::Context& context, Use use) : context_(context), use_(use), strips_(context) {}
 
   /// Whether passes over a picture may be drawn so: with four samples of bytes, or with one sample.
   bool mayDraw(const FramePlan& plan, const Shot& shot, const FrameTarget& target) const;
@@ -64,15 +65,17 @@ class VisibilityBuffer {
     std::size_t first = 0;  ///< float
     std::size_t varyings = 0;
   };
-  /// Texels of one draw, in blocks of four by four: llvmpipe shades these at once.
+  /// Fragments of one draw, in blocks of four by four: llvmpipe shades these at once.
   struct Range {
     std::size_t firstBlock = 0, endBlock = 0;
+    bool frontTurn = false;  ///< front faces run counter-clockwise in the window
   };
 
   std::size_t indexOf(const DrawItem& item) const { return static_cast<std::size_t>(&item - first_); }
-  bool fill(const FramePlan& plan);
+  bool arrange(const FramePlan& plan);
+  void fill(std::size_t strip, const visibility::FragmentTexels& out) const;
   void fillPlaces();
-  void upload();
+  void drawBlocks(std::size_t from, std::size_t to, gl::DrawCost& cost) const;
   /// A row of what is covered. @param at  its first pixel in places_    @param pixel  the same of the picture
   void composeRow(std::size_t at, std::size_t count, std::uint8_t* pixel) const;
   void composeRow(std::size_t at, std::size_t count, glm::vec4* pixel) const;
@@ -94,11 +97,11 @@ class VisibilityBuffer {
   visibility::ShadingQuads quads_;
   std::vector<Range> ranges_;  ///< by draw
   std::size_t layers_ = 0;     ///< texels of a fragment
-  std::vector<float> texels_;
-  int rows_ = 0;        ///< of fragments
-  glm::ivec2 held_{0};  ///< rows that the textures have, of texels and of fragments
+  FragmentStrips strips_;
+  std::size_t rows_ = 0;                                            ///< of fragments
+  std::size_t held_ = 0;                                            ///< rows of shaded_
   PixelType asked_ = PixelType::kRgba8, type_ = PixelType::kRgba8;  ///< of the target, of shaded_
-  gl::Texture varyings_, shaded_;
+  gl::Texture shaded_;
   gl::Framebuffer target_;
   std::vector<std::uint32_t> shadedBytes_;
   std::vector<glm::vec4> shadedFloats_;

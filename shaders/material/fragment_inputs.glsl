@@ -48,11 +48,12 @@ uniform int coverageDraw;  // what is drawn: COVERAGE_ of material/coverage.glsl
 // What each fragment has of its triangle: front or back, its pixel in the picture, then the varyings (renderer/pass/varyings.h).
 uniform highp sampler2D varyingMap;
 uniform int varyingTexels;  // of a fragment, in rows one above the other
+uniform int varyingRow;     // of the fragments, the first that the map has
 
 bool triangleFront = true;
 vec2 trianglePixel = vec2(0.0);
 
-vec4 varyingTexel(int i) { return texelFetch(varyingMap, ivec2(int(gl_FragCoord.x), int(gl_FragCoord.y) * varyingTexels + i), 0); }
+vec4 varyingTexel(int i) { return texelFetch(varyingMap, ivec2(int(gl_FragCoord.x), (int(gl_FragCoord.y) - varyingRow) * varyingTexels + i), 0); }
 
 // Written for the varyings that the program has.
 void readVaryings();

@@ -1,0 +1,45 @@
+#pragma once
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "gl/context.h"
+#include "gl/gl_object.h"
+#include "visibility/quad_varyings.h"
+
+namespace telar::pass {
+
+/// Varyings of the fragments of a pass, a strip of their rows at a time: those of all of them are 100 bytes a fragment.
+/// A few textures take turns, so that the GL may shade one strip while the next is mixed.
+class FragmentStrips {
+ public:
+  static constexpr std::size_t WIDTH = 1024;  ///< fragments of a row
+  static constexpr std::size_t ROWS = 64;     ///< of fragments in a strip
+
+  explicit FragmentStrips(const gl::Context& context) : context_(context) {}
+
+  /// Another pass. @param layers  texels of a fragment
+  void begin(std::size_t layers);
+  /// Binds a strip to the texture unit that is active.
+  /// @param rows  of fragments that it has
+  /// @param fill  writes its texels, from its first row on, where it is not known
+  void bind(std::size_t strip, std::size_t rows, const std::function<void(const visibility::FragmentTexels&)>& fill);
+
+  std::size_t memory() const;
+  void release();
+
+ private:
+  static constexpr std::size_t TURNS = 4;
+
+  const gl::Context& context_;
+  std::size_t layers_ = 0;
+  std::size_t held_ = 0;  ///< layers that the textures have
+  std::array<gl::Texture, TURNS> textures_;
+  std::array<std::size_t, TURNS> strips_{};  ///< that they hold, from 1; 0 = none
+  std::vector<float> texels_;
+};
+
+/// A texture without filter or mip levels.
+gl::Texture nearestTexture(const gl::Functions& gl, GLenum format, std::size_t width, std::size_t height);
+
+}  // namespace telar::pass
