@@ -80,7 +80,7 @@ vec3 bumpBent(vec3 surface, vec3 mapped);
 Real bumpTerminator(Real alpha2, Real cosine);
 Real bumpGloss(Real perceptualRoughness, Real alpha2, Real cosine, Real mean);
 Real facetShare(Real slope2);
-Real facetCellLobe(vec3 surface, vec3 n, Real alpha2, vec3 across, vec3 down, vec3 v, vec3 l, vec3 h);
+Real facetCellDistribution(Real alpha2, vec2 slope, vec2 across, vec2 down);
 Real edgeShare(Real share, Real slope2);
 Real reliefDiffuseTowards(Real relief, Real NoL);
 vec2 reliefGloss(Real relief, Real perceptualRoughness, Real NoV);

@@ -51,6 +51,14 @@ glm::vec2 normalScaleOf(float scale, const DrawItem& item) {
   return signs * (item.key.flipSided ? -scale : scale);
 }
 
+/// Sizes of a texture after which its texels come again along u and v; 0 where the last ones go on.
+glm::vec2 periodOf(const Sampler& sampler) {
+  const auto along = [](std::uint32_t wrap) {
+    return wrap == GL_REPEAT ? 1.0f : wrap == GL_MIRRORED_REPEAT ? 2.0f : 0.0f;
+  };
+  return {along(sampler.wrapS), along(sampler.wrapT)};
+}
+
 /// Lengths of the matrix's axes.
 glm::vec3 scaleOf(const glm::mat4& m) {
   return {glm::length(glm::vec3(m[0])), glm::length(glm::vec3(m[1])), glm::length(glm::vec3(m[2]))};
@@ -267,6 +275,7 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
   program.set("emissiveFactor", m.emissiveFactor);
   program.set("occlusionStrength", m.occlusionStrength);
   program.set("normalScale", normalScaleOf(m.normalScale, item));
+  if (item.key.normalFacets) program.set("normalMapPeriod", periodOf(m.normalTexture.sampler));
   setLayers(program, item);
   const ThreeTerms& three = item.key.three;
   if (three.ior0 && (item.key.specular || item.key.transmission)) program.set("ior", iorOf(m.layers, three));

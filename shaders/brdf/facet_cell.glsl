@@ -1,31 +1,27 @@
-// A place of a polished relief about which the normal turns: its highlight from one light. Shared text: see README.md.
+// A place of a polished relief over which the normal turns evenly: how much of it mirrors. Shared text: see README.md.
 
-// Highlight of a place: D V NoL of a GGX lobe whose normal turns evenly about n, less what bumpTerminator() takes, [1/sr]. Turns widen
-// the lobe as slopes of that variance do.
-// surface  unit, of the geometry      n  unit      alpha2  square of the width, (0, 1]
-// across, down  by how much n turns from one side of the place to the other      v, l, h  unit
+// Width of the lobe that stands for a turn, as a part of it.
+const float FACET_TURN = 0.5;
+
+// GGX distribution of the normals of a place at a direction, [1/sr]. A turn makes a wide lobe, which ends soon, as the turn does; far
+// from the place there is what a narrow lobe has there.
+// alpha2  square of the width, (0, 1]
+// slope  of the normal in the middle, off the direction      across, down  by how much it turns from one side of the place to the other
 // src: Yan et al. 2016, "Position-Normal Distributions for Efficient Rendering of Specular Microstructure", for lobes that are as
-//      wide as the normal turns; Olano & Baker 2010, "LEAN Mapping", for their widths
-float facetCellLobe(vec3 surface, vec3 n, float alpha2, vec3 across, vec3 down, vec3 v, vec3 l, vec3 h) {
-  float NoH = max(dot(n, h), 1.0e-2);
-  vec3 slope = h / NoH - n;
-  vec3 turnX = across - n * dot(n, across);
-  vec3 turnY = down - n * dot(n, down);
-  // alpha2 and the second moments of the parallelogram that the turns span: that of one side is a twelfth of its square, and a width
-  // has twice the variance. Times 6, in the axes of the turns; (x, y) is the slope there, by least squares.
-  float even = 6.0 * alpha2;
-  float xx = dot(turnX, turnX) + even;
-  float yy = dot(turnY, turnY) + even;
-  float xy = dot(turnX, turnY);
-  float determinant = max(xx * yy - xy * xy, pow2(even));
-  float ofX = dot(turnX, slope);
-  float ofY = dot(turnY, slope);
-  float x = (yy * ofX - xy * ofY) / determinant;
-  float y = (xx * ofY - xy * ofX) / determinant;
-  float square = max(dot(slope, slope) - ofX * x - ofY * y, 0.0) / alpha2;
-  float distribution = 6.0 * RECIPROCAL_PI * inversesqrt(determinant) / pow2((1.0 + square) * pow2(NoH));
-  // Of the normals there, the one that mirrors best.
-  vec3 m = normalize(n + turnX * clamp(x, -0.5, 0.5) + turnY * clamp(y, -0.5, 0.5));
-  float lobe = distribution * V_SmithGGXCosine(sqrt(alpha2), saturate(dot(m, v)), saturate(dot(m, l)));
-  return lobe * bumpTerminator(bumpAlpha2(surface, m), dot(surface, l));
+//      wide as the normal turns; Olano & Baker 2010, "LEAN Mapping", for moments of slopes
+float facetCellDistribution(float alpha2, vec2 slope, vec2 across, vec2 down) {
+  across *= FACET_TURN;
+  down *= FACET_TURN;
+  float xx = across.x * across.x + down.x * down.x;
+  float yy = across.y * across.y + down.y * down.y;
+  float xy = across.x * across.y + down.x * down.y;
+  float wide2 = alpha2 + xx + yy;
+  xx += alpha2;
+  yy += alpha2;
+  float perSquare = 1.0 / max(xx * yy - xy * xy, alpha2 * alpha2);  // of the lobe's area
+  float apart2 = max(yy * slope.x * slope.x - 2.0 * xy * slope.x * slope.y + xx * slope.y * slope.y, 0.0) * perSquare;
+  float slope2 = dot(slope, slope);
+  float narrow = alpha2 * pow2((1.0 + slope2) / (wide2 + slope2));
+  float wide = (1.0 - alpha2 / wide2) * sqrt(perSquare) / pow4(1.0 + apart2 / 3.0);
+  return RECIPROCAL_PI * (narrow + wide);
 }

@@ -23,6 +23,9 @@ uniform sampler2D metallicRoughnessMap;  // linear, G roughness, B metalness
 #if NORMAL_MAP
 uniform sampler2D normalMap;  // linear
 uniform vec2 normalScale;
+#if NORMAL_FACETS
+uniform vec2 normalMapPeriod;  // sizes of the map after which its texels come again: 1, mirrored 2, 0 where the last ones go on
+#endif
 #endif
 #if OCCLUSION_MAP
 uniform sampler2D occlusionMap;  // linear, R
@@ -101,7 +104,7 @@ vec4 normalTexel() { return texture(normalMap, vNormalUv); }
 #if NORMAL_FACETS
 vec4 normalTexel(float lodBias) { return texture(normalMap, vNormalUv, lodBias); }
 // Its first level.
-vec4 sharpNormalTexel(vec2 uv) { return textureLod(normalMap, uv, 0.0); }
+vec4 sharpNormalTexel(ivec2 at) { return texelFetch(normalMap, at, 0); }
 vec2 normalMapSize() { return vec2(textureSize(normalMap, 0)); }
 #endif
 #endif

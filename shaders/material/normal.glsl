@@ -67,6 +67,10 @@ const float FACET_LOD_BIAS = -1.5;
 // Texels along the longer side of a pixel up to which facets are shaded place by place; where there are twice as many, none is.
 const float FACET_TEXELS = 12.0;
 
+// Share of the facets' variance that is kept there: a pixel has a few facets, and most of a level's variance is between its texels,
+// which tell them apart.
+const float FACET_VARIANCE_KEPT = 0.4;
+
 // The flat part of a polished normal map within the pixel, and how much of it is edges. A texel that is edge alone is all there is of
 // its pixel: its lobe is its own.
 // texel  of texture/facets.glsl      averaged  how far it is of a level above the first, [0, 1]: between texels of the first one the
@@ -126,6 +130,7 @@ Normals shadingNormals() {
   float texels2 = max(dot(across, across), dot(down, down));
   normals = withFacets(normals, frame, normalTexel(FACET_LOD_BIAS), saturate((texels2 * exp2(2.0 * FACET_LOD_BIAS) - 1.0) / 3.0), normalScale);
   normals.facetsTold = saturate(2.0 - sqrt(texels2) / FACET_TEXELS);
+  normals.relief.y *= mix(1.0, FACET_VARIANCE_KEPT, normals.facetsTold);
 #else
 #if NORMAL_HOLES
   vec4 varied = withoutHoles(normalTexel(), shareThere());

@@ -218,6 +218,12 @@ function featuresOf(material) {
 /** As hasFacets() of renderer/pass/draw_list.cpp has it. */
 const isPolished = ({ roughness, metalness, anisotropy }) => roughness <= POLISHED.roughnessMax && metalness >= POLISHED.metalnessMin && !(anisotropy > 0);
 
+/** Sizes of a texture after which its texels come again; 0 where the last ones go on. @returns {import('three').Vector2} along u and v */
+function periodOf(THREE, texture) {
+  const along = (wrap) => ({ [THREE.RepeatWrapping]: 1, [THREE.MirroredRepeatWrapping]: 2 })[wrap] ?? 0;
+  return new THREE.Vector2(along(texture?.wrapS), along(texture?.wrapT));
+}
+
 /** Whether two textures lie on each other. */
 function samePlace(...textures) {
   const [a, b] = textures.map((texture) => {
@@ -264,7 +270,7 @@ function textureValues(maps) {
 const WHITE = [1, 1, 1];
 
 /** Factors by the name of their uniform, with the extensions' defaults. */
-function factorsOf(THREE, { fabric, diffuseTransmission, roughness }) {
+function factorsOf(THREE, { fabric, diffuseTransmission, roughness, normalMap }) {
   const vector = (value = WHITE) => (value.isColor ? new THREE.Vector3(value.r, value.g, value.b) : new THREE.Vector3().fromArray(value));
   const { warp = {}, weft = {}, threadsPerUv = [0, 0] } = fabric?.weave ?? {};
   const pair = (key, fallback) => new THREE.Vector2(warp[key] ?? fallback, weft[key] ?? fallback);
@@ -274,6 +280,7 @@ function factorsOf(THREE, { fabric, diffuseTransmission, roughness }) {
     diffuseTransmissionFactor: diffuseTransmission?.diffuseTransmissionFactor ?? 0,
     diffuseTransmissionColorFactor: vector(diffuseTransmission?.diffuseTransmissionColorFactor),
     flatness: fabric?.flatness ?? 0,
+    normalMapPeriod: periodOf(THREE, normalMap),
     yarnCoverage: coverage,
     yarnRoughness: pair('roughnessFactor', 0.5),
     yarnAnisotropy: pair('anisotropyStrength', 0),

@@ -4,7 +4,8 @@ uniform sampler2D normalVarianceMap;
 vec4 normalTexel() { return texture(normalVarianceMap, vNormalMapUv); }
 #if NORMAL_FACETS
 vec4 normalTexel(float lodBias) { return texture(normalVarianceMap, vNormalMapUv, lodBias); }
-vec4 sharpNormalTexel(vec2 uv) { return textureLod(normalVarianceMap, uv, 0.0); }
+vec4 sharpNormalTexel(ivec2 at) { return texelFetch(normalVarianceMap, at, 0); }
+uniform vec2 normalMapPeriod;  // as the server's
 vec2 normalMapSize() { return vec2(textureSize(normalVarianceMap, 0)); }
 #endif
 #endif

@@ -141,6 +141,15 @@ test('a material that becomes polished, or no longer is, is drawn by the program
   ]);
 });
 
+test('texels are read beyond the map as its sampler finds them', async () => {
+  const material = new (await loadFabricMaterial(THREE))();
+  const periodOf = () => material.textUniforms().normalMapPeriod.value.toArray();
+  material.normalMap = Object.assign(new THREE.Texture(), { wrapS: THREE.RepeatWrapping, wrapT: THREE.MirroredRepeatWrapping });
+  assert.deepEqual(periodOf(), [1, 2]);
+  material.normalMap.wrapS = THREE.ClampToEdgeWrapping;
+  assert.deepEqual(periodOf(), [0, 2]);
+});
+
 for (const family of ['fabric', 'principled']) {
   test(`${family}: whatever its text asks of the material is given`, async () => {
     const [weaveTexture, baseColorTexture, diffuseTransmissionTexture, diffuseTransmissionColorTexture] = Array.from({ length: 4 }, () => new THREE.Texture());
