@@ -90,7 +90,10 @@ vec3 facetLight(SurfaceInfo s) {
 
   float top = box.middle.y - 0.5 * box.size.y;
   float bottom = box.middle.y + 0.5 * box.size.y;
-  for (float j = floor(top); j < bottom; ++j) {
+  // Counted from 0: far out on the map, adding 1 may change nothing.
+  float rowCount = min(ceil(bottom) - floor(top), 2.0 * FACET_ROWS);
+  for (float row = 0.0; row < rowCount; ++row) {
+    float j = floor(top) + row;
     float low = max(j, top);
     float high = min(j + 1.0, bottom);
     float height = high - low;
@@ -99,7 +102,9 @@ vec3 facetLight(SurfaceInfo s) {
     float right = left + box.size.x;
     y -= j;
     vec2 rows = facetIndex(vec2(j, j + 1.0) * stride.y, size.y, period.y);
-    for (float i = floor(left) - 1.0; i < right; ++i) {
+    float columnCount = min(ceil(right) - floor(left), 2.0 * FACET_COLUMNS);
+    for (float count = 0.0; count <= columnCount; ++count) {
+      float i = floor(left) + count - 1.0;
       float column = facetIndex(vec2((i + 1.0) * stride.x), size.x, period.x).x;
       vec3 upper = facetTexel(column, rows.x, turned);
       vec3 lower = facetTexel(column, rows.y, turned);
@@ -110,7 +115,7 @@ vec3 facetLight(SurfaceInfo s) {
       for (int k = 0; k < FACET_LIGHTS; ++k) {
         vec4 after = facetSlope(toHalfway[k], upper, lower, y, height);
         vec4 between = mix(before[k], after, x);
-        if (i >= floor(left)) mirrored[k] += width * height * facetCellDistribution(alpha2, between.xy, (after.xy - before[k].xy) * width, between.zw);
+        if (count > 0.0) mirrored[k] += width * height * facetCellDistribution(alpha2, between.xy, (after.xy - before[k].xy) * width, between.zw);
         before[k] = after;
       }
     }

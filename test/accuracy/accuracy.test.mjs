@@ -84,6 +84,15 @@ test('glints are where the sampler has a map that is mirrored, and not where it 
   assert.ok(repeated > SEQUINS.sun, facts);
 });
 
+test('glints far out on a map, where the next texel has no number of its own, end', { timeout: 60_000 }, async () => {
+  const far = editedGlb(await FABRIC_MODELS['fabric-sequin-thread'](), (json) => {
+    json.extensionsUsed = [...(json.extensionsUsed ?? []), 'KHR_texture_transform'];
+    for (const { normalTexture } of json.materials) normalTexture.extensions = { KHR_texture_transform: { offset: [3e5, 5e6] } };
+  });
+  const { data } = await renderer.render(far, { ...windowOf('sunny-sky'), output: { format: 'raw' } });
+  assert.equal(data.length, 4 * SIZE.width * SIZE.height);
+});
+
 test('quality medium of cloth is between standard and high, and would not be without its directions of the environment', async () => {
   const shot = windowOf('soft-studio');
   const fault = { samples: 64, noise: 4, environmentSamples: 0 };
