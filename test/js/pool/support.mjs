@@ -4,8 +4,8 @@ import { until } from '../../until.mjs';
 
 export const SHOT = { size: { width: 48, height: 48 } };
 
-/** Takes hours: what ends it is what is tested. */
-export const ENDLESS = { size: { width: 256, height: 256 }, quality: { preset: 'reference', samples: 65_536 } };
+/** Takes hours: what ends it is what is tested. One thread, so that it leaves the other cores to other tests. */
+export const ENDLESS = { size: { width: 256, height: 256 }, quality: { preset: 'reference', samples: 65_536, threads: 1 } };
 
 /** A pool without a folder of environments, of one worker unless said otherwise. */
 export const open = (options) => createPool({ size: 1, cacheDirectory: null, ...options });

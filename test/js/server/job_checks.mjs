@@ -113,7 +113,7 @@ export const JOB_CHECKS = {
     const { submit, runs, cancel, eventsOf } = clientOf(url, glb);
     const blocking = await submit(another(ENDLESS));
     await runs(blocking.self);
-    const links = await submit({ size: { width: 64, height: 64 }, quality: { preset: 'reference', samples: 64 } });
+    const links = await submit({ size: { width: 64, height: 64 }, quality: { preset: 'reference', samples: 32, threads: 1 } });
     let isFree = false;
     const events = await eventsOf(links, () => {
       if (!isFree) cancel(blocking.self);
