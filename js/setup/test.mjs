@@ -28,14 +28,14 @@ function testFiles() {
 }
 const LONGEST = [
   'test/parity/faults.test.mjs',
-  'test/js/view/page_spec.test.mjs',
   'test/parity/parity.test.mjs',
-  'test/js/view/page_models.test.mjs',
-  'test/js/queue/processes.test.mjs',
   'test/js/server/job_faults.test.mjs',
-  'test/families/prefilter.test.mjs',
+  'test/js/view/page_spec.test.mjs',
+  'test/js/view/page_models.test.mjs',
   'test/js/view/page.test.mjs',
   'test/js/docs/recipes.test.mjs',
+  'test/families/prefilter.test.mjs',
+  'test/js/queue/processes.test.mjs',
 ];
 
 async function runNodeTests({ files }) {

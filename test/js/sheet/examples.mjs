@@ -15,7 +15,15 @@ const ROOT = fileURLToPath(new URL('../../../', import.meta.url));
 const FOLDER = path.join(ROOT, 'js/docs/sheet');
 export const GOLDEN = fileURLToPath(new URL('golden', import.meta.url));
 
-export const EXAMPLES = { tshirt: () => readFile(path.join(ROOT, 'js/assets/tshirt.glb')), skirt, jacket };
+const MODELS = { tshirt: () => readFile(path.join(ROOT, 'js/assets/tshirt.glb')), skirt, jacket };
+
+/** Models of the examples by name, each made once. */
+export const EXAMPLES = Object.fromEntries(
+  Object.entries(MODELS).map(([name, make]) => {
+    let made;
+    return [name, () => (made ??= make())];
+  }),
+);
 
 /** A third of the pages' width at 96 ppi: layout, lines and colours are seen, letters as grey. */
 const PPI = 96;
