@@ -33,7 +33,7 @@ FacetBox facetBox(vec2 middle, vec2 across, vec2 down) {
 // period  as normalMapPeriod
 vec2 facetIndex(vec2 at, float size, float period) {
   at = period > 0.0 ? at - period * size * floor((at + 0.5) / (period * size)) : clamp(at, 0.0, size - 1.0);
-  return min(at, 2.0 * size - 1.0 - at);
+  return clamp(min(at, 2.0 * size - 1.0 - at), 0.0, size - 1.0);  // far out the floor is rounded, too
 }
 
 vec3 facetTexel(float column, float row, bool turned) {
