@@ -88,7 +88,7 @@ test('a .gltf with its files beside it, beneath an environment of the command li
   });
   writeFileSync(at('coat/coat #1.gltf'), JSON.stringify(document));
   writeFileSync(at('lamps.hdr'), ENVIRONMENTS.lamps());
-  await show(t, at('coat/coat #1.gltf'), ['--size', '64', '--quality', 'draft', '--environment', at('lamps.hdr')]);
+  await show(t, at('coat/coat #1.gltf'), ['--size', '64', '--environment', at('lamps.hdr')]);
   assert.equal(await verdict(), 'Parity');
   assert.equal(await page.locator('#model-name').textContent(), 'coat #1.gltf');
   assert.ok((await figuresOf(page, 'interior')).pixels > 1000);
@@ -120,7 +120,7 @@ test('keys alone: a moment of an animation, framed and drawn alike', async (t) =
 test('KTX2 textures and Draco meshes are decoded in the page', async (t) => {
   for (const name of ['ktx2-etc1s', 'draco-edgebreaker']) {
     writeFileSync(at(`${name}.glb`), await MODELS[name]());
-    await show(t, at(`${name}.glb`), ['--size', '64', '--quality', 'draft']);
+    await show(t, at(`${name}.glb`), ['--size', '64']);
     // Browsers transcode for their GL, which rounds: js/docs has how far.
     const { pixels, max } = await figuresOf(page, 'interior');
     assert.ok(pixels > 200 && max <= (name.startsWith('ktx2') ? 16 : 2), `${name} ${pixels} ${max}`);
