@@ -214,7 +214,7 @@ void SampleOwners::findTiles(std::span<const std::uint8_t> settled) {
   tiles_.assign(static_cast<std::size_t>(tilesOf(grid_.width)) * static_cast<std::size_t>(tilesOf(grid_.height)), 0);
   const std::uint8_t* pixel = settled.data();
   for (int y = grid_.height - 1; y >= 0; --y) {
-    std::uint8_t* row = &tiles_[static_cast<std::size_t>(y / TILE * tilesOf(grid_.width))];
+    std::uint8_t* row = tiles_.data() + std::ptrdiff_t{y / TILE} * tilesOf(grid_.width);
     for (int x = 0; x < grid_.width; ++x) row[x / TILE] |= *pixel++ == 0;
   }
 }
@@ -225,7 +225,7 @@ bool SampleOwners::isAskedFor(const Pixels& box) const {
   const auto tile = [this](int cell, int size) { return std::min(cell * grid_.cell, size - 1) / TILE; };
   const auto last = [this](int cell, int size) { return std::min((cell + 1) * grid_.cell - 1, size - 1) / TILE; };
   for (int y = tile(box.fromY, grid_.height); y <= last(box.toY, grid_.height); ++y) {
-    const std::uint8_t* row = &tiles_[static_cast<std::size_t>(y * tilesOf(grid_.width))];
+    const std::uint8_t* row = tiles_.data() + std::ptrdiff_t{y} * tilesOf(grid_.width);
     for (int x = tile(box.fromX, grid_.width); x <= last(box.toX, grid_.width); ++x) {
       if (row[x] != 0) return true;
     }

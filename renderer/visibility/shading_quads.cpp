@@ -7,7 +7,7 @@ namespace {
 
 constexpr unsigned PIXELS = 4;
 /// Of the numbers below 16.
-constexpr std::array<std::int8_t, 16> BITS{0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
+constexpr std::array<std::uint8_t, 16> BITS{0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
 
 bool shareVertex(const Corners& a, const Corners& b) {
   return std::any_of(a.begin(), a.end(), [&](std::uint32_t u) { return u == b[0] || u == b[1] || u == b[2]; });
