@@ -115,7 +115,7 @@ class Follower {
   void addTo(glm::dvec4& sum, const glm::dvec2& corner, std::uint32_t index, const Samples& samples,
              std::uint64_t& rays) const {
     for (int i = samples.first; i < samples.end; ++i) {
-      if (i % SAMPLES_PER_CANCEL_CHECK == 0) cancel_.check();
+      if ((i - samples.first) % SAMPLES_PER_CANCEL_CHECK == 0) cancel_.check();
       Sampler sampler{Random(options_.seed, index, static_cast<std::uint32_t>(i))};
       sum += glm::dvec4(world_.Li(corner, sampler));
       rays += sampler.rays;

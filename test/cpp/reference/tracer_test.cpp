@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <optional>
+#include <thread>
 
 #include "expect_error.h"
 #include "shading_terms.h"
@@ -225,6 +226,22 @@ TEST(Tracer, ItIsDoneWhereAllPixelsSettleEarly) {
     EXPECT_EQ(facts.samples<256, noise> 0) << "the case is one that ends early, and its contrary";
     EXPECT_EQ(progress.part(), 1) << noise;
   }
+}
+
+// Rounds for previews begin anywhere: each pixel of each round looks at the token.
+TEST(Tracer, IsCancelledBetweenPreviews) {
+  const ImageF map = sky();
+  const CancelToken cancel;
+  const Progress progress;
+  progress.previews.ask();
+  std::thread watcher([&] {
+    while (!progress.previews.take()) std::this_thread::yield();
+    cancel.cancel();
+  });
+  EXPECT_ERROR(
+      traceRadiance(plane(cloth(0.5f)), shotOf(160), &map, {.samples = 15, .threads = 1}, Limits(), cancel, progress),
+      "X_CANCELLED");
+  watcher.join();
 }
 
 TEST(Tracer, PunctualLightsAreExact) {
