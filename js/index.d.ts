@@ -563,9 +563,9 @@ export interface FrameInfo extends Plan {
   picture?: { coverage: number; dark: number; bright: number; saturated: number };
   /** Triangles that the picture draws, instances counted each; of the path tracer, those that rays meet. Absent for flats. */
   triangles?: number;
-  /** So many of them were left out before they were shaded, for they are hidden at every sample; no byte differs. Of the last pass. */
+  /** So many of them were left out before they were shaded, for they are hidden at every sample; no byte differs. Of the first pass. */
   hiddenTriangles?: number;
-  /** Fragments that were shaded in dense rows, where what is seen was found first (js/docs/figures.md, Visibility buffer); absent where it was not. */
+  /** Fragments that were shaded in dense rows, where what is seen was found first (js/docs/figures.md, Visibility buffer), of all passes; absent where it was not. */
   shadedFragments?: number;
   /** Largest resident memory of the process so far. */
   peakBytes: number;

@@ -90,7 +90,8 @@ template <class Rounding, class EdgesOf>
       if (any(inside)) {
         const Lanes depth =
             valueAt<Rounding>(setup.depth, placesX + lanesOf(static_cast<float>(x * grid_.cell)), sampleY);
-        const Lanes held = larger(lanesOf(0), smaller(lanesOf(1), depth));
+        // In this order, what is no number is farthest.
+        const Lanes held = larger(lanesOf(0), smaller(depth, lanesOf(1)));
         const Mask z = __builtin_convertvector(held * lanesOf(DEPTHS), Mask);
         Mask known, owner;
         std::memcpy(&known, at->depths, sizeof known);

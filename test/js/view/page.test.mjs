@@ -130,6 +130,8 @@ const PRESSED = [
   ['#ground', ['ArrowDown'], 'ground'],
   ['#opacity', ['PageDown', 'PageDown'], 'ground'],
   ['#quality', ['ArrowDown'], 'quality'],
+  // draft merges quads, which three.js does not: what follows is compared as standard.
+  ['#quality', ['ArrowUp'], 'quality'],
   ['#width', ['ArrowDown', 'Tab'], 'size'],
   ['#height', ['ArrowUp', 'Tab'], 'size'],
   ['#stage', ['ArrowRight', 'ArrowUp', '+'], 'camera'],
