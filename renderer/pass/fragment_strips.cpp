@@ -1,17 +1,9 @@
 #include "pass/fragment_strips.h"
 
+#include "gl/nearest_texture.h"
 #include "visibility/memory.h"
 
 namespace telar::pass {
-
-gl::Texture nearestTexture(const gl::Functions& gl, GLenum format, std::size_t width, std::size_t height) {
-  gl::Texture texture(gl);
-  gl.BindTexture(GL_TEXTURE_2D, texture.get());
-  gl.TexStorage2D(GL_TEXTURE_2D, 1, format, static_cast<GLsizei>(width), static_cast<GLsizei>(height));
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-  return texture;
-}
 
 void FragmentStrips::begin(std::size_t layers) {
   layers_ = layers;
@@ -25,7 +17,7 @@ void FragmentStrips::bind(std::size_t strip, std::size_t rows,
                           const std::function<void(const visibility::FragmentTexels&)>& fill) {
   const gl::Functions& gl = context_.gl();
   gl::Texture& texture = textures_[strip % TURNS];
-  if (!texture) texture = nearestTexture(gl, GL_RGBA32F, WIDTH, ROWS * held_);
+  if (!texture) texture = gl::nearestTexture(gl, GL_RGBA32F, WIDTH, static_cast<int>(ROWS * held_));
   gl.BindTexture(GL_TEXTURE_2D, texture.get());
   if (strips_[strip % TURNS] == strip + 1) return;
   texels_.resize(ROWS * layers_ * WIDTH * 4);

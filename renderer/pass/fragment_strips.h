@@ -39,7 +39,4 @@ class FragmentStrips {
   std::vector<float> texels_;
 };
 
-/// A texture without filter or mip levels.
-gl::Texture nearestTexture(const gl::Functions& gl, GLenum format, std::size_t width, std::size_t height);
-
 }  // namespace telar::pass

@@ -5,6 +5,7 @@
 
 #include "frame/layers.h"
 #include "gl/incomplete.h"
+#include "gl/nearest_texture.h"
 #include "pass/ambient_layer.h"
 
 namespace telar::pass {
@@ -51,17 +52,6 @@ struct SeenTexel {
   }
 };
 
-/// A texture of four floats a texel, read texel by texel.
-gl::Texture floatTexture(const gl::Functions& gl, int width, int height) {
-  gl::Texture texture(gl);
-  gl.ActiveTexture(GL_TEXTURE0);
-  gl.BindTexture(GL_TEXTURE_2D, texture.get());
-  gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA32F, width, height);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-  return texture;
-}
-
 /// Row 0 on top.
 std::vector<glm::vec4> readTexels(const gl::Context& context, const gl::Texture& texture, int width, int height) {
   const gl::Functions& gl = context.gl();
@@ -86,7 +76,8 @@ LayerPass::Target LayerPass::makeTarget(const Shot& shot) const {
   gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
   std::array<GLenum, TEXTURES> buffers{};
   for (std::size_t i = 0; i < TEXTURES; ++i) {
-    target.textures[i] = floatTexture(gl, shot.width, shot.height);
+    gl.ActiveTexture(GL_TEXTURE0);
+    target.textures[i] = gl::nearestTexture(gl, GL_RGBA32F, shot.width, shot.height);
     attach(gl, i, target.textures[i]);
     buffers[i] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
   }
@@ -104,7 +95,8 @@ std::vector<glm::vec4> LayerPass::groundShadow(const Target& target, const Frame
                                                const LayerInputs& in) const {
   if (!plan.ground || !in.shot.hasLayer(Layer::kShadow)) return {};
   const gl::Functions& gl = context_.gl();
-  const gl::Texture shadow = floatTexture(gl, in.shot.width, in.shot.height);
+  gl.ActiveTexture(GL_TEXTURE0);
+  const gl::Texture shadow = gl::nearestTexture(gl, GL_RGBA32F, in.shot.width, in.shot.height);
   const gl::Framebuffer framebuffer(gl);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
   attach(gl, 0, shadow);

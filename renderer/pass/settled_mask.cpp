@@ -1,5 +1,6 @@
 #include "pass/settled_mask.h"
 
+#include "gl/nearest_texture.h"
 #include "shader/library.h"
 
 namespace telar::pass {
@@ -7,11 +8,7 @@ namespace telar::pass {
 void SettledMask::set(std::span<const std::uint8_t> settled, int width, int height) {
   const gl::Functions& gl = context_.gl();
   gl.ActiveTexture(GL_TEXTURE0);
-  texture_ = gl::Texture(gl);
-  gl.BindTexture(GL_TEXTURE_2D, texture_.get());
-  gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_R8, width, height);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+  texture_ = gl::nearestTexture(gl, GL_R8, width, height);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RED, GL_UNSIGNED_BYTE, settled.data());
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);

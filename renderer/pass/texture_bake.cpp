@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "gl/incomplete.h"
+#include "gl/nearest_texture.h"
 #include "shader/library.h"
 
 namespace telar::pass {
@@ -15,15 +16,6 @@ constexpr GLenum FRAMEBUFFER_SRGB = 0x8DB9;  // desktop GL only: OpenGL ES alway
 constexpr int YARN_RELIEF_FIRST = 2;
 
 int sideAt(int side, int level) { return std::max(1, side >> level); }
-
-gl::Texture emptyTexture(const gl::Functions& gl, GLenum format, int levels, int width, int height) {
-  gl::Texture texture(gl);
-  gl.BindTexture(GL_TEXTURE_2D, texture.get());
-  gl.TexStorage2D(GL_TEXTURE_2D, levels, format, width, height);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-  return texture;
-}
 
 /// State of the passes that fill textures, while it lives.
 class Drawing {
@@ -99,7 +91,7 @@ gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int h
   // A variance is a small difference of large sums, which needs the precision.
   const GLenum momentFormat = context_.capabilities().colorBufferFloat ? GL_RGBA32F : GL_RGBA16F;
   const int first = std::min(kind.first, levels - 1);
-  gl::Texture out = emptyTexture(gl, kind.format, levels - first, sideAt(width, first), sideAt(height, first));
+  gl::Texture out = gl::nearestTexture(gl, kind.format, sideAt(width, first), sideAt(height, first), levels - first);
   const Drawing drawing(context_);
   for (const auto& [unit, texture] : {std::pair{1u, beside.cover}, std::pair{2u, beside.yarns}}) {
     gl.ActiveTexture(GL_TEXTURE0 + unit);
@@ -112,7 +104,7 @@ gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int h
     cancel.check();
     const glm::ivec2 size(sideAt(width, level), sideAt(height, level));
     if (level > 0) {
-      gl::Texture moments = emptyTexture(gl, momentFormat, 1, size.x, size.y);
+      gl::Texture moments = gl::nearestTexture(gl, momentFormat, size.x, size.y);
       const gl::Program& average = program(kind.moments, level == 1, beside);
       average.use();
       average.set("sourceMap", 0);

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "gl/incomplete.h"
+#include "gl/nearest_texture.h"
 #include "pass/varyings.h"
 #include "pass/visible_draws.h"
 
@@ -206,7 +207,8 @@ void VisibilityBuffer::bind() {
         std::min(std::max(rows_ + rows_ / 4, held_), static_cast<std::size_t>(context_.capabilities().maxTextureSize));
     type_ = asked_;
     gl.ActiveTexture(GL_TEXTURE0);
-    shaded_ = nearestTexture(gl, type_ == PixelType::kRgba8 ? GL_RGBA8 : GL_RGBA32F, WIDTH, held_);
+    shaded_ =
+        gl::nearestTexture(gl, type_ == PixelType::kRgba8 ? GL_RGBA8 : GL_RGBA32F, WIDTH, static_cast<int>(held_));
     target_ = gl::Framebuffer(gl);
     gl.BindFramebuffer(GL_FRAMEBUFFER, target_.get());
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, shaded_.get(), 0);
