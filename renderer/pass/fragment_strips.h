@@ -9,7 +9,7 @@
 
 namespace telar::pass {
 
-/// Varyings of the fragments of a pass, a strip of their rows at a time: those of all of them are 100 bytes a fragment.
+/// Varyings of the fragments of a pass, a strip of rows at a time: all at once would take about 100 bytes a fragment.
 /// A few textures take turns, so that the GL may shade one strip while the next is mixed.
 class FragmentStrips {
  public:
