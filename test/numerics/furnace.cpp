@@ -35,6 +35,9 @@ struct Sheet {
 /// Of the lists: at the least scale, each third.
 std::size_t stepOf(Scale scale) { return scale == Scale::kLeast ? 3 : 1; }
 
+/// Of the azimuths: each 30 degrees, and between them at the full scale alone.
+std::size_t azimuthStepOf(Scale scale) { return scale == Scale::kQuick ? 2 : stepOf(scale); }
+
 struct View {
   double NoV, azimuth;
 };
@@ -49,7 +52,8 @@ std::vector<View> viewsOf(const Sheet& sheet, Scale scale) {
     if (sheet.seed > 0) {
       views.push_back({cosine, random.between(-std::numbers::pi, std::numbers::pi)});
     } else if (sheet.turned) {
-      for (std::size_t a = 0; a < std::size(AZIMUTHS); a += step) views.push_back({cosine, AZIMUTHS[a]});
+      for (std::size_t a = 0; a < std::size(AZIMUTHS); a += azimuthStepOf(scale))
+        views.push_back({cosine, AZIMUTHS[a]});
     } else {
       views.push_back({cosine, 0});
     }

@@ -5,7 +5,7 @@
 #include "brdf/brdf.h"
 
 /// Rectangles of light against what geometry says of them, in double.
-namespace telar::test {
+namespace telar::test::area_test {
 namespace {
 
 using namespace brdf_d;
@@ -63,4 +63,4 @@ TEST(Area, ViewedHeadOnALobeIsWhatItIsBesideThat) {
 }
 
 }  // namespace
-}  // namespace telar::test
+}  // namespace telar::test::area_test

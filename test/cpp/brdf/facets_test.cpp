@@ -10,7 +10,7 @@
 #include "brdf/shading.h"
 
 /// Polished discs and the edges between them, finer than a pixel: two highlights against the mean over the texels.
-namespace telar::test {
+namespace telar::test::facets_test {
 namespace {
 
 using brdf_d::Reflected;
@@ -242,4 +242,4 @@ TEST(Facets, AreReciprocal) {
 }
 
 }  // namespace
-}  // namespace telar::test
+}  // namespace telar::test::facets_test

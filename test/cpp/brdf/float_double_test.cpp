@@ -5,7 +5,7 @@
 
 #include "brdf/terms.h"
 
-namespace telar::test {
+namespace telar::test::float_double_test {
 namespace {
 
 constexpr std::size_t ROWS = 4096;
@@ -42,4 +42,4 @@ TEST(FloatAgainstDouble, EveryTermIsFiniteAndWithinRounding) {
 }
 
 }  // namespace
-}  // namespace telar::test
+}  // namespace telar::test::float_double_test

@@ -6,7 +6,7 @@
 #include "brdf/gpu_probe.h"
 #include "brdf/terms.h"
 
-namespace telar::test {
+namespace telar::test::gpu_test {
 namespace {
 
 constexpr std::size_t ROWS = GpuProbe::ROWS;
@@ -54,4 +54,4 @@ INSTANTIATE_TEST_SUITE_P(Backends, OnGpu, testing::Values(Backend::kEglSurfacele
                          [](const auto& tested) { return tested.param == Backend::kOsmesa ? "osmesa" : "egl"; });
 
 }  // namespace
-}  // namespace telar::test
+}  // namespace telar::test::gpu_test

@@ -9,7 +9,7 @@
 #include "brdf/terms.h"
 
 /// Energy, reciprocity and normalisation, by quadrature in double.
-namespace telar::test {
+namespace telar::test::physics_test {
 namespace {
 
 using namespace brdf_d;
@@ -274,4 +274,4 @@ TEST(AmbientVisibility, ConesMeetAboutAsTheyDo) {
 }
 
 }  // namespace
-}  // namespace telar::test
+}  // namespace telar::test::physics_test

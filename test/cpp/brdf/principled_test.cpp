@@ -9,7 +9,7 @@
 
 /// The principled shadings as they are composed: figures by quadrature of what addPunctual gives, against figures
 /// computed apart from this code.
-namespace telar::test {
+namespace telar::test::principled_test {
 namespace {
 
 using namespace brdf_d;
@@ -360,4 +360,4 @@ TEST(PrincipledComposed, ExtremesAreFiniteAndNotNegative) {
 }
 
 }  // namespace
-}  // namespace telar::test
+}  // namespace telar::test::principled_test

@@ -11,7 +11,7 @@
 
 /// Surfaces as releases of three.js shade them: every term of every slot against its formula in js/docs/families.md,
 /// written out here once more. Each term of another family in its place is a fault that the same line has to catch.
-namespace telar::test {
+namespace telar::test::releases_test {
 namespace {
 
 using namespace brdf_d;
@@ -396,4 +396,4 @@ TEST(Releases, WhiteFurnace) {
 }
 
 }  // namespace
-}  // namespace telar::test
+}  // namespace telar::test::releases_test

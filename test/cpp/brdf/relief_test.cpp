@@ -7,7 +7,7 @@
 #include "brdf/shading.h"
 
 /// Cloth whose normal map is finer than a pixel, against the mean over the texels that it stands for.
-namespace telar::test {
+namespace telar::test::relief_test {
 namespace {
 
 using brdf_d::Incident;
@@ -304,4 +304,4 @@ TEST(Relief, MakesNoLight) {
 }
 
 }  // namespace
-}  // namespace telar::test
+}  // namespace telar::test::relief_test

@@ -7,7 +7,7 @@
 
 #include "brdf/terms.h"
 
-namespace telar::test {
+namespace telar::test::shared_text_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -118,4 +118,4 @@ TEST(SharedText, EveryFileIsCompiledAndEveryFunctionIsInTheTable) {
 }
 
 }  // namespace
-}  // namespace telar::test
+}  // namespace telar::test::shared_text_test

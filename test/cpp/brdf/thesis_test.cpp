@@ -7,7 +7,7 @@
 
 /// The models of the thesis: directional albedos by quadrature in double, against figures computed apart from this
 /// code.
-namespace telar::test {
+namespace telar::test::thesis_test {
 namespace {
 
 using namespace brdf_d;
@@ -186,4 +186,4 @@ TEST(DraftEnvironment, FitsStayNearTheIntegralOfADielectric) {
 }
 
 }  // namespace
-}  // namespace telar::test
+}  // namespace telar::test::thesis_test

@@ -10,7 +10,7 @@
 #include "telar/shot/tone_mapping.inc"
 
 /// Our terms against the shader text of three.js itself, both on the GPU.
-namespace telar::test {
+namespace telar::test::three_test {
 namespace {
 
 const std::string CHUNKS = TELAR_SOURCE_DIR "/node_modules/three/src/renderers/shaders/ShaderChunk/";
@@ -188,4 +188,4 @@ TEST(AgainstThree, EveryTermGivesItsNumbers) {
 }
 
 }  // namespace
-}  // namespace telar::test
+}  // namespace telar::test::three_test

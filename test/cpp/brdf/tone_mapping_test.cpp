@@ -6,7 +6,7 @@
 
 #include "brdf/brdf.h"
 
-namespace telar::test {
+namespace telar::test::tone_mapping_test {
 namespace {
 
 using Curve = glm::dvec3 (*)(glm::dvec3, double);
@@ -105,4 +105,4 @@ TEST(ToneMapping, NeutralFadesToItsPeakAndInR162ToWhite) {
 }
 
 }  // namespace
-}  // namespace telar::test
+}  // namespace telar::test::tone_mapping_test

@@ -9,7 +9,7 @@
 
 #include "brdf/shading.h"
 
-namespace telar::test {
+namespace telar::test::weave_energy_test {
 namespace {
 
 using brdf_d::Incident;
@@ -243,4 +243,4 @@ TEST(WeaveEnergy, TheFurnaceFindsEnergiesThatAreNotTheYarns) {
 }
 
 }  // namespace
-}  // namespace telar::test
+}  // namespace telar::test::weave_energy_test

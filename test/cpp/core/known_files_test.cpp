@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-namespace telar {
+namespace telar::known_files_test {
 namespace {
 
 constexpr std::int64_t SECOND = 1'000'000'000;
@@ -60,4 +60,4 @@ TEST_F(KnownFilesTest, OneThatWasJustWrittenIsReadAgain) {
 }
 
 }  // namespace
-}  // namespace telar
+}  // namespace telar::known_files_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace telar {
+namespace telar::sha256_test {
 namespace {
 
 // FIPS 180-4's own examples.
@@ -17,4 +17,4 @@ TEST(Sha256, GivesTheDigestsOfTheStandard) {
 }
 
 }  // namespace
-}  // namespace telar
+}  // namespace telar::sha256_test

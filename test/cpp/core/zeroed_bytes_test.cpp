@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace telar {
+namespace telar::zeroed_bytes_test {
 namespace {
 
 constexpr std::size_t MIB = std::size_t{1} << 20;
@@ -48,4 +48,4 @@ TEST(ZeroedBytes, WhatNoMemoryHoldsIsRefused) {
 }
 
 }  // namespace
-}  // namespace telar
+}  // namespace telar::zeroed_bytes_test

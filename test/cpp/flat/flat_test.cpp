@@ -5,7 +5,7 @@
 #include "expect_error.h"
 #include "measure/shapes.h"
 
-namespace telar::flat {
+namespace telar::flat::flat_test {
 namespace {
 
 using surface::buildSurface;
@@ -140,4 +140,4 @@ TEST(Flat, StopsWhenItIsCancelled) {
 }
 
 }  // namespace
-}  // namespace telar::flat
+}  // namespace telar::flat::flat_test

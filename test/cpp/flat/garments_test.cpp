@@ -5,7 +5,7 @@
 #include "flat/truth.h"
 #include "telar/load.h"
 
-namespace telar::flat {
+namespace telar::flat::garments_test {
 namespace {
 
 /// A garment of the examples of sheets, seen from one side.
@@ -130,4 +130,4 @@ INSTANTIATE_TEST_SUITE_P(Sides, Garment, testing::ValuesIn(allSides()),
                          [](const auto& of) { return of.param.garment + "_" + of.param.name; });
 
 }  // namespace
-}  // namespace telar::flat
+}  // namespace telar::flat::garments_test

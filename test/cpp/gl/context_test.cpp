@@ -8,7 +8,7 @@
 #include "gl/program.h"
 #include "telar/renderer.h"
 
-namespace telar::gl {
+namespace telar::gl::context_test {
 namespace {
 
 class EachBackend : public testing::TestWithParam<Backend> {};
@@ -74,4 +74,4 @@ TEST(Probe, SaysWhichBackendsExist) {
 }
 
 }  // namespace
-}  // namespace telar::gl
+}  // namespace telar::gl::context_test

@@ -4,7 +4,7 @@
 
 #include "gl/context.h"
 
-namespace telar::gl {
+namespace telar::gl::gl_object_test {
 namespace {
 
 TEST(GlObject, CountsMovesAndReleases) {
@@ -31,4 +31,4 @@ TEST(GlObject, CountsMovesAndReleases) {
 }
 
 }  // namespace
-}  // namespace telar::gl
+}  // namespace telar::gl::gl_object_test

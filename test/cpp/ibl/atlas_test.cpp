@@ -10,7 +10,7 @@
 #include "ibl/environment_cache.h"
 #include "ibl/pmrem_file.h"
 
-namespace telar::ibl {
+namespace telar::ibl::atlas_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -175,4 +175,4 @@ TEST(AtlasCache, EachReleaseHasItsOwn) {
 }
 
 }  // namespace
-}  // namespace telar::ibl
+}  // namespace telar::ibl::atlas_test

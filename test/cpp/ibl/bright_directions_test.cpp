@@ -9,7 +9,7 @@
 #include "telar/luminance.h"
 
 /// What is drawn from a map by itself and what stays in it are together the map.
-namespace telar::ibl {
+namespace telar::ibl::bright_directions_test {
 namespace {
 
 constexpr std::uint32_t WIDTH = 128, HEIGHT = 64;
@@ -160,4 +160,4 @@ TEST(BrightDirections, OfAnEvenOrABlackMapAreNone) {
 }
 
 }  // namespace
-}  // namespace telar::ibl
+}  // namespace telar::ibl::bright_directions_test

@@ -17,7 +17,7 @@
 #include "ibl/prefilter.h"
 #include "telar/codec.h"
 
-namespace telar::ibl {
+namespace telar::ibl::pmrem_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -324,4 +324,4 @@ TEST_F(EnvironmentDisk, WhatWasLeftHalfWrittenGoes) {
 }
 
 }  // namespace
-}  // namespace telar::ibl
+}  // namespace telar::ibl::pmrem_test

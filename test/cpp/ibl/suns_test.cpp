@@ -6,7 +6,7 @@
 #include "telar/codec.h"
 #include "telar/luminance.h"
 
-namespace telar::ibl {
+namespace telar::ibl::suns_test {
 namespace {
 
 constexpr std::uint32_t WIDTH = 128, HEIGHT = 64;
@@ -118,4 +118,4 @@ TEST(Suns, HoweverManyAreFewAndKeepTheirLight) {
 }
 
 }  // namespace
-}  // namespace telar::ibl
+}  // namespace telar::ibl::suns_test

@@ -7,7 +7,7 @@
 #include "expect_error.h"
 #include "measure/shapes.h"
 
-namespace telar::measure {
+namespace telar::measure::geodesic_test {
 namespace {
 
 using surface::Surface;
@@ -217,4 +217,4 @@ TEST(Geodesic, StopsWhenItIsCancelled) {
 }
 
 }  // namespace
-}  // namespace telar::measure
+}  // namespace telar::measure::geodesic_test

@@ -5,7 +5,7 @@
 #include "expect_error.h"
 #include "measure/shapes.h"
 
-namespace telar::measure {
+namespace telar::measure::loops_test {
 namespace {
 
 using surface::Surface;
@@ -101,4 +101,4 @@ TEST(Tightened, ALoopThatCanSlipOffIsRefused) {
 }
 
 }  // namespace
-}  // namespace telar::measure
+}  // namespace telar::measure::loops_test

@@ -9,7 +9,7 @@
 #include "measure/shapes.h"
 #include "surface/locate.h"
 
-namespace telar::measure {
+namespace telar::measure::measure_test {
 namespace {
 
 using nlohmann::json;
@@ -111,4 +111,4 @@ TEST(NearestPlace, IsTheNearestOfAllTriangles) {
 }
 
 }  // namespace
-}  // namespace telar::measure
+}  // namespace telar::measure::measure_test

@@ -10,7 +10,7 @@
 #include "expect_error.h"
 #include "shading_terms.h"
 
-namespace telar::reference {
+namespace telar::reference::tracer_test {
 namespace {
 
 constexpr double PI = 3.14159265358979;
@@ -384,4 +384,4 @@ TEST(Tracer, WhatNothingCoversStaysTransparent) {
 }
 
 }  // namespace
-}  // namespace telar::reference
+}  // namespace telar::reference::tracer_test

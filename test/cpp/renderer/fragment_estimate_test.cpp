@@ -26,9 +26,13 @@ float edge(const glm::vec2& a, const glm::vec2& b, const glm::vec2& p) {
 /// Pixels of which a triangle holds one of a grid of points. Corners in normalized device coordinates.
 int touchedPixels(const std::vector<glm::vec3>& triangle) {
   const glm::vec2 corners[] = {glm::vec2(triangle[0]), glm::vec2(triangle[1]), glm::vec2(triangle[2])};
+  const glm::vec2 least = glm::min(glm::min(corners[0], corners[1]), corners[2]);
+  const glm::vec2 most = glm::max(glm::max(corners[0], corners[1]), corners[2]);
   int touched = 0;
   for (int pixel = 0; pixel < SIZE * SIZE; ++pixel) {
     bool holds = false;
+    const glm::vec2 low = glm::vec2(pixel % SIZE, pixel / SIZE) / (SIZE * 0.5f) - 1.0f;
+    if (glm::any(glm::greaterThan(low, most)) || glm::any(glm::lessThan(low + 2.0f / SIZE, least))) continue;
     for (int i = 0; i < SUBSAMPLES * SUBSAMPLES && !holds; ++i) {
       const glm::vec2 in((static_cast<float>(i % SUBSAMPLES) + 0.5f) / SUBSAMPLES,
                          (static_cast<float>(i / SUBSAMPLES) + 0.5f) / SUBSAMPLES);
@@ -46,7 +50,7 @@ TEST(FragmentEstimate, IsNeverLessThanThePixelsThatATriangleTouches) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> anywhere(-1.6f, 1.6f), little(-0.2f, 0.2f);
   double sum = 0, touchedSum = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 600; ++i) {
     Primitive triangle;
     const glm::vec3 first(anywhere(random), anywhere(random), 0);
     const bool small = i % 2 == 0;

@@ -155,15 +155,15 @@ Shot stackShot() {
   return shot;
 }
 
-/// A number of squares that take some seconds on this machine as it is now, and how many of CPU.
+/// A number of squares that take a second or two on this machine as it is now, and how long of CPU time.
 struct Load {
   std::uint32_t squares;
   CpuClock::duration cpu;
 };
 
-Load someSeconds() {
+Load measuredLoad() {
   constexpr std::uint32_t PROBE = 60;
-  constexpr double WANTED = 3;
+  constexpr double WANTED = 1.5;
   const auto renderer = rendererWith(UNCUT);
   const auto scene = stack(PROBE);
   drawn(*renderer, scene, stackShot());
@@ -206,19 +206,19 @@ CpuClock::duration workToStop(double sliceMs, const std::shared_ptr<const Scene>
 }
 
 TEST(SlicedDraw, EndsSoonAfterItIsCancelled) {
-  const Load load = someSeconds();
+  const Load load = measuredLoad();
   EXPECT_LT(workToStop(50, stack(load.squares), load), load.cpu / 4);
   // The same check sees a renderer that cuts nothing.
   EXPECT_GT(workToStop(UNCUT, stack(load.squares), load), load.cpu / 4);
 }
 
 TEST(SlicedDraw, EndsInTheMidstOfInstances) {
-  const Load load = someSeconds();
+  const Load load = measuredLoad();
   EXPECT_LT(workToStop(50, stack(2, load.squares), load), load.cpu / 4);
 }
 
 TEST(SlicedDraw, ALateJobEndsWithATimeout) {
-  const Load load = someSeconds();
+  const Load load = measuredLoad();
   const auto renderer = rendererWith(50);
   const CancelToken cancel(std::chrono::milliseconds(200));
   const CancelToken::Work work(cancel);
@@ -258,7 +258,7 @@ CpuClock::duration workBeside(double sliceMs, const Load& load) {
 }
 
 TEST(SlicedDraw, AnotherRendererDrawsMeanwhile) {
-  const Load load = someSeconds();
+  const Load load = measuredLoad();
   // Beside one that cuts nothing it waits for all of that.
   EXPECT_LT(2 * workBeside(50, load), workBeside(UNCUT, load));
 }

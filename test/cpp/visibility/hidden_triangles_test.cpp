@@ -9,7 +9,7 @@
 
 // Which triangles of plain scenes are left.
 
-namespace telar::visibility {
+namespace telar::visibility::hidden_triangles_test {
 namespace {
 
 using test::gridOf;
@@ -241,4 +241,4 @@ TEST(TriangleFans, AskTheEndOfAnEdgeThatHasFewer) {
 }
 
 }  // namespace
-}  // namespace telar::visibility
+}  // namespace telar::visibility::hidden_triangles_test

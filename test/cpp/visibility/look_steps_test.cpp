@@ -8,7 +8,7 @@
 // What a look costs stays in proportion to triangles and to the pixels that they cover, whatever their shape. Counted
 // in steps, which no machine's load changes.
 
-namespace telar::visibility {
+namespace telar::visibility::look_steps_test {
 namespace {
 
 using test::gridOf;
@@ -79,4 +79,4 @@ TEST(LookSteps, ALargeTriangleCostsItsPixels) {
 }
 
 }  // namespace
-}  // namespace telar::visibility
+}  // namespace telar::visibility::look_steps_test

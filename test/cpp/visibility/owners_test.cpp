@@ -11,7 +11,7 @@
 // of llvmpipe are: corners on a grid of 1/256 px, edges in integers, what lies on an edge given to one side, depths of
 // 24 bits. Each corner is rounded down, up or to the nearest, by chance.
 
-namespace telar::visibility {
+namespace telar::visibility::owners_test {
 namespace {
 
 using test::gridOf;
@@ -255,4 +255,4 @@ TEST(Owners, TheSameCheckSeesMarginsThatAreTooSmall) {
 }
 
 }  // namespace
-}  // namespace telar::visibility
+}  // namespace telar::visibility::owners_test

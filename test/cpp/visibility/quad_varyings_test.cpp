@@ -7,7 +7,7 @@
 // Varyings that are mixed as llvmpipe mixes them; that the bytes of pictures are those of the GL is seen in
 // renderer/visibility_buffer_test.cpp.
 
-namespace telar::visibility {
+namespace telar::visibility::quad_varyings_test {
 namespace {
 
 constexpr glm::vec2 SIZE{64, 48};
@@ -82,4 +82,4 @@ TEST(WindowVertices, StandWhereTheGLPutsThem) {
 }
 
 }  // namespace
-}  // namespace telar::visibility
+}  // namespace telar::visibility::quad_varyings_test

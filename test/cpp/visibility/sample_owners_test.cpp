@@ -10,7 +10,7 @@
 
 // The owner of each sample, beside a search through all triangles in whole numbers.
 
-namespace telar::visibility {
+namespace telar::visibility::sample_owners_test {
 namespace {
 
 using test::gridOf;
@@ -195,4 +195,4 @@ TEST(SampleOwners, OfNothingAreNone) {
 }
 
 }  // namespace
-}  // namespace telar::visibility
+}  // namespace telar::visibility::sample_owners_test

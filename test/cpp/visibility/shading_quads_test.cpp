@@ -7,7 +7,7 @@
 
 #include "visibility/meshes.h"
 
-namespace telar::visibility {
+namespace telar::visibility::shading_quads_test {
 namespace {
 
 using test::gridOf;
@@ -185,4 +185,4 @@ TEST(ShadingQuads, OfSettledPixelsAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace telar::visibility
+}  // namespace telar::visibility::shading_quads_test
