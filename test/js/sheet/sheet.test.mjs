@@ -23,8 +23,8 @@ const sheet = (spec, options = {}) => createSheet(model, spec, { renderer, shot:
 /** Rows and columns of a page that are dark over a long way: [from, to] of each, pixels. */
 function darkExtent({ width, height, data }) {
   const isDark = (x, y) => data[4 * (y * width + x)] < 128;
-  const count = (length, at) => Array.from({ length }, (_, i) => at(i)).filter(Boolean).length;
-  const rows = Array.from({ length: height }, (_, y) => count(width, (x) => isDark(x, y)));
+  const rows = new Uint32Array(height);
+  for (let y = 0; y < height; ++y) for (let x = 0; x < width; ++x) rows[y] += isDark(x, y);
   const row = rows.indexOf(Math.max(...rows.map((dark, y) => (rows.slice(y, y + 200).every((each) => each > 400) ? dark : 0))));
   const line = (length, at) => {
     let [best, run] = [[0, 0], 0];

@@ -18,7 +18,7 @@ import { RandomShots } from './random_shots.mjs';
 
 // What the published schema, resolveShot, the schema of its result, the types and the C++ that reads it say of the same shots.
 
-const SHOTS = 12000;
+const SHOTS = 8000;
 const SEED = 20261122;
 
 /** What a shot may be refused for by resolveShot: keys that do not go together, and what this model lacks. */
