@@ -67,7 +67,14 @@ function debianPackage(name, { debian }) {
   return { name, version: found[1], architecture: found[0], copyright: `/usr/share/doc/${name}/copyright` };
 }
 
-const ownerOf = (file, { triple }) => run('dpkg-query', ['-S', `*/${triple}/${path.basename(file)}`]).split(':')[0];
+/** Packages that files are from, by one search: each reads the lists of all packages. @param {string[]} files @returns {string[]} */
+function ownersOf(files, { triple }) {
+  const said = run('dpkg-query', ['-S', ...files.map((file) => `*/${triple}/${path.basename(file)}`)]);
+  return said
+    .trim()
+    .split('\n')
+    .map((line) => line.split(':')[0]); // name:architecture: file
+}
 
 /**
  * Copies the compiled part of a build into a folder, with every library that it links or loads and that is not on each system.
@@ -84,14 +91,15 @@ export function copyNative(build, folder, target = targetOf()) {
     if (!existsSync(file)) throw new SetupError(`${name} is not built`, { cure: 'npm run setup' });
     copyFileSync(file, path.join(folder, name));
   }
-  const owners = new Set(COMPILED_IN);
+  const libraries = [];
   for (let missing = missingIn(folder, target); missing.length; missing = missingIn(folder, target)) {
     for (const name of missing) {
       const file = installed(name, target);
-      owners.add(ownerOf(file, target));
+      libraries.push(file);
       copyFileSync(file, path.join(folder, name));
     }
   }
   const files = readdirSync(folder).map((name) => path.join(folder, name));
+  const owners = new Set([...COMPILED_IN, ...ownersOf(libraries, target)]);
   return { packages: [...owners].sort().map((name) => debianPackage(name, target)), ...oldestSystem(files, target) };
 }
