@@ -40,10 +40,18 @@ inline Json neighbour(const Json& value, int step) {
   return static_cast<std::int64_t>(value.get<std::uint64_t>() + static_cast<std::uint64_t>(step));
 }
 
+/// A value by steps from the top, so that long lists do not draw all changes.
+inline Json* walked(Json& document, Random& random) {
+  Json* value = &document;
+  while (value->is_structured() && !value->empty() && below(random, 5) != 0)
+    value = &*std::next(value->begin(), static_cast<std::ptrdiff_t>(below(random, value->size())));
+  return value;
+}
+
 /// One change somewhere: another number, a value of elsewhere, a member less, a member twice, another type.
 inline void changeOnce(Json& document, Random& random) {
   const std::vector<Json*> values = valuesOf(document);
-  Json& value = *values[below(random, values.size())];
+  Json& value = below(random, 2) == 0 ? *walked(document, random) : *values[below(random, values.size())];
   switch (below(random, 6)) {
     case 0:
       if (value.is_number())
@@ -78,11 +86,12 @@ inline void changeOnce(Json& document, Random& random) {
   }
 }
 
-/// A document with up to four changes, or nothing where the text is no JSON or what comes of it is longer than `most`.
+/// A document with one change or up to four, or nothing where the text is no JSON or what comes of it is longer than
+/// `most`.
 inline std::string changed(const std::string& text, std::size_t most, Random& random) {
   Json document = Json::parse(text, nullptr, false);
   if (document.is_discarded()) return {};
-  for (std::size_t n = 1 + below(random, 4); n > 0; --n) changeOnce(document, random);
+  for (std::size_t n = below(random, 2) == 0 ? 1 : 1 + below(random, 4); n > 0; --n) changeOnce(document, random);
   std::string out = document.dump(-1, ' ', false, Json::error_handler_t::replace);
   return out.size() <= most ? out : std::string();
 }

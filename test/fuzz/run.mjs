@@ -3,7 +3,7 @@
 // it, and keep the file. Exit code 1 where there was a finding.
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
@@ -16,6 +16,9 @@ const MOST_BYTES = 131_072;
 const SPEC = 'spec';
 const SPECS = path.join(ROOT, 'test/fuzz/regressions', SPEC);
 const PLANTED_RUNS = 20_000;
+/** Field of /proc/self/stat after the name: time of children in user mode; in the kernel is the next one. */
+const CHILDREN_USER = 13;
+const TICKS_PER_SECOND = 100;
 const { values, positionals } = parseArgs({ options: { seconds: { type: 'string', default: '60' } }, allowPositionals: true });
 
 function cmake(...args) {
@@ -45,7 +48,13 @@ async function corpusOf(target) {
   return folder;
 }
 
-/** @returns {Promise<{runs: number, coverage: number, found: string[]}>} `coverage`: edges of the program that the corpus reaches. */
+/** Seconds of CPU of the programs that this process has waited for: a fuzzer beside other work gets less than the clock says. */
+function childrenSeconds() {
+  const fields = readFileSync('/proc/self/stat', 'latin1').replace(/.*\) /s, '').split(' ');
+  return (Number(fields[CHILDREN_USER]) + Number(fields[CHILDREN_USER + 1])) / TICKS_PER_SECOND;
+}
+
+/** @returns {Promise<{runs: number, coverage: number, cpu: number, found: string[]}>} `coverage`: edges of the program that the corpus reaches; `cpu`: seconds */
 async function fuzz(target) {
   const corpus = await corpusOf(target);
   const regressions = path.join(ROOT, 'test/fuzz/regressions', target);
@@ -60,6 +69,7 @@ async function fuzz(target) {
     '-rss_limit_mb=3000',
     '-malloc_limit_mb=1600',
   ];
+  const cpuBefore = childrenSeconds();
   const { stderr } = spawnSync(
     path.join(BUILD, 'bin', `fuzz_${target}`),
     [...args, `-artifact_prefix=${regressions}/`, '-print_final_stats=1', '-detect_leaks=1'],
@@ -71,7 +81,12 @@ async function fuzz(target) {
   const found = readdirSync(regressions).filter((name) => !before.has(name));
   if (found.length) process.stderr.write(stderr.slice(-4000));
   const last = stderr.match(/cov: \d+/g)?.at(-1) ?? 'cov: 0';
-  return { runs: Number(/number_of_executed_units: *(\d+)/.exec(stderr)?.[1] ?? 0), coverage: Number(last.slice(5)), found };
+  return {
+    runs: Number(/number_of_executed_units: *(\d+)/.exec(stderr)?.[1] ?? 0),
+    coverage: Number(last.slice(5)),
+    cpu: childrenSeconds() - cpuBefore,
+    found,
+  };
 }
 
 /** The spec of a sheet, which JavaScript reads: its own changes of structure, and complaints in place of edges. */
@@ -100,7 +115,9 @@ if (compiled.length > 0) {
   await checkPlanted();
 }
 for (const target of compiled) {
-  const { runs, coverage, found } = await fuzz(target);
-  console.log(`${target}: ${runs} runs in ${values.seconds} s, ${coverage} edges, ${found.length ? `found ${found.join(', ')}` : 'nothing found'}`);
+  const { runs, coverage, cpu, found } = await fuzz(target);
+  console.log(
+    `${target}: ${runs} runs in ${values.seconds} s, ${cpu.toFixed(0)} s of CPU, ${coverage} edges, ${found.length ? `found ${found.join(', ')}` : 'nothing found'}`,
+  );
   if (found.length || runs === 0) process.exitCode = 1;
 }
