@@ -1,8 +1,6 @@
-// A pool beside a renderer in this process: what a thumbnail costs more, what two workers draw in a second, and how long a worker that was
-// killed is missed.
+// A pool beside a renderer in this process: what a thumbnail costs more, and what two workers draw in a second.
 // node test/bench/pool.mjs [COUNT [MODEL]]      COUNT thumbnails each (30); MODEL in place of the bundled T-shirt
 import { readFileSync } from 'node:fs';
-import { setTimeout as sleep } from 'node:timers/promises';
 import { createRenderer } from '../../js/index.mjs';
 import { createPool } from '../../js/pool/index.mjs';
 import { cpuMs, residentBytes } from '../../js/pool/usage.mjs';
@@ -11,7 +9,8 @@ import { median } from '../median.mjs';
 const [count = '30', file = new URL('../../js/assets/tshirt.glb', import.meta.url)] = process.argv.slice(2);
 const COUNT = Number(count);
 const WARM_UP = 3;
-const KILLS = 5;
+/** Of rates: what else runs on the machine meets all. */
+const ROUNDS = 6;
 const SHOT = { size: { width: 512, height: 512 } };
 const glb = readFileSync(file);
 const say = (line) => process.stdout.write(`${line}\n`);
@@ -38,47 +37,35 @@ async function inTurns(renderer, pool) {
   return turns.map(({ times, all, here }) => ({ wall: median(times), cpu: all / COUNT, parent: here / COUNT }));
 }
 
-async function perSecond(to, atOnce) {
-  await Promise.all(Array.from({ length: 2 * atOnce }, () => to.render(glb, SHOT)));
+/** So many at once, until `count` are drawn. @returns {Promise<number>} thumbnails a second */
+async function perSecond({ to, atOnce }, count) {
   const start = performance.now();
-  let left = COUNT;
+  let left = count;
   const draw = async () => {
     while (left-- > 0) await to.render(glb, SHOT);
   };
   await Promise.all(Array.from({ length: atOnce }, draw));
-  return `${((1000 * COUNT) / (performance.now() - start)).toFixed(2)} thumbnails a second`;
+  return (1000 * count) / (performance.now() - start);
 }
 
-const busyPid = async (pool) => {
-  for (;;) {
-    const found = pool.workers.find(({ state }) => state === 'busy');
-    if (found) return found.pid;
-    await sleep(1);
+/** A pool of one whose worker rasterises on the core that draws. */
+async function onOneCore() {
+  process.env.LP_NUM_THREADS = '0';
+  try {
+    return await createPool({ size: 1 });
+  } finally {
+    delete process.env.LP_NUM_THREADS;
   }
-};
-
-/** From the end of a worker in the middle of a job to the next answer of a pool of one. */
-async function recovery() {
-  const pool = await createPool({ size: 1, quarantineMs: 0 });
-  await pool.render(glb, SHOT);
-  const times = [];
-  for (let i = 0; i < KILLS; ++i) {
-    const doomed = pool.render(glb, SHOT).catch(() => {});
-    process.kill(await busyPid(pool), 'SIGKILL');
-    const start = performance.now();
-    const [, { info }] = await Promise.all([doomed, pool.render(glb, SHOT)]);
-    times.push([performance.now() - start, info.milliseconds.total]);
-  }
-  await pool.close();
-  const of = (pick) => median(times.map(pick)).toFixed(0);
-  return `${of(([whole]) => whole)} ms, ${of(([, drawing]) => drawing)} ms of it the drawing`;
 }
 
-const one = async (count) => {
-  const pool = await createPool({ size: 1 });
-  say(`pool of 1, ${count} at once: ${await perSecond(pool, count)}`);
-  await pool.close();
-};
+/** Rates of all, in rounds: one after the other in each round, in turned order each second round. */
+async function rates(contestants) {
+  const all = contestants.map((one) => ({ ...one, rates: [] }));
+  for (const one of all) await perSecond(one, 2 * one.atOnce);
+  for (let round = 0; round < ROUNDS; ++round)
+    for (const one of round % 2 ? all : all.toReversed()) one.rates.push(await perSecond(one, Math.max(4, Math.round(COUNT / ROUNDS))));
+  return all;
+}
 
 {
   const [renderer, pool] = [await createRenderer(), await createPool({ size: 1 })];
@@ -88,19 +75,17 @@ const one = async (count) => {
   }
   const more = 100 * (pooled.cpu / inProcess.cpu - 1);
   say(`  the pool takes ${(pooled.wall - inProcess.wall).toFixed(1)} ms and ${more.toFixed(1)} % of CPU more`);
-  await pool.close();
-  for (const count of [1, 4]) say(`renderer, ${count} at once: ${await perSecond(renderer, count)}`);
-  await renderer.close();
+  const [one, two] = [await onOneCore(), await createPool({ size: 2 })];
+  const all = await rates([
+    { name: 'renderer, one after the other', to: renderer, atOnce: 1 },
+    { name: 'renderer, four at once', to: renderer, atOnce: 4 },
+    { name: 'pool of 1, four at once', to: pool, atOnce: 4 },
+    { name: 'pool of 1 on one core', to: one, atOnce: 1 },
+    { name: 'pool of 2, four at once', to: two, atOnce: 4 },
+  ]);
+  const ofTwo = all.at(-1).rates;
+  say(`thumbnails a second, medians of ${ROUNDS} rounds; how many times as many the pool of 2 drew in the same round:`);
+  for (const { name, rates: own } of all) say(`  ${name}: ${median(own).toFixed(1)}, ${median(own.map((rate, i) => ofTwo[i] / rate)).toFixed(2)}`);
+  say(`  workers of the pool of 2 have ${(await Promise.all(two.workers.map(({ pid }) => residentBytes(pid)))).map(mib).join(', ')}`);
+  for (const opened of [renderer, pool, one, two]) await opened.close();
 }
-for (const count of [1, 4]) await one(count);
-process.env.LP_NUM_THREADS = '0';
-say('on one core:');
-await one(1);
-delete process.env.LP_NUM_THREADS;
-{
-  const pool = await createPool({ size: 2 });
-  say(`pool of 2, 4 at once: ${await perSecond(pool, 4)}`);
-  say(`  its workers have ${(await Promise.all(pool.workers.map(({ pid }) => residentBytes(pid)))).map(mib).join(', ')}`);
-  await pool.close();
-}
-say(`a worker is killed:     ${await recovery()} until the next answer`);

@@ -66,6 +66,8 @@ async function fuzz(target) {
     `-max_total_time=${values.seconds}`,
     `-max_len=${MOST_BYTES}`,
     '-timeout=10',
+    // What is slower ends the target; by default it would be told a second time.
+    '-report_slow_units=600',
     '-rss_limit_mb=3000',
     '-malloc_limit_mb=1600',
   ];

@@ -66,7 +66,7 @@ void check(const MeshoptView& view, const tinygltf::BufferView& parent) {
   if (view.mode == Mode::kTriangles && view.count % 3 != 0) {
     refuse("the count of triangles' indices is not a multiple of 3", view.where, "count");
   }
-  // Both at most 2^53 and 256: this cannot wrap.
+  // Both at most 2^31 and 256: this cannot wrap.
   if (view.count * view.byteStride != parent.byteLength) {
     refuse("count times byteStride is not the byteLength of the buffer view", view.where, "count");
   }

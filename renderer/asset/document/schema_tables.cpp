@@ -48,9 +48,10 @@ constexpr Field BUFFER[] = {{.key = "uri", .kind = Kind::kText},
                             object("extensions", BUFFER_EXTENSIONS_RULE)};
 constexpr ObjectRule BUFFER_RULE{BUFFER};
 
+// tinygltf keeps integers of extensions as int, hence the 32-bit bounds: 2^32 + 4 would be read as 4.
 constexpr Field MESHOPT[] = {index("buffer", "buffers", true),
-                             size("byteOffset", "E_MESHOPT"),
-                             size("byteLength", "E_MESHOPT", true, 1),
+                             size("byteOffset", "E_MESHOPT", false, 0, INT_32_MAX),
+                             size("byteLength", "E_MESHOPT", true, 1, INT_32_MAX),
                              size("byteStride", "E_MESHOPT", true, 1, 256),
                              size("count", "E_MESHOPT", true, 1, INT_32_MAX),
                              {.key = "mode", .kind = Kind::kName, .required = true},
