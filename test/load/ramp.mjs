@@ -1,5 +1,6 @@
 import { fork } from 'node:child_process';
 import { once } from 'node:events';
+import { monitorEventLoopDelay } from 'node:perf_hooks';
 import { fileURLToPath } from 'node:url';
 import { MODELS } from '../fixtures/index.mjs';
 import { listen } from '../../js/server/index.mjs';
@@ -9,11 +10,14 @@ import { listen } from '../../js/server/index.mjs';
 
 const CLIENTS = fileURLToPath(new URL('clients.mjs', import.meta.url));
 const SHOT = { size: { width: 128, height: 128 } };
+/** Milliseconds between two looks at the clock of the event loop. */
+const LOOK_MS = 10;
 
 /**
  * @param {{pool: object, seconds: number, times: number, deadlineMs: number}} how times: the capacity, at the end of the ramp
- * @returns {Promise<{capacity: number, asked: number, answers: {status: number | string, code: string, ms: number, load: number}[], idle: object}>}
- *   capacity: pictures a second, one client for each worker; load: rate over capacity when it was asked; idle: what the service says afterwards
+ * @returns {Promise<{capacity: number, asked: number, answers: {status: number | string, code: string, ms: number, load: number}[], idle: object, late: {p99: number, most: number}}>}
+ *   capacity: pictures a second, one client for each worker; load: rate over capacity when it was asked; idle: what the service says afterwards;
+ *   late: milliseconds that the event loop of the service was late during the ramp
  */
 export async function ramp({ pool, seconds, times, deadlineMs }) {
   const service = await listen({ port: 0, pool, deadlineMs });
@@ -27,9 +31,14 @@ export async function ramp({ pool, seconds, times, deadlineMs }) {
   try {
     const { length } = pool.workers;
     const { capacity } = await ask({ measure: { clients: length, ms: Math.max(1000, 100 * seconds) } });
+    const delay = monitorEventLoopDelay({ resolution: LOOK_MS });
+    delay.enable();
+    // Before the clients tell all answers at once.
+    setTimeout(() => delay.disable(), 1000 * seconds);
     const { asked, answers } = await ask({ ramp: { capacity, times, ms: 1000 * seconds } });
+    const late = { p99: delay.percentile(99) / 1e6 - LOOK_MS, most: delay.max / 1e6 - LOOK_MS };
     const idle = await (await fetch(new URL('/readyz', service.url))).json();
-    return { capacity, asked, answers, idle };
+    return { capacity, asked, answers, idle, late };
   } finally {
     clients.kill();
     await service.drain();

@@ -15,13 +15,14 @@ const told = (answers) => {
 const pool = await createPool();
 const result = await ramp({ pool, seconds: Number(seconds), times: Number(times), deadlineMs: DEADLINE_MS });
 await pool.close();
-const { capacity, asked, answers } = result;
+const { capacity, asked, answers, late } = result;
 say(`capacity ${capacity.toFixed(1)} pictures a second; ${asked} requests in ${seconds} s, up to ${times} times as many`);
 for (let from = 0; from < Number(times); from += Number(times) / 5) {
   const here = answers.filter(({ load }) => load >= from && load < from + Number(times) / 5);
   say(`load ${from} to ${from + Number(times) / 5}: drawn ${told(here.filter(({ status }) => status === 200))}`);
   say(`  refused ${told(here.filter(({ status }) => status === 429))}`);
 }
+say(`event loop of the service: 99 of 100 looks ${late.p99.toFixed(1)} ms late, the latest ${late.most.toFixed(0)} ms`);
 const faults = judgeRamp(result);
 for (const fault of faults) say(`wrong: ${fault}`);
 process.exitCode = faults.length > 0 ? 1 : 0;

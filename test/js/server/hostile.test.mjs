@@ -4,6 +4,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { TABLE } from '../../../js/error/table.mjs';
+import { judgeHostile } from '../../load/hostile.mjs';
 import { makeCases } from '../../robust/make_cases.mjs';
 import { openPool, post, problemOf, serve } from './support.mjs';
 
@@ -76,4 +77,22 @@ test('each shared case ends within what it accepts', { skip: !existsSync(SHARED)
       check: (told) => assert.ok(accept.includes(outcome(told)), `${file}: ${outcome(told)} ${told.code}, accepted ${accept}`),
     })),
   );
+});
+
+const answered = (code, expected = {}, ms = 1) => ({ file: { name: 'one.glb', ...expected }, code, ms });
+const PLANTED = [
+  [{}, []],
+  [{ answers: [answered('E_JSON', { code: 'E_GRAPH' })] }, ['one.glb: E_JSON, expected E_GRAPH']],
+  [{ answers: [answered('', { code: 'E_GRAPH' })] }, ['one.glb: a picture, expected E_GRAPH']],
+  [{ answers: [answered('', { accept: ['reject', 'limit'] })] }, ['one.glb: a picture, accepted reject, limit']],
+  [{ answers: [answered('L_NODES', { accept: ['reject'] })] }, ['one.glb: L_NODES, accepted reject']],
+  [{ answers: [answered('X_CRASH', { accept: ['reject'] })] }, ['one.glb: X_CRASH blames something else']],
+  [{ answers: [answered('ECONNRESET', { accept: ['reject'] })] }, ['one.glb: ECONNRESET blames something else']],
+  [{ answers: [answered('E_JSON', {}, 23_000)] }, ['one.glb: 23000 ms']],
+  [{ answers: [] }, ['1 of 1 have no answer']],
+  [{ lost: 2 }, ['2 workers were lost']],
+];
+test('planted: what `npm run bench -- hostile` must not find', () => {
+  for (const [change, faults] of PLANTED)
+    assert.deepEqual(judgeHostile({ asked: 1, answers: [answered('E_JSON')], mostMs: 22_000, lost: 0, ...change }), faults);
 });
