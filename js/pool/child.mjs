@@ -1,4 +1,5 @@
 // A worker of the pool: a process of its own that draws what its parent sends. It never writes a picture, and ends with the pipe.
+import { readFileSync, writeFileSync } from 'node:fs';
 import net from 'node:net';
 import os from 'node:os';
 import v8 from 'node:v8';
@@ -13,7 +14,19 @@ const PIPE = 3;
 
 /** What a worker leaves to its parent: who draws with all cores would let who answers wait. Threads that are made later have it too. */
 const NICER = 5;
-os.setPriority(Math.min(os.constants.priority.PRIORITY_LOW, os.getPriority() + NICER));
+const { PRIORITY_LOW } = os.constants.priority;
+os.setPriority(Math.min(PRIORITY_LOW, os.getPriority() + NICER));
+nicerSession();
+
+/** Where Linux shares the CPU out among sessions first (sched(7), autogroup), priorities of processes count within one. A worker has one of its own. */
+function nicerSession() {
+  try {
+    const [, ofParent] = /nice (-?\d+)/.exec(readFileSync(`/proc/${process.ppid}/autogroup`, 'latin1'));
+    writeFileSync('/proc/self/autogroup', String(Math.min(PRIORITY_LOW, Number(ofParent) + NICER)));
+  } catch {
+    // A kernel without it.
+  }
+}
 
 // A service that ends sends these to all of its processes; the parent says when.
 for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.on(signal, () => {});
