@@ -77,7 +77,9 @@ Program::Program(const Context& context, std::string_view label, const std::stri
 int Program::location(const char* uniform) const {
   const auto found = locations_.find(uniform);
   if (found != locations_.end()) return found->second;
-  return locations_[uniform] = gl_->GetUniformLocation(name_.get(), uniform);
+  int location = gl_->GetUniformLocation(name_.get(), uniform);
+  if (location < 0) location = gl_->GetUniformLocation(name_.get(), (std::string(HANDED_ON) + uniform).c_str());
+  return locations_[uniform] = location;
 }
 
 void Program::set(const char* uniform, int value) const { gl_->Uniform1i(location(uniform), value); }

@@ -11,6 +11,9 @@
 
 namespace telar::gl {
 
+/// Before the name of a uniform whose value the vertex stage hands on to the fragments under that name.
+constexpr std::string_view HANDED_ON = "handedOn_";
+
 /// A linked vertex + fragment program with its uniforms by name.
 class Program {
  public:

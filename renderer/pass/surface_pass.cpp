@@ -79,6 +79,11 @@ bool readsTransmission(const std::vector<DrawItem>* list) {
   return std::any_of(list->begin(), list->end(), [](const DrawItem& item) { return item.key.transmission; });
 }
 
+/// @param rotation  of the environment, degrees
+glm::mat3 viewToEnvironment(const frame::Camera& camera, double rotation) {
+  return frame::environmentRotation(rotation) * glm::mat3(glm::transpose(glm::dmat3(camera.view)));
+}
+
 void setPrefilteredEnvironment(const gl::Program& program, const SurfaceInputs& in) {
   program.set("environmentMap", static_cast<int>(ENVIRONMENT_UNIT));
   if (in.environment && in.environment->atlas.faceSize > 0) {
@@ -89,8 +94,8 @@ void setPrefilteredEnvironment(const gl::Program& program, const SurfaceInputs& 
                 in.environment ? static_cast<float>(ibl::maxLodOf(in.environment->prefiltered)) : 1.0f);
   }
   const double rotation = in.shot.environment.rotation;
-  program.set("environmentRotation",
-              frame::environmentRotation(rotation - ibl::turnOfTexels(in.plan.frame.three, rotation)));
+  program.set("viewToEnvironment",
+              viewToEnvironment(in.plan.camera, rotation - ibl::turnOfTexels(in.plan.frame.three, rotation)));
 }
 
 /// An order of the passes in which the first of them are spread evenly over all: bits reversed.
@@ -124,8 +129,7 @@ void setSampledEnvironment(const gl::Program& program, const shader::VariantKey&
   program.set("environmentSource", static_cast<int>(ENVIRONMENT_UNIT));
   program.set("environmentIrradianceMap", static_cast<int>(IRRADIANCE_UNIT));
   program.set("environmentSourceSize", in.environment ? static_cast<float>(in.environment->radiance.faceSize) : 1.0f);
-  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(in.plan.camera.view));
-  program.set("viewToEnvironment", frame::environmentRotation(in.shot.environment.rotation) * glm::mat3(toWorld));
+  program.set("viewToEnvironment", viewToEnvironment(in.plan.camera, in.shot.environment.rotation));
   const int passes = frame::samplePassesOf(in.shot).count;
   program.set("environmentPass", in.samplePass);
   program.set("environmentPasses", passes);
@@ -223,7 +227,7 @@ SurfacePass::Surface& SurfacePass::useProgram(const shader::VariantKey& key, con
     program.set("environmentIntensity", environment ? static_cast<float>(in.shot.environment.intensity) : 0.0f);
     key.environmentSamples > 0 ? setSampledEnvironment(program, key, in) : setPrefilteredEnvironment(program, in);
   }
-  if (key.environment || key.transmission || key.lights.shadows() > 0)
+  if (key.transmission || key.lights.shadows() > 0)
     program.set("viewMatrix", glm::mat4(toOrigin(in.plan.camera.view, in.plan.origin)));
   if (key.transmission) {
     program.set("transmissionTarget", static_cast<int>(TRANSMISSION_UNIT));

@@ -1,5 +1,6 @@
 #include "pass/surface_programs.h"
 
+#include "pass/flat_uniforms.h"
 #include "pass/varyings.h"
 #include "shader/library.h"
 
@@ -36,8 +37,9 @@ gl::Program programOf(const gl::Context& context, const shader::VariantKey& key)
                        "#version 300 es\nvoid main() {}\n", outputs);
   }
   if (key.visibilityBuffer) {
-    return gl::Program(context, labelOf(key), shader::assemble("visibility/whole.vert", {}),
-                       withVaryings(shader::assemble("surface.frag", defines), key));
+    const StageTexts texts = withFlatUniforms(
+        {shader::assemble("visibility/whole.vert", {}), withVaryings(shader::assemble("surface.frag", defines), key)});
+    return gl::Program(context, labelOf(key), texts.vertex, texts.fragment);
   }
   return gl::Program(context, labelOf(key), shader::assemble("surface.vert", defines),
                      shader::assemble(key.layers ? "layers/layers.frag" : "surface.frag", defines));

@@ -16,15 +16,9 @@ struct HemisphereLight {
 #endif
 
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
-// Environment in a view-space direction, prefiltered.
-vec3 environmentRadiance(vec3 direction, float lod) {
-  return environmentTexel(normalize(vec3(vec4(direction, 0.0) * viewMatrix)), lod);
-}
-
-// Level of the environment for a lobe of this roughness, and for the cosine lobe.
+// Level of the environment for a lobe of this roughness, and of an atlas for the cosine lobe.
 #if THREE_PREFILTER_TERM == THREE_PREFILTER_CUBE
 float lobeLod(float perceptualRoughness) { return lodFromRoughness(perceptualRoughness, environmentMaxLod); }
-float cosineLod() { return environmentMaxLod; }
 #else
 float lobeLod(float perceptualRoughness) { return atlasMip(perceptualRoughness); }
 float cosineLod() { return ATLAS_MIP_ROUGHEST; }

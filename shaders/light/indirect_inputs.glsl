@@ -16,9 +16,11 @@ uniform vec2 environmentAtlasTexel;        // 1 / its size
 #endif
 uniform float environmentMaxLod;          // of the cube's roughest level, of the atlas's sharpest
 uniform float environmentIntensity;
-uniform mat3 environmentRotation;         // world to environment
+#if ENVIRONMENT_SAMPLES == 0
+uniform mat3 viewToEnvironment;
 #endif
-#if ENVIRONMENT || TRANSMISSION
+#endif
+#if TRANSMISSION
 uniform mat4 viewMatrix;
 #endif
 
@@ -27,15 +29,18 @@ HemisphereLight hemisphereLight(int i) { return HemisphereLight(hemisphereUp[i],
 #endif
 
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
-// Prefiltered radiance.   world  unit
+// Prefiltered radiance.   direction  view space, any length
 #if THREE_PREFILTER_TERM == THREE_PREFILTER_CUBE
-vec3 environmentTexel(vec3 world, float lod) {
-  return textureLod(environmentMap, environmentRotation * world, lod).rgb * environmentIntensity;
+vec3 environmentRadiance(vec3 direction, float lod) {
+  return textureLod(environmentMap, viewToEnvironment * direction, lod).rgb * environmentIntensity;
 }
+
+// Level of the cosine lobe: the last one. llvmpipe makes less code of a constant level than of one that it has to look at.
+float cosineLod() { return 1000.0; }
 #else
-vec3 environmentTexel(vec3 world, float lod) {
-  vec3 direction = environmentRotation * world;
-  return atlasRadiance(environmentMap, environmentAtlasTexel, environmentMaxLod, direction, lod) * environmentIntensity;
+vec3 environmentRadiance(vec3 direction, float lod) {
+  vec3 unit = normalize(viewToEnvironment * direction);
+  return atlasRadiance(environmentMap, environmentAtlasTexel, environmentMaxLod, unit, lod) * environmentIntensity;
 }
 #endif
 #endif

@@ -66,8 +66,8 @@ export const FAULTS = [
     edits: [
       {
         file: 'light/indirect_inputs.glsl',
-        find: 'textureLod(environmentMap, environmentRotation * world, lod)',
-        replace: 'textureLod(environmentMap, environmentRotation * world, lod + 1.0)',
+        find: 'textureLod(environmentMap, viewToEnvironment * direction, lod)',
+        replace: 'textureLod(environmentMap, viewToEnvironment * direction, lod + 1.0)',
       },
     ],
     first: 'radiance',

@@ -5,7 +5,11 @@ HemisphereLight hemisphereLight(int i) {
 }
 #endif
 #if ENVIRONMENT
-vec3 environmentTexel(vec3 world, float lod) {
+// direction  view space
+vec3 environmentRadiance(vec3 direction, float lod) {
+  vec3 world = normalize(vec3(vec4(direction, 0.0) * viewMatrix));
   return textureLod(envMap, envMapRotation * world, lod).rgb * envMapIntensity;
 }
+
+float cosineLod() { return environmentMaxLod; }
 #endif
