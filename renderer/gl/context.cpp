@@ -159,6 +159,9 @@ void Context::initialise(Backend backend, ProcLoader loader, bool debug, bool ro
   capabilities_.sampleMask =
       hasExtension(functions_, capabilities_.desktop ? "GL_ARB_sample_shading" : "GL_OES_sample_variables");
   capabilities_.samplePlaces = functions_.GetMultisamplefv && (capabilities_.desktop || isAtLeast(functions_, 3, 1));
+  capabilities_.bufferTextures =
+      functions_.TexBuffer &&
+      (capabilities_.desktop ? hasExtension(functions_, "GL_ARB_ES3_2_compatibility") : isAtLeast(functions_, 3, 2));
   capabilities_.shadesHidden = renderer_.find("llvmpipe") != std::string::npos;
   functions_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &capabilities_.maxTextureSize);
   functions_.GetIntegerv(GL_MAX_SAMPLES, &capabilities_.maxSamples);

@@ -31,6 +31,7 @@ struct Capabilities {
   bool floatLinear = false;       ///< fp32 textures can be filtered
   bool sampleMask = false;        ///< a fragment can choose the samples that it covers
   bool samplePlaces = false;      ///< the GL tells where a pixel's samples are
+  bool bufferTextures = false;    ///< shaders of ES 3.20 read buffers as textures
   bool shadesHidden = false;      ///< fragments of a multisampled target are shaded though the depth test hides them
   bool desktop = false;           ///< an OpenGL core profile with ARB_ES3_compatibility (OSMesa)
   int maxTextureSize = 0;         ///< px

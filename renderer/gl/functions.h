@@ -100,7 +100,7 @@ namespace telar::gl {
   F(VERTEXATTRIBPOINTER, VertexAttribPointer)                       \
   F(VIEWPORT, Viewport)
 
-// Entry points of extensions and of OpenGL ES 3.1; null where the backend lacks them.
+// Entry points of extensions and of OpenGL ES 3.1 and 3.2; null where the backend lacks them.
 #define TELAR_GL_OPTIONAL_FUNCTIONS(F)              \
   F(DEBUGMESSAGECALLBACK, DebugMessageCallback)     \
   F(DEBUGMESSAGECONTROL, DebugMessageControl)       \
@@ -108,7 +108,8 @@ namespace telar::gl {
   F(GETMULTISAMPLEFV, GetMultisamplefv)             \
   F(OBJECTLABEL, ObjectLabel)                       \
   F(PUSHDEBUGGROUP, PushDebugGroup)                 \
-  F(POPDEBUGGROUP, PopDebugGroup)
+  F(POPDEBUGGROUP, PopDebugGroup)                   \
+  F(TEXBUFFER, TexBuffer)
 
 /// One table for EGL and OSMesa.
 struct Functions {

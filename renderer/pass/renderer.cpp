@@ -181,7 +181,7 @@ class GlRenderer final : public Renderer {
   static void readVaryingsFromMap(FramePlan& plan, bool yes) {
     for (pass::DrawItem& item : plan.draws.opaque) {
       item.key.visibilityBuffer = yes;
-      item.key.sharedUv = yes && pass::sharesUv(*item.material, item.key);
+      item.key.uvOf = yes ? pass::sharedUvs(*item.material, item.key) : std::vector<std::uint8_t>();
     }
   }
 

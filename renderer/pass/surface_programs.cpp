@@ -37,8 +37,9 @@ gl::Program programOf(const gl::Context& context, const shader::VariantKey& key)
                        "#version 300 es\nvoid main() {}\n", outputs);
   }
   if (key.visibilityBuffer) {
-    const StageTexts texts = withFlatUniforms(
+    StageTexts texts = withFlatUniforms(
         {shader::assemble("visibility/whole.vert", {}), withVaryings(shader::assemble("surface.frag", defines), key)});
+    for (std::string* text : {&texts.vertex, &texts.fragment}) text->replace(0, text->find('\n'), "#version 320 es");
     return gl::Program(context, labelOf(key), texts.vertex, texts.fragment);
   }
   return gl::Program(context, labelOf(key), shader::assemble("surface.vert", defines),

@@ -1,5 +1,6 @@
 #include "pass/varyings.h"
 
+#include <algorithm>
 #include <cctype>
 
 #include "pass/texture_slots.h"
@@ -44,15 +45,17 @@ std::vector<Varying> varyingsOf(const shader::VariantKey& key) {
     out.push_back({"vVisibility", 4});
     if (key.ambientVisibilityBack) out.push_back({"vVisibilityBack", 4});
   }
-  bool isFirst = true;
+  std::vector<std::size_t> varyingOf;  // of each map
   for (const TextureSlot& slot : TEXTURE_SLOTS) {
     if (!(key.*slot.map)) continue;
-    if (key.sharedUv && !isFirst) {
-      out.back().same.push_back(uvName(slot));
+    const std::size_t map = varyingOf.size();
+    if (map < key.uvOf.size() && key.uvOf[map] < map) {
+      varyingOf.push_back(varyingOf[key.uvOf[map]]);
+      out[varyingOf.back()].same.push_back(uvName(slot));
     } else {
+      varyingOf.push_back(out.size());
       out.push_back({uvName(slot), 2});
     }
-    isFirst = false;
   }
   const int flat = key.lights.spotShadows + key.lights.directionalShadows, cube = key.lights.pointShadows;
   if (flat > 0) out.push_back({"vFlatShadowCoord", 4 * flat, flat});
@@ -60,18 +63,25 @@ std::vector<Varying> varyingsOf(const shader::VariantKey& key) {
   return out;
 }
 
-bool sharesUv(const Material& material, const shader::VariantKey& key) {
-  const TextureSlot* first = nullptr;
+std::vector<std::uint8_t> sharedUvs(const Material& material, const shader::VariantKey& key) {
+  std::vector<const TextureSlot*> slots;
   for (const TextureSlot& slot : TEXTURE_SLOTS) {
-    if (!(key.*slot.map)) continue;
-    if (!first) {
-      first = &slot;
-    } else if (key.*slot.uv1 != key.*first->uv1 ||
-               slot.texture(material).uvTransform != first->texture(material).uvTransform) {
-      return false;
-    }
+    if (key.*slot.map) slots.push_back(&slot);
   }
-  return first != nullptr;
+  std::vector<std::uint8_t> out;
+  for (const TextureSlot* slot : slots) {
+    const auto isSame = [&](const TextureSlot* other) {
+      return key.*slot->uv1 == key.*other->uv1 &&
+             slot->texture(material).uvTransform == other->texture(material).uvTransform;
+    };
+    out.push_back(static_cast<std::uint8_t>(std::ranges::find_if(slots, isSame) - slots.begin()));
+  }
+  return out;
+}
+
+bool readsFacts(const shader::VariantKey& key) {
+  return key.shading != ShadingModel::kThree || key.doubleSided || key.back || key.bump || key.environmentSamples > 0 ||
+         key.lights.shadows() > 0;
 }
 
 std::size_t componentsOf(const std::vector<Varying>& varyings) {
@@ -80,9 +90,13 @@ std::size_t componentsOf(const std::vector<Varying>& varyings) {
   return count;
 }
 
+std::size_t texelsOf(const shader::VariantKey& key) {
+  return (componentsOf(varyingsOf(key)) + (readsFacts(key) ? FRAGMENT_FACTS : 0) + 3) / 4;
+}
+
 std::string withVaryings(std::string source, const shader::VariantKey& key) {
   const std::vector<Varying> varyings = varyingsOf(key);
-  const std::size_t texels = (componentsOf(varyings) + FRAGMENT_FACTS + 3) / 4;
+  const std::size_t texels = texelsOf(key);
   std::string text = "void readVaryings() {\n";
   for (std::size_t i = 0; i < texels; ++i)
     text += "  vec4 t" + std::to_string(i) + " = varyingTexel(" + std::to_string(i) + ");\n";
@@ -94,8 +108,11 @@ std::string withVaryings(std::string source, const shader::VariantKey& key) {
       text += "  " + varying.name + "[" + std::to_string(i) +
               "] = " + vectorAt(at, varying.components / varying.elements) + ";\n";
   }
-  text += "  triangleFront = " + component(at++) + " > 0.0;\n";
-  text += "  trianglePixel = " + vectorAt(at, 2) + ";\n}\n";
+  if (readsFacts(key)) {
+    text += "  triangleFront = " + component(at++) + " > 0.0;\n";
+    text += "  trianglePixel = " + vectorAt(at, 2) + ";\n";
+  }
+  text += "}\n";
   const std::size_t place = source.find(DECLARATION);
   if (place == std::string::npos) throw Error("X_SHADER", "surface.frag does not read varyings");
   return source.replace(place, DECLARATION.size(), text);

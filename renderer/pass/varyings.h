@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,13 +18,17 @@ struct Varying {
 
 /// Those of a program, in the order in which they are captured.
 std::vector<Varying> varyingsOf(const shader::VariantKey& key);
-/// Whether all maps of a material have the same texture coordinates.
-bool sharesUv(const Material& material, const shader::VariantKey& key);
+/// Of each map of a material, in the order of its texture slots, the first one that has the same texture coordinates.
+std::vector<std::uint8_t> sharedUvs(const Material& material, const shader::VariantKey& key);
 /// Floats of all of them.
 std::size_t componentsOf(const std::vector<Varying>& varyings);
 
 /// What stands beside the varyings of a fragment, after them: front, pixel.
 constexpr std::size_t FRAGMENT_FACTS = 3;
+/// Whether a program reads them.
+bool readsFacts(const shader::VariantKey& key);
+/// Texels of four floats that have all of a fragment.
+std::size_t texelsOf(const shader::VariantKey& key);
 
 /// A surface program that reads its varyings from a map, with the text that reads those of the key.
 /// @param source  of surface.frag with VISIBILITY_BUFFER

@@ -54,6 +54,7 @@ bool VisibilityBuffer::mayDraw(const FramePlan& plan, const Shot& shot, const Fr
   const bool ofFour = target.samples() == visibility::SAMPLES && can.samplePlaces && target.type() == PixelType::kRgba8;
   if (use_ == Use::kNever || !(ofFour || target.samples() == 1)) return false;
   if (std::int64_t{shot.width} * shot.height > MOST_PIXELS) return false;
+  if (!can.bufferTextures) return false;
   const DrawList& draws = plan.draws;
   if (draws.opaque.empty() || !draws.transmissive.empty() || !draws.blended.empty()) return false;
   std::size_t triangles = 0, floats = 0;
@@ -133,10 +134,10 @@ bool VisibilityBuffer::arrange(const FramePlan& plan) {
   for (std::size_t mesh = 0; mesh < all.size(); ++mesh) {
     const std::size_t count = (all[mesh].size() + QUADS - 1) / QUADS;
     const DrawItem& item = plan.draws.opaque[mesh];
-    ranges_.push_back({blocks, blocks + count, item.mirrored == item.key.flipSided});
+    ranges_.push_back({blocks, blocks + count, item.mirrored == item.key.flipSided, readsFacts(item.key)});
     blocks += count;
     count_.fragments += all[mesh].size() * 4;
-    layers = std::max(layers, (captured_[mesh].varyings + FRAGMENT_FACTS + 3) / 4);
+    layers = std::max(layers, texelsOf(item.key));
   }
   const std::size_t rows = std::max<std::size_t>((blocks + BLOCKS - 1) / BLOCKS, 1) * BLOCK;
   if (rows > static_cast<std::size_t>(context_.capabilities().maxTextureSize) ||
@@ -156,6 +157,7 @@ void VisibilityBuffer::fill(std::size_t strip, const visibility::FragmentTexels&
     const Range& range = ranges_[mesh];
     if (range.endBlock <= begin || range.firstBlock >= end) continue;
     const std::size_t facts = captured_[mesh].varyings;
+    const bool hasFacts = range.hasFacts;
     visibility::VaryingMixer mixer(meshes_[mesh], owners_.vertices(mesh), grid_.offset);
     const std::size_t first = (std::max(range.firstBlock, begin) - range.firstBlock) * QUADS;
     const std::size_t last = std::min((std::min(range.endBlock, end) - range.firstBlock) * QUADS, all[mesh].size());
@@ -163,6 +165,7 @@ void VisibilityBuffer::fill(std::size_t strip, const visibility::FragmentTexels&
       const ShadingQuad& quad = all[mesh][i];
       const glm::uvec2 corner = texelOf(range.firstBlock + i / QUADS, i % QUADS) - glm::uvec2(0, firstRow);
       mixer.mix(quad, out, corner);
+      if (!hasFacts) continue;
       const bool isFront = ((quad.owners[0] & visibility::COUNTER_CLOCKWISE) != 0) == range.frontTurn;
       for (unsigned pixel = 0; pixel < 4; ++pixel) {
         const unsigned dx = pixel & 1, dy = pixel >> 1;
@@ -345,7 +348,7 @@ void VisibilityBuffer::release() {
 }
 
 std::size_t VisibilityBuffer::memory() const {
-  std::size_t bytes = owners_.memory() + quads_.memory() + visibility::bytesOf(vertices_) + strips_.memory() +
+  std::size_t bytes = owners_.memory() + quads_.memory() + visibility::bytesOf(vertices_) +
                       visibility::bytesOf(shadedBytes_) + visibility::bytesOf(shadedFloats_);
   for (const auto& places : places_) bytes += visibility::bytesOf(places);
   return bytes;

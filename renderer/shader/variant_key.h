@@ -75,12 +75,12 @@ struct VariantKey {
 #undef TELAR_FEATURE_MEMBER
   LightCounts lights;
   ShadingModel shading = ShadingModel::kThree;
-  ShadingTerms terms;                    ///< of a principled shading, else as made
-  ThreeTerms three;                      ///< of kThree, and of what an unlit material takes of a release
-  bool fullDetail = false;               ///< maps are read at level 0: the passes over a picture filter them
-  bool sharedUv = false;                 ///< all its maps have the same texture coordinates
-  bool captured = false;                 ///< its vertex stage alone, for VISIBILITY_BUFFER
-  bool layers = false;                   ///< draws layers/layers.frag in place of the colour
+  ShadingTerms terms;              ///< of a principled shading, else as made
+  ThreeTerms three;                ///< of kThree, and of what an unlit material takes of a release
+  bool fullDetail = false;         ///< maps are read at level 0: the passes over a picture filter them
+  std::vector<std::uint8_t> uvOf;  ///< of each of its maps the first one with the same coordinates; empty: own ones
+  bool captured = false;           ///< its vertex stage alone, for VISIBILITY_BUFFER
+  bool layers = false;             ///< draws layers/layers.frag in place of the colour
   std::uint16_t environmentSamples = 0;  ///< directions of the environment a pass; 0 = prefiltered
   ToneMapping toneMapping = ToneMapping::kNone;
 

@@ -9,13 +9,16 @@
 
 namespace telar::visibility {
 
-/// Where the texels of fragments lie: those of one fragment one above the other.
+/// Where the texels of fragments lie. Those of four fragments that are shaded together come one layer after the other,
+/// the fours of a block of 4 x 4 fragments too, and blocks row by row: each cache line is read once.
 struct FragmentTexels {
   float* texels = nullptr;  ///< four floats each
-  std::size_t width = 0;    ///< texels of a row
+  std::size_t width = 0;    ///< fragments of a row
   std::size_t layers = 0;   ///< texels of a fragment
   float* of(const glm::uvec2& at, std::size_t layer) const {
-    return texels + ((at.y * layers + layer) * width + at.x) * 4;
+    const std::size_t block = (at.y / 4) * (width / 4) + at.x / 4;
+    const std::size_t quad = block * 4 + (at.y & 2) + (at.x / 2 & 1);
+    return texels + ((quad * layers + layer) * 4 + (at.y & 1) * 2 + (at.x & 1)) * 4;
   }
 };
 

@@ -49,14 +49,19 @@ uniform int coverageDraw;  // what is drawn: COVERAGE_ of material/coverage.glsl
 
 #if VISIBILITY_BUFFER
 // What each fragment has of its triangle: front or back, its pixel in the picture, then the varyings (renderer/pass/varyings.h).
-uniform highp sampler2D varyingMap;
-uniform int varyingTexels;  // of a fragment, in rows one above the other
+uniform highp samplerBuffer varyingMap;
+uniform int varyingTexels;  // of a fragment
 uniform int varyingRow;     // of the fragments, the first that the map has
 
 bool triangleFront = true;
 vec2 trianglePixel = vec2(0.0);
 
-vec4 varyingTexel(int i) { return texelFetch(varyingMap, ivec2(int(gl_FragCoord.x), (int(gl_FragCoord.y) - varyingRow) * varyingTexels + i), 0); }
+// visibility/quad_varyings.h says where a texel lies; rows have 1024 fragments.
+vec4 varyingTexel(int i) {
+  ivec2 at = ivec2(gl_FragCoord.xy) - ivec2(0, varyingRow);
+  int quad = ((at.y >> 2) * 256 + (at.x >> 2)) * 4 + (at.y & 2) + ((at.x >> 1) & 1);
+  return texelFetch(varyingMap, (quad * varyingTexels + i) * 4 + (at.y & 1) * 2 + (at.x & 1));
+}
 
 // Written for the varyings that the program has.
 void readVaryings();

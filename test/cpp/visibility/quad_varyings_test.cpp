@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 // Varyings that are mixed as llvmpipe mixes them; that the bytes of pictures are those of the GL is seen in
 // renderer/visibility_buffer_test.cpp.
@@ -66,6 +68,24 @@ TEST(VaryingMixer, MixesInPerspective) {
   // Without perspective it would be far off: at the corners w differs by half.
   const glm::vec4 other = onPlane(0.1f, 0.1f);
   EXPECT_GT(std::abs(mixed.at(0, 0) - Mixed::valueOf(other, 0)), 0.1);
+}
+
+// Each float has a place of its own, and a block of 4 x 4 fragments has one run of them.
+TEST(FragmentTexels, LieBlockByBlock) {
+  constexpr std::size_t WIDTH = 8, LAYERS = 3, BLOCK = 16 * LAYERS;
+  float texels[4 * WIDTH * LAYERS * 4];
+  const FragmentTexels out{texels, WIDTH, LAYERS};
+  std::vector<std::ptrdiff_t> places;
+  for (unsigned y = 0; y < 4; ++y) {
+    for (unsigned x = 0; x < WIDTH; ++x) {
+      for (std::size_t layer = 0; layer < LAYERS; ++layer) {
+        places.push_back((out.of({x, y}, layer) - texels) / 4);
+        EXPECT_EQ(static_cast<std::size_t>(places.back()) / BLOCK, x / 4) << x << ", " << y;
+      }
+    }
+  }
+  std::sort(places.begin(), places.end());
+  for (std::size_t i = 0; i < places.size(); ++i) ASSERT_EQ(places[i], static_cast<std::ptrdiff_t>(i));
 }
 
 TEST(WindowVertices, StandWhereTheGLPutsThem) {
