@@ -1,7 +1,8 @@
 // A picture by telar against the same by three.js in headless Chromium on the same Mesa: CPU time, wall time and memory, and what the
 // first picture takes from the start of the process. The two draw in turns; medians. CPU time says what a server pays, whatever else runs.
 // That they draw the same is checked first, by the bars of the parity gate.
-// npm run bench -- peers      node test/bench/peers.mjs [--runs N] [--more] [--write] [--json FILE]   --more: draft, views and models in turn alone;
+// npm run bench -- peers      node test/bench/peers.mjs [--runs N] [--more] [--swiftshader] [--write] [--json FILE]
+// --more: draft, views and models in turn alone; --swiftshader: the pictures alone, against Chromium on its own rasteriser;
 // --write: the table of the README; --json: what was measured, for npm run scale
 import { fork, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
@@ -11,7 +12,7 @@ import path from 'node:path';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
-import { compareImages } from '../../js/compare/index.mjs';
+import { compareImages, judge } from '../../js/compare/index.mjs';
 import { createRenderer } from '../../js/index.mjs';
 import { MODELS } from '../fixtures/index.mjs';
 import { median } from '../median.mjs';
@@ -21,7 +22,13 @@ import { difference } from '../parity/metrics.mjs';
 import { cases } from './peer_models.mjs';
 
 const { values } = parseArgs({
-  options: { runs: { type: 'string', default: '9' }, more: { type: 'boolean' }, write: { type: 'boolean' }, json: { type: 'string' } },
+  options: {
+    runs: { type: 'string', default: '9' },
+    more: { type: 'boolean' },
+    swiftshader: { type: 'boolean' },
+    write: { type: 'boolean' },
+    json: { type: 'string' },
+  },
 });
 const RUNS = Number(values.runs);
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
@@ -54,13 +61,17 @@ function tell(name, telar, browser) {
   console.log(rows.at(-1).join(' | '));
 }
 
+const straight = (rgba) => rgba.map((value, i) => (i % 4 === 3 ? value : Math.min(255, Math.round((value * 255) / Math.max(rgba[i - (i % 4) + 3], 1)))));
 const premultiplied = (rgba) => rgba.map((value, i) => (i % 4 === 3 ? value : Math.round((value * rgba[i - (i % 4) + 3]) / 255)));
 
-/** @throws {Error} where the pictures are not the same by the bars of the parity gate */
+/** @throws {Error} where the pictures are not the same by the bars of the parity gate, or by those for another GL */
 async function checkSame(name, { model, shot }, expected) {
   const { data, info } = await renderer.render(model, { ...shot, output: { format: 'raw' } });
   const { image, mask } = expected;
-  const { verdict } = difference({ expected: image, actual: premultiplied(data), mask, width: info.width, height: info.height, background: false });
+  const size = { width: info.width, height: info.height };
+  const verdict = values.swiftshader
+    ? judge(compareImages({ ...size, data: straight(image) }, { ...size, data }), 'other-gl')
+    : difference({ expected: image, actual: premultiplied(data), mask, ...size, background: false }).verdict;
   if (!verdict.pass) throw new Error(`${name}: the two do not draw the same: ${JSON.stringify(verdict.checks.filter(({ pass }) => !pass))}`);
 }
 
@@ -94,7 +105,7 @@ const fileOf = (name, model) => {
   return file;
 };
 
-const browser = await Browser.start({ isMeasured: true });
+const browser = await Browser.start({ isMeasured: true, rasterizer: values.swiftshader ? 'swiftshader' : 'mesa' });
 for (const { name, model, side = 512 } of values.more ? [] : CASES) {
   const shot = { size: { width: side, height: side } };
   const file = fileOf('model', model);
@@ -104,6 +115,12 @@ for (const { name, model, side = 512 } of values.more ? [] : CASES) {
   const byBrowser = () => browser.draw({ shot: info.shot, model, environment, keepPrograms: true });
   await checkSame(name, { model, shot }, await byBrowser());
   tell(name, ...(await inTurns(() => byTelar(file, shot), byBrowser)));
+}
+if (values.swiftshader) {
+  drawer.disconnect();
+  await Promise.all([renderer.close(), browser.close()]);
+  rmSync(folder, { recursive: true });
+  process.exit();
 }
 const memory = [pssOf([drawer.pid]), pssOf(descendants().filter((pid) => pid !== String(drawer.pid)))];
 
