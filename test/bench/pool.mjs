@@ -63,7 +63,7 @@ async function rates(contestants) {
   const all = contestants.map((one) => ({ ...one, rates: [] }));
   for (const one of all) await perSecond(one, 2 * one.atOnce);
   for (let round = 0; round < ROUNDS; ++round)
-    for (const one of round % 2 ? all : all.toReversed()) one.rates.push(await perSecond(one, Math.max(4, Math.round(COUNT / ROUNDS))));
+    for (const one of round % 2 ? all : all.toReversed()) one.rates.push(await perSecond(one, Math.max(8, Math.round(COUNT / ROUNDS))));
   return all;
 }
 
@@ -75,17 +75,18 @@ async function rates(contestants) {
   }
   const more = 100 * (pooled.cpu / inProcess.cpu - 1);
   say(`  the pool takes ${(pooled.wall - inProcess.wall).toFixed(1)} ms and ${more.toFixed(1)} % of CPU more`);
-  const [one, two] = [await onOneCore(), await createPool({ size: 2 })];
+  const [one, two, four] = [await onOneCore(), await createPool({ size: 2 }), await createPool({ size: 4 })];
   const all = await rates([
     { name: 'renderer, one after the other', to: renderer, atOnce: 1 },
     { name: 'renderer, four at once', to: renderer, atOnce: 4 },
     { name: 'pool of 1, four at once', to: pool, atOnce: 4 },
     { name: 'pool of 1 on one core', to: one, atOnce: 1 },
+    { name: 'pool of 4, eight at once', to: four, atOnce: 8 },
     { name: 'pool of 2, four at once', to: two, atOnce: 4 },
   ]);
   const ofTwo = all.at(-1).rates;
   say(`thumbnails a second, medians of ${ROUNDS} rounds; how many times as many the pool of 2 drew in the same round:`);
   for (const { name, rates: own } of all) say(`  ${name}: ${median(own).toFixed(1)}, ${median(own.map((rate, i) => ofTwo[i] / rate)).toFixed(2)}`);
   say(`  workers of the pool of 2 have ${(await Promise.all(two.workers.map(({ pid }) => residentBytes(pid)))).map(mib).join(', ')}`);
-  for (const opened of [renderer, pool, one, two]) await opened.close();
+  for (const opened of [renderer, pool, one, two, four]) await opened.close();
 }
