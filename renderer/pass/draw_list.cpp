@@ -55,6 +55,11 @@ bool samePlace(const TextureRef& a, const TextureRef& b) {
   return a.texCoord == b.texCoord && a.uvTransform == b.uvTransform;
 }
 
+/// Whether one read gives the texels of both.
+bool sameTexels(const TextureRef& a, const TextureRef& b) {
+  return a.image == b.image && a.sampler == b.sampler && samePlace(a, b);
+}
+
 /// Texture features of a material; a map that is multiplied by 0 is not sampled.
 void describeMaps(const Material& m, shader::VariantKey& key) {
   if (!key.unlit) {
@@ -68,6 +73,8 @@ void describeMaps(const Material& m, shader::VariantKey& key) {
     key.*slot.map = texture && matters(slot, m, key);
     key.*slot.uv1 = key.*slot.map && texture.texCoord == 1;
   }
+  key.occlusionWithRoughness =
+      key.occlusionMap && key.metallicRoughnessMap && sameTexels(m.occlusionTexture, m.metallicRoughnessTexture);
   // Passes that read maps unfiltered need no variance and no coverage.
   if (key.shading != ShadingModel::kFabric || key.fullDetail || key.layers) return;
   key.normalVariance = key.normalMap || key.clearcoatNormalMap;

@@ -14,7 +14,7 @@ struct StageTexts {
 /// @param texts  the vertex stage begins with its #version line
 StageTexts withFlatUniforms(StageTexts texts);
 
-/// Floats of all declarations, also of those that the preprocessor takes out: 28 of the 31 vectors that GLs have.
+/// Floats: 28 of the 31 vectors that GLs have.
 constexpr int MOST_HANDED = 112;
 
 }  // namespace telar::pass

@@ -14,7 +14,7 @@ namespace telar::pass {
 class FragmentStrips {
  public:
   static constexpr std::size_t WIDTH = 1024;  ///< fragments of a row
-  static constexpr std::size_t ROWS = 64;     ///< of fragments in a strip
+  static constexpr std::size_t ROWS = 16;     ///< of fragments in a strip
 
   explicit FragmentStrips(const gl::Context& context) : context_(context) {}
 

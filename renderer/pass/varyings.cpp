@@ -79,9 +79,9 @@ std::vector<std::uint8_t> sharedUvs(const Material& material, const shader::Vari
   return out;
 }
 
-bool readsFacts(const shader::VariantKey& key) {
-  return key.shading != ShadingModel::kThree || key.doubleSided || key.back || key.bump || key.environmentSamples > 0 ||
-         key.lights.shadows() > 0;
+std::size_t factsOf(const shader::VariantKey& key) {
+  if (key.environmentSamples > 0 || key.lights.shadows() > 0) return 3;
+  return key.shading != ShadingModel::kThree || key.doubleSided || key.back || key.bump ? 1 : 0;
 }
 
 std::size_t componentsOf(const std::vector<Varying>& varyings) {
@@ -90,9 +90,7 @@ std::size_t componentsOf(const std::vector<Varying>& varyings) {
   return count;
 }
 
-std::size_t texelsOf(const shader::VariantKey& key) {
-  return (componentsOf(varyingsOf(key)) + (readsFacts(key) ? FRAGMENT_FACTS : 0) + 3) / 4;
-}
+std::size_t texelsOf(const shader::VariantKey& key) { return (componentsOf(varyingsOf(key)) + factsOf(key) + 3) / 4; }
 
 std::string withVaryings(std::string source, const shader::VariantKey& key) {
   const std::vector<Varying> varyings = varyingsOf(key);
@@ -108,10 +106,9 @@ std::string withVaryings(std::string source, const shader::VariantKey& key) {
       text += "  " + varying.name + "[" + std::to_string(i) +
               "] = " + vectorAt(at, varying.components / varying.elements) + ";\n";
   }
-  if (readsFacts(key)) {
-    text += "  triangleFront = " + component(at++) + " > 0.0;\n";
-    text += "  trianglePixel = " + vectorAt(at, 2) + ";\n";
-  }
+  const std::size_t facts = factsOf(key);
+  if (facts > 0) text += "  triangleFront = " + component(at++) + " > 0.0;\n";
+  if (facts > 1) text += "  trianglePixel = " + vectorAt(at, 2) + ";\n";
   text += "}\n";
   const std::size_t place = source.find(DECLARATION);
   if (place == std::string::npos) throw Error("X_SHADER", "surface.frag does not read varyings");

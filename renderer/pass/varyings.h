@@ -25,8 +25,8 @@ std::size_t componentsOf(const std::vector<Varying>& varyings);
 
 /// What stands beside the varyings of a fragment, after them: front, pixel.
 constexpr std::size_t FRAGMENT_FACTS = 3;
-/// Whether a program reads them.
-bool readsFacts(const shader::VariantKey& key);
+/// How many of them a program reads, the first ones: none, front, or all.
+std::size_t factsOf(const shader::VariantKey& key);
 /// Texels of four floats that have all of a fragment.
 std::size_t texelsOf(const shader::VariantKey& key);
 

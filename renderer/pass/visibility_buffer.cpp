@@ -134,7 +134,7 @@ bool VisibilityBuffer::arrange(const FramePlan& plan) {
   for (std::size_t mesh = 0; mesh < all.size(); ++mesh) {
     const std::size_t count = (all[mesh].size() + QUADS - 1) / QUADS;
     const DrawItem& item = plan.draws.opaque[mesh];
-    ranges_.push_back({blocks, blocks + count, item.mirrored == item.key.flipSided, readsFacts(item.key)});
+    ranges_.push_back({blocks, blocks + count, item.mirrored == item.key.flipSided, factsOf(item.key)});
     blocks += count;
     count_.fragments += all[mesh].size() * 4;
     layers = std::max(layers, texelsOf(item.key));
@@ -157,7 +157,6 @@ void VisibilityBuffer::fill(std::size_t strip, const visibility::FragmentTexels&
     const Range& range = ranges_[mesh];
     if (range.endBlock <= begin || range.firstBlock >= end) continue;
     const std::size_t facts = captured_[mesh].varyings;
-    const bool hasFacts = range.hasFacts;
     visibility::VaryingMixer mixer(meshes_[mesh], owners_.vertices(mesh), grid_.offset);
     const std::size_t first = (std::max(range.firstBlock, begin) - range.firstBlock) * QUADS;
     const std::size_t last = std::min((std::min(range.endBlock, end) - range.firstBlock) * QUADS, all[mesh].size());
@@ -165,13 +164,13 @@ void VisibilityBuffer::fill(std::size_t strip, const visibility::FragmentTexels&
       const ShadingQuad& quad = all[mesh][i];
       const glm::uvec2 corner = texelOf(range.firstBlock + i / QUADS, i % QUADS) - glm::uvec2(0, firstRow);
       mixer.mix(quad, out, corner);
-      if (!hasFacts) continue;
+      if (range.facts == 0) continue;
       const bool isFront = ((quad.owners[0] & visibility::COUNTER_CLOCKWISE) != 0) == range.frontTurn;
       for (unsigned pixel = 0; pixel < 4; ++pixel) {
         const unsigned dx = pixel & 1, dy = pixel >> 1;
         const float told[FRAGMENT_FACTS] = {isFront ? 1.0f : 0.0f, static_cast<float>(quad.x + dx) + 0.5f,
                                             static_cast<float>(quad.y + dy) + 0.5f};
-        for (std::size_t fact = 0; fact < FRAGMENT_FACTS; ++fact) {
+        for (std::size_t fact = 0; fact < range.facts; ++fact) {
           const std::size_t at = facts + fact;
           out.of({corner.x + dx, corner.y + dy}, at / 4)[at % 4] = told[fact];
         }

@@ -69,7 +69,7 @@ class VisibilityBuffer {
   struct Range {
     std::size_t firstBlock = 0, endBlock = 0;
     bool frontTurn = false;  ///< front faces run counter-clockwise in the window
-    bool hasFacts = false;   ///< its fragments read FRAGMENT_FACTS
+    std::size_t facts = 0;   ///< factsOf() its key
   };
 
   std::size_t indexOf(const DrawItem& item) const { return static_cast<std::size_t>(&item - first_); }

@@ -31,6 +31,7 @@ using shot::ToneMapping;
   F(METALLIC_ROUGHNESS_MAP, metallicRoughnessMap, "metallic-roughness-map") \
   F(NORMAL_MAP, normalMap, "normal-map")                                    \
   F(OCCLUSION_MAP, occlusionMap, "occlusion-map")                           \
+  F(OCCLUSION_WITH_ROUGHNESS, occlusionWithRoughness, "")                   \
   F(EMISSIVE, emissive, "emissive")                                         \
   F(EMISSIVE_MAP, emissiveMap, "emissive-map")                              \
   F(BASE_COLOR_UV1, baseColorUv1, "")                                       \

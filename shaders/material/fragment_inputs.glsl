@@ -117,7 +117,11 @@ vec2 normalMapSize() { return vec2(textureSize(normalMap, 0)); }
 vec4 coatNormalTexel() { return texture(clearcoatNormalMap, vClearcoatNormalUv); }
 #endif
 #if OCCLUSION_MAP
+#if OCCLUSION_WITH_ROUGHNESS
+float occlusionTexel() { return metallicRoughnessTexel().r; }
+#else
 float occlusionTexel() { return texture(occlusionMap, vOcclusionUv).r; }
+#endif
 #endif
 
 // (A, B) of the split sum.

@@ -63,6 +63,21 @@ TEST(PlanDraws, AMapThatIsMultipliedByZeroIsNotSampled) {
   EXPECT_TRUE(plan.draws.opaque[0].key.features().empty());
 }
 
+TEST(PlanDraws, OcclusionIsReadWithRoughnessWhereTheTexelsAreTheSame) {
+  const auto together = [](const auto& change) {
+    Material material;
+    material.metallicRoughnessTexture.image = material.occlusionTexture.image = 0;
+    change(material.occlusionTexture);
+    const auto plan = pass::planDraws(*sceneOf(spherePrimitive(1, 4), material), shotOf(8), Limits{}, false);
+    return plan.draws.opaque[0].key.occlusionWithRoughness;
+  };
+  EXPECT_TRUE(together([](TextureRef&) {}));
+  EXPECT_FALSE(together([](TextureRef& texture) { texture.image = 1; }));
+  EXPECT_FALSE(together([](TextureRef& texture) { texture.sampler.wrapS = 33071; }));
+  EXPECT_FALSE(together([](TextureRef& texture) { texture.texCoord = 1; }));
+  EXPECT_FALSE(together([](TextureRef& texture) { texture.uvTransform[2].x = 0.5f; }));
+}
+
 TEST(PlanDraws, ABlendedDoubleSidedSurfaceIsDrawnBackFacesFirst) {
   Material material;
   material.alphaMode = AlphaMode::kBlend;

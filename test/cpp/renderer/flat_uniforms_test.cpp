@@ -42,6 +42,15 @@ TEST(FlatUniforms, AreHandedOnOnce) {
   EXPECT_EQ(texts.vertex.find("flat out float ior;", first + 1), std::string::npos);
 }
 
+TEST(FlatUniforms, AreThoseThatThePreprocessorLeaves) {
+  const StageTexts texts =
+      of("#define A 1\n#define B 0\n#if B || !A\nuniform float none;\n#if A\nuniform float inside;\n#endif\n#else\n"
+         "uniform float other;\n#endif\n#if A && !B\nuniform float both;\n#endif\n#if A > 0 || B\nuniform float "
+         "compared;\n#endif\n");
+  for (const char* name : {"none", "inside"}) EXPECT_FALSE(holds(texts.vertex, name)) << name;
+  for (const char* name : {"other", "both", "compared"}) EXPECT_TRUE(holds(texts.vertex, name)) << name;
+}
+
 TEST(FlatUniforms, AreNoMoreThanVaryingsMayBe) {
   std::string fragment;
   for (int i = 0; i < MOST_HANDED; ++i) fragment += "uniform float f" + std::to_string(i) + ";\n";

@@ -42,16 +42,16 @@ TEST(Varyings, AreSharedByMapsOfTheSameCoordinates) {
 TEST(Varyings, EndWithFactsThatTheProgramReads) {
   const std::string source = "void readVaryings();\n";
   shader::VariantKey key = keyOf(true);
-  EXPECT_FALSE(pass::readsFacts(key));
+  EXPECT_EQ(pass::factsOf(key), 0u);
   EXPECT_EQ(pass::texelsOf(key), 3u);  // position, normal, two coordinates
   EXPECT_EQ(pass::withVaryings(source, key).find("triangleFront"), std::string::npos);
   key.doubleSided = true;
-  EXPECT_TRUE(pass::readsFacts(key));
-  EXPECT_EQ(pass::texelsOf(key), 4u);
+  EXPECT_EQ(pass::factsOf(key), 1u);
+  EXPECT_EQ(pass::texelsOf(key), 3u);
   EXPECT_NE(pass::withVaryings(source, key).find("triangleFront = t2.z > 0.0;"), std::string::npos);
   key = keyOf(true);
   key.lights.directionalShadows = key.lights.directional = 1;
-  EXPECT_TRUE(pass::readsFacts(key));
+  EXPECT_EQ(pass::factsOf(key), 3u);
 }
 
 }  // namespace

@@ -86,6 +86,9 @@ std::shared_ptr<Scene> balls(bool unlit) {
     scene->materials[0].baseColorTexture.texCoord = 1;
     scene->materials[0].normalTexture.image = 0;
     scene->materials[0].normalScale = 0.2f;
+    // Three maps of the same coordinates, two of them in one texture.
+    scene->materials[0].metallicRoughnessTexture = scene->materials[0].baseColorTexture;
+    scene->materials[0].occlusionTexture = scene->materials[0].baseColorTexture;
   }
   scene->materials.push_back(colored({0.3f, 0.6f, 0.9f}, 0.3f));
   scene->materials.push_back(colored({0.7f, 0.3f, 0.3f}, 0.8f));
@@ -134,6 +137,21 @@ void expectSameBytes(const std::shared_ptr<const Scene>& scene, const Shot& shot
 
 TEST(VisibilityBuffer, KeepsTheBytesOfUnlitPictures) {
   for (const int size : {64, 151, 256}) expectSameBytes(balls(true), litShot(size), std::to_string(size));
+}
+
+TEST(VisibilityBuffer, ReadsOcclusionWithRoughnessAsByItself) {
+  auto apart = balls(false);
+  apart->images = SharedList<Image8>{std::vector<Image8>{checkered(64), checkered(64)}};
+  apart->fileImages = 2;
+  apart->materials[0].occlusionTexture.image = 1;
+  auto none = balls(false);
+  none->materials[0].occlusionStrength = 0;
+  const auto renderer = rendererWith(LeaveOut::kAlways);
+  Shot shot = litShot(100);
+  shot.lights.push_back({Shot::Light::Type::kAmbient});  // occlusion is of indirect light
+  const Frame together = drawn(*renderer, balls(false), shot).frame;
+  EXPECT_TRUE(drawn(*renderer, apart, shot).frame.pixels == together.pixels);
+  EXPECT_FALSE(drawn(*renderer, none, shot).frame.pixels == together.pixels);
 }
 
 TEST(VisibilityBuffer, KeepsTheBytesOfLitPictures) {
