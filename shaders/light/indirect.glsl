@@ -16,9 +16,10 @@ struct HemisphereLight {
 #endif
 
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
-// Level of the environment for a lobe of this roughness, and of an atlas for the cosine lobe.
+// Level of the environment for a lobe of this roughness, and for the cosine lobe.
 #if THREE_PREFILTER_TERM == THREE_PREFILTER_CUBE
 float lobeLod(float perceptualRoughness) { return lodFromRoughness(perceptualRoughness, environmentMaxLod); }
+float cosineLod() { return environmentMaxLod; }
 #else
 float lobeLod(float perceptualRoughness) { return atlasMip(perceptualRoughness); }
 float cosineLod() { return ATLAS_MIP_ROUGHEST; }

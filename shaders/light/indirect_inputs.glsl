@@ -34,9 +34,6 @@ HemisphereLight hemisphereLight(int i) { return HemisphereLight(hemisphereUp[i],
 vec3 environmentRadiance(vec3 direction, float lod) {
   return textureLod(environmentMap, viewToEnvironment * direction, lod).rgb * environmentIntensity;
 }
-
-// Level of the cosine lobe: the last one. llvmpipe makes less code of a constant level than of one that it has to look at.
-float cosineLod() { return 1000.0; }
 #else
 vec3 environmentRadiance(vec3 direction, float lod) {
   vec3 unit = normalize(viewToEnvironment * direction);

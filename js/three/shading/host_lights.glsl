@@ -10,6 +10,4 @@ vec3 environmentRadiance(vec3 direction, float lod) {
   vec3 world = normalize(vec3(vec4(direction, 0.0) * viewMatrix));
   return textureLod(envMap, envMapRotation * world, lod).rgb * envMapIntensity;
 }
-
-float cosineLod() { return environmentMaxLod; }
 #endif
