@@ -90,8 +90,9 @@ StageTexts withFlatUniforms(StageTexts texts) {
     handed.insert(name);
     floats += size;
     const std::string source = std::string(gl::HANDED_ON) + name;
-    declarations += "uniform " + type + " " + source + ";\nflat out " + type + " " + name + ";\n";
-    assignments += "  " + name + " = " + source + ";\n";
+    declarations.append("uniform ").append(type).append(" ").append(source);
+    declarations.append(";\nflat out ").append(type).append(" ").append(name).append(";\n");
+    assignments.append("  ").append(name).append(" = ").append(source).append(";\n");
   }
   texts.fragment = std::move(fragment);
   std::string& vertex = texts.vertex;
