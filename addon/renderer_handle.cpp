@@ -5,6 +5,7 @@
 #include "telar/codec.h"
 #include "telar/layers.h"
 #include "telar/render_frame.h"
+#include "telar/reused_memory.h"
 
 namespace telar::addon {
 namespace {
@@ -198,6 +199,7 @@ Napi::Value RendererHandle::close(const Napi::CallbackInfo& info) {
   const bool taken = thread_->finish([mailbox, job, freed = freed_](std::unique_ptr<Renderer>& renderer) {
     renderer.reset();
     freed->giveBack();
+    giveFreedBack();
     mailbox->deliver(job);
   });
   if (!taken) mailbox->deliver(job);

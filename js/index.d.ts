@@ -567,6 +567,8 @@ export interface FrameInfo extends Plan {
   hiddenTriangles?: number;
   /** Fragments that were shaded in dense rows, where what is seen was found first (js/docs/figures.md, Visibility buffer), of all passes; absent where it was not. */
   shadedFragments?: number;
+  /** Texels of the largest mip levels that were not uploaded, for no fragment reads them; no byte differs. Absent where there are none. */
+  unreadTexels?: number;
   /** Largest resident memory of the process so far. */
   peakBytes: number;
   /** Column-major 4 x 4: (X, Y, Z, W) = M (x, y, z, 1); the pixel is (X / W, Y / W) from the top left corner. */

@@ -10,6 +10,7 @@
 #include "image/decoders.h"
 #include "image/jpeg_layout.h"
 #include "image/orientation.h"
+#include "telar/reused_memory.h"
 
 namespace telar::image {
 namespace {
@@ -174,7 +175,10 @@ Image8 decodeJpeg(Bytes file, const Limits& limits, const CancelToken& cancel) {
     header.height = jpeg.output_height;
   });
 
-  Image8 image = blank(header);
+  Image8 image = [&] {
+    const ReusesMemory yes;  // each row is written, or this throws
+    return blank(header);
+  }();
   const std::size_t rowBytes = std::size_t{header.width} * 4;
   reader.step([&](jpeg_decompress_struct& jpeg) {
     while (jpeg.output_scanline < jpeg.output_height) {

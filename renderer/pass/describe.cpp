@@ -55,6 +55,7 @@ Json describeFrame(const FramePlan& plan, const Shot& shot, const ibl::Environme
   json["triangles"] = found.triangles > 0 ? found.triangles : counts.drawn.all;
   json["hiddenTriangles"] = found.triangles > 0 ? found.hidden : counts.drawn.hidden;
   if (found.triangles > 0) json["shadedFragments"] = found.fragments;
+  if (counts.unreadTexels > 0) json["unreadTexels"] = counts.unreadTexels;
   json["environmentSource"] = environment ? Json(environment->source) : Json(nullptr);
   const glm::dmat4 toPixel = frame::worldToPixel(plan.camera, shot.width, shot.height);
   json["worldToPixel"] = std::vector<double>(glm::value_ptr(toPixel), glm::value_ptr(toPixel) + 16);

@@ -15,10 +15,11 @@ nlohmann::ordered_json describeContext(const gl::Context& context);
 /// What a plan compiles and runs, for info and `telar inspect`.
 nlohmann::ordered_json describePlan(const FramePlan& plan, const Shot& shot);
 
-/// How many triangles a picture has and leaves out.
+/// What a picture has, and leaves out.
 struct FrameCounts {
   const VisibilityBuffer::Count& buffered;  ///< no triangles where it was drawn triangle by triangle
   const TriangleCount& drawn;
+  std::uint64_t unreadTexels;  ///< GpuScene
 };
 
 /// The same with what was drawn by what, for info.

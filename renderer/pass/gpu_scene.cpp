@@ -59,15 +59,42 @@ const PartExtents& GpuScene::extents(const Primitive& primitive) {
   return extents_.try_emplace(&primitive, primitive).first->second;
 }
 
-GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel) {
-  if (isModels(image)) return model_->texture(scene, image, colorUse, cancel);
+GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel, int unread) {
+  if (isModels(image)) return model_->texture(scene, image, colorUse, cancel, unread);
   const bool srgb = decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, colorUse);
   const auto key = std::make_pair(image, srgb);
   const auto found = textures_.find(key);
-  if (found != textures_.end()) return found->second.texture.get();
+  if (found != textures_.end() && found->second.firstLevel <= unread) return found->second.texture.get();
   cancel.check();
-  StoredTexture stored = store_.upload(scene.images[static_cast<std::size_t>(image)], srgb);
+  StoredTexture stored = store_.upload(scene.images[static_cast<std::size_t>(image)], srgb, unread);
+  if (found != textures_.end()) {
+    std::swap(found->second, stored);
+    store_.keep(std::move(stored));
+    return found->second.texture.get();
+  }
   return textures_.emplace(key, std::move(stored)).first->second.texture.get();
+}
+
+bool GpuScene::isWhole(int image) const {
+  if (isModels(image)) return model_->isWhole(image);
+  bool is = false;
+  for (const bool srgb : {false, true}) {
+    const auto found = textures_.find({image, srgb});
+    if (found == textures_.end()) continue;
+    if (found->second.firstLevel > 0) return false;
+    is = true;
+  }
+  return is;
+}
+
+std::uint64_t GpuScene::unreadTexels() const {
+  std::uint64_t texels = model_ ? model_->unreadTexels() : 0;
+  for (const auto& [key, stored] : textures_) {
+    const auto largest =
+        static_cast<std::uint64_t>(stored.storage.width) * static_cast<unsigned>(stored.storage.height);
+    for (int level = 1; level <= stored.firstLevel; ++level) texels += largest << (2 * level);
+  }
+  return texels;
 }
 
 GLuint GpuScene::derived(const DerivedTexture& key, const std::function<gl::Texture()>& make) {

@@ -44,7 +44,12 @@ class GpuScene {
   const PartExtents& extents(const Primitive& primitive);
   /// Uploads once for each way of decoding, with mip levels (TextureStore): from sRGB or linear, as the image's
   /// coding and the use as a colour or as data say. @throws Error{E_IMAGE_FORMAT}
-  GLuint texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel);
+  /// @param unread  largest levels that the draws to come do not read (TextureStore)
+  GLuint texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel, int unread = 0);
+  /// Whether the GPU has all levels of an image in each form that it has.
+  bool isWhole(int image) const;
+  /// Texels of the levels that the GPU lacks, for nothing has read them.
+  std::uint64_t unreadTexels() const;
   /// The same for a texture that is made of another one, once for each key.
   GLuint derived(const DerivedTexture& key, const std::function<gl::Texture()>& make);
   /// GPU bytes of the textures that derived() has made and of those to be made.

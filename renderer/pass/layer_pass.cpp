@@ -113,6 +113,8 @@ std::vector<LayerImage> LayerPass::draw(const LayerInputs& in) {
   FramePlan plan = planLayers(in.scene, in.shot, in.limits);
   in.surfaces.upload(plan, in.scene, in.gpu, in.cancel);
   in.surfaces.prepare(plan, in.cancel);
+  SurfaceInputs inputs{plan, in.shot, in.scene, in.gpu, nullptr, nullptr, in.cancel};
+  in.surfaces.uploadTextures(inputs);
   if (!plan.shadows.empty()) {
     in.shadows.draw(plan, in.scene, in.gpu, in.cancel);
     context_.pacer().finish();
@@ -123,7 +125,6 @@ std::vector<LayerImage> LayerPass::draw(const LayerInputs& in) {
   clear(gl, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   in.shadows.bind(plan.shadows, SurfacePass::firstShadowUnit());
   const frame::LayerIds ids(in.scene);
-  SurfaceInputs inputs{plan, in.shot, in.scene, in.gpu, nullptr, nullptr, in.cancel};
   inputs.ids = &ids;
   in.surfaces.draw({&plan.draws.opaque, &plan.draws.blended}, inputs);
   context_.pacer().finish();

@@ -2,16 +2,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "gl/context.h"
+#include "telar/zeroed_bytes.h"
 
 namespace telar::pass {
 
 /// 8-bit RGBA texels, row by row.
 struct MipLevel {
   std::uint32_t width = 0, height = 0;
-  std::vector<std::uint8_t> texels;
+  ZeroedBytes texels;
 
   /// What the texels are then is not defined.
   void resize(std::uint32_t newWidth, std::uint32_t newHeight) {
@@ -40,13 +40,15 @@ class MipMaker {
 
   explicit MipMaker(const gl::Context& context);
   /// Fills all levels below level 0 of the bound texture, GL_RGBA8 or GL_SRGB8_ALPHA8.
-  void make(const std::uint8_t* texels, std::uint32_t width, std::uint32_t height, bool srgb);
+  /// @param texels  level 0
+  /// @param first  level of them that is level 0 of the texture, and filled too; above 0 where byCpu()
+  void make(const std::uint8_t* texels, std::uint32_t width, std::uint32_t height, bool srgb, int first = 0);
+  /// Whether this processor makes them.
+  bool byCpu(std::uint32_t width, std::uint32_t height, bool srgb);
   /// Whether `halve` gives the bytes of this GL, on texels that meet every value of a byte.
   bool agrees(bool srgb, Halve halve) const;
 
  private:
-  bool byCpu(std::uint32_t width, std::uint32_t height, bool srgb);
-
   const gl::Context& context_;
   MipLevel made_, next_;
   std::optional<bool> linearAgrees_, srgbAgrees_;  ///< not known until a probe has told

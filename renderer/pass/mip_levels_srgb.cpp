@@ -82,10 +82,17 @@ TELAR_AVX2 void halveRows(const std::uint8_t* texels, std::uint32_t width, std::
     const std::uint8_t* upper = texels + std::size_t{2} * y * row;
     const std::uint8_t* lower = height > 1 ? upper + row : upper;
     std::uint8_t* out = &half.texels[std::size_t{4} * half.width * y];
-    for (std::uint32_t x = 0; x < half.width; x += 2) {
+    std::uint32_t x = 0;
+    for (; x + 2 <= half.width && width >= 4; x += 2, out += 8) {
+      const auto at = [x](const std::uint8_t* line) {
+        return _mm_loadu_si128(reinterpret_cast<const __m128i*>(line + std::size_t{8} * x));
+      };
+      halveTwo(at(upper), at(lower), out);
+    }
+    for (; x < half.width; x += 2) {
       std::uint8_t two[8];
       halveTwo(four(upper, 2 * x, width), four(lower, 2 * x, width), two);
-      std::copy_n(two, x + 2 <= half.width ? 8 : 4, out + std::size_t{4} * x);
+      std::copy_n(two, x + 2 <= half.width ? 8 : 4, out);
     }
   }
 }

@@ -27,7 +27,6 @@
 #include "pass/stage_timer.h"
 #include "pass/surface_pass.h"
 #include "pass/transmission_target.h"
-#include "pass/varyings.h"
 #include "pass/visible_draws.h"
 
 namespace telar {
@@ -85,7 +84,7 @@ class GlRenderer final : public Renderer {
     timer.lap("environment");
     const pass::VisibilityBuffer::Frame found(buffer_);
     Picture picture{plan, timer, buffer_.mayDraw(plan, shot, targetFor(shot))};
-    readVaryingsFromMap(plan, picture.buffered);
+    pass::VisibilityBuffer::use(plan, picture.buffered);
     surfaces_.upload(plan, *scene, gpu, cancel);
     timer.lap("upload");
     picture.compiled = surfaces_.prepare(plan, cancel);
@@ -99,7 +98,8 @@ class GlRenderer final : public Renderer {
     const pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, background, cancel};
     const bool accumulates = shot.resolve == Resolve::kLinear && !plan.frame.debugOutput;
     Frame frame = accumulates ? drawAveraged(inputs, picture, progress) : drawPass(inputs, {}, picture);
-    Json json = pass::describeFrame(plan, shot, environment, *context_, {buffer_.count(), visible_.count()}, timer);
+    Json json = pass::describeFrame(plan, shot, environment, *context_,
+                                    {buffer_.count(), visible_.count(), gpu.unreadTexels()}, timer);
     json["glObjects"] = liveObjects();
     json["samples"] = picture.passes * target_->samples();
     json["programsCompiled"] = picture.compiled;
@@ -178,13 +178,6 @@ class GlRenderer final : public Renderer {
     return *entry;
   }
 
-  static void readVaryingsFromMap(FramePlan& plan, bool yes) {
-    for (pass::DrawItem& item : plan.draws.opaque) {
-      item.key.visibilityBuffer = yes;
-      item.key.uvOf = yes ? pass::sharedUvs(*item.material, item.key) : std::vector<std::uint8_t>();
-    }
-  }
-
   const pass::FrameTarget& targetFor(const Shot& shot) {
     const PixelType type = shot.resolve == Resolve::kLinear ? PixelType::kRgbaF32 : framePixelType(shot.output);
     const int samples = frame::samplePassesOf(shot).samples;
@@ -213,9 +206,11 @@ class GlRenderer final : public Renderer {
     if (picture.buffered) {
       if (findVisible(inputs, settled, picture)) return drawBuffered(inputs, picture.timer);
       picture.buffered = false;
-      readVaryingsFromMap(picture.plan, false);
+      pass::VisibilityBuffer::use(picture.plan, false);
       picture.compiled += surfaces_.prepare(picture.plan, inputs.cancel);
     }
+    surfaces_.uploadTextures(inputs);
+    picture.timer.lap("upload");
     return drawTriangles(inputs, !settled.empty(), picture.timer);
   }
 
@@ -266,6 +261,10 @@ class GlRenderer final : public Renderer {
   /// The same by the visibility buffer, which has found what is seen.
   Frame drawBuffered(pass::SurfaceInputs inputs, StageTimer& timer) {
     const FramePlan& plan = inputs.plan;
+    const pass::UnreadLevels unread(plan, inputs.scene, inputs.gpu, buffer_);
+    inputs.unread = &unread;
+    surfaces_.uploadTextures(inputs);
+    timer.lap("upload");
     const pass::FrameTarget& target = targetFor(inputs.shot);
     const Behind behind = pass::behindOf(plan, inputs.shot);
     Frame frame;

@@ -188,7 +188,7 @@ int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
 }
 
 void SurfacePass::upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
-  textures_.upload(plan, scene, gpu, cancel);
+  textures_.checkMemory(plan, scene, gpu);
   for (const auto* list : plan.draws.shown()) {
     for (const DrawItem& item : *list) {
       cancel.check();
@@ -249,9 +249,10 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
     const TextureRef& texture = slot.texture(m);
     program.set(slot.sampler, static_cast<int>(unit));
     program.set(slot.uvTransform, texture.uvTransform);
+    if (in.captures) continue;
     gl.ActiveTexture(GL_TEXTURE0 + unit);
     if (texture) {
-      gl.BindTexture(GL_TEXTURE_2D, textures_.texture(item, slot, in.scene, in.gpu, in.cancel));
+      gl.BindTexture(GL_TEXTURE_2D, textures_.texture(item, slot, in.scene, in.gpu, in.cancel, in.unread));
       gl.BindSampler(unit, in.gpu.sampler(texture.sampler));
     } else {
       const bool normal = slot.map == &shader::VariantKey::normalMap;
@@ -259,6 +260,7 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
       gl.BindSampler(unit, 0);
     }
   }
+  if (in.captures) return;  // the rest is the fragments'
   if (item.key.metalMeans) {
     program.set("metalMap", static_cast<int>(METAL_UNIT));
     gl.ActiveTexture(GL_TEXTURE0 + METAL_UNIT);

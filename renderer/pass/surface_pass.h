@@ -30,6 +30,7 @@ struct SurfaceInputs {
   bool captures = false;                             ///< runs the vertex stage of those draws
   int samplePass = 0;                                ///< index of the pass, where a picture takes several
   const frame::LayerIds* ids = nullptr;              ///< of a plan of planLayers()
+  const UnreadLevels* unread = nullptr;              ///< of the textures; null = all are read
 };
 
 /// The forms of the environment that a frame reads.
@@ -47,8 +48,13 @@ class SurfacePass {
   /// Compiles what the plan needs and does not have yet; returns how many programs that were. @throws Error{X_SHADER,
   /// L_PROGRAMS}
   int prepare(const FramePlan& plan, const CancelToken& cancel);
-  /// Uploads the plan's textures and primitives that are not on the GPU yet. @throws Error{L_MEMORY_BYTES, X_GL*}
+  /// Uploads the plan's primitives that are not on the GPU yet. @throws Error{L_MEMORY_BYTES, X_GL*}
   void upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);
+  /// The same of textures, before anything samples them.
+  void uploadTextures(const SurfaceInputs& in) {
+    context_.gl().ActiveTexture(GL_TEXTURE0);  // making a texture binds it: not over a shadow map
+    textures_.upload(in.plan, in.scene, in.gpu, in.cancel, in.unread);
+  }
   /// Unit of the first shadow map, after the units that the pass itself uses.
   static GLuint firstShadowUnit();
   /// Draws lists of the plan, in order. The target is bound and cleared, the shadow maps are bound.

@@ -69,7 +69,6 @@ void eachTexture(const std::vector<DrawItem>& list, const Visit& visit) {
 
 }  // namespace
 
-/// Before the first upload, so that a model that takes too much is refused at once.
 void SurfaceTextures::checkMemory(const FramePlan& plan, const Scene& scene, const GpuScene& gpu) const {
   std::set<DerivedTexture> wanted;
   for (const auto* list : plan.draws.shown()) {
@@ -86,12 +85,12 @@ void SurfaceTextures::checkMemory(const FramePlan& plan, const Scene& scene, con
              static_cast<double>(scene.memoryBytes + gpu.derivedBytes(scene, std::move(wanted))));
 }
 
-void SurfaceTextures::upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
-  checkMemory(plan, scene, gpu);
+void SurfaceTextures::upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel,
+                             const UnreadLevels* unread) {
   for (const auto* list : plan.draws.shown()) {
     eachTexture(*list, [&](const DrawItem& item, const TextureSlot& slot) {
       cancel.check();
-      texture(item, slot, scene, gpu, cancel);
+      texture(item, slot, scene, gpu, cancel, unread);
     });
     for (const DrawItem& item : *list) {
       if (item.key.metalMeans) metal(item, scene, gpu, cancel);
@@ -101,9 +100,9 @@ void SurfaceTextures::upload(const FramePlan& plan, const Scene& scene, GpuScene
 }
 
 GLuint SurfaceTextures::texture(const DrawItem& item, const TextureSlot& slot, const Scene& scene, GpuScene& gpu,
-                                const CancelToken& cancel) {
+                                const CancelToken& cancel, const UnreadLevels* unread) {
   const int index = slot.texture(*item.material).image;
-  const GLuint plain = gpu.texture(scene, index, slot.srgb, cancel);
+  const GLuint plain = gpu.texture(scene, index, slot.srgb, cancel, unread ? unread->of(index) : 0);
   const auto key = derivedOf(item, slot, scene);
   if (!key) return plain;
   const Image8& image = scene.images[static_cast<std::size_t>(index)];

@@ -3,6 +3,7 @@
 #include "pass/gpu_scene.h"
 #include "pass/texture_bake.h"
 #include "pass/texture_slots.h"
+#include "pass/unread_levels.h"
 #include "telar/limits.h"
 
 namespace telar::pass {
@@ -13,12 +14,16 @@ class SurfaceTextures {
   SurfaceTextures(const gl::Context& context, const Limits& limits)
       : memoryBytes_(limits.memoryBytes), baker_(context) {}
 
-  /// All that the plan's draws sample. @throws Error{L_MEMORY_BYTES, X_GL, X_GL_MEMORY, X_CANCELLED}
-  void upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);
+  /// Before the first upload, so that a model that takes too much is refused at once. @throws Error{L_MEMORY_BYTES}
+  void checkMemory(const FramePlan& plan, const Scene& scene, const GpuScene& gpu) const;
+  /// All that the plan's draws sample. @throws Error{X_GL, X_GL_MEMORY, X_CANCELLED}
+  void upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel,
+              const UnreadLevels* unread);
 
   /// The texture of a slot that the item's material fills; made now if it is not there yet.
+  /// @param unread  null = all levels are read
   GLuint texture(const DrawItem& item, const TextureSlot& slot, const Scene& scene, GpuScene& gpu,
-                 const CancelToken& cancel);
+                 const CancelToken& cancel, const UnreadLevels* unread);
 
   /// What of the item's base colour is metal's, for programs with metalMeans; made now if it is not there yet.
   GLuint metal(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);
@@ -27,8 +32,6 @@ class SurfaceTextures {
   GLuint yarnRelief(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);
 
  private:
-  void checkMemory(const FramePlan& plan, const Scene& scene, const GpuScene& gpu) const;
-
   std::uint64_t memoryBytes_;
   TextureBaker baker_;
 };

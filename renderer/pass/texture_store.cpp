@@ -110,10 +110,11 @@ StoredTexture TextureStore::take(const TextureStorage& storage) {
     gl.BindTexture(GL_TEXTURE_2D, taken.texture.get());
     return taken;
   }
-  // Memory grows by new textures only as far as it would without those that are kept.
+  // Beyond what stays for models in turn, memory grows by new textures only as far as it would without those that are
+  // kept.
   const std::size_t before = keptBytes_;
-  while (!kept_.empty() && before - keptBytes_ < bytesOf(storage)) dropOldest();
-  StoredTexture made{gl::Texture(gl), storage};
+  while (keptBytes_ > STAYING_BYTES && before - keptBytes_ < bytesOf(storage)) dropOldest();
+  StoredTexture made{gl::Texture(gl), storage, 0};
   gl.BindTexture(GL_TEXTURE_2D, made.texture.get());
   gl.TexStorage2D(GL_TEXTURE_2D, storage.levels, storage.format, storage.width, storage.height);
   return made;
@@ -137,19 +138,24 @@ void TextureStore::dropOldest() {
   kept_.pop_front();
 }
 
-StoredTexture TextureStore::uploadTexels(const Image8& image, bool srgb) {
+StoredTexture TextureStore::uploadTexels(const Image8& image, bool srgb, int unread) {
   const gl::Functions& gl = context_.gl();
   const TexelFormat format = formatOf(image.type, srgb);
   const GLsizei levels = levelCount(image);
-  StoredTexture stored = take({format.stored, levels, sideOf(image.width, 0), sideOf(image.height, 0)});
+  const bool mayLeave = !image.ownLevels && image.type == TexelType::kByte;
+  const int first = mayLeave && unread > 0 && mips_.byCpu(image.width, image.height, srgb)
+                        ? std::min(unread, static_cast<int>(std::bit_width(std::min(image.width, image.height))) - 1)
+                        : 0;
+  StoredTexture stored = take({format.stored, levels - first, sideOf(image.width, first), sideOf(image.height, first)});
+  stored.firstLevel = first;
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   const auto put = [&](GLint level, const auto& pixels) {
     gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, sideOf(image.width, level), sideOf(image.height, level), GL_RGBA,
                      format.component, pixels.data());
   };
-  put(0, image.pixels);
-  if (!image.ownLevels && image.type == TexelType::kByte) {
-    mips_.make(image.pixels.data(), image.width, image.height, srgb);
+  if (first == 0) put(0, image.pixels);
+  if (mayLeave) {
+    mips_.make(image.pixels.data(), image.width, image.height, srgb, first);
   } else if (!image.ownLevels) {
     gl.GenerateMipmap(GL_TEXTURE_2D);
   } else {
@@ -164,7 +170,7 @@ StoredTexture TextureStore::uploadBlocks(const Image8& image, bool srgb) {
   const gl::Functions& gl = context_.gl();
   const GLenum format = formatOf(image.blocks, srgb);
   context_.check("textures");
-  StoredTexture stored{gl::Texture(gl), {}};
+  StoredTexture stored{gl::Texture(gl), {}, 0};
   gl.BindTexture(GL_TEXTURE_2D, stored.texture.get());
   gl.TexStorage2D(GL_TEXTURE_2D, levelCount(image), format, sideOf(image.width, 0), sideOf(image.height, 0));
   try {
@@ -186,8 +192,9 @@ StoredTexture TextureStore::uploadBlocks(const Image8& image, bool srgb) {
   return stored;
 }
 
-StoredTexture TextureStore::upload(const Image8& image, bool srgb) {
-  StoredTexture stored = image.type == TexelType::kBlocks ? uploadBlocks(image, srgb) : uploadTexels(image, srgb);
+StoredTexture TextureStore::upload(const Image8& image, bool srgb, int unread) {
+  StoredTexture stored =
+      image.type == TexelType::kBlocks ? uploadBlocks(image, srgb) : uploadTexels(image, srgb, unread);
   context_.check("texture upload");
   return stored;
 }

@@ -22,6 +22,7 @@ struct TextureStorage {
 struct StoredTexture {
   gl::Texture texture;
   TextureStorage storage;
+  int firstLevel = 0;  ///< of the image, that is level 0 of the texture
 };
 
 /// Uploads images, and keeps textures of 8-bit texels that no model needs any more for the next ones of their size. A
@@ -32,18 +33,22 @@ class TextureStore {
 
   /// A texture of an image and its mip levels: SRGB8_ALPHA8 or RGBA8, RGBA16F, RGBA32F, or blocks as the file has them.
   /// Levels that the file lacks are generated, or made as MissingLevels says. It stays bound.
+  /// @param unread  largest levels that nothing will read: they are left out where the others are made by this
+  ///        processor. Sides that are powers of two are halved exactly by a GL, so that the others are read as before.
   /// @throws Error{E_IMAGE_FORMAT} where this GL does not read such blocks, as a browser on the same GPU does not
-  StoredTexture upload(const Image8& image, bool srgb);
+  StoredTexture upload(const Image8& image, bool srgb, int unread = 0);
   /// Takes a texture back. No more than MOST_KEPT_BYTES stay, the newest ones.
   void keep(StoredTexture&& unused) noexcept;
   int keptCount() const { return static_cast<int>(kept_.size()); }
 
   static constexpr std::size_t MOST_KEPT_BYTES = std::size_t{128} << 20;
+  /// So much stays when textures of other sizes are made.
+  static constexpr std::size_t STAYING_BYTES = MOST_KEPT_BYTES / 2;
 
  private:
   /// One that was kept, with its old texels, or a new one. Bound.
   StoredTexture take(const TextureStorage& storage);
-  StoredTexture uploadTexels(const Image8& image, bool srgb);
+  StoredTexture uploadTexels(const Image8& image, bool srgb, int unread);
   StoredTexture uploadBlocks(const Image8& image, bool srgb);
   void dropOldest();
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "pass/texture_slots.h"
 #include "telar/error.h"
 
 namespace telar::pass {
@@ -61,6 +60,16 @@ std::vector<Varying> varyingsOf(const shader::VariantKey& key) {
   if (flat > 0) out.push_back({"vFlatShadowCoord", 4 * flat, flat});
   if (cube > 0) out.push_back({"vCubeShadowCoord", 4 * cube, cube});
   return out;
+}
+
+std::size_t uvComponent(const shader::VariantKey& key, const TextureSlot& slot) {
+  const std::string name = uvName(slot);
+  std::size_t at = 0;
+  for (const Varying& varying : varyingsOf(key)) {
+    if (varying.name == name || std::ranges::find(varying.same, name) != varying.same.end()) return at;
+    at += static_cast<std::size_t>(varying.components);
+  }
+  throw Error("X_SHADER", "no varying has the coordinates of " + std::string(slot.sampler));
 }
 
 std::vector<std::uint8_t> sharedUvs(const Material& material, const shader::VariantKey& key) {

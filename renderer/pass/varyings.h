@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "pass/texture_slots.h"
 #include "shader/variant_key.h"
 #include "telar/scene.h"
 
@@ -18,6 +19,8 @@ struct Varying {
 
 /// Those of a program, in the order in which they are captured.
 std::vector<Varying> varyingsOf(const shader::VariantKey& key);
+/// First component of a map's texture coordinates among them.
+std::size_t uvComponent(const shader::VariantKey& key, const TextureSlot& slot);
 /// Of each map of a material, in the order of its texture slots, the first one that has the same texture coordinates.
 std::vector<std::uint8_t> sharedUvs(const Material& material, const shader::VariantKey& key);
 /// Floats of all of them.

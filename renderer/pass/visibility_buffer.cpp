@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "gl/incomplete.h"
 #include "gl/nearest_texture.h"
@@ -23,6 +24,8 @@ constexpr std::size_t STRIP_BLOCKS = FragmentStrips::ROWS / BLOCK * BLOCKS;
 constexpr std::size_t MOST_VARYINGS = 60;
 /// Bytes of the vertices' outputs, and of the colours, at most.
 constexpr std::size_t MOST_BYTES = 96u << 20;
+/// Of so many quads one is looked at first.
+constexpr std::size_t FIRST_LOOK = 61;
 
 /// First texel of a quad.
 glm::uvec2 texelOf(std::size_t block, std::size_t quad) {
@@ -65,6 +68,13 @@ bool VisibilityBuffer::mayDraw(const FramePlan& plan, const Shot& shot, const Fr
   }
   if (floats * sizeof(float) > MOST_BYTES) return false;
   return use_ == Use::kAlways || (can.shadesHidden && triangles >= FEW_TRIANGLES);
+}
+
+void VisibilityBuffer::use(FramePlan& plan, bool yes) {
+  for (DrawItem& item : plan.draws.opaque) {
+    item.key.visibilityBuffer = yes;
+    item.key.uvOf = yes ? sharedUvs(*item.material, item.key) : std::vector<std::uint8_t>();
+  }
 }
 
 void VisibilityBuffer::begin(const FramePlan& plan, const Shot& shot, const FrameTarget& target) {
@@ -177,6 +187,23 @@ void VisibilityBuffer::fill(std::size_t strip, const visibility::FragmentTexels&
       }
     }
   }
+}
+
+float VisibilityBuffer::texelSteps(std::size_t draw, std::size_t uv, const glm::vec2& size, float few) const {
+  visibility::VaryingSteps steps(meshes_[draw], owners_.vertices(draw), grid_.offset, uv);
+  float least = std::numeric_limits<float>::infinity();
+  const auto look = [&](std::size_t step) {
+    const auto& quads = quads_.all()[draw];
+    for (std::size_t i = 0; i < quads.size(); i += step) {
+      const glm::vec2 texels = steps.of(quads[i]) * size;
+      const float most = std::max(texels.x, texels.y);
+      if (!(most >= few)) return false;  // nor where it is not a number
+      least = std::min(least, most);
+    }
+    return true;
+  };
+  // Most draws that have fewer show it soon.
+  return look(FIRST_LOOK) && look(1) ? least : 0;
 }
 
 void VisibilityBuffer::fillPlaces() {

@@ -23,6 +23,8 @@ class VisibilityBuffer {
 
   /// Whether passes over a picture may be drawn so: with four samples of bytes, or with one sample.
   bool mayDraw(const FramePlan& plan, const Shot& shot, const FrameTarget& target) const;
+  /// Whether the fragments of a plan's opaque draws read their varyings from this. mayDraw()
+  static void use(FramePlan& plan, bool yes);
   /// Begins a picture. @param target  is bound
   void begin(const FramePlan& plan, const Shot& shot, const FrameTarget& target);
   /// Runs the vertex stage of a draw of the plan's opaque list. Its program, of a captured key, and its uniforms are
@@ -34,6 +36,15 @@ class VisibilityBuffer {
   /// @throws Error{X_CANCELLED, X_TIMEOUT}
   bool find(const FramePlan& plan, const Shot& shot, const visibility::SampleOwners::Part& part,
             const CancelToken& cancel);
+  /// How far apart the texels are that neighbouring fragments of a draw read, at least.
+  /// @param draw  index in the plan's opaque list
+  /// @param uv  first component of the texture coordinates in the draw's varyings
+  /// @param size  of the texture
+  /// @param few  texels below which it does not matter
+  /// @return texels; infinity where nothing of the draw is seen, 0 where there are fewer
+  float texelSteps(std::size_t draw, std::size_t uv, const glm::vec2& size, float few) const;
+  /// Two by two pixels of a draw that are shaded.
+  std::size_t quads(std::size_t draw) const { return quads_.all()[draw].size(); }
   /// Makes the fragments the target.
   void bind();
   /// Shades what is seen of a draw of the plan's opaque list. Its program and its uniforms are set.

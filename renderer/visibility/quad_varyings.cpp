@@ -1,5 +1,6 @@
 #include "visibility/quad_varyings.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace telar::visibility {
@@ -26,9 +27,10 @@ void VaryingMixer::setUp(Owner owner) {
   Lanes w[3];
   for (std::size_t i = 0; i < 3; ++i) w[i] = lanesOf(vertices_.overW[at[i]]);
   overW_ = setup.plane(w[0], w[1], w[2]);
-  count_ = (mesh_.outputs.varyings + 3) / 4;
+  count_ = std::min((mesh_.outputs.varyings + 3) / 4 - layers_.first, layers_.count);
   for (std::size_t i = 0; i < count_; ++i) {
-    const auto of = [&](std::size_t corner) { return load(mesh_.outputs.of(at[corner]) + 4 + i * 4) * w[corner]; };
+    const std::size_t from = 4 + (layers_.first + i) * 4;
+    const auto of = [&](std::size_t corner) { return load(mesh_.outputs.of(at[corner]) + from) * w[corner]; };
     planes_[i] = setup.plane(of(0), of(1), of(2));
   }
 }
@@ -58,6 +60,20 @@ void VaryingMixer::mix(const ShadingQuad& quad, const FragmentTexels& out, const
     if (setUp_ != quad.owners[from]) setUp(quad.owners[from]);
     fused_ ? mixFused(quad, from, to, out, at) : mixPixels<Apart>(quad, from, to, out, at);
   }
+}
+
+glm::vec2 VaryingSteps::of(const ShadingQuad& quad) {
+  const FragmentTexels out{texels_.data(), WIDTH, LAYERS};
+  mixer_.mix(quad, out, {0, 0});
+  glm::vec2 steps{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::size_t component = first_ + i;
+    const auto at = [&](unsigned x, unsigned y) { return out.of({x, y}, component / 4)[component % 4]; };
+    const float across = std::min(std::abs(at(1, 0) - at(0, 0)), std::abs(at(1, 1) - at(0, 1)));
+    const float up = std::min(std::abs(at(0, 1) - at(0, 0)), std::abs(at(1, 1) - at(1, 0)));
+    steps[static_cast<int>(i)] = std::max(across, up);
+  }
+  return steps;
 }
 
 }  // namespace telar::visibility

@@ -28,21 +28,35 @@ glm::vec3 windowPlace(const float* clip, float overW, const glm::vec2& size, boo
 /// Mixes the varyings of triangles at the centres of pixels, in perspective, as llvmpipe does.
 class VaryingMixer {
  public:
+  static constexpr std::size_t MOST = 24;  ///< texels of a fragment
+
+  /// Texels of a fragment, of which each has four varyings.
+  struct Layers {
+    std::size_t first = 0, count = MOST;
+  };
   /// @param offset  of the grid
+  /// @param layers  that are written, as many as there are
+  VaryingMixer(const PlacedMesh& mesh, const WindowVertices& vertices, float offset, Layers layers)
+      : mesh_(mesh),
+        vertices_(vertices),
+        offset_(offset),
+        centre_(0.5f - offset),
+        fused_(fusesProducts()),
+        layers_(layers) {}
   VaryingMixer(const PlacedMesh& mesh, const WindowVertices& vertices, float offset)
-      : mesh_(mesh), vertices_(vertices), offset_(offset), centre_(0.5f - offset), fused_(fusesProducts()) {}
+      : VaryingMixer(mesh, vertices, offset, {0, MOST}) {}
   /// Four fragments. Of quads of one triangle one after the other, the triangle is set up once.
   /// @param at  texel of the first of them
   void mix(const ShadingQuad& quad, const FragmentTexels& out, const glm::uvec2& at);
 
  private:
   using Plane4 = LinearPlane<Lanes>;
-  static constexpr std::size_t MOST = 24;  ///< planes
 
   const PlacedMesh& mesh_;
   const WindowVertices& vertices_;
   float offset_, centre_;  ///< centre: of a pixel, less the offset
   bool fused_;
+  Layers layers_;
   Owner setUp_ = NO_OWNER;  ///< triangle that the planes are of
   std::size_t count_ = 0;
   Plane4 overW_{};
@@ -54,6 +68,25 @@ class VaryingMixer {
                  const glm::uvec2& at) const;
   void mixFused(const ShadingQuad& quad, unsigned from, unsigned to, const FragmentTexels& out,
                 const glm::uvec2& at) const;
+};
+
+/// How far apart fragments that are shaded together are in a varying of two components, as texture coordinates are.
+class VaryingSteps {
+ public:
+  /// @param offset  of the grid
+  /// @param component  first of the two
+  VaryingSteps(const PlacedMesh& mesh, const WindowVertices& vertices, float offset, std::size_t component)
+      : mixer_(mesh, vertices, offset, {component / 4, (component + 1) / 4 - component / 4 + 1}),
+        first_(component % 4) {}
+  /// The larger one of the steps across and up, of each component. A GL takes the steps from any two of the four.
+  glm::vec2 of(const ShadingQuad& quad);
+
+ private:
+  static constexpr std::size_t WIDTH = 4, LAYERS = 2, PIXELS = 4;
+
+  VaryingMixer mixer_;
+  std::size_t first_;
+  std::array<float, PIXELS * LAYERS * 4> texels_{};
 };
 
 }  // namespace telar::visibility

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
+
+#include "telar/reused_memory.h"
 
 namespace telar::zeroed_bytes_test {
 namespace {
@@ -23,6 +26,38 @@ TEST(ZeroedBytes, AreZeroAlsoWhereOthersLayBefore) {
       EXPECT_EQ(isZero(bytes), size == 0) << "planted fault: bytes of before";
     }
   }
+}
+
+TEST(ReusesMemory, AFreedBlockIsTheNextOneOfItsSize) {
+  giveFreedBack();
+  const void* before = nullptr;
+  {
+    const ZeroedBytes bytes(7 * MIB, 0xa5);
+    before = bytes.data();
+  }
+  EXPECT_EQ(freedBytes(), 8 * MIB);
+  const ZeroedBytes cleared(7 * MIB);
+  EXPECT_TRUE(isZero(cleared)) << "nobody said that every byte will be written";
+  const ReusesMemory yes;
+  const ZeroedBytes smaller(5 * MIB), again(7 * MIB), other(7 * MIB);
+  EXPECT_EQ(again.data(), before);
+  EXPECT_NE(other.data(), before);
+  EXPECT_FALSE(isZero(again)) << "planted fault: a block that is zero was cleared";
+  EXPECT_TRUE(isZero(smaller));
+  EXPECT_TRUE(isZero(ZeroedBytes(MIB)));
+}
+
+TEST(ReusesMemory, NoMoreIsKeptThanTheBound) {
+  {
+    std::vector<ZeroedBytes> all;
+    for (int i = 0; i < 12; ++i) all.emplace_back((6 + i % 4) * MIB);
+  }
+  EXPECT_LE(freedBytes(), MOST_FREED_BYTES);
+  EXPECT_GT(freedBytes(), MOST_FREED_BYTES - 10 * MIB);
+  freeZeroed(allocateZeroed(MOST_FREED_BYTES + 1), MOST_FREED_BYTES + 1);
+  EXPECT_GT(freedBytes(), MOST_FREED_BYTES - 10 * MIB) << "one that is larger drops none";
+  giveFreedBack();
+  EXPECT_EQ(freedBytes(), 0u);
 }
 
 TEST(ZeroedBytes, LargeOnesBeginAtAHugePage) {

@@ -88,6 +88,28 @@ TEST(FragmentTexels, LieBlockByBlock) {
   for (std::size_t i = 0; i < places.size(); ++i) ASSERT_EQ(places[i], static_cast<std::ptrdiff_t>(i));
 }
 
+TEST(VaryingSteps, AreThoseBetweenNeighbours) {
+  const std::array<glm::vec4, 3> corners{onPlane(-0.9f, -0.7f), onPlane(0.8f, -0.5f), onPlane(0.1f, 0.95f)};
+  const Mixed mixed(corners, true);
+  WindowVertices vertices;
+  const VertexOutputs outputs{mixed.floats.data(), Mixed::VARYINGS};
+  vertices.place(mixed.floats.data(), outputs.stride(), 3, SIZE, {});
+  const PlacedMesh mesh{outputs, 3, {}, Faces::kBoth};
+  constexpr Owner OWNER = COUNTER_CLOCKWISE;
+  // The last two lie in two texels.
+  for (const std::size_t component : {0u, 1u, 2u, 3u}) {
+    const glm::vec2 steps = VaryingSteps(mesh, vertices, 0, component).of({20, 30, 0, {OWNER, OWNER, OWNER, OWNER}});
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto apart = [&](unsigned a, unsigned b) {
+        return std::abs(mixed.at(a, component + i) - mixed.at(b, component + i));
+      };
+      const float across = std::min(apart(0, 1), apart(2, 3)), up = std::min(apart(0, 2), apart(1, 3));
+      EXPECT_EQ(steps[static_cast<int>(i)], std::max(across, up)) << component;
+      EXPECT_GT(steps[static_cast<int>(i)], 1e-3f);
+    }
+  }
+}
+
 TEST(WindowVertices, StandWhereTheGLPutsThem) {
   const float clip[] = {0.5f, -0.25f, 0.5f, 2, -4, 0, 0, 2, 0, 0, -3, 2};
   WindowVertices vertices;
