@@ -34,7 +34,8 @@ export function meteredSize({ size: { width, height } }) {
  * @returns {object} resolved
  */
 export function meteringShot(shot) {
-  const quality = inOrder(RASTER, { ...PRESETS.draft });
+  // Each triangle is shaded for itself, as the browser does it: merged quads move the exposure by a hundredth.
+  const quality = inOrder(RASTER, { ...PRESETS.draft, mergeQuads: false });
   const output = { ...shot.output, format: 'raw', bitDepth: 32 };
   return { ...shot, size: meteredSize(shot), background: 'transparent', ground: 'none', lens: null, exposure: 1, quality, layers: ['beauty'], output };
 }

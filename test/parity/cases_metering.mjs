@@ -15,10 +15,11 @@ export const CASES = [
   ),
   makeCase('metered-lens', 'sweep', 'lamps', { environmentSettings: { intensity: 400 }, lens, metering: { least: 0.01, most: 100 } }),
   makeCase('metered-cutouts', 'alpha-mask', 'gradient', { lights: [LIGHTS.directional], metering: { percentile: 0.9, level: 0.5, least: 0.01 } }),
-  makeCase('metered-fabric', 'cloth', 'gradient', {
-    lights: [LIGHTS.directional],
-    shading: 'fabric',
-    metering: { level: 0.4, least: 0.01 },
-    size: { width: 300, height: 180 },
-  }),
+  makeCase(
+    'metered-fabric',
+    'cloth',
+    'gradient',
+    { lights: [LIGHTS.directional], shading: 'fabric', metering: { level: 0.4, least: 0.01 }, size: { width: 300, height: 180 } },
+    true,
+  ),
 ];
