@@ -181,6 +181,8 @@ bool SampleOwners::draw(std::size_t index, const CancelToken& cancel) {
     if ((vertices.vertices[at[0]].outside & vertices.vertices[at[1]].outside & vertices.vertices[at[2]].outside &
          FAR_OFF) != 0)
       continue;
+    // The GL cuts it at the side of the window: its corners are others, and so is what they round to.
+    if ((any & FAR_OFF) != 0) return false;
     drawTriangle(vertices, at, mesh.faces, firsts_[index] + static_cast<Owner>(i), patience.steps);
   }
   return true;

@@ -109,7 +109,7 @@ Triangles scattered(std::mt19937& engine, int count, float reach, float size) {
 
 TEST(SampleOwners, AreTheNearestTrianglesThatCoverASample) {
   std::mt19937 engine(1);
-  for (const auto& [reach, size] : {std::pair(0.9f, 0.1f), {1.2f, 0.5f}, {3.0f, 6.0f}}) {
+  for (const auto& [reach, size] : {std::pair(0.9f, 0.09f), {0.6f, 0.35f}, {0.2f, 0.75f}}) {
     for (int turn = 0; turn < 8; ++turn) {
       const Triangles first = scattered(engine, 30, reach, size), second = scattered(engine, 10, reach, size);
       const Placed a = placed(first), b = placed(second, turn % 2 == 0 ? Faces::kClockwise : Faces::kCounterClockwise);
@@ -123,9 +123,18 @@ TEST(SampleOwners, AreTheNearestTrianglesThatCoverASample) {
   }
 }
 
+TEST(SampleOwners, AreNotToldOfTrianglesThatTheWindowCuts) {
+  for (const auto& [x, isTold] : {std::pair(0.5f, true), {1.0f, false}, {2.0f, true}}) {
+    const Triangles one{{{x - 0.3f, 0, 0}, {x + 0.3f, 0, 0}, {x, 0.3f, 0}}, {0, 1, 2}};
+    const Placed at = placed(one);
+    SampleOwners owners;
+    EXPECT_EQ(owners.look(gridOf(SIZE), std::vector{at.mesh}, {}, {}), isTold) << x;
+  }
+}
+
 TEST(SampleOwners, OfAShiftedViewAreSeenToBeWrong) {
   std::mt19937 engine(2);
-  Triangles mesh = scattered(engine, 30, 0.9f, 0.3f);
+  Triangles mesh = scattered(engine, 30, 0.65f, 0.3f);
   SampleOwners owners;
   ASSERT_TRUE(owners.look(gridOf(SIZE), std::vector{placed(mesh).mesh}, {}, {}));
   for (glm::vec3& p : mesh.positions) p.x += 0.2f / SIZE;  // a tenth of a pixel
