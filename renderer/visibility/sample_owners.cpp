@@ -175,14 +175,11 @@ bool SampleOwners::draw(std::size_t index, const CancelToken& cancel) {
   for (std::size_t i = 0; i < trianglesOf(mesh); ++i) {
     patience.spend();
     const Corners at = cornersOf(mesh, i);
-    const std::uint32_t any =
-        vertices.vertices[at[0]].outside | vertices.vertices[at[1]].outside | vertices.vertices[at[2]].outside;
-    if ((any & UNPROJECTED) != 0) return false;
-    if ((vertices.vertices[at[0]].outside & vertices.vertices[at[1]].outside & vertices.vertices[at[2]].outside &
-         FAR_OFF) != 0)
-      continue;
-    // The GL cuts it at the side of the window: its corners are others, and so is what they round to.
-    if ((any & FAR_OFF) != 0) return false;
+    const std::uint32_t a = vertices.vertices[at[0]].outside, b = vertices.vertices[at[1]].outside,
+                        c = vertices.vertices[at[2]].outside;
+    if ((a & b & c & FAR_OFF) != 0) continue;
+    // The GL cuts what crosses a side of the window: its corners are others, and so is what they round to.
+    if (((a | b | c) & (UNPROJECTED | FAR_OFF)) != 0) return false;
     drawTriangle(vertices, at, mesh.faces, firsts_[index] + static_cast<Owner>(i), patience.steps);
   }
   return true;

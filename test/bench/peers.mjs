@@ -116,16 +116,10 @@ for (const { name, model, side = 512 } of values.more ? [] : CASES) {
   await checkSame(name, { model, shot }, await byBrowser());
   tell(name, ...(await inTurns(() => byTelar(file, shot), byBrowser)));
 }
-if (values.swiftshader) {
-  drawer.disconnect();
-  await Promise.all([renderer.close(), browser.close()]);
-  rmSync(folder, { recursive: true });
-  process.exit();
-}
 const memory = [pssOf([drawer.pid]), pssOf(descendants().filter((pid) => pid !== String(drawer.pid)))];
 
 // What a trade and many pictures make of it: quality draft against the browser's picture, four views of one model, six models in turn by two pages.
-{
+if (!values.swiftshader) {
   const shot = { size: { width: 512, height: 512 }, quality: 'draft' };
   const pixels = async (quality) => (await renderer.render(TSHIRT, { ...shot, quality, output: { format: 'raw' } })).data;
   const [standard, draft] = [await pixels('standard'), await pixels('draft')];
@@ -171,7 +165,7 @@ const memory = [pssOf([drawer.pid]), pssOf(descendants().filter((pid) => pid !==
 }
 drawer.disconnect();
 await Promise.all([renderer.close(), browser.close()]);
-if (values.more) {
+if (values.more || values.swiftshader) {
   rmSync(folder, { recursive: true });
   process.exit();
 }

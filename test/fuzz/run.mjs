@@ -3,10 +3,11 @@
 // it, and keep the file. Exit code 1 where there was a finding.
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+import { cpuBelow } from '../processes.mjs';
 import { SEEDS } from './seeds.mjs';
 import { fuzzSpec, plantedRead } from './spec.mjs';
 
@@ -18,9 +19,6 @@ const SPECS = path.join(ROOT, 'test/fuzz/regressions', SPEC);
 const PLANTED_RUNS = 20_000;
 /** Ten times as many as it takes: a fuzzer beside other work has little time. */
 const PLANTED_SHOTS = 150_000;
-/** Field of /proc/self/stat after the name: time of children in user mode; in the kernel is the next one. */
-const CHILDREN_USER = 13;
-const TICKS_PER_SECOND = 100;
 const { values, positionals } = parseArgs({ options: { seconds: { type: 'string', default: '60' } }, allowPositionals: true });
 
 function cmake(...args) {
@@ -52,12 +50,6 @@ async function corpusOf(target, seeds = target) {
   return folder;
 }
 
-/** Seconds of CPU of the programs that this process has waited for: a fuzzer beside other work gets less than the clock says. */
-function childrenSeconds() {
-  const fields = readFileSync('/proc/self/stat', 'latin1').replace(/.*\) /s, '').split(' ');
-  return (Number(fields[CHILDREN_USER]) + Number(fields[CHILDREN_USER + 1])) / TICKS_PER_SECOND;
-}
-
 /** @returns {Promise<{runs: number, coverage: number, cpu: number, found: string[]}>} `coverage`: edges of the program that the corpus reaches; `cpu`: seconds */
 async function fuzz(target) {
   const corpus = await corpusOf(target);
@@ -75,7 +67,8 @@ async function fuzz(target) {
     '-rss_limit_mb=3000',
     '-malloc_limit_mb=1600',
   ];
-  const cpuBefore = childrenSeconds();
+  // A fuzzer beside other work gets less than the clock says.
+  const cpuBefore = cpuBelow();
   const { stderr } = spawnSync(
     path.join(BUILD, 'bin', `fuzz_${target}`),
     [...args, `-artifact_prefix=${regressions}/`, '-print_final_stats=1', '-detect_leaks=1'],
@@ -90,7 +83,7 @@ async function fuzz(target) {
   return {
     runs: Number(/number_of_executed_units: *(\d+)/.exec(stderr)?.[1] ?? 0),
     coverage: Number(last.slice(5)),
-    cpu: childrenSeconds() - cpuBefore,
+    cpu: (cpuBelow() - cpuBefore) / 1000,
     found,
   };
 }
