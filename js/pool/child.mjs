@@ -1,5 +1,4 @@
 // A worker of the pool: a process of its own that draws what its parent sends. It never writes a picture, and ends with the pipe.
-import { readFileSync, writeFileSync } from 'node:fs';
 import net from 'node:net';
 import os from 'node:os';
 import v8 from 'node:v8';
@@ -8,6 +7,7 @@ import { createRenderer } from '../api/renderer.mjs';
 import { toTelarError } from '../error/index.mjs';
 import { Channel } from './channel.mjs';
 import { ChildJobs } from './child_jobs.mjs';
+import { lowerSession } from './session_priority.mjs';
 
 /** What the pool speaks through: one end of a socket pair. */
 const PIPE = 3;
@@ -16,17 +16,7 @@ const PIPE = 3;
 const NICER = 5;
 const { PRIORITY_LOW } = os.constants.priority;
 os.setPriority(Math.min(PRIORITY_LOW, os.getPriority() + NICER));
-nicerSession();
-
-/** Where Linux shares the CPU out among sessions first (sched(7), autogroup), priorities of processes count within one. A worker has one of its own. */
-function nicerSession() {
-  try {
-    const [, ofParent] = /nice (-?\d+)/.exec(readFileSync(`/proc/${process.ppid}/autogroup`, 'latin1'));
-    writeFileSync('/proc/self/autogroup', String(Math.min(PRIORITY_LOW, Number(ofParent) + NICER)));
-  } catch {
-    // A kernel without it.
-  }
-}
+lowerSession(NICER, process.ppid);
 
 // A service that ends sends these to all of its processes; the parent says when.
 for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.on(signal, () => {});

@@ -90,6 +90,9 @@ export async function soak({ renders, looks = 20, size = 2, say = () => {} }) {
     const kind = /^[0-9a-f]{64}$/.test(outcome) ? 'picture' : outcome;
     outcomes[kind] = (outcomes[kind] ?? 0) + 1;
   };
+  // What a kind of material makes once is there before the first look, in each worker.
+  do for (const { bytes } of good) await Promise.all(pool.workers.map(() => pool.render(bytes, { size: { width: SIDES[0], height: SIDES[0] } })));
+  while (pool.workers.some(({ jobs }) => jobs < good.length));
   const first = new Set(pool.workers.map(({ pid }) => pid));
   const look = async (done) => {
     globalThis.gc?.();

@@ -7,6 +7,7 @@ import { before, test } from 'node:test';
 import { MODELS } from '../../fixtures/index.mjs';
 import { fixturesUrl } from '../api/support/real.mjs';
 import { busy, ENDLESS, errorOf, isAlive, open, SHOT } from './support.mjs';
+import { niceOfSession } from '../../../js/pool/session_priority.mjs';
 import { until } from '../../until.mjs';
 
 // The workers of a pool: how many jobs wait, when workers are replaced, how they end.
@@ -157,9 +158,14 @@ test('the parent goes before its workers, and before each of their threads', asy
   const drawing = threads.filter(namedAs('llvmpipe'));
   assert.deepEqual([...new Set([String(pid), ...drawing].map(niceOf))], [Math.min(19, os.getPriority() + 5)]);
   // Between sessions, which a worker is one of, the kernel may count these alone.
-  const ofSession = (id) => Number(readFileSync(`/proc/${id}/autogroup`, 'latin1').split(' nice ')[1]);
-  if (existsSync('/proc/self/autogroup')) assert.equal(ofSession(pid), Math.min(19, ofSession(process.pid) + 5));
+  const ofSession = (id) => niceOfSession(readFileSync(`/proc/${id}/autogroup`, 'latin1'));
+  if (existsSync('/proc/self/autogroup')) await until(() => ofSession(pid) === Math.min(19, ofSession(process.pid) + 5));
   await pool.close();
+});
+
+test('a process in no session has the priority of an ordinary one', () => {
+  assert.equal(niceOfSession(''), 0);
+  assert.equal(niceOfSession('/autogroup-8163 nice -3\n'), -3);
 });
 
 test('signals that end a service are for the parent: a worker finishes its job', async () => {
