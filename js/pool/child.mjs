@@ -43,8 +43,10 @@ const channel = new Channel(pipe, {
 let jobs;
 
 async function take(message, parts) {
-  if (message.start) await start(message.start);
-  else jobs.take(message, parts);
+  if (message.start) return start(message.start);
+  // Before the file is looked at: what ends this worker from now on may be the file's doing.
+  if (message.job) channel.send({ begun: message.job.id });
+  jobs.take(message, parts);
 }
 
 /** Opens the renderer, and gives up what drawing does not need: after it, since a driver may start programs when it is opened. */

@@ -27,7 +27,7 @@ export interface PoolOptions extends RendererOptions {
    */
   outputBytes?: number;
   /**
-   * Milliseconds for which a file that ended a worker is remembered. One that ended two is refused for so long, with X_QUARANTINE; 0 = never.
+   * Milliseconds for which a file that ended a worker is remembered. One that ended two in a row is refused for so long, with X_QUARANTINE; 0 = never.
    * @default 86400000
    */
   quarantineMs?: number;

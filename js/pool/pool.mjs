@@ -30,6 +30,9 @@ const copying = (native) => ({
   },
 });
 
+/** Workers that a job is given to, where those before ended without having taken it up. */
+const TRIES = 3;
+
 /** An error of one of the shots that were sent, as one of those that the caller gave. */
 const moved = (error, index) => new TelarError(error.code, error.message.replace(/^shots\[\d+\]/, `shots[${index}]`), { ...error.toJSON(), index });
 
@@ -226,6 +229,22 @@ class Pool {
   async #perform(request, signal) {
     const input = request.recipe?.root.input ?? request.input;
     await this.#quarantine.check(input);
+    for (let tries = 1; ; ++tries) {
+      try {
+        const value = await this.#try(request, input, signal);
+        await this.#quarantine.clear(input);
+        return value;
+      } catch (error) {
+        if (!(error instanceof WorkerEnded)) throw error;
+        // One that was ended while it waited for work, and whose end was not seen yet.
+        const isInnocent = !error.hadBegun && !error.verdict;
+        if (!isInnocent || tries === TRIES) throw error.verdict ?? crashed(error.facts, error.input);
+      }
+    }
+  }
+
+  /** In one worker. @throws {WorkerEnded} with the digest of a file that is remembered */
+  async #try(request, input, signal) {
     signal?.throwIfAborted();
     const worker = await this.#workers.take(({ held }) => held.has(request.recipe?.id), signal);
     if (signal?.aborted) {
@@ -233,20 +252,24 @@ class Pool {
       throw signal.reason;
     }
     const { outcome, free } = worker.run(request, signal);
-    void free.then(() => this.#workers.give(worker));
+    // Whoever aborts does not wait for it: a worker that had to be ended then counts all the same.
+    const remembered = free.then((ended) => {
+      this.#workers.give(worker);
+      return ended && this.#remember(ended, input);
+    });
+    remembered.catch(() => {});
     try {
       return await outcome;
     } catch (error) {
-      if (!(error instanceof WorkerEnded)) throw error;
-      throw await this.#verdict(error, input);
+      if (error instanceof WorkerEnded) error.input = await remembered;
+      throw error;
     }
   }
 
-  /** What the caller is told of a worker that ended. The file is remembered unless a bound of the pool ended it, which goes by the shot too. */
-  async #verdict({ facts, verdict }, input) {
-    if (verdict && verdict.code !== overTime(0).code) return verdict;
-    const digest = await this.#quarantine.record(input);
-    return verdict ?? crashed(facts, digest);
+  /** The file of a worker that ended is remembered unless a bound of the pool ended it, which goes by the shot too. @returns its digest */
+  async #remember({ verdict, hadBegun }, input) {
+    const isOfFile = hadBegun && (!verdict || verdict.code === overTime(0).code);
+    return isOfFile ? this.#quarantine.record(input) : undefined;
   }
 }
 

@@ -3,7 +3,7 @@ import { open } from 'node:fs/promises';
 import { digestOf } from '../api/digest.mjs';
 import { TelarError } from '../error/index.mjs';
 
-/** A file may end so many workers before it is refused. */
+/** A file may end so many workers in a row before it is refused. */
 const CRASHES = 2;
 /** Files that are remembered; the one that ended a worker longest ago goes first. */
 const MOST = 1024;
@@ -29,7 +29,7 @@ async function bytesOf({ path, bytes }, size) {
   }
 }
 
-/** Remembers which files ended workers, and refuses those that did it twice. Nothing is hashed while there is none. */
+/** Remembers which files ended workers, and refuses those that did it twice in a row. Nothing is hashed while there is none. */
 export class Quarantine {
   #ms;
   #now;
@@ -62,16 +62,26 @@ export class Quarantine {
     return digest;
   }
 
+  /** A worker drew this: what ended one before was not the file, but whoever ends processes of this machine. */
+  async clear(input) {
+    this.#files.delete(await this.#digestOf(input, 1));
+  }
+
   /** @throws {TelarError} X_QUARANTINE */
   async check(input) {
-    if (this.#files.size === 0) return;
-    this.#forgetOld();
-    const isOne = (size) => [...this.#files.values()].some(({ bytes, crashes }) => crashes >= CRASHES && bytes === size);
-    if (input.bytes && !isOne(input.bytes.byteLength)) return;
-    const bytes = await bytesOf(input, isOne);
-    const digest = bytes && (await digestOf(bytes));
+    const digest = await this.#digestOf(input, CRASHES);
     if (!((this.#files.get(digest)?.crashes ?? 0) >= CRASHES)) return;
     throw new TelarError('X_QUARANTINE', `the file ended ${CRASHES} workers of this pool, and is refused; report it`, { input: digest });
+  }
+
+  /** The digest of what has as many bytes as a file that ended so many workers; undefined of others, which are not read. */
+  async #digestOf(input, crashes) {
+    if (this.#files.size === 0) return undefined;
+    this.#forgetOld();
+    const isOne = (size) => [...this.#files.values()].some((file) => file.crashes >= crashes && file.bytes === size);
+    if (input.bytes && !isOne(input.bytes.byteLength)) return undefined;
+    const bytes = await bytesOf(input, isOne);
+    return bytes && digestOf(bytes);
   }
 
   #forgetOld() {

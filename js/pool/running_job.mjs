@@ -13,6 +13,8 @@ const LONGEST = 2 ** 31 - 1;
 export class RunningJob {
   /** @type {Promise<unknown>} settles with the answer, or at once when the caller aborts */
   outcome;
+  /** Whether the worker has taken it up: one that ended before has not seen its file. */
+  hasBegun = false;
   #id;
   #request;
   #worker;
@@ -44,7 +46,8 @@ export class RunningJob {
   }
 
   /** @returns {boolean} whether the job is done, and its worker free */
-  take({ progress, preview, beat, ask, done, uri, value, error }, parts) {
+  take({ begun, progress, preview, beat, ask, done, uri, value, error }, parts) {
+    if (begun === this.#id) this.hasBegun = true;
     if (progress !== undefined) this.#progress(progress);
     if (preview !== undefined) this.#preview(preview, parts);
     if (beat === this.#id) this.#hold();
@@ -105,8 +108,9 @@ export class RunningJob {
    * a time of its own.
    */
   #startClock() {
-    clearTimeout(this.#clock);
+    // What was on its way when the caller aborted leaves the clock of #abort as it is.
     if (this.#scope.signal.aborted) return;
+    clearTimeout(this.#clock);
     const { timeoutMs, method, recipe } = this.#request;
     const works = DRAW_MANY.includes(method) && !recipe && !this.#told ? 2 : 1;
     const allowed = timeoutMs === undefined ? TIMEOUT_MS : timeoutMs;

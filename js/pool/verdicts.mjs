@@ -38,9 +38,14 @@ export const crashed = ({ signal, code }, input) =>
     ...(input && { input }),
   });
 
-/** A worker ended before it was ready. */
-export const notStarted = ({ signal, code }) =>
-  new TelarError('X_WORKERS', `a worker of the pool ended before it was ready, by ${signal ?? `itself, with ${code}`}`);
+/** A worker ended before it was ready; failure: its process could not be made. */
+export const notStarted = ({ signal, code, failure }) =>
+  new TelarError(
+    'X_WORKERS',
+    failure
+      ? `the process of a worker of the pool cannot be made (${failure})`
+      : `a worker of the pool ended before it was ready, by ${signal ?? `itself, with ${code}`}`,
+  );
 
 export const noWorkers = (cause) =>
   new TelarError('X_WORKERS', `the workers of the pool do not start (${cause?.message ?? 'they end at once'}); it tries again by itself`, { cause });

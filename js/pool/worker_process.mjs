@@ -18,12 +18,13 @@ const START_MS = 30_000;
 /** What a worker may reserve before the kernel refuses: a last bound, for what happens between two looks. Stacks and heaps are mostly not resident. */
 const reservable = (memoryBytes) => 2 * memoryBytes + 2 ** 30;
 
-/** A worker ended in the middle of a job: by itself, or as `verdict` says. */
+/** A worker ended in the middle of a job: by itself, or as `verdict` says; hadBegun: it had taken the job up. */
 export class WorkerEnded extends Error {
-  constructor(facts, verdict) {
+  constructor(facts, { verdict, hadBegun }) {
     super('the worker ended');
     this.facts = facts;
     this.verdict = verdict;
+    this.hadBegun = hadBegun;
   }
 }
 
@@ -62,18 +63,15 @@ export class WorkerProcess {
     this.ready.catch(() => {});
     // A group of its own: Ctrl-C in a terminal is for the parent, which then says when.
     const options = { stdio: ['ignore', 'ignore', 'inherit', 'pipe'], env: workerEnvironment(size), detached: true };
-    this.#process = spawn(process.execPath, ['--no-warnings', CHILD], options);
-    const pipe = this.#process.stdio[PIPE];
+    this.ended = new Promise((resolve) => this.#spawn(options, (facts) => this.#end(facts, resolve)));
+    // Node gives no pipes where there is no descriptor for them.
+    const pipe = this.#process?.stdio?.[PIPE];
+    if (!pipe) return;
     // What waits for jobs holds up no process: the pool does while it has some.
     this.#process.unref();
-    pipe?.unref();
+    pipe.unref();
     // A worker that is gone is told by the event of the process.
-    pipe?.on('error', () => {});
-    this.ended = new Promise((resolve) => {
-      this.#process.once('error', (error) => this.#end({ code: error.code }, resolve));
-      this.#process.once('close', (code, signal) => this.#end({ code, signal }, resolve));
-    });
-    if (!pipe) return;
+    pipe.on('error', () => {});
     this.#channel = new Channel(pipe, {
       encode: v8.serialize,
       decode: JSON.parse,
@@ -89,8 +87,9 @@ export class WorkerProcess {
     this.#channel.send({ start: { renderer, bound, dataBytes: reservable(bound.memoryBytes) } });
   }
 
+  /** undefined of a process that could not be made. */
   get pid() {
-    return this.#process.pid;
+    return this.#process?.pid;
   }
 
   get isBusy() {
@@ -101,7 +100,8 @@ export class WorkerProcess {
    * Runs a job; one at a time.
    * @param {import('./request.mjs').Request} request
    * @param {AbortSignal} [signal] not aborted
-   * @returns {{outcome: Promise<unknown>, free: Promise<void>}} free: the worker can take another one, or has ended
+   * @returns {{outcome: Promise<unknown>, free: Promise<WorkerEnded | undefined>}} free: the worker can take another one, or has ended in the middle of this
+   *   one, also of one whose caller aborted
    */
   run(request, signal) {
     this.jobs += 1;
@@ -135,7 +135,7 @@ export class WorkerProcess {
   /** Ends it at once. @param {Error} [verdict] what the job's caller is told */
   kill(verdict) {
     this.#verdict ??= verdict;
-    this.#process.kill('SIGKILL');
+    if (this.pid !== undefined) this.#process.kill('SIGKILL');
   }
 
   /** Ends it when it has nothing to do; one that does not end is killed. */
@@ -143,6 +143,17 @@ export class WorkerProcess {
     this.#channel?.end();
     const late = setTimeout(() => this.kill(), GRACE_MS).unref();
     return this.ended.finally(() => clearTimeout(late));
+  }
+
+  /** Without descriptors or memory Node tells of it later, or throws: either is a start that failed. */
+  #spawn(options, end) {
+    try {
+      this.#process = spawn(process.execPath, ['--no-warnings', CHILD], options);
+    } catch (error) {
+      return end({ failure: error.code ?? error.message });
+    }
+    this.#process.once('error', ({ code, message }) => end({ failure: code ?? message }));
+    this.#process.once('close', (code, signal) => end({ code, signal }));
   }
 
   #take(message, parts) {
@@ -157,19 +168,20 @@ export class WorkerProcess {
     }
   }
 
-  #free() {
+  #free(ended) {
     this.#watch.stop();
     this.#job = undefined;
     this.forget(this.#toForget.splice(0));
-    this.#freed();
+    this.#freed(ended);
   }
 
   #end(facts, resolve) {
     this.hasEnded = true;
     this.#opened.reject(notStarted(facts));
     if (this.#job) {
-      this.#job.end(new WorkerEnded(facts, this.#verdict));
-      this.#free();
+      const ended = new WorkerEnded(facts, { verdict: this.#verdict, hadBegun: this.#job.hasBegun });
+      this.#job.end(ended);
+      this.#free(ended);
     }
     resolve();
   }

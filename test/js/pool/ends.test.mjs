@@ -33,11 +33,15 @@ async function withPool(options, use) {
 for (const signal of ['SIGKILL', 'SIGSEGV', 'SIGABRT']) {
   test(`a worker that ends by ${signal} in the middle of a job`, () =>
     withPool({ size: 2 }, async (pool) => {
-      const doomed = errorOf(pool.render(ball, ENDLESS));
-      const [pid] = await busy(pool);
-      const others = Promise.all([1, 2, 3].map(() => pool.render(glb, SHOT)));
-      process.kill(pid, signal);
-      const error = await doomed;
+      let pid;
+      let others;
+      const onProgress = () => {
+        if (pid) return;
+        [pid] = pool.workers.filter(({ state }) => state === 'busy').map((worker) => worker.pid);
+        others = Promise.all([1, 2, 3].map(() => pool.render(glb, SHOT)));
+        process.kill(pid, signal);
+      };
+      const error = await errorOf(pool.render(ball, ENDLESS, { onProgress }));
       assert.deepEqual(error.toJSON(), {
         code: 'X_CRASH',
         kind: 'crash',
@@ -136,17 +140,41 @@ test('abort of a worker that hangs: it is replaced', () =>
     assert.ok(isAlive(pid), String(reason));
   }));
 
-test('a file that ended two workers is refused, others are not', () =>
+test('a worker that is ended just before it gets its job: another one does it, and the file is not blamed', () =>
+  withPool({}, async (pool) => {
+    for (let i = 0; i < 3; ++i) {
+      const { pid } = await until(() => pool.workers.find(({ state }) => state === 'idle'));
+      process.kill(pid, 'SIGKILL');
+      // Its end is an event that this process has not seen yet.
+      assert.ok((await pool.render(ball, SHOT)).data.length > 0);
+    }
+  }));
+
+test('a file that hangs its workers is refused too where its callers abort before its time', () =>
+  withPool({}, async (pool) => {
+    for (let i = 0; i < 2; ++i) {
+      const { pid } = await until(() => pool.workers.find(({ state }) => state === 'idle'));
+      const mine = new AbortController();
+      const onProgress = () => process.kill(pid, 'SIGSTOP') && mine.abort(new Error('mine'));
+      assert.equal((await errorOf(pool.render(ball, ENDLESS, { signal: mine.signal, onProgress })))?.message, 'mine');
+      await until(() => !isAlive(pid));
+    }
+    await until(() => pool.workers.some(({ state }) => state === 'idle'));
+    assert.equal((await errorOf(pool.render(ball, SHOT)))?.code, 'X_QUARANTINE');
+  }));
+
+test('a file that ended two workers in a row is refused, others are not', () =>
   withPool({}, async (pool) => {
     const crash = async (source) => {
-      const error = errorOf(pool.render(source, ENDLESS));
-      const [pid] = await busy(pool);
-      process.kill(pid, 'SIGKILL');
-      assert.equal((await error)?.code, 'X_CRASH');
+      const onProgress = () => process.kill(pool.workers.find(({ state }) => state === 'busy').pid, 'SIGKILL');
+      assert.equal((await errorOf(pool.render(source, ENDLESS, { onProgress })))?.code, 'X_CRASH');
     };
-    await crash(ball);
-    assert.ok((await pool.render(ball, SHOT)).data.length > 0, 'after one it is drawn');
     const model = await pool.load(ball);
+    for (let i = 0; i < 3; ++i) {
+      await crash(ball);
+      assert.ok((await pool.render(ball, SHOT)).data.length > 0, 'after one it is drawn, and has none in a row');
+    }
+    await crash(ball);
     await crash(model);
     for (const use of [() => pool.render(ball, SHOT), () => pool.render(model, SHOT), () => pool.load(Buffer.from(ball))]) {
       const error = await errorOf(use());

@@ -94,7 +94,23 @@ test('a worker that answers what nobody asked does no harm to its parent', async
   assert.throws(() => unpackPicture({ info: { shot: {} } }, []), { code: 'X_INTERNAL' });
 });
 
-test('the quarantine: two crashes of the same bytes, for so long', async (t) => {
+test('a worker that does not stop after the abort is ended, whatever of its messages was on the way', async () => {
+  for (const late of [{ beat: 1 }, { progress: 0.5 }, { begun: 1 }]) {
+    const recipe = new Recipe({ input: { path: '/a' }, loading: {} });
+    const request = { method: 'renderAll', recipe, shots: [], timeoutMs: 3_600_000, unpack: assert.fail };
+    const mine = new AbortController();
+    const killed = new Promise((resolve) => {
+      const worker = { send: () => {}, kill: resolve };
+      const job = new RunningJob(1, request, worker, new HeldModels(0), mine.signal);
+      job.outcome.catch(() => {});
+      mine.abort(new Error('mine'));
+      job.take(late, []);
+    });
+    assert.equal(await awake(killed), undefined, 'by no verdict of a clock');
+  }
+});
+
+test('the quarantine: two crashes of the same bytes in a row, for so long', async (t) => {
   const folder = mkdtempSync(path.join(tmpdir(), 'telar-quarantine-'));
   t.after(() => rmSync(folder, { recursive: true }));
   const [bad, good] = ['bad', 'god'].map((name) => path.join(folder, name));
@@ -121,6 +137,11 @@ test('the quarantine: two crashes of the same bytes, for so long', async (t) => 
   now = 1600;
   assert.equal(await refused(bytes), false);
   assert.equal(await quarantine.record({ path: `${bad}.none` }), undefined);
+  await quarantine.record(bytes);
+  await quarantine.clear({ path: good });
+  await quarantine.clear({ path: bad });
+  await quarantine.record(bytes);
+  assert.equal(await refused(bytes), false, 'one that was drawn between has ended no two in a row');
   const never = new Quarantine(0);
   for (let i = 0; i < 3; ++i) await never.record(bytes);
   await never.check(bytes);
