@@ -24,6 +24,9 @@ const MAX_SPEC_BYTES = 1 << 23;
 /** 8192 x 8192 RGBA. */
 const MAX_PIXEL_BYTES = 2 ** 28;
 
+/** Milliseconds in which the headers of a request, and all of it, are there; and between two looks at connections that are late. */
+const TIMES = { headersMs: 10_000, requestMs: 40_000, lookMs: 500 };
+
 /**
  * Nothing but this server is reached from the page; blob: and data: are how loaders hand on what the model holds.
  * @param {boolean} mayEvaluate for three's KTX2 transcoder, and for models with such textures alone
@@ -166,17 +169,22 @@ async function answer(request, response, { token, routes, session, three }) {
  * @param {object} options
  * @param {import('./session.mjs').Session} options.session
  * @param {number} [options.port=0] 0 = a free one
+ * @param {Partial<typeof TIMES>} [options.times]
  * @param {import('./three_folder.mjs').OwnThree} [options.three] draws the page's pictures in place of the bundled three.js
  * @returns {Promise<{url: string, port: number, close: () => Promise<void>}>}
  * @throws {TelarError} X_INSTALL, X_PORT
  */
-export async function startServer({ session, port = 0, three }) {
+export async function startServer({ session, port = 0, times, three }) {
   if (!existsSync(path.join(PAGE, 'page.js'))) {
     throw new TelarError('X_INSTALL', 'the page of telar view is not built; `npm run build:js` in a checkout builds it');
   }
   const token = randomBytes(TOKEN_BYTES).toString('base64url');
   const routes = routesOf(session, pageFiles(three?.decoders), three);
-  const server = createServer((request, response) => void answer(request, response, { token, routes, session, three }));
+  const { headersMs, requestMs, lookMs } = { ...TIMES, ...times };
+  // Node answers what is late with 408, and ends the connection.
+  const server = createServer({ headersTimeout: headersMs, requestTimeout: requestMs, connectionsCheckingInterval: lookMs }, (request, response) => {
+    void answer(request, response, { token, routes, session, three });
+  });
   await new Promise((resolve, reject) => {
     server.once('error', (cause) =>
       reject(new TelarError('X_PORT', `port ${port} cannot be taken (${cause.code ?? cause.message}); without --port a free one is`, { cause })),
