@@ -205,7 +205,7 @@ const ROWS = {
       'Try again once; `signal` says how it ended, and `input` which file it drew. Report a file that does it twice.',
     ],
     X_QUARANTINE: [
-      'The file ended two workers of this pool, or the job as many as `poison` of its queue says; it is refused for a while',
+      'The file ended two workers of this pool in a row, or the job as many as `poison` of its queue says; it is refused for a while',
       'Report the file whose digest is `input`; `quarantineMs` of createPool and of openQueue is how long.',
       { retryable: false, http: 422 },
     ],

@@ -38,8 +38,14 @@ export class FolderStore {
     this.#folder = folder;
   }
 
-  put(ref, data) {
-    return writeFileAtomically(path.join(this.#folder, ref), data);
+  async put(ref, data) {
+    try {
+      await writeFileAtomically(path.join(this.#folder, ref), data);
+    } catch (error) {
+      // A disk that is full now may have room for the next try.
+      const { cause = error } = error;
+      throw new TelarError('X_QUEUE', `a file of the queue cannot be written (${cause.code ?? cause.message})`, { cause });
+    }
   }
 
   async get(ref) {

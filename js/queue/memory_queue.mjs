@@ -20,6 +20,7 @@ export class MemoryQueue {
   warnings = [];
   #work;
   #atOnce = 0;
+  #hosts;
   #bounds;
   #rates;
   /** In order of arrival; those that are over in order of their end. */
@@ -99,14 +100,16 @@ export class MemoryQueue {
     return { waiting: this.#waits, running: this.#running.size, kept: [...this.#jobs.values()].filter(isOver).length };
   }
 
-  take(work, { atOnce }) {
+  take(work, { atOnce, hosts }) {
     this.#work = work;
     this.#atOnce = atOnce;
+    this.#hosts = hosts;
     this.#next();
   }
 
-  /** What waits is finished too: no other process could take it. */
+  /** What waits is finished too: no other process could take it. Where nobody draws, nothing of it ever ends. */
   async idle() {
+    if (!this.#work) return;
     for (const job of this.#delayed.keys()) this.#again(job);
     while (this.#waits + this.#running.size > 0) {
       await Promise.allSettled([...this.#running].map(({ working }) => working));
@@ -166,7 +169,7 @@ export class MemoryQueue {
     job.tries += 1;
     try {
       const result = await this.#work(job.task, { signal, onProgress, onPreview, onStart });
-      const files = job.put ? await putFiles(result.files, job.put, { signal }) : result.files;
+      const files = job.put ? await putFiles(result.files, job.put, { signal, hosts: this.#hosts }) : result.files;
       this.#end(job, 'done', { result: { ...result, files }, progress: 1 });
     } catch (error) {
       this.#failed(job, error);

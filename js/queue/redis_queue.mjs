@@ -3,6 +3,7 @@ import { FolderStore } from './folder_store.mjs';
 import { STEP, isKept, isOver } from './job_queue.mjs';
 import { readAdding } from './options.mjs';
 import { jobId, packTask } from './pack.mjs';
+import { RedisMarks } from './redis_marks.mjs';
 import { RedisRuns } from './redis_runs.mjs';
 import { checkServer, closedInTime, connect, letGoOf, libraries, told } from './redis_server.mjs';
 import { RedisStore } from './redis_store.mjs';
@@ -42,6 +43,7 @@ export class RedisQueue {
   #client;
   #queue;
   #store;
+  #marks;
   #runs;
   #events;
   /** What lets go of the connections. */
@@ -78,6 +80,7 @@ export class RedisQueue {
     this.#client = client;
     this.#lettingGo.push(letGoOf(client));
     this.#store = store;
+    this.#marks = this.#marksOf(client);
     this.#queue = new bullmq.Queue(bounds.name, { connection: client, prefix: PREFIX, skipVersionCheck: true });
     this.#queue.on('error', () => {}); // each call tells
     this.#timers.push(setInterval(() => this.#look(), LOOK_MS));
@@ -86,6 +89,10 @@ export class RedisQueue {
 
   #key(what, id) {
     return `${PREFIX}-${what}:${this.#bounds.name}:${id}`;
+  }
+
+  #marksOf(client) {
+    return new RedisMarks(client, (id) => this.#key('cancelled', id));
   }
 
   #rateKey(tenant) {
@@ -111,7 +118,7 @@ export class RedisQueue {
       await this.check(tenant);
       await this.#count(tenant);
       if (before) await this.#makeRoom(before);
-      await this.#client.unlink(this.#key('cancelled', id));
+      await this.#marks.clear(id);
       const stored = await storeTask(this.#store, packed, this.#bounds.waitMs);
       await this.#addStored(id, { kind: task.kind, task: stored, meta, put, ends: 0 }, priority);
       return this.get(id);
@@ -151,15 +158,13 @@ export class RedisQueue {
 
   /** @param {import('bullmq').Job | undefined} job */
   async #stateOf(id, job) {
-    const mark = await this.#client.get(this.#key('cancelled', id));
-    const marked = mark && fromState(JSON.parse(mark));
-    if (!job) return marked || undefined;
+    const cancelledAs = await this.#marks.cancelled(id);
+    if (cancelledAs || !job) return cancelledAs;
     const { data, timestamp: created, processedOn: started, finishedOn: ended, progress, attemptsStarted: tries } = job;
     // What an earlier try failed with stays in a job that is done.
     const error = ended && !job.returnvalue ? errorOf(job) : undefined;
     const age = error?.code === 'X_QUARANTINE' ? this.#bounds.quarantineMs : this.#bounds.resultMs;
     if (ended && Date.now() - ended >= age) return undefined;
-    if (!ended && marked) return marked;
     const state = stateName(ended, error, !ended && (await job.isActive()));
     const part = state === 'done' ? 1 : state === 'waiting' || typeof progress !== 'number' ? 0 : progress;
     return { id, kind: data.kind, state, progress: part, created, ...(started && { started }), ...(ended && { ended }), tries, ...(error && { error }) };
@@ -184,7 +189,8 @@ export class RedisQueue {
       const state = await this.#stateOf(id, job);
       if (!job || !state || isOver(state)) return state;
       const over = { ...state, state: 'cancelled', ended: Date.now(), error: cancelled() };
-      await this.#client.set(this.#key('cancelled', id), JSON.stringify(over), 'PX', Math.max(this.#bounds.resultMs, this.#bounds.leaseMs));
+      // A worker that has its end already is not stopped.
+      if (!(await this.#marks.cancel(id, over, Math.max(this.#bounds.resultMs, this.#bounds.leaseMs)))) return this.#stateOf(id, job);
       // A job that runs cannot be removed: its worker sees the mark.
       const removed = await job.remove().then(
         () => true,
@@ -264,7 +270,7 @@ export class RedisQueue {
       bullmq: this.#bullmq,
       prefix: PREFIX,
       store: (client) => (this.#store instanceof RedisStore ? new RedisStore(client, `${PREFIX}-bytes:${this.#bounds.name}:`) : this.#store),
-      markOf: (id) => this.#key('cancelled', id),
+      marksOf: (client) => this.#marksOf(client),
       previewOf: (id) => this.#key('preview', id),
     });
   }
@@ -291,8 +297,6 @@ const stateName = (ended, error, isActive) => {
   if (ended) return 'done';
   return isActive ? 'running' : 'waiting';
 };
-
-const fromState = ({ error, ...state }) => ({ ...state, error: fromNative(error) });
 
 const isNews = (told, { state, progress, tries }) =>
   told?.state !== state || told.tries !== tries || progress - told.progress >= STEP || progress < told.progress;

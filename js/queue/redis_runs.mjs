@@ -15,6 +15,7 @@ export class RedisRuns {
   #work;
   #client;
   #store;
+  #marks;
   #worker;
   #running = new Map();
   #timer;
@@ -33,6 +34,7 @@ export class RedisRuns {
     this.#client = connect(bullmq.Redis, bounds.redis, { waits: true });
     this.#letGo = letGoOf(this.#client);
     this.#store = how.store(this.#client);
+    this.#marks = how.marksOf(this.#client);
     this.#worker = new bullmq.Worker(bounds.name, (job, token) => this.#process(job, token), {
       connection: this.#client,
       prefix,
@@ -54,32 +56,43 @@ export class RedisRuns {
   }
 
   async #process(job, token) {
-    const { bullmq, bounds, hosts } = this.#how;
+    const { bullmq, bounds } = this.#how;
     const controller = new AbortController();
     this.#running.set(job.id, controller);
     const { signal } = controller;
     try {
-      if (await this.#client.exists(this.#how.markOf(job.id))) throw cancelled();
+      if (await this.#marks.cancelled(job.id)) throw cancelled();
       const ends = job.data.ends + job.stalledCounter;
       if (isPoison(ends, bounds)) throw poisoned(ends);
       const task = await loadTask(this.#store, job.data.task);
       const told = this.#tellerOf(job);
       const result = await this.#work(task, { signal, ...told, onStart: () => {} });
-      const stored = await storeResult(this.#store, result, { ms: bounds.resultMs, put: job.data.put, signal, hosts });
-      // BullMQ keeps it where this worker has the job still; otherwise its bytes go by themselves, later.
-      return stored;
+      return await this.#keep(result, job, signal);
     } catch (thrown) {
       const verdict = verdictOf(thrown, { tries: job.attemptsMade + 1, ends: job.data.ends }, bounds);
       if (verdict.does === 'give back') {
+        if (verdict.isLast) await this.#worker.pause(true);
         await job.moveToWait(token);
         throw new bullmq.WaitingError();
       }
-      if (verdict.does === 'end') throw new bullmq.UnrecoverableError(JSON.stringify(verdict.error));
+      if (verdict.does === 'end') {
+        const error = (await this.#marks.end(job.id, bounds.leaseMs)) ? verdict.error : cancelled();
+        throw new bullmq.UnrecoverableError(JSON.stringify(error));
+      }
       if (verdict.ends > job.data.ends) await job.updateData({ ...job.data, ends: verdict.ends });
       throw new Error(JSON.stringify(toTelarError(thrown)));
     } finally {
       this.#running.delete(job.id);
     }
+  }
+
+  /** BullMQ keeps it where this worker has the job still; otherwise its bytes go by themselves, later. */
+  async #keep(result, job, signal) {
+    const { bounds, hosts } = this.#how;
+    const stored = await storeResult(this.#store, result, { ms: bounds.resultMs, put: job.data.put, signal, hosts });
+    if (await this.#marks.end(job.id, bounds.leaseMs)) return stored;
+    await this.#store.drop(refsOf(stored)).catch(() => {});
+    throw cancelled();
   }
 
   /** Tells how far a job is, and shows its picture so far: whoever watches is told of the progress, and looks. */
@@ -104,8 +117,7 @@ export class RedisRuns {
   async #look() {
     const ids = [...this.#running.keys()];
     if (ids.length === 0) return;
-    const marks = await this.#client.mget(ids.map((id) => this.#how.markOf(id))).catch(() => []);
-    for (const [i, mark] of marks.entries()) if (mark) this.#running.get(ids[i])?.abort(cancelled());
+    for (const id of await this.#marks.cancelledOf(ids).catch(() => [])) this.#running.get(id)?.abort(cancelled());
   }
 
   idle() {
@@ -117,6 +129,8 @@ export class RedisRuns {
   }
 
   abort(reason) {
+    // What is given back is for another process.
+    this.idle().catch(() => {});
     for (const controller of this.#running.values()) controller.abort(reason);
   }
 }

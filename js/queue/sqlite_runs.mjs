@@ -71,6 +71,7 @@ export class SqliteRuns {
     } catch (error) {
       const verdict = verdictOf(error, { tries: row.failures + 1, ends: row.ends }, bounds);
       const now = Date.now();
+      this.#isEnding ||= verdict.isLast === true;
       if (verdict.does === 'give back') table.change('giveBack', { id, token });
       else if (verdict.does === 'retry') table.change('retry', { id, token, due: now + verdict.afterMs, ends: verdict.ends });
       else table.change('end', { id, token, now, state: verdict.state, error: JSON.stringify(verdict.error) });

@@ -101,7 +101,11 @@ export class Table {
       this.#db.exec('COMMIT');
       return value;
     } catch (error) {
-      this.#db.exec('ROLLBACK');
+      try {
+        this.#db.exec('ROLLBACK');
+      } catch {
+        // On a full disk SQLite has taken it back by itself.
+      }
       throw error;
     }
   }

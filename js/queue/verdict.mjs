@@ -1,6 +1,6 @@
 import { TelarError, toTelarError } from '../error/index.mjs';
 
-/** What becomes of a job whose try did not succeed: the same for every queue. */
+/** What becomes of a job whose try did not succeed: the same for every queue. isLast: this process can draw no other job either. */
 
 const GROWTH = 4;
 /** Kinds of errors that are tried once more alone. */
@@ -19,11 +19,12 @@ export const poisoned = (ends, input) =>
  * @param {unknown} thrown by the work
  * @param {{tries: number, ends: number}} job tries: with this one; ends: workers that it ended before
  * @param {{attempts: number, backoffMs: number, poison: number}} bounds
- * @returns {{does: 'give back'} | {does: 'retry', afterMs: number, ends: number} | {does: 'end', state: 'failed' | 'cancelled', error: TelarError}}
+ * @returns {{does: 'give back', isLast: boolean} | {does: 'retry', afterMs: number, ends: number} | {does: 'end', state: 'failed' | 'cancelled', error: TelarError}}
  */
 export function verdictOf(thrown, { tries, ends }, bounds) {
   const error = toTelarError(thrown);
-  if (error.code === 'X_SHUTDOWN') return { does: 'give back' };
+  // The pool of this process is closed, or its process ends: another one draws the job.
+  if (error.code === 'X_SHUTDOWN' || error.code === 'X_CLOSED') return { does: 'give back', isLast: error.code === 'X_CLOSED' };
   if (error.code === 'X_CANCELLED') return { does: 'end', state: 'cancelled', error };
   const now = ends + (error.code === 'X_CRASH' ? 1 : 0);
   if (now > ends && isPoison(now, bounds)) return { does: 'end', state: 'failed', error: poisoned(now, error.input) };

@@ -3,8 +3,8 @@ import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { FolderStore } from '../../../js/queue/folder_store.mjs';
-import { openQueue } from '../../../js/queue/index.mjs';
-import { QUEUES, onRedis, open, over, startProcess, startRedis, taskOf, temporaryFolder, textOf } from './support.mjs';
+import { TelarError, openQueue } from '../../../js/queue/index.mjs';
+import { QUEUES, onRedis, open, over, resultOf, startProcess, startRedis, taskOf, temporaryFolder, textOf } from './support.mjs';
 import { until } from '../../until.mjs';
 
 // Queues that several processes share: their ends, by kill -9 too.
@@ -103,7 +103,8 @@ for (const [name, kind] of Object.entries(KINDS)) {
       assert.deepEqual(await slow.ended, { code: 0, signal: null });
       assert.equal((await queue.get(id)).state, 'waiting');
       await startProcess(t, { ...place, poison: 1, attempts: 1 }, { log });
-      assert.equal((await over(queue, id)).state, 'done');
+      const told = await over(queue, id);
+      assert.deepEqual([told.state, told.error], ['done', undefined]);
     });
 
     test('cancel in one process stops the job in another', async (t) => {
@@ -116,6 +117,25 @@ for (const [name, kind] of Object.entries(KINDS)) {
       const next = await queue.add(taskOf('b'));
       assert.equal((await over(queue, next.id)).state, 'done');
       assert.equal((await queue.get(id)).state, 'cancelled');
+    });
+
+    test('a worker whose pool is closed gives its job back and takes no more; another one draws it', async (t) => {
+      const place = await kind.place(t);
+      const [closed, other] = [await open(t, place), await open(t, place)];
+      let runs = 0;
+      closed.take(
+        async () => {
+          runs += 1;
+          throw new TelarError('X_CLOSED', 'the pool was closed');
+        },
+        { atOnce: 1 },
+      );
+      const ids = [(await other.add(taskOf('a'))).id, (await other.add(taskOf('b'))).id];
+      await until(() => runs === 1);
+      await until(async () => (await other.counts()).waiting === 2);
+      other.take(async ({ asked }) => resultOf(asked.name), { atOnce: 1 });
+      for (const id of ids) assert.equal((await over(other, id)).state, 'done');
+      assert.equal(runs, 1);
     });
 
     test('several add and several draw at once: each job once, each result its own', async (t) => {

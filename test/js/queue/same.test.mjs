@@ -68,6 +68,20 @@ const LOST_PREVIEWS = {
   Redis: ['redis_queue.mjs', "previewOf: (id) => this.#key('preview', id)", "previewOf: (id) => this.#key('previous', id)"],
 };
 
+test('in memory: where nobody draws, what waits is not waited for', async (t) => {
+  const queue = await open(t, {});
+  const { id } = await queue.add(taskOf('a'));
+  await queue.idle();
+  assert.equal((await queue.get(id)).state, 'waiting');
+});
+
+test('in memory: a job whose pool is closed fails, as no other process has it', async (t) => {
+  const queue = await open(t, {});
+  queue.take(() => fails('X_CLOSED'), { atOnce: 1 });
+  const told = await over(queue, (await queue.add(taskOf('a'))).id);
+  assert.deepEqual([told.state, told.error.code], ['failed', 'X_CLOSED']);
+});
+
 for (const [name, kind] of Object.entries({ ...QUEUES, Redis: { place: () => onRedis(server).place() } })) {
   describe(name, () => {
     /** A queue, and what was asked of its work so far. */
@@ -225,6 +239,23 @@ for (const [name, kind] of Object.entries({ ...QUEUES, Redis: { place: () => onR
       assert.equal(await queue.cancel('0'.repeat(64)), undefined);
     });
 
+    test('cancelled while its worker has the result in its hands: there is one end, and it is the one that was told', async (t) => {
+      const added = deferred();
+      let said;
+      const { queue } = await working(t, async () => {
+        said = await queue.cancel(await added.promise);
+        return resultOf('a');
+      });
+      const { id } = await queue.add(taskOf('a'));
+      const told = [];
+      queue.watch(id, ({ state }) => told.push(state));
+      added.settle(id);
+      await until(async () => said && (await queue.counts()).running === 0);
+      assert.deepEqual([said.state, (await queue.get(id)).state, await queue.result(id)], ['cancelled', 'cancelled', undefined]);
+      await until(() => told.includes('cancelled'));
+      assert.ok(!told.includes('done'), String(told));
+    });
+
     test('listeners are told of each state and of progress until the end', async (t) => {
       const gate = deferred();
       const { queue } = await working(t, async (_, { onProgress, onStart }) => {
@@ -280,6 +311,11 @@ for (const [name, kind] of Object.entries({ ...QUEUES, Redis: { place: () => onR
       assert.deepEqual(got, [sent, sent], 'once more, as the store refused it');
       assert.deepEqual((await queue.result(id)).result.files, [{ name: 'a.txt', type: 'text/plain', bytes: 8, url: `http://${host}/a.txt` }]);
       assert.equal((await queue.add(taskOf('a'), { put: [`http://${host}/a.txt?signature=2`] })).id, id);
+      const bounded = await open(t, { ...(await kind.place(t)) });
+      bounded.take(async ({ asked }) => resultOf(asked.name), { atOnce: 1, hosts: [host] });
+      const denied = await over(bounded, (await bounded.add(taskOf('b'), { put: [`http://localhost:${host.split(':')[1]}/b.txt`] })).id);
+      assert.deepEqual([denied.state, denied.error.code, got.length], ['failed', 'E_URI_DENIED', 2], 'nothing was sent');
+      assert.equal((await over(bounded, (await bounded.add(taskOf('c'), { put: [`http://${host}/c.txt`] })).id)).state, 'done');
     });
 
     test('what is wrong is told', async (t) => {
