@@ -3,6 +3,7 @@ import { constants } from 'node:fs';
 import { open, readFile, realpath } from 'node:fs/promises';
 import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
+import { tooLarge } from '../server/receive.mjs';
 import { shown } from '../shot/complain.mjs';
 import { readLimits, readTimeout, readWorkers } from './limits.mjs';
 import { serviceOptions } from './service_options.mjs';
@@ -67,7 +68,7 @@ async function filesBeneath(folder) {
   const root = await realpath(folder).catch((cause) => {
     throw new TelarError('E_FILE', `--models ${shown(folder)} cannot be read (${cause.code})`, { cause });
   });
-  return async (reference, { signal }) => {
+  return async (reference, { signal, maxBytes }) => {
     if (reference === '' || /[\0\\]/.test(reference)) return null;
     const file = await realpath(path.join(root, reference)).catch(() => undefined);
     if (file === undefined || !file.startsWith(root + path.sep)) return null;
@@ -75,7 +76,10 @@ async function filesBeneath(folder) {
     const handle = await open(file, constants.O_RDONLY | constants.O_NONBLOCK | constants.O_NOFOLLOW).catch(() => undefined);
     if (!handle) return null;
     try {
-      return (await handle.stat()).isFile() ? await handle.readFile({ signal }) : null;
+      const facts = await handle.stat();
+      if (!facts.isFile()) return null;
+      if (facts.size > maxBytes) throw tooLarge('L_FILE_BYTES', maxBytes, facts.size, 'the model');
+      return await handle.readFile({ signal });
     } finally {
       await handle.close();
     }

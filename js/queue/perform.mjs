@@ -1,6 +1,7 @@
 import { AVIF_TYPE, encodeAvif } from '../api/avif.mjs';
 import { bytesOf } from '../api/source.mjs';
 import { FORMATS } from '../shot/table/output.mjs';
+import { drawSized } from './picture_size.mjs';
 
 /**
  * Does what a task asks for, in a pool.
@@ -37,8 +38,10 @@ function plainInfo(info) {
 /** @type {Record<string, (pool: import('../pool/index.js').Pool, task: import('./job_queue.mjs').Task, how: object) => Promise<Result>>} */
 const KINDS = {
   async thumbnail(pool, { asked, files }, how) {
-    const { shot = {}, failOn, ambientVisibility, encode } = asked;
-    const { data, layers = {}, info } = await pool.render(files.model, shot, { ...how, failOn, ambientVisibility, ...resolverOf(files) });
+    const { shot = {}, failOn, ambientVisibility, encode, side } = asked;
+    const drawing = { ...how, failOn, ambientVisibility, ...resolverOf(files) };
+    const drawn = side === undefined ? pool.render(files.model, shot, drawing) : drawSized(pool, files.model, shot, { ...drawing, side });
+    const { data, layers = {}, info } = await drawn;
     if (encode === 'avif') {
       const { quality } = shot.output;
       const file = { name: 'thumbnail.avif', type: AVIF_TYPE, data: await encodeAvif({ ...info, data }, { quality }) };

@@ -10,23 +10,34 @@ const RETRY = { least: 1, most: 60 };
 
 const busy = (message) => new TelarError('X_BUSY', message);
 
-/** Lets so many jobs run and so many wait, and so many bodies be received; the others are refused at once. */
+/**
+ * Bytes of one request that are in memory, from its body to its answer.
+ * @typedef {object} Held
+ * @property {(bytes: number) => void} grow so many by now, or as many as will come; throws X_BUSY where those of all requests are too many
+ * @property {() => void} release
+ */
+
+/** Lets so many jobs run and so many wait, and so many bodies of so many bytes be received; the others are refused at once. */
 export class Admission {
   running = 0;
   receiving = 0;
+  /** Bytes of the requests that are in memory. */
+  heldBytes = 0;
   #places;
   #maxWaiting;
   #uploads;
+  #uploadBytes;
   #waiting = new Set();
   #later = new Set();
   #meanMs = FIRST_GUESS;
   #isClosed = false;
 
-  /** @param {{places: number, waiting: number, uploads: number}} bounds */
-  constructor({ places, waiting, uploads }) {
+  /** @param {{places: number, waiting: number, uploads: number, uploadBytes: number}} bounds */
+  constructor({ places, waiting, uploads, uploadBytes }) {
     this.#places = places;
     this.#maxWaiting = waiting;
     this.#uploads = uploads;
+    this.#uploadBytes = uploadBytes;
   }
 
   get waiting() {
@@ -88,6 +99,22 @@ export class Admission {
     } finally {
       this.receiving -= 1;
     }
+  }
+
+  /** @returns {Held} One request alone may take what its own bounds allow: it would never be let in otherwise. */
+  hold() {
+    let own = 0;
+    const grow = (bytes) => {
+      const others = this.heldBytes - own;
+      if (others > 0 && others + bytes > this.#uploadBytes) throw busy('the requests of this service have all the memory that they may');
+      this.heldBytes = others + Math.max(own, bytes);
+      own = Math.max(own, bytes);
+    };
+    const release = () => {
+      this.heldBytes -= own;
+      own = 0;
+    };
+    return { grow, release };
   }
 
   /**

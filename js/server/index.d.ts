@@ -21,9 +21,13 @@ export interface OwnOptions {
   queue?: Queue | QueueOptions;
   /**
    * Gives the bytes of the model that a request names (`model` of its body or address); null where there is none. What it throws the client is not told.
+   * `maxBytes`: more bytes are refused (L_FILE_BYTES), so they need not be read.
    * @default undefined: such requests are refused
    */
-  resolve?: (reference: string, options: { signal: AbortSignal }) => Uint8Array | null | undefined | Promise<Uint8Array | null | undefined>;
+  resolve?: (
+    reference: string,
+    options: { signal: AbortSignal; maxBytes: number },
+  ) => Uint8Array | null | undefined | Promise<Uint8Array | null | undefined>;
   /**
    * Bytes of .hdr or .exr maps, by the name that shots may give as their environment. A path is nothing that a request may name.
    * @default {}

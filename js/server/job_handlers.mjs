@@ -31,6 +31,8 @@ const event = (name, data) => `event: ${name}\ndata: ${JSON.stringify(data)}\n\n
 
 /** Tells a job's states until it is over (Server-sent events, WHATWG HTML 9.2). */
 function stream(raw, first, queue, prefix) {
+  // A client that went away while the job was looked up is told by no event any more.
+  if (raw.destroyed) return;
   raw.writeHead(200, { 'content-type': 'text/event-stream; charset=utf-8', 'cache-control': 'no-store', 'x-accel-buffering': 'no' });
   raw.write(`retry: ${AGAIN_MS}\n\n${event(first.state, jobJson(first, prefix))}`);
   if (isOver(first)) return raw.end();

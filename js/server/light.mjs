@@ -2,7 +2,7 @@ import { TelarError } from '../error/index.mjs';
 import { isObject } from '../api/option_check.mjs';
 import { shown } from '../shot/complain.mjs';
 
-/** What of a shot a stranger may not say: files of the server, and pictures that are larger than the owner wants. */
+/** What of a shot a stranger may not say: files of the server. */
 
 /** Environments that come with telar, or are none. */
 const NAMED = ['studio', 'none'];
@@ -22,17 +22,4 @@ export function ownLight(shot, { environments, file }) {
   if (Object.hasOwn(environments, named)) return withMap(shot, environments[named]);
   const names = [...NAMED, ...Object.keys(environments)].map((name) => JSON.stringify(name)).join(', ');
   throw new TelarError('E_SHOT', `shot.environment: expected ${names} or a file of the request, got ${shown(named)}`, { pointer: '/environment' });
-}
-
-/** @throws {TelarError} L_OUTPUT_SIZE */
-export function checkSize({ size }, side) {
-  for (const name of ['width', 'height']) {
-    const pixels = size?.[name];
-    if (!(pixels > side)) continue;
-    const limit = { name: 'L_OUTPUT_SIZE', max: side, actual: pixels };
-    throw new TelarError('L_OUTPUT_SIZE', `shot.size.${name}: this service draws at most ${side} pixels a side, got ${shown(pixels)}`, {
-      pointer: `/size/${name}`,
-      limit,
-    });
-  }
 }

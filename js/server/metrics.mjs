@@ -26,6 +26,9 @@ export async function openMetrics({ admission, queue, pool }) {
   gauge('telar_uploads', 'Bodies that are being received', function () {
     this.set(admission.receiving);
   });
+  gauge('telar_held_bytes', 'Bytes of requests in memory, from their bodies to their answers', function () {
+    this.set(admission.heldBytes);
+  });
   gauge(
     'telar_queue',
     'Jobs of the queue by state; kept: those that are over',

@@ -10,6 +10,8 @@ export interface PluginSettings {
   requestBytes?: number;
   /** Bodies that are received at once; one more is X_BUSY. Range 1 to 65536. @default 64 */
   uploads?: number;
+  /** Bytes of the requests that are received, wait and are answered, together; more is X_BUSY, but for one request alone. Range at least 1. @default 1073741824 */
+  uploadBytes?: number;
   /** Jobs that wait for a worker; one more is X_BUSY. By default four for each worker. Range 0 to 65536. */
   waiting?: number;
   /** Jobs (`prefer: respond-async`) that wait in the queue; one more is X_BUSY. Range 0 to 1000000. @default 256 */

@@ -21,15 +21,17 @@ const declaredBytes = ({ headers }) => (/^\d{1,15}$/.test(headers['content-lengt
  * @param {number} bounds.maxBytes
  * @param {string} [bounds.limit] its name
  * @param {number} bounds.ms
+ * @param {import('./admission.mjs').Held} bounds.held counts the bytes among those of all requests
  * @param {AbortSignal} bounds.signal
  * @param {(chunk: Buffer) => void} take
  * @returns {Promise<number>} bytes
- * @throws {TelarError} L_REQUEST_BYTES or that limit, X_UPLOAD_TIME, X_CANCELLED; what `take` throws; the signal's reason
+ * @throws {TelarError} L_REQUEST_BYTES or that limit, X_BUSY, X_UPLOAD_TIME, X_CANCELLED; what `take` throws; the signal's reason
  */
-export function receive(message, { maxBytes, limit = 'L_REQUEST_BYTES', ms, signal }, take) {
+export function receive(message, { maxBytes, limit = 'L_REQUEST_BYTES', ms, signal, held }, take) {
   signal.throwIfAborted();
   const declared = declaredBytes(message);
   if (declared > maxBytes) throw tooLarge(limit, maxBytes, declared);
+  held.grow(declared ?? 0);
   return new Promise((resolve, reject) => {
     let bytes = 0;
     const stop = (settle, value) => {
@@ -46,6 +48,7 @@ export function receive(message, { maxBytes, limit = 'L_REQUEST_BYTES', ms, sign
       bytes += chunk.length;
       try {
         if (bytes > maxBytes) throw tooLarge(limit, maxBytes, bytes);
+        held.grow(bytes);
         take(chunk);
       } catch (error) {
         stop(reject, error);

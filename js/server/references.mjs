@@ -66,7 +66,7 @@ export class References {
     signal.throwIfAborted();
     let given;
     try {
-      given = await orEnd(Promise.resolve(this.#resolve(reference, { signal })), signal);
+      given = await orEnd(Promise.resolve(this.#resolve(reference, { signal, maxBytes: this.#maxBytes })), signal);
     } catch (cause) {
       if (signal.aborted || cause instanceof TelarError) throw signal.reason ?? cause;
       throw new TelarError('X_RESOLVE', `the owner of the service could not resolve ${named(reference)}`, { cause });

@@ -21,6 +21,8 @@ export class Scope {
   ended;
   /** @type {TelarError | undefined} what its client is told when its time is over */
   late;
+  /** @type {import('./admission.mjs').Held | undefined} its request's bytes */
+  held;
   #settle;
   #controller = new AbortController();
   #timer;
@@ -28,9 +30,13 @@ export class Scope {
   #response;
   #onClose;
 
-  /** @param {import('node:http').ServerResponse} [response] that its client waits for */
-  constructor(response) {
+  /**
+   * @param {import('node:http').ServerResponse} [response] that its client waits for
+   * @param {import('./admission.mjs').Held} [held] released when the answer is there
+   */
+  constructor(response, held) {
     this.#response = response;
+    this.held = held;
     this.ended = new Promise((resolve) => {
       this.#settle = resolve;
     });
@@ -65,6 +71,7 @@ export class Scope {
   close() {
     clearTimeout(this.#timer);
     this.#response?.off('close', this.#onClose);
+    this.held?.release();
     this.#settle();
   }
 }

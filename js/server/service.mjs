@@ -2,14 +2,16 @@ import { TelarError } from '../error/index.mjs';
 import { hasSharp } from '../api/avif.mjs';
 import { loadNative } from '../api/native.mjs';
 import { onAbort } from '../api/on_abort.mjs';
+import { wrongOption } from '../api/option_check.mjs';
 import { Admission } from './admission.mjs';
 import { wantedOf } from './answer.mjs';
 import { tagOf, isUnchanged } from './conditional.mjs';
-import { checkSize, ownLight } from './light.mjs';
+import { ownLight } from './light.mjs';
 import { openMetrics } from './metrics.mjs';
 import { keyOf } from '../queue/key.mjs';
 import { openQueue } from '../queue/open.mjs';
 import { perform } from '../queue/perform.mjs';
+import { checkSize, isSizedByModel } from '../queue/picture_size.mjs';
 import { ResultStore } from '../queue/result_store.mjs';
 import { References } from './references.mjs';
 import { Scope, priorityOf, waitOf } from './scope.mjs';
@@ -33,7 +35,9 @@ async function countsOf(queue) {
 }
 
 /** The queue in this process, or the one that the owner names; it holds what a request may be. */
-function ownQueue({ queue, jobs, jobBytes, resultBytes, resultMs, requestBytes }) {
+function ownQueue({ queue, drawJobs, jobs, jobBytes, resultBytes, resultMs, requestBytes }) {
+  if (!drawJobs && queue?.redis === undefined && queue?.sqlite === undefined)
+    throw wrongOption('options.drawJobs', 'true, or a queue on Redis or in SQLite: no other process draws the jobs of this one', drawJobs);
   return openQueue({ jobs, jobBytes, resultBytes, resultMs, taskBytes: requestBytes, ...queue });
 }
 
@@ -75,7 +79,7 @@ export class Service {
     this.signatures = new Signatures(options.signingKeys);
     this.#references = new References({ ...options, maxBytes: this.#fileBytes });
     const places = Math.max(1, pool.workers.length);
-    this.admission = new Admission({ places, waiting: options.waiting ?? WAITING_EACH * places, uploads: options.uploads });
+    this.admission = new Admission({ places, waiting: options.waiting ?? WAITING_EACH * places, uploads: options.uploads, uploadBytes: options.uploadBytes });
     if (options.drawJobs) queue.take((task, how) => this.#workLater(task, how), { atOnce: places });
   }
 
@@ -113,26 +117,30 @@ export class Service {
     const { uploadMs, requestBytes, environments, side, deadlineMs } = this.#options;
     const { signal } = scope;
     return this.admission.receive(async () => {
-      const { asked, files } = await readTask(kind, request, { signal, ms: uploadMs, maxBytes: requestBytes, fileBytes: this.#fileBytes });
+      const { asked, files } = await readTask(kind, request, { signal, ms: uploadMs, maxBytes: requestBytes, fileBytes: this.#fileBytes, held: scope.held });
       scope.startClock(waitOf(request.raw, deadlineMs));
       const { model: reference, ...rest } = asked;
       const { environment: light, ...own } = files;
-      if (kind !== 'compare') own.model = await this.#modelOf(reference, files.model, request, signal);
+      if (kind !== 'compare') own.model = await this.#modelOf(reference, files.model, request, scope);
       else for (const name of ['expected', 'actual']) if (!own[name]) throw missing(name);
       const isDrawn = kind === 'thumbnail' || kind === 'inspect' || kind === 'sheet';
       const shot = isDrawn && ownLight(rest.shot ?? {}, { environments, file: light });
       if (kind === 'thumbnail') checkSize(shot, side);
+      // What the model makes of its scale is known when it is loaded, by whichever process.
+      const bound = kind === 'thumbnail' && isSizedByModel(shot) && { side };
       this.metrics.received.inc(Object.values(own).reduce((sum, { byteLength }) => sum + byteLength, 0));
-      return { kind, asked: { ...rest, ...(isDrawn && { shot }) }, files: own };
+      return { kind, asked: { ...rest, ...(isDrawn && { shot }), ...bound }, files: own };
     }, check);
   }
 
-  async #modelOf(reference, file, { isSigned }, signal) {
+  async #modelOf(reference, file, { isSigned }, { signal, held }) {
     if (file && reference !== undefined) throw new TelarError('E_REQUEST', 'request.model: it is a file and a reference; give one', { pointer: '/model' });
     if (file) return file;
     if (reference === undefined) throw missing('model');
     if (this.signatures.areNeeded && !isSigned) throw new TelarError('E_SIGNATURE', 'this service takes references from signed addresses alone');
-    return this.#references.bytes(reference, signal);
+    const bytes = await this.#references.bytes(reference, signal);
+    held.grow(bytes.byteLength);
+    return bytes;
   }
 
   /**
@@ -143,7 +151,7 @@ export class Service {
    * @returns {Promise<{type: string, kind: string, tag?: string, result?: import('../queue/perform.mjs').Result, waited: number, worked: number}>} without result: 304
    */
   answer(kind, request, response) {
-    return this.#within(new Scope(response), async (scope) => {
+    return this.#within(new Scope(response, this.admission.hold()), async (scope) => {
       const { task, type, tag, key, isKnown } = await this.#wanted(kind, request, scope);
       if (isKnown) return { type, kind, tag };
       const { result, waited, worked } = await this.#work(task, scope, 'run', { key, span: request.span });
@@ -156,7 +164,7 @@ export class Service {
    * @returns {Promise<import('../queue/job_queue.mjs').JobState>}
    */
   submit(kind, request, response) {
-    return this.#within(new Scope(response), async (scope) => {
+    return this.#within(new Scope(response, this.admission.hold()), async (scope) => {
       const { headers } = request.raw;
       const tenant = headers[this.#options.tenantHeader] ?? '';
       const { task, type } = await this.#wanted(kind, request, scope, () => this.queue.check(tenant));
@@ -217,6 +225,8 @@ export class Service {
       let code;
       const stopListening = onAbort(signal, (reason) => scope.abort(reason));
       try {
+        // It may have been cancelled while its bytes were fetched.
+        signal.throwIfAborted();
         const start = () => {
           scope.startClock(this.#options.jobMs);
           onStart();
@@ -261,22 +271,24 @@ export class Service {
     this.admission.close();
   }
 
-  /** Resolves when nothing runs. */
+  /** Resolves when nothing runs. A queue that this process does not draw is not its own to stop. */
   async idle() {
-    await this.queue.idle();
+    if (this.#options.drawJobs) await this.queue.idle();
     while (this.#scopes.size > 0) await Promise.allSettled([...this.#scopes].map(({ ended }) => ended));
   }
 
   /** What still runs is ended. */
   abort() {
     const reason = new TelarError('X_SHUTDOWN', 'the service ended before the answer was there');
-    this.queue.abort(reason);
+    if (this.#options.drawJobs) this.queue.abort(reason);
     for (const scope of this.#scopes) scope.abort(reason);
   }
 
   async close() {
     this.end();
     this.abort();
+    // A queue of the owner takes no more jobs for a pool that is about to close.
+    if (this.#options.drawJobs) await this.queue.idle();
     await this.#store?.idle();
     this.metrics.close();
     if (this.#owns.queue) await this.queue.close();

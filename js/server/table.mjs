@@ -24,6 +24,13 @@ const PLUGIN = {
     default: 128 * MIB,
   }),
   uploads: whole('Bodies that are received at once; one more is X_BUSY', { flag: '--uploads <n>', min: 1, max: 65_536, default: 64 }),
+  uploadBytes: whole('Bytes of the requests that are received, wait and are answered, together; more is X_BUSY, but for one request alone', {
+    flag: '--upload-bytes <n>',
+    unit: 'bytes',
+    min: 1,
+    max: 2 ** 40,
+    default: 1024 * MIB,
+  }),
   waiting: whole('Jobs that wait for a worker; one more is X_BUSY. By default four for each worker', {
     flag: '--waiting <n>',
     min: 0,

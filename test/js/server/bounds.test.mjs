@@ -111,6 +111,46 @@ test('so many bodies at once, and one more is refused at once with retry-after',
     slow[1].socket.destroy();
   }));
 
+for (const [way, headers, body] of [
+  ['that say how many they have', { 'content-length': 3000 }, ''],
+  ['that do not', { 'transfer-encoding': 'chunked' }, `bb8\r\n${'x'.repeat(3000)}\r\n`],
+]) {
+  test(`bodies ${way}: so many bytes of all together, and more is refused with retry-after`, () =>
+    withService({ uploadBytes: 5000, uploadMs: HOURS }, async (service) => {
+      const held = async () => /^telar_held_bytes (\d+)$/m.exec(await (await fetch(new URL('/metrics', service.url))).text())[1];
+      const slow = await connect(service);
+      slow.socket.write(head(THUMBNAILS, { 'content-type': GLB, ...headers }) + body);
+      await until(async () => (await held()) === '3000');
+      const { socket, said } = await connect(service);
+      socket.write(head(THUMBNAILS, { 'content-type': GLB, ...headers }) + body);
+      const refused = await said;
+      assert.deepEqual([statusOf(refused), codeOf(refused)], [429, 'X_BUSY']);
+      assert.match(refused, /retry-after: \d+\r\n/);
+      slow.socket.destroy();
+      await until(async () => (await held()) === '0');
+      assert.equal((await post(service.url, THUMBNAILS, glb, { shot: SHOT })).status, 200);
+    }));
+}
+
+test('a side that the model makes of a scale is bounded too, asked for at once and as a job', () =>
+  withService({ side: 100 }, async ({ url }) => {
+    const shotOf = (ppi) => ({ scale: '1:10', output: { ppi } });
+    const { status, code, limit, pointer, message } = await problemOf(await post(url, THUMBNAILS, glb, { shot: shotOf(600) }));
+    assert.deepEqual([status, code, limit.max, pointer], [413, 'L_OUTPUT_SIZE', 100, '/size/width'], message);
+    assert.ok(limit.actual > 100);
+    const small = await post(url, THUMBNAILS, glb, { shot: shotOf(10) });
+    const { data, info } = await pool.render(glb, shotOf(10));
+    assert.deepEqual([small.status, small.headers.get('etag')], [200, `"${info.key}"`]);
+    assert.ok((await bytesOf(small)).equals(data));
+    const { links } = await (await post(url, THUMBNAILS, glb, { shot: shotOf(600) }, { prefer: 'respond-async' })).json();
+    const over = await until(async () => {
+      const told = await (await fetch(new URL(links.self, url))).json();
+      return told.state === 'failed' && told;
+    });
+    assert.equal(over.error.code, 'L_OUTPUT_SIZE');
+    assert.equal((await problemOf(await post(url, THUMBNAILS, glb, { shot: { scale: 7 } }))).code, 'E_SHOT');
+  }));
+
 test('so many connections at once', () =>
   withService({ connections: 2 }, async (service) => {
     const held = [await connect(service), await connect(service)];
@@ -171,19 +211,33 @@ test('an answer that takes longer than its deadline is a 504, running or waiting
     });
   }));
 
+test('a job that was cancelled while the queue fetched its bytes is not drawn', async () => {
+  let work;
+  const queue = { warnings: [], take: (given) => (work = given), counts: () => ({}), abort: () => {}, idle: async () => {}, close: async () => {} };
+  await withService({ queue, jobMs: 3000 }, async () => {
+    const reason = new Error('cancelled');
+    const task = { kind: 'thumbnail', asked: { shot: ENDLESS }, files: { model: glb } };
+    await assert.rejects(work(task, { signal: AbortSignal.abort(reason), onStart: assert.fail }), reason);
+  });
+});
+
+/** The pool, whose first worker ends in the middle of its job. */
+function endingOnce() {
+  let isFirst = true;
+  const render = (model, shot, options) => {
+    if (!isFirst) return pool.render(model, shot, options);
+    isFirst = false;
+    const onProgress = () => process.kill(pool.workers.find(({ state }) => state === 'busy').pid, 'SIGKILL');
+    return pool.render(model, ENDLESS, { ...options, onProgress });
+  };
+  return Object.defineProperty({ render, close: async () => {} }, 'workers', { get: () => pool.workers });
+}
+
 test('a worker that ends in the middle costs no answer: another one draws it', () =>
-  withService({}, async ({ url }) => {
-    const shot = { ...SHOT, quality: 'high' };
-    const drawn = (await pool.render(glb, shot)).data;
-    // It takes the job, and does not end it before it is ended itself.
-    const { pid } = await until(() => pool.workers.find(({ state }) => state === 'idle'));
-    process.kill(pid, 'SIGSTOP');
-    const answering = post(url, THUMBNAILS, glb, { shot });
-    await until(() => pool.workers.find((worker) => worker.pid === pid)?.state === 'busy');
-    process.kill(pid, 'SIGKILL');
-    const answer = await answering;
+  withService({ pool: endingOnce(), deadlineMs: HOURS }, async ({ url }) => {
+    const answer = await post(url, THUMBNAILS, glb, { shot: SHOT });
     assert.equal(answer.status, 200);
-    assert.ok((await bytesOf(answer)).equals(drawn));
+    assert.ok((await bytesOf(answer)).equals((await pool.render(glb, SHOT)).data));
     assert.match(await (await fetch(new URL('/metrics', url))).text(), /^telar_retries_total 1$/m);
   }));
 

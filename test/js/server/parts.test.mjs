@@ -61,7 +61,7 @@ const errorOf = (promise) =>
   );
 
 test('admission: as many run as there are places, the rest in order, one more is refused', async () => {
-  const admission = new Admission({ places: 2, waiting: 2, uploads: 1 });
+  const admission = new Admission({ places: 2, waiting: 2, uploads: 1, uploadBytes: 100 });
   const order = [];
   const jobs = Array.from({ length: 4 }, job);
   const ended = jobs.map(({ task }, i) =>
@@ -83,7 +83,7 @@ test('admission: as many run as there are places, the rest in order, one more is
 });
 
 test('admission: a job that fails gives its place back, one that is called off while it waits leaves the queue', async () => {
-  const admission = new Admission({ places: 1, waiting: 1, uploads: 1 });
+  const admission = new Admission({ places: 1, waiting: 1, uploads: 1, uploadBytes: 100 });
   const first = job();
   const running = admission.run(first.task, alive());
   const controller = new AbortController();
@@ -100,7 +100,7 @@ test('admission: a job that fails gives its place back, one that is called off w
 });
 
 test('admission: closed, no body is received, and what waits or was received still gets its turn', async () => {
-  const admission = new Admission({ places: 1, waiting: 2, uploads: 1 });
+  const admission = new Admission({ places: 1, waiting: 2, uploads: 1, uploadBytes: 100 });
   const first = job();
   const all = [admission.run(first.task, alive()), admission.run(async () => 'second', alive())];
   admission.close();
@@ -110,8 +110,29 @@ test('admission: closed, no body is received, and what waits or was received sti
   assert.deepEqual(await Promise.all(all), ['first', 'second', 'received before']);
 });
 
+test('admission: bytes of all requests together, until their answers are there; one alone may take more', () => {
+  const admission = new Admission({ places: 1, waiting: 1, uploads: 1, uploadBytes: 100 });
+  const [first, second, third] = [admission.hold(), admission.hold(), admission.hold()];
+  first.grow(60);
+  first.grow(30);
+  second.grow(40);
+  assert.equal(admission.heldBytes, 100);
+  assert.throws(() => second.grow(41), { code: 'X_BUSY', message: 'the requests of this service have all the memory that they may' });
+  assert.throws(() => third.grow(1), { code: 'X_BUSY' });
+  first.release();
+  first.release();
+  third.grow(60);
+  assert.equal(admission.heldBytes, 100);
+  for (const held of [second, third]) held.release();
+  first.grow(1000);
+  assert.equal(admission.heldBytes, 1000, 'nobody else has any');
+  assert.throws(() => second.grow(1), { code: 'X_BUSY' });
+  first.release();
+  assert.equal(admission.heldBytes, 0);
+});
+
 test('admission: retry-after grows with what waits and what jobs take, within 1 and 60 s', async () => {
-  const admission = new Admission({ places: 1, waiting: 100, uploads: 1 });
+  const admission = new Admission({ places: 1, waiting: 100, uploads: 1, uploadBytes: 100 });
   assert.equal(admission.retryAfter, 1);
   const first = job();
   const all = [admission.run(first.task, alive()), ...Array.from({ length: 99 }, () => admission.run(() => {}, alive()))];
@@ -122,10 +143,10 @@ test('admission: retry-after grows with what waits and what jobs take, within 1 
 });
 
 /** Events of one job for a client that reads, or does not; what was written, and how the job changes. */
-async function events(handlers) {
+async function events(handlers, facts = {}) {
   const written = [];
   const closing = [];
-  const raw = { writableNeedDrain: false, writeHead: () => {}, write: (text) => written.push(text), end: () => written.push('end') };
+  const raw = { writableNeedDrain: false, writeHead: () => {}, write: (text) => written.push(text), end: () => written.push('end'), ...facts };
   raw.once = (name, then) => closing.push(then);
   let tell;
   const state = { id: 'a', kind: 'thumbnail', state: 'running', progress: 0.1, created: 0 };
@@ -161,11 +182,16 @@ const EVENTS = {
     leave();
     assert.ok(!isWatched());
   },
+  async 'events: nor of one whose client went away before'(handlers) {
+    const { written, isWatched } = await events(handlers, { destroyed: true });
+    assert.deepEqual([written, isWatched()], [[], false]);
+  },
 };
 const EVENT_FAULTS = [
   ['if (!isOver(state) && raw.writableNeedDrain) return;', ''],
   ['clearInterval(beat);', ''],
   ["raw.once('close', stop);", ''],
+  ['if (raw.destroyed) return;', ''],
 ];
 for (const [i, [name, check]] of Object.entries(EVENTS).entries()) {
   test(name, async (t) => {
@@ -180,7 +206,7 @@ for (const [i, [name, check]] of Object.entries(EVENTS).entries()) {
 
 /** A request of these pieces. */
 const messageOf = (pieces, headers = {}) => Object.assign(Readable.from(pieces.map((text) => Buffer.from(text))), { headers });
-const BOUNDS = { maxBytes: 100, ms: 60_000, signal: new AbortController().signal };
+const BOUNDS = { maxBytes: 100, ms: 60_000, signal: new AbortController().signal, held: { grow: () => {}, release: () => {} } };
 const sha256 = (text) => createHash('sha256').update(text).digest('hex');
 
 async function checkHashed({ receiveHashed }) {

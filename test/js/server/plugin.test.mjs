@@ -3,7 +3,10 @@ import { after, before, test } from 'node:test';
 import Fastify from 'fastify';
 import { createPool } from '../../../js/pool/index.mjs';
 import { telarServer } from '../../../js/server/index.mjs';
-import { MODELS, SHOT, bytesOf, post, problemOf } from './support.mjs';
+import { openQueue } from '../../../js/queue/index.mjs';
+import { startRedis } from '../queue/support.mjs';
+import { until } from '../../until.mjs';
+import { ENDLESS, MODELS, SHOT, bytesOf, post, problemOf } from './support.mjs';
 
 // The plugin in a server that does other things too.
 
@@ -48,12 +51,37 @@ test('a pool of the owner stays open when the server closes; one of the plugin e
   await pool.close();
 });
 
+test("a pool of the plugin ends before the owner's queue: what it has not drawn waits for another process", async (t) => {
+  const redis = await startRedis();
+  const queue = await openQueue({ redis: redis.url });
+  t.after(async () => {
+    await queue.close();
+    await redis.stop();
+  });
+  const other = Fastify();
+  await other.register(telarServer, { queue, pool: { size: 1, cacheDirectory: null } });
+  const address = await other.listen({ port: 0 });
+  const ids = [];
+  for (const exposure of [1, 2, 3]) {
+    const job = await post(address, '/v1/thumbnails', glb, { shot: { ...ENDLESS, exposure } }, { prefer: 'respond-async' });
+    ids.push((await job.json()).id);
+  }
+  await until(async () => (await queue.counts()).running === 1);
+  await other.close();
+  const states = await Promise.all(ids.map((id) => queue.get(id)));
+  assert.deepEqual(
+    states.map(({ state, error }) => [state, error?.code]),
+    ids.map(() => ['waiting', undefined]),
+  );
+});
+
 for (const [options, message] of [
   [{ sides: 1 }, /^options\.sides: unknown key, did you mean side\?/],
   [{ port: 1 }, /^options\.port: unknown key/],
   [{ pool: 1 }, /^options\.pool: expected a pool, or options of createPool, got 1/],
   [{ resolve: 'x' }, /^options\.resolve: expected a function, got "x"/],
   [{ environments: { sky: 'sky.hdr' } }, /^options\.environments\.sky: expected bytes of a \.hdr or \.exr file, got "sky\.hdr"/],
+  [{ drawJobs: false }, /^options\.drawJobs: expected true, or a queue on Redis or in SQLite: no other process draws the jobs of this one, got false/],
   [{ deadlineMs: 0 }, /^options\.deadlineMs: expected a whole number in \[1, /],
 ]) {
   test(`refused: ${JSON.stringify(options)}`, async () => {

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, rmSync, symlinkSync, truncateSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
@@ -18,6 +18,10 @@ mkdirSync(path.join(folder, 'models/shirts'), { recursive: true });
 writeFileSync(path.join(folder, 'models/shirts/cloth.glb'), glb);
 writeFileSync(path.join(folder, 'models/sky.hdr'), gradient(16));
 writeFileSync(path.join(folder, 'secret.glb'), glb);
+/** More than Node reads at once; it has holes, and takes no room. */
+const LARGE = 3 * 2 ** 30;
+writeFileSync(path.join(folder, 'models/large.glb'), '');
+truncateSync(path.join(folder, 'models/large.glb'), LARGE);
 symlinkSync(path.join(folder, 'secret.glb'), path.join(folder, 'models/link.glb'));
 
 /** Runs the program until it listens. */
@@ -45,6 +49,8 @@ test('with no more than a port it draws at once, on this machine alone; models b
   for (const model of ['secret.glb', '../secret.glb', 'link.glb', 'shirts/../../secret.glb', 'shirts', '', `${models}/../secret.glb`, '/etc/passwd']) {
     assert.equal((await problemOf(await ask(model))).code, 'E_NOT_FOUND', model);
   }
+  const large = await problemOf(await ask('large.glb'));
+  assert.deepEqual([large.code, large.limit.actual], ['L_FILE_BYTES', LARGE], 'it is not read');
   const lit = await ask('shirts/cloth.glb', { ...SHOT, environment: 'sky' });
   assert.deepEqual([lit.status, (await bytesOf(lit)).equals(drawn)], [200, false]);
   child.kill('SIGTERM');
@@ -53,7 +59,7 @@ test('with no more than a port it draws at once, on this machine alone; models b
     .split('\n')
     .filter((line) => line.startsWith('{'))
     .map(JSON.parse);
-  assert.equal(log.filter(({ msg }) => msg === 'answered').length, 11);
+  assert.equal(log.filter(({ msg }) => msg === 'answered').length, 12);
   assert.ok(!said.err.includes(folder) && !said.err.includes('Warning'), said.err);
 });
 
@@ -115,6 +121,7 @@ test('what cannot be served is told with the exit code of its error', async () =
     [['--port', '70000'], /options\.port: expected a whole number in \[0, 65535\], got 70000/],
     [['--upload-ms', 'soon'], /options\.uploadMs: expected a whole number in \[1, [^\]]+\], got "soon"/],
     [['--log-level', 'loud'], /Allowed choices are/],
+    [['--no-draw-jobs'], /options\.drawJobs: expected true, or a queue on Redis or in SQLite/],
     [['--environment', 'sky'], /expected NAME=FILE/],
   ]) {
     const { code, text } = await ends(argv);
