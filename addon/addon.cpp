@@ -280,9 +280,11 @@ Napi::Value probeFormats(const Napi::CallbackInfo& info) {
   return textOnPool(info.Env(), std::make_shared<Job>(CancelToken()), failureOfImageFiles);
 }
 
-/// probeIsolation() -> Promise<string>
+/// probeIsolation(withFirst: boolean) -> Promise<string>
 Napi::Value probeRights(const Napi::CallbackInfo& info) {
-  return textOnPool(info.Env(), std::make_shared<Job>(CancelToken()), probeIsolation);
+  const bool withFirst = info[0].ToBoolean();
+  return textOnPool(info.Env(), std::make_shared<Job>(CancelToken()),
+                    [withFirst] { return probeIsolation(withFirst); });
 }
 
 /// isolate(dataBytes: number) -> string; for a worker of the pool, which has nothing else to do
@@ -291,7 +293,7 @@ Napi::Value isolate(const Napi::CallbackInfo& info) {
   return Napi::String::New(info.Env(), isolateProcess(dataBytes >= 1 ? static_cast<std::uint64_t>(dataBytes) : 0));
 }
 
-/// failedAllocations() -> number | null; null where libtelar_allocations.so does not count them
+/// failedAllocations() -> number | null; null where libtelar_worker.so does not count them
 Napi::Value countFailures(const Napi::CallbackInfo& info) {
   const std::optional<unsigned> failures = failedAllocations();
   return failures ? Napi::Number::New(info.Env(), *failures) : info.Env().Null();

@@ -10,7 +10,7 @@ namespace {
 
 using Counter = unsigned();
 
-/// The counter of libtelar_allocations.so, if one that cannot succeed is counted.
+/// The counter of libtelar_worker.so, if one that cannot succeed is counted.
 Counter* findCounter() {
   auto* counter = reinterpret_cast<Counter*>(dlsym(RTLD_DEFAULT, "telarFailedAllocations"));
   if (!counter) return nullptr;

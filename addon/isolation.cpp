@@ -1,5 +1,7 @@
 #include "isolation.h"
 
+#include <dlfcn.h>
+#include <fcntl.h>
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -16,6 +18,9 @@
 #include <csignal>
 #include <cstddef>
 #include <cstring>
+#include <optional>
+
+#include "first_steps.h"
 
 namespace telar::addon {
 namespace {
@@ -152,9 +157,6 @@ class Filter {
   std::size_t size_ = 0;
 };
 
-/// errno of a call that gives -1, else 0.
-int failureOf(long result) { return result == -1 ? errno : 0; }
-
 int denyCalls(std::uint64_t) {
   if (ARCHITECTURE == 0) return ENOSYS;
   const auto self = static_cast<std::uint32_t>(getpid());
@@ -199,7 +201,12 @@ int endWithParent(std::uint64_t) { return failureOf(prctl(PR_SET_PDEATHSIG, SIGK
 int noNewPrivileges(std::uint64_t) { return failureOf(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)); }
 int noCore(std::uint64_t) { return limit(RLIMIT_CORE, 0); }
 int fewFiles(std::uint64_t) { return limit(RLIMIT_NOFILE, MAX_FILES); }
+#if defined(__SANITIZE_ADDRESS__)
+/// The sanitizer reserves terabytes for what it notes about each byte.
+int boundedData(std::uint64_t) { return ENOTSUP; }
+#else
 int boundedData(std::uint64_t bytes) { return bytes == 0 ? 0 : limit(RLIMIT_DATA, bytes); }
+#endif
 int notTraceable(std::uint64_t) { return failureOf(prctl(PR_SET_DUMPABLE, 0)); }
 
 struct Step {
@@ -222,41 +229,67 @@ Failures takeSteps(std::uint64_t dataBytes) {
   return failures;
 }
 
-std::string reportOf(const Failures& failures) {
-  std::string text = "[";
-  for (std::size_t i = 0; i < STEP_COUNT; ++i) {
-    const int failure = failures[i];
-    text += std::string(i == 0 ? "" : ",") + "{\"step\":\"" + STEPS[i].name + "\",\"failure\":";
-    text += failure == 0 ? "null}"
-                         : "\"" + std::string(strerrorname_np(failure) ? strerrorname_np(failure) : "unknown") + "\"}";
+/// What came of all steps; the first ones where somebody took them.
+struct Outcome {
+  std::optional<FirstFailures> first;
+  Failures failures;
+};
+
+std::string rowOf(const char* step, std::optional<int> failure) {
+  std::string text = "{\"step\":\"" + std::string(step) + "\"";
+  if (failure == 0) text += ",\"failure\":null";
+  if (failure > 0) {
+    const char* name = strerrorname_np(*failure);
+    text += ",\"failure\":\"" + std::string(name ? name : "unknown") + "\"";
   }
+  return text + "}";
+}
+
+std::string reportOf(const Outcome& outcome) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < FIRST_STEPS.size(); ++i)
+    text += rowOf(FIRST_STEPS[i].name, outcome.first ? std::optional((*outcome.first)[i]) : std::nullopt) + ",";
+  for (std::size_t i = 0; i < STEP_COUNT; ++i)
+    text += rowOf(STEPS[i].name, outcome.failures[i]) + (i + 1 < STEP_COUNT ? "," : "");
   return text + "]";
+}
+
+/// What this process gave up at its start.
+std::optional<FirstFailures> firstFailures() {
+  auto* find = reinterpret_cast<FirstFailuresFunction*>(dlsym(RTLD_DEFAULT, FIRST_FAILURES_SYMBOL));
+  const FirstFailures* failures = find ? find() : nullptr;
+  return failures ? std::optional(*failures) : std::nullopt;
 }
 
 }  // namespace
 
-std::string isolateProcess(std::uint64_t dataBytes) { return reportOf(takeSteps(dataBytes)); }
+std::string isolateProcess(std::uint64_t dataBytes) { return reportOf({firstFailures(), takeSteps(dataBytes)}); }
 
-std::string probeIsolation() {
-  Failures failures;
-  failures.fill(EIO);
+std::string probeIsolation(bool withFirst) {
+  Outcome outcome;
+  outcome.failures.fill(EIO);
+  if (withFirst) outcome.first.emplace().fill(EIO);
   int ends[2];
-  if (pipe(ends) != 0) return reportOf(failures);
+  if (pipe2(ends, O_CLOEXEC) != 0) return reportOf(outcome);
   const pid_t child = fork();
   if (child == 0) {
-    // Other threads may have held any lock: nothing here allocates.
-    const Failures found = takeSteps(0);
-    _exit(write(ends[1], found.data(), sizeof found) == sizeof found ? 0 : 1);
+    // Other threads may have held any lock: nothing here allocates. The pipe has the place of a worker's own.
+    constexpr int PIPE = 3;
+    Outcome found;
+    const bool isHeard = dup2(ends[1], PIPE) == PIPE;
+    if (withFirst) found.first = takeFirstSteps();
+    found.failures = takeSteps(0);
+    _exit(isHeard && write(PIPE, &found, sizeof found) == sizeof found ? 0 : 1);
   }
   close(ends[1]);
   if (child > 0) {
-    Failures found;
-    if (read(ends[0], found.data(), sizeof found) == sizeof found) failures = found;
+    Outcome found;
+    if (read(ends[0], &found, sizeof found) == sizeof found) outcome = found;
     while (waitpid(child, nullptr, 0) == -1 && errno == EINTR) {
     }
   }
   close(ends[0]);
-  return reportOf(failures);
+  return reportOf(outcome);
 }
 
 }  // namespace telar::addon

@@ -2,7 +2,7 @@ import os from 'node:os';
 import { toTelarError } from '../error/index.mjs';
 import { keptCalibrations } from './calibration.mjs';
 import { nativeCall } from './native_call.mjs';
-import { allocationGuard, loadNative, nativePath, NOTICES_ALLOCATIONS } from './native.mjs';
+import { isolationSteps, loadNative, nativePath, workerLibrary } from './native.mjs';
 import { defaultCache } from './options.mjs';
 import { versions } from './versions.mjs';
 
@@ -15,8 +15,8 @@ export async function doctor() {
     const reference = JSON.parse(await nativeCall(native, undefined, () => native.probeReference()));
     const failure = await nativeCall(native, undefined, () => native.failureOfImageFiles());
     const imageFiles = failure ? { works: false, failure } : { works: true };
-    const isolation = JSON.parse(await nativeCall(native, undefined, () => native.probeIsolation()));
-    isolation.push({ step: NOTICES_ALLOCATIONS, failure: allocationGuard().failure });
+    const { failure: absent } = workerLibrary();
+    const isolation = isolationSteps(await nativeCall(native, undefined, () => native.probeIsolation(absent === null)), absent);
     return { ...report, ok: probe.chosen !== null, native: { path: nativePath() }, ...probe, reference, imageFiles, isolation };
   } catch (error) {
     return {

@@ -37,22 +37,34 @@ export const ASSET_DIRECTORY = path.join(ROOT, 'js/assets');
 export const NOTICES_ALLOCATIONS = 'failed allocations noticed';
 
 /**
- * The library that counts allocations which fail, as LD_PRELOAD takes it: it lies beside the addon.
+ * The library of workers, as LD_PRELOAD takes it: it lies beside the addon. It counts allocations which fail, and gives up what a process can
+ * give up at its start alone.
  * @returns {{file: string, failure: null} | {failure: string}}
  * @throws {TelarError} X_NATIVE_MISSING
  */
-export function allocationGuard() {
+export function workerLibrary() {
   loaded ??= load();
-  return guardBeside(loaded.file);
+  return libraryBeside(loaded.file);
 }
 
 /** @param {string} addon its file */
-export function guardBeside(addon) {
-  const file = path.join(path.dirname(addon), 'libtelar_allocations.so');
-  if (!existsSync(file)) return { failure: 'libtelar_allocations.so is not beside telar.node' };
+export function libraryBeside(addon) {
+  const file = path.join(path.dirname(addon), 'libtelar_worker.so');
+  if (!existsSync(file)) return { failure: 'libtelar_worker.so is not beside telar.node' };
   // What the loader takes for a border between two names, or for a variable.
   if (/[\s:$]/.test(file)) return { failure: 'LD_PRELOAD takes no path with a space, a colon or a dollar sign, and the folder of telar.node has one' };
   return { file, failure: null };
+}
+
+/**
+ * What the addon reports of isolation, with the steps of that library.
+ * @param {string} report JSON; a step that nobody took has no failure
+ * @param {string | null} absent why the library is not there
+ * @returns {{step: string, failure: string | null}[]}
+ */
+export function isolationSteps(report, absent) {
+  const steps = JSON.parse(report).map(({ step, failure = absent ?? 'not taken' }) => ({ step, failure }));
+  return [...steps, { step: NOTICES_ALLOCATIONS, failure: absent }];
 }
 
 let loaded;

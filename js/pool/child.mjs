@@ -2,7 +2,7 @@
 import net from 'node:net';
 import os from 'node:os';
 import v8 from 'node:v8';
-import { loadNative, NOTICES_ALLOCATIONS } from '../api/native.mjs';
+import { isolationSteps, loadNative } from '../api/native.mjs';
 import { createRenderer } from '../api/renderer.mjs';
 import { toTelarError } from '../error/index.mjs';
 import { Channel } from './channel.mjs';
@@ -54,10 +54,10 @@ async function start({ renderer: options, bound, dataBytes }) {
   try {
     const renderer = await createRenderer(options);
     const native = loadNative();
-    const isolation = JSON.parse(native.isolate(dataBytes));
+    const report = native.isolate(dataBytes);
     // What failed while the driver tried what this machine has is no news: the renderer is open.
     const before = native.failedAllocations();
-    isolation.push({ step: NOTICES_ALLOCATIONS, failure: before === null ? 'libtelar_allocations.so is not preloaded' : null });
+    const isolation = isolationSteps(report, before === null ? 'libtelar_worker.so is not preloaded' : null);
     const isSpoiled = () => native.failedAllocations() !== before;
     jobs = new ChildJobs(renderer, { ...bound, limits: options.limits }, { answer: (answer, parts) => channel.send(answer, parts), isSpoiled });
     channel.send({ ready: { backend: renderer.backend, gl: renderer.gl, isolation } });

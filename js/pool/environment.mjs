@@ -1,4 +1,4 @@
-import { allocationGuard } from '../api/native.mjs';
+import { workerLibrary } from '../api/native.mjs';
 import { threadsOfEach } from './defaults.mjs';
 
 /** What a worker gets of the environment of this process: where programs, libraries, caches and the GL driver are, and the language. No secret. */
@@ -33,19 +33,19 @@ const isPassedOn = (name) => (NAMES.includes(name) || BEGINNINGS.some((beginning
  * The environment of one of so many workers.
  * @param {number} size
  * @param {Record<string, string | undefined>} [from]
- * @param {string} [guard] file of the library that counts failed allocations
+ * @param {string} [library] file of libtelar_worker.so
  */
-export function workerEnvironment(size, from = process.env, guard = allocationGuard().file) {
+export function workerEnvironment(size, from = process.env, library = workerLibrary().file) {
   const own = Object.fromEntries(Object.entries(from).filter(([name]) => isPassedOn(name)));
   // io_uring is a second way to system calls, which the filter of a worker does not see. Decoded textures come and go with each job: kept as heap
   // and in large pages, their memory need not be given by the kernel and cleared anew.
-  return { LP_NUM_THREADS: String(threadsOfEach(size)), UV_USE_IO_URING: '0', GLIBC_TUNABLES: TUNABLES, ...own, ...preload(guard, own.LD_PRELOAD) };
+  return { LP_NUM_THREADS: String(threadsOfEach(size)), UV_USE_IO_URING: '0', GLIBC_TUNABLES: TUNABLES, ...own, ...preload(library, own.LD_PRELOAD) };
 }
 
 /** Sanitizers want to be first, and have an allocator of their own. */
 const SANITIZER = /lib(clang_rt\.)?[alt]san/;
 
-/** The guard before what the caller preloads: an allocator of the caller's is then asked through it. */
-const preload = (guard, own) => (guard && !SANITIZER.test(own ?? '') ? { LD_PRELOAD: own ? `${guard} ${own}` : guard } : {});
+/** The library before what the caller preloads: an allocator of the caller's is then asked through it. It knows by TELAR_IS_WORKER what it is in. */
+const preload = (library, own) => (library && !SANITIZER.test(own ?? '') ? { TELAR_IS_WORKER: '1', LD_PRELOAD: own ? `${library} ${own}` : library } : {});
 
 const TUNABLES = 'glibc.malloc.hugetlb=1:glibc.malloc.mmap_threshold=4294967295:glibc.malloc.trim_threshold=4294967295';

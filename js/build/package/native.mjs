@@ -8,7 +8,7 @@ import { targetOf } from './target.mjs';
 
 /** What the build writes. The others are loaded when first needed; where what they link is missing, that feature is. */
 const ADDON = 'telar.node';
-const ON_DEMAND = ['libtelar_allocations.so', 'libtelar_oiio.so', 'libtelar_reference.so'];
+const ON_DEMAND = ['libtelar_worker.so', 'libtelar_oiio.so', 'libtelar_reference.so'];
 
 /** Libraries that telar.node loads by name when a model needs them (core/lazy_library). */
 const LOADED = ['libzstd.so.1', 'libmeshoptimizer.so.2d'];

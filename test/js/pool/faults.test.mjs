@@ -7,7 +7,7 @@ import { before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import '../api/support/real.mjs';
 import { MODELS } from '../../fixtures/index.mjs';
-import { allocationGuard } from '../../../js/api/native.mjs';
+import { workerLibrary } from '../../../js/api/native.mjs';
 import { TelarError } from '../../../js/error/index.mjs';
 import { ChildJobs } from '../../../js/pool/child_jobs.mjs';
 import { until } from '../../until.mjs';
@@ -79,7 +79,7 @@ async function counted(preload) {
 }
 
 test('an allocation that failed is counted, of another allocator too; planted: without the library nobody does', async () => {
-  const { file } = allocationGuard();
+  const { file } = workerLibrary();
   for (const preload of [[file], [file, built.library]]) {
     const [before, within, over] = await counted(preload);
     assert.ok(within === before && over > before, JSON.stringify([before, within, over]));

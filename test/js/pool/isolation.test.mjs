@@ -1,10 +1,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { loadNative } from '../../../js/api/native.mjs';
+import { isolationSteps, loadNative } from '../../../js/api/native.mjs';
 import { runChild } from '../api/support/child.mjs';
 import './support.mjs';
 
 // What a process can do before and after it gave up what a worker gives up. Before, each is possible: so each check can fail.
+
+/** Steps that libtelar_worker.so takes before the program of a worker runs. */
+const FIRST = ['no inherited descriptors', 'own network'];
 
 const nativeUrl = new URL('../../../js/api/native.mjs', import.meta.url).href;
 
@@ -41,7 +44,7 @@ test('after it: no program, no network, no other process, few files; reading goe
   const text = `${TRIES}
     import { loadNative } from '${nativeUrl}';
     const before = await tries();
-    const isolation = JSON.parse(loadNative().isolate(2 ** 30));
+    const isolation = JSON.parse(loadNative().isolate(2 ** 30)).filter(({ failure }) => failure !== undefined);
     console.log(JSON.stringify({ before, isolation, after: await tries() }));
     process.exit(0);`;
   const { stdout, stderr } = await runChild(text, { support: false });
@@ -97,19 +100,32 @@ test('threads that run already are bound too', async () => {
 });
 
 test('doctor asks a process that ends: this one keeps its rights', async () => {
-  const report = JSON.parse(await loadNative().probeIsolation());
+  const report = JSON.parse(await loadNative().probeIsolation(true));
   assert.deepEqual(
     report.map(({ step }) => step),
-    ['end with the parent', 'no new privileges', 'no core dump', 'few open files', 'bounded memory', 'not traceable', 'filtered system calls'],
+    [...FIRST, 'end with the parent', 'no new privileges', 'no core dump', 'few open files', 'bounded memory', 'not traceable', 'filtered system calls'],
   );
   for (const { failure } of report) assert.ok(failure === null || (/^E[A-Z]+$/.test(failure) && failure !== 'EPROTO'), failure);
-  assert.deepEqual(JSON.parse(await loadNative().probeIsolation()), report);
+  assert.deepEqual(JSON.parse(await loadNative().probeIsolation(true)), report);
   const { stdout } = await runChild(
     `import { loadNative } from '${nativeUrl}';
-     await loadNative().probeIsolation();
+     await loadNative().probeIsolation(true);
      const { spawnSync } = await import('node:child_process');
      console.log(spawnSync('/bin/true').status);`,
     { support: false },
   );
   assert.equal(stdout, '0\n');
+});
+
+test('without libtelar_worker.so its steps are told as not taken, with the reason', async () => {
+  const report = isolationSteps(await loadNative().probeIsolation(false), 'planted');
+  assert.deepEqual(
+    report.filter(({ failure }) => failure === 'planted').map(({ step }) => step),
+    [...FIRST, 'failed allocations noticed'],
+  );
+  assert.deepEqual(isolationSteps('[{"step":"a"},{"step":"b","failure":null},{"step":"c","failure":"EPERM"}]', null).slice(0, 3), [
+    { step: 'a', failure: 'not taken' },
+    { step: 'b', failure: null },
+    { step: 'c', failure: 'EPERM' },
+  ]);
 });

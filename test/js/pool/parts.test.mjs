@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { Duplex, PassThrough } from 'node:stream';
 import { test } from 'node:test';
-import { guardBeside } from '../../../js/api/native.mjs';
+import { libraryBeside } from '../../../js/api/native.mjs';
 import { awake } from '../../../js/pool/awake.mjs';
 import { Breaker } from '../../../js/pool/breaker.mjs';
 import { Channel } from '../../../js/pool/channel.mjs';
@@ -213,7 +213,7 @@ test('a worker gets no secret of the environment, and its share of the cores', (
   const from = { PATH: '/bin', AWS_SECRET_ACCESS_KEY: 'x', DATABASE_URL: 'x', NODE_OPTIONS: 'x', MESA_DEBUG: '1', TELAR_BUILD_DIR: '/b', LC_ALL: 'C' };
   const secrets = { TELAR_SIGN_KEY: '00', TELAR_SIGN_SALT: '11' };
   const { GLIBC_TUNABLES, ...env } = workerEnvironment(1000, { ...from, ...secrets }, '/guard.so');
-  const own = { LP_NUM_THREADS: '0', UV_USE_IO_URING: '0', LD_PRELOAD: '/guard.so' };
+  const own = { LP_NUM_THREADS: '0', UV_USE_IO_URING: '0', LD_PRELOAD: '/guard.so', TELAR_IS_WORKER: '1' };
   assert.deepEqual(env, { PATH: '/bin', MESA_DEBUG: '1', TELAR_BUILD_DIR: '/b', LC_ALL: 'C', ...own });
   assert.equal(workerEnvironment(1, { LP_NUM_THREADS: '7' }).LP_NUM_THREADS, '7', 'what the operator says counts');
   assert.deepEqual([threadsOfEach(1, 8), threadsOfEach(3, 8), threadsOfEach(8, 8), threadsOfEach(9, 8)], [8, 2, 0, 0]);
@@ -231,12 +231,12 @@ test('where that library cannot be preloaded, the reason is told', (t) => {
   t.after(() => rmSync(folder, { recursive: true }));
   const addonIn = (name, has = true) => {
     mkdirSync(path.join(folder, name));
-    if (has) writeFileSync(path.join(folder, name, 'libtelar_allocations.so'), '');
+    if (has) writeFileSync(path.join(folder, name, 'libtelar_worker.so'), '');
     return path.join(folder, name, 'telar.node');
   };
-  assert.deepEqual(guardBeside(addonIn('good')), { file: path.join(folder, 'good/libtelar_allocations.so'), failure: null });
-  assert.match(guardBeside(addonIn('without', false)).failure, /^libtelar_allocations.so is not beside telar.node$/);
-  for (const name of ['a b', 'a:b', 'a$LIB']) assert.match(guardBeside(addonIn(name)).failure, /^LD_PRELOAD takes no path with a space/);
+  assert.deepEqual(libraryBeside(addonIn('good')), { file: path.join(folder, 'good/libtelar_worker.so'), failure: null });
+  assert.match(libraryBeside(addonIn('without', false)).failure, /^libtelar_worker.so is not beside telar.node$/);
+  for (const name of ['a b', 'a:b', 'a$LIB']) assert.match(libraryBeside(addonIn(name)).failure, /^LD_PRELOAD takes no path with a space/);
 });
 
 test('workers by default: one a core, as far as the memory goes', () => {

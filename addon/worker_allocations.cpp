@@ -1,4 +1,4 @@
-// libtelar_allocations.so: counts the allocations of a process that failed, whoever asked for them. A worker of a pool
+// Of libtelar_worker.so: counts the allocations of a process that failed, whoever asked for them. A worker of a pool
 // has it by LD_PRELOAD. GL drivers do not look at each of their allocations: after one that failed they may draw a
 // wrong picture without a word. Nothing else is changed: each call goes on to the allocator that is next.
 #include <dlfcn.h>
