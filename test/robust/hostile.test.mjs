@@ -3,13 +3,14 @@
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { TABLE } from '../../js/error/table.mjs';
 import { makeCases, writeCases } from './make_cases.mjs';
+import { faultOf, sharedCases, WITHOUT_SHARED } from './shared_cases.mjs';
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
 const TOOL = join(resolve(ROOT, process.env.TELAR_BUILD_DIR ?? 'out/dev'), 'bin/telar_load');
@@ -101,50 +102,13 @@ test('the formats of images are named, and the levels that a file brings', async
   assert.deepEqual(await imageOf('ktx2-zstd.glb'), { width: 8, height: 4, format: 'KTX2 UASTC zstd', levels: 1 });
 });
 
-/** Codes of the manifest under the names that telar's table has for them. */
-const ALIASES = { L_IMAGE_DIM: 'L_IMAGE_DIMENSION', W_GLB_UNKNOWN_CHUNK: 'W_GLB_CHUNK', L_TIME: 'L_IMAGE_SCANS', W_EXT: 'W_EXT_IGNORED' };
-
-/** Where telar ends in another way than the manifest's first choice, and why. All stay within its `accept`. */
-const OTHERWISE = [
-  [/^j-nul-bytes/, 'E_NOT_GLTF'], // by its bytes no other than c-all-zero-4k
-  [/^j-padding-nul/, ''], // the JSON in this file needs no padding: it has no NUL
-  [/^u-buffer-symlink-escape/, 'E_URI_MISSING'], // the link is absent from this copy of the folder
-  [/^h-gpu-instancing/, 'E_INSTANCING'],
-  [/^g-matrix-zero/, ''], // three.js takes a matrix without volume for no scale
-  [/^e-animation-bad/, 'E_REF'], // a pose may ask for it
-  [/^p-(png-ffffffff|png-65536|png-bomb-\d|jpeg-65500|webp-16383)/, 'L_IMAGE_DIMENSION'], // a side is checked before the area
-  [/^p-png-bomb-idat-longer/, ''], // all pixels are there: drawing and refusing are both right
-  [/^p-png-bomb-idat-longer/, 'E_IMAGE_CORRUPT'],
-  [/^p-png-no-iend/, 'E_IMAGE_CORRUPT'], // cut files are refused, whatever was lost
-  [/^p-png-palette-index/, ''], // drawn as browsers do
-  [/^o-meshopt-optional-broken/, 'E_MESHOPT'], // three.js does not fall back either
-  [/^e-(texture-transform|light)-1e400/, 'E_SCHEMA'], // a number that is no double is refused wherever it stands
-  [/^d-empty/, 'E_BUFFERVIEW'], // a view of no bytes is wrong in itself
-  [/^d-accessor-type-scalar/, 'E_ACCESSOR'], // as is a POSITION of scalars
-];
-
-function codesOf(result) {
-  if (!result.ok) return [result.code];
-  const warnings = result.scene.warnings.map((w) => w.code);
-  return warnings.length ? warnings : [''];
-}
-
-function isExpected(entry, codes) {
-  if (!entry.code || entry.code === 'E_*' || codes.includes(entry.code) || codes.includes(ALIASES[entry.code])) return true;
-  return OTHERWISE.some(([file, code]) => file.test(entry.file) && codes.includes(code));
-}
-
-const manifest = join(SHARED, 'hostile/manifest.json');
-test('each shared case ends within what it accepts', { skip: !existsSync(manifest) && 'no ../shared/hostile' }, async () => {
-  const { cases } = JSON.parse(readFileSync(manifest, 'utf8'));
+test('each shared case ends within what it accepts', { skip: WITHOUT_SHARED }, async () => {
+  const cases = sharedCases();
   assert.ok(cases.length > 300);
   await forAll(cases, async (entry) => {
-    const result = await load(join(SHARED, 'hostile/cases', entry.file), entry.mode === 'path');
-    const outcome = result.ok ? 'render' : result.code.startsWith('L_') ? 'limit' : 'reject';
-    const codes = codesOf(result);
-    assert.ok(entry.accept.includes(outcome), `${entry.file}: ${outcome} ${codes}, accepted ${entry.accept}`);
-    assert.ok(isExpected(entry, codes), `${entry.file}: ${codes}, expected ${entry.code}`);
-    for (const code of codes) assert.ok(code === '' || TABLE[code], `${entry.file}: ${code} is not in the table`);
+    const result = await load(entry.path, entry.mode === 'path');
+    assert.equal(faultOf(entry, { code: result.ok ? undefined : result.code, warnings: result.scene?.warnings }), undefined);
+    for (const { code } of result.ok ? result.scene.warnings : [result]) assert.ok(TABLE[code], `${entry.file}: ${code} is not in the table`);
     if (!result.ok) assert.ok(result.cpuMs < REFUSE_MS, `${entry.file}: took ${result.cpuMs} ms`);
   });
 });
