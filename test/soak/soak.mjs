@@ -4,8 +4,10 @@ import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
+import sharp from 'sharp';
 import { createPool } from '../../js/pool/index.mjs';
 import { MODELS } from '../fixtures/index.mjs';
+import { glb, quad } from '../robust/glb.mjs';
 import { makeCases } from '../robust/make_cases.mjs';
 
 // Many renders through a pool whose workers are not replaced, a fifth of them of hostile files: whether memory, descriptors, threads and GL names stay flat, and
@@ -32,6 +34,19 @@ const LATE = { threads: 0, descriptors: 0, glObjects: 8 };
 
 const GOOD = ['cloth', 'ball', 'base-color-map', 'normal-map', 'vertex-colors', 'two-uv-sets', 'cloth-tangents', 'ball-metal'];
 const SIDES = [24, 48, 96, 128];
+
+/** Of a texture that fills what a worker keeps for its next jobs: textures, and memory of images. Pixels. */
+const LARGE_SIDE = 4096;
+
+/** A model whose one texture is a JPEG of so many pixels a side. */
+export async function withTexture(side = LARGE_SIDE) {
+  const image = await sharp({ create: { width: side, height: side, channels: 3, background: '#777' } })
+    .jpeg()
+    .toBuffer();
+  const model = quad({ image });
+  model.doc.images[0].mimeType = 'image/jpeg';
+  return glb(model);
+}
 
 /** The same sequence each time (mulberry32): 0..1. */
 export function random(seed) {
@@ -90,9 +105,10 @@ export async function soak({ renders, looks = 20, size = 2, say = () => {} }) {
     const kind = /^[0-9a-f]{64}$/.test(outcome) ? 'picture' : outcome;
     outcomes[kind] = (outcomes[kind] ?? 0) + 1;
   };
-  // What a kind of material makes once is there before the first look, in each worker.
-  do for (const { bytes } of good) await Promise.all(pool.workers.map(() => pool.render(bytes, { size: { width: SIDES[0], height: SIDES[0] } })));
-  while (pool.workers.some(({ jobs }) => jobs < good.length));
+  // What a kind of material makes once is there before the first look, in each worker, and what it keeps of the largest files.
+  const warming = [await withTexture(), ...good.map(({ bytes }) => bytes)];
+  do for (const bytes of warming) await Promise.all(pool.workers.map(() => pool.render(bytes, { size: { width: SIDES[0], height: SIDES[0] } })));
+  while (pool.workers.some(({ jobs }) => jobs < warming.length));
   const first = new Set(pool.workers.map(({ pid }) => pid));
   const look = async (done) => {
     globalThis.gc?.();

@@ -1,7 +1,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { judgeSoak, soak } from '../../soak/soak.mjs';
-import '../api/support/real.mjs';
+import { residentBytes } from '../../../js/pool/usage.mjs';
+import { MODELS } from '../../fixtures/index.mjs';
+import { judgeSoak, soak, withTexture } from '../../soak/soak.mjs';
+import { open, SHOT } from './support.mjs';
 
 // A short soak; `npm run soak` is the long one. What judges it is checked with planted leaks.
 
@@ -52,4 +54,29 @@ test('planted leaks are found, and what is no leak is not', () => {
   const step = (facts, which, i) => ({ ...facts, bytes: facts.bytes + (isLast(which) && i > 10 ? 40 * MIB : 0) });
   assert.deepEqual(faultsOf(step), [], 'one large file, and flat again');
   assert.deepEqual(faultsOf(undefined, { lost: 1, changed: ['a 24'] }), ['a 24 did not end as it did before', '1 workers ended']);
+});
+
+/** Bytes that a worker has more after several large textures than after the first ones. @param {(pool: object, model: Buffer) => Promise<unknown>} use */
+async function grownBy(use) {
+  const pool = await open();
+  const [small, large] = [await MODELS.cloth(), await withTexture()];
+  const rounds = async (count) => {
+    for (let i = 0; i < count; ++i) {
+      await use(pool, large);
+      await pool.render(small, SHOT);
+    }
+    return residentBytes(pool.workers[0].pid);
+  };
+  const before = await rounds(2);
+  const grown = (await rounds(4)) - before;
+  await pool.close();
+  return grown;
+}
+
+test('what a worker keeps of large textures for its next jobs is bounded; planted: models that are held are not', async () => {
+  const TEXTURE = 4096 ** 2 * 4;
+  const grown = await grownBy((pool, model) => pool.render(model, SHOT));
+  assert.ok(grown < TEXTURE / 2, `${grown} bytes`);
+  const planted = await grownBy((pool, model) => pool.load(model));
+  assert.ok(planted > TEXTURE, `${planted} bytes`);
 });
