@@ -12,11 +12,11 @@ import { supervise } from './supervise.mjs';
 // run.mjs is the command; ../js/queue/chaos.test.mjs plants faults in what it judges.
 
 /** Shots of the jobs: the right bytes of each are drawn beforehand. */
-const SHOTS = Array.from({ length: 8 }, (_, i) => ({ size: { width: 48, height: 48 }, exposure: 0.5 + 0.25 * i }));
+export const SHOTS = Array.from({ length: 8 }, (_, i) => ({ size: { width: 48, height: 48 }, exposure: 0.5 + 0.25 * i }));
 /** Jobs asked for at once: more wait for theirs. */
 const CLIENTS = 32;
 /** Milliseconds after the last end of a process in which all jobs are over. */
-const STUCK_MS = 90_000;
+export const STUCK_MS = 90_000;
 const LEASE_MS = 3000;
 /** Milliseconds between two looks at what was completed. */
 const LOOK_MS = 250;

@@ -14,9 +14,11 @@ const AGAIN_MS = 200;
  */
 export function supervise(name, argv, { env, planted }) {
   let isEnding = false;
+  let starts = 0;
   let child;
   const start = () => {
     if (isEnding) return;
+    starts += 1;
     const before = planted ? ['--import', planted] : [];
     child = spawn(process.execPath, [...before, BIN, ...argv], { stdio: 'ignore', env: { ...process.env, ...env } });
     child.once('exit', () => setTimeout(start, AGAIN_MS));
@@ -24,6 +26,10 @@ export function supervise(name, argv, { env, planted }) {
   start();
   return {
     name,
+    /** How often it was started. */
+    get starts() {
+      return starts;
+    },
     get pid() {
       return child.pid;
     },

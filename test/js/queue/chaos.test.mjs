@@ -1,8 +1,11 @@
 import '../api/support/real.mjs';
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { readdirSync } from 'node:fs';
+import { FolderStore } from '../../../js/queue/folder_store.mjs';
 import { judgeChaos, oneOf } from '../../chaos/chaos.mjs';
 import { load } from '../../chaos/early_word_hooks.mjs';
+import { smallDisk } from '../../chaos/full_disk.mjs';
 import { inspect } from '../../../js/index.mjs';
 import { MODELS } from '../../fixtures/index.mjs';
 
@@ -38,4 +41,18 @@ test('the fault that --planted loads is one of the code as it is now', async () 
     load('file:///another.mjs', {}, (other) => other),
     'file:///another.mjs',
   );
+});
+
+test('bytes of a job on a full disk: X_QUEUE, to be tried again, and nothing half written', { skip: process.getuid() !== 0 && 'not root' }, async (t) => {
+  const disk = smallDisk(2 ** 20);
+  t.after(() => disk.remove());
+  const store = await FolderStore.open(disk.folder);
+  const bytes = Buffer.alloc(100_000, 7);
+  disk.fill();
+  const error = await store.put('a', bytes, 1000).catch((thrown) => thrown);
+  assert.deepEqual([error.code, error.message, error.retryable, error.http], ['X_QUEUE', 'a file of the queue cannot be written (ENOSPC)', true, 503]);
+  disk.free();
+  assert.deepEqual(readdirSync(disk.folder), []);
+  await store.put('a', bytes, 1000);
+  assert.ok((await store.get('a')).equals(bytes));
 });
