@@ -15,7 +15,8 @@ struct FirstStep {
   int (*take)();
 };
 
-/// In order. No descriptor above the pipe to the parent (3), which programs in between may have left open across exec.
+/// In order. No descriptor above the pipe to the parent (3), which programs in between may have left open across exec;
+/// what another preloaded library opens in its constructor is taken for one of these, too.
 /// A network namespace of its own, without an interface, and without the abstract sockets of this machine: by the right
 /// to make one, or in a user namespace where the process has no right that it would lose there.
 extern const std::array<FirstStep, 2> FIRST_STEPS;
