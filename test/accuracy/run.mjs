@@ -7,11 +7,11 @@ import { ENVIRONMENTS, FABRIC_MODELS, LAYERED_FABRICS } from '../fixtures/index.
 import { measureHeldOut } from './held_out.mjs';
 import { errorsOf } from './measure.mjs';
 
-// npm run accuracy [-- PATHS [CLOTH]]: qualities of the raster against the path tracer on cloth, in a window of a thumbnail;
-// writes js/docs/accuracy.md where all cloths are measured. CLOTH "held-out": those that nothing was tuned on, into the terminal; their table is in
+// npm run accuracy [-- PATHS [CLOTH...]]: qualities of the raster against the path tracer on cloth, in a window of a thumbnail;
+// writes js/docs/accuracy.md where all cloths are measured. CLOTH "held-out": those that nothing was tuned on, or of them those that are named after it, into the terminal; their table is in
 // js/docs/fabric_accuracy.md.
 
-const [paths = '2048', only = ''] = process.argv.slice(2);
+const [paths = '2048', only = '', ...others] = process.argv.slice(2);
 const SKIES = ['soft-studio', 'sunny-sky', 'overcast-sky'];
 // By its name the tracer itself would draw `high` here: js/docs/reference.md.
 const QUALITIES = { draft: 'draft', standard: 'standard', medium: 'medium', '64 samples': { samples: 64, environmentSamples: 256 }, high: PRESETS.high };
@@ -24,7 +24,7 @@ const SIZE = 64;
 const camera = { position: [0, -0.03, 0.95], target: [0.08, 0.03, 0.06], fovY: (30 * SIZE) / THUMBNAIL };
 
 if (only === 'held-out') {
-  process.exit(await measureHeldOut({ paths: Number(paths), skies: SKIES, size: SIZE, camera }));
+  process.exit(await measureHeldOut({ paths: Number(paths), skies: SKIES, size: SIZE, camera, cloths: others }));
 }
 
 /** Cloths of one surface: lace lies over a card. */

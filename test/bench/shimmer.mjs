@@ -6,8 +6,14 @@
 // node test/bench/shimmer.mjs [CLOTH...]      needs the dev build (npm test makes it)
 import { createRenderer } from '../../js/index.mjs';
 import { ENVIRONMENTS, FABRIC_MODELS } from '../fixtures/index.mjs';
-import { HELD_OUT_FABRICS } from '../fixtures/scenes_held_out.mjs';
+import { HELD_OUT_FABRICS, TUNED_FABRICS } from '../fixtures/scenes_held_out.mjs';
 
+/** Presets by their names, and what is or was held out. */
+const MODELS = {
+  ...Object.fromEntries(Object.entries(FABRIC_MODELS).map(([name, make]) => [name.replace('fabric-', ''), make])),
+  ...HELD_OUT_FABRICS,
+  ...TUNED_FABRICS,
+};
 const cloths = process.argv.length > 2 ? process.argv.slice(2) : ['tulle', 'sequin-thread', 'leather', 'denim'];
 const FRAMES = 60;
 const STEP = (0.5 * Math.PI) / 180;
@@ -67,7 +73,7 @@ function flicker(a, b) {
 let held = true;
 console.log('| cloth | standard | reference | its error | its noise | ratio |\n|---|---|---|---|---|---|');
 for (const name of cloths) {
-  const model = await renderer.load(await (FABRIC_MODELS[`fabric-${name}`] ?? HELD_OUT_FABRICS[name])());
+  const model = await renderer.load(await MODELS[name]());
   const [standard, one, other] = [[], [], []];
   for (let frame = 0; frame < FRAMES; ++frame) {
     const traced = (seed) => lumaOf(model, frame, { preset: 'reference', transport: 'direct', samples: PATHS, seed });
