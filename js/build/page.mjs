@@ -31,6 +31,7 @@ const bundle = (files, options) =>
     target: ['chrome111', 'firefox113', 'safari16.4'],
     format: 'esm',
     legalComments: 'eof',
+    external: ['*.webp'],
     logLevel: 'warning',
     ...options,
   });
@@ -40,7 +41,7 @@ export async function buildPage() {
   await bundle({ page: 'page.mjs', compare_worker: 'compare_worker.mjs', style: 'style.css' }, { chunkNames: 'part-[hash]' });
   // For `--three`: the same page, which imports three.js by its name.
   await bundle({ own: 'page.mjs', hdr_loader: 'hdr_loader.mjs' }, { chunkNames: 'own-[hash]', external: ['three', 'three/addons/*'] });
-  for (const file of ['index.html', 'icon.svg', 'Apache-2.0.LICENSE.txt']) await cp(path.join(PAGE, file), path.join(OUT, file));
+  for (const file of ['index.html', 'icon.svg', 'cloths.webp', 'Apache-2.0.LICENSE.txt']) await cp(path.join(PAGE, file), path.join(OUT, file));
   const three = path.dirname(path.dirname(createRequire(import.meta.url).resolve('three')));
   await mkdir(path.join(OUT, 'draco'), { recursive: true });
   for (const [from, to] of Object.entries(COPIED)) await cp(path.join(three, from), path.join(OUT, to), { recursive: true });

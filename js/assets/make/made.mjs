@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 const MAKE = fileURLToPath(new URL('.', import.meta.url));
 export const MADE_FILE = 'made.json';
 /** Draw pictures for the docs and make no asset. */
-const OTHERS = ['pictures.mjs', 'cloths_picture.mjs', 'ltc.mjs', 'made.mjs'];
+const OTHERS = ['pictures.mjs', 'cloths_picture.mjs', 'cloth_scenes.mjs', 'cloth_pages.mjs', 'blind.mjs', 'ltc.mjs', 'made.mjs'];
 /** Packages whose versions may change the bytes. */
 const PACKAGES = ['@gltf-transform/core', '@gltf-transform/extensions', 'delaunator', 'meshoptimizer', 'sharp'];
 

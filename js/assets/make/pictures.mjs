@@ -9,9 +9,13 @@ import { measured } from '../../../test/js/view/spec_support.mjs';
 import { launchChromium, openView, settled } from '../../../test/js/view/support.mjs';
 import { createRenderer } from '../../index.mjs';
 import { createSheet } from '../../sheet/index.mjs';
+import { blindSheet } from './blind.mjs';
+import { clothPages, clothSwatches } from './cloth_pages.mjs';
+import { PRESETS } from './cloths/index.mjs';
 import { clothsPicture } from './cloths_picture.mjs';
 
-// The pictures of README and docs: npm run pictures [-- NAME...], all of them or those that are named.
+// The pictures of README, docs and the page of telar view: npm run pictures [-- NAME...], all of them or those that are named.
+// "cloth-pages" and names of presets after it: js/docs/cloths. "blind", which has to be named: a test of recognition in out/blind, its key in out/blind_key.json.
 
 const ASSETS = new URL('..', import.meta.url);
 const OUT = new URL('readme/', ASSETS);
@@ -118,6 +122,7 @@ async function sheetPages(out) {
     .toFile(out);
 }
 
+/** In js/assets/readme. */
 const PICTURES = {
   'beside_browser.jpg': besideBrowser,
   'contact_sheet.jpg': contactSheet,
@@ -127,11 +132,27 @@ const PICTURES = {
   'cloths.jpg': clothsPicture,
 };
 
-await mkdir(OUT, { recursive: true });
 const wanted = process.argv.slice(2);
+const isWanted = (name) => wanted.length === 0 || wanted.includes(name);
+const tell = async (name) => console.log(`${name}  ${(await readFile(fileOf(`../../${name}`))).length} bytes`);
+
+await mkdir(OUT, { recursive: true });
 for (const [name, make] of Object.entries(PICTURES)) {
-  if (wanted.length > 0 && !wanted.includes(name)) continue;
-  const out = fileURLToPath(new URL(name, OUT));
-  await make(out);
-  console.log(`js/assets/readme/${name}  ${(await readFile(out)).length} bytes`);
+  if (!isWanted(name)) continue;
+  await make(fileURLToPath(new URL(name, OUT)));
+  await tell(`js/assets/readme/${name}`);
+}
+if (isWanted('cloth-swatches')) {
+  await clothSwatches(fileOf('../view/page/cloths.webp'));
+  await tell('js/view/page/cloths.webp');
+}
+if (isWanted('cloth-pages')) {
+  await clothPages(
+    fileOf('../docs/cloths'),
+    wanted.filter((name) => name !== 'cloth-pages' && Object.hasOwn(PRESETS, name)),
+  );
+}
+if (wanted.includes('blind')) {
+  await blindSheet(fileOf('../../out/blind'), fileOf('../../out/blind_key.json'));
+  console.log('out/blind, and the key in out/blind_key.json');
 }

@@ -3,6 +3,7 @@ import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'nod
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
+import { CLOTHS } from '../../../js/shot/table/cloths.mjs';
 import { ENVIRONMENTS, MODELS } from '../../fixtures/index.mjs';
 import { changing, figuresOf, launchChromium, openView, pictures, settled, SHIRT } from './support.mjs';
 
@@ -41,17 +42,52 @@ async function show(t, ...args) {
   await settled(page);
 }
 
+/** As a reader of the screen finds it. */
+const radio = (name) => page.getByRole('radiogroup', { name: 'Cloth' }).getByRole('radio', { name, exact: true });
+const chooseCloth = (name) => radio(name).check({ force: true });
+
+test('every cloth has a picture of its own in the picker, and keys choose', async () => {
+  const shown = await page.evaluate(async () => {
+    const squares = [...document.querySelectorAll('#cloths label span:not(.own)')];
+    const [, url] = /url\("(.*)"\)/.exec(getComputedStyle(squares[0]).backgroundImage);
+    const image = await createImageBitmap(await (await fetch(url)).blob());
+    const context = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true });
+    const side = image.width / 7;
+    return squares.map((square) => {
+      const [x, y] = getComputedStyle(square)
+        .backgroundPosition.split(' ')
+        .map((part) => Number.parseFloat(part) / 100);
+      context.drawImage(image, Math.round(x * 6) * side, Math.round(y * (image.height / side - 1)) * side, side, side, 0, 0, 1, 1);
+      return { name: square.parentElement.title, color: [...context.getImageData(0, 0, 1, 1).data].join(), at: `${x} ${y}`, width: square.clientWidth };
+    });
+  });
+  assert.deepEqual(
+    shown.map(({ name }) => name.toLowerCase().replaceAll(' ', '-')),
+    [...CLOTHS],
+  );
+  assert.equal(new Set(shown.map(({ at: place }) => place)).size, CLOTHS.length);
+  assert.ok(new Set(shown.map(({ color }) => color)).size > CLOTHS.length / 2, 'pictures differ');
+  assert.ok(shown.every(({ width }) => width >= 24));
+  await radio('As in the file').focus();
+  await changing(page, () => page.keyboard.press('ArrowRight'));
+  await changing(page, () => page.keyboard.press('ArrowRight'));
+  assert.deepEqual((await shotOf()).materials, { '*': { preset: CLOTHS[1] } });
+  assert.equal(await page.locator('#cloth-name').textContent(), 'Denim');
+  await changing(page, () => chooseCloth('As in the file'));
+  assert.equal((await shotOf()).materials, undefined);
+});
+
 test('a part is shown in another cloth, alike on both sides, and in its own again', async () => {
   const before = await pictures(page);
   await page.locator('#part').selectOption('*');
-  await changing(page, () => page.locator('#cloth').selectOption('denim'));
+  await changing(page, () => chooseCloth('Denim'));
   await changing(page, () => page.locator('#clothColour').fill('#23324f'));
   assert.deepEqual((await shotOf()).materials, { '*': { preset: 'denim', color: '#23324f' } });
   assert.equal(await verdict(), 'Parity');
   assert.notDeepEqual(await pictures(page), before);
   await changing(page, () => page.locator('#clothRotation').fill('45'));
   assert.equal(await verdict(), 'Parity');
-  await changing(page, () => page.locator('#cloth').selectOption(''));
+  await changing(page, () => chooseCloth('As in the file'));
   assert.equal((await shotOf()).materials, undefined);
   assert.deepEqual(await pictures(page), before, 'its own again');
 });
