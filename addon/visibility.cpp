@@ -49,6 +49,12 @@ std::vector<Baked> bakedOf(const Scene& scene, const CancelToken& cancel) {
   return out;
 }
 
+VisibilityCache cacheFromJs(const Napi::Object& value) {
+  return {stringFromJs(value.Get("directory"), "directory"),
+          static_cast<std::uint64_t>(value.Get("bytes").ToNumber().Int64Value()),
+          stringFromJs(value.Get("version"), "version")};
+}
+
 Napi::Array toJs(Napi::Env env, std::vector<Baked> baked) {
   auto list = Napi::Array::New(env, baked.size());
   for (std::size_t i = 0; i < baked.size(); ++i) {
@@ -69,20 +75,22 @@ Napi::Value withVisibility(const Napi::CallbackInfo& info) {
   const int rays = info[1].ToNumber().Int32Value();
   if (rays < VisibilityRays::LEAST || rays > VisibilityRays::MOST)
     throw Napi::TypeError::New(info.Env(), "native telar expected a number of rays in range");
-  const Limits limits = limitsFromJs(info[2]);
-  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[3]).token);
+  const VisibilityCache cache = cacheFromJs(info[2].ToObject());
+  const Limits limits = limitsFromJs(info[3]);
+  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[4]).token);
   auto model = unwrap<SceneHandle>(info[0]).detach();
-  return State::of(info.Env()).runOnPool(info.Env(), job, [job, rays, limits, model = std::move(model)]() mutable {
-    auto scene = withAmbientVisibility(model, rays, limits, job->cancel);
-    model.reset();
-    std::string facts = describeScene(*scene, job->cancel);
-    job->value = [scene, facts = std::move(facts)](Napi::Env env) {
-      Napi::Object result = Napi::Object::New(env);
-      result["scene"] = SceneHandle::make(env, scene);
-      result["facts"] = facts;
-      return result;
-    };
-  });
+  return State::of(info.Env())
+      .runOnPool(info.Env(), job, [job, rays, cache, limits, model = std::move(model)]() mutable {
+        auto scene = withAmbientVisibility(model, rays, cache, limits, job->cancel);
+        model.reset();
+        std::string facts = describeScene(*scene, job->cancel);
+        job->value = [scene, facts = std::move(facts)](Napi::Env env) {
+          Napi::Object result = Napi::Object::New(env);
+          result["scene"] = SceneHandle::make(env, scene);
+          result["facts"] = facts;
+          return result;
+        };
+      });
 }
 
 Napi::Value visibilityOf(const Napi::CallbackInfo& info) {

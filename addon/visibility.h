@@ -4,7 +4,8 @@
 /// Ambient visibility of vertices (telar/visibility.h).
 namespace telar::addon {
 
-/// withVisibility(scene, rays: number, limits, token) -> Promise<{scene, facts: string}>; the scene is gone afterwards
+/// withVisibility(scene, rays: number, cache: {directory: string, bytes: number, version: string}, limits, token) ->
+/// Promise<{scene, facts: string}>; the scene is gone afterwards
 Napi::Value withVisibility(const Napi::CallbackInfo& info);
 
 /// visibilityOf(scene, token) -> Promise<Array<{mesh: number, primitive: number, vertices: number, front: Buffer,

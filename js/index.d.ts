@@ -67,7 +67,7 @@ export interface RendererOptions extends LoadingOptions {
    */
   backend?: 'auto' | Backend;
   /**
-   * Folder of prefiltered environments, named by their SHA-256; null = none.
+   * Folder of prefiltered environments and of ambient visibility, named by SHA-256; null = none.
    * @default telar's folder in the user's cache
    */
   cacheDirectory?: string | null;
@@ -792,6 +792,16 @@ export interface BakeOptions extends CallOptions, Pick<LoadingOptions, 'failOn' 
    * @default 256
    */
   rays?: number;
+  /**
+   * Folder of what rays have found, by the content of the file; null = none.
+   * @default telar's folder in the user's cache
+   */
+  cacheDirectory?: string | null;
+  /**
+   * Bytes that the folder may hold. The files that were used longest ago are deleted first.
+   * @default 268435456
+   */
+  cacheBytes?: number;
   /**
    * What the input may cost, by the L_* names.
    * @default {}: the limits in js/docs/errors.md

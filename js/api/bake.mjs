@@ -19,12 +19,12 @@ export async function bake(source, options = {}) {
 
 /** @internal */
 export async function bakeOn(native, source, options = {}) {
-  const { limits, signal, timeoutMs, ...loading } = bakeOptions(options, Object.keys(native.limits));
+  const { limits, signal, timeoutMs, cacheDirectory, cacheBytes, ...loading } = bakeOptions(options, Object.keys(native.limits));
   const input = readSource(native, source, limits.L_FILE_BYTES ?? native.limits.L_FILE_BYTES);
   const bytes = typeof input === 'string' ? undefined : Buffer.from(bytesOf(source));
   const work = new Work(native, signal, timeoutMs);
   work.allowLong();
-  const model = await loadModel(native, input, limits, { ...loading, work });
+  const model = await loadModel(native, input, limits, { ...loading, work, cache: { directory: cacheDirectory, bytes: cacheBytes } });
   const baked = await nativeCall(native, work, (token) => native.visibilityOf(Model.sceneOf(model), token));
   const file = new GltfFile(bytes ?? (await fileBytes(input)));
   for (const { mesh, primitive, vertices, ...sides } of baked) {

@@ -1,7 +1,10 @@
 import { refuseWarnings } from './fail_on.mjs';
 import { nativeCall } from './native_call.mjs';
 import { withParts } from './parts.mjs';
+import { versions } from './versions.mjs';
 import { digestWithVisibility } from './visibility.mjs';
+
+const NO_CACHE = { directory: '', bytes: 0 };
 
 /** The schema of the shot costs load time, so it comes with the first job. */
 export const shotModule = () => import('../shot/index.mjs');
@@ -67,14 +70,16 @@ export class Model {
  * @param {object} native the addon's exports
  * @param {string | object} input of readSource
  * @param {object} limits
- * @param {import('./options.mjs').Loading & {work?: import('./work.mjs').Work}} [options]
+ * @param {import('./options.mjs').Loading & {work?: import('./work.mjs').Work, cache?: {directory: string, bytes: number}}} [options]
+ *   cache: of ambient visibility; an empty directory = none
  * @returns {Promise<Model>}
  */
-export async function loadModel(native, input, limits, { work, failOn = 'error', resolve, ambientVisibility: rays } = {}) {
+export async function loadModel(native, input, limits, { work, failOn = 'error', resolve, ambientVisibility: rays, cache = NO_CACHE } = {}) {
   const loaded = await withParts(native, { resolve, signal: work?.signal }, (parts) =>
     nativeCall(native, work, (token) => native.load(input, limits, { tolerant: failOn === 'none', parts }, token)),
   );
-  const { scene, facts } = rays ? await nativeCall(native, work, (token) => native.withVisibility(loaded.scene, rays, limits, token)) : loaded;
+  const kept = { ...cache, version: versions.telar };
+  const { scene, facts } = rays ? await nativeCall(native, work, (token) => native.withVisibility(loaded.scene, rays, kept, limits, token)) : loaded;
   const read = JSON.parse(facts);
   const model = new Model(scene, { ...read, sha256: digestWithVisibility(read.sha256, rays) });
   refuseWarnings(failOn, model.facts.warnings);

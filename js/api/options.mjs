@@ -45,7 +45,7 @@ function limitsOption(value, known) {
   );
 }
 
-/** Where prefiltered environments are kept between processes; null where the user has no folder. */
+/** Where prefiltered environments and ambient visibility are kept between processes; null where the user has no folder. */
 export function defaultCache() {
   if (process.env.XDG_CACHE_HOME) return path.join(process.env.XDG_CACHE_HOME, 'telar');
   try {
@@ -60,6 +60,12 @@ function directory(name, value) {
   if (typeof value !== 'string' || value === '' || value.includes('\0')) throw wrongOption(name, 'a path, or null for none', value);
   return path.resolve(value);
 }
+
+/** @returns {{cacheDirectory: string, cacheBytes: number}} Empty = nothing is kept. @throws {TelarError} E_OPTION */
+const cacheOptions = ({ cacheDirectory = defaultCache(), cacheBytes = CACHE_BYTES }) => ({
+  cacheDirectory: directory('options.cacheDirectory', cacheDirectory),
+  cacheBytes: count('options.cacheBytes', cacheBytes, 0),
+});
 
 /** @throws {TelarError} E_OPTION unless it is an AbortSignal or undefined */
 export function checkSignal(signal, name = 'options.signal') {
@@ -182,21 +188,12 @@ export const RENDERER_KEYS = Object.freeze([
  */
 export function rendererOptions(options, limitNames) {
   checkObject('options', options, RENDERER_KEYS);
-  const {
-    backend = 'auto',
-    cacheDirectory = defaultCache(),
-    cacheBytes = CACHE_BYTES,
-    limits = {},
-    maxWaiting = MAX_WAITING,
-    allFeatures = false,
-    signal,
-  } = options;
+  const { backend = 'auto', limits = {}, maxWaiting = MAX_WAITING, allFeatures = false, signal } = options;
   if (!BACKENDS.includes(backend)) throw wrongOption('options.backend', BACKENDS.map((name) => JSON.stringify(name)).join(', '), backend);
   if (typeof allFeatures !== 'boolean') throw wrongOption('options.allFeatures', 'true or false', allFeatures);
   return {
     backend,
-    cacheDirectory: directory('options.cacheDirectory', cacheDirectory),
-    cacheBytes: count('options.cacheBytes', cacheBytes, 0),
+    ...cacheOptions(options),
     limits: limitsOption(limits, limitNames),
     maxWaiting: count('options.maxWaiting', maxWaiting, 0),
     loading: loading(options, STRICT),
@@ -227,15 +224,16 @@ export function keyOptions(options, limitNames) {
 }
 
 /**
- * Options of bake: {rays, limits, timeoutMs, failOn, resolve, signal}.
+ * Options of bake: {rays, cacheDirectory, cacheBytes, limits, timeoutMs, failOn, resolve, signal}.
  * @param {string[]} limitNames
  */
 export function bakeOptions(options, limitNames) {
-  checkObject('options', options, ['rays', 'limits', 'timeoutMs', 'failOn', 'resolve', 'signal']);
+  checkObject('options', options, ['rays', 'cacheDirectory', 'cacheBytes', 'limits', 'timeoutMs', 'failOn', 'resolve', 'signal']);
   const { rays, limits = {}, timeoutMs, failOn, resolve, signal } = options;
   return {
     ...loading({ timeoutMs, failOn, resolve }, STRICT),
     ambientVisibility: raysOption(rays),
+    ...cacheOptions(options),
     limits: limitsOption(limits, limitNames),
     signal: checkSignal(signal),
   };

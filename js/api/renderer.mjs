@@ -85,17 +85,17 @@ class Renderer {
   #loading;
   #gate;
   #cloths = new Map();
-  #cacheDirectory;
+  #cache;
   #machine;
   #pending = new Set();
   #closed;
 
-  constructor(native, handle, facts, { limits, loading, maxWaiting, cacheDirectory }) {
+  constructor(native, handle, facts, { limits, loading, maxWaiting, cacheDirectory, cacheBytes }) {
     this.#native = native;
     this.#handle = handle;
     this.#limits = limits;
     this.#loading = loading;
-    this.#cacheDirectory = cacheDirectory;
+    this.#cache = { directory: cacheDirectory, bytes: cacheBytes };
     this.#gate = new Gate(FRAMES_IN_FLIGHT, maxWaiting);
     const { backend, ...gl } = facts;
     this.backend = backend;
@@ -111,7 +111,7 @@ class Renderer {
     const { signal, ...loading } = loadOptions(options, this.#loading);
     const input = readSource(this.#native, source, this.#maxBytes);
     const work = this.#begin(signal, loading);
-    return this.#track(this.#gate.run(() => loadModel(this.#native, input, this.#limits, { ...loading, work }), signal));
+    return this.#track(this.#gate.run(() => this.#load(input, loading, work), signal));
   }
 
   async render(source, shot = {}, options = {}) {
@@ -150,7 +150,7 @@ class Renderer {
     const work = this.#begin(signal, loading);
     return this.#track(
       this.#gate.run(async () => {
-        const loaded = model ?? (await loadModel(this.#native, input, this.#limits, { ...loading, work }));
+        const loaded = model ?? (await this.#load(input, loading, work));
         return measuredFor(this.#native, await shownModel(this.#native, loaded, shot, { work, forget: !model, cloths: this.#cloths }), shot, work);
       }, signal),
     );
@@ -183,6 +183,10 @@ class Renderer {
 
   #assertOpen() {
     if (this.#closed) throw new TelarError('X_CLOSED', 'the renderer was closed; make a new one with createRenderer()');
+  }
+
+  #load(input, loading, work) {
+    return loadModel(this.#native, input, this.#limits, { ...loading, work, cache: this.#cache });
   }
 
   /** Makes close() wait for a job. */
@@ -222,7 +226,7 @@ class Renderer {
     const begin = () => this.#begin(signal, loading);
     let loaded = model;
     try {
-      loaded ??= await this.#gate.run(() => loadModel(this.#native, input, this.#limits, { ...loading, work: begin() }), signal);
+      loaded ??= await this.#gate.run(() => this.#load(input, loading, begin()), signal);
       const shots = requests.filter(({ failure }) => !failure).map(({ shot }) => shot);
       const shared = new SharedModels(this.#native, loaded, shots, () => ({ work: begin(), cloths: this.#cloths }));
       const draw = async ({ failure, ...request }, job) => {
@@ -248,7 +252,7 @@ class Renderer {
 
   async #render({ input, model: given, loading, shared, job = 0, shot, environment, map, quantity, enough }, work, report) {
     const start = performance.now();
-    const model = given ?? (await loadModel(this.#native, input, this.#limits, { ...loading, work }));
+    const model = given ?? (await this.#load(input, loading, work));
     const loaded = performance.now();
     const shown = await (shared ? shared.of(shot) : shownModel(this.#native, model, shot, { work, forget: !given, cloths: this.#cloths }));
     const shownAt = performance.now();
@@ -335,7 +339,7 @@ class Renderer {
       const { calibrate, hasTracer } = await goalModule();
       const draw = (source, shot) => this.#render({ ...this.#readRequest(source, shot), loading: STRICT }, this.#begin(undefined, { timeoutMs: null }));
       const has = { tracer: await hasTracer(this.#native) };
-      return calibrationOf(this.#cacheDirectory, String(this.gl.renderer), () => calibrate(draw, has));
+      return calibrationOf(this.#cache.directory, String(this.gl.renderer), () => calibrate(draw, has));
     })().catch((error) => {
       this.#machine = undefined;
       throw error;

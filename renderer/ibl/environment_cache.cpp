@@ -65,7 +65,8 @@ std::vector<std::byte> EnvironmentCache::fileOf(const Shot::Environment& wanted)
 
 CubeMap EnvironmentCache::prefiltered(const std::string& key, bool studio, const std::function<ImageF&()>& map,
                                       std::string& source, const CancelToken& cancel) {
-  if (const auto packed = studio ? readFile(assets_ / "studio.pmrem", STUDIO_FILE_MAX) : disk_.read(key)) {
+  if (const auto packed = studio ? readFile(assets_ / "studio.pmrem", STUDIO_FILE_MAX)
+                                 : disk_.read(DiskCache::Kind::kEnvironment, key)) {
     if (auto cube = unpackPmrem(context_, *packed, key)) {
       source = studio ? "bundled" : "disk";
       return std::move(*cube);
@@ -73,13 +74,13 @@ CubeMap EnvironmentCache::prefiltered(const std::string& key, bool studio, const
   }
   CubeMap cube = prefilterEquirect(context_, map(), cancel);
   source = "prefiltered";
-  if (!studio && disk_.enabled()) disk_.write(key, packPmrem(context_, cube, key));
+  if (!studio && disk_.enabled()) disk_.write(DiskCache::Kind::kEnvironment, key, packPmrem(context_, cube, key));
   return cube;
 }
 
 Atlas EnvironmentCache::atlas(const std::string& key, const ThreeTerms& three, const std::function<ImageF&()>& map,
                               std::string& source, const CancelToken& cancel) {
-  if (const auto packed = disk_.read(key)) {
+  if (const auto packed = disk_.read(DiskCache::Kind::kEnvironment, key)) {
     if (auto atlas = unpackAtlas(context_, *packed, key)) {
       source = "disk";
       return std::move(*atlas);
@@ -87,7 +88,7 @@ Atlas EnvironmentCache::atlas(const std::string& key, const ThreeTerms& three, c
   }
   Atlas made = prefilterAtlas(context_, map(), three, cancel);
   source = "prefiltered";
-  if (disk_.enabled()) disk_.write(key, packPmrem(context_, made, key));
+  if (disk_.enabled()) disk_.write(DiskCache::Kind::kEnvironment, key, packPmrem(context_, made, key));
   return made;
 }
 

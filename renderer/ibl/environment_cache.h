@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "core/disk_cache.h"
 #include "core/known_files.h"
 #include "ibl/atlas_prefilter.h"
 #include "ibl/bright_directions.h"
-#include "ibl/disk_cache.h"
 #include "ibl/irradiance.h"
 #include "ibl/prefilter.h"
 #include "ibl/suns.h"

@@ -1,8 +1,8 @@
 // telar_make_pmrem IN.hdr OUT.pmrem: prefilters the studio to the file that ships beside it.
 #include <cstdio>
 
+#include "core/disk_cache.h"
 #include "core/read_file.h"
-#include "ibl/disk_cache.h"
 #include "ibl/pmrem_file.h"
 #include "ibl/prefilter.h"
 #include "telar/codec.h"
@@ -19,7 +19,7 @@ int run(const char* in, const char* out) {
   const auto cube =
       telar::ibl::prefilterEquirect(*context, telar::readEnvironment(*file, telar::Limits{}, cancel), cancel);
   const auto packed = telar::ibl::packPmrem(*context, cube, "studio");
-  if (!telar::ibl::writeFileAtomically(out, packed)) throw telar::Error("X_OUTPUT", "the file cannot be written");
+  if (!telar::writeFileAtomically(out, packed)) throw telar::Error("X_OUTPUT", "the file cannot be written");
   std::printf("%s: %d px, %d levels, %zu bytes\n", out, cube.faceSize, cube.levels, packed.size());
   return 0;
 }

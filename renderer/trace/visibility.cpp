@@ -6,16 +6,16 @@
 #include <utility>
 #include <vector>
 
+#include "core/disk_cache.h"
 #include "telar/shot.h"
 #include "trace/library.h"
+#include "trace/visibility_cache.h"
 
 namespace telar {
 namespace {
 
+using trace::FoundVisibility;
 using Sides = VisibilityJob::Sides;
-
-/// A primitive of the file: (mesh, primitive) as indices of the scene.
-using Place = std::pair<int, std::size_t>;
 
 /// Before any ray and any byte.
 /// @return bytes that the streams add, here and on the GPU
@@ -43,9 +43,9 @@ std::uint64_t checkWork(const Scene& scene, int rays, const Limits& limits) {
 }
 
 /// Means over what stands for one primitive of the file: its deformed copies.
-std::map<Place, Sides> byFile(const Scene& scene, const std::map<const Primitive*, Sides>& found) {
-  std::map<Place, Sides> out;
-  std::map<Place, float> counts;
+FoundVisibility byFile(const Scene& scene, const std::map<const Primitive*, Sides>& found) {
+  FoundVisibility out;
+  std::map<FoundVisibility::key_type, float> counts;
   std::vector<bool> met(scene.meshes.size(), false);
   for (const Node& node : scene.nodes) {
     if (node.mesh < 0 || met[static_cast<std::size_t>(node.mesh)]) continue;
@@ -54,7 +54,7 @@ std::map<Place, Sides> byFile(const Scene& scene, const std::map<const Primitive
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       const auto at = found.find(&primitives[i]);
       if (at == found.end()) continue;
-      const Place place(node.file.mesh, i);
+      const FoundVisibility::key_type place(node.file.mesh, i);
       const float before = counts[place]++;
       Sides& sides = out[place];
       for (std::size_t side = 0; side < sides.size(); ++side) {
@@ -67,20 +67,39 @@ std::map<Place, Sides> byFile(const Scene& scene, const std::map<const Primitive
   return out;
 }
 
+FoundVisibility byRays(const Scene& model, int rays, const CancelToken& cancel) {
+  const trace::Library library;
+  Shot shot;
+  shot.shading = ShadingModel::kFabric;
+  const int threads = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
+  VisibilityJob job{model, shot, rays, threads, cancel};
+  library.function<TelarReferenceVisibilityFunction>("telar_reference_visibility")(&job);
+  if (job.failure) trace::throwFailure(*job.failure);
+  return byFile(model, job.sides);
+}
+
+/// What another job has found of the same file, or else by rays.
+FoundVisibility find(const Scene& model, int rays, const VisibilityCache& cache, const CancelToken& cancel) {
+  const DiskCache disk(cache.directory, cache.bytes);
+  if (!disk.enabled()) return byRays(model, rays, cancel);
+  constexpr auto KIND = DiskCache::Kind::kVisibility;
+  const std::string key = trace::visibilityKey(model, rays, cache.version);
+  if (const auto file = disk.read(KIND, key)) {
+    if (auto kept = trace::unpackVisibility(*file, key)) return std::move(*kept);
+  }
+  FoundVisibility found = byRays(model, rays, cancel);
+  disk.write(KIND, key, trace::packVisibility(found, key));
+  return found;
+}
+
 }  // namespace
 
 std::shared_ptr<const Scene> withAmbientVisibility(const std::shared_ptr<const Scene>& model, int rays,
-                                                   const Limits& limits, const CancelToken& cancel) {
+                                                   const VisibilityCache& cache, const Limits& limits,
+                                                   const CancelToken& cancel) {
   try {
     const std::uint64_t bytes = checkWork(*model, rays, limits);
-    const trace::Library library;
-    Shot shot;
-    shot.shading = ShadingModel::kFabric;
-    const int threads = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
-    VisibilityJob job{*model, shot, rays, threads, cancel};
-    library.function<TelarReferenceVisibilityFunction>("telar_reference_visibility")(&job);
-    if (job.failure) trace::throwFailure(*job.failure);
-    const std::map<Place, Sides> found = byFile(*model, job.sides);
+    const FoundVisibility found = find(*model, rays, cache, cancel);
 
     auto out = std::make_shared<Scene>(*model);
     out->memoryBytes += bytes;

@@ -157,10 +157,10 @@ TEST(Visibility, IsRefusedBeforeAnyRayWhereItWouldTakeTooMany) {
   const auto scene = Corner{}.scene();
   Limits limits;
   limits.visibilityRays = 7u * 2 * 64 - 1;
-  EXPECT_ERROR(withAmbientVisibility(scene, 64, limits, CancelToken()), "L_VISIBILITY_RAYS");
+  EXPECT_ERROR(withAmbientVisibility(scene, 64, {}, limits, CancelToken()), "L_VISIBILITY_RAYS");
   limits = Limits();
   limits.memoryBytes = 7 * 128 - 1;
-  EXPECT_ERROR(withAmbientVisibility(scene, 64, limits, CancelToken()), "L_MEMORY_BYTES");
+  EXPECT_ERROR(withAmbientVisibility(scene, 64, {}, limits, CancelToken()), "L_MEMORY_BYTES");
 }
 
 }  // namespace

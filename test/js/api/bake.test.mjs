@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
@@ -57,7 +57,7 @@ before(async () => {
 after(() => renderer.close());
 
 test('the file has what its vertices see, as glTF stores it', async () => {
-  const { data, info } = await bake(model, { rays: 4096 });
+  const { data, info } = await bake(model, { rays: 4096, cacheDirectory: null });
   const { front, back } = await readAttributes(data);
   DISTANCES.forEach((x, i) => {
     const [bx, by, bz, open] = front[2 * i];
@@ -72,7 +72,7 @@ test('the file has what its vertices see, as glTF stores it', async () => {
 
 test('a baked file is drawn as the model that is loaded with the option', async () => {
   const cloth = await draped();
-  const { data } = await bake(cloth, { rays: RAYS });
+  const { data } = await bake(cloth, { rays: RAYS, cacheDirectory: null });
   const baked = await renderer.render(data, SHOT);
   const loaded = await renderer.render(cloth, SHOT, { ambientVisibility: { rays: RAYS } });
   const plain = await renderer.render(cloth, SHOT);
@@ -89,7 +89,7 @@ async function worst(...images) {
 }
 
 test('the shading three does not read it, and its program has no trace of it', async () => {
-  const { data } = await bake(model, { rays: 16 });
+  const { data } = await bake(model, { rays: 16, cacheDirectory: null });
   const [with_, without] = await Promise.all([data, model].map((bytes) => renderer.render(bytes, { ...SHOT, shading: 'three' })));
   assert.ok(with_.data.equals(without.data));
   assert.deepEqual(with_.info.features, without.info.features);
@@ -112,8 +112,8 @@ test('a baked file may be baked again, and everything else in it stays', async (
   const bytes = editedGlb(await builder.bytes(), (json) => {
     json.extras = { ours: [1, 2] };
   });
-  const once = await bake(bytes, { rays: 16 });
-  const twice = await bake(once.data, { rays: 16 });
+  const once = await bake(bytes, { rays: 16, cacheDirectory: null });
+  const twice = await bake(once.data, { rays: 16, cacheDirectory: null });
   assert.deepEqual(await readAttributes(twice.data), await readAttributes(once.data));
   const jsonOf = (data) => JSON.parse(data.subarray(20, 20 + data.readUInt32LE(12)).toString());
   assert.deepEqual(jsonOf(twice.data).extras, { ours: [1, 2] });
@@ -130,7 +130,7 @@ test('a .gltf file keeps its parts beside it and gets its bytes within', async (
     json.buffers[0].uri = 'shirt.bin';
     writeFileSync(path.join(folder, 'shirt.bin'), glb.subarray(28 + length));
     writeFileSync(path.join(folder, 'shirt.gltf'), JSON.stringify(json));
-    const { data, info } = await bake(path.join(folder, 'shirt.gltf'), { rays: 16 });
+    const { data, info } = await bake(path.join(folder, 'shirt.gltf'), { rays: 16, cacheDirectory: null });
     assert.deepEqual([info.format, info.parts], ['gltf', ['shirt.bin']]);
     writeFileSync(path.join(folder, 'baked.gltf'), data);
     const facts = await inspect(path.join(folder, 'baked.gltf'), { shot: SHOT });
@@ -140,13 +140,72 @@ test('a .gltf file keeps its parts beside it and gets its bytes within', async (
   }
 });
 
+/** Runs `use` with an empty folder. */
+async function inFolder(use) {
+  const folder = mkdtempSync(path.join(os.tmpdir(), 'telar-visibility-'));
+  try {
+    return await use(folder);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** Pictures with what a folder keeps. */
+async function drawnWith(cacheDirectory, source, rays, cacheBytes) {
+  const own = await createRenderer({ cacheDirectory, ...(cacheBytes !== undefined && { cacheBytes }) });
+  const { data } = await own.render(source, SHOT, { ambientVisibility: { rays } });
+  await own.close();
+  return data;
+}
+
+test('what rays have found is kept by content, and read in place of them', () =>
+  inFolder(async (folder) => {
+    const kept = () => readdirSync(folder).filter((name) => name.endsWith('.visibility'));
+    const cloth = await draped();
+    const first = await drawnWith(folder, cloth, 64);
+    const [name] = kept();
+    assert.match(name, /^[0-9a-f]{64}\.visibility$/);
+    const file = path.join(folder, name);
+    utimesSync(file, 1, 1);
+    assert.ok((await drawnWith(folder, cloth, 64)).equals(first), 'the same bytes');
+    assert.ok(statSync(file).mtimeMs > 1e6, 'the time of its last use is now');
+    assert.equal(kept().length, 1);
+    const whole = readFileSync(file);
+    const broken = Buffer.from(whole);
+    broken[broken.length - 3] ^= 0x40;
+    for (const bytes of [broken, whole.subarray(0, 100), Buffer.alloc(0)]) {
+      writeFileSync(file, bytes);
+      assert.ok((await drawnWith(folder, cloth, 64)).equals(first), `${bytes.length} bytes that are not its own`);
+      assert.ok(readFileSync(file).equals(whole), 'and are replaced');
+    }
+    await drawnWith(folder, cloth, 32);
+    await drawnWith(folder, model, 64);
+    assert.equal(kept().length, 3, 'other rays and another model are others');
+    await bake(cloth, { rays: 16, cacheDirectory: folder });
+    assert.equal(kept().length, 4, 'baking keeps it too');
+    await bake(cloth, { rays: 17, cacheDirectory: folder, cacheBytes: whole.length + 10 });
+    assert.equal(kept().length, 1, 'no more than there is room for');
+  }));
+
+test('a folder that cannot be written to is as none', () =>
+  inFolder(async (folder) => {
+    const file = path.join(folder, 'file');
+    writeFileSync(file, '');
+    const none = await drawnWith(null, model, 32);
+    assert.ok((await drawnWith(path.join(file, 'beneath'), model, 32)).equals(none));
+    assert.equal(
+      await bake(model, { rays: 16, cacheDirectory: '' }).catch(({ message }) => message),
+      'options.cacheDirectory: expected a path, or null for none, got ""',
+    );
+  }));
+
 test('what is wrong is told: rays out of range, too many of them, another option', async () => {
   const refused = (promise) =>
     promise.then(
       () => 'no error',
       ({ code, message }) => `${code} ${message}`,
     );
-  assert.equal(await refused(bake(model, { rays: 8 })), 'E_OPTION options.rays: expected a whole number from 16 to 4096, got 8');
+  assert.equal(await refused(bake(model, { rays: 8, cacheDirectory: null })), 'E_OPTION options.rays: expected a whole number from 16 to 4096, got 8');
   assert.equal(await refused(bake(model, { rays: 16.5 })), 'E_OPTION options.rays: expected a whole number from 16 to 4096, got 16.5');
   assert.match(await refused(bake(model, { limits: { L_VISIBILITY_RAYS: 100 } })), /^L_VISIBILITY_RAYS /);
   assert.equal(

@@ -164,8 +164,8 @@ Frame drawReference(const Scene& scene, const Shot& shot, std::span<const std::b
   return frame;
 }
 
-std::shared_ptr<const Scene> withAmbientVisibility(const std::shared_ptr<const Scene>& model, int, const Limits&,
-                                                   const CancelToken&) {
+std::shared_ptr<const Scene> withAmbientVisibility(const std::shared_ptr<const Scene>& model, int,
+                                                   const VisibilityCache&, const Limits&, const CancelToken&) {
   return model;
 }
 

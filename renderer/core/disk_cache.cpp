@@ -1,37 +1,41 @@
-#include "ibl/disk_cache.h"
+#include "core/disk_cache.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <string_view>
 #include <thread>
 
 #include "core/read_file.h"
 
-namespace telar::ibl {
+namespace telar {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr std::size_t FILE_MAX = 256u << 20;
 constexpr std::size_t KEY_DIGITS = 64;
-constexpr std::string_view SUFFIX = ".pmrem";
+/// By DiskCache::Kind.
+constexpr std::array<std::string_view, 2> SUFFIXES = {".pmrem", ".visibility"};
 /// A file takes milliseconds to write: one that is older belongs to a process that died.
 constexpr std::chrono::hours UNFINISHED_MAX{1};
 
 /// What of a file's name is this cache's: nothing else in the folder is touched.
-enum class Kind { kOther, kEntry, kUnfinished };
+enum class State { kOther, kEntry, kUnfinished };
 
-Kind kindOf(const std::string& name) {
+State stateOf(std::string_view name) {
   const auto isHex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
-  if (name.size() < KEY_DIGITS + SUFFIX.size() || !std::all_of(name.begin(), name.begin() + KEY_DIGITS, isHex) ||
-      name.compare(KEY_DIGITS, SUFFIX.size(), SUFFIX) != 0) {
-    return Kind::kOther;
+  if (name.size() < KEY_DIGITS || !std::all_of(name.begin(), name.begin() + KEY_DIGITS, isHex)) return State::kOther;
+  const std::string_view rest = name.substr(KEY_DIGITS);
+  for (const std::string_view suffix : SUFFIXES) {
+    if (rest == suffix) return State::kEntry;
+    if (rest.starts_with(suffix)) return State::kUnfinished;
   }
-  return name.size() == KEY_DIGITS + SUFFIX.size() ? Kind::kEntry : Kind::kUnfinished;
+  return State::kOther;
 }
 
 struct Kept {
@@ -51,19 +55,24 @@ int openNew(const std::string& path) {
 
 }  // namespace
 
-std::optional<std::vector<std::byte>> DiskCache::read(const std::string& key) const {
+fs::path DiskCache::pathOf(Kind kind, const std::string& key) const {
+  return folder_ / (key + std::string(SUFFIXES[static_cast<std::size_t>(kind)]));
+}
+
+std::optional<std::vector<std::byte>> DiskCache::read(Kind kind, const std::string& key) const {
   if (!enabled()) return std::nullopt;
-  auto file = readFile(pathOf(key), FILE_MAX);
+  const fs::path path = pathOf(kind, key);
+  auto file = readFile(path, FILE_MAX);
   // The time of the last change is that of the last use.
-  if (file) utimensat(AT_FDCWD, pathOf(key).c_str(), nullptr, AT_SYMLINK_NOFOLLOW);
+  if (file) utimensat(AT_FDCWD, path.c_str(), nullptr, AT_SYMLINK_NOFOLLOW);
   return file;
 }
 
-void DiskCache::write(const std::string& key, std::span<const std::byte> file) const {
+void DiskCache::write(Kind kind, const std::string& key, std::span<const std::byte> file) const {
   if (!enabled() || file.size() > maxBytes_) return;
   std::error_code failure;
   fs::create_directories(folder_, failure);
-  if (writeFileAtomically(pathOf(key), file)) sweep();
+  if (writeFileAtomically(pathOf(kind, key), file)) sweep();
 }
 
 void DiskCache::sweep() const {
@@ -72,12 +81,12 @@ void DiskCache::sweep() const {
   std::error_code failure;
   const auto now = fs::file_time_type::clock::now();
   for (fs::directory_iterator at(folder_, failure), end; !failure && at != end; at.increment(failure)) {
-    const Kind kind = kindOf(at->path().filename().string());
+    const State state = stateOf(at->path().filename().string());
     std::error_code gone;  // another process sweeps too
-    if (kind == Kind::kOther || at->symlink_status(gone).type() != fs::file_type::regular) continue;
+    if (state == State::kOther || at->symlink_status(gone).type() != fs::file_type::regular) continue;
     const Kept file{at->path(), at->last_write_time(gone), at->file_size(gone)};
     if (gone) continue;
-    if (kind == Kind::kEntry) {
+    if (state == State::kEntry) {
       kept.push_back(file);
       bytes += file.bytes;
     } else if (now - file.used > UNFINISHED_MAX) {
@@ -109,4 +118,4 @@ bool writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes)
   return ok;
 }
 
-}  // namespace telar::ibl
+}  // namespace telar
