@@ -118,7 +118,8 @@ std::vector<int> indicesFromJs(const Napi::Value& value) {
   return out;
 }
 
-/// {materials: number[], nodes: number[], cloth?: scene, color?: [r, g, b], scale: number, rotation: number}
+/// {materials: number[], nodes: number[], cloth?: scene, color?: [r, g, b], scale: number, rotation: number,
+/// metresPerUv?: [u, v]}
 Dressing dressingFromJs(const Napi::Object& value) {
   Dressing out;
   out.materials = indicesFromJs(value.Get("materials"));
@@ -131,6 +132,10 @@ Dressing dressingFromJs(const Napi::Object& value) {
   }
   out.scale = value.Get("scale").ToNumber().DoubleValue();
   out.rotation = value.Get("rotation").ToNumber().DoubleValue();
+  if (value.Get("metresPerUv").IsArray()) {
+    const auto metres = value.Get("metresPerUv").As<Napi::Array>();
+    out.metresPerUv = {metres.Get(0u).ToNumber().DoubleValue(), metres.Get(1u).ToNumber().DoubleValue()};
+  }
   return out;
 }
 

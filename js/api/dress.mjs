@@ -36,9 +36,10 @@ export async function dressModel(native, model, shot, { work, cloths = new Map()
   const scene = Model.sceneOf(model);
   const asked = resolveMaterials(shot, JSON.parse(await nativeCall(native, work, (token) => native.namesOf(scene, token))));
   const dressings = await Promise.all(
-    asked.map(async ({ preset, rotation, ...rest }) => ({
+    asked.map(async ({ preset, rotation, metresPerUv, ...rest }) => ({
       ...rest,
       rotation: rotation * RADIANS_PER_DEGREE,
+      metresPerUv: metresPerUv ?? undefined,
       cloth: preset === null ? undefined : Model.sceneOf(await clothOf(native, cloths, preset)),
     })),
   );

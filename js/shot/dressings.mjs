@@ -16,6 +16,7 @@ import { matchesName } from './name_pattern.mjs';
  * @property {string | null} preset
  * @property {[number, number, number] | null} color - Linear Rec.709.
  * @property {number} scale
+ * @property {[number, number] | null} metresPerUv - Along u and v; null = to be measured.
  * @property {number} rotation - Degrees, counter-clockwise.
  */
 
@@ -30,7 +31,9 @@ export const dressingsOf = (materials, names) =>
   // JavaScript puts keys of digits first, wherever they are written: as the most exact selectors they hold before names.
   Object.entries(materials)
     .sort(([a], [b]) => Number(isIndex(a)) - Number(isIndex(b)))
-    .map(([selector, cloth]) => ({ ...partsOf(selector, names), ...cloth }));
+    .map(([selector, cloth]) => ({ ...partsOf(selector, names), ...cloth, metresPerUv: bothWays(cloth.metresPerUv) }));
+
+const bothWays = (metres) => (typeof metres === 'number' ? [metres, metres] : metres);
 
 const isIndex = (selector) => /^\d+$/.test(selector);
 

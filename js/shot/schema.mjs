@@ -35,8 +35,8 @@ const TYPES = {
     const part = component(-HUGE, HUGE, expectedNumber);
     return z.tuple([part, part, part], { error: expected });
   },
-  extents({ expected: error }) {
-    const part = component(TINY, HUGE, error);
+  extents({ expected: error, min = TINY, max = HUGE }) {
+    const part = component(min, max, error);
     return z.tuple([part, part], { error });
   },
   colour: colourOf,

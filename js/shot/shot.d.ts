@@ -2,7 +2,7 @@
 
 /** What to draw. Every key is optional; js/docs/options.md is the table of them. */
 export interface Shot {
-  /** Keys that the shot leaves out are taken from a look, those of `camera` one by one; `telar looks --json` prints them as shots. "catalogue": a garment from the front before white, lit from the upper left, as shops list it; "ghost": a garment as if worn by nobody: even light, no background, so that the inside of the neck is seen; "hanger": a garment that hangs: light from above, grey behind it; "flat-lay": a garment as it lies on paper, without perspective, in soft light; "furniture": what stands on the floor, from a corner and a little above, with its shadow; "hero": a garment from below its middle, rim light against a dark background. @default "none" */
+  /** Keys that the shot leaves out are taken from a look, those of `camera` one by one; `telar looks --json` prints them as shots. "catalogue": a garment from the front before white, lit from the upper left, as shops list it; "ghost": a garment as if worn by nobody: even light, no background, so that the inside of the neck is seen; "hanger": a garment that hangs: light from above, grey behind it; "flat-lay": a garment as it lies on paper, without perspective, in soft light and without a shadow: the ground of a shot is level, and this paper stands upright; "furniture": what stands on the floor, from a corner and a little above, with its shadow; "hero": a garment from below its middle, rim light against a dark background. @default "none" */
   look?: 'none' | 'catalogue' | 'ghost' | 'hanger' | 'flat-lay' | 'furniture' | 'hero';
   /** Size of the image. */
   size?: {
@@ -550,6 +550,8 @@ export interface Shot {
     color?: string | [number, number, number] | null;
     /** Size of its pattern, 1 = true to the metres of the model. Range 0.001 to 1000. @default 1 */
     scale?: number;
+    /** Metres that one unit of the part's texture coordinates covers, or of u and of v [u, v], where the model is not in metres or its coordinates are not evenly laid out; null = measured on the part. @default null */
+    metresPerUv?: number | [number, number] | null;
     /** Turns the grain line, which runs along v of the texture coordinates, counter-clockwise. Range -360 to 360. @default 0 */
     rotation?: number;
   }>;
@@ -644,7 +646,7 @@ export interface Shot {
 
 /** A shot with every default written out: metres, degrees (spot cones: radians), linear Rec.709. */
 export interface ResolvedShot {
-  /** Keys that the shot leaves out are taken from a look, those of `camera` one by one; `telar looks --json` prints them as shots. "catalogue": a garment from the front before white, lit from the upper left, as shops list it; "ghost": a garment as if worn by nobody: even light, no background, so that the inside of the neck is seen; "hanger": a garment that hangs: light from above, grey behind it; "flat-lay": a garment as it lies on paper, without perspective, in soft light; "furniture": what stands on the floor, from a corner and a little above, with its shadow; "hero": a garment from below its middle, rim light against a dark background. */
+  /** Keys that the shot leaves out are taken from a look, those of `camera` one by one; `telar looks --json` prints them as shots. "catalogue": a garment from the front before white, lit from the upper left, as shops list it; "ghost": a garment as if worn by nobody: even light, no background, so that the inside of the neck is seen; "hanger": a garment that hangs: light from above, grey behind it; "flat-lay": a garment as it lies on paper, without perspective, in soft light and without a shadow: the ground of a shot is level, and this paper stands upright; "furniture": what stands on the floor, from a corner and a little above, with its shadow; "hero": a garment from below its middle, rim light against a dark background. */
   look: 'none' | 'catalogue' | 'ghost' | 'hanger' | 'flat-lay' | 'furniture' | 'hero';
   /** Size of the image. */
   size: {
@@ -1147,6 +1149,8 @@ export interface ResolvedShot {
     color: [number, number, number] | null;
     /** Size of its pattern, 1 = true to the metres of the model. Range 0.001 to 1000. */
     scale: number;
+    /** Metres that one unit of the part's texture coordinates covers, or of u and of v [u, v], where the model is not in metres or its coordinates are not evenly laid out; null = measured on the part. */
+    metresPerUv: number | [number, number] | null;
     /** Turns the grain line, which runs along v of the texture coordinates, counter-clockwise. Range -360 to 360. */
     rotation: number;
   }>;

@@ -125,7 +125,7 @@ async function open(model, index, dressing, { THREE, cloths, made }) {
   // As the file has it: GLTFLoader has changed that of the square for its geometry.
   const material = await parser.getDependency('material', parser.associations.get(square.material).materials);
   const [garment, tile] = [metresPerUv(wearersOf(model, index), THREE), metresPerUv([square], THREE)];
-  const matrix = garment && tile && placement(THREE, garment, tile, dressing);
+  const matrix = garment && tile && placement(THREE, dressing.metresPerUv ?? garment, tile, dressing);
   const placed = memo((texture) => {
     const out = placedTexture(texture, matrix);
     if (out) made.add(out);

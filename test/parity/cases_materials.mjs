@@ -9,7 +9,7 @@ const WORN = {
   denim: ['cloth', { '*': { preset: 'denim', color: NAVY } }],
   'denim-turned': ['cloth', { '*': { preset: 'denim', color: NAVY, rotation: 35, scale: 6 } }],
   'satin-turned-tangents': ['cloth-tangents', { '*': { preset: 'satin', color: [0.5, 0.12, 0.2], rotation: 35, scale: 20 } }],
-  'leather-own-color': ['cloth', { '*': { preset: 'leather', scale: 3 } }],
+  'leather-own-color': ['cloth', { '*': { preset: 'leather', metresPerUv: [0.3, 0.2] } }],
   lace: ['cloth', { '*': { preset: 'lace', color: [0.8, 0.78, 0.72], scale: 4 } }],
   recolored: ['cloth', { '*': { color: NAVY } }],
   // A preset's sheen is dyed: more in green and blue than in red.

@@ -50,7 +50,7 @@ export const LOOKS = Object.freeze({
     },
   },
   'flat-lay': {
-    doc: 'a garment as it lies on paper, without perspective, in soft light',
+    doc: 'a garment as it lies on paper, without perspective, in soft light and without a shadow: the ground of a shot is level, and this paper stands upright',
     shot: {
       camera: { view: 'front', projection: 'orthographic', fit: 0.9 },
       background: '#f7f6f4',

@@ -77,7 +77,7 @@ export const LINES = /^[^\u0000-\u0009\u000b-\u001f\u007f\ud800-\udfff]*$/u;
 export const vector = (doc, { expected = 'three numbers [x, y, z] in metres', ...rest } = {}) =>
   row('vector', doc, { expected, expectedNumber: `a number in ${interval(-HUGE, HUGE)}`, ...rest });
 
-/** Two lengths, metres along x and z. */
+/** Two lengths, metres along x and z, unless `expected` names others; `min`, `max`: of each. */
 export const extents = (doc, rest = {}) => row('extents', doc, { expected: 'two lengths [x, z] in metres', ...rest });
 
 const COLOUR = 'a CSS colour without transparency (name, #hex, rgb(), hsl()) or a linear [r, g, b]';

@@ -205,7 +205,7 @@ class Dresser {
       for (const asset::TextureUse& use : uses) *use.texture = {};
       return;
     }
-    const glm::dmat3 to = placement(*garment, *cloth, dressing);
+    const glm::dmat3 to = placement(dressing.metresPerUv.value_or(*garment), *cloth, dressing);
     for (const asset::TextureUse& use : uses) {
       TextureRef& texture = *use.texture;
       texture.image += images;

@@ -11,18 +11,19 @@ namespace telar {
 
 /// A cloth that parts of a model are shown in, in place of their own material.
 struct Dressing {
-  std::vector<int> materials;          ///< indices of the file's materials that it replaces, wherever they are drawn
-  std::vector<int> nodes;              ///< indices of the file's nodes whose meshes it replaces it on
-  std::shared_ptr<const Scene> cloth;  ///< a square of it: its first drawn material; null = the part keeps its own
-  std::optional<glm::vec3> color;      ///< linear Rec.709; none = the part's own colour
-  double scale = 1;                    ///< size of its pattern, 1 = as on the square
-  double rotation = 0;                 ///< radians, counter-clockwise with v upwards
+  std::vector<int> materials;             ///< indices of the file's materials that it replaces, wherever they are drawn
+  std::vector<int> nodes;                 ///< indices of the file's nodes whose meshes it replaces it on
+  std::shared_ptr<const Scene> cloth;     ///< a square of it: its first drawn material; null = the part keeps its own
+  std::optional<glm::vec3> color;         ///< linear Rec.709; none = the part's own colour
+  std::optional<glm::dvec2> metresPerUv;  ///< of the part's TEXCOORD_0, along u and v; none = measured
+  double scale = 1;                       ///< size of its pattern, 1 = as on the square
+  double rotation = 0;                    ///< radians, counter-clockwise with v upwards
 };
 
 /// The scene with other materials: the later dressing holds, and one of a node before one of a material. A cloth brings
 /// everything but occlusion, sides and name, which stay the part's, and the colour unless one is given. Its pattern is
-/// placed by the texture coordinates TEXCOORD_0 in the size that it has on its own square: both are measured. Meshes
-/// and images are shared with `model`.
+/// placed by the texture coordinates TEXCOORD_0 in the size that it has on its own square: both are measured, unless
+/// the dressing states the garment's. Meshes and images are shared with `model`.
 /// @throws Error{E_CLOTH} where a cloth draws nothing; Error{X_CANCELLED, X_MEMORY}
 std::shared_ptr<const Scene> dressScene(const std::shared_ptr<const Scene>& model,
                                         const std::vector<Dressing>& dressings, const CancelToken& cancel);

@@ -48,6 +48,16 @@ test('a cloth has its true size, whatever texture coordinates the garment has', 
   }
 });
 
+test('a garment whose size is stated wears the cloth in that, along u and along v', async () => {
+  const garment = await squares([{ node: 'front', material: 'plain', uv: [4, 2] }]); // a unit of u is 2.5 cm, one of v 5 cm
+  const dressed = (changes) => draw(garment, { materials: { plain: { preset: 'sequin-thread', color: [1, 1, 1], ...changes } } });
+  const measured = await dressed({});
+  assert.ok(furthest(await dressed({ metresPerUv: [0.025, 0.05] }), measured) <= 2, 'as it is');
+  assert.ok(furthest(await dressed({ metresPerUv: 0.05 }), measured) > 20, 'twice as many discs along u');
+  const halved = await dressed({ scale: 0.5 });
+  assert.ok(furthest(await dressed({ metresPerUv: [0.05, 0.1] }), halved) <= 2, 'a garment of twice the size');
+});
+
 test('a rotation turns the cloth counter-clockwise', async () => {
   // Denim's twill runs one way; a quarter turn of the cloth is a quarter turn of the camera the other way.
   const garment = await squares([{ node: 'front', material: 'plain', uv: [3, 2], origin: 0.5 }]); // turned about what is seen

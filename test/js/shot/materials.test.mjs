@@ -58,15 +58,26 @@ test('a name that was made to cost time costs none', () => {
 
 test('cloths have defaults, and colours become linear', () => {
   const [denim] = resolveMaterials({ materials: { Trim: { preset: 'denim', color: '#ffffff' } } }, NAMES);
-  assert.deepEqual(denim, { materials: [2], nodes: [], preset: 'denim', color: [1, 1, 1], scale: 1, rotation: 0 });
+  assert.deepEqual(denim, { materials: [2], nodes: [], preset: 'denim', color: [1, 1, 1], scale: 1, metresPerUv: null, rotation: 0 });
   assert.throws(() => resolveMaterials({ materials: { Trim: { preset: 'denmi' } } }, NAMES), { code: 'E_SHOT', pointer: '/materials/Trim/preset' });
   assert.throws(() => resolveMaterials({ materials: { Trim: { scale: 0 } } }, NAMES), { code: 'E_SHOT', pointer: '/materials/Trim/scale' });
+});
+
+test('metres of the texture coordinates are measured, or stated: one number for both, or each', () => {
+  const stated = (metresPerUv) => resolveMaterials({ materials: { Trim: { preset: 'denim', metresPerUv } } }, NAMES)[0].metresPerUv;
+  assert.deepEqual([stated(0.5), stated([0.5, 2]), stated(null)], [[0.5, 0.5], [0.5, 2], null]);
+  for (const wrong of [0, -1, [1], [1, 2, 3], [1, 0], '1 m'])
+    assert.throws(() => stated(wrong), {
+      code: 'E_SHOT',
+      pointer: /^\/materials\/Trim\/metresPerUv/,
+      message: /metres in \[0\.000001, 1000000\], \[metres along u, metres along v\], or null/,
+    });
 });
 
 test('a resolved shot has them, and resolves to itself', () => {
   const facts = { bounds: { min: [0, 0, 0], max: [1, 1, 1] } };
   const once = resolveShot({ materials: { Trim: { preset: 'denim' } } }, facts);
-  assert.deepEqual(once.materials, { Trim: { preset: 'denim', color: null, scale: 1, rotation: 0 } });
+  assert.deepEqual(once.materials, { Trim: { preset: 'denim', color: null, scale: 1, metresPerUv: null, rotation: 0 } });
   assert.deepEqual(resolveShot(once, facts), once);
 });
 
