@@ -24,7 +24,7 @@ function shuffled(list) {
 /**
  * A test of recognition: each cloth in one colour, shuffled anew at each run, whole and beside it 8 cm of the chest, as 01.png, 02.png and so on;
  * the key lies beside the folder, so that who looks at the pictures does not see it.
- * @param {string} folder - Emptied. @param {string} keyFile - JSON: {"01": preset, ...}
+ * @param {string} folder - Emptied. @param {string} keyFile - JSON: {"01.png": preset, ...}
  */
 export async function blindSheet(folder, keyFile) {
   await rm(folder, { recursive: true, force: true });
@@ -33,7 +33,7 @@ export async function blindSheet(folder, keyFile) {
   const shirt = await renderer.load(await SCENES.shirt.model());
   const key = {};
   for (const [i, preset] of shuffled(Object.keys(PRESETS)).entries()) {
-    const name = String(i + 1).padStart(2, '0');
+    const name = `${String(i + 1).padStart(2, '0')}.png`;
     key[name] = preset;
     const views = [{ camera: SCENES.shirt.far }, { camera: { ...SCENES.shirt.near, height: CHEST_M }, lights: SUN }];
     const [whole, chest] = (
@@ -49,7 +49,7 @@ export async function blindSheet(folder, keyFile) {
         { input: chest, left: SIDE, top: 0 },
       ])
       .png()
-      .toFile(path.join(folder, `${name}.png`));
+      .toFile(path.join(folder, name));
   }
   await renderer.close();
   await writeFile(keyFile, `${JSON.stringify(key, null, 2)}\n`);

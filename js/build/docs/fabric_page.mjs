@@ -50,7 +50,10 @@ telar thumbnail shirt.glb -o shirt.png --shading fabric --material 'Body*=denim:
   digits alone for the index of a material. What nothing is called is the error \`E_CLOTH\`.
 - **A preset** brings everything but occlusion, sides and name of the part, with maps of its construction: js/assets/cloths/PRESET.glb, a square of 10 cm. [All of them](cloths.md) in a picture.
 - **The size** is true: metres that a unit of the part's texture coordinates (TEXCOORD_0) covers are measured on the model, as medians by area, along u and v
-  apart. The warp runs along v; \`rotation\` turns it. A part without texture coordinates wears the cloth without its maps (\`W_CLOTH_UV\`).
+  apart. \`metresPerUv\` states them in their place, one number or [u, v], for a model that is not in metres or was laid out unevenly:
+  \`--set 'materials.Body*.metresPerUv=0.5'\`, \`--set 'materials.Body*.metresPerUv=[0.5,0.4]'\`. The warp runs along v; \`rotation\` turns it. A part without texture coordinates wears the cloth without its maps (\`W_CLOTH_UV\`).
+- **What a model may wear** \`telar inspect\` says of each material: \`preset\`, the cloth that its file names, \`metresPerUv\` as measured, and \`proposedPreset\`,
+  the cloth that the words of its name suggest (\`Body_Denim_v2\`, \`jeans\`, \`terciopelo\`), else null. A proposal is put on by nobody but the caller.
 - **\`color\`** is the mean of what the cloth shows, also where its yarns differ. Without it the part keeps its own colour, and its picture where the cloth has none.
   \`color\` alone leaves the material and takes its picture away, unless that cuts the part's shape out.
 - **In the browser** \`applyShot\` does the same; it asks for the files: \`cloths: (preset) => loader.loadAsync('/cloths/' + preset + '.glb')\`, which the package exports as
@@ -106,7 +109,14 @@ it is multiplied by the root of the base colour factor, for light that leaves ne
 through is multiplied by the factor itself. An unknown name costs \`W_ENUM\`. js/assets/fabric_presets.json is the one table of
 them, for the server and the browser.
 
-Where a number is measured the source is named; the others are reasoned from the construction of the cloth, which is said.
+Where a number is measured the source is named; the others are reasoned from the construction of the cloth, which is said. Threads or other units a centimetre,
+relief, cover and weight are those of js/assets/make/cloths; a test holds each to what the maps have. "Usual" is the range in which such cloth is sold,
+as mills and shops state it: no one source was measured for it. "Geometry" follows from the numbers beside it: grams a square metre are
+threads a centimetre times their tex, over 10. A repeat holds as many threads as keep its irregular yarns from showing, and has no other source.
+
+The classes are those that fashion shops have filters for or name in titles, one for each way in which cloth meets light: wefts and warps with a highlight each
+(denim, twill, satin, silk, shell), knits by their loops, pile and nap, skins and films, nets and sheers, metal. Left out of what shops list:
+vinyl, which is patent leather with another back; faux fur, whose strands need geometry of their own; reflective tape, which needs a lobe that sends light back.
 
 | source | |
 |---|---|
@@ -115,14 +125,14 @@ Where a number is measured the source is named; the others are reasoned from the
 | Zeltner 2022 | Zeltner, Burley & Chiang 2022, Practical Multiple-Scattering Sheen Using Linearly Transformed Cosines |`;
 
 /** One preset: what it is, its numbers as a glTF material, where they come from. */
-function presetSection([name, { summary, threadsPerCm, why, material }]) {
+function presetSection([name, { summary, threadsPerCm, construction, why, material }]) {
   const threads = threadsPerCm ? ` ${threadsPerCm[0]} x ${threadsPerCm[1]} threads a centimetre.` : '';
   return [
     `### ${name}`,
     '',
     `${summary[0].toUpperCase()}${summary.slice(1)}.${threads}`,
     '',
-    ...why.map((line) => `- ${line}`),
+    ...[...construction, ...why].map((line) => `- ${line}`),
     '',
     '```json',
     JSON.stringify({ extensions: { TELAR_materials_fabric: { preset: name } } }),
