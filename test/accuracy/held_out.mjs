@@ -16,7 +16,7 @@ const LEEWAY = 1.3;
  * @returns {Promise<number>} exit code: 0 where the mean of all is within the bar
  */
 export async function measureHeldOut({ paths, skies, size, camera, cloths }) {
-  const renderer = await createRenderer({ cacheDirectory: null });
+  const renderer = await createRenderer({ cacheDirectory: null, timeoutMs: null });
   const lines = [];
   const flips = QUALITIES.map(() => []);
   const all = Object.entries({ ...HELD_OUT_FABRICS, ...TUNED_FABRICS });
