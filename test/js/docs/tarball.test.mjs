@@ -58,6 +58,22 @@ function brokenImports() {
     );
 }
 
+/** Files of js that the build graph calls or reads and the package lacks: `CMakeLists.txt: file`. A path with a star is a folder with such files. */
+function missingOfBuild() {
+  const has = (name) => files.some((file) => (name.includes('*') ? file.startsWith(name.split('*')[0]) : file === name));
+  return files
+    .filter((file) => /(^|\/)CMakeLists\.txt$|\.cmake$/.test(file))
+    .flatMap((file) =>
+      [
+        ...readFileSync(at(file), 'utf8')
+          .replace(/^\s*#.*$/gm, '')
+          .matchAll(/\$\{(?:PROJECT|CMAKE)_SOURCE_DIR\}\/(js\/[^\s)"]+)/g),
+      ]
+        .filter(([, name]) => !has(name))
+        .map(([, name]) => `${file}: ${name}`),
+    );
+}
+
 test('no set-up, no test, no large demo', () => {
   assert.ok(files.length > 300, String(files.length));
   assert.deepEqual(
@@ -84,6 +100,16 @@ test('every module finds what it imports', () => {
   writeFileSync(at('js/api/planted.mjs'), "import {\n  a,\n} from './not_packed.mjs';\n");
   files.push('js/api/planted.mjs');
   assert.deepEqual(brokenImports(), ['js/api/planted.mjs: ./not_packed.mjs']);
+});
+
+test('the build graph finds the scripts and tables that it names', () => {
+  assert.ok(files.includes('renderer/CMakeLists.txt') && files.includes('js/build/material/index.mjs'));
+  assert.deepEqual(missingOfBuild(), []);
+  const all = files;
+  files = files.filter((file) => !file.startsWith('js/build/material/'));
+  const planted = missingOfBuild();
+  files = all;
+  assert.deepEqual(planted, ['renderer/CMakeLists.txt: js/build/material/*.mjs', 'renderer/CMakeLists.txt: js/build/material/index.mjs']);
 });
 
 test('package.json names files that are packed', () => {
