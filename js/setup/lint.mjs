@@ -1,10 +1,10 @@
-import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { main, ROOT, runShown, step } from '../machine/step.mjs';
 import { ensureDebianPackages } from './debian.mjs';
 import { ensureNpmPackages } from './npm_packages.mjs';
+import { baseCommit, changedSince, gitIn, sourcesToTidy } from './tidied.mjs';
 
 // npm run lint: clang-format over C++, biome over JavaScript, clang-tidy over the C++ that changed (all of it would take an hour).
 // `npm run format` (--fix) writes what clang-format and biome want. `npm test` lints too.
@@ -19,39 +19,21 @@ const cppFiles = () =>
       .map((file) => path.join(folder, file)),
   );
 
-const git = (...args) => execFileSync('git', args, { cwd: ROOT, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }).trim();
+/** Holds the commit that was clean last. */
+const CLEAN = path.join(ROOT, BUILD, 'tidy/clean');
 
-/** First of several git commands that answers. */
-function firstOf(...commands) {
-  for (const command of commands) {
-    try {
-      return git(...command);
-    } catch {
-      // No such branch, no parent, or no git: the next one.
-    }
-  }
-  return undefined;
-}
+/** Leaves clang-tidy out, as TELAR_LINT_BASE: for a copy without history. */
+const NO_BASE = 'none';
 
-/**
- * The commit that what is here is compared with: the one that TELAR_LINT_BASE names (CI sets it to what main was before a push), else
- * where the branch left main, on main itself the commit before.
- * @returns {string | undefined} undefined without git or history
- */
-function baseCommit() {
-  const { TELAR_LINT_BASE } = process.env;
-  if (TELAR_LINT_BASE) return git('rev-parse', '--verify', `${TELAR_LINT_BASE}^{commit}`);
-  const head = firstOf(['rev-parse', 'HEAD']);
-  const left = firstOf(['merge-base', 'HEAD', 'origin/main'], ['merge-base', 'HEAD', 'main']);
-  return left && left !== head ? left : firstOf(['rev-parse', '--verify', '--quiet', 'HEAD~1']);
-}
-
-/** Sources of the product that differ from a commit, committed or not; a file that only moved is none. Less brdf/, whose aggregates in
- * parentheses clang 14 does not parse. */
-function changedSources(base) {
-  const files = `${git('diff', '--name-only', '-M100%', '--diff-filter=dr', base)}\n${git('ls-files', '--others', '--exclude-standard')}`;
-  return files.split('\n').filter((file) => /^(addon|renderer)\/(?!brdf\/).*\.cpp$/.test(file));
-}
+/** Sources and headers of C++ by path. */
+const cppTexts = () =>
+  new Map(
+    ['addon', 'renderer'].flatMap((folder) =>
+      readdirSync(path.join(ROOT, folder), { recursive: true })
+        .filter((file) => /\.(h|cpp|inl)$/.test(file))
+        .map((file) => [`${folder}/${file}`, readFileSync(path.join(ROOT, folder, file), 'utf8')]),
+    ),
+  );
 
 /** A command that compiles several sources as one, as one command a source. */
 function commandsOfSources(entry) {
@@ -73,15 +55,30 @@ function commandsForTidy() {
   return folder;
 }
 
-/** @returns {Promise<[number, string]>} Exit status, and the closing words. */
-async function tidy(run) {
-  if (!existsSync(path.join(ROOT, BUILD, 'compile_commands.json'))) return [0, `left out, as nothing is built in ${BUILD}; npm run build:dev`];
-  const base = baseCommit();
-  if (!base) return [0, 'left out: no commit to compare with'];
-  const files = changedSources(base);
-  if (files.length === 0) return [0, `no source changed since ${base.slice(0, 9)}`];
-  const status = await run('run-clang-tidy', ['-quiet', '-p', commandsForTidy(), ...files.map((file) => `/${file}$`)]);
-  return [status, status === 0 ? `clean (${files.length} changed since ${base.slice(0, 9)})` : 'see above'];
+/**
+ * What cannot be checked fails: a check that leaves itself out would pass for ever.
+ * @param {(command: string, args: string[]) => Promise<number>} run
+ * @param {{git?: ReturnType<typeof gitIn>, named?: string}} [how]
+ * @returns {Promise<[number, string]>} Exit status, and the closing words.
+ */
+export async function tidy(run, { git = gitIn(ROOT), named = process.env.TELAR_LINT_BASE } = {}) {
+  if (named === NO_BASE) return [0, `left out, as TELAR_LINT_BASE is ${NO_BASE}`];
+  const base = baseCommit(git, { named, clean: existsSync(CLEAN) ? readFileSync(CLEAN, 'utf8') : undefined });
+  if (!base)
+    return [
+      1,
+      `${named ? `no commit ${named}` : 'no commit'} to compare with: fetch the history, or name a commit by TELAR_LINT_BASE (${NO_BASE} = leave this out)`,
+    ];
+  const since = `since ${base.slice(0, 9)}`;
+  const { sources, headers, more } = sourcesToTidy(changedSince(git, base), cppTexts());
+  if (sources.length === 0) return [0, `nothing changed ${since}`];
+  if (!existsSync(path.join(ROOT, BUILD, 'compile_commands.json'))) return [1, `nothing is built in ${BUILD}: npm run build:dev`];
+  const head = git('rev-parse', 'HEAD');
+  const status = await run('run-clang-tidy', ['-quiet', '-p', commandsForTidy(), ...sources.map((file) => `/${file}$`)]);
+  if (status !== 0) return [status, 'see above'];
+  writeFileSync(CLEAN, head);
+  const beside = headers > 0 ? `, for ${headers} headers too, which ${more} more include` : '';
+  return [0, `clean (${sources.length} sources ${since}${beside})`];
 }
 
 /**
