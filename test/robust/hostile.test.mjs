@@ -22,7 +22,7 @@ const PARALLEL = 2;
 /** What telar_load printed; a process that died or printed something else is a failure. */
 function load(file, byPath) {
   return new Promise((done, fail) => {
-    const options = { timeout: 60_000, maxBuffer: 64 << 20 };
+    const options = { timeout: 600_000, maxBuffer: 64 << 20 };
     execFile(TOOL, byPath ? [file] : [file, '--bytes'], options, (error, stdout, stderr) => {
       if (error && error.code !== 3) return fail(new Error(`${file}: ${error.signal ?? error.code}\n${stderr.slice(-4000)}`));
       done(JSON.parse(stdout));

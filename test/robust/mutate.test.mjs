@@ -65,7 +65,7 @@ for (const [name, make] of Object.entries(FILES)) {
     const file = join(folder, `${name}.glb`);
     writeFileSync(file, bytes);
     const binary = 20 + bytes.readUInt32LE(12) + 8; // behind the JSON chunk
-    const { stdout } = await promisify(execFile)(TOOL, [file, String(RUNS), String(binary)], { timeout: 300_000 });
+    const { stdout } = await promisify(execFile)(TOOL, [file, String(RUNS), String(binary)], { timeout: 600_000 });
     const { runs, ok, codes, worstCpuMs, worstRun } = JSON.parse(stdout);
     assert.equal(runs, RUNS);
     assert.ok(ok < runs, 'some must be refused');

@@ -27,7 +27,7 @@ function freshFolder() {
 
 /** Runs telar to its end: {status, signal, stdout: Buffer, stderr: string}. */
 function telar(argv, options = {}) {
-  const result = spawnSync(BIN, argv, { maxBuffer: 1 << 28, timeout: 60_000, ...options });
+  const result = spawnSync(BIN, argv, { maxBuffer: 1 << 28, timeout: 600_000, ...options });
   return { ...result, stderr: result.stderr.toString() };
 }
 

@@ -66,7 +66,7 @@ async function run(index) {
   page.on('pageerror', (error) => said.push(String(error)));
   page.on('console', (message) => message.type() === 'error' && said.push(message.text()));
   await page.goto(`${host.origin}/example${index}.html`);
-  await page.waitForFunction(() => window.done, undefined, { timeout: 30_000 });
+  await page.waitForFunction(() => window.done, undefined, { timeout: 600_000 });
   assert.deepEqual(said, []);
 }
 

@@ -23,7 +23,7 @@ for (const [name, text] of Object.entries(FILES)) writeFileSync(path.join(folder
 function ran(names) {
   const log = path.join(folder, 'skipped.log');
   const { NODE_TEST_CONTEXT, ...env } = process.env;
-  const wanted = { files: names.map((name) => path.join(folder, name)), concurrency: 1, timeout: 60_000, log };
+  const wanted = { files: names.map((name) => path.join(folder, name)), concurrency: 1, timeout: 600_000, log };
   const { status, stdout } = spawnSync(process.execPath, [PROGRAM, JSON.stringify(wanted)], { encoding: 'utf8', env });
   return { status, order: [...stdout.matchAll(/^. (of \S+)/gm)].map(([, name]) => name), skipped: readFileSync(log, 'utf8') };
 }

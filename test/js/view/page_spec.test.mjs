@@ -5,7 +5,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { strip } from '../api/support/strip.mjs';
 import { apart, cameraOf, clickAt, look, marksOf, measured, placeOf, rectangleOf, rowsOf, save, seenOn, tool } from './spec_support.mjs';
-import { changing, launchChromium, openView, settled } from './support.mjs';
+import { changing, HANGS_AFTER_MS, launchChromium, openView, settled } from './support.mjs';
 
 // A spec made by clicks, in real headless Chromium on the real renderer: a strip of half a metre a side, folded by a right angle at
 // x = 0.5, whose node halves it. Each check runs on the sound page, and on one with a fault, which it has to find.
@@ -272,7 +272,7 @@ async function refusalsAreTold(page) {
   await page.getByLabel('Tolerance, cm of point of measure 1').fill('-1');
   await page.keyboard.press('Tab');
   await page.locator('#save-spec').click();
-  await page.waitForSelector('#alert:not([hidden])', { timeout: 5000 }).catch(() => {});
+  await page.waitForSelector('#alert:not([hidden])', { timeout: HANGS_AFTER_MS }).catch(() => {});
   assert.match((await page.locator('#alert').textContent()) ?? '', /spec\.measures\[0\]\.tolerance: expected .*got -1 \[E_SPEC\]/);
   assert.equal(readFileSync(FILE, 'utf8'), `${JSON.stringify(SPEC, null, 2)}\n`);
   assert.equal(await page.locator('#save-spec').isEnabled(), true);

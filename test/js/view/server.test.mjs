@@ -257,7 +257,7 @@ test('errors come as problem+json with the codes of the table', async () => {
   }
 });
 
-test('what the page no longer waits for is cancelled', { timeout: 20_000 }, async () => {
+test('what the page no longer waits for is cancelled', async () => {
   const leaving = new AbortController();
   const drawing = post('draw', { exposure: 0 }, { signal: leaving.signal });
   while (!renderer.calls.rendered.some(({ exposure }) => exposure === 0)) await new Promise(setImmediate);
@@ -291,7 +291,7 @@ test('a taken port is a typed error, and a wrong shot ends the opening', async (
   await assert.rejects(openView({ renderer: fakeRenderer(), source, shot: { exposure: 'x' } }), { code: 'E_SHOT' });
 });
 
-test('closing ends what is being drawn', { timeout: 20_000 }, async () => {
+test('closing ends what is being drawn', async () => {
   const own = fakeRenderer();
   const opened = await openView({ renderer: own, source: at('model/coat.gltf'), shot: {} });
   const drawing = fetch(`${opened.url}draw`, { method: 'POST', headers: { 'content-type': 'application/json' }, body: '{"exposure":0}' });

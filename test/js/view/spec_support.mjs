@@ -1,4 +1,4 @@
-import { changing } from './support.mjs';
+import { changing, HANGS_AFTER_MS } from './support.mjs';
 
 /** What tests of the page's sheet share: places in the pictures by the camera's own arithmetic, without three.js. */
 
@@ -83,5 +83,5 @@ export const measured = (page) =>
 /** Saves, and waits until the page knows. */
 export async function save(page) {
   await page.locator('#save-spec').click();
-  await page.waitForSelector('#sheet[data-saved=true]', { timeout: 20_000 });
+  await page.waitForSelector('#sheet[data-saved=true]', { timeout: HANGS_AFTER_MS });
 }

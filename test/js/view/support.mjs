@@ -18,7 +18,7 @@ export const launchChromium = (rasterizer = 'mesa') =>
   });
 
 /** Milliseconds: a page that is not done then will not be, on however busy a machine. */
-const HANGS_AFTER_MS = 180_000;
+export const HANGS_AFTER_MS = 600_000;
 
 /**
  * The real `telar view` in a process of its own.

@@ -60,7 +60,7 @@ export class Browser {
       if (['warning', 'error'].includes(message.type())) log(`page: ${message.text()}`);
     });
     await self.#page.goto(`${self.#server.origin}/${page}`);
-    await self.#page.waitForFunction('window.telarReady === true', undefined, { timeout: 30_000 });
+    await self.#page.waitForFunction('window.telarReady === true', undefined, { timeout: 600_000 });
     return self;
   }
 
