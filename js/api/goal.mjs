@@ -7,12 +7,17 @@ import { shotJson } from './shot_json.mjs';
 /** Few shots have a goal, so what it needs comes with the first. */
 const predictModule = () => import('../predict/index.mjs');
 
-let tracer;
+/** By the addon's exports: whether the path tracer is there. */
+const tracers = new WeakMap();
 
-/** Whether the path tracer is there; it is looked for once. */
+/** Whether the path tracer is there; it is looked for once, and again after a look that failed. @returns {Promise<boolean>} */
 export function hasTracer(native) {
-  tracer ??= nativeCall(native, undefined, () => native.probeReference()).then((json) => JSON.parse(json).works);
-  return tracer;
+  const known = tracers.get(native);
+  if (known) return known;
+  const looked = nativeCall(native, undefined, () => native.probeReference()).then((json) => JSON.parse(json).works);
+  tracers.set(native, looked);
+  looked.catch(() => tracers.delete(native));
+  return looked;
 }
 
 /** As js/predict has it. @type {typeof import('../predict/calibrate.mjs').calibrate} */

@@ -1,8 +1,10 @@
 /**
- * Bytes that their owner will not write to again, so that nobody has to copy them, with their SHA-256 where it is known. By their memory: views of it come
- * and go.
+ * Bytes that their owner will not write to again, so that nobody has to copy them, with their SHA-256 where it is known. By their memory, since views of it
+ * come and go; of each memory by place, since several files may lie in one. @type {WeakMap<ArrayBuffer, Map<string, {sha256?: string}>>}
  */
 const known = new WeakMap();
+
+const placeOf = ({ byteOffset, byteLength }) => `${byteOffset}+${byteLength}`;
 
 /**
  * @param {Uint8Array} bytes in memory that is not shared with another thread
@@ -10,14 +12,12 @@ const known = new WeakMap();
  * @returns {Uint8Array} the same
  */
 export function handOver(bytes, sha256) {
-  known.set(bytes.buffer, { at: bytes.byteOffset, length: bytes.byteLength, sha256 });
+  const places = known.get(bytes.buffer) ?? new Map();
+  known.set(bytes.buffer, places.set(placeOf(bytes), { sha256 }));
   return bytes;
 }
 
-function factsOf({ buffer, byteOffset, byteLength }) {
-  const facts = known.get(buffer);
-  return facts?.at === byteOffset && facts.length === byteLength ? facts : undefined;
-}
+const factsOf = (bytes) => known.get(bytes.buffer)?.get(placeOf(bytes));
 
 export const isHandedOver = (bytes) => factsOf(bytes) !== undefined;
 

@@ -37,13 +37,12 @@ class FreedBlocks {
     }
     return nullptr;
   }
-  void clear() noexcept {
+  /// @return bytes that were kept
+  std::size_t clear() noexcept {
     const std::lock_guard lock(mutex_);
+    const std::size_t kept = bytes_;
     while (count_ > 0) drop(count_ - 1);
-  }
-  std::size_t bytes() noexcept {
-    const std::lock_guard lock(mutex_);
-    return bytes_;
+    return kept;
   }
 
  private:
@@ -68,6 +67,7 @@ class FreedBlocks {
   std::size_t count_ = 0, bytes_ = 0;
 };
 
+/// One for the process, as the heap is: an allocator that containers carry by type knows of no renderer.
 FreedBlocks& freedBlocks() {
   static constinit FreedBlocks blocks;
   return blocks;
@@ -79,8 +79,7 @@ thread_local bool reusesMemory = false;
 
 ReusesMemory::ReusesMemory() { reusesMemory = true; }
 ReusesMemory::~ReusesMemory() { reusesMemory = false; }
-std::size_t freedBytes() noexcept { return freedBlocks().bytes(); }
-void giveFreedBack() noexcept { freedBlocks().clear(); }
+std::size_t giveFreedBack() noexcept { return freedBlocks().clear(); }
 
 void* allocateZeroed(std::size_t bytes) {
   if (bytes < HUGE_PAGE) {

@@ -13,11 +13,11 @@ class ReusesMemory {
   ReusesMemory& operator=(const ReusesMemory&) = delete;
 };
 
-/// Bytes of freed blocks that the process keeps at most.
+/// Bytes of freed blocks that the process keeps at most. They belong to no renderer: loader threads decode images for
+/// all of them, and a block is freed where the last owner of an image ends, on any thread.
 constexpr std::size_t MOST_FREED_BYTES = std::size_t{64} << 20;
-/// Bytes of the freed blocks that it keeps.
-std::size_t freedBytes() noexcept;
-/// Gives them back to the system.
-void giveFreedBack() noexcept;
+/// Gives the freed blocks back to the system, those of other renderers too: they then ask the kernel for their next
+/// ones, which takes time and changes no byte. @return bytes that were given back
+std::size_t giveFreedBack() noexcept;
 
 }  // namespace telar
