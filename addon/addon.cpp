@@ -139,8 +139,8 @@ Dressing dressingFromJs(const Napi::Object& value) {
   return out;
 }
 
-/// dress(scene, dressings: object[], forget: boolean, token) -> Promise<{scene, facts: string}>, facts: of
-/// describeDressed() forget: the model is free to go with what is made of it.
+/// dress(scene, dressings: object[], forget: boolean, token) -> Promise<{scene, facts: string}>
+/// facts: of describeDressed(). forget: the model is freed with what is made of it.
 Napi::Value dress(const Napi::CallbackInfo& info) {
   SceneHandle& handle = unwrap<SceneHandle>(info[0]);
   const auto list = info[1].As<Napi::Array>();

@@ -1,6 +1,6 @@
 /**
  * Whether a pattern means a name of a file: `*` stands for any characters. Without backtracking over more than one star, as names are a
- * stranger's. renderer/frame/ghosts.cpp does the same.
+ * stranger's. renderer/core/part_opacities.cpp does the same.
  * @param {string} pattern
  * @param {string} name
  */

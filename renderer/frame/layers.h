@@ -35,8 +35,7 @@ class LayerIds {
 
 /// Writes a layer's channels of one pixel. Coverage and lines are found otherwise.
 /// @param seen  what is seen there: depth(), normal(), partId(), materialId(), open(), albedo(), shadow(), of which
-/// only
-///              the one that is asked for is called
+///              only the one that is asked for is called
 template <class Seen>
 void writeLayer(Layer layer, const Seen& seen, float* to) {
   const auto triple = [&](const glm::vec3& v) {

@@ -35,8 +35,7 @@ class Pacer {
   explicit Pacer(const Functions& gl) : gl_(gl) {}
 
   /// Another job begins.
-  /// @param sliceMs  wall-clock time that the GL may have to do, about; infinity, as before the first job: nothing is
-  /// cut
+  /// @param sliceMs  wall-clock time that the GL may have to do, about; infinity, as before the first job: no cuts
   void begin(const CancelToken& cancel, double sliceMs);
 
   double sliceMs() const { return sliceMs_; }

@@ -11,8 +11,7 @@ CubeMap radianceCube(const gl::Context& context, const ImageF& map, const Cancel
 /// Prefilters an equirectangular map into a GGX chain exactly as three.js 0.187's PMREMGenerator does.
 /// @param map  linear Rec.709, finite, [0, 65504]
 /// @return cube of face size max(256, largest power of two <= width / 4); level k of 0..maxLod = log2(faceSize) - 3
-/// holds
-///         perceptual roughness 1 - sqrt(1 - k / maxLod); the last level (8 px) is also the irradiance / PI.
+///         holds perceptual roughness 1 - sqrt(1 - k / maxLod); the last level (8 px) is also the irradiance / PI.
 /// @throws Error{X_GL, X_CANCELLED}. Needs a current context.
 CubeMap prefilterEquirect(const gl::Context& context, const ImageF& map, const CancelToken& cancel);
 

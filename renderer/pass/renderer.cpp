@@ -112,10 +112,10 @@ class GlRenderer final : public Renderer {
   }
 
   void release(const Scene& scene) override {
-    // Scenes that were made of a scene hang on to its copies.
+    // Scenes that were made of this one (posed, dressed) share its data: they go too.
     std::erase_if(scenes_, [&](const auto& entry) { return entry.second->isMadeOf(scene); });
     scenes_.erase(&scene);
-    // One that alone keeps that scene alive is the last that draws it.
+    // A posed scene may be the last owner of the model that it was made of: then nothing draws the model again.
     if (scene.model && scene.model.use_count() == 1) scenes_.erase(scene.model.get());
   }
 
@@ -302,8 +302,7 @@ class GlRenderer final : public Renderer {
   }
 
   /// The mean of passes that are moved by parts of a pixel, in linear light before tone mapping.
-  /// @param picture  the projection of its plan is shifted and restored; its passes are those until every pixel was
-  /// settled
+  /// @param picture  the projection of its plan is shifted and restored; its passes are those until every pixel settled
   Frame drawAveraged(const pass::SurfaceInputs& frame, Picture& picture, const Progress& progress) {
     FramePlan& plan = picture.plan;
     int& drawn = picture.passes;

@@ -23,7 +23,7 @@ constexpr std::uint8_t ALL = 255;
 
 bool hasMipLevels(const Sampler& sampler) { return sampler.minFilter != GL_NEAREST && sampler.minFilter != GL_LINEAR; }
 
-/// TextureStore
+/// Whether TextureStore can leave out levels of it: it makes them itself, of bytes, each half as large as the last.
 bool mayLackLevels(const Image8& image) {
   return !image.ownLevels && image.type == TexelType::kByte && halves(image.width, image.height);
 }

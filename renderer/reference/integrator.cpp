@@ -153,7 +153,7 @@ glm::vec3 Integrator::sampleLights(const Surface& surface, Sampler& sampler) con
   glm::vec3 behind = shading.behind ? scene_.lights.irradiance(-surface.info.n) : glm::vec3(0);
   if (dome != glm::vec3(0) || behind != glm::vec3(0)) {
     brdf_f::Reflected lit = shading.dome(surface.info, dome);
-    // Vertices know each side, a map of occlusion takes from the light of both.
+    // Ambient visibility has a value for each side; an occlusion map has one, which darkens both.
     const bool sides = surface.hasVisibility && !transport_.occlusion;
     if (sides) lit = brdf_f::visibleLight(lit, surface.info), behind *= surface.info.visibilityBehind;
     if (shading.behind) lit = shading.behind(lit, surface.info, behind);

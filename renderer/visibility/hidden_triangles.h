@@ -23,13 +23,12 @@ struct VisibleTriangles {
 /// Finds the triangles of a view that own no sample: at each that they may cover, something opaque is in front. Errs
 /// towards drawing: what the GL rounds is taken at its worst, so that the picture without the others is the same.
 /// Greene, Kass & Miller 1993, "Hierarchical Z-buffer visibility", and Hasselgren, Andersson & Akenine-Moller 2016,
-/// "Masked software occlusion culling", test against a depth buffer of the CPU likewise; theirs is coarser than a
-/// sample.
+/// "Masked software occlusion culling", test against a depth buffer of the CPU likewise; theirs is coarser than a sample.
 class HiddenTriangles {
  public:
   /// Another view in place of this one.
-  /// @param meshes  all that it draws, in any order; what they point to outlives it    @throws Error{X_CANCELLED,
-  /// X_TIMEOUT}
+  /// @param meshes  all that it draws, in any order; what they point to outlives it
+  /// @throws Error{X_CANCELLED, X_TIMEOUT}
   /// @return what it cost, in pixels that were looked at; the rest is said in what takes as long
   std::int64_t look(const SampleGrid& grid, std::span<const DrawnMesh> meshes, const CancelToken& cancel);
 

@@ -27,8 +27,8 @@ float bumpTerminator(float alpha2, float cosine) {
   return 2.0 * c / max(c + sqrt(pow2(c) + alpha2 * (1.0 - pow2(c))), COSINE_EPSILON);
 }
 
-// Share of uniform light that diffuse reflection keeps where a mapped normal leans: what comes from below the surface does not reach
-// it. Within 0.01 of the integral. It runs straight in the cosine, so that the mean over normals is that of their mean cosine.
+// Share of uniform light that diffuse reflection keeps where a mapped normal leans, as no light comes from below the surface. Within
+// 0.01 of the integral. It is linear in the cosine for all but the steepest normals, so that the mean cosine gives the mean share.
 // cosine  [0, 1], between the surface and the mapped normal, times the length of the mean normal
 float bumpMean(float cosine) { return max(1.0 - 0.87 * (1.0 - cosine), 0.27 + 0.43 * cosine); }
 
@@ -39,7 +39,7 @@ vec3 bumpBent(vec3 surface, vec3 mapped) {
   return safeNormalize(mapped + surface * (sqrt(sine2) * (0.58 + 0.28 * sine2)), mapped);
 }
 
-// Share of uniform light that a gloss keeps there: of a narrow lobe as its direction says, of the widest as diffuse light.
+// Share of uniform light that a gloss keeps there: that of its one direction for a narrow lobe, that of diffuse light for the widest.
 // cosine  [-1, 1], between the surface and the lobe's mean direction      mean  bumpMean()
 float bumpGloss(float perceptualRoughness, float alpha2, float cosine, float mean) {
   return mix(bumpTerminator(alpha2, cosine), mean, perceptualRoughness);

@@ -54,8 +54,9 @@ float V_CharlieSoftened(float alpha, float NoV, float NoL) {
   return 1.0 / ((1.0 + lambdaCharlie(alpha, v) + softened) * 4.0 * v * l);
 }
 
-// Fuzz of a game: fibres that stand off a cloth, as bright as the light on it and as the viewer's angle says; what it reflects of
-// light from everywhere, [0, 1]. Times NoL / PI it is a lobe. No light moves it, so it is not reciprocal, and what lies below gives nothing for it.
+// The fuzz of Uncharted 4: fibres that stand off a cloth. Returns its albedo under uniform light, [0, 1]; times NoL / PI it is a lobe.
+// It depends on the viewer's angle alone and not on the light's direction, so it is not reciprocal. The layers below are not darkened
+// by what it reflects.
 // sheenRoughness  perceptual [0, 1]: how far the fibres stand off and how unlike they are      NoV  [0, 1]
 // src: Jiang 2016, "The Process of Creating Volumetric-based Materials in Uncharted 4": powers of the viewer's cosine with weights and
 //      exponents that an artist sets for each cloth. Those here are ours, for glTF's one roughness; together they are at most 1.

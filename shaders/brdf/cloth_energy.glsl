@@ -34,8 +34,8 @@ float glossGrazing(vec4 curve, float cosine) {
   return pow2((1.0 - cosine) * (1.0 + curve.x * cosine) / (curve.y + cosine * (curve.z + cosine * curve.w)));
 }
 
-// What glossGrazing() has too much. It is bounded from one side, so that no cloth sends back more than it gets. Of a rough
-// dielectric it is up to a sixth of the whole gloss: light from everywhere does without.
+// By how much glossGrazing() is above the exact share. Its fit errs to one side only, so that no cloth reflects more than it gets. For
+// a rough dielectric this is up to a sixth of the gloss, so uniform light subtracts it.
 // perceptualRoughness  [0, 1]      cosine  [0, 1]
 float grazingExcess(float perceptualRoughness, float cosine) {
   float sine2 = 1.0 - pow2(cosine);

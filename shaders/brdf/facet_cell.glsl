@@ -1,10 +1,10 @@
 // A place of a polished relief over which the normal turns evenly: how much of it mirrors. Shared text: see README.md.
 
-// Width of the lobe that stands for a turn, as a part of it.
+// Width of the lobe that stands for a turn of the normal, in parts of that turn.
 const float FACET_TURN = 0.5;
 
-// GGX distribution of the normals of a place at a direction, [1/sr]. A turn makes a wide lobe, which ends soon, as the turn does; far
-// from the place there is what a narrow lobe has there.
+// GGX distribution of the normals of a place at a direction, [1/sr]. Where the normal turns, the lobe is as wide as the turn and
+// falls off quickly beyond it. Farther out, the value is that of the narrow lobe of a flat place.
 // alpha2  square of the width, (0, 1]
 // slope  of the normal in the middle, off the direction      across, down  by how much it turns from one side of the place to the other
 // src: Yan et al. 2016, "Position-Normal Distributions for Efficient Rendering of Specular Microstructure", for lobes that are as

@@ -5,11 +5,11 @@
 //
 // At an edge that can be seen, the first n samples of a pixel are covered, or the last n: WebGL has no other masks
 // (js/three/shading/coverage.mjs). From far, where the share is all that is known, what is there in part is blended over what
-// lies behind it, after all else of the model and without depth: whatever the order, layers cover what they should. Alone the colours
-// of layers may trade their weights.
-// What is blended cannot be seen through glass. Where there is any, masks stand in from far too: the two halves of a pixel are
-// covered by thresholds of their own. Then a mask must take every sample equally often, and the masks of layers over each other
-// must be independent.
+// lies behind it, after all else of the model and without depth. In any order, the layers together cover the right share; only
+// which layer's colour counts more depends on the order.
+// What is blended cannot be seen through glass. Where a model has glass, far pixels get masks too, and each half of a pixel has a
+// threshold of its own. Such a mask must take every sample equally often, and the masks of layers over each other must be
+// independent.
 // src: Enderton, Sintorn, Shirley & Luebke 2010, "Stochastic Transparency": a mask of random samples for each layer,
 //      stratified; Wyman & McGuire 2017, "Hashed Alpha Testing": a hash of place in place of a random number
 

@@ -266,11 +266,11 @@ YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, float slope, float c
 }
 
 #if YARN_RELIEF
-// Share of a pixel up to which the normals of a set of yarns are told less and less.
+// Below this share of a pixel, the measured normals of a set of yarns count less and less, as few texels tell them.
 const float YARN_SHARE_TOLD = 0.1;
 
-// From the first of these variances of slopes on, what relief turns below the horizon leaves less and less of an axis; from the
-// second on none.
+// Variances of slopes. From the first on, relief turns so many normals below the horizon that the yarns' axis fades; from the second on
+// there is none.
 const float YARN_RELIEF_LOW = 0.083;
 const float YARN_RELIEF_HIGH = 0.25;
 

@@ -60,19 +60,19 @@ vec2 reliefOf(vec4 texel, vec2 scale) {
 #endif
 
 #if FACETS
-// Levels by which polished maps are read sharper. Between texels of the size of a pixel the sampler's mean reaches two pixels wide;
-// between those of half a pixel it is one wide. A little sharper still it flickers no more than what it stands for.
+// Polished maps are read from a finer level, by this bias. Between texels as large as a pixel the sampler averages over two pixels,
+// between texels half as large over one. The half level beyond that was tried: it does not flicker more than the exact picture.
 const float FACET_LOD_BIAS = -1.5;
 
 // Texels along the longer side of a pixel up to which facets are shaded place by place; where there are twice as many, none is.
 const float FACET_TEXELS = 12.0;
 
-// Share of the facets' variance that is kept there: a pixel has a few facets, and most of a level's variance is between its texels,
-// which tell them apart.
+// Share of the facets' variance that is kept there. A pixel shows a few facets, and most of the variance of a level is between its
+// texels, which are shaded one by one.
 const float FACET_VARIANCE_KEPT = 0.4;
 
-// The flat part of a polished normal map within the pixel, and how much of it is edges. A texel that is edge alone is all there is of
-// its pixel: its lobe is its own.
+// Splits what a pixel has of a polished normal map into flat facets and edges. Where a texel has no flat part, its one lobe is that of
+// its edges.
 // texel  of texture/facets.glsl      averaged  how far it is of a level above the first, [0, 1]: between texels of the first one the
 //        slopes run on, and do not vary
 // src: Han et al. 2007, "Frequency Domain Normal Map Filtering": a mixture of lobes for what a pixel has of a normal map

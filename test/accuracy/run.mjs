@@ -60,7 +60,7 @@ const text = `# The raster against the path tracer
 Written by \`npm run accuracy -- ${paths}\`: ${rows.length} windows of ${SIZE} x ${SIZE} pixels out of pictures of ${THUMBNAIL} on Mesa llvmpipe, shading \`fabric\`,
 the environment without occlusion. "64 samples" has environmentSamples ${QUALITIES['64 samples'].environmentSamples}. \`high\` is that of the raster.
 The reference has ${paths} paths a pixel, whose own noise is part of every
-figure. FLIP is the mean, CIEDE2000 the 95th percentile, both over the pixels of the cloth. Wanted of \`high\`: FLIP ${MOST.flip} and CIEDE2000 ${MOST.deltaE}
+figure. FLIP is the mean, CIEDE2000 the 95th percentile, both over the pixels of the cloth. Targets of \`high\`: FLIP ${MOST.flip} and CIEDE2000 ${MOST.deltaE}
 or less; ${rows.filter(within).length} of ${rows.length} are there.
 
 | quality | FLIP, mean of all | CIEDE2000, mean of all | CPU ms a window |

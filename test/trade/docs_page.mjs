@@ -164,7 +164,7 @@ ${table({
   lines: byBudget.map(({ budgetMs: wanted, promised, held }) => [String(wanted), String(promised), percent(held)]),
 })}
 
-Wanted are 95 % of errors held, all within twice the time of the cheapest, and 90 % of times held. The second is not reached: a picture of 256 x 256 in \`standard\` takes 40 to 90 ms, less than it takes to
+The target is 95 % of errors held, all within twice the time of the cheapest, and 90 % of times held. The second is missed: a picture of 256 x 256 in \`standard\` takes 40 to 90 ms, less than it takes to
 know that it is good enough, and the next settings take ten times as long. Predictions are from ${predicted.scenes} scenes.
 `;
 }

@@ -1,6 +1,6 @@
 import { capital, LAYERS, texturesOf, textureName, upper } from '../../material/table.mjs';
 
-// How three.js names what shaders/ asks for; of layers js/material/table.mjs says it.
+// The names that three.js has for what shaders/ uses. Those of layers are from js/material/table.mjs.
 
 /** Features that three.js decides by itself, or that it never has. */
 const FIXED = {

@@ -1,7 +1,7 @@
 /**
  * What the table of the shot is written with. A row is plain data: what a key takes, what it is where it is left out, what it is in a
  * resolved shot, and what it means. js/shot/schema.mjs makes of it what checks a shot, js/shot/resolved_schema.mjs what checks a
- * resolved one, js/docs the pages, the types and the C++ that reads it.
+ * resolved one, js/build/docs the pages, the types and the C++ that reads it.
  *
  * @typedef {object} Row
  * @property {'number' | 'boolean' | 'choice' | 'literal' | 'text' | 'vector' | 'extents' | 'colour' | 'index' | 'bytes' | 'object' | 'record' | 'list' | 'union' | 'variants'} kind

@@ -14,8 +14,7 @@ std::vector<std::byte> decodeDataUri(std::string_view uri, std::string_view wher
 
 /// Turns a relative reference into a path beneath the model's folder: percent-decoded once, '/' between components.
 /// @throws Error{E_URI_DENIED} for a scheme, an absolute path, "..", a backslash, a control character, a second layer
-/// of
-///         percent-encoding that hides one of these, or a leading '$' or '~'; Error{E_URI_MISSING} when empty
+///         of percent-encoding that hides one of these, or a leading '$' or '~'; Error{E_URI_MISSING} when empty
 std::string relativePath(std::string_view uri, std::string_view where);
 
 }  // namespace telar::asset

@@ -8,8 +8,8 @@
 
 namespace telar {
 
-/// By which a caller stops a job, and which stops one that takes too long. Every stage calls check() at least each few
-/// milliseconds of work. Copies are one token.
+/// Stops a job: when its caller cancels it, or when it has worked longer than allowed. Every stage calls check() after
+/// at most a few milliseconds of work. All copies of a token act as one.
 class CancelToken {
   using Clock = std::chrono::steady_clock;
   static constexpr Clock::time_point NEVER = Clock::time_point::max();
@@ -17,7 +17,7 @@ class CancelToken {
   struct State {
     std::atomic<bool> cancelled = false;
     std::atomic<Clock::time_point> deadline = NEVER;  ///< while a thread works on the job
-    std::optional<Clock::duration> allowed;  ///< all of it; none = any time. Of one thread at a time, as `used`
+    std::optional<Clock::duration> allowed;  ///< for the whole job; none = any time. Of one thread at a time, as `used`
     Clock::duration used{};
   };
 
@@ -34,10 +34,10 @@ class CancelToken {
     const Clock::time_point deadline = state_->deadline.load(std::memory_order_relaxed);
     if (deadline != NEVER && Clock::now() > deadline) throw timeout();
   }
-  /// Between two works: the job may take any time from here on.
+  /// The job may take any time from here on. To be called while no Work lives.
   void allowAnyTime() const { state_->allowed.reset(); }
 
-  /// A thread works on the job while this lives: its time runs.
+  /// Counts the time that a thread works on the job, while this lives.
   class Work {
    public:
     explicit Work(const CancelToken& token) : state_(token.state_), begin_(Clock::now()) {

@@ -12,16 +12,16 @@ namespace telar {
 /// A picture as far as it is drawn.
 struct Preview {
   Frame frame;      ///< as the finished one, without layers
-  int samples = 0;  ///< that a pixel has taken at most
+  int samples = 0;  ///< of the pixel that has taken most
 };
 
 /// The last preview of a job: put by the thread that draws, taken by whoever waits.
 class Previews {
  public:
-  /// From now on the job makes them. Nobody asks, nothing is paid.
+  /// From now on the job makes previews. Without this it spends no time on them.
   void ask() const { state_->asked = true; }
   bool asked() const { return state_->asked; }
-  /// One that was not taken gives way.
+  /// Replaces one that was not taken.
   void put(Preview preview) const {
     const std::lock_guard lock(state_->mutex);
     state_->last = std::move(preview);

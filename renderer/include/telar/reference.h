@@ -12,8 +12,7 @@ namespace telar {
 /// libtelar_reference.so, which alone links Embree.
 /// @param environment  file bytes when shot.environment.source is kBytes
 /// @throws Error{X_LIBRARY_MISSING, X_REFERENCE, X_MEMORY, X_CANCELLED, L_LIGHTS, E_ENVIRONMENT_*, ...}; never a
-/// partial
-///         frame
+///         partial frame
 Frame drawReference(const Scene& scene, const Shot& shot, std::span<const std::byte> environment,
                     const RendererOptions& options, const CancelToken& cancel, const Progress& progress,
                     FrameInfo& info);
