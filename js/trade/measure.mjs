@@ -55,6 +55,109 @@ const runsFor = (ms) => (ms < 150 ? 5 : ms < 600 ? 3 : 1);
  * @property {object} features - Of js/predict/features.mjs.
  */
 
+/** Draws a model, and counts the CPU time of all threads. */
+class TimedDrawing {
+  constructor(renderer, model, signal) {
+    Object.assign(this, { renderer, model, signal });
+  }
+
+  async draw(shot) {
+    const before = process.cpuUsage();
+    const { data, info } = await this.renderer.render(this.model, { ...shot, output: { format: 'raw' } }, { signal: this.signal, timeoutMs: null });
+    const { user, system } = process.cpuUsage(before);
+    return { data, info, cpuMs: (user + system) / 1000 };
+  }
+
+  async leastMs(shot, runs) {
+    let least = Infinity;
+    for (let i = 0; i < runs; i++) least = Math.min(least, (await this.draw(shot)).cpuMs);
+    return least;
+  }
+}
+
+const coveredOf = ({ coverage, width, height }) => coverage * width * height;
+
+/** One scene, and the window of its picture in which settings are compared. */
+class SceneWindow {
+  #expected;
+
+  /** @param {TimedDrawing} timed */
+  constructor(timed, store, truth) {
+    Object.assign(this, { timed, store, truth });
+  }
+
+  async open({ shot }, side, featuresOf) {
+    // Over nothing: the model's own pixels tell where it is.
+    this.whole = { ...shot, background: 'transparent' };
+    const first = await this.timed.draw({ ...this.whole, quality: 'draft' });
+    const { shot: resolved, key, picture } = first.info;
+    if (picture.coverage === 0) throw new TelarError('E_CAMERA', 'nothing of the model is in the picture');
+    const window = windowOf(first.data, resolved.size, side);
+    const features = await featuresOf(resolved);
+    Object.assign(this, { resolved, key, features, window, covered: coveredOf({ ...resolved.size, coverage: picture.coverage }) });
+    this.size = { width: window.width, height: window.height };
+    this.shown = this.#seen(resolved, window);
+    return this;
+  }
+
+  #seen(shot, window) {
+    return { ...shot, size: { width: window.width, height: window.height }, camera: windowCamera(this.resolved.camera, this.resolved.size, window) };
+  }
+
+  keyOf(more) {
+    return this.store.keyOf({ key: this.key, window: this.window, truth: this.truth, ...more });
+  }
+
+  /** Drawn for the first setting that is not kept. */
+  async expected() {
+    if (this.#expected) return this.#expected;
+    const name = this.keyOf({});
+    this.#expected = await this.store.truth(name);
+    if (!this.#expected) {
+      this.#expected = (await this.timed.draw({ ...this.shown, quality: this.truth })).data;
+      await this.store.keepTruth(name, this.#expected);
+    }
+    return this.#expected;
+  }
+
+  /** Milliseconds of the whole picture, from those of the window. */
+  async wholeMs(shot, windowMs) {
+    // Vertices and the start of each pass cost the same in any window: a tiny one shows what that is.
+    const { x, y, width, height } = this.window;
+    const tiny = { ...this.window, x: x + width / 2 - TINY / 2, y: y + height / 2 - TINY / 2, width: TINY, height: TINY };
+    const tinyShot = this.#seen(shot, tiny);
+    const { cpuMs, info } = await this.timed.draw(tinyShot);
+    const again = cpuMs < SHORT_MS ? await this.timed.leastMs(tinyShot, 1) : cpuMs;
+    return scaledTime(
+      { ms: Math.min(cpuMs, again, windowMs), pixels: coveredOf({ ...tiny, coverage: info.picture.coverage }) },
+      { ms: windowMs, pixels: coveredOf(this.window) },
+      this.covered,
+    );
+  }
+
+  /** Time and error of a setting. */
+  async measure(quality, capMs) {
+    const reference = await this.expected();
+    const shot = withSetting(this.shown, quality);
+    const drawn = await this.timed.draw(shot);
+    // The first picture may compile programs.
+    const again = drawn.cpuMs < LONG_MS ? await this.timed.leastMs(shot, 1) : drawn.cpuMs;
+    const windowMs = Math.min(drawn.cpuMs, again < SHORT_MS ? await this.timed.leastMs(shot, 1) : again, again);
+    const { flip, deltaE } = compareImages({ ...this.size, data: reference }, { ...this.size, data: drawn.data }).object;
+    const expectedMs = await this.wholeMs(shot, windowMs);
+    const fits = expectedMs <= capMs;
+    const all = withSetting({ ...this.whole, lights: this.resolved.lights }, quality);
+    return {
+      flip: flip.mean,
+      deltaE: deltaE.p95,
+      cpuMs: fits ? await this.timed.leastMs(all, runsFor(expectedMs)) : expectedMs,
+      timed: fits ? 'picture' : 'window',
+      windowMs,
+      samples: drawn.info.samples ?? 1,
+    };
+  }
+}
+
 /**
  * Draws one scene with each setting.
  * @param {object} renderer of api.createRenderer
@@ -78,85 +181,21 @@ export async function measureScene(
   store,
   { signal, step = () => {} } = {},
 ) {
-  const draw = async (shot) => {
-    const before = process.cpuUsage();
-    const { data, info } = await renderer.render(model, { ...shot, output: { format: 'raw' } }, { signal, timeoutMs: null });
-    const { user, system } = process.cpuUsage(before);
-    return { data, info, cpuMs: (user + system) / 1000 };
-  };
-  const leastOf = async (shot, runs) => {
-    let least = Infinity;
-    for (let i = 0; i < runs; i++) least = Math.min(least, (await draw(shot)).cpuMs);
-    return least;
-  };
-  // Over nothing: the model's own pixels tell where it is.
-  const whole = { ...scene.shot, background: 'transparent' };
-  const first = await draw({ ...whole, quality: 'draft' });
-  const { shot: resolved, key, picture } = first.info;
-  if (picture.coverage === 0) throw new TelarError('E_CAMERA', 'nothing of the model is in the picture');
-  const features = await featuresOf(resolved);
-  const window = windowOf(first.data, resolved.size, side);
-  const size = { width: window.width, height: window.height };
-  const shown = { ...resolved, size, camera: windowCamera(resolved.camera, resolved.size, window) };
-  const keyOf = (more) => store.keyOf({ key, window, truth, ...more });
-  let expected;
-  const truthOf = async () => {
-    if (expected) return expected;
-    const name = keyOf({});
-    expected = await store.truth(name);
-    if (!expected) {
-      expected = (await draw({ ...shown, quality: truth })).data;
-      await store.keepTruth(name, expected);
-    }
-    return expected;
-  };
-  const covered = ({ coverage, width, height }) => coverage * width * height;
-  const wholeTime = async (shot, windowMs) => {
-    // Vertices and the start of each pass cost the same in any window: a tiny one shows what that is.
-    const tiny = { ...window, x: window.x + window.width / 2 - TINY / 2, y: window.y + window.height / 2 - TINY / 2, width: TINY, height: TINY };
-    const tinyShot = { ...shot, size: { width: TINY, height: TINY }, camera: windowCamera(resolved.camera, resolved.size, tiny) };
-    const { cpuMs, info } = await draw(tinyShot);
-    const again = cpuMs < SHORT_MS ? await leastOf(tinyShot, 1) : cpuMs;
-    return scaledTime(
-      { ms: Math.min(cpuMs, again, windowMs), pixels: covered({ ...tiny, coverage: info.picture.coverage }) },
-      { ms: windowMs, pixels: covered(window) },
-      covered({ ...resolved.size, coverage: picture.coverage }),
-    );
-  };
+  const window = await new SceneWindow(new TimedDrawing(renderer, model, signal), store, truth).open(scene, side, featuresOf);
+  const { features, resolved } = window;
   const rows = [];
   for (const [setting, quality] of Object.entries(settings)) {
     if (quality.shadow !== undefined && !features.shadows) {
       step(`${scene.model}, ${scene.light}: ${setting}`);
       continue;
     }
-    const name = keyOf({ setting, quality, capMs });
+    const name = window.keyOf({ setting, quality, capMs });
     let row = store.row(name);
     if (!row) {
-      const reference = await truthOf();
-      const shot = withSetting(shown, quality);
-      const drawn = await draw(shot);
-      // The first picture may compile programs.
-      const again = drawn.cpuMs < LONG_MS ? await leastOf(shot, 1) : drawn.cpuMs;
-      const windowMs = Math.min(drawn.cpuMs, again < SHORT_MS ? await leastOf(shot, 1) : again, again);
-      const { flip, deltaE } = compareImages({ ...size, data: reference }, { ...size, data: drawn.data }).object;
-      const expectedMs = await wholeTime(shot, windowMs);
-      const fits = expectedMs <= capMs;
-      const cpuMs = fits ? await leastOf(withSetting({ ...whole, lights: resolved.lights }, quality), runsFor(expectedMs)) : expectedMs;
-      row = {
-        model: scene.model,
-        light: scene.light,
-        shading: features.shading,
-        size: Math.max(resolved.size.width, resolved.size.height),
-        setting,
-        flip: flip.mean,
-        deltaE: deltaE.p95,
-        cpuMs,
-        timed: fits ? 'picture' : 'window',
-        windowMs,
-        samples: drawn.info.samples ?? 1,
-        family: familyOf(setting) ?? 'other',
-        features,
-      };
+      const size = Math.max(resolved.size.width, resolved.size.height);
+      const measured = await window.measure(quality, capMs);
+      const of = { model: scene.model, light: scene.light, shading: features.shading, size, setting };
+      row = { ...of, ...measured, family: familyOf(setting) ?? 'other', features };
       await store.keep(name, row);
     }
     // What a scene is told by may be more than when the row was kept.

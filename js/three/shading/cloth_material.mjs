@@ -110,30 +110,8 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
 
     /** Before each draw: what has changed since reaches the program, and maps that are new are made anew. */
     onBeforeRender(renderer, ...rest) {
-      const { NORMAL_VARIANCE, NORMAL_FACETS, ALPHA_TO_COVERAGE, NORMAL_HOLES, METAL_MEANS, METAL_YARNS, YARN_RELIEF } = this.isFabricMaterial
-        ? featuresOf(this)
-        : {};
-      const kind = NORMAL_FACETS ? 'facets' : 'relief';
-      if (this.isFabricMaterial) this.compileFor([NORMAL_VARIANCE && kind, NORMAL_HOLES, METAL_MEANS, METAL_YARNS, YARN_RELIEF].join(' '));
-      if (NORMAL_VARIANCE) {
-        for (const [name, key] of Object.entries(VARIANCE_MAPS)) {
-          const holes = NORMAL_HOLES && key === 'normalMap' ? { cutoff: textureCutoff(this), cover: this.map } : {};
-          this.madeMaps[name] = bakedTexture(THREE, textureShaders, renderer, key === 'normalMap' ? kind : 'relief', this[key], holes);
-        }
-      }
-      if (YARN_RELIEF) {
-        this.madeMaps.yarnReliefMap = bakedTexture(THREE, textureShaders, renderer, 'yarns', this.normalMap, { yarns: this.fabric.weave.weaveTexture });
-      }
-      if (METAL_MEANS) {
-        const beside = { cover: this.metalnessMap, ...(METAL_YARNS && { yarns: this.fabric.weave.weaveTexture }) };
-        this.madeMaps.metalMap = bakedTexture(THREE, textureShaders, renderer, 'metal', this.map, beside);
-      }
-      if (ALPHA_TO_COVERAGE) {
-        this.madeMaps.coverageMap = bakedTexture(THREE, textureShaders, renderer, 'coverage', this.map, { cutoff: textureCutoff(this) });
-        drawPartlyCovered(this, [renderer, ...rest]);
-      } else {
-        this.textUniforms();
-      }
+      if (this.isFabricMaterial && makeMaps(this, { THREE, textureShaders, renderer })) drawPartlyCovered(this, [renderer, ...rest]);
+      else this.textUniforms();
     }
 
     /**
@@ -159,6 +137,29 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
       return this;
     }
   };
+}
+
+/**
+ * Makes the maps of a FabricMaterial's own ones that are new, or were made as another kind.
+ * @returns {boolean} whether pixels are drawn that the material covers in part
+ */
+function makeMaps(material, { THREE, textureShaders, renderer }) {
+  const { NORMAL_VARIANCE, NORMAL_FACETS, ALPHA_TO_COVERAGE, NORMAL_HOLES, METAL_MEANS, METAL_YARNS, YARN_RELIEF } = featuresOf(material);
+  const { madeMaps, map, normalMap } = material;
+  const baked = (kind, texture, beside) => bakedTexture(THREE, textureShaders, renderer, kind, texture, beside);
+  const yarns = material.fabric?.weave?.weaveTexture;
+  const kind = NORMAL_FACETS ? 'facets' : 'relief';
+  material.compileFor([NORMAL_VARIANCE && kind, NORMAL_HOLES, METAL_MEANS, METAL_YARNS, YARN_RELIEF].join(' '));
+  if (NORMAL_VARIANCE) {
+    for (const [name, key] of Object.entries(VARIANCE_MAPS)) {
+      const holes = NORMAL_HOLES && key === 'normalMap' ? { cutoff: textureCutoff(material), cover: map } : {};
+      madeMaps[name] = baked(key === 'normalMap' ? kind : 'relief', material[key], holes);
+    }
+  }
+  if (YARN_RELIEF) madeMaps.yarnReliefMap = baked('yarns', normalMap, { yarns });
+  if (METAL_MEANS) madeMaps.metalMap = baked('metal', map, { cover: material.metalnessMap, ...(METAL_YARNS && { yarns }) });
+  if (ALPHA_TO_COVERAGE) madeMaps.coverageMap = baked('coverage', map, { cutoff: textureCutoff(material) });
+  return Boolean(ALPHA_TO_COVERAGE);
 }
 
 /** three.js gives tangents to normal maps and to anisotropy by itself. */
