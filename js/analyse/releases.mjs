@@ -1,4 +1,5 @@
-import { families, familyOf, resolveThree, REVISION, termsOfRevision, THREE_SLOTS, TONE_MAPPINGS_SINCE } from '../shot/three_terms.mjs';
+import { families, familyOf, resolveThree, REVISION, termsOfRevision, THREE_SLOTS } from '../shot/three_terms.mjs';
+import { TONE_MAPPINGS } from '../shot/table/tone_mappings.mjs';
 
 /**
  * Which release of three.js a picture is of, and which term of it differs: found by drawing them all.
@@ -37,7 +38,7 @@ function rangeAround(fits, best) {
  */
 export async function closestRelease(shading, { toneMapping, distanceOf }) {
   const named = { ...familyOf(revisionOf(shading)), distance: await distanceOf(shading) };
-  const drawable = families().filter(({ to }) => !(to < TONE_MAPPINGS_SINCE[toneMapping]));
+  const drawable = families().filter(({ to }) => !(to < TONE_MAPPINGS[toneMapping].since));
   const fits = [];
   for (const family of drawable) {
     const isNamed = family.from === named.from;

@@ -18,7 +18,7 @@ import { TelarError } from '../error/index.mjs';
 import { ANY_MODEL } from '../shot/facts.mjs';
 import { resolveShot } from '../shot/index.mjs';
 import { BASES, resolveTerms, SLOTS } from '../shot/shading_terms.mjs';
-import { TONE_MAPPINGS_SINCE } from '../shot/three_terms.mjs';
+import { TONE_MAPPINGS } from '../shot/table/tone_mappings.mjs';
 import { removeUnfinished, writeFileAtomically } from '../api/atomic_file.mjs';
 import { readLimits, readTimeout } from './limits.mjs';
 import { parseShading, parseSize, parseValue } from './shot_options.mjs';
@@ -54,7 +54,7 @@ const IN_EVERY_RELEASE = 'aces';
 
 /** The default tone mapping, or one that both releases have. */
 function toneMappingOf(...shadings) {
-  const isOlder = shadings.some(({ revision }) => revision < TONE_MAPPINGS_SINCE.neutral);
+  const isOlder = shadings.some(({ revision }) => revision < TONE_MAPPINGS.neutral.since);
   return isOlder ? { toneMapping: IN_EVERY_RELEASE } : {};
 }
 

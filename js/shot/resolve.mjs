@@ -17,7 +17,8 @@ import { FORMATS, output as OUTPUT } from './table/output.mjs';
 import { copied, inOrder } from './table/resolved.mjs';
 import { HUGE } from './table/rows.mjs';
 import { ENVIRONMENT } from './table/stage.mjs';
-import { resolveThree, TONE_MAPPINGS_SINCE } from './three_terms.mjs';
+import { TONE_MAPPINGS } from './table/tone_mappings.mjs';
+import { resolveThree } from './three_terms.mjs';
 import { resolveScale } from './true_scale.mjs';
 
 const WHITE = [1, 1, 1];
@@ -120,9 +121,9 @@ function resolveLights(lights) {
 }
 
 function resolveBackground({ background, style }, format, environment) {
-  if (background === undefined) return format === 'jpeg' || style === 'flat' ? [...WHITE] : 'transparent';
-  if (background === 'transparent' && format === 'jpeg') {
-    throw wrongValue(['background'], 'a colour or "environment", as jpeg has no transparency', background);
+  if (background === undefined) return !FORMATS[format].alpha || style === 'flat' ? [...WHITE] : 'transparent';
+  if (background === 'transparent' && !FORMATS[format].alpha) {
+    throw wrongValue(['background'], `a colour or "environment", as ${format} has no transparency`, background);
   }
   const { type = background, blur } = background;
   if (type === 'environment' && environment.map === 'none') {
@@ -139,7 +140,7 @@ function resolveShading(shading) {
 
 /** A release of three.js that has not this tone mapping yet cannot be what the client shows. */
 function checkToneMapping({ toneMapping, shading }) {
-  const since = TONE_MAPPINGS_SINCE[toneMapping];
+  const { since } = TONE_MAPPINGS[toneMapping];
   if (shading.base !== 'three' || !(shading.revision < since)) return;
   throw wrongValue(['toneMapping'], `a tone mapping that three.js 0.${shading.revision} has (0.${since} brought this one)`, toneMapping);
 }

@@ -70,9 +70,6 @@ export const THREE_SLOTS = Object.freeze({
 /** Releases whose first patches draw otherwise; their number means the patch that is named. */
 export const PATCHES = Object.freeze({ 156: '0.156.1', 181: '0.181.2' });
 
-/** Tone mappings that a release does not have yet: name: first release with it. */
-export const TONE_MAPPINGS_SINCE = Object.freeze({ agx: 160, neutral: 162 });
-
 const termAt = (terms, revision) => Object.keys(terms).find((name) => terms[name] <= revision);
 
 /** The release of the table that stands for one outside of it. */

@@ -1,4 +1,5 @@
-import { nearestRevision, resolveThree, families, termsOfRevision, TONE_MAPPINGS_SINCE, THREE_SLOTS } from '../../js/shot/three_terms.mjs';
+import { nearestRevision, resolveThree, families, termsOfRevision, THREE_SLOTS } from '../../js/shot/three_terms.mjs';
+import { TONE_MAPPINGS } from '../../js/shot/table/tone_mappings.mjs';
 import { CASES } from './cases.mjs';
 import { GATE_CASES } from './cases_gate.mjs';
 import { pageStamp, ReleaseBrowser } from './draw.mjs';
@@ -27,7 +28,7 @@ const isShown =
     !(name === 'morph' && termsOfRevision(revision).samplerPrecision === 'lowp') &&
     // telar has the default of three.js alone, PCFShadowMap.
     settings === undefined &&
-    !(revision < TONE_MAPPINGS_SINCE[shot.toneMapping]);
+    !(revision < TONE_MAPPINGS[shot.toneMapping]?.since);
 
 /**
  * What both sides draw for a release.

@@ -195,10 +195,10 @@ const layerChannels = () => [
 ];
 
 /** X-macro of the tone mappings that are functions. */
-const toneMappingsMacro = () => [
+const toneMappingsMacro = (toneMappings) => [
   '// T(enumerator, function of shaders/brdf/tone_mapping.glsl, function of three.js)',
   '#define TELAR_TONE_MAPPINGS(T) \\',
-  Object.entries(TONE_MAPPINGS)
+  Object.entries(toneMappings)
     .filter(([, { glsl }]) => glsl)
     .map(([name, { glsl, three }]) => `  T(${enumerator(name)}, ${glsl}, "${three}")`)
     .join(' \\\n'),
@@ -233,7 +233,7 @@ const sharedOf = (row) =>
  * The structs of a shot, a header each: what needs one of them is not compiled again for another.
  * @returns {Record<string, string>} path from the root: text
  */
-export function shotHeaders(shot = SHOT) {
+export function shotHeaders(shot = SHOT, toneMappings = TONE_MAPPINGS) {
   const objects = objectsOf(shot);
   const headers = objects.map((row) => [
     row.name,
@@ -242,7 +242,7 @@ export function shotHeaders(shot = SHOT) {
       sharedOf(row).map(({ name }) => name),
     ),
   ]);
-  const shared = objects.flatMap(sharedOf).map((row) => [row.name, enumHeader(row, row.name === 'ToneMapping' ? toneMappingsMacro() : [])]);
+  const shared = objects.flatMap(sharedOf).map((row) => [row.name, enumHeader(row, row.name === 'ToneMapping' ? toneMappingsMacro(toneMappings) : [])]);
   const others = [
     ['DebugOutput', enumHeader(DEBUG_OUTPUT)],
     ['Layer', headerText([...enumText(LAYER), ...namesText(LAYER), ...layerChannels()])],

@@ -3,15 +3,21 @@ import { boolean, choice, literal, number, object } from './rows.mjs';
 
 /** Rows of `output`. */
 
-/** The encoders: endings of their files, media type, bits a channel that they hold, the default first, and whether they hold ppi and an ICC profile. */
+/**
+ * The encoders: endings of their files, media type, bits a channel that they hold, the default first, whether they hold ppi and an ICC profile, whether
+ * they have transparency, and whether browsers (and js/compare's readImage) show them.
+ */
 export const FORMATS = Object.freeze({
-  png: { extensions: ['.png'], mediaType: 'image/png', bitDepths: [8, 16], ppi: true, icc: true },
-  jpeg: { extensions: ['.jpg', '.jpeg'], mediaType: 'image/jpeg', bitDepths: [8], ppi: true, icc: true },
-  webp: { extensions: ['.webp'], mediaType: 'image/webp', bitDepths: [8], ppi: false, icc: false },
-  tiff: { extensions: ['.tif', '.tiff'], mediaType: 'image/tiff', bitDepths: [8, 16], ppi: true, icc: true },
-  exr: { extensions: ['.exr'], mediaType: 'image/x-exr', bitDepths: [16, 32], ppi: false, icc: false },
-  raw: { extensions: ['.raw'], mediaType: 'application/octet-stream', bitDepths: [8, 32], ppi: false, icc: false },
+  png: { extensions: ['.png'], mediaType: 'image/png', bitDepths: [8, 16], ppi: true, icc: true, alpha: true, shown: true },
+  jpeg: { extensions: ['.jpg', '.jpeg'], mediaType: 'image/jpeg', bitDepths: [8], ppi: true, icc: true, alpha: false, shown: true },
+  webp: { extensions: ['.webp'], mediaType: 'image/webp', bitDepths: [8], ppi: false, icc: false, alpha: true, shown: true },
+  tiff: { extensions: ['.tif', '.tiff'], mediaType: 'image/tiff', bitDepths: [8, 16], ppi: true, icc: true, alpha: true, shown: false },
+  exr: { extensions: ['.exr'], mediaType: 'image/x-exr', bitDepths: [16, 32], ppi: false, icc: false, alpha: true, shown: false },
+  raw: { extensions: ['.raw'], mediaType: 'application/octet-stream', bitDepths: [8, 32], ppi: false, icc: false, alpha: true, shown: false },
 });
+
+/** Names of the formats that browsers show. */
+export const SHOWN_FORMATS = Object.keys(FORMATS).filter((format) => FORMATS[format].shown);
 
 export const output = object(
   'The encoded file',

@@ -2,7 +2,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { bestSwaps, closestRelease, rankedSwaps } from '../../../js/analyse/releases.mjs';
 import { releaseHints } from '../../../js/cli/release_hint.mjs';
-import { families, resolveThree, REVISION, termsOfRevision, THREE_SLOTS, TONE_MAPPINGS_SINCE } from '../../../js/shot/three_terms.mjs';
+import { families, resolveThree, REVISION, termsOfRevision, THREE_SLOTS } from '../../../js/shot/three_terms.mjs';
+import { TONE_MAPPINGS } from '../../../js/shot/table/tone_mappings.mjs';
 
 // A renderer that differs by 1 for each slot that is not the client's, of those that the scene shows.
 
@@ -43,7 +44,7 @@ test('a release is no better where it explains less than half, and none is drawn
   const { distanceOf, drawn } = clientOf(client);
   const { isBetter } = await closestRelease('three', { toneMapping: 'neutral', distanceOf });
   assert.equal(isBetter, false);
-  assert.ok(drawn.every(({ revision = REVISION }) => revision >= TONE_MAPPINGS_SINCE.neutral));
+  assert.ok(drawn.every(({ revision = REVISION }) => revision >= TONE_MAPPINGS.neutral.since));
 });
 
 test('a term of another family is named in every slot', async () => {
