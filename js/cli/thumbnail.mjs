@@ -1,6 +1,7 @@
 import path from 'node:path';
 import { TelarError, worstExit } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
+import { SHOWN_FORMATS } from '../shot/table/output.mjs';
 import { isGoal } from '../shot/quality.mjs';
 import { isAnimation, writeAnimation } from './animation.mjs';
 import { removeUnfinished, sweepStale, writeFileAtomically } from '../api/atomic_file.mjs';
@@ -111,7 +112,6 @@ async function readEntries(models, options, shot, limits, context) {
 
 async function checkSheet(sheet, jobs, outputs) {
   if (sheet === undefined) return;
-  const { SHOWN_FORMATS } = await import('./contact_sheet.mjs');
   const usage = (message) => new TelarError('E_USAGE', `--contact-sheet ${shown(sheet)}: ${message}`);
   if (path.extname(sheet).toLowerCase() !== '.png') throw usage('expected a name that ends in .png');
   const hidden = outputs.find(({ file, format }) => file === '-' || !SHOWN_FORMATS.includes(format));
