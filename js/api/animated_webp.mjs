@@ -60,7 +60,7 @@ function frameOf({ chunks, header }, milliseconds) {
   return chunk('ANMF', Buffer.concat([head, ...picture.map(({ name, data }) => chunk(name, data))]));
 }
 
-/** Documented in js/index.d.ts. */
+/** Documented in js/api/animated_webp.d.ts. */
 export function animateWebp(frames, options = {}) {
   checkObject('options', options, ['frameMs', 'loops']);
   const { frameMs = 100, loops = 0 } = options;

@@ -12,7 +12,7 @@ import { Work } from './work.mjs';
 /** Attributes of both sides: js/docs/visibility.md. */
 const NAMES = { front: '_TELAR_VISIBILITY', back: '_TELAR_VISIBILITY_BACK' };
 
-/** Documented in js/index.d.ts. */
+/** Documented in js/api/bake.d.ts. */
 export async function bake(source, options = {}) {
   return bakeOn(loadNative(), source, options);
 }

@@ -6,7 +6,7 @@ import { isolationSteps, loadNative, nativePath, workerLibrary } from './native.
 import { defaultCache } from './options.mjs';
 import { versions } from './versions.mjs';
 
-/** Documented in js/index.d.ts. */
+/** Documented in js/api/doctor.d.ts. */
 export async function doctor() {
   const report = { ok: false, versions, system: `${os.type()} ${os.release()} ${os.arch()}`, calibration: await keptCalibrations(defaultCache()) };
   try {

@@ -16,7 +16,7 @@ export function explodeOptions(distance, options) {
 }
 
 /**
- * Documented in js/index.d.ts as Model.explode.
+ * Documented in js/api/model.d.ts as Model.explode.
  * @internal
  */
 export async function explodeModel(model, distance, options) {

@@ -10,7 +10,7 @@ import { Work } from './work.mjs';
 const MM = 1000;
 
 /**
- * Documented in js/index.d.ts as Model.flat.
+ * Documented in js/api/model.d.ts as Model.flat.
  * @internal
  */
 export async function flatOf(model, shot, options) {

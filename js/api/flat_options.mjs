@@ -36,7 +36,7 @@ const COLOR = /^(#[0-9a-fA-F]{3,8}|[a-zA-Z]{3,20})$/;
 
 /**
  * Options of Model.flat() with every default written out.
- * @param {object} options see js/index.d.ts
+ * @param {object} options see js/api/flat.d.ts
  * @throws {import('../error/index.mjs').TelarError} E_OPTION
  */
 export function flatOptions(options) {

@@ -6,7 +6,7 @@ import { readShot, readSource } from './source.mjs';
 import { loadNative } from './native.mjs';
 import { Model, goalModule, loadModel, measuredFor, qualityModule, shownModel, shotModule } from './model.mjs';
 
-/** Documented in js/index.d.ts. */
+/** Documented in js/api/inspect.d.ts. */
 export async function inspect(source, options = {}) {
   return inspectOn(loadNative(), source, options);
 }

@@ -55,7 +55,7 @@ function lobesAt(numbers, start) {
   return lobes;
 }
 
-/** Documented in js/index.d.ts. */
+/** Documented in js/api/lobes.d.ts. */
 export async function evaluateShading(options) {
   const { model, material, shading, viewAngle, directions, albedo, signal } = lobesOptions(options, Model.isModel);
   const native = loadNative();

@@ -5,7 +5,7 @@ import { nativeCall } from './native_call.mjs';
 import { Work } from './work.mjs';
 
 /**
- * Documented in js/index.d.ts as Model.measure.
+ * Documented in js/api/model.d.ts as Model.measure.
  * @internal
  */
 export async function measureModel(model, options) {

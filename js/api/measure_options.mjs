@@ -86,7 +86,7 @@ const KEYS = [...ASK_KEYS, 'pose', 'signal', 'timeoutMs'];
 
 /**
  * What Model.measure() is asked, checked, with every default written out.
- * @param {object} options see js/index.d.ts
+ * @param {object} options see js/api/measure.d.ts
  * @param {string} [name] of the options in messages
  * @param {string[]} [keys] that are known
  * @returns {{request: object, pose: object | undefined, signal: AbortSignal | undefined, timeoutMs: number | null | undefined}}

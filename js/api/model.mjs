@@ -29,25 +29,25 @@ export class Model {
     this.facts = facts;
   }
 
-  /** Documented in js/index.d.ts. Few callers measure, so what it needs comes with the first call. */
+  /** Documented in js/api/model.d.ts. Few callers measure, so what it needs comes with the first call. */
   async measure(options) {
     const { measureModel } = await import('./measure.mjs');
     return measureModel(this, options);
   }
 
-  /** Documented in js/index.d.ts. */
+  /** Documented in js/api/model.d.ts. */
   async flat(shot = {}, options = {}) {
     const { flatOf } = await import('./flat.mjs');
     return flatOf(this, shot, options);
   }
 
-  /** Documented in js/index.d.ts. */
+  /** Documented in js/api/model.d.ts. */
   async swatch(options) {
     const { swatchOf } = await import('./swatch.mjs');
     return swatchOf(this, options);
   }
 
-  /** Documented in js/index.d.ts. */
+  /** Documented in js/api/model.d.ts. */
   async explode(distance, options = {}) {
     const { explodeModel } = await import('./explode.mjs');
     return explodeModel(this, distance, options);

@@ -1,5 +1,6 @@
 import { createHash } from 'node:crypto';
 import path from 'node:path';
+import { isNamedEnvironment } from '../shot/table/environments.mjs';
 import { canonical } from './digest.mjs';
 import { loadNative } from './native.mjs';
 import { nativeCall } from './native_call.mjs';
@@ -14,14 +15,11 @@ import { versions } from './versions.mjs';
 /** The module has the schema of the shot, which costs load time. */
 const identityModule = () => import('../shot/identity.mjs');
 
-/** Environments that come with telar, or are none: known by name, and by telar's version. */
-const NAMED = ['none', 'studio'];
-
 /**
  * @param {object} parts
  * @param {string} parts.version of telar
  * @param {string} parts.model SHA-256 of the model and its parts
- * @param {string} parts.environment name of a bundled one, or SHA-256 of the file
+ * @param {string} parts.environment its name, which telar's version tells the bytes of, or SHA-256 of the file
  * @param {object} parts.shot what shotIdentity gives
  * @returns {string} 64 hex digits
  */
@@ -45,7 +43,7 @@ async function digestOf(native, source, limits, signal) {
 /** The bytes of an environment are the caller's, the file is relative to the current folder. */
 const environmentOf = ({ map }, bytes) => bytes ?? path.resolve(map);
 
-/** Documented in js/index.d.ts. */
+/** Documented in js/api/picture_key.d.ts. */
 export async function pictureKey(source, shot = {}, options = {}) {
   const native = loadNative();
   const { limits, resolve, ambientVisibility, signal } = keyOptions(options, Object.keys(native.limits));
@@ -59,7 +57,7 @@ export async function pictureKey(source, shot = {}, options = {}) {
     withParts(native, { resolve, signal }, (parts) =>
       nativeCall(native, { signal }, (token) => native.hashModel(input, limits, { tolerant: true, parts }, token)),
     ),
-    NAMED.includes(map) ? map : digestOf(native, environmentOf(identity.environment, request.environment), limits, signal),
+    isNamedEnvironment(map) ? map : digestOf(native, environmentOf(identity.environment, request.environment), limits, signal),
   ]);
   return keyOfParts({ version: versions.telar, model: digestWithVisibility(model, ambientVisibility), environment, shot: identity });
 }
@@ -81,6 +79,6 @@ export async function keyOfDrawn(native, { version, model, shot, environment, dr
   const { shotIdentity } = await identityModule();
   const identity = shotIdentity(shot);
   const { map } = identity.environment;
-  const light = NAMED.includes(map) ? map : drawn || (await digestOf(native, environmentOf(identity.environment, environment), limits));
+  const light = isNamedEnvironment(map) ? map : drawn || (await digestOf(native, environmentOf(identity.environment, environment), limits));
   return keyOfParts({ version, model, environment: light, shot: ended === undefined ? identity : { ...identity, ended } });
 }

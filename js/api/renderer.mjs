@@ -77,7 +77,7 @@ const floatsOf = (data) => new Float32Array(data.buffer.slice(data.byteOffset, d
 /** Whether the shot is exposed by its picture: a flat has no light, and a quantity no exposure. */
 const isMetered = ({ metering, style }, quantity) => metering !== null && style !== 'flat' && !quantity;
 
-/** js/index.d.ts documents the public methods. */
+/** js/api/renderer.d.ts documents the public methods. */
 class Renderer {
   #native;
   #handle;
@@ -348,7 +348,7 @@ class Renderer {
   }
 }
 
-/** Opens a GL context. js/index.d.ts documents it, its options and the methods of Renderer. */
+/** Opens a GL context. js/api/renderer.d.ts documents it, its options and the methods of Renderer. */
 export async function createRenderer(options = {}) {
   return createRendererOn(loadNative(), options);
 }

@@ -1,6 +1,5 @@
 import path from 'node:path';
-
-const BUNDLED = ['none', 'studio'];
+import { isNamedEnvironment } from '../shot/table/environments.mjs';
 
 /**
  * A resolved shot as the native renderer takes it: an environment's path is absolute (a relative one starts at the current
@@ -10,6 +9,6 @@ const BUNDLED = ['none', 'studio'];
  */
 export function shotJson(shot) {
   const { map } = shot.environment;
-  const native = map instanceof Uint8Array ? { bytes: map.byteLength } : BUNDLED.includes(map) ? map : path.resolve(map);
+  const native = map instanceof Uint8Array ? { bytes: map.byteLength } : isNamedEnvironment(map) ? map : path.resolve(map);
   return JSON.stringify({ ...shot, environment: { ...shot.environment, map: native } });
 }

@@ -26,7 +26,7 @@ export function swatchOptions(options) {
 }
 
 /**
- * Documented in js/index.d.ts as Model.swatch.
+ * Documented in js/api/model.d.ts as Model.swatch.
  * @internal
  */
 export async function swatchOf(model, options) {

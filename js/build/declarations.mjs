@@ -5,31 +5,32 @@ import { fileURLToPath } from 'node:url';
 // Writes js/dist/types: the declarations of what require() gives. TypeScript wants those under another name than import's.
 
 const JS = fileURLToPath(new URL('..', import.meta.url));
+const TYPES = './js/dist/types/';
 
-/** Entries that require() reaches, and what they import. */
-const DECLARED = [
-  'index',
-  'shot/index',
-  'shot/shot',
-  'compare/index',
-  'sheet/index',
-  'sheet/spec',
-  'pool/index',
-  'queue/index',
-  'queue/options',
-  'server/index',
-  'server/options',
-  'error/index',
-  'error/codes',
-];
+/** Entries that require() reaches, as package.json names them: "pool/index". */
+const entries = () =>
+  Object.values(JSON.parse(readFileSync(path.join(JS, '../package.json'), 'utf8')).exports)
+    .map((entry) => entry.require?.types)
+    .filter(Boolean)
+    .map((file) => file.slice(TYPES.length, -'.d.cts'.length));
 
-/** The same text, with its imports led to .d.cts files. */
-const forCommonJs = (text) => text.replaceAll(/((?:from |import\()'\.{1,2}\/[^']*)\.js'/g, "$1.cjs'");
+const textOf = (name) => readFileSync(path.join(JS, `${name}.d.ts`), 'utf8');
+const IMPORT = /((?:from |import\()'(\.{1,2}\/[^']*))\.js'/g;
+
+/** Names of declarations and of all that they import, without ending: "shot/shot". @param {string[]} names */
+function withImports(names) {
+  const found = new Set(names);
+  for (const name of found) for (const [, , to] of textOf(name).matchAll(IMPORT)) found.add(path.posix.join(path.posix.dirname(name), to));
+  return [...found];
+}
+
+/** The declarations of the package, for tests too: path under js without ending to text. @returns {Map<string, string>} */
+export const declarations = (names = entries()) => new Map(withImports(names).map((name) => [name, textOf(name)]));
 
 export function buildDeclarations() {
-  for (const name of DECLARED) {
+  for (const [name, text] of declarations()) {
     const out = path.join(JS, 'dist/types', `${name}.d.cts`);
     mkdirSync(path.dirname(out), { recursive: true });
-    writeFileSync(out, forCommonJs(readFileSync(path.join(JS, `${name}.d.ts`), 'utf8')));
+    writeFileSync(out, text.replaceAll(IMPORT, "$1.cjs'"));
   }
 }

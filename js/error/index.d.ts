@@ -59,5 +59,14 @@ export class TelarError extends Error {
   toJSON(): PlainError;
 }
 
-/** Any thrown value as a TelarError: an AbortSignal's reason is X_CANCELLED or X_TIMEOUT, what is not telar's own is X_INTERNAL with its cause. */
+/**
+ * Any thrown value as a TelarError: an AbortSignal's reason is X_CANCELLED or X_TIMEOUT, what is not telar's own is X_INTERNAL with its cause.
+ * @example
+ * try {
+ *   await renderer.render('shirt.glb');
+ * } catch (thrown) {
+ *   const { code, http } = toTelarError(thrown);
+ *   console.error(code, http);
+ * }
+ */
 export function toTelarError(thrown: unknown): TelarError;

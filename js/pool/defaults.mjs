@@ -2,7 +2,7 @@ import os from 'node:os';
 
 const MIB = 2 ** 20;
 
-/** What createPool takes where its caller says nothing. js/index.d.ts and js/docs/pool.md tell them, and a test compares. */
+/** What createPool takes where its caller says nothing. js/pool/index.d.ts and js/docs/pool.md tell them, and a test compares. */
 export const DEFAULTS = Object.freeze({
   /** Of a worker: what one model may take (L_MEMORY_BYTES, 1536 MiB), and what Node and the GL driver take beside it. */
   memoryBytes: 2048 * MIB,

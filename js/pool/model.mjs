@@ -15,7 +15,7 @@ function plain(options) {
   }
 }
 
-/** A model that workers of a pool have loaded, or load when a job needs it. js/index.d.ts documents the methods. */
+/** A model that workers of a pool have loaded, or load when a job needs it. js/api/model.d.ts documents the methods. */
 export class PoolModel {
   #recipe;
   #pool;

@@ -90,23 +90,59 @@ export interface JobPreview {
 export interface Queue {
   /** What is not as it should be where jobs are kept: W_QUEUE. */
   readonly warnings: Array<{ code: string; message: string }>;
-  /** @throws {TelarError} X_BUSY where one more job of this tenant would be refused, X_QUEUE */
+  /**
+   * Whether one more job would be taken.
+   * @throws {TelarError} X_BUSY where one more job of this tenant would be refused, X_QUEUE
+   * @example
+   * await queue.check('shop-12');
+   */
   check(tenant?: string): void | Promise<void>;
   /**
    * Asks for a job. One that waits, runs or is done already is the same job.
    * @throws {TelarError} E_OPTION, L_REQUEST_BYTES, X_BUSY, X_QUEUE
+   * @example
+   * const task: Task = { kind: 'thumbnail', asked: { shot: { camera: { view: 'back' } } }, files: { model: bytes } };
+   * const { id, state } = await queue.add(task, { tenant: 'shop-12', priority: 1, meta: { sku: 'A-17' } });
    */
   add(task: Task, options?: AddOptions): Promise<JobState>;
-  /** undefined where there is no such job, or it is no longer kept. */
+  /**
+   * The state of a job; undefined where there is no such job, or it is no longer kept.
+   * @example
+   * const job = await queue.get(id);
+   * if (job?.state === 'failed') console.error(job.error?.message);
+   */
   get(id: string): Promise<JobState | undefined>;
-  /** undefined where the job is not done. */
+  /**
+   * The result of a job; undefined where the job is not done.
+   * @example
+   * const done = await queue.result(id);
+   * const [file] = done?.result.files ?? [];
+   * if (file?.data) await writeFile(file.name, file.data);
+   */
   result(id: string): Promise<JobResult | undefined>;
-  /** A job that waits does not run, one that runs is stopped; the state afterwards. */
+  /**
+   * A job that waits does not run, one that runs is stopped; the state afterwards.
+   * @example
+   * console.log((await queue.cancel(id))?.state);
+   */
   cancel(id: string): Promise<JobState | undefined>;
-  /** Tells what changes, and shows pictures so far, by whichever process, until the job is over; the returned function ends it. */
+  /**
+   * Tells what changes, and shows pictures so far, by whichever process, until the job is over; the returned function ends it.
+   * @example
+   * const stop = queue.watch(id, ({ progress }, preview) => console.log(progress, preview?.samples));
+   */
   watch(id: string, listener: (state: JobState, preview?: JobPreview) => void): () => void;
+  /**
+   * Jobs of all tenants.
+   * @example
+   * const { waiting, running, kept } = await queue.counts();
+   */
   counts(): { waiting: number; running: number; kept: number } | Promise<{ waiting: number; running: number; kept: number }>;
-  /** Ends what this process runs for the queue, and lets go of where it is kept. */
+  /**
+   * Ends what this process runs for the queue, and lets go of where it is kept.
+   * @example
+   * await queue.close();
+   */
   close(): Promise<void>;
 }
 
@@ -170,7 +206,11 @@ export interface WorkerOptions {
 export interface Worker {
   /** Resolves when jobs are taken; rejects with E_OPTION where the folder of `store` cannot be made. */
   readonly ready: Promise<void>;
-  /** Takes no more jobs, finishes those that run, and gives back those that take longer than `ms`; a queue in this process is emptied first. */
+  /**
+   * Takes no more jobs, finishes those that run, and gives back those that take longer than `ms`; a queue in this process is emptied first.
+   * @example
+   * await worker.drain(25_000);
+   */
   drain(ms: number): Promise<void>;
 }
 

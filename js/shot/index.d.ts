@@ -53,7 +53,7 @@ export interface Box {
 /** What resolveShot needs to know of a model: its facts, or its box alone. */
 export type ShotFacts = Box | {
   bounds: Box | null;
-  cameras?: readonly CameraFact[];
+  cameras?: readonly Omit<CameraFact, 'node'>[];
   variants?: readonly string[];
   animations?: readonly AnimationFact[];
   /** Needed where the shot frames a part: `renderer.factsOf(model, shot)`, or factsOf of telar/three with `frame`. */
@@ -65,6 +65,9 @@ export type ShotFacts = Box | {
  * resolves to itself. `facts` is needed unless the camera is explicit with near and far.
  * @throws {TelarError} E_SHOT with the path, the expected thing and the value given; E_CAMERA; E_FRAME; E_VARIANT;
  *   E_NO_GEOMETRY; E_EXTENT; E_OPTION
+ * @example
+ * const shot: Shot = { camera: { view: 'back' }, size: { width: 800, height: 800 } };
+ * console.log(resolveShot(shot, model.facts).camera.position);
  */
 export function resolveShot(shot?: Shot | ResolvedShot, facts?: ShotFacts | null): ResolvedShot;
 
@@ -72,24 +75,41 @@ export function resolveShot(shot?: Shot | ResolvedShot, facts?: ShotFacts | null
  * The moment that a shot shows. Facts depend on it: first the pose, then the facts of the model in that pose, then resolveShot.
  * @returns index into the model's animations and seconds; null = as the file stands
  * @throws {TelarError} E_SHOT, E_POSE
+ * @example
+ * const shot: Shot = { pose: { animation: 'walk', time: 0.5 } };
+ * console.log(resolvePose(shot, { animations: model.facts.animations })?.time);
  */
 export function resolvePose(shot: Shot | ResolvedShot, facts?: { animations?: readonly AnimationFact[] }): ResolvedShot['pose'];
 
 /**
  * The part of the model that a shot frames; undefined where it frames the model. Facts depend on it, as on the pose.
+ * @example
+ * const shot: Shot = { camera: { frame: { node: 'Sleeve' } } };
+ * console.log(resolvePart(shot)?.kind);
  */
 export function resolvePart(shot: Shot | ResolvedShot): { kind: 'node' | 'material'; which: number | string; frame: PartFact['frame'] } | undefined;
 
 /**
  * The ghosts of a shot that leaves out a part of the model; undefined where it leaves out nothing. Facts depend on it, as on the pose: what
  * is left out is not framed.
+ * @example
+ * const shot: Shot = { ghost: [{ node: 'Mannequin', opacity: 0 }] };
+ * console.log(resolveLeftOut(shot)?.length);
  */
 export function resolveLeftOut(shot: Shot | ResolvedShot): ResolvedShot['ghost'] | undefined;
 
-/** An opaque CSS colour as linear Rec.709, the bits of THREE.Color; undefined when the text is none. */
+/**
+ * An opaque CSS colour as linear Rec.709, the bits of THREE.Color; undefined when the text is none.
+ * @example
+ * console.log(parseColour('#23324f'));
+ */
 export function parseColour(text: string): Vec3 | undefined;
 
-/** sRGB transfer function, encoded [0, 1] to linear [0, 1]. */
+/**
+ * sRGB transfer function, encoded [0, 1] to linear [0, 1].
+ * @example
+ * console.log(srgbToLinear(0.5)); // 0.2140
+ */
 export function srgbToLinear(encoded: number): number;
 
 /** Azimuth and elevation in degrees of each named view. */
@@ -100,5 +120,10 @@ export const VIEWS: Readonly<Record<'front' | 'back' | 'left' | 'right' | 'top' 
  * @param shot its camera is a view
  * @param frames at least 1
  * @returns in order; name: "side-000", by degrees from the first
+ * @example
+ * for (const { name, shot } of turntable({ size: { width: 512, height: 512 } }, 8)) {
+ *   const { data } = await renderer.render(model, shot);
+ *   await writeFile(`${name}.png`, data);
+ * }
  */
 export function turntable(shot: Shot, frames: number): Array<{ name: string; angle: number; shot: Shot }>;

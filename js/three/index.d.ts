@@ -1,15 +1,27 @@
-import type { PartFact } from '../shot/index.js';
+import type { CameraFact, PartFact } from '../shot/index.js';
 import type { ResolvedShot } from '../shot/shot.js';
 
 // three.js brings no types of its own: its objects pass through as they are.
 type Three = any;
 
-/** Parameters that a THREE.WebGLRenderer must be built with. */
+/**
+ * Parameters that a THREE.WebGLRenderer must be built with.
+ * @example
+ * const shot = resolveShot({}, factsOf(gltf, { THREE }));
+ * const webgl = new THREE.WebGLRenderer(rendererParameters(shot));
+ */
 export function rendererParameters(shot: ResolvedShot): { antialias: boolean; alpha: boolean; premultipliedAlpha: boolean };
 
 /**
  * Sets up a scene of the client's own three.js, 0.150 or later, from a resolved shot, so that browser and server draw the same picture.
  * @returns the camera to draw with
+ * @example
+ * const shot = resolveShot({}, factsOf(gltf, { THREE }));
+ * const webgl = new THREE.WebGLRenderer(rendererParameters(shot));
+ * const scene = new THREE.Scene();
+ * scene.add(gltf.scene);
+ * const camera = await applyShot(shot, { THREE, renderer: webgl, scene, model: gltf, environment: await new HDRLoader().loadAsync('studio.hdr') });
+ * webgl.render(scene, camera);
  */
 export function applyShot(shot: ResolvedShot, target: {
   /** The client's own three.js module. */
@@ -41,6 +53,10 @@ export function applyShot(shot: ResolvedShot, target: {
 /**
  * What resolveShot needs to know of a model that GLTFLoader gave, measured as the server measures it. Metres, world space.
  * The model takes the pose and keeps it.
+ * @example
+ * const shot: Shot = { camera: { frame: { node: 'Sleeve' } } };
+ * const pose = resolvePose(shot, { animations: gltf.animations });
+ * const resolved = resolveShot(shot, factsOf(gltf, { THREE, pose, frame: shot.camera?.frame }));
  */
 export function factsOf(model: { scene: Three; parser?: Three; animations?: Three[] }, options: {
   THREE: Three;
@@ -57,7 +73,7 @@ export function factsOf(model: { scene: Three; parser?: Three; animations?: Thre
   /** Drawn vertices that lie farthest out. */
   outline: number[][];
   /** As the shot's explicit camera, with a name; far is null where the file says infinite. */
-  cameras: object[];
+  cameras: Array<Omit<CameraFact, 'node'>>;
   variants: string[];
   /** Duration in seconds. */
   animations: Array<{ name: string; duration: number }>;
@@ -65,12 +81,19 @@ export function factsOf(model: { scene: Three; parser?: Three; animations?: Thre
   part?: PartFact;
 };
 
-/** Puts a model into a pose, or back as the file stands. */
+/**
+ * Puts a model into a pose, or back as the file stands.
+ * @example
+ * applyPose(gltf, { animation: 0, time: 0.5 }, { THREE });
+ * applyPose(gltf, null, { THREE });
+ */
 export function applyPose(model: { scene: Three; animations?: Three[] }, pose: ResolvedShot['pose'], three: { THREE: Three }): void;
 
 /**
  * Draws a model's lit materials with a shading, or with its own materials again for "three". Part of applyShot; for clients that
  * set up their scenes by themselves.
+ * @example
+ * await applyShading(gltf, 'fabric', { THREE });
  */
 export function applyShading(model: { scene: Three; parser?: Three }, shading: ResolvedShot['shading'], three: { THREE: Three }): Promise<void>;
 
@@ -124,6 +147,9 @@ export interface DiffuseTransmission {
 /**
  * The class FabricMaterial for a three.js module: a MeshPhysicalMaterial that is shaded as cloth, with three.js's own lights,
  * shadows, environment, maps and deformations. Fetches the shader text the first time.
+ * @example
+ * const FabricMaterial = await loadFabricMaterial(THREE);
+ * const twill = new FabricMaterial({ color: '#23324f', fabric: { flatness: 0.5, weave: { warp: { coverage: 0.7 }, weft: { coverage: 0.3 }, threadsPerUv: [40, 30] } } });
  */
 export function loadFabricMaterial(THREE: Three): Promise<new (parameters?: {
   fabric?: Fabric | null;

@@ -1,17 +1,20 @@
-// js/index.d.ts and js/pool/index.d.ts document the package: every function and method with an example, every option with its default.
+// The declarations of the package document it: every function and method with an example, every option with its default.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { callOptions, drawAllOptions, drawOptions, inspectOptions, keyOptions, loadOptions, RENDERER_KEYS, rendererOptions } from '../../../js/api/options.mjs';
+import { declarations } from '../../../js/build/declarations.mjs';
 import { DEFAULTS } from '../../../js/pool/defaults.mjs';
 import { poolOptions } from '../../../js/pool/options.mjs';
 import { lobesOptions } from '../../../js/api/lobes_options.mjs';
 
 const ROOT = fileURLToPath(new URL('../../../', import.meta.url));
-const TEXT = ['js/index.d.ts', 'js/pool/index.d.ts'].map((file) => readFileSync(path.join(ROOT, file), 'utf8')).join('\n');
+const PARTS = ['index', 'pool/index', 'queue/index', 'shot/index', 'three/index', 'compare/index', 'sheet/index'];
+/** Those of telar itself first, as other parts have types of the same names. */
+const TEXT = [...declarations(PARTS).values()].join('\n');
 
 /** Members of an interface, those that it extends included: name to comment. */
 function membersOf(name, text = TEXT) {
@@ -80,16 +83,26 @@ test('the defaults are those that are read', () => {
 const EXAMPLES = [...TEXT.matchAll(/ \* @example\n((?: *\* [^\n]*\n)+?) *\*(?:\/| @)/g)].map(([, lines]) => lines.replaceAll(/^ *\* /gm, ''));
 
 test('every method and function has an example', () => {
-  for (const [method, { comment }] of [...membersOf('Renderer'), ...membersOf('Pool')]) {
-    if (!['backend', 'gl', 'workers'].includes(method)) assert.match(comment, /@example\n/, method);
+  for (const [method, { comment }] of ['Renderer', 'Model', 'Pool', 'Queue', 'Worker'].flatMap((name) => [...membersOf(name)])) {
+    if (!['backend', 'gl', 'facts', 'workers', 'warnings', 'ready'].includes(method)) assert.match(comment, /@example\n/, method);
   }
   for (const [, comment, name] of TEXT.matchAll(/^(?:\/\*\*((?:(?!\*\/)[\s\S])*?)\*\/\n)?export function (\w+)/gm))
     assert.match(comment ?? '', /@example\n/, name);
-  assert.ok(EXAMPLES.length >= 14, String(EXAMPLES.length));
+  assert.ok(EXAMPLES.length >= 60, String(EXAMPLES.length));
 });
 
 const FOLDER = path.join(ROOT, 'out/examples');
 after(() => rmSync(FOLDER, { recursive: true, force: true }));
+
+/** What a part declares, for an import: functions, and the types that examples name. */
+const namesOf = (part) => [
+  ...[
+    ...declarations([`${part}/index`])
+      .get(`${part}/index`)
+      .matchAll(/^export function (\w+)/gm),
+  ].map(([, name]) => name),
+  ...({ compare: ['type Compared'], queue: ['type Queue', 'type Task', 'type Worker'] }[part] ?? []),
+];
 
 function typeErrors(examples) {
   mkdirSync(FOLDER, { recursive: true });
@@ -98,15 +111,17 @@ function typeErrors(examples) {
   writeFileSync(
     path.join(FOLDER, 'all.mts'),
     [
-      "import { animateWebp, bake, createRenderer, doctor, evaluateShading, inspect, pictureKey, type Model, type Renderer, type Resolve, type Shot } from 'telar';",
+      "import { animateWebp, bake, createRenderer, doctor, evaluateShading, inspect, pictureKey, toTelarError, type Model, type Renderer, type Resolve, type Shot } from 'telar';",
       "import { createPool, type Pool, type PoolModel } from 'telar/pool';",
-      "import { resolveShot, turntable } from 'telar/shot';",
+      ...['compare', 'queue', 'sheet', 'shot', 'three'].map((part) => `import { ${namesOf(part).join(', ')} } from 'telar/${part}';`),
       'declare function writeFile(path: string, data: Uint8Array): Promise<void>;',
+      ...['THREE', 'HDRLoader', 'gltf', 'process'].map((name) => `declare const ${name}: any;`),
+      'declare const queue: Queue, worker: Worker, id: string, bytes: Uint8Array;',
       ...examples.map(
         (example, i) =>
-          `export async function example${i}(${example.includes('using pool') ? '' : 'pool: Pool, poolModel: PoolModel, '}${example.includes('const renderer') || example.includes('using renderer') ? '' : 'renderer: Renderer, '}${example.includes('const model') ? '' : 'model: Model'}) {\n${example}}`,
+          `export async function example${i}(${/(using|const) pool\b/.test(example) ? '' : 'pool: Pool, poolModel: PoolModel, '}${example.includes('const renderer') || example.includes('using renderer') ? '' : 'renderer: Renderer, '}${example.includes('const model') ? '' : 'model: Model'}) {\n${example}}`,
       ),
-      'export const all = [animateWebp, bake, turntable, createPool, createRenderer, doctor, evaluateShading, inspect, pictureKey, resolveShot];',
+      'export const all = [animateWebp, bake, createPool, createRenderer, doctor, evaluateShading, inspect, pictureKey];',
       'export type All = [Model, Renderer, Resolve, Shot];',
     ].join('\n'),
   );

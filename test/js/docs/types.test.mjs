@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
+import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { test } from 'node:test';
 
@@ -13,12 +14,15 @@ test('the types hold for ESM and CommonJS users, and refuse what is wrong', () =
   assert.equal(status, 0);
 });
 
+/** Names of the values that a declaration exports. */
+const declaredIn = (file) =>
+  [...readFileSync(file, 'utf8').matchAll(/^export (?:class|function|const) (\w+)|^export \{ ([\w, ]+) \}|^export \* from '(.+)\.js'/gm)].flatMap(
+    ([, one, many, all]) => (all ? declaredIn(path.join(path.dirname(file), `${all}.d.ts`)) : (one ?? many.split(', '))),
+  );
+
 test('each entry declares exactly what it exports', async () => {
   for (const entry of ['js/index', 'js/shot/index', 'js/compare/index', 'js/pool/index', 'js/queue/index', 'js/three/index']) {
-    const declared = [...readFileSync(`${root}${entry}.d.ts`, 'utf8').matchAll(/^export (?:class|function|const) (\w+)|^export \{ ([\w, ]+) \}/gm)].flatMap(
-      ([, one, many]) => one ?? many.split(', '),
-    );
     const exported = Object.keys(await import(`${root}${entry}.mjs`));
-    assert.deepEqual(declared.sort(), exported.sort(), entry);
+    assert.deepEqual(declaredIn(`${root}${entry}.d.ts`).sort(), exported.sort(), entry);
   }
 });
