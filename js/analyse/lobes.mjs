@@ -1,3 +1,5 @@
+import { luminance } from '../shot/luminance.mjs';
+
 /** Lobes and albedos of a target's material under two shadings, for the plots. */
 
 /** Angles between normal and viewer of the lobe plots, degrees. */
@@ -11,9 +13,6 @@ const RADIANS = Math.PI / 180;
 
 /** Light angles from the viewer's side (90) over the normal (0) to the other (-90), degrees. */
 export const LIGHT_ANGLES = Array.from({ length: 180 / LIGHT_STEP - 1 }, (_, i) => 90 - (i + 1) * LIGHT_STEP);
-
-/** Relative luminance of linear Rec.709. */
-const luminance = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
 const luminances = (lobes) => Object.fromEntries(Object.entries(lobes).map(([lobe, rgb]) => [lobe, luminance(rgb)]));
 

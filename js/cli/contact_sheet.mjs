@@ -21,9 +21,6 @@ const GROUP_MAX = 9;
 const ROW = 4;
 const COLOURS = { page: '#ffffff', card: '#f5f4f2', name: '#1c1b19', detail: '#8b8780' };
 
-/** Formats that readImage decodes. */
-export const SHOWN_FORMATS = ['png', 'jpeg', 'webp'];
-
 /** A little wider than high, in rows that hold whole groups: the views of one garment stand beside each other. */
 function columnsFor(count, group, aspect) {
   if (count <= ROW) return count;

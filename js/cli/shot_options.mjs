@@ -2,6 +2,7 @@ import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
+import { isNamedEnvironment } from '../shot/table/environments.mjs';
 import { describe } from './describe.mjs';
 import { readAll } from './streams.mjs';
 
@@ -10,7 +11,6 @@ import { readAll } from './streams.mjs';
 /** Resolution of pictures in true scale: what printers take. */
 const PAPER_PPI = 300;
 
-const BUNDLED = ['studio', 'none'];
 const usage = (message) => new TelarError('E_USAGE', message);
 /** Values of a flag that may be given again, as commander hands them over. */
 export const collect = (value, list = []) => [...list, value];
@@ -81,7 +81,7 @@ async function readText(file, stdin) {
 
 /** Relative paths in a shot start at its file. */
 export function withPathsFrom(folder, shot) {
-  const rebase = (map) => (typeof map === 'string' && !BUNDLED.includes(map) ? path.resolve(folder, map) : map);
+  const rebase = (map) => (typeof map === 'string' && !isNamedEnvironment(map) ? path.resolve(folder, map) : map);
   const { environment } = shot;
   if (typeof environment === 'string') return { ...shot, environment: rebase(environment) };
   if (environment?.map !== undefined) return { ...shot, environment: { ...environment, map: rebase(environment.map) } };

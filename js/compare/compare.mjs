@@ -104,15 +104,6 @@ const overBackgrounds = (pair) => (pair.every(isOpaque) ? [0] : [0, 255]).map((g
 /** The larger value of each pixel. */
 const largest = ([first, ...rest]) => (rest.length === 0 ? first : first.map((value, i) => Math.max(value, ...rest.map((map) => map[i]))));
 
-/**
- * FLIP of each pixel, over the background that shows it worse.
- * @internal
- * @param {[Uint8Array, Uint8Array]} pair RGBA, premultiplied
- * @returns {Float32Array}
- */
-export const worstFlip = (pair, width, height, pixelsPerDegree = PIXELS_PER_DEGREE) =>
-  largest(overBackgrounds(pair).map(([a, b]) => flipMap(a, b, width, height, pixelsPerDegree)));
-
 function worstMaps(pair, width, height, pixelsPerDegree) {
   const pictures = overBackgrounds(pair);
   const worst = (map) => largest(pictures.map(([a, b]) => map(a, b)));

@@ -100,10 +100,10 @@ export const texturesOf = ({ rows, derived = [], texel, normal }) =>
 
 /** One set of yarns. */
 const yarn = (within) => [
-  { key: 'coverage', default: 0.5, within },
-  { key: 'roughnessFactor', default: 0.5, within },
-  { key: 'anisotropyStrength', within },
-  { key: 'specularColorFactor', type: 'vec3', default: 1, within },
+  { key: 'coverage', default: 0.5, within, unit: 'share of the surface that shows it, seen from far' },
+  { key: 'roughnessFactor', default: 0.5, within, unit: 'perceptual, along the yarn: how straight its fibres lie' },
+  { key: 'anisotropyStrength', within, unit: 'how much rougher across it: alpha = mix(roughness^2, 1, anisotropy^2)' },
+  { key: 'specularColorFactor', type: 'vec3', default: 1, within, unit: 'on its normal reflectance' },
 ];
 
 /** Which metals the shading "fabric" gives two highlights, one of flat facets of the normal map and one of the edges between them: by factors, not by texels. */
@@ -117,9 +117,6 @@ export const CORE_TEXTURES = [
   texture('occlusionTexture', 'r', { three: 'ao' }),
   { ...colour('emissiveTexture'), three: 'emissive' },
 ];
-
-/** What makes a material physical for GLTFLoader and is not drawn: only whether it is there is read. */
-export const NOT_DRAWN = [];
 
 /** In the order in which features are told and textures are bound. @type {Layer[]} */
 export const LAYERS = [
@@ -291,17 +288,17 @@ export const LAYERS = [
         name: 'yarnRoughness',
         type: 'vec2',
         unit: 'perceptual, along the yarn',
-        cpp: 'glm::vec2(l.warp.roughness, l.weft.roughness)',
+        cpp: 'glm::vec2(l.warp.roughnessFactor, l.weft.roughnessFactor)',
         times: 'metallicRoughness.g',
       },
       {
         name: 'yarnAnisotropy',
         type: 'vec2',
         unit: 'across it: alpha = mix(roughness^2, 1, anisotropy^2)',
-        cpp: 'glm::vec2(l.warp.anisotropy, l.weft.anisotropy)',
+        cpp: 'glm::vec2(l.warp.anisotropyStrength, l.weft.anisotropyStrength)',
       },
-      { name: 'warpSpecularColor', type: 'vec3', cpp: 'l.warp.specularColor' },
-      { name: 'weftSpecularColor', type: 'vec3', cpp: 'l.weft.specularColor' },
+      { name: 'warpSpecularColor', type: 'vec3', cpp: 'l.warp.specularColorFactor' },
+      { name: 'weftSpecularColor', type: 'vec3', cpp: 'l.weft.specularColorFactor' },
       { name: 'threadsPerUv', type: 'vec2', unit: 'yarns in one unit of vWeaveUv: warp, weft; 0 = not known', cpp: 'l.threadsPerUv', input: null },
       { name: 'yarnTurn', type: 'vec2', unit: 'cosine, sine of the angle by which yarns are turned out of their axes', constant: [1, 0] },
       { name: 'yarnSlope', type: 'float', unit: 'sine of that by which they rise', constant: [0] },

@@ -1,3 +1,4 @@
+import { isNamedEnvironment } from '../shot/table/environments.mjs';
 import { outlinePixels } from './outline_area.mjs';
 
 /** What of a scene decides how far a setting is off and what it costs, known before it is drawn. */
@@ -40,7 +41,7 @@ export function featuresOf(resolved, { features, fragments = Infinity }, { trian
   return {
     shading: shading.base ?? shading,
     surface: Object.keys(SURFACES).find((kind) => has(SURFACES[kind])) ?? 'smooth',
-    environment: map === 'none' || map === 'studio' ? map : 'file',
+    environment: isNamedEnvironment(map) ? map : 'file',
     shadows: lights.some(({ castShadow }) => castShadow),
     triangles,
     pixels,

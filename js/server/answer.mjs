@@ -1,5 +1,5 @@
 import { randomBytes } from 'node:crypto';
-import { FORMATS } from '../shot/table/output.mjs';
+import { FORMATS, SHOWN_FORMATS } from '../shot/table/output.mjs';
 import { AVIF_TYPE } from '../api/avif.mjs';
 import { isObject } from '../api/option_check.mjs';
 import { TelarError } from '../error/index.mjs';
@@ -15,7 +15,7 @@ const IMAGE_TYPES = Object.fromEntries(Object.entries(FORMATS).map(([format, { m
 const SHEET_FORMATS = Object.fromEntries(Object.entries(SHEET_TYPES).map(([format, type]) => [type, format]));
 
 /** In the order of preference: formats with transparency first, those that browsers do not show last. */
-const PICTURES = ['png', 'webp', 'jpeg'].map((format) => FORMATS[format].mediaType);
+const PICTURES = SHOWN_FORMATS.toSorted((a, b) => FORMATS[b].alpha - FORMATS[a].alpha).map((format) => FORMATS[format].mediaType);
 const OTHERS = Object.keys(IMAGE_TYPES).filter((type) => !PICTURES.includes(type));
 
 const NO_AVIF = 'image/avif can be had where the package sharp is installed beside the service';

@@ -1,11 +1,9 @@
 import { TelarError } from '../error/index.mjs';
 import { isObject } from '../api/option_check.mjs';
 import { shown } from '../shot/complain.mjs';
+import { ENVIRONMENTS, isNamedEnvironment } from '../shot/table/environments.mjs';
 
 /** What of a shot a stranger may not say: files of the server. */
-
-/** Environments that come with telar, or are none. */
-const NAMED = ['studio', 'none'];
 
 const withMap = (shot, map) => ({ ...shot, environment: { ...(isObject(shot.environment) && shot.environment), map } });
 
@@ -18,8 +16,8 @@ const withMap = (shot, map) => ({ ...shot, environment: { ...(isObject(shot.envi
 export function ownLight(shot, { environments, file }) {
   if (file) return withMap(shot, file);
   const named = isObject(shot.environment) ? shot.environment.map : shot.environment;
-  if (typeof named !== 'string' || NAMED.includes(named)) return shot;
+  if (typeof named !== 'string' || isNamedEnvironment(named)) return shot;
   if (Object.hasOwn(environments, named)) return withMap(shot, environments[named]);
-  const names = [...NAMED, ...Object.keys(environments)].map((name) => JSON.stringify(name)).join(', ');
+  const names = [...Object.keys(ENVIRONMENTS), ...Object.keys(environments)].map((name) => JSON.stringify(name)).join(', ');
   throw new TelarError('E_SHOT', `shot.environment: expected ${names} or a file of the request, got ${shown(named)}`, { pointer: '/environment' });
 }

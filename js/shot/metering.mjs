@@ -1,4 +1,5 @@
 import { lensExposure } from './lens_exposure.mjs';
+import { luminance } from './luminance.mjs';
 import { PRESETS, RASTER } from './table/quality.mjs';
 import { inOrder } from './table/resolved.mjs';
 
@@ -48,8 +49,8 @@ function luminances(pixels) {
   const found = [];
   for (let i = 0; i < pixels.length; i += 4) {
     const alpha = pixels[i + 3];
-    const luminance = (0.2126 * pixels[i] + 0.7152 * pixels[i + 1] + 0.0722 * pixels[i + 2]) / alpha;
-    if (alpha >= LEAST_ALPHA && !Number.isNaN(luminance)) found.push(luminance);
+    const shown = luminance(pixels, i) / alpha;
+    if (alpha >= LEAST_ALPHA && !Number.isNaN(shown)) found.push(shown);
   }
   return Float64Array.from(found).sort();
 }

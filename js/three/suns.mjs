@@ -1,3 +1,5 @@
+import { luminance } from '../shot/luminance.mjs';
+
 /** Largest number that a half float holds, and its bits. */
 const HALF_MAX = 65504;
 const HALF_MAX_BITS = 0x7bff;
@@ -64,9 +66,6 @@ function mapOf(THREE, { image: { width, height, data }, flipY }) {
   return { width, height, flipY, data: isHalf ? Float32Array.from(data, (bits) => THREE.DataUtils.fromHalfFloat(bits)) : data.slice() };
 }
 
-/** Relative luminance of linear Rec.709. */
-const luminance = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
-
 /** Directions and solid angles of the texels, from the top row down, and where each begins in the data. */
 function* texelsOf({ width, height, flipY }) {
   for (let y = 0; y < height; y++) {
@@ -119,23 +118,20 @@ function sunsOf(map) {
   return suns;
 }
 
-/** Luminance of a texel that begins at `i`. */
-const luminanceAt = (data, i) => 0.2126 * data[i] + 0.7152 * data[i + 1] + 0.0722 * data[i + 2];
-
 /** Small lights as suns, and the map without them; none where there are many. */
 function takeSmall(map) {
   const { width, data } = map;
   let sum = 0;
   for (const { row, solidAngle } of texelsOf(map)) {
     let ofRow = 0;
-    for (let i = row; i < row + width * 4; i += 4) ofRow += luminanceAt(data, i);
+    for (let i = row; i < row + width * 4; i += 4) ofRow += luminance(data, i);
     sum += ofRow * solidAngle;
   }
   const threshold = (SMALL_OVER_MEAN * sum) / (4 * Math.PI);
   const texels = [];
   for (const { row, theta, solidAngle } of texelsOf(map)) {
     for (let i = row; i < row + width * 4; i += 4) {
-      const whole = luminanceAt(data, i);
+      const whole = luminance(data, i);
       if (!(whole > threshold && whole < Infinity)) continue;
       const share = 1 - Math.min(threshold / whole, HALF_MAX / Math.max(data[i], data[i + 1], data[i + 2]));
       const irradiance = [0, 1, 2].map((c) => data[i + c] * share * solidAngle);

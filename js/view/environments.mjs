@@ -1,8 +1,6 @@
 import path from 'node:path';
 import { ASSET_DIRECTORY } from '../api/native.mjs';
-
-const STUDIO = 'studio';
-const NONE = 'none';
+import { ENVIRONMENTS, isNamedEnvironment } from '../shot/table/environments.mjs';
 
 const formatOf = (file) => path.extname(file).slice(1).toLowerCase();
 const mapOf = (environment) => (typeof environment === 'string' ? environment : environment?.map);
@@ -18,17 +16,18 @@ export class Environments {
   /** @param {object} shot as given; a path in it is relative to the current folder */
   constructor(shot) {
     const map = mapOf(shot.environment);
-    if (typeof map === 'string' && ![STUDIO, NONE].includes(map)) this.#own = { name: path.basename(map), file: path.resolve(map) };
+    if (typeof map === 'string' && !isNamedEnvironment(map)) this.#own = { name: path.basename(map), file: path.resolve(map) };
   }
 
   /** @returns {{map: string, format: string | null}[]} what the page may put into shot.environment; format null: no file */
   list() {
-    return [...(this.#own ? [{ map: this.#own.name, format: formatOf(this.#own.file) }] : []), { map: STUDIO, format: 'hdr' }, { map: NONE, format: null }];
+    const named = Object.entries(ENVIRONMENTS).map(([map, file]) => ({ map, format: file && formatOf(file) }));
+    return [...(this.#own ? [{ map: this.#own.name, format: formatOf(this.#own.file) }] : []), ...named];
   }
 
   /** @returns {string | undefined} path of the file behind a name of list() */
   fileOf(map) {
-    if (map === STUDIO) return path.join(ASSET_DIRECTORY, 'studio.hdr');
+    if (isNamedEnvironment(map)) return ENVIRONMENTS[map] ? path.join(ASSET_DIRECTORY, ENVIRONMENTS[map]) : undefined;
     return map === this.#own?.name ? this.#own.file : undefined;
   }
 
@@ -44,7 +43,7 @@ export class Environments {
    */
   forRenderer(shot) {
     const map = mapOf(shot.environment);
-    if (map === undefined || map === STUDIO || map === NONE) return shot;
+    if (map === undefined || isNamedEnvironment(map)) return shot;
     return map === this.#own?.name ? { ...shot, environment: withMap(shot.environment, this.#own.file) } : undefined;
   }
 }

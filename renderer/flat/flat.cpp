@@ -11,6 +11,7 @@
 #include "flat/ink.h"
 #include "frame/camera.h"
 #include "frame/variant.h"
+#include "telar/half.h"
 #include "telar/part_opacities.h"
 #include "telar/variant_material.h"
 
@@ -168,7 +169,7 @@ Frame flatFrame(const LayerImage& lines, const Shot& shot) {
   const auto shown = [&](float linear) {
     return floats ? linear : linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
   };
-  const glm::vec3 linear = coloured ? glm::clamp(shot.background.color, 0.0f, floats ? 65504.0f : 1.0f) : glm::vec3(0);
+  const glm::vec3 linear = coloured ? glm::clamp(shot.background.color, 0.0f, floats ? HALF_MAX : 1.0f) : glm::vec3(0);
   const glm::vec3 behind(shown(linear.r), shown(linear.g), shown(linear.b));
   frame.pixels.resize(lines.pixels.size() * (floats ? sizeof(glm::vec4) : 4));
   for (std::size_t i = 0; i < lines.pixels.size(); ++i) {

@@ -1,7 +1,11 @@
 #include <initializer_list>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string_view>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "shot/json_path.h"
 #include "shot/visit_rows.inc"
@@ -118,16 +122,21 @@ void readQuality(const JsonPath& json, Shot& shot) {
   }
 }
 
+std::vector<std::string_view> keysOf(std::span<const std::pair<std::string_view, ShadingModel>> rows) {
+  std::vector<std::string_view> keys;
+  for (const auto& [key, shading] : rows) keys.push_back(key);
+  return keys;
+}
+
 /// A name, or a base with every slot: a principled shading, or a release of three.js.
 void readShading(const JsonPath& json, Shot& shot) {
   if (!json.isObject()) {
-    const std::array<std::string_view, 2> names{"three", "fabric"};
-    shot.shading = std::array{ShadingModel::kThree, ShadingModel::kFabric}[json.choice(names)];
+    shot.shading = WHOLE_SHADINGS[json.choice(keysOf(WHOLE_SHADINGS))].second;
     return;
   }
-  const std::array<std::string_view, 3> bases{"three", "three-r115", "disney-2012"};
-  shot.shading = std::array{ShadingModel::kThree, ShadingModel::kThreeR115,
-                            ShadingModel::kDisney2012}[json.at("base").choice(bases)];
+  std::vector bases(PRINCIPLED_SHADINGS.begin(), PRINCIPLED_SHADINGS.end());
+  bases.emplace_back("three", ShadingModel::kThree);
+  shot.shading = bases[json.at("base").choice(keysOf(bases))].second;
   if (shot.shading == ShadingModel::kThree) {
 #define TELAR_THREE_READ(define, member, ...) \
   shot.three.member = static_cast<int>(json.at(#member).choice(std::initializer_list<std::string_view>{__VA_ARGS__}));

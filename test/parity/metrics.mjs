@@ -1,6 +1,7 @@
 import { channelDifference, DifferenceHistogram } from '../../js/compare/channels.mjs';
-import { worstFlip } from '../../js/compare/compare.mjs';
+import { flipMap } from '../../js/compare/flip.mjs';
 import { judge } from '../../js/compare/gates.mjs';
+import { isOpaque, over } from '../../js/compare/image.mjs';
 import { BAND, INSIDE, pairRegions } from '../../js/compare/regions.mjs';
 
 export { premultiply } from '../../js/compare/image.mjs';
@@ -53,6 +54,12 @@ export function withinCoverage(pixels) {
 export function interiorDistances(pictures, reference, others) {
   const regions = regionsOf(pictures);
   return others.map((other) => figuresOf(reference, other, regions, INSIDE, pictures.width));
+}
+
+/** FLIP of each pixel of premultiplied pictures, over the background that shows it worse: telar/compare finds it so, along with all its other figures. */
+function worstFlip(pair, width, height) {
+  const [first, second = first] = (pair.every(isOpaque) ? [0] : [0, 255]).map((grey) => flipMap(...pair.map((pixels) => over(pixels, grey)), width, height));
+  return first.map((value, i) => Math.max(value, second[i]));
 }
 
 /** Regions as telar/compare defines them; before a background, whose alpha tells nothing, the mask tells the object. */

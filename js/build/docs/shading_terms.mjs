@@ -1,6 +1,6 @@
-import { SLOTS } from '../../shot/shading_terms.mjs';
+import { BASES, SLOTS, WITHOUT_TERMS } from '../../shot/shading_terms.mjs';
 import { THREE_SLOTS } from '../../shot/three_terms.mjs';
-import { upper } from './cpp_text.mjs';
+import { camel, upper } from './cpp_text.mjs';
 
 /** The names of js/shot/shading_terms.mjs and js/shot/three_terms.mjs for C++ and for the shaders. */
 
@@ -48,8 +48,19 @@ const glsl = (table) =>
     .map(([name, i]) => `#define ${name} ${i}`)
     .join('\n')}\n`;
 
+/** X-macros of the shadings: those that are whole, and the bases that have terms. */
+function names() {
+  const rows = (list) => list.map((name) => `  S(k${camel(name)}, "${name}")`).join(' \\\n');
+  return `${header('shading_terms')}// S(enumerator, name)
+#define TELAR_WHOLE_SHADINGS(S) \\
+${rows(WITHOUT_TERMS)}
+#define TELAR_PRINCIPLED_SHADINGS(S) \\
+${rows(BASES)}\n`;
+}
+
 /** @returns {Record<string, string>} path from the root: text */
 export const termFiles = () => ({
+  'renderer/include/telar/shading_names.inc': names(),
   'renderer/include/telar/shading_terms.inc': include(PRINCIPLED),
   'renderer/include/telar/three_terms.inc': include(THREE),
   'shaders/shading/terms.glsl': glsl(PRINCIPLED),

@@ -1,4 +1,4 @@
-import { CORE_TEXTURES, inputName, LAYERS, NOT_DRAWN, POLISHED, texturesOf, textureName, upper } from '../../material/table.mjs';
+import { CORE_TEXTURES, inputName, LAYERS, POLISHED, texturesOf, textureName, upper } from '../../material/table.mjs';
 
 /** The C++ part of js/material/table.mjs: files that renderer/ includes, written when CMake configures. */
 
@@ -62,7 +62,7 @@ const schemaField = (key, value, name) =>
     name: `{.key = "${key}", .kind = Kind::kName}`,
   })[value] ?? (typeof value === 'string' ? `items("${key}", ${WIDTHS[value]})` : `object("${key}", ${name}_RULE)`);
 
-/** What the loader takes of the extensions: asset/schema_tables.cpp. */
+/** What the loader takes of the extensions: asset/document/schema_tables.cpp. */
 function schemaRules() {
   const lines = [];
   const visit = (name, object) => {
@@ -81,6 +81,7 @@ function reading({ key, type = 'float', kind, default: value = 0, min = 0, max =
   if (kind === 'angle') return `out.${key} = in.angle("${key}");`;
   if (kind === 'ior') return `out.${key} = in.ior("${key}", ${value}, ${min}, ${max});`;
   if (kind === 'distance') return `out.${key} = in.distance("${key}", ${min}, ${max});`;
+  if (type === 'vec2') return `out.${key} = glm::vec2(in.color("${key}", ${value}, ${max}));`;
   return type === 'float' ? `out.${key} = in.factor("${key}", ${value}, ${min}, ${max});` : `out.${key} = in.color("${key}", ${value}, ${max});`;
 }
 
@@ -110,6 +111,11 @@ const readers = (member) =>
       ];
     }),
   ]);
+
+const rowsWithin = (object) => LAYERS.flatMap(({ rows }) => rows.filter(({ within }) => within === object));
+
+/** How an object in an extension is read: `in` to `out`. */
+const readersWithin = (object) => textOf(rowsWithin(object).map(reading));
 
 /** Lines within quotes, for a list of names. */
 const names = (list) => textOf(list.map((name) => `"${name}",`));
@@ -201,16 +207,16 @@ const constants = (prefix, numbers) => textOf(Object.entries(numbers).map(([key,
 export const cppFiles = () => ({
   'telar/physical_layers.inc': fields('layers'),
   'telar/fabric_layers.inc': fields('fabric'),
+  'telar/yarn.inc': textOf(rowsWithin('weave/warp').map(fieldOf)),
   'telar/material_textures.inc': textures(),
   'asset/layer_rules.inc': schemaRules(),
-  'asset/layer_fields.inc': textOf([
-    ...extensions(LAYERS).map((extension) => `object("${extension}", ${upper(extension)}_RULE),`),
-    ...NOT_DRAWN.map((extension) => `object("${extension}", EMPTY_RULE),`),
-  ]),
+  'asset/layer_fields.inc': textOf(extensions(LAYERS).map((extension) => `object("${extension}", ${upper(extension)}_RULE),`)),
   'asset/physical_readers.inc': readers('layers'),
   'asset/fabric_readers.inc': readers('fabric'),
+  'asset/yarn_readers.inc': readersWithin('weave/warp'),
+  'asset/weave_readers.inc': readersWithin('weave'),
   'asset/layer_extensions.inc': names(extensions(LAYERS)),
-  'asset/physical_extensions.inc': names([...extensions(LAYERS.filter(({ physical = true }) => physical)), ...NOT_DRAWN]),
+  'asset/physical_extensions.inc': names(extensions(LAYERS.filter(({ physical = true }) => physical))),
   'shader/layer_features.inc': features(),
   'pass/physical_conditions.inc': conditions('layers'),
   'pass/physical_uniforms.inc': uniforms('layers'),

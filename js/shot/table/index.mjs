@@ -21,7 +21,7 @@ import { TONE_MAPPINGS } from './tone_mappings.mjs';
 
 const pixels = number('Pixels', { what: 'a whole number of pixels', unit: 'pixels', min: 1, max: 8192, integer: true, default: 512 });
 
-const SHADING = '"three", "fabric", "three-r115", "disney-2012", {base, <slot>: <term>} or {base: "three", revision}';
+const SHADING = `${[...WITHOUT_TERMS, ...BASES].map((name) => `"${name}"`).join(', ')}, {base, <slot>: <term>} or {base: "three", revision}`;
 const slotRows = (slots, page) =>
   Object.fromEntries(Object.entries(slots).map(([slot, terms]) => [slot, choice(`Term of the slot: js/docs/${page}.md`, terms, { optional: true })]));
 const base = choice('Shading that the other slots are taken from', BASES);

@@ -1,4 +1,5 @@
 import { degrees } from './camera.mjs';
+import { ENVIRONMENTS } from './environments.mjs';
 import { HUGE, TINY, bytes, colour, expectedColour, extents, indexOrName, literal, number, object, text, union, vector } from './rows.mjs';
 
 /** Rows of `lens`, `environment`, `background`, `ground` and `pose`: what stands around the model, and how it stands. */
@@ -39,11 +40,12 @@ export const metering = object(
   { name: 'Metering', nullable: true, default: null, drawn: false },
 );
 
-const MAP = '"studio", "none", a path that ends in .hdr or .exr, or bytes';
+const NAMES = Object.keys(ENVIRONMENTS);
+const MAP = `${NAMES.map((name) => `"${name}"`).join(', ')}, a path that ends in .hdr or .exr, or bytes`;
 const map = union(
   '"studio" (bundled), "none", or an equirectangular .hdr or .exr map: path, or bytes in JavaScript. ' +
     'What texels have above 65504 lights every shading but "three"',
-  [text('', MAP, { pattern: /^(?:studio|none|[^\u0000-\u001f\u007f\ud800-\udfff]*\.(?:hdr|exr|HDR|EXR))$/u }), bytes('', MAP)],
+  [text('', MAP, { pattern: new RegExp(`^(?:${NAMES.join('|')}|[^\\u0000-\\u001f\\u007f\\ud800-\\udfff]*\\.(?:hdr|exr|HDR|EXR))$`, 'u') }), bytes('', MAP)],
   MAP,
 );
 

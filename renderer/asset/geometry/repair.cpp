@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "telar/half.h"
+
 namespace telar::asset {
 namespace {
 
-constexpr float COLOR_MAX = 65504.0f;
 constexpr double LENGTH_MIN = 1e-6, LENGTH_MAX = 1e6;  // their squares are far inside fp32
 
 enum class Direction { kGood, kScaled, kBad };
@@ -44,7 +45,7 @@ std::size_t clampColors(std::vector<Color>& colors) {
   for (Color& color : colors) {
     const Color before = color;
     for (int i = 0; i < Color::length(); ++i) {
-      color[i] = std::isfinite(color[i]) ? std::clamp(color[i], 0.0f, COLOR_MAX) : 1.0f;
+      color[i] = std::isfinite(color[i]) ? std::clamp(color[i], 0.0f, HALF_MAX) : 1.0f;
     }
     changed += color != before;  // true for NaN too
   }

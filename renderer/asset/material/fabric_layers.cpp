@@ -5,32 +5,26 @@
 namespace telar::asset {
 namespace {
 
-constexpr double THREADS_MAX = 1e6;  // per unit of u or v: finer than any texture
-
-Yarn readYarn(Layer layer) {
+Yarn readYarn(Layer in) {
   Yarn out;
-  if (!layer) return out;
-  out.coverage = layer.factor("coverage", static_cast<double>(out.coverage));
-  out.roughness = layer.factor("roughnessFactor", static_cast<double>(out.roughness));
-  out.anisotropy = layer.factor("anisotropyStrength", static_cast<double>(out.anisotropy));
-  out.specularColor = layer.color("specularColorFactor", 1, 1);
+  if (!in) return out;
+#include "asset/yarn_readers.inc"
   return out;
 }
 
-void readWeave(Layer layer, FabricLayers& out, Warnings& warnings) {
-  if (!layer) return;
-  out.warp = readYarn(layer.part("warp"));
-  out.weft = readYarn(layer.part("weft"));
+void readWeave(Layer in, FabricLayers& out, Warnings& warnings) {
+  if (!in) return;
+  out.warp = readYarn(in.part("warp"));
+  out.weft = readYarn(in.part("weft"));
   const float sum = out.warp.coverage + out.weft.coverage;
   out.weave = sum > 0;  // without yarns there is the one highlight of the material
   if (sum > 1) {
-    warnings.add("W_RANGE", "the coverages of warp and weft sum to more than 1 and were scaled down", layer.where());
+    warnings.add("W_RANGE", "the coverages of warp and weft sum to more than 1 and were scaled down", in.where());
     out.warp.coverage /= sum;
     out.weft.coverage /= sum;
   }
-  const glm::vec3 threads = layer.color("threadsPerUv", 0, THREADS_MAX);
-  out.threadsPerUv = {threads.x, threads.y};
-  out.weaveTexture = layer.texture("weaveTexture");
+#include "asset/weave_readers.inc"
+  out.weaveTexture = in.texture("weaveTexture");
 }
 
 /// What the back leaves out is as on the front.

@@ -5,12 +5,12 @@
 #include "asset/material/fabric_layers.h"
 #include "asset/material/physical_layers.h"
 #include "asset/material/texture_ref.h"
+#include "telar/half.h"
 #include "telar/material_textures.inc"
 
 namespace telar::asset {
 namespace {
 
-constexpr double EMISSIVE_MAX = 65504;  // the largest half: more cannot be kept in the frame
 class MaterialReader {
  public:
   MaterialReader(int material, const Document& document, Warnings& warnings)
@@ -76,7 +76,8 @@ class MaterialReader {
         extension == source_.extensions.end() ? 1.0 : numberOf(extension->second, "emissiveStrength", 1.0);
     for (int i = 0; i < 3; ++i) {
       const double factor = source_.emissiveFactor[static_cast<std::size_t>(i)];
-      out.emissiveFactor[i] = clamped(clamped(factor, 0, 1, "emissiveFactor") * strength, 0, EMISSIVE_MAX,
+      // More cannot be kept in the frame.
+      out.emissiveFactor[i] = clamped(clamped(factor, 0, 1, "emissiveFactor") * strength, 0, HALF_MAX,
                                       "extensions/KHR_materials_emissive_strength/emissiveStrength");
     }
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "telar/cancel.h"
+#include "telar/half.h"
 #include "telar/image.h"
 #include "telar/limits.h"
 #include "telar/shot/output.inc"
@@ -50,9 +51,6 @@ std::vector<std::byte> encode(const Frame& frame, const OutputOptions& options, 
 std::vector<std::byte> readEnvironmentFile(const std::filesystem::path& file, const Limits& limits);
 /// Bytes of the bundled studio. @throws Error{X_INSTALL}
 std::vector<std::byte> readStudioFile(const std::filesystem::path& assetDirectory, const Limits& limits);
-
-/// Largest number that a half float holds.
-constexpr float HALF_MAX = 65504.0f;
 
 /// How bright the texels of an environment may be.
 enum class EnvironmentRange {

@@ -3,12 +3,9 @@
 
 namespace telar {
 
-/// One set of parallel yarns of a cloth. Colours are linear Rec.709.
+/// One set of parallel yarns of a cloth. Colours are linear Rec.709, all numbers 0..1.
 struct Yarn {
-  float coverage = 0.5f;          ///< share of the surface that shows it, seen from far, 0..1
-  float roughness = 0.5f;         ///< perceptual, along the yarn: how straight its fibres lie
-  float anisotropy = 0.0f;        ///< 0..1, how much rougher across it: alpha = mix(roughness^2, 1, anisotropy^2)
-  glm::vec3 specularColor{1.0f};  ///< factor on its normal reflectance, 0..1
+#include "telar/yarn.inc"
 };
 
 /// What cloth has beyond glTF's layers: KHR_materials_diffuse_transmission and TELAR_materials_fabric

@@ -1,19 +1,32 @@
 #pragma once
+#include <algorithm>
+#include <array>
 #include <compare>
 #include <cstdint>
+#include <string_view>
+#include <utility>
 
+#include "telar/shading_names.inc"
 #include "telar/shading_terms.inc"
 #include "telar/three_terms.inc"
 
 namespace telar {
 
-/// How light and cloth meet: the key `shading` of a shot.
+/// How light and cloth meet: the key `shading` of a shot. kThree is what three.js shows, of 0.187 or of another release
+/// by its ThreeTerms; kFabric telar's model of cloth. The others are principled and made of ShadingTerms:
+/// js/docs/shading.md says where they are from.
 enum class ShadingModel : std::uint8_t {
-  kThree,       ///< what three.js shows: 0.187, or another release by its ThreeTerms
-  kThreeR115,   ///< what three.js r115 showed, as the thesis lists it
-  kDisney2012,  ///< Burley 2012, "Physically-Based Shading at Disney"
-  kFabric,      ///< telar's model of cloth
+#define TELAR_SHADING_ENUMERATOR(enumerator, name) enumerator,
+  TELAR_WHOLE_SHADINGS(TELAR_SHADING_ENUMERATOR) TELAR_PRINCIPLED_SHADINGS(TELAR_SHADING_ENUMERATOR)
+#undef TELAR_SHADING_ENUMERATOR
 };
+
+#define TELAR_SHADING_NAME(enumerator, name) std::pair<std::string_view, ShadingModel>{name, ShadingModel::enumerator},
+/// Names of the shadings that are whole.
+constexpr auto WHOLE_SHADINGS = std::to_array({TELAR_WHOLE_SHADINGS(TELAR_SHADING_NAME)});
+/// Names of the principled shadings.
+constexpr auto PRINCIPLED_SHADINGS = std::to_array({TELAR_PRINCIPLED_SHADINGS(TELAR_SHADING_NAME)});
+#undef TELAR_SHADING_NAME
 
 /// One term for every slot of the principled shadings: numbers within the lists of js/shot/shading_terms.mjs. As it
 /// stands it is three-r115.
@@ -45,7 +58,7 @@ struct ThreeTerms {
 
 /// Whether a shading is made of terms.
 inline bool isPrincipled(ShadingModel shading) {
-  return shading == ShadingModel::kThreeR115 || shading == ShadingModel::kDisney2012;
+  return std::ranges::any_of(PRINCIPLED_SHADINGS, [&](const auto& row) { return row.second == shading; });
 }
 
 }  // namespace telar

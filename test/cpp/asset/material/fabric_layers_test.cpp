@@ -79,11 +79,11 @@ TEST_F(FabricLayersTest, ReadsWeaveAndBack) {
   EXPECT_TRUE(f.weave && f.back && f.weaveTexture && f.backColorTexture);
   EXPECT_EQ(f.threadsPerUv, glm::vec2(40, 30));
   EXPECT_EQ(f.warp.coverage, 0.5f);
-  EXPECT_EQ(f.warp.roughness, 0.125f);
-  EXPECT_EQ(f.warp.anisotropy, 0.75f);
-  EXPECT_EQ(f.warp.specularColor, glm::vec3(1, 0, 0.5f));
+  EXPECT_EQ(f.warp.roughnessFactor, 0.125f);
+  EXPECT_EQ(f.warp.anisotropyStrength, 0.75f);
+  EXPECT_EQ(f.warp.specularColorFactor, glm::vec3(1, 0, 0.5f));
   EXPECT_EQ(f.weft.coverage, 0.25f);
-  EXPECT_EQ(f.weft.roughness, 0.5f);
+  EXPECT_EQ(f.weft.roughnessFactor, 0.5f);
   EXPECT_EQ(f.backColorFactor, glm::vec3(0, 0.5f, 1));
   EXPECT_EQ(f.backRoughnessFactor, 0.25f);
 }
@@ -109,7 +109,7 @@ TEST_F(FabricLayersTest, ValuesAreKeptInRangeWithAWarning) {
                              .fabric;
   EXPECT_EQ(f.flatness, 1);
   EXPECT_EQ(f.threadsPerUv, glm::vec2(0, 1e6f));
-  EXPECT_EQ(f.warp.roughness, 0);
+  EXPECT_EQ(f.warp.roughnessFactor, 0);
   EXPECT_EQ(f.warp.coverage + f.weft.coverage, 1);
   EXPECT_TRUE(hasWarning(*scene, "W_RANGE"));
 }
