@@ -5,14 +5,14 @@
 namespace telar::asset {
 namespace {
 
-Yarn readYarn(Layer in) {
+Yarn readYarn(const Layer& in) {
   Yarn out;
   if (!in) return out;
 #include "asset/yarn_readers.inc"
   return out;
 }
 
-void readWeave(Layer in, FabricLayers& out, Warnings& warnings) {
+void readWeave(const Layer& in, FabricLayers& out, Warnings& warnings) {
   if (!in) return;
   out.warp = readYarn(in.part("warp"));
   out.weft = readYarn(in.part("weft"));
@@ -28,7 +28,7 @@ void readWeave(Layer in, FabricLayers& out, Warnings& warnings) {
 }
 
 /// What the back leaves out is as on the front.
-void readBack(Layer layer, const Material& front, FabricLayers& out) {
+void readBack(const Layer& layer, const Material& front, FabricLayers& out) {
   if (!layer) return;
   out.back = true;
   out.backRoughnessFactor = layer.factor("roughnessFactor", static_cast<double>(front.roughnessFactor));
