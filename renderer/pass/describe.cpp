@@ -7,6 +7,7 @@
 #include <set>
 
 #include "pass/fragment_estimate.h"
+#include "pass/skipped.h"
 #include "telar/reference.h"
 
 namespace telar {
@@ -55,7 +56,8 @@ Json describeFrame(const FramePlan& plan, const Shot& shot, const ibl::Environme
   json["triangles"] = found.triangles > 0 ? found.triangles : counts.drawn.all;
   json["hiddenTriangles"] = found.triangles > 0 ? found.hidden : counts.drawn.hidden;
   if (found.triangles > 0) json["shadedFragments"] = found.fragments;
-  if (counts.unreadTexels > 0) json["unreadTexels"] = counts.unreadTexels;
+  if (counts.texels.unread > 0) json["unreadTexels"] = counts.texels.unread;
+  json["skipped"] = describeSkipped(plan, counts, json["passes"]);
   json["environmentSource"] = environment ? Json(environment->source) : Json(nullptr);
   const glm::dmat4 toPixel = frame::worldToPixel(plan.camera, shot.width, shot.height);
   json["worldToPixel"] = std::vector<double>(glm::value_ptr(toPixel), glm::value_ptr(toPixel) + 16);

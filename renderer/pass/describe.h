@@ -19,7 +19,7 @@ nlohmann::ordered_json describePlan(const FramePlan& plan, const Shot& shot);
 struct FrameCounts {
   const VisibilityBuffer::Count& buffered;  ///< no triangles where it was drawn triangle by triangle
   const TriangleCount& drawn;
-  std::uint64_t unreadTexels;  ///< GpuScene
+  const TexelCount texels;  ///< GpuScene
 };
 
 /// The same with what was drawn by what, for info.

@@ -142,28 +142,14 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   return key;
 }
 
-/// Everything on that does not change the picture: maps read neutral texels, lights are black.
-void forceAllFeatures(shader::VariantKey& key) {
-  if (key.unlit) return;
-  key.baseColorMap = key.metallicRoughnessMap = key.normalMap = key.occlusionMap = key.emissive = key.emissiveMap =
-      true;
-  key.vertexColor = key.alphaMask = key.environment = true;
-  // Anisotropy is left out: its frame changes the picture even at strength 0.
-  key.specular = key.clearcoat = key.sheen = key.iridescence = true;
-  key.transmission = key.volume = key.attenuation = true;
-  // Releases of three.js that do not know them have no text for them.
-  key.diffuseRoughness = key.three.diffuseRoughness != ThreeTerms::THREE_DIFFUSE_ROUGHNESS_NONE;
-  key.dispersion = key.three.dispersion != ThreeTerms::THREE_DISPERSION_NONE;
-}
-
 /// Texture units of a program as three.js counts them: its maps, its tables, and every light that casts a shadow,
 /// also one that shines on nothing. WebGL 2 promises 16, and a browser shows nothing of what goes over.
 /// @throws Error{L_TEXTURE_UNITS}
 void checkTextureUnits(const shader::VariantKey& key, const ShadowSet& shadows, const Limits& limits) {
-  if (key.unlit || shadows.empty()) return;
+  if (key.unlit || shadows.casting == 0) return;
   const std::size_t areaTables = key.lights.area() > 0 ? 2 : 0;
-  std::size_t units = 1 + key.environment + (key.environmentSamples > 0) + key.transmission + areaTables +
-                      shadows.flat.size() + shadows.cube.size();
+  std::size_t units =
+      1 + key.environment + (key.environmentSamples > 0) + key.transmission + areaTables + shadows.casting;
   for (const TextureSlot& slot : TEXTURE_SLOTS) units += key.*slot.map;
   units += key.metalMeans + key.yarnRelief;
   checkLimit("L_TEXTURE_UNITS", static_cast<double>(limits.textureUnits), static_cast<double>(units), "/lights");
@@ -264,7 +250,7 @@ FramePlan planFrame(const Scene& scene, const Shot& shot, const Limits& limits, 
   plan.origin = worldOrigin(scene.bounds);
   plan.lights = collectLights(scene, shot, plan.camera, limits);
   if (allFeatures) plan.lights.pad(ALL_FEATURES_LIGHTS);
-  plan.shadows = collectShadows(shot, limits, scene.bounds);
+  plan.shadows = collectShadows(scene, shot, plan.camera, limits);
   plan.ground = shot.ground && !plan.shadows.empty();
   const bool hasEnvironment = shot.environment.source != Shot::Environment::Source::kNone;
   plan.environmentBackground = hasEnvironment && shot.background.type == Shot::Background::Type::kEnvironment;
@@ -343,6 +329,19 @@ std::set<shader::VariantKey> FramePlan::keys() const {
     for (const DrawItem& item : *list) keys.insert(item.key);
   }
   return keys;
+}
+
+void forceAllFeatures(shader::VariantKey& key) {
+  if (key.unlit) return;
+  key.baseColorMap = key.metallicRoughnessMap = key.normalMap = key.occlusionMap = key.emissive = key.emissiveMap =
+      true;
+  key.vertexColor = key.alphaMask = key.environment = true;
+  // Anisotropy is left out: its frame changes the picture even at strength 0.
+  key.specular = key.clearcoat = key.sheen = key.iridescence = true;
+  key.transmission = key.volume = key.attenuation = true;
+  // Releases of three.js that do not know them have no text for them.
+  key.diffuseRoughness = key.three.diffuseRoughness != ThreeTerms::THREE_DIFFUSE_ROUGHNESS_NONE;
+  key.dispersion = key.three.dispersion != ThreeTerms::THREE_DISPERSION_NONE;
 }
 
 FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures) {

@@ -77,6 +77,9 @@ struct FramePlan {
 /// @throws Error{E_VARIANT, L_LIGHTS, L_SHADOW_TEXELS, L_TEXTURE_UNITS}
 FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures);
 
+/// Turns everything on that does not change the picture: maps read neutral texels, lights are black.
+void forceAllFeatures(shader::VariantKey& key);
+
 /// The same for the layers beside the picture: every surface once, as opaque as its alpha is at least
 /// frame::LAYER_ALPHA, with what its normal and its base colour are made of, and the lights that cast a shadow where
 /// the shot has the layer of shadows.

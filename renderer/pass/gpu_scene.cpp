@@ -87,12 +87,18 @@ bool GpuScene::isWhole(int image) const {
   return is;
 }
 
-std::uint64_t GpuScene::unreadTexels() const {
-  std::uint64_t texels = model_ ? model_->unreadTexels() : 0;
+TexelCount GpuScene::texels() const {
+  TexelCount texels = model_ ? model_->texels() : TexelCount();
   for (const auto& [key, stored] : textures_) {
-    const auto largest =
-        static_cast<std::uint64_t>(stored.storage.width) * static_cast<unsigned>(stored.storage.height);
-    for (int level = 1; level <= stored.firstLevel; ++level) texels += largest << (2 * level);
+    const TextureStorage& has = stored.storage;
+    const auto largest = static_cast<std::uint64_t>(has.width) * static_cast<unsigned>(has.height);
+    std::uint64_t unread = 0, read = 0;
+    for (int level = 1; level <= stored.firstLevel; ++level) unread += largest << (2 * level);
+    for (int level = 0; level < has.levels; ++level)
+      read += static_cast<std::uint64_t>(std::max(has.width >> level, 1)) *
+              static_cast<unsigned>(std::max(has.height >> level, 1));
+    texels.all += read + unread;
+    texels.unread += unread;
   }
   return texels;
 }

@@ -27,6 +27,12 @@ struct DerivedTexture {
   auto operator<=>(const DerivedTexture&) const = default;
 };
 
+/// Texels of textures with all their levels.
+struct TexelCount {
+  std::uint64_t all = 0;
+  std::uint64_t unread = 0;  ///< of levels that the GPU lacks, for nothing has read them
+};
+
 /// A scene's data on the GPU. It is made when a draw first needs it and freed with the object. A scene that was made of
 /// another one owns only what that lacks: deformed meshes, images of cloths.
 class GpuScene {
@@ -48,8 +54,8 @@ class GpuScene {
   GLuint texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel, int unread = 0);
   /// Whether the GPU has all levels of an image in each form that it has.
   bool isWhole(int image) const;
-  /// Texels of the levels that the GPU lacks, for nothing has read them.
-  std::uint64_t unreadTexels() const;
+  /// Of its textures of images, but for blocks.
+  TexelCount texels() const;
   /// The same for a texture that is made of another one, once for each key.
   GLuint derived(const DerivedTexture& key, const std::function<gl::Texture()>& make);
   /// GPU bytes of the textures that derived() has made and of those to be made.

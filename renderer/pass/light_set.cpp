@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "frame/light_reach.h"
 #include "gl/program.h"
 #include "pass/shadow_set.h"
 
@@ -64,7 +65,6 @@ void addDisk(LightSet& set, const frame::Camera& camera, const glm::vec3& color,
 void addShotLight(LightSet& set, const frame::Camera& camera, const Shot::Light& light) {
   const glm::vec3 color = bounded(glm::dvec3(light.color) * light.intensity);
   const glm::vec3 ground = bounded(glm::dvec3(light.groundColor) * light.intensity);
-  if (!shines(light)) return;
   switch (light.type) {
     case Shot::Light::Type::kAmbient:
       set.ambient += color;
@@ -96,7 +96,6 @@ void addShotLight(LightSet& set, const frame::Camera& camera, const Shot::Light&
 
 void addModelLight(LightSet& set, const frame::Camera& camera, const ModelLight& light, const glm::dmat4& world) {
   const glm::vec3 color = bounded(glm::dvec3(light.color) * static_cast<double>(light.intensity));
-  if (color == glm::vec3(0)) return;
   const glm::dvec3 position(world[3]);
   const glm::dvec3 toLight(world[2]);  // glTF lights shine along their local -Z
   switch (light.type) {
@@ -112,6 +111,14 @@ void addModelLight(LightSet& set, const frame::Camera& camera, const ModelLight&
       break;
     }
   }
+}
+
+/// Whether a light of the model adds anything to a surface, as lights() has it for one of the shot.
+bool lights(const ModelLight& light, const glm::dmat4& world, const Scene& scene, const Shot& shot,
+            const frame::Camera& camera) {
+  if (bounded(glm::dvec3(light.color) * static_cast<double>(light.intensity)) == glm::vec3(0)) return false;
+  return light.type == LightType::kDirectional ||
+         frame::reaches(scene, shot, camera, glm::dvec3(world[3]), light.range);
 }
 
 template <class T>
@@ -185,15 +192,26 @@ LightSet collectLights(const Scene& scene, const Shot& shot, const frame::Camera
   for (const Node& node : scene.nodes) count += shot.modelLights && node.light >= 0;
   checkLimit("L_LIGHTS", static_cast<double>(limits.lights), static_cast<double>(count));
   LightSet set;
+  set.given = count;
   // Lights with shadows come first, as in three.js: the i-th light of a kind reads the i-th shadow.
   for (const bool casting : {true, false}) {
     for (const Shot::Light& light : shot.lights) {
-      if (light.castShadow == casting) addShotLight(set, camera, light);
+      if (light.castShadow != casting) continue;
+      if (lights(light, scene, shot, camera)) {
+        addShotLight(set, camera, light);
+      } else {
+        ++set.leftOut;
+      }
     }
   }
   for (const Node& node : scene.nodes) {
-    if (shot.modelLights && node.light >= 0)
-      addModelLight(set, camera, scene.lights[static_cast<std::size_t>(node.light)], node.world);
+    if (!shot.modelLights || node.light < 0) continue;
+    const ModelLight& light = scene.lights[static_cast<std::size_t>(node.light)];
+    if (lights(light, node.world, scene, shot, camera)) {
+      addModelLight(set, camera, light, node.world);
+    } else {
+      ++set.leftOut;
+    }
   }
   return set;
 }

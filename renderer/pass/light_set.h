@@ -26,6 +26,9 @@ struct LightSet {
   std::vector<glm::vec3> rectPosition, rectHalfWidth, rectHalfHeight, rectColor;
   std::vector<glm::vec3> diskPosition, diskX, diskY, diskColor;
 
+  std::size_t given = 0;    ///< lights of shot and model
+  std::size_t leftOut = 0;  ///< of them: black ones, and those that reach nothing
+
   /// Writes the light counts into a key.
   void describe(shader::VariantKey& key) const;
   /// Adds black lights up to `count` of each kind (all-features benchmark).
@@ -33,8 +36,8 @@ struct LightSet {
   void upload(const gl::Program& program) const;
 };
 
-/// The shot's lights, then the model's (KHR_lights_punctual) where shot.modelLights allows; lights of intensity 0 or
-/// black are left out. @throws Error{L_LIGHTS}
+/// The shot's lights, then the model's (KHR_lights_punctual) where shot.modelLights allows; lights of intensity 0,
+/// black ones, and those whose range ends before the model are left out. @throws Error{L_LIGHTS}
 LightSet collectLights(const Scene& scene, const Shot& shot, const frame::Camera& camera, const Limits& limits);
 
 }  // namespace telar::pass

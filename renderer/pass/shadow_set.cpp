@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "frame/light_reach.h"
 #include "pass/world_origin.h"
 #include "telar/error.h"
 
@@ -53,10 +54,23 @@ frame::Camera movedTo(frame::Camera camera, const glm::dvec3& point) {
   return camera;
 }
 
-ShadowMap mapOf(const Light& light, const ThreeTerms& three, const Bounds& bounds) {
+/// Of its shadow map.
+double texelsOf(const Light& light) {
+  const double size = light.shadow.mapSize;
+  return size * size * (light.type == Light::Type::kPoint ? 6 : 1);
+}
+
+/// Neither black nor of intensity 0.
+bool shines(const Light& light) {
+  return glm::vec3(glm::dvec3(light.color) * light.intensity) != glm::vec3(0) ||
+         (light.type == Light::Type::kHemisphere &&
+          glm::vec3(glm::dvec3(light.groundColor) * light.intensity) != glm::vec3(0));
+}
+
+ShadowMap mapOf(const Light& light, bool lit, const ThreeTerms& three, const Bounds& bounds) {
   const glm::dvec3 origin = worldOrigin(bounds);
   const bool packed = three.shadowFilter == ThreeTerms::THREE_SHADOW_FILTER_PACKED_GRID;
-  ShadowMap map{light.type, light.shadow, {}, glm::dmat4(1.0), shines(light), packed};
+  ShadowMap map{light.type, light.shadow, {}, glm::dmat4(1.0), lit, packed};
   if (three.shadowIntensity == ThreeTerms::THREE_SHADOW_INTENSITY_WHOLE) map.settings.intensity = 1;
   if (light.type == Light::Type::kPoint) {
     map.views = cubeViews(light, packed);
@@ -76,10 +90,10 @@ const char* nameOf(Light::Type type) {
   return type == Light::Type::kPoint ? "point" : type == Light::Type::kSpot ? "spot" : "directional";
 }
 
-bool shines(const Light& light) {
-  return glm::vec3(glm::dvec3(light.color) * light.intensity) != glm::vec3(0) ||
-         (light.type == Light::Type::kHemisphere &&
-          glm::vec3(glm::dvec3(light.groundColor) * light.intensity) != glm::vec3(0));
+bool lights(const Light& light, const Scene& scene, const Shot& shot, const frame::Camera& camera) {
+  if (!shines(light)) return false;
+  const bool hasRange = light.type == Light::Type::kPoint || light.type == Light::Type::kSpot;
+  return !hasRange || frame::reaches(scene, shot, camera, light.position, light.range);
 }
 
 void ShadowSet::describe(shader::VariantKey& key) const {
@@ -90,17 +104,21 @@ void ShadowSet::describe(shader::VariantKey& key) const {
     key.lights.pointShadows = static_cast<std::uint8_t>(key.lights.pointShadows + map.lit);
 }
 
-ShadowSet collectShadows(const Shot& shot, const Limits& limits, const Bounds& bounds) {
+ShadowSet collectShadows(const Scene& scene, const Shot& shot, const frame::Camera& camera, const Limits& limits) {
   double texels = 0;
-  for (const Light& light : shot.lights) {
-    const double size = light.shadow.mapSize;
-    if (light.castShadow) texels += size * size * (light.type == Light::Type::kPoint ? 6 : 1);
-  }
+  for (const Light& light : shot.lights) texels += light.castShadow ? texelsOf(light) : 0;
   checkLimit("L_SHADOW_TEXELS", static_cast<double>(limits.shadowTexels), texels);
   ShadowSet set;
   for (const Light& light : shot.lights) {
-    if (light.castShadow)
-      (light.type == Light::Type::kPoint ? set.cube : set.flat).push_back(mapOf(light, shot.three, bounds));
+    if (!light.castShadow) continue;
+    ++set.casting;
+    const bool lit = lights(light, scene, shot, camera);
+    if (!lit && !shot.ground) {
+      ++set.leftOut;
+      set.leftOutTexels += static_cast<std::uint64_t>(texelsOf(light));
+      continue;
+    }
+    (light.type == Light::Type::kPoint ? set.cube : set.flat).push_back(mapOf(light, lit, shot.three, scene.bounds));
   }
   const auto order = [](const ShadowMap& a, const ShadowMap& b) {
     const auto rank = [](const ShadowMap& m) { return std::pair(!m.lit, m.type != Light::Type::kSpot); };

@@ -26,6 +26,9 @@ struct ShadowMap {
 struct ShadowSet {
   std::vector<ShadowMap> flat;  ///< spot and directional lights
   std::vector<ShadowMap> cube;  ///< point lights
+  std::size_t casting = 0;      ///< lights that cast a shadow, those included whose maps nothing reads
+  std::size_t leftOut = 0;      ///< of them: without a map
+  std::uint64_t leftOutTexels = 0;
 
   /// Writes the numbers of maps that surfaces read into a key.
   void describe(shader::VariantKey& key) const;
@@ -35,12 +38,12 @@ struct ShadowSet {
 /// "directional", "spot" or "point".
 const char* nameOf(Shot::Light::Type type);
 
-/// Whether a light adds anything to a surface: neither black nor of intensity 0.
-bool shines(const Shot::Light& light);
+/// Whether a light adds anything to a surface of the scene: neither black nor of intensity 0, and within its range.
+bool lights(const Shot::Light& light, const Scene& scene, const Shot& shot, const frame::Camera& camera);
 
-/// The shot's lights with castShadow; lights of the model cast none, as in three.js's GLTFLoader.
-/// @param bounds  of the scene, world space
+/// The shot's lights with castShadow; lights of the model cast none, as in three.js's GLTFLoader. A light that lights
+/// nothing has a map where the shot has a ground, which shows its shadow.
 /// @throws Error{L_SHADOW_TEXELS}
-ShadowSet collectShadows(const Shot& shot, const Limits& limits, const Bounds& bounds);
+ShadowSet collectShadows(const Scene& scene, const Shot& shot, const frame::Camera& camera, const Limits& limits);
 
 }  // namespace telar::pass

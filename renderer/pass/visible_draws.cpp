@@ -85,16 +85,16 @@ void VisibleDraws::find(const FramePlan& plan, GpuScene& scene, const glm::ivec2
   const gl::Functions& gl = context_.gl();
   hidden_.look(gridOf(gl, size), meshes, cancel);
   std::vector<std::uint32_t> indices;
-  double pixels = 0, hiddenPixels = 0;
   for (std::size_t i = 0; i < items.size(); ++i) {
     visibility::VisibleTriangles visible = hidden_.visible(i, cancel);
-    pixels += visible.pixels;
-    hiddenPixels += visible.hiddenPixels;
+    count_.pixels += visible.pixels;
+    count_.hiddenPixels += visible.hiddenPixels;
     count_.hidden += trianglesOf(*items[i]) - visible.parts.size();
     draws_[items[i]] = {indices.size() * sizeof(std::uint32_t), std::move(visible.parts), visible.pixels};
     indices.insert(indices.end(), visible.indices.begin(), visible.indices.end());
   }
-  if (hiddenPixels < LEAST_HIDDEN * (pixels + hiddenPixels)) scene.framesWithoutLook = FRAMES_WITHOUT;
+  if (count_.hiddenPixels < LEAST_HIDDEN * (count_.pixels + count_.hiddenPixels))
+    scene.framesWithoutLook = FRAMES_WITHOUT;
   hidden_.release();
   if (!indices_) indices_ = gl::Buffer(gl);
   gl.BindVertexArray(0);  // an index buffer binds to the vertex array of the moment

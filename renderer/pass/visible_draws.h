@@ -33,6 +33,7 @@ struct VisibleParts {
 /// How many triangles a frame has and how many of them it leaves out.
 struct TriangleCount {
   std::size_t all = 0, hidden = 0;
+  double pixels = 0, hiddenPixels = 0;  ///< that the others shade and those would, about; 0 where it did not look
 };
 
 /// Leaves triangles out that are hidden at every sample, where the GL would shade them all the same: llvmpipe (to Mesa
