@@ -52,7 +52,8 @@ Napi::Function TokenHandle::define(Napi::Env env) {
       env, "CancelToken",
       {InstanceMethod("cancel", &TokenHandle::cancel), InstanceMethod("allowAnyTime", &TokenHandle::allowAnyTime),
        InstanceMethod("progress", &TokenHandle::reached), InstanceMethod("askPreviews", &TokenHandle::askPreviews),
-       InstanceMethod("takePreview", &TokenHandle::takePreview), InstanceMethod("settle", &TokenHandle::settle)});
+       InstanceMethod("takePreview", &TokenHandle::takePreview), InstanceMethod("settle", &TokenHandle::settle),
+       InstanceMethod("allowCpu", &TokenHandle::allowCpu), InstanceMethod("allowError", &TokenHandle::allowError)});
 }
 
 Napi::Value TokenHandle::takePreview(const Napi::CallbackInfo& info) {

@@ -18,7 +18,7 @@ namespace telar::addon {
 
 /// new CancelToken(timeoutMs?: number); cancel(); allowAnyTime(); progress(): 0..1 of the job that it was given
 /// to; askPreviews(); takePreview(): {width, height, bitDepth, samples, data: Buffer} | undefined; settle(): the
-/// picture as it is will do
+/// picture as it is will do; allowCpu(ms), allowError(error): it will from then on
 class TokenHandle : public Napi::ObjectWrap<TokenHandle> {
  public:
   static constexpr napi_type_tag TAG{0x74656c6172000001, 0x9a3f5c1e7b2d4860};
@@ -33,6 +33,8 @@ class TokenHandle : public Napi::ObjectWrap<TokenHandle> {
   void allowAnyTime(const Napi::CallbackInfo&) { token.allowAnyTime(); }
   void askPreviews(const Napi::CallbackInfo&) { progress.previews.ask(); }
   void settle(const Napi::CallbackInfo&) { progress.settle(); }
+  void allowCpu(const Napi::CallbackInfo& info) { progress.allowCpu(info[0].ToNumber()); }
+  void allowError(const Napi::CallbackInfo& info) { progress.allowError(info[0].ToNumber()); }
   Napi::Value takePreview(const Napi::CallbackInfo& info);
   Napi::Value reached(const Napi::CallbackInfo& info) { return Napi::Number::New(info.Env(), progress.part()); }
 };

@@ -74,11 +74,10 @@ const scaleOf = ({ camera, size }) => (camera.projection === 'orthographic' ? (1
  * @param {object[]} [parts.warnings] of the model
  * @param {number} [parts.metered] factor of the shot's `metering`
  * @param {object} [parts.goal] of goal.mjs
- * @param {number} [parts.ended] samples with which the caller had enough
  */
-export function frameInfo({ frame, resolved, milliseconds, renderer, key, warnings = [], metered, goal, ended }) {
+export function frameInfo({ frame, resolved, milliseconds, renderer, key, warnings = [], metered, goal }) {
   // The stages of drawing come from the renderer itself; `draw` alone where it tells none.
-  const { ms = { draw: frame.drawMs }, ...drawn } = JSON.parse(frame.info);
+  const { ms = { draw: frame.drawMs }, spentMs, ...drawn } = JSON.parse(frame.info);
   const { load, pose, resolve, total } = milliseconds;
   return {
     ...drawn,
@@ -97,8 +96,7 @@ export function frameInfo({ frame, resolved, milliseconds, renderer, key, warnin
     peakBytes: process.resourceUsage().maxRSS * 1024,
     millimetresPerPixel: scaleOf(resolved),
     ...(metered !== undefined && { meteredExposure: metered }),
-    ...(goal && { goal }),
-    ...(ended !== undefined && { ended }),
+    ...(goal && { goal: { ...goal, ...(spentMs !== undefined && { reached: { cpuMs: spentMs } }) } }),
     shot: resolved,
   };
 }

@@ -47,7 +47,7 @@ const basisOf = ({ basis, scenes, looked }, isHere) =>
  * @param {() => Promise<import('../predict/choose.mjs').Machine>} request.machine calibration, where it is needed
  * @param {(shot: object) => Promise<Uint8Array>} [request.draw] resolved shot to RGBA: an error is then also looked for in a window of the picture
  * @param {import('./work.mjs').Work} [work]
- * @returns {Promise<{quality: object, goal: object}>} quality: resolved; goal: what info tells of it
+ * @returns {Promise<{quality: object, goal: object, end?: import('../predict/choose.mjs').End}>} quality: resolved; goal: what info tells of it; end: for endBy
  */
 export async function settingsFor(native, { resolved, scene, facts, limits, machine, draw }, work) {
   const { choose, chooseByWindow, featuresOf, TABLE } = await predictModule();
@@ -58,9 +58,33 @@ export async function settingsFor(native, { resolved, scene, facts, limits, mach
   const here = { tracer: await hasTracer(native), machine: isHere ? await untilAbort(machine(), work?.signal) : undefined };
   const of = [TABLE, resolved.quality, featuresOf(resolved, plan, facts), here];
   const chosen = draw && !isHere ? await chooseByWindow(...of, resolved, draw) : choose(...of);
-  const { setting, quality, flip, cpuMs, mostMs, holds, ...from } = chosen;
+  const { setting, quality, flip, cpuMs, mostMs, holds, end, ...from } = chosen;
   const goal = { ...resolved.quality, setting, predicted: { flip, cpuMs, mostMs }, holds, basis: basisOf(from, isHere) };
-  return { quality: resolveQuality(quality), goal };
+  return { quality: resolveQuality(quality), goal, end: endFor(end, resolved) };
+}
+
+/** An environment behind the model moves from sample to sample as the model does: what of the noise is the model's is not known. */
+const endFor = (end, { background }) => (end?.error !== undefined && (background.type ?? background) === 'environment' ? undefined : end);
+
+/** Ends a job when its goal is reached. @param {import('../predict/choose.mjs').End | undefined} end @param {object} token native */
+export function endBy(end, token) {
+  if (end?.spentMs !== undefined) token.allowCpu(end.spentMs);
+  if (end?.error !== undefined) token.allowError(end.error);
+}
+
+/**
+ * What a picture with a goal of error came to: its settings in a window of it, against the path tracer.
+ * @param {object} native
+ * @param {object} resolved the shot that was drawn
+ * @param {number | undefined} ended samples with which it was
+ * @param {(shot: object) => Promise<Uint8Array>} draw resolved shot to RGBA
+ * @returns {Promise<{flip: number, pixels: number} | null>} null where the tracer is not there
+ */
+export async function reachedBy(native, resolved, ended, draw) {
+  if (!(await hasTracer(native))) return null;
+  const { endedQuality, openWindow } = await predictModule();
+  const window = await openWindow(draw, resolved, { exact: true });
+  return { flip: await window.flipOf(endedQuality(resolved.quality, ended)), pixels: window.pixels };
 }
 
 /** @param {object} goal of settingsFor @returns {{code: string, message: string, pointer: string}[]} */

@@ -143,12 +143,13 @@ export function drawOptions(options, defaults, keys = DRAW_KEYS) {
   return { ...loading(options, defaults), signal: checkSignal(signal), onProgress };
 }
 
-/** Options of render: those of a drawing, and onPreview. */
+/** Options of render: those of a drawing, onPreview, and reached. */
 export function renderOptions(options, defaults) {
-  const known = drawOptions(options, defaults, [...DRAW_KEYS, 'onPreview']);
-  const { onPreview } = options;
+  const known = drawOptions(options, defaults, [...DRAW_KEYS, 'onPreview', 'reached']);
+  const { onPreview, reached = false } = options;
+  if (typeof reached !== 'boolean') throw wrongOption('options.reached', 'true or false', reached);
   if (onPreview !== undefined && typeof onPreview !== 'function') throw wrongOption('options.onPreview', 'a function', onPreview);
-  return { ...known, onPreview };
+  return { ...known, onPreview, reached };
 }
 
 /** Options of a renderer's own render: those, and enough. A pool has no such one. */

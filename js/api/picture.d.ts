@@ -32,6 +32,12 @@ export interface RenderOptions extends DrawOptions {
    * @default undefined
    */
   onPreview?: (preview: Preview) => void;
+  /**
+   * Of a quality of `{maxError}`: whether the error that was reached is measured after the picture is drawn, for `info.goal.reached`: a window
+   * of it is drawn by the same settings and by path tracing. Some tenths of a second of CPU, seconds for cloth of rough relief.
+   * @default false
+   */
+  reached?: boolean;
 }
 
 export interface GrowingOptions extends RenderOptions {
@@ -67,6 +73,34 @@ export interface QualityGoal {
   holds: boolean;
   /** What the prediction is from. */
   basis: string;
+  /**
+   * What it came to. Of `budgetMs` always: `cpuMs` that this process spent while it drew, all threads and other work of it together. Of `maxError` where the
+   * option `reached` asks for it: mean FLIP of the model in a window of so many pixels, against traced paths; null where the path tracer is not there.
+   */
+  reached?: { cpuMs: number } | { flip: number; pixels: number } | null;
+}
+
+/**
+ * What a picture leaves out, for its scene does not need it, against all forced on; no byte differs. The raster's first pass.
+ * `features`: of programs; `passes`: kinds of them; `triangles`: hidden at every sample; `texels`: of the largest mip levels of
+ * textures without blocks; `lights`: black ones, and point and spot lights whose range ends before what is shaded; `shadowMaps`: of such
+ * lights, where no ground shows them.
+ */
+export interface SkippedPart {
+  what: 'features' | 'passes' | 'triangles' | 'texels' | 'lights' | 'shadowMaps';
+  /** Exact. */
+  count: number;
+  /** With those that are there. */
+  of: number;
+  /**
+   * By how much longer the picture would have taken to draw, in parts of `milliseconds.draw`. Estimated: by what was measured of
+   * other models (js/docs/figures.md), of triangles by the pixels that they cover.
+   */
+  estimatedPart?: number;
+  /** GPU memory, of texels. Exact. */
+  bytes?: number;
+  /** Of shadow maps. Exact. */
+  texels?: number;
 }
 
 /** What a frame was made of. Native code may add keys. */
@@ -107,6 +141,8 @@ export interface FrameInfo extends Plan {
   shadedFragments?: number;
   /** Texels of the largest mip levels that were not uploaded, for no fragment reads them; no byte differs. Absent where there are none. */
   unreadTexels?: number;
+  /** What was left out, and what that saves. Absent of the path tracer and of flats. */
+  skipped?: SkippedPart[];
   /** Largest resident memory of the process so far. */
   peakBytes: number;
   /** Column-major 4 x 4: (X, Y, Z, W) = M (x, y, z, 1); the pixel is (X / W, Y / W) from the top left corner. */
@@ -117,8 +153,13 @@ export interface FrameInfo extends Plan {
   meteredExposure?: number;
   /** Of a shot whose quality is a goal. `quality` and `shot` have the settings that were chosen for it. */
   goal?: QualityGoal;
-  /** Samples of a pixel, at most, when the caller had enough: the option `enough`. Absent of what was finished before. */
+  /** Samples of a pixel, at most, when it was enough: by the option `enough`, or as its goal was reached. Absent of what was finished before. */
   ended?: number;
+  /**
+   * Of a quality of `{maxError}`: standard error of a pixel, in 1/255 of its encoded luma, mean over those that vary from sample to sample, at the
+   * last doubling of samples but that which ends them all. Absent where there were fewer than 16.
+   */
+  standardError?: number;
   /** Of a shot with layers. */
   layers?: LayerFacts;
   shot: ResolvedShot;

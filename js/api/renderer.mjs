@@ -65,12 +65,6 @@ function untilEnough(enough, token) {
   return () => {};
 }
 
-/** That a pixel has taken, at most, where these are not all; undefined of a picture that is finished. */
-function samplesBefore(quality, { info }) {
-  const { samples } = JSON.parse(info);
-  return samples < quality.samples ? samples : undefined;
-}
-
 /** Of a picture in the format raw with 32 bits a channel; a copy, as its bytes need not lie on a boundary of 4. */
 const floatsOf = (data) => new Float32Array(data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength));
 
@@ -116,8 +110,8 @@ class Renderer {
 
   async render(source, shot = {}, options = {}) {
     this.#assertOpen();
-    const { signal, onProgress, onPreview, enough, ...loading } = growingOptions(options, this.#loading);
-    const request = { ...this.#readRequest(source, shot), loading, enough };
+    const { signal, onProgress, onPreview, enough, reached, ...loading } = growingOptions(options, this.#loading);
+    const request = { ...this.#readRequest(source, shot), loading, enough, reached };
     if (!onProgress && !onPreview) return this.#track(this.#gate.run(() => this.#render(request, this.#begin(signal, loading)), signal));
     return this.#track(
       inScope(signal, { onProgress, onPreview }, 1, (scope, report) => this.#gate.run(() => this.#render(request, this.#begin(scope, loading), report), scope)),
@@ -250,33 +244,45 @@ class Renderer {
     return this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model), forget)));
   }
 
-  async #render({ input, model: given, loading, shared, job = 0, shot, environment, map, quantity, enough }, work, report) {
+  async #render({ input, model: given, loading, shared, job = 0, shot, environment, map, quantity, enough, reached }, work, report) {
     const start = performance.now();
     const model = given ?? (await this.#load(input, loading, work));
     const loaded = performance.now();
     const shown = await (shared ? shared.of(shot) : shownModel(this.#native, model, shot, { work, forget: !given, cloths: this.#cloths }));
     const shownAt = performance.now();
-    const { resolved, warnings, goal } = await this.#resolve({ shot, quantity, environment, map }, shown, loading, work).catch((error) => {
+    const { resolved, warnings, goal, end } = await this.#resolve({ shot, quantity, environment, map }, shown, loading, work).catch((error) => {
       if (shared?.isLast(shot)) this.#releaseScene(shown).catch(() => {});
       throw error;
     });
     if ((await qualityModule()).isLong(resolved.quality)) work.allowLong();
+    const isLast = shared ? shared.isLast(shot) : !given || shown !== model;
+    const measures = reached && goal?.maxError !== undefined;
     const request = {
       scene: Model.sceneOf(shown),
       shot: shotJson(quantity ? { ...resolved, debugOutput: quantity } : resolved),
       environment,
-      releaseScene: shared ? shared.isLast(shot) : !given || shown !== model,
+      releaseScene: isLast && !measures,
     };
     const metered = isMetered(resolved, quantity) ? await this.#meter(request, resolved, work) : undefined;
     if (metered) request.shot = shotJson({ ...resolved, exposure: resolved.exposure * metered });
     const resolvedAt = performance.now();
+    const { endBy, reachedBy } = goal ? await goalModule() : {};
     const frame = await nativeCall(this.#native, work, (token) => {
       report?.begin(job, token);
+      endBy?.(end, token);
       const stopListening = enough && untilEnough(enough, token);
       return this.#handle.render(request, token).finally(stopListening);
     });
     report?.finish(job);
-    const ended = enough?.aborted ? samplesBefore(resolved.quality, frame) : undefined;
+    const { ended } = JSON.parse(frame.info);
+    if (measures) {
+      const seen = { ...resolved, exposure: resolved.exposure * (metered ?? 1) };
+      // Nothing ends these pictures, so they have a token of their own.
+      const look = this.#begin(work.signal, loading);
+      look.allowLong();
+      goal.reached = await reachedBy(this.#native, seen, ended, this.#drawerOf(request, look));
+      if (isLast) this.#releaseScene(shown).catch(() => {});
+    }
     const key = await keyOfDrawn(this.#native, {
       version: versions.telar,
       model: model.facts.sha256,
@@ -284,10 +290,11 @@ class Renderer {
       environment,
       drawn: frame.environmentSha256,
       limits: this.#limits,
-      ended,
+      // Where an error ended it, the goal alone says when.
+      ended: enough?.aborted || goal?.budgetMs !== undefined ? ended : undefined,
     });
     const milliseconds = { load: loaded - start, pose: shownAt - loaded, resolve: resolvedAt - shownAt, total: performance.now() - start };
-    const info = frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings, metered, goal, ended });
+    const info = frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings, metered, goal });
     refuseWarnings(loading.failOn, info.warnings);
     const layers = Object.keys(frame.layers).length > 0 && { layers: frame.layers };
     return { data: frame.data, ...layers, info };
@@ -309,10 +316,10 @@ class Renderer {
     const goal = await this.#aim(resolved, { quantity, environment }, shown, work);
     const warnings = [...(shown.facts.warnings ?? []), ...(goal?.warnings ?? []), ...shotWarnings(resolved, shown.facts.extensionsUsed)];
     refuseWarnings(failOn, warnings);
-    return { resolved, warnings, goal: goal?.told };
+    return { resolved, warnings, goal: goal?.told, end: goal?.end };
   }
 
-  /** Where the shot's quality is a goal, puts settings in its place. @returns {Promise<{told: object, warnings: object[]} | undefined>} */
+  /** Where the shot's quality is a goal, puts settings in its place. @returns {Promise<{told: object, warnings: object[], end?: object} | undefined>} */
   async #aim(resolved, { quantity, environment }, shown, work) {
     const { isGoal, resolveQuality } = await qualityModule();
     if (!isGoal(resolved.quality)) return undefined;
@@ -323,14 +330,19 @@ class Renderer {
     }
     const { goalWarnings, settingsFor } = await goalModule();
     const scene = Model.sceneOf(shown);
-    const draw = async (shot) => {
+    const draw = this.#drawerOf({ scene, environment }, work);
+    const request = { resolved, scene, facts: shown.facts, limits: this.#limits, machine: () => this.#calibration(), draw };
+    const { quality, goal, end } = await settingsFor(this.#native, request, work);
+    resolved.quality = quality;
+    return { told: goal, warnings: goalWarnings(goal), end };
+  }
+
+  /** Draws resolved shots of a scene for a look at their pixels: RGBA. */
+  #drawerOf({ scene, environment }, work) {
+    return async (shot) => {
       const request = { scene, shot: shotJson(shot), environment, releaseScene: false };
       return (await nativeCall(this.#native, work, (token) => this.#handle.render(request, token))).data;
     };
-    const request = { resolved, scene, facts: shown.facts, limits: this.#limits, machine: () => this.#calibration(), draw };
-    const { quality, goal } = await settingsFor(this.#native, request, work);
-    resolved.quality = quality;
-    return { told: goal, warnings: goalWarnings(goal) };
   }
 
   /** How fast this machine draws. Its pictures go past the gate: the frame that waits for them has its place there. */

@@ -121,9 +121,9 @@ async function checkSheet(sheet, jobs, outputs) {
 }
 
 /** Whether the path tracer draws it, or quality "high" or a goal lets it: the model decides. */
-function mayBeTraced({ quality, shading }) {
+function mayBeTraced({ quality }) {
   const preset = quality?.preset ?? quality;
-  return preset === 'reference' || isGoal(preset ?? {}) || (preset === 'high' && shading === 'fabric');
+  return preset === 'reference' || preset === 'high' || isGoal(preset ?? {});
 }
 
 async function drawAll({ jobs, outputs, options, renderer, limits }, { api, console, signal }) {
@@ -134,7 +134,9 @@ async function drawAll({ jobs, outputs, options, renderer, limits }, { api, cons
   try {
     const explode = options.explode === undefined ? undefined : Number(options.explode);
     const atOnce = renderer.workers?.length;
-    return await new Drawing({ jobs, explode, atOnce, outputs, renderer, known, keyOf, progress, signal, toStdout: (bytes) => console.bytes(bytes) }).run();
+    const { reached } = options;
+    const how = { explode, atOnce, reached, known, keyOf, progress, signal, toStdout: (bytes) => console.bytes(bytes) };
+    return await new Drawing({ jobs, outputs, renderer, ...how }).run();
   } finally {
     progress.stop();
     await known?.save();

@@ -112,7 +112,8 @@ export class ChildJobs {
     const others = Object.fromEntries((job.others ?? []).map(([name, input]) => [name, inputOf(input)]));
     if (job.model) this.#answer({ beat: job.id });
     const onPreview = job.preview ? (preview) => this.#preview(job.id, preview) : undefined;
-    const options = job.loading && { ...loading(job.loading), ...(onProgress && { onProgress }), ...(onPreview && { onPreview }) };
+    const asked = { ...(onProgress && { onProgress }), ...(onPreview && { onPreview }), ...(job.reached && { reached: true }) };
+    const options = job.loading && { ...loading(job.loading), ...asked };
     const shots = job.shots?.map((shot) => shotOf(shot, given));
     const { settled, quantity, args } = job;
     return { renderer: this.#renderer, limits: this.#limits, source, others, shots, options, settled, quantity, args, parts, signal };

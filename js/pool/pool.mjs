@@ -80,11 +80,11 @@ class Pool {
 
   async render(source, shot = {}, options = {}) {
     this.#assertOpen();
-    const { signal, onProgress, onPreview, ...loading } = renderOptions(options, this.#loading);
+    const { signal, onProgress, onPreview, reached, ...loading } = renderOptions(options, this.#loading);
     const of = this.#readSource(source);
     const read = this.#readShot(shot);
     const unpack = (value, parts) => unpackPicture(value, parts, read.map);
-    return this.#ask({ method: 'render', ...of, shots: [read], onProgress, onPreview, ...this.#times(loading), unpack }, signal);
+    return this.#ask({ method: 'render', ...of, shots: [read], onProgress, onPreview, reached, ...this.#times(loading), unpack }, signal);
   }
 
   async renderQuantity(source, shot, quantity, options = {}) {

@@ -16,6 +16,7 @@ import { ANY_MODEL } from '../shot/facts.mjs';
  * @property {[string, {path: string} | {bytes: Uint8Array}][]} [others] files beside the input, by name
  * @property {(part: number) => void} [onProgress]
  * @property {(preview: object) => void} [onPreview]
+ * @property {boolean} [reached]
  * @property {(value: object, parts: Buffer[]) => unknown} unpack an answer to what the caller gets
  */
 
@@ -40,7 +41,7 @@ function currentFolder() {
  * @param {import('./held_models.mjs').HeldModels} held by this worker
  * @returns {{job: object, parts: Uint8Array[]}}
  */
-export function messageOf(id, { method, input, recipe, shots, loading, settled, quantity, args, others, onProgress, onPreview }, held) {
+export function messageOf(id, { method, input, recipe, shots, loading, settled, quantity, args, others, onProgress, onPreview, reached }, held) {
   const parts = [];
   const attach = (bytes) => parts.push(bytes) - 1;
   const inputOf = ({ path, bytes }) => (bytes ? { part: attach(bytes) } : { path });
@@ -60,6 +61,7 @@ export function messageOf(id, { method, input, recipe, shots, loading, settled, 
     // Each finished picture of many says that the worker is not stuck.
     progress: onProgress !== undefined || DRAW_MANY.includes(method),
     preview: onPreview !== undefined,
+    reached,
     settled,
     quantity,
     args,

@@ -1,5 +1,6 @@
 import { narrowest } from './classes.mjs';
-import { FAMILIES, familyOf, SETTINGS } from './settings.mjs';
+import { errorOfFlip } from './noise.mjs';
+import { canEnd, FAMILIES, familyOf, SETTINGS } from './settings.mjs';
 
 /**
  * What was measured, by setting and class.
@@ -68,20 +69,37 @@ function timesOf(table, features) {
 
 const least = (list, of) => list.reduce((best, each) => (best === undefined || of(each) < of(best) ? each : best), undefined);
 
+/** What ends the picture before its last sample. @typedef {{spentMs?: number, error?: number}} End CPU milliseconds; standard error in 1/255 */
+
+/**
+ * The standard error at which a picture of a setting holds an error: what its family errs without noise is taken off. None where the noise is not all that is left.
+ * @param {Prediction[]} all of a scene
+ */
+function errorEnd(all, setting, maxError) {
+  if (!canEnd(setting)) return undefined;
+  const family = familyOf(setting);
+  const bias = family === 'tracer' ? 0 : all.filter((each) => familyOf(each.setting) === family).at(-1).flip;
+  return bias < maxError ? { error: errorOfFlip(maxError - bias) } : undefined;
+}
+
 /**
  * The cheapest setting that is predicted to hold an error, or the most accurate one that is predicted to fit into a time. Where none is, the most
- * accurate or the cheapest: `holds` tells.
+ * accurate or the cheapest: `holds` tells. One that can be ended needs to fit by its likely time alone: it is ended where it would not.
  * @param {TradeTable} table
  * @param {{maxError: number} | {budgetMs: number}} wanted
  * @param {import('./features.mjs').Features} features
  * @param {{tracer: boolean, machine?: Machine}} here
- * @returns {Prediction & {quality: string | object, holds: boolean}}
+ * @returns {Prediction & {quality: string | object, holds: boolean, end?: End}}
  */
 export function choose(table, { maxError, budgetMs }, features, here) {
   const all = predictAll(table, features, here);
-  const held = all.filter(({ flip, mostMs }) => (maxError === undefined ? mostMs <= budgetMs : flip <= maxError));
+  const fits = ({ setting, cpuMs, mostMs }) => (canEnd(setting) ? cpuMs : mostMs) <= budgetMs;
+  const held = all.filter((each) => (maxError === undefined ? fits(each) : each.flip <= maxError));
   const time = ({ cpuMs }) => cpuMs;
   const error = ({ flip }) => flip;
   const found = maxError === undefined ? (least(held, error) ?? least(all, time)) : (least(held, time) ?? least(all, error));
-  return { ...found, quality: SETTINGS[found.setting], holds: held.length > 0 };
+  const answer = { ...found, quality: SETTINGS[found.setting], holds: held.length > 0 };
+  if (maxError !== undefined) return { ...answer, end: errorEnd(all, found.setting, maxError) };
+  const mostMs = canEnd(found.setting) ? Math.min(found.mostMs, Math.max(budgetMs, found.cpuMs)) : found.mostMs;
+  return { ...answer, mostMs, end: { spentMs: budgetMs } };
 }

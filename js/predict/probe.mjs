@@ -18,6 +18,9 @@ const OVERVIEW = 64;
 /** Standard error, in 1/255, at which the paths of a window's truth end. */
 const NOISE = 8;
 
+/** The same where what was reached is measured. */
+const EXACT_NOISE = 2;
+
 /** FLIP below which a goal is lost in that noise. */
 const LEAST = 0.025;
 
@@ -47,18 +50,20 @@ async function windowShot(draw, resolved) {
 /**
  * @param {(shot: object) => Promise<Uint8Array>} draw resolved shot to RGBA, 8 bits a channel
  * @param {object} resolved shot; its quality is not looked at
- * @returns {Promise<{pixels: number, flipOf(setting: string): Promise<number>}>} flipOf: mean FLIP of a setting against traced paths; these are drawn once
+ * @param {{exact?: boolean}} [how] exact: with less noise in the traced paths, which take longer
+ * @returns {Promise<{pixels: number, flipOf(quality: string | object): Promise<number>}>} flipOf: mean FLIP of settings against traced paths; these are drawn once
  */
-export async function openWindow(draw, resolved) {
+export async function openWindow(draw, resolved, { exact = false } = {}) {
   const shot = await windowShot(draw, resolved);
   const drawn = async (quality) => ({ ...shot.size, data: await draw({ ...shot, quality: resolveQuality(quality) }) });
+  const paths = exact ? { ...TRUTH, noise: EXACT_NOISE } : TRUTH;
   let truth;
   return {
     pixels: shot.size.width * shot.size.height,
-    async flipOf(setting) {
-      truth ??= await drawn(TRUTH);
+    async flipOf(quality) {
+      truth ??= await drawn(paths);
       // A window without the model says nothing.
-      return compareImages(truth, await drawn(SETTINGS[setting])).object?.flip.mean ?? 1;
+      return compareImages(truth, await drawn(quality)).object?.flip.mean ?? 1;
     },
   };
 }
@@ -83,7 +88,8 @@ export async function chooseByWindow(table, { maxError }, features, here, resolv
   if (cheaper.length === 0) return sure;
   const window = await openWindow(draw, resolved);
   for (const each of cheaper) {
-    const flip = factors[each.setting] * (await window.flipOf(each.setting));
+    const flip = factors[each.setting] * (await window.flipOf(SETTINGS[each.setting]));
+    // What it errs without noise in this scene is not known: it is drawn to its end.
     if (flip <= maxError) return { ...each, flip, quality: SETTINGS[each.setting], holds: true, looked: window.pixels };
   }
   return sure;

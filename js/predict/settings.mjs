@@ -39,5 +39,8 @@ export const SETTINGS = Object.freeze(Object.assign({}, ...Object.values(FAMILIE
 /** The family of a setting. @param {string} name of SETTINGS */
 export const familyOf = (name) => Object.keys(FAMILIES).find((family) => Object.hasOwn(FAMILIES[family], name));
 
+/** Whether a picture of a setting can be ended with what it has: it is drawn in passes or paths. @param {string} name of SETTINGS */
+export const canEnd = (name) => familyOf(name) !== 'prefiltered';
+
 /** Names under which presets are measured. */
 export const PRESET_NAMES = Object.freeze({ draft: 'draft', standard: 'standard', medium: 'medium', high: 'high by the raster' });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 #include "telar/luminance.h"
@@ -31,8 +32,10 @@ void blur(std::vector<float>& picture, int width, int height) {
 
 }  // namespace
 
-PixelMean::PixelMean(const Shot& shot, bool exposed)
-    : shot_(shot), left_(static_cast<std::size_t>(shot.width) * static_cast<std::size_t>(shot.height)) {
+PixelMean::PixelMean(const Shot& shot, bool exposed, bool measures)
+    : shot_(shot),
+      measures_(measures),
+      left_(static_cast<std::size_t>(shot.width) * static_cast<std::size_t>(shot.height)) {
   if (exposed) shot_.exposure = 1;
   first_.resize(left_);
   second_.resize(left_);
@@ -47,10 +50,10 @@ bool PixelMean::add(const Frame& frame, bool last, unsigned passes) {
     count_[i] += passes;
   }
   if (!std::has_single_bit(passes_ += passes)) return false;
-  const bool looks = shot_.noise > 0 && passes_ >= FEWEST && !last;
-  if (looks) settle();
+  const bool looks = (shot_.noise > 0 || measures_) && passes_ >= FEWEST && !last;
+  if (looks) look();
   for (std::size_t i = 0; i < second_.size(); ++i) first_[i] += std::exchange(second_[i], glm::vec4(0));
-  return looks;
+  return looks && shot_.noise > 0;
 }
 
 /// Difference of the two halves in encoded luma, over black and over white.
@@ -64,17 +67,29 @@ glm::vec2 PixelMean::difference(std::size_t pixel, const PixelEncoder& encoded) 
   return shown(first_[pixel]) - shown(second_[pixel]);
 }
 
-void PixelMean::settle() {
-  settled_.resize(second_.size());
+void PixelMean::look() {
+  settled_.resize(shot_.noise > 0 ? second_.size() : 0);
+  apart_.resize(second_.size());
   const PixelEncoder encoded(shot_);
   std::vector<float> squares(second_.size());
+  double sum = 0;
+  std::size_t moving = 0;
   for (std::size_t i = 0; i < squares.size(); ++i) {
-    if (settled_[i]) continue;
-    const glm::vec2 apart = difference(i, encoded);
-    squares[i] = std::max(apart.x * apart.x, apart.y * apart.y);
+    if (settled_.empty() || !settled_[i]) {
+      const glm::vec2 apart = difference(i, encoded);
+      squares[i] = std::max(apart.x * apart.x, apart.y * apart.y);
+      apart_[i] = std::sqrt(squares[i]);
+    }
+    sum += static_cast<double>(apart_[i]);
+    moving += apart_[i] > 0;
   }
-  blur(squares, shot_.width, shot_.height);
   // The standard error of the mean is half of the difference of the halves.
+  standardError_ = moving == 0 ? 0 : 255 * sum / (2 * static_cast<double>(moving));
+  if (shot_.noise > 0) settle(std::move(squares));
+}
+
+void PixelMean::settle(std::vector<float> squares) {
+  blur(squares, shot_.width, shot_.height);
   const auto most = static_cast<float>(4 * shot_.noise * shot_.noise / (255.0 * 255.0));
   for (std::size_t i = 0; i < squares.size(); ++i) {
     if (settled_[i] || squares[i] > most) continue;

@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,7 +15,8 @@ class PixelMean {
   static constexpr unsigned FEWEST = 16;  ///< passes before a pixel is looked at
 
   /// @param shot  its size, output and noise    @param exposed  whether the passes are, by its exposure
-  explicit PixelMean(const Shot& shot, bool exposed = true);
+  /// @param measures  whether standardError() is wanted of a shot without noise to stop at
+  explicit PixelMean(const Shot& shot, bool exposed = true, bool measures = false);
 
   /// Adds a pass to the pixels that are not settled. Where that makes 16, 32, 64 ... of them, those are settled whose
   /// standard error, as the two halves of their passes differ there and in their neighbours, is Shot::noise or less.
@@ -26,6 +28,9 @@ class PixelMean {
   /// Which pixels are settled: 255 or 0, row 0 on top. Empty before they are looked at.
   std::span<const std::uint8_t> settled() const { return settled_; }
   bool allSettled() const { return left_ == 0; }
+  /// Mean over the pixels that are not the same in both halves, in 1/255 of encoded luma, as of the last look; infinity
+  /// before it, and 0 where all are.
+  double standardError() const { return standardError_; }
 
   /// Row 0 on top; linear Rec.709, premultiplied with coverage, and coverage.
   std::vector<glm::vec4> mean() const;
@@ -33,15 +38,19 @@ class PixelMean {
   Frame frame() const { return toFrame(mean(), shot_); }
 
  private:
-  void settle();
+  void look();
+  void settle(std::vector<float> squares);
   glm::vec2 difference(std::size_t pixel, const PixelEncoder& encoded) const;
 
   Shot shot_;
+  bool measures_;
   unsigned passes_ = 0;
   std::size_t left_;
   std::vector<glm::vec4> first_, second_;  ///< sums of the two halves of a pixel's passes
   std::vector<std::uint32_t> count_;
   std::vector<std::uint8_t> settled_;
+  std::vector<float> apart_;  ///< the two halves of a pixel, in encoded luma
+  double standardError_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace telar::frame

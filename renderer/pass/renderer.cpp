@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/picture_json.h"
+#include "core/progress_json.h"
 #include "frame/layers.h"
 #include "frame/picture_facts.h"
 #include "frame/pixel_mean.h"
@@ -35,9 +35,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using pass::Behind;
 using pass::FramePlan;
-using pass::rangeWarning;
 using pass::StageTimer;
-using pass::withSuns;
 
 class GlRenderer final : public Renderer {
  public:
@@ -75,7 +73,7 @@ class GlRenderer final : public Renderer {
     const ibl::Suns suns = environment && forms.lit.suns ? environment->suns.value_or(ibl::Suns()) : ibl::Suns();
     std::optional<Shot> sunlit;
     if (!suns.list.empty() && asked.shading != ShadingModel::kThree) {
-      sunlit = withSuns(asked, suns);
+      sunlit = pass::withSuns(asked, suns);
       Limits limits = options_.limits;
       limits.lights += suns.list.size();
       plan = pass::planDraws(*scene, *sunlit, limits, options_.allFeatures);
@@ -89,6 +87,7 @@ class GlRenderer final : public Renderer {
     timer.lap("upload");
     picture.compiled = surfaces_.prepare(plan, cancel);
     timer.lap("compile");
+    progress.begin();
     shadows_.draw(plan, *scene, gpu, cancel);
     if (!plan.shadows.empty()) {
       context_->pacer().finish();
@@ -102,9 +101,10 @@ class GlRenderer final : public Renderer {
                                     {buffer_.count(), visible_.count(), gpu.texels()}, timer);
     json["glObjects"] = liveObjects();
     json["samples"] = picture.passes * target_->samples();
+    tellEnd(json, progress, picture.end);
     json["programsCompiled"] = picture.compiled;
     if (!plan.frame.debugOutput && !coverage_.empty()) json["picture"] = toJson(frame::pictureFacts(frame, coverage_));
-    if (!suns.list.empty() && !sunlit) json["warnings"] = Json::array({rangeWarning(suns.share)});
+    if (!suns.list.empty() && !sunlit) json["warnings"] = Json::array({pass::rangeWarning(suns.share)});
     info.json = json.dump();
     if (environment) info.environmentSha256 = environment->sha256;
     if (!asked.layers.empty()) addLayers(frame, scene, asked, cancel, info);
@@ -133,6 +133,7 @@ class GlRenderer final : public Renderer {
     std::optional<glm::dvec2> capturedAt;  ///< shift when the vertex stage ran for the buffer
     int compiled = 0;
     int passes = 1;
+    Ending end{};
   };
 
   void checkSize(const Shot& shot) const {
@@ -312,8 +313,8 @@ class GlRenderer final : public Renderer {
     pass::SurfaceInputs inputs{plan, shot, frame.scene, frame.gpu, frame.environment, frame.background, frame.cancel};
     const frame::SamplePasses passes = frame::samplePassesOf(shot);
     const glm::dmat4 projection = plan.camera.projection;
-    frame::PixelMean mean(shot);
-    const auto isEnough = [&] { return drawn > 0 && progress.isEnough(); };
+    frame::PixelMean mean(shot, true, progress.isErrorAllowed());
+    const auto isEnough = [&] { return drawn > 0 && progress.isEnough(mean.standardError()); };
     for (drawn = 0; drawn < passes.count && !mean.allSettled() && !isEnough();) {
       inputs.samplePass = drawn;
       picture.shift = passes.shift(drawn++);
@@ -326,6 +327,7 @@ class GlRenderer final : public Renderer {
       picture.timer.lap("settle");
     }
     plan.camera.projection = projection;
+    picture.end = {drawn < passes.count && !mean.allSettled(), mean.standardError()};
     Frame averaged = mean.frame();
     picture.timer.lap("resolve");
     return averaged;

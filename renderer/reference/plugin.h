@@ -24,6 +24,7 @@ struct TraceFacts {
   int threads = 0;
   int samples = 0;  ///< paths of a pixel, at most
   std::uint64_t triangles = 0, rays = 0;
+  Ending end{};
   double hierarchyMs = 0, traceMs = 0;
   std::optional<PictureFacts> picture{};  ///< none where the environment is the background: it covers every pixel
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <chrono>
 #include <functional>
 #include <thread>
@@ -131,10 +132,21 @@ class Follower {
   std::atomic<bool> cut_ = false;
 };
 
-/// Every pixel takes all samples: at once, or for previews in rounds that double them. The sums are the same.
-/// @param[out] taken  samples of each pixel: fewer where the picture was enough before
+/// Rounds that double the samples of a pixel are followed in so many steps where time may end them: a step that is cut
+/// short is lost.
+constexpr int STEPS = 4;
+
+/// Samples from `taken` on that are followed at once, of a round that ends at `end`.
+Samples stepOf(int taken, int end, const Progress& progress) {
+  return {taken, progress.isCpuAllowed() ? std::min(taken + std::max(taken / STEPS, 1), end) : end};
+}
+
+/// Every pixel takes all samples: at once, or in rounds that double them where there are previews or the picture may
+/// end before. The sums are the same.
+/// @param[out] facts  samples of each pixel: fewer where the picture was enough before
 std::vector<glm::vec4> followAll(Follower& follower, const Shot& shot, int samples, const Progress& progress,
-                                 int& taken) {
+                                 TraceFacts& facts) {
+  int& taken = facts.samples;
   std::vector<glm::dvec4> sums;
   std::vector<glm::vec4> before;
   const auto mean = [&sums, &taken] {
@@ -143,8 +155,9 @@ std::vector<glm::vec4> followAll(Follower& follower, const Shot& shot, int sampl
                    [&taken](const glm::dvec4& sum) { return glm::vec4(sum / static_cast<double>(taken)); });
     return pixels;
   };
+  const auto inRounds = [&progress] { return progress.previews.asked() || progress.mayEnd(); };
   for (taken = 0; taken < samples;) {
-    const Samples round{taken, progress.previews.asked() ? std::min(std::max(2 * taken, 1), samples) : samples};
+    const Samples round = stepOf(taken, inRounds() ? std::min(std::max(2 * taken, 1), samples) : samples, progress);
     std::atomic<int> rows = 0;
     const auto rowDone = [&] {
       const float part = static_cast<float>(++rows) / static_cast<float>(shot.height);
@@ -152,38 +165,60 @@ std::vector<glm::vec4> followAll(Follower& follower, const Shot& shot, int sampl
       progress.reach(done / static_cast<float>(samples));
     };
     sums = follower.follow(round, {}, rowDone, std::move(sums));
-    if (follower.isCut()) return before;
+    facts.end.early = follower.isCut();
+    if (facts.end.early) return before;
     taken = round.end;
-    if (!progress.previews.asked() || taken == samples) continue;
+    if (!inRounds() || taken == samples) continue;
     before = mean();
-    progress.previews.put({frame::toFrame(before, shot), taken});
+    if (progress.previews.asked() && std::has_single_bit(static_cast<unsigned>(taken)))
+      progress.previews.put({frame::toFrame(before, shot), taken});
   }
   return mean();
+}
+
+/// Light of samples of the pixels that are not settled: of as many as were taken before the picture was enough.
+/// @param[in,out] taken  samples of each pixel
+std::vector<glm::dvec4> followRound(Follower& follower, const Samples& round, std::span<const std::uint8_t> settled,
+                                    const Progress& progress, int& taken) {
+  std::vector<glm::dvec4> sums, before;
+  while (taken < round.end) {
+    if (progress.isCpuAllowed()) before = sums;
+    const Samples step = stepOf(taken, round.end, progress);
+    sums = follower.follow(
+        step, settled, [] {}, std::move(sums));
+    if (follower.isCut()) return before;
+    taken = step.end;
+  }
+  return sums;
 }
 
 /// PixelMean compares two halves: the first look is after the second round.
 constexpr int FIRST_SAMPLES = frame::PixelMean::FEWEST / 2;
 
 /// A pixel takes samples until its standard error is Shot::noise, as in the raster's passes, and `most` at most.
-/// @param[out] taken  by the pixel that took most
+/// @param[out] facts  samples of the pixel that took most, and how it ended
 std::vector<glm::vec4> followUntilSettled(Follower& follower, const Shot& shot, int most, const Progress& progress,
-                                          int& taken) {
+                                          TraceFacts& facts) {
+  int& taken = facts.samples;
   frame::PixelMean mean(shot, false);
   const auto width = static_cast<std::uint32_t>(shot.width), height = static_cast<std::uint32_t>(shot.height);
   Frame sums{width, height, PixelType::kRgbaF32,
              std::vector<std::byte>(std::size_t{width} * height * sizeof(glm::vec4))};
-  for (taken = 0; taken < most && !mean.allSettled();) {
-    const Samples samples{taken, std::min(std::max(2 * taken, FIRST_SAMPLES), most)};
-    const auto followed = follower.follow(samples, mean.settled(), [] {});
-    if (follower.isCut()) break;
+  const auto isEnough = [&] { return taken > 0 && progress.isEnough(mean.standardError()); };
+  for (taken = 0; taken < most && !mean.allSettled() && !isEnough();) {
+    const int before = taken;
+    const auto followed = followRound(follower, {taken, std::min(std::max(2 * taken, FIRST_SAMPLES), most)},
+                                      mean.settled(), progress, taken);
+    if (taken == before) break;
     std::copy(followed.begin(), followed.end(), reinterpret_cast<glm::vec4*>(sums.pixels.data()));
-    taken = samples.end;
-    mean.add(sums, taken == most, static_cast<unsigned>(samples.end - samples.first));
+    mean.add(sums, follower.isCut() || taken == most, static_cast<unsigned>(taken - before));
+    if (follower.isCut()) break;
     if (progress.previews.asked() && taken < most && !mean.allSettled())
       progress.previews.put({frame::toFrame(mean.mean(), shot), taken});
     progress.reach(static_cast<float>(taken) / static_cast<float>(most));
   }
   progress.reach(1);  // all may be settled before
+  facts.end = {taken < most && !mean.allSettled(), mean.standardError()};
   return mean.mean();
 }
 
@@ -215,21 +250,18 @@ std::vector<glm::vec4> traceRadiance(const Scene& scene, const Shot& shot, const
                                      const TraceOptions& options, const Limits& limits, const CancelToken& cancel,
                                      const Progress& progress, TraceFacts* facts) {
   const Clock::time_point start = Clock::now();
+  progress.begin();
   const World world(scene, shot, environment, options.transport, limits, cancel);
   const Clock::time_point built = Clock::now();
   Follower follower(world, shot, options, cancel, progress);
-  int taken = 0;
-  auto pixels = shot.noise > 0 ? followUntilSettled(follower, shot, options.samples, progress, taken)
-                               : followAll(follower, shot, options.samples, progress, taken);
-  if (facts) {
-    *facts = {follower.threads(),
-              taken,
-              world.triangles(),
-              follower.rays(),
-              milliseconds(built - start),
-              milliseconds(Clock::now() - built),
-              {}};
-  }
+  TraceFacts told{.threads = follower.threads()};
+  auto pixels = shot.noise > 0 ? followUntilSettled(follower, shot, options.samples, progress, told)
+                               : followAll(follower, shot, options.samples, progress, told);
+  told.triangles = world.triangles();
+  told.rays = follower.rays();
+  told.hierarchyMs = milliseconds(built - start);
+  told.traceMs = milliseconds(Clock::now() - built);
+  if (facts) *facts = std::move(told);
   return pixels;
 }
 

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "core/picture_json.h"
+#include "core/progress_json.h"
 #include "frame/camera.h"
 #include "frame/layers.h"
 #include "telar/ambient.h"
@@ -67,6 +68,7 @@ Frame drawReference(const Scene& scene, const Shot& shot, std::span<const std::b
   library.function<TelarReferenceDrawFunction>("telar_reference_draw")(&job);
   if (job.failure) trace::throwFailure(*job.failure);
   Json json = describe(shot, job.facts, environmentMs);
+  tellEnd(json, progress, job.facts.end);
   if (!job.frame.layers.empty()) json["layers"] = frame::describeLayers(scene, shot, job.frame.layers);
   info.json = json.dump();
   return std::move(job.frame);

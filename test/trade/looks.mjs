@@ -1,4 +1,5 @@
 import { chooseByWindow, openWindow } from '../../js/predict/probe.mjs';
+import { SETTINGS } from '../../js/predict/settings.mjs';
 import { MAX_ERRORS } from './judge.mjs';
 
 /** Looks at windows of measured scenes: what the factors of js/predict/table.json are from, and what they are judged by. */
@@ -24,7 +25,8 @@ export async function looksOf(renderer, model, scene, rows) {
   const { draw, resolved } = await opened(renderer, model, scene);
   const window = await openWindow(draw, resolved);
   const looks = [];
-  for (const { setting, flip } of rows.filter((row) => LOOKED_AT.includes(row.setting))) looks.push({ setting, flip: await window.flipOf(setting), is: flip });
+  for (const { setting, flip } of rows.filter((row) => LOOKED_AT.includes(row.setting)))
+    looks.push({ setting, flip: await window.flipOf(SETTINGS[setting]), is: flip });
   return looks;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "core/random.h"
@@ -53,6 +54,20 @@ TEST(PixelMean, APassMayBeBelowZeroAndThePictureMayNot) {
   mean.add(frameOf([](int, int) { return glm::vec4(3); }));
   EXPECT_FLOAT_EQ(mean.mean()[0].x, 1);
   EXPECT_FLOAT_EQ(mean.mean()[1].x, 0);
+}
+
+TEST(PixelMean, TellsTheStandardErrorOfThePixelsThatVary) {
+  PixelMean mean(shotWith(0), true, true), unasked(shotWith(0));
+  for (std::uint32_t i = 0; i < 64; ++i) {
+    EXPECT_FALSE(mean.add(halfSure(i))) << "nothing settles";
+    unasked.add(halfSure(i));
+    EXPECT_EQ(std::isinf(mean.standardError()), i < 15) << i;
+  }
+  // A coin of 0 and 1: the mean of 64 has a standard error of 1 / 16 in linear light, |N(0, 1)| has a mean of 0.8. The
+  // slope of sRGB at 0.5 is about 0.67.
+  EXPECT_NEAR(mean.standardError(), 255 * 0.8 * 0.67 / 16, 2);
+  EXPECT_TRUE(std::isinf(unasked.standardError()));
+  EXPECT_TRUE(mean.settled().empty());
 }
 
 TEST(PixelMean, SettlesWhatIsSureAndLeavesTheRest) {

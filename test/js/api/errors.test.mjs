@@ -80,7 +80,7 @@ const CALLER_ERRORS = [
   [(r) => r.renderAll(model(), [], { settled: 1 }), 'options.settled: expected true or false, got 1'],
   [
     (r) => r.render(model(), SHOT, { settled: true }),
-    'options.settled: unknown key, expected one of signal, timeoutMs, onProgress, failOn, resolve, ambientVisibility, onPreview',
+    'options.settled: unknown key, expected one of signal, timeoutMs, onProgress, failOn, resolve, ambientVisibility, onPreview, reached',
   ],
   [() => inspectOn(native, model(), { failOn: 0 }), 'options.failOn: expected "error", "warning", "none", got 0'],
   [() => inspectOn(native, model(), { limits: [] }), 'options.limits: expected an object, got []'],

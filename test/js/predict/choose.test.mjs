@@ -1,8 +1,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { calibrate, choose, featuresOf, predictAll, TABLE } from '../../../js/predict/index.mjs';
+import { calibrate, choose, endedQuality, featuresOf, predictAll, TABLE } from '../../../js/predict/index.mjs';
 import { fitTable } from '../../../js/predict/fit.mjs';
-import { familyOf, SETTINGS } from '../../../js/predict/settings.mjs';
+import { flipOfError } from '../../../js/predict/noise.mjs';
+import { canEnd, familyOf, SETTINGS } from '../../../js/predict/settings.mjs';
+import { resolveQuality } from '../../../js/shot/quality.mjs';
 import { resolveShot } from '../../../js/shot/index.mjs';
 import { featuresWith, MACHINE, plantedRows } from './support.mjs';
 
@@ -21,13 +23,46 @@ test('an error gets the cheapest setting that holds it', () => {
   }
 });
 
-test('a time gets the most accurate setting that fits, by what it takes at most', () => {
-  const all = predictAll(table, features, HERE);
+test('a time gets the most accurate setting that fits: by what it takes at most, or is likely to where it can be ended', () => {
+  const wide = structuredClone(table);
+  for (const byClass of Object.values(wide.times)) for (const time of Object.values(byClass)) time.spread = 2;
+  const all = predictAll(wide, features, HERE);
+  let ended = 0;
   for (const budgetMs of [60, 200, 1000, 5000, 100_000]) {
-    const chosen = choose(table, { budgetMs }, features, HERE);
+    const chosen = choose(wide, { budgetMs }, features, HERE);
     assert.ok(chosen.holds && chosen.mostMs <= budgetMs, JSON.stringify(chosen));
-    for (const { setting, flip, mostMs } of all) assert.ok(mostMs > budgetMs || flip >= chosen.flip, `${setting} is nearer in ${budgetMs}`);
+    assert.deepEqual(chosen.end, { spentMs: budgetMs });
+    const fits = ({ setting, cpuMs, mostMs }) => (canEnd(setting) ? cpuMs : mostMs) <= budgetMs;
+    for (const each of all) assert.ok(!fits(each) || each.flip >= chosen.flip, `${each.setting} is nearer in ${budgetMs}`);
+    ended += all.find(({ setting }) => setting === chosen.setting).mostMs > budgetMs;
   }
+  assert.ok(ended > 0, 'one that may have to be ended is among them');
+});
+
+test('an error ends a picture where its noise makes no more than its family leaves', () => {
+  const all = predictAll(table, features, HERE);
+  const biasOf = (family) => all.filter(({ setting }) => familyOf(setting) === family).at(-1).flip;
+  const seen = new Set();
+  for (let maxError = 0.4; maxError > 0.004; maxError *= 0.8) {
+    const { setting, end, holds } = choose(table, { maxError }, features, HERE);
+    const family = familyOf(setting);
+    if (family === 'prefiltered') assert.equal(end, undefined);
+    else if (!holds) assert.ok(!end || flipOfError(end.error) <= maxError);
+    else assert.ok(Math.abs(flipOfError(end.error) + (family === 'tracer' ? 0 : biasOf('raster')) - maxError) < 1e-9, `${setting} ${JSON.stringify(end)}`);
+    seen.add(family);
+  }
+  assert.ok(seen.has('raster') || seen.has('tracer'));
+  const raster = choose(table, { maxError: 1e-6 }, features, { tracer: false });
+  assert.equal(raster.end, undefined, 'the raster alone errs more: nothing ends it before');
+});
+
+test('a picture that was ended has settings of no more samples than it has', () => {
+  const tracer = resolveQuality(SETTINGS['tracer noise 2']);
+  assert.deepEqual(endedQuality(tracer, 32), { ...tracer, samples: 32 });
+  assert.equal(endedQuality(tracer, undefined), tracer);
+  const raster = resolveQuality(SETTINGS['raster 64/256']);
+  assert.deepEqual(endedQuality(raster, 33), { ...raster, samples: 16, environmentSamples: 64 });
+  assert.deepEqual(endedQuality(resolveQuality('medium'), 5).preset, undefined);
 });
 
 test('what nothing holds gets the most accurate or the fastest, and says so', () => {
