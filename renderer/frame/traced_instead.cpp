@@ -1,20 +1,71 @@
 #include <algorithm>
+#include <cmath>
 
+#include "frame/covered_pixels.h"
 #include "frame/variant.h"
 #include "telar/reference.h"
 
 namespace telar {
 namespace {
 
-/// Triangles of the model for each pixel of the picture from which on the tracer costs no more. On llvmpipe a pass
-/// takes 0.16 us a triangle and a sample of its pixels 2.7 to 4.3 us, a path 2.1 to 4.3 us; pixels of a garment settle
-/// after some 250 of up to 1024 on average. The table is in js/docs/reference.md.
-constexpr double TRIANGLES_A_PIXEL = 0.5;
+// What quality "high" takes of a core of an AMD EPYC, llvmpipe with 256 bits, measured on cloths, the T-shirt and balls
+// of 32 to 256 px and 4,000 to 58,000 triangles: js/docs/reference.md. Only how the raster's numbers stand to the
+// tracer's counts.
 
-/// Whether the tracer leaves something out or shows it otherwise than the raster: glass, points and lines.
+/// Milliseconds of a pass of the raster, whatever it shows, and of each triangle in it.
+constexpr double PASS_MS = 0.3, PASS_TRIANGLE_MS = 80e-6;
+/// Samples until a covered pixel is sure, and how many more with each triangle: small ones turn many ways in a pixel.
+constexpr double SAMPLES = 200, TRIANGLE_SAMPLES = 0.008;
+/// Milliseconds of a sample of a covered pixel: shaded in dense rows, or triangle by triangle, which those are that let
+/// some light through; traced.
+constexpr double DENSE_MS = 1.3e-3, SINGLE_MS = 2.6e-3, PATH_MS = 2.6e-3;
+/// How much longer a path through what is blended takes, and the noise of the chance by which it is let through.
+constexpr double BLENDED = 2.5;
+/// Milliseconds of a triangle in the hierarchy that rays go down.
+constexpr double HIERARCHY_MS = 0.5e-3;
+
+/// What of a scene decides.
+struct Counts {
+  double triangles = 0, covered = 0;  ///< covered: pixels
+  bool single = false;                ///< pass::VisibilityBuffer leaves it to the GL, triangle by triangle
+  bool blended = false;               ///< some of it lets light through in part
+
+  double samples() const { return covered * std::min(SAMPLES + TRIANGLE_SAMPLES * triangles, 1024.0); }
+};
+
+double rasterMs(const Counts& counts, const Shot& shot) {
+  const double passMs = PASS_MS + PASS_TRIANGLE_MS * counts.triangles;
+  return shot.samples * passMs + counts.samples() * (counts.single ? SINGLE_MS : DENSE_MS);
+}
+
+double tracerMs(const Counts& counts) {
+  return HIERARCHY_MS * counts.triangles + counts.samples() * PATH_MS * (counts.blended ? BLENDED : 1);
+}
+
+/// A shot of quality "high" that the tracer could draw.
+bool isShaded(const Shot& shot) { return shot.isHigh && shot.layers.empty() && shot.debugOutput == DebugOutput::kNone; }
+
+/// Whether the tracer's light is the raster's own. The shading "fabric" has the tracer for its truth. The others show
+/// what a browser does: shadows with soft borders, areas that shine by tables; "three" a map in halves, and what
+/// older releases did.
+bool isLitTheSame(const Shot& shot) {
+  using Type = Shot::Light::Type;
+  using Source = Shot::Environment::Source;
+  if (shot.shading == ShadingModel::kFabric) return true;
+  const bool clipped = shot.environment.source != Source::kStudio && shot.environment.source != Source::kNone;
+  if (shot.shading == ShadingModel::kThree && (clipped || shot.three != ThreeTerms())) return false;
+  return std::none_of(shot.lights.begin(), shot.lights.end(), [](const Shot::Light& light) {
+    return light.castShadow || light.type == Type::kRect || light.type == Type::kDisk;
+  });
+}
+
+/// Whether the tracer leaves something out or shows it otherwise than the raster: glass, points and lines; and where a
+/// browser draws surfaces that let light through one after the other, in its own order.
 bool isTracedOtherwise(const Scene& scene, const Shot& shot) {
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-    if (frame::materialAt(scene, static_cast<int>(i), shot.shading).layers.transmissionFactor > 0) return true;
+    const Material& material = frame::materialAt(scene, static_cast<int>(i), shot.shading);
+    if (material.layers.transmissionFactor > 0) return true;
+    if (shot.shading != ShadingModel::kFabric && material.alphaMode == AlphaMode::kBlend) return true;
   }
   return std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& mesh) {
     return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
@@ -22,14 +73,24 @@ bool isTracedOtherwise(const Scene& scene, const Shot& shot) {
   });
 }
 
+Counts countsOf(const Scene& scene, const Shot& shot) {
+  Counts counts{static_cast<double>(scene.triangleCount), frame::coveredPixels(scene, shot)};
+  counts.single =
+      std::any_of(scene.nodes.begin(), scene.nodes.end(), [](const Node& node) { return node.instances != nullptr; });
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const AlphaMode mode = frame::materialAt(scene, static_cast<int>(i), shot.shading).alphaMode;
+    counts.single |= mode != AlphaMode::kOpaque;
+    counts.blended |= mode == AlphaMode::kBlend;
+  }
+  return counts;
+}
+
 }  // namespace
 
 std::optional<Shot> tracedInstead(const Scene& scene, const Shot& shot) {
-  if (!shot.isHigh || shot.shading != ShadingModel::kFabric || !shot.layers.empty()) return std::nullopt;
-  if (shot.debugOutput != DebugOutput::kNone) return std::nullopt;
-  const double pixels = static_cast<double>(shot.width) * shot.height;
-  if (static_cast<double>(scene.triangleCount) < TRIANGLES_A_PIXEL * pixels) return std::nullopt;
-  if (isTracedOtherwise(scene, shot)) return std::nullopt;
+  if (!isShaded(shot) || !isLitTheSame(shot) || isTracedOtherwise(scene, shot)) return std::nullopt;
+  const Counts counts = countsOf(scene, shot);
+  if (tracerMs(counts) > rasterMs(counts, shot)) return std::nullopt;
   Shot traced = shot;
   traced.reference =
       Shot::Reference{.samples = shot.samples, .transport = Shot::Reference::Transport::kDirect, .bounces = 0};

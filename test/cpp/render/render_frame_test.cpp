@@ -37,11 +37,20 @@ class RasterDouble : public Renderer {
   std::string warnings_;
 };
 
+/// It covers the picture, as far as anyone knows.
+Primitive aroundTheCamera() {
+  Primitive primitive;
+  primitive.positions = {{-9, -9, -9}, {9, -9, -9}, {0, 9, 9}};
+  return primitive;
+}
+
 class RenderFrame : public testing::Test {
  protected:
   Frame render(const Shot& shot, std::uint64_t triangles = 0) {
     auto scene = std::make_shared<Scene>();
     scene->triangleCount = triangles;
+    scene->meshes.push_back({"mesh", {aroundTheCamera()}});
+    scene->nodes.emplace_back().mesh = 0;
     return renderFrame(raster_, scene, shot, environment_, {}, cancel_, progress_, info_);
   }
 
@@ -69,7 +78,8 @@ TEST_F(RenderFrame, ThePathTracerDrawsAShotWithReference) {
 /// tracedInstead() takes it for so many triangles.
 Shot highShot() {
   Shot shot;
-  shot.width = shot.height = 16;
+  shot.width = shot.height = 64;
+  shot.samples = 1024;
   shot.isHigh = true;
   shot.shading = ShadingModel::kFabric;
   return shot;

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "frame/covered_pixels.h"
 #include "renderer/scenes.h"
 #include "telar/reference.h"
 
@@ -8,6 +11,7 @@ namespace telar {
 namespace {
 
 constexpr std::uint64_t MANY = 100'000;
+constexpr double PI = glm::pi<double>();
 
 Shot highShot(int size = 64) {
   Shot shot = test::shotOf(size);
@@ -43,6 +47,72 @@ TEST(TracedInstead, FewTrianglesOnManyPixelsAreRastered) {
   EXPECT_FALSE(tracedInstead(*sceneWith(2), highShot()));
 }
 
+TEST(TracedInstead, PixelsCountThatTheModelCovers) {
+  Shot shot = highShot(1024);
+  EXPECT_DOUBLE_EQ(frame::coveredPixels(*sceneWith(2), shot), 1024.0 * 1024) << "no more than there are";
+  EXPECT_FALSE(tracedInstead(*sceneWith(MANY), shot));
+  shot.camera.position.z = 300;  // the square of 4 m is 16 m^2 of (2 * 300 m * tan 15 degrees)^2
+  const double height = 600 * std::tan(glm::radians(15.0));
+  EXPECT_NEAR(frame::coveredPixels(*sceneWith(2), shot), 1024.0 * 1024 * 16 / (height * height), 1);
+  EXPECT_TRUE(tracedInstead(*sceneWith(MANY), shot)) << "a small model in a large picture";
+  shot.camera.position.z = -1;
+  shot.camera.target = {0, 0, -2};
+  EXPECT_DOUBLE_EQ(frame::coveredPixels(*sceneWith(2), shot), 1024.0 * 1024) << "behind the camera nothing is known";
+}
+
+TEST(TracedInstead, ClosedModelsCountOnceAndInstancesEach) {
+  const Shot shot = highShot(128);
+  auto ball = test::sceneOf(test::spherePrimitive(0.5f));
+  const double one = frame::coveredPixels(*ball, shot);
+  const double radius = 128 * 0.5 / (10 * std::tan(glm::radians(15.0)));
+  EXPECT_NEAR(one, PI * radius * radius, 0.03 * one);
+  auto instances = std::make_shared<Instances>();
+  instances->matrices.assign(3, glm::mat4(1));
+  ball->nodes[0].instances = instances;
+  EXPECT_NEAR(frame::coveredPixels(*ball, shot), 3 * one, 1e-6 * one);
+}
+
+TEST(TracedInstead, WhatLetsLightThroughCostsMore) {
+  const auto traces = [](AlphaMode mode) {
+    Material material;
+    material.alphaMode = mode;
+    return tracedInstead(*sceneWith(9000, material), highShot(48)).has_value();
+  };
+  EXPECT_TRUE(traces(AlphaMode::kOpaque));
+  EXPECT_TRUE(traces(AlphaMode::kMask));
+  EXPECT_FALSE(traces(AlphaMode::kBlend));
+}
+
+TEST(TracedInstead, OtherShadingsAreTracedWhereTheyAreLitTheSame) {
+  const auto scene = sceneWith(MANY);
+  for (const ShadingModel shading : {ShadingModel::kThree, ShadingModel::kThreeR115, ShadingModel::kDisney2012}) {
+    const auto traces = [&](auto change) {
+      Shot shot = highShot();
+      shot.shading = shading;
+      shot.environment.source = Shot::Environment::Source::kStudio;
+      change(shot);
+      return tracedInstead(*scene, shot).has_value();
+    };
+    using Light = Shot::Light;
+    EXPECT_TRUE(traces([](Shot&) {}));
+    EXPECT_TRUE(traces([](Shot& shot) { shot.lights = {Light{Light::Type::kPoint}}; }));
+    EXPECT_FALSE(traces([](Shot& shot) { shot.lights = {Light{Light::Type::kRect}}; }));
+    EXPECT_FALSE(traces([](Shot& shot) {
+      shot.lights = {Light{Light::Type::kSpot}};
+      shot.lights[0].castShadow = true;
+    }));
+    const bool three = shading == ShadingModel::kThree;
+    EXPECT_EQ(traces([](Shot& shot) { shot.environment.source = Shot::Environment::Source::kBytes; }), !three);
+    EXPECT_EQ(traces([](Shot& shot) { shot.three.lineMap = ThreeTerms::THREE_LINE_MAP_NONE; }), !three);
+    Material veil;
+    veil.alphaMode = AlphaMode::kBlend;
+    Shot shot = highShot(8);
+    EXPECT_TRUE(tracedInstead(*sceneWith(MANY, veil), shot));
+    shot.shading = shading;
+    EXPECT_FALSE(tracedInstead(*sceneWith(MANY, veil), shot)) << "a browser sorts it";
+  }
+}
+
 TEST(TracedInstead, OnlyCommonGroundIsTraced) {
   const auto scene = sceneWith(MANY);
   const auto traces = [&](auto change) {
@@ -52,7 +122,6 @@ TEST(TracedInstead, OnlyCommonGroundIsTraced) {
   };
   EXPECT_TRUE(traces([](Shot&) {}));
   EXPECT_FALSE(traces([](Shot& shot) { shot.isHigh = false; })) << "settings given one by one are the raster's";
-  EXPECT_FALSE(traces([](Shot& shot) { shot.shading = ShadingModel::kThree; }));
   EXPECT_FALSE(traces([](Shot& shot) { shot.layers = {Layer::kDepth}; }));
   EXPECT_FALSE(traces([](Shot& shot) { shot.debugOutput = DebugOutput::kBaseColor; }));
 

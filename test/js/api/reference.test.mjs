@@ -5,7 +5,7 @@ import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { promisify } from 'node:util';
-import { createRenderer, doctor } from '../../../js/index.mjs';
+import { createRenderer, doctor, inspect } from '../../../js/index.mjs';
 import { nativePath } from '../../../js/api/native.mjs';
 import { compareImages } from '../../../js/compare/index.mjs';
 import { MODELS } from '../../fixtures/index.mjs';
@@ -54,6 +54,20 @@ test('quality high of a fine mesh is traced where that costs less, and shows wha
   const facts = { high: apart(high), occluded: apart(await draw(reference({ samples: 64, transport: 'occlusion' }))) };
   assert.ok(facts.high < 0.03, JSON.stringify(facts));
   assert.ok(facts.occluded > 0.03, `planted fault: another light. ${JSON.stringify(facts)}`);
+});
+
+test('who draws quality high goes by what the model covers, in every shading that both show the same', async () => {
+  const shirt = path.join(ROOT, 'js/assets/tshirt.glb');
+  const traces = async (side, more) => {
+    const { plan } = await inspect(shirt, { shot: { size: { width: side, height: side }, quality: 'high', ...more } });
+    return plan.passes.includes('trace');
+  };
+  for (const shading of ['three', 'fabric', 'disney-2012'])
+    assert.deepEqual([await traces(64, { shading }), await traces(1024, { shading })], [true, false], shading);
+  const far = { camera: { view: 'front', fit: 0.05 } };
+  assert.equal(await traces(1024, far), true, 'small in a large picture');
+  const lights = [{ type: 'directional', castShadow: true }];
+  assert.deepEqual([await traces(64, { lights }), await traces(64, { lights, shading: 'fabric' })], [false, true], 'shadows of a browser have soft borders');
 });
 
 test('noise ends the paths of quiet pixels, and what is left of it is as small as asked', async () => {
