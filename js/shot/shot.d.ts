@@ -626,6 +626,8 @@ export interface Shot {
     quality?: number;
     /** Quality of the transparency of WebP below quality 100; 100 = exact. Range 0 to 100. @default 100 */
     alphaQuality?: number;
+    /** Work of the encoder for a smaller file: 0 the fastest (png, tiff and exr are not compressed), 9 the smallest; lossy WebP alone has other pixels. jpeg is progressive from 5 on; raw has none. Range 0 to 9. @default 1 */
+    effort?: number;
     /** Bits a channel: png and tiff 8 or 16, jpeg and webp 8, exr 16 or 32 (float), raw 8 or 32 (float); default the first. */
     bitDepth?: 8 | 16 | 32;
     /** Pixels per inch written to the file; 0 = none. Range 0 to 65535. @default 0 */
@@ -1225,6 +1227,8 @@ export interface ResolvedShot {
     quality: number;
     /** Quality of the transparency of WebP below quality 100; 100 = exact. Range 0 to 100. */
     alphaQuality: number;
+    /** Work of the encoder for a smaller file: 0 the fastest (png, tiff and exr are not compressed), 9 the smallest; lossy WebP alone has other pixels. jpeg is progressive from 5 on; raw has none. Range 0 to 9. */
+    effort: number;
     /** Bits a channel: png and tiff 8 or 16, jpeg and webp 8, exr 16 or 32 (float), raw 8 or 32 (float); default the first. */
     bitDepth: 8 | 16 | 32;
     /** Pixels per inch written to the file; 0 = none. Range 0 to 65535. */

@@ -16,6 +16,7 @@ void checkOptions(const OutputOptions& options) {
     refuse(name + " does not take " + std::to_string(options.bitDepth) + " bits a channel");
   }
   const bool lossy = options.format == Format::kJpeg || options.format == Format::kWebp;
+  if (options.effort < 0 || options.effort > 9) refuse(name + " takes an effort from 0 to 9");
   if (lossy && (options.quality < 1 || options.quality > 100)) refuse(name + " takes a quality from 1 to 100");
 }
 

@@ -15,6 +15,7 @@ struct PngRows {
   int channels;  ///< 1 grey, 3 RGB, 4 RGBA
   bool srgb;     ///< says that they are sRGB-encoded
   double ppi;    ///< 0 = not written
+  int effort;    ///< 0 to 9
 };
 std::vector<std::byte> encodePngRows(const PngRows& png, const std::vector<std::uint8_t>& rows,
                                      const CancelToken& cancel);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "image/effort.h"
 #include "image/encoders.h"
 
 namespace telar::image {
@@ -80,8 +81,9 @@ void configure(jpeg_compress_struct& jpeg, const Frame& frame, const OutputOptio
   jpeg_set_defaults(&jpeg);
   jpeg_set_quality(&jpeg, options.quality, TRUE);
   jpeg.dct_method = JDCT_ISLOW;
-  jpeg.optimize_coding = TRUE;
+  jpeg.optimize_coding = levelsOf(options.effort).ownHuffman ? TRUE : FALSE;
   if (options.quality >= FULL_CHROMA_QUALITY) jpeg.comp_info[0].h_samp_factor = jpeg.comp_info[0].v_samp_factor = 1;
+  if (levelsOf(options.effort).progressive) jpeg_simple_progression(&jpeg);
   if (options.ppi > 0) {
     jpeg.density_unit = 1;  // per inch
     jpeg.X_density = jpeg.Y_density = UINT16(std::lround(std::min(options.ppi, 65535.0)));

@@ -102,11 +102,11 @@ std::vector<std::byte> encodeLayer(const Frame& frame, const LayerImage& layer, 
     case Options::Format::kPng:
       return image::encodePngRows(
           {frame.width, frame.height, options.bitDepth, static_cast<int>(channelCount(layer.layer)),
-           layer.layer == Layer::kAlbedo, output.ppi},
+           layer.layer == Layer::kAlbedo, output.ppi, output.effort},
           rowsOf(layer, options.bitDepth), cancel);
     case Options::Format::kExr:
       return image::encodeChannels(frame.width, frame.height, layer.pixels,
-                                   channelsFor(layer.layer, options.bitDepth, ""), cancel);
+                                   channelsFor(layer.layer, options.bitDepth, ""), output.effort, cancel);
     case Options::Format::kRaw:
       break;
   }
@@ -134,7 +134,7 @@ std::vector<std::byte> encodeTogether(const Frame& frame, const OutputOptions& o
       to = std::copy_n(&layer.pixels[i * own], own, to);
     }
   }
-  return image::encodeChannels(frame.width, frame.height, pixels, channels, cancel);
+  return image::encodeChannels(frame.width, frame.height, pixels, channels, output.effort, cancel);
 }
 
 }  // namespace telar

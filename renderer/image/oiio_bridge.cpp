@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/own_library.h"
+#include "image/effort.h"
 #include "oiio/plugin.h"
 
 namespace telar::image {
@@ -63,6 +64,11 @@ TelarOiioFormat formatOf(OutputOptions::Format format) {
   }
 }
 
+int levelOf(TelarOiioFormat format, int effort) {
+  const EffortLevels& levels = levelsOf(effort);
+  return format == TELAR_OIIO_TIFF ? levels.tiff : format == TELAR_OIIO_EXR ? levels.exr : levels.zlib;
+}
+
 void writeInto(std::vector<std::byte>& file, const TelarOiioWrite& job, const CancelToken& cancel) {
   const TelarOiioSink sink = {&file, append};
   TelarOiioResult result;
@@ -74,12 +80,14 @@ void writeInto(std::vector<std::byte>& file, const TelarOiioWrite& job, const Ca
 
 std::vector<std::byte> encodeWithOiio(const Frame& frame, const OutputOptions& options, const CancelToken& cancel) {
   std::vector<std::byte> file;
-  const TelarOiioWrite job = {formatOf(options.format),
+  const TelarOiioFormat format = formatOf(options.format);
+  const TelarOiioWrite job = {format,
                               frame.width,
                               frame.height,
                               frame.pixels.data(),
                               options.bitDepth,
                               options.ppi,
+                              levelOf(format, options.effort),
                               options.icc,
                               cancelOf(cancel),
                               4,
@@ -90,14 +98,14 @@ std::vector<std::byte> encodeWithOiio(const Frame& frame, const OutputOptions& o
 }
 
 std::vector<std::byte> encodeChannels(std::uint32_t width, std::uint32_t height, const std::vector<float>& pixels,
-                                      const std::vector<Channel>& channels, const CancelToken& cancel) {
+                                      const std::vector<Channel>& channels, int effort, const CancelToken& cancel) {
   std::vector<const char*> names;
   std::vector<int> bits;
   for (const Channel& channel : channels) names.push_back(channel.name.c_str()), bits.push_back(channel.bitDepth);
   std::vector<std::byte> file;
   writeInto(file,
-            {TELAR_OIIO_EXR, width, height, pixels.data(), 32, 0, false, cancelOf(cancel),
-             static_cast<std::uint32_t>(channels.size()), names.data(), bits.data()},
+            {TELAR_OIIO_EXR, width, height, pixels.data(), 32, 0, levelOf(TELAR_OIIO_EXR, effort), false,
+             cancelOf(cancel), static_cast<std::uint32_t>(channels.size()), names.data(), bits.data()},
             cancel);
   return file;
 }

@@ -19,9 +19,9 @@ struct Channel {
   std::string name;
   int bitDepth = 32;  ///< 16 or 32, float
 };
-/// EXR. @param pixels  as many floats a pixel as there are channels    @throws Error{X_OUTPUT}
+/// EXR. @param pixels  as many floats a pixel as there are channels    @param effort  0 to 9    @throws Error{X_OUTPUT}
 std::vector<std::byte> encodeChannels(std::uint32_t width, std::uint32_t height, const std::vector<float>& pixels,
-                                      const std::vector<Channel>& channels, const CancelToken& cancel);
+                                      const std::vector<Channel>& channels, int effort, const CancelToken& cancel);
 
 /// Bytes of an sRGB ICC profile, the same in every call.
 std::vector<std::byte> srgbProfile();

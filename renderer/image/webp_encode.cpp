@@ -3,14 +3,13 @@
 #include <new>
 #include <string>
 
+#include "image/effort.h"
 #include "image/encoders.h"
 
 namespace telar::image {
 namespace {
 
 constexpr int LOSSLESS_QUALITY = 100;
-constexpr int LOSSLESS_LEVEL = 1;  // 0..9, see test/bench/encode.mjs
-constexpr int LOSSY_METHOD = 2;    // 0..6
 
 /// Owns what libwebp allocates.
 class Picture {
@@ -35,11 +34,11 @@ WebPConfig configure(const OutputOptions& options) {
   WebPConfig config;
   bool ok = WebPConfigInit(&config);
   if (options.quality >= LOSSLESS_QUALITY) {
-    ok = ok && WebPConfigLosslessPreset(&config, LOSSLESS_LEVEL);
+    ok = ok && WebPConfigLosslessPreset(&config, levelsOf(options.effort).webpLossless);
     config.exact = 1;
   } else {
     config.quality = float(options.quality);
-    config.method = LOSSY_METHOD;
+    config.method = levelsOf(options.effort).webpMethod;
     config.alpha_quality = options.alphaQuality;
   }
   if (!ok || !WebPValidateConfig(&config)) throw Error("X_OUTPUT", "libwebp refuses the quality; give 1 to 100");

@@ -47,20 +47,20 @@ const char* pluginName(TelarOiioFormat format) { return format == TELAR_OIIO_PNG
 void describeIntegers(const TelarOiioWrite& job, OIIO::ImageSpec& spec) {
   spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("png:compressionLevel", 1);
+  spec.attribute("png:compressionLevel", job.level);
   if (job.icc) {
     const std::vector<std::uint8_t> profile = srgbProfile();
     spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, int(profile.size())), profile.data());
   }
 }
 
-void describeFloats(OIIO::ImageSpec& spec) {
+void describeFloats(const TelarOiioWrite& job, OIIO::ImageSpec& spec) {
   // x and y of red, green, blue and white: ITU-R BT.709-6, 1.3 and 1.4.
   static constexpr std::uint8_t NO_TIME = 0;
   static constexpr float REC_709[8] = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
   spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), REC_709);
   spec.attribute("oiio:ColorSpace", "Linear");
-  spec.attribute("compression", "zip");
+  spec.attribute("compression", job.level > 0 ? "zip:" + std::to_string(job.level) : "none");
   // OpenImageIO adds the present time where DateTime is absent, which would make no two files alike. As a number it is
   // present, and not a thing that EXR can hold: nothing is written.
   spec.attribute("DateTime", OIIO::TypeDesc::UINT8, &NO_TIME);
@@ -79,7 +79,7 @@ OIIO::ImageSpec describe(const TelarOiioWrite& job) {
     if (std::string_view(job.names[i]) == "A") spec.alpha_channel = int(i);
   }
   if (floats)
-    describeFloats(spec);
+    describeFloats(job, spec);
   else
     describeIntegers(job, spec);
   if (job.ppi > 0) {

@@ -7,7 +7,7 @@
 /// do.
 extern "C" {
 
-constexpr std::uint32_t TELAR_OIIO_VERSION = 3;
+constexpr std::uint32_t TELAR_OIIO_VERSION = 4;
 
 enum TelarOiioFormat : std::uint32_t { TELAR_OIIO_PNG, TELAR_OIIO_TIFF, TELAR_OIIO_EXR };
 
@@ -44,6 +44,7 @@ struct TelarOiioWrite {
   const void* pixels;
   int bitDepth;  ///< 8 or 16 integer (PNG, TIFF), 16 or 32 float (EXR)
   double ppi;    ///< 0 = not written
+  int level;     ///< of deflate, 1 to 9; 0 = not compressed
   bool icc;      ///< PNG, TIFF
   TelarOiioCancel cancel;
   std::uint32_t channels;    ///< 4 where there are no names

@@ -12,7 +12,6 @@
 namespace telar::oiio {
 namespace {
 
-constexpr int DEFLATE_LEVEL = 2;                // a fifth of the default level's time for 6 % more bytes
 constexpr std::uint64_t STRIP_BYTES = 1 << 16;  // rows that are compressed together, about
 
 /// What libtiff writes to, and what it says. Nothing thrown may cross libtiff.
@@ -95,9 +94,11 @@ bool describe(TIFF* tiff, const TelarOiioWrite& job) {
   ok = ok && TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
   ok = ok && TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
   ok = ok && TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, rowsInStrip(job));
-  ok = ok && TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
-  ok = ok && TIFFSetField(tiff, TIFFTAG_ZIPQUALITY, DEFLATE_LEVEL);
-  ok = ok && TIFFSetField(tiff, TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
+  if (job.level > 0) {
+    ok = ok && TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
+    ok = ok && TIFFSetField(tiff, TIFFTAG_ZIPQUALITY, job.level);
+    ok = ok && TIFFSetField(tiff, TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
+  }
   if (ok && job.ppi > 0) {
     ok = TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH) && TIFFSetField(tiff, TIFFTAG_XRESOLUTION, job.ppi) &&
          TIFFSetField(tiff, TIFFTAG_YRESOLUTION, job.ppi);

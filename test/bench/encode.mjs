@@ -1,9 +1,10 @@
 /**
  * CPU time and size of telar's encoders against sharp and against OpenImageIO at its defaults; medians.
  *
- *   node test/bench/encode.mjs [IMAGE]     IMAGE: a drawn garment to encode instead of the synthetic one
+ *   node test/bench/encode.mjs [IMAGE]             IMAGE: a drawn garment to encode instead of the synthetic one
+ *   node test/bench/encode.mjs --efforts [IMAGE]   telar's alone, at every output.effort: the table of js/docs/figures.md
  *
- * What the settings in renderer/image were chosen by (2 shared cores of an EPYC server, one thread, drawn cloth spheres
+ * What the default effort of renderer/image was chosen by (2 shared cores of an EPYC server, one thread, drawn cloth spheres
  * at 256 x 256, milliseconds and kilobytes; L = libdeflate's level):
  *
  *   PNG filter    L1         L3         L6          chosen: the cheaper of Sub and Up for each row, L1. Paeth and all
@@ -47,9 +48,13 @@ function syntheticGarment(size) {
   return pixels;
 }
 
+const words = process.argv.slice(2);
+const isEfforts = words[0] === '--efforts';
+const image = words[isEfforts ? 1 : 0];
+
 async function frameOf(size) {
-  if (!process.argv[2]) return syntheticGarment(size);
-  return sharp(process.argv[2]).resize(size, size, { fit: 'fill' }).ensureAlpha().raw().toBuffer();
+  if (!image) return syntheticGarment(size);
+  return sharp(image).resize(size, size, { fit: 'fill' }).ensureAlpha().raw().toBuffer();
 }
 
 async function sharpMedian(pixels, size, method, options, repeat) {
@@ -79,12 +84,57 @@ const CASES = [
   ['tiff', [], { method: 'tiff', options: { compression: 'deflate', predictor: 'horizontal' } }],
 ];
 
+/** What effort changes; EXR takes floats. */
+const EFFORT_CASES = [
+  ['png', []],
+  ['png', ['icc=1']],
+  ['jpeg', ['quality=90']],
+  ['webp', ['quality=90']],
+  ['webp', ['quality=100']],
+  ['tiff', []],
+  ['exr', ['bits=16']],
+];
+const EFFORTS = [...Array(10).keys()];
+
 const folder = mkdtempSync(join(tmpdir(), 'telar-encode-'));
 const tool = imageTool();
 const oiio = join(dirname(tool), 'encode_oiio');
 const cell = (result) => (result ? `${result.ms.toFixed(1)} ms  ${(result.bytes / 1000).toFixed(0)} KB` : '').padStart(22);
 const ratio = (ours, other) => (other ? `${(other.ms / ours.ms).toFixed(1)}x` : '').padStart(8);
-try {
+
+/** Premultiplied radiance of bytes, as the renderer hands it to EXR. */
+function radianceOf(pixels) {
+  const out = new Float32Array(pixels.length);
+  for (let i = 0; i < pixels.length; i++) out[i] = i % 4 === 3 ? pixels[i] / 255 : ((pixels[i] / 255) ** 2.2 * pixels[i - (i % 4) + 3]) / 255;
+  return Buffer.from(out.buffer);
+}
+
+/** A line of Markdown a format: milliseconds and kilobytes of each effort, at 512 x 512. */
+async function printEfforts() {
+  const size = 512;
+  const pixels = await frameOf(size);
+  console.log(`| ms, KB | ${EFFORTS.join(' | ')} |\n|${' --- |'.repeat(EFFORTS.length + 1)}`);
+  for (const [format, options] of EFFORT_CASES) {
+    const frame = join(folder, 'frame');
+    writeFileSync(frame, format === 'exr' ? radianceOf(pixels) : pixels);
+    const cells = EFFORTS.map((effort) => {
+      const { ms, bytes } = run(tool, [
+        'encode',
+        `frame=${frame}`,
+        `width=${size}`,
+        `height=${size}`,
+        `format=${format}`,
+        'repeat=9',
+        `effort=${effort}`,
+        ...options,
+      ]);
+      return `${ms.toFixed(1)}, ${(bytes / 1000).toFixed(0)}`;
+    });
+    console.log(`| ${[format, ...options].join(' ')} | ${cells.join(' | ')} |`);
+  }
+}
+
+async function printPeers() {
   const heads = ['telar', 'sharp', 'OIIO default'].map((name) => name.padStart(22)).join('');
   console.log(`${''.padEnd(24)}${heads}${'sharp/'.padStart(8)}${'OIIO/'.padStart(8)}`);
   for (const size of [512, 2048]) {
@@ -100,6 +150,10 @@ try {
       console.log(name + cell(ours) + cell(theirs) + cell(plain) + ratio(ours, theirs) + ratio(ours, plain));
     }
   }
+}
+
+try {
+  await (isEfforts ? printEfforts() : printPeers());
 } finally {
   rmSync(folder, { recursive: true, force: true });
 }

@@ -32,6 +32,11 @@ export const output = object(
       integer: true,
       default: 100,
     }),
+    effort: number(
+      'Work of the encoder for a smaller file: 0 the fastest (png, tiff and exr are not compressed), 9 the smallest; lossy WebP alone has other pixels. ' +
+        'jpeg is progressive from 5 on; raw has none',
+      { what: 'a whole number', unit: 'effort', min: 0, max: 9, integer: true, default: 1 },
+    ),
     bitDepth: literal(
       'Bits a channel: png and tiff 8 or 16, jpeg and webp 8, exr 16 or 32 (float), raw 8 or 32 (float); default the first',
       [8, 16, 32],

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "image/sample_files.h"
@@ -203,6 +205,92 @@ TEST(Encode, RefusesWhatDoesNotFit) {
     options.quality = quality;
     EXPECT_EQ(encodeAs(frame8(4, 4), options), "X_OUTPUT");
   }
+  for (const int effort : {-1, 10}) {
+    options = optionsOf(Format::kPng);
+    options.effort = effort;
+    EXPECT_EQ(encodeAs(frame8(4, 4), options), "X_OUTPUT");
+  }
+}
+
+/// Slopes with little noise, which more work makes smaller.
+telar::Frame smoothFrame(std::uint32_t side) {
+  telar::Frame frame = frame8(side, side);
+  std::uint32_t noise = 1;
+  for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
+    const std::size_t x = i / 4 % side, y = i / 4 / side;
+    noise = noise * 1664525 + 1013904223;
+    frame.pixels[i] = i % 4 == 3 ? std::byte{255} : std::byte((x * (i % 4 + 1) + 2 * y) / 3 + (noise >> 31));
+  }
+  return frame;
+}
+
+TEST(Encode, EffortMakesFilesSmallerOfTheSamePixels) {
+  useBuiltLibrary();
+  const auto frame = smoothFrame(64);
+  const auto sizes = [&](Format format, bool icc) {
+    auto options = optionsOf(format);
+    options.quality = 100;
+    options.icc = icc;
+    std::vector<std::size_t> out;
+    for (const int effort : {0, 1, 4, 9}) {
+      options.effort = effort;
+      const File file = telar::encode(frame, options, {});
+      if (format != Format::kTiff) expectSamePixels(frame, file);
+      out.push_back(file.size());
+    }
+    return out;
+  };
+  for (const auto& [format, icc] :
+       {std::pair(Format::kPng, false), {Format::kPng, true}, {Format::kWebp, false}, {Format::kTiff, false}}) {
+    const auto all = sizes(format, icc);
+    EXPECT_LT(std::min(all[2], all[3]), all[1]) << int(format) << " icc " << icc;
+    EXPECT_LT(all[1], all[0]) << int(format) << " icc " << icc;
+  }
+}
+
+TEST(Encode, EffortZeroIsNotCompressed) {
+  useBuiltLibrary();
+  const auto sizes = [](Format format, const telar::Frame& frame) {
+    auto options = optionsOf(format);
+    std::array<std::size_t, 2> out{};
+    for (int effort = 0; effort < 2; ++effort) {
+      options.effort = effort;
+      out[static_cast<std::size_t>(effort)] = telar::encode(frame, options, {}).size();
+    }
+    return out;
+  };
+  for (const Format format : {Format::kPng, Format::kTiff}) {
+    const auto [none, some] = sizes(format, smoothFrame(128));
+    EXPECT_GT(none, std::size_t{128 * 128 * 4}) << int(format);
+    EXPECT_LT(some, std::size_t{128 * 128 * 4}) << int(format);
+  }
+  telar::Frame black{64, 64, telar::PixelType::kRgbaF32, File(64 * 64 * 16)};
+  const auto [none, some] = sizes(Format::kExr, black);
+  EXPECT_GT(none, std::size_t{64 * 64 * 8});
+  EXPECT_LT(some, std::size_t{64 * 64 * 8});
+}
+
+TEST(Encode, EffortOfJpegAndOfLossyWebp) {
+  const auto frame = smoothFrame(128);
+  const auto fileOf = [&](Format format, int effort) {
+    auto options = optionsOf(format);
+    options.effort = effort;
+    return telar::encode(frame, options, {});
+  };
+  // Frame header: c0 baseline, c2 progressive.
+  const auto has = [](const File& file, std::uint8_t marker) {
+    for (std::size_t i = 0; i + 1 < file.size(); ++i) {
+      if (at(file, i) == 0xff && at(file, i + 1) == marker) return true;
+    }
+    return false;
+  };
+  const File plain = fileOf(Format::kJpeg, 0), usual = fileOf(Format::kJpeg, 1), most = fileOf(Format::kJpeg, 9);
+  EXPECT_LT(usual.size(), plain.size()) << "tables of its own";
+  EXPECT_TRUE(has(usual, 0xc0) && !has(usual, 0xc2));
+  EXPECT_TRUE(has(most, 0xc2));
+  const auto pixels = [](const File& file) { return telar::decodeImage(file, {}, {}).pixels; };
+  EXPECT_TRUE(pixels(plain) == pixels(usual) && pixels(usual) == pixels(most));
+  EXPECT_LT(fileOf(Format::kWebp, 9).size(), fileOf(Format::kWebp, 0).size());
 }
 
 TEST(Encode, StopsWhenCancelled) {

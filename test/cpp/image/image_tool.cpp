@@ -21,7 +21,7 @@ constexpr const char* USAGE =
     "       image_tool environment FILE        width and height as uint32, then RGBA fp32 texels\n"
     "       image_tool encode OPTION=VALUE...  the encoded file; options: frame (a file of RGBA8 or RGBA fp32 "
     "pixels),\n"
-    "                                          width, height, format, quality, bits, ppi, icc;\n"
+    "                                          width, height, format, quality, bits, ppi, icc, effort;\n"
     "                                          repeat=N prints the median CPU milliseconds and the bytes instead\n";
 
 using Options = std::map<std::string, std::string>;
@@ -71,6 +71,7 @@ int encode(Options options) {
   if (options.count("quality")) output.quality = std::stoi(options["quality"]);
   if (options.count("bits")) output.bitDepth = std::stoi(options["bits"]);
   if (options.count("ppi")) output.ppi = std::stod(options["ppi"]);
+  if (options.count("effort")) output.effort = std::stoi(options["effort"]);
   output.icc = options["icc"] == "1";
   const telar::Frame frame{std::uint32_t(std::stoul(options["width"])), std::uint32_t(std::stoul(options["height"])),
                            telar::framePixelType(output), readFile(options["frame"])};

@@ -50,6 +50,7 @@ const NUMBERS = {
   'background.blur': { expected: 'a number in [0, 1]', good: [0, 0.5, 1], bad: [-0.1, 1.1] },
   exposure: { expected: 'a number in [0, 1e30]', good: [0, 100], bad: [-0.1, 2e30] },
   'output.quality': { expected: 'a whole number in [1, 100]', good: [1, 100], bad: [0, 101, 50.5] },
+  'output.effort': { expected: 'a whole number in [0, 9]', good: [0, 9], bad: [-1, 10, 1.5] },
   'output.ppi': { expected: 'a number in [0, 65535]', good: [0, 65535], bad: [-1, 65536] },
 };
 
