@@ -133,13 +133,13 @@ export interface FrameInfo extends Plan {
    * raster draws the environment as the background without perspective. W_EMPTY and W_EXPOSURE go by it.
    */
   picture?: { coverage: number; dark: number; bright: number; saturated: number };
-  /** Triangles that the picture draws, instances counted each; of the path tracer, those that rays meet. Absent for flats. */
+  /** Triangles that the picture draws, those that quality.geometryError leaves, instances counted each; of the path tracer, those that rays meet. Absent for flats. */
   triangles?: number;
   /** So many of them were left out before they were shaded, for they are hidden at every sample; no byte differs. Of the first pass. */
   hiddenTriangles?: number;
   /** Fragments that were shaded in dense rows, where what is seen was found first (js/docs/figures.md, Visibility buffer), of all passes; absent where it was not. */
   shadedFragments?: number;
-  /** Texels of the largest mip levels that were not uploaded, for no fragment reads them; no byte differs. Absent where there are none. */
+  /** Texels of the largest mip levels that were not uploaded: no fragment reads them, or they are beyond quality.textureSize. Absent where there are none. */
   unreadTexels?: number;
   /** What was left out, and what that saves. Absent of the path tracer and of flats. */
   skipped?: SkippedPart[];

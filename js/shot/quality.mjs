@@ -12,7 +12,7 @@ export const isGoal = ({ maxError, budgetMs }) => maxError !== undefined || budg
 /**
  * Every setting of a quality, but of a goal: that stays one until the model and the machine are known. A preset comes with all of its own: where one differs, it is another quality.
  * @param {string | object} quality - As the schema parsed it.
- * @returns {{preset?: string, samples: number, resolve: string, noise: number, environmentSamples: number, mergeQuads: boolean} | {maxError: number} | {budgetMs: number}}
+ * @returns {object} Of the rows RASTER or REFERENCE, or {maxError} or {budgetMs}.
  */
 export function resolveQuality(quality) {
   if (isGoal(quality)) return { ...quality };
@@ -21,12 +21,13 @@ export function resolveQuality(quality) {
   if (typeof quality === 'string') return inOrder(RASTER, { preset: quality, ...PRESETS[quality] });
   const { preset, ...given } = quality;
   if (preset !== undefined) {
+    const own = inOrder(RASTER, { preset, ...PRESETS[preset] });
     for (const [key, value] of Object.entries(given)) {
-      if (value !== undefined && PRESETS[preset][key] !== value) {
-        throw wrongValue(['quality', key], `${shown(PRESETS[preset][key])} with preset ${shown(preset)}, or no preset`, value);
+      if (value !== undefined && own[key] !== value) {
+        throw wrongValue(['quality', key], `${shown(own[key])} with preset ${shown(preset)}, or no preset`, value);
       }
     }
-    return inOrder(RASTER, { preset, ...PRESETS[preset] });
+    return own;
   }
   const { samples } = inOrder(RASTER, given);
   const settings = inOrder(RASTER, { ...given, resolve: given.resolve ?? resolveOf(samples) });

@@ -485,6 +485,18 @@ export interface Shot {
     environmentSamples?: number;
     /** Shade triangles that share a vertex once where they meet in two by two pixels, as one surface: each pixel shows one of them. Saves time on the processor alone, where triangles have a few pixels; default false. */
     mergeQuads?: boolean;
+    /** Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = all are read whole; default 0. Range 0 to 16384. */
+    textureSize?: number;
+    /** Size of a face of the prefiltered environment, whose last level has 8: a smaller one tells fewer roughnesses apart; 0 = as in three.js, a quarter of the width of the map, at least 256. Atlases of releases of three.js before 0.187 have their own; default 0. */
+    environmentSize?: 0 | 64 | 128 | 256 | 512 | 1024;
+    /** Directions of each texel of the smooth levels of the prefiltered environment. Not of atlases of releases of three.js before 0.187; default 256. */
+    prefilterSamples?: 16 | 32 | 64 | 128 | 256 | 512 | 1024 | 2048 | 4096;
+    /** Most lights that shade the model and cast shadows: those that shine most on its middle; ambient and hemisphere lights do not count. 0 = all; default 0. Range 0 to 4096. */
+    maxLights?: number;
+    /** Size of the picture of what lies behind transmissive surfaces, as a part of the size of the shot; default 1. Range 0.0625 to 1. */
+    transmissionScale?: number;
+    /** How far off a surface may lie that fewer triangles show, in pixels where the model is nearest to the camera; 0 = all triangles are drawn. Meshes that morph or have bones are drawn whole; default 0. Range 0 to 64. */
+    geometryError?: number;
     seed?: never;
     transport?: never;
     bounces?: never;
@@ -509,6 +521,12 @@ export interface Shot {
     resolve?: never;
     environmentSamples?: never;
     mergeQuads?: never;
+    textureSize?: never;
+    environmentSize?: never;
+    prefilterSamples?: never;
+    maxLights?: never;
+    transmissionScale?: never;
+    geometryError?: never;
     maxError?: never;
     budgetMs?: never;
   } | {
@@ -520,6 +538,12 @@ export interface Shot {
     noise?: never;
     environmentSamples?: never;
     mergeQuads?: never;
+    textureSize?: never;
+    environmentSize?: never;
+    prefilterSamples?: never;
+    maxLights?: never;
+    transmissionScale?: never;
+    geometryError?: never;
     seed?: never;
     transport?: never;
     bounces?: never;
@@ -534,6 +558,12 @@ export interface Shot {
     noise?: never;
     environmentSamples?: never;
     mergeQuads?: never;
+    textureSize?: never;
+    environmentSize?: never;
+    prefilterSamples?: never;
+    maxLights?: never;
+    transmissionScale?: never;
+    geometryError?: never;
     seed?: never;
     transport?: never;
     bounces?: never;
@@ -1086,6 +1116,18 @@ export interface ResolvedShot {
     environmentSamples: number;
     /** Shade triangles that share a vertex once where they meet in two by two pixels, as one surface: each pixel shows one of them. Saves time on the processor alone, where triangles have a few pixels. */
     mergeQuads: boolean;
+    /** Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = all are read whole. Range 0 to 16384. */
+    textureSize: number;
+    /** Size of a face of the prefiltered environment, whose last level has 8: a smaller one tells fewer roughnesses apart; 0 = as in three.js, a quarter of the width of the map, at least 256. Atlases of releases of three.js before 0.187 have their own. */
+    environmentSize: 0 | 64 | 128 | 256 | 512 | 1024;
+    /** Directions of each texel of the smooth levels of the prefiltered environment. Not of atlases of releases of three.js before 0.187. */
+    prefilterSamples: 16 | 32 | 64 | 128 | 256 | 512 | 1024 | 2048 | 4096;
+    /** Most lights that shade the model and cast shadows: those that shine most on its middle; ambient and hemisphere lights do not count. 0 = all. Range 0 to 4096. */
+    maxLights: number;
+    /** Size of the picture of what lies behind transmissive surfaces, as a part of the size of the shot. Range 0.0625 to 1. */
+    transmissionScale: number;
+    /** How far off a surface may lie that fewer triangles show, in pixels where the model is nearest to the camera; 0 = all triangles are drawn. Meshes that morph or have bones are drawn whole. Range 0 to 64. */
+    geometryError: number;
     seed?: never;
     transport?: never;
     bounces?: never;
@@ -1110,6 +1152,12 @@ export interface ResolvedShot {
     resolve?: never;
     environmentSamples?: never;
     mergeQuads?: never;
+    textureSize?: never;
+    environmentSize?: never;
+    prefilterSamples?: never;
+    maxLights?: never;
+    transmissionScale?: never;
+    geometryError?: never;
     maxError?: never;
     budgetMs?: never;
   } | {
@@ -1121,6 +1169,12 @@ export interface ResolvedShot {
     noise?: never;
     environmentSamples?: never;
     mergeQuads?: never;
+    textureSize?: never;
+    environmentSize?: never;
+    prefilterSamples?: never;
+    maxLights?: never;
+    transmissionScale?: never;
+    geometryError?: never;
     seed?: never;
     transport?: never;
     bounces?: never;
@@ -1135,6 +1189,12 @@ export interface ResolvedShot {
     noise?: never;
     environmentSamples?: never;
     mergeQuads?: never;
+    textureSize?: never;
+    environmentSize?: never;
+    prefilterSamples?: never;
+    maxLights?: never;
+    transmissionScale?: never;
+    geometryError?: never;
     seed?: never;
     transport?: never;
     bounces?: never;

@@ -15,6 +15,12 @@ namespace {
 constexpr std::size_t ENTRIES_MAX = 4;  // about 4 MB of GPU memory each at face size 256
 constexpr std::size_t STUDIO_FILE_MAX = 16u << 20;
 
+/// Names settings that are not three.js's.
+std::string nameOf(const PrefilterSettings& settings) {
+  if (settings == PrefilterSettings()) return {};
+  return " faces of " + std::to_string(settings.faceSize) + ", " + std::to_string(settings.samples) + " samples";
+}
+
 /// Entries of one map that releases of three.js show otherwise are not one. The newest has the key itself.
 std::string entryId(const std::string& key, const EnvironmentUses& uses) {
   if (uses.smallSuns) {
@@ -22,15 +28,20 @@ std::string entryId(const std::string& key, const EnvironmentUses& uses) {
     rest.smallSuns = false;
     return entryId(key, rest) + " without suns";
   }
+  if (uses.settings != PrefilterSettings()) {
+    EnvironmentUses rest = uses;
+    rest.settings = {};
+    return entryId(key, rest) + nameOf(uses.settings);
+  }
   const ThreeTerms& three = uses.three;
   if (!hasAtlas(three) && three.backgroundCube == 0 && uses.turned == 0) return key;
   return key + " " + atlasName(three) + " " + std::to_string(three.backgroundCube) + " " + std::to_string(uses.turned);
 }
 
-/// Key on disk of a cube of a file. A cube without suns is another one.
+/// Key on disk of a cube of a file. A cube without suns is another one, as is one of other settings.
 std::string fileKey(const std::string& sha256, const EnvironmentUses& uses) {
-  const std::string name = sha256 + " without suns";
-  return uses.smallSuns ? sha256Hex(std::as_bytes(std::span(name))) : sha256;
+  const std::string name = sha256 + (uses.smallSuns ? " without suns" : "") + nameOf(uses.settings);
+  return name == sha256 ? sha256 : sha256Hex(std::as_bytes(std::span(name)));
 }
 
 /// Whether it has all forms that are asked for.
@@ -63,18 +74,18 @@ std::vector<std::byte> EnvironmentCache::fileOf(const Shot::Environment& wanted)
   return studio ? readStudioFile(assets_, limits_) : readEnvironmentFile(wanted.path, limits_);
 }
 
-CubeMap EnvironmentCache::prefiltered(const std::string& key, bool studio, const std::function<ImageF&()>& map,
-                                      std::string& source, const CancelToken& cancel) {
-  if (const auto packed = studio ? readFile(assets_ / "studio.pmrem", STUDIO_FILE_MAX)
-                                 : disk_.read(DiskCache::Kind::kEnvironment, key)) {
+CubeMap EnvironmentCache::prefiltered(const std::string& key, bool bundled, const PrefilterSettings& settings,
+                                      const std::function<ImageF&()>& map, std::string& source,
+                                      const CancelToken& cancel) {
+  if (const auto packed = bundled ? readFile(assets_ / "studio.pmrem", STUDIO_FILE_MAX) : disk_.read(DiskCache::Kind::kEnvironment, key)) {
     if (auto cube = unpackPmrem(context_, *packed, key)) {
-      source = studio ? "bundled" : "disk";
+      source = bundled ? "bundled" : "disk";
       return std::move(*cube);
     }
   }
-  CubeMap cube = prefilterEquirect(context_, map(), cancel);
+  CubeMap cube = prefilterEquirect(context_, map(), cancel, settings);
   source = "prefiltered";
-  if (!studio && disk_.enabled()) disk_.write(DiskCache::Kind::kEnvironment, key, packPmrem(context_, cube, key));
+  if (!bundled && disk_.enabled()) disk_.write(DiskCache::Kind::kEnvironment, key, packPmrem(context_, cube, key));
   return cube;
 }
 
@@ -134,6 +145,10 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
     entry->environment.source = "file";
     if (!studio) entry->environment.sha256 = key;
   }
+  const auto shaOfFile = [&] {
+    if (studio) bytes = own = fileOf(wanted);
+    return studio ? sha256Hex(bytes) : key;
+  };
   std::optional<ImageF> decoded;
   Suns taken;
   const auto map = [&]() -> ImageF& {
@@ -159,16 +174,16 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
   if (uses.suns && !environment.suns) environment.suns = studio ? Suns() : suns();
   if (uses.prefiltered && hasAtlas(uses.three)) {
     if (environment.atlas.faceSize == 0) {
-      if (studio) bytes = own = fileOf(wanted);
       const std::string name =
-          fileKey(sha256Hex(bytes), uses) + " " + atlasName(uses.three) + " " + std::to_string(uses.turned);
+          fileKey(shaOfFile(), uses) + " " + atlasName(uses.three) + " " + std::to_string(uses.turned);
       const std::string atlasKey = sha256Hex(std::as_bytes(std::span(name)));
       environment.atlas = atlas(atlasKey, uses.three, shownMap, environment.source, cancel);
     }
   } else if (uses.prefiltered && environment.prefiltered.faceSize == 0) {
-    environment.prefiltered = uses.turned == 0
-                                  ? prefiltered(fileKey(key, uses), studio, map, environment.source, cancel)
-                                  : prefilterEquirect(context_, shownMap(), cancel);
+    const bool bundled = studio && uses.settings == PrefilterSettings();
+    environment.prefiltered = uses.turned == 0 ? prefiltered(fileKey(bundled ? key : shaOfFile(), uses), bundled,
+                                                             uses.settings, map, environment.source, cancel)
+                                               : prefilterEquirect(context_, shownMap(), cancel, uses.settings);
   }
   if (uses.background && environment.background.faceSize == 0) {
     // Face size = height of the map, or half of it, as three.js does.

@@ -34,13 +34,14 @@ struct Environment {
 
 /// What a frame does with its environment.
 struct EnvironmentUses {
-  bool prefiltered = false;  ///< lights surfaces, or is a blurred background
-  bool background = false;   ///< is a sharp background
-  bool radiance = false;     ///< lights surfaces that sample it
-  bool suns = false;         ///< the prefiltered map, which lacks them, lights surfaces
-  bool smallSuns = false;    ///< so does one without its small lights (takeSuns())
-  ThreeTerms three{};        ///< how the release of three.js makes `prefiltered` and `background`
-  double turned = 0;         ///< degrees by which both are turned, in whole columns of the map
+  bool prefiltered = false;      ///< lights surfaces, or is a blurred background
+  bool background = false;       ///< is a sharp background
+  bool radiance = false;         ///< lights surfaces that sample it
+  bool suns = false;             ///< the prefiltered map, which lacks them, lights surfaces
+  bool smallSuns = false;        ///< so does one without its small lights (takeSuns())
+  ThreeTerms three{};            ///< how the release of three.js makes `prefiltered` and `background`
+  PrefilterSettings settings{};  ///< of `prefiltered`
+  double turned = 0;             ///< degrees by which both are turned, in whole columns of the map
 };
 
 /// Degrees by which the texels of an environment are turned, where a release cannot turn what it looks up. Directions
@@ -70,8 +71,9 @@ class EnvironmentCache {
   /// Moves an entry to the end. @return null where there is none
   Entry* recent(const std::string& id);
   std::vector<std::byte> fileOf(const Shot::Environment& wanted) const;
-  CubeMap prefiltered(const std::string& key, bool studio, const std::function<ImageF&()>& map, std::string& source,
-                      const CancelToken& cancel);
+  /// @param bundled  it is the file that ships beside the studio
+  CubeMap prefiltered(const std::string& key, bool bundled, const PrefilterSettings& settings,
+                      const std::function<ImageF&()>& map, std::string& source, const CancelToken& cancel);
   Atlas atlas(const std::string& key, const ThreeTerms& three, const std::function<ImageF&()>& map, std::string& source,
               const CancelToken& cancel);
 

@@ -1,19 +1,31 @@
 #pragma once
 #include "ibl/cube.h"
+#include "telar/shot/raster_quality.inc"
 
 namespace telar::ibl {
 
-/// An equirectangular map as a cube with all its levels, each texel the mean of those of the level before.
-/// @return face size max(256, largest power of two <= width / 4)
-/// @throws Error{X_GL, X_CANCELLED}. Needs a current context.
-CubeMap radianceCube(const gl::Context& context, const ImageF& map, const CancelToken& cancel);
+/// How a map is prefiltered: environmentSize and prefilterSamples of a quality. The defaults are what three.js does.
+struct PrefilterSettings {
+  int faceSize = shot::RasterQuality{}.environmentSize;  ///< px, a power of two, at least 64; 0 = that of the map
+  int samples = shot::RasterQuality{}.prefilterSamples;  ///< a power of two
 
-/// Prefilters an equirectangular map into a GGX chain exactly as three.js 0.187's PMREMGenerator does.
-/// @param map  linear Rec.709, finite, [0, 65504]
-/// @return cube of face size max(256, largest power of two <= width / 4); level k of 0..maxLod = log2(faceSize) - 3
-///         holds perceptual roughness 1 - sqrt(1 - k / maxLod); the last level (8 px) is also the irradiance / PI.
+  bool operator==(const PrefilterSettings&) const = default;
+};
+
+/// An equirectangular map as a cube with all its levels, each texel the mean of those of the level before.
+/// @return face size max(256, largest power of two <= width / 4), or `least` where that is larger
 /// @throws Error{X_GL, X_CANCELLED}. Needs a current context.
-CubeMap prefilterEquirect(const gl::Context& context, const ImageF& map, const CancelToken& cancel);
+CubeMap radianceCube(const gl::Context& context, const ImageF& map, const CancelToken& cancel, int least = 0);
+
+/// Prefilters an equirectangular map into a GGX chain exactly as three.js 0.187's PMREMGenerator does, unless the
+/// settings say otherwise.
+/// @param map  linear Rec.709, finite, [0, 65504]
+/// @return cube of the settings' face size, else max(256, largest power of two <= width / 4); level k of
+///         0..maxLod = log2(faceSize) - 3 holds perceptual roughness 1 - sqrt(1 - k / maxLod); the last level (8 px) is
+///         also the irradiance / PI.
+/// @throws Error{X_GL, X_CANCELLED}. Needs a current context.
+CubeMap prefilterEquirect(const gl::Context& context, const ImageF& map, const CancelToken& cancel,
+                          const PrefilterSettings& settings = {});
 
 /// Roughest level of a prefiltered cube.
 int maxLodOf(const CubeMap& cube);

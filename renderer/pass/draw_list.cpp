@@ -248,9 +248,10 @@ FramePlan planFrame(const Scene& scene, const Shot& shot, const Limits& limits, 
   plan.frame.layers = layers;
   plan.camera = frame::cameraOf(shot);
   plan.origin = worldOrigin(scene.bounds);
-  plan.lights = collectLights(scene, shot, plan.camera, limits);
+  const LightChoice lights(scene, shot);
+  plan.lights = collectLights(scene, shot, lights, plan.camera, limits);
   if (allFeatures) plan.lights.pad(ALL_FEATURES_LIGHTS);
-  plan.shadows = collectShadows(scene, shot, plan.camera, limits);
+  plan.shadows = collectShadows(scene, shot, lights, plan.camera, limits);
   plan.ground = shot.ground && !plan.shadows.empty();
   const bool hasEnvironment = shot.environment.source != Shot::Environment::Source::kNone;
   plan.environmentBackground = hasEnvironment && shot.background.type == Shot::Background::Type::kEnvironment;
@@ -359,6 +360,7 @@ FramePlan planLayers(const Scene& scene, const Shot& shot, const Limits& limits)
   plain.debugOutput = DebugOutput::kNone;
   plain.toneMapping = ToneMapping::kNone;
   plain.samples = 1;
+  plain.maxLights = 0;
   return planFrame(scene, plain, limits, false, true);
 }
 

@@ -1,7 +1,10 @@
 #include "pass/gpu_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "telar/simplify.h"
 
 namespace telar::pass {
 namespace {
@@ -54,25 +57,68 @@ const GpuPrimitive& GpuScene::primitive(const Primitive& primitive, const Instan
   return primitives_.emplace(key, std::move(made)).first->second;
 }
 
+void GpuScene::forget(const Primitive* primitive) {
+  std::erase_if(primitives_, [&](const auto& entry) { return entry.first.first == primitive; });
+  streams_.erase(primitive);
+  extents_.erase(primitive);
+}
+
+const Primitive& GpuScene::simplified(const Primitive& primitive, double error, const CancelToken& cancel) {
+  if (model_ && !own_.contains(&primitive)) return model_->simplified(primitive, error, cancel);
+  if (!(error > 0) || std::isinf(error)) return primitive;
+  const int exponent = std::ilogb(error);
+  std::vector<Form>& forms = forms_[&primitive];
+  const auto found =
+      std::find_if(forms.begin(), forms.end(), [&](const Form& form) { return form.exponent == exponent; });
+  if (found != forms.end()) {
+    std::rotate(found, found + 1, forms.end());
+  } else {
+    cancel.check();
+    auto made = telar::simplified(primitive, std::ldexp(1.0, exponent));
+    if (forms.size() >= FORMS_KEPT) {
+      forget(forms.front().made.get());
+      forms.erase(forms.begin());
+    }
+    forms.push_back({exponent, made ? std::make_unique<const Primitive>(std::move(*made)) : nullptr});
+  }
+  return forms.back().made ? *forms.back().made : primitive;
+}
+
 const PartExtents& GpuScene::extents(const Primitive& primitive) {
   if (model_ && !own_.contains(&primitive)) return model_->extents(primitive);
   return extents_.try_emplace(&primitive, primitive).first->second;
+}
+
+void GpuScene::limitTextures(int size) {
+  if (model_) model_->limitTextures(size);
+  if (size == textureSize_) return;
+  textureSize_ = size;
+  std::erase_if(derived_, [](const auto& made) { return made.first.first > 0 || made.first.besideFirst > 0; });
+}
+
+int GpuScene::levelsLeftOut(const Scene& scene, int image) const {
+  return image < 0 ? 0 : levelsBeyond(scene.images[static_cast<std::size_t>(image)], textureSize_);
 }
 
 GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel, int unread) {
   if (isModels(image)) return model_->texture(scene, image, colorUse, cancel, unread);
   const bool srgb = decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, colorUse);
   const auto key = std::make_pair(image, srgb);
-  const auto found = textures_.find(key);
-  if (found != textures_.end() && found->second.firstLevel <= unread) return found->second.texture.get();
-  cancel.check();
-  StoredTexture stored = store_.upload(scene.images[static_cast<std::size_t>(image)], srgb, unread);
-  if (found != textures_.end()) {
-    std::swap(found->second, stored);
-    store_.keep(std::move(stored));
-    return found->second.texture.get();
+  const int leftOut = levelsLeftOut(scene, image);
+  auto found = textures_.find(key);
+  if (found == textures_.end() || found->second.firstLevel > std::max(unread, leftOut)) {
+    cancel.check();
+    StoredTexture stored =
+        store_.upload(scene.images[static_cast<std::size_t>(image)], srgb, std::max(unread, leftOut));
+    if (found == textures_.end()) {
+      found = textures_.emplace(key, std::move(stored)).first;
+    } else {
+      std::swap(found->second, stored);
+      store_.keep(std::move(stored));
+    }
   }
-  return textures_.emplace(key, std::move(stored)).first->second.texture.get();
+  store_.readFrom(found->second, leftOut);
+  return found->second.texture.get();
 }
 
 bool GpuScene::isWhole(int image) const {
@@ -117,7 +163,8 @@ std::uint64_t GpuScene::derivedBytes(const Scene& scene, std::set<DerivedTexture
   }
   for (const DerivedTexture& key : wanted) {
     const Image8& image = scene.images[static_cast<std::size_t>(key.image)];
-    const std::uint64_t texels = std::uint64_t{image.width} * image.height;
+    const std::uint64_t texels =
+        std::uint64_t{std::max(image.width >> key.first, 1u)} * std::max(image.height >> key.first, 1u);
     bytes += bytesOf(key.kind, texels);
     largest = std::max(largest, texels);
   }

@@ -23,6 +23,7 @@ struct DerivedTexture {
   int cover = -1;  ///< kNormalVariance of a cut-out material: the image whose alpha tells its holes; kMetal: whose blue
                    ///< is metalness
   int yarns = -1;  ///< kYarnRelief, and kMetal of a woven material: the image that tells which yarn lies on top
+  int first = 0, besideFirst = 0;  ///< largest levels that are left out: of `image`, of `cover` and `yarns`
 
   auto operator<=>(const DerivedTexture&) const = default;
 };
@@ -46,17 +47,27 @@ class GpuScene {
 
   /// @param instances null = drawn once
   const GpuPrimitive& primitive(const Primitive& primitive, const Instances* instances);
+  /// The primitive with fewer triangles, none of which lies further than `error` off (telar/simplify.h), or itself.
+  /// Made once for all errors between two powers of two; FORMS_KEPT of a primitive stay, those that were used last.
+  /// @param error  mesh space, above 0
+  const Primitive& simplified(const Primitive& primitive, double error, const CancelToken& cancel);
+  static constexpr std::size_t FORMS_KEPT = 2;
   /// The extents of its parts.
   const PartExtents& extents(const Primitive& primitive);
+  /// The most texels of a longer side that textures are read with from now on; 0 = whole.
+  void limitTextures(int size);
+  /// How many of an image's largest levels that leaves out.
+  int levelsLeftOut(const Scene& scene, int image) const;
   /// Uploads once for each way of decoding, with mip levels (TextureStore): from sRGB or linear, as the image's
   /// coding and the use as a colour or as data say. @throws Error{E_IMAGE_FORMAT}
   /// @param unread  largest levels that the draws to come do not read (TextureStore)
   GLuint texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel, int unread = 0);
   /// Whether the GPU has all levels of an image in each form that it has.
   bool isWhole(int image) const;
-  /// Of its textures of images, but for blocks.
+  /// Of its textures of images, but for blocks: all levels, and those that the GPU lacks, for nothing has read them.
   TexelCount texels() const;
-  /// The same for a texture that is made of another one, once for each key.
+  /// The same for a texture that is made of another one, once for each key. Those of textures that are not read whole
+  /// go with the next limit.
   GLuint derived(const DerivedTexture& key, const std::function<gl::Texture()>& make);
   /// GPU bytes of the textures that derived() has made and of those to be made.
   std::uint64_t derivedBytes(const Scene& scene, std::set<DerivedTexture> wanted) const;
@@ -68,18 +79,27 @@ class GpuScene {
   int framesWithoutLook = 0;
 
  private:
+  /// A primitive with fewer triangles.
+  struct Form {
+    int exponent = 0;                       ///< 2^exponent is the error that it was made with
+    std::unique_ptr<const Primitive> made;  ///< null = the primitive itself
+  };
   bool isModels(int image) const { return model_ && image < fileImages_; }
+  /// Frees what the GPU has of a primitive.
+  void forget(const Primitive* primitive);
 
   const gl::Context& context_;
   TextureStore& store_;
   std::weak_ptr<const Scene> scene_;
   GpuScene* model_;
-  std::set<const Primitive*> own_;  ///< where there is a model: the deformed ones
-  int fileImages_;                  ///< images below are the model's
+  std::set<const Primitive*> own_;                       ///< where there is a model: the deformed ones
+  int fileImages_;                                       ///< images below are the model's
+  std::map<const Primitive*, std::vector<Form>> forms_;  ///< the one that was used last, last
   std::map<const Primitive*, VertexStreams> streams_;
   std::map<const Primitive*, PartExtents> extents_;
   std::map<const Instances*, InstanceStreams> instances_;
   std::map<std::pair<const Primitive*, const Instances*>, GpuPrimitive> primitives_;
+  int textureSize_ = 0;  ///< limitTextures()
   std::map<std::pair<int, bool>, StoredTexture> textures_;
   std::map<DerivedTexture, gl::Texture> derived_;
   std::vector<std::pair<Sampler, gl::Sampler>> samplers_;

@@ -187,16 +187,16 @@ void LightSet::upload(const gl::Program& program) const {
   program.set("diskColor", diskColor);
 }
 
-LightSet collectLights(const Scene& scene, const Shot& shot, const frame::Camera& camera, const Limits& limits) {
-  std::size_t count = shot.lights.size();
-  for (const Node& node : scene.nodes) count += shot.modelLights && node.light >= 0;
-  checkLimit("L_LIGHTS", static_cast<double>(limits.lights), static_cast<double>(count));
+LightSet collectLights(const Scene& scene, const Shot& shot, const LightChoice& chosen, const frame::Camera& camera,
+                       const Limits& limits) {
+  checkLimit("L_LIGHTS", static_cast<double>(limits.lights), static_cast<double>(chosen.count()));
   LightSet set;
-  set.given = count;
+  set.given = chosen.count();
   // Lights with shadows come first, as in three.js: the i-th light of a kind reads the i-th shadow.
   for (const bool casting : {true, false}) {
-    for (const Shot::Light& light : shot.lights) {
-      if (light.castShadow != casting) continue;
+    for (std::size_t i = 0; i < shot.lights.size(); ++i) {
+      const Shot::Light& light = shot.lights[i];
+      if (!chosen.ofShot[i] || light.castShadow != casting) continue;
       if (lights(light, scene, shot, camera)) {
         addShotLight(set, camera, light);
       } else {
@@ -204,8 +204,9 @@ LightSet collectLights(const Scene& scene, const Shot& shot, const frame::Camera
       }
     }
   }
-  for (const Node& node : scene.nodes) {
-    if (!shot.modelLights || node.light < 0) continue;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (!chosen.ofNodes[i]) continue;
+    const Node& node = scene.nodes[i];
     const ModelLight& light = scene.lights[static_cast<std::size_t>(node.light)];
     if (lights(light, node.world, scene, shot, camera)) {
       addModelLight(set, camera, light, node.world);

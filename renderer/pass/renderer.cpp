@@ -24,9 +24,9 @@
 #include "pass/layer_pass.h"
 #include "pass/settled_mask.h"
 #include "pass/shadow_pass.h"
+#include "pass/simplified_draws.h"
 #include "pass/stage_timer.h"
 #include "pass/surface_pass.h"
-#include "pass/transmission_target.h"
 #include "pass/visible_draws.h"
 
 namespace telar {
@@ -60,6 +60,7 @@ class GlRenderer final : public Renderer {
     checkSize(asked);
     FramePlan plan = pass::planDraws(*scene, asked, options_.limits, options_.allFeatures);
     pass::GpuScene& gpu = gpuSceneOf(scene);
+    pass::limitDetail(plan, *scene, asked, gpu, cancel);
     checkFragments(plan, asked, gpu, cancel);
     timer.lap("plan");
     const bool wanted = asked.environment.source != Shot::Environment::Source::kNone;
@@ -77,6 +78,7 @@ class GlRenderer final : public Renderer {
       Limits limits = options_.limits;
       limits.lights += suns.list.size();
       plan = pass::planDraws(*scene, *sunlit, limits, options_.allFeatures);
+      pass::limitDetail(plan, *scene, asked, gpu, cancel);
     }
     const Shot& shot = sunlit ? *sunlit : asked;
     timer.lap("environment");
@@ -342,12 +344,13 @@ class GlRenderer final : public Renderer {
     }
     Shot shot = frame.shot;
     const ThreeTerms& three = frame.plan.frame.three;
-    const auto extent = pass::TransmissionTarget::extentOf(shot.width, shot.height, shot.samples, three);
+    const auto extent = pass::TransmissionTarget::extentOf(shot, three);
     if (!transmission_ || !transmission_->matches(extent)) {
       transmission_.reset();
       transmission_ = std::make_unique<pass::TransmissionTarget>(*context_, extent);
     }
     shot.exposure = 1;  // the transmissive surface in front is exposed
+    shot.width = extent.width, shot.height = extent.height;
     pass::SurfaceInputs inputs{frame.plan,       shot,        frame.scene, frame.gpu, frame.environment,
                                frame.background, frame.cancel};
     inputs.samplePass = frame.samplePass;

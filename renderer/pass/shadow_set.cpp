@@ -60,13 +60,6 @@ double texelsOf(const Light& light) {
   return size * size * (light.type == Light::Type::kPoint ? 6 : 1);
 }
 
-/// Neither black nor of intensity 0.
-bool shines(const Light& light) {
-  return glm::vec3(glm::dvec3(light.color) * light.intensity) != glm::vec3(0) ||
-         (light.type == Light::Type::kHemisphere &&
-          glm::vec3(glm::dvec3(light.groundColor) * light.intensity) != glm::vec3(0));
-}
-
 ShadowMap mapOf(const Light& light, bool lit, const ThreeTerms& three, const Bounds& bounds) {
   const glm::dvec3 origin = worldOrigin(bounds);
   const bool packed = three.shadowFilter == ThreeTerms::THREE_SHADOW_FILTER_PACKED_GRID;
@@ -90,6 +83,12 @@ const char* nameOf(Light::Type type) {
   return type == Light::Type::kPoint ? "point" : type == Light::Type::kSpot ? "spot" : "directional";
 }
 
+bool shines(const Light& light) {
+  return glm::vec3(glm::dvec3(light.color) * light.intensity) != glm::vec3(0) ||
+         (light.type == Light::Type::kHemisphere &&
+          glm::vec3(glm::dvec3(light.groundColor) * light.intensity) != glm::vec3(0));
+}
+
 bool lights(const Light& light, const Scene& scene, const Shot& shot, const frame::Camera& camera) {
   if (!shines(light)) return false;
   const bool hasRange = light.type == Light::Type::kPoint || light.type == Light::Type::kSpot;
@@ -104,13 +103,16 @@ void ShadowSet::describe(shader::VariantKey& key) const {
     key.lights.pointShadows = static_cast<std::uint8_t>(key.lights.pointShadows + map.lit);
 }
 
-ShadowSet collectShadows(const Scene& scene, const Shot& shot, const frame::Camera& camera, const Limits& limits) {
+ShadowSet collectShadows(const Scene& scene, const Shot& shot, const LightChoice& chosen, const frame::Camera& camera,
+                         const Limits& limits) {
   double texels = 0;
-  for (const Light& light : shot.lights) texels += light.castShadow ? texelsOf(light) : 0;
+  const auto casts = [&](std::size_t i) { return chosen.ofShot[i] && shot.lights[i].castShadow; };
+  for (std::size_t i = 0; i < shot.lights.size(); ++i) texels += casts(i) ? texelsOf(shot.lights[i]) : 0;
   checkLimit("L_SHADOW_TEXELS", static_cast<double>(limits.shadowTexels), texels);
   ShadowSet set;
-  for (const Light& light : shot.lights) {
-    if (!light.castShadow) continue;
+  for (std::size_t i = 0; i < shot.lights.size(); ++i) {
+    if (!casts(i)) continue;
+    const Light& light = shot.lights[i];
     ++set.casting;
     const bool lit = lights(light, scene, shot, camera);
     if (!lit && !shot.ground) {

@@ -143,9 +143,9 @@ constexpr int COVERAGE_MASKED = 0, COVERAGE_WHOLE = 1, COVERAGE_BLENDED = 2;
 
 EnvironmentForms environmentForms(const FramePlan& plan, const Shot& shot) {
   const bool sampled = plan.frame.environmentSamples > 0;
-  EnvironmentForms forms;
-  forms.lit.three = plan.frame.three;
-  forms.lit.turned = ibl::turnOfTexels(plan.frame.three, shot.environment.rotation);
+  const double turned = ibl::turnOfTexels(plan.frame.three, shot.environment.rotation);
+  EnvironmentForms forms{{.three = plan.frame.three, .turned = turned}, {}};
+  if (!ibl::hasAtlas(plan.frame.three)) forms.lit.settings = {shot.environmentSize, shot.prefilterSamples};
   ibl::EnvironmentUses seen = forms.lit;
   seen.prefiltered = plan.environmentBackground && shot.background.blur > 0;
   seen.background = plan.environmentBackground && shot.background.blur <= 0;

@@ -1,5 +1,6 @@
 #include "pass/surface_textures.h"
 
+#include <algorithm>
 #include <optional>
 #include <set>
 
@@ -9,36 +10,50 @@ namespace {
 /// The texture's smallest alpha that passes the material's alpha test.
 float textureCutoff(const Material& m) { return m.baseColorFactor.a > 0 ? m.alphaCutoff / m.baseColorFactor.a : 2.0f; }
 
+/// The key with what of its images is not read.
+DerivedTexture withLimits(DerivedTexture key, const Scene& scene, const GpuScene& gpu) {
+  key.first = gpu.levelsLeftOut(scene, key.image);
+  key.besideFirst = std::max(gpu.levelsLeftOut(scene, key.cover), gpu.levelsLeftOut(scene, key.yarns));
+  return key;
+}
+
+/// Texels of the level of its image that a texture is made of.
+glm::ivec2 sizeOf(const DerivedTexture& key, const Scene& scene) {
+  const Image8& image = scene.images[static_cast<std::size_t>(key.image)];
+  return {std::max(image.width >> key.first, 1u), std::max(image.height >> key.first, 1u)};
+}
+
 /// The derived form of the texture that is sampled, if there is one.
-std::optional<DerivedTexture> derivedOf(const DrawItem& item, const TextureSlot& slot, const Scene& scene) {
+std::optional<DerivedTexture> derivedOf(const DrawItem& item, const TextureSlot& slot, const Scene& scene,
+                                        const GpuScene& gpu) {
   using Key = shader::VariantKey;
   const int image = slot.texture(*item.material).image;
   const bool srgb = decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, slot.srgb);
   if (item.key.normalFacets && slot.map == &Key::normalMap)
-    return DerivedTexture{DerivedTexture::Kind::kNormalFacets, image, srgb};
+    return withLimits({DerivedTexture::Kind::kNormalFacets, image, srgb}, scene, gpu);
   if (item.key.normalVariance && (slot.map == &Key::normalMap || slot.map == &Key::clearcoatNormalMap)) {
     DerivedTexture relief{DerivedTexture::Kind::kNormalVariance, image, srgb};
     if (item.key.normalHoles && slot.map == &Key::normalMap) {
       relief.cutoff = textureCutoff(*item.material);
       relief.cover = item.material->baseColorTexture.image;
     }
-    return relief;
+    return withLimits(relief, scene, gpu);
   }
   if (item.key.alphaToCoverage && slot.map == &Key::baseColorMap) {
-    return DerivedTexture{DerivedTexture::Kind::kCoverage, image, srgb, textureCutoff(*item.material)};
+    return withLimits({DerivedTexture::Kind::kCoverage, image, srgb, textureCutoff(*item.material)}, scene, gpu);
   }
   return std::nullopt;
 }
 
 /// The map of what of the base colour is metal's.
-DerivedTexture metalOf(const DrawItem& item, const Scene& scene) {
+DerivedTexture metalOf(const DrawItem& item, const Scene& scene, const GpuScene& gpu) {
   const Material& m = *item.material;
   const int image = m.baseColorTexture.image;
   DerivedTexture metal{DerivedTexture::Kind::kMetal, image,
                        decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, true)};
   metal.cover = m.metallicRoughnessTexture.image;
   if (item.key.metalYarns) metal.yarns = m.fabric.weaveTexture.image;
-  return metal;
+  return withLimits(metal, scene, gpu);
 }
 
 /// Whether a map of metalness, in blue, has metal anywhere. Most files have such a map for its roughness alone.
@@ -51,10 +66,10 @@ bool hasMetal(const Image8& image) {
 }
 
 /// The map of how flat warp and weft lie.
-DerivedTexture yarnReliefOf(const DrawItem& item) {
+DerivedTexture yarnReliefOf(const DrawItem& item, const Scene& scene, const GpuScene& gpu) {
   DerivedTexture relief{DerivedTexture::Kind::kYarnRelief, item.material->normalTexture.image};
   relief.yarns = item.material->fabric.weaveTexture.image;
-  return relief;
+  return withLimits(relief, scene, gpu);
 }
 
 /// Textures that the list samples: calls visit(item, slot) for each.
@@ -73,11 +88,11 @@ void SurfaceTextures::checkMemory(const FramePlan& plan, const Scene& scene, con
   std::set<DerivedTexture> wanted;
   for (const auto* list : plan.draws.shown()) {
     eachTexture(*list, [&](const DrawItem& item, const TextureSlot& slot) {
-      if (const auto derived = derivedOf(item, slot, scene)) wanted.insert(*derived);
+      if (const auto derived = derivedOf(item, slot, scene, gpu)) wanted.insert(*derived);
     });
     for (const DrawItem& item : *list) {
-      if (item.key.metalMeans) wanted.insert(metalOf(item, scene));
-      if (item.key.yarnRelief) wanted.insert(yarnReliefOf(item));
+      if (item.key.metalMeans) wanted.insert(metalOf(item, scene, gpu));
+      if (item.key.yarnRelief) wanted.insert(yarnReliefOf(item, scene, gpu));
     }
   }
   if (wanted.empty()) return;
@@ -103,39 +118,36 @@ GLuint SurfaceTextures::texture(const DrawItem& item, const TextureSlot& slot, c
                                 const CancelToken& cancel, const UnreadLevels* unread) {
   const int index = slot.texture(*item.material).image;
   const GLuint plain = gpu.texture(scene, index, slot.srgb, cancel, unread ? unread->of(index) : 0);
-  const auto key = derivedOf(item, slot, scene);
+  const auto key = derivedOf(item, slot, scene, gpu);
   if (!key) return plain;
-  const Image8& image = scene.images[static_cast<std::size_t>(index)];
-  const auto width = static_cast<int>(image.width), height = static_cast<int>(image.height);
+  const glm::ivec2 size = sizeOf(*key, scene);
   const GLuint cover = key->cover < 0 ? 0 : gpu.texture(scene, key->cover, true, cancel);
   return gpu.derived(*key, [&] {
     using Kind = DerivedTexture::Kind;
-    if (key->kind == Kind::kCoverage) return baker_.coverage(plain, key->srgb, width, height, key->cutoff, cancel);
-    if (key->kind == Kind::kNormalFacets) return baker_.normalFacets(plain, width, height, cancel);
-    return baker_.normalVariance(plain, width, height, cover, key->cutoff, cancel);
+    if (key->kind == Kind::kCoverage) return baker_.coverage(plain, key->srgb, size.x, size.y, key->cutoff, cancel);
+    if (key->kind == Kind::kNormalFacets) return baker_.normalFacets(plain, size.x, size.y, cancel);
+    return baker_.normalVariance(plain, size.x, size.y, cover, key->cutoff, cancel);
   });
 }
 
 GLuint SurfaceTextures::metal(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
-  const DerivedTexture key = metalOf(item, scene);
+  const DerivedTexture key = metalOf(item, scene, gpu);
   return gpu.derived(key, [&] {
-    const auto imageOf = [&](int index) -> const Image8& { return scene.images[static_cast<std::size_t>(index)]; };
-    const Image8& image = imageOf(key.image);
-    const bool any = hasMetal(imageOf(key.cover));  // else one texel says so of all
-    const int width = any ? static_cast<int>(image.width) : 1, height = any ? static_cast<int>(image.height) : 1;
+    const bool any = hasMetal(scene.images[static_cast<std::size_t>(key.cover)]);  // else one texel says so of all
+    const glm::ivec2 size = any ? sizeOf(key, scene) : glm::ivec2(1);
     const GLuint color = gpu.texture(scene, key.image, true, cancel);
     const GLuint metallic = gpu.texture(scene, key.cover, false, cancel);
     const GLuint yarns = key.yarns < 0 ? 0 : gpu.texture(scene, key.yarns, false, cancel);
-    return baker_.metal(color, key.srgb, width, height, metallic, yarns, cancel);
+    return baker_.metal(color, key.srgb, size.x, size.y, metallic, yarns, cancel);
   });
 }
 
 GLuint SurfaceTextures::yarnRelief(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
-  const DerivedTexture key = yarnReliefOf(item);
+  const DerivedTexture key = yarnReliefOf(item, scene, gpu);
   return gpu.derived(key, [&] {
-    const Image8& image = scene.images[static_cast<std::size_t>(key.image)];
-    return baker_.yarnRelief(gpu.texture(scene, key.image, false, cancel), static_cast<int>(image.width),
-                             static_cast<int>(image.height), gpu.texture(scene, key.yarns, false, cancel), cancel);
+    const glm::ivec2 size = sizeOf(key, scene);
+    return baker_.yarnRelief(gpu.texture(scene, key.image, false, cancel), size.x, size.y,
+                             gpu.texture(scene, key.yarns, false, cancel), cancel);
   });
 }
 

@@ -99,6 +99,21 @@ std::size_t bytesOf(const TextureStorage& storage) {
 
 }  // namespace
 
+int levelsBeyond(const Image8& image, int size) {
+  if (size <= 0) return 0;
+  int level = 0;
+  while (sideOf(std::max(image.width, image.height), level) > size) ++level;
+  return level;
+}
+
+void TextureStore::readFrom(StoredTexture& stored, int imageLevel) const {
+  const int base = std::clamp(imageLevel - stored.firstLevel, 0, stored.storage.levels - 1);
+  if (base == stored.baseLevel) return;
+  stored.baseLevel = base;
+  context_.gl().BindTexture(GL_TEXTURE_2D, stored.texture.get());
+  context_.gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, base);
+}
+
 StoredTexture TextureStore::take(const TextureStorage& storage) {
   const gl::Functions& gl = context_.gl();
   const auto found =
@@ -108,13 +123,14 @@ StoredTexture TextureStore::take(const TextureStorage& storage) {
     kept_.erase(found);
     keptBytes_ -= bytesOf(storage);
     gl.BindTexture(GL_TEXTURE_2D, taken.texture.get());
+    readFrom(taken, taken.firstLevel);
     return taken;
   }
   // Beyond what stays for models in turn, memory grows by new textures only as far as it would without those that are
   // kept.
   const std::size_t before = keptBytes_;
   while (keptBytes_ > STAYING_BYTES && before - keptBytes_ < bytesOf(storage)) dropOldest();
-  StoredTexture made{gl::Texture(gl), storage, 0};
+  StoredTexture made{gl::Texture(gl), storage};
   gl.BindTexture(GL_TEXTURE_2D, made.texture.get());
   gl.TexStorage2D(GL_TEXTURE_2D, storage.levels, storage.format, storage.width, storage.height);
   return made;
@@ -170,9 +186,9 @@ StoredTexture TextureStore::uploadBlocks(const Image8& image, bool srgb) {
   const gl::Functions& gl = context_.gl();
   const GLenum format = formatOf(image.blocks, srgb);
   context_.check("textures");
-  StoredTexture stored{gl::Texture(gl), {}, 0};
+  StoredTexture stored{gl::Texture(gl), {format, levelCount(image), sideOf(image.width, 0), sideOf(image.height, 0)}};
   gl.BindTexture(GL_TEXTURE_2D, stored.texture.get());
-  gl.TexStorage2D(GL_TEXTURE_2D, levelCount(image), format, sideOf(image.width, 0), sideOf(image.height, 0));
+  gl.TexStorage2D(GL_TEXTURE_2D, stored.storage.levels, format, stored.storage.width, stored.storage.height);
   try {
     context_.check("compressed textures");
   } catch (const Error& error) {

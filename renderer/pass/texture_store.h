@@ -23,7 +23,11 @@ struct StoredTexture {
   gl::Texture texture;
   TextureStorage storage;
   int firstLevel = 0;  ///< of the image, that is level 0 of the texture
+  int baseLevel = 0;   ///< of the texture, the largest that is read
 };
+
+/// How many of an image's largest levels are larger than `size` texels on the longer side; 0 = no bound.
+int levelsBeyond(const Image8& image, int size);
 
 /// Uploads images, and keeps textures of 8-bit texels that no model needs any more for the next ones of their size. A
 /// GL that draws by the CPU clears the memory of a new texture, page by page: as much work as to fill it.
@@ -37,6 +41,9 @@ class TextureStore {
   ///        processor. Sides that are powers of two are halved exactly by a GL, so that the others are read as before.
   /// @throws Error{E_IMAGE_FORMAT} where this GL does not read such blocks, as a browser on the same GPU does not
   StoredTexture upload(const Image8& image, bool srgb, int unread = 0);
+  /// Has levels from this one of the image on read, or from the smallest that there is. It stays bound where it
+  /// changes.
+  void readFrom(StoredTexture& stored, int imageLevel) const;
   /// Takes a texture back. No more than MOST_KEPT_BYTES stay, the newest ones.
   void keep(StoredTexture&& unused) noexcept;
   int keptCount() const { return static_cast<int>(kept_.size()); }

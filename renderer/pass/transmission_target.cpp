@@ -2,18 +2,21 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "gl/incomplete.h"
 
 namespace telar::pass {
 
-TransmissionTarget::Extent TransmissionTarget::extentOf(int width, int height, int frameSamples,
-                                                        const ThreeTerms& three) {
+TransmissionTarget::Extent TransmissionTarget::extentOf(const Shot& shot, const ThreeTerms& three) {
   constexpr int SQUARE = 1024, SAMPLES = 4;
   const bool square = three.glassBuffer == ThreeTerms::THREE_GLASS_BUFFER_SQUARE_1024;
   const bool asFrame = three.glassSamples == ThreeTerms::THREE_GLASS_SAMPLES_OF_CANVAS ||
                        three.glassSamples == ThreeTerms::THREE_GLASS_SAMPLES_OF_ANTIALIAS;
-  return {square ? SQUARE : width, square ? SQUARE : height, asFrame && frameSamples == 1 ? 1 : SAMPLES};
+  const auto scaled = [&](int side) {
+    return std::max(static_cast<int>(std::lround((square ? SQUARE : side) * shot.transmissionScale)), 1);
+  };
+  return {scaled(shot.width), scaled(shot.height), asFrame && shot.samples == 1 ? 1 : SAMPLES};
 }
 
 TransmissionTarget::TransmissionTarget(const gl::Context& context, const Extent& extent)

@@ -2,7 +2,7 @@
 #include "gl/context.h"
 #include "gl/gl_object.h"
 #include "pass/sample_buffer.h"
-#include "telar/shading.h"
+#include "telar/shot.h"
 
 namespace telar::pass {
 
@@ -16,8 +16,9 @@ class TransmissionTarget {
     bool operator==(const Extent&) const = default;
   };
 
-  /// That of a frame in a release of three.js: in 0.187 four samples whatever the frame has.
-  static Extent extentOf(int width, int height, int frameSamples, const ThreeTerms& three);
+  /// That of a shot in a release of three.js: in 0.187 four samples whatever the frame has. As large as the quality's
+  /// transmissionScale makes it.
+  static Extent extentOf(const Shot& shot, const ThreeTerms& three);
 
   /// @throws Error{X_GL, X_GL_MEMORY}
   TransmissionTarget(const gl::Context& context, const Extent& extent);

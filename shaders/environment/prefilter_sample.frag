@@ -12,7 +12,8 @@ precision highp samplerCube;
 
 uniform samplerCube sourceMap;
 uniform float perceptualRoughness;
-uniform float lodBias;  // renderer/ibl/prefilter.cpp
+uniform float lodBias;    // renderer/ibl/prefilter.cpp
+uniform float mirrorLod;  // level of the source that is as large as the sharpest one of the cube
 in vec3 vDirection;
 out vec4 fragmentColor;
 
@@ -44,6 +45,6 @@ vec3 reflectedRadiance(vec3 n, float alpha) {
 void main() {
   vec3 n = normalize(vDirection);
   bool mirror = perceptualRoughness == 0.0;
-  vec3 radiance = mirror ? textureLod(sourceMap, n, 0.0).rgb : reflectedRadiance(n, perceptualRoughness * perceptualRoughness);
+  vec3 radiance = mirror ? textureLod(sourceMap, n, mirrorLod).rgb : reflectedRadiance(n, perceptualRoughness * perceptualRoughness);
   fragmentColor = vec4(radiance, 1.0);
 }

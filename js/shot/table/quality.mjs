@@ -2,7 +2,7 @@ import { boolean, choice, literal, number, object, union } from './rows.mjs';
 
 /** Rows of `quality`. */
 
-/** What the raster renderer does for each quality. */
+/** What the raster renderer does for each quality; what no preset changes is written out by the rows below. */
 export const PRESETS = Object.freeze({
   standard: { samples: 4, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: false },
   draft: { samples: 1, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: true },
@@ -15,7 +15,9 @@ export const SAMPLES_OF_A_PASS = 4;
 
 const PRESET = '"standard", "draft", "medium", "high" or "reference"';
 const QUALITY =
-  '"standard", "draft", "medium", "high", "reference", {samples, resolve, noise, environmentSamples, mergeQuads}, {preset: "reference", ...}, {maxError} or {budgetMs}';
+  '"standard", "draft", "medium", "high", "reference", {samples, resolve, noise, environmentSamples, mergeQuads, ...}, {preset: "reference", ...}, {maxError} or {budgetMs}';
+
+const whole = (doc, what, rest) => number(doc, { what: `a whole number${what}`, integer: true, ...rest });
 
 /** Settings of the raster renderer. */
 export const RASTER = object(
@@ -47,11 +49,48 @@ export const RASTER = object(
         'Saves time on the processor alone, where triangles have a few pixels',
       { otherwise: PRESETS.standard.mergeQuads },
     ),
+    textureSize: whole(
+      'Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = all are read whole',
+      ' of texels',
+      {
+        unit: 'texels',
+        min: 0,
+        max: 16384,
+        otherwise: 0,
+      },
+    ),
+    environmentSize: literal(
+      'Size of a face of the prefiltered environment, whose last level has 8: a smaller one tells fewer roughnesses apart; 0 = as in three.js, ' +
+        'a quarter of the width of the map, at least 256. Atlases of releases of three.js before 0.187 have their own',
+      [0, 64, 128, 256, 512, 1024],
+      '0, 64, 128, 256, 512 or 1024 texels',
+      { unit: 'texels', otherwise: 0 },
+    ),
+    prefilterSamples: literal(
+      'Directions of each texel of the smooth levels of the prefiltered environment. Not of atlases of releases of three.js before 0.187',
+      [16, 32, 64, 128, 256, 512, 1024, 2048, 4096],
+      '16, 32, 64, 128, 256, 512, 1024, 2048 or 4096 directions',
+      { unit: 'directions', otherwise: 256 },
+    ),
+    maxLights: whole(
+      'Most lights that shade the model and cast shadows: those that shine most on its middle; ambient and hemisphere lights do not count. 0 = all',
+      ' of lights',
+      { unit: 'lights', min: 0, max: 4096, otherwise: 0 },
+    ),
+    transmissionScale: number('Size of the picture of what lies behind transmissive surfaces, as a part of the size of the shot', {
+      unit: 'factor',
+      min: 0.0625,
+      max: 1,
+      otherwise: 1,
+    }),
+    geometryError: number(
+      'How far off a surface may lie that fewer triangles show, in pixels where the model is nearest to the camera; 0 = all triangles are drawn. ' +
+        'Meshes that morph or have bones are drawn whole',
+      { unit: 'pixels', min: 0, max: 64, otherwise: 0 },
+    ),
   },
   { name: 'RasterQuality' },
 );
-
-const whole = (doc, what, rest) => number(doc, { what: `a whole number${what}`, integer: true, ...rest });
 
 /** Settings of the path tracer. */
 export const REFERENCE = object(

@@ -11,6 +11,7 @@
 #include "core/read_file.h"
 #include "core/sha256.h"
 #include "expect_error.h"
+#include "ibl/cubes.h"
 #include "ibl/environment_cache.h"
 #include "ibl/irradiance.h"
 #include "ibl/pmrem_file.h"
@@ -22,35 +23,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using test::gradient;
+using test::half;
+using test::level;
+
 const std::string KEY(64, 'a');
-
-/// Radiance 1 + 0.8 y.
-ImageF gradient(std::uint32_t width) {
-  ImageF map{width, width / 2, std::vector<float>(static_cast<std::size_t>(width) * width / 2 * 4, 1.0f)};
-  for (std::uint32_t y = 0; y < map.height; ++y) {
-    const double latitude = (0.5 - (y + 0.5) / map.height) * 3.14159265358979;
-    for (std::uint32_t x = 0; x < width; ++x) {
-      for (int c = 0; c < 3; ++c)
-        map.pixels[(static_cast<std::size_t>(y) * width + x) * 4 + static_cast<std::size_t>(c)] =
-            static_cast<float>(1 + 0.8 * std::sin(latitude));
-    }
-  }
-  return map;
-}
-
-std::vector<std::uint16_t> level(const gl::Context& context, const CubeMap& cube, int lod, GLenum face) {
-  const gl::Functions& gl = context.gl();
-  const gl::Framebuffer framebuffer(gl);
-  const int size = cube.faceSize >> lod;
-  std::vector<std::uint16_t> rgba(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, face, cube.texture.get(), lod);
-  gl.ReadPixels(0, 0, size, size, GL_RGBA, GL_HALF_FLOAT, rgba.data());
-  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  return rgba;
-}
-
-float half(std::uint16_t bits) { return std::ldexp(static_cast<float>((bits & 0x3ff) | 0x400), (bits >> 10) - 25); }
 
 TEST(Prefilter, TheRoughestLevelIsTheCosineMean) {
   const auto context = gl::Context::create(Backend::kAuto);
@@ -259,6 +236,37 @@ TEST_F(EnvironmentDisk, KeepsAPrefilteredCubeByContent) {
   EnvironmentCache cache(*context_, "", {folder_, 64u << 20}, Limits{});
   EXPECT_EQ(cache.get(wanted, bytes, {.prefiltered = true, .background = true}, CancelToken()).source, "disk");
   EXPECT_EQ(cache.get(wanted, bytes, {.prefiltered = true}, CancelToken()).source, "gpu");
+}
+
+TEST_F(EnvironmentDisk, ACubeOfOtherSettingsIsAnotherOne) {
+  const auto bytes = map('\x40');
+  const auto sourceWith = [&](const PrefilterSettings& settings) {
+    Shot::Environment wanted;
+    wanted.source = Shot::Environment::Source::kBytes;
+    EnvironmentCache cache(*context_, "", {folder_, 64u << 20}, Limits{});
+    const Environment& made = cache.get(wanted, bytes, {.prefiltered = true, .settings = settings}, CancelToken());
+    EXPECT_EQ(made.prefiltered.faceSize, settings.faceSize > 0 ? settings.faceSize : 256);
+    const std::string source = made.source;
+    EXPECT_NE(&cache.get(wanted, bytes, {.prefiltered = true, .settings = {128, 64}}, CancelToken()), &made);
+    return source;
+  };
+  for (const PrefilterSettings& settings : {PrefilterSettings{}, {64, 256}, {0, 32}, {64, 32}}) {
+    EXPECT_EQ(sourceWith(settings), "prefiltered") << settings.faceSize << ", " << settings.samples;
+    EXPECT_EQ(sourceWith(settings), "disk") << settings.faceSize << ", " << settings.samples;
+  }
+  EXPECT_EQ(sourceOf(bytes), "disk") << "the usual one has the key of before";
+}
+
+TEST_F(EnvironmentDisk, TheStudioOfOtherSettingsIsKeptToo) {
+  Shot::Environment wanted;
+  wanted.source = Shot::Environment::Source::kStudio;
+  const auto sourceWith = [&](const PrefilterSettings& settings) {
+    EnvironmentCache cache(*context_, TELAR_SOURCE_DIR "/js/assets", {folder_, 64u << 20}, Limits{});
+    return cache.get(wanted, {}, {.prefiltered = true, .settings = settings}, CancelToken()).source;
+  };
+  EXPECT_EQ(sourceWith({}), "bundled");
+  EXPECT_EQ(sourceWith({64, 256}), "prefiltered");
+  EXPECT_EQ(sourceWith({64, 256}), "disk");
 }
 
 TEST_F(EnvironmentDisk, AFileThatIsKnownHasTheFormsThatAreAskedForNext) {

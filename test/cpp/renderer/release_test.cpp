@@ -170,7 +170,11 @@ TEST(Release, BackSidesOfGlassAreNotSeenThroughIt) {
 
 TEST(Release, TheBufferBehindGlassHasItsSizeAndSamples) {
   const auto extent = [](int samples, int Terms::*slot, int term) {
-    return TransmissionTarget::extentOf(300, 200, samples, termsWith(slot, term));
+    Shot shot;
+    shot.width = 300;
+    shot.height = 200;
+    shot.samples = samples;
+    return TransmissionTarget::extentOf(shot, termsWith(slot, term));
   };
   using Extent = TransmissionTarget::Extent;
   EXPECT_EQ(extent(1, &Terms::glassBuffer, Terms::THREE_GLASS_BUFFER_CANVAS), (Extent{300, 200, 4}));

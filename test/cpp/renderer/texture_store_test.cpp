@@ -9,6 +9,7 @@
 namespace telar::texture_store_test {
 namespace {
 
+using pass::levelsBeyond;
 using pass::StoredTexture;
 using pass::TextureStore;
 
@@ -111,6 +112,26 @@ TEST_F(TextureStoreTest, LevelsThatNothingReadsAreLeftOut) {
   EXPECT_EQ(store.upload(long_, false, 5).firstLevel, 3) << "the short side has no half texel";
   picture.ownLevels = true;
   EXPECT_EQ(store.upload(picture, false, 1).firstLevel, 0);
+}
+
+TEST_F(TextureStoreTest, LevelsBeyondASize) {
+  const Image8 wide{1024, 300, {}};
+  EXPECT_EQ(levelsBeyond(wide, 0), 0);
+  EXPECT_EQ(levelsBeyond(wide, 1024), 0);
+  EXPECT_EQ(levelsBeyond(wide, 1023), 1);
+  EXPECT_EQ(levelsBeyond(wide, 256), 2);
+  EXPECT_EQ(levelsBeyond(wide, 1), 10);
+  EXPECT_EQ(levelsBeyond({500, 500, {}}, 125), 2) << "sides are halved downwards";
+}
+
+TEST_F(TextureStoreTest, AKeptTextureIsReadFromItsFirstLevelAgain) {
+  StoredTexture first = store.upload(image(64, 200), false);
+  store.readFrom(first, 2);
+  EXPECT_EQ(first.baseLevel, 2);
+  store.readFrom(first, 100);
+  EXPECT_EQ(first.baseLevel, 6) << "the smallest that there is";
+  store.keep(std::move(first));
+  EXPECT_EQ(store.upload(image(64, 30), false).baseLevel, 0);
 }
 
 TEST_F(TextureStoreTest, NoMoreIsKeptThanTheBound) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pass/draw_list.h"
+#include "pass/transmission_target.h"
 #include "renderer/scenes.h"
 
 namespace telar::transmission_test {
@@ -142,6 +143,37 @@ TEST(Transmission, ShowsWhatLiesBehind) {
   EXPECT_EQ(pixel8(frame, 1, 1)[3], 0);
   // Where nothing lies behind, it is half see-through, as in three.js.
   EXPECT_NEAR(pixel8(frame, 32, 10)[3], 128, 20);
+}
+
+TEST(Transmission, WhatLiesBehindMayBeDrawnSmaller) {
+  const auto extent = [](double scale) {
+    Shot shot = litShot(100);
+    shot.height = 30;
+    shot.transmissionScale = scale;
+    return pass::TransmissionTarget::extentOf(shot, {});
+  };
+  using Extent = pass::TransmissionTarget::Extent;
+  EXPECT_EQ(extent(1), (Extent{100, 30, 4}));
+  EXPECT_EQ(extent(0.5), (Extent{50, 15, 4}));
+  EXPECT_EQ(extent(0.0625), (Extent{6, 2, 4}));
+  // How many pixels show the red ball behind, and where their middle lies.
+  const auto red = [](const Frame& frame) {
+    glm::dvec3 sum(0);
+    for (std::uint32_t y = 0; y < frame.height; ++y) {
+      for (std::uint32_t x = 0; x < frame.width; ++x)
+        if (pixel8(frame, x, y)[0] > pixel8(frame, x, y)[1] + 80) sum += glm::dvec3(1, x, y);
+    }
+    return glm::dvec3(sum.x, sum.y / sum.x, sum.z / sum.x);
+  };
+  Shot shot = litShot(256);
+  const auto scene = ballBehind(glass());
+  const Frame whole = draw(scene, shot);
+  shot.transmissionScale = 0.25;
+  const Frame small = draw(scene, shot);
+  EXPECT_FALSE(whole.pixels == small.pixels);
+  EXPECT_NEAR(red(small).x / red(whole).x, 1, 0.2);
+  EXPECT_NEAR(red(small).y, red(whole).y, 2) << "it lies where it lay";
+  EXPECT_NEAR(red(small).z, red(whole).z, 2);
 }
 
 TEST(Transmission, IsExposedOnce) {

@@ -1,0 +1,127 @@
+#include "telar/simplify.h"
+
+#include <meshoptimizer.h>
+
+#include <cmath>
+
+#include "core/lazy_library.h"
+
+namespace telar {
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+// The header has templates of the same names.
+using Remap = std::size_t(unsigned*, const unsigned*, std::size_t, std::size_t, const meshopt_Stream*, std::size_t);
+using Simplify = std::size_t(unsigned*, const unsigned*, std::size_t, const float*, std::size_t, std::size_t,
+                             std::size_t, float, unsigned, float*);
+static_assert(sizeof(static_cast<Remap*>(meshopt_generateVertexRemapMulti)) > 0);
+static_assert(sizeof(static_cast<Simplify*>(meshopt_simplify)) > 0);
+
+constexpr double WORTH_IT = 0.8;  ///< of the triangles, that may be left
+constexpr std::uint32_t UNUSED = ~std::uint32_t{0};
+
+/// Calls visit(stream) for each stream that a primitive has.
+template <class P, class Visit>
+void eachStream(P& primitive, const Visit& visit) {
+  const auto there = [&](auto& stream) {
+    if (!stream.empty()) visit(stream);
+  };
+  there(primitive.positions);
+  there(primitive.normals);
+  there(primitive.tangents);
+  for (auto& uvs : primitive.uvs) there(uvs);
+  there(primitive.colors);
+  for (auto& visibility : primitive.visibility) there(visibility);
+}
+
+/// Whole triangles, whose equal vertices are one: files that give each triangle its own are one surface then.
+struct Welded {
+  Indices indices;                   ///< into the others
+  Indices vertices;                  ///< of the primitive
+  std::vector<glm::vec3> positions;  ///< theirs
+};
+
+Welded welded(const LazyLibrary& library, const Primitive& primitive) {
+  const std::size_t count = primitive.positions.size();
+  Welded out;
+  out.indices = primitive.indices;
+  if (out.indices.empty()) {
+    out.indices.resize(count);
+    for (std::size_t i = 0; i < count; ++i) out.indices[i] = static_cast<std::uint32_t>(i);
+  }
+  out.indices.resize(out.indices.size() / 3 * 3);
+  std::vector<meshopt_Stream> streams;
+  eachStream(primitive, [&](const auto& stream) {
+    streams.push_back({stream.data(), sizeof stream[0], sizeof stream[0]});
+  });
+  Indices remap(count);
+  const std::size_t unique = library.function<Remap>("meshopt_generateVertexRemapMulti")(
+      remap.data(), out.indices.data(), out.indices.size(), count, streams.data(), streams.size());
+  out.vertices.resize(unique);
+  out.positions.resize(unique);
+  for (std::uint32_t& index : out.indices) {
+    const std::uint32_t same = remap[index];
+    out.vertices[same] = index;
+    out.positions[same] = primitive.positions[index];
+    index = same;
+  }
+  return out;
+}
+
+/// The primitive with these triangles, and no vertex that none of them has.
+Primitive withIndices(const Primitive& primitive, const Indices& indices) {
+  Primitive out;
+  out.topology = primitive.topology;
+  out.colorsHaveAlpha = primitive.colorsHaveAlpha;
+  out.file = primitive.file;
+  out.material = primitive.material;
+  out.variantMaterials = primitive.variantMaterials;
+  out.bounds = primitive.bounds;  // What is estimated and sorted by them is the same.
+  out.center = primitive.center;
+  Indices place(primitive.positions.size(), UNUSED), used;
+  for (const std::uint32_t index : indices) {
+    if (place[index] == UNUSED) {
+      place[index] = static_cast<std::uint32_t>(used.size());
+      used.push_back(index);
+    }
+    out.indices.push_back(place[index]);
+  }
+  const auto take = [&](const auto& from, auto& to) {
+    if (from.empty()) return;
+    to.reserve(used.size());
+    for (const std::uint32_t index : used) to.push_back(from[index]);
+  };
+  take(primitive.positions, out.positions);
+  take(primitive.normals, out.normals);
+  take(primitive.tangents, out.tangents);
+  for (std::size_t i = 0; i < out.uvs.size(); ++i) take(primitive.uvs[i], out.uvs[i]);
+  take(primitive.colors, out.colors);
+  for (std::size_t i = 0; i < out.visibility.size(); ++i) take(primitive.visibility[i], out.visibility[i]);
+  return out;
+}
+
+}  // namespace
+
+std::optional<Primitive> simplified(const Primitive& primitive, double error) {
+  const LazyLibrary library("libmeshoptimizer.so.2d", "libmeshoptimizer2d", "pictures of fewer triangles");
+  const Welded whole = welded(library, primitive);
+  if (whole.indices.empty()) return std::nullopt;
+  const auto* positions = &whole.positions.data()->x;
+  constexpr std::size_t STRIDE = sizeof whole.positions[0];
+  const std::size_t vertices = whole.positions.size();
+  const float extent =
+      library.function<decltype(meshopt_simplifyScale)>("meshopt_simplifyScale")(positions, vertices, STRIDE);
+  const auto relative = static_cast<float>(error / extent);
+  if (!(extent > 0) || !std::isfinite(extent) || !(relative > 0)) return std::nullopt;
+  Indices left(whole.indices.size());
+  left.resize(library.function<Simplify>("meshopt_simplify")(left.data(), whole.indices.data(), whole.indices.size(),
+                                                             positions, vertices, STRIDE, 0, relative, 0, nullptr));
+  // A surface that is smaller than the error has no triangle left: it would not be seen at all.
+  if (left.empty() || static_cast<double>(left.size()) > WORTH_IT * static_cast<double>(whole.indices.size()))
+    return std::nullopt;
+  for (std::uint32_t& index : left) index = whole.vertices[index];
+  return withIndices(primitive, left);
+}
+
+}  // namespace telar
