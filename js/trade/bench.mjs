@@ -18,10 +18,14 @@ export const benchSteps = ({ scenes, settings }) => scenes.length * Object.keys(
 export async function bench(api, renderer, plan, store, { signal, step } = {}) {
   const rows = [];
   let held;
+  const release = async () => {
+    if (held) await renderer.release(held.model);
+    if (held?.visible) await renderer.release(held.visible);
+  };
   for (const scene of plan.scenes) {
     try {
       if (held?.source !== scene.source) {
-        if (held) await renderer.release(held.model);
+        await release();
         held = { source: scene.source, model: await renderer.load(scene.source, { signal }) };
       }
       const featuresOfShot = async (shot) => {
@@ -31,7 +35,8 @@ export async function bench(api, renderer, plan, store, { signal, step } = {}) {
         });
         return featuresOf(shot, drawn, facts);
       };
-      rows.push(...(await measureScene(renderer, held.model, scene, { ...plan, featuresOf: featuresOfShot }, store, { signal, step })));
+      const visibleModel = async () => (held.visible ??= await renderer.load(scene.source, { signal, ambientVisibility: true, timeoutMs: null }));
+      rows.push(...(await measureScene(renderer, held.model, scene, { ...plan, featuresOf: featuresOfShot, visibleModel }, store, { signal, step })));
     } catch (thrown) {
       signal?.throwIfAborted();
       const error = toTelarError(thrown);

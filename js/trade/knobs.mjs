@@ -2,7 +2,11 @@ import { percentile } from '../compare/statistics.mjs';
 import { PRESETS } from '../shot/table/quality.mjs';
 import { byScene } from './figures.mjs';
 
-/** Each number of the shot that trades time for error, alone and the steepest together, from quality `standard`. */
+/**
+ * Each number of the shot that trades time for error, alone and the steepest together, from quality `standard`. Of the knobs of other renderers telar
+ * has none that takes diffuse light from spherical harmonics, which ring under small lights, and none that makes area lights points, which stock three.js
+ * does not do either.
+ */
 
 const { standard } = PRESETS;
 
@@ -11,12 +15,19 @@ export const FROM = 'standard';
 
 const sampled = (samples, more = {}) => ({ ...standard, samples, ...(samples > 4 && { resolve: 'linear' }), ...more });
 
-/** By knob and value: what of a quality it changes, or of the shadows of lamps. A knob that another needs comes with it, and the name says so. */
+/** By knob and value: what of a quality it changes, or of the shadows of lamps. A knob that another needs comes with it, and its value says so. */
 export const KNOBS = Object.freeze({
   samples: { 1: { samples: 1 }, 16: { samples: 16 }, 64: { samples: 64 } },
   resolve: { linear: { resolve: 'linear' } },
   environmentSamples: { 4: { environmentSamples: 4 }, 16: { environmentSamples: 16 }, 64: { environmentSamples: 64 }, 256: { environmentSamples: 256 } },
+  noise: { '4 of 64 samples': { samples: 64, noise: 4 } },
   mergeQuads: { true: { mergeQuads: true } },
+  textureSize: { 128: { textureSize: 128 }, 256: { textureSize: 256 }, 512: { textureSize: 512 } },
+  environmentSize: { 64: { environmentSize: 64 }, 128: { environmentSize: 128 }, 512: { environmentSize: 512 } },
+  prefilterSamples: { 32: { prefilterSamples: 32 }, 1024: { prefilterSamples: 1024 } },
+  maxLights: { 1: { maxLights: 1 } },
+  transmissionScale: { 0.25: { transmissionScale: 0.25 }, 0.5: { transmissionScale: 0.5 } },
+  geometryError: { 0.25: { geometryError: 0.25 }, 0.5: { geometryError: 0.5 }, 1: { geometryError: 1 } },
   'shadow.mapSize': { 256: { shadow: { mapSize: 256 } }, 512: { shadow: { mapSize: 512 } }, 2048: { shadow: { mapSize: 2048 } } },
   'shadow.radius': { 0: { shadow: { radius: 0 } }, 1: { shadow: { radius: 1 } } },
 });
@@ -29,8 +40,21 @@ const settingOf = ({ shadow, samples = standard.samples, ...rest }) => {
 
 const alone = Object.entries(KNOBS).flatMap(([knob, values]) => Object.entries(values).map(([value, change]) => ({ name: `${knob} ${value}`, knob, change })));
 
+/** What surfaces hide is in no quality of the raster but by ambient visibility of the model, and the truth has it only where it is asked for. */
+const OCCLUDED = { quality: FROM, transport: 'occlusion' };
+const FROM_OCCLUDED = 'standard, of what is hidden';
+const VISIBILITY = 'ambientVisibility';
+
 /** Each knob alone, by name. */
-export const KNOB_SETTINGS = Object.freeze({ [FROM]: FROM, ...Object.fromEntries(alone.map(({ name, change }) => [name, settingOf(change)])) });
+export const KNOB_SETTINGS = Object.freeze({
+  [FROM]: FROM,
+  ...Object.fromEntries(alone.map(({ name, change }) => [name, settingOf(change)])),
+  [FROM_OCCLUDED]: OCCLUDED,
+  [VISIBILITY]: { ...OCCLUDED, ambientVisibility: true },
+});
+
+/** What a setting is compared with. */
+const fromOf = (setting) => (setting === VISIBILITY ? FROM_OCCLUDED : FROM);
 
 const median = (values) =>
   percentile(
@@ -39,15 +63,19 @@ const median = (values) =>
   );
 
 /**
- * What each setting changes against `standard` of the same scene.
+ * What each setting changes against `standard` of the same scene, ambient visibility against the same truth.
  * @param {import('./measure.mjs').Row[]} rows
  * @returns {{setting: string, flip: number, cpuMs: number, perSecond: number, scenes: number}[]} flip, cpuMs: medians of the changes; perSecond: FLIP that a
  *   second of CPU takes away, by these; the steepest first
  */
 export function sensitivity(rows) {
   const pairs = byScene(rows).flatMap(({ rows: own }) => {
-    const from = own.find(({ setting }) => setting === FROM);
-    return from ? own.filter((row) => row !== from).map((row) => ({ ...row, by: { flip: row.flip - from.flip, cpuMs: row.cpuMs - from.cpuMs } })) : [];
+    const rowOf = (name) => own.find(({ setting }) => setting === name);
+    return own.flatMap((row) => {
+      const from = rowOf(fromOf(row.setting));
+      const isFrom = row.setting === FROM || row.setting === FROM_OCCLUDED;
+      return from && !isFrom ? [{ ...row, by: { flip: row.flip - from.flip, cpuMs: row.cpuMs - from.cpuMs } }] : [];
+    });
   });
   return [...new Set(pairs.map(({ setting }) => setting))]
     .map((setting) => {

@@ -26,10 +26,15 @@ const SHORT_MS = 300;
 
 /** A shot with a setting: a quality, or that and what of the shadows of its lamps is other. */
 const withSetting = (shot, setting) => {
-  if (setting.shadow === undefined) return { ...shot, quality: setting };
-  const lights = shot.lights.map((light) => (light.castShadow ? { ...light, shadow: { ...light.shadow, ...setting.shadow } } : light));
-  return { ...shot, quality: setting.quality, lights };
+  const { quality = setting, shadow } = setting;
+  if (shadow === undefined) return { ...shot, quality };
+  const lights = shot.lights.map((light) => (light.castShadow ? { ...light, shadow: { ...light.shadow, ...shadow } } : light));
+  return { ...shot, quality, lights };
 };
+
+/** Whether a setting changes what the scene does not have. */
+const isIdle = ({ shadow, quality, transmissionScale = quality?.transmissionScale ?? 1 }, { shadows }, passes) =>
+  (shadow !== undefined && !shadows) || (transmissionScale < 1 && !passes.includes('transmission'));
 
 /** Pictures that are timed, by the milliseconds that one is expected to take: the least of them counts, for whatever else runs only adds. */
 const runsFor = (ms) => (ms < 150 ? 5 : ms < 600 ? 3 : 1);
@@ -79,7 +84,8 @@ const coveredOf = ({ coverage, width, height }) => coverage * width * height;
 
 /** One scene, and the window of its picture in which settings are compared. */
 class SceneWindow {
-  #expected;
+  /** Pictures by name. */
+  #truths = new Map();
 
   /** @param {TimedDrawing} timed */
   constructor(timed, store, truth) {
@@ -90,11 +96,11 @@ class SceneWindow {
     // Over nothing: the model's own pixels tell where it is.
     this.whole = { ...shot, background: 'transparent' };
     const first = await this.timed.draw({ ...this.whole, quality: 'draft' });
-    const { shot: resolved, key, picture } = first.info;
+    const { shot: resolved, key, picture, passes } = first.info;
     if (picture.coverage === 0) throw new TelarError('E_CAMERA', 'nothing of the model is in the picture');
     const window = windowOf(first.data, resolved.size, side);
     const features = await featuresOf(resolved);
-    Object.assign(this, { resolved, key, features, window, covered: coveredOf({ ...resolved.size, coverage: picture.coverage }) });
+    Object.assign(this, { resolved, key, passes, features, window, covered: coveredOf({ ...resolved.size, coverage: picture.coverage }) });
     this.size = { width: window.width, height: window.height };
     this.shown = this.#seen(resolved, window);
     return this;
@@ -104,20 +110,24 @@ class SceneWindow {
     return { ...shot, size: { width: window.width, height: window.height }, camera: windowCamera(this.resolved.camera, this.resolved.size, window) };
   }
 
-  keyOf(more) {
-    return this.store.keyOf({ key: this.key, window: this.window, truth: this.truth, ...more });
+  /** The truth of a setting: of its transport, where it names one. */
+  #truthFor({ transport = this.truth.transport }) {
+    return { ...this.truth, transport };
+  }
+
+  keyOf(setting, more) {
+    return this.store.keyOf({ key: this.key, window: this.window, truth: this.#truthFor(setting), ...more });
   }
 
   /** Drawn for the first setting that is not kept. */
-  async expected() {
-    if (this.#expected) return this.#expected;
-    const name = this.keyOf({});
-    this.#expected = await this.store.truth(name);
-    if (!this.#expected) {
-      this.#expected = (await this.timed.draw({ ...this.shown, quality: this.truth })).data;
-      await this.store.keepTruth(name, this.#expected);
+  async expected(setting) {
+    const name = this.keyOf(setting, {});
+    if (!this.#truths.has(name)) {
+      const kept = await this.store.truth(name);
+      this.#truths.set(name, kept ?? (await this.timed.draw({ ...this.shown, quality: this.#truthFor(setting) })).data);
+      if (!kept) await this.store.keepTruth(name, this.#truths.get(name));
     }
-    return this.#expected;
+    return this.#truths.get(name);
   }
 
   /** Milliseconds of the whole picture, from those of the window. */
@@ -135,13 +145,27 @@ class SceneWindow {
     );
   }
 
-  /** Time and error of a setting. */
-  async measure(quality, capMs) {
-    const reference = await this.expected();
+  /**
+   * Time and error of a setting.
+   * @param {() => Promise<object>} visibleModel the model with ambient visibility
+   */
+  async measure(quality, capMs, visibleModel) {
+    const { model } = this.timed;
+    const reference = await this.expected(quality);
+    try {
+      if (quality.ambientVisibility) this.timed.model = await visibleModel();
+      return await this.#against(reference, quality, capMs);
+    } finally {
+      this.timed.model = model;
+    }
+  }
+
+  async #against(reference, quality, capMs) {
     const shot = withSetting(this.shown, quality);
     const drawn = await this.timed.draw(shot);
-    // The first picture may compile programs.
-    const again = drawn.cpuMs < LONG_MS ? await this.timed.leastMs(shot, 1) : drawn.cpuMs;
+    // The first picture may compile programs and prefilter the environment, which no later one does.
+    const { environment: once = 0, compile = 0 } = drawn.info.milliseconds;
+    const again = drawn.cpuMs - once - compile < LONG_MS ? await this.timed.leastMs(shot, 1) : drawn.cpuMs;
     const windowMs = Math.min(drawn.cpuMs, again < SHORT_MS ? await this.timed.leastMs(shot, 1) : again, again);
     const { flip, deltaE } = compareImages({ ...this.size, data: reference }, { ...this.size, data: drawn.data }).object;
     const expectedMs = await this.wholeMs(shot, windowMs);
@@ -164,7 +188,9 @@ class SceneWindow {
  * @param {object} model loaded
  * @param {Scene} scene
  * @param {object} plan
- * @param {Record<string, object | string>} plan.settings quality by name, or {quality, shadow}: those are left out where no lamp casts a shadow
+ * @param {Record<string, object | string>} plan.settings quality by name, or {quality, shadow, transport, ambientVisibility}. Left out where no lamp casts a
+ *   shadow, or nothing transmits, that they change. transport: of the truth. ambientVisibility: of the model
+ * @param {() => Promise<object>} [plan.visibleModel] the model with ambient visibility
  * @param {number} plan.window side in pixels
  * @param {object} [plan.truth] quality
  * @param {number} plan.capMs CPU time above which a setting is drawn in the window alone
@@ -177,7 +203,7 @@ export async function measureScene(
   renderer,
   model,
   scene,
-  { settings, window: side, truth = TRUTH, capMs, featuresOf },
+  { settings, window: side, truth = TRUTH, capMs, featuresOf, visibleModel },
   store,
   { signal, step = () => {} } = {},
 ) {
@@ -185,15 +211,15 @@ export async function measureScene(
   const { features, resolved } = window;
   const rows = [];
   for (const [setting, quality] of Object.entries(settings)) {
-    if (quality.shadow !== undefined && !features.shadows) {
+    if (isIdle(quality, features, window.passes)) {
       step(`${scene.model}, ${scene.light}: ${setting}`);
       continue;
     }
-    const name = window.keyOf({ setting, quality, capMs });
+    const name = window.keyOf(quality, { setting, quality, capMs });
     let row = store.row(name);
     if (!row) {
       const size = Math.max(resolved.size.width, resolved.size.height);
-      const measured = await window.measure(quality, capMs);
+      const measured = await window.measure(quality, capMs, visibleModel);
       const of = { model: scene.model, light: scene.light, shading: features.shading, size, setting };
       row = { ...of, ...measured, family: familyOf(setting) ?? 'other', features };
       await store.keep(name, row);

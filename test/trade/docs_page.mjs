@@ -116,12 +116,29 @@ Where a preset lies above it in more than half of the scenes of a class:
 
 ${table(aboveTable(rows))}
 
+## Numbers that take work away
+
+They are in no preset, and what they take away is not looked for: the table below has what that costs in error.
+
+| number of \`quality\` | what it does |
+| --- | --- |
+| \`textureSize\` | larger textures are read from the mip level that fits; where sides are powers of two, larger levels are not uploaded either (\`info.unreadTexels\`). Images are decoded whole all the same |
+| \`environmentSize\`, \`prefilterSamples\` | of the prefiltered environment: made once an environment and pair of numbers, and kept on disk |
+| \`maxLights\` | lights that shade and cast shadows are those that give the model's middle most; \`L_LIGHTS\` counts what is left |
+| \`transmissionScale\` | what lies behind transmissive surfaces is drawn so much smaller |
+| \`geometryError\` | fewer triangles, by meshoptimizer: made once for all errors of a mesh between two powers of two, and two forms of a mesh stay. Layers, flats and what morphs or has bones are drawn whole |
+
+three.js in the browser has none of them, and draws the same shot whole.
+
 ## Each number alone
 
 \`npm run trade -- --knobs --write\`, as \`telar bench trade --knobs\` does it for other models: six cloths, studio and sun, 256 x 256. What each number of a quality changes against
 \`standard\`, and each of a lamp's shadow; the steepest three that take error away are tried together. "FLIP less for a second": of error for CPU time, or of time for error where both are
 less. Times have other work beside: a difference of 12 ms or less is none. Directions of the environment bring nothing alone, for few samples leave their noise; with 16 samples and more they
-are the raster's settings above. Other knobs (texture size, prefiltering, the target's precision) are no numbers of the shot.
+are the raster's settings above. Prefiltering the environment is done once, and is in no time here; so are the rays of ambient visibility, which is set against \`standard\` with a truth of transport
+\`occlusion\`. Two knobs of other renderers telar lacks: diffuse light from spherical harmonics, which ring under small lights, and points in place of area lights, which three.js
+does not draw either. The target's precision is no knob: it has 8 bits where a browser's has, and floats where samples are averaged. What \`output.effort\` takes and saves is in
+[figures.md](figures.md#effort-of-the-encoders).
 
 ${knobs}
 ${heldSection(verdict, byClass, predicted)}`;

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { resolveShot } from '../../../js/shot/index.mjs';
-import { KNOB_SETTINGS, knobsTable, sensitivity, together } from '../../../js/trade/knobs.mjs';
+import { KNOB_SETTINGS, KNOBS, knobsTable, sensitivity, together } from '../../../js/trade/knobs.mjs';
 
 const FACTS = { bounds: { min: [-1, -1, -1], max: [1, 1, 1] } };
 
@@ -36,8 +36,9 @@ test('every setting is a shot that telar draws, one change from standard', () =>
     const { quality } = resolveShot({ quality: setting.quality ?? setting, lights }, FACTS);
     const changed = Object.keys(standard).filter((key) => key !== 'preset' && quality[key] !== standard[key]);
     const knob = name.split(' ')[0];
-    // More than 4 samples are averaged in linear light.
-    assert.deepEqual(changed, knob in standard ? (quality.samples > 4 ? ['samples', 'resolve'] : [knob]) : [], name);
+    // More than 4 samples are averaged in linear light, and noise is of such.
+    const sampled = quality.samples > 4 ? ['samples', 'resolve'] : [];
+    assert.deepEqual(changed, knob in standard ? [...new Set([...sampled, knob])] : [], name);
   }
 });
 
@@ -54,6 +55,24 @@ test('slopes come back as planted, the steepest first', () => {
   assert.notEqual(faulty[0].setting, 'environmentSamples 16', 'planted fault: ten times the time');
 });
 
+test('every number of a quality is a knob', () => {
+  const { preset: _, ...numbers } = resolveShot({ quality: 'standard' }, FACTS).quality;
+  assert.deepEqual(
+    Object.keys(numbers).filter((key) => !Object.hasOwn(KNOBS, key)),
+    [],
+  );
+});
+
+test('ambient visibility is compared with the same truth', () => {
+  const law = { standard: [0, 0], 'standard, of what is hidden': [0.05, 0], ambientVisibility: [0.03, 5] };
+  const found = sensitivity(rowsBy(law));
+  assert.deepEqual(
+    found.map(({ setting }) => setting),
+    ['ambientVisibility'],
+  );
+  assert.ok(Math.abs(found[0].flip + 0.02) < 1e-9 && Math.abs(found[0].cpuMs - 5) < 1e-9);
+});
+
 test('together: the steepest value of each of the three steepest knobs that take error away for time', () => {
   const sets = together(rowsBy(LAW));
   assert.deepEqual(Object.keys(sets), [
@@ -61,7 +80,8 @@ test('together: the steepest value of each of the three steepest knobs that take
     'environmentSamples 16, samples 16',
     'environmentSamples 16, resolve linear, samples 16',
   ]);
-  assert.deepEqual(sets['environmentSamples 16, samples 16'], { samples: 16, resolve: 'linear', noise: 0, environmentSamples: 16, mergeQuads: false });
+  const { samples, resolve, environmentSamples } = sets['environmentSamples 16, samples 16'];
+  assert.deepEqual([samples, resolve, environmentSamples], [16, 'linear', 16]);
   assert.deepEqual(together(rowsBy({ standard: [0, 0], 'samples 1': [0.01, -20] })), {});
 });
 
