@@ -261,7 +261,7 @@ std::vector<glm::vec4> traceRadiance(const Scene& scene, const Shot& shot, const
   told.rays = follower.rays();
   told.hierarchyMs = milliseconds(built - start);
   told.traceMs = milliseconds(Clock::now() - built);
-  if (facts) *facts = std::move(told);
+  if (facts) *facts = told;
   return pixels;
 }
 
