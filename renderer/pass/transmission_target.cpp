@@ -25,8 +25,8 @@ TransmissionTarget::TransmissionTarget(const gl::Context& context, const Extent&
   const auto [width, height, samples] = extent;
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_2D, color_.get());
-  gl.TexStorage2D(GL_TEXTURE_2D, std::bit_width(static_cast<unsigned>(std::max(width, height))), GL_RGBA16F, width,
-                  height);
+  gl.TexStorage2D(GL_TEXTURE_2D, static_cast<GLsizei>(std::bit_width(static_cast<unsigned>(std::max(width, height)))),
+                  GL_RGBA16F, width, height);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

@@ -3,6 +3,7 @@
 #include <meshoptimizer.h>
 
 #include <cmath>
+#include <type_traits>
 
 #include "core/lazy_library.h"
 
@@ -15,8 +16,8 @@ using Indices = std::vector<std::uint32_t>;
 using Remap = std::size_t(unsigned*, const unsigned*, std::size_t, std::size_t, const meshopt_Stream*, std::size_t);
 using Simplify = std::size_t(unsigned*, const unsigned*, std::size_t, const float*, std::size_t, std::size_t,
                              std::size_t, float, unsigned, float*);
-static_assert(sizeof(static_cast<Remap*>(meshopt_generateVertexRemapMulti)) > 0);
-static_assert(sizeof(static_cast<Simplify*>(meshopt_simplify)) > 0);
+static_assert(std::is_same_v<decltype(static_cast<Remap*>(meshopt_generateVertexRemapMulti)), Remap*>);
+static_assert(std::is_same_v<decltype(static_cast<Simplify*>(meshopt_simplify)), Simplify*>);
 
 constexpr double WORTH_IT = 0.8;  ///< of the triangles, that may be left
 constexpr std::uint32_t UNUSED = ~std::uint32_t{0};
