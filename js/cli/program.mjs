@@ -69,7 +69,10 @@ const COMMANDS = {
             .option('--manifest <file>', 'JSON lines {"model", "shot", "output"} in place of models; relative paths start at the file; - is stdin')
             .option('--skip-unchanged', 'leave out images that are there and would be drawn from the same bytes and shot by the same version')
             .option('--jobs <n>', 'draw in so many processes of their own, each one image at a time; auto = one for each core, as far as the memory goes')
-            .option('--reached', 'measure what a picture with a quality of {maxError} came to, in a window of it that the path tracer draws too; --json tells it')
+            .option(
+              '--reached',
+              'measure what a picture with a quality of {maxError} came to, in a window of it that the path tracer draws too; --json tells it',
+            )
             .option('--contact-sheet <file>', 'write one PNG with a labelled thumbnail of every image')
             .addOption(backend()),
         ),
