@@ -150,8 +150,8 @@ SurfacePoint moved(ShadingModel model, std::uint64_t seed, double roughnessStep,
   // Above 0.0525 + the step, so that no floor hides the slope.
   m.roughnessFactor = static_cast<float>(0.089 + (0.998 - 0.089) * m.roughnessFactor + roughnessStep);
   m.layers.clearcoatRoughnessFactor = std::max(m.layers.clearcoatRoughnessFactor, 0.089f);
-  m.fabric.warp.roughness = std::max(m.fabric.warp.roughness, 0.089f);
-  m.fabric.weft.roughness = std::max(m.fabric.weft.roughness, 0.089f);
+  m.fabric.warp.roughnessFactor = std::max(m.fabric.warp.roughnessFactor, 0.089f);
+  m.fabric.weft.roughnessFactor = std::max(m.fabric.weft.roughnessFactor, 0.089f);
   d.NoV = 0.101 + 0.898 * (d.NoV - 0.1) / 0.9 + cosineStep;
   return pointOn(model, m, d);
 }

@@ -112,7 +112,7 @@ Material whiteCloth(Seeded& r) {
   if (layers.sheen) m.layers.sheenColorFactor = glm::vec3(static_cast<float>(r.edged(0.01, 1, {1})));
   FabricLayers& f = m.fabric;
   f.diffuseTransmissionFactor = 0;  // what goes through does not come back
-  f.diffuseTransmissionColorFactor = f.warp.specularColor = f.weft.specularColor = f.backColorFactor = glm::vec3(1);
+  f.diffuseTransmissionColorFactor = f.warp.specularColorFactor = f.weft.specularColorFactor = f.backColorFactor = glm::vec3(1);
   return m;
 }
 
@@ -136,8 +136,8 @@ std::string describe(const Material& m) {
   if (l.transmissionFactor > 0) out << " transmission " << l.transmissionFactor << " thickness " << l.thicknessFactor;
   const FabricLayers& f = m.fabric;
   if (f.weave) {
-    out << " warp " << f.warp.coverage << " rough " << f.warp.roughness << " stretched " << f.warp.anisotropy
-        << " weft " << f.weft.coverage << " rough " << f.weft.roughness << " stretched " << f.weft.anisotropy
+    out << " warp " << f.warp.coverage << " rough " << f.warp.roughnessFactor << " stretched " << f.warp.anisotropyStrength
+        << " weft " << f.weft.coverage << " rough " << f.weft.roughnessFactor << " stretched " << f.weft.anisotropyStrength
         << " threads " << f.threadsPerUv.x << " " << f.threadsPerUv.y;
   }
   if (f.diffuseTransmissionFactor > 0) out << " through " << f.diffuseTransmissionFactor;
