@@ -170,6 +170,17 @@ TEST(VisibilityBuffer, KeepsTheBytesOfLitPictures) {
   expectSameBytes(balls(false), colored, "background");
 }
 
+// llvmpipe chooses one filter for several quads at once, which lie elsewhere in the dense rows.
+TEST(VisibilityBuffer, KeepsTheBytesOfTexturesThatMagnifyOtherwise) {
+  for (const std::uint32_t minFilter : {9729u, 9987u}) {
+    auto scene = balls(false);
+    Sampler& sampler = scene->materials[0].baseColorTexture.sampler;
+    sampler.magFilter = 9728;
+    sampler.minFilter = minFilter;
+    for (const int size : {64, 100, 200}) expectSameBytes(scene, litShot(size), std::to_string(size));
+  }
+}
+
 // At a rim the face before and the one behind it lie less than a depth apart: the depths themselves must be the GL's.
 TEST(VisibilityBuffer, KeepsTheBytesOfRims) {
   for (const int rings : {16, 40}) {
@@ -309,6 +320,13 @@ TEST(VisibilityBuffer, DrawsWhatIsOpaqueAndWholeBeforeTheCamera) {
   glass->materials[1].physical = true;
   glass->materials[1].layers.transmissionFactor = 0.5f;
   EXPECT_FALSE(isBuffered(glass, litShot(32)));
+  // Area lights, but for pictures that are others anyway.
+  Shot panel = litShot(32);
+  panel.lights.push_back({Shot::Light::Type::kRect});
+  EXPECT_FALSE(isBuffered(balls(false), panel));
+  panel.samples = 1;
+  panel.mergeQuads = true;
+  EXPECT_TRUE(isBuffered(balls(false), panel));
 }
 
 TEST(VisibilityBuffer, IsToldOfItsOwnPictureAlone) {
