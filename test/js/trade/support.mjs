@@ -26,7 +26,15 @@ export function plantedBench({ fail = () => {} } = {}) {
     }
     return {
       data,
-      info: { shot: resolved, key: JSON.stringify([model.source, { ...shot, quality: '' }]), picture: { coverage: 0.5 }, samples: 1, warnings: [] },
+      info: {
+        shot: resolved,
+        key: JSON.stringify([model.source, { ...shot, quality: '' }]),
+        picture: { coverage: 0.5 },
+        passes: ['surface'],
+        milliseconds: { draw: 1 },
+        samples: 1,
+        warnings: [],
+      },
     };
   };
   const api = {
