@@ -143,9 +143,7 @@ class GlRenderer final : public Renderer {
   }
 
   void checkFragments(const FramePlan& plan, const Shot& shot, pass::GpuScene& gpu, const CancelToken& cancel) const {
-    const auto extents = [&gpu](const Primitive& primitive) -> const pass::PartExtents& {
-      return gpu.extents(primitive);
-    };
+    const auto extents = [&gpu](const Primitive& part) -> const pass::PartExtents& { return gpu.extents(part); };
     pass::checkFragments(plan, shot, extents, options_.limits, cancel);
   }
 
