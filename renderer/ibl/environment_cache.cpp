@@ -77,7 +77,8 @@ std::vector<std::byte> EnvironmentCache::fileOf(const Shot::Environment& wanted)
 CubeMap EnvironmentCache::prefiltered(const std::string& key, bool bundled, const PrefilterSettings& settings,
                                       const std::function<ImageF&()>& map, std::string& source,
                                       const CancelToken& cancel) {
-  if (const auto packed = bundled ? readFile(assets_ / "studio.pmrem", STUDIO_FILE_MAX) : disk_.read(DiskCache::Kind::kEnvironment, key)) {
+  if (const auto packed = bundled ? readFile(assets_ / "studio.pmrem", STUDIO_FILE_MAX)
+                                  : disk_.read(DiskCache::Kind::kEnvironment, key)) {
     if (auto cube = unpackPmrem(context_, *packed, key)) {
       source = bundled ? "bundled" : "disk";
       return std::move(*cube);

@@ -112,7 +112,8 @@ Material whiteCloth(Seeded& r) {
   if (layers.sheen) m.layers.sheenColorFactor = glm::vec3(static_cast<float>(r.edged(0.01, 1, {1})));
   FabricLayers& f = m.fabric;
   f.diffuseTransmissionFactor = 0;  // what goes through does not come back
-  f.diffuseTransmissionColorFactor = f.warp.specularColorFactor = f.weft.specularColorFactor = f.backColorFactor = glm::vec3(1);
+  f.diffuseTransmissionColorFactor = f.warp.specularColorFactor = f.weft.specularColorFactor = f.backColorFactor =
+      glm::vec3(1);
   return m;
 }
 
@@ -136,9 +137,9 @@ std::string describe(const Material& m) {
   if (l.transmissionFactor > 0) out << " transmission " << l.transmissionFactor << " thickness " << l.thicknessFactor;
   const FabricLayers& f = m.fabric;
   if (f.weave) {
-    out << " warp " << f.warp.coverage << " rough " << f.warp.roughnessFactor << " stretched " << f.warp.anisotropyStrength
-        << " weft " << f.weft.coverage << " rough " << f.weft.roughnessFactor << " stretched " << f.weft.anisotropyStrength
-        << " threads " << f.threadsPerUv.x << " " << f.threadsPerUv.y;
+    out << " warp " << f.warp.coverage << " rough " << f.warp.roughnessFactor << " stretched "
+        << f.warp.anisotropyStrength << " weft " << f.weft.coverage << " rough " << f.weft.roughnessFactor
+        << " stretched " << f.weft.anisotropyStrength << " threads " << f.threadsPerUv.x << " " << f.threadsPerUv.y;
   }
   if (f.diffuseTransmissionFactor > 0) out << " through " << f.diffuseTransmissionFactor;
   if (f.flatness > 0) out << " flatness " << f.flatness;

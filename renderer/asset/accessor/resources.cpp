@@ -113,7 +113,7 @@ void Resources::openViews(const MeshoptViews& compressed, const Limits& limits, 
     if (!fits(buffer.size(), compressed[i]->byteOffset, 1, 0, compressed[i]->byteLength)) {
       fail("E_MESHOPT", "the compressed data reaches past the end of its buffer", compressed[i]->where);
     }
-    loans_.push_back(memory.lend(view.byteLength, compressed[i]->where));
+    loans_.emplace_back(memory.lend(view.byteLength, compressed[i]->where));
     owned_.push_back(
         decoder.decode(*compressed[i], buffer.subspan(compressed[i]->byteOffset, compressed[i]->byteLength)));
     views_.push_back(owned_.back());
