@@ -15,7 +15,7 @@ import { faultOf, sharedCases, WITHOUT_SHARED } from './shared_cases.mjs';
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
 const TOOL = join(resolve(ROOT, process.env.TELAR_BUILD_DIR ?? 'out/dev'), 'bin/telar_load');
 const SHARED = join(ROOT, '../shared');
-// Processor time, which other work on the machine does not change. Builds with sanitizers need more of it.
+// Processor time. Builds with sanitizers need more of it.
 const REFUSE_MS = Number(process.env.TELAR_REFUSE_MS ?? 250);
 const PARALLEL = 2;
 
@@ -28,6 +28,13 @@ function load(file, byPath) {
       done(JSON.parse(stdout));
     });
   });
+}
+
+/** A file that is refused is refused soon. The least of three looks counts: what shares a core adds to processor time too. */
+async function expectSoon(first, name, again) {
+  let least = first.cpuMs;
+  for (let i = 0; i < 2 && least >= REFUSE_MS; i++) least = Math.min(least, (await again()).cpuMs);
+  assert.ok(least < REFUSE_MS, `${name}: took ${least} ms`);
 }
 
 /** Runs `work` on all items, a few at once, and gathers what went wrong. */
@@ -83,7 +90,7 @@ test('each own case ends as it must', async () => {
     assert.equal(TABLE[code].exit, code.startsWith('L_') ? 4 : 3, name);
     assert.ok(result.message.length > 10 && result.message.length <= 300, name);
     assert.ok(!result.message.includes(folder), `${name}: the message names a server path`);
-    assert.ok(result.cpuMs < REFUSE_MS, `${name}: took ${result.cpuMs} ms`);
+    await expectSoon(result, name, () => load(join(at, name), byPath));
   });
   assert.equal(listing(folder), files, 'loading wrote or removed a file');
 });
@@ -109,7 +116,7 @@ test('each shared case ends within what it accepts', { skip: WITHOUT_SHARED }, a
     const result = await load(entry.path, entry.mode === 'path');
     assert.equal(faultOf(entry, { code: result.ok ? undefined : result.code, warnings: result.scene?.warnings }), undefined);
     for (const { code } of result.ok ? result.scene.warnings : [result]) assert.ok(TABLE[code], `${entry.file}: ${code} is not in the table`);
-    if (!result.ok) assert.ok(result.cpuMs < REFUSE_MS, `${entry.file}: took ${result.cpuMs} ms`);
+    if (!result.ok) await expectSoon(result, entry.file, () => load(entry.path, entry.mode === 'path'));
   });
 });
 
