@@ -155,7 +155,8 @@ SurfacePoint drawnFrom(std::uint64_t seed) {
   Material m = randomMaterial(r, layers);
   m.roughnessFactor = std::max(m.roughnessFactor, NARROWEST);
   m.layers.clearcoatRoughnessFactor = std::max(m.layers.clearcoatRoughnessFactor, NARROWEST);
-  for (Yarn* yarn : {&m.fabric.warp, &m.fabric.weft}) yarn->roughnessFactor = std::max(yarn->roughnessFactor, NARROWEST);
+  for (Yarn* yarn : {&m.fabric.warp, &m.fabric.weft})
+    yarn->roughnessFactor = std::max(yarn->roughnessFactor, NARROWEST);
   return pointOn(ShadingModel::kFabric, m, {r.between(0.05, 1)});
 }
 
