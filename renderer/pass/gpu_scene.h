@@ -64,7 +64,7 @@ class GpuScene {
   GLuint texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel, int unread = 0);
   /// Whether the GPU has all levels of an image in each form that it has.
   bool isWhole(int image) const;
-  /// Of its textures of images, but for blocks: all levels, and those that the GPU lacks, for nothing has read them.
+  /// Of its textures of images.
   TexelCount texels() const;
   /// The same for a texture that is made of another one, once for each key. Those of textures that are not read whole
   /// go with the next limit.

@@ -58,7 +58,8 @@ bool VisibilityBuffer::mayDraw(const FramePlan& plan, const Shot& shot, const Fr
   if (use_ == Use::kNever || !(ofFour || target.samples() == 1)) return false;
   if (std::int64_t{shot.width} * shot.height > MOST_PIXELS) return false;
   if (!can.bufferTextures) return false;
-  // The tables of area lights are read between texels or not, and llvmpipe decides it for several quads at once, which are others here.
+  // llvmpipe chooses one filter of the tables of area lights for several quads at once, and dense rows put other quads
+  // together.
   if (plan.frame.lights.area() > 0 && !shot.mergeQuads) return false;
   const DrawList& draws = plan.draws;
   if (draws.opaque.empty() || !draws.transmissive.empty() || !draws.blended.empty()) return false;
