@@ -83,7 +83,7 @@ export interface QualityGoal {
 /**
  * What a picture leaves out, for its scene does not need it, against all forced on; no byte differs. The raster's first pass.
  * `features`: of programs; `passes`: kinds of them; `triangles`: hidden at every sample; `texels`: of the largest mip levels of
- * textures, of all texels of them; `lights`: black ones, and point and spot lights whose range ends before what is shaded; `shadowMaps`: of such
+ * textures that no fragment reads, or beyond `textureSize`; `lights`: black ones, and point and spot lights whose range ends before what is shaded; `shadowMaps`: of such
  * lights, where no ground shows them.
  */
 export interface SkippedPart {

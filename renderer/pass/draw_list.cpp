@@ -248,10 +248,10 @@ FramePlan planFrame(const Scene& scene, const Shot& shot, const Limits& limits, 
   plan.frame.layers = layers;
   plan.camera = frame::cameraOf(shot);
   plan.origin = worldOrigin(scene.bounds);
-  const LightChoice lights(scene, shot);
-  plan.lights = collectLights(scene, shot, lights, plan.camera, limits);
+  const LightChoice lights(scene, shot, plan.camera, limits);
+  plan.lights = collectLights(scene, shot, lights, plan.camera);
   if (allFeatures) plan.lights.pad(ALL_FEATURES_LIGHTS);
-  plan.shadows = collectShadows(scene, shot, lights, plan.camera, limits);
+  plan.shadows = collectShadows(shot, lights, limits, scene.bounds);
   plan.ground = shot.ground && !plan.shadows.empty();
   const bool hasEnvironment = shot.environment.source != Shot::Environment::Source::kNone;
   plan.environmentBackground = hasEnvironment && shot.background.type == Shot::Background::Type::kEnvironment;

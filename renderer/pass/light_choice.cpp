@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "brdf/brdf.h"
-#include "pass/shadow_set.h"
+#include "frame/light_reach.h"
+#include "telar/error.h"
 #include "telar/luminance.h"
 
 namespace telar::pass {
@@ -81,17 +82,22 @@ double strengthOf(const Middle& middle, const ModelLight& light, const glm::dmat
   return power * attenuation(middle, at);
 }
 
+bool shines(const glm::vec3& color, double intensity) {
+  return glm::vec3(glm::dvec3(color) * intensity) != glm::vec3(0);
+}
+
+bool shines(const Light& light) {
+  return shines(light.color, light.intensity) ||
+         (light.type == Light::Type::kHemisphere && shines(light.groundColor, light.intensity));
+}
+
 /// One that costs time for each fragment that it may reach.
 bool counts(const Light& light) {
   return shines(light) && light.type != Light::Type::kAmbient && light.type != Light::Type::kHemisphere;
 }
 
-}  // namespace
-
-LightChoice::LightChoice(const Scene& scene, const Shot& shot)
-    : ofShot(shot.lights.size(), true), ofNodes(scene.nodes.size()) {
-  for (std::size_t i = 0; i < ofNodes.size(); ++i) ofNodes[i] = shot.modelLights && scene.nodes[i].light >= 0;
-  if (shot.maxLights == 0) return;
+/// Leaves out all but `maxLights` of those that count.
+void chooseStrongest(const Scene& scene, const Shot& shot, LightChoice& chosen) {
   struct Candidate {
     double strength;
     std::vector<bool>& list;
@@ -100,12 +106,12 @@ LightChoice::LightChoice(const Scene& scene, const Shot& shot)
   const Middle middle(scene.bounds);
   std::vector<Candidate> all;
   for (std::size_t i = 0; i < shot.lights.size(); ++i) {
-    if (counts(shot.lights[i])) all.push_back({strengthOf(middle, shot.lights[i]), ofShot, i});
+    if (counts(shot.lights[i])) all.push_back({strengthOf(middle, shot.lights[i]), chosen.ofShot, i});
   }
-  for (std::size_t i = 0; i < ofNodes.size(); ++i) {
-    if (!ofNodes[i]) continue;
+  for (std::size_t i = 0; i < chosen.ofNodes.size(); ++i) {
+    if (!chosen.ofNodes[i]) continue;
     const ModelLight& light = scene.lights[static_cast<std::size_t>(scene.nodes[i].light)];
-    all.push_back({strengthOf(middle, light, scene.nodes[i].world), ofNodes, i});
+    all.push_back({strengthOf(middle, light, scene.nodes[i].world), chosen.ofNodes, i});
   }
   std::vector<std::size_t> order(all.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -113,6 +119,32 @@ LightChoice::LightChoice(const Scene& scene, const Shot& shot)
                    [&](std::size_t a, std::size_t b) { return all[a].strength > all[b].strength; });
   for (std::size_t i = static_cast<std::size_t>(shot.maxLights); i < order.size(); ++i)
     all[order[i]].list[all[order[i]].index] = false;
+}
+
+}  // namespace
+
+LightChoice::LightChoice(const Scene& scene, const Shot& shot, const frame::Camera& camera, const Limits& limits)
+    : ofShot(shot.lights.size(), true),
+      ofNodes(scene.nodes.size()),
+      litByShot(ofShot.size()),
+      litByNodes(ofNodes.size()) {
+  for (std::size_t i = 0; i < ofNodes.size(); ++i) ofNodes[i] = shot.modelLights && scene.nodes[i].light >= 0;
+  if (shot.maxLights > 0) chooseStrongest(scene, shot, *this);
+  checkLimit("L_LIGHTS", static_cast<double>(limits.lights), static_cast<double>(count()));
+  for (std::size_t i = 0; i < ofShot.size(); ++i) {
+    const Light& light = shot.lights[i];
+    const bool hasRange = light.type == Light::Type::kPoint || light.type == Light::Type::kSpot;
+    litByShot[i] =
+        ofShot[i] && shines(light) && (!hasRange || frame::reaches(scene, shot, camera, light.position, light.range));
+  }
+  for (std::size_t i = 0; i < ofNodes.size(); ++i) {
+    if (!ofNodes[i]) continue;
+    const Node& node = scene.nodes[i];
+    const ModelLight& light = scene.lights[static_cast<std::size_t>(node.light)];
+    litByNodes[i] = shines(light.color, light.intensity) &&
+                    (light.type == LightType::kDirectional ||
+                     frame::reaches(scene, shot, camera, glm::dvec3(node.world[3]), light.range));
+  }
 }
 
 std::size_t LightChoice::count() const {

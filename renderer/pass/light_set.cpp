@@ -2,9 +2,7 @@
 
 #include <cmath>
 
-#include "frame/light_reach.h"
 #include "gl/program.h"
-#include "pass/shadow_set.h"
 
 namespace telar::pass {
 namespace {
@@ -113,14 +111,6 @@ void addModelLight(LightSet& set, const frame::Camera& camera, const ModelLight&
   }
 }
 
-/// Whether a light of the model adds anything to a surface, as lights() has it for one of the shot.
-bool lights(const ModelLight& light, const glm::dmat4& world, const Scene& scene, const Shot& shot,
-            const frame::Camera& camera) {
-  if (bounded(glm::dvec3(light.color) * static_cast<double>(light.intensity)) == glm::vec3(0)) return false;
-  return light.type == LightType::kDirectional ||
-         frame::reaches(scene, shot, camera, glm::dvec3(world[3]), light.range);
-}
-
 template <class T>
 void padTo(std::vector<T>& list, std::size_t count, const T& value) {
   if (list.size() < count) list.resize(count, value);
@@ -187,9 +177,7 @@ void LightSet::upload(const gl::Program& program) const {
   program.set("diskColor", diskColor);
 }
 
-LightSet collectLights(const Scene& scene, const Shot& shot, const LightChoice& chosen, const frame::Camera& camera,
-                       const Limits& limits) {
-  checkLimit("L_LIGHTS", static_cast<double>(limits.lights), static_cast<double>(chosen.count()));
+LightSet collectLights(const Scene& scene, const Shot& shot, const LightChoice& chosen, const frame::Camera& camera) {
   LightSet set;
   set.given = chosen.count();
   // Lights with shadows come first, as in three.js: the i-th light of a kind reads the i-th shadow.
@@ -197,7 +185,7 @@ LightSet collectLights(const Scene& scene, const Shot& shot, const LightChoice& 
     for (std::size_t i = 0; i < shot.lights.size(); ++i) {
       const Shot::Light& light = shot.lights[i];
       if (!chosen.ofShot[i] || light.castShadow != casting) continue;
-      if (lights(light, scene, shot, camera)) {
+      if (chosen.litByShot[i]) {
         addShotLight(set, camera, light);
       } else {
         ++set.leftOut;
@@ -206,10 +194,9 @@ LightSet collectLights(const Scene& scene, const Shot& shot, const LightChoice& 
   }
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (!chosen.ofNodes[i]) continue;
-    const Node& node = scene.nodes[i];
-    const ModelLight& light = scene.lights[static_cast<std::size_t>(node.light)];
-    if (lights(light, node.world, scene, shot, camera)) {
-      addModelLight(set, camera, light, node.world);
+    if (chosen.litByNodes[i]) {
+      const Node& node = scene.nodes[i];
+      addModelLight(set, camera, scene.lights[static_cast<std::size_t>(node.light)], node.world);
     } else {
       ++set.leftOut;
     }

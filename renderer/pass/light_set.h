@@ -5,7 +5,6 @@
 #include "frame/camera.h"
 #include "pass/light_choice.h"
 #include "shader/variant_key.h"
-#include "telar/limits.h"
 #include "telar/scene.h"
 
 namespace telar::gl {
@@ -37,9 +36,7 @@ struct LightSet {
   void upload(const gl::Program& program) const;
 };
 
-/// The shot's lights, then the model's (KHR_lights_punctual), those that are chosen; lights of intensity 0, black ones,
-/// and those whose range ends before the model are left out. @throws Error{L_LIGHTS}
-LightSet collectLights(const Scene& scene, const Shot& shot, const LightChoice& chosen, const frame::Camera& camera,
-                       const Limits& limits);
+/// The shot's lights, then the model's (KHR_lights_punctual), those that are chosen and light surfaces.
+LightSet collectLights(const Scene& scene, const Shot& shot, const LightChoice& chosen, const frame::Camera& camera);
 
 }  // namespace telar::pass

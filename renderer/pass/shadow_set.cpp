@@ -4,7 +4,6 @@
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "frame/light_reach.h"
 #include "pass/world_origin.h"
 #include "telar/error.h"
 
@@ -83,18 +82,6 @@ const char* nameOf(Light::Type type) {
   return type == Light::Type::kPoint ? "point" : type == Light::Type::kSpot ? "spot" : "directional";
 }
 
-bool shines(const Light& light) {
-  return glm::vec3(glm::dvec3(light.color) * light.intensity) != glm::vec3(0) ||
-         (light.type == Light::Type::kHemisphere &&
-          glm::vec3(glm::dvec3(light.groundColor) * light.intensity) != glm::vec3(0));
-}
-
-bool lights(const Light& light, const Scene& scene, const Shot& shot, const frame::Camera& camera) {
-  if (!shines(light)) return false;
-  const bool hasRange = light.type == Light::Type::kPoint || light.type == Light::Type::kSpot;
-  return !hasRange || frame::reaches(scene, shot, camera, light.position, light.range);
-}
-
 void ShadowSet::describe(shader::VariantKey& key) const {
   for (const ShadowMap& map : flat) {
     if (map.lit) ++(map.type == Light::Type::kSpot ? key.lights.spotShadows : key.lights.directionalShadows);
@@ -103,8 +90,7 @@ void ShadowSet::describe(shader::VariantKey& key) const {
     key.lights.pointShadows = static_cast<std::uint8_t>(key.lights.pointShadows + map.lit);
 }
 
-ShadowSet collectShadows(const Scene& scene, const Shot& shot, const LightChoice& chosen, const frame::Camera& camera,
-                         const Limits& limits) {
+ShadowSet collectShadows(const Shot& shot, const LightChoice& chosen, const Limits& limits, const Bounds& bounds) {
   double texels = 0;
   const auto casts = [&](std::size_t i) { return chosen.ofShot[i] && shot.lights[i].castShadow; };
   for (std::size_t i = 0; i < shot.lights.size(); ++i) texels += casts(i) ? texelsOf(shot.lights[i]) : 0;
@@ -114,13 +100,13 @@ ShadowSet collectShadows(const Scene& scene, const Shot& shot, const LightChoice
     if (!casts(i)) continue;
     const Light& light = shot.lights[i];
     ++set.casting;
-    const bool lit = lights(light, scene, shot, camera);
+    const bool lit = chosen.litByShot[i];
     if (!lit && !shot.ground) {
       ++set.leftOut;
       set.leftOutTexels += static_cast<std::uint64_t>(texelsOf(light));
       continue;
     }
-    (light.type == Light::Type::kPoint ? set.cube : set.flat).push_back(mapOf(light, lit, shot.three, scene.bounds));
+    (light.type == Light::Type::kPoint ? set.cube : set.flat).push_back(mapOf(light, lit, shot.three, bounds));
   }
   const auto order = [](const ShadowMap& a, const ShadowMap& b) {
     const auto rank = [](const ShadowMap& m) { return std::pair(!m.lit, m.type != Light::Type::kSpot); };

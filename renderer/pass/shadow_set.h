@@ -39,16 +39,10 @@ struct ShadowSet {
 /// "directional", "spot" or "point".
 const char* nameOf(Shot::Light::Type type);
 
-/// Whether a light is neither black nor of intensity 0.
-bool shines(const Shot::Light& light);
-
-/// Whether a light adds anything to a surface of the scene: neither black nor of intensity 0, and within its range.
-bool lights(const Shot::Light& light, const Scene& scene, const Shot& shot, const frame::Camera& camera);
-
 /// The shot's chosen lights with castShadow; lights of the model cast none, as in three.js's GLTFLoader. A light that
 /// lights nothing has a map where the shot has a ground, which shows its shadow.
+/// @param bounds  of the scene, world space
 /// @throws Error{L_SHADOW_TEXELS}
-ShadowSet collectShadows(const Scene& scene, const Shot& shot, const LightChoice& chosen, const frame::Camera& camera,
-                         const Limits& limits);
+ShadowSet collectShadows(const Shot& shot, const LightChoice& chosen, const Limits& limits, const Bounds& bounds);
 
 }  // namespace telar::pass

@@ -33,7 +33,7 @@ std::vector<bool> chosen(const std::vector<Light>& lights, int most) {
   Shot shot = shotOf(16);
   shot.lights = lights;
   shot.maxLights = most;
-  return LightChoice(*ball(), shot).ofShot;
+  return LightChoice(*ball(), shot, frame::cameraOf(shot), Limits()).ofShot;
 }
 
 using Flags = std::vector<bool>;
