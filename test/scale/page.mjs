@@ -4,9 +4,6 @@ import { row } from '../../js/build/docs/tables.mjs';
 
 const MS_AN_HOUR = 3_600_000;
 const RATES = [1, 100, 10_000];
-const SAMPLES = 4;
-/** Of a small GPU: a billion a second. */
-const FRAGMENTS_A_MS = 1e6;
 
 /** Cores that draw `rate` pictures a second of `cpuMs` each, where cores may be busy for the part `busy` of the time. */
 export const coresFor = (rate, cpuMs, busy) => (rate * cpuMs) / 1000 / busy;
@@ -67,20 +64,55 @@ const pricesTable = (told, settings) =>
     }),
   );
 
-/** Milliseconds that stay on the CPU where drawing costs nothing. */
-const leftOf = ({ cpu, redrawn, after }) => Math.min(cpu, cpu - redrawn + after);
+const short = (value) => value.toFixed(value < 10 ? 1 : 0);
+const pair = ({ wall, cpu }) => `${short(wall)}, ${short(cpu)} ms`;
 
-const gpuTable = (told) =>
+const gpuTable = ({ pictures }) =>
   table(
-    ['picture', 'pixels covered', 'CPU at 512 x 512', 'of it the drawing', 'left with a GPU', 'at most faster by'],
-    warm(told)
-      .filter(({ name }) => told.pictures[name].redrawn !== undefined)
-      .map(({ name }) => {
-        const { cpu, covered } = told.pictures[name];
-        const left = leftOf(told.pictures[name]);
-        return [name, grouped(covered), ms(cpu), ms(Math.max(0, cpu - left)), ms(left), (cpu / left).toFixed(1)];
-      }),
+    ['picture', 'from its file, GPU', 'llvmpipe', 'kept, GPU', 'llvmpipe', 'largest difference, mean', 'FLIP', 'gates passed'],
+    pictures.map(({ name, file, kept, max, mean, flip, gates }) => [
+      name,
+      ...[file.here, file.llvmpipe, kept.here, kept.llvmpipe].map(pair),
+      `${max}, ${mean.toFixed(1)}`,
+      flip.toFixed(3),
+      gates.join(', ') || 'none',
+    ]),
   );
+
+/**
+ * The part of the page on GPUs.
+ * @param {object} gpu - gpu.json: what `node test/bench/gpu.mjs --json FILE`, with and without `--cases gate`, wrote where a GPU was; `telarDraw`: CPU milliseconds of
+ *   the T-shirt at 512 x 512 by telar_draw, as it is, with `--buffer always` and with `--hidden always`, and the drawing of the large one: frame upon frame, and with
+ *   a PNG between
+ */
+export function gpuPart({ machine, here, llvmpipe, pictures, cases, telarDraw }) {
+  const { draw, read, encode } = pictures[0].stages;
+  const [[fresh, again], [freshThere, againThere]] = [here, llvmpipe].map(({ starts }) => starts);
+  return `## What a GPU changes
+
+Measured by \`npm run bench -- gpu\` on ${here.gl.renderer.split('/')[0]}, ${here.gl.version}, with ${machine.cores} cores (${machine.cpu}), Node ${machine.node}; beside it ${/Mesa [\d.]+/.exec(llvmpipe.gl.version)[0]}
+llvmpipe on all of the same cores, where its threads cost more CPU together than on two. Wall and CPU time, medians; "kept": of a model that \`load()\` keeps. Differences are from llvmpipe's picture, in 1/255.
+
+${gpuTable({ pictures })}
+
+- Of the ${short(pictures[0].kept.here.wall)} ms of the first picture of a kept model the drawing takes ${draw.toFixed(1)}, reading back ${read.toFixed(1)} and the PNG ${encode.toFixed(1)}. From its file, decoding is most. So cores feed a GPU: a pool with
+  ${here.rate.workers} workers draws ${grouped(here.rate.rate)} of it a second from its file, ${grouped(llvmpipe.rate.rate)} by llvmpipe, with ${here.rate.cores.toFixed(0)} cores busy either way.
+- A process has its first picture after ${grouped(fresh.sinceStart)} ms (${grouped(freshThere.sinceStart)} by llvmpipe), ${grouped(fresh.compile)} ms of it for programs; ${grouped(again.sinceStart)} ms (${grouped(againThere.sinceStart)}) where the driver has kept them on the disk. Its memory then:
+  ${grouped(fresh.memory.VmHWM)} and ${grouped(freshThere.memory.VmHWM)} MiB.
+- What spares llvmpipe work is left out by itself: the look for hidden triangles and the buffer of what is seen, both on the CPU. Forced there, a frame of the T-shirt takes ${telarDraw.hidden.toFixed(0)} and
+  ${telarDraw.buffer.toFixed(0)} ms of CPU in place of ${telarDraw.asIs}.
+- A worker of a pool takes every step of [pool.md](pool.md) there, with the driver open, and its picture has the bytes of the renderer's.
+- Drawing 2048 x 2048 takes ${telarDraw.large.draw} ms frame upon frame, ${telarDraw.large.between.toFixed(0)} ms with a PNG between two; a GPU that waits lowers its clock, which may be why.
+- ${cases.drawn} cases of the parity gate were drawn by it, ${cases.failed.length === 0 ? 'none with an error' : `${cases.failed.length} with an error`} (those of models that the device had not are left out): ${cases.within.parity} are within \`parity\`
+  of llvmpipe, ${cases.within['other-gl']} within \`other-gl\`; FLIP ${cases.flip.median.toFixed(3)} in the median, at most ${cases.flip.ninetyFive.toFixed(3)} in 95 of 100. ${cases.beyond.length} are beyond. What was looked at of these shows the same things, with maps that are
+  much finer than the pixels or that have odd sizes: the GPU reads another mip level by a fraction, and makes the smaller levels otherwise.
+
+<details><summary>Cases beyond \`other-gl\`</summary>
+
+${cases.beyond.map((name) => `\`${name}\``).join(', ')}
+
+</details>`;
+}
 
 /** Whether a quantity grows by a tenth at all, so that its line says something. */
 const grows = ({ fixed, each }, points) => each * points.at(-1).count > 0.1 * fixed;
@@ -99,8 +131,8 @@ const growthTable = ({ growth }) =>
   );
 
 /**
- * @param {object} told - `peers`: what test/bench/peers.mjs writes; `growth`: test/bench/scale.mjs; `pictures`: by name, `bytes` of the PNG, `mib` of the process, and
- *   milliseconds of CPU: `cpu` of a picture, `redrawn` of the same of a model that is kept, `after` of reading back and encoding; `covered` pixels; `machine`
+ * @param {object} told - `peers`: what test/bench/peers.mjs writes; `growth`: test/bench/scale.mjs; `pictures`: by name, `bytes` of the PNG and `mib` of the process;
+ *   `gpu`: gpu.json; `machine`
  * @param {{price: number, busy: number, command: string}} settings
  * @returns {string} js/docs/scale.md
  */
@@ -108,8 +140,6 @@ export function scalePage(told, settings) {
   const { machine } = told;
   const ratios = warm(told).map(({ telar, browser }) => browser.cpu / telar.cpu);
   const first = told.pictures[warm(told)[0].name];
-  const fed = { cpu: first.cpu, left: leftOf(first) };
-  const fill = ((Math.max(...Object.values(told.pictures).map(({ covered }) => covered)) * SAMPLES) / FRAGMENTS_A_MS).toFixed(1);
   return `# How large does this get
 
 What a picture costs, what many cost, and how that grows. Written by \`${settings.command}\` on ${machine.cores} cores (${machine.cpu}), ${machine.gl}, Node ${machine.node}; load of the machine
@@ -139,16 +169,7 @@ At ${settings.price} for a core-hour (a mid-size machine of a large provider, in
 
 ${pricesTable(told, settings)}
 
-## What a GPU changes
-
-No GPU was at hand. What it could take is the drawing: vertices, fragments, and the look for hidden triangles, which only llvmpipe needs. A model that is kept (\`load()\`) is only drawn, read back and encoded; what
-a GPU leaves is the rest of a picture from its file, reading back and the PNG:
-
-${gpuTable(told)}
-
-So a GPU helps large pictures, many samples and dear materials, and less a thumbnail of a model that is decoded for it alone. A GPU that shades a billion fragments a second, which small ones do, takes ${fill} ms for
-the most of these pixels, each of their four samples apart; with the model kept, what is left on the CPU is the PNG. Cores feed a GPU: 100 of the first picture a second still take ${cores(coresFor(100, fed.left, settings.busy))} of
-them in place of ${cores(coresFor(100, fed.cpu, settings.busy))}.
+${gpuPart(told.gpu)}
 
 ## Growth
 

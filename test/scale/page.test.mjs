@@ -3,11 +3,40 @@ import { test } from 'node:test';
 import { coresFor, priceOfMillion, scalePage } from './page.mjs';
 
 const SETTINGS = { price: 0.04, busy: 0.5, command: 'npm run scale' };
-const SHIRT = { cpu: 100, after: 5, redrawn: 70, mib: 250, bytes: 131_072, covered: 50_000 };
+const SHIRT = { mib: 250, bytes: 131_072 };
+const times = (wall, cpu) => ({ wall, cpu });
+const side = (renderer, version, rate) => ({
+  gl: { renderer, version },
+  starts: [
+    { sinceStart: 2 * rate, compile: 50, memory: { VmHWM: rate } },
+    { sinceStart: rate, compile: 5, memory: { VmHWM: rate } },
+  ],
+  rate: { workers: 4, rate, cores: 3.6 },
+});
+const GPU = {
+  machine: { cores: 4, cpu: 'a processor', node: '20.0.0' },
+  here: side('a card/PCIe', 'OpenGL ES 3.2 of it', 300),
+  llvmpipe: side('llvmpipe', 'OpenGL ES 3.2 Mesa 22.3.6', 100),
+  pictures: [
+    {
+      name: 'shirt',
+      file: { here: times(40, 50), llvmpipe: times(100, 150) },
+      kept: { here: times(9.96, 5), llvmpipe: times(70, 140) },
+      stages: { draw: 0.7, read: 1.5, encode: 6 },
+      max: 5,
+      mean: 1.06,
+      flip: 0.0304,
+      gates: ['other-gl'],
+    },
+  ],
+  cases: { drawn: 900, within: { parity: 150, 'other-gl': 899 }, flip: { median: 0.01, ninetyFive: 0.03 }, failed: [], beyond: ['lines'] },
+  telarDraw: { asIs: 2.5, buffer: 56.3, hidden: 22.9, large: { draw: 4.3, between: 25.1 } },
+};
 const line = { fixed: 12, each: 3.1449, r2: 0.99987 };
 const TOLD = {
+  gpu: GPU,
   machine: { cores: 2, cpu: 'a processor', gl: 'Mesa 22.3.6 llvmpipe', node: '20.0.0', load: 0.1, runs: 9 },
-  pictures: { shirt: SHIRT, 'shirt, 256 x 256': { cpu: 40, after: 2, mib: 240, bytes: 30_000, covered: 12_000 } },
+  pictures: { shirt: SHIRT, 'shirt, 256 x 256': { mib: 240, bytes: 30_000 } },
   peers: {
     pictures: [
       { name: 'shirt', telar: { cpu: 100, wall: 60 }, browser: { cpu: 400, wall: 300 } },
@@ -38,12 +67,15 @@ test('ratios are of the pictures that are drawn again', () => {
   assert.match(page(), /1\.2 GiB of pictures leave each second/);
 });
 
-test('a GPU leaves what does not depend on pixels', () => {
-  assert.match(page(), /^\| shirt \| 50,000 \| 100 ms \| 65 ms \| 35 ms \| 2\.9 \|$/m);
-  assert.match(page(), /takes 0\.2 ms for/);
-  assert.match(page(), /100 of the first picture a second still take 7\.0 of\nthem in place of 20\./);
-  const slower = { ...TOLD, pictures: { ...TOLD.pictures, shirt: { ...SHIRT, redrawn: 4 } } };
-  assert.match(page(slower), /^\| shirt \| 50,000 \| 100 ms \| 0 ms \| 100 ms \| 1\.0 \|$/m, 'never less than nothing');
+test('a GPU has its figures beside those of llvmpipe on the same cores', () => {
+  assert.match(page(), /^\| shirt \| 40, 50 ms \| 100, 150 ms \| 10\.0, 5\.0 ms \| 70, 140 ms \| 5, 1\.1 \| 0\.030 \| other-gl \|$/m);
+  assert.match(page(), /on a card, OpenGL ES 3\.2 of it, with 4 cores/);
+  assert.match(page(), /4 workers draws 300 of it a second from its file, 100 by llvmpipe, with 4 cores busy/);
+  assert.match(page(), /900 cases of the parity gate were drawn by it, none with an error .*: 150 are within `parity`\n {2}of llvmpipe, 899 within `other-gl`/);
+  const failed = { ...TOLD, gpu: { ...GPU, cases: { ...GPU.cases, failed: [{ name: 'a', error: 'X_GL' }] } } };
+  assert.match(page(failed), /drawn by it, 1 with an error \(/);
+  const none = { ...TOLD, gpu: { ...GPU, pictures: [{ ...GPU.pictures[0], gates: [] }] } };
+  assert.match(page(none), /^\| shirt .* \| none \|$/m);
 });
 
 test('growth has the fit, and a busy machine is told', () => {

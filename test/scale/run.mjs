@@ -1,5 +1,6 @@
 // npm run scale [-- --runs N] [--price P] [--busy PART] [--write]: what a picture costs here, beside Chromium's, and how that grows. With --write into
 // js/docs/scale.md, else to the terminal. --peers FILE, --growth FILE: measured before, by the --json of test/bench/peers.mjs and scale.mjs.
+// What a GPU changes is kept in gpu.json, by test/bench/gpu.mjs where one is.
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import os from 'node:os';
@@ -7,7 +8,6 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { createRenderer } from '../../js/index.mjs';
-import { median } from '../median.mjs';
 import { scalePage } from './page.mjs';
 
 const SELF = fileURLToPath(import.meta.url);
@@ -39,25 +39,12 @@ function benchmark(name, times, kept) {
   return JSON.parse(readFileSync(file, 'utf8'));
 }
 
-const cpuMs = () => Object.values(process.cpuUsage()).reduce((sum, us) => sum + us, 0) / 1000;
-
-/** A picture's bytes, and its CPU by what takes it; medians. */
+/** A picture's bytes, and the memory of drawing it again and again. */
 async function pictureOf(renderer, { model, side }) {
-  const size = { width: side, height: side };
-  const drawn = async (source) => {
-    const samples = [];
-    for (let i = 0; i <= runs; i++) {
-      const start = cpuMs();
-      const { data, info } = await renderer.render(source, { size });
-      // The first one compiles.
-      if (i > 0) samples.push({ cpu: cpuMs() - start, after: info.milliseconds.read + info.milliseconds.encode, data, info });
-    }
-    const of = (key) => median(samples.map((sample) => sample[key]));
-    return { cpu: of('cpu'), after: of('after'), bytes: samples[0].data.length, info: samples[0].info };
-  };
-  const { cpu, after, bytes, info } = await drawn(model);
-  const facts = { bytes, cpu, after, covered: info.picture.coverage * side ** 2, mib: info.peakBytes / 2 ** 20 };
-  return { facts: side === 512 ? { ...facts, redrawn: (await drawn(await renderer.load(model))).cpu } : facts, gl: info.gl };
+  let drawn;
+  for (let i = 0; i <= runs; i++) drawn = await renderer.render(model, { size: { width: side, height: side } });
+  const { data, info } = drawn;
+  return { facts: { bytes: data.length, mib: info.peakBytes / 2 ** 20 }, gl: info.gl };
 }
 
 /** In a process of its own that makes no models, so that its memory is that of one. */
@@ -91,7 +78,8 @@ const machine = {
   load,
   runs,
 };
-const told = { machine, pictures, peers: benchmark('peers', runs, values.peers), growth: benchmark('scale', Math.ceil(runs / 3), values.growth) };
+const gpu = JSON.parse(readFileSync(new URL('gpu.json', import.meta.url), 'utf8'));
+const told = { machine, gpu, pictures, peers: benchmark('peers', runs, values.peers), growth: benchmark('scale', Math.ceil(runs / 3), values.growth) };
 rmSync(folder, { recursive: true });
 const text = scalePage(told, { price: Number(values.price), busy: Number(values.busy), command: 'npm run scale -- --write' });
 if (values.write) writeFileSync(path.join(ROOT, 'js/docs/scale.md'), text);
