@@ -1,4 +1,4 @@
-import { readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -13,12 +13,14 @@ import { bench, csvOf, overallPoints, tradePage, tradePlot } from '../../js/trad
 import { docsPage } from './docs_page.mjs';
 import { judge } from './judge.mjs';
 import { keptKnobs, measureKnobs } from './knobs.mjs';
-import { measurePeers } from './peers.mjs';
 import { answersOf, looksOf } from './looks.mjs';
 import { tradeScenes } from './scenes.mjs';
 
 // npm run trade [-- --minutes N] [--write]: measures the scenes of scenes.mjs, as far as the minutes go (a run goes on where the last one stopped),
 // fits what {maxError} and {budgetMs} go by, and judges it by scenes that it does not know. --write: js/predict/table.json, js/docs/trade.md.
+// On a machine of many cores, several processes at once, each with cores of its own (taskset): `--share scenes` in each measures the next scene that no
+// other has taken; then `--share answers` in each, what a renderer would choose of the judging ones. `--kept --write` writes what out/trade holds of
+// whichever machine, and draws nothing.
 
 const { values } = parseArgs({
   options: {
@@ -26,6 +28,8 @@ const { values } = parseArgs({
     write: { type: 'boolean', default: false },
     knobs: { type: 'boolean', default: false },
     peers: { type: 'boolean', default: false },
+    share: { type: 'string' },
+    kept: { type: 'boolean', default: false },
   },
 });
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
@@ -35,40 +39,53 @@ const CAP_MS = 1500;
 
 const how = { version: versions.telar, write: values.write };
 if (values.knobs) await measureKnobs(OUT, how);
-if (values.peers) await measurePeers(OUT, how);
+// The browser's driver is loaded for them alone.
+if (values.peers) await (await import('./peers.mjs')).measurePeers(OUT, how);
 if (values.knobs || values.peers) process.exit();
 
 const end = Date.now() + 60_000 * Number(values.minutes);
 const store = new TradeStore(OUT, versions.telar);
 await store.open();
-const renderer = await api.createRenderer({ cacheDirectory: path.join(OUT, 'cache') });
+const renderer = values.kept ? undefined : await api.createRenderer({ cacheDirectory: path.join(OUT, 'cache') });
 
-/** Once for all that is measured here. */
+/** Whether this process is the first that takes it, of those that share a folder. */
+function isFirst(job) {
+  mkdirSync(path.join(OUT, 'taken'), { recursive: true });
+  try {
+    writeFileSync(path.join(OUT, 'taken', store.keyOf({ job })), '', { flag: 'wx' });
+    return true;
+  } catch (error) {
+    if (error.code === 'EEXIST') return false;
+    throw error;
+  }
+}
+const takes = (job) => !values.share || isFirst(job);
+
+/** Once for all that is measured here: its speed and its name. */
 async function machineHere() {
   const file = path.join(OUT, 'machine.json');
   try {
     return JSON.parse(readFileSync(file, 'utf8'));
-  } catch {
-    const machine = await calibrate((source, shot) => renderer.render(source, shot), { tracer: true });
+  } catch (error) {
+    if (values.kept) throw error;
+    const speed = await calibrate((source, shot) => renderer.render(source, shot), { tracer: true });
+    const machine = { ...speed, name: `${os.cpus()[0].model.trim()}, ${renderer.gl.renderer}` };
     writeFileSync(file, JSON.stringify(machine));
     return machine;
   }
 }
 
-const machine = await machineHere();
 const { fit, heldOut } = tradeScenes(path.join(OUT, 'skies'));
-// Three of the one, one of the other, so that few minutes give both.
-/** Scenes of which all is measured come first: they cost nothing. */
-const isDone = ({ model, light, shot }) => {
+/** What is kept of a scene. */
+const rowsOf = ({ model, light, shot }) => {
   const own = store.rows().filter((row) => row.model === model && row.light === light && row.size === shot.size.width && row.shading === shot.shading);
-  return own.length >= Object.keys(SETTINGS).length;
+  return Object.keys(SETTINGS).flatMap((setting) => own.findLast((row) => row.setting === setting) ?? []);
 };
+const isDone = (scene) => rowsOf(scene).length >= Object.keys(SETTINGS).length;
+// Three of the one, one of the other, so that few minutes give both. Scenes of which all is measured come first: they cost nothing.
 const order = [...fit.map((scene, i) => ({ scene, kind: 'fit', at: i / 3 })), ...heldOut.map((scene, i) => ({ scene, kind: 'heldOut', at: i + 0.9 }))]
   .map((each) => ({ ...each, isDone: isDone(each.scene) }))
   .toSorted((a, b) => b.isDone - a.isDone || a.at - b.at);
-const measured = { fit: [], heldOut: [] };
-const looks = [];
-const held = [];
 
 /** With its model. */
 async function withModel({ source }, work) {
@@ -80,36 +97,55 @@ async function withModel({ source }, work) {
   }
 }
 
-/** Kept as what is measured is. */
-async function keptLooks(scene, rows) {
-  const key = store.keyOf({ looks: { ...scene, settings: SETTINGS } });
-  const kept = store.row(key) ?? { looks: await withModel(scene, (model) => looksOf(renderer, model, scene, rows)) };
+/** What is kept under these parts, else what `make` gives, which is then kept. */
+async function keptOr(parts, make) {
+  const key = store.keyOf(parts);
+  const kept = store.row(key) ?? (await make());
   if (!store.row(key)) await store.keep(key, kept);
-  return kept.looks;
+  return kept;
 }
+/** A scene without the paths of this machine; by what was measured of it, where it is kept. */
+const nameOf = ({ model, light, shot }, rows = []) => [model, light, shot.size, shot.shading, rows.map(({ flip }) => flip)];
+const keptLooks = async (scene, rows) =>
+  (await keptOr({ looks: nameOf(scene, rows) }, async () => ({ looks: await withModel(scene, (model) => looksOf(renderer, model, scene, rows)) }))).looks;
 
+const measured = { fit: [], heldOut: [] };
+const looks = [];
+const held = [];
+const drawsNone = values.kept || values.share === 'answers';
+
+if (values.share === 'scenes' && isFirst('machine')) await machineHere();
 let done = 0;
 for (const { scene, kind, isDone: isKept } of order) {
+  if (drawsNone && !isKept) break;
   if (!isKept && Date.now() > end) break;
-  const rows = await bench(api, renderer, { scenes: [scene], settings: SETTINGS, window: WINDOW, capMs: CAP_MS }, store);
+  if (values.share === 'scenes' && (isKept || !takes(nameOf(scene)))) continue;
+  const rows = drawsNone ? rowsOf(scene) : await bench(api, renderer, { scenes: [scene], settings: SETTINGS, window: WINDOW, capMs: CAP_MS }, store);
   measured[kind].push(rows);
   if (kind === 'fit') looks.push(...(await keptLooks(scene, rows)));
   else held.push(scene);
   done += 1;
   process.stderr.write(`${done} of ${order.length}, ${kind}: ${scene.model}, ${scene.light}, ${scene.shot.size.width}, ${scene.shot.shading}\n`);
 }
-const gl = renderer.gl.renderer;
+if (values.share === 'scenes') {
+  await renderer.close();
+  process.exit();
+}
+const { name: machineName, ...machine } = await machineHere();
 const table = fitTable(measured.fit.flat(), machine, looks);
 const answers = [];
-for (const [i, scene] of held.entries())
-  answers.push(await withModel(scene, (model) => answersOf(renderer, model, scene, table, measured.heldOut[i][0].features)));
-await renderer.close();
+for (const [i, scene] of held.entries()) {
+  if (!takes(['answers', nameOf(scene)])) continue;
+  const answer = () => withModel(scene, (model) => answersOf(renderer, model, scene, table, measured.heldOut[i][0].features));
+  answers.push(await keptOr({ answers: nameOf(scene, measured.heldOut[i]), table }, answer));
+}
+await renderer?.close();
+if (values.share) process.exit();
 
 const verdict = judge(table, measured.heldOut, machine, answers);
 const byClass = judge(table, measured.heldOut, machine);
 const command = 'npm run trade -- --write';
 const rows = [...measured.fit, ...measured.heldOut].flat();
-const machineName = `${os.cpus()[0].model.trim()}, ${gl}`;
 writeFileSync(path.join(OUT, 'trade.csv'), csvOf(rows));
 writeFileSync(path.join(OUT, 'index.html'), tradePage(rows, { command, machine: machineName, window: WINDOW }));
 process.stdout.write(`${JSON.stringify(verdict, null, 1)}\n`);
