@@ -2,36 +2,16 @@
 
 #include <libdeflate.h>
 
-#include <algorithm>
-#include <array>
 #include <cstring>
 #include <memory>
 
-#include "core/sha256.h"
+#include "core/sealed_file.h"
 
 namespace telar::ibl {
 namespace {
 
-struct Header {
-  HalfFileHead head;
-  char key[64];  ///< zeros behind a shorter one
-  char sha256[64];
-};
-
-/// Of the header as it is with zeros for the digest, and of the body.
-std::string digestOf(Header header, std::span<const std::byte> body) {
-  std::memset(header.sha256, 0, sizeof header.sha256);
-  Sha256 digest;
-  digest.add(std::as_bytes(std::span(&header, 1)));
-  digest.add(body);
-  return digest.hex();
-}
-
-std::array<char, sizeof Header::key> keyField(std::string_view key) {
-  std::array<char, sizeof Header::key> out{};
-  std::copy_n(key.begin(), std::min(key.size(), out.size()), out.begin());
-  return out;
-}
+/// Before the body.
+constexpr std::size_t FRONT_BYTES = sizeof(HalfFileHead) + SEAL_BYTES;
 
 using Compressor = std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)>;
 using Decompressor = std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>;
@@ -52,31 +32,24 @@ std::vector<std::byte> packHalfs(const HalfFileHead& head, std::string_view key,
     planes[count + i] = static_cast<std::uint8_t>(difference);
   }
   const Compressor compressor(libdeflate_alloc_compressor(9), &libdeflate_free_compressor);
-  std::vector<std::byte> packed(sizeof(Header) + libdeflate_deflate_compress_bound(compressor.get(), planes.size()));
+  std::vector<std::byte> packed(FRONT_BYTES + libdeflate_deflate_compress_bound(compressor.get(), planes.size()));
   const std::size_t size = libdeflate_deflate_compress(compressor.get(), planes.data(), planes.size(),
-                                                       &packed[sizeof(Header)], packed.size() - sizeof(Header));
-  packed.resize(sizeof(Header) + size);
-  Header header{};
-  header.head = head;
-  std::memcpy(header.key, keyField(key).data(), sizeof header.key);
-  std::memcpy(header.sha256, digestOf(header, std::span(packed).subspan(sizeof(Header))).data(), sizeof header.sha256);
-  std::memcpy(packed.data(), &header, sizeof header);
+                                                       &packed[FRONT_BYTES], packed.size() - FRONT_BYTES);
+  packed.resize(FRONT_BYTES + size);
+  std::memcpy(packed.data(), &head, sizeof head);
+  seal(packed, sizeof head, key);
   return packed;
 }
 
 std::optional<HalfFileHead> headOf(std::span<const std::byte> file, std::string_view key) {
-  Header header;
-  if (file.size() <= sizeof header) return std::nullopt;
-  std::memcpy(&header, file.data(), sizeof header);
-  if (std::memcmp(header.key, keyField(key).data(), sizeof header.key) != 0 ||
-      std::memcmp(header.sha256, digestOf(header, file.subspan(sizeof header)).data(), sizeof header.sha256) != 0) {
-    return std::nullopt;
-  }
-  return header.head;
+  if (file.size() <= FRONT_BYTES || !isSealed(file, sizeof(HalfFileHead), key)) return std::nullopt;
+  HalfFileHead head;
+  std::memcpy(&head, file.data(), sizeof head);
+  return head;
 }
 
 std::optional<std::vector<std::uint16_t>> unpackHalfs(std::span<const std::byte> file, std::size_t texels) {
-  const auto body = file.subspan(sizeof(Header));
+  const auto body = file.subspan(FRONT_BYTES);
   const std::size_t count = texels * 3;
   std::vector<std::uint8_t> planes(count * 2);
   const Decompressor decompressor(libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);

@@ -1,23 +1,18 @@
 #include "trace/visibility_cache.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
 
+#include "core/sealed_file.h"
 #include "core/sha256.h"
 
 namespace telar::trace {
 namespace {
 
-constexpr std::size_t DIGITS = 64;
-
-struct Header {
-  std::array<char, 8> magic;
-  std::array<char, DIGITS> key;
-  std::array<char, DIGITS> sha256;  ///< of the key and of the body
-};
-constexpr std::array<char, 8> MAGIC = {'t', 'e', 'l', 'a', 'r', 'A', 'V', '1'};
+/// What a file begins with.
+using Magic = std::array<char, 8>;
+constexpr Magic MAGIC = {'t', 'e', 'l', 'a', 'r', 'A', 'V', '1'};
 
 /// Before the floats of each primitive.
 struct Part {
@@ -25,15 +20,6 @@ struct Part {
   std::uint32_t primitive;
   std::array<std::uint32_t, 2> vertices;  ///< of front and back
 };
-
-std::array<char, DIGITS> digestOf(std::string_view key, std::span<const std::byte> body) {
-  Sha256 digest;
-  digest.add(key);
-  digest.add(body);
-  std::array<char, DIGITS> out{};
-  std::copy_n(digest.hex().begin(), out.size(), out.begin());
-  return out;
-}
 
 std::span<const std::byte> floatsOf(const std::vector<glm::vec4>& stream) { return std::as_bytes(std::span(stream)); }
 
@@ -74,7 +60,7 @@ std::string visibilityKey(const Scene& model, int rays, std::string_view version
 }
 
 std::vector<std::byte> packVisibility(const FoundVisibility& found, std::string_view key) {
-  std::vector<std::byte> file(sizeof(Header));
+  std::vector<std::byte> file(sizeof(Magic) + SEAL_BYTES);
   const auto add = [&file](std::span<const std::byte> bytes) { file.insert(file.end(), bytes.begin(), bytes.end()); };
   for (const auto& [place, sides] : found) {
     const Part part{place.first,
@@ -83,18 +69,15 @@ std::vector<std::byte> packVisibility(const FoundVisibility& found, std::string_
     add(std::as_bytes(std::span(&part, 1)));
     for (const auto& side : sides) add(floatsOf(side));
   }
-  Header header{MAGIC, {}, digestOf(key, std::span(file).subspan(sizeof(Header)))};
-  std::copy_n(key.begin(), std::min(key.size(), header.key.size()), header.key.begin());
-  std::memcpy(file.data(), &header, sizeof header);
+  std::memcpy(file.data(), MAGIC.data(), sizeof MAGIC);
+  seal(file, sizeof MAGIC, key);
   return file;
 }
 
 std::optional<FoundVisibility> unpackVisibility(std::span<const std::byte> file, std::string_view key) {
-  Reader reader(file);
-  Header header{};
-  if (!reader.read(&header, 1) || header.magic != MAGIC) return std::nullopt;
-  if (std::string_view(header.key.data(), header.key.size()) != key) return std::nullopt;
-  if (header.sha256 != digestOf(key, file.subspan(sizeof header))) return std::nullopt;
+  if (!isSealed(file, sizeof MAGIC, key) || std::memcmp(file.data(), MAGIC.data(), sizeof MAGIC) != 0)
+    return std::nullopt;
+  Reader reader(file.subspan(sizeof MAGIC + SEAL_BYTES));
   FoundVisibility found;
   while (!reader.isAtEnd()) {
     Part part{};
