@@ -7,21 +7,12 @@
 namespace telar::pass {
 namespace {
 
-/// Corners of a box.
-std::array<glm::dvec3, 8> cornersOf(const Bounds& bounds) {
-  std::array<glm::dvec3, 8> corners;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    corners[i] = {(i & 1 ? bounds.max : bounds.min).x, (i & 2 ? bounds.max : bounds.min).y,
-                  (i & 4 ? bounds.max : bounds.min).z};
-  return corners;
-}
-
 /// Size of a pixel where the model is next to the camera, metres.
 double pixelSize(const FramePlan& plan, const Bounds& bounds, const Shot& shot) {
   const double atOne = 2 / (plan.camera.projection[1][1] * shot.height);
   if (plan.camera.orthographic) return atOne;
   double depth = std::numeric_limits<double>::infinity();
-  for (const glm::dvec3& corner : cornersOf(bounds))
+  for (const glm::dvec3& corner : bounds.corners())
     depth = std::min(depth, -(plan.camera.view * glm::dvec4(corner, 1)).z);
   return atOne * std::max(depth, shot.camera.near);
 }

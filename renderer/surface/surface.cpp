@@ -153,13 +153,8 @@ class Builder {
   }
 
   static std::array<glm::dvec3, 8> corners(const Placed& placed) {
-    std::array<glm::dvec3, 8> out;
-    const Bounds& bounds = placed.primitive->bounds;
-    for (int corner = 0; corner < 8; ++corner) {
-      glm::dvec4 p(bounds.min, 1.0);
-      for (int i = 0; i < 3; ++i) p[i] = (corner >> i & 1) != 0 ? bounds.max[i] : bounds.min[i];
-      out[static_cast<std::size_t>(corner)] = glm::dvec3(placed.world * p);
-    }
+    std::array<glm::dvec3, 8> out = placed.primitive->bounds.corners();
+    for (glm::dvec3& corner : out) corner = glm::dvec3(placed.world * glm::dvec4(corner, 1.0));
     return out;
   }
 

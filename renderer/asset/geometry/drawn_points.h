@@ -52,11 +52,7 @@ class DrawnPoints {
   void visitCorners(const Bounds& bounds, const glm::dmat4& world, const Visit& visit) {
     look();
     if (bounds.empty()) return;
-    for (int corner = 0; corner < 8; ++corner) {
-      glm::dvec4 p(bounds.min, 1.0);
-      for (int i = 0; i < 3; ++i) p[i] = (corner >> i & 1) != 0 ? bounds.max[i] : bounds.min[i];
-      visit(glm::dvec3(world * p));
-    }
+    for (const glm::dvec3& corner : bounds.corners()) visit(glm::dvec3(world * glm::dvec4(corner, 1.0)));
   }
 
   /// Empty where all vertices are drawn.

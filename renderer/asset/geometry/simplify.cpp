@@ -3,6 +3,7 @@
 #include <meshoptimizer.h>
 
 #include <cmath>
+#include <tuple>
 #include <type_traits>
 
 #include "core/lazy_library.h"
@@ -22,18 +23,16 @@ static_assert(std::is_same_v<decltype(static_cast<Simplify*>(meshopt_simplify)),
 constexpr double WORTH_IT = 0.8;  ///< of the triangles, that may be left
 constexpr std::uint32_t UNUSED = ~std::uint32_t{0};
 
-/// Calls visit(stream) for each stream that a primitive has.
-template <class P, class Visit>
-void eachStream(P& primitive, const Visit& visit) {
-  const auto there = [&](auto& stream) {
-    if (!stream.empty()) visit(stream);
-  };
-  there(primitive.positions);
-  there(primitive.normals);
-  there(primitive.tangents);
-  for (auto& uvs : primitive.uvs) there(uvs);
-  there(primitive.colors);
-  for (auto& visibility : primitive.visibility) there(visibility);
+/// Calls visit(stream...) with each stream of one primitive, or with those of several side by side.
+template <class Visit, class... P>
+void eachStream(const Visit& visit, P&... primitive) {
+  visit(primitive.positions...);
+  visit(primitive.normals...);
+  visit(primitive.tangents...);
+  for (std::size_t i = 0; i < std::tuple_size_v<decltype(Primitive::uvs)>; ++i) visit(primitive.uvs[i]...);
+  visit(primitive.colors...);
+  for (std::size_t i = 0; i < std::tuple_size_v<decltype(Primitive::visibility)>; ++i)
+    visit(primitive.visibility[i]...);
 }
 
 /// Whole triangles, whose equal vertices are one: files that give each triangle its own are one surface then.
@@ -53,9 +52,11 @@ Welded welded(const LazyLibrary& library, const Primitive& primitive) {
   }
   out.indices.resize(out.indices.size() / 3 * 3);
   std::vector<meshopt_Stream> streams;
-  eachStream(primitive, [&](const auto& stream) {
-    streams.push_back({stream.data(), sizeof stream[0], sizeof stream[0]});
-  });
+  eachStream(
+      [&](const auto& stream) {
+        if (!stream.empty()) streams.push_back({stream.data(), sizeof stream[0], sizeof stream[0]});
+      },
+      primitive);
   Indices remap(count);
   const std::size_t unique = library.function<Remap>("meshopt_generateVertexRemapMulti")(
       remap.data(), out.indices.data(), out.indices.size(), count, streams.data(), streams.size());
@@ -88,17 +89,13 @@ Primitive withIndices(const Primitive& primitive, const Indices& indices) {
     }
     out.indices.push_back(place[index]);
   }
-  const auto take = [&](const auto& from, auto& to) {
-    if (from.empty()) return;
-    to.reserve(used.size());
-    for (const std::uint32_t index : used) to.push_back(from[index]);
-  };
-  take(primitive.positions, out.positions);
-  take(primitive.normals, out.normals);
-  take(primitive.tangents, out.tangents);
-  for (std::size_t i = 0; i < out.uvs.size(); ++i) take(primitive.uvs[i], out.uvs[i]);
-  take(primitive.colors, out.colors);
-  for (std::size_t i = 0; i < out.visibility.size(); ++i) take(primitive.visibility[i], out.visibility[i]);
+  eachStream(
+      [&](const auto& from, auto& to) {
+        if (from.empty()) return;
+        to.reserve(used.size());
+        for (const std::uint32_t index : used) to.push_back(from[index]);
+      },
+      primitive, out);
   return out;
 }
 

@@ -68,6 +68,12 @@ struct Bounds {
   glm::dvec3 max{-std::numeric_limits<double>::infinity()};
   bool empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
   void add(const glm::dvec3& p) { min = glm::min(min, p), max = glm::max(max, p); }
+  std::array<glm::dvec3, 8> corners() const {
+    std::array<glm::dvec3, 8> out;
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = {(i & 1 ? max : min).x, (i & 2 ? max : min).y, (i & 4 ? max : min).z};
+    return out;
+  }
 };
 
 /// Vertex streams of one draw. A stream is empty when the file has none; else it has positions.size() entries.
