@@ -274,7 +274,7 @@ class Renderer {
       return this.#handle.render(request, token).finally(stopListening);
     });
     report?.finish(job);
-    const { ended } = JSON.parse(frame.info);
+    const ended = goal || enough?.aborted ? JSON.parse(frame.info).ended : undefined;
     if (measures) {
       const seen = { ...resolved, exposure: resolved.exposure * (metered ?? 1) };
       // Nothing ends these pictures, so they have a token of their own.

@@ -57,7 +57,7 @@ Json describeFrame(const FramePlan& plan, const Shot& shot, const ibl::Environme
   json["hiddenTriangles"] = found.triangles > 0 ? found.hidden : counts.drawn.hidden;
   if (found.triangles > 0) json["shadedFragments"] = found.fragments;
   if (counts.texels.unread > 0) json["unreadTexels"] = counts.texels.unread;
-  json["skipped"] = describeSkipped(plan, counts, json["passes"]);
+  json["skipped"] = describeSkipped(plan, counts, json);
   json["environmentSource"] = environment ? Json(environment->source) : Json(nullptr);
   const glm::dmat4 toPixel = frame::worldToPixel(plan.camera, shot.width, shot.height);
   json["worldToPixel"] = std::vector<double>(glm::value_ptr(toPixel), glm::value_ptr(toPixel) + 16);

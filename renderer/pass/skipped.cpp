@@ -26,19 +26,18 @@ double rounded(double part) { return std::round(part * 1000) / 1000; }
 
 }  // namespace
 
-Json describeSkipped(const FramePlan& plan, const FrameCounts& counts, const Json& passes) {
+Json describeSkipped(const FramePlan& plan, const FrameCounts& counts, const Json& described) {
   Json list = Json::array();
-  std::set<std::string> needed, forced;
+  std::set<std::string> forced;
   for (shader::VariantKey key : plan.keys()) {
-    for (std::string& name : key.features()) needed.insert(std::move(name));
     forceAllFeatures(key);
     for (std::string& name : key.features()) forced.insert(std::move(name));
   }
-  if (const std::size_t off = forced.size() - needed.size(); off > 0) {
+  if (const std::size_t off = forced.size() - described["features"].size(); off > 0) {
     Json& features = list.emplace_back(part("features", off, forced.size()));
     features["estimatedPart"] = rounded(FEATURE_PART * static_cast<double>(off));
   }
-  const std::set<std::string> kinds(passes.begin(), passes.end());
+  const std::set<std::string> kinds(described["passes"].begin(), described["passes"].end());
   list.push_back(part("passes", PASS_KINDS - kinds.size(), PASS_KINDS));
   if (const VisibilityBuffer::Count& found = counts.buffered; found.triangles > 0) {
     if (found.hidden > 0) list.push_back(part("triangles", found.hidden, found.triangles));

@@ -8,8 +8,8 @@ namespace telar::pass {
 /// What a picture leaves out, for the scene does not need it, against all forced on: [{what, count, of, ...saving}].
 /// Counts, bytes and texels are exact. `estimatedPart` is by how much longer its fragments would have taken to draw, in
 /// parts of the time that they took: by what was measured of others, of triangles by the pixels that they cover.
-/// @param passes  that ran, by name
+/// @param described  of describePlan(): the features and passes that the picture has
 nlohmann::ordered_json describeSkipped(const FramePlan& plan, const FrameCounts& counts,
-                                       const nlohmann::ordered_json& passes);
+                                       const nlohmann::ordered_json& described);
 
 }  // namespace telar::pass
