@@ -35,11 +35,13 @@ float glossGrazing(vec4 curve, float cosine) {
 }
 
 // By how much glossGrazing() is above the exact share. Its fit errs to one side only, so that no cloth reflects more than it gets. For
-// a rough dielectric this is up to a sixth of the gloss, so uniform light subtracts it.
+// a dielectric this is up to a sixth of a rough gloss and a tenth of a smoother one, so uniform light subtracts it.
 // perceptualRoughness  [0, 1]      cosine  [0, 1]
 float grazingExcess(float perceptualRoughness, float cosine) {
-  float sine2 = 1.0 - pow2(cosine);
-  return 0.0115 * max(perceptualRoughness - 0.5, 0.0) * sine2 * sqrt(max(sine2, 0.0));
+  float r = perceptualRoughness;
+  float between = cosine * (1.0 - cosine);
+  float smoother = max(0.43 - 7.0 * pow2(r - 0.25), 0.0) * between * between * between;
+  return smoother + clamp(0.029 * (r - 0.61), 0.0, 0.0071) * pow2(1.0 - pow2(cosine));
 }
 
 // x: glossMissing(), y: glossGrazing(). The lobe's albedo is f0 (1 - x - y) + f90 y.

@@ -13,6 +13,25 @@ float reliefDiffuseTowards(float relief, float NoL) {
   return (1.0 - relief) * (1.0 + leaning);
 }
 
+// Mean cosine of light on the other side, where normals lean to it and away. Within 0.03.   cosine  [-1, 1], with the mean normal
+float reliefBehind(float relief, float cosine) {
+  float mean = cosine * (1.0 - relief);
+  return 0.5 * (sqrt(pow2(mean) + 0.5 * relief * max(1.0 - pow2(cosine), 0.0)) - mean);
+}
+
+// Mean direction of diffuse light: normals that face away from the viewer are turned to him. Within 1 degree.
+// bent  unit, of bumpBent()      n, v  unit      NoV  [0, 1]      return  unit
+vec3 reliefBent(float relief, vec3 bent, vec3 n, vec3 v, float NoV) {
+  return safeNormalize(bent + (v - n * NoV) * (relief * pow2(1.0 - NoV)), bent);
+}
+
+// By how much more diffuse light there is of them, as they lean less. Within 0.01.
+// NoV  [0, 1]
+float reliefTurned(float relief, float NoV) {
+  float slant = 1.0 - NoV;
+  return 1.0 + 1.05 * pow2(relief) * slant * sqrt(slant);
+}
+
 // Shares that the gloss keeps of light from everywhere, of its parts of f0 (x) and of f90 (y).
 // perceptualRoughness  (0, 1], of a texel      NoV  [0, 1]
 vec2 reliefGloss(float relief, float perceptualRoughness, float NoV) {
@@ -21,20 +40,34 @@ vec2 reliefGloss(float relief, float perceptualRoughness, float NoV) {
   float middle = 13.6 + r * (5.675 * r - 22.311);
   float side = -11.779 + r * (25.081 - 10.92 * r);
   float lost = clamp(head + NoV * (middle + NoV * side), 0.0, 2.0);
-  return vec2(exp(-1.25 * relief * lost), max(1.0 - sqrt(relief) * (1.8 - 1.62 * r), 0.0));
+  float seen = max(1.0 - max(NoV - 0.35, 0.0) / (0.07 + 3.2 * relief), 0.0);  // from above, texels that lean away make up for what others lose
+  return vec2(exp(-1.25 * relief * lost), max(1.0 - sqrt(relief) * (1.8 - 1.62 * r) * seen, 0.0));
 }
 
-// Albedo of the sheen: the mean over normals that lean by two angles about their mean, by Gauss's quadrature of the azimuth.
-// sheenRoughness  [0.01, 1]      NoV  [0, 1]
-float reliefSheenAlbedo(float relief, float sheenRoughness, float NoV) {
+// Cosines of the viewer with normals that lean by two angles about their mean, towards the viewer and away, [0, 1]; by Gauss's
+// quadrature of the azimuth a third of them leans aside, whose cosine is NoV (1 - relief).   NoV  [0, 1]
+LeaningCosines leaningCosines(float relief, float NoV) {
   float sine = 0.8660254 * sqrt(max(1.0 - pow2(NoV), 0.0));
   vec2 upright = max(1.0 - vec2(0.4, 1.6) * relief, 0.0);
   vec2 along = upright * NoV;
   vec2 across = sqrt(max(1.0 - upright * upright, 0.0)) * sine;
-  vec2 towards = min(along + across, 1.0);
-  vec2 away = max(along - across, 0.0);
-  float sum = sheenFit(sheenRoughness, towards.x).x + sheenFit(sheenRoughness, towards.y).x + sheenFit(sheenRoughness, away.x).x +
-              sheenFit(sheenRoughness, away.y).x + 2.0 * sheenFit(sheenRoughness, NoV * (1.0 - relief)).x;
+  return LeaningCosines(min(along + across, 1.0), max(along - across, 0.0), NoV * (1.0 - relief));
+}
+
+// glossGrazing(), the mean over these normals: those that lean away reflect much more. Within 0.006 rms.
+float reliefGrazing(float relief, vec4 curve, float NoV) {
+  LeaningCosines cosines = leaningCosines(relief, NoV);
+  float sum = glossGrazing(curve, cosines.towards.x) + glossGrazing(curve, cosines.towards.y) + glossGrazing(curve, cosines.away.x) +
+              glossGrazing(curve, cosines.away.y) + 2.0 * glossGrazing(curve, cosines.aside);
+  return sum * (1.0 / 6.0);
+}
+
+// Albedo of the sheen, the mean over these normals.   sheenRoughness  [0.01, 1]      NoV  [0, 1]
+float reliefSheenAlbedo(float relief, float sheenRoughness, float NoV) {
+  LeaningCosines cosines = leaningCosines(relief, NoV);
+  float sum = sheenFit(sheenRoughness, cosines.towards.x).x + sheenFit(sheenRoughness, cosines.towards.y).x +
+              sheenFit(sheenRoughness, cosines.away.x).x + sheenFit(sheenRoughness, cosines.away.y).x +
+              2.0 * sheenFit(sheenRoughness, cosines.aside).x;
   return sum * (1.0 / 6.0);
 }
 

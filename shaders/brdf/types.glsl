@@ -34,6 +34,13 @@ struct Scattering {
   vec3 multiple;  // after two and more
 };
 
+// Of the viewer with the normals of a relief: see relief.glsl.
+struct LeaningCosines {
+  vec2 towards;
+  vec2 away;
+  float aside;
+};
+
 // Sheen of a relief: see relief.glsl.
 struct SheenRing {
   vec3 towards;      // tangents, to the viewer and aside, as long as the sine of the angle by which the normals lean

@@ -36,6 +36,13 @@ vec3 specularRadiance(float perceptualRoughness, vec3 n, vec3 v) {
 }
 #endif
 
+#if SHADING_FABRIC && ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
+// The same of cloth.   f0  [0, 1]      bending  perceptual roughness by which the lobe is bent
+vec3 glossRadiance(float perceptualRoughness, float bending, float f0, vec3 n, vec3 v, float NoV) {
+  return environmentRadiance(dominantReflection(bending, n, v), lobeLod(prefilteredRoughness(perceptualRoughness, f0, NoV)));
+}
+#endif
+
 #if SHADING_FABRIC && SHEEN && ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
 // Radiance of the environment over the lobe of the sheen.
 vec3 sheenRadiance(SurfaceInfo s) {
@@ -55,12 +62,12 @@ vec3 sheenRadiance(SurfaceInfo s) {
 #if SHADING_FABRIC && (ANISOTROPY || WEAVE) && ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
 // Radiance of the environment over a GGX lobe of two widths. Where more taps begin they come apart from those before: relief changes
 // the widths from pixel to pixel, and a step would show.
-vec3 stretchedRadiance(vec3 n, vec3 axis, vec3 v, float wide, float narrow) {
+vec3 stretchedRadiance(vec3 n, vec3 axis, vec3 v, float wide, float narrow, float f0) {
   float taps = stretchedTaps(wide, narrow);
   float fewer = max(0.5 * taps, 1.0);
   float begun = taps > 2.0 ? saturate((wide / narrow - 1.6) / 0.2) : saturate((wide / narrow - 1.15) / 0.15);
   float roughness = mix(tapRoughness(wide, narrow, fewer), tapRoughness(wide, narrow, taps), begun);
-  float lod = lobeLod(roughness);
+  float lod = lobeLod(prefilteredRoughness(roughness, f0, saturate(dot(n, v))));
   float apart = sqrt(max(pow2(wide) - pow2(narrow), 0.0));  // each tap is as wide as the narrow axis by itself
   vec4 sum = vec4(0.0);
   for (float i = 0.5; i < taps; ++i) {
@@ -80,8 +87,8 @@ vec3 stretchedRadiance(vec3 n, vec3 axis, vec3 v, float wide, float narrow) {
 #if SHADING_FABRIC && WEAVE && ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
 // The same over the lobe of one set of yarns. Relief may make it wider along the yarn than across.
 vec3 yarnRadiance(YarnLobe yarn, vec3 v) {
-  if (yarn.alphaB < yarn.alphaT) return stretchedRadiance(yarn.n, yarn.t, v, yarn.alphaT, yarn.alphaB);
-  return stretchedRadiance(yarn.n, yarn.b, v, yarn.alphaB, yarn.alphaT);
+  if (yarn.alphaB < yarn.alphaT) return stretchedRadiance(yarn.n, yarn.t, v, yarn.alphaT, yarn.alphaB, max3(yarn.f0));
+  return stretchedRadiance(yarn.n, yarn.b, v, yarn.alphaB, yarn.alphaT, max3(yarn.f0));
 }
 #endif
 
@@ -103,23 +110,29 @@ vec3 domeIrradiance(vec3 n) {
 
 #if DIFFUSE_TRANSMISSION
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
+// By how much more than the mean normal those texels of a relief lean that do not lie flat: the mean of squared cosines of knits and nets.
+const float RELIEF_LEANING = 0.15;
+
 // Mean radiance of the environment on the other side of a surface, by the cosine.
 vec3 environmentBehind(SurfaceInfo s) {
   float lod = cosineLod();
 #if SHADING_FABRIC && RELIEF
-  // The texels of a relief lean three ways: light comes through from the sides too.
+  // Some texels of a relief lie flat and some lean, here three ways: light comes through from the sides too.
   float leaning = saturate(20.0 * s.relief - 1.0);
+  vec3 behind = environmentRadiance(-s.n, lod);
   if (leaning > 0.0) {
-    vec3 back = s.n * (s.relief - 1.0);
-    mat3 frame = basisAbout(s.n) * sqrt(max(1.0 - pow2(1.0 - s.relief), 0.0));
+    float upright = max(1.0 - s.relief - RELIEF_LEANING, 0.0);
+    mat3 frame = basisAbout(s.n) * sqrt(1.0 - pow2(upright));
+    vec3 back = s.n * -upright;
     vec3 x = frame[0];
     vec3 y = frame[1] * 0.8660254;
     vec3 sum = environmentRadiance(back + x, lod) + environmentRadiance(back - 0.5 * x + y, lod) + environmentRadiance(back - 0.5 * x - y, lod);
-    sum *= 1.0 / 3.0;
-    return leaning < 1.0 ? mix(environmentRadiance(-s.n, lod), sum, leaning) : sum;
+    behind = mix(behind, sum * (1.0 / 3.0), leaning * s.relief / (s.relief + RELIEF_LEANING));
   }
-#endif
+  return behind;
+#else
   return environmentRadiance(-s.n, lod);
+#endif
 }
 #endif
 
@@ -150,7 +163,11 @@ Incident incidentLight(SurfaceInfo s) {
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
 #if SHADING_FABRIC && NORMAL_MAP
   // A normal that leans takes no light from below the surface.
-  incident.environmentIrradiance = PI * environmentRadiance(bumpBent(s.geometricNormal, s.n), cosineLod());
+  vec3 lit = bumpBent(s.geometricNormal, s.n);
+#if RELIEF
+  lit = reliefBent(s.relief, lit, s.n, s.v, s.NoV);
+#endif
+  incident.environmentIrradiance = PI * environmentRadiance(lit, cosineLod());
 #else
   incident.environmentIrradiance = PI * environmentRadiance(s.n, cosineLod());
 #endif
@@ -158,24 +175,30 @@ Incident incidentLight(SurfaceInfo s) {
   incident.radiance = yarnRadiance(s.warp, s.v);
   incident.weftRadiance = yarnRadiance(s.weft, s.v);
 #elif SHADING_FABRIC && ANISOTROPY
-  incident.radiance = stretchedRadiance(s.n, s.t, s.v, s.alphaT, s.alpha);
+  incident.radiance = stretchedRadiance(s.n, s.t, s.v, s.alphaT, s.alpha, max3(s.f0));
 #elif ANISOTROPY || WEAVE
   vec3 reflector = bentNormal(s.perceptualRoughness, s.anisotropyStrength, s.n, s.b, s.v);
   incident.radiance = specularRadiance(s.perceptualRoughness, reflector, s.v);
 #elif SHADING_FABRIC && RELIEF
   // A relief blurs the lobe more than it bends it.
   float bending = roughnessWithSlopes(s.glossRoughness, 0.5 * s.slopeVariance);
-  incident.radiance = environmentRadiance(dominantReflection(bending, s.n, s.v), lobeLod(s.perceptualRoughness));
 #if FACETS
+  incident.radiance = environmentRadiance(dominantReflection(bending, s.n, s.v), lobeLod(s.perceptualRoughness));
   incident.edgeRadiance = specularRadiance(sqrt(EDGE_ALPHA), s.edges.n, s.v);
+#else
+  incident.radiance = glossRadiance(s.perceptualRoughness, bending, max3(s.f0), s.n, s.v, s.NoV);
 #endif
+#elif SHADING_FABRIC
+  incident.radiance = glossRadiance(s.perceptualRoughness, s.perceptualRoughness, max3(s.f0), s.n, s.v, s.NoV);
 #else
   incident.radiance = specularRadiance(s.perceptualRoughness, s.n, s.v);
 #endif
 #if SHADING_FABRIC && SHEEN
   incident.sheenRadiance = sheenRadiance(s);
 #endif
-#if CLEARCOAT
+#if CLEARCOAT && SHADING_FABRIC
+  incident.coatRadiance = glossRadiance(s.clearcoatRoughness, s.clearcoatRoughness, F0_DIELECTRIC, s.coatNormal, s.v, s.clearcoatNoV);
+#elif CLEARCOAT
   incident.coatRadiance = specularRadiance(s.clearcoatRoughness, s.coatNormal, s.v);
 #endif
 #endif

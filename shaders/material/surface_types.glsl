@@ -60,6 +60,7 @@ struct YarnLobe {
   float metallic;
 #if RELIEF
   vec2 slopeVariance;  // of the normals within the pixel, along it and across it, each twice that of the axis
+  vec2 glossKept;      // preparedSurface() sets it, as in SurfaceInfo
 #endif
   // preparedSurface() sets the rest, as in SurfaceInfo.
   StretchedCurve gloss;

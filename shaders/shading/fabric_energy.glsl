@@ -164,19 +164,16 @@ SurfaceInfo withEnergies(SurfaceInfo s, vec3 f0Metal) {
   return s;
 }
 
-// Parts of a gloss's albedo that belong to f0 and f90, less what a relief hides of them.
-vec2 unhiddenParts(SurfaceInfo s, vec2 albedo) {
-  vec2 parts = vec2(1.0 - albedo.x - albedo.y, albedo.y);
-#if RELIEF
-  parts *= s.glossKept;
-#endif
-  return parts;
-}
+// Parts of a gloss's albedo that belong to f0 and f90.
+vec2 glossParts(vec2 albedo) { return vec2(1.0 - albedo.x - albedo.y, albedo.y); }
 
 #if WEAVE
 // Share of uniform light that one set of yarns reflects after one bounce, [0, 1].
 vec3 yarnReflectance(SurfaceInfo s, YarnLobe yarn) {
-  vec2 parts = unhiddenParts(s, yarn.albedo);
+  vec2 parts = glossParts(yarn.albedo);
+#if RELIEF
+  parts *= yarn.glossKept;
+#endif
   return yarn.coverage * (yarn.f0 * parts.x + s.f90 * parts.y);
 }
 #endif
@@ -191,7 +188,10 @@ vec3 glossReflectance(SurfaceInfo s) {
   if (!isStretched(s))
 #endif
     albedo.y = max(albedo.y - grazingExcess(s.glossRoughness, s.NoV), 0.0);
-  vec2 parts = unhiddenParts(s, albedo);
+  vec2 parts = glossParts(albedo);
+#if RELIEF
+  parts *= s.glossKept;
+#endif
   return s.f0 * parts.x + s.f90 * parts.y;
 }
 

@@ -195,6 +195,49 @@ TEST(Relief, SheenIsTheMeanOverItsTexels) {
   EXPECT_GT(worstOf(felt, &Lobes::sheen, sheenOf, false), 1.3);
 }
 
+TEST(Relief, ReflectsBeforeALayerBelowAsItsTexelsDo) {
+  constexpr int AROUND = 8;
+  double worst = 0, ofMeanNormal = 0;
+  for (const Relief& relief : reliefs()) {
+    for (const double roughness : {0.3, 0.5, 0.8}) {
+      for (const double NoV : COSINES) {
+        const auto curve = brdf_d::grazingCurve(roughness);
+        double truth = 0;
+        for (int k = 0; k < AROUND; ++k) {
+          const dvec3 v = direction(NoV, TWO_PI * (k + 0.37) / AROUND);
+          for (const dvec3& n : relief.normals)
+            truth +=
+                brdf_d::glossGrazing(curve, std::max(glm::dot(n, v), 1e-3)) / (AROUND * double(relief.normals.size()));
+        }
+        worst = std::max(worst, std::abs(brdf_d::reliefGrazing(relief.lost(), curve, NoV) - truth));
+        ofMeanNormal = std::max(ofMeanNormal, std::abs(brdf_d::glossGrazing(curve, NoV) - truth));
+      }
+    }
+  }
+  EXPECT_LT(worst,
+            0.035);  // a polished one at a grazing viewer, where a third is reflected; the others are within 0.02
+  EXPECT_GT(ofMeanNormal, 0.07);
+}
+
+TEST(Relief, LightFromBehindIsTheMeanOverItsTexels) {
+  constexpr int AROUND = 16;
+  double worst = 0, even = 0;
+  for (const Relief& relief : reliefs()) {
+    for (const double cosine : {-0.97, -0.6, -0.3, 0.0, 0.3, 0.6, 0.97}) {
+      double truth = 0;
+      for (int k = 0; k < AROUND; ++k) {
+        const dvec3 l = direction(cosine, TWO_PI * (k + 0.3) / AROUND);
+        for (const dvec3& n : relief.normals)
+          truth += std::max(-glm::dot(n, l), 0.0) / (AROUND * double(relief.normals.size()));
+      }
+      worst = std::max(worst, std::abs(brdf_d::reliefBehind(relief.lost(), cosine) - truth));
+      even = std::max(even, std::abs(glm::mix(std::max(-cosine, 0.0), 0.25, relief.lost()) - truth));
+    }
+  }
+  EXPECT_LT(worst, 0.03);
+  EXPECT_GT(even, 0.06);  // as if light came from everywhere
+}
+
 TEST(Relief, NoneChangesNothing) {
   for (const Cloth& cloth : WHITE) {
     for (const double NoV : COSINES) {
@@ -203,6 +246,9 @@ TEST(Relief, NoneChangesNothing) {
       EXPECT_EQ(s.alpha, cloth.roughness * cloth.roughness);
       EXPECT_EQ(brdf_d::bumpMean(1), 1);
       EXPECT_EQ(brdf_d::reliefDiffuseTowards(0, NoV), 1);
+      EXPECT_EQ(brdf_d::reliefTurned(0, NoV), 1);
+      EXPECT_EQ(brdf_d::reliefBehind(0, NoV), 0);
+      EXPECT_EQ(brdf_d::reliefBehind(0, -NoV), NoV);
       EXPECT_EQ(brdf_d::reliefSheen(0, cloth.sheenRoughness), 1);
       EXPECT_NEAR(brdf_d::reliefSheenAlbedo(0, cloth.sheenRoughness, NoV),
                   brdf_d::sheenFit(cloth.sheenRoughness, NoV).x, 1e-12);
