@@ -3,18 +3,24 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <map>
+#include <string>
 #include <system_error>
 #include <thread>
 
 #include "asset/check/pointer.h"
-#include "telar/codec.h"
+#include "core/sha256.h"
 
 namespace telar::asset {
 namespace {
 
+std::uint64_t texelBytesOf(const ImageHeader& header) {
+  return std::uint64_t{header.width} * header.height * header.texelBytes;
+}
+
 /// Of the texels, and of the textures that they are uploaded to: all mip levels are a third as large as the first.
 std::uint64_t bytesOf(const ImageHeader& header, ImageUse use) {
-  const std::uint64_t texels = std::uint64_t{header.width} * header.height * header.texelBytes;
+  const std::uint64_t texels = texelBytesOf(header);
   return texels + use.ways() * (texels + texels / 3);
 }
 
@@ -93,21 +99,30 @@ void ImageLoader::tolerating(std::size_t image, std::vector<bool>& missing, cons
 }
 
 /// All headers come first: what the images take together is refused before one of them is decoded.
-LoadedImages ImageLoader::load(const std::vector<ImageUse>& uses) const {
-  LoadedImages out{std::vector<Image8>(uses.size()), std::vector<bool>(uses.size(), false)};
+LoadedImages ImageLoader::load(std::vector<ImageUse> uses) const {
+  LoadedImages out{std::vector<Image8>(uses.size()), std::vector<bool>(uses.size(), false), {}};
   std::vector<File> files(uses.size());
-  double bytes = 0;
   for (std::size_t i = 0; i < files.size(); ++i) {
     from_.cancel.check();
     if (uses[i].ways() > 0) {
-      tolerating(i, out.missing, [&] { files[i] = open(i, uses[i], bytes); });
+      tolerating(i, out.missing, [&] { files[i] = open(i); });
     } else if (canonical(static_cast<int>(i)) == static_cast<int>(i)) {
       probeUnused(i);
     }
   }
-  std::vector<std::size_t> used;
+  out.first = firstOfSameBytes(files);
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if (uses[i].ways() > 0 && !out.missing[i]) used.push_back(i);
+    if (out.first[i] == i) continue;
+    uses[out.first[i]].add(uses[i]);
+    uses[i] = {};
+    files[i] = {};
+  }
+  std::vector<std::size_t> used;
+  double bytes = 0;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (uses[i].ways() == 0 || out.missing[i]) continue;
+    charge(i, files[i].header, uses[i], bytes);
+    used.push_back(i);
   }
   const auto thrown = eachOnThreads(used.size(), from_.tolerant, [&](std::size_t at) {
     File file = std::move(files[used[at]]);
@@ -123,7 +138,7 @@ LoadedImages ImageLoader::load(const std::vector<ImageUse>& uses) const {
   return out;
 }
 
-ImageLoader::File ImageLoader::open(std::size_t image, ImageUse use, double& bytesSoFar) const {
+ImageLoader::File ImageLoader::open(std::size_t image) const {
   const ImageSource& source = from_.document.images[image];
   const std::string where = pointer("images", image);
   File out;
@@ -133,18 +148,40 @@ ImageLoader::File ImageLoader::open(std::size_t image, ImageUse use, double& byt
   } else {
     out.bytes = from_.resources.view(source.bufferView);
   }
-  const ImageHeader header = at(image, [&] { return readImageHeader(out.bytes, from_.limits); });
-  bytesSoFar += static_cast<double>(header.texelBytes) * header.width * header.height;
-  checkSum("L_IMAGE_BYTES", static_cast<double>(from_.limits.imageBytes), bytesSoFar, where);
-  from_.memory.charge(bytesOf(header, use), where);
+  out.header = at(image, [&] { return readImageHeader(out.bytes, from_.limits); });
   // A URI need not give a type; an image in a buffer view must, and the right one.
   const bool embedded = source.bufferView >= 0;
-  if (source.mimeType != header.mimeType && (embedded || !source.mimeType.empty())) {
+  if (source.mimeType != out.header.mimeType && (embedded || !source.mimeType.empty())) {
     from_.warnings.add("W_IMAGE_MIME",
-                       "the image is " + header.mimeType + ", its mimeType says " + telar::quoted(source.mimeType),
+                       "the image is " + out.header.mimeType + ", its mimeType says " + telar::quoted(source.mimeType),
                        where + "/mimeType");
   }
   return out;
+}
+
+/// Files that are larger than their texels are not compared: what they take is bounded by nothing that was checked.
+std::vector<std::size_t> ImageLoader::firstOfSameBytes(const std::vector<File>& files) {
+  constexpr std::uint64_t HEAD_BYTES = 4096;
+  std::vector<std::size_t> first(files.size());
+  std::map<std::size_t, std::vector<std::size_t>> bySize;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    first[i] = i;
+    const auto& [owned, bytes, header] = files[i];
+    if (!bytes.empty() && bytes.size() <= texelBytesOf(header) + HEAD_BYTES) bySize[bytes.size()].push_back(i);
+  }
+  for (const auto& [size, images] : bySize) {
+    if (images.size() == 1) continue;
+    std::map<std::string, std::size_t> byDigest;
+    for (const std::size_t i : images) first[i] = byDigest.try_emplace(sha256Hex(files[i].bytes), i).first->second;
+  }
+  return first;
+}
+
+void ImageLoader::charge(std::size_t image, const ImageHeader& header, ImageUse use, double& bytesSoFar) const {
+  const std::string where = pointer("images", image);
+  bytesSoFar += static_cast<double>(texelBytesOf(header));
+  checkSum("L_IMAGE_BYTES", static_cast<double>(from_.limits.imageBytes), bytesSoFar, where);
+  from_.memory.charge(bytesOf(header, use), where);
 }
 
 void ImageLoader::probeUnused(std::size_t image) const {

@@ -2,21 +2,25 @@
 #include <vector>
 
 #include "asset/geometry/geometry.h"
+#include "telar/codec.h"
 
 namespace telar::asset {
 
 struct LoadedImages {
   std::vector<Image8> images;  ///< as many as the document has; width 0 where not used, or missing
   std::vector<bool> missing;   ///< used, and not readable
+  /// For each image the first used one with the same bytes, that one itself included; of the others there is nothing.
+  std::vector<std::size_t> first;
 };
 
 /// How materials read an image; an image that is read both ways is uploaded twice.
 struct ImageUse {
   bool color = false, data = false;
   unsigned ways() const { return unsigned{color} + unsigned{data}; }
+  void add(ImageUse other) { color |= other.color, data |= other.data; }
 };
 
-/// Decodes the images that are used, each distinct one once.
+/// Decodes the images that are used, those of the same source or the same bytes once.
 class ImageLoader {
  public:
   explicit ImageLoader(const GeometryReader::Sources& sources) : from_(sources) {}
@@ -28,14 +32,17 @@ class ImageLoader {
   /// @param uses by image index, canonical ones only
   /// @throws Error{E_IMAGE_*, L_IMAGE_*, L_MEMORY_BYTES, E_URI_*, X_CANCELLED} with the image's pointer. What is wrong
   ///         with an unused image inside the file is only a warning (W_IMAGE); unused external files are not decoded.
-  LoadedImages load(const std::vector<ImageUse>& uses) const;
+  LoadedImages load(std::vector<ImageUse> uses) const;
 
  private:
   struct File {
     std::vector<std::byte> owned;  ///< empty where the image is in a buffer view
     std::span<const std::byte> bytes;
+    ImageHeader header;
   };
-  File open(std::size_t image, ImageUse use, double& bytesSoFar) const;
+  File open(std::size_t image) const;
+  static std::vector<std::size_t> firstOfSameBytes(const std::vector<File>& files);
+  void charge(std::size_t image, const ImageHeader& header, ImageUse use, double& bytesSoFar) const;
   /// Errors of `read` get the image's pointer, unless they have one.
   template <class Read>
   static auto at(std::size_t image, const Read& read);

@@ -206,9 +206,10 @@ void Assembler::loadImages() {
       (use.color ? image.color : image.data) = true;
     }
   }
-  LoadedImages loaded = loader.load(uses);
+  LoadedImages loaded = loader.load(std::move(uses));
   for (Material& material : scene_.materials) {
     for (const TextureUse& use : texturesOf(material)) {
+      use.texture->image = static_cast<int>(loaded.first[static_cast<std::size_t>(use.texture->image)]);
       if (loaded.missing[static_cast<std::size_t>(use.texture->image)]) *use.texture = TextureRef{};
     }
   }

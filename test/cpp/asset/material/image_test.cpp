@@ -62,9 +62,27 @@ TEST_F(ImageTest, EachDistinctImageIsDecodedOnce) {
   EXPECT_EQ(scene->materials[0].normalTexture.image, 0);
   EXPECT_EQ(scene->images[0].width, 1u);
   EXPECT_EQ(scene->images[1].width, 0u);
-  const int other = model.view(pngPixel());
-  model.doc["images"][2]["bufferView"] = other;
+  model.doc["images"][2]["bufferView"] = model.view(pngPixel());
+  const auto same = load(model, limits);
+  EXPECT_EQ(same->materials[0].normalTexture.image, 0);  // the same bytes
+  EXPECT_EQ(same->images[2].width, 0u);
+  Bytes other = pngPixel();
+  other.push_back(std::byte{0});
+  model.doc["images"][2]["bufferView"] = model.view(other);
   EXPECT_EQ(errorOf(model, limits), "L_IMAGE_BYTES at /images/2");
+}
+
+// A file may say a small picture and be large: as many of these as there are views would be hashed.
+TEST_F(ImageTest, AFileMuchLargerThanItsTexelsIsNotCompared) {
+  Bytes padded = pngPixel();
+  padded.resize(padded.size() + 8192);
+  for (int i = 0; i < 2; ++i)
+    model.doc["images"].push_back({{"bufferView", model.view(padded)}, {"mimeType", "image/png"}});
+  model.doc["textures"] = {{{"source", 0}}, {{"source", 1}}};
+  model.doc["materials"][0]["normalTexture"] = {{"index", 1}};
+  const auto scene = load(model);
+  EXPECT_EQ(scene->materials[0].normalTexture.image, 1);
+  EXPECT_EQ(scene->images[1].width, 1u);
 }
 
 // Several threads decode: which one meets a damaged image first must not show.
