@@ -58,7 +58,7 @@ goal and not the settings: hosts that share them should have one speed, or ask b
 The time is that of drawing. Loading a model, compiling its programs and preparing a new environment come on top, once each.
 
 What is predicted of a scene is what was measured of others of its class: shading, kind of surface (cut out, facets, stretched highlights, napped, relief or smooth: the hardest of the\nscene), where its light comes from. Errors are
-upper bounds: of a class of n scenes the k-th smallest value, k = 0.85 (n + 1) rounded up (conformal prediction: Vovk, Gammerman & Shafer 2005), and where there are too few the largest
+upper bounds: of a class of n scenes the k-th smallest value, k = 0.9 (n + 1) rounded up (conformal prediction: Vovk, Gammerman & Shafer 2005), and where there are too few the largest
 with a margin; what a window shows is multiplied by such a bound of its own. A class of fewer than 5 scenes gives way to the wider one (without or with holes or glitter, the shading, all), for times
 also one whose scenes are all of one size. Times are linear in triangles and covered pixels, with the factor that 9 of 10 pictures stay below.
 

@@ -111,7 +111,7 @@ test('windows are small, over nothing, without layers, at the scale of the pictu
 test('factors are the bound of what was measured over what a window showed', () => {
   const looks = Array.from({ length: 19 }, (_, i) => ({ setting: 'draft', flip: 0.1, is: 0.1 * (1 + i / 10) }));
   const few = looks.slice(0, 3).map((look) => ({ ...look, setting: 'standard' }));
-  // ceil(0.85 * 20) = the 17th of 19.
-  assert.deepEqual(factorsOf([...looks, ...few]), { draft: 2.6 });
-  assert.notDeepEqual(factorsOf(looks.slice(0, 17)), { draft: 2.6 });
+  // ceil(0.9 * 20) = the 18th of 19.
+  assert.deepEqual(factorsOf([...looks, ...few]), { draft: 2.7 });
+  assert.notDeepEqual(factorsOf(looks.slice(0, 17)), { draft: 2.7 });
 });
