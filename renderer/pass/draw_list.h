@@ -22,6 +22,7 @@ struct DrawItem {
   shader::VariantKey key;
   bool blend = false;           ///< alpha blended, without depth writes
   bool blendsCoverage = false;  ///< drawn once more so, for what of a cut-out cloth is there in part
+  bool isPartial = false;       ///< of blendsCoverage: nothing of it is there as a whole
   bool bothSides = false;       ///< faces of either winding, in one call
   bool mirrored = false;        ///< the node's matrix reverses the winding
   bool ghost = false;           ///< of frame::Ghosts: it casts no shadow

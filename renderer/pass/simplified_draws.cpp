@@ -4,30 +4,20 @@
 #include <cmath>
 #include <map>
 
+#include "pass/partial_coverage.h"
+#include "pass/pixel_size.h"
+
 namespace telar::pass {
 namespace {
 
-/// Size of a pixel where the model is next to the camera, metres.
-double pixelSize(const FramePlan& plan, const Bounds& bounds, const Shot& shot) {
-  const double atOne = 2 / (plan.camera.projection[1][1] * shot.height);
-  if (plan.camera.orthographic) return atOne;
-  double depth = std::numeric_limits<double>::infinity();
-  for (const glm::dvec3& corner : bounds.corners())
-    depth = std::min(depth, -(plan.camera.view * glm::dvec4(corner, 1)).z);
-  return atOne * std::max(depth, shot.camera.near);
-}
-
+/// By which a matrix makes something longer, at most: of axes that are square the longest (Gershgorin 1931).
 double longestAxis(const glm::dmat4& m) {
-  return std::max({glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))});
-}
-
-/// How many times larger than in its mesh an item is drawn, at most.
-double scaleOf(const DrawItem& item) {
-  const double own = longestAxis(item.node->world);
-  if (!item.instances()) return own;
+  const glm::dmat3 axes(m);
+  const glm::dmat3 products = glm::transpose(axes) * axes;
   double most = 0;
-  for (const auto& matrix : item.instances()->matrices) most = std::max(most, longestAxis(glm::dmat4(matrix)));
-  return own * most;
+  for (int i = 0; i < 3; ++i)
+    most = std::max(most, std::abs(products[i].x) + std::abs(products[i].y) + std::abs(products[i].z));
+  return std::sqrt(most);
 }
 
 bool mayBeSimplified(const DrawItem& item) {
@@ -38,27 +28,40 @@ std::array<std::vector<DrawItem>*, 5> listsOf(DrawList& draws) {
   return {&draws.behind, &draws.behindBackSides, &draws.opaque, &draws.transmissive, &draws.blended};
 }
 
-}  // namespace
-
-void limitDetail(FramePlan& plan, const Scene& scene, const Shot& shot, GpuScene& gpu, const CancelToken& cancel) {
-  gpu.limitTextures(shot.textureSize);
-  if (shot.geometryError <= 0) return;
-  const double error = shot.geometryError * pixelSize(plan, scene.bounds, shot);
+/// @param error  metres, next to the camera
+void simplify(DrawList& draws, double error, GpuScene& gpu, const CancelToken& cancel) {
   // One form of a mesh a frame, whatever draws it.
   std::map<const Primitive*, double> errors;
-  for (const auto* list : listsOf(plan.draws)) {
+  for (const auto* list : listsOf(draws)) {
     for (const DrawItem& item : *list) {
       if (!mayBeSimplified(item)) continue;
       const auto [found, isNew] = errors.try_emplace(item.primitive, error / scaleOf(item));
       if (!isNew) found->second = std::min(found->second, error / scaleOf(item));
     }
   }
-  for (auto* list : listsOf(plan.draws)) {
+  for (auto* list : listsOf(draws)) {
     for (DrawItem& item : *list) {
       const auto found = errors.find(item.primitive);
       if (found != errors.end()) item.primitive = &gpu.simplified(*item.primitive, found->second, cancel);
     }
   }
+}
+
+}  // namespace
+
+double scaleOf(const DrawItem& item) {
+  const double own = longestAxis(item.node->world);
+  if (!item.instances()) return own;
+  double most = 0;
+  for (const auto& matrix : item.instances()->matrices) most = std::max(most, longestAxis(glm::dmat4(matrix)));
+  return own * most;
+}
+
+void limitDetail(FramePlan& plan, const Scene& scene, const Shot& shot, GpuScene& gpu, const CancelToken& cancel) {
+  gpu.limitTextures(shot.textureSize);
+  if (shot.geometryError > 0)
+    simplify(plan.draws, shot.geometryError * pixelSize(plan, scene.bounds, shot), gpu, cancel);
+  findPartial(plan, scene, shot, gpu);
 }
 
 }  // namespace telar::pass

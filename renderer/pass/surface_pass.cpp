@@ -328,7 +328,7 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
         .run();
   };
   if (item.key.alphaToCoverage) program.set("coverageDraw", item.blendsCoverage ? COVERAGE_WHOLE : COVERAGE_MASKED);
-  draw();
+  if (!item.isPartial) draw();
   if (!item.blendsCoverage) return;
   program.set("coverageDraw", COVERAGE_BLENDED);
   blends(true);

@@ -7,9 +7,6 @@
 namespace telar::pass {
 namespace {
 
-/// The texture's smallest alpha that passes the material's alpha test.
-float textureCutoff(const Material& m) { return m.baseColorFactor.a > 0 ? m.alphaCutoff / m.baseColorFactor.a : 2.0f; }
-
 /// The key with what of its images is not read.
 DerivedTexture withLimits(DerivedTexture key, const Scene& scene, const GpuScene& gpu) {
   key.first = gpu.levelsLeftOut(scene, key.image);
@@ -83,6 +80,8 @@ void eachTexture(const std::vector<DrawItem>& list, const Visit& visit) {
 }
 
 }  // namespace
+
+float textureCutoff(const Material& m) { return m.baseColorFactor.a > 0 ? m.alphaCutoff / m.baseColorFactor.a : 2.0f; }
 
 void SurfaceTextures::checkMemory(const FramePlan& plan, const Scene& scene, const GpuScene& gpu) const {
   std::set<DerivedTexture> wanted;

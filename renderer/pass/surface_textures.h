@@ -8,6 +8,9 @@
 
 namespace telar::pass {
 
+/// The texture's smallest alpha that passes the material's alpha test; above 1 none does.
+float textureCutoff(const Material& material);
+
 /// The textures that surfaces sample: uploaded, or made of what was uploaded.
 class SurfaceTextures {
  public:

@@ -21,8 +21,6 @@ constexpr std::uint64_t TEXELS_WORTH_A_QUAD = 128, TEXELS_WORTH_A_LOOK = 1 << 18
 constexpr float LEVEL_1_STEPS = 2.02f;
 constexpr std::uint8_t ALL = 255;
 
-bool hasMipLevels(const Sampler& sampler) { return sampler.minFilter != GL_NEAREST && sampler.minFilter != GL_LINEAR; }
-
 /// Whether TextureStore can leave out levels of it: it makes them itself, of bytes, each half as large as the last.
 bool mayLackLevels(const Image8& image) {
   return !image.ownLevels && image.type == TexelType::kByte && halves(image.width, image.height);
@@ -47,7 +45,7 @@ Maps mapsOf(const DrawItem& item, const Scene& scene) {
     if (!texture) continue;
     const Image8& image = scene.images[static_cast<std::size_t>(texture.image)];
     // A bump map is read beside its place: how far beside, differs from fragment to fragment.
-    const bool plain = hasMipLevels(texture.sampler) && slot.map != &Key::bumpMap && mayLackLevels(image);
+    const bool plain = texture.sampler.readsMipLevels() && slot.map != &Key::bumpMap && mayLackLevels(image);
     maps[{plain ? uvComponent(item.key, slot) : WHOLE, image.width, image.height}].push_back(texture.image);
   }
   return maps;

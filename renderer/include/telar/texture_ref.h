@@ -11,6 +11,8 @@ struct Sampler {
   std::uint32_t magFilter = 9729;
   std::uint32_t minFilter = 9987;
   bool operator==(const Sampler&) const = default;
+  /// Or level 0 alone.
+  bool readsMipLevels() const { return minFilter != 9728 && minFilter != 9729; }
 };
 
 /// One use of a texture by a material.

@@ -1,0 +1,11 @@
+#pragma once
+#include "pass/draw_list.h"
+#include "pass/gpu_scene.h"
+
+namespace telar::pass {
+
+/// Finds the draws of cut-out cloth that no pixel has as a whole: from far a net is there in part everywhere
+/// (material/coverage.glsl), and is drawn once, blended. Meshes that morph or have bones are not looked at.
+void findPartial(FramePlan& plan, const Scene& scene, const Shot& shot, const GpuScene& gpu);
+
+}  // namespace telar::pass
