@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
+#include <map>
+#include <tuple>
 
 #include "pass/mip_levels.h"
 #include "pass/pixel_size.h"
@@ -36,16 +38,17 @@ double fewestTexels2(const Primitive& primitive, const TextureRef& texture, cons
   return std::isfinite(fewest) ? fewest : 0;
 }
 
-/// Whether some texel of this mip level and so of a smaller one is there as a whole.
+/// Whether some texel of this mip level is there as a whole: where none is, none of a smaller level is.
+/// @param cutoff  [0, 2]. A texel that equals it counts as there, however the GPU rounds.
 bool hasWhole(const Image8& image, int level, double cutoff) {
   const std::uint32_t width = std::min(image.width, 1u << level), height = std::min(image.height, 1u << level);
-  const double wanted = WHOLE_SHARE * width * height;
+  const double wanted = WHOLE_SHARE * width * height, least = 255 * cutoff - 0.5;
   for (std::uint32_t y = 0; y < image.height; y += height) {
     for (std::uint32_t x = 0; x < image.width; x += width) {
       std::uint32_t there = 0;
       for (std::uint32_t row = y; row < y + height; ++row) {
         const std::uint8_t* texel = &image.pixels[(std::size_t{row} * image.width + x) * 4 + 3];
-        for (std::uint32_t i = 0; i < width; ++i, texel += 4) there += *texel >= cutoff ? 1 : 0;
+        for (std::uint32_t i = 0; i < width; ++i, texel += 4) there += *texel >= least ? 1 : 0;
       }
       if (there > wanted) return true;
     }
@@ -60,25 +63,58 @@ double cornerCosine(const frame::Camera& camera) {
   return 1 / std::sqrt(1 + glm::dot(corner, corner));
 }
 
-bool isPartial(const DrawItem& item, const FramePlan& plan, const Scene& scene, const Shot& shot, const GpuScene& gpu) {
-  const TextureRef& texture = item.material->baseColorTexture;
-  const Image8& image = scene.images[static_cast<std::size_t>(texture.image)];
-  const bool isRead = texture.sampler.readsMipLevels() && halves(image.width, image.height) && !image.ownLevels &&
-                      image.type == TexelType::kByte && gpu.levelsLeftOut(scene, texture.image) == 0;
-  if (!isRead || item.primitive->topology != Topology::kTriangles || item.primitive->deformers) return false;
-  const glm::dmat2 toTexels = glm::dmat2(image.width, 0, 0, image.height) * glm::dmat2(glm::mat2(texture.uvTransform));
-  const double pixel = pixelSize(plan, scene.bounds, shot) * cornerCosine(plan.camera) / scaleOf(item);
-  // The shader's level is by the longer step of two, whose square is at least half of both.
-  const double texels2 = 0.5 * pixel * pixel * fewestTexels2(*item.primitive, texture, toTexels);
-  const double level = 0.5 * std::log2(texels2) - LEVEL_MARGIN;
-  return level >= 1 && !hasWhole(image, std::min(static_cast<int>(level), 31), 255 * textureCutoff(*item.material));
-}
+/// What was found of one mesh or one image holds for all items that have it.
+class Finder {
+ public:
+  Finder(const FramePlan& plan, const Scene& scene, const Shot& shot, const GpuScene& gpu, const CancelToken& cancel)
+      : scene_(scene),
+        gpu_(gpu),
+        cancel_(cancel),
+        pixel_(pixelSize(plan, scene.bounds, shot) * cornerCosine(plan.camera)) {}
+
+  bool isPartial(const DrawItem& item) {
+    cancel_.check();
+    const TextureRef& texture = item.material->baseColorTexture;
+    const Image8& image = scene_.images[static_cast<std::size_t>(texture.image)];
+    const bool isRead = texture.sampler.readsMipLevels() && halves(image.width, image.height) && !image.ownLevels &&
+                        image.type == TexelType::kByte && gpu_.levelsLeftOut(scene_, texture.image) == 0;
+    if (!isRead || item.primitive->topology != Topology::kTriangles || item.primitive->deformers) return false;
+    const double pixel = pixel_ / scaleOf(item);
+    // The shader's level is by the longer step of two, whose square is at least half of both.
+    const double level = 0.5 * std::log2(0.5 * pixel * pixel * texels2(item, image)) - LEVEL_MARGIN;
+    if (!(level >= 1)) return false;
+    const std::tuple key{texture.image, static_cast<int>(std::min(level, 31.0)), textureCutoff(*item.material)};
+    const auto [found, isNew] = whole_.try_emplace(key, false);
+    if (isNew) found->second = hasWhole(image, std::get<1>(key), std::get<2>(key));
+    return !found->second;
+  }
+
+ private:
+  double texels2(const DrawItem& item, const Image8& image) {
+    const auto [found, isNew] = texels2_.try_emplace({item.primitive, item.material}, 0);
+    if (isNew) {
+      const TextureRef& texture = item.material->baseColorTexture;
+      const glm::dmat2 size(image.width, 0, 0, image.height);
+      found->second = fewestTexels2(*item.primitive, texture, size * glm::dmat2(glm::mat2(texture.uvTransform)));
+    }
+    return found->second;
+  }
+
+  const Scene& scene_;
+  const GpuScene& gpu_;
+  const CancelToken& cancel_;
+  const double pixel_;  ///< metres
+  std::map<std::pair<const Primitive*, const Material*>, double> texels2_;
+  std::map<std::tuple<int, int, float>, bool> whole_;  ///< by image, level and cutoff
+};
 
 }  // namespace
 
-void findPartial(FramePlan& plan, const Scene& scene, const Shot& shot, const GpuScene& gpu) {
+void findPartial(FramePlan& plan, const Scene& scene, const Shot& shot, const GpuScene& gpu,
+                 const CancelToken& cancel) {
+  Finder finder(plan, scene, shot, gpu, cancel);
   for (DrawItem& item : plan.draws.blended) {
-    if (item.blendsCoverage) item.isPartial = isPartial(item, plan, scene, shot, gpu);
+    if (item.blendsCoverage) item.isPartial = finder.isPartial(item);
   }
 }
 

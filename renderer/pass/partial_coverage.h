@@ -6,6 +6,7 @@ namespace telar::pass {
 
 /// Finds the draws of cut-out cloth that no pixel has as a whole: from far a net is there in part everywhere
 /// (material/coverage.glsl), and is drawn once, blended. Meshes that morph or have bones are not looked at.
-void findPartial(FramePlan& plan, const Scene& scene, const Shot& shot, const GpuScene& gpu);
+/// @throws Error{X_CANCELLED}
+void findPartial(FramePlan& plan, const Scene& scene, const Shot& shot, const GpuScene& gpu, const CancelToken& cancel);
 
 }  // namespace telar::pass

@@ -61,7 +61,7 @@ void limitDetail(FramePlan& plan, const Scene& scene, const Shot& shot, GpuScene
   gpu.limitTextures(shot.textureSize);
   if (shot.geometryError > 0)
     simplify(plan.draws, shot.geometryError * pixelSize(plan, scene.bounds, shot), gpu, cancel);
-  findPartial(plan, scene, shot, gpu);
+  findPartial(plan, scene, shot, gpu, cancel);
 }
 
 }  // namespace telar::pass

@@ -16,7 +16,8 @@ vec3 dominantReflection(float perceptualRoughness, vec3 n, vec3 v) {
 }
 
 // Roughness whose prefiltered lobe, that of a viewer along the normal, is as wide as the lobe of this roughness seen aslant: its mean
-// direction is as long, within 0.02. Aslant a lobe is narrower across; what a metal reflects is pulled towards its normal and stays wide.
+// direction is as long, within 0.03. A prefiltered lobe has the cosine of the light once more and is narrower, so even straight on it is
+// read rougher. Aslant a lobe is narrower across; what a metal reflects is pulled towards its normal and stays wide.
 // perceptualRoughness  [0, 1]      f0  [0, 1]      NoV  [0, 1]
 float prefilteredRoughness(float perceptualRoughness, float f0, float NoV) {
   float r = perceptualRoughness;

@@ -1,7 +1,7 @@
 // What a relief does that is finer than a pixel: the normals of a normal map that the sampler has averaged. Shared text: see
 // README.md. A texel alone is lit as bump.glsl says: its normal turned to where it just faces the viewer, its terminator. The
-// means over reliefs of cloth depend on little but the length of the mean normal. The numbers are fitted to those of knits,
-// weaves, pile and grain: `node test/fits/relief.mjs`, for diffuse light and gloss.
+// means over reliefs of cloth depend on little but the length of the mean normal. The numbers are those of knits, weaves, pile and
+// grain; `node test/fits/relief.mjs` fits diffuse light of one direction and the gloss.
 // relief  1 - length of the mean normal, [0, 1)
 // src: Toksvig 2005, "Mipmapping Normal Maps", for that length; Han et al. 2007, "Frequency Domain Normal Map Filtering", for
 //      lobes over a distribution of normals
@@ -13,7 +13,8 @@ float reliefDiffuseTowards(float relief, float NoL) {
   return (1.0 - relief) * (1.0 + leaning);
 }
 
-// Mean cosine of light on the other side, where normals lean to it and away. Within 0.03.   cosine  [-1, 1], with the mean normal
+// Mean cosine of light on the other side, where normals lean to it and away. Within 0.03 of reliefs up to 0.5; over all directions up to
+// 1.02 times the light there.   cosine  [-1, 1], with the mean normal
 float reliefBehind(float relief, float cosine) {
   float mean = cosine * (1.0 - relief);
   return 0.5 * (sqrt(pow2(mean) + 0.5 * relief * max(1.0 - pow2(cosine), 0.0)) - mean);

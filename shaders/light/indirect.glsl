@@ -110,7 +110,8 @@ vec3 domeIrradiance(vec3 n) {
 
 #if DIFFUSE_TRANSMISSION
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES == 0
-// By how much more than the mean normal those texels of a relief lean that do not lie flat: the mean of squared cosines of knits and nets.
+// Texels of a relief that do not lie flat have a mean cosine of 1 - relief - RELIEF_LEANING; relief / (relief + RELIEF_LEANING) of all do
+// not. So the mean cosine is the relief's, and that of squares about those of knits and nets.
 const float RELIEF_LEANING = 0.15;
 
 // Mean radiance of the environment on the other side of a surface, by the cosine.
@@ -183,6 +184,7 @@ Incident incidentLight(SurfaceInfo s) {
   // A relief blurs the lobe more than it bends it.
   float bending = roughnessWithSlopes(s.glossRoughness, 0.5 * s.slopeVariance);
 #if FACETS
+  // The facets' lobe is that of their level, fitted as it is.
   incident.radiance = environmentRadiance(dominantReflection(bending, s.n, s.v), lobeLod(s.perceptualRoughness));
   incident.edgeRadiance = specularRadiance(sqrt(EDGE_ALPHA), s.edges.n, s.v);
 #else

@@ -81,7 +81,8 @@ YarnLobe inRelief(SurfaceInfo s, YarnLobe yarn) {
 }
 #endif
 
-// By how much more a relief reflects than its mean normal, before a layer below is reached.   curve  of grazingCurve()
+// By how much more a relief reflects than its mean normal before a layer below is reached; at grazing angles, how much less.
+// curve  of grazingCurve()
 float grazingOfRelief(float relief, vec4 curve, float NoV) { return reliefGrazing(relief, curve, NoV) - glossGrazing(curve, NoV); }
 
 // Takes that from the layers below.
@@ -103,10 +104,11 @@ SurfaceInfo withReliefPassing(SurfaceInfo s) {
 // Takes from the lobes what a relief hides that is finer than the pixel, and widens them. Their energies are those of a texel.
 SurfaceInfo withRelief(SurfaceInfo s) {
   s.glossKept = reliefGloss(s.relief, s.glossRoughness, s.NoV);
-  s = withReliefPassing(s);
 #if FACETS
   if (hasEdges(s)) s.glossKept = vec2(1.0 - s.edges.share);  // facets lie too flat to hide anything
+  else
 #endif
+  s = withReliefPassing(s);
   s.perceptualRoughness = roughnessWithSlopes(s.perceptualRoughness, s.slopeVariance);
   s.alpha = widthWithSlopes(s.alpha, s.slopeVariance);
 #if ANISOTROPY || WEAVE
@@ -231,9 +233,7 @@ vec3 clearCoatLobe(SurfaceInfo s, vec3 l, vec3 h) {
   float NoL = saturate(dot(s.coatNormal, l));
   return isotropicLobe(s.coatNormal, s.v, s.clearcoatNoV, NoL, alphaFromRoughness(s.clearcoatRoughness), vec3(F0_DIELECTRIC), 1.0, h);
 }
-#endif
 
-#if CLEARCOAT
 // Share of uniform light that the coat reflects.
 float coatReflectance(SurfaceInfo s) {
   return s.coatAlbedo - (1.0 - F0_DIELECTRIC) * grazingExcess(s.clearcoatRoughness, s.clearcoatNoV);
@@ -250,7 +250,7 @@ Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
 #endif
 #if DIFFUSE_TRANSMISSION
 #if RELIEF
-  float behind = reliefBehind(s.relief, cosine);
+  float behind = reliefBehind(s.relief, cosine) * dot(l, l);  // of no direction, none
 #else
   float behind = saturate(-cosine);
 #endif

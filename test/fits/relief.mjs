@@ -129,7 +129,10 @@ process.stdout.write(`f0 as it stands: rms ${rms(residuals(START))}, worst ${wor
 const fitted = leastSquares(residuals, START, 40);
 process.stdout.write(`f0 fitted: rms ${rms(residuals(fitted))}, worst ${worst(residuals(fitted))}: ${fitted.map((x) => x.toFixed(3)).join(' ')}\n`);
 const ofF90 = ([a, b]) =>
-  gloss.map((row) => (row.lostOfF90 / row.grazingFlat - Math.sqrt(row.relief) * Math.max(a - b * row.r, 0)) * Math.sqrt(row.grazingFlat));
+  gloss.map((row) => {
+    const seen = Math.max(1 - Math.max(row.c - 0.35, 0) / (0.07 + 3.2 * row.relief), 0);
+    return (row.lostOfF90 / row.grazingFlat - Math.sqrt(row.relief) * Math.max(a - b * row.r, 0) * seen) * Math.sqrt(row.grazingFlat);
+  });
 process.stdout.write(`f90 as it stands: rms ${rms(ofF90(START_F90))}, worst ${worst(ofF90(START_F90))}; `);
 const pair = leastSquares(ofF90, START_F90, 40);
 process.stdout.write(`fitted: rms ${rms(ofF90(pair))}, worst ${worst(ofF90(pair))}: ${pair.map((x) => x.toFixed(3)).join(' ')}\n`);

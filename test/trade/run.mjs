@@ -19,7 +19,7 @@ import { tradeScenes } from './scenes.mjs';
 // npm run trade [-- --minutes N] [--write]: measures the scenes of scenes.mjs, as far as the minutes go (a run goes on where the last one stopped),
 // fits what {maxError} and {budgetMs} go by, and judges it by scenes that it does not know. --write: js/predict/table.json, js/docs/trade.md.
 // On a machine of many cores, several processes at once, each with cores of its own (taskset): `--share scenes` in each measures the next scene that no
-// other has taken; then `--share answers` in each, what a renderer would choose of the judging ones. `--kept --write` writes what out/trade holds of
+// other has taken (out/trade/taken; remove it after a process that was killed); then `--share answers` in each, what a renderer would choose of the judging ones. `--kept --write` writes what out/trade holds of
 // whichever machine, and draws nothing.
 
 const { values } = parseArgs({
@@ -100,6 +100,7 @@ async function withModel({ source }, work) {
 /** What is kept under these parts, else what `make` gives, which is then kept. */
 async function keptOr(parts, make) {
   const key = store.keyOf(parts);
+  if (values.kept && !store.row(key)) throw new Error(`not kept in ${OUT}: ${JSON.stringify(parts).slice(0, 200)}`);
   const kept = store.row(key) ?? (await make());
   if (!store.row(key)) await store.keep(key, kept);
   return kept;
@@ -135,7 +136,7 @@ const { name: machineName, ...machine } = await machineHere();
 const table = fitTable(measured.fit.flat(), machine, looks);
 const answers = [];
 for (const [i, scene] of held.entries()) {
-  if (!takes(['answers', nameOf(scene)])) continue;
+  if (!takes({ answers: nameOf(scene, measured.heldOut[i]), table })) continue;
   const answer = () => withModel(scene, (model) => answersOf(renderer, model, scene, table, measured.heldOut[i][0].features));
   answers.push(await keptOr({ answers: nameOf(scene, measured.heldOut[i]), table }, answer));
 }

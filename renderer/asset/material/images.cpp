@@ -160,7 +160,7 @@ ImageLoader::File ImageLoader::open(std::size_t image) const {
 }
 
 /// Files that are larger than their texels are not compared: what they take is bounded by nothing that was checked.
-std::vector<std::size_t> ImageLoader::firstOfSameBytes(const std::vector<File>& files) {
+std::vector<std::size_t> ImageLoader::firstOfSameBytes(const std::vector<File>& files) const {
   constexpr std::uint64_t HEAD_BYTES = 4096;
   std::vector<std::size_t> first(files.size());
   std::map<std::size_t, std::vector<std::size_t>> bySize;
@@ -172,7 +172,10 @@ std::vector<std::size_t> ImageLoader::firstOfSameBytes(const std::vector<File>& 
   for (const auto& [size, images] : bySize) {
     if (images.size() == 1) continue;
     std::map<std::string, std::size_t> byDigest;
-    for (const std::size_t i : images) first[i] = byDigest.try_emplace(sha256Hex(files[i].bytes), i).first->second;
+    for (const std::size_t i : images) {
+      from_.cancel.check();
+      first[i] = byDigest.try_emplace(sha256Hex(files[i].bytes), i).first->second;
+    }
   }
   return first;
 }

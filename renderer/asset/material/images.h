@@ -41,7 +41,7 @@ class ImageLoader {
     ImageHeader header;
   };
   File open(std::size_t image) const;
-  static std::vector<std::size_t> firstOfSameBytes(const std::vector<File>& files);
+  std::vector<std::size_t> firstOfSameBytes(const std::vector<File>& files) const;
   void charge(std::size_t image, const ImageHeader& header, ImageUse use, double& bytesSoFar) const;
   /// Errors of `read` get the image's pointer, unless they have one.
   template <class Read>

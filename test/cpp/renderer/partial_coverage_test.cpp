@@ -58,7 +58,7 @@ class PartialCoverage : public testing::Test {
   bool isPartial(const std::shared_ptr<Scene>& scene, const Shot& shot) {
     const pass::GpuScene gpu(*context_, store_, scene, nullptr);
     pass::FramePlan plan = pass::planDraws(*scene, shot, Limits(), false);
-    pass::findPartial(plan, *scene, shot, gpu);
+    pass::findPartial(plan, *scene, shot, gpu, CancelToken());
     EXPECT_EQ(plan.draws.blended.size(), 1u);
     EXPECT_TRUE(plan.draws.blended.at(0).blendsCoverage);
     return plan.draws.blended.at(0).isPartial;
@@ -89,6 +89,22 @@ TEST_F(PartialCoverage, OnlyWhereTheLevelIsKnown) {
   auto enlarged = netOf(net());
   enlarged->nodes.at(0).world = glm::scale(glm::dmat4(1), glm::dvec3(1, 4, 1));
   EXPECT_FALSE(isPartial(enlarged, 12));
+}
+
+TEST_F(PartialCoverage, ATexelThatEqualsTheCutoffMayBeThere) {
+  Image8 image = netImage(TEXELS, 4, 2);
+  for (std::size_t i = 3; i < image.pixels.size(); i += 4) image.pixels[i] = 51;
+  auto scene = netOf(image);
+  scene->materials.at(0).alphaCutoff = 0.2f;  // 255 times that is above 51
+  EXPECT_FALSE(isPartial(scene, 12));
+  scene->materials.at(0).alphaCutoff = 0.21f;
+  EXPECT_TRUE(isPartial(scene, 12));
+}
+
+TEST_F(PartialCoverage, OfANodeWithoutSizeNothingFails) {
+  auto scene = netOf(net());
+  scene->nodes.at(0).world = glm::scale(glm::dmat4(1), glm::dvec3(0));
+  EXPECT_TRUE(isPartial(scene, 12));
 }
 
 TEST_F(PartialCoverage, OfAPerspectiveByWhatIsNext) {
