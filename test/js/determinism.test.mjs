@@ -35,8 +35,9 @@ test('two processes, one and two rasteriser threads: the same PNG', () => {
 let egl;
 let osmesa;
 before(async () => {
-  egl = await createRenderer({ backend: 'egl-surfaceless' });
-  osmesa = await createRenderer({ backend: 'osmesa' });
+  // Bytes are asked for, not time: on a busy machine a program may take longer to compile than a render may take.
+  egl = await createRenderer({ backend: 'egl-surfaceless', timeoutMs: null });
+  osmesa = await createRenderer({ backend: 'osmesa', timeoutMs: null });
 });
 after(async () => {
   await egl?.close();
