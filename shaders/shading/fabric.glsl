@@ -64,13 +64,6 @@ vec3 specularLobe(SurfaceInfo s, vec3 l, vec3 h, float NoL) {
 
 #if RELIEF
 #if WEAVE
-// Relief that hides what yarns reflect: they lean as the normals do, and once more about these. With these factors the gloss of satin,
-// silk, denim and calendered nylon under a white sky is within 3 %, and that of brocade with its metal weft within 9 %.
-float yarnRelief(SurfaceInfo s, YarnLobe yarn) {
-  float leaning = 1.0 - inversesqrt(1.0 + yarn.slopeVariance.x + yarn.slopeVariance.y);
-  return min((2.0 - yarn.metallic) * max(leaning, s.relief), 1.0);
-}
-
 // Sets what the gloss of one set of yarns keeps, and its widths.
 YarnLobe inRelief(SurfaceInfo s, YarnLobe yarn) {
   float roughness = sqrt(sqrt(0.5 * (pow2(yarn.alphaT) + pow2(yarn.alphaB))));
@@ -81,34 +74,12 @@ YarnLobe inRelief(SurfaceInfo s, YarnLobe yarn) {
 }
 #endif
 
-// By how much more a relief reflects than its mean normal before a layer below is reached; at grazing angles, how much less.
-// curve  of grazingCurve()
-float grazingOfRelief(float relief, vec4 curve, float NoV) { return reliefGrazing(relief, curve, NoV) - glossGrazing(curve, NoV); }
-
-// Takes that from the layers below.
-SurfaceInfo withReliefPassing(SurfaceInfo s) {
-  GlossAlbedo albedo = s.albedo;
-#if WEAVE
-  if (isWoven(s)) {
-    albedo.base.y += grazingOfRelief(yarnRelief(s, s.warp), s.warp.gloss.even.grazing, s.NoV);
-    albedo.weft.y += grazingOfRelief(yarnRelief(s, s.weft), s.weft.gloss.even.grazing, s.NoV);
-  } else
-#endif
-  albedo.base.y += grazingOfRelief(s.relief, s.gloss.grazing, s.NoV);
-  vec3 leaving = passingShare(s, albedo);
-  s.passing *= leaving / max(s.leaving, vec3(PASSING_MIN));
-  s.leaving = leaving;
-  return s;
-}
-
 // Takes from the lobes what a relief hides that is finer than the pixel, and widens them. Their energies are those of a texel.
 SurfaceInfo withRelief(SurfaceInfo s) {
   s.glossKept = reliefGloss(s.relief, s.glossRoughness, s.NoV);
 #if FACETS
   if (hasEdges(s)) s.glossKept = vec2(1.0 - s.edges.share);  // facets lie too flat to hide anything
-  else
 #endif
-  s = withReliefPassing(s);
   s.perceptualRoughness = roughnessWithSlopes(s.perceptualRoughness, s.slopeVariance);
   s.alpha = widthWithSlopes(s.alpha, s.slopeVariance);
 #if ANISOTROPY || WEAVE
