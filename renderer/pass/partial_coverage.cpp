@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
+#include <limits>
 #include <map>
 #include <tuple>
 

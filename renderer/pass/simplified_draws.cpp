@@ -10,16 +10,6 @@
 namespace telar::pass {
 namespace {
 
-/// By which a matrix makes something longer, at most: of axes that are square the longest (Gershgorin 1931).
-double longestAxis(const glm::dmat4& m) {
-  const glm::dmat3 axes(m);
-  const glm::dmat3 products = glm::transpose(axes) * axes;
-  double most = 0;
-  for (int i = 0; i < 3; ++i)
-    most = std::max(most, std::abs(products[i].x) + std::abs(products[i].y) + std::abs(products[i].z));
-  return std::sqrt(most);
-}
-
 bool mayBeSimplified(const DrawItem& item) {
   return item.primitive->topology == Topology::kTriangles && !item.primitive->deformers;
 }
@@ -48,14 +38,6 @@ void simplify(DrawList& draws, double error, GpuScene& gpu, const CancelToken& c
 }
 
 }  // namespace
-
-double scaleOf(const DrawItem& item) {
-  const double own = longestAxis(item.node->world);
-  if (!item.instances()) return own;
-  double most = 0;
-  for (const auto& matrix : item.instances()->matrices) most = std::max(most, longestAxis(glm::dmat4(matrix)));
-  return own * most;
-}
 
 void limitDetail(FramePlan& plan, const Scene& scene, const Shot& shot, GpuScene& gpu, const CancelToken& cancel) {
   gpu.limitTextures(shot.textureSize);
