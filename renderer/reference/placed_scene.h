@@ -13,6 +13,8 @@ struct PlacedScene {
   /// @param scene, shot  kept by reference
   /// @throws Error{X_CANCELLED, X_REFERENCE, X_MEMORY, E_VARIANT}
   PlacedScene(const Scene& scene, const Shot& shot, const CancelToken& cancel);
+  PlacedScene(const Scene&&, const Shot&, const CancelToken&) = delete;
+  PlacedScene(const Scene&, const Shot&&, const CancelToken&) = delete;
   PlacedScene(const PlacedScene&) = delete;
   PlacedScene& operator=(const PlacedScene&) = delete;
 

@@ -251,7 +251,11 @@ SurfaceInfo withCoat(SurfaceInfo s, MaterialInputs m, vec3 normal) {
 // roughness     perceptual, along it, (0, 1]      anisotropy  [0, 1], how much rougher across it
 YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, float slope, float coverage, float roughness, float anisotropy,
                   vec3 specularColor) {
+#if ALL_TERMS
+  YarnLobe yarn = YarnLobe();  // as in baseSurface()
+#else
   YarnLobe yarn;
+#endif
   yarn.lying = safeNormalize(axis * turn.x + aside * turn.y, axis);
   float rise = clamp(slope, -0.95, 0.95);
   float level = sqrt(1.0 - pow2(rise));

@@ -35,7 +35,8 @@ constexpr glm::vec3 UP(0, 1, 0);
 
 /// What is open above a point on a floor at y = 0 whose normal is up.
 float openAbove(const Scene& scene, const glm::dvec3& point, const glm::vec3& toViewer = UP, int rays = 4096) {
-  const PlacedScene placed(scene, Shot(), {});
+  const Shot shot;
+  const PlacedScene placed(scene, shot, {});
   const Rays from = placed.raysFrom(glm::vec3(point - placed.centre), UP, toViewer);
   return openPart(placed.geometry, from, UP, Random(7, 0, 0), rays);
 }
@@ -66,7 +67,9 @@ TEST(Ambient, AWallTakesItsPartOfTheHemisphere) {
 }
 
 TEST(Ambient, SetsOfRaysFillTheHemisphereTogether) {
-  const PlacedScene placed(floorAndWall({}), Shot(), {});
+  const Scene scene = floorAndWall({});
+  const Shot shot;
+  const PlacedScene placed(scene, shot, {});
   const Rays from = placed.raysFrom(glm::vec3(glm::dvec3(0.4, 0, 0) - placed.centre), UP, UP);
   const auto of = [&](int first, int rays) {
     return openPart(placed.geometry, from, UP, Random(7, 0, static_cast<std::uint32_t>(first)), rays);
