@@ -32,9 +32,10 @@ void blur(std::vector<float>& picture, int width, int height) {
 
 }  // namespace
 
-PixelMean::PixelMean(const Shot& shot, bool exposed, bool measures)
+PixelMean::PixelMean(const Shot& shot, bool exposed, bool measures, unsigned fewest)
     : shot_(shot),
       measures_(measures),
+      fewest_(fewest),
       left_(static_cast<std::size_t>(shot.width) * static_cast<std::size_t>(shot.height)) {
   if (exposed) shot_.exposure = 1;
   first_.resize(left_);
@@ -50,7 +51,7 @@ bool PixelMean::add(const Frame& frame, bool last, unsigned passes) {
     count_[i] += passes;
   }
   if (!std::has_single_bit(passes_ += passes)) return false;
-  const bool looks = (shot_.noise > 0 || measures_) && passes_ >= FEWEST && !last;
+  const bool looks = (shot_.noise > 0 || measures_) && passes_ >= fewest_ && !last;
   if (looks) look();
   for (std::size_t i = 0; i < second_.size(); ++i) first_[i] += std::exchange(second_[i], glm::vec4(0));
   return looks && shot_.noise > 0;

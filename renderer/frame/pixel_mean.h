@@ -12,13 +12,14 @@ namespace telar::frame {
 /// Averages the passes over a picture. A pixel whose standard error is small enough takes no more of them.
 class PixelMean {
  public:
-  static constexpr unsigned FEWEST = 16;  ///< passes before a pixel is looked at
+  static constexpr unsigned FEWEST = 16;  ///< passes before a pixel is looked at, where they are scattered
 
   /// @param shot  its size, output and noise    @param exposed  whether the passes are, by its exposure
   /// @param measures  whether standardError() is wanted of a shot without noise to stop at
-  explicit PixelMean(const Shot& shot, bool exposed = true, bool measures = false);
+  /// @param fewest  passes before a pixel is looked at, a power of 2
+  explicit PixelMean(const Shot& shot, bool exposed = true, bool measures = false, unsigned fewest = FEWEST);
 
-  /// Adds a pass to the pixels that are not settled. Where that makes 16, 32, 64 ... of them, those are settled whose
+  /// Adds a pass to the pixels that are not settled. Where that makes `fewest` of them or twice, four times as many, those are settled whose
   /// standard error, as the two halves of their passes differ there and in their neighbours, is Shot::noise or less.
   /// @param frame  kRgbaF32 of the shot's size    @param last  no pass follows: nothing is settled any more
   /// @param passes  that the frame is the sum of; a power of two is not passed by, but reached
@@ -44,6 +45,7 @@ class PixelMean {
 
   Shot shot_;
   bool measures_;
+  unsigned fewest_;
   unsigned passes_ = 0;
   std::size_t left_;
   std::vector<glm::vec4> first_, second_;  ///< sums of the two halves of a pixel's passes

@@ -7,12 +7,15 @@ namespace telar::frame {
 
 /// How the samples of a pixel are spread over passes over the model.
 struct SamplePasses {
-  int count = 1;
+  int count = 1;    ///< a power of 4
   int samples = 1;  ///< of a pass: multisampling
 
   /// How far the picture of a pass is moved, pixels in [-0.5, 0.5): the first 2^k passes fill the pixel evenly, for any
-  /// k, so that their mean is that of a box filter. Shares no structure with the directions that the passes draw.
+  /// k, so that their mean is that of a box filter. More than 64 share no structure with the directions that they draw.
   glm::dvec2 shift(int pass) const;
+
+  /// Passes of which the two halves tell how far their mean is off: PixelMean.
+  unsigned fewest() const;
 };
 
 /// One pass for up to Shot::SAMPLES_OF_A_PASS samples, and one a sample for more: a pass shades a pixel once.

@@ -313,7 +313,7 @@ class GlRenderer final : public Renderer {
     pass::SurfaceInputs inputs{plan, shot, frame.scene, frame.gpu, frame.environment, frame.background, frame.cancel};
     const frame::SamplePasses passes = frame::samplePassesOf(shot);
     const glm::dmat4 projection = plan.camera.projection;
-    frame::PixelMean mean(shot, true, progress.isErrorAllowed());
+    frame::PixelMean mean(shot, true, progress.isErrorAllowed(), passes.fewest());
     const auto isEnough = [&] { return drawn > 0 && progress.isEnough(mean.standardError()); };
     for (drawn = 0; drawn < passes.count && !mean.allSettled() && !isEnough();) {
       inputs.samplePass = drawn;

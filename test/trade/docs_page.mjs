@@ -70,7 +70,7 @@ last sample once its goal is reached: \`info.ended\` tells the samples.
 - \`budgetMs\` ends it when this process has spent so much CPU time on it, all threads together (of the raster, from the shadows on: programs, environments and the
   model's own uploads of a first picture come on top, as above). So settings are taken that are likely to fit, where those of one pass have to fit by the time that 9 of 10 do not
   pass. What else the process does meanwhile counts too: a pool has a process for each picture. The key of a picture that was ended is not \`pictureKey()\`'s.
-- \`maxError\` ends it at a doubling of samples, 16 and on, where its own noise is small enough: no clock has a say, and the same shot ends at the same sample on
+- \`maxError\` ends it at a doubling of samples, 16 and on (32 where it may take 64), where its own noise is small enough: no clock has a say, and the same shot ends at the same sample on
   each machine. The noise is the standard error of a pixel as the two halves of its samples tell it (that by which pixels of \`medium\` and \`high\` settle), mean over the pixels that vary. It may make FLIP
   no more than the goal leaves: all of it for the tracer, which errs by noise alone; for the raster what is left beside the error of its most accurate settings in that class. Its key is that of the goal, which is
   not that of its settings. Where the environment is the background its noise would hide the model's, and the picture is drawn to its end.

@@ -6,7 +6,7 @@ import { boolean, choice, literal, number, object, union } from './rows.mjs';
 export const PRESETS = Object.freeze({
   standard: { samples: 4, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: false },
   draft: { samples: 1, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: true },
-  medium: { samples: 64, resolve: 'linear', noise: 4, environmentSamples: 128, mergeQuads: true },
+  medium: { samples: 64, resolve: 'linear', noise: 5, environmentSamples: 128, mergeQuads: true },
   high: { samples: 1024, resolve: 'linear', noise: 1.25, environmentSamples: 2048, mergeQuads: false },
 });
 
@@ -37,7 +37,8 @@ export const RASTER = object(
       { name: 'Resolve', optional: true },
     ),
     noise: number(
-      'Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples; 0 = every pixel takes all. ' + 'For more than 4 samples',
+      'Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples, from 32 on where it may take 64 and from 16 where more; 0 = every pixel takes all. ' +
+        'For more than 16 samples',
       { unit: '1/255', min: 0, max: 64, otherwise: PRESETS.standard.noise },
     ),
     environmentSamples: number(

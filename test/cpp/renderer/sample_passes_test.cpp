@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "frame/camera.h"
@@ -46,6 +47,26 @@ TEST(SamplePasses, TheFirstOfThemFillThePixelEvenly) {
     glm::dvec2 sum(0);
     for (int i = 0; i < count; ++i) sum += passes.shift(i);
     EXPECT_LT(glm::length(sum) / count, 0.25 / count) << "a picture of " << count << " passes is moved";
+  }
+}
+
+TEST(SamplePasses, FewAreAGrid) {
+  for (const int count : {16, 64}) {
+    const SamplePasses passes = samplePassesOf(shotOf(count));
+    for (int some = 4; some <= count; some *= 4) {
+      const int edge = static_cast<int>(std::sqrt(some));
+      std::set<std::pair<int, int>> cells;
+      glm::dvec2 sum(0);
+      for (int i = 0; i < some; ++i) {
+        const glm::dvec2 steps = static_cast<double>(edge) * (passes.shift(i) - passes.shift(0));
+        cells.emplace(static_cast<int>(std::round(steps.x)), static_cast<int>(std::round(steps.y)));
+        EXPECT_EQ(steps, glm::round(steps)) << "pass " << i << " of " << some << " lies beside the grid";
+        sum += passes.shift(i);
+      }
+      EXPECT_EQ(cells.size(), static_cast<std::size_t>(some));
+      if (some == count) EXPECT_EQ(sum, glm::dvec2(0)) << "a picture of " << count << " passes is moved";
+    }
+    EXPECT_EQ(passes.fewest(), 32u) << "halves of 16 points of a grid miss the same";
   }
 }
 
