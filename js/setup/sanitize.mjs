@@ -27,6 +27,7 @@ export const LEFT_OUT = {
   'test/js/pool/first_steps.test.mjs': 'libtelar_worker.so is preloaded, which has no place beside a sanitizer',
   'test/js/pool/soak.test.mjs': 'the sanitizer keeps memory that was freed',
   'test/js/api/leak.test.mjs': 'the sanitizer keeps memory that was freed',
+  'test/js/api/scarce.test.mjs': 'it limits the address space, of which the sanitizer takes terabytes',
   'test/js/server/page/page.test.mjs': 'Chromium ends with the sanitizer preloaded',
   'test/js/shot/browser.test.mjs': 'Chromium ends with the sanitizer preloaded',
 };

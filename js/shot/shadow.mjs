@@ -57,7 +57,7 @@ export function lightAxes({ position, target }) {
   return [right, cross(back, right), back];
 }
 
-/** How many diagonals of a model are far: as in renderer/pass/world_origin.h. */
+/** How many diagonals of a model are far: as in renderer/pass/plan/world_origin.h. */
 const FAR_OUT = 1000;
 
 /** Where renderers count from, for a point that 32-bit floats cannot hold beside the model: the model's centre. */

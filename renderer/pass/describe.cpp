@@ -6,7 +6,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <set>
 
-#include "pass/fragment_estimate.h"
+#include "pass/plan/fragment_estimate.h"
 #include "pass/skipped.h"
 #include "telar/reference.h"
 

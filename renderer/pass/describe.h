@@ -2,10 +2,10 @@
 #include <nlohmann/json.hpp>
 
 #include "ibl/environment_cache.h"
-#include "pass/draw_list.h"
+#include "pass/plan/draw_list.h"
 #include "pass/stage_timer.h"
-#include "pass/visibility_buffer.h"
-#include "pass/visible_draws.h"
+#include "pass/visible/visibility_buffer.h"
+#include "pass/visible/visible_draws.h"
 
 namespace telar::pass {
 

@@ -48,7 +48,7 @@ uniform int coverageDraw;  // what is drawn: COVERAGE_ of material/coverage.glsl
 #endif
 
 #if VISIBILITY_BUFFER
-// What each fragment has of its triangle: front or back, its pixel in the picture, then the varyings (renderer/pass/varyings.h).
+// What each fragment has of its triangle: front or back, its pixel in the picture, then the varyings (renderer/pass/plan/varyings.h).
 uniform highp samplerBuffer varyingMap;
 uniform int varyingTexels;  // of a fragment
 uniform int varyingRow;     // of the fragments, the first that the map has

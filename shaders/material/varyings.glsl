@@ -1,5 +1,5 @@
 // What the vertex stage tells the fragments. VARYING is out in the one and in in the other; plain variables where fragments read them
-// from a map. renderer/pass/varyings.cpp has the same list.
+// from a map. renderer/pass/plan/varyings.cpp has the same list.
 VARYING vec3 vViewPosition;  // from the surface to the eye, view space
 #if !FLAT_SHADED && !UNLIT
 VARYING vec3 vNormal;  // view space

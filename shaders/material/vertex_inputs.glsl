@@ -1,4 +1,4 @@
-// Vertex streams, and what the fragment stage takes over. Locations are those of renderer/pass/gpu_primitive.h.
+// Vertex streams, and what the fragment stage takes over. Locations are those of renderer/pass/model/gpu_primitive.h.
 layout(location = 0) in vec3 position;  // mesh space, metres
 #if !FLAT_SHADED && !UNLIT
 layout(location = 1) in vec3 normal;    // mesh space

@@ -31,6 +31,7 @@ test('planted violations are found, one each', async (t) => {
     'renderer/core/planted.cpp': '#include "gl/context.h"\n',
     'renderer/asset/planted.h': '#include <GLES3/gl3.h>\n',
     'renderer/asset/accessor/planted.h': '#include "asset/material/material.h"\n',
+    'renderer/pass/plan/planted.h': '#include "pass/surface/ltc.h"\n',
     'renderer/shot/planted.h': '#include "image/bytes.h"\n',
     'renderer/image/planted.cpp': '#include <OpenImageIO/imageio.h>\n',
     'renderer/pass/planted.cpp': 'void f(const telar::gl::Functions& gl) { GLuint n; gl.GenTextures(1, &n); }\n',
@@ -57,6 +58,7 @@ test('planted violations are found, one each', async (t) => {
     ['renderer/gl/context.h', ''],
     ['renderer/asset/material/material.h', ''],
     ['renderer/image/bytes.h', ''],
+    ['renderer/pass/surface/ltc.h', ''],
     ['renderer/core/text.h', ''],
   ]);
   for (const [file, text] of Object.entries(planted)) {

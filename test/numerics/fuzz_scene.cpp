@@ -5,7 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "frames.h"
-#include "pass/texture_slots.h"
+#include "pass/plan/texture_slots.h"
 #include "shading_terms.h"
 
 namespace telar::numerics {

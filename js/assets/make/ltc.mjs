@@ -2,11 +2,11 @@ import { writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
 /**
- * Writes renderer/pass/ltc_tables.inc, the tables of rect lights, from the three.js package: the same numbers as in the
+ * Writes renderer/pass/surface/ltc_tables.inc, the tables of rect lights, from the three.js package: the same numbers as in the
  * browser, so that both sides read the same lobes. node js/assets/make/ltc.mjs
  */
 
-export const LTC_FILE = fileURLToPath(new URL('../../../renderer/pass/ltc_tables.inc', import.meta.url));
+export const LTC_FILE = fileURLToPath(new URL('../../../renderer/pass/surface/ltc_tables.inc', import.meta.url));
 
 const NUMBERS_A_LINE = 16;
 

@@ -216,7 +216,7 @@ function featuresOf(material) {
   return numbers({ ...features, NORMAL_FACETS });
 }
 
-/** As hasFacets() of renderer/pass/draw_list.cpp has it. */
+/** As hasFacets() of renderer/pass/plan/draw_list.cpp has it. */
 const isPolished = ({ roughness, metalness, anisotropy }) => roughness <= POLISHED.roughnessMax && metalness >= POLISHED.metalnessMin && !(anisotropy > 0);
 
 /** Sizes of a texture after which its texels come again; 0 where the last ones go on. @returns {import('three').Vector2} along u and v */

@@ -1,10 +1,10 @@
 /** What was made of a texture, for each renderer: it lives on the renderer's GL. */
 const made = new WeakMap();
 
-/** Type of the texels that are made: as renderer/pass/texture_bake has them. */
+/** Type of the texels that are made: as renderer/pass/texture/texture_bake has them. */
 const TEXEL_TYPES = { relief: 'HalfFloatType', facets: 'HalfFloatType', yarns: 'HalfFloatType', coverage: 'UnsignedByteType', metal: 'UnsignedByteType' };
 
-/** Level of the source that is level 0 of what is made, where it is not the first: as renderer/pass/texture_bake has it. */
+/** Level of the source that is level 0 of what is made, where it is not the first: as renderer/pass/texture/texture_bake has it. */
 const FIRST_LEVELS = { yarns: 2 };
 
 /** Programs and the triangle that they are drawn with, for each three.js module. */

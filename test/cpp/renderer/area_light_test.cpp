@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "pass/draw_list.h"
+#include "pass/plan/draw_list.h"
 #include "renderer/scenes.h"
 
 /// Area lights by what closed forms say of them, and where three.js 0.187 or their own numbers have an edge.

@@ -1,4 +1,4 @@
-#include "pass/draw_list.h"
+#include "pass/plan/draw_list.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pass/flat_uniforms.h"
+#include "pass/surface/flat_uniforms.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pass/fragment_estimate.h"
+#include "pass/plan/fragment_estimate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pass/layer_pass.h"
+#include "pass/layer/layer_pass.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "pass/light_choice.h"
+#include "pass/plan/light_choice.h"
 
 #include <gtest/gtest.h>
 
 #include "expect_error.h"
-#include "pass/draw_list.h"
+#include "pass/plan/draw_list.h"
 #include "renderer/scenes.h"
 
 // quality.maxLights: the strongest lights are shaded.

@@ -1,4 +1,4 @@
-#include "pass/mip_levels.h"
+#include "pass/texture/mip_levels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pass/partial_coverage.h"
+#include "pass/plan/partial_coverage.h"
 
 #include <gtest/gtest.h>
 

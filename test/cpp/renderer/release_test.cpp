@@ -7,8 +7,8 @@
 
 #include "brdf/brdf.h"
 #include "frame/release_material.h"
-#include "pass/draw_list.h"
-#include "pass/transmission_target.h"
+#include "pass/plan/draw_list.h"
+#include "pass/target/transmission_target.h"
 #include "renderer/scenes.h"
 
 namespace telar {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "expect_error.h"
-#include "pass/draw_list.h"
+#include "pass/plan/draw_list.h"
 #include "renderer/scenes.h"
 #include "telar/error.h"
 

@@ -1,4 +1,4 @@
-#include "pass/simplified_draws.h"
+#include "pass/plan/simplified_draws.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pass/texture_bake.h"
+#include "pass/texture/texture_bake.h"
 
 #include <gtest/gtest.h>
 

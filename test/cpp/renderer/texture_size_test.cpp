@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pass/mip_levels.h"
+#include "pass/texture/mip_levels.h"
 #include "renderer/scenes.h"
 
 // quality.textureSize: larger textures are read from the mip level that fits.

@@ -1,4 +1,4 @@
-#include "pass/texture_store.h"
+#include "pass/texture/texture_store.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "pass/draw_list.h"
-#include "pass/transmission_target.h"
+#include "pass/plan/draw_list.h"
+#include "pass/target/transmission_target.h"
 #include "renderer/scenes.h"
 
 namespace telar::transmission_test {

@@ -1,4 +1,4 @@
-#include "pass/varyings.h"
+#include "pass/plan/varyings.h"
 
 #include <gtest/gtest.h>
 

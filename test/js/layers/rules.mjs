@@ -9,6 +9,11 @@ const ASSET_ROOMS = Object.fromEntries(
   [...ASSET_ORDER, 'renderer/asset'].map((room, at) => [room, ['renderer/include', 'renderer/core', ...ASSET_ORDER.slice(0, at)]]),
 );
 
+/** The rooms of renderer/pass, lowest first. */
+const PASS_ORDER = ['texture', 'model', 'target', 'plan', 'visible', 'shadow', 'surface', 'layer'].map((room) => `renderer/pass/${room}`);
+const PASS_USES = ['include', 'core', 'brdf', 'gl', 'shader', 'ibl', 'frame', 'visibility'].map((layer) => `renderer/${layer}`);
+const PASS_ROOMS = Object.fromEntries([...PASS_ORDER, 'renderer/pass'].map((room, at) => [room, [...PASS_USES, ...PASS_ORDER.slice(0, at)]]));
+
 /** C++ layers: which folders' headers a file in the folder may include by quotes. `include` is renderer/include/telar. */
 const CPP_LAYERS = {
   'renderer/include': [],
@@ -31,16 +36,7 @@ const CPP_LAYERS = {
   'renderer/measure': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/surface'],
   'renderer/flat': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/surface'],
   'renderer/swatch': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/surface'],
-  'renderer/pass': [
-    'renderer/include',
-    'renderer/core',
-    'renderer/brdf',
-    'renderer/gl',
-    'renderer/shader',
-    'renderer/ibl',
-    'renderer/frame',
-    'renderer/visibility',
-  ],
+  ...PASS_ROOMS,
   'renderer/reference/plugin.h': ['renderer/include'],
   // trace/ opens the library of reference/ at run time, and links nothing of it.
   'renderer/trace': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/reference/plugin.h'],
@@ -156,7 +152,7 @@ const TESTED_IN = {
   'renderer/frame': 'test/cpp/renderer',
   'renderer/lobes': 'test/js/api/lobes.test.mjs',
   'renderer/oiio': 'test/cpp/image',
-  'renderer/pass': 'test/cpp/renderer',
+  ...Object.fromEntries([...PASS_ORDER, 'renderer/pass'].map((room) => [room, 'test/cpp/renderer'])),
   'renderer/shader': 'test/cpp/brdf/shared_text_test.cpp',
   'renderer/surface': 'test/cpp/measure',
   'renderer/swatch': 'test/js/api/swatch.test.mjs',

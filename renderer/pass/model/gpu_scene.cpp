@@ -1,0 +1,189 @@
+#include "pass/model/gpu_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "telar/simplify.h"
+
+namespace telar::pass {
+namespace {
+
+/// RGBA16F or RGBA8; all mip levels are a third as large as the first.
+std::uint64_t bytesOf(DerivedTexture::Kind kind, std::uint64_t texels) {
+  using Kind = DerivedTexture::Kind;
+  std::uint64_t first = texels * 8;
+  if (kind == Kind::kCoverage || kind == Kind::kMetal) first = texels * 4;
+  if (kind == Kind::kYarnRelief) first = texels / 2 + 8;  // a sixteenth of the texels
+  return first + first / 3;
+}
+constexpr std::uint64_t MOMENT_BYTES = 5;  ///< a texel of the source, while its first levels are made in RGBA32F
+
+}  // namespace
+
+GpuScene::GpuScene(const gl::Context& context, TextureStore& store, const std::shared_ptr<const Scene>& scene,
+                   GpuScene* model)
+    : context_(context), store_(store), scene_(scene), model_(model), fileImages_(static_cast<int>(scene->fileImages)) {
+  if (!model) return;
+  for (std::size_t i = scene->fileMeshes; i < scene->meshes.size(); ++i) {
+    for (const Primitive& primitive : scene->meshes[i].primitives) own_.insert(&primitive);
+  }
+}
+
+GpuScene::~GpuScene() {
+  for (auto& entry : textures_) store_.keep(std::move(entry.second));
+}
+
+bool GpuScene::isMadeOf(const Scene& model) const {
+  const auto scene = scene_.lock();
+  return scene && scene->model.get() == &model;
+}
+
+const GpuPrimitive& GpuScene::primitive(const Primitive& primitive, const Instances* instances) {
+  if (model_ && !own_.contains(&primitive)) return model_->primitive(primitive, instances);
+  const auto key = std::make_pair(&primitive, instances);
+  const auto found = primitives_.find(key);
+  if (found != primitives_.end()) return found->second;
+  const gl::Functions& gl = context_.gl();
+  const VertexStreams& streams = streams_.try_emplace(&primitive, context_, primitive).first->second;
+  const InstanceStreams* places =
+      instances ? &instances_.try_emplace(instances, context_, *instances).first->second : nullptr;
+  GpuPrimitive made{gl::VertexArray(gl), streams.mode(), streams.count(), streams.indices(), places};
+  gl.BindVertexArray(made.vertexArray.get());
+  streams.attach(gl);
+  if (places) places->attach(gl);
+  gl.BindVertexArray(0);
+  context_.check("vertex arrays");
+  return primitives_.emplace(key, std::move(made)).first->second;
+}
+
+void GpuScene::forget(const Primitive* primitive) {
+  std::erase_if(primitives_, [&](const auto& entry) { return entry.first.first == primitive; });
+  streams_.erase(primitive);
+  extents_.erase(primitive);
+}
+
+const Primitive& GpuScene::simplified(const Primitive& primitive, double error, const CancelToken& cancel) {
+  if (model_ && !own_.contains(&primitive)) return model_->simplified(primitive, error, cancel);
+  if (!(error > 0) || std::isinf(error)) return primitive;
+  const int exponent = std::ilogb(error);
+  std::vector<Form>& forms = forms_[&primitive];
+  const auto found =
+      std::find_if(forms.begin(), forms.end(), [&](const Form& form) { return form.exponent == exponent; });
+  if (found != forms.end()) {
+    std::rotate(found, found + 1, forms.end());
+  } else {
+    cancel.check();
+    auto made = telar::simplified(primitive, std::ldexp(1.0, exponent));
+    if (forms.size() >= FORMS_KEPT) {
+      forget(forms.front().made.get());
+      forms.erase(forms.begin());
+    }
+    forms.push_back({exponent, made ? std::make_unique<const Primitive>(std::move(*made)) : nullptr});
+  }
+  return forms.back().made ? *forms.back().made : primitive;
+}
+
+const PartExtents& GpuScene::extents(const Primitive& primitive) {
+  if (model_ && !own_.contains(&primitive)) return model_->extents(primitive);
+  return extents_.try_emplace(&primitive, primitive).first->second;
+}
+
+void GpuScene::limitTextures(int size) {
+  if (model_) model_->limitTextures(size);
+  if (size == textureSize_) return;
+  textureSize_ = size;
+  std::erase_if(derived_, [](const auto& made) { return made.first.first > 0 || made.first.besideFirst > 0; });
+}
+
+int GpuScene::levelsLeftOut(const Scene& scene, int image) const {
+  return image < 0 ? 0 : levelsBeyond(scene.images[static_cast<std::size_t>(image)], textureSize_);
+}
+
+GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel, int unread) {
+  if (isModels(image)) return model_->texture(scene, image, colorUse, cancel, unread);
+  const bool srgb = decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, colorUse);
+  const auto key = std::make_pair(image, srgb);
+  const int leftOut = levelsLeftOut(scene, image);
+  auto found = textures_.find(key);
+  if (found == textures_.end() || found->second.firstLevel > std::max(unread, leftOut)) {
+    cancel.check();
+    StoredTexture stored =
+        store_.upload(scene.images[static_cast<std::size_t>(image)], srgb, std::max(unread, leftOut));
+    if (found == textures_.end()) {
+      found = textures_.emplace(key, std::move(stored)).first;
+    } else {
+      std::swap(found->second, stored);
+      store_.keep(std::move(stored));
+    }
+  }
+  store_.readFrom(found->second, leftOut);
+  return found->second.texture.get();
+}
+
+bool GpuScene::isWhole(int image) const {
+  if (isModels(image)) return model_->isWhole(image);
+  bool is = false;
+  for (const bool srgb : {false, true}) {
+    const auto found = textures_.find({image, srgb});
+    if (found == textures_.end()) continue;
+    if (found->second.firstLevel > 0) return false;
+    is = true;
+  }
+  return is;
+}
+
+TexelCount GpuScene::texels() const {
+  TexelCount texels = model_ ? model_->texels() : TexelCount();
+  for (const auto& [key, stored] : textures_) {
+    const TextureStorage& has = stored.storage;
+    const auto largest = static_cast<std::uint64_t>(has.width) * static_cast<unsigned>(has.height);
+    std::uint64_t unread = 0, read = 0;
+    for (int level = 1; level <= stored.firstLevel; ++level) unread += largest << (2 * level);
+    for (int level = 0; level < has.levels; ++level)
+      read += static_cast<std::uint64_t>(std::max(has.width >> level, 1)) *
+              static_cast<unsigned>(std::max(has.height >> level, 1));
+    texels.all += read + unread;
+    texels.unread += unread;
+  }
+  return texels;
+}
+
+GLuint GpuScene::derived(const DerivedTexture& key, const std::function<gl::Texture()>& make) {
+  if (isModels(key.image) && isModels(key.cover) && isModels(key.yarns)) return model_->derived(key, make);
+  const auto found = derived_.find(key);
+  if (found != derived_.end()) return found->second.get();
+  return derived_.emplace(key, make()).first->second.get();
+}
+
+std::uint64_t GpuScene::derivedBytes(const Scene& scene, std::set<DerivedTexture> wanted) const {
+  std::uint64_t bytes = 0, largest = 0;
+  for (const GpuScene* of = this; of; of = of->model_) {
+    for (const auto& made : of->derived_) wanted.insert(made.first);
+  }
+  for (const DerivedTexture& key : wanted) {
+    const Image8& image = scene.images[static_cast<std::size_t>(key.image)];
+    const std::uint64_t texels =
+        std::uint64_t{std::max(image.width >> key.first, 1u)} * std::max(image.height >> key.first, 1u);
+    bytes += bytesOf(key.kind, texels);
+    largest = std::max(largest, texels);
+  }
+  return bytes + largest * MOMENT_BYTES;
+}
+
+GLuint GpuScene::sampler(const Sampler& wanted) {
+  if (model_) return model_->sampler(wanted);
+  for (const auto& [sampler, object] : samplers_) {
+    if (sampler == wanted) return object.get();
+  }
+  const gl::Functions& gl = context_.gl();
+  gl::Sampler object(gl);
+  gl.SamplerParameteri(object.get(), GL_TEXTURE_WRAP_S, static_cast<GLint>(wanted.wrapS));
+  gl.SamplerParameteri(object.get(), GL_TEXTURE_WRAP_T, static_cast<GLint>(wanted.wrapT));
+  gl.SamplerParameteri(object.get(), GL_TEXTURE_MAG_FILTER, static_cast<GLint>(wanted.magFilter));
+  gl.SamplerParameteri(object.get(), GL_TEXTURE_MIN_FILTER, static_cast<GLint>(wanted.minFilter));
+  samplers_.emplace_back(wanted, std::move(object));
+  return samplers_.back().second.get();
+}
+
+}  // namespace telar::pass

@@ -1,0 +1,35 @@
+#include "pass/surface/ltc.h"
+
+namespace telar::pass {
+namespace {
+
+constexpr GLsizei LTC_SIZE = 64;
+
+#include "pass/surface/ltc_tables.inc"
+
+static_assert(sizeof LTC_INVERSE == LTC_SIZE * LTC_SIZE * 4 * sizeof(float));
+static_assert(sizeof LTC_ALBEDO == LTC_SIZE * LTC_SIZE * 2 * sizeof(float));
+
+gl::Texture tableTexture(const gl::Functions& gl, GLenum internalFormat, GLenum format, const float* texels) {
+  gl::Texture texture(gl);
+  gl.BindTexture(GL_TEXTURE_2D, texture.get());
+  gl.TexStorage2D(GL_TEXTURE_2D, 1, internalFormat, LTC_SIZE, LTC_SIZE);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, LTC_SIZE, LTC_SIZE, format, GL_FLOAT, texels);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  // Nearest where a pixel spans more than a texel: three.js's choice, which shows on small round things.
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  return texture;
+}
+
+}  // namespace
+
+LtcTextures createLtcTextures(const gl::Context& context) {
+  const bool full = context.capabilities().floatLinear;
+  return {tableTexture(context.gl(), full ? GL_RGBA32F : GL_RGBA16F, GL_RGBA, LTC_INVERSE),
+          tableTexture(context.gl(), full ? GL_RG32F : GL_RG16F, GL_RG, LTC_ALBEDO)};
+}
+
+}  // namespace telar::pass

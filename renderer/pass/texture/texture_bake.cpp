@@ -1,0 +1,162 @@
+#include "pass/texture/texture_bake.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "gl/incomplete.h"
+#include "gl/nearest_texture.h"
+#include "shader/library.h"
+
+namespace telar::pass {
+namespace {
+
+constexpr GLenum FRAMEBUFFER_SRGB = 0x8DB9;  // desktop GL only: OpenGL ES always encodes for sRGB targets
+
+/// A quarter of the side: it only shares out what the map of relief has, which is little from near.
+constexpr int YARN_RELIEF_FIRST = 2;
+
+int sideAt(int side, int level) { return std::max(1, side >> level); }
+
+/// State of the passes that fill textures, while it lives.
+class Drawing {
+ public:
+  explicit Drawing(const gl::Context& context)
+      : context_(context), framebuffer_(context.gl()), noVertices_(context.gl()) {
+    const gl::Functions& gl = context_.gl();
+    for (const GLenum capability : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST}) gl.Disable(capability);
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl.BindVertexArray(noVertices_.get());
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindSampler(0, 0);
+    if (context_.capabilities().desktop) gl.Enable(FRAMEBUFFER_SRGB);
+  }
+  ~Drawing() {
+    const gl::Functions& gl = context_.gl();
+    if (context_.capabilities().desktop) gl.Disable(FRAMEBUFFER_SRGB);
+    gl.BindVertexArray(0);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  }
+  Drawing(const Drawing&) = delete;
+  Drawing& operator=(const Drawing&) = delete;
+
+  void draw(GLuint source, const gl::Texture& target, int level, const glm::ivec2& size, gl::DrawCost& cost) const {
+    const gl::Functions& gl = context_.gl();
+    gl.BindTexture(GL_TEXTURE_2D, source);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.get(), level);
+    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+      gl::failIncomplete(gl, "the textures of the shading \"fabric\"");
+    gl.Viewport(0, 0, size.x, size.y);
+    const gl::Pacer::Rectangle texels{0, 0, size.x, size.y};
+    context_.pacer().draw(cost, texels.area(), texels, [&gl] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
+  }
+
+ private:
+  const gl::Context& context_;
+  gl::Framebuffer framebuffer_;
+  gl::VertexArray noVertices_;
+};
+
+}  // namespace
+
+struct TextureBaker::Kind {
+  const char* moments;  ///< shader that averages from one level to the next
+  const char* level;    ///< shader that makes a level's texels of them
+  GLenum format;
+  int first =
+      0;  ///< level of the source that is level 0 of what is made: what is only seen from far needs no finer ones
+};
+
+/// Textures that are read beside the source, and what of them counts.
+struct TextureBaker::Beside {
+  GLuint cover = 0;
+  float cutoff = 0;
+  GLuint yarns = 0;
+};
+
+const gl::Program& TextureBaker::program(const char* file, bool fromImage, const Beside& beside) {
+  const bool holes = beside.cover != 0, yarns = beside.yarns != 0;
+  const auto key = std::make_tuple(std::string(file), fromImage, holes, yarns);
+  const auto found = programs_.find(key);
+  if (found != programs_.end()) return found->second;
+  gl::Program made(context_, file, shader::assemble("texture/level.vert", {}),
+                   shader::assemble(file, {{"FROM_IMAGE", fromImage}, {"HOLES", holes}, {"YARNS", yarns}}));
+  return programs_.emplace(key, std::move(made)).first->second;
+}
+
+gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int height, const Beside& beside,
+                               const CancelToken& cancel) {
+  const gl::Functions& gl = context_.gl();
+  const auto levels = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
+  // A variance is a small difference of large sums, which needs the precision.
+  const GLenum momentFormat = context_.capabilities().colorBufferFloat ? GL_RGBA32F : GL_RGBA16F;
+  const int first = std::min(kind.first, levels - 1);
+  gl::Texture out = gl::nearestTexture(gl, kind.format, sideAt(width, first), sideAt(height, first), levels - first);
+  const Drawing drawing(context_);
+  for (const auto& [unit, texture] : {std::pair{1u, beside.cover}, std::pair{2u, beside.yarns}}) {
+    gl.ActiveTexture(GL_TEXTURE0 + unit);
+    gl.BindSampler(unit, 0);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+  }
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl::Texture larger;  // moments of the level before
+  for (int level = 0; level < levels; ++level) {
+    cancel.check();
+    const glm::ivec2 size(sideAt(width, level), sideAt(height, level));
+    if (level > 0) {
+      gl::Texture moments = gl::nearestTexture(gl, momentFormat, size.x, size.y);
+      const gl::Program& average = program(kind.moments, level == 1, beside);
+      average.use();
+      average.set("sourceMap", 0);
+      average.set("coverMap", 1);
+      average.set("sourceSize", glm::vec2(sideAt(width, level - 1), sideAt(height, level - 1)));
+      average.set("targetSize", glm::vec2(size));
+      average.set("yarnMap", 2);
+      average.set("cutoff", beside.cutoff);
+      drawing.draw(level == 1 ? source : larger.get(), moments, 0, size, cost_);
+      larger = std::move(moments);
+    }
+    if (level < first) continue;
+    const gl::Program& write = program(kind.level, level == 0, beside);
+    write.use();
+    write.set("sourceMap", 0);
+    write.set("coverMap", 1);
+    write.set("yarnMap", 2);
+    write.set("cutoff", beside.cutoff);
+    drawing.draw(level == 0 ? source : larger.get(), out, level - first, size, cost_);
+  }
+  context_.check("texture bake");
+  return out;
+}
+
+gl::Texture TextureBaker::normalVariance(GLuint source, int width, int height, GLuint cover, float cutoff,
+                                         const CancelToken& cancel) {
+  return bake({"texture/relief_moments.frag", "texture/relief_level.frag", GL_RGBA16F}, source, width, height,
+              {cover, cover != 0 ? cutoff : 0}, cancel);
+}
+
+gl::Texture TextureBaker::normalFacets(GLuint source, int width, int height, const CancelToken& cancel) {
+  return bake({"texture/facets_moments.frag", "texture/facets_level.frag", GL_RGBA16F}, source, width, height, {},
+              cancel);
+}
+
+gl::Texture TextureBaker::yarnRelief(GLuint source, int width, int height, GLuint yarns, const CancelToken& cancel) {
+  return bake({"texture/yarns_moments.frag", "texture/yarns_level.frag", GL_RGBA16F, YARN_RELIEF_FIRST}, source, width,
+              height, {.yarns = yarns}, cancel);
+}
+
+gl::Texture TextureBaker::coverage(GLuint source, bool srgb, int width, int height, float cutoff,
+                                   const CancelToken& cancel) {
+  return bake({"texture/coverage_moments.frag", "texture/coverage_level.frag",
+               srgb ? GLenum{GL_SRGB8_ALPHA8} : GLenum{GL_RGBA8}},
+              source, width, height, {.cutoff = cutoff}, cancel);
+}
+
+gl::Texture TextureBaker::metal(GLuint source, bool srgb, int width, int height, GLuint metallic, GLuint yarns,
+                                const CancelToken& cancel) {
+  return bake(
+      {"texture/metal_moments.frag", "texture/metal_level.frag", srgb ? GLenum{GL_SRGB8_ALPHA8} : GLenum{GL_RGBA8}},
+      source, width, height, {.cover = metallic, .yarns = yarns}, cancel);
+}
+
+}  // namespace telar::pass

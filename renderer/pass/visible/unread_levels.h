@@ -1,0 +1,24 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "pass/plan/draw_list.h"
+#include "pass/visible/visibility_buffer.h"
+
+namespace telar::pass {
+
+/// The largest mip levels of a plan's images that no fragment of a picture reads: they need not be uploaded.
+class UnreadLevels {
+ public:
+  /// @param buffer  has found what is seen of the plan's opaque draws
+  /// @param gpu  has textures of earlier pictures
+  UnreadLevels(const FramePlan& plan, const Scene& scene, const GpuScene& gpu, const VisibilityBuffer& buffer);
+
+  /// How many, from level 0 on.
+  int of(int image) const { return levels_[static_cast<std::size_t>(image)]; }
+
+ private:
+  std::vector<std::uint8_t> levels_;  ///< by image
+};
+
+}  // namespace telar::pass
