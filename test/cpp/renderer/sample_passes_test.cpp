@@ -64,7 +64,8 @@ TEST(SamplePasses, FewAreAGrid) {
         sum += passes.shift(i);
       }
       EXPECT_EQ(cells.size(), static_cast<std::size_t>(some));
-      if (some == count) EXPECT_EQ(sum, glm::dvec2(0)) << "a picture of " << count << " passes is moved";
+      if (some < count) continue;
+      EXPECT_EQ(sum, glm::dvec2(0)) << "a picture of " << count << " passes is moved";
     }
     EXPECT_EQ(passes.fewest(), 32u) << "halves of 16 points of a grid miss the same";
   }
