@@ -19,8 +19,9 @@ class PixelMean {
   /// @param fewest  passes before a pixel is looked at, a power of 2
   explicit PixelMean(const Shot& shot, bool exposed = true, bool measures = false, unsigned fewest = FEWEST);
 
-  /// Adds a pass to the pixels that are not settled. Where that makes `fewest` of them or twice, four times as many, those are settled whose
-  /// standard error, as the two halves of their passes differ there and in their neighbours, is Shot::noise or less.
+  /// Adds a pass to the pixels that are not settled. Where that makes `fewest` of them, twice, four times ... as many,
+  /// those are settled whose standard error, as the two halves of their passes differ there and in their neighbours, is
+  /// Shot::noise or less.
   /// @param frame  kRgbaF32 of the shot's size    @param last  no pass follows: nothing is settled any more
   /// @param passes  that the frame is the sum of; a power of two is not passed by, but reached
   /// @return whether pixels were looked at
