@@ -127,7 +127,8 @@ whole, since the tracer needs thousands of paths a pixel there. The time is CPU 
 ## What was measured
 
 \`${command}\` on ${machine}, other work beside: ${counts.fit} scenes to predict from and ${counts.heldOut} to judge by, ${Object.keys(SETTINGS).length} settings, ${rows.length} measurements, windows of ${window} x ${window} pixels. The truth's own
-noise is part of every error.
+noise is part of every error. Settings of 16 and 64 samples were drawn before their passes lay on a grid (js/docs/fabric_accuracy.md, "Quality medium"): they err less now, and \`medium\` takes 0.8 to 1.1 times
+as long.
 
 ${table(overall)}
 
