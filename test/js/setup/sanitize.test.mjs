@@ -38,6 +38,11 @@ test('planted: what a sanitizer wrote of any process is a report', () => {
   assert.deepEqual(reportsIn(folder), []);
   writeFileSync(path.join(folder, 'report.42'), 'heap-use-after-free');
   assert.deepEqual(reportsIn(folder), ['heap-use-after-free']);
+  const gaveUp = '==43==LeakSanitizer has encountered a fatal error.';
+  writeFileSync(path.join(folder, 'report.43'), gaveUp);
+  assert.deepEqual(reportsIn(folder), ['heap-use-after-free'], 'a search for leaks that gave up is none');
+  writeFileSync(path.join(folder, 'report.43'), `==43==ERROR: LeakSanitizer: detected memory leaks\n${gaveUp}`);
+  assert.equal(reportsIn(folder).length, 2, 'but not where it found something first');
 });
 
 test('each leak that is passed over has its reason before it', () => {
