@@ -113,7 +113,9 @@ function emptyReports() {
 const PLANTED_TESTS = '_faults$';
 
 const runCpp = () =>
-  runShown('ctest', ['--preset', PRESET, '--no-tests=error', '--exclude-regex', PLANTED_TESTS, '--repeat', `until-pass:${MOST_RUNS}`], { env: environment(true) });
+  runShown('ctest', ['--preset', PRESET, '--no-tests=error', '--exclude-regex', PLANTED_TESTS, '--repeat', `until-pass:${MOST_RUNS}`], {
+    env: environment(true),
+  });
 
 function runJs(files) {
   const wanted = {
