@@ -131,6 +131,7 @@ TEST(Ambient, WhatIsSeenThroughACulledShellIsNotBlack) {
 TEST(Ambient, AJobHasTheSameNumbersWithAnyThreads) {
   const Scene scene = floorAndWall({});
   std::vector<SurfacePoint> points;
+  points.reserve(600);
   for (int i = 0; i < 600; ++i)
     points.push_back({{0.005 * (i + 1), 0, 0}, UP, UP, 16, static_cast<std::uint32_t>(i % 16 * 16)});
   const Shot shot;
