@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { LEFT_OUT, reportsIn, sanitizedFiles } from '../../../js/setup/sanitize.mjs';
+import { givenUpIn, LEFT_OUT, reportsIn, sanitizedFiles } from '../../../js/setup/sanitize.mjs';
 
 // What `npm run sanitize` runs, and what it counts as a fault.
 
@@ -41,8 +41,10 @@ test('planted: what a sanitizer wrote of any process is a report', () => {
   const gaveUp = '==43==LeakSanitizer has encountered a fatal error.';
   writeFileSync(path.join(folder, 'report.43'), gaveUp);
   assert.deepEqual(reportsIn(folder), ['heap-use-after-free'], 'a search for leaks that gave up is none');
+  assert.equal(givenUpIn(folder), 1);
   writeFileSync(path.join(folder, 'report.43'), `==43==ERROR: LeakSanitizer: detected memory leaks\n${gaveUp}`);
   assert.equal(reportsIn(folder).length, 2, 'but not where it found something first');
+  assert.equal(givenUpIn(folder), 0);
 });
 
 test('each leak that is passed over has its reason before it', () => {
