@@ -83,7 +83,7 @@ class Finder {
     // The shader's level is by the longer step of two, whose square is at least half of both.
     const double level = 0.5 * std::log2(0.5 * pixel * pixel * texels2(item, image)) - LEVEL_MARGIN;
     if (!(level >= 1)) return false;
-    const std::tuple key{texture.image, static_cast<int>(std::min(level, 31.0)), textureCutoff(*item.material)};
+    const std::tuple key{texture.image, static_cast<int>(std::min(level, 31.0)), item.textureCutoff()};
     const auto [found, isNew] = whole_.try_emplace(key, false);
     if (isNew) found->second = hasWhole(image, std::get<1>(key), std::get<2>(key));
     return !found->second;
@@ -109,8 +109,6 @@ class Finder {
 };
 
 }  // namespace
-
-float textureCutoff(const Material& m) { return m.baseColorFactor.a > 0 ? m.alphaCutoff / m.baseColorFactor.a : 2.0f; }
 
 void findPartial(FramePlan& plan, const Scene& scene, const Shot& shot, const GpuScene& gpu,
                  const CancelToken& cancel) {

@@ -4,9 +4,6 @@
 
 namespace telar::pass {
 
-/// The smallest alpha of the base colour map that passes the material's alpha test; above 1 none does.
-float textureCutoff(const Material& material);
-
 /// Finds the draws of cut-out cloth that no pixel has as a whole: from far a net is there in part everywhere
 /// (material/coverage.glsl), and is drawn once, blended. Meshes that morph or have bones are not looked at.
 /// @throws Error{X_CANCELLED}

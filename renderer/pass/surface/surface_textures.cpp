@@ -4,8 +4,6 @@
 #include <optional>
 #include <set>
 
-#include "pass/plan/partial_coverage.h"
-
 namespace telar::pass {
 namespace {
 
@@ -33,13 +31,13 @@ std::optional<DerivedTexture> derivedOf(const DrawItem& item, const TextureSlot&
   if (item.key.normalVariance && (slot.map == &Key::normalMap || slot.map == &Key::clearcoatNormalMap)) {
     DerivedTexture relief{DerivedTexture::Kind::kNormalVariance, image, srgb};
     if (item.key.normalHoles && slot.map == &Key::normalMap) {
-      relief.cutoff = textureCutoff(*item.material);
+      relief.cutoff = item.textureCutoff();
       relief.cover = item.material->baseColorTexture.image;
     }
     return withLimits(relief, scene, gpu);
   }
   if (item.key.alphaToCoverage && slot.map == &Key::baseColorMap) {
-    return withLimits({DerivedTexture::Kind::kCoverage, image, srgb, textureCutoff(*item.material)}, scene, gpu);
+    return withLimits({DerivedTexture::Kind::kCoverage, image, srgb, item.textureCutoff()}, scene, gpu);
   }
   return std::nullopt;
 }

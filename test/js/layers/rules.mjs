@@ -3,16 +3,12 @@ import path from 'node:path';
 // The direction of dependency (ARCHITECTURE.md draws it), as data, and the check of source texts against it.
 // Folders not named here are violations themselves: a new layer gets a row.
 
-/** The rooms of renderer/asset, lowest first: each may use those before it. What lies beside them uses them all. */
+/** The rooms of a layer, lowest first. */
 const ASSET_ORDER = ['check', 'container', 'document', 'accessor', 'geometry', 'pose', 'material', 'scene'].map((room) => `renderer/asset/${room}`);
-const ASSET_ROOMS = Object.fromEntries(
-  [...ASSET_ORDER, 'renderer/asset'].map((room, at) => [room, ['renderer/include', 'renderer/core', ...ASSET_ORDER.slice(0, at)]]),
-);
-
-/** The rooms of renderer/pass, lowest first. */
 const PASS_ORDER = ['texture', 'model', 'target', 'plan', 'visible', 'shadow', 'surface', 'layer'].map((room) => `renderer/pass/${room}`);
-const PASS_USES = ['include', 'core', 'brdf', 'gl', 'shader', 'ibl', 'frame', 'visibility'].map((layer) => `renderer/${layer}`);
-const PASS_ROOMS = Object.fromEntries([...PASS_ORDER, 'renderer/pass'].map((room, at) => [room, [...PASS_USES, ...PASS_ORDER.slice(0, at)]]));
+
+/** Rows of a layer with rooms: each may use those before it. What lies beside them uses them all. */
+const roomsOf = (layer, order, uses) => Object.fromEntries([...order, layer].map((room, at) => [room, [...uses, ...order.slice(0, at)]]));
 
 /** C++ layers: which folders' headers a file in the folder may include by quotes. `include` is renderer/include/telar. */
 const CPP_LAYERS = {
@@ -24,7 +20,7 @@ const CPP_LAYERS = {
   'renderer/ktx2': ['renderer/include', 'renderer/core'],
   'renderer/oiio/plugin.h': [],
   'renderer/oiio': ['renderer/include', 'renderer/core', 'renderer/oiio/plugin.h'],
-  ...ASSET_ROOMS,
+  ...roomsOf('renderer/asset', ASSET_ORDER, ['renderer/include', 'renderer/core']),
   'renderer/shot': ['renderer/include', 'renderer/core'],
   'renderer/gl': ['renderer/include', 'renderer/core'],
   'renderer/shader': ['renderer/include', 'renderer/core', 'renderer/gl'],
@@ -36,7 +32,16 @@ const CPP_LAYERS = {
   'renderer/measure': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/surface'],
   'renderer/flat': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/surface'],
   'renderer/swatch': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/surface'],
-  ...PASS_ROOMS,
+  ...roomsOf('renderer/pass', PASS_ORDER, [
+    'renderer/include',
+    'renderer/core',
+    'renderer/brdf',
+    'renderer/gl',
+    'renderer/shader',
+    'renderer/ibl',
+    'renderer/frame',
+    'renderer/visibility',
+  ]),
   'renderer/reference/plugin.h': ['renderer/include'],
   // trace/ opens the library of reference/ at run time, and links nothing of it.
   'renderer/trace': ['renderer/include', 'renderer/core', 'renderer/frame', 'renderer/reference/plugin.h'],
