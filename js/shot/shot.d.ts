@@ -479,7 +479,7 @@ export interface Shot {
     samples?: 1 | 4 | 16 | 64 | 256 | 1024;
     /** What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone mapping; default "encoded", "linear" for more than 4 samples. */
     resolve?: 'encoded' | 'linear';
-    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples, from 32 on where it may take 64 and from 16 where more; 0 = every pixel takes all. For more than 16 samples; default 0. Range 0 to 64. */
+    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, and from 16 of more; 0 = every pixel takes all. For more than 16 samples; default 0. Range 0 to 64. */
     noise?: number;
     /** Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered maps, as three.js has them; default 0. Range 0 to 4096. */
     environmentSamples?: number;
@@ -1110,7 +1110,7 @@ export interface ResolvedShot {
     samples: 1 | 4 | 16 | 64 | 256 | 1024;
     /** What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone mapping; default "encoded", "linear" for more than 4 samples. */
     resolve: 'encoded' | 'linear';
-    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples, from 32 on where it may take 64 and from 16 where more; 0 = every pixel takes all. For more than 16 samples. Range 0 to 64. */
+    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, and from 16 of more; 0 = every pixel takes all. For more than 16 samples. Range 0 to 64. */
     noise: number;
     /** Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered maps, as three.js has them. Range 0 to 4096. */
     environmentSamples: number;

@@ -11,7 +11,8 @@ struct SamplePasses {
   int samples = 1;  ///< of a pass: multisampling
 
   /// How far the picture of a pass is moved, pixels in [-0.5, 0.5): the first 2^k passes fill the pixel evenly, for any
-  /// k, so that their mean is that of a box filter. More than 64 share no structure with the directions that they draw.
+  /// k, so that their mean is that of a box filter. With more than 64 passes they are independent of the directions that the
+  /// passes draw.
   glm::dvec2 shift(int pass) const;
 
   /// Passes of which the two halves tell how far their mean is off: PixelMean.

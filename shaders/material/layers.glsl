@@ -252,7 +252,7 @@ SurfaceInfo withCoat(SurfaceInfo s, MaterialInputs m, vec3 normal) {
 YarnLobe yarnLobe(vec3 n, vec3 axis, vec3 aside, vec2 turn, float slope, float coverage, float roughness, float anisotropy,
                   vec3 specularColor) {
 #if ALL_TERMS
-  YarnLobe yarn = YarnLobe();  // as in baseSurface()
+  YarnLobe yarn = YarnLobe();  // as in baseSurface(): what no layer sets is 0
 #else
   YarnLobe yarn;
 #endif

@@ -37,7 +37,7 @@ export const RASTER = object(
       { name: 'Resolve', optional: true },
     ),
     noise: number(
-      'Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples, from 32 on where it may take 64 and from 16 where more; 0 = every pixel takes all. ' +
+      'Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, and from 16 of more; 0 = every pixel takes all. ' +
         'For more than 16 samples',
       { unit: '1/255', min: 0, max: 64, otherwise: PRESETS.standard.noise },
     ),
