@@ -87,6 +87,37 @@ TEST(PlanDraws, ABlendedDoubleSidedSurfaceIsDrawnBackFacesFirst) {
   ASSERT_EQ(plan.draws.blended.size(), 2u);
   EXPECT_TRUE(plan.draws.blended[0].key.flipSided);
   EXPECT_FALSE(plan.draws.blended[1].key.flipSided);
+  EXPECT_FALSE(plan.draws.blended[0].castsShadow()) << "its other draw casts it";
+  EXPECT_TRUE(plan.draws.blended[1].castsShadow());
+}
+
+TEST(PlanDraws, TrianglesCastShadowsAndGhostsDoNot) {
+  const auto castsShadow = [](Topology topology, float opacity) {
+    Primitive primitive = spherePrimitive(1, 4);
+    primitive.topology = topology;
+    Shot shot = shotOf(8);
+    shot.ghost = {{{PartQuery::Kind::kMaterial, 0, {}}, opacity}};
+    const auto scene = sceneOf(primitive, Material());
+    const auto plan = pass::planDraws(*scene, shot, Limits{}, false);
+    return plan.draws.shown()[opacity < 1 ? 2 : 0]->at(0).castsShadow();
+  };
+  EXPECT_TRUE(castsShadow(Topology::kTriangles, 1));
+  EXPECT_FALSE(castsShadow(Topology::kPoints, 1));
+  EXPECT_FALSE(castsShadow(Topology::kTriangles, 0.5f));
+}
+
+TEST(PlanDraws, TheCutoffOfAMapIsThatOfTheMaterialWithoutItsFactor) {
+  const auto cutoff = [](float alphaCutoff, float factor) {
+    Material material;
+    material.alphaCutoff = alphaCutoff, material.baseColorFactor.a = factor;
+    pass::DrawItem item;
+    item.material = &material;
+    return item.textureCutoff();
+  };
+  EXPECT_FLOAT_EQ(cutoff(0.3f, 1), 0.3f);
+  EXPECT_FLOAT_EQ(cutoff(0.3f, 0.5f), 0.6f);
+  EXPECT_GT(cutoff(0.3f, 0.2f), 1) << "no texel passes";
+  EXPECT_GT(cutoff(0, 0), 1) << "there is nothing of it";
 }
 
 TEST(PlanDraws, BlendedSurfacesAreDrawnFarToNear) {
