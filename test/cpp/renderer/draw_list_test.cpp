@@ -98,6 +98,7 @@ TEST(PlanDraws, TrianglesCastShadowsAndGhostsDoNot) {
     Shot shot = shotOf(8);
     shot.ghost = {{{PartQuery::Kind::kMaterial, 0, {}}, opacity}};
     const auto scene = sceneOf(primitive, Material());
+    scene->fileMaterials = 1;
     const auto plan = pass::planDraws(*scene, shot, Limits{}, false);
     return plan.draws.shown()[opacity < 1 ? 2 : 0]->at(0).castsShadow();
   };
