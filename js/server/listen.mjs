@@ -9,8 +9,11 @@ import { Service } from './service.mjs';
 
 /** Milliseconds between two looks at connections that are late. */
 const LATE_LOOK_MS = 500;
-/** Milliseconds that an idle connection is kept. */
-const KEEP_ALIVE_MS = 10_000;
+/**
+ * Milliseconds that an idle connection is kept. A request that comes as it is closed is lost, so whoever asks has to let go first: load balancers
+ * and proxies do after 60 s.
+ */
+const KEEP_ALIVE_MS = 72_000;
 /** Milliseconds in which the last answers are read. */
 const FLUSH_MS = 2000;
 /** Bytes of the headers, of which parameters of the address are the longest. */
@@ -56,6 +59,8 @@ export async function listen(given, { log } = {}) {
       http: { headersTimeout: headersMs, connectionsCheckingInterval: LATE_LOOK_MS, maxHeaderSize: HEADER_BYTES },
     });
     fastify.server.maxConnections = connections;
+    // Connections that wait for nothing keep nobody out.
+    fastify.server.on('drop', () => fastify.server.closeIdleConnections());
     await mount(fastify, service, options);
     await take(fastify, { host, port });
     const { port: taken } = fastify.server.address();

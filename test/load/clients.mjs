@@ -5,7 +5,9 @@ import { setTimeout as sleep } from 'node:timers/promises';
 
 /** Milliseconds between two looks at how many requests are due. */
 const TICK_MS = 5;
-const agent = new http.Agent({ keepAlive: true, maxSockets: 4096 });
+/** Milliseconds that a client keeps an idle connection: as load balancers do, and less than the service does. */
+const KEEP_ALIVE_MS = 60_000;
+const agent = new http.Agent({ keepAlive: true, maxSockets: 4096, timeout: KEEP_ALIVE_MS });
 
 /** @returns {Promise<{status: number | string, code: string, ms: number}>} status: of HTTP, or the code of what cut the connection */
 function ask({ url, model, shot }) {

@@ -23,6 +23,9 @@ export async function freePort() {
   return port;
 }
 
+/** The program of the server: another one than Redis, which speaks as Redis does, such as valkey-server. */
+const SERVER = process.env.TELAR_REDIS_SERVER || 'redis-server';
+
 /**
  * A Redis server on a free port, with a folder of its own.
  * @param {string[]} [settings] as on its command line
@@ -33,13 +36,13 @@ export async function startRedis(settings = []) {
   const argv = ['--port', String(port), '--bind', '127.0.0.1', '--dir', folder, '--save', '', '--appendonly', 'yes', '--daemonize', 'no', ...settings];
   let child;
   const start = async () => {
-    child = spawn('redis-server', argv, { stdio: ['ignore', 'pipe', 'inherit'] });
+    child = spawn(SERVER, argv, { stdio: ['ignore', 'pipe', 'inherit'] });
     let said = '';
     child.stdout.on('data', (text) => {
       said += text;
     });
     const ended = once(child, 'exit').then(() => {
-      throw new Error(`redis-server does not start:\n${said}`);
+      throw new Error(`${SERVER} does not start:\n${said}`);
     });
     ended.catch(() => {});
     await Promise.race([until(() => said.includes('Ready to accept connections')), ended]);

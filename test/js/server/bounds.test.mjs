@@ -1,8 +1,10 @@
 import assert from 'node:assert/strict';
+import { once } from 'node:events';
 import { after, before, test } from 'node:test';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { ENDLESS, GLB, HOURS, MODELS, SHOT, bytesOf, connect, head, openPool, post, postForm, problemOf, readiness, serve } from './support.mjs';
 import { until } from '../../until.mjs';
+import { importMutant } from './mutants.mjs';
 
 // What clients may take of the service: time, bytes, connections, places. By real sockets: most of these are no requests that fetch would send.
 
@@ -151,14 +153,51 @@ test('a side that the model makes of a scale is bounded too, asked for at once a
     assert.equal((await problemOf(await post(url, THUMBNAILS, glb, { shot: { scale: 7 } }))).code, 'E_SHOT');
   }));
 
+const GET_HEALTH = 'GET /healthz HTTP/1.1\r\nhost: here\r\n';
+
+/** By a connection of its own. */
+async function healthOf(service) {
+  const { socket, said } = await connect(service);
+  socket.write(`${GET_HEALTH}connection: close\r\n\r\n`);
+  return statusOf(await said);
+}
+
 test('so many connections at once', () =>
   withService({ connections: 2 }, async (service) => {
     const held = [await connect(service), await connect(service)];
     const { said } = await connect(service);
     assert.equal(await said, '', 'closed without a word');
     for (const { socket } of held) socket.destroy();
-    await until(async () => (await fetch(new URL('/healthz', service.url)).catch(() => ({}))).status === 200);
+    await until(async () => (await healthOf(service)) === 200);
   }));
+
+const IDLE_CONNECTIONS = { connections: 2 };
+
+/** What two connections that wait for nothing were told, and what a fourth is after a third found no place. */
+async function besideIdle(service) {
+  const idle = [await connect(service), await connect(service)];
+  for (const { socket } of idle) socket.write(`${GET_HEALTH}\r\n`);
+  const [kept] = await Promise.all(idle.map(async ({ socket }) => String((await once(socket, 'data'))[0])));
+  await healthOf(service);
+  return { kept, status: await healthOf(service) };
+}
+
+/** Seconds after which load balancers let an idle connection go. */
+const BALANCER_S = 60;
+
+test('an idle connection is kept for longer than a load balancer keeps it, but keeps nobody out', () =>
+  withService(IDLE_CONNECTIONS, async (service) => {
+    const { kept, status } = await besideIdle(service);
+    assert.ok(Number(/^keep-alive: timeout=(\d+)\r$/im.exec(kept)[1]) > BALANCER_S, kept);
+    assert.equal(status, 200);
+  }));
+
+test('planted: idle connections that keep others out', async () => {
+  const { listen } = await importMutant([['listen.mjs', 'fastify.server.closeIdleConnections()', '{}']]);
+  const service = await listen({ port: 0, pool, ...IDLE_CONNECTIONS });
+  assert.notEqual((await besideIdle(service)).status, 200);
+  await service.drain();
+});
 
 test('as many jobs as workers run, so many wait, one more is refused before its body is read; who goes away makes room', () =>
   withService({ waiting: 1, deadlineMs: HOURS }, async (service) => {
