@@ -41,11 +41,11 @@ struct Source {
     if (value.IsString()) {
       path = value.As<Napi::String>();
     } else {
-      bytes = unwrap<BytesHandle>(value).bytes;
+      bytes = unwrap<BytesHandle>(value).bytes();
     }
   }
   std::string path;
-  std::shared_ptr<const Bytes> bytes;
+  std::shared_ptr<const FileBytes> bytes;
 };
 
 /// How the files of a model are found: {tolerant?: boolean, parts?: Parts}.

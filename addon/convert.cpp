@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "telar/error.h"
+#include "telar/reused_memory.h"
 
 namespace telar::addon {
 namespace {
@@ -101,12 +102,13 @@ std::string stringFromJs(const Napi::Value& value, const char* what) {
   return value.As<Napi::String>();
 }
 
-std::shared_ptr<const Bytes> copyBytes(const Napi::Value& value, double maxBytes) {
+std::shared_ptr<const FileBytes> copyBytes(const Napi::Value& value, double maxBytes) {
   if (!value.IsTypedArray()) expected(value.Env(), "a Uint8Array");
   const Napi::Uint8Array array = value.As<Napi::Uint8Array>();
   if (array.TypedArrayType() != napi_uint8_array) expected(value.Env(), "a Uint8Array");
   checkLimit("L_FILE_BYTES", maxBytes, static_cast<double>(array.ByteLength()));
-  auto bytes = std::make_shared<Bytes>(array.ByteLength());
+  const ReusesMemory yes;  // each byte is written
+  auto bytes = std::make_shared<FileBytes>(array.ByteLength());
   if (!bytes->empty()) std::memcpy(bytes->data(), array.Data(), bytes->size());
   return bytes;
 }

@@ -73,22 +73,34 @@ TokenHandle::TokenHandle(const Napi::CallbackInfo& info) : ObjectWrap(info), tok
   info.This().As<Napi::Object>().TypeTag(&TAG);
 }
 
-Napi::Function BytesHandle::define(Napi::Env env) { return DefineClass(env, "Bytes", {}); }
+Napi::Function BytesHandle::define(Napi::Env env) {
+  return DefineClass(env, "Bytes", {InstanceMethod("release", &BytesHandle::release)});
+}
 
 BytesHandle::BytesHandle(const Napi::CallbackInfo& info) : ObjectWrap(info) {
   info.This().As<Napi::Object>().TypeTag(&TAG);
   try {
-    bytes = copyBytes(info[0], info[1].ToNumber().DoubleValue());
+    bytes_ = copyBytes(info[0], info[1].ToNumber().DoubleValue());
   } catch (const Napi::Error&) {
     throw;
   } catch (...) {
     throw Napi::Error(info.Env(), Fault::current().toJs(info.Env()));
   }
-  Napi::MemoryManagement::AdjustExternalMemory(info.Env(), static_cast<std::int64_t>(bytes->size()));
+  Napi::MemoryManagement::AdjustExternalMemory(info.Env(), static_cast<std::int64_t>(bytes_->size()));
 }
 
 void BytesHandle::Finalize(Napi::BasicEnv env) {
-  if (bytes) Napi::MemoryManagement::AdjustExternalMemory(env, -static_cast<std::int64_t>(bytes->size()));
+  if (bytes_) Napi::MemoryManagement::AdjustExternalMemory(env, -static_cast<std::int64_t>(bytes_->size()));
+}
+
+void BytesHandle::release(const Napi::CallbackInfo& info) {
+  Finalize(info.Env());
+  bytes_.reset();
+}
+
+std::shared_ptr<const FileBytes> BytesHandle::bytes() const {
+  if (!bytes_) throw Napi::TypeError::New(Env(), "native telar has read these bytes for the last time");
+  return bytes_;
 }
 
 Napi::Function SceneHandle::define(Napi::Env env) { return DefineClass(env, "Scene", {}); }

@@ -7,7 +7,7 @@
 namespace telar::addon {
 
 Napi::Value decodeImage(const Napi::CallbackInfo& info) {
-  auto file = unwrap<BytesHandle>(info[0]).bytes;
+  auto file = unwrap<BytesHandle>(info[0]).bytes();
   const Limits limits = limitsFromJs(info[1]);
   auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
   return State::of(info.Env()).runOnPool(info.Env(), job, [job, file, limits] {
@@ -27,14 +27,14 @@ Napi::Value decodeImage(const Napi::CallbackInfo& info) {
 }
 
 Napi::Value encodePng(const Napi::CallbackInfo& info) {
-  auto pixels = unwrap<BytesHandle>(info[0]).bytes;
+  auto pixels = unwrap<BytesHandle>(info[0]).bytes();
   const std::uint32_t width = info[1].ToNumber().Uint32Value(), height = info[2].ToNumber().Uint32Value();
   if (width == 0 || height == 0 || pixels->size() != std::size_t{4} * width * height) {
     throw Napi::TypeError::New(info.Env(), "native telar expected width * height RGBA8 pixels");
   }
   auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[3]).token);
   return State::of(info.Env()).runOnPool(info.Env(), job, [job, pixels, width, height] {
-    const Frame frame{width, height, PixelType::kRgba8, *pixels};
+    const Frame frame{width, height, PixelType::kRgba8, {pixels->begin(), pixels->end()}};
     auto file = std::make_shared<Bytes>(encode(frame, OutputOptions(), job->cancel));
     job->value = [file](Napi::Env env) { return bytesToJs(env, std::move(*file)); };
   });

@@ -20,7 +20,7 @@ double millisecondsSince(Clock::time_point start) {
 struct Render {
   std::shared_ptr<const Scene> scene;
   std::string shotJson;
-  std::shared_ptr<const Bytes> environment;
+  std::shared_ptr<const FileBytes> environment;
   RendererOptions options;
   Progress progress;
   bool releaseScene = false;  ///< nobody draws it again: free its GPU copies after this frame
@@ -139,7 +139,7 @@ Napi::Value RendererHandle::render(const Napi::CallbackInfo& info) {
   auto render = std::make_shared<Render>();
   render->shotJson = stringFromJs(request.Get("shot"), "the shot");
   const Napi::Value environment = request.Get("environment");
-  if (!environment.IsUndefined()) render->environment = unwrap<BytesHandle>(environment).bytes;
+  if (!environment.IsUndefined()) render->environment = unwrap<BytesHandle>(environment).bytes();
   render->releaseScene = request.Get("releaseScene").ToBoolean();
   SceneHandle& handle = unwrap<SceneHandle>(request.Get("scene"));
   render->scene = render->releaseScene ? handle.detach() : handle.scene();

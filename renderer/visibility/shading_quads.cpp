@@ -66,7 +66,7 @@ void ShadingQuads::emit(int x, int y) {
         break;
       }
     }
-    quads_[parts_[surface].triangle.mesh].push_back(quad);
+    found_[parts_[surface].triangle.mesh].quads.push_back(quad);
   }
 }
 
@@ -110,8 +110,9 @@ bool ShadingQuads::isSettled(const SampleOwners& owners, std::span<const std::ui
 }
 
 void ShadingQuads::find(const SampleOwners& owners, const Wanted& wanted, const CancelToken& cancel) {
-  quads_.resize(owners.meshes().size());
-  for (auto& quads : quads_) quads.clear();
+  found_.resize(owners.meshes().size());
+  sorted_.resize(owners.meshes().size());
+  for (Found& found : found_) found.quads.clear();
   isShown_.assign(owners.triangles(), 0);
   shown_ = 0;
   const Pixels& covered = owners.covered();
@@ -121,10 +122,11 @@ void ShadingQuads::find(const SampleOwners& owners, const Wanted& wanted, const 
       if (wanted.settled.empty() || !isSettled(owners, wanted.settled, x, y)) add(owners, x, y, wanted.merge);
     }
   }
-  for (std::size_t mesh = 0; mesh < quads_.size(); ++mesh) sort(quads_[mesh], trianglesOf(owners.meshes()[mesh]));
+  for (std::size_t mesh = 0; mesh < found_.size(); ++mesh) sort(mesh, trianglesOf(owners.meshes()[mesh]));
 }
 
-void ShadingQuads::sort(std::vector<ShadingQuad>& quads, std::size_t triangles) {
+void ShadingQuads::sort(std::size_t mesh, std::size_t triangles) {
+  auto& [quads, places] = found_[mesh];
   ends_.assign(triangles, 0);
   for (const ShadingQuad& quad : quads) ++ends_[numberOf(quad.owners[0])];
   std::uint32_t end = 0;
@@ -132,14 +134,18 @@ void ShadingQuads::sort(std::vector<ShadingQuad>& quads, std::size_t triangles) 
     end += count;
     count = end;
   }
-  sorted_.resize(quads.size());
-  for (std::size_t i = quads.size(); i-- > 0;) sorted_[--ends_[numberOf(quads[i].owners[0])]] = quads[i];
-  quads.swap(sorted_);
+  places.resize(quads.size());
+  sorted_[mesh].resize(quads.size());
+  for (std::size_t i = quads.size(); i-- > 0;) {
+    places[i] = --ends_[numberOf(quads[i].owners[0])];
+    sorted_[mesh][places[i]] = quads[i];
+  }
 }
 
 std::size_t ShadingQuads::memory() const {
-  std::size_t bytes = bytesOf(ends_) + bytesOf(sorted_) + bytesOf(isShown_);
-  for (const auto& quads : quads_) bytes += bytesOf(quads);
+  std::size_t bytes = bytesOf(ends_) + bytesOf(isShown_);
+  for (const auto& quads : sorted_) bytes += bytesOf(quads);
+  for (const Found& found : found_) bytes += bytesOf(found.quads) + bytesOf(found.places);
   return bytes;
 }
 

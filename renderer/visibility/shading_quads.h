@@ -30,7 +30,14 @@ class ShadingQuads {
   void find(const SampleOwners& owners, const Wanted& wanted, const CancelToken& cancel);
 
   /// By mesh; those of one triangle one after the other.
-  const std::vector<std::vector<ShadingQuad>>& all() const { return quads_; }
+  const std::vector<std::vector<ShadingQuad>>& all() const { return sorted_; }
+  /// Calls visit(quad, its index in all()[mesh]), in the order of the rows of the window: what lies side by side there is near in
+  /// memory.
+  template <class Visit>
+  void forEach(std::size_t mesh, const Visit& visit) const {
+    const Found& found = found_[mesh];
+    for (std::size_t i = 0; i < found.quads.size(); ++i) visit(found.quads[i], found.places[i]);
+  }
   /// Triangles that own a sample.
   std::size_t shown() const { return shown_; }
   std::size_t memory() const;
@@ -50,13 +57,18 @@ class ShadingQuads {
   void join(const SampleOwners& owners);
   void emit(int x, int y);
   void show(Owner owner);
-  void sort(std::vector<ShadingQuad>& quads, std::size_t triangles);
+  /// Of a mesh, in the order of the rows.
+  struct Found {
+    std::vector<ShadingQuad> quads;
+    std::vector<std::uint32_t> places;  ///< in the sorted ones
+  };
+  void sort(std::size_t mesh, std::size_t triangles);
 
-  std::vector<std::vector<ShadingQuad>> quads_;
+  std::vector<Found> found_;
+  std::vector<std::vector<ShadingQuad>> sorted_;
   std::vector<Part> parts_;
   std::vector<std::uint8_t> isShown_;  ///< by triangle of the view
   std::vector<std::uint32_t> ends_;    ///< of the triangles of a mesh in its quads
-  std::vector<ShadingQuad> sorted_;
   std::size_t shown_ = 0;
 };
 

@@ -29,15 +29,35 @@ std::array<glm::dvec3, COUNT> directions() {
 
 }  // namespace
 
-Outline::Outline() : axes_(directions<AXES>()) {
-  low_.fill(std::numeric_limits<double>::infinity()), high_.fill(-std::numeric_limits<double>::infinity());
+Outline::Outline() {
+  constexpr double INFINITE = std::numeric_limits<double>::infinity();
+  const std::array<glm::dvec3, AXES> axes = directions<AXES>();
+  for (std::size_t i = 0; i < AXES; ++i) {
+    const std::size_t pair = i / 2, of = i % 2;
+    x_[pair][of] = axes[i].x, y_[pair][of] = axes[i].y, z_[pair][of] = axes[i].z;
+    low_[pair][of] = INFINITE, high_[pair][of] = -INFINITE;
+  }
 }
 
 void Outline::add(const glm::dvec3& p) {
+  Along along;
+  Two above{0, 0}, below{0, 0};
+  for (std::size_t pair = 0; pair < PAIRS; ++pair) {
+    along[pair] = p.x * x_[pair] + p.y * y_[pair] + p.z * z_[pair];
+    // What is no number is not larger.
+    const Two overHigh = along[pair] - high_[pair], underLow = low_[pair] - along[pair];
+    above = overHigh > above ? overHigh : above;
+    below = underLow > below ? underLow : below;
+  }
+  if (std::max({above[0], above[1], below[0], below[1]}) > 0) widen(p, along);
+}
+
+void Outline::widen(const glm::dvec3& p, const Along& along) {
   for (std::size_t i = 0; i < AXES; ++i) {
-    const double along = p.x * axes_[i].x + p.y * axes_[i].y + p.z * axes_[i].z;
-    if (along > high_[i]) high_[i] = along, highest_[i] = p;
-    if (along < low_[i]) low_[i] = along, lowest_[i] = p;
+    const std::size_t pair = i / 2, of = i % 2;
+    const double value = along[pair][of];
+    if (value > high_[pair][of]) high_[pair][of] = value, highest_[i] = p;
+    if (value < low_[pair][of]) low_[pair][of] = value, lowest_[i] = p;
   }
 }
 
@@ -47,7 +67,7 @@ std::vector<glm::dvec3> Outline::points() const {
     if (std::find(out.begin(), out.end(), p) == out.end()) out.push_back(p);
   };
   for (std::size_t i = 0; i < AXES; ++i) {
-    if (high_[i] < low_[i]) return {};
+    if (high_[i / 2][i % 2] < low_[i / 2][i % 2]) return {};
     keep(highest_[i]), keep(lowest_[i]);
   }
   return out;

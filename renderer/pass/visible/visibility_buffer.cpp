@@ -48,6 +48,14 @@ visibility::Plane groundDepths(const FramePlan& plan, const Shot& shot) {
           static_cast<float>(half * (plane.w - plane.x - plane.y) + 0.5)};
 }
 
+using Texel = std::uint8_t __attribute__((vector_size(4)));
+
+visibility::Lanes channelsOf(std::uint32_t texel) {
+  Texel bytes;
+  std::memcpy(&bytes, &texel, sizeof bytes);
+  return __builtin_convertvector(__builtin_convertvector(bytes, visibility::Mask), visibility::Lanes);
+}
+
 std::size_t outputsOf(const DrawItem& item) { return 4 + componentsOf(varyingsOf(item.key)); }
 
 }  // namespace
@@ -213,11 +221,9 @@ void VisibilityBuffer::fillPlaces() {
   const visibility::Pixels& covered = owners_.covered();
   const std::size_t width = owners_.width(), pixels = owners_.pixels();
   surfaces_ = 0;
-  const auto& all = quads_.all();
-  for (std::size_t mesh = 0; mesh < all.size(); ++mesh) {
-    for (std::size_t i = 0; i < all[mesh].size(); ++i) {
-      const ShadingQuad& quad = all[mesh][i];
-      const glm::uvec2 corner = texelOf(ranges_[mesh].firstBlock + i / QUADS, i % QUADS);
+  for (std::size_t mesh = 0; mesh < ranges_.size(); ++mesh) {
+    quads_.forEach(mesh, [&](const ShadingQuad& quad, std::size_t index) {
+      const glm::uvec2 corner = texelOf(ranges_[mesh].firstBlock + index / QUADS, index % QUADS);
       for (unsigned pixel = 0; pixel < 4; ++pixel) {
         const unsigned samples = (quad.samples >> (4 * pixel)) & 15u, dx = pixel & 1, dy = pixel >> 1;
         if (samples == 0) continue;
@@ -228,7 +234,7 @@ void VisibilityBuffer::fillPlaces() {
         if (surface == surfaces_) places_[surfaces_++].assign(pixels, 0);
         places_[surface][at] = static_cast<std::uint32_t>(((corner.y + dy) * WIDTH + corner.x + dx) << 4) | samples;
       }
-    }
+    });
   }
 }
 
@@ -347,15 +353,16 @@ void VisibilityBuffer::mix(std::size_t at, std::uint8_t* pixel) const {
     }
   }
   constexpr float UNIT = 1.0f / 255, SHARE = 1.0f / visibility::SAMPLES;
-  constexpr float ROUNDS = 12582912;  // 1.5 * 2^23: with it, a float has no digits after the point
+  constexpr float ROUNDS =
+      12582912;  // 1.5 * 2^23: with it, a float has no digits after the point, and n in its lowest bits
   visibility::Lanes sum{};
-  for (const std::uint32_t sample : samples)
-    sum += visibility::Lanes{float(sample & 255u), float(sample >> 8 & 255u), float(sample >> 16 & 255u),
-                             float(sample >> 24)} *
-           visibility::lanesOf(UNIT);
+  for (const std::uint32_t sample : samples) sum += channelsOf(sample) * visibility::lanesOf(UNIT);
   const visibility::Lanes mean =
       sum * visibility::lanesOf(SHARE) * visibility::lanesOf(255) + visibility::lanesOf(ROUNDS);
-  for (int i = 0; i < 4; ++i) pixel[i] = static_cast<std::uint8_t>(mean[i] - ROUNDS);
+  visibility::Mask bits;
+  std::memcpy(&bits, &mean, sizeof bits);
+  const Texel texel = __builtin_convertvector(bits, Texel);
+  std::memcpy(pixel, &texel, sizeof texel);
 }
 
 void VisibilityBuffer::release() {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 #include "visibility/meshes.h"
 
@@ -78,6 +80,32 @@ TEST(ShadingQuads, EverySampleIsShownByItsOwnerOnce) {
       for (int i = 0; i < SAMPLES; ++i)
         EXPECT_EQ(seen[static_cast<std::size_t>((y * SIZE + x) * SAMPLES + i)], in && owners.of(x, y)[i] != NO_OWNER);
     }
+  }
+}
+
+TEST(ShadingQuads, EachIsVisitedOnceByRowsWithItsIndex) {
+  const Triangles wave = sheet(9, [](float x) { return 0.3f * std::sin(9 * x); });
+  const Triangles front = rectangle({-0.3f, -0.4f}, {0.5f, 0.3f}, -0.9f);
+  const Placed a = placed(wave), b = placed(front);
+  const std::vector<PlacedMesh> meshes{a.mesh, b.mesh};
+  SampleOwners owners;
+  ASSERT_TRUE(owners.look(gridOf(SIZE), meshes, {}, {}));
+  ShadingQuads quads;
+  quads.find(owners, {}, {});
+  for (std::size_t mesh = 0; mesh < quads.all().size(); ++mesh) {
+    const std::vector<ShadingQuad>& all = quads.all()[mesh];
+    std::vector<int> visits(all.size());
+    int y = 0;
+    quads.forEach(mesh, [&](const ShadingQuad& quad, std::size_t index) {
+      ASSERT_LT(index, all.size());
+      ++visits[index];
+      EXPECT_EQ(std::tie(quad.x, quad.y, quad.samples, quad.owners),
+                std::tie(all[index].x, all[index].y, all[index].samples, all[index].owners));
+      EXPECT_GE(quad.y, y);
+      y = quad.y;
+    });
+    EXPECT_EQ(visits, std::vector<int>(all.size(), 1));
+    EXPECT_GT(all.size(), 1u);
   }
 }
 
