@@ -20,7 +20,7 @@ class FreedMemory {
   }
 
  private:
-  static constexpr std::uint64_t RETURN_AT = 512ull << 20;
+  static constexpr std::uint64_t RETURN_AT = 128ull << 20;
   std::uint64_t since_ = 0;
 };
 
