@@ -353,8 +353,8 @@ void VisibilityBuffer::mix(std::size_t at, std::uint8_t* pixel) const {
     }
   }
   constexpr float UNIT = 1.0f / 255, SHARE = 1.0f / visibility::SAMPLES;
-  constexpr float ROUNDS =
-      12582912;  // 1.5 * 2^23: with it, a float has no digits after the point, and n in its lowest bits
+  // 1.5 * 2^23: a float of so much and n has no digits after the point, and n in its lowest bits.
+  constexpr float ROUNDS = 12582912;
   visibility::Lanes sum{};
   for (const std::uint32_t sample : samples) sum += channelsOf(sample) * visibility::lanesOf(UNIT);
   const visibility::Lanes mean =
