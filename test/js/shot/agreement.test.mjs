@@ -52,15 +52,15 @@ function acceptedShots(count, seed) {
   return accepted;
 }
 
-let accepted, native, bytes;
+let accepted, native, model;
 before(async () => {
   native = loadNative();
-  bytes = new native.Bytes(await MODELS.boxes(), 1e9);
+  model = await MODELS.boxes();
   accepted = acceptedShots(SHOTS, SEED);
 });
 
 /** A decoded model of its own: a plan is the last that is made of one. */
-const loadScene = async () => Model.sceneOf(await loadModel(native, bytes, native.limits));
+const loadScene = async () => Model.sceneOf(await loadModel(native, new native.Bytes(model, model.length), native.limits));
 
 /** What C++ says of a resolved shot: undefined where it takes it. */
 async function refusalOf(scene, resolved) {
