@@ -41,7 +41,7 @@ struct Source {
     if (value.IsString()) {
       path = value.As<Napi::String>();
     } else {
-      bytes = unwrap<BytesHandle>(value).bytes();
+      bytes = unwrap<BytesHandle>(value).detach();
     }
   }
   std::string path;

@@ -73,9 +73,7 @@ TokenHandle::TokenHandle(const Napi::CallbackInfo& info) : ObjectWrap(info), tok
   info.This().As<Napi::Object>().TypeTag(&TAG);
 }
 
-Napi::Function BytesHandle::define(Napi::Env env) {
-  return DefineClass(env, "Bytes", {InstanceMethod("release", &BytesHandle::release)});
-}
+Napi::Function BytesHandle::define(Napi::Env env) { return DefineClass(env, "Bytes", {}); }
 
 BytesHandle::BytesHandle(const Napi::CallbackInfo& info) : ObjectWrap(info) {
   info.This().As<Napi::Object>().TypeTag(&TAG);
@@ -93,14 +91,16 @@ void BytesHandle::Finalize(Napi::BasicEnv env) {
   if (bytes_) Napi::MemoryManagement::AdjustExternalMemory(env, -static_cast<std::int64_t>(bytes_->size()));
 }
 
-void BytesHandle::release(const Napi::CallbackInfo& info) {
-  Finalize(info.Env());
-  bytes_.reset();
-}
-
 std::shared_ptr<const FileBytes> BytesHandle::bytes() const {
   if (!bytes_) throw Napi::TypeError::New(Env(), "native telar has read these bytes for the last time");
   return bytes_;
+}
+
+std::shared_ptr<const FileBytes> BytesHandle::detach() {
+  std::shared_ptr<const FileBytes> bytes = this->bytes();
+  Finalize(Env());
+  bytes_.reset();
+  return bytes;
 }
 
 Napi::Function SceneHandle::define(Napi::Env env) { return DefineClass(env, "Scene", {}); }

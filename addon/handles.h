@@ -40,17 +40,17 @@ class TokenHandle : public Napi::ObjectWrap<TokenHandle> {
 };
 
 /// new Bytes(uint8Array, maxBytes): a copy, so that later writes of JavaScript cannot reach work on another thread.
-/// Throws {code: "L_FILE_BYTES", ...} before it copies too much. release(): nothing is done with it any more, so that
-/// the next file has its memory before this is collected.
+/// Throws {code: "L_FILE_BYTES", ...} before it copies too much. A model's are given away with detach(), so that the
+/// next file has their memory before this is collected.
 class BytesHandle : public Napi::ObjectWrap<BytesHandle> {
  public:
   static constexpr napi_type_tag TAG{0x74656c6172000002, 0x9a3f5c1e7b2d4860};
   static Napi::Function define(Napi::Env env);
   explicit BytesHandle(const Napi::CallbackInfo& info);
   void Finalize(Napi::BasicEnv env) override;
-  void release(const Napi::CallbackInfo& info);
-  /// @throws Napi::TypeError after release()
+  /// @throws Napi::TypeError after detach()
   std::shared_ptr<const FileBytes> bytes() const;
+  std::shared_ptr<const FileBytes> detach();
 
  private:
   std::shared_ptr<const FileBytes> bytes_;

@@ -68,7 +68,7 @@ export class Model {
  * Decodes a source.
  * @internal
  * @param {object} native the addon's exports
- * @param {string | object} input of readSource; bytes are gone afterwards
+ * @param {string | object} input of readSource, for this one use
  * @param {object} limits
  * @param {import('./options.mjs').Loading & {work?: import('./work.mjs').Work, cache?: {directory: string, bytes: number}}} [options]
  *   cache: of ambient visibility; an empty directory = none
@@ -77,7 +77,7 @@ export class Model {
 export async function loadModel(native, input, limits, { work, failOn = 'error', resolve, ambientVisibility: rays, cache = NO_CACHE } = {}) {
   const loaded = await withParts(native, { resolve, signal: work?.signal }, (parts) =>
     nativeCall(native, work, (token) => native.load(input, limits, { tolerant: failOn === 'none', parts }, token)),
-  ).finally(() => input.release?.());
+  );
   const kept = { ...cache, version: versions.telar };
   const { scene, facts } = rays ? await nativeCall(native, work, (token) => native.withVisibility(loaded.scene, rays, kept, limits, token)) : loaded;
   const read = JSON.parse(facts);

@@ -2,12 +2,21 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 
 #include "asset/geometry/drawn_points.h"
 
 namespace telar::asset {
 namespace {
+
+using Two = double __attribute__((vector_size(16)));
+
+Two twoAt(const double* from) {
+  Two value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
 
 constexpr int GRID = 2;  // directions end on the surface of the integer cube [-GRID, GRID]^3
 
@@ -33,19 +42,19 @@ Outline::Outline() {
   constexpr double INFINITE = std::numeric_limits<double>::infinity();
   const std::array<glm::dvec3, AXES> axes = directions<AXES>();
   for (std::size_t i = 0; i < AXES; ++i) {
-    const std::size_t pair = i / 2, of = i % 2;
-    x_[pair][of] = axes[i].x, y_[pair][of] = axes[i].y, z_[pair][of] = axes[i].z;
-    low_[pair][of] = INFINITE, high_[pair][of] = -INFINITE;
+    x_[i] = axes[i].x, y_[i] = axes[i].y, z_[i] = axes[i].z;
+    low_[i] = INFINITE, high_[i] = -INFINITE;
   }
 }
 
 void Outline::add(const glm::dvec3& p) {
   Along along;
   Two above{0, 0}, below{0, 0};
-  for (std::size_t pair = 0; pair < PAIRS; ++pair) {
-    along[pair] = p.x * x_[pair] + p.y * y_[pair] + p.z * z_[pair];
+  for (std::size_t i = 0; i < along.size(); i += 2) {
+    const Two value = p.x * twoAt(&x_[i]) + p.y * twoAt(&y_[i]) + p.z * twoAt(&z_[i]);
+    std::memcpy(&along[i], &value, sizeof value);
     // What is no number is not larger.
-    const Two overHigh = along[pair] - high_[pair], underLow = low_[pair] - along[pair];
+    const Two overHigh = value - twoAt(&high_[i]), underLow = twoAt(&low_[i]) - value;
     above = overHigh > above ? overHigh : above;
     below = underLow > below ? underLow : below;
   }
@@ -54,10 +63,8 @@ void Outline::add(const glm::dvec3& p) {
 
 void Outline::widen(const glm::dvec3& p, const Along& along) {
   for (std::size_t i = 0; i < AXES; ++i) {
-    const std::size_t pair = i / 2, of = i % 2;
-    const double value = along[pair][of];
-    if (value > high_[pair][of]) high_[pair][of] = value, highest_[i] = p;
-    if (value < low_[pair][of]) low_[pair][of] = value, lowest_[i] = p;
+    if (along[i] > high_[i]) high_[i] = along[i], highest_[i] = p;
+    if (along[i] < low_[i]) low_[i] = along[i], lowest_[i] = p;
   }
 }
 
@@ -67,7 +74,7 @@ std::vector<glm::dvec3> Outline::points() const {
     if (std::find(out.begin(), out.end(), p) == out.end()) out.push_back(p);
   };
   for (std::size_t i = 0; i < AXES; ++i) {
-    if (high_[i / 2][i % 2] < low_[i / 2][i % 2]) return {};
+    if (high_[i] < low_[i]) return {};
     keep(highest_[i]), keep(lowest_[i]);
   }
   return out;

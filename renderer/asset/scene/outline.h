@@ -20,14 +20,12 @@ class Outline {
 
  private:
   static constexpr std::size_t AXES = 49;  ///< one of each opposite pair
-  /// Of two axes each: most points lie between what is known of all axes, which is seen of two at a time.
-  using Two = double __attribute__((vector_size(16)));
-  static constexpr std::size_t PAIRS = (AXES + 1) / 2;
-  using Along = std::array<Two, PAIRS>;
+  /// By axis, which are looked at two at a time: most points lie between what is known of all. The one beyond the last
+  /// is 0.
+  using Along = std::array<double, AXES + 1>;
   void widen(const glm::dvec3& point, const Along& along);
 
-  Along x_{}, y_{}, z_{};  ///< of the axes; the one beyond the last is 0
-  Along low_{}, high_{};
+  Along x_{}, y_{}, z_{}, low_{}, high_{};
   std::array<glm::dvec3, AXES> lowest_{}, highest_{};
 };
 
