@@ -48,9 +48,12 @@ async function thumbnail(env, { argv = [], drop = [] } = {}) {
   return { ...told, out, files: readdirSync(out) };
 }
 
-/** Before a worker has begun: where it ends then, another one draws the job. Then until the GL has the model, and of those that Mesa makes while it draws. */
-const BEGINNING = [1, 2, 5, 20];
-const LOADING = [100, 250, 400, 600, 800, 1000, 1200];
+/**
+ * Before a worker has begun, or near it, which differs by what Node does first: where it ends then, another one draws the job. Then until the GL has the model,
+ * and of those that Mesa makes while it draws.
+ */
+const BEGINNING = [1, 2, 5, 20, 100];
+const LOADING = [250, 400, 600, 800, 1000, 1200];
 const DRAWING = [1500, 1800, 2100, 2400, 2700, 2806, 2950];
 test('an allocation of a worker that fails: the picture or a typed error, and the next job is drawn', async () => {
   const found = await failAllocations(built, [...BEGINNING, ...LOADING, ...DRAWING]);

@@ -15,7 +15,7 @@ const FAULTS = {
     ['no tag', 'memory_queue.mjs', 'return result && { result, meta };', 'return result && { result: { ...result, key: undefined }, meta };'],
     ['it is over before it began', 'job_handlers.mjs', '{ ended: time(ended) }', '{ ended: time(created - 1) }'],
     ['done and not whole', 'memory_queue.mjs', 'progress: 1 }', 'progress: 0.9 }'],
-    ['another address', 'plugin.mjs', 'location: job.links.self', 'location: job.links.events'],
+    ['another address', 'replies.mjs', 'location: job.links.self', 'location: job.links.events'],
     ['another type', 'service.mjs', 'meta: { type, kind }', "meta: { type: 'image/png', kind }"],
     ['no link to it', 'job_handlers.mjs', "state === 'done' && { result:", "state === 'failed' && { result:"],
   ],

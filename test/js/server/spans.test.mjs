@@ -112,8 +112,8 @@ const FAULTS = [
     ['spans.mjs', '.end(clock(to))', '.end(to)'],
   ],
   [
-    ['plugin.mjs', 'code, isFault: status >= 500', 'isFault: status >= 500'],
-    ['plugin.mjs', 'isFault: status >= 500', 'isFault: status >= 400'],
+    ['hooks.mjs', 'code, isFault: status >= 500', 'isFault: status >= 500'],
+    ['hooks.mjs', 'isFault: status >= 500', 'isFault: status >= 400'],
   ],
   [['spans.mjs', "'telar.job', { attributes }, ROOT_CONTEXT)", "'telar.work', { attributes }, ROOT_CONTEXT)"]],
 ];
