@@ -230,7 +230,7 @@ Failures takeSteps(std::uint64_t dataBytes) {
 }
 
 /// What came of all steps; the first ones where somebody took them.
-struct Outcome {
+struct StepsTaken {
   std::optional<FirstFailures> first;
   Failures failures;
 };
@@ -245,12 +245,12 @@ std::string rowOf(const char* step, std::optional<int> failure) {
   return text + "}";
 }
 
-std::string reportOf(const Outcome& outcome) {
+std::string reportOf(const StepsTaken& taken) {
   std::string text = "[";
   for (std::size_t i = 0; i < FIRST_STEPS.size(); ++i)
-    text += rowOf(FIRST_STEPS[i].name, outcome.first ? std::optional((*outcome.first)[i]) : std::nullopt) + ",";
+    text += rowOf(FIRST_STEPS[i].name, taken.first ? std::optional((*taken.first)[i]) : std::nullopt) + ",";
   for (std::size_t i = 0; i < STEP_COUNT; ++i)
-    text += rowOf(STEPS[i].name, outcome.failures[i]) + (i + 1 < STEP_COUNT ? "," : "");
+    text += rowOf(STEPS[i].name, taken.failures[i]) + (i + 1 < STEP_COUNT ? "," : "");
   return text + "]";
 }
 
@@ -266,16 +266,16 @@ std::optional<FirstFailures> firstFailures() {
 std::string isolateProcess(std::uint64_t dataBytes) { return reportOf({firstFailures(), takeSteps(dataBytes)}); }
 
 std::string probeIsolation(bool withFirst) {
-  Outcome outcome;
-  outcome.failures.fill(EIO);
-  if (withFirst) outcome.first.emplace().fill(EIO);
+  StepsTaken taken;
+  taken.failures.fill(EIO);
+  if (withFirst) taken.first.emplace().fill(EIO);
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) return reportOf(outcome);
+  if (pipe2(ends, O_CLOEXEC) != 0) return reportOf(taken);
   const pid_t child = fork();
   if (child == 0) {
     // Other threads may have held any lock: nothing here allocates. The pipe has the place of a worker's own.
     constexpr int PIPE = 3;
-    Outcome found;
+    StepsTaken found;
     const bool isHeard = dup2(ends[1], PIPE) == PIPE;
     if (withFirst) found.first = takeFirstSteps();
     found.failures = takeSteps(0);
@@ -283,13 +283,13 @@ std::string probeIsolation(bool withFirst) {
   }
   close(ends[1]);
   if (child > 0) {
-    Outcome found;
-    if (read(ends[0], &found, sizeof found) == sizeof found) outcome = found;
+    StepsTaken found;
+    if (read(ends[0], &found, sizeof found) == sizeof found) taken = found;
     while (waitpid(child, nullptr, 0) == -1 && errno == EINTR) {
     }
   }
   close(ends[0]);
-  return reportOf(outcome);
+  return reportOf(taken);
 }
 
 }  // namespace telar::addon

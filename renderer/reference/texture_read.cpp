@@ -88,7 +88,7 @@ glm::vec4 Textures::read(const TextureRef& texture, const glm::vec2& uv, bool sr
   // Far outside of [0, 1] a float has no fraction to filter with, and an integer may not hold it.
   if (!(std::abs(moved.x) < 1e9f && std::abs(moved.y) < 1e9f)) return glm::vec4(1.0f);
   const TexelReader reader{image, decodesSrgb(image.coding, srgb) ? linear_ : bytes_, bytes_};
-  const Sampler& sampler = texture.sampler;
+  const telar::Sampler& sampler = texture.sampler;
   if (sampler.magFilter == NEAREST) {
     return reader.texel(nearestOf(moved.x, image.width, sampler.wrapS),
                         nearestOf(moved.y, image.height, sampler.wrapT));

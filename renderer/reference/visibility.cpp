@@ -11,7 +11,7 @@
 namespace telar::reference {
 namespace {
 
-constexpr std::size_t ROW = 256;  ///< vertices that a thread takes at once
+constexpr std::size_t ROW_VERTICES = 256;  ///< vertices that a thread takes at once
 
 /// The van der Corput sequence in base 2, 0..1.
 float radicalInverse(std::uint32_t i) {
@@ -90,14 +90,14 @@ class VertexRays {
 void addPlace(const PlacedScene& placed, const PlacedMesh& mesh, const std::vector<glm::vec3>& rays,
               VisibilityJob::Sides& sums, VisibilityJob& job) {
   const std::vector<glm::vec3> normals = normalsOf(mesh);
-  const std::size_t vertices = normals.size(), rows = (vertices + ROW - 1) / ROW;
+  const std::size_t vertices = normals.size(), rows = (vertices + ROW_VERTICES - 1) / ROW_VERTICES;
   const std::size_t count = seenFromBehind(*mesh.material) ? 2 : 1;
   for (std::size_t side = 0; side < count; ++side) sums[side].resize(vertices, glm::vec4(0));
   forEachRow(static_cast<int>(rows), std::max(job.threads, 1), [&](int row) {
     job.cancel.check();
     VertexRays vertex(placed, mesh, rays);
-    const std::size_t first = static_cast<std::size_t>(row) * ROW;
-    for (std::size_t i = first; i < std::min(first + ROW, vertices); ++i) {
+    const std::size_t first = static_cast<std::size_t>(row) * ROW_VERTICES;
+    for (std::size_t i = first; i < std::min(first + ROW_VERTICES, vertices); ++i) {
       const glm::vec3& normal = normals[i];
       for (std::size_t side = 0; side < count; ++side) {
         sums[side][i] += normal == glm::vec3(0) ? glm::vec4(0, 0, 0, 1)

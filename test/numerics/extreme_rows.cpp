@@ -73,9 +73,9 @@ std::vector<std::byte> evenBut(const glm::vec3& odd) {
   return exrOf(colors, 64);
 }
 
-class Rows {
+class ExtremeRows {
  public:
-  explicit Rows(ShadingModel shading) : shading_(shading) {}
+  explicit ExtremeRows(ShadingModel shading) : shading_(shading) {}
 
   /// A lit ball of every layer, to be changed.
   ExtremeRow& add(const std::string& name, Material material = everything(), Primitive primitive = ball()) {
@@ -98,7 +98,7 @@ class Rows {
   ShadingModel shading_;
 };
 
-void addEnvironments(Rows& rows) {
+void addEnvironments(ExtremeRows& rows) {
   constexpr float INF = std::numeric_limits<float>::infinity(), NOT = std::numeric_limits<float>::quiet_NaN();
   const std::pair<const char*, glm::vec3> odd[] = {{"infinite", glm::vec3(INF)},
                                                    {"NaN", glm::vec3(NOT)},
@@ -113,7 +113,7 @@ void addEnvironments(Rows& rows) {
   rows.add("environment of intensity 1e30").shot.environment.intensity = 1e30;
 }
 
-void addLights(Rows& rows) {
+void addLights(ExtremeRows& rows) {
   rows.add("lamp on the surface").shot.lights[1].position = {0, 0, 1};
   rows.add("lamp inside").shot.lights[1].position = {0, 0, 0};
   rows.add("lamp in the eye").shot.lights[1].position = {0, 0, 5};
@@ -130,7 +130,7 @@ void addLights(Rows& rows) {
   rows.add("lamp of range 1e-30").shot.lights[1].range = 1e-30;
 }
 
-void addSurfaces(Rows& rows) {
+void addSurfaces(ExtremeRows& rows) {
   Primitive noUv = ball(), flatUv = ball(), zeroNormals = ball(), opposite = ball(), flat = ball();
   noUv.uvs[0].clear();
   flatUv.uvs[0].assign(flatUv.positions.size(), glm::vec2(0.5f));
@@ -168,7 +168,7 @@ void addSurfaces(Rows& rows) {
   rows.add("glass that lets nothing through", glass);
 }
 
-void addTransforms(Rows& rows) {
+void addTransforms(ExtremeRows& rows) {
   const std::pair<const char*, glm::dvec3> scales[] = {{"scale (1, 1, 0)", {1, 1, 0}},
                                                        {"scale (-1, 2, 0.5)", {-1, 2, 0.5}},
                                                        {"scale 0", {0, 0, 0}},
@@ -186,7 +186,7 @@ double mostOf(const Frame& frame) {
   return most;
 }
 
-void addExposures(Rows& rows) {
+void addExposures(ExtremeRows& rows) {
   for (const double exposure : {0.0, 1e6, 1e30}) {
     ExtremeRow& row = rows.add("exposure " + std::string(exposure == 0 ? "0" : exposure == 1e6 ? "1e6" : "1e30"));
     row.shot.exposure = exposure;
@@ -198,7 +198,7 @@ void addExposures(Rows& rows) {
 }  // namespace
 
 std::vector<ExtremeRow> extremeRows(ShadingModel shading) {
-  Rows rows(shading);
+  ExtremeRows rows(shading);
   addEnvironments(rows);
   addLights(rows);
   addSurfaces(rows);

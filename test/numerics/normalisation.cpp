@@ -43,16 +43,15 @@ Figure stretched(const char* name, double bar, Distribution d) {
   for (const double along : ALPHAS) {
     for (const double across : ALPHAS) {
       double sum = 0;
-      constexpr int STEPS = 512;
-      for (int i = 0; i < STEPS; ++i) {
-        for (int j = 0; j < STEPS; ++j) {
+      constexpr int GRID = 512;
+      for (int i = 0; i < GRID; ++i) {
+        for (int j = 0; j < GRID; ++j) {
           // Slopes spread twice as wide as the lobe: an even weight would prove nothing.
-          const double u = (i + 0.5) / STEPS, slope = 2 * std::sqrt(u / (1 - u)),
-                       phi = test::TWO_PI * (j + 0.5) / STEPS;
+          const double u = (i + 0.5) / GRID, slope = 2 * std::sqrt(u / (1 - u)), phi = test::TWO_PI * (j + 0.5) / GRID;
           const vec3 h = glm::normalize(vec3(along * slope * std::cos(phi), across * slope * std::sin(phi), 1));
           const vec3 x(h.x / (2 * along), h.y / (2 * across), h.z);
           const double density = 1 / (test::TWO_PI / 2 * 4 * along * across * glm::dot(x, x) * glm::dot(x, x)) * h.z;
-          sum += d(along, across, h) * h.z / density / (double(STEPS) * STEPS);
+          sum += d(along, across, h) * h.z / density / (double(GRID) * GRID);
         }
       }
       const double worstBefore = worst.value;

@@ -1,8 +1,8 @@
 #include "asset/accessor/accessor.h"
 
 #include <algorithm>
-#include <cstring>
 
+#include "asset/accessor/unaligned.h"
 #include "asset/check/number.h"
 #include "asset/check/pointer.h"
 
@@ -20,27 +20,20 @@ struct Layout {
   bool normalized = false;
 };
 
-template <typename T>
-T load(const std::byte* from) {
-  T value;  // unaligned data is allowed for here: memcpy instead of a cast
-  std::memcpy(&value, from, sizeof value);
-  return value;
-}
-
 double loadComponent(const std::byte* from, int componentType) {
   switch (componentType) {
     case COMPONENT_I8:
-      return load<std::int8_t>(from);
+      return loadUnaligned<std::int8_t>(from);
     case COMPONENT_U8:
-      return load<std::uint8_t>(from);
+      return loadUnaligned<std::uint8_t>(from);
     case COMPONENT_I16:
-      return load<std::int16_t>(from);
+      return loadUnaligned<std::int16_t>(from);
     case COMPONENT_U16:
-      return load<std::uint16_t>(from);
+      return loadUnaligned<std::uint16_t>(from);
     case COMPONENT_U32:
-      return load<std::uint32_t>(from);
+      return loadUnaligned<std::uint32_t>(from);
     default:
-      return load<float>(from);
+      return loadUnaligned<float>(from);
   }
 }
 

@@ -9,7 +9,7 @@
 namespace telar::asset {
 namespace {
 
-constexpr const char* DRACO = "KHR_draco_mesh_compression";
+constexpr const char* DRACO_EXTENSION = "KHR_draco_mesh_compression";
 constexpr const char* UV_NAMES[] = {"TEXCOORD_0", "TEXCOORD_1"};
 constexpr const char* VISIBILITY_NAMES[] = {"_TELAR_VISIBILITY", "_TELAR_VISIBILITY_BACK"};
 
@@ -68,7 +68,7 @@ void GeometryReader::chargeStreams(const Source& source) const {
 }
 
 std::optional<DracoMesh> GeometryReader::decodeDraco(const Source& source) const {
-  const auto found = source.extensions.find(DRACO);
+  const auto found = source.extensions.find(DRACO_EXTENSION);
   if (found == source.extensions.end()) return std::nullopt;
   DracoExpectation expected;
   expected.vertices = from_.accessors.count(attribute(source, "POSITION"));
@@ -78,7 +78,7 @@ std::optional<DracoMesh> GeometryReader::decodeDraco(const Source& source) const
   expected.indices = counted ? from_.accessors.count(source.indices) : 0;
   const auto data = from_.resources.view(found->second.Get("bufferView").GetNumberAsInt());
   auto mesh = DracoMesh::decode(data, expected, {from_.limits, from_.memory, from_.cancel},
-                                where_ + pointer("extensions", DRACO));
+                                where_ + pointer("extensions", DRACO_EXTENSION));
   if (!counted && mesh.indices()) from_.memory.charge(2 * sizeof(std::uint32_t) * mesh.indices()->size(), where_);
   return mesh;
 }
@@ -87,12 +87,12 @@ void GeometryReader::readStream(const Source& source, const DracoMesh* draco, co
                                 std::span<float> out) const {
   const int accessor = attribute(source, name);
   if (draco) {
-    const auto& ids = source.extensions.at(DRACO).Get("attributes");
+    const auto& ids = source.extensions.at(DRACO_EXTENSION).Get("attributes");
     if (ids.Has(name)) {
       const auto& info = from_.accessors.info(accessor);
       draco->readFloats(static_cast<std::uint32_t>(ids.Get(name).GetNumberAsInt()), info.componentType, info.normalized,
                         from_.accessors.components(accessor), out,
-                        where_ + pointer("extensions", DRACO, "attributes", name));
+                        where_ + pointer("extensions", DRACO_EXTENSION, "attributes", name));
       return;
     }
     // Without a view either, the attribute would silently be zeros.
@@ -100,7 +100,7 @@ void GeometryReader::readStream(const Source& source, const DracoMesh* draco, co
     if (info.bufferView < 0 && !info.sparse.isSparse) {
       fail("E_DRACO",
            "the Draco mesh does not hold the attribute " + telar::quoted(name) + ", and its accessor has no data",
-           where_ + pointer("extensions", DRACO, "attributes"));
+           where_ + pointer("extensions", DRACO_EXTENSION, "attributes"));
     }
   }
   from_.accessors.readFloats(accessor, out);

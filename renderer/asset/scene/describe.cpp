@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "asset/scene/json_vector.h"
 #include "asset/scene/outline.h"
 #include "telar/dress.h"
 #include "telar/load.h"
@@ -18,9 +19,6 @@ namespace {
 using json = nlohmann::ordered_json;
 
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
-
-json list(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-json list(const glm::vec3& v) { return list(glm::dvec3(v)); }
 
 const char* nameOf(AlphaMode mode) {
   switch (mode) {

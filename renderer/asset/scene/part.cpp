@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "asset/geometry/drawn_points.h"
+#include "asset/scene/json_vector.h"
 #include "asset/scene/outline.h"
 #include "telar/part_opacities.h"
 #include "telar/variant_material.h"
@@ -13,8 +14,6 @@ namespace telar {
 namespace {
 
 using json = nlohmann::ordered_json;
-
-json list(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 bool isMeant(const PartQuery& query, int index, const std::string& name) {
   if (const int* wanted = std::get_if<int>(&query.which)) return index == *wanted;

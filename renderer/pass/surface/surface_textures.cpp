@@ -7,6 +7,8 @@
 namespace telar::pass {
 namespace {
 
+using Key = shader::VariantKey;
+
 /// The key with what of its images is not read.
 DerivedTexture withLimits(DerivedTexture key, const Scene& scene, const GpuScene& gpu) {
   key.first = gpu.levelsLeftOut(scene, key.image);
@@ -23,7 +25,6 @@ glm::ivec2 sizeOf(const DerivedTexture& key, const Scene& scene) {
 /// The derived form of the texture that is sampled, if there is one.
 std::optional<DerivedTexture> derivedOf(const DrawItem& item, const TextureSlot& slot, const Scene& scene,
                                         const GpuScene& gpu) {
-  using Key = shader::VariantKey;
   const int image = slot.texture(*item.material).image;
   const bool srgb = decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, slot.srgb);
   if (item.key.normalFacets && slot.map == &Key::normalMap)
