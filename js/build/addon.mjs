@@ -63,10 +63,12 @@ function plan(preset) {
 /**
  * Configures where needed and builds; ninja decides what is stale.
  * @param {string} preset - Of CMakePresets.json.
+ * @param {(what: string) => void} begin - Told when work begins, and how far it is.
+ * @param {{targets?: string[], jobs?: number}} [options] - What is built, all where it is left out; compilers at once, CMake's choice where left out.
  * @returns {Promise<string>} What was done, in a few words.
  * @throws {SetupError} With the compiler's last lines.
  */
-export async function ensureBuild(preset, begin) {
+export async function ensureBuild(preset, begin, { targets = [], jobs } = {}) {
   const { configure, compile, markConfigured } = plan(preset);
   const cure = buildCure();
   if (configure) {
@@ -80,7 +82,8 @@ export async function ensureBuild(preset, begin) {
     begin('compiling');
     begin(`compiling ${progress}`);
   };
-  const text = await runLogged('cmake', compile, { log: `build-${preset}.log`, cure, printed });
+  const args = [...compile, ...(targets.length ? ['--target', ...targets] : []), ...(jobs ? ['--parallel', String(jobs)] : [])];
+  const text = await runLogged('cmake', args, { log: `build-${preset}.log`, cure, printed });
   return text.includes('no work to do') ? 'up to date' : 'done';
 }
 

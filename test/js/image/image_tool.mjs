@@ -14,7 +14,7 @@ export function imageTool() {
     : existsSync(join(ROOT, 'out'))
       ? readdirSync(join(ROOT, 'out')).map((name) => join(ROOT, 'out', name))
       : [];
-  const tools = folders.map((folder) => join(folder, 'test/cpp/image/image_tool')).filter((path) => existsSync(path));
+  const tools = folders.map((folder) => join(folder, 'bin/image_tool')).filter((path) => existsSync(path));
   if (!tools.length) throw new Error('image_tool is not built; run: cmake --preset dev && cmake --build --preset dev');
   return tools.sort((a, b) => statSync(b).mtimeMs - statSync(a).mtimeMs)[0];
 }
