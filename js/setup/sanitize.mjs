@@ -15,6 +15,8 @@ const LEAKS = path.join(ROOT, 'test/sanitize/leaks.txt');
 const HANGS_AFTER_MS = 3_600_000;
 /** CPU that a refusal may take here: a tenth of the speed, beside other work. */
 const REFUSE_MS = 5000;
+/** What a worker of a queue may say nothing for. */
+const LEASE_MS = 10_000;
 
 /** Tests of JavaScript that reach the addon or its tools. */
 const FOLDERS = ['test/robust', ...['api', 'cli', 'pool', 'queue', 'server', 'sheet', 'shot'].map((name) => `test/js/${name}`)];
@@ -76,6 +78,7 @@ function environment(withLeaks) {
     LSAN_OPTIONS: joined({ suppressions: LEAKS, print_suppressions: 0 }),
     TELAR_BUILD_DIR: BUILD,
     TELAR_REFUSE_MS: String(REFUSE_MS),
+    TELAR_LEASE_MS: String(LEASE_MS),
   };
 }
 

@@ -182,7 +182,7 @@ const WRONG = [
   (to) => to.render(glb, SHOT, { signal: 5 }),
   (to) => to.render(glb, SHOT, { failOn: 'no' }),
   (to) => to.render(glb, { ...SHOT, lens: { focusDistance: 1 } }, { failOn: 'warning' }),
-  (to) => to.render(glb, { ...SHOT, quality: { preset: 'reference', samples: 65_536 } }, { timeoutMs: 20 }),
+  (to) => to.render(glb, { ...SHOT, quality: { preset: 'reference', samples: 65_536 } }, { timeoutMs: 500 }),
   (to) => to.renderAll(glb, 5),
   (to) => to.renderAll(glb, [SHOT, { size: { width: 0 } }]),
   (to) => to.renderAll(glb, [SHOT, { size: () => 1 }]),

@@ -4,7 +4,7 @@ import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { FolderStore } from '../../../js/queue/folder_store.mjs';
 import { TelarError, openQueue } from '../../../js/queue/index.mjs';
-import { QUEUES, onRedis, open, over, resultOf, startProcess, startRedis, taskOf, temporaryFolder, textOf } from './support.mjs';
+import { LEASE_MS, QUEUES, onRedis, open, over, resultOf, startProcess, startRedis, taskOf, temporaryFolder, textOf } from './support.mjs';
 import { until } from '../../until.mjs';
 
 // Queues that several processes share: their ends, by kill -9 too.
@@ -62,7 +62,7 @@ for (const [name, kind] of Object.entries(KINDS)) {
     test('kill -9 of a worker: another one does its job, and there is one result', async (t) => {
       const [place, log] = [await kind.place(t), logFile(t)];
       const queue = await open(t, place);
-      const { id } = await queue.add(taskOf('a', { sleep: 300 }));
+      const { id } = await queue.add(taskOf('a', { sleep: LEASE_MS }));
       const workers = [await startProcess(t, place, { log })];
       await until(() => runsIn(log).length === 1);
       assert.equal((await queue.get(id)).state, 'running');

@@ -4,7 +4,7 @@ import '../api/support/real.mjs';
 import { readImage } from '../../../js/compare/index.mjs';
 import { TelarError, openQueue } from '../../../js/queue/index.mjs';
 import { importMutant, outcomeOf } from '../server/mutants.mjs';
-import { QUEUES, deferred, onRedis, open, over, resultOf, startRedis, taskOf } from './support.mjs';
+import { LEASE_MS, QUEUES, deferred, onRedis, open, over, resultOf, startRedis, taskOf } from './support.mjs';
 import { startHost } from '../../http_host.mjs';
 import { until } from '../../until.mjs';
 
@@ -25,7 +25,7 @@ const codeOf = (promise) =>
 
 /** A job shows two pictures, and one of floats; another queue of the same place watches. */
 async function checkPreviews(t, openOne, place) {
-  const worker = await openOne({ leaseMs: 1000, ...place });
+  const worker = await openOne({ leaseMs: LEASE_MS, ...place });
   const watcher = place.sqlite || place.redis ? await openOne(place) : worker;
   t.after(() => Promise.all([worker.close(), watcher.close()]));
   const shown = [];
