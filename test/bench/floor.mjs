@@ -17,16 +17,22 @@ const SHOT = { size: { width: 512, height: 512 } };
 const io = new WebIO().registerExtensions(KHRONOS_EXTENSIONS);
 const renderer = await createRenderer();
 
-/** CPU milliseconds of a job, the median; once before that is not counted. */
-async function cpuOf(job) {
+/** Stages of a picture, of `info.milliseconds`. */
+const STAGES = ['load', 'upload', 'vertices', 'visibility', 'draw', 'read', 'encode'];
+
+/** CPU milliseconds of a job, and of pictures the wall milliseconds of each stage: medians; once before that is not counted. */
+async function costOf(job) {
   const times = [];
+  const stages = Object.fromEntries(STAGES.map((name) => [name, []]));
   for (let i = 0; i <= Number(values.runs); i++) {
     const start = process.cpuUsage();
-    await job();
+    const { info } = await job();
     const { user, system } = process.cpuUsage(start);
-    if (i > 0) times.push((user + system) / 1000);
+    if (i === 0) continue;
+    times.push((user + system) / 1000);
+    for (const name of STAGES) stages[name].push(info?.milliseconds[name] ?? 0);
   }
-  return median(times);
+  return { cpu: median(times), stages: Object.fromEntries(STAGES.map((name) => [name, median(stages[name])])) };
 }
 
 /** Pixels that show something. */
@@ -76,15 +82,24 @@ const models = positionals.length
       ['chair', await chair()],
       ['ball', await helmet()],
     ];
-console.log('| model | a picture from its file, CPU ms | decoding | pixels as two triangles, PNG | above the floor |\n|---|---|---|---|---|');
+const row = (...cells) => console.log(`| ${cells.map((cell) => (typeof cell === 'number' ? cell.toFixed(cell < 10 ? 1 : 0) : cell)).join(' | ')} |`);
+const stageRows = [];
+row('model', 'a picture from its file, CPU ms', 'decoding', 'pixels as two triangles, PNG', 'above the floor');
+row(...Array(5).fill('---'));
 for (const [name, bytes] of models) {
   const square = await renderer.load(await asSquare(bytes));
   const share = (await covered(bytes)) / (await covered(square));
-  const whole = await cpuOf(() => renderer.render(bytes, SHOT));
+  const whole = await costOf(() => renderer.render(bytes, SHOT));
   const images = await imagesOf(bytes);
-  const decoding = await cpuOf(() => Promise.all(images.map((image) => sharp(image).ensureAlpha().raw().toBuffer())));
-  const pixels = (await cpuOf(() => renderer.render(square, SHOT))) * share;
+  const decoding = await costOf(() => Promise.all(images.map((image) => sharp(image).ensureAlpha().raw().toBuffer())));
+  const pixels = await costOf(() => renderer.render(square, SHOT));
   renderer.release(square);
-  console.log(`| ${name} | ${whole.toFixed(0)} | ${decoding.toFixed(0)} | ${pixels.toFixed(0)} | ${(whole / (decoding + pixels)).toFixed(1)} |`);
+  row(name, whole.cpu, decoding.cpu, pixels.cpu * share, whole.cpu / (decoding.cpu + pixels.cpu * share));
+  const least = { ...Object.fromEntries(STAGES.map((stage) => [stage, pixels.stages[stage] * share])), load: decoding.cpu };
+  stageRows.push([name, ...STAGES.map((stage) => `${whole.stages[stage].toFixed(1)}, ${least[stage].toFixed(1)}`)]);
 }
+console.log('\nStage by stage: wall ms of the picture, and of the least (of loading: CPU ms of the libraries)\n');
+row('model', ...STAGES);
+row(...Array(STAGES.length + 1).fill('---'));
+for (const cells of stageRows) row(...cells);
 await renderer.close();
