@@ -1,6 +1,7 @@
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import os from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { buildCure } from '../machine/debian.mjs';
@@ -41,8 +42,15 @@ function configureStamp(headers) {
 /** What ninja puts before a command: how many of how many. */
 const NINJA_PROGRESS = /(?<=^\[)\d+\/\d+(?=\])/gm;
 
-/** The two CMake command lines; `configure` is null when the build folder stands already. */
-function plan(preset) {
+/** One a core: two more, as Ninja has it, take an eighth more of CPU time, as each pushes the others out of the caches. */
+const COMPILERS = os.availableParallelism();
+
+/**
+ * The two CMake command lines; `configure` is null when the build folder stands already.
+ * @param {string} preset
+ * @param {{targets?: string[], compilers?: number}} [options] - What is built, all where it is left out; how many compilers at once.
+ */
+function plan(preset, { targets = [], compilers = COMPILERS } = {}) {
   const headers = headerFolders();
   const folder = path.join('out', preset);
   const stampFile = path.join(ROOT, folder, '.configured');
@@ -52,7 +60,7 @@ function plan(preset) {
   return {
     // --fresh: a cache from other inputs (a moved checkout, a removed library) must not leak into this one.
     configure: configured ? null : ['--fresh', '--preset', preset, ...definitions],
-    compile: ['--build', folder],
+    compile: ['--build', folder, '--parallel', String(compilers), ...(targets.length ? ['--target', ...targets] : [])],
     markConfigured: () => {
       mkdirSync(path.dirname(stampFile), { recursive: true });
       writeFileSync(stampFile, stamp);
@@ -64,12 +72,12 @@ function plan(preset) {
  * Configures where needed and builds; ninja decides what is stale.
  * @param {string} preset - Of CMakePresets.json.
  * @param {(what: string) => void} begin - Told when work begins, and how far it is.
- * @param {{targets?: string[], jobs?: number}} [options] - What is built, all where it is left out; compilers at once, CMake's choice where left out.
+ * @param {{targets?: string[], compilers?: number}} [options] - As of `plan`.
  * @returns {Promise<string>} What was done, in a few words.
  * @throws {SetupError} With the compiler's last lines.
  */
-export async function ensureBuild(preset, begin, { targets = [], jobs } = {}) {
-  const { configure, compile, markConfigured } = plan(preset);
+export async function ensureBuild(preset, begin, options) {
+  const { configure, compile, markConfigured } = plan(preset, options);
   const cure = buildCure();
   if (configure) {
     begin('compiling');
@@ -82,8 +90,7 @@ export async function ensureBuild(preset, begin, { targets = [], jobs } = {}) {
     begin('compiling');
     begin(`compiling ${progress}`);
   };
-  const args = [...compile, ...(targets.length ? ['--target', ...targets] : []), ...(jobs ? ['--parallel', String(jobs)] : [])];
-  const text = await runLogged('cmake', args, { log: `build-${preset}.log`, cure, printed });
+  const text = await runLogged('cmake', compile, { log: `build-${preset}.log`, cure, printed });
   return text.includes('no work to do') ? 'up to date' : 'done';
 }
 

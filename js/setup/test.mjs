@@ -17,8 +17,8 @@ const FOR_JS = ['addon/all', 'programs'];
 /** Some tests end only when the work that they stop has stopped: one that hangs has failed. Milliseconds for a file. */
 const HANGS_AFTER_MS = 1_800_000;
 
-/** Files tested at once: a test waits for processes and browsers for a third of its time, in which another one runs. */
-const AT_ONCE = Math.ceil(1.5 * os.availableParallelism());
+/** Files tested at once. They wait for a third of their time, in which those in C++ are compiled and run. */
+const AT_ONCE = os.availableParallelism();
 
 /** All test files under test/, as paths from the root: node 20 takes no glob here. The longest first, so that no core waits for one at the end. */
 function testFiles() {
@@ -52,7 +52,7 @@ async function runNodeTests({ files }) {
 /** Compiles C++'s tests where they are not there yet, by half of the cores: JavaScript's tests run beside. @returns {Promise<string>} what failed */
 async function buildRest() {
   try {
-    await ensureBuild(PRESET, () => {}, { jobs: Math.ceil(os.availableParallelism() / 2) });
+    await ensureBuild(PRESET, () => {}, { compilers: Math.ceil(os.availableParallelism() / 2) });
     return '';
   } catch (error) {
     if (!(error instanceof SetupError)) throw error;
