@@ -50,7 +50,7 @@ function commandsForTidy() {
   mkdirSync(folder, { recursive: true });
   const plain = commands
     .flatMap(commandsOfSources)
-    .map((entry) => ({ ...entry, command: entry.command.replace(/ -Winvalid-pch| -include \S*cmake_pch\.hxx/g, '') }));
+    .map((entry) => ({ ...entry, command: entry.command.replace(/ -Winvalid-pch| --param=\S+| -include \S*cmake_pch\.hxx/g, '') }));
   writeFileSync(path.join(folder, 'compile_commands.json'), JSON.stringify(plain));
   return folder;
 }
