@@ -1,3 +1,5 @@
+import { mkdirSync } from 'node:fs';
+import path from 'node:path';
 import { workerLibrary } from '../api/native.mjs';
 import { threadsOfEach } from './defaults.mjs';
 
@@ -32,14 +34,32 @@ const isPassedOn = (name) => (NAMES.includes(name) || BEGINNINGS.some((beginning
 /**
  * The environment of one of so many workers.
  * @param {number} size
- * @param {Record<string, string | undefined>} [from]
- * @param {string} [library] file of libtelar_worker.so
+ * @param {{cacheDirectory?: string | null, from?: Record<string, string | undefined>, library?: string}} [options] the renderer's; `from`: where
+ *   it is taken from; `library`: file of libtelar_worker.so
  */
-export function workerEnvironment(size, from = process.env, library = workerLibrary().file) {
+export function workerEnvironment(size, { cacheDirectory = null, from = process.env, library = workerLibrary().file } = {}) {
   const own = Object.fromEntries(Object.entries(from).filter(([name]) => isPassedOn(name)));
   // io_uring is a second way to system calls, which the filter of a worker does not see. Decoded textures come and go with each job: kept as heap
   // and in large pages, their memory need not be given by the kernel and cleared anew.
-  return { LP_NUM_THREADS: String(threadsOfEach(size)), UV_USE_IO_URING: '0', GLIBC_TUNABLES: TUNABLES, ...own, ...preload(library, own.LD_PRELOAD) };
+  const threads = { LP_NUM_THREADS: String(threadsOfEach(size)), UV_USE_IO_URING: '0' };
+  return { ...threads, GLIBC_TUNABLES: TUNABLES, ...programCache(cacheDirectory), ...own, ...preload(library, own.LD_PRELOAD) };
+}
+
+const NO_PROGRAM_CACHE = { MESA_SHADER_CACHE_DISABLE: 'true' };
+
+/**
+ * Mesa keeps compiled programs, which whoever reads them runs. What a worker that was taken over leaves there, other programs of the user must not find:
+ * workers have a folder of their own in telar's cache, and none where telar keeps nothing, or the disk takes nothing.
+ */
+function programCache(folder) {
+  if (!folder) return NO_PROGRAM_CACHE;
+  try {
+    // The name is Mesa's. It does not make the folder above, and complains on standard errors where it cannot make this one.
+    mkdirSync(path.join(folder, 'mesa_shader_cache'), { recursive: true });
+  } catch {
+    return NO_PROGRAM_CACHE;
+  }
+  return { MESA_SHADER_CACHE_DIR: folder, MESA_SHADER_CACHE_MAX_SIZE: '256M' };
 }
 
 /** Sanitizers want to be first, and have an allocator of their own. */

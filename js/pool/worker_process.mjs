@@ -62,7 +62,11 @@ export class WorkerProcess {
     // The caller who waits for it is told; others are not.
     this.ready.catch(() => {});
     // A group of its own: Ctrl-C in a terminal is for the parent, which then says when.
-    const options = { stdio: ['ignore', 'ignore', 'inherit', 'pipe'], env: workerEnvironment(size), detached: true };
+    const options = {
+      stdio: ['ignore', 'ignore', 'inherit', 'pipe'],
+      env: workerEnvironment(size, { cacheDirectory: renderer.cacheDirectory }),
+      detached: true,
+    };
     this.ended = new Promise((resolve) => this.#spawn(options, (facts) => this.#end(facts, resolve)));
     // Node gives no pipes where there is no descriptor for them.
     const pipe = this.#process?.stdio?.[PIPE];
