@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <glm/gtc/packing.hpp>
+
+#include "core/unaligned.h"
 
 namespace telar::ktx2 {
 namespace {
@@ -50,8 +53,7 @@ bool readWord(const RawFormat& format, const std::uint8_t* from, float (&texel)[
 
 /// Floats of 5 bits exponent and 6 or 5 bits mantissa are the upper bits of a half without its sign.
 bool readSmall(const RawFormat&, const std::uint8_t* from, std::uint16_t (&texel)[4]) {
-  std::uint32_t word = 0;
-  std::memcpy(&word, from, sizeof word);
+  const auto word = loadUnaligned<std::uint32_t>(from);
   texel[0] = static_cast<std::uint16_t>((word & 0x7ff) << 4);
   texel[1] = static_cast<std::uint16_t>((word >> 11 & 0x7ff) << 4);
   texel[2] = static_cast<std::uint16_t>((word >> 22) << 5);
@@ -61,8 +63,7 @@ bool readSmall(const RawFormat&, const std::uint8_t* from, std::uint16_t (&texel
 /// Mantissa * 2^(exponent - 15 - 9): 9 bits from 2^-24 to 2^7, each of which a half holds.
 /// src: OpenGL ES 3.0, section 3.8.3.2, "Encoding of shared exponent"
 bool readShared(const RawFormat&, const std::uint8_t* from, std::uint16_t (&texel)[4]) {
-  std::uint32_t word = 0;
-  std::memcpy(&word, from, sizeof word);
+  const auto word = loadUnaligned<std::uint32_t>(from);
   for (int c = 0; c < 3; ++c) {
     const auto mantissa = static_cast<float>(word >> (9 * c) & 0x1ff);
     texel[c] = glm::packHalf1x16(std::ldexp(mantissa, static_cast<int>(word >> 27) - 24));

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/gtc/packing.hpp>
 
 #include "brdf/brdf.h"
+#include "core/unaligned.h"
 #include "telar/error.h"
 
 namespace telar::reference {
@@ -53,14 +53,8 @@ struct TexelReader {
   glm::vec4 texel(std::size_t x, std::size_t y) const {
     const std::uint8_t* p = &image.pixels[(y * image.width + x) * texelBytes(image.type)];
     if (image.type == TexelType::kByte) return {colours[p[0]], colours[p[1]], colours[p[2]], alphas[p[3]]};
-    if (image.type == TexelType::kHalf) {
-      std::uint64_t halves = 0;
-      std::memcpy(&halves, p, sizeof halves);
-      return glm::unpackHalf4x16(halves);
-    }
-    glm::vec4 floats;
-    std::memcpy(&floats, p, sizeof floats);
-    return floats;
+    if (image.type == TexelType::kHalf) return glm::unpackHalf4x16(loadUnaligned<std::uint64_t>(p));
+    return loadUnaligned<glm::vec4>(p);
   }
 };
 

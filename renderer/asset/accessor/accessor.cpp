@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "asset/accessor/unaligned.h"
 #include "asset/check/number.h"
 #include "asset/check/pointer.h"
+#include "core/unaligned.h"
 
 namespace telar::asset {
 namespace {

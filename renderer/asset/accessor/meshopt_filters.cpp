@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-#include "asset/accessor/unaligned.h"
+#include "core/unaligned.h"
 
 namespace telar::asset {
 namespace {

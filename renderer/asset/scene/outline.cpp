@@ -6,17 +6,12 @@
 #include <limits>
 
 #include "asset/geometry/drawn_points.h"
+#include "core/unaligned.h"
 
 namespace telar::asset {
 namespace {
 
 using Two = double __attribute__((vector_size(16)));
-
-Two twoAt(const double* from) {
-  Two value;
-  std::memcpy(&value, from, sizeof value);
-  return value;
-}
 
 constexpr int GRID = 2;  // directions end on the surface of the integer cube [-GRID, GRID]^3
 
@@ -51,10 +46,11 @@ void Outline::add(const glm::dvec3& p) {
   Along along;
   Two above{0, 0}, below{0, 0};
   for (std::size_t i = 0; i < along.size(); i += 2) {
-    const Two value = p.x * twoAt(&x_[i]) + p.y * twoAt(&y_[i]) + p.z * twoAt(&z_[i]);
+    const Two value =
+        p.x * loadUnaligned<Two>(&x_[i]) + p.y * loadUnaligned<Two>(&y_[i]) + p.z * loadUnaligned<Two>(&z_[i]);
     std::memcpy(&along[i], &value, sizeof value);
     // What is no number is not larger.
-    const Two overHigh = value - twoAt(&high_[i]), underLow = twoAt(&low_[i]) - value;
+    const Two overHigh = value - loadUnaligned<Two>(&high_[i]), underLow = loadUnaligned<Two>(&low_[i]) - value;
     above = overHigh > above ? overHigh : above;
     below = underLow > below ? underLow : below;
   }
