@@ -48,8 +48,8 @@ export function workerEnvironment(size, { cacheDirectory = null, from = process.
 const NO_PROGRAM_CACHE = { MESA_SHADER_CACHE_DISABLE: 'true' };
 
 /**
- * Mesa keeps compiled programs, which whoever reads them runs. What a worker that was taken over leaves there, other programs of the user must not find:
- * workers have a folder of their own in telar's cache, and none where telar keeps nothing, or the disk takes nothing.
+ * Mesa keeps the machine code of shaders in a folder, and each process that finds it there runs it. A worker that was taken over could leave its own there
+ * for other programs of the user. So workers have a folder of their own, in telar's cache, and none where telar has no cache or the disk takes nothing.
  */
 function programCache(folder) {
   if (!folder) return NO_PROGRAM_CACHE;

@@ -15,7 +15,7 @@ const LEAKS = path.join(ROOT, 'test/sanitize/leaks.txt');
 const HANGS_AFTER_MS = 3_600_000;
 /** CPU that a refusal may take here: a tenth of the speed, beside other work. */
 const REFUSE_MS = 5000;
-/** What a worker of a queue may say nothing for. */
+/** How long a worker of a queue may be silent. */
 const LEASE_MS = 10_000;
 
 /** Tests of JavaScript that reach the addon or its tools. */
