@@ -1,11 +1,18 @@
 // The box filter between two mip levels of any size: texel i of a level covers i * ratio .. (i + 1) * ratio of the
 // larger one, ratio 1 .. 3, the outer texels by the part of them that is covered.
+// HALVES 1: both sides are halved exactly: four texels of the larger level count the same.
 uniform vec2 sourceSize;  // texels of the larger level
 uniform vec2 targetSize;  // texels of the level that is drawn
 
 // What is averaged, at a texel of the larger level.
 vec4 momentsAt(ivec2 at);
 
+#if HALVES
+vec4 boxMean(vec2 texel) {
+  ivec2 at = 2 * ivec2(texel);
+  return 0.25 * (momentsAt(at) + momentsAt(at + ivec2(1, 0)) + momentsAt(at + ivec2(0, 1)) + momentsAt(at + ivec2(1)));
+}
+#else
 // Part of texel `at` that lies within from .. to.
 float covered(float at, float from, float to) {
   return max(min(at + 1.0, to) - max(at, from), 0.0);
@@ -29,3 +36,4 @@ vec4 boxMean(vec2 texel) {
   }
   return sum / area;
 }
+#endif

@@ -7,7 +7,7 @@ precision highp sampler2D;
 #include "texture/facets.glsl"
 
 #if FROM_IMAGE
-vec4 momentsOfTexel(vec3 texel, vec2 at) {
+vec4 momentsOfTexel(vec3 texel, vec4 beside) {
   vec3 n = texel * 2.0 - 1.0;
   float length2 = dot(n, n);
   if (length2 <= 1e-4) return vec4(0.0, 0.0, 1.0, 0.0);

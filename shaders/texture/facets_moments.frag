@@ -5,6 +5,7 @@ precision highp sampler2D;
 
 #include "texture/facets.glsl"
 
-vec4 momentsOfTexel(vec3 texel, vec2 at) { return facetOfTexel(texel); }
+vec4 momentsOfTexel(vec3 texel, vec4 beside) { return facetOfTexel(texel); }
 
+#define POINTS_PER_TEXEL 4
 #include "texture/normal_moments.glsl"

@@ -19,16 +19,15 @@ vec4 reliefOfTexel(vec3 texel) {
 
 // Holes of a cut-out material lie flat: how much of a level they are is known from the map of coverage, so that they can be taken
 // out again (material/normal.glsl).
-// HOLES 0: there are none. A software GL would look them up all the same.
-#if HOLES
-uniform sampler2D coverMap;  // alpha
-uniform float cutoff;        // alpha from which on it is there
+// BESIDE 1: there is such a map; 0: there are no holes.
+#if BESIDE
+uniform float cutoff;  // alpha from which on it is there
 #endif
 
-// at  place in the normal map, [0, 1]
-vec4 reliefWithHoles(vec3 texel, vec2 at) {
-#if HOLES
-  if (textureLod(coverMap, at, 0.0).a < cutoff) return vec4(0.0, 0.0, 1.0, 1.0);
+// cover  texel of the map of coverage
+vec4 reliefWithHoles(vec3 texel, vec4 cover) {
+#if BESIDE
+  if (cover.a < cutoff) return vec4(0.0, 0.0, 1.0, 1.0);
 #endif
   return reliefOfTexel(texel);
 }

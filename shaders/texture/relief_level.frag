@@ -5,6 +5,6 @@ precision highp sampler2D;
 
 #include "texture/relief.glsl"
 
-vec4 momentsOfTexel(vec3 texel, vec2 at) { return reliefWithHoles(texel, at); }
+vec4 momentsOfTexel(vec3 texel, vec4 cover) { return reliefWithHoles(texel, cover); }
 
 #include "texture/normal_level.glsl"

@@ -5,6 +5,7 @@ precision highp sampler2D;
 
 #include "texture/relief.glsl"
 
-vec4 momentsOfTexel(vec3 texel, vec2 at) { return reliefWithHoles(texel, at); }
+vec4 momentsOfTexel(vec3 texel, vec4 cover) { return reliefWithHoles(texel, cover); }
 
+#define POINTS_PER_TEXEL 4
 #include "texture/normal_moments.glsl"

@@ -2,14 +2,11 @@
 // across and straight along, so that one width for both would be too wide along.
 #include "texture/relief.glsl"
 
-uniform sampler2D yarnMap;  // the weave map
-
 float flatness(float slope) { return 1.0 / (1.0 + 4.0 * slope * slope); }
 
 // Of the warp along (x) and across it (y), times its share; z and w of the weft.
-// texel  colour of a normal map      at  place in it, [0, 1]
-vec4 yarnsOfTexel(vec3 texel, vec2 at) {
-  vec4 weave = textureLod(yarnMap, at, 0.0);
+// texel  colour of a normal map      weave  of the weave map
+vec4 yarnsOfTexel(vec3 texel, vec4 weave) {
   vec2 slope = slopeOfTexel(texel);
   vec2 turn = 2.0 * weave.rg - 1.0;
   turn = dot(turn, turn) > 1e-4 ? normalize(turn) : vec2(1.0, 0.0);

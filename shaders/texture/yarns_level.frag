@@ -5,6 +5,6 @@ precision highp sampler2D;
 
 #include "texture/yarns.glsl"
 
-vec4 momentsOfTexel(vec3 texel, vec2 at) { return yarnsOfTexel(texel, at); }
+vec4 momentsOfTexel(vec3 texel, vec4 weave) { return yarnsOfTexel(texel, weave); }
 
 #include "texture/normal_level.glsl"

@@ -2,7 +2,7 @@ import { LAYERS, POLISHED, texturesOf, textureName, upper } from '../../material
 import { SLOTS } from '../../shot/shading_terms.mjs';
 import { drawPartlyCovered } from './coverage.mjs';
 import { shadingMaterialClass } from './material.mjs';
-import { termDefine } from './terms.mjs';
+import { featureDefines, termDefine } from './terms.mjs';
 import { bakedTexture } from './texture_bake.mjs';
 
 /** Map, as its uniform and varying are named: its texture in the extension, the define of it, and of what it is a part. */
@@ -152,12 +152,12 @@ function makeMaps(material, { THREE, textureShaders, renderer }) {
   material.compileFor([NORMAL_VARIANCE && kind, NORMAL_HOLES, METAL_MEANS, METAL_YARNS, YARN_RELIEF].join(' '));
   if (NORMAL_VARIANCE) {
     for (const [name, key] of Object.entries(VARIANCE_MAPS)) {
-      const holes = NORMAL_HOLES && key === 'normalMap' ? { cutoff: textureCutoff(material), cover: map } : {};
+      const holes = NORMAL_HOLES && key === 'normalMap' ? { cutoff: textureCutoff(material), beside: map } : {};
       madeMaps[name] = baked(key === 'normalMap' ? kind : 'relief', material[key], holes);
     }
   }
-  if (YARN_RELIEF) madeMaps.yarnReliefMap = baked('yarns', normalMap, { yarns });
-  if (METAL_MEANS) madeMaps.metalMap = baked('metal', map, { cover: material.metalnessMap, ...(METAL_YARNS && { yarns }) });
+  if (YARN_RELIEF) madeMaps.yarnReliefMap = baked('yarns', normalMap, { beside: yarns });
+  if (METAL_MEANS) madeMaps.metalMap = baked('metal', map, { beside: material.metalnessMap, ...(METAL_YARNS && { yarns }) });
   if (ALPHA_TO_COVERAGE) madeMaps.coverageMap = baked('coverage', map, { cutoff: textureCutoff(material) });
   return Boolean(ALPHA_TO_COVERAGE);
 }
@@ -213,7 +213,7 @@ function featuresOf(material) {
   features.METAL_MEANS = Boolean(map && metalnessMap) && metalness > 0 && !features.ALPHA_TO_COVERAGE && samePlace(map, metalnessMap);
   features.METAL_YARNS = features.METAL_MEANS && features.WEAVE && Boolean(weaveMap) && samePlace(map, weaveMap);
   const NORMAL_FACETS = Boolean(normalMap) && isPolished(material) && !features.WEAVE && !features.NORMAL_HOLES;
-  return numbers({ ...features, NORMAL_FACETS });
+  return featureDefines({ ...features, NORMAL_FACETS });
 }
 
 /** As hasFacets() of renderer/pass/plan/draw_list.cpp has it. */
@@ -237,7 +237,7 @@ function samePlace(...textures) {
 /** The part that the principled shadings read, where their diffuse lobe has a place for it. */
 function principledFeatures({ fabric, diffuseTransmission, shadingDefines: { [termDefine('diffuse')]: diffuse } }) {
   const isThin = SLOTS.diffuse[diffuse] === 'disney-2015-thin';
-  return numbers({
+  return featureDefines({
     FLATNESS: fabric?.flatness > 0 && (isThin || SLOTS.diffuse[diffuse] === 'disney-2012'),
     DIFFUSE_TRANSMISSION: diffuseTransmission?.diffuseTransmissionFactor > 0 && isThin,
   });
@@ -251,10 +251,8 @@ function mapFeatures(parts, maps) {
     features[`${define}_MAP`] = map !== undefined;
     features[`${define}_UV1`] = map?.channel === 1;
   }
-  return numbers(features);
+  return featureDefines(features);
 }
-
-const numbers = (features) => Object.fromEntries(Object.entries(features).map(([name, value]) => [name, Number(value)]));
 
 function textureValues(maps) {
   return Object.fromEntries(

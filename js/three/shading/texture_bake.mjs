@@ -1,3 +1,5 @@
+import { featureDefines } from './terms.mjs';
+
 /** What was made of a texture, for each renderer: it lives on the renderer's GL. */
 const made = new WeakMap();
 
@@ -23,13 +25,13 @@ const drawings = new WeakMap();
  *   - coverage: of a colour map with holes, A the share of the texel that is there.
  *   - metal: of a colour map, RGB the colour times metalness, A metalness times the share of the warp.
  * @param {import('three').Texture} source
- * @param {object} [beside]
- * @param {number} [beside.cutoff] - Alpha from which on a texel is there.
- * @param {import('three').Texture} [beside.cover] - relief: of a cut-out material, the map of that alpha; metal: the map of metalness.
- * @param {import('three').Texture} [beside.yarns] - metal and yarns: of a woven material, the weave map.
+ * @param {object} [other]
+ * @param {number} [other.cutoff] - Alpha from which on a texel is there.
+ * @param {import('three').Texture} [other.beside] - relief: of a cut-out material, the map of that alpha; metal: the map of metalness; yarns: the weave map.
+ * @param {import('three').Texture} [other.yarns] - metal: of a woven material, the weave map.
  * @returns {import('three').Texture | null} With the source's sampler; null while the source has no image.
  */
-export function bakedTexture(THREE, shaders, renderer, kind, source, { cutoff = 0, cover = null, yarns = null } = {}) {
+export function bakedTexture(THREE, shaders, renderer, kind, source, { cutoff = 0, beside = null, yarns = null } = {}) {
   if (!source?.image?.width) return null;
   if (!made.has(renderer)) made.set(renderer, new WeakMap());
   const ofRenderer = made.get(renderer);
@@ -42,16 +44,16 @@ export function bakedTexture(THREE, shaders, renderer, kind, source, { cutoff = 
     });
   }
   const known = ofRenderer.get(source);
-  const key = [kind, cutoff, ...[cover, yarns].map((texture) => (texture ? `${texture.uuid} ${texture.version}` : ''))].join(' ');
+  const key = [kind, cutoff, ...[beside, yarns].map((texture) => (texture ? `${texture.uuid} ${texture.version}` : ''))].join(' ');
   const last = known.get(key);
   if (last?.version === source.version) return last.target.texture;
   last?.target.dispose();
-  const target = bake(THREE, shaders, renderer, { kind, source, cutoff, cover, yarns });
+  const target = bake(THREE, shaders, renderer, { kind, source, cutoff, beside, yarns });
   known.set(key, { target, version: source.version });
   return target.texture;
 }
 
-function bake(THREE, shaders, renderer, { kind, source, cutoff, cover, yarns }) {
+function bake(THREE, shaders, renderer, { kind, source, cutoff, beside, yarns }) {
   const { width, height } = source.image;
   const levels = Math.floor(Math.log2(Math.max(width, height))) + 1;
   const first = Math.min(FIRST_LEVELS[kind] ?? 0, levels - 1);
@@ -65,21 +67,26 @@ function bake(THREE, shaders, renderer, { kind, source, cutoff, cover, yarns }) 
   });
   out.texture.mipmaps = Array.from({ length: levels - first }, () => ({}));
   const drawing = drawingOf(THREE, shaders);
+  const fits = beside !== null && [beside, yarns].every((map) => map === null || (map.image?.width === width && map.image.height === height));
+  const featuresAt = (fromImage, halves) =>
+    featureDefines({ FROM_IMAGE: fromImage, HALVES: halves, BESIDE: beside !== null, BESIDE_FITS: fits, YARNS: yarns !== null });
   const putBack = setAside(renderer);
   let larger = null; // moments of the level before
   for (let level = 0; level < levels; level++) {
     const size = sizeAt(THREE, source, level);
     if (level > 0) {
       const moments = momentTarget(THREE, renderer, size);
+      const before = sizeAt(THREE, source, level - 1);
       const uniforms = {
         sourceMap: larger?.texture ?? source,
-        sourceSize: sizeAt(THREE, source, level - 1),
+        sourceSize: before,
         targetSize: size,
         cutoff,
-        coverMap: cover,
+        besideMap: beside,
         yarnMap: yarns,
       };
-      drawing.draw(renderer, `${kind}Moments`, level === 1, uniforms, moments, 0, size);
+      const halves = before.x === 2 * size.x && before.y === 2 * size.y;
+      drawing.draw(renderer, `${kind}Moments`, featuresAt(level === 1, halves), uniforms, moments, 0, size);
       larger?.dispose();
       larger = moments;
     }
@@ -87,8 +94,8 @@ function bake(THREE, shaders, renderer, { kind, source, cutoff, cover, yarns }) 
     drawing.draw(
       renderer,
       `${kind}Level`,
-      level === 0,
-      { sourceMap: larger?.texture ?? source, cutoff, coverMap: cover, yarnMap: yarns },
+      featuresAt(level === 0, false),
+      { sourceMap: larger?.texture ?? source, cutoff, besideMap: beside, yarnMap: yarns },
       out,
       level - first,
       size,
@@ -141,8 +148,8 @@ function drawingOf(THREE, shaders) {
   const scene = new THREE.Scene().add(mesh);
   const camera = new THREE.Camera();
   const materials = new Map();
-  const materialOf = (name, fromImage, holes, yarns) => {
-    const key = `${name} ${fromImage} ${holes} ${yarns}`;
+  const materialOf = (name, defines) => {
+    const key = [name, ...Object.values(defines)].join(' ');
     if (!materials.has(key)) {
       materials.set(
         key,
@@ -150,8 +157,10 @@ function drawingOf(THREE, shaders) {
           glslVersion: THREE.GLSL3,
           vertexShader: shaders.vertex,
           fragmentShader: shaders[name],
-          defines: { FROM_IMAGE: Number(fromImage), HOLES: Number(holes), YARNS: Number(yarns) },
-          uniforms: Object.fromEntries(['sourceMap', 'sourceSize', 'targetSize', 'cutoff', 'coverMap', 'yarnMap'].map((uniform) => [uniform, { value: null }])),
+          defines,
+          uniforms: Object.fromEntries(
+            ['sourceMap', 'sourceSize', 'targetSize', 'cutoff', 'besideMap', 'yarnMap'].map((uniform) => [uniform, { value: null }]),
+          ),
           depthTest: false,
           depthWrite: false,
           blending: THREE.NoBlending,
@@ -160,8 +169,8 @@ function drawingOf(THREE, shaders) {
     }
     return materials.get(key);
   };
-  const draw = (renderer, name, fromImage, uniforms, target, level, { x, y }) => {
-    mesh.material = materialOf(name, fromImage, uniforms.coverMap !== null, uniforms.yarnMap !== null);
+  const draw = (renderer, name, defines, uniforms, target, level, { x, y }) => {
+    mesh.material = materialOf(name, defines);
     for (const [uniform, value] of Object.entries(uniforms)) mesh.material.uniforms[uniform].value = value;
     mesh.material.uniformsNeedUpdate = true;
     target.viewport.set(0, 0, x, y);

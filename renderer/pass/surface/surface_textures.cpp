@@ -16,10 +16,13 @@ DerivedTexture withLimits(DerivedTexture key, const Scene& scene, const GpuScene
   return key;
 }
 
-/// Texels of the level of its image that a texture is made of.
-glm::ivec2 sizeOf(const DerivedTexture& key, const Scene& scene) {
-  const Image8& image = scene.images[static_cast<std::size_t>(key.image)];
-  return {std::max(image.width >> key.first, 1u), std::max(image.height >> key.first, 1u)};
+/// An image's texture without the levels that are left out. -1 = none.
+BakeSource sourceOf(int index, bool srgb, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
+  if (index < 0) return {};
+  const GLuint texture = gpu.texture(scene, index, srgb, cancel);
+  const Image8& image = scene.images[static_cast<std::size_t>(index)];
+  const int first = gpu.levelsLeftOut(scene, index);
+  return {texture, {std::max(image.width >> first, 1u), std::max(image.height >> first, 1u)}};
 }
 
 /// The derived form of the texture that is sampled, if there is one.
@@ -118,34 +121,31 @@ GLuint SurfaceTextures::texture(const DrawItem& item, const TextureSlot& slot, c
   const GLuint plain = gpu.texture(scene, index, slot.srgb, cancel, unread ? unread->of(index) : 0);
   const auto key = derivedOf(item, slot, scene, gpu);
   if (!key) return plain;
-  const glm::ivec2 size = sizeOf(*key, scene);
-  const GLuint cover = key->cover < 0 ? 0 : gpu.texture(scene, key->cover, true, cancel);
   return gpu.derived(*key, [&] {
     using Kind = DerivedTexture::Kind;
-    if (key->kind == Kind::kCoverage) return baker_.coverage(plain, key->srgb, size.x, size.y, key->cutoff, cancel);
-    if (key->kind == Kind::kNormalFacets) return baker_.normalFacets(plain, size.x, size.y, cancel);
-    return baker_.normalVariance(plain, size.x, size.y, cover, key->cutoff, cancel);
+    const BakeSource source = sourceOf(index, slot.srgb, scene, gpu, cancel);
+    if (key->kind == Kind::kCoverage) return baker_.coverage(source, key->srgb, key->cutoff, cancel);
+    if (key->kind == Kind::kNormalFacets) return baker_.normalFacets(source, cancel);
+    return baker_.normalVariance(source, sourceOf(key->cover, true, scene, gpu, cancel), key->cutoff, cancel);
   });
 }
 
 GLuint SurfaceTextures::metal(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
   const DerivedTexture key = metalOf(item, scene, gpu);
   return gpu.derived(key, [&] {
-    const bool any = hasMetal(scene.images[static_cast<std::size_t>(key.cover)]);  // else one texel says so of all
-    const glm::ivec2 size = any ? sizeOf(key, scene) : glm::ivec2(1);
-    const GLuint color = gpu.texture(scene, key.image, true, cancel);
-    const GLuint metallic = gpu.texture(scene, key.cover, false, cancel);
-    const GLuint yarns = key.yarns < 0 ? 0 : gpu.texture(scene, key.yarns, false, cancel);
-    return baker_.metal(color, key.srgb, size.x, size.y, metallic, yarns, cancel);
+    BakeSource color = sourceOf(key.image, true, scene, gpu, cancel);
+    // Without metal anywhere one texel says so of all.
+    if (!hasMetal(scene.images[static_cast<std::size_t>(key.cover)])) color.size = glm::ivec2(1);
+    return baker_.metal(color, key.srgb, sourceOf(key.cover, false, scene, gpu, cancel),
+                        sourceOf(key.yarns, false, scene, gpu, cancel), cancel);
   });
 }
 
 GLuint SurfaceTextures::yarnRelief(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
   const DerivedTexture key = yarnReliefOf(item, scene, gpu);
   return gpu.derived(key, [&] {
-    const glm::ivec2 size = sizeOf(key, scene);
-    return baker_.yarnRelief(gpu.texture(scene, key.image, false, cancel), size.x, size.y,
-                             gpu.texture(scene, key.yarns, false, cancel), cancel);
+    return baker_.yarnRelief(sourceOf(key.image, false, scene, gpu, cancel),
+                             sourceOf(key.yarns, false, scene, gpu, cancel), cancel);
   });
 }
 

@@ -69,94 +69,103 @@ struct TextureBaker::Kind {
 
 /// Textures that are read beside the source, and what of them counts.
 struct TextureBaker::Beside {
-  GLuint cover = 0;
+  BakeSource map;
   float cutoff = 0;
-  GLuint yarns = 0;
+  BakeSource yarns;
+
+  bool fits(const glm::ivec2& size) const {
+    return map.texture != 0 && map.size == size && (yarns.texture == 0 || yarns.size == size);
+  }
 };
 
-const gl::Program& TextureBaker::program(const char* file, bool fromImage, const Beside& beside) {
-  const bool holes = beside.cover != 0, yarns = beside.yarns != 0;
-  const auto key = std::make_tuple(std::string(file), fromImage, holes, yarns);
+const gl::Program& TextureBaker::program(const char* file, const shader::Defines& features) {
+  const auto key = std::make_pair(std::string(file), features);
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
-  gl::Program made(context_, file, shader::assemble("texture/level.vert", {}),
-                   shader::assemble(file, {{"FROM_IMAGE", fromImage}, {"HOLES", holes}, {"YARNS", yarns}}));
+  gl::Program made(context_, file, shader::assemble("texture/level.vert", {}), shader::assemble(file, features));
   return programs_.emplace(key, std::move(made)).first->second;
 }
 
-gl::Texture TextureBaker::bake(const Kind& kind, GLuint source, int width, int height, const Beside& beside,
+gl::Texture TextureBaker::bake(const Kind& kind, const BakeSource& source, const Beside& beside,
                                const CancelToken& cancel) {
   const gl::Functions& gl = context_.gl();
+  const auto [width, height] = std::pair(source.size.x, source.size.y);
   const auto levels = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
   // A variance is a small difference of large sums, which needs the precision.
   const GLenum momentFormat = context_.capabilities().colorBufferFloat ? GL_RGBA32F : GL_RGBA16F;
   const int first = std::min(kind.first, levels - 1);
   gl::Texture out = gl::nearestTexture(gl, kind.format, sideAt(width, first), sideAt(height, first), levels - first);
   const Drawing drawing(context_);
-  for (const auto& [unit, texture] : {std::pair{1u, beside.cover}, std::pair{2u, beside.yarns}}) {
+  for (const auto& [unit, texture] : {std::pair{1u, beside.map.texture}, std::pair{2u, beside.yarns.texture}}) {
     gl.ActiveTexture(GL_TEXTURE0 + unit);
     gl.BindSampler(unit, 0);
     gl.BindTexture(GL_TEXTURE_2D, texture);
   }
   gl.ActiveTexture(GL_TEXTURE0);
-  gl::Texture larger;  // moments of the level before
+  const auto featuresAt = [&](bool fromImage, bool halves) {
+    return shader::Defines{{"FROM_IMAGE", fromImage},
+                           {"HALVES", halves},
+                           {"BESIDE", beside.map.texture != 0},
+                           {"BESIDE_FITS", beside.fits(source.size)},
+                           {"YARNS", beside.yarns.texture != 0}};
+  };
+  gl::Texture momentsBefore;
   for (int level = 0; level < levels; ++level) {
     cancel.check();
     const glm::ivec2 size(sideAt(width, level), sideAt(height, level));
     if (level > 0) {
+      const glm::ivec2 larger(sideAt(width, level - 1), sideAt(height, level - 1));
       gl::Texture moments = gl::nearestTexture(gl, momentFormat, size.x, size.y);
-      const gl::Program& average = program(kind.moments, level == 1, beside);
+      const gl::Program& average = program(kind.moments, featuresAt(level == 1, larger == 2 * size));
       average.use();
       average.set("sourceMap", 0);
-      average.set("coverMap", 1);
-      average.set("sourceSize", glm::vec2(sideAt(width, level - 1), sideAt(height, level - 1)));
+      average.set("besideMap", 1);
+      average.set("sourceSize", glm::vec2(larger));
       average.set("targetSize", glm::vec2(size));
       average.set("yarnMap", 2);
       average.set("cutoff", beside.cutoff);
-      drawing.draw(level == 1 ? source : larger.get(), moments, 0, size, cost_);
-      larger = std::move(moments);
+      drawing.draw(level == 1 ? source.texture : momentsBefore.get(), moments, 0, size, cost_);
+      momentsBefore = std::move(moments);
     }
     if (level < first) continue;
-    const gl::Program& write = program(kind.level, level == 0, beside);
+    const gl::Program& write = program(kind.level, featuresAt(level == 0, false));
     write.use();
     write.set("sourceMap", 0);
-    write.set("coverMap", 1);
+    write.set("besideMap", 1);
     write.set("yarnMap", 2);
     write.set("cutoff", beside.cutoff);
-    drawing.draw(level == 0 ? source : larger.get(), out, level - first, size, cost_);
+    drawing.draw(level == 0 ? source.texture : momentsBefore.get(), out, level - first, size, cost_);
   }
   context_.check("texture bake");
   return out;
 }
 
-gl::Texture TextureBaker::normalVariance(GLuint source, int width, int height, GLuint cover, float cutoff,
+gl::Texture TextureBaker::normalVariance(const BakeSource& source, const BakeSource& cover, float cutoff,
                                          const CancelToken& cancel) {
-  return bake({"texture/relief_moments.frag", "texture/relief_level.frag", GL_RGBA16F}, source, width, height,
-              {cover, cover != 0 ? cutoff : 0}, cancel);
-}
-
-gl::Texture TextureBaker::normalFacets(GLuint source, int width, int height, const CancelToken& cancel) {
-  return bake({"texture/facets_moments.frag", "texture/facets_level.frag", GL_RGBA16F}, source, width, height, {},
+  return bake({"texture/relief_moments.frag", "texture/relief_level.frag", GL_RGBA16F}, source, {cover, cutoff},
               cancel);
 }
 
-gl::Texture TextureBaker::yarnRelief(GLuint source, int width, int height, GLuint yarns, const CancelToken& cancel) {
-  return bake({"texture/yarns_moments.frag", "texture/yarns_level.frag", GL_RGBA16F, YARN_RELIEF_FIRST}, source, width,
-              height, {.yarns = yarns}, cancel);
+gl::Texture TextureBaker::normalFacets(const BakeSource& source, const CancelToken& cancel) {
+  return bake({"texture/facets_moments.frag", "texture/facets_level.frag", GL_RGBA16F}, source, {}, cancel);
 }
 
-gl::Texture TextureBaker::coverage(GLuint source, bool srgb, int width, int height, float cutoff,
-                                   const CancelToken& cancel) {
+gl::Texture TextureBaker::yarnRelief(const BakeSource& source, const BakeSource& yarns, const CancelToken& cancel) {
+  return bake({"texture/yarns_moments.frag", "texture/yarns_level.frag", GL_RGBA16F, YARN_RELIEF_FIRST}, source,
+              {.map = yarns}, cancel);
+}
+
+gl::Texture TextureBaker::coverage(const BakeSource& source, bool srgb, float cutoff, const CancelToken& cancel) {
   return bake({"texture/coverage_moments.frag", "texture/coverage_level.frag",
                srgb ? GLenum{GL_SRGB8_ALPHA8} : GLenum{GL_RGBA8}},
-              source, width, height, {.cutoff = cutoff}, cancel);
+              source, {.cutoff = cutoff}, cancel);
 }
 
-gl::Texture TextureBaker::metal(GLuint source, bool srgb, int width, int height, GLuint metallic, GLuint yarns,
-                                const CancelToken& cancel) {
+gl::Texture TextureBaker::metal(const BakeSource& source, bool srgb, const BakeSource& metallic,
+                                const BakeSource& yarns, const CancelToken& cancel) {
   return bake(
       {"texture/metal_moments.frag", "texture/metal_level.frag", srgb ? GLenum{GL_SRGB8_ALPHA8} : GLenum{GL_RGBA8}},
-      source, width, height, {.cover = metallic, .yarns = yarns}, cancel);
+      source, {.map = metallic, .yarns = yarns}, cancel);
 }
 
 }  // namespace telar::pass

@@ -114,7 +114,7 @@ TEST_F(TextureBake, LevelsHoldTheMeansOfNormalsAndOfHowFlatTheyLie) {
   for (const glm::uvec2 size : {glm::uvec2(64, 64), glm::uvec2(44, 27), glm::uvec2(1, 5)}) {
     const Image8 image = weaveNormals(size.x, size.y, 3.3, 0.9);
     const gl::Texture source = upload(image, GL_RGBA8);
-    const gl::Texture baked = baker_.normalVariance(source.get(), int(size.x), int(size.y), 0, 0, CancelToken());
+    const gl::Texture baked = baker_.normalVariance({source.get(), glm::ivec2(size)}, {}, 0, CancelToken());
     const std::vector<glm::dvec4> means = blended(image, reliefOf);
     for (int level = 0; (std::max(size.x, size.y) >> level) > 0; ++level) {
       const glm::ivec2 levelSize = sizeAt(image, level);
@@ -138,7 +138,7 @@ TEST_F(TextureBake, LevelsHoldTheSlopesOfFacetsApartFromEdges) {
   constexpr int SIDE = 32;
   const Image8 image = weaveNormals(SIDE, SIDE, 3.3, 0.9);
   const gl::Texture source = upload(image, GL_RGBA8);
-  const gl::Texture baked = baker_.normalFacets(source.get(), SIDE, SIDE, CancelToken());
+  const gl::Texture baked = baker_.normalFacets({source.get(), {SIDE, SIDE}}, CancelToken());
   const std::vector<glm::dvec4> means = blended(image, facetOf);
   std::vector<float> smallest;
   for (int level = 0; (SIDE >> level) > 0; ++level) {
@@ -174,7 +174,7 @@ TEST_F(TextureBake, EvenSlopesAreNoEdges) {
         8, 8, [&](double, double) { return glm::vec4(glm::normalize(glm::vec3(slope, 0, 1)) * 0.5f + 0.5f, 1); });
     const glm::dvec2 stored = slopeOf(texelAt(image, 0, 0));
     const gl::Texture source = upload(image, GL_RGBA8);
-    const gl::Texture baked = baker_.normalFacets(source.get(), 8, 8, CancelToken());
+    const gl::Texture baked = baker_.normalFacets({source.get(), {8, 8}}, CancelToken());
     for (int level = 0; level < 4; ++level) {
       const auto texel = read<float>(baked, level, glm::ivec2(8 >> level));
       const double share = std::max(double(texel[2]), brdf_d::FACET_SHARE_MIN);  // as material/normal.glsl
@@ -187,25 +187,31 @@ TEST_F(TextureBake, EvenSlopesAreNoEdges) {
   }
 }
 
+/// Also where the map that tells of holes has other texels than the normals.
 TEST_F(TextureBake, HolesOfACutOutMaterialLieFlat) {
   const Image8 normals = weaveNormals(16, 16, 3.3, 0.9);
-  const Image8 cover = imageOf(16, 16, [](double u, double) { return glm::vec4(1, 1, 1, u < 0.5 ? 1 : 0.25); });
-  const gl::Texture source = upload(normals, GL_RGBA8), alpha = upload(cover, GL_RGBA8);
-  const gl::Texture whole = baker_.normalVariance(source.get(), 16, 16, 0, 0, CancelToken());
-  const gl::Texture baked = baker_.normalVariance(source.get(), 16, 16, alpha.get(), 0.5f, CancelToken());
-  for (const int level : {0, 2}) {
-    const glm::ivec2 size = sizeAt(normals, level);
-    const auto texels = read<float>(baked, level, size), plain = read<float>(whole, level, size);
-    std::size_t leaning = 0;
-    for (int i = 0; i < size.x * size.y; ++i) {
-      const bool hole = 2 * (i % size.x) >= size.x;
-      for (int c = 0; c < 4; ++c) {
-        const std::size_t at = std::size_t(i) * 4 + std::size_t(c);
-        EXPECT_EQ(texels[at], hole ? float(c > 1) : plain[at]) << level << " " << i;
-        leaning += hole && plain[at] != float(c > 1);
+  const gl::Texture source = upload(normals, GL_RGBA8);
+  const gl::Texture whole = baker_.normalVariance({source.get(), {16, 16}}, {}, 0, CancelToken());
+  for (const int side : {16, 32}) {
+    const Image8 cover = imageOf(std::uint32_t(side), std::uint32_t(side),
+                                 [](double u, double) { return glm::vec4(1, 1, 1, u < 0.5 ? 1 : 0.25); });
+    const gl::Texture alpha = upload(cover, GL_RGBA8);
+    const gl::Texture baked =
+        baker_.normalVariance({source.get(), {16, 16}}, {alpha.get(), {side, side}}, 0.5f, CancelToken());
+    for (const int level : {0, 1, 2}) {
+      const glm::ivec2 size = sizeAt(normals, level);
+      const auto texels = read<float>(baked, level, size), plain = read<float>(whole, level, size);
+      std::size_t leaning = 0;
+      for (int i = 0; i < size.x * size.y; ++i) {
+        const bool hole = 2 * (i % size.x) >= size.x;
+        for (int c = 0; c < 4; ++c) {
+          const std::size_t at = std::size_t(i) * 4 + std::size_t(c);
+          EXPECT_EQ(texels[at], hole ? float(c > 1) : plain[at]) << side << " " << level << " " << i;
+          leaning += hole && plain[at] != float(c > 1);
+        }
       }
+      EXPECT_GT(leaning, 0u);  // without a cover they would not be flat
     }
-    EXPECT_GT(leaning, 0u);  // without a cover they would not be flat
   }
 }
 
@@ -214,7 +220,7 @@ TEST_F(TextureBake, SpoiltNormalsGiveFiniteTexels) {
     return u < 0.5 ? (v < 0.5 ? glm::vec4(0) : glm::vec4(0.5f, 0.5f, 0.5f, 1)) : glm::vec4(1, v, 0, 1);
   });
   const gl::Texture source = upload(image, GL_RGBA8);
-  const gl::Texture baked = baker_.normalVariance(source.get(), 8, 8, 0, 0, CancelToken());
+  const gl::Texture baked = baker_.normalVariance({source.get(), {8, 8}}, {}, 0, CancelToken());
   const auto first = read<float>(baked, 0, {8, 8});
   EXPECT_EQ(glm::vec4(first[224], first[225], first[226], first[227]), glm::vec4(0, 0, 1, 1));  // no length: no slope
   for (int level = 0; level < 4; ++level) {
@@ -275,7 +281,7 @@ TEST_F(TextureBake, WidenedHighlightsAreAsWideAsWhatTheyStandFor) {
   for (const double depth : {0.15, 0.4, 0.8}) {
     const Image8 image = weaveNormals(48, 48, 3, depth);
     const gl::Texture source = upload(image, GL_RGBA8);
-    const gl::Texture baked = baker_.normalVariance(source.get(), 48, 48, 0, 0, CancelToken());
+    const gl::Texture baked = baker_.normalVariance({source.get(), {48, 48}}, {}, 0, CancelToken());
     const auto texel = read<float>(baked, 5, {1, 1});
     for (const double roughness : {0.2, 0.35, 0.5}) {
       const double alpha = roughness * roughness;
@@ -309,7 +315,7 @@ TEST_F(TextureBake, LevelsHoldTheShareThatIsThereAndItsColourAlone) {
   });
   for (const bool srgb : {false, true}) {
     const gl::Texture source = upload(image, srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8);
-    const gl::Texture baked = baker_.coverage(source.get(), srgb, 48, 48, 0.5f, CancelToken());
+    const gl::Texture baked = baker_.coverage({source.get(), {48, 48}}, srgb, 0.5f, CancelToken());
     const auto first = read<std::uint8_t>(baked, 0, {48, 48});
     EXPECT_TRUE(std::ranges::equal(first, image.pixels));
     for (int level = 1; level < 6; ++level) {
@@ -339,13 +345,63 @@ TEST_F(TextureBake, LevelsHoldHowFlatWarpAndWeftLieAlongAndAcross) {
   });
   const Image8 yarns = imageOf(SIDE, SIDE, [&](double u, double v) { return glm::vec4(1, 0.5f, 0.5f, isWarp(u, v)); });
   const gl::Texture source = upload(normals, GL_RGBA8), weave = upload(yarns, GL_RGBA8);
-  const gl::Texture baked = baker_.yarnRelief(source.get(), SIDE, SIDE, weave.get(), CancelToken());
+  const gl::Texture baked = baker_.yarnRelief({source.get(), {SIDE, SIDE}}, {weave.get(), {SIDE, SIDE}}, CancelToken());
   const auto texel = read<float>(baked, 3, {1, 1});  // of 8 x 8 texels
   const auto squares = [&](int c) { return 0.25 * (0.5 / texel[std::size_t(c)] - 1); };
   std::cout << "mean squares of slopes: warp " << squares(0) << " along, " << squares(1) << " across, weft "
             << squares(2) << ", " << squares(3) << "\n";
   for (const int c : {0, 2}) EXPECT_LT(squares(c), 0.02) << c;  // but where texels of both are blended
   for (const int c : {1, 3}) EXPECT_GT(squares(c), 0.06) << c;
+}
+
+/// Warp along x and across it, times its share, then weft.
+glm::dvec4 yarnsOf(const glm::dvec4& texel, const glm::dvec4& weave) {
+  const auto flat = [](double slope) { return 1 / (1 + 4 * slope * slope); };
+  const glm::dvec2 slope = slopeOf(texel), turn = glm::normalize(glm::dvec2(weave) * 2.0 - 1.0);
+  const double sine = weave.z * 2 - 1, rise = sine / std::sqrt(1 - sine * sine);
+  const double along = glm::dot(slope, turn), aside = slope.y * turn.x - slope.x * turn.y;
+  return glm::dvec4(flat(aside - rise) * weave.w, flat(along) * weave.w, flat(along - rise) * (1 - weave.w),
+                    flat(aside) * (1 - weave.w));
+}
+
+/// Of four points of a texel one is looked at, where sides halve; all four where they do not.
+TEST_F(TextureBake, LevelsOfYarnsAreNearTheMeansOverAllPoints) {
+  for (const glm::ivec2 size : {glm::ivec2(64, 64), glm::ivec2(44, 31)}) {
+    for (const int finer : {1, 2}) {
+      const auto at = [](double u, double v) {
+        return glm::vec4(0.9, 0.5 + 0.2 * std::sin(glm::two_pi<double>() * 3 * v),
+                         0.5 + 0.3 * std::sin(glm::two_pi<double>() * 5 * u), 0.5 + 0.4 * std::cos(u * 19 + v * 7));
+      };
+      const Image8 normals = weaveNormals(std::uint32_t(size.x), std::uint32_t(size.y), 3.3, 0.9);
+      const Image8 fitting = imageOf(normals.width, normals.height, at);
+      const Image8 yarns = imageOf(normals.width * std::uint32_t(finer), normals.height * std::uint32_t(finer), at);
+      const gl::Texture source = upload(normals, GL_RGBA8), weave = upload(yarns, GL_RGBA8);
+      const gl::Texture baked = baker_.yarnRelief({source.get(), size}, {weave.get(), size * finer}, CancelToken());
+      const glm::ivec2 levelSize = sizeAt(normals, 2);
+      const auto texels = read<float>(baked, 0, levelSize);
+      double worst = 0;
+      for (int i = 0; i < levelSize.x * levelSize.y; ++i) {
+        const glm::dvec4 mean = meanOver(normals, {i % levelSize.x, i / levelSize.x}, levelSize, [&](int x, int y) {
+          glm::dvec4 sum(0);
+          for (const int dy : {-1, 1}) {
+            for (const int dx : {-1, 1}) {
+              const auto point = [&](const Image8& image) {
+                return (9.0 * texelAt(image, x, y) + 3.0 * texelAt(image, x + dx, y) + 3.0 * texelAt(image, x, y + dy) +
+                        texelAt(image, x + dx, y + dy)) /
+                       16.0;
+              };
+              sum += yarnsOf(point(normals), point(fitting)) / 4.0;
+            }
+          }
+          return sum;
+        });
+        for (int c = 0; c < 4; ++c)
+          worst = std::max(worst, std::abs(texels[std::size_t(i) * 4 + std::size_t(c)] - mean[c]));
+      }
+      std::cout << size.x << " x " << size.y << ", weave map " << finer << " times as fine: " << worst << "\n";
+      EXPECT_LT(worst, finer == 1 ? 0.035 : 0.05);  // a finer map is blended less between its texels
+    }
+  }
 }
 
 /// Gold yarns on red ones, which are the warp: means of colour and metalness alone would make half of the red metal.
@@ -363,7 +419,8 @@ TEST_F(TextureBake, LevelsHoldWhatOfTheColourIsMetals) {
   for (const bool woven : {false, true}) {
     const gl::Texture source = upload(color, GL_RGBA8);
     const gl::Texture baked =
-        baker_.metal(source.get(), false, SIDE, SIDE, metallic.get(), woven ? weave.get() : 0, CancelToken());
+        baker_.metal({source.get(), {SIDE, SIDE}}, false, {metallic.get(), {SIDE, SIDE}},
+                     woven ? pass::BakeSource{weave.get(), {SIDE, SIDE}} : pass::BakeSource{}, CancelToken());
     for (int level = 0; (SIDE >> level) > 0; ++level) {
       const glm::ivec2 size = sizeAt(color, level);
       const auto pixels = read<std::uint8_t>(baked, level, size);
@@ -382,7 +439,7 @@ TEST_F(TextureBake, MetalOfAnSrgbColourIsAveragedLinearly) {
   const Image8 color = imageOf(8, 8, [](double u, double) { return glm::vec4(u < 0.5 ? 1.0f : 0.2f, 0, 0, 1); });
   const Image8 metalness = imageOf(8, 8, [](double u, double) { return glm::vec4(0, 0, u < 0.5, 1); });
   const gl::Texture source = upload(color, GL_SRGB8_ALPHA8), metallic = upload(metalness, GL_RGBA8);
-  const gl::Texture baked = baker_.metal(source.get(), true, 8, 8, metallic.get(), 0, CancelToken());
+  const gl::Texture baked = baker_.metal({source.get(), {8, 8}}, true, {metallic.get(), {8, 8}}, {}, CancelToken());
   const auto last = read<std::uint8_t>(baked, 3, {1, 1});
   EXPECT_NEAR(last[0], 188, 1);  // a half, encoded
   EXPECT_NEAR(last[3], 127.5, 1);
