@@ -71,15 +71,24 @@ export const fibres = (period, strength) => (x, y) => {
   return { height, warp: 1, slope: 0, turn: 0 };
 };
 
-/** Round discs in offset rows, each turned a little another way. */
+/** Of discs that hang over each other: radius, where rows lie 1/2 apart and discs of a row 1, and width of the groove along an edge. */
+const DISC = { radius: 0.53, groove: 0.035, depth: 0.1 };
+
+/** Round discs in offset rows, each over the upper half of two of the row below, turned a little another way; x and y in discs, two rows each. */
 export const sequins =
   (period, tilt = 0.12) =>
   (x, y) => {
-    const row = Math.floor(y);
-    const column = Math.floor(x - 0.5 * mod(row, 2));
-    const angle = TAU * noiseAt(mod(column, period), mod(row, period), 5);
-    const [u, v] = [fract(x - 0.5 * mod(row, 2)) - 0.5, fract(y) - 0.5];
-    return { height: tilt * (u * Math.cos(angle) + v * Math.sin(angle)) - (Math.hypot(u, v) > 0.49 ? 0.1 : 0), warp: 1, slope: 0, turn: 0 };
+    const { radius, groove, depth } = DISC;
+    // The uppermost of those that reach the place: its row is the first.
+    for (let row = Math.ceil(2 * (y - radius)); ; row++) {
+      const offset = 0.5 * mod(row, 2);
+      const column = Math.floor(x - offset);
+      const [u, v] = [x - offset - column - 0.5, y - row / 2];
+      const distance = Math.hypot(u, v);
+      if (distance > radius) continue;
+      const angle = TAU * noiseAt(mod(column, period), mod(row, 2 * period), 5);
+      return { height: tilt * (u * Math.cos(angle) + v * Math.sin(angle)) - (distance > radius - groove ? depth : 0), warp: 1, slope: 0, turn: 0 };
+    }
   };
 
 /** Hexagonal net of threads `width` wide about the sides of its holes; a repeat holds two rows of holes. */
