@@ -1,8 +1,9 @@
+import { labelPlaces } from './label_places.mjs';
+
 const SVG = 'http://www.w3.org/2000/svg';
 
 /** Pixels of the screen. */
 const RADIUS = 5;
-const LABEL = { x: 9, y: -7 };
 
 const element = (name, attributes, text = '') => {
   const node = document.createElementNS(SVG, name);
@@ -21,6 +22,8 @@ export class Marks {
   #project;
   #hides;
   #marks = [];
+  /** Pixels that labels are wide. */
+  #widths = new Map();
 
   /**
    * @param {HTMLElement[]} pictures that show the garment
@@ -57,11 +60,34 @@ export class Marks {
       if (width === 0) continue;
       svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
       const place = (point) => this.#project(point)?.map((part, i) => (part * [width, height][i]).toFixed(2));
-      svg.replaceChildren(...this.#marks.map((mark) => drawn(mark, place, hides)));
+      const marks = this.#marks.map((mark) => drawn(mark, place, hides));
+      svg.replaceChildren(...marks.map(({ group }) => group));
+      this.#placeLabels(
+        marks.filter(({ text }) => text),
+        [width, height],
+      );
+    }
+  }
+
+  #placeLabels(marks, picture) {
+    for (const { text } of marks) {
+      const label = text.textContent;
+      if (!this.#widths.has(label)) this.#widths.set(label, text.getComputedTextLength());
+    }
+    const labels = marks.map(({ text, beside }) => ({ points: beside, width: this.#widths.get(text.textContent) }));
+    const places = labelPlaces(
+      labels,
+      marks.flatMap(({ points }) => points),
+      picture,
+    );
+    for (const [i, [x, y]] of places.entries()) {
+      marks[i].text.setAttribute('x', x);
+      marks[i].text.setAttribute('y', y);
     }
   }
 }
 
+/** @returns {{group: SVGElement, text?: SVGElement, points: number[][], beside: number[][]}} `text` without a place; it may stand beside `beside` */
 function drawn({ points, path, isLoop, label, isChosen }, place, hides) {
   const group = element('g', { class: isChosen ? 'mark chosen' : 'mark' });
   group.dataset.label = label;
@@ -72,10 +98,14 @@ function drawn({ points, path, isLoop, label, isChosen }, place, hides) {
   const places = points.map((point) => ({ at: place(point), isHidden: hides(point) })).filter(({ at }) => at);
   for (const { at, isHidden } of places) group.append(element('circle', { cx: at[0], cy: at[1], r: RADIUS, ...(isHidden && HIDDEN) }));
   const all = [...places, ...(isDrawn ? line : [])];
-  const first = places[0]?.at ?? line.find(({ at }) => at)?.at;
   const isBehind = all.length > 0 && all.every(({ isHidden }) => isHidden);
-  if (first) group.append(element('text', { x: Number(first[0]) + LABEL.x, y: Number(first[1]) + LABEL.y, ...(isBehind && HIDDEN) }, label));
-  return group;
+  const shown = places.map(({ at }) => at.map(Number));
+  const onLine = line.find(({ at }) => at)?.at.map(Number);
+  const beside = shown.length > 0 || !onLine ? shown : [onLine];
+  if (beside.length === 0) return { group, points: shown, beside };
+  const text = element('text', isBehind ? HIDDEN : {}, label);
+  group.append(text);
+  return { group, text, points: shown, beside };
 }
 
 const HIDDEN = { class: 'hidden' };

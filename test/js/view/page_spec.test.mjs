@@ -143,6 +143,30 @@ async function marksFollowTheCamera(page) {
   assert.ok(apart(callout.places[0], placeOf(camera, SPEC.callouts[0].point)) < 0.01, 'pictures of another size');
 }
 
+/** Measures from one point, each with its label. */
+async function labelsStandApart(page) {
+  const camera = await cameraOf(page);
+  for (const end of [
+    [0.1, 0.4, 0],
+    [0.4, 0.4, 0],
+  ]) {
+    await tool(page, 'straight');
+    for (const place of [A, end]) await clickAt(page, placeOf(camera, place));
+    await measured(page);
+  }
+  const boxes = await page.locator('#client-picture svg.marks text').evaluateAll((texts) =>
+    texts.map((text) => {
+      const { x, y, width, height } = text.getBBox();
+      return [x, y, x + width, y + height];
+    }),
+  );
+  assert.equal(boxes.length, 4);
+  boxes.forEach((a, i) => {
+    const covering = boxes.slice(i + 1).filter((b) => Math.min(a[2], b[2]) > Math.max(a[0], b[0]) + 1 && Math.min(a[3], b[3]) > Math.max(a[1], b[1]) + 1);
+    assert.deepEqual(covering, [], `label ${i} at ${a}`);
+  });
+}
+
 async function fieldsAreEditedUndoneAndDeleted(page) {
   const type = async (label, text) => {
     await page.getByLabel(label, { exact: true }).fill(text);
@@ -321,6 +345,14 @@ const CHECKS = [
         SVGElement.prototype.replaceChildren = function (...nodes) {
           if (this.childNodes.length === 0) original.apply(this, nodes);
         };
+      }),
+  },
+  {
+    check: labelsStandApart,
+    fault: 'labels without a width',
+    plant: (page) =>
+      page.addInitScript(() => {
+        SVGTextContentElement.prototype.getComputedTextLength = () => 0;
       }),
   },
   {
