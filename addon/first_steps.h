@@ -19,7 +19,11 @@ struct FirstStep {
 /// what another preloaded library opens in its constructor is taken for one of these, too.
 /// A network namespace of its own, without an interface, and without the abstract sockets of this machine: by the right
 /// to make one, or in a user namespace where the process has no right that it would lose there.
-extern const std::array<FirstStep, 2> FIRST_STEPS;
+/// No file is changed, made or removed but in WORKER_FOLDERS, and devices.
+extern const std::array<FirstStep, 3> FIRST_STEPS;
+
+/// Of the environment (js/pool/environment.mjs): folders that a worker writes to, a line each.
+inline constexpr const char* WORKER_FOLDERS = "TELAR_WORKER_FOLDERS";
 
 using FirstFailures = std::array<int, std::tuple_size_v<decltype(FIRST_STEPS)>>;
 

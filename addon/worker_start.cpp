@@ -15,6 +15,7 @@ telar::addon::FirstFailures failures{};
   if (!std::getenv(IS_WORKER)) return;
   unsetenv(IS_WORKER);
   failures = telar::addon::takeFirstSteps();
+  unsetenv(telar::addon::WORKER_FOLDERS);
   areTaken = true;
 }
 

@@ -42,7 +42,8 @@ export function workerEnvironment(size, { cacheDirectory = null, from = process.
   // io_uring is a second way to system calls, which the filter of a worker does not see. Decoded textures come and go with each job: kept as heap
   // and in large pages, their memory need not be given by the kernel and cleared anew.
   const threads = { LP_NUM_THREADS: String(threadsOfEach(size)), UV_USE_IO_URING: '0' };
-  return { ...threads, GLIBC_TUNABLES: TUNABLES, ...programCache(cacheDirectory), ...own, ...preload(library, own.LD_PRELOAD) };
+  const env = { ...threads, GLIBC_TUNABLES: TUNABLES, ...programCache(cacheDirectory), ...own };
+  return { ...env, ...preload(library, own.LD_PRELOAD, [cacheDirectory, env.MESA_SHADER_CACHE_DIR]) };
 }
 
 const NO_PROGRAM_CACHE = { MESA_SHADER_CACHE_DISABLE: 'true' };
@@ -65,7 +66,14 @@ function programCache(folder) {
 /** Sanitizers want to be first, and have an allocator of their own. */
 const SANITIZER = /lib(clang_rt\.)?[alt]san/;
 
-/** The library before what the caller preloads: an allocator of the caller's is then asked through it. It knows by TELAR_IS_WORKER what it is in. */
-const preload = (library, own) => (library && !SANITIZER.test(own ?? '') ? { TELAR_IS_WORKER: '1', LD_PRELOAD: own ? `${library} ${own}` : library } : {});
+/**
+ * The library before what the caller preloads: an allocator of the caller's is then asked through it. It knows by TELAR_IS_WORKER what it is in, and by
+ * TELAR_WORKER_FOLDERS where a worker writes: nowhere else.
+ */
+function preload(library, own, folders) {
+  if (!library || SANITIZER.test(own ?? '')) return {};
+  const written = [...new Set(folders.filter(Boolean))].join('\n');
+  return { TELAR_IS_WORKER: '1', TELAR_WORKER_FOLDERS: written, LD_PRELOAD: own ? `${library} ${own}` : library };
+}
 
 const TUNABLES = 'glibc.malloc.hugetlb=1:glibc.malloc.mmap_threshold=4294967295:glibc.malloc.trim_threshold=4294967295';

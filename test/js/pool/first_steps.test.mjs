@@ -1,9 +1,9 @@
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
-import { chmodSync, mkdtempSync, readlinkSync, rmSync } from 'node:fs';
+import { chmodSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, readlinkSync, rmSync, writeFileSync } from 'node:fs';
 import net from 'node:net';
-import { tmpdir } from 'node:os';
+import { release, tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -12,7 +12,7 @@ import { workerEnvironment } from '../../../js/pool/environment.mjs';
 import { open, SHOT } from './support.mjs';
 import { MODELS } from '../../fixtures/index.mjs';
 
-// What a worker gives up before its program runs (addon/first_steps.h): descriptors that a program in between left open, and the network.
+// What a worker gives up before its program runs (addon/first_steps.h): descriptors that a program in between left open, the network, and files of others.
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 const FOLDER = mkdtempSync(path.join(tmpdir(), 'telar-first-'));
@@ -78,6 +78,51 @@ test('a worker is in a network of its own, without the abstract sockets of this 
   assert.deepEqual(facts, { abstract: 'ECONNREFUSED' });
 });
 
+const WRITES = `
+  import fs from 'node:fs';
+  import { Worker } from 'node:worker_threads';
+  const attempt = (use) => { try { use(); return 'done'; } catch ({ code }) { return code; } };
+  const at = (folder) => ({
+    make: attempt(() => fs.writeFileSync(folder + '/new', '')),
+    write: attempt(() => fs.writeFileSync(folder + '/there', '1')),
+    truncate: attempt(() => fs.truncateSync(folder + '/there')),
+    rename: attempt(() => fs.renameSync(folder + '/there', folder + '/moved')),
+    folder: attempt(() => fs.mkdirSync(folder + '/folder')),
+    link: attempt(() => fs.symlinkSync(folder, folder + '/link')),
+    remove: attempt(() => fs.rmSync(folder + '/gone')),
+    read: attempt(() => fs.readdirSync(folder)),
+  });
+  const text = 'const { parentPort } = require("node:worker_threads"); try { require("node:fs").writeFileSync(' + JSON.stringify(ELSEWHERE + '/thread') + ', ""); parentPort.postMessage("done"); } catch ({ code }) { parentPort.postMessage(code); }';
+  const thread = await new Promise((resolve) => new Worker(text, { eval: true, execArgv: [] }).once('message', resolve));
+  tell({ elsewhere: at(ELSEWHERE), cache: at(CACHE), device: attempt(() => fs.writeFileSync('/dev/null', '')), thread, isTold: process.env.TELAR_WORKER_FOLDERS });
+  process.exit(0);`;
+
+/** From Linux 6.2 on a file that is there is not emptied by its path either. */
+const [MAJOR, MINOR] = release().split('.').map(Number);
+const EMPTIES = MAJOR < 6 || (MAJOR === 6 && MINOR < 2);
+
+test('a worker writes in its cache and nowhere else, in no thread', { skip: skipWithout('no writes elsewhere') }, async () => {
+  const text = (elsewhere, cache) => WRITES.replaceAll('ELSEWHERE', JSON.stringify(elsewhere)).replaceAll('CACHE', JSON.stringify(cache));
+  /** A folder with files to change. */
+  const made = (name) => {
+    const folder = path.join(FOLDER, name);
+    mkdirSync(folder);
+    for (const file of ['there', 'gone']) writeFileSync(path.join(folder, file), file);
+    return folder;
+  };
+  const [elsewhere, cache] = [made('of others'), made('cache: of workers')];
+  const all = (outcome) => Object.fromEntries(['make', 'write', 'truncate', 'rename', 'folder', 'link', 'remove', 'read'].map((name) => [name, outcome]));
+  const facts = { cache: all('done'), device: 'done' };
+  const env = workerEnvironment(1, { cacheDirectory: cache });
+  const denied = { ...all('EACCES'), ...(EMPTIES && { truncate: 'done' }), read: 'done' };
+  assert.deepEqual(await inWorker(text(elsewhere, cache), { env }), { elsewhere: denied, thread: 'EACCES', ...facts });
+  assert.deepEqual(readdirSync(elsewhere), ['gone', 'there']);
+  assert.equal(readFileSync(path.join(elsewhere, 'there'), 'utf8'), EMPTIES ? '' : 'there');
+  const { TELAR_IS_WORKER, TELAR_WORKER_FOLDERS, ...outside } = env;
+  const free = await inWorker(text(made('of others too'), made('another cache')), { env: outside });
+  assert.deepEqual(free, { elsewhere: all('done'), thread: 'done', ...facts }, 'planted: who is no worker');
+});
+
 const USER = 12_345;
 const OF_USER = `
   import { readFileSync, readlinkSync, writeFileSync } from 'node:fs';
@@ -94,7 +139,7 @@ function skipOfUser() {
 
 test('a worker of a user without rights too: it has its number, its files, and no right', { skip: skipOfUser() }, async () => {
   chmodSync(FOLDER, 0o777);
-  const { network, ...facts } = await inWorker(OF_USER, { uid: USER, gid: USER, cwd: '/' });
+  const { network, ...facts } = await inWorker(OF_USER, { env: workerEnvironment(1, { cacheDirectory: FOLDER }), uid: USER, gid: USER, cwd: '/' });
   assert.notEqual(network, readlinkSync('/proc/self/ns/net'));
   assert.deepEqual(facts, { user: USER, group: USER, rights: '0'.repeat(16) });
 });

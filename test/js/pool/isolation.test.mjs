@@ -7,7 +7,7 @@ import './support.mjs';
 // What a process can do before and after it gave up what a worker gives up. Before, each is possible: so each check can fail.
 
 /** Steps that libtelar_worker.so takes before the program of a worker runs. */
-const FIRST = ['no inherited descriptors', 'own network'];
+const FIRST = ['no inherited descriptors', 'own network', 'no writes elsewhere'];
 
 const nativeUrl = new URL('../../../js/api/native.mjs', import.meta.url).href;
 

@@ -193,7 +193,7 @@ test('workers give their rights up, this process does not', async () => {
     assert.deepEqual([statusOf(pid).NoNewPrivs, statusOf(pid).Seccomp], ['1', '2']);
     assert.match(readFileSync(`/proc/${pid}/limits`, 'utf8'), /Max core file size +0 +0/);
   }
-  assert.equal(isolation.length, 10);
+  assert.equal(isolation.length, 11);
   assert.notEqual(statusOf(process.pid).Seccomp, '2');
   await pool.close();
 });

@@ -213,7 +213,14 @@ test('a worker gets no secret of the environment, and its share of the cores', (
   const from = { PATH: '/bin', AWS_SECRET_ACCESS_KEY: 'x', DATABASE_URL: 'x', NODE_OPTIONS: 'x', MESA_DEBUG: '1', TELAR_BUILD_DIR: '/b', LC_ALL: 'C' };
   const secrets = { TELAR_SIGN_KEY: '00', TELAR_SIGN_SALT: '11' };
   const { GLIBC_TUNABLES, ...env } = workerEnvironment(1000, { from: { ...from, ...secrets }, library: '/guard.so' });
-  const own = { LP_NUM_THREADS: '0', UV_USE_IO_URING: '0', MESA_SHADER_CACHE_DISABLE: 'true', LD_PRELOAD: '/guard.so', TELAR_IS_WORKER: '1' };
+  const own = {
+    LP_NUM_THREADS: '0',
+    UV_USE_IO_URING: '0',
+    MESA_SHADER_CACHE_DISABLE: 'true',
+    LD_PRELOAD: '/guard.so',
+    TELAR_IS_WORKER: '1',
+    TELAR_WORKER_FOLDERS: '',
+  };
   assert.deepEqual(env, { PATH: '/bin', MESA_DEBUG: '1', TELAR_BUILD_DIR: '/b', LC_ALL: 'C', ...own });
   assert.equal(workerEnvironment(1, { from: { LP_NUM_THREADS: '7' } }).LP_NUM_THREADS, '7', 'what the operator says counts');
   assert.deepEqual([threadsOfEach(1, 8), threadsOfEach(3, 8), threadsOfEach(8, 8), threadsOfEach(9, 8)], [8, 2, 0, 0]);

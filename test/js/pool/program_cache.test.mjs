@@ -23,13 +23,13 @@ async function openWith(env, options) {
   }
 }
 
-/** Draws in a pool; Mesa's own choice, of programs outside of workers, is below the folder `of the user`. */
-async function draw(t, cacheOf, env = {}) {
+/** Draws in a pool; Mesa's own choice, of programs outside of workers, is below the folder `of the user`. @param {(user: string) => object} [envOf] */
+async function draw(t, cacheOf, envOf = () => ({})) {
   const folder = mkdtempSync(path.join(tmpdir(), 'telar-programs-'));
   t.after(() => rmSync(folder, { recursive: true, force: true }));
   const user = path.join(folder, 'of the user');
   mkdirSync(user);
-  const pool = await openWith({ XDG_CACHE_HOME: user, ...env }, { cacheDirectory: cacheOf(folder) });
+  const pool = await openWith({ XDG_CACHE_HOME: user, ...envOf(user) }, { cacheDirectory: cacheOf(folder) });
   await pool.render(await MODELS.cloth(), SHOT);
   return { pool, programs: { own: path.join(folder, 'telar/mesa_shader_cache'), user: path.join(user, 'mesa_shader_cache') } };
 }
@@ -42,11 +42,15 @@ test("programs of workers lie in telar's cache, which is made, and not with thos
   assert.deepEqual(kept(), [true, false]);
 });
 
-test('without a cache nothing is kept; planted: where Mesa may, it is with those of the user', async (t) => {
+test('without a cache nothing is kept; planted: where the user has Mesa keep some, they are there', async (t) => {
   const off = await draw(t, () => null);
   await off.pool.close();
   assert.deepEqual([filesIn(off.programs.own), filesIn(off.programs.user)], [[], []]);
-  const on = await draw(t, () => null, { MESA_SHADER_CACHE_DISABLE: 'false' });
+  const on = await draw(
+    t,
+    () => null,
+    (user) => ({ MESA_SHADER_CACHE_DISABLE: 'false', MESA_SHADER_CACHE_DIR: user }),
+  );
   await until(() => filesIn(on.programs.user).length > 0);
   await on.pool.close();
 });
