@@ -1,4 +1,4 @@
-#include "pass/texture/texture_bake.h"
+#include "renderer/texture_bake.h"
 
 #include <gtest/gtest.h>
 
@@ -6,28 +6,16 @@
 #include <iostream>
 
 #include "brdf/brdf.h"
-#include "gl/context.h"
-#include "renderer/cloth_images.h"
 
 namespace telar {
 namespace {
 
 using test::imageOf;
+using test::meanOver;
+using test::slopeOf;
+using test::texelAt;
+using test::TextureBake;
 using test::weaveNormals;
-
-constexpr double STEEPEST = 8;
-
-glm::dvec4 storedTexel(const std::uint8_t* p) { return glm::dvec4(p[0], p[1], p[2], p[3]) / 255.0; }
-
-glm::dvec2 slopeOf(const glm::dvec4& texel) {
-  const glm::dvec3 n = glm::dvec3(texel) * 2.0 - 1.0;
-  return glm::dvec2(n) / std::max(n.z, glm::length(n) / STEEPEST);
-}
-
-glm::dvec4 texelAt(const Image8& image, int x, int y) {
-  const int w = int(image.width), h = int(image.height);
-  return storedTexel(&image.pixels[4 * (std::size_t((y + h) % h) * image.width + std::size_t((x + w) % w))]);
-}
 
 /// RGB a texel's normal, A how flat it lies.
 glm::dvec4 reliefOf(const glm::dvec4& texel) {
@@ -61,54 +49,6 @@ std::vector<glm::dvec4> blended(const Image8& image, const F& of) {
   }
   return list;
 }
-
-/// Mean of f over the part of the image that a texel of a mip level covers, by area.
-template <typename F>
-glm::dvec4 meanOver(const Image8& image, glm::ivec2 at, glm::ivec2 levelSize, const F& f) {
-  const glm::dvec2 ratio(double(image.width) / levelSize.x, double(image.height) / levelSize.y);
-  glm::dvec4 sum(0);
-  double area = 0;
-  for (int y = 0; y < int(image.height); ++y) {
-    const double h = std::min(y + 1.0, (at.y + 1) * ratio.y) - std::max(double(y), at.y * ratio.y);
-    for (int x = 0; h > 0 && x < int(image.width); ++x) {
-      const double w = std::min(x + 1.0, (at.x + 1) * ratio.x) - std::max(double(x), at.x * ratio.x);
-      if (w <= 0) continue;
-      sum += w * h * f(x, y);
-      area += w * h;
-    }
-  }
-  return sum / area;
-}
-
-class TextureBake : public testing::Test {
- protected:
-  const gl::Functions& gl() const { return context_->gl(); }
-  gl::Texture upload(const Image8& image, GLenum format) const {
-    gl::Texture texture(gl());
-    gl().BindTexture(GL_TEXTURE_2D, texture.get());
-    gl().TexStorage2D(GL_TEXTURE_2D, 1, format, GLsizei(image.width), GLsizei(image.height));
-    gl().TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, GLsizei(image.width), GLsizei(image.height), GL_RGBA, GL_UNSIGNED_BYTE,
-                       image.pixels.data());
-    return texture;
-  }
-  template <typename Value>
-  std::vector<Value> read(const gl::Texture& texture, int level, glm::ivec2 size) const {
-    const gl::Framebuffer framebuffer(gl());
-    gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
-    gl().FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.get(), level);
-    std::vector<Value> pixels(std::size_t(size.x * size.y) * 4);
-    gl().PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl().ReadPixels(0, 0, size.x, size.y, GL_RGBA, sizeof(Value) == 1 ? GL_UNSIGNED_BYTE : GL_FLOAT, pixels.data());
-    context_->check("read");
-    return pixels;
-  }
-  static glm::ivec2 sizeAt(const Image8& image, int level) {
-    return glm::max(glm::ivec2(image.width, image.height) >> level, 1);
-  }
-
-  std::unique_ptr<gl::Context> context_ = gl::Context::create(Backend::kAuto);
-  pass::TextureBaker baker_{*context_};
-};
 
 TEST_F(TextureBake, LevelsHoldTheMeansOfNormalsAndOfHowFlatTheyLie) {
   for (const glm::uvec2 size : {glm::uvec2(64, 64), glm::uvec2(44, 27), glm::uvec2(1, 5)}) {
@@ -331,75 +271,6 @@ TEST_F(TextureBake, LevelsHoldTheShareThatIsThereAndItsColourAlone) {
         EXPECT_NEAR(got[0], 0.1 * 255, 6) << level << " " << share.x;
         EXPECT_NEAR(got[1], 0.8 * 255, 3) << level;
       }
-    }
-  }
-}
-
-/// Round yarns that lie straight: flat along, steep across, each set in its own axis.
-TEST_F(TextureBake, LevelsHoldHowFlatWarpAndWeftLieAlongAndAcross) {
-  constexpr int SIDE = 32;
-  const auto isWarp = [](double u, double) { return std::fmod(u * 4, 1.0) < 0.5; };
-  const Image8 normals = imageOf(SIDE, SIDE, [&](double u, double v) {
-    const float slope = 0.6f * float(std::sin(glm::two_pi<double>() * 8 * (isWarp(u, v) ? u : v)));
-    return glm::vec4(glm::normalize(isWarp(u, v) ? glm::vec3(slope, 0, 1) : glm::vec3(0, slope, 1)) * 0.5f + 0.5f, 1);
-  });
-  const Image8 yarns = imageOf(SIDE, SIDE, [&](double u, double v) { return glm::vec4(1, 0.5f, 0.5f, isWarp(u, v)); });
-  const gl::Texture source = upload(normals, GL_RGBA8), weave = upload(yarns, GL_RGBA8);
-  const gl::Texture baked = baker_.yarnRelief({source.get(), {SIDE, SIDE}}, {weave.get(), {SIDE, SIDE}}, CancelToken());
-  const auto texel = read<float>(baked, 3, {1, 1});  // of 8 x 8 texels
-  const auto squares = [&](int c) { return 0.25 * (0.5 / texel[std::size_t(c)] - 1); };
-  std::cout << "mean squares of slopes: warp " << squares(0) << " along, " << squares(1) << " across, weft "
-            << squares(2) << ", " << squares(3) << "\n";
-  for (const int c : {0, 2}) EXPECT_LT(squares(c), 0.02) << c;  // but where texels of both are blended
-  for (const int c : {1, 3}) EXPECT_GT(squares(c), 0.06) << c;
-}
-
-/// Warp along x and across it, times its share, then weft.
-glm::dvec4 yarnsOf(const glm::dvec4& texel, const glm::dvec4& weave) {
-  const auto flat = [](double slope) { return 1 / (1 + 4 * slope * slope); };
-  const glm::dvec2 slope = slopeOf(texel), turn = glm::normalize(glm::dvec2(weave) * 2.0 - 1.0);
-  const double sine = weave.z * 2 - 1, rise = sine / std::sqrt(1 - sine * sine);
-  const double along = glm::dot(slope, turn), aside = slope.y * turn.x - slope.x * turn.y;
-  return glm::dvec4(flat(aside - rise) * weave.w, flat(along) * weave.w, flat(along - rise) * (1 - weave.w),
-                    flat(aside) * (1 - weave.w));
-}
-
-/// Of four points of a texel one is looked at, where sides halve; all four where they do not.
-TEST_F(TextureBake, LevelsOfYarnsAreNearTheMeansOverAllPoints) {
-  for (const glm::ivec2 size : {glm::ivec2(64, 64), glm::ivec2(44, 31)}) {
-    for (const int finer : {1, 2}) {
-      const auto at = [](double u, double v) {
-        return glm::vec4(0.9, 0.5 + 0.2 * std::sin(glm::two_pi<double>() * 3 * v),
-                         0.5 + 0.3 * std::sin(glm::two_pi<double>() * 5 * u), 0.5 + 0.4 * std::cos(u * 19 + v * 7));
-      };
-      const Image8 normals = weaveNormals(std::uint32_t(size.x), std::uint32_t(size.y), 3.3, 0.9);
-      const Image8 fitting = imageOf(normals.width, normals.height, at);
-      const Image8 yarns = imageOf(normals.width * std::uint32_t(finer), normals.height * std::uint32_t(finer), at);
-      const gl::Texture source = upload(normals, GL_RGBA8), weave = upload(yarns, GL_RGBA8);
-      const gl::Texture baked = baker_.yarnRelief({source.get(), size}, {weave.get(), size * finer}, CancelToken());
-      const glm::ivec2 levelSize = sizeAt(normals, 2);
-      const auto texels = read<float>(baked, 0, levelSize);
-      double worst = 0;
-      for (int i = 0; i < levelSize.x * levelSize.y; ++i) {
-        const glm::dvec4 mean = meanOver(normals, {i % levelSize.x, i / levelSize.x}, levelSize, [&](int x, int y) {
-          glm::dvec4 sum(0);
-          for (const int dy : {-1, 1}) {
-            for (const int dx : {-1, 1}) {
-              const auto point = [&](const Image8& image) {
-                return (9.0 * texelAt(image, x, y) + 3.0 * texelAt(image, x + dx, y) + 3.0 * texelAt(image, x, y + dy) +
-                        texelAt(image, x + dx, y + dy)) /
-                       16.0;
-              };
-              sum += yarnsOf(point(normals), point(fitting)) / 4.0;
-            }
-          }
-          return sum;
-        });
-        for (int c = 0; c < 4; ++c)
-          worst = std::max(worst, std::abs(texels[std::size_t(i) * 4 + std::size_t(c)] - mean[c]));
-      }
-      std::cout << size.x << " x " << size.y << ", weave map " << finer << " times as fine: " << worst << "\n";
-      EXPECT_LT(worst, finer == 1 ? 0.035 : 0.05);  // a finer map is blended less between its texels
     }
   }
 }

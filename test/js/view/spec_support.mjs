@@ -73,6 +73,20 @@ export const marksOf = (page, selector = '#client-picture') =>
     }));
   });
 
+/** Pairs of labels of the browser's picture of which one covers the other by more than a pixel. */
+export const overlaps = (page) =>
+  page.locator('#client-picture svg.marks text').evaluateAll((texts) => {
+    const boxes = texts.map((text) => text.getBBox());
+    const covers = (a, b) =>
+      Math.min(a.x + a.width, b.x + b.width) > Math.max(a.x, b.x) + 1 && Math.min(a.y + a.height, b.y + b.height) > Math.max(a.y, b.y) + 1;
+    return texts.flatMap((text, i) =>
+      texts.slice(i + 1).flatMap((other, k) => (covers(boxes[i], boxes[i + 1 + k]) ? [`${text.textContent}, ${other.textContent}`] : [])),
+    );
+  });
+
+/** Millimetres that a page's length text says. */
+export const lengthIn = (text) => 10 * Number.parseFloat(text);
+
 /** Turns to a named view and waits for both pictures. */
 export const look = (page, view) => changing(page, () => page.locator(`#views [data-view=${view}]`).click());
 

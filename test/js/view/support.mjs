@@ -80,3 +80,13 @@ export const countsOf = (page, selector) =>
     }
     return { width: source.width, height: source.height, opaque, lit };
   }, selector);
+
+/** Changes what the page asks of the server, or what it is answered. */
+export const onRoute = (target, change) => (page) =>
+  page.route(`**/${target}`, async (route) => (route.request().method() === 'POST' ? change(route) : route.continue()));
+
+export const withBody = (edit) => (route) => {
+  const body = route.request().postDataJSON();
+  edit(body);
+  return route.continue({ postData: JSON.stringify(body) });
+};
