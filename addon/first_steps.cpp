@@ -4,7 +4,6 @@
 #include <linux/capability.h>
 #include <linux/landlock.h>
 #include <sched.h>
-#include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -126,7 +125,7 @@ int keepWrites(int rules, std::uint64_t rights) {
   const char* folders = std::getenv(WORKER_FOLDERS);
   if (const int failure = keepBelowEach(rules, folders ? folders : "", rights)) return failure;
   // Without it the kernel asks for rights of root.
-  if (const int failure = failureOf(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0))) return failure;
+  if (const int failure = forgoPrivileges()) return failure;
   return failureOf(syscall(SYS_landlock_restrict_self, rules, 0));
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <sys/prctl.h>
+
 #include <array>
 #include <cerrno>
 #include <tuple>
@@ -7,6 +9,9 @@ namespace telar::addon {
 
 /// errno of a call that gives -1, else 0.
 inline int failureOf(long result) { return result == -1 ? errno : 0; }
+
+/// No program that this process starts gives it rights. 0, or errno.
+inline int forgoPrivileges() { return failureOf(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)); }
 
 /// What a worker of a pool gives up before its program runs: later it has threads, and descriptors of its own.
 struct FirstStep {
@@ -19,7 +24,7 @@ struct FirstStep {
 /// what another preloaded library opens in its constructor is taken for one of these, too.
 /// A network namespace of its own, without an interface, and without the abstract sockets of this machine: by the right
 /// to make one, or in a user namespace where the process has no right that it would lose there.
-/// No file is changed, made or removed but in WORKER_FOLDERS, and devices.
+/// No file is changed, made or removed but in WORKER_FOLDERS, devices, and what /proc has of the process itself.
 extern const std::array<FirstStep, 3> FIRST_STEPS;
 
 /// Of the environment (js/pool/environment.mjs): folders that a worker writes to, a line each.

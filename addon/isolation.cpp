@@ -198,7 +198,7 @@ int limit(__rlimit_resource resource, rlim_t most) {
 }
 
 int endWithParent(std::uint64_t) { return failureOf(prctl(PR_SET_PDEATHSIG, SIGKILL)); }
-int noNewPrivileges(std::uint64_t) { return failureOf(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)); }
+int noNewPrivileges(std::uint64_t) { return forgoPrivileges(); }
 int noCore(std::uint64_t) { return limit(RLIMIT_CORE, 0); }
 int fewFiles(std::uint64_t) { return limit(RLIMIT_NOFILE, MAX_FILES); }
 #if defined(__SANITIZE_ADDRESS__)

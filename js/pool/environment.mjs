@@ -72,8 +72,7 @@ const SANITIZER = /lib(clang_rt\.)?[alt]san/;
  */
 function preload(library, own, folders) {
   if (!library || SANITIZER.test(own ?? '')) return {};
-  const written = [...new Set(folders.filter(Boolean))].join('\n');
-  return { TELAR_IS_WORKER: '1', TELAR_WORKER_FOLDERS: written, LD_PRELOAD: own ? `${library} ${own}` : library };
+  return { TELAR_IS_WORKER: '1', TELAR_WORKER_FOLDERS: folders.filter(Boolean).join('\n'), LD_PRELOAD: own ? `${library} ${own}` : library };
 }
 
 const TUNABLES = 'glibc.malloc.hugetlb=1:glibc.malloc.mmap_threshold=4294967295:glibc.malloc.trim_threshold=4294967295';

@@ -27,15 +27,14 @@ const shared = ([left, top, right, bottom], other) =>
  */
 export function labelPlaces(labels, points, [width, height]) {
   const taken = points.map(([x, y]) => [x - POINT, y - POINT, x + POINT, y + POINT]);
-  return labels.map((label) => {
-    const wide = label.width;
+  return labels.map(({ points: own, width: wide }) => {
     const covered = (place) => {
       const box = boxOf(place, wide);
       const outside = wide * (ASCENT + DESCENT) - shared(box, [0, 0, width, height]);
       return taken.reduce((sum, other) => sum + shared(box, other), outside);
     };
     let best = { area: Infinity };
-    for (const place of label.points.flatMap((point) => placesBeside(point, wide))) {
+    for (const place of own.flatMap((point) => placesBeside(point, wide))) {
       const area = covered(place);
       if (area < best.area) best = { place, area };
     }

@@ -15,7 +15,7 @@ constexpr GLenum FRAMEBUFFER_SRGB = 0x8DB9;  // desktop GL only: OpenGL ES alway
 /// A quarter of the side: it only shares out what the map of relief has, which is little from near.
 constexpr int YARN_RELIEF_FIRST = 2;
 
-int sideAt(int side, int level) { return std::max(1, side >> level); }
+glm::ivec2 sizeAt(const glm::ivec2& size, int level) { return glm::max(size >> level, 1); }
 
 /// State of the passes that fill textures, while it lives.
 class Drawing {
@@ -89,12 +89,12 @@ const gl::Program& TextureBaker::program(const char* file, const shader::Defines
 gl::Texture TextureBaker::bake(const Kind& kind, const BakeSource& source, const Beside& beside,
                                const CancelToken& cancel) {
   const gl::Functions& gl = context_.gl();
-  const auto [width, height] = std::pair(source.size.x, source.size.y);
-  const auto levels = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
+  const auto levels = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(source.size.x, source.size.y))));
   // A variance is a small difference of large sums, which needs the precision.
   const GLenum momentFormat = context_.capabilities().colorBufferFloat ? GL_RGBA32F : GL_RGBA16F;
   const int first = std::min(kind.first, levels - 1);
-  gl::Texture out = gl::nearestTexture(gl, kind.format, sideAt(width, first), sideAt(height, first), levels - first);
+  const glm::ivec2 largest = sizeAt(source.size, first);
+  gl::Texture out = gl::nearestTexture(gl, kind.format, largest.x, largest.y, levels - first);
   const Drawing drawing(context_);
   for (const auto& [unit, texture] : {std::pair{1u, beside.map.texture}, std::pair{2u, beside.yarns.texture}}) {
     gl.ActiveTexture(GL_TEXTURE0 + unit);
@@ -102,38 +102,34 @@ gl::Texture TextureBaker::bake(const Kind& kind, const BakeSource& source, const
     gl.BindTexture(GL_TEXTURE_2D, texture);
   }
   gl.ActiveTexture(GL_TEXTURE0);
-  const auto featuresAt = [&](bool fromImage, bool halves) {
-    return shader::Defines{{"FROM_IMAGE", fromImage},
-                           {"HALVES", halves},
-                           {"BESIDE", beside.map.texture != 0},
-                           {"BESIDE_FITS", beside.fits(source.size)},
-                           {"YARNS", beside.yarns.texture != 0}};
+  const auto use = [&](const char* file, bool fromImage, bool halves) -> const gl::Program& {
+    const gl::Program& used = program(file, {{"FROM_IMAGE", fromImage},
+                                             {"HALVES", halves},
+                                             {"BESIDE", beside.map.texture != 0},
+                                             {"BESIDE_FITS", beside.fits(source.size)},
+                                             {"YARNS", beside.yarns.texture != 0}});
+    used.use();
+    used.set("sourceMap", 0);
+    used.set("besideMap", 1);
+    used.set("yarnMap", 2);
+    used.set("cutoff", beside.cutoff);
+    return used;
   };
   gl::Texture momentsBefore;
   for (int level = 0; level < levels; ++level) {
     cancel.check();
-    const glm::ivec2 size(sideAt(width, level), sideAt(height, level));
+    const glm::ivec2 size = sizeAt(source.size, level);
     if (level > 0) {
-      const glm::ivec2 larger(sideAt(width, level - 1), sideAt(height, level - 1));
+      const glm::ivec2 larger = sizeAt(source.size, level - 1);
       gl::Texture moments = gl::nearestTexture(gl, momentFormat, size.x, size.y);
-      const gl::Program& average = program(kind.moments, featuresAt(level == 1, larger == 2 * size));
-      average.use();
-      average.set("sourceMap", 0);
-      average.set("besideMap", 1);
+      const gl::Program& average = use(kind.moments, level == 1, larger == 2 * size);
       average.set("sourceSize", glm::vec2(larger));
       average.set("targetSize", glm::vec2(size));
-      average.set("yarnMap", 2);
-      average.set("cutoff", beside.cutoff);
       drawing.draw(level == 1 ? source.texture : momentsBefore.get(), moments, 0, size, cost_);
       momentsBefore = std::move(moments);
     }
     if (level < first) continue;
-    const gl::Program& write = program(kind.level, featuresAt(level == 0, false));
-    write.use();
-    write.set("sourceMap", 0);
-    write.set("besideMap", 1);
-    write.set("yarnMap", 2);
-    write.set("cutoff", beside.cutoff);
+    use(kind.level, level == 0, false);
     drawing.draw(level == 0 ? source.texture : momentsBefore.get(), out, level - first, size, cost_);
   }
   context_.check("texture bake");

@@ -25,6 +25,23 @@ inline glm::dvec4 texelAt(const Image8& image, int x, int y) {
   return storedTexel(&image.pixels[4 * (std::size_t((y + h) % h) * image.width + std::size_t((x + w) % w))]);
 }
 
+/// Mean of f over the four points of a texel. f is given a function: what a sampler shows of an image there, blended of
+/// four texels.
+template <typename F>
+glm::dvec4 meanOverPoints(int x, int y, const F& f) {
+  glm::dvec4 sum(0);
+  for (const int dy : {-1, 1}) {
+    for (const int dx : {-1, 1}) {
+      sum += f([&](const Image8& image) {
+        const glm::dvec4 row = 0.75 * texelAt(image, x, y) + 0.25 * texelAt(image, x + dx, y);
+        const glm::dvec4 next = 0.75 * texelAt(image, x, y + dy) + 0.25 * texelAt(image, x + dx, y + dy);
+        return 0.75 * row + 0.25 * next;
+      });
+    }
+  }
+  return sum / 4.0;
+}
+
 /// Mean of f over the part of the image that a texel of a mip level covers, by area.
 template <typename F>
 glm::dvec4 meanOver(const Image8& image, glm::ivec2 at, glm::ivec2 levelSize, const F& f) {

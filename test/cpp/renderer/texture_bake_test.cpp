@@ -7,15 +7,8 @@
 
 #include "brdf/brdf.h"
 
-namespace telar {
+namespace telar::test {
 namespace {
-
-using test::imageOf;
-using test::meanOver;
-using test::slopeOf;
-using test::texelAt;
-using test::TextureBake;
-using test::weaveNormals;
 
 /// RGB a texel's normal, A how flat it lies.
 glm::dvec4 reliefOf(const glm::dvec4& texel) {
@@ -36,15 +29,7 @@ std::vector<glm::dvec4> blended(const Image8& image, const F& of) {
   std::vector<glm::dvec4> list;
   for (int y = 0; y < int(image.height); ++y) {
     for (int x = 0; x < int(image.width); ++x) {
-      glm::dvec4 sum(0);
-      for (const int dy : {-1, 1}) {
-        for (const int dx : {-1, 1}) {
-          const glm::dvec4 row = 0.75 * texelAt(image, x, y) + 0.25 * texelAt(image, x + dx, y);
-          const glm::dvec4 next = 0.75 * texelAt(image, x, y + dy) + 0.25 * texelAt(image, x + dx, y + dy);
-          sum += of(0.75 * row + 0.25 * next) / 4.0;
-        }
-      }
-      list.push_back(sum);
+      list.push_back(meanOverPoints(x, y, [&](const auto& seen) { return of(seen(image)); }));
     }
   }
   return list;
@@ -317,4 +302,4 @@ TEST_F(TextureBake, MetalOfAnSrgbColourIsAveragedLinearly) {
 }
 
 }  // namespace
-}  // namespace telar
+}  // namespace telar::test

@@ -6,15 +6,8 @@
 
 #include "renderer/texture_bake.h"
 
-namespace telar {
+namespace telar::test {
 namespace {
-
-using test::imageOf;
-using test::meanOver;
-using test::slopeOf;
-using test::texelAt;
-using test::TextureBake;
-using test::weaveNormals;
 
 /// Round yarns that lie straight: flat along, steep across, each set in its own axis.
 TEST_F(TextureBake, LevelsHoldHowFlatWarpAndWeftLieAlongAndAcross) {
@@ -63,18 +56,7 @@ TEST_F(TextureBake, LevelsOfYarnsAreNearTheMeansOverAllPoints) {
       double worst = 0;
       for (int i = 0; i < levelSize.x * levelSize.y; ++i) {
         const glm::dvec4 mean = meanOver(normals, {i % levelSize.x, i / levelSize.x}, levelSize, [&](int x, int y) {
-          glm::dvec4 sum(0);
-          for (const int dy : {-1, 1}) {
-            for (const int dx : {-1, 1}) {
-              const auto point = [&](const Image8& image) {
-                return (9.0 * texelAt(image, x, y) + 3.0 * texelAt(image, x + dx, y) + 3.0 * texelAt(image, x, y + dy) +
-                        texelAt(image, x + dx, y + dy)) /
-                       16.0;
-              };
-              sum += yarnsOf(point(normals), point(fitting)) / 4.0;
-            }
-          }
-          return sum;
+          return meanOverPoints(x, y, [&](const auto& seen) { return yarnsOf(seen(normals), seen(fitting)); });
         });
         for (int c = 0; c < 4; ++c)
           worst = std::max(worst, std::abs(texels[std::size_t(i) * 4 + std::size_t(c)] - mean[c]));
@@ -86,4 +68,4 @@ TEST_F(TextureBake, LevelsOfYarnsAreNearTheMeansOverAllPoints) {
 }
 
 }  // namespace
-}  // namespace telar
+}  // namespace telar::test

@@ -71,7 +71,7 @@ export const fibres = (period, strength) => (x, y) => {
   return { height, warp: 1, slope: 0, turn: 0 };
 };
 
-/** Of discs that hang over each other: radius, where rows lie 1/2 apart and discs of a row 1, and width of the groove along an edge. */
+/** Discs that hang over each other, where rows lie 1/2 apart and discs of a row 1: radius, width and depth of the groove along an edge. */
 const DISC = { radius: 0.53, groove: 0.035, depth: 0.1 };
 
 /** Round discs in offset rows, each over the upper half of two of the row below, turned a little another way; x and y in discs, two rows each. */
