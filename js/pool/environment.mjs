@@ -1,5 +1,5 @@
-import { mkdirSync } from 'node:fs';
 import path from 'node:path';
+import { makeFolder } from '../api/make_folder.mjs';
 import { workerLibrary } from '../api/native.mjs';
 import { threadsOfEach } from './defaults.mjs';
 
@@ -56,7 +56,7 @@ function programCache(folder) {
   if (!folder) return NO_PROGRAM_CACHE;
   try {
     // The name is Mesa's. It does not make the folder above, and complains on standard errors where it cannot make this one.
-    mkdirSync(path.join(folder, 'mesa_shader_cache'), { recursive: true });
+    makeFolder(path.join(folder, 'mesa_shader_cache'));
   } catch {
     return NO_PROGRAM_CACHE;
   }

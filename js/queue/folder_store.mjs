@@ -1,6 +1,7 @@
-import { chmod, mkdir, readFile, readdir, rm, stat } from 'node:fs/promises';
+import { chmod, readFile, readdir, rm, stat } from 'node:fs/promises';
 import path from 'node:path';
 import { sweepStale, writeFileAtomically } from '../api/atomic_file.mjs';
+import { makeFolder } from '../api/make_folder.mjs';
 import { TelarError } from '../error/index.mjs';
 
 /** How old something has to be, beyond its time, to be swept: clocks of machines differ. */
@@ -26,7 +27,7 @@ export class FolderStore {
   static async open(folder) {
     const store = new FolderStore(folder);
     try {
-      await mkdir(folder, { recursive: true, mode: 0o700 });
+      makeFolder(folder, 0o700);
       await chmod(folder, 0o700).catch(() => {}); // another user's shared volume has its own
     } catch (cause) {
       throw new TelarError('X_QUEUE', `the folder of the queue cannot be made (${cause.code})`, { cause });

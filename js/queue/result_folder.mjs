@@ -1,7 +1,8 @@
-import { mkdir, readFile, readdir, rm, stat, utimes } from 'node:fs/promises';
+import { readFile, readdir, rm, stat, utimes } from 'node:fs/promises';
 import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { sweepStale, writeFileAtomically } from '../api/atomic_file.mjs';
+import { makeFolder } from '../api/make_folder.mjs';
 
 const ENDING = '.result';
 const NAME = /^[0-9a-f]{64}(?:-[a-z]+)?\.result$/;
@@ -21,7 +22,7 @@ export class ResultFolder {
   /** @throws {TelarError} E_OPTION */
   static async open(folder, maxBytes) {
     try {
-      await mkdir(folder, { recursive: true });
+      makeFolder(folder);
     } catch (cause) {
       throw new TelarError('E_OPTION', `options.store: the folder cannot be made (${cause.code})`, { cause });
     }
