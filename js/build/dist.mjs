@@ -1,3 +1,4 @@
+import { chmod, readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
@@ -7,8 +8,9 @@ import { buildShading } from './shading/index.mjs';
 import { buildZod, zodBeside } from './zod.mjs';
 
 // Writes js/dist: node js/build/dist.mjs. It holds zod.mjs, a *.cjs with its declarations for each entry that package.json gives
-// to require(), the text of shaders/ for three.js, and the page of `telar view`. npm packages stay outside of the *.cjs. Errors of
-// either kind of module recognise each other (js/error).
+// to require(), the command telar as one file, which starts sooner than the hundred that it is made of, the text of shaders/ for
+// three.js, and the page of `telar view`. npm packages stay outside of the *.cjs. Errors of either kind of module recognise each
+// other (js/error).
 
 const JS = fileURLToPath(new URL('..', import.meta.url));
 
@@ -19,10 +21,21 @@ const ENTRIES = {
   pool: 'pool/index.mjs',
   queue: 'queue/index.mjs',
   server: 'server/index.mjs',
+  telar: 'cli/telar.mjs',
 };
 
-// import.meta.url of the bundled sources: those that read it all lie in js/api.
-const BANNER = "const importMetaUrl = require('node:url').pathToFileURL(require('node:path').join(__dirname, '..', 'api', 'bundle.cjs')).href;";
+// What a source finds beside itself, it finds from a bundle as well: import.meta.url stays that of the source.
+const BANNER = "const urlOf = (file) => require('node:url').pathToFileURL(require('node:path').join(__dirname, '..', file)).href;";
+
+/** @type {import('esbuild').Plugin} */
+const urlsOfSources = {
+  name: 'urls of sources',
+  setup({ onLoad }) {
+    onLoad({ filter: /\.mjs$/ }, async ({ path: file }) => ({
+      contents: (await readFile(file, 'utf8')).replaceAll('import.meta.url', `urlOf(${JSON.stringify(path.relative(JS, file))})`),
+    }));
+  },
+};
 
 // First: the sources import it.
 await buildZod();
@@ -33,14 +46,14 @@ await build({
   outExtension: { '.js': '.cjs' },
   bundle: true,
   packages: 'external',
-  plugins: [zodBeside],
+  plugins: [zodBeside, urlsOfSources],
   platform: 'node',
   target: 'node20',
   format: 'cjs',
   banner: { js: BANNER },
-  define: { 'import.meta.url': 'importMetaUrl' },
   logLevel: 'warning',
 });
+await chmod(path.join(JS, 'dist/telar.cjs'), 0o755);
 
 buildDeclarations();
 buildShading();

@@ -28,15 +28,19 @@ function die(signal) {
 
 for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, onSignal);
 
-const { stdin, stdout, stderr, env } = process;
-process.exitCode = await run(process.argv.slice(2), {
-  stdin,
-  stdout,
-  stderr,
-  env,
-  signal: cancelled.signal,
-  ending,
-  loadApi: () => import('../index.mjs'),
-  loadPool: () => import('../pool/index.mjs'),
-});
-if (received && !ending.isWell) dieUnfinished();
+async function main() {
+  const { stdin, stdout, stderr, env } = process;
+  process.exitCode = await run(process.argv.slice(2), {
+    stdin,
+    stdout,
+    stderr,
+    env,
+    signal: cancelled.signal,
+    ending,
+    loadApi: () => import('../index.mjs'),
+    loadPool: () => import('../pool/index.mjs'),
+  });
+  if (received && !ending.isWell) dieUnfinished();
+}
+
+void main();

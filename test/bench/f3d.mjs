@@ -9,17 +9,17 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { median } from '../median.mjs';
 import { cpuBelow, measured } from '../processes.mjs';
+import { PLAIN_ENVIRONMENT, TELAR } from './command.mjs';
 
 const RUNS = Number(process.argv[2] ?? 9);
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const TSHIRT = path.join(ROOT, 'js/assets/tshirt.glb');
-const CLI = path.join(ROOT, 'js/cli/telar.mjs');
 
 const folder = mkdtempSync(path.join(tmpdir(), 'telar-f3d-'));
 const display = spawn('Xvfb', ['-displayfd', '1', '-screen', '0', '1280x1024x24'], { stdio: ['ignore', 'pipe', 'ignore'] });
 const number = String((await once(display.stdout, 'data'))[0]).trim();
 
-const telar = (...more) => [process.execPath, CLI, 'thumbnail', TSHIRT, '-o', path.join(folder, 'telar.png'), '--size', '512', '--quiet', ...more];
+const telar = (...more) => [process.execPath, TELAR, 'thumbnail', TSHIRT, '-o', path.join(folder, 'telar.png'), '--size', '512', '--quiet', ...more];
 const COMMANDS = {
   telar: telar(),
   'telar, quality draft': telar('--quality', 'draft'),
@@ -29,7 +29,7 @@ const samples = Object.fromEntries(Object.keys(COMMANDS).map((name) => [name, []
 // The first round fills caches.
 for (let i = 0; i <= RUNS; ++i) {
   for (const [name, [command, ...args]] of Object.entries(COMMANDS)) {
-    const run = () => spawnSync(command, args, { env: { ...process.env, DISPLAY: `:${number}` } });
+    const run = () => spawnSync(command, args, { env: { ...PLAIN_ENVIRONMENT, DISPLAY: `:${number}` } });
     const sample = await measured(cpuBelow, async () => run());
     if (i > 0) samples[name].push(sample);
   }

@@ -19,6 +19,7 @@ import { median } from '../median.mjs';
 import { cpuBelow, descendants, measured, pssOf } from '../processes.mjs';
 import { Browser } from '../parity/browser/chromium.mjs';
 import { difference } from '../parity/metrics.mjs';
+import { PLAIN_ENVIRONMENT, TELAR } from './command.mjs';
 import { cases } from './peer_models.mjs';
 
 const { values } = parseArgs({
@@ -33,7 +34,6 @@ const { values } = parseArgs({
 const RUNS = Number(values.runs);
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const ASSETS = path.join(ROOT, 'js/assets');
-const CLI = path.join(ROOT, 'js/cli/telar.mjs');
 const TSHIRT = path.join(ASSETS, 'tshirt.glb');
 const CASES = await cases();
 
@@ -170,14 +170,14 @@ if (values.more || values.swiftshader) {
   process.exit();
 }
 
+const thumbnail = (...args) => {
+  const command = [TELAR, 'thumbnail', TSHIRT, '-o', path.join(folder, 'a.png'), '--size', '512', ...args];
+  return spawnSync(process.execPath, command, { env: PLAIN_ENVIRONMENT, encoding: 'utf8' });
+};
 const [telar, theirs] = [[], []];
 for (let i = 0; i < Math.ceil(RUNS / 3); ++i) {
-  telar.push(
-    await measured(cpuBelow, () => spawnSync(process.execPath, [CLI, 'thumbnail', TSHIRT, '-o', path.join(folder, 'a.png'), '--size', '512', '--quiet'])),
-  );
-  const { shot } = JSON.parse(
-    spawnSync(process.execPath, [CLI, 'thumbnail', TSHIRT, '-o', path.join(folder, 'a.png'), '--size', '512', '--json'], { encoding: 'utf8' }).stdout,
-  ).images[0].info;
+  telar.push(await measured(cpuBelow, () => thumbnail('--quiet')));
+  const { shot } = JSON.parse(thumbnail('--json').stdout).images[0].info;
   let fresh;
   theirs.push(
     await measured(cpuBelow, async () => {

@@ -128,7 +128,8 @@ test('it draws', async () => {
   writeFileSync(at('ball.glb'), await MODELS.ball());
   const run = (...args) =>
     spawnSync(process.execPath, args, { cwd: at(), encoding: 'utf8', env: { ...process.env, TELAR_BUILD_DIR: path.resolve(addonFile, '../..') } });
-  const drawn = run('js/cli/telar.mjs', 'thumbnail', 'ball.glb', '-o', 'ball.png', '--size', '32');
+  const { bin } = JSON.parse(readFileSync(at('package.json'), 'utf8'));
+  const drawn = run(bin.telar, 'thumbnail', 'ball.glb', '-o', 'ball.png', '--size', '32');
   assert.equal(drawn.status, 0, drawn.stderr);
   assert.equal(readFileSync(at('ball.png')).toString('latin1', 1, 4), 'PNG');
   const required = run('-e', "require('./js/dist/index.cjs').createRenderer().then((renderer) => renderer.close()).then(() => console.log('closed'))");
