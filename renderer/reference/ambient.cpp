@@ -6,7 +6,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "brdf/shading.h"
-#include "reference/rows.h"
+#include "core/on_threads.h"
 
 namespace telar::reference {
 namespace {
@@ -43,9 +43,9 @@ void findAmbient(AmbientJob& job) {
   const PlacedScene placed(job.scene, job.shot, job.cancel);
   job.open.resize(job.points.size());
   const std::size_t rows = (job.points.size() + ROW - 1) / ROW;
-  forEachRow(static_cast<int>(rows), std::max(job.threads, 1), [&](int row) {
+  onThreads(rows, static_cast<std::size_t>(std::max(job.threads, 1)), [&](std::size_t row) {
     job.cancel.check();
-    const std::size_t first = static_cast<std::size_t>(row) * ROW;
+    const std::size_t first = row * ROW;
     for (std::size_t i = first; i < std::min(first + ROW, job.points.size()); ++i) {
       const SurfacePoint& point = job.points[i];
       const Rays from = placed.raysFrom(glm::vec3(point.position - placed.centre), point.normal, point.toViewer);

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/on_threads.h"
 #include "frame/camera.h"
 #include "frame/layers.h"
 #include "reference/ambient.h"
@@ -9,7 +10,6 @@
 #include "reference/lights.h"
 #include "reference/placed_scene.h"
 #include "reference/ray_camera.h"
-#include "reference/rows.h"
 #include "telar/luminance.h"
 
 namespace telar::reference {
@@ -158,7 +158,7 @@ std::vector<LayerImage> traceLayers(const Scene& scene, const Shot& shot, const 
     images.push_back({layer, std::vector<float>(count * channelCount(layer))});
   }
   if (images.empty()) return images;
-  forEachRow(shot.height, std::clamp(options.threads, 1, shot.height), [&](int y) {
+  onThreads(shot.height, static_cast<std::size_t>(std::max(options.threads, 1)), [&](int y) {
     for (std::size_t x = 0; x < width; ++x) {
       if (x % 16 == 0) cancel.check();
       const std::size_t pixel = static_cast<std::size_t>(y) * width + x;

@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/on_threads.h"
 #include "frame/layers.h"
 #include "frame/linear_output.h"
 #include "frame/picture_facts.h"
@@ -15,7 +16,6 @@
 #include "reference/layers.h"
 #include "reference/placed_scene.h"
 #include "reference/ray_camera.h"
-#include "reference/rows.h"
 
 namespace telar::reference {
 namespace {
@@ -92,7 +92,7 @@ class Follower {
                                  const std::function<void()>& rowDone, std::vector<glm::dvec4> sums = {}) {
     const auto width = static_cast<std::size_t>(width_);
     sums.resize(width * static_cast<std::size_t>(height_));
-    forEachRow(height_, threads(), [&](int y) {
+    onThreads(height_, static_cast<std::size_t>(threads()), [&](int y) {
       if (samples.first > 0 && progress_.isEnough()) {
         cut_ = true;
         return;

@@ -5,8 +5,8 @@
 #include <glm/gtc/constants.hpp>
 
 #include "brdf/shading.h"
+#include "core/on_threads.h"
 #include "reference/placed_scene.h"
-#include "reference/rows.h"
 
 namespace telar::reference {
 namespace {
@@ -93,10 +93,10 @@ void addPlace(const PlacedScene& placed, const PlacedMesh& mesh, const std::vect
   const std::size_t vertices = normals.size(), rows = (vertices + ROW_VERTICES - 1) / ROW_VERTICES;
   const std::size_t count = seenFromBehind(*mesh.material) ? 2 : 1;
   for (std::size_t side = 0; side < count; ++side) sums[side].resize(vertices, glm::vec4(0));
-  forEachRow(static_cast<int>(rows), std::max(job.threads, 1), [&](int row) {
+  onThreads(rows, static_cast<std::size_t>(std::max(job.threads, 1)), [&](std::size_t row) {
     job.cancel.check();
     VertexRays vertex(placed, mesh, rays);
-    const std::size_t first = static_cast<std::size_t>(row) * ROW_VERTICES;
+    const std::size_t first = row * ROW_VERTICES;
     for (std::size_t i = first; i < std::min(first + ROW_VERTICES, vertices); ++i) {
       const glm::vec3& normal = normals[i];
       for (std::size_t side = 0; side < count; ++side) {

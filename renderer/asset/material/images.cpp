@@ -5,10 +5,10 @@
 #include <exception>
 #include <map>
 #include <string>
-#include <system_error>
 #include <thread>
 
 #include "asset/check/pointer.h"
+#include "core/on_threads.h"
 #include "core/sha256.h"
 
 namespace telar::asset {
@@ -35,32 +35,19 @@ bool isOfImage(const Error& error) { return error.code.starts_with("E_"); }
 template <class Work>
 std::vector<std::exception_ptr> eachOnThreads(std::size_t count, bool tolerant, const Work& work) {
   std::vector<std::exception_ptr> thrown(count);
-  std::atomic<std::size_t> next = 0;
   std::atomic<bool> ended = false;
-  const auto run = [&] {
-    while (!ended) {
-      const std::size_t i = next++;
-      if (i >= count) return;
-      try {
-        work(i);
-      } catch (const Error& error) {
-        thrown[i] = std::current_exception();
-        if (!tolerant || !isOfImage(error)) ended = true;
-      } catch (...) {
-        thrown[i] = std::current_exception();
-        ended = true;
-      }
+  onThreads(count, std::min(std::thread::hardware_concurrency(), DECODERS_MAX), [&](std::size_t i) {
+    if (ended) return;
+    try {
+      work(i);
+    } catch (const Error& error) {
+      thrown[i] = std::current_exception();
+      if (!tolerant || !isOfImage(error)) ended = true;
+    } catch (...) {
+      thrown[i] = std::current_exception();
+      ended = true;
     }
-  };
-  const std::size_t threads = std::min<std::size_t>({count, std::thread::hardware_concurrency(), DECODERS_MAX});
-  std::vector<std::jthread> others;
-  try {
-    while (others.size() + 1 < threads) others.emplace_back(run);
-  } catch (const std::system_error&) {
-    // The machine has no thread to give: those that there are do it.
-  }
-  run();
-  others.clear();
+  });
   return thrown;
 }
 
