@@ -1,10 +1,12 @@
 #include "pass/plan/partial_coverage.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <limits>
 #include <map>
-#include <tuple>
+#include <utility>
 
 #include "pass/plan/pixel_size.h"
 #include "pass/texture/mip_levels.h"
@@ -38,22 +40,46 @@ double fewestTexels2(const Primitive& primitive, const TextureRef& texture, cons
   return std::isfinite(fewest) ? fewest : 0;
 }
 
-/// Whether some texel of this mip level is there as a whole: where none is, none of a smaller level is.
-/// @param cutoff  [0, 2]. A texel that equals it counts as there, however the GPU rounds.
-bool hasWhole(const Image8& image, int level, double cutoff) {
-  const std::uint32_t width = std::min(image.width, 1u << level), height = std::min(image.height, 1u << level);
-  const double wanted = WHOLE_SHARE * width * height, least = 255 * cutoff - 0.5;
-  for (std::uint32_t y = 0; y < image.height; y += height) {
-    for (std::uint32_t x = 0; x < image.width; x += width) {
-      std::uint32_t there = 0;
-      for (std::uint32_t row = y; row < y + height; ++row) {
-        const std::uint8_t* texel = &image.pixels[(std::size_t{row} * image.width + x) * 4 + 3];
-        for (std::uint32_t i = 0; i < width; ++i, texel += 4) there += *texel >= least ? 1 : 0;
-      }
-      if (there > wanted) return true;
+/// Texels of the first level for which one of a smaller level stands.
+struct Block {
+  const Image8& image;
+  std::uint32_t x, y, width, height;
+
+  template <class Visit>
+  void eachAlpha(const Visit& visit) const {
+    for (std::uint32_t row = y; row < y + height; ++row) {
+      const std::uint8_t* texel = &image.pixels[(std::size_t{row} * image.width + x) * 4 + 3];
+      for (std::uint32_t i = 0; i < width; ++i, texel += 4) visit(*texel);
     }
   }
-  return false;
+};
+
+/// The most alpha that no more than `few` texels have less than.
+int alphaOfMost(const Block& block, std::uint32_t few) {
+  if (few == 0) {
+    std::uint8_t least = 255;
+    block.eachAlpha([&](std::uint8_t alpha) { least = std::min(least, alpha); });
+    return least;
+  }
+  std::array<std::uint32_t, 256> counts{};
+  block.eachAlpha([&](std::uint8_t alpha) { ++counts[alpha]; });
+  std::size_t alpha = 0;
+  for (std::uint32_t less = counts[0]; less <= few; less += counts[alpha]) ++alpha;
+  return static_cast<int>(alpha);
+}
+
+/// Up to which cutoff, times 255, some texel of this mip level is there as a whole. One look for all cutoffs: a file may
+/// have many of one image.
+int mostWhole(const Image8& image, int level) {
+  const std::uint32_t width = std::min(image.width, 1u << level), height = std::min(image.height, 1u << level);
+  const std::uint32_t count = width * height;
+  const std::uint32_t few = count - 1 - static_cast<std::uint32_t>(WHOLE_SHARE * count);
+  int most = 0;
+  for (std::uint32_t y = 0; y < image.height && most < 255; y += height) {
+    for (std::uint32_t x = 0; x < image.width && most < 255; x += width)
+      most = std::max(most, alphaOfMost({image, x, y, width, height}, few));
+  }
+  return most;
 }
 
 /// Between the middle of the picture and its corner: pixels that face their ray are smaller there by it.
@@ -83,10 +109,12 @@ class Finder {
     // The shader's level is by the longer step of two, whose square is at least half of both.
     const double level = 0.5 * std::log2(0.5 * pixel * pixel * texels2(item, image)) - LEVEL_MARGIN;
     if (!(level >= 1)) return false;
-    const std::tuple key{texture.image, static_cast<int>(std::min(level, 31.0)), item.textureCutoff()};
-    const auto [found, isNew] = whole_.try_emplace(key, false);
-    if (isNew) found->second = hasWhole(image, std::get<1>(key), std::get<2>(key));
-    return !found->second;
+    // Where no texel of this level is there as a whole, none of a smaller level is.
+    const std::pair key{texture.image, static_cast<int>(std::min(level, 31.0))};
+    const auto [found, isNew] = mostWhole_.try_emplace(key, 0);
+    if (isNew) found->second = mostWhole(image, key.second);
+    // A texel that equals the cutoff counts as there, however the GPU rounds.
+    return found->second < 255 * double{item.textureCutoff()} - 0.5;
   }
 
  private:
@@ -105,7 +133,7 @@ class Finder {
   const CancelToken& cancel_;
   const double pixel_;  ///< metres
   std::map<std::pair<const Primitive*, const Material*>, double> texels2_;
-  std::map<std::tuple<int, int, float>, bool> whole_;  ///< by image, level and cutoff
+  std::map<std::pair<int, int>, int> mostWhole_;  ///< by image and level
 };
 
 }  // namespace

@@ -80,6 +80,36 @@ TEST_F(PartialCoverage, ByTheLargestPartWithoutHoles) {
   EXPECT_FALSE(isPartial(netOf(patched(48)), 20));
 }
 
+TEST_F(PartialCoverage, ThoughAFewTexelsOfItAreMissing) {
+  // Level 4, 256 texels: 98.5 of 100 make it whole.
+  Image8 image = patched(16);
+  const auto remove = [&](std::uint32_t i) { image.pixels[((16 + i) * TEXELS + 16 + 2 * i) * 4 + 3] = 0; };
+  EXPECT_FALSE(isPartial(netOf(image), 24));
+  for (const std::uint32_t i : {0, 1, 2}) remove(i);
+  EXPECT_FALSE(isPartial(netOf(image), 24));
+  remove(3);
+  EXPECT_TRUE(isPartial(netOf(image), 24));
+}
+
+TEST_F(PartialCoverage, ByEachCutoffOfAnImage) {
+  Image8 image = patched(16);
+  for (std::size_t i = 3; i < image.pixels.size(); i += 4) image.pixels[i] /= 2;
+  auto scene = netOf(image);
+  scene->materials.at(0).alphaCutoff = 0.4f;
+  scene->materials.push_back(scene->materials.at(0));
+  scene->materials.at(1).alphaCutoff = 0.6f;
+  Primitive second = squareCloth(16);
+  second.material = 1;
+  scene->meshes.emplace_back().primitives = std::vector<Primitive>{second};
+  scene->nodes.push_back(scene->nodes.at(0));
+  scene->nodes.at(1).mesh = 1;
+  const pass::GpuScene gpu(*context_, store_, scene, nullptr);
+  pass::FramePlan plan = pass::planDraws(*scene, flatShot(SIZE, 24.0 * SIZE / 512), Limits(), false);
+  pass::findPartial(plan, *scene, flatShot(SIZE, 24.0 * SIZE / 512), gpu, CancelToken());
+  ASSERT_EQ(plan.draws.blended.size(), 2u);
+  for (const pass::DrawItem& item : plan.draws.blended) EXPECT_EQ(item.isPartial, item.material->alphaCutoff > 0.5f);
+}
+
 TEST_F(PartialCoverage, OnlyWhereTheLevelIsKnown) {
   Sampler sharp;
   sharp.minFilter = 9729;
