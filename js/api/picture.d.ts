@@ -139,7 +139,7 @@ export interface FrameInfo extends Plan {
   hiddenTriangles?: number;
   /** Fragments that were shaded in dense rows, where what is seen was found first (js/docs/figures.md, Visibility buffer), of all passes; absent where it was not. */
   shadedFragments?: number;
-  /** Texels of the largest mip levels that were not uploaded: no fragment reads them, or they are beyond quality.textureSize. Absent where there are none. */
+  /** Texels of the largest mip levels that were not uploaded, or not made as relief: no fragment reads them, or they are beyond quality.textureSize. Absent where there are none. */
   unreadTexels?: number;
   /** What was left out, and what that saves. Absent of the path tracer and of flats. */
   skipped?: SkippedPart[];

@@ -47,7 +47,7 @@ Json describeSkipped(const FramePlan& plan, const FrameCounts& counts, const Jso
   }
   if (const TexelCount& texels = counts.texels; texels.unread > 0) {
     list.push_back(part("texels", texels.unread, texels.all));
-    list.back()["bytes"] = texels.unread * 4;
+    list.back()["bytes"] = texels.unreadBytes;
   }
   if (const LightSet& lights = plan.lights; lights.leftOut > 0) {
     list.push_back(part("lights", lights.leftOut, lights.given));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "telar/simplify.h"
@@ -9,14 +10,29 @@
 namespace telar::pass {
 namespace {
 
-/// RGBA16F or RGBA8; all mip levels are a third as large as the first.
+constexpr std::uint64_t IMAGE_BYTES = 4, RELIEF_BYTES = 8;  ///< a texel: RGBA8, RGBA16F
+
+/// All mip levels are a third as large as the first.
 std::uint64_t bytesOf(DerivedTexture::Kind kind, std::uint64_t texels) {
   using Kind = DerivedTexture::Kind;
-  std::uint64_t first = texels * 8;
-  if (kind == Kind::kCoverage || kind == Kind::kMetal) first = texels * 4;
+  std::uint64_t first = texels * RELIEF_BYTES;
+  if (kind == Kind::kCoverage || kind == Kind::kMetal) first = texels * IMAGE_BYTES;
   if (kind == Kind::kYarnRelief) first = texels / 2 + 8;  // a sixteenth of the texels
   return first + first / 3;
 }
+/// Of what is made of an image, with all mip levels.
+TexelCount texelsOf(const Scene& scene, const DerivedTexture& key) {
+  const Image8& image = scene.images[static_cast<std::size_t>(key.image)];
+  TexelCount texels;
+  for (int level = 0; std::max(image.width, image.height) >> (key.first + level) > 0; ++level) {
+    const int shift = key.first + level;
+    const std::uint64_t own = std::uint64_t{std::max(image.width >> shift, 1u)} * std::max(image.height >> shift, 1u);
+    texels.all += own;
+    if (level < key.unread) texels.unread += own;
+  }
+  return texels;
+}
+
 constexpr std::uint64_t MOMENT_BYTES = 5;  ///< a texel of the source, while its first levels are made in RGBA32F
 
 }  // namespace
@@ -145,21 +161,51 @@ TexelCount GpuScene::texels() const {
               static_cast<unsigned>(std::max(has.height >> level, 1));
     texels.all += read + unread;
     texels.unread += unread;
+    texels.unreadBytes += unread * IMAGE_BYTES;
+  }
+  for (const auto& [key, made] : derived_) {
+    if (key.kind != DerivedTexture::Kind::kNormalVariance) continue;
+    texels.all += made.texels.all;
+    texels.unread += made.texels.unread;
+    texels.unreadBytes += made.texels.unread * RELIEF_BYTES;
   }
   return texels;
 }
 
-GLuint GpuScene::derived(const DerivedTexture& key, const std::function<gl::Texture()>& make) {
-  if (isModels(key.image) && isModels(key.cover) && isModels(key.yarns)) return model_->derived(key, make);
-  const auto found = derived_.find(key);
-  if (found != derived_.end()) return found->second.get();
-  return derived_.emplace(key, make()).first->second.get();
+GLuint GpuScene::derived(const Scene& scene, const DerivedTexture& key, const std::function<gl::Texture()>& make) {
+  if (isModels(key.image) && isModels(key.cover) && isModels(key.yarns)) return model_->derived(scene, key, make);
+  DerivedTexture of = key;
+  of.unread = 0;
+  // All that differ from it in what they lack alone follow each other.
+  for (auto at = derived_.lower_bound(of); at != derived_.end(); at = derived_.erase(at)) {
+    of.unread = at->first.unread;
+    if (at->first != of) break;
+    if (of.unread <= key.unread) return at->second.texture.get();
+  }
+  return derived_.emplace(key, Derived{make(), texelsOf(scene, key)}).first->second.texture.get();
+}
+
+int GpuScene::unreadOfDerived(int image) const {
+  if (isModels(image)) return model_->unreadOfDerived(image);
+  int unread = 0;
+  bool is = false;
+  for (const auto& [key, made] : derived_) {
+    if (key.image != image) continue;
+    unread = std::max(unread, key.unread);
+    is = true;
+  }
+  return is ? unread : std::numeric_limits<int>::max();
 }
 
 std::uint64_t GpuScene::derivedBytes(const Scene& scene, std::set<DerivedTexture> wanted) const {
   std::uint64_t bytes = 0, largest = 0;
   for (const GpuScene* of = this; of; of = of->model_) {
-    for (const auto& made : of->derived_) wanted.insert(made.first);
+    for (const auto& [key, made] : of->derived_) {
+      // As large as it may become.
+      DerivedTexture whole = key;
+      whole.unread = 0;
+      wanted.insert(whole);
+    }
   }
   for (const DerivedTexture& key : wanted) {
     const Image8& image = scene.images[static_cast<std::size_t>(key.image)];

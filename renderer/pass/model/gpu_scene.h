@@ -24,6 +24,7 @@ struct DerivedTexture {
                    ///< is metalness
   int yarns = -1;  ///< kYarnRelief, and kMetal of a woven material: the image that tells which yarn lies on top
   int first = 0, besideFirst = 0;  ///< largest levels that are left out: of `image`, of `cover` and `yarns`
+  int unread = 0;                  ///< largest levels of what is made that no fragment reads: they are not made
 
   auto operator<=>(const DerivedTexture&) const = default;
 };
@@ -32,6 +33,7 @@ struct DerivedTexture {
 struct TexelCount {
   std::uint64_t all = 0;
   std::uint64_t unread = 0;  ///< of levels that the GPU lacks, for nothing has read them
+  std::uint64_t unreadBytes = 0;
 };
 
 /// A scene's data on the GPU. It is made when a draw first needs it and freed with the object. A scene that was made of
@@ -64,12 +66,14 @@ class GpuScene {
   GLuint texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel, int unread = 0);
   /// Whether the GPU has all levels of an image in each form that it has.
   bool isWhole(int image) const;
-  /// Of its textures of images.
+  /// Of its textures of images, and of the relief that was made of them.
   TexelCount texels() const;
-  /// The same for a texture that is made of another one, once for each key. Those of textures that are not read whole
-  /// go with the next limit.
-  GLuint derived(const DerivedTexture& key, const std::function<gl::Texture()>& make);
+  /// The same for a texture that is made of another one, once for each key; anew where the one that there is lacks
+  /// levels that are read now. Those of textures that are not read whole go with the next limit.
+  GLuint derived(const Scene& scene, const DerivedTexture& key, const std::function<gl::Texture()>& make);
   /// GPU bytes of the textures that derived() has made and of those to be made.
+  /// How many levels what is made of an image lacks, at most: 0 where all is there.
+  int unreadOfDerived(int image) const;
   std::uint64_t derivedBytes(const Scene& scene, std::set<DerivedTexture> wanted) const;
   GLuint sampler(const Sampler& sampler);
   bool expired() const { return scene_.expired(); }
@@ -101,7 +105,11 @@ class GpuScene {
   std::map<std::pair<const Primitive*, const Instances*>, GpuPrimitive> primitives_;
   int textureSize_ = 0;  ///< limitTextures()
   std::map<std::pair<int, bool>, StoredTexture> textures_;
-  std::map<DerivedTexture, gl::Texture> derived_;
+  struct Derived {
+    gl::Texture texture;
+    TexelCount texels;
+  };
+  std::map<DerivedTexture, Derived> derived_;
   std::vector<std::pair<Sampler, gl::Sampler>> samplers_;
 };
 

@@ -264,7 +264,7 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
   if (item.key.metalMeans) {
     program.set("metalMap", static_cast<int>(METAL_UNIT));
     gl.ActiveTexture(GL_TEXTURE0 + METAL_UNIT);
-    gl.BindTexture(GL_TEXTURE_2D, textures_.metal(item, in.scene, in.gpu, in.cancel));
+    gl.BindTexture(GL_TEXTURE_2D, textures_.metal(item, in.scene, in.gpu, in.cancel, in.unread));
     gl.BindSampler(METAL_UNIT, in.gpu.sampler(m.baseColorTexture.sampler));
   }
   if (item.key.yarnRelief) {

@@ -109,7 +109,7 @@ void SurfaceTextures::upload(const FramePlan& plan, const Scene& scene, GpuScene
       texture(item, slot, scene, gpu, cancel, unread);
     });
     for (const DrawItem& item : *list) {
-      if (item.key.metalMeans) metal(item, scene, gpu, cancel);
+      if (item.key.metalMeans) metal(item, scene, gpu, cancel, unread);
       if (item.key.yarnRelief) yarnRelief(item, scene, gpu, cancel);
     }
   }
@@ -119,31 +119,36 @@ GLuint SurfaceTextures::texture(const DrawItem& item, const TextureSlot& slot, c
                                 const CancelToken& cancel, const UnreadLevels* unread) {
   const int index = slot.texture(*item.material).image;
   const GLuint plain = gpu.texture(scene, index, slot.srgb, cancel, unread ? unread->of(index) : 0);
-  const auto key = derivedOf(item, slot, scene, gpu);
+  auto key = derivedOf(item, slot, scene, gpu);
   if (!key) return plain;
-  return gpu.derived(*key, [&] {
+  if (unread && key->kind == DerivedTexture::Kind::kNormalVariance)
+    key->unread = std::max(unread->ofMade(index) - key->first, 0);
+  return gpu.derived(scene, *key, [&] {
     using Kind = DerivedTexture::Kind;
     const BakeSource source = sourceOf(index, slot.srgb, scene, gpu, cancel);
     if (key->kind == Kind::kCoverage) return baker_.coverage(source, key->srgb, key->cutoff, cancel);
     if (key->kind == Kind::kNormalFacets) return baker_.normalFacets(source, cancel);
-    return baker_.normalVariance(source, sourceOf(key->cover, true, scene, gpu, cancel), key->cutoff, cancel);
+    return baker_.normalVariance(source, sourceOf(key->cover, true, scene, gpu, cancel), key->cutoff, key->unread,
+                                 cancel);
   });
 }
 
-GLuint SurfaceTextures::metal(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
-  const DerivedTexture key = metalOf(item, scene, gpu);
-  return gpu.derived(key, [&] {
+GLuint SurfaceTextures::metal(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel,
+                              const UnreadLevels* unread) {
+  DerivedTexture key = metalOf(item, scene, gpu);
+  if (unread) key.unread = std::max(unread->ofMade(key.image) - key.first, 0);
+  return gpu.derived(scene, key, [&] {
     BakeSource color = sourceOf(key.image, true, scene, gpu, cancel);
     // Without metal anywhere one texel says so of all.
     if (!hasMetal(scene.images[static_cast<std::size_t>(key.cover)])) color.size = glm::ivec2(1);
     return baker_.metal(color, key.srgb, sourceOf(key.cover, false, scene, gpu, cancel),
-                        sourceOf(key.yarns, false, scene, gpu, cancel), cancel);
+                        sourceOf(key.yarns, false, scene, gpu, cancel), key.unread, cancel);
   });
 }
 
 GLuint SurfaceTextures::yarnRelief(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
   const DerivedTexture key = yarnReliefOf(item, scene, gpu);
-  return gpu.derived(key, [&] {
+  return gpu.derived(scene, key, [&] {
     return baker_.yarnRelief(sourceOf(key.image, false, scene, gpu, cancel),
                              sourceOf(key.yarns, false, scene, gpu, cancel), cancel);
   });

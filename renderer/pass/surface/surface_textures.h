@@ -26,7 +26,9 @@ class SurfaceTextures {
                  const CancelToken& cancel, const UnreadLevels* unread);
 
   /// What of the item's base colour is metal's, for programs with metalMeans; made now if it is not there yet.
-  GLuint metal(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);
+  /// @param unread  as of texture()
+  GLuint metal(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel,
+               const UnreadLevels* unread);
 
   /// How flat the item's warp and weft lie, for programs with yarnRelief; made now if it is not there yet.
   GLuint yarnRelief(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);

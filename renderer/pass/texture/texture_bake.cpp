@@ -136,9 +136,9 @@ gl::Texture TextureBaker::bake(const Kind& kind, const BakeSource& source, const
   return out;
 }
 
-gl::Texture TextureBaker::normalVariance(const BakeSource& source, const BakeSource& cover, float cutoff,
+gl::Texture TextureBaker::normalVariance(const BakeSource& source, const BakeSource& cover, float cutoff, int unread,
                                          const CancelToken& cancel) {
-  return bake({"texture/relief_moments.frag", "texture/relief_level.frag", GL_RGBA16F}, source, {cover, cutoff},
+  return bake({"texture/relief_moments.frag", "texture/relief_level.frag", GL_RGBA16F, unread}, source, {cover, cutoff},
               cancel);
 }
 
@@ -158,10 +158,10 @@ gl::Texture TextureBaker::coverage(const BakeSource& source, bool srgb, float cu
 }
 
 gl::Texture TextureBaker::metal(const BakeSource& source, bool srgb, const BakeSource& metallic,
-                                const BakeSource& yarns, const CancelToken& cancel) {
-  return bake(
-      {"texture/metal_moments.frag", "texture/metal_level.frag", srgb ? GLenum{GL_SRGB8_ALPHA8} : GLenum{GL_RGBA8}},
-      source, {.map = metallic, .yarns = yarns}, cancel);
+                                const BakeSource& yarns, int unread, const CancelToken& cancel) {
+  return bake({"texture/metal_moments.frag", "texture/metal_level.frag",
+               srgb ? GLenum{GL_SRGB8_ALPHA8} : GLenum{GL_RGBA8}, unread},
+              source, {.map = metallic, .yarns = yarns}, cancel);
 }
 
 }  // namespace telar::pass

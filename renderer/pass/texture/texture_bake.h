@@ -26,7 +26,8 @@ class TextureBaker {
   /// mean of 1 / (1 + 4 slope^2). All can be filtered.
   /// @param source the normals
   /// @param cover  tells holes, which lie flat, by an alpha below `cutoff`; none = there are no holes
-  gl::Texture normalVariance(const BakeSource& source, const BakeSource& cover, float cutoff,
+  /// @param unread  largest levels that are not wanted: what is made begins with the next
+  gl::Texture normalVariance(const BakeSource& source, const BakeSource& cover, float cutoff, int unread,
                              const CancelToken& cancel);
 
   /// The flat part of a normal map, RGBA16F: its slopes RG and their square A, each times its share B.
@@ -44,8 +45,9 @@ class TextureBaker {
   /// @param source    the colours
   /// @param metallic  the metalness, in blue
   /// @param yarns     tells the warp, by alpha; none = the material is not woven
+  /// @param unread    as of normalVariance()
   gl::Texture metal(const BakeSource& source, bool srgb, const BakeSource& metallic, const BakeSource& yarns,
-                    const CancelToken& cancel);
+                    int unread, const CancelToken& cancel);
 
   /// An alpha-tested colour map, SRGB8_ALPHA8 or RGBA8. Level 0 is the source's. In the others alpha is the part of the
   /// texel that passes the test, and the colour is the mean of that part.

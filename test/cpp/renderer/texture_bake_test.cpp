@@ -39,7 +39,7 @@ TEST_F(TextureBake, LevelsHoldTheMeansOfNormalsAndOfHowFlatTheyLie) {
   for (const glm::uvec2 size : {glm::uvec2(64, 64), glm::uvec2(44, 27), glm::uvec2(1, 5)}) {
     const Image8 image = weaveNormals(size.x, size.y, 3.3, 0.9);
     const gl::Texture source = upload(image, GL_RGBA8);
-    const gl::Texture baked = baker_.normalVariance({source.get(), glm::ivec2(size)}, {}, 0, CancelToken());
+    const gl::Texture baked = baker_.normalVariance({source.get(), glm::ivec2(size)}, {}, 0, 0, CancelToken());
     const std::vector<glm::dvec4> means = blended(image, reliefOf);
     for (int level = 0; (std::max(size.x, size.y) >> level) > 0; ++level) {
       const glm::ivec2 levelSize = sizeAt(image, level);
@@ -116,13 +116,13 @@ TEST_F(TextureBake, EvenSlopesAreNoEdges) {
 TEST_F(TextureBake, HolesOfACutOutMaterialLieFlat) {
   const Image8 normals = weaveNormals(16, 16, 3.3, 0.9);
   const gl::Texture source = upload(normals, GL_RGBA8);
-  const gl::Texture whole = baker_.normalVariance({source.get(), {16, 16}}, {}, 0, CancelToken());
+  const gl::Texture whole = baker_.normalVariance({source.get(), {16, 16}}, {}, 0, 0, CancelToken());
   for (const int side : {16, 32}) {
     const Image8 cover = imageOf(std::uint32_t(side), std::uint32_t(side),
                                  [](double u, double) { return glm::vec4(1, 1, 1, u < 0.5 ? 1 : 0.25); });
     const gl::Texture alpha = upload(cover, GL_RGBA8);
     const gl::Texture baked =
-        baker_.normalVariance({source.get(), {16, 16}}, {alpha.get(), {side, side}}, 0.5f, CancelToken());
+        baker_.normalVariance({source.get(), {16, 16}}, {alpha.get(), {side, side}}, 0.5f, 0, CancelToken());
     for (const int level : {0, 1, 2}) {
       const glm::ivec2 size = sizeAt(normals, level);
       const auto texels = read<float>(baked, level, size), plain = read<float>(whole, level, size);
@@ -145,7 +145,7 @@ TEST_F(TextureBake, SpoiltNormalsGiveFiniteTexels) {
     return u < 0.5 ? (v < 0.5 ? glm::vec4(0) : glm::vec4(0.5f, 0.5f, 0.5f, 1)) : glm::vec4(1, v, 0, 1);
   });
   const gl::Texture source = upload(image, GL_RGBA8);
-  const gl::Texture baked = baker_.normalVariance({source.get(), {8, 8}}, {}, 0, CancelToken());
+  const gl::Texture baked = baker_.normalVariance({source.get(), {8, 8}}, {}, 0, 0, CancelToken());
   const auto first = read<float>(baked, 0, {8, 8});
   EXPECT_EQ(glm::vec4(first[224], first[225], first[226], first[227]), glm::vec4(0, 0, 1, 1));  // no length: no slope
   for (int level = 0; level < 4; ++level) {
@@ -206,7 +206,7 @@ TEST_F(TextureBake, WidenedHighlightsAreAsWideAsWhatTheyStandFor) {
   for (const double depth : {0.15, 0.4, 0.8}) {
     const Image8 image = weaveNormals(48, 48, 3, depth);
     const gl::Texture source = upload(image, GL_RGBA8);
-    const gl::Texture baked = baker_.normalVariance({source.get(), {48, 48}}, {}, 0, CancelToken());
+    const gl::Texture baked = baker_.normalVariance({source.get(), {48, 48}}, {}, 0, 0, CancelToken());
     const auto texel = read<float>(baked, 5, {1, 1});
     for (const double roughness : {0.2, 0.35, 0.5}) {
       const double alpha = roughness * roughness;
@@ -276,7 +276,7 @@ TEST_F(TextureBake, LevelsHoldWhatOfTheColourIsMetals) {
     const gl::Texture source = upload(color, GL_RGBA8);
     const gl::Texture baked =
         baker_.metal({source.get(), {SIDE, SIDE}}, false, {metallic.get(), {SIDE, SIDE}},
-                     woven ? pass::BakeSource{weave.get(), {SIDE, SIDE}} : pass::BakeSource{}, CancelToken());
+                     woven ? pass::BakeSource{weave.get(), {SIDE, SIDE}} : pass::BakeSource{}, 0, CancelToken());
     for (int level = 0; (SIDE >> level) > 0; ++level) {
       const glm::ivec2 size = sizeAt(color, level);
       const auto pixels = read<std::uint8_t>(baked, level, size);
@@ -295,10 +295,28 @@ TEST_F(TextureBake, MetalOfAnSrgbColourIsAveragedLinearly) {
   const Image8 color = imageOf(8, 8, [](double u, double) { return glm::vec4(u < 0.5 ? 1.0f : 0.2f, 0, 0, 1); });
   const Image8 metalness = imageOf(8, 8, [](double u, double) { return glm::vec4(0, 0, u < 0.5, 1); });
   const gl::Texture source = upload(color, GL_SRGB8_ALPHA8), metallic = upload(metalness, GL_RGBA8);
-  const gl::Texture baked = baker_.metal({source.get(), {8, 8}}, true, {metallic.get(), {8, 8}}, {}, CancelToken());
+  const gl::Texture baked = baker_.metal({source.get(), {8, 8}}, true, {metallic.get(), {8, 8}}, {}, 0, CancelToken());
   const auto last = read<std::uint8_t>(baked, 3, {1, 1});
   EXPECT_NEAR(last[0], 188, 1);  // a half, encoded
   EXPECT_NEAR(last[3], 127.5, 1);
+}
+
+TEST_F(TextureBake, LevelsThatAreNotReadAreNotMadeAndTheOthersAreAsBefore) {
+  const Image8 normals = unevenNormals(32, 4, 0.5), colors = weaveNormals(32, 32, 4, 1);
+  const gl::Texture source = upload(normals, GL_RGBA8), other = upload(colors, GL_RGBA8);
+  const pass::BakeSource normalMap{source.get(), {32, 32}}, metalness{other.get(), {32, 32}};
+  const gl::Texture relief = baker_.normalVariance(normalMap, {}, 0, 0, CancelToken());
+  const gl::Texture metal = baker_.metal(metalness, false, normalMap, {}, 0, CancelToken());
+  for (const int unread : {1, 3, 5, 255}) {
+    const int first = std::min(unread, 5);
+    const gl::Texture less = baker_.normalVariance(normalMap, {}, 0, unread, CancelToken());
+    const gl::Texture lessMetal = baker_.metal(metalness, false, normalMap, {}, unread, CancelToken());
+    for (int level = first; level <= 5; ++level) {
+      const glm::ivec2 size(32 >> level);
+      EXPECT_EQ(read<float>(less, level - first, size), read<float>(relief, level, size)) << unread << ", " << level;
+      EXPECT_EQ(read<std::uint8_t>(lessMetal, level - first, size), read<std::uint8_t>(metal, level, size)) << level;
+    }
+  }
 }
 
 }  // namespace
