@@ -32,8 +32,8 @@ struct DerivedTexture {
 /// Texels of textures with all their levels.
 struct TexelCount {
   std::uint64_t all = 0;
-  std::uint64_t unread = 0;  ///< of levels that the GPU lacks, for nothing has read them
-  std::uint64_t unreadBytes = 0;
+  std::uint64_t unread = 0;       ///< of levels that the GPU lacks, for nothing has read them
+  std::uint64_t unreadBytes = 0;  ///< of these
 };
 
 /// A scene's data on the GPU. It is made when a draw first needs it and freed with the object. A scene that was made of
@@ -71,9 +71,9 @@ class GpuScene {
   /// The same for a texture that is made of another one, once for each key; anew where the one that there is lacks
   /// levels that are read now. Those of textures that are not read whole go with the next limit.
   GLuint derived(const Scene& scene, const DerivedTexture& key, const std::function<gl::Texture()>& make);
-  /// GPU bytes of the textures that derived() has made and of those to be made.
-  /// How many levels what is made of an image lacks, at most: 0 where all is there.
+  /// How many levels what derived() has made of an image lacks, at most: 0 where all is there.
   int unreadOfDerived(int image) const;
+  /// GPU bytes of the textures that derived() has made and of those to be made.
   std::uint64_t derivedBytes(const Scene& scene, std::set<DerivedTexture> wanted) const;
   GLuint sampler(const Sampler& sampler);
   bool expired() const { return scene_.expired(); }
