@@ -9,7 +9,7 @@ import { RunningJob } from './running_job.mjs';
 import { UsageWatch } from './usage.mjs';
 import { GRACE_MS, notStarted, overCpu, overMemory, overOutput } from './verdicts.mjs';
 
-const CHILD = fileURLToPath(new URL('../pool/child.mjs', import.meta.url));
+const CHILD = fileURLToPath(new URL('child.mjs', import.meta.url));
 const PIPE = 3;
 /** Of the plain part of an answer, beside the pictures: the lines of a flat are the longest. */
 const HEADER_BYTES = 64 * 2 ** 20;

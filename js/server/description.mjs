@@ -3,7 +3,7 @@ import { readFile } from 'node:fs/promises';
 /** What the service says of itself: openapi.json, and the page to try it. */
 
 // From here, and from the bundle that require() loads, whose place is told as js/api.
-const file = (name) => readFile(new URL(`../server/${name}`, import.meta.url));
+const file = (name) => readFile(new URL(name, import.meta.url));
 
 /** The page loads nothing from elsewhere, and runs no script but its own. */
 const POLICY =

@@ -100,7 +100,7 @@ class GlRenderer final : public Renderer {
     const bool accumulates = shot.resolve == Resolve::kLinear && !plan.frame.debugOutput;
     Frame frame = accumulates ? drawAveraged(inputs, picture, progress) : drawPass(inputs, {}, picture);
     Json json = pass::describeFrame(plan, shot, environment, *context_,
-                                    {buffer_.count(), visible_.count(), gpu.texels()}, timer);
+                                    {buffer_.count(), visible_.count(), gpu.texels(*scene)}, timer);
     json["glObjects"] = liveObjects();
     json["samples"] = picture.passes * target_->samples();
     tellEnd(json, progress, picture.end);

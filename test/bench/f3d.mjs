@@ -9,7 +9,7 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { median } from '../median.mjs';
 import { cpuBelow, measured } from '../processes.mjs';
-import { PLAIN_ENVIRONMENT, TELAR } from './command.mjs';
+import { PLAIN_ENVIRONMENT, TELAR } from '../installed_command.mjs';
 
 const RUNS = Number(process.argv[2] ?? 9);
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));

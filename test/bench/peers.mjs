@@ -19,7 +19,7 @@ import { median } from '../median.mjs';
 import { cpuBelow, descendants, measured, pssOf } from '../processes.mjs';
 import { Browser } from '../parity/browser/chromium.mjs';
 import { difference } from '../parity/metrics.mjs';
-import { PLAIN_ENVIRONMENT, TELAR } from './command.mjs';
+import { PLAIN_ENVIRONMENT, TELAR } from '../installed_command.mjs';
 import { cases } from './peer_models.mjs';
 
 const { values } = parseArgs({

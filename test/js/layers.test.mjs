@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
@@ -127,6 +128,18 @@ test('ARCHITECTURE.md has a row for each folder of js and of renderer, shaders/R
   const entries = readdirSync(path.join(ROOT, 'shaders')).filter((name) => name !== 'README.md');
   assert.deepEqual(missing(shaders, entries), []);
   assert.deepEqual(missing(shaders.replace(/^\| `layers\/` .*\n/m, ''), entries), ['layers']);
+});
+
+/** The folders of the code, and what the ecosystem puts at a root. */
+const AT_ROOT =
+  /^(addon|renderer|shaders|js|test|\.ci|binding\.gyp|CMake(Lists\.txt|Presets\.json)|package(-lock)?\.json|biome\.json|compose\.yaml|Dockerfile|NOTICE|[A-Z]+\.md|\.(clang|git|docker|npm|editor)[\w-]*)$/;
+
+test('nothing else lies at the root', () => {
+  const foreign = (files) => [...new Set(files.map((file) => file.split('/')[0]))].filter((name) => !AT_ROOT.test(name));
+  const kept = execFileSync('git', ['ls-files'], { cwd: ROOT, encoding: 'utf8' }).trim().split('\n');
+  assert.ok(kept.includes('package.json'));
+  assert.deepEqual(foreign(kept), []);
+  assert.deepEqual(foreign(['README.md', 'isolate-0x1-2-v8.log', 'scratch/a.mjs']), ['isolate-0x1-2-v8.log', 'scratch'], 'planted');
 });
 
 test('no file is long', () => {

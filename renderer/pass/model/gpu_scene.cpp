@@ -149,8 +149,8 @@ bool GpuScene::isWhole(int image) const {
   return is;
 }
 
-TexelCount GpuScene::texels() const {
-  TexelCount texels = model_ ? model_->texels() : TexelCount();
+TexelCount GpuScene::texels(const Scene& scene) const {
+  TexelCount texels = model_ ? model_->texels(scene) : TexelCount();
   for (const auto& [key, stored] : textures_) {
     const TextureStorage& has = stored.storage;
     const auto largest = static_cast<std::uint64_t>(has.width) * static_cast<unsigned>(has.height);
@@ -165,24 +165,25 @@ TexelCount GpuScene::texels() const {
   }
   for (const auto& [key, made] : derived_) {
     if (key.kind != DerivedTexture::Kind::kNormalVariance) continue;
-    texels.all += made.texels.all;
-    texels.unread += made.texels.unread;
-    texels.unreadBytes += made.texels.unread * RELIEF_BYTES;
+    const TexelCount own = texelsOf(scene, key);
+    texels.all += own.all;
+    texels.unread += own.unread;
+    texels.unreadBytes += own.unread * RELIEF_BYTES;
   }
   return texels;
 }
 
-GLuint GpuScene::derived(const Scene& scene, const DerivedTexture& key, const std::function<gl::Texture()>& make) {
-  if (isModels(key.image) && isModels(key.cover) && isModels(key.yarns)) return model_->derived(scene, key, make);
+GLuint GpuScene::derived(const DerivedTexture& key, const std::function<gl::Texture()>& make) {
+  if (isModels(key.image) && isModels(key.cover) && isModels(key.yarns)) return model_->derived(key, make);
   DerivedTexture of = key;
   of.unread = 0;
   // All that differ from it in what they lack alone follow each other.
   for (auto at = derived_.lower_bound(of); at != derived_.end(); at = derived_.erase(at)) {
     of.unread = at->first.unread;
     if (at->first != of) break;
-    if (of.unread <= key.unread) return at->second.texture.get();
+    if (of.unread <= key.unread) return at->second.get();
   }
-  return derived_.emplace(key, Derived{make(), texelsOf(scene, key)}).first->second.texture.get();
+  return derived_.emplace(key, make()).first->second.get();
 }
 
 int GpuScene::unreadOfDerived(int image) const {

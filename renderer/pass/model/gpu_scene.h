@@ -67,10 +67,10 @@ class GpuScene {
   /// Whether the GPU has all levels of an image in each form that it has.
   bool isWhole(int image) const;
   /// Of its textures of images, and of the relief that was made of them.
-  TexelCount texels() const;
+  TexelCount texels(const Scene& scene) const;
   /// The same for a texture that is made of another one, once for each key; anew where the one that there is lacks
   /// levels that are read now. Those of textures that are not read whole go with the next limit.
-  GLuint derived(const Scene& scene, const DerivedTexture& key, const std::function<gl::Texture()>& make);
+  GLuint derived(const DerivedTexture& key, const std::function<gl::Texture()>& make);
   /// How many levels what derived() has made of an image lacks, at most: 0 where all is there.
   int unreadOfDerived(int image) const;
   /// GPU bytes of the textures that derived() has made and of those to be made.
@@ -105,11 +105,7 @@ class GpuScene {
   std::map<std::pair<const Primitive*, const Instances*>, GpuPrimitive> primitives_;
   int textureSize_ = 0;  ///< limitTextures()
   std::map<std::pair<int, bool>, StoredTexture> textures_;
-  struct Derived {
-    gl::Texture texture;
-    TexelCount texels;
-  };
-  std::map<DerivedTexture, Derived> derived_;
+  std::map<DerivedTexture, gl::Texture> derived_;
   std::vector<std::pair<Sampler, gl::Sampler>> samplers_;
 };
 

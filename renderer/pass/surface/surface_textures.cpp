@@ -123,7 +123,7 @@ GLuint SurfaceTextures::texture(const DrawItem& item, const TextureSlot& slot, c
   if (!key) return plain;
   if (unread && key->kind == DerivedTexture::Kind::kNormalVariance)
     key->unread = std::max(unread->ofMade(index) - key->first, 0);
-  return gpu.derived(scene, *key, [&] {
+  return gpu.derived(*key, [&] {
     using Kind = DerivedTexture::Kind;
     const BakeSource source = sourceOf(index, slot.srgb, scene, gpu, cancel);
     if (key->kind == Kind::kCoverage) return baker_.coverage(source, key->srgb, key->cutoff, cancel);
@@ -137,7 +137,7 @@ GLuint SurfaceTextures::metal(const DrawItem& item, const Scene& scene, GpuScene
                               const UnreadLevels* unread) {
   DerivedTexture key = metalOf(item, scene, gpu);
   if (unread) key.unread = std::max(unread->ofMade(key.image) - key.first, 0);
-  return gpu.derived(scene, key, [&] {
+  return gpu.derived(key, [&] {
     BakeSource color = sourceOf(key.image, true, scene, gpu, cancel);
     // Without metal anywhere one texel says so of all.
     if (!hasMetal(scene.images[static_cast<std::size_t>(key.cover)])) color.size = glm::ivec2(1);
@@ -148,7 +148,7 @@ GLuint SurfaceTextures::metal(const DrawItem& item, const Scene& scene, GpuScene
 
 GLuint SurfaceTextures::yarnRelief(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
   const DerivedTexture key = yarnReliefOf(item, scene, gpu);
-  return gpu.derived(scene, key, [&] {
+  return gpu.derived(key, [&] {
     return baker_.yarnRelief(sourceOf(key.image, false, scene, gpu, cancel),
                              sourceOf(key.yarns, false, scene, gpu, cancel), cancel);
   });

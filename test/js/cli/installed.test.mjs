@@ -5,11 +5,11 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { TELAR as INSTALLED } from '../../installed_command.mjs';
 
 // The command as npm installs it, one file that js/build/dist.mjs makes, beside the sources that the other tests run.
 
 const ROOT = fileURLToPath(new URL('../../../', import.meta.url));
-const INSTALLED = path.join(ROOT, JSON.parse(readFileSync(path.join(ROOT, 'package.json'), 'utf8')).bin.telar);
 const SOURCES = path.join(ROOT, 'js/cli/telar.mjs');
 const SHIRT = path.join(ROOT, 'js/assets/tshirt.glb');
 
@@ -25,7 +25,7 @@ function both(...args) {
   return installed;
 }
 
-/** Files of sources that read their own place, and what they are read for. */
+/** Files of sources that look for something beside themselves. */
 const placesIn = (text) => [...text.matchAll(/urlOf\("([^"]+)"\)/g)].map(([, file]) => file);
 
 test('it is one file that ends and complains as its sources do', () => {
