@@ -4,6 +4,7 @@ import { mkdir, open, readdir, realpath, rename, rm, stat } from 'node:fs/promis
 import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
+import { isAlive } from './is_alive.mjs';
 
 /** Output files are written whole or not at all: a temporary file in the same folder, fsync, rename. */
 
@@ -123,15 +124,6 @@ async function syncFolder(folder) {
     await handle.sync();
   } finally {
     await handle.close();
-  }
-}
-
-function isAlive(pid) {
-  try {
-    process.kill(pid, 0);
-    return true;
-  } catch (error) {
-    return error.code !== 'ESRCH';
   }
 }
 

@@ -36,16 +36,17 @@ export function readTimeout(text) {
 const MOST_WORKERS = 1024;
 
 /**
- * Processes that draw, from --jobs: undefined where it is not given, null for "auto".
+ * Processes that draw: undefined where the flag is not given, null for "auto".
+ * @param {'--jobs' | '--workers'} flag
  * @param {string} [text]
  * @returns {number | null | undefined}
  * @throws {TelarError} E_USAGE
  */
-export function readWorkers(text) {
+export function readWorkers(flag, text) {
   if (text === undefined) return undefined;
   if (text === 'auto') return null;
   if (/^[1-9]\d{0,3}$/.test(text) && Number(text) <= MOST_WORKERS) return Number(text);
-  throw new TelarError('E_USAGE', `--jobs: expected processes from 1 to ${MOST_WORKERS}, or auto, got ${shown(text)}`);
+  throw new TelarError('E_USAGE', `${flag}: expected processes from 1 to ${MOST_WORKERS}, or auto, got ${shown(text)}`);
 }
 
 /** How much of stdin to take. */

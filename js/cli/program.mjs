@@ -11,6 +11,8 @@ const EXIT_CODES =
   'Exit codes: 0 done, 1 over the gate, 2 usage, 3 input, 4 limit, 5 time or memory, 6 this machine, 7 internal or a crash.\n' +
   'Of many models, the highest exit code is told.';
 
+const WORKERS_FLAG = ['--workers <n>', 'draw in so many processes; auto = one for each core, as far as the memory goes', 'auto'];
+const CGROUP_FLAG = ['--cgroup <path>', 'let the kernel bound the memory of each worker in a group of its own, made in this one (js/docs/pool.md)'];
 const STORE_FLAG = ['--store <folder>', 'keep pictures in this folder, and draw none of them twice'];
 
 const backend = () => new Option('--backend <backend>', 'where GL comes from').choices(BACKENDS).default('auto');
@@ -180,7 +182,8 @@ const COMMANDS = {
         addServiceOptions(
           command('serve', 'Draw over HTTP: thumbnails, sheets, comparisons and what is in a model, in processes of their own (js/docs/server.md)'),
         )
-          .option('--workers <n>', 'draw in so many processes; auto = one for each core, as far as the memory goes', 'auto')
+          .option(...WORKERS_FLAG)
+          .option(...CGROUP_FLAG)
           .option('--models <folder>', 'let requests name models by their paths beneath this folder')
           .option(...STORE_FLAG)
           .option('--environment <name=file>', 'let shots name this .hdr or .exr file; repeatable', collect)
@@ -200,7 +203,8 @@ const COMMANDS = {
     addLimit(
       addCommon(
         addWorkerOptions(command('worker', 'Draw the jobs of a queue that other processes fill, as telar serve does (js/docs/queue.md)'))
-          .option('--workers <n>', 'draw in so many processes; auto = one for each core, as far as the memory goes', 'auto')
+          .option(...WORKERS_FLAG)
+          .option(...CGROUP_FLAG)
           .option(...STORE_FLAG)
           .option('--put-host <host>', 'host, or host:port, that jobs may have their results sent to; repeatable; any by default', collect)
           .addOption(backend()),

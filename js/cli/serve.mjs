@@ -21,7 +21,7 @@ const LEEWAY_MS = 5000;
  */
 export async function serve(options, { console, signal, stderr, env, ending }) {
   const { listen } = await import('../server/index.mjs');
-  const workers = readWorkers(options.workers);
+  const workers = readWorkers('--workers', options.workers);
   const service = await listen(
     {
       ...serviceOptions(options, env),
@@ -35,6 +35,7 @@ export async function serve(options, { console, signal, stderr, env, ending }) {
         timeoutMs: readTimeout(options.timeoutMs),
         signal,
         ...(workers && { size: workers }),
+        cgroup: options.cgroup,
       },
     },
     { log: stderr },

@@ -31,7 +31,7 @@ export async function thumbnail(models, options, context) {
   checkUsage(models, options);
   const limits = readLimits(options.limit);
   const timeoutMs = readTimeout(options.timeoutMs);
-  readWorkers(options.jobs);
+  readWorkers('--jobs', options.jobs);
   const shot = await readShotOptions(options, context);
   const entries = await readEntries(models, options, shot, limits, context);
   const { jobs, crosses } = await makeJobs(entries, options, maxFileBytes(limits));
@@ -63,7 +63,7 @@ const visibilityOf = ({ ambientVisibility }) => ambientVisibility && { ambientVi
 /** What draws: a renderer in this process, or with --jobs a pool of others. */
 async function openRenderer(options, { limits, timeoutMs }, { api, loadPool, signal }) {
   const how = { backend: options.backend, limits, failOn: options.failOn, ...visibilityOf(options), timeoutMs, signal };
-  const workers = readWorkers(options.jobs);
+  const workers = readWorkers('--jobs', options.jobs);
   if (workers === undefined) return api.createRenderer(how);
   const { createPool } = await loadPool();
   return createPool({ ...how, ...(workers !== null && { size: workers }) });

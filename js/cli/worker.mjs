@@ -22,9 +22,15 @@ export async function worker(options, { console, signal, env, ending, loadPool }
   const queue = await openQueue(where);
   try {
     const { createPool } = await loadPool();
-    const size = readWorkers(options.workers);
+    const size = readWorkers('--workers', options.workers);
     const limits = readLimits(options.limit);
-    const pool = await createPool({ backend: options.backend, limits, timeoutMs: readTimeout(options.timeoutMs), ...(size && { size }) });
+    const pool = await createPool({
+      backend: options.backend,
+      limits,
+      timeoutMs: readTimeout(options.timeoutMs),
+      ...(size && { size }),
+      cgroup: options.cgroup,
+    });
     try {
       ending.patienceMs = drainMs + LEEWAY_MS;
       ending.isWell = true;

@@ -13,6 +13,7 @@ export const DEFAULTS = Object.freeze({
   recycleJobs: 500,
   recycleBytes: 800 * MIB,
   modelBytes: 512 * MIB,
+  cgroup: null,
 });
 
 /** Part of the machine's memory that workers of the default number may take. */

@@ -1,4 +1,5 @@
 import { checkObject, count, RENDERER_KEYS, rendererOptions, wrongOption } from '../api/options.mjs';
+import { Cgroup } from './cgroup.mjs';
 import { DEFAULTS, defaultSize } from './defaults.mjs';
 
 const POOL_KEYS = ['size', ...Object.keys(DEFAULTS)];
@@ -13,7 +14,7 @@ const MOST_WORKERS = 1024;
 export function poolOptions(options, limitNames) {
   checkObject('options', options, [...POOL_KEYS, ...RENDERER_KEYS]);
   const renderer = rendererOptions(Object.fromEntries(Object.entries(options).filter(([key]) => RENDERER_KEYS.includes(key))), limitNames);
-  const { memoryBytes, cpuMs, outputBytes, quarantineMs, recycleJobs, recycleBytes, modelBytes } = { ...DEFAULTS, ...defined(options) };
+  const { memoryBytes, cpuMs, outputBytes, quarantineMs, recycleJobs, recycleBytes, modelBytes, cgroup } = { ...DEFAULTS, ...defined(options) };
   const bound = {
     memoryBytes: count('options.memoryBytes', memoryBytes, 1),
     cpuMs: cpuMs === null ? null : count('options.cpuMs', cpuMs, 1),
@@ -32,7 +33,13 @@ export function poolOptions(options, limitNames) {
       bytes: Math.min(count('options.recycleBytes', recycleBytes, 1), bound.memoryBytes / 2),
     },
     modelBytes: count('options.modelBytes', modelBytes, 0),
+    ...(cgroup !== null && { cgroup: readCgroup(cgroup) }),
   };
+}
+
+function readCgroup(folder) {
+  if (typeof folder !== 'string' || !folder.startsWith('/')) throw wrongOption('options.cgroup', 'the path of a cgroup, from /, or null', folder);
+  return new Cgroup(folder);
 }
 
 const defined = (options) => Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));

@@ -23,6 +23,14 @@ export const overMemory = (max, actual) =>
     { limit: { name: 'memoryBytes', max, actual } },
   );
 
+/** Over the bound of its cgroup, which counts more than what is resident: the kernel's own memory for it, too. */
+export const overGroup = (max, actual) =>
+  new TelarError(
+    'X_MEMORY',
+    `the kernel ended the worker at ${inMib(actual)} of memory, and memoryBytes of the pool, the bound of its cgroup, is ${inMib(max)}; reduce the model or the size, or allow more`,
+    { limit: { name: 'memoryBytes', max, actual } },
+  );
+
 /** An allocation of the worker failed, whoever asked for it. */
 export const untrusted = () =>
   new TelarError('X_MEMORY', 'there was not enough memory for an allocation of the worker, and the GL driver may have drawn without it; try again');

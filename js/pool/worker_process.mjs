@@ -7,7 +7,7 @@ import { workerEnvironment } from './environment.mjs';
 import { HeldModels } from './held_models.mjs';
 import { RunningJob } from './running_job.mjs';
 import { UsageWatch } from './usage.mjs';
-import { GRACE_MS, notStarted, overCpu, overMemory, overOutput } from './verdicts.mjs';
+import { GRACE_MS, notStarted, overCpu, overGroup, overMemory, overOutput } from './verdicts.mjs';
 
 const CHILD = fileURLToPath(new URL('child.mjs', import.meta.url));
 const PIPE = 3;
@@ -43,6 +43,7 @@ export class WorkerProcess {
   hasEnded = false;
   facts;
   #process;
+  #group;
   #channel;
   #bound;
   #job;
@@ -52,8 +53,8 @@ export class WorkerProcess {
   #freed;
   #toForget = [];
 
-  /** @param {{renderer: object, size: number, bound: object, modelBytes: number}} options of createPool, with every default */
-  constructor({ renderer, size, bound, modelBytes }) {
+  /** @param {{renderer: object, size: number, bound: object, modelBytes: number, cgroup?: import('./cgroup.mjs').Cgroup}} options of createPool, with every default */
+  constructor({ renderer, size, bound, modelBytes, cgroup }) {
     this.#bound = bound;
     this.held = new HeldModels(modelBytes);
     this.ready = new Promise((resolve, reject) => {
@@ -67,7 +68,7 @@ export class WorkerProcess {
       env: workerEnvironment(size, { cacheDirectory: renderer.cacheDirectory }),
       detached: true,
     };
-    this.ended = new Promise((resolve) => this.#spawn(options, (facts) => this.#end(facts, resolve)));
+    this.ended = new Promise((resolve) => this.#spawn(options, cgroup, (facts) => this.#end(facts, resolve)));
     // Node gives no pipes where there is no descriptor for them.
     const pipe = this.#process?.stdio?.[PIPE];
     if (!pipe) return;
@@ -88,7 +89,7 @@ export class WorkerProcess {
     void Promise.race([this.ready, this.ended])
       .catch(() => {})
       .finally(() => clearTimeout(late));
-    this.#channel.send({ start: { renderer, bound, dataBytes: reservable(bound.memoryBytes) } });
+    void this.#start({ renderer, bound, dataBytes: reservable(bound.memoryBytes) });
   }
 
   /** undefined of a process that could not be made. */
@@ -150,14 +151,26 @@ export class WorkerProcess {
   }
 
   /** Without descriptors or memory Node tells of it later, or throws: either is a start that failed. */
-  #spawn(options, end) {
+  #spawn(options, cgroup, end) {
     try {
+      this.#group = cgroup?.make(this.#bound.memoryBytes);
       this.#process = spawn(process.execPath, ['--no-warnings', CHILD], options);
     } catch (error) {
       return end({ failure: error.code ?? error.message });
     }
     this.#process.once('error', ({ code, message }) => end({ failure: code ?? message }));
     this.#process.once('close', (code, signal) => end({ code, signal }));
+  }
+
+  /** What a worker takes for its work counts in its group: it is there before it begins. */
+  async #start(start) {
+    try {
+      await this.#group?.enter(this.pid);
+    } catch ({ code }) {
+      this.#opened.reject(notStarted({ failure: `${code} in its cgroup` }));
+      return this.kill();
+    }
+    this.#channel.send({ start });
   }
 
   #take(message, parts) {
@@ -181,6 +194,8 @@ export class WorkerProcess {
 
   #end(facts, resolve) {
     this.hasEnded = true;
+    const bytes = this.#group?.end();
+    if (bytes !== undefined) this.#verdict ??= overGroup(this.#bound.memoryBytes, bytes);
     this.#opened.reject(notStarted(facts));
     if (this.#job) {
       const ended = new WorkerEnded(facts, { verdict: this.#verdict, hadBegun: this.#job.hasBegun });

@@ -72,6 +72,7 @@ test('REDIS_URL: the same', async (t) => {
 test('what is wrong with a queue is told with the exit code of its error', async () => {
   for (const [argv, code, message] of [
     [['worker'], 2, /expected --redis URL, --sqlite FILE or REDIS_URL/],
+    [['worker', '--sqlite', path.join(tmpdir(), 'telar-none.db'), '--cgroup', '/dev/null'], 2, /options\.cgroup: expected a cgroup/],
     [['worker', '--redis', 'http://here'], 2, /options\.redis: expected an address/],
     [['worker', '--sqlite', '/nowhere/at/all.db'], 6, /X_QUEUE/],
     [['worker', '--sqlite', path.join(tmpdir(), 'telar-none.db'), '--store', '/dev/null/store'], 2, /options\.store: the folder cannot be made/],

@@ -123,6 +123,8 @@ test('what cannot be served is told with the exit code of its error', async () =
     [['--log-level', 'loud'], /Allowed choices are/],
     [['--no-draw-jobs'], /options\.drawJobs: expected true, or a queue on Redis or in SQLite/],
     [['--environment', 'sky'], /expected NAME=FILE/],
+    [['--workers', 'none'], /--workers: expected processes from 1 to 1024, or auto, got "none"/],
+    [['--cgroup', folder], /options\.cgroup: expected a cgroup with the memory controller/],
   ]) {
     const { code, text } = await ends(argv);
     assert.equal(code, 2, text);
