@@ -46,13 +46,13 @@ export const crashed = ({ signal, code }, input) =>
     ...(input && { input }),
   });
 
-/** A worker ended before it was ready; failure: its process could not be made. */
-export const notStarted = ({ signal, code, failure }) =>
+/** A worker ended before it was ready; failure: its process could not be made; bytes: what it had where its cgroup allows no more. */
+export const notStarted = ({ signal, code, failure, bytes }) =>
   new TelarError(
     'X_WORKERS',
     failure
       ? `the process of a worker of the pool cannot be made (${failure})`
-      : `a worker of the pool ended before it was ready, by ${signal ?? `itself, with ${code}`}`,
+      : `a worker of the pool ended before it was ready, by ${signal ?? `itself, with ${code}`}${bytes === undefined ? '' : ` of the kernel at ${inMib(bytes)}, the bound of its cgroup`}`,
   );
 
 export const noWorkers = (cause) =>

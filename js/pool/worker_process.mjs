@@ -196,7 +196,7 @@ export class WorkerProcess {
     this.hasEnded = true;
     const bytes = this.#group?.end();
     if (bytes !== undefined) this.#verdict ??= overGroup(this.#bound.memoryBytes, bytes);
-    this.#opened.reject(notStarted(facts));
+    this.#opened.reject(notStarted({ ...facts, bytes }));
     if (this.#job) {
       const ended = new WorkerEnded(facts, { verdict: this.#verdict, hadBegun: this.#job.hasBegun });
       this.#job.end(ended);

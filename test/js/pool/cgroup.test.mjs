@@ -123,6 +123,13 @@ test('a worker that the kernel ends for its memory: X_MEMORY with its bytes, and
     await pool.close();
   })(t));
 
+test('a bound below what a worker starts with: no pool, and it is said why', (t) =>
+  withGroup(async (folder) => {
+    const error = await errorOf(open({ cgroup: folder, memoryBytes: 16 * MIB }));
+    assert.equal(error?.code, 'X_WORKERS');
+    assert.match(error.message, /ended before it was ready, by SIGKILL of the kernel at 16 MiB, the bound of its cgroup$/);
+  })(t));
+
 const NO_GROUP = {
   'none can be made': [
     {
