@@ -12,7 +12,7 @@ export interface RendererOptions extends LoadingOptions {
    */
   backend?: 'auto' | Backend;
   /**
-   * Folder of prefiltered environments and of ambient visibility, named by SHA-256; null = none.
+   * Folder of prefiltered environments and of ambient visibility, named by SHA-256, and of the shaders that workers of a pool compile; null = none.
    * @default telar's folder in the user's cache
    */
   cacheDirectory?: string | null;
