@@ -1,4 +1,4 @@
-import { existsSync, mkdtempSync, readdirSync, readFileSync, rmdirSync, writeFileSync } from 'node:fs';
+import { accessSync, constants, existsSync, mkdtempSync, readdirSync, readFileSync, rmdirSync, writeFileSync } from 'node:fs';
 import { writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { isAlive } from '../api/is_alive.mjs';
@@ -21,9 +21,19 @@ const V1 = {
   peak: 'memory.max_usage_in_bytes',
 };
 
-/** Which groups of which process telar made. */
-const PREFIX = 'telar-';
-const OWNER = /^telar-(\d+)-/;
+/** Bytes below its bound at which the kernel may end a process: it counts them in batches, and takes a large page whole. */
+const SLACK = 16 * 2 ** 20;
+
+/** Groups are named by the process that made them, and when that started: in containers the next service has the same number. */
+const STARTED = Math.round(performance.timeOrigin);
+const PREFIX = `telar-${process.pid}-${STARTED}-`;
+const OWNER = /^telar-(\d+)-(\d+)-/;
+
+function isLeft(name) {
+  const [, owner, started] = OWNER.exec(name) ?? [];
+  if (Number(owner) === process.pid) return Number(started) !== STARTED;
+  return owner !== undefined && !isAlive(Number(owner));
+}
 
 /** A cgroup that was delegated to this process: workers get groups of their own below it, bounded by the kernel. */
 export class Cgroup {
@@ -38,9 +48,9 @@ export class Cgroup {
     this.#path = folder;
     this.#files = existsSync(path.join(folder, 'cgroup.controllers')) ? V2 : V1;
     try {
-      this.#removeLeft();
       if (this.#files === V2) this.#delegateMemory();
       rmdirSync(this.make(Number.MAX_SAFE_INTEGER).path);
+      this.#removeLeft();
     } catch ({ code }) {
       throw new TelarError(
         'E_OPTION',
@@ -51,7 +61,7 @@ export class Cgroup {
 
   /** @param {number} bytes of memory that a process may take in it @returns {WorkerGroup} */
   make(bytes) {
-    const own = mkdtempSync(path.join(this.#path, `${PREFIX}${process.pid}-`));
+    const own = mkdtempSync(path.join(this.#path, PREFIX));
     try {
       const write = (file, value) => writeFileSync(path.join(own, file), String(value), { flag: 'r+' });
       write(this.#files.max, bytes);
@@ -59,24 +69,22 @@ export class Cgroup {
       // A kernel that does not count swap has no such file.
       if (existsSync(path.join(own, file))) write(file, of(bytes));
     } catch (error) {
-      rmdirSync(own);
+      remove(own);
       throw error;
     }
-    return new WorkerGroup(own, this.#files, bytes);
+    return new WorkerGroup(own, this.#files);
   }
 
   #delegateMemory() {
+    // Whoever moves a process writes to the group above both, too.
+    accessSync(path.join(this.#path, 'cgroup.procs'), constants.W_OK);
     const control = path.join(this.#path, 'cgroup.subtree_control');
     if (!/\bmemory\b/.test(readFileSync(control, 'latin1'))) writeFileSync(control, '+memory', { flag: 'r+' });
   }
 
   /** Groups of processes that ended before they could remove them. One that is in use is not removed by the kernel. */
   #removeLeft() {
-    for (const name of readdirSync(this.#path)) {
-      const [, owner] = OWNER.exec(name) ?? [];
-      if (owner === undefined || isAlive(Number(owner))) continue;
-      remove(path.join(this.#path, name));
-    }
+    for (const name of readdirSync(this.#path)) if (isLeft(name)) remove(path.join(this.#path, name));
   }
 }
 
@@ -85,10 +93,9 @@ export class WorkerGroup {
   /** @type {string} */
   path;
   #files;
-  #bytes;
 
-  constructor(own, files, bytes) {
-    [this.path, this.#files, this.#bytes] = [own, files, bytes];
+  constructor(own, files) {
+    [this.path, this.#files] = [own, files];
   }
 
   /** Puts a process into it. The kernel takes some 20 ms for that, so another thread waits. @param {number} pid */
@@ -96,12 +103,17 @@ export class WorkerGroup {
     return writeFile(path.join(this.path, 'cgroup.procs'), String(pid), { flag: 'r+' });
   }
 
-  /** Removes it, when its process has ended. @returns {number | undefined} bytes that the process had, where the kernel ended it for those */
+  /**
+   * Removes it, when its process has ended.
+   * @returns {number | undefined} bytes that the process had, where the kernel ended it for this group's bound; a bound of a group above or of the
+   *   machine is another's
+   */
   end() {
     const kills = Number(/^oom_kill (\d+)/m.exec(this.#read(this.#files.kills))?.[1] ?? 0);
-    const peak = Number(this.#read(this.#files.peak)) || this.#bytes;
+    const bound = Number(this.#read(this.#files.max));
+    const peak = Number(this.#read(this.#files.peak)) || bound;
     remove(this.path);
-    return kills > 0 ? peak : undefined;
+    return kills > 0 && peak >= bound - SLACK ? peak : undefined;
   }
 
   #read(file) {
@@ -113,7 +125,7 @@ export class WorkerGroup {
   }
 }
 
-/** One that is still in use stays until another pool is made in its parent. */
+/** One that is still in use stays until another process makes a pool in its parent. */
 function remove(group) {
   try {
     rmdirSync(group);

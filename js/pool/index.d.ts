@@ -48,7 +48,7 @@ export interface PoolOptions extends RendererOptions {
   modelBytes?: number;
   /**
    * Path of a cgroup in which this process may make others: v2 with the memory controller and without processes of its own, or v1's memory controller. Each
-   * worker gets one of its own there, in which the kernel bounds memory to memoryBytes at once, its own for that worker too; over it the worker is ended, and
+   * worker gets one of its own there, in which the kernel bounds memory to memoryBytes, counting its own for that worker too; over it the worker is ended, and
    * its job rejects with X_MEMORY. null = none: what is resident is looked at, which it is with one too. A cgroup that cannot be used is an E_OPTION.
    * @default null
    */

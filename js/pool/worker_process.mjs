@@ -167,6 +167,8 @@ export class WorkerProcess {
     try {
       await this.#group?.enter(this.pid);
     } catch ({ code }) {
+      // One that has ended is told of by its own event.
+      if (code === 'ESRCH') return;
       this.#opened.reject(notStarted({ failure: `${code} in its cgroup` }));
       return this.kill();
     }
@@ -194,8 +196,10 @@ export class WorkerProcess {
 
   #end(facts, resolve) {
     this.hasEnded = true;
-    const bytes = this.#group?.end();
-    if (bytes !== undefined) this.#verdict ??= overGroup(this.#bound.memoryBytes, bytes);
+    const over = this.#group?.end();
+    const bytes = facts.signal === 'SIGKILL' ? over : undefined;
+    // What ended a worker that had not taken its job up was not the job.
+    if (bytes !== undefined && this.#job?.hasBegun) this.#verdict ??= overGroup(this.#bound.memoryBytes, bytes);
     this.#opened.reject(notStarted({ ...facts, bytes }));
     if (this.#job) {
       const ended = new WorkerEnded(facts, { verdict: this.#verdict, hadBegun: this.#job.hasBegun });

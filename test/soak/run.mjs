@@ -1,5 +1,4 @@
-// npm run soak [-- RENDERS [WORKERS]]: 30,000 renders through a pool of 2, a fifth of them of hostile files. Ends with 1 where something is not flat. Of 10,000,
-// the memory of a worker is still on its way to what it keeps: one look differs from the next by up to 150 MiB.
+// npm run soak [-- RENDERS [WORKERS]]: 30,000 renders through a pool of 2, a fifth of them of hostile files. Ends with 1 where something is not flat.
 import { judgeSoak, soak } from './soak.mjs';
 
 const [renders = '30000', size = '2'] = process.argv.slice(2);

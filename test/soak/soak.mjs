@@ -106,11 +106,17 @@ export async function soak({ renders, looks = 20, size = 2, say = () => {} }) {
     outcomes[kind] = (outcomes[kind] ?? 0) + 1;
   };
   // What a kind of material makes once is there before the first look, in each worker, and what it keeps of the largest files.
-  const warming = [await withTexture(), ...good.map(({ bytes }) => bytes)];
-  do for (const bytes of warming) await Promise.all(pool.workers.map(() => pool.render(bytes, { size: { width: SIDES[0], height: SIDES[0] } })));
+  const large = await withTexture();
+  const warming = [large, ...good.map(({ bytes }) => bytes)];
+  const drawInEach = async (models) => {
+    for (const bytes of models) await Promise.all(pool.workers.map(() => pool.render(bytes, { size: { width: SIDES[0], height: SIDES[0] } })));
+  };
+  do await drawInEach(warming);
   while (pool.workers.some(({ jobs }) => jobs < warming.length));
   const first = new Set(pool.workers.map(({ pid }) => pid));
   const look = async (done) => {
+    // What a worker holds goes by its last jobs. After these it has given freed pages back (addon/freed_memory.h), and looks can be compared.
+    await drawInEach([large, large]);
     globalThis.gc?.();
     await sleep(SETTLED_MS);
     const workers = pool.workers.map(async ({ pid, glObjects }) => ({ ...(await holdings(pid)), glObjects }));

@@ -150,14 +150,29 @@ for (const [name, [cgroup, said]] of Object.entries(NO_GROUP))
     await awake(worker.ended);
   });
 
-test('groups of pools that were killed are removed; those of others stay', (t) =>
+test('groups of processes that ended are removed, of one of the same number too; those of others stay', (t) =>
   withGroup(async (folder) => {
     const child = spawn(process.execPath, ['-e', '']);
     await once(child, 'exit');
-    for (const name of [`telar-${child.pid}-a`, `telar-${process.pid}-b`, 'mine']) mkdirSync(path.join(folder, name));
+    const mine = new Cgroup(folder).make(64 * MIB);
+    const left = [`telar-${child.pid}-1-a`, `telar-${process.pid}-1-b`];
+    for (const name of [...left, `telar-${process.ppid}-1-c`, 'telar-d']) mkdirSync(path.join(folder, name));
     new Cgroup(folder);
-    assert.deepEqual(groupsIn(folder).sort(), ['mine', `telar-${process.pid}-b`]);
+    assert.deepEqual(groupsIn(folder).sort(), [path.basename(mine.path), `telar-${process.ppid}-1-c`, 'telar-d'].sort());
     for (const name of groupsIn(folder)) rmdirSync(path.join(folder, name));
+  })(t));
+
+test('a bound of a group above is not that of the worker', (t) =>
+  withGroup(async (folder) => {
+    const above = new Cgroup(folder).make(128 * MIB);
+    const group = new Cgroup(above.path).make(512 * MIB);
+    const child = hungry(300 * MIB);
+    await once(child.stdout, 'data');
+    await group.enter(child.pid);
+    child.stdin.write('go');
+    assert.equal((await once(child, 'close'))[1], 'SIGKILL');
+    assert.equal(group.end(), undefined);
+    above.end();
   })(t));
 
 for (const [given, said] of [
