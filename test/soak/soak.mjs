@@ -105,11 +105,11 @@ export async function soak({ renders, looks = 20, size = 2, say = () => {} }) {
     const kind = /^[0-9a-f]{64}$/.test(outcome) ? 'picture' : outcome;
     outcomes[kind] = (outcomes[kind] ?? 0) + 1;
   };
-  // What a kind of material makes once is there before the first look, in each worker, and what it keeps of the largest files.
+  // What a kind of material makes once is there before the first look, in each worker, of hostile files that are drawn too, and what it keeps of the largest.
   const large = await withTexture();
-  const warming = [large, ...good.map(({ bytes }) => bytes)];
+  const warming = [large, ...[...good, ...hostile].map(({ bytes }) => bytes)];
   const drawInEach = async (models) => {
-    for (const bytes of models) await Promise.all(pool.workers.map(() => pool.render(bytes, { size: { width: SIDES[0], height: SIDES[0] } })));
+    for (const bytes of models) await Promise.all(pool.workers.map(() => outcomeOf(pool.render(bytes, { size: { width: SIDES[0], height: SIDES[0] } }))));
   };
   do await drawInEach(warming);
   while (pool.workers.some(({ jobs }) => jobs < warming.length));
