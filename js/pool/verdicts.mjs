@@ -16,20 +16,14 @@ export const overCpu = (max, actual) =>
     limit: { name: 'cpuMs', max, actual },
   });
 
-export const overMemory = (max, actual) =>
-  new TelarError(
-    'X_MEMORY',
-    `the worker took ${inMib(actual)} of memory, and memoryBytes of the pool is ${inMib(max)}; reduce the model or the size, or allow more`,
-    { limit: { name: 'memoryBytes', max, actual } },
-  );
+const tooMuchMemory = (facts, max, actual) =>
+  new TelarError('X_MEMORY', `${facts} is ${inMib(max)}; reduce the model or the size, or allow more`, { limit: { name: 'memoryBytes', max, actual } });
+
+export const overMemory = (max, actual) => tooMuchMemory(`the worker took ${inMib(actual)} of memory, and memoryBytes of the pool`, max, actual);
 
 /** Over the bound of its cgroup, which counts more than what is resident: the kernel's own memory for it, too. */
 export const overGroup = (max, actual) =>
-  new TelarError(
-    'X_MEMORY',
-    `the kernel ended the worker at ${inMib(actual)} of memory, and memoryBytes of the pool, the bound of its cgroup, is ${inMib(max)}; reduce the model or the size, or allow more`,
-    { limit: { name: 'memoryBytes', max, actual } },
-  );
+  tooMuchMemory(`the kernel ended the worker at ${inMib(actual)} of memory, and memoryBytes of the pool, the bound of its cgroup,`, max, actual);
 
 /** An allocation of the worker failed, whoever asked for it. */
 export const untrusted = () =>

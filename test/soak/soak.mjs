@@ -107,12 +107,15 @@ export async function soak({ renders, looks = 20, size = 2, say = () => {} }) {
   };
   // What a kind of material makes once is there before the first look, in each worker, of hostile files that are drawn too, and what it keeps of the largest.
   const large = await withTexture();
-  const warming = [large, ...[...good, ...hostile].map(({ bytes }) => bytes)];
-  const drawInEach = async (models) => {
-    for (const bytes of models) await Promise.all(pool.workers.map(() => outcomeOf(pool.render(bytes, { size: { width: SIDES[0], height: SIDES[0] } }))));
+  const drawInEach = async (models, ending = (picture) => picture) => {
+    for (const bytes of models) await Promise.all(pool.workers.map(() => ending(pool.render(bytes, { size: { width: SIDES[0], height: SIDES[0] } }))));
   };
-  do await drawInEach(warming);
-  while (pool.workers.some(({ jobs }) => jobs < warming.length));
+  const bytesOf = (files) => files.map(({ bytes }) => bytes);
+  do {
+    await drawInEach([large, ...bytesOf(good)]);
+    // These may be refused.
+    await drawInEach(bytesOf(hostile), outcomeOf);
+  } while (pool.workers.some(({ jobs }) => jobs < 1 + good.length + hostile.length));
   const first = new Set(pool.workers.map(({ pid }) => pid));
   const look = async (done) => {
     // What a worker holds goes by its last jobs. After these it has given freed pages back (addon/freed_memory.h), and looks can be compared.
