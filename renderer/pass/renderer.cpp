@@ -16,7 +16,7 @@
 #include "pass/background_pass.h"
 #include "pass/describe.h"
 #include "pass/layer/layer_pass.h"
-#include "pass/model/gpu_scene.h"
+#include "pass/model/gpu_scenes.h"
 #include "pass/plan/clear_color.h"
 #include "pass/plan/draw_list.h"
 #include "pass/plan/fragment_estimate.h"
@@ -50,16 +50,16 @@ class GlRenderer final : public Renderer {
         settled_(*context_),
         visible_(*context_, options.hiddenTriangles),
         buffer_(*context_, options.visibilityBuffer),
-        textures_(*context_) {}
+        scenes_(*context_) {}
 
   Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& asked, std::span<const std::byte> environmentFile,
              const CancelToken& cancel, FrameInfo& info, const Progress& progress) override {
     StageTimer timer;
     context_->pacer().begin(cancel, options_.sliceMs);
-    forgetReleasedScenes();
+    scenes_.forgetReleased();
     checkSize(asked);
     FramePlan plan = pass::planDraws(*scene, asked, options_.limits, options_.allFeatures);
-    pass::GpuScene& gpu = gpuSceneOf(scene);
+    pass::GpuScene& gpu = scenes_.of(scene);
     pass::limitDetail(plan, *scene, asked, gpu, cancel);
     checkFragments(plan, asked, gpu, cancel);
     timer.lap("plan");
@@ -113,17 +113,11 @@ class GlRenderer final : public Renderer {
     return frame;
   }
 
-  void release(const Scene& scene) override {
-    // Scenes that were made of this one (posed, dressed) share its data: they go too.
-    std::erase_if(scenes_, [&](const auto& entry) { return entry.second->isMadeOf(scene); });
-    scenes_.erase(&scene);
-    // A posed scene may be the last owner of the model that it was made of: then nothing draws the model again.
-    if (scene.model && scene.model.use_count() == 1) scenes_.erase(scene.model.get());
-  }
+  void release(const Scene& scene) override { scenes_.release(scene); }
 
   std::string describe() const override { return pass::describeContext(*context_).dump(); }
 
-  int liveObjects() const override { return context_->gl().liveObjects - textures_.keptCount(); }
+  int liveObjects() const override { return context_->gl().liveObjects - scenes_.keptTextures(); }
 
  private:
   /// A picture that is drawn, in one pass or several.
@@ -147,18 +141,13 @@ class GlRenderer final : public Renderer {
     pass::checkFragments(plan, shot, extents, options_.limits, cancel);
   }
 
-  void forgetReleasedScenes() {
-    // Poses keep their models alive, so that a model is never forgotten before them.
-    std::erase_if(scenes_, [](const auto& entry) { return entry.second->expired(); });
-  }
-
   /// The layers of a picture that is drawn, and what info says of them.
   void addLayers(Frame& frame, const std::shared_ptr<const Scene>& scene, const Shot& shot, const CancelToken& cancel,
                  FrameInfo& info) {
     StageTimer timer;
     if (!layers_) layers_ = std::make_unique<pass::LayerPass>(*context_);
     frame.layers =
-        layers_->draw({*scene, shot, gpuSceneOf(scene), surfaces_, shadows_, ground_, options_.limits, cancel});
+        layers_->draw({*scene, shot, scenes_.of(scene), surfaces_, shadows_, ground_, options_.limits, cancel});
     if (shot.hasLayer(Layer::kCoverage)) {
       FrameInfo unused;
       const bool known = frame::alphaIsCoverage(shot);
@@ -170,13 +159,6 @@ class GlRenderer final : public Renderer {
     json["layers"] = frame::describeLayers(*scene, shot, frame.layers);
     json["ms"]["layers"] = timer.json()["layers"];
     info.json = json.dump();
-  }
-
-  pass::GpuScene& gpuSceneOf(const std::shared_ptr<const Scene>& scene) {
-    pass::GpuScene* model = scene->model ? &gpuSceneOf(scene->model) : nullptr;
-    auto& entry = scenes_[scene.get()];
-    if (!entry) entry = std::make_unique<pass::GpuScene>(*context_, textures_, scene, model);
-    return *entry;
   }
 
   const pass::FrameTarget& targetFor(const Shot& shot) {
@@ -387,8 +369,7 @@ class GlRenderer final : public Renderer {
   std::vector<std::uint8_t> coverage_;  ///< of the last picture by the model, from its first pass; empty = not known
   std::unique_ptr<pass::TransmissionTarget> transmission_;
   std::unique_ptr<pass::LayerPass> layers_;  ///< from the first frame with layers on
-  pass::TextureStore textures_;
-  std::map<const Scene*, std::unique_ptr<pass::GpuScene>> scenes_;
+  pass::GpuScenes scenes_;
 };
 
 }  // namespace

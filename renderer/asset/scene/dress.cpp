@@ -44,12 +44,18 @@ float linear(std::uint8_t code) {
 /// Mean of what is there of a picture of a colour, linear; one where that is not known.
 glm::vec3 meanColor(const Image8& image) {
   if (image.type != TexelType::kByte || image.pixels.empty()) return glm::vec3(1);
-  std::array<float, 256> table{};
-  for (std::size_t i = 0; i < table.size(); ++i) table[i] = linear(static_cast<std::uint8_t>(i));
-  glm::dvec4 sum(0);
+  std::array<std::array<std::uint64_t, 3>, 256> alphas{};  // of texels of a code, by channel
   for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
-    const double alpha = image.pixels[i + 3];
-    sum += alpha * glm::dvec4(table[image.pixels[i]], table[image.pixels[i + 1]], table[image.pixels[i + 2]], 1);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      alphas[image.pixels[i + channel]][channel] += image.pixels[i + 3];
+    }
+  }
+  glm::dvec4 sum(0);
+  for (std::size_t code = 0; code < alphas.size(); ++code) {
+    const auto& [red, green, blue] = alphas[code];
+    const double light = linear(static_cast<std::uint8_t>(code));
+    sum += glm::dvec4(light * static_cast<double>(red), light * static_cast<double>(green),
+                      light * static_cast<double>(blue), red);
   }
   return sum.w > 0 && sum.x > 0 && sum.y > 0 && sum.z > 0 ? glm::vec3(glm::dvec3(sum) / sum.w) : glm::vec3(1);
 }
@@ -98,7 +104,10 @@ class Dresser {
   /// @return index of the cloth's first image in the scene
   int addImages(const std::shared_ptr<const Scene>& cloth) {
     const auto [at, isNew] = firstImages_.emplace(cloth.get(), static_cast<int>(out_->images.size()));
-    if (isNew) out_->images = out_->images.joined(cloth->images);
+    if (isNew) {
+      out_->cloths.push_back({cloth, out_->images.size()});
+      out_->images = out_->images.joined(cloth->images);
+    }
     return at->second;
   }
 
@@ -190,8 +199,11 @@ class Dresser {
   }
 
   /// The colour of a cloth is the mean of what its picture shows.
-  glm::vec3 meanOf(const TextureRef& texture) const {
-    return texture ? meanColor(out_->images[static_cast<std::size_t>(texture.image)]) : glm::vec3(1);
+  glm::vec3 meanOf(const TextureRef& texture) {
+    if (!texture) return glm::vec3(1);
+    const auto [mean, isNew] = means_.emplace(texture.image, 1);
+    if (isNew) mean->second = meanColor(out_->images[static_cast<std::size_t>(texture.image)]);
+    return mean->second;
   }
 
   void place(Material& material, const Dressing& dressing, int images, int at) {
@@ -227,6 +239,7 @@ class Dresser {
   const CancelToken& cancel_;
   asset::Warnings warnings_;
   std::map<const Scene*, int> firstImages_;
+  std::map<int, glm::vec3> means_;                 ///< by image
   std::vector<std::optional<glm::dvec2>> scales_;  ///< by material
 };
 

@@ -154,6 +154,14 @@ struct Warning {
   std::string pointer;  ///< may be empty
 };
 
+struct Scene;
+
+/// A scene whose images another one shows.
+struct WornCloth {
+  std::shared_ptr<const Scene> scene;
+  std::size_t firstImage = 0;  ///< place of its first image in `images` of the other
+};
+
 struct Scene {
   std::string name;
   std::string generator, copyright;
@@ -179,6 +187,7 @@ struct Scene {
   /// Of a scene that was made of another one (posed, dressed, exploded): the one as loaded, which owns the file's
   /// meshes and images.
   std::shared_ptr<const Scene> model;
+  std::vector<WornCloth> cloths;  ///< of a dressed scene: whose images those beyond fileImages are
 };
 
 /// What a shading draws of one of the scene's materials: the shading "fabric" takes it with its preset.

@@ -33,13 +33,22 @@ TexelCount texelsOf(const Scene& scene, const DerivedTexture& key) {
   return texels;
 }
 
+/// The key by places that lie so far behind.
+DerivedTexture moved(DerivedTexture key, int by) {
+  for (int* image : {&key.image, &key.cover, &key.yarns}) {
+    if (*image >= 0) *image += by;
+  }
+  return key;
+}
+
 constexpr std::uint64_t MOMENT_BYTES = 5;  ///< a texel of the source, while its first levels are made in RGBA32F
 
 }  // namespace
 
 GpuScene::GpuScene(const gl::Context& context, TextureStore& store, const std::shared_ptr<const Scene>& scene,
-                   GpuScene* model)
+                   GpuScene* model, std::vector<std::shared_ptr<GpuScene>> cloths)
     : context_(context), store_(store), scene_(scene), model_(model), fileImages_(static_cast<int>(scene->fileImages)) {
+  for (std::size_t i = 0; i < cloths.size(); ++i) cloths_.emplace_back(std::move(cloths[i]), scene->cloths[i]);
   if (!model) return;
   for (std::size_t i = scene->fileMeshes; i < scene->meshes.size(); ++i) {
     for (const Primitive& primitive : scene->meshes[i].primitives) own_.insert(&primitive);
@@ -48,6 +57,26 @@ GpuScene::GpuScene(const gl::Context& context, TextureStore& store, const std::s
 
 GpuScene::~GpuScene() {
   for (auto& entry : textures_) store_.keep(std::move(entry.second));
+}
+
+std::optional<GpuScene::Lender> GpuScene::lenderOf(int image) const {
+  if (model_ && image < fileImages_) return Lender{model_, 0};
+  for (const auto& [gpu, cloth] : cloths_) {
+    const int first = static_cast<int>(cloth.firstImage);
+    if (image >= first && image < first + static_cast<int>(cloth.scene->images.size())) return Lender{gpu.get(), first};
+  }
+  return std::nullopt;
+}
+
+std::optional<GpuScene::Lender> GpuScene::lenderOf(const DerivedTexture& key) const {
+  const auto lender = lenderOf(key.image);
+  if (!lender) return std::nullopt;
+  for (const int image : {key.cover, key.yarns}) {
+    if (image < 0) continue;
+    const auto other = lenderOf(image);
+    if (!other || other->scene != lender->scene) return std::nullopt;
+  }
+  return lender;
 }
 
 bool GpuScene::isMadeOf(const Scene& model) const {
@@ -107,6 +136,7 @@ const PartExtents& GpuScene::extents(const Primitive& primitive) {
 
 void GpuScene::limitTextures(int size) {
   if (model_) model_->limitTextures(size);
+  for (const auto& [gpu, cloth] : cloths_) gpu->limitTextures(size);
   if (size == textureSize_) return;
   textureSize_ = size;
   std::erase_if(derived_, [](const auto& made) { return made.first.first > 0 || made.first.besideFirst > 0; });
@@ -117,15 +147,20 @@ int GpuScene::levelsLeftOut(const Scene& scene, int image) const {
 }
 
 GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel, int unread) {
-  if (isModels(image)) return model_->texture(scene, image, colorUse, cancel, unread);
-  const bool srgb = decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, colorUse);
-  const auto key = std::make_pair(image, srgb);
-  const int leftOut = levelsLeftOut(scene, image);
+  const Image8& texels = scene.images[static_cast<std::size_t>(image)];
+  if (const auto lender = lenderOf(image))
+    return lender->scene->ownTexture(texels, image - lender->first, colorUse, cancel, unread);
+  return ownTexture(texels, image, colorUse, cancel, unread);
+}
+
+GLuint GpuScene::ownTexture(const Image8& image, int index, bool colorUse, const CancelToken& cancel, int unread) {
+  const bool srgb = decodesSrgb(image.coding, colorUse);
+  const auto key = std::make_pair(index, srgb);
+  const int leftOut = levelsBeyond(image, textureSize_);
   auto found = textures_.find(key);
   if (found == textures_.end() || found->second.firstLevel > std::max(unread, leftOut)) {
     cancel.check();
-    StoredTexture stored =
-        store_.upload(scene.images[static_cast<std::size_t>(image)], srgb, std::max(unread, leftOut));
+    StoredTexture stored = store_.upload(image, srgb, std::max(unread, leftOut));
     if (found == textures_.end()) {
       found = textures_.emplace(key, std::move(stored)).first;
     } else {
@@ -138,7 +173,7 @@ GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const Can
 }
 
 bool GpuScene::isWhole(int image) const {
-  if (isModels(image)) return model_->isWhole(image);
+  if (const auto lender = lenderOf(image)) return lender->scene->isWhole(image - lender->first);
   bool is = false;
   for (const bool srgb : {false, true}) {
     const auto found = textures_.find({image, srgb});
@@ -151,6 +186,7 @@ bool GpuScene::isWhole(int image) const {
 
 TexelCount GpuScene::texels(const Scene& scene) const {
   TexelCount texels = model_ ? model_->texels(scene) : TexelCount();
+  for (const auto& [gpu, cloth] : cloths_) texels += gpu->texels(*cloth.scene);
   for (const auto& [key, stored] : textures_) {
     const TextureStorage& has = stored.storage;
     const auto largest = static_cast<std::uint64_t>(has.width) * static_cast<unsigned>(has.height);
@@ -174,7 +210,7 @@ TexelCount GpuScene::texels(const Scene& scene) const {
 }
 
 GLuint GpuScene::derived(const DerivedTexture& key, const std::function<gl::Texture()>& make) {
-  if (isModels(key.image) && isModels(key.cover) && isModels(key.yarns)) return model_->derived(key, make);
+  if (const auto lender = lenderOf(key)) return lender->scene->derived(moved(key, -lender->first), make);
   DerivedTexture of = key;
   of.unread = 0;
   // All that differ from it in what they lack alone follow each other.
@@ -187,7 +223,7 @@ GLuint GpuScene::derived(const DerivedTexture& key, const std::function<gl::Text
 }
 
 int GpuScene::unreadOfDerived(int image) const {
-  if (isModels(image)) return model_->unreadOfDerived(image);
+  if (const auto lender = lenderOf(image)) return lender->scene->unreadOfDerived(image - lender->first);
   int unread = 0;
   bool is = false;
   for (const auto& [key, made] : derived_) {
@@ -200,14 +236,17 @@ int GpuScene::unreadOfDerived(int image) const {
 
 std::uint64_t GpuScene::derivedBytes(const Scene& scene, std::set<DerivedTexture> wanted) const {
   std::uint64_t bytes = 0, largest = 0;
-  for (const GpuScene* of = this; of; of = of->model_) {
-    for (const auto& [key, made] : of->derived_) {
+  const auto addMade = [&wanted](const GpuScene& of, int first) {
+    for (const auto& [key, made] : of.derived_) {
       // As large as it may become.
-      DerivedTexture whole = key;
+      DerivedTexture whole = moved(key, first);
       whole.unread = 0;
       wanted.insert(whole);
     }
-  }
+  };
+  addMade(*this, 0);
+  if (model_) addMade(*model_, 0);
+  for (const auto& [gpu, cloth] : cloths_) addMade(*gpu, static_cast<int>(cloth.firstImage));
   for (const DerivedTexture& key : wanted) {
     const Image8& image = scene.images[static_cast<std::size_t>(key.image)];
     const std::uint64_t texels =

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -34,14 +35,23 @@ struct TexelCount {
   std::uint64_t all = 0;
   std::uint64_t unread = 0;       ///< of levels that the GPU lacks, for nothing has read them
   std::uint64_t unreadBytes = 0;  ///< of these
+
+  TexelCount& operator+=(const TexelCount& other) {
+    all += other.all;
+    unread += other.unread;
+    unreadBytes += other.unreadBytes;
+    return *this;
+  }
 };
 
 /// A scene's data on the GPU. It is made when a draw first needs it and freed with the object. A scene that was made of
-/// another one owns only what that lacks: deformed meshes, images of cloths.
+/// another one owns only what that and its cloths lack: deformed meshes, and textures that are made of images of both.
 class GpuScene {
  public:
-  /// @param model of the scene that `scene` was made of, which outlives this; null = it was loaded
-  GpuScene(const gl::Context& context, TextureStore& store, const std::shared_ptr<const Scene>& scene, GpuScene* model);
+  /// @param model   of the scene that `scene` was made of, which outlives this; null = it was loaded
+  /// @param cloths  of Scene::cloths, in their order
+  GpuScene(const gl::Context& context, TextureStore& store, const std::shared_ptr<const Scene>& scene, GpuScene* model,
+           std::vector<std::shared_ptr<GpuScene>> cloths = {});
   GpuScene(const GpuScene&) = delete;
   GpuScene& operator=(const GpuScene&) = delete;
   /// The store keeps its textures.
@@ -88,7 +98,16 @@ class GpuScene {
     int exponent = 0;                       ///< 2^exponent is the error that it was made with
     std::unique_ptr<const Primitive> made;  ///< null = the primitive itself
   };
-  bool isModels(int image) const { return model_ && image < fileImages_; }
+  /// Another one that has an image's textures, and the place of its first image here.
+  struct Lender {
+    GpuScene* scene;
+    int first;
+  };
+  /// None = the image is this one's own.
+  std::optional<Lender> lenderOf(int image) const;
+  /// Of all images that a texture is made of; none where they are not one's.
+  std::optional<Lender> lenderOf(const DerivedTexture& key) const;
+  GLuint ownTexture(const Image8& image, int index, bool colorUse, const CancelToken& cancel, int unread);
   /// Frees what the GPU has of a primitive.
   void forget(const Primitive* primitive);
 
@@ -96,6 +115,7 @@ class GpuScene {
   TextureStore& store_;
   std::weak_ptr<const Scene> scene_;
   GpuScene* model_;
+  std::vector<std::pair<std::shared_ptr<GpuScene>, WornCloth>> cloths_;
   std::set<const Primitive*> own_;                       ///< where there is a model: the deformed ones
   int fileImages_;                                       ///< images below are the model's
   std::map<const Primitive*, std::vector<Form>> forms_;  ///< the one that was used last, last
