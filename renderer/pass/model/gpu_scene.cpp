@@ -57,6 +57,7 @@ GpuScene::GpuScene(const gl::Context& context, TextureStore& store, const std::s
 
 GpuScene::~GpuScene() {
   for (auto& entry : textures_) store_.keep(std::move(entry.second));
+  for (auto& entry : sources_) store_.keep(std::move(entry.second));
 }
 
 std::optional<GpuScene::Lender> GpuScene::lenderOf(int image) const {
@@ -170,6 +171,33 @@ GLuint GpuScene::ownTexture(const Image8& image, int index, bool colorUse, const
   }
   store_.readFrom(found->second, leftOut);
   return found->second.texture.get();
+}
+
+GLuint GpuScene::source(const Scene& scene, int image, bool colorUse, const CancelToken& cancel) {
+  const Image8& texels = scene.images[static_cast<std::size_t>(image)];
+  if (const auto lender = lenderOf(image))
+    return lender->scene->ownSource(texels, image - lender->first, colorUse, cancel);
+  return ownSource(texels, image, colorUse, cancel);
+}
+
+GLuint GpuScene::ownSource(const Image8& image, int index, bool colorUse, const CancelToken& cancel) {
+  const auto key = std::make_pair(index, decodesSrgb(image.coding, colorUse));
+  const auto whole = textures_.find(key);
+  if (levelsBeyond(image, textureSize_) > 0 || (whole != textures_.end() && whole->second.firstLevel == 0))
+    return ownTexture(image, index, colorUse, cancel, 0);
+  auto found = sources_.find(key);
+  if (found == sources_.end()) {
+    cancel.check();
+    found = sources_.emplace(key, store_.uploadLargest(image, key.second)).first;
+  }
+  return found->second.texture.get();
+}
+
+void GpuScene::dropSources() {
+  for (auto& entry : sources_) store_.keep(std::move(entry.second));
+  sources_.clear();
+  if (model_) model_->dropSources();
+  for (const auto& [gpu, cloth] : cloths_) gpu->dropSources();
 }
 
 bool GpuScene::isWhole(int image) const {

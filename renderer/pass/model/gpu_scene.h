@@ -74,6 +74,10 @@ class GpuScene {
   /// coding and the use as a colour or as data say. @throws Error{E_IMAGE_FORMAT}
   /// @param unread  largest levels that the draws to come do not read (TextureStore)
   GLuint texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel, int unread = 0);
+  /// A texture that others are made of: of it level 0 is read, or the one that the limit leaves. Where nothing else
+  /// reads the image it has no smaller levels, and goes with dropSources().
+  GLuint source(const Scene& scene, int image, bool colorUse, const CancelToken& cancel);
+  void dropSources();
   /// Whether the GPU has all levels of an image in each form that it has.
   bool isWhole(int image) const;
   /// Of its textures of images, and of the relief that was made of them.
@@ -108,6 +112,7 @@ class GpuScene {
   /// Of all images that a texture is made of; none where they are not one's.
   std::optional<Lender> lenderOf(const DerivedTexture& key) const;
   GLuint ownTexture(const Image8& image, int index, bool colorUse, const CancelToken& cancel, int unread);
+  GLuint ownSource(const Image8& image, int index, bool colorUse, const CancelToken& cancel);
   /// Frees what the GPU has of a primitive.
   void forget(const Primitive* primitive);
 
@@ -123,8 +128,8 @@ class GpuScene {
   std::map<const Primitive*, PartExtents> extents_;
   std::map<const Instances*, InstanceStreams> instances_;
   std::map<std::pair<const Primitive*, const Instances*>, GpuPrimitive> primitives_;
-  int textureSize_ = 0;  ///< limitTextures()
-  std::map<std::pair<int, bool>, StoredTexture> textures_;
+  int textureSize_ = 0;                                               ///< limitTextures()
+  std::map<std::pair<int, bool>, StoredTexture> textures_, sources_;  ///< by image and whether it is decoded from sRGB
   std::map<DerivedTexture, gl::Texture> derived_;
   std::vector<std::pair<Sampler, gl::Sampler>> samplers_;
 };

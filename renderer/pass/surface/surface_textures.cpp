@@ -16,10 +16,10 @@ DerivedTexture withLimits(DerivedTexture key, const Scene& scene, const GpuScene
   return key;
 }
 
-/// An image's texture without the levels that are left out. -1 = none.
+/// What others are made of, without the levels that are left out. -1 = none.
 BakeSource sourceOf(int index, bool srgb, const Scene& scene, GpuScene& gpu, const CancelToken& cancel) {
   if (index < 0) return {};
-  const GLuint texture = gpu.texture(scene, index, srgb, cancel);
+  const GLuint texture = gpu.source(scene, index, srgb, cancel);
   const Image8& image = scene.images[static_cast<std::size_t>(index)];
   const int first = gpu.levelsLeftOut(scene, index);
   return {texture, {std::max(image.width >> first, 1u), std::max(image.height >> first, 1u)}};
@@ -113,14 +113,14 @@ void SurfaceTextures::upload(const FramePlan& plan, const Scene& scene, GpuScene
       if (item.key.yarnRelief) yarnRelief(item, scene, gpu, cancel);
     }
   }
+  gpu.dropSources();
 }
 
 GLuint SurfaceTextures::texture(const DrawItem& item, const TextureSlot& slot, const Scene& scene, GpuScene& gpu,
                                 const CancelToken& cancel, const UnreadLevels* unread) {
   const int index = slot.texture(*item.material).image;
-  const GLuint plain = gpu.texture(scene, index, slot.srgb, cancel, unread ? unread->of(index) : 0);
   auto key = derivedOf(item, slot, scene, gpu);
-  if (!key) return plain;
+  if (!key) return gpu.texture(scene, index, slot.srgb, cancel, unread ? unread->of(index) : 0);
   if (unread && key->kind == DerivedTexture::Kind::kNormalVariance)
     key->unread = std::max(unread->ofMade(index) - key->first, 0);
   return gpu.derived(*key, [&] {

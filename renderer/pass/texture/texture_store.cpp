@@ -164,11 +164,7 @@ StoredTexture TextureStore::uploadTexels(const Image8& image, bool srgb, int unr
                         : 0;
   StoredTexture stored = take({format.stored, levels - first, sideOf(image.width, first), sideOf(image.height, first)});
   stored.firstLevel = first;
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  const auto put = [&](GLint level, const auto& pixels) {
-    gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, sideOf(image.width, level), sideOf(image.height, level), GL_RGBA,
-                     format.component, pixels.data());
-  };
+  const auto put = [&](GLint level, const auto& pixels) { putLevel(image, level, pixels.data()); };
   if (first == 0) put(0, image.pixels);
   if (mayLeave) {
     mips_.make(image.pixels.data(), image.width, image.height, srgb, first);
@@ -180,6 +176,12 @@ StoredTexture TextureStore::uploadTexels(const Image8& image, bool srgb, int unr
     for (; level < levels; ++level) put(level, emptyLevel(image, level));
   }
   return stored;
+}
+
+void TextureStore::putLevel(const Image8& image, GLint level, const void* texels) const {
+  context_.gl().PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  context_.gl().TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, sideOf(image.width, level), sideOf(image.height, level),
+                              GL_RGBA, formatOf(image.type, false).component, texels);
 }
 
 StoredTexture TextureStore::uploadBlocks(const Image8& image, bool srgb) {
@@ -205,6 +207,14 @@ StoredTexture TextureStore::uploadBlocks(const Image8& image, bool srgb) {
   };
   put(image.pixels);
   for (const auto& bytes : image.smallerLevels) put(bytes);
+  return stored;
+}
+
+StoredTexture TextureStore::uploadLargest(const Image8& image, bool srgb) {
+  if (image.type == TexelType::kBlocks || image.ownLevels) return upload(image, srgb);
+  StoredTexture stored = take({formatOf(image.type, srgb).stored, 1, sideOf(image.width, 0), sideOf(image.height, 0)});
+  putLevel(image, 0, image.pixels.data());
+  context_.check("texture upload");
   return stored;
 }
 

@@ -41,6 +41,8 @@ class TextureStore {
   ///        processor. Sides that are powers of two are halved exactly by a GL, so that the others are read as before.
   /// @throws Error{E_IMAGE_FORMAT} where this GL does not read such blocks, as a browser on the same GPU does not
   StoredTexture upload(const Image8& image, bool srgb, int unread = 0);
+  /// The same with level 0 alone, where the others would be generated: for what is made of it.
+  StoredTexture uploadLargest(const Image8& image, bool srgb);
   /// Has levels from this one of the image on read, or from the smallest that there is. It stays bound where it
   /// changes.
   void readFrom(StoredTexture& stored, int imageLevel) const;
@@ -56,6 +58,7 @@ class TextureStore {
   /// One that was kept, with its old texels, or a new one. Bound.
   StoredTexture take(const TextureStorage& storage);
   StoredTexture uploadTexels(const Image8& image, bool srgb, int unread);
+  void putLevel(const Image8& image, GLint level, const void* texels) const;
   StoredTexture uploadBlocks(const Image8& image, bool srgb);
   void dropOldest();
 

@@ -17,7 +17,7 @@ class UnreadLevels {
   /// How many, from level 0 on.
   int of(int image) const { return levels_[static_cast<std::size_t>(image)]; }
   /// The same of what is made of an image: of a normal map, and of a base colour with metalness. The image itself is
-  /// whole then.
+  /// read whole then.
   int ofMade(int image) const { return made_[static_cast<std::size_t>(image)]; }
 
  private:

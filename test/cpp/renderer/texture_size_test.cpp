@@ -101,6 +101,17 @@ TEST(TextureSize, IsThePictureOfSmallerImages) {
   }
 }
 
+TEST(TextureSize, HoldsForTexturesThatAnotherShadingHadBefore) {
+  const auto scene = ballOf({noise(512, 512, 7), noise(512, 512, 9)});
+  const std::vector<Job> jobs{{scene, litShot(0, ShadingModel::kFabric)},
+                              {scene, litShot(0)},
+                              {scene, litShot(64, ShadingModel::kFabric)},
+                              {scene, litShot(64)},
+                              {scene, litShot(0, ShadingModel::kFabric)}};
+  const auto pictures = drawn(jobs);
+  for (std::size_t i = 0; i < jobs.size(); ++i) EXPECT_TRUE(pictures[i].pixels == drawn({jobs[i]})[0].pixels) << i;
+}
+
 TEST(TextureSize, HoldsForTexturesThatAnotherModelHadBefore) {
   const auto one = ballOf({noise(100, 60, 7)}), other = ballOf({noise(100, 60, 8)});
   const Frame expected = drawn({{other, litShot(0)}})[0];

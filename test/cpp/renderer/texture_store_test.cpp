@@ -63,6 +63,19 @@ TEST_F(TextureStoreTest, AKeptTextureIsFilledWholeWithTheNextImage) {
   }
 }
 
+TEST_F(TextureStoreTest, TheLargestLevelAloneIsThatOfTheWhole) {
+  for (const bool srgb : {false, true}) {
+    const StoredTexture largest = store.uploadLargest(image(100, 30), srgb);
+    auto whole = levels(store.upload(image(100, 30), srgb));
+    whole.resize(std::size_t{4} * 100 * 100);
+    EXPECT_EQ(levels(largest), whole);
+  }
+  Image8 own = image(64, 30);
+  own.ownLevels = true;
+  own.smallerLevels.push_back(image(32, 70).pixels);
+  EXPECT_EQ(levels(store.uploadLargest(own, false)), levels(store.upload(own, false))) << "the file's levels";
+}
+
 TEST_F(TextureStoreTest, AnotherSizeOrCodingIsANewTexture) {
   StoredTexture first = store.upload(image(64, 200), false);
   const GLuint name = first.texture.get();
