@@ -190,6 +190,12 @@ struct Scene {
   std::vector<WornCloth> cloths;  ///< of a dressed scene: whose images those beyond fileImages are
 };
 
+/// The alpha of its texture from which on a cut-out material is there: the factor multiplies it. Above 1 = nowhere.
+inline float textureCutoff(const Material& material) {
+  const float factor = material.baseColorFactor.a;
+  return factor > 0 ? material.alphaCutoff / factor : 2.0f;
+}
+
 /// What a shading draws of one of the scene's materials: the shading "fabric" takes it with its preset.
 inline const Material& shownMaterial(const Scene& scene, const Material& material, ShadingModel shading) {
   const bool filled = shading == ShadingModel::kFabric && material.withPreset >= 0;

@@ -61,10 +61,11 @@ GpuScene::~GpuScene() {
 }
 
 std::optional<GpuScene::Lender> GpuScene::lenderOf(int image) const {
-  if (model_ && image < fileImages_) return Lender{model_, 0};
+  if (model_ && image < fileImages_) return Lender{model_, 0, nullptr};
   for (const auto& [gpu, cloth] : cloths_) {
     const int first = static_cast<int>(cloth.firstImage);
-    if (image >= first && image < first + static_cast<int>(cloth.scene->images.size())) return Lender{gpu.get(), first};
+    if (image >= first && image < first + static_cast<int>(cloth.scene->images.size()))
+      return Lender{gpu.get(), first, cloth.scene.get()};
   }
   return std::nullopt;
 }
@@ -76,6 +77,10 @@ std::optional<GpuScene::Lender> GpuScene::lenderOf(const DerivedTexture& key) co
     if (image < 0) continue;
     const auto other = lenderOf(image);
     if (!other || other->scene != lender->scene) return std::nullopt;
+  }
+  if (lender->cloth && key.cutoff != 0) {
+    const auto isOwn = [&key](const Material& material) { return textureCutoff(material) == key.cutoff; };
+    if (std::ranges::none_of(lender->cloth->materials, isOwn)) return std::nullopt;
   }
   return lender;
 }

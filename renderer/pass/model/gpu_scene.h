@@ -106,10 +106,12 @@ class GpuScene {
   struct Lender {
     GpuScene* scene;
     int first;
+    const Scene* cloth;  ///< null = the model
   };
   /// None = the image is this one's own.
   std::optional<Lender> lenderOf(int image) const;
-  /// Of all images that a texture is made of; none where they are not one's.
+  /// Of all images that a texture is made of; none where they are not one's, or where a cloth would keep a texture for
+  /// each garment that cuts it out elsewhere.
   std::optional<Lender> lenderOf(const DerivedTexture& key) const;
   GLuint ownTexture(const Image8& image, int index, bool colorUse, const CancelToken& cancel, int unread);
   GLuint ownSource(const Image8& image, int index, bool colorUse, const CancelToken& cancel);

@@ -34,10 +34,7 @@ struct DrawItem {
   /// Null = drawn once, where the node is.
   const Instances* instances() const { return node->instances.get(); }
   /// The smallest alpha of the base colour map that passes the alpha test; above 1 none does.
-  float textureCutoff() const {
-    const float factor = material->baseColorFactor.a;
-    return factor > 0 ? material->alphaCutoff / factor : 2.0f;
-  }
+  float textureCutoff() const { return telar::textureCutoff(*material); }
   /// Triangles cast, each once: the first of the two draws of a blended double-sided surface is left out.
   bool castsShadow() const { return primitive->topology == Topology::kTriangles && !key.flipSided && !ghost; }
 };

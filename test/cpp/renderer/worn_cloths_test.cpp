@@ -162,6 +162,24 @@ TEST_F(WornCloths, StayWhenTheirModelGoesButNotAllOfThem) {
   EXPECT_LT(renderer_->liveObjects(), kept);
 }
 
+/// What is made of a cut-out cloth depends on the alpha of the part, which any file may have as it likes.
+TEST_F(WornCloths, KeepNothingForEachGarmentThatCutsThemOutElsewhere) {
+  auto cloth = std::make_shared<Scene>(*clothOf(3));
+  cloth->materials[0].alphaMode = AlphaMode::kMask;
+  cloth->images = SharedList<Image8>{netImage(SIDE, 4, 0.5), cloth->images[1], cloth->images[2], cloth->images[3]};
+  std::vector<int> names;
+  for (const float alpha : {1.0f, 0.9f, 0.8f, 0.7f, 1.0f}) {
+    auto garment = std::make_shared<Scene>(*garmentOf(1));
+    garment->materials[0].baseColorFactor.a = alpha;
+    const auto scene = dressScene(garment, {dressingOf(0, cloth)}, CancelToken());
+    const auto picture = drawn(scene);
+    EXPECT_TRUE(picture == drawnAlone(scene)) << alpha;
+    renderer_->release(*garment);
+    names.push_back(renderer_->liveObjects());
+  }
+  for (std::size_t i = 1; i < names.size(); ++i) EXPECT_EQ(names[i], names[0]) << i;
+}
+
 TEST_F(WornCloths, OfOnePictureAreAllThere) {
   std::vector<std::shared_ptr<const Scene>> cloths;
   auto garment = std::make_shared<Scene>(*garmentOf(1));
