@@ -216,7 +216,7 @@ Napi::Value measure(const Napi::CallbackInfo& info) {
   return textOnPool(info.Env(), job, [scene, request, job] { return measureScene(*scene, request, job->cancel); });
 }
 
-/// swatch(scene, request: string, token) -> Promise<{scene, facts: string}>
+/// swatch(scene, request: string, token) -> Promise<{scene, facts: string, meanBaseColor: string}>
 Napi::Value swatch(const Napi::CallbackInfo& info) {
   auto scene = unwrap<SceneHandle>(info[0]).scene();
   auto request = stringFromJs(info[1], "a request");
@@ -224,7 +224,11 @@ Napi::Value swatch(const Napi::CallbackInfo& info) {
   return State::of(info.Env()).runOnPool(info.Env(), job, [job, scene, request] {
     auto square = swatchOf(scene, request, job->cancel);
     std::string facts = describeScene(*square, job->cancel);
-    job->value = [square, facts = std::move(facts)](Napi::Env env) { return sceneToJs(env, square, facts); };
+    job->value = [square, facts = std::move(facts), color = describeSwatchColor(*square)](Napi::Env env) {
+      Napi::Object made = sceneToJs(env, square, facts).As<Napi::Object>();
+      made.Set("meanBaseColor", color);
+      return made;
+    };
   });
 }
 

@@ -33,6 +33,6 @@ export async function swatchOf(model, options) {
   const { request, signal, timeoutMs } = swatchOptions(options);
   const native = loadNative();
   const work = new Work(native, signal, timeoutMs);
-  const { scene, facts } = await nativeCall(native, work, (token) => native.swatch(Model.sceneOf(model), JSON.stringify(request), token));
-  return new Model(scene, JSON.parse(facts));
+  const made = await nativeCall(native, work, (token) => native.swatch(Model.sceneOf(model), JSON.stringify(request), token));
+  return new Model(made.scene, { ...JSON.parse(made.facts), meanBaseColor: JSON.parse(made.meanBaseColor) });
 }

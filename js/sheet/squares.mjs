@@ -87,13 +87,20 @@ export class Squares {
   }
 
   /**
-   * The colour of the material itself, without light: the mean of its albedo.
+   * The colour of the material itself, without light: the mean of its base colour.
    * @returns {Promise<{linear: number[], srgb: string, labD50: number[], labD65: number[], nearest: {name: string, difference: number}[]}>}
    */
   async colour(what, path) {
-    const { renderer, call, list } = this.#context;
-    const { layers } = await renderer.render(await this.model(what, path), ALBEDO, call);
-    const linear = meanOf(floatsOf(layers.albedo), floatsOf(layers.coverage));
+    const { list } = this.#context;
+    const square = await this.model(what, path);
+    const linear = square.facts.meanBaseColor ?? (await this.#drawnColour(square));
     return { linear, srgb: hexOf(linear), labD50: LIGHTS.D50(linear), labD65: LIGHTS.D65(linear), nearest: list ? nearestColours(linear, list) : [] };
+  }
+
+  /** The mean of what is seen of a square. */
+  async #drawnColour(square) {
+    const { renderer, call } = this.#context;
+    const { layers } = await renderer.render(square, ALBEDO, call);
+    return meanOf(floatsOf(layers.albedo), floatsOf(layers.coverage));
   }
 }

@@ -4,7 +4,9 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 
+#include "core/mean_of_srgb.h"
 #include "core/sha256.h"
 #include "frame/variant.h"
 #include "swatch/worn.h"
@@ -81,6 +83,33 @@ Primitive squareOf(const swatch::Worn& worn, double size, bool draped) {
   return out;
 }
 
+constexpr std::uint32_t CLAMP_TO_EDGE = 33071;
+
+/// Whether the square shows a tile of a texture or more, along both of its sides.
+bool showsATile(const Primitive& square, const TextureRef& texture) {
+  const auto& uvs = square.uvs[static_cast<std::size_t>(texture.texCoord)];
+  if (uvs.empty()) return false;
+  if (texture.sampler.wrapS == CLAMP_TO_EDGE || texture.sampler.wrapT == CLAMP_TO_EDGE) return false;
+  const glm::mat2 transform = texture.hasTransform ? glm::mat2(texture.uvTransform) : glm::mat2(1);
+  const glm::vec2 across = transform * (uvs[QUADS] - uvs[0]), up = transform * (uvs.back() - uvs[QUADS]);
+  return glm::length(across) >= 1 && glm::length(up) >= 1;
+}
+
+std::optional<glm::dvec3> colorOf(const Scene& swatch) {
+  const Primitive& square = swatch.meshes.back().primitives[0];
+  if (square.material < 0) return std::nullopt;
+  const Material& material = swatch.materials[static_cast<std::size_t>(square.material)];
+  if (material.alphaMode != AlphaMode::kOpaque) return std::nullopt;
+  glm::dvec3 color(material.baseColorFactor);
+  if (!square.colors.empty()) color *= glm::dvec3(square.colors[0]);
+  const TextureRef& texture = material.baseColorTexture;
+  if (!texture) return color;
+  const Image8& image = swatch.images[static_cast<std::size_t>(texture.image)];
+  if (!decodesSrgb(image.coding, true) || !showsATile(square, texture)) return std::nullopt;
+  const auto mean = meanOfSrgb(image, false);
+  return mean ? std::optional(color * *mean) : std::nullopt;
+}
+
 /// A scene of one primitive that shares all but geometry with the model.
 std::shared_ptr<const Scene> sceneOf(const std::shared_ptr<const Scene>& model, Primitive primitive,
                                      std::string_view request) {
@@ -111,6 +140,11 @@ std::shared_ptr<const Scene> sceneOf(const std::shared_ptr<const Scene>& model, 
 }
 
 }  // namespace
+
+std::string describeSwatchColor(const Scene& swatch) {
+  const auto color = colorOf(swatch);
+  return color ? json{color->x, color->y, color->z}.dump() : "null";
+}
 
 std::shared_ptr<const Scene> swatchOf(const std::shared_ptr<const Scene>& model, std::string_view text,
                                       const CancelToken& cancel) {

@@ -1,8 +1,8 @@
 #include "telar/dress.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <glm/vector_relational.hpp>
 #include <map>
 #include <new>
 #include <set>
@@ -12,6 +12,7 @@
 #include "asset/check/warnings.h"
 #include "asset/material/material.h"
 #include "core/dye.h"
+#include "core/mean_of_srgb.h"
 #include "telar/variant_material.h"
 
 namespace telar {
@@ -36,28 +37,10 @@ glm::dmat3 placement(const glm::dvec2& garment, const glm::dvec2& cloth, const D
           glm::dvec3(-garment.y * s * per.x, garment.y * c * per.y, 0), glm::dvec3(0, 0, 1)};
 }
 
-float linear(std::uint8_t code) {
-  const double c = code / 255.0;
-  return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-}
-
-/// Mean of what is there of a picture of a colour, linear; one where that is not known.
+/// The mean of what is there of a picture of a colour; one where that is not known, or is black in a channel.
 glm::vec3 meanColor(const Image8& image) {
-  if (image.type != TexelType::kByte || image.pixels.empty()) return glm::vec3(1);
-  std::array<std::array<std::uint64_t, 3>, 256> alphas{};  // of texels of a code, by channel
-  for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      alphas[image.pixels[i + channel]][channel] += image.pixels[i + 3];
-    }
-  }
-  glm::dvec4 sum(0);
-  for (std::size_t code = 0; code < alphas.size(); ++code) {
-    const auto& [red, green, blue] = alphas[code];
-    const double light = linear(static_cast<std::uint8_t>(code));
-    sum += glm::dvec4(light * static_cast<double>(red), light * static_cast<double>(green),
-                      light * static_cast<double>(blue), red);
-  }
-  return sum.w > 0 && sum.x > 0 && sum.y > 0 && sum.z > 0 ? glm::vec3(glm::dvec3(sum) / sum.w) : glm::vec3(1);
+  const auto mean = meanOfSrgb(image, true);
+  return mean && glm::all(glm::greaterThan(*mean, glm::dvec3(0))) ? glm::vec3(*mean) : glm::vec3(1);
 }
 
 class Dresser {

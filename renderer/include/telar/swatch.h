@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "telar/cancel.h"
@@ -16,5 +17,11 @@ namespace telar {
 /// @throws Error{E_MEASURE (no such part, or it draws no triangles), L_TRIANGLES, X_CANCELLED, X_MEMORY}
 std::shared_ptr<const Scene> swatchOf(const std::shared_ptr<const Scene>& model, std::string_view request,
                                       const CancelToken& cancel);
+
+/// The base colour of a swatch as a whole: the mean over a tile of its texture, where the square shows a tile at least
+/// along u and along v.
+/// @return linear Rec.709, as JSON [r, g, b]; null where the mean over what is seen of the square is another: of a print
+///         that does not repeat on it, a material with holes, a texture that is not coded as sRGB in bytes
+std::string describeSwatchColor(const Scene& swatch);
 
 }  // namespace telar

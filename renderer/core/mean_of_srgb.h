@@ -1,0 +1,36 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "telar/image.h"
+
+namespace telar {
+
+/// Mean of the texels of a picture that is coded as sRGB (IEC 61966-2-1): linear Rec.709, exact, where a mip level has
+/// lost up to 1/255 of brightness to rounding.
+/// @param byAlpha  texels count by their alpha, 0..1
+/// @return none where the texels are no bytes, or none counts
+inline std::optional<glm::dvec3> meanOfSrgb(const Image8& image, bool byAlpha) {
+  if (image.type != TexelType::kByte || image.pixels.empty()) return std::nullopt;
+  std::array<std::array<std::uint64_t, 3>, 256> weights{};  // of texels of a code, by channel
+  for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      weights[image.pixels[i + channel]][channel] += byAlpha ? image.pixels[i + 3] : 1;
+    }
+  }
+  glm::dvec4 sum(0);
+  for (std::size_t code = 0; code < weights.size(); ++code) {
+    const auto& [red, green, blue] = weights[code];
+    const double c = static_cast<double>(code) / 255;
+    const double light = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    sum += glm::dvec4(light * static_cast<double>(red), light * static_cast<double>(green),
+                      light * static_cast<double>(blue), red);
+  }
+  if (sum.w <= 0) return std::nullopt;
+  return glm::dvec3(sum) / sum.w;
+}
+
+}  // namespace telar
