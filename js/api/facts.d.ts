@@ -23,8 +23,8 @@ export interface ModelFacts {
   /** Of the file and of the external parts that it names: 64 hex digits. */
   sha256: string;
   /**
-   * Of a swatch alone: its base colour as a whole, linear Rec.709, the mean over the texels. Null where the mean over what is seen of the square is
-   * another: of a print that does not repeat on it, a material with holes, a texture that is not coded as sRGB in bytes.
+   * Of a flat swatch alone: its base colour as a whole, linear Rec.709, the mean over the texels. Null where the mean over what is seen of the square is
+   * another, and where it is draped: of a print that does not repeat on it, a material with holes, a texture that is not coded as sRGB in bytes.
    */
   meanBaseColor?: [number, number, number] | null;
   materials: Array<{

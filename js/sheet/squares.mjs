@@ -39,7 +39,8 @@ export function meanOf(colours, coverage) {
   let whole = 0;
   for (const [i, part] of coverage.entries()) {
     whole += part;
-    for (let c = 0; c < 3; ++c) sums[c] += part * colours[3 * i + c];
+    // What is no number, as texture coordinates that overflow make it, is drawn black.
+    for (let c = 0; c < 3; ++c) sums[c] += part * (colours[3 * i + c] || 0);
   }
   return sums.map((sum) => (whole > 0 ? sum / whole : 0));
 }

@@ -96,6 +96,9 @@ bool showsATile(const Primitive& square, const TextureRef& texture) {
 }
 
 std::optional<glm::dvec3> colorOf(const Scene& swatch) {
+  // A sheet asks for both, and the flat one tells: the texels are looked at once.
+  const bool draped = swatch.bounds.min.z != swatch.bounds.max.z;
+  if (draped) return std::nullopt;
   const Primitive& square = swatch.meshes.back().primitives[0];
   if (square.material < 0) return std::nullopt;
   const Material& material = swatch.materials[static_cast<std::size_t>(square.material)];

@@ -1,5 +1,5 @@
 // What each preset of cloth takes: GPU bytes of its maps; the CPU time until they are there to draw, once a renderer, in shading "fabric" against "three" and against
-// the same maps without a preset; and the CPU time until the bundled T-shirt is there to draw that wears it, which the maps are there for.
+// the same maps without a preset; and the CPU time until the bundled T-shirt that wears it is there to draw, once the renderer has the maps.
 // Medians of rounds that take turns.
 // node test/bench/cloths.mjs [PRESET]      needs the dev build (npm test makes it)
 import { readFileSync } from 'node:fs';

@@ -18,9 +18,9 @@ namespace telar {
 std::shared_ptr<const Scene> swatchOf(const std::shared_ptr<const Scene>& model, std::string_view request,
                                       const CancelToken& cancel);
 
-/// The base colour of a swatch as a whole: the mean over a tile of its texture, where the square shows a tile at least
+/// The base colour of a flat swatch as a whole: the mean over a tile of its texture, where the square shows a tile at least
 /// along u and along v.
-/// @return linear Rec.709, as JSON [r, g, b]; null where the mean over what is seen of the square is another: of a print
+/// @return linear Rec.709, as JSON [r, g, b]; null where it is draped, and where the mean over what is seen of the square is another: of a print
 ///         that does not repeat on it, a material with holes, a texture that is not coded as sRGB in bytes
 std::string describeSwatchColor(const Scene& swatch);
 

@@ -5,7 +5,7 @@ import { plane } from '../../fixtures/geometry.mjs';
 import { GlbBuilder } from '../../fixtures/glb.mjs';
 import { png } from '../../fixtures/images.mjs';
 import { createRenderer } from '../../../js/index.mjs';
-import { Squares } from '../../../js/sheet/squares.mjs';
+import { meanOf, Squares } from '../../../js/sheet/squares.mjs';
 
 // The colour that a sheet prints is that of the texels, not of mip levels, which round at each: a driver that rounds otherwise printed another code.
 
@@ -62,6 +62,15 @@ test('it is the mean over the texels, however small they lie', async () => {
 
 test('without a texture it is the factor', async () => {
   near((await coloursOf(await panel({ baseColor: [0.3, 0.2, 0.1, 1] }, 1))).exact, [0.3, 0.2, 0.1], 1e-7);
+});
+
+test('a draped square is not asked for it', async () => {
+  const model = await panel({ baseColor: [0.3, 0.2, 0.1, 1] }, 1);
+  assert.equal((await model.swatch({ part: { material: 'cloth' }, draped: true })).facts.meanBaseColor, null);
+});
+
+test('what is no number is black, and no colour of letters', () => {
+  assert.deepEqual(meanOf(new Float32Array([NaN, 0.5, 0.25, 1, 0.5, 0.75]), new Float32Array([1, 1])), [0.5, 0.5, 0.5]);
 });
 
 test('of what does not repeat on the square, or has holes, it is what is seen', async () => {
