@@ -19,13 +19,14 @@ export const FAMILIES = {
   raster: {
     'raster 16/16': raster(16, 16),
     'raster 16/64': raster(16, 64),
-    medium: 'medium',
+    'raster 64/128 noise 5': { ...raster(64, 128, 5), mergeQuads: true },
     'raster 64/256': raster(64, 256),
     'raster 256/512 noise 4': raster(256, 512, 4),
     'raster 1024/2048 noise 2': raster(1024, 2048, 2),
     // By its name the tracer may draw it.
     'high by the raster': PRESETS.high,
   },
+  denoised: { medium: 'medium' },
   tracer: {
     'tracer 4': paths(4),
     'tracer 8': paths(8),

@@ -485,6 +485,8 @@ export interface Shot {
     environmentSamples?: number;
     /** Shade triangles that share a vertex once where they meet in two by two pixels, as one surface: each pixel shows one of them. Saves time on the processor alone, where triangles have a few pixels; default false. */
     mergeQuads?: boolean;
+    /** Join the mean of the passes with a picture of one pass, whose light is prefiltered and whose maps are filtered: light is taken from the passes, as far as it stands out of their noise, and detail from either. `noise` is then what that leaves. For more than 4 samples; default false. */
+    denoise?: boolean;
     /** Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = all are read whole; default 0. Range 0 to 16384. */
     textureSize?: number;
     /** Size of a face of the prefiltered environment, whose last level has 8: a smaller one tells fewer roughnesses apart; 0 = as in three.js, a quarter of the width of the map, at least 256. Atlases of releases of three.js before 0.187 have their own; default 0. */
@@ -521,6 +523,7 @@ export interface Shot {
     resolve?: never;
     environmentSamples?: never;
     mergeQuads?: never;
+    denoise?: never;
     textureSize?: never;
     environmentSize?: never;
     prefilterSamples?: never;
@@ -538,6 +541,7 @@ export interface Shot {
     noise?: never;
     environmentSamples?: never;
     mergeQuads?: never;
+    denoise?: never;
     textureSize?: never;
     environmentSize?: never;
     prefilterSamples?: never;
@@ -558,6 +562,7 @@ export interface Shot {
     noise?: never;
     environmentSamples?: never;
     mergeQuads?: never;
+    denoise?: never;
     textureSize?: never;
     environmentSize?: never;
     prefilterSamples?: never;
@@ -1116,6 +1121,8 @@ export interface ResolvedShot {
     environmentSamples: number;
     /** Shade triangles that share a vertex once where they meet in two by two pixels, as one surface: each pixel shows one of them. Saves time on the processor alone, where triangles have a few pixels. */
     mergeQuads: boolean;
+    /** Join the mean of the passes with a picture of one pass, whose light is prefiltered and whose maps are filtered: light is taken from the passes, as far as it stands out of their noise, and detail from either. `noise` is then what that leaves. For more than 4 samples. */
+    denoise: boolean;
     /** Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = all are read whole. Range 0 to 16384. */
     textureSize: number;
     /** Size of a face of the prefiltered environment, whose last level has 8: a smaller one tells fewer roughnesses apart; 0 = as in three.js, a quarter of the width of the map, at least 256. Atlases of releases of three.js before 0.187 have their own. */
@@ -1152,6 +1159,7 @@ export interface ResolvedShot {
     resolve?: never;
     environmentSamples?: never;
     mergeQuads?: never;
+    denoise?: never;
     textureSize?: never;
     environmentSize?: never;
     prefilterSamples?: never;
@@ -1169,6 +1177,7 @@ export interface ResolvedShot {
     noise?: never;
     environmentSamples?: never;
     mergeQuads?: never;
+    denoise?: never;
     textureSize?: never;
     environmentSize?: never;
     prefilterSamples?: never;
@@ -1189,6 +1198,7 @@ export interface ResolvedShot {
     noise?: never;
     environmentSamples?: never;
     mergeQuads?: never;
+    denoise?: never;
     textureSize?: never;
     environmentSize?: never;
     prefilterSamples?: never;

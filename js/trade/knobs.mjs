@@ -22,6 +22,7 @@ export const KNOBS = Object.freeze({
   environmentSamples: { 4: { environmentSamples: 4 }, 16: { environmentSamples: 16 }, 64: { environmentSamples: 64 }, 256: { environmentSamples: 256 } },
   noise: { '4 of 64 samples': { samples: 64, noise: 4 } },
   mergeQuads: { true: { mergeQuads: true } },
+  denoise: { 'of 16 samples, 32 directions': { samples: 16, environmentSamples: 32, denoise: true } },
   textureSize: { 128: { textureSize: 128 }, 256: { textureSize: 256 }, 512: { textureSize: 512 } },
   environmentSize: { 64: { environmentSize: 64 }, 128: { environmentSize: 128 }, 512: { environmentSize: 512 } },
   prefilterSamples: { 32: { prefilterSamples: 32 }, 1024: { prefilterSamples: 1024 } },

@@ -1,6 +1,7 @@
 #include "frame/pixel_mean.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -9,6 +10,8 @@
 
 namespace telar::frame {
 namespace {
+
+constexpr unsigned FEWEST_TO_JOIN = 8;  ///< passes whose halves tell the noise
 
 constexpr int REACH = 2;  ///< pixels, half the window of the error estimate: one pixel alone may seem right by chance
 
@@ -30,6 +33,26 @@ void blur(std::vector<float>& picture, int width, int height) {
     blurLine(&rows[static_cast<std::size_t>(x)], &picture[static_cast<std::size_t>(x)], height, width);
 }
 
+/// Encoded luma of greys, as a table: errors are told by it.
+class EncodedGrey {
+ public:
+  explicit EncodedGrey(const PixelEncoder& encoder) {
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const float root = static_cast<float>(i) / LAST, radiance = BRIGHTEST * root * root;
+      values_[i] = std::clamp(encoder(glm::vec4(glm::vec3(radiance), 1)).g, 0.0f, 1.0f);
+    }
+  }
+  float operator()(float radiance) const {
+    const float place = LAST * std::sqrt(std::clamp(radiance / BRIGHTEST, 0.0f, 1.0f));
+    const auto at = std::min(static_cast<std::size_t>(place), values_.size() - 2);
+    return values_[at] + (values_[at + 1] - values_[at]) * (place - static_cast<float>(at));
+  }
+
+ private:
+  static constexpr float LAST = 1024;  ///< by the root of the radiance, of which black has more values
+  std::array<float, 1025> values_{};
+};
+
 }  // namespace
 
 PixelMean::PixelMean(const Shot& shot, bool exposed, bool measures, unsigned fewest)
@@ -43,6 +66,11 @@ PixelMean::PixelMean(const Shot& shot, bool exposed, bool measures, unsigned few
   count_.resize(left_);
 }
 
+void PixelMean::setGuide(std::vector<glm::vec4> picture) {
+  guide_ = std::move(picture);
+  apart_.resize(guide_.size());
+}
+
 bool PixelMean::add(const Frame& frame, bool last, unsigned passes) {
   const auto* pixel = reinterpret_cast<const glm::vec4*>(frame.pixels.data());
   for (std::size_t i = 0; i < second_.size(); ++i) {
@@ -50,7 +78,9 @@ bool PixelMean::add(const Frame& frame, bool last, unsigned passes) {
     second_[i] += pixel[i];
     count_[i] += passes;
   }
+  joined_.clear();
   if (!std::has_single_bit(passes_ += passes)) return false;
+  if (!guide_.empty() && passes_ >= FEWEST_TO_JOIN) setHalvesApart();
   const bool looks = (shot_.noise > 0 || measures_) && passes_ >= fewest_ && !last;
   if (looks) look();
   for (std::size_t i = 0; i < second_.size(); ++i) first_[i] += std::exchange(second_[i], glm::vec4(0));
@@ -68,41 +98,89 @@ glm::vec2 PixelMean::difference(std::size_t pixel, const PixelEncoder& encoded) 
   return shown(first_[pixel]) - shown(second_[pixel]);
 }
 
-void PixelMean::look() {
-  settled_.resize(shot_.noise > 0 ? second_.size() : 0);
-  apart_.resize(second_.size());
-  const PixelEncoder encoded(shot_);
-  std::vector<float> squares(second_.size());
-  double sum = 0;
-  std::size_t moving = 0;
-  for (std::size_t i = 0; i < squares.size(); ++i) {
-    if (settled_.empty() || !settled_[i]) {
-      const glm::vec2 apart = difference(i, encoded);
-      squares[i] = std::max(apart.x * apart.x, apart.y * apart.y);
-      apart_[i] = std::sqrt(squares[i]);
-    }
-    sum += static_cast<double>(apart_[i]);
-    moving += apart_[i] > 0;
+void PixelMean::setHalvesApart() {
+  for (std::size_t i = 0; i < apart_.size(); ++i) {
+    if (!settled_.empty() && settled_[i]) continue;
+    const glm::vec4 &a = first_[i], &b = second_[i];
+    const glm::vec3 color = a.a > 0 && b.a > 0 ? glm::vec3(b) / b.a - glm::vec3(a) / a.a : glm::vec3(0);
+    apart_[i] = glm::vec4(color / 2.0f, (b.a - a.a) / static_cast<float>(passes_));
   }
-  // The standard error of the mean is half of the difference of the halves.
-  standardError_ = moving == 0 ? 0 : 255 * sum / (2 * static_cast<double>(moving));
-  if (shot_.noise > 0) settle(std::move(squares));
 }
 
-void PixelMean::settle(std::vector<float> squares) {
-  blur(squares, shot_.width, shot_.height);
-  const auto most = static_cast<float>(4 * shot_.noise * shot_.noise / (255.0 * 255.0));
+void PixelMean::look() {
+  settled_.resize(shot_.noise > 0 ? second_.size() : 0);
+  error_.resize(second_.size());
+  if (guide_.empty()) {
+    lookAtHalves();
+  } else {
+    lookAtDenoised();
+  }
+  double sum = 0;
+  std::size_t moving = 0;
+  for (const float error : error_) {
+    sum += static_cast<double>(error);
+    moving += error > 0;
+  }
+  standardError_ = moving == 0 ? 0 : 255 * sum / static_cast<double>(moving);
+}
+
+void PixelMean::lookAtHalves() {
+  const PixelEncoder encoded(shot_);
+  std::vector<float> squares(second_.size());
   for (std::size_t i = 0; i < squares.size(); ++i) {
+    if (!settled_.empty() && settled_[i]) continue;
+    // The standard error of the mean is half of the difference of the halves.
+    const glm::vec2 apart = difference(i, encoded) / 2.0f;
+    squares[i] = std::max(apart.x * apart.x, apart.y * apart.y);
+    error_[i] = std::sqrt(squares[i]);
+  }
+  blur(squares, shot_.width, shot_.height);
+  settle(squares);
+}
+
+void PixelMean::lookAtDenoised() {
+  const EncodedGrey encoded{PixelEncoder(shot_)};
+  Denoised now = denoised();
+  std::vector<float> squares(second_.size());
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    if (!settled_.empty() && settled_[i]) continue;
+    const glm::vec4& pixel = now.picture[i];
+    const float shown = pixel.a > 0 ? luminance(glm::vec3(pixel)) / pixel.a : 0;
+    const float ofColor = (encoded(shown + now.error[i].x) - encoded(shown)) * pixel.a;
+    squares[i] = std::max(ofColor * ofColor, now.error[i].y * now.error[i].y);
+    error_[i] = std::sqrt(squares[i]);
+  }
+  joined_ = std::move(now.picture);
+  blur(squares, shot_.width, shot_.height);
+  settle(squares);
+}
+
+/// @param squares  of the standard error of each pixel
+void PixelMean::settle(const std::vector<float>& squares) {
+  const auto most = static_cast<float>(shot_.noise * shot_.noise / (255.0 * 255.0));
+  for (std::size_t i = 0; i < settled_.size(); ++i) {
     if (settled_[i] || squares[i] > most) continue;
     settled_[i] = 255;
     --left_;
   }
 }
 
-std::vector<glm::vec4> PixelMean::mean() const {
+std::vector<glm::vec4> PixelMean::plainMean() const {
   std::vector<glm::vec4> picture(first_.size());
   for (std::size_t i = 0; i < picture.size(); ++i)
-    picture[i] = glm::max(first_[i] + second_[i], 0.0f) / static_cast<float>(std::max(count_[i], 1u));
+    picture[i] = (first_[i] + second_[i]) / static_cast<float>(std::max(count_[i], 1u));
+  return picture;
+}
+
+Denoised PixelMean::denoised() const {
+  const std::vector<glm::vec4> plain = plainMean();
+  return denoise({shot_.width, shot_.height, plain, apart_, guide_});
+}
+
+std::vector<glm::vec4> PixelMean::mean() const {
+  std::vector<glm::vec4> picture = joined_;
+  if (picture.empty()) picture = guide_.empty() || passes_ < FEWEST_TO_JOIN ? plainMean() : denoised().picture;
+  for (glm::vec4& pixel : picture) pixel = glm::max(pixel, 0.0f);
   return picture;
 }
 

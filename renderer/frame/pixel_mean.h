@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "frame/guided_denoise.h"
 #include "frame/linear_output.h"
 #include "telar/image.h"
 #include "telar/shot.h"
@@ -19,6 +20,10 @@ class PixelMean {
   /// @param fewest  passes before a pixel is looked at, a power of 2
   explicit PixelMean(const Shot& shot, bool exposed = true, bool measures = false, unsigned fewest = FEWEST);
 
+  /// The mean is joined with this from now on, and the error is what that leaves: denoise().
+  /// @param picture  row 0 on top; linear Rec.709, premultiplied with coverage, and coverage, exposed as the passes are
+  void setGuide(std::vector<glm::vec4> picture);
+
   /// Adds a pass to the pixels that are not settled. Where that makes `fewest` of them, twice, four times ... as many,
   /// those are settled whose standard error, as the two halves of their passes differ there and in their neighbours, is
   /// Shot::noise or less.
@@ -34,15 +39,20 @@ class PixelMean {
   /// before it, and 0 where all are.
   double standardError() const { return standardError_; }
 
-  /// Row 0 on top; linear Rec.709, premultiplied with coverage, and coverage.
+  /// Row 0 on top; linear Rec.709, premultiplied with coverage, and coverage. Joined with the guide from 8 passes on.
   std::vector<glm::vec4> mean() const;
   /// It as the shot's output.
   Frame frame() const { return toFrame(mean(), shot_); }
 
  private:
   void look();
-  void settle(std::vector<float> squares);
+  void lookAtHalves();
+  void lookAtDenoised();
+  void settle(const std::vector<float>& squares);
   glm::vec2 difference(std::size_t pixel, const PixelEncoder& encoded) const;
+  void setHalvesApart();
+  std::vector<glm::vec4> plainMean() const;
+  Denoised denoised() const;
 
   Shot shot_;
   bool measures_;
@@ -52,7 +62,9 @@ class PixelMean {
   std::vector<glm::vec4> first_, second_;  ///< sums of the two halves of a pixel's passes
   std::vector<std::uint32_t> count_;
   std::vector<std::uint8_t> settled_;
-  std::vector<float> apart_;  ///< the two halves of a pixel, in encoded luma
+  std::vector<float> error_;              ///< standard error of a pixel, in encoded luma
+  std::vector<glm::vec4> guide_, apart_;  ///< GuidedPicture
+  std::vector<glm::vec4> joined_;         ///< with the guide, until the next pass; empty = not known
   double standardError_ = std::numeric_limits<double>::infinity();
 };
 

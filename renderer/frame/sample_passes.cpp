@@ -9,8 +9,8 @@
 namespace telar::frame {
 namespace {
 
-/// Up to here the shifts are a grid, which is nearer to the mean of a texture than as few scattered points. With more passes
-/// it is not, and pixels seem settled too soon: what all points of a grid miss, its halves miss too.
+/// Up to here each pass has a cell of a grid, and a place in it by chance: so each part of the pixel is seen, and the threads of a
+/// knit do not beat with the grid. With more passes scattered points are as near.
 constexpr int MOST_OF_A_GRID = 64;
 /// What 16 points miss shows in the next 16, which lie between them.
 constexpr unsigned FEWEST_OF_A_GRID = 32;
@@ -27,7 +27,11 @@ glm::dvec2 cellMiddle(int pass, int count) {
 
 glm::dvec2 SamplePasses::shift(int pass) const {
   if (count == 1) return glm::dvec2(0);
-  if (count <= MOST_OF_A_GRID) return cellMiddle(pass, count) - 0.5;
+  if (count <= MOST_OF_A_GRID) {
+    // Each second one lies across from the one before: so the mean of their places is the pixel's middle.
+    const glm::dvec2 place(Random(1, 0, static_cast<std::uint32_t>(pass / 2)).uniform2());
+    return cellMiddle(pass, count) + (pass % 2 == 0 ? 1.0 : -1.0) * (place - 0.5) / std::sqrt(count) - 0.5;
+  }
   return glm::dvec2(Random(0, 0, static_cast<std::uint32_t>(pass)).uniform2()) - 0.5;
 }
 
@@ -36,6 +40,16 @@ unsigned SamplePasses::fewest() const { return count <= MOST_OF_A_GRID ? FEWEST_
 SamplePasses samplePassesOf(const Shot& shot) {
   if (shot.samples <= Shot::SAMPLES_OF_A_PASS) return {1, shot.samples};
   return {shot.samples, 1};
+}
+
+Shot guideOf(Shot shot) {
+  shot.samples = 1;
+  shot.noise = 0;
+  shot.environmentSamples = 0;
+  shot.mergeQuads = true;
+  shot.denoise = false;
+  shot.layers.clear();
+  return shot;
 }
 
 glm::dmat4 shifted(const glm::dmat4& projection, const glm::dvec2& shift, int width, int height) {

@@ -22,6 +22,9 @@ struct SamplePasses {
 /// One pass for up to Shot::SAMPLES_OF_A_PASS samples, and one a sample for more: a pass shades a pixel once.
 SamplePasses samplePassesOf(const Shot& shot);
 
+/// The guide of a shot whose passes are denoised: one pass, prefiltered light, filtered maps.
+Shot guideOf(Shot shot);
+
 /// Projection of a picture that is moved by a part of a pixel. @param shift  pixels, x right and y up
 glm::dmat4 shifted(const glm::dmat4& projection, const glm::dvec2& shift, int width, int height);
 

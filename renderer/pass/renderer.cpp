@@ -16,11 +16,10 @@
 #include "pass/background_pass.h"
 #include "pass/describe.h"
 #include "pass/layer/layer_pass.h"
+#include "pass/lit_plan.h"
 #include "pass/model/gpu_scenes.h"
 #include "pass/plan/clear_color.h"
 #include "pass/plan/draw_list.h"
-#include "pass/plan/fragment_estimate.h"
-#include "pass/plan/simplified_draws.h"
 #include "pass/shadow/ground_pass.h"
 #include "pass/shadow/shadow_pass.h"
 #include "pass/stage_timer.h"
@@ -57,56 +56,30 @@ class GlRenderer final : public Renderer {
     StageTimer timer;
     context_->pacer().begin(cancel, options_.sliceMs);
     scenes_.forgetReleased();
-    checkSize(asked);
-    FramePlan plan = pass::planDraws(*scene, asked, options_.limits, options_.allFeatures);
+    checkLimit("L_OUTPUT_SIZE", context_->capabilities().maxTextureSize, std::max(asked.width, asked.height), "");
     pass::GpuScene& gpu = scenes_.of(scene);
-    pass::limitDetail(plan, *scene, asked, gpu, cancel);
-    checkFragments(plan, asked, gpu, cancel);
-    timer.lap("plan");
-    const bool wanted = asked.environment.source != Shot::Environment::Source::kNone;
-    const pass::EnvironmentForms forms = pass::environmentForms(plan, asked);
-    const auto environmentOf = [&](const ibl::EnvironmentUses& uses) {
-      return &environments_.get(asked.environment, environmentFile, uses, cancel);
-    };
-    const ibl::Environment* environment = nullptr;
-    if (wanted && (plan.environment || plan.environmentBackground)) environment = environmentOf(forms.lit);
-    const ibl::Environment* background = wanted && forms.seen ? environmentOf(*forms.seen) : environment;
-    const ibl::Suns suns = environment && forms.lit.suns ? environment->suns.value_or(ibl::Suns()) : ibl::Suns();
-    std::optional<Shot> sunlit;
-    if (!suns.list.empty() && asked.shading != ShadingModel::kThree) {
-      sunlit = pass::withSuns(asked, suns);
-      Limits limits = options_.limits;
-      limits.lights += suns.list.size();
-      plan = pass::planDraws(*scene, *sunlit, limits, options_.allFeatures);
-      pass::limitDetail(plan, *scene, asked, gpu, cancel);
-    }
-    const Shot& shot = sunlit ? *sunlit : asked;
-    timer.lap("environment");
-    const pass::VisibilityBuffer::Frame found(buffer_);
-    Picture picture{plan, timer, buffer_.mayDraw(plan, shot, targetFor(shot))};
-    pass::VisibilityBuffer::use(plan, picture.buffered);
-    surfaces_.upload(plan, *scene, gpu, cancel);
-    timer.lap("upload");
-    picture.compiled = surfaces_.prepare(plan, cancel);
-    timer.lap("compile");
+    Picture picture = prepare(*scene, asked, environmentFile, gpu, cancel, timer);
+    std::optional<Picture> guide;
+    if (picture.guided) guide.emplace(prepare(*scene, frame::guideOf(asked), environmentFile, gpu, cancel, timer));
     progress.begin();
-    shadows_.draw(plan, *scene, gpu, cancel);
-    if (!plan.shadows.empty()) {
-      context_->pacer().finish();
-      timer.lap("shadows");
-    }
-    shadows_.bind(plan.shadows, pass::SurfacePass::firstShadowUnit());
-    const pass::SurfaceInputs inputs{plan, shot, *scene, gpu, environment, background, cancel};
-    const bool accumulates = shot.resolve == Resolve::kLinear && !plan.frame.debugOutput;
-    Frame frame = accumulates ? drawAveraged(inputs, picture, progress) : drawPass(inputs, {}, picture);
-    Json json = pass::describeFrame(plan, shot, environment, *context_,
-                                    {buffer_.count(), visible_.count(), gpu.texels(*scene)}, timer);
+    Guess guess = guide ? drawGuide(*guide, *scene, gpu, cancel) : Guess();
+    const pass::VisibilityBuffer::Frame found(buffer_);
+    drawShadows(picture, *scene, gpu, cancel);
+    const auto& [shot, plan, environment, background, warning] = picture.lit;
+    const pass::SurfaceInputs inputs = inputsOf(picture, *scene, gpu, cancel);
+    Frame frame = picture.accumulates() ? drawAveraged(inputs, picture, progress, std::move(guess.picture)).frame()
+                                        : drawPass(inputs, {}, picture);
+    if (picture.accumulates()) timer.lap("resolve");
+    pass::VisibilityBuffer::Count count = buffer_.count();
+    count.fragments += guess.fragments;
+    Json json =
+        pass::describeFrame(plan, shot, environment, *context_, {count, visible_.count(), gpu.texels(*scene)}, timer);
     json["glObjects"] = liveObjects();
     json["samples"] = picture.passes * target_->samples();
     tellEnd(json, progress, picture.end);
-    json["programsCompiled"] = picture.compiled;
+    json["programsCompiled"] = picture.compiled + (guide ? guide->compiled : 0);
     if (!plan.frame.debugOutput && !coverage_.empty()) json["picture"] = toJson(frame::pictureFacts(frame, coverage_));
-    if (!suns.list.empty() && !sunlit) json["warnings"] = Json::array({pass::rangeWarning(suns.share)});
+    if (warning) json["warnings"] = Json::array({*warning});
     info.json = json.dump();
     if (environment) info.environmentSha256 = environment->sha256;
     if (!asked.layers.empty()) addLayers(frame, scene, asked, cancel, info);
@@ -114,31 +87,75 @@ class GlRenderer final : public Renderer {
   }
 
   void release(const Scene& scene) override { scenes_.release(scene); }
-
   std::string describe() const override { return pass::describeContext(*context_).dump(); }
-
   int liveObjects() const override { return context_->gl().liveObjects - scenes_.keptTextures(); }
 
  private:
   /// A picture that is drawn, in one pass or several.
   struct Picture {
-    FramePlan& plan;
+    pass::LitPlan lit;
     StageTimer& timer;
-    bool buffered;                         ///< by the visibility buffer
+    bool buffered = false;                 ///< by the visibility buffer
+    bool guided = false;                   ///< its mean is joined with a guide
     glm::dvec2 shift{0};                   ///< px, of the pass
     std::optional<glm::dvec2> capturedAt;  ///< shift when the vertex stage ran for the buffer
     int compiled = 0;
     int passes = 1;
     Ending end{};
+
+    bool accumulates() const { return lit.shot.resolve == Resolve::kLinear && !lit.plan.frame.debugOutput; }
   };
 
-  void checkSize(const Shot& shot) const {
-    checkLimit("L_OUTPUT_SIZE", context_->capabilities().maxTextureSize, std::max(shot.width, shot.height), "");
+  /// A guide that is drawn.
+  struct Guess {
+    std::vector<glm::vec4> picture;
+    std::size_t fragments = 0;
+  };
+
+  /// Plans a picture, uploads what it is drawn from and compiles its programs.
+  Picture prepare(const Scene& scene, const Shot& asked, std::span<const std::byte> environmentFile,
+                  pass::GpuScene& gpu, const CancelToken& cancel, StageTimer& timer) {
+    Picture picture{pass::planLit(scene, asked, environmentFile, environments_, gpu, options_, cancel, timer), timer};
+    FramePlan& plan = picture.lit.plan;
+    Shot& shot = picture.lit.shot;
+    // Without tone mapping a picture has no exposure, as in three.js; linear passes would have it.
+    if (picture.accumulates() && shot.toneMapping == ToneMapping::kNone &&
+        framePixelType(shot.output) == PixelType::kRgba8)
+      shot.exposure = 1;
+    picture.guided = picture.accumulates() && asked.denoise && frame::samplePassesOf(asked).count > 1;
+    picture.buffered = buffer_.mayDraw(plan, shot, targetFor(shot));
+    pass::VisibilityBuffer::use(plan, picture.buffered);
+    surfaces_.upload(plan, scene, gpu, cancel);
+    timer.lap("upload");
+    picture.compiled = surfaces_.prepare(plan, cancel);
+    timer.lap("compile");
+    return picture;
   }
 
-  void checkFragments(const FramePlan& plan, const Shot& shot, pass::GpuScene& gpu, const CancelToken& cancel) const {
-    const auto extents = [&gpu](const Primitive& part) -> const pass::PartExtents& { return gpu.extents(part); };
-    pass::checkFragments(plan, shot, extents, options_.limits, cancel);
+  void drawShadows(const Picture& picture, const Scene& scene, pass::GpuScene& gpu, const CancelToken& cancel) {
+    const FramePlan& plan = picture.lit.plan;
+    shadows_.draw(plan, scene, gpu, cancel);
+    if (!plan.shadows.empty()) {
+      context_->pacer().finish();
+      picture.timer.lap("shadows");
+    }
+    shadows_.bind(plan.shadows, pass::SurfacePass::firstShadowUnit());
+  }
+
+  static pass::SurfaceInputs inputsOf(const Picture& picture, const Scene& scene, pass::GpuScene& gpu,
+                                      const CancelToken& cancel) {
+    const pass::LitPlan& lit = picture.lit;
+    return {lit.plan, lit.shot, scene, gpu, lit.environment, lit.background, cancel};
+  }
+
+  Guess drawGuide(Picture& guide, const Scene& scene, pass::GpuScene& gpu, const CancelToken& cancel) {
+    const pass::VisibilityBuffer::Frame found(buffer_);
+    drawShadows(guide, scene, gpu, cancel);
+    Frame pass = drawPass(inputsOf(guide, scene, gpu, cancel), {}, guide);
+    const auto* pixels = reinterpret_cast<const glm::vec4*>(pass.pixels.data());
+    Guess guess{{pixels, pixels + std::size_t{pass.width} * pass.height}, buffer_.count().fragments};
+    target_->reuse(std::move(pass));
+    return guess;
   }
 
   /// The layers of a picture that is drawn, and what info says of them.
@@ -161,7 +178,7 @@ class GlRenderer final : public Renderer {
     info.json = json.dump();
   }
 
-  const pass::FrameTarget& targetFor(const Shot& shot) {
+  pass::FrameTarget& targetFor(const Shot& shot) {
     const PixelType type = shot.resolve == Resolve::kLinear ? PixelType::kRgbaF32 : framePixelType(shot.output);
     const int samples = frame::samplePassesOf(shot).samples;
     if (!target_ || !target_->matches(shot.width, shot.height, samples, type)) {
@@ -189,8 +206,8 @@ class GlRenderer final : public Renderer {
     if (picture.buffered) {
       if (findVisible(inputs, settled, picture)) return drawBuffered(inputs, picture.timer);
       picture.buffered = false;
-      pass::VisibilityBuffer::use(picture.plan, false);
-      picture.compiled += surfaces_.prepare(picture.plan, inputs.cancel);
+      pass::VisibilityBuffer::use(picture.lit.plan, false);
+      picture.compiled += surfaces_.prepare(picture.lit.plan, inputs.cancel);
     }
     surfaces_.uploadTextures(inputs);
     picture.timer.lap("upload");
@@ -201,7 +218,7 @@ class GlRenderer final : public Renderer {
   Frame drawTriangles(pass::SurfaceInputs inputs, bool settled, StageTimer& timer) {
     const FramePlan& plan = inputs.plan;
     const Shot& shot = inputs.shot;
-    const pass::FrameTarget& target = targetFor(shot);
+    pass::FrameTarget& target = targetFor(shot);
     inputs.transmission = drawBehind(inputs);
     inputs.samples = target.samples();
     target.bind();
@@ -225,7 +242,7 @@ class GlRenderer final : public Renderer {
   /// Whether the visibility buffer can draw the pass.
   bool findVisible(pass::SurfaceInputs inputs, std::span<const std::uint8_t> settled, Picture& picture) {
     if (!picture.capturedAt) {
-      const pass::FrameTarget& target = targetFor(inputs.shot);
+      pass::FrameTarget& target = targetFor(inputs.shot);
       target.bind();
       buffer_.begin(inputs.plan, inputs.shot, target);
       inputs.samples = target.samples();
@@ -248,7 +265,7 @@ class GlRenderer final : public Renderer {
     inputs.unread = &unread;
     surfaces_.uploadTextures(inputs);
     timer.lap("upload");
-    const pass::FrameTarget& target = targetFor(inputs.shot);
+    pass::FrameTarget& target = targetFor(inputs.shot);
     const Behind behind = pass::behindOf(plan, inputs.shot);
     Frame frame;
     if ((plan.environmentBackground || plan.ground) && !plan.frame.debugOutput) {
@@ -286,22 +303,25 @@ class GlRenderer final : public Renderer {
 
   /// The mean of passes that are moved by parts of a pixel, in linear light before tone mapping.
   /// @param picture  the projection of its plan is shifted and restored; its passes are those until every pixel settled
-  Frame drawAveraged(const pass::SurfaceInputs& frame, Picture& picture, const Progress& progress) {
-    FramePlan& plan = picture.plan;
+  /// @param guide  that the mean is joined with; empty = none
+  frame::PixelMean drawAveraged(const pass::SurfaceInputs& frame, Picture& picture, const Progress& progress,
+                                std::vector<glm::vec4> guide) {
+    FramePlan& plan = picture.lit.plan;
     int& drawn = picture.passes;
-    Shot shot = frame.shot;
-    // Without tone mapping a picture has no exposure, as in three.js; linear passes would have it.
-    if (shot.toneMapping == ToneMapping::kNone && framePixelType(shot.output) == PixelType::kRgba8) shot.exposure = 1;
-    pass::SurfaceInputs inputs{plan, shot, frame.scene, frame.gpu, frame.environment, frame.background, frame.cancel};
+    const Shot& shot = frame.shot;
+    pass::SurfaceInputs inputs = frame;
     const frame::SamplePasses passes = frame::samplePassesOf(shot);
     const glm::dmat4 projection = plan.camera.projection;
     frame::PixelMean mean(shot, true, progress.isErrorAllowed(), passes.fewest());
+    if (!guide.empty()) mean.setGuide(std::move(guide));
     const auto isEnough = [&] { return drawn > 0 && progress.isEnough(mean.standardError()); };
     for (drawn = 0; drawn < passes.count && !mean.allSettled() && !isEnough();) {
       inputs.samplePass = drawn;
       picture.shift = passes.shift(drawn++);
       plan.camera.projection = frame::shifted(projection, picture.shift, shot.width, shot.height);
-      const bool looked = mean.add(drawPass(inputs, mean.settled(), picture), drawn == passes.count);
+      Frame pass = drawPass(inputs, mean.settled(), picture);
+      const bool looked = mean.add(pass, drawn == passes.count);
+      target_->reuse(std::move(pass));
       if (progress.previews.asked() && std::has_single_bit(static_cast<unsigned>(drawn)) && drawn < passes.count)
         progress.previews.put({mean.frame(), drawn});
       if (!looked) continue;
@@ -310,9 +330,7 @@ class GlRenderer final : public Renderer {
     }
     plan.camera.projection = projection;
     picture.end = {drawn < passes.count && !mean.allSettled(), mean.standardError()};
-    Frame averaged = mean.frame();
-    picture.timer.lap("resolve");
-    return averaged;
+    return mean;
   }
 
   /// Draws the transmission target. Null where nothing transmits.

@@ -4,10 +4,10 @@ import { boolean, choice, literal, number, object, union } from './rows.mjs';
 
 /** What the raster renderer does for each quality; what no preset changes is written out by the rows below. */
 export const PRESETS = Object.freeze({
-  standard: { samples: 4, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: false },
-  draft: { samples: 1, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: true },
-  medium: { samples: 64, resolve: 'linear', noise: 5, environmentSamples: 128, mergeQuads: true },
-  high: { samples: 1024, resolve: 'linear', noise: 1.25, environmentSamples: 2048, mergeQuads: false },
+  standard: { samples: 4, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: false, denoise: false },
+  draft: { samples: 1, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: true, denoise: false },
+  medium: { samples: 16, resolve: 'linear', noise: 0, environmentSamples: 32, mergeQuads: true, denoise: true },
+  high: { samples: 1024, resolve: 'linear', noise: 1.25, environmentSamples: 2048, mergeQuads: false, denoise: false },
 });
 
 /** Samples of a pixel that one pass over the model takes: more take several passes. */
@@ -49,6 +49,11 @@ export const RASTER = object(
       'Shade triangles that share a vertex once where they meet in two by two pixels, as one surface: each pixel shows one of them. ' +
         'Saves time on the processor alone, where triangles have a few pixels',
       { otherwise: PRESETS.standard.mergeQuads },
+    ),
+    denoise: boolean(
+      'Join the mean of the passes with a picture of one pass, whose light is prefiltered and whose maps are filtered: light is taken from the passes, as far as it stands out of ' +
+        'their noise, and detail from either. `noise` is then what that leaves. For more than 4 samples',
+      { otherwise: PRESETS.standard.denoise },
     ),
     textureSize: whole(
       'Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = all are read whole',

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "gl/incomplete.h"
 
@@ -57,13 +58,14 @@ bool FrameTarget::matches(int width, int height, int samples, PixelType type) co
 
 void FrameTarget::bind() const { draw_.bind(context_.gl()); }
 
-Frame FrameTarget::unread() const {
+Frame FrameTarget::unread() {
   const std::size_t texels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-  return {static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_), type_,
-          std::vector<std::byte>(texels * texelBytes())};
+  const std::size_t bytes = texels * texelBytes();
+  std::vector<std::byte> pixels = spare_.size() == bytes ? std::exchange(spare_, {}) : std::vector<std::byte>(bytes);
+  return {static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_), type_, std::move(pixels)};
 }
 
-Frame FrameTarget::read() const {
+Frame FrameTarget::read() {
   const gl::Functions& gl = context_.gl();
   if (samples_ > 1) {
     draw_.resolveInto(gl, resolved_.get());
@@ -77,13 +79,16 @@ Frame FrameTarget::read() const {
   return frame;
 }
 
-Frame FrameTarget::filled(const glm::vec4& color) const {
+Frame FrameTarget::filled(const glm::vec4& color) {
   Frame frame = unread();
   std::uint8_t bytes[4];
   for (int i = 0; i < 4; ++i) bytes[i] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(color[i], 0.0f, 1.0f)));
-  const void* texel = type_ == PixelType::kRgba8 ? static_cast<const void*>(bytes) : &color;
-  const std::size_t size = texelBytes();
-  for (std::size_t at = 0; at < frame.pixels.size(); at += size) std::memcpy(frame.pixels.data() + at, texel, size);
+  const std::size_t texels = frame.pixels.size() / texelBytes();
+  if (type_ == PixelType::kRgba8) {
+    for (std::size_t i = 0; i < texels; ++i) std::memcpy(&frame.pixels[4 * i], bytes, sizeof bytes);
+  } else {
+    std::fill_n(reinterpret_cast<glm::vec4*>(frame.pixels.data()), texels, color);
+  }
   return frame;
 }
 

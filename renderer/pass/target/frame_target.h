@@ -1,4 +1,7 @@
 #pragma once
+#include <utility>
+#include <vector>
+
 #include "gl/context.h"
 #include "gl/gl_object.h"
 #include "pass/target/sample_buffer.h"
@@ -17,9 +20,11 @@ class FrameTarget {
   bool matches(int width, int height, int samples, PixelType type) const;
   void bind() const;
   /// Resolves and reads, as the GL has it: row 0 is the lowest one, colours are premultiplied.
-  Frame read() const;
+  Frame read();
   /// What it would read after it was cleared, without drawing.
-  Frame filled(const glm::vec4& color) const;
+  Frame filled(const glm::vec4& color);
+  /// Gives the memory of a frame that was read back, for the next one.
+  void reuse(Frame&& frame) { spare_ = std::move(frame.pixels); }
   /// Turns what was read into a picture: row 0 is the top row; kRgba8 has straight alpha, kRgbaF32 premultiplied.
   /// @param opaque  a background is drawn whose alpha was not: alpha is what covers it, and colours stay as they are
   static void finish(Frame& frame, bool opaque);
@@ -29,12 +34,13 @@ class FrameTarget {
  private:
   bool tryFormat(GLenum format, int samples);
   std::size_t texelBytes() const { return type_ == PixelType::kRgba8 ? 4 : 16; }
-  Frame unread() const;
+  Frame unread();
 
   const gl::Context& context_;
   int width_, height_, samples_, samplesAsked_;
   PixelType type_;
   SampleBuffer draw_;
+  std::vector<std::byte> spare_;
   gl::Framebuffer resolved_;  // none where a pixel has one sample
   gl::Renderbuffer resolvedColor_;
 };

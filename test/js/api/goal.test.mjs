@@ -47,12 +47,12 @@ test('an error: info has the settings, the prediction and what it is from; the s
 });
 
 test('a small window of the picture is looked at: it shows what the class alone is not sure of', async () => {
-  const shot = { ...asked({ maxError: 0.08 }), size: { width: 192, height: 192 } };
+  const shot = { ...asked({ maxError: 0.12 }), size: { width: 320, height: 320 } };
   const { data, info } = await renderer.render(model, shot);
   const { goal } = await inspect(glb, { shot });
   assert.match(info.goal.basis, /^a window of 576 pixels, and times of \d+ measured scenes of the class "/);
   assert.match(goal.basis, /^\d+ measured scenes/, 'inspect draws nothing');
-  assert.ok(info.goal.holds && info.goal.predicted.flip <= 0.08 && info.goal.predicted.cpuMs < goal.predicted.cpuMs, JSON.stringify([info.goal, goal]));
+  assert.ok(info.goal.holds && info.goal.predicted.flip <= 0.12 && info.goal.predicted.cpuMs < goal.predicted.cpuMs, JSON.stringify([info.goal, goal]));
   assert.deepEqual((await renderer.render(model, info.shot)).data, data);
 });
 

@@ -36,8 +36,8 @@ test('every setting is a shot that telar draws, one change from standard', () =>
     const { quality } = resolveShot({ quality: setting.quality ?? setting, lights }, FACTS);
     const changed = Object.keys(standard).filter((key) => key !== 'preset' && quality[key] !== standard[key]);
     const knob = name.split(' ')[0];
-    // More than 4 samples are averaged in linear light, and noise is of such.
-    const sampled = quality.samples > 4 ? ['samples', 'resolve'] : [];
+    // More than 4 samples are averaged in linear light, and noise is of such; what is denoised is their light.
+    const sampled = quality.samples > 4 ? ['samples', 'resolve', ...(quality.denoise ? ['environmentSamples'] : [])] : [];
     assert.deepEqual(changed, knob in standard ? [...new Set([...sampled, knob])] : [], name);
   }
 });

@@ -1,0 +1,37 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+namespace telar::frame {
+
+/// A picture of few passes, its noise, and a guide: the same picture without noise, whose light is an approximation.
+/// Row 0 on top; linear Rec.709, premultiplied with coverage, and coverage; 1 = white.
+struct GuidedPicture {
+  int width = 0, height = 0;
+  std::span<const glm::vec4> mean;
+  /// Half of the difference between the means of the two halves of the passes, which is as large as the error of `mean`:
+  /// of the colour, not premultiplied; of the coverage.
+  std::span<const glm::vec4> apart;
+  std::span<const glm::vec4> guide;
+};
+
+struct Denoised {
+  std::vector<glm::vec4> picture;  ///< as the mean; its coverage is the mean's
+  /// Standard error that is left: of the luminance, not premultiplied; of the coverage.
+  std::vector<glm::vec2> error;
+};
+
+/// What the mean has more than the guide, in bands of neighbours one, two and four pixels apart and what is wider; of
+/// each band the part that stands out of the noise about the pixel is added to the guide. So light, which is right in the
+/// mean and smooth, comes from many pixels, and detail from the guide, or from the mean where both are sure to differ.
+/// Pixels that either lacks, or of more than BRIGHTEST, are the mean's: one of a sun would spread over its neighbours.
+/// src: Holschneider et al. 1989, "A Real-Time Algorithm for Signal Analysis with the Help of the Wavelet Transform"
+///      (a trous, with a cubic B-spline); Mihcak, Kozintsev & Ramchandran 1999, "Spatially Adaptive Statistical
+///      Modeling of Wavelet Image Coefficients" (the part of a band that is no noise)
+Denoised denoise(const GuidedPicture& picture);
+
+/// Far above white, which is 1.
+constexpr float BRIGHTEST = 16;
+
+}  // namespace telar::frame
