@@ -471,7 +471,7 @@ export interface Shot {
     /** Largest factor, so that black cloth stays black. Range 1 to 1000. @default 1.25 */
     most?: number;
   } | null;
-  /** "draft": 1 sample a pixel, triangles that meet in it shaded once; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with two directions of the environment each; "high": up to 1024, averaged in linear light, and the environment integrated with the material, by the tracer where it costs less; "reference": traced paths of light, slow and without GL. @default "standard" */
+  /** "draft": 1 sample a pixel, triangles that meet in it shaded once; "standard": 4, as a browser shows it; "medium": 16, averaged in linear light, with two directions of the environment each, and denoised; "high": up to 1024, averaged in linear light, and the environment integrated with the material, by the tracer where it costs less; "reference": traced paths of light, slow and without GL. @default "standard" */
   quality?: 'standard' | 'draft' | 'medium' | 'high' | 'reference' | {
     /** Settings to start from. */
     preset?: 'standard' | 'draft' | 'medium' | 'high';
@@ -485,7 +485,7 @@ export interface Shot {
     environmentSamples?: number;
     /** Shade triangles that share a vertex once where they meet in two by two pixels, as one surface: each pixel shows one of them. Saves time on the processor alone, where triangles have a few pixels; default false. */
     mergeQuads?: boolean;
-    /** Join the mean of the passes with a picture of one pass, whose light is prefiltered and whose maps are filtered: light is taken from the passes, as far as it stands out of their noise, and detail from either. `noise` is then what that leaves. For more than 4 samples; default false. */
+    /** Take light from the passes as far as it stands out of their noise, and detail also from a picture of one pass, whose light is prefiltered; `noise` is then what that leaves. For more than 4 samples; default false. */
     denoise?: boolean;
     /** Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = all are read whole; default 0. Range 0 to 16384. */
     textureSize?: number;
@@ -1121,7 +1121,7 @@ export interface ResolvedShot {
     environmentSamples: number;
     /** Shade triangles that share a vertex once where they meet in two by two pixels, as one surface: each pixel shows one of them. Saves time on the processor alone, where triangles have a few pixels. */
     mergeQuads: boolean;
-    /** Join the mean of the passes with a picture of one pass, whose light is prefiltered and whose maps are filtered: light is taken from the passes, as far as it stands out of their noise, and detail from either. `noise` is then what that leaves. For more than 4 samples. */
+    /** Take light from the passes as far as it stands out of their noise, and detail also from a picture of one pass, whose light is prefiltered; `noise` is then what that leaves. For more than 4 samples. */
     denoise: boolean;
     /** Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = all are read whole. Range 0 to 16384. */
     textureSize: number;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "frame/wavelet_shrinkage.h"
 #include "telar/luminance.h"
@@ -34,12 +35,14 @@ bool isPlain(const glm::vec3& color) {
 class Tile {
  public:
   /// @param inner  what depends on nothing beyond the box
-  Tile(const GuidedPicture& picture, const Box& box, const Box& inner) : picture_(picture), box_(box), inner_(inner) {}
+  /// @param mean  of the picture: its coverage is asked for when colours of what is denoised stand in its place
+  Tile(const GuidedPicture& picture, std::span<const glm::vec4> mean, const Box& box, const Box& inner)
+      : picture_(picture), mean_(mean), box_(box), inner_(inner) {}
 
   void joinColors(Denoised& out) const {
     NoisyField field(box_.width(), box_.height());
     forEach(box_, field, [&](std::size_t i, std::size_t at) {
-      const glm::vec4 &mean = picture_.mean[at], &guide = picture_.guide[at];
+      const glm::vec4 &mean = mean_[at], &guide = picture_.guide[at];
       const float weight = std::min(mean.a, guide.a);
       if (!(weight > 0)) return;
       const glm::vec3 shown = colorOf(mean), guess = colorOf(guide), apart(picture_.apart[at]);
@@ -51,10 +54,10 @@ class Tile {
     const Shrunk shrunk = shrink(field, COLOR_BANDS);
     forEach(inner_, field, [&](std::size_t i, std::size_t at) {
       if (!(field.weight[i] > 0)) return;
-      const float coverage = picture_.mean[at].a;
+      const float coverage = mean_[at].a;
       const glm::vec3 color = glm::max(colorOf(picture_.guide[at]) + shrunk.excess[i], 0.0f);
       out.picture[at] = glm::vec4(color * coverage, coverage);
-      out.error[at].x = std::sqrt(shrunk.left[i]);
+      if (picture_.asksError) out.error[at].x = std::sqrt(shrunk.left[i]);
     });
   }
 
@@ -62,7 +65,7 @@ class Tile {
   void joinCoverage(Denoised& out) const {
     NoisyField field(box_.width(), box_.height());
     forEach(box_, field, [&](std::size_t i, std::size_t at) {
-      const float mean = picture_.mean[at].a, guide = picture_.guide[at].a;
+      const float mean = mean_[at].a, guide = picture_.guide[at].a;
       if (!(std::max(mean, guide) > 0)) return;
       field.weight[i] = 1;
       field.excess[i] = glm::vec4(glm::vec3(mean - guide), 1);
@@ -76,7 +79,7 @@ class Tile {
       const glm::vec4 before = out.picture[at], &guide = picture_.guide[at];
       const float coverage = glm::mix(before.a, std::clamp(guide.a + shrunk.excess[i].x, 0.0f, 1.0f), net);
       out.picture[at] = glm::vec4(colorOf(before.a > 0 ? before : guide) * coverage, coverage);
-      out.error[at].y = glm::mix(out.error[at].y, std::sqrt(shrunk.left[i]), net);
+      if (picture_.asksError) out.error[at].y = glm::mix(out.error[at].y, std::sqrt(shrunk.left[i]), net);
     });
   }
 
@@ -92,6 +95,7 @@ class Tile {
   }
 
   const GuidedPicture& picture_;
+  std::span<const glm::vec4> mean_;
   Box box_, inner_;
 };
 
@@ -131,20 +135,28 @@ Box coveredOf(const GuidedPicture& picture) {
 
 }  // namespace
 
-Denoised denoise(const GuidedPicture& picture) {
-  Denoised out{{picture.mean.begin(), picture.mean.end()}, std::vector<glm::vec2>(picture.mean.size())};
-  for (std::size_t i = 0; i < out.error.size(); ++i) {
-    const glm::vec3 color(picture.apart[i]);
-    out.error[i] = {std::sqrt(luminance(color * color)), std::abs(picture.apart[i].a)};
-  }
+Denoised denoise(GuidedPicture picture) {
   const Box all = coveredOf(picture);
   const bool nets = hasNets(picture, all);
+  Denoised out;
+  if (picture.asksError) {
+    out.error.resize(picture.apart.size());
+    for (std::size_t i = 0; i < out.error.size(); ++i) {
+      const glm::vec3 color(picture.apart[i]);
+      out.error[i] = {std::sqrt(luminance(color * color)), std::abs(picture.apart[i].a)};
+    }
+  }
+  out.picture = std::move(picture.mean);
+  // A tile reads beyond itself, where another one has written.
+  const bool several = all.width() > TILE || all.height() > TILE;
+  const std::vector<glm::vec4> kept = several ? out.picture : std::vector<glm::vec4>();
+  const std::span<const glm::vec4> mean = several ? kept : out.picture;
   for (int y = all.fromY; y < all.toY; y += TILE) {
     for (int x = all.fromX; x < all.toX; x += TILE) {
       const Box inner{x, y, std::min(x + TILE, all.toX), std::min(y + TILE, all.toY)};
       const Box box{std::max(x - FIELD_REACH, all.fromX), std::max(y - FIELD_REACH, all.fromY),
                     std::min(inner.toX + FIELD_REACH, all.toX), std::min(inner.toY + FIELD_REACH, all.toY)};
-      const Tile tile(picture, box, inner);
+      const Tile tile(picture, mean, box, inner);
       tile.joinColors(out);
       if (nets) tile.joinCoverage(out);
     }

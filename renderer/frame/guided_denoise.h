@@ -9,16 +9,17 @@ namespace telar::frame {
 /// Row 0 on top; linear Rec.709, premultiplied with coverage, and coverage; 1 = white.
 struct GuidedPicture {
   int width = 0, height = 0;
-  std::span<const glm::vec4> mean;
+  std::vector<glm::vec4> mean;
   /// Half of the difference between the means of the two halves of the passes, which is as large as the error of `mean`:
   /// of the colour, not premultiplied; of the coverage.
   std::span<const glm::vec4> apart;
   std::span<const glm::vec4> guide;
+  bool asksError = true;
 };
 
 struct Denoised {
   std::vector<glm::vec4> picture;  ///< as the mean; its coverage is the mean's
-  /// Standard error that is left: of the luminance, not premultiplied; of the coverage.
+  /// Standard error that is left: of the luminance, not premultiplied; of the coverage. Empty where nobody asks.
   std::vector<glm::vec2> error;
 };
 
@@ -29,7 +30,7 @@ struct Denoised {
 /// src: Holschneider et al. 1989, "A Real-Time Algorithm for Signal Analysis with the Help of the Wavelet Transform"
 ///      (a trous, with a cubic B-spline); Mihcak, Kozintsev & Ramchandran 1999, "Spatially Adaptive Statistical
 ///      Modeling of Wavelet Image Coefficients" (the part of a band that is no noise)
-Denoised denoise(const GuidedPicture& picture);
+Denoised denoise(GuidedPicture picture);
 
 /// Far above white, which is 1.
 constexpr float BRIGHTEST = 16;

@@ -52,8 +52,9 @@ Frame toFrame(const std::vector<glm::vec4>& pixels, const Shot& shot) {
   const PixelEncoder encoder(shot);
   const glm::vec3 behind = brdf_f::srgbFromLinear(glm::clamp(shot.background.color, 0.0f, 1.0f));
   frame.pixels.resize(pixels.size() * 4);
+  const glm::vec4 nothing = encoder(glm::vec4(0));
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const glm::vec4 pixel = encoder(pixels[i]);
+    const glm::vec4 pixel = pixels[i] == glm::vec4(0) ? nothing : encoder(pixels[i]);
     glm::vec3 encoded(pixel);
     float coverage = pixel.a;
     if (colour) {

@@ -73,10 +73,15 @@ void PixelMean::setGuide(std::vector<glm::vec4> picture) {
 
 bool PixelMean::add(const Frame& frame, bool last, unsigned passes) {
   const auto* pixel = reinterpret_cast<const glm::vec4*>(frame.pixels.data());
-  for (std::size_t i = 0; i < second_.size(); ++i) {
-    if (!settled_.empty() && settled_[i]) continue;
-    second_[i] += pixel[i];
-    count_[i] += passes;
+  if (settled_.empty()) {
+    for (std::size_t i = 0; i < second_.size(); ++i) second_[i] += pixel[i];
+    for (std::uint32_t& count : count_) count += passes;
+  } else {
+    for (std::size_t i = 0; i < second_.size(); ++i) {
+      if (settled_[i]) continue;
+      second_[i] += pixel[i];
+      count_[i] += passes;
+    }
   }
   joined_.clear();
   if (!std::has_single_bit(passes_ += passes)) return false;
@@ -140,7 +145,7 @@ void PixelMean::lookAtHalves() {
 
 void PixelMean::lookAtDenoised() {
   const EncodedGrey encoded{PixelEncoder(shot_)};
-  Denoised now = denoised();
+  Denoised now = denoised(true);
   std::vector<float> squares(second_.size());
   for (std::size_t i = 0; i < squares.size(); ++i) {
     if (!settled_.empty() && settled_[i]) continue;
@@ -172,14 +177,13 @@ std::vector<glm::vec4> PixelMean::plainMean() const {
   return picture;
 }
 
-Denoised PixelMean::denoised() const {
-  const std::vector<glm::vec4> plain = plainMean();
-  return denoise({shot_.width, shot_.height, plain, apart_, guide_});
+Denoised PixelMean::denoised(bool asksError) const {
+  return denoise({shot_.width, shot_.height, plainMean(), apart_, guide_, asksError});
 }
 
 std::vector<glm::vec4> PixelMean::mean() const {
   std::vector<glm::vec4> picture = joined_;
-  if (picture.empty()) picture = guide_.empty() || passes_ < FEWEST_TO_JOIN ? plainMean() : denoised().picture;
+  if (picture.empty()) picture = guide_.empty() || passes_ < FEWEST_TO_JOIN ? plainMean() : denoised(false).picture;
   for (glm::vec4& pixel : picture) pixel = glm::max(pixel, 0.0f);
   return picture;
 }

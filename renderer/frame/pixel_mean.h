@@ -52,7 +52,7 @@ class PixelMean {
   glm::vec2 difference(std::size_t pixel, const PixelEncoder& encoded) const;
   void setHalvesApart();
   std::vector<glm::vec4> plainMean() const;
-  Denoised denoised() const;
+  Denoised denoised(bool asksError) const;
 
   Shot shot_;
   bool measures_;

@@ -287,7 +287,7 @@ class GlRenderer final : public Renderer {
     return finished(std::move(frame), inputs, behind, timer);
   }
 
-  /// @param frame  as the GL has it
+  /// @param frame  as it is read
   Frame finished(Frame frame, const pass::SurfaceInputs& inputs, const Behind& behind, StageTimer& timer) {
     const Shot& shot = inputs.shot;
     pass::FrameTarget::finish(frame, behind.opaque);

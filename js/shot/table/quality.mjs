@@ -51,8 +51,8 @@ export const RASTER = object(
       { otherwise: PRESETS.standard.mergeQuads },
     ),
     denoise: boolean(
-      'Join the mean of the passes with a picture of one pass, whose light is prefiltered and whose maps are filtered: light is taken from the passes, as far as it stands out of ' +
-        'their noise, and detail from either. `noise` is then what that leaves. For more than 4 samples',
+      'Take light from the passes as far as it stands out of their noise, and detail also from a picture of one pass, whose light is prefiltered; `noise` is then what that leaves. ' +
+        'For more than 4 samples',
       { otherwise: PRESETS.standard.denoise },
     ),
     textureSize: whole(
@@ -140,7 +140,7 @@ const BUDGET = object('Time that the picture may take', {
 });
 
 export const quality = union(
-  '"draft": 1 sample a pixel, triangles that meet in it shaded once; "standard": 4, as a browser shows it; "medium": up to 64, averaged in linear light, with two directions of the environment each; "high": up to 1024, averaged in linear light, ' +
+  '"draft": 1 sample a pixel, triangles that meet in it shaded once; "standard": 4, as a browser shows it; "medium": 16, averaged in linear light, with two directions of the environment each, and denoised; "high": up to 1024, averaged in linear light, ' +
     'and the environment integrated with the material, by the tracer where it costs less; "reference": traced paths of light, slow and without GL',
   [choice('', [...Object.keys(PRESETS), 'reference'], { expected: QUALITY }), RASTER, REFERENCE, MAX_ERROR, BUDGET],
   QUALITY,

@@ -76,6 +76,12 @@ Frame FrameTarget::read() {
   gl.ReadPixels(0, 0, width_, height_, GL_RGBA, type_ == PixelType::kRgba8 ? GL_UNSIGNED_BYTE : GL_FLOAT,
                 frame.pixels.data());
   context_.check("readback");
+  const std::size_t rows = frame.height, row = frame.pixels.size() / std::max<std::size_t>(rows, 1);
+  for (std::size_t y = 0; y < rows / 2; ++y) {
+    std::swap_ranges(frame.pixels.begin() + static_cast<std::ptrdiff_t>(y * row),
+                     frame.pixels.begin() + static_cast<std::ptrdiff_t>((y + 1) * row),
+                     frame.pixels.begin() + static_cast<std::ptrdiff_t>((rows - 1 - y) * row));
+  }
   return frame;
 }
 
@@ -93,14 +99,8 @@ Frame FrameTarget::filled(const glm::vec4& color) {
 }
 
 void FrameTarget::finish(Frame& frame, bool opaque) {
-  const std::size_t rows = frame.height, row = frame.pixels.size() / std::max<std::size_t>(rows, 1);
-  for (std::size_t y = 0; y < rows / 2; ++y) {
-    std::swap_ranges(frame.pixels.begin() + static_cast<std::ptrdiff_t>(y * row),
-                     frame.pixels.begin() + static_cast<std::ptrdiff_t>((y + 1) * row),
-                     frame.pixels.begin() + static_cast<std::ptrdiff_t>((rows - 1 - y) * row));
-  }
   if (frame.type == PixelType::kRgba8 && !opaque)
-    unpremultiply(reinterpret_cast<std::uint8_t*>(frame.pixels.data()), frame.width * rows);
+    unpremultiply(reinterpret_cast<std::uint8_t*>(frame.pixels.data()), std::size_t{frame.width} * frame.height);
 }
 
 }  // namespace telar::pass

@@ -19,13 +19,13 @@ class FrameTarget {
 
   bool matches(int width, int height, int samples, PixelType type) const;
   void bind() const;
-  /// Resolves and reads, as the GL has it: row 0 is the lowest one, colours are premultiplied.
+  /// Resolves and reads: row 0 is the top row, colours are premultiplied.
   Frame read();
   /// What it would read after it was cleared, without drawing.
   Frame filled(const glm::vec4& color);
   /// Gives the memory of a frame that was read back, for the next one.
   void reuse(Frame&& frame) { spare_ = std::move(frame.pixels); }
-  /// Turns what was read into a picture: row 0 is the top row; kRgba8 has straight alpha, kRgbaF32 premultiplied.
+  /// Turns what was read into a picture: kRgba8 has straight alpha, kRgbaF32 premultiplied.
   /// @param opaque  a background is drawn whose alpha was not: alpha is what covers it, and colours stay as they are
   static void finish(Frame& frame, bool opaque);
   int samples() const { return samples_; }

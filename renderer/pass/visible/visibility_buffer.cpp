@@ -312,7 +312,8 @@ void VisibilityBuffer::compose(telar::Frame& behind) {
   const int top = std::min(covered.toY, static_cast<int>(behind.height) - 1);
   for (int y = covered.fromY; y <= top; ++y) {
     const std::size_t at = static_cast<std::size_t>(y - covered.fromY) * owners_.width();
-    const std::size_t pixel = static_cast<std::size_t>(y) * behind.width + static_cast<std::size_t>(covered.fromX);
+    const std::size_t row = behind.height - 1 - static_cast<std::size_t>(y);  // the GL's row 0 is the lowest one
+    const std::size_t pixel = row * behind.width + static_cast<std::size_t>(covered.fromX);
     const auto count = static_cast<std::size_t>(std::max(right + 1 - covered.fromX, 0));
     if (type_ == PixelType::kRgba8) {
       composeRow(at, count, reinterpret_cast<std::uint8_t*>(behind.pixels.data()) + pixel * 4);

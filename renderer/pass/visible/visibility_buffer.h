@@ -49,7 +49,7 @@ class VisibilityBuffer {
   void bind();
   /// Shades what is seen of a draw of the plan's opaque list. Its program and its uniforms are set.
   void draw(const DrawItem& item, const gl::Program& program, gl::DrawCost& cost, GLuint unit);
-  /// Puts what they have shaded in front of a picture. @param behind  of the target; row 0 is the lowest one
+  /// Puts what they have shaded in front of a picture. @param behind  of the target
   void compose(telar::Frame& behind);
 
   /// Of this picture, once it is found: triangles of its first pass, fragments of all.
