@@ -35,7 +35,7 @@ bool isPlain(const glm::vec3& color) {
 class Tile {
  public:
   /// @param inner  what depends on nothing beyond the box
-  /// @param mean  of the picture: its coverage is asked for when colours of what is denoised stand in its place
+  /// @param mean  of the picture; it may be what is written, for coverage alone is read after colours are written
   Tile(const GuidedPicture& picture, std::span<const glm::vec4> mean, const Box& box, const Box& inner)
       : picture_(picture), mean_(mean), box_(box), inner_(inner) {}
 

@@ -18,7 +18,7 @@ struct GuidedPicture {
 };
 
 struct Denoised {
-  std::vector<glm::vec4> picture;  ///< as the mean; its coverage is the mean's
+  std::vector<glm::vec4> picture;  ///< as the mean; its coverage is the mean's, but of nets
   /// Standard error that is left: of the luminance, not premultiplied; of the coverage. Empty where nobody asks.
   std::vector<glm::vec2> error;
 };

@@ -43,7 +43,7 @@ SamplePasses samplePassesOf(const Shot& shot) {
 }
 
 Shot guideOf(Shot shot) {
-  shot.samples = 1;
+  shot.samples = Shot::SAMPLES_OF_A_PASS;
   shot.noise = 0;
   shot.environmentSamples = 0;
   shot.mergeQuads = true;

@@ -22,7 +22,8 @@ struct SamplePasses {
 /// One pass for up to Shot::SAMPLES_OF_A_PASS samples, and one a sample for more: a pass shades a pixel once.
 SamplePasses samplePassesOf(const Shot& shot);
 
-/// The guide of a shot whose passes are denoised: one pass, prefiltered light, filtered maps.
+/// The guide of a shot whose passes are denoised: one pass with the samples that it takes, so that seams and edges are
+/// smooth, prefiltered light, filtered maps.
 Shot guideOf(Shot shot);
 
 /// Projection of a picture that is moved by a part of a pixel. @param shift  pixels, x right and y up

@@ -56,13 +56,36 @@ visibility::Lanes channelsOf(std::uint32_t texel) {
   return __builtin_convertvector(__builtin_convertvector(bytes, visibility::Mask), visibility::Lanes);
 }
 
+glm::vec4 meanOf(const std::array<glm::vec4, visibility::SAMPLES>& samples) {
+  glm::vec4 sum(0);
+  for (const glm::vec4& sample : samples) sum += sample;
+  return sum / static_cast<float>(visibility::SAMPLES);
+}
+
+/// Of bytes, in floats, as llvmpipe resolves them: of two bytes that are as near it takes the same one.
+std::uint32_t meanOf(const std::array<std::uint32_t, visibility::SAMPLES>& samples) {
+  constexpr float UNIT = 1.0f / 255, SHARE = 1.0f / visibility::SAMPLES;
+  // 1.5 * 2^23: a float of so much and n has no digits after the point, and n in its lowest bits.
+  constexpr float ROUNDS = 12582912;
+  visibility::Lanes sum{};
+  for (const std::uint32_t sample : samples) sum += channelsOf(sample) * visibility::lanesOf(UNIT);
+  const visibility::Lanes mean =
+      sum * visibility::lanesOf(SHARE) * visibility::lanesOf(255) + visibility::lanesOf(ROUNDS);
+  visibility::Mask bits;
+  std::memcpy(&bits, &mean, sizeof bits);
+  const Texel texel = __builtin_convertvector(bits, Texel);
+  std::uint32_t bytes;
+  std::memcpy(&bytes, &texel, sizeof bytes);
+  return bytes;
+}
+
 std::size_t outputsOf(const DrawItem& item) { return 4 + componentsOf(varyingsOf(item.key)); }
 
 }  // namespace
 
 bool VisibilityBuffer::mayDraw(const FramePlan& plan, const Shot& shot, const FrameTarget& target) const {
   const gl::Capabilities& can = context_.capabilities();
-  const bool ofFour = target.samples() == visibility::SAMPLES && can.samplePlaces && target.type() == PixelType::kRgba8;
+  const bool ofFour = target.samples() == visibility::SAMPLES && can.samplePlaces;
   if (use_ == Use::kNever || !(ofFour || target.samples() == 1)) return false;
   if (std::int64_t{shot.width} * shot.height > MOST_PIXELS) return false;
   if (!can.bufferTextures) return false;
@@ -316,54 +339,34 @@ void VisibilityBuffer::compose(telar::Frame& behind) {
     const std::size_t pixel = row * behind.width + static_cast<std::size_t>(covered.fromX);
     const auto count = static_cast<std::size_t>(std::max(right + 1 - covered.fromX, 0));
     if (type_ == PixelType::kRgba8) {
-      composeRow(at, count, reinterpret_cast<std::uint8_t*>(behind.pixels.data()) + pixel * 4);
+      composeRow(at, count, shadedBytes_, reinterpret_cast<std::uint32_t*>(behind.pixels.data()) + pixel);
     } else {
-      composeRow(at, count, reinterpret_cast<glm::vec4*>(behind.pixels.data()) + pixel);
+      composeRow(at, count, shadedFloats_, reinterpret_cast<glm::vec4*>(behind.pixels.data()) + pixel);
     }
   }
 }
 
-void VisibilityBuffer::composeRow(std::size_t at, std::size_t count, std::uint8_t* pixel) const {
-  for (const std::size_t end = at + count; at < end; ++at, pixel += 4) {
+template <typename Pixel>
+void VisibilityBuffer::composeRow(std::size_t at, std::size_t count, const std::vector<Pixel>& shaded,
+                                  Pixel* pixel) const {
+  for (const std::size_t end = at + count; at < end; ++at, ++pixel) {
     const std::uint32_t first = places_[0][at];
     if (first == 0) continue;
     if ((first & 15u) == 15u) {
-      std::memcpy(pixel, &shadedBytes_[first >> 4], 4);
-    } else {
-      mix(at, pixel);
+      *pixel = shaded[first >> 4];
+      continue;
     }
-  }
-}
-
-// One sample a pixel.
-void VisibilityBuffer::composeRow(std::size_t at, std::size_t count, glm::vec4* pixel) const {
-  for (const std::size_t end = at + count; at < end; ++at, ++pixel) {
-    if (places_[0][at] != 0) *pixel = shadedFloats_[places_[0][at] >> 4];
-  }
-}
-
-// The mean of the samples in floats, as llvmpipe resolves them: of two bytes that are as near it takes the same one.
-void VisibilityBuffer::mix(std::size_t at, std::uint8_t* pixel) const {
-  std::uint32_t samples[visibility::SAMPLES];
-  for (auto& sample : samples) std::memcpy(&sample, pixel, sizeof sample);
-  for (std::size_t layer = 0; layer < surfaces_; ++layer) {
-    const std::uint32_t place = places_[layer][at];
-    if (place == 0) break;
-    for (unsigned i = 0; i < visibility::SAMPLES; ++i) {
-      if ((place >> i & 1u) != 0) samples[i] = shadedBytes_[place >> 4];
+    std::array<Pixel, visibility::SAMPLES> samples;
+    samples.fill(*pixel);
+    for (std::size_t layer = 0; layer < surfaces_; ++layer) {
+      const std::uint32_t place = places_[layer][at];
+      if (place == 0) break;
+      for (unsigned i = 0; i < visibility::SAMPLES; ++i) {
+        if ((place >> i & 1u) != 0) samples[i] = shaded[place >> 4];
+      }
     }
+    *pixel = meanOf(samples);
   }
-  constexpr float UNIT = 1.0f / 255, SHARE = 1.0f / visibility::SAMPLES;
-  // 1.5 * 2^23: a float of so much and n has no digits after the point, and n in its lowest bits.
-  constexpr float ROUNDS = 12582912;
-  visibility::Lanes sum{};
-  for (const std::uint32_t sample : samples) sum += channelsOf(sample) * visibility::lanesOf(UNIT);
-  const visibility::Lanes mean =
-      sum * visibility::lanesOf(SHARE) * visibility::lanesOf(255) + visibility::lanesOf(ROUNDS);
-  visibility::Mask bits;
-  std::memcpy(&bits, &mean, sizeof bits);
-  const Texel texel = __builtin_convertvector(bits, Texel);
-  std::memcpy(pixel, &texel, sizeof texel);
 }
 
 void VisibilityBuffer::release() {

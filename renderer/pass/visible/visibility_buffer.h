@@ -21,7 +21,7 @@ class VisibilityBuffer {
   using Use = RendererOptions::LeaveOut;
   VisibilityBuffer(const gl::Context& context, Use use) : context_(context), use_(use), strips_(context) {}
 
-  /// Whether passes over a picture may be drawn so: with four samples of bytes, or with one sample.
+  /// Whether passes over a picture may be drawn so: with four samples, or with one sample.
   bool mayDraw(const FramePlan& plan, const Shot& shot, const FrameTarget& target) const;
   /// Whether the fragments of a plan's opaque draws read their varyings from this. mayDraw()
   static void use(FramePlan& plan, bool yes);
@@ -89,9 +89,8 @@ class VisibilityBuffer {
   void fillPlaces();
   void drawBlocks(std::size_t from, std::size_t to, gl::DrawCost& cost) const;
   /// A row of what is covered. @param at  its first pixel in places_    @param pixel  the same of the picture
-  void composeRow(std::size_t at, std::size_t count, std::uint8_t* pixel) const;
-  void composeRow(std::size_t at, std::size_t count, glm::vec4* pixel) const;
-  void mix(std::size_t at, std::uint8_t* pixel) const;
+  template <typename Pixel>
+  void composeRow(std::size_t at, std::size_t count, const std::vector<Pixel>& shaded, Pixel* pixel) const;
   void release();
   std::size_t memory() const;
   /// Bytes that are kept from picture to picture: of the processor's memory, and of the GL's.

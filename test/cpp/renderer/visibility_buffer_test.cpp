@@ -200,6 +200,14 @@ TEST(VisibilityBuffer, KeepsTheBytesOfOneSample) {
   }
 }
 
+TEST(VisibilityBuffer, KeepsTheBytesOfFourSamplesInFloats) {
+  for (const int size : {64, 151}) {
+    Shot shot = litShot(size);
+    shot.resolve = Resolve::kLinear;
+    expectSameBytes(balls(false), shot, std::to_string(size));
+  }
+}
+
 // In passes, of which pixels that are settled take no more. The vertex stage runs once: a pass is moved behind it,
 // which rounds some corners to the next step of the rasterizer's grid.
 TEST(VisibilityBuffer, KeepsAveragedPictures) {
@@ -308,9 +316,6 @@ TEST(VisibilityBuffer, DrawsWhatIsOpaqueAndWholeBeforeTheCamera) {
   inside.camera.position = {0, 0, 0.3};
   inside.camera.near = 0.01;
   EXPECT_FALSE(isBuffered(balls(false), inside));
-  Shot floats = litShot(32);  // with four samples
-  floats.resolve = Resolve::kLinear;
-  EXPECT_FALSE(isBuffered(balls(false), floats));
   for (const AlphaMode mode : {AlphaMode::kBlend, AlphaMode::kMask}) {
     auto scene = balls(false);
     scene->materials[1].alphaMode = mode;
@@ -332,9 +337,9 @@ TEST(VisibilityBuffer, DrawsWhatIsOpaqueAndWholeBeforeTheCamera) {
 TEST(VisibilityBuffer, IsToldOfItsOwnPictureAlone) {
   const auto renderer = rendererWith(LeaveOut::kAlways);
   EXPECT_TRUE(drawn(*renderer, balls(false), litShot(32)).buffered());
-  Shot floats = litShot(32);
-  floats.resolve = Resolve::kLinear;
-  EXPECT_FALSE(drawn(*renderer, balls(false), floats).buffered());
+  Shot panel = litShot(32);
+  panel.lights.push_back({Shot::Light::Type::kRect});
+  EXPECT_FALSE(drawn(*renderer, balls(false), panel).buffered());
 }
 
 TEST(VisibilityBuffer, IsLeftOutWhereTrianglesAreFew) {
