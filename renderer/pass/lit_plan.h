@@ -20,7 +20,7 @@ struct LitPlan {
 };
 
 /// @param environmentFile  of the shot
-/// @param environments  what the plan points to stays until it is asked for more
+/// @param environments  keeps the last four that it was asked for, and a plan points to two at most: two plans may be held
 /// @throws Error  of the plan, of the environment
 LitPlan planLit(const Scene& scene, const Shot& asked, std::span<const std::byte> environmentFile,
                 ibl::EnvironmentCache& environments, GpuScene& gpu, const RendererOptions& options,
