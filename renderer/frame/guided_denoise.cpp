@@ -16,7 +16,8 @@ static_assert(TILE % FIELD_GRID == 0);
 
 constexpr int COLOR_BANDS = 3;  ///< with a fourth one the errors are the same
 
-/// Standard error of coverage, some pixels wide, of nets: more than the first is left of no lone edge.
+/// The standard error of coverage, as a mean over some pixels. A lone edge stays below NET_FROM, and its coverage is the
+/// mean's; from NET_TO on coverage is denoised.
 constexpr float NET_FROM = 0.03f, NET_TO = 0.06f;
 
 struct Box {

@@ -23,13 +23,14 @@ struct Denoised {
   std::vector<glm::vec2> error;
 };
 
-/// What the mean has more than the guide, in bands of neighbours one, two and four pixels apart and what is wider; of
-/// each band the part that stands out of the noise about the pixel is added to the guide. So light, which is right in the
-/// mean and smooth, comes from many pixels, and detail from the guide, or from the mean where both are sure to differ.
-/// Pixels that either lacks, or of more than BRIGHTEST, are the mean's: one of a sun would spread over its neighbours.
+/// Splits the difference of the mean to the guide into bands (taps 1, 2 and 4 pixels apart, and the rest), estimates the
+/// noise of each band about a pixel, and adds the part of the band that is no noise to the guide. So light, which the
+/// guide has wrong and which is smooth, comes from many pixels of the mean; detail comes from the guide, or from the mean
+/// where the two differ by more than noise. Pixels that one of the two does not cover, or brighter than BRIGHTEST, are the
+/// mean's: a sun would spread over its neighbours.
 /// src: Holschneider et al. 1989, "A Real-Time Algorithm for Signal Analysis with the Help of the Wavelet Transform"
 ///      (a trous, with a cubic B-spline); Mihcak, Kozintsev & Ramchandran 1999, "Spatially Adaptive Statistical
-///      Modeling of Wavelet Image Coefficients" (the part of a band that is no noise)
+///      Modeling of Wavelet Image Coefficients" (the gain of a band)
 Denoised denoise(GuidedPicture picture);
 
 /// Far above white, which is 1.

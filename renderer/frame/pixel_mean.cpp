@@ -73,15 +73,10 @@ void PixelMean::setGuide(std::vector<glm::vec4> picture) {
 
 bool PixelMean::add(const Frame& frame, bool last, unsigned passes) {
   const auto* pixel = reinterpret_cast<const glm::vec4*>(frame.pixels.data());
-  if (settled_.empty()) {
-    for (std::size_t i = 0; i < second_.size(); ++i) second_[i] += pixel[i];
-    for (std::uint32_t& count : count_) count += passes;
-  } else {
-    for (std::size_t i = 0; i < second_.size(); ++i) {
-      if (settled_[i]) continue;
-      second_[i] += pixel[i];
-      count_[i] += passes;
-    }
+  for (std::size_t i = 0; i < second_.size(); ++i) {
+    if (!settled_.empty() && settled_[i]) continue;
+    second_[i] += pixel[i];
+    count_[i] += passes;
   }
   joined_.clear();
   if (!std::has_single_bit(passes_ += passes)) return false;
@@ -115,21 +110,19 @@ void PixelMean::setHalvesApart() {
 void PixelMean::look() {
   settled_.resize(shot_.noise > 0 ? second_.size() : 0);
   error_.resize(second_.size());
-  if (guide_.empty()) {
-    lookAtHalves();
-  } else {
-    lookAtDenoised();
-  }
+  std::vector<float> squares = guide_.empty() ? squaresOfHalves() : squaresOfDenoised();
   double sum = 0;
   std::size_t moving = 0;
-  for (const float error : error_) {
-    sum += static_cast<double>(error);
-    moving += error > 0;
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    if (settled_.empty() || !settled_[i]) error_[i] = std::sqrt(squares[i]);
+    sum += static_cast<double>(error_[i]);
+    moving += error_[i] > 0;
   }
   standardError_ = moving == 0 ? 0 : 255 * sum / static_cast<double>(moving);
+  if (shot_.noise > 0) settle(std::move(squares));
 }
 
-void PixelMean::lookAtHalves() {
+std::vector<float> PixelMean::squaresOfHalves() const {
   const PixelEncoder encoded(shot_);
   std::vector<float> squares(second_.size());
   for (std::size_t i = 0; i < squares.size(); ++i) {
@@ -137,13 +130,11 @@ void PixelMean::lookAtHalves() {
     // The standard error of the mean is half of the difference of the halves.
     const glm::vec2 apart = difference(i, encoded) / 2.0f;
     squares[i] = std::max(apart.x * apart.x, apart.y * apart.y);
-    error_[i] = std::sqrt(squares[i]);
   }
-  blur(squares, shot_.width, shot_.height);
-  settle(squares);
+  return squares;
 }
 
-void PixelMean::lookAtDenoised() {
+std::vector<float> PixelMean::squaresOfDenoised() {
   const EncodedGrey encoded{PixelEncoder(shot_)};
   Denoised now = denoised(true);
   std::vector<float> squares(second_.size());
@@ -153,15 +144,13 @@ void PixelMean::lookAtDenoised() {
     const float shown = pixel.a > 0 ? luminance(glm::vec3(pixel)) / pixel.a : 0;
     const float ofColor = (encoded(shown + now.error[i].x) - encoded(shown)) * pixel.a;
     squares[i] = std::max(ofColor * ofColor, now.error[i].y * now.error[i].y);
-    error_[i] = std::sqrt(squares[i]);
   }
   joined_ = std::move(now.picture);
-  blur(squares, shot_.width, shot_.height);
-  settle(squares);
+  return squares;
 }
 
-/// @param squares  of the standard error of each pixel
-void PixelMean::settle(const std::vector<float>& squares) {
+void PixelMean::settle(std::vector<float> squares) {
+  blur(squares, shot_.width, shot_.height);
   const auto most = static_cast<float>(shot_.noise * shot_.noise / (255.0 * 255.0));
   for (std::size_t i = 0; i < settled_.size(); ++i) {
     if (settled_[i] || squares[i] > most) continue;

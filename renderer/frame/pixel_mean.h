@@ -46,9 +46,10 @@ class PixelMean {
 
  private:
   void look();
-  void lookAtHalves();
-  void lookAtDenoised();
-  void settle(const std::vector<float>& squares);
+  /// Squares of the standard error of each pixel that is not settled, in encoded luma.
+  std::vector<float> squaresOfHalves() const;
+  std::vector<float> squaresOfDenoised();
+  void settle(std::vector<float> squares);
   glm::vec2 difference(std::size_t pixel, const PixelEncoder& encoded) const;
   void setHalvesApart();
   std::vector<glm::vec4> plainMean() const;

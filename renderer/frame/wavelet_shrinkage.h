@@ -4,7 +4,7 @@
 
 namespace telar::frame {
 
-/// What lies between two pictures, and noise of as large an error as it has. Row by row.
+/// The difference of two pictures, and noise that is as large as the error of the difference. Row by row.
 struct NoisyField {
   NoisyField(int columns, int rows);
   std::size_t indexOf(int x, int y) const {
@@ -21,8 +21,8 @@ struct Shrunk {
   std::vector<float> left;        ///< square of the error of its luminance
 };
 
-/// The excess in bands, of neighbours 1, 2, 4 ... apart, and what is wider; of each the part that its energy about a value
-/// has more than that of the noise there.
+/// Splits the excess into bands (taps 1, 2, 4 ... apart, and the rest) and multiplies each by its gain: 1 less the ratio of
+/// the energy of the noise to that of the band, both as means about a value, and 0 at least.
 /// @param field  is taken apart: its weights stay
 /// @param bands  1 to MOST_BANDS
 /// src: Holschneider et al. 1989, "A Real-Time Algorithm for Signal Analysis with the Help of the Wavelet Transform"
