@@ -56,6 +56,7 @@ class GlRenderer final : public Renderer {
     StageTimer timer;
     context_->pacer().begin(cancel, options_.sliceMs);
     scenes_.forgetReleased();
+    surfaces_.forgetMany();
     checkLimit("L_OUTPUT_SIZE", context_->capabilities().maxTextureSize, std::max(asked.width, asked.height), "");
     pass::GpuScene& gpu = scenes_.of(scene);
     Picture picture = prepare(*scene, asked, environmentFile, gpu, cancel, timer);

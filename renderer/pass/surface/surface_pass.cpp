@@ -167,15 +167,16 @@ SurfacePass::SurfacePass(const gl::Context& context, Limits limits)
 
 GLuint SurfacePass::firstShadowUnit() { return UNIT_COUNT; }
 
+void SurfacePass::forgetMany() {
+  if (programs_.size() > 2 * limits_.programs) programs_.clear();
+}
+
 int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
   std::set<shader::VariantKey> wanted = plan.keys();
   for (const shader::VariantKey& key : plan.keys()) {
     if (key.visibilityBuffer) wanted.insert(capturedKey(key));
   }
   checkLimit("L_PROGRAMS", static_cast<double>(limits_.programs), static_cast<double>(wanted.size()));
-  // Programs of earlier frames are kept while they are few. A service that sees many kinds of files drops them all at
-  // times.
-  if (programs_.size() + wanted.size() > 4 * limits_.programs) programs_.clear();
   int compiled = 0;
   for (const shader::VariantKey& key : wanted) {
     if (programs_.contains(key)) continue;

@@ -45,6 +45,9 @@ class SurfacePass {
  public:
   SurfacePass(const gl::Context& context, Limits limits);
 
+  /// Programs of earlier frames are kept while they are few: a service that sees many kinds of files drops them all at
+  /// times. Called where no plan is prepared, for a frame may draw several.
+  void forgetMany();
   /// Compiles what the plan needs and does not have yet; returns how many programs that were. @throws Error{X_SHADER,
   /// L_PROGRAMS}
   int prepare(const FramePlan& plan, const CancelToken& cancel);
