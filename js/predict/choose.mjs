@@ -39,28 +39,29 @@ const slowness = (setting, table, machine) => {
  */
 export function predictAll(table, features, { tracer, machine }) {
   const times = timesOf(table, features);
+  const [[cheapest, first]] = times;
+  const leastMs = first.ms * slowness(cheapest, table, machine);
   const drawable = (setting) => familyOf(setting) !== 'tracer' || (tracer && features.traceable);
   return [...times]
     .filter(([setting]) => drawable(setting))
     .flatMap(([setting, { ms, spread }]) => {
       const error = narrowest(table.errors[setting] ?? {}, features);
       if (!error) return [];
-      const likely = ms * slowness(setting, table, machine);
+      // So the smallest pictures, which a fit knows little of, keep the cheapest of all, whichever machine draws them.
+      const likely = Math.max(ms * slowness(setting, table, machine), leastMs);
       return [{ setting, flip: error.flip, cpuMs: likely, mostMs: likely * spread, basis: error.name, scenes: error.count }];
     });
 }
 
-/** Likely times on the machine of the table. None is less than one before it in its family, nor than that of the cheapest of all: so small pictures stay in order. */
+/** Likely times on the machine of the table. None is less than one before it in its family: so small pictures stay in order. */
 function timesOf(table, features) {
   const times = new Map();
-  let first = 0;
   for (const family of Object.values(FAMILIES)) {
-    let before = first;
+    let before = 0;
     for (const setting of Object.keys(family)) {
       const time = narrowest(table.times[setting] ?? {}, features);
       if (!time) continue;
       before = Math.max(before, time.base + time.triangle * features.triangles + time.pixel * features.covered);
-      if (times.size === 0) first = before;
       times.set(setting, { ms: before, spread: time.spread });
     }
   }

@@ -5,7 +5,7 @@ import { PRESETS } from '../shot/table/quality.mjs';
  * `{budgetMs}` choose from. Within a family each one that follows takes more samples, so that it costs no less and errs no more.
  */
 
-const raster = (samples, environmentSamples, noise = 0) => ({ samples, ...(noise > 0 && { noise }), environmentSamples });
+const denoised = (samples, environmentSamples) => ({ samples, environmentSamples, mergeQuads: true, denoise: true });
 
 /** Light that arrives directly: what the raster computes, too. */
 const paths = (samples, noise) => ({ preset: 'reference', transport: 'direct', samples, ...(noise !== undefined && { noise }) });
@@ -13,20 +13,16 @@ const paths = (samples, noise) => ({ preset: 'reference', transport: 'direct', s
 /** Most paths of a pixel that stops at a standard error. */
 const MOST_PATHS = 4096;
 
-/** Families: what draws, and its settings from the cheapest to the most accurate. "raster 16/64": samples and directions of the environment. */
+/** Families: what draws, and its settings from the cheapest to the most accurate. "denoised 64/256": samples and directions of the environment. */
 export const FAMILIES = {
   prefiltered: { draft: 'draft', standard: 'standard' },
-  raster: {
-    'raster 16/16': raster(16, 16),
-    'raster 16/64': raster(16, 64),
-    'raster 64/128 noise 5': { ...raster(64, 128, 5), mergeQuads: true },
-    'raster 64/256': raster(64, 256),
-    'raster 256/512 noise 4': raster(256, 512, 4),
-    'raster 1024/2048 noise 2': raster(1024, 2048, 2),
+  denoised: {
+    medium: 'medium',
+    'denoised 64/64': denoised(64, 64),
+    'denoised 64/256': denoised(64, 256),
     // By its name the tracer may draw it.
     'high by the raster': PRESETS.high,
   },
-  denoised: { medium: 'medium' },
   tracer: {
     'tracer 4': paths(4),
     'tracer 8': paths(8),

@@ -471,7 +471,7 @@ export interface Shot {
     /** Largest factor, so that black cloth stays black. Range 1 to 1000. @default 1.25 */
     most?: number;
   } | null;
-  /** "draft": 1 sample a pixel, triangles that meet in it shaded once; "standard": 4, as a browser shows it; "medium": 16, averaged in linear light, with two directions of the environment each, and denoised; "high": up to 1024, averaged in linear light, and the environment integrated with the material, by the tracer where it costs less; "reference": traced paths of light, slow and without GL. @default "standard" */
+  /** "draft": 1 sample a pixel, triangles that meet in it shaded once; "standard": 4, as a browser shows it; "medium": 16, averaged in linear light, with two directions of the environment each, and denoised; "high": 256 and where it is needed up to 1024, averaged in linear light, the environment integrated with the material, and denoised, by the tracer where that costs less; "reference": traced paths of light, slow and without GL. @default "standard" */
   quality?: 'standard' | 'draft' | 'medium' | 'high' | 'reference' | {
     /** Settings to start from. */
     preset?: 'standard' | 'draft' | 'medium' | 'high';
@@ -479,7 +479,7 @@ export interface Shot {
     samples?: 1 | 4 | 16 | 64 | 256 | 1024;
     /** What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone mapping; default "encoded", "linear" for more than 4 samples. */
     resolve?: 'encoded' | 'linear';
-    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, and from 16 of more; 0 = every pixel takes all. For more than 16 samples; default 0. Range 0 to 64. */
+    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, from 16 of more, and from 256 where they are denoised; 0 = every pixel takes all. For more than 16 samples; default 0. Range 0 to 64. */
     noise?: number;
     /** Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered maps, as three.js has them; default 0. Range 0 to 4096. */
     environmentSamples?: number;
@@ -1115,7 +1115,7 @@ export interface ResolvedShot {
     samples: 1 | 4 | 16 | 64 | 256 | 1024;
     /** What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone mapping; default "encoded", "linear" for more than 4 samples. */
     resolve: 'encoded' | 'linear';
-    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, and from 16 of more; 0 = every pixel takes all. For more than 16 samples. Range 0 to 64. */
+    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, from 16 of more, and from 256 where they are denoised; 0 = every pixel takes all. For more than 16 samples. Range 0 to 64. */
     noise: number;
     /** Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered maps, as three.js has them. Range 0 to 4096. */
     environmentSamples: number;

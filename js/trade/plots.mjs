@@ -6,11 +6,11 @@ import { frontOf } from './front.mjs';
 
 const FRAME = { width: 560, height: 340, left: 52, right: 440, top: 30, bottom: 290 };
 const STYLE = `.axis{stroke:#8a8a8a;stroke-width:.6;fill:none}.grid{stroke:#8a8a8a;stroke-width:.4;stroke-dasharray:2 3}.front{stroke:#2867b8;stroke-width:1.6;fill:none}
-.prefiltered{fill:#b8501f}.raster{fill:#2867b8}.tracer{fill:#3d8f4f}.peer{fill:#8a4fbf}.other{fill:#777}.scaled{fill-opacity:.35}
+.prefiltered{fill:#b8501f}.denoised{fill:#2867b8}.tracer{fill:#3d8f4f}.peer{fill:#8a4fbf}.other{fill:#777}.scaled{fill-opacity:.35}
 text{font:10px system-ui,sans-serif;fill:#444}.title{font-weight:600;font-size:11px;fill:#222}.preset{font-weight:600}`;
 const DARK =
-  '.front{stroke:#7db2f5}.prefiltered{fill:#f0965f}.raster{fill:#7db2f5}.tracer{fill:#7fce91}.peer{fill:#c79bf0}text{fill:#c4c4c4}.title{fill:#e8e8e8}';
-const FAMILY_NAMES = { prefiltered: 'prefiltered light', raster: 'raster, many samples', tracer: 'path tracer', peer: 'others' };
+  '.front{stroke:#7db2f5}.prefiltered{fill:#f0965f}.denoised{fill:#7db2f5}.tracer{fill:#7fce91}.peer{fill:#c79bf0}text{fill:#c4c4c4}.title{fill:#e8e8e8}';
+const FAMILY_NAMES = { prefiltered: 'prefiltered light', denoised: 'raster, denoised', tracer: 'path tracer', peer: 'others' };
 
 const n = (value) => Number(value.toFixed(1));
 const text = (x, y, content, more = '') => `<text x="${n(x)}" y="${n(y)}"${more}>${escaped(content)}</text>`;

@@ -14,6 +14,9 @@ namespace {
 constexpr int MOST_OF_A_GRID = 64;
 /// What 16 points miss shows in the next 16, which lie between them.
 constexpr unsigned FEWEST_OF_A_GRID = 32;
+/// The error that denoising leaves is told as if the guide were right. After fewer passes pixels settle that are still off
+/// where it is wrong.
+constexpr unsigned FEWEST_DENOISED = 256;
 
 /// Middle of a cell of the grid, [0, 1)^2. The first 4, 16 ... are grids too, the first 8, 32 ... the black squares of one.
 glm::dvec2 cellMiddle(int pass, int count) {
@@ -35,11 +38,14 @@ glm::dvec2 SamplePasses::shift(int pass) const {
   return glm::dvec2(Random(0, 0, static_cast<std::uint32_t>(pass)).uniform2()) - 0.5;
 }
 
-unsigned SamplePasses::fewest() const { return count <= MOST_OF_A_GRID ? FEWEST_OF_A_GRID : PixelMean::FEWEST; }
+unsigned SamplePasses::fewest() const {
+  if (count <= MOST_OF_A_GRID) return FEWEST_OF_A_GRID;
+  return denoised ? FEWEST_DENOISED : PixelMean::FEWEST;
+}
 
 SamplePasses samplePassesOf(const Shot& shot) {
-  if (shot.samples <= Shot::SAMPLES_OF_A_PASS) return {1, shot.samples};
-  return {shot.samples, 1};
+  if (shot.samples <= Shot::SAMPLES_OF_A_PASS) return {1, shot.samples, false};
+  return {shot.samples, 1, shot.denoise};
 }
 
 Shot guideOf(Shot shot) {

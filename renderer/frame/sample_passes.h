@@ -9,6 +9,7 @@ namespace telar::frame {
 struct SamplePasses {
   int count = 1;    ///< a power of 4
   int samples = 1;  ///< of a pass: multisampling
+  bool denoised = false;
 
   /// How far the picture of a pass is moved, pixels in [-0.5, 0.5): the first 2^k passes fill the pixel evenly, for any
   /// k, so that their mean is that of a box filter. With more than 64 passes they are independent of the directions that the

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "frame/covered_pixels.h"
+#include "frame/sample_passes.h"
 #include "frame/variant.h"
 #include "telar/reference.h"
 
@@ -13,9 +14,13 @@ namespace {
 // tracer's counts.
 
 /// Milliseconds of a pass of the raster, whatever it shows, and of each triangle in it.
-constexpr double PASS_MS = 0.3, PASS_TRIANGLE_MS = 80e-6;
-/// Samples until a covered pixel is sure, and how many more with each triangle: small ones turn many ways in a pixel.
-constexpr double SAMPLES = 200, TRIANGLE_SAMPLES = 0.008;
+constexpr double PASS_MS = 0.3, PASS_TRIANGLE_MS = 40e-6;
+/// Samples until the standard error of a covered pixel is SURE, and how many more with each triangle: small ones turn many
+/// ways in a pixel. They go by its inverse square.
+constexpr double SAMPLES = 200, TRIANGLE_SAMPLES = 0.008, SURE = 1.25;
+/// Standard error of a picture that is not denoised and as near to the truth as one that is denoised until it has 1: what
+/// denoising leaves is partly no noise.
+constexpr double NOT_DENOISED = 0.5;
 /// Milliseconds of a sample of a covered pixel: shaded in dense rows, or triangle by triangle, which those are that let
 /// some light through; traced.
 constexpr double DENSE_MS = 1.3e-3, SINGLE_MS = 2.6e-3, PATH_MS = 2.6e-3;
@@ -30,16 +35,30 @@ struct Counts {
   bool single = false;                ///< pass::VisibilityBuffer leaves it to the GL, triangle by triangle
   bool blended = false;               ///< some of it lets light through in part
 
-  double samples() const { return covered * std::min(SAMPLES + TRIANGLE_SAMPLES * triangles, 1024.0); }
+  double samplesUntil(double noise, int most) const {
+    const double sure = (SAMPLES + TRIANGLE_SAMPLES * triangles) * (SURE / noise) * (SURE / noise);
+    return std::min(sure, static_cast<double>(most));
+  }
 };
+
+double tracedNoise(const Shot& shot) { return shot.noise * (shot.denoise ? NOT_DENOISED : 1); }
 
 double rasterMs(const Counts& counts, const Shot& shot) {
   const double passMs = PASS_MS + PASS_TRIANGLE_MS * counts.triangles;
-  return shot.samples * passMs + counts.samples() * (counts.single ? SINGLE_MS : DENSE_MS);
+  double samples = counts.samplesUntil(tracedNoise(shot), shot.samples);
+  double passes = shot.samples;
+  if (shot.denoise) {
+    // Denoised pixels are sure when they are looked at first, but those of nets.
+    const double first = std::min<double>(frame::samplePassesOf(shot).fewest(), shot.samples);
+    samples = counts.single ? std::max(samples, first) : first;
+    if (!counts.single) passes = first;
+  }
+  return passes * passMs + counts.covered * samples * (counts.single ? SINGLE_MS : DENSE_MS);
 }
 
-double tracerMs(const Counts& counts) {
-  return HIERARCHY_MS * counts.triangles + counts.samples() * PATH_MS * (counts.blended ? BLENDED : 1);
+double tracerMs(const Counts& counts, const Shot& shot) {
+  const double samples = counts.samplesUntil(tracedNoise(shot), shot.samples);
+  return HIERARCHY_MS * counts.triangles + counts.covered * samples * PATH_MS * (counts.blended ? BLENDED : 1);
 }
 
 /// A shot of quality "high" that the tracer could draw.
@@ -90,11 +109,12 @@ Counts countsOf(const Scene& scene, const Shot& shot) {
 std::optional<Shot> tracedInstead(const Scene& scene, const Shot& shot) {
   if (!isShaded(shot) || !isLitTheSame(shot) || isTracedOtherwise(scene, shot)) return std::nullopt;
   const Counts counts = countsOf(scene, shot);
-  if (tracerMs(counts) > rasterMs(counts, shot)) return std::nullopt;
+  if (tracerMs(counts, shot) > rasterMs(counts, shot)) return std::nullopt;
   Shot traced = shot;
   traced.reference =
       Shot::Reference{.samples = shot.samples, .transport = Shot::Reference::Transport::kDirect, .bounces = 0};
   traced.samples = 1;
+  traced.noise = tracedNoise(shot);
   traced.lens.reset();  // the raster shows everything sharp
   return traced;
 }

@@ -24,9 +24,11 @@ const aboveTable = (rows) => ({
  * @param {string} result.knobs of knobs.mjs
  * @param {string} result.command, result.machine
  * @param {number} result.window pixels
+ * @param {object} result.truth quality
+ * @param {{tracer: number}} result.capMs CPU time above which a window is drawn alone
  * @param {{fit: number, heldOut: number}} result.counts scenes
  */
-export function docsPage({ rows, table: predicted, verdict, byClass, knobs, command, machine, window, counts }) {
+export function docsPage({ rows, table: predicted, verdict, byClass, knobs, command, machine, window, truth, capMs, counts }) {
   const { overall, presets } = tablesOf(rows);
   return `# Time and error
 
@@ -70,7 +72,7 @@ last sample once its goal is reached: \`info.ended\` tells the samples.
 - \`budgetMs\` ends it when this process has spent so much CPU time on it, all threads together (of the raster, from the shadows on: programs, environments and the
   model's own uploads of a first picture come on top, as above). So settings are taken that are likely to fit, where those of one pass have to fit by the time that 9 of 10 do not
   pass. What else the process does meanwhile counts too: a pool has a process for each picture. The key of a picture that was ended is not \`pictureKey()\`'s.
-- \`maxError\` ends it at a doubling of samples, 16 and on (32 where it may take 64), where its own noise is small enough: no clock has a say, and the same shot ends at the same sample on
+- \`maxError\` ends it at a doubling of samples, 16 and on (32 where it may take 64, 256 where it may take 1024 and is denoised), where its own noise is small enough: no clock has a say, and the same shot ends at the same sample on
   each machine. The noise is the standard error of a pixel as the two halves of its samples tell it (that by which pixels of \`high\` settle), mean over the pixels that vary. It may make FLIP
   no more than the goal leaves: all of it for the tracer, which errs by noise alone; for the raster what is left beside the error of its most accurate settings in that class. Its key is that of the goal, which is
   not that of its settings. Where the environment is the background its noise would hide the model's, and the picture is drawn to its end.
@@ -122,16 +124,13 @@ telar bench trade shirt.glb --setting 'fine={"samples":64,"environmentSamples":1
 
 It writes \`index.html\` (plots, the cheapest setting for FLIP 0.005, 0.01, 0.02 and 0.04, how far the presets lie above the front), \`trade.csv\` and \`trade.svg\` into the folder. What is
 measured stays there: a run that was stopped goes on, and one with more settings measures these alone. The error is that of a window of the picture, at the scale of the
-whole, since the tracer needs thousands of paths a pixel there. The time is CPU time of the whole picture; from \`--cap\` seconds on that of the window is scaled by the pixels that the model covers.
+whole, since the tracer needs thousands of paths a pixel there. The time is CPU time of the whole picture; from \`--cap\` seconds on that of the window is scaled by the pixels that the model covers,
+which tells up to twice the time of the raster: its passes cost more for each pixel of a small picture.
 
 ## What was measured
 
-\`${command}\` on ${machine}, other work beside: ${counts.fit} scenes to predict from and ${counts.heldOut} to judge by, ${Object.keys(SETTINGS).length} settings, ${rows.length} measurements, windows of ${window} x ${window} pixels. The truth's own
-noise is part of every error. Settings of 16 and 64 samples were drawn before their passes had a cell of a grid each (js/docs/fabric_accuracy.md, "Quality medium").
-
-\`medium\` has been another quality since, and was measured by itself: 106 scenes of the same kind to predict from and 40 others, against 2,048 paths at most, on a quiet AMD EPYC. FLIP is 0.0248 as the median and
-0.161 at worst, the time 7.4 times that of \`standard\` by the medians, and 8.6 times as the median of the scenes. So it beats
-the settings of the raster up to "raster 256/512 noise 4". Its bounds held in 36 of the 40, of which half have it for \`maxError\` 0.03 to 0.1. "raster 64/128 noise 5" is what \`medium\` was. The tables of presets and of goals are from before.
+\`${command}\` on ${machine}, other work beside: ${counts.fit} scenes to predict from and ${counts.heldOut} to judge by, ${Object.keys(SETTINGS).length} settings, ${rows.length} measurements, windows of ${window} x ${window} pixels. The truth has
+${truth.samples} paths a pixel or a standard error of ${truth.noise} of 255, and its own noise is part of every error. Pictures by the raster are drawn whole for their time, those by the tracer from ${capMs.tracer / 1000} s on in the window alone.
 
 ${table(overall)}
 
@@ -168,7 +167,7 @@ three.js in the browser has none of them, and draws the same shot whole.
 \`npm run trade -- --knobs --write\`, as \`telar bench trade --knobs\` does it for other models: six cloths, studio and sun, 256 x 256. What each number of a quality changes against
 \`standard\`, and each of a lamp's shadow; the steepest three that take error away are tried together. "FLIP less for a second": of error for CPU time, or of time for error where both are
 less. Times have other work beside: a difference of 12 ms or less is none. Directions of the environment bring nothing alone, for few samples leave their noise; with 16 samples and more they
-are the raster's settings above. Prefiltering the environment is done once, and is in no time here; so are the rays of ambient visibility, which is set against \`standard\` with a truth of transport
+are the denoised settings above. Prefiltering the environment is done once, and is in no time here; so are the rays of ambient visibility, which is set against \`standard\` with a truth of transport
 \`occlusion\`. Two knobs of other renderers telar lacks: diffuse light from spherical harmonics, which ring under small lights, and points in place of area lights, which three.js
 does not draw either. The target's precision is no knob: it has 8 bits where a browser's has, and floats where samples are averaged. What \`output.effort\` takes and saves is in
 [figures.md](figures.md#effort-of-the-encoders).
@@ -215,6 +214,7 @@ ${table({
 })}
 
 The target is 95 % of errors held, all within twice the time of the cheapest, and 90 % of times held. The second is missed: a picture in \`standard\` takes less time than it takes to know
-that it is good enough, and the next settings take ten times as long. Predictions are from ${predicted.scenes} scenes.
+that it is good enough, and the next settings take seven times as long. A look that compares with denoised passes of the raster (64 or 256 samples) in place of paths was tried: 52 and 48 % within twice
+the time, and 93 and 94 % of errors held. Predictions are from ${predicted.scenes} scenes.
 `;
 }

@@ -5,7 +5,7 @@ import { MAX_ERRORS } from './judge.mjs';
 /** Looks at windows of measured scenes: what the factors of js/predict/table.json are from, and what they are judged by. */
 
 /** Of others the class says as much. */
-const LOOKED_AT = ['draft', 'standard', 'raster 16/16', 'raster 16/64', 'raster 64/128 noise 5', 'raster 64/256', 'medium', 'tracer 4', 'tracer 8'];
+const LOOKED_AT = ['draft', 'standard', 'medium', 'denoised 64/64', 'denoised 64/256', 'tracer 4', 'tracer 8'];
 
 const DRAWN = { timeoutMs: null };
 

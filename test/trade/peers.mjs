@@ -16,7 +16,7 @@ import { cpuBelow, measured } from '../processes.mjs';
 
 const ASSETS = fileURLToPath(new URL('../../js/assets/', import.meta.url));
 const PLAN = { window: 40, capMs: 2000 };
-const NAMES = ['draft', 'standard', 'raster 16/16', 'raster 16/64', 'medium', 'tracer 4', 'tracer 8', 'tracer noise 4', 'tracer noise 2'];
+const NAMES = ['draft', 'standard', 'medium', 'denoised 64/64', 'denoised 64/256', 'tracer 4', 'tracer 8', 'tracer noise 4', 'tracer noise 2'];
 const PEER = 'three.js in Chromium';
 
 /** Pictures of one loaded model that a time is of. */

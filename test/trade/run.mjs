@@ -8,8 +8,8 @@ import { versions } from '../../js/api/versions.mjs';
 import { TradeStore } from '../../js/cli/trade_store.mjs';
 import { calibrate } from '../../js/predict/calibrate.mjs';
 import { fitTable } from '../../js/predict/fit.mjs';
-import { SETTINGS } from '../../js/predict/settings.mjs';
-import { bench, csvOf, overallPoints, tradePage, tradePlot } from '../../js/trade/index.mjs';
+import { familyOf, SETTINGS } from '../../js/predict/settings.mjs';
+import { bench, csvOf, overallPoints, TRUTH, tradePage, tradePlot } from '../../js/trade/index.mjs';
 import { docsPage } from './docs_page.mjs';
 import { judge } from './judge.mjs';
 import { keptKnobs, measureKnobs } from './knobs.mjs';
@@ -20,7 +20,7 @@ import { tradeScenes } from './scenes.mjs';
 // fits what {maxError} and {budgetMs} go by, and judges it by scenes that it does not know. --write: js/predict/table.json, js/docs/trade.md.
 // On a machine of many cores, several processes at once, each with cores of its own (taskset): `--share scenes` in each measures the next scene that no
 // other has taken (out/trade/taken; remove it after a process that was killed); then `--share answers` in each, what a renderer would choose of the judging ones. `--kept --write` writes what out/trade holds of
-// whichever machine, and draws nothing.
+// whichever machine, and draws nothing. `--quick`: against a truth of fewer paths.
 
 const { values } = parseArgs({
   options: {
@@ -30,12 +30,20 @@ const { values } = parseArgs({
     peers: { type: 'boolean', default: false },
     share: { type: 'string' },
     kept: { type: 'boolean', default: false },
+    quick: { type: 'boolean', default: false },
   },
 });
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const OUT = path.join(ROOT, 'out/trade');
 const WINDOW = 40;
-const CAP_MS = 1500;
+/**
+ * CPU time above which a setting is drawn in the window alone. Paths cost the same in a window as in the whole picture; passes of the raster cost twice as much for each
+ * pixel in one as small as this.
+ */
+const CAP_MS = { raster: 30_000, tracer: 1500 };
+/** In an eighth of the time. Its noise makes the FLIP of the most accurate settings 0.003 more. */
+const QUICK_TRUTH = { ...TRUTH, samples: 2048, noise: 1.2 };
+const truth = values.quick ? QUICK_TRUTH : TRUTH;
 
 const how = { version: versions.telar, write: values.write };
 if (values.knobs) await measureKnobs(OUT, how);
@@ -110,6 +118,17 @@ const nameOf = ({ model, light, shot }, rows = []) => [model, light, shot.size, 
 const keptLooks = async (scene, rows) =>
   (await keptOr({ looks: nameOf(scene, rows) }, async () => ({ looks: await withModel(scene, (model) => looksOf(renderer, model, scene, rows)) }))).looks;
 
+const namesOf = (family) => Object.keys(SETTINGS).filter((name) => (familyOf(name) === 'tracer') === (family === 'tracer'));
+/** Rows of a scene with all settings. */
+async function measure(scene) {
+  const rows = [];
+  for (const [family, capMs] of Object.entries(CAP_MS)) {
+    const settings = Object.fromEntries(namesOf(family).map((name) => [name, SETTINGS[name]]));
+    rows.push(...(await bench(api, renderer, { scenes: [scene], settings, window: WINDOW, capMs, truth }, store)));
+  }
+  return rows;
+}
+
 const measured = { fit: [], heldOut: [] };
 const looks = [];
 const held = [];
@@ -121,7 +140,7 @@ for (const { scene, kind, isDone: isKept } of order) {
   if (drawsNone && !isKept) break;
   if (!isKept && Date.now() > end) break;
   if (values.share === 'scenes' && (isKept || !takes(nameOf(scene)))) continue;
-  const rows = drawsNone ? rowsOf(scene) : await bench(api, renderer, { scenes: [scene], settings: SETTINGS, window: WINDOW, capMs: CAP_MS }, store);
+  const rows = drawsNone ? rowsOf(scene) : await measure(scene);
   measured[kind].push(rows);
   if (kind === 'fit') looks.push(...(await keptLooks(scene, rows)));
   else held.push(scene);
@@ -145,7 +164,7 @@ if (values.share) process.exit();
 
 const verdict = judge(table, measured.heldOut, machine, answers);
 const byClass = judge(table, measured.heldOut, machine);
-const command = 'npm run trade -- --write';
+const command = `npm run trade -- ${values.quick ? '--quick ' : ''}--write`;
 const rows = [...measured.fit, ...measured.heldOut].flat();
 writeFileSync(path.join(OUT, 'trade.csv'), csvOf(rows));
 writeFileSync(path.join(OUT, 'index.html'), tradePage(rows, { command, machine: machineName, window: WINDOW }));
@@ -164,6 +183,8 @@ if (values.write) {
       command,
       machine: machineName,
       window: WINDOW,
+      truth,
+      capMs: CAP_MS,
       counts: { fit: measured.fit.length, heldOut: measured.heldOut.length },
     }),
   );

@@ -7,7 +7,7 @@ export const PRESETS = Object.freeze({
   standard: { samples: 4, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: false, denoise: false },
   draft: { samples: 1, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: true, denoise: false },
   medium: { samples: 16, resolve: 'linear', noise: 0, environmentSamples: 32, mergeQuads: true, denoise: true },
-  high: { samples: 1024, resolve: 'linear', noise: 1.25, environmentSamples: 2048, mergeQuads: false, denoise: false },
+  high: { samples: 1024, resolve: 'linear', noise: 2, environmentSamples: 2048, mergeQuads: true, denoise: true },
 });
 
 /** Samples of a pixel that one pass over the model takes: more take several passes. */
@@ -37,7 +37,7 @@ export const RASTER = object(
       { name: 'Resolve', optional: true },
     ),
     noise: number(
-      'Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, and from 16 of more; 0 = every pixel takes all. ' +
+      'Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, from 16 of more, and from 256 where they are denoised; 0 = every pixel takes all. ' +
         'For more than 16 samples',
       { unit: '1/255', min: 0, max: 64, otherwise: PRESETS.standard.noise },
     ),
@@ -140,8 +140,8 @@ const BUDGET = object('Time that the picture may take', {
 });
 
 export const quality = union(
-  '"draft": 1 sample a pixel, triangles that meet in it shaded once; "standard": 4, as a browser shows it; "medium": 16, averaged in linear light, with two directions of the environment each, and denoised; "high": up to 1024, averaged in linear light, ' +
-    'and the environment integrated with the material, by the tracer where it costs less; "reference": traced paths of light, slow and without GL',
+  '"draft": 1 sample a pixel, triangles that meet in it shaded once; "standard": 4, as a browser shows it; "medium": 16, averaged in linear light, with two directions of the environment each, and denoised; "high": 256 and where it is needed up to 1024, averaged in linear light, the environment integrated with the material, ' +
+    'and denoised, by the tracer where that costs less; "reference": traced paths of light, slow and without GL',
   [choice('', [...Object.keys(PRESETS), 'reference'], { expected: QUALITY }), RASTER, REFERENCE, MAX_ERROR, BUDGET],
   QUALITY,
   { default: 'standard', resolved: union('', [RASTER, REFERENCE, MAX_ERROR, BUDGET], QUALITY) },

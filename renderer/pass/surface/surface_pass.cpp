@@ -167,10 +167,6 @@ SurfacePass::SurfacePass(const gl::Context& context, Limits limits)
 
 GLuint SurfacePass::firstShadowUnit() { return UNIT_COUNT; }
 
-void SurfacePass::forgetMany() {
-  if (programs_.size() > 2 * limits_.programs) programs_.clear();
-}
-
 int SurfacePass::prepare(const FramePlan& plan, const CancelToken& cancel) {
   std::set<shader::VariantKey> wanted = plan.keys();
   for (const shader::VariantKey& key : plan.keys()) {

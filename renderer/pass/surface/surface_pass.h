@@ -47,7 +47,9 @@ class SurfacePass {
 
   /// Programs of earlier frames are kept while they are few: a service that sees many kinds of files drops them all at
   /// times. Called where no plan is prepared, for a frame may draw several.
-  void forgetMany();
+  void forgetMany() {
+    if (programs_.size() > 2 * limits_.programs) programs_.clear();
+  }
   /// Compiles what the plan needs and does not have yet; returns how many programs that were. @throws Error{X_SHADER,
   /// L_PROGRAMS}
   int prepare(const FramePlan& plan, const CancelToken& cancel);

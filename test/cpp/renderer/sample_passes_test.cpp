@@ -71,6 +71,13 @@ TEST(SamplePasses, FewHaveACellOfAGridEach) {
   }
 }
 
+TEST(SamplePasses, DenoisedPixelsAreLookedAtLater) {
+  Shot shot = shotOf(1024);
+  EXPECT_EQ(samplePassesOf(shot).fewest(), 16u);
+  shot.denoise = true;
+  EXPECT_EQ(samplePassesOf(shot).fewest(), 256u);
+}
+
 /// A pattern of threads as fine as the cells is grey to the mean of all passes: points of a grid would all see the same phase of it, and it would
 /// beat with the pixels.
 TEST(SamplePasses, DoNotBeatWithFineThreads) {

@@ -13,14 +13,15 @@ namespace {
 constexpr std::uint64_t MANY = 100'000;
 constexpr double PI = glm::pi<double>();
 
-Shot highShot(int size = 64) {
+Shot highShot(int size = 16) {
   Shot shot = test::shotOf(size);
   shot.isHigh = true;
   shot.shading = ShadingModel::kFabric;
   shot.samples = 1024;
   shot.resolve = Resolve::kLinear;
-  shot.noise = 1.25;
+  shot.noise = 2;
   shot.environmentSamples = 2048;
+  shot.denoise = true;
   return shot;
 }
 
@@ -38,7 +39,7 @@ TEST(TracedInstead, ManyTrianglesOnFewPixelsAreTracedUntilTheyAreAsSure) {
   EXPECT_EQ(traced->reference->samples, 1024);
   EXPECT_EQ(traced->reference->transport, Shot::Reference::Transport::kDirect);
   EXPECT_EQ(traced->reference->bounces, 0);
-  EXPECT_EQ(traced->noise, 1.25);
+  EXPECT_EQ(traced->noise, 1) << "it is not denoised";
   EXPECT_FALSE(traced->lens) << "the raster shows everything sharp";
 }
 
@@ -51,8 +52,8 @@ TEST(TracedInstead, PixelsCountThatTheModelCovers) {
   Shot shot = highShot(1024);
   EXPECT_DOUBLE_EQ(frame::coveredPixels(*sceneWith(2), shot), 1024.0 * 1024) << "no more than there are";
   EXPECT_FALSE(tracedInstead(*sceneWith(MANY), shot));
-  shot.camera.position.z = 300;  // the square of 4 m is 16 m^2 of (2 * 300 m * tan 15 degrees)^2
-  const double height = 600 * std::tan(glm::radians(15.0));
+  shot.camera.position.z = 600;  // the square of 4 m is 16 m^2 of (2 * 600 m * tan 15 degrees)^2
+  const double height = 1200 * std::tan(glm::radians(15.0));
   EXPECT_NEAR(frame::coveredPixels(*sceneWith(2), shot), 1024.0 * 1024 * 16 / (height * height), 1);
   EXPECT_TRUE(tracedInstead(*sceneWith(MANY), shot)) << "a small model in a large picture";
   shot.camera.position.z = -1;
@@ -73,14 +74,28 @@ TEST(TracedInstead, ClosedModelsCountOnceAndInstancesEach) {
 }
 
 TEST(TracedInstead, WhatLetsLightThroughCostsMore) {
-  const auto traces = [](AlphaMode mode) {
+  const auto traces = [](AlphaMode mode, int size) {
     Material material;
     material.alphaMode = mode;
-    return tracedInstead(*sceneWith(9000, material), highShot(48)).has_value();
+    return tracedInstead(*sceneWith(9000, material), highShot(size)).has_value();
   };
-  EXPECT_TRUE(traces(AlphaMode::kOpaque));
-  EXPECT_TRUE(traces(AlphaMode::kMask));
-  EXPECT_FALSE(traces(AlphaMode::kBlend));
+  EXPECT_TRUE(traces(AlphaMode::kOpaque, 8));
+  EXPECT_TRUE(traces(AlphaMode::kBlend, 8));
+  EXPECT_TRUE(traces(AlphaMode::kMask, 24)) << "nets take all passes of the raster";
+  EXPECT_FALSE(traces(AlphaMode::kOpaque, 24));
+  EXPECT_FALSE(traces(AlphaMode::kBlend, 24));
+}
+
+TEST(TracedInstead, PassesThatAreNotDenoisedAreMore) {
+  const auto traced = [](bool denoise) {
+    Shot shot = highShot(24);
+    shot.denoise = denoise;
+    return tracedInstead(*sceneWith(9000), shot);
+  };
+  EXPECT_FALSE(traced(true));
+  const auto plain = traced(false);
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(plain->noise, 2) << "both end at the same noise";
 }
 
 TEST(TracedInstead, OtherShadingsAreTracedWhereTheyAreLitTheSame) {

@@ -42,7 +42,8 @@ test('info tells what a traced frame is made of', async () => {
 });
 
 test('quality high of a fine mesh is traced where that costs less, and shows what the passes of the raster do', async () => {
-  const shot = { size: SIZE, shading: 'fabric', output: { format: 'raw' } };
+  const size = { width: 16, height: 16 };
+  const shot = { size, shading: 'fabric', output: { format: 'raw' } };
   const shirt = path.join(ROOT, 'js/assets/tshirt.glb');
   const draw = (quality, model = shirt) => renderer.render(model, { ...shot, quality });
   const high = await draw('high');
@@ -50,7 +51,7 @@ test('quality high of a fine mesh is traced where that costs less, and shows wha
   assert.ok(high.info.samples >= 16 && high.info.samples <= 1024);
   const passes = await draw({ samples: 256, environmentSamples: 512 });
   assert.equal(passes.info.backend, renderer.backend, 'settings one by one are the raster');
-  const apart = ({ data }) => compareImages({ ...SIZE, data: passes.data }, { ...SIZE, data }).object.flip.mean;
+  const apart = ({ data }) => compareImages({ ...size, data: passes.data }, { ...size, data }).object.flip.mean;
   const facts = { high: apart(high), occluded: apart(await draw(reference({ samples: 64, transport: 'occlusion' }))) };
   assert.ok(facts.high < 0.03, JSON.stringify(facts));
   assert.ok(facts.occluded > 0.03, `planted fault: another light. ${JSON.stringify(facts)}`);
@@ -63,11 +64,11 @@ test('who draws quality high goes by what the model covers, in every shading tha
     return plan.passes.includes('trace');
   };
   for (const shading of ['three', 'fabric', 'disney-2012'])
-    assert.deepEqual([await traces(64, { shading }), await traces(1024, { shading })], [true, false], shading);
-  const far = { camera: { view: 'front', fit: 0.05 } };
+    assert.deepEqual([await traces(16, { shading }), await traces(1024, { shading })], [true, false], shading);
+  const far = { camera: { view: 'front', fit: 0.01 } };
   assert.equal(await traces(1024, far), true, 'small in a large picture');
   const lights = [{ type: 'directional', castShadow: true }];
-  assert.deepEqual([await traces(64, { lights }), await traces(64, { lights, shading: 'fabric' })], [false, true], 'shadows of a browser have soft borders');
+  assert.deepEqual([await traces(16, { lights }), await traces(16, { lights, shading: 'fabric' })], [false, true], 'shadows of a browser have soft borders');
 });
 
 test('noise ends the paths of quiet pixels, and what is left of it is as small as asked', async () => {

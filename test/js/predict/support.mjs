@@ -17,7 +17,6 @@ export const featuresWith = (more = {}) => ({
 /** Errors of a family's cheapest setting, and what its times are of the draft's. */
 const PLANTED = {
   prefiltered: { flip: 0.3, times: 1 },
-  raster: { flip: 0.12, times: 10 },
   denoised: { flip: 0.1, times: 6 },
   tracer: { flip: 0.1, times: 12 },
 };
