@@ -1,11 +1,14 @@
 import { heading, row } from '../../js/build/docs/tables.mjs';
-import { SETTINGS } from '../../js/predict/settings.mjs';
+import { PRESET_NAMES, SETTINGS } from '../../js/predict/settings.mjs';
 import { presetsByClass, tablesOf } from '../../js/trade/index.mjs';
 
 /** js/docs/trade.md: how to use goals and the bench, and what was measured; every figure is from the run. */
 
 const table = ({ head, lines }) => [...heading(head), ...lines.map(row)].join('\n');
 const percent = (share) => (share === undefined ? '-' : `${(100 * share).toFixed(0)} %`);
+
+/** How many pictures of a setting have a time that was not measured whole. */
+const scaledOf = (rows, name) => rows.filter(({ setting, timed }) => setting === name && timed === 'window').length;
 
 /** Presets that are not where they should be, by class of scenes. */
 const aboveTable = (rows) => ({
@@ -130,7 +133,8 @@ which tells up to twice the time of the raster: its passes cost more for each pi
 ## What was measured
 
 \`${command}\` on ${machine}, other work beside: ${counts.fit} scenes to predict from and ${counts.heldOut} to judge by, ${Object.keys(SETTINGS).length} settings, ${rows.length} measurements, windows of ${window} x ${window} pixels. The truth has
-${truth.samples} paths a pixel or a standard error of ${truth.noise} of 255, and its own noise is part of every error. Pictures by the raster are drawn whole for their time, those by the tracer from ${capMs.tracer / 1000} s on in the window alone.
+${truth.samples} paths a pixel or a standard error of ${truth.noise} of 255, and its own noise is part of every error. Pictures by the raster are drawn whole for their time up to ${capMs.raster / 1000} s, those by the tracer up to ${capMs.tracer / 1000} s;
+for dearer ones that of the window is scaled: ${scaledOf(rows, PRESET_NAMES.high)} of those in \`high\`, which are told up to twice their time.
 
 ${table(overall)}
 

@@ -15,7 +15,7 @@ import { cpuBelow, measured } from '../processes.mjs';
 // --write: js/docs/trade/peers.svg.
 
 const ASSETS = fileURLToPath(new URL('../../js/assets/', import.meta.url));
-const PLAN = { window: 40, capMs: 2000 };
+const PLAN = { window: 40, capMs: 30_000 };
 const NAMES = ['draft', 'standard', 'medium', 'denoised 64/64', 'denoised 64/256', 'tracer 4', 'tracer 8', 'tracer noise 4', 'tracer noise 2'];
 const PEER = 'three.js in Chromium';
 
