@@ -5,7 +5,7 @@ import { outlinePixels } from './outline_area.mjs';
 
 /** Kinds of surface by the features of their programs, the first that fits: the hardest of a scene decides. */
 const SURFACES = {
-  cut: ['alpha-mask', 'alpha-to-coverage', 'blended'],
+  cut: ['alpha-mask', 'alpha-to-coverage', 'blended', 'back-faces-first'],
   facets: ['normal-facets'],
   stretched: ['weave', 'anisotropy'],
   napped: ['sheen'],

@@ -1,4 +1,5 @@
 import { heading, row } from '../../js/build/docs/tables.mjs';
+import { HELD } from '../../js/predict/fit.mjs';
 import { PRESET_NAMES, SETTINGS } from '../../js/predict/settings.mjs';
 import { presetsByClass, tablesOf } from '../../js/trade/index.mjs';
 
@@ -62,8 +63,8 @@ machine too. Two small pictures tell it, once; they are kept in telar's cache fo
 goal and not the settings: hosts that share them should have one speed, or ask by \`maxError\`. \`inspect()\` has no machine to draw on and predicts times of the one below.
 The time is that of drawing. Loading a model, compiling its programs and preparing a new environment come on top, once each.
 
-What is predicted of a scene is what was measured of others of its class: shading, kind of surface (cut out, facets, stretched highlights, napped, relief or smooth: the hardest of the\nscene), where its light comes from. Errors are
-upper bounds: of a class of n scenes the k-th smallest value, k = 0.9 (n + 1) rounded up (conformal prediction: Vovk, Gammerman & Shafer 2005), and where there are too few the largest
+What is predicted of a scene is what was measured of others of its class: shading, kind of surface (cut out, facets, stretched highlights, napped, relief or smooth: the hardest of the\nscene), where its light comes from, and whether a lamp casts shadows, which the raster has wrong by far more than the rest. Errors are
+upper bounds: of a class of n scenes the k-th smallest value, k = ${HELD} (n + 1) rounded up (conformal prediction: Vovk, Gammerman & Shafer 2005), and where there are too few the largest
 with a margin; what a window shows is multiplied by such a bound of its own. A class of fewer than 5 scenes gives way to the wider one (without or with holes or glitter, the shading, all), for times
 also one whose scenes are all of one size. Times are linear in triangles and covered pixels, with the factor that 9 of 10 pictures stay below.
 

@@ -30,7 +30,9 @@ after(async () => {
 });
 
 /** Below what the class is sure of, so that settings of many samples are taken; the cloth is easier than its class. */
-const EXACT = { maxError: 0.06 };
+const EXACT = { maxError: 0.032 };
+/** What a window's paths, whose standard error is 2 of 255, add to so small an error. */
+const WINDOW_NOISE = 0.008;
 
 test('an error ends the picture where its noise is small enough: the same sample each time, nearer than the goal', async () => {
   const { data, info } = await renderer.render(model, asked(EXACT));
@@ -84,7 +86,7 @@ test('a time ends the picture with what it has, and tells what was spent', async
 test('what was reached is measured where it is asked for, by a pool too', async () => {
   const { info, data } = await renderer.render(model, asked(EXACT), { reached: true });
   const { flip, pixels } = info.goal.reached;
-  assert.ok(flip > 0 && flip <= EXACT.maxError && pixels === 576, JSON.stringify(info.goal.reached));
+  assert.ok(flip > 0 && flip <= EXACT.maxError + WINDOW_NOISE && pixels === 576, JSON.stringify(info.goal.reached));
   assert.ok(data.equals((await renderer.render(model, asked(EXACT))).data));
   const coarse = await renderer.render(model, asked({ maxError: 0.9 }), { reached: true });
   assert.ok(coarse.info.goal.reached.flip > 2 * flip, 'planted: settings that are far off');
