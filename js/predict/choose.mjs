@@ -1,6 +1,6 @@
 import { narrowest } from './classes.mjs';
 import { errorOfFlip } from './noise.mjs';
-import { canEnd, FAMILIES, familyOf, SETTINGS } from './settings.mjs';
+import { canEnd, drawnBy, FAMILIES, familyOf, SETTINGS } from './settings.mjs';
 
 /**
  * What was measured, by setting and class.
@@ -26,7 +26,7 @@ import { canEnd, FAMILIES, familyOf, SETTINGS } from './settings.mjs';
 
 /** Speed of another machine: how many times longer it takes. */
 const slowness = (setting, table, machine) => {
-  const kind = familyOf(setting) === 'tracer' ? 'tracer' : 'raster';
+  const kind = drawnBy(setting);
   return machine ? machine[kind] / table.machine[kind] : 1;
 };
 

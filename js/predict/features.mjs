@@ -3,9 +3,9 @@ import { outlinePixels } from './outline_area.mjs';
 
 /** What of a scene decides how far a setting is off and what it costs, known before it is drawn. */
 
-/** Kinds of surface by the features of their programs, the first that fits: the hardest of a scene decides. */
+/** Kinds of surface by the features of their programs and the passes that draw them, the first that fits: the hardest of a scene decides. */
 const SURFACES = {
-  cut: ['alpha-mask', 'alpha-to-coverage', 'blended', 'back-faces-first'],
+  cut: ['alpha-mask', 'alpha-to-coverage', 'blend'],
   facets: ['normal-facets'],
   stretched: ['weave', 'anisotropy'],
   napped: ['sheen'],
@@ -29,13 +29,13 @@ const RASTER_ALONE = ['transmission', 'points'];
 
 /**
  * @param {object} resolved shot
- * @param {{features: string[], fragments?: number}} plan of inspect()
+ * @param {{features: string[], passes?: string[], fragments?: number}} plan of inspect()
  * @param {{triangles: number, outline?: number[][]}} facts of the model
  * @returns {Features}
  */
-export function featuresOf(resolved, { features, fragments = Infinity }, { triangles, outline = [] }) {
+export function featuresOf(resolved, { features, passes = [], fragments = Infinity }, { triangles, outline = [] }) {
   const { shading, environment, lights, size, layers, camera } = resolved;
-  const has = (names) => names.some((name) => features.includes(name));
+  const has = (names) => names.some((name) => features.includes(name) || passes.includes(name));
   const { map } = environment;
   const pixels = size.width * size.height;
   return {

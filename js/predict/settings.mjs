@@ -36,6 +36,9 @@ export const SETTINGS = Object.freeze(Object.assign({}, ...Object.values(FAMILIE
 /** The family of a setting. @param {string} name of SETTINGS */
 export const familyOf = (name) => Object.keys(FAMILIES).find((family) => Object.hasOwn(FAMILIES[family], name));
 
+/** What draws a setting: each has a speed of its own. @param {string} name of SETTINGS @returns {'raster' | 'tracer'} */
+export const drawnBy = (name) => (familyOf(name) === 'tracer' ? 'tracer' : 'raster');
+
 /** Whether a picture of a setting can be ended with what it has: it is drawn in passes or paths. @param {string} name of SETTINGS */
 export const canEnd = (name) => familyOf(name) !== 'prefiltered';
 

@@ -45,15 +45,12 @@ double tracedNoise(const Shot& shot) { return shot.noise * (shot.denoise ? NOT_D
 
 double rasterMs(const Counts& counts, const Shot& shot) {
   const double passMs = PASS_MS + PASS_TRIANGLE_MS * counts.triangles;
-  double samples = counts.samplesUntil(tracedNoise(shot), shot.samples);
-  double passes = shot.samples;
-  if (shot.denoise) {
-    // Denoised pixels are sure when they are looked at first, but those of nets.
-    const double first = std::min<double>(frame::samplePassesOf(shot).fewest(), shot.samples);
-    samples = counts.single ? std::max(samples, first) : first;
-    if (!counts.single) passes = first;
-  }
-  return passes * passMs + counts.covered * samples * (counts.single ? SINGLE_MS : DENSE_MS);
+  const double sampleMs = counts.single ? SINGLE_MS : DENSE_MS;
+  const double first = shot.denoise ? std::min<double>(frame::samplePassesOf(shot).fewest(), shot.samples) : 0;
+  // Denoised pixels are sure when they are looked at first, but those of nets.
+  if (shot.denoise && !counts.single) return first * (passMs + counts.covered * sampleMs);
+  const double samples = std::max(counts.samplesUntil(tracedNoise(shot), shot.samples), first);
+  return shot.samples * passMs + counts.covered * samples * sampleMs;
 }
 
 double tracerMs(const Counts& counts, const Shot& shot) {

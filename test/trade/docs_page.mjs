@@ -29,7 +29,7 @@ const aboveTable = (rows) => ({
  * @param {string} result.command, result.machine
  * @param {number} result.window pixels
  * @param {object} result.truth quality
- * @param {{tracer: number}} result.capMs CPU time above which a window is drawn alone
+ * @param {{raster: number, tracer: number}} result.capMs CPU time above which a window is drawn alone
  * @param {{fit: number, heldOut: number}} result.counts scenes
  */
 export function docsPage({ rows, table: predicted, verdict, byClass, knobs, command, machine, window, truth, capMs, counts }) {

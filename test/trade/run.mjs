@@ -8,7 +8,7 @@ import { versions } from '../../js/api/versions.mjs';
 import { TradeStore } from '../../js/cli/trade_store.mjs';
 import { calibrate } from '../../js/predict/calibrate.mjs';
 import { fitTable } from '../../js/predict/fit.mjs';
-import { familyOf, SETTINGS } from '../../js/predict/settings.mjs';
+import { drawnBy, SETTINGS } from '../../js/predict/settings.mjs';
 import { bench, csvOf, overallPoints, TRUTH, tradePage, tradePlot } from '../../js/trade/index.mjs';
 import { docsPage } from './docs_page.mjs';
 import { judge } from './judge.mjs';
@@ -118,12 +118,11 @@ const nameOf = ({ model, light, shot }, rows = []) => [model, light, shot.size, 
 const keptLooks = async (scene, rows) =>
   (await keptOr({ looks: nameOf(scene, rows) }, async () => ({ looks: await withModel(scene, (model) => looksOf(renderer, model, scene, rows)) }))).looks;
 
-const namesOf = (family) => Object.keys(SETTINGS).filter((name) => (familyOf(name) === 'tracer') === (family === 'tracer'));
 /** Rows of a scene with all settings. */
 async function measure(scene) {
   const rows = [];
-  for (const [family, capMs] of Object.entries(CAP_MS)) {
-    const settings = Object.fromEntries(namesOf(family).map((name) => [name, SETTINGS[name]]));
+  for (const [by, capMs] of Object.entries(CAP_MS)) {
+    const settings = Object.fromEntries(Object.entries(SETTINGS).filter(([name]) => drawnBy(name) === by));
     rows.push(...(await bench(api, renderer, { scenes: [scene], settings, window: WINDOW, capMs, truth }, store)));
   }
   return rows;

@@ -146,6 +146,12 @@ test('features are those of the shot, of what is drawn and of the model', () => 
     ),
     ['napped', 'stretched', 'cut', 'facets', 'smooth'],
   );
+  const surfaceOf = (features, passes) => featuresOf(shot, { features, passes }, { triangles: 12 }).surface;
+  assert.deepEqual(
+    [surfaceOf(['normal-map'], ['opaque', 'blend']), surfaceOf(['normal-map', 'back-faces-first'], ['transmissive'])],
+    ['cut', 'relief'],
+    'sheer cloth; glass',
+  );
   assert.equal(of([], {}, { fragments: 300 }).covered, 300);
   const camera = { projection: 'orthographic', position: [0, 0, 2], target: [0, 0, 0], up: [0, 1, 0], height: 4, near: 1, far: 3 };
   assert.equal(of([], { camera }, { outline: square }).covered, 64, 'a quarter of the height of 32, squared');
