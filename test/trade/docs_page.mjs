@@ -86,11 +86,11 @@ FLIP maps a difference of colour to its power 0.7, so FLIP = k (standard error)^
 
 | picture, \`fabric\` in the studio | goal | settings | ended with | FLIP | FLIP of all samples |
 | --- | --- | --- | --- | --- | --- |
-| leather drape, 40 x 40 | 0.02 | tracer noise 1.4 | 256 of 512 paths | 0.0160 | 0.0158 |
-| | 0.03 | tracer noise 2.8 | 128 of 256 | 0.0242 | 0.0242 |
-| | 0.06 | tracer noise 5.6 | 16 of 64 | 0.0412 | 0.0369 |
-| cloth, 24 x 24 | 0.026 | tracer noise 2 | 128 of 256 | 0.0249 | 0.0249 |
-| | 0.06 | tracer noise 5.6 | 16 of 32 | 0.0550 | 0.0475 |
+| leather drape, 40 x 40 | 0.019 | tracer noise 1 | 256 of 1024 paths | 0.0147 | 0.0141 |
+| | 0.02 | tracer noise 1.4 | 256 of 512 | 0.0169 | 0.0168 |
+| cloth, 24 x 24 | 0.024 | tracer noise 2 | 128 of 256 | 0.0238 | 0.0241 |
+| | 0.032 | tracer noise 2.8 | 64 of 128 | 0.0298 | 0.0274 |
+| sequins, 24 x 24 | 0.06 | tracer noise 2 | 64 of 2048 | 0.0430 | 0.0231 |
 
 The last paths are few, as most pixels have settled by then: CPU time is a tenth to a half less where the picture ends at 16 or 32 paths, and about the same beyond.
 
