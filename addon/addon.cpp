@@ -7,8 +7,8 @@
 #include "handles.h"
 #include "images.h"
 #include "isolation.h"
+#include "loading.h"
 #include "lobes.h"
-#include "parts.h"
 #include "state.h"
 #include "telar/dress.h"
 #include "telar/explode.h"
@@ -34,41 +34,6 @@ Napi::Value sceneToJs(Napi::Env env, const std::shared_ptr<const Scene>& scene, 
   result["facts"] = facts;
   return result;
 }
-
-/// A model or file as js/ names it: an absolute path, or bytes.
-struct Source {
-  explicit Source(const Napi::Value& value) {
-    if (value.IsString()) {
-      path = value.As<Napi::String>();
-    } else {
-      bytes = unwrap<BytesHandle>(value).detach();
-    }
-  }
-  std::string path;
-  std::shared_ptr<const FileBytes> bytes;
-};
-
-/// How the files of a model are found: {tolerant?: boolean, parts?: Parts}.
-struct Loading {
-  Loading(const Napi::Value& value, const Limits& limits) {
-    if (!value.IsObject()) return;
-    const Napi::Object how = value.As<Napi::Object>();
-    options.tolerant = how.Get("tolerant").ToBoolean();
-    const Napi::Value parts = how.Get("parts");
-    if (parts.IsUndefined()) return;
-    files = std::make_shared<AskedFiles>(unwrap<PartsHandle>(parts).desk(), State::of(value.Env()).mailbox(), limits);
-    options.files = files.get();
-  }
-
-  /// Runs where it may wait for JavaScript, if it has to.
-  Napi::Value run(Napi::Env env, const std::shared_ptr<Job>& job, std::function<void()> work) const {
-    State& state = State::of(env);
-    return files ? state.runOnPatientPool(env, job, std::move(work)) : state.runOnPool(env, job, std::move(work));
-  }
-
-  LoadOptions options;
-  std::shared_ptr<AskedFiles> files;
-};
 
 /// load(path: string | Bytes, limits, {tolerant?: boolean, parts?: Parts}, token) -> Promise<{scene, facts: string}>
 Napi::Value load(const Napi::CallbackInfo& info) {
@@ -263,6 +228,12 @@ Napi::Value hashFile(const Napi::CallbackInfo& info) {
   });
 }
 
+/// hashText(text: string) -> string: of its UTF-8, here and now
+Napi::Value hashText(const Napi::CallbackInfo& info) {
+  const std::string text = stringFromJs(info[0], "a text");
+  return Napi::String::New(info.Env(), telar::hashFile(std::as_bytes(std::span(text))));
+}
+
 /// plan(scene, shot: string, limits, token, keep?: boolean) -> Promise<string>; the scene is gone afterwards unless it
 /// is kept
 Napi::Value plan(const Napi::CallbackInfo& info) {
@@ -375,6 +346,7 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["drawFlat"] = Napi::Function::New(env, drawFlat, "drawFlat");
   exports["hashModel"] = Napi::Function::New(env, hashModel, "hashModel");
   exports["hashFile"] = Napi::Function::New(env, hashFile, "hashFile");
+  exports["hashText"] = Napi::Function::New(env, hashText, "hashText");
   exports["plan"] = Napi::Function::New(env, plan, "plan");
   exports["probe"] = Napi::Function::New(env, probe, "probe");
   exports["probeReference"] = Napi::Function::New(env, probeTracer, "probeReference");

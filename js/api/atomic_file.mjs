@@ -1,4 +1,3 @@
-import { randomBytes } from 'node:crypto';
 import { rmSync } from 'node:fs';
 import { mkdir, open, readdir, realpath, rename, rm, stat } from 'node:fs/promises';
 import path from 'node:path';
@@ -90,9 +89,15 @@ async function writeInPlace(target, data) {
   }
 }
 
+/** Twelve hexadecimal digits. Names need not be secret: a file is made where none of its name is. */
+const token = () =>
+  Math.floor(Math.random() * 2 ** 48)
+    .toString(16)
+    .padStart(12, '0');
+
 async function replace(target, data, signal) {
   const folder = path.dirname(target);
-  const temporary = path.join(folder, `.${path.basename(target)}.telar-${process.pid}-${randomBytes(6).toString('hex')}.tmp`);
+  const temporary = path.join(folder, `.${path.basename(target)}.telar-${process.pid}-${token()}.tmp`);
   unfinished.add(temporary);
   try {
     await writeSynced(temporary, data);

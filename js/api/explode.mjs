@@ -1,8 +1,8 @@
-import { createHash } from 'node:crypto';
 import { loadOptions, STRICT, wrongOption } from './options.mjs';
 import { Model } from './model.mjs';
 import { loadNative } from './native.mjs';
 import { nativeCall } from './native_call.mjs';
+import { sha256 } from './sha256.mjs';
 import { Work } from './work.mjs';
 
 /**
@@ -26,6 +26,5 @@ export async function explodeModel(model, distance, options) {
   const { scene, facts } = await nativeCall(native, work, (token) => native.explode(Model.sceneOf(model), distance, token));
   const read = JSON.parse(facts);
   // Its pictures are others than those of the file.
-  const sha256 = createHash('sha256').update(`${read.sha256} exploded by ${distance}`).digest('hex');
-  return new Model(scene, { ...read, sha256 });
+  return new Model(scene, { ...read, sha256: sha256(`${read.sha256} exploded by ${distance}`, native) });
 }

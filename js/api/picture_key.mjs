@@ -1,4 +1,3 @@
-import { createHash } from 'node:crypto';
 import path from 'node:path';
 import { isNamedEnvironment } from '../shot/table/environments.mjs';
 import { canonical } from './digest.mjs';
@@ -6,6 +5,7 @@ import { loadNative } from './native.mjs';
 import { nativeCall } from './native_call.mjs';
 import { keyOptions } from './options.mjs';
 import { withParts } from './parts.mjs';
+import { sha256 } from './sha256.mjs';
 import { readShot, readSource } from './source.mjs';
 import { digestWithVisibility } from './visibility.mjs';
 import { versions } from './versions.mjs';
@@ -21,13 +21,12 @@ const identityModule = () => import('../shot/identity.mjs');
  * @param {string} parts.model SHA-256 of the model and its parts
  * @param {string} parts.environment its name, which telar's version tells the bytes of, or SHA-256 of the file
  * @param {object} parts.shot what shotIdentity gives
+ * @param {object} [native] that hashes
  * @returns {string} 64 hex digits
  */
-export function keyOfParts({ version, model, environment, shot }) {
+export function keyOfParts({ version, model, environment, shot }, native) {
   const { map, ...settings } = shot.environment;
-  return createHash('sha256')
-    .update(canonical({ version, model, environment, shot: { ...shot, environment: settings } }))
-    .digest('hex');
+  return sha256(canonical({ version, model, environment, shot: { ...shot, environment: settings } }), native);
 }
 
 /** SHA-256 of a file or of bytes, on a loader thread. One that cannot be read counts as absent: drawing tells, where it matters. */
@@ -59,7 +58,7 @@ export async function pictureKey(source, shot = {}, options = {}) {
     ),
     isNamedEnvironment(map) ? map : digestOf(native, environmentOf(identity.environment, request.environment), limits, signal),
   ]);
-  return keyOfParts({ version: versions.telar, model: digestWithVisibility(model, ambientVisibility), environment, shot: identity });
+  return keyOfParts({ version: versions.telar, model: digestWithVisibility(model, ambientVisibility), environment, shot: identity }, native);
 }
 
 /**
@@ -80,5 +79,5 @@ export async function keyOfDrawn(native, { version, model, shot, environment, dr
   const identity = shotIdentity(shot);
   const { map } = identity.environment;
   const light = isNamedEnvironment(map) ? map : drawn || (await digestOf(native, environmentOf(identity.environment, environment), limits));
-  return keyOfParts({ version, model, environment: light, shot: ended === undefined ? identity : { ...identity, ended } });
+  return keyOfParts({ version, model, environment: light, shot: ended === undefined ? identity : { ...identity, ended } }, native);
 }

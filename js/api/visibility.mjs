@@ -1,5 +1,5 @@
-import { createHash } from 'node:crypto';
 import { isObject, wrongOption } from './option_check.mjs';
+import { sha256 } from './sha256.mjs';
 
 /** Ambient visibility as an option of loading, and what it makes of a model's digest. */
 
@@ -31,4 +31,4 @@ export function visibilityOption(value) {
 }
 
 /** Pictures of the model are others than those of its file. */
-export const digestWithVisibility = (sha256, rays) => (rays ? createHash('sha256').update(`${sha256} ambient visibility ${rays}`).digest('hex') : sha256);
+export const digestWithVisibility = (digest, rays) => (rays ? sha256(`${digest} ambient visibility ${rays}`) : digest);

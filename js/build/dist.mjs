@@ -1,4 +1,4 @@
-import { chmod, readFile } from 'node:fs/promises';
+import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
@@ -8,7 +8,7 @@ import { buildShading } from './shading/index.mjs';
 import { buildZod, zodBeside } from './zod.mjs';
 
 // Writes js/dist: node js/build/dist.mjs. It holds zod.mjs, a *.cjs with its declarations for each entry that package.json gives
-// to require(), the command telar as one file, which starts sooner than the hundred that it is made of, the text of shaders/ for
+// to require(), the command telar, the text of shaders/ for
 // three.js, and the page of `telar view`. npm packages stay outside of the *.cjs. Errors of either kind of module recognise each
 // other (js/error).
 
@@ -21,8 +21,13 @@ const ENTRIES = {
   pool: 'pool/index.mjs',
   queue: 'queue/index.mjs',
   server: 'server/index.mjs',
-  telar: 'cli/telar.mjs',
+  commands: 'cli/telar.mjs',
+  thumbnail: 'cli/telar_thumbnail.mjs',
 };
+
+// Each command as one file starts sooner than from the hundred sources that it is made of. Drawing a thumbnail has half of the text of them
+// all, and so starts sooner still: Node reads the whole of a file.
+const COMMAND = "#!/usr/bin/env node\nrequire(process.argv[2] === 'thumbnail' ? './thumbnail.cjs' : './commands.cjs');\n";
 
 // What a source finds beside itself, it finds from a bundle as well: import.meta.url stays that of the source.
 const BANNER = "const urlOf = (file) => require('node:url').pathToFileURL(require('node:path').join(__dirname, '..', file)).href;";
@@ -53,7 +58,7 @@ await build({
   banner: { js: BANNER },
   logLevel: 'warning',
 });
-await chmod(path.join(JS, 'dist/telar.cjs'), 0o755);
+await writeFile(path.join(JS, 'dist/telar.cjs'), COMMAND, { mode: 0o755 });
 
 buildDeclarations();
 buildShading();

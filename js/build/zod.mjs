@@ -21,6 +21,7 @@ const NAMES = [
   'gt',
   'gte',
   'int',
+  'lazy',
   'length',
   'literal',
   'lte',

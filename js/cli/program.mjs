@@ -1,258 +1,34 @@
-import { Command, InvalidArgumentError, Option } from 'commander';
-import { DEFAULT_GATE, GATES } from '../compare/gates.mjs';
-import { describe } from './describe.mjs';
-import { addServiceOptions, addWorkerOptions } from './service_options.mjs';
-import { addShotOptions, collect } from './shot_options.mjs';
+import { Command } from 'commander';
 
-/** The command line's grammar: commands, options, help. */
+/**
+ * The command line's grammar: commands, options, help.
+ * @typedef {object} Row a command, or one that has others
+ * @property {(command: (name: string, text: string) => Command) => Command} [add] adds it with its options
+ * @property {() => Promise<(...args: unknown[]) => Promise<number>>} [load] what does it
+ * @property {string} [text] what a command that has others is for
+ * @property {Record<string, Row>} [of] these others
+ */
 
-const BACKENDS = ['auto', 'egl-device', 'egl-surfaceless', 'osmesa'];
 const EXIT_CODES =
   'Exit codes: 0 done, 1 over the gate, 2 usage, 3 input, 4 limit, 5 time or memory, 6 this machine, 7 internal or a crash.\n' +
   'Of many models, the highest exit code is told.';
 
-const WORKERS_FLAG = ['--workers <n>', 'draw in so many processes; auto = one for each core, as far as the memory goes', 'auto'];
-const CGROUP_FLAG = ['--cgroup <path>', 'let the kernel bound the memory of each worker in a group of its own, made in this one (js/docs/pool.md)'];
-const STORE_FLAG = ['--store <folder>', 'keep pictures in this folder, and draw none of them twice'];
-
-const backend = () => new Option('--backend <backend>', 'where GL comes from').choices(BACKENDS).default('auto');
-
-function port(text) {
-  const value = Number(text);
-  if (/^\d+$/.test(text) && value >= 1 && value <= 65535) return value;
-  throw new InvalidArgumentError('Expected a whole number from 1 to 65535.');
-}
-
-const addCommon = (command) => command.option('--json', 'one JSON object on stdout, logs on stderr').option('--quiet', 'no progress, notes and warnings');
-
-const addFailOn = (command) =>
-  command.addOption(
-    new Option(
-      '--fail-on <level>',
-      'what leaves a model without a picture: errors; warnings too; or none of what three.js draws without: textures ' +
-        'that are missing or damaged, unknown extensions that are required',
-    )
-      .choices(['error', 'warning', 'none'])
-      .default('error'),
-  );
-
-const addLimitOption = (command) => command.option('--limit <name=n>', 'raise or lower a limit, as in L_TRIANGLES=30000000', collect);
-
-const addLimit = (command) =>
-  addLimitOption(command).option(
-    '--timeout-ms <ms>',
-    'milliseconds that the work on one image may take, or none; by default 20000, and none for quality high and reference',
-  );
-
-/** The commands, as the help lists them: name of the action, and what adds the command by `command(name, text)`. */
-const COMMANDS = {
-  thumbnail: (command) =>
-    addLimit(
-      addFailOn(
-        addCommon(
-          addShotOptions(
-            command('thumbnail', 'Draw one image a model, or one for each of its variants and views')
-              .argument('[model...]', '.glb or .gltf files, or folders with -r; - is stdin')
-              .option(
-                '-o, --output <out>',
-                'file, folder or pattern such as out/{parent}-{view}.png ({name}, {parent}, {folder}, {variant}, {view}, {index}); ' +
-                  '- is stdout; the extension gives the format',
-              )
-              .option('-r, --recursive', 'draw every .glb and .gltf file beneath the folders'),
-          )
-            .option('--views <views>', 'one image for each of these views, with commas between; all = every named one')
-            .option(
-              '--turntable <frames>',
-              'so many images of a full turn, in one scale, named side-000 and so on by degrees; one -o that ends in .webp is animated',
-            )
-            .option('--ambient-visibility', 'darken folds: what each vertex sees of its surroundings is found by rays when the model is loaded')
-            .option('--explode <metres>', 'move the parts (nodes) of the model so far apart, along their mean normals')
-            .option('--variants <names>', 'one image for each of these variants, with commas between; all = each that the model has')
-            .option('--manifest <file>', 'JSON lines {"model", "shot", "output"} in place of models; relative paths start at the file; - is stdin')
-            .option('--skip-unchanged', 'leave out images that are there and would be drawn from the same bytes and shot by the same version')
-            .option('--jobs <n>', 'draw in so many processes of their own, each one image at a time; auto = one for each core, as far as the memory goes')
-            .option(
-              '--reached',
-              'measure what a picture with a quality of {maxError} came to, in a window of it that the path tracer draws too; --json tells it',
-            )
-            .option('--contact-sheet <file>', 'write one PNG with a labelled thumbnail of every image')
-            .addOption(backend()),
-        ),
-      ),
-    ),
-  inspect: (command) =>
-    addLimit(
-      addFailOn(
-        addCommon(
-          addShotOptions(
-            command('inspect', 'Say what is in a model, and what a render of it would compile and run')
-              .argument('<model>', '.glb or .gltf file; - is stdin')
-              .option(
-                '--measure <json>',
-                'a length in metres as Model.measure() takes it, as in {"border": true, "part": {"node": "hem"}}; repeatable',
-                collect,
-              ),
-          ),
-        ),
-      ),
-    ),
-  compare: (command) =>
-    addLimit(
-      addCommon(
-        command('compare', 'Say how far two images, or the images of two folders, are apart, and whether that is within a gate')
-          .argument('<expected>', 'PNG, JPEG or WebP, or a folder of them')
-          .argument('[actual]', 'the same; needed unless --model is given')
-          .addOption(new Option('--gate <gate>', 'which figures must not be passed').choices(Object.keys(GATES)).default(DEFAULT_GATE))
-          .option('--threshold <region.figure=n>', "a limit in place of the gate's or beside them, as in object.flip.mean=0.02", collect)
-          .option('--mask <file>', 'image that is light where the object is, for images with a background; or a folder of such')
-          .option('--ignore <file>', 'image that is light where nothing is compared, a folder of such, or an area x,y,width,height', collect)
-          .option('--resize', 'shrink the larger image to the smaller one, as for screenshots of dense screens')
-          .option('--update', 'accept: write ACTUAL over EXPECTED where it is over the gate or new')
-          .option('--model <model>', 'in place of ACTUAL: draw this model with the shot inside EXPECTED, which telar view saves')
-          .option('--environment <file>', "the file of the shot's environment, where --model is given")
-          .option('--explain', 'over the gate, where --model is given: say which term of three.js differs')
-          .addOption(new Option('--backend <backend>', 'where GL comes from, where --model is given').choices(BACKENDS).default('auto'))
-          .option('--heatmap <out>', 'write FLIP of each pixel as a PNG')
-          .option('--report <dir>', 'write a page with the images, the heat map and the figures')
-          .option('--junit <file>', 'write the checks as JUnit XML'),
-      ),
-    ),
-  sheet: (command) =>
-    addLimit(
-      addFailOn(
-        addCommon(
-          command('sheet', 'Make the tech sheet of a model: one PDF, or one SVG or PNG a page')
-            .argument('<model>', '.glb or .gltf file; - is stdin')
-            .requiredOption('-o, --output <out>', 'file that ends in .pdf, .svg or .png; pages of the latter two are numbered')
-            .option('--spec <file>', 'JSON of what the sheet says (js/docs/sheet.md); without one it is made from the model; - is stdin')
-            .option('--init', 'write that first spec to -o, a .json file, to be edited')
-            .option('--previous <file>', 'spec of the last revision: what differs is marked')
-            .option('--font <file>', 'font for scripts beside Latin, Greek and Cyrillic; may be given again', collect)
-            .option('--template <name=folder>', "folder of an own template, which the spec's `template` names", collect)
-            .option('--shot <file>', 'JSON of a shot whose light, shading and quality the pictures take; - is stdin')
-            .option('--set <key=value>', 'one key of that shot, as in --set exposure=1.2; value is JSON or text', collect)
-            .addOption(backend()),
-        ),
-      ),
-    ),
-  analyse: (command) =>
-    addLimit(
-      addCommon(
-        command('analyse', 'Say which term of one shading against another changes pictures of cloth most')
-          .argument('[model...]', '.glb or .gltf files; none = the bundled drape in the fabrics')
-          .option(
-            '--from <shading>',
-            'three-r115, disney-2012, a release as three@180, or JSON of one with terms swapped; others are compared as a whole',
-            'three-r115',
-          )
-          .option('--to <shading>', 'the other one', 'disney-2012')
-          .option('--fabrics <names>', 'of the bundled drape: leather,wool,towel,velvet; all of them by default')
-          .option('--lights <names>', 'studio, sun, rim, sky or .hdr and .exr files, with commas between; studio,sun by default')
-          .option('--view <view>', describe('camera.view'))
-          .option('--size <WxH>', 'of each picture in pixels', '320x320')
-          .option('--quality <quality>', describe('quality'), 'standard')
-          .option('--report <dir>', 'write a page with the ranking, lobes, albedo curves and pictures, and the figures as JSON')
-          .option('--terms', 'list slots and terms, and draw nothing')
-          .addOption(backend()),
-      ),
-    ),
-  view: (command) =>
-    addLimit(
-      addFailOn(
-        addCommon(
-          addShotOptions(
-            command('view', "Show the browser client beside the server's picture, and their difference, on a local page")
-              .argument('<model>', '.glb or .gltf file; - is a GLB on stdin')
-              .option(
-                '--spec <file>',
-                'spec of a tech sheet to edit: call-outs and points of measure are made by clicks; a first one is made where there is none',
-              )
-              .option('--port <port>', 'port on 127.0.0.1; a free one by default', port)
-              .option('--three <folder>', "three.js that draws the browser's picture, as in --three node_modules/three; telar's own by default")
-              .option('--open', 'open the page in the browser'),
-          )
-            .addOption(backend())
-            .addHelpText('after', '\nThe page judges by the gate parity of telar compare where browser and server draw with the same GL, else by other-gl.'),
-        ),
-      ),
-    ),
-  serve: (command) =>
-    addLimit(
-      addCommon(
-        addServiceOptions(
-          command('serve', 'Draw over HTTP: thumbnails, sheets, comparisons and what is in a model, in processes of their own (js/docs/server.md)'),
-        )
-          .option(...WORKERS_FLAG)
-          .option(...CGROUP_FLAG)
-          .option('--models <folder>', 'let requests name models by their paths beneath this folder')
-          .option(...STORE_FLAG)
-          .option('--environment <name=file>', 'let shots name this .hdr or .exr file; repeatable', collect)
-          .addOption(backend()),
-      ),
-    ),
-  sign: (command) =>
-    addCommon(
-      addShotOptions(
-        command('sign', 'Make the signed address of a thumbnail for `telar serve`; TELAR_SIGN_KEY and TELAR_SIGN_SALT have key and salt in hexadecimal')
-          .argument('<model>', 'reference of the model, as the service takes it')
-          .option('--url <url>', 'address of the service, with its prefix', '')
-          .option('--expires <seconds>', 'from now on; without it the address is good for ever'),
-      ),
-    ),
-  worker: (command) =>
-    addLimit(
-      addCommon(
-        addWorkerOptions(command('worker', 'Draw the jobs of a queue that other processes fill, as telar serve does (js/docs/queue.md)'))
-          .option(...WORKERS_FLAG)
-          .option(...CGROUP_FLAG)
-          .option(...STORE_FLAG)
-          .option('--put-host <host>', 'host, or host:port, that jobs may have their results sent to; repeatable; any by default', collect)
-          .addOption(backend()),
-      ),
-    ),
-  bake: (command) =>
-    addLimit(
-      addFailOn(
-        addCommon(
-          command('bake', 'Write a model with its ambient visibility in its vertices, which the shading "fabric" reads')
-            .argument('<model>', '.glb or .gltf file; - is stdin')
-            .requiredOption('-o, --output <out>', 'file that ends as the model does; - is stdout')
-            .option('--rays <n>', 'rays of each side of a vertex, 16 to 4096; 256 by default'),
-        ),
-      ),
-    ),
-  looks: (command) => addCommon(command('looks', 'Say what the looks of --look are; --json prints the shots that they stand for')),
-  doctor: (command) => addCommon(command('doctor', 'Say which GL backends this machine has, which is chosen, and how to cure a missing one')),
-};
-
-/** Those of `telar bench`. */
-const BENCHES = {
-  benchTrade: (command) =>
-    addCommon(
-      addLimitOption(
-        command('trade', 'Time and error of every quality against the path tracer, as a page, CSV and SVG; a run that was stopped goes on where it was')
-          .argument('[model...]', '.glb or .gltf files in place of the bundled drape in cloths; with --cloths beside it')
-          .requiredOption('-o, --output <dir>', 'folder of the page, the figures and what was measured so far')
-          .option('--cloths <names>', 'cloths of js/docs/cloths.md for the bundled drape, with commas between')
-          .option('--environments <names>', 'studio, sun, rim, sky or .hdr and .exr files, with commas between; studio,sun,sky by default')
-          .option('--sizes <pixels>', 'of the pictures, with commas between', '256,512,1024')
-          .option('--shadings <names>', 'with commas between', 'fabric')
-          .option('--settings <names>', 'some of those that are measured, with commas between; all by default')
-          .option('--setting <name=json>', 'a quality beside them, as in fine={"samples":64,"environmentSamples":1024}; repeatable', collect)
-          .option('--knobs', 'each number of a quality and of shadows alone, from "standard", and the steepest together, in place of --settings')
-          .option('--window <pixels>', 'side of the part of each picture that is compared', '48')
-          .option('--cap <seconds>', 'CPU time from which on a setting is drawn in the window alone', '20')
-          .addOption(backend()),
-      ),
-    ),
+const addRows = (parent, rows, actionOf) => {
+  const command = (name, text) => parent.command(name).description(text).allowExcessArguments(false);
+  for (const [name, { add, load, text, of }] of Object.entries(rows)) {
+    if (of) addRows(command(name, text), of, actionOf);
+    else add(command).action(actionOf(load));
+  }
+  return parent;
 };
 
 /**
  * @param {string} version
- * @param {Record<keyof typeof COMMANDS | keyof typeof BENCHES, (...args: unknown[]) => Promise<void>>} actions
+ * @param {Record<string, Row>} commands by name
+ * @param {(load: Row['load']) => (...args: unknown[]) => Promise<void>} actionOf
  * @param {{writeOut: (text: string) => void, writeErr: (text: string) => void}} output of help and complaints
  */
-export function buildProgram(version, actions, output) {
+export function buildProgram(version, commands, actionOf, output) {
   const program = new Command('telar')
     .description('Draws garment models on a server as the browser client shows them')
     .version(version, '-V, --version', 'print the version')
@@ -260,9 +36,5 @@ export function buildProgram(version, actions, output) {
     .exitOverride()
     .configureOutput({ ...output, getOutHelpWidth: () => 100, getErrHelpWidth: () => 100 })
     .addHelpText('after', `\n${EXIT_CODES}`);
-  const commandsOf = (parent) => (name, text) => parent.command(name).description(text).allowExcessArguments(false);
-  for (const [name, add] of Object.entries(COMMANDS)) add(commandsOf(program)).action(actions[name]);
-  const bench = commandsOf(program)('bench', 'Measure this machine and telar on it');
-  for (const [name, add] of Object.entries(BENCHES)) add(commandsOf(bench)).action(actions[name]);
-  return program;
+  return addRows(program, commands, actionOf);
 }

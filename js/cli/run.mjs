@@ -5,45 +5,31 @@ import { buildProgram } from './program.mjs';
 
 const { version } = JSON.parse(readFileSync(new URL('../../package.json', import.meta.url), 'utf8'));
 
-/** Commands load when they run: --help and --version need none of them, doctor not the shot's schema. */
-const COMMANDS = {
-  thumbnail: async () => (await import('./thumbnail.mjs')).thumbnail,
-  inspect: async () => (await import('./inspect.mjs')).inspect,
-  compare: async () => (await import('./compare.mjs')).compare,
-  sheet: async () => (await import('./sheet.mjs')).sheet,
-  analyse: async () => (await import('./analyse.mjs')).analyse,
-  view: async () => (await import('./view.mjs')).view,
-  serve: async () => (await import('./serve.mjs')).serve,
-  sign: async () => (await import('./sign.mjs')).sign,
-  worker: async () => (await import('./worker.mjs')).worker,
-  bake: async () => (await import('./bake.mjs')).bake,
-  benchTrade: async () => (await import('./bench.mjs')).benchTrade,
-  looks: async () => (await import('./looks.mjs')).looks,
-  doctor: async () => (await import('./doctor.mjs')).doctor,
-};
-
 /**
  * Runs one command line. Never throws; never ends the process.
  * @param {string[]} argv without node and the script
  * @param {import('./console.mjs').Io & {loadApi: () => Promise<object>, loadPool: () => Promise<object>}} io
+ * @param {Record<string, import('./program.mjs').Row>} commands
  * @returns {Promise<number>} exit code
  */
-export async function run(argv, io) {
+export async function run(argv, io, commands) {
   const flags = { json: argv.includes('--json'), quiet: argv.includes('--quiet') };
   const console = new Console(io, flags);
   let exit = 0;
-  const action =
-    (name) =>
+  const actionOf =
+    (load) =>
     async (...args) => {
-      const call = await COMMANDS[name]();
+      const call = await load();
       const values = args.slice(0, -1); // the last one is commander's own command object
       exit = await call(...values, { ...io, console, version, api: await io.loadApi() });
     };
-  const actions = Object.fromEntries(Object.keys(COMMANDS).map((name) => [name, action(name)]));
+  // The options of the command that is asked for alone are made: those of all take longer than a small picture's shading.
+  const [asked] = argv;
+  const grammar = Object.hasOwn(commands, asked) ? { [asked]: commands[asked] } : commands;
   // Complaints come as exceptions as well: they are told once, in our own form.
   const output = { writeOut: (text) => io.stdout.write(text), writeErr: (text) => (/^error:/.test(text) ? undefined : io.stderr.write(text)) };
   try {
-    await buildProgram(version, actions, output).parseAsync(argv, { from: 'user' });
+    await buildProgram(version, grammar, actionOf, output).parseAsync(argv, { from: 'user' });
     return exit;
   } catch (thrown) {
     const error = ofCommander(thrown);

@@ -1,46 +1,5 @@
 #!/usr/bin/env node
-import { removeUnfinished } from '../api/atomic_file.mjs';
-import { run } from './run.mjs';
+import { COMMANDS } from './commands.mjs';
+import { main } from './main.mjs';
 
-// The first SIGINT or SIGTERM cancels the work, which removes what it has begun; then the signal is given its usual effect,
-// so that the shell sees it. A second one does not wait, and the first not for ever: a driver or a file system may be stuck.
-// A command that takes a signal as its ordinary end says so, and how long that may take.
-const ending = { patienceMs: 1000, isWell: false };
-const cancelled = new AbortController();
-let received;
-
-function onSignal(signal) {
-  if (received) dieUnfinished();
-  received = signal;
-  cancelled.abort();
-  setTimeout(dieUnfinished, ending.patienceMs).unref();
-}
-
-function dieUnfinished() {
-  removeUnfinished();
-  die(received);
-}
-
-function die(signal) {
-  process.removeAllListeners(signal);
-  process.kill(process.pid, signal);
-}
-
-for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, onSignal);
-
-async function main() {
-  const { stdin, stdout, stderr, env } = process;
-  process.exitCode = await run(process.argv.slice(2), {
-    stdin,
-    stdout,
-    stderr,
-    env,
-    signal: cancelled.signal,
-    ending,
-    loadApi: () => import('../index.mjs'),
-    loadPool: () => import('../pool/index.mjs'),
-  });
-  if (received && !ending.isWell) dieUnfinished();
-}
-
-void main();
+void main(COMMANDS);

@@ -32,10 +32,34 @@ export async function thumbnail(models, options, context) {
   const limits = readLimits(options.limit);
   const timeoutMs = readTimeout(options.timeoutMs);
   readWorkers('--jobs', options.jobs);
+  // The GL opens beside what is read and checked. What that finds is told first, without waiting for the GL.
+  const opening = openRenderer(options, { limits, timeoutMs }, context);
+  opening.catch(() => {});
+  const plan = await planned(models, options, limits, context).catch((error) => {
+    opening.then(
+      (renderer) => renderer.close(),
+      () => {},
+    );
+    throw error;
+  });
+  const renderer = await opening;
+  try {
+    if (isAnimation(options)) return await writeAnimation({ jobs: plan.jobs, options, renderer }, context);
+    const results = await drawAll({ ...plan, options, renderer, limits }, context);
+    const sheet = await writeSheet(results, options, { limits, signal: context.signal });
+    return await tell(results, { options, entries: plan.entries, sheet }, context.console);
+  } finally {
+    removeUnfinished();
+    await renderer.close();
+  }
+}
+
+/** What is drawn, and the files that it goes to. Animations have one, and check it themselves. */
+async function planned(models, options, limits, context) {
   const shot = await readShotOptions(options, context);
   const entries = await readEntries(models, options, shot, limits, context);
   const { jobs, crosses } = await makeJobs(entries, options, maxFileBytes(limits));
-  if (isAnimation(options)) return animate(jobs, options, { limits, timeoutMs }, context);
+  if (isAnimation(options)) return { jobs };
   const outputs = outputNames(options.output, jobs, crosses);
   await refuseParts(jobs, outputs);
   checkLayerFiles(jobs, outputs);
@@ -45,16 +69,7 @@ export async function thumbnail(models, options, context) {
       job.shot = { ...job.shot, output: { ...job.shot.output, format: outputs[i].format } };
   });
   await Promise.all([...new Set(outputs.filter(({ file }) => file !== '-').map(({ file }) => path.dirname(file)))].map(sweepStale));
-
-  const renderer = await openRenderer(options, { limits, timeoutMs }, context);
-  try {
-    const results = await drawAll({ jobs, outputs, options, renderer, limits }, context);
-    const sheet = await writeSheet(results, options, { limits, signal: context.signal });
-    return await tell(results, { options, entries, sheet }, context.console);
-  } finally {
-    removeUnfinished();
-    await renderer.close();
-  }
+  return { entries, jobs, outputs };
 }
 
 /** How the models are loaded, and their keys made. */
@@ -67,16 +82,6 @@ async function openRenderer(options, { limits, timeoutMs }, { api, loadPool, sig
   if (workers === undefined) return api.createRenderer(how);
   const { createPool } = await loadPool();
   return createPool({ ...how, ...(workers !== null && { size: workers }) });
-}
-
-async function animate(jobs, options, { limits, timeoutMs }, context) {
-  const renderer = await openRenderer(options, { limits, timeoutMs }, context);
-  try {
-    return await writeAnimation({ jobs, options, renderer }, context);
-  } finally {
-    removeUnfinished();
-    await renderer.close();
-  }
 }
 
 function checkUsage(models, { shot, output, json, manifest, skipUnchanged, explode }) {

@@ -1,7 +1,7 @@
-import { createHash } from 'node:crypto';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { writeFileAtomically } from '../api/atomic_file.mjs';
+import { sha256 } from '../api/sha256.mjs';
 
 /**
  * Which pictures are as they would be drawn again. A file in each output folder keeps the key of every picture, and the
@@ -12,8 +12,6 @@ import { writeFileAtomically } from '../api/atomic_file.mjs';
 export const KEYS_FILE = '.telar-keys.json';
 
 const VERSION = 1;
-
-const digestOf = (bytes) => createHash('sha256').update(bytes).digest('hex');
 
 const isEntry = (entry) => typeof entry?.key === 'string' && typeof entry.sha256 === 'string';
 
@@ -45,14 +43,14 @@ export class KnownPictures {
     const entry = (await this.#entriesOf(path.dirname(file))).get(path.basename(file));
     if (entry?.key !== key) return false;
     const bytes = await readFile(file).catch(() => undefined);
-    return bytes !== undefined && digestOf(bytes) === entry.sha256;
+    return bytes !== undefined && sha256(bytes) === entry.sha256;
   }
 
   /** Notes a picture that was written. */
   add(file, key, data) {
     const folder = path.dirname(file);
     if (!this.#drawn.has(folder)) this.#drawn.set(folder, new Map());
-    this.#drawn.get(folder).set(path.basename(file), { key, sha256: digestOf(data) });
+    this.#drawn.get(folder).set(path.basename(file), { key, sha256: sha256(data) });
   }
 
   /** Writes what was noted, beside what other runs have written meanwhile. @throws {TelarError} X_OUTPUT */

@@ -90,9 +90,9 @@ function unknownKey(path, key, allowed, elsewhere, about) {
 const valueAt = (root, path) => path.reduce((value, key) => value?.[key], root);
 const isPlainObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value) && !ArrayBuffer.isView(value);
 
-/** Schema behind default, optional and the like. */
+/** Schema behind default, optional and the like, and behind one that is made late. */
 function unwrap(schema) {
-  const inner = schema?.def?.innerType ?? (schema?.def?.type === 'pipe' ? schema.def.in : undefined);
+  const inner = schema?.def?.innerType ?? schema?._zod?.innerType ?? (schema?.def?.type === 'pipe' ? schema.def.in : undefined);
   return inner ? unwrap(inner) : schema;
 }
 

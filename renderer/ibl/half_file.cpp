@@ -48,24 +48,29 @@ std::optional<HalfFileHead> headOf(std::span<const std::byte> file, std::string_
   return head;
 }
 
-std::optional<std::vector<std::uint16_t>> unpackHalfs(std::span<const std::byte> file, std::size_t texels) {
+std::optional<HalfReader> HalfReader::open(std::span<const std::byte> file, std::size_t texels) {
   const auto body = file.subspan(FRONT_BYTES);
-  const std::size_t count = texels * 3;
-  std::vector<std::uint8_t> planes(count * 2);
+  const std::size_t halfs = texels * 3;
+  auto planes = std::make_unique_for_overwrite<std::uint8_t[]>(halfs * 2);
   const Decompressor decompressor(libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
-  if (libdeflate_deflate_decompress(decompressor.get(), body.data(), body.size(), planes.data(), planes.size(),
-                                    nullptr) != LIBDEFLATE_SUCCESS) {
+  if (libdeflate_deflate_decompress(decompressor.get(), body.data(), body.size(), planes.get(), halfs * 2, nullptr) !=
+      LIBDEFLATE_SUCCESS) {
     return std::nullopt;
   }
+  return HalfReader(std::move(planes), halfs);
+}
+
+void HalfReader::read(std::span<std::uint16_t> rgba) {
   constexpr std::uint16_t HALF_ONE = 0x3c00;
-  std::vector<std::uint16_t> rgba(texels * 4, HALF_ONE);
-  std::uint16_t previous[3] = {};
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t channel = i % 3;
-    previous[channel] = static_cast<std::uint16_t>(previous[channel] + (planes[i] << 8 | planes[count + i]));
-    rgba[i / 3 * 4 + channel] = previous[channel];
+  const std::uint8_t *high = planes_.get() + next_, *low = high + halfs_;
+  for (std::size_t i = 0; i < rgba.size(); i += 4, high += 3, low += 3) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      previous_[channel] = static_cast<std::uint16_t>(previous_[channel] + (high[channel] << 8 | low[channel]));
+      rgba[i + channel] = previous_[channel];
+    }
+    rgba[i + 3] = HALF_ONE;
   }
-  return rgba;
+  next_ += rgba.size() / 4 * 3;
 }
 
 }  // namespace telar::ibl

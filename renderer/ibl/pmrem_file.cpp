@@ -82,15 +82,15 @@ std::optional<CubeMap> unpackPmrem(const gl::Context& context, std::span<const s
   if (!head || head->levels < 1 || head->levels > static_cast<unsigned>(std::bit_width(head->faceSize)))
     return std::nullopt;
   const int faceSize = static_cast<int>(head->faceSize), levels = static_cast<int>(head->levels);
-  const auto rgba = unpackHalfs(file, texelCount(faceSize, levels));
-  if (!rgba) return std::nullopt;
+  auto texels = HalfReader::open(file, texelCount(faceSize, levels));
+  if (!texels) return std::nullopt;
   const gl::Functions& gl = context.gl();
   CubeMap cube = createCube(gl, faceSize, levels);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  std::size_t offset = 0;
+  std::vector<std::uint16_t> rgba(std::size_t{4} * head->faceSize * head->faceSize);
   eachFace(faceSize, levels, [&](GLenum face, int level, int size) {
-    gl.TexSubImage2D(face, level, 0, 0, size, size, GL_RGBA, GL_HALF_FLOAT, &(*rgba)[offset]);
-    offset += static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4;
+    texels->read(std::span(rgba).first(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4));
+    gl.TexSubImage2D(face, level, 0, 0, size, size, GL_RGBA, GL_HALF_FLOAT, rgba.data());
   });
   context.check("environment upload");
   return cube;
@@ -100,12 +100,15 @@ std::optional<Atlas> unpackAtlas(const gl::Context& context, std::span<const std
   const auto head = knownHead(file, key, ATLAS_MAGIC, ATLAS_VERSION);
   if (!head) return std::nullopt;
   Atlas atlas = createAtlas(context, static_cast<int>(head->faceSize));
-  const auto rgba = unpackHalfs(file, texelCount(atlas));
-  if (!rgba) return std::nullopt;
+  const std::size_t count = texelCount(atlas);
+  auto texels = HalfReader::open(file, count);
+  if (!texels) return std::nullopt;
+  std::vector<std::uint16_t> rgba(count * 4);
+  texels->read(rgba);
   const gl::Functions& gl = context.gl();
   gl.BindTexture(GL_TEXTURE_2D, atlas.texture.get());
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, atlas.width(), atlas.height(), GL_RGBA, GL_HALF_FLOAT, rgba->data());
+  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, atlas.width(), atlas.height(), GL_RGBA, GL_HALF_FLOAT, rgba.data());
   context.check("environment upload");
   return atlas;
 }

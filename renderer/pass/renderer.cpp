@@ -244,7 +244,7 @@ class GlRenderer final : public Renderer {
   bool findVisible(pass::SurfaceInputs inputs, std::span<const std::uint8_t> settled, Picture& picture) {
     if (!picture.capturedAt) {
       pass::FrameTarget& target = targetFor(inputs.shot);
-      target.bind();
+      target.bindPixel();
       buffer_.begin(inputs.plan, inputs.shot, target);
       inputs.samples = target.samples();
       inputs.buffer = &buffer_;

@@ -32,22 +32,29 @@ FrameTarget::FrameTarget(const gl::Context& context, int width, int height, int 
                             ? tryFormat(GL_RGBA8, most)
                             : tryFormat(GL_RGBA32F, most) || tryFormat(GL_RGBA16F, most) || tryFormat(GL_RGBA16F, 1);
   context.check("framebuffer creation");
-  if (!complete) {
-    gl::failIncomplete(context.gl(),
-                       "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
-  }
+  if (!complete) fail();
+}
+
+void FrameTarget::fail() const {
+  gl::failIncomplete(context_.gl(),
+                     "a picture of " + std::to_string(width_) + " x " + std::to_string(height_) + " pixels");
 }
 
 bool FrameTarget::tryFormat(GLenum format, int samples) {
-  const gl::Functions& gl = context_.gl();
+  format_ = format;
   samples_ = samples;
-  if (!draw_.allocate(gl, format, samples, width_, height_)) return false;
-  if (samples == 1) return true;
+  return pixel_.allocate(context_.gl(), format, samples, 1, 1);
+}
+
+bool FrameTarget::make() {
+  const gl::Functions& gl = context_.gl();
+  if (!draw_.allocate(gl, format_, samples_, width_, height_)) return false;
+  if (samples_ == 1) return true;
   resolved_ = gl::Framebuffer(gl);
   resolvedColor_ = gl::Renderbuffer(gl);
   gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.get());
   gl.BindRenderbuffer(GL_RENDERBUFFER, resolvedColor_.get());
-  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, format, width_, height_);
+  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, format_, width_, height_);
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolvedColor_.get());
   return gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
@@ -56,7 +63,16 @@ bool FrameTarget::matches(int width, int height, int samples, PixelType type) co
   return width == width_ && height == height_ && samples == samplesAsked_ && type == type_;
 }
 
-void FrameTarget::bind() const { draw_.bind(context_.gl()); }
+void FrameTarget::bind() {
+  if (!made_) {
+    made_ = make();
+    context_.check("framebuffer creation");
+    if (!made_) fail();
+  }
+  draw_.bind(context_.gl());
+}
+
+void FrameTarget::bindPixel() const { pixel_.bind(context_.gl()); }
 
 Frame FrameTarget::unread() {
   const std::size_t texels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);

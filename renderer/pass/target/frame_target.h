@@ -10,7 +10,8 @@
 namespace telar::pass {
 
 /// The framebuffer of one picture. kRgba8 holds sRGB-encoded values, and the multisample resolve averages those, as the
-/// browser's drawing buffer does; kRgbaF32 holds linear radiance and resolves it.
+/// browser's drawing buffer does; kRgbaF32 holds linear radiance and resolves it. Its storage is made when it is first
+/// bound: 32 bytes a pixel with four samples, which a picture of dense rows has no use for.
 class FrameTarget {
  public:
   /// @param samples  1 or 4, lowered to what the driver has for the format
@@ -18,7 +19,10 @@ class FrameTarget {
   FrameTarget(const gl::Context& context, int width, int height, int samples, PixelType type);
 
   bool matches(int width, int height, int samples, PixelType type) const;
-  void bind() const;
+  /// Makes it the target of the draws that follow. @throws Error{X_GL, X_GL_MEMORY}
+  void bind();
+  /// One pixel with the same samples, for draws that shade nothing and for the places of the samples.
+  void bindPixel() const;
   /// Resolves and reads: row 0 is the top row, colours are premultiplied.
   Frame read();
   /// What it would read after it was cleared, without drawing.
@@ -33,16 +37,20 @@ class FrameTarget {
 
  private:
   bool tryFormat(GLenum format, int samples);
+  bool make();
+  [[noreturn]] void fail() const;
   std::size_t texelBytes() const { return type_ == PixelType::kRgba8 ? 4 : 16; }
   Frame unread();
 
   const gl::Context& context_;
   int width_, height_, samples_, samplesAsked_;
   PixelType type_;
-  SampleBuffer draw_;
-  std::vector<std::byte> spare_;
-  gl::Framebuffer resolved_;  // none where a pixel has one sample
+  GLenum format_ = GL_NONE;
+  SampleBuffer pixel_, draw_;
+  bool made_ = false;         ///< what follows, and the storage of draw_
+  gl::Framebuffer resolved_;  ///< none where a pixel has one sample
   gl::Renderbuffer resolvedColor_;
+  std::vector<std::byte> spare_;
 };
 
 }  // namespace telar::pass

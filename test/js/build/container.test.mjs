@@ -4,6 +4,7 @@ import path from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { parse } from 'yaml';
+import { COMMANDS } from '../../../js/cli/commands.mjs';
 import { buildProgram } from '../../../js/cli/program.mjs';
 import { listedPackages } from '../../../js/machine/debian.mjs';
 import { stagesOf } from '../../install/dockerfile.mjs';
@@ -32,7 +33,7 @@ function faultsOf({ dockerfile = DOCKERFILE, compose = COMPOSE, ignored = IGNORE
   const lines = ignored.split('\n');
   const wanted = listedPackages(['run']).filter((name) => !LEFT_OUT.includes(name));
   const built = listedPackages(['build', 'test', 'lint', 'fuzz']);
-  const serve = buildProgram('0', {}, {}).commands.find((command) => command.name() === last('CMD').words[0]);
+  const serve = buildProgram('0', COMMANDS, () => {}, {}).commands.find((command) => command.name() === last('CMD').words[0]);
   return [
     [stages.filter(({ from }) => from !== 'scratch' && !/^node:\d+-bookworm(-slim)?$/.test(from)), 'a base image that is not Debian 12 with a version of Node'],
     [stages.flatMap((stage) => stage.steps).filter(({ flags }) => flags.from && !names.includes(flags.from)), 'copied from a stage that is not there'],

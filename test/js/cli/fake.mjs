@@ -2,6 +2,7 @@ import { createHash } from 'node:crypto';
 import { PassThrough, Readable } from 'node:stream';
 import { TelarError } from '../../../js/error/index.mjs';
 import { resolveShot } from '../../../js/shot/index.mjs';
+import { COMMANDS } from '../../../js/cli/commands.mjs';
 import { run } from '../../../js/cli/run.mjs';
 
 const FACTS = { bounds: { min: [-1, 0, -1], max: [1, 2, 1] }, variants: ['navy'], cameras: [], size: [2, 2, 2], triangles: 12, warnings: [] };
@@ -102,14 +103,21 @@ export async function runFake(argv, { stdin = '', env = {}, tty = false, signal,
       tty && TERMINAL,
     );
   const [stdout, stderr] = [sink('stdout'), sink('stderr')];
-  const exit = await run(argv, {
-    stdin: Readable.from(stdin === '' ? [] : [Buffer.from(stdin)]),
-    stdout,
-    stderr,
-    env,
-    signal,
-    loadApi: async () => api,
-    loadPool: async () => fake.pool,
-  });
+  const exit = await run(
+    argv,
+    {
+      stdin: Readable.from(stdin === '' ? [] : [Buffer.from(stdin)]),
+      stdout,
+      stderr,
+      env,
+      signal,
+      loadApi: async () => api,
+      loadPool: async () => fake.pool,
+    },
+    COMMANDS,
+  );
   return { exit, stdout: Buffer.concat(collected.stdout).toString(), stderr: Buffer.concat(collected.stderr).toString(), calls: fake.calls };
 }
+
+/** Whether no model was loaded or drawn. A renderer may have been opened beside the checks, and was closed. */
+export const drewNothing = ({ created, closed, loaded, rendered }) => created.length === closed && loaded.length + rendered.length === 0;

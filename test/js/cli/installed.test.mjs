@@ -28,14 +28,19 @@ function both(...args) {
 /** Files of sources that look for something beside themselves. */
 const placesIn = (text) => [...text.matchAll(/urlOf\("([^"]+)"\)/g)].map(([, file]) => file);
 
-test('it is one file that ends and complains as its sources do', () => {
+/** What the command is: what starts it, and one file for thumbnails beside one for all commands. */
+const [start, thumbnail, commands] = ['telar', 'thumbnail', 'commands'].map((name) => readFileSync(path.join(path.dirname(INSTALLED), `${name}.cjs`), 'utf8'));
+
+test('it ends and complains as its sources do', () => {
   assert.equal(both('--version').status, 0);
   assert.match(both('thumbnail', '--help').stdout, /--contact-sheet/);
   assert.match(both('inspect', SHIRT, '--json').stdout, /58421/);
   assert.match(both('looks', '--json').stdout, /flat-lay/);
   assert.equal(both('thumbnail', '--json').status, 2);
   assert.equal(both('inspect', path.join(folder, 'missing.glb')).status, 3);
-  assert.ok(!/\brequire\("\.\.?\/(?!zod\.cjs)/.test(readFileSync(INSTALLED, 'utf8')), 'of its sources it reads none');
+  for (const text of [thumbnail, commands]) assert.ok(!/\brequire\("\.\.?\/(?!zod\.cjs)/.test(text), 'of its sources it reads none');
+  // Node reads a file as a whole before it starts.
+  assert.ok(start.length < 200 && thumbnail.length < 0.6 * commands.length, `${start.length}, ${thumbnail.length}, ${commands.length}`);
 });
 
 test('it draws what its sources draw', () => {
@@ -49,7 +54,7 @@ test('it draws what its sources draw', () => {
 });
 
 test('what a source finds beside itself, it finds from there', () => {
-  const places = placesIn(readFileSync(INSTALLED, 'utf8'));
+  const places = [thumbnail, commands].flatMap(placesIn);
   assert.ok(places.includes('sheet/engine.mjs') && places.includes('predict/index.mjs'), places.join(', '));
   const missing = (files) => files.filter((file) => !existsSync(path.join(ROOT, 'js', file)));
   assert.deepEqual(missing(places), []);

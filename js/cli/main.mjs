@@ -1,0 +1,41 @@
+import { removeUnfinished } from '../api/atomic_file.mjs';
+import { run } from './run.mjs';
+
+// The first SIGINT or SIGTERM cancels the work, which removes what it has begun; then the signal is given its usual effect,
+// so that the shell sees it. A second one does not wait, and the first not for ever: a driver or a file system may be stuck.
+// A command that takes a signal as its ordinary end says so, and how long that may take.
+const ending = { patienceMs: 1000, isWell: false };
+const cancelled = new AbortController();
+let received;
+
+function onSignal(signal) {
+  if (received) dieUnfinished();
+  received = signal;
+  cancelled.abort();
+  setTimeout(dieUnfinished, ending.patienceMs).unref();
+}
+
+function dieUnfinished() {
+  removeUnfinished();
+  die(received);
+}
+
+function die(signal) {
+  process.removeAllListeners(signal);
+  process.kill(process.pid, signal);
+}
+
+for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, onSignal);
+
+/**
+ * The process of a command line: its streams, its signals, its exit code.
+ * @param {Record<string, import('./program.mjs').Row>} commands that it knows
+ */
+export async function main(commands) {
+  const { stdin, stdout, stderr, env } = process;
+  const loadApi = () => import('../index.mjs');
+  const loadPool = () => import('../pool/index.mjs');
+  const io = { stdin, stdout, stderr, env, signal: cancelled.signal, ending, loadApi, loadPool };
+  process.exitCode = await run(process.argv.slice(2), io, commands);
+  if (received && !ending.isWell) dieUnfinished();
+}
