@@ -49,8 +49,7 @@ export async function pictureKey(source, shot = {}, options = {}) {
   const maxBytes = limits.L_FILE_BYTES ?? native.limits.L_FILE_BYTES;
   const input = readSource(native, source, maxBytes);
   const request = readShot(native, shot, maxBytes);
-  const { shotIdentity } = await identityModule();
-  const identity = shotIdentity(request.shot);
+  const identity = await identityOf(request.shot);
   const { map } = identity.environment;
   const [model, environment] = await Promise.all([
     withParts(native, { resolve, signal }, (parts) =>
@@ -62,21 +61,28 @@ export async function pictureKey(source, shot = {}, options = {}) {
 }
 
 /**
+ * What keyOfDrawn() needs to know of a shot that is being drawn.
+ * @param {object} shot not resolved
+ */
+export async function identityOf(shot) {
+  const { shotIdentity } = await identityModule();
+  return shotIdentity(shot);
+}
+
+/**
  * The key of a picture that was drawn. What loading and drawing have hashed is not hashed again.
  * @param {object} native
  * @param {object} parts
  * @param {string} parts.version of telar
  * @param {string} parts.model SHA-256 of the loaded model
- * @param {object} parts.shot not resolved
+ * @param {object} parts.identity of identityOf()
  * @param {object} [parts.environment] native bytes
  * @param {string} parts.drawn SHA-256 of the environment as it was drawn; empty where the renderer read none
  * @param {object} parts.limits
  * @param {number} [parts.ended] samples with which the caller had enough: another picture than the finished one
  * @returns {Promise<string>}
  */
-export async function keyOfDrawn(native, { version, model, shot, environment, drawn, limits, ended }) {
-  const { shotIdentity } = await identityModule();
-  const identity = shotIdentity(shot);
+export async function keyOfDrawn(native, { version, model, identity, environment, drawn, limits, ended }) {
   const { map } = identity.environment;
   const light = isNamedEnvironment(map) ? map : drawn || (await digestOf(native, environmentOf(identity.environment, environment), limits));
   return keyOfParts({ version, model, environment: light, shot: ended === undefined ? identity : { ...identity, ended } }, native);

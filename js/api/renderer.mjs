@@ -5,7 +5,7 @@ import { Gate } from './gate.mjs';
 import { frameInfo, shotWarnings } from './frame_info.mjs';
 import { nativeCall } from './native_call.mjs';
 import { onAbort } from './on_abort.mjs';
-import { keyOfDrawn } from './picture_key.mjs';
+import { identityOf, keyOfDrawn } from './picture_key.mjs';
 import { drawAllOptions, growingOptions, loadOptions, rendererOptions, STRICT, wrongOption } from './options.mjs';
 import { ProgressReport } from './progress.mjs';
 import { Work } from './work.mjs';
@@ -267,12 +267,14 @@ class Renderer {
     if (metered) request.shot = shotJson({ ...resolved, exposure: resolved.exposure * metered });
     const resolvedAt = performance.now();
     const { endBy, reachedBy } = goal ? await goalModule() : {};
-    const frame = await nativeCall(this.#native, work, (token) => {
+    const drawing = nativeCall(this.#native, work, (token) => {
       report?.begin(job, token);
       endBy?.(end, token);
       const stopListening = enough && untilEnough(enough, token);
       return this.#handle.render(request, token).finally(stopListening);
     });
+    // While it is drawn, this thread has nothing else to do.
+    const [frame, identity] = await Promise.all([drawing, identityOf(shot)]);
     report?.finish(job);
     const ended = goal || enough?.aborted ? JSON.parse(frame.info).ended : undefined;
     if (measures) {
@@ -286,7 +288,7 @@ class Renderer {
     const key = await keyOfDrawn(this.#native, {
       version: versions.telar,
       model: model.facts.sha256,
-      shot,
+      identity,
       environment,
       drawn: frame.environmentSha256,
       limits: this.#limits,

@@ -14,6 +14,7 @@ import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { compareImages, judge } from '../../js/compare/index.mjs';
 import { createRenderer } from '../../js/index.mjs';
+import { createPool } from '../../js/pool/index.mjs';
 import { MODELS } from '../fixtures/index.mjs';
 import { median } from '../median.mjs';
 import { cpuBelow, descendants, measured, pssOf } from '../processes.mjs';
@@ -148,20 +149,25 @@ if (!values.swiftshader) {
   const turn = [];
   for (const model of files) turn.push({ model, shot: (await renderer.render(model, plain)).info.shot, environment, keepPrograms: true });
   const pages = [browser, await browser.another()];
-  const byPages = async () => {
-    const left = [...turn];
-    const draw = async (page) => {
-      for (let job = left.shift(); job; job = left.shift()) await page.draw(job);
+  const pool = await createPool({ size: pages.length });
+  const takenBy = async (drawers, jobs, draw) => {
+    const left = [...jobs];
+    const take = async (drawer) => {
+      for (let job = left.shift(); job; job = left.shift()) await draw(drawer, job);
     };
-    await Promise.all(pages.map(draw));
+    await Promise.all(drawers.map(take));
   };
+  const byPages = () => takenBy(pages, turn, (page, job) => page.draw(job));
+  // One more than there are workers: while a picture goes back, its worker has the next one.
+  const byPool = () => takenBy([...pages, undefined], files, (_, file) => pool.render(file, plain));
+  // Each worker is to have the programs of each model.
+  for (let i = 0; i < 3; ++i) await byPool();
   await byPages();
-  await telarDoes({ work: 'turn', models: files, shot: plain, rounds: 1 });
   tell(
-    `${files.length} models in turn, all cores; Chromium with two pages`,
-    ...(await inTurns(() => telarDoes({ work: 'turn', models: files, shot: plain, rounds: 1 }), byPages)),
+    `${files.length} models in turn, all cores; a pool of two workers, Chromium with two pages`,
+    ...(await inTurns(() => measured(cpuBelow, byPool), byPages)),
   );
-  await pages[1].close();
+  await Promise.all([pool.close(), pages[1].close()]);
 }
 drawer.disconnect();
 await Promise.all([renderer.close(), browser.close()]);
