@@ -86,12 +86,30 @@ const gl::Program& TextureBaker::program(const char* file, const shader::Defines
   return programs_.emplace(key, std::move(made)).first->second;
 }
 
+/// A texture for the moments of a level. Levels of one texture differ in size.
+const gl::Texture& TextureBaker::moments(const glm::ivec2& size) {
+  const auto [found, isNew] = moments_.try_emplace({size.x, size.y});
+  // A variance is a small difference of large sums, which needs the precision.
+  const GLenum format = context_.capabilities().colorBufferFloat ? GL_RGBA32F : GL_RGBA16F;
+  if (isNew) found->second = gl::nearestTexture(context_.gl(), format, size.x, size.y);
+  return found->second;
+}
+
+void TextureBaker::dropLargeMoments() {
+  std::size_t bytes = 0;
+  std::erase_if(moments_, [&](const auto& level) {
+    const auto [width, height] = level.first;
+    const std::size_t own = sizeof(float) * 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    if (bytes + own > MOST_KEPT_BYTES) return true;
+    bytes += own;
+    return false;
+  });
+}
+
 gl::Texture TextureBaker::bake(const Kind& kind, const BakeSource& source, const Beside& beside,
                                const CancelToken& cancel) {
   const gl::Functions& gl = context_.gl();
   const auto levels = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(source.size.x, source.size.y))));
-  // A variance is a small difference of large sums, which needs the precision.
-  const GLenum momentFormat = context_.capabilities().colorBufferFloat ? GL_RGBA32F : GL_RGBA16F;
   const int first = std::min(kind.first, levels - 1);
   const glm::ivec2 largest = sizeAt(source.size, first);
   gl::Texture out = gl::nearestTexture(gl, kind.format, largest.x, largest.y, levels - first);
@@ -115,23 +133,24 @@ gl::Texture TextureBaker::bake(const Kind& kind, const BakeSource& source, const
     used.set("cutoff", beside.cutoff);
     return used;
   };
-  gl::Texture momentsBefore;
+  GLuint before = source.texture;
   for (int level = 0; level < levels; ++level) {
     cancel.check();
     const glm::ivec2 size = sizeAt(source.size, level);
     if (level > 0) {
       const glm::ivec2 larger = sizeAt(source.size, level - 1);
-      gl::Texture moments = gl::nearestTexture(gl, momentFormat, size.x, size.y);
+      const gl::Texture& averaged = moments(size);
       const gl::Program& average = use(kind.moments, level == 1, larger == 2 * size);
       average.set("sourceSize", glm::vec2(larger));
       average.set("targetSize", glm::vec2(size));
-      drawing.draw(level == 1 ? source.texture : momentsBefore.get(), moments, 0, size, cost_);
-      momentsBefore = std::move(moments);
+      drawing.draw(before, averaged, 0, size, cost_);
+      before = averaged.get();
     }
     if (level < first) continue;
     use(kind.level, level == 0, false);
-    drawing.draw(level == 0 ? source.texture : momentsBefore.get(), out, level - first, size, cost_);
+    drawing.draw(before, out, level - first, size, cost_);
   }
+  dropLargeMoments();
   context_.check("texture bake");
   return out;
 }

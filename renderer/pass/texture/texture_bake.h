@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <glm/vec2.hpp>
 #include <map>
 #include <string>
@@ -17,7 +18,7 @@ struct BakeSource {
 };
 
 /// Makes textures whose mip levels hold moments and coverage in place of plain averages (shaders/texture). Keeps its
-/// programs.
+/// programs, and what it needs in between: a GL that draws by the CPU clears a new texture page by page.
 class TextureBaker {
  public:
   explicit TextureBaker(const gl::Context& context) : context_(context) {}
@@ -59,9 +60,15 @@ class TextureBaker {
   struct Beside;
   gl::Texture bake(const Kind& kind, const BakeSource& source, const Beside& beside, const CancelToken& cancel);
   const gl::Program& program(const char* file, const shader::Defines& features);
+  const gl::Texture& moments(const glm::ivec2& size);
+  void dropLargeMoments();
+
+  /// Of moments that stay for the next texture: those of one of 2048 x 2048 texels.
+  static constexpr std::size_t MOST_KEPT_BYTES = std::size_t{22} << 20;
 
   const gl::Context& context_;
   std::map<std::pair<std::string, shader::Defines>, gl::Program> programs_;  ///< by file and features
+  std::map<std::pair<int, int>, gl::Texture> moments_;                       ///< by width and height
   gl::DrawCost cost_;
 };
 
