@@ -35,14 +35,17 @@ Napi::Value sceneToJs(Napi::Env env, const std::shared_ptr<const Scene>& scene, 
   return result;
 }
 
-/// load(path: string | Bytes, limits, {tolerant?: boolean, parts?: Parts}, token) -> Promise<{scene, facts: string}>
+/// load(path: string | Bytes, limits, {tolerant?: boolean, decodesLater?: boolean, parts?: Parts}, token)
+///   -> Promise<{scene, facts: string}>
 Napi::Value load(const Napi::CallbackInfo& info) {
   const Limits limits = limitsFromJs(info[1]);
   const Loading how(info[2], limits);
   auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[3]).token);
   return how.run(info.Env(), job, [job, limits, how, source = Source(info[0])] {
-    auto scene = source.bytes ? loadBytes(*source.bytes, limits, job->cancel, how.options)
-                              : loadPath(source.path, limits, job->cancel, how.options);
+    LoadOptions options = how.options;
+    options.owner = source.bytes;
+    auto scene = source.bytes ? loadBytes(*source.bytes, limits, job->cancel, options)
+                              : loadPath(source.path, limits, job->cancel, options);
     std::string facts = describeScene(*scene, job->cancel);
     job->value = [scene, facts = std::move(facts)](Napi::Env env) { return sceneToJs(env, scene, facts); };
   });

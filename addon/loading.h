@@ -26,12 +26,13 @@ struct Source {
   std::shared_ptr<const FileBytes> bytes;
 };
 
-/// How the files of a model are found: {tolerant?: boolean, parts?: Parts}.
+/// How the files of a model are found and read: {tolerant?: boolean, decodesLater?: boolean, parts?: Parts}.
 struct Loading {
   Loading(const Napi::Value& value, const Limits& limits) {
     if (!value.IsObject()) return;
     const Napi::Object how = value.As<Napi::Object>();
     options.tolerant = how.Get("tolerant").ToBoolean();
+    options.decodesLater = how.Get("decodesLater").ToBoolean();
     const Napi::Value parts = how.Get("parts");
     if (parts.IsUndefined()) return;
     files = std::make_shared<AskedFiles>(unwrap<PartsHandle>(parts).desk(), State::of(value.Env()).mailbox(), limits);

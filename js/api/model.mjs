@@ -70,13 +70,19 @@ export class Model {
  * @param {object} native the addon's exports
  * @param {string | object} input of readSource, for this one use
  * @param {object} limits
- * @param {import('./options.mjs').Loading & {work?: import('./work.mjs').Work, cache?: {directory: string, bytes: number}}} [options]
- *   cache: of ambient visibility; an empty directory = none
+ * @param {import('./options.mjs').Loading & {work?: import('./work.mjs').Work, cache?: {directory: string, bytes: number}, decodesLater?: boolean}} [options]
+ *   cache: of ambient visibility; an empty directory = none; decodesLater: images are decoded while the frame that is drawn next looks for
+ *   what is seen of it, and it tells what is wrong with them
  * @returns {Promise<Model>}
  */
-export async function loadModel(native, input, limits, { work, failOn = 'error', resolve, ambientVisibility: rays, cache = NO_CACHE } = {}) {
+export async function loadModel(
+  native,
+  input,
+  limits,
+  { work, failOn = 'error', resolve, ambientVisibility: rays, cache = NO_CACHE, decodesLater = false } = {},
+) {
   const loaded = await withParts(native, { resolve, signal: work?.signal }, (parts) =>
-    nativeCall(native, work, (token) => native.load(input, limits, { tolerant: failOn === 'none', parts }, token)),
+    nativeCall(native, work, (token) => native.load(input, limits, { tolerant: failOn === 'none', decodesLater: decodesLater && !rays, parts }, token)),
   );
   const kept = { ...cache, version: versions.telar };
   const { scene, facts } = rays ? await nativeCall(native, work, (token) => native.withVisibility(loaded.scene, rays, kept, limits, token)) : loaded;

@@ -246,7 +246,7 @@ class Renderer {
 
   async #render({ input, model: given, loading, shared, job = 0, shot, environment, map, quantity, enough, reached }, work, report) {
     const start = performance.now();
-    const model = given ?? (await this.#load(input, loading, work));
+    const model = given ?? (await this.#load(input, { ...loading, decodesLater: true }, work));
     const loaded = performance.now();
     const shown = await (shared ? shared.of(shot) : shownModel(this.#native, model, shot, { work, forget: !given, cloths: this.#cloths }));
     const shownAt = performance.now();

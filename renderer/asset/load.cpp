@@ -21,7 +21,8 @@ std::shared_ptr<const Scene> load(std::span<const std::byte> file, const Limits&
   resources.loadBuffers(limits, memory);
   const Accessors accessors(document, resources, cancel);
   accessors.check();
-  Assembler assembler({document, resources, accessors, limits, cancel, warnings, memory, options.tolerant});
+  Assembler assembler({document, resources, accessors, limits, cancel, warnings, memory, options.tolerant, file,
+                       options.decodesLater ? options.owner : nullptr});
   auto scene = std::make_shared<Scene>(assembler.assemble());
   scene->memoryBytes = memory.kept();
   scene->fileBytes = file.size() + (options.files ? options.files->bytesRead() : 0);
@@ -54,10 +55,11 @@ auto withFolder(const std::filesystem::path& file, const Limits& limits, const C
                 const Use& use) {
   return orOutOfMemory([&] {
     FileId id;
-    const auto bytes = readModelFile(file, limits, cancel, id);
+    const auto bytes = std::make_shared<const std::vector<std::byte>>(readModelFile(file, limits, cancel, id));
     ModelFolder folder(file, id, limits);
     if (!options.files) options.files = &folder;
-    return use(bytes, limits, cancel, options);
+    options.owner = bytes;
+    return use(*bytes, limits, cancel, options);
   });
 }
 

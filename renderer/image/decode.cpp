@@ -73,7 +73,9 @@ Image8 blank(const ImageHeader& header) {
 }  // namespace image
 
 ImageHeader readImageHeader(std::span<const std::byte> file, const Limits& limits) {
-  ImageHeader header = readHeader(sniff(file), file, limits);
+  const FileFormat format = sniff(file);
+  ImageHeader header = readHeader(format, file, limits);
+  header.format = nameOf(format);
   checkImageLimits(header, limits);
   return header;
 }

@@ -39,6 +39,7 @@ Frame renderFrame(Renderer& raster, const std::shared_ptr<const Scene>& scene, c
                   const Progress& progress, FrameInfo& info) {
   const auto shaded = [&] {
     const auto traced = [&](const Shot& how) {
+      waitForImages(*scene, cancel);
       return drawReference(*scene, how, environment, options, cancel, progress, info);
     };
     if (shot.reference) return traced(shot);
@@ -61,6 +62,7 @@ Frame renderFrame(Renderer& raster, const std::shared_ptr<const Scene>& scene, c
   LayerImage lines = drawLines(*scene, shot, cancel);
   Frame frame;
   if (isLinesAlone(shot)) {
+    waitForImages(*scene, cancel);  // a damaged one is told, whatever the picture shows
     info.json = describeFlat(shot, std::chrono::duration<double, std::milli>(Clock::now() - start).count());
   } else {
     frame = shaded();

@@ -20,7 +20,9 @@ class GeometryReader {
     const CancelToken& cancel;
     Warnings& warnings;
     MemoryBudget& memory;
-    bool tolerant = false;  ///< a texture without a readable image is a warning
+    bool tolerant = false;                            ///< a texture without a readable image is a warning
+    std::span<const std::byte> file = {};             ///< of the model
+    std::shared_ptr<const void> fileOwner = nullptr;  ///< null = images are decoded before the scene is there
   };
   explicit GeometryReader(const Sources& sources) : from_(sources) {}
 

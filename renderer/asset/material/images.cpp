@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "asset/check/pointer.h"
+#include "asset/material/image_decoder.h"
 #include "core/on_threads.h"
 #include "core/sha256.h"
 
@@ -87,7 +88,9 @@ void ImageLoader::tolerating(std::size_t image, std::vector<bool>& missing, cons
 
 /// All headers come first: what the images take together is refused before one of them is decoded.
 LoadedImages ImageLoader::load(std::vector<ImageUse> uses) const {
-  LoadedImages out{std::vector<Image8>(uses.size()), std::vector<bool>(uses.size(), false), {}};
+  LoadedImages out{
+      std::make_shared<std::vector<Image8>>(uses.size()), nullptr, std::vector<bool>(uses.size(), false), {}};
+  std::vector<Image8>& images = *out.images;
   std::vector<File> files(uses.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     from_.cancel.check();
@@ -105,15 +108,27 @@ LoadedImages ImageLoader::load(std::vector<ImageUse> uses) const {
     files[i] = {};
   }
   std::vector<std::size_t> used;
+  std::vector<ImageDecoder::File> later;
   double bytes = 0;
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (uses[i].ways() == 0 || out.missing[i]) continue;
     charge(i, files[i].header, uses[i], bytes);
-    used.push_back(i);
+    if (!mayWait(files[i])) {
+      used.push_back(i);
+      continue;
+    }
+    images[i].width = files[i].header.width;
+    images[i].height = files[i].header.height;
+    images[i].format = files[i].header.format;
+    std::shared_ptr<const void> owner = ownerOf(files[i]);
+    later.push_back({i, pointer("images", i), std::move(owner), files[i].bytes});
   }
+  // One core is left to what goes on with the scene.
+  const unsigned threads = std::clamp(std::thread::hardware_concurrency(), 2u, DECODERS_MAX + 1) - 1;
+  if (!later.empty()) out.pending = std::make_shared<ImageDecoder>(out.images, std::move(later), from_.limits, threads);
   const auto thrown = eachOnThreads(used.size(), from_.tolerant, [&](std::size_t at) {
     File file = std::move(files[used[at]]);
-    out.images[used[at]] = decodeImage(file.bytes, from_.limits, from_.cancel);
+    images[used[at]] = decodeImage(file.bytes, from_.limits, from_.cancel);
   });
   for (std::size_t i = 0; i < used.size(); ++i) {
     tolerating(used[i], out.missing, [&] {
@@ -165,6 +180,22 @@ std::vector<std::size_t> ImageLoader::firstOfSameBytes(const std::vector<File>& 
     }
   }
   return first;
+}
+
+/// Whether all but its pixels is known by its header, and it may be decoded beside the scene.
+bool ImageLoader::mayWait(const File& file) const {
+  return from_.fileOwner && !from_.tolerant && file.header.mimeType != "image/ktx2";
+}
+
+/// Keeps the bytes of an image: with the model's file, or on their own.
+std::shared_ptr<const void> ImageLoader::ownerOf(File& file) const {
+  const std::byte *begin = file.bytes.data(), *end = begin + file.bytes.size();
+  if (begin >= from_.file.data() && end <= from_.file.data() + from_.file.size()) return from_.fileOwner;
+  // What a URI gave is the image's own; a buffer beside the file goes with the loader.
+  auto owned = std::make_shared<const std::vector<std::byte>>(file.owned.empty() ? std::vector<std::byte>(begin, end)
+                                                                                 : std::move(file.owned));
+  file.bytes = *owned;
+  return owned;
 }
 
 void ImageLoader::charge(std::size_t image, const ImageHeader& header, ImageUse use, double& bytesSoFar) const {

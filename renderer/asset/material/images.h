@@ -1,14 +1,18 @@
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "asset/geometry/geometry.h"
 #include "telar/codec.h"
+#include "telar/pending_images.h"
 
 namespace telar::asset {
 
 struct LoadedImages {
-  std::vector<Image8> images;  ///< as many as the document has; width 0 where not used, or missing
-  std::vector<bool> missing;   ///< used, and not readable
+  /// As many as the document has; width 0 where not used, or missing.
+  std::shared_ptr<std::vector<Image8>> images;
+  std::shared_ptr<PendingImages> pending;  ///< null = all are decoded
+  std::vector<bool> missing;               ///< used, and not readable
   /// For each image the first used one with the same bytes, that one itself included; of the others there is nothing.
   std::vector<std::size_t> first;
 };
@@ -42,6 +46,8 @@ class ImageLoader {
   };
   File open(std::size_t image) const;
   std::vector<std::size_t> firstOfSameBytes(const std::vector<File>& files) const;
+  bool mayWait(const File& file) const;
+  std::shared_ptr<const void> ownerOf(File& file) const;
   void charge(std::size_t image, const ImageHeader& header, ImageUse use, double& bytesSoFar) const;
   /// Errors of `read` get the image's pointer, unless they have one.
   template <class Read>

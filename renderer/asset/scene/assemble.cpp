@@ -213,7 +213,8 @@ void Assembler::loadImages() {
       if (loaded.missing[static_cast<std::size_t>(use.texture->image)]) *use.texture = TextureRef{};
     }
   }
-  scene_.images = std::move(loaded.images);
+  scene_.images = SharedList<Image8>(std::shared_ptr<const std::vector<Image8>>(std::move(loaded.images)));
+  scene_.pendingImages = std::move(loaded.pending);
   scene_.fileImages = scene_.images.size();
 }
 

@@ -185,7 +185,10 @@ class Dresser {
   glm::vec3 meanOf(const TextureRef& texture) {
     if (!texture) return glm::vec3(1);
     const auto [mean, isNew] = means_.emplace(texture.image, 1);
-    if (isNew) mean->second = meanColor(out_->images[static_cast<std::size_t>(texture.image)]);
+    if (isNew) {
+      waitForImages(model_, cancel_);
+      mean->second = meanColor(out_->images[static_cast<std::size_t>(texture.image)]);
+    }
     return mean->second;
   }
 

@@ -21,6 +21,7 @@ struct ImageHeader {
   std::uint32_t width = 0, height = 0;  ///< upright, as decodeImage() gives them
   std::string mimeType;                 ///< by magic bytes, not by name
   unsigned texelBytes = 4;              ///< of a decoded texel
+  std::string format;                   ///< for people: "PNG"
 };
 
 /// Reads only the header. @throws Error{E_IMAGE_FORMAT, E_IMAGE_CORRUPT, L_IMAGE_*}

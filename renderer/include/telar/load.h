@@ -31,6 +31,10 @@ struct LoadOptions {
   bool tolerant = false;
   /// In place of the model's folder: no file beside the model is opened. Null = by path its folder, from bytes none.
   ExternalFiles* files = nullptr;
+  /// PNG, JPEG and WebP may be decoded beside the scene, once it is returned (waitForImages); not where `tolerant`.
+  /// What is wrong with them is told then. loadBytes() does so where `owner` keeps its bytes.
+  bool decodesLater = false;
+  std::shared_ptr<const void> owner;
 };
 
 /// Loads a .glb or .gltf by its magic bytes. External files are opened only beneath the model's folder: no absolute

@@ -13,6 +13,7 @@
 #include "telar/fabric.h"
 #include "telar/image.h"
 #include "telar/motion.h"
+#include "telar/pending_images.h"
 #include "telar/shading.h"
 #include "telar/shared_list.h"
 #include "telar/texture_ref.h"
@@ -168,7 +169,7 @@ struct Scene {
   std::vector<Node> nodes;
   std::vector<Mesh> meshes;  ///< see fileMeshes
   std::vector<Material> materials;
-  SharedList<Image8> images;  ///< decoded; width 0 = not used by any reached material
+  SharedList<Image8> images;  ///< see pendingImages; width 0 = not used by any reached material
   std::vector<ModelLight> lights;
   std::vector<ModelCamera> cameras;
   std::vector<std::string> variants;  ///< KHR_materials_variants names
@@ -187,8 +188,14 @@ struct Scene {
   /// Of a scene that was made of another one (posed, dressed, exploded): the one as loaded, which owns the file's
   /// meshes and images.
   std::shared_ptr<const Scene> model;
-  std::vector<WornCloth> cloths;  ///< of a dressed scene: whose images those beyond fileImages are
+  std::vector<WornCloth> cloths;                 ///< of a dressed scene: whose images those beyond fileImages are
+  std::shared_ptr<PendingImages> pendingImages;  ///< null = the pixels of all images are there
 };
+
+/// To be called before pixels of images are read. @throws Error as PendingImages::wait()
+inline void waitForImages(const Scene& scene, const CancelToken& cancel) {
+  if (scene.pendingImages) scene.pendingImages->wait(cancel);
+}
 
 /// The alpha of its texture from which on a cut-out material is there: the factor multiplies it. Above 1 = nowhere.
 inline float textureCutoff(const Material& material) {

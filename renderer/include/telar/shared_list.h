@@ -36,8 +36,8 @@ class SharedList {
   };
 
   SharedList() = default;
-  SharedList(std::vector<T> items) {
-    const auto all = std::make_shared<const std::vector<T>>(std::move(items));
+  SharedList(std::vector<T> items) : SharedList(std::make_shared<const std::vector<T>>(std::move(items))) {}
+  explicit SharedList(const std::shared_ptr<const std::vector<T>>& all) {
     Items out;
     out.reserve(all->size());
     for (const T& item : *all) out.emplace_back(all, &item);

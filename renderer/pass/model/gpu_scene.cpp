@@ -153,6 +153,7 @@ int GpuScene::levelsLeftOut(const Scene& scene, int image) const {
 }
 
 GLuint GpuScene::texture(const Scene& scene, int image, bool colorUse, const CancelToken& cancel, int unread) {
+  waitForImages(scene, cancel);
   const Image8& texels = scene.images[static_cast<std::size_t>(image)];
   if (const auto lender = lenderOf(image))
     return lender->scene->ownTexture(texels, image - lender->first, colorUse, cancel, unread);
@@ -179,6 +180,7 @@ GLuint GpuScene::ownTexture(const Image8& image, int index, bool colorUse, const
 }
 
 GLuint GpuScene::source(const Scene& scene, int image, bool colorUse, const CancelToken& cancel) {
+  waitForImages(scene, cancel);
   const Image8& texels = scene.images[static_cast<std::size_t>(image)];
   if (const auto lender = lenderOf(image))
     return lender->scene->ownSource(texels, image - lender->first, colorUse, cancel);

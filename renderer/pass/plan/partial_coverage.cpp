@@ -112,7 +112,10 @@ class Finder {
     // Where no texel of this level is there as a whole, none of a smaller level is.
     const std::pair key{texture.image, static_cast<int>(std::min(level, 31.0))};
     const auto [found, isNew] = mostWhole_.try_emplace(key, 0);
-    if (isNew) found->second = mostWhole(image, key.second);
+    if (isNew) {
+      waitForImages(scene_, cancel_);
+      found->second = mostWhole(image, key.second);
+    }
     // A texel that equals the cutoff counts as there, however the GPU rounds.
     return found->second < 255 * double{item.textureCutoff()} - 0.5;
   }

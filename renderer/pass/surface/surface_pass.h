@@ -55,8 +55,10 @@ class SurfacePass {
   int prepare(const FramePlan& plan, const CancelToken& cancel);
   /// Uploads the plan's primitives that are not on the GPU yet. @throws Error{L_MEMORY_BYTES, X_GL*}
   void upload(const FramePlan& plan, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);
-  /// The same of textures, before anything samples them.
+  /// The same of textures, before anything samples them. Each shaded frame comes by here, and so tells of an image that
+  /// is damaged, also where it shows none of it.
   void uploadTextures(const SurfaceInputs& in) {
+    waitForImages(in.scene, in.cancel);
     context_.gl().ActiveTexture(GL_TEXTURE0);  // making a texture binds it: not over a shadow map
     textures_.upload(in.plan, in.scene, in.gpu, in.cancel, in.unread);
   }
