@@ -86,6 +86,12 @@ test('a fault of ours is internal', async () => {
   assert.equal(JSON.parse(stdout).error.code, 'X_INTERNAL');
 });
 
+test('a reader that has seen enough of the help is no fault', () => {
+  const bin = fileURLToPath(new URL('../../../js/cli/telar.mjs', import.meta.url));
+  const program = `(sleep 0.3; '${process.execPath}' '${bin}' thumbnail --help; echo $? >&2) | true`;
+  assert.equal(spawnSync('sh', ['-c', program], { encoding: 'utf8' }).stderr, '0\n');
+});
+
 test('the program itself answers --version, and a usage error ends with 2', () => {
   const bin = fileURLToPath(new URL('../../../js/cli/telar.mjs', import.meta.url));
   assert.equal(execFileSync(process.execPath, [bin, '--version'], { encoding: 'utf8' }), `${version}\n`);
