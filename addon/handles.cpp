@@ -6,7 +6,7 @@
 namespace telar::addon {
 namespace {
 
-/// Of an image that others may be decoding still.
+/// Reads no pixels of 8-bit images: threads may be writing them.
 std::size_t bytesOf(const Image8& image) {
   if (image.type == TexelType::kByte && !image.ownLevels) return std::size_t{4} * image.width * image.height;
   std::size_t bytes = image.pixels.size();

@@ -124,7 +124,7 @@ export interface FrameInfo extends Plan {
    * differ a little: W_LIBRARY_MISSING tells the latter.
    */
   key: string;
-  /** Wall-clock milliseconds of each stage. `upload` holds the wait for images of a file that are still decoded when what is seen is known. */
+  /** Wall-clock milliseconds of each stage. The stage that first needs texels of a file, mostly `upload`, holds the wait for them. */
   milliseconds: Record<string, number> & { load: number; pose: number; resolve: number; queue: number; draw: number; encode: number; total: number };
   warnings: Warning[];
   /**

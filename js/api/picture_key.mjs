@@ -21,7 +21,7 @@ const identityModule = () => import('../shot/identity.mjs');
  * @param {string} parts.model SHA-256 of the model and its parts
  * @param {string} parts.environment its name, which telar's version tells the bytes of, or SHA-256 of the file
  * @param {object} parts.shot what shotIdentity gives
- * @param {object} [native] that hashes
+ * @param {object} [native] the addon; node:crypto hashes without it
  * @returns {string} 64 hex digits
  */
 export function keyOfParts({ version, model, environment, shot }, native) {

@@ -1,4 +1,4 @@
-import { readFile, writeFile } from 'node:fs/promises';
+import { chmod, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
@@ -8,9 +8,8 @@ import { buildShading } from './shading/index.mjs';
 import { buildZod, zodBeside } from './zod.mjs';
 
 // Writes js/dist: node js/build/dist.mjs. It holds zod.mjs, a *.cjs with its declarations for each entry that package.json gives
-// to require(), the command telar, the text of shaders/ for
-// three.js, and the page of `telar view`. npm packages stay outside of the *.cjs. Errors of either kind of module recognise each
-// other (js/error).
+// to require(), the command (telar.cjs, which starts thumbnail.cjs or commands.cjs), the text of shaders/ for three.js, and the
+// page of `telar view`. npm packages stay outside of the *.cjs. Errors of either kind of module recognise each other (js/error).
 
 const JS = fileURLToPath(new URL('..', import.meta.url));
 
@@ -25,8 +24,8 @@ const ENTRIES = {
   thumbnail: 'cli/telar_thumbnail.mjs',
 };
 
-// Each command as one file starts sooner than from the hundred sources that it is made of. Drawing a thumbnail has half of the text of them
-// all, and so starts sooner still: Node reads the whole of a file.
+// A command as one file starts sooner than from a hundred sources. Node reads the whole of a file, so thumbnails have their own, of half the
+// size.
 const COMMAND = "#!/usr/bin/env node\nrequire(process.argv[2] === 'thumbnail' ? './thumbnail.cjs' : './commands.cjs');\n";
 
 // What a source finds beside itself, it finds from a bundle as well: import.meta.url stays that of the source.
@@ -58,7 +57,8 @@ await build({
   banner: { js: BANNER },
   logLevel: 'warning',
 });
-await writeFile(path.join(JS, 'dist/telar.cjs'), COMMAND, { mode: 0o755 });
+await writeFile(path.join(JS, 'dist/telar.cjs'), COMMAND);
+await chmod(path.join(JS, 'dist/telar.cjs'), 0o755);
 
 buildDeclarations();
 buildShading();

@@ -34,7 +34,11 @@ for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, onSignal);
 export async function main(commands) {
   const { stdin, stdout, stderr, env } = process;
   // A reader that has seen enough, as `head`, is no fault. What must arrive is written by writeAll(), which tells.
-  for (const stream of [stdout, stderr]) stream.on('error', () => {});
+  for (const stream of [stdout, stderr]) {
+    stream.on('error', (error) => {
+      if (error.code !== 'EPIPE' && stream.listenerCount('error') === 1) throw error;
+    });
+  }
   const loadApi = () => import('../index.mjs');
   const loadPool = () => import('../pool/index.mjs');
   const io = { stdin, stdout, stderr, env, signal: cancelled.signal, ending, loadApi, loadPool };

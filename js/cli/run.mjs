@@ -32,7 +32,7 @@ export async function run(argv, io, commands) {
     await buildProgram(version, grammar, actionOf, output).parseAsync(argv, { from: 'user' });
     return exit;
   } catch (thrown) {
-    const error = ofCommander(thrown);
+    const error = ofCommander(thrown, Object.keys(commands));
     if (!error) return 0;
     console.error(error);
     if (flags.json) await console.result({ ok: false, exit: error.exit, error }).catch(() => {});
@@ -41,13 +41,9 @@ export async function run(argv, io, commands) {
 }
 
 /** A commander exception as one of ours; undefined for help and version, which are no errors. */
-function ofCommander(thrown) {
+function ofCommander(thrown, names) {
   if (!thrown?.code?.startsWith?.('commander.')) return toTelarError(thrown);
   if (thrown.exitCode === 0) return undefined;
-  if (thrown.code === 'commander.help')
-    return new TelarError(
-      'E_USAGE',
-      'expected a command: thumbnail, inspect, compare, sheet, analyse, view, serve, sign, worker, bake, bench, looks or doctor',
-    );
+  if (thrown.code === 'commander.help') return new TelarError('E_USAGE', `expected a command: ${names.slice(0, -1).join(', ')} or ${names.at(-1)}`);
   return new TelarError('E_USAGE', thrown.message.replace(/^error: /, '').replaceAll('\n', ' '));
 }

@@ -1,5 +1,5 @@
 import { main } from './main.mjs';
 import { THUMBNAIL } from './thumbnail_command.mjs';
 
-// `telar thumbnail` alone, for js/build/dist.mjs: what it has no use for is not read when a picture is waited for.
+// js/build/dist.mjs bundles this for `telar thumbnail`, so that Node reads less.
 void main({ thumbnail: THUMBNAIL });

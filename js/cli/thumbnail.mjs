@@ -32,17 +32,18 @@ export async function thumbnail(models, options, context) {
   const limits = readLimits(options.limit);
   const timeoutMs = readTimeout(options.timeoutMs);
   readWorkers('--jobs', options.jobs);
-  // The GL opens beside what is read and checked. What that finds is told first, without waiting for the GL.
-  const opening = openRenderer(options, { limits, timeoutMs }, context);
-  opening.catch(() => {});
+  const unwanted = new AbortController();
+  const open = () => openRenderer(options, { limits, timeoutMs }, { ...context, signal: anyOf(context.signal, unwanted.signal) });
+  // The GL of this process opens beside what is read and checked. What that finds is told first. Other processes are started after it.
+  const opening = options.jobs === undefined ? open() : undefined;
+  opening?.catch(() => {});
   const plan = await planned(models, options, limits, context).catch((error) => {
-    opening.then(
-      (renderer) => renderer.close(),
-      () => {},
-    );
+    unwanted.abort();
+    // One that has opened already.
+    opening?.then((renderer) => renderer.close()).catch(() => {});
     throw error;
   });
-  const renderer = await opening;
+  const renderer = await (opening ?? open());
   try {
     if (isAnimation(options)) return await writeAnimation({ jobs: plan.jobs, options, renderer }, context);
     const results = await drawAll({ ...plan, options, renderer, limits }, context);
@@ -71,6 +72,8 @@ async function planned(models, options, limits, context) {
   await Promise.all([...new Set(outputs.filter(({ file }) => file !== '-').map(({ file }) => path.dirname(file)))].map(sweepStale));
   return { entries, jobs, outputs };
 }
+
+const anyOf = (...signals) => AbortSignal.any(signals.filter(Boolean));
 
 /** How the models are loaded, and their keys made. */
 const visibilityOf = ({ ambientVisibility }) => ambientVisibility && { ambientVisibility };

@@ -92,7 +92,8 @@ const isPlainObject = (value) => typeof value === 'object' && value !== null && 
 
 /** Schema behind default, optional and the like, and behind one that is made late. */
 function unwrap(schema) {
-  const inner = schema?.def?.innerType ?? schema?._zod?.innerType ?? (schema?.def?.type === 'pipe' ? schema.def.in : undefined);
+  const { innerType, def } = schema?._zod ?? {};
+  const inner = innerType ?? def?.innerType ?? (def?.type === 'pipe' ? def.in : undefined);
   return inner ? unwrap(inner) : schema;
 }
 

@@ -479,7 +479,7 @@ export interface Shot {
     samples?: 1 | 4 | 16 | 64 | 256 | 1024;
     /** What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone mapping; default "encoded", "linear" for more than 4 samples. */
     resolve?: 'encoded' | 'linear';
-    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, from 16 of more, and from 256 where they are denoised; 0 = every pixel takes all. For more than 16 samples; default 0. Range 0 to 64. */
+    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, from 16 of more, from 256 where they are denoised; 0 = every pixel takes all. For more than 16 samples; default 0. Range 0 to 64. */
     noise?: number;
     /** Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered maps, as three.js has them; default 0. Range 0 to 4096. */
     environmentSamples?: number;
@@ -487,7 +487,7 @@ export interface Shot {
     mergeQuads?: boolean;
     /** Take light from the passes as far as it stands out of their noise, and detail also from a picture of one pass, whose light is prefiltered; `noise` is then what that leaves. For more than 4 samples; default false. */
     denoise?: boolean;
-    /** Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = all are read whole; default 0. Range 0 to 16384. */
+    /** Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = whole; default 0. Range 0 to 16384. */
     textureSize?: number;
     /** Size of a face of the prefiltered environment, whose last level has 8: a smaller one tells fewer roughnesses apart; 0 = as in three.js, a quarter of the width of the map, at least 256. Atlases of releases of three.js before 0.187 have their own; default 0. */
     environmentSize?: 0 | 64 | 128 | 256 | 512 | 1024;
@@ -495,9 +495,9 @@ export interface Shot {
     prefilterSamples?: 16 | 32 | 64 | 128 | 256 | 512 | 1024 | 2048 | 4096;
     /** Most lights that shade the model and cast shadows: those that shine most on its middle; ambient and hemisphere lights do not count. 0 = all; default 0. Range 0 to 4096. */
     maxLights?: number;
-    /** Size of the picture of what lies behind transmissive surfaces, as a part of the size of the shot; default 1. Range 0.0625 to 1. */
+    /** Size of the picture of what lies behind transmissive surfaces, as a part of the shot's; default 1. Range 0.0625 to 1. */
     transmissionScale?: number;
-    /** How far off a surface may lie that fewer triangles show, in pixels where the model is nearest to the camera; 0 = all triangles are drawn. Meshes that morph or have bones are drawn whole; default 0. Range 0 to 64. */
+    /** How far off a surface may lie that fewer triangles show, in pixels where the model is nearest to the camera; 0 = all are drawn. Meshes that morph or have bones are drawn whole; default 0. Range 0 to 64. */
     geometryError?: number;
     seed?: never;
     transport?: never;
@@ -1115,7 +1115,7 @@ export interface ResolvedShot {
     samples: 1 | 4 | 16 | 64 | 256 | 1024;
     /** What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone mapping; default "encoded", "linear" for more than 4 samples. */
     resolve: 'encoded' | 'linear';
-    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, from 16 of more, and from 256 where they are denoised; 0 = every pixel takes all. For more than 16 samples. Range 0 to 64. */
+    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, from 16 of more, from 256 where they are denoised; 0 = every pixel takes all. For more than 16 samples. Range 0 to 64. */
     noise: number;
     /** Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered maps, as three.js has them. Range 0 to 4096. */
     environmentSamples: number;
@@ -1123,7 +1123,7 @@ export interface ResolvedShot {
     mergeQuads: boolean;
     /** Take light from the passes as far as it stands out of their noise, and detail also from a picture of one pass, whose light is prefiltered; `noise` is then what that leaves. For more than 4 samples. */
     denoise: boolean;
-    /** Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = all are read whole. Range 0 to 16384. */
+    /** Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = whole. Range 0 to 16384. */
     textureSize: number;
     /** Size of a face of the prefiltered environment, whose last level has 8: a smaller one tells fewer roughnesses apart; 0 = as in three.js, a quarter of the width of the map, at least 256. Atlases of releases of three.js before 0.187 have their own. */
     environmentSize: 0 | 64 | 128 | 256 | 512 | 1024;
@@ -1131,9 +1131,9 @@ export interface ResolvedShot {
     prefilterSamples: 16 | 32 | 64 | 128 | 256 | 512 | 1024 | 2048 | 4096;
     /** Most lights that shade the model and cast shadows: those that shine most on its middle; ambient and hemisphere lights do not count. 0 = all. Range 0 to 4096. */
     maxLights: number;
-    /** Size of the picture of what lies behind transmissive surfaces, as a part of the size of the shot. Range 0.0625 to 1. */
+    /** Size of the picture of what lies behind transmissive surfaces, as a part of the shot's. Range 0.0625 to 1. */
     transmissionScale: number;
-    /** How far off a surface may lie that fewer triangles show, in pixels where the model is nearest to the camera; 0 = all triangles are drawn. Meshes that morph or have bones are drawn whole. Range 0 to 64. */
+    /** How far off a surface may lie that fewer triangles show, in pixels where the model is nearest to the camera; 0 = all are drawn. Meshes that morph or have bones are drawn whole. Range 0 to 64. */
     geometryError: number;
     seed?: never;
     transport?: never;

@@ -116,7 +116,7 @@ std::vector<BrightDirections::Direction> BrightDirections::directions(int count,
   std::vector<Direction> list;
   for (int i = first; i < count && !parts_.empty(); i += step) {
     const Part& part = parts_[static_cast<std::size_t>((i + 0.5) * PARTS / count)];
-    const auto density = static_cast<float>(count * part.excess / energy_);
+    const auto density = static_cast<float>(static_cast<float>(count) * part.excess / energy_);
     list.push_back({part.direction, part.colour * static_cast<float>(energy_ / count),
                     part.compact ? BrightDirections::COMPACT : density});
   }

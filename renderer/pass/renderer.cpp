@@ -62,6 +62,7 @@ class GlRenderer final : public Renderer {
     Picture picture = prepare(*scene, asked, environmentFile, gpu, cancel, timer);
     std::optional<Picture> guide;
     if (picture.guided) guide.emplace(prepare(*scene, frame::guideOf(asked), environmentFile, gpu, cancel, timer));
+    if (progress.isCpuAllowed()) waitForImages(*scene, cancel);  // it is for drawing alone
     progress.begin();
     Guess guess = guide ? drawGuide(*guide, *scene, gpu, cancel) : Guess();
     const pass::VisibilityBuffer::Frame found(buffer_);
@@ -168,9 +169,8 @@ class GlRenderer final : public Renderer {
         layers_->draw({*scene, shot, scenes_.of(scene), surfaces_, shadows_, ground_, options_.limits, cancel});
     if (shot.hasLayer(Layer::kCoverage)) {
       FrameInfo unused;
-      const bool known = frame::alphaIsCoverage(shot);
-      frame.layers.push_back(
-          frame::coverageLayer(known ? frame : draw(scene, frame::coverageShot(shot), {}, cancel, unused, {})));
+      frame.layers.push_back(frame::coverageLayer(
+          frame::alphaIsCoverage(shot) ? frame : draw(scene, frame::coverageShot(shot), {}, cancel, unused, {})));
     }
     timer.lap("layers");
     Json json = Json::parse(info.json);

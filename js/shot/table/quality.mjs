@@ -37,7 +37,7 @@ export const RASTER = object(
       { name: 'Resolve', optional: true },
     ),
     noise: number(
-      'Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, from 16 of more, and from 256 where they are denoised; 0 = every pixel takes all. ' +
+      'Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, from 16 of more, from 256 where they are denoised; 0 = every pixel takes all. ' +
         'For more than 16 samples',
       { unit: '1/255', min: 0, max: 64, otherwise: PRESETS.standard.noise },
     ),
@@ -55,16 +55,12 @@ export const RASTER = object(
         'For more than 4 samples',
       { otherwise: PRESETS.standard.denoise },
     ),
-    textureSize: whole(
-      'Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = all are read whole',
-      ' of texels',
-      {
-        unit: 'texels',
-        min: 0,
-        max: 16384,
-        otherwise: 0,
-      },
-    ),
+    textureSize: whole('Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = whole', ' of texels', {
+      unit: 'texels',
+      min: 0,
+      max: 16384,
+      otherwise: 0,
+    }),
     environmentSize: literal(
       'Size of a face of the prefiltered environment, whose last level has 8: a smaller one tells fewer roughnesses apart; 0 = as in three.js, ' +
         'a quarter of the width of the map, at least 256. Atlases of releases of three.js before 0.187 have their own',
@@ -83,14 +79,14 @@ export const RASTER = object(
       ' of lights',
       { unit: 'lights', min: 0, max: 4096, otherwise: 0 },
     ),
-    transmissionScale: number('Size of the picture of what lies behind transmissive surfaces, as a part of the size of the shot', {
+    transmissionScale: number("Size of the picture of what lies behind transmissive surfaces, as a part of the shot's", {
       unit: 'factor',
       min: 0.0625,
       max: 1,
       otherwise: 1,
     }),
     geometryError: number(
-      'How far off a surface may lie that fewer triangles show, in pixels where the model is nearest to the camera; 0 = all triangles are drawn. ' +
+      'How far off a surface may lie that fewer triangles show, in pixels where the model is nearest to the camera; 0 = all are drawn. ' +
         'Meshes that morph or have bones are drawn whole',
       { unit: 'pixels', min: 0, max: 64, otherwise: 0 },
     ),

@@ -14,12 +14,14 @@ constexpr std::chrono::milliseconds LOOK{5};  ///< from one look at the caller's
 }  // namespace
 
 ImageDecoder::ImageDecoder(std::shared_ptr<std::vector<Image8>> images, std::vector<File> files, const Limits& limits,
-                           std::size_t threads)
+                           const CancelToken& cancel, std::size_t threads)
     : images_(std::move(images)),
       files_(std::move(files)),
       limits_(limits),
-      thrown_(files_.size()),
+      loading_(cancel),
       left_(files_.size()) {
+  thrown_.resize(files_.size());
+  threads_.reserve(threads);
   try {
     while (threads_.size() < std::min(threads, files_.size())) threads_.emplace_back([this] { run(stop_); });
   } catch (const std::system_error&) {
@@ -32,9 +34,8 @@ ImageDecoder::~ImageDecoder() { stop_.cancel(); }
 void ImageDecoder::run(const CancelToken& cancel) {
   for (std::size_t i = next_++; i < files_.size(); i = next_++) {
     try {
+      loading_.check();
       decode(files_[i], cancel);
-    } catch (const std::bad_alloc&) {
-      thrown_[i] = std::make_exception_ptr(Error("X_MEMORY", "there is not enough memory to load the model"));
     } catch (...) {
       thrown_[i] = std::current_exception();
     }
@@ -62,11 +63,20 @@ void ImageDecoder::decode(const File& file, const CancelToken& cancel) {
 
 void ImageDecoder::wait(const CancelToken& cancel) {
   run(cancel);
+  waitForThreads(cancel);
+  threads_.clear();
+  for (const std::exception_ptr& thrown : thrown_) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const std::bad_alloc&) {
+      throw Error("X_MEMORY", "there is not enough memory to load the model");
+    }
+  }
+}
+
+void ImageDecoder::waitForThreads(const CancelToken& cancel) {
   std::unique_lock lock(mutex_);
   while (!changed_.wait_for(lock, LOOK, [&] { return left_ == 0; })) cancel.check();
-  for (const std::exception_ptr& thrown : thrown_) {
-    if (thrown) std::rethrow_exception(thrown);
-  }
 }
 
 }  // namespace telar::asset

@@ -26,9 +26,10 @@ class ImageDecoder : public PendingImages {
 
   /// @param images  of these sizes, without pixels
   /// @param files   in the order of their images
+  /// @param cancel  of who loads the scene: no more images are begun after it
   /// @param threads  at most
   ImageDecoder(std::shared_ptr<std::vector<Image8>> images, std::vector<File> files, const Limits& limits,
-               std::size_t threads);
+               const CancelToken& cancel, std::size_t threads);
   ~ImageDecoder() override;
 
   void wait(const CancelToken& cancel) override;
@@ -36,11 +37,12 @@ class ImageDecoder : public PendingImages {
  private:
   void run(const CancelToken& cancel);
   void decode(const File& file, const CancelToken& cancel);
+  void waitForThreads(const CancelToken& cancel);
 
   const std::shared_ptr<std::vector<Image8>> images_;
   std::vector<File> files_;
   const Limits limits_;
-  const CancelToken stop_;
+  const CancelToken loading_, stop_;
   std::atomic<std::size_t> next_ = 0;
   std::vector<std::exception_ptr> thrown_;  ///< by file
 

@@ -27,6 +27,8 @@ std::uint64_t bytesOf(const ImageHeader& header, ImageUse use) {
 
 /// More hold more scratch memory, and few models have more large images.
 constexpr unsigned DECODERS_MAX = 4;
+/// Beside a scene: one core is left to what goes on with it, and scenes of several pictures may be on their way.
+constexpr unsigned LATER_DECODERS_MAX = 2;
 
 /// A limit, a lack of memory and a resolver that failed are no property of the image.
 bool isOfImage(const Error& error) { return error.code.starts_with("E_"); }
@@ -109,11 +111,12 @@ LoadedImages ImageLoader::load(std::vector<ImageUse> uses) const {
   }
   std::vector<std::size_t> used;
   std::vector<ImageDecoder::File> later;
+  const bool waits = mayWait(files);
   double bytes = 0;
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (uses[i].ways() == 0 || out.missing[i]) continue;
     charge(i, files[i].header, uses[i], bytes);
-    if (!mayWait(files[i])) {
+    if (!waits) {
       used.push_back(i);
       continue;
     }
@@ -123,9 +126,12 @@ LoadedImages ImageLoader::load(std::vector<ImageUse> uses) const {
     std::shared_ptr<const void> owner = ownerOf(files[i]);
     later.push_back({i, pointer("images", i), std::move(owner), files[i].bytes});
   }
-  // One core is left to what goes on with the scene.
-  const unsigned threads = std::clamp(std::thread::hardware_concurrency(), 2u, DECODERS_MAX + 1) - 1;
-  if (!later.empty()) out.pending = std::make_shared<ImageDecoder>(out.images, std::move(later), from_.limits, threads);
+  if (!later.empty()) {
+    out.pending =
+        std::make_shared<ImageDecoder>(out.images, std::move(later), from_.limits, from_.cancel,
+                                       std::clamp(std::thread::hardware_concurrency(), 2u, LATER_DECODERS_MAX + 1) - 1);
+    return out;
+  }
   const auto thrown = eachOnThreads(used.size(), from_.tolerant, [&](std::size_t at) {
     File file = std::move(files[used[at]]);
     images[used[at]] = decodeImage(file.bytes, from_.limits, from_.cancel);
@@ -182,9 +188,11 @@ std::vector<std::size_t> ImageLoader::firstOfSameBytes(const std::vector<File>& 
   return first;
 }
 
-/// Whether all but its pixels is known by its header, and it may be decoded beside the scene.
-bool ImageLoader::mayWait(const File& file) const {
-  return from_.fileOwner && !from_.tolerant && file.header.mimeType != "image/ktx2";
+/// Whether images may be decoded beside the scene: all but their pixels is known by their headers. One that is not so
+/// is decoded now, and the others with it, so that of several that are damaged the first is told.
+bool ImageLoader::mayWait(const std::vector<File>& files) const {
+  return from_.fileOwner && !from_.tolerant &&
+         std::ranges::none_of(files, [](const File& file) { return file.header.mimeType == "image/ktx2"; });
 }
 
 /// Keeps the bytes of an image: with the model's file, or on their own.

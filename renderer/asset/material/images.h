@@ -46,7 +46,7 @@ class ImageLoader {
   };
   File open(std::size_t image) const;
   std::vector<std::size_t> firstOfSameBytes(const std::vector<File>& files) const;
-  bool mayWait(const File& file) const;
+  bool mayWait(const std::vector<File>& files) const;
   std::shared_ptr<const void> ownerOf(File& file) const;
   void charge(std::size_t image, const ImageHeader& header, ImageUse use, double& bytesSoFar) const;
   /// Errors of `read` get the image's pointer, unless they have one.

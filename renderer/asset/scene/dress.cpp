@@ -88,6 +88,7 @@ class Dresser {
   int addImages(const std::shared_ptr<const Scene>& cloth) {
     const auto [at, isNew] = firstImages_.emplace(cloth.get(), static_cast<int>(out_->images.size()));
     if (isNew) {
+      waitForImages(*cloth, cancel_);
       out_->cloths.push_back({cloth, out_->images.size()});
       out_->images = out_->images.joined(cloth->images);
     }
@@ -185,10 +186,7 @@ class Dresser {
   glm::vec3 meanOf(const TextureRef& texture) {
     if (!texture) return glm::vec3(1);
     const auto [mean, isNew] = means_.emplace(texture.image, 1);
-    if (isNew) {
-      waitForImages(model_, cancel_);
-      mean->second = meanColor(out_->images[static_cast<std::size_t>(texture.image)]);
-    }
+    if (isNew) mean->second = meanColor(out_->images[static_cast<std::size_t>(texture.image)]);
     return mean->second;
   }
 

@@ -32,8 +32,9 @@ struct LoadOptions {
   /// In place of the model's folder: no file beside the model is opened. Null = by path its folder, from bytes none.
   ExternalFiles* files = nullptr;
   /// PNG, JPEG and WebP may be decoded beside the scene, once it is returned (waitForImages); not where `tolerant`.
-  /// What is wrong with them is told then. loadBytes() does so where `owner` keeps its bytes.
+  /// What is wrong with them is told then.
   bool decodesLater = false;
+  /// Of the bytes that loadBytes() is given, which are needed until then; null = nothing is decoded later.
   std::shared_ptr<const void> owner;
 };
 

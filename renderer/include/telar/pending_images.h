@@ -13,9 +13,9 @@ class PendingImages {
   /// Stops what is not done.
   virtual ~PendingImages() = default;
 
-  /// Until all are decoded.
-  /// @throws what decoding the first one that is damaged has thrown, each time: Error{E_IMAGE_*, L_IMAGE_*, X_MEMORY}
-  ///         with the image's pointer; X_CANCELLED, X_TIMEOUT
+  /// Until all are decoded. Where it is cancelled, the images that it would have decoded itself are lost.
+  /// @throws what decoding the first one that is damaged has thrown, each time: Error{E_IMAGE_*, L_IMAGE_*} with the
+  ///         image's pointer, X_MEMORY; X_CANCELLED, X_TIMEOUT
   virtual void wait(const CancelToken& cancel) = 0;
 };
 

@@ -65,9 +65,10 @@ bool FrameTarget::matches(int width, int height, int samples, PixelType type) co
 
 void FrameTarget::bind() {
   if (!made_) {
-    made_ = make();
+    const bool complete = make();
     context_.check("framebuffer creation");
-    if (!made_) fail();
+    if (!complete) fail();
+    made_ = true;
   }
   draw_.bind(context_.gl());
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
+#include <utility>
 
 #include "gl/incomplete.h"
 #include "gl/nearest_texture.h"
@@ -86,25 +88,28 @@ const gl::Program& TextureBaker::program(const char* file, const shader::Defines
   return programs_.emplace(key, std::move(made)).first->second;
 }
 
-/// A texture for the moments of a level. Levels of one texture differ in size.
-const gl::Texture& TextureBaker::moments(const glm::ivec2& size) {
-  const auto [found, isNew] = moments_.try_emplace({size.x, size.y});
-  // A variance is a small difference of large sums, which needs the precision.
-  const GLenum format = context_.capabilities().colorBufferFloat ? GL_RGBA32F : GL_RGBA16F;
-  if (isNew) found->second = gl::nearestTexture(context_.gl(), format, size.x, size.y);
-  return found->second;
+namespace {
+
+std::size_t bytesOf(const std::pair<int, int>& size) {
+  return sizeof(glm::vec4) * static_cast<std::size_t>(size.first) * static_cast<std::size_t>(size.second);
 }
 
-void TextureBaker::dropLargeMoments() {
+/// Moves textures from one list to the other as far as they are at most so many bytes there.
+void moveSome(std::map<std::pair<int, int>, gl::Texture>& from, std::map<std::pair<int, int>, gl::Texture>& to,
+              std::size_t most) {
   std::size_t bytes = 0;
-  std::erase_if(moments_, [&](const auto& level) {
-    const auto [width, height] = level.first;
-    const std::size_t own = sizeof(float) * 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    if (bytes + own > MOST_KEPT_BYTES) return true;
-    bytes += own;
-    return false;
-  });
+  for (const auto& [size, texture] : to) bytes += bytesOf(size);
+  for (auto at = from.begin(); at != from.end();) {
+    const auto next = std::next(at);
+    if (bytes + bytesOf(at->first) <= most) {
+      bytes += bytesOf(at->first);
+      to.insert(from.extract(at));
+    }
+    at = next;
+  }
 }
+
+}  // namespace
 
 gl::Texture TextureBaker::bake(const Kind& kind, const BakeSource& source, const Beside& beside,
                                const CancelToken& cancel) {
@@ -133,6 +138,17 @@ gl::Texture TextureBaker::bake(const Kind& kind, const BakeSource& source, const
     used.set("cutoff", beside.cutoff);
     return used;
   };
+  // A variance is a small difference of large sums, which needs the precision.
+  const GLenum format = context_.capabilities().colorBufferFloat ? GL_RGBA32F : GL_RGBA16F;
+  // Where something throws, none stay: the storage of one may be what is wrong.
+  auto kept = std::exchange(moments_, {});
+  decltype(kept) used;
+  const auto moments = [&](const glm::ivec2& size) -> const gl::Texture& {
+    // Levels of one texture differ in size.
+    auto known = kept.extract({size.x, size.y});
+    if (!known.empty()) return used.insert(std::move(known)).position->second;
+    return used.emplace(std::pair(size.x, size.y), gl::nearestTexture(gl, format, size.x, size.y)).first->second;
+  };
   GLuint before = source.texture;
   for (int level = 0; level < levels; ++level) {
     cancel.check();
@@ -150,8 +166,9 @@ gl::Texture TextureBaker::bake(const Kind& kind, const BakeSource& source, const
     use(kind.level, level == 0, false);
     drawing.draw(before, out, level - first, size, cost_);
   }
-  dropLargeMoments();
   context_.check("texture bake");
+  moveSome(used, moments_, MOST_KEPT_BYTES);
+  moveSome(kept, moments_, MOST_KEPT_BYTES);
   return out;
 }
 

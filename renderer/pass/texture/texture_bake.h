@@ -60,8 +60,6 @@ class TextureBaker {
   struct Beside;
   gl::Texture bake(const Kind& kind, const BakeSource& source, const Beside& beside, const CancelToken& cancel);
   const gl::Program& program(const char* file, const shader::Defines& features);
-  const gl::Texture& moments(const glm::ivec2& size);
-  void dropLargeMoments();
 
   /// Of moments that stay for the next texture: those of one of 2048 x 2048 texels.
   static constexpr std::size_t MOST_KEPT_BYTES = std::size_t{22} << 20;

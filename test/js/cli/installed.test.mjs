@@ -7,7 +7,7 @@ import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { TELAR as INSTALLED } from '../../installed_command.mjs';
 
-// The command as npm installs it, one file that js/build/dist.mjs makes, beside the sources that the other tests run.
+// The command as npm installs it, from js/build/dist.mjs, beside the sources that the other tests run.
 
 const ROOT = fileURLToPath(new URL('../../../', import.meta.url));
 const SOURCES = path.join(ROOT, 'js/cli/telar.mjs');

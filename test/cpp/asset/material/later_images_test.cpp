@@ -1,3 +1,5 @@
+#include <chrono>
+#include <memory>
 #include <thread>
 
 #include "asset/material/image_decoder.h"
@@ -30,9 +32,10 @@ class LaterImagesTest : public testing::Test {
     out.resize(out.size() + more);
     return out;
   }
-  static Bytes cut() {
+  /// Cut so long before its end.
+  static Bytes cut(std::size_t bytes) {
     Bytes out = pngPixel();
-    out.resize(out.size() / 2);
+    out.resize(out.size() - bytes);
     return out;
   }
 
@@ -70,8 +73,8 @@ TEST_F(LaterImagesTest, SizesAreThereAtOnceAndTexelsAfterTheWait) {
 }
 
 TEST_F(LaterImagesTest, WhatIsDamagedIsToldByTheWaitAndOfTwoTheFirst) {
-  model.doc["images"][1]["uri"] = "data:image/png;base64," + base64(cut());
-  model.doc["images"][2]["bufferView"] = model.view(cut());
+  model.doc["images"][1]["uri"] = "data:image/png;base64," + base64(cut(20));
+  model.doc["images"][2]["bufferView"] = model.view(cut(21));
   for (int run = 0; run < 200; ++run) {
     const auto scene = loadLater();
     EXPECT_EQ(errorOfWaiting(*scene), "E_IMAGE_CORRUPT at /images/1");
@@ -85,7 +88,7 @@ TEST_F(LaterImagesTest, WhatItsHeaderTellsIsToldAtOnce) {
 }
 
 TEST_F(LaterImagesTest, WhereDamageIsAWarningNothingWaits) {
-  model.doc["images"][2]["bufferView"] = model.view(cut());
+  model.doc["images"][2]["bufferView"] = model.view(cut(20));
   const auto scene = loadLater(true);
   EXPECT_FALSE(scene->pendingImages);
   EXPECT_TRUE(hasWarning(*scene, "W_TEXTURE"));
@@ -102,7 +105,7 @@ TEST_F(LaterImagesTest, WhoWaitsHelps) {
   const auto images = std::make_shared<std::vector<Image8>>(2);
   for (Image8& image : *images) image.width = image.height = 1;
   const auto file = std::make_shared<const Bytes>(pngPixel());
-  asset::ImageDecoder decoder(images, {{0, "/images/0", file, *file}, {1, "/images/1", file, *file}}, {}, 0);
+  asset::ImageDecoder decoder(images, {{0, "/images/0", file, *file}, {1, "/images/1", file, *file}}, {}, {}, 0);
   EXPECT_TRUE((*images)[1].pixels.empty());
   decoder.wait({});
   EXPECT_EQ((*images)[1].pixels.size(), 4u);
@@ -112,18 +115,40 @@ TEST_F(LaterImagesTest, ASizeThatIsNotTheHeadersIsAnError) {
   const auto images = std::make_shared<std::vector<Image8>>(1);
   (*images)[0].width = (*images)[0].height = 2;
   const auto file = std::make_shared<const Bytes>(pngPixel());
-  asset::ImageDecoder decoder(images, {{0, "/images/0", file, *file}}, {}, 1);
+  asset::ImageDecoder decoder(images, {{0, "/images/0", file, *file}}, {}, {}, 1);
   EXPECT_ERROR(decoder.wait({}), "E_IMAGE_CORRUPT");
 }
 
 TEST_F(LaterImagesTest, ACallerThatCancelsDoesNotWait) {
   const CancelToken cancel;
   cancel.cancel();
+  // One thread takes the first, which takes it a tenth of a second.
+  constexpr std::uint32_t SIDE = 4096;
+  Frame frame{SIDE, SIDE, PixelType::kRgba8, std::vector<std::byte>(std::size_t{SIDE} * SIDE * 4)};
+  const auto file = std::make_shared<const Bytes>(encode(frame, OutputOptions(), {}));
+  const auto images = std::make_shared<std::vector<Image8>>(2);
+  for (Image8& image : *images) image.width = image.height = SIDE;
+  std::weak_ptr<const Bytes> held;
+  {
+    auto own = std::make_shared<const Bytes>(*file);
+    held = own;
+    asset::ImageDecoder decoder(images, {{0, "/images/0", own, *own}, {1, "/images/1", file, *file}}, {}, {}, 1);
+    own.reset();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_ERROR(decoder.wait(cancel), "X_CANCELLED");
+    EXPECT_FALSE(held.expired()) << "the first was waited for";
+  }
+  EXPECT_TRUE(held.expired());
+}
+
+TEST_F(LaterImagesTest, NoneIsBegunOnceTheLoadIsCancelled) {
+  const CancelToken loading;
+  loading.cancel();
   const auto images = std::make_shared<std::vector<Image8>>(1);
   (*images)[0].width = (*images)[0].height = 1;
   const auto file = std::make_shared<const Bytes>(pngPixel());
-  asset::ImageDecoder decoder(images, {{0, "/images/0", file, *file}}, {}, 0);
-  EXPECT_ERROR(decoder.wait(cancel), "X_CANCELLED");
+  asset::ImageDecoder decoder(images, {{0, "/images/0", file, *file}}, {}, loading, 1);
+  EXPECT_ERROR(decoder.wait({}), "X_CANCELLED");
 }
 
 // Sanitizers see what a thread does with a scene that is gone.
