@@ -15,11 +15,7 @@ constexpr std::chrono::milliseconds LOOK{5};  ///< from one look at the caller's
 
 ImageDecoder::ImageDecoder(std::shared_ptr<std::vector<Image8>> images, std::vector<File> files, const Limits& limits,
                            const CancelToken& cancel, std::size_t threads)
-    : images_(std::move(images)),
-      files_(std::move(files)),
-      limits_(limits),
-      loading_(cancel),
-      left_(files_.size()) {
+    : images_(std::move(images)), files_(std::move(files)), limits_(limits), loading_(cancel), left_(files_.size()) {
   thrown_.resize(files_.size());
   threads_.reserve(threads);
   try {
@@ -34,7 +30,7 @@ ImageDecoder::~ImageDecoder() { stop_.cancel(); }
 void ImageDecoder::run(const CancelToken& cancel) {
   for (std::size_t i = next_++; i < files_.size(); i = next_++) {
     try {
-      loading_.check();
+      if (loading_.cancelled()) loading_.check();  // its deadline is that of threads that count their work
       decode(files_[i], cancel);
     } catch (...) {
       thrown_[i] = std::current_exception();
