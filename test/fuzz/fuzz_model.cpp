@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "json_mutator.h"
 #include "telar/error.h"
@@ -79,8 +81,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   limits.vertices = limits.triangles = limits.imagePixels = 1 << 20;
   telar::LoadOptions options;
   options.tolerant = size % 2;
+  // Of the others half wait for their images, and half are gone while these are decoded.
+  options.decodesLater = true;
+  const auto bytes = std::as_bytes(std::span(data, size));
+  const auto file = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
+  options.owner = file;
   try {
-    telar::loadBytes(std::as_bytes(std::span(data, size)), limits, {}, options);
+    const auto scene = telar::loadBytes(*file, limits, {}, options);
+    if (size % 4 == 0) waitForImages(*scene, {});
   } catch (const telar::Error&) {
   }
   return 0;
