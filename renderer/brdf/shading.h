@@ -10,6 +10,11 @@
 namespace telar::brdf_f {
 #include "brdf/shading_declarations.inl"
 
+/// withWeaveTexel() of no threads within a pixel, in place.
+void readWeaveTexel(MaterialInputs& m, const vec4& texel);
+/// withShadedRoughness() in place.
+void shadeRoughness(MaterialInputs& m, Real geometric);
+
 /// baseSurface(), and where they are wanted withSpecular() and withWeave(), with withLayers() between: one call without
 /// copies.
 void readSurface(SurfaceInfo& s, const MaterialInputs& m, const Normals& normals, const vec3& v, bool specular,

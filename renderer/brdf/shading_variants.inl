@@ -89,9 +89,15 @@ const ShadingVariant& shadingVariant(ShadingModel shading, const SurfaceInfo& s)
   return layered::fabricVariant;
 }
 
+[[gnu::flatten]] void readWeaveTexel(MaterialInputs& m, const vec4& texel) {
+  layered::withWeaveTexel(m, texel, vec2(0.0));
+}
+
+[[gnu::flatten]] void shadeRoughness(MaterialInputs& m, Real geometric) { layered::withShadedRoughness(m, geometric); }
+
 [[gnu::flatten]] void readSurface(SurfaceInfo& s, const MaterialInputs& m, const Normals& normals, const vec3& v,
                                   bool specular, bool woven) {
-  s = layered::baseSurface(m, normals, v);
+  new (&s) SurfaceInfo(layered::baseSurface(m, normals, v));  // in place
   if (specular) layered::withSpecular(s, m);
   layered::withLayers(s, m, normals);
   if (woven) layered::withWeave(s, m, normals);

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "core/prefetch.h"
+#include "core/unaligned.h"
 #include "frame/camera.h"
 #include "telar/luminance.h"
 
@@ -35,8 +38,8 @@ EnvironmentLight::EnvironmentLight(const ImageF& map, double rotation, double in
     : map_(map), intensity_(static_cast<float>(intensity)), toEnvironment_(frame::environmentRotation(rotation)) {
   const int width = static_cast<int>(map.width), height = static_cast<int>(map.height);
   const std::size_t w = map.width, h = map.height;
-  rows_.resize(h + 1);
-  columns_.resize((w + 1) * h);
+  rows_.resize(h + 1 + Cdf::SCANNED);
+  columns_.resize((w + 1) * h + Cdf::SCANNED);
   for (int y = 0; y < height; ++y) {
     float* row = &columns_[static_cast<std::size_t>(y) * (w + 1)];
     for (int x = 0; x < width; ++x) {
@@ -87,7 +90,12 @@ const std::uint16_t* EnvironmentLight::Cdf::guideOf(float u) const {
 
 std::pair<std::size_t, float> EnvironmentLight::Cdf::find(float u) const {
   std::size_t i = *guideOf(u);
-  while (i + 1 < count && begin[i + 1] <= u) ++i;
+  // Without a branch for each step, which no processor foresees. The last step ends at 1, above any u.
+  for (unsigned passed = SCANNED; passed == SCANNED; i += passed) {
+    unsigned below = 0;
+    for (std::size_t k = 0; k < SCANNED; ++k) below |= static_cast<unsigned>(begin[i + 1 + k] <= u) << k;
+    passed = static_cast<unsigned>(std::countr_one(below));
+  }
   const float width = begin[i + 1] - begin[i];
   return {i, width > 0 ? std::clamp((u - begin[i]) / width, 0.0f, 0.99999994f) : 0.5f};
 }
@@ -120,7 +128,7 @@ EnvironmentLight::Sample EnvironmentLight::sampleRow(std::size_t row, float inRo
   const auto radius = static_cast<float>(std::sqrt(std::max(0.0, 1 - y * y)));
   const glm::vec3 direction(radius * std::cos(phi), static_cast<float>(y), radius * std::sin(phi));
   const glm::vec2 at(across, 0.5f - std::asin(static_cast<float>(y)) * static_cast<float>(1 / PI));
-  return {glm::normalize(direction * toEnvironment_), pdfOf(row, column), at};
+  return {direction * toEnvironment_, pdfOf(row, column), placeAt(at)};
 }
 
 EnvironmentLight::Sample EnvironmentLight::sample(const glm::vec2& u) const {
@@ -133,39 +141,47 @@ void EnvironmentLight::sample(std::span<const glm::vec2> us, Sample* samples) co
   std::array<std::pair<std::size_t, float>, MAX_SAMPLES> found;
   for (std::size_t i = 0; i < us.size(); ++i) {
     found[i] = rows().find(us[i].y);
-    __builtin_prefetch(columns(found[i].first).guideOf(us[i].x));
+    telar::prefetch(columns(found[i].first).guideOf(us[i].x));
   }
   for (std::size_t i = 0; i < us.size(); ++i) {
     const Cdf cdf = columns(found[i].first);
-    __builtin_prefetch(cdf.begin + *cdf.guideOf(us[i].x));
+    telar::prefetch(cdf.begin + *cdf.guideOf(us[i].x));
   }
   for (std::size_t i = 0; i < us.size(); ++i) {
     samples[i] = sampleRow(found[i].first, found[i].second, us[i].x);
-    prefetch(samples[i].at);
+    prefetch(samples[i].place);
   }
 }
 
-float EnvironmentLight::pdf(const glm::vec3& direction) const { return pdfAt(coordinates(direction)); }
+float EnvironmentLight::pdf(const glm::vec3& direction) const { return pdf(placeAt(coordinates(direction))); }
 
-glm::vec3 EnvironmentLight::radiance(const glm::vec3& direction) const { return radianceAt(coordinates(direction)); }
+glm::vec3 EnvironmentLight::radiance(const glm::vec3& direction) const {
+  return radiance(placeAt(coordinates(direction)));
+}
 
 EnvironmentLight::Place EnvironmentLight::find(const glm::vec3& direction) const {
-  const glm::vec2 at = coordinates(direction);
-  prefetch(at);
-  const auto [row, column] = rowAndColumn(at);
-  __builtin_prefetch(columns(row).begin + column);
-  return {at};
+  const Place place = placeAt(coordinates(direction));
+  prefetch(place);
+  const auto [row, column] = rowAndColumn(place);
+  telar::prefetch(columns(row).begin + column);
+  return place;
 }
 
-std::pair<std::size_t, std::size_t> EnvironmentLight::rowAndColumn(const glm::vec2& at) const {
-  return {std::min(static_cast<std::size_t>(std::max(at.y, 0.0f) * static_cast<float>(map_.height)),
-                   static_cast<std::size_t>(map_.height - 1)),
-          std::min(static_cast<std::size_t>(std::max(at.x, 0.0f) * static_cast<float>(map_.width)),
-                   static_cast<std::size_t>(map_.width - 1))};
+EnvironmentLight::Place EnvironmentLight::placeAt(const glm::vec2& coordinates) const {
+  const glm::vec2 at = coordinates * glm::vec2(map_.width, map_.height) - 0.5f;
+  glm::ivec2 low(at);  // towards 0
+  low -= glm::ivec2(at.x < 0, at.y < 0);
+  return {low, at - glm::vec2(low)};
 }
 
-float EnvironmentLight::pdfAt(const glm::vec2& at) const {
-  const auto [row, column] = rowAndColumn(at);
+std::pair<std::size_t, std::size_t> EnvironmentLight::rowAndColumn(const Place& place) const {
+  const int column = place.low.x + (place.part.x >= 0.5f), row = place.low.y + (place.part.y >= 0.5f);
+  return {static_cast<std::size_t>(std::clamp(row, 0, static_cast<int>(map_.height) - 1)),
+          static_cast<std::size_t>(std::clamp(column, 0, static_cast<int>(map_.width) - 1))};
+}
+
+float EnvironmentLight::pdf(const Place& place) const {
+  const auto [row, column] = rowAndColumn(place);
   return pdfOf(row, column);
 }
 
@@ -174,19 +190,17 @@ float EnvironmentLight::pdfOf(std::size_t row, std::size_t column) const {
   return densities_[row] * (columns[column + 1] - columns[column]);
 }
 
-void EnvironmentLight::prefetch(const glm::vec2& coordinates) const {
-  const glm::vec2 low = glm::floor(coordinates * glm::vec2(map_.width, map_.height) - 0.5f);
-  const int x = static_cast<int>(low.x), y = static_cast<int>(low.y);
-  __builtin_prefetch(texelAt(x, y));
-  __builtin_prefetch(texelAt(x, y + 1));
+void EnvironmentLight::prefetch(const Place& place) const {
+  telar::prefetch(texelAt(place.low.x, place.low.y));
+  telar::prefetch(texelAt(place.low.x, place.low.y + 1));
 }
 
-glm::vec3 EnvironmentLight::radianceAt(const glm::vec2& coordinates) const {
-  const glm::vec2 at = coordinates * glm::vec2(map_.width, map_.height) - 0.5f;
-  const glm::vec2 low = glm::floor(at), part = at - low;
-  const int x = static_cast<int>(low.x), y = static_cast<int>(low.y);
-  return intensity_ * glm::mix(glm::mix(texel(x, y), texel(x + 1, y), part.x),
-                               glm::mix(texel(x, y + 1), texel(x + 1, y + 1), part.x), part.y);
+glm::vec3 EnvironmentLight::radiance(const Place& place) const {
+  const auto row = [&](int y) {
+    return glm::mix(loadUnaligned<glm::vec4>(texelAt(place.low.x, y)),
+                    loadUnaligned<glm::vec4>(texelAt(place.low.x + 1, y)), place.part.x);
+  };
+  return intensity_ * glm::vec3(glm::mix(row(place.low.y), row(place.low.y + 1), place.part.y));
 }
 
 }  // namespace telar::reference

@@ -151,8 +151,40 @@ bool Geometry::intersect(const Ray& ray, Hit& hit) const {
   rtcInitIntersectContext(&context);
   rtcIntersect1(scene_.get(), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-  hit = {query.hit.geomID, query.hit.primID, {query.hit.u, query.hit.v}, query.ray.tfar};
+  hit = {query.hit.geomID,
+         query.hit.primID,
+         {query.hit.u, query.hit.v},
+         query.ray.tfar,
+         {query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z}};
   return true;
+}
+
+void Geometry::intersect(std::span<const Ray> rays, std::span<std::optional<Hit>> hits) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  RTCRayHit8 packet = {};
+  alignas(32) std::array<int, MAX_COHERENT> valid{};
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const Ray& ray = rays[i];
+    valid[i] = -1;
+    packet.ray.org_x[i] = ray.origin.x, packet.ray.org_y[i] = ray.origin.y, packet.ray.org_z[i] = ray.origin.z;
+    packet.ray.dir_x[i] = ray.direction.x, packet.ray.dir_y[i] = ray.direction.y, packet.ray.dir_z[i] = ray.direction.z;
+    packet.ray.tnear[i] = ray.from;
+    packet.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    packet.ray.mask[i] = ~0u;
+    packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  rtcIntersect8(valid.data(), scene_.get(), &context, &packet);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+    const RTCHit8& hit = packet.hit;
+    hits[i] = Hit{hit.geomID[i],
+                  hit.primID[i],
+                  {hit.u[i], hit.v[i]},
+                  packet.ray.tfar[i],
+                  {hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i]}};
+  }
 }
 
 bool Geometry::occluded(const Ray& ray, float far) const {
@@ -175,7 +207,8 @@ void Geometry::keepBlockers(const RTCFilterFunctionNArguments* met) {
     if (met->valid[i] == 0) continue;
     const RTCHit hit = rtcGetHitFromHitN(met->hit, met->N, i);
     const RTCRay ray = rtcGetRayFromRayN(met->ray, met->N, i);
-    if (!blocks({hit.geomID, hit.primID, {hit.u, hit.v}, ray.tfar}, {ray.dir_x, ray.dir_y, ray.dir_z}, shells))
+    if (!blocks({hit.geomID, hit.primID, {hit.u, hit.v}, ray.tfar, {hit.Ng_x, hit.Ng_y, hit.Ng_z}},
+                {ray.dir_x, ray.dir_y, ray.dir_z}, shells))
       met->valid[i] = 0;
   }
 }

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,6 +52,7 @@ struct Hit {
   std::uint32_t mesh = 0, triangle = 0;
   glm::vec2 barycentric{0};  ///< of the second and third corner
   float distance = 0;
+  glm::vec3 normal{0};  ///< across the triangle, towards those who see its corners counter-clockwise; of any length
 };
 
 /// Within this part of the scene's radius two surfaces are shells of one cloth: 5 to 10 mm of a garment.
@@ -74,6 +76,9 @@ class Geometry {
   /// @throws Error{X_REFERENCE, X_MEMORY, X_CANCELLED}
   explicit Geometry(const std::vector<PlacedMesh>& meshes, const CancelToken& cancel = {}, Blocks blocks = {});
   bool intersect(const Ray& ray, Hit& hit) const;
+  static constexpr std::size_t MAX_COHERENT = 8;
+  /// The same for rays that go side by side, MAX_COHERENT or fewer: together they take less time than one by one.
+  void intersect(std::span<const Ray> rays, std::span<std::optional<Hit>> hits) const;
   /// Whether something ends a ray, as Blocks says. It is cheaper than the first hit. @param far  metres that it goes
   bool occluded(const Ray& ray, float far) const;
   /// How many of the rays something ends.

@@ -9,19 +9,10 @@
 namespace telar::reference {
 namespace {
 
-constexpr int MAX_LAYERS = 256;        ///< transparent surfaces that one ray passes
-constexpr int MAX_TRANSMISSIONS = 64;  ///< of one path
+constexpr int MAX_LAYERS = 256;  ///< transparent surfaces that one ray passes
 constexpr float FAR = std::numeric_limits<float>::infinity();
 
 }  // namespace
-
-struct Integrator::Path {
-  Surface surface;
-  glm::vec3 radiance{0}, throughput{1};
-  float coverage = 1;    ///< of the picture by what the path met
-  bool straight = true;  ///< nothing has reflected it yet: where it meets nothing, the background shows
-  int bounces = 0, transmissions = 0;
-};
 
 Integrator::Integrator(const TracedScene& scene, Transport transport, ShadingModel shading, const ShadingTerms& terms,
                        const ThreeTerms& three)
@@ -68,49 +59,57 @@ glm::vec3 Integrator::bsdfCosine(const Surface& surface, const glm::vec3& l, boo
   return surface.shading->composed(s, direct.diffuse * diffuse, direct);
 }
 
-std::optional<Integrator::Seen> Integrator::firstSeen(Ray ray, Sampler& sampler, bool opaque) const {
-  Seen seen;
-  const Hit& hit = seen.hit;
+std::optional<Hit> Integrator::nearest(const Ray& ray, Sampler& sampler) const {
+  ++sampler.rays;
+  Hit hit;
+  return scene_.geometry.intersect(ray, hit) ? std::optional(hit) : std::nullopt;
+}
+
+std::optional<Integrator::Seen> Integrator::firstSeen(const Ray& ray, Sampler& sampler, bool opaque) const {
+  return firstSeen(ray, nearest(ray, sampler), sampler, opaque);
+}
+
+std::optional<Integrator::Seen> Integrator::firstSeen(Ray ray, std::optional<Hit> hit, Sampler& sampler,
+                                                      bool opaque) const {
+  int shells = 0;
   float lastShell = -FAR;
   const float close = scene_.radius * SHELL;
-  for (int layer = 0; layer < MAX_LAYERS; ++layer) {
-    ++sampler.rays;
-    if (!scene_.geometry.intersect(ray, seen.hit)) return std::nullopt;
-    const PlacedMesh& mesh = scene_.meshes[hit.mesh];
-    const Meeting met = meetingAt(scene_.textures, mesh, hit, ray.direction);
+  for (int layer = 1; hit; ++layer, hit = nearest(ray, sampler)) {
+    const PlacedMesh& mesh = scene_.meshes[hit->mesh];
+    const Meeting met = meetingAt(scene_.textures, mesh, *hit, ray.direction);
     const bool oneSided = !mesh.material->doubleSided;
-    const bool solid = met.shown && !(opaque && transmissionAt(scene_.textures, mesh, hit) > 0);
+    const bool solid = met.shown && !(opaque && transmissionAt(scene_.textures, mesh, *hit) > 0);
     if (solid && (met.alpha >= 1 || sampler.random.uniform() < met.alpha)) {
-      if (!oneSided || ray.passes == 0 || hit.distance > close) {
-        if (hit.distance - lastShell > close) seen.shells = 0;
-        return seen;
-      }
+      if (!oneSided || ray.passes == 0 || hit->distance > close)
+        return Seen{*hit, hit->distance - lastShell > close ? 0 : shells};
       --ray.passes;
     } else if (oneSided && !met.front) {
-      seen.shells = hit.distance - lastShell <= close ? seen.shells + 1 : 1;
-      lastShell = hit.distance;
+      shells = hit->distance - lastShell <= close ? shells + 1 : 1;
+      lastShell = hit->distance;
     }
-    ray.from = hit.distance + scene_.radius * 1e-5f;
+    if (layer == MAX_LAYERS) break;
+    ray.from = hit->distance + scene_.radius * 1e-5f;
   }
   return std::nullopt;
 }
 
-bool Integrator::intersect(const Ray& ray, const PixelPoint* from, Sampler& sampler, Surface& surface,
-                           bool opaque) const {
-  const auto seen = firstSeen(ray, sampler, opaque);
-  if (!seen) return false;
+void Integrator::read(const Seen& seen, const Ray& ray, const PixelPoint* from, Surface& surface) const {
   const auto footprint = from ? std::optional(from->footprint()) : std::nullopt;
   // In place: to copy a surface takes as long as to read some of its textures.
   static_assert(std::is_trivially_destructible_v<Surface>);
   new (&surface)
-      Surface(surfaceAt(scene_.textures, scene_.meshes[seen->hit.mesh], seen->hit, ray,
-                        footprint ? &*footprint : nullptr, three_, terms_ ? &*terms_ : nullptr, !transport_.occlusion));
-  surface.shells = seen->shells;
-  if (!surface.unlit) {
-    surface.shading = &brdf_f::shadingVariant(model_, surface.info);
-    surface.shading->prepare(surface.info);
-  }
-  return true;
+      Surface(surfaceAt(scene_.textures, scene_.meshes[seen.hit.mesh], seen.hit, ray, footprint ? &*footprint : nullptr,
+                        three_, terms_ ? &*terms_ : nullptr, !transport_.occlusion));
+  surface.shells = seen.shells;
+  if (surface.unlit) return;
+  surface.shading = &brdf_f::shadingVariant(model_, surface.info);
+  surface.shading->prepare(surface.info);
+}
+
+bool Integrator::intersect(const Ray& ray, Sampler& sampler, Surface& surface, bool opaque) const {
+  const auto seen = firstSeen(ray, sampler, opaque);
+  if (seen) read(*seen, ray, nullptr, surface);
+  return seen.has_value();
 }
 
 Ray Integrator::spawnRay(const Surface& from, const glm::vec3& direction) const {
@@ -163,49 +162,8 @@ glm::vec3 Integrator::sampleLights(const Surface& surface, Sampler& sampler) con
   return sum;
 }
 
-Integrator::SampleCounts Integrator::sampleCounts(const Path& path, float lobeProbability) const {
-  // At the first surface of a path, finding it costs more than one more sample: it takes several, stratified.
-  const bool first = path.bounces == 0 && path.transmissions == 0;
-  if (!first) return {1, 1, lobeProbability};
-  if (!transport_.occlusion) return {2, 2, lobeProbability};
-  return {2, transport_.bounces == 0 ? 3 : 1, lobeProbability};
-}
-
-glm::vec3 Integrator::sampleLd(const Surface& surface, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,
-                               Sampler& sampler) const {
-  const glm::vec3 lights = sampleLights(surface, sampler);
-  return lights + sampleEnvironment(surface, lobes, counts, sampler);
-}
-
 bool Integrator::hidden(const Surface& surface, const glm::vec3& l, Sampler& sampler) const {
   return transport_.occlusion && occluded(spawnRay(surface, l), FAR, sampler);
-}
-
-glm::vec3 Integrator::sampleEnvironment(const Surface& surface, const brdf_f::LobeMixture& lobes,
-                                        const SampleCounts& counts, Sampler& sampler) const {
-  glm::vec3 sum(0);
-  if (!scene_.environment) return sum;
-  const EnvironmentLight& environment = *scene_.environment;
-  const auto strata = static_cast<float>(counts.strata);
-  const auto side = static_cast<std::size_t>(counts.strata);
-  const std::size_t count = side * side;
-  std::array<glm::vec2, EnvironmentLight::MAX_SAMPLES> us;
-  std::array<EnvironmentLight::Sample, EnvironmentLight::MAX_SAMPLES> drawn;
-  for (std::size_t i = 0; i < count; ++i) {
-    const glm::vec2 cell(static_cast<int>(i) % counts.strata, static_cast<int>(i) / counts.strata);
-    us[i] = (cell + sampler.random.uniform2()) / strata;
-  }
-  environment.sample(std::span(us).first(count), drawn.data());
-  for (std::size_t i = 0; i < count; ++i) {
-    const EnvironmentLight::Sample& light = drawn[i];
-    if (!(light.pdf > 0)) continue;
-    const glm::vec3 f = bsdfCosine(surface, light.direction, true);
-    if (f == glm::vec3(0) || hidden(surface, light.direction, sampler)) continue;
-    const float misWeight = brdf_f::powerHeuristic(counts.environment() * light.pdf,
-                                                   counts.lobe() * surface.shading->pdfMixture(lobes, light.direction));
-    sum += f * environment.radiance(light) * (misWeight / light.pdf);
-  }
-  return sum / counts.environment();
 }
 
 glm::vec3 Integrator::sampleLobes(const Surface& surface, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,
@@ -225,110 +183,6 @@ glm::vec3 Integrator::sampleLobes(const Surface& surface, const brdf_f::LobeMixt
     sum += f * environment.radiance(place) * (misWeight / pdf);
   }
   return sum / counts.lobe();
-}
-
-bool Integrator::intersectBehind(const Surface& surface, const TransmissionSample& sample, Sampler& sampler,
-                                 Surface& next) const {
-  const float length = glm::length(sample.path);
-  if (length == 0) return intersect(spawnRay(surface, sample.direction), nullptr, sampler, next, !transport_.occlusion);
-  const glm::vec3 exit = surface.position + sample.path;
-  if (!transport_.occlusion) {
-    // As in the raster: what the viewer would see at the point where the light leaves. Only the first layer of glass
-    // counts.
-    return intersect({exit - sample.direction * (surface.distance + length), sample.direction}, nullptr, sampler, next,
-                     true);
-  }
-  if (intersect(spawnRay(surface, sample.path / length), nullptr, sampler, next) && next.distance < length) return true;
-  return intersect({exit, sample.direction}, nullptr, sampler, next);
-}
-
-bool Integrator::transmit(Path& path, Sampler& sampler) const {
-  if (++path.transmissions > MAX_TRANSMISSIONS) return false;
-  const TransmissionSample sample = sampleTransmission(path.surface, sampler.random);
-  path.throughput *= path.surface.shading->composed(path.surface.info, sample.share, brdf_f::nothingReflected());
-  Surface next;
-  if (intersectBehind(path.surface, sample, sampler, next)) {
-    path.surface = next;
-    return true;
-  }
-  if (!path.straight) {
-    if (scene_.environment) path.radiance += path.throughput * scene_.environment->radiance(sample.direction);
-  } else if (scene_.background.shown()) {
-    path.radiance += path.throughput * scene_.background.radiance(sample.direction, sampler.random);
-  } else if (scene_.background.color()) {
-    path.radiance += path.throughput * *scene_.background.color();
-  } else {
-    path.coverage = 1 - (path.throughput.r + path.throughput.g + path.throughput.b) / 3;
-  }
-  return false;
-}
-
-bool Integrator::reflect(Path& path, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,
-                         Sampler& sampler) const {
-  if (path.bounces == transport_.bounces) {
-    path.radiance += path.throughput * sampleLobes(path.surface, lobes, counts, sampler);
-    return false;
-  }
-  const glm::vec3 l = path.surface.shading->sampleMixture(lobes, sampler.random.uniform2());
-  const float pdf = path.surface.shading->pdfMixture(lobes, l);
-  if (!(pdf > 0)) return false;
-  path.throughput *= bsdfCosine(path.surface, l, true) / (counts.lobe() * pdf);
-  if (path.throughput == glm::vec3(0)) return false;
-  path.straight = false;
-  const EnvironmentLight* environment = scene_.environment;
-  const EnvironmentLight::Place place = environment ? environment->find(l) : EnvironmentLight::Place{};
-  if (!intersect(spawnRay(path.surface, l), nullptr, sampler, path.surface)) {
-    if (!environment) return false;
-    const float misWeight = brdf_f::powerHeuristic(counts.lobe() * pdf, counts.environment() * environment->pdf(place));
-    path.radiance += path.throughput * environment->radiance(place) * misWeight;
-    return false;
-  }
-  // Russian roulette: a long path ends at random, and those that survive make up for it.
-  if (++path.bounces > 2) {
-    const float survival = glm::min(brdf_f::max3(path.throughput), 0.95f);
-    if (sampler.random.uniform() >= survival) return false;
-    path.throughput /= survival;
-  }
-  return true;
-}
-
-glm::vec4 Integrator::follow(Path& path, Sampler& sampler) const {
-  for (;;) {
-    const Surface& surface = path.surface;
-    path.radiance += path.throughput * surface.emitted;
-    if (surface.unlit) break;
-    brdf_f::LobeMixture lobes;
-    surface.shading->lobeMixture(surface.info, lobes);
-    // Transmission takes the place of the diffuse lobe alone, so some paths must still be reflected.
-    const float transmitProbability = surface.glass.weight * 0.75f;
-    const SampleCounts counts = sampleCounts(path, 1 - transmitProbability);
-    path.radiance += path.throughput * sampleLd(surface, lobes, counts, sampler);
-    if (transmitProbability > 0 && sampler.random.uniform() < transmitProbability) {
-      path.throughput *= surface.glass.weight / transmitProbability;
-      if (!transmit(path, sampler)) break;
-    } else if (!reflect(path, lobes, counts, sampler)) {
-      break;
-    }
-  }
-  return {path.radiance, path.coverage};
-}
-
-glm::vec4 Integrator::Li(const PixelPoint& from, Sampler& sampler) const {
-  const Ray ray = from.ray();
-  Path path;
-  float distance = FAR;
-  glm::vec4 light(0);
-  if (intersect(ray, &from, sampler, path.surface)) {
-    distance = path.surface.distance;
-    light = follow(path, sampler);
-  } else if (scene_.background.shown()) {
-    light = glm::vec4(scene_.background.radiance(ray.direction, sampler.random), 1);
-  }
-  const auto ground = scene_.ground ? scene_.ground->distance(ray) : std::nullopt;
-  if (!ground || *ground >= distance) return light;
-  const float dark = scene_.ground->opacity(
-      ray, *ground, sampler.random, [&](const Ray& towards, float far) { return occluded(towards, far, sampler); });
-  return {glm::vec3(light) * (1 - dark), 1 - (1 - light.a) * (1 - dark)};
 }
 
 }  // namespace telar::reference

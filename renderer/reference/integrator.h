@@ -42,9 +42,13 @@ class Integrator {
   Integrator(const TracedScene& scene, Transport transport, ShadingModel shading, const ShadingTerms& terms,
              const ThreeTerms& three);
 
-  /// One estimate of the light along a camera ray.
-  /// @return linear Rec.709 radiance, premultiplied with coverage, and coverage: 0..1 in the mean of many
-  glm::vec4 Li(const PixelPoint& from, Sampler& sampler) const;
+  static constexpr std::size_t MAX_PATHS = 8;
+  /// One estimate of the light along each of some camera rays. Their paths are followed side by side: while one waits
+  /// for memory, the others go on.
+  /// @param samplers  of each ray
+  /// @param[out] light  of each: linear Rec.709 radiance, premultiplied with coverage, and coverage: 0..1 in the mean
+  ///   of many
+  void Li(std::span<const PixelPoint> from, std::span<Sampler> samplers, glm::vec4* light) const;
 
  private:
   struct Path;
@@ -57,7 +61,8 @@ class Integrator {
     float environment() const { return static_cast<float>(strata * strata); }
     float lobe() const { return lobeProbability * static_cast<float>(lobes); }
   };
-  SampleCounts sampleCounts(const Path& path, float lobeProbability) const;
+  static constexpr int MAX_STRATA = 2;
+  SampleCounts sampleCounts(const Path& path) const;
 
   /// A hit that a ray ends at, and the culled back sides that it passed closely before it.
   struct Seen {
@@ -66,20 +71,38 @@ class Integrator {
   };
   /// The next hit along a ray that is not culled or cut out. Alpha below 1 is a probability.
   /// @param opaque  passes through what transmits
-  std::optional<Seen> firstSeen(Ray ray, Sampler& sampler, bool opaque) const;
-  /// firstSeen() with its material read and prepared. @param from  of a camera ray, else null
-  bool intersect(const Ray& ray, const PixelPoint* from, Sampler& sampler, Surface& surface, bool opaque = false) const;
+  std::optional<Seen> firstSeen(const Ray& ray, Sampler& sampler, bool opaque) const;
+  /// The same where the nearest hit is known. @param hit  of the ray; none where it meets nothing
+  std::optional<Seen> firstSeen(Ray ray, std::optional<Hit> hit, Sampler& sampler, bool opaque) const;
+  /// The nearest hit of a ray, and one ray more that was followed.
+  std::optional<Hit> nearest(const Ray& ray, Sampler& sampler) const;
+  /// A surface with its material read and prepared, in the place of `surface`.
+  void read(const Seen& seen, const Ray& ray, const PixelPoint* from, Surface& surface) const;
+  /// firstSeen() that is read.
+  bool intersect(const Ray& ray, Sampler& sampler, Surface& surface, bool opaque = false) const;
   bool occluded(const Ray& ray, float distance, Sampler& sampler) const;
   Ray spawnRay(const Surface& from, const glm::vec3& direction) const;
 
-  /// Follows a path whose first surface is known. @return as Li()
-  glm::vec4 follow(Path& path, Sampler& sampler) const;
+  // A path goes in these steps from surface to surface, and ends where one returns false.
+  void follow(std::span<Path> paths) const;
+  /// Finds what the rays of all paths meet.
+  void look(std::span<Path* const> paths) const;
+  /// Reads that surface, adds what it emits and the light of lamps.
+  bool arrive(Path& path) const;
+  /// Adds what a path sees whose ray meets nothing.
+  void leave(Path& path) const;
+  /// Draws directions from the environment for the surfaces of all paths.
+  void drawEnvironment(std::span<Path* const> paths, EnvironmentLight::Sample* drawn) const;
+  /// Adds the light of these, and leaves in the direction of the next surface.
+  bool scatter(Path& path) const;
+  /// @param distance  of the first surface along the ray
+  glm::vec4 withGround(const glm::vec4& light, const Ray& ray, float distance, Sampler& sampler) const;
   /// Moves the path to what is seen through its surface. @return false: it meets no other surface
-  bool transmit(Path& path, Sampler& sampler) const;
+  bool transmit(Path& path) const;
   /// The surface that is seen through another. @return false: none
   bool intersectBehind(const Surface& surface, const TransmissionSample& sample, Sampler& sampler, Surface& next) const;
-  /// Moves the path along a direction drawn from the lobes. @return false: it ends
-  bool reflect(Path& path, const brdf_f::LobeMixture& lobes, const SampleCounts& counts, Sampler& sampler) const;
+  /// Turns the path to a direction drawn from the lobes. @return false: it ends
+  bool reflect(Path& path) const;
 
   /// The BSDF times the cosine: reflected radiance per irradiance on a surface that faces the light.
   /// @param ambient  light of the environment: baked occlusion counts where surfaces hide nothing
@@ -89,14 +112,12 @@ class Integrator {
   /// By the material's map alone.
   brdf_f::Reflected withOcclusionMap(brdf_f::Reflected light, const Surface& surface) const;
 
-  /// Direct light: all lights, and the environment by samples of its own map, weighted against those of the lobes.
-  glm::vec3 sampleLd(const Surface& surface, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,
-                     Sampler& sampler) const;
+  /// The light of all lamps.
   glm::vec3 sampleLights(const Surface& surface, Sampler& sampler) const;
   /// Whether something hides the environment in the direction `l`, unit.
   bool hidden(const Surface& surface, const glm::vec3& l, Sampler& sampler) const;
-  glm::vec3 sampleEnvironment(const Surface& surface, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,
-                              Sampler& sampler) const;
+  /// The environment by samples of its own map, weighted against those of the lobes.
+  glm::vec3 sampleEnvironment(Path& path) const;
   /// The environment by samples of the lobes, for a path that ends here: reflect() does it for the others.
   glm::vec3 sampleLobes(const Surface& surface, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,
                         Sampler& sampler) const;

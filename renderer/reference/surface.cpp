@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "brdf/material_inputs.h"
+#include "core/prefetch.h"
 #include "reference/texture_read.h"
 
 namespace telar::reference {
@@ -200,8 +201,8 @@ glm::vec4 visibilityAt(const PlacedMesh& mesh, const Corners& corners, const glm
 }
 
 /// Whether a direction comes upon the side that the triangle's winding shows.
-bool meetsFront(const PlacedMesh& mesh, const Corners& corners, const glm::vec3& direction) {
-  return (glm::dot(corners.cross(), -direction) < 0) == mesh.mirrored;
+bool meetsFront(const PlacedMesh& mesh, const Hit& hit, const glm::vec3& direction) {
+  return (glm::dot(hit.normal, direction) > 0) == mesh.mirrored;
 }
 
 bool isCutOut(const Material& m, float alpha) { return m.alphaMode == AlphaMode::kMask && alpha < m.alphaCutoff; }
@@ -215,10 +216,10 @@ float opacityOf(const Material& m, float alpha) {
 
 Meeting meetingAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const glm::vec3& direction) {
   const Material& m = *mesh.material;
-  const Corners corners(mesh, hit.triangle);
-  Meeting meeting{.front = meetsFront(mesh, corners, direction)};
+  Meeting meeting{.front = meetsFront(mesh, hit, direction)};
   meeting.shown = meeting.front || m.doubleSided;
   if (!meeting.shown || m.alphaMode == AlphaMode::kOpaque) return meeting;
+  const Corners corners(mesh, hit.triangle);
   const float own = baseColorAt(mesh, corners, {textures, corners, hit.barycentric}).a;
   meeting.shown = !isCutOut(m, own);
   meeting.alpha = opacityOf(m, own);
@@ -236,6 +237,26 @@ bool endsAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, co
   return meeting.shown && meeting.alpha >= alpha;
 }
 
+void prefetchTriangle(const PlacedMesh& mesh, const Hit& hit) { prefetch(&mesh.triangles[hit.triangle]); }
+
+void prefetchVertices(const PlacedMesh& mesh, const Hit& hit) {
+  const glm::uvec3& corners = mesh.triangles[hit.triangle];
+  const Primitive& primitive = *mesh.primitive;
+  for (int k = 0; k < 3; ++k) {
+    prefetch(&mesh.positions[corners[k]]);
+    if (!primitive.normals.empty()) prefetch(&primitive.normals[corners[k]]);
+    if (!primitive.uvs[0].empty()) prefetch(&primitive.uvs[0][corners[k]]);
+  }
+}
+
+void prefetchTexels(const Textures& textures, const PlacedMesh& mesh, const Hit& hit) {
+  const Material& m = *mesh.material;
+  const Corners corners(mesh, hit.triangle);
+  for (const TextureRef* texture :
+       {&m.baseColorTexture, &m.normalTexture, &m.metallicRoughnessTexture, &m.fabric.weaveTexture})
+    if (*texture) textures.prefetch(*texture, corners.uv(texture->texCoord, hit.barycentric));
+}
+
 Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& hit, const Ray& ray,
                   const Footprint* footprint, const ThreeTerms& three, const ShadingTerms* terms, bool baked) {
   const Material& m = *mesh.material;
@@ -243,38 +264,32 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   const Corners corners(mesh, hit.triangle);
   const glm::vec2 b = hit.barycentric;
   const Reader read{textures, corners, b};
-  Surface surface{.position = corners.position(b)};
+  Surface surface;
+  surface.position = corners.position(b);
   surface.distance = hit.distance;
   const glm::vec3 v = -ray.direction;
   const glm::vec3 cross = corners.cross();
-  const bool front = meetsFront(mesh, corners, ray.direction);
+  const bool front = meetsFront(mesh, hit, ray.direction);
   const float face = front ? 1.0f : -1.0f;
   surface.geometricNormal = brdf_f::safeNormalize(glm::dot(cross, v) < 0 ? -cross : cross, v);
-  const auto prefetch = [&](const TextureRef& texture) {
-    if (texture) textures.prefetch(texture, corners.uv(texture.texCoord, b));
-  };
-  // Reads at one point wait for memory together.
-  prefetch(m.normalTexture);
-  prefetch(m.metallicRoughnessTexture);
+  const bool flat = primitive.normals.empty();
+  const glm::vec3 interpolated = flat ? surface.geometricNormal : corners.normal(b);
+  const glm::vec3 n = flat || !m.doubleSided ? interpolated : interpolated * face;
+  const float geometric = flat || !footprint ? 0.0f : roughnessOfCurvature(corners, interpolated, *footprint);
   const glm::vec4 baseColor = baseColorAt(mesh, corners, read);
   surface.unlit = m.unlit;
   surface.emitted = m.unlit ? glm::vec3(baseColor) : m.emissiveFactor * glm::vec3(read(m.emissiveTexture, true));
   if (surface.unlit) return surface;
 
-  const bool flat = primitive.normals.empty();
-  const glm::vec3 interpolated = flat ? surface.geometricNormal : corners.normal(b);
-  const glm::vec3 n = flat || !m.doubleSided ? interpolated : interpolated * face;
-  const float geometric = flat || !footprint ? 0.0f : roughnessOfCurvature(corners, interpolated, *footprint);
   const brdf_f::Normals normals = normalsAt(mesh, corners, read, n, v, face, footprint);
   brdf_f::MaterialInputs in = materialInputs<brdf_f::MaterialInputs>(m, glm::vec3(baseColor), three, read);
   // Finer than a pixel yarns are not taken together: many samples do that.
-  if (isWoven(mesh) && m.fabric.weaveTexture)
-    in = brdf_f::withWeaveTexel(in, read(m.fabric.weaveTexture), glm::vec2(0));
+  if (isWoven(mesh) && m.fabric.weaveTexture) brdf_f::readWeaveTexel(in, read(m.fabric.weaveTexture));
   if (mesh.shading == ShadingModel::kFabric && m.fabric.back && m.doubleSided && !front) {
     in.baseColor = m.fabric.backColorFactor * glm::vec3(read(m.fabric.backColorTexture, true));
     in.roughness = m.fabric.backRoughnessFactor;
   }
-  if (!terms) in = brdf_f::withShadedRoughness(in, geometric);
+  if (!terms) brdf_f::shadeRoughness(in, geometric);
   SurfaceInfo& s = surface.info;
   brdf_f::readSurface(s, in, normals, v, m.physical, isWoven(mesh));
   surface.hasVisibility = baked && mesh.shading == ShadingModel::kFabric && !primitive.visibility[0].empty();
@@ -285,7 +300,7 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   // The fabric's energies are curves: only its glass reads the table.
   if (mesh.shading != ShadingModel::kFabric || surface.glass.weight > 0) {
     s.dfg = brdf_f::splitSum(three, s.perceptualRoughness, s.NoV);
-    s.coatDfg = brdf_f::splitSum(three, s.clearcoatRoughness, s.clearcoatNoV);
+    if (s.clearcoat > 0) s.coatDfg = brdf_f::splitSum(three, s.clearcoatRoughness, s.clearcoatNoV);
   }
   if (baked && m.occlusionTexture)
     surface.occlusion = brdf_f::diffuseOcclusion(read(m.occlusionTexture).r, m.occlusionStrength);

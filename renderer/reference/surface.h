@@ -47,6 +47,11 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
                   const Footprint* footprint, const ThreeTerms& three, const ShadingTerms* terms = nullptr,
                   bool baked = true);
 
+/// Asks the memory for what surfaceAt() will read of a hit. Each is to be there before the next one is asked for.
+void prefetchTriangle(const PlacedMesh& mesh, const Hit& hit);
+void prefetchVertices(const PlacedMesh& mesh, const Hit& hit);
+void prefetchTexels(const Textures& textures, const PlacedMesh& mesh, const Hit& hit);
+
 /// What decides whether a hit is seen, without the rest of the material.
 struct Meeting {
   bool front = true;  ///< the side that the triangle's winding shows

@@ -5,6 +5,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "brdf/brdf.h"
+#include "core/prefetch.h"
 #include "core/unaligned.h"
 #include "telar/error.h"
 
@@ -26,23 +27,29 @@ std::size_t wrapped(std::int64_t i, std::int64_t size, std::uint32_t mode) {
   return static_cast<std::size_t>(at >= size ? period - 1 - at : at);
 }
 
+/// std::floor() calls libm on processors that telar is compiled for. @param x  within the range of the result
+std::int64_t floorOf(double x) {
+  const auto i = static_cast<std::int64_t>(x);
+  return i - (x < static_cast<double>(i) ? 1 : 0);
+}
+
 /// Where a coordinate stands among texels, wrapped to within one of the map (two of a mirrored one): a division of
 /// whole numbers for each texel would take longer than the reads.
 double placeOf(float coordinate, std::uint32_t size, std::uint32_t mode) {
   const double c = coordinate;
   if (mode == CLAMP_TO_EDGE) return std::clamp(c, -1.0, 2.0) * size;
-  const double periods = mode == MIRRORED_REPEAT ? 2 : 1;
-  return (c - std::floor(c / periods) * periods) * size;
+  if (mode == MIRRORED_REPEAT) return (c - static_cast<double>(floorOf(c / 2)) * 2) * size;
+  return (c - static_cast<double>(floorOf(c))) * size;
 }
 
 Taps tapsOf(float coordinate, std::uint32_t size, std::uint32_t mode) {
-  const double place = placeOf(coordinate, size, mode) - 0.5, low = std::floor(place);
-  const auto i = static_cast<std::int64_t>(low);
-  return {wrapped(i, size, mode), wrapped(i + 1, size, mode), static_cast<float>(place - low)};
+  const double place = placeOf(coordinate, size, mode) - 0.5;
+  const std::int64_t low = floorOf(place);
+  return {wrapped(low, size, mode), wrapped(low + 1, size, mode), static_cast<float>(place - static_cast<double>(low))};
 }
 
 std::size_t nearestOf(float coordinate, std::uint32_t size, std::uint32_t mode) {
-  return wrapped(static_cast<std::int64_t>(std::floor(placeOf(coordinate, size, mode))), size, mode);
+  return wrapped(floorOf(placeOf(coordinate, size, mode)), size, mode);
 }
 
 struct TexelReader {
@@ -97,9 +104,11 @@ void Textures::prefetch(const TextureRef& texture, const glm::vec2& uv) const {
   const Image8& image = scene_.images[static_cast<std::size_t>(texture.image)];
   const glm::vec3 moved = texture.uvTransform * glm::vec3(uv, 1.0f);
   if (image.pixels.empty() || !(std::abs(moved.x) < 1e9f && std::abs(moved.y) < 1e9f)) return;
-  const std::size_t x = nearestOf(moved.x, image.width, texture.sampler.wrapS),
-                    y = nearestOf(moved.y, image.height, texture.sampler.wrapT);
-  __builtin_prefetch(&image.pixels[(y * image.width + x) * texelBytes(image.type)]);
+  // Of both rows that are read, the first texel: the second mostly lies beside it.
+  const Taps x = tapsOf(moved.x, image.width, texture.sampler.wrapS),
+             y = tapsOf(moved.y, image.height, texture.sampler.wrapT);
+  for (const std::size_t row : {y.low, y.high})
+    telar::prefetch(&image.pixels[(row * image.width + x.low) * texelBytes(image.type)]);
 }
 
 }  // namespace telar::reference

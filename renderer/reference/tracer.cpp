@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 
 double milliseconds(Clock::duration time) { return std::chrono::duration<double, std::milli>(time).count(); }
 
-constexpr int SAMPLES_PER_CANCEL_CHECK = 16;
+constexpr int MAX_PATHS = static_cast<int>(Integrator::MAX_PATHS);
 
 /// All that rays meet, and the camera that they start from.
 class World {
@@ -46,11 +46,16 @@ class World {
     integrator_.emplace(traced, transport, shot.shading, shot.terms, shot.three);
   }
 
-  /// One estimate of the light of a pixel. @param pixel  its top-left corner
-  glm::vec4 Li(const glm::dvec2& pixel, Sampler& sampler) const {
-    const glm::dvec2 at = pixel + glm::dvec2(sampler.random.uniform2());
-    const glm::dvec2 lens = camera_.hasLens() ? glm::dvec2(sampler.random.uniform2()) : glm::dvec2(0);
-    return integrator_->Li({camera_, at, lens}, sampler);
+  /// One estimate of the light of a pixel by each sampler, Integrator::MAX_PATHS or fewer. @param pixel  its top-left
+  /// corner
+  void Li(const glm::dvec2& pixel, std::span<Sampler> samplers, glm::vec4* light) const {
+    std::vector<PixelPoint> points;
+    for (Sampler& sampler : samplers) {
+      const glm::dvec2 at = pixel + glm::dvec2(sampler.random.uniform2());
+      const glm::dvec2 lens = camera_.hasLens() ? glm::dvec2(sampler.random.uniform2()) : glm::dvec2(0);
+      points.push_back({camera_, at, lens});
+    }
+    integrator_->Li(points, samplers, light);
   }
   std::uint64_t triangles() const {
     std::uint64_t sum = 0;
@@ -115,11 +120,18 @@ class Follower {
  private:
   void addTo(glm::dvec4& sum, const glm::dvec2& corner, std::uint32_t index, const Samples& samples,
              std::uint64_t& rays) const {
-    for (int i = samples.first; i < samples.end; ++i) {
-      if ((i - samples.first) % SAMPLES_PER_CANCEL_CHECK == 0) cancel_.check();
-      Sampler sampler{Random(options_.seed, index, static_cast<std::uint32_t>(i))};
-      sum += glm::dvec4(world_.Li(corner, sampler));
-      rays += sampler.rays;
+    std::vector<Sampler> samplers;
+    for (int first = samples.first; first < samples.end; first += MAX_PATHS) {
+      cancel_.check();
+      samplers.clear();
+      for (int i = first; i < std::min(first + MAX_PATHS, samples.end); ++i)
+        samplers.push_back({Random(options_.seed, index, static_cast<std::uint32_t>(i))});
+      std::array<glm::vec4, Integrator::MAX_PATHS> light;
+      world_.Li(corner, samplers, light.data());
+      for (std::size_t i = 0; i < samplers.size(); ++i) {
+        sum += glm::dvec4(light[i]);
+        rays += samplers[i].rays;
+      }
     }
   }
 

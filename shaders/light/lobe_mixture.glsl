@@ -86,6 +86,10 @@ vec3 sampleLobe(MicrofacetLobe lobe, vec2 u) {
 }
 
 float pdfLobe(MicrofacetLobe lobe, vec3 l) {
+#if ALL_TERMS
+  // No microfacet that the viewer sees reflects him to there.
+  if (lobe.v.z + dot(lobe.frame[2], l) <= 0.0) return 0.0;
+#endif
   return pdfReflection(lobe.v, l * lobe.frame, lobe.alpha);
 }
 
