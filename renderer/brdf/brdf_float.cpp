@@ -1,4 +1,5 @@
 #include <cmath>
+#include <new>
 
 #include "brdf/brdf.h"
 #include "brdf/dfg_lookup.h"

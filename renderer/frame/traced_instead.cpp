@@ -23,7 +23,7 @@ constexpr double SAMPLES = 200, TRIANGLE_SAMPLES = 0.008, SURE = 1.25;
 constexpr double NOT_DENOISED = 0.5;
 /// Milliseconds of a sample of a covered pixel: shaded in dense rows, or triangle by triangle, which those are that let
 /// some light through; traced.
-constexpr double DENSE_MS = 1.3e-3, SINGLE_MS = 2.6e-3, PATH_MS = 1.8e-3;
+constexpr double DENSE_MS = 1.3e-3, SINGLE_MS = 2.6e-3, PATH_MS = 2.6e-3;
 /// How much longer a path through what is blended takes, and the noise of the chance by which it is let through.
 constexpr double BLENDED = 2.5;
 /// Milliseconds of a triangle in the hierarchy that rays go down.

@@ -90,12 +90,13 @@ const std::uint16_t* EnvironmentLight::Cdf::guideOf(float u) const {
 
 std::pair<std::size_t, float> EnvironmentLight::Cdf::find(float u) const {
   std::size_t i = *guideOf(u);
-  // Without a branch for each step, which no processor foresees. The last step ends at 1, above any u.
-  for (unsigned passed = SCANNED; passed == SCANNED; i += passed) {
+  // Without a branch for each step, which no processor foresees.
+  for (unsigned passed = SCANNED; passed == SCANNED && i < count; i += passed) {
     unsigned below = 0;
     for (std::size_t k = 0; k < SCANNED; ++k) below |= static_cast<unsigned>(begin[i + 1 + k] <= u) << k;
     passed = static_cast<unsigned>(std::countr_one(below));
   }
+  i = std::min(i, count - 1);  // u is rounded to 1, or the last value to less
   const float width = begin[i + 1] - begin[i];
   return {i, width > 0 ? std::clamp((u - begin[i]) / width, 0.0f, 0.99999994f) : 0.5f};
 }

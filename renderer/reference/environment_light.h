@@ -20,7 +20,7 @@ class EnvironmentLight {
   /// Where a direction lies in the map: between the centres of four texels.
   struct Place {
     glm::ivec2 low{0};  ///< column and row of the first one; -1 beyond the edge
-    glm::vec2 part{0};  ///< from it to the last, [0, 1)
+    glm::vec2 part{0};  ///< from it to the last, [0, 1]
   };
   struct Sample {
     glm::vec3 direction;  ///< world, unit
@@ -50,7 +50,7 @@ class EnvironmentLight {
     const float* begin;  ///< ascending from 0 to 1, count + 1, and SCANNED more of any value
     const std::uint16_t* guide;
     std::size_t count;
-    /// The interval that u falls in, and the place within it. @param u  [0, 1)
+    /// The interval that u falls in, and the place within it. @param u  [0, 1]
     std::pair<std::size_t, float> find(float u) const;
     static constexpr std::size_t SCANNED = 4;  ///< steps that are looked at together
     const std::uint16_t* guideOf(float u) const;

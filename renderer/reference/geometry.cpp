@@ -1,6 +1,7 @@
 #include "reference/geometry.h"
 
 #include <array>
+#include <cassert>
 
 #include "frame/release_material.h"
 #include "frame/variant.h"
@@ -160,6 +161,7 @@ bool Geometry::intersect(const Ray& ray, Hit& hit) const {
 }
 
 void Geometry::intersect(std::span<const Ray> rays, std::span<std::optional<Hit>> hits) const {
+  assert(rays.size() <= MAX_COHERENT);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -177,6 +179,7 @@ void Geometry::intersect(std::span<const Ray> rays, std::span<std::optional<Hit>
   }
   rtcIntersect8(valid.data(), scene_.get(), &context, &packet);
   for (std::size_t i = 0; i < rays.size(); ++i) {
+    hits[i].reset();
     if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
     const RTCHit8& hit = packet.hit;
     hits[i] = Hit{hit.geomID[i],

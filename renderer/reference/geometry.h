@@ -75,9 +75,11 @@ class Geometry {
   /// @param blocks  asked by countHidden() where a material is one-sided or not opaque; left out: all block
   /// @throws Error{X_REFERENCE, X_MEMORY, X_CANCELLED}
   explicit Geometry(const std::vector<PlacedMesh>& meshes, const CancelToken& cancel = {}, Blocks blocks = {});
+  /// The nearest hit of a ray. @return false: there is none
   bool intersect(const Ray& ray, Hit& hit) const;
   static constexpr std::size_t MAX_COHERENT = 8;
   /// The same for rays that go side by side, MAX_COHERENT or fewer: together they take less time than one by one.
+  /// @param[out] hits  of each ray; none where it meets nothing
   void intersect(std::span<const Ray> rays, std::span<std::optional<Hit>> hits) const;
   /// Whether something ends a ray, as Blocks says. It is cheaper than the first hit. @param far  metres that it goes
   bool occluded(const Ray& ray, float far) const;

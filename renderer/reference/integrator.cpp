@@ -1,7 +1,6 @@
 #include "reference/integrator.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <new>
 #include <type_traits>

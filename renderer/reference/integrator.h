@@ -45,6 +45,7 @@ class Integrator {
   static constexpr std::size_t MAX_PATHS = 8;
   /// One estimate of the light along each of some camera rays. Their paths are followed side by side: while one waits
   /// for memory, the others go on.
+  /// @param from  MAX_PATHS or fewer
   /// @param samplers  of each ray
   /// @param[out] light  of each: linear Rec.709 radiance, premultiplied with coverage, and coverage: 0..1 in the mean
   ///   of many
@@ -62,6 +63,7 @@ class Integrator {
     float lobe() const { return lobeProbability * static_cast<float>(lobes); }
   };
   static constexpr int MAX_STRATA = 2;
+  /// For the surface that the path has arrived at.
   SampleCounts sampleCounts(const Path& path) const;
 
   /// A hit that a ray ends at, and the culled back sides that it passed closely before it.
@@ -74,30 +76,31 @@ class Integrator {
   std::optional<Seen> firstSeen(const Ray& ray, Sampler& sampler, bool opaque) const;
   /// The same where the nearest hit is known. @param hit  of the ray; none where it meets nothing
   std::optional<Seen> firstSeen(Ray ray, std::optional<Hit> hit, Sampler& sampler, bool opaque) const;
-  /// The nearest hit of a ray, and one ray more that was followed.
+  /// The nearest hit of a ray, which is counted.
   std::optional<Hit> nearest(const Ray& ray, Sampler& sampler) const;
-  /// A surface with its material read and prepared, in the place of `surface`.
+  /// Makes `surface` what was seen, with its material read and prepared. @param from  of a camera ray, else null
   void read(const Seen& seen, const Ray& ray, const PixelPoint* from, Surface& surface) const;
-  /// firstSeen() that is read.
+  /// firstSeen() and read(). @return false: nothing is seen
   bool intersect(const Ray& ray, Sampler& sampler, Surface& surface, bool opaque = false) const;
   bool occluded(const Ray& ray, float distance, Sampler& sampler) const;
   Ray spawnRay(const Surface& from, const glm::vec3& direction) const;
 
-  // A path goes in these steps from surface to surface, and ends where one returns false.
+  /// Follows paths from surface to surface, in the steps below, until all have ended.
   void follow(std::span<Path> paths) const;
   /// Finds what the rays of all paths meet.
   void look(std::span<Path* const> paths) const;
-  /// Reads that surface, adds what it emits and the light of lamps.
+  /// Reads that surface, and adds what it emits and what it reflects of lamps. Where there is none: leave().
+  /// @return false: the path ends there, or by Russian roulette
   bool arrive(Path& path) const;
-  /// Adds what a path sees whose ray meets nothing.
+  /// Adds what a path sees whose ray meets nothing: the background, or the environment, weighted against its own samples.
   void leave(Path& path) const;
-  /// Draws directions from the environment for the surfaces of all paths.
+  /// Draws directions from the environment for the surfaces of all paths. @param drawn  MAX_SAMPLES, kept by the caller
   void drawEnvironment(std::span<Path* const> paths, EnvironmentLight::Sample* drawn) const;
-  /// Adds the light of these, and leaves in the direction of the next surface.
+  /// Adds the light of these directions, and goes on by transmit() or reflect(). @return false: the path ends
   bool scatter(Path& path) const;
-  /// @param distance  of the first surface along the ray
+  /// The light of a camera ray with the shadow on the ground. @param distance  of its first surface
   glm::vec4 withGround(const glm::vec4& light, const Ray& ray, float distance, Sampler& sampler) const;
-  /// Moves the path to what is seen through its surface. @return false: it meets no other surface
+  /// Moves the path to what is seen through its surface. @return false: there is none, or it has passed too many
   bool transmit(Path& path) const;
   /// The surface that is seen through another. @return false: none
   bool intersectBehind(const Surface& surface, const TransmissionSample& sample, Sampler& sampler, Surface& next) const;
@@ -117,8 +120,8 @@ class Integrator {
   /// Whether something hides the environment in the direction `l`, unit.
   bool hidden(const Surface& surface, const glm::vec3& l, Sampler& sampler) const;
   /// The environment by samples of its own map, weighted against those of the lobes.
-  glm::vec3 sampleEnvironment(Path& path) const;
-  /// The environment by samples of the lobes, for a path that ends here: reflect() does it for the others.
+  glm::vec3 sampleEnvironment(const Path& path) const;
+  /// The environment by samples of the lobes, for a path that ends here: leave() does it for the others.
   glm::vec3 sampleLobes(const Surface& surface, const brdf_f::LobeMixture& lobes, const SampleCounts& counts,
                         Sampler& sampler) const;
   /// Light of one sample of a light. @param shadow  part that a shadow takes where the shot asks for one

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <limits>
 
 #include "reference/integrator.h"
@@ -19,11 +20,11 @@ struct Integrator::Path {
   std::optional<Seen> seen;  ///< what it ends at
   bool arrived = false;      ///< the next surface is `surface`, as it was met on the way through another
   Surface surface;
-  brdf_f::LobeMixture lobes;  ///< of the surface
-  SampleCounts counts;        ///< of the surface
-  std::span<const EnvironmentLight::Sample> drawn;
-  EnvironmentLight::Place place{};  ///< of the ray in the environment
-  float pdf = 0;                    ///< of the ray among the lobes that it was drawn from
+  brdf_f::LobeMixture lobes;                        ///< of the surface
+  SampleCounts counts;                              ///< of the surface
+  std::span<const EnvironmentLight::Sample> drawn;  ///< from the environment for the surface; follow() keeps them
+  EnvironmentLight::Place place{};                  ///< of the ray in the environment
+  float pdf = 0;                                    ///< of the ray among the lobes that it was drawn from
   glm::vec3 radiance{0}, throughput{1};
   float coverage = 1;                                       ///< of the picture by what the path met
   float distance = std::numeric_limits<float>::infinity();  ///< of its first surface
@@ -41,7 +42,7 @@ Integrator::SampleCounts Integrator::sampleCounts(const Path& path) const {
   return {MAX_STRATA, transport_.bounces == 0 ? 3 : 1, lobeProbability};
 }
 
-glm::vec3 Integrator::sampleEnvironment(Path& path) const {
+glm::vec3 Integrator::sampleEnvironment(const Path& path) const {
   glm::vec3 sum(0);
   const Surface& surface = path.surface;
   const SampleCounts& counts = path.counts;
@@ -218,6 +219,7 @@ void Integrator::follow(std::span<Path> paths) const {
 }
 
 void Integrator::Li(std::span<const PixelPoint> from, std::span<Sampler> samplers, glm::vec4* light) const {
+  assert(from.size() <= MAX_PATHS);
   std::array<Path, MAX_PATHS> paths;
   for (std::size_t i = 0; i < from.size(); ++i) {
     paths[i].from = &from[i];

@@ -26,8 +26,8 @@ struct Glass {
 /// A point of a surface with its material read.
 struct Surface {
   glm::vec3 position{0};
-  glm::vec3 geometricNormal{0};  ///< unit, on the viewer's side
-  brdf_f::SurfaceInfo info;
+  glm::vec3 geometricNormal{0};                     ///< unit, on the viewer's side
+  brdf_f::SurfaceInfo info;                         ///< not set where the surface is unlit
   const brdf_f::ShadingVariant* shading = nullptr;  ///< of `info`; none where the surface is unlit
   Glass glass;
   glm::vec3 emitted{0};

@@ -1,6 +1,7 @@
 #include "reference/tracer.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <chrono>

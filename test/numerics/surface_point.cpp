@@ -46,6 +46,8 @@ class Stage {
     mesh.triangles = {{0, 1, 2}};
     reference::Hit hit;
     hit.barycentric = glm::vec2(1.0f / 3);
+    const auto& corners = primitive_.positions;
+    hit.normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     static const Scene empty;
     static const reference::Textures textures(empty);
     const ShadingTerms terms = termsOf(model);

@@ -76,6 +76,20 @@ TEST(EnvironmentLight, DrawsInvertTheDistribution) {
   EXPECT_GT(inSun, SIDE * SIDE / 20);
 }
 
+// Samples in squares are (cell + u) / side, which floats round to 1 where u is just below it.
+TEST(EnvironmentLight, PlacesThatAreRoundedTo1LieInTheLastRowAndColumn) {
+  const ImageF map = sunnyMap();
+  const EnvironmentLight light(map, 0, 1);
+  const float last = (1 + 0x1.fffffep-1f) / 2;
+  ASSERT_EQ(last, 1);
+  const EnvironmentLight::Sample sample = light.sample({last, last});
+  EXPECT_GT(sample.pdf, 0);
+  EXPECT_LT(sample.direction.y, -0.99f);
+  EXPECT_NEAR(glm::length(sample.direction), 1, 1e-5f);
+  EXPECT_EQ(sample.place.low, glm::ivec2(63, 31));
+  EXPECT_NEAR(sample.pdf, light.pdf(sample.place), 1e-3f * sample.pdf);
+}
+
 TEST(EnvironmentLight, DrawsGiveTheIntegralOfTheMapWithoutBias) {
   const ImageF map = sunnyMap();
   const EnvironmentLight light(map, 37, 0.7);

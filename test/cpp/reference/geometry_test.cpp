@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <glm/gtc/matrix_transform.hpp>
+#include <optional>
 
 namespace telar::reference {
 namespace {
@@ -36,6 +38,35 @@ TEST(Geometry, ARayHitsTheTriangleThatIsThere) {
   EXPECT_NEAR(at.x, 0.25f, 1e-6f);
   EXPECT_NEAR(at.y, -0.4f, 1e-6f);
   EXPECT_FALSE(geometry.intersect({{0.75f, 0, 2}, {0, 0, -1}}, hit));
+}
+
+// What is met is told by its corners' order on screen, one ray at a time and side by side, from the front and from behind.
+TEST(Geometry, NormalsOfHitsFollowTheOrderOfTheCorners) {
+  for (const double side : {1.0, -1.0}) {
+    const auto meshes = placeMeshes(squareScene(glm::scale(glm::dmat4(1), glm::dvec3(side, 1, 1))), -1, glm::dvec3(0));
+    const Geometry geometry(meshes);
+    for (const float from : {2.0f, -2.0f}) {
+      const std::array<Ray, 3> rays{Ray{{0.25f, -0.4f, from}, {0, 0, -from / 2}},
+                                    Ray{{0.75f, 0, from}, {0, 0, -from / 2}},
+                                    Ray{{-0.25f, 0.4f, from}, {0, 0, -from / 2}}};
+      std::array<std::optional<Hit>, 3> hits;
+      hits[1] = Hit{};
+      geometry.intersect(rays, hits);
+      EXPECT_FALSE(hits[1]) << "of a ray before";
+      for (const std::size_t i : {0u, 2u}) {
+        Hit alone;
+        ASSERT_TRUE(geometry.intersect(rays[i], alone));
+        ASSERT_TRUE(hits[i]);
+        EXPECT_EQ(hits[i]->triangle, alone.triangle);
+        EXPECT_FLOAT_EQ(hits[i]->distance, alone.distance);
+        const glm::uvec3 t = meshes[0].triangles[alone.triangle];
+        const auto& p = meshes[0].positions;
+        const glm::vec3 normal = glm::cross(p[t.y] - p[t.x], p[t.z] - p[t.x]);
+        EXPECT_GT(glm::dot(alone.normal, normal), 0);
+        EXPECT_GT(glm::dot(hits[i]->normal, normal), 0);
+      }
+    }
+  }
 }
 
 TEST(Geometry, FarFromTheOriginNothingIsLost) {
