@@ -86,6 +86,15 @@ TEST(TracedInstead, WhatLetsLightThroughCostsMore) {
   EXPECT_FALSE(traces(AlphaMode::kBlend, 24));
 }
 
+TEST(TracedInstead, NetsOfLargeTrianglesAreRastered) {
+  Material net;
+  net.alphaMode = AlphaMode::kMask;
+  for (const int size : {32, 128}) {
+    EXPECT_FALSE(tracedInstead(*sceneWith(2, net), highShot(size))) << size;
+    EXPECT_TRUE(tracedInstead(*sceneWith(60'000, net), highShot(size))) << size;
+  }
+}
+
 TEST(TracedInstead, PassesThatAreNotDenoisedAreMore) {
   const auto traced = [](bool denoise) {
     Shot shot = highShot(24);
