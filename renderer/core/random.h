@@ -11,13 +11,12 @@ namespace telar {
 class Random {
  public:
   Random(std::uint64_t seed, std::uint32_t pixel, std::uint32_t sample)
-      : state_(mixed(mixed(seed) + pixel)), sample_(sample), reversedSample_(reversed(sample)) {}
+      : state_(mixed(mixed(seed) + pixel)), reversedSample_(reversed(sample)) {}
 
   /// Sample `i` after this one of the same pixel.
   Random after(int i) const {
     Random later = *this;
-    later.sample_ += static_cast<std::uint32_t>(i);
-    later.reversedSample_ = reversed(later.sample_);
+    later.reversedSample_ = reversed(reversed(reversedSample_) + static_cast<std::uint32_t>(i));
     return later;
   }
 
@@ -84,7 +83,7 @@ class Random {
   }
 
   std::uint64_t state_;
-  std::uint32_t sample_, reversedSample_;
+  std::uint32_t reversedSample_;
 };
 
 }  // namespace telar

@@ -37,6 +37,7 @@ struct Counts {
   bool single = false;                ///< pass::VisibilityBuffer leaves it to the GL, triangle by triangle
   bool blended = false;               ///< some of it lets light through in part
 
+  /// Of a sample of a covered pixel.
   double singleMs() const {
     const double outlines = std::sqrt(triangles / std::max(covered, 1.0));
     return std::min(LARGE_MS + (SMALL_MS - LARGE_MS) * outlines, SMALL_MS);

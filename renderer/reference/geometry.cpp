@@ -64,6 +64,21 @@ struct ShellContext {
   float shells = 0;
 };
 
+/// As Embree takes it. @param far  metres that it goes
+RTCRay rayOf(const Ray& ray, float far) {
+  RTCRay query = {};
+  query.org_x = ray.origin.x, query.org_y = ray.origin.y, query.org_z = ray.origin.z;
+  query.dir_x = ray.direction.x, query.dir_y = ray.direction.y, query.dir_z = ray.direction.z;
+  query.tnear = ray.from;
+  query.tfar = far;
+  query.mask = ~0u;
+  return query;
+}
+
+Hit hitOf(const RTCHit& hit, float distance) {
+  return {hit.geomID, hit.primID, {hit.u, hit.v}, distance, {hit.Ng_x, hit.Ng_y, hit.Ng_z}};
+}
+
 constexpr std::size_t PACKET = 16;  ///< rays at once: as wide as the widest registers
 
 }  // namespace
@@ -142,21 +157,13 @@ Geometry::Geometry(const std::vector<PlacedMesh>& meshes, const CancelToken& can
 
 bool Geometry::intersect(const Ray& ray, Hit& hit) const {
   RTCRayHit query = {};
-  query.ray.org_x = ray.origin.x, query.ray.org_y = ray.origin.y, query.ray.org_z = ray.origin.z;
-  query.ray.dir_x = ray.direction.x, query.ray.dir_y = ray.direction.y, query.ray.dir_z = ray.direction.z;
-  query.ray.tnear = ray.from;
-  query.ray.tfar = std::numeric_limits<float>::infinity();
-  query.ray.mask = ~0u;
+  query.ray = rayOf(ray, std::numeric_limits<float>::infinity());
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(scene_.get(), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-  hit = {query.hit.geomID,
-         query.hit.primID,
-         {query.hit.u, query.hit.v},
-         query.ray.tfar,
-         {query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z}};
+  hit = hitOf(query.hit, query.ray.tfar);
   return true;
 }
 
@@ -179,24 +186,15 @@ void Geometry::intersect(std::span<const Ray> rays, std::span<std::optional<Hit>
   }
   rtcIntersect8(valid.data(), scene_.get(), &context, &packet);
   for (std::size_t i = 0; i < rays.size(); ++i) {
+    const RTCHit hit =
+        rtcGetHitFromHitN(reinterpret_cast<RTCHitN*>(&packet.hit), MAX_COHERENT, static_cast<unsigned>(i));
     hits[i].reset();
-    if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
-    const RTCHit8& hit = packet.hit;
-    hits[i] = Hit{hit.geomID[i],
-                  hit.primID[i],
-                  {hit.u[i], hit.v[i]},
-                  packet.ray.tfar[i],
-                  {hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i]}};
+    if (hit.geomID != RTC_INVALID_GEOMETRY_ID) hits[i] = hitOf(hit, packet.ray.tfar[i]);
   }
 }
 
 bool Geometry::occluded(const Ray& ray, float far) const {
-  RTCRay query = {};
-  query.org_x = ray.origin.x, query.org_y = ray.origin.y, query.org_z = ray.origin.z;
-  query.dir_x = ray.direction.x, query.dir_y = ray.direction.y, query.dir_z = ray.direction.z;
-  query.tnear = ray.from;
-  query.tfar = far;
-  query.mask = ~0u;
+  RTCRay query = rayOf(ray, far);
   ShellContext context;
   rtcInitIntersectContext(&context.embree);
   rtcOccluded1(scene_.get(), &context.embree, &query);
@@ -210,9 +208,7 @@ void Geometry::keepBlockers(const RTCFilterFunctionNArguments* met) {
     if (met->valid[i] == 0) continue;
     const RTCHit hit = rtcGetHitFromHitN(met->hit, met->N, i);
     const RTCRay ray = rtcGetRayFromRayN(met->ray, met->N, i);
-    if (!blocks({hit.geomID, hit.primID, {hit.u, hit.v}, ray.tfar, {hit.Ng_x, hit.Ng_y, hit.Ng_z}},
-                {ray.dir_x, ray.dir_y, ray.dir_z}, shells))
-      met->valid[i] = 0;
+    if (!blocks(hitOf(hit, ray.tfar), {ray.dir_x, ray.dir_y, ray.dir_z}, shells)) met->valid[i] = 0;
   }
 }
 

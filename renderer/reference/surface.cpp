@@ -272,15 +272,15 @@ Surface surfaceAt(const Textures& textures, const PlacedMesh& mesh, const Hit& h
   const bool front = meetsFront(mesh, hit, ray.direction);
   const float face = front ? 1.0f : -1.0f;
   surface.geometricNormal = brdf_f::safeNormalize(glm::dot(cross, v) < 0 ? -cross : cross, v);
-  const bool flat = primitive.normals.empty();
-  const glm::vec3 interpolated = flat ? surface.geometricNormal : corners.normal(b);
-  const glm::vec3 n = flat || !m.doubleSided ? interpolated : interpolated * face;
-  const float geometric = flat || !footprint ? 0.0f : roughnessOfCurvature(corners, interpolated, *footprint);
   const glm::vec4 baseColor = baseColorAt(mesh, corners, read);
   surface.unlit = m.unlit;
   surface.emitted = m.unlit ? glm::vec3(baseColor) : m.emissiveFactor * glm::vec3(read(m.emissiveTexture, true));
   if (surface.unlit) return surface;
 
+  const bool flat = primitive.normals.empty();
+  const glm::vec3 interpolated = flat ? surface.geometricNormal : corners.normal(b);
+  const glm::vec3 n = flat || !m.doubleSided ? interpolated : interpolated * face;
+  const float geometric = flat || !footprint ? 0.0f : roughnessOfCurvature(corners, interpolated, *footprint);
   const brdf_f::Normals normals = normalsAt(mesh, corners, read, n, v, face, footprint);
   brdf_f::MaterialInputs in = materialInputs<brdf_f::MaterialInputs>(m, glm::vec3(baseColor), three, read);
   // Finer than a pixel yarns are not taken together: many samples do that.

@@ -51,6 +51,7 @@ class World {
   /// corner
   void Li(const glm::dvec2& pixel, std::span<Sampler> samplers, glm::vec4* light) const {
     std::vector<PixelPoint> points;
+    points.reserve(samplers.size());
     for (Sampler& sampler : samplers) {
       const glm::dvec2 at = pixel + glm::dvec2(sampler.random.uniform2());
       const glm::dvec2 lens = camera_.hasLens() ? glm::dvec2(sampler.random.uniform2()) : glm::dvec2(0);
@@ -122,6 +123,7 @@ class Follower {
   void addTo(glm::dvec4& sum, const glm::dvec2& corner, std::uint32_t index, const Samples& samples,
              std::uint64_t& rays) const {
     std::vector<Sampler> samplers;
+    samplers.reserve(MAX_PATHS);
     for (int first = samples.first; first < samples.end; first += MAX_PATHS) {
       cancel_.check();
       samplers.clear();

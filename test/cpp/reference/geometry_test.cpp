@@ -40,7 +40,7 @@ TEST(Geometry, ARayHitsTheTriangleThatIsThere) {
   EXPECT_FALSE(geometry.intersect({{0.75f, 0, 2}, {0, 0, -1}}, hit));
 }
 
-// What is met is told by its corners' order on screen, one ray at a time and side by side, from the front and from behind.
+// The normal of a hit points to those who see its corners counter-clockwise, whichever side a ray comes from.
 TEST(Geometry, NormalsOfHitsFollowTheOrderOfTheCorners) {
   for (const double side : {1.0, -1.0}) {
     const auto meshes = placeMeshes(squareScene(glm::scale(glm::dmat4(1), glm::dvec3(side, 1, 1))), -1, glm::dvec3(0));
