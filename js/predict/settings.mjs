@@ -5,7 +5,7 @@ import { PRESETS } from '../shot/table/quality.mjs';
  * `{budgetMs}` choose from. Within a family each one that follows takes more samples, so that it costs no less and errs no more.
  */
 
-const denoised = (samples, environmentSamples) => ({ samples, environmentSamples, mergeQuads: true, denoise: true });
+const denoised = (samples, environmentSamples) => ({ samples, environmentSamples, mergeQuads: true, denoise: true, shadowScale: 4 });
 
 /** Light that arrives directly: what the raster computes, too. */
 const paths = (samples, noise) => ({ preset: 'reference', transport: 'direct', samples, ...(noise !== undefined && { noise }) });

@@ -479,21 +479,23 @@ export interface Shot {
     samples?: 1 | 4 | 16 | 64 | 256 | 1024;
     /** What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone mapping; default "encoded", "linear" for more than 4 samples. */
     resolve?: 'encoded' | 'linear';
-    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, from 16 of more, from 256 where they are denoised; 0 = every pixel takes all. For more than 16 samples; default 0. Range 0 to 64. */
+    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples; 0 = every pixel takes all. For more than 16 samples; default 0. Range 0 to 64. */
     noise?: number;
-    /** Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered maps, as three.js has them; default 0. Range 0 to 4096. */
+    /** Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered maps; default 0. Range 0 to 4096. */
     environmentSamples?: number;
-    /** Shade triangles that share a vertex once where they meet in two by two pixels, as one surface: each pixel shows one of them. Saves time on the processor alone, where triangles have a few pixels; default false. */
+    /** Shade triangles that share a vertex once where they meet in two by two pixels: each pixel shows one of them; default false. */
     mergeQuads?: boolean;
     /** Take light from the passes as far as it stands out of their noise, and detail also from a picture of one pass, whose light is prefiltered; `noise` is then what that leaves. For more than 4 samples; default false. */
     denoise?: boolean;
     /** Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = whole; default 0. Range 0 to 16384. */
     textureSize?: number;
-    /** Size of a face of the prefiltered environment, whose last level has 8: a smaller one tells fewer roughnesses apart; 0 = as in three.js, a quarter of the width of the map, at least 256. Atlases of releases of three.js before 0.187 have their own; default 0. */
+    /** Size of a face of the prefiltered environment: a smaller one tells fewer roughnesses apart; 0 = as in three.js, a quarter of the width of the map, at least 256. Atlases of releases of three.js before 0.187 have their own; default 0. */
     environmentSize?: 0 | 64 | 128 | 256 | 512 | 1024;
     /** Directions of each texel of the smooth levels of the prefiltered environment. Not of atlases of releases of three.js before 0.187; default 256. */
     prefilterSamples?: 16 | 32 | 64 | 128 | 256 | 512 | 1024 | 2048 | 4096;
-    /** Most lights that shade the model and cast shadows: those that shine most on its middle; ambient and hemisphere lights do not count. 0 = all; default 0. Range 0 to 4096. */
+    /** Shadow maps have so many times the texels on a side, at most 4096 x 4096 together; shading "fabric" alone; default 1. */
+    shadowScale?: 1 | 2 | 4;
+    /** Most lights that shade the model and cast shadows: those that shine most on its middle, ambient and hemisphere lights aside. 0 = all; default 0. Range 0 to 4096. */
     maxLights?: number;
     /** Size of the picture of what lies behind transmissive surfaces, as a part of the shot's; default 1. Range 0.0625 to 1. */
     transmissionScale?: number;
@@ -510,11 +512,11 @@ export interface Shot {
     preset: 'reference';
     /** Paths a pixel; the noise falls with the root of it; default 256. Range 1 to 65536. */
     samples?: number;
-    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more paths, from 16 of them on; 0 = every pixel takes all; default 0. Range 0 to 64. */
+    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more paths, from 16 on; 0 = every pixel takes all; default 0. Range 0 to 64. */
     noise?: number;
     /** The same seed gives the same bytes, with any number of threads; default 1. Range 0 to 1000000000. */
     seed?: number;
-    /** "global": all light, over `bounces` reflections; "occlusion": light that arrives directly, less what surfaces hide; "direct": the same with nothing hidden but the shadows that the shot asks for, which is what the raster computes; default "global". */
+    /** "global": all light, over `bounces` reflections; "occlusion": light that arrives directly, less what surfaces hide; "direct": the same with nothing hidden but the shadows that the shot asks for, as in the raster; default "global". */
     transport?: 'global' | 'occlusion' | 'direct';
     /** Reflections from surface to surface, "global" alone; default 8. Range 0 to 64. */
     bounces?: number;
@@ -527,6 +529,7 @@ export interface Shot {
     textureSize?: never;
     environmentSize?: never;
     prefilterSamples?: never;
+    shadowScale?: never;
     maxLights?: never;
     transmissionScale?: never;
     geometryError?: never;
@@ -545,6 +548,7 @@ export interface Shot {
     textureSize?: never;
     environmentSize?: never;
     prefilterSamples?: never;
+    shadowScale?: never;
     maxLights?: never;
     transmissionScale?: never;
     geometryError?: never;
@@ -566,6 +570,7 @@ export interface Shot {
     textureSize?: never;
     environmentSize?: never;
     prefilterSamples?: never;
+    shadowScale?: never;
     maxLights?: never;
     transmissionScale?: never;
     geometryError?: never;
@@ -1115,21 +1120,23 @@ export interface ResolvedShot {
     samples: 1 | 4 | 16 | 64 | 256 | 1024;
     /** What the samples of a pixel are averaged in: "encoded" values, as a browser does, or "linear" light before tone mapping; default "encoded", "linear" for more than 4 samples. */
     resolve: 'encoded' | 'linear';
-    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, from 16 of more, from 256 where they are denoised; 0 = every pixel takes all. For more than 16 samples. Range 0 to 64. */
+    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples; 0 = every pixel takes all. For more than 16 samples. Range 0 to 64. */
     noise: number;
-    /** Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered maps, as three.js has them. Range 0 to 4096. */
+    /** Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered maps. Range 0 to 4096. */
     environmentSamples: number;
-    /** Shade triangles that share a vertex once where they meet in two by two pixels, as one surface: each pixel shows one of them. Saves time on the processor alone, where triangles have a few pixels. */
+    /** Shade triangles that share a vertex once where they meet in two by two pixels: each pixel shows one of them. */
     mergeQuads: boolean;
     /** Take light from the passes as far as it stands out of their noise, and detail also from a picture of one pass, whose light is prefiltered; `noise` is then what that leaves. For more than 4 samples. */
     denoise: boolean;
     /** Most texels of the longer side of a texture: of larger ones the next mip level that fits is read; 0 = whole. Range 0 to 16384. */
     textureSize: number;
-    /** Size of a face of the prefiltered environment, whose last level has 8: a smaller one tells fewer roughnesses apart; 0 = as in three.js, a quarter of the width of the map, at least 256. Atlases of releases of three.js before 0.187 have their own. */
+    /** Size of a face of the prefiltered environment: a smaller one tells fewer roughnesses apart; 0 = as in three.js, a quarter of the width of the map, at least 256. Atlases of releases of three.js before 0.187 have their own. */
     environmentSize: 0 | 64 | 128 | 256 | 512 | 1024;
     /** Directions of each texel of the smooth levels of the prefiltered environment. Not of atlases of releases of three.js before 0.187. */
     prefilterSamples: 16 | 32 | 64 | 128 | 256 | 512 | 1024 | 2048 | 4096;
-    /** Most lights that shade the model and cast shadows: those that shine most on its middle; ambient and hemisphere lights do not count. 0 = all. Range 0 to 4096. */
+    /** Shadow maps have so many times the texels on a side, at most 4096 x 4096 together; shading "fabric" alone. */
+    shadowScale: 1 | 2 | 4;
+    /** Most lights that shade the model and cast shadows: those that shine most on its middle, ambient and hemisphere lights aside. 0 = all. Range 0 to 4096. */
     maxLights: number;
     /** Size of the picture of what lies behind transmissive surfaces, as a part of the shot's. Range 0.0625 to 1. */
     transmissionScale: number;
@@ -1146,11 +1153,11 @@ export interface ResolvedShot {
     preset: 'reference';
     /** Paths a pixel; the noise falls with the root of it. Range 1 to 65536. */
     samples: number;
-    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more paths, from 16 of them on; 0 = every pixel takes all. Range 0 to 64. */
+    /** Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more paths, from 16 on; 0 = every pixel takes all. Range 0 to 64. */
     noise: number;
     /** The same seed gives the same bytes, with any number of threads. Range 0 to 1000000000. */
     seed: number;
-    /** "global": all light, over `bounces` reflections; "occlusion": light that arrives directly, less what surfaces hide; "direct": the same with nothing hidden but the shadows that the shot asks for, which is what the raster computes. */
+    /** "global": all light, over `bounces` reflections; "occlusion": light that arrives directly, less what surfaces hide; "direct": the same with nothing hidden but the shadows that the shot asks for, as in the raster. */
     transport: 'global' | 'occlusion' | 'direct';
     /** Reflections from surface to surface, "global" alone. Range 0 to 64. */
     bounces: number;
@@ -1163,6 +1170,7 @@ export interface ResolvedShot {
     textureSize?: never;
     environmentSize?: never;
     prefilterSamples?: never;
+    shadowScale?: never;
     maxLights?: never;
     transmissionScale?: never;
     geometryError?: never;
@@ -1181,6 +1189,7 @@ export interface ResolvedShot {
     textureSize?: never;
     environmentSize?: never;
     prefilterSamples?: never;
+    shadowScale?: never;
     maxLights?: never;
     transmissionScale?: never;
     geometryError?: never;
@@ -1202,6 +1211,7 @@ export interface ResolvedShot {
     textureSize?: never;
     environmentSize?: never;
     prefilterSamples?: never;
+    shadowScale?: never;
     maxLights?: never;
     transmissionScale?: never;
     geometryError?: never;

@@ -27,6 +27,7 @@ export const KNOBS = Object.freeze({
   environmentSize: { 64: { environmentSize: 64 }, 128: { environmentSize: 128 }, 512: { environmentSize: 512 } },
   prefilterSamples: { 32: { prefilterSamples: 32 }, 1024: { prefilterSamples: 1024 } },
   maxLights: { 1: { maxLights: 1 } },
+  shadowScale: { 2: { shadowScale: 2 }, 4: { shadowScale: 4 } },
   transmissionScale: { 0.25: { transmissionScale: 0.25 }, 0.5: { transmissionScale: 0.5 } },
   geometryError: { 0.25: { geometryError: 0.25 }, 0.5: { geometryError: 0.5 }, 1: { geometryError: 1 } },
   'shadow.mapSize': { 256: { shadow: { mapSize: 256 } }, 512: { shadow: { mapSize: 512 } }, 2048: { shadow: { mapSize: 2048 } } },

@@ -2,6 +2,7 @@ import { compareImages } from '../compare/index.mjs';
 import { TelarError } from '../error/index.mjs';
 import { familyOf } from '../predict/settings.mjs';
 import { windowCamera, windowOf } from '../predict/window.mjs';
+import { SAMPLES_OF_A_PASS } from '../shot/table/quality.mjs';
 
 /**
  * What the error is measured against: light that arrives directly and the environment, path traced. Another seed than the settings':
@@ -21,7 +22,7 @@ const TINY = 8;
 export const scaledTime = (small, large, pixels) => small.ms + ((large.ms - small.ms) * (pixels - small.pixels)) / (large.pixels - small.pixels);
 
 /** CPU time from which on a window is drawn no second time, and up to which it is drawn a third time. */
-const LONG_MS = 1500;
+const LONG_MS = 4000; // of which a program compiled takes one or two
 const SHORT_MS = 300;
 
 /** A shot with a setting: a quality, or that and what of the shadows of its lamps is other. */
@@ -33,11 +34,12 @@ const withSetting = (shot, setting) => {
 };
 
 /** Whether a setting changes what the scene does not have. */
-const isIdle = ({ shadow, quality, transmissionScale = quality?.transmissionScale ?? 1 }, { shadows }, passes) =>
-  (shadow !== undefined && !shadows) || (transmissionScale < 1 && !passes.includes('transmission'));
+const isIdle = ({ shadow, quality, transmissionScale = quality?.transmissionScale ?? 1, samples, shadowScale }, { shadows }, passes) =>
+  // Qualities of several passes have finer maps beside all else.
+  (!shadows && (shadow !== undefined || (shadowScale > 1 && samples <= SAMPLES_OF_A_PASS))) || (transmissionScale < 1 && !passes.includes('transmission'));
 
-/** Pictures that are timed, by the milliseconds that one is expected to take: the least of them counts, for whatever else runs only adds. */
-const runsFor = (ms) => (ms < 150 ? 5 : ms < 600 ? 3 : 1);
+/** Pictures that are timed, by the milliseconds that one is expected to take: the least of them counts, for whatever else runs only adds, and the first one may compile programs. */
+const runsFor = (ms) => (ms < 150 ? 5 : ms < 600 ? 3 : ms < 8000 ? 2 : 1);
 
 /**
  * One scene at one size.

@@ -3,6 +3,7 @@
 #include "pass/describe.h"
 #include "pass/plan/fragment_estimate.h"
 #include "pass/plan/simplified_draws.h"
+#include "pass/plan/triangle_order.h"
 #include "pass/surface/surface_pass.h"
 
 namespace telar::pass {
@@ -32,6 +33,7 @@ LitPlan planLit(const Scene& scene, const Shot& asked, std::span<const std::byte
   } else if (!suns.list.empty()) {
     lit.warning = rangeWarning(suns.share);
   }
+  orderTriangles(lit.plan, cancel);
   timer.lap("environment");
   return lit;
 }

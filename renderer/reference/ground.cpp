@@ -19,7 +19,9 @@ Ground::Ground(const Shot& shot, const glm::dvec3& centre)
   for (const Shot::Light& light : shot.lights) {
     if (!light.castShadow) continue;
     const Shot::Light::Shadow& shadow = light.shadow;
-    const double texels = (shadow.radius + TAP) / shadow.mapSize;  // parts of the map's side
+    // A map of the raster whose shadows fall on the model has finer texels too.
+    const int finer = shot.shading == ShadingModel::kFabric && light.intensity > 0 ? shot.shadowScale : 1;
+    const double texels = (shadow.radius + TAP) / (shadow.mapSize * finer);  // parts of the map's side
     Caster caster;
     caster.intensity = static_cast<float>(shadow.intensity);
     caster.directional = light.type == Type::kDirectional;

@@ -96,9 +96,9 @@ struct Reader {
   const Textures& textures;
   const Corners& corners;
   glm::vec2 barycentric;
-  glm::vec4 operator()(const TextureRef& texture, bool srgb = false) const {
+  glm::vec4 operator()(const TextureRef& texture, bool srgb = false, bool byAlpha = false) const {
     if (!texture) return glm::vec4(1.0f);
-    return textures.read(texture, corners.uv(texture.texCoord, barycentric), srgb);
+    return textures.read(texture, corners.uv(texture.texCoord, barycentric), srgb, byAlpha);
   }
 };
 
@@ -179,8 +179,9 @@ float roughnessOfCurvature(const Corners& corners, const glm::vec3& n, const Foo
 
 /// Factor, texture, tint and vertex colours.
 glm::vec4 baseColorAt(const PlacedMesh& mesh, const Corners& corners, const Reader& read) {
-  const glm::vec4 color =
-      mesh.material->baseColorFactor * read(mesh.material->baseColorTexture, true) * glm::vec4(mesh.tint, 1.0f);
+  const Material& m = *mesh.material;
+  const bool isSheer = mesh.shading == ShadingModel::kFabric && m.alphaMode == AlphaMode::kBlend;
+  const glm::vec4 color = m.baseColorFactor * read(m.baseColorTexture, true, isSheer) * glm::vec4(mesh.tint, 1.0f);
   const auto& ofVertices = mesh.primitive->colors;
   return ofVertices.empty() ? color : color * corners.at(ofVertices, read.barycentric);
 }

@@ -81,7 +81,7 @@ Textures::Textures(const Scene& scene) : scene_(scene) {
   }
 }
 
-glm::vec4 Textures::read(const TextureRef& texture, const glm::vec2& uv, bool srgb) const {
+glm::vec4 Textures::read(const TextureRef& texture, const glm::vec2& uv, bool srgb, bool byAlpha) const {
   if (!texture) return glm::vec4(1.0f);
   const Image8& image = scene_.images[static_cast<std::size_t>(texture.image)];
   if (image.pixels.empty()) return glm::vec4(1.0f);
@@ -95,8 +95,16 @@ glm::vec4 Textures::read(const TextureRef& texture, const glm::vec2& uv, bool sr
                         nearestOf(moved.y, image.height, sampler.wrapT));
   }
   const Taps x = tapsOf(moved.x, image.width, sampler.wrapS), y = tapsOf(moved.y, image.height, sampler.wrapT);
-  return glm::mix(glm::mix(reader.texel(x.low, y.low), reader.texel(x.high, y.low), x.part),
-                  glm::mix(reader.texel(x.low, y.high), reader.texel(x.high, y.high), x.part), y.part);
+  const auto mean = [&](const auto& texel) {
+    return glm::mix(glm::mix(texel(x.low, y.low), texel(x.high, y.low), x.part),
+                    glm::mix(texel(x.low, y.high), texel(x.high, y.high), x.part), y.part);
+  };
+  if (!byAlpha) return mean([&reader](std::size_t column, std::size_t row) { return reader.texel(column, row); });
+  const glm::vec4 color = mean([&reader](std::size_t column, std::size_t row) {
+    const glm::vec4 texel = reader.texel(column, row);
+    return glm::vec4(glm::vec3(texel) * texel.a, texel.a);
+  });
+  return {glm::vec3(color) / std::max(color.a, 1.0f / 512.0f), color.a};
 }
 
 void Textures::prefetch(const TextureRef& texture, const glm::vec2& uv) const {

@@ -14,9 +14,10 @@ class Textures {
 
   /// One use of a texture at a point.
   /// @param uv    as in the file: the reference's own transform is applied here
-  /// @param srgb  decode to linear light before filtering
+  /// @param srgb     decode to linear light before filtering
+  /// @param byAlpha  colours count as much as they cover: what a hole would show has none between texels either
   /// @return white where the reference has no texture
-  glm::vec4 read(const TextureRef& texture, const glm::vec2& uv, bool srgb) const;
+  glm::vec4 read(const TextureRef& texture, const glm::vec2& uv, bool srgb, bool byAlpha = false) const;
   /// Asks the memory for the texel at a point that read() is about to read.
   void prefetch(const TextureRef& texture, const glm::vec2& uv) const;
 

@@ -46,6 +46,7 @@ using shot::ToneMapping;
   F(NORMAL_VARIANCE, normalVariance, "normal-variance")                     \
   F(NORMAL_FACETS, normalFacets, "normal-facets")                           \
   F(ALPHA_TO_COVERAGE, alphaToCoverage, "alpha-to-coverage")                \
+  F(ALPHA_MEANS, alphaMeans, "")                                            \
   F(NORMAL_HOLES, normalHoles, "")                                          \
   F(METAL_MEANS, metalMeans, "metal-means")                                 \
   F(METAL_YARNS, metalYarns, "")                                            \

@@ -1,9 +1,17 @@
 // What a fragment has without light: colour and coverage, and what it emits.
 
+#if ALPHA_MEANS
+#include "material/straight_texel.glsl"
+#endif
+
 vec4 baseColorAndAlpha() {
   vec4 color = baseColorFactor;
 #if BASE_COLOR_MAP
+#if ALPHA_MEANS
+  color *= straightTexel(texture(baseColorMap, vBaseColorUv));
+#else
   color *= texture(baseColorMap, vBaseColorUv);
+#endif
 #endif
 #if VERTEX_COLOR
   color *= vColor;

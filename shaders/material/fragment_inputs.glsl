@@ -136,6 +136,8 @@ vec2 splitSum(float perceptualRoughness, float NoV) { return texture(dfgMap, vec
 #if ALPHA_TO_COVERAGE
 // Whether a draw covers a pixel whose covered samples are the bits of `mask`.
 bool isCovered(int mask) { return mask != 0; }
+#endif
+#if NORMAL_HOLES
 // Share of what the maps show that is there.
 float shareThere() { return texture(baseColorMap, vBaseColorUv).a; }
 #endif

@@ -1,12 +1,43 @@
 // What a light sees. Of the alpha, three.js's depth material knows the texture alone. Only depth is kept, or before 0.182 a
 // packed one: the depth of a flat map, the distance to a point light.
+// ALPHA_MAP 1: a base colour map tells where there is nothing.
+// EVERY_HOLE 1: light gets through the holes of a net, however small, and through what is blended by its alpha: so many texels of the
+// map are left out, evenly, for the filter to average; of each layer others.
 precision highp float;
+precision highp int;
 #include "shading/three_terms.glsl"
-#if ALPHA_MASK
+#if ALPHA_MAP
 #include "sampler_precision.glsl"
 uniform sampler2D baseColorMap;
-uniform float alphaCutoff;
 in vec2 vBaseColorUv;
+#endif
+#if ALPHA_MAP || EVERY_HOLE
+uniform float alphaCutoff;  // of the texture's alpha; 0 = it is blended
+#endif
+#if EVERY_HOLE
+#include "pixel_noise.glsl"
+uniform float alphaFactor;
+
+// Layers are told apart by their depth: there are so many in a map.
+const float LAYERS = 256.0;
+const float TURN = 6.283185307179586;
+
+// What a texel's alpha must pass. The pattern of a layer is turned against those of others: what two of them leave out is left out
+// independently.
+float layerThreshold() {
+  float angle = TURN * float(mixedBits(uint(gl_FragCoord.z * LAYERS)) >> 8) / 16777216.0;
+  return interleavedGradientNoise(mat2(cos(angle), sin(angle), -sin(angle), cos(angle)) * gl_FragCoord.xy);
+}
+
+#if ALPHA_MAP
+// How far the sampler is from level 0, which alone has edges: of smaller levels alpha is the share that is there.
+float levelOfTexture() {
+  vec2 size = vec2(textureSize(baseColorMap, 0));
+  vec2 dx = dFdx(vBaseColorUv) * size;
+  vec2 dy = dFdy(vBaseColorUv) * size;
+  return 0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0));
+}
+#endif
 #endif
 #if PACKED_DEPTH + PACKED_DISTANCE > 0
 #include "shadow/packing.glsl"
@@ -22,7 +53,15 @@ in vec3 vWorldPosition;
 #endif
 
 void main() {
-#if ALPHA_MASK
+#if EVERY_HOLE
+  float alpha = alphaFactor;
+  float threshold = layerThreshold();
+#if ALPHA_MAP
+  alpha *= texture(baseColorMap, vBaseColorUv).a;
+  if (alphaCutoff > 0.0) threshold = mix(alphaCutoff, threshold, min(levelOfTexture(), 1.0));
+#endif
+  if (alpha <= threshold) discard;
+#elif ALPHA_MAP
   if (texture(baseColorMap, vBaseColorUv).a < alphaCutoff) discard;
 #endif
 #if PACKED_DEPTH

@@ -1,6 +1,6 @@
 // Depth of what casts a shadow, seen from a light.
 layout(location = 0) in vec3 position;  // mesh space, metres
-#if ALPHA_MASK
+#if ALPHA_MAP
 layout(location = 3) in vec2 uv0;
 layout(location = 4) in vec2 uv1;
 uniform mat3 baseColorUvTransform;
@@ -33,7 +33,7 @@ void main() {
 #if PACKED_DISTANCE
   vWorldPosition = vec3(modelMatrix * point);
 #endif
-#if ALPHA_MASK
+#if ALPHA_MAP
   vBaseColorUv = vec2(baseColorUvTransform * vec3(BASE_COLOR_UV1 == 1 ? uv1 : uv0, 1.0));
 #endif
 }

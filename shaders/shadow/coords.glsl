@@ -18,6 +18,10 @@ uniform float cubeShadowNormalBias[CUBE_SHADOWS];
 const float BEYOND_EVERY_MAP = 1e15;  // metres
 #endif
 
+#if SHADING_FABRIC && FLAT_SHADOWS + CUBE_SHADOWS > 0
+#include "shadow/offset.glsl"
+#endif
+
 #if FLAT_SHADOWS + CUBE_SHADOWS > 0
 // point       mesh space
 // viewNormal  view space, any length; 0 where the mesh has none
@@ -37,11 +41,24 @@ void setShadowCoords(vec3 point, vec3 viewNormal) {
     return;
   }
 #endif
+#if SHADING_FABRIC
+#repeat FLAT_SHADOWS
+  vFlatShadowCoord[INDEX] =
+      flatShadowMatrix[INDEX] *
+      offsetToLight(world, normal * flatShadowNormalBias[INDEX], toFlatLight(flatShadowMatrix[INDEX], world));
+#end
+#repeat CUBE_SHADOWS
+  vCubeShadowCoord[INDEX] =
+      cubeShadowMatrix[INDEX] *
+      offsetToLight(world, normal * cubeShadowNormalBias[INDEX], -vec3(cubeShadowMatrix[INDEX] * world));
+#end
+#else
 #repeat FLAT_SHADOWS
   vFlatShadowCoord[INDEX] = flatShadowMatrix[INDEX] * (world + vec4(normal * flatShadowNormalBias[INDEX], 0.0));
 #end
 #repeat CUBE_SHADOWS
   vCubeShadowCoord[INDEX] = cubeShadowMatrix[INDEX] * (world + vec4(normal * cubeShadowNormalBias[INDEX], 0.0));
 #end
+#endif
 }
 #endif

@@ -1,4 +1,4 @@
-// Share of a cut-out texture that is there, and its mean colour, from one mip level to the next.
+// Share of a texture with holes that is there, and its mean colour, from one mip level to the next.
 // FROM_IMAGE 1: the larger level is the texture itself; 0: moments.
 precision highp float;
 precision highp int;
@@ -8,15 +8,14 @@ precision highp sampler2D;
 #include "texture/coverage.glsl"
 
 uniform sampler2D sourceMap;
-uniform float cutoff;  // alpha from which on the texture is there
 
 out vec4 moments;  // mean of the colour by weight, mean of the coverage
 
 vec4 momentsAt(ivec2 at) {
   vec4 texel = texelFetch(sourceMap, at, 0);
 #if FROM_IMAGE
-  float there = texel.a >= cutoff ? 1.0 : 0.0;
-  return vec4(texel.rgb * (there + CUT_OUT_WEIGHT), there);
+  float there = shareOfTexel(texel.a);
+  return vec4(texel.rgb * (cutoff > 0.0 ? there + CUT_OUT_WEIGHT : there), there);
 #else
   return texel;
 #endif

@@ -17,17 +17,18 @@ vec4 reliefOfTexel(vec3 texel) {
   return vec4(normalize(vec3(slope, 1.0)), 1.0 / (1.0 + 4.0 * dot(slope, slope)));
 }
 
-// Holes of a cut-out material lie flat: how much of a level they are is known from the map of coverage, so that they can be taken
-// out again (material/normal.glsl).
+// Holes lie flat: how much of a level they are is known from the map of coverage, or from the alpha of what is blended, so that
+// they can be taken out again (material/normal.glsl).
 // BESIDE 1: there is such a map; 0: there are no holes.
 #if BESIDE
-uniform float cutoff;  // alpha from which on it is there
+#include "texture/coverage.glsl"
 #endif
 
 // cover  texel of the map of coverage
 vec4 reliefWithHoles(vec3 texel, vec4 cover) {
 #if BESIDE
-  if (cover.a < cutoff) return vec4(0.0, 0.0, 1.0, 1.0);
-#endif
+  return mix(vec4(0.0, 0.0, 1.0, 1.0), reliefOfTexel(texel), shareOfTexel(cover.a));
+#else
   return reliefOfTexel(texel);
+#endif
 }

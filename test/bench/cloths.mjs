@@ -56,8 +56,8 @@ function bytesOf({ json, images }) {
   const relief = material.normalTexture ? texels(material.normalTexture) * BYTES_A_TEXEL.relief : 0;
   const weave = material.extensions?.TELAR_materials_fabric?.weave?.weaveTexture;
   const yarns = weave && material.normalTexture ? texels(material.normalTexture) * BYTES_A_TEXEL.yarns : 0;
-  const cut = material.alphaMode === 'MASK' && material.pbrMetallicRoughness?.baseColorTexture;
-  return { maps: maps * MIP_LEVELS, made: (relief + yarns + (cut ? texels(cut) * BYTES_A_TEXEL.coverage : 0)) * MIP_LEVELS };
+  const holed = material.alphaMode !== undefined && material.alphaMode !== 'OPAQUE' && material.pbrMetallicRoughness?.baseColorTexture;
+  return { maps: maps * MIP_LEVELS, made: (relief + yarns + (holed ? texels(holed) * BYTES_A_TEXEL.coverage : 0)) * MIP_LEVELS };
 }
 
 const renderer = await createRenderer({ cacheDirectory: null, timeoutMs: null });

@@ -129,6 +129,7 @@ const afarCases = [
   ...['denim', 'satin', 'towel', 'lace', 'tulle'].map((name) =>
     makeCase(`cloth-${name}-far`, `fabric-${name}`, 'soft-studio', { camera: AFAR, shading: 'fabric', lights: [LIGHTS.directional] }, name === 'lace'),
   ),
+  makeCase('cloth-sheer-far', 'alpha-blend-sheer', 'lamps', { shading: 'fabric', camera: 'tilted' }),
   // Metal that lies in one set of yarns, from near and from where means of its maps alone are seen.
   makeCase('cloth-brocade-studio', 'brocade', 'soft-studio', { camera: DRAPE, shading: 'fabric' }, true),
   makeCase('cloth-brocade-far', 'brocade', 'soft-studio', { camera: AFAR, shading: 'fabric', lights: [LIGHTS.directional] }),

@@ -1,7 +1,7 @@
 // Shadows: each kind of light alone, what casts and receives, the ground over each background, other scales.
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import { MODELS } from '../fixtures/index.mjs';
+import { FABRIC_MODELS, MODELS } from '../fixtures/index.mjs';
 import { boundsOf, readDocument } from './bounds.mjs';
 import { ASSETS } from './places.mjs';
 import { CAMERAS, CASE_ENVIRONMENT, LIGHTS, shot } from './shot.mjs';
@@ -16,7 +16,9 @@ const SPOT = casting({ type: 'spot', color: [1, 0.9, 0.7], intensity: 30, positi
 const POINT = casting({ type: 'point', color: [1, 0.8, 0.6], intensity: 8, position: [-0.9, 1.2, 1.1] });
 
 async function boundsOfModel(model) {
-  const bytes = model.startsWith('bundled:') ? readFileSync(path.join(ASSETS, model.slice('bundled:'.length))) : await MODELS[model]();
+  const bytes = model.startsWith('bundled:')
+    ? readFileSync(path.join(ASSETS, model.slice('bundled:'.length)))
+    : await (MODELS[model] ?? FABRIC_MODELS[model])();
   return boundsOf(readDocument(Buffer.from(bytes)));
 }
 
@@ -48,6 +50,15 @@ const lightCases = [
   stage('shadow-samples-1', [SPOT], { quality: { samples: 1 } }),
   stage('shadow-512', [SUN], { size: 512 }),
 ];
+
+/** Cloth that is lit from behind: its shadow is not to fall on itself, whatever kind of light casts it. */
+const DRAPE = { projection: 'perspective', fovY: 30, position: [0.3, 0.25, 0.7], target: [0, -0.02, 0], near: 0.3, far: 1.6 };
+const FROM_BEHIND = { position: [-0.5, 0.6, -1], target: [0, 0, 0] };
+const behindCases = Object.entries({
+  directional: { ...directional, ...FROM_BEHIND },
+  spot: { type: 'spot', intensity: 8, angle: 0.5, penumbra: 0.3, ...FROM_BEHIND },
+  point: { type: 'point', intensity: 4, position: FROM_BEHIND.position },
+}).map(([kind, light]) => make(`shadow-cloth-${kind}`, 'fabric-velvet', { shading: 'fabric', camera: DRAPE, lights: [ambient, casting(light)] }));
 
 const modelCases = [
   make('shadow-mask-sun', 'shadow-mask', { lights: [ambient, SUN] }),
@@ -96,4 +107,4 @@ function scaledCase(name, model, scale) {
 const scaleCases = [scaledCase('shadow-tiny', 'shadow-tiny', 1e-6), scaledCase('shadow-huge', 'shadow-huge', 1e6)];
 
 /** @type {import('./cases.mjs').Case[]} */
-export const CASES = await Promise.all([...lightCases, ...modelCases, ...groundCases, ...scaleCases]);
+export const CASES = await Promise.all([...lightCases, ...behindCases, ...modelCases, ...groundCases, ...scaleCases]);

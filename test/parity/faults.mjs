@@ -218,4 +218,22 @@ export const FAULTS = [
   },
   { name: 'a camera shift of 0.5 px', item: 'camera-ortho', shot: (shot) => shiftCamera(shot, 0.5), first: 'n' },
   { name: 'an environment rotated by 1 degree', item: 'environment-rotated', shot: (shot) => turnEnvironment(shot, 1), first: 'radiance' },
+  {
+    name: 'cloth lit from behind lies in its own shadow',
+    item: 'shadow-cloth-spot',
+    edits: [{ file: 'shadow/offset.glsl', find: 'if (dot(offset, toLight) < 0.0) offset = -offset;', replace: '' }],
+    first: 'direct',
+  },
+  {
+    name: 'the colour of holes in the mean of a sheer cloth',
+    item: 'cloth-sheer-far',
+    edits: [
+      {
+        file: 'texture/coverage.glsl',
+        find: 'return cutoff > 0.0 ? step(cutoff, alpha) : alpha;',
+        replace: 'return cutoff > 0.0 ? step(cutoff, alpha) : 1.0;',
+      },
+    ],
+    first: 'n',
+  },
 ];

@@ -9,6 +9,22 @@ export const BUDGETS = [30, 60, 120, 250, 500, 1000, 2000, 4000, 8000, 16000];
 /** How many times the time of the cheapest setting that holds a chosen one may take. */
 const DEAR = 2;
 
+const drawableOf = (rows) => rows.filter(({ setting, features }) => familyOf(setting) !== 'tracer' || features.traceable);
+
+/** Part of the time of `standard` that a look takes which knows every error of a scene, and which no renderer has. */
+export const EXACT_LOOK = 0.5;
+
+/**
+ * Answers after such a look, for judge(): how near to the least time a choice can come.
+ * @param {import('../../js/trade/measure.mjs').Row[][]} scenes rows of each
+ */
+export const knowingAnswers = (scenes) =>
+  scenes.map((rows) => {
+    const lookMs = EXACT_LOOK * rows.find(({ setting }) => setting === 'standard').cpuMs;
+    const answer = (best) => ({ setting: best?.setting ?? 'standard', holds: best !== undefined, lookMs });
+    return Object.fromEntries(MAX_ERRORS.map((maxError) => [maxError, answer(cheapestWithin(drawableOf(rows), maxError))]));
+  });
+
 const share = (list, isTrue) => (list.length === 0 ? undefined : list.filter(isTrue).length / list.length);
 
 /**
@@ -22,7 +38,7 @@ const share = (list, isTrue) => (list.length === 0 ? undefined : list.filter(isT
 export function judge(table, scenes, machine, answers) {
   const here = { tracer: true, machine };
   const asked = (goal, rows, answer) => {
-    const drawable = rows.filter(({ setting, features }) => familyOf(setting) !== 'tracer' || features.traceable);
+    const drawable = drawableOf(rows);
     const chosen = answer ?? choose(table, goal, rows[0].features, here);
     return { chosen, drawn: rows.find(({ setting }) => setting === chosen.setting), drawable };
   };

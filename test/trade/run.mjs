@@ -11,7 +11,7 @@ import { fitTable } from '../../js/predict/fit.mjs';
 import { drawnBy, SETTINGS } from '../../js/predict/settings.mjs';
 import { bench, csvOf, overallPoints, TRUTH, tradePage, tradePlot } from '../../js/trade/index.mjs';
 import { docsPage } from './docs_page.mjs';
-import { judge } from './judge.mjs';
+import { judge, knowingAnswers } from './judge.mjs';
 import { keptKnobs, measureKnobs } from './knobs.mjs';
 import { answersOf, looksOf } from './looks.mjs';
 import { tradeScenes } from './scenes.mjs';
@@ -163,6 +163,7 @@ if (values.share) process.exit();
 
 const verdict = judge(table, measured.heldOut, machine, answers);
 const byClass = judge(table, measured.heldOut, machine);
+const knowing = judge(table, measured.heldOut, machine, knowingAnswers(measured.heldOut));
 const command = `npm run trade -- ${values.quick ? '--quick ' : ''}--write`;
 const rows = [...measured.fit, ...measured.heldOut].flat();
 writeFileSync(path.join(OUT, 'trade.csv'), csvOf(rows));
@@ -178,6 +179,7 @@ if (values.write) {
       table,
       verdict,
       byClass,
+      knowing,
       knobs: keptKnobs(),
       command,
       machine: machineName,

@@ -62,7 +62,7 @@ export function shadingText(family) {
   const text = withoutComments(included(readHost('declarations.glsl').replaceAll('FAMILY', family), readerOf(family)));
   const main = withoutComments(readHost('main.glsl'));
   const textures = ownLayers(family).flatMap(texturesOf);
-  const cloth = family === 'fabric' ? clothVertex() : { declarations: [], main: [] };
+  const cloth = family === 'fabric' ? clothVertex() : { declarations: [], main: [], shadow: '' };
   const vertex = {
     declarations: [...vertexDeclarations(textures), ...cloth.declarations].join('\n'),
     main: [...vertexMain(textures), ...cloth.main].join('\n'),
@@ -91,6 +91,7 @@ export function shadingText(family) {
             .replaceAll(/\buv0\b/g, 'uv')
             .replaceAll(/\buv1\b/g, `${PREFIX}uv1`)}`
         : '',
+    vertexShadow: translate(withoutComments(cloth.shadow)),
     uniforms: inputs.filter((name) => !/^v[A-Z]/.test(name)),
     features,
   };
@@ -99,8 +100,12 @@ export function shadingText(family) {
 /** What the vertex stage does for cloth alone: shaders/surface.vert in the names of three.js. */
 function clothVertex() {
   return {
-    declarations: [readHost('host_cloth_vertex.glsl'), withoutComments(readFileSync(new URL('material/visibility_vertex.glsl', SHADERS), 'utf8'))],
+    declarations: [
+      readHost('host_cloth_vertex.glsl'),
+      ...['material/visibility_vertex.glsl', 'shadow/offset.glsl'].map((file) => withoutComments(readFileSync(new URL(file, SHADERS), 'utf8'))),
+    ],
     main: [readHost('host_cloth_vertex_main.glsl')],
+    shadow: readHost('host_cloth_shadow.glsl'),
   };
 }
 

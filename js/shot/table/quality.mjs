@@ -4,10 +4,10 @@ import { boolean, choice, literal, number, object, union } from './rows.mjs';
 
 /** What the raster renderer does for each quality; what no preset changes is written out by the rows below. */
 export const PRESETS = Object.freeze({
-  standard: { samples: 4, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: false, denoise: false },
-  draft: { samples: 1, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: true, denoise: false },
-  medium: { samples: 16, resolve: 'linear', noise: 0, environmentSamples: 32, mergeQuads: true, denoise: true },
-  high: { samples: 1024, resolve: 'linear', noise: 2, environmentSamples: 2048, mergeQuads: true, denoise: true },
+  standard: { samples: 4, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: false, denoise: false, shadowScale: 1 },
+  draft: { samples: 1, resolve: 'encoded', noise: 0, environmentSamples: 0, mergeQuads: true, denoise: false, shadowScale: 1 },
+  medium: { samples: 16, resolve: 'linear', noise: 0, environmentSamples: 32, mergeQuads: true, denoise: true, shadowScale: 2 },
+  high: { samples: 1024, resolve: 'linear', noise: 2, environmentSamples: 2048, mergeQuads: true, denoise: true, shadowScale: 4 },
 });
 
 /** Samples of a pixel that one pass over the model takes: more take several passes. */
@@ -37,19 +37,20 @@ export const RASTER = object(
       { name: 'Resolve', optional: true },
     ),
     noise: number(
-      'Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples: looked at from 32 of 64 on, from 16 of more, from 256 where they are denoised; 0 = every pixel takes all. ' +
-        'For more than 16 samples',
+      'Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more samples; 0 = every pixel takes all. For more than 16 samples',
       { unit: '1/255', min: 0, max: 64, otherwise: PRESETS.standard.noise },
     ),
-    environmentSamples: number(
-      'Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered ' + 'maps, as three.js has them',
-      { what: 'a whole number of directions', unit: 'directions a pixel', min: 0, max: 4096, integer: true, otherwise: PRESETS.standard.environmentSamples },
-    ),
-    mergeQuads: boolean(
-      'Shade triangles that share a vertex once where they meet in two by two pixels, as one surface: each pixel shows one of them. ' +
-        'Saves time on the processor alone, where triangles have a few pixels',
-      { otherwise: PRESETS.standard.mergeQuads },
-    ),
+    environmentSamples: number('Directions in which all samples of a pixel look up the environment for the material itself; 0 = prefiltered maps', {
+      what: 'a whole number of directions',
+      unit: 'directions a pixel',
+      min: 0,
+      max: 4096,
+      integer: true,
+      otherwise: PRESETS.standard.environmentSamples,
+    }),
+    mergeQuads: boolean('Shade triangles that share a vertex once where they meet in two by two pixels: each pixel shows one of them', {
+      otherwise: PRESETS.standard.mergeQuads,
+    }),
     denoise: boolean(
       'Take light from the passes as far as it stands out of their noise, and detail also from a picture of one pass, whose light is prefiltered; `noise` is then what that leaves. ' +
         'For more than 4 samples',
@@ -62,7 +63,7 @@ export const RASTER = object(
       otherwise: 0,
     }),
     environmentSize: literal(
-      'Size of a face of the prefiltered environment, whose last level has 8: a smaller one tells fewer roughnesses apart; 0 = as in three.js, ' +
+      'Size of a face of the prefiltered environment: a smaller one tells fewer roughnesses apart; 0 = as in three.js, ' +
         'a quarter of the width of the map, at least 256. Atlases of releases of three.js before 0.187 have their own',
       [0, 64, 128, 256, 512, 1024],
       '0, 64, 128, 256, 512 or 1024 texels',
@@ -74,8 +75,12 @@ export const RASTER = object(
       '16, 32, 64, 128, 256, 512, 1024, 2048 or 4096 directions',
       { unit: 'directions', otherwise: 256 },
     ),
+    shadowScale: literal('Shadow maps have so many times the texels on a side, at most 4096 x 4096 together; shading "fabric" alone', [1, 2, 4], '1, 2 or 4', {
+      unit: 'factor',
+      otherwise: PRESETS.standard.shadowScale,
+    }),
     maxLights: whole(
-      'Most lights that shade the model and cast shadows: those that shine most on its middle; ambient and hemisphere lights do not count. 0 = all',
+      'Most lights that shade the model and cast shadows: those that shine most on its middle, ambient and hemisphere lights aside. 0 = all',
       ' of lights',
       { unit: 'lights', min: 0, max: 4096, otherwise: 0 },
     ),
@@ -100,7 +105,7 @@ export const REFERENCE = object(
   {
     preset: literal('The path tracer', 'reference', '"reference"'),
     samples: whole('Paths a pixel; the noise falls with the root of it', ' of paths a pixel', { unit: 'paths a pixel', min: 1, max: 65536, otherwise: 256 }),
-    noise: number('Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more paths, from 16 of them on; 0 = every pixel takes all', {
+    noise: number('Standard error of a pixel, in 1/255 of its encoded value, at which it takes no more paths, from 16 on; 0 = every pixel takes all', {
       unit: '1/255',
       min: 0,
       max: 64,
@@ -109,7 +114,7 @@ export const REFERENCE = object(
     seed: whole('The same seed gives the same bytes, with any number of threads', '', { unit: 'seed', min: 0, max: 1e9, otherwise: 1 }),
     transport: choice(
       '"global": all light, over `bounces` reflections; "occlusion": light that arrives directly, less what surfaces hide; ' +
-        '"direct": the same with nothing hidden but the shadows that the shot asks for, which is what the raster computes',
+        '"direct": the same with nothing hidden but the shadows that the shot asks for, as in the raster',
       ['global', 'occlusion', 'direct'],
       { name: 'Transport', otherwise: 'global' },
     ),

@@ -144,21 +144,22 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
  * @returns {boolean} whether pixels are drawn that the material covers in part
  */
 function makeMaps(material, { THREE, textureShaders, renderer }) {
-  const { NORMAL_VARIANCE, NORMAL_FACETS, ALPHA_TO_COVERAGE, NORMAL_HOLES, METAL_MEANS, METAL_YARNS, YARN_RELIEF } = featuresOf(material);
+  const { NORMAL_VARIANCE, NORMAL_FACETS, ALPHA_TO_COVERAGE, ALPHA_MEANS, NORMAL_HOLES, METAL_MEANS, METAL_YARNS, YARN_RELIEF } = featuresOf(material);
   const { madeMaps, map, normalMap } = material;
   const baked = (kind, texture, beside) => bakedTexture(THREE, textureShaders, renderer, kind, texture, beside);
   const yarns = material.fabric?.weave?.weaveTexture;
   const kind = NORMAL_FACETS ? 'facets' : 'relief';
-  material.compileFor([NORMAL_VARIANCE && kind, NORMAL_HOLES, METAL_MEANS, METAL_YARNS, YARN_RELIEF].join(' '));
+  const cutoff = ALPHA_TO_COVERAGE ? textureCutoff(material) : 0;
+  material.compileFor([NORMAL_VARIANCE && kind, ALPHA_MEANS, NORMAL_HOLES, METAL_MEANS, METAL_YARNS, YARN_RELIEF].join(' '));
   if (NORMAL_VARIANCE) {
     for (const [name, key] of Object.entries(VARIANCE_MAPS)) {
-      const holes = NORMAL_HOLES && key === 'normalMap' ? { cutoff: textureCutoff(material), beside: map } : {};
+      const holes = NORMAL_HOLES && key === 'normalMap' ? { cutoff, beside: map } : {};
       madeMaps[name] = baked(key === 'normalMap' ? kind : 'relief', material[key], holes);
     }
   }
   if (YARN_RELIEF) madeMaps.yarnReliefMap = baked('yarns', normalMap, { beside: yarns });
   if (METAL_MEANS) madeMaps.metalMap = baked('metal', map, { beside: material.metalnessMap, ...(METAL_YARNS && { yarns }) });
-  if (ALPHA_TO_COVERAGE) madeMaps.coverageMap = baked('coverage', map, { cutoff: textureCutoff(material) });
+  if (ALPHA_TO_COVERAGE || ALPHA_MEANS) madeMaps.coverageMap = baked('coverage', map, { cutoff });
   return Boolean(ALPHA_TO_COVERAGE);
 }
 
@@ -195,7 +196,7 @@ function hasYarns(fabric) {
 
 /** Defines of 0 or 1, as renderer/pass sets them. */
 function featuresOf(material) {
-  const { fabric, diffuseTransmission, map, alphaTest, normalMap, clearcoatNormalMap, visibleSides } = material;
+  const { fabric, diffuseTransmission, map, alphaTest, transparent, normalMap, clearcoatNormalMap, visibleSides } = material;
   const features = {
     DIFFUSE_TRANSMISSION: diffuseTransmission?.diffuseTransmissionFactor > 0,
     FLATNESS: fabric?.flatness > 0,
@@ -203,18 +204,23 @@ function featuresOf(material) {
     BACK: Boolean(fabric?.back),
     NORMAL_VARIANCE: Boolean(normalMap ?? clearcoatNormalMap),
     ALPHA_TO_COVERAGE: Boolean(map) && alphaTest > 0,
+    ALPHA_MEANS: mayHaveAlpha(map) && transparent && !(alphaTest > 0),
     AMBIENT_VISIBILITY: visibleSides.front,
     AMBIENT_VISIBILITY_BACK: visibleSides.front && visibleSides.back,
-    NORMAL_HOLES: Boolean(map && normalMap) && alphaTest > 0 && samePlace(map, normalMap),
   };
+  const hasHoles = features.ALPHA_TO_COVERAGE || features.ALPHA_MEANS;
+  features.NORMAL_HOLES = hasHoles && Boolean(normalMap) && samePlace(map, normalMap);
   const { metalnessMap, metalness } = material;
   const weaveMap = fabric?.weave?.weaveTexture;
   features.YARN_RELIEF = Boolean(normalMap && weaveMap) && features.WEAVE && !features.NORMAL_HOLES && samePlace(normalMap, weaveMap);
-  features.METAL_MEANS = Boolean(map && metalnessMap) && metalness > 0 && !features.ALPHA_TO_COVERAGE && samePlace(map, metalnessMap);
+  features.METAL_MEANS = Boolean(map && metalnessMap) && metalness > 0 && !hasHoles && samePlace(map, metalnessMap);
   features.METAL_YARNS = features.METAL_MEANS && features.WEAVE && Boolean(weaveMap) && samePlace(map, weaveMap);
   const NORMAL_FACETS = Boolean(normalMap) && isPolished(material) && !features.WEAVE && !features.NORMAL_HOLES;
   return featureDefines({ ...features, NORMAL_FACETS });
 }
+
+/** As draw_list.cpp has it; GLTFLoader tells the type of a file. */
+const mayHaveAlpha = (map) => Boolean(map) && map.userData.mimeType !== 'image/jpeg';
 
 /** As hasFacets() of renderer/pass/plan/draw_list.cpp has it. */
 const isPolished = ({ roughness, metalness, anisotropy }) => roughness <= POLISHED.roughnessMax && metalness >= POLISHED.metalnessMin && !(anisotropy > 0);

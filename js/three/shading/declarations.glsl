@@ -11,6 +11,9 @@
 #include "light/area.glsl"
 #include "light/indirect.glsl"
 #include "light/occluded.glsl"
+#if ALPHA_MEANS
+#include "material/straight_texel.glsl"
+#endif
 #if ALPHA_TO_COVERAGE
 #include "material/coverage.glsl"
 #endif

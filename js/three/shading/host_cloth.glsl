@@ -15,14 +15,20 @@ uniform sampler2D clearcoatNormalVarianceMap;
 vec4 coatNormalTexel() { return texture(clearcoatNormalVarianceMap, vClearcoatNormalMapUv); }
 #endif
 
+#if ALPHA_TO_COVERAGE || ALPHA_MEANS
+uniform sampler2D coverageMap;  // sRGB
+#endif
+
 #if ALPHA_TO_COVERAGE
 #define vBaseColorUv vMapUv
 #define baseColorMap coverageMap
-uniform sampler2D coverageMap;  // sRGB
 uniform int coverageSamples;    // of a pixel
 uniform int coverageMask;       // bits of those that are covered where this draw is seen
 uniform int coverageDraw;       // as the server's
 bool isCovered(int mask) { return mask != 0 && mask == coverageMask; }
+#endif
+
+#if NORMAL_HOLES
 float shareThere() { return texture(coverageMap, vMapUv).a; }
 #endif
 

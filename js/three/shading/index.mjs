@@ -49,7 +49,7 @@ export async function openShading(THREE, shading) {
       if (worn && extensions.diffuseTransmission) extensions.diffuseTransmission = worn.through(extensions.diffuseTransmission);
       // What is blended is not seen through glass.
       if (shading === 'fabric' && material.map && material.alphaTest > 0 && !transmits) {
-        Object.assign(material, { transparent: true, depthWrite: false, forceSinglePass: true });
+        Object.assign(material, { transparent: true, depthWrite: false });
       }
       Object.assign(material, { hasTangents: mesh.geometry.attributes.tangent !== undefined, visibleSides: sidesOf(drawn) }, extensions);
     },

@@ -12,6 +12,8 @@ void main() {
   float telarAlpha = coverSamples(1.0);
 #endif
   diffuseColor *= texture(coverageMap, vMapUv);
+#elif ALPHA_MEANS
+  diffuseColor *= straightTexel(texture(coverageMap, vMapUv));
 #else
 #include <map_fragment>
 #endif

@@ -6,6 +6,7 @@ const MAIN = 'void main() {';
 /** Where the vertex stage of three.js declares and gives texture coordinates. */
 const UV_DECLARATIONS = '#include <uv_pars_vertex>';
 const UV_ASSIGNMENTS = '#include <uv_vertex>';
+const SHADOW_POINTS = '#include <shadowmap_vertex>';
 
 /** What a MeshPhysicalMaterial has and telar's text does not read. */
 const NOT_READ = { retroreflectivity: 'retroreflectivity' };
@@ -98,10 +99,11 @@ function shadedFragment(THREE, fragment, { declarations, main }, defines) {
   return `${fragment.slice(0, head)}${defines}${declarations}\n${main.replace('TELAR_LIGHT_LOOPS', () => chunk.slice(loops))}`;
 }
 
-/** The vertex shader of three.js, which gives the texture coordinates of telar's own maps as well. */
-function shadedVertex(vertex, { vertexDeclarations, vertexMain }, defines) {
+/** The vertex shader of three.js, which gives the texture coordinates of telar's own maps as well, and the points of shadow maps that cloth has. */
+function shadedVertex(vertex, { vertexDeclarations, vertexMain, vertexShadow }, defines) {
   if (!vertexMain) return vertex;
   return vertex
     .replace(UV_DECLARATIONS, (chunk) => `${chunk}\n${defines}${vertexDeclarations}\n`)
-    .replace(UV_ASSIGNMENTS, (chunk) => `${chunk}\n${vertexMain}\n`);
+    .replace(UV_ASSIGNMENTS, (chunk) => `${chunk}\n${vertexMain}\n`)
+    .replace(SHADOW_POINTS, (chunk) => `${chunk}\n${vertexShadow}\n`);
 }

@@ -22,12 +22,12 @@ const drawings = new WeakMap();
  *   - relief: of a normal map, RGB the mean of its unit normals, A that of how flat they lie.
  *   - facets: of a polished normal map, RG the slopes of its flat part and A their square, each times B, its share.
  *   - yarns: of a normal map, how flat warp and weft lie, along and across them.
- *   - coverage: of a colour map with holes, A the share of the texel that is there.
+ *   - coverage: of a colour map with holes, A the share of the texel that is there; RGB times A where it is blended.
  *   - metal: of a colour map, RGB the colour times metalness, A metalness times the share of the warp.
  * @param {import('three').Texture} source
  * @param {object} [other]
- * @param {number} [other.cutoff] - Alpha from which on a texel is there.
- * @param {import('three').Texture} [other.beside] - relief: of a cut-out material, the map of that alpha; metal: the map of metalness; yarns: the weave map.
+ * @param {number} [other.cutoff] - Alpha from which on a texel is there; 0 = alpha is the share that is there.
+ * @param {import('three').Texture} [other.beside] - relief: of a material with holes, the map of that alpha; metal: the map of metalness; yarns: the weave map.
  * @param {import('three').Texture} [other.yarns] - metal: of a woven material, the weave map.
  * @returns {import('three').Texture | null} With the source's sampler; null while the source has no image.
  */

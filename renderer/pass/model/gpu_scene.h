@@ -20,7 +20,7 @@ struct DerivedTexture {
   enum class Kind { kNormalVariance, kNormalFacets, kCoverage, kMetal, kYarnRelief } kind = Kind::kNormalVariance;
   int image = -1;
   bool srgb = false;
-  float cutoff = 0;  ///< alpha from which on it is there: kCoverage, and where there is a cover
+  float cutoff = 0;  ///< alpha from which on it is there, 0 = as far as its alpha says: kCoverage, and of a cover
   int cover = -1;  ///< kNormalVariance of a cut-out material: the image whose alpha tells its holes; kMetal: whose blue
                    ///< is metalness
   int yarns = -1;  ///< kYarnRelief, and kMetal of a woven material: the image that tells which yarn lies on top

@@ -60,8 +60,14 @@ bool sameTexels(const TextureRef& a, const TextureRef& b) {
   return a.image == b.image && a.sampler == b.sampler && samePlace(a, b);
 }
 
+/// Whether a texture may have holes. Its texels may not be there yet.
+bool mayHaveAlpha(const TextureRef& texture, const Scene& scene) {
+  const auto image = static_cast<std::size_t>(texture.image);
+  return texture && (image >= scene.images.size() || scene.images[image].format != "JPEG");
+}
+
 /// Texture features of a material; a map that is multiplied by 0 is not sampled.
-void describeMaps(const Material& m, shader::VariantKey& key) {
+void describeMaps(const Material& m, const Scene& scene, shader::VariantKey& key) {
   if (!key.unlit) {
     key.emissive = m.emissiveFactor != glm::vec3(0);
     if (m.physical) describeLayers(m, key);
@@ -75,16 +81,19 @@ void describeMaps(const Material& m, shader::VariantKey& key) {
   }
   key.occlusionWithRoughness =
       key.occlusionMap && key.metallicRoughnessMap && sameTexels(m.occlusionTexture, m.metallicRoughnessTexture);
+  if (key.shading != ShadingModel::kFabric || key.layers) return;
+  key.alphaMeans = !key.alphaOpaque && key.baseColorMap && mayHaveAlpha(m.baseColorTexture, scene);
   // Passes that read maps unfiltered need no variance and no coverage.
-  if (key.shading != ShadingModel::kFabric || key.fullDetail || key.layers) return;
+  if (key.fullDetail) return;
   key.normalVariance = key.normalMap || key.clearcoatNormalMap;
   key.alphaToCoverage = key.alphaMask && key.baseColorMap;
-  key.normalHoles = key.alphaToCoverage && key.normalMap && samePlace(m.normalTexture, m.baseColorTexture);
+  const bool hasHoles = key.alphaToCoverage || key.alphaMeans;
+  key.normalHoles = hasHoles && key.normalMap && samePlace(m.normalTexture, m.baseColorTexture);
   key.yarnRelief =
       key.normalMap && key.weaveMap && !key.normalHoles && samePlace(m.fabric.weaveTexture, m.normalTexture);
-  // Colours of cut-out cloth are means of what is there.
-  key.metalMeans = key.baseColorMap && key.metallicRoughnessMap && m.metallicFactor > 0 && !key.alphaToCoverage &&
-                   !key.unlit && samePlace(m.metallicRoughnessTexture, m.baseColorTexture);
+  // Colours of cloth with holes are means of what is there.
+  key.metalMeans = key.baseColorMap && key.metallicRoughnessMap && m.metallicFactor > 0 && !hasHoles && !key.unlit &&
+                   samePlace(m.metallicRoughnessTexture, m.baseColorTexture);
   key.metalYarns = key.metalMeans && key.weaveMap && samePlace(m.fabric.weaveTexture, m.baseColorTexture);
 }
 
@@ -105,7 +114,8 @@ void describeVisibility(const Primitive& primitive, const Material& material, sh
       key.ambientVisibility && !primitive.visibility[1].empty() && (material.doubleSided || key.diffuseTransmission);
 }
 
-shader::VariantKey keyOf(const Primitive& primitive, const Material& material, const shader::VariantKey& frame) {
+shader::VariantKey keyOf(const Primitive& primitive, const Material& material, const Scene& scene,
+                         const shader::VariantKey& frame) {
   shader::VariantKey key;
   key.toneMapping = frame.toneMapping;
   key.outputLinear = frame.outputLinear;
@@ -120,7 +130,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.alphaOpaque = material.alphaMode != AlphaMode::kBlend;
   if (!key.unlit) key.shading = frame.shading, key.terms = frame.terms;
   key.three = frame.three;
-  describeMaps(material, key);
+  describeMaps(material, scene, key);
   const bool lines = primitive.topology != Topology::kTriangles && !key.points;
   if (lines && key.three.lineMap == ThreeTerms::THREE_LINE_MAP_NONE) key.baseColorMap = key.baseColorUv1 = false;
   if (key.unlit) return key;
@@ -212,12 +222,23 @@ DrawItem oneSide(DrawItem item, bool back) {
   return item;
 }
 
+/// Whether folds of a sheer cloth are to show what lies behind them. One pass is what a browser shows, mesh by mesh.
+bool isOrdered(const DrawItem& item) {
+  return item.blend && item.key.fullDetail && item.key.shading == ShadingModel::kFabric && !item.key.transmission &&
+         !item.instances() && item.primitive->topology == Topology::kTriangles;
+}
+
+/// One pass shows what a browser does.
+bool showsEveryHole(const Shot& shot) {
+  return shot.shading == ShadingModel::kFabric && frame::samplePassesOf(shot).count > 1;
+}
+
 /// A blended double-sided surface is drawn twice, back faces first, each as if it were single-sided.
 void splitBlended(std::vector<DrawItem>& list) {
   std::vector<DrawItem> split;
   split.reserve(list.size());
   for (const DrawItem& item : list) {
-    if (item.blend && item.bothSides) {
+    if (item.blend && item.bothSides && !item.ordered) {
       split.push_back(oneSide(item, true));
       split.push_back(oneSide(item, false));
     } else {
@@ -292,7 +313,7 @@ FramePlan planFrame(const Scene& scene, const Shot& shot, const Limits& limits, 
       item.ghost = opacity < 1;
       if (item.ghost) item.material = plan.ghosts.of(*item.material, opacity).get();
       if (layers) item.material = plan.plain.emplace_back(frame::plainMaterial(*item.material)).get();
-      item.key = keyOf(primitive, *item.material, frame);
+      item.key = keyOf(primitive, *item.material, scene, frame);
       const bool transmissive = item.key.transmission;
       describeInstances(node, frame.three, item.key);
       item.visible = hasProgram(primitive, frame.three);
@@ -300,6 +321,7 @@ FramePlan planFrame(const Scene& scene, const Shot& shot, const Limits& limits, 
       checkTextureUnits(item.key, plan.shadows, limits);
       plan.environment |= item.key.environment;
       item.blend = item.material->alphaMode == AlphaMode::kBlend && !layers;
+      item.ordered = isOrdered(item);
       item.materialIndex = index;
       item.mirrored = glm::determinant(glm::dmat3(node.world)) < 0;
       item.depth = depthOf(item, i, viewProjection, frame.three);
@@ -346,7 +368,9 @@ void forceAllFeatures(shader::VariantKey& key) {
 }
 
 FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures) {
-  return planFrame(scene, shot, limits, allFeatures, false);
+  FramePlan plan = planFrame(scene, shot, limits, allFeatures, false);
+  plan.everyHole = showsEveryHole(shot);
+  return plan;
 }
 
 FramePlan planLayers(const Scene& scene, const Shot& shot, const Limits& limits) {
@@ -361,7 +385,9 @@ FramePlan planLayers(const Scene& scene, const Shot& shot, const Limits& limits)
   plain.toneMapping = ToneMapping::kNone;
   plain.samples = 1;
   plain.maxLights = 0;
-  return planFrame(scene, plain, limits, false, true);
+  FramePlan plan = planFrame(scene, plain, limits, false, true);
+  plan.everyHole = showsEveryHole(shot);
+  return plan;
 }
 
 }  // namespace telar::pass

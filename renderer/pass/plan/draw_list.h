@@ -21,6 +21,7 @@ struct DrawItem {
   const Material* material = nullptr;
   shader::VariantKey key;
   bool blend = false;           ///< alpha blended, without depth writes
+  bool ordered = false;         ///< of blend: its triangles are drawn far to near (triangle_order.h)
   bool blendsCoverage = false;  ///< drawn once more so, for what of a cut-out cloth is there in part
   bool isPartial = false;       ///< of blendsCoverage: nothing of it is there as a whole
   bool bothSides = false;       ///< faces of either winding, in one call
@@ -30,6 +31,7 @@ struct DrawItem {
   double depth = 0;             ///< clip z of the primitive's centre
   int materialRank = 0;         ///< order of first use
   int materialIndex = -1;       ///< in the scene, in the shot's variant; -1 = glTF's default one
+  std::shared_ptr<const std::vector<std::uint32_t>> farToNear;  ///< triangles of ordered draws; null = as they come
 
   /// Null = drawn once, where the node is.
   const Instances* instances() const { return node->instances.get(); }
@@ -70,7 +72,8 @@ struct FramePlan {
   shader::VariantKey frame;  ///< what all programs share: lights, tone mapping, kind of output
   bool environment = false;  ///< a lit material samples it
   bool environmentBackground = false;
-  bool ground = false;  ///< shadows fall on it
+  bool ground = false;     ///< shadows fall on it
+  bool everyHole = false;  ///< light gets through small holes of a net and through what is sheer
 
   /// Every program that the draws use, each once.
   std::set<shader::VariantKey> keys() const;

@@ -59,6 +59,26 @@ double texelsOf(const Light& light) {
   return size * size * (light.type == Light::Type::kPoint ? 6 : 1);
 }
 
+/// The most texels of all maps that a quality makes finer: 64 MiB.
+constexpr double FINE_TEXELS = 4096.0 * 4096.0;
+
+/// How many times the texels on a side maps have whose shadows fall on surfaces, as far as together they stay small.
+/// @param texels  of these maps
+int scaleOf(const Shot& shot, double texels, const Limits& limits) {
+  int scale = shot.shading == ShadingModel::kFabric ? shot.shadowScale : 1;
+  const double most = std::min(FINE_TEXELS, static_cast<double>(limits.shadowTexels));
+  while (scale > 1 && scale * scale * texels > most) scale /= 2;
+  return scale;
+}
+
+/// Biases are those of a texel.
+Light finer(Light light, int scale) {
+  light.shadow.mapSize *= scale;
+  light.shadow.bias /= scale;
+  light.shadow.normalBias /= scale;
+  return light;
+}
+
 ShadowMap mapOf(const Light& light, bool lit, const ThreeTerms& three, const Bounds& bounds) {
   const glm::dvec3 origin = worldOrigin(bounds);
   const bool packed = three.shadowFilter == ThreeTerms::THREE_SHADOW_FILTER_PACKED_GRID;
@@ -91,10 +111,15 @@ void ShadowSet::describe(shader::VariantKey& key) const {
 }
 
 ShadowSet collectShadows(const Shot& shot, const LightChoice& chosen, const Limits& limits, const Bounds& bounds) {
-  double texels = 0;
+  double texels = 0, litTexels = 0;
   const auto casts = [&](std::size_t i) { return chosen.ofShot[i] && shot.lights[i].castShadow; };
-  for (std::size_t i = 0; i < shot.lights.size(); ++i) texels += casts(i) ? texelsOf(shot.lights[i]) : 0;
+  for (std::size_t i = 0; i < shot.lights.size(); ++i) {
+    if (!casts(i)) continue;
+    texels += texelsOf(shot.lights[i]);
+    if (chosen.litByShot[i]) litTexels += texelsOf(shot.lights[i]);
+  }
   checkLimit("L_SHADOW_TEXELS", static_cast<double>(limits.shadowTexels), texels);
+  const int scale = scaleOf(shot, litTexels, limits);
   ShadowSet set;
   for (std::size_t i = 0; i < shot.lights.size(); ++i) {
     if (!casts(i)) continue;
@@ -106,7 +131,8 @@ ShadowSet collectShadows(const Shot& shot, const LightChoice& chosen, const Limi
       set.leftOutTexels += static_cast<std::uint64_t>(texelsOf(light));
       continue;
     }
-    (light.type == Light::Type::kPoint ? set.cube : set.flat).push_back(mapOf(light, lit, shot.three, bounds));
+    (light.type == Light::Type::kPoint ? set.cube : set.flat)
+        .push_back(mapOf(lit ? finer(light, scale) : light, lit, shot.three, bounds));
   }
   const auto order = [](const ShadowMap& a, const ShadowMap& b) {
     const auto rank = [](const ShadowMap& m) { return std::pair(!m.lit, m.type != Light::Type::kSpot); };

@@ -15,6 +15,7 @@ const gl::Program& GroundPass::program(const Key& key) {
   const auto& [flat, cube, toneMapping, linear, three] = key;
   const shader::Defines defines{{"FLAT_SHADOWS", static_cast<int>(flat)},
                                 {"CUBE_SHADOWS", static_cast<int>(cube)},
+                                {"SHADING_FABRIC", 0},  // seen from above alone
                                 {"TONE_MAPPING", static_cast<int>(toneMapping)},
                                 {"THREE_NEUTRAL_TONE_MAPPING_TERM", 0},  // black is black in both
                                 {"OUTPUT_LINEAR", linear ? 1 : 0},

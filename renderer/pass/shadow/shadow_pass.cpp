@@ -43,9 +43,8 @@ gl::Pacer::Rectangle placeOf(const ShadowMap& map, std::size_t face) {
   return {at.x, at.y, size, size};
 }
 
-bool isMasked(const DrawItem& item) {
-  return item.material->alphaMode == AlphaMode::kMask && item.material->alphaCutoff > 0 &&
-         item.material->baseColorTexture;
+bool isMasked(const Material& material) {
+  return material.alphaMode == AlphaMode::kMask && material.alphaCutoff > 0 && material.baseColorTexture;
 }
 
 /// `name[index]`
@@ -138,7 +137,8 @@ void ShadowPass::resize(const ShadowSet& shadows) {
 ShadowPass::Caster& ShadowPass::caster(CasterKey key) {
   const auto found = casters_.find(key);
   if (found != casters_.end()) return found->second;
-  const shader::Defines defines{{"ALPHA_MASK", key.mask},
+  const shader::Defines defines{{"ALPHA_MAP", key.alphaMap},
+                                {"EVERY_HOLE", key.everyHole},
                                 {"BASE_COLOR_UV1", key.uv1},
                                 {"INSTANCING", key.instancing},
                                 {"PACKED_DEPTH", key.packedDepth},
@@ -162,10 +162,11 @@ void ShadowPass::drawView(const ShadowMap& map, std::size_t face, const FramePla
       if (!item.castsShadow()) continue;
       cancel.check();
       const Material& material = *item.material;
-      const bool masked = isMasked(item);
-      Caster& used = caster({masked, masked && material.baseColorTexture.texCoord == 1, item.key.instancing,
+      const bool everyHole = plan.everyHole && (isMasked(material) || material.alphaMode == AlphaMode::kBlend);
+      const bool mapped = isMasked(material) || (everyHole && material.baseColorTexture);
+      Caster& used = caster({mapped, everyHole, mapped && material.baseColorTexture.texCoord == 1, item.key.instancing,
                              map.packed && !distance, distance, map.packed ? three.shadowPacking : 0,
-                             masked ? three.samplerPrecision : 0});
+                             mapped ? three.samplerPrecision : 0});
       const gl::Program& wanted = used.program;
       if (&wanted != current) {
         current = &wanted;
@@ -178,10 +179,12 @@ void ShadowPass::drawView(const ShadowMap& map, std::size_t face, const FramePla
       }
       wanted.set("modelViewMatrix", glm::mat4(view.view * item.node->world));
       if (distance) wanted.set("modelMatrix", glm::mat4(fromOrigin(item.node->world, plan.origin)));
-      if (masked) {
+      if (everyHole) wanted.set("alphaFactor", material.baseColorFactor.a);
+      if (mapped || everyHole)
+        wanted.set("alphaCutoff", material.alphaMode == AlphaMode::kMask ? material.alphaCutoff : 0.0f);
+      if (mapped) {
         wanted.set("baseColorMap", 0);
         wanted.set("baseColorUvTransform", material.baseColorTexture.uvTransform);
-        wanted.set("alphaCutoff", material.alphaCutoff);
         gl.ActiveTexture(GL_TEXTURE0);
         gl.BindTexture(GL_TEXTURE_2D, gpu.texture(scene, material.baseColorTexture.image, true, cancel));
         gl.BindSampler(0, gpu.sampler(material.baseColorTexture.sampler));

@@ -35,7 +35,8 @@ class ShadowPass {
   };
   /// What one caster program has compiled in.
   struct CasterKey {
-    bool mask = false, uv1 = false, instancing = false, packedDepth = false, packedDistance = false;
+    bool alphaMap = false, everyHole = false, uv1 = false, instancing = false, packedDepth = false,
+         packedDistance = false;
     int packing = 0, samplerPrecision = 0;  ///< of ThreeTerms
     auto operator<=>(const CasterKey&) const = default;
   };

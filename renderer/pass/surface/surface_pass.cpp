@@ -306,10 +306,7 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
     gl.DepthMask(yes ? GL_FALSE : GL_TRUE);
   };
   blends(item.blend);
-  if (in.captures) {
-    in.buffer->capture(item, in.gpu);
-    return;
-  }
+  if (in.captures) return in.buffer->capture(item, in.gpu);
   if (item.key.visibilityBuffer) {
     gl.Disable(GL_CULL_FACE);
     in.buffer->draw(item, program, surface.cost, VARYING_UNIT);
@@ -329,7 +326,13 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   if (!item.blendsCoverage) return;
   program.set("coverageDraw", COVERAGE_BLENDED);
   blends(true);
-  draw();
+  if (!item.bothSides) return draw();
+  // What faces away first, as three.js does: but for folds it lies behind.
+  gl.Enable(GL_CULL_FACE);
+  for (const GLenum hidden : {GL_FRONT, GL_BACK}) {
+    gl.CullFace(hidden);
+    draw();
+  }
 }
 
 void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {

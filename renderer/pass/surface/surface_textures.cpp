@@ -35,13 +35,14 @@ std::optional<DerivedTexture> derivedOf(const DrawItem& item, const TextureSlot&
   if (item.key.normalVariance && (slot.map == &Key::normalMap || slot.map == &Key::clearcoatNormalMap)) {
     DerivedTexture relief{DerivedTexture::Kind::kNormalVariance, image, srgb};
     if (item.key.normalHoles && slot.map == &Key::normalMap) {
-      relief.cutoff = item.textureCutoff();
+      if (item.key.alphaToCoverage) relief.cutoff = item.textureCutoff();
       relief.cover = item.material->baseColorTexture.image;
     }
     return withLimits(relief, scene, gpu);
   }
-  if (item.key.alphaToCoverage && slot.map == &Key::baseColorMap) {
-    return withLimits({DerivedTexture::Kind::kCoverage, image, srgb, item.textureCutoff()}, scene, gpu);
+  if ((item.key.alphaToCoverage || item.key.alphaMeans) && slot.map == &Key::baseColorMap) {
+    const float cutoff = item.key.alphaToCoverage ? item.textureCutoff() : 0;
+    return withLimits({DerivedTexture::Kind::kCoverage, image, srgb, cutoff}, scene, gpu);
   }
   return std::nullopt;
 }

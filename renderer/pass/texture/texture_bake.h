@@ -26,7 +26,8 @@ class TextureBaker {
   /// A normal map as relief, RGBA16F: RGB = the mean of unit normals, whose length tells how far they differ, A = the
   /// mean of 1 / (1 + 4 slope^2). All can be filtered.
   /// @param source the normals
-  /// @param cover  tells holes, which lie flat, by an alpha below `cutoff`; none = there are no holes
+  /// @param cover  tells holes, which lie flat, by an alpha below `cutoff`, or by its alpha where that is 0; none = there
+  ///               are no holes
   /// @param unread  largest levels that are not wanted: what is made begins with the next
   gl::Texture normalVariance(const BakeSource& source, const BakeSource& cover, float cutoff, int unread,
                              const CancelToken& cancel);
@@ -50,9 +51,10 @@ class TextureBaker {
   gl::Texture metal(const BakeSource& source, bool srgb, const BakeSource& metallic, const BakeSource& yarns,
                     int unread, const CancelToken& cancel);
 
-  /// An alpha-tested colour map, SRGB8_ALPHA8 or RGBA8. Level 0 is the source's. In the others alpha is the part of the
-  /// texel that passes the test, and the colour is the mean of that part.
-  /// @param cutoff smallest alpha that passes the test
+  /// A colour map with holes, SRGB8_ALPHA8 or RGBA8. Of an alpha-tested one level 0 is the source's, in the others alpha is
+  /// the part of the texel that passes the test, and the colour is the mean of that part. Of a blended one colours are
+  /// times alpha in all levels.
+  /// @param cutoff  smallest alpha that passes the test; 0 = it is blended
   gl::Texture coverage(const BakeSource& source, bool srgb, float cutoff, const CancelToken& cancel);
 
  private:

@@ -30,13 +30,13 @@ bool mayLackLevels(const Image8& image) {
 
 /// Whether what it samples are the maps alone, by the GL's own choice of the level.
 bool isPlain(const Key& key) {
-  return !key.fullDetail && !key.normalVariance && !key.normalFacets && !key.alphaToCoverage && !key.metalMeans &&
-         !key.yarnRelief;
+  return !key.fullDetail && !key.normalVariance && !key.normalFacets && !key.alphaToCoverage && !key.alphaMeans &&
+         !key.metalMeans && !key.yarnRelief;
 }
 
 /// Whether what is made of a slot's map is sampled in its place or beside it, by the GL's own choice of the level.
 bool isMadeOf(const TextureSlot& slot, const Key& key) {
-  if (key.fullDetail || key.normalFacets || key.alphaToCoverage) return false;
+  if (key.fullDetail || key.normalFacets || key.alphaToCoverage || key.alphaMeans) return false;
   if (slot.map == &Key::baseColorMap) return key.metalMeans;
   return key.normalVariance && (slot.map == &Key::normalMap || slot.map == &Key::clearcoatNormalMap);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pass/model/part_extents.h"
+#include "pass/plan/fragment_estimate.h"
 
 namespace telar::pass {
 namespace {
@@ -71,7 +72,23 @@ void VisibleDraws::find(const FramePlan& plan, GpuScene& scene, const glm::ivec2
   for (const auto* list : plan.draws.shown()) {
     for (const DrawItem& item : *list) count_.all += trianglesOf(item);
   }
-  if (!mayLook(plan, size, samples) || !pays(scene)) return;
+  std::vector<std::uint32_t> indices;
+  if (mayLook(plan, size, samples) && pays(scene)) leaveOut(plan, scene, size, indices, cancel);
+  for (const DrawItem& item : plan.draws.blended) {
+    if (item.farToNear) order(item, plan.camera, scene, size, indices);
+  }
+  if (draws_.empty()) return;
+  const gl::Functions& gl = context_.gl();
+  if (!indices_) indices_ = gl::Buffer(gl);
+  gl.BindVertexArray(0);  // an index buffer binds to the vertex array of the moment
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
+  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
+                indices.data(), GL_STREAM_DRAW);
+  context_.check("visible triangles");
+}
+
+void VisibleDraws::leaveOut(const FramePlan& plan, GpuScene& scene, const glm::ivec2& size,
+                            std::vector<std::uint32_t>& indices, const CancelToken& cancel) {
   std::vector<const DrawItem*> items;
   std::vector<DrawnMesh> meshes;
   for (const auto* list : plan.draws.shown()) {
@@ -82,9 +99,7 @@ void VisibleDraws::find(const FramePlan& plan, GpuScene& scene, const glm::ivec2
       meshes.back().hides = meshes.back().hides && list == &plan.draws.opaque;
     }
   }
-  const gl::Functions& gl = context_.gl();
-  hidden_.look(gridOf(gl, size), meshes, cancel);
-  std::vector<std::uint32_t> indices;
+  hidden_.look(gridOf(context_.gl(), size), meshes, cancel);
   for (std::size_t i = 0; i < items.size(); ++i) {
     visibility::VisibleTriangles visible = hidden_.visible(i, cancel);
     count_.pixels += visible.pixels;
@@ -96,12 +111,18 @@ void VisibleDraws::find(const FramePlan& plan, GpuScene& scene, const glm::ivec2
   if (count_.hiddenPixels < LEAST_HIDDEN * (count_.pixels + count_.hiddenPixels))
     scene.framesWithoutLook = FRAMES_WITHOUT;
   hidden_.release();
-  if (!indices_) indices_ = gl::Buffer(gl);
-  gl.BindVertexArray(0);  // an index buffer binds to the vertex array of the moment
-  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
-  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
-                indices.data(), GL_STREAM_DRAW);
-  context_.check("visible triangles");
+}
+
+void VisibleDraws::order(const DrawItem& item, const frame::Camera& camera, GpuScene& scene, const glm::ivec2& size,
+                         std::vector<std::uint32_t>& indices) {
+  const std::vector<std::uint32_t>& own = item.primitive->indices;
+  const std::size_t offset = indices.size() * sizeof(std::uint32_t);
+  for (const std::uint32_t part : *item.farToNear) {
+    for (std::uint32_t corner = 3 * part; corner < 3 * part + 3; ++corner)
+      indices.push_back(own.empty() ? corner : own[corner]);
+  }
+  const FragmentEstimate estimate(*item.primitive, camera.projection * camera.view * item.node->world, size.x, size.y);
+  draws_[&item] = {offset, *item.farToNear, estimate.atMost(scene.extents(*item.primitive).all)};
 }
 
 void VisibleDraws::release() {

@@ -23,10 +23,10 @@ visibility::Faces facesOf(const DrawItem& item);
 /// Of the bound target. @pre  the GL tells where samples are
 visibility::SampleGrid gridOf(const gl::Functions& gl, const glm::ivec2& size);
 
-/// What a draw shows of its primitive: the triangles that own a sample.
+/// What a draw shows of its primitive: the triangles that own a sample, or all of them in an order of their own.
 struct VisibleParts {
   std::size_t offset = 0;            ///< bytes into the buffer of indices
-  std::vector<std::uint32_t> parts;  ///< of the primitive, in order
+  std::vector<std::uint32_t> parts;  ///< of the primitive, as they are drawn
   double fragments = 0;              ///< that they shade, at most
 };
 
@@ -38,13 +38,14 @@ struct TriangleCount {
 
 /// Leaves triangles out that are hidden at every sample, where the GL would shade them all the same: llvmpipe (to Mesa
 /// 22.3 at least) tests the depth of each of four samples before it shades, and shades where none is left too. The
-/// picture keeps its bytes. Draws of instances are drawn in full, and hide nothing.
+/// picture keeps its bytes. Draws of instances are drawn in full, and hide nothing. Triangles that have an order of their
+/// own (DrawItem::farToNear) are drawn in it.
 class VisibleDraws {
  public:
   using Use = RendererOptions::LeaveOut;
   VisibleDraws(const gl::Context& context, Use use) : context_(context), use_(use) {}
 
-  /// Looks at the draws of a picture, with the camera as it is now. The target with its samples is bound.
+  /// Looks at the draws of a picture, with the camera as it is now, where that pays. The target with its samples is bound.
   /// Where a scene hides little, the next frames of it are drawn in full. @throws Error{X_CANCELLED, X_TIMEOUT}
   void find(const FramePlan& plan, GpuScene& scene, const glm::ivec2& size, int samples, const CancelToken& cancel);
   /// Gives back what the draws of a picture take, at its end, however it ends. count() stays.
@@ -67,6 +68,12 @@ class VisibleDraws {
  private:
   bool mayLook(const FramePlan& plan, const glm::ivec2& size, int samples) const;
   bool pays(GpuScene& scene) const;
+  /// @param indices  of the triangles that are left, appended
+  void leaveOut(const FramePlan& plan, GpuScene& scene, const glm::ivec2& size, std::vector<std::uint32_t>& indices,
+                const CancelToken& cancel);
+  /// Of a draw whose triangles have an order. @param indices  appended
+  void order(const DrawItem& item, const frame::Camera& camera, GpuScene& scene, const glm::ivec2& size,
+             std::vector<std::uint32_t>& indices);
   void release();
 
   const gl::Context& context_;

@@ -188,6 +188,32 @@ Shot domeShot() {
   return shot;
 }
 
+/// Threads are white, holes black; a texel is as wide as the picture.
+TEST(RasterAgainstReference, WhatIsBlendedHasNoColourOfItsHoles) {
+  Primitive square = test::stackedSquares(1);
+  square.uvs[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+  Material sheer;
+  sheer.metallicFactor = 0;
+  sheer.alphaMode = AlphaMode::kBlend;
+  sheer.baseColorTexture.image = 0;
+  const auto scene = test::sceneOf(square, sheer);
+  scene->images = std::vector<Image8>{Image8{2, 1, {255, 255, 255, 255, 0, 0, 0, 0}}};
+  Shot shot = litShot();
+  shot.shading = ShadingModel::kFabric;
+  shot.lights = {{Shot::Light::Type::kAmbient}};
+  for (const Frame& frame :
+       {rastered(scene, shot), trace(*scene, shot, nullptr, {.samples = 64}, Limits(), CancelToken(), {})}) {
+    int partly = 0;
+    for (std::uint32_t x = 0; x < frame.width; ++x) {
+      const float* pixel = test::pixelF(frame, x, frame.height / 2);
+      if (!(pixel[3] > 0.1f)) continue;
+      partly += pixel[3] < 0.9f;
+      EXPECT_NEAR(pixel[1] / pixel[3], 1 / glm::pi<float>(), 0.01) << x;
+    }
+    EXPECT_GT(partly, 10);
+  }
+}
+
 TEST(RasterAgainstReference, AmbientVisibilityIsThatOfTheTracer) {
   for (const bool transmits : {false, true}) {
     const auto scene = halfHiddenSphere(transmits);

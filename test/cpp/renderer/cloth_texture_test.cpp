@@ -87,6 +87,35 @@ TEST_F(ClothTexture, HolesDoNotBleedTheirColour) {
   EXPECT_NEAR(meanOf(frame, 1) / meanOf(frame, 3), white, 0.02 * white);
 }
 
+/// The same of what is blended: threads are white, and what does not show has no blue or no red. At its own texels too,
+/// which the sampler mixes.
+TEST_F(ClothTexture, HolesOfWhatIsBlendedDoNotBleedTheirColour) {
+  const auto net = [](const glm::vec4& hole) {
+    Image8 image = netImage(64, 4, 0.25);
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+      for (int c = 0; c < 4 && image.pixels[i + 3] == 0; ++c)
+        image.pixels[i + static_cast<std::size_t>(c)] = static_cast<std::uint8_t>(255 * hole[c]);
+    }
+    return image;
+  };
+  Material material;
+  material.alphaMode = AlphaMode::kBlend;
+  for (const double metres : {0.1, 0.5, 2.0, 4.0, -0.1}) {
+    Shot shot = flatShot(SIZE, std::abs(metres));
+    if (metres < 0) shot.samples = 16, shot.resolve = Resolve::kLinear;  // maps are read in full
+    shot.lights = {{Shot::Light::Type::kAmbient}};
+    const auto colour = [&](const Image8& image) {
+      const Frame frame = draw(clothOf(image, &Material::baseColorTexture, 16, material), shot);
+      return glm::dvec3(meanOf(frame, 0), meanOf(frame, 1), meanOf(frame, 2)) / meanOf(frame, 3);
+    };
+    const glm::dvec3 white = colour(netImage(64, 1, 1.1));
+    for (const glm::vec4& hole : {glm::vec4(1, 1, 0, 0), glm::vec4(0, 1, 1, 0), glm::vec4(0)}) {
+      const glm::dvec3 shown = colour(net(hole));
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(shown[c], white[c], 0.02 * white[c]) << metres << ", channel " << c;
+    }
+  }
+}
+
 /// Mean of the green channel of squares of `side` pixels: the picture that so many samples a pixel give.
 std::vector<double> shrunk(const Frame& frame, std::uint32_t side) {
   std::vector<double> out;

@@ -121,6 +121,28 @@ TEST(PlanDraws, TheCutoffOfAMapIsThatOfTheMaterialWithoutItsFactor) {
   EXPECT_GT(cutoff(0, 0), 1) << "there is nothing of it";
 }
 
+TEST(PlanDraws, OnlyABlendedMapThatMayHaveHolesIsMadeAnew) {
+  const auto meansOf = [](AlphaMode mode, const char* format, ShadingModel shading) {
+    Material material;
+    material.alphaMode = mode;
+    material.baseColorTexture.image = material.normalTexture.image = 0;
+    auto scene = sceneOf(spherePrimitive(1, 4), material);
+    Image8 image{1, 1, {255, 255, 255, 255}};
+    image.format = format;
+    scene->images = std::vector<Image8>{image};
+    Shot shot = shotOf(8);
+    shot.shading = shading;
+    const auto plan = pass::planDraws(*scene, shot, Limits{}, false);
+    const auto& key = (mode == AlphaMode::kBlend ? plan.draws.blended : plan.draws.opaque).at(0).key;
+    EXPECT_EQ(key.normalHoles, key.alphaMeans);
+    return key.alphaMeans;
+  };
+  EXPECT_TRUE(meansOf(AlphaMode::kBlend, "PNG", ShadingModel::kFabric));
+  EXPECT_FALSE(meansOf(AlphaMode::kBlend, "JPEG", ShadingModel::kFabric));
+  EXPECT_FALSE(meansOf(AlphaMode::kOpaque, "PNG", ShadingModel::kFabric));
+  EXPECT_FALSE(meansOf(AlphaMode::kBlend, "PNG", ShadingModel::kThree));
+}
+
 TEST(PlanDraws, BlendedSurfacesAreDrawnFarToNear) {
   Material material;
   material.alphaMode = AlphaMode::kBlend;

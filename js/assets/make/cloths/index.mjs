@@ -25,8 +25,10 @@ function image(size, pixel) {
       });
     }
   }
+  // A palette (which "effort" asks for) gives holes any colour, and mip levels mix it with that of the threads.
+  const packed = channels === 4 ? { compressionLevel: 9 } : { compressionLevel: 9, effort: 10 };
   return sharp(texels, { raw: { width: size, height: size, channels } })
-    .png({ compressionLevel: 9, effort: 10 })
+    .png(packed)
     .toBuffer();
 }
 
