@@ -13,7 +13,7 @@ class Textures {
   explicit Textures(const Scene& scene);
 
   /// One use of a texture at a point.
-  /// @param uv    as in the file: the reference's own transform is applied here
+  /// @param uv       as in the file: the reference's own transform is applied here
   /// @param srgb     decode to linear light before filtering
   /// @param byAlpha  colours count as much as they cover: what a hole would show has none between texels either
   /// @return white where the reference has no texture

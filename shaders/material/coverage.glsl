@@ -13,6 +13,8 @@
 // src: Enderton, Sintorn, Shirley & Luebke 2010, "Stochastic Transparency": a mask of random samples for each layer,
 //      stratified; Wyman & McGuire 2017, "Hashed Alpha Testing": a hash of place in place of a random number
 
+#include "material/sampled_level.glsl"
+
 // Layers are told apart by these digits of their depth: their depths must differ by more than 1/8192.
 const int LAYER_DEPTH_SHIFT = 10;
 
@@ -68,11 +70,7 @@ struct Coverage {
 Coverage coverageFrom(float cutoff) {
   uint hash = layerHash();
   float edge = shareOfEdge(texture(baseColorMap, vBaseColorUv).a, cutoff);
-  vec2 size = vec2(textureSize(baseColorMap, 0));
-  vec2 dx = dFdx(vBaseColorUv) * size;
-  vec2 dy = dFdy(vBaseColorUv) * size;
-  // How far the sampler is from level 0. Only in level 0 does alpha have an edge.
-  float level = 0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0));
+  float level = sampledLevel(vBaseColorUv, vec2(textureSize(baseColorMap, 0)));
   float there = textureLod(baseColorMap, vBaseColorUv, max(level, 1.0)).a;
   if (level < 0.5) return Coverage(coverageDraw == COVERAGE_BLENDED ? 0 : maskOfEdge(mix(edge, there, level), hash), 1.0);
   float share = mix(edge, there, min(level, 1.0));

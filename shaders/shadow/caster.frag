@@ -30,13 +30,7 @@ float layerThreshold() {
 }
 
 #if ALPHA_MAP
-// How far the sampler is from level 0, which alone has edges: of smaller levels alpha is the share that is there.
-float levelOfTexture() {
-  vec2 size = vec2(textureSize(baseColorMap, 0));
-  vec2 dx = dFdx(vBaseColorUv) * size;
-  vec2 dy = dFdy(vBaseColorUv) * size;
-  return 0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0));
-}
+#include "material/sampled_level.glsl"
 #endif
 #endif
 #if PACKED_DEPTH + PACKED_DISTANCE > 0
@@ -58,7 +52,9 @@ void main() {
   float threshold = layerThreshold();
 #if ALPHA_MAP
   alpha *= texture(baseColorMap, vBaseColorUv).a;
-  if (alphaCutoff > 0.0) threshold = mix(alphaCutoff, threshold, min(levelOfTexture(), 1.0));
+  // In smaller levels alpha is the share that is there.
+  float level = sampledLevel(vBaseColorUv, vec2(textureSize(baseColorMap, 0)));
+  if (alphaCutoff > 0.0) threshold = mix(alphaCutoff, threshold, min(level, 1.0));
 #endif
   if (alpha <= threshold) discard;
 #elif ALPHA_MAP

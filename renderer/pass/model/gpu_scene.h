@@ -21,9 +21,9 @@ struct DerivedTexture {
   int image = -1;
   bool srgb = false;
   float cutoff = 0;  ///< alpha from which on it is there, 0 = as far as its alpha says: kCoverage, and of a cover
-  int cover = -1;  ///< kNormalVariance of a cut-out material: the image whose alpha tells its holes; kMetal: whose blue
-                   ///< is metalness
-  int yarns = -1;  ///< kYarnRelief, and kMetal of a woven material: the image that tells which yarn lies on top
+  int cover = -1;    ///< kNormalVariance of a material with holes: the image whose alpha tells them; kMetal: whose blue
+                     ///< is metalness
+  int yarns = -1;    ///< kYarnRelief, and kMetal of a woven material: the image that tells which yarn lies on top
   int first = 0, besideFirst = 0;  ///< largest levels that are left out: of `image`, of `cover` and `yarns`
   int unread = 0;                  ///< largest levels of what is made that no fragment reads: they are not made
 

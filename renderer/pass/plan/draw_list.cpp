@@ -228,7 +228,7 @@ bool isOrdered(const DrawItem& item) {
          !item.instances() && item.primitive->topology == Topology::kTriangles;
 }
 
-/// One pass shows what a browser does.
+/// FramePlan::everyHole. One pass shows what a browser does.
 bool showsEveryHole(const Shot& shot) {
   return shot.shading == ShadingModel::kFabric && frame::samplePassesOf(shot).count > 1;
 }

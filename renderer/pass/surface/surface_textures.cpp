@@ -30,18 +30,18 @@ std::optional<DerivedTexture> derivedOf(const DrawItem& item, const TextureSlot&
                                         const GpuScene& gpu) {
   const int image = slot.texture(*item.material).image;
   const bool srgb = decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, slot.srgb);
+  const float cutoff = item.key.alphaToCoverage ? item.textureCutoff() : 0;
   if (item.key.normalFacets && slot.map == &Key::normalMap)
     return withLimits({DerivedTexture::Kind::kNormalFacets, image, srgb}, scene, gpu);
   if (item.key.normalVariance && (slot.map == &Key::normalMap || slot.map == &Key::clearcoatNormalMap)) {
     DerivedTexture relief{DerivedTexture::Kind::kNormalVariance, image, srgb};
     if (item.key.normalHoles && slot.map == &Key::normalMap) {
-      if (item.key.alphaToCoverage) relief.cutoff = item.textureCutoff();
+      relief.cutoff = cutoff;
       relief.cover = item.material->baseColorTexture.image;
     }
     return withLimits(relief, scene, gpu);
   }
   if ((item.key.alphaToCoverage || item.key.alphaMeans) && slot.map == &Key::baseColorMap) {
-    const float cutoff = item.key.alphaToCoverage ? item.textureCutoff() : 0;
     return withLimits({DerivedTexture::Kind::kCoverage, image, srgb, cutoff}, scene, gpu);
   }
   return std::nullopt;

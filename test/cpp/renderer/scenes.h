@@ -71,6 +71,17 @@ inline Shot shotOf(int size) {
   return shot;
 }
 
+/// A light that casts a shadow of everything within 3 m of the origin.
+inline Shot::Light casting(Shot::Light::Type type, const glm::dvec3& position, int mapSize = 256) {
+  Shot::Light light{type};
+  light.position = position;
+  light.intensity = type == Shot::Light::Type::kDirectional ? 2 : 20;
+  light.angle = 0.7;
+  light.castShadow = true;
+  light.shadow = {mapSize, 1, 1, -0.002, 0.02, 0.5, 10, -3, 3, -3, 3, 1};
+  return light;
+}
+
 inline const float* pixelF(const Frame& frame, std::uint32_t x, std::uint32_t y) {
   return reinterpret_cast<const float*>(frame.pixels.data()) + (static_cast<std::size_t>(y) * frame.width + x) * 4;
 }

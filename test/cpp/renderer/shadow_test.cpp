@@ -10,22 +10,12 @@
 namespace telar::shadow_test {
 namespace {
 
+using test::casting;
 using test::pixel8;
 using test::sceneOf;
 using test::shotOf;
 using test::spherePrimitive;
 using Light = Shot::Light;
-
-/// A light that casts a shadow of everything within 3 m of the origin.
-Light casting(Light::Type type, const glm::dvec3& position, int mapSize = 256) {
-  Light light{type};
-  light.position = position;
-  light.intensity = type == Light::Type::kDirectional ? 2 : 20;
-  light.angle = 0.7;
-  light.castShadow = true;
-  light.shadow = {mapSize, 1, 1, -0.002, 0.02, 0.5, 10, -3, 3, -3, 3, 1};
-  return light;
-}
 
 /// A level square of edge 4 at y = -1.
 Primitive floorPrimitive() {
