@@ -12,7 +12,7 @@
 #define DEBUG_RADIANCE 10  // prefiltered environment along the reflection
 #define DEBUG_IRRADIANCE 11  // light from everywhere on the surface: ambient, hemisphere, environment
 #define DEBUG_DIRECT 12  // reflected light of the lights
-#define DEBUG_INDIRECT 13  // reflected light of the environment, after occlusion
+#define DEBUG_INDIRECT 13  // reflected light of the environment and its suns, after occlusion
 #define DEBUG_TRANSMITTED 14  // light from behind, before the material's weight
 #define DEBUG_LINEAR 15  // radiance before exposure and tone mapping
 #define DEBUG_ENCODED 16  // colour as the picture has it, 0..1

@@ -92,18 +92,21 @@ void main() {
   vec3 radiance = baseColor.rgb;
 #else
   SurfaceInfo s = surfaceInfo(baseColor.rgb);
+  Reflected direct = nothingReflected();
+  Reflected suns = nothingReflected();
+#if POINT_LIGHTS + SPOT_LIGHTS + DIRECTIONAL_LIGHTS > 0
+  direct = punctualLight(s);
+#if SUNS > 0
+  suns = sunLight(s);
+#endif
+#if FACETS
+  addFacetLight(direct, suns, s);
+#endif
+#endif
   Incident incident = incidentLight(s);
-  Reflected indirect = indirectLight(s, incident);
+  Reflected indirect = indirectLight(s, incident, suns);
 #if OCCLUSION_MAP
   indirect = occluded(indirect, s);
-#endif
-#if POINT_LIGHTS + SPOT_LIGHTS + DIRECTIONAL_LIGHTS > 0
-  Reflected direct = punctualLight(s);
-#if FACETS
-  direct.specular += facetLight(s);
-#endif
-#else
-  Reflected direct = nothingReflected();
 #endif
 #if RECT_LIGHTS + DISK_LIGHTS > 0
   direct = addAreaLight(direct, s);

@@ -1353,7 +1353,7 @@ export type Quantity =
   | 'irradiance'
   /** reflected light of the lights */
   | 'direct'
-  /** reflected light of the environment, after occlusion */
+  /** reflected light of the environment and its suns, after occlusion */
   | 'indirect'
   /** light from behind, before the material's weight */
   | 'transmitted'

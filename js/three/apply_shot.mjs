@@ -8,7 +8,7 @@ import { applyPose } from './pose.mjs';
 import { isStockShading, matchRelease, revisionOf } from './release.mjs';
 import { applyLightShadow, applyShadows } from './shadows.mjs';
 import { applyShading, restoreMaterials } from './shading.mjs';
-import { environmentOf, isCut } from './suns.mjs';
+import { environmentOf, isCut, keepSuns } from './suns.mjs';
 import { applyVariant } from './variant.mjs';
 
 /**
@@ -150,7 +150,10 @@ function applyLights(shot, THREE, scene, model, suns = []) {
   const group = new THREE.Group();
   group.name = LIGHT_GROUP;
   for (const light of shot.lights) addLight(THREE, group, light);
-  for (const sun of suns) addLight(THREE, group, sunLight(THREE, sun, shot.environment));
+  keepSuns(
+    scene,
+    suns.map((sun) => addLight(THREE, group, sunLight(THREE, sun, shot.environment))),
+  );
   scene.add(group);
   model?.scene.traverse((object) => {
     if (object.isLight) object.visible = shot.modelLights;
@@ -208,6 +211,7 @@ function addLight(THREE, group, light) {
     object.target.position.fromArray(light.target);
     group.add(object.target);
   }
+  return object;
 }
 
 function applyEnvironment(shot, THREE, scene, environment) {

@@ -17,6 +17,19 @@ const MOST_SMALL = 3;
 /** What was made of a texture, as long as it lives: whole, and without its small lights. */
 const made = [new WeakMap(), new WeakMap()];
 
+/** The lights of a scene that are suns of its environment. */
+const ofScenes = new WeakMap();
+
+/** @param {import('three').Scene} scene @param {import('three').DirectionalLight[]} lights of all suns that it has now */
+export const keepSuns = (scene, lights) => ofScenes.set(scene, lights);
+
+/**
+ * Colours times intensities of a scene's suns, as three.js uploads them: materials know the suns by them, for directional lights have no names there.
+ * @param {import('three').Scene} scene
+ * @returns {import('three').Color[]}
+ */
+export const sunColors = (scene) => (ofScenes.get(scene) ?? []).map(({ color, intensity }) => color.clone().multiplyScalar(intensity));
+
 /**
  * An environment as half floats, which is what three.js prefilters, and what of it these do not hold as lights of their own:
  * renderer/ibl/suns.h does the same on the server.

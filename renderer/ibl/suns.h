@@ -6,7 +6,8 @@
 
 namespace telar::ibl {
 
-/// The light of an equirectangular map that prefiltered cubes do not hold well, as directional lights.
+/// The light of an equirectangular map that prefiltered cubes do not hold well, as directional lights. What hides the
+/// environment from a surface hides them (shaders/light/one_light.glsl).
 /// js/three/suns.mjs is the same in the browser.
 struct Suns {
   struct Sun {

@@ -74,6 +74,7 @@ Shot withSuns(Shot shot, const ibl::Suns& suns) {
     light.color = glm::vec3(irradiance / brightest);
     light.intensity = brightest * shot.environment.intensity;
     light.position = toWorld * direction;
+    ++shot.suns;
   }
   return shot;
 }

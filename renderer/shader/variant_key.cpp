@@ -10,6 +10,7 @@ Defines VariantKey::defines() const {
   list.emplace_back("POINT_LIGHTS", lights.point);
   list.emplace_back("SPOT_LIGHTS", lights.spot);
   list.emplace_back("DIRECTIONAL_LIGHTS", lights.directional);
+  list.emplace_back("SUNS", lights.suns);
   list.emplace_back("HEMISPHERE_LIGHTS", lights.hemisphere);
   list.emplace_back("RECT_LIGHTS", lights.rect);
   list.emplace_back("DISK_LIGHTS", lights.disk);
@@ -44,7 +45,8 @@ std::vector<std::string> VariantKey::features() const {
   };
   count(lights.point, "point-light");
   count(lights.spot, "spot-light");
-  count(lights.directional, "directional-light");
+  count(lights.directional - lights.suns, "directional-light");
+  count(lights.suns, "sun");
   count(lights.hemisphere, "hemisphere-light");
   count(lights.rect, "rect-light");
   count(lights.disk, "disk-light");

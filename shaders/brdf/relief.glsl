@@ -1,15 +1,25 @@
 // What a relief does that is finer than a pixel: the normals of a normal map that the sampler has averaged. Shared text: see
 // README.md. A texel alone is lit as bump.glsl says: its normal turned to where it just faces the viewer, its terminator. The
-// means over reliefs of cloth depend on little but the length of the mean normal. The numbers are those of knits, weaves, pile and
+// means over reliefs of cloth depend on little but the length of the mean normal, and on their lines where they run along some. The numbers are those of knits, weaves, pile and
 // grain; `node test/fits/relief.mjs` fits diffuse light of one direction and the gloss.
 // relief  1 - length of the mean normal, [0, 1)
 // src: Toksvig 2005, "Mipmapping Normal Maps", for that length; Han et al. 2007, "Frequency Domain Normal Map Filtering", for
 //      lobes over a distribution of normals
 
+// What a relief is in the plane of n and a direction. Cords and ribs run along lines: they lean across them, and hardly along.
+// axis  across the lines; as long as (X - Y) / (X + Y), of the mean squares of the normals' components across them and along them, [0, 1]:
+//       0 = they lean alike all around      n  unit      d  any length      return  [0, 0.95]
+float reliefTowards(float relief, vec3 axis, vec3 n, vec3 d) {
+  float stretch = min(length(axis), 1.0);
+  vec3 tangent = d - n * dot(n, d);
+  float along = pow2(dot(axis, tangent)) / max(dot(tangent, tangent) * stretch, 1.0e-6);  // stretch times the squared cosine
+  return clamp(relief * (1.0 - stretch + 2.0 * along), 0.0, 0.95);
+}
+
 // Share that diffuse light keeps of light of one direction: of grazing light, texels that lean towards it take more. Of light from
-// everywhere: bumpMean().   NoL  [0, 1]
-float reliefDiffuseTowards(float relief, float NoL) {
-  float leaning = 0.8 * saturate(20.0 * relief) * exp(-NoL / (0.03 + 0.6 * relief));
+// everywhere: bumpMean().   towards  reliefTowards() of the light      NoL  [0, 1]
+float reliefDiffuseTowards(float relief, float towards, float NoL) {
+  float leaning = 0.8 * saturate(20.0 * towards) * exp(-NoL / (0.03 + 0.6 * towards));
   return (1.0 - relief) * (1.0 + leaning);
 }
 
@@ -27,7 +37,7 @@ vec3 reliefBent(float relief, vec3 bent, vec3 n, vec3 v, float NoV) {
 }
 
 // By how much more diffuse light there is of them, as they lean less. Within 0.01.
-// NoV  [0, 1]
+// relief  reliefTowards() of the viewer      NoV  [0, 1]
 float reliefTurned(float relief, float NoV) {
   float slant = 1.0 - NoV;
   return 1.0 + 1.05 * pow2(relief) * slant * sqrt(slant);
@@ -46,26 +56,28 @@ vec2 reliefGloss(float relief, float perceptualRoughness, float NoV) {
 }
 
 // Cosines of the viewer with normals that lean by two angles about their mean, towards the viewer and away, [0, 1]; by Gauss's
-// quadrature of the azimuth a third of them leans aside, whose cosine is NoV (1 - relief).   NoV  [0, 1]
-LeaningCosines leaningCosines(float relief, float NoV) {
+// quadrature of the azimuth a third of them leans aside, whose cosine is NoV (1 - relief).
+// towards  reliefTowards() of the viewer      NoV  [0, 1]
+LeaningCosines leaningCosines(float relief, float towards, float NoV) {
   float sine = 0.8660254 * sqrt(max(1.0 - pow2(NoV), 0.0));
   vec2 upright = max(1.0 - vec2(0.4, 1.6) * relief, 0.0);
   vec2 along = upright * NoV;
-  vec2 across = sqrt(max(1.0 - upright * upright, 0.0)) * sine;
+  vec2 across = sqrt(max(1.0 - upright * upright, 0.0) * (towards / max(relief, 1.0e-6))) * sine;
   return LeaningCosines(min(along + across, 1.0), max(along - across, 0.0), NoV * (1.0 - relief));
 }
 
 // glossGrazing(), the mean over these normals: those that lean away reflect much more. Within 0.006 rms.
 float reliefGrazing(float relief, vec4 curve, float NoV) {
-  LeaningCosines cosines = leaningCosines(relief, NoV);
+  LeaningCosines cosines = leaningCosines(relief, relief, NoV);
   float sum = glossGrazing(curve, cosines.towards.x) + glossGrazing(curve, cosines.towards.y) + glossGrazing(curve, cosines.away.x) +
               glossGrazing(curve, cosines.away.y) + 2.0 * glossGrazing(curve, cosines.aside);
   return sum * (1.0 / 6.0);
 }
 
-// Albedo of the sheen, the mean over these normals.   sheenRoughness  [0.01, 1]      NoV  [0, 1]
-float reliefSheenAlbedo(float relief, float sheenRoughness, float NoV) {
-  LeaningCosines cosines = leaningCosines(relief, NoV);
+// Albedo of the sheen, the mean over these normals.
+// towards  reliefTowards() of the viewer      sheenRoughness  [0.01, 1]      NoV  [0, 1]
+float reliefSheenAlbedo(float relief, float towards, float sheenRoughness, float NoV) {
+  LeaningCosines cosines = leaningCosines(relief, towards, NoV);
   float sum = sheenFit(sheenRoughness, cosines.towards.x).x + sheenFit(sheenRoughness, cosines.towards.y).x +
               sheenFit(sheenRoughness, cosines.away.x).x + sheenFit(sheenRoughness, cosines.away.y).x +
               2.0 * sheenFit(sheenRoughness, cosines.aside).x;
@@ -78,41 +90,52 @@ float reliefSheen(float relief, float sheenRoughness) {
   return relief > 0.0 ? 1.0 - 0.67 * pow(relief, max(power, 0.1)) : 1.0;
 }
 
-// The sheen as the mean over six normals that lean by one angle about their mean.
-// sheenRoughness  [0.01, 1]      n, v  unit      NoV  [0, 1]
-SheenRing sheenRing(float relief, float sheenRoughness, vec3 n, vec3 v, float NoV) {
+// The sheen where a normal leans from n.
+// leaning  square to n, as long as the sine of the angle; from 1 on the normal is square to n      sheenRoughness  [0.01, 1]      n, v  unit
+SheenNormal sheenNormal(vec3 leaning, float sheenRoughness, vec3 n, vec3 v) {
+  vec3 m = normalize(leaning + n * sqrt(max(1.0 - dot(leaning, leaning), 0.0)));
+  float cosine = dot(m, v);
+  SheenNormal normal;
+  normal.n = safeNormalize(m - v * min(cosine, 0.0), n);
+  normal.NoV = saturate(cosine);
+  normal.view = sheenView(sheenFit(sheenRoughness, normal.NoV), normal.NoV);
+  return normal;
+}
+
+// The sheen as the mean over six normals that lean by one angle about their mean; where there are lines, by more across them than
+// along. They begin at 15 degrees from the axis: so they are spread as evenly across lines as all around.
+// axis  of reliefTowards()      sheenRoughness  [0.01, 1]      n, v  unit
+SheenRing sheenRing(float relief, vec3 axis, float sheenRoughness, vec3 n, vec3 v) {
+  float sine2 = 1.0 - pow2(1.0 - relief);
+  float stretch = min(length(axis), 1.0);
+  vec3 x = safeNormalize(axis - n * dot(n, axis), anyTangent(n));
+  vec3 y = cross(n, x) * sqrt(sine2 * (1.0 - stretch));
+  x *= sqrt(sine2 * (1.0 + stretch));
+  vec3 first = x * 0.9659258 + y * 0.2588190;
+  vec3 second = x * 0.2588190 + y * 0.9659258;
+  vec3 third = (y - x) * 0.7071068;
   SheenRing ring;
-  ring.upright = 1.0 - relief;
-  float leaning = sqrt(max(1.0 - pow2(ring.upright), 0.0));
-  ring.towards = safeNormalize(v - n * NoV, anyTangent(n)) * leaning;
-  ring.aside = cross(n, ring.towards);
-  float tilt = 0.8660254 * dot(ring.towards, v);
-  float along = NoV * ring.upright;
-  ring.NoV = saturate(vec3(along + tilt, along, along - tilt));
-  vec3 towards = sheenFit(sheenRoughness, ring.NoV.x);
-  vec3 aside = sheenFit(sheenRoughness, ring.NoV.y);
-  vec3 away = sheenFit(sheenRoughness, ring.NoV.z);
-  ring.viewTowards = sheenView(towards, ring.NoV.x);
-  ring.viewAside = sheenView(aside, ring.NoV.y);
-  ring.viewAway = sheenView(away, ring.NoV.z);
-  ring.albedo = reliefSheenAlbedo(relief, sheenRoughness, NoV);
-  ring.scale = 0.5 * ring.albedo / max(towards.x + aside.x + away.x, 1.0e-6);
+  ring.first = sheenNormal(first, sheenRoughness, n, v);
+  ring.againstFirst = sheenNormal(-first, sheenRoughness, n, v);
+  ring.second = sheenNormal(second, sheenRoughness, n, v);
+  ring.againstSecond = sheenNormal(-second, sheenRoughness, n, v);
+  ring.third = sheenNormal(third, sheenRoughness, n, v);
+  ring.againstThird = sheenNormal(-third, sheenRoughness, n, v);
+  ring.alpha2 = saturate(0.125 * (1.0 / max(1.0 - sine2, 1.0e-4) - 1.0));
   return ring;
 }
 
-// Its lobe times the cosine, [1/sr].   l  unit      NoL  [0, 1], with the mean normal      LoV  [-1, 1]
+// Its lobe times the cosine, [1/sr].   l  unit      LoV  [-1, 1]
+float sheenNormalCosine(SheenNormal normal, vec3 l, float LoV) {
+  return sheenCosine(normal.view, normal.NoV, saturate(dot(normal.n, l)), LoV);
+}
+
+// The same of all.   NoL  [0, 1], with the mean normal
 float sheenRingCosine(SheenRing ring, vec3 l, float NoL, float LoV) {
-  float upright = NoL * ring.upright;
-  float towards = 0.8660254 * dot(ring.towards, l);
-  float aside = dot(ring.aside, l);
-  float sum = sheenCosine(ring.viewTowards, ring.NoV.x, saturate(upright + towards + 0.5 * aside), LoV) +
-              sheenCosine(ring.viewTowards, ring.NoV.x, saturate(upright + towards - 0.5 * aside), LoV) +
-              sheenCosine(ring.viewAside, ring.NoV.y, saturate(upright + aside), LoV) +
-              sheenCosine(ring.viewAside, ring.NoV.y, saturate(upright - aside), LoV) +
-              sheenCosine(ring.viewAway, ring.NoV.z, saturate(upright - towards + 0.5 * aside), LoV) +
-              sheenCosine(ring.viewAway, ring.NoV.z, saturate(upright - towards - 0.5 * aside), LoV);
-  float alpha2 = saturate(0.125 * (1.0 / max(pow2(ring.upright), 1.0e-4) - 1.0));
-  return sum * ring.scale * bumpTerminator(alpha2, NoL);
+  float sum = sheenNormalCosine(ring.first, l, LoV) + sheenNormalCosine(ring.againstFirst, l, LoV) +
+              sheenNormalCosine(ring.second, l, LoV) + sheenNormalCosine(ring.againstSecond, l, LoV) +
+              sheenNormalCosine(ring.third, l, LoV) + sheenNormalCosine(ring.againstThird, l, LoV);
+  return sum * (1.0 / 6.0) * bumpTerminator(ring.alpha2, NoL);
 }
 
 // Lobes by which sheen reads a prefiltered environment. Their sum has the mean direction of the sheen's light, which is fitted.

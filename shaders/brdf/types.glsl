@@ -41,17 +41,22 @@ struct LeaningCosines {
   float aside;
 };
 
+// One normal of a relief, and the sheen there: see relief.glsl.
+struct SheenNormal {
+  vec3 n;     // unit; one that faces away is turned to where it just faces the viewer
+  float NoV;  // [0, 1]
+  vec4 view;  // sheenView()
+};
+
 // Sheen of a relief: see relief.glsl.
 struct SheenRing {
-  vec3 towards;      // tangents, to the viewer and aside, as long as the sine of the angle by which the normals lean
-  vec3 aside;
-  float upright;     // cosine of that angle
-  vec3 NoV;          // of the normals that lean to the viewer, aside and away
-  vec4 viewTowards;  // sheenView() of these
-  vec4 viewAside;
-  vec4 viewAway;
-  float albedo;      // of all
-  float scale;       // of the sum of six lobes
+  SheenNormal first;
+  SheenNormal second;
+  SheenNormal third;
+  SheenNormal againstFirst;  // these lean the other way
+  SheenNormal againstSecond;
+  SheenNormal againstThird;
+  float alpha2;  // of bumpTerminator()
 };
 
 // Lobes of the environment: see relief.glsl.

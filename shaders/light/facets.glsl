@@ -50,9 +50,9 @@ vec4 facetSlope(mat3 toDirection, vec3 upper, vec3 lower, float y, float height)
   return vec4(slope + turn * y, turn * height);
 }
 
-// Of all lights that addLight() has had.
-vec3 facetLight(SurfaceInfo s) {
-  if (s.facetsTold == 0.0) return vec3(0.0);
+// Adds that of all lights that addLight() and addSun() have had.
+void addFacetLight(inout Reflected direct, inout Reflected suns, SurfaceInfo s) {
+  if (s.facetsTold == 0.0) return;
   mat3 frame = tangentFrame(s.geometricNormal, vNormalUv, frontFacing() ? 1.0 : -1.0);
   frame[0] *= normalScale.x;
   frame[1] *= normalScale.y;
@@ -121,6 +121,13 @@ vec3 facetLight(SurfaceInfo s) {
     }
   }
   vec3 sum = vec3(0.0);
-  for (int k = 0; k < FACET_LIGHTS; ++k) sum += facetLightColor[k] * mirrored[k];
-  return sum * (s.facetsTold / (box.size.x * box.size.y));
+  vec3 ofSuns = vec3(0.0);
+  for (int k = 0; k < FACET_LIGHTS; ++k) {
+    vec3 light = facetLightColor[k] * mirrored[k];
+    if (facetLightIsSun[k]) ofSuns += light;
+    else sum += light;
+  }
+  float perPlace = s.facetsTold / (box.size.x * box.size.y);
+  direct.specular += sum * perPlace;
+  suns.specular += ofSuns * perPlace;
 }

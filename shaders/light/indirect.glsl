@@ -210,8 +210,9 @@ Incident incidentLight(SurfaceInfo s) {
 #if SHADING_FABRIC && AMBIENT_VISIBILITY
 #include "light/visible.glsl"
 #endif
-Reflected indirectLight(SurfaceInfo s, Incident incident) {
-  Reflected sum = nothingReflected();
+// suns  what the surface reflects of them: they are a part of the environment
+Reflected indirectLight(SurfaceInfo s, Incident incident, Reflected suns) {
+  Reflected sum = suns;
 #if AMBIENT || HEMISPHERE_LIGHTS > 0
   sum = addDome(sum, s, incident.irradiance);
 #endif
@@ -228,9 +229,11 @@ Reflected indirectLight(SurfaceInfo s, Incident incident) {
   sum = visibleLight(sum, s);
 #if DIFFUSE_TRANSMISSION
   incident.behind *= s.visibilityBehind;
+  // What samples and suns have sent through from the other side is hidden as that side is, not as this one.
 #if ENVIRONMENT && ENVIRONMENT_SAMPLES > 0
-  // What the samples have found on the other side is hidden as that side is, not as this one.
   sum = addBehind(sum, s, environmentIrradiance(-s.n) * (s.visibilityBehind - multiBounceVisibility(s.visibility, s.diffuse)));
+#elif SUNS_THROUGH
+  sum.diffuse += sunsThrough * (s.visibilityBehind - multiBounceVisibility(s.visibility, s.diffuse));
 #endif
 #endif
 #endif

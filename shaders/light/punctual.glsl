@@ -1,4 +1,4 @@
-// Light that arrives from one direction: point, spot and directional lights. View space; colours are linear Rec.709
+// Light that arrives from one direction: point, spot and directional lights, and the suns of an environment. View space; colours are linear Rec.709
 // times intensity (candela, candela, lux).
 #if POINT_LIGHTS > 0
 uniform vec3 pointPosition[POINT_LIGHTS];
@@ -50,7 +50,7 @@ Reflected punctualLight(SurfaceInfo s) {
   }
 #endif
 #if DIRECTIONAL_LIGHTS > 0
-  for (int i = 0; i < DIRECTIONAL_LIGHTS; ++i) {
+  for (int i = 0; i < DIRECTIONAL_LIGHTS - SUNS; ++i) {
     vec3 color = directionalColor[i];
 #if FLAT_SHADOWS > SPOT_SHADOWS
     if (i < FLAT_SHADOWS - SPOT_SHADOWS) color *= flatShadowVisibility(SPOT_SHADOWS + i);
@@ -60,4 +60,13 @@ Reflected punctualLight(SurfaceInfo s) {
 #endif
   return sum;
 }
+
+#if SUNS > 0
+// Of the suns, which are the last directional lights.
+Reflected sunLight(SurfaceInfo s) {
+  Reflected sum = nothingReflected();
+  for (int i = DIRECTIONAL_LIGHTS - SUNS; i < DIRECTIONAL_LIGHTS; ++i) sum = addSun(sum, s, directionalDirection[i], directionalColor[i]);
+  return sum;
+}
+#endif
 #endif

@@ -23,6 +23,9 @@ uniform sampler2D metallicRoughnessMap;  // linear, G roughness, B metalness
 #if NORMAL_MAP
 uniform sampler2D normalMap;  // linear
 uniform vec2 normalScale;
+#if NORMAL_VARIANCE
+uniform vec2 reliefAxis;  // of the whole map, in its tangent space; of reliefTowards() (texture/relief_axis.frag)
+#endif
 #if NORMAL_FACETS
 uniform vec2 normalMapPeriod;  // sizes of the map after which its texels come again: 1, mirrored 2, 0 where the last ones go on
 #endif

@@ -116,6 +116,7 @@ SurfaceInfo baseSurface(MaterialInputs m, Normals normals, vec3 v) {
 #if SHADING_FABRIC && RELIEF
   s.relief = normals.relief.x;
   s.slopeVariance = normals.relief.y;
+  s.reliefAxis = normals.reliefAxis;
 #endif
 #if SHADING_FABRIC && FACETS
   s.edges.share = normals.edgeShare;

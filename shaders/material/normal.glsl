@@ -117,6 +117,7 @@ Normals shadingNormals() {
   normals.shading = normals.geometric;
 #if NORMAL_VARIANCE
   normals.relief = vec2(0.0);
+  normals.reliefAxis = vec3(0.0);
 #if CLEARCOAT
   normals.coatRelief = vec2(0.0);
 #endif
@@ -138,6 +139,7 @@ Normals shadingNormals() {
   vec4 varied = normalTexel();
 #endif
   normals.relief = reliefOf(varied, normalScale);
+  normals.reliefAxis = safeNormalize(frame * vec3(reliefAxis * normalScale, 0.0), vec3(0.0)) * length(reliefAxis);
 #if YARN_RELIEF
   normals.meanSlope = vec2(varied) / max(varied.b, 1.0e-2);
 #endif

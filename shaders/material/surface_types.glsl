@@ -27,6 +27,7 @@ struct Normals {
 #if NORMAL_VARIANCE
   vec2 relief;             // of the normal map within the pixel: x 1 - length of the mean normal, y variance of the slopes about
                            // it that most of the surface has, the sum of both axes
+  vec3 reliefAxis;         // across its lines, where it runs along some: as long as reliefTowards() says
 #if CLEARCOAT
   vec2 coatRelief;
 #endif
@@ -154,8 +155,9 @@ struct SurfaceInfo {
   vec3 geometricNormal;       // before the normal map
 #endif
 #if RELIEF
-  float relief;               // as Normals::relief has both
+  float relief;               // as Normals has it and the next two
   float slopeVariance;
+  vec3 reliefAxis;
 #endif
 #if FACETS
   EdgeLobe edges;
@@ -187,6 +189,7 @@ struct SurfaceInfo {
 #endif
   float glossRoughness;       // perceptual, of a texel
 #if RELIEF
+  float reliefSeen;           // of reliefTowards(), towards the viewer
   vec2 glossKept;             // of reliefGloss()
 #endif
 #if SHEEN

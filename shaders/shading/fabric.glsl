@@ -128,6 +128,7 @@ SurfaceInfo preparedSurface(SurfaceInfo s) {
   if (hasEdges(s)) s.edges = preparedEdges(s);
 #endif
 #if RELIEF
+  s.reliefSeen = reliefTowards(s.relief, s.reliefAxis, s.n, s.v);
   s = withRelief(s);
 #endif
 #if SHEEN
@@ -136,8 +137,8 @@ SurfaceInfo preparedSurface(SurfaceInfo s) {
   s.sheenAlbedo = fit.x;
 #if RELIEF
   if (s.relief > 0.0) {
-    s.sheenRing = sheenRing(s.relief, sheenRoughness, s.n, s.v, s.NoV);
-    s.sheenAlbedo = s.sheenRing.albedo;
+    s.sheenRing = sheenRing(s.relief, s.reliefAxis, sheenRoughness, s.n, s.v);
+    s.sheenAlbedo = reliefSheenAlbedo(s.relief, s.reliefSeen, sheenRoughness, s.NoV);
   }
 #endif
   s.sheenView = sheenView(fit, s.NoV);
@@ -214,6 +215,22 @@ float coatReflectance(SurfaceInfo s) {
 }
 #endif
 
+#if DIFFUSE_TRANSMISSION
+// Radiance of the light of one direction that comes through from the other side; parameters as those of addPunctual().
+vec3 lightThrough(SurfaceInfo s, vec3 l, vec3 lightColor) {
+  float cosine = dot(s.n, l);
+#if RELIEF
+  float behind = reliefBehind(s.relief, cosine) * dot(l, l);  // of no direction, none
+#else
+  float behind = saturate(-cosine);
+#endif
+#if ALL_TERMS
+  if (behind == 0.0) return vec3(0.0);
+#endif
+  return lightColor * (behind * RECIPROCAL_PI) * transmittedAlbedo(s) * s.passing * passingShare(s, albedoTowards(s, l, behind));
+}
+#endif
+
 // Adds the light of one direction.
 // l  unit, to the light; of length 0 it gives nothing      lightColor  irradiance on a surface that faces it, linear Rec.709
 Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
@@ -223,15 +240,7 @@ Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
   sum.coat += lightColor * clearCoatLobe(s, l, h);
 #endif
 #if DIFFUSE_TRANSMISSION
-#if RELIEF
-  float behind = reliefBehind(s.relief, cosine) * dot(l, l);  // of no direction, none
-#else
-  float behind = saturate(-cosine);
-#endif
-#if ALL_TERMS
-  if (behind > 0.0)
-#endif
-  sum.diffuse += lightColor * (behind * RECIPROCAL_PI) * transmittedAlbedo(s) * s.passing * passingShare(s, albedoTowards(s, l, behind));
+  sum.diffuse += lightThrough(s, l, lightColor);
 #endif
 #if FACETS
   if (hasEdges(s)) sum.specular += lightColor * edgesLobe(s, l, h);
@@ -254,7 +263,7 @@ Reflected addPunctual(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
   GlossAlbedo albedo = albedoTowards(s, l, NoL);
   sum.specular += lightColor * (specularLobe(s, l, h, NoL) + returnedLobe(s, albedo) * NoL);
 #if RELIEF
-  lightColor *= reliefDiffuseTowards(s.relief, NoL) * reliefTurned(s.relief, s.NoV);
+  lightColor *= reliefDiffuseTowards(s.relief, reliefTowards(s.relief, s.reliefAxis, s.n, l), NoL) * reliefTurned(s.reliefSeen, s.NoV);
 #endif
   sum.diffuse += lightColor * diffuseLobe(s, l, NoL) * s.passing * passingShare(s, albedo);
   return sum;
@@ -266,7 +275,7 @@ float unhiddenDiffuse(SurfaceInfo s, float length) { return bumpMean(saturate(do
 
 float unhiddenDiffuse(SurfaceInfo s) {
 #if RELIEF
-  return unhiddenDiffuse(s, 1.0 - s.relief) * reliefTurned(s.relief, s.NoV);
+  return unhiddenDiffuse(s, 1.0 - s.relief) * reliefTurned(s.reliefSeen, s.NoV);
 #else
   return unhiddenDiffuse(s, 1.0);
 #endif

@@ -59,7 +59,7 @@ function meanOver(normals, NoV, draw) {
   return sum / (normals.length * AROUND * LIGHTS);
 }
 
-/** Share that diffuse light of one direction keeps, by the texels and by the text. */
+/** Share that diffuse light of one direction keeps, by the texels and by the text; mean over all azimuths, and so without lines. */
 function keptTowards(normals, NoL, relief) {
   let sum = 0;
   for (let k = 0; k < AROUND; k += 1) {

@@ -11,6 +11,8 @@ const WORN = {
   'satin-turned-tangents': ['cloth-tangents', { '*': { preset: 'satin', color: [0.5, 0.12, 0.2], rotation: 35, scale: 20 } }],
   'leather-own-color': ['cloth', { '*': { preset: 'leather', metresPerUv: [0.3, 0.2] } }],
   lace: ['cloth', { '*': { preset: 'lace', color: [0.8, 0.78, 0.72], scale: 4 } }],
+  // Its relief runs along lines.
+  'corduroy-turned': ['cloth', { '*': { preset: 'corduroy', color: [0.24, 0.14, 0.05], rotation: 35, scale: 2 } }],
   recolored: ['cloth', { '*': { color: NAVY } }],
   // A preset's sheen is dyed: more in green and blue than in red.
   velvet: ['cloth', { '*': { preset: 'velvet', color: [0.3, 0.02, 0] } }],

@@ -142,9 +142,12 @@ const afarCases = [
 
 /** Suns that three.js has no room for: its own shading leaves them out, every other one has them as lights. */
 const SUNLIT = { environmentSettings: { intensity: 0.002, rotation: 70 }, camera: CAMERAS.quarter };
-const sunCases = ['three', 'fabric', 'three-r115', 'disney-2012'].map((shading) =>
-  makeCase(`bright-suns-${shading}`, 'sheen', 'bright-suns', { ...SUNLIT, shading }, shading === 'fabric'),
-);
+const sunCases = [
+  ...['three', 'fabric', 'three-r115', 'disney-2012'].map((shading) =>
+    makeCase(`bright-suns-${shading}`, 'sheen', 'bright-suns', { ...SUNLIT, shading }, shading === 'fabric'),
+  ),
+  makeCase('bright-suns-occlusion-disney-2012', 'occlusion-map', 'bright-suns', { ...SUNLIT, shading: 'disney-2012' }),
+];
 
 /** A small light that halves hold: of cloth it is a light too, and stands in the background all the same. */
 const smallSunCases = [
@@ -158,6 +161,17 @@ const smallSunCases = [
     { environmentSettings: { rotation: 40 }, camera: DRAPE, shading: 'fabric', background },
     name === 'sharp',
   ),
+);
+
+/** What hides the environment from a surface hides its small lights: baked occlusion, what vertices say, and of a polished relief too. */
+const hiddenSunCases = [
+  ['occlusion', 'occlusion-map', {}],
+  ['occlusion-sheen', 'sheen-cloth', {}],
+  ['visibility', 'visibility', { camera: DRAPE }],
+  ['visibility-thin', 'visibility-thin', { camera: DRAPE, lights: [BEHIND] }],
+  ['occlusion-sequins', 'occlusion-map', { materials: { '*': { preset: 'sequin-thread', color: [0.6, 0.3, 0.1], scale: 6 } } }],
+].map(([name, model, rest]) =>
+  makeCase(`fabric-sunny-sky-${name}`, model, 'sunny-sky', { environmentSettings: { rotation: 40 }, shading: 'fabric', ...rest }, name === 'visibility'),
 );
 
 /** Every map and factor of cloth, both sides of it seen. */
@@ -187,6 +201,7 @@ export const CASES = [
   ...visibilityCases,
   ...sunCases,
   ...smallSunCases,
+  ...hiddenSunCases,
   ...['some', 'none'].map((kind) => makeCase(`tangents-${kind}-fabric`, `known-tangents-${kind}`, 'lamps', { shading: 'fabric' })),
   makeCase('tangents-some-disney', 'known-tangents-some', 'lamps', { shading: 'disney-2012' }),
 ];

@@ -175,6 +175,18 @@ export const FAULTS = [
     first: 'indirect',
   },
   {
+    name: 'a sun that baked occlusion does not reach',
+    item: 'fabric-sunny-sky-occlusion',
+    edits: [
+      {
+        file: 'surface.frag',
+        find: 'suns = sunLight(s);',
+        replace: 'Reflected lit = sunLight(s);\n  direct.diffuse += lit.diffuse;\n  direct.specular += lit.specular;',
+      },
+    ],
+    first: 'direct',
+  },
+  {
     name: 'another D in cloth: alpha for alpha squared',
     item: 'fabric-sweep-sun',
     edits: [{ file: 'brdf/cloth.glsl', find: 'float k = alpha / (NxH2 + pow2(NoH * alpha));', replace: 'float k = alpha / (NxH2 + pow2(NoH) * alpha);' }],

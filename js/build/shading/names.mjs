@@ -79,7 +79,8 @@ export function fixedFeatures(family) {
     ...texturesOf(layer).map((texture) => `${upper(textureName(texture))}_MAP`),
   ]);
   const cloth = family === 'fabric' ? [] : CLOTH;
-  return { ...FIXED, ...Object.fromEntries([...absent, ...cloth].map((name) => [name, 0])) };
+  const suns = family === 'three' ? ['SUNS'] : [];
+  return { ...FIXED, ...Object.fromEntries([...absent, ...cloth, ...suns].map((name) => [name, 0])) };
 }
 
 /** Map and texture coordinates: of three.js where it has a name for them. */

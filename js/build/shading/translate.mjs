@@ -30,7 +30,7 @@ const DEFINITIONS = [
   /^(?:bool|int|float|vec[234]) (\w+)(?:\[\w+\])?(?: =|;)/gm,
   /^#define (\w+)/gm,
 ];
-const DECLARATION = /^(uniform|in|out) \w+ (\w+);/gm;
+const DECLARATION = /^(uniform|in|out) \w+ (\w+)(?:\[\w+\])?;/gm;
 const SECOND_SET = /\b(\w+_UV1) ==/g;
 
 const readHost = (file) => readFileSync(new URL(file, HOST), 'utf8');
@@ -41,7 +41,7 @@ function readerOf(family) {
     'material/fragment_inputs.glsl': () =>
       [readHost('host.glsl'), readHost(family === 'fabric' ? 'host_cloth.glsl' : 'host_maps.glsl'), ...fragmentDeclarations(ownLayers(family))].join('\n'),
     'material/layer_inputs.glsl': () => inputsFunction(INPUT_NAMES, ({ shadings }) => !shadings || shadings.includes(family)).join('\n'),
-    'light/indirect_inputs.glsl': () => readHost('host_lights.glsl'),
+    'light/indirect_inputs.glsl': () => `${readHost('host_lights.glsl')}${family === 'three' ? '' : readHost('host_suns.glsl')}`,
     'light/area_inputs.glsl': () => readHost('host_area.glsl'),
     'light/sampled_environment.glsl': () => '',
     'brdf/importance.glsl': () => '',
@@ -56,7 +56,7 @@ function readerOf(family) {
  * and js/three/shading/main.glsl.
  * @param {string} family - One of FAMILIES.
  * @returns {{declarations: string, main: string, vertexDeclarations: string, vertexMain: string, uniforms: string[],
- *   features: string[]}} `uniforms` and `features` (0 or 1) that a material has to give: three.js does not know them.
+ *   features: string[]}} `uniforms` and `features` (0, 1 or a count) that a material has to give: three.js does not know them.
  */
 export function shadingText(family) {
   const text = withoutComments(included(readHost('declarations.glsl').replaceAll('FAMILY', family), readerOf(family)));
@@ -133,6 +133,7 @@ export function textureShaders() {
     vertex: 'level.vert',
     reliefMoments: 'relief_moments.frag',
     reliefLevel: 'relief_level.frag',
+    reliefAxis: 'relief_axis.frag',
     facetsMoments: 'facets_moments.frag',
     facetsLevel: 'facets_level.frag',
     yarnsMoments: 'yarns_moments.frag',

@@ -28,7 +28,7 @@ export const DEBUG_QUANTITIES = Object.freeze({
     glsl: 'incident.irradiance + incident.environmentIrradiance',
   },
   direct: { doc: 'reflected light of the lights', of: 'shading', glsl: 'debugSum(s, direct)' },
-  indirect: { doc: 'reflected light of the environment, after occlusion', of: 'shading', glsl: 'debugSum(s, indirect)' },
+  indirect: { doc: 'reflected light of the environment and its suns, after occlusion', of: 'shading', glsl: 'debugSum(s, indirect)' },
   transmitted: { doc: "light from behind, before the material's weight", of: 'transmission', glsl: 'vec3(transmitted)' },
   linear: { doc: 'radiance before exposure and tone mapping', of: 'color', glsl: 'radiance' },
   encoded: { doc: 'colour as the picture has it, 0..1', of: 'color', glsl: 'outputColor(radiance, 1.0).rgb' },

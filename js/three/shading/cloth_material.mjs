@@ -1,9 +1,10 @@
 import { LAYERS, POLISHED, texturesOf, textureName, upper } from '../../material/table.mjs';
 import { SLOTS } from '../../shot/shading_terms.mjs';
+import { sunColors } from '../suns.mjs';
 import { drawPartlyCovered } from './coverage.mjs';
 import { shadingMaterialClass } from './material.mjs';
 import { featureDefines, termDefine } from './terms.mjs';
-import { bakedTexture } from './texture_bake.mjs';
+import { bakedTexture, reliefAxis } from './texture_bake.mjs';
 
 /** Map, as its uniform and varying are named: its texture in the extension, the define of it, and of what it is a part. */
 const MAPS = Object.fromEntries(
@@ -48,11 +49,17 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
     /** Which sides of the geometries have ambient visibility: attributes of the names in VISIBILITY_ATTRIBUTES. */
     visibleSides = { front: false, back: false };
 
+    /** sunColors() of the scene that it is drawn in: what hides the environment from a surface hides its suns. */
+    suns = [];
+
     /** Uniforms of the text, made once. */
     ownUniforms = {};
 
     /** Textures that were made of the material's own, by the name of their uniform. */
     madeMaps = { normalVarianceMap: null, clearcoatNormalVarianceMap: null, coverageMap: null, metalMap: null, yarnReliefMap: null };
+
+    /** reliefAxis() of the normal map. */
+    reliefAxis = new THREE.Vector2();
 
     /** What maps were made as for the last draw. */
     madeAs = '';
@@ -76,7 +83,7 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
     textDefines() {
       const parts = this.isFabricMaterial ? featuresOf(this) : principledFeatures(this);
       const features = Object.entries({ ...parts, ...mapFeatures(parts, mapsOf(this)) }).filter(([name]) => text.features.includes(name));
-      return { ...super.textDefines(), ...Object.fromEntries(features), ...(needsTangents(this) && { OWN_TANGENTS: 1 }) };
+      return { ...super.textDefines(), ...Object.fromEntries(features), ...(needsTangents(this) && { OWN_TANGENTS: 1 }), SUNS: this.suns.length };
     }
 
     textUniforms() {
@@ -84,6 +91,8 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
         ...factorsOf(THREE, this),
         ...textureValues(mapsOf(this)),
         ...this.madeMaps,
+        sunColors: this.suns,
+        reliefAxis: this.reliefAxis,
         coverageSamples: this.coverageSamples,
         coverageMask: this.coverageMask,
         coverageDraw: this.coverageDraw,
@@ -109,8 +118,11 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
     }
 
     /** Before each draw: what has changed since reaches the program, and maps that are new are made anew. */
-    onBeforeRender(renderer, ...rest) {
-      if (this.isFabricMaterial && makeMaps(this, { THREE, textureShaders, renderer })) drawPartlyCovered(this, [renderer, ...rest]);
+    onBeforeRender(renderer, scene, ...rest) {
+      const suns = sunColors(scene);
+      if (suns.length !== this.suns.length) this.needsUpdate = true;
+      this.suns = suns;
+      if (this.isFabricMaterial && makeMaps(this, { THREE, textureShaders, renderer })) drawPartlyCovered(this, [renderer, scene, ...rest]);
       else this.textUniforms();
     }
 
@@ -157,6 +169,7 @@ function makeMaps(material, { THREE, textureShaders, renderer }) {
       madeMaps[name] = baked(key === 'normalMap' ? kind : 'relief', material[key], holes);
     }
   }
+  if (NORMAL_VARIANCE && !NORMAL_FACETS) material.reliefAxis = reliefAxis(THREE, textureShaders, renderer, normalMap);
   if (YARN_RELIEF) madeMaps.yarnReliefMap = baked('yarns', normalMap, { beside: yarns });
   if (METAL_MEANS) madeMaps.metalMap = baked('metal', map, { beside: material.metalnessMap, ...(METAL_YARNS && { yarns }) });
   if (ALPHA_TO_COVERAGE || ALPHA_MEANS) madeMaps.coverageMap = baked('coverage', map, { cutoff });

@@ -2,6 +2,7 @@
 #if NORMAL_MAP
 uniform sampler2D normalVarianceMap;
 vec4 normalTexel() { return texture(normalVarianceMap, vNormalMapUv); }
+uniform vec2 reliefAxis;  // as the server's
 #if NORMAL_FACETS
 vec4 normalTexel(float lodBias) { return texture(normalVarianceMap, vNormalMapUv, lodBias); }
 vec4 sharpNormalTexel(ivec2 at) { return texelFetch(normalVarianceMap, at, 0); }

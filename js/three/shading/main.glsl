@@ -30,16 +30,23 @@ void main() {
 
   SurfaceInfo telarSurface = surfaceInfo(diffuseColor.rgb);
   Reflected telarDirect = nothingReflected();
+  Reflected telarSuns = nothingReflected();
   vec3 geometryPosition = -vViewPosition;
   vec3 geometryNormal = telarSurface.n;
   vec3 geometryViewDir = telarSurface.v;
 #undef RE_Direct
 #undef RE_Direct_RectArea
 #undef RE_IndirectSpecular
+#if SUNS > 0
+#define RE_Direct(light, position, normal, view, coatNormal, material, reflected) \
+  if (isSun(light.color)) telarSuns = addSun(telarSuns, telarSurface, light.direction, light.color); \
+  else telarDirect = addLight(telarDirect, telarSurface, lightDirection(light.direction), light.color)
+#else
 #define RE_Direct(light, position, normal, view, coatNormal, material, reflected) telarDirect = addLight(telarDirect, telarSurface, lightDirection(light.direction), light.color)
+#endif
 TELAR_LIGHT_LOOPS
 #if FACETS && FACET_LIGHTS > 0
-  telarDirect.specular += facetLight(telarSurface);
+  addFacetLight(telarDirect, telarSuns, telarSurface);
 #endif
 #include <lights_fragment_maps>
 #if RECT_LIGHTS > 0
@@ -47,7 +54,7 @@ TELAR_LIGHT_LOOPS
 #endif
   Incident telarIncident = incidentLight(telarSurface);
   telarIncident.irradiance = irradiance;
-  Reflected telarIndirect = indirectLight(telarSurface, telarIncident);
+  Reflected telarIndirect = indirectLight(telarSurface, telarIncident, telarSuns);
 #if OCCLUSION_MAP
   telarIndirect = occluded(telarIndirect, telarSurface);
 #endif

@@ -22,7 +22,7 @@ export const PREFIX = 'telar_';
  * @property {string} vertexDeclarations
  * @property {string} vertexMain
  * @property {string[]} uniforms - That three.js does not know.
- * @property {string[]} features - Defines of 0 or 1 that three.js does not know; 0 where they are left out.
+ * @property {string[]} features - Defines of 0, 1 or a count that three.js does not know; 0 where they are left out.
  */
 
 /**

@@ -33,24 +33,49 @@ const drawings = new WeakMap();
  */
 export function bakedTexture(THREE, shaders, renderer, kind, source, { cutoff = 0, beside = null, yarns = null } = {}) {
   if (!source?.image?.width) return null;
+  const key = [kind, cutoff, ...[beside, yarns].map((texture) => (texture ? `${texture.uuid} ${texture.version}` : ''))].join(' ');
+  return madeOnce(renderer, source, key, () => ({ target: bake(THREE, shaders, renderer, { kind, source, cutoff, beside, yarns }) })).target.texture;
+}
+
+/**
+ * The direction across the lines that a normal map's relief runs along: the axis of reliefTowards() (shaders/brdf/relief.glsl) in its tangent space.
+ * Parameters and how long it is kept: as bakedTexture().
+ * @returns {import('three').Vector2} of length 0 where there are no lines, and where the GL gives no pixels
+ */
+export function reliefAxis(THREE, shaders, renderer, source) {
+  if (!source?.image?.width) return new THREE.Vector2();
+  return madeOnce(renderer, source, 'axis', () => {
+    const target = new THREE.WebGLRenderTarget(1, 1, { depthBuffer: false });
+    const putBack = setAside(renderer);
+    drawingOf(THREE, shaders).draw(renderer, 'reliefAxis', { BESIDE: 0 }, { sourceMap: source }, target, 0, { x: 1, y: 1 });
+    const texel = new Uint8Array(4);
+    renderer.readRenderTargetPixels(target, 0, 0, 1, 1, texel);
+    putBack();
+    target.dispose();
+    const components = [256 * texel[0] + texel[1], 256 * texel[2] + texel[3]];
+    return { axis: components.includes(0) ? new THREE.Vector2() : new THREE.Vector2(...components).subScalar(32768).divideScalar(32767) };
+  }).axis;
+}
+
+/** What was made of a texture for a renderer, with its target if it has one; made anew where the texture was changed. */
+function madeOnce(renderer, source, key, make) {
   if (!made.has(renderer)) made.set(renderer, new WeakMap());
   const ofRenderer = made.get(renderer);
   if (!ofRenderer.has(source)) {
-    const targets = new Map();
-    ofRenderer.set(source, targets);
+    const all = new Map();
+    ofRenderer.set(source, all);
     source.addEventListener('dispose', () => {
-      for (const { target } of targets.values()) target.dispose();
-      targets.clear();
+      for (const { target } of all.values()) target?.dispose();
+      all.clear();
     });
   }
   const known = ofRenderer.get(source);
-  const key = [kind, cutoff, ...[beside, yarns].map((texture) => (texture ? `${texture.uuid} ${texture.version}` : ''))].join(' ');
   const last = known.get(key);
-  if (last?.version === source.version) return last.target.texture;
-  last?.target.dispose();
-  const target = bake(THREE, shaders, renderer, { kind, source, cutoff, beside, yarns });
-  known.set(key, { target, version: source.version });
-  return target.texture;
+  if (last?.version === source.version) return last;
+  last?.target?.dispose();
+  const result = { ...make(), version: source.version };
+  known.set(key, result);
+  return result;
 }
 
 function bake(THREE, shaders, renderer, { kind, source, cutoff, beside, yarns }) {

@@ -55,6 +55,7 @@ struct Shot : shot::Size, shot::Values, shot::RasterQuality {
   } environment;
 
   std::vector<Light> lights;
+  std::size_t suns = 0;  ///< of the lights, the last ones: small lights of the environment (pass::withSuns())
 
   struct Background : shot::EnvironmentBackground {
     enum class Type { kTransparent, kColor, kEnvironment } type = Type::kTransparent;

@@ -257,6 +257,13 @@ GLuint GpuScene::derived(const DerivedTexture& key, const std::function<gl::Text
   return derived_.emplace(key, make()).first->second.get();
 }
 
+glm::vec2 GpuScene::reliefAxis(int image, int first, const std::function<glm::vec2()>& find) {
+  if (const auto lender = lenderOf(image)) return lender->scene->reliefAxis(image - lender->first, first, find);
+  const auto known = reliefAxes_.find({image, first});
+  return known != reliefAxes_.end() ? known->second
+                                    : reliefAxes_.emplace(std::pair(image, first), find()).first->second;
+}
+
 int GpuScene::unreadOfDerived(int image) const {
   if (const auto lender = lenderOf(image)) return lender->scene->unreadOfDerived(image - lender->first);
   int unread = 0;

@@ -1,6 +1,7 @@
 #pragma once
 #include <compare>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <map>
 #include <memory>
 #include <optional>
@@ -85,6 +86,9 @@ class GpuScene {
   /// The same for a texture that is made of another one, once for each key; anew where the one that there is lacks
   /// levels that are read now. Those of textures that are not read whole go with the next limit.
   GLuint derived(const DerivedTexture& key, const std::function<gl::Texture()>& make);
+  /// TextureBaker::reliefAxis() of a normal map, found once.
+  /// @param first  of levelsLeftOut()
+  glm::vec2 reliefAxis(int image, int first, const std::function<glm::vec2()>& find);
   /// How many levels what derived() has made of an image lacks, at most: 0 where all is there.
   int unreadOfDerived(int image) const;
   /// GPU bytes of the textures that derived() has made and of those to be made.
@@ -133,6 +137,7 @@ class GpuScene {
   int textureSize_ = 0;                                               ///< limitTextures()
   std::map<std::pair<int, bool>, StoredTexture> textures_, sources_;  ///< by image and whether it is decoded from sRGB
   std::map<DerivedTexture, gl::Texture> derived_;
+  std::map<std::pair<int, int>, glm::vec2> reliefAxes_;  ///< by image and its levels that are left out
   std::vector<std::pair<Sampler, gl::Sampler>> samplers_;
 };
 

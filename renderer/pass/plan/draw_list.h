@@ -37,6 +37,8 @@ struct DrawItem {
   const Instances* instances() const { return node->instances.get(); }
   /// The smallest alpha of the base colour map that passes the alpha test; above 1 none does.
   float textureCutoff() const { return telar::textureCutoff(*material); }
+  /// Whether its program knows of the lines of its relief. Facets lie too flat for them to matter.
+  bool hasReliefAxis() const { return key.normalVariance && key.normalMap && !key.normalFacets; }
   /// Triangles cast, each once: the first of the two draws of a blended double-sided surface is left out.
   bool castsShadow() const { return primitive->topology == Topology::kTriangles && !key.flipSided && !ghost; }
 };

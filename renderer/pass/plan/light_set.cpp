@@ -34,6 +34,11 @@ void addDirectional(LightSet& set, const frame::Camera& camera, const glm::vec3&
   set.directionalColor.push_back(color);
 }
 
+void addSun(LightSet& set, const frame::Camera& camera, const Shot::Light& light) {
+  set.sunDirection.push_back(directionToView(camera, light.position - light.target));
+  set.sunColor.push_back(bounded(glm::dvec3(light.color) * light.intensity));
+}
+
 void addSpot(LightSet& set, const frame::Camera& camera, const glm::vec3& color, const glm::dvec3& position,
              const glm::dvec3& toLight, double range, double angle, double penumbra) {
   set.spotPosition.push_back(toView(camera, position));
@@ -111,6 +116,11 @@ void addModelLight(LightSet& set, const frame::Camera& camera, const ModelLight&
   }
 }
 
+std::vector<glm::vec3> joined(std::vector<glm::vec3> list, const std::vector<glm::vec3>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+  return list;
+}
+
 template <class T>
 void padTo(std::vector<T>& list, std::size_t count, const T& value) {
   if (list.size() < count) list.resize(count, value);
@@ -123,7 +133,8 @@ void LightSet::describe(shader::VariantKey& key) const {
   key.lights.hemisphere = static_cast<std::uint8_t>(hemisphereUp.size());
   key.lights.point = static_cast<std::uint8_t>(pointPosition.size());
   key.lights.spot = static_cast<std::uint8_t>(spotPosition.size());
-  key.lights.directional = static_cast<std::uint8_t>(directionalDirection.size());
+  key.lights.directional = static_cast<std::uint8_t>(directionalDirection.size() + sunDirection.size());
+  key.lights.suns = static_cast<std::uint8_t>(sunDirection.size());
   key.lights.rect = static_cast<std::uint8_t>(rectPosition.size());
   key.lights.disk = static_cast<std::uint8_t>(diskPosition.size());
 }
@@ -165,8 +176,8 @@ void LightSet::upload(const gl::Program& program) const {
   program.set("spotRange", spotRange);
   program.set("spotOuterCos", spotOuterCos);
   program.set("spotInnerCos", spotInnerCos);
-  program.set("directionalDirection", directionalDirection);
-  program.set("directionalColor", directionalColor);
+  program.set("directionalDirection", joined(directionalDirection, sunDirection));
+  program.set("directionalColor", joined(directionalColor, sunColor));
   program.set("rectPosition", rectPosition);
   program.set("rectHalfWidth", rectHalfWidth);
   program.set("rectHalfHeight", rectHalfHeight);
@@ -185,10 +196,12 @@ LightSet collectLights(const Scene& scene, const Shot& shot, const LightChoice& 
     for (std::size_t i = 0; i < shot.lights.size(); ++i) {
       const Shot::Light& light = shot.lights[i];
       if (!chosen.ofShot[i] || light.castShadow != casting) continue;
-      if (chosen.litByShot[i]) {
-        addShotLight(set, camera, light);
-      } else {
+      if (!chosen.litByShot[i]) {
         ++set.leftOut;
+      } else if (i + shot.suns >= shot.lights.size()) {
+        addSun(set, camera, light);
+      } else {
+        addShotLight(set, camera, light);
       }
     }
   }

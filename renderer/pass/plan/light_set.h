@@ -23,6 +23,7 @@ struct LightSet {
   std::vector<glm::vec3> spotPosition, spotDirection, spotColor;
   std::vector<float> spotRange, spotOuterCos, spotInnerCos;
   std::vector<glm::vec3> directionalDirection, directionalColor;
+  std::vector<glm::vec3> sunDirection, sunColor;  ///< of the environment: they go behind the directional ones
   std::vector<glm::vec3> rectPosition, rectHalfWidth, rectHalfHeight, rectColor;
   std::vector<glm::vec3> diskPosition, diskX, diskY, diskColor;
 

@@ -278,6 +278,7 @@ void SurfacePass::bindMaterial(const gl::Program& program, const DrawItem& item,
   program.set("emissiveFactor", m.emissiveFactor);
   program.set("occlusionStrength", m.occlusionStrength);
   program.set("normalScale", normalScaleOf(m.normalScale, item));
+  if (item.hasReliefAxis()) program.set("reliefAxis", textures_.reliefAxis(item, in.scene, in.gpu, in.cancel));
   if (item.key.normalFacets) program.set("normalMapPeriod", periodOf(m.normalTexture.sampler));
   setLayers(program, item);
   const ThreeTerms& three = item.key.three;
@@ -358,10 +359,9 @@ void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {
            : sampled       ? in.environment->radiance.texture
                            : in.environment->prefiltered.texture);
     }
-    if (sampled) {
+    if (sampled)
       bind(IRRADIANCE_UNIT, GL_TEXTURE_CUBE_MAP,
            in.environment ? in.environment->irradiance.texture : standIns().blackCube);
-    }
   }
   if (in.plan.frame.lights.area() > 0) {
     bind(LTC_INVERSE_UNIT, GL_TEXTURE_2D, ltc_.inverse);

@@ -112,6 +112,7 @@ void SurfaceTextures::upload(const FramePlan& plan, const Scene& scene, GpuScene
     for (const DrawItem& item : *list) {
       if (item.key.metalMeans) metal(item, scene, gpu, cancel, unread);
       if (item.key.yarnRelief) yarnRelief(item, scene, gpu, cancel);
+      if (item.hasReliefAxis()) reliefAxis(item, scene, gpu, cancel);
     }
   }
   gpu.dropSources();
@@ -153,6 +154,13 @@ GLuint SurfaceTextures::yarnRelief(const DrawItem& item, const Scene& scene, Gpu
     return baker_.yarnRelief(sourceOf(key.image, false, scene, gpu, cancel),
                              sourceOf(key.yarns, false, scene, gpu, cancel), cancel);
   });
+}
+
+glm::vec2 SurfaceTextures::reliefAxis(const DrawItem& item, const Scene& scene, GpuScene& gpu,
+                                      const CancelToken& cancel) {
+  const int image = item.material->normalTexture.image;
+  return gpu.reliefAxis(image, gpu.levelsLeftOut(scene, image),
+                        [&] { return baker_.reliefAxis(sourceOf(image, false, scene, gpu, cancel), cancel); });
 }
 
 }  // namespace telar::pass

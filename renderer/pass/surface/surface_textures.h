@@ -33,6 +33,9 @@ class SurfaceTextures {
   /// How flat the item's warp and weft lie, for programs with yarnRelief; made now if it is not there yet.
   GLuint yarnRelief(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);
 
+  /// The direction across the lines of the item's normal map (TextureBaker), where hasReliefAxis().
+  glm::vec2 reliefAxis(const DrawItem& item, const Scene& scene, GpuScene& gpu, const CancelToken& cancel);
+
  private:
   std::uint64_t memoryBytes_;
   TextureBaker baker_;

@@ -1,7 +1,9 @@
 #include "pass/texture/texture_bake.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -176,6 +178,21 @@ gl::Texture TextureBaker::normalVariance(const BakeSource& source, const BakeSou
                                          const CancelToken& cancel) {
   return bake({"texture/relief_moments.frag", "texture/relief_level.frag", GL_RGBA16F, unread}, source, {cover, cutoff},
               cancel);
+}
+
+glm::vec2 TextureBaker::reliefAxis(const BakeSource& source, const CancelToken& cancel) {
+  cancel.check();
+  const gl::Functions& gl = context_.gl();
+  const gl::Texture out = gl::nearestTexture(gl, GL_RGBA8, 1, 1);
+  const Drawing drawing(context_);
+  const gl::Program& used = program("texture/relief_axis.frag", {{"BESIDE", 0}});
+  used.use();
+  used.set("sourceMap", 0);
+  drawing.draw(source.texture, out, 0, glm::ivec2(1), axisCost_);
+  std::array<std::uint8_t, 4> texel{};
+  gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, texel.data());
+  context_.check("relief axis");
+  return (glm::vec2(256 * texel[0] + texel[1], 256 * texel[2] + texel[3]) - 32768.0f) / 32767.0f;
 }
 
 gl::Texture TextureBaker::normalFacets(const BakeSource& source, const CancelToken& cancel) {

@@ -32,6 +32,10 @@ class TextureBaker {
   gl::Texture normalVariance(const BakeSource& source, const BakeSource& cover, float cutoff, int unread,
                              const CancelToken& cancel);
 
+  /// The direction across the lines that a normal map's relief runs along: the axis of reliefTowards()
+  /// (shaders/brdf/relief.glsl) in its tangent space. Waits for the GL.
+  glm::vec2 reliefAxis(const BakeSource& source, const CancelToken& cancel);
+
   /// The flat part of a normal map, RGBA16F: its slopes RG and their square A, each times its share B.
   /// @param source the normals
   gl::Texture normalFacets(const BakeSource& source, const CancelToken& cancel);
@@ -69,7 +73,7 @@ class TextureBaker {
   const gl::Context& context_;
   std::map<std::pair<std::string, shader::Defines>, gl::Program> programs_;  ///< by file and features
   std::map<std::pair<int, int>, gl::Texture> moments_;                       ///< by width and height
-  gl::DrawCost cost_;
+  gl::DrawCost cost_, axisCost_{32};  ///< of a fragment: that of the axis looks at 1024 texels
 };
 
 }  // namespace telar::pass

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "expect_error.h"
+#include "pass/describe.h"
 #include "pass/plan/draw_list.h"
 #include "renderer/scenes.h"
 
@@ -95,6 +98,25 @@ TEST(LightChoice, TheModelsLightsCompeteAndShadowsGoWithTheirLight) {
   EXPECT_TRUE(plan.shadows.empty());
   shot.modelLights = false;
   EXPECT_EQ(planned(2).shadows.flat.size(), 1u);
+}
+
+TEST(LightChoice, SunsComeLastAndAreToldApartFromLightsOfTheShotAndOfTheModel) {
+  auto scene = ball();
+  scene->lights.push_back({LightType::kDirectional, "lamp", glm::vec3(1), 5});
+  Node node;
+  node.light = 0;
+  scene->nodes.push_back(node);
+  Shot shot = shotOf(16);
+  shot.lights = {lightOf(Type::kDirectional, {0, 1, 0}, 1)};
+  const Shot sunlit = pass::withSuns(shot, {.list = {{glm::dvec3(0, 1, 0), glm::dvec3(3)}}, .share = 0});
+  const pass::FramePlan plan = pass::planDraws(*scene, sunlit, Limits{}, false);
+  EXPECT_EQ(plan.lights.directionalColor, (std::vector<glm::vec3>{glm::vec3(1), glm::vec3(5)}));
+  EXPECT_EQ(plan.lights.sunColor, std::vector<glm::vec3>{glm::vec3(3)});
+  EXPECT_EQ(plan.frame.lights.directional, 3) << "in one list, suns behind";
+  EXPECT_EQ(plan.frame.lights.suns, 1);
+  const auto features = plan.frame.features();
+  EXPECT_NE(std::find(features.begin(), features.end(), "2 directional-lights"), features.end());
+  EXPECT_NE(std::find(features.begin(), features.end(), "1 sun"), features.end());
 }
 
 TEST(LightChoice, TheLimitIsOfThoseThatAreShaded) {

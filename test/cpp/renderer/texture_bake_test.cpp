@@ -301,6 +301,41 @@ TEST_F(TextureBake, MetalOfAnSrgbColourIsAveragedLinearly) {
   EXPECT_NEAR(last[3], 127.5, 1);
 }
 
+/// Normals whose slopes are those of a function of the place, [0, 1)^2, +Y up.
+template <typename F>
+Image8 normalsOf(const F& slopeAt) {
+  constexpr std::uint32_t SIDE = 64;
+  Image8 image;
+  image.width = image.height = SIDE;
+  for (std::uint32_t y = 0; y < SIDE; ++y) {
+    for (std::uint32_t x = 0; x < SIDE; ++x) {
+      const glm::dvec3 n = glm::normalize(glm::dvec3(slopeAt(glm::dvec2(x + 0.5, SIDE - y - 0.5) / double(SIDE)), 1));
+      for (int c = 0; c < 3; ++c) image.pixels.push_back(std::uint8_t(std::lround(255 * (0.5 + 0.5 * n[c]))));
+      image.pixels.push_back(255);
+    }
+  }
+  return image;
+}
+
+double wave(double at) { return std::cos(6 * glm::two_pi<double>() * at); }
+
+TEST_F(TextureBake, TheAxisOfAReliefLiesAcrossItsLines) {
+  const auto axisOf = [&](const Image8& image) {
+    const gl::Texture source = upload(image, GL_RGBA8);
+    return glm::dvec2(baker_.reliefAxis({source.get(), {image.width, image.height}}, CancelToken()));
+  };
+  for (const double angle : {0.0, 0.4, 0.8, 1.2, -0.9}) {
+    const glm::dvec2 across(std::cos(angle), std::sin(angle));
+    const glm::dvec2 axis =
+        axisOf(normalsOf([&](const glm::dvec2& at) { return across * wave(glm::dot(at, across)); }));
+    EXPECT_NEAR(glm::length(axis), 1, 0.02) << angle;
+    EXPECT_GT(std::abs(glm::dot(axis, across)), 0.98) << angle;
+  }
+  const auto allAround = [](const glm::dvec2& at) { return glm::dvec2(wave(at.x), wave(at.y)); };
+  EXPECT_LT(glm::length(axisOf(normalsOf(allAround))), 0.06);
+  EXPECT_LT(glm::length(axisOf(normalsOf([](const glm::dvec2&) { return glm::dvec2(0); }))), 0.05) << "flat";
+}
+
 TEST_F(TextureBake, LevelsThatAreNotReadAreNotMadeAndTheOthersAreAsBefore) {
   const Image8 normals = unevenNormals(32, 4, 0.5), colors = weaveNormals(32, 32, 4, 1);
   const gl::Texture source = upload(normals, GL_RGBA8), other = upload(colors, GL_RGBA8);

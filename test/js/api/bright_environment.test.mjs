@@ -7,6 +7,7 @@ import { after, before, test } from 'node:test';
 import { createRenderer } from '../../../js/index.mjs';
 import { ENVIRONMENTS, MODELS } from '../../fixtures/index.mjs';
 import { hdr } from '../../fixtures/environment.mjs';
+import { occlusionMap } from '../../fixtures/scenes_material.mjs';
 import './support/real.mjs';
 
 const OWN = ['fabric', 'three-r115', 'disney-2012'];
@@ -44,6 +45,18 @@ for (const shading of OWN) {
     const ratio = light(standard) / light(high);
     assert.ok(Math.abs(ratio - 1) < 0.05, `${ratio} of the light of quality high`);
     assert.deepEqual(rangeWarnings(standard), []);
+  });
+}
+
+for (const shading of OWN) {
+  test(`shading ${shading}: baked occlusion hides a sun as it hides the rest of the map, as much in standard as in high`, async () => {
+    const glb = await occlusionMap();
+    const draw = async (model, quality) => light(await renderer.render(model, shotOf(sunOf(1e6), { shading, quality })));
+    // The bar is that of the suns themselves, above.
+    const ratio = (await draw(glb, 'standard')) / (await draw(glb, { samples: 16, environmentSamples: 512 }));
+    assert.ok(Math.abs(ratio - 1) < 0.05, `${ratio} of the light of quality high`);
+    const hidden = (await draw(glb, 'standard')) / (await draw(await occlusionMap({ occlusionStrength: 0 }), 'standard'));
+    assert.ok(hidden < 0.9, `${hidden} of the light without occlusion`);
   });
 }
 

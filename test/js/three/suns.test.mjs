@@ -3,7 +3,7 @@ import { mock, test } from 'node:test';
 import * as THREE from 'three';
 import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import { resolveShot } from '../../../js/shot/index.mjs';
-import { applyShot } from '../../../js/three/index.mjs';
+import { applyShot, loadFabricMaterial } from '../../../js/three/index.mjs';
 import { ENVIRONMENTS } from '../../fixtures/index.mjs';
 
 const CAMERA = { position: [1, 2, 3], target: [0, 0.5, 0], near: 0.5, far: 9 };
@@ -55,6 +55,26 @@ for (const flipY of [true, false]) {
     assert.equal(sun.castShadow, false);
   });
 }
+
+test('the materials of cloth know the suns of the scene that they are drawn in by their colours', async () => {
+  const material = new (await loadFabricMaterial(THREE))();
+  const sunny = await apply({ shading: 'fabric', environment: { map: 'a.hdr', intensity: 0.5 } }, sunTexture(true));
+  /** What its program is compiled with and gets. */
+  const drawnIn = (scene) => {
+    const { version } = material;
+    material.onBeforeRender({}, scene);
+    const { sunColors } = material.textUniforms();
+    return { defined: material.textDefines().SUNS, colors: sunColors.value.map((color) => color.toArray()), compiled: material.version > version };
+  };
+  const [sun] = sunsIn(sunny);
+  const uploaded = (light) => light.color.clone().multiplyScalar(light.intensity).toArray();
+  assert.deepEqual(drawnIn(sunny), { defined: 1, colors: [uploaded(sun)], compiled: true });
+  sun.intensity *= 0.3; // by a client
+  assert.deepEqual(drawnIn(sunny), { defined: 1, colors: [uploaded(sun)], compiled: false });
+  assert.deepEqual(drawnIn(new THREE.Scene()), { defined: 0, colors: [], compiled: true });
+  await apply({ shading: 'fabric', environment: 'none' }, undefined, sunny);
+  assert.deepEqual(drawnIn(sunny).colors, []);
+});
 
 test('the stock shading has no suns; another shot takes them out again', async () => {
   const environment = sunTexture(true);
