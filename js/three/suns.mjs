@@ -24,7 +24,7 @@ const ofScenes = new WeakMap();
 export const keepSuns = (scene, lights) => ofScenes.set(scene, lights);
 
 /**
- * Colours times intensities of a scene's suns, as three.js uploads them: materials know the suns by them, for directional lights have no names there.
+ * Colours times intensities of a scene's suns, as three.js uploads them: shaders know the suns among the directional lights by these.
  * @param {import('three').Scene} scene
  * @returns {import('three').Color[]}
  */

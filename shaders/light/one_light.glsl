@@ -24,7 +24,7 @@ vec3 sunsThrough = vec3(0.0);  // radiance so far, of that of addSun()
 #endif
 
 #if SUNS > 0
-// A small light of the environment, which has it no more: what hides the environment from a surface hides it too.
+// Light of a sun, which was taken out of the environment: what hides the environment from a surface hides it too.
 Reflected addSun(Reflected sum, SurfaceInfo s, vec3 l, vec3 lightColor) {
   sum = addLight(sum, s, l, lightColor);
 #if FACETS

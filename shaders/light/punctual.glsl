@@ -1,5 +1,5 @@
-// Light that arrives from one direction: point, spot and directional lights, and the suns of an environment. View space; colours are linear Rec.709
-// times intensity (candela, candela, lux).
+// Light that arrives from one direction: point, spot and directional lights, and the suns of an environment.
+// View space; colours are linear Rec.709 times intensity (candela, candela, lux).
 #if POINT_LIGHTS > 0
 uniform vec3 pointPosition[POINT_LIGHTS];
 uniform vec3 pointColor[POINT_LIGHTS];

@@ -33,7 +33,7 @@ void main() {
     squares += n.xyx * n.xyy;
   }
   // About the mean, as the relief is.
-  vec3 variance = max(squares / float(PLACES) - sum.xyx * sum.xyy / float(PLACES * PLACES), vec3(vec2(0.0), -1.0));
+  vec3 variance = squares / float(PLACES) - sum.xyx * sum.xyy / float(PLACES * PLACES);
   // Twice the angle of the axis, in a vector as long as the axis.
   vec2 turned = vec2(variance.x - variance.y, 2.0 * variance.z) / (variance.x + variance.y + FLAT);
   float stretch = min(length(turned), 1.0);

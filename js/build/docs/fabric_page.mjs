@@ -66,7 +66,7 @@ would gloss like varnish and shimmer. For the shading \`fabric\` each normal map
 GPU, into a map of relief whose mip levels hold the mean of its unit normals and of how flat they lie. The length of a mean normal tells what
 light the texels lose that turn away from it: diffuse light, gloss and sheen each take their mean over the texels (shaders/brdf/relief.glsl;
 Toksvig 2005, Han et al. 2007). Normals that lean away from the viewer reflect more, and leave less to the layers below.
-Cords, ribs and twills lean across their lines and hardly along them: 1024 places of the map tell how much more (once a map, below a millisecond), and diffuse light and sheen go by the plane in which light and viewer stand to the lines. How flat most of them lie widens the highlight: \`alpha² + variance\` (Olano & Baker 2010, LEAN mapping),
+Cords, ribs and twills lean across their lines and hardly along them: 1024 places of the map tell how much more (once a map, below a millisecond), and diffuse light and sheen depend on whether light and viewer stand across the lines or along them. How flat most of them lie widens the highlight: \`alpha² + variance\` (Olano & Baker 2010, LEAN mapping),
 and a few steep edges do not. A single texel has neither: from near, nothing changes. The roughness texture may have another size, UV
 set, transform or sampler: the relief travels with the normals.
 On polished metal (\`metallicFactor\` of at least 0.5, \`roughnessFactor\` of 0.3 at most; sequins) the map holds the slopes of what lies flat in

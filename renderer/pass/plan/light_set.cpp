@@ -1,6 +1,7 @@
 #include "pass/plan/light_set.h"
 
 #include <cmath>
+#include <cstddef>
 
 #include "gl/program.h"
 
@@ -32,11 +33,6 @@ void addPoint(LightSet& set, const frame::Camera& camera, const glm::vec3& color
 void addDirectional(LightSet& set, const frame::Camera& camera, const glm::vec3& color, const glm::dvec3& toLight) {
   set.directionalDirection.push_back(directionToView(camera, toLight));
   set.directionalColor.push_back(color);
-}
-
-void addSun(LightSet& set, const frame::Camera& camera, const Shot::Light& light) {
-  set.sunDirection.push_back(directionToView(camera, light.position - light.target));
-  set.sunColor.push_back(bounded(glm::dvec3(light.color) * light.intensity));
 }
 
 void addSpot(LightSet& set, const frame::Camera& camera, const glm::vec3& color, const glm::dvec3& position,
@@ -116,14 +112,12 @@ void addModelLight(LightSet& set, const frame::Camera& camera, const ModelLight&
   }
 }
 
-std::vector<glm::vec3> joined(std::vector<glm::vec3> list, const std::vector<glm::vec3>& more) {
-  list.insert(list.end(), more.begin(), more.end());
-  return list;
-}
-
+/// @param last elements that stay at the end
 template <class T>
-void padTo(std::vector<T>& list, std::size_t count, const T& value) {
-  if (list.size() < count) list.resize(count, value);
+void padTo(std::vector<T>& list, std::size_t count, const T& value, std::size_t last = 0) {
+  if (list.size() < count) {
+    list.insert(list.end() - static_cast<std::ptrdiff_t>(last), count - list.size(), value);
+  }
 }
 
 }  // namespace
@@ -133,8 +127,8 @@ void LightSet::describe(shader::VariantKey& key) const {
   key.lights.hemisphere = static_cast<std::uint8_t>(hemisphereUp.size());
   key.lights.point = static_cast<std::uint8_t>(pointPosition.size());
   key.lights.spot = static_cast<std::uint8_t>(spotPosition.size());
-  key.lights.directional = static_cast<std::uint8_t>(directionalDirection.size() + sunDirection.size());
-  key.lights.suns = static_cast<std::uint8_t>(sunDirection.size());
+  key.lights.directional = static_cast<std::uint8_t>(directionalDirection.size());
+  key.lights.suns = static_cast<std::uint8_t>(suns);
   key.lights.rect = static_cast<std::uint8_t>(rectPosition.size());
   key.lights.disk = static_cast<std::uint8_t>(diskPosition.size());
 }
@@ -154,8 +148,8 @@ void LightSet::pad(std::size_t count) {
   padTo(spotRange, count, 0.0f);
   padTo(spotOuterCos, count, 0.5f);
   padTo(spotInnerCos, count, 0.9f);
-  padTo(directionalDirection, count, up);
-  padTo(directionalColor, count, black);
+  padTo(directionalDirection, count, up, suns);
+  padTo(directionalColor, count, black, suns);
   padTo(rectPosition, count, up);
   padTo(rectHalfWidth, count, glm::vec3(0.5, 0, 0));
   padTo(rectHalfHeight, count, glm::vec3(0, 0, 0.5));
@@ -176,8 +170,8 @@ void LightSet::upload(const gl::Program& program) const {
   program.set("spotRange", spotRange);
   program.set("spotOuterCos", spotOuterCos);
   program.set("spotInnerCos", spotInnerCos);
-  program.set("directionalDirection", joined(directionalDirection, sunDirection));
-  program.set("directionalColor", joined(directionalColor, sunColor));
+  program.set("directionalDirection", directionalDirection);
+  program.set("directionalColor", directionalColor);
   program.set("rectPosition", rectPosition);
   program.set("rectHalfWidth", rectHalfWidth);
   program.set("rectHalfHeight", rectHalfHeight);
@@ -191,17 +185,16 @@ void LightSet::upload(const gl::Program& program) const {
 LightSet collectLights(const Scene& scene, const Shot& shot, const LightChoice& chosen, const frame::Camera& camera) {
   LightSet set;
   set.given = chosen.count();
+  const std::size_t firstSun = shot.lights.size() - shot.suns;
   // Lights with shadows come first, as in three.js: the i-th light of a kind reads the i-th shadow.
   for (const bool casting : {true, false}) {
-    for (std::size_t i = 0; i < shot.lights.size(); ++i) {
+    for (std::size_t i = 0; i < firstSun; ++i) {
       const Shot::Light& light = shot.lights[i];
       if (!chosen.ofShot[i] || light.castShadow != casting) continue;
-      if (!chosen.litByShot[i]) {
-        ++set.leftOut;
-      } else if (i + shot.suns >= shot.lights.size()) {
-        addSun(set, camera, light);
-      } else {
+      if (chosen.litByShot[i]) {
         addShotLight(set, camera, light);
+      } else {
+        ++set.leftOut;
       }
     }
   }
@@ -214,6 +207,17 @@ LightSet collectLights(const Scene& scene, const Shot& shot, const LightChoice& 
       ++set.leftOut;
     }
   }
+  // Suns last: shaders tell them from the others by that.
+  const std::size_t others = set.directionalColor.size();
+  for (std::size_t i = firstSun; i < shot.lights.size(); ++i) {
+    if (!chosen.ofShot[i]) continue;
+    if (chosen.litByShot[i]) {
+      addShotLight(set, camera, shot.lights[i]);
+    } else {
+      ++set.leftOut;
+    }
+  }
+  set.suns = set.directionalColor.size() - others;
   return set;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct LightSet {
   std::vector<glm::vec3> spotPosition, spotDirection, spotColor;
   std::vector<float> spotRange, spotOuterCos, spotInnerCos;
   std::vector<glm::vec3> directionalDirection, directionalColor;
-  std::vector<glm::vec3> sunDirection, sunColor;  ///< of the environment: they go behind the directional ones
+  std::size_t suns = 0;  ///< of the directional ones, the last: small lights of the environment
   std::vector<glm::vec3> rectPosition, rectHalfWidth, rectHalfHeight, rectColor;
   std::vector<glm::vec3> diskPosition, diskX, diskY, diskColor;
 

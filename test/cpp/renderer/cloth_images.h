@@ -25,12 +25,16 @@ inline Image8 imageOf(std::uint32_t width, std::uint32_t height,
   return image;
 }
 
+/// A texel of a normal map. @param slope of the surface along u and v
+inline glm::vec4 normalTexel(const glm::dvec2& slope) {
+  return {glm::vec3(glm::normalize(glm::dvec3(slope, 1))) * 0.5f + 0.5f, 1};
+}
+
 /// Normals of yarns that cross: bumps with other slopes along u than along v.
 inline Image8 weaveNormals(std::uint32_t width, std::uint32_t height, double threads, double depth) {
   return imageOf(width, height, [=](double u, double v) {
     const double x = glm::two_pi<double>() * threads * u, y = glm::two_pi<double>() * threads * v;
-    const glm::dvec3 n = glm::normalize(glm::dvec3(depth * std::sin(x), 0.5 * depth * std::sin(y) * std::cos(x), 1));
-    return glm::vec4(glm::vec3(n) * 0.5f + 0.5f, 1);
+    return normalTexel(depth * glm::dvec2(std::sin(x), 0.5 * std::sin(y) * std::cos(x)));
   });
 }
 
@@ -40,7 +44,7 @@ inline Image8 unevenNormals(std::uint32_t size, double threads, double depth) {
     const double x = glm::two_pi<double>() * threads * u, y = glm::two_pi<double>() * threads * v;
     const double across = std::sin(x) + std::sin(2 * x + y + 1) + std::sin(3 * x - 2 * y + 2);
     const double along = std::sin(y + 0.5) + std::sin(2 * y - x + 4) + std::sin(3 * y + 2 * x);
-    return glm::vec4(glm::vec3(glm::normalize(glm::dvec3(depth * across, depth * along, 1))) * 0.5f + 0.5f, 1);
+    return normalTexel(depth * glm::dvec2(across, along));
   });
 }
 

@@ -31,6 +31,16 @@ Light lightOf(Type type, const glm::dvec3& position, double intensity) {
 
 std::shared_ptr<Scene> ball() { return sceneOf(spherePrimitive(1, 8)); }
 
+/// With a directional light of 5 lux.
+std::shared_ptr<Scene> ballWithLamp() {
+  auto scene = ball();
+  scene->lights.push_back({LightType::kDirectional, "lamp", glm::vec3(1), 5});
+  Node node;
+  node.light = 0;
+  scene->nodes.push_back(node);
+  return scene;
+}
+
 /// Which of the lights are chosen of at most `most`.
 std::vector<bool> chosen(const std::vector<Light>& lights, int most) {
   Shot shot = shotOf(16);
@@ -76,11 +86,7 @@ TEST(LightChoice, WhatCostsNothingAFragmentStays) {
 }
 
 TEST(LightChoice, TheModelsLightsCompeteAndShadowsGoWithTheirLight) {
-  auto scene = ball();
-  scene->lights.push_back({LightType::kDirectional, "sun", glm::vec3(1), 5});
-  Node node;
-  node.light = 0;
-  scene->nodes.push_back(node);
+  const auto scene = ballWithLamp();
   Shot shot = shotOf(16);
   shot.lights = {lightOf(Type::kDirectional, {0, 1, 0}, 1), lightOf(Type::kPoint, {0, 2, 0}, 100)};
   shot.lights[0].castShadow = true;
@@ -101,17 +107,17 @@ TEST(LightChoice, TheModelsLightsCompeteAndShadowsGoWithTheirLight) {
 }
 
 TEST(LightChoice, SunsComeLastAndAreToldApartFromLightsOfTheShotAndOfTheModel) {
-  auto scene = ball();
-  scene->lights.push_back({LightType::kDirectional, "lamp", glm::vec3(1), 5});
-  Node node;
-  node.light = 0;
-  scene->nodes.push_back(node);
+  const auto scene = ballWithLamp();
   Shot shot = shotOf(16);
   shot.lights = {lightOf(Type::kDirectional, {0, 1, 0}, 1)};
   const Shot sunlit = pass::withSuns(shot, {.list = {{glm::dvec3(0, 1, 0), glm::dvec3(3)}}, .share = 0});
   const pass::FramePlan plan = pass::planDraws(*scene, sunlit, Limits{}, false);
-  EXPECT_EQ(plan.lights.directionalColor, (std::vector<glm::vec3>{glm::vec3(1), glm::vec3(5)}));
-  EXPECT_EQ(plan.lights.sunColor, std::vector<glm::vec3>{glm::vec3(3)});
+  EXPECT_EQ(plan.lights.directionalColor, (std::vector<glm::vec3>{glm::vec3(1), glm::vec3(5), glm::vec3(3)}));
+  EXPECT_EQ(plan.lights.suns, 1u);
+  pass::LightSet padded = plan.lights;
+  padded.pad(6);
+  EXPECT_EQ(padded.directionalColor.size(), 6u);
+  EXPECT_EQ(padded.directionalColor.back(), glm::vec3(3));
   EXPECT_EQ(plan.frame.lights.directional, 3) << "in one list, suns behind";
   EXPECT_EQ(plan.frame.lights.suns, 1);
   const auto features = plan.frame.features();

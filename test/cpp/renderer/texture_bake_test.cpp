@@ -304,17 +304,7 @@ TEST_F(TextureBake, MetalOfAnSrgbColourIsAveragedLinearly) {
 /// Normals whose slopes are those of a function of the place, [0, 1)^2, +Y up.
 template <typename F>
 Image8 normalsOf(const F& slopeAt) {
-  constexpr std::uint32_t SIDE = 64;
-  Image8 image;
-  image.width = image.height = SIDE;
-  for (std::uint32_t y = 0; y < SIDE; ++y) {
-    for (std::uint32_t x = 0; x < SIDE; ++x) {
-      const glm::dvec3 n = glm::normalize(glm::dvec3(slopeAt(glm::dvec2(x + 0.5, SIDE - y - 0.5) / double(SIDE)), 1));
-      for (int c = 0; c < 3; ++c) image.pixels.push_back(std::uint8_t(std::lround(255 * (0.5 + 0.5 * n[c]))));
-      image.pixels.push_back(255);
-    }
-  }
-  return image;
+  return imageOf(64, 64, [&](double u, double v) { return normalTexel(slopeAt(glm::dvec2(u, 1 - v))); });
 }
 
 double wave(double at) { return std::cos(6 * glm::two_pi<double>() * at); }
