@@ -3,7 +3,7 @@
 namespace telar::pass {
 namespace {
 
-/// Twelve triangles of a cube of edge 1, facing inwards.
+/// Twelve triangles of a cube of edge 1, facing outwards.
 std::vector<glm::vec3> cubeTriangles() {
   std::vector<glm::vec3> out;
   for (int axis = 0; axis < 3; ++axis) {
@@ -11,8 +11,8 @@ std::vector<glm::vec3> cubeTriangles() {
       const auto corner = [&](float u, float v) {
         glm::vec3 p(0.0f);
         p[axis] = side;
-        p[(axis + 1) % 3] = u;
-        p[(axis + 2) % 3] = v;
+        p[(axis + 1) % 3] = side < 0 ? v : u;
+        p[(axis + 2) % 3] = side < 0 ? u : v;
         return p;
       };
       for (const glm::vec2 uv :
@@ -81,12 +81,17 @@ void BackgroundPass::draw(const frame::Camera& camera, const Shot& shot, const i
     gl.BindTexture(GL_TEXTURE_CUBE_MAP, (blurred ? environment.prefiltered : environment.background).texture.get());
   }
   gl.BindSampler(0, 0);
-  for (const GLenum capability : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE}) gl.Disable(capability);
+  for (const GLenum capability : {GL_DEPTH_TEST, GL_BLEND}) gl.Disable(capability);
+  // Without perspective the near sides lie over the far ones.
+  gl.Enable(GL_CULL_FACE);
+  gl.CullFace(GL_FRONT);
+  gl.FrontFace(GL_CCW);
   gl.DepthMask(GL_FALSE);
   gl.BindVertexArray(cube_.get());
   const gl::Pacer::Rectangle target{0, 0, shot.width, shot.height};
   context_.pacer().draw(cost_, target.area(), target, [&gl] { gl.DrawArrays(GL_TRIANGLES, 0, VERTICES); });
   gl.BindVertexArray(0);
+  gl.Disable(GL_CULL_FACE);
   gl.DepthMask(GL_TRUE);
   context_.check("background pass");
 }
