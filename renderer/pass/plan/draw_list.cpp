@@ -44,7 +44,8 @@ bool matters(const TextureSlot& slot, const Material& m, const shader::VariantKe
   using Key = shader::VariantKey;
   if (slot.map == &Key::baseColorMap) return true;
   if (key.unlit) return false;
-  if (slot.map == &Key::metallicRoughnessMap) return m.metallicFactor != 0 || m.roughnessFactor != 0;
+  // Yarns have roughness of their own, times the same texels.
+  if (slot.map == &Key::metallicRoughnessMap) return m.metallicFactor != 0 || m.roughnessFactor != 0 || key.weave;
   if (slot.map == &Key::occlusionMap) return m.occlusionStrength != 0;
   if (slot.map == &Key::emissiveMap) return key.emissive;
   return !slot.layer || key.*slot.layer;

@@ -63,6 +63,17 @@ TEST(PlanDraws, AMapThatIsMultipliedByZeroIsNotSampled) {
   EXPECT_TRUE(plan.draws.opaque[0].key.features().empty());
 }
 
+TEST(PlanDraws, YarnsHaveTheRoughnessOfTexelsWhereTheMaterialHasNone) {
+  Material material;
+  material.metallicFactor = material.roughnessFactor = 0;
+  material.metallicRoughnessTexture.image = 0;
+  material.fabric.weave = true;
+  Shot shot = shotOf(8);
+  shot.shading = ShadingModel::kFabric;
+  const auto plan = pass::planDraws(*sceneOf(spherePrimitive(1, 4), material), shot, Limits{}, false);
+  EXPECT_TRUE(plan.draws.opaque[0].key.metallicRoughnessMap);
+}
+
 TEST(PlanDraws, OcclusionIsReadWithRoughnessWhereTheTexelsAreTheSame) {
   const auto together = [](const auto& change) {
     Material material;
