@@ -43,7 +43,7 @@ struct Pair {
 vec4 momentsOfPoint(ivec2 at, vec2 side, Texel row, Texel otherRow) {
   Texel point = towards(row, otherRow);
 #if BESIDE && !BESIDE_FITS
-  point.beside = textureLod(besideMap, (vec2(at) + 0.5 + TOWARDS_NEIGHBOUR * side) / vec2(textureSize(sourceMap, 0)), 0.0);
+  point.beside = besideAt(besideMap, (vec2(at) + 0.5 + TOWARDS_NEIGHBOUR * side) / vec2(textureSize(sourceMap, 0)));
 #endif
   return momentsOfTexel(point.normal, point.beside);
 }
