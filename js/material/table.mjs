@@ -20,6 +20,7 @@
  * @property {string} [input] - Name in MaterialInputs (shaders/material); null: no shading reads it there. Left out: the key
  *   without "Factor".
  * @property {string} [declaredIf] - Features of which one makes shaders declare it, where that is not the layer's alone.
+ * @property {string} [cpp] - What programs take, over `l` and `key`; left out: the field itself.
  * @property {string} [three] - Name in MeshPhysicalMaterial; that of its texture is the same with "Map".
  *
  * @typedef {object} Texture
@@ -140,7 +141,18 @@ export const LAYERS = [
     three: 'USE_BUMPMAP',
     keepsTextures: true,
     when: 'l.bumpFactor != 0 && l.bumpTexture && !m.normalTexture',
-    rows: [{ key: 'bumpFactor', default: 1, min: -BUMP_MAX, max: BUMP_MAX, unit: 'of heights against the width of a pixel', three: 'bumpScale' }],
+    rows: [
+      {
+        key: 'bumpFactor',
+        default: 1,
+        min: -BUMP_MAX,
+        max: BUMP_MAX,
+        unit: 'of heights against the width of a pixel',
+        // As the renderer of three.js has it.
+        cpp: 'key.flipSided ? -l.bumpFactor : l.bumpFactor',
+        three: 'bumpScale',
+      },
+    ],
     texel: { ...texture('bumpTexture', 'r', { three: 'bump', unit: 'R height' }), asked: true, input: null },
   },
   {

@@ -160,7 +160,7 @@ const uniforms = (member) =>
     ofMember(member).flatMap((layer) => {
       const rows = plainRows(layer).filter((row) => inputName(row) || !layer.derived);
       const lines = [
-        ...rows.map(({ key }) => `  program.set("${key}", l.${key});`),
+        ...rows.map(({ key, cpp = `l.${key}` }) => `  program.set("${key}", ${cpp});`),
         ...(layer.derived ?? []).filter(({ cpp }) => cpp).map(({ name, cpp }) => `  program.set("${name}", ${cpp});`),
         ...(layer.normal ? [`  program.set("${layer.normal.scale}", normalScaleOf(l.${layer.normal.scale}, item));`] : []),
       ];
