@@ -204,4 +204,5 @@ export const CASES = [
   ...hiddenSunCases,
   ...['some', 'none'].map((kind) => makeCase(`tangents-${kind}-fabric`, `known-tangents-${kind}`, 'lamps', { shading: 'fabric' })),
   makeCase('tangents-some-disney', 'known-tangents-some', 'lamps', { shading: 'disney-2012' }),
+  ...['fabric', 'disney-2012'].map((shading) => makeCase(`shared-texture-${shading}`, 'known-shared-texture', 'lamps', { shading })),
 ];

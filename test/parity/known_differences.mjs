@@ -24,6 +24,8 @@ export const KNOWN_CASES = [
   makeCase('known-anisotropy-no-uvs-env', 'known-anisotropy-no-uvs', 'lamps', SMALL),
   makeCase('known-sheen-roughness-zero', 'known-sheen-roughness-zero', null, { ...SMALL, ...sun }),
   makeCase('known-light-on-surface', 'known-facing-rough', null, { ...SMALL, camera: FACING, lights: [LIGHTS.directional, onSurface] }),
+  makeCase('known-shared-texture', 'known-shared-texture', 'lamps', SMALL),
+  makeCase('known-shared-texture-apart', 'known-shared-texture-apart', 'lamps', SMALL),
   makeCase('known-flattened', 'known-flattened', null, { ...SMALL, ...sun }),
   makeCase('known-rect-head-on', 'known-facing', null, { ...SMALL, camera: FACING, lights: [rect] }),
   // The same a hundredth of a degree aside, where three.js is right.
@@ -89,6 +91,13 @@ export const KNOWN_DIFFERENCES = [
     telar: 'Takes any frame about the normal: seen head-on the lobe is round.',
     source: `${PHYSICAL}, LTC_Evaluate`,
     cases: ['known-rect-head-on', 'known-rect-aside'],
+  },
+  {
+    name: 'An image that is a colour in one place and numbers in another (roughness, normals, occlusion)',
+    three: 'The loader has one texture for all uses of an image with the same sampler, and decodes sRGB in all of them where one is a colour.',
+    telar: 'Decodes colours alone, as glTF says. So do its own shadings in the browser, which read a second texture.',
+    source: 'examples/jsm/loaders/GLTFLoader.js, assignTexture and loadTextureImage',
+    cases: ['known-shared-texture', 'known-shared-texture-apart'],
   },
   {
     name: 'Textures in Basis Universal (KTX2 with ETC1S or UASTC)',

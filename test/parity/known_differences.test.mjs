@@ -100,6 +100,16 @@ const CHECKS = {
     assert.equal(reds(telar.image).length, covered);
     assert.ok(spread(reds(telar.image)) <= 8 && Math.min(...reds(telar.image)) > 100, 'telar shows a flat one');
   },
+  async 'known-shared-texture'() {
+    const { three, telar } = await draw('known-shared-texture');
+    const apart = (await draw('known-shared-texture-apart')).telar.image;
+    assert.deepEqual(telar.image, apart);
+    assert.ok(furthest(three.image, apart) > 20, `three.js is ${furthest(three.image, apart)}/255 from the same image in two textures`);
+  },
+  async 'known-shared-texture-apart'() {
+    const { three, telar } = await draw('known-shared-texture-apart');
+    assert.ok(furthest(telar.image, three.image) <= 1, 'of two textures both agree');
+  },
   async 'known-rect-head-on'() {
     const { three, telar } = await draw('known-rect-head-on');
     assert.equal(Math.max(...reds(three.image)), 0, 'three.js loses the light');

@@ -1,6 +1,7 @@
 import { LAYERS, texturesOf } from '../../material/table.mjs';
 import { assignMaterial } from '../assign_material.mjs';
 import { sheenDye, transmissionDye } from '../dye.mjs';
+import { asNumbers } from './number_maps.mjs';
 
 /** Names of glTF for what GLTFLoader leaves to us. */
 const FABRIC = 'TELAR_materials_fabric';
@@ -110,7 +111,10 @@ export async function extensionsOf(parser, definition, THREE, placed = (texture)
       if (!extension) return null;
       const copy = structuredClone(extension);
       await Promise.all(
-        texturesIn(name).map(([path, isColor]) => loadTexture(parser, copy, path, isColor ? THREE.SRGBColorSpace : THREE.NoColorSpace, placed)),
+        texturesIn(name).map(([path, isColor]) => {
+          if (isColor) return loadTexture(parser, copy, path, THREE.SRGBColorSpace, placed);
+          return loadTexture(parser, copy, path, undefined, (texture) => placed(asNumbers(THREE, texture)));
+        }),
       );
       return copy;
     }),

@@ -3,6 +3,7 @@ import { wornCloth } from '../cloths.mjs';
 import { clothMaterialClass, VISIBILITY_ATTRIBUTES } from './cloth_material.mjs';
 import { clothOf, extensionsOf } from './fabric_layers.mjs';
 import { shadingMaterialClass } from './material.mjs';
+import { readNumbers } from './number_maps.mjs';
 import { definesOfTerms } from './terms.mjs';
 
 /** Classes by family, for each three.js module. */
@@ -52,6 +53,7 @@ export async function openShading(THREE, shading) {
         Object.assign(material, { transparent: true, depthWrite: false });
       }
       Object.assign(material, { hasTangents: mesh.geometry.attributes.tangent !== undefined, visibleSides: sidesOf(drawn) }, extensions);
+      readNumbers(THREE, material);
     },
   };
 }
