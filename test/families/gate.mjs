@@ -19,7 +19,8 @@ export const GATED_REVISIONS = families()
 /** What `npm test` draws: the environment, layers, direct light with highlights, shadows, and glass. */
 export const FAST = ['env-lamps', 'everything', 'light-directional', 'shadow-spot', 'transmission-color'];
 
-const isShown =
+/** @returns {(item: import("../parity/cases.mjs").Case) => boolean} Whether a release can draw a case, and telar as it. */
+export const isShown =
   (revision) =>
   ({ name, shot, settings }) =>
     // Where no program compiles there is nothing to compare.

@@ -2,7 +2,8 @@
  * One picture that the browser and the server both draw.
  * @typedef {object} Case
  * @property {string} name - Also the file name of its report.
- * @property {string} model - Name in test/fixtures/index.mjs, or a path beneath `bundled:` (js/assets) or `shared:` (../shared/models).
+ * @property {string} model - Name in test/fixtures/index.mjs, a path beneath `bundled:` (js/assets) or `shared:` (../shared/models), or
+ *   `random:` or `random-cloth:` and the seed of a scene of test/fixtures/random_scene.mjs.
  * @property {string} [environment] - Name in test/fixtures/index.mjs, `studio`, or `shared:` and a path; needed where the
  *   shot has an environment.
  * @property {object} shot - Resolved shot.

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { BROKEN_MODELS, ENVIRONMENTS, FABRIC_MODELS, MODELS as STOCK_MODELS } from '../fixtures/index.mjs';
+import { randomScene } from '../fixtures/random_scene.mjs';
 import { ASSETS, SHARED_MODELS } from './places.mjs';
 
 const MODELS = { ...STOCK_MODELS, ...FABRIC_MODELS, ...BROKEN_MODELS };
@@ -32,6 +33,8 @@ export async function loadInputs({ name, model, environment, failOn }) {
 async function loadModel(name, model) {
   const file = fileOf(model);
   if (file) return file;
+  const random = /^random(-cloth)?:(\d+)$/.exec(model);
+  if (random) return randomScene(Number(random[2]), random[1] !== undefined);
   if (!MODELS[model]) throw new Error(`case ${name}: test/fixtures has no model ${model}`);
   if (last.name !== model) last = { name: model, bytes: MODELS[model]() };
   return last.bytes;

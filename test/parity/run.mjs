@@ -1,5 +1,6 @@
 // node test/parity/run.mjs [--all] [--fast] [--swiftshader] [--trace] [--keep] [--browser-only] [--own-text]
 //   [--today | --families | --revision LIST] [--swap SLOT=TERM] [--explain] [filter...]
+//   [--random COUNT [--seed N] [--shading NAME]]
 // Draws the gate's cases, or those whose name contains a filter, with three.js in headless Chromium and with telar, prints
 // a line a case, writes out/parity/index.html and junit.xml. Exit code 1 when a case is over the bar. Without a filter or another
 // choice of cases, draws those of older releases of three.js, too.
@@ -15,11 +16,13 @@
 //   --revision 160,180  the same with these releases
 //   --swap dfg=karis  telar draws these releases with another term in a slot: a planted fault; may stand several times
 //   --explain       finds the term that explains each case of them that is over the bar, not of the first few alone
+//   --random 100    in place of the cases so many random scenes in random light; --seed: of the first one; --shading: "three" unless given
 //   --own-text      three.js shaded by telar's text of stock three.js in telar's place
 import { mkdirSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { Browser } from './browser/chromium.mjs';
 import { CASES, GATE_CASES } from './cases.mjs';
+import { randomCase } from './cases_random.mjs';
 import { Comparer } from './comparer.mjs';
 import { drawCases } from './draw_cases.mjs';
 import { saveReference } from './files.mjs';
@@ -27,7 +30,7 @@ import { KNOWN_CASES, KNOWN_DIFFERENCES } from './known_differences.mjs';
 import { OUT } from './places.mjs';
 import { familyName, familyOf } from '../../js/shot/three_terms.mjs';
 import { explained, explanationText } from '../families/explain.mjs';
-import { casesOf, fetchAhead, GATED_REVISIONS, parseSwaps, sidesOf } from '../families/gate.mjs';
+import { casesOf, fetchAhead, isShown, GATED_REVISIONS, parseSwaps, sidesOf } from '../families/gate.mjs';
 import { Report } from './report.mjs';
 import { openOwnText } from './own_text.mjs';
 import { openServer } from './server.mjs';
@@ -40,6 +43,9 @@ const { values, positionals } = parseArgs({
     ...Object.fromEntries(flags.map((name) => [name, { type: 'boolean', default: false }])),
     revision: { type: 'string' },
     swap: { type: 'string', multiple: true },
+    random: { type: 'string' },
+    seed: { type: 'string', default: '0' },
+    shading: { type: 'string', default: 'three' },
   },
 });
 
@@ -50,14 +56,17 @@ const chosen = (items) =>
     .filter(({ name }) => positionals.length === 0 || positionals.some((filter) => name.includes(filter)))
     .filter((item) => !values.fast || item.fast)
     .filter(({ shot }) => !values['own-text'] || shot.shading === 'three');
-const isWhole = positionals.length === 0 && !flags.some((name) => !['all', 'explain', 'families'].includes(name) && values[name]);
+const seeds = Array.from({ length: Number(values.random ?? 0) }, (_, i) => Number(values.seed) + i);
+const randomCases = await Promise.all(seeds.map((seed) => randomCase(seed, values.shading)));
+const isWhole = randomCases.length === 0 && positionals.length === 0 && !flags.some((name) => !['all', 'explain', 'families'].includes(name) && values[name]);
 const asksOlder = values.families || values.revision !== undefined;
 const revisions = values.revision?.split(',').map(Number) ?? (values.families || isWhole ? GATED_REVISIONS : []);
 const swaps = parseSwaps(values.swap);
-const rounds = revisions.map((revision) => ({ revision, cases: chosen(casesOf(revision)) }));
-const current = asksOlder ? [] : chosen(values.all || positionals.length > 0 ? CASES : GATE_CASES);
+const rounds = revisions.map((revision) => ({ revision, cases: values.random ? randomCases.filter(isShown(revision)) : chosen(casesOf(revision)) }));
+const stock = asksOlder || values.random ? [] : chosen(values.all || positionals.length > 0 ? CASES : GATE_CASES);
+const current = asksOlder ? [] : [...stock, ...randomCases];
 const cases = [...current, ...rounds.flatMap((round) => round.cases)];
-const knownCases = asksOlder || values['browser-only'] || values['own-text'] ? [] : chosen(KNOWN_CASES);
+const knownCases = asksOlder || values.random || values['browser-only'] || values['own-text'] ? [] : chosen(KNOWN_CASES);
 if (cases.length + knownCases.length === 0) throw new Error(`no case has one of these in its name: ${positionals.join(' ')}`);
 
 /** Cases followed through the shaders without --trace: each takes seconds, and one fault shows in many cases. */

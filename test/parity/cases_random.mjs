@@ -1,0 +1,81 @@
+import { Choices, randomScene } from '../fixtures/random_scene.mjs';
+import { boundsOf, readDocument } from './bounds.mjs';
+import { CAMERAS, CASE_ENVIRONMENT, shot } from './shot.mjs';
+
+// Random scenes in random light: `run.mjs --random COUNT`. What one of them finds becomes a case of its own.
+
+const ENVIRONMENTS = ['studio', 'lamps', 'gradient', 'sunny-sky', 'overcast-sky', 'soft-studio'];
+const TONE_MAPPINGS = ['none', 'linear', 'reinhard', 'cineon', 'aces', 'agx', 'neutral'];
+const SIZES = [128, 192, 256, { width: 200, height: 130 }];
+const MOST_LIGHTS = 4;
+
+/** Somewhere in front of the model, so many metres off. */
+function placeOf(c, distance) {
+  const towards = [c.between(-1, 1), c.between(-0.3, 1), c.between(0.1, 1)];
+  return towards.map((x) => (x / Math.hypot(...towards)) * distance);
+}
+
+const shadowOf = (c) => ({
+  castShadow: true,
+  shadow: { mapSize: c.of([256, 512, 1024]), radius: c.between(0, 4), intensity: c.between(0.3, 1) },
+});
+
+const LIGHTS = {
+  ambient: (c) => ({ intensity: c.random() }),
+  hemisphere: (c) => ({ groundColor: c.color(0.2), intensity: c.between(0, 1.5) }),
+  directional: (c) => ({ intensity: c.between(0.3, 4), position: placeOf(c, 3) }),
+  point: (c) => ({ intensity: c.between(1, 10), position: placeOf(c, c.between(1.2, 2.5)), range: c.of([0, c.between(1, 6)]) }),
+  spot: (c) => ({
+    intensity: c.between(5, 30),
+    position: placeOf(c, c.between(2, 3)),
+    target: [c.between(-0.2, 0.2), 0, 0],
+    range: c.of([0, 6]),
+    angle: c.between(0.1, 0.9),
+    penumbra: c.factor(),
+  }),
+  rect: (c) => ({ intensity: c.between(1, 8), position: placeOf(c, 2), target: [0.05, 0.02, 0.1], width: c.between(0.2, 2), height: c.between(0.2, 2) }),
+};
+const CASTING = ['directional', 'point', 'spot'];
+
+function lightOf(c) {
+  const type = c.of(Object.keys(LIGHTS));
+  const light = { type, color: c.color(0.2), ...LIGHTS[type](c) };
+  return CASTING.includes(type) && c.is(0.25) ? { ...light, ...shadowOf(c) } : light;
+}
+
+const cameraOf = (c) =>
+  c.is(0.5)
+    ? CAMERAS[c.of(Object.keys(CAMERAS))]
+    : { azimuth: c.between(-180, 180), elevation: c.between(-60, 80), projection: c.of(['perspective', 'orthographic']), fit: c.between(0.4, 1.5) };
+
+/** Orthographic cameras see the environment's cube alone; beside that three.js leaves the colour of the picture before. */
+const backgroundOf = (c, { projection }) => (projection === 'orthographic' ? 'transparent' : c.of(['environment', { type: 'environment', blur: c.random() }]));
+
+/**
+ * @param {number} seed - Integer.
+ * @param {string} [shading]
+ * @returns {Promise<import('./cases.mjs').Case>}
+ */
+export async function randomCase(seed, shading = 'three') {
+  // Other numbers than those of the model of this seed.
+  const c = new Choices(~seed);
+  const lights = Array.from({ length: Math.floor(c.between(0, MOST_LIGHTS)) }, () => lightOf(c));
+  const environment = lights.length === 0 || c.is(0.7) ? c.of(ENVIRONMENTS) : undefined;
+  const camera = cameraOf(c);
+  const settings = {
+    shading,
+    lights,
+    camera,
+    size: c.of(SIZES),
+    toneMapping: c.of(TONE_MAPPINGS),
+    exposure: c.between(0.4, 1.5),
+    environment: environment ? { map: CASE_ENVIRONMENT, intensity: c.between(0.3, 1.5), rotation: c.is(0.5) ? c.between(-180, 180) : 0 } : 'none',
+    background: c.of(['transparent', c.color(), ...(environment ? [backgroundOf(c, camera)] : [])]),
+    ground: c.is(0.15) ? { opacity: c.random() } : 'none',
+    ghost: c.is(0.1) ? [{ material: 0, opacity: c.random() }] : [],
+    quality: { samples: c.of([1, 4]) },
+  };
+  const isCloth = shading !== 'three';
+  const bounds = boundsOf(readDocument(Buffer.from(await randomScene(seed, isCloth))));
+  return { name: `random-${shading}-${seed}`, model: `random${isCloth ? '-cloth' : ''}:${seed}`, environment, shot: shot(settings, bounds) };
+}
