@@ -92,7 +92,7 @@ const environmentCases = [
     environmentSettings: { intensity: 0.8, rotation: -70 },
     camera: 'tilted',
   }),
-  make('background-environment-ortho', 'ball-mirror', 'lamps', { background: 'environment', camera: 'ortho-quarter' }),
+  make('background-environment-ortho', 'transforms', 'gradient', { background: 'environment', camera: 'ortho-quarter' }),
   make('background-color', 'alpha-blend-curved', 'lamps', { background: [0.18, 0.3, 0.05] }),
   make('ghost-all', 'transforms', 'lamps', { ghost: [{ node: '*', opacity: 0.4 }] }),
   make('ghost-material', 'alpha-blend', 'lamps', { ghost: [{ material: 0, opacity: 0.5 }] }),
