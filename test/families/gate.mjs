@@ -19,7 +19,10 @@ export const GATED_REVISIONS = families()
 /** What `npm test` draws: the environment, layers, direct light with highlights, shadows, and glass. */
 export const FAST = ['env-lamps', 'everything', 'light-directional', 'shadow-spot', 'transmission-color'];
 
-/** @returns {(item: import("../parity/cases.mjs").Case) => boolean} Whether a release can draw a case, and telar as it. */
+/**
+ * @param {number} revision
+ * @returns {(item: import('../parity/cases.mjs').Case) => boolean} Whether this release can draw a case, and telar as it.
+ */
 export const isShown =
   (revision) =>
   ({ name, shot, settings }) =>

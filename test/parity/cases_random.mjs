@@ -79,3 +79,16 @@ export async function randomCase(seed, shading = 'three') {
   const bounds = boundsOf(readDocument(Buffer.from(await randomScene(seed, isCloth))));
   return { name: `random-${shading}-${seed}`, model: `random${isCloth ? '-cloth' : ''}:${seed}`, environment, shot: shot(settings, bounds) };
 }
+
+/**
+ * The cases of so many seeds, one after the other.
+ * @param {string} count
+ * @param {string} first - Seed of the first one.
+ * @param {string} shading
+ * @returns {Promise<import('./cases.mjs').Case[]>}
+ * @throws {Error} Where a number is none.
+ */
+export function randomCases(count, first, shading) {
+  if (![count, first].every((number) => /^\d+$/.test(number))) throw new Error(`--random ${count} --seed ${first}: expected whole numbers`);
+  return Promise.all(Array.from({ length: Number(count) }, (_, i) => randomCase(Number(first) + i, shading)));
+}

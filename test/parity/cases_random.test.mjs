@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import validator from 'gltf-validator';
 import { LAYERS } from '../../js/material/table.mjs';
 import { randomScene } from '../fixtures/random_scene.mjs';
-import { randomCase } from './cases_random.mjs';
+import { randomCase, randomCases } from './cases_random.mjs';
 
 const COUNT = 60;
 const seeds = Array.from({ length: COUNT }, (_, seed) => seed);
@@ -33,7 +33,7 @@ test('scenes are valid glTF, with every layer and every kind of opacity among th
 });
 
 test('shots have every kind of light, with shadows and without, every kind of background, and both projections', async () => {
-  const shots = (await Promise.all(seeds.map((seed) => randomCase(seed)))).map(({ shot }) => shot);
+  const shots = (await randomCases(String(COUNT), '0', 'three')).map(({ shot }) => shot);
   const lights = shots.flatMap((shot) => shot.lights);
   for (const type of ['ambient', 'hemisphere', 'directional', 'point', 'spot', 'rect']) assert.ok(lights.some((light) => light.type === type));
   for (const casts of [true, false]) assert.ok(lights.some(({ castShadow = false }) => castShadow === casts));
@@ -41,4 +41,8 @@ test('shots have every kind of light, with shadows and without, every kind of ba
   for (const background of ['transparent', 'environment']) assert.ok(shots.some((shot) => shot.background === background));
   for (const has of [({ background }) => Array.isArray(background), ({ background }) => background.blur > 0, ({ ground }) => ground !== 'none'])
     assert.ok(shots.some(has));
+});
+
+test('what is no number of scenes is told', () => {
+  assert.throws(() => randomCases('ten', '0', 'three'), { message: '--random ten --seed 0: expected whole numbers' });
 });

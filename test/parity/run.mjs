@@ -22,7 +22,7 @@ import { mkdirSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { Browser } from './browser/chromium.mjs';
 import { CASES, GATE_CASES } from './cases.mjs';
-import { randomCase } from './cases_random.mjs';
+import { randomCases } from './cases_random.mjs';
 import { Comparer } from './comparer.mjs';
 import { drawCases } from './draw_cases.mjs';
 import { saveReference } from './files.mjs';
@@ -56,17 +56,15 @@ const chosen = (items) =>
     .filter(({ name }) => positionals.length === 0 || positionals.some((filter) => name.includes(filter)))
     .filter((item) => !values.fast || item.fast)
     .filter(({ shot }) => !values['own-text'] || shot.shading === 'three');
-const seeds = Array.from({ length: Number(values.random ?? 0) }, (_, i) => Number(values.seed) + i);
-const randomCases = await Promise.all(seeds.map((seed) => randomCase(seed, values.shading)));
-const isWhole = randomCases.length === 0 && positionals.length === 0 && !flags.some((name) => !['all', 'explain', 'families'].includes(name) && values[name]);
+const random = values.random === undefined ? undefined : await randomCases(values.random, values.seed, values.shading);
+const isWhole = !random && positionals.length === 0 && !flags.some((name) => !['all', 'explain', 'families'].includes(name) && values[name]);
 const asksOlder = values.families || values.revision !== undefined;
 const revisions = values.revision?.split(',').map(Number) ?? (values.families || isWhole ? GATED_REVISIONS : []);
 const swaps = parseSwaps(values.swap);
-const rounds = revisions.map((revision) => ({ revision, cases: values.random ? randomCases.filter(isShown(revision)) : chosen(casesOf(revision)) }));
-const stock = asksOlder || values.random ? [] : chosen(values.all || positionals.length > 0 ? CASES : GATE_CASES);
-const current = asksOlder ? [] : [...stock, ...randomCases];
+const rounds = revisions.map((revision) => ({ revision, cases: random?.filter(isShown(revision)) ?? chosen(casesOf(revision)) }));
+const current = asksOlder ? [] : (random ?? chosen(values.all || positionals.length > 0 ? CASES : GATE_CASES));
 const cases = [...current, ...rounds.flatMap((round) => round.cases)];
-const knownCases = asksOlder || values.random || values['browser-only'] || values['own-text'] ? [] : chosen(KNOWN_CASES);
+const knownCases = asksOlder || random || values['browser-only'] || values['own-text'] ? [] : chosen(KNOWN_CASES);
 if (cases.length + knownCases.length === 0) throw new Error(`no case has one of these in its name: ${positionals.join(' ')}`);
 
 /** Cases followed through the shaders without --trace: each takes seconds, and one fault shows in many cases. */

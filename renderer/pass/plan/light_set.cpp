@@ -186,16 +186,18 @@ LightSet collectLights(const Scene& scene, const Shot& shot, const LightChoice& 
   LightSet set;
   set.given = chosen.count();
   const std::size_t firstSun = shot.lights.size() - shot.suns;
+  const auto add = [&](std::size_t i) {
+    if (!chosen.ofShot[i]) return;
+    if (chosen.litByShot[i]) {
+      addShotLight(set, camera, shot.lights[i]);
+    } else {
+      ++set.leftOut;
+    }
+  };
   // Lights with shadows come first, as in three.js: the i-th light of a kind reads the i-th shadow.
   for (const bool casting : {true, false}) {
     for (std::size_t i = 0; i < firstSun; ++i) {
-      const Shot::Light& light = shot.lights[i];
-      if (!chosen.ofShot[i] || light.castShadow != casting) continue;
-      if (chosen.litByShot[i]) {
-        addShotLight(set, camera, light);
-      } else {
-        ++set.leftOut;
-      }
+      if (shot.lights[i].castShadow == casting) add(i);
     }
   }
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -209,14 +211,7 @@ LightSet collectLights(const Scene& scene, const Shot& shot, const LightChoice& 
   }
   // Suns last: shaders tell them from the others by that.
   const std::size_t others = set.directionalColor.size();
-  for (std::size_t i = firstSun; i < shot.lights.size(); ++i) {
-    if (!chosen.ofShot[i]) continue;
-    if (chosen.litByShot[i]) {
-      addShotLight(set, camera, shot.lights[i]);
-    } else {
-      ++set.leftOut;
-    }
-  }
+  for (std::size_t i = firstSun; i < shot.lights.size(); ++i) add(i);
   set.suns = set.directionalColor.size() - others;
   return set;
 }
