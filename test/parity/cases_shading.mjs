@@ -35,6 +35,7 @@ const ALIKE = [
   'clearcoat-sun',
   'clearcoat-env',
   'clearcoat-two-normals-tangents-env',
+  'clearcoat-two-normals-polished-env',
   'anisotropy-sun',
   'anisotropy-env',
   'anisotropy-map-tangents-env',

@@ -36,8 +36,9 @@ bool isPlain(const Key& key) {
 
 /// Whether what is made of a slot's map is sampled in its place or beside it, by the GL's own choice of the level.
 bool isMadeOf(const TextureSlot& slot, const Key& key) {
-  if (key.fullDetail || key.normalFacets || key.alphaToCoverage || key.alphaMeans) return false;
+  if (key.fullDetail || key.alphaToCoverage || key.alphaMeans) return false;
   if (slot.map == &Key::baseColorMap) return key.metalMeans;
+  if (slot.map == &Key::normalMap && key.normalFacets) return false;  // read texel by texel
   return key.normalVariance && (slot.map == &Key::normalMap || slot.map == &Key::clearcoatNormalMap);
 }
 
