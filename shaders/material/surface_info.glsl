@@ -24,8 +24,8 @@ SurfaceInfo surfaceInfo(vec3 baseColor) {
   MaterialInputs m = materialInputs(baseColor);
   Normals normals = shadingNormals();
 #if BUMP && !NORMAL_MAP
-  float height = bumpTexel(bumpUv()).r;
-  vec2 rise = m.bump * vec2(bumpTexel(bumpUv() + dFdx(bumpUv())).r - height, bumpTexel(bumpUv() + dFdy(bumpUv())).r - height);
+  float height = m.bump * bumpTexel(bumpUv()).r;
+  vec2 rise = vec2(m.bump * bumpTexel(bumpUv() + dFdx(bumpUv())).r - height, m.bump * bumpTexel(bumpUv() + dFdy(bumpUv())).r - height);
   normals.shading = bumpedNormal(normals.geometric, -dFdx(vViewPosition), -dFdy(vViewPosition), rise, frontFacing() ? 1.0 : -1.0);
 #endif
 #if NORMAL_VARIANCE && CLEARCOAT

@@ -1,5 +1,4 @@
 // Debug outputs of telar: float pictures of one quantity of the shading each (quantities.mjs).
-import { ASSET_DIRECTORY, loadNative } from '../../js/api/native.mjs';
 import { runTool, withMap } from './tool.mjs';
 
 /** @typedef {Record<string, Float32Array>} DebugFrames - By quantity: RGBA fp32, top row first; alpha 1 where the material
@@ -8,7 +7,8 @@ import { runTool, withMap } from './tool.mjs';
 /** A shot whose frame holds values as the shader wrote them. */
 const debugShot = (shot) => ({
   ...shot,
-  quality: { ...shot.quality, samples: 1 },
+  // The presets have other samples.
+  quality: { ...shot.quality, preset: undefined, samples: 1 },
   output: { ...shot.output, format: 'raw', bitDepth: 32 },
 });
 
@@ -28,31 +28,22 @@ export async function debugByTool(executable, input, names, options = []) {
 }
 
 /**
- * Debug outputs by the addon on a native renderer of its own: the shot is drawn as it was resolved, where `renderQuantity` of the
- * API resolves one, in front of nothing.
- * @returns {Promise<{draw: (input: object, names: string[]) => Promise<DebugFrames>, close: () => Promise<void>}>}
+ * Debug outputs by the API: the model in the pose and in the cloths of the shot.
+ * @param {object} renderer - Of createRenderer().
+ * @param {object} input - As of inputs.mjs, with `shot`.
+ * @param {string[]} names
+ * @returns {Promise<DebugFrames>}
  */
-export async function openDebugAddon() {
-  const native = loadNative();
-  const token = () => new native.CancelToken();
-  const options = { backend: 'auto', assetDirectory: ASSET_DIRECTORY, cacheDirectory: '', limits: {}, allFeatures: false, maxQueued: 1 };
-  const { renderer } = await native.createRenderer(options, token());
-  return {
-    async draw({ shot, model, environment, bundled, failOn }, names) {
-      const input = typeof model === 'string' ? model : new native.Bytes(model, model.length);
-      const { scene } = await native.load(input, {}, { tolerant: failOn === 'none' }, token());
-      const own = environment && !bundled ? new native.Bytes(environment, environment.length) : undefined;
-      const plain = withMap(debugShot(shot), bundled ? 'studio' : own && { bytes: environment.length });
-      const frames = {};
-      for (const name of names) {
-        const request = { scene, shot: JSON.stringify({ ...plain, debugOutput: name }), environment: own, releaseScene: false };
-        frames[name] = floatsOf((await renderer.render(request, token())).data);
-      }
-      await renderer.release(scene, true);
-      return frames;
-    },
-    close: () => renderer.close(),
-  };
+export async function debugByApi(renderer, { shot, model, environment, bundled, failOn }, names) {
+  const loaded = await renderer.load(model, { failOn });
+  try {
+    const plain = withMap(debugShot(shot), bundled ? 'studio' : environment);
+    const frames = {};
+    for (const name of names) frames[name] = (await renderer.renderQuantity(loaded, plain, name)).data;
+    return frames;
+  } finally {
+    await renderer.release(loaded);
+  }
 }
 
 /** A view where the bytes lie as floats do, else a copy. */

@@ -1,5 +1,5 @@
 import path from 'node:path';
-import { debugByTool, openDebugAddon } from './debug_frames.mjs';
+import { debugByApi, debugByTool } from './debug_frames.mjs';
 import { premultiply } from './metrics.mjs';
 import { serial } from './serial.mjs';
 import { runTool, withMap } from './tool.mjs';
@@ -28,21 +28,14 @@ async function openApi() {
   const { createRenderer } = await import('../../js/index.mjs');
   // Environments prefiltered by this build, not by one that left its cubes on the disk.
   const renderer = await createRenderer({ cacheDirectory: null });
-  let debug = null;
   return {
     renderer,
     async draw({ shot, model, environment, bundled, failOn }) {
       const { data } = await renderer.render(model, withMap(shot, bundled ? 'studio' : environment), { failOn });
       return premultiply(data);
     },
-    async debug(input, names) {
-      debug ??= openDebugAddon();
-      return (await debug).draw(input, names);
-    },
-    async close() {
-      await (await debug)?.close();
-      await renderer.close();
-    },
+    debug: (input, names) => debugByApi(renderer, input, names),
+    close: () => renderer.close(),
   };
 }
 

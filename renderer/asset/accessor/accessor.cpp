@@ -18,6 +18,7 @@ struct Layout {
   unsigned components = 1;
   int componentType = COMPONENT_F32;
   bool normalized = false;
+  Normalizing normalizing = Normalizing::kDivided;
 };
 
 double loadComponent(const std::byte* from, int componentType) {
@@ -38,7 +39,7 @@ double loadComponent(const std::byte* from, int componentType) {
 }
 
 void put(double value, const Layout& layout, float& out) {
-  out = fromComponent(value, layout.componentType, layout.normalized);
+  out = fromComponent(value, layout.componentType, layout.normalized, layout.normalizing);
 }
 void put(double value, const Layout&, std::uint32_t& out) { out = static_cast<std::uint32_t>(value); }
 
@@ -149,18 +150,21 @@ unsigned componentBytes(int componentType) {
   }
 }
 
-float fromComponent(double value, int componentType, bool normalized) {
+float fromComponent(double value, int componentType, bool normalized, Normalizing normalizing) {
   const auto real = static_cast<float>(value);
   if (!normalized) return real;
+  const auto part = [&](float most) {
+    return normalizing == Normalizing::kFetched ? real * (1.0f / most) : real / most;
+  };
   switch (componentType) {
     case COMPONENT_I8:
-      return std::max(real / 127.0f, -1.0f);
+      return std::max(part(127.0f), -1.0f);
     case COMPONENT_U8:
-      return real / 255.0f;
+      return part(255.0f);
     case COMPONENT_I16:
-      return std::max(real / 32767.0f, -1.0f);
+      return std::max(part(32767.0f), -1.0f);
     case COMPONENT_U16:
-      return real / 65535.0f;
+      return part(65535.0f);
     default:
       return real;
   }
@@ -186,7 +190,7 @@ void Accessors::check() const {
 }
 
 template <typename Out>
-void Accessors::read(int accessor, std::span<Out> out) const {
+void Accessors::read(int accessor, std::span<Out> out, Normalizing normalizing) const {
   const auto& source = info(accessor);
   const std::uint64_t count = std::min<std::uint64_t>(source.count, out.size() / componentsOf(source));
   std::fill(out.begin(), out.end(), Out{0});
@@ -198,14 +202,16 @@ void Accessors::read(int accessor, std::span<Out> out) const {
                         stride,
                         componentsOf(source),
                         source.componentType,
-                        source.normalized};
+                        source.normalized,
+                        normalizing};
     for (std::uint64_t i = 0; i < count; ++i) {
       if (i % ELEMENTS_PER_CANCEL_CHECK == 0) cancel_.check();
       copyElement(layout, i, i, out);
     }
   }
   if (!source.sparse.isSparse) return;
-  const Sparse sparse = sparseOf(source, resources_);
+  Sparse sparse = sparseOf(source, resources_);
+  sparse.values.normalizing = normalizing;
   std::uint64_t next = 0;  // indices must strictly increase
   for (std::uint64_t i = 0; i < sparse.count; ++i) {
     if (i % ELEMENTS_PER_CANCEL_CHECK == 0) cancel_.check();
@@ -220,7 +226,11 @@ void Accessors::read(int accessor, std::span<Out> out) const {
   }
 }
 
-void Accessors::readFloats(int accessor, std::span<float> out) const { read(accessor, out); }
-void Accessors::readUnsigned(int accessor, std::span<std::uint32_t> out) const { read(accessor, out); }
+void Accessors::readFloats(int accessor, std::span<float> out, Normalizing normalizing) const {
+  read(accessor, out, normalizing);
+}
+void Accessors::readUnsigned(int accessor, std::span<std::uint32_t> out) const {
+  read(accessor, out, Normalizing::kDivided);
+}
 
 }  // namespace telar::asset

@@ -20,8 +20,14 @@ enum Component : int {
 /// Bytes of one component; 0 for a type that glTF does not have (5124 INT among them).
 unsigned componentBytes(int componentType);
 
-/// An integer component as a float: as it is, or normalized as OpenGL ES 3.0 section 2.1.6 says (and three.js by that).
-float fromComponent(double value, int componentType, bool normalized);
+/// How a normalized integer becomes a float. The last bit differs, and with it the picture where light is steep.
+enum class Normalizing : std::uint8_t {
+  kDivided,  ///< as three.js does where JavaScript reads the value: morph targets, instances, animations
+  kFetched,  ///< by the reciprocal, as Mesa does where the vertex stage fetches it
+};
+
+/// An integer component as a float: as it is, or normalized as OpenGL ES 3.0 section 2.1.6 says.
+float fromComponent(double value, int componentType, bool normalized, Normalizing normalizing);
 
 /// The components of a stream, one after the other: what readFloats() writes into.
 template <typename Vector>
@@ -46,7 +52,7 @@ class Accessors {
   unsigned components(int accessor) const;
 
   /// @param out count * components floats, or fewer: then the first ones alone. @throws Error{E_SPARSE, X_CANCELLED}
-  void readFloats(int accessor, std::span<float> out) const;
+  void readFloats(int accessor, std::span<float> out, Normalizing normalizing = Normalizing::kDivided) const;
 
   /// For vertex indices and joints: components that are unsigned integers.
   /// @param out count * components values. @throws Error{E_SPARSE, X_CANCELLED}
@@ -54,7 +60,7 @@ class Accessors {
 
  private:
   template <typename Out>
-  void read(int accessor, std::span<Out> out) const;
+  void read(int accessor, std::span<Out> out, Normalizing normalizing) const;
 
   const Document& document_;
   const Resources& resources_;

@@ -69,7 +69,7 @@ void convertIntegers(const draco::PointCloud& mesh, const draco::PointAttribute&
   std::vector<T> values(out.size());
   convert<T>(mesh, attribute, values, where);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    out[i] = fromComponent(static_cast<double>(values[i]), componentType, normalized);
+    out[i] = fromComponent(static_cast<double>(values[i]), componentType, normalized, Normalizing::kFetched);
   }
 }
 

@@ -20,7 +20,8 @@ double stepsOf(int componentType) {
 
 /// Divided by the sum of their sizes and kept in the file's own precision, as GLTFLoader does.
 /// @return whether the weights were finite
-bool normalize(glm::vec4& weights, double steps) {
+bool normalize(glm::vec4& weights, int componentType) {
+  const double steps = stepsOf(componentType);
   const glm::dvec4 exact = steps == 0 ? glm::dvec4(weights) : glm::round(glm::dvec4(weights) * steps) / steps;
   const double sum = std::abs(exact.x) + std::abs(exact.y) + std::abs(exact.z) + std::abs(exact.w);
   if (!std::isfinite(sum) || sum == 0) {
@@ -28,7 +29,10 @@ bool normalize(glm::vec4& weights, double steps) {
     return sum == 0;
   }
   const glm::dvec4 scaled = exact * (1 / sum);
-  weights = glm::vec4(steps == 0 ? scaled : glm::floor(scaled * steps + 0.5) / steps);
+  for (int k = 0; k < 4; ++k) {
+    const double whole = steps == 0 ? scaled[k] : std::floor(scaled[k] * steps + 0.5);
+    weights[k] = fromComponent(whole, componentType, true, Normalizing::kFetched);
+  }
   return true;
 }
 
@@ -111,9 +115,9 @@ void DeformerReader::readSkin(const StreamReader& stream, Deformers& out) const 
   }
   cancel_.check();
   stream(WEIGHTS, floatsOf(read));
-  const double steps = stepsOf(accessors_.info(attribute(WEIGHTS)).componentType);
+  const int componentType = accessors_.info(attribute(WEIGHTS)).componentType;
   std::size_t unusable = 0;
-  for (glm::vec4& weights : read) unusable += !normalize(weights, steps);
+  for (glm::vec4& weights : read) unusable += !normalize(weights, componentType);
   if (unusable > 0) {
     warnings_.add("W_NONFINITE",
                   std::to_string(unusable) + " vertices have skin weights that are not finite; they follow one joint",

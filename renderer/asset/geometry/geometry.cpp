@@ -103,7 +103,7 @@ void GeometryReader::readStream(const Source& source, const DracoMesh* draco, co
            where_ + pointer("extensions", DRACO_EXTENSION, "attributes"));
     }
   }
-  from_.accessors.readFloats(accessor, out);
+  from_.accessors.readFloats(accessor, out, Normalizing::kFetched);
 }
 
 Order GeometryReader::readOrder(const Source& source, const DracoMesh* draco, std::size_t vertices) const {

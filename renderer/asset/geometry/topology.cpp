@@ -14,13 +14,14 @@ std::vector<std::uint32_t>& writtenOut(std::size_t vertices, Order& order) {
   return *order;
 }
 
+/// The first corner of each is GLTFLoader's: by it the rasterizer rounds depth, which tells where triangles lie in one plane.
 std::vector<std::uint32_t> stripToTriangles(const std::vector<std::uint32_t>& strip) {
   std::vector<std::uint32_t> out;
   if (strip.size() < 3) return out;
   out.reserve((strip.size() - 2) * 3);
   for (std::size_t i = 0; i + 2 < strip.size(); ++i) {
     const std::size_t odd = i % 2;
-    out.insert(out.end(), {strip[i], strip[i + 1 + odd], strip[i + 2 - odd]});
+    out.insert(out.end(), {strip[i + 2 * odd], strip[i + 1], strip[i + 2 - 2 * odd]});
   }
   return out;
 }
@@ -29,7 +30,7 @@ std::vector<std::uint32_t> fanToTriangles(const std::vector<std::uint32_t>& fan)
   std::vector<std::uint32_t> out;
   if (fan.size() < 3) return out;
   out.reserve((fan.size() - 2) * 3);
-  for (std::size_t i = 1; i + 1 < fan.size(); ++i) out.insert(out.end(), {fan[i], fan[i + 1], fan[0]});
+  for (std::size_t i = 1; i + 1 < fan.size(); ++i) out.insert(out.end(), {fan[0], fan[i], fan[i + 1]});
   return out;
 }
 

@@ -19,55 +19,65 @@ float weightOf(const Deformation& deformation, std::size_t target) {
 }
 
 /// base + the sum of weight * target over the targets that have the stream
-template <typename Vector, typename Exact>
+template <typename Vector>
 void addTargets(std::vector<Vector>& base, const Deformation& deformation, const std::vector<MorphTarget>& targets,
                 std::vector<Vector> MorphTarget::*stream) {
-  std::vector<Exact> sums(base.begin(), base.end());
-  bool changed = false;
   for (std::size_t t = 0; t < targets.size(); ++t) {
-    const double weight = weightOf(deformation, t);
+    const float weight = weightOf(deformation, t);
     const auto& deltas = targets[t].*stream;
     if (weight == 0 || deltas.empty()) continue;
-    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += Exact(deltas[i]) * weight;
-    changed = true;
+    for (std::size_t i = 0; i < base.size(); ++i) base[i] += deltas[i] * weight;
   }
-  if (!changed) return;
-  for (std::size_t i = 0; i < base.size(); ++i) base[i] = Vector(sums[i]);
 }
 
 void morph(Primitive& out, const Deformation& deformation, const std::vector<MorphTarget>& targets) {
-  addTargets<glm::vec3, glm::dvec3>(out.positions, deformation, targets, &MorphTarget::positions);
+  addTargets(out.positions, deformation, targets, &MorphTarget::positions);
   if (!out.normals.empty()) {
-    addTargets<glm::vec3, glm::dvec3>(out.normals, deformation, targets, &MorphTarget::normals);
+    addTargets(out.normals, deformation, targets, &MorphTarget::normals);
   }
   if (out.colors.empty()) return;
-  addTargets<glm::vec4, glm::dvec4>(out.colors, deformation, targets, &MorphTarget::colors);
+  addTargets(out.colors, deformation, targets, &MorphTarget::colors);
   for (glm::vec4& color : out.colors) {
     for (int i = 0; i < 4; ++i) color[i] = std::isfinite(color[i]) ? color[i] : 1.0f;
   }
 }
 
-/// Matrix that moves one vertex in the node's space.
-glm::dmat4 vertexMatrix(const Deformation& deformation, const glm::u16vec4& joints, const glm::vec4& weights) {
-  glm::dmat4 sum(0.0);
-  for (int k = 0; k < 4; ++k) {
-    // Without weight, a joint may be anything, even not finite.
-    if (weights[k] != 0) sum += deformation.joints[joints[k]] * static_cast<double>(weights[k]);
-  }
-  return deformation.worldToNode * sum;
+/// m * v, the columns added in their order, as compilers of GLSL have it; GLM adds them in pairs.
+glm::vec4 times(const glm::mat4& m, const glm::vec4& v) {
+  return ((m[0] * v.x + m[1] * v.y) + m[2] * v.z) + m[3] * v.w;
 }
 
+/// What the joints do to one vertex.
+struct Skinned {
+  glm::vec4 position{0.0f};  ///< in world space
+  glm::mat4 matrix{0.0f};    ///< of its directions
+
+  void add(const glm::mat4& joint, float weight, const glm::vec3& from) {
+    position += times(joint, glm::vec4(from, 1.0f)) * weight;
+    for (int column = 0; column < 4; ++column) matrix[column] += joint[column] * weight;
+  }
+};
+
 void skin(Primitive& out, const Deformation& deformation, const Deformers& deformers) {
+  const glm::mat4 toNode(deformation.worldToNode);
+  const std::vector<glm::mat4> joints(deformation.joints.begin(), deformation.joints.end());
   Sphere sphere;
   for (std::size_t i = 0; i < out.positions.size(); ++i) {
-    const glm::dmat4 matrix = vertexMatrix(deformation, deformers.joints[i], deformers.weights[i]);
-    const glm::dvec3 position(matrix * glm::dvec4(glm::dvec3(out.positions[i]), 1.0));
-    sphere.add(position);
-    out.positions[i] = glm::vec3(position);
-    if (!out.normals.empty()) out.normals[i] = glm::vec3(glm::dmat3(matrix) * glm::dvec3(out.normals[i]));
-    if (out.tangents.empty()) continue;
-    const glm::dvec3 tangent = glm::dmat3(matrix) * glm::dvec3(out.tangents[i]);
-    out.tangents[i] = glm::vec4(glm::vec3(tangent), out.tangents[i].w);
+    Skinned skinned;
+    for (int k = 0; k < 4; ++k) {
+      // Without weight, a joint may be anything, even not finite.
+      const float weight = deformers.weights[i][k];
+      if (weight != 0) skinned.add(joints[deformers.joints[i][k]], weight, out.positions[i]);
+    }
+    out.positions[i] = glm::vec3(times(toNode, skinned.position));
+    sphere.add(glm::dvec3(out.positions[i]));
+    glm::mat4 matrix;
+    for (int column = 0; column < 4; ++column) matrix[column] = times(toNode, skinned.matrix[column]);
+    const auto turned = [&](const glm::vec3& direction) {
+      return glm::vec3(times(matrix, glm::vec4(direction, 0.0f)));
+    };
+    if (!out.normals.empty()) out.normals[i] = turned(out.normals[i]);
+    if (!out.tangents.empty()) out.tangents[i] = glm::vec4(turned(glm::vec3(out.tangents[i])), out.tangents[i].w);
   }
   // SkinnedMesh has a sphere of its own, around all vertices, drawn or not.
   out.center = sphere.center;

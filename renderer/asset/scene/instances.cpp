@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "asset/check/pointer.h"
 #include "asset/geometry/repair.h"
@@ -51,7 +52,8 @@ std::vector<float> readAttribute(const tinygltf::Value& attributes, const char* 
   const int accessor = accessorOf(attributes, name);
   if (accessor < 0) return {};
   std::vector<float> out(accessors.count(accessor) * accessors.components(accessor));
-  accessors.readFloats(accessor, out);
+  const bool fetched = std::string_view(name) == COLOR;  // the others are read for matrices
+  accessors.readFloats(accessor, out, fetched ? Normalizing::kFetched : Normalizing::kDivided);
   return out;
 }
 

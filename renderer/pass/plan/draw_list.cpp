@@ -124,15 +124,17 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.fullDetail = frame.fullDetail;
   key.layers = frame.layers;
   key.points = primitive.topology == Topology::kPoints;
+  const bool lines = primitive.topology != Topology::kTriangles && !key.points;
   // three.js shows points and lines with unlit materials of the same colour.
   key.unlit = material.unlit || primitive.topology != Topology::kTriangles;
   key.vertexColor = !primitive.colors.empty();
-  key.alphaMask = material.alphaMode == AlphaMode::kMask && material.alphaCutoff > 0;
+  // three.js does not hand the cutoff of lines on.
+  key.alphaMask = !lines && material.alphaMode == AlphaMode::kMask && material.alphaCutoff > 0;
   key.alphaOpaque = material.alphaMode != AlphaMode::kBlend;
   if (!key.unlit) key.shading = frame.shading, key.terms = frame.terms;
   key.three = frame.three;
   describeMaps(material, scene, key);
-  const bool lines = primitive.topology != Topology::kTriangles && !key.points;
+  if (key.points) key.baseColorUv1 = false;  // three.js's points know one set of coordinates
   if (lines && key.three.lineMap == ThreeTerms::THREE_LINE_MAP_NONE) key.baseColorMap = key.baseColorUv1 = false;
   if (key.unlit) return key;
   key.ambient = frame.ambient;

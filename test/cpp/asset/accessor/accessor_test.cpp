@@ -17,14 +17,28 @@ std::vector<glm::vec2> uvsFrom(const Bytes& data, int componentType, bool normal
 }
 
 TEST(Accessor, NormalizedComponentsFollowOpenGl) {
-  EXPECT_EQ(fromComponent(-128, COMPONENT_I8, true), -1.0f);
-  EXPECT_EQ(fromComponent(-127, COMPONENT_I8, true), -1.0f);
-  EXPECT_EQ(fromComponent(127, COMPONENT_I8, true), 1.0f);
-  EXPECT_EQ(fromComponent(255, COMPONENT_U8, true), 1.0f);
-  EXPECT_EQ(fromComponent(51, COMPONENT_U8, true), 0.2f);
-  EXPECT_EQ(fromComponent(-32768, COMPONENT_I16, true), -1.0f);
-  EXPECT_EQ(fromComponent(65535, COMPONENT_U16, true), 1.0f);
-  EXPECT_EQ(fromComponent(200, COMPONENT_U8, false), 200.0f);
+  for (const auto how : {Normalizing::kDivided, Normalizing::kFetched}) {
+    EXPECT_EQ(fromComponent(-128, COMPONENT_I8, true, how), -1.0f);
+    EXPECT_EQ(fromComponent(-127, COMPONENT_I8, true, how), -1.0f);
+    EXPECT_EQ(fromComponent(127, COMPONENT_I8, true, how), 1.0f);
+    EXPECT_EQ(fromComponent(255, COMPONENT_U8, true, how), 1.0f);
+    EXPECT_FLOAT_EQ(fromComponent(51, COMPONENT_U8, true, how), 0.2f);
+    EXPECT_EQ(fromComponent(-32768, COMPONENT_I16, true, how), -1.0f);
+    EXPECT_EQ(fromComponent(65535, COMPONENT_U16, true, how), 1.0f);
+    EXPECT_EQ(fromComponent(200, COMPONENT_U8, false, how), 200.0f);
+  }
+}
+
+TEST(Accessor, NormalizedComponentsAreThoseOfWhoReadsThem) {
+  int differ = 0;
+  for (int i = 0; i <= 255; ++i) {
+    const float divided = fromComponent(i, COMPONENT_U8, true, Normalizing::kDivided);
+    const float fetched = fromComponent(i, COMPONENT_U8, true, Normalizing::kFetched);
+    EXPECT_EQ(divided, static_cast<float>(i / 255.0));
+    EXPECT_EQ(fetched, static_cast<float>(i) * (1.0f / 255.0f));
+    differ += divided != fetched;
+  }
+  EXPECT_GT(differ, 0);
 }
 
 TEST(Accessor, ReadsEveryComponentType) {
@@ -35,7 +49,7 @@ TEST(Accessor, ReadsEveryComponentType) {
   EXPECT_EQ(uvsFrom(bytesOf(std::vector<std::int16_t>{1, 2, 3, 4, 5, 100}), COMPONENT_I16, false), integers);
   EXPECT_EQ(uvsFrom(bytesOf(std::vector<std::uint16_t>{1, 2, 3, 4, 5, 100}), COMPONENT_U16, false), integers);
   EXPECT_EQ(uvsFrom(bytesOf(std::vector<float>{1, 2, 3, 4, 5, 100}), COMPONENT_F32, false), integers);
-  const Uvs unit = {{0, 1}, {1, 0}, {0.2f, 0.4f}};
+  const Uvs unit = {{0, 1}, {1, 0}, {51 * (1 / 255.0f), 102 * (1 / 255.0f)}};
   EXPECT_EQ(uvsFrom(bytesOf(std::vector<std::uint8_t>{0, 255, 255, 0, 51, 102}), COMPONENT_U8, true), unit);
 }
 
