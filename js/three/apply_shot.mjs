@@ -1,4 +1,5 @@
 import { lensExposure } from '../shot/lens_exposure.mjs';
+import { meteredSize } from '../shot/metering.mjs';
 import { TONE_MAPPINGS } from '../shot/table/tone_mappings.mjs';
 import { putOnCloths, takeOffCloths } from './cloths.mjs';
 import { applyOlderOutput, backgroundColor, dimEnvironment, environmentTurned } from './older_release.mjs';
@@ -69,7 +70,8 @@ export async function applyShot(shot, { THREE, renderer, scene, camera, model, e
   if (model) await applyMaterials(shot, model, { THREE, cloths });
   dimEnvironment(THREE, scene, shot.environment.intensity);
   const placed = applyCamera(shot, THREE, camera);
-  if (shot.metering) applyMetering(shot, { THREE, renderer, scene, camera: placed });
+  // Its sides are those of the small picture, as on the server: rounded, they have another ratio.
+  if (shot.metering) applyMetering(shot, { THREE, renderer, scene, camera: applyCamera({ ...shot, size: meteredSize(shot) }, THREE) });
   return placed;
 }
 

@@ -22,4 +22,6 @@ export const CASES = [
     { lights: [LIGHTS.directional], shading: 'fabric', metering: { level: 0.4, least: 0.01 }, size: { width: 300, height: 180 } },
     true,
   ),
+  // The small picture has 128 x 18 texels: narrower than 256 x 35.
+  makeCase('metered-strip', 'sweep', 'lamps', { metering: { percentile: 0.5, level: 0.45, least: 0.1, most: 3 }, size: { width: 256, height: 35 } }),
 ];

@@ -1,4 +1,7 @@
-import { Choices, randomScene } from '../fixtures/random_scene.mjs';
+import { BASES, SLOTS } from '../../js/shot/shading_terms.mjs';
+import { CLOTHS } from '../../js/shot/table/cloths.mjs';
+import { COLOURWAYS } from '../fixtures/random_file.mjs';
+import { Choices, OTHER_UNIT, randomScene } from '../fixtures/random_scene.mjs';
 import { boundsOf, readDocument } from './bounds.mjs';
 import { CAMERAS, CASE_ENVIRONMENT, shot } from './shot.mjs';
 
@@ -6,7 +9,7 @@ import { CAMERAS, CASE_ENVIRONMENT, shot } from './shot.mjs';
 
 const ENVIRONMENTS = ['studio', 'lamps', 'gradient', 'sunny-sky', 'overcast-sky', 'soft-studio'];
 const TONE_MAPPINGS = ['none', 'linear', 'reinhard', 'cineon', 'aces', 'agx', 'neutral'];
-const SIZES = [128, 192, 256, { width: 200, height: 130 }];
+const SIZES = [128, 192, 256, { width: 200, height: 130 }, { width: 83, height: 211 }];
 const MOST_LIGHTS = 4;
 
 /** Somewhere in front of the model, so many metres off. */
@@ -19,6 +22,9 @@ const shadowOf = (c) => ({
   castShadow: true,
   shadow: { mapSize: c.of([256, 512, 1024]), radius: c.between(0, 4), intensity: c.between(0.3, 1) },
 });
+
+/** Whether cameras and lights that stand somewhere see nothing of it. */
+const isOtherUnit = ({ nodes }) => nodes.some(({ name }) => name === OTHER_UNIT);
 
 const LIGHTS = {
   ambient: (c) => ({ intensity: c.random() }),
@@ -37,33 +43,65 @@ const LIGHTS = {
 };
 const CASTING = ['directional', 'point', 'spot'];
 
-function lightOf(c) {
-  const type = c.of(Object.keys(LIGHTS));
+const DISTANT = ['ambient', 'hemisphere', 'directional'];
+
+function lightOf(c, model) {
+  const type = c.of(isOtherUnit(model) ? DISTANT : Object.keys(LIGHTS));
   const light = { type, color: c.color(0.2), ...LIGHTS[type](c) };
   return CASTING.includes(type) && c.is(0.25) ? { ...light, ...shadowOf(c) } : light;
 }
 
-const cameraOf = (c) =>
-  c.is(0.5)
-    ? CAMERAS[c.of(Object.keys(CAMERAS))]
-    : { azimuth: c.between(-180, 180), elevation: c.between(-60, 80), projection: c.of(['perspective', 'orthographic']), fit: c.between(0.4, 1.5) };
+/** Looks at the first body from so near that planes of the view cut others, or they lie behind it. */
+function closeCamera(c, { nodes }) {
+  const target = nodes.find(({ mesh }) => mesh === 0).translation;
+  const position = placeOf(c, c.between(0.7, 2)).map((x, i) => target[i] + x);
+  return { projection: 'perspective', position, target, fovY: c.between(15, 110), near: c.between(0.05, 0.4), far: c.between(1.5, 6) };
+}
+
+function cameraOf(c, model) {
+  const isElsewhere = isOtherUnit(model);
+  if (!isElsewhere && c.is(0.2)) return closeCamera(c, model);
+  if (!isElsewhere && c.is(0.5)) return CAMERAS[c.of(Object.keys(CAMERAS))];
+  return { azimuth: c.between(-180, 180), elevation: c.between(-60, 80), projection: c.of(['perspective', 'orthographic']), fit: c.between(0.4, 1.5) };
+}
 
 /** Orthographic cameras see the environment's cube alone; beside that three.js leaves the colour of the picture before. */
 const backgroundOf = (c, { projection }) => (projection === 'orthographic' ? 'transparent' : c.of(['environment', { type: 'environment', blur: c.random() }]));
 
+const materialsOf = (c) => ({
+  [c.of(['*', '0'])]: {
+    preset: c.is(0.8) ? c.of(CLOTHS) : null,
+    color: c.is(0.8) ? c.color(0, 0.8) : null,
+    scale: c.between(1, 30),
+    rotation: c.of([0, c.between(-180, 180)]),
+    metresPerUv: c.is(0.3) ? [c.between(0.1, 0.5), c.between(0.1, 0.5)] : null,
+  },
+});
+
+const meteringOf = (c) => ({ percentile: c.between(0.3, 1), level: c.between(0.3, 1), least: 0.1, most: c.between(1, 4) });
+
+/** @param {string} name - As `--shading` has it: "terms" is any of the principled shadings' terms. */
+function shadingOf(c, name) {
+  if (name !== 'terms') return name;
+  const changed = Object.entries(SLOTS).filter(() => c.is(0.4));
+  return { base: c.of(BASES), ...Object.fromEntries(changed.map(([slot, terms]) => [slot, c.of(terms)])) };
+}
+
 /**
  * @param {number} seed - Integer.
- * @param {string} [shading]
+ * @param {string} [shading] - Of the shot, or "terms": any terms of the principled shadings.
  * @returns {Promise<import('./cases.mjs').Case>}
  */
 export async function randomCase(seed, shading = 'three') {
   // Other numbers than those of the model of this seed.
   const c = new Choices(~seed);
-  const lights = Array.from({ length: Math.floor(c.between(0, MOST_LIGHTS)) }, () => lightOf(c));
+  const isCloth = shading !== 'three';
+  const model = readDocument(Buffer.from(await randomScene(seed, isCloth)));
+  const lights = Array.from({ length: Math.floor(c.between(0, MOST_LIGHTS)) }, () => lightOf(c, model));
   const environment = lights.length === 0 || c.is(0.7) ? c.of(ENVIRONMENTS) : undefined;
-  const camera = cameraOf(c);
+  const camera = cameraOf(c, model);
   const settings = {
-    shading,
+    shading: shadingOf(c, shading),
     lights,
     camera,
     size: c.of(SIZES),
@@ -74,10 +112,14 @@ export async function randomCase(seed, shading = 'three') {
     ground: c.is(0.15) ? { opacity: c.random() } : 'none',
     ghost: c.is(0.1) ? [{ material: 0, opacity: c.random() }] : [],
     quality: { samples: c.of([1, 4]) },
+    materials: c.is(0.2) ? materialsOf(c) : {},
+    metering: c.is(0.15) ? meteringOf(c) : undefined,
+    lens: c.is(0.1) ? { aperture: 1, shutter: 0.25, iso: 400 } : undefined,
   };
-  const isCloth = shading !== 'three';
-  const bounds = boundsOf(readDocument(Buffer.from(await randomScene(seed, isCloth))));
-  return { name: `random-${shading}-${seed}`, model: `random${isCloth ? '-cloth' : ''}:${seed}`, environment, shot: shot(settings, bounds) };
+  if (model.extensions?.KHR_materials_variants) settings.variant = c.of(COLOURWAYS);
+  if (model.animations) settings.pose = { animation: 0, time: c.between(-0.1, 1.2) };
+  const name = `random-${shading}-${seed}`;
+  return { name, model: `random${isCloth ? '-cloth' : ''}:${seed}`, environment, shot: shot(settings, boundsOf(model)) };
 }
 
 /**

@@ -3,10 +3,11 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import validator from 'gltf-validator';
 import { LAYERS } from '../../js/material/table.mjs';
+import { BASES, SLOTS } from '../../js/shot/shading_terms.mjs';
 import { randomScene } from '../fixtures/random_scene.mjs';
 import { randomCase, randomCases } from './cases_random.mjs';
 
-const COUNT = 60;
+const COUNT = 90;
 const seeds = Array.from({ length: COUNT }, (_, seed) => seed);
 
 const documentOf = (glb) => JSON.parse(Buffer.from(glb.buffer, glb.byteOffset + 20, new DataView(glb.buffer, glb.byteOffset).getUint32(12, true)).toString());
@@ -19,17 +20,27 @@ test('a seed is the same scene and the same shot each time, and another seed is 
 });
 
 test('scenes are valid glTF, with every layer and every kind of opacity among them', async () => {
-  const materials = [];
+  const [materials, documents] = [[], []];
   for (const seed of seeds) {
     const glb = await randomScene(seed, true);
     const { issues } = await validator.validateBytes(glb);
     const errors = issues.messages.filter(({ severity, code }) => severity === 0 && code !== 'MESH_PRIMITIVE_NO_TANGENT_SPACE');
     assert.deepEqual(errors, [], `seed ${seed}`);
-    materials.push(...documentOf(glb).materials);
+    documents.push(documentOf(glb));
+    materials.push(...documents.at(-1).materials);
   }
   const used = new Set(materials.flatMap(({ extensions = {} }) => Object.keys(extensions)));
   for (const { extension } of LAYERS) assert.ok(used.has(extension), extension);
   for (const mode of ['MASK', 'BLEND']) assert.ok(materials.some(({ alphaMode }) => alphaMode === mode));
+  for (const extension of ['EXT_mesh_gpu_instancing', 'KHR_mesh_quantization', 'KHR_lights_punctual', 'KHR_materials_variants'])
+    assert.ok(documents.some(({ extensionsUsed = [] }) => extensionsUsed.includes(extension)));
+  const primitives = documents.flatMap(({ meshes }) => meshes.flatMap((mesh) => mesh.primitives));
+  assert.ok(primitives.some(({ targets }) => targets));
+  for (const mode of [0, 3, 5]) assert.ok(primitives.some((primitive) => primitive.mode === mode));
+  for (const type of ['image/png', 'image/jpeg']) assert.ok(documents.some(({ images = [] }) => images.some(({ mimeType }) => mimeType === type)));
+  assert.ok(documents.some(({ skins }) => skins));
+  const paths = new Set(documents.flatMap(({ animations = [] }) => animations.flatMap(({ channels }) => channels.map(({ target }) => target.path))));
+  assert.deepEqual([...paths].sort(), ['rotation', 'scale', 'weights']);
 });
 
 test('shots have every kind of light, with shadows and without, every kind of background, and both projections', async () => {
@@ -41,6 +52,18 @@ test('shots have every kind of light, with shadows and without, every kind of ba
   for (const background of ['transparent', 'environment']) assert.ok(shots.some((shot) => shot.background === background));
   for (const has of [({ background }) => Array.isArray(background), ({ background }) => background.blur > 0, ({ ground }) => ground !== 'none'])
     assert.ok(shots.some(has));
+  for (const has of [({ materials }) => Object.keys(materials).length > 0, ({ metering }) => metering, ({ lens }) => lens, ({ pose }) => pose])
+    assert.ok(shots.some(has));
+});
+
+test('"terms" is any term of every slot, on either base', async () => {
+  const shadings = (await randomCases(String(COUNT), '0', 'terms')).map(({ shot }) => shot.shading);
+  for (const [slot, terms] of Object.entries({ ...SLOTS, base: BASES }))
+    for (const term of terms)
+      assert.ok(
+        shadings.some((shading) => shading[slot] === term),
+        `${slot} ${term}`,
+      );
 });
 
 test('what is no number of scenes is told', () => {

@@ -115,6 +115,17 @@ async function send(url, bytes) {
  * @returns {Promise<object>} Facts: GL strings, samples, draw calls, meshes lit by three.js's own text, milliseconds.
  */
 window.telarDraw = async (job) => {
+  try {
+    return await draw(job);
+  } catch (error) {
+    // What three.js threw in the midst of would show in the next pictures.
+    for (const renderer of renderers.values()) renderer.forceContextLoss();
+    renderers.clear();
+    throw error;
+  }
+};
+
+async function draw(job) {
   const begin = performance.now();
   const { renderer, scene, camera, dispose } = await prepare(job);
   const loaded = performance.now();
@@ -133,7 +144,7 @@ window.telarDraw = async (job) => {
   await send(`${job.result}/image`, image);
   if (mask) await send(`${job.result}/mask`, mask);
   return { ...contextFacts(renderer), calls, left, loadMs: loaded - begin, drawMs: drawn - loaded };
-};
+}
 
 /** How many meshes stock three.js's text lights. */
 function stockMeshes(scene) {
