@@ -14,7 +14,8 @@ std::vector<std::uint32_t>& writtenOut(std::size_t vertices, Order& order) {
   return *order;
 }
 
-/// The first corner of each is GLTFLoader's: by it the rasterizer rounds depth, which tells where triangles lie in one plane.
+/// The first corner of each triangle is GLTFLoader's: depth is rounded by it, and decides where triangles lie in one
+/// plane.
 std::vector<std::uint32_t> stripToTriangles(const std::vector<std::uint32_t>& strip) {
   std::vector<std::uint32_t> out;
   if (strip.size() < 3) return out;

@@ -18,7 +18,8 @@ bool deforms(const Deformation& deformation, const Primitive& primitive);
 
 /// The primitive with its vertices morphed, then skinned, as three.js's vertex stage does, in its floats and in its
 /// order, so that Mesa has the same bits: a target adds to position, normal and colour; normals and tangents turn with
-/// the skin's own matrix, not with its inverse transpose. Elements that come out not finite are dropped. @param dropped  how many were is added to it
+/// the skin's own matrix, not with its inverse transpose. Elements that come out not finite are dropped.
+/// @param dropped  how many were is added to it
 Primitive deformed(const Primitive& source, const Deformation& deformation, std::size_t& dropped);
 
 }  // namespace telar::asset
