@@ -11,6 +11,7 @@
 #include "core/prefetch.h"
 #include "core/unaligned.h"
 #include "frame/camera.h"
+#include "reference/angles.h"
 #include "telar/luminance.h"
 
 namespace telar::reference {
@@ -116,19 +117,19 @@ glm::vec2 EnvironmentLight::coordinates(const glm::vec3& direction) const {
   // In float, as the shaders: an eight-thousandth of a texel of the widest maps.
   const glm::vec3 d = toEnvironment_ * direction;
   constexpr float RECIPROCAL_PI = static_cast<float>(1 / PI);
-  return {std::atan2(d.z, d.x) * (RECIPROCAL_PI / 2) + 0.5f,
-          0.5f - std::asin(std::clamp(d.y, -1.0f, 1.0f)) * RECIPROCAL_PI};
+  return {arcTangent(d.z, d.x) * (RECIPROCAL_PI / 2) + 0.5f,
+          0.5f - arcSine(std::clamp(d.y, -1.0f, 1.0f)) * RECIPROCAL_PI};
 }
 
 EnvironmentLight::Sample EnvironmentLight::sampleRow(std::size_t row, float inRow, float u) const {
   const auto [column, inColumn] = columns(row).find(u);
   const float across = (static_cast<float>(column) + inColumn) / static_cast<float>(map_.width);
-  const float phi = (across - 0.5f) * static_cast<float>(2 * PI);
   // Uniform in height, which is uniform in solid angle. In double: at the poles a float has no digits left.
-  const double top = heights_[row], y = top + (heights_[row + 1] - top) * inRow;
+  const double top = heights_[row], y = top + (heights_[row + 1] - top) * static_cast<double>(inRow);
   const auto radius = static_cast<float>(std::sqrt(std::max(0.0, 1 - y * y)));
-  const glm::vec3 direction(radius * std::cos(phi), static_cast<float>(y), radius * std::sin(phi));
-  const glm::vec2 at(across, 0.5f - std::asin(static_cast<float>(y)) * static_cast<float>(1 / PI));
+  const SineCosine turned = sineCosine(across - 0.5f);
+  const glm::vec3 direction(radius * turned.cosine, static_cast<float>(y), radius * turned.sine);
+  const glm::vec2 at(across, 0.5f - arcSine(static_cast<float>(y)) * static_cast<float>(1 / PI));
   return {direction * toEnvironment_, pdfOf(row, column), placeAt(at)};
 }
 
