@@ -48,8 +48,7 @@ std::string fileKey(const std::string& sha256, const EnvironmentUses& uses) {
 bool holds(const Environment& environment, const EnvironmentUses& uses) {
   const int light = hasAtlas(uses.three) ? environment.atlas.faceSize : environment.prefiltered.faceSize;
   return (!uses.suns || environment.suns) && (!uses.prefiltered || light > 0) &&
-         (!uses.background || environment.background.faceSize > 0) &&
-         (!uses.radiance || environment.radiance.faceSize > 0);
+         (!uses.background || environment.background.faceSize > 0) && (!uses.radiance || environment.radiance.size > 0);
 }
 
 /// Columns moved as js/three/older_release.mjs moves them.
@@ -194,10 +193,10 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
                                             half ? std::max(rows / 2, 1) : rows, 1, false, cancel);
     context_.check("environment background");
   }
-  if (uses.radiance && environment.radiance.faceSize == 0) {
+  if (uses.radiance && environment.radiance.size == 0) {
     environment.bright = BrightDirections(map());  // takes its part out of the map: after the background
-    environment.irradiance = irradianceCube(context_, map(), cancel);
-    environment.radiance = radianceCube(context_, map(), cancel);
+    environment.irradiance = irradianceMap(context_, map(), cancel);
+    environment.radiance = radianceMap(context_, map(), cancel);
   }
   return environment;
 }

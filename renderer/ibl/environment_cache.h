@@ -21,11 +21,11 @@ namespace telar::ibl {
 
 /// The environment of a shot on the GPU, in the forms that a frame needs.
 struct Environment {
-  CubeMap prefiltered;  ///< faceSize 0 until it is asked for, as the others
+  CubeMap prefiltered;  ///< size 0 until it is asked for, as the others
   Atlas atlas;          ///< in place of `prefiltered`, for a release of three.js that has one
   CubeMap background;
-  CubeMap radiance;          ///< of the map, with mip levels; alpha = luminance of the part that `bright` samples
-  CubeMap irradiance;        ///< / PI, of what `radiance` holds; made with it
+  OctahedralMap radiance;    ///< of the map, with mip levels; alpha = luminance of the part that `bright` samples
+  OctahedralMap irradiance;  ///< / PI, of what `radiance` holds; made with it
   BrightDirections bright;   ///< made with `radiance`
   std::optional<Suns> suns;  ///< none until they are asked for; `prefiltered` does not have their light
   std::string source;        ///< where it came from: "gpu", "bundled", "disk", "prefiltered" or, as it is, "file"

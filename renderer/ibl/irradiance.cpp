@@ -8,7 +8,7 @@
 namespace telar::ibl {
 namespace {
 
-constexpr int FACE_SIZE = 32;
+constexpr int SIZE = 64;
 constexpr std::uint32_t ROWS_OF_BLOCKS = 32, COLUMNS_OF_BLOCKS = 64;
 
 /// Light of a part of the sphere, small enough for one direction.
@@ -47,29 +47,24 @@ std::vector<Block> blocksOf(const ImageF& map) {
 
 }  // namespace
 
-CubeMap irradianceCube(const gl::Context& context, const ImageF& map, const CancelToken& cancel) {
+OctahedralMap irradianceMap(const gl::Context& context, const ImageF& map, const CancelToken& cancel) {
   const gl::Functions& gl = context.gl();
   const std::vector<Block> blocks = blocksOf(map);
-  CubeMap cube = createCube(gl, FACE_SIZE, 1);
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.texture.get());
-  std::vector<std::uint64_t> texels(FACE_SIZE * FACE_SIZE);
-  for (int face = 0; face < 6; ++face) {
+  OctahedralMap made = createOctahedralMap(gl, SIZE, 1);
+  std::vector<std::uint64_t> texels;
+  texels.reserve(std::size_t{SIZE} * SIZE);
+  for (int y = 0; y < SIZE; ++y) {
     cancel.check();
-    for (int y = 0; y < FACE_SIZE; ++y) {
-      for (int x = 0; x < FACE_SIZE; ++x) {
-        const auto place = [](int i) { return (static_cast<float>(i) + 0.5f) * (2.0f / FACE_SIZE) - 1; };
-        const glm::vec3 n = glm::normalize(faceDirection(face, place(x), place(y)));
-        glm::vec3 irradiance(0);
-        for (const Block& block : blocks) irradiance += block.flux * std::max(glm::dot(block.direction, n), 0.0f);
-        texels[static_cast<std::size_t>(y * FACE_SIZE + x)] =
-            glm::packHalf4x16(glm::vec4(irradiance * glm::one_over_pi<float>(), 1));
-      }
+    for (int x = 0; x < SIZE; ++x) {
+      const glm::vec3 n = octahedralDirection(x, y, SIZE);
+      glm::vec3 irradiance(0);
+      for (const Block& block : blocks) irradiance += block.flux * std::max(glm::dot(block.direction, n), 0.0f);
+      texels.push_back(glm::packHalf4x16(glm::vec4(irradiance * glm::one_over_pi<float>(), 1)));
     }
-    gl.TexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), 0, 0, 0, FACE_SIZE, FACE_SIZE, GL_RGBA,
-                     GL_HALF_FLOAT, texels.data());
   }
+  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, SIZE, SIZE, GL_RGBA, GL_HALF_FLOAT, texels.data());
   context.check("environment irradiance");
-  return cube;
+  return made;
 }
 
 }  // namespace telar::ibl

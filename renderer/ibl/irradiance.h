@@ -1,5 +1,5 @@
 #pragma once
-#include "ibl/cube.h"
+#include "ibl/octahedral_map.h"
 
 namespace telar::ibl {
 
@@ -7,8 +7,8 @@ namespace telar::ibl {
 /// faces: its irradiance / PI. Integrated over the map's own light with 2 degrees or less between what is taken
 /// together.
 /// @param map  linear Rec.709; the light of its alpha is not looked at
-/// @return face size 32, one level
+/// @return size 64, one level
 /// @throws Error{X_GL, X_CANCELLED}. Needs a current context.
-CubeMap irradianceCube(const gl::Context& context, const ImageF& map, const CancelToken& cancel);
+OctahedralMap irradianceMap(const gl::Context& context, const ImageF& map, const CancelToken& cancel);
 
 }  // namespace telar::ibl

@@ -22,10 +22,8 @@ double lodBias(int faceSize, int samples, double roughness) {
   return roughness > 0 ? std::log2(faceSize) + 0.5 * std::log2(6.0 / (samples * std::pow(roughness, 4))) + 0.5 : 0.0;
 }
 
-}  // namespace
-
-int maxLodOf(const CubeMap& cube) { return cube.levels - 1; }
-
+/// An equirectangular map as a cube with all its levels, each texel the mean of those of the level before.
+/// @return face size max(256, largest power of two <= width / 4), or `least` where that is larger
 CubeMap radianceCube(const gl::Context& context, const ImageF& map, const CancelToken& cancel, int least) {
   const gl::Functions& gl = context.gl();
   const int faceSize = std::max({FACE_SIZE_MIN, least, static_cast<int>(std::bit_floor(map.width / 4))});
@@ -36,6 +34,10 @@ CubeMap radianceCube(const gl::Context& context, const ImageF& map, const Cancel
   context.check("environment cube");
   return cube;
 }
+
+}  // namespace
+
+int maxLodOf(const CubeMap& cube) { return cube.levels - 1; }
 
 CubeMap prefilterEquirect(const gl::Context& context, const ImageF& map, const CancelToken& cancel,
                           const PrefilterSettings& settings) {

@@ -12,11 +12,6 @@ struct PrefilterSettings {
   bool operator==(const PrefilterSettings&) const = default;
 };
 
-/// An equirectangular map as a cube with all its levels, each texel the mean of those of the level before.
-/// @return face size max(256, largest power of two <= width / 4), or `least` where that is larger
-/// @throws Error{X_GL, X_CANCELLED}. Needs a current context.
-CubeMap radianceCube(const gl::Context& context, const ImageF& map, const CancelToken& cancel, int least = 0);
-
 /// Prefilters an equirectangular map into a GGX chain exactly as three.js 0.187's PMREMGenerator does, unless the
 /// settings say otherwise.
 /// @param map  linear Rec.709, finite, [0, 65504]

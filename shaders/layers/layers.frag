@@ -5,6 +5,7 @@ precision highp int;
 
 #define VARYING in
 
+#include "octahedron.glsl"
 #include "sampler_precision.glsl"
 #include "brdf/constants.glsl"
 #include "brdf/types.glsl"
@@ -45,14 +46,6 @@ layout(location = 0) out vec4 layerPlace;   // shading normal, world space; metr
 layout(location = 1) out vec4 layerColor;   // base colour, linear Rec.709; part of the light that is hidden
 layout(location = 2) out vec4 layerNumber;  // part, material; geometric normal, view space, x and y on an octahedron
 
-// A unit vector as a point of the square [-1, 1]^2.
-// src: Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors", listing 1
-vec2 octahedral(vec3 n) {
-  vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
-  if (n.z >= 0.0) return p;
-  return (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
-}
-
 void main() {
   vec4 baseColor = baseColorAndAlpha();
 #if ALPHA_MASK
@@ -77,5 +70,5 @@ void main() {
 #else
   layerColor = vec4(albedo, hiddenPart(facing));
 #endif
-  layerNumber = vec4(layerIds, octahedral(facing));
+  layerNumber = vec4(layerIds, octahedronPlace(facing));
 }

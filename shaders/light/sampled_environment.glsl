@@ -6,13 +6,15 @@
 //      lobes and the bright part
 #include "light/lobe_types.glsl"
 #include "light/lobe_mixture.glsl"
-uniform samplerCube environmentSource;     // RGB radiance, A luminance of its bright part; a texel of a level is the mean of
-                                           // those of the level before
-uniform float environmentSourceSize;       // texels on an edge of level 0
-uniform samplerCube environmentIrradianceMap;  // by the direction that a surface faces: irradiance of it all / PI
+#include "environment/octahedral_map.glsl"
+uniform sampler2D environmentSource;         // octahedral: RGB radiance, A luminance of its bright part; a texel of a level is
+                                             // the mean of those of the level before
+uniform float environmentSourceSize;         // texels on an edge of level 0
+uniform sampler2D environmentIrradianceMap;  // octahedral, by the direction that a surface faces: irradiance of it all / PI
+uniform float environmentIrradianceSize;     // texels on its edge
 uniform mat3 viewToEnvironment;
-uniform int environmentPass;               // index of the pass over the picture; each has directions of its own
-uniform int environmentPasses;
+uniform int environmentPasses;               // over the picture; each has directions of its own
+uniform vec2 environmentPoint;               // sobolPoint() of the first direction of this pass, an aligned block's first
 // Directions drawn from the bright part of the map, in proportion to its luminance (renderer/ibl/bright_directions.h).
 uniform int brightCount;                             // of this pass, up to BRIGHT_DIRECTIONS
 uniform vec3 brightDirection[BRIGHT_DIRECTIONS];     // view space
@@ -24,9 +26,9 @@ const float COMPACT_DENSITY = 1.0e29;
 
 const vec3 LUMINANCE = vec3(0.2126, 0.7152, 0.0722);  // of linear Rec.709
 
-// Sobol's points, [0, 1)^2: of any aligned block of 2^k points one lies in each cell of any division into 2^k cells. So the
-// points of one pass are stratified, and those of all passes more finely.
-vec2 sobolPoint(uint index) {
+// Sobol's points: of any aligned block of 2^k points one lies in each cell of any division into 2^k cells. So the points of one
+// pass are stratified, and those of all passes more finely. In 24 bits.
+uvec2 sobolBits(uint index) {
   uint x = 0u;
   uint y = 0u;
   uint inverse = 0x80000000u;
@@ -38,7 +40,13 @@ vec2 sobolPoint(uint index) {
     inverse >>= 1u;
     direction ^= direction >> 1u;
   }
-  return vec2(uvec2(x, y) >> 8u) * 5.9604645e-8;
+  return uvec2(x, y) >> 8u;
+}
+
+// Point of a direction of this pass, [0, 1)^2. The bits of a point are those of its block's first one, with those of its index
+// in the block added without carry.
+vec2 pointOf(int i) {
+  return vec2(sobolBits(uint(i)) ^ uvec2(environmentPoint * 16777216.0)) * 5.9604645e-8;
 }
 
 // Shift of the points, another for each pixel, [0, 1)^2. With it, the error of a few points averages out over neighbouring
@@ -51,12 +59,13 @@ vec2 pixelShift() {
 // Mean over a solid angle about a direction. RGB radiance, A luminance of the bright part.
 vec4 environmentMean(vec3 direction, float solidAngle) {
   vec3 d = viewToEnvironment * direction;
-  vec3 size = abs(d);
-  float nearest = max(max(size.x, size.y), size.z);
-  // A texel of a cube's face covers 4 cos^3 / size^2. The factor 0.125 reads a sharper level than the solid angle asks for: the
+  float size = environmentSourceSize;
+  float sum = abs(d.x) + abs(d.y) + abs(d.z);
+  // A texel of an octahedron covers 4 sum^3 / size^2. The factor 0.125 reads a sharper level than the solid angle asks for: the
   // grain that is left is a smaller error than the blur.
-  float texels = 0.125 * solidAngle * environmentSourceSize * environmentSourceSize / (4.0 * nearest * nearest * nearest);
-  return textureLod(environmentSource, d, 0.5 * log2(max(texels, 1.0)));
+  float texels = 0.125 * solidAngle * size * size / (4.0 * sum * sum * sum);
+  float level = floor(0.5 * log2(max(texels, 1.0)));
+  return textureLod(environmentSource, octahedralUv(d, max(size * exp2(-level), OCTAHEDRAL_LEAST_SIZE)), level);
 }
 
 // Irradiance by the samples, on both sides of a surface, linear Rec.709.
@@ -77,7 +86,10 @@ SampledIrradiance addIrradiance(SampledIrradiance sum, SurfaceInfo s, vec3 l, ve
 }
 
 // Of the whole map, at a surface that faces a direction of view space, linear Rec.709.
-vec3 environmentIrradiance(vec3 n) { return PI * environmentIntensity * textureLod(environmentIrradianceMap, viewToEnvironment * n, 0.0).rgb; }
+vec3 environmentIrradiance(vec3 n) {
+  vec2 uv = octahedralUv(viewToEnvironment * n, environmentIrradianceSize);
+  return PI * environmentIntensity * textureLod(environmentIrradianceMap, uv, 0.0).rgb;
+}
 
 // A control variate: the irradiance of the whole map is known exactly, and the difference to that of the samples is added as
 // ambient light. Diffuse light is then noisy only where its lobe differs from the cosine.
@@ -101,7 +113,7 @@ Reflected addSampledEnvironment(Reflected sum, SurfaceInfo s) {
   sampled.back = vec3(0.0);
 #endif
   for (int i = 0; i < ENVIRONMENT_SAMPLES; ++i) {
-    vec2 u = fract(sobolPoint(uint(environmentPass * ENVIRONMENT_SAMPLES + i)) + shift);
+    vec2 u = fract(pointOf(i) + shift);
     vec3 l = sampleMixture(lobes, u);
     float pdf = pdfMixture(lobes, l);
     if (pdf > 0.0) {

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "core/octahedron.h"
+
 namespace telar::pass {
 namespace {
 
@@ -19,13 +21,6 @@ constexpr int REACH = 2;
 constexpr float LIFT = 1.0f / 64;
 constexpr float APART = 1;      ///< pixels beside a pixel's plane at which a neighbour is of another surface
 constexpr float TURNED = 0.9f;  ///< cosine between normals at which it is
-
-/// The inverse of octahedral() in layers/layers.frag.
-glm::vec3 fromOctahedron(const glm::vec2& p) {
-  glm::vec3 n(p, 1 - std::abs(p.x) - std::abs(p.y));
-  if (n.z < 0) n = {std::copysign(1 - std::abs(p.y), p.x), std::copysign(1 - std::abs(p.x), p.y), n.z};
-  return glm::normalize(n);
-}
 
 /// What the pixels show, in view space.
 struct Seen {
@@ -50,7 +45,7 @@ Seen seenOf(const SurfacePixels& pixels, const frame::Camera& camera) {
     seen.at[i] = static_cast<int>(seen.pixels.size());
     seen.pixels.push_back(i);
     seen.place.emplace_back((glm::dvec2(at.x, -at.y) * w - offset) / scale, z);
-    seen.normal.push_back(fromOctahedron({pixels.number[i].z, pixels.number[i].w}));
+    seen.normal.push_back(octahedronDirection({pixels.number[i].z, pixels.number[i].w}));
     seen.pixelWidth.push_back(static_cast<float>(2 * w / (scale.y * size.y)));
   }
   return seen;

@@ -10,6 +10,7 @@
 #include "ibl/dfg.h"
 #include "pass/plan/world_origin.h"
 #include "pass/shadow/shadow_pass.h"
+#include "pass/surface/environment_uniforms.h"
 #include "pass/surface/surface_programs.h"
 #include "pass/visible/sliced_draw.h"
 
@@ -77,63 +78,6 @@ void setLayers(const gl::Program& program, const DrawItem& item) {
 
 bool readsTransmission(const std::vector<DrawItem>* list) {
   return std::any_of(list->begin(), list->end(), [](const DrawItem& item) { return item.key.transmission; });
-}
-
-/// @param rotation  of the environment, degrees
-glm::mat3 viewToEnvironment(const frame::Camera& camera, double rotation) {
-  return frame::environmentRotation(rotation) * glm::mat3(glm::transpose(glm::dmat3(camera.view)));
-}
-
-void setPrefilteredEnvironment(const gl::Program& program, const SurfaceInputs& in) {
-  program.set("environmentMap", static_cast<int>(ENVIRONMENT_UNIT));
-  if (in.environment && in.environment->atlas.faceSize > 0) {
-    program.set("environmentMaxLod", static_cast<float>(in.environment->atlas.maxMip()));
-    program.set("environmentAtlasTexel", in.environment->atlas.texel());
-  } else {
-    program.set("environmentMaxLod",
-                in.environment ? static_cast<float>(ibl::maxLodOf(in.environment->prefiltered)) : 1.0f);
-  }
-  const double rotation = in.shot.environment.rotation;
-  program.set("viewToEnvironment",
-              viewToEnvironment(in.plan.camera, rotation - ibl::turnOfTexels(in.plan.frame.three, rotation)));
-}
-
-/// An order of the passes in which the first of them are spread evenly over all: bits reversed.
-/// @param count  a power of two
-int reversed(int pass, int count) {
-  int out = 0;
-  for (int bit = 1; bit < count; bit <<= 1, pass >>= 1) out = 2 * out + (pass & 1);
-  return out;
-}
-
-/// The directions of the bright part for this pass. Those of one pass, of the first 2^k passes and of all passes are
-/// each stratified.
-void setBrightDirections(const gl::Program& program, const SurfaceInputs& in, int count, int passes) {
-  const glm::mat3 toView = glm::mat3(glm::dmat3(in.plan.camera.view)) *
-                           glm::transpose(frame::environmentRotation(in.shot.environment.rotation));
-  std::vector<glm::vec3> directions;
-  std::vector<glm::vec4> irradiances;
-  const int first = reversed(in.samplePass, passes);
-  for (const auto& bright : in.environment->bright.directions(count * passes, first, passes)) {
-    directions.push_back(toView * bright.direction);
-    irradiances.emplace_back(bright.irradiance * static_cast<float>(passes), bright.density);
-  }
-  program.set("brightCount", static_cast<int>(directions.size()));
-  program.set("brightDirection", directions);
-  program.set("brightIrradiance", irradiances);
-  const double energy = in.environment->bright.energy();
-  program.set("brightDensity", energy > 0 ? static_cast<float>(count * passes / energy) : 0.0f);
-}
-
-void setSampledEnvironment(const gl::Program& program, const shader::VariantKey& key, const SurfaceInputs& in) {
-  program.set("environmentSource", static_cast<int>(ENVIRONMENT_UNIT));
-  program.set("environmentIrradianceMap", static_cast<int>(IRRADIANCE_UNIT));
-  program.set("environmentSourceSize", in.environment ? static_cast<float>(in.environment->radiance.faceSize) : 1.0f);
-  program.set("viewToEnvironment", viewToEnvironment(in.plan.camera, in.shot.environment.rotation));
-  const int passes = frame::samplePassesOf(in.shot).count;
-  program.set("environmentPass", in.samplePass);
-  program.set("environmentPasses", passes);
-  if (in.environment) setBrightDirections(program, in, key.brightDirections(), passes);
 }
 
 /// What a draw of cut-out cloth shows: of shaders/material/coverage.glsl.
@@ -220,9 +164,7 @@ SurfacePass::Surface& SurfacePass::useProgram(const shader::VariantKey& key, con
   program.set("ltcAlbedoMap", static_cast<int>(LTC_ALBEDO_UNIT));
   program.set("dfgMap", static_cast<int>(DFG_UNIT));
   if (key.environment) {
-    const ibl::Environment* environment = in.environment;
-    program.set("environmentIntensity", environment ? static_cast<float>(in.shot.environment.intensity) : 0.0f);
-    key.environmentSamples > 0 ? setSampledEnvironment(program, key, in) : setPrefilteredEnvironment(program, in);
+    setEnvironment(program, key, in, {ENVIRONMENT_UNIT, IRRADIANCE_UNIT});
   }
   if (key.transmission || key.lights.shadows() > 0)
     program.set("viewMatrix", glm::mat4(toOrigin(in.plan.camera.view, in.plan.origin)));
@@ -351,17 +293,17 @@ void SurfacePass::bindShared(const SurfaceInputs& in, bool transmission) {
   bind(DFG_UNIT, GL_TEXTURE_2D, dfg32 ? dfg32_ : dfg_);
   if (in.plan.environment) {
     const bool sampled = in.plan.frame.environmentSamples > 0;
-    if (!sampled && ibl::hasAtlas(in.plan.frame.three)) {
-      bind(ENVIRONMENT_UNIT, GL_TEXTURE_2D, in.environment ? in.environment->atlas.texture : standIns().white);
-    } else {
+    if (!sampled && !ibl::hasAtlas(in.plan.frame.three)) {
       bind(ENVIRONMENT_UNIT, GL_TEXTURE_CUBE_MAP,
-           !in.environment ? standIns().blackCube
+           in.environment ? in.environment->prefiltered.texture : standIns().blackCube);
+    } else {
+      bind(ENVIRONMENT_UNIT, GL_TEXTURE_2D,
+           !in.environment ? standIns().white
            : sampled       ? in.environment->radiance.texture
-                           : in.environment->prefiltered.texture);
+                           : in.environment->atlas.texture);
     }
     if (sampled)
-      bind(IRRADIANCE_UNIT, GL_TEXTURE_CUBE_MAP,
-           in.environment ? in.environment->irradiance.texture : standIns().blackCube);
+      bind(IRRADIANCE_UNIT, GL_TEXTURE_2D, in.environment ? in.environment->irradiance.texture : standIns().white);
   }
   if (in.plan.frame.lights.area() > 0) {
     bind(LTC_INVERSE_UNIT, GL_TEXTURE_2D, ltc_.inverse);

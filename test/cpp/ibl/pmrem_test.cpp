@@ -13,7 +13,6 @@
 #include "expect_error.h"
 #include "ibl/cubes.h"
 #include "ibl/environment_cache.h"
-#include "ibl/irradiance.h"
 #include "ibl/pmrem_file.h"
 #include "ibl/prefilter.h"
 #include "telar/codec.h"
@@ -39,43 +38,6 @@ TEST(Prefilter, TheRoughestLevelIsTheCosineMean) {
   EXPECT_NEAR(half(up[(3 * 8 + 3) * 4]), 1 + 0.8 * 2 / 3 * 0.985, 0.004);
   const auto side = level(*context, cube, 5, GL_TEXTURE_CUBE_MAP_POSITIVE_X);
   EXPECT_NEAR((half(side[(3 * 8 + 3) * 4]) + half(side[(4 * 8 + 3) * 4])) / 2, 1.0, 0.004);
-}
-
-/// What irradianceCube() has for a map, against a formula of the unit normal.
-template <class Formula>
-void expectIrradiance(const ImageF& map, const Formula& expected, double tolerance) {
-  const auto context = gl::Context::create(Backend::kAuto);
-  const CubeMap cube = irradianceCube(*context, map, CancelToken());
-  const int size = cube.faceSize;
-  for (int face = 0; face < 6; ++face) {
-    const auto texels = level(*context, cube, 0, GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face));
-    for (int y = 0; y < size; ++y) {
-      for (int x = 0; x < size; ++x) {
-        const auto place = [size](int i) { return (2.0f * static_cast<float>(i) + 1) / static_cast<float>(size) - 1; };
-        const glm::vec3 n = glm::normalize(faceDirection(face, place(x), place(y)));
-        ASSERT_NEAR(half(texels[static_cast<std::size_t>(y * size + x) * 4]), expected(n), tolerance)
-            << "face " << face << ", texel " << x << ", " << y;
-      }
-    }
-  }
-}
-
-TEST(Irradiance, IsTheCosineMeanOfTheMap) {
-  expectIrradiance(
-      gradient(256), [](const glm::vec3& n) { return 1 + 0.8 * 2 / 3 * n.y; }, 1.5e-3);
-}
-
-TEST(Irradiance, OfOneTexelFallsAsItsCosineAndIsNothingBehindIt) {
-  ImageF map{128, 64, std::vector<float>(128 * 64 * 4)};
-  constexpr std::uint32_t X = 32, Y = 31;  // towards -Z, just above the horizon
-  map.pixels[(Y * map.width + X) * 4] = 1000;
-  const double phi = ((X + 0.5) / 128 - 0.5) * 2 * 3.14159265358979, polar = (Y + 0.5) / 64 * 3.14159265358979;
-  const glm::vec3 lamp(std::sin(polar) * std::cos(phi), std::cos(polar), std::sin(polar) * std::sin(phi));
-  const double angle = 2 * 3.14159265358979 / 128 *
-                       (std::cos(polar - 3.14159265358979 / 128) - std::cos(polar + 3.14159265358979 / 128));
-  expectIrradiance(
-      map, [&](const glm::vec3& n) { return 1000 * angle / 3.14159265358979 * std::max(glm::dot(n, lamp), 0.0f); },
-      2e-3);
 }
 
 TEST(Prefilter, FaceSizeIsAQuarterOfTheWidth) {
