@@ -20,6 +20,12 @@ class Random {
     return later;
   }
 
+  /// Point of Sobol's sequence, [0, 1)^2, in 24 bits, not scrambled.
+  static glm::vec2 sobolPoint(std::uint32_t index) {
+    const std::uint32_t reversedIndex = reversed(index);
+    return {unit(reversedIndex), unit(sobol(reversedIndex))};
+  }
+
   /// [0, 1)
   float uniform() {
     const Pair pair = next();

@@ -21,7 +21,8 @@ constexpr double SAMPLES = 1 << SAMPLE_BITS;
 
 /// Names: a term's number moves when there is a newer one.
 struct Names {
-#define TELAR_TERM_NAMES(define, member, ...) static constexpr std::string_view member[] = {__VA_ARGS__};
+#define TELAR_TERM_NAMES(define, member, ...) \
+  [[maybe_unused]] static constexpr std::string_view member[] = {__VA_ARGS__};
   TELAR_THREE_SLOTS(TELAR_TERM_NAMES)
 #undef TELAR_TERM_NAMES
 };
@@ -142,6 +143,7 @@ class Chain {
       if (tap < count) sum += gauss[static_cast<std::size_t>(tap)] * (tap == 0 ? 1 : 2);
     }
     std::vector<float> weights;
+    weights.reserve(gauss.size());
     for (const double weight : gauss) weights.push_back(static_cast<float>(weight / sum));
     program.set("tapWeight", std::span<const float>(weights));
     program.set("tapCount", count);

@@ -37,29 +37,33 @@ CubeMap createCube(const gl::Functions& gl, int faceSize, int levels) {
   return cube;
 }
 
-void renderFaces(const gl::Context& context, const gl::Program& program, gl::DrawCost& cost, const CubeMap& target,
-                 int level, const CancelToken& cancel) {
+void renderLevel(const gl::Context& context, gl::DrawCost& cost, GLenum image, const gl::Texture& texture, int level,
+                 int size, const CancelToken& cancel) {
+  cancel.check();
   const gl::Functions& gl = context.gl();
   const gl::Framebuffer framebuffer(gl);
   const gl::VertexArray noVertices(gl);
-  const int size = target.faceSize >> level;
   gl.BindVertexArray(noVertices.get());
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, image, texture.get(), level);
+  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) gl::failIncomplete(gl, "the environment");
   gl.Viewport(0, 0, size, size);
   for (const GLenum capability : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST}) gl.Disable(capability);
+  const gl::Pacer::Rectangle whole{0, 0, size, size};
+  context.pacer().draw(cost, whole.area(), whole, [&gl] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
+  context.pacer().finish();
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void renderFaces(const gl::Context& context, const gl::Program& program, gl::DrawCost& cost, const CubeMap& target,
+                 int level, const CancelToken& cancel) {
   for (int i = 0; i < 6; ++i) {
-    cancel.check();
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
-                            GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i), target.texture.get(), level);
-    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) gl::failIncomplete(gl, "the environment");
     program.set("faceCentre", FACES[i].centre);
     program.set("faceRight", FACES[i].right);
     program.set("faceUp", FACES[i].up);
-    const gl::Pacer::Rectangle face{0, 0, size, size};
-    context.pacer().draw(cost, face.area(), face, [&gl] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
-    context.pacer().finish();
+    renderLevel(context, cost, GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i), target.texture, level,
+                target.faceSize >> level, cancel);
   }
-  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 gl::Texture uploadEquirect(const gl::Functions& gl, const ImageF& map) {

@@ -19,6 +19,11 @@ glm::vec3 faceDirection(int face, float s, float t);
 
 CubeMap createCube(const gl::Functions& gl, int faceSize, int levels);
 
+/// Draws a triangle over one level of a square image of a texture, by the program that is in use.
+/// @param image  GL_TEXTURE_2D or a face of a cube    @param size  px of the level
+void renderLevel(const gl::Context& context, gl::DrawCost& cost, GLenum image, const gl::Texture& texture, int level,
+                 int size, const CancelToken& cancel);
+
 /// Runs a fragment program over the six faces of one level. The program is in use and its uniforms are set; it reads
 /// vDirection of environment/cube_face.vert.
 void renderFaces(const gl::Context& context, const gl::Program& program, gl::DrawCost& cost, const CubeMap& target,

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/octahedron.h"
-#include "gl/incomplete.h"
 #include "gl/program.h"
 #include "ibl/cube.h"
 #include "shader/library.h"
@@ -26,23 +25,10 @@ gl::Program levelProgram(const gl::Context& context, bool equirect) {
 /// The program is in use, and what it reads is bound.
 void drawLevel(const gl::Context& context, const gl::Program& program, gl::DrawCost& cost, const OctahedralMap& map,
                int level, const CancelToken& cancel) {
-  cancel.check();
-  const gl::Functions& gl = context.gl();
-  const gl::Framebuffer framebuffer(gl);
-  const gl::VertexArray noVertices(gl);
   const int size = map.size >> level;
-  gl.BindVertexArray(noVertices.get());
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, map.texture.get(), level);
-  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) gl::failIncomplete(gl, "the environment");
-  gl.Viewport(0, 0, size, size);
-  for (const GLenum capability : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST}) gl.Disable(capability);
   program.set("size", static_cast<float>(size));
   program.set("sourceSize", static_cast<float>(2 * size));
-  const gl::Pacer::Rectangle whole{0, 0, size, size};
-  context.pacer().draw(cost, whole.area(), whole, [&gl] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
-  context.pacer().finish();
-  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  renderLevel(context, cost, GL_TEXTURE_2D, map.texture, level, size, cancel);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <bit>
 #include <vector>
 
+#include "core/random.h"
 #include "frame/sample_passes.h"
 #include "pass/surface/surface_pass.h"
 
@@ -36,17 +37,6 @@ int reversed(int pass, int count) {
   return out;
 }
 
-/// Point of Sobol's sequence, [0, 1)^2, in 24 bits: of the first direction of a pass. The shader adds the others
-/// (shaders/light/sampled_environment.glsl).
-glm::vec2 sobolPoint(unsigned index) {
-  unsigned x = 0, y = 0;
-  for (unsigned inverse = 1u << 31, direction = inverse; index != 0; index >>= 1, inverse >>= 1) {
-    if (index & 1) x ^= inverse, y ^= direction;
-    direction ^= direction >> 1;
-  }
-  return glm::vec2(x >> 8, y >> 8) * 0x1p-24f;
-}
-
 /// The directions of the bright part for this pass. Those of one pass, of the first 2^k passes and of all passes are
 /// each stratified.
 void setBrightDirections(const gl::Program& program, const SurfaceInputs& in, int count, int passes) {
@@ -74,8 +64,8 @@ void setSampledEnvironment(const gl::Program& program, const shader::VariantKey&
   program.set("environmentIrradianceSize", in.environment ? static_cast<float>(in.environment->irradiance.size) : 1.0f);
   program.set("viewToEnvironment", viewToEnvironment(in.plan.camera, in.shot.environment.rotation));
   const int passes = frame::samplePassesOf(in.shot).count;
-  program.set("environmentPoint",
-              sobolPoint(static_cast<unsigned>(in.samplePass) * std::bit_ceil(unsigned{key.environmentSamples})));
+  const auto first = static_cast<std::uint32_t>(in.samplePass) * std::bit_ceil(unsigned{key.environmentSamples});
+  program.set("environmentPoint", Random::sobolPoint(first));
   program.set("environmentPasses", passes);
   if (in.environment) setBrightDirections(program, in, key.brightDirections(), passes);
 }

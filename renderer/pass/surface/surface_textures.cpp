@@ -28,23 +28,16 @@ BakeSource sourceOf(int index, bool srgb, const Scene& scene, GpuScene& gpu, con
 /// The derived form of the texture that is sampled, if there is one.
 std::optional<DerivedTexture> derivedOf(const DrawItem& item, const TextureSlot& slot, const Scene& scene,
                                         const GpuScene& gpu) {
+  const auto kind = madeOf(item.key, slot);
+  if (!kind) return std::nullopt;
   const int image = slot.texture(*item.material).image;
-  const bool srgb = decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, slot.srgb);
-  const float cutoff = item.key.alphaToCoverage ? item.textureCutoff() : 0;
-  if (item.key.normalFacets && slot.map == &Key::normalMap)
-    return withLimits({DerivedTexture::Kind::kNormalFacets, image, srgb}, scene, gpu);
-  if (item.key.normalVariance && (slot.map == &Key::normalMap || slot.map == &Key::clearcoatNormalMap)) {
-    DerivedTexture relief{DerivedTexture::Kind::kNormalVariance, image, srgb};
-    if (item.key.normalHoles && slot.map == &Key::normalMap) {
-      relief.cutoff = cutoff;
-      relief.cover = item.material->baseColorTexture.image;
-    }
-    return withLimits(relief, scene, gpu);
-  }
-  if ((item.key.alphaToCoverage || item.key.alphaMeans) && slot.map == &Key::baseColorMap) {
-    return withLimits({DerivedTexture::Kind::kCoverage, image, srgb, cutoff}, scene, gpu);
-  }
-  return std::nullopt;
+  DerivedTexture made{*kind, image, decodesSrgb(scene.images[static_cast<std::size_t>(image)].coding, slot.srgb)};
+  const bool leavesHolesOut =
+      *kind == DerivedTexture::Kind::kNormalVariance && item.key.normalHoles && slot.map == &Key::normalMap;
+  if (leavesHolesOut) made.cover = item.material->baseColorTexture.image;
+  if ((leavesHolesOut || *kind == DerivedTexture::Kind::kCoverage) && item.key.alphaToCoverage)
+    made.cutoff = item.textureCutoff();
+  return withLimits(made, scene, gpu);
 }
 
 /// The map of what of the base colour is metal's.

@@ -1,6 +1,7 @@
 #pragma once
 #include "pass/model/gpu_scene.h"
 #include "pass/plan/draw_list.h"
+#include "pass/plan/made_texture.h"
 #include "pass/plan/texture_slots.h"
 #include "pass/texture/texture_bake.h"
 #include "pass/visible/unread_levels.h"

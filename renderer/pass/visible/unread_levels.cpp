@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "pass/plan/made_texture.h"
 #include "pass/plan/texture_slots.h"
 #include "pass/plan/varyings.h"
 #include "pass/texture/mip_levels.h"
@@ -38,8 +39,7 @@ bool isPlain(const Key& key) {
 bool isMadeOf(const TextureSlot& slot, const Key& key) {
   if (key.fullDetail || key.alphaToCoverage || key.alphaMeans) return false;
   if (slot.map == &Key::baseColorMap) return key.metalMeans;
-  if (slot.map == &Key::normalMap && key.normalFacets) return false;  // read texel by texel
-  return key.normalVariance && (slot.map == &Key::normalMap || slot.map == &Key::clearcoatNormalMap);
+  return madeOf(key, slot) == DerivedTexture::Kind::kNormalVariance;  // facets are read texel by texel
 }
 
 /// Maps that are read at the same texels: coordinates, width, height; those that are read otherwise have none.

@@ -21,17 +21,22 @@ inline ImageF gradient(std::uint32_t width) {
   return map;
 }
 
-/// RGBA halfs of a face.
-inline std::vector<std::uint16_t> level(const gl::Context& context, const CubeMap& cube, int lod, GLenum face) {
+/// RGBA halfs of a level of a square image. @param image  GL_TEXTURE_2D or a face of a cube
+inline std::vector<std::uint16_t> halfs(const gl::Context& context, GLenum image, const gl::Texture& texture, int lod,
+                                        int size) {
   const gl::Functions& gl = context.gl();
   const gl::Framebuffer framebuffer(gl);
-  const int size = cube.faceSize >> lod;
   std::vector<std::uint16_t> rgba(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, face, cube.texture.get(), lod);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, image, texture.get(), lod);
   gl.ReadPixels(0, 0, size, size, GL_RGBA, GL_HALF_FLOAT, rgba.data());
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   return rgba;
+}
+
+/// The same of a face.
+inline std::vector<std::uint16_t> level(const gl::Context& context, const CubeMap& cube, int lod, GLenum face) {
+  return halfs(context, face, cube.texture, lod, cube.faceSize >> lod);
 }
 
 inline float half(std::uint16_t bits) {

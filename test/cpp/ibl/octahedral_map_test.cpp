@@ -14,14 +14,7 @@ using test::half;
 
 /// Texels of a level, row by row.
 std::vector<glm::vec3> texelsOf(const gl::Context& context, const OctahedralMap& map, int level = 0) {
-  const gl::Functions& gl = context.gl();
-  const gl::Framebuffer framebuffer(gl);
-  const int size = map.size >> level;
-  std::vector<std::uint16_t> rgba(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, map.texture.get(), level);
-  gl.ReadPixels(0, 0, size, size, GL_RGBA, GL_HALF_FLOAT, rgba.data());
-  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  const auto rgba = test::halfs(context, GL_TEXTURE_2D, map.texture, level, map.size >> level);
   std::vector<glm::vec3> texels;
   for (std::size_t i = 0; i < rgba.size(); i += 4)
     texels.emplace_back(half(rgba[i]), half(rgba[i + 1]), half(rgba[i + 2]));

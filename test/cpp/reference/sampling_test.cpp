@@ -104,6 +104,14 @@ TEST(Random, StreamsAreTheSameEachTimeAndApartFromEachOther) {
 
 // Sobol's points are a net: of 2^k each rectangle of area 2^-k, however long and narrow, holds one. A wrong bit of
 // either dimension puts two into one.
+TEST(Random, PointsOfSobolAreThoseOfTheSequence) {
+  EXPECT_EQ(Random::sobolPoint(0), glm::vec2(0, 0));
+  EXPECT_EQ(Random::sobolPoint(1), glm::vec2(0.5, 0.5));
+  EXPECT_EQ(Random::sobolPoint(2), glm::vec2(0.25, 0.75));
+  EXPECT_EQ(Random::sobolPoint(3), glm::vec2(0.75, 0.25));
+  EXPECT_EQ(Random::sobolPoint(4), glm::vec2(0.125, 0.625));
+}
+
 TEST(Random, PairsOfAPixelFillEveryRectangleEvenly) {
   constexpr int BITS = 8, COUNT = 1 << BITS;
   std::vector<glm::vec2> points;
