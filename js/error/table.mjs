@@ -70,8 +70,8 @@ const ROWS = {
     E_NO_GEOMETRY: ['The scene has nothing to draw', 'Check that the exported scene holds the garment.'],
     E_EXTENT: ['The model, or its part that is framed, is too small to be drawn', 'glTF is in metres: check the unit and the scale of the export.'],
     E_IMAGE_FORMAT: [
-      'A texture is not PNG, JPEG, WebP or KTX2, or is KTX2 of a kind that is not drawn',
-      'Export textures as PNG, JPEG, WebP, or KTX2 in ETC1S, UASTC or RGBA8.',
+      'A texture is not PNG, JPEG, WebP or KTX2, is KTX2 of a kind that is not drawn, or is KTX2 without KHR_texture_basisu',
+      'Export textures as PNG, JPEG, WebP, or KTX2 in ETC1S, UASTC or RGBA8 by KHR_texture_basisu.',
     ],
     E_IMAGE_CORRUPT: ['A texture is damaged or cut', 'Export the texture again.'],
     E_IMAGE_SIZE: ['Two images to compare differ in size', 'Draw both at one size.'],

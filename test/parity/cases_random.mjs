@@ -1,5 +1,6 @@
 import { BASES, SLOTS } from '../../js/shot/shading_terms.mjs';
 import { CLOTHS } from '../../js/shot/table/cloths.mjs';
+import { LOOKS } from '../../js/shot/table/looks.mjs';
 import { COLOURWAYS } from '../fixtures/random_file.mjs';
 import { Choices, OTHER_UNIT, randomScene } from '../fixtures/random_scene.mjs';
 import { boundsOf, readDocument } from './bounds.mjs';
@@ -18,9 +19,24 @@ function placeOf(c, distance) {
   return towards.map((x) => (x / Math.hypot(...towards)) * distance);
 }
 
-const shadowOf = (c) => ({
+const sidesOf = (c) => ({ left: -c.between(0.4, 1), right: c.between(0.4, 1), bottom: -c.between(0.4, 1), top: c.between(0.4, 1) });
+
+/** Where a shadow's map begins and ends, by the light's type: some of the model lies beyond it. */
+const BORDERS = {
+  directional: (c) => ({ near: c.between(1, 2.5), far: c.between(2.8, 4), ...sidesOf(c) }),
+  point: (c) => ({ near: c.between(0.3, 1.2) }),
+  spot: (c) => ({ near: c.between(0.3, 2), focus: c.between(0.3, 1) }),
+};
+
+const shadowOf = (c, type) => ({
   castShadow: true,
-  shadow: { mapSize: c.of([256, 512, 1024]), radius: c.between(0, 4), intensity: c.between(0.3, 1) },
+  shadow: {
+    mapSize: c.of([256, 512, 1024]),
+    radius: c.between(0, 4),
+    intensity: c.between(0.3, 1),
+    ...(c.is(0.2) && { normalBias: c.between(0.02, 0.06) }),
+    ...(c.is(0.3) && BORDERS[type](c)),
+  },
 });
 
 /** Whether cameras and lights that stand somewhere see nothing of it. */
@@ -48,7 +64,7 @@ const DISTANT = ['ambient', 'hemisphere', 'directional'];
 function lightOf(c, model) {
   const type = c.of(isOtherUnit(model) ? DISTANT : Object.keys(LIGHTS));
   const light = { type, color: c.color(0.2), ...LIGHTS[type](c) };
-  return CASTING.includes(type) && c.is(0.25) ? { ...light, ...shadowOf(c) } : light;
+  return CASTING.includes(type) && c.is(0.25) ? { ...light, ...shadowOf(c, type) } : light;
 }
 
 /** Looks at the first body from so near that planes of the view cut others, or they lie behind it. */
@@ -77,6 +93,9 @@ const materialsOf = (c) => ({
     metresPerUv: c.is(0.3) ? [c.between(0.1, 0.5), c.between(0.1, 0.5)] : null,
   },
 });
+
+/** What a look has: a shot by one leaves it out. */
+const OF_LOOKS = ['lights', 'background', 'exposure', 'toneMapping', 'ground', 'metering', 'lens'];
 
 const meteringOf = (c) => ({ percentile: c.between(0.3, 1), level: c.between(0.3, 1), least: 0.1, most: c.between(1, 4) });
 
@@ -118,8 +137,13 @@ export async function randomCase(seed, shading = 'three') {
   };
   if (model.extensions?.KHR_materials_variants) settings.variant = c.of(COLOURWAYS);
   if (model.animations) settings.pose = { animation: 0, time: c.between(-0.1, 1.2) };
+  if (environment && c.is(0.1)) {
+    for (const key of OF_LOOKS) delete settings[key];
+    Object.assign(settings, { look: c.of(Object.keys(LOOKS)), camera: {} });
+  }
   const name = `random-${shading}-${seed}`;
-  return { name, model: `random${isCloth ? '-cloth' : ''}:${seed}`, environment, shot: shot(settings, boundsOf(model)) };
+  const ofModel = { name, model: `random${isCloth ? '-cloth' : ''}:${seed}`, textures: 'uncompressed' };
+  return { ...ofModel, environment, shot: shot(settings, boundsOf(model)) };
 }
 
 /**

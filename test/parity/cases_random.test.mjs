@@ -38,6 +38,12 @@ test('scenes are valid glTF, with every layer and every kind of opacity among th
   assert.ok(primitives.some(({ targets }) => targets));
   for (const mode of [0, 3, 5]) assert.ok(primitives.some((primitive) => primitive.mode === mode));
   for (const type of ['image/png', 'image/jpeg']) assert.ok(documents.some(({ images = [] }) => images.some(({ mimeType }) => mimeType === type)));
+  for (const extension of ['KHR_draco_mesh_compression', 'EXT_meshopt_compression', 'KHR_texture_basisu'])
+    assert.ok(
+      documents.some(({ extensionsRequired = [] }) => extensionsRequired.includes(extension)),
+      extension,
+    );
+  assert.ok(documents.some(({ accessors }) => accessors.some(({ sparse }) => sparse)));
   assert.ok(documents.some(({ skins }) => skins));
   const paths = new Set(documents.flatMap(({ animations = [] }) => animations.flatMap(({ channels }) => channels.map(({ target }) => target.path))));
   assert.deepEqual([...paths].sort(), ['rotation', 'scale', 'weights']);
@@ -54,6 +60,8 @@ test('shots have every kind of light, with shadows and without, every kind of ba
     assert.ok(shots.some(has));
   for (const has of [({ materials }) => Object.keys(materials).length > 0, ({ metering }) => metering, ({ lens }) => lens, ({ pose }) => pose])
     assert.ok(shots.some(has));
+  assert.ok(shots.some(({ look }) => look !== 'none'));
+  assert.ok(lights.some(({ shadow }) => shadow && shadow.left !== -shadow.right));
 });
 
 test('"terms" is any term of every slot, on either base', async () => {

@@ -5,6 +5,7 @@
 #include <exception>
 #include <map>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "asset/check/pointer.h"
@@ -14,6 +15,8 @@
 
 namespace telar::asset {
 namespace {
+
+constexpr std::string_view KTX2 = "image/ktx2";
 
 std::uint64_t texelBytesOf(const ImageHeader& header) {
   return std::uint64_t{header.width} * header.height * header.texelBytes;
@@ -29,6 +32,16 @@ std::uint64_t bytesOf(const ImageHeader& header, ImageUse use) {
 constexpr unsigned DECODERS_MAX = 4;
 /// Beside a scene: one core is left to what goes on with it, and scenes of several pictures may be on their way.
 constexpr unsigned LATER_DECODERS_MAX = 2;
+
+/// A browser decodes KTX2 where a texture has it by KHR_texture_basisu, and there nothing else: it shows neither.
+void checkSource(const std::string& mimeType, ImageUse use) {
+  const bool isKtx2 = mimeType == KTX2;
+  const auto refuse = [](const std::string& what) {
+    throw Error("E_IMAGE_FORMAT", what + ", which browsers do not show; export the model again");
+  };
+  if (isKtx2 && use.otherwise) refuse("the image is KTX2, and a texture has it without KHR_texture_basisu");
+  if (!isKtx2 && use.byBasisu) refuse("the image is " + mimeType + ", and a texture has it by KHR_texture_basisu");
+}
 
 /// A limit, a lack of memory and a resolver that failed are no property of the image.
 bool isOfImage(const Error& error) { return error.code.starts_with("E_"); }
@@ -97,7 +110,7 @@ LoadedImages ImageLoader::load(std::vector<ImageUse> uses) const {
   for (std::size_t i = 0; i < files.size(); ++i) {
     from_.cancel.check();
     if (uses[i].ways() > 0) {
-      tolerating(i, out.missing, [&] { files[i] = open(i); });
+      tolerating(i, out.missing, [&] { files[i] = open(i, uses[i]); });
     } else if (canonical(static_cast<int>(i)) == static_cast<int>(i)) {
       probeUnused(i);
     }
@@ -146,7 +159,7 @@ LoadedImages ImageLoader::load(std::vector<ImageUse> uses) const {
   return out;
 }
 
-ImageLoader::File ImageLoader::open(std::size_t image) const {
+ImageLoader::File ImageLoader::open(std::size_t image, ImageUse use) const {
   const ImageSource& source = from_.document.images[image];
   const std::string where = pointer("images", image);
   File out;
@@ -156,7 +169,11 @@ ImageLoader::File ImageLoader::open(std::size_t image) const {
   } else {
     out.bytes = from_.resources.view(source.bufferView);
   }
-  out.header = at(image, [&] { return readImageHeader(out.bytes, from_.limits); });
+  out.header = at(image, [&] {
+    ImageHeader header = readImageHeader(out.bytes, from_.limits);
+    checkSource(header.mimeType, use);
+    return header;
+  });
   // A URI need not give a type; an image in a buffer view must, and the right one.
   const bool embedded = source.bufferView >= 0;
   if (source.mimeType != out.header.mimeType && (embedded || !source.mimeType.empty())) {
@@ -192,7 +209,7 @@ std::vector<std::size_t> ImageLoader::firstOfSameBytes(const std::vector<File>& 
 /// is decoded now, and the others with it, so that of several that are damaged the first is told.
 bool ImageLoader::mayWait(const std::vector<File>& files) const {
   return from_.fileOwner && !from_.tolerant &&
-         std::ranges::none_of(files, [](const File& file) { return file.header.mimeType == "image/ktx2"; });
+         std::ranges::none_of(files, [](const File& file) { return file.header.mimeType == KTX2; });
 }
 
 /// Keeps the bytes of an image: with the model's file, or on their own.

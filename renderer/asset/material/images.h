@@ -17,9 +17,10 @@ struct LoadedImages {
   std::vector<std::size_t> first;
 };
 
-/// How materials read an image; an image that is read both ways is uploaded twice.
+/// How materials read an image, one that is read both ways is uploaded twice; and how textures have it.
 struct ImageUse {
   bool color = false, data = false;
+  bool byBasisu = false, otherwise = false;  ///< by KHR_texture_basisu, or not
   unsigned ways() const { return unsigned{color} + unsigned{data}; }
   void add(ImageUse other) { color |= other.color, data |= other.data; }
 };
@@ -44,7 +45,7 @@ class ImageLoader {
     std::span<const std::byte> bytes;
     ImageHeader header;
   };
-  File open(std::size_t image) const;
+  File open(std::size_t image, ImageUse use) const;
   std::vector<std::size_t> firstOfSameBytes(const std::vector<File>& files) const;
   bool mayWait(const std::vector<File>& files) const;
   std::shared_ptr<const void> ownerOf(File& file) const;

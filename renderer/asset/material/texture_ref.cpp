@@ -44,15 +44,26 @@ float clampedFactor(double value, double low, double high, const std::string& wh
   return toFloat(out);
 }
 
+TextureSource sourceOf(const tinygltf::Texture& texture) {
+  const auto sourceBy = [&](const char* name) {
+    const auto extension = texture.extensions.find(name);
+    return extension == texture.extensions.end() ? -1 : extension->second.Get("source").GetNumberAsInt();
+  };
+  if (const int image = sourceBy("KHR_texture_basisu"); image >= 0) return {image, true};
+  if (const int image = sourceBy("EXT_texture_webp"); image >= 0) return {image, false};
+  return {texture.source, false};
+}
+
 TextureRef TextureReader::read(int texture, int texCoord, const tinygltf::Value* transform, const std::string& where) {
   TextureRef out;
-  out.image = imageOf(texture);
+  const auto& source = document_.model.textures[static_cast<std::size_t>(texture)];
+  out.image = sourceOf(source).image;
   if (out.image < 0) {
     warnings_.add("W_TEXTURE", "the texture has no image that telar reads and is not drawn",
                   pointer("textures", texture));
     return {};
   }
-  out.sampler = samplerOf(document_.model.textures[static_cast<std::size_t>(texture)].sampler);
+  out.sampler = samplerOf(source.sampler);
   out.texCoord = texCoord;
   if (transform) applyTransform(*transform, out);
   if (out.texCoord >= UV_SETS) {
@@ -69,16 +80,6 @@ TextureRef TextureReader::read(const tinygltf::Value& extension, const char* key
   const bool transformed = info.Has("extensions") && info.Get("extensions").Has("KHR_texture_transform");
   const tinygltf::Value* transform = transformed ? &info.Get("extensions").Get("KHR_texture_transform") : nullptr;
   return read(info.Get("index").GetNumberAsInt(), texCoord, transform, where + "/" + key);
-}
-
-int TextureReader::imageOf(int texture) const {
-  const auto& source = document_.model.textures[static_cast<std::size_t>(texture)];
-  // In the order in which three.js asks them.
-  for (const char* name : {"KHR_texture_basisu", "EXT_texture_webp"}) {
-    const auto extension = source.extensions.find(name);
-    if (extension != source.extensions.end()) return extension->second.Get("source").GetNumberAsInt();
-  }
-  return source.source;
 }
 
 Sampler TextureReader::samplerOf(int index) {

@@ -30,6 +30,13 @@ const EXPECTED = {
       ['W_TEXTURE', '/images/3'],
     ],
   ],
+  'broken-sources': [
+    'E_IMAGE_FORMAT',
+    [
+      ['W_TEXTURE', '/images/0'],
+      ['W_TEXTURE', '/images/1'],
+    ],
+  ],
   'broken-missing-files': [
     'E_URI_DENIED',
     [

@@ -77,5 +77,11 @@ TEST(Extensions, BasisuIsTakenBeforeWebpAndTheFallback) {
   EXPECT_EQ(errorOf(textured(texture)), "E_IMAGE_FORMAT at /images/1");
 }
 
+TEST(Extensions, BasisuTakesKtx2Alone) {
+  EXPECT_EQ(errorOf(textured({{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}})),
+            "E_IMAGE_FORMAT at /images/0");
+  EXPECT_EQ(errorOf(textured({{"source", 0}})), "");
+}
+
 }  // namespace
 }  // namespace telar::test
