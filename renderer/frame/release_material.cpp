@@ -70,7 +70,9 @@ std::shared_ptr<const Material> ReleaseMaterials::of(const Material& material, c
   auto read = std::make_shared<Material>(material);
   dropUnread(*read, three);
   if (three.textureTransform == ThreeTerms::THREE_TEXTURE_TRANSFORM_TSR)
-    forTextures(*read, [](TextureRef& texture) { turnFirst(texture.uvTransform); });
+    forTextures(*read, [](TextureRef& texture) {
+      if (!texture.placed) turnFirst(texture.uvTransform);
+    });
   if (three.textureCoordinates == ThreeTerms::THREE_TEXTURE_COORDINATES_FIRST_MAP) shareCoordinates(*read, secondUvs);
   kept = std::move(read);
   return kept;

@@ -43,6 +43,12 @@ export const GATE_CASES = [
   ...['gradient', 'lamps'].map((map) =>
     makeCase(`transmission-aliased-${map}`, 'transmission-two-sided', map, { ...SMALL, camera: 'quarter', quality: { samples: 1 } }),
   ),
+  // A matrix places the cloth, which no release takes apart.
+  makeCase('dressed-turned', 'texture-transform', 'lamps', {
+    ...SMALL,
+    camera: 'quarter',
+    materials: { '*': { preset: 'leather', scale: 4, rotation: 30, metresPerUv: [0.3, 0.1] } },
+  }),
   make('shadow-half', 'shadow-stage', [ambient, { ...SUN, position: [1.5, 3, 2], shadow: { ...SUN.shadow, intensity: 0.5 } }], 'quarter'),
   // The ring has no normals, and lies under itself.
   make('shadow-no-normals', 'shadow-stage', [ambient, { ...SUN, position: [0, 3, 0] }], 'quarter'),

@@ -95,13 +95,13 @@ export class ReleaseBrowser {
    * @param {object} input - As of Browser.draw().
    * @returns {Promise<Picture>} Kept from before, or drawn.
    */
-  async picture({ shot, settings, model, environment }) {
+  async picture({ shot, settings, model, environment, textures }) {
     const { stamp, edited } = this.#release;
     const texts = edited ? ['src', ...[...edited].flat()] : [];
-    const key = sha256(stamp, JSON.stringify([shot, settings]), model, environment ?? '', ...texts);
+    const key = sha256(stamp, JSON.stringify(textures ? [shot, settings, textures] : [shot, settings]), model, environment ?? '', ...texts);
     if (!this.#kept[key]) {
       this.#browser ??= this.start();
-      this.#kept[key] = await drawPicture(await this.#browser, { shot, settings, model, environment });
+      this.#kept[key] = await drawPicture(await this.#browser, { shot, settings, model, environment, textures });
       if (++this.#unlisted >= LIST_AFTER) this.#writeList();
     }
     return this.#kept[key];

@@ -19,17 +19,28 @@ export const GATED_REVISIONS = families()
 /** What `npm test` draws: the environment, layers, direct light with highlights, shadows, and glass. */
 export const FAST = ['env-lamps', 'everything', 'light-directional', 'shadow-spot', 'transmission-color'];
 
+/** The first release that reads an index of refraction of 0 as a large one; before it, what such glass refracts is no number. */
+const IOR_0_SINCE = 184;
+
+/** What a release cannot show of a model, or telar as it. @type {Record<string, (revision: number) => boolean>} */
+const UNSHOWN = {
+  // Where no program compiles there is nothing to compare.
+  'morph-colors': (revision) => termsOfRevision(revision).morphColors === 'no-program',
+  // Mesa rounds what vertices move by to half floats there; telar moves them before it knows the release.
+  morph: (revision) => termsOfRevision(revision).samplerPrecision === 'lowp',
+  'ior-0': (revision) => revision < IOR_0_SINCE,
+  // No number along silhouettes, which is drawn black.
+  anisotropy: (revision) => termsOfRevision(revision).anisotropicVisibility === 'unbounded',
+};
+
 /**
  * @param {number} revision
  * @returns {(item: import('../parity/cases.mjs').Case) => boolean} Whether this release can draw a case, and telar as it.
  */
 export const isShown =
   (revision) =>
-  ({ name, shot, settings }) =>
-    // Where no program compiles there is nothing to compare.
-    !(name === 'morph-colors' && termsOfRevision(revision).morphColors === 'no-program') &&
-    // Mesa rounds what vertices move by to half floats there; telar moves them before it knows the release.
-    !(name === 'morph' && termsOfRevision(revision).samplerPrecision === 'lowp') &&
+  ({ name, traits = [name], shot, settings }) =>
+    !traits.some((trait) => UNSHOWN[trait]?.(revision)) &&
     // telar has the default of three.js alone, PCFShadowMap.
     settings === undefined &&
     !(revision < TONE_MAPPINGS[shot.toneMapping]?.since);

@@ -270,6 +270,7 @@ export const SLOT_TERMS = [
       { from: '0.184.0', what: 'and 16-bit RGBA' },
     ],
   },
+  { slot: 'index of refraction of 0', terms: [{ to: '0.183.2', what: 'as it is: where light passes through, the surface has no number and is not drawn' }, { from: '0.184.0', what: 'as 1000' }] },
   { slot: 'unlit', terms: [{ to: '0.155.0', what: 'as today' }, { from: '0.156.0', to: '0.156.0', what: 'GLTFLoader fails at a colour of an unlit material' }, { from: '0.156.1', what: 'as today' }] },
   { slot: 'sorting', key: 'sorting', terms: [{ to: '0.151.3', what: "by depth of the object's origin, z / w" }, { from: '0.152.0', to: '0.165.0', what: 'by z / w of the middle of its bounding sphere; that of a skinned or instanced mesh before it moves, to 0.152.2: what lies behind the camera counts as the farthest' }, { from: '0.166.0', what: 'by z of that in clip space' }] },
   { slot: 'bump maps', key: 'bump', terms: [{ to: '0.158.0', what: 'EXT_materials_bump is not read' }, { from: '0.159.0', what: 'read' }] },

@@ -8,6 +8,7 @@
  *   shot has an environment.
  * @property {object} shot - Resolved shot.
  * @property {'uncompressed'} [textures] - Keeps three.js from transcoding KTX2 to a GPU format, which loses a little.
+ * @property {string[]} [traits] - What decides whether an older release of three.js shows the model: test/families/gate.mjs. The case's name unless given.
  * @property {'none'} [failOn] - As telar's option: the file has faults that three.js draws without.
  * @property {boolean} [fast] - Part of the subset that `npm test` draws.
  * @property {boolean} [extended] - Drawn by `--all` only: shows nothing that another case does not.

@@ -106,6 +106,14 @@ function shadingOf(c, name) {
   return { base: c.of(BASES), ...Object.fromEntries(changed.map(([slot, terms]) => [slot, c.of(terms)])) };
 }
 
+/** What decides whether older releases of three.js show a model: test/families/gate.mjs. */
+const TRAITS = {
+  morph: ({ meshes }) => meshes.some(({ primitives }) => primitives.some(({ targets }) => targets)),
+  'morph-colors': ({ meshes }) => meshes.some(({ primitives }) => primitives.some(({ targets }) => targets?.some((target) => target.COLOR_0 !== undefined))),
+  'ior-0': ({ materials }) => materials.some(({ extensions }) => extensions?.KHR_materials_ior?.ior === 0),
+  anisotropy: ({ materials }) => materials.some(({ extensions }) => extensions?.KHR_materials_anisotropy),
+};
+
 /**
  * @param {number} seed - Integer.
  * @param {string} [shading] - Of the shot, or "terms": any terms of the principled shadings.
@@ -142,7 +150,12 @@ export async function randomCase(seed, shading = 'three') {
     Object.assign(settings, { look: c.of(Object.keys(LOOKS)), camera: {} });
   }
   const name = `random-${shading}-${seed}`;
-  const ofModel = { name, model: `random${isCloth ? '-cloth' : ''}:${seed}`, textures: 'uncompressed' };
+  const ofModel = {
+    name,
+    model: `random${isCloth ? '-cloth' : ''}:${seed}`,
+    textures: 'uncompressed',
+    traits: Object.keys(TRAITS).filter((trait) => TRAITS[trait](model)),
+  };
   return { ...ofModel, environment, shot: shot(settings, boundsOf(model)) };
 }
 

@@ -207,7 +207,7 @@ class Dresser {
       texture.image += images;
       texture.texCoord = 0;
       texture.uvTransform = glm::mat3(glm::dmat3(texture.uvTransform) * to);
-      texture.hasTransform = true;
+      texture.hasTransform = texture.placed = true;
     }
   }
 

@@ -22,6 +22,7 @@ struct TextureRef {
   int texCoord = 0;             ///< 0 or 1, after KHR_texture_transform's override
   glm::mat3 uvTransform{1.0f};  ///< KHR_texture_transform as three.js builds it: uv' = uvTransform * (u, v, 1)
   bool hasTransform = false;
+  bool placed = false;  ///< uvTransform is the matrix of a cloth on a garment: no release takes it apart
   explicit operator bool() const { return image >= 0; }
 };
 

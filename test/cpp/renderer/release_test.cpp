@@ -75,6 +75,16 @@ TEST(ReleaseMaterials, ATransformTurnsBeforeItScales) {
   }
 }
 
+TEST(ReleaseMaterials, TheMatrixOfAClothStands) {
+  Material material;
+  material.normalTexture = turnedTexture();
+  material.normalTexture.placed = true;
+  const auto read = ReleaseMaterials().of(material, Primitive(),
+                                          termsWith(&Terms::textureTransform, Terms::THREE_TEXTURE_TRANSFORM_TSR));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->normalTexture.uvTransform, material.normalTexture.uvTransform);
+}
+
 TEST(ReleaseMaterials, AllMapsHaveTheCoordinatesOfTheFirst) {
   Material material;
   material.normalTexture.image = material.emissiveTexture.image = material.occlusionTexture.image = 0;
