@@ -61,7 +61,7 @@ test('shots have every kind of light, with shadows and without, every kind of ba
   for (const has of [({ materials }) => Object.keys(materials).length > 0, ({ metering }) => metering, ({ lens }) => lens, ({ pose }) => pose])
     assert.ok(shots.some(has));
   assert.ok(shots.some(({ look }) => look !== 'none'));
-  assert.ok(lights.some(({ shadow }) => shadow && shadow.left !== -shadow.right));
+  assert.ok(lights.some(({ shadow }) => shadow?.right !== undefined && shadow.left !== -shadow.right));
 });
 
 test('"terms" is any term of every slot, on either base', async () => {

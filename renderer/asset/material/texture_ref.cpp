@@ -36,6 +36,19 @@ void applyTransform(const tinygltf::Value& transform, TextureRef& out) {
                               toFloat(pair("offset", 0, 0)), toFloat(pair("offset", 0, 1)), 1.0f);  // column 2
 }
 
+/// The image of a texture: of several that which three.js asks for first.
+void takeImage(const tinygltf::Texture& texture, TextureRef& out) {
+  const auto takeFrom = [&](const char* name) {
+    const auto extension = texture.extensions.find(name);
+    if (extension == texture.extensions.end()) return false;
+    out.image = extension->second.Get("source").GetNumberAsInt();
+    return true;
+  };
+  out.image = texture.source;
+  out.basisu = takeFrom("KHR_texture_basisu");
+  if (!out.basisu) takeFrom("EXT_texture_webp");
+}
+
 }  // namespace
 
 float clampedFactor(double value, double low, double high, const std::string& where, Warnings& warnings) {
@@ -44,20 +57,10 @@ float clampedFactor(double value, double low, double high, const std::string& wh
   return toFloat(out);
 }
 
-TextureSource sourceOf(const tinygltf::Texture& texture) {
-  const auto sourceBy = [&](const char* name) {
-    const auto extension = texture.extensions.find(name);
-    return extension == texture.extensions.end() ? -1 : extension->second.Get("source").GetNumberAsInt();
-  };
-  if (const int image = sourceBy("KHR_texture_basisu"); image >= 0) return {image, true};
-  if (const int image = sourceBy("EXT_texture_webp"); image >= 0) return {image, false};
-  return {texture.source, false};
-}
-
 TextureRef TextureReader::read(int texture, int texCoord, const tinygltf::Value* transform, const std::string& where) {
   TextureRef out;
   const auto& source = document_.model.textures[static_cast<std::size_t>(texture)];
-  out.image = sourceOf(source).image;
+  takeImage(source, out);
   if (out.image < 0) {
     warnings_.add("W_TEXTURE", "the texture has no image that telar reads and is not drawn",
                   pointer("textures", texture));

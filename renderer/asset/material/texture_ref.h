@@ -10,13 +10,6 @@ constexpr double NORMAL_SCALE_MAX = 1e4;
 /// `value` within low..high; W_RANGE at `where` when that changed it.
 float clampedFactor(double value, double low, double high, const std::string& where, Warnings& warnings);
 
-/// Where a texture has its image from: what three.js takes first, where there are several.
-struct TextureSource {
-  int image = -1;       ///< of the document's, -1 = none that telar reads
-  bool basisu = false;  ///< by KHR_texture_basisu, whose images are KTX2; others are not
-};
-TextureSource sourceOf(const tinygltf::Texture& texture);
-
 /// Reads the uses that materials make of textures. Both references outlive it.
 class TextureReader {
  public:

@@ -6,7 +6,6 @@
 #include "asset/check/pointer.h"
 #include "asset/document/extension_value.h"
 #include "asset/material/material.h"
-#include "asset/material/texture_ref.h"
 #include "asset/pose/animation.h"
 #include "asset/pose/place.h"
 #include "asset/pose/skins.h"
@@ -205,13 +204,8 @@ void Assembler::loadImages() {
     for (const TextureUse& use : texturesOf(scene_.materials[i])) {
       ImageUse& image = uses[static_cast<std::size_t>(use.texture->image)];
       (use.color ? image.color : image.data) = true;
+      (use.texture->basisu ? image.byBasisu : image.otherwise) = true;
     }
-  }
-  for (const tinygltf::Texture& texture : model().textures) {
-    const TextureSource source = sourceOf(texture);
-    if (source.image < 0) continue;
-    ImageUse& image = uses[static_cast<std::size_t>(canonical[static_cast<std::size_t>(source.image)])];
-    (source.basisu ? image.byBasisu : image.otherwise) = true;
   }
   LoadedImages loaded = loader.load(std::move(uses));
   for (Material& material : scene_.materials) {

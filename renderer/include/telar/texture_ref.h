@@ -17,7 +17,8 @@ struct Sampler {
 
 /// One use of a texture by a material.
 struct TextureRef {
-  int image = -1;  ///< index into Scene::images, -1 = no texture
+  int image = -1;       ///< index into Scene::images, -1 = no texture
+  bool basisu = false;  ///< has it by KHR_texture_basisu
   Sampler sampler;
   int texCoord = 0;             ///< 0 or 1, after KHR_texture_transform's override
   glm::mat3 uvTransform{1.0f};  ///< KHR_texture_transform as three.js builds it: uv' = uvTransform * (u, v, 1)
