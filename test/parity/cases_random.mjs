@@ -106,12 +106,15 @@ function shadingOf(c, name) {
   return { base: c.of(BASES), ...Object.fromEntries(changed.map(([slot, terms]) => [slot, c.of(terms)])) };
 }
 
+const targetsOf = ({ meshes }) => meshes.flatMap(({ primitives }) => primitives.flatMap(({ targets = [] }) => targets));
+const extensionsOf = ({ materials }) => materials.map(({ extensions = {} }) => extensions);
+
 /** What decides whether older releases of three.js show a model: test/families/gate.mjs. */
 const TRAITS = {
-  morph: ({ meshes }) => meshes.some(({ primitives }) => primitives.some(({ targets }) => targets)),
-  'morph-colors': ({ meshes }) => meshes.some(({ primitives }) => primitives.some(({ targets }) => targets?.some((target) => target.COLOR_0 !== undefined))),
-  'ior-0': ({ materials }) => materials.some(({ extensions }) => extensions?.KHR_materials_ior?.ior === 0),
-  anisotropy: ({ materials }) => materials.some(({ extensions }) => extensions?.KHR_materials_anisotropy),
+  morph: (model) => targetsOf(model).length > 0,
+  'morph-colors': (model) => targetsOf(model).some(({ COLOR_0 }) => COLOR_0 !== undefined),
+  'ior-0': (model) => extensionsOf(model).some(({ KHR_materials_ior: layer }) => layer?.ior === 0),
+  anisotropy: (model) => extensionsOf(model).some(({ KHR_materials_anisotropy: layer }) => layer),
 };
 
 /**

@@ -12,6 +12,9 @@ const FOLDERS = { 'shared:': SHARED_MODELS, 'bundled:': ASSETS };
 /** Environments by name, all of them: the browser knows one that it has by its array. */
 const environments = new Map();
 
+/** Random scenes by name: each older release draws them again. */
+const scenes = new Map();
+
 /** The last model: cases of one model follow each other. */
 let last = { name: '', bytes: undefined };
 
@@ -34,7 +37,8 @@ async function loadModel(name, model) {
   const file = fileOf(model);
   if (file) return file;
   const random = /^random(-cloth)?:(\d+)$/.exec(model);
-  if (random) return randomScene(Number(random[2]), random[1] !== undefined);
+  if (random && !scenes.has(model)) scenes.set(model, randomScene(Number(random[2]), random[1] !== undefined));
+  if (random) return scenes.get(model);
   if (!MODELS[model]) throw new Error(`case ${name}: test/fixtures has no model ${model}`);
   if (last.name !== model) last = { name: model, bytes: MODELS[model]() };
   return last.bytes;
