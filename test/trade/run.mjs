@@ -83,7 +83,7 @@ async function machineHere() {
   }
 }
 
-const { fit, heldOut } = tradeScenes(path.join(OUT, 'skies'));
+const { fit, heldOut } = await tradeScenes(path.join(OUT, 'inputs'));
 /** What is kept of a scene. */
 const rowsOf = ({ model, light, shot }) => {
   const own = store.rows().filter((row) => row.model === model && row.light === light && row.size === shot.size.width && row.shading === shot.shading);

@@ -2,6 +2,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { benchLights, clothModels, fileModels, scenesOf } from '../../js/trade/index.mjs';
+import { jacket, skirt } from '../fixtures/garments/index.mjs';
 import { ENVIRONMENTS } from '../fixtures/index.mjs';
 
 /** Scenes that the predictions are made from, and others that they are judged by: no cloth and no model is in both. */
@@ -14,6 +15,25 @@ const KNOWN = [
   ...['athletic-mesh', 'wool-felt', 'tweed', 'patent-leather', 'rib-knit', 'chiffon', 'fleece', 'quilted-nylon'],
 ];
 const HELD_OUT = ['towel', 'silk', 'leather', 'tulle', 'twill', 'linen', 'corduroy', 'seersucker', 'boucle', 'suede', 'organza'];
+
+/** A cloth of each kind of surface, for garments: times go by triangles, and the drape always has as many. */
+const WORN = { fit: ['waxed-cotton', 'wool-felt', 'satin', 'lace', 'sequin-thread'], heldOut: ['leather', 'linen', 'corduroy'] };
+
+const wearing = (garments, cloths) =>
+  garments.flatMap((garment) => cloths.map((preset) => ({ ...garment, name: `${garment.name} in ${preset}`, shot: { materials: { '*': { preset } } } })));
+
+/** The garments of test/fixtures as files. @param {string} folder */
+async function garmentsIn(folder) {
+  mkdirSync(folder, { recursive: true });
+  const files = await Promise.all(
+    Object.entries({ jacket, skirt }).map(async ([name, make]) => {
+      const file = path.join(folder, `${name}.glb`);
+      writeFileSync(file, await make());
+      return file;
+    }),
+  );
+  return fileModels(files);
+}
 
 /** The skies of test/fixtures as files. @param {string} folder @returns {{name: string, shot: object}[]} */
 function skiesIn(folder) {
@@ -33,8 +53,9 @@ const mixed = (scenes) =>
     (a, b) => place(JSON.stringify([a.model, a.light, a.shot.size, a.shot.shading])) - place(JSON.stringify([b.model, b.light, b.shot.size, b.shot.shading])),
   );
 
-/** @param {string} folder for the skies @returns {{fit: object[], heldOut: object[]}} scenes of js/trade */
-export function tradeScenes(folder) {
+/** @param {string} folder for skies and garments @returns {Promise<{fit: object[], heldOut: object[]}>} scenes of js/trade */
+export async function tradeScenes(folder) {
+  const [jackets, skirts] = (await garmentsIn(folder)).map((garment) => [garment]);
   const lights = [...benchLights(['studio', 'sun']), ...skiesIn(folder)];
   const [studio, sun, soft, sunny, overcast] = lights;
   const cross = (models, some, sizes, shadings = ['fabric']) => scenesOf({ models, lights: some, sizes, shadings });
@@ -49,6 +70,10 @@ export function tradeScenes(folder) {
       ...known.flatMap((model, i) => (i % 3 === 0 ? cross([model], [turned(lights, i)], [1024]) : [])),
       ...cross(known.slice(0, 8), [overcast], [256]),
       ...cross(known.slice(0, 8), [studio], [256], ['three']),
+      ...cross(known.slice(0, 4), [sunny], [512], ['three']),
+      ...cross(wearing(jackets, WORN.fit), [studio, sun, sunny], [256]),
+      ...wearing(skirts, WORN.fit).flatMap((model, i) => cross([model], [turned(lights, i)], [512])),
+      ...[jackets, skirts].flatMap((garment, i) => [...cross(garment, [studio], [256 << i], ['three']), ...cross(garment, [sun], [512 >> i], ['three'])]),
     ]),
     heldOut: mixed([
       ...others.flatMap((model, i) => [
@@ -57,6 +82,8 @@ export function tradeScenes(folder) {
       ]),
       ...cross(shirt, [studio, sunny], [256, 512]),
       ...cross(others.slice(0, 3), [studio], [256], ['three']),
+      ...cross(shirt, [studio], [256, 512], ['three']),
+      ...wearing(shirt, WORN.heldOut).flatMap((model, i) => cross([model], [turned(lights, i)], [256])),
     ]),
   };
 }
