@@ -33,8 +33,9 @@ LitPlan planLit(const Scene& scene, const Shot& asked, std::span<const std::byte
   } else if (!suns.list.empty()) {
     lit.warning = rangeWarning(suns.share);
   }
-  orderTriangles(lit.plan, cancel);
   timer.lap("environment");
+  orderTriangles(lit.plan, cancel);
+  timer.lap("plan");
   return lit;
 }
 

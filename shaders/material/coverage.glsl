@@ -5,8 +5,8 @@
 //
 // At an edge that can be seen, the first n samples of a pixel are covered, or the last n: WebGL has no other masks
 // (js/three/shading/coverage.mjs). From far, where the share is all that is known, what is there in part is blended over what
-// lies behind it, after all else of the model and without depth. In any order, the layers together cover the right share; only
-// which layer's colour counts more depends on the order.
+// lies behind it, after all else of the model and without depth, triangles far to near. In any order, the layers together cover the
+// right share; only which layer's colour counts more depends on the order.
 // What is blended cannot be seen through glass. Where a model has glass, far pixels get masks too, and each half of a pixel has a
 // threshold of its own. Such a mask must take every sample equally often, and the masks of layers over each other must be
 // independent.
@@ -56,6 +56,7 @@ float shareOfEdge(float alpha, float cutoff) {
 const int COVERAGE_MASKED = 0;   // all that is there, by masks
 const int COVERAGE_WHOLE = 1;    // edges, and where nothing is missing
 const int COVERAGE_BLENDED = 2;  // the rest, blended
+const int COVERAGE_SHARES = 3;   // both, blended: of a net of which next to nothing is whole
 
 // Shares that count as the whole, and as nothing.
 const float WHOLE_SHARE = 0.99;
@@ -66,19 +67,41 @@ struct Coverage {
   float alpha;  // straight, of what is blended
 };
 
+// How much finer the levels are that hold the share than the sampler's: threads about as wide as a pixel are seen, and beat with
+// the pixels as they do for paths.
+const float LEVELS_FINER = 1.5;
+
+// Two levels are mixed only where one gives way to the other: on llvmpipe one alone is read in half the time.
+float finerLevel(float level) {
+  float finer = max(level - LEVELS_FINER, 1.0);
+  return floor(finer) + saturate(4.0 * fract(finer) - 1.5);
+}
+
+// Share of a pixel that is there: the mean of the middles of its quarters.
+// level  the sampler's; from 1 on levels hold shares
+float shareThere(float level) {
+  vec2 across = 0.25 * dFdx(vBaseColorUv);
+  vec2 up = 0.25 * dFdy(vBaseColorUv);
+  float finer = finerLevel(level);
+  float left = textureLod(baseColorMap, vBaseColorUv - across - up, finer).a + textureLod(baseColorMap, vBaseColorUv - across + up, finer).a;
+  float right = textureLod(baseColorMap, vBaseColorUv + across - up, finer).a + textureLod(baseColorMap, vBaseColorUv + across + up, finer).a;
+  return 0.25 * (left + right);
+}
+
 // cutoff  of the map's alpha
 Coverage coverageFrom(float cutoff) {
   uint hash = layerHash();
   float edge = shareOfEdge(texture(baseColorMap, vBaseColorUv).a, cutoff);
   float level = sampledLevel(vBaseColorUv, vec2(textureSize(baseColorMap, 0)));
-  float there = textureLod(baseColorMap, vBaseColorUv, max(level, 1.0)).a;
+  float there = shareThere(level);
   if (level < 0.5) return Coverage(coverageDraw == COVERAGE_BLENDED ? 0 : maskOfEdge(mix(edge, there, level), hash), 1.0);
   float share = mix(edge, there, min(level, 1.0));
   if (coverageDraw == COVERAGE_MASKED) return Coverage(maskOfShare(share, hash), 1.0);
   bool isWhole = share > WHOLE_SHARE;
   int all = firstSamples(coverageSamples);
   if (coverageDraw == COVERAGE_WHOLE) return Coverage(isWhole ? all : 0, 1.0);
-  return Coverage(isWhole || share < NO_SHARE ? 0 : all, share);
+  bool isDrawn = isWhole && coverageDraw == COVERAGE_BLENDED;
+  return Coverage(isDrawn || share < NO_SHARE ? 0 : all, share);
 }
 
 // return  alpha of the fragment

@@ -23,14 +23,29 @@ const WORN = {
   instances: ['instances', { 0: { preset: 'nylon-shell', color: [0.6, 0.16, 0.02], scale: 20 } }],
 };
 
-export const CASES = Object.entries(WORN).flatMap(([name, [model, materials, rest]]) =>
-  ['three', 'fabric'].map((shading) =>
-    makeCase(
-      `materials-${name}-${shading}`,
-      model,
-      null,
-      { camera: CAMERAS.quarter, lights: [LIGHTS.directional, LIGHTS.ambient], shading, ...rest, materials },
-      name === 'denim-turned',
+/** Sees the bundled drape, in whose folds up to six layers lie over each other. */
+const DRAPE = { position: [0.4, 0.55, 0.85], target: [0, 0.2, 0], near: 0.4, far: 2 };
+const ROSE = [0.7, 0.4, 0.45];
+
+/** Nets and sheer cloth in folds, whose triangles the shading "fabric" draws far to near. */
+const FOLDED = {
+  'chiffon-folds': ['bundled:fabrics.glb', { '*': { preset: 'chiffon', color: ROSE } }, { camera: { ...DRAPE, projection: 'perspective', fovY: 30 } }],
+  'tulle-folds': ['bundled:fabrics.glb', { '*': { preset: 'tulle', color: ROSE } }, { camera: { ...DRAPE, projection: 'perspective', fovY: 30 } }],
+  'mesh-folds': ['bundled:fabrics.glb', { '*': { preset: 'athletic-mesh', color: NAVY } }, { camera: { ...DRAPE, projection: 'orthographic', height: 0.5 } }],
+  'chiffon-skin': ['skin', { '*': { preset: 'chiffon', color: ROSE } }, { pose: { animation: 0, time: 0.85 } }],
+};
+
+const wornCases = (worn, shadings, fast) =>
+  Object.entries(worn).flatMap(([name, [model, materials, rest]]) =>
+    shadings.map((shading) =>
+      makeCase(
+        `materials-${name}-${shading}`,
+        model,
+        null,
+        { camera: CAMERAS.quarter, lights: [LIGHTS.directional, LIGHTS.ambient], shading, ...rest, materials },
+        name === fast,
+      ),
     ),
-  ),
-);
+  );
+
+export const CASES = [...wornCases(WORN, ['three', 'fabric'], 'denim-turned'), ...wornCases(FOLDED, ['fabric'], 'mesh-folds')];

@@ -83,12 +83,16 @@ times metalness; with a weave map in the same place also how much of the metal l
 other materials the metal has the mean colour, as before.
 
 **Holes** (\`alphaMode\` MASK with a base colour texture): lace, tulle, mesh. Mip levels hold the share of a texel that is there, and the
-colour of that part alone; the edge of level 0 is drawn as wide as a pixel. The share becomes halves of the pixel's samples, by a noise
-that is even over 2 x 2 pixels, so that cloth covers as much of a picture from far as from near; with \`samples: 1\`, or on a GPU without
-sample masks, it becomes whole pixels. Layers that lie over each other have noises of their own (Enderton et al. 2010, Wyman & McGuire
-2017), told apart by their distance from the camera where it differs by more than 1/8192: two layers of a net that covers 0.36 cover
-0.59, three cover 0.74. The noise is seen as fine grain in quality \`standard\`; more \`samples\` average it. Nothing is sorted. A
-texture whose alpha nowhere reaches \`alphaCutoff\` draws nothing. Its shadow is that of the plain image, as in three.js. BLEND is drawn as it is elsewhere: sorted by object, which shows through itself in folds.
+colour of that part alone; the edge of level 0 is drawn as wide as a pixel. From far the share of a pixel is the mean of its quarters, each read
+1.5 levels finer than the sampler reads colours, so that threads about as wide as a pixel are seen. What is there in part is blended over
+what lies behind it: two layers of a net that covers 0.36 cover 0.59, three cover 0.74. Where a part of the model transmits, through which
+nothing blended is seen, the share becomes halves of the pixel's samples, by a noise that is even over 2 x 2 pixels; with \`samples: 1\`, or on a
+GPU without sample masks, it becomes whole pixels. Layers over each other have noises of their own then (Enderton et al. 2010, Wyman & McGuire
+2017), told apart by their distance from the camera where it differs by more than 1/8192; more \`samples\` average the grain. A
+texture whose alpha nowhere reaches \`alphaCutoff\` draws nothing. Its shadow is that of the plain image, as in three.js.
+
+**Folds** of nets, and of sheer cloth (BLEND), show what lies behind them: the triangles of a mesh are drawn far to near, by their middles, on the server and in
+the browser, which puts them in order anew where mesh or camera has moved. Meshes go one after the other, as in three.js; instances are drawn as the file has their triangles.
 
 **Weave maps.** Where less than a quarter of a thread falls into a pixel, the yarn on top gives the highlight; from half a thread on both sets
 of yarns do, as they lie on average, so that nothing shimmers. Without \`threadsPerUv\` the map's own mip levels decide. What a leaning yarn

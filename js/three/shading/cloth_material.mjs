@@ -5,6 +5,7 @@ import { drawPartlyCovered } from './coverage.mjs';
 import { shadingMaterialClass } from './material.mjs';
 import { featureDefines, termDefine } from './terms.mjs';
 import { bakedTexture, reliefAxis } from './texture_bake.mjs';
+import { drawFarToNear, isOrdered } from './triangle_order.mjs';
 
 /** Map, as its uniform and varying are named: its texture in the extension, the define of it, and of what it is a part. */
 const MAPS = Object.fromEntries(
@@ -117,12 +118,16 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
       super.onBeforeCompile(shader);
     }
 
-    /** Before each draw: what has changed since reaches the program, and maps that are new are made anew. */
-    onBeforeRender(renderer, scene, ...rest) {
+    /** Before each draw: what has changed since reaches the program, maps that are new are made anew, and triangles put in order. */
+    onBeforeRender(...draw) {
+      const [renderer, scene, , , object] = draw;
       const suns = sunColors(scene);
       if (suns.length !== this.suns.length) this.needsUpdate = true;
       this.suns = suns;
-      if (this.isFabricMaterial && makeMaps(this, { THREE, textureShaders, renderer })) drawPartlyCovered(this, [renderer, scene, ...rest]);
+      if (!this.isFabricMaterial) return this.textUniforms();
+      this.forceSinglePass = isOrdered(this, object);
+      if (this.forceSinglePass) drawFarToNear(THREE, draw);
+      if (makeMaps(this, { THREE, textureShaders, renderer })) drawPartlyCovered(this, draw);
       else this.textUniforms();
     }
 

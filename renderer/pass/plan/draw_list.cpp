@@ -207,6 +207,13 @@ void sortDraws(DrawList& draws) {
   }
 }
 
+/// Whether folds of a net or a sheer cloth are to show what lies behind them (js/three/shading/triangle_order.mjs).
+bool isOrdered(const DrawItem& item) {
+  return (item.blend || item.blendsCoverage) && item.key.shading == ShadingModel::kFabric && !item.key.transmission &&
+         !item.key.unlit && !item.key.debugOutput && !item.instances() &&
+         item.primitive->topology == Topology::kTriangles;
+}
+
 /// Cut-out cloth is drawn after all that is opaque, so that what is there in part is blended over it. Where something
 /// transmits, it stays: what is blended is not seen through glass.
 void blendCoverage(DrawList& draws) {
@@ -214,6 +221,7 @@ void blendCoverage(DrawList& draws) {
                                          [](const DrawItem& item) { return !item.key.alphaToCoverage; });
   for (auto item = cut; item != draws.opaque.end(); ++item) {
     item->blendsCoverage = true;
+    item->ordered = isOrdered(*item);
     draws.blended.push_back(*item);
   }
   draws.opaque.erase(cut, draws.opaque.end());
@@ -223,12 +231,6 @@ DrawItem oneSide(DrawItem item, bool back) {
   item.bothSides = item.key.doubleSided = false;
   item.key.flipSided = back;
   return item;
-}
-
-/// Whether folds of a sheer cloth are to show what lies behind them. One pass is what a browser shows, mesh by mesh.
-bool isOrdered(const DrawItem& item) {
-  return item.blend && item.key.fullDetail && item.key.shading == ShadingModel::kFabric && !item.key.transmission &&
-         !item.instances() && item.primitive->topology == Topology::kTriangles;
 }
 
 /// FramePlan::everyHole. One pass shows what a browser does.

@@ -21,9 +21,9 @@ struct DrawItem {
   const Material* material = nullptr;
   shader::VariantKey key;
   bool blend = false;           ///< alpha blended, without depth writes
-  bool ordered = false;         ///< of blend: its triangles are drawn far to near (triangle_order.h)
   bool blendsCoverage = false;  ///< drawn once more so, for what of a cut-out cloth is there in part
-  bool isPartial = false;       ///< of blendsCoverage: nothing of it is there as a whole
+  bool ordered = false;         ///< of both: its triangles are drawn far to near (triangle_order.h)
+  bool isPartial = false;       ///< of blendsCoverage: all of it is drawn so, and nothing once more
   bool bothSides = false;       ///< faces of either winding, in one call
   bool mirrored = false;        ///< the node's matrix reverses the winding
   bool ghost = false;           ///< of frame::Ghosts: it casts no shadow

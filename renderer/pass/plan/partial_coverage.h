@@ -4,8 +4,8 @@
 
 namespace telar::pass {
 
-/// Finds the draws of cut-out cloth that no pixel has as a whole: from far a net is there in part everywhere
-/// (material/coverage.glsl), and is drawn once, blended. Meshes that morph or have bones are not looked at.
+/// Finds the draws of cut-out cloth that no texel has as a whole at the sampler's level: from far a net is there in part
+/// almost everywhere (material/coverage.glsl), and is drawn once, blended. Meshes that morph or have bones are not looked at.
 /// @throws Error{X_CANCELLED}
 void findPartial(FramePlan& plan, const Scene& scene, const Shot& shot, const GpuScene& gpu, const CancelToken& cancel);
 

@@ -81,7 +81,7 @@ bool readsTransmission(const std::vector<DrawItem>* list) {
 }
 
 /// What a draw of cut-out cloth shows: of shaders/material/coverage.glsl.
-constexpr int COVERAGE_MASKED = 0, COVERAGE_WHOLE = 1, COVERAGE_BLENDED = 2;
+constexpr int COVERAGE_MASKED = 0, COVERAGE_WHOLE = 1, COVERAGE_BLENDED = 2, COVERAGE_SHARES = 3;
 
 }  // namespace
 
@@ -267,9 +267,9 @@ void SurfacePass::drawItem(const DrawItem& item, const SurfaceInputs& in) {
   if (item.key.alphaToCoverage) program.set("coverageDraw", item.blendsCoverage ? COVERAGE_WHOLE : COVERAGE_MASKED);
   if (!item.isPartial) draw();
   if (!item.blendsCoverage) return;
-  program.set("coverageDraw", COVERAGE_BLENDED);
+  program.set("coverageDraw", item.isPartial ? COVERAGE_SHARES : COVERAGE_BLENDED);
   blends(true);
-  if (!item.bothSides) return draw();
+  if (!item.bothSides || item.farToNear) return draw();
   // What faces away first, as three.js does: but for folds it lies behind.
   gl.Enable(GL_CULL_FACE);
   for (const GLenum hidden : {GL_FRONT, GL_BACK}) {

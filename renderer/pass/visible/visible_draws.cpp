@@ -1,6 +1,7 @@
 #include "pass/visible/visible_draws.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "pass/model/part_extents.h"
 #include "pass/plan/fragment_estimate.h"
@@ -75,7 +76,10 @@ void VisibleDraws::find(const FramePlan& plan, GpuScene& scene, const glm::ivec2
   std::vector<std::uint32_t> indices;
   if (mayLook(plan, size, samples) && pays(scene)) leaveOut(plan, scene, size, indices, cancel);
   for (const DrawItem& item : plan.draws.blended) {
-    if (item.farToNear) order(item, plan.camera, scene, size, indices);
+    if (!item.farToNear || draws_.contains(&item)) continue;
+    const FragmentEstimate estimate(*item.primitive, plan.camera.projection * plan.camera.view * item.node->world,
+                                    size.x, size.y);
+    order(item, *item.farToNear, estimate.atMost(scene.extents(*item.primitive).all), indices);
   }
   if (draws_.empty()) return;
   const gl::Functions& gl = context_.gl();
@@ -105,6 +109,10 @@ void VisibleDraws::leaveOut(const FramePlan& plan, GpuScene& scene, const glm::i
     count_.pixels += visible.pixels;
     count_.hiddenPixels += visible.hiddenPixels;
     count_.hidden += trianglesOf(*items[i]) - visible.parts.size();
+    if (items[i]->farToNear) {
+      order(*items[i], visible.parts, visible.pixels, indices);
+      continue;
+    }
     draws_[items[i]] = {indices.size() * sizeof(std::uint32_t), std::move(visible.parts), visible.pixels};
     indices.insert(indices.end(), visible.indices.begin(), visible.indices.end());
   }
@@ -113,16 +121,21 @@ void VisibleDraws::leaveOut(const FramePlan& plan, GpuScene& scene, const glm::i
   hidden_.release();
 }
 
-void VisibleDraws::order(const DrawItem& item, const frame::Camera& camera, GpuScene& scene, const glm::ivec2& size,
+void VisibleDraws::order(const DrawItem& item, const std::vector<std::uint32_t>& shown, double fragments,
                          std::vector<std::uint32_t>& indices) {
+  std::vector<bool> isShown(item.farToNear->size());
+  for (const std::uint32_t part : shown) isShown[part] = true;
+  std::vector<std::uint32_t> parts;
+  parts.reserve(shown.size());
+  std::copy_if(item.farToNear->begin(), item.farToNear->end(), std::back_inserter(parts),
+               [&isShown](std::uint32_t part) { return isShown[part]; });
   const std::vector<std::uint32_t>& own = item.primitive->indices;
   const std::size_t offset = indices.size() * sizeof(std::uint32_t);
-  for (const std::uint32_t part : *item.farToNear) {
+  for (const std::uint32_t part : parts) {
     for (std::uint32_t corner = 3 * part; corner < 3 * part + 3; ++corner)
       indices.push_back(own.empty() ? corner : own[corner]);
   }
-  const FragmentEstimate estimate(*item.primitive, camera.projection * camera.view * item.node->world, size.x, size.y);
-  draws_[&item] = {offset, *item.farToNear, estimate.atMost(scene.extents(*item.primitive).all)};
+  draws_[&item] = {offset, std::move(parts), fragments};
 }
 
 void VisibleDraws::release() {

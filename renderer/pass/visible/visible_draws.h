@@ -23,7 +23,7 @@ visibility::Faces facesOf(const DrawItem& item);
 /// Of the bound target. @pre  the GL tells where samples are
 visibility::SampleGrid gridOf(const gl::Functions& gl, const glm::ivec2& size);
 
-/// What a draw shows of its primitive: the triangles that own a sample, or all of them in an order of their own.
+/// What a draw shows of its primitive: the triangles that own a sample, or all of them, in the order of the draw.
 struct VisibleParts {
   std::size_t offset = 0;            ///< bytes into the buffer of indices
   std::vector<std::uint32_t> parts;  ///< of the primitive, as they are drawn
@@ -71,8 +71,8 @@ class VisibleDraws {
   /// @param indices  of the triangles that are left, appended
   void leaveOut(const FramePlan& plan, GpuScene& scene, const glm::ivec2& size, std::vector<std::uint32_t>& indices,
                 const CancelToken& cancel);
-  /// Of a draw whose triangles have an order. @param indices  appended
-  void order(const DrawItem& item, const frame::Camera& camera, GpuScene& scene, const glm::ivec2& size,
+  /// Those of a draw whose triangles have an order. @param shown  in any order; @param indices  theirs, appended
+  void order(const DrawItem& item, const std::vector<std::uint32_t>& shown, double fragments,
              std::vector<std::uint32_t>& indices);
   void release();
 

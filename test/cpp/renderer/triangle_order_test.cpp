@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/gtc/matrix_transform.hpp>
+#include <nlohmann/json.hpp>
+
 #include "renderer/cloth_images.h"
 
 /// What lies in front is seen in front, in whatever order a file has its triangles.
@@ -62,15 +65,21 @@ Material sheer() {
 
 class Order : public testing::TestWithParam<Projection> {};
 
-TEST_P(Order, OfSheerClothInPicturesOfSeveralPassesIsFarToNear) {
-  Shot shot = shotOfPasses(16);
+TEST_P(Order, OfSheerClothIsFarToNear) {
+  for (const int samples : {4, 16}) {
+    Shot shot = shotOfPasses(samples);
+    shot.camera.projection = GetParam();
+    const Frame right = draw(sceneOf(layers(false, false, 1), sheer()), shot);
+    const Frame wrong = draw(sceneOf(layers(true, false, 1), sheer()), shot);
+    EXPECT_GT(middleOf(right).y, middleOf(right).x + 40) << "the near one is green";
+    EXPECT_EQ(right.pixels, wrong.pixels);
+  }
+}
+
+TEST_P(Order, OfTheShadingThreeIsThatOfTheFile) {
+  Shot shot = shotOfPasses(4);
   shot.camera.projection = GetParam();
-  const Frame right = draw(sceneOf(layers(false, false, 1), sheer()), shot);
-  const Frame wrong = draw(sceneOf(layers(true, false, 1), sheer()), shot);
-  EXPECT_GT(middleOf(right).y, middleOf(right).x + 40) << "the near one is green";
-  EXPECT_EQ(right.pixels, wrong.pixels);
-  // One pass is what a browser shows: as the file has them.
-  shot = shotOfPasses(4);
+  shot.shading = ShadingModel::kThree;
   const glm::ivec2 first = middleOf(draw(sceneOf(layers(false, false, 1), sheer()), shot));
   const glm::ivec2 last = middleOf(draw(sceneOf(layers(true, false, 1), sheer()), shot));
   EXPECT_GT(first.y, first.x);
@@ -82,13 +91,13 @@ INSTANTIATE_TEST_SUITE_P(Cameras, Order, testing::Values(Projection::kPerspectiv
                            return test.param == Projection::kPerspective ? "perspective" : "orthographic";
                          });
 
-TEST(TriangleOrder, OnlyPicturesOfClothInSeveralPassesHaveOne) {
+TEST(TriangleOrder, OnlyClothHasOne) {
   const auto scene = sceneOf(layers(true, false, 1), sheer());
   const auto draws = [&](Shot shot) { return pass::planDraws(*scene, shot, Limits(), false).draws.blended; };
-  EXPECT_EQ(draws(shotOfPasses(16)).size(), 1u);
-  EXPECT_TRUE(draws(shotOfPasses(16))[0].ordered);
-  EXPECT_EQ(draws(shotOfPasses(4)).size(), 2u) << "back faces, then front faces";
-  EXPECT_FALSE(draws(shotOfPasses(4))[0].ordered);
+  for (const int samples : {4, 16}) {
+    EXPECT_EQ(draws(shotOfPasses(samples)).size(), 1u);
+    EXPECT_TRUE(draws(shotOfPasses(samples))[0].ordered);
+  }
   Material glass = sheer();
   glass.physical = true;
   glass.layers.transmissionFactor = 1;
@@ -96,27 +105,53 @@ TEST(TriangleOrder, OnlyPicturesOfClothInSeveralPassesHaveOne) {
   EXPECT_EQ(pass::planDraws(*pane, shotOfPasses(16), Limits(), false).draws.transmissive.size(), 2u);
   Shot three = shotOfPasses(16);
   three.shading = ShadingModel::kThree;
-  EXPECT_EQ(draws(three).size(), 2u);
+  EXPECT_EQ(draws(three).size(), 2u) << "back faces, then front faces";
+  EXPECT_FALSE(draws(three)[0].ordered);
   pass::FramePlan plan = pass::planDraws(*scene, shotOfPasses(16), Limits(), false);
   pass::orderTriangles(plan, CancelToken());
   EXPECT_EQ(*plan.draws.blended.at(0).farToNear, (std::vector<std::uint32_t>{2, 3, 0, 1}));
 }
 
-/// A net from far, whose sides that face away are blended before those that face the camera.
-TEST(TriangleOrder, OfNetsIsByTheSideThatIsSeen) {
+/// From far, where a net is there in part.
+TEST(TriangleOrder, OfNetsIsFarToNearWhicheverSideIsSeen) {
   Material net = sheer();
   net.alphaMode = AlphaMode::kMask;
   net.baseColorFactor.a = 1;
   net.baseColorTexture.image = 0;
-  const auto netOf = [&](bool nearFirst) {
-    auto scene = sceneOf(layers(nearFirst, true, 64), net);
+  const auto netOf = [&](bool nearFirst, bool turned) {
+    auto scene = sceneOf(layers(nearFirst, turned, 64), net);
     scene->images = std::vector<Image8>{netImage(64, 4, 0.4)};
     return scene;
   };
   const Shot shot = shotOfPasses(4, 2);
-  const Frame right = draw(netOf(false), shot), wrong = draw(netOf(true), shot);
-  EXPECT_GT(middleOf(right).y, middleOf(right).x + 40) << "the near one is green";
-  EXPECT_EQ(right.pixels, wrong.pixels);
+  for (const bool turned : {false, true}) {
+    const Frame right = draw(netOf(false, turned), shot), wrong = draw(netOf(true, turned), shot);
+    EXPECT_GT(middleOf(right).y, middleOf(right).x + 40) << "the near one is green";
+    EXPECT_EQ(right.pixels, wrong.pixels);
+  }
+}
+
+/// Triangles behind an opaque sheet are left out, and the others stay in order.
+TEST(TriangleOrder, OfWhatIsNotHidden) {
+  auto scene = sceneOf(layers(true, false, 1), sheer());
+  Primitive sheet = squareCloth(1);
+  sheet.material = 1;
+  scene->materials.emplace_back();
+  scene->meshes.emplace_back().primitives = std::vector<Primitive>{sheet};
+  scene->nodes.push_back(scene->nodes.at(0));
+  scene->nodes.at(1).mesh = 1;
+  scene->nodes.at(1).world = glm::scale(glm::dmat4(1), glm::dvec3(2));
+  std::vector<Frame> frames;
+  for (const auto use : {RendererOptions::LeaveOut::kNever, RendererOptions::LeaveOut::kAlways}) {
+    RendererOptions options;
+    options.hiddenTriangles = use;
+    options.visibilityBuffer = RendererOptions::LeaveOut::kNever;
+    FrameInfo info;
+    frames.push_back(Renderer::create(options)->draw(scene, shotOfPasses(4, 4), {}, CancelToken(), info));
+    const std::size_t hidden = use == RendererOptions::LeaveOut::kAlways ? 2 : 0;
+    EXPECT_EQ(nlohmann::json::parse(info.json).at("hiddenTriangles"), hidden);
+  }
+  EXPECT_EQ(frames[0].pixels, frames[1].pixels);
 }
 
 }  // namespace
