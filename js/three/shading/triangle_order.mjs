@@ -1,5 +1,5 @@
 // Nets and sheer cloth show what lies behind them, their own folds too: their triangles are drawn far to near, as
-// renderer/pass/plan/triangle_order.h draws them. Of a material the order is an index of its own for each mesh; the geometry's stays as it is.
+// renderer/pass/plan/triangle_order.h draws them. The order is an index for each mesh, which its geometry has while a frame is drawn.
 
 /** What was put in order of each mesh. @type {WeakMap<import('three').Mesh, Order>} */
 const orders = new WeakMap();

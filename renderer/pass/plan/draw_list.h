@@ -23,7 +23,7 @@ struct DrawItem {
   bool blend = false;           ///< alpha blended, without depth writes
   bool blendsCoverage = false;  ///< drawn once more so, for what of a cut-out cloth is there in part
   bool ordered = false;         ///< of both: its triangles are drawn far to near (triangle_order.h)
-  bool isPartial = false;       ///< of blendsCoverage: all of it is drawn so, and nothing once more
+  bool isPartial = false;       ///< of blendsCoverage: it is drawn once, all of it blended
   bool bothSides = false;       ///< faces of either winding, in one call
   bool mirrored = false;        ///< the node's matrix reverses the winding
   bool ghost = false;           ///< of frame::Ghosts: it casts no shadow
