@@ -24,14 +24,15 @@ const WORN = {
 };
 
 /** Sees the bundled drape, in whose folds up to six layers lie over each other. */
-const DRAPE = { position: [0.4, 0.55, 0.85], target: [0, 0.2, 0], near: 0.4, far: 2 };
+const DRAPE = { projection: 'perspective', fovY: 30, position: [0.4, 0.55, 0.85], target: [0, 0.2, 0], near: 0.4, far: 2 };
+const PARALLEL = { projection: 'orthographic', height: 0.5, position: DRAPE.position, target: DRAPE.target, near: DRAPE.near, far: DRAPE.far };
 const ROSE = [0.7, 0.4, 0.45];
 
 /** Nets and sheer cloth in folds, whose triangles the shading "fabric" draws far to near. */
 const FOLDED = {
-  'chiffon-folds': ['bundled:fabrics.glb', { '*': { preset: 'chiffon', color: ROSE } }, { camera: { ...DRAPE, projection: 'perspective', fovY: 30 } }],
-  'tulle-folds': ['bundled:fabrics.glb', { '*': { preset: 'tulle', color: ROSE } }, { camera: { ...DRAPE, projection: 'perspective', fovY: 30 } }],
-  'mesh-folds': ['bundled:fabrics.glb', { '*': { preset: 'athletic-mesh', color: NAVY } }, { camera: { ...DRAPE, projection: 'orthographic', height: 0.5 } }],
+  'chiffon-folds': ['bundled:fabrics.glb', { '*': { preset: 'chiffon', color: ROSE } }, { camera: DRAPE }],
+  'tulle-folds': ['bundled:fabrics.glb', { '*': { preset: 'tulle', color: ROSE } }, { camera: DRAPE }],
+  'mesh-folds': ['bundled:fabrics.glb', { '*': { preset: 'athletic-mesh', color: NAVY } }, { camera: PARALLEL }],
   'chiffon-skin': ['skin', { '*': { preset: 'chiffon', color: ROSE } }, { pose: { animation: 0, time: 0.85 } }],
 };
 

@@ -22,28 +22,11 @@ const WORN = { fit: ['waxed-cotton', 'wool-felt', 'satin', 'lace', 'sequin-threa
 const wearing = (garments, cloths) =>
   garments.flatMap((garment) => cloths.map((preset) => ({ ...garment, name: `${garment.name} in ${preset}`, shot: { materials: { '*': { preset } } } })));
 
-/** The garments of test/fixtures as files. @param {string} folder */
-async function garmentsIn(folder) {
-  mkdirSync(folder, { recursive: true });
-  const files = await Promise.all(
-    Object.entries({ jacket, skirt }).map(async ([name, make]) => {
-      const file = path.join(folder, `${name}.glb`);
-      writeFileSync(file, await make());
-      return file;
-    }),
-  );
-  return fileModels(files);
-}
-
-/** The skies of test/fixtures as files. @param {string} folder @returns {{name: string, shot: object}[]} */
-function skiesIn(folder) {
-  mkdirSync(folder, { recursive: true });
-  const files = SKIES.map((name) => {
-    const file = path.join(folder, `${name}.hdr`);
-    writeFileSync(file, ENVIRONMENTS[name]());
-    return file;
-  });
-  return benchLights(files);
+/** A fixture as a file. @param {string} folder @param {string} name @param {Uint8Array} bytes @returns {string} its path */
+function fileIn(folder, name, bytes) {
+  const file = path.join(folder, name);
+  writeFileSync(file, bytes);
+  return file;
 }
 
 /** Part of the hash of a name in [0, 1), for an order that mixes everything: what is measured of a part of them stands for all. */
@@ -55,8 +38,10 @@ const mixed = (scenes) =>
 
 /** @param {string} folder for skies and garments @returns {Promise<{fit: object[], heldOut: object[]}>} scenes of js/trade */
 export async function tradeScenes(folder) {
-  const [jackets, skirts] = (await garmentsIn(folder)).map((garment) => [garment]);
-  const lights = [...benchLights(['studio', 'sun']), ...skiesIn(folder)];
+  mkdirSync(folder, { recursive: true });
+  const jackets = fileModels([fileIn(folder, 'jacket.glb', await jacket())]);
+  const skirts = fileModels([fileIn(folder, 'skirt.glb', await skirt())]);
+  const lights = benchLights(['studio', 'sun', ...SKIES.map((name) => fileIn(folder, `${name}.hdr`, ENVIRONMENTS[name]()))]);
   const [studio, sun, soft, sunny, overcast] = lights;
   const cross = (models, some, sizes, shadings = ['fabric']) => scenesOf({ models, lights: some, sizes, shadings });
   const known = clothModels(KNOWN);
@@ -73,7 +58,10 @@ export async function tradeScenes(folder) {
       ...cross(known.slice(0, 4), [sunny], [512], ['three']),
       ...cross(wearing(jackets, WORN.fit), [studio, sun, sunny], [256]),
       ...wearing(skirts, WORN.fit).flatMap((model, i) => cross([model], [turned(lights, i)], [512])),
-      ...[jackets, skirts].flatMap((garment, i) => [...cross(garment, [studio], [256 << i], ['three']), ...cross(garment, [sun], [512 >> i], ['three'])]),
+      ...cross(jackets, [studio], [256], ['three']),
+      ...cross(jackets, [sun], [512], ['three']),
+      ...cross(skirts, [studio], [512], ['three']),
+      ...cross(skirts, [sun], [256], ['three']),
     ]),
     heldOut: mixed([
       ...others.flatMap((model, i) => [

@@ -22,6 +22,18 @@ bool isMesh(const DrawItem& item) {
   return item.visible && !item.instances() && item.primitive->topology == Topology::kTriangles;
 }
 
+/// Some of the triangles of a draw in its order. @param shown  in any order
+std::vector<std::uint32_t> inOrder(const std::vector<std::uint32_t>& farToNear,
+                                   const std::vector<std::uint32_t>& shown) {
+  std::vector<bool> isShown(farToNear.size());
+  for (const std::uint32_t part : shown) isShown[part] = true;
+  std::vector<std::uint32_t> parts;
+  parts.reserve(shown.size());
+  std::copy_if(farToNear.begin(), farToNear.end(), std::back_inserter(parts),
+               [&isShown](std::uint32_t part) { return isShown[part]; });
+  return parts;
+}
+
 /// Whether all that it draws is opaque and has depth.
 bool hides(const DrawItem& item) { return !item.blend && !item.key.alphaMask && !item.key.alphaToCoverage; }
 
@@ -79,7 +91,7 @@ void VisibleDraws::find(const FramePlan& plan, GpuScene& scene, const glm::ivec2
     if (!item.farToNear || draws_.contains(&item)) continue;
     const FragmentEstimate estimate(*item.primitive, plan.camera.projection * plan.camera.view * item.node->world,
                                     size.x, size.y);
-    order(item, *item.farToNear, estimate.atMost(scene.extents(*item.primitive).all), indices);
+    add(item, *item.farToNear, estimate.atMost(scene.extents(*item.primitive).all), indices);
   }
   if (draws_.empty()) return;
   const gl::Functions& gl = context_.gl();
@@ -110,7 +122,7 @@ void VisibleDraws::leaveOut(const FramePlan& plan, GpuScene& scene, const glm::i
     count_.hiddenPixels += visible.hiddenPixels;
     count_.hidden += trianglesOf(*items[i]) - visible.parts.size();
     if (items[i]->farToNear) {
-      order(*items[i], visible.parts, visible.pixels, indices);
+      add(*items[i], inOrder(*items[i]->farToNear, visible.parts), visible.pixels, indices);
       continue;
     }
     draws_[items[i]] = {indices.size() * sizeof(std::uint32_t), std::move(visible.parts), visible.pixels};
@@ -121,14 +133,8 @@ void VisibleDraws::leaveOut(const FramePlan& plan, GpuScene& scene, const glm::i
   hidden_.release();
 }
 
-void VisibleDraws::order(const DrawItem& item, const std::vector<std::uint32_t>& shown, double fragments,
-                         std::vector<std::uint32_t>& indices) {
-  std::vector<bool> isShown(item.farToNear->size());
-  for (const std::uint32_t part : shown) isShown[part] = true;
-  std::vector<std::uint32_t> parts;
-  parts.reserve(shown.size());
-  std::copy_if(item.farToNear->begin(), item.farToNear->end(), std::back_inserter(parts),
-               [&isShown](std::uint32_t part) { return isShown[part]; });
+void VisibleDraws::add(const DrawItem& item, std::vector<std::uint32_t> parts, double fragments,
+                       std::vector<std::uint32_t>& indices) {
   const std::vector<std::uint32_t>& own = item.primitive->indices;
   const std::size_t offset = indices.size() * sizeof(std::uint32_t);
   for (const std::uint32_t part : parts) {

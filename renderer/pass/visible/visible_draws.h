@@ -71,9 +71,9 @@ class VisibleDraws {
   /// @param indices  of the triangles that are left, appended
   void leaveOut(const FramePlan& plan, GpuScene& scene, const glm::ivec2& size, std::vector<std::uint32_t>& indices,
                 const CancelToken& cancel);
-  /// Those of a draw whose triangles have an order. @param shown  in any order; @param indices  theirs, appended
-  void order(const DrawItem& item, const std::vector<std::uint32_t>& shown, double fragments,
-             std::vector<std::uint32_t>& indices);
+  /// A draw of these triangles, in this order. @param indices  theirs, appended
+  void add(const DrawItem& item, std::vector<std::uint32_t> parts, double fragments,
+           std::vector<std::uint32_t>& indices);
   void release();
 
   const gl::Context& context_;

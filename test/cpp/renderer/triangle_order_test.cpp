@@ -131,16 +131,47 @@ TEST(TriangleOrder, OfNetsIsFarToNearWhicheverSideIsSeen) {
   }
 }
 
-/// Triangles behind an opaque sheet are left out, and the others stay in order.
+/// Instances have no order of their own: sides that face away are blended before those that face the camera.
+TEST(TriangleOrder, OfInstancedNetsIsByTheSideThatIsSeen) {
+  Material net = sheer();
+  net.alphaMode = AlphaMode::kMask;
+  net.baseColorFactor.a = 1;
+  net.baseColorTexture.image = 0;
+  std::vector<Frame> frames;
+  for (const bool nearFirst : {false, true}) {
+    auto scene = sceneOf(layers(nearFirst, true, 64), net);
+    scene->images = std::vector<Image8>{netImage(64, 4, 0.4)};
+    Instances one;
+    one.matrices = {glm::mat4(1)};
+    one.centers = {glm::dvec3(0)};
+    scene->nodes.at(0).instances = std::make_shared<Instances>(one);
+    EXPECT_FALSE(pass::planDraws(*scene, shotOfPasses(4, 2), Limits(), false).draws.blended.at(0).ordered);
+    frames.push_back(draw(scene, shotOfPasses(4, 2)));
+  }
+  EXPECT_GT(middleOf(frames[0]).y, middleOf(frames[0]).x + 40) << "the near one is green";
+  EXPECT_EQ(frames[0].pixels, frames[1].pixels);
+}
+
+/// A third square behind an opaque sheet is left out, and the others stay in order.
 TEST(TriangleOrder, OfWhatIsNotHidden) {
-  auto scene = sceneOf(layers(true, false, 1), sheer());
+  Primitive cloth = layers(true, false, 1);
+  const auto first = static_cast<std::uint32_t>(cloth.positions.size());
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    cloth.positions.push_back(cloth.positions[i] - glm::vec3(0, 0, 2));
+    cloth.normals.push_back(cloth.normals[i]);
+    cloth.uvs[0].push_back(cloth.uvs[0][i]);
+    cloth.colors.emplace_back(0, 0, 1, 1);
+    cloth.bounds.add(glm::dvec3(cloth.positions.back()));
+  }
+  for (std::uint32_t i = 0; i < 6; ++i) cloth.indices.push_back(first + cloth.indices[i]);
+  auto scene = sceneOf(cloth, sheer());
   Primitive sheet = squareCloth(1);
   sheet.material = 1;
   scene->materials.emplace_back();
   scene->meshes.emplace_back().primitives = std::vector<Primitive>{sheet};
   scene->nodes.push_back(scene->nodes.at(0));
   scene->nodes.at(1).mesh = 1;
-  scene->nodes.at(1).world = glm::scale(glm::dmat4(1), glm::dvec3(2));
+  scene->nodes.at(1).world = glm::scale(glm::translate(glm::dmat4(1), glm::dvec3(0, 0, -1)), glm::dvec3(2));
   std::vector<Frame> frames;
   for (const auto use : {RendererOptions::LeaveOut::kNever, RendererOptions::LeaveOut::kAlways}) {
     RendererOptions options;
