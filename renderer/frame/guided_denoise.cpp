@@ -16,9 +16,9 @@ static_assert(TILE % FIELD_GRID == 0);
 
 constexpr int COLOR_BANDS = 3;  ///< with a fourth one the errors are the same
 
-/// The standard error of coverage, as a mean over some pixels. A lone edge stays below NET_FROM, and its coverage is the
-/// mean's; from NET_TO on coverage is denoised.
-constexpr float NET_FROM = 0.03f, NET_TO = 0.06f;
+/// The standard error of coverage after one pass, as a mean over some pixels. A lone edge stays below NET_FROM, and its
+/// coverage is the mean's; from NET_TO on coverage is denoised.
+constexpr float NET_FROM = 0.12f, NET_TO = 0.24f;
 
 struct Box {
   int fromX, fromY, toX, toY;
@@ -75,7 +75,8 @@ class Tile {
     const std::vector<float> energies = noiseEnergies(field);
     const Shrunk shrunk = shrink(field, MOST_BANDS);
     forEach(inner_, field, [&](std::size_t i, std::size_t at) {
-      const float net = glm::smoothstep(NET_FROM, NET_TO, std::sqrt(energies[i]));
+      const float ofPass = std::sqrt(energies[i] * static_cast<float>(picture_.passes[at]));
+      const float net = glm::smoothstep(NET_FROM, NET_TO, ofPass);
       if (!(net > 0)) return;
       const glm::vec4 before = out.picture[at], &guide = picture_.guide[at];
       const float coverage = glm::mix(before.a, std::clamp(guide.a + shrunk.excess[i].x, 0.0f, 1.0f), net);

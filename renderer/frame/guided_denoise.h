@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -14,6 +15,7 @@ struct GuidedPicture {
   /// of the colour, not premultiplied; of the coverage.
   std::span<const glm::vec4> apart;
   std::span<const glm::vec4> guide;
+  std::span<const std::uint32_t> passes;  ///< that each pixel has
   bool asksError = true;
 };
 

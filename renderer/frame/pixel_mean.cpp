@@ -167,7 +167,7 @@ std::vector<glm::vec4> PixelMean::plainMean() const {
 }
 
 Denoised PixelMean::denoised(bool asksError) const {
-  return denoise({shot_.width, shot_.height, plainMean(), apart_, guide_, asksError});
+  return denoise({shot_.width, shot_.height, plainMean(), apart_, guide_, count_, asksError});
 }
 
 std::vector<glm::vec4> PixelMean::mean() const {

@@ -52,7 +52,7 @@ vec4 facetSlope(mat3 toDirection, vec3 upper, vec3 lower, float y, float height)
 
 // Adds that of all lights that addLight() and addSun() have had.
 void addFacetLight(inout Reflected direct, inout Reflected suns, SurfaceInfo s) {
-  if (s.facetsTold == 0.0) return;
+  if (s.facetsTold == 0.0 || facetLights == 0) return;
   mat3 frame = tangentFrame(s.geometricNormal, vNormalUv, frontFacing() ? 1.0 : -1.0);
   frame[0] *= normalScale.x;
   frame[1] *= normalScale.y;
@@ -61,13 +61,14 @@ void addFacetLight(inout Reflected direct, inout Reflected suns, SurfaceInfo s) 
   float mirrored[FACET_LIGHTS];
   vec4 before[FACET_LIGHTS];
   for (int k = 0; k < FACET_LIGHTS; ++k) {
-    vec3 l = facetLightDirection[k];
+    bool isLit = k < facetLights;
+    vec3 l = isLit ? facetLightDirection[k] : s.v;
     vec3 h = halfVector(s.n, l, s.v);
     float VoH = saturate(dot(s.v, h));
     toHalfway[k] = transpose(basisAbout(h)) * frame;
     // What mirrors has its normal there: shadowing and Fresnel are the same at all places.
     float visible = V_SmithGGXCosine(sqrt(alpha2), VoH, VoH) * bumpTerminator(bumpAlpha2(s.geometricNormal, h), dot(s.geometricNormal, l));
-    facetLightColor[k] *= visible * mix(s.f0, vec3(s.f90), F_SchlickWeight5(VoH));
+    facetLightColor[k] = (isLit ? facetLightColor[k] : vec3(0.0)) * visible * mix(s.f0, vec3(s.f90), F_SchlickWeight5(VoH));
     mirrored[k] = 0.0;
     before[k] = vec4(0.0);
   }

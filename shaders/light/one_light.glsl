@@ -1,7 +1,7 @@
 // Light of one direction. Facets that are told one by one take it later, all lights at each place (light/facets.glsl).
 #define FACET_LIGHTS (POINT_LIGHTS + SPOT_LIGHTS + DIRECTIONAL_LIGHTS)
 #if FACETS && FACET_LIGHTS > 0
-int facetLights = 0;  // so far
+int facetLights = 0;  // so far: a spot has none beside its cone
 vec3 facetLightDirection[FACET_LIGHTS];
 vec3 facetLightColor[FACET_LIGHTS];
 bool facetLightIsSun[FACET_LIGHTS];

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 
@@ -31,6 +32,7 @@ struct Case {
   Pixels truth, guide;
   float noise = 0;          ///< standard error of the mean's colour
   float coverageNoise = 0;  ///< of its coverage, where a pixel is covered in part
+  std::uint32_t passes = 16;
 
   std::vector<glm::vec4> of(const Pixels& pixels) const {
     std::vector<glm::vec4> list;
@@ -57,7 +59,8 @@ struct Case {
   }
   Denoised denoised() const {
     const auto all = mean(), halves = apart(), guess = of(guide);
-    return denoise({width, height, all, halves, guess});
+    const std::vector<std::uint32_t> counts(all.size(), passes);
+    return denoise({width, height, all, halves, guess, counts});
   }
 };
 
@@ -162,20 +165,28 @@ TEST(GuidedDenoise, CoverageOfANetIsNearerAndThatOfAnEdgeStays) {
     const float coverage = 0.5f + 0.1f * std::sin(static_cast<float>(x + y) / 30);
     return glm::vec4(0.4f * coverage, 0.4f * coverage, 0.4f * coverage, coverage);
   };
-  const Case knit{
-      .truth = net, .guide = [](int, int) { return glm::vec4(0.2f, 0.2f, 0.2f, 0.5f); }, .coverageNoise = 0.12f};
-  const auto truth = knit.of(knit.truth);
-  EXPECT_LT(rmsOf(knit.denoised().picture, truth, 3), 0.5 * rmsOf(knit.mean(), truth, 3));
+  const auto rim = [](int x, int) {
+    const float coverage = x < 48 ? 1.0f : x == 48 ? 0.5f : 0.0f;
+    return glm::vec4(glm::vec3(0.4f * coverage), coverage);
+  };
+  // What one pass errs by, of a point that is covered or not.
+  constexpr float OF_NET = 0.48f, OF_EDGE = 0.2f;
+  for (const std::uint32_t passes : {16u, 64u, 256u}) {
+    const float part = 1 / std::sqrt(static_cast<float>(passes));
+    const Case knit{.truth = net,
+                    .guide = [](int, int) { return glm::vec4(0.2f, 0.2f, 0.2f, 0.5f); },
+                    .coverageNoise = OF_NET * part,
+                    .passes = passes};
+    const auto truth = knit.of(knit.truth);
+    EXPECT_LT(rmsOf(knit.denoised().picture, truth, 3), 0.5 * rmsOf(knit.mean(), truth, 3)) << passes;
 
-  const Case edge{.truth =
-                      [](int x, int) {
-                        const float coverage = x < 48 ? 1.0f : x == 48 ? 0.5f : 0.0f;
-                        return glm::vec4(glm::vec3(0.4f * coverage), coverage);
-                      },
-                  .guide = [](int x, int) { return x < 48 ? grey(0.4f) : glm::vec4(0); },
-                  .coverageNoise = 0.05f};
-  const auto now = edge.denoised().picture, mean = edge.mean();
-  EXPECT_EQ(now, mean);
+    const Case edge{.truth = rim,
+                    .guide = [](int x, int) { return x < 48 ? grey(0.4f) : glm::vec4(0); },
+                    .coverageNoise = OF_EDGE * part,
+                    .passes = passes};
+    const auto now = edge.denoised().picture, mean = edge.mean();
+    EXPECT_EQ(now, mean) << passes;
+  }
 }
 
 TEST(GuidedDenoise, ALoneEdgeBesideANetStays) {
@@ -192,7 +203,8 @@ TEST(GuidedDenoise, ALoneEdgeBesideANetStays) {
     apart[i].a /= 6;
   }
   const auto guide = both.of(both.guide);
-  const auto now = denoise({both.width, both.height, mean, apart, guide}).picture;
+  const std::vector<std::uint32_t> counts(mean.size(), both.passes);
+  const auto now = denoise({both.width, both.height, mean, apart, guide, counts}).picture;
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (isNet(i)) continue;
     EXPECT_EQ(now[i].a, mean[i].a) << i;
@@ -220,7 +232,8 @@ TEST(GuidedDenoise, TilesDoNotShow) {
       }
     }
     const auto guide = picture.of(picture.guide);
-    return denoise({picture.width, picture.height, mean, apart, guide}).picture;
+    const std::vector<std::uint32_t> counts(mean.size(), picture.passes);
+    return denoise({picture.width, picture.height, mean, apart, guide, counts}).picture;
   };
   const auto whole = noisy(all, 0), cut = noisy(part, from);
   for (int y = 0; y < 24; ++y) {
