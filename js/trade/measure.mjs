@@ -14,12 +14,22 @@ export const TRUTH = Object.freeze({ preset: 'reference', transport: 'direct', s
 const TINY = 8;
 
 /**
- * Time of a picture from those of two windows of it: linear in the pixels that the model covers.
+ * Time of a picture from those of two windows of it, as if all of it were like the larger one: linear in the pixels that the model covers.
  * @param {{ms: number, pixels: number}} small
  * @param {{ms: number, pixels: number}} large ms no less than those of the small one
  * @param {number} pixels of the picture
  */
 export const scaledTime = (small, large, pixels) => small.ms + ((large.ms - small.ms) * (pixels - small.pixels)) / (large.pixels - small.pixels);
+
+/**
+ * What the time that a window tells is to be multiplied by: how far it was off in the last picture of the same family that was drawn, which comes nearest.
+ * @param {Row[]} rows of a scene, from the cheapest setting on
+ * @param {string | undefined} family
+ */
+export function toldFactor(rows, family) {
+  const last = rows.findLast((row) => row.family === family && row.timed === 'picture');
+  return last ? last.cpuMs / last.toldMs : 1;
+}
 
 /** CPU time from which on a window is drawn no second time, and up to which it is drawn a third time. */
 const LONG_MS = 4000; // of which a program compiled takes one or two
@@ -39,7 +49,7 @@ const isIdle = ({ shadow, quality, transmissionScale = quality?.transmissionScal
   (!shadows && (shadow !== undefined || (shadowScale > 1 && samples <= SAMPLES_OF_A_PASS))) || (transmissionScale < 1 && !passes.includes('transmission'));
 
 /** Pictures that are timed, by the milliseconds that one is expected to take: the least of them counts, for whatever else runs only adds, and the first one may compile programs. */
-const runsFor = (ms) => (ms < 150 ? 5 : ms < 600 ? 3 : ms < 8000 ? 2 : 1);
+const runsFor = (ms) => (ms < 150 ? 5 : ms < 600 ? 3 : ms < 4000 ? 2 : 1);
 
 /**
  * One scene at one size.
@@ -56,8 +66,9 @@ const runsFor = (ms) => (ms < 150 ? 5 : ms < 600 ? 3 : ms < 8000 ? 2 : 1);
  * @property {number} flip - Mean over the model's pixels of the window, against TRUTH.
  * @property {number} deltaE - CIEDE2000, 95th percentile of the same.
  * @property {number} cpuMs - Of drawing the whole picture, of all threads.
- * @property {'picture' | 'window'} timed - What was drawn for that: the picture itself, or only the window, from whose time its own follows (scaledTime).
+ * @property {'picture' | 'window'} timed - What was drawn for that: the picture itself, or only the window, from whose time its own follows.
  * @property {number} windowMs - CPU time of the window.
+ * @property {number} toldMs - What it tells of that of the picture (scaledTime). No window is like the whole: 0.2 to 3 times of it were seen.
  * @property {number} samples - That the pixel that took most has taken.
  * @property {object} features - Of js/predict/features.mjs.
  */
@@ -132,8 +143,8 @@ class SceneWindow {
     return this.#truths.get(name);
   }
 
-  /** Milliseconds of the whole picture, from those of the window. */
-  async wholeMs(shot, windowMs) {
+  /** Milliseconds of the whole picture that those of the window tell. */
+  async toldMs(shot, windowMs) {
     // Vertices and the start of each pass cost the same in any window: a tiny one shows what that is.
     const { x, y, width, height } = this.window;
     const tiny = { ...this.window, x: x + width / 2 - TINY / 2, y: y + height / 2 - TINY / 2, width: TINY, height: TINY };
@@ -149,20 +160,21 @@ class SceneWindow {
 
   /**
    * Time and error of a setting.
+   * @param {number} factor of toldFactor
    * @param {() => Promise<object>} visibleModel the model with ambient visibility
    */
-  async measure(quality, capMs, visibleModel) {
+  async measure(quality, capMs, factor, visibleModel) {
     const { model } = this.timed;
     const reference = await this.expected(quality);
     try {
       if (quality.ambientVisibility) this.timed.model = await visibleModel();
-      return await this.#against(reference, quality, capMs);
+      return await this.#against(reference, quality, capMs, factor);
     } finally {
       this.timed.model = model;
     }
   }
 
-  async #against(reference, quality, capMs) {
+  async #against(reference, quality, capMs, factor) {
     const shot = withSetting(this.shown, quality);
     const drawn = await this.timed.draw(shot);
     // The first picture may compile programs and prefilter the environment, which no later one does.
@@ -170,7 +182,8 @@ class SceneWindow {
     const again = drawn.cpuMs - once - compile < LONG_MS ? await this.timed.leastMs(shot, 1) : drawn.cpuMs;
     const windowMs = Math.min(drawn.cpuMs, again < SHORT_MS ? await this.timed.leastMs(shot, 1) : again, again);
     const { flip, deltaE } = compareImages({ ...this.size, data: reference }, { ...this.size, data: drawn.data }).object;
-    const expectedMs = await this.wholeMs(shot, windowMs);
+    const toldMs = await this.toldMs(shot, windowMs);
+    const expectedMs = toldMs * factor;
     const fits = expectedMs <= capMs;
     const all = withSetting({ ...this.whole, lights: this.resolved.lights }, quality);
     return {
@@ -179,6 +192,7 @@ class SceneWindow {
       cpuMs: fits ? await this.timed.leastMs(all, runsFor(expectedMs)) : expectedMs,
       timed: fits ? 'picture' : 'window',
       windowMs,
+      toldMs,
       samples: drawn.info.samples ?? 1,
     };
   }
@@ -221,9 +235,10 @@ export async function measureScene(
     let row = store.row(name);
     if (!row) {
       const size = Math.max(resolved.size.width, resolved.size.height);
-      const measured = await window.measure(quality, capMs, visibleModel);
+      const family = familyOf(setting);
+      const measured = await window.measure(quality, capMs, toldFactor(rows, family), visibleModel);
       const of = { model: scene.model, light: scene.light, shading: features.shading, size, setting };
-      row = { ...of, ...measured, family: familyOf(setting) ?? 'other', features };
+      row = { ...of, ...measured, family: family ?? 'other', features };
       await store.keep(name, row);
     }
     // What a scene is told by may be more than when the row was kept.

@@ -1,24 +1,26 @@
 import { heading, row } from '../../js/build/docs/tables.mjs';
 import { HELD } from '../../js/predict/fit.mjs';
-import { PRESET_NAMES, SETTINGS } from '../../js/predict/settings.mjs';
+import { SETTINGS } from '../../js/predict/settings.mjs';
 import { presetsByClass, tablesOf } from '../../js/trade/index.mjs';
 import { EXACT_LOOK } from './judge.mjs';
 
 /** js/docs/trade.md: how to use goals and the bench, and what was measured; every figure is from the run. */
 
 const table = ({ head, lines }) => [...heading(head), ...lines.map(row)].join('\n');
+const seconds = (ms) => `${ms / 1000} s`;
 const percent = (share) => (share === undefined ? '-' : `${(100 * share).toFixed(0)} %`);
 
 /** How many pictures of a setting have a time that was not measured whole. */
 const scaledOf = (rows, name) => rows.filter(({ setting, timed }) => setting === name && timed === 'window').length;
 
 /** Presets that are not where they should be, by class of scenes. */
-const aboveTable = (rows) => ({
-  head: ['preset', 'class', 'time over the front, median', 'scenes within 10 %', 'what most often is better'],
-  lines: presetsByClass(rows)
-    .filter(({ within, scenes }) => within < scenes / 2)
-    .map(({ preset, group, times, within, scenes, better }) => [preset, group, times.toFixed(2), `${within} of ${scenes}`, better]),
-});
+function aboveSection(rows) {
+  const above = presetsByClass(rows).filter(({ within, scenes }) => within < scenes / 2);
+  if (above.length === 0) return 'In no class of scenes does a preset lie above it in more than half of them.';
+  const lines = above.map(({ preset, group, times, within, scenes, better }) => [preset, group, times.toFixed(2), `${within} of ${scenes}`, better]);
+  const head = ['preset', 'class', 'time over the front, median', 'scenes within 10 %', 'what most often is better'];
+  return `Where a preset lies above it in more than half of the scenes of a class:\n\n${table({ head, lines })}`;
+}
 
 /**
  * @param {object} result
@@ -31,10 +33,10 @@ const aboveTable = (rows) => ({
  * @param {string} result.command, result.machine
  * @param {number} result.window pixels
  * @param {object} result.truth quality
- * @param {{raster: number, tracer: number}} result.capMs CPU time above which a window is drawn alone
+ * @param {(by: 'raster' | 'tracer', size: {width: number}) => number} result.capOf CPU milliseconds above which a window is drawn alone
  * @param {{fit: number, heldOut: number}} result.counts scenes
  */
-export function docsPage({ rows, table: predicted, verdict, byClass, knowing, knobs, command, machine, window, truth, capMs, counts }) {
+export function docsPage({ rows, table: predicted, verdict, byClass, knowing, knobs, command, machine, window, truth, capOf, counts }) {
   const { overall, presets } = tablesOf(rows);
   return `# Time and error
 
@@ -130,14 +132,14 @@ telar bench trade shirt.glb --setting 'fine={"samples":64,"environmentSamples":1
 
 It writes \`index.html\` (plots, the cheapest setting for FLIP 0.005, 0.01, 0.02 and 0.04, how far the presets lie above the front), \`trade.csv\` and \`trade.svg\` into the folder. What is
 measured stays there: a run that was stopped goes on, and one with more settings measures these alone. The error is that of a window of the picture, at the scale of the
-whole, since the tracer needs thousands of paths a pixel there. The time is CPU time of the whole picture; from \`--cap\` seconds on that of the window is scaled by the pixels that the model covers,
-which tells up to twice the time of the raster: its passes cost more for each pixel of a small picture.
+whole, since the tracer needs thousands of paths a pixel there. The time is CPU time of the whole picture; from \`--cap\` seconds on it is told by that of the window: by the pixels
+that the model covers, and by how far that was off in the dearest picture of the same family that was drawn whole.
 
 ## What was measured
 
 \`${command}\` on ${machine}, other work beside: ${counts.fit} scenes to predict from and ${counts.heldOut} to judge by, ${Object.keys(SETTINGS).length} settings, ${rows.length} measurements, windows of ${window} x ${window} pixels. The truth has
-${truth.samples} paths a pixel or a standard error of ${truth.noise} of 255, and its own noise is part of every error. Pictures by the raster are drawn whole for their time up to ${capMs.raster / 1000} s, those by the tracer up to ${capMs.tracer / 1000} s;
-for dearer ones that of the window is scaled: ${scaledOf(rows, PRESET_NAMES.high)} of those in \`high\`, which are told up to twice their time.
+${truth.samples} paths a pixel or a standard error of ${truth.noise} of 255, and its own noise is part of every error. Pictures by the raster are drawn whole for their time up to ${seconds(capOf('raster', { width: 1024 }))}, those by the tracer up to ${seconds(capOf('tracer', { width: 256 }))} at 256 pixels and ${seconds(capOf('tracer', { width: 1024 }))} at 1024.
+The time of dearer ones is told by the window: ${scaledOf(rows, 'high by the raster')} of those in \`high\` by the raster, ${scaledOf(rows, 'tracer noise 1')} of those with a noise of 1.
 
 ${table(overall)}
 
@@ -151,9 +153,7 @@ Presets, against the settings that no other one beats in time and error ("the fr
 
 ${table(presets)}
 
-Where a preset lies above it in more than half of the scenes of a class:
-
-${table(aboveTable(rows))}
+${aboveSection(rows)}
 
 ## Numbers that take work away
 

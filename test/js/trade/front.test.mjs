@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { csvOf, presetsAboveFront, presetsByClass } from '../../../js/trade/figures.mjs';
 import { aboveFront, cheapestWithin, frontOf } from '../../../js/trade/front.mjs';
+import { toldFactor } from '../../../js/trade/measure.mjs';
 import { tradePage } from '../../../js/trade/page.mjs';
 import { tradePlot } from '../../../js/trade/plots.mjs';
 import { assertWellFormed } from '../analyse/support.mjs';
@@ -31,6 +32,7 @@ const rowOf = (each, more = {}) => ({
   deltaE: 1,
   timed: 'picture',
   windowMs: 3,
+  toldMs: 10,
   samples: 4,
   features: { shading: 'fabric', surface: 'relief', environment: 'studio', shadows: false, triangles: 12, pixels: 65536, covered: 9000, traceable: true },
   ...each,
@@ -93,4 +95,18 @@ test('the page is one well-formed file that needs no other', () => {
   assertWellFormed(html.replace('<!doctype html>', ''));
   assert.ok(!/src=|href=|<script/.test(html));
   assert.ok(html.includes('b (300 ms)') && html.includes('m &#38; n'));
+});
+
+test('what a window tells of the time is mended by what it told of the dearest picture of its family that was drawn', () => {
+  const drawn = (setting, family, cpuMs, toldMs, timed = 'picture') => ({ ...rowOf({ setting, family, cpuMs }), timed, toldMs });
+  const rows = [
+    drawn('a', 'tracer', 100, 100),
+    drawn('b', 'tracer', 200, 80),
+    drawn('c', 'tracer', 900, 360, 'window'),
+    drawn('d', 'denoised', 100, 50),
+    drawn('e', 'other', 1, 7),
+  ];
+  assert.equal(toldFactor(rows, 'tracer'), 2.5);
+  assert.equal(toldFactor(rows, 'denoised'), 2);
+  assert.deepEqual([toldFactor(rows, 'prefiltered'), toldFactor(rows, undefined)], [1, 1], 'settings of a user are of no family');
 });
