@@ -38,7 +38,7 @@ const OUT = path.join(ROOT, 'out/trade');
 const WINDOW = 40;
 /**
  * CPU time above which a setting is drawn in the window alone. What cheaper pictures tell of the tracer's dearer ones is right within a fifth, of `high` by the raster
- * within a third.
+ * mostly within a half.
  */
 const CAP_MS = { raster: 40_000, tracer: 4000 };
 /** So that of each scene some picture is drawn whole that stops where its noise is small. @param {{width: number}} size pixels */
