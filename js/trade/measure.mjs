@@ -22,7 +22,7 @@ const TINY = 8;
 export const scaledTime = (small, large, pixels) => small.ms + ((large.ms - small.ms) * (pixels - small.pixels)) / (large.pixels - small.pixels);
 
 /**
- * What the time that a window tells is to be multiplied by: how far it was off in the last picture of the same family that was drawn, which comes nearest.
+ * What the time that a window tells is to be multiplied by: how far a window was off in the dearest picture of the same family that was drawn whole. 1 = there is none.
  * @param {Row[]} rows of a scene, from the cheapest setting on
  * @param {string | undefined} family
  */

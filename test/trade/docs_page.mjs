@@ -1,6 +1,6 @@
 import { heading, row } from '../../js/build/docs/tables.mjs';
 import { HELD } from '../../js/predict/fit.mjs';
-import { SETTINGS } from '../../js/predict/settings.mjs';
+import { PRESET_NAMES, SETTINGS } from '../../js/predict/settings.mjs';
 import { presetsByClass, tablesOf } from '../../js/trade/index.mjs';
 import { EXACT_LOOK } from './judge.mjs';
 
@@ -139,7 +139,7 @@ that the model covers, and by how far that was off in the dearest picture of the
 
 \`${command}\` on ${machine}, other work beside: ${counts.fit} scenes to predict from and ${counts.heldOut} to judge by, ${Object.keys(SETTINGS).length} settings, ${rows.length} measurements, windows of ${window} x ${window} pixels. The truth has
 ${truth.samples} paths a pixel or a standard error of ${truth.noise} of 255, and its own noise is part of every error. Pictures by the raster are drawn whole for their time up to ${seconds(capOf('raster', { width: 1024 }))}, those by the tracer up to ${seconds(capOf('tracer', { width: 256 }))} at 256 pixels and ${seconds(capOf('tracer', { width: 1024 }))} at 1024.
-The time of dearer ones is told by the window: ${scaledOf(rows, 'high by the raster')} of those in \`high\` by the raster, ${scaledOf(rows, 'tracer noise 1')} of those with a noise of 1.
+The time of dearer ones is told by the window: ${scaledOf(rows, PRESET_NAMES.high)} of those in \`high\` by the raster, ${scaledOf(rows, 'tracer noise 1')} of those with a noise of 1.
 
 ${table(overall)}
 

@@ -98,7 +98,7 @@ test('the page is one well-formed file that needs no other', () => {
 });
 
 test('what a window tells of the time is mended by what it told of the dearest picture of its family that was drawn', () => {
-  const drawn = (setting, family, cpuMs, toldMs, timed = 'picture') => ({ ...rowOf({ setting, family, cpuMs }), timed, toldMs });
+  const drawn = (setting, family, cpuMs, toldMs, timed = 'picture') => rowOf({ setting, family, cpuMs, toldMs, timed });
   const rows = [
     drawn('a', 'tracer', 100, 100),
     drawn('b', 'tracer', 200, 80),
