@@ -16,7 +16,12 @@ precision highp int;
 
 #if FULL_DETAIL
 // Several passes over the picture filter what is shaded, not the maps: cloth is darker and softer than its mean normals are.
+#if OWN_PLACES
+vec2 placeInCell(vec2 uv);
+#define texture(map, at) texture(map, placeInCell(at), -16.0)
+#else
 #define texture(map, at) texture(map, at, -16.0)
+#endif
 #endif
 
 #include "brdf/constants.glsl"
@@ -26,10 +31,13 @@ precision highp int;
 #include "brdf/color.glsl"
 #include "shading/three_terms.glsl"
 #include "output.glsl"
-#if ALPHA_TO_COVERAGE || ENVIRONMENT_SAMPLES > 0 || FLAT_SHADOWS + CUBE_SHADOWS > 0
+#if ALPHA_TO_COVERAGE || ENVIRONMENT_SAMPLES > 0 || FLAT_SHADOWS + CUBE_SHADOWS > 0 || OWN_PLACES
 #include "pixel_noise.glsl"
 #endif
 #include "material/fragment_inputs.glsl"
+#if OWN_PLACES
+#include "material/place_in_cell.glsl"
+#endif
 #if !UNLIT
 #include "shading/includes_common.glsl"
 #if ENVIRONMENT_SAMPLES > 0
@@ -50,6 +58,10 @@ precision highp int;
 #include "material/surface_info.glsl"
 #endif
 #include "material/base_color.glsl"
+#if OWN_PLACES
+#undef texture
+#define texture(map, at) texture(map, at, -16.0)
+#endif
 #if !UNLIT
 #if FLAT_SHADOWS + CUBE_SHADOWS > 0
 #include "shadow/filter.glsl"

@@ -12,9 +12,18 @@ struct SamplePasses {
   bool denoised = false;
 
   /// How far the picture of a pass is moved, pixels in [-0.5, 0.5): the first 2^k passes fill the pixel evenly, for any
-  /// k, so that their mean is that of a box filter. With more than 64 passes they are independent of the directions that the
+  /// k, so that their mean is that of a box filter. Where passes have no cells they are independent of the directions that the
   /// passes draw.
   glm::dvec2 shift(int pass) const;
+
+  /// Whether each pass has a cell of a grid.
+  bool haveCells() const;
+  /// Cells in a row of the grid.
+  int cellsAcross() const;
+  /// Column and row of a pass.
+  glm::ivec2 cell(int pass) const;
+  /// How far the picture is moved from where the middle of the cell is the pixel's, pixels.
+  glm::dvec2 shiftInCell(int pass) const;
 
   /// Passes of which the two halves tell how far their mean is off: PixelMean.
   unsigned fewest() const;

@@ -28,6 +28,7 @@ Defines VariantKey::defines() const {
   TELAR_THREE_SLOTS(TELAR_THREE_DEFINE)
 #undef TELAR_THREE_DEFINE
   list.emplace_back("FULL_DETAIL", fullDetail);
+  list.emplace_back("OWN_PLACES", ownPlaces);
   list.emplace_back("ENVIRONMENT_SAMPLES", environmentSamples);
   list.emplace_back("BRIGHT_DIRECTIONS", brightDirections());
   list.emplace_back("TONE_MAPPING", static_cast<int>(toneMapping));

@@ -81,6 +81,7 @@ struct VariantKey {
   ShadingTerms terms;              ///< of a principled shading, else as made
   ThreeTerms three;                ///< of kThree, and of what an unlit material takes of a release
   bool fullDetail = false;         ///< maps are read at level 0: the passes over a picture filter them
+  bool ownPlaces = false;          ///< each pixel has places of its own where passes read the maps
   std::vector<std::uint8_t> uvOf;  ///< of each of its maps the first one with the same coordinates; empty: own ones
   bool captured = false;           ///< its vertex stage alone, for VISIBILITY_BUFFER
   bool layers = false;             ///< draws layers/layers.frag in place of the colour

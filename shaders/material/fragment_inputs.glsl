@@ -132,7 +132,7 @@ float occlusionTexel() { return texture(occlusionMap, vOcclusionUv).r; }
 vec2 dfgKaris(float perceptualRoughness, float NoV);
 vec2 splitSum(float perceptualRoughness, float NoV) { return dfgKaris(perceptualRoughness, NoV); }
 #else
-vec2 splitSum(float perceptualRoughness, float NoV) { return texture(dfgMap, vec2(perceptualRoughness, NoV)).rg; }
+vec2 splitSum(float perceptualRoughness, float NoV) { return textureLod(dfgMap, vec2(perceptualRoughness, NoV), 0.0).rg; }
 #endif
 #endif
 

@@ -144,6 +144,7 @@ shader::VariantKey keyOf(const Primitive& primitive, const Material& material, c
   key.lights = frame.lights;
   key.flatShaded = primitive.normals.empty();
   key.normalFacets = hasFacets(material, key);
+  key.ownPlaces = frame.ownPlaces && key.alphaMeans;  // of other cloth they show noise where threads are still seen
   describeVisibility(primitive, material, key);
   const bool stretched = key.anisotropy || key.weave;
   key.tangent = (key.normalMap || stretched) && !key.flatShaded && hasTangents(primitive, material);
@@ -293,10 +294,11 @@ FramePlan planFrame(const Scene& scene, const Shot& shot, const Limits& limits, 
   frame.shading = shot.shading;
   if (isPrincipled(shot.shading)) frame.terms = shot.terms;
   frame.three = shot.three;
-  const int passes = frame::samplePassesOf(shot).count;
-  frame.fullDetail = passes > 1 && !frame.debugOutput;
+  const frame::SamplePasses passes = frame::samplePassesOf(shot);
+  frame.fullDetail = passes.count > 1 && !frame.debugOutput;
+  frame.ownPlaces = frame.fullDetail && passes.haveCells();
   if (frame.environment && !frame.debugOutput) {
-    frame.environmentSamples = static_cast<std::uint16_t>((shot.environmentSamples + passes - 1) / passes);
+    frame.environmentSamples = static_cast<std::uint16_t>((shot.environmentSamples + passes.count - 1) / passes.count);
   }
   frame.toneMapping = frame.outputLinear ? shader::ToneMapping::kNone : shot.toneMapping;
 

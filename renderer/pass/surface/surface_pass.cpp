@@ -156,6 +156,13 @@ SurfacePass::Surface& SurfacePass::useProgram(const shader::VariantKey& key, con
   program.set("projectionMatrix", glm::mat4(in.plan.camera.projection));
   program.set("exposure", static_cast<float>(in.shot.exposure));
   if (key.alphaToCoverage) program.set("coverageSamples", in.samples);
+  if (key.ownPlaces) {
+    const frame::SamplePasses passes = frame::samplePassesOf(in.shot);
+    program.set("samplePass", in.samplePass);
+    program.set("cellsAcross", passes.cellsAcross());
+    program.set("cell", glm::vec2(passes.cell(in.samplePass)));
+    program.set("shiftInCell", glm::vec2(passes.shiftInCell(in.samplePass)));
+  }
   if (key.debugOutput) program.set("debugOutput", static_cast<int>(in.shot.debugOutput));
   if (key.layers) program.set("viewToWorld", glm::mat3(glm::transpose(glm::dmat3(in.plan.camera.view))));
   if (key.unlit) return surface;

@@ -33,6 +33,7 @@ TEST(SamplePasses, OnePassTakesWhatMultisamplingGives) {
 TEST(SamplePasses, TheFirstOfThemFillThePixelEvenly) {
   const SamplePasses passes = samplePassesOf(shotOf(256));
   EXPECT_EQ(passes.count * passes.samples, 256);
+  EXPECT_FALSE(passes.haveCells());
   for (int count = 16; count <= 256; count *= 2) {
     // Any division into `count` equal cells has one point in each.
     for (int columns = 1; columns <= count; columns *= 2) {
@@ -52,22 +53,35 @@ TEST(SamplePasses, TheFirstOfThemFillThePixelEvenly) {
 }
 
 TEST(SamplePasses, FewHaveACellOfAGridEach) {
-  for (const int count : {16, 64}) {
-    const SamplePasses passes = samplePassesOf(shotOf(count));
-    for (int some = 4; some <= count; some *= 4) {
-      const int edge = static_cast<int>(std::sqrt(some));
-      std::set<std::pair<int, int>> cells;
-      glm::dvec2 sum(0);
-      for (int i = 0; i < some; ++i) {
-        const glm::dvec2 place = static_cast<double>(edge) * (passes.shift(i) + 0.5);
-        cells.emplace(static_cast<int>(place.x), static_cast<int>(place.y));
-        sum += passes.shift(i);
-      }
-      EXPECT_EQ(cells.size(), static_cast<std::size_t>(some));
-      if (some < count) continue;
-      EXPECT_LT(glm::length(sum), 1e-12) << "a picture of " << count << " passes is moved";
+  constexpr int COUNT = 16;
+  const SamplePasses passes = samplePassesOf(shotOf(COUNT));
+  EXPECT_TRUE(passes.haveCells());
+  EXPECT_EQ(passes.cellsAcross(), 4);
+  for (int some = 4; some <= COUNT; some *= 4) {
+    const int edge = static_cast<int>(std::sqrt(some));
+    std::set<std::pair<int, int>> cells;
+    glm::dvec2 sum(0);
+    for (int i = 0; i < some; ++i) {
+      const glm::dvec2 place = static_cast<double>(edge) * (passes.shift(i) + 0.5);
+      cells.emplace(static_cast<int>(place.x), static_cast<int>(place.y));
+      sum += passes.shift(i);
+      const glm::dvec2 middle = passes.shift(i) - passes.shiftInCell(i) + 0.5;
+      EXPECT_EQ(passes.cell(i), glm::ivec2(middle * double(passes.cellsAcross())));
     }
-    EXPECT_EQ(passes.fewest(), 32u);
+    EXPECT_EQ(cells.size(), static_cast<std::size_t>(some));
+    if (some < COUNT) continue;
+    EXPECT_LT(glm::length(sum), 1e-12) << "a picture of " << COUNT << " passes is moved";
+  }
+}
+
+/// Halves that lie between each other tell what is missed.
+TEST(SamplePasses, FewAreLookedAtAfterTwiceAsMany) {
+  for (const int count : {16, 64}) {
+    Shot shot = shotOf(count);
+    for (const bool denoised : {false, true}) {
+      shot.denoise = denoised;
+      EXPECT_EQ(samplePassesOf(shot).fewest(), 32u);
+    }
   }
 }
 
