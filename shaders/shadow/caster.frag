@@ -17,18 +17,7 @@ uniform float alphaCutoff;  // of the texture's alpha; 0 = it is blended
 #if EVERY_HOLE
 #include "pixel_noise.glsl"
 uniform float alphaFactor;
-
-// Layers are told apart by their depth: there are so many in a map.
-const float LAYERS = 256.0;
-const float TURN = 6.283185307179586;
-
-// What a texel's alpha must pass. The pattern of a layer is turned against those of others: what two of them leave out is left out
-// independently.
-float layerThreshold() {
-  float angle = TURN * float(mixedBits(uint(gl_FragCoord.z * LAYERS)) >> 8) / 16777216.0;
-  return interleavedGradientNoise(mat2(cos(angle), sin(angle), -sin(angle), cos(angle)) * gl_FragCoord.xy);
-}
-
+#include "shadow/layer_threshold.glsl"
 #if ALPHA_MAP
 #include "material/sampled_level.glsl"
 #endif

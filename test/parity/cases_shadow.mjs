@@ -54,6 +54,20 @@ const lightCases = [
 /** Cloth that is lit from behind: its shadow is not to fall on itself, whatever kind of light casts it. */
 const DRAPE = { projection: 'perspective', fovY: 30, position: [0.3, 0.25, 0.7], target: [0, -0.02, 0], near: 0.3, far: 1.6 };
 const FROM_BEHIND = { position: [-0.5, 0.6, -1], target: [0, 0, 0] };
+/** Light gets through what is blended, and falls on its folds. */
+const sheerCases = Object.entries({
+  directional: { ...directional, position: [1, 2, 1.5] },
+  spot: { type: 'spot', intensity: 8, angle: 0.5, penumbra: 0.3, position: [0.5, 0.9, 0.6] },
+  point: { type: 'point', intensity: 4, position: [-0.5, 0.8, 0.6] },
+}).map(([name, light]) =>
+  make(`shadow-sheer-${name}`, 'bundled:fabrics.glb', {
+    camera: { ...DRAPE, position: [0.4, 0.55, 0.85], target: [0, 0.2, 0], near: 0.4, far: 2 },
+    shading: 'fabric',
+    lights: [{ ...ambient }, casting(light)],
+    materials: { '*': { preset: 'chiffon', color: [0.7, 0.4, 0.45] } },
+  }),
+);
+
 const behindCases = Object.entries({
   directional: { ...directional, ...FROM_BEHIND },
   spot: { type: 'spot', intensity: 8, angle: 0.5, penumbra: 0.3, ...FROM_BEHIND },
@@ -90,6 +104,7 @@ const groundCases = [
     ground: {},
   }),
   make('ground-blend', 'alpha-blend-curved', { lights: [ambient, SUN], ground: {}, camera: { azimuth: 30, elevation: 30 } }),
+  make('ground-sheer', 'alpha-blend-sheer', { shading: 'fabric', lights: [ambient, SUN], ground: {}, camera: { azimuth: 30, elevation: 30 } }),
   make('ground-agx', 'boxes', { lights: [ambient, SUN], ground: {}, toneMapping: 'agx', background: [0.2, 0.3, 0.5] }),
   make('ground-ortho', 'boxes', { lights: [ambient, SUN], ground: {}, camera: 'ortho-quarter' }),
   make('ground-samples-1', 'boxes', { lights: [ambient, SUN], ground: {}, quality: { samples: 1 } }),
@@ -107,4 +122,4 @@ function scaledCase(name, model, scale) {
 const scaleCases = [scaledCase('shadow-tiny', 'shadow-tiny', 1e-6), scaledCase('shadow-huge', 'shadow-huge', 1e6)];
 
 /** @type {import('./cases.mjs').Case[]} */
-export const CASES = await Promise.all([...lightCases, ...behindCases, ...modelCases, ...groundCases, ...scaleCases]);
+export const CASES = await Promise.all([...lightCases, ...sheerCases, ...behindCases, ...modelCases, ...groundCases, ...scaleCases]);

@@ -237,6 +237,12 @@ export const FAULTS = [
     first: 'direct',
   },
   {
+    name: 'sheer cloth casts a full shadow',
+    item: 'ground-sheer',
+    edits: [{ file: 'shadow/layer_threshold.glsl', find: 'return interleavedGradientNoise(', replace: 'return 0.0 * interleavedGradientNoise(' }],
+    first: null,
+  },
+  {
     name: 'the colour of holes in the mean of a sheer cloth',
     item: 'cloth-sheer-far',
     edits: [

@@ -92,9 +92,17 @@ export function shadingText(family) {
             .replaceAll(/\buv1\b/g, `${PREFIX}uv1`)}`
         : '',
     vertexShadow: translate(withoutComments(cloth.shadow)),
+    ...(family === 'fabric' && { layerThreshold: thresholdText() }),
     uniforms: inputs.filter((name) => !/^v[A-Z]/.test(name)),
     features,
   };
+}
+
+/** What alpha must pass in a shadow map of sheer cloth. */
+function thresholdText() {
+  const files = ['pixel_noise.glsl', 'shadow/layer_threshold.glsl'];
+  const text = withoutComments(files.map((file) => readFileSync(new URL(file, SHADERS), 'utf8')).join('\n'));
+  return renamed(text, new Set(namesIn(text)));
 }
 
 /** What the vertex stage does for cloth alone: shaders/surface.vert in the names of three.js. */

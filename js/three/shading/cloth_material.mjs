@@ -5,6 +5,7 @@ import { drawPartlyCovered } from './coverage.mjs';
 import { shadingMaterialClass } from './material.mjs';
 import { featureDefines, termDefine } from './terms.mjs';
 import { bakedTexture, reliefAxis } from './texture_bake.mjs';
+import { castSheerShadow } from './sheer_shadow.mjs';
 import { drawFarToNear, isOrdered } from './triangle_order.mjs';
 
 /** Map, as its uniform and varying are named: its texture in the extension, the define of it, and of what it is a part. */
@@ -125,6 +126,8 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
       if (suns.length !== this.suns.length) this.needsUpdate = true;
       this.suns = suns;
       if (!this.isFabricMaterial) return this.textUniforms();
+      // applyShot() has done so before the first shadow is drawn.
+      if (object?.isMesh) castSheerShadow(THREE, object, text.layerThreshold);
       this.forceSinglePass = isOrdered(this, object);
       if (this.forceSinglePass) drawFarToNear(THREE, draw);
       if (makeMaps(this, { THREE, textureShaders, renderer })) drawPartlyCovered(this, draw);

@@ -4,6 +4,7 @@ import { clothMaterialClass, VISIBILITY_ATTRIBUTES } from './cloth_material.mjs'
 import { clothOf, extensionsOf } from './fabric_layers.mjs';
 import { shadingMaterialClass } from './material.mjs';
 import { readNumbers } from './number_maps.mjs';
+import { castSheerShadow } from './sheer_shadow.mjs';
 import { definesOfTerms } from './terms.mjs';
 
 /** Classes by family, for each three.js module. */
@@ -32,7 +33,9 @@ export async function loadShading(THREE, family) {
  */
 export async function openShading(THREE, shading) {
   const hasTerms = typeof shading !== 'string';
-  const Material = await loadShading(THREE, hasTerms ? 'principled' : shading);
+  const family = hasTerms ? 'principled' : shading;
+  const Material = await loadShading(THREE, family);
+  const text = await TEXTS[family]();
   return {
     key: JSON.stringify(shading),
     create: () => new Material(),
@@ -54,6 +57,7 @@ export async function openShading(THREE, shading) {
       }
       Object.assign(material, { hasTangents: mesh.geometry.attributes.tangent !== undefined, visibleSides: sidesOf(drawn) }, extensions);
       readNumbers(THREE, material);
+      if (shading === 'fabric') for (const each of drawn) castSheerShadow(THREE, each, text.layerThreshold);
     },
   };
 }

@@ -21,6 +21,7 @@ export const PREFIX = 'telar_';
  * @property {string} main
  * @property {string} vertexDeclarations
  * @property {string} vertexMain
+ * @property {string} [layerThreshold] - Of fabric: shaders/shadow/layer_threshold.glsl.
  * @property {string[]} uniforms - That three.js does not know.
  * @property {string[]} features - Defines of 0, 1 or a count that three.js does not know; 0 where they are left out.
  */

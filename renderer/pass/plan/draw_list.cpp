@@ -234,9 +234,10 @@ DrawItem oneSide(DrawItem item, bool back) {
   return item;
 }
 
-/// FramePlan::everyHole. One pass shows what a browser does.
-bool showsEveryHole(const Shot& shot) {
-  return shot.shading == ShadingModel::kFabric && frame::samplePassesOf(shot).count > 1;
+/// What gets through casters of a shadow: FramePlan. One pass shows of nets what a browser does.
+void describeCasters(const Shot& shot, FramePlan& plan) {
+  plan.sheerShadows = shot.shading == ShadingModel::kFabric;
+  plan.everyHole = plan.sheerShadows && frame::samplePassesOf(shot).count > 1;
 }
 
 /// A blended double-sided surface is drawn twice, back faces first, each as if it were single-sided.
@@ -376,7 +377,7 @@ void forceAllFeatures(shader::VariantKey& key) {
 
 FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures) {
   FramePlan plan = planFrame(scene, shot, limits, allFeatures, false);
-  plan.everyHole = showsEveryHole(shot);
+  describeCasters(shot, plan);
   return plan;
 }
 
@@ -393,7 +394,7 @@ FramePlan planLayers(const Scene& scene, const Shot& shot, const Limits& limits)
   plain.samples = 1;
   plain.maxLights = 0;
   FramePlan plan = planFrame(scene, plain, limits, false, true);
-  plan.everyHole = showsEveryHole(shot);
+  describeCasters(shot, plan);
   return plan;
 }
 

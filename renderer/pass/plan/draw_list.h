@@ -74,8 +74,9 @@ struct FramePlan {
   shader::VariantKey frame;  ///< what all programs share: lights, tone mapping, kind of output
   bool environment = false;  ///< a lit material samples it
   bool environmentBackground = false;
-  bool ground = false;     ///< shadows fall on it
-  bool everyHole = false;  ///< light gets through small holes of a net and through what is sheer
+  bool ground = false;        ///< shadows fall on it
+  bool sheerShadows = false;  ///< light gets through what is blended
+  bool everyHole = false;     ///< and through small holes of a net
 
   /// Every program that the draws use, each once.
   std::set<shader::VariantKey> keys() const;

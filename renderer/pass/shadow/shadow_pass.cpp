@@ -47,6 +47,14 @@ bool isMasked(const Material& material) {
   return material.alphaMode == AlphaMode::kMask && material.alphaCutoff > 0 && material.baseColorTexture;
 }
 
+/// Whether a caster has holes for light by its alpha.
+bool letsLightThrough(const Material& material, const FramePlan& plan) {
+  const bool blended = material.alphaMode == AlphaMode::kBlend;
+  if (plan.everyHole) return blended || isMasked(material);
+  const bool mayBeSheer = material.baseColorFactor.a < 1 || material.baseColorTexture;
+  return plan.sheerShadows && blended && mayBeSheer && !material.unlit;  // unlit ones are three.js's own in the browser
+}
+
 /// `name[index]`
 std::string element(const char* name, std::size_t index) {
   return std::string(name) + "[" + std::to_string(index) + "]";
@@ -162,7 +170,7 @@ void ShadowPass::drawView(const ShadowMap& map, std::size_t face, const FramePla
       if (!item.castsShadow()) continue;
       cancel.check();
       const Material& material = *item.material;
-      const bool everyHole = plan.everyHole && (isMasked(material) || material.alphaMode == AlphaMode::kBlend);
+      const bool everyHole = letsLightThrough(material, plan);
       const bool mapped = isMasked(material) || (everyHole && material.baseColorTexture);
       Caster& used = caster({mapped, everyHole, mapped && material.baseColorTexture.texCoord == 1, item.key.instancing,
                              map.packed && !distance, distance, map.packed ? three.shadowPacking : 0,

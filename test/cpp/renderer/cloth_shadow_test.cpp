@@ -96,33 +96,53 @@ std::shared_ptr<Scene> curtain(const Material& cloth, const Image8& image = {}, 
 }
 
 /// The part of the light that a cloth lets on the wall.
-double letThrough(const std::shared_ptr<const Scene>& scene, int passes) {
+double letThrough(const std::shared_ptr<const Scene>& scene, int passes, ShadingModel shading = ShadingModel::kFabric) {
   // Light comes down 2.5 m a metre: the middle of the wall, 1 m behind the cloth, is in the shadow of the cloth's middle.
   Shot shot = fabricShot(passes, {casting(Light::Type::kDirectional, {0, 5, 2}, 1024)});
   shot.camera.fovY = 8;
+  shot.shading = shading;
   const double shadowed = middleOf(draw(scene, shot));
   shot.lights[0].castShadow = false;
   return shadowed / middleOf(draw(scene, shot));
 }
 
-TEST(ClothShadow, WhatIsBlendedLetsThroughWhatItsAlphaLeaves) {
-  for (const float alpha : {0.2f, 0.5f, 0.9f}) {
-    Material sheer;
-    sheer.alphaMode = AlphaMode::kBlend;
-    sheer.doubleSided = true;
-    sheer.baseColorFactor.a = alpha;
-    EXPECT_NEAR(letThrough(curtain(sheer), 16), 1 - static_cast<double>(alpha), 0.03) << alpha;
-    EXPECT_EQ(letThrough(curtain(sheer), 4), 0) << "as a browser shows it";
-  }
-}
-
-TEST(ClothShadow, TwoLayersLetThroughWhatBothLeave) {
+Material sheerCloth(float alpha) {
   Material sheer;
   sheer.alphaMode = AlphaMode::kBlend;
   sheer.doubleSided = true;
-  sheer.baseColorFactor.a = 0.5f;
-  EXPECT_NEAR(letThrough(curtain(sheer, {}, 2), 16), 0.25, 0.04);
-  EXPECT_NEAR(letThrough(curtain(sheer, {}, 3), 16), 0.125, 0.04);
+  sheer.baseColorFactor.a = alpha;
+  return sheer;
+}
+
+TEST(ClothShadow, WhatIsBlendedLetsThroughWhatItsAlphaLeaves) {
+  for (const int passes : {4, 16}) {
+    for (const float alpha : {0.2f, 0.5f, 0.9f})
+      EXPECT_NEAR(letThrough(curtain(sheerCloth(alpha)), passes), 1 - static_cast<double>(alpha), 0.03)
+          << alpha << ", " << passes;
+    EXPECT_EQ(letThrough(curtain(sheerCloth(1)), passes), 0);
+  }
+}
+
+TEST(ClothShadow, ByTheAlphaOfItsMapToo) {
+  Material sheer = sheerCloth(0.8f);
+  sheer.baseColorTexture.image = 0;
+  const Image8 half = test::imageOf(4, 4, [](double, double) { return glm::vec4(1, 1, 1, 0.5); });
+  EXPECT_NEAR(letThrough(curtain(sheer, half), 4), 0.6, 0.03);
+}
+
+/// What three.js shades in the browser casts as three.js has it.
+TEST(ClothShadow, WhatIsNoClothCastsAFullOne) {
+  EXPECT_EQ(letThrough(curtain(sheerCloth(0.5f)), 4, ShadingModel::kThree), 0);
+  Material unlit = sheerCloth(0.5f);
+  unlit.unlit = true;
+  EXPECT_EQ(letThrough(curtain(unlit), 4), 0);
+}
+
+TEST(ClothShadow, TwoLayersLetThroughWhatBothLeave) {
+  for (const int passes : {4, 16}) {
+    EXPECT_NEAR(letThrough(curtain(sheerCloth(0.5f), {}, 2), passes), 0.25, 0.04);
+    EXPECT_NEAR(letThrough(curtain(sheerCloth(0.5f), {}, 3), passes), 0.125, 0.04);
+  }
 }
 
 /// Threads of a quarter of a mesh, from meshes of five texels of the map to ten meshes in a texel.

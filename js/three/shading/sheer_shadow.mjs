@@ -1,0 +1,70 @@
+import { PREFIX } from './material.mjs';
+
+// Light gets through sheer cloth by its alpha (shaders/shadow/layer_threshold.glsl). three.js casts what is blended as if it were solid.
+
+/** The first release whose shadow maps keep depth alone, as the text writes it. */
+const DEPTH_ALONE = 182;
+
+const ALPHA_TEST = '#include <alphatest_fragment>';
+
+/** What a mesh casts its shadow with, where it is not three.js's own: for directional and spot lights, and for point lights. */
+const CASTERS = { customDepthMaterial: 'MeshDepthMaterial', customDistanceMaterial: 'MeshDistanceMaterial' };
+
+/** Materials by what they cast the shadow of. @type {WeakMap<import('three').Material, Record<string, import('three').Material>>} */
+const made = new WeakMap();
+
+/** Meshes that ask for them. */
+const asking = new WeakSet();
+
+const isSheer = ({ isFabricMaterial, transparent, alphaTest }) => isFabricMaterial === true && transparent && !(alphaTest > 0);
+
+/**
+ * Has a mesh cast the shadow of sheer cloth while its material is a sheer FabricMaterial. What the client has it cast with stays.
+ * @param {typeof import('three')} THREE
+ * @param {import('three').Mesh} mesh
+ * @param {string} text - Of the threshold.
+ */
+export function castSheerShadow(THREE, mesh, text) {
+  if (asking.has(mesh) || Number.parseInt(THREE.REVISION, 10) < DEPTH_ALONE) return;
+  asking.add(mesh);
+  for (const key of Object.keys(CASTERS)) {
+    let own = mesh[key];
+    Object.defineProperty(mesh, key, {
+      configurable: true,
+      enumerable: true,
+      get: () => own ?? (isSheer(mesh.material) ? casterOf(THREE, mesh.material, key, text) : undefined),
+      set: (value) => {
+        own = value;
+      },
+    });
+  }
+}
+
+function casterOf(THREE, material, key, text) {
+  if (!made.has(material)) {
+    made.set(material, {});
+    material.addEventListener('dispose', () => {
+      for (const caster of Object.values(made.get(material))) caster.dispose();
+      made.delete(material);
+    });
+  }
+  const casters = made.get(material);
+  casters[key] ??= sheerCaster(new THREE[CASTERS[key]](), material, text);
+  return casters[key];
+}
+
+/** three.js gives it the map and the sides of the material that it draws. */
+function sheerCaster(caster, material, text) {
+  const opacity = {
+    get value() {
+      return material.opacity;
+    },
+  };
+  return Object.assign(caster, {
+    onBeforeCompile(shader) {
+      shader.uniforms[`${PREFIX}alphaFactor`] = opacity;
+      const test = `if (${PREFIX}alphaFactor * diffuseColor.a <= ${PREFIX}layerThreshold()) discard;`;
+      shader.fragmentShader = `uniform float ${PREFIX}alphaFactor;\n${text}\n${shader.fragmentShader.replace(ALPHA_TEST, test)}`;
+    },
+  });
+}
