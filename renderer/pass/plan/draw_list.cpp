@@ -234,10 +234,11 @@ DrawItem oneSide(DrawItem item, bool back) {
   return item;
 }
 
-/// What gets through casters of a shadow: FramePlan. One pass shows of nets what a browser does.
-void describeCasters(const Shot& shot, FramePlan& plan) {
+/// With what gets through casters of a shadow. One pass shows of nets what a browser does.
+FramePlan withCasters(FramePlan plan, const Shot& shot) {
   plan.sheerShadows = shot.shading == ShadingModel::kFabric;
   plan.everyHole = plan.sheerShadows && frame::samplePassesOf(shot).count > 1;
+  return plan;
 }
 
 /// A blended double-sided surface is drawn twice, back faces first, each as if it were single-sided.
@@ -376,9 +377,7 @@ void forceAllFeatures(shader::VariantKey& key) {
 }
 
 FramePlan planDraws(const Scene& scene, const Shot& shot, const Limits& limits, bool allFeatures) {
-  FramePlan plan = planFrame(scene, shot, limits, allFeatures, false);
-  describeCasters(shot, plan);
-  return plan;
+  return withCasters(planFrame(scene, shot, limits, allFeatures, false), shot);
 }
 
 FramePlan planLayers(const Scene& scene, const Shot& shot, const Limits& limits) {
@@ -393,9 +392,7 @@ FramePlan planLayers(const Scene& scene, const Shot& shot, const Limits& limits)
   plain.toneMapping = ToneMapping::kNone;
   plain.samples = 1;
   plain.maxLights = 0;
-  FramePlan plan = planFrame(scene, plain, limits, false, true);
-  describeCasters(shot, plan);
-  return plan;
+  return withCasters(planFrame(scene, plain, limits, false, true), shot);
 }
 
 }  // namespace telar::pass
