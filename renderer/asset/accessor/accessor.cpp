@@ -218,7 +218,10 @@ void Accessors::read(int accessor, std::span<Out> out, Normalizing normalizing) 
     std::uint32_t index = 0;
     copyElement(sparse.indices, i, 0, std::span(&index, 1));
     if (index < next || index >= source.count) {
-      fail("E_SPARSE", "a sparse index is out of range or out of order",
+      const std::string what = "sparse index " + std::to_string(i) + " is " + std::to_string(index);
+      fail("E_SPARSE",
+           index < next ? what + ", which is not above " + std::to_string(next - 1) + ", the one before it"
+                        : what + ", but the accessor has " + std::to_string(source.count) + " elements",
            pointer("accessors", accessor, "sparse", "indices"));
     }
     if (index < count) copyElement(sparse.values, i, index, out);

@@ -89,6 +89,20 @@ TEST_F(SparseAccessor, StandsOnZerosWithoutAView) {
   EXPECT_EQ(positions, (std::vector<glm::vec3>{{0, 0, 0}, {7, 0, 0}, {7, 8, 9}, {0, 0, 0}}));
 }
 
+TEST_F(SparseAccessor, TellsWhichIndexIsWrong) {
+  const auto toldOf = [this](std::uint16_t a, std::uint16_t b) -> std::string {
+    setIndices(a, b);
+    try {
+      load(model);
+      return "";
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(toldOf(2, 1), "sparse index 1 is 1, which is not above 2, the one before it");
+  EXPECT_EQ(toldOf(1, 4), "sparse index 1 is 4, but the accessor has 4 elements");
+}
+
 TEST_F(SparseAccessor, RefusesContradictions) {
   setIndices(1, 4);
   EXPECT_EQ(errorOf(model), "E_SPARSE at /accessors/0/sparse/indices");
