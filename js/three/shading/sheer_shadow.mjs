@@ -41,15 +41,13 @@ export function castSheerShadow(THREE, mesh, text) {
 }
 
 function casterOf(THREE, material, key, text) {
-  if (!made.has(material)) {
-    made.set(material, {});
-    material.addEventListener('dispose', () => {
-      for (const caster of Object.values(made.get(material))) caster.dispose();
-      made.delete(material);
-    });
-  }
+  if (!made.has(material)) made.set(material, {});
   const casters = made.get(material);
-  casters[key] ??= sheerCaster(new THREE[CASTERS[key]](), material, text);
+  if (!casters[key]) {
+    casters[key] = sheerCaster(new THREE[CASTERS[key]](), material, text);
+    // Its program goes with the material's, and comes again where that is drawn again.
+    material.addEventListener('dispose', () => casters[key].dispose());
+  }
   return casters[key];
 }
 

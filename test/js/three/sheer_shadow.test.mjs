@@ -77,6 +77,9 @@ test('a material lets go of what it casts with', async () => {
   });
   mesh.material.dispose();
   assert.equal(gone, 1);
+  assert.equal(mesh.customDepthMaterial, caster, 'a material that has gone may be drawn again');
+  mesh.material.dispose();
+  assert.equal(gone, 2);
 });
 
 test('releases whose shadow maps are packed cast as they do', () => {
