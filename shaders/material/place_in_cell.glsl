@@ -1,7 +1,7 @@
 // Where a pass reads the maps of sheer cloth: each pass has a cell of the pixel, and each pixel has a place of its own in it. Threads finer
-// than the cells would beat with places that all pixels share, in rings like those of a fingerprint, and both halves of the passes would
-// show them. So they are noise, which the halves tell and denoising takes out. The places of a pixel lie in as many columns, and as many
-// rows, as there are passes.
+// than the cells would beat with places that all pixels share: rings as of a fingerprint, which both halves of the passes show. At places
+// of their own pixels have noise instead, which the halves tell and denoising takes out. The places of a pixel lie in as many columns, and
+// in as many rows, as there are passes.
 // src: Chiu, Shirley & Wang 1994, "Multi-Jittered Sampling", Graphics Gems IV
 uniform int samplePass;
 uniform int cellsAcross;   // cells in a row of a pixel, a power of two (renderer/frame/sample_passes.h)

@@ -3,9 +3,9 @@ import { SLOTS } from '../../shot/shading_terms.mjs';
 import { sunColors } from '../suns.mjs';
 import { drawPartlyCovered } from './coverage.mjs';
 import { shadingMaterialClass } from './material.mjs';
+import { castSheerShadow } from './sheer_shadow.mjs';
 import { featureDefines, termDefine } from './terms.mjs';
 import { bakedTexture, reliefAxis } from './texture_bake.mjs';
-import { castSheerShadow } from './sheer_shadow.mjs';
 import { drawFarToNear, isOrdered } from './triangle_order.mjs';
 
 /** Map, as its uniform and varying are named: its texture in the extension, the define of it, and of what it is a part. */
