@@ -22,7 +22,7 @@ struct SamplePasses {
   int cellsAcross() const;
   /// Column and row of a pass.
   glm::ivec2 cell(int pass) const;
-  /// How far the picture is moved from where the middle of the cell is the pixel's, pixels.
+  /// Part of shift() that moves a pass within its cell, from the cell's middle, pixels.
   glm::dvec2 shiftInCell(int pass) const;
 
   /// Passes of which the two halves tell how far their mean is off: PixelMean.

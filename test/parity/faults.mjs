@@ -239,7 +239,7 @@ export const FAULTS = [
   {
     name: 'sheer cloth casts a full shadow',
     item: 'ground-sheer',
-    edits: [{ file: 'shadow/layer_threshold.glsl', find: 'return interleavedGradientNoise(', replace: 'return 0.0 * interleavedGradientNoise(' }],
+    edits: [{ file: 'shadow/layer_threshold.glsl', find: 'return float(threshold >> 8)', replace: 'return 0.0 * float(threshold >> 8)' }],
     first: null,
   },
   {

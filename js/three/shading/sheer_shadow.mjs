@@ -1,3 +1,4 @@
+import { revisionOf } from '../release.mjs';
 import { PREFIX } from './material.mjs';
 
 // Light gets through sheer cloth by its alpha (shaders/shadow/layer_threshold.glsl). three.js casts what is blended as if it were solid.
@@ -16,7 +17,7 @@ const made = new WeakMap();
 /** Meshes that ask for them. */
 const asking = new WeakSet();
 
-const isSheer = ({ isFabricMaterial, transparent, alphaTest }) => isFabricMaterial === true && transparent && !(alphaTest > 0);
+const isSheer = (material) => material?.isFabricMaterial === true && material.transparent && !(material.alphaTest > 0);
 
 /**
  * Has a mesh cast the shadow of sheer cloth while its material is a sheer FabricMaterial. What the client has it cast with stays.
@@ -25,7 +26,7 @@ const isSheer = ({ isFabricMaterial, transparent, alphaTest }) => isFabricMateri
  * @param {string} text - Of the threshold.
  */
 export function castSheerShadow(THREE, mesh, text) {
-  if (asking.has(mesh) || Number.parseInt(THREE.REVISION, 10) < DEPTH_ALONE) return;
+  if (asking.has(mesh) || revisionOf(THREE) < DEPTH_ALONE) return;
   asking.add(mesh);
   for (const key of Object.keys(CASTERS)) {
     let own = mesh[key];
@@ -48,6 +49,8 @@ function casterOf(THREE, material, key, text) {
     // Its program goes with the material's, and comes again where that is drawn again.
     material.addEventListener('dispose', () => casters[key].dispose());
   }
+  // three.js looks for another program where this changes: its map may have come, gone, or have other coordinates.
+  casters[key].version = material.version;
   return casters[key];
 }
 

@@ -48,11 +48,14 @@ bool isMasked(const Material& material) {
 }
 
 /// Whether a caster has holes for light by its alpha.
-bool letsLightThrough(const Material& material, const FramePlan& plan) {
+bool letsLightThrough(const DrawItem& item, const FramePlan& plan, const Scene& scene) {
+  const Material& material = *item.material;
   const bool blended = material.alphaMode == AlphaMode::kBlend;
   if (plan.everyHole) return blended || isMasked(material);
+  // Unlit ones are three.js's own in the browser. What is drawn for layers does not know it.
+  const bool unlit = item.materialIndex >= 0 && scene.materials[static_cast<std::size_t>(item.materialIndex)].unlit;
   const bool mayBeSheer = material.baseColorFactor.a < 1 || material.baseColorTexture;
-  return plan.sheerShadows && blended && mayBeSheer && !material.unlit;  // unlit ones are three.js's own in the browser
+  return plan.sheerShadows && blended && mayBeSheer && !unlit;
 }
 
 /// `name[index]`
@@ -170,7 +173,7 @@ void ShadowPass::drawView(const ShadowMap& map, std::size_t face, const FramePla
       if (!item.castsShadow()) continue;
       cancel.check();
       const Material& material = *item.material;
-      const bool everyHole = letsLightThrough(material, plan);
+      const bool everyHole = letsLightThrough(item, plan, scene);
       const bool mapped = isMasked(material) || (everyHole && material.baseColorTexture);
       Caster& used = caster({mapped, everyHole, mapped && material.baseColorTexture.texCoord == 1, item.key.instancing,
                              map.packed && !distance, distance, map.packed ? three.shadowPacking : 0,

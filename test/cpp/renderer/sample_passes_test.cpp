@@ -74,8 +74,8 @@ TEST(SamplePasses, FewHaveACellOfAGridEach) {
   }
 }
 
-/// Halves that lie between each other tell what is missed.
-TEST(SamplePasses, FewAreLookedAtAfterTwiceAsMany) {
+/// The 16 that follow lie between the first 16: so 16 alone are never looked at.
+TEST(SamplePasses, UpTo64AreLookedAtAfter32) {
   for (const int count : {16, 64}) {
     Shot shot = shotOf(count);
     for (const bool denoised : {false, true}) {

@@ -16,9 +16,9 @@ function sceneOf(parameters) {
 
 const SHEER = { transparent: true, opacity: 0.4 };
 
-/** The depth shader as three.js compiles it for a caster. */
-function compiled(caster) {
-  const shader = { uniforms: {}, fragmentShader: THREE.ShaderChunk.depth_frag };
+/** A shader of three.js's as it compiles it for a caster. */
+function compiled(caster, chunk = 'depth_frag') {
+  const shader = { uniforms: {}, fragmentShader: THREE.ShaderChunk[chunk] };
   caster.onBeforeCompile(shader);
   return shader;
 }
@@ -33,8 +33,10 @@ test('sheer cloth casts by its alpha, of every kind of light, as it is at the ti
   assert.equal(shader.uniforms.telar_alphaFactor.value, 0.4);
   mesh.material.opacity = 0.7;
   assert.equal(shader.uniforms.telar_alphaFactor.value, 0.7);
-  assert.match(shader.fragmentShader, /if \(telar_alphaFactor \* diffuseColor\.a <= telar_layerThreshold\(\)\) discard;/);
-  assert.match(shader.fragmentShader, /float telar_layerThreshold\(\)/);
+  for (const { fragmentShader } of [shader, compiled(mesh.customDistanceMaterial, 'distance_frag')]) {
+    assert.match(fragmentShader, /if \(telar_alphaFactor \* diffuseColor\.a <= telar_layerThreshold\(\)\) discard;/);
+    assert.match(fragmentShader, /float telar_layerThreshold\(\)/);
+  }
 });
 
 test('what is not sheer casts as three.js has it', async () => {
@@ -63,6 +65,28 @@ test('a client casts with materials of its own', async () => {
   assert.equal(mesh.customDepthMaterial, own);
   mesh.customDepthMaterial = undefined;
   assert.notEqual(mesh.customDepthMaterial, own);
+  assert.ok(mesh.customDepthMaterial.isMeshDepthMaterial);
+});
+
+test('a map that comes later has three.js choose the program anew', async () => {
+  const { mesh, model } = sceneOf(SHEER);
+  await applyShading(model, 'fabric', { THREE });
+  const { version } = mesh.customDepthMaterial;
+  Object.assign(mesh.material, { map: new THREE.Texture(), needsUpdate: true });
+  assert.notEqual(mesh.customDepthMaterial.version, version);
+});
+
+test('a mesh whose material was taken away casts as three.js has it', async () => {
+  const { mesh, model } = sceneOf(SHEER);
+  await applyShading(model, 'fabric', { THREE });
+  mesh.material = null;
+  assert.equal(mesh.customDepthMaterial, undefined);
+});
+
+test('a client’s own material casts so from its first draw on', async () => {
+  const FabricMaterial = await loadFabricMaterial(THREE);
+  const mesh = new THREE.Mesh(new THREE.PlaneGeometry(), new FabricMaterial(SHEER));
+  mesh.material.onBeforeRender({}, new THREE.Scene(), new THREE.PerspectiveCamera(), mesh.geometry, mesh, null);
   assert.ok(mesh.customDepthMaterial.isMeshDepthMaterial);
 });
 
