@@ -16,7 +16,7 @@ static_assert(TILE % FIELD_GRID == 0);
 
 constexpr int COLOR_BANDS = 3;  ///< with a fourth one the errors are the same
 
-/// The standard error of coverage after one pass, as a mean over some pixels: 0.1 behind several layers of sheer cloth, more of a net. A
+/// The standard error of coverage after one pass, as a mean over some pixels. Several layers of sheer cloth err by 0.1, a net by more. A
 /// lone edge stays below NET_FROM, and its coverage is the mean's; from NET_TO on coverage is denoised.
 constexpr float NET_FROM = 0.06f, NET_TO = 0.12f;
 

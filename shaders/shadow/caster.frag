@@ -15,7 +15,6 @@ in vec2 vBaseColorUv;
 uniform float alphaCutoff;  // of the texture's alpha; 0 = it is blended
 #endif
 #if EVERY_HOLE
-#include "pixel_noise.glsl"
 uniform float alphaFactor;
 #include "shadow/layer_threshold.glsl"
 #if ALPHA_MAP

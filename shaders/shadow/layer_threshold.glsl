@@ -2,6 +2,8 @@
 // neighbours are spread evenly, so that the filter averages them: a lattice whose steps are a third along one axis and one, two or four
 // ninths along the other. Each layer has steps and a start of its own, a little off those, so that what two layers leave out is left out
 // independently. Layers are told apart by their depth: there are so many in a map. Integers are the same on every GPU.
+#include "pixel_noise.glsl"
+
 const float LAYERS = 256.0;
 const uint THIRD = 0x55555555u;  // of 2^32
 const uint NINTH = 0x1c71c71cu;

@@ -91,8 +91,8 @@ GPU without sample masks, it becomes whole pixels. Layers over each other have n
 2017), told apart by their distance from the camera where it differs by more than 1/8192; more \`samples\` average the grain. A
 texture whose alpha nowhere reaches \`alphaCutoff\` draws nothing. Its shadow is that of the plain image, as in three.js.
 
-**Shadows** of sheer cloth (BLEND) let through what its alpha leaves: so many texels of the shadow map are left out, which its filter averages; in one pass some grain is left. Of layers whose depths from the light differ by more than
-1/256 of the map's range each lets through its part; nearer ones let through what one does.
+**Shadows** of sheer cloth (BLEND) let through what its alpha leaves: so many texels of the shadow map are left out, which its filter averages; in one pass some grain is left. Each layer takes its part of the light
+where their depths from the light differ by more than 1/256 of the map's range. Nearer ones take together what one does.
 
 **Folds** of nets, and of sheer cloth (BLEND), show what lies behind them: the triangles of a mesh are drawn far to near, by their middles, on the server and in
 the browser, which puts them in order anew where mesh or camera has moved. Meshes go one after the other, as in three.js; instances are drawn as the file has their triangles.

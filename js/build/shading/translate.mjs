@@ -100,8 +100,8 @@ export function shadingText(family) {
 
 /** What alpha must pass in a shadow map of sheer cloth. */
 function thresholdText() {
-  const files = ['pixel_noise.glsl', 'shadow/layer_threshold.glsl'];
-  const text = withoutComments(files.map((file) => readFileSync(new URL(file, SHADERS), 'utf8')).join('\n'));
+  const read = readerOf('fabric');
+  const text = withoutComments(included(read('shadow/layer_threshold.glsl'), read));
   return renamed(text, new Set(namesIn(text)));
 }
 

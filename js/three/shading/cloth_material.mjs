@@ -126,12 +126,17 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
       if (suns.length !== this.suns.length) this.needsUpdate = true;
       this.suns = suns;
       if (!this.isFabricMaterial) return this.textUniforms();
-      // applyShot() has done so before the first shadow is drawn.
-      if (object?.isMesh) castSheerShadow(THREE, object, text.layerThreshold);
+      // applyShading() has done so before the first shadow is drawn.
+      if (object?.isMesh) this.castShadowOf(object);
       this.forceSinglePass = isOrdered(this, object);
       if (this.forceSinglePass) drawFarToNear(THREE, draw);
       if (makeMaps(this, { THREE, textureShaders, renderer })) drawPartlyCovered(this, draw);
       else this.textUniforms();
+    }
+
+    /** Has a mesh cast the shadow of sheer cloth while this material, or another sheer one of this class, is on it. */
+    castShadowOf(mesh) {
+      castSheerShadow(THREE, mesh, text.layerThreshold);
     }
 
     /**

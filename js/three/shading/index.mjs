@@ -4,7 +4,6 @@ import { clothMaterialClass, VISIBILITY_ATTRIBUTES } from './cloth_material.mjs'
 import { clothOf, extensionsOf } from './fabric_layers.mjs';
 import { shadingMaterialClass } from './material.mjs';
 import { readNumbers } from './number_maps.mjs';
-import { castSheerShadow } from './sheer_shadow.mjs';
 import { definesOfTerms } from './terms.mjs';
 
 /** Classes by family, for each three.js module. */
@@ -33,9 +32,7 @@ export async function loadShading(THREE, family) {
  */
 export async function openShading(THREE, shading) {
   const hasTerms = typeof shading !== 'string';
-  const family = hasTerms ? 'principled' : shading;
-  const Material = await loadShading(THREE, family);
-  const text = await TEXTS[family]();
+  const Material = await loadShading(THREE, hasTerms ? 'principled' : shading);
   return {
     key: JSON.stringify(shading),
     create: () => new Material(),
@@ -57,7 +54,7 @@ export async function openShading(THREE, shading) {
       }
       Object.assign(material, { hasTangents: mesh.geometry.attributes.tangent !== undefined, visibleSides: sidesOf(drawn) }, extensions);
       readNumbers(THREE, material);
-      if (shading === 'fabric') for (const each of drawn) castSheerShadow(THREE, each, text.layerThreshold);
+      if (shading === 'fabric') for (const each of drawn) material.castShadowOf(each);
     },
   };
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "frame/variant.h"
 #include "gl/incomplete.h"
 #include "pass/plan/world_origin.h"
 #include "pass/visible/sliced_draw.h"
@@ -52,8 +53,8 @@ bool letsLightThrough(const DrawItem& item, const FramePlan& plan, const Scene& 
   const Material& material = *item.material;
   const bool blended = material.alphaMode == AlphaMode::kBlend;
   if (plan.everyHole) return blended || isMasked(material);
-  // Unlit ones are three.js's own in the browser. What is drawn for layers does not know it.
-  const bool unlit = item.materialIndex >= 0 && scene.materials[static_cast<std::size_t>(item.materialIndex)].unlit;
+  // Unlit ones are three.js's own in the browser. The material that layers are drawn with does not say so.
+  const bool unlit = frame::materialAt(scene, item.materialIndex, ShadingModel::kFabric).unlit;
   const bool mayBeSheer = material.baseColorFactor.a < 1 || material.baseColorTexture;
   return plan.sheerShadows && blended && mayBeSheer && !unlit;
 }
