@@ -67,7 +67,7 @@ export interface QualityGoal {
   budgetMs?: number;
   /** Name of the settings among those that were measured. */
   setting: string;
-  /** FLIP that 85 of 100 scenes of the class do not pass, so that 95 of 100 goals hold; CPU milliseconds that are likely, and those that 9 of 10 pictures do not pass. */
+  /** FLIP that 92 of 100 scenes of the class do not pass, so that 95 of 100 goals hold; CPU milliseconds that are likely, and those that 9 of 10 pictures do not pass. */
   predicted: { flip: number; cpuMs: number; mostMs: number };
   /** false: nothing is predicted to hold it; W_QUALITY. */
   holds: boolean;

@@ -34,7 +34,7 @@ export function differingKeys({ output: _, ...first }, { output: __, ...second }
  */
 export async function openShotOf(file, shot, { model, environment, backend, timeoutMs }, { limits, signal, api }) {
   if (!shot) throw new TelarError('E_USAGE', `${file} holds no shot: save the picture in telar view, or give the picture to compare with as ACTUAL`);
-  const wanted = { ...withPathsFrom(path.dirname(file), shot), output: { format: 'png' } };
+  const wanted = { ...withPathsFrom(path.dirname(file), shot), output: { format: 'png', ppi: shot.output?.ppi } };
   if (environment !== undefined) wanted.environment = { ...(typeof shot.environment === 'object' ? shot.environment : {}), map: environment };
   const renderer = await api.createRenderer({ backend, limits, timeoutMs: readTimeout(timeoutMs), signal });
   let loaded;

@@ -19,17 +19,17 @@ async function partsOf(model) {
 
 /**
  * @param {import('./jobs.mjs').Job[]} jobs
- * @param {Array<{file: string}>} outputs
- * @throws {TelarError} E_USAGE where a picture would be written over a buffer or a texture of a model
+ * @param {string[]} files all that is to be written: pictures, their layers, a contact sheet
+ * @throws {TelarError} E_USAGE where one would be written over a buffer or a texture of a model
  */
-export async function refuseParts(jobs, outputs) {
-  const written = new Set(outputs.map(({ file }) => path.resolve(file)));
+export async function refuseParts(jobs, files) {
+  const written = new Set(files.map((file) => path.resolve(file)));
   const models = [...new Set(jobs.map(({ model }) => model))].filter((model) => /\.gltf$/i.test(model));
   for (const model of models) {
     // Parts lie beneath their model: most models need not be read.
     const folder = path.dirname(path.resolve(model));
     if (![...written].some((file) => beneath(folder, file))) continue;
     const part = (await partsOf(model)).find((file) => written.has(file));
-    if (part) throw new TelarError('E_USAGE', `-o would overwrite ${shown(path.basename(part))}, a part of the model ${shown(model)}: name another folder`);
+    if (part) throw new TelarError('E_USAGE', `${shown(path.basename(part))} would be overwritten, a part of the model ${shown(model)}: name another folder`);
   }
 }

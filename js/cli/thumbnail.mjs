@@ -11,7 +11,7 @@ import { makeJobs } from './jobs.mjs';
 import { maxFileBytes, readLimits, readTimeout, readWorkers } from './limits.mjs';
 import { readManifest } from './manifest.mjs';
 import { refuseParts } from './model_parts.mjs';
-import { checkLayerFiles } from './layer_files.mjs';
+import { checkLayerFiles, layerFiles } from './layer_files.mjs';
 import { findModels } from './models.mjs';
 import { outputNames } from './output_names.mjs';
 import { readShotOptions } from './shot_options.mjs';
@@ -55,14 +55,19 @@ export async function thumbnail(models, options, context) {
   }
 }
 
-/** What is drawn, and the files that it goes to. Animations have one, and check it themselves. */
+/** What is drawn, and the files that it goes to. Animations have one, and check all else of it themselves. */
 async function planned(models, options, limits, context) {
   const shot = await readShotOptions(options, context);
   const entries = await readEntries(models, options, shot, limits, context);
   const { jobs, crosses } = await makeJobs(entries, options, maxFileBytes(limits));
-  if (isAnimation(options)) return { jobs };
+  const sheet = options.contactSheet === undefined ? [] : [options.contactSheet];
+  if (isAnimation(options)) {
+    await refuseParts(jobs, [options.output]);
+    return { jobs };
+  }
   const outputs = outputNames(options.output, jobs, crosses);
-  await refuseParts(jobs, outputs);
+  const layers = jobs.flatMap(({ shot }, i) => Object.values(layerFiles(outputs[i].file, shot)));
+  await refuseParts(jobs, [...outputs.map(({ file }) => file), ...layers, ...sheet]);
   checkLayerFiles(jobs, outputs);
   await checkSheet(options.contactSheet, jobs, outputs);
   jobs.forEach((job, i) => {
@@ -137,7 +142,7 @@ function mayBeTraced({ quality }) {
 async function drawAll({ jobs, outputs, options, renderer, limits }, { api, console, signal }) {
   const gradual = jobs.some(({ shot }) => mayBeTraced(shot));
   const progress = await console.progress(jobs.length, { gradual });
-  const known = options.skipUnchanged ? new KnownPictures() : undefined;
+  const known = options.skipUnchanged ? new KnownPictures(options.failOn) : undefined;
   const keyOf = (source, shot) => api.pictureKey(source, shot, { limits, ...visibilityOf(options), signal });
   try {
     const explode = options.explode === undefined ? undefined : Number(options.explode);

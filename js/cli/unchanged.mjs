@@ -4,7 +4,7 @@ import { writeFileAtomically } from '../api/atomic_file.mjs';
 import { sha256 } from '../api/sha256.mjs';
 
 /**
- * Which pictures are as they would be drawn again. A file in each output folder keeps the key of every picture, and the
+ * Which pictures are as they would be drawn again. A file in each output folder keeps the key of every picture, what would have left it out, and the
  * digest of the picture's own file: one that was edited, cut or replaced is drawn again.
  */
 
@@ -28,6 +28,12 @@ async function readEntries(folder) {
 export class KnownPictures {
   #folders = new Map();
   #drawn = new Map();
+  #failOn;
+
+  /** @param {string} failOn - As --fail-on has it: what leaves a model without a picture: one that was drawn in spite of a fault is not one that has none. */
+  constructor(failOn) {
+    this.#failOn = failOn;
+  }
 
   #entriesOf(folder) {
     if (!this.#folders.has(folder)) this.#folders.set(folder, readEntries(folder));
@@ -41,7 +47,7 @@ export class KnownPictures {
    */
   async has(file, key) {
     const entry = (await this.#entriesOf(path.dirname(file))).get(path.basename(file));
-    if (entry?.key !== key) return false;
+    if (entry?.key !== key || entry.failOn !== this.#failOn) return false;
     const bytes = await readFile(file).catch(() => undefined);
     return bytes !== undefined && sha256(bytes) === entry.sha256;
   }
@@ -50,7 +56,7 @@ export class KnownPictures {
   add(file, key, data) {
     const folder = path.dirname(file);
     if (!this.#drawn.has(folder)) this.#drawn.set(folder, new Map());
-    this.#drawn.get(folder).set(path.basename(file), { key, sha256: sha256(data) });
+    this.#drawn.get(folder).set(path.basename(file), { key, failOn: this.#failOn, sha256: sha256(data) });
   }
 
   /** Writes what was noted, beside what other runs have written meanwhile. @throws {TelarError} X_OUTPUT */

@@ -24,10 +24,11 @@ export async function worker(options, { console, signal, env, ending, loadPool }
     const { createPool } = await loadPool();
     const size = readWorkers('--workers', options.workers);
     const limits = readLimits(options.limit);
+    const timeoutMs = readTimeout(options.timeoutMs);
     const pool = await createPool({
       backend: options.backend,
       limits,
-      timeoutMs: readTimeout(options.timeoutMs),
+      timeoutMs,
       ...(size && { size }),
       cgroup: options.cgroup,
     });
@@ -35,7 +36,8 @@ export async function worker(options, { console, signal, env, ending, loadPool }
       ending.patienceMs = drainMs + LEEWAY_MS;
       ending.isWell = true;
       for (const warning of queue.warnings) console.warning(warning, 'queue');
-      const drawing = startWorker(queue, { pool, jobMs, putHosts: options.putHost, store: options.store, storeBytes });
+      // Of the time of one picture and that of a job the shorter one ends it.
+      const drawing = startWorker(queue, { pool, jobMs: Math.min(jobMs, timeoutMs ?? jobMs), putHosts: options.putHost, store: options.store, storeBytes });
       await drawing.ready;
       const count = pool.workers.length;
       await console.result({ ok: true, workers: count }, [`${count} worker${count === 1 ? ' draws' : 's draw'} the jobs of the queue`]);

@@ -255,7 +255,7 @@ class Pool {
     // Whoever aborts does not wait for it: a worker that had to be ended then counts all the same.
     const remembered = free.then((ended) => {
       this.#workers.give(worker);
-      return ended && this.#remember(ended, input);
+      return ended && isAlone(request) && this.#remember(ended, input);
     });
     remembered.catch(() => {});
     try {
@@ -272,6 +272,9 @@ class Pool {
     return isOfFile ? this.#quarantine.record(input) : undefined;
   }
 }
+
+/** Whether the model is the only file of a job: with an environment, fonts or a second picture, any of them may have ended the worker. */
+const isAlone = ({ others = [], shots = [] }) => others.length === 0 && !shots.some(({ environment }) => environment);
 
 /** Starts the workers. js/pool/index.d.ts documents it, its options and the methods of Pool. */
 export async function createPool(options = {}) {

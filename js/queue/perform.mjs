@@ -1,6 +1,7 @@
 import { AVIF_TYPE, encodeAvif } from '../api/avif.mjs';
 import { bytesOf } from '../api/source.mjs';
 import { FORMATS } from '../shot/table/output.mjs';
+import { answerKey } from './key.mjs';
 import { drawSized } from './picture_size.mjs';
 
 /**
@@ -45,11 +46,11 @@ const KINDS = {
     if (encode === 'avif') {
       const { quality } = shot.output;
       const file = { name: 'thumbnail.avif', type: AVIF_TYPE, data: await encodeAvif({ ...info, data }, { quality }) };
-      return { key: `${info.key}-avif`, info: { ...plainInfo(info), format: 'avif' }, files: [file] };
+      return { key: answerKey(info.key, asked), info: { ...plainInfo(info), format: 'avif' }, files: [file] };
     }
     const { extensions, mediaType } = FORMATS[info.format];
     const beside = Object.entries(layers).map(([name, bytes]) => ({ name: `${name}${extensions[0]}`, type: mediaType, data: bytes }));
-    return { key: info.key, info: plainInfo(info), files: [{ name: `thumbnail${extensions[0]}`, type: mediaType, data }, ...beside] };
+    return { key: answerKey(info.key, asked), info: plainInfo(info), files: [{ name: `thumbnail${extensions[0]}`, type: mediaType, data }, ...beside] };
   },
   async inspect(pool, { asked, files }, { onProgress, onPreview, ...how }) {
     const { shot = {}, failOn, measure } = asked;

@@ -1,6 +1,6 @@
 import { ERRORS, TelarError } from '../error/index.mjs';
 import { answerLine, errorLine } from './log.mjs';
-import { errorOf, problemOf } from './problem.mjs';
+import { errorOf, isOwners, problemOf } from './problem.mjs';
 import { linger } from './receive.mjs';
 
 /** What is done for each request, whatever its route: its id, its line of the log, its figures, its error. */
@@ -42,13 +42,15 @@ export function watchRequests(fastify, { metrics, spans }) {
 }
 
 /**
- * Errors are answered as problem+json, that there is no such route too.
+ * Errors are answered as problem+json, that there is no such route too; what a hook of the owner's server refuses, as that server answers it.
  * @param {import('fastify').FastifyInstance} fastify
  * @param {import('./service.mjs').Service} service
  */
 export function answerErrors(fastify, { admission }) {
   const { prefix } = fastify;
   fastify.setErrorHandler((thrown, request, reply) => {
+    // A hook that runs before the one above knows nothing of what that notes.
+    if (!request.telar || isOwners(thrown)) throw thrown;
     const error = errorOf(thrown);
     request.telar.code = error.code;
     errorLine(request, error);

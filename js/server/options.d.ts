@@ -26,7 +26,7 @@ export interface PluginSettings {
   resultBytes?: number;
   /** Draw jobs of the queue in this process too; otherwise `telar worker` does. @default true */
   drawJobs?: boolean;
-  /** Header, in small letters, that names the tenant of a request; what stands before the service sets it. */
+  /** Header that names the tenant of a request; what stands before the service sets it. */
   tenantHeader?: string;
   /** Most pixels of a side of a picture. Range 1 to 8192. @default 4096 */
   side?: number;

@@ -10,11 +10,17 @@ const TOLD = ['X_SOURCE', 'X_WORKERS', 'X_LIBRARY_MISSING'];
 /** By status of what HTTP itself finds wrong. */
 const CODES = { 404: 'E_NOT_FOUND', 405: 'E_METHOD', 408: 'X_UPLOAD_TIME', 413: 'L_REQUEST_BYTES', 415: 'E_MEDIA_TYPE' };
 
+const isRefused = (status) => status >= 400 && status < 500;
+
+/** Whether a request was refused for a reason that this service has not: who asks (401, 403), or how often (429). */
+export const isOwners = (thrown) =>
+  !(thrown instanceof TelarError) && isRefused(thrown?.statusCode) && !(thrown.statusCode in CODES) && thrown.statusCode !== 400;
+
 /** @param {unknown} thrown @returns {TelarError} */
 export function errorOf(thrown) {
   if (thrown instanceof TelarError) return thrown;
   const status = thrown?.statusCode;
-  if (!(status >= 400 && status < 500)) return toTelarError(thrown);
+  if (!isRefused(status)) return toTelarError(thrown);
   return new TelarError(CODES[status] ?? 'E_REQUEST', ERRORS[CODES[status] ?? 'E_REQUEST'].meaning, { cause: thrown });
 }
 

@@ -49,15 +49,20 @@ export class References {
   /**
    * @param {string} reference
    * @param {AbortSignal} signal
+   * @param {{grow: (bytes: number) => void}} held what counts the bytes as they come
    * @returns {Promise<Uint8Array>}
    * @throws {TelarError} E_URI_DENIED, E_NOT_FOUND, L_FILE_BYTES, X_SOURCE, X_RESOLVE
    */
-  async bytes(reference, signal) {
+  async bytes(reference, signal, held) {
     if (isAddress(reference) && URL.canParse(reference)) {
       const { origin, username, password } = new URL(reference);
-      if (this.#origins.has(origin) && !username && !password) return this.#fetch(reference, signal);
+      if (this.#origins.has(origin) && !username && !password) return this.#fetch(reference, signal, held);
     }
-    if (this.#resolve) return this.#resolved(reference, signal);
+    if (this.#resolve) {
+      const bytes = await this.#resolved(reference, signal);
+      held.grow(bytes.byteLength);
+      return bytes;
+    }
     const why = isAddress(reference) ? 'its host is not allowed' : 'this service resolves no references';
     throw new TelarError('E_URI_DENIED', `request.model: ${named(reference)} is not opened, as ${why}; send the model in the request`, { pointer: '/model' });
   }
@@ -83,7 +88,7 @@ export class References {
   }
 
   /** No redirects, no credentials; as many bytes as a file may have, whatever the headers say. */
-  async #fetch(address, signal) {
+  async #fetch(address, signal, held) {
     const refused = (what, cause) => new TelarError('X_SOURCE', `${shown(new URL(address).host)} ${what}`, { cause });
     let response;
     try {
@@ -102,6 +107,7 @@ export class References {
       for await (const chunk of response.body) {
         bytes += chunk.byteLength;
         if (bytes > this.#maxBytes) throw tooLarge('L_FILE_BYTES', this.#maxBytes, bytes, 'the model');
+        held.grow(bytes);
         chunks.push(chunk);
       }
     } catch (cause) {

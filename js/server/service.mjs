@@ -59,10 +59,14 @@ export class Service {
     const given = options.pool ?? {};
     const queue = isQueue(options.queue) ? options.queue : await ownQueue(options);
     const owns = { queue: queue !== options.queue, pool: !isPool(given) };
+    let pool = given;
     try {
-      const pool = owns.pool ? await (await import('../pool/index.mjs')).createPool(given) : given;
-      return await new Service(options, { pool, queue, owns }).#withMetrics();
+      if (owns.pool) pool = await (await import('../pool/index.mjs')).createPool(given);
+      const service = await new Service(options, { pool, queue, owns }).#withMetrics();
+      service.#takeJobs();
+      return service;
     } catch (error) {
+      if (owns.pool && isPool(pool)) await pool.close();
       if (owns.queue) await queue.close();
       throw error;
     }
@@ -80,7 +84,6 @@ export class Service {
     this.#references = new References({ ...options, maxBytes: this.#fileBytes });
     const places = Math.max(1, pool.workers.length);
     this.admission = new Admission({ places, waiting: options.waiting ?? WAITING_EACH * places, uploads: options.uploads, uploadBytes: options.uploadBytes });
-    if (options.drawJobs) queue.take((task, how) => this.#workLater(task, how), { atOnce: places });
   }
 
   async #withMetrics() {
@@ -89,6 +92,11 @@ export class Service {
     const { store, storeBytes } = this.#options;
     this.#store = await ResultStore.open(store, storeBytes, (outcome) => this.metrics.stored.inc({ outcome }));
     return this;
+  }
+
+  /** A queue that outlives processes may have waiting ones: they are drawn at once. */
+  #takeJobs() {
+    if (this.#options.drawJobs) this.queue.take((task, how) => this.#workLater(task, how), { atOnce: this.admission.places });
   }
 
   /** Whether a worker is there, and work is let in. */
@@ -138,9 +146,7 @@ export class Service {
     if (file) return file;
     if (reference === undefined) throw missing('model');
     if (this.signatures.areNeeded && !isSigned) throw new TelarError('E_SIGNATURE', 'this service takes references from signed addresses alone');
-    const bytes = await this.#references.bytes(reference, signal);
-    held.grow(bytes.byteLength);
-    return bytes;
+    return this.#references.bytes(reference, signal, held);
   }
 
   /**
@@ -166,7 +172,8 @@ export class Service {
   submit(kind, request, response) {
     return this.#within(new Scope(response, this.admission.hold()), async (scope) => {
       const { headers } = request.raw;
-      const tenant = headers[this.#options.tenantHeader] ?? '';
+      const { tenantHeader } = this.#options;
+      const tenant = (tenantHeader && headers[tenantHeader.toLowerCase()]) || '';
       const { task, type } = await this.#wanted(kind, request, scope, () => this.queue.check(tenant));
       return this.queue.add(task, { meta: { type, kind }, tenant, ...priorityOf(headers) });
     });

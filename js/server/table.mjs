@@ -44,7 +44,7 @@ const PLUGIN = {
   resultBytes,
   drawJobs: { ...boolean('Draw jobs of the queue in this process too; otherwise `telar worker` does', { default: true }), flag: '--no-draw-jobs' },
   tenantHeader: {
-    ...text('Header, in small letters, that names the tenant of a request; what stands before the service sets it', 'the name of a header', {
+    ...text('Header that names the tenant of a request; what stands before the service sets it', 'the name of a header', {
       max: 64,
       optional: true,
     }),

@@ -17,32 +17,45 @@ function tableAt(view, tag) {
 }
 
 /** Ranges of characters of a map of format 12: every group. */
-function groups12(view, at) {
-  return Array.from({ length: Math.min(view.getUint32(at + 12), 100_000) }, (_, i) => {
+function* ranges12(view, at) {
+  const count = view.getUint32(at + 12);
+  for (let i = 0; i < count; ++i) {
     const group = at + 16 + 12 * i;
-    return [view.getUint32(group), view.getUint32(group + 4)];
-  });
+    yield [view.getUint32(group), view.getUint32(group + 4)];
+  }
 }
 
 /** Of format 4: every segment, without the characters whose glyph is none. */
-function groups4(view, at) {
+function* ranges4(view, at) {
   const count = view.getUint16(at + 6) / 2;
-  const groups = [];
+  let next = 0;
   for (let i = 0; i < count; ++i) {
     const [end, start] = [view.getUint16(at + 14 + 2 * i), view.getUint16(at + 16 + 2 * count + 2 * i)];
     const delta = view.getUint16(at + 16 + 4 * count + 2 * i);
     const rangeAt = at + 16 + 6 * count + 2 * i;
     const range = view.getUint16(rangeAt);
-    for (let c = start; c <= end && c < 0xffff; ++c) {
+    for (let c = Math.max(start, next); c <= end && c < 0xffff; ++c) {
       const glyph = range === 0 ? (c + delta) & 0xffff : view.getUint16(rangeAt + range + 2 * (c - start));
-      if (glyph !== 0) groups.push([c, c]);
+      if (glyph !== 0) yield [c, c];
     }
+    next = Math.max(next, end + 1);
   }
-  return groups;
 }
 
-/** @param {Uint8Array} font @returns {[number, number][]} code points from, to */
-function charactersOf(font) {
+/** Ranges in ascending order, each character once: both formats are so, and what a file has otherwise is left out. */
+function ascending(ranges) {
+  const found = [];
+  for (const [from, to] of ranges) {
+    const last = found.at(-1);
+    const next = last ? last[1] + 1 : 0;
+    if (from === next && last) last[1] = Math.max(to, last[1]);
+    else if (to >= Math.max(from, next)) found.push([Math.max(from, next), to]);
+  }
+  return found;
+}
+
+/** @param {Uint8Array} font @returns {[number, number][]} code points from, to; ascending */
+export function charactersOf(font) {
   const view = new DataView(font.buffer, font.byteOffset, font.byteLength);
   const cmap = tableAt(view, 'cmap');
   const tables = Array.from({ length: view.getUint16(cmap + 2) }, (_, i) => {
@@ -50,8 +63,7 @@ function charactersOf(font) {
     return { at, format: view.getUint16(at) };
   });
   const full = tables.find(({ format }) => format === 12);
-  if (full) return groups12(view, full.at);
-  return groups4(view, tables.find(({ format }) => format === 4).at);
+  return ascending(full ? ranges12(view, full.at) : ranges4(view, tables.find(({ format }) => format === 4).at));
 }
 
 /** Name of a font's family: the typographic one where it has one. */
@@ -76,16 +88,27 @@ function familyOf(font) {
  * @throws {TelarError} E_OPTION
  */
 export function readFonts(fonts, bundled = 0) {
-  const characters = new Set();
+  const characters = [];
   const families = fonts.map((font, i) => {
     try {
-      for (const [from, to] of charactersOf(font)) for (let c = from; c <= Math.min(to, 0x10ffff); ++c) characters.add(c);
+      characters.push(charactersOf(font));
       return familyOf(font);
     } catch {
       throw wrongFont(i - bundled);
     }
   });
-  return { families: [...new Set(families)], has: (character) => characters.has(character) };
+  return { families: [...new Set(families)], has: (character) => characters.some((ranges) => isAmong(ranges, character)) };
+}
+
+/** @param {[number, number][]} ranges - Ascending. */
+function isAmong(ranges, character) {
+  let [low, high] = [0, ranges.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (ranges[middle][1] < character) low = middle + 1;
+    else high = middle;
+  }
+  return low < ranges.length && ranges[low][0] <= character;
 }
 
 /** What needs no glyph of its own: line feeds and marks that only shape or direct text. */

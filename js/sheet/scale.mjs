@@ -66,9 +66,12 @@ export function fittingRatio(extents, box) {
  * @property {(point: Vec3) => [number, number]} paperOf - Where a point of the model is, millimetres of paper from the top left corner.
  * @property {number} ratio
  */
-export function trueView({ basis, centre, width, height }, { ratio, ppi, margin = 0, depth = 10 }) {
+export function trueView({ basis, centre, width, height }, { ratio, ppi: wanted, margin = 0, depth = 10 }) {
+  // A picture of more pixels than can be drawn has a lower resolution: cut off, a part of the garment would be missing.
+  const inches = ((1000 * Math.max(width, height)) / ratio + 2 * margin) / INCH;
+  const ppi = Math.min(wanted, (PIXELS_MAX - 1) / inches);
   const metresPerPixel = metresPerPixelOf(ratio, ppi);
-  const side = (length) => Math.min(PIXELS_MAX, Math.max(1, Math.ceil(length / metresPerPixel + (2 * margin * ppi) / INCH)));
+  const side = (length) => Math.max(1, Math.ceil(length / metresPerPixel + (2 * margin * ppi) / INCH));
   const size = { width: side(width), height: side(height) };
   const camera = {
     projection: 'orthographic',

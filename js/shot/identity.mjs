@@ -15,12 +15,16 @@ export function shotIdentity(shot) {
   return {
     ...parsed,
     ...resolveWithoutModel(parsed),
+    ...(isSizedByModel(shot, parsed) && { size: null }),
     camera: cameraIdentity(parsed.camera),
     lights: parsed.lights.map(lightIdentity),
     // As a list: the order in which cloths are put on counts.
     materials: Object.entries(parsed.materials),
   };
 }
+
+/** Whether the model decides the size, by its scale: the default in its place would be another picture. */
+const isSizedByModel = ({ size }, { scale, camera }) => scale !== 'none' && size === undefined && camera.position === undefined;
 
 function cameraIdentity(camera) {
   if (camera.gltf !== undefined) return camera;

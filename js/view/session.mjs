@@ -5,8 +5,8 @@ import { resolveShot } from '../shot/resolve.mjs';
 import { Environments } from './environments.mjs';
 import { modelFiles } from './model_files.mjs';
 
-/** Pixels as they are: RGBA8, straight alpha, top row first. */
-const PIXELS = { format: 'raw' };
+/** Pixels as they are: RGBA8, straight alpha, top row first. Pixels per inch decide the size of a picture in scale; of others they are the file's alone. */
+const pixelsOf = ({ scale = 'none', output }) => ({ format: 'raw', ...(scale !== 'none' && { ppi: output?.ppi }) });
 
 /** Name of a model that came as bytes. */
 const BYTES_NAME = 'model.glb';
@@ -91,7 +91,7 @@ export class Session {
 
   /**
    * Draws a shot of the page.
-   * @param {object} shot not resolved; its output is not looked at
+   * @param {object} shot not resolved; of its output only the pixels per inch of a scale count
    * @param {AbortSignal} signal
    * @param {(preview: import('../index.js').Preview) => void} [onPreview] each picture so far
    * @returns {Promise<{data: Buffer, info: object}>} RGBA8, straight alpha, top row first; `info.shot` as the page knows it
@@ -107,7 +107,7 @@ export class Session {
         .join(', ');
       throw new TelarError('E_SHOT', `shot.environment: this view has ${names}; open it with --environment to use another file`, { pointer: '/environment' });
     }
-    const { data, info } = await this.#renderer.render(this.#model, { ...known, output: PIXELS }, { signal, onPreview });
+    const { data, info } = await this.#renderer.render(this.#model, { ...known, output: pixelsOf(known) }, { signal, onPreview });
     const { width, height, milliseconds, warnings } = info;
     return { data, info: { width, height, milliseconds, warnings, shot: this.#environments.forPage(info.shot) } };
   }

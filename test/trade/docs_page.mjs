@@ -225,7 +225,7 @@ ${table({
 The target is 95 % of errors held, all within twice the time of the cheapest, and 90 % of times held. The second is missed: a picture in \`standard\` takes less time than it takes to know
 that it is good enough, and the next settings take eight times as long. Settings between them were tried, denoised from 2, 4 and 8 passes of 8 to 32 directions, which no option has: they took two to five
 times the time of \`standard\`, and erred by 0.051, 0.039 and 0.037 where \`standard\` erred by 0.046 and \`medium\`, in seven times the time, by 0.026 (18 windows of six cloths). A look that compares with denoised passes of the raster (64 or 256 samples) in place of paths was tried: 52 and 48 % within twice
-the time, and 93 and 94 % of errors held. Looks of these 40 scenes that took no time would bring 65 %, of 32 x 32 pixels 67 %: most that they cannot tell apart lie about \`standard\`. One that knew every error would bring
+the time, and 93 and 94 % of errors held. Of 40 scenes of an earlier run looks that took no time would have brought 65 %, of 32 x 32 pixels 67 %: most that they cannot tell apart lie about \`standard\`. One that knew every error would bring
 all, if it took no more than 0.3 of the time of \`standard\`. Predictions are from ${predicted.scenes} scenes.
 `;
 }

@@ -92,7 +92,7 @@ GPU without sample masks, it becomes whole pixels. Layers over each other have n
 texture whose alpha nowhere reaches \`alphaCutoff\` draws nothing. Its shadow is that of the plain image, as in three.js.
 
 **Shadows** of sheer cloth (BLEND) let through what its alpha leaves: so many texels of the shadow map are left out, which its filter averages; in one pass some grain is left. Each layer takes its part of the light
-where their depths from the light differ by more than 1/256 of the map's range. Nearer ones take together what one does.
+where their depths from the light differ by more than 1/256 of the map's range. Nearer ones take together what one does. Alpha of vertices has no part in it.
 
 **Folds** of nets, and of sheer cloth (BLEND), show what lies behind them: the triangles of a mesh are drawn far to near, by their middles, on the server and in
 the browser, which puts them in order anew where mesh or camera has moved. Meshes go one after the other, as in three.js; instances are drawn as the file has their triangles.

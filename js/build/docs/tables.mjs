@@ -28,6 +28,9 @@ function valuesText(node) {
 
 const objectsOf = (node) => (node.properties ? [node] : (node.anyOf ?? node.oneOf ?? []).flatMap(objectsOf));
 
+/** Whether an object has any names, with an object each. */
+const isRecord = ({ properties, additionalProperties }) => !properties && additionalProperties?.properties !== undefined;
+
 /** Rows of an object's keys; the objects inside follow their own row. */
 function rowsOf(path, node) {
   return Object.entries(node.properties).flatMap(([key, property]) => {
@@ -37,6 +40,7 @@ function rowsOf(path, node) {
     const own = row([code(name), valuesText(property), value, property.description ?? '']);
     return [
       own,
+      ...(isRecord(property) ? rowsOf(`${name}.NAME`, property.additionalProperties) : []),
       ...inner.flatMap((object) => {
         const type = object.properties.type?.const;
         return rowsOf(`${name}${property.type === 'array' ? `[${type ?? ''}]` : ''}`, object);

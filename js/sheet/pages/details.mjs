@@ -1,3 +1,5 @@
+import { wrongValue } from '../../shot/complain.mjs';
+import { ABOUT } from '../read.mjs';
 import { CAPTION_GAP, HEADING, emptyFigure } from '../layout.mjs';
 import { isWithin, overlaps } from '../place/geometry.mjs';
 import { isLong } from './cells.mjs';
@@ -38,10 +40,25 @@ const KEYS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ';
 /** A, B, ... Z, AA, AB, ... */
 const keyOf = (i) => (i < 26 ? KEYS[i] : keyOf(Math.floor(i / 26) - 1) + KEYS[i % 26]);
 
-async function cellOf(layout, view, detail, room) {
+/** @throws {TelarError} E_SPEC where a detail in a scale of its own is larger than its page has room for */
+function checkFits({ id, size, height = size, scale }, ratio, room) {
+  const [wide, high] = [size, height].map((length) => (1000 * length) / ratio);
+  if (wide <= room.width && high <= room.height) return;
+  const fitting = scaleText(fittingRatio([{ width: size, height }], room));
+  throw wrongValue(
+    ['details', id, 'scale'],
+    `a scale at which ${Math.round(wide)} x ${Math.round(high)} mm fit into ${Math.floor(room.width)} x ${Math.floor(room.height)} mm beside the view, such as "${fitting}"`,
+    scale,
+    ABOUT,
+  );
+}
+
+/** @param {{most: {width: number, height: number}, whole: {width: number, height: number}}} rooms most: of one whose scale is to fit; whole: of one alone */
+async function cellOf(layout, view, detail, { most, whole }) {
   const { words, pictures } = layout;
   const size = { width: detail.size, height: detail.height ?? detail.size };
-  const ratio = detail.scale === 'fit' ? fittingRatio([size], room) : ratioOf(detail.scale);
+  const ratio = detail.scale === 'fit' ? fittingRatio([size], most) : ratioOf(detail.scale);
+  if (detail.scale !== 'fit') checkFits(detail, ratio, whole);
   const centre = await layout.pointOf(detail, view, ['details', detail.id]);
   const { basis } = layout.extent(view);
   const { file, width, height } = pictures.ask({ basis, centre, ...size }, { ratio, ...layout.seen(view), style: detail.style, margin: 0 });
@@ -151,8 +168,9 @@ export async function detailPages(layout) {
       room: { width: room, height: page.box.height - HEADING },
       least: page.isWide ? SIDE.wide : SIDE.upright,
     });
+    const whole = { width: room, height: page.box.height - HEADING - TITLE };
     const cells = [];
-    for (const detail of own) cells.push(await cellOf(layout, view, detail, most));
+    for (const detail of own) cells.push(await cellOf(layout, view, detail, { most, whole }));
     const widest = Math.max(...cells.map(({ picture }) => picture.width));
     const columns = Math.max(1, Math.floor((room + GAP) / (widest + GAP)));
     sections.push({

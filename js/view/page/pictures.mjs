@@ -86,7 +86,7 @@ export class Pictures {
     try {
       // The picture as it is shown, whatever file it was meant for: jpeg, for one, has a background of its own.
       const { output, ...seen } = shot;
-      const asked = { ...seen, background: resolved.background };
+      const asked = { ...seen, background: resolved.background, output: { ppi: resolved.output.ppi } };
       const { image, info } = await (isLong(resolved.quality) ? grow(asked, signal, (...sofar) => this.#showGrowing(...sofar)) : draw(asked, signal));
       await this.#drawing;
       if (signal.aborted) return;

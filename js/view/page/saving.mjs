@@ -2,7 +2,7 @@ import { embedShot } from '../../compare/embedded_shot.mjs';
 import { png } from './remote.mjs';
 
 /** A shot as it is saved with a picture: what was drawn, whatever file it was going to. */
-const savedShot = ({ output, ...shot }) => shot;
+const savedShot = ({ output: { ppi }, ...shot }) => ({ ...shot, output: { ppi } });
 
 /**
  * Saves pixels as a PNG with their shot inside, so that `telar compare` knows what was drawn.

@@ -173,6 +173,8 @@ test('a shot in other words has the same key, another shot another one', async (
     { output: { format: 'webp' } },
     { output: { bitDepth: 16 } },
     { output: { effort: 5 } },
+    { scale: '1:5', output: { ppi: 150 } }, // the model decides its size
+    { scale: '1:5', output: { ppi: 150 }, size: {} },
   ];
   const keys = await Promise.all(others.map((shot) => pictureKey(model, shot)));
   assert.equal(new Set([key, ...keys]).size, others.length + 1);

@@ -134,8 +134,17 @@ test('a picture is not written over a part of a model', async () => {
   });
   assert.match(
     await usageOf(at('y/broken.gltf'), at('x/shirt.gltf'), '-o', at('x/textures/{name}.png')),
-    /would overwrite "shirt\.png", a part of the model ".*shirt\.gltf"/,
+    /"shirt\.png" would be overwritten, a part of the model ".*shirt\.gltf"/,
   );
+  const parts = ['shirt.normal.png', 'body.webp', 'body.png'];
+  fill(at, { 'z/shirt.gltf': JSON.stringify({ asset: { version: '2.0' }, images: parts.map((uri) => ({ uri })) }) });
+  fill(at, Object.fromEntries(parts.map((part) => [`z/${part}`, 'a texture'])));
+  for (const [part, argv] of [
+    ['shirt.normal.png', ['-o', at('z/shirt.png'), '--layers', 'normal']],
+    ['body.webp', ['-o', at('z/body.webp'), '--turntable', '4']],
+    ['body.png', ['-o', at('z/{name}.png'), '--contact-sheet', at('z/body.png')]],
+  ])
+    assert.ok((await usageOf(at('z/shirt.gltf'), ...argv)).includes(`"${part}" would be overwritten, a part of the model`), part);
   assert.equal((await runFake(['thumbnail', at('x/shirt.gltf'), '-o', at('x/{name}.png')])).exit, 0);
 });
 
@@ -270,6 +279,10 @@ test('--skip-unchanged leaves out what would be the same, and nothing else', asy
   assert.deepEqual(await drawn(), ['b.glb']);
   assert.deepEqual(await drawn('--set', 'exposure=2'), ['a.glb', 'b.glb']);
   assert.deepEqual(await drawn('--set', 'exposure=2'), []);
+  // A picture that was drawn in spite of a fault is not one that has none.
+  assert.deepEqual(await drawn('--set', 'exposure=2', '--fail-on', 'warning'), ['a.glb', 'b.glb']);
+  assert.deepEqual(await drawn('--set', 'exposure=2', '--fail-on', 'warning'), []);
+  assert.deepEqual(await drawn('--set', 'exposure=2'), ['a.glb', 'b.glb']);
   writeFileSync(at('out/.telar-keys.json'), '{"version": 1, "pictures": {"a.png": 3, "b.png"');
   assert.deepEqual(await drawn('--set', 'exposure=2'), ['a.glb', 'b.glb']);
   assert.match((await runFake(['thumbnail', 'a.glb', '-o', '-', '--skip-unchanged'])).stderr, /give a file to -o/);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { before, test } from 'node:test';
-import { MODELS } from '../../fixtures/index.mjs';
+import { ENVIRONMENTS, MODELS } from '../../fixtures/index.mjs';
 import { busy, ENDLESS, errorOf, isAlive, open, SHOT } from './support.mjs';
 import { until } from '../../until.mjs';
 
@@ -161,6 +161,16 @@ test('a file that hangs its workers is refused too where its callers abort befor
     }
     await until(() => pool.workers.some(({ state }) => state === 'idle'));
     assert.equal((await errorOf(pool.render(ball, SHOT)))?.code, 'X_QUARANTINE');
+  }));
+
+test('of a job that had an environment of its own the model is not refused: which of the two it was is not known', () =>
+  withPool({}, async (pool) => {
+    const shot = { ...ENDLESS, environment: { map: ENVIRONMENTS['soft-studio']() } };
+    for (let i = 0; i < 2; ++i) {
+      const onProgress = () => process.kill(pool.workers.find(({ state }) => state === 'busy').pid, 'SIGKILL');
+      assert.equal((await errorOf(pool.render(ball, shot, { onProgress })))?.code, 'X_CRASH');
+    }
+    assert.ok((await pool.render(ball, SHOT)).data.length > 0);
   }));
 
 test('a file that ended two workers in a row is refused, others are not', () =>

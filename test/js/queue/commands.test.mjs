@@ -4,7 +4,7 @@ import { readdirSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { before, test } from 'node:test';
-import { MODELS, SHOT, bytesOf, openPool, post } from '../server/support.mjs';
+import { ENDLESS, MODELS, SHOT, bytesOf, openPool, post } from '../server/support.mjs';
 import { startRedis, temporaryFolder } from './support.mjs';
 import { startTelar } from '../../telar_process.mjs';
 import { until } from '../../until.mjs';
@@ -61,6 +61,26 @@ test('SQLite: the API adds, the worker draws, and both end well', async (t) => {
   const { folder, remove } = temporaryFolder('commands');
   t.after(remove);
   await checkPlace(t, ['--sqlite', path.join(folder, 'jobs.db')]);
+});
+
+test('a worker ends a picture that takes longer than its --timeout-ms', async (t) => {
+  const { folder, remove } = temporaryFolder('commands');
+  t.after(remove);
+  const argv = ['--sqlite', path.join(folder, 'jobs.db')];
+  const [api, worker] = await Promise.all([serve(argv), work([...argv, '--timeout-ms', '700', '--job-ms', '15000'])]);
+  const url = api.found.trim();
+  const response = await post(url, THUMBNAILS, glb, { shot: ENDLESS }, { prefer: 'respond-async' });
+  const { self } = (await response.json()).links;
+  const { error } = await until(async () => {
+    const told = await job(url, self);
+    return told.state === 'failed' && told;
+  });
+  assert.equal(error.code, 'X_TIMEOUT');
+  assert.match(error.message, /\b700 ms/);
+  for (const { child, ended } of [worker, api]) {
+    child.kill('SIGTERM');
+    await ended;
+  }
 });
 
 test('REDIS_URL: the same', async (t) => {

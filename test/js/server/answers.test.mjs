@@ -187,6 +187,10 @@ test('warnings of a model are named in a header', async () => {
   assert.deepEqual([refused.status, refused.code], [415, 'E_EXT_REQUIRED']);
   const response = await post(url, THUMBNAILS, broken, { shot: SHOT, failOn: 'none' });
   assert.deepEqual([response.status, response.headers.get('telar-warnings')], [200, 'W_EXT_REQUIRED']);
+  // What was drawn in spite of a fault is not the answer to whom that is none.
+  const known = { 'if-none-match': response.headers.get('etag') };
+  assert.equal((await post(url, THUMBNAILS, broken, { shot: SHOT, failOn: 'none' }, known)).status, 412);
+  assert.equal((await post(url, THUMBNAILS, broken, { shot: SHOT }, known)).status, 415);
 });
 
 test('HEAD has the headers of GET', async () => {

@@ -61,7 +61,10 @@ test('the picture as AVIF: the pixels of the PNG, with its transparency, and a t
   assert.deepEqual([again.headers.get('etag'), (await bytesOf(again)).equals(bytes)], [tag, true]);
 });
 
-test('quality of the shot counts', async () => {
+test('quality of the shot counts, and the tag tells it', async () => {
+  const tagOf = async (output) => (await post(url, THUMBNAILS, glb, { shot: { ...SHOT, output } }, AVIF)).headers.get('etag');
+  // Without one it is the encoder's own, and not that of the shot's other formats.
+  assert.equal(new Set([await tagOf({}), await tagOf({ quality: 90 }), await tagOf({ quality: 91 })]).size, 3);
   const sizeOf = async (quality) => (await bytesOf(await post(url, THUMBNAILS, glb, { shot: { ...SHOT, output: { quality } } }, AVIF))).length;
   assert.ok((await sizeOf(10)) < (await sizeOf(95)));
 });

@@ -73,7 +73,7 @@ const FAULTS = {
   ],
   'asked for again': [
     ['drawn again', 'memory_queue.mjs', 'if (found && isKept(found)) return stateOf(found);', ''],
-    ['tenants share it', 'service.mjs', "headers[this.#options.tenantHeader] ?? ''", "''"],
+    ['tenants share it', 'service.mjs', "(tenantHeader && headers[tenantHeader.toLowerCase()]) || ''", "''"],
   ],
   'a job that is none': [
     ['another code', 'job_handlers.mjs', "if (!state) throw new TelarError('E_NOT_FOUND'", "if (!state) throw new TelarError('E_REQUEST'"],

@@ -41,6 +41,48 @@ test('what the server itself has stays as it was: bodies, errors, routes that ar
   assert.equal((await (await fetch(new URL('/none', url))).json()).message, 'Route GET:/none not found');
 });
 
+test("what a hook of the owner's server refuses is answered as that server does, before the service's own hook and after it", async (t) => {
+  const pool = await createPool({ size: 1, cacheDirectory: null });
+  const other = Fastify();
+  t.after(async () => {
+    await other.close();
+    await pool.close();
+  });
+  const refuseAt = (hook, status) =>
+    other.addHook(hook, async ({ headers }) => {
+      if (headers.refuse === hook) throw Object.assign(new Error(`refused ${hook}`), { statusCode: status });
+    });
+  refuseAt('onRequest', 401);
+  refuseAt('preHandler', 429);
+  await other.register(telarServer, { pool });
+  const address = await other.listen({ port: 0 });
+  for (const [refuse, status] of [
+    ['onRequest', 401],
+    ['preHandler', 429],
+  ]) {
+    const answer = await fetch(new URL('/openapi.json', address), { headers: { refuse } });
+    assert.deepEqual([answer.status, (await answer.json()).message], [status, `refused ${refuse}`]);
+  }
+  assert.equal((await fetch(new URL('/openapi.json', address))).status, 200);
+});
+
+test('jobs that waited in a queue before the service was there are drawn', async (t) => {
+  const pool = await createPool({ size: 1, cacheDirectory: null });
+  const queue = await openQueue({});
+  const other = Fastify();
+  t.after(async () => {
+    await other.close();
+    await queue.close();
+    await pool.close();
+  });
+  const { id } = await queue.add({ kind: 'thumbnail', asked: { shot: SHOT }, files: { model: glb } });
+  await other.register(telarServer, { pool, queue });
+  await other.ready();
+  await until(async () => ['done', 'failed'].includes((await queue.get(id)).state));
+  const { state, error } = await queue.get(id);
+  assert.deepEqual([state, error], ['done', undefined]);
+});
+
 test('a pool of the owner stays open when the server closes; one of the plugin ends with it', async () => {
   const pool = await createPool({ size: 1, cacheDirectory: null });
   const other = Fastify();

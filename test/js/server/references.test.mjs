@@ -1,6 +1,8 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { HOURS, MODELS, SHOT, at, bytesOf, openPool, problemOf, serve } from './support.mjs';
+import { TelarError } from '../../../js/error/index.mjs';
+import { References } from '../../../js/server/references.mjs';
 import { startHost } from '../../http_host.mjs';
 
 // References: nothing is fetched but from hosts that the owner allows, and then no more than a model may have.
@@ -113,6 +115,17 @@ test('a host that never answers, and one that is not there', async () => {
   assert.deepEqual([late.status, late.code], [504, 'X_TIMEOUT']);
   const nobody = await ask('http://127.0.0.1:1/model.glb', { allowHosts: ['http://127.0.0.1:1'] });
   assert.deepEqual([nobody.status, nobody.code, nobody.message], [502, 'X_SOURCE', '"127.0.0.1:1" cannot be reached']);
+});
+
+test('bytes of a reference count as they come, not when all are there', async () => {
+  const references = new References({ allowHosts: [origin], maxBytes: 1e9 });
+  const grown = [];
+  const grow = (bytes) => {
+    grown.push(bytes);
+    if (bytes > 300_000) throw new TelarError('X_BUSY', 'full');
+  };
+  await assert.rejects(references.bytes(`${origin}/much`, new AbortController().signal, { grow }), { code: 'X_BUSY' });
+  assert.ok(grown.length > 1 && grown.at(-1) < 1_000_000, `${grown}`);
 });
 
 test("the owner's callback: bytes of any kind, none, too many, what it throws", async () => {

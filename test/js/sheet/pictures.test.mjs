@@ -144,6 +144,12 @@ test('a detail is drawn anew at its scale, and its place is marked', async () =>
   assert.ok(Math.abs(ring.width - (scale * 80) / 300) < 0.2 && Math.abs(ring.height - (scale * 50) / 300) < 0.2 && !ring.round);
 });
 
+test('a detail that is larger than its page in the scale that it asks for is refused', async () => {
+  const large = { ...DETAIL, details: [DETAIL.details[0], { ...DETAIL.details[0], size: 0.3 }], paper: { size: 'A4' } };
+  const message = /^spec\.details\[1\]\.scale: expected a scale at which 300 x 50 mm fit into \d+ x \d+ mm beside the view, such as "1:2", got "1:1"$/;
+  await assert.rejects(createSheet(model, large, options()), { code: 'E_SPEC', pointer: '/details/1/scale', message });
+});
+
 test('a round detail has no height; a detail of a flat is a flat', async () => {
   const round = { ...DETAIL, details: [{ ...DETAIL.details[0], shape: 'circle' }] };
   await assert.rejects(createSheet(model, round, options()), { code: 'E_SPEC', pointer: '/details/0/height' });

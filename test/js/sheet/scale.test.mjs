@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import '../api/support/real.mjs';
 import { createRenderer } from '../../../js/index.mjs';
+import { PIXELS_MAX } from '../../../js/shot/true_scale.mjs';
 import { basisOf, extentOf, fittingRatio, ratioOf, scaleText, trueView } from '../../../js/sheet/scale.mjs';
 import { squareModel } from './square.mjs';
 
@@ -48,9 +49,9 @@ test('an extent is that of the direction', () => {
 
 test('a millimetre on paper is the same length of the model all over the picture', () => {
   for (const [ratio, ppi] of [
-    [1, 300],
+    [1, 250],
     [5, 200],
-    [0.5, 150],
+    [0.5, 140],
   ]) {
     const view = trueView(extentOf(BOX, basisOf({ view: 'front' })), { ratio, ppi, margin: 2 });
     const [a, b] = [
@@ -61,6 +62,14 @@ test('a millimetre on paper is the same length of the model all over the picture
     assert.ok(Math.abs(view.paper.width - (view.size.width * 25.4) / ppi) < 1e-9);
     assert.ok(view.paper.width >= 600 / ratio + 4 && view.paper.width < 600 / ratio + 4 + 25.4 / ppi + 1e-9);
   }
+});
+
+test('a picture of more pixels than can be drawn has a lower resolution, and all of the garment', () => {
+  const view = trueView(extentOf(BOX, basisOf({ view: 'front' })), { ratio: 1, ppi: 600, margin: 2 });
+  assert.ok(Math.max(view.size.width, view.size.height) <= PIXELS_MAX, JSON.stringify(view.size));
+  assert.ok(Math.abs(view.paper.width - 604) < 0.1, `${view.paper.width}`);
+  const [[left], [right]] = [BOX.min, BOX.max].map(view.paperOf);
+  assert.ok(Math.abs(left - 2) < 0.1 && Math.abs(right - 602) < 0.1, `${left} ${right}`);
 });
 
 test('a point is drawn where the pure function says, by the matrix of the renderer', async () => {

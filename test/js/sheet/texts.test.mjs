@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { CARE_SYMBOLS, careSvg } from '../../../js/sheet/care.mjs';
 import { changesBetween } from '../../../js/sheet/changes.mjs';
 import { bundledFonts } from '../../../js/sheet/engine.mjs';
-import { checkCharacters, readFonts } from '../../../js/sheet/fonts.mjs';
+import { charactersOf, checkCharacters, readFonts } from '../../../js/sheet/fonts.mjs';
 import { pagesOf } from '../../../js/sheet/output.mjs';
 import { hexOf } from '../../../js/sheet/pages/cells.mjs';
 import { specified } from '../../../js/sheet/pages/measures.mjs';
@@ -144,4 +144,52 @@ test('pages are cut out of one drawing, each with what it refers to', () => {
   }
   assert.ok(pages[0].includes('M 1') && !pages[0].includes('M 2') && !pages[0].includes('M 3'));
   assert.ok(!pages[1].includes('M 1') && pages[1].includes('M 2') && pages[1].includes('M 3'));
+});
+
+/** A font that has a character map alone. @param {Buffer} map - Of that format. */
+function fontOf(map) {
+  const font = Buffer.alloc(40);
+  font.writeUInt16BE(1, 4);
+  font.write('cmap', 12, 'latin1');
+  font.writeUInt32BE(28, 20);
+  font.writeUInt16BE(1, 30);
+  font.writeUInt32BE(12, 36);
+  return Buffer.concat([font, map]);
+}
+
+test('a character map that has a character many times is read once', () => {
+  const groups = Buffer.alloc(16 + 12 * 50);
+  groups.writeUInt16BE(12, 0);
+  groups.writeUInt32BE(50, 12);
+  for (let i = 0; i < 50; ++i) groups.writeUInt32BE(0x10ffff, 16 + 12 * i + 4);
+  assert.deepEqual(charactersOf(fontOf(groups)), [[0, 0x10ffff]]);
+  // Of format 4: 20 segments of all characters, each glyph the character and one.
+  const segments = Buffer.alloc(16 + 8 * 20);
+  segments.writeUInt16BE(4, 0);
+  segments.writeUInt16BE(40, 6);
+  for (let i = 0; i < 20; ++i) {
+    segments.writeUInt16BE(0xfffe, 14 + 2 * i);
+    segments.writeUInt16BE(1, 16 + 4 * 20 + 2 * i);
+  }
+  assert.deepEqual(charactersOf(fontOf(segments)), [[0, 0xfffe]]);
+});
+
+test('of a map whose groups are out of order, what comes too late is left out', () => {
+  const list = [
+    [65, 70],
+    [71, 80],
+    [60, 66],
+    [90, 91],
+    [91, 95],
+    [99, 98],
+  ];
+  const groups = Buffer.alloc(16 + 12 * list.length);
+  groups.writeUInt16BE(12, 0);
+  groups.writeUInt32BE(list.length, 12);
+  list.flat().forEach((code, i) => groups.writeUInt32BE(code, 16 + 12 * (i >> 1) + 4 * (i & 1)));
+  assert.deepEqual(charactersOf(fontOf(groups)), [
+    [65, 80],
+    [90, 91],
+    [92, 95],
+  ]);
 });

@@ -196,6 +196,11 @@ test('environments go by name: the page sees no path and names no file', async (
   assert.match(message, /this view has "sky\.hdr", "studio", "none"/);
 });
 
+test('a drawing in scale keeps the pixels per inch that decide its size', async () => {
+  const response = await post('draw', { scale: '1:5', output: { format: 'jpeg', ppi: 300 } });
+  assert.deepEqual(JSON.parse((await response.formData()).get('info')).shot, { scale: '1:5', output: { format: 'raw', ppi: 300 } });
+});
+
 test('a drawing is pixels as they are, with their facts', async () => {
   const response = await post('draw', { exposure: 2, output: { format: 'jpeg' } });
   const form = await response.formData();
