@@ -29,7 +29,8 @@ export function rendererParameters(shot) {
 
 /**
  * Sets up a scene of the client's own three.js, 0.150 or later, from the resolved shot that the server takes, so that both draw the
- * same picture. Adds no default of its own: every value comes from `shot`. Calling it again replaces what the last call set.
+ * same picture. Adds no default of its own: every value comes from `shot`. Calling it again replaces what the last call set; calls for one scene take effect in
+ * their order, also while an earlier one still loads a cloth.
  *
  * @param {object} shot - Resolved shot (`resolveShot`): explicit camera, linear Rec.709 colours, degrees for fovY and
  *   environment.rotation, radians for cone angles, metres.
@@ -54,7 +55,23 @@ export function rendererParameters(shot) {
  * @throws {Error} When the client's release lacks the tone mapping, or the shot needs an environment or the tables of rect lights, and none was given, or names a variant
  *   that the model lacks.
  */
-export async function applyShot(shot, { THREE, renderer, scene, camera, model, environment, areaLightTables, cloths, revision = 'shot' }) {
+export function applyShot(shot, target) {
+  const { scene } = target;
+  const before = applying.get(scene);
+  const done = before ? before.then(() => apply(shot, target)) : apply(shot, target);
+  const over = done.then(
+    () => {},
+    () => {},
+  );
+  applying.set(scene, over);
+  over.then(() => applying.get(scene) === over && applying.delete(scene));
+  return done;
+}
+
+/** Calls that are not over, by scene: those of one scene follow each other, so that it shows the last. @type {WeakMap<object, Promise<void>>} */
+const applying = new WeakMap();
+
+async function apply(shot, { THREE, renderer, scene, camera, model, environment, areaLightTables, cloths, revision = 'shot' }) {
   matchRelease(shot, THREE, revision);
   applyOutput(shot, THREE, renderer);
   if (shot.lights.some(({ type }) => type === 'rect')) await prepareAreaLights(THREE, areaLightTables);
@@ -63,6 +80,8 @@ export async function applyShot(shot, { THREE, renderer, scene, camera, model, e
   const lighting = mapOf(shot.shading === 'fabric');
   applyLights(shot, THREE, scene, model, isStock ? [] : lighting?.suns);
   if (lighting && !isStock) warnIfCut(environment);
+  // A mesh that was a ghost has its own shadow again.
+  if (model) removeGhosts(model.scene);
   applyShadows(shot, THREE, { renderer, scene, model });
   applyEnvironment(shot, THREE, scene, lighting?.texture);
   applyBackground(shot, THREE, scene, () => mapOf(false).texture);
@@ -89,7 +108,6 @@ function toneMappingOf(THREE, name) {
 
 /** The materials of the variant and the cloths over them, shaded as the shot says. */
 async function applyMaterials(shot, model, { THREE, cloths }) {
-  removeGhosts(model.scene);
   restoreMaterials(model.scene);
   takeOffCloths(model.scene);
   await applyVariant(model, shot.variant);

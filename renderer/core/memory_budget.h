@@ -23,6 +23,11 @@ class MemoryBudget {
     Loan(Loan&& from) noexcept : budget_(from.budget_), bytes_(from.bytes_) { from.bytes_ = 0; }
     Loan& operator=(Loan&&) = delete;
     ~Loan() { budget_.lent_ -= bytes_; }
+    /// @throws Error{L_MEMORY_BYTES}
+    void grow(std::uint64_t bytes, std::string_view pointer = {}) {
+      bytes_ += budget_.granted(bytes, pointer);
+      budget_.lent_ += bytes;
+    }
 
    private:
     friend class MemoryBudget;

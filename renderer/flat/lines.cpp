@@ -13,6 +13,8 @@ constexpr double GAP = 3;
 constexpr double GOES_ON = 0.5;
 /// Pixels within which a line is a double of another.
 constexpr double DOUBLE = 1;
+/// Where more ends than this lie together no eye tells which line goes on, and looking at all of them for each would never end.
+constexpr std::size_t ENDS_LOOKED_AT = 1024;
 constexpr std::size_t STROKES_PER_CANCEL_CHECK = 256;
 
 std::uint64_t cellOf(const glm::dvec2& p, double size, int dx = 0, int dy = 0) {
@@ -27,7 +29,7 @@ class PlaceMap {
  public:
   explicit PlaceMap(double size) : size_(size) {}
   void add(const glm::dvec2& p, const Value& value) { cells_[cellOf(p, size_)].push_back({p, value}); }
-  /// Those within the size of p.
+  /// Those within the size of p, until `visit` returns false.
   template <class Visit>
   void near(const glm::dvec2& p, const Visit& visit) const {
     for (int dy = -1; dy <= 1; ++dy) {
@@ -35,7 +37,7 @@ class PlaceMap {
         const auto cell = cells_.find(cellOf(p, size_, dx, dy));
         if (cell == cells_.end()) continue;
         for (const auto& [q, value] : cell->second) {
-          if (glm::distance(p, q) <= size_) visit(q, value);
+          if (glm::distance(p, q) <= size_ && !visit(q, value)) return;
         }
       }
     }
@@ -46,12 +48,15 @@ class PlaceMap {
   std::unordered_map<std::uint64_t, std::vector<std::pair<glm::dvec2, Value>>> cells_;
 };
 
-/// Direction in which a stroke leaves at its end, over some pixels: single pieces may be crooked.
-glm::dvec2 leaving(const std::vector<glm::dvec2>& points) {
+/// Direction in which a stroke leaves at one of its ends, over some pixels: single pieces may be crooked.
+glm::dvec2 leaving(const std::vector<glm::dvec2>& points, bool atFront) {
   constexpr double LOOK_BACK = 4;
-  std::size_t i = points.size() - 1;
-  while (i > 0 && glm::distance(points[i], points.back()) < LOOK_BACK) --i;
-  const glm::dvec2 direction = points.back() - points[i];
+  const std::size_t last = points.size() - 1;
+  const glm::dvec2 end = atFront ? points.front() : points.back();
+  std::size_t back = 1;
+  while (back < last && glm::distance(points[atFront ? back : last - back], end) < LOOK_BACK) ++back;
+  back = std::min(back, last);
+  const glm::dvec2 direction = end - points[atFront ? back : last - back];
   const double length = glm::length(direction);
   return length > 0 ? direction / length : glm::dvec2(0);
 }
@@ -64,19 +69,21 @@ struct End {
 /// The other stroke's end that goes on from this one's back.
 std::optional<End> continuation(const std::vector<Stroke>& strokes, const PlaceMap<End>& ends, std::size_t self) {
   const Stroke& stroke = strokes[self];
-  const glm::dvec2 direction = leaving(stroke.points);
+  const glm::dvec2 direction = leaving(stroke.points, false);
+  std::size_t looked = 0;
   std::optional<End> best;
   double least = std::numeric_limits<double>::infinity();
   ends.near(stroke.points.back(), [&](const glm::dvec2& p, const End& end) {
     const Stroke& other = strokes[end.stroke];
-    if (end.stroke == self || other.closed || other.points.empty() || other.kind != stroke.kind) return;
-    if (p != (end.front ? other.points.front() : other.points.back())) return;  // joined meanwhile
-    std::vector<glm::dvec2> points = other.points;
-    if (end.front) std::reverse(points.begin(), points.end());
-    const double bend = glm::dot(direction, -leaving(points)), distance = glm::distance(p, stroke.points.back());
-    if (bend < GOES_ON || distance >= least) return;
+    const bool goesOn = ++looked < ENDS_LOOKED_AT;
+    if (end.stroke == self || other.closed || other.points.empty() || other.kind != stroke.kind) return goesOn;
+    if (p != (end.front ? other.points.front() : other.points.back())) return goesOn;  // joined meanwhile
+    const double bend = glm::dot(direction, -leaving(other.points, end.front));
+    const double distance = glm::distance(p, stroke.points.back());
+    if (bend < GOES_ON || distance >= least) return goesOn;
     least = distance;
     best = end;
+    return goesOn;
   });
   return best;
 }
@@ -95,16 +102,18 @@ double lengthOf(const std::vector<glm::dvec2>& points) {
   return sum;
 }
 
-void closeGaps(std::vector<Stroke>& strokes) {
+void closeGaps(std::vector<Stroke>& strokes, const CancelToken& cancel) {
   PlaceMap<End> ends(GAP);
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     ends.add(strokes[i].points.front(), {i, true});
     ends.add(strokes[i].points.back(), {i, false});
   }
   for (std::size_t i = 0; i < strokes.size(); ++i) {
+    if (i % STROKES_PER_CANCEL_CHECK == 0) cancel.check();
     Stroke& stroke = strokes[i];
     for (int side = 0; side < 2 && !stroke.points.empty(); ++side) {
       while (const auto next = continuation(strokes, ends, i)) {
+        cancel.check();
         std::vector<glm::dvec2>& points = strokes[next->stroke].points;
         if (!next->front) std::reverse(points.begin(), points.end());
         stroke.points.insert(stroke.points.end(), points.begin(), points.end());
@@ -150,7 +159,10 @@ std::vector<Stroke> withoutDoubles(std::vector<Stroke> strokes, const CancelToke
     };
     std::vector<char> isDouble(dense.size());
     for (std::size_t k = 0; k < dense.size(); ++k)
-      drawn.near(dense[k], [&](const glm::dvec2&, char) { isDouble[k] = 1; });
+      drawn.near(dense[k], [&](const glm::dvec2&, char) {
+        isDouble[k] = 1;
+        return false;
+      });
     // A line goes on to the one that it meets, at both its ends, so that no gap is seen between them.
     constexpr std::size_t REACH = 2;
     for (std::size_t k = 0; k < dense.size(); ++k) {

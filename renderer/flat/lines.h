@@ -15,7 +15,8 @@ std::vector<Walk> walksOf(const std::vector<Piece>& pieces);
 
 /// Joins open strokes of one kind whose ends are near and go on into one another; closes those that end where they
 /// begin.
-void closeGaps(std::vector<Stroke>& strokes);
+/// @throws Error{X_CANCELLED, X_TIMEOUT}
+void closeGaps(std::vector<Stroke>& strokes, const CancelToken& cancel);
 
 /// Leaves out what lies on a more important stroke, or on a longer one of the same kind.
 std::vector<Stroke> withoutDoubles(std::vector<Stroke> strokes, const CancelToken& cancel);

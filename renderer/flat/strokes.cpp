@@ -65,10 +65,10 @@ std::vector<Stroke> strokesOf(const std::vector<Piece>& pieces, const FlatOption
     }
   }
   cancel.check();
-  closeGaps(strokes);
+  closeGaps(strokes, cancel);
   dropShort(strokes, options);
   strokes = withoutDoubles(std::move(strokes), cancel);
-  closeGaps(strokes);
+  closeGaps(strokes, cancel);
   dropShort(strokes, options);
   for (Stroke& stroke : strokes) stroke.points = simplified(stroke.points, options.tolerance, stroke.closed);
   return strokes;

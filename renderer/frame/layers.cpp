@@ -43,7 +43,7 @@ float LayerIds::part(const Node& node) const {
 }
 
 float LayerIds::material(int index) const {
-  return static_cast<float>(index < 0 ? scene_.fileMaterials + 1 : static_cast<std::size_t>(index) + 1);
+  return static_cast<float>(index < 0 ? scene_.materials.size() + 1 : static_cast<std::size_t>(index) + 1);
 }
 
 Json LayerIds::parts() const {

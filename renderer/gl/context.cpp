@@ -201,6 +201,15 @@ std::string Context::takeDebugMessages() const {
   return joined;
 }
 
+void Context::beginJob(const CancelToken& cancel, double sliceMs) const {
+  pacer_.begin(cancel, sliceMs);
+  for (int unit = 0; unit < capabilities_.maxFragmentTextureUnits; ++unit) {
+    functions_.BindSampler(static_cast<GLuint>(unit), 0);
+  }
+  functions_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  functions_.DepthMask(GL_TRUE);
+}
+
 void Context::check(const char* where) const {
   if (capabilities_.robust && functions_.GetGraphicsResetStatus() != GL_NO_ERROR) {
     throw Error("X_GL_LOST", std::string("the GL context was lost during ") + where + "; create a new renderer");

@@ -58,6 +58,10 @@ class Context {
   /// Attempts that failed before this one, and why this one was chosen.
   const std::vector<Attempt>& attempts() const { return attempts_; }
 
+  /// Begins a job: counts what it has to do, and puts back what one that was ended half way has left of the state,
+  /// samplers of its textures and masks. What is made of an environment is read without samplers, and kept.
+  void beginJob(const CancelToken& cancel, double sliceMs) const;
+
   /// @throws Error{X_GL} when the driver reports an error, a HIGH severity debug message or a lost context.
   /// `where` names the step for the message.
   void check(const char* where) const;

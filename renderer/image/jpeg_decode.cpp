@@ -55,7 +55,7 @@ void onOutput(j_common_ptr) {}
 /// libjpeg calls this for every row of blocks, also while it collects the scans of a progressive file.
 void onProgress(j_common_ptr jpeg) {
   JpegContext* context = contextOf(jpeg);
-  if (context->cancel->cancelled()) std::longjmp(context->jump, 1);
+  if (context->cancel->isOver()) std::longjmp(context->jump, 1);
 }
 
 void onSourceStart(j_decompress_ptr) {}

@@ -32,7 +32,7 @@ bool append(void* user, const void* bytes, std::size_t count) {
 }
 
 TelarOiioCancel cancelOf(const CancelToken& cancel) {
-  return {&cancel, [](const void* user) { return static_cast<const CancelToken*>(user)->cancelled(); }};
+  return {&cancel, [](const void* user) { return static_cast<const CancelToken*>(user)->isOver(); }};
 }
 
 /// @param code of a FAILED result

@@ -57,7 +57,7 @@ std::vector<std::byte> encodeWebp(const Frame& frame, const OutputOptions& optio
   out.picture.custom_ptr = &out.memory;
   out.picture.user_data = const_cast<CancelToken*>(&cancel);
   out.picture.progress_hook = [](int, const WebPPicture* picture) {
-    return int(!static_cast<const CancelToken*>(picture->user_data)->cancelled());
+    return int(!static_cast<const CancelToken*>(picture->user_data)->isOver());
   };
   const bool done = WebPPictureImportRGBA(&out.picture, image::data(frame.pixels), int(frame.width * 4)) &&
                     WebPEncode(&config, &out.picture);

@@ -27,9 +27,9 @@ constexpr double ON_FACE = 1e-9;
 constexpr double VANISHED = 1e-2;
 
 std::vector<Loop> loopsOf(const std::vector<std::array<std::uint32_t, 2>>& links,
-                          const std::vector<glm::dvec3>& points) {
+                          const std::vector<glm::dvec3>& points, const CancelToken& cancel) {
   std::vector<Loop> loops;
-  for (const surface::Chain& chain : surface::chainLinks(links)) {
+  for (const surface::Chain& chain : surface::chainLinks(links, cancel)) {
     Loop& loop = loops.emplace_back();
     loop.closed = chain.closed;
     for (const std::uint32_t node : chain.nodes) loop.points.push_back(points[node]);
@@ -196,15 +196,15 @@ std::vector<Loop> sectionOf(const Surface& surface, const glm::dvec3& point, con
     }
     if (cut.size() == 2) links.push_back({cut[0], cut[1]});
   }
-  return loopsOf(links, points);
+  return loopsOf(links, points, cancel);
 }
 
-std::vector<Loop> borderOf(const Surface& surface) {
+std::vector<Loop> borderOf(const Surface& surface, const CancelToken& cancel) {
   std::vector<std::array<std::uint32_t, 2>> links;
   for (const surface::Edge& edge : surface.edges) {
     if (edge.count == 1) links.push_back({edge.a, edge.b});
   }
-  return loopsOf(links, surface.points);
+  return loopsOf(links, surface.points, cancel);
 }
 
 Loop tightened(const Surface& surface, const Loop& loop, const CancelToken& cancel) {

@@ -17,7 +17,7 @@ std::vector<Loop> sectionOf(const surface::Surface& surface, const glm::dvec3& p
                             const CancelToken& cancel);
 
 /// The open edges: of a part, its border, other parts left out.
-std::vector<Loop> borderOf(const surface::Surface& surface);
+std::vector<Loop> borderOf(const surface::Surface& surface, const CancelToken& cancel);
 
 /// The loop drawn tight over the surface: a closed geodesic that it can be moved to.
 /// Birkhoff's curve shortening (Birkhoff 1917, "Dynamical systems with two degrees of freedom"): every second of eight

@@ -92,7 +92,7 @@ class Measure {
   }
 
   json border() const {
-    std::vector<Loop> loops = measure::borderOf(surface_);
+    std::vector<Loop> loops = measure::borderOf(surface_, cancel_);
     if (loops.empty()) throw Error("E_MEASURE", "the part has no border: it is closed").at("/border");
     std::stable_sort(loops.begin(), loops.end(), [](const Loop& a, const Loop& b) { return a.length() > b.length(); });
     json out = {{"length", 0.0}, {"loops", json::array()}};

@@ -54,7 +54,7 @@ class GlRenderer final : public Renderer {
   Frame draw(const std::shared_ptr<const Scene>& scene, const Shot& asked, std::span<const std::byte> environmentFile,
              const CancelToken& cancel, FrameInfo& info, const Progress& progress) override {
     StageTimer timer;
-    context_->pacer().begin(cancel, options_.sliceMs);
+    context_->beginJob(cancel, options_.sliceMs);
     scenes_.forgetReleased();
     surfaces_.forgetMany();
     checkLimit("L_OUTPUT_SIZE", context_->capabilities().maxTextureSize, std::max(asked.width, asked.height), "");

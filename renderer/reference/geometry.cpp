@@ -143,7 +143,7 @@ Geometry::Geometry(const std::vector<PlacedMesh>& meshes, const CancelToken& can
   }
   // Large models take seconds to build: Embree asks meanwhile whether to go on.
   rtcSetSceneProgressMonitorFunction(
-      scene_.get(), [](void* user, double) { return !static_cast<const CancelToken*>(user)->cancelled(); },
+      scene_.get(), [](void* user, double) { return !static_cast<const CancelToken*>(user)->isOver(); },
       const_cast<CancelToken*>(&cancel));
   rtcCommitScene(scene_.get());
   rtcSetSceneProgressMonitorFunction(scene_.get(), nullptr, nullptr);

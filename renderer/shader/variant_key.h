@@ -61,9 +61,9 @@ using shot::ToneMapping;
 
 /// The lights that lit surfaces of a frame see, by kind.
 struct LightCounts {
-  std::uint8_t point = 0, spot = 0, directional = 0, hemisphere = 0, rect = 0, disk = 0;
-  std::uint8_t suns = 0;  ///< of the directional ones, the last: small lights of the environment
-  std::uint8_t pointShadows = 0, spotShadows = 0, directionalShadows = 0;  ///< the first lights of each kind cast one
+  std::uint16_t point = 0, spot = 0, directional = 0, hemisphere = 0, rect = 0, disk = 0;
+  std::uint16_t suns = 0;  ///< of the directional ones, the last: small lights of the environment
+  std::uint16_t pointShadows = 0, spotShadows = 0, directionalShadows = 0;  ///< the first lights of each kind cast one
 
   int area() const { return rect + disk; }
   int shadows() const { return pointShadows + spotShadows + directionalShadows; }

@@ -1,48 +1,54 @@
 #include "surface/chain.h"
 
-#include <algorithm>
 #include <map>
+#include <optional>
+#include <utility>
 
 namespace telar::surface {
 namespace {
 
 class Walker {
  public:
-  explicit Walker(const std::vector<std::array<std::uint32_t, 2>>& links) : links_(links), used_(links.size()) {
+  Walker(const std::vector<std::array<std::uint32_t, 2>>& links, const CancelToken& cancel)
+      : links_(links), used_(links.size()), cancel_(cancel) {
     for (std::uint32_t i = 0; i < links.size(); ++i) {
-      for (const std::uint32_t node : links[i]) at_[node].push_back(i);
+      for (const std::uint32_t node : links[i]) at_[node].links.push_back(i);
     }
   }
 
   std::vector<Chain> walkAll() {
-    for (const auto& [node, links] : at_) {
-      for (std::size_t i = 0; i < links.size() % 2; ++i) walk(node);
+    for (auto& [node, at] : at_) {
+      if (at.links.size() % 2 == 1) walk(node);
     }
-    for (const auto& [node, links] : at_) {
-      while (hasLink(node)) walk(node);
+    for (auto& [node, at] : at_) {
+      while (firstLeft(at)) walk(node);
     }
     return std::move(chains_);
   }
 
  private:
-  bool hasLink(std::uint32_t node) const {
-    const auto& links = at_.at(node);
-    return std::any_of(links.begin(), links.end(), [this](std::uint32_t i) { return !used_[i]; });
+  /// Links of a node, in order. Those before `next` are used.
+  struct Node {
+    std::vector<std::uint32_t> links;
+    std::size_t next = 0;
+  };
+
+  std::optional<std::uint32_t> firstLeft(Node& at) const {
+    while (at.next < at.links.size() && used_[at.links[at.next]]) ++at.next;
+    if (at.next == at.links.size()) return std::nullopt;
+    return at.links[at.next];
   }
 
   void walk(std::uint32_t node) {
+    cancel_.check();
     Chain chain{{node}, false};
-    for (bool goesOn = true; goesOn;) {
-      goesOn = false;
-      for (const std::uint32_t i : at_.at(node)) {
-        if (used_[i]) continue;
-        used_[i] = true;
-        node = links_[i][0] == node ? links_[i][1] : links_[i][0];
-        chain.nodes.push_back(node);
-        goesOn = node != chain.nodes.front();
-        break;
-      }
-    }
+    do {
+      const auto link = firstLeft(at_.at(node));
+      if (!link) break;
+      used_[*link] = true;
+      node = links_[*link][0] == node ? links_[*link][1] : links_[*link][0];
+      chain.nodes.push_back(node);
+    } while (node != chain.nodes.front());
     if (chain.nodes.size() < 2) return;
     if (chain.nodes.back() == chain.nodes.front()) {
       chain.closed = true;
@@ -53,14 +59,15 @@ class Walker {
 
   const std::vector<std::array<std::uint32_t, 2>>& links_;
   std::vector<char> used_;
-  std::map<std::uint32_t, std::vector<std::uint32_t>> at_;  ///< links by node, in order
+  const CancelToken& cancel_;
+  std::map<std::uint32_t, Node> at_;  ///< by node
   std::vector<Chain> chains_;
 };
 
 }  // namespace
 
-std::vector<Chain> chainLinks(const std::vector<std::array<std::uint32_t, 2>>& links) {
-  return Walker(links).walkAll();
+std::vector<Chain> chainLinks(const std::vector<std::array<std::uint32_t, 2>>& links, const CancelToken& cancel) {
+  return Walker(links, cancel).walkAll();
 }
 
 }  // namespace telar::surface

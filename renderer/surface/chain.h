@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "telar/cancel.h"
+
 namespace telar::surface {
 
 /// Nodes in the order of a walk; closed = the last one is joined to the first.
@@ -13,6 +15,7 @@ struct Chain {
 
 /// Joins links between nodes into as few walks as have each link once: those with ends first. Where more than two links
 /// meet, a walk takes the first that is left.
-std::vector<Chain> chainLinks(const std::vector<std::array<std::uint32_t, 2>>& links);
+/// @throws Error{X_CANCELLED, X_TIMEOUT}
+std::vector<Chain> chainLinks(const std::vector<std::array<std::uint32_t, 2>>& links, const CancelToken& cancel);
 
 }  // namespace telar::surface

@@ -36,6 +36,9 @@ test('scenes are valid glTF, with every layer and every kind of opacity among th
     assert.ok(documents.some(({ extensionsUsed = [] }) => extensionsUsed.includes(extension)));
   const primitives = documents.flatMap(({ meshes }) => meshes.flatMap((mesh) => mesh.primitives));
   assert.ok(primitives.some(({ targets }) => targets));
+  assert.ok(documents.some(({ meshes }) => meshes.some((mesh) => mesh.primitives.length > 1)));
+  const drawnOf = ({ nodes }) => nodes.flatMap(({ mesh }) => mesh ?? []);
+  assert.ok(documents.some((document) => new Set(drawnOf(document)).size < drawnOf(document).length));
   for (const mode of [0, 3, 5]) assert.ok(primitives.some((primitive) => primitive.mode === mode));
   for (const type of ['image/png', 'image/jpeg']) assert.ok(documents.some(({ images = [] }) => images.some(({ mimeType }) => mimeType === type)));
   for (const extension of ['KHR_draco_mesh_compression', 'EXT_meshopt_compression', 'KHR_texture_basisu'])

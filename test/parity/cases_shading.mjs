@@ -124,6 +124,9 @@ const otherClassCases = Object.keys(FABRIC_MODELS)
 /** A preset's sheen is dyed anew with its cloth. */
 const RECOLORED = { camera: DRAPE, shading: 'fabric', lights: [BEHIND], materials: { '*': { color: [0.3, 0.3, 0.01] } } };
 
+/** Sees the backs of the draped cloths. */
+const FROM_BEHIND = { ...DRAPE, position: [0.3, 0.25, -0.7] };
+
 /** From far, where a pixel holds many threads and holes, and without multisampling. */
 const AFAR = { ...DRAPE, position: DRAPE.position.map((c) => 3 * c), near: 1.5, far: 3.5 };
 const afarCases = [
@@ -198,6 +201,7 @@ export const CASES = [
   ...afarCases,
   ...otherClassCases,
   makeCase('cloth-velvet-recolored', 'fabric-velvet', 'soft-studio', RECOLORED),
+  makeCase('cloth-leather-recolored-back', 'fabric-leather', 'soft-studio', { ...RECOLORED, camera: FROM_BEHIND }),
   ...clothMapCases,
   ...visibilityCases,
   ...sunCases,

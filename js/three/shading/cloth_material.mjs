@@ -63,8 +63,8 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
     /** reliefAxis() of the normal map. */
     reliefAxis = new THREE.Vector2();
 
-    /** What maps were made as for the last draw. */
-    madeAs = '';
+    /** textDefines() of the last draw. */
+    compiledFor = '';
 
     coverageSamples = 1;
 
@@ -122,9 +122,8 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
     /** Before each draw: what has changed since reaches the program, maps that are new are made anew, and triangles put in order. */
     onBeforeRender(...draw) {
       const [renderer, scene, , , object] = draw;
-      const suns = sunColors(scene);
-      if (suns.length !== this.suns.length) this.needsUpdate = true;
-      this.suns = suns;
+      this.suns = sunColors(scene);
+      this.compileAnew();
       if (!this.isFabricMaterial) return this.textUniforms();
       // applyShading() has done so before the first shadow is drawn.
       if (object?.isMesh) this.castShadowOf(object);
@@ -139,12 +138,10 @@ export function clothMaterialClass(THREE, text, family, textureShaders) {
       castSheerShadow(THREE, mesh, text.layerThreshold);
     }
 
-    /**
-     * Has three.js choose the program anew where maps are made as other kinds: clients change roughness, metalness and the
-     * places of maps without `needsUpdate`, and each program reads one kind.
-     */
-    compileFor(madeAs) {
-      if (this.madeAs !== madeAs) Object.assign(this, { madeAs, needsUpdate: true });
+    /** Has three.js choose the program anew where another one is needed: clients change factors and the places of maps without `needsUpdate`. */
+    compileAnew() {
+      const compiledFor = JSON.stringify(this.textDefines());
+      if (this.compiledFor !== compiledFor) Object.assign(this, { compiledFor, needsUpdate: true });
     }
 
     /** Which of a pixel's samples, in bits, the pixels cover that the next draw is for, and what it shows. */
@@ -175,7 +172,6 @@ function makeMaps(material, { THREE, textureShaders, renderer }) {
   const yarns = material.fabric?.weave?.weaveTexture;
   const kind = NORMAL_FACETS ? 'facets' : 'relief';
   const cutoff = ALPHA_TO_COVERAGE ? textureCutoff(material) : 0;
-  material.compileFor([NORMAL_VARIANCE && kind, ALPHA_MEANS, NORMAL_HOLES, METAL_MEANS, METAL_YARNS, YARN_RELIEF].join(' '));
   if (NORMAL_VARIANCE) {
     for (const [name, key] of Object.entries(VARIANCE_MAPS)) {
       const holes = NORMAL_HOLES && key === 'normalMap' ? { cutoff, beside: map } : {};

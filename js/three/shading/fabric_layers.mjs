@@ -119,17 +119,21 @@ export async function extensionsOf(parser, definition, THREE, placed = (texture)
       return copy;
     }),
   );
-  if (fabric?.back && !hasOwnColor(fabric.back)) {
-    // What the back leaves out is as on the front.
-    const { baseColorFactor, baseColorTexture } = definition.pbrMetallicRoughness ?? {};
-    Object.assign(fabric.back, structuredClone({ baseColorFactor: baseColorFactor?.slice(0, 3), baseColorTexture }));
-    await loadTexture(parser, fabric, ['back', 'baseColorTexture'], THREE.SRGBColorSpace, placed);
-  }
-  if (fabric?.back) fabric.back.roughnessFactor ??= definition.pbrMetallicRoughness?.roughnessFactor;
   return { fabric, diffuseTransmission };
 }
 
-const hasOwnColor = (back) => back.baseColorFactor !== undefined || back.baseColorTexture !== undefined;
+/**
+ * What the back leaves out is as on the front, also where that is dyed.
+ * @param {object | null} fabric - Of extensionsOf().
+ * @param {import('three').MeshPhysicalMaterial} front - As it is drawn.
+ */
+export function finishBack(fabric, { color, map, roughness }) {
+  const back = fabric?.back;
+  if (!back) return;
+  if (back.baseColorFactor === undefined && back.baseColorTexture === undefined)
+    Object.assign(back, { baseColorFactor: color.toArray(), baseColorTexture: map });
+  back.roughnessFactor ??= roughness;
+}
 
 /** Puts the texture itself in place of what the file says of it. */
 async function loadTexture(parser, extension, path, colorSpace, placed) {

@@ -1,7 +1,7 @@
 import { TEXTS } from '../../dist/shading/index.mjs';
 import { wornCloth } from '../cloths.mjs';
 import { clothMaterialClass, VISIBILITY_ATTRIBUTES } from './cloth_material.mjs';
-import { clothOf, extensionsOf } from './fabric_layers.mjs';
+import { clothOf, extensionsOf, finishBack } from './fabric_layers.mjs';
 import { shadingMaterialClass } from './material.mjs';
 import { readNumbers } from './number_maps.mjs';
 import { definesOfTerms } from './terms.mjs';
@@ -47,6 +47,7 @@ export async function openShading(THREE, shading) {
       // GLTFLoader gives geometries with tangents materials of their own.
       if (shading === 'three') return;
       const extensions = await extensionsOf(file, cloth.definition, THREE, worn?.placed);
+      finishBack(extensions.fabric, material);
       if (worn && extensions.diffuseTransmission) extensions.diffuseTransmission = worn.through(extensions.diffuseTransmission);
       // What is blended is not seen through glass.
       if (shading === 'fabric' && material.map && material.alphaTest > 0 && !transmits) {

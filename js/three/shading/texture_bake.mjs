@@ -1,7 +1,10 @@
 import { featureDefines } from './terms.mjs';
 
-/** What was made of a texture, for each renderer: it lives on the renderer's GL. */
+/** What was made of a texture, for each renderer's `properties`: it lives on its GL, and three.js makes others when a lost context is back. */
 const made = new WeakMap();
+
+/** Of each kind, what is kept of one texture: cutoffs that a fade goes through are many. */
+const MOST = 8;
 
 /** Type of the texels that are made: as renderer/pass/texture/texture_bake has them. */
 const TEXEL_TYPES = { relief: 'HalfFloatType', facets: 'HalfFloatType', yarns: 'HalfFloatType', coverage: 'UnsignedByteType', metal: 'UnsignedByteType' };
@@ -33,8 +36,10 @@ const drawings = new WeakMap();
  */
 export function bakedTexture(THREE, shaders, renderer, kind, source, { cutoff = 0, beside = null, yarns = null } = {}) {
   if (!source?.image?.width) return null;
-  const key = [kind, cutoff, ...[beside, yarns].map((texture) => (texture ? `${texture.uuid} ${texture.version}` : ''))].join(' ');
-  return madeOnce(renderer, source, key, () => ({ target: bake(THREE, shaders, renderer, { kind, source, cutoff, beside, yarns }) })).target.texture;
+  const others = [beside, yarns];
+  const key = [kind, cutoff, ...others.map((texture) => texture?.uuid ?? '')].join(' ');
+  const make = () => ({ kind, target: bake(THREE, shaders, renderer, { kind, source, cutoff, beside, yarns }) });
+  return madeOnce(renderer, [source, ...others], key, make).target.texture;
 }
 
 /**
@@ -44,7 +49,7 @@ export function bakedTexture(THREE, shaders, renderer, kind, source, { cutoff = 
  */
 export function reliefAxis(THREE, shaders, renderer, source) {
   if (!source?.image?.width) return new THREE.Vector2();
-  return madeOnce(renderer, source, 'axis', () => {
+  return madeOnce(renderer, [source], 'axis', () => {
     const target = new THREE.WebGLRenderTarget(1, 1, { depthBuffer: false });
     const putBack = setAside(renderer);
     drawingOf(THREE, shaders).draw(renderer, 'reliefAxis', { BESIDE: 0 }, { sourceMap: source }, target, 0, { x: 1, y: 1 });
@@ -57,10 +62,10 @@ export function reliefAxis(THREE, shaders, renderer, source) {
   }).axis;
 }
 
-/** What was made of a texture for a renderer, with its target if it has one; made anew where the texture was changed. */
-function madeOnce(renderer, source, key, make) {
-  if (!made.has(renderer)) made.set(renderer, new WeakMap());
-  const ofRenderer = made.get(renderer);
+/** What was made of a texture and of others for a renderer, with its target if it has one; made anew where one of them was changed. */
+function madeOnce({ properties }, [source, ...others], key, make) {
+  if (!made.has(properties)) made.set(properties, new WeakMap());
+  const ofRenderer = made.get(properties);
   if (!ofRenderer.has(source)) {
     const all = new Map();
     ofRenderer.set(source, all);
@@ -71,10 +76,18 @@ function madeOnce(renderer, source, key, make) {
   }
   const known = ofRenderer.get(source);
   const last = known.get(key);
-  if (last?.version === source.version) return last;
-  last?.target?.dispose();
-  const result = { ...make(), version: source.version };
+  const versions = [source, ...others].map((texture) => texture?.version).join(' ');
+  const isSame = last?.versions === versions;
+  if (last && !isSame) last.target?.dispose();
+  const result = isSame ? last : { ...make(), versions };
+  // Last in order: what was wanted longest ago goes first.
+  known.delete(key);
   known.set(key, result);
+  const alike = [...known].filter(([, { kind }]) => kind === result.kind);
+  for (const [old, { target }] of alike.slice(0, -MOST)) {
+    target?.dispose();
+    known.delete(old);
+  }
   return result;
 }
 

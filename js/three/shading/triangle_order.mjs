@@ -1,8 +1,20 @@
 // Nets and sheer cloth show what lies behind them, their own folds too: their triangles are drawn far to near, as
 // renderer/pass/plan/triangle_order.h draws them. The order is an index for each mesh, which its geometry has while a frame is drawn.
 
-/** What was put in order of each mesh. @type {WeakMap<import('three').Mesh, Order>} */
+/**
+ * What was put in order of each mesh, for each camera that sees it and each place in its index where what is drawn begins.
+ * @type {WeakMap<import('three').Mesh, WeakMap<import('three').Camera, Map<number, Order>>>}
+ */
 const orders = new WeakMap();
+
+function orderOf(object, camera, start) {
+  if (!orders.has(object)) orders.set(object, new WeakMap());
+  const ofMesh = orders.get(object);
+  if (!ofMesh.has(camera)) ofMesh.set(camera, new Map());
+  const ofCamera = ofMesh.get(camera);
+  if (!ofCamera.has(start)) ofCamera.set(start, { index: null, of: [] });
+  return ofCamera.get(start);
+}
 
 /** Geometries that are drawn by an index in place of their own. @type {WeakMap<import('three').BufferGeometry, {own: object | null, shown: object}>} */
 const lent = new WeakMap();
@@ -47,19 +59,23 @@ export function drawFarToNear(THREE, [, , camera, geometry, object, group]) {
   const total = (index ?? position).count;
   const start = Math.max(drawRange.start, group?.start ?? 0);
   const end = Math.min(drawRange.start + drawRange.count, group ? group.start + group.count : total, total);
-  const order = orders.get(object) ?? { index: null, of: [] };
-  const of = [geometry, index, index?.version, position, position.version, start, end, camera.isOrthographicCamera, ...object.modelViewMatrix.elements];
-  if (isPosed(object) || of.some((part, i) => part !== order.of[i])) {
+  const order = orderOf(object, camera, start);
+  const view = [camera.isOrthographicCamera, ...object.modelViewMatrix.elements];
+  const of = [geometry, index, index?.version, position, position.version, end, ...view, ...poseOf(object)];
+  if (of.length !== order.of.length || of.some((part, i) => part !== order.of[i])) {
     order.index = indexOf(THREE, order.index, index, total);
     putInOrder(order.index.array, start, nearnessOf(seenFrom(THREE, object), camera, order.index.array.subarray(start, end)));
     order.index.needsUpdate = true;
-    orders.set(object, Object.assign(order, { of }));
+    order.of = of;
   }
   lend(geometry, order.index);
 }
 
-/** Whether each frame may have its vertices elsewhere. */
-const isPosed = ({ isSkinnedMesh, morphTargetInfluences = [] }) => isSkinnedMesh === true || morphTargetInfluences.length > 0;
+/** What moves a mesh's vertices beside its place: weights of morph targets, and joints. */
+const poseOf = ({ morphTargetInfluences = [], skeleton, bindMatrix }) => [
+  ...morphTargetInfluences,
+  ...(skeleton ? [...skeleton.boneMatrices, ...bindMatrix.elements] : []),
+];
 
 /** A copy of a geometry's index, in place of the last one where that is as long. */
 function indexOf(THREE, last, index, total) {

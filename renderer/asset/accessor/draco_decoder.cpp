@@ -98,7 +98,8 @@ namespace {
 template <class Decoder>
 class GuardedDecoder final : public Decoder {
  public:
-  GuardedDecoder(const CancelToken& cancel, const std::string& where) : cancel_(cancel), where_(where) {}
+  GuardedDecoder(DracoMemory memory, const CancelToken& cancel, const std::string& where)
+      : memory_(memory), cancel_(cancel), where_(where) {}
 
  protected:
   bool DecodeGeometryData() override {
@@ -108,10 +109,14 @@ class GuardedDecoder final : public Decoder {
 
   bool DecodeAllAttributes() override {
     const draco::PointCloud& cloud = *this->point_cloud();
+    std::uint64_t bytes = 0;
     for (int i = 0; i < cloud.num_attributes(); ++i) {
+      const draco::PointAttribute& attribute = *cloud.attribute(i);
       // Bytes of any value would be read as bool, which has two.
-      if (cloud.attribute(i)->data_type() == draco::DT_BOOL) refuse("has an attribute of booleans", where_);
+      if (attribute.data_type() == draco::DT_BOOL) refuse("has an attribute of booleans", where_);
+      bytes += std::uint64_t{cloud.num_points()} * attribute.num_components() * bytesOfValue(attribute);
     }
+    if (bytes > memory_.values) memory_.loan.grow(bytes - memory_.values, where_);
     for (int i = 0; i < this->num_attributes_decoders(); ++i) {
       cancel_.check();
       // libdraco hands the decoder out as const alone; it is this object's own.
@@ -122,16 +127,22 @@ class GuardedDecoder final : public Decoder {
   }
 
  private:
+  /// A value is there as the data has it, an integer, and as the attribute has it.
+  static std::uint64_t bytesOfValue(const draco::PointAttribute& attribute) {
+    return sizeof(std::int32_t) + static_cast<std::uint64_t>(draco::DataTypeLength(attribute.data_type()));
+  }
+
+  DracoMemory memory_;
   const CancelToken& cancel_;
   const std::string& where_;
 };
 
 template <class Decoder, class Geometry>
-std::unique_ptr<draco::PointCloud> decodeAs(draco::DecoderBuffer& buffer, const CancelToken& cancel,
-                                            const std::string& where) {
+std::unique_ptr<draco::PointCloud> decodeAs(draco::DecoderBuffer& buffer, DracoMemory memory,
+                                            const CancelToken& cancel, const std::string& where) {
   auto out = std::make_unique<Geometry>();
   const draco::DecoderOptions options;
-  GuardedDecoder<Decoder> decoder(cancel, where);
+  GuardedDecoder<Decoder> decoder(memory, cancel, where);
   if (!decoder.Decode(options, &buffer, out.get()).ok()) refuse("is damaged", where);
   return out;
 }
@@ -139,16 +150,17 @@ std::unique_ptr<draco::PointCloud> decodeAs(draco::DecoderBuffer& buffer, const 
 }  // namespace
 
 std::unique_ptr<draco::PointCloud> decodeDraco(std::span<const std::byte> data, const DracoCounts& counts,
-                                               const CancelToken& cancel, const std::string& where) {
+                                               DracoMemory memory, const CancelToken& cancel,
+                                               const std::string& where) {
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(data.data()), data.size());
   try {
     if (counts.points) {
-      return counts.sequential ? decodeAs<draco::PointCloudSequentialDecoder, draco::PointCloud>(buffer, cancel, where)
-                               : decodeAs<draco::PointCloudKdTreeDecoder, draco::PointCloud>(buffer, cancel, where);
+      return counts.sequential ? decodeAs<draco::PointCloudSequentialDecoder, draco::PointCloud>(buffer, memory, cancel, where)
+                               : decodeAs<draco::PointCloudKdTreeDecoder, draco::PointCloud>(buffer, memory, cancel, where);
     }
-    return counts.sequential ? decodeAs<draco::MeshSequentialDecoder, draco::Mesh>(buffer, cancel, where)
-                             : decodeAs<draco::MeshEdgebreakerDecoder, draco::Mesh>(buffer, cancel, where);
+    return counts.sequential ? decodeAs<draco::MeshSequentialDecoder, draco::Mesh>(buffer, memory, cancel, where)
+                             : decodeAs<draco::MeshEdgebreakerDecoder, draco::Mesh>(buffer, memory, cancel, where);
   } catch (const std::bad_alloc&) {
     refuse("asks for more memory than there is", where);
   } catch (const std::length_error&) {

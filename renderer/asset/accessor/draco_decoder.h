@@ -9,10 +9,17 @@
 
 namespace telar::asset {
 
+/// What decoding may take.
+struct DracoMemory {
+  std::uint64_t values;      ///< bytes of attribute values that are lent for already
+  MemoryBudget::Loan& loan;  ///< grows by what the attributes that the data declares take beyond that
+};
+
 /// Runs libdraco over data whose header was read.
 /// @return a draco::Mesh, unless it is points alone
-/// @throws Error{E_DRACO, X_CANCELLED}; cancelling acts between connectivity and each group of attributes
+/// @throws Error{E_DRACO, L_MEMORY_BYTES, X_CANCELLED}; cancelling acts between connectivity and each group of attributes
 std::unique_ptr<draco::PointCloud> decodeDraco(std::span<const std::byte> data, const DracoCounts& counts,
-                                               const CancelToken& cancel, const std::string& where);
+                                               DracoMemory memory, const CancelToken& cancel,
+                                               const std::string& where);
 
 }  // namespace telar::asset

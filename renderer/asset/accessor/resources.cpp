@@ -11,6 +11,9 @@ namespace telar::asset {
 namespace {
 /// In place of the digest of a part that cannot be read.
 constexpr const char* ABSENT = "absent";
+
+/// Whether an error tells nothing of the part: the job was ended, or the machine failed.
+bool isOfMachine(const Error& error) { return error.code.starts_with("X_"); }
 }  // namespace
 
 /// A buffer without bytes is an error only where something reads it.
@@ -64,8 +67,8 @@ std::vector<std::byte> Resources::fetch(const std::string& uri, const std::strin
     std::vector<std::byte> bytes = files_->read(relativePath(uri, where), where, cancel_);
     digests_.try_emplace(uri, sha256Hex(bytes));
     return bytes;
-  } catch (const Error&) {
-    digests_.try_emplace(uri, ABSENT);
+  } catch (const Error& error) {
+    if (!isOfMachine(error)) digests_.try_emplace(uri, ABSENT);
     throw;
   }
 }
@@ -75,7 +78,7 @@ std::string Resources::digestOf(const std::string& uri, const std::string& where
     if (!digests_.contains(uri)) fetch(uri, where);
     return digests_.at(uri);
   } catch (const Error& error) {
-    if (error.code == "X_CANCELLED") throw;
+    if (isOfMachine(error)) throw;
     return ABSENT;  // what needs it has failed already, or will
   }
 }

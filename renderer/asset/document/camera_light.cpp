@@ -1,9 +1,9 @@
 #include "asset/document/camera_light.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "asset/check/clamped.h"
 #include "asset/check/number.h"
 #include "asset/check/pointer.h"
 #include "asset/document/schema.h"
@@ -79,19 +79,15 @@ std::optional<ModelLight> readLight(const json& source) {
   return out;
 }
 
-bool clampTo(float& value, float low, float high) {
-  const float before = value;
-  value = std::clamp(value, low, high);
-  return value != before;
-}
-
-bool clampLight(ModelLight& light) {
-  bool changed = clampTo(light.intensity, 0, LIGHT_MAX);
-  changed |= clampTo(light.range, 0, LIGHT_MAX);
-  for (int i = 0; i < 3; ++i) changed |= clampTo(light.color[i], 0, LIGHT_MAX);
-  changed |= clampTo(light.outerConeAngle, 0, std::numbers::pi_v<float> / 2);
-  changed |= clampTo(light.innerConeAngle, 0, light.outerConeAngle);
-  return changed;
+void clampLight(ModelLight& light, const std::string& where, Warnings& warnings) {
+  const auto clampTo = [&](float& value, float high, const char* key) {
+    value = clamped(value, 0, high, where + key, warnings);
+  };
+  clampTo(light.intensity, LIGHT_MAX, "/intensity");
+  clampTo(light.range, LIGHT_MAX, "/range");
+  for (int i = 0; i < 3; ++i) clampTo(light.color[i], LIGHT_MAX, "/color");
+  clampTo(light.outerConeAngle, std::numbers::pi_v<float> / 2, "/spot/outerConeAngle");
+  clampTo(light.innerConeAngle, light.outerConeAngle, "/spot/innerConeAngle");
 }
 
 }  // namespace
@@ -126,8 +122,8 @@ std::vector<std::optional<ModelLight>> readLights(const json& lights, Warnings& 
     }
     if (!out.back()) {
       warnings.add("W_LIGHT", "a light is malformed and was left out", where);
-    } else if (clampLight(*out.back())) {
-      warnings.add("W_RANGE", "a value of the light was clamped to its range", where);
+    } else {
+      clampLight(*out.back(), where, warnings);
     }
   }
   return out;

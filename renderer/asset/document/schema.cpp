@@ -172,8 +172,8 @@ class Reducer {
     const std::uint64_t count = lengthOf(field.target);
     if (out >= count) {
       fail("E_REF",
-           "the index " + shown(value) + " names an object that does not exist: there are " + std::to_string(count) +
-               " " + std::string(field.target),
+           "the index " + shown(value) + " names an object that does not exist: the length of " +
+               telar::quoted(field.target) + " is " + std::to_string(count),
            where.pointer());
     }
     return out;

@@ -32,7 +32,8 @@ void readBack(const Layer& layer, const Material& front, FabricLayers& out) {
   if (!layer) return;
   out.back = true;
   out.backRoughnessFactor = layer.factor("roughnessFactor", static_cast<double>(front.roughnessFactor));
-  if (layer.has("baseColorFactor") || layer.has("baseColorTexture")) {
+  out.backHasColor = layer.has("baseColorFactor") || layer.has("baseColorTexture");
+  if (out.backHasColor) {
     out.backColorFactor = layer.color("baseColorFactor", 1, 1);
     out.backColorTexture = layer.texture("baseColorTexture");
   } else {

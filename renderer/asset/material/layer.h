@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string>
 
+#include "asset/check/clamped.h"
 #include "asset/check/number.h"
 #include "asset/document/extension_value.h"
 #include "asset/material/texture_ref.h"
@@ -32,7 +33,7 @@ class Layer {
   double number(const char* key, double fallback) const { return numberOf(*source_, key, fallback); }
 
   float factor(const char* key, double fallback, double low = 0, double high = 1) const {
-    return clampedFactor(number(key, fallback), low, high, where_ + "/" + key, warnings_);
+    return clamped(number(key, fallback), low, high, where_ + "/" + key, warnings_);
   }
 
   /// Any angle, radians: within a turn, a float keeps it.
@@ -52,7 +53,7 @@ class Layer {
     glm::vec3 out(fallback);
     const auto& list = arrayOf(*source_, key);
     for (std::size_t i = 0; i < list.size(); ++i) {
-      out[static_cast<int>(i)] = clampedFactor(list[i].GetNumberAsDouble(), 0, high, where_ + "/" + key, warnings_);
+      out[static_cast<int>(i)] = clamped(list[i].GetNumberAsDouble(), 0, high, where_ + "/" + key, warnings_);
     }
     return out;
   }
@@ -62,8 +63,8 @@ class Layer {
   /// `scale` of a normal texture.
   float scale(const char* key) const {
     if (!source_->Has(key)) return 1;
-    return clampedFactor(numberOf(source_->Get(key), "scale", 1), -NORMAL_SCALE_MAX, NORMAL_SCALE_MAX,
-                         where_ + "/" + key + "/scale", warnings_);
+    return clamped(numberOf(source_->Get(key), "scale", 1), -NORMAL_SCALE_MAX, NORMAL_SCALE_MAX,
+                   where_ + "/" + key + "/scale", warnings_);
   }
 
  private:

@@ -1,5 +1,6 @@
 #include "asset/material/material.h"
 
+#include "asset/check/clamped.h"
 #include "asset/check/pointer.h"
 #include "asset/document/extension_value.h"
 #include "asset/material/fabric_layers.h"
@@ -44,18 +45,18 @@ class MaterialReader {
   }
 
  private:
-  float clamped(double value, double low, double high, const char* key) {
-    return clampedFactor(value, low, high, where_ + "/" + key, warnings_);
+  float inRange(double value, double low, double high, const char* key) {
+    return clamped(value, low, high, where_ + "/" + key, warnings_);
   }
 
   void readPbr(Material& out) {
     const auto& pbr = source_.pbrMetallicRoughness;
     for (int i = 0; i < 4; ++i) {
       out.baseColorFactor[i] =
-          clamped(pbr.baseColorFactor[static_cast<std::size_t>(i)], 0, 1, "pbrMetallicRoughness/baseColorFactor");
+          inRange(pbr.baseColorFactor[static_cast<std::size_t>(i)], 0, 1, "pbrMetallicRoughness/baseColorFactor");
     }
-    out.metallicFactor = clamped(pbr.metallicFactor, 0, 1, "pbrMetallicRoughness/metallicFactor");
-    out.roughnessFactor = clamped(pbr.roughnessFactor, 0, 1, "pbrMetallicRoughness/roughnessFactor");
+    out.metallicFactor = inRange(pbr.metallicFactor, 0, 1, "pbrMetallicRoughness/metallicFactor");
+    out.roughnessFactor = inRange(pbr.roughnessFactor, 0, 1, "pbrMetallicRoughness/roughnessFactor");
   }
 
   void readTextures(Material& out) {
@@ -64,9 +65,9 @@ class MaterialReader {
     out.metallicRoughnessTexture =
         texture(pbr.metallicRoughnessTexture, "pbrMetallicRoughness/metallicRoughnessTexture");
     out.normalTexture = texture(source_.normalTexture, "normalTexture");
-    out.normalScale = clamped(source_.normalTexture.scale, -NORMAL_SCALE_MAX, NORMAL_SCALE_MAX, "normalTexture/scale");
+    out.normalScale = inRange(source_.normalTexture.scale, -NORMAL_SCALE_MAX, NORMAL_SCALE_MAX, "normalTexture/scale");
     out.occlusionTexture = texture(source_.occlusionTexture, "occlusionTexture");
-    out.occlusionStrength = clamped(source_.occlusionTexture.strength, 0, 1, "occlusionTexture/strength");
+    out.occlusionStrength = inRange(source_.occlusionTexture.strength, 0, 1, "occlusionTexture/strength");
     out.emissiveTexture = texture(source_.emissiveTexture, "emissiveTexture");
   }
 
@@ -77,7 +78,7 @@ class MaterialReader {
     for (int i = 0; i < 3; ++i) {
       const double factor = source_.emissiveFactor[static_cast<std::size_t>(i)];
       // More cannot be kept in the frame.
-      out.emissiveFactor[i] = clamped(clamped(factor, 0, 1, "emissiveFactor") * strength, 0, HALF_MAX,
+      out.emissiveFactor[i] = inRange(inRange(factor, 0, 1, "emissiveFactor") * strength, 0, HALF_MAX,
                                       "extensions/KHR_materials_emissive_strength/emissiveStrength");
     }
   }
@@ -93,7 +94,7 @@ class MaterialReader {
                     where_ + "/alphaMode");
     }
     // Above 1 is allowed and hides everything.
-    out.alphaCutoff = clamped(source_.alphaCutoff, 0, 2, "alphaCutoff");
+    out.alphaCutoff = inRange(source_.alphaCutoff, 0, 2, "alphaCutoff");
   }
 
   /// An unlit material reads nothing but its base colour.

@@ -51,12 +51,6 @@ void takeImage(const tinygltf::Texture& texture, TextureRef& out) {
 
 }  // namespace
 
-float clampedFactor(double value, double low, double high, const std::string& where, Warnings& warnings) {
-  const double out = std::clamp(value, low, high);
-  if (out != value) warnings.add("W_RANGE", "a value was clamped to its range", where);
-  return toFloat(out);
-}
-
 TextureRef TextureReader::read(int texture, int texCoord, const tinygltf::Value* transform, const std::string& where) {
   TextureRef out;
   const auto& source = document_.model.textures[static_cast<std::size_t>(texture)];

@@ -7,9 +7,6 @@ namespace telar::asset {
 
 constexpr double NORMAL_SCALE_MAX = 1e4;
 
-/// `value` within low..high; W_RANGE at `where` when that changed it.
-float clampedFactor(double value, double low, double high, const std::string& where, Warnings& warnings);
-
 /// Reads the uses that materials make of textures. Both references outlive it.
 class TextureReader {
  public:

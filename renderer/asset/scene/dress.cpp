@@ -153,6 +153,15 @@ class Dresser {
   static void paint(Material& material, const glm::vec3& color) {
     material.baseColorFactor = glm::vec4(color, material.baseColorFactor.a);
     if (material.alphaMode == AlphaMode::kOpaque) material.baseColorTexture = {};
+    paintBack(material);
+  }
+
+  /// A back without a colour of its own has the front's.
+  static void paintBack(Material& material) {
+    FabricLayers& fabric = material.fabric;
+    if (!fabric.back || fabric.backHasColor) return;
+    fabric.backColorFactor = glm::vec3(material.baseColorFactor);
+    fabric.backColorTexture = material.baseColorTexture;
   }
 
   Material worn(const Material& own, const Material& cloth, const Dressing& dressing, int images, int at) {
@@ -179,6 +188,7 @@ class Dresser {
         out.alphaCutoff = own.alphaCutoff;
       }
     }
+    paintBack(out);
     return out;
   }
 

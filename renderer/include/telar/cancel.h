@@ -28,11 +28,12 @@ class CancelToken {
 
   void cancel() const { state_->cancelled.store(true, std::memory_order_relaxed); }
   bool cancelled() const { return state_->cancelled.load(std::memory_order_relaxed); }
+  /// Whether check() would throw: for those who must not.
+  bool isOver() const { return cancelled() || isLate(); }
   /// @throws Error{X_CANCELLED, X_TIMEOUT}
   void check() const {
     if (cancelled()) throw Error("X_CANCELLED", "the caller cancelled this job");
-    const Clock::time_point deadline = state_->deadline.load(std::memory_order_relaxed);
-    if (deadline != NEVER && Clock::now() > deadline) throw timeout();
+    if (isLate()) throw timeout();
   }
   /// The job may take any time from here on. To be called while no Work lives.
   void allowAnyTime() const { state_->allowed.reset(); }
@@ -56,6 +57,11 @@ class CancelToken {
   };
 
  private:
+  bool isLate() const {
+    const Clock::time_point deadline = state_->deadline.load(std::memory_order_relaxed);
+    return deadline != NEVER && Clock::now() > deadline;
+  }
+
   Error timeout() const {
     const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(*state_->allowed).count();
     return {"X_TIMEOUT", "the work took longer than the " + std::to_string(ms) +

@@ -23,6 +23,7 @@ struct FabricLayers {
   TextureRef weaveTexture;
 
   bool back = false;                 ///< the back side looks different: these in place of the front's
+  bool backHasColor = false;         ///< its colour is its own; else it is the front's, also where that is dyed
   glm::vec3 backColorFactor{1.0f};   ///< base colour
   TextureRef backColorTexture;       ///< sRGB
   float backRoughnessFactor = 1.0f;  ///< perceptual, without the front's texture

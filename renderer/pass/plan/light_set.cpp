@@ -124,13 +124,13 @@ void padTo(std::vector<T>& list, std::size_t count, const T& value, std::size_t 
 
 void LightSet::describe(shader::VariantKey& key) const {
   key.ambient = hasAmbient;
-  key.lights.hemisphere = static_cast<std::uint8_t>(hemisphereUp.size());
-  key.lights.point = static_cast<std::uint8_t>(pointPosition.size());
-  key.lights.spot = static_cast<std::uint8_t>(spotPosition.size());
-  key.lights.directional = static_cast<std::uint8_t>(directionalDirection.size());
-  key.lights.suns = static_cast<std::uint8_t>(suns);
-  key.lights.rect = static_cast<std::uint8_t>(rectPosition.size());
-  key.lights.disk = static_cast<std::uint8_t>(diskPosition.size());
+  key.lights.hemisphere = static_cast<std::uint16_t>(hemisphereUp.size());
+  key.lights.point = static_cast<std::uint16_t>(pointPosition.size());
+  key.lights.spot = static_cast<std::uint16_t>(spotPosition.size());
+  key.lights.directional = static_cast<std::uint16_t>(directionalDirection.size());
+  key.lights.suns = static_cast<std::uint16_t>(suns);
+  key.lights.rect = static_cast<std::uint16_t>(rectPosition.size());
+  key.lights.disk = static_cast<std::uint16_t>(diskPosition.size());
 }
 
 void LightSet::pad(std::size_t count) {

@@ -107,7 +107,7 @@ void ShadowSet::describe(shader::VariantKey& key) const {
     if (map.lit) ++(map.type == Light::Type::kSpot ? key.lights.spotShadows : key.lights.directionalShadows);
   }
   for (const ShadowMap& map : cube)
-    key.lights.pointShadows = static_cast<std::uint8_t>(key.lights.pointShadows + map.lit);
+    key.lights.pointShadows = static_cast<std::uint16_t>(key.lights.pointShadows + map.lit);
 }
 
 ShadowSet collectShadows(const Shot& shot, const LightChoice& chosen, const Limits& limits, const Bounds& bounds) {

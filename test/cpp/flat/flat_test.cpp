@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 #include "expect_error.h"
+#include "flat/lines.h"
 #include "measure/shapes.h"
 
 namespace telar::flat::flat_test {
@@ -129,6 +132,26 @@ TEST(Flat, ACreaseIsDrawnAboveItsAngle) {
   EXPECT_NEAR(lengthOf(ofKind(strokesOf(roof, frontOf(400, 4, {0, 0, 0}), options), Kind::kCrease)[0]), 100, 3);
   options.creaseAngle = 100;
   EXPECT_EQ(ofKind(strokesOf(roof, frontOf(400, 4, {0, 0, 0}), options), Kind::kCrease).size(), 0u);
+}
+
+/// Strokes of a pixel on top of each other, as of embroidery in a thumbnail.
+TEST(Strokes, AsManyAsThereAreTakeNotTheSquareOfThatTime) {
+  std::vector<Stroke> strokes;
+  std::uint32_t random = 1;
+  const auto next = [&random] {
+    random = random * 1664525u + 1013904223u;
+    return 12.0 * (random >> 8) / (1 << 24);
+  };
+  for (int i = 0; i < 20'000; ++i) {
+    const glm::dvec2 at(next(), next()), direction(next() - 6, next() - 6);
+    strokes.push_back({Kind::kSeam, false, false, {at, at + glm::normalize(direction)}});
+  }
+  const CancelToken cancelled;
+  cancelled.cancel();
+  EXPECT_ERROR(closeGaps(strokes, cancelled), "X_CANCELLED");
+  const std::clock_t start = std::clock();
+  closeGaps(strokes, {});
+  EXPECT_LT(std::clock() - start, 8 * CLOCKS_PER_SEC);  // processor time
 }
 
 TEST(Flat, StopsWhenItIsCancelled) {

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "image/sample_files.h"
 
@@ -291,6 +293,27 @@ TEST(Encode, EffortOfJpegAndOfLossyWebp) {
   const auto pixels = [](const File& file) { return telar::decodeImage(file, {}, {}).pixels; };
   EXPECT_TRUE(pixels(plain) == pixels(usual) && pixels(usual) == pixels(most));
   EXPECT_LT(fileOf(Format::kWebp, 9).size(), fileOf(Format::kWebp, 0).size());
+}
+
+/// libwebp takes long at its highest effort, and asks at each row of blocks whether to go on. What it keeps exactly (alpha, all of a picture without loss) it does in one step.
+TEST(Encode, StopsInsideALibraryWhenItsTimeIsUp) {
+  OutputOptions options = optionsOf(Format::kWebp);
+  options.effort = 9;
+  options.quality = 80;
+  telar::Frame frame = frameFor(options, 768, 768);
+  std::uint32_t random = 1;
+  for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
+    random = random * 1664525u + 1013904223u;
+    frame.pixels[i] = std::byte(i % 4 == 3 ? 255 : random >> 24);
+  }
+  const auto timeOf = [&](const telar::CancelToken& cancel, const char* code) {
+    const telar::CancelToken::Work work(cancel);
+    const std::clock_t start = std::clock();
+    EXPECT_EQ(codeOf([&] { telar::encode(frame, options, cancel); }), code);
+    return std::clock() - start;  // processor time
+  };
+  const std::clock_t whole = timeOf({}, "");
+  EXPECT_LT(timeOf(telar::CancelToken(std::chrono::milliseconds(10)), "X_TIMEOUT"), whole / 2);
 }
 
 TEST(Encode, StopsWhenCancelled) {

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 #include "expect_error.h"
 #include "measure/shapes.h"
+#include "surface/chain.h"
 
 namespace telar::measure::loops_test {
 namespace {
@@ -46,7 +49,7 @@ TEST(Section, OfAnOpenSheetIsOpen) {
 }
 
 TEST(Border, OfATubeIsItsTwoEnds) {
-  const auto loops = borderOf(tube(48, 0.6, 0.4));
+  const auto loops = borderOf(tube(48, 0.6, 0.4), {});
   ASSERT_EQ(loops.size(), 2u);
   for (const Loop& loop : loops) {
     EXPECT_TRUE(loop.closed);
@@ -62,10 +65,28 @@ TEST(Border, HasAHoleAsALoopOfItsOwn) {
   for (const std::uint32_t a : {0u, 1u, 2u, 4u, 6u, 8u, 9u, 10u}) {
     for (const std::uint32_t index : {a, a + 1, a + 5, a, a + 5, a + 4}) indices.push_back(index);
   }
-  auto loops = borderOf(surfaceOf(test::sceneOf(positions, indices)));
+  auto loops = borderOf(surfaceOf(test::sceneOf(positions, indices)), {});
   ASSERT_EQ(loops.size(), 2u);
   EXPECT_NEAR(loops[0].length() + loops[1].length(), 12 + 4, 1e-12);
   EXPECT_NEAR(std::min(loops[0].length(), loops[1].length()), 4, 1e-12);
+}
+
+/// Each walk goes on where the last one left off, however many links meet in a corner.
+TEST(Chains, OfManyLinksAtOneCornerTakeAsLongAsThereAreLinks) {
+  constexpr std::uint32_t LINKS = 100'000;
+  std::vector<std::array<std::uint32_t, 2>> links;
+  for (std::uint32_t i = 1; i <= LINKS; ++i) {
+    links.push_back({0, i});
+    links.push_back({i, 0});
+  }
+  const std::clock_t start = std::clock();
+  const auto chains = surface::chainLinks(links, {});
+  EXPECT_LT(std::clock() - start, 2 * CLOCKS_PER_SEC);  // processor time
+  ASSERT_EQ(chains.size(), LINKS);
+  EXPECT_TRUE(chains.back().closed);
+  const CancelToken cancelled;
+  cancelled.cancel();
+  EXPECT_ERROR(surface::chainLinks(links, cancelled), "X_CANCELLED");
 }
 
 TEST(Tightened, ALoopSlidesToTheWaist) {

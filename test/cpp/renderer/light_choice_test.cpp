@@ -125,6 +125,14 @@ TEST(LightChoice, SunsComeLastAndAreToldApartFromLightsOfTheShotAndOfTheModel) {
   EXPECT_NE(std::find(features.begin(), features.end(), "1 sun"), features.end());
 }
 
+TEST(LightChoice, AsManyAsALimitAllowsAreCounted) {
+  Shot shot = shotOf(16);
+  shot.lights.assign(300, lightOf(Type::kDirectional, {0, 1, 0}, 1));
+  Limits limits;
+  limits.lights = 300;
+  EXPECT_EQ(pass::planDraws(*ball(), shot, limits, false).frame.lights.directional, 300);
+}
+
 TEST(LightChoice, TheLimitIsOfThoseThatAreShaded) {
   Shot shot = shotOf(16);
   shot.lights.assign(5, lightOf(Type::kPoint, {0, 2, 0}, 1));

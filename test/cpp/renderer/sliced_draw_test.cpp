@@ -8,6 +8,8 @@
 #include <thread>
 
 #include "cpu_clock.h"
+#include "expect_error.h"
+#include "renderer/cloth_images.h"
 #include "renderer/scenes.h"
 
 // What is cut into slices gives the same bytes, and can be stopped.
@@ -230,6 +232,46 @@ TEST(SlicedDraw, ALateJobEndsWithATimeout) {
     EXPECT_EQ(error.code, "X_TIMEOUT");
   }
   EXPECT_LT(CpuClock::now() - begin, load.cpu / 2);
+}
+
+/// What is made of an environment is kept: it must not be read through what a stopped picture has left.
+TEST(SlicedDraw, AStoppedPictureLeavesNothingToTheNextEnvironment) {
+  const auto lit = [](Renderer& renderer) {
+    Material metal;
+    metal.roughnessFactor = 0.3f;
+    metal.metallicFactor = 1;
+    Shot shot = shotOf(96);
+    shot.shading = ShadingModel::kFabric;
+    shot.environment.source = Shot::Environment::Source::kStudio;
+    shot.environmentSize = 128;  // not the one that is there already
+    return drawn(renderer, sceneOf(spherePrimitive(0.8f, 4), metal), shot).pixels;
+  };
+  const Load load = measuredLoad();
+  RendererOptions options;
+  options.sliceMs = 20;
+  options.assetDirectory = TELAR_SOURCE_DIR "/js/assets";
+  const auto expected = lit(*Renderer::create(options));
+  const auto renderer = Renderer::create(options);
+  // With a texture of which levels are not read, and which is looked up without blending.
+  Material material = materialOf(AlphaMode::kBlend);
+  material.baseColorTexture.image = 0;
+  material.baseColorTexture.sampler.minFilter = material.baseColorTexture.sampler.magFilter = 9728;
+  const auto textured = [&](std::uint32_t count) {
+    Primitive squares = test::stackedSquares(count);
+    squares.uvs[0] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    auto scene = sceneOf(std::move(squares), material);
+    scene->images = SharedList<Image8>{test::imageOf(8, 8, [](double u, double) { return glm::vec4(u, 0.5, 0.5, 1); })};
+    scene->fileImages = 1;
+    return scene;
+  };
+  drawn(*renderer, textured(1), stackShot());  // so that its programs are there
+  const auto scene = textured(load.squares);
+  const CancelToken late(std::chrono::milliseconds(200));
+  {
+    const CancelToken::Work work(late);
+    EXPECT_ERROR(drawn(*renderer, scene, stackShot(), late), "X_TIMEOUT");
+  }
+  EXPECT_TRUE(lit(*renderer) == expected);
 }
 
 /// How much is computed until a small picture is done while another renderer draws a large load.

@@ -203,5 +203,27 @@ TEST_F(WornCloths, OfOnePictureAreAllThere) {
   EXPECT_TRUE(drawn(scene) == alone) << "again";
 }
 
+/// The material that the first part has after a dressing in red, of a cloth with a picture and a back.
+Material dyedWithBack(bool hasColor, bool isCloth) {
+  auto cloth = std::make_shared<Scene>(*clothOf(3));
+  FabricLayers& fabric = cloth->materials[0].fabric;
+  fabric.back = true;
+  fabric.backHasColor = hasColor;
+  fabric.backColorFactor = {0.1f, 0.6f, 0.2f};
+  Dressing dressing = dressingOf(0, isCloth ? cloth : nullptr);
+  dressing.color = glm::vec3(0.7f, 0.1f, 0.1f);
+  return dressScene(isCloth ? garmentOf(1) : cloth, {dressing}, CancelToken())->materials[0];
+}
+
+TEST(DyedCloth, HasABackInTheSameColourUnlessThatHasOneOfItsOwn) {
+  for (const bool isCloth : {false, true}) {
+    const Material dyed = dyedWithBack(false, isCloth);
+    EXPECT_EQ(dyed.fabric.backColorFactor, glm::vec3(dyed.baseColorFactor)) << isCloth;
+    EXPECT_EQ(dyed.fabric.backColorTexture.image, dyed.baseColorTexture.image) << isCloth;
+    EXPECT_GT(dyed.fabric.backColorFactor.r, 2 * dyed.fabric.backColorFactor.g) << isCloth;
+    EXPECT_EQ(dyedWithBack(true, isCloth).fabric.backColorFactor, glm::vec3(0.1f, 0.6f, 0.2f)) << isCloth;
+  }
+}
+
 }  // namespace
 }  // namespace telar::worn_cloths_test

@@ -192,6 +192,45 @@ test("a variant changes the meshes that it maps, and an empty one gives the file
   await assert.rejects(apply({ variant: 'green' }, { model }), /the model has red, blue, not green/);
 });
 
+test('calls for one scene take effect in their order, also while an earlier one still loads', async () => {
+  const model = await load('variants');
+  const [scene, renderer] = [new THREE.Scene(), recorder()];
+  const before = model.parser.getDependency.bind(model.parser);
+  let calls = 0;
+  model.parser.getDependency = async (...args) => {
+    if (calls++ === 0) await new Promise((resolve) => setTimeout(resolve, 50));
+    return before(...args);
+  };
+  const [{ name }] = model.parser.json.extensions.KHR_materials_variants.variants;
+  const materials = () => {
+    const found = [];
+    model.scene.traverse(({ material }) => material && found.push(material.uuid));
+    return found;
+  };
+  const own = materials();
+  const asked = { THREE, renderer, scene, model };
+  const first = applyShot({ ...resolve(), variant: name }, asked);
+  const second = applyShot(resolve(), asked);
+  await Promise.all([first, second]);
+  assert.ok(calls > 0);
+  assert.deepEqual(materials(), own, 'the last one asked for no variant');
+  // One that fails does not hold up the next.
+  await assert.rejects(applyShot({ ...resolve(), variant: 'none such' }, asked));
+  await applyShot({ ...resolve(), variant: name }, asked);
+  assert.notDeepEqual(materials(), own);
+});
+
+test('a mesh that was a ghost in the last shot casts a shadow in the next one', async () => {
+  const model = await load('variants');
+  const scene = new THREE.Scene();
+  await apply({ ghost: [{ material: 0, opacity: 0.5 }] }, { scene, model });
+  const casting = { environment: 'none', camera: CAMERA, lights: [{ type: 'directional', castShadow: true }] };
+  await applyShot(resolveShot(casting, { min: [-1, -1, -1], max: [1, 1, 1] }), { THREE, renderer: recorder(), scene, model });
+  const meshes = [];
+  model.scene.traverse((object) => object.isMesh && meshes.push(object.castShadow));
+  assert.ok(meshes.length > 0 && meshes.every(Boolean), `${meshes}`);
+});
+
 test('one sample a pixel asks for a context without antialiasing', () => {
   assert.deepEqual(rendererParameters(resolve()), { antialias: true, alpha: true, premultipliedAlpha: true });
   assert.equal(rendererParameters(resolve({ quality: 'draft' })).antialias, false);

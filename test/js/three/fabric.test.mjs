@@ -6,8 +6,9 @@ import { shadingText } from '../../../js/build/shading/translate.mjs';
 import { glb, quad } from '../../robust/glb.mjs';
 import { applyShading, loadFabricMaterial } from '../../../js/three/index.mjs';
 import { restoreMaterials } from '../../../js/three/shading.mjs';
-import { clothOf, extensionsOf } from '../../../js/three/shading/fabric_layers.mjs';
+import { clothOf, extensionsOf, finishBack } from '../../../js/three/shading/fabric_layers.mjs';
 import { loadShading } from '../../../js/three/shading/index.mjs';
+import { definesOfTerms } from '../../../js/three/shading/terms.mjs';
 import '../built.mjs';
 
 const NO_YARNS = { warp: { coverage: 0 }, weft: { coverage: 0 } };
@@ -102,10 +103,22 @@ test("a back without a colour of its own has the front's", async () => {
     1,
   );
   const { definition } = await clothOf(parser, mesh, mesh.material, loadPresets);
-  const {
-    fabric: { back },
-  } = await extensionsOf(parser, definition, THREE);
-  assert.deepEqual([back.baseColorFactor, back.baseColorTexture.name, back.roughnessFactor], [[0.1, 0.2, 0.3], 'texture 0', 0.8]);
+  const backOf = async () => {
+    const { fabric } = await extensionsOf(parser, definition, THREE);
+    finishBack(fabric, mesh.material);
+    return fabric.back;
+  };
+  const back = await backOf();
+  const close = (a, b) => a.length === b.length && a.every((x, i) => Math.abs(x - b[i]) < 1e-6);
+  assert.ok(close(back.baseColorFactor, [0.1, 0.2, 0.3]), `${back.baseColorFactor}`);
+  assert.deepEqual([back.baseColorTexture.name, back.roughnessFactor], ['texture 0', 0.8]);
+  // Also where the front is dyed.
+  mesh.material.color.setRGB(0.7, 0.1, 0.2);
+  mesh.material.map = null;
+  const dyed = await backOf();
+  assert.ok(close(dyed.baseColorFactor, [0.7, 0.1, 0.2]) && dyed.baseColorTexture === null, `${dyed.baseColorFactor}`);
+  definition.extensions.TELAR_materials_fabric.back.baseColorFactor = [0.2, 0.5, 0.1];
+  assert.deepEqual((await backOf()).baseColorFactor, [0.2, 0.5, 0.1], 'its own stays');
 });
 
 test('FabricMaterial by hand: parameters, clones, programs that differ by what is there', async () => {
@@ -139,6 +152,39 @@ test('a material that becomes polished, or no longer is, is drawn by the program
     [0, 0],
     [1, 1],
   ]);
+});
+
+test('factors that begin at 0 need another program as soon as they are more, in every family', async () => {
+  const zeros = () => ({ fabric: { flatness: 0, weave: NO_YARNS }, diffuseTransmission: { diffuseTransmissionFactor: 0 } });
+  const cases = {
+    fabric: [
+      ['DIFFUSE_TRANSMISSION', ({ diffuseTransmission }) => (diffuseTransmission.diffuseTransmissionFactor = 0.4)],
+      ['FLATNESS', ({ fabric }) => (fabric.flatness = 0.5)],
+      ['WEAVE', ({ fabric }) => (fabric.weave = { warp: { coverage: 0.5 }, weft: { coverage: 0.3 } })],
+    ],
+    principled: [['DIFFUSE_TRANSMISSION', ({ diffuseTransmission }) => (diffuseTransmission.diffuseTransmissionFactor = 0.4)]],
+  };
+  for (const [family, changes] of Object.entries(cases)) {
+    const Material = await loadShading(THREE, family);
+    for (const [define, change] of changes) {
+      const material = new Material(zeros());
+      if (family === 'principled') material.shadingDefines = definesOfTerms({ base: 'disney-2012', diffuse: 'disney-2015-thin' });
+      const drawn = () => {
+        const { version } = material;
+        material.onBeforeRender({});
+        return [material.textDefines()[define], material.version > version];
+      };
+      assert.deepEqual(
+        [drawn(), drawn()],
+        [
+          [0, true],
+          [0, false],
+        ],
+      );
+      change(material);
+      assert.deepEqual(drawn(), [1, true], `${family} ${define}`);
+    }
+  }
 });
 
 test('texels are read beyond the map as its sampler finds them', async () => {

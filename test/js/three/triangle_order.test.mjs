@@ -77,6 +77,51 @@ test('what moves is put in order anew, what stands still is not', () => {
   assert.deepEqual(orderOf(geometry, { mesh }), [0, 1]);
 });
 
+test('two views of a mesh, and two of its groups, are put in order once each while nothing moves', () => {
+  const geometry = geometryAt([1, -1, 2, 0]);
+  const mesh = new THREE.Mesh(geometry);
+  const groups = [
+    { start: 0, count: 6 },
+    { start: 6, count: 6 },
+  ];
+  const drawAll = () =>
+    Object.values(SEEING).flatMap((camera) =>
+      groups.map((group) => {
+        orderOf(geometry, { mesh, camera, group });
+        return [geometry.index, geometry.index.version];
+      }),
+    );
+  const first = drawAll();
+  assert.equal(new Set(first.map(([index]) => index)).size, 4);
+  assert.deepEqual(drawAll(), first);
+});
+
+test('a mesh with joints is put in order anew when one of them moves', () => {
+  const geometry = geometryAt([1, -1]);
+  geometry.setAttribute('skinIndex', new THREE.Uint16BufferAttribute(new Uint16Array(24), 4));
+  geometry.setAttribute(
+    'skinWeight',
+    new THREE.Float32BufferAttribute(
+      Array.from({ length: 24 }, (_, i) => (i % 4 === 0 ? 1 : 0)),
+      4,
+    ),
+  );
+  const mesh = new THREE.SkinnedMesh(geometry);
+  const bone = new THREE.Bone();
+  mesh.add(bone);
+  mesh.bind(new THREE.Skeleton([bone]));
+  const versionNow = () => {
+    mesh.updateMatrixWorld(true);
+    mesh.skeleton.update();
+    orderOf(geometry, { mesh });
+    return geometry.index.version;
+  };
+  const version = versionNow();
+  assert.equal(versionNow(), version);
+  bone.position.z = 3;
+  assert.equal(versionNow(), version + 1);
+});
+
 test('a mesh that morphs is put in order by where its vertices are', () => {
   const geometry = geometryAt([1, -1]);
   geometry.morphAttributes.position = [new THREE.Float32BufferAttribute([0, 0, -8, 0, 0, -8, 0, 0, -8, 0, 0, 0, 0, 0, 0, 0, 0, 0], 3)];

@@ -8,6 +8,7 @@
 #include "asset/accessor/accessor.h"
 #include "asset/accessor/draco_mesh.h"
 #include "asset/model_builder.h"
+#include "expect_error.h"
 #include "telar/limits.h"
 
 namespace telar::test {
@@ -300,6 +301,34 @@ TEST(DracoPoints, AreDrawnAsPoints) {
     EXPECT_EQ(errorOf(pointModel(encoded, 4)),
               "E_DRACO at /meshes/0/primitives/0/extensions/KHR_draco_mesh_compression");
   }
+}
+
+/// Attributes that nothing asks for are decoded too: what they take is known from their types, and lent before.
+TEST(DracoPoints, EveryAttributeCountsAgainstTheModelsMemory) {
+  constexpr int COMPONENTS = 100;
+  draco::PointCloudBuilder builder;
+  builder.Start(40);
+  const int position = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  const int wide = builder.AddAttribute(draco::GeometryAttribute::GENERIC, COMPONENTS, draco::DT_INT32);
+  const std::int32_t nothing[COMPONENTS] = {};
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    const float p[3] = {static_cast<float>(i), 1, 2};
+    builder.SetAttributeValueForPoint(position, draco::PointIndex(i), p);
+    builder.SetAttributeValueForPoint(wide, draco::PointIndex(i), nothing);
+  }
+  const auto cloud = builder.Finalize(false);
+  draco::ExpertEncoder encoder(*cloud);
+  encoder.SetEncodingMethod(draco::POINT_CLOUD_SEQUENTIAL_ENCODING);
+  draco::EncoderBuffer buffer;
+  ASSERT_TRUE(encoder.EncodeToBuffer(&buffer).ok());
+  const auto* bytes = reinterpret_cast<const std::byte*>(buffer.data());
+  const Bounds bounds;
+  const auto decode = [&](std::uint64_t most) {
+    MemoryBudget memory(most);
+    DracoMesh::decode({bytes, buffer.size()}, {40, 0, true}, {bounds.limits, memory, bounds.cancel}, "/here");
+  };
+  EXPECT_NO_THROW(decode(40 * (COMPONENTS + 3) * 8));
+  EXPECT_ERROR(decode(40 * (COMPONENTS + 3) * 8 - 1), "L_MEMORY_BYTES");
 }
 
 TEST(DracoPoints, DamagedOnesAreTypedErrors) {

@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+#include "asset/check/warnings.h"
+
+namespace telar::asset {
+
+/// `value` within low..high; W_RANGE at `where` when that changed it, which names both.
+float clamped(double value, double low, double high, const std::string& where, Warnings& warnings);
+
+}  // namespace telar::asset
