@@ -36,8 +36,7 @@ export async function worker(options, { console, signal, env, ending, loadPool }
       ending.patienceMs = drainMs + LEEWAY_MS;
       ending.isWell = true;
       for (const warning of queue.warnings) console.warning(warning, 'queue');
-      // Of the time of one picture and that of a job the shorter one ends it.
-      const drawing = startWorker(queue, { pool, jobMs: Math.min(jobMs, timeoutMs ?? jobMs), putHosts: options.putHost, store: options.store, storeBytes });
+      const drawing = startWorker(queue, { pool, jobMs, timeoutMs: timeoutMs ?? jobMs, putHosts: options.putHost, store: options.store, storeBytes });
       await drawing.ready;
       const count = pool.workers.length;
       await console.result({ ok: true, workers: count }, [`${count} worker${count === 1 ? ' draws' : 's draw'} the jobs of the queue`]);

@@ -227,12 +227,12 @@ class Pool {
   }
 
   async #perform(request, signal) {
-    const input = request.recipe?.root.input ?? request.input;
-    await this.#quarantine.check(input);
+    const inputs = inputsOf(request);
+    await this.#quarantine.check(inputs);
     for (let tries = 1; ; ++tries) {
       try {
-        const value = await this.#try(request, input, signal);
-        await this.#quarantine.clear(input);
+        const value = await this.#try(request, inputs, signal);
+        await this.#quarantine.clear(inputs);
         return value;
       } catch (error) {
         if (!(error instanceof WorkerEnded)) throw error;
@@ -244,7 +244,7 @@ class Pool {
   }
 
   /** In one worker. @throws {WorkerEnded} with the digest of a file that is remembered */
-  async #try(request, input, signal) {
+  async #try(request, inputs, signal) {
     signal?.throwIfAborted();
     const worker = await this.#workers.take(({ held }) => held.has(request.recipe?.id), signal);
     if (signal?.aborted) {
@@ -255,7 +255,7 @@ class Pool {
     // Whoever aborts does not wait for it: a worker that had to be ended then counts all the same.
     const remembered = free.then((ended) => {
       this.#workers.give(worker);
-      return ended && isAlone(request) && this.#remember(ended, input);
+      return ended && this.#remember(ended, inputs);
     });
     remembered.catch(() => {});
     try {
@@ -266,15 +266,19 @@ class Pool {
     }
   }
 
-  /** The file of a worker that ended is remembered unless a bound of the pool ended it, which goes by the shot too. @returns its digest */
-  async #remember({ verdict, hadBegun }, input) {
+  /** The files of a worker that ended are remembered unless a bound of the pool ended it, which goes by the shot too. @returns its digest */
+  async #remember({ verdict, hadBegun }, inputs) {
     const isOfFile = hadBegun && (!verdict || verdict.code === overTime(0).code);
-    return isOfFile ? this.#quarantine.record(input) : undefined;
+    return isOfFile ? this.#quarantine.record(inputs) : undefined;
   }
 }
 
-/** Whether the model is the only file of a job: with an environment, fonts or a second picture, any of them may have ended the worker. */
-const isAlone = ({ others = [], shots = [] }) => others.length === 0 && !shots.some(({ environment }) => environment);
+/** The files of a job: its model, or the picture that is compared, and what came with it. */
+const inputsOf = ({ recipe, input, others = [], shots = [] }) => [
+  recipe?.root.input ?? input,
+  ...others.map(([, other]) => other),
+  ...shots.flatMap(({ environment }) => environment ?? []),
+];
 
 /** Starts the workers. js/pool/index.d.ts documents it, its options and the methods of Pool. */
 export async function createPool(options = {}) {

@@ -8,20 +8,17 @@ const CRASHES = 2;
 /** Files that are remembered; the one that ended a worker longest ago goes first. */
 const MOST = 1024;
 
-/**
- * The bytes of a job's model.
- * @param {{path: string} | {bytes: Uint8Array}} input
- * @returns {Promise<Uint8Array | undefined>} undefined where there are none any more
- */
-async function bytesOf({ path, bytes }, size) {
-  if (bytes) return bytes;
+/** @typedef {{path: string} | {bytes: Uint8Array}} Input a file of a job */
+
+/** What is told of a file of a job; undefined where it is not there any more. */
+async function ofFile({ path, bytes }, ofBytes, ofHandle) {
+  if (bytes) return ofBytes(bytes);
   let file;
   try {
     // A pipe is not waited for.
     file = await open(path, constants.O_RDONLY | constants.O_NONBLOCK);
     const facts = await file.stat();
-    if (!facts.isFile() || (size && !size(facts.size))) return undefined;
-    return await file.readFile();
+    return facts.isFile() ? await ofHandle(file, facts) : undefined;
   } catch {
     return undefined;
   } finally {
@@ -29,7 +26,38 @@ async function bytesOf({ path, bytes }, size) {
   }
 }
 
-/** Remembers which files ended workers, and refuses those that did it twice in a row. Nothing is hashed while there is none. */
+const sizeOf = (input) =>
+  ofFile(
+    input,
+    ({ byteLength }) => byteLength,
+    (_, { size }) => size,
+  );
+const bytesOf = (input) =>
+  ofFile(
+    input,
+    (bytes) => bytes,
+    (file) => file.readFile(),
+  );
+
+/** Sum of bytes; undefined where one of them is. */
+const sum = (sizes) => (sizes.includes(undefined) ? undefined : sizes.reduce((all, size) => all + size, 0));
+
+/**
+ * Digest of the files of a job: of one, its own.
+ * @param {Input[]} inputs
+ * @returns {Promise<{digest: string, bytes: number} | undefined>} undefined where one is not there any more
+ */
+async function digestOfAll(inputs) {
+  const files = await Promise.all(inputs.map((input) => bytesOf(input)));
+  if (files.includes(undefined)) return undefined;
+  const digests = await Promise.all(files.map((bytes) => digestOf(bytes)));
+  return { digest: digests.length === 1 ? digests[0] : await digestOf(Buffer.from(digests.join())), bytes: sum(files.map(({ byteLength }) => byteLength)) };
+}
+
+/**
+ * Remembers which files ended workers, and refuses those that did it twice in a row. Of a job that has several (an environment, fonts, a second picture)
+ * any may have done it: they are remembered together. Nothing is hashed while there is none.
+ */
 export class Quarantine {
   #ms;
   #now;
@@ -47,41 +75,42 @@ export class Quarantine {
 
   /**
    * A worker ended while it drew this.
-   * @param {{path: string} | {bytes: Uint8Array}} input
-   * @returns {Promise<string | undefined>} its digest
+   * @param {Input[]} inputs
+   * @returns {Promise<string | undefined>} their digest
    */
-  async record(input) {
-    const bytes = await bytesOf(input);
-    if (!bytes) return undefined;
-    const digest = await digestOf(bytes);
+  async record(inputs) {
+    const all = await digestOfAll(inputs);
+    if (!all) return undefined;
+    const { digest, bytes } = all;
     this.#forgetOld();
     const crashes = (this.#files.get(digest)?.crashes ?? 0) + 1;
     this.#files.delete(digest);
-    if (this.#ms > 0) this.#files.set(digest, { bytes: bytes.byteLength, crashes, last: this.#now() });
+    if (this.#ms > 0) this.#files.set(digest, { bytes, crashes, last: this.#now() });
     if (this.#files.size > MOST) this.#files.delete(this.#files.keys().next().value);
     return digest;
   }
 
   /** A worker drew this: what ended one before was not the file, but whoever ends processes of this machine. */
-  async clear(input) {
-    this.#files.delete(await this.#digestOf(input, 1));
+  async clear(inputs) {
+    this.#files.delete(await this.#digestOf(inputs, 1));
   }
 
   /** @throws {TelarError} X_QUARANTINE */
-  async check(input) {
-    const digest = await this.#digestOf(input, CRASHES);
+  async check(inputs) {
+    const digest = await this.#digestOf(inputs, CRASHES);
     if (!((this.#files.get(digest)?.crashes ?? 0) >= CRASHES)) return;
-    throw new TelarError('X_QUARANTINE', `the file ended ${CRASHES} workers of this pool, and is refused; report it`, { input: digest });
+    throw new TelarError('X_QUARANTINE', `the ${inputs.length > 1 ? 'files of this job' : 'file'} ended ${CRASHES} workers of this pool: refused; report it`, {
+      input: digest,
+    });
   }
 
-  /** The digest of what has as many bytes as a file that ended so many workers; undefined of others, which are not read. */
-  async #digestOf(input, crashes) {
+  /** The digest of what has as many bytes as files that ended so many workers; undefined of others, which are not read. */
+  async #digestOf(inputs, crashes) {
     if (this.#files.size === 0) return undefined;
     this.#forgetOld();
-    const isOne = (size) => [...this.#files.values()].some((file) => file.crashes >= crashes && file.bytes === size);
-    if (input.bytes && !isOne(input.bytes.byteLength)) return undefined;
-    const bytes = await bytesOf(input, isOne);
-    return bytes && digestOf(bytes);
+    const size = sum(await Promise.all(inputs.map((input) => sizeOf(input))));
+    if (![...this.#files.values()].some((file) => file.crashes >= crashes && file.bytes === size)) return undefined;
+    return (await digestOfAll(inputs))?.digest;
   }
 
   #forgetOld() {

@@ -181,6 +181,11 @@ export interface WorkerOptions {
    */
   jobMs?: number;
   /**
+   * Milliseconds that a picture of it may take.
+   * @default jobMs
+   */
+  timeoutMs?: number;
+  /**
    * Folders of own templates of sheets, by name.
    * @default undefined
    */

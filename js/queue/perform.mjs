@@ -7,7 +7,7 @@ import { drawSized } from './picture_size.mjs';
 /**
  * Does what a task asks for, in a pool.
  * @typedef {object} Result
- * @property {string} [key] of a picture, info.key
+ * @property {string} [key] of a picture, answerKey()
  * @property {object} info plain data
  * @property {{name: string, type: string, data: Buffer}[]} files
  */

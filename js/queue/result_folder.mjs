@@ -5,7 +5,8 @@ import { sweepStale, writeFileAtomically } from '../api/atomic_file.mjs';
 import { makeFolder } from '../api/make_folder.mjs';
 
 const ENDING = '.result';
-const NAME = /^[0-9a-f]{64}(?:-[a-z]+)?\.result$/;
+/** As answerKey() makes them. */
+const NAME = /^[0-9a-f]{64}(?:-[a-z\d]+)*\.result$/;
 /** After a sweep, so much of the bound is used: it is not swept again for each result. */
 const SWEPT = 0.9;
 

@@ -12,29 +12,30 @@ function readWorkerOptions({
   pool,
   atOnce = Math.max(1, pool?.workers?.length ?? 1),
   jobMs = JOB_MS,
+  timeoutMs = jobMs,
   templates,
   putHosts,
   store,
   storeBytes = STORE.storeBytes.default,
 }) {
   if (typeof pool?.render !== 'function') throw wrongOption('options.pool', 'a pool of createPool', pool);
-  for (const [name, value] of Object.entries({ atOnce, jobMs }))
+  for (const [name, value] of Object.entries({ atOnce, jobMs, timeoutMs }))
     if (!Number.isInteger(value) || value < 1 || value > MOST_MS) throw wrongOption(`options.${name}`, `a whole number in [1, ${MOST_MS}]`, value);
   if (templates !== undefined && !isObject(templates)) throw wrongOption('options.templates', 'an object of folders by name', templates);
   if (putHosts !== undefined && !Array.isArray(putHosts)) throw wrongOption('options.putHosts', 'a list of hosts', putHosts);
   if (!Number.isSafeInteger(storeBytes) || storeBytes < 1) throw wrongOption('options.storeBytes', 'a whole number from 1 on', storeBytes);
-  return { pool, atOnce, jobMs, templates, putHosts, store: storeOption(store), storeBytes };
+  return { pool, atOnce, jobMs, timeoutMs, templates, putHosts, store: storeOption(store), storeBytes };
 }
 
 /** Documented in js/queue/index.d.ts. */
 export function startWorker(queue, options = {}) {
-  const { pool, atOnce, jobMs, templates, putHosts, store: where, storeBytes } = readWorkerOptions(options);
+  const { pool, atOnce, jobMs, timeoutMs, templates, putHosts, store: where, storeBytes } = readWorkerOptions(options);
   let store;
   const draw = async (task, { signal, ...callbacks }) => {
     const late = new AbortController();
     const clock = setTimeout(() => late.abort(new TelarError('X_TIMEOUT', `the job took longer than ${jobMs} ms`)), jobMs);
     try {
-      return await perform(pool, task, { signal: AbortSignal.any([signal, late.signal]), ...callbacks, timeoutMs: jobMs, templates });
+      return await perform(pool, task, { signal: AbortSignal.any([signal, late.signal]), ...callbacks, timeoutMs, templates });
     } finally {
       clearTimeout(clock);
     }

@@ -45,7 +45,8 @@ export interface OwnOptions {
    */
   signingKeys?: SigningKey[];
   /**
-   * Where results of thumbnails are kept by their content key, so that none is drawn twice: a folder, or callbacks that give addresses. What fails
+   * Where results of thumbnails are kept, so that none is drawn twice: a folder, or callbacks that give addresses. Their name is the content key, with
+   * "-avif" and its quality and a `failOn` that is not the default behind it. What fails
    * there costs no answer; `telar_store_total` of /metrics counts it.
    * @default undefined: nowhere
    */

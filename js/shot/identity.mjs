@@ -15,7 +15,7 @@ export function shotIdentity(shot) {
   return {
     ...parsed,
     ...resolveWithoutModel(parsed),
-    ...(isSizedByModel(shot, parsed) && { size: null }),
+    ...(modelDecidesSize(shot, parsed) && { size: null }),
     camera: cameraIdentity(parsed.camera),
     lights: parsed.lights.map(lightIdentity),
     // As a list: the order in which cloths are put on counts.
@@ -24,7 +24,7 @@ export function shotIdentity(shot) {
 }
 
 /** Whether the model decides the size, by its scale: the default in its place would be another picture. */
-const isSizedByModel = ({ size }, { scale, camera }) => scale !== 'none' && size === undefined && camera.position === undefined;
+const modelDecidesSize = ({ size }, { scale, camera }) => scale !== 'none' && size === undefined && camera.position === undefined;
 
 function cameraIdentity(camera) {
   if (camera.gltf !== undefined) return camera;

@@ -30,7 +30,7 @@ export function rendererParameters(shot) {
 /**
  * Sets up a scene of the client's own three.js, 0.150 or later, from the resolved shot that the server takes, so that both draw the
  * same picture. Adds no default of its own: every value comes from `shot`. Calling it again replaces what the last call set; calls for one scene take effect in
- * their order, also while an earlier one still loads a cloth.
+ * their order: one waits until the earlier ones have loaded their cloths.
  *
  * @param {object} shot - Resolved shot (`resolveShot`): explicit camera, linear Rec.709 colours, degrees for fovY and
  *   environment.rotation, radians for cone angles, metres.
@@ -55,7 +55,7 @@ export function rendererParameters(shot) {
  * @throws {Error} When the client's release lacks the tone mapping, or the shot needs an environment or the tables of rect lights, and none was given, or names a variant
  *   that the model lacks.
  */
-export function applyShot(shot, target) {
+export async function applyShot(shot, target) {
   const { scene } = target;
   const before = applying.get(scene);
   const done = before ? before.then(() => apply(shot, target)) : apply(shot, target);

@@ -26,8 +26,8 @@ constexpr double ON_FACE = 1e-9;
 /// Part of its length below which a loop is on its way to a point.
 constexpr double VANISHED = 1e-2;
 
-std::vector<Loop> loopsOf(const std::vector<std::array<std::uint32_t, 2>>& links,
-                          const std::vector<glm::dvec3>& points, const CancelToken& cancel) {
+std::vector<Loop> loopsOf(const std::vector<std::array<std::uint32_t, 2>>& links, const std::vector<glm::dvec3>& points,
+                          const CancelToken& cancel) {
   std::vector<Loop> loops;
   for (const surface::Chain& chain : surface::chainLinks(links, cancel)) {
     Loop& loop = loops.emplace_back();

@@ -63,7 +63,7 @@ const featureCases = FEATURES.flatMap((model) => [
   make(`${model}-env`, model, 'lamps', {}, FAST_FEATURES.includes(model)),
 ]);
 
-const FACING = ['samplers', 'minification', 'back-sides', 'topologies', 'lines-map', 'lines-holes', 'points-map', 'strips-overlapping'];
+const FACING = ['samplers', 'minification', 'back-sides', 'topologies', 'lines-map', 'lines-holes', 'points-map', 'points-blended', 'strips-overlapping'];
 const facingCases = FACING.map((model) => make(model, model, null, { camera: 'front', lights: [hemisphere, ...SUN] }));
 
 /** Radiance 1 shows as 0.8, so that a gain of energy is not cut off. */

@@ -84,9 +84,13 @@ function cameraOf(c, model) {
 /** Orthographic cameras see the environment's cube alone; beside that three.js leaves the colour of the picture before. */
 const backgroundOf = (c, { projection }) => (projection === 'orthographic' ? 'transparent' : c.of(['environment', { type: 'environment', blur: c.random() }]));
 
-const materialsOf = (c) => ({
+/** Points and lines have no holes of a cloth. */
+const WHOLE_CLOTHS = CLOTHS.filter((name) => !['tulle', 'lace', 'athletic-mesh', 'chiffon', 'organza'].includes(name));
+const hasLines = ({ meshes }) => meshes.some(({ primitives }) => primitives.some(({ mode = 4 }) => mode < 4));
+
+const materialsOf = (c, model) => ({
   [c.of(['*', '0'])]: {
-    preset: c.is(0.8) ? c.of(CLOTHS) : null,
+    preset: c.is(0.8) ? c.of(hasLines(model) ? WHOLE_CLOTHS : CLOTHS) : null,
     color: c.is(0.8) ? c.color(0, 0.8) : null,
     scale: c.between(1, 30),
     rotation: c.of([0, c.between(-180, 180)]),
@@ -142,7 +146,7 @@ export async function randomCase(seed, shading = 'three') {
     ground: c.is(0.15) ? { opacity: c.random() } : 'none',
     ghost: c.is(0.1) ? [{ material: 0, opacity: c.random() }] : [],
     quality: { samples: c.of([1, 4]) },
-    materials: c.is(0.2) ? materialsOf(c) : {},
+    materials: c.is(0.2) ? materialsOf(c, model) : {},
     metering: c.is(0.15) ? meteringOf(c) : undefined,
     lens: c.is(0.1) ? { aperture: 1, shutter: 0.25, iso: 400 } : undefined,
   };

@@ -4,7 +4,7 @@ import { featureDefines } from './terms.mjs';
 const made = new WeakMap();
 
 /** Of each kind, what is kept of one texture: cutoffs that a fade goes through are many. */
-const MOST = 8;
+const MOST = 16;
 
 /** Type of the texels that are made: as renderer/pass/texture/texture_bake has them. */
 const TEXEL_TYPES = { relief: 'HalfFloatType', facets: 'HalfFloatType', yarns: 'HalfFloatType', coverage: 'UnsignedByteType', metal: 'UnsignedByteType' };

@@ -2,7 +2,7 @@
 // renderer/pass/plan/triangle_order.h draws them. The order is an index for each mesh, which its geometry has while a frame is drawn.
 
 /**
- * What was put in order of each mesh, for each camera that sees it and each place in its index where what is drawn begins.
+ * What was put in order of each mesh, for each camera that sees it and each group, by where that begins in its index.
  * @type {WeakMap<import('three').Mesh, WeakMap<import('three').Camera, Map<number, Order>>>}
  */
 const orders = new WeakMap();
@@ -59,9 +59,9 @@ export function drawFarToNear(THREE, [, , camera, geometry, object, group]) {
   const total = (index ?? position).count;
   const start = Math.max(drawRange.start, group?.start ?? 0);
   const end = Math.min(drawRange.start + drawRange.count, group ? group.start + group.count : total, total);
-  const order = orderOf(object, camera, start);
+  const order = orderOf(object, camera, group?.start ?? 0);
   const view = [camera.isOrthographicCamera, ...object.modelViewMatrix.elements];
-  const of = [geometry, index, index?.version, position, position.version, end, ...view, ...poseOf(object)];
+  const of = [geometry, index, index?.version, position, position.version, start, end, ...view, ...poseOf(object)];
   if (of.length !== order.of.length || of.some((part, i) => part !== order.of[i])) {
     order.index = indexOf(THREE, order.index, index, total);
     putInOrder(order.index.array, start, nearnessOf(seenFrom(THREE, object), camera, order.index.array.subarray(start, end)));
@@ -71,11 +71,11 @@ export function drawFarToNear(THREE, [, , camera, geometry, object, group]) {
   lend(geometry, order.index);
 }
 
-/** What moves a mesh's vertices beside its place: weights of morph targets, and joints. */
-const poseOf = ({ morphTargetInfluences = [], skeleton, bindMatrix }) => [
-  ...morphTargetInfluences,
-  ...(skeleton ? [...skeleton.boneMatrices, ...bindMatrix.elements] : []),
-];
+/** What moves a mesh's vertices beside its place: morph targets and their weights, joints and what hangs on them. */
+function poseOf({ geometry: { morphAttributes, attributes }, morphTargetInfluences = [], skeleton, bindMatrix }) {
+  const versions = [...(morphAttributes.position ?? []), attributes.skinIndex, attributes.skinWeight].map((attribute) => attribute?.version);
+  return [...versions, ...morphTargetInfluences, ...(skeleton ? [...skeleton.boneMatrices, ...bindMatrix.elements] : [])];
+}
 
 /** A copy of a geometry's index, in place of the last one where that is as long. */
 function indexOf(THREE, last, index, total) {

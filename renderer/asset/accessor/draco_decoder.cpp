@@ -116,7 +116,7 @@ class GuardedDecoder final : public Decoder {
       if (attribute.data_type() == draco::DT_BOOL) refuse("has an attribute of booleans", where_);
       bytes += std::uint64_t{cloud.num_points()} * attribute.num_components() * bytesOfValue(attribute);
     }
-    if (bytes > memory_.values) memory_.loan.grow(bytes - memory_.values, where_);
+    if (bytes > memory_.lent) memory_.loan.grow(bytes - memory_.lent, where_);
     for (int i = 0; i < this->num_attributes_decoders(); ++i) {
       cancel_.check();
       // libdraco hands the decoder out as const alone; it is this object's own.
@@ -138,8 +138,8 @@ class GuardedDecoder final : public Decoder {
 };
 
 template <class Decoder, class Geometry>
-std::unique_ptr<draco::PointCloud> decodeAs(draco::DecoderBuffer& buffer, DracoMemory memory,
-                                            const CancelToken& cancel, const std::string& where) {
+std::unique_ptr<draco::PointCloud> decodeAs(draco::DecoderBuffer& buffer, DracoMemory memory, const CancelToken& cancel,
+                                            const std::string& where) {
   auto out = std::make_unique<Geometry>();
   const draco::DecoderOptions options;
   GuardedDecoder<Decoder> decoder(memory, cancel, where);
@@ -156,8 +156,9 @@ std::unique_ptr<draco::PointCloud> decodeDraco(std::span<const std::byte> data, 
   buffer.Init(reinterpret_cast<const char*>(data.data()), data.size());
   try {
     if (counts.points) {
-      return counts.sequential ? decodeAs<draco::PointCloudSequentialDecoder, draco::PointCloud>(buffer, memory, cancel, where)
-                               : decodeAs<draco::PointCloudKdTreeDecoder, draco::PointCloud>(buffer, memory, cancel, where);
+      return counts.sequential
+                 ? decodeAs<draco::PointCloudSequentialDecoder, draco::PointCloud>(buffer, memory, cancel, where)
+                 : decodeAs<draco::PointCloudKdTreeDecoder, draco::PointCloud>(buffer, memory, cancel, where);
     }
     return counts.sequential ? decodeAs<draco::MeshSequentialDecoder, draco::Mesh>(buffer, memory, cancel, where)
                              : decodeAs<draco::MeshEdgebreakerDecoder, draco::Mesh>(buffer, memory, cancel, where);

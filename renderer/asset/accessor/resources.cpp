@@ -119,7 +119,7 @@ void Resources::openViews(const MeshoptViews& compressed, const Limits& limits, 
     loans_.emplace_back(memory.lend(view.byteLength, compressed[i]->where));
     owned_.push_back(
         decoder.decode(*compressed[i], buffer.subspan(compressed[i]->byteOffset, compressed[i]->byteLength)));
-    views_.push_back(owned_.back());
+    views_.emplace_back(owned_.back());
   }
 }
 

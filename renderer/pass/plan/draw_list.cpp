@@ -241,17 +241,15 @@ FramePlan withCasters(FramePlan plan, const Shot& shot) {
   return plan;
 }
 
-/// A blended double-sided surface is drawn twice, back faces first, each as if it were single-sided.
+/// A blended double-sided surface is drawn twice, back faces first, each as if it were single-sided. Points and lines
+/// have no faces: three.js draws all of them both times.
 void splitBlended(std::vector<DrawItem>& list) {
   std::vector<DrawItem> split;
   split.reserve(list.size());
   for (const DrawItem& item : list) {
-    if (item.blend && item.bothSides && !item.ordered) {
-      split.push_back(oneSide(item, true));
-      split.push_back(oneSide(item, false));
-    } else {
-      split.push_back(item);
-    }
+    const bool twice = item.blend && item.material->doubleSided && !item.ordered;
+    if (twice) split.push_back(item.bothSides ? oneSide(item, true) : item);
+    split.push_back(twice && item.bothSides ? oneSide(item, false) : item);
   }
   list = std::move(split);
 }

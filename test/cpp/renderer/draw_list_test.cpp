@@ -102,6 +102,19 @@ TEST(PlanDraws, ABlendedDoubleSidedSurfaceIsDrawnBackFacesFirst) {
   EXPECT_TRUE(plan.draws.blended[1].castsShadow());
 }
 
+TEST(PlanDraws, BlendedPointsOfTwoSidesAreDrawnTwiceAsTheyAre) {
+  const auto draws = [](bool doubleSided) {
+    Material material;
+    material.alphaMode = AlphaMode::kBlend;
+    material.doubleSided = doubleSided;
+    Primitive primitive = spherePrimitive(1, 4);
+    primitive.topology = Topology::kPoints;
+    return pass::planDraws(*sceneOf(primitive, material), shotOf(8), Limits{}, false).draws.blended.size();
+  };
+  EXPECT_EQ(draws(true), 2u);
+  EXPECT_EQ(draws(false), 1u);
+}
+
 TEST(PlanDraws, TrianglesCastShadowsAndGhostsDoNot) {
   const auto castsShadow = [](Topology topology, float opacity) {
     Primitive primitive = spherePrimitive(1, 4);

@@ -163,14 +163,16 @@ test('a file that hangs its workers is refused too where its callers abort befor
     assert.equal((await errorOf(pool.render(ball, SHOT)))?.code, 'X_QUARANTINE');
   }));
 
-test('of a job that had an environment of its own the model is not refused: which of the two it was is not known', () =>
+test('of a job that had an environment of its own both together are refused: which of the two it was is not known', () =>
   withPool({}, async (pool) => {
     const shot = { ...ENDLESS, environment: { map: ENVIRONMENTS['soft-studio']() } };
     for (let i = 0; i < 2; ++i) {
       const onProgress = () => process.kill(pool.workers.find(({ state }) => state === 'busy').pid, 'SIGKILL');
       assert.equal((await errorOf(pool.render(ball, shot, { onProgress })))?.code, 'X_CRASH');
     }
+    assert.equal((await errorOf(pool.render(ball, { ...SHOT, environment: shot.environment })))?.code, 'X_QUARANTINE');
     assert.ok((await pool.render(ball, SHOT)).data.length > 0);
+    assert.ok((await pool.render(glb, { ...SHOT, environment: shot.environment })).data.length > 0);
   }));
 
 test('a file that ended two workers in a row is refused, others are not', () =>

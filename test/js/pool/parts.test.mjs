@@ -118,13 +118,13 @@ test('the quarantine: two crashes of the same bytes in a row, for so long', asyn
   writeFileSync(good, 'god');
   let now = 0;
   const quarantine = new Quarantine(1000, () => now);
-  const refused = async (input) => (await errorOf(quarantine.check(input)))?.code === 'X_QUARANTINE';
+  const refused = async (input) => (await errorOf(quarantine.check([input].flat())))?.code === 'X_QUARANTINE';
   const bytes = { bytes: Buffer.from('bad') };
-  const digest = await quarantine.record(bytes);
+  const digest = await quarantine.record([bytes]);
   assert.match(digest, /^[0-9a-f]{64}$/);
   assert.equal(await refused(bytes), false);
   now = 600;
-  assert.equal(await quarantine.record({ path: bad }), digest);
+  assert.equal(await quarantine.record([{ path: bad }]), digest);
   assert.deepEqual(await Promise.all([bytes, { path: bad }, { path: good }, { bytes: Buffer.from('god') }, { path: folder }].map(refused)), [
     true,
     true,
@@ -136,15 +136,22 @@ test('the quarantine: two crashes of the same bytes in a row, for so long', asyn
   assert.equal(await refused(bytes), true);
   now = 1600;
   assert.equal(await refused(bytes), false);
-  assert.equal(await quarantine.record({ path: `${bad}.none` }), undefined);
-  await quarantine.record(bytes);
-  await quarantine.clear({ path: good });
-  await quarantine.clear({ path: bad });
-  await quarantine.record(bytes);
+  assert.equal(await quarantine.record([{ path: `${bad}.none` }]), undefined);
+  await quarantine.record([bytes]);
+  await quarantine.clear([{ path: good }]);
+  await quarantine.clear([{ path: bad }]);
+  await quarantine.record([bytes]);
   assert.equal(await refused(bytes), false, 'one that was drawn between has ended no two in a row');
+  const both = [{ path: good }, bytes];
+  for (let i = 0; i < 2; ++i) await quarantine.record(both);
+  assert.deepEqual(
+    await Promise.all([both, both.toReversed(), [{ path: good }], [{ path: good }, { path: good }], [...both, { path: `${bad}.none` }]].map(refused)),
+    [true, false, false, false, false],
+    'files that were there together are known together',
+  );
   const never = new Quarantine(0);
-  for (let i = 0; i < 3; ++i) await never.record(bytes);
-  await never.check(bytes);
+  for (let i = 0; i < 3; ++i) await never.record([bytes]);
+  await never.check([bytes]);
 });
 
 test('starts that fail are tried more and more rarely, and five in a minute are too many', () => {

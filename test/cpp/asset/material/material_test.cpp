@@ -111,6 +111,10 @@ TEST_F(MaterialTest, CosmeticFaultsAreWarnings) {
   material() = {{"pbrMetallicRoughness", {{"roughnessFactor", -5}}}};
   EXPECT_TRUE(warns("W_RANGE"));
   EXPECT_EQ(scene->materials[0].roughnessFactor, 0);
+  EXPECT_EQ(scene->warnings.back().message, "expected 0 to 1, got -5: 0 is taken");
+  material() = {{"pbrMetallicRoughness", {{"roughnessFactor", 1.0000001}}}};
+  EXPECT_TRUE(warns("W_RANGE"));
+  EXPECT_EQ(scene->warnings.back().message, "expected 0 to 1, got 1.0000001: 1 is taken");
   material() = {{"emissiveFactor", {1e30, 0, 0}}};
   EXPECT_TRUE(warns("W_RANGE"));
   EXPECT_EQ(scene->materials[0].emissiveFactor.x, 1);
