@@ -54,6 +54,9 @@ async function digestOfAll(inputs) {
   return { digest: digests.length === 1 ? digests[0] : await digestOf(Buffer.from(digests.join())), bytes: sum(files.map(({ byteLength }) => byteLength)) };
 }
 
+/** All files of a job together, and each alone: what is known of one holds wherever it is. @param {Input[]} inputs */
+const groupsOf = (inputs) => (inputs.length > 1 ? [inputs, ...inputs.map((input) => [input])] : [inputs]);
+
 /**
  * Remembers which files ended workers, and refuses those that did it twice in a row. Of a job that has several (an environment, fonts, a second picture)
  * any may have done it: they are remembered together. Nothing is hashed while there is none.
@@ -92,11 +95,15 @@ export class Quarantine {
 
   /** A worker drew this: what ended one before was not the file, but whoever ends processes of this machine. */
   async clear(inputs) {
-    this.#files.delete(await this.#digestOf(inputs, 1));
+    for (const group of groupsOf(inputs)) this.#files.delete(await this.#digestOf(group, 1));
   }
 
   /** @throws {TelarError} X_QUARANTINE */
   async check(inputs) {
+    for (const group of groupsOf(inputs)) await this.#checkGroup(group);
+  }
+
+  async #checkGroup(inputs) {
     const digest = await this.#digestOf(inputs, CRASHES);
     if (!((this.#files.get(digest)?.crashes ?? 0) >= CRASHES)) return;
     throw new TelarError('X_QUARANTINE', `the ${inputs.length > 1 ? 'files of this job' : 'file'} ended ${CRASHES} workers of this pool: refused; report it`, {

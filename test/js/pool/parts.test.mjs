@@ -149,6 +149,10 @@ test('the quarantine: two crashes of the same bytes in a row, for so long', asyn
     [true, false, false, false, false],
     'files that were there together are known together',
   );
+  for (let i = 0; i < 2; ++i) await quarantine.record([{ path: good }]);
+  assert.equal(await refused([{ path: good }, { path: good }]), true, 'what is known of one holds beside others');
+  await quarantine.clear([{ path: good }, { path: good }]);
+  assert.equal(await refused([{ path: good }]), false);
   const never = new Quarantine(0);
   for (let i = 0; i < 3; ++i) await never.record([bytes]);
   await never.check([bytes]);
