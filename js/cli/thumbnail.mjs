@@ -60,14 +60,13 @@ async function planned(models, options, limits, context) {
   const shot = await readShotOptions(options, context);
   const entries = await readEntries(models, options, shot, limits, context);
   const { jobs, crosses } = await makeJobs(entries, options, maxFileBytes(limits));
-  const sheet = options.contactSheet === undefined ? [] : [options.contactSheet];
   if (isAnimation(options)) {
     await refuseParts(jobs, [options.output]);
     return { jobs };
   }
   const outputs = outputNames(options.output, jobs, crosses);
   const layers = jobs.flatMap(({ shot }, i) => Object.values(layerFiles(outputs[i].file, shot)));
-  await refuseParts(jobs, [...outputs.map(({ file }) => file), ...layers, ...sheet]);
+  await refuseParts(jobs, [outputs.map(({ file }) => file), layers, options.contactSheet ?? []].flat());
   checkLayerFiles(jobs, outputs);
   await checkSheet(options.contactSheet, jobs, outputs);
   jobs.forEach((job, i) => {

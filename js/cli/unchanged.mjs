@@ -4,7 +4,7 @@ import { writeFileAtomically } from '../api/atomic_file.mjs';
 import { sha256 } from '../api/sha256.mjs';
 
 /**
- * Which pictures are as they would be drawn again. A file in each output folder keeps the key of every picture, what would have left it out, and the
+ * Which pictures are as they would be drawn again. A file in each output folder keeps the key of every picture, the --fail-on that it was drawn with, and the
  * digest of the picture's own file: one that was edited, cut or replaced is drawn again.
  */
 
@@ -30,7 +30,7 @@ export class KnownPictures {
   #drawn = new Map();
   #failOn;
 
-  /** @param {string} failOn - As --fail-on has it: what leaves a model without a picture: one that was drawn in spite of a fault is not one that has none. */
+  /** @param {string} failOn - Value of --fail-on: a picture that was drawn in spite of a fault is not what a run wants that refuses faults. */
   constructor(failOn) {
     this.#failOn = failOn;
   }

@@ -1,5 +1,5 @@
 import { constants } from 'node:fs';
-import { open } from 'node:fs/promises';
+import { open, stat } from 'node:fs/promises';
 import { digestOf } from '../api/digest.mjs';
 import { TelarError } from '../error/index.mjs';
 
@@ -10,15 +10,15 @@ const MOST = 1024;
 
 /** @typedef {{path: string} | {bytes: Uint8Array}} Input a file of a job */
 
-/** What is told of a file of a job; undefined where it is not there any more. */
-async function ofFile({ path, bytes }, ofBytes, ofHandle) {
-  if (bytes) return ofBytes(bytes);
+/** @param {Input} input @returns {Promise<Uint8Array | undefined>} undefined where there are none any more */
+async function bytesOf({ path, bytes }) {
+  if (bytes) return bytes;
   let file;
   try {
     // A pipe is not waited for.
     file = await open(path, constants.O_RDONLY | constants.O_NONBLOCK);
     const facts = await file.stat();
-    return facts.isFile() ? await ofHandle(file, facts) : undefined;
+    return facts.isFile() ? await file.readFile() : undefined;
   } catch {
     return undefined;
   } finally {
@@ -26,18 +26,12 @@ async function ofFile({ path, bytes }, ofBytes, ofHandle) {
   }
 }
 
-const sizeOf = (input) =>
-  ofFile(
-    input,
-    ({ byteLength }) => byteLength,
-    (_, { size }) => size,
-  );
-const bytesOf = (input) =>
-  ofFile(
-    input,
-    (bytes) => bytes,
-    (file) => file.readFile(),
-  );
+/** Without reading it. @param {Input} input @returns {Promise<number | undefined>} */
+async function sizeOf({ path, bytes }) {
+  if (bytes) return bytes.byteLength;
+  const facts = await stat(path).catch(() => undefined);
+  return facts?.isFile() ? facts.size : undefined;
+}
 
 /** Sum of bytes; undefined where one of them is. */
 const sum = (sizes) => (sizes.includes(undefined) ? undefined : sizes.reduce((all, size) => all + size, 0));

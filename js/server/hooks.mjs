@@ -49,7 +49,7 @@ export function watchRequests(fastify, { metrics, spans }) {
 export function answerErrors(fastify, { admission }) {
   const { prefix } = fastify;
   fastify.setErrorHandler((thrown, request, reply) => {
-    // A hook that runs before the one above knows nothing of what that notes.
+    // Without `telar` a hook of the owner's server has refused it before the one above.
     if (!request.telar || isOwners(thrown)) throw thrown;
     const error = errorOf(thrown);
     request.telar.code = error.code;

@@ -17,6 +17,9 @@ import { applyVariant } from './variant.mjs';
  */
 const LIGHT_GROUP = 'telar lights';
 
+/** Last call that is not over, by scene: those of one scene follow each other, so that it shows the last. @type {WeakMap<object, Promise<unknown>>} */
+const applying = new WeakMap();
+
 /**
  * Parameters that a THREE.WebGLRenderer must be built with: a canvas cannot change them later.
  *
@@ -59,17 +62,11 @@ export async function applyShot(shot, target) {
   const { scene } = target;
   const before = applying.get(scene);
   const done = before ? before.then(() => apply(shot, target)) : apply(shot, target);
-  const over = done.then(
-    () => {},
-    () => {},
-  );
+  const over = done.catch(() => {});
   applying.set(scene, over);
   over.then(() => applying.get(scene) === over && applying.delete(scene));
   return done;
 }
-
-/** Calls that are not over, by scene: those of one scene follow each other, so that it shows the last. @type {WeakMap<object, Promise<void>>} */
-const applying = new WeakMap();
 
 async function apply(shot, { THREE, renderer, scene, camera, model, environment, areaLightTables, cloths, revision = 'shot' }) {
   matchRelease(shot, THREE, revision);

@@ -23,10 +23,11 @@ class MemoryBudget {
     Loan(Loan&& from) noexcept : budget_(from.budget_), bytes_(from.bytes_) { from.bytes_ = 0; }
     Loan& operator=(Loan&&) = delete;
     ~Loan() { budget_.lent_ -= bytes_; }
-    /// @throws Error{L_MEMORY_BYTES}
-    void grow(std::uint64_t bytes, std::string_view pointer = {}) {
-      bytes_ += budget_.granted(bytes, pointer);
-      budget_.lent_ += bytes;
+    /// Lends more, up to so many bytes together. @throws Error{L_MEMORY_BYTES}
+    void growTo(std::uint64_t bytes, std::string_view pointer = {}) {
+      if (bytes <= bytes_) return;
+      budget_.lent_ += budget_.granted(bytes - bytes_, pointer);
+      bytes_ = bytes;
     }
 
    private:

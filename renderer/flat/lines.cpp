@@ -13,7 +13,8 @@ constexpr double GAP = 3;
 constexpr double GOES_ON = 0.5;
 /// Pixels within which a line is a double of another.
 constexpr double DOUBLE = 1;
-/// Where more ends than this lie together no eye tells which line goes on, and looking at all of them for each would never end.
+/// Most ends that are looked at about one. Where more lie together no eye tells which line goes on, and the time would
+/// grow with the square of their number.
 constexpr std::size_t ENDS_LOOKED_AT = 1024;
 constexpr std::size_t STROKES_PER_CANCEL_CHECK = 256;
 

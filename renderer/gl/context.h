@@ -58,8 +58,8 @@ class Context {
   /// Attempts that failed before this one, and why this one was chosen.
   const std::vector<Attempt>& attempts() const { return attempts_; }
 
-  /// Begins a job: counts what it has to do, and puts back what one that was ended half way has left of the state,
-  /// samplers of its textures and masks. What is made of an environment is read without samplers, and kept.
+  /// Begins a job: its work is counted from here, and samplers and masks are as in a new context. A job that was ended
+  /// half way has left its own, and environments are prefiltered without any.
   void beginJob(const CancelToken& cancel, double sliceMs) const;
 
   /// @throws Error{X_GL} when the driver reports an error, a HIGH severity debug message or a lost context.

@@ -78,17 +78,22 @@ function madeOnce({ properties }, [source, ...others], key, make) {
   const last = known.get(key);
   const versions = [source, ...others].map((texture) => texture?.version).join(' ');
   const isSame = last?.versions === versions;
-  if (last && !isSame) last.target?.dispose();
+  if (!isSame) last?.target?.dispose();
   const result = isSame ? last : { ...make(), versions };
   // Last in order: what was wanted longest ago goes first.
   known.delete(key);
   known.set(key, result);
-  const alike = [...known].filter(([, { kind }]) => kind === result.kind);
-  for (const [old, { target }] of alike.slice(0, -MOST)) {
-    target?.dispose();
-    known.delete(old);
-  }
+  if (!isSame) forgetOldest(known, result.kind);
   return result;
+}
+
+/** Of a kind that has more than MOST. */
+function forgetOldest(known, kind) {
+  const alike = [...known].filter(([, result]) => result.kind === kind);
+  for (const [key, { target }] of alike.slice(0, -MOST)) {
+    target?.dispose();
+    known.delete(key);
+  }
 }
 
 function bake(THREE, shaders, renderer, { kind, source, cutoff, beside, yarns }) {

@@ -98,8 +98,8 @@ namespace {
 template <class Decoder>
 class GuardedDecoder final : public Decoder {
  public:
-  GuardedDecoder(DracoMemory memory, const CancelToken& cancel, const std::string& where)
-      : memory_(memory), cancel_(cancel), where_(where) {}
+  GuardedDecoder(MemoryBudget::Loan& loan, const CancelToken& cancel, const std::string& where)
+      : loan_(loan), cancel_(cancel), where_(where) {}
 
  protected:
   bool DecodeGeometryData() override {
@@ -116,7 +116,7 @@ class GuardedDecoder final : public Decoder {
       if (attribute.data_type() == draco::DT_BOOL) refuse("has an attribute of booleans", where_);
       bytes += std::uint64_t{cloud.num_points()} * attribute.num_components() * bytesOfValue(attribute);
     }
-    if (bytes > memory_.lent) memory_.loan.grow(bytes - memory_.lent, where_);
+    loan_.growTo(bytes, where_);
     for (int i = 0; i < this->num_attributes_decoders(); ++i) {
       cancel_.check();
       // libdraco hands the decoder out as const alone; it is this object's own.
@@ -132,17 +132,17 @@ class GuardedDecoder final : public Decoder {
     return sizeof(std::int32_t) + static_cast<std::uint64_t>(draco::DataTypeLength(attribute.data_type()));
   }
 
-  DracoMemory memory_;
+  MemoryBudget::Loan& loan_;
   const CancelToken& cancel_;
   const std::string& where_;
 };
 
 template <class Decoder, class Geometry>
-std::unique_ptr<draco::PointCloud> decodeAs(draco::DecoderBuffer& buffer, DracoMemory memory, const CancelToken& cancel,
-                                            const std::string& where) {
+std::unique_ptr<draco::PointCloud> decodeAs(draco::DecoderBuffer& buffer, MemoryBudget::Loan& loan,
+                                            const CancelToken& cancel, const std::string& where) {
   auto out = std::make_unique<Geometry>();
   const draco::DecoderOptions options;
-  GuardedDecoder<Decoder> decoder(memory, cancel, where);
+  GuardedDecoder<Decoder> decoder(loan, cancel, where);
   if (!decoder.Decode(options, &buffer, out.get()).ok()) refuse("is damaged", where);
   return out;
 }
@@ -150,18 +150,18 @@ std::unique_ptr<draco::PointCloud> decodeAs(draco::DecoderBuffer& buffer, DracoM
 }  // namespace
 
 std::unique_ptr<draco::PointCloud> decodeDraco(std::span<const std::byte> data, const DracoCounts& counts,
-                                               DracoMemory memory, const CancelToken& cancel,
+                                               MemoryBudget::Loan& loan, const CancelToken& cancel,
                                                const std::string& where) {
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(data.data()), data.size());
   try {
     if (counts.points) {
       return counts.sequential
-                 ? decodeAs<draco::PointCloudSequentialDecoder, draco::PointCloud>(buffer, memory, cancel, where)
-                 : decodeAs<draco::PointCloudKdTreeDecoder, draco::PointCloud>(buffer, memory, cancel, where);
+                 ? decodeAs<draco::PointCloudSequentialDecoder, draco::PointCloud>(buffer, loan, cancel, where)
+                 : decodeAs<draco::PointCloudKdTreeDecoder, draco::PointCloud>(buffer, loan, cancel, where);
     }
-    return counts.sequential ? decodeAs<draco::MeshSequentialDecoder, draco::Mesh>(buffer, memory, cancel, where)
-                             : decodeAs<draco::MeshEdgebreakerDecoder, draco::Mesh>(buffer, memory, cancel, where);
+    return counts.sequential ? decodeAs<draco::MeshSequentialDecoder, draco::Mesh>(buffer, loan, cancel, where)
+                             : decodeAs<draco::MeshEdgebreakerDecoder, draco::Mesh>(buffer, loan, cancel, where);
   } catch (const std::bad_alloc&) {
     refuse("asks for more memory than there is", where);
   } catch (const std::length_error&) {

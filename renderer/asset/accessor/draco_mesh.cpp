@@ -84,19 +84,18 @@ DracoMesh DracoMesh::decode(std::span<const std::byte> data, const DracoExpectat
                             const DracoBounds& bounds, const std::string& where) {
   const DracoCounts counts = readDracoCounts(data, where);
   checkCounts(counts, expected, bounds.limits, where);
-  const std::uint64_t working = WORKING_BYTES * (counts.faces + counts.vertices);
-  auto loan = bounds.memory.lend(working, where);
-  auto cloud = decodeDraco(data, counts, {working, loan}, bounds.cancel, where);
-  DracoMesh out(std::move(loan), std::make_unique<Mesh>(Mesh{std::move(cloud)}));
-  const draco::PointCloud& decoded = *out.mesh_->cloud;
-  if (decoded.num_points() != expected.vertices) {
+  auto loan = bounds.memory.lend(WORKING_BYTES * (counts.faces + counts.vertices), where);
+  auto decoded = decodeDraco(data, counts, loan, bounds.cancel, where);
+  DracoMesh out(std::move(loan), std::make_unique<Mesh>(Mesh{std::move(decoded)}));
+  const draco::PointCloud& cloud = *out.mesh_->cloud;
+  if (cloud.num_points() != expected.vertices) {
     fail("E_DRACO",
-         "the Draco mesh has " + std::to_string(decoded.num_points()) + " vertices, its accessors say " +
+         "the Draco mesh has " + std::to_string(cloud.num_points()) + " vertices, its accessors say " +
              std::to_string(expected.vertices),
          where);
   }
   if (counts.points) return out;
-  out.indices_ = readIndices(static_cast<const draco::Mesh&>(decoded), where);
+  out.indices_ = readIndices(static_cast<const draco::Mesh&>(cloud), where);
   if (expected.indices != 0 && out.indices_->size() != expected.indices) {
     fail("E_DRACO", "the Draco mesh has another number of indices than its index accessor", where);
   }

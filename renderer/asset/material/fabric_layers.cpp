@@ -27,7 +27,6 @@ void readWeave(const Layer& in, FabricLayers& out, Warnings& warnings) {
   out.weaveTexture = in.texture("weaveTexture");
 }
 
-/// What the back leaves out is as on the front.
 void readBack(const Layer& layer, const Material& front, FabricLayers& out) {
   if (!layer) return;
   out.back = true;
@@ -36,13 +35,17 @@ void readBack(const Layer& layer, const Material& front, FabricLayers& out) {
   if (out.backHasColor) {
     out.backColorFactor = layer.color("baseColorFactor", 1, 1);
     out.backColorTexture = layer.texture("baseColorTexture");
-  } else {
-    out.backColorFactor = glm::vec3(front.baseColorFactor);
-    out.backColorTexture = front.baseColorTexture;
   }
+  colorBack(front, out);
 }
 
 }  // namespace
+
+void colorBack(const Material& front, FabricLayers& fabric) {
+  if (!fabric.back || fabric.backHasColor) return;
+  fabric.backColorFactor = glm::vec3(front.baseColorFactor);
+  fabric.backColorTexture = front.baseColorTexture;
+}
 
 FabricLayers readFabricLayers(const tinygltf::ExtensionMap& extensions, const Material& front, const std::string& where,
                               const std::string& fabricWhere, TextureReader& textures, Warnings& warnings) {

@@ -14,4 +14,7 @@ namespace telar::asset {
 FabricLayers readFabricLayers(const tinygltf::ExtensionMap& extensions, const Material& front, const std::string& where,
                               const std::string& fabricWhere, TextureReader& textures, Warnings& warnings);
 
+/// A back without a colour of its own has that of the front, its texture too.
+void colorBack(const Material& front, FabricLayers& fabric);
+
 }  // namespace telar::asset

@@ -10,6 +10,7 @@
 
 #include "asset/check/pointer.h"
 #include "asset/check/warnings.h"
+#include "asset/material/fabric_layers.h"
 #include "asset/material/material.h"
 #include "core/dye.h"
 #include "core/mean_of_srgb.h"
@@ -153,15 +154,7 @@ class Dresser {
   static void paint(Material& material, const glm::vec3& color) {
     material.baseColorFactor = glm::vec4(color, material.baseColorFactor.a);
     if (material.alphaMode == AlphaMode::kOpaque) material.baseColorTexture = {};
-    paintBack(material);
-  }
-
-  /// A back without a colour of its own has the front's.
-  static void paintBack(Material& material) {
-    FabricLayers& fabric = material.fabric;
-    if (!fabric.back || fabric.backHasColor) return;
-    fabric.backColorFactor = glm::vec3(material.baseColorFactor);
-    fabric.backColorTexture = material.baseColorTexture;
+    asset::colorBack(material, material.fabric);
   }
 
   Material worn(const Material& own, const Material& cloth, const Dressing& dressing, int images, int at) {
@@ -188,7 +181,7 @@ class Dresser {
         out.alphaCutoff = own.alphaCutoff;
       }
     }
-    paintBack(out);
+    asset::colorBack(out, out.fabric);
     return out;
   }
 

@@ -247,9 +247,10 @@ void splitBlended(std::vector<DrawItem>& list) {
   std::vector<DrawItem> split;
   split.reserve(list.size());
   for (const DrawItem& item : list) {
+    const auto side = [&item](bool back) { return item.bothSides ? oneSide(item, back) : item; };
     const bool twice = item.blend && item.material->doubleSided && !item.ordered;
-    if (twice) split.push_back(item.bothSides ? oneSide(item, true) : item);
-    split.push_back(twice && item.bothSides ? oneSide(item, false) : item);
+    if (twice) split.push_back(side(true));
+    split.push_back(twice ? side(false) : item);
   }
   list = std::move(split);
 }
