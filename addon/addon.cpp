@@ -184,17 +184,24 @@ Napi::Value measure(const Napi::CallbackInfo& info) {
   return textOnPool(info.Env(), job, [scene, request, job] { return measureScene(*scene, request, job->cancel); });
 }
 
-/// swatch(scene, request: string, token) -> Promise<{scene, facts: string, meanBaseColor: string}>
+/// swatch(scene, request: string, token) -> Promise<{scene, facts: string, meanBaseColor: number[] | null}>
 Napi::Value swatch(const Napi::CallbackInfo& info) {
   auto scene = unwrap<SceneHandle>(info[0]).scene();
   auto request = stringFromJs(info[1], "a request");
   auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
   return State::of(info.Env()).runOnPool(info.Env(), job, [job, scene, request] {
-    auto square = swatchOf(scene, request, job->cancel);
-    std::string facts = describeScene(*square, job->cancel);
-    job->value = [square, facts = std::move(facts), color = describeSwatchColor(*square)](Napi::Env env) {
-      Napi::Object made = sceneToJs(env, square, facts).As<Napi::Object>();
-      made.Set("meanBaseColor", color);
+    Swatch square = swatchOf(scene, request, job->cancel);
+    std::string facts = describeScene(*square.scene, job->cancel);
+    job->value = [square = std::move(square), facts = std::move(facts)](Napi::Env env) {
+      Napi::Object made = sceneToJs(env, square.scene, facts).As<Napi::Object>();
+      if (square.meanBaseColor) {
+        auto color = Napi::Array::New(env, 3);
+        for (std::uint32_t c = 0; c < 3; ++c)
+          color[c] = Napi::Number::New(env, (*square.meanBaseColor)[static_cast<int>(c)]);
+        made.Set("meanBaseColor", color);
+      } else {
+        made.Set("meanBaseColor", env.Null());
+      }
       return made;
     };
   });

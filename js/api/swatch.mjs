@@ -34,5 +34,5 @@ export async function swatchOf(model, options) {
   const native = loadNative();
   const work = new Work(native, signal, timeoutMs);
   const made = await nativeCall(native, work, (token) => native.swatch(Model.sceneOf(model), JSON.stringify(request), token));
-  return new Model(made.scene, { ...JSON.parse(made.facts), meanBaseColor: JSON.parse(made.meanBaseColor) });
+  return new Model(made.scene, { ...JSON.parse(made.facts), meanBaseColor: made.meanBaseColor });
 }

@@ -9,6 +9,12 @@
 
 namespace telar {
 
+/// Linear light of a byte that is coded as sRGB (IEC 61966-2-1).
+inline double lightOfSrgb(std::size_t code) {
+  const double c = static_cast<double>(code) / 255;
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
 /// Mean of the texels of a picture that is coded as sRGB (IEC 61966-2-1): linear Rec.709, exact, where a mip level has
 /// lost up to 1/255 of brightness to rounding.
 /// @param byAlpha  texels count by their alpha, 0..1
@@ -24,8 +30,7 @@ inline std::optional<glm::dvec3> meanOfSrgb(const Image8& image, bool byAlpha) {
   glm::dvec4 sum(0);
   for (std::size_t code = 0; code < weights.size(); ++code) {
     const auto& [red, green, blue] = weights[code];
-    const double c = static_cast<double>(code) / 255;
-    const double light = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    const double light = lightOfSrgb(code);
     sum += glm::dvec4(light * static_cast<double>(red), light * static_cast<double>(green),
                       light * static_cast<double>(blue), red);
   }

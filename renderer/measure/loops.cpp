@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "measure/branches.h"
 #include "surface/chain.h"
 
 namespace telar::measure {
@@ -187,15 +188,18 @@ std::vector<Loop> sectionOf(const Surface& surface, const glm::dvec3& point, con
     crossing[e] = static_cast<std::uint32_t>(points.size());
     points.push_back(glm::mix(surface.points[surface.edges[e].a], surface.points[surface.edges[e].b], a / (a - b)));
   }
-  std::vector<std::array<std::uint32_t, 2>> links;
+  std::vector<Cut> cuts;
   for (std::uint32_t f = 0; f < surface.faces.size(); ++f) {
     if (f % FACES_PER_CANCEL_CHECK == 0) cancel.check();
     std::vector<std::uint32_t> cut;
     for (const std::uint32_t e : surface.faces[f].edges) {
       if (crossing[e] != surface::NONE) cut.push_back(crossing[e]);
     }
-    if (cut.size() == 2) links.push_back({cut[0], cut[1]});
+    if (cut.size() == 2) cuts.push_back({{cut[0], cut[1]}, surface.faces[f].source});
   }
+  partBranches(cuts, points, surface.sources, cancel);
+  std::vector<std::array<std::uint32_t, 2>> links;
+  for (const Cut& cut : cuts) links.push_back(cut.crossings);
   return loopsOf(links, points, cancel);
 }
 

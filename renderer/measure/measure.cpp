@@ -33,6 +33,7 @@ surface::SurfaceOptions optionsOf(const Scene& scene, const json& request) {
   surface::SurfaceOptions options;
   options.variant = frame::variantIndex(scene, request.at("variant").get<std::string>());
   options.join = request.at("join").get<double>();
+  options.repeats = request.at("ask").at("kind") == "points";  // which may name any triangle
   const json& part = request.at("part");
   if (part.is_null()) return options;
   PartQuery& query = options.part.emplace();

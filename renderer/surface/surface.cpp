@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <unordered_map>
 
 #include "telar/variant_material.h"
@@ -57,6 +58,29 @@ bool isMeant(const PartQuery& query, int index, const std::string& name) {
   return name == std::get<std::string>(query.which);
 }
 
+/// Leaves out faces of three points that an earlier face has, as of surfaces that are there twice, once for each side: cloth has one
+/// surface, and what is doubled has no border and no way around.
+void dropRepeated(std::vector<Face>& faces, const CancelToken& cancel) {
+  struct Key {
+    std::array<std::uint32_t, 3> points;
+    std::uint32_t face;
+  };
+  std::vector<Key> keys;
+  keys.reserve(faces.size());
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    keys.push_back({faces[f].points, f});
+    std::sort(keys.back().points.begin(), keys.back().points.end());
+  }
+  cancel.check();
+  std::sort(keys.begin(), keys.end(),
+            [](const Key& p, const Key& q) { return std::tie(p.points, p.face) < std::tie(q.points, q.face); });
+  cancel.check();
+  std::vector<char> isRepeated(faces.size());
+  for (std::size_t i = 1; i < keys.size(); ++i) isRepeated[keys[i].face] = keys[i].points == keys[i - 1].points ? 1 : 0;
+  std::size_t at = 0;
+  std::erase_if(faces, [&](const Face&) { return isRepeated[at++] != 0; });
+}
+
 /// A primitive in one place.
 struct Placed {
   Source source;
@@ -93,6 +117,7 @@ class Builder {
       surface_.sources.push_back(placed.source);
       placed.primitive->topology == Topology::kTriangles ? addFaces(placed, welder) : addLines(placed);
     }
+    if (!options_.repeats) dropRepeated(surface_.faces, cancel_);
     connect(surface_, cancel_);
     return std::move(surface_);
   }

@@ -74,7 +74,8 @@ struct SurfaceOptions {
   std::optional<PartQuery> part{};  ///< none = all that is drawn
   /// What is looked at; none = all. @param material  of the file: materialIndex(primitive, variant)
   std::function<bool(const Node&, int material)> isMeant{};
-  double join = 0;  ///< metres: points nearer than this are one; 0 = of rounding alone
+  bool repeats = false;  ///< whether faces stay whose three points an earlier one has
+  double join = 0;       ///< metres: points nearer than this are one; 0 = of rounding alone
   std::uint64_t maxTriangles = std::uint64_t{1} << 22;  ///< of what is looked at
 };
 

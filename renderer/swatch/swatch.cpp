@@ -1,15 +1,17 @@
 #include "telar/swatch.h"
 
+#include <array>
 #include <cmath>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "core/mean_of_srgb.h"
 #include "core/sha256.h"
 #include "frame/variant.h"
-#include "swatch/worn.h"
+#include "swatch/worn_texels.h"
 
 namespace telar {
 namespace {
@@ -50,7 +52,8 @@ glm::dvec3 hung(double s, double t) {
   return {x, t - 0.5, depth * std::cos(k * s)};
 }
 
-Primitive squareOf(const swatch::Worn& worn, double size, bool draped) {
+/// @param middle  what the middle of the square shows, by set of texture coordinates
+Primitive squareOf(const swatch::Worn& worn, const std::array<glm::dvec2, 2>& middle, double size, bool draped) {
   Primitive out;
   const auto place = [&](double s, double t) { return size * (draped ? hung(s, t) : flat(s, t)); };
   const glm::vec4 color(worn.color / worn.area);
@@ -66,8 +69,8 @@ Primitive squareOf(const swatch::Worn& worn, double size, bool draped) {
         const auto& coordinates = worn.coordinates[set];
         const glm::dvec2 density = coordinates.density() * size;
         const double across = coordinates.turned < 0 ? -density.x : density.x;
-        // The middle of the square shows the middle of the texture.
-        if (coordinates.area > 0) out.uvs[set].emplace_back(0.5 + across * (s - 0.5), 0.5 - density.y * (t - 0.5));
+        if (coordinates.area > 0)
+          out.uvs[set].emplace_back(middle[set] + glm::dvec2(across * (s - 0.5), density.y * (0.5 - t)));
       }
       if (colored) out.colors.push_back(color);
     }
@@ -95,20 +98,24 @@ bool showsATile(const Primitive& square, const TextureRef& texture) {
   return glm::length(across) >= 1 && glm::length(up) >= 1;
 }
 
-std::optional<glm::dvec3> colorOf(const Scene& swatch) {
-  // A sheet asks for both, and the flat one tells: the texels are looked at once.
-  const bool draped = swatch.bounds.min.z != swatch.bounds.max.z;
-  if (draped) return std::nullopt;
-  const Primitive& square = swatch.meshes.back().primitives[0];
-  if (square.material < 0) return std::nullopt;
-  const Material& material = swatch.materials[static_cast<std::size_t>(square.material)];
+/// @pre it has one
+const Material& materialOf(const Scene& scene, const swatch::Worn& worn) {
+  return scene.materials[static_cast<std::size_t>(worn.material)];
+}
+
+/// The material's base colour as a whole. @param tile  whether the square shows a tile of its texture
+std::optional<glm::dvec3> colorOf(const Scene& scene, const surface::Surface& surface, const swatch::Worn& worn,
+                                  bool tile, const CancelToken& cancel) {
+  if (worn.material < 0) return std::nullopt;
+  const Material& material = materialOf(scene, worn);
+  if (material.baseColorTexture && !tile) return meanWornColor(scene, surface, worn, cancel);
   if (material.alphaMode != AlphaMode::kOpaque) return std::nullopt;
   glm::dvec3 color(material.baseColorFactor);
-  if (!square.colors.empty()) color *= glm::dvec3(square.colors[0]);
-  const TextureRef& texture = material.baseColorTexture;
-  if (!texture) return color;
-  const Image8& image = swatch.images[static_cast<std::size_t>(texture.image)];
-  if (!decodesSrgb(image.coding, true) || !showsATile(square, texture)) return std::nullopt;
+  const glm::dvec3 vertices(worn.color / worn.area);
+  if (vertices != glm::dvec3(1)) color *= vertices;
+  if (!material.baseColorTexture) return color;
+  const Image8& image = scene.images[static_cast<std::size_t>(material.baseColorTexture.image)];
+  if (!decodesSrgb(image.coding, true)) return std::nullopt;
   const auto mean = meanOfSrgb(image, false);
   return mean ? std::optional(color * *mean) : std::nullopt;
 }
@@ -144,20 +151,29 @@ std::shared_ptr<const Scene> sceneOf(const std::shared_ptr<const Scene>& model, 
 
 }  // namespace
 
-std::string describeSwatchColor(const Scene& swatch) {
-  const auto color = colorOf(swatch);
-  return color ? json{color->x, color->y, color->z}.dump() : "null";
-}
-
-std::shared_ptr<const Scene> swatchOf(const std::shared_ptr<const Scene>& model, std::string_view text,
-                                      const CancelToken& cancel) {
+Swatch swatchOf(const std::shared_ptr<const Scene>& model, std::string_view text, const CancelToken& cancel) {
   const json request = json::parse(text);
   try {
     const surface::SurfaceOptions options = optionsOf(*model, request);
     const surface::Surface surface = buildSurface(*model, options, cancel);
     if (surface.faces.empty()) throw surface::noSuchPart(*options.part).at("/part");
     const swatch::Worn worn = swatch::mostWorn(*model, surface, cancel);
-    return sceneOf(model, squareOf(worn, request.at("size").get<double>(), request.at("draped").get<bool>()), text);
+    const double size = request.at("size").get<double>();
+    const bool draped = request.at("draped").get<bool>();
+    // The middle of the square shows the middle of the texture, where that repeats on it.
+    std::array<glm::dvec2, 2> middle{glm::dvec2(0.5), glm::dvec2(0.5)};
+    Primitive square = squareOf(worn, middle, size, draped);
+    const TextureRef texture = worn.material < 0 ? TextureRef{} : materialOf(*model, worn).baseColorTexture;
+    const bool tile = texture && showsATile(square, texture);
+    if (texture && !tile) {
+      middle = innermost(*model, surface, worn, cancel);
+      square = squareOf(worn, middle, size, draped);
+    }
+    Swatch out;
+    // A sheet asks for both, and the flat one tells: the texels are looked at once.
+    if (!draped) out.meanBaseColor = colorOf(*model, surface, worn, tile, cancel);
+    out.scene = sceneOf(model, std::move(square), text);
+    return out;
   } catch (const std::bad_alloc&) {
     throw Error("X_MEMORY", "there is not enough memory for a swatch");
   }

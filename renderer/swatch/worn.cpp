@@ -10,13 +10,6 @@ namespace {
 
 constexpr std::size_t FACES_PER_CANCEL_CHECK = 1 << 14;
 
-const Primitive& primitiveOf(const Scene& scene, const surface::Source& source) {
-  const Node& node = scene.nodes[static_cast<std::size_t>(source.node)];
-  return scene.meshes[static_cast<std::size_t>(node.mesh)].primitives[static_cast<std::size_t>(source.primitive)];
-}
-
-using Corners = std::array<std::uint32_t, 3>;
-
 /// Adds a triangle of edges p and q in space.
 void addCoordinates(Worn::Coordinates& sum, const std::vector<glm::vec2>& uvs, const Corners& corners,
                     const glm::dvec3& p, const glm::dvec3& q) {
@@ -36,6 +29,20 @@ void addCoordinates(Worn::Coordinates& sum, const std::vector<glm::vec2>& uvs, c
 
 }  // namespace
 
+const Primitive& primitiveOf(const Scene& scene, const surface::Source& source) {
+  const Node& node = scene.nodes[static_cast<std::size_t>(source.node)];
+  return scene.meshes[static_cast<std::size_t>(node.mesh)].primitives[static_cast<std::size_t>(source.primitive)];
+}
+
+Corners cornersOf(const Primitive& primitive, const surface::Face& face) {
+  Corners corners{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t at = std::size_t{3} * face.triangle + k;
+    corners[k] = primitive.indices.empty() ? static_cast<std::uint32_t>(at) : primitive.indices[at];
+  }
+  return corners;
+}
+
 Worn mostWorn(const Scene& scene, const surface::Surface& surface, const CancelToken& cancel) {
   std::map<int, Worn> worn;
   for (std::size_t f = 0; f < surface.faces.size(); ++f) {
@@ -43,11 +50,7 @@ Worn mostWorn(const Scene& scene, const surface::Surface& surface, const CancelT
     const surface::Face& face = surface.faces[f];
     const surface::Source& source = surface.sources[face.source];
     const Primitive& primitive = primitiveOf(scene, source);
-    Corners corners{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t at = std::size_t{3} * face.triangle + k;
-      corners[k] = primitive.indices.empty() ? static_cast<std::uint32_t>(at) : primitive.indices[at];
-    }
+    const Corners corners = cornersOf(primitive, face);
     const glm::dvec3 &a = surface.corner(face, 0), &b = surface.corner(face, 1), &c = surface.corner(face, 2);
     const glm::dvec3 p = b - a, q = c - a;
     const double area = glm::length(glm::cross(p, q)) / 2;

@@ -22,6 +22,13 @@ struct Worn {
   glm::dvec4 color{0};                     ///< of the vertices, times area
 };
 
+using Corners = std::array<std::uint32_t, 3>;
+
+const Primitive& primitiveOf(const Scene& scene, const surface::Source& source);
+
+/// Vertices of a face in its primitive.
+Corners cornersOf(const Primitive& primitive, const surface::Face& face);
+
 /// The material that covers most of a surface. @pre the surface has faces
 Worn mostWorn(const Scene& scene, const surface::Surface& surface, const CancelToken& cancel);
 

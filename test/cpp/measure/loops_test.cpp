@@ -47,6 +47,100 @@ TEST(Section, OfAnOpenSheetIsOpen) {
   EXPECT_NEAR(loops[0].length(), 1, 1e-6);
 }
 
+/// Half a tube along y about the origin, in front (z > 0) or behind.
+Primitive half(double radius, bool front, int material) {
+  Primitive out = test::sheet(24, 8, 0,
+                              [&](double u, double v) {
+                                const double phi = PI * (front ? u : u + 1);
+                                // At its ends all of them lie in one seam.
+                                const double r = glm::mix(radius, 1.0, std::pow(std::cos(phi), 8));
+                                return glm::dvec3(r * std::cos(phi), 2 * v - 1, r * std::sin(phi));
+                              })
+                      .meshes[0]
+                      .primitives[0];
+  out.material = material;
+  return out;
+}
+
+/// Each primitive a node of its own.
+Surface sewn(const std::vector<Primitive>& parts) {
+  Scene scene;
+  for (const Primitive& part : parts) {
+    Node node;
+    node.mesh = static_cast<int>(scene.meshes.size());
+    scene.meshes.push_back({"part", {part}});
+    scene.nodes.push_back(node);
+    scene.materials.resize(std::max(scene.materials.size(), static_cast<std::size_t>(part.material + 1)));
+  }
+  return surface::buildSurface(scene, {.join = 1e-4}, {});
+}
+
+TEST(Section, OfALinedBodyIsShellAndLiningHoweverTheyAreListed) {
+  const Primitive shellFront = half(1, true, 0), shellBack = half(1, false, 0);
+  const auto widest = [](const Surface& surface) {
+    std::vector<double> lengths;
+    for (const Loop& loop : sectionOf(surface, {0, 0.1, 1}, {0, 1, 0}, {})) {
+      EXPECT_TRUE(loop.closed);
+      lengths.push_back(loop.length());
+    }
+    std::sort(lengths.begin(), lengths.end());
+    return lengths;
+  };
+  const auto shell = widest(sewn({shellFront, shellBack}));
+  ASSERT_EQ(shell.size(), 1u);
+  for (const int lined : {0, 1}) {  // one material, or the lining's own
+    const Primitive liningFront = half(0.9, true, lined), liningBack = half(0.9, false, lined);
+    const auto lining = widest(sewn({liningFront, liningBack}));
+    for (const auto& parts : {std::vector{shellFront, liningFront, shellBack, liningBack},
+                              std::vector{liningBack, shellFront, shellBack, liningFront}}) {
+      const auto both = widest(sewn(parts));
+      ASSERT_EQ(both.size(), 2u);
+      EXPECT_NEAR(both[0], lining[0], 1e-9);
+      EXPECT_NEAR(both[1], shell[0], 1e-9);
+    }
+  }
+}
+
+TEST(Section, GoesOnUnderAPocketThatIsSewnOn) {
+  const auto tubeOf = [](double from, double to, double radius, int columns) {
+    return test::sheet(columns, 8, 0,
+                       [=](double u, double v) {
+                         const double phi = 2 * PI * glm::mix(from, to, u), out = 1 + (radius - 1) * std::sin(PI * u);
+                         return glm::dvec3(out * std::cos(phi), 2 * v - 1, -out * std::sin(phi));
+                       })
+        .meshes[0]
+        .primitives[0];
+  };
+  const Primitive body = tubeOf(0, 1, 1, 48), pocket = tubeOf(0.25, 0.5, 1.05, 12);
+  const auto loops = sectionOf(sewn({pocket, body}), {1, 0.1, 0}, {0, 1, 0}, {});
+  ASSERT_EQ(loops.size(), 2u);
+  const Loop& around = loops[0].closed ? loops[0] : loops[1];
+  EXPECT_TRUE(around.closed);
+  EXPECT_NEAR(around.length(), 96 * std::sin(PI / 48), 1e-6);
+}
+
+TEST(Section, OfASurfaceThatIsThereTwiceIsTheOneLoop) {
+  const Primitive once =
+      test::sheet(48, 8, 0,
+                  [](double u, double v) { return glm::dvec3(std::cos(2 * PI * u), v, std::sin(2 * PI * u)); })
+          .meshes[0]
+          .primitives[0];
+  std::vector<std::uint32_t> behind = once.indices, mixed;  // the other sides after all, or each after its own
+  for (std::size_t i = 0; i < once.indices.size(); i += 3) {
+    const std::uint32_t a = once.indices[i], b = once.indices[i + 1], c = once.indices[i + 2];
+    behind.insert(behind.end(), {a, c, b});
+    mixed.insert(mixed.end(), {a, b, c, a, c, b});
+  }
+  for (const auto& indices : {behind, mixed}) {
+    const Surface surface = surfaceOf(test::sceneOf(once.positions, indices));
+    const auto loops = sectionOf(surface, {1, 0.4, 0}, {0, 1, 0}, {});
+    ASSERT_EQ(loops.size(), 1u);
+    EXPECT_TRUE(loops[0].closed);
+    EXPECT_NEAR(loops[0].length(), 96 * std::sin(PI / 48), 1e-6);
+    EXPECT_EQ(borderOf(surface, {}).size(), 2u);
+  }
+}
+
 TEST(Border, OfATubeIsItsTwoEnds) {
   const auto loops = borderOf(tube(48, 0.6, 0.4), {});
   ASSERT_EQ(loops.size(), 2u);

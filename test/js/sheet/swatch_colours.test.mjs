@@ -64,6 +64,55 @@ test('without a texture it is the factor', async () => {
   near((await coloursOf(await panel({ baseColor: [0.3, 0.2, 0.1, 1] }, 1))).exact, [0.3, 0.2, 0.1], 1e-7);
 });
 
+/** An atlas: two panels in its corners, between them and around them what no triangle wears. */
+const ATLAS = { red: [0.75, 0.2, 0.1], blue: [0.1, 0.3, 0.8], padding: [0, 1, 0] };
+const atlas = (alpha = 1) =>
+  png(256, 256, (u, v) => {
+    const panel = [u, v].every((x) => x < 0.35) ? ATLAS.red : [u, v].every((x) => x > 0.7) ? ATLAS.blue : ATLAS.padding;
+    return [...panel, panel === ATLAS.blue ? alpha : 1];
+  });
+
+/** A panel of 30 by 10 cm in red, one of 10 by 10 cm in blue. */
+async function atlasModel(material) {
+  const builder = new GlbBuilder();
+  const index = builder.material({ name: 'cloth', ...material });
+  const panels = [
+    [0.3, 0.05, 0.3],
+    [0.1, 0.72, 0.97],
+  ];
+  panels.forEach(([width, from, to], i) => {
+    const flat = plane(width, 0.1, { cells: 8 });
+    const uvs = Float32Array.from(flat.uvs, (x) => from + x * (to - from));
+    builder.add({ ...flat, uvs }, index, { name: `panel-${i}` });
+  });
+  return renderer.load(await builder.bytes());
+}
+
+test('of an atlas it is the mean over what the garment shows of it, by area', async () => {
+  const mixed = (red, blue) => ATLAS.red.map((value, c) => red * linear(Math.round(value * 255)) + blue * linear(Math.round(ATLAS.blue[c] * 255)));
+  const colours = await coloursOf(await atlasModel({ textures: { baseColor: { image: await atlas() } } }));
+  near(colours.linear, mixed(3 / 4, 1 / 4), 1e-6);
+  // What is half there counts half; what is cut out does not.
+  const blend = await coloursOf(await atlasModel({ alphaMode: 'BLEND', textures: { baseColor: { image: await atlas(0.5) } } }));
+  near(blend.linear, mixed(6 / 7, 1 / 7), 1e-3);
+  const mask = await coloursOf(await atlasModel({ alphaMode: 'MASK', textures: { baseColor: { image: await atlas(0) } } }));
+  near(mask.linear, mixed(1, 0), 1e-6);
+});
+
+test('a square of an atlas shows the inside of a panel', async () => {
+  const model = await atlasModel({ textures: { baseColor: { image: await atlas() } } });
+  const square = await model.swatch({ part: { material: 'cloth' }, size: 0.02 });
+  const shot = { size: { width: 33, height: 33 }, quality: 'draft', layers: ['albedo'], output: { layers: { format: 'raw' } } };
+  const { albedo } = (await renderer.render(square, shot)).layers;
+  const pixels = new Float32Array(albedo.buffer.slice(albedo.byteOffset, albedo.byteOffset + albedo.byteLength));
+  const middle = 3 * (16 * 33 + 16);
+  near(
+    [...pixels.subarray(middle, middle + 3)],
+    ATLAS.red.map((value) => linear(Math.round(value * 255))),
+    0.01,
+  );
+});
+
 test('a draped square is not asked for it', async () => {
   const model = await panel({ baseColor: [0.3, 0.2, 0.1, 1] }, 1);
   assert.equal((await model.swatch({ part: { material: 'cloth' }, draped: true })).facts.meanBaseColor, null);
@@ -73,20 +122,22 @@ test('what is no number is black, and no colour of letters', () => {
   assert.deepEqual(meanOf(new Float32Array([NaN, 0.5, 0.25, 1, 0.5, 0.75]), new Float32Array([1, 1])), [0.5, 0.5, 0.5]);
 });
 
-test('of what does not repeat on the square, or has holes, it is what is seen', async () => {
-  // A light square in the middle of a dark one: the swatch shows the middle.
-  const middle = (t) => Math.abs(t - 0.5) < 0.26;
-  const light = await png(64, 64, (u, v) => [...Array(3).fill(middle(u) && middle(v) ? 0.8 : 0.1), 1]);
-  const seen = async (textures, tiles, rest) => {
-    const { exact, linear: printed } = await coloursOf(await panel({ baseColor: [1, 1, 1, 1], textures, ...rest }, tiles));
-    assert.equal(exact, null);
-    return printed[0];
-  };
-  const print = linear(Math.round(0.8 * 255));
-  assert.ok(Math.abs((await seen({ baseColor: { image: light, wrap: [10497, 10497] } }, 1)) - print) < 0.01, 'half of a tile');
-  const clamped = await seen({ baseColor: { image: light, wrap: [33071, 33071] } }, 4);
-  assert.ok(clamped < 0.2, `${clamped}: one tile and what its edges are drawn out to`);
-  const holes = await png(64, 64, (u) => (u < 0.5 ? [0.8, 0.8, 0.8, 1] : [0.1, 0.1, 0.1, 0]));
-  const there = await seen({ baseColor: { image: holes, wrap: [10497, 10497] } }, 4, { alphaMode: 'MASK' });
-  assert.ok(there > 0.5, `${there}: what is there`);
+test('of a print that does not repeat on the square it is the mean over the panel, of a tile with holes what is seen', async () => {
+  // A light square in the middle of a dark one.
+  const side = 64;
+  const [light, dark] = [0.8, 0.1].map((value) => linear(Math.round(value * 255)));
+  const isLight = (t) => Math.abs(t - 0.5) < 0.25;
+  const picture = await png(side, side, (u, v) => [...Array(3).fill(isLight(u) && isLight(v) ? 0.8 : 0.1), 1]);
+  const colours = async (textures, tiles, rest) => coloursOf(await panel({ baseColor: [1, 1, 1, 1], textures, ...rest }, tiles));
+  const print = await colours({ baseColor: { image: picture, wrap: [10497, 10497] } }, 1);
+  near(print.linear, Array(3).fill(light / 4 + (dark * 3) / 4), 1e-3);
+  const clamped = await colours({ baseColor: { image: picture, wrap: [33071, 33071] } }, 4);
+  near(clamped.linear, Array(3).fill(light / 64 + (dark * 63) / 64), 1e-3);
+  const mirrored = await colours({ baseColor: { image: await png(2, 2, (u) => [u, u, u, 1]), wrap: [33648, 33648] } }, 1.5);
+  const [low, high] = [0.25, 0.75].map((value) => linear(Math.round(value * 255)));
+  near(mirrored.linear, Array(3).fill(low / 3 + (high * 2) / 3), 1e-3); // low, high, and the mirror image of high
+  const holes = await png(side, side, (u) => (u < 0.5 ? [0.8, 0.8, 0.8, 1] : [0.1, 0.1, 0.1, 0]));
+  const seen = await colours({ baseColor: { image: holes, wrap: [10497, 10497] } }, 4, { alphaMode: 'MASK' });
+  assert.equal(seen.exact, null);
+  assert.ok(seen.linear[0] > 0.5, `${seen.linear}: what is there`);
 });

@@ -1,0 +1,22 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "surface/surface.h"
+
+namespace telar::measure {
+
+/// Where a plane cuts a face: from one crossing to another, each in the middle of an edge.
+struct Cut {
+  std::array<std::uint32_t, 2> crossings{};
+  std::uint32_t source = 0;  ///< of the face
+};
+
+/// Where more than two faces meet at an edge, as shell and lining do in a seam, or a pocket and the body beneath it, says which
+/// cuts go on into which: those that bend least, of one part sooner than of two. Each such two, and one that is left, get a crossing of
+/// their own at the same place.
+void partBranches(std::vector<Cut>& cuts, std::vector<glm::dvec3>& points, const std::vector<surface::Source>& sources,
+                  const CancelToken& cancel);
+
+}  // namespace telar::measure

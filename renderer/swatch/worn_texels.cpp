@@ -1,0 +1,181 @@
+#include "swatch/worn_texels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "core/mean_of_srgb.h"
+
+namespace telar::swatch {
+namespace {
+
+constexpr double PLACES = 1 << 18;
+constexpr std::size_t FACES_PER_TEXEL_CHECK = 1 << 12;
+constexpr std::uint32_t CLAMP_TO_EDGE = 33071, MIRRORED_REPEAT = 33648;
+
+std::size_t texelAt(double coordinate, std::uint32_t wrap, std::uint32_t count) {
+  if (wrap == CLAMP_TO_EDGE) {
+    coordinate = std::clamp(coordinate, 0.0, 1.0);
+  } else if (wrap == MIRRORED_REPEAT) {
+    coordinate = std::abs(coordinate - 2 * std::round(coordinate / 2));
+  } else {
+    coordinate -= std::floor(coordinate);
+  }
+  return std::min(static_cast<std::size_t>(coordinate * count), static_cast<std::size_t>(count) - 1);
+}
+
+/// Linear base colour and alpha of a material at a place of its texture.
+class BaseColor {
+ public:
+  BaseColor(const Scene& scene, const Material& material)
+      : material_(material), image_(scene.images[static_cast<std::size_t>(material.baseColorTexture.image)]) {
+    for (std::size_t code = 0; code < light_.size(); ++code) light_[code] = lightOfSrgb(code);
+  }
+
+  glm::dvec4 at(const glm::dvec2& uv) const {
+    const TextureRef& texture = material_.baseColorTexture;
+    glm::dvec2 place = uv;
+    if (texture.hasTransform) place = glm::dvec2(glm::dmat3(texture.uvTransform) * glm::dvec3(uv, 1));
+    const std::size_t x = texelAt(place.x, texture.sampler.wrapS, image_.width);
+    const std::size_t y = texelAt(place.y, texture.sampler.wrapT, image_.height);
+    const std::uint8_t* texel = image_.pixels.data() + 4 * (y * image_.width + x);
+    return glm::dvec4(light_[texel[0]], light_[texel[1]], light_[texel[2]], texel[3] / 255.0) *
+           glm::dvec4(material_.baseColorFactor);
+  }
+
+  /// What of a place with this alpha is there.
+  double cover(double alpha) const {
+    if (material_.alphaMode == AlphaMode::kBlend) return std::clamp(alpha, 0.0, 1.0);
+    return material_.alphaMode == AlphaMode::kMask && alpha < material_.alphaCutoff ? 0 : 1;
+  }
+
+ private:
+  const Material& material_;
+  const Image8& image_;
+  std::array<double, 256> light_{};
+};
+
+template <class T>
+T mixed(const std::vector<T>& values, const Corners& corners, const glm::dvec3& weights) {
+  return T(float(weights.x) * values[corners[0]] + float(weights.y) * values[corners[1]] +
+           float(weights.z) * values[corners[2]]);
+}
+
+double areaOf(const surface::Surface& surface, const surface::Face& face) {
+  const glm::dvec3& a = surface.corner(face, 0);
+  return glm::length(glm::cross(surface.corner(face, 1) - a, surface.corner(face, 2) - a)) / 2;
+}
+
+/// Triangles of one primitive, by the vertices that they share there: where its panels end in the texture, they share none.
+class Rings {
+ public:
+  void add(const Corners& corners) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t p = corners[k], q = corners[(k + 1) % 3];
+      ++sides_[{std::min(p, q), std::max(p, q)}];
+      beside_[p].push_back(q);
+      beside_[q].push_back(p);
+    }
+  }
+
+  /// Rings around each vertex: 0 at a border. Where there is none, all are 0.
+  std::map<std::uint32_t, std::uint32_t> count() const {
+    std::map<std::uint32_t, std::uint32_t> rings;
+    std::vector<std::uint32_t> ring;
+    for (const auto& [side, faces] : sides_) {
+      if (faces != 1) continue;
+      for (const std::uint32_t p : {side.first, side.second}) {
+        if (rings.emplace(p, 0).second) ring.push_back(p);
+      }
+    }
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const std::uint32_t next = rings.at(ring[i]) + 1;
+      for (const std::uint32_t p : beside_.at(ring[i])) {
+        if (rings.emplace(p, next).second) ring.push_back(p);
+      }
+    }
+    return rings;
+  }
+
+ private:
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> sides_;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> beside_;
+};
+
+}  // namespace
+
+std::optional<glm::dvec3> meanWornColor(const Scene& scene, const surface::Surface& surface, const Worn& worn,
+                                        const CancelToken& cancel) {
+  const Material& material = scene.materials.at(static_cast<std::size_t>(worn.material));
+  const TextureRef& texture = material.baseColorTexture;
+  const Image8& image = scene.images[static_cast<std::size_t>(texture.image)];
+  if (!decodesSrgb(image.coding, true) || image.type != TexelType::kByte || image.pixels.empty()) return std::nullopt;
+  const BaseColor color(scene, material);
+  glm::dvec4 sum(0);  // of colours by what covers, and of that
+  double place = 0;
+  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+    if (f % FACES_PER_TEXEL_CHECK == 0) cancel.check();
+    const surface::Face& face = surface.faces[f];
+    if (surface.sources[face.source].material != worn.material) continue;
+    const Primitive& primitive = primitiveOf(scene, surface.sources[face.source]);
+    const auto& uvs = primitive.uvs[static_cast<std::size_t>(texture.texCoord)];
+    if (uvs.empty()) return std::nullopt;
+    const Corners corners = cornersOf(primitive, face);
+    const double area = areaOf(surface, face), places = std::ceil(PLACES * area / worn.area);
+    for (double i = 0; i < places; ++i, ++place) {
+      glm::dvec2 at = glm::fract(glm::dvec2(0.5) + place * glm::dvec2(0.7548776662466927, 0.5698402909980532));
+      if (at.x + at.y > 1) at = 1.0 - at;
+      const glm::dvec3 weights(1 - at.x - at.y, at.x, at.y);
+      const glm::dvec2 uv(mixed(uvs, corners, weights));
+      if (!std::isfinite(uv.x + uv.y)) continue;
+      glm::dvec4 there = color.at(uv);
+      if (!primitive.colors.empty()) there *= glm::dvec4(mixed(primitive.colors, corners, weights));
+      sum += area / places * color.cover(there.a) * glm::dvec4(glm::dvec3(there), 1);
+    }
+  }
+  return sum.w > 0 ? std::optional(glm::dvec3(sum) / sum.w) : std::nullopt;
+}
+
+std::array<glm::dvec2, 2> innermost(const Scene& scene, const surface::Surface& surface, const Worn& worn,
+                                    const CancelToken& cancel) {
+  std::map<const Primitive*, std::uint32_t>
+      placed;  // the first source of each primitive: another place has the same texture
+  std::map<const Primitive*, Rings> rings;
+  const auto each = [&](const auto& visit) {
+    for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+      if (f % FACES_PER_TEXEL_CHECK == 0) cancel.check();
+      const surface::Face& face = surface.faces[f];
+      if (surface.sources[face.source].material != worn.material) continue;
+      const Primitive& primitive = primitiveOf(scene, surface.sources[face.source]);
+      if (placed.try_emplace(&primitive, face.source).first->second == face.source)
+        visit(face, primitive, cornersOf(primitive, face));
+    }
+  };
+  each([&](const surface::Face&, const Primitive& primitive, const Corners& corners) {
+    rings[&primitive].add(corners);
+  });
+  std::map<const Primitive*, std::map<std::uint32_t, std::uint32_t>> counts;
+  for (const auto& [primitive, of] : rings) counts[primitive] = of.count();
+  std::array<glm::dvec2, 2> out{glm::dvec2(0.5), glm::dvec2(0.5)};
+  std::pair<std::uint32_t, double> most{0, -1};
+  each([&](const surface::Face& face, const Primitive& primitive, const Corners& corners) {
+    const auto& known = counts.at(&primitive);
+    std::pair<std::uint32_t, double> here{0, areaOf(surface, face)};
+    for (const std::uint32_t p : corners) {
+      const auto found = known.find(p);
+      if (found != known.end()) here.first += found->second;
+    }
+    if (here <= most) return;
+    for (std::size_t set = 0; set < 2; ++set) {
+      if (primitive.uvs[set].empty()) continue;
+      const glm::dvec2 middle(mixed(primitive.uvs[set], corners, glm::dvec3(1.0 / 3)));
+      if (std::isfinite(middle.x + middle.y)) out[set] = middle;
+    }
+    most = here;
+  });
+  return out;
+}
+
+}  // namespace telar::swatch
