@@ -12,9 +12,6 @@ const SURFACES = {
   relief: ['normal-map', 'bump-map'],
 };
 
-/** What the tracer shows otherwise than the raster. */
-const RASTER_ALONE = ['transmission', 'points'];
-
 /**
  * @typedef {object} Features
  * @property {string} shading - Its base.
@@ -29,12 +26,12 @@ const RASTER_ALONE = ['transmission', 'points'];
 
 /**
  * @param {object} resolved shot
- * @param {{features: string[], passes?: string[], fragments?: number}} plan of inspect()
+ * @param {{features: string[], passes?: string[], fragments?: number, traceable?: boolean}} plan of inspect()
  * @param {{triangles: number, outline?: number[][]}} facts of the model
  * @returns {Features}
  */
-export function featuresOf(resolved, { features, passes = [], fragments = Infinity }, { triangles, outline = [] }) {
-  const { shading, environment, lights, size, layers, camera } = resolved;
+export function featuresOf(resolved, { features, passes = [], fragments = Infinity, traceable = true }, { triangles, outline = [] }) {
+  const { shading, environment, lights, size, layers, camera, lens } = resolved;
   const has = (names) => names.some((name) => features.includes(name) || passes.includes(name));
   const { map } = environment;
   const pixels = size.width * size.height;
@@ -46,6 +43,7 @@ export function featuresOf(resolved, { features, passes = [], fragments = Infini
     triangles,
     pixels,
     covered: Math.round(Math.min(pixels, fragments, outline.length > 2 ? outlinePixels(outline, camera, size) : Infinity)),
-    traceable: !has(RASTER_ALONE) && layers.length === 1,
+    // The raster shows all of it sharp.
+    traceable: traceable && layers.length === 1 && !lens?.focusDistance,
   };
 }

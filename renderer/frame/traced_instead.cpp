@@ -82,18 +82,19 @@ bool isLitTheSame(const Shot& shot) {
   });
 }
 
-/// Whether the tracer leaves something out or shows it otherwise than the raster: glass, points and lines; and where a
-/// browser draws surfaces that let light through one after the other, in its own order.
-bool isTracedOtherwise(const Scene& scene, const Shot& shot) {
+/// Whether a browser draws surfaces that let light through one after the other, in its own order.
+bool isBlendedInOrder(const Scene& scene, const Shot& shot) {
+  if (shot.shading == ShadingModel::kFabric) return false;
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-    const Material& material = frame::materialAt(scene, static_cast<int>(i), shot.shading);
-    if (material.layers.transmissionFactor > 0) return true;
-    if (shot.shading != ShadingModel::kFabric && material.alphaMode == AlphaMode::kBlend) return true;
+    if (frame::materialAt(scene, static_cast<int>(i), shot.shading).alphaMode == AlphaMode::kBlend) return true;
   }
-  return std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& mesh) {
-    return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
-                       [](const Primitive& primitive) { return primitive.topology != Topology::kTriangles; });
-  });
+  return false;
+}
+
+/// Whether parts are shown through, whose shadow the raster leaves out and the tracer draws in part.
+bool hasGhosts(const Shot& shot) {
+  return std::any_of(shot.ghost.begin(), shot.ghost.end(),
+                     [](const Shot::Ghost& ghost) { return ghost.opacity > 0 && ghost.opacity < 1; });
 }
 
 Counts countsOf(const Scene& scene, const Shot& shot) {
@@ -110,8 +111,22 @@ Counts countsOf(const Scene& scene, const Shot& shot) {
 
 }  // namespace
 
+bool isTraceable(const Scene& scene, const Shot& shot) {
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    if (frame::materialAt(scene, static_cast<int>(i), shot.shading).layers.transmissionFactor > 0) return false;
+  }
+  if (std::any_of(scene.images.begin(), scene.images.end(),
+                  [](const Image8& image) { return image.type == TexelType::kBlocks; }))
+    return false;
+  return std::all_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& mesh) {
+    return std::all_of(mesh.primitives.begin(), mesh.primitives.end(),
+                       [](const Primitive& primitive) { return primitive.topology == Topology::kTriangles; });
+  });
+}
+
 std::optional<Shot> tracedInstead(const Scene& scene, const Shot& shot) {
-  if (!isShaded(shot) || !isLitTheSame(shot) || isTracedOtherwise(scene, shot)) return std::nullopt;
+  if (!isShaded(shot) || !isLitTheSame(shot) || !isTraceable(scene, shot)) return std::nullopt;
+  if (isBlendedInOrder(scene, shot) || hasGhosts(shot)) return std::nullopt;
   const Counts counts = countsOf(scene, shot);
   if (tracerMs(counts, shot) > rasterMs(counts, shot)) return std::nullopt;
   Shot traced = shot;

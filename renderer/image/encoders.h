@@ -19,7 +19,7 @@ struct PngRows {
 };
 std::vector<std::byte> encodePngRows(const PngRows& png, const std::vector<std::uint8_t>& rows,
                                      const CancelToken& cancel);
-/// Leaves alpha out: the frame is opaque. Full-resolution chroma from quality 90 on.
+/// Over black, as a canvas writes it: glass of older releases leaves alpha in a frame with a background. Full-resolution chroma from quality 90 on.
 /// @param profile ICC profile, empty = none
 std::vector<std::byte> encodeJpeg(const Frame& frame, const OutputOptions& options, std::span<const std::byte> profile,
                                   const CancelToken& cancel);

@@ -90,6 +90,15 @@ void configure(jpeg_compress_struct& jpeg, const Frame& frame, const OutputOptio
   }
 }
 
+/// @param pixels  straight RGBA, as many bytes as `row` has
+void rowOverBlack(const JSAMPLE* pixels, std::vector<JSAMPLE>& row) {
+  for (std::size_t i = 0; i < row.size(); i += 4) {
+    const int alpha = pixels[i + 3];
+    for (std::size_t k = 0; k < 3; ++k) row[i + k] = static_cast<JSAMPLE>((pixels[i + k] * alpha + 127) / 255);
+    row[i + 3] = pixels[i + 3];
+  }
+}
+
 }  // namespace
 
 std::vector<std::byte> encodeJpeg(const Frame& frame, const OutputOptions& options, std::span<const std::byte> profile,
@@ -102,12 +111,13 @@ std::vector<std::byte> encodeJpeg(const Frame& frame, const OutputOptions& optio
     if (!profile.empty()) jpeg_write_icc_profile(&jpeg, data(profile), unsigned(profile.size()));
   });
   const std::size_t rowBytes = std::size_t{frame.width} * 4;
+  std::vector<JSAMPLE> row(rowBytes);
   for (std::uint32_t y = 0; y < frame.height; ++y) {
     if (y % 64 == 0) cancel.check();
+    rowOverBlack(reinterpret_cast<const JSAMPLE*>(frame.pixels.data() + y * rowBytes), row);
     writer.step([&](jpeg_compress_struct& jpeg) {
-      // libjpeg reads the row only; its type lacks the const.
-      auto* row = const_cast<JSAMPLE*>(reinterpret_cast<const JSAMPLE*>(frame.pixels.data() + y * rowBytes));
-      jpeg_write_scanlines(&jpeg, &row, 1);
+      JSAMPLE* first = row.data();
+      jpeg_write_scanlines(&jpeg, &first, 1);
     });
   }
   writer.step([](jpeg_compress_struct& jpeg) { jpeg_finish_compress(&jpeg); });

@@ -91,10 +91,14 @@ Json rangeWarning(double share) {
 
 std::string planFrame(const Scene& scene, const Shot& shot, const Limits& limits) {
   if (shot.reference || tracedInstead(scene, shot))
-    return pass::Json{{"features", pass::Json::array()}, {"programs", pass::Json::array()}, {"passes", {"trace"}}}
+    return pass::Json{{"features", pass::Json::array()},
+                      {"programs", pass::Json::array()},
+                      {"passes", {"trace"}},
+                      {"traceable", isTraceable(scene, shot)}}
         .dump();
   const pass::FramePlan plan = pass::planDraws(scene, shot, limits, false);
   pass::Json json = pass::describePlan(plan, shot);
+  json["traceable"] = isTraceable(scene, shot);
   json["fragments"] = std::ceil(pass::fragmentsOf(plan, shot, static_cast<double>(limits.fragments), CancelToken()));
   return json.dump();
 }

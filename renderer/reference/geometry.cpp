@@ -1,7 +1,9 @@
 #include "reference/geometry.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include "frame/release_material.h"
 #include "frame/variant.h"
@@ -22,6 +24,19 @@ std::vector<glm::uvec3> trianglesOf(const Primitive& primitive) {
   return triangles;
 }
 
+/// Cofactors: the inverse transpose but for its length, and finite where a node is flattened. They are brought to about 1, as squares
+/// of scales leave the range of floats; by a power of two, which rounds nothing.
+glm::mat3 normalMatrixOf(const glm::dmat3& linear) {
+  const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                             glm::cross(linear[0], linear[1]));
+  double largest = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(cofactors[i][k]));
+  }
+  if (!(largest > 0) || !std::isfinite(largest)) return glm::mat3(cofactors);
+  return glm::mat3(cofactors / std::ldexp(1.0, std::ilogb(largest)));
+}
+
 PlacedMesh place(const glm::dmat4& world, const Primitive& primitive, const Material& material,
                  const glm::dvec3& centre) {
   PlacedMesh mesh{&primitive, &material};
@@ -32,10 +47,7 @@ PlacedMesh place(const glm::dmat4& world, const Primitive& primitive, const Mate
   mesh.triangles = trianglesOf(primitive);
   mesh.linear = glm::mat3(linear);
   mesh.mirrored = glm::determinant(linear) < 0;
-  // Cofactors: the inverse transpose but for its length, and finite where a node is flattened.
-  mesh.normalMatrix = glm::mat3(glm::dmat3(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                                           glm::cross(linear[0], linear[1]))) *
-                      (mesh.mirrored ? -1.0f : 1.0f);
+  mesh.normalMatrix = normalMatrixOf(linear) * (mesh.mirrored ? -1.0f : 1.0f);
   return mesh;
 }
 

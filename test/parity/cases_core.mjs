@@ -121,6 +121,7 @@ const modelLightCases = [
   make('model-lights', 'model-lights', null, {}, true),
   make('model-lights-off', 'model-lights', null, { modelLights: false, lights: [ambient] }),
   make('model-lights-and-shot', 'model-lights', 'gradient', { exposure: 0.4, lights: SUN }),
+  make('model-lights-shared', 'model-lights-shared', null),
   make('model-directional', 'model-directional', null),
   make('model-point', 'model-point', null),
   make('model-spot', 'model-spot', null),
@@ -137,6 +138,7 @@ const lightSetCases = [
 
 const otherCases = [
   make('alpha-blend-origins', 'alpha-blend-origins', null, { camera: 'front', lights: [ambient, ...SUN] }),
+  make('alpha-blend-shared', 'alpha-blend-shared', 'gradient', { camera: 'front' }),
   make('alpha-blend-many-front', 'alpha-blend-many', 'gradient', { camera: 'front' }),
   make('variant-none', 'variants', 'lamps', { camera: 'front' }),
   make('variant-red', 'variants', 'lamps', { camera: 'front', variant: 'red' }),

@@ -150,6 +150,17 @@ const json* lightList(const json& document) {
   return at;
 }
 
+/// Marks the lights that several nodes name, of the scene or not, as GLTFLoader counts them.
+void markCopies(Document& document) {
+  std::vector<int> uses(document.lights.size());
+  for (const tinygltf::Node& node : document.model.nodes) {
+    const auto found = node.extensions.find("KHR_lights_punctual");
+    if (found == node.extensions.end()) continue;
+    const auto light = static_cast<std::size_t>(found->second.Get("light").GetNumberAsInt());
+    if (light < uses.size() && ++uses[light] == 2 && document.lights[light]) document.lights[light]->isCopied = true;
+  }
+}
+
 }  // namespace
 
 Document readDocument(const Container& container, const Limits& limits, const CancelToken& cancel, Warnings& warnings,
@@ -178,6 +189,7 @@ Document readDocument(const Container& container, const Limits& limits, const Ca
   cancel.check();
   out.model = parseModel(reduced.dump());
   standIn.remove(out.model);
+  markCopies(out);
   return out;
 }
 

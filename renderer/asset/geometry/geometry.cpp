@@ -193,7 +193,47 @@ void GeometryReader::readVariants(const Source& source, Primitive& out) const {
   }
 }
 
-/// Bounds of what is drawn, and a comparison with the declared ones, which are never used.
+namespace {
+
+/// What a whole number counts for: three.js multiplies by it, and so has other bounds than positions for the least of signed ones.
+double stepOf(int componentType, bool normalized) {
+  if (!normalized) return 1;
+  switch (componentType) {
+    case COMPONENT_I8:
+      return 1.0 / 127;
+    case COMPONENT_U8:
+      return 1.0 / 255;
+    case COMPONENT_I16:
+      return 1.0 / 32767;
+    case COMPONENT_U16:
+      return 1.0 / 65535;
+    default:
+      return 1;
+  }
+}
+
+/// GLTFLoader's bounds: those that the accessor declares, whatever it holds; where it declares none, of all vertices.
+Bounds declaredBounds(const tinygltf::Accessor& info, const std::vector<glm::vec3>& positions) {
+  constexpr double MOST = 1e18;  // of a coordinate: sums and products of such stay finite
+  Bounds out;
+  if (info.minValues.size() == 3 && info.maxValues.size() == 3) {
+    const auto corner = [&](const std::vector<double>& v) {
+      return glm::dvec3(v[0], v[1], v[2]) * stepOf(info.componentType, info.normalized);
+    };
+    const glm::dvec3 low = corner(info.minValues), high = corner(info.maxValues);
+    const auto isUsable = [](const glm::dvec3& v) {
+      return glm::all(glm::lessThanEqual(glm::abs(v), glm::dvec3(MOST)));
+    };
+    if (isUsable(low) && isUsable(high)) out = {low, high};
+    return out;
+  }
+  for (const auto& position : positions) out.add(glm::dvec3(position));
+  return out;
+}
+
+}  // namespace
+
+/// Bounds of what is drawn, and a comparison with the declared ones, by which draws are sorted and nothing else.
 void GeometryReader::measure(const Source& source, Primitive& out) const {
   const auto used = usedVertices(out.positions.size(), out.indices);
   if (used.empty()) {
@@ -202,6 +242,7 @@ void GeometryReader::measure(const Source& source, Primitive& out) const {
   for (const std::uint32_t index : used) out.bounds.add(glm::dvec3(out.positions[index]));
   const int accessor = attribute(source, "POSITION");
   const auto& info = from_.accessors.info(accessor);
+  out.fileBounds = declaredBounds(info, out.positions);
   if (info.componentType != COMPONENT_F32 || (info.minValues.empty() && info.maxValues.empty())) return;
   bool right = info.minValues.size() == 3 && info.maxValues.size() == 3;
   const double slack = 1e-3 * glm::length(out.bounds.max - out.bounds.min);

@@ -109,7 +109,7 @@ bool deforms(const Deformation& deformation, const Primitive& primitive) {
 Primitive deformed(const Primitive& source, const Deformation& deformation, std::size_t& dropped) {
   Primitive out = source;
   if (!deforms(deformation, source)) return out;
-  out.center = (source.bounds.min + source.bounds.max) * 0.5;  // three.js's sphere does not follow morph targets
+  out.center = fileBoundsOf(source).middle();  // three.js's sphere does not follow morph targets
   morph(out, deformation, source.deformers->targets);
   if (isSkinned(deformation, source)) skin(out, deformation, *source.deformers);
   dropped += dropBad(out);

@@ -65,7 +65,8 @@ bool isFinite(const glm::mat4& matrix) {
 /// Centre of the sphere around a primitive's instances, as InstancedMesh.computeBoundingSphere finds it.
 glm::dvec3 centerOf(const Primitive& primitive, const std::vector<glm::mat4>& matrices) {
   Sphere all;
-  for (const glm::mat4& matrix : matrices) all.add(Sphere::around(primitive.bounds).transformed(glm::dmat4(matrix)));
+  for (const glm::mat4& matrix : matrices)
+    all.add(Sphere::around(fileBoundsOf(primitive)).transformed(glm::dmat4(matrix)));
   return all.center;
 }
 

@@ -17,6 +17,9 @@ Frame drawReference(const Scene& scene, const Shot& shot, std::span<const std::b
                     const RendererOptions& options, const CancelToken& cancel, const Progress& progress,
                     FrameInfo& info);
 
+/// Whether the path tracer shows all that the raster does: no points or lines, no glass, no texture in blocks that only a GPU reads.
+bool isTraceable(const Scene& scene, const Shot& shot);
+
 /// A shot of quality "high" as one of the path tracer, where that costs less than the raster's passes and shows the
 /// same: light that arrives directly, as many paths as there were samples at most, the same standard error to stop at.
 /// It goes by counts and never by a clock, so that a shot is drawn the same way on each machine that has Embree;

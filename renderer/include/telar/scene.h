@@ -69,6 +69,7 @@ struct Bounds {
   glm::dvec3 max{-std::numeric_limits<double>::infinity()};
   bool empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
   void add(const glm::dvec3& p) { min = glm::min(min, p), max = glm::max(max, p); }
+  glm::dvec3 middle() const { return (min + max) * 0.5; }  ///< @pre not empty
   std::array<glm::dvec3, 8> corners() const {
     std::array<glm::dvec3, 8> out;
     for (std::size_t i = 0; i < out.size(); ++i)
@@ -94,9 +95,15 @@ struct Primitive {
   int material = -1;                           ///< -1 = glTF's default material
   std::map<int, int> variantMaterials;         ///< by variant index; a variant that is not here keeps `material`
   Bounds bounds;                               ///< of positions, in mesh space
-  std::optional<glm::dvec3> center;            ///< that draws are sorted by, mesh space; none = of the bounds
+  Bounds fileBounds;                           ///< as the file declares them, else of all vertices; empty = `bounds`
+  std::optional<glm::dvec3> center;            ///< that draws are sorted by, mesh space; none = of fileBounds
   std::shared_ptr<const Deformers> deformers;  ///< null = its vertices stand still in mesh space
 };
+
+/// Bounds that three.js has of it: what no index names lies in them too.
+inline const Bounds& fileBoundsOf(const Primitive& primitive) {
+  return primitive.fileBounds.empty() ? primitive.bounds : primitive.fileBounds;
+}
 
 /// Whether the tangent frame of a material is that of the mesh's own tangents.
 inline bool hasTangents(const Primitive& primitive, const Material& material) {
@@ -120,7 +127,14 @@ struct ModelLight {
   float range = 0.0f;           ///< metres, 0 = infinite
   float innerConeAngle = 0.0f;  ///< radians
   float outerConeAngle = 0.7853982f;
+  bool isCopied = false;  ///< several nodes of the file name it
 };
+
+/// Where light comes from that a node's light gives along one direction, not unit. Lights of glTF shine along -Z; but GLTFLoader
+/// copies one that several nodes name, and its copies shine from their place towards the world's origin. Zero = they give nothing.
+inline glm::dvec3 towardsLight(const ModelLight& light, const glm::dmat4& world) {
+  return glm::dvec3(world[light.isCopied ? 3 : 2]);
+}
 
 struct ModelCamera {
   std::string name;

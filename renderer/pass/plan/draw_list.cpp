@@ -186,7 +186,7 @@ void describeInstances(const Node& node, const ThreeTerms& three, shader::Varian
 /// Centre of the sphere that three.js sorts by, in the node's space.
 glm::dvec3 centerOf(const Node& node, const Primitive& primitive, std::size_t index) {
   if (node.instances) return node.instances->centers[index];
-  return primitive.center ? *primitive.center : (primitive.bounds.min + primitive.bounds.max) * 0.5;
+  return primitive.center ? *primitive.center : fileBoundsOf(primitive).middle();
 }
 
 /// What three.js sorts by: clip z, in some releases over w, which is not the same for what is behind the camera.

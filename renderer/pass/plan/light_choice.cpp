@@ -76,7 +76,7 @@ double strengthOf(const Middle& middle, const Light& light) {
 
 double strengthOf(const Middle& middle, const ModelLight& light, const glm::dmat4& world) {
   const double power = luminance(glm::dvec3(light.color)) * light.intensity;
-  Punctual at{glm::dvec3(world[3]), glm::dvec3(world[2]), light.range};
+  Punctual at{glm::dvec3(world[3]), towardsLight(light, world), light.range};
   if (light.type == LightType::kDirectional) return power;
   if (light.type == LightType::kSpot) at.outer = light.outerConeAngle, at.inner = light.innerConeAngle;
   return power * attenuation(middle, at);

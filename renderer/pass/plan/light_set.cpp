@@ -96,7 +96,8 @@ void addShotLight(LightSet& set, const frame::Camera& camera, const Shot::Light&
 void addModelLight(LightSet& set, const frame::Camera& camera, const ModelLight& light, const glm::dmat4& world) {
   const glm::vec3 color = bounded(glm::dvec3(light.color) * static_cast<double>(light.intensity));
   const glm::dvec3 position(world[3]);
-  const glm::dvec3 toLight(world[2]);  // glTF lights shine along their local -Z
+  const glm::dvec3 toLight = towardsLight(light, world);
+  if (light.type != LightType::kPoint && toLight == glm::dvec3(0)) return;
   switch (light.type) {
     case LightType::kDirectional:
       addDirectional(set, camera, color, toLight);

@@ -136,6 +136,16 @@ TEST(Encode, JpegIsCloseAndDropsChromaOnlyBelow90) {
   EXPECT_EQ(factors(coarse), 0x22);
 }
 
+TEST(Encode, JpegOfWhatIsNotOpaqueIsThatOverBlack) {
+  auto frame = frame8(64, 64, true);
+  for (std::size_t i = 0; i < frame.pixels.size(); i += 4) {
+    frame.pixels[i] = frame.pixels[i + 1] = frame.pixels[i + 2] = std::byte{200};
+    frame.pixels[i + 3] = std::byte{64};
+  }
+  const auto image = telar::decodeImage(encoded(frame, Format::kJpeg, 8, 95), {}, {});
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) ASSERT_NEAR(image.pixels[i], 200 * 64 / 255, 1);
+}
+
 TEST(Encode, JpegHoldsDensityAndProfile) {
   useBuiltLibrary();
   auto options = optionsOf(Format::kJpeg);

@@ -40,6 +40,18 @@ TEST(Geometry, ARayHitsTheTriangleThatIsThere) {
   EXPECT_FALSE(geometry.intersect({{0.75f, 0, 2}, {0, 0, -1}}, hit));
 }
 
+TEST(Geometry, NormalsStandOnWhatIsScaledBeyondWhatFloatsSquare) {
+  for (const double scale : {1e-12, 1.0, 1e10}) {
+    const glm::dmat4 world =
+        glm::rotate(glm::scale(glm::dmat4(1), glm::dvec3(scale, scale, 2 * scale)), 0.5, glm::dvec3(1, 0, 0));
+    const PlacedMesh mesh = placeMeshes(squareScene(world), -1, glm::dvec3(0))[0];
+    const glm::vec3 normal = glm::normalize(mesh.normalMatrix * glm::vec3(0, 0, 1));
+    const glm::vec3 expected =
+        glm::normalize(glm::vec3(glm::transpose(glm::inverse(glm::dmat3(world) / scale)) * glm::dvec3(0, 0, 1)));
+    EXPECT_LT(glm::distance(normal, expected), 1e-6f) << scale;
+  }
+}
+
 // The normal of a hit points to those who see its corners counter-clockwise, whichever side a ray comes from.
 TEST(Geometry, NormalsOfHitsFollowTheOrderOfTheCorners) {
   for (const double side : {1.0, -1.0}) {

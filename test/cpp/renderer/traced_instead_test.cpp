@@ -157,6 +157,20 @@ TEST(TracedInstead, OnlyCommonGroundIsTraced) {
   strip.topology = Topology::kLines;
   lines->meshes.push_back({"strip", {strip}});
   EXPECT_FALSE(tracedInstead(*lines, highShot()));
+
+  auto blocks = sceneWith(MANY);
+  Image8 image;
+  image.type = TexelType::kBlocks;
+  blocks->images = {image};
+  EXPECT_FALSE(tracedInstead(*blocks, highShot()));
+  EXPECT_FALSE(isTraceable(*blocks, highShot())) << "quality \"reference\" refuses them";
+
+  const auto seenThrough = [&](float opacity) {
+    return traces([opacity](Shot& shot) { shot.ghost.push_back({.part = {}, .opacity = opacity}); });
+  };
+  EXPECT_FALSE(seenThrough(0.25f)) << "the raster's casts no shadow";
+  EXPECT_TRUE(seenThrough(0)) << "it is left out";
+  EXPECT_TRUE(seenThrough(1));
 }
 
 }  // namespace

@@ -57,6 +57,18 @@ test('a small window of the picture is looked at: it shows what the class alone 
   assert.deepEqual((await renderer.render(ball, info.shot)).data, data);
 });
 
+test('what the path tracer leaves out is the raster\'s: lines, and where a lens would blur', async () => {
+  const lines = await MODELS['lines-map']();
+  for (const [source, shot] of [
+    [lines, asked({ budgetMs: 60_000 })],
+    [glb, { ...asked({ budgetMs: 60_000 }), lens: { aperture: 2, focusDistance: 'target' } }],
+  ]) {
+    assert.doesNotMatch((await inspect(source, { shot })).goal.setting, /tracer/);
+  }
+  assert.match((await inspect(glb, { shot: asked({ budgetMs: 60_000 }) })).goal.setting, /tracer/, 'it is the most accurate');
+  assert.equal((await inspect(lines, { shot: SHOT })).plan.traceable, false);
+});
+
 test('an error that nothing holds: the most accurate settings, and a warning that can be refused', async () => {
   const { info } = await renderer.render(model, asked({ maxError: 1e-6 }), { timeoutMs: null });
   assert.equal(info.goal.holds, false);

@@ -129,7 +129,7 @@ test('features are those of the shot, of what is drawn and of the model', () => 
     { bounds: { min: [-1, -1, -1], max: [1, 1, 1] } },
   );
   const square = [-0.5, 0.5].flatMap((x) => [-0.5, 0.5].map((y) => [x, y, 0]));
-  const of = (drawn, more = {}, { fragments, outline } = {}) => featuresOf({ ...shot, ...more }, { features: drawn, fragments }, { triangles: 12, outline });
+  const of = (drawn, more = {}, { outline, ...plan } = {}) => featuresOf({ ...shot, ...more }, { features: drawn, ...plan }, { triangles: 12, outline });
   assert.deepEqual(of(['normal-map']), {
     shading: 'fabric',
     surface: 'relief',
@@ -159,7 +159,9 @@ test('features are those of the shot, of what is drawn and of the model', () => 
   assert.equal(of([], { camera: near }, { outline: square }).covered, 256, 'half of the height');
   assert.equal(of([], { camera: { ...near, position: [0, 0, 0.1] } }, { outline: square }).covered, 2048, 'no more than there are');
   assert.equal(of([], { camera: near }, { outline: [...square, [0, 0, 1.5]] }).covered, 2048, 'a point behind the camera');
-  assert.equal(of(['transmission']).traceable, false);
+  assert.equal(of([], {}, { traceable: false }).traceable, false);
+  assert.equal(of([], { lens: { aperture: 2, focusDistance: 1 } }).traceable, false, 'the raster shows all of it sharp');
+  assert.equal(of([], { lens: { aperture: 2, focusDistance: null } }).traceable, true);
   assert.equal(of([], { layers: ['beauty', 'depth'] }).traceable, false);
   assert.equal(of([], { environment: { map: 'hall.hdr', intensity: 1 } }).environment, 'file');
   assert.equal(of([], { shading: { base: 'three', revision: 180 } }).shading, 'three');
