@@ -40,12 +40,12 @@ function chunksOf(file, index) {
 
 /** Width and height of a picture, and whether it has transparency. */
 function headerOf(chunks, index) {
-  const extended = chunks.find(({ name }) => name === 'VP8X')?.data;
+  const dataOf = (wanted) => chunks.find(({ name }) => name === wanted)?.data;
+  const [extended, lossy, lossless] = ['VP8X', 'VP8 ', 'VP8L'].map(dataOf);
+  // An animation has its pictures within chunks of frames.
+  if (!lossy && !lossless) throw wrongOption(`frames[${index}]`, 'a still WebP picture', 'a file without one');
   if (extended) return { width: 1 + extended.readUIntLE(4, 3), height: 1 + extended.readUIntLE(7, 3), alpha: (extended[0] & ALPHA) !== 0 };
-  const lossy = chunks.find(({ name }) => name === 'VP8 ')?.data;
   if (lossy) return { width: lossy.readUInt16LE(6) & 0x3fff, height: lossy.readUInt16LE(8) & 0x3fff, alpha: false };
-  const lossless = chunks.find(({ name }) => name === 'VP8L')?.data;
-  if (!lossless) throw wrongOption(`frames[${index}]`, 'a still WebP picture', 'a file without one');
   const bits = lossless.readUInt32LE(1);
   return { width: 1 + (bits & 0x3fff), height: 1 + ((bits >>> 14) & 0x3fff), alpha: ((bits >>> 28) & 1) !== 0 };
 }

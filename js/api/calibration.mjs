@@ -37,13 +37,15 @@ export async function keptCalibrations(folder) {
 /**
  * @param {string} folder of the cache; empty = none
  * @param {string} gl renderer string
+ * @param {{tracer: boolean}} has whether the tracer is there
  * @param {() => Promise<{raster: number, tracer: number}>} measure
- * @returns {Promise<{raster: number, tracer: number}>}
+ * @returns {Promise<{raster: number, tracer: number}>} tracer 0 where it was not there
  */
-export async function calibrationOf(folder, gl, measure) {
+export async function calibrationOf(folder, gl, has, measure) {
   const name = ofMachine(gl);
   const kept = folder === '' ? {} : await readAll(folder);
-  if (kept[name]) return kept[name];
+  // One that was measured without the tracer says nothing of it: by 0 ms its settings would cost nothing.
+  if (kept[name] && (kept[name].tracer > 0 || !has.tracer)) return kept[name];
   const machine = await measure();
   // A folder that cannot be written to costs the next process a second.
   if (folder !== '') {

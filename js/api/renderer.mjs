@@ -3,11 +3,12 @@ import { checkQuantity, checkShots, ofShot, quantityShot } from './draw_request.
 import { refuseWarnings } from './fail_on.mjs';
 import { Gate } from './gate.mjs';
 import { frameInfo, shotWarnings } from './frame_info.mjs';
+import { LastUse } from './last_use.mjs';
+import { isLongShot } from './long_shot.mjs';
 import { nativeCall } from './native_call.mjs';
-import { onAbort } from './on_abort.mjs';
 import { identityOf, keyOfDrawn } from './picture_key.mjs';
 import { drawAllOptions, growingOptions, loadOptions, rendererOptions, STRICT, wrongOption } from './options.mjs';
-import { ProgressReport } from './progress.mjs';
+import { inScope, untilEnough } from './scope.mjs';
 import { Work } from './work.mjs';
 import { shotJson } from './shot_json.mjs';
 import { readShot, readSource } from './source.mjs';
@@ -21,49 +22,6 @@ const FRAMES_IN_FLIGHT = 4;
 
 /** Frames and small requests in the GL thread's own queue. */
 const MAX_QUEUED = 64;
-
-/**
- * Runs jobs that end together: the first that fails, the caller's signal or a throwing callback cancels them all.
- * @param {AbortSignal | undefined} outer
- * @param {{onProgress?: (part: number) => void, onPreview?: (preview: object) => void}} callbacks
- * @param {number} jobs
- * @param {(signal: AbortSignal, report: ProgressReport | undefined) => Promise<T>} run
- * @returns {Promise<T>}
- * @template T
- */
-async function inScope(outer, { onProgress, onPreview }, jobs, run) {
-  outer?.throwIfAborted();
-  const scope = new AbortController();
-  const stopListening = outer && onAbort(outer, (reason) => scope.abort(reason));
-  const guarded = (callback) => (what) => {
-    try {
-      // What is on its way when the work ends is not told.
-      if (!scope.signal.aborted) callback(what);
-    } catch (error) {
-      scope.abort(error);
-    }
-  };
-  const report = (onProgress || onPreview) && new ProgressReport(guarded(onProgress ?? (() => {})), jobs, onPreview && guarded(onPreview));
-  try {
-    const result = await run(scope.signal, report);
-    scope.signal.throwIfAborted();
-    return result;
-  } catch (error) {
-    scope.abort(error);
-    throw error;
-  } finally {
-    stopListening?.();
-    report?.stop();
-  }
-}
-
-/** Ends a job with the picture as it is when its caller has enough. Rounds double, so that there is one. @returns {() => void} stops listening */
-function untilEnough(enough, token) {
-  token.askPreviews();
-  if (!enough.aborted) return onAbort(enough, () => token.settle());
-  token.settle();
-  return () => {};
-}
 
 /** Of a picture in the format raw with 32 bits a channel; a copy, as its bytes need not lie on a boundary of 4. */
 const floatsOf = (data) => new Float32Array(data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength));
@@ -218,11 +176,18 @@ class Renderer {
 
   async #renderAll({ input, model }, { requests, settled, loading }, signal, report) {
     const begin = () => this.#begin(signal, loading);
+    const shots = requests.filter(({ failure }) => !failure).map(({ shot }) => shot);
+    // Of what several need each may take what the longest of them may.
+    const isLong = (await Promise.all(shots.map(isLongShot))).includes(true);
+    const beginShared = () => {
+      const work = begin();
+      if (isLong) work.allowLong();
+      return work;
+    };
     let loaded = model;
     try {
-      loaded ??= await this.#gate.run(() => this.#load(input, loading, begin()), signal);
-      const shots = requests.filter(({ failure }) => !failure).map(({ shot }) => shot);
-      const shared = new SharedModels(this.#native, loaded, shots, () => ({ work: begin(), cloths: this.#cloths }));
+      loaded ??= await this.#gate.run(() => this.#load(input, loading, beginShared()), signal);
+      const shared = new SharedModels(this.#native, loaded, shots, () => ({ work: beginShared(), cloths: this.#cloths }));
       const draw = async ({ failure, ...request }, job) => {
         try {
           if (failure) throw failure;
@@ -244,50 +209,46 @@ class Renderer {
     return this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model), forget)));
   }
 
-  async #render({ input, model: given, loading, shared, job = 0, shot, environment, map, quantity, enough, reached }, work, report) {
+  async #render({ input, model: given, loading, ...request }, work, report) {
+    const { shot, shared } = request;
     const start = performance.now();
+    // What is asked for tells: a goal may come to settings of one pass.
+    if (await isLongShot(shot)) work.allowLong();
     const model = given ?? (await this.#load(input, { ...loading, decodesLater: true }, work));
     const loaded = performance.now();
     const shown = await (shared ? shared.of(shot) : shownModel(this.#native, model, shot, { work, forget: !given, cloths: this.#cloths }));
+    const times = { start, load: loaded - start, pose: performance.now() - loaded };
+    const use = new LastUse(() => (shared ? shared.isLast(shot) : !given || shown !== model));
+    try {
+      return await this.#draw({ ...request, shown, sha256: model.facts.sha256, loading, times, use }, work, report);
+    } finally {
+      if (use.isLeft()) this.#releaseScene(shown, true).catch(() => {});
+    }
+  }
+
+  async #draw({ shown, sha256, loading, times, use, job = 0, shot, environment, map, quantity, enough, reached }, work, report) {
     const shownAt = performance.now();
-    const { resolved, warnings, goal, end } = await this.#resolve({ shot, quantity, environment, map }, shown, loading, work).catch((error) => {
-      if (shared?.isLast(shot)) this.#releaseScene(shown).catch(() => {});
-      throw error;
-    });
-    if ((await qualityModule()).isLong(resolved.quality)) work.allowLong();
-    const isLast = shared ? shared.isLast(shot) : !given || shown !== model;
-    const measures = reached && goal?.maxError !== undefined;
-    const request = {
-      scene: Model.sceneOf(shown),
-      shot: shotJson(quantity ? { ...resolved, debugOutput: quantity } : resolved),
-      environment,
-      releaseScene: isLast && !measures,
-    };
-    const metered = isMetered(resolved, quantity) ? await this.#meter(request, resolved, work) : undefined;
-    if (metered) request.shot = shotJson({ ...resolved, exposure: resolved.exposure * metered });
-    const resolvedAt = performance.now();
+    const scene = Model.sceneOf(shown);
+    const { resolved, seen, warnings, metered, goal, end } = await this.#resolve({ shot, quantity, environment, map }, shown, loading, work);
     const { endBy, reachedBy } = goal ? await goalModule() : {};
+    const measures = reached && goal?.maxError !== undefined;
+    const resolvedAt = performance.now();
     const drawing = nativeCall(this.#native, work, (token) => {
       report?.begin(job, token);
       endBy?.(end, token);
       const stopListening = enough && untilEnough(enough, token);
+      const request = { scene, shot: shotJson(quantity ? { ...seen, debugOutput: quantity } : seen), environment, releaseScene: !measures && use.end() };
       return this.#handle.render(request, token).finally(stopListening);
     });
     // While it is drawn, this thread has nothing else to do.
     const [frame, identity] = await Promise.all([drawing, identityOf(shot)]);
     report?.finish(job);
     const ended = goal || enough?.aborted ? JSON.parse(frame.info).ended : undefined;
-    if (measures) {
-      const seen = { ...resolved, exposure: resolved.exposure * (metered ?? 1) };
-      // Nothing ends these pictures, so they have a token of their own.
-      const look = this.#begin(work.signal, loading);
-      look.allowLong();
-      goal.reached = await reachedBy(this.#native, seen, ended, this.#drawerOf(request, look));
-      if (isLast) this.#releaseScene(shown).catch(() => {});
-    }
+    // Nothing ends the pictures of its window.
+    if (measures) goal.reached = await reachedBy(this.#native, seen, ended, this.#lookAt({ scene, environment }, loading, work));
     const key = await keyOfDrawn(this.#native, {
       version: versions.telar,
-      model: model.facts.sha256,
+      model: sha256,
       identity,
       environment,
       drawn: frame.environmentSha256,
@@ -295,7 +256,8 @@ class Renderer {
       // Where an error ended it, the goal alone says when.
       ended: enough?.aborted || goal?.budgetMs !== undefined ? ended : undefined,
     });
-    const milliseconds = { load: loaded - start, pose: shownAt - loaded, resolve: resolvedAt - shownAt, total: performance.now() - start };
+    const { start, load, pose } = times;
+    const milliseconds = { load, pose, resolve: resolvedAt - shownAt, total: performance.now() - start };
     const info = frameInfo({ frame, resolved, milliseconds, renderer: this, key, warnings, metered, goal });
     refuseWarnings(loading.failOn, info.warnings);
     const layers = Object.keys(frame.layers).length > 0 && { layers: frame.layers };
@@ -303,47 +265,55 @@ class Renderer {
   }
 
   /** The factor of the shot's `metering`, by a small picture of the model alone. @throws {TelarError} */
-  async #meter(request, resolved, work) {
+  async #meter(resolved, { scene, environment }, work) {
     const { meteredExposure, meteringShot } = await meteringModule();
-    const shot = shotJson(meteringShot(resolved));
-    const { data } = await nativeCall(this.#native, work, (token) => this.#handle.render({ ...request, shot, releaseScene: false }, token));
+    const request = { scene, shot: shotJson(meteringShot(resolved)), environment, releaseScene: false };
+    const { data } = await nativeCall(this.#native, work, (token) => this.#handle.render(request, token));
     return meteredExposure(resolved, floatsOf(data));
   }
 
-  /** The shot with every default, and what is known to be wrong before it is drawn. @throws {TelarError} E_SHOT, E_WARNING, ... */
-  async #resolve({ shot, quantity, environment, map }, shown, { failOn }, work) {
+  /**
+   * The shot with every default, and what is known to be wrong before it is drawn. `seen`: the same as it is drawn, with the metered exposure.
+   * @throws {TelarError} E_SHOT, E_WARNING, ...
+   */
+  async #resolve({ shot, quantity, environment, map }, shown, loading, work) {
     const { resolveShot } = await shotModule();
     const resolved = resolveShot(shot, await measuredFor(this.#native, shown, shot, work));
     if (map) resolved.environment.map = map;
-    const goal = await this.#aim(resolved, { quantity, environment }, shown, work);
+    const metered = isMetered(resolved, quantity) ? await this.#meter(resolved, { scene: Model.sceneOf(shown), environment }, work) : undefined;
+    const exposed = (of) => (metered === undefined ? of : { ...of, exposure: of.exposure * metered });
+    // A dark window would hide errors that the picture shows.
+    const goal = await this.#aim(exposed(resolved), { quantity, environment }, shown, loading, work);
+    if (goal) resolved.quality = goal.quality;
     const warnings = [...(shown.facts.warnings ?? []), ...(goal?.warnings ?? []), ...shotWarnings(resolved, shown.facts.extensionsUsed)];
-    refuseWarnings(failOn, warnings);
-    return { resolved, warnings, goal: goal?.told, end: goal?.end };
+    refuseWarnings(loading.failOn, warnings);
+    return { resolved, seen: exposed(resolved), warnings, metered, goal: goal?.told, end: goal?.end };
   }
 
-  /** Where the shot's quality is a goal, puts settings in its place. @returns {Promise<{told: object, warnings: object[], end?: object} | undefined>} */
-  async #aim(resolved, { quantity, environment }, shown, work) {
+  /** Settings in place of a goal. @returns {Promise<{quality: object, told?: object, warnings?: object[], end?: object} | undefined>} undefined of other qualities */
+  async #aim(resolved, { quantity, environment }, shown, loading, work) {
     const { isGoal, resolveQuality } = await qualityModule();
     if (!isGoal(resolved.quality)) return undefined;
-    if (quantity || resolved.style === 'flat') {
-      // Neither has an error to reach.
-      resolved.quality = resolveQuality('standard');
-      return undefined;
-    }
+    // Neither has an error to reach.
+    if (quantity || resolved.style === 'flat') return { quality: resolveQuality('standard') };
     const { goalWarnings, settingsFor } = await goalModule();
     const scene = Model.sceneOf(shown);
-    const draw = this.#drawerOf({ scene, environment }, work);
+    const draw = this.#lookAt({ scene, environment }, loading, work);
     const request = { resolved, scene, facts: shown.facts, limits: this.#limits, machine: () => this.#calibration(), draw };
     const { quality, goal, end } = await settingsFor(this.#native, request, work);
-    resolved.quality = quality;
-    return { told: goal, warnings: goalWarnings(goal), end };
+    return { quality, told: goal, warnings: goalWarnings(goal), end };
   }
 
-  /** Draws resolved shots of a scene for a look at their pixels: RGBA. */
-  #drawerOf({ scene, environment }, work) {
+  /**
+   * Draws resolved shots of a scene for a look at their pixels: RGBA. They have a token and a time of their own: how far they are is not how far the picture is,
+   * and what ends the picture does not end them.
+   */
+  #lookAt({ scene, environment }, loading, { signal }) {
+    const look = this.#begin(signal, loading);
+    look.allowLong();
     return async (shot) => {
       const request = { scene, shot: shotJson(shot), environment, releaseScene: false };
-      return (await nativeCall(this.#native, work, (token) => this.#handle.render(request, token))).data;
+      return (await nativeCall(this.#native, look, (token) => this.#handle.render(request, token))).data;
     };
   }
 
@@ -353,7 +323,7 @@ class Renderer {
       const { calibrate, hasTracer } = await goalModule();
       const draw = (source, shot) => this.#render({ ...this.#readRequest(source, shot), loading: STRICT }, this.#begin(undefined, { timeoutMs: null }));
       const has = { tracer: await hasTracer(this.#native) };
-      return calibrationOf(this.#cache.directory, String(this.gl.renderer), () => calibrate(draw, has));
+      return calibrationOf(this.#cache.directory, String(this.gl.renderer), has, () => calibrate(draw, has));
     })().catch((error) => {
       this.#machine = undefined;
       throw error;

@@ -11,6 +11,28 @@ const usage = (message) => new TelarError('E_USAGE', message);
 export const isAnimation = ({ turntable, output }) =>
   turntable !== undefined && output !== undefined && path.extname(output).toLowerCase() === '.webp' && !/\{[a-z]+\}/i.test(output);
 
+/** The name of a frame, as files of single frames have it. */
+const nameOf = ({ model, view }) => `${model}, ${view}`;
+
+/** The error of one frame, by its name. */
+function ofFrame(error, jobs) {
+  if (!Object.hasOwn(jobs, error?.index)) return error;
+  return new TelarError(error.code, `${nameOf(jobs[error.index])}: ${error.message.replace(/^shots\[\d+\]: /, '')}`, error);
+}
+
+/** What the model's file and every picture warn of is said once, of the frame that shows it first: numbers in a message differ from frame to frame. */
+function tellWarnings(frames, jobs, console) {
+  const said = new Set();
+  for (const [i, { info }] of frames.entries()) {
+    const kinds = info.warnings.map(({ code, pointer }) => `${code} ${pointer ?? ''}`);
+    // Several of one code in the first frame are of several things.
+    info.warnings.forEach((warning, k) => {
+      if (!said.has(kinds[k])) console.warning(warning, nameOf(jobs[i]));
+    });
+    for (const kind of kinds) said.add(kind);
+  }
+}
+
 /**
  * @param {{jobs: import('./jobs.mjs').Job[], options: object, renderer: object}} drawing jobs: the frames in order
  * @param {{api: object, console: import('./console.mjs').Console, signal?: AbortSignal}} context
@@ -26,11 +48,13 @@ export async function writeAnimation({ jobs, options, renderer }, { api, console
   const shots = jobs.map(({ shot }) => ({ ...shot, output: { ...shot.output, format: 'webp' } }));
   const source =
     options.explode === undefined ? jobs[0].source : await (await renderer.load(jobs[0].source, { signal })).explode(Number(options.explode), { signal });
-  const frames = await renderer.renderAll(source, shots, { signal });
+  const frames = await renderer.renderAll(source, shots, { signal }).catch((error) => {
+    throw ofFrame(error, jobs);
+  });
   const data = api.animateWebp(frames.map(({ data: still }) => still));
   await writeFileAtomically(file, data, signal);
-  const { width, height, warnings } = frames[0].info;
-  for (const warning of warnings) console.warning(warning, jobs[0].model);
+  const { width, height } = frames[0].info;
+  tellWarnings(frames, jobs, console);
   const image = { model: jobs[0].model, ok: true, output: file, bytes: data.length, frames: frames.length, width, height };
   await console.result({ ok: true, exit: 0, images: [image] }, [file]);
   return 0;

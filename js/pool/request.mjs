@@ -1,5 +1,4 @@
-import { qualityModule, shotModule } from '../api/model.mjs';
-import { ANY_MODEL } from '../shot/facts.mjs';
+import { isLongShot } from '../api/long_shot.mjs';
 
 /**
  * What a caller asked for, checked and with the caller's bytes copied.
@@ -72,16 +71,18 @@ export function messageOf(id, { method, input, recipe, shots, loading, settled, 
 }
 
 /**
- * Whether one of the shots asks for long work, which has no bound on its time unless the caller gave one. A quality does not depend on the model.
+ * Whether one of the shots asks for long work, as its worker sees it.
  * @param {Request} request
  */
 export async function hasLongShot({ shots = [] }) {
-  const [{ resolveShot }, { isLong }] = await Promise.all([shotModule(), qualityModule()]);
-  return shots.some(({ shot: { look, quality } }) => {
-    try {
-      return isLong(resolveShot({ look, quality }, ANY_MODEL).quality);
-    } catch {
-      return false; // a wrong shot is not drawn
-    }
-  });
+  return (await Promise.all(shots.map(({ shot }) => isLongShot(shot)))).includes(true);
+}
+
+/**
+ * How many pieces of work the longest of the shots is, each of which has the time of one: the picture itself, the look for a goal of error, and the measuring of what that came to.
+ * @param {Request} request
+ */
+export function worksOfShot({ shots = [], reached }) {
+  const aims = shots.some(({ shot: { quality } }) => quality?.maxError !== undefined);
+  return 1 + (aims ? 1 : 0) + (aims && reached ? 1 : 0);
 }

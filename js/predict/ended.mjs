@@ -1,4 +1,4 @@
-import { RASTER } from '../shot/table/quality.mjs';
+import { RASTER, SAMPLES_OF_A_PASS } from '../shot/table/quality.mjs';
 
 /** Samples that the raster can be asked for. */
 const STEPS = RASTER.shape.samples.values;
@@ -12,8 +12,10 @@ const STEPS = RASTER.shape.samples.values;
 export function endedQuality(quality, samples) {
   if (samples === undefined) return quality;
   if (quality.preset === 'reference') return { ...quality, samples };
-  const { preset: _, ...settings } = quality;
+  const { preset: _, noise, ...settings } = quality;
   const few = STEPS.findLast((step) => step <= samples);
   // Each pass takes its part of the directions.
-  return { ...settings, samples: few, environmentSamples: Math.ceil((quality.environmentSamples * few) / quality.samples) };
+  const environmentSamples = Math.ceil((quality.environmentSamples * few) / quality.samples);
+  // In one pass no pixel takes fewer samples than another.
+  return { ...settings, samples: few, noise: few > SAMPLES_OF_A_PASS ? noise : 0, environmentSamples };
 }

@@ -3,6 +3,7 @@ import { FORMATS, SHOWN_FORMATS } from '../shot/table/output.mjs';
 import { AVIF_TYPE } from '../api/avif.mjs';
 import { isObject } from '../api/option_check.mjs';
 import { TelarError } from '../error/index.mjs';
+import { withLook } from '../shot/looks.mjs';
 import { negotiate } from './negotiate.mjs';
 import { SHEET_TYPES } from '../queue/perform.mjs';
 
@@ -22,17 +23,36 @@ const NO_AVIF = 'image/avif can be had where the package sharp is installed besi
 
 const outputOf = (shot) => (isObject(shot?.output) ? shot.output : {});
 
-/** AVIF has one picture, and takes longest to encode: it comes after the others. */
-const avifOf = ({ layers, output }, { avif }) => (avif && layers === undefined && (output === undefined || isObject(output)) ? [AVIF_TYPE] : []);
+/** What a shot asks for that an answer in AVIF does not have, by key. Values that are wrong in every format are the worker's to refuse. */
+const LACKS = {
+  'shot.layers': ({ layers }) => layers !== undefined,
+  'shot.output.bitDepth': ({ output }) => output?.bitDepth !== undefined && output.bitDepth !== 8,
+  // With a scale it makes the size of the picture, and any format may have it.
+  'shot.output.ppi': (shot) => typeof shot.output?.ppi === 'number' && shot.output.ppi > 0 && (withLook(shot).scale ?? 'none') === 'none',
+  'shot.output.icc': ({ output }) => output?.icc === true,
+};
+
+const lackedBy = (shot) => Object.keys(LACKS).filter((key) => LACKS[key](shot));
+
+/** It takes longest to encode, so that it comes after the others. */
+const avifOf = (shot, { avif }) => (avif && (shot.output === undefined || isObject(shot.output)) && lackedBy(shot).length === 0 ? [AVIF_TYPE] : []);
 
 const asPixels = (shot) => ({ ...shot, output: { ...shot.output, format: 'raw', bitDepth: 8 } });
 
-function negotiatedPicture(accept, offered, { avif }) {
+/** Why a client that takes AVIF alone does not get it; undefined where the shot itself is wrong. */
+function whyNoAvif(shot, { avif }) {
+  if (!avif) return NO_AVIF;
+  const named = [...(outputOf(shot).format === undefined ? [] : ['shot.output.format']), ...lackedBy(shot)];
+  return named.length === 0 ? undefined : `image/avif is one picture of 8 bits a channel, without ppi and profile: leave out ${named.join(', ')}`;
+}
+
+function negotiatedPicture(accept, offered, shot, able) {
   try {
     return negotiate(accept, offered);
   } catch (error) {
-    if (avif || !/image\/avif/i.test(accept)) throw error;
-    throw new TelarError('E_ACCEPT', `${error.message}; ${NO_AVIF}`);
+    const why = /image\/avif/i.test(accept) ? whyNoAvif(shot, able) : undefined;
+    // First, as messages have an end.
+    throw why === undefined ? error : new TelarError('E_ACCEPT', `${why}; ${error.message}`);
   }
 }
 
@@ -46,7 +66,7 @@ const WANTED = {
     const { format } = outputOf(shot);
     // A wrong one is the worker's to refuse, with the message of the shot.
     const offered = format === undefined ? [...PICTURES, ...avifOf(shot, able), JSON_TYPE, ...OTHERS] : [FORMATS[format]?.mediaType ?? JSON_TYPE, JSON_TYPE];
-    const type = negotiatedPicture(accept, offered, able);
+    const type = negotiatedPicture(accept, offered, shot, able);
     if (type === AVIF_TYPE) return { task: { ...task, asked: { ...task.asked, shot: asPixels(shot), encode: 'avif' } }, type };
     if (format !== undefined || !IMAGE_TYPES[type] || (shot.output !== undefined && !isObject(shot.output))) return { task, type };
     return { task: { ...task, asked: { ...task.asked, shot: { ...shot, output: { ...shot.output, format: IMAGE_TYPES[type] } } } }, type };

@@ -69,6 +69,45 @@ test('what the path tracer leaves out is the raster\'s: lines, and where a lens 
   assert.equal((await inspect(lines, { shot: SHOT })).plan.traceable, false);
 });
 
+test('the window has the metered exposure: a dark scene has the settings of the same one in more light', async () => {
+  const ball = await renderer.load(await MODELS.ball());
+  const lit = (intensity) => ({
+    ...asked({ maxError: 0.03 }),
+    size: { width: 400, height: 400 },
+    environment: { map: 'studio', intensity },
+    metering: { most: 1000 },
+  });
+  const [{ info: bright }, { info: dark }] = [await renderer.render(ball, lit(1)), await renderer.render(ball, lit(0.01))];
+  assert.ok(Math.abs(dark.meteredExposure / bright.meteredExposure - 100) < 0.1);
+  assert.match(dark.goal.basis, /^a window of 576 pixels/);
+  assert.deepEqual([dark.goal.setting, dark.shot.exposure], [bright.goal.setting, 1]);
+  assert.ok(Math.abs(dark.goal.predicted.flip - bright.goal.predicted.flip) < 1e-3, `${dark.goal.predicted.flip} and ${bright.goal.predicted.flip}`);
+});
+
+test('progress is that of the picture, and not of the look before it', async () => {
+  const parts = [];
+  const shot = { ...asked({ maxError: 0.03 }), size: { width: 300, height: 300 } };
+  const { info } = await renderer.render(model, shot, { onProgress: (part) => parts.push(part) });
+  assert.equal(info.backend, 'reference');
+  assert.ok(parts.length > 1 && parts[0] < 0.9 && parts.at(-1) === 1, String(parts));
+});
+
+test('what was looked at is let go where no picture comes of it', async () => {
+  const ball = await MODELS.ball();
+  // The raster warns of the distance, once its settings are known.
+  const lens = { aperture: 8, focusDistance: 1 };
+  const looked = { ...asked({ maxError: 0.03 }), size: { width: 400, height: 400 }, lens };
+  const metered = { ...asked({ maxError: 1e-6 }), metering: {}, lens };
+  for (const shot of [looked, metered]) {
+    const left = [];
+    for (let i = 0; i < 3; i++) {
+      await assert.rejects(renderer.render(ball, shot, { failOn: 'warning' }), { code: 'E_WARNING' });
+      left.push(await renderer.liveObjects());
+    }
+    assert.deepEqual(left, [left[0], left[0], left[0]], 'no more with each model');
+  }
+});
+
 test('an error that nothing holds: the most accurate settings, and a warning that can be refused', async () => {
   const { info } = await renderer.render(model, asked({ maxError: 1e-6 }), { timeoutMs: null });
   assert.equal(info.goal.holds, false);

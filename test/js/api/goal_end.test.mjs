@@ -8,7 +8,7 @@ import { createRenderer, pictureKey } from '../../../js/index.mjs';
 import { createPool } from '../../../js/pool/index.mjs';
 import { TABLE } from '../../../js/predict/index.mjs';
 import { errorOfFlip } from '../../../js/predict/noise.mjs';
-import { FABRIC_MODELS } from '../../fixtures/index.mjs';
+import { FABRIC_MODELS, MODELS } from '../../fixtures/index.mjs';
 import './support/real.mjs';
 
 // Goals that end a picture before its last sample, and what was reached.
@@ -97,4 +97,20 @@ test('what was reached is measured where it is asked for, by a pool too', async 
   } finally {
     await pool.close();
   }
+});
+
+test('what was reached by a caller who has enough at once: settings of one pass, which have no noise to end at', async () => {
+  const points = await MODELS['points-map'](); // the raster alone draws them
+  const { info } = await renderer.render(points, asked({ maxError: 1e-6 }), { reached: true, enough: AbortSignal.abort() });
+  assert.ok(info.quality.noise > 0 && info.ended <= 4, `${info.ended} samples`);
+  assert.ok(info.goal.reached.flip > 0 && info.goal.reached.pixels === 576, JSON.stringify(info.goal));
+});
+
+test('a caller who leaves while it is measured keeps nothing of the model', async () => {
+  await renderer.render(glb, asked(EXACT), { reached: true });
+  const before = await renderer.liveObjects();
+  const leaves = new AbortController();
+  const onProgress = (part) => part === 1 && leaves.abort();
+  await assert.rejects(renderer.render(glb, asked(EXACT), { reached: true, onProgress, signal: leaves.signal }), { name: 'AbortError' });
+  assert.equal(await renderer.liveObjects(), before);
 });

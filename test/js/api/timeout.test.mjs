@@ -76,6 +76,52 @@ test('a time that was given goes for long qualities too; the default does not', 
   }
 });
 
+/** What is called of the addon, in order: loads, poses and draws, and that any time is allowed. */
+async function callsOf(draw, options = {}) {
+  const calls = [];
+  class CancelToken extends native.CancelToken {
+    allowAnyTime() {
+      calls.push('any time');
+      super.allowAnyTime();
+    }
+  }
+  const noting =
+    (name) =>
+    (...args) => {
+      calls.push(name);
+      return native[name](...args);
+    };
+  const watched = await createRendererOn({ ...native, CancelToken, load: noting('load'), pose: noting('pose') }, { cacheDirectory: null, ...options });
+  try {
+    await draw(watched);
+  } finally {
+    await watched.close();
+  }
+  return calls;
+}
+
+test('a shot that asks for long work may take any time from its loading on, whatever is drawn for it', async () => {
+  const posed = { ...SHOT, pose: { animation: 0, time: 0 } };
+  for (const quality of ['reference', 'high', { samples: 16 }, { maxError: 1e-6 }]) {
+    assert.deepEqual(
+      (await callsOf((watched) => watched.render(model(), { ...posed, quality }))).slice(0, 3),
+      ['any time', 'load', 'pose'],
+      JSON.stringify(quality),
+    );
+  }
+  // Of a quantity a goal comes to settings of one pass: what was asked for counts, as it does in a pool.
+  const quantity = await callsOf((watched) => watched.renderQuantity(model(), { ...SHOT, quality: { maxError: 0.1 } }, 'n').catch(() => {}));
+  assert.deepEqual(quantity, ['any time', 'load']);
+  for (const quality of [undefined, 'draft', { samples: 4 }]) {
+    assert.deepEqual(await callsOf((watched) => watched.render(model(), { ...posed, quality })), ['load', 'pose']);
+  }
+  const many = (...shots) => callsOf((watched) => watched.renderAll(model(), shots));
+  assert.deepEqual((await many(SHOT, { ...SHOT, quality: 'medium' })).slice(0, 2), ['any time', 'load'], 'the loading is for both');
+  assert.deepEqual(await many(SHOT, SHOT), ['load']);
+  const bounded = { timeoutMs: 5000 };
+  assert.deepEqual(await callsOf((watched) => watched.render(model(), { ...SHOT, quality: 'medium' }), bounded), ['load']);
+});
+
 test('which qualities are long', async () => {
   const { isLong, resolveQuality } = await import('../../../js/shot/quality.mjs');
   const long = (quality) => isLong(resolveQuality(quality));

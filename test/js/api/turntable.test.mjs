@@ -67,6 +67,15 @@ test('what is no frame is refused by its place', async () => {
   assert.throws(() => animateWebp([one, other]), { code: 'E_OPTION', message: /^frames\[1\]: expected 50 x 40 pixels, as the first frame/ });
   assert.throws(() => animateWebp([one, one.subarray(0, 60)]), { code: 'E_OPTION', message: /^frames\[1\]: expected a whole WebP file/ });
   assert.throws(() => animateWebp([Buffer.from('GIF89a')]), { code: 'E_OPTION', message: /^frames\[0\]: expected a WebP file/ });
+  const animation = animateWebp([one, one]);
+  const moving = { code: 'E_OPTION', message: 'frames[1]: expected a still WebP picture, got "a file without one"' };
+  assert.throws(() => animateWebp([one, animation]), moving);
+  const extended = await sharp(one)
+    .withMetadata({ exif: { IFD0: { Copyright: 'telar' } } })
+    .webp({ lossless: true })
+    .toBuffer();
+  assert.equal(extended.toString('latin1', 12, 16), 'VP8X');
+  assert.equal((await sharp(animateWebp([one, extended]), { animated: true }).metadata()).pages, 2, 'a still one with more than its picture');
   assert.throws(() => animateWebp([]), { code: 'E_OPTION' });
 });
 

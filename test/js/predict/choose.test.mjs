@@ -63,6 +63,12 @@ test('a picture that was ended has settings of no more samples than it has', () 
   const raster = resolveQuality(SETTINGS['denoised 64/256']);
   assert.deepEqual(endedQuality(raster, 33), { ...raster, samples: 16, environmentSamples: 64 });
   assert.deepEqual(endedQuality(resolveQuality('medium'), 5).preset, undefined);
+  const high = resolveQuality(SETTINGS['high by the raster']);
+  for (const samples of [1, 2, 4, 5, 15, 16, 300]) {
+    const ended = endedQuality(high, samples);
+    assert.deepEqual(resolveQuality(ended), ended, `a quality that can be drawn, of ${samples} samples`);
+    assert.equal(ended.noise, samples < 16 ? 0 : high.noise);
+  }
 });
 
 test('what nothing holds gets the most accurate or the fastest, and says so', () => {

@@ -79,6 +79,27 @@ test('a browser gets WebP as before; who likes AVIF best gets it; a shot with la
   assert.deepEqual([wrong.status, wrong.code], [400, 'E_SHOT']);
 });
 
+test('what AVIF does not have is told by its key, and the next type that has it is the answer', async () => {
+  const png = await post(url, THUMBNAILS, glb, { shot: { ...SHOT, output: { ppi: 300, icc: true } } }, { accept: 'image/avif, image/png;q=0.5' });
+  assert.equal(png.headers.get('content-type'), 'image/png');
+  assert.equal((await sharp(await bytesOf(png)).metadata()).density, 300);
+  const all = { ...SHOT, layers: ['beauty', 'depth'], output: { bitDepth: 16, ppi: 300, icc: true } };
+  const problem = await problemOf(await post(url, THUMBNAILS, glb, { shot: all }, AVIF));
+  assert.deepEqual([problem.status, problem.code], [406, 'E_ACCEPT']);
+  assert.match(
+    problem.detail,
+    /^image\/avif is one picture of 8 bits a channel, without ppi and profile: leave out shot\.layers, shot\.output\.bitDepth, shot\.output\.ppi, shot\.output\.icc; the answer can be /,
+  );
+  assert.doesNotMatch(problem.detail, /raw/);
+  const named = await problemOf(await post(url, THUMBNAILS, glb, { shot: { ...SHOT, output: { format: 'png' } } }, AVIF));
+  assert.match(named.detail, /: leave out shot\.output\.format; /);
+  const typeOf = (shot) => wantedOf({ kind: 'thumbnail', asked: { shot }, files: {} }, 'image/avif', { avif: true }).type;
+  for (const output of [{ bitDepth: 8, ppi: 0, icc: false }, { effort: 3 }, {}]) assert.equal(typeOf({ output }), 'image/avif');
+  assert.equal(typeOf({ scale: '1:10', output: { ppi: 150 } }), 'image/avif', 'ppi makes its size');
+  // Wrong in every format: that of the shot is the message.
+  assert.equal(typeOf({ output: { ppi: 'many', icc: 1 } }), 'image/avif');
+});
+
 test('without sharp: 406 that names it, and other types as before', () => {
   const task = { kind: 'thumbnail', asked: { shot: SHOT }, files: {} };
   const hint = /image\/avif can be had where the package sharp is installed/;
