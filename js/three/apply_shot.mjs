@@ -1,6 +1,7 @@
 import { lensExposure } from '../shot/lens_exposure.mjs';
 import { meteredSize } from '../shot/metering.mjs';
 import { TONE_MAPPINGS } from '../shot/table/tone_mappings.mjs';
+import { recallAssociations } from './associations.mjs';
 import { putOnCloths, takeOffCloths } from './cloths.mjs';
 import { applyOlderOutput, backgroundColor, dimEnvironment, environmentTurned } from './older_release.mjs';
 import { applyGhosts, removeGhosts } from './ghost.mjs';
@@ -70,6 +71,7 @@ export async function applyShot(shot, target) {
 
 async function apply(shot, { THREE, renderer, scene, camera, model, environment, areaLightTables, cloths, revision = 'shot' }) {
   matchRelease(shot, THREE, revision);
+  if (model) await recallAssociations(model);
   applyOutput(shot, THREE, renderer);
   if (shot.lights.some(({ type }) => type === 'rect')) await prepareAreaLights(THREE, areaLightTables);
   const isStock = isStockShading(shot.shading);

@@ -153,7 +153,7 @@ class Dresser {
   /// A picture that cuts the part's shape out stays.
   static void paint(Material& material, const glm::vec3& color) {
     material.baseColorFactor = glm::vec4(color, material.baseColorFactor.a);
-    if (material.alphaMode == AlphaMode::kOpaque) material.baseColorTexture = {};
+    if (isOpaque(material)) material.baseColorTexture = {};
     asset::colorBack(material, material.fabric);
   }
 

@@ -105,6 +105,12 @@ inline const Bounds& fileBoundsOf(const Primitive& primitive) {
   return primitive.fileBounds.empty() ? primitive.bounds : primitive.fileBounds;
 }
 
+/// Whether all of a surface is there, whatever its alpha.
+inline bool isOpaque(const Material& material) {
+  return material.alphaMode == AlphaMode::kOpaque ||
+         (material.alphaMode == AlphaMode::kMask && material.alphaCutoff <= 0);
+}
+
 /// Whether the tangent frame of a material is that of the mesh's own tangents.
 inline bool hasTangents(const Primitive& primitive, const Material& material) {
   return !primitive.tangents.empty() && !material.ignoresTangents;
