@@ -148,6 +148,7 @@ export type ErrorCode =
   | 'W_INSTANCING'
   | 'W_SHEET_FIT'
   | 'W_SHEET_POINT'
+  | 'W_SHEET_ROUND'
   | 'W_SHEET_SIDE'
   | 'W_SKIN'
   | 'W_MORPH';

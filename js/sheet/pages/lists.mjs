@@ -1,4 +1,4 @@
-import { lengthText, millimetresOf } from '../units.mjs';
+import { millimetresOf, printedOf, printedText } from '../units.mjs';
 import { scaleText } from '../scale.mjs';
 import { hexOf, isLong, listTable, shared } from './cells.mjs';
 
@@ -101,9 +101,15 @@ function printOf(layout, print, i) {
   const image = print.image === undefined ? undefined : images.get(print.image);
   const wide = print.width === undefined ? undefined : millimetresOf(print.width, spec.units);
   const tall = print.height === undefined ? undefined : millimetresOf(print.height, spec.units);
+  const sideText = (key) => {
+    if (print[key] === undefined) return undefined;
+    const printed = printedOf(print[key], spec);
+    if (!printed.isKept) layout.roundedAt(['artwork', i, key], print[key], printed);
+    return printedText(printed);
+  };
   const facts = [
-    ['width', wide && `${lengthText(wide, spec.printedUnits)}`],
-    ['height', tall && `${lengthText(tall, spec.printedUnits)}`],
+    ['width', sideText('width')],
+    ['height', sideText('height')],
     ['position', print.position],
     ['technique', print.technique],
     ['colours', print.colours],

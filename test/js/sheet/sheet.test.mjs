@@ -6,6 +6,8 @@ import { after, before, test } from 'node:test';
 import '../api/support/real.mjs';
 import { readImage, encodePng } from '../../../js/compare/index.mjs';
 import { createSheet, firstSpec } from '../../../js/sheet/index.mjs';
+import { readOptions } from '../../../js/sheet/options.mjs';
+import { layOut } from '../../../js/sheet/sheet.mjs';
 import { judgedFolder } from './judged_folder.mjs';
 import { CHEAP, openSquare } from './square.mjs';
 
@@ -167,6 +169,31 @@ test('what was measured is what the model has, in every unit', async () => {
   const text = run('pdftotext', '-layout', 'inch.pdf', '-').replaceAll(/\s+/g, ' ');
   // 30.2 cm are 11 14/16 in, 30 cm 11 13/16.
   assert.match(text, /A width 3\/16 11 1\/8 11 7\/8 11 13\/16 −1\/16/);
+});
+
+test('lengths of the spec stand as they are given in columns of as many decimals, and what is printed as another length is told', async () => {
+  const header = { sizes: ['S', 'M', 'L'], baseSize: 'M' };
+  const measures = [
+    { code: 'A', description: 'graded', tolerance: 0.25, values: { M: 50 }, grade: 0.25 },
+    { code: 'B', description: 'third', tolerance: 1, values: { S: 1 / 3, L: 12.5 } },
+  ];
+  const artwork = [{ name: 'Print', width: 7.55, height: 0.1234 }];
+  const { layout, sections, engine } = await layOut(model, { header, measures, artwork }, readOptions({ renderer, shot: CHEAP }));
+  engine.close();
+  const rows = sections.find(({ kind }) => kind === 'table').rows.map(({ cells }) => cells.map((cell) => cell.text ?? cell));
+  assert.deepEqual(rows, [
+    ['A', 'graded', '0.25', '49.750', '50.000', '50.250'],
+    ['B', 'third', '1.00', '0.333', '', '12.500'],
+  ]);
+  const [print] = sections.find(({ kind }) => kind === 'artwork').prints;
+  assert.deepEqual(
+    print.facts.map(([, value]) => value),
+    ['7.55', '0.123'],
+  );
+  assert.deepEqual(layout.warnings, [
+    { code: 'W_SHEET_ROUND', message: 'spec.measures[1].values.S: 0.3333333333333333 cm is printed as 0.333 cm', pointer: '/measures/1/values/S' },
+    { code: 'W_SHEET_ROUND', message: 'spec.artwork[0].height: 0.1234 cm is printed as 0.123 cm', pointer: '/artwork/0/height' },
+  ]);
 });
 
 test('a call-out outside of its view, a part that is not there, an image that is not there are named', async () => {

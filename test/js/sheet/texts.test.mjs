@@ -7,8 +7,8 @@ import { bundledFonts } from '../../../js/sheet/engine.mjs';
 import { charactersOf, checkCharacters, readFonts } from '../../../js/sheet/fonts.mjs';
 import { pagesOf } from '../../../js/sheet/output.mjs';
 import { hexOf } from '../../../js/sheet/pages/cells.mjs';
-import { specified } from '../../../js/sheet/pages/measures.mjs';
-import { differenceText, lengthText } from '../../../js/sheet/units.mjs';
+import { specifiedIn } from '../../../js/sheet/specified.mjs';
+import { differenceText, lengthText, printedOf, printedText } from '../../../js/sheet/units.mjs';
 import { LANGUAGES, wordsOf } from '../../../js/sheet/words.mjs';
 import { assertWellFormed } from '../analyse/support.mjs';
 
@@ -37,14 +37,53 @@ test('lengths are printed in their unit', () => {
 });
 
 test('sizes grow from the base size, unless they are given', () => {
-  const spec = { header: { sizes: ['XS', 'S', 'M', 'L'], baseSize: 'M' }, units: 'cm' };
-  const measure = { values: { M: 52, L: 55 }, grade: 2 };
-  assert.deepEqual(
-    spec.header.sizes.map((size) => specified(measure, size, spec)),
-    [480, 500, 520, 550],
-  );
-  assert.equal(specified({ values: { M: 52 } }, 'S', spec), undefined);
-  assert.equal(specified({ values: { M: 2 } }, 'M', { ...spec, units: 'inch' }), 50.8);
+  const header = { sizes: ['XS', 'S', 'M', 'L'], baseSize: 'M' };
+  const lengths = (measure) => header.sizes.map((size) => specifiedIn(measure, size, header));
+  assert.deepEqual(lengths({ values: { M: 52, L: 55 }, grade: 2 }), [48, 50, 52, 55]);
+  assert.deepEqual(lengths({ values: { M: 0.3 }, grade: 0.1 }), [0.1, 0.2, 0.3, 0.4]);
+  assert.deepEqual(lengths({ values: { M: 52 } }), [undefined, undefined, 52, undefined]);
+  assert.equal(specifiedIn({ values: { M: 52 } }, undefined, { sizes: [] }), undefined);
+});
+
+/** Texts of specified lengths; "!" behind those that are printed as another length. */
+const specified = (units, printedUnits, lengths, isMost = false) =>
+  lengths.map((length) => {
+    const printed = printedOf(length, { units, printedUnits }, isMost);
+    return `${printedText(printed)}${printed.isKept ? '' : '!'}`;
+  });
+
+test('specified lengths are printed as they are given', () => {
+  assert.deepEqual(specified('cm', 'cm', [50, 50.25, 50.5, 0.125, 0.1 + 0.2, 0]), ['50.0', '50.25', '50.5', '0.125', '0.3', '0.0']);
+  assert.deepEqual(specified('mm', 'mm', [12.5, 12, 0.125]), ['12.5', '12', '0.125']);
+  assert.deepEqual(specified('mm', 'cm', [12.5, 500]), ['1.25', '50.0']);
+  assert.deepEqual(specified('cm', 'mm', [50.25, 50]), ['502.5', '500']);
+  assert.deepEqual(specified('inch', 'inch', [1 / 32, 11 + 5 / 64, 20.5, 10.3, 0.0156, 0]), ['1/32', '11\u00a05/64', '20\u00a01/2', '10.3', '1/64', '0']);
+  // More decimals than a sheet has, and thirds of an inch, are told.
+  assert.deepEqual([...specified('cm', 'cm', [1 / 3]), ...specified('inch', 'inch', [10 + 1 / 3])], ['0.333!', '10.333!']);
+});
+
+test('lengths of another unit are rounded, as sheet.md says, and told where nothing is left of them', () => {
+  assert.deepEqual(specified('cm', 'inch', [30.2, 2.54, 0]), ['11\u00a07/8', '1', '0']);
+  assert.deepEqual(specified('cm', 'inch', [0.05, 0.01]), ['1/32', '0!']);
+  assert.deepEqual(specified('inch', 'cm', [10 + 1 / 16, 10, 0.0001]), ['25.56', '25.4', '0.0!']);
+  assert.deepEqual(specified('inch', 'mm', [10 + 1 / 16]), ['255.6']);
+});
+
+test('tolerances are never printed larger than they are', () => {
+  assert.deepEqual(specified('cm', 'cm', [0.25, 0.3, 0.0009, 2 / 3], true), ['0.25', '0.3', '0.0!', '0.666!']);
+  assert.deepEqual(specified('inch', 'inch', [1 / 32, 3 / 64, 0.1, 0.3333], true), ['1/32', '3/64', '0.1', '0.333!']);
+  assert.deepEqual(specified('cm', 'inch', [0.5, 0.3, 0.1, 0.02, 1], true), ['3/16', '3/32', '1/32', '0!', '3/8']);
+  assert.deepEqual(specified('inch', 'cm', [1 / 4, 1 / 16], true), ['0.63', '0.15']);
+  for (let i = 1; i < 2000; ++i)
+    for (const [units, printedUnits, unit] of [
+      ['cm', 'inch', 2.54],
+      ['inch', 'cm', 1 / 2.54],
+      ['mm', 'inch', 25.4],
+      ['inch', 'mm', 1 / 25.4],
+    ]) {
+      const { value, isKept } = printedOf(i / 1000, { units, printedUnits }, true);
+      assert.ok(value * unit <= i / 1000 + 1e-6 && (!isKept || value > 0), `${i} ${units} ${printedUnits}`);
+    }
 });
 
 test('every language has every heading with the same places, and every care symbol has a name', () => {
