@@ -3,7 +3,7 @@ import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import '../api/support/real.mjs';
-import { readImage } from '../../../js/compare/index.mjs';
+import { encodePng, readImage } from '../../../js/compare/index.mjs';
 import { createSheet } from '../../../js/sheet/index.mjs';
 import { layOut } from '../../../js/sheet/sheet.mjs';
 import { judgedFolder } from './judged_folder.mjs';
@@ -94,6 +94,25 @@ test('a scale that a row of flats cannot have is refused; neighbours of one scal
 test('a part that is to be stitched and is not there is named', async () => {
   const spec = { ...FLAT, flats: { stitched: [{ node: 'hem' }] }, paper: { size: 'A3' } };
   await assert.rejects(createSheet(model, spec, options()), { code: 'E_SPEC', pointer: '/flats/stitched', message: /^spec\.flats\.stitched: .*hem/ });
+});
+
+test('artwork is shown whole at its size; sides that are not of its proportions are refused', async () => {
+  const resolve = () => encodePng({ width: 400, height: 200, data: new Uint8Array(400 * 200 * 4).fill(200) });
+  const print = (sides) => ({ artwork: [{ name: 'Print' }, { name: 'Badge', image: 'badge.png', ...sides }] });
+  const imagesOf = async (sides) => {
+    const { files } = await createSheet(model, print(sides), { ...options({ resolve }), format: 'svg' });
+    const page = files.at(-1).toString();
+    assert.doesNotMatch(page, /clip-path/, 'nothing is cut off');
+    return [...page.matchAll(/<image [^>]*width="([\d.]+)" height="([\d.]+)"/g)].map(([, ...lengths]) => lengths.map((length) => (Number(length) * 25.4) / 72));
+  };
+  const isNear = ([width, height], wanted) => assert.ok(Math.abs(width - wanted[0]) < 0.01 && Math.abs(height - wanted[1]) < 0.01, `${width} x ${height} mm`);
+  isNear((await imagesOf({ width: 5 }))[0], [50, 25]);
+  isNear((await imagesOf({ width: 5, height: 2.51 }))[0], [50, 25.1]);
+  await assert.rejects(imagesOf({ width: 5, height: 2.52 }), {
+    code: 'E_SPEC',
+    pointer: '/artwork/1/height',
+    message: 'spec.artwork[1].height: expected 2.5, as the image has 400 x 200 pixels, or no height, got 2.52',
+  });
 });
 
 /** Pixels of a row that are neither black nor white: of an edge that was drawn at its scale a few, of one that was enlarged many. */
