@@ -1,6 +1,6 @@
 import { HEADING } from '../layout.mjs';
 import { ratioOf } from '../scale.mjs';
-import { GAP, coverViews, rowOfViews } from './cover.mjs';
+import { coverViews, roomOfRow, rowOfViews } from './cover.mjs';
 
 /** Pages of the views that no other page shows, and of all flats beside each other: rows of one scale. */
 
@@ -20,11 +20,13 @@ function rowsOf(layout, views, box) {
   return rows;
 }
 
-/** Whether views of a given scale stand side by side. */
+/** Whether views of a given scale stand side by side, each of them whole. */
 function fits(layout, views, box) {
-  const ratio = ratioOf(views[0].scale);
-  const width = views.reduce((sum, view) => sum + (1000 * layout.extent(view).width) / ratio, 0);
-  return width <= box.width - (GAP + 4) * views.length;
+  const room = roomOfRow(layout, views, box);
+  const onPaper = (length) => (1000 * length) / ratioOf(views[0].scale);
+  const extents = views.map((view) => layout.extent(view));
+  const width = extents.reduce((sum, extent) => sum + onPaper(extent.width), 0);
+  return width <= room.width && extents.every(({ height }) => onPaper(height) <= room.height);
 }
 
 export function viewPages(layout) {
@@ -34,11 +36,8 @@ export function viewPages(layout) {
   const left = spec.views.filter((view) => !coverViews(spec).includes(view) && isLeft(view));
   const box = { width: page.box.width, height: page.box.height - HEADING };
   return rowsOf(layout, left, box).map((views) => {
-    // A view alone says what is wrong with its scale.
-    const ratio =
-      views[0].scale === 'fit'
-        ? undefined
-        : layout.ratio(views[0], { width: box.width - 8, height: box.height - layout.captionRoom(views, box.width / views.length) - 4 });
+    // Views that share a row fit; a view alone says what is wrong with its scale.
+    const ratio = views[0].scale === 'fit' ? undefined : layout.ratio(views[0], roomOfRow(layout, views, box));
     const flat = views[0].style === 'flat';
     return { kind: 'figure', break: true, title: words(flat ? 'flats' : 'views'), note: null, figure: rowOfViews(layout, views, box, ratio) };
   });

@@ -6,6 +6,7 @@ import '../api/support/real.mjs';
 import { encodePng, readImage } from '../../../js/compare/index.mjs';
 import { createSheet } from '../../../js/sheet/index.mjs';
 import { layOut } from '../../../js/sheet/sheet.mjs';
+import { figureFaults } from './documents.mjs';
 import { judgedFolder } from './judged_folder.mjs';
 import { CHEAP, openSquare } from './square.mjs';
 
@@ -89,6 +90,29 @@ test('a scale that a row of flats cannot have is refused; neighbours of one scal
       pointer: '/views/1/scale',
     },
   );
+});
+
+test('each view of a row is whole: a higher one has a page of its own, or is refused', async () => {
+  const flat = (view) => ({ style: 'flat', scale: '1:2', cover: false, ...view });
+  const [low, high] = [flat({ name: 'low', azimuth: 0, elevation: 80 }), flat({ name: 'high', azimuth: 70 })];
+  const figuresOf = async (views) => {
+    const { sections, engine } = await layOut(
+      model,
+      { views: [{ name: 'cover', cover: true }, ...views] },
+      options({ format: 'pdf', fonts: [], templates: {} }),
+    );
+    engine.close();
+    const figures = sections.filter(({ kind }) => kind === 'figure').map(({ figure }) => figure);
+    assert.deepEqual(figures.flatMap(figureFaults), []);
+    return figures.map(({ pictures }) => pictures.length);
+  };
+  assert.deepEqual(await figuresOf([low, high]), [2]);
+  // Beside another the long name has more lines, which leave less room.
+  assert.deepEqual(await figuresOf([{ ...low, title: 'a long name '.repeat(9) }, high].map((view) => ({ ...view, scale: '1:1.98' }))), [1, 1]);
+  const refused = [low, high].map((view) => ({ ...view, scale: '1:1.8' }));
+  await assert.rejects(figuresOf(refused), { code: 'E_SPEC', pointer: '/views/2/scale', message: /expected a scale at which 57 x 167 mm fit into/ });
+  // Of one whose scale is to fit, the white around it counts too.
+  assert.deepEqual(await figuresOf([flat({ name: 'wide', azimuth: 0, elevation: 88, scale: 'fit' })]), [1]);
 });
 
 test('a part that is to be stitched and is not there is named', async () => {
