@@ -8,8 +8,8 @@
  */
 export function specifiedIn({ values, grade }, size, { sizes, baseSize }) {
   if (size === undefined) return undefined;
-  if (values[size] !== undefined) return values[size];
-  if (grade === undefined || values[baseSize] === undefined) return undefined;
+  if (Object.hasOwn(values, size)) return values[size];
+  if (grade === undefined || baseSize === undefined || !Object.hasOwn(values, baseSize)) return undefined;
   // Without what sums of doubles leave: 0.1 + 0.2.
   return Number((values[baseSize] + grade * (sizes.indexOf(size) - sizes.indexOf(baseSize))).toFixed(9));
 }

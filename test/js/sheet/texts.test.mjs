@@ -140,6 +140,72 @@ test('what differs between revisions is named; what only moves does not', () => 
   assert.deepEqual(changesBetween({}, { notes: 'a' }), ['/notes']);
 });
 
+test('points of measure are compared by their lengths and places', () => {
+  const spec = {
+    units: 'cm',
+    header: { sizes: ['S', 'M', 'L'], baseSize: 'M' },
+    anchors: { hps: [0, 0.7, 0], hem: [0, 0, 0], pit: [0.3, 0.4, 0] },
+    measures: [
+      { code: 'A', points: ['hps', 'hem'], tolerance: 1, values: { M: 50 }, grade: 2 },
+      { code: 'B', girth: { point: 'pit' }, values: { M: 90 } },
+    ],
+    artwork: [{ name: 'Print', width: 10 }],
+  };
+  const changed = (changes) => changesBetween(spec, { ...spec, ...changes }).filter((pointer) => /measures|artwork/.test(pointer));
+  assert.deepEqual(changed({ units: 'inch' }), ['/measures/0', '/measures/1', '/artwork/0']);
+  assert.deepEqual(changed({ header: { ...spec.header, baseSize: 'S' }, measures: [{ ...spec.measures[0], values: { S: 50 } }] }), ['/measures/0']);
+  assert.deepEqual(changed({ header: { ...spec.header, sizes: ['S', 'X', 'M', 'L'] } }), ['/measures/0']);
+  assert.deepEqual(changed({ anchors: { ...spec.anchors, hem: [0, 0.01, 0] } }), ['/measures/0']);
+  assert.deepEqual(changed({ anchors: { ...spec.anchors, pit: [0.3, 0.41, 0] } }), ['/measures/1']);
+  // The same lengths and places in other words.
+  const inMillimetres = {
+    units: 'mm',
+    anchors: { neck: [0, 0.7, 0], ...spec.anchors },
+    measures: [
+      { ...spec.measures[0], points: ['neck', [0, 0, 0]], tolerance: 10, values: { S: 480, M: 500, L: 520 }, grade: undefined },
+      { ...spec.measures[1], values: { M: 900 } },
+    ],
+    artwork: [{ name: 'Print', width: 100 }],
+  };
+  assert.deepEqual(changed(inMillimetres), []);
+  // Centimetres where nothing says another unit.
+  const { units, ...rest } = spec;
+  assert.deepEqual(changesBetween(rest, spec), ['/units']);
+});
+
+test('of items with one name the n-th is compared with the n-th', () => {
+  const callouts = ['Bar tack', 'Bar tack', 'Hem'].map((text, i) => ({ text, picture: [0.1 * (i + 1), 0.5] }));
+  assert.deepEqual(changesBetween({ callouts }, { callouts }), []);
+  const bill = [
+    { item: 'Thread', placement: 'Hem' },
+    { item: 'Thread', placement: 'Seams' },
+  ];
+  assert.deepEqual(changesBetween({ bill }, { bill: [bill[0], { ...bill[1], placement: 'Sides' }, bill[0]] }), ['/bill/1', '/bill/2']);
+});
+
+test('what is no spec is compared too', () => {
+  const odd = [
+    null,
+    5,
+    'a',
+    [],
+    [null],
+    [[1]],
+    [{}],
+    { a: 1 },
+    [{ code: 'A', points: 5, girth: 'x', values: 'y', grade: 2 }],
+    [{ code: 'A', values: { __proto__: null, M: 'x' }, grade: 1 }],
+  ];
+  for (const measures of odd)
+    for (const header of [...odd, { sizes: 'SML', baseSize: 'M' }, { sizes: ['M'], baseSize: 'M' }])
+      for (const units of [undefined, 'furlong', 'constructor', 3]) {
+        const spec = { units, header, measures, anchors: header, artwork: measures };
+        assert.deepEqual(changesBetween(spec, spec), []);
+        changesBetween({ measures: odd }, spec);
+        changesBetween(spec, { measures: [{ code: 'A', values: { M: 1 }, grade: 2 }], header: { sizes: ['M'], baseSize: 'M' } });
+      }
+});
+
 test('the bundled fonts have Latin, Greek and Cyrillic; a character that they lack is named with its place', async () => {
   const bundled = await bundledFonts();
   const fonts = readFonts(bundled, bundled.length);
