@@ -3,6 +3,7 @@ import { complaint, nearest, pointerText, shown, wrongValue } from '../shot/comp
 import { PLACES } from './lengths.mjs';
 import { ratioOf } from './scale.mjs';
 import { specSchema } from './schema.mjs';
+import { specifiedIn } from './specified.mjs';
 import { WHERE } from './table/views.mjs';
 
 /** Reads a spec: its values by the table, then what the table cannot say of one value alone. */
@@ -109,6 +110,13 @@ function checkMeasure(measure, path, { header, anchors }) {
   for (const size of Object.keys(measure.values)) checkName([...path, 'values', size], size, sizes, 'size in spec.header.sizes');
   if (measure.grade !== undefined && measure.values[baseSize] === undefined)
     throw wrong([...path, 'grade'], 'a length in `values` for the size spec.header.baseSize, from which it grows', measure.grade);
+  const negative = sizes.find((size) => specifiedIn(measure, size, header) < 0);
+  if (negative !== undefined)
+    throw wrong(
+      [...path, 'grade'],
+      `one that leaves a length of at least 0 in size ${shown(negative)}, not ${specifiedIn(measure, negative, header)}`,
+      measure.grade,
+    );
 }
 
 const DEFAULT_VIEWS = [
