@@ -8,6 +8,7 @@ import { readImage, encodePng } from '../../../js/compare/index.mjs';
 import { createSheet, firstSpec } from '../../../js/sheet/index.mjs';
 import { readOptions } from '../../../js/sheet/options.mjs';
 import { layOut } from '../../../js/sheet/sheet.mjs';
+import { strip } from '../api/support/strip.mjs';
 import { judgedFolder } from './judged_folder.mjs';
 import { CHEAP, openSquare } from './square.mjs';
 
@@ -207,6 +208,19 @@ test('a call-out outside of its view, a part that is not there, an image that is
   await refused({ measures: [{ code: 'A', description: 'a', border: true, part: { node: 'sleeve' } }] }, 'E_FRAME', '/measures/0').catch(() => {});
   await assert.rejects(sheet({}, { template: 'x' }), { code: 'E_OPTION' });
   await assert.rejects(createSheet(model, {}, {}), { code: 'E_OPTION', message: /options\.renderer/ });
+});
+
+test('a name of the model that no font has is refused where it is printed', async () => {
+  const file = JSON.parse(strip());
+  file.scenes[0].name = '袖';
+  const named = await renderer.load(Buffer.from(JSON.stringify(file)));
+  const made = (header) => createSheet(named, { header, ppi: 36 }, { renderer, shot: CHEAP });
+  await assert.rejects(made({}), {
+    code: 'E_SPEC',
+    pointer: '/header/name',
+    message: /^the name of the model, in place of spec\.header\.name: no font has U\+8896 "袖"/,
+  });
+  assert.equal((await made({ style: 'TL-01' })).files.length, 1);
 });
 
 test('a logo that is a bomb is refused by the limits of images', async () => {
