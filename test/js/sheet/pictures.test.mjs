@@ -115,6 +115,26 @@ test('each view of a row is whole: a higher one has a page of its own, or is ref
   assert.deepEqual(await figuresOf([flat({ name: 'wide', azimuth: 0, elevation: 88, scale: 'fit' })]), [1]);
 });
 
+test('a view in a scale of its own has a page that keeps it, on the first page or not, and all flats stand together', async () => {
+  const figuresOf = async (spec) => {
+    const { sections, engine } = await layOut(model, spec, options({ format: 'pdf', fonts: [], templates: {} }));
+    engine.close();
+    return sections.filter(({ kind }) => kind === 'figure').map(({ title, figure }) => [title, ...figure.captions.map(({ note }) => note)]);
+  };
+  const [front, line] = [
+    { name: 'front', scale: '1:3' },
+    { name: 'line', style: 'flat' },
+  ];
+  const back = { name: 'back', view: 'back' };
+  assert.deepEqual(await figuresOf({ views: [back, front] }), [['Views', 'Scale 1:3']]);
+  assert.deepEqual(await figuresOf({ views: [front], details: [{ title: 'Corner', point: [0.15, 0.45, 0] }] }), [['Views', 'Scale 1:3']]);
+  assert.deepEqual(await figuresOf({ views: [front], callouts: [{ point: [0, 0.3, 0], text: 'x' }] }), [['Construction', 'Scale 1:3']]);
+  assert.deepEqual(await figuresOf({ views: [front], measures: [{ code: 'A', description: 'a', border: true }] }), [['Points of measure', 'Scale 1:3']]);
+  assert.deepEqual(await figuresOf({ views: [back, line, { ...line, name: 'other' }] }), [['Flats', 'Scale 1:2.5', 'Scale 1:2.5']]);
+  assert.deepEqual(await figuresOf({ views: [back, { name: 'front' }] }), []);
+  await assert.rejects(figuresOf({ views: [{ ...front, scale: '1:1' }] }), { code: 'E_SPEC', pointer: '/views/0/scale' });
+});
+
 test('a part that is to be stitched and is not there is named', async () => {
   const spec = { ...FLAT, flats: { stitched: [{ node: 'hem' }] }, paper: { size: 'A3' } };
   await assert.rejects(createSheet(model, spec, options()), { code: 'E_SPEC', pointer: '/flats/stitched', message: /^spec\.flats\.stitched: .*hem/ });
