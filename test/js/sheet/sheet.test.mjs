@@ -205,7 +205,7 @@ test('a call-out outside of its view, a part that is not there, an image that is
   await refused({ header: { logo: 'x.png' } }, 'E_SPEC', '/header/logo', { resolve: () => null });
   await refused({ header: { logo: 'x.png' } }, 'E_IMAGE_FORMAT', '/header/logo', { resolve: () => new Uint8Array(50) });
   await refused({ notes: '袖' }, 'E_SPEC', '/notes');
-  await refused({ measures: [{ code: 'A', description: 'a', border: true, part: { node: 'sleeve' } }] }, 'E_FRAME', '/measures/0').catch(() => {});
+  await refused({ measures: [{ code: 'A', description: 'a', border: true, part: { node: 'sleeve' } }] }, 'E_MEASURE', '/measures/0');
   await assert.rejects(sheet({}, { template: 'x' }), { code: 'E_OPTION' });
   await assert.rejects(createSheet(model, {}, {}), { code: 'E_OPTION', message: /options\.renderer/ });
 });
