@@ -3,7 +3,7 @@ import { PLACES } from '../lengths.mjs';
 import { ratioOf } from '../scale.mjs';
 import { coverViews, roomOfRow, rowOfViews } from './cover.mjs';
 
-/** Pages of the views that no other page shows, or none in the scale that they ask for, and of all flats beside each other: rows of one scale. */
+/** Pages of the views that no other page shows, or none in the scale that they ask for, and of all flats beside each other behind them: rows of one scale. */
 
 const ROW = 4;
 
@@ -40,7 +40,7 @@ function fits(layout, views, box) {
 
 export function viewPages(layout) {
   const { spec, words, page } = layout;
-  const left = spec.views.filter((view) => isLeft(spec, view));
+  const left = ['render', 'flat'].flatMap((style) => spec.views.filter((view) => view.style === style && isLeft(spec, view)));
   const box = { width: page.box.width, height: page.box.height - HEADING };
   return rowsOf(layout, left, box).map((views) => {
     // Views that share a row fit; a view alone says what is wrong with its scale.

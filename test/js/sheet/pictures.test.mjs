@@ -130,7 +130,11 @@ test('a view in a scale of its own has a page that keeps it, on the first page o
   assert.deepEqual(await figuresOf({ views: [front], details: [{ title: 'Corner', point: [0.15, 0.45, 0] }] }), [['Views', 'Scale 1:3']]);
   assert.deepEqual(await figuresOf({ views: [front], callouts: [{ point: [0, 0.3, 0], text: 'x' }] }), [['Construction', 'Scale 1:3']]);
   assert.deepEqual(await figuresOf({ views: [front], measures: [{ code: 'A', description: 'a', border: true }] }), [['Points of measure', 'Scale 1:3']]);
-  assert.deepEqual(await figuresOf({ views: [back, line, { ...line, name: 'other' }] }), [['Flats', 'Scale 1:2.5', 'Scale 1:2.5']]);
+  const between = { name: 'between', cover: false };
+  assert.deepEqual(await figuresOf({ views: [{ ...back, cover: true }, { ...line, cover: true }, between, { ...line, name: 'other', cover: false }] }), [
+    ['Views', 'Scale 1:2'],
+    ['Flats', 'Scale 1:2.5', 'Scale 1:2.5'],
+  ]);
   assert.deepEqual(await figuresOf({ views: [back, { name: 'front' }] }), []);
   await assert.rejects(figuresOf({ views: [{ ...front, scale: '1:1' }] }), { code: 'E_SPEC', pointer: '/views/0/scale' });
 });
