@@ -81,7 +81,7 @@ export const COMMANDS = {
               .option('--previous <file>', 'spec of the last revision: what differs is marked')
               .option('--font <file>', 'font for scripts beside Latin, Greek and Cyrillic; may be given again', collect)
               .option('--template <name=folder>', "folder of an own template, which the spec's `template` names", collect)
-              .option('--shot <file>', 'JSON of a shot whose light, shading and quality the pictures take; - is stdin')
+              .option('--shot <file>', 'JSON of a shot with the light, shading and quality of the pictures; other keys are refused; - is stdin')
               .option('--set <key=value>', 'one key of that shot, as in --set exposure=1.2; value is JSON or text', collect)
               .addOption(backend()),
           ),

@@ -3,6 +3,7 @@ import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
 import { createSheet, firstSpec } from '../sheet/index.mjs';
+import { checkShared } from '../sheet/shared_shot.mjs';
 import { removeUnfinished, writeFileAtomically } from '../api/atomic_file.mjs';
 import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
 import { checkModel } from './models.mjs';
@@ -31,6 +32,7 @@ export async function sheet(model, options, context) {
   const limits = readLimits(options.limit);
   const timeoutMs = readTimeout(options.timeoutMs);
   const shot = await readShotOptions(options, context);
+  checkShared(shot, 'shot');
   const [given, previous] = [await readSpecFile('--spec', options.spec, context), await readSpecFile('--previous', options.previous, context)];
   const fonts = await Promise.all((options.font ?? []).map((file) => readBytes('--font', file)));
   const templates = templatesOf(options.template);

@@ -147,7 +147,9 @@ export type ErrorCode =
   | 'W_TEXTURE'
   | 'W_INSTANCING'
   | 'W_SHEET_FIT'
+  | 'W_SHEET_GIRTH'
   | 'W_SHEET_POINT'
+  | 'W_SHEET_ROUND'
   | 'W_SHEET_SIDE'
   | 'W_SKIN'
   | 'W_MORPH';

@@ -266,7 +266,12 @@ const ROWS = {
     W_TEXTURE: ['A texture has no usable image and is not drawn', FIX_FILE],
     W_INSTANCING: ['Instances are not drawn as the file says, or not as three.js draws them', 'The message names the reason.'],
     W_SHEET_FIT: ['A part of a sheet finds no room in its figure', 'The message says where it stands instead; use a larger paper, or other views.'],
-    W_SHEET_POINT: ['A point of measure lies off the garment', 'It is moved to the nearest point of the surface: check the anchors.'],
+    W_SHEET_GIRTH: ['A girth of a sheet does not close', 'Its length is that of an open line: check its point and its part, or close gaps with `join`.'],
+    W_SHEET_POINT: ['A point of measure lies off the garment', 'The nearest point of the surface, or the nearest line around it, is taken: check the anchors.'],
+    W_SHEET_ROUND: [
+      'A length of the spec of a sheet is printed as another one',
+      'The message says which: print it in the `units` of the spec, or give it with fewer digits.',
+    ],
     W_SHEET_SIDE: ['A call-out stands on the other side than was wished', 'Leave out its side, or give it to fewer call-outs.'],
     W_SKIN: ['A part of a skin is not applied', 'As in three.js; the message names the part.'],
     W_MORPH: ['A part of a morph target is not applied', 'As in three.js; the message names the part.'],

@@ -1,5 +1,6 @@
 import { checkObject, checkSignal, isObject, loading, wrongOption } from '../api/options.mjs';
 import { bytesOf } from '../api/source.mjs';
+import { checkShared } from '../sheet/shared_shot.mjs';
 
 /** Options of the methods that a pool has beside those of a renderer. */
 
@@ -58,6 +59,8 @@ export function sheetOptions(spec, options, defaults) {
   checkObject('options', options, ['name', 'format', 'fonts', 'images', 'templates', 'shot', 'previous', 'timeoutMs', 'signal', 'onProgress']);
   const { name = '', format = 'pdf', fonts = [], images, templates = {}, shot = {}, previous, timeoutMs, signal, onProgress } = options;
   if (typeof name !== 'string') throw wrongOption('options.name', 'a text', name);
+  if (!isObject(shot)) throw wrongOption('options.shot', 'an object', shot);
+  checkShared(shot);
   if (!Array.isArray(fonts)) throw wrongOption('options.fonts', 'a list of fonts', fonts);
   if (images !== undefined && !isObject(images)) throw wrongOption('options.images', 'an object of bytes by name', images);
   if (onProgress !== undefined && typeof onProgress !== 'function') throw wrongOption('options.onProgress', 'a function', onProgress);

@@ -1,13 +1,14 @@
 import { GATES } from '../compare/gates.mjs';
 import { FAIL_ON } from '../api/options.mjs';
 import { SHEET_FORMATS } from '../sheet/options.mjs';
+import { SHARED, checkShared } from '../sheet/shared_shot.mjs';
 import { SHOT } from '../shot/table/index.mjs';
 import { boolean, but, choice, list, number, object, record, text } from '../shot/table/rows.mjs';
 import { SHEET } from '../sheet/table/index.mjs';
 
 /**
  * What each route reads of a request, beside its files: keys of a JSON body, fields of a form, or parameters of the address.
- * `late`: the worker checks it.
+ * `late`: the worker checks it; `check`: but for this, which is seen at once.
  */
 
 const late = (row, doc) => ({ ...but(row, { optional: true, default: undefined, doc }), late: true });
@@ -52,7 +53,7 @@ export const REQUESTS = Object.freeze({
       model,
       spec: late(SHEET, 'What the sheet says; without it, it is made from the model'),
       previous: late(SHEET, 'The spec of the last revision: what differs is marked'),
-      shot: late(SHOT, 'Light, shading and quality of the pictures'),
+      shot: { ...late(SHOT, `Light, shading and quality of the pictures: ${SHARED.join(', ')}`), check: checkShared },
       name: text('Name of the style where the spec is made from the model', 'text', { max: 200, default: '' }),
       format: choice('One PDF, or one SVG or PNG a page; by default as `accept` says', SHEET_FORMATS, { optional: true }),
     },

@@ -74,6 +74,7 @@ function checked(kind, given) {
   for (const [key, value] of lateOnes) {
     if (keys[key].kind === 'list' ? !Array.isArray(value) : !isObject(value)) throw wrongKey(key, keys[key].kind === 'list' ? 'a list' : 'an object', value);
   }
+  for (const [key, value] of lateOnes) keys[key].check?.(value, `request.${key}`);
   const now = Object.fromEntries(Object.entries(given).filter(([key]) => !keys[key].late));
   const result = schemaOf(kind).safeParse(now);
   if (!result.success) throw complaint(result.error.issues, now, schemaOf(kind), { about: ABOUT });

@@ -1,6 +1,8 @@
 import { pointerText } from '../shot/complain.mjs';
+import { specifiedIn } from './specified.mjs';
+import { UNITS } from './table/index.mjs';
 
-/** What differs between two specs. */
+/** What differs between two specs. They are as callers wrote them, and may be anything. */
 
 const isObject = (value) => typeof value === 'object' && value !== null;
 
@@ -17,10 +19,59 @@ const NAMES = {
   callouts: ['text'],
 };
 
+const own = (object, key) => (isObject(object) && Object.hasOwn(object, key) ? object[key] : undefined);
+
+/** A length as millimetres; what is no number stays. */
+function millimetres(length, { units = 'cm' }) {
+  const unit = own(UNITS, units);
+  return typeof length === 'number' && unit ? Number((length * unit).toFixed(6)) : length;
+}
+
+/** The specified lengths of a point of measure by size. */
+function lengthsOf({ values, grade }, spec) {
+  const sizes = own(spec.header, 'sizes');
+  const header = { sizes: Array.isArray(sizes) ? sizes : [], baseSize: own(spec.header, 'baseSize') };
+  const given = isObject(values) ? values : {};
+  const isGraded = typeof grade === 'number' && typeof own(given, header.baseSize) === 'number' && header.sizes.includes(header.baseSize);
+  const named = isGraded ? [...Object.keys(given), ...header.sizes] : Object.keys(given);
+  return Object.fromEntries(named.map((size) => [size, millimetres(specifiedIn({ values: given, grade }, size, header), spec)]));
+}
+
+/** A point of measure by what it comes to: lengths in millimetres, and places for the names of anchors. */
+function measureOf(measure, spec) {
+  const place = (point) => (typeof point === 'string' ? (own(spec.anchors, point) ?? point) : point);
+  const { points, girth, tolerance, values, grade, ...rest } = measure;
+  return {
+    ...rest,
+    points: Array.isArray(points) ? points.map(place) : points,
+    girth: isObject(girth) ? { ...girth, point: place(girth.point) } : girth,
+    tolerance: millimetres(tolerance, spec),
+    lengths: lengthsOf({ values, grade }, spec),
+  };
+}
+
+const printOf = (print, spec) => ({ ...print, width: millimetres(print.width, spec), height: millimetres(print.height, spec) });
+
+/** What items are compared by, where that depends on the rest of a spec. */
+const RESOLVED = { measures: measureOf, artwork: printOf };
+
 function isSame(a, b) {
   if (!isObject(a) || !isObject(b)) return Object.is(a, b);
   const keys = new Set([...Object.keys(a), ...Object.keys(b)]);
   return [...keys].every((key) => isSame(a[key], b[key]));
+}
+
+/** The item of the last revision that each item is compared with: the n-th of a name with the n-th. */
+function matched(list, items, before) {
+  if (!NAMES[list]) return items.map((_, i) => before[i]);
+  const nameOf = (item) => NAMES[list].map((key) => own(item, key) ?? '').join('\u0000');
+  const known = new Map();
+  for (const item of [...before].reverse()) {
+    const name = nameOf(item);
+    if (known.has(name)) known.get(name).push(item);
+    else known.set(name, [item]);
+  }
+  return items.map((item) => known.get(nameOf(item))?.pop());
 }
 
 /**
@@ -37,11 +88,10 @@ export function changesBetween(before, after) {
       if (!isObject(value) && !isSame(value, before[list])) changes.push(pointerText([list]));
       continue;
     }
-    const nameOf = (item) => (NAMES[list] ?? []).map((key) => item?.[key] ?? '').join('\u0000');
-    const known = Array.isArray(before[list]) ? before[list] : [];
+    const resolved = (item, spec) => (RESOLVED[list] && isObject(item) ? RESOLVED[list](item, spec) : item);
+    const old = matched(list, value, Array.isArray(before[list]) ? before[list] : []);
     value.forEach((item, i) => {
-      const old = NAMES[list] ? known.find((each) => nameOf(each) === nameOf(item)) : known[i];
-      if (!isSame(item, old)) changes.push(pointerText([list, i]));
+      if (!isSame(resolved(item, after), resolved(old[i], before))) changes.push(pointerText([list, i]));
     });
   }
   return changes;

@@ -1,5 +1,6 @@
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
+import { checkText } from './fonts.mjs';
 import { ABOUT } from './read.mjs';
 
 /** Lists of colours that a user brings: CSV (RFC 4180, or with semicolons) of a name and CIE Lab. */
@@ -12,7 +13,9 @@ const SEPARATORS = [';', '\t', ','];
 /** Columns by their heading; without a heading a row is name, L, a, b. */
 const HEADINGS = { name: /^(name|colou?r|nombre|color name)$/i, L: /^(cie[ -]?)?L\*?$/i, a: /^(cie[ -]?)?a\*?$/i, b: /^(cie[ -]?)?b\*?$/i };
 
-const wrong = (message) => new TelarError(ABOUT.code, `spec.colourList.file: ${message}`, { pointer: '/colourList/file' });
+const [PLACE, POINTER] = ['spec.colourList.file', '/colourList/file'];
+
+const wrong = (message) => new TelarError(ABOUT.code, `${PLACE}: ${message}`, { pointer: POINTER });
 
 /** End of a quoted cell that begins at `at`: the quote that is not doubled. */
 function quoteEnd(line, at) {
@@ -44,7 +47,7 @@ function columnsOf(cells) {
   return found.every(([, index]) => index >= 0) ? Object.fromEntries(found) : undefined;
 }
 
-function colourOf(cells, columns, { separator, line }) {
+function colourOf(cells, columns, { separator, line, fonts }) {
   const name = cells?.[columns.name]?.trim() ?? '';
   const lab = ['L', 'a', 'b'].map((key) => numberOf(cells?.[columns[key]], separator));
   const isLab = lab.every(Number.isFinite) && lab[0] >= 0 && lab[0] <= 100 && Math.abs(lab[1]) <= 200 && Math.abs(lab[2]) <= 200;
@@ -52,15 +55,17 @@ function colourOf(cells, columns, { separator, line }) {
     throw wrong(
       `line ${line}: expected a name of at most ${NAME_MAX} characters, L in [0, 100], and a and b in [-200, 200], got ${shown(cells?.join(separator) ?? '')}`,
     );
+  if (fonts) checkText(name, fonts, { place: `${PLACE}: line ${line}`, pointer: POINTER });
   return { name, lab };
 }
 
 /**
  * @param {Uint8Array} bytes
+ * @param {object} [fonts] of readFonts, which have to have the characters of the names
  * @returns {{name: string, lab: number[]}[]}
  * @throws {TelarError} E_SPEC with the line
  */
-export function readColourList(bytes) {
+export function readColourList(bytes, fonts) {
   if (bytes.length > BYTES_MAX) throw wrong(`it has ${bytes.length} bytes, more than ${BYTES_MAX}`);
   const lines = new TextDecoder()
     .decode(bytes)
@@ -74,5 +79,5 @@ export function readColourList(bytes) {
   const columns = heading ?? { name: 0, L: 1, a: 2, b: 3 };
   const rows = heading ? lines.slice(1) : lines;
   if (rows.length === 0) throw wrong('expected rows of a name, L, a and b beneath the heading, got none');
-  return rows.map(({ text, line }) => colourOf(cellsOf(text, separator), columns, { separator, line }));
+  return rows.map(({ text, line }) => colourOf(cellsOf(text, separator), columns, { separator, line, fonts }));
 }

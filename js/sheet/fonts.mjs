@@ -125,20 +125,24 @@ const isInvisible = (c) =>
 
 /**
  * Refuses a text that the fonts cannot show: nothing is printed as empty boxes.
- * @throws {TelarError} E_SPEC with the pointer of the text
+ * @param {string} text
+ * @param {{has: (character: number) => boolean}} fonts
+ * @param {{place: string, pointer: string}} where place: as the message names it
+ * @throws {TelarError} E_SPEC
  */
+export function checkText(text, fonts, { place, pointer }) {
+  const missing = [...text].find((character) => !isInvisible(character.codePointAt(0)) && !fonts.has(character.codePointAt(0)));
+  if (missing === undefined) return;
+  const code = missing.codePointAt(0).toString(16).toUpperCase().padStart(4, '0');
+  throw new TelarError(ABOUT.code, `${place}: no font has U+${code} "${missing}"; give one that does with the option fonts, --font FILE`, { pointer });
+}
+
+/** The same of all texts of a spec. @throws {TelarError} E_SPEC with the pointer of the text */
 export function checkCharacters(value, fonts, path = []) {
   if (typeof value === 'string') {
-    const missing = [...value].find((character) => !isInvisible(character.codePointAt(0)) && !fonts.has(character.codePointAt(0)));
-    if (missing === undefined) return;
-    const code = missing.codePointAt(0).toString(16).toUpperCase().padStart(4, '0');
-    throw new TelarError(
-      ABOUT.code,
-      `spec${path.map((key) => (typeof key === 'number' ? `[${key}]` : `.${key}`)).join('')}: no font has U+${code} "${missing}"; give one that does with the option fonts, --font FILE`,
-      {
-        pointer: pointerText(path),
-      },
-    );
+    const place = `spec${path.map((key) => (typeof key === 'number' ? `[${key}]` : `.${key}`)).join('')}`;
+    checkText(value, fonts, { place, pointer: pointerText(path) });
+    return;
   }
   if (typeof value !== 'object' || value === null) return;
   for (const [key, inner] of Object.entries(value)) checkCharacters(inner, fonts, [...path, Array.isArray(value) ? Number(key) : key]);

@@ -29,11 +29,10 @@ export interface SheetOptions {
    */
   templates?: Record<string, string>;
   /**
-   * What the pictures share: environment, lights, shading, quality, exposure, tone mapping. Size, camera, variant, background and output are the
-   * sheet's own.
+   * What the pictures share. Other keys of a shot are refused (E_OPTION): what the garment is, and where it is seen from, is the spec's.
    * @default {}
    */
-  shot?: Shot;
+  shot?: Pick<Shot, 'environment' | 'lights' | 'modelLights' | 'shading' | 'toneMapping' | 'exposure' | 'metering' | 'quality'>;
   /**
    * The spec of the last revision: what differs from it is marked.
    * @default undefined

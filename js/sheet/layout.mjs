@@ -1,7 +1,8 @@
 import { PAPERS } from './table/index.mjs';
 import { basisOf, extentOf, fittingRatio, ratioOf, scaleText } from './scale.mjs';
-import { wrongValue } from '../shot/complain.mjs';
+import { pointerText, wrongValue } from '../shot/complain.mjs';
 import { ABOUT } from './read.mjs';
+import { printedText } from './units.mjs';
 
 /** Measures of a page, and what its pages share. Millimetres. */
 
@@ -57,6 +58,13 @@ export class Layout {
 
   warn(code, message, pointer) {
     this.warnings.push({ code, message, pointer });
+  }
+
+  /** Tells of a length of the spec that is printed as another one. @param {(string | number)[]} path @param {number} length in the spec's units */
+  roundedAt(path, length, printed) {
+    const { units, printedUnits } = this.spec;
+    const at = path.map((key, i) => (typeof key === 'number' ? `[${key}]` : `${i > 0 ? '.' : ''}${key}`)).join('');
+    this.warn('W_SHEET_ROUND', `spec.${at}: ${length} ${units} is printed as ${printedText(printed)} ${printedUnits}`, pointerText(path));
   }
 
   #indexOf({ name }) {

@@ -1,4 +1,5 @@
 import { TelarError } from '../error/index.mjs';
+import { dot, subtract } from '../shot/frame.mjs';
 
 /** The lengths of points of measure, on the model. */
 
@@ -23,6 +24,44 @@ function pathOf(measured, { closed: isAsked }) {
   return { path: polyline, isLoop: closed };
 }
 
+/** Metres from a point to a line. */
+function distanceTo(point, { polyline, closed }) {
+  const ends = closed ? [...polyline.slice(1), polyline[0]] : polyline.slice(1);
+  const distances = ends.map((end, i) => {
+    const [along, to] = [subtract(end, polyline[i]), subtract(point, polyline[i])];
+    const part = Math.min(1, Math.max(0, dot(to, along) / dot(along, along) || 0));
+    return Math.hypot(
+      ...subtract(
+        to,
+        along.map((x) => part * x),
+      ),
+    );
+  });
+  return Math.min(...distances);
+}
+
+/** Tells of points that lie off what was measured, and of a girth that does not close. */
+async function warnOf(measured, ask, { code, pointer, warn, section }) {
+  const name = JSON.stringify(code);
+  const millimetres = (metres) => Math.round(1000 * metres);
+  measured.points?.forEach(({ moved }, i) => {
+    if (moved > MOVED) warn('W_SHEET_POINT', `spec.measures: a point of ${name} is ${millimetres(moved)} mm off the garment`, `${pointer}/points/${i}`);
+  });
+  if (!ask.girth) return;
+  if (!measured.closed)
+    warn('W_SHEET_GIRTH', `spec.measures: the girth ${name} does not close around the part; what is measured is an open line`, `${pointer}/girth`);
+  const { point, tight } = ask.girth;
+  if (distanceTo(point, measured) <= MOVED) return;
+  // A tape that is drawn tight leaves hollows: what counts is the cloth in the plane.
+  const distance = distanceTo(point, tight ? await section() : measured);
+  if (distance > MOVED)
+    warn(
+      'W_SHEET_POINT',
+      `spec.measures: the point of the girth ${name} is ${millimetres(distance)} mm off the line that is measured`,
+      `${pointer}/girth/point`,
+    );
+}
+
 /**
  * @param {object} measure of readSpec
  * @param {{model: object, anchors: object, variant: string, pointer: string, call: {signal?: AbortSignal, timeoutMs?: number | null}, warn: (code: string, message: string, pointer: string) => void}} context
@@ -34,14 +73,8 @@ export async function lengthOf(measure, { model, anchors, variant, pointer, call
   if (!ask) return {};
   try {
     const measured = await model.measure({ ...ask, variant, ...call });
-    measured.points?.forEach(({ moved }, i) => {
-      if (moved > MOVED)
-        warn(
-          'W_SHEET_POINT',
-          `spec.measures: a point of ${JSON.stringify(measure.code)} is ${Math.round(1000 * moved)} mm off the garment`,
-          `${pointer}/points/${i}`,
-        );
-    });
+    const section = () => model.measure({ ...ask, girth: { ...ask.girth, tight: false }, variant, ...call });
+    await warnOf(measured, ask, { code: measure.code, pointer, warn, section });
     return { length: 1000 * measured.length * measure.times, ...pathOf(measured, measure) };
   } catch (thrown) {
     if (!(thrown instanceof TelarError) || thrown.kind === 'cancelled') throw thrown;

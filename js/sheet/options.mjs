@@ -1,5 +1,6 @@
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
+import { checkShared } from './shared_shot.mjs';
 
 /** Options of createSheet. */
 
@@ -35,5 +36,6 @@ export function readOptions(options) {
     if (value !== undefined && !isRight(value)) throw wrong(key, expected, value);
   }
   if (!options.renderer) throw wrong('renderer', KNOWN.renderer[0], options.renderer);
+  checkShared(options.shot ?? {});
   return { ...DEFAULTS, ...Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined)) };
 }

@@ -3,6 +3,7 @@ import { complaint, nearest, pointerText, shown, wrongValue } from '../shot/comp
 import { PLACES } from './lengths.mjs';
 import { ratioOf } from './scale.mjs';
 import { specSchema } from './schema.mjs';
+import { specifiedIn } from './specified.mjs';
 import { WHERE } from './table/views.mjs';
 
 /** Reads a spec: its values by the table, then what the table cannot say of one value alone. */
@@ -39,15 +40,18 @@ const checkUnique = (list, key, path) =>
     (i) => [...path, i, key],
   );
 
-/** That a name is one of a list's. */
-function checkName(path, name, known, what) {
+/** That a name is one of a list's. @param {string[]} [told] those that a complaint names */
+function checkName(path, name, known, what, told = known) {
   if (name === undefined || known.includes(name)) return;
-  const near = nearest(name, known);
-  const hint = near ? `did you mean ${shown(near)}?` : known.length > 0 ? `there are ${known.slice(0, 8).map(shown).join(', ')}` : 'there is none';
+  const near = nearest(name, told);
+  const hint = near ? `did you mean ${shown(near)}?` : told.length > 0 ? `there are ${told.slice(0, 8).map(shown).join(', ')}` : 'there is none';
   throw new TelarError(ABOUT.code, `spec.${path.join('.').replaceAll(/\.(\d+)/g, '[$1]')}: there is no ${what} ${shown(name)}; ${hint}`, {
     pointer: pointerText(path),
   });
 }
+
+/** A variant is one of the model's, or "": the file's own materials. */
+const checkVariant = (path, { variant }, variants) => checkName([...path, 'variant'], variant, ['', ...variants], 'material variant', variants);
 
 /** A place of the whole model is another once parts have moved: lengths, and points given in metres. */
 function checkPlaces(spec) {
@@ -74,7 +78,7 @@ function checkWhere(item, path) {
 function checkView(view, path, { variants }) {
   if (view.view !== undefined && (view.azimuth !== undefined || view.elevation !== undefined))
     throw wrong([...path, 'view'], 'a named view, or azimuth and elevation, not both', view.view);
-  checkName([...path, 'variant'], view.variant, variants, 'material variant');
+  checkVariant(path, view, variants);
 }
 
 /** The smallest and the largest scale of a square of 10 cm: 1 cm and its own size fit into any paper. */
@@ -83,7 +87,7 @@ const SQUARE_RATIOS = [1, 10];
 function checkSwatch({ material, node, variant, scale }, path, { variants }) {
   if ((material === undefined) === (node === undefined))
     throw wrong(path, 'one of material, node', Object.fromEntries(Object.entries({ material, node }).filter(([, value]) => value !== undefined)));
-  checkName([...path, 'variant'], variant, variants, 'material variant');
+  checkVariant(path, { variant }, variants);
   const ratio = scale === 'fit' ? SQUARE_RATIOS[0] : ratioOf(scale);
   if (ratio < SQUARE_RATIOS[0] || ratio > SQUARE_RATIOS[1]) throw wrong([...path, 'scale'], 'a scale from "1:1" to "1:10"', scale);
 }
@@ -106,6 +110,13 @@ function checkMeasure(measure, path, { header, anchors }) {
   for (const size of Object.keys(measure.values)) checkName([...path, 'values', size], size, sizes, 'size in spec.header.sizes');
   if (measure.grade !== undefined && measure.values[baseSize] === undefined)
     throw wrong([...path, 'grade'], 'a length in `values` for the size spec.header.baseSize, from which it grows', measure.grade);
+  const negative = sizes.find((size) => specifiedIn(measure, size, header) < 0);
+  if (negative !== undefined)
+    throw wrong(
+      [...path, 'grade'],
+      `one that leaves a length of at least 0 in size ${shown(negative)}, not ${specifiedIn(measure, negative, header)}`,
+      measure.grade,
+    );
 }
 
 const DEFAULT_VIEWS = [
@@ -113,8 +124,8 @@ const DEFAULT_VIEWS = [
   { name: 'back', view: 'back', scale: 'fit', style: 'render', ghost: [], explode: 0 },
 ];
 
-/** The variant that pictures show where nothing says another: that of the first colourway. */
-const shownVariant = ({ colourways }) => colourways.find(({ variant }) => variant)?.variant ?? '';
+/** The variant that pictures show where nothing says another: that of the first colourway; "" where it has none: the file's own materials. */
+const shownVariant = ({ colourways }) => colourways[0]?.variant ?? '';
 
 /** A copy with the defaults that depend on other keys. */
 function completed(spec) {
@@ -133,6 +144,7 @@ function completed(spec) {
     callouts: seen(spec.callouts),
     details: seen(spec.details).map((detail) => ({ ...detail, style: detail.style ?? views.find(({ name }) => name === detail.view)?.style })),
     measures: seen(spec.measures),
+    colourways: spec.colourways.map((colourway) => ({ ...colourway, variant: colourway.variant ?? '' })),
     swatches: spec.swatches.map((swatch) => ({ ...swatch, variant: swatch.variant ?? shownVariant(spec) })),
   };
 }
@@ -171,7 +183,7 @@ export function readSpec(given, { variants = [] } = {}) {
   });
   checkPlaces(spec);
   const colourways = spec.colourways.map(({ name }) => name);
-  spec.colourways.forEach(({ variant }, i) => checkName(['colourways', i, 'variant'], variant, variants, 'material variant'));
+  spec.colourways.forEach((colourway, i) => checkVariant(['colourways', i], colourway, variants));
   result.data.swatches.forEach((swatch, i) => checkSwatch(swatch, ['swatches', i], { variants }));
   spec.colourways.forEach(({ swatches }, i) =>
     swatches.forEach(({ color, material }, k) => {

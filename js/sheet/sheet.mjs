@@ -1,7 +1,7 @@
 import { careSvg } from './care.mjs';
 import { changesBetween } from './changes.mjs';
 import { Engine, TEMPLATE, bundledFonts } from './engine.mjs';
-import { checkCharacters, readFonts } from './fonts.mjs';
+import { checkCharacters, checkText, readFonts } from './fonts.mjs';
 import { readImages } from './images.mjs';
 import { Layout } from './layout.mjs';
 import { lengthOf } from './lengths.mjs';
@@ -113,13 +113,16 @@ export async function layOut(source, given, settings) {
   const bundled = await bundledFonts();
   const fonts = readFonts([...bundled, ...extra], bundled.length);
   checkCharacters(given, fonts);
+  // The name of the model stands where the spec has none.
+  const isNamed = spec.header.name || spec.header.style;
+  if (facts.name && !isNamed) checkText(facts.name, fonts, { place: 'the name of the model, in place of spec.header.name', pointer: '/header/name' });
   const images = await readImages(spec, { resolve, limits, signal });
   const engine = await Engine.create({ fonts: [...bundled, ...extra], folder: folderOf(spec, templates) });
   try {
     const pictures = new Pictures(renderer, { ppi: spec.ppi, shot, flats: spec.flats, call });
     const changed = new Set(previous ? changesBetween(previous, given) : []);
     const layout = new Layout({ spec, facts, shown, words, pictures, engine, changed, images, fonts: fonts.families });
-    layout.squares = new Squares({ model, renderer, call, list: await colourListOf(spec, resolve) });
+    layout.squares = new Squares({ model, renderer, call, list: await colourListOf(spec, { resolve, fonts }) });
     layout.colours = [];
     layout.pointOf = (item, view, pointer) =>
       pointOf(item, { pointer, extent: layout.extent(view), variant: view.variant, renderer, model: layout.seen(view).model, call });

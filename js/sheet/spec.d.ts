@@ -62,7 +62,7 @@ export interface SheetSpec {
     azimuth?: number;
     /** Instead of `view`: degrees above the horizon. Range -90 to 90. */
     elevation?: number;
-    /** Name of a material variant of the model; default that of the first colourway. */
+    /** Name of a material variant of the model, or "": the materials that the file has without one; default that of the first colourway. */
     variant?: string;
     /** Scale on paper; "fit": the largest usual one that fits. @default "fit" */
     scale?: string;
@@ -208,7 +208,7 @@ export interface SheetSpec {
     name: string;
     /** Its code. */
     code?: string;
-    /** Material variant of the model that shows it. */
+    /** Material variant of the model that shows it; default "": the materials that the file has without one. */
     variant?: string;
     /** Its colours. @default [] */
     swatches?: Array<{
@@ -232,7 +232,7 @@ export interface SheetSpec {
     material?: number | string;
     /** Instead: index or name of a node, of which the material that covers most of it is meant. */
     node?: number | string;
-    /** Name of a material variant of the model; default that of the first colourway. */
+    /** Name of a material variant of the model, or "": the materials that the file has without one; default that of the first colourway. */
     variant?: string;
     /** Scale on paper, at least 1:10. @default "1:2" */
     scale?: string;

@@ -45,15 +45,15 @@ export function meanOf(colours, coverage) {
   return sums.map((sum) => (whole > 0 ? sum / whole : 0));
 }
 
-/** @throws {TelarError} E_SPEC where the file is not there or no list */
-export async function colourListOf({ colourList }, resolve) {
+/** @throws {TelarError} E_SPEC where the file is not there or no list, or the fonts cannot show a name of it */
+export async function colourListOf({ colourList }, { resolve, fonts }) {
   if (!colourList) return undefined;
   const bytes = await resolve?.(colourList.file);
   if (!bytes)
     throw new TelarError(ABOUT.code, `spec.colourList.file: there is no file ${JSON.stringify(colourList.file)}${resolve ? '' : '; give the option resolve'}`, {
       pointer: '/colourList/file',
     });
-  return { light: colourList.light, colours: readColourList(bytes) };
+  return { light: colourList.light, colours: readColourList(bytes, fonts) };
 }
 
 export class Squares {

@@ -54,7 +54,7 @@ function shownOf(views) {
 }
 
 /** Colours of a colourway: as the spec has them, or of a material in its variant. */
-export async function chipsOf(layout, { swatches, variant = '' }, i) {
+export async function chipsOf(layout, { swatches, variant }, i) {
   const chips = [];
   for (const [k, swatch] of swatches.entries()) {
     const { part = '', name, code = '', color, material } = swatch;
@@ -95,7 +95,7 @@ export async function colourwayPages(layout) {
         long: isLong(chips[i]),
         changed: layout.isChanged('colourways', i),
         pictures: views.map((view, k) => {
-          const { file, width: wide, height } = pictures.ask(extents[k], { ratio, ...layout.seen(view), variant: variant ?? view.variant });
+          const { file, width: wide, height } = pictures.ask(extents[k], { ratio, ...layout.seen(view), variant });
           return { file, width: wide, height, alt: `${name}: ${layout.altOf(view, ratio)}` };
         }),
         swatches: chips[i],

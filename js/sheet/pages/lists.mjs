@@ -1,4 +1,6 @@
-import { lengthText, millimetresOf } from '../units.mjs';
+import { millimetresOf, printedOf, printedText } from '../units.mjs';
+import { wrongValue } from '../../shot/complain.mjs';
+import { ABOUT } from '../read.mjs';
 import { scaleText } from '../scale.mjs';
 import { hexOf, isLong, listTable, shared } from './cells.mjs';
 
@@ -96,14 +98,32 @@ export function carePages({ spec, words, page }) {
 /** Room for a print beside its words, part of the page. */
 const PRINT = 0.55;
 
+/** How far the sides of a print may be off the proportions of its image, which is shown whole. */
+const STRETCHED = 0.005;
+
+/** @throws {TelarError} E_SPEC where width and height are not of the proportions of the image */
+function checkProportions({ width, height }, image, i) {
+  if (width === undefined || height === undefined) return;
+  const fitting = (width * image.height) / image.width;
+  if (Math.abs(height / fitting - 1) <= STRETCHED) return;
+  const expected = `${Number(fitting.toPrecision(4))}, as the image has ${image.width} x ${image.height} pixels, or no height`;
+  throw wrongValue(['artwork', i, 'height'], expected, height, ABOUT);
+}
+
 function printOf(layout, print, i) {
   const { spec, words, page, images } = layout;
   const image = print.image === undefined ? undefined : images.get(print.image);
   const wide = print.width === undefined ? undefined : millimetresOf(print.width, spec.units);
   const tall = print.height === undefined ? undefined : millimetresOf(print.height, spec.units);
+  const sideText = (key) => {
+    if (print[key] === undefined) return undefined;
+    const printed = printedOf(print[key], spec);
+    if (!printed.isKept) layout.roundedAt(['artwork', i, key], print[key], printed);
+    return printedText(printed);
+  };
   const facts = [
-    ['width', wide && `${lengthText(wide, spec.printedUnits)}`],
-    ['height', tall && `${lengthText(tall, spec.printedUnits)}`],
+    ['width', sideText('width')],
+    ['height', sideText('height')],
     ['position', print.position],
     ['technique', print.technique],
     ['colours', print.colours],
@@ -120,6 +140,7 @@ function printOf(layout, print, i) {
     changed: layout.isChanged('artwork', i),
   };
   if (image) {
+    checkProportions(print, image, i);
     const proportion = image.height / image.width;
     const size = { width: wide ?? (tall ? tall / proportion : 60), height: tall ?? (wide ?? 60) * proportion };
     const shrink = Math.min(1, (page.box.width * PRINT) / size.width, (page.box.height - 20) / size.height);

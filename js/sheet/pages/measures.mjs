@@ -1,7 +1,8 @@
 import { CAPTION_GAP, HEADING, emptyFigure } from '../layout.mjs';
 import { placeDimensions } from '../place/dimensions.mjs';
 import { distance, segmentsOf } from '../place/geometry.mjs';
-import { differenceText, lengthText, millimetresOf } from '../units.mjs';
+import { specifiedIn } from '../specified.mjs';
+import { differenceText, lengthText, millimetresOf, printedOf, printedText } from '../units.mjs';
 import { column, shared, widthFor } from './cells.mjs';
 
 /** Pages of the points of measure: dimension lines on views, and the table. */
@@ -19,14 +20,6 @@ function arrow(tip, from) {
   const [dx, dy] = [(from[0] - tip[0]) / length, (from[1] - tip[1]) / length];
   const [x, y] = [tip[0] + ARROW.length * dx, tip[1] + ARROW.length * dy];
   return [tip, [x - ARROW.half * dy, y + ARROW.half * dx], [x + ARROW.half * dy, y - ARROW.half * dx]];
-}
-
-/** The specified length of a size, millimetres; undefined where there is none. */
-export function specified({ values, grade }, size, { header, units }) {
-  if (values[size] !== undefined) return millimetresOf(values[size], units);
-  const { sizes, baseSize } = header;
-  if (grade === undefined || values[baseSize] === undefined) return undefined;
-  return millimetresOf(values[baseSize] + grade * (sizes.indexOf(size) - sizes.indexOf(baseSize)), units);
 }
 
 /** The two points of a loop that a view shows farthest apart, along its longer side: a loop is drawn as the width that it shows. */
@@ -103,24 +96,47 @@ async function figuresOfView(layout, view, measures) {
   return sections;
 }
 
+/** What a row prints of the spec, and what it is told where that is another length. */
+function printedRow(layout, measure) {
+  const { spec } = layout;
+  const print = (length, key, isMost) => {
+    if (length === undefined) return undefined;
+    const printed = printedOf(length, spec, isMost);
+    if (!printed.isKept) layout.roundedAt(['measures', measure.id, ...key], length, printed);
+    return printed;
+  };
+  const lengths = new Map(
+    spec.header.sizes.map((size) => {
+      const key = measure.values[size] === undefined ? ['grade'] : ['values', size];
+      return [size, print(specifiedIn(measure, size, spec.header), key)];
+    }),
+  );
+  return { measure, tolerance: print(measure.tolerance, ['tolerance'], true), lengths };
+}
+
+/** Decimals that all of a column's lengths have, so that they stand beneath each other. @param {(import('../units.mjs').Printed | undefined)[]} list */
+const digitsOf = (list) => Math.max(0, ...list.map((printed) => printed?.digits ?? 0));
+
 /** A row of the table: what is specified by size, what the model measures, and how far that is off. */
-function rowOf(layout, measure, { hasHow, isMeasured, sizes }) {
+function rowOf(layout, { measure, tolerance, lengths }, { hasHow, isMeasured, sizes, digits }) {
   const { spec } = layout;
   const { baseSize } = spec.header;
   const unit = spec.printedUnits;
-  const text = (length) => (length === undefined ? '' : lengthText(length, unit));
-  const base = baseSize === undefined ? undefined : specified(measure, baseSize, spec);
-  const difference = measure.length === undefined || base === undefined ? undefined : measure.length - base;
-  const tolerance = measure.tolerance === undefined ? undefined : millimetresOf(measure.tolerance, spec.units);
-  const isOut = difference !== undefined && tolerance !== undefined && Math.abs(difference) > tolerance + 1e-6;
+  const text = (printed, least) => (printed === undefined ? '' : printedText(printed, least));
+  const base = specifiedIn(measure, baseSize, spec.header);
+  const difference = measure.length === undefined || base === undefined ? undefined : measure.length - millimetresOf(base, spec.units);
+  const most = measure.tolerance === undefined ? undefined : millimetresOf(measure.tolerance, spec.units);
+  const isOut = difference !== undefined && most !== undefined && Math.abs(difference) > most + 1e-6;
   const cells = [{ kind: 'strong', text: measure.code }, measure.description];
   if (hasHow) cells.push(measure.how ?? '');
-  cells.push(text(tolerance));
-  for (const size of sizes)
-    cells.push(size === baseSize ? { kind: 'strong', text: text(specified(measure, size, spec)) } : text(specified(measure, size, spec)));
+  cells.push(text(tolerance, digits.tolerance));
+  for (const size of sizes) {
+    const shown = text(lengths.get(size), digits.lengths);
+    cells.push(size === baseSize ? { kind: 'strong', text: shown } : shown);
+  }
   if (isMeasured) {
     const shown = difference === undefined ? '' : differenceText(difference, unit);
-    cells.push(text(measure.length), isOut ? { kind: 'out', text: shown } : shown);
+    cells.push(measure.length === undefined ? '' : lengthText(measure.length, unit), isOut ? { kind: 'out', text: shown } : shown);
   }
   return { changed: layout.isChanged('measures', measure.id), cells };
 }
@@ -137,10 +153,12 @@ function tablesOf(layout, measures) {
   const note = `${words('units')} ${words(`unit.${spec.printedUnits}`)}`;
   const told = measured && spec.header.baseSize ? `${note}. ${words('measured.note', { size: spec.header.baseSize })}` : note;
   const codes = measures.map(({ code }) => code);
+  const printed = measures.map((measure) => printedRow(layout, measure));
+  const digits = { tolerance: digitsOf(printed.map(({ tolerance }) => tolerance)), lengths: digitsOf(printed.flatMap(({ lengths }) => [...lengths.values()])) };
   return lists.map((sizes, i) => {
     // What was measured stands beside the base size.
     const isMeasured = measured && (sizes.includes(spec.header.baseSize) || (spec.header.baseSize === undefined && i === 0));
-    const own = { hasHow: hasHow && i === 0, isMeasured, sizes };
+    const own = { hasHow: hasHow && i === 0, isMeasured, sizes, digits };
     const columns = [
       column(words('code'), { width: widthFor({ name: '' }, codes) }),
       column(words('description'), { width: 3 }),
@@ -150,7 +168,7 @@ function tablesOf(layout, measures) {
       ...(isMeasured ? [column(words('measured'), { number: true }), column(words('difference'), { number: true })] : []),
     ];
     const title = i === 0 ? words('measures.table') : `${words('measures.table')} (${words('continued')})`;
-    return { kind: 'table', break: true, title, note: told, columns, rows: measures.map((measure) => rowOf(layout, measure, own)) };
+    return { kind: 'table', break: true, title, note: told, columns, rows: printed.map((row) => rowOf(layout, row, own)) };
   });
 }
 

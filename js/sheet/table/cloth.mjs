@@ -20,7 +20,7 @@ const swatch = object('A colour of a colourway', {
 const colourway = object('One colouring of the garment', {
   name: name('Its name; unique'),
   code: nameIfAny('Its code'),
-  variant: nameIfAny('Material variant of the model that shows it'),
+  variant: nameIfAny('Material variant of the model that shows it; default "": the materials that the file has without one'),
   swatches: rows('Its colours', swatch, 'colours', MOST.symbols),
 });
 export const colourways = rows('Colourings of the garment', colourway, 'colourways', MOST.colourways);
@@ -31,7 +31,7 @@ const square = object('A square of a material, 10 cm wide, flat and draped, with
   node: indexOrName('Instead: index or name of a node, of which the material that covers most of it is meant', 'the index or the name of a node in the model', {
     optional: true,
   }),
-  variant: nameIfAny('Name of a material variant of the model; default that of the first colourway'),
+  variant: nameIfAny('Name of a material variant of the model, or "": the materials that the file has without one; default that of the first colourway'),
   scale: text('Scale on paper, at least 1:10', SCALE, { pattern: SCALE_TEXT, default: '1:2' }),
   draped: boolean('Whether it is shown draped too', { default: true }),
   text: paragraph('What else there is to say'),

@@ -20,7 +20,7 @@ const view = object('A picture of the garment in true scale', {
   view: choice('Named view; the front faces +Z, "right" is seen from +X', Object.keys(VIEWS), { optional: true }),
   azimuth: degrees('Instead of `view`: degrees about +Y, 0 = from +Z, 90 = from +X', -360, 360),
   elevation: degrees('Instead of `view`: degrees above the horizon', -90, 90),
-  variant: nameIfAny('Name of a material variant of the model; default that of the first colourway'),
+  variant: nameIfAny('Name of a material variant of the model, or "": the materials that the file has without one; default that of the first colourway'),
   scale: text('Scale on paper; "fit": the largest usual one that fits', SCALE, { pattern: SCALE_TEXT, default: 'fit' }),
   style: choice('"render": as it looks; "flat": the technical flat, lines alone, as vectors', STYLES, { default: 'render' }),
   ghost,

@@ -3,6 +3,9 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { createRenderer, inspect } from '../../../js/index.mjs';
 import './support/real.mjs';
+import { plane } from '../../fixtures/geometry.mjs';
+import { GlbBuilder } from '../../fixtures/glb.mjs';
+import { addSkinStreams, addTarget, animate, makeSkin } from '../../fixtures/motion.mjs';
 import { strip } from './support/strip.mjs';
 
 let renderer;
@@ -120,7 +123,41 @@ test('wrong options are named', async () => {
   for (const [options, message] of cases) await assert.rejects(model.measure(options), { code: 'E_OPTION', message });
 });
 
+/** A cloth 0.4 m wide and 0.2 m high. "morph" makes it twice as wide in a second; "skin" pulls its right edge 0.3 m away. */
+async function movingCloth(name) {
+  const glb = new GlbBuilder();
+  const shape = plane(0.4, 0.2);
+  const primitive = glb.primitive(shape, glb.material());
+  const mesh = glb.document.createMesh().addPrimitive(primitive);
+  if (name === 'morph') {
+    addTarget(glb, primitive, { positions: shape.positions.map((x, i) => (i % 3 === 0 ? x : 0)) });
+    const cloth = glb.node({ name, mesh: mesh.setWeights([0]) });
+    animate(glb, name, [[cloth, 'weights', 'LINEAR', [0, 1], [0, 1]]]);
+    return glb.bytes();
+  }
+  const isRight = shape.positions.filter((_, i) => i % 3 === 0).map((x) => Number(x > 0));
+  addSkinStreams(
+    glb,
+    primitive,
+    isRight.flatMap((joint) => [joint, 0, 0, 0]),
+    new Float32Array(isRight.flatMap(() => [1, 0, 0, 0])),
+  );
+  const joints = ['left', 'right'].map((joint) => glb.node({ name: joint }));
+  glb.node({ name, mesh }).setSkin(makeSkin(glb, joints));
+  animate(glb, name, [[joints[1], 'translation', 'LINEAR', [0, 1], [0, 0, 0, 0.3, 0, 0]]]);
+  return glb.bytes();
+}
+
 test('a pose is measured as it stands', async () => {
+  for (const [name, widths] of [
+    ['morph', [0.4, 0.5, 0.8]],
+    ['skin', [0.4, 0.475, 0.7]],
+  ]) {
+    const moving = await renderer.load(await movingCloth(name));
+    const border = async (pose) => (await moving.measure({ border: true, pose })).length;
+    for (const [i, time] of [0, 0.25, 1].entries()) near(await border({ animation: name, time }), 2 * (widths[i] + 0.2));
+    near(await border(undefined), 2 * (0.4 + 0.2));
+  }
   await assert.rejects(model.measure({ points: [A, B], pose: { animation: 'walk', time: 0 } }), { code: 'E_POSE' });
 });
 

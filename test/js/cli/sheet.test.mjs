@@ -66,3 +66,13 @@ test('names of outputs are checked first', async () => {
   assert.match(await usage('-o', at('x.pdf'), '--template', 'own'), /expected NAME=FOLDER/);
   assert.match(await usage('-o', at('x.pdf'), '--spec', '-', '--previous', '-'), /- \(stdin\) can stand for one file only/);
 });
+
+test('what is not shared by the pictures is refused before anything is drawn', async () => {
+  const { exit, stderr } = await run('--set', 'camera.view=back', '-o', at('camera.pdf'));
+  assert.equal(exit, 2);
+  assert.match(
+    stderr,
+    /shot\.camera: a sheet does not take it; give `view`, or `azimuth` and `elevation`, to the views of the spec\. Of a shot it takes environment, .*E_OPTION/,
+  );
+  assert.ok(!existsSync(at('camera.pdf')));
+});

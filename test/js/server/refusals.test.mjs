@@ -54,6 +54,12 @@ const REFUSED = {
   ],
   'a shot that is no JSON': [() => post(url, THUMBNAILS, glb, { shot: '{"size":' }), 400, 'E_REQUEST', /^request\.shot: it is not JSON \(/],
   'a shot that is no object': [() => post(url, THUMBNAILS, glb, { shot: '[1]' }), 400, 'E_REQUEST', 'request.shot: expected an object, got [1]'],
+  'a key of a shot that sheets do not take': [
+    () => post(url, '/v1/sheets', glb, { shot: { ghost: [] } }),
+    400,
+    'E_OPTION',
+    /^request\.shot\.ghost: a sheet does not take it; /,
+  ],
   'a key of the prototype': [() => json('{"__proto__":{"shot":{}}}'), 400, 'E_REQUEST', /^request\.__proto__: unknown key/],
   'a wrong choice': [
     () => post(url, THUMBNAILS, glb, { failOn: 'never' }),

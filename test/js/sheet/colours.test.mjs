@@ -153,6 +153,12 @@ test('what is wrong with a swatch is named', async () => {
   await refused({ colourways: [{ name: 'a', swatches: [{ material: 'silk' }] }] }, '/colourways/0/swatches/0/material');
   await refused({}, '/colourList/file', { resolve: () => null });
   await refused({}, '/colourList/file', { resolve: () => bytes('a,b') });
+  const named = { resolve: () => bytes('name,L,a,b\n\nSky,60,-10,-30\n袖,50,0,0\n') };
+  await assert.rejects(createSheet(model, SPEC, settings(named)), {
+    code: 'E_SPEC',
+    pointer: '/colourList/file',
+    message: 'spec.colourList.file: line 4: no font has U+8896 "袖"; give one that does with the option fonts, --font FILE',
+  });
 });
 
 test('a first spec has the colours of each variant, the cloth that is most of it first', async () => {

@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 import '../api/support/real.mjs';
 import { createSheet } from '../../../js/sheet/index.mjs';
 import { layOut } from '../../../js/sheet/sheet.mjs';
-import { crosses, isWithin, overlaps, passes, segmentsOf } from '../../../js/sheet/place/geometry.mjs';
+import { crosses, grown, isWithin, overlaps, passes, segmentsOf } from '../../../js/sheet/place/geometry.mjs';
 import { randomSpec } from './random_specs.mjs';
 import { CHEAP, openSquare } from './square.mjs';
 
@@ -17,10 +17,11 @@ const FONTS = ['/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf', '/usr/share/fo
 export const fonts = () => FONTS.map((file) => readFileSync(file));
 
 /** Faults of a figure. */
-function figureFaults({ width, height, pictures, labels, codes, captions, lines, sites }) {
+export function figureFaults({ width, height, pictures, labels, codes, captions, lines, sites }) {
   const paper = { x: 0, y: 0, width, height };
   const faults = [];
   const leaders = lines.filter(({ kind }) => kind === 'leader');
+  for (const picture of pictures) if (!isWithin(picture, grown(paper, 0.01))) faults.push('a picture leaves its page');
   const boxes = [...labels.map((label) => ({ ...label, name: `call-out ${label.number}` })), ...codes.map((code) => ({ ...code, name: `code ${code.code}` }))];
   boxes.forEach((box, i) => {
     if (!isWithin(box, paper)) faults.push(`${box.name} leaves its page`);

@@ -3,9 +3,10 @@ import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import '../api/support/real.mjs';
-import { readImage } from '../../../js/compare/index.mjs';
+import { encodePng, readImage } from '../../../js/compare/index.mjs';
 import { createSheet } from '../../../js/sheet/index.mjs';
 import { layOut } from '../../../js/sheet/sheet.mjs';
+import { figureFaults } from './documents.mjs';
 import { judgedFolder } from './judged_folder.mjs';
 import { CHEAP, openSquare } from './square.mjs';
 
@@ -91,9 +92,75 @@ test('a scale that a row of flats cannot have is refused; neighbours of one scal
   );
 });
 
+test('each view of a row is whole: a higher one has a page of its own, or is refused', async () => {
+  const flat = (view) => ({ style: 'flat', scale: '1:2', cover: false, ...view });
+  const [low, high] = [flat({ name: 'low', azimuth: 0, elevation: 80 }), flat({ name: 'high', azimuth: 70 })];
+  const figuresOf = async (views) => {
+    const { sections, engine } = await layOut(
+      model,
+      { views: [{ name: 'cover', cover: true }, ...views] },
+      options({ format: 'pdf', fonts: [], templates: {} }),
+    );
+    engine.close();
+    const figures = sections.filter(({ kind }) => kind === 'figure').map(({ figure }) => figure);
+    assert.deepEqual(figures.flatMap(figureFaults), []);
+    return figures.map(({ pictures }) => pictures.length);
+  };
+  assert.deepEqual(await figuresOf([low, high]), [2]);
+  // Beside another the long name has more lines, which leave less room.
+  assert.deepEqual(await figuresOf([{ ...low, title: 'a long name '.repeat(9) }, high].map((view) => ({ ...view, scale: '1:1.98' }))), [1, 1]);
+  const refused = [low, high].map((view) => ({ ...view, scale: '1:1.8' }));
+  await assert.rejects(figuresOf(refused), { code: 'E_SPEC', pointer: '/views/2/scale', message: /expected a scale at which 57 x 167 mm fit into/ });
+  // Of one whose scale is to fit, the white around it counts too.
+  assert.deepEqual(await figuresOf([flat({ name: 'wide', azimuth: 0, elevation: 88, scale: 'fit' })]), [1]);
+});
+
+test('a view in a scale of its own has a page that keeps it, on the first page or not, and all flats stand together', async () => {
+  const figuresOf = async (spec) => {
+    const { sections, engine } = await layOut(model, spec, options({ format: 'pdf', fonts: [], templates: {} }));
+    engine.close();
+    return sections.filter(({ kind }) => kind === 'figure').map(({ title, figure }) => [title, ...figure.captions.map(({ note }) => note)]);
+  };
+  const [front, line] = [
+    { name: 'front', scale: '1:3' },
+    { name: 'line', style: 'flat' },
+  ];
+  const back = { name: 'back', view: 'back' };
+  assert.deepEqual(await figuresOf({ views: [back, front] }), [['Views', 'Scale 1:3']]);
+  assert.deepEqual(await figuresOf({ views: [front], details: [{ title: 'Corner', point: [0.15, 0.45, 0] }] }), [['Views', 'Scale 1:3']]);
+  assert.deepEqual(await figuresOf({ views: [front], callouts: [{ point: [0, 0.3, 0], text: 'x' }] }), [['Construction', 'Scale 1:3']]);
+  assert.deepEqual(await figuresOf({ views: [front], measures: [{ code: 'A', description: 'a', border: true }] }), [['Points of measure', 'Scale 1:3']]);
+  const between = { name: 'between', cover: false };
+  assert.deepEqual(await figuresOf({ views: [{ ...back, cover: true }, { ...line, cover: true }, between, { ...line, name: 'other', cover: false }] }), [
+    ['Views', 'Scale 1:2'],
+    ['Flats', 'Scale 1:2.5', 'Scale 1:2.5'],
+  ]);
+  assert.deepEqual(await figuresOf({ views: [back, { name: 'front' }] }), []);
+  await assert.rejects(figuresOf({ views: [{ ...front, scale: '1:1' }] }), { code: 'E_SPEC', pointer: '/views/0/scale' });
+});
+
 test('a part that is to be stitched and is not there is named', async () => {
   const spec = { ...FLAT, flats: { stitched: [{ node: 'hem' }] }, paper: { size: 'A3' } };
   await assert.rejects(createSheet(model, spec, options()), { code: 'E_SPEC', pointer: '/flats/stitched', message: /^spec\.flats\.stitched: .*hem/ });
+});
+
+test('artwork is shown whole at its size; sides that are not of its proportions are refused', async () => {
+  const resolve = () => encodePng({ width: 400, height: 200, data: new Uint8Array(400 * 200 * 4).fill(200) });
+  const print = (sides) => ({ artwork: [{ name: 'Print' }, { name: 'Badge', image: 'badge.png', ...sides }] });
+  const imagesOf = async (sides) => {
+    const { files } = await createSheet(model, print(sides), { ...options({ resolve }), format: 'svg' });
+    const page = files.at(-1).toString();
+    assert.doesNotMatch(page, /clip-path/, 'nothing is cut off');
+    return [...page.matchAll(/<image [^>]*width="([\d.]+)" height="([\d.]+)"/g)].map(([, ...lengths]) => lengths.map((length) => (Number(length) * 25.4) / 72));
+  };
+  const isNear = ([width, height], wanted) => assert.ok(Math.abs(width - wanted[0]) < 0.01 && Math.abs(height - wanted[1]) < 0.01, `${width} x ${height} mm`);
+  isNear((await imagesOf({ width: 5 }))[0], [50, 25]);
+  isNear((await imagesOf({ width: 5, height: 2.51 }))[0], [50, 25.1]);
+  await assert.rejects(imagesOf({ width: 5, height: 2.52 }), {
+    code: 'E_SPEC',
+    pointer: '/artwork/1/height',
+    message: 'spec.artwork[1].height: expected 2.5, as the image has 400 x 200 pixels, or no height, got 2.52',
+  });
 });
 
 /** Pixels of a row that are neither black nor white: of an edge that was drawn at its scale a few, of one that was enlarged many. */

@@ -66,6 +66,16 @@ const WRONG = [
     '/measures/0/grade',
     'spec.measures[0].grade: expected a length in `values` for the size spec.header.baseSize, from which it grows, got 2',
   ],
+  [
+    measure({ values: { M: 3 }, grade: 4 }),
+    '/measures/0/grade',
+    'spec.measures[0].grade: expected one that leaves a length of at least 0 in size "S", not -1, got 4',
+  ],
+  [
+    measure({ values: { M: 3 }, grade: -2 }, { header: { sizes: ['M', 'L', 'XL'], baseSize: 'M' } }),
+    '/measures/0/grade',
+    'spec.measures[0].grade: expected one that leaves a length of at least 0 in size "XL", not -1, got -2',
+  ],
   [measure({ tolerance: -1 }), '/measures/0/tolerance', 'spec.measures[0].tolerance: expected a length in [0, 100000], got -1'],
   [
     { colourways: [{ name: 'a', variant: 'red' }] },
@@ -121,6 +131,12 @@ test('defaults are written out, and nothing of the caller is changed', () => {
     chosen.views.map(({ cover }) => cover),
     [false, true, false],
   );
+});
+
+test('a length of 0 by its grade, and of a size with a value of its own, is taken', () => {
+  const read0 = (values) => read(measure({ values, grade: 3 }));
+  assert.equal(read0({ M: 3 }).measures[0].grade, 3);
+  assert.equal(read0({ S: 1, M: 2 }).measures[0].grade, 3);
 });
 
 test('the published schema takes what the reader takes', () => {

@@ -6,6 +6,9 @@ import { after, before, test } from 'node:test';
 import '../api/support/real.mjs';
 import { readImage, encodePng } from '../../../js/compare/index.mjs';
 import { createSheet, firstSpec } from '../../../js/sheet/index.mjs';
+import { readOptions } from '../../../js/sheet/options.mjs';
+import { layOut } from '../../../js/sheet/sheet.mjs';
+import { strip } from '../api/support/strip.mjs';
 import { judgedFolder } from './judged_folder.mjs';
 import { CHEAP, openSquare } from './square.mjs';
 
@@ -169,6 +172,31 @@ test('what was measured is what the model has, in every unit', async () => {
   assert.match(text, /A width 3\/16 11 1\/8 11 7\/8 11 13\/16 −1\/16/);
 });
 
+test('lengths of the spec stand as they are given in columns of as many decimals, and what is printed as another length is told', async () => {
+  const header = { sizes: ['S', 'M', 'L'], baseSize: 'M' };
+  const measures = [
+    { code: 'A', description: 'graded', tolerance: 0.25, values: { M: 50 }, grade: 0.25 },
+    { code: 'B', description: 'third', tolerance: 1, values: { S: 1 / 3, L: 12.5 } },
+  ];
+  const artwork = [{ name: 'Print', width: 7.55, height: 0.1234 }];
+  const { layout, sections, engine } = await layOut(model, { header, measures, artwork }, readOptions({ renderer, shot: CHEAP }));
+  engine.close();
+  const rows = sections.find(({ kind }) => kind === 'table').rows.map(({ cells }) => cells.map((cell) => cell.text ?? cell));
+  assert.deepEqual(rows, [
+    ['A', 'graded', '0.25', '49.750', '50.000', '50.250'],
+    ['B', 'third', '1.00', '0.333', '', '12.500'],
+  ]);
+  const [print] = sections.find(({ kind }) => kind === 'artwork').prints;
+  assert.deepEqual(
+    print.facts.map(([, value]) => value),
+    ['7.55', '0.123'],
+  );
+  assert.deepEqual(layout.warnings, [
+    { code: 'W_SHEET_ROUND', message: 'spec.measures[1].values.S: 0.3333333333333333 cm is printed as 0.333 cm', pointer: '/measures/1/values/S' },
+    { code: 'W_SHEET_ROUND', message: 'spec.artwork[0].height: 0.1234 cm is printed as 0.123 cm', pointer: '/artwork/0/height' },
+  ]);
+});
+
 test('a call-out outside of its view, a part that is not there, an image that is not there are named', async () => {
   const refused = (spec, code, pointer, options) => assert.rejects(sheet(spec, options), { code, pointer });
   await refused({ callouts: [{ point: [5, 0, 0], text: 'far' }] }, 'E_SPEC', '/callouts/0');
@@ -177,9 +205,22 @@ test('a call-out outside of its view, a part that is not there, an image that is
   await refused({ header: { logo: 'x.png' } }, 'E_SPEC', '/header/logo', { resolve: () => null });
   await refused({ header: { logo: 'x.png' } }, 'E_IMAGE_FORMAT', '/header/logo', { resolve: () => new Uint8Array(50) });
   await refused({ notes: '袖' }, 'E_SPEC', '/notes');
-  await refused({ measures: [{ code: 'A', description: 'a', border: true, part: { node: 'sleeve' } }] }, 'E_FRAME', '/measures/0').catch(() => {});
+  await refused({ measures: [{ code: 'A', description: 'a', border: true, part: { node: 'sleeve' } }] }, 'E_MEASURE', '/measures/0');
   await assert.rejects(sheet({}, { template: 'x' }), { code: 'E_OPTION' });
   await assert.rejects(createSheet(model, {}, {}), { code: 'E_OPTION', message: /options\.renderer/ });
+});
+
+test('a name of the model that no font has is refused where it is printed', async () => {
+  const file = JSON.parse(strip());
+  file.scenes[0].name = '袖';
+  const named = await renderer.load(Buffer.from(JSON.stringify(file)));
+  const made = (header) => createSheet(named, { header, ppi: 36 }, { renderer, shot: CHEAP });
+  await assert.rejects(made({}), {
+    code: 'E_SPEC',
+    pointer: '/header/name',
+    message: /^the name of the model, in place of spec\.header\.name: no font has U\+8896 "袖"/,
+  });
+  assert.equal((await made({ style: 'TL-01' })).files.length, 1);
 });
 
 test('a logo that is a bomb is refused by the limits of images', async () => {

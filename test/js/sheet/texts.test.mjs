@@ -7,8 +7,8 @@ import { bundledFonts } from '../../../js/sheet/engine.mjs';
 import { charactersOf, checkCharacters, readFonts } from '../../../js/sheet/fonts.mjs';
 import { pagesOf } from '../../../js/sheet/output.mjs';
 import { hexOf } from '../../../js/sheet/pages/cells.mjs';
-import { specified } from '../../../js/sheet/pages/measures.mjs';
-import { differenceText, lengthText } from '../../../js/sheet/units.mjs';
+import { specifiedIn } from '../../../js/sheet/specified.mjs';
+import { differenceText, lengthText, printedOf, printedText } from '../../../js/sheet/units.mjs';
 import { LANGUAGES, wordsOf } from '../../../js/sheet/words.mjs';
 import { assertWellFormed } from '../analyse/support.mjs';
 
@@ -37,14 +37,53 @@ test('lengths are printed in their unit', () => {
 });
 
 test('sizes grow from the base size, unless they are given', () => {
-  const spec = { header: { sizes: ['XS', 'S', 'M', 'L'], baseSize: 'M' }, units: 'cm' };
-  const measure = { values: { M: 52, L: 55 }, grade: 2 };
-  assert.deepEqual(
-    spec.header.sizes.map((size) => specified(measure, size, spec)),
-    [480, 500, 520, 550],
-  );
-  assert.equal(specified({ values: { M: 52 } }, 'S', spec), undefined);
-  assert.equal(specified({ values: { M: 2 } }, 'M', { ...spec, units: 'inch' }), 50.8);
+  const header = { sizes: ['XS', 'S', 'M', 'L'], baseSize: 'M' };
+  const lengths = (measure) => header.sizes.map((size) => specifiedIn(measure, size, header));
+  assert.deepEqual(lengths({ values: { M: 52, L: 55 }, grade: 2 }), [48, 50, 52, 55]);
+  assert.deepEqual(lengths({ values: { M: 0.3 }, grade: 0.1 }), [0.1, 0.2, 0.3, 0.4]);
+  assert.deepEqual(lengths({ values: { M: 52 } }), [undefined, undefined, 52, undefined]);
+  assert.equal(specifiedIn({ values: { M: 52 } }, undefined, { sizes: [] }), undefined);
+});
+
+/** Texts of specified lengths; "!" behind those that are printed as another length. */
+const specified = (units, printedUnits, lengths, isMost = false) =>
+  lengths.map((length) => {
+    const printed = printedOf(length, { units, printedUnits }, isMost);
+    return `${printedText(printed)}${printed.isKept ? '' : '!'}`;
+  });
+
+test('specified lengths are printed as they are given', () => {
+  assert.deepEqual(specified('cm', 'cm', [50, 50.25, 50.5, 0.125, 0.1 + 0.2, 0]), ['50.0', '50.25', '50.5', '0.125', '0.3', '0.0']);
+  assert.deepEqual(specified('mm', 'mm', [12.5, 12, 0.125]), ['12.5', '12', '0.125']);
+  assert.deepEqual(specified('mm', 'cm', [12.5, 500]), ['1.25', '50.0']);
+  assert.deepEqual(specified('cm', 'mm', [50.25, 50]), ['502.5', '500']);
+  assert.deepEqual(specified('inch', 'inch', [1 / 32, 11 + 5 / 64, 20.5, 10.3, 0.0156, 0]), ['1/32', '11\u00a05/64', '20\u00a01/2', '10.3', '1/64', '0']);
+  // More decimals than a sheet has, and thirds of an inch, are told.
+  assert.deepEqual([...specified('cm', 'cm', [1 / 3]), ...specified('inch', 'inch', [10 + 1 / 3])], ['0.333!', '10.333!']);
+});
+
+test('lengths of another unit are rounded, as sheet.md says, and told where nothing is left of them', () => {
+  assert.deepEqual(specified('cm', 'inch', [30.2, 2.54, 0]), ['11\u00a07/8', '1', '0']);
+  assert.deepEqual(specified('cm', 'inch', [0.05, 0.01]), ['1/32', '0!']);
+  assert.deepEqual(specified('inch', 'cm', [10 + 1 / 16, 10, 0.0001]), ['25.56', '25.4', '0.0!']);
+  assert.deepEqual(specified('inch', 'mm', [10 + 1 / 16]), ['255.6']);
+});
+
+test('tolerances are never printed larger than they are', () => {
+  assert.deepEqual(specified('cm', 'cm', [0.25, 0.3, 0.0009, 2 / 3], true), ['0.25', '0.3', '0.0!', '0.666!']);
+  assert.deepEqual(specified('inch', 'inch', [1 / 32, 3 / 64, 0.1, 0.3333], true), ['1/32', '3/64', '0.1', '0.333!']);
+  assert.deepEqual(specified('cm', 'inch', [0.5, 0.3, 0.1, 0.02, 1], true), ['3/16', '3/32', '1/32', '0!', '3/8']);
+  assert.deepEqual(specified('inch', 'cm', [1 / 4, 1 / 16], true), ['0.63', '0.15']);
+  for (let i = 1; i < 2000; ++i)
+    for (const [units, printedUnits, unit] of [
+      ['cm', 'inch', 2.54],
+      ['inch', 'cm', 1 / 2.54],
+      ['mm', 'inch', 25.4],
+      ['inch', 'mm', 1 / 25.4],
+    ]) {
+      const { value, isKept } = printedOf(i / 1000, { units, printedUnits }, true);
+      assert.ok(value * unit <= i / 1000 + 1e-6 && (!isKept || value > 0), `${i} ${units} ${printedUnits}`);
+    }
 });
 
 test('every language has every heading with the same places, and every care symbol has a name', () => {
@@ -99,6 +138,72 @@ test('what differs between revisions is named; what only moves does not', () => 
   assert.deepEqual(changesBetween(before, after), ['/header/revision', '/measures/0', '/measures/2']);
   assert.deepEqual(changesBetween(before, before), []);
   assert.deepEqual(changesBetween({}, { notes: 'a' }), ['/notes']);
+});
+
+test('points of measure are compared by their lengths and places', () => {
+  const spec = {
+    units: 'cm',
+    header: { sizes: ['S', 'M', 'L'], baseSize: 'M' },
+    anchors: { hps: [0, 0.7, 0], hem: [0, 0, 0], pit: [0.3, 0.4, 0] },
+    measures: [
+      { code: 'A', points: ['hps', 'hem'], tolerance: 1, values: { M: 50 }, grade: 2 },
+      { code: 'B', girth: { point: 'pit' }, values: { M: 90 } },
+    ],
+    artwork: [{ name: 'Print', width: 10 }],
+  };
+  const changed = (changes) => changesBetween(spec, { ...spec, ...changes }).filter((pointer) => /measures|artwork/.test(pointer));
+  assert.deepEqual(changed({ units: 'inch' }), ['/measures/0', '/measures/1', '/artwork/0']);
+  assert.deepEqual(changed({ header: { ...spec.header, baseSize: 'S' }, measures: [{ ...spec.measures[0], values: { S: 50 } }] }), ['/measures/0']);
+  assert.deepEqual(changed({ header: { ...spec.header, sizes: ['S', 'X', 'M', 'L'] } }), ['/measures/0']);
+  assert.deepEqual(changed({ anchors: { ...spec.anchors, hem: [0, 0.01, 0] } }), ['/measures/0']);
+  assert.deepEqual(changed({ anchors: { ...spec.anchors, pit: [0.3, 0.41, 0] } }), ['/measures/1']);
+  // The same lengths and places in other words.
+  const inMillimetres = {
+    units: 'mm',
+    anchors: { neck: [0, 0.7, 0], ...spec.anchors },
+    measures: [
+      { ...spec.measures[0], points: ['neck', [0, 0, 0]], tolerance: 10, values: { S: 480, M: 500, L: 520 }, grade: undefined },
+      { ...spec.measures[1], values: { M: 900 } },
+    ],
+    artwork: [{ name: 'Print', width: 100 }],
+  };
+  assert.deepEqual(changed(inMillimetres), []);
+  // Centimetres where nothing says another unit.
+  const { units, ...rest } = spec;
+  assert.deepEqual(changesBetween(rest, spec), ['/units']);
+});
+
+test('of items with one name the n-th is compared with the n-th', () => {
+  const callouts = ['Bar tack', 'Bar tack', 'Hem'].map((text, i) => ({ text, picture: [0.1 * (i + 1), 0.5] }));
+  assert.deepEqual(changesBetween({ callouts }, { callouts }), []);
+  const bill = [
+    { item: 'Thread', placement: 'Hem' },
+    { item: 'Thread', placement: 'Seams' },
+  ];
+  assert.deepEqual(changesBetween({ bill }, { bill: [bill[0], { ...bill[1], placement: 'Sides' }, bill[0]] }), ['/bill/1', '/bill/2']);
+});
+
+test('what is no spec is compared too', () => {
+  const odd = [
+    null,
+    5,
+    'a',
+    [],
+    [null],
+    [[1]],
+    [{}],
+    { a: 1 },
+    [{ code: 'A', points: 5, girth: 'x', values: 'y', grade: 2 }],
+    [{ code: 'A', values: { __proto__: null, M: 'x' }, grade: 1 }],
+  ];
+  for (const measures of odd)
+    for (const header of [...odd, { sizes: 'SML', baseSize: 'M' }, { sizes: ['M'], baseSize: 'M' }])
+      for (const units of [undefined, 'furlong', 'constructor', 3]) {
+        const spec = { units, header, measures, anchors: header, artwork: measures };
+        assert.deepEqual(changesBetween(spec, spec), []);
+        changesBetween({ measures: odd }, spec);
+        changesBetween(spec, { measures: [{ code: 'A', values: { M: 1 }, grade: 2 }], header: { sizes: ['M'], baseSize: 'M' } });
+      }
 });
 
 test('the bundled fonts have Latin, Greek and Cyrillic; a character that they lack is named with its place', async () => {
