@@ -140,6 +140,7 @@ const otherCases = [
   make('alpha-blend-origins', 'alpha-blend-origins', null, { camera: 'front', lights: [ambient, ...SUN] }),
   make('alpha-blend-shared', 'alpha-blend-shared', 'gradient', { camera: 'front' }),
   make('alpha-blend-many-front', 'alpha-blend-many', 'gradient', { camera: 'front' }),
+  make('two-scenes-dyed', 'two-scenes', 'lamps', { camera: 'front', materials: { '*': { color: '#3a6ea5' } } }),
   make('variant-none', 'variants', 'lamps', { camera: 'front' }),
   make('variant-red', 'variants', 'lamps', { camera: 'front', variant: 'red' }),
   make('variant-blue', 'variants', 'lamps', { camera: 'front', variant: 'blue' }, true),
