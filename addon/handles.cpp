@@ -28,10 +28,11 @@ std::size_t bytesOf(const Primitive& p) {
   return bytes;
 }
 
-/// @param timeoutMs  undefined = any time
-CancelToken tokenFromJs(const Napi::Value& timeoutMs) {
-  if (!timeoutMs.IsNumber()) return {};
-  return CancelToken(std::chrono::milliseconds(timeoutMs.As<Napi::Number>().Int64Value()));
+/// @param given  milliseconds, or another token, whose time and end it has; undefined = any time
+CancelToken tokenFromJs(const Napi::Value& given) {
+  if (given.IsObject()) return unwrap<TokenHandle>(given).token;
+  if (!given.IsNumber()) return {};
+  return CancelToken(std::chrono::milliseconds(given.As<Napi::Number>().Int64Value()));
 }
 
 /// What a decoded scene holds beyond its small parts, so that V8 knows what collecting its handle would free. A pose

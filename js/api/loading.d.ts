@@ -36,9 +36,8 @@ export interface LoadingOptions {
   resolve?: Resolve;
   /**
    * Milliseconds of work on one image, its loading included, before it ends with X_TIMEOUT; null = no bound. Each image of
-   * renderAll has its own time, and so has the loading. The look for a goal of error has a time of its own as well, and so has the
-   * measuring of what it came to. Time spent waiting for a turn does not count. Where neither the call nor the renderer gives it,
-   * a shot that asks for quality "high", quality "reference", more than 4 samples or a goal has no bound, nor has the loading for it.
+   * renderAll has its own time, and so has the loading. Time spent waiting for a turn does not count. Where neither the call nor
+   * the renderer gives it, a shot that asks for quality "high", quality "reference", more than 4 samples or a goal has no bound, nor has the loading for it.
    * @default 20000
    */
   timeoutMs?: number | null;

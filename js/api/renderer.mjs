@@ -245,7 +245,7 @@ class Renderer {
     report?.finish(job);
     const ended = goal || enough?.aborted ? JSON.parse(frame.info).ended : undefined;
     // Nothing ends the pictures of its window.
-    if (measures) goal.reached = await reachedBy(this.#native, seen, ended, this.#lookAt({ scene, environment }, loading, work));
+    if (measures) goal.reached = await reachedBy(this.#native, seen, ended, this.#lookAt({ scene, environment }, work));
     const key = await keyOfDrawn(this.#native, {
       version: versions.telar,
       model: sha256,
@@ -283,7 +283,7 @@ class Renderer {
     const metered = isMetered(resolved, quantity) ? await this.#meter(resolved, { scene: Model.sceneOf(shown), environment }, work) : undefined;
     const exposed = (of) => (metered === undefined ? of : { ...of, exposure: of.exposure * metered });
     // A dark window would hide errors that the picture shows.
-    const goal = await this.#aim(exposed(resolved), { quantity, environment }, shown, loading, work);
+    const goal = await this.#aim(exposed(resolved), { quantity, environment }, shown, work);
     if (goal) resolved.quality = goal.quality;
     const warnings = [...(shown.facts.warnings ?? []), ...(goal?.warnings ?? []), ...shotWarnings(resolved, shown.facts.extensionsUsed)];
     refuseWarnings(loading.failOn, warnings);
@@ -291,26 +291,25 @@ class Renderer {
   }
 
   /** Settings in place of a goal. @returns {Promise<{quality: object, told?: object, warnings?: object[], end?: object} | undefined>} undefined of other qualities */
-  async #aim(resolved, { quantity, environment }, shown, loading, work) {
+  async #aim(resolved, { quantity, environment }, shown, work) {
     const { isGoal, resolveQuality } = await qualityModule();
     if (!isGoal(resolved.quality)) return undefined;
     // Neither has an error to reach.
     if (quantity || resolved.style === 'flat') return { quality: resolveQuality('standard') };
     const { goalWarnings, settingsFor } = await goalModule();
     const scene = Model.sceneOf(shown);
-    const draw = this.#lookAt({ scene, environment }, loading, work);
+    const draw = this.#lookAt({ scene, environment }, work);
     const request = { resolved, scene, facts: shown.facts, limits: this.#limits, machine: () => this.#calibration(), draw };
     const { quality, goal, end } = await settingsFor(this.#native, request, work);
     return { quality, told: goal, warnings: goalWarnings(goal), end };
   }
 
   /**
-   * Draws resolved shots of a scene for a look at their pixels: RGBA. They have a token and a time of their own: how far they are is not how far the picture is,
-   * and what ends the picture does not end them.
+   * Draws resolved shots of a scene for a look at their pixels, in the time of the picture: RGBA. How far they are is not how far the picture is, and what is enough of
+   * that does not end them.
    */
-  #lookAt({ scene, environment }, loading, { signal }) {
-    const look = this.#begin(signal, loading);
-    look.allowLong();
+  #lookAt({ scene, environment }, work) {
+    const look = work.beside(this.#native);
     return async (shot) => {
       const request = { scene, shot: shotJson(shot), environment, releaseScene: false };
       return (await nativeCall(this.#native, look, (token) => this.#handle.render(request, token))).data;

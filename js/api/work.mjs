@@ -20,6 +20,11 @@ export class Work {
     this.token = new native.CancelToken((timeoutMs === undefined ? TIMEOUT_MS : timeoutMs) ?? undefined);
   }
 
+  /** Work for the same caller in the same time, whose progress is its own. @returns {{signal?: AbortSignal, token: object}} */
+  beside(native) {
+    return { signal: this.signal, token: new native.CancelToken(this.token) };
+  }
+
   /** What follows is known to be long: it may take any time, unless the caller gave a bound. */
   allowLong() {
     if (!this.#bounded) this.token.allowAnyTime();

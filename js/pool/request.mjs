@@ -77,12 +77,3 @@ export function messageOf(id, { method, input, recipe, shots, loading, settled, 
 export async function hasLongShot({ shots = [] }) {
   return (await Promise.all(shots.map(({ shot }) => isLongShot(shot)))).includes(true);
 }
-
-/**
- * How many pieces of work the longest of the shots is, each of which has the time of one: the picture itself, the look for a goal of error, and the measuring of what that came to.
- * @param {Request} request
- */
-export function worksOfShot({ shots = [], reached }) {
-  const aims = shots.some(({ shot: { quality } }) => quality?.maxError !== undefined);
-  return 1 + (aims ? 1 : 0) + (aims && reached ? 1 : 0);
-}

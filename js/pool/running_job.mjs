@@ -3,7 +3,7 @@ import { onAbort } from '../api/on_abort.mjs';
 import { partBytes } from '../api/parts.mjs';
 import { TIMEOUT_MS } from '../api/work.mjs';
 import { modelBytes } from './held_models.mjs';
-import { DRAW_MANY, hasLongShot, messageOf, worksOfShot } from './request.mjs';
+import { DRAW_MANY, hasLongShot, messageOf } from './request.mjs';
 import { GRACE_MS, overTime } from './verdicts.mjs';
 
 /** The longest that a timer may be set to. */
@@ -105,14 +105,14 @@ export class RunningJob {
 
   /**
    * A worker that does not stop by itself is ended GRACE_MS after the time of a picture, which begins anew with each. In renderAll the loading has
-   * a time of its own, and so has the look for a goal of error.
+   * a time of its own.
    */
   #startClock() {
     // What was on its way when the caller aborted leaves the clock of #abort as it is.
     if (this.#scope.signal.aborted) return;
     clearTimeout(this.#clock);
     const { timeoutMs, method, recipe } = this.#request;
-    const works = worksOfShot(this.#request) + (DRAW_MANY.includes(method) && !recipe && !this.#told ? 1 : 0);
+    const works = DRAW_MANY.includes(method) && !recipe && !this.#told ? 2 : 1;
     const allowed = timeoutMs === undefined ? TIMEOUT_MS : timeoutMs;
     if (allowed === null) return;
     this.#clock = setTimeout(

@@ -12,7 +12,7 @@ import { DEFAULTS, defaultSize, threadsOfEach, usableBytes } from '../../../js/p
 import { workerEnvironment } from '../../../js/pool/environment.mjs';
 import { HeldModels } from '../../../js/pool/held_models.mjs';
 import { Quarantine } from '../../../js/pool/quarantine.mjs';
-import { hasLongShot, worksOfShot } from '../../../js/pool/request.mjs';
+import { hasLongShot } from '../../../js/pool/request.mjs';
 import { unpackPicture } from '../../../js/pool/pictures.mjs';
 import { Recipe } from '../../../js/pool/recipe.mjs';
 import { RunningJob } from '../../../js/pool/running_job.mjs';
@@ -277,10 +277,4 @@ test('which shots have no bound on their time', async () => {
   for (const goal of [{ maxError: 0.02 }, { budgetMs: 100 }]) assert.equal(await long({ quality: goal }), true);
   assert.equal(await long({ quality: null }, { look: 'none such' }), false);
   assert.equal(await hasLongShot({}), false);
-});
-
-test('the look for a goal of error has the time of one more picture, and so has what it came to', () => {
-  const works = (quality, reached) => worksOfShot({ shots: [{ shot: {} }, { shot: { quality } }], reached });
-  assert.deepEqual([works({ maxError: 0.02 }), works({ maxError: 0.02 }, true), works({ budgetMs: 9 }, true), works('high')], [2, 3, 1, 1]);
-  assert.equal(worksOfShot({}), 1);
 });
