@@ -266,7 +266,10 @@ const ROWS = {
     W_TEXTURE: ['A texture has no usable image and is not drawn', FIX_FILE],
     W_INSTANCING: ['Instances are not drawn as the file says, or not as three.js draws them', 'The message names the reason.'],
     W_SHEET_FIT: ['A part of a sheet finds no room in its figure', 'The message says where it stands instead; use a larger paper, or other views.'],
-    W_SHEET_GIRTH: ['A girth of a sheet does not close', 'Its length is that of an open line: check its point and its part, or close gaps with `join`.'],
+    W_SHEET_GIRTH: [
+      'A girth of a sheet does not close, or does not stay in its plane',
+      'The length of an open line: check its point and its part, or close gaps with `join`. One that is drawn tight and slides: leave out `tight`.',
+    ],
     W_SHEET_POINT: ['A point of measure lies off the garment', 'The nearest point of the surface, or the nearest line around it, is taken: check the anchors.'],
     W_SHEET_ROUND: [
       'A length of the spec of a sheet is printed as another one',

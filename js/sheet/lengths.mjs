@@ -5,6 +5,8 @@ import { dot, subtract } from '../shot/frame.mjs';
 
 /** A point that lies farther off the surface than this is most likely meant for another model or unit: 2 cm. */
 const MOVED = 0.02;
+/** A loop that is drawn tight and leaves its plane by more has slid to where the part is narrower: 3 cm. */
+const SLID = 0.03;
 
 /** Keys that say what is measured, of which one may be given. */
 export const PLACES = ['points', 'girth', 'border'];
@@ -40,7 +42,7 @@ function distanceTo(point, { polyline, closed }) {
   return Math.min(...distances);
 }
 
-/** Tells of points that lie off what was measured, and of a girth that does not close. */
+/** Tells of points that lie off what was measured, and of a girth that does not close or stays where it is asked for. */
 async function warnOf(measured, ask, { code, pointer, warn, section }) {
   const name = JSON.stringify(code);
   const millimetres = (metres) => Math.round(1000 * metres);
@@ -50,7 +52,14 @@ async function warnOf(measured, ask, { code, pointer, warn, section }) {
   if (!ask.girth) return;
   if (!measured.closed)
     warn('W_SHEET_GIRTH', `spec.measures: the girth ${name} does not close around the part; what is measured is an open line`, `${pointer}/girth`);
-  const { point, tight } = ask.girth;
+  const { point, tight, normal = [0, 1, 0] } = ask.girth;
+  const slid = tight ? Math.max(...measured.polyline.map((at) => Math.abs(dot(subtract(at, point), normal)) / Math.hypot(...normal))) : 0;
+  if (slid > SLID)
+    warn(
+      'W_SHEET_GIRTH',
+      `spec.measures: drawn tight, the girth ${name} slides ${millimetres(slid)} mm out of its plane, to where the part is narrower`,
+      `${pointer}/girth/tight`,
+    );
   if (distanceTo(point, measured) <= MOVED) return;
   // A tape that is drawn tight leaves hollows: what counts is the cloth in the plane.
   const distance = distanceTo(point, tight ? await section() : measured);

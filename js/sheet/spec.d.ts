@@ -172,7 +172,7 @@ export interface SheetSpec {
       point: [number, number, number] | string;
       /** Direction that the plane is across. @default [0,1,0] */
       normal?: [number, number, number];
-      /** Drawn tight, as a tape is. @default false */
+      /** Drawn tight over the surface, as a tape that slides to where the part is narrower; without it the way around in the plane. @default false */
       tight?: boolean;
     };
     /** Instead of `points`: the open edges of the part. */

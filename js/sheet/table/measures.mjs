@@ -24,7 +24,9 @@ const girth = object(
   {
     point: anchor,
     normal: vector('Direction that the plane is across', { expected: 'three numbers [x, y, z]', default: [0, 1, 0] }),
-    tight: boolean('Drawn tight, as a tape is', { default: false }),
+    tight: boolean('Drawn tight over the surface, as a tape that slides to where the part is narrower; without it the way around in the plane', {
+      default: false,
+    }),
   },
   { optional: true },
 );

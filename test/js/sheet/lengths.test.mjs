@@ -1,9 +1,11 @@
-// What is told of the lengths of a sheet: points off the garment, and girths that do not close.
+// What is told of the lengths of a sheet: points off the garment, and girths that do not close or that slide away.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import '../api/support/real.mjs';
 import { strip } from '../api/support/strip.mjs';
+import { GlbBuilder } from '../../fixtures/glb.mjs';
+import { plane } from '../../fixtures/geometry.mjs';
 import { createRenderer } from '../../../js/index.mjs';
 import { lengthOf } from '../../../js/sheet/lengths.mjs';
 import { readSpec } from '../../../js/sheet/read.mjs';
@@ -72,4 +74,24 @@ test('the point of a tight girth may lie in a hollow that the tape leaves', asyn
   assert.deepEqual(await told(model, { point: [0, 0, 0.5], tight: true }), []);
   const [[, message]] = await told(model, { point: [-0.05, 0, 0.5], tight: true });
   assert.match(message, /is 50 mm off/);
+});
+
+test('a tight girth that slides to where the part is narrower is told', async () => {
+  const builder = new GlbBuilder();
+  const flat = plane(1, 0.5, { cells: 24 });
+  // A flared tube: 12 cm wide at the top, 32 cm below.
+  const positions = flat.positions.flatMap((x, i) => {
+    if (i % 3 !== 0) return [];
+    const [turn, y] = [2 * Math.PI * x, flat.positions[i + 1]];
+    const radius = 0.11 - 0.2 * y;
+    return [radius * Math.cos(turn), y, radius * Math.sin(turn)];
+  });
+  builder.add({ positions, indices: flat.indices }, null);
+  const skirt = await renderer.load(await builder.bytes());
+  const point = [0.11, 0, 0];
+  assert.deepEqual(await told(skirt, { point }), []);
+  const [[code, message, pointer], ...others] = await told(skirt, { point, tight: true });
+  assert.deepEqual([code, pointer, others], ['W_SHEET_GIRTH', '/measures/0/girth/tight', []]);
+  const [, slid] = /^spec\.measures: drawn tight, the girth "A" slides (\d+) mm out of its plane, to where the part is narrower$/.exec(message);
+  assert.ok(Math.abs(slid - 250) < 5, `${slid}: up to its edge`);
 });
