@@ -111,7 +111,7 @@ function shadingOf(c, name) {
 }
 
 const targetsOf = ({ meshes }) => meshes.flatMap(({ primitives }) => primitives.flatMap(({ targets = [] }) => targets));
-const extensionsOf = ({ materials }) => materials.map(({ extensions = {} }) => extensions);
+const extensionsOf = ({ materials = [] }) => materials.map(({ extensions = {} }) => extensions);
 
 /** What decides whether older releases of three.js show a model: test/families/gate.mjs. */
 const TRAITS = {
@@ -146,7 +146,7 @@ export async function randomCase(seed, shading = 'three') {
     ground: c.is(0.15) ? { opacity: c.random() } : 'none',
     ghost: c.is(0.1) ? [{ material: 0, opacity: c.random() }] : [],
     quality: { samples: c.of([1, 4]) },
-    materials: c.is(0.2) ? materialsOf(c, model) : {},
+    materials: model.materials && c.is(0.2) ? materialsOf(c, model) : {},
     metering: c.is(0.15) ? meteringOf(c) : undefined,
     lens: c.is(0.1) ? { aperture: 1, shutter: 0.25, iso: 400 } : undefined,
   };

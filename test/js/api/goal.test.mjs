@@ -57,7 +57,7 @@ test('a small window of the picture is looked at: it shows what the class alone 
   assert.deepEqual((await renderer.render(ball, info.shot)).data, data);
 });
 
-test('what the path tracer leaves out is the raster\'s: lines, and where a lens would blur', async () => {
+test("what the path tracer leaves out is the raster's: lines, and where a lens would blur", async () => {
   const lines = await MODELS['lines-map']();
   for (const [source, shot] of [
     [lines, asked({ budgetMs: 60_000 })],

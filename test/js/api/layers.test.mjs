@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { createRenderer } from '../../../js/index.mjs';
-import { BLUE, canopy, corner, formFactor, RED, sphereAndSlope } from './support/layer_scenes.mjs';
+import { ballOfNoMaterial, BLUE, canopy, corner, formFactor, RED, sphereAndSlope } from './support/layer_scenes.mjs';
 import './support/real.mjs';
 
 const ALL = ['depth', 'normal', 'partId', 'materialId', 'ao', 'albedo', 'shadow', 'coverage', 'line'];
@@ -170,6 +170,24 @@ for (const quality of Object.keys(QUALITIES)) {
     assert.ok(wrong(frame.partId, swapped) > 1000, 'materials that are swapped');
     const blended = frame.partId.map((id, i) => (id + (frame.partId[i + 1] ?? id)) / 2);
     assert.ok(wrong(blended, frame.materialId) > 50, 'numbers that are antialiased');
+  });
+
+  test(`${quality}: what has no material has a number of its own, also beside a cloth that a shot puts on`, async () => {
+    for (const materials of [{}, { red: { preset: 'denim' } }]) {
+      const frame = await drawn(await ballOfNoMaterial(), { camera: CAMERA, materials }, QUALITIES[quality]);
+      const { partId, materialId } = frame.info.layers;
+      assert.deepEqual(
+        materialId.legend.map(({ material, name }) => [material, name]),
+        [
+          [null, ''],
+          [0, 'red'],
+        ],
+      );
+      const numbers = { ball: new Set(), slope: new Set() };
+      for (const { i } of pixels(frame)) if (frame.partId[i] > 0) numbers[partId.legend[frame.partId[i] - 1].name].add(frame.materialId[i]);
+      const numberOf = (wanted) => materialId.legend.find(({ material }) => material === wanted).id;
+      assert.deepEqual(numbers, { ball: new Set([numberOf(null)]), slope: new Set([numberOf(0)]) });
+    }
   });
 
   test(`${quality}: the albedo is the base colour`, async () => {

@@ -24,6 +24,14 @@ export async function sphereAndSlope() {
   return builder.bytes();
 }
 
+/** A ball of glTF's default material before a red slope. */
+export async function ballOfNoMaterial() {
+  const builder = new GlbBuilder();
+  builder.add(sphere(0.5, { rings: 24 }), null, { name: 'ball', translation: [0, 0, 0.2] });
+  builder.add(plane(2, 2), builder.material({ name: 'red', baseColor: RED }), { name: 'slope', translation: [0.25, 0, -0.6] });
+  return builder.bytes();
+}
+
 /** The inside of the corner of a box of edge 1: floor y = 0, walls x = 0 and z = 0. */
 export async function corner() {
   const builder = new GlbBuilder();
