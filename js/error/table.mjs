@@ -258,7 +258,7 @@ const ROWS = {
     W_NO_SCENE: ['The file names no scene; all root nodes are drawn', FIX_FILE],
     W_RANGE: ['A value was clamped to its range', FIX_FILE],
     W_SAMPLER: ['A texture sampler is wrong and was replaced by the default', FIX_FILE],
-    W_TEXCOORD: ['A texture uses a UV set that the mesh does not have', FIX_FILE],
+    W_TEXCOORD: ['A texture uses a UV set above TEXCOORD_1 and is not drawn', 'Export the model with the set as TEXCOORD_0 or TEXCOORD_1.'],
     W_CLOTH_UV: [
       'A surface without texture coordinates wears a cloth: the maps of the cloth are not drawn',
       'Unwrap the mesh, or choose a cloth without a pattern.',
