@@ -7,7 +7,7 @@
 
 namespace telar::measure {
 
-/// Where a plane cuts a face: from one crossing to another, each in the middle of an edge.
+/// Where a plane cuts a face: from one crossing to another, each on an edge of it.
 struct Cut {
   std::array<std::uint32_t, 2> crossings{};
   std::uint32_t source = 0;  ///< of the face

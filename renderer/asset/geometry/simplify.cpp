@@ -79,8 +79,9 @@ Primitive withIndices(const Primitive& primitive, const Indices& indices) {
   out.file = primitive.file;
   out.material = primitive.material;
   out.variantMaterials = primitive.variantMaterials;
-  out.bounds = primitive.bounds,
-  out.fileBounds = primitive.fileBounds;  // What is estimated and sorted by them is the same.
+  // What is estimated and sorted by them is the same.
+  out.bounds = primitive.bounds;
+  out.fileBounds = primitive.fileBounds;
   out.center = primitive.center;
   Indices place(primitive.positions.size(), UNUSED), used;
   for (const std::uint32_t index : indices) {
