@@ -7,7 +7,8 @@ std::shared_ptr<const Material> Ghosts::of(const Material& material, float opaci
   if (kept) return kept;
   auto ghost = std::make_shared<Material>(material);
   ghost->alphaMode = AlphaMode::kBlend;
-  ghost->baseColorFactor.a *= opacity;
+  // What is opaque has no alpha of its own.
+  ghost->baseColorFactor.a = (isOpaque(material) ? 1.0f : material.baseColorFactor.a) * opacity;
   kept = std::move(ghost);
   return kept;
 }

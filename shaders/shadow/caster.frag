@@ -15,7 +15,7 @@ in vec2 vBaseColorUv;
 uniform float alphaCutoff;  // of the texture's alpha; 0 = it is blended
 #endif
 #if EVERY_HOLE
-uniform float alphaFactor;
+uniform float alphaFactor;  // of what is blended; of a net 1, whose cutoff is divided by it
 #include "shadow/layer_threshold.glsl"
 #if ALPHA_MAP
 #include "material/sampled_level.glsl"

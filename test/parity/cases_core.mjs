@@ -95,6 +95,7 @@ const environmentCases = [
   make('background-environment-ortho', 'transforms', 'gradient', { background: 'environment', camera: 'ortho-quarter' }),
   make('background-color', 'alpha-blend-curved', 'lamps', { background: [0.18, 0.3, 0.05] }),
   make('ghost-all', 'transforms', 'lamps', { ghost: [{ node: '*', opacity: 0.4 }] }),
+  make('ghost-opaque', 'alpha-opaque', 'lamps', { ghost: [{ material: 0, opacity: 0.5 }] }),
   make('ghost-material', 'alpha-blend', 'lamps', { ghost: [{ material: 0, opacity: 0.5 }] }),
   make('background-color-aces', 'stage', null, { background: [0.18, 0.18, 0.18], toneMapping: 'aces', lights: SUN }),
 ];

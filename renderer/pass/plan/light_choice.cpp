@@ -105,7 +105,8 @@ void chooseStrongest(const Scene& scene, const Shot& shot, LightChoice& chosen) 
   };
   const Middle middle(scene.bounds);
   std::vector<Candidate> all;
-  for (std::size_t i = 0; i < shot.lights.size(); ++i) {
+  // Suns are a part of the environment, whose map has lost their light.
+  for (std::size_t i = 0; i < shot.lights.size() - shot.suns; ++i) {
     if (counts(shot.lights[i])) all.push_back({strengthOf(middle, shot.lights[i]), chosen.ofShot, i});
   }
   for (std::size_t i = 0; i < chosen.ofNodes.size(); ++i) {

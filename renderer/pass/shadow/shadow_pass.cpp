@@ -175,6 +175,8 @@ void ShadowPass::drawView(const ShadowMap& map, std::size_t face, const FramePla
       cancel.check();
       const Material& material = *item.material;
       const bool everyHole = letsLightThrough(item, plan, scene);
+      const bool cut = everyHole && material.alphaMode == AlphaMode::kMask;
+      if (cut && textureCutoff(material) > 1) continue;  // it is nowhere
       const bool mapped = isMasked(material) || (everyHole && material.baseColorTexture);
       Caster& used = caster({mapped, everyHole, mapped && material.baseColorTexture.texCoord == 1, item.key.instancing,
                              map.packed && !distance, distance, map.packed ? three.shadowPacking : 0,
@@ -191,9 +193,12 @@ void ShadowPass::drawView(const ShadowMap& map, std::size_t face, const FramePla
       }
       wanted.set("modelViewMatrix", glm::mat4(view.view * item.node->world));
       if (distance) wanted.set("modelMatrix", glm::mat4(fromOrigin(item.node->world, plan.origin)));
-      if (everyHole) wanted.set("alphaFactor", material.baseColorFactor.a);
-      if (mapped || everyHole)
+      if (everyHole) wanted.set("alphaFactor", cut ? 1.0f : material.baseColorFactor.a);
+      if (cut) {
+        wanted.set("alphaCutoff", textureCutoff(material));
+      } else if (mapped || everyHole) {
         wanted.set("alphaCutoff", material.alphaMode == AlphaMode::kMask ? material.alphaCutoff : 0.0f);
+      }
       if (mapped) {
         wanted.set("baseColorMap", 0);
         wanted.set("baseColorUvTransform", material.baseColorTexture.uvTransform);

@@ -159,6 +159,20 @@ TEST(ClothShadow, ANetLetsThroughWhatItsHolesLeave) {
   }
 }
 
+/// The factor is a part of the alpha that is cut by: it makes holes of none.
+TEST(ClothShadow, OfANetTheFactorDividesTheCutoff) {
+  Material net;
+  net.alphaMode = AlphaMode::kMask;
+  net.doubleSided = true;
+  net.baseColorTexture.image = 0;
+  net.baseColorFactor.a = 0.6f;
+  const Image8 white = test::imageOf(64, 64, [](double, double) { return glm::vec4(1); });
+  for (const float repeats : {8.0f, 101.0f}) EXPECT_EQ(letThrough(curtain(net, white, 1, repeats), 16), 0) << repeats;
+  net.baseColorFactor.a = 0.4f;
+  for (const float repeats : {8.0f, 101.0f})
+    EXPECT_NEAR(letThrough(curtain(net, white, 1, repeats), 16), 1, 1e-6) << repeats << ": it is nowhere";
+}
+
 pass::ShadowMap mapOf(Shot shot, int shadowScale, const Limits& limits = {}) {
   shot.shadowScale = shadowScale;
   return pass::planDraws(*sceneOf(squareCloth(1)), shot, limits, false).shadows.flat.at(0);

@@ -62,6 +62,13 @@ TEST(Ghosts, ACopyIsBlendedAndTheModelStaysAsItIs) {
   EXPECT_NE(ghosts.of(material, 0.4f), ghost);
 }
 
+TEST(Ghosts, WhatIsOpaqueHasNoAlphaOfItsOwn) {
+  Material material;
+  material.baseColorFactor.a = 0;
+  Ghosts ghosts;
+  EXPECT_EQ(ghosts.of(material, 0.5f)->baseColorFactor.a, 0.5f);
+}
+
 TEST(Ghosts, APartThatIsNotThereIsNamed) {
   Shot shot;
   shot.ghost = {{node("sleeve*"), 0.5f}};

@@ -125,6 +125,17 @@ TEST(LightChoice, SunsComeLastAndAreToldApartFromLightsOfTheShotAndOfTheModel) {
   EXPECT_NE(std::find(features.begin(), features.end(), "1 sun"), features.end());
 }
 
+TEST(LightChoice, SunsAreNotChosenAmongLights) {
+  for (const double key : {1.0, 5.0}) {
+    Shot shot = shotOf(16);
+    shot.lights = {lightOf(Type::kDirectional, {0, 1, 0}, key), lightOf(Type::kDirectional, {1, 0, 0}, key / 2)};
+    shot.maxLights = 1;
+    const Shot sunlit = pass::withSuns(shot, {.list = {{glm::dvec3(0, 1, 0), glm::dvec3(3)}}, .share = 0});
+    EXPECT_EQ(LightChoice(*ball(), sunlit, frame::cameraOf(sunlit), Limits()).ofShot, (Flags{true, false, true}))
+        << key;
+  }
+}
+
 TEST(LightChoice, AsManyAsALimitAllowsAreCounted) {
   Shot shot = shotOf(16);
   shot.lights.assign(300, lightOf(Type::kDirectional, {0, 1, 0}, 1));
