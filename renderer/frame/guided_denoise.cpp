@@ -28,8 +28,19 @@ struct Box {
 
 glm::vec3 colorOf(const glm::vec4& pixel) { return pixel.a > 0 ? glm::vec3(pixel) / pixel.a : glm::vec3(0); }
 
-bool isPlain(const glm::vec3& color) {
-  return std::max({std::abs(color.r), std::abs(color.g), std::abs(color.b)}) <= BRIGHTEST;  // nor what is no number
+/// What a pixel may have that is denoised. Where half of the guide is above white, as in light of physical units, that much more.
+float brightestOf(const GuidedPicture& picture) {
+  constexpr std::size_t MOST = 1 << 16;  // pixels that are looked at
+  const std::size_t step = picture.guide.size() / MOST + 1;
+  std::vector<float> light;
+  for (std::size_t at = 0; at < picture.guide.size(); at += step) {
+    const float one = luminance(colorOf(picture.guide[at]));
+    if (picture.guide[at].a > 0 && std::isfinite(one)) light.push_back(one);
+  }
+  if (light.empty()) return BRIGHTEST;
+  const auto middle = light.begin() + static_cast<std::ptrdiff_t>(light.size() / 2);
+  std::nth_element(light.begin(), middle, light.end());
+  return BRIGHTEST * std::max(*middle, 1.0f);
 }
 
 /// A tile of the picture with what it depends on.
@@ -37,8 +48,8 @@ class Tile {
  public:
   /// @param inner  what depends on nothing beyond the box
   /// @param mean  of the picture; it may be what is written, for coverage alone is read after colours are written
-  Tile(const GuidedPicture& picture, std::span<const glm::vec4> mean, const Box& box, const Box& inner)
-      : picture_(picture), mean_(mean), box_(box), inner_(inner) {}
+  Tile(const GuidedPicture& picture, std::span<const glm::vec4> mean, const Box& box, const Box& inner, float brightest)
+      : picture_(picture), mean_(mean), box_(box), inner_(inner), brightest_(brightest) {}
 
   void joinColors(Denoised& out) const {
     NoisyField field(box_.width(), box_.height());
@@ -86,6 +97,10 @@ class Tile {
   }
 
  private:
+  bool isPlain(const glm::vec3& color) const {
+    return std::max({std::abs(color.r), std::abs(color.g), std::abs(color.b)}) <= brightest_;  // nor what is no number
+  }
+
   /// Calls back with the index in the field and that in the picture.
   template <typename Visit>
   void forEach(const Box& part, const NoisyField& field, const Visit& visit) const {
@@ -99,6 +114,7 @@ class Tile {
   const GuidedPicture& picture_;
   std::span<const glm::vec4> mean_;
   Box box_, inner_;
+  float brightest_;
 };
 
 /// Whether a square of the picture has many pixels that are covered in part, which an edge alone has not.
@@ -140,6 +156,7 @@ Box coveredOf(const GuidedPicture& picture) {
 Denoised denoise(GuidedPicture picture) {
   const Box all = coveredOf(picture);
   const bool nets = hasNets(picture, all);
+  const float brightest = brightestOf(picture);
   Denoised out;
   if (picture.asksError) {
     out.error.resize(picture.apart.size());
@@ -158,7 +175,7 @@ Denoised denoise(GuidedPicture picture) {
       const Box inner{x, y, std::min(x + TILE, all.toX), std::min(y + TILE, all.toY)};
       const Box box{std::max(x - FIELD_REACH, all.fromX), std::max(y - FIELD_REACH, all.fromY),
                     std::min(inner.toX + FIELD_REACH, all.toX), std::min(inner.toY + FIELD_REACH, all.toY)};
-      const Tile tile(picture, mean, box, inner);
+      const Tile tile(picture, mean, box, inner, brightest);
       tile.joinColors(out);
       if (nets) tile.joinCoverage(out);
     }

@@ -28,8 +28,8 @@ struct Denoised {
 /// Splits the difference of the mean to the guide into bands (taps 1, 2 and 4 pixels apart, and the rest), estimates the
 /// noise of each band about a pixel, and adds the part of the band that is no noise to the guide. So light, which the
 /// guide has wrong and which is smooth, comes from many pixels of the mean; detail comes from the guide, or from the mean
-/// where the two differ by more than noise. Pixels that one of the two does not cover, or brighter than BRIGHTEST, are the
-/// mean's: a sun would spread over its neighbours.
+/// where the two differ by more than noise. Pixels that one of the two does not cover, or brighter than BRIGHTEST (times
+/// the median of the guide, where that is above white), are the mean's: a sun would spread over its neighbours.
 /// src: Holschneider et al. 1989, "A Real-Time Algorithm for Signal Analysis with the Help of the Wavelet Transform"
 ///      (a trous, with a cubic B-spline); Mihcak, Kozintsev & Ramchandran 1999, "Spatially Adaptive Statistical
 ///      Modeling of Wavelet Image Coefficients" (the gain of a band)

@@ -93,6 +93,15 @@ TEST(GuidedDenoise, TakesLightFromTheMeanAndDetailFromTheGuide) {
   EXPECT_LT(rmsOf(now.picture, truth), 0.3 * std::min(before, guess));
 }
 
+/// In physical units white is some thousands.
+TEST(GuidedDenoise, AsWellInLightOfAnyUnit) {
+  constexpr float UNIT = 3000;
+  const Case nits{.truth = [](int x, int y) { return grey(UNIT * detail(x, y) * light(x)); },
+                  .guide = [](int x, int y) { return grey(UNIT * detail(x, y)); },
+                  .noise = 0.05f * UNIT};
+  EXPECT_LT(rmsOf(nits.denoised().picture, nits.of(nits.truth)), 0.3 * 0.05 * UNIT);
+}
+
 TEST(GuidedDenoise, SaysHowFarItIsOff) {
   const Case smooth{.truth = [](int x, int y) { return grey(detail(x, y) * light(x)); },
                     .guide = [](int x, int y) { return grey(detail(x, y)); },
