@@ -66,7 +66,7 @@ void partBranches(std::vector<Cut>& cuts, std::vector<glm::dvec3>& points, const
     const auto ordered = inPairs(sides, cuts, points, sources);
     for (std::size_t i = 2; i < ordered.size(); ++i) {
       std::uint32_t& crossing = cuts[ordered[i] / 2].crossings[ordered[i] % 2];
-      if (i % 2 == 0) points.push_back(glm::dvec3(points[crossing]));
+      if (i % 2 == 0) points.emplace_back(glm::dvec3(points[crossing]));
       crossing = static_cast<std::uint32_t>(points.size() - 1);
     }
   }

@@ -199,6 +199,7 @@ std::vector<Loop> sectionOf(const Surface& surface, const glm::dvec3& point, con
   }
   partBranches(cuts, points, surface.sources, cancel);
   std::vector<std::array<std::uint32_t, 2>> links;
+  links.reserve(cuts.size());
   for (const Cut& cut : cuts) links.push_back(cut.crossings);
   return loopsOf(links, points, cancel);
 }

@@ -160,13 +160,13 @@ Swatch swatchOf(const std::shared_ptr<const Scene>& model, std::string_view text
     const swatch::Worn worn = swatch::mostWorn(*model, surface, cancel);
     const double size = request.at("size").get<double>();
     const bool draped = request.at("draped").get<bool>();
-    // The middle of the square shows the middle of the texture, where that repeats on it.
+    // The middle of the square shows the middle of the texture, where that repeats on it or is worn.
     std::array<glm::dvec2, 2> middle{glm::dvec2(0.5), glm::dvec2(0.5)};
     Primitive square = squareOf(worn, middle, size, draped);
     const TextureRef texture = worn.material < 0 ? TextureRef{} : materialOf(*model, worn).baseColorTexture;
     const bool tile = texture && showsATile(square, texture);
     if (texture && !tile) {
-      middle = innermost(*model, surface, worn, cancel);
+      middle = wornPlace(*model, surface, worn, static_cast<std::size_t>(texture.texCoord), cancel);
       square = squareOf(worn, middle, size, draped);
     }
     Swatch out;

@@ -63,6 +63,17 @@ T mixed(const std::vector<T>& values, const Corners& corners, const glm::dvec3& 
            float(weights.z) * values[corners[2]]);
 }
 
+/// Whether a place lies in a triangle of the texture, however that is wound.
+bool holds(const std::vector<glm::vec2>& uvs, const Corners& corners, const glm::dvec2& place) {
+  std::array<double, 3> sides{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec2 from(uvs[corners[k]]), along = glm::dvec2(uvs[corners[(k + 1) % 3]]) - from, to = place - from;
+    sides[k] = along.x * to.y - along.y * to.x;
+  }
+  const auto [least, most] = std::minmax({sides[0], sides[1], sides[2]});
+  return least != most && (least >= 0 || most <= 0);  // of one without area, all are 0
+}
+
 double areaOf(const surface::Surface& surface, const surface::Face& face) {
   const glm::dvec3& a = surface.corner(face, 0);
   return glm::length(glm::cross(surface.corner(face, 1) - a, surface.corner(face, 2) - a)) / 2;
@@ -138,8 +149,8 @@ std::optional<glm::dvec3> meanWornColor(const Scene& scene, const surface::Surfa
   return sum.w > 0 ? std::optional(glm::dvec3(sum) / sum.w) : std::nullopt;
 }
 
-std::array<glm::dvec2, 2> innermost(const Scene& scene, const surface::Surface& surface, const Worn& worn,
-                                    const CancelToken& cancel) {
+std::array<glm::dvec2, 2> wornPlace(const Scene& scene, const surface::Surface& surface, const Worn& worn,
+                                    std::size_t set, const CancelToken& cancel) {
   std::map<const Primitive*, std::uint32_t>
       placed;  // the first source of each primitive: another place has the same texture
   std::map<const Primitive*, Rings> rings;
@@ -153,12 +164,15 @@ std::array<glm::dvec2, 2> innermost(const Scene& scene, const surface::Surface& 
         visit(face, primitive, cornersOf(primitive, face));
     }
   };
+  std::array<glm::dvec2, 2> out{glm::dvec2(0.5), glm::dvec2(0.5)};
+  bool isWorn = false;
   each([&](const surface::Face&, const Primitive& primitive, const Corners& corners) {
+    isWorn |= !primitive.uvs[set].empty() && holds(primitive.uvs[set], corners, out[set]);
     rings[&primitive].add(corners);
   });
+  if (isWorn) return out;
   std::map<const Primitive*, std::map<std::uint32_t, std::uint32_t>> counts;
   for (const auto& [primitive, of] : rings) counts[primitive] = of.count();
-  std::array<glm::dvec2, 2> out{glm::dvec2(0.5), glm::dvec2(0.5)};
   std::pair<std::uint32_t, double> most{0, -1};
   each([&](const surface::Face& face, const Primitive& primitive, const Corners& corners) {
     const auto& known = counts.at(&primitive);
@@ -168,10 +182,10 @@ std::array<glm::dvec2, 2> innermost(const Scene& scene, const surface::Surface& 
       if (found != known.end()) here.first += found->second;
     }
     if (here <= most) return;
-    for (std::size_t set = 0; set < 2; ++set) {
-      if (primitive.uvs[set].empty()) continue;
-      const glm::dvec2 middle(mixed(primitive.uvs[set], corners, glm::dvec3(1.0 / 3)));
-      if (std::isfinite(middle.x + middle.y)) out[set] = middle;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      if (primitive.uvs[i].empty()) continue;
+      const glm::dvec2 middle(mixed(primitive.uvs[i], corners, glm::dvec3(1.0 / 3)));
+      if (std::isfinite(middle.x + middle.y)) out[i] = middle;
     }
     most = here;
   });

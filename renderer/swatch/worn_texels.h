@@ -13,9 +13,11 @@ namespace telar::swatch {
 std::optional<glm::dvec3> meanWornColor(const Scene& scene, const surface::Surface& surface, const Worn& worn,
                                         const CancelToken& cancel);
 
-/// A place in the texture that lies as far from the borders of its panel as any: the middle of the triangle that most rings of
-/// triangles lie around; of several, the largest. @return of both sets of coordinates; (0.5, 0.5) of one that is missing
-std::array<glm::dvec2, 2> innermost(const Scene& scene, const surface::Surface& surface, const Worn& worn,
-                                    const CancelToken& cancel);
+/// A place in the texture that is worn: its middle, else one as far from the borders of its panel as any, the middle of the
+/// triangle that most rings of triangles lie around; of several, the largest.
+/// @param set  of the texture's coordinates
+/// @return of both sets; (0.5, 0.5) of one that is missing
+std::array<glm::dvec2, 2> wornPlace(const Scene& scene, const surface::Surface& surface, const Worn& worn,
+                                    std::size_t set, const CancelToken& cancel);
 
 }  // namespace telar::swatch

@@ -21,7 +21,7 @@ struct Swatch {
 /// triangles. Occlusion maps, light and cameras of the file are left out. The request, which js/api/swatch.mjs writes:
 /// {variant: string, part: {kind, which}, size: metres, draped: boolean}; of a node, the material that covers most of
 /// it. Draped, the square hangs from its upper edge in folds that grow downwards; its rows keep their length.
-/// Of a texture that repeats less than once on the square, a print or an atlas, it shows a place far from the borders of its panel.
+/// Its middle is that of the texture; where nothing wears that, as of an atlas, a place far from the borders of its panel.
 /// @param model  as loaded, or a pose of it; its images are shared
 /// @throws Error{E_MEASURE (no such part, or it draws no triangles), L_TRIANGLES, X_CANCELLED, X_MEMORY}
 Swatch swatchOf(const std::shared_ptr<const Scene>& model, std::string_view request, const CancelToken& cancel);
