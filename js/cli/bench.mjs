@@ -80,9 +80,10 @@ function ownSetting(text) {
 const WINDOW = { least: 16, most: 1024 };
 const MOST_SECONDS = 86_400;
 
-async function planOf(models, options) {
-  const cloths = namesOf('cloths', options.cloths, models.length > 0 ? [] : CLOTHS);
-  for (const model of models) await checkModel(model);
+async function planOf(given, options) {
+  const cloths = namesOf('cloths', options.cloths, given.length > 0 ? [] : CLOTHS);
+  const models = [];
+  for (const each of given) models.push((await checkModel(each)).model);
   const sizes = namesOf('sizes', options.sizes, []).map((text) => wholeOf('sizes', text, WINDOW.least, 8192));
   const scenes = scenesOf({
     models: [...clothModels(cloths), ...fileModels(models)],
