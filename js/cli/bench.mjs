@@ -112,20 +112,22 @@ async function planOf(given, options) {
 export async function benchTrade(models, options, { console, signal, api, version }) {
   const plan = await planOf(models, options);
   const { output: folder } = options;
+  const limits = readLimits(options.limit);
   const store = new TradeStore(folder, version);
   await store.open();
-  const renderer = await api.createRenderer({ backend: options.backend, limits: readLimits(options.limit), signal });
+  const renderer = await api.createRenderer({ backend: options.backend, limits, signal });
+  const machine = machineOf(renderer);
   const progress = await console.progress(benchSteps(plan));
   let rows;
   try {
-    const measure = (settings) => bench(api, renderer, { ...plan, settings }, store, { signal, step: (name) => progress.step(name) });
+    const measure = (settings) => bench(api, renderer, { ...plan, machine, settings }, store, { limits, signal, step: (name) => progress.step(name) });
     rows = await measure(plan.settings);
     if (options.knobs) rows.push(...(await measure(together(rows))));
   } finally {
     progress.stop();
     await renderer.close();
   }
-  const files = await writeResult(folder, rows, { ...plan, machine: machineOf(renderer) }, signal);
+  const files = await writeResult(folder, rows, { ...plan, machine }, signal);
   const tables = { ...tablesOf(rows), ...(options.knobs && { knobs: knobsTable(rows) }) };
   await console.result({ ok: true, exit: 0, files, rows, tables }, [
     ...linesOf(tables.overall),
@@ -140,7 +142,11 @@ export async function benchTrade(models, options, { console, signal, api, versio
   return 0;
 }
 
-const machineOf = ({ gl }) => `${os.cpus()[0]?.model.trim() ?? os.arch()}, ${gl.renderer ?? 'no GL'}`;
+/** What times depend on. */
+function machineOf({ gl }) {
+  const cores = os.availableParallelism();
+  return `${os.cpus()[0]?.model.trim() ?? os.arch()}, ${cores} ${cores === 1 ? 'core' : 'cores'}, ${gl.renderer ?? 'no GL'}`;
+}
 
 /** A table in columns. */
 function linesOf({ head, lines }) {
