@@ -32,11 +32,14 @@ export function fabricTargets(names) {
   return names.map((name) => ({ name, source: DRAPE, shot: { camera: DRAPE_CAMERA, variant: name } }));
 }
 
+/** Names as they are, those that occur more than once with their place in the list. @param {string[]} names */
+export const numbered = (names) => names.map((name, i) => (names.filter((each) => each === name).length > 1 ? `${name} ${i + 1}` : name));
+
 /**
  * @param {string[]} files
  * @returns {Target[]} named after their files, told apart by number where two have one name
  */
 export function modelTargets(files) {
-  const names = files.map((file) => path.basename(file).replace(/\.(glb|gltf)$/i, ''));
-  return files.map((source, i) => ({ name: names.filter((name) => name === names[i]).length > 1 ? `${names[i]} ${i + 1}` : names[i], source, shot: {} }));
+  const names = numbered(files.map((file) => path.basename(file).replace(/\.(glb|gltf)$/i, '')));
+  return files.map((source, i) => ({ name: names[i], source, shot: {} }));
 }

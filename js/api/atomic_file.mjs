@@ -50,8 +50,22 @@ export async function writeFileAtomically(file, data, signal) {
     else await replace(target, data, signal);
   } catch (cause) {
     if (signal?.aborted && cause === signal.reason) throw cause;
-    const cure = Object.hasOwn(CURES, cause.code) ? `; ${CURES[cause.code]}` : '';
-    throw new TelarError('X_OUTPUT', `${shown(file)} cannot be written (${cause.code ?? cause.message})${cure}`, { cause });
+    throw unwritable(file, cause);
+  }
+}
+
+/** What to tell of a file that cannot be written. @returns {TelarError} X_OUTPUT */
+export function unwritable(file, cause) {
+  const cure = Object.hasOwn(CURES, cause.code) ? `; ${CURES[cause.code]}` : '';
+  return new TelarError('X_OUTPUT', `${shown(file)} cannot be written (${cause.code ?? cause.message})${cure}`, { cause });
+}
+
+/** Makes a folder for what is to be written, and those above it. @throws {TelarError} X_OUTPUT */
+export async function makeOutputFolder(folder) {
+  try {
+    await makeFolder(path.resolve(folder));
+  } catch (cause) {
+    throw unwritable(folder, cause);
   }
 }
 

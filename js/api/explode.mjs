@@ -1,4 +1,4 @@
-import { loadOptions, STRICT, wrongOption } from './options.mjs';
+import { checkObject, checkSignal, loading, STRICT, wrongOption } from './options.mjs';
 import { Model } from './model.mjs';
 import { loadNative } from './native.mjs';
 import { nativeCall } from './native_call.mjs';
@@ -10,9 +10,10 @@ import { Work } from './work.mjs';
  * @throws {import('../error/index.mjs').TelarError} E_OPTION
  */
 export function explodeOptions(distance, options) {
-  const { signal, timeoutMs } = loadOptions(options, STRICT);
+  checkObject('options', options, ['timeoutMs', 'signal']);
+  const { timeoutMs } = loading(options, STRICT);
   if (!(Number.isFinite(distance) && distance >= 0)) throw wrongOption('distance', 'metres, 0 or more', distance);
-  return { signal, timeoutMs };
+  return { signal: checkSignal(options.signal), timeoutMs };
 }
 
 /**

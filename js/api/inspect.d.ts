@@ -2,6 +2,7 @@ import type { ResolvedShot, Shot } from '../shot/shot.js';
 import type { ModelFacts, Plan } from './facts.js';
 import type { Limits, LoadOptions, Source } from './loading.js';
 import type { BorderMeasure, GirthMeasure, MeasureAsk, PointsMeasure } from './measure.js';
+import type { QualityGoal } from './picture.js';
 
 export interface InspectOptions extends LoadOptions {
   /**
@@ -38,4 +39,6 @@ export interface Inspection extends ModelFacts {
   measures?: Array<PointsMeasure | GirthMeasure | BorderMeasure>;
   /** What a render would compile and run; null where there is nothing to draw. */
   plan: Plan | null;
+  /** Of a shot whose quality is a goal: the settings that `plan` is of. Times are those of the machine that was measured, as nothing is drawn on this one. */
+  goal?: QualityGoal;
 }

@@ -1,7 +1,7 @@
 import type { ResolvedShot, Shot } from '../shot/shot.js';
 import type { ModelFacts } from './facts.js';
 import type { Flat, FlatOptions } from './flat.js';
-import type { CallOptions, LoadOptions } from './loading.js';
+import type { CallOptions, LoadingOptions } from './loading.js';
 import type { BorderMeasure, GirthMeasure, MeasureBorderOptions, MeasureGirthOptions, MeasurePointsOptions, PartName, PointsMeasure } from './measure.js';
 
 export interface SwatchOptions extends CallOptions {
@@ -63,12 +63,13 @@ export interface Model {
    * The model with its parts apart: the mesh of each node moves along its mean normal, or away from the middle of the model where its
    * normals cancel out, as those of a sleeve do. It shares the data of this one; a shot's pose shows it whole again.
    * @param distance - Metres, 0 or more.
+   * @param options - timeoutMs, signal.
    * @throws {TelarError} E_OPTION, X_TIMEOUT
    * @example
    * const apart = await model.explode(0.15);
    * const { data } = await renderer.render(apart, { camera: { view: 'three-quarter' } });
    */
-  explode(distance: number, options?: LoadOptions): Promise<Model>;
+  explode(distance: number, options?: CallOptions & Pick<LoadingOptions, 'timeoutMs'>): Promise<Model>;
 
   /**
    * A square of one material in true size, as a model of its own: it stands upright about the origin, its face to +Z. Textures repeat on it

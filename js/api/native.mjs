@@ -10,9 +10,17 @@ import { TelarError } from '../error/index.mjs';
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const require = createRequire(import.meta.url);
 const PLATFORM = `telar-${process.platform}-${process.arch}`;
-const CURE = existsSync(path.join(ROOT, 'CMakeLists.txt'))
-  ? 'run `npm run build` in the folder of telar (it needs the Debian packages that `npm run setup` installs)'
-  : `install telar with its optional dependencies, of which ${PLATFORM} is one (Linux with glibc), or compile it from its sources`;
+
+/** What to do where there is no addon. The package of the sources has no set-up, but the build and its list of Debian packages. @param {string} root */
+export function cureIn(root) {
+  const has = (name) => existsSync(path.join(root, name));
+  if (has('js/setup')) return 'run `npm run build` in the folder of telar (it needs the Debian packages that `npm run setup` installs)';
+  if (has('CMakeLists.txt'))
+    return 'run `npm run build` in the folder of telar (it names the Debian packages that are missing; js/machine/debian_packages.txt lists them all)';
+  return `install telar with its optional dependencies, of which ${PLATFORM} is one (Linux with glibc), or compile it from its sources`;
+}
+
+const CURE = cureIn(ROOT);
 
 /** Where a build puts the addon, or npm the package of this platform: the first that exists wins. TELAR_BUILD_DIR names one build folder and no other. */
 function candidates() {

@@ -42,8 +42,12 @@ export async function writeAnimation({ jobs, options, renderer }, { api, console
   const file = options.output;
   const models = new Set(jobs.map(({ model, variant }) => `${variant} ${model}`));
   if (models.size > 1) throw usage(`-o ${shown(file)}: one animation holds one model in one variant; use a pattern such as out/{name}-{view}.webp`);
-  if (options.contactSheet !== undefined || options.skipUnchanged)
-    throw usage(`-o ${shown(file)}: an animation has no --contact-sheet and no --skip-unchanged`);
+  if (options.contactSheet !== undefined || options.skipUnchanged || options.reached)
+    throw usage(`-o ${shown(file)}: an animation has no --contact-sheet, no --skip-unchanged and no --reached`);
+  const own = jobs.find(({ output }) => output !== undefined);
+  if (own) throw usage(`${own.where}: output: the animation goes to ${shown(file)}; drop one of them`);
+  const other = jobs.map(({ shot }) => shot.output?.format).find((format) => format !== undefined && format !== 'webp');
+  if (other !== undefined) throw usage(`-o ${shown(file)} means an animated webp, but the shot's output.format is ${other}; drop one of them`);
   if (jobs.some(({ shot }) => shot.layers?.some((layer) => layer !== 'beauty'))) throw usage(`-o ${shown(file)}: an animation has no layers`);
   const shots = jobs.map(({ shot }) => ({ ...shot, output: { ...shot.output, format: 'webp' } }));
   const source =

@@ -11,16 +11,16 @@ const usage = (message) => new TelarError('E_USAGE', message);
 /**
  * telar bake MODEL -o OUT
  * The model with its ambient visibility in its vertices.
- * @param {string} model path, or - for stdin
+ * @param {string} given path or file: URL of a model, or - for stdin
  * @param {object} options as commander parsed them
  * @param {import('./console.mjs').Io & {api: object, console: import('./console.mjs').Console}} context
  * @returns {Promise<number>} exit code
  */
-export async function bake(model, options, { api, console, stdin, signal }) {
+export async function bake(given, options, { api, console, stdin, signal }) {
   const { output, rays } = options;
   if (output === '-' && options.json) throw usage('-o - and --json both want stdout; give a file to -o');
   if (rays !== undefined && !/^\d{1,9}$/.test(rays)) throw usage(`--rays: expected a whole number, got ${shown(rays)}`);
-  await checkModel(model);
+  const { model } = await checkModel(given);
   const limits = readLimits(options.limit);
   const source = model === '-' ? await readAll(stdin, maxFileBytes(limits), signal) : model;
   const { data, info } = await api.bake(source, {

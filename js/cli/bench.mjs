@@ -80,9 +80,10 @@ function ownSetting(text) {
 const WINDOW = { least: 16, most: 1024 };
 const MOST_SECONDS = 86_400;
 
-async function planOf(models, options) {
-  const cloths = namesOf('cloths', options.cloths, models.length > 0 ? [] : CLOTHS);
-  for (const model of models) await checkModel(model);
+async function planOf(given, options) {
+  const cloths = namesOf('cloths', options.cloths, given.length > 0 ? [] : CLOTHS);
+  const models = [];
+  for (const each of given) models.push((await checkModel(each)).model);
   const sizes = namesOf('sizes', options.sizes, []).map((text) => wholeOf('sizes', text, WINDOW.least, 8192));
   const scenes = scenesOf({
     models: [...clothModels(cloths), ...fileModels(models)],
@@ -111,20 +112,22 @@ async function planOf(models, options) {
 export async function benchTrade(models, options, { console, signal, api, version }) {
   const plan = await planOf(models, options);
   const { output: folder } = options;
+  const limits = readLimits(options.limit);
   const store = new TradeStore(folder, version);
   await store.open();
-  const renderer = await api.createRenderer({ backend: options.backend, limits: readLimits(options.limit), signal });
+  const renderer = await api.createRenderer({ backend: options.backend, limits, signal });
+  const machine = machineOf(renderer);
   const progress = await console.progress(benchSteps(plan));
   let rows;
   try {
-    const measure = (settings) => bench(api, renderer, { ...plan, settings }, store, { signal, step: (name) => progress.step(name) });
+    const measure = (settings) => bench(api, renderer, { ...plan, machine, settings }, store, { limits, signal, step: (name) => progress.step(name) });
     rows = await measure(plan.settings);
     if (options.knobs) rows.push(...(await measure(together(rows))));
   } finally {
     progress.stop();
     await renderer.close();
   }
-  const files = await writeResult(folder, rows, { ...plan, machine: machineOf(renderer) }, signal);
+  const files = await writeResult(folder, rows, { ...plan, machine }, signal);
   const tables = { ...tablesOf(rows), ...(options.knobs && { knobs: knobsTable(rows) }) };
   await console.result({ ok: true, exit: 0, files, rows, tables }, [
     ...linesOf(tables.overall),
@@ -139,7 +142,11 @@ export async function benchTrade(models, options, { console, signal, api, versio
   return 0;
 }
 
-const machineOf = ({ gl }) => `${os.cpus()[0]?.model.trim() ?? os.arch()}, ${gl.renderer ?? 'no GL'}`;
+/** What times depend on. */
+function machineOf({ gl }) {
+  const cores = os.availableParallelism();
+  return `${os.cpus()[0]?.model.trim() ?? os.arch()}, ${cores} ${cores === 1 ? 'core' : 'cores'}, ${gl.renderer ?? 'no GL'}`;
+}
 
 /** A table in columns. */
 function linesOf({ head, lines }) {

@@ -1,6 +1,6 @@
 import { stat } from 'node:fs/promises';
 import path from 'node:path';
-import { encodePng, heatMap, htmlReport, junitReport } from '../compare/index.mjs';
+import { encodePng, foldersReport, heatMap, htmlReport, junitReport } from '../compare/index.mjs';
 import { checkName, checkText, COLUMNS, number, regionRows, textTable } from '../compare/figures.mjs';
 import { EXIT_OVER_THE_GATE } from '../error/table.mjs';
 import { TelarError } from '../error/index.mjs';
@@ -22,37 +22,66 @@ import { releaseHints } from './release_hint.mjs';
  * @returns {Promise<number>} 0 within the gate, 1 over it
  */
 export async function compare(expected, actual, options, { console, signal, api }) {
-  if ((actual === undefined) === (options.model === undefined)) throw new TelarError('E_USAGE', 'expected either ACTUAL or --model MODEL');
+  checkUsage(actual, options);
   const context = { limits: readLimits(options.limit), signal, api, console };
   const settings = { gate: options.gate, limits: readThresholds(options.threshold), resize: options.resize };
   const masks = maskReader(options, { limits: context.limits, signal });
-  const folders = [await isFolder(expected), actual !== undefined && (await isFolder(actual))];
+  const kinds = [await kindOf(expected), actual === undefined ? 'none' : await kindOf(actual)];
+  const isNew = options.update === true && kinds[0] === 'missing';
   try {
-    if (folders[0] && folders[1]) {
+    if ((kinds[0] === 'folder' || isNew) && kinds[1] === 'folder') {
       const { compareFolders } = await import('./compare_folders.mjs');
-      return await compareFolders({ expected, actual }, options, { ...context, settings, masks });
+      return await compareFolders({ expected, actual }, options, { ...context, settings, masks, isNew });
     }
-    refuseHalves(folders, [expected, actual ?? options.model], options);
+    refuseHalves(kinds, [expected, actual ?? options.model], options);
+    if (isNew) return await acceptNew({ expected, actual }, options, { ...context, settings });
     return await compareFiles({ expected, actual }, options, { ...context, settings: { ...settings, masksOf: masks() } });
   } finally {
     removeUnfinished();
   }
 }
 
-const isFolder = (file) =>
+/** "folder", "missing", or "file" for whatever else it is. */
+const kindOf = (file) =>
   stat(file).then(
-    (found) => found.isDirectory(),
-    () => false,
+    (found) => (found.isDirectory() ? 'folder' : 'file'),
+    ({ code }) => (code === 'ENOENT' ? 'missing' : 'file'),
   );
 
-function refuseHalves(folders, names, { model, update, explain }) {
-  const usage = (message) => new TelarError('E_USAGE', message);
-  if (folders[0] && model !== undefined) throw usage(`${names[0]} is a folder: --model draws the shot of one image`);
-  const folder = folders.indexOf(true);
-  if (folder >= 0) throw usage(`${names[folder]} is a folder and ${names[1 - folder]} is not: give two images or two folders`);
-  if (explain && model === undefined) throw usage('--explain draws the shot of EXPECTED again: it goes with --model');
+const usage = (message) => new TelarError('E_USAGE', message);
+
+/** What goes with --model, and what does not, of images and of folders. */
+function checkUsage(actual, { model, update, explain, environment }) {
+  if ((actual === undefined) === (model === undefined)) throw usage('expected either ACTUAL or --model MODEL');
   if (update && model !== undefined) throw usage('--update accepts ACTUAL; with --model, write the image with telar thumbnail');
+  if (explain && model === undefined) throw usage('--explain draws the shot of EXPECTED again: it goes with --model');
+  if (environment !== undefined && model === undefined) throw usage('--environment goes with --model');
 }
+
+function refuseHalves(kinds, names, { model }) {
+  const folder = kinds.indexOf('folder');
+  if (folder === 0 && model !== undefined) throw usage(`${names[0]} is a folder: --model draws the shot of one image`);
+  if (folder >= 0) throw usage(`${names[folder]} is a folder and ${names[1 - folder]} is not: give two images or two folders`);
+}
+
+/** --update where EXPECTED is not there: ACTUAL must be an image, and becomes it. There is nothing to compare, and no heat map. */
+async function acceptNew({ expected, actual }, { report, junit }, context) {
+  const { signal, console, settings } = context;
+  const { bytes, image, shot } = await readPicture(actual, context);
+  await writeFileAtomically(expected, bytes, signal);
+  const accepted = { name: path.basename(expected), status: 'updated', files: { actual: 'actual.png' } };
+  if (report) {
+    await writeFileAtomically(path.join(report, 'actual.png'), await encodePng(image, { signal }), signal);
+    await writeFileAtomically(path.join(report, 'index.html'), Buffer.from(foldersReport([accepted], { title: accepted.name, gate: settings.gate })), signal);
+  }
+  await writeJunit(accepted, { junit }, signal);
+  const shots = { expected: null, actual: shot };
+  const result = { ok: true, exit: 0, expected, actual, shots, gate: settings.gate, pass: true, checks: [], hints: [], updated: true };
+  await console.result(result, [...(await shotLines({ expected, actual }, shots)), acceptedLine({ expected, actual })]);
+  return 0;
+}
+
+const acceptedLine = ({ expected, actual }) => `accepted: ${expected} is now ${actual}`;
 
 async function compareFiles({ expected, actual }, options, context) {
   const first = await readPicture(expected, context);
@@ -84,12 +113,13 @@ async function compareWith({ expected, actual, first, drawn }, options, context)
   await writeReports({ names, images, comparison, verdict, hints }, options, signal);
   const updated = options.update && !verdict.pass;
   if (updated) await writeFileAtomically(expected, second.bytes, signal);
+  await writeJunit({ name: titleOf(names), verdict, hints, ...(updated && { status: 'updated' }) }, options, signal);
   const exit = verdict.pass || updated ? 0 : EXIT_OVER_THE_GATE;
   const { flipMap, ...figures } = comparison;
   await console.result({ ok: exit === 0, exit, ...names, shots, ...verdict, hints, ...(options.update && { updated }), ...figures }, [
     ...(await shotLines(names, shots)),
     ...lines(comparison, verdict, hints),
-    ...(updated ? [`accepted: ${expected} is now ${actual}`] : []),
+    ...(updated ? [acceptedLine(names)] : []),
   ]);
   return exit;
 }
@@ -103,17 +133,21 @@ async function shotLines(names, shots) {
   return [...(await Promise.all(told)), ...(differing.length ? [`the shots differ in ${differing.join(', ')}`] : [])];
 }
 
-async function writeReports({ names, images, comparison, verdict, hints }, { heatmap, report, junit }, signal) {
+const titleOf = ({ expected, actual }) => `${path.basename(expected)} and ${path.basename(actual)}`;
+
+async function writeReports({ names, images, comparison, verdict, hints }, { heatmap, report }, signal) {
   const map = heatmap || report ? await encodePng(heatMap(comparison), { signal }) : undefined;
-  const name = `${path.basename(names.expected)} and ${path.basename(names.actual)}`;
   if (heatmap) await writeFileAtomically(heatmap, map, signal);
   if (report) {
     const pictures = await Promise.all(images.map((image) => encodePng(image, { signal })));
-    const page = htmlReport(comparison, verdict, { expected: 'expected.png', actual: 'actual.png', heatMap: 'heatmap.png', title: name, hints });
+    const page = htmlReport(comparison, verdict, { expected: 'expected.png', actual: 'actual.png', heatMap: 'heatmap.png', title: titleOf(names), hints });
     const files = { 'expected.png': pictures[0], 'actual.png': pictures[1], 'heatmap.png': map, 'index.html': Buffer.from(page) };
     for (const [file, data] of Object.entries(files)) await writeFileAtomically(path.join(report, file), data, signal);
   }
-  if (junit) await writeFileAtomically(junit, Buffer.from(junitReport([{ name, verdict, hints }])), signal);
+}
+
+async function writeJunit(compared, { junit }, signal) {
+  if (junit) await writeFileAtomically(junit, Buffer.from(junitReport([compared])), signal);
 }
 
 function lines(comparison, verdict, hints) {

@@ -104,7 +104,7 @@ class FolderComparison {
     return writeFileAtomically(this.#fileOf('expected', name), bytes, this.#context.signal);
   }
 
-  /** Writes the pictures of the report. @returns {Promise<object | undefined>} their paths in it */
+  /** Writes the pictures of the report. @returns {Promise<object | undefined>} links to them */
   async #keep(name, { images: [first, second] = [], heat, expected = first, actual = second }) {
     const { report } = this.#options;
     if (report === undefined) return undefined;
@@ -113,8 +113,9 @@ class FolderComparison {
     const files = {};
     for (const [kind, image] of Object.entries(pictures)) {
       if (!image) continue;
-      files[kind] = path.posix.join('pictures', name.split(path.sep).join('/'), `${kind}.png`);
-      await writeFileAtomically(path.join(report, files[kind]), await encodePng(image, { signal }), signal);
+      const parts = ['pictures', ...name.split(path.sep), `${kind}.png`];
+      files[kind] = parts.map(encodeURIComponent).join('/');
+      await writeFileAtomically(path.join(report, ...parts), await encodePng(image, { signal }), signal);
     }
     return files;
   }
@@ -123,21 +124,20 @@ class FolderComparison {
 const isGood = ({ status }) => status === 'within' || status === 'updated';
 const exitOf = (compared) => compared.error?.exit ?? (isGood(compared) ? 0 : EXIT_OVER_THE_GATE);
 
-function refuseOptions({ heatmap, environment }) {
+function refuseOptions({ heatmap }) {
   if (heatmap !== undefined) throw new TelarError('E_USAGE', '--heatmap is of two images; --report holds the heat maps of folders');
-  if (environment !== undefined) throw new TelarError('E_USAGE', '--environment goes with --model');
 }
 
 /**
  * @param {{expected: string, actual: string}} folders
  * @param {object} options as commander parsed them
- * @param {object} context of the command, with `settings` and `masks`
+ * @param {object} context of the command, with `settings`, `masks`, and `isNew` where the folder of the expected ones is not there yet
  * @returns {Promise<number>} the highest exit code of the images: 1 where one is over the gate, missing or new
  */
 export async function compareFolders(folders, options, context) {
   refuseOptions(options);
   const { console, signal } = context;
-  const [expected, actual] = [new Set(await imagesIn(folders.expected)), new Set(await imagesIn(folders.actual))];
+  const [expected, actual] = [new Set(context.isNew ? [] : await imagesIn(folders.expected)), new Set(await imagesIn(folders.actual))];
   const names = [...new Set([...expected, ...actual])].sort();
   if (names.length === 0) throw new TelarError('E_USAGE', `${shown(folders.expected)} and ${shown(folders.actual)} hold no PNG, JPEG or WebP`);
   const work = new FolderComparison(folders, options, context);

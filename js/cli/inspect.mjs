@@ -8,14 +8,14 @@ import { readAll } from './streams.mjs';
 /**
  * telar inspect MODEL
  * What is in the file, what a render would compile and run, warnings, sizes in metres.
- * @param {string} model path, or - for stdin
+ * @param {string} given path or file: URL of a model, or - for stdin
  * @param {object} options as commander parsed them
  * @param {import('./console.mjs').Io & {api: object, console: import('./console.mjs').Console}} context
  * @returns {Promise<number>} exit code
  */
-export async function inspect(model, options, context) {
-  if (model === '-' && options.shot === '-') throw new TelarError('E_USAGE', '- (stdin) can stand for one file only');
-  await checkModel(model);
+export async function inspect(given, options, context) {
+  if (given === '-' && options.shot === '-') throw new TelarError('E_USAGE', '- (stdin) can stand for one file only');
+  const { model } = await checkModel(given);
   const shot = await readShotOptions(options, context);
   const limits = readLimits(options.limit);
   const source = model === '-' ? await readAll(context.stdin, maxFileBytes(limits), context.signal) : model;

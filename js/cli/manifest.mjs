@@ -99,9 +99,9 @@ export async function readManifest(file, io) {
 
 async function inFolder(base, model, where) {
   try {
-    const file = path.isAbsolute(model) ? model : path.join(base, model);
-    const found = await checkModel(/^[a-z][a-z\d+.-]*:\/\//i.test(model) ? model : file);
-    if (found?.isDirectory()) throw usage(`model: ${shown(model)} is a folder: name its files, one a line`);
+    const isAsItIs = path.isAbsolute(model) || /^(file:|[a-z][a-z\d+.-]*:\/\/)/i.test(model);
+    const { model: file, isFolder } = await checkModel(isAsItIs ? model : path.join(base, model));
+    if (isFolder) throw usage(`model: ${shown(model)} is a folder: name its files, one a line`);
     return file;
   } catch (error) {
     throw new TelarError(error.code, `${where}: ${error.message}`, error);

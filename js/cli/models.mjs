@@ -1,5 +1,6 @@
 import { readdir, stat } from 'node:fs/promises';
 import path from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
 
@@ -34,28 +35,39 @@ async function beneath(folder) {
   return files.map((model) => ({ model, folder: path.relative(folder, path.dirname(model)) }));
 }
 
+/** A file: URL as the path that it means: names of pictures and checks of folders go by paths. */
+function asPath(given) {
+  if (!given.startsWith('file:')) return given;
+  try {
+    return fileURLToPath(given);
+  } catch {
+    throw usage(`${shown(given)} means no file of this machine: give its path`);
+  }
+}
+
 /**
  * Tells what to do about a model that is no file: an address, a pattern that the shell left as it is.
- * @param {string} given path, or - for stdin
- * @returns {Promise<import('node:fs').Stats | undefined>} undefined where there is none: reading it will tell
+ * @param {string} given path or file: URL, or - for stdin
+ * @returns {Promise<{model: string, isFolder: boolean}>} model: its path, or -. One that is not there is told when it is read
  * @throws {TelarError} E_USAGE
  */
 export async function checkModel(given) {
-  if (given === '-') return undefined;
+  if (given === '-') return { model: given, isFolder: false };
   if (ADDRESS.test(given)) {
     throw usage(
       `${shown(given)} is an address, and telar fetches nothing: copy the file to this machine, or hand it over as in \`curl -fsS ADDRESS | telar thumbnail - -o OUT\``,
     );
   }
-  const found = await stat(given).catch(() => undefined);
+  const model = asPath(given);
+  const found = await stat(model).catch(() => undefined);
   if (!found && PATTERN.test(given)) {
     throw usage(`no file is called ${shown(given)}, and telar expands no patterns: write it without quotes, so that the shell does, or name a folder with -r`);
   }
-  return found;
+  return { model, isFolder: found?.isDirectory() ?? false };
 }
 
 /**
- * @param {string[]} given paths of models and folders, or - for stdin
+ * @param {string[]} given paths or file: URLs of models and folders, or - for stdin
  * @param {{recursive?: boolean}} options recursive: folders stand for the models beneath them
  * @returns {Promise<Array<{model: string, folder: string}>>} folder: path of the model's folder beneath the one that was
  *   given; empty for a model that was given itself
@@ -63,8 +75,8 @@ export async function checkModel(given) {
  */
 export async function findModels(given, { recursive = false } = {}) {
   const found = [];
-  for (const model of given) {
-    const isFolder = (await checkModel(model))?.isDirectory();
+  for (const each of given) {
+    const { model, isFolder } = await checkModel(each);
     if (isFolder && !recursive) throw usage(`${shown(model)} is a folder; -r draws every .glb and .gltf file beneath it`);
     found.push(...(isFolder ? await beneath(model) : [{ model, folder: '' }]));
   }

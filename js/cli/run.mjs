@@ -32,7 +32,7 @@ export async function run(argv, io, commands) {
     await buildProgram(version, grammar, actionOf, output).parseAsync(argv, { from: 'user' });
     return exit;
   } catch (thrown) {
-    const error = ofCommander(thrown, Object.keys(commands));
+    const error = ofCommander(thrown, () => expected(asked, commands));
     if (!error) return 0;
     console.error(error);
     if (flags.json) await console.result({ ok: false, exit: error.exit, error }).catch(() => {});
@@ -40,10 +40,22 @@ export async function run(argv, io, commands) {
   }
 }
 
-/** A commander exception as one of ours; undefined for help and version, which are no errors. */
-function ofCommander(thrown, names) {
+/** What is missing: a command, or one of those that the command which was given has. */
+function expected(asked, commands) {
+  const inner = Object.hasOwn(commands, asked) ? commands[asked].of : undefined;
+  const names = Object.keys(inner ?? commands);
+  const listed = names.length > 1 ? `${names.slice(0, -1).join(', ')} or ${names.at(-1)}` : names[0];
+  return `expected a command${inner ? ` of ${asked}` : ''}: ${listed}`;
+}
+
+/**
+ * A commander exception as one of ours; undefined for help and version, which are no errors.
+ * @param {unknown} thrown
+ * @param {() => string} missing what to say where a command is
+ */
+function ofCommander(thrown, missing) {
   if (!thrown?.code?.startsWith?.('commander.')) return toTelarError(thrown);
   if (thrown.exitCode === 0) return undefined;
-  if (thrown.code === 'commander.help') return new TelarError('E_USAGE', `expected a command: ${names.slice(0, -1).join(', ')} or ${names.at(-1)}`);
+  if (thrown.code === 'commander.help') return new TelarError('E_USAGE', missing());
   return new TelarError('E_USAGE', thrown.message.replace(/^error: /, '').replaceAll('\n', ' '));
 }

@@ -20,20 +20,20 @@ const usage = (message) => new TelarError('E_USAGE', message);
 /**
  * telar sheet MODEL [--spec SPEC] -o sheet.pdf
  * The tech sheet of a model: one PDF, or one SVG or PNG a page. With --init the first spec, to be edited.
- * @param {string} model path, or - for stdin
+ * @param {string} given path or file: URL of a model, or - for stdin
  * @param {object} options as commander parsed them
  * @param {import('./console.mjs').Io & {api: object, console: import('./console.mjs').Console}} context
  * @returns {Promise<number>} exit code
  */
-export async function sheet(model, options, context) {
+export async function sheet(given, options, context) {
   const format = formatOf(options);
-  if ([model, options.spec, options.shot, options.previous].filter((file) => file === '-').length > 1) throw usage('- (stdin) can stand for one file only');
-  await checkModel(model);
+  if ([given, options.spec, options.shot, options.previous].filter((file) => file === '-').length > 1) throw usage('- (stdin) can stand for one file only');
+  const { model } = await checkModel(given);
   const limits = readLimits(options.limit);
   const timeoutMs = readTimeout(options.timeoutMs);
   const shot = await readShotOptions(options, context);
   checkShared(shot, 'shot');
-  const [given, previous] = [await readSpecFile('--spec', options.spec, context), await readSpecFile('--previous', options.previous, context)];
+  const [givenSpec, previous] = [await readSpecFile('--spec', options.spec, context), await readSpecFile('--previous', options.previous, context)];
   const fonts = await Promise.all((options.font ?? []).map((file) => readBytes('--font', file)));
   const templates = templatesOf(options.template);
   const source = model === '-' ? await readAll(context.stdin, maxFileBytes(limits), context.signal) : model;
@@ -41,7 +41,7 @@ export async function sheet(model, options, context) {
   try {
     const loaded = await renderer.load(source, { signal: context.signal });
     const name = model === '-' ? '' : path.basename(model).replace(/\.[^.]+$/, '');
-    const spec = given ?? firstSpec(loaded.facts, { name });
+    const spec = givenSpec ?? firstSpec(loaded.facts, { name });
     if (format === 'json') return await writeSpec(spec, options.output, context);
     const bar = await context.console.progress(1, { gradual: true });
     const made = await createSheet(loaded, spec, {

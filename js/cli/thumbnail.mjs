@@ -61,12 +61,12 @@ async function planned(models, options, limits, context) {
   const entries = await readEntries(models, options, shot, limits, context);
   const { jobs, crosses } = await makeJobs(entries, options, maxFileBytes(limits));
   if (isAnimation(options)) {
-    await refuseParts(jobs, [options.output]);
+    await refuseParts(jobs, [options.output], maxFileBytes(limits));
     return { jobs };
   }
   const outputs = outputNames(options.output, jobs, crosses);
   const layers = jobs.flatMap(({ shot }, i) => Object.values(layerFiles(outputs[i].file, shot)));
-  await refuseParts(jobs, [outputs.map(({ file }) => file), layers, options.contactSheet ?? []].flat());
+  await refuseParts(jobs, [outputs.map(({ file }) => file), layers, options.contactSheet ?? []].flat(), maxFileBytes(limits));
   checkLayerFiles(jobs, outputs);
   await checkSheet(options.contactSheet, jobs, outputs);
   jobs.forEach((job, i) => {

@@ -1,7 +1,28 @@
 import { createHash } from 'node:crypto';
-import { appendFile, mkdir, readFile } from 'node:fs/promises';
+import { appendFile, readFile } from 'node:fs/promises';
 import path from 'node:path';
-import { writeFileAtomically } from '../api/atomic_file.mjs';
+import { TelarError } from '../error/index.mjs';
+import { shown } from '../shot/complain.mjs';
+import { makeOutputFolder, unwritable, writeFileAtomically } from '../api/atomic_file.mjs';
+
+/** A file of an earlier run; undefined where there is none. @throws {TelarError} E_FILE */
+async function kept(file, encoding) {
+  try {
+    return await readFile(file, encoding);
+  } catch (cause) {
+    if (cause.code === 'ENOENT') return undefined;
+    throw new TelarError('E_FILE', `${shown(file)} of an earlier run cannot be read (${cause.code}): name another folder, or move it away`, { cause });
+  }
+}
+
+/** @throws {TelarError} X_OUTPUT */
+async function append(file, text) {
+  try {
+    await appendFile(file, text);
+  } catch (cause) {
+    throw unwritable(file, cause);
+  }
+}
 
 /** What a bench has measured, in a folder: one line of JSON a measurement, and the truths as raw RGBA. A run that was stopped goes on from there. */
 export class TradeStore {
@@ -19,10 +40,13 @@ export class TradeStore {
     return path.join(this.#folder, 'measured.jsonl');
   }
 
-  /** Reads what is there. A last line that was cut by the end of a process is left out. */
+  /**
+   * Makes the folder, and reads what is there. A last line that was cut by the end of a process is left out.
+   * @throws {TelarError} X_OUTPUT, E_FILE
+   */
   async open() {
-    await mkdir(path.join(this.#folder, 'truth'), { recursive: true });
-    const text = await readFile(this.#lines, 'utf8').catch(() => '');
+    await makeOutputFolder(path.join(this.#folder, 'truth'));
+    const text = (await kept(this.#lines, 'utf8')) ?? '';
     for (const line of text.split('\n')) {
       try {
         const { key, ...row } = JSON.parse(line);
@@ -31,7 +55,7 @@ export class TradeStore {
         // Measured again.
       }
     }
-    if (text !== '' && !text.endsWith('\n')) await appendFile(this.#lines, '\n');
+    if (text !== '' && !text.endsWith('\n')) await append(this.#lines, '\n');
   }
 
   keyOf(parts) {
@@ -51,7 +75,7 @@ export class TradeStore {
 
   async keep(key, row) {
     this.#rows.set(key, row);
-    await appendFile(this.#lines, `${JSON.stringify({ key, ...row })}\n`);
+    await append(this.#lines, `${JSON.stringify({ key, ...row })}\n`);
   }
 
   #truthFile(key) {
@@ -59,7 +83,7 @@ export class TradeStore {
   }
 
   truth(key) {
-    return readFile(this.#truthFile(key)).catch(() => undefined);
+    return kept(this.#truthFile(key));
   }
 
   keepTruth(key, data) {

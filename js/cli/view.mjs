@@ -13,15 +13,15 @@ import { readAll } from './streams.mjs';
 /**
  * telar view MODEL
  * A page on this machine with what the browser client shows beside what the server draws. Runs until it is interrupted.
- * @param {string} model path, or - for a GLB on stdin
+ * @param {string} given path or file: URL of a model, or - for a GLB on stdin
  * @param {object} options as commander parsed them
  * @param {import('./console.mjs').Io & {api: object, console: import('./console.mjs').Console}} context
  * @returns {Promise<number>} 0 after the interrupt
  */
-export async function view(model, options, context) {
+export async function view(given, options, context) {
   const { console, signal, api, stdin } = context;
-  if (model === '-' && options.shot === '-') throw new TelarError('E_USAGE', '- (stdin) can stand for one file only');
-  await checkModel(model);
+  if (given === '-' && options.shot === '-') throw new TelarError('E_USAGE', '- (stdin) can stand for one file only');
+  const { model } = await checkModel(given);
   const shot = await readShotOptions(options, context);
   const limits = readLimits(options.limit);
   const source = model === '-' ? await readAll(stdin, maxFileBytes(limits), signal) : model;

@@ -5,7 +5,7 @@ import { ciede2000Map } from './ciede2000.mjs';
 import { LINEAR } from './colour.mjs';
 import { flipMap, PIXELS_PER_DEGREE } from './flip.mjs';
 import { checkPair, isOpaque, over, premultiply } from './image.mjs';
-import { BAND, IGNORED, INSIDE, pairRegions } from './regions.mjs';
+import { BACKGROUND, BAND, IGNORED, INSIDE, maskedRegions } from './regions.mjs';
 import { ssim } from './ssim.mjs';
 import { mean, percentile, weightedPercentile } from './statistics.mjs';
 
@@ -20,8 +20,10 @@ import { mean, percentile, weightedPercentile } from './statistics.mjs';
  * @property {number} width pixels
  * @property {number} height pixels
  * @property {Figures} frame every pixel that is compared
- * @property {Figures | null} object pixels that either picture covers; null where there is none, as in the next two
- * @property {Figures | null} interior pixels whose surroundings of 2 pixels both pictures cover (regions.mjs)
+ * @property {Figures | null} object pixels that either picture covers, or of a mask those that are light and the edge around; null where there is none,
+ *   as in the next two
+ * @property {Figures | null} interior pixels whose surroundings of 2 pixels both pictures cover, and with a mask the background that both show
+ *   (regions.mjs)
  * @property {Figures | null} edge the rest of the object
  * @property {number | null} ssim mean over the frame; null for a picture smaller than 11 x 11
  * @property {Float32Array} flipMap FLIP of each pixel
@@ -30,7 +32,7 @@ import { mean, percentile, weightedPercentile } from './statistics.mjs';
 const REGIONS = {
   frame: (region) => region !== IGNORED,
   object: (region) => region === INSIDE || region === BAND,
-  interior: (region) => region === INSIDE,
+  interior: (region) => region === INSIDE || region === BACKGROUND,
   edge: (region) => region === BAND,
 };
 
@@ -84,7 +86,7 @@ function hideIgnored([expected, actual], ignore) {
 function comparePremultiplied(given, width, height, { pixelsPerDegree = PIXELS_PER_DEGREE, mask, ignore } = {}) {
   const pair = ignore ? hideIgnored(given, ignore) : given;
   const maps = worstMaps(pair, width, height, pixelsPerDegree);
-  const regions = pairRegions(...pair, width, height, mask).map((region, p) => (ignore?.[p] ? IGNORED : region));
+  const regions = maskedRegions(...pair, width, height, mask).map((region, p) => (ignore?.[p] ? IGNORED : region));
   const figures = Object.entries(REGIONS).map(([name, belongs]) => [name, figuresOf(pair, maps, regions, belongs, width)]);
   return { width, height, ...Object.fromEntries(figures), ssim: maps.ssim, flipMap: maps.flip };
 }

@@ -38,9 +38,9 @@ export interface Comparison {
   height: number;
   /** Every pixel. */
   frame: Figures;
-  /** Pixels that either picture covers; null where there is none, as in the next two. */
+  /** Pixels that either picture covers; with a mask its own and the edge around. Null where there is none, as in the next two. */
   object: Figures | null;
-  /** Pixels whose surroundings of 2 pixels both pictures cover (alpha above 0), and a drawn background off the silhouette. */
+  /** Pixels whose surroundings of 2 pixels both pictures cover (alpha above 0), and with a mask the background that both show. */
   interior: Figures | null;
   /** The rest of the object. */
   edge: Figures | null;

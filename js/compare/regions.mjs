@@ -9,6 +9,9 @@ export const [OUTSIDE, INSIDE, BAND] = [0, 1, 2];
 /** What compareImages() calls a pixel that is not compared. */
 export const IGNORED = 3;
 
+/** What maskedRegions() calls a background that both pictures show. */
+export const BACKGROUND = 4;
+
 /** Object pixels above and left of each corner of the grid: (width + 1) * (height + 1). */
 function summedAreas(object, width, height) {
   const sums = new Uint32Array((width + 1) * (height + 1));
@@ -57,7 +60,11 @@ function regionsOf(object, width, height) {
  * @param {Uint8Array} [mask] not 0 where the object is, width * height
  * @returns {Uint8Array} one of the three a pixel
  */
-export function pairRegions(expected, actual, width, height, mask = undefined) {
+export const pairRegions = (expected, actual, width, height, mask = undefined) =>
+  maskedRegions(expected, actual, width, height, mask).map((region) => (region === BACKGROUND ? INSIDE : region));
+
+/** The same, with BACKGROUND in place of INSIDE for what both pictures show away from the mask's object. */
+export function maskedRegions(expected, actual, width, height, mask = undefined) {
   const covered = new Uint8Array(width * height);
   for (let i = 0, alpha = 3; i < covered.length; i++, alpha += 4) {
     covered[i] = (expected[alpha] > 0 ? 1 : 0) + (actual[alpha] > 0 ? 1 : 0);
@@ -66,7 +73,7 @@ export function pairRegions(expected, actual, width, height, mask = undefined) {
   const regions = regionsOf(object, width, height);
   for (let i = 0; i < regions.length; i++) {
     if (covered[i] === 0) regions[i] = OUTSIDE;
-    else if (regions[i] === OUTSIDE) regions[i] = covered[i] === 2 ? INSIDE : BAND;
+    else if (regions[i] === OUTSIDE) regions[i] = covered[i] === 2 ? BACKGROUND : BAND;
   }
   return regions;
 }

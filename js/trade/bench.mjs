@@ -9,13 +9,14 @@ export const benchSteps = ({ scenes, settings }) => scenes.length * Object.keys(
  * Draws every scene with every setting.
  * @param {object} api with inspect
  * @param {object} renderer of api.createRenderer
- * @param {{scenes: import('./measure.mjs').Scene[], settings: Record<string, object | string>, window: number, capMs: number, truth?: object}} plan
+ * @param {{scenes: import('./measure.mjs').Scene[], settings: Record<string, object | string>, window: number, capMs: number, machine?: string,
+ *   truth?: object}} plan
  * @param {object} store of measureScene
- * @param {{signal?: AbortSignal, step?: (name: string) => void}} [options]
+ * @param {{limits?: object, signal?: AbortSignal, step?: (name: string) => void}} [options] limits: those of the renderer, by name
  * @returns {Promise<import('./measure.mjs').Row[]>}
  * @throws {TelarError} with the scene's name in front; the signal's reason
  */
-export async function bench(api, renderer, plan, store, { signal, step } = {}) {
+export async function bench(api, renderer, plan, store, { limits, signal, step } = {}) {
   const rows = [];
   let held;
   const release = async () => {
@@ -31,6 +32,7 @@ export async function bench(api, renderer, plan, store, { signal, step } = {}) {
       const featuresOfShot = async (shot) => {
         const { plan: drawn, ...facts } = await api.inspect(scene.source, {
           shot: { ...shot, materials: scene.shot.materials ?? {}, quality: 'draft' },
+          ...(limits && { limits }),
           signal,
         });
         return featuresOf(shot, drawn, facts);

@@ -43,6 +43,14 @@ const withSetting = (shot, setting) => {
   return { ...shot, quality, lights };
 };
 
+/** A shading as a table names it: its base, and what of it the shot changes. */
+function shadingName(shading) {
+  if (typeof shading === 'string') return shading;
+  const { base, revision, ...terms } = shading;
+  const changed = Object.entries(terms).map(([slot, term]) => ` ${slot} ${term}`);
+  return `${base}${revision === undefined ? '' : `@${revision}`}${changed.join(',')}`;
+}
+
 /** Whether a setting changes what the scene does not have. */
 const isIdle = ({ shadow, quality, transmissionScale = quality?.transmissionScale ?? 1, samples, shadowScale }, { shadows }, passes) =>
   // Qualities of several passes have finer maps beside all else.
@@ -61,7 +69,7 @@ const runsFor = (ms) => (ms < 150 ? 5 : ms < 600 ? 3 : ms < 4000 ? 2 : 1);
  *
  * One setting on one scene, as a line of the CSV.
  * @typedef {object} Row
- * @property {string} model, light, shading, setting
+ * @property {string} model, light, shading, setting - shading: with the release of three.js that the scene names, `three@180`.
  * @property {number} size - Pixels of the picture's larger side.
  * @property {number} flip - Mean over the model's pixels of the window, against TRUTH.
  * @property {number} deltaE - CIEDE2000, 95th percentile of the same.
@@ -210,6 +218,7 @@ class SceneWindow {
  * @param {number} plan.window side in pixels
  * @param {object} [plan.truth] quality
  * @param {number} plan.capMs CPU time above which a setting is drawn in the window alone
+ * @param {string} [plan.machine] what times depend on: those of another machine are not taken for its own
  * @param {(shot: object) => Promise<import('../predict/features.mjs').Features>} plan.featuresOf of a resolved shot of the scene
  * @param {{row(key: string): Row | undefined, keep(key: string, row: Row): Promise<void>, truth(key: string): Promise<Uint8Array | undefined>, keepTruth(key: string, data: Uint8Array): Promise<void>, keyOf(parts: object): string}} store
  * @param {{signal?: AbortSignal, step?: (name: string) => void}} [options] step: after each setting
@@ -219,30 +228,30 @@ export async function measureScene(
   renderer,
   model,
   scene,
-  { settings, window: side, truth = TRUTH, capMs, featuresOf, visibleModel },
+  { settings, window: side, truth = TRUTH, capMs, machine, featuresOf, visibleModel },
   store,
   { signal, step = () => {} } = {},
 ) {
   const window = await new SceneWindow(new TimedDrawing(renderer, model, signal), store, truth).open(scene, side, featuresOf);
   const { features, resolved } = window;
+  const named = { model: scene.model, light: scene.light, shading: shadingName(scene.shot.shading ?? features.shading) };
   const rows = [];
   for (const [setting, quality] of Object.entries(settings)) {
     if (isIdle(quality, features, window.passes)) {
       step(`${scene.model}, ${scene.light}: ${setting}`);
       continue;
     }
-    const name = window.keyOf(quality, { setting, quality, capMs });
+    const name = window.keyOf(quality, { setting, quality, capMs, machine });
     let row = store.row(name);
     if (!row) {
       const size = Math.max(resolved.size.width, resolved.size.height);
       const family = familyOf(setting);
       const measured = await window.measure(quality, capMs, toldFactor(rows, family), visibleModel);
-      const of = { model: scene.model, light: scene.light, shading: features.shading, size, setting };
-      row = { ...of, ...measured, family: family ?? 'other', features };
+      row = { ...named, size, setting, ...measured, family: family ?? 'other', features };
       await store.keep(name, row);
     }
-    // What a scene is told by may be more than when the row was kept.
-    rows.push({ ...row, features });
+    // What a scene is called and told by may be other than when the row was kept.
+    rows.push({ ...row, ...named, features });
     step(`${scene.model}, ${scene.light}, ${row.size}: ${setting}`);
   }
   return rows;

@@ -1,6 +1,6 @@
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { LIGHTS } from '../analyse/index.mjs';
+import { LIGHTS, numbered } from '../analyse/index.mjs';
 import { TelarError } from '../error/index.mjs';
 import { nearest, shown } from '../shot/complain.mjs';
 
@@ -35,14 +35,20 @@ export function benchLights(names) {
   });
 }
 
+/** Models or lights, those with one name told apart by number. */
+const toldApart = (list) => {
+  const names = numbered(list.map(({ name }) => name));
+  return list.map((each, i) => ({ ...each, name: names[i] }));
+};
+
 /**
  * Every model in every light, size and shading.
  * @param {{models: {name: string, source: string, shot: object}[], lights: {name: string, shot: object}[], sizes: number[], shadings: (string | object)[]}} plan
  * @returns {import('./measure.mjs').Scene[]}
  */
 export const scenesOf = ({ models, lights, sizes, shadings }) =>
-  models.flatMap((model) =>
-    lights.flatMap((light) =>
+  toldApart(models).flatMap((model) =>
+    toldApart(lights).flatMap((light) =>
       sizes.flatMap((side) =>
         shadings.map((shading) => ({
           model: model.name,

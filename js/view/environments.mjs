@@ -31,9 +31,11 @@ export class Environments {
     return map === this.#own?.name ? this.#own.file : undefined;
   }
 
-  /** A shot of the command line as the page gets it. */
+  /** A shot of the command line, or one that was drawn, as the page gets it: of environments, the own file alone is no name yet. */
   forPage(shot) {
-    return mapOf(shot.environment) === undefined || !this.#own ? shot : { ...shot, environment: withMap(shot.environment, this.#own.name) };
+    const map = mapOf(shot.environment);
+    if (map === undefined || isNamedEnvironment(map) || !this.#own) return shot;
+    return { ...shot, environment: withMap(shot.environment, this.#own.name) };
   }
 
   /**

@@ -27,9 +27,12 @@ export async function draw(signal: AbortSignal): Promise<FrameInfo> {
   if (resolved.camera.projection === 'orthographic') resolved.camera.height.toFixed(bytes);
   await applyShot(resolved, { THREE: {}, renderer: {}, scene: {} });
   rendererParameters(resolved).antialias satisfies boolean;
-  const { plan, bounds } = await inspect(new URL('file:///shirt.glb'), { shot });
+  const { plan, bounds, goal } = await inspect(new URL('file:///shirt.glb'), { shot });
+  const apart: Model = await model.explode(0.1, { timeoutMs: null, signal });
+  // @ts-expect-error nothing is loaded
+  await apart.explode(0.1, { failOn: 'none' });
   const report = await doctor();
-  [plan?.features, bounds?.min, report.chosen, versions.telar, VIEWS.front.azimuth, parseColour('red')?.[0]].join();
+  [plan?.features, goal?.predicted.flip, bounds?.min, report.chosen, versions.telar, VIEWS.front.azimuth, parseColour('red')?.[0]].join();
   return info;
 }
 

@@ -1,7 +1,11 @@
 import assert from 'node:assert/strict';
+import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { TelarError } from '../../../js/error/index.mjs';
 import { inspectOn } from '../../../js/api/inspect.mjs';
+import { cureIn } from '../../../js/api/native.mjs';
 import { createRendererOn } from '../../../js/api/renderer.mjs';
 import { runChild } from './support/child.mjs';
 import { SHOT, model, native, openRenderer } from './support/double.mjs';
@@ -165,6 +169,19 @@ test('a missing or damaged addon names the cure', async () => {
       'the native part of telar is not built (tried telar.node): run `npm run build` in the folder of telar ' +
       '(it needs the Debian packages that `npm run setup` installs)',
   });
+});
+
+test('the cure of a missing addon is one that the package has', async () => {
+  const root = await mkdtemp(path.join(tmpdir(), 'telar-cure-'));
+  try {
+    assert.match(cureIn(root), /^install telar with its optional dependencies/);
+    await writeFile(path.join(root, 'CMakeLists.txt'), '');
+    assert.match(cureIn(root), /^run `npm run build` .* \(it names the Debian packages that are missing; js\/machine\/debian_packages\.txt lists them all\)$/);
+    await mkdir(path.join(root, 'js/setup'), { recursive: true });
+    assert.match(cureIn(root), /`npm run setup` installs/);
+  } finally {
+    await rm(root, { recursive: true });
+  }
 });
 
 test('native code takes no handle for another', () => {

@@ -58,6 +58,12 @@ test('the camera frames what is apart, and the model stays as it was', async () 
   assert.ok((await renderer.render(model, shot)).data.equals(whole.data));
 });
 
+test('options of loading are refused: nothing is loaded', async () => {
+  for (const options of [{ failOn: 'none' }, { resolve: () => null }, { ambientVisibility: true }])
+    await assert.rejects(model.explode(0.1, options), { code: 'E_OPTION', message: /unknown key, expected one of timeoutMs, signal/ });
+  await model.explode(0.1, { timeoutMs: null, signal: new AbortController().signal });
+});
+
 test('a distance that is none is refused', async () => {
   for (const distance of [-1, Number.NaN, '1'])
     await assert.rejects(model.explode(distance), { code: 'E_OPTION', message: /^distance: expected metres, 0 or more/ });

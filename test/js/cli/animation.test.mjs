@@ -47,6 +47,22 @@ test('what a file has at several places is told of each', async () => {
   assert.deepEqual(await toldOf([], []), []);
 });
 
+test('what one animation cannot have is refused', async () => {
+  const output = path.join(folder, 'refused.webp');
+  const refused = async (job, options = {}) => {
+    const jobs = jobsOf([0, 1]).map((each) => ({ ...each, ...job }));
+    const error = await writeAnimation({ jobs, options: { output, ...options }, renderer: {} }, { api: {}, console: {} }).catch((thrown) => thrown);
+    assert.equal(error.code, 'E_USAGE', error.stack);
+    return error.message;
+  };
+  for (const options of [{ contactSheet: 'c.png' }, { skipUnchanged: true }, { reached: true }])
+    assert.match(await refused({}, options), /an animation has no --contact-sheet, no --skip-unchanged and no --reached$/);
+  const own = await refused({ where: '--manifest line 2', output: 'own.png' });
+  assert.match(own, /^--manifest line 2: output: the animation goes to ".*refused\.webp"; drop one of them$/);
+  const other = await refused({ shot: { output: { format: 'png' } } });
+  assert.match(other, /refused\.webp" means an animated webp, but the shot's output\.format is png; drop one of them$/);
+});
+
 test('a frame that fails is told by its name, and nothing is written', async () => {
   const failure = ofShot(new TelarError('E_WARNING', 'W_EMPTY: none; with failOn "error" it is drawn'), 2);
   const fail = async (error) => {

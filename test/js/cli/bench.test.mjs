@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { appendFileSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { appendFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
@@ -51,6 +51,65 @@ test('a run goes on where another stopped, a cut line is measured again', async 
     rows.map(({ setting }) => setting),
     ['draft', 'standard', 'tracer 8', 'own'],
   );
+});
+
+test('scenes that differ stay apart: releases of three.js, models and environments of one name', async () => {
+  const folder = freshFolder();
+  for (const name of ['a', 'b']) {
+    mkdirSync(path.join(folder, name), { recursive: true });
+    for (const file of ['shirt.glb', 'sky.hdr']) writeFileSync(path.join(folder, name, file), '');
+  }
+  const [models, skies] = ['shirt.glb', 'sky.hdr'].map((file) => ['a', 'b'].map((name) => path.join(folder, name, file)));
+  const argv = [...models, '--environments', skies.join(','), '--shadings', 'three@180,three@170,fabric', '--sizes', '64', '--window', '32'];
+  const { stdout, stderr, exit } = await run(['-o', path.join(folder, 'out'), ...argv, '--settings', 'draft', '--json']);
+  assert.equal(exit, 0, stderr);
+  const { rows, tables } = JSON.parse(stdout);
+  const scenes = ['shirt 1', 'shirt 2'].flatMap((model) =>
+    ['sky 1', 'sky 2'].flatMap((light) => ['three@180', 'three@170', 'fabric'].map((shading) => `${model}, ${light}, ${shading}, 64`)),
+  );
+  assert.deepEqual(
+    tables.cheapest.lines.map(([name]) => name),
+    scenes,
+  );
+  // What is predicted goes by the base.
+  assert.deepEqual([...new Set(rows.map(({ features }) => features.shading))], ['three', 'fabric']);
+  const one = await run(['-o', path.join(folder, 'out'), models[0], ...argv.slice(2), '--settings', 'draft', '--json']);
+  assert.deepEqual([...new Set(JSON.parse(one.stdout).rows.map(({ model }) => model))], ['shirt'], 'named as this run names it');
+  assert.equal(one.calls.rendered.length, 6, 'and not measured again');
+});
+
+test('times are those of the machine: another one measures again by the same truth', async () => {
+  const folder = freshFolder();
+  await run(['-o', folder, ...SMALL]);
+  const { calls } = await run(['-o', folder, ...SMALL], plantedBench({ gl: 'another' }));
+  assert.ok(calls.rendered.length > 3, String(calls.rendered.length));
+  assert.equal(calls.rendered.filter(({ shot }) => shot.quality.seed === 2).length, 0);
+  assert.equal((await run(['-o', folder, ...SMALL])).calls.rendered.length, 1);
+  assert.match(readFileSync(path.join(folder, 'index.html'), 'utf8'), / on .*, \d+ cores?, planted\./);
+});
+
+test('--limit reaches the plans of scenes too', async () => {
+  const { exit, calls } = await run(['-o', freshFolder(), ...SMALL, '--limit', 'L_TRIANGLES=9000000']);
+  assert.equal(exit, 0);
+  assert.deepEqual(
+    calls.inspected.map(({ limits }) => limits),
+    [{ L_TRIANGLES: 9_000_000 }],
+  );
+});
+
+test('a folder that cannot be written is X_OUTPUT, one of an earlier run that cannot be read E_FILE', async () => {
+  const folder = freshFolder();
+  mkdirSync(path.join(folder, 'read/measured.jsonl'), { recursive: true });
+  writeFileSync(path.join(folder, 'file'), '');
+  for (const [output, exit, text] of [
+    [path.join(folder, 'file/out'), 6, /cannot be written \((EEXIST|ENOTDIR)\); a file stands where its folder is to be.* \[X_OUTPUT\]/],
+    ['/proc/telar', 6, /cannot be written \(ENOENT\); its folder does not exist and cannot be made.* \[X_OUTPUT\]/],
+    [path.join(folder, 'read'), 3, /measured\.jsonl" of an earlier run cannot be read \(EISDIR\).* \[E_FILE\]/],
+  ]) {
+    const found = await run(['-o', output, ...SMALL]);
+    assert.deepEqual([found.exit, found.calls.loaded.length], [exit, 0], found.stderr);
+    assert.match(found.stderr, text);
+  }
 });
 
 test('--knobs: each alone, then the steepest together; shadows only where a lamp casts them', async () => {

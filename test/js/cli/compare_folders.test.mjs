@@ -161,6 +161,44 @@ test('--update of two images', async () => {
   assert.equal((await json(at('e.png'), at('a.png'), '--update')).updated, false);
 });
 
+test('--update accepts a first image and a first folder', async () => {
+  const at = tree({ 'a.png': pngs.spot, 'a/1.png': pngs.square, 'a/x/2.png': pngs.spot, 'text.png': 'no image' });
+  const one = await json(at('new/e.png'), at('a.png'), '--update', '--report', at('r'), '--junit', at('j.xml'));
+  assert.deepEqual([one.exit, one.updated, one.checks, readFileSync(at('new/e.png'))], [0, true, [], pngs.spot]);
+  assert.match(readFileSync(at('r/index.html'), 'utf8'), /all 1 within the gate[\s\S]*<img src="actual\.png"/);
+  assert.ok(existsSync(at('r/actual.png')));
+  assert.doesNotMatch(readFileSync(at('j.xml'), 'utf8'), /failure/);
+  assert.match((await compare(at('f.png'), at('a.png'), '--update')).stdout, /^accepted: .*f\.png is now .*a\.png\n$/);
+  const many = await json(at('e'), at('a'), '--update');
+  assert.deepEqual([many.exit, many.counts, readFileSync(at('e/x/2.png'))], [0, { updated: 2 }, pngs.spot]);
+  for (const [argv, exit, message] of [
+    [[at('g.png'), at('text.png'), '--update'], 3, /text\.png: .*E_IMAGE_FORMAT/],
+    [[at('g.png'), at('none.png'), '--update'], 3, /none\.png cannot be read \(ENOENT\)/],
+    [[at('g.png'), at('a.png')], 3, /g\.png cannot be read \(ENOENT\)/],
+    [[at('g'), at('a')], 2, /a is a folder and .*g is not/],
+  ]) {
+    const { exit: found, stderr } = await compare(...argv);
+    assert.equal(found, exit, stderr);
+    assert.match(stderr, message);
+  }
+  assert.ok(!existsSync(at('g.png')) && !existsSync(at('g')));
+});
+
+test('what --update accepts is no failure in the JUnit file of two images', async () => {
+  const at = tree({ 'e.png': pngs.square, 'a.png': pngs.spot });
+  const { exit } = await compare(at('e.png'), at('a.png'), '--gate', 'parity', '--update', '--junit', at('j.xml'));
+  assert.equal(exit, 0);
+  assert.match(readFileSync(at('j.xml'), 'utf8'), /tests="3" failures="0"/);
+});
+
+test('names of files are encoded where the page links to them', async () => {
+  const at = tree({ 'e/shirt#2 50%.png': pngs.square, 'a/shirt#2 50%.png': pngs.spot });
+  await compare(at('e'), at('a'), '--gate', 'exact', '--report', at('r'));
+  const [, link] = /<img src="([^"]+)"/.exec(readFileSync(at('r/index.html'), 'utf8'));
+  assert.equal(link, 'pictures/shirt%232%2050%25.png/expected.png');
+  assert.ok(existsSync(at('r', decodeURIComponent(link))));
+});
+
 test('--threshold moves a limit', async () => {
   const at = tree({ 'e.png': pngs.square, 'a.png': pngs.spot, 'e/1.png': pngs.square, 'a/1.png': pngs.grey });
   const loose = ['--gate', 'parity', '--threshold', 'interior.max=155', '--threshold', 'interior.p999=155'];
@@ -248,6 +286,9 @@ test('halves and empty folders are told', async () => {
     [[at('e'), '--model', 'x.glb'], /is a folder: --model draws the shot of one image/],
     [[at('a.png'), '--model', 'x.glb', '--update'], /--update accepts ACTUAL/],
     [[at('e'), at('e'), '--heatmap', at('h.png')], /--heatmap is of two images/],
+    [[at('e'), at('e'), '--explain'], /--explain draws .* it goes with --model/],
+    [[at('e'), at('e'), '--environment', 'x.hdr'], /--environment goes with --model/],
+    [[at('a.png'), at('a.png'), '--environment', 'x.hdr'], /--environment goes with --model/],
     [[at('empty'), at('empty')], /hold no PNG, JPEG or WebP/],
   ]) {
     const { exit, stderr } = await compare(...argv);

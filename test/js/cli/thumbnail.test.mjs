@@ -199,7 +199,8 @@ test('usage errors: exit 2, nothing drawn, one JSON object with --json', async (
   writeFileSync(at('m.png'), '');
   const out = ['-o', at('a.png')];
   const wrong = [
-    [[], /expected a command/],
+    [[], /expected a command: thumbnail, .* or \w+ /],
+    [['bench'], /expected a command of bench: trade /],
     [['thumbnial'], /unknown command 'thumbnial' \(Did you mean thumbnail\?\)/],
     [['thumbnail', 'm.glb'], /required option '-o, --output <out>' not specified/],
     [['thumbnail', ...out], /missing required argument 'model'/],

@@ -65,6 +65,32 @@ test('a mask finds the silhouette before a background, which counts as interior'
   assert.throws(() => compareImages(opaque, opaque, { mask: new Uint8Array(3) }), { code: 'E_OPTION', message: /mask: expected a Uint8Array of 1024/ });
 });
 
+test('a mask limits the object: a background does not dilute it', () => {
+  const [size, side] = [96, 12];
+  const [from, to] = [42, 54];
+  const isObject = (x, y) => Math.min(x, y) >= from && Math.max(x, y) < to;
+  const mask = Uint8Array.from({ length: size * size }, (_, i) => (isObject(i % size, Math.floor(i / size)) ? 1 : 0));
+  const onWhite = (grey) => draw(size, size, (x, y) => (isObject(x, y) ? [grey, grey, grey, 255] : [255, 255, 255, 255]));
+  const [expected, actual] = [onWhite(100), onWhite(104)];
+  const [diluted, masked] = [compareImages(expected, actual), compareImages(expected, actual, { mask })];
+  assert.deepEqual(
+    [diluted, masked].map(({ object }) => object.pixels),
+    [size * size, (side + 4) ** 2],
+  );
+  assert.deepEqual(
+    [diluted, masked].map((comparison) => judge(comparison, 'standard').pass),
+    [true, false],
+  );
+  near(masked.object.mean, (4 * side ** 2) / (side + 4) ** 2);
+  assert.deepEqual([masked.frame.pixels, masked.interior.pixels + masked.edge.pixels], [size * size, size * size]);
+  const spotted = compareImages(expected, withPixel(expected, 3, 3, [0, 0, 0, 255]), { mask });
+  assert.deepEqual([spotted.object.max, spotted.interior.max, spotted.frame.max], [0, 255, 255]);
+  // What one picture alone shows is object wherever it lies.
+  const clear = draw(size, size, (x, y) => (isObject(x, y) ? [100, 100, 100, 255] : [0, 0, 0, 0]));
+  const stray = compareImages(clear, withPixel(clear, 3, 3, [0, 0, 0, 255]), { mask });
+  assert.deepEqual([stray.object.max, stray.edge.max], [255, 255]);
+});
+
 test('each pixel counts in its own region, and the worst one is named', () => {
   const inside = compareImages(square(SIZE), withPixel(square(SIZE), 16, 15, [100, 103, 100, 255]));
   assert.deepEqual([inside.interior.max, inside.interior.worst, inside.edge.max, inside.frame.max], [3, [16, 15], 0, 3]);

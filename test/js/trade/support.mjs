@@ -7,10 +7,11 @@ const offset = ({ preset, samples }) => (preset === 'reference' ? 4 / Math.sqrt(
 
 /**
  * Stands in for the API: a disc that fills 0.8 of the picture's height, as grey as its quality is wrong.
- * @returns {{api: object, calls: {rendered: object[], loaded: string[], released: number, closed: number}}}
+ * @param {{fail?: (count: number) => void, gl?: string}} [options] gl: what the machine draws with
+ * @returns {{api: object, calls: {rendered: object[], inspected: object[], loaded: string[], released: number, closed: number}}}
  */
-export function plantedBench({ fail = () => {} } = {}) {
-  const calls = { rendered: [], loaded: [], released: 0, closed: 0 };
+export function plantedBench({ fail = () => {}, gl = 'planted' } = {}) {
+  const calls = { rendered: [], inspected: [], loaded: [], released: 0, closed: 0 };
   const render = async (model, shot, { signal } = {}) => {
     signal?.throwIfAborted();
     const resolved = resolveShot(shot, FACTS);
@@ -39,7 +40,7 @@ export function plantedBench({ fail = () => {} } = {}) {
   };
   const api = {
     createRenderer: async () => ({
-      gl: { renderer: 'planted' },
+      gl: { renderer: gl },
       load: async (source) => {
         calls.loaded.push(source);
         return { source };
@@ -48,7 +49,10 @@ export function plantedBench({ fail = () => {} } = {}) {
       release: async () => void (calls.released += 1),
       close: async () => void (calls.closed += 1),
     }),
-    inspect: async () => ({ ...FACTS, plan: { features: ['normal-map', 'environment'], fragments: 9000 } }),
+    inspect: async (_source, options) => {
+      calls.inspected.push(options);
+      return { ...FACTS, plan: { features: ['normal-map', 'environment'], fragments: 9000 } };
+    },
   };
   return { api, calls };
 }

@@ -189,6 +189,10 @@ test('environments go by name: the page sees no path and names no file', async (
   const drawn = JSON.parse((await (await post('draw', { environment: { map: 'sky.hdr' } })).formData()).get('info'));
   assert.deepEqual(drawn.shot.environment, { map: 'sky.hdr' });
   assert.equal(renderer.calls.rendered.at(-1).environment.map, at('sky.hdr'));
+  for (const environment of ['studio', { map: 'none' }]) {
+    const other = JSON.parse((await (await post('draw', { environment })).formData()).get('info'));
+    assert.deepEqual(other.shot.environment, environment, 'a named one stays what it is');
+  }
   const refused = await post('draw', { environment: at('sky.hdr') });
   assert.equal(refused.status, 400);
   const { code, pointer, message } = await refused.json();
