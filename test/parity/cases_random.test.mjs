@@ -27,7 +27,7 @@ test('scenes are valid glTF, with every layer and every kind of opacity among th
     const errors = issues.messages.filter(({ severity, code }) => severity === 0 && code !== 'MESH_PRIMITIVE_NO_TANGENT_SPACE');
     assert.deepEqual(errors, [], `seed ${seed}`);
     documents.push(documentOf(glb));
-    materials.push(...documents.at(-1).materials);
+    materials.push(...(documents.at(-1).materials ?? []));
   }
   const used = new Set(materials.flatMap(({ extensions = {} }) => Object.keys(extensions)));
   for (const { extension } of LAYERS) assert.ok(used.has(extension), extension);
@@ -39,7 +39,18 @@ test('scenes are valid glTF, with every layer and every kind of opacity among th
   assert.ok(documents.some(({ meshes }) => meshes.some((mesh) => mesh.primitives.length > 1)));
   const drawnOf = ({ nodes }) => nodes.flatMap(({ mesh }) => mesh ?? []);
   assert.ok(documents.some((document) => new Set(drawnOf(document)).size < drawnOf(document).length));
-  for (const mode of [0, 3, 5]) assert.ok(primitives.some((primitive) => primitive.mode === mode));
+  for (const mode of [0, 1, 2, 3, 5, 6])
+    assert.ok(
+      primitives.some((primitive) => primitive.mode === mode),
+      `mode ${mode}`,
+    );
+  assert.ok(primitives.some(({ material }) => material === undefined));
+  const areShared = ({ primitives: [first, second] }) => second && first.attributes.POSITION === second.attributes.POSITION;
+  assert.ok(documents.some(({ meshes }) => meshes.some(areShared)));
+  const lightsOf = ({ nodes }) => nodes.flatMap(({ extensions }) => extensions?.KHR_lights_punctual?.light ?? []);
+  assert.ok(documents.some((document) => new Set(lightsOf(document)).size < lightsOf(document).length));
+  assert.ok(documents.some(({ scenes, scene }) => scenes.length > 1 && scene === 1));
+  assert.ok(documents.some(({ nodes }) => nodes.some(({ mesh, children = [] }) => mesh !== undefined && children.length > 0)));
   for (const type of ['image/png', 'image/jpeg']) assert.ok(documents.some(({ images = [] }) => images.some(({ mimeType }) => mimeType === type)));
   for (const extension of ['KHR_draco_mesh_compression', 'EXT_meshopt_compression', 'KHR_texture_basisu'])
     assert.ok(
@@ -49,7 +60,7 @@ test('scenes are valid glTF, with every layer and every kind of opacity among th
   assert.ok(documents.some(({ accessors }) => accessors.some(({ sparse }) => sparse)));
   assert.ok(documents.some(({ skins }) => skins));
   const paths = new Set(documents.flatMap(({ animations = [] }) => animations.flatMap(({ channels }) => channels.map(({ target }) => target.path))));
-  assert.deepEqual([...paths].sort(), ['rotation', 'scale', 'weights']);
+  assert.deepEqual([...paths].sort(), ['rotation', 'scale', 'translation', 'weights']);
 });
 
 test('shots have every kind of light, with shadows and without, every kind of background, and both projections', async () => {
