@@ -22,6 +22,12 @@ export const VIEWS = Object.freeze({
 /** A camera nearer to the box than this part of its diagonal would cut it with the near plane. */
 const CLEARANCE = 1e-3;
 
+/** Part of the far distance at which a view with perspective begins whose camera stands in what it shows. */
+const INSIDE = 1e-3;
+
+/** Where a view with perspective begins that has nothing nearer than `nearest`, which is not above 0 for a camera that stands inside. */
+export const nearPlane = (nearest, far) => (nearest > 0 ? nearest : INSIDE * far);
+
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const subtract = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const length = (a) => Math.sqrt(dot(a, a));
@@ -172,7 +178,9 @@ export function frameBounds(bounds, { azimuth, elevation, projection, fovY, fit,
     target: plain(target),
     up: plain(basis.up),
     ...(camera.height !== undefined && { height: camera.height }),
-    ...(whole === bounds ? depthRange(camera.distance - nearest, camera.distance + nearest, bounds) : depthRangeOf(whole, position, target)),
+    ...(whole === bounds
+      ? depthRange([camera.distance - nearest, camera.distance + nearest], bounds, projection)
+      : depthRangeOf(whole, { position, target, projection }, [bounds])),
   };
 }
 
@@ -219,30 +227,39 @@ function frameOrthographic(seen, aspect, diagonal, distance) {
 /**
  * Near and far distances that hold the box between them: tight, for the precision of the depth buffer, with room for the
  * rounding of 32-bit vertex positions.
- * @param {number} nearest distance of the box's nearest corner along the view axis; may be negative (camera inside)
- * @param {number} farthest
+ * @param {[number, number]} distances of the box's nearest and farthest corner along the view axis; may be negative (camera inside)
  * @param {Bounds} bounds
+ * @param {'perspective' | 'orthographic'} projection depth of an orthographic one has the same step everywhere
  */
-function depthRange(nearest, farthest, bounds) {
+function depthRange([nearest, farthest], bounds, projection) {
   const coordinate = Math.max(...bounds.min.map(Math.abs), ...bounds.max.map(Math.abs));
   // 32-bit floats have a relative step of 1.2e-7; a few steps are lost on the way to clip space.
   const pad = 0.01 * (farthest - nearest) + 1e-3 * Math.abs(farthest) + 5e-7 * coordinate;
   const far = farthest + pad;
-  if (far <= 0) return { near: 1e-3 * pad, far: pad };
-  return { near: nearest > 0 ? Math.max(nearest - pad, nearest / 2) : 1e-3 * far, far };
+  if (far <= 0) return { near: INSIDE * pad, far: pad };
+  const before = Math.max(nearest - pad, nearest / 2);
+  return { near: projection === 'orthographic' && before > 0 ? before : nearPlane(before, far), far };
 }
 
-/**
- * Near and far for a camera that stands where the caller put it.
- * @param {Bounds} bounds
- * @param {Vec3} position
- * @param {Vec3} target
- */
-export function depthRangeOf(bounds, position, target) {
+/** Distances of a box's nearest and farthest corner along the view axis. */
+function distancesTo(bounds, { position, target }) {
   const view = subtract(target, position);
   const axis = view.map((x) => x / length(view));
   const { centre, half } = centreAndHalf(bounds);
   const middle = dot(subtract(centre, position), axis);
   const reach = Math.abs(axis[0]) * half[0] + Math.abs(axis[1]) * half[1] + Math.abs(axis[2]) * half[2];
-  return depthRange(middle - reach, middle + reach, bounds);
+  return [middle - reach, middle + reach];
+}
+
+/**
+ * Near and far for a camera that stands somewhere.
+ * @param {Bounds} bounds of all that is shown
+ * @param {{position: Vec3, target: Vec3, projection: 'perspective' | 'orthographic'}} camera
+ * @param {Bounds[]} [parts] of it that near must not cut: in a view from inside near grows with the farthest of what is shown
+ */
+export function depthRangeOf(bounds, camera, parts = []) {
+  const range = (box) => depthRange(distancesTo(box, camera), box, camera.projection);
+  const before = parts.filter((part) => distancesTo(part, camera)[1] > 0);
+  const { near, far } = range(bounds);
+  return { near: Math.min(near, ...before.map((part) => range(part).near)), far };
 }

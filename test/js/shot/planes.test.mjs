@@ -1,0 +1,51 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { cornersOfBox } from '../../../js/shot/frame.mjs';
+import { resolveShot } from '../../../js/shot/index.mjs';
+
+const shirt = { min: [-0.35, 0, -0.1], max: [0.35, 0.7, 0.1] };
+const buttons = { min: [-0.006, 0.4, 0.09], max: [0.006, 0.412, 0.1] };
+const facts = { bounds: shirt, part: { frame: { material: 'buttons' }, bounds: buttons } };
+const cast = (type, ...position) => ({ type, position, castShadow: true });
+
+const minus = (a, b) => a.map((x, i) => x - b[i]);
+const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+/** Distances of the corners of a box along the view. */
+function distances({ position, target }, box) {
+  const view = minus(target, position);
+  return cornersOfBox(box).map((corner) => dot(minus(corner, position), view) / Math.hypot(...view));
+}
+const nearest = (camera, box) => Math.min(...distances(camera, box));
+
+test('a ground that reaches behind the camera does not push the near plane into the model', () => {
+  for (const camera of [{ view: 'three-quarter' }, { azimuth: 20, elevation: 40, fovY: 60 }, { position: [1, 1, 1], target: [0, 0.3, 0] }]) {
+    const shot = (ground) => resolveShot({ camera, ground }, shirt).camera;
+    const [without, wide] = [shot('none'), shot({ size: [3000, 3000] })];
+    assert.ok(wide.near > 0.5 * nearest(wide, shirt) && wide.near < nearest(wide, shirt), `${wide.near}, ${nearest(wide, shirt)}`);
+    assert.ok(wide.far > 1000 && without.far < 5, 'far alone goes with the ground');
+  }
+});
+
+test('nor into a part that is framed', () => {
+  const shot = { camera: { view: 'front', frame: { material: 'buttons' } }, ground: {}, lights: [cast('point', 1, 0.5, 1)] };
+  const { camera } = resolveShot(shot, facts);
+  assert.ok(camera.near < nearest(camera, buttons) && camera.far > 100, `${camera.near}, ${nearest(camera, buttons)}`);
+  // Far behind the camera, and no ground: a hall and what lies in it.
+  const hall = { ...facts, bounds: { min: [-150, 0, -150], max: [150, 9, 150] } };
+  const inside = resolveShot({ camera: shot.camera }, hall).camera;
+  assert.ok(inside.near < nearest(inside, buttons) && inside.far > 100, `${inside.near}, ${nearest(inside, buttons)}`);
+});
+
+test('a ground before a camera that turns its back to the model leaves near as it is', () => {
+  const { camera } = resolveShot({ camera: { position: [0, 1, 2], target: [0, 0.5, 4] }, ground: { size: [20, 20] } }, shirt);
+  assert.ok(Math.abs(camera.near / camera.far - 1e-3) < 1e-9, `${camera.near}`);
+});
+
+test('a wide ground does not push the maps of lamps into what casts the shadow', () => {
+  const lampOf = (ground, light) => resolveShot({ lights: [light], ground }, shirt).lights[0].shadow;
+  for (const light of [cast('point', 0, 0.35, 0), { ...cast('spot', 0, 0.35, 0), target: [0.3, 0, 0] }, cast('point', 0, 0.35, 0.11)]) {
+    const [without, wide] = [lampOf('none', light), lampOf({ size: [3000, 3000] }, light)];
+    assert.ok(Math.abs(wide.near / without.near - 1) < 1e-9, `${light.type}: ${wide.near}, ${without.near}`);
+    assert.ok(wide.far > 500);
+  }
+});
