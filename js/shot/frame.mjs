@@ -25,8 +25,14 @@ const CLEARANCE = 1e-3;
 /** Part of the far distance at which a view with perspective begins whose camera stands in what it shows. */
 const INSIDE = 1e-3;
 
+/**
+ * Least part of the far distance at which a view with perspective begins. At a distance d a step of 24 bits of depth is
+ * d^2 / (near 2^24) long: with this part at most far / 1,700. A camera a hair outside of a box would leave no depth at all.
+ */
+const LEAST = 1e-4;
+
 /** Where a view with perspective begins that has nothing nearer than `nearest`, which is not above 0 for a camera that stands inside. */
-export const nearPlane = (nearest, far) => (nearest > 0 ? nearest : INSIDE * far);
+export const nearPlane = (nearest, far) => (nearest > 0 ? Math.max(nearest, LEAST * far) : INSIDE * far);
 
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const subtract = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];

@@ -49,3 +49,25 @@ test('a wide ground does not push the maps of lamps into what casts the shadow',
     assert.ok(wide.far > 500);
   }
 });
+
+test('a camera a hair outside of a box has depth left', () => {
+  const room = { min: [-2, 0, -3.3], max: [2, 2.6, Math.fround(3.3)] };
+  const camera = (z, rest) => resolveShot({ camera: { position: [0, 1.6, z], target: [0, 1.6, z - 1], ...rest } }, room).camera;
+  for (const z of [3.3, 3.3 + 1e-12, 3.3001]) {
+    const { near, far } = camera(z, { fovY: 60 });
+    assert.ok(Math.abs(near / far - 1e-4) < 1e-9, `${z}: ${near} of ${far}`);
+  }
+  // From where half of the distance is more, nothing of the box is cut.
+  const { near } = camera(3.302, { fovY: 60 });
+  assert.ok(Math.abs(near / (3.302 - room.max[2]) - 0.5) < 1e-9, `${near}`);
+  // Without perspective depth has one step all over, and the face that is as near is shown.
+  assert.ok(camera(3.3, { height: 2 }).near < 3.3 - room.max[2]);
+});
+
+test('nor has a lamp a hair outside a map that ends in nothing', () => {
+  const bounds = { min: shirt.min, max: shirt.max.map(Math.fround) };
+  for (const light of [cast('point', 0, 0.7, 0), { ...cast('spot', 0, 0.3, 0.100005), target: [0, 0.3, 0] }]) {
+    const { near, far } = resolveShot({ lights: [light] }, bounds).lights[0].shadow;
+    assert.ok(Math.abs(near / far - 1e-4) < 1e-9, `${light.type}: ${near} of ${far}`);
+  }
+});
