@@ -41,7 +41,7 @@ function frameView(camera, aspect, facts, ground) {
   const angles = azimuth === undefined && elevation === undefined ? VIEWS[view ?? 'front'] : { azimuth: azimuth ?? 0, elevation: elevation ?? 0 };
   const whole = needBounds(facts, 'camera');
   const seen = isPart(frame) ? boundsOfPart(frame, facts) : whole;
-  const place = (shadow) => frameBounds(seen, { ...angles, projection, fovY, fit, fitTo }, aspect, { shadow, whole });
+  const place = (shadow) => frameBounds(seen, { ...angles, projection, fovY, fit, fitTo }, aspect, { shadow, ground: ground.corners, whole });
   const alone = place([]);
   const placed = frame === 'scene' && seesGround(alone, ground, { ...angles, projection, fitTo }) ? place(ground.shadow) : alone;
   const planes = ground.corners.length > 0 ? depthRangeOf(widened(whole, ground.corners), { ...placed, projection }, [whole, seen]) : {};

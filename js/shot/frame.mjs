@@ -112,11 +112,14 @@ function seenFromAnywhere(points) {
   return { high: reach, low: reach, middle: () => 0 };
 }
 
-/** Directions that share one scale with a camera's own, by `fitTo`; and how far a box about the origin reaches towards the camera. */
+/** Directions that share one scale with a camera's own, by `fitTo`; and how far points reach towards their cameras. */
 const FIT_TO = {
-  view: { see: seenFrom, front: (half, { back }) => largest(cornersOf(half), (c) => dot(c, back)) },
-  turntable: { see: seenAllRound, front: ([x, y, z], { up, back }) => Math.sqrt(x * x + z * z) * Math.abs(up[1]) + y * Math.abs(back[1]) },
-  all: { see: seenFromAnywhere, front: length },
+  view: { see: seenFrom, front: (points, { back }) => largest(points, (p) => dot(p, back)) },
+  turntable: {
+    see: seenAllRound,
+    front: (points, { up, back }) => largest(points, ([x, y, z]) => Math.sqrt(x * x + z * z) * Math.abs(up[1]) + y * back[1]),
+  },
+  all: { see: seenFromAnywhere, front: (points) => largest(points, length) },
 };
 
 /** What `camera.fitTo` may be. */
@@ -134,6 +137,23 @@ function centringShift(corners, axis, distance) {
   return largest(corners, (p) => -largest(corners, (q) => -root(p, q)));
 }
 
+/**
+ * How far a camera without perspective stands from the middle: any distance will do at which all of it stands before the camera, and the
+ * ground too, which a parallel view shows wherever it reaches.
+ */
+function parallelDistance({ whole, shadow, ground, centre }, { fitTo }, basis) {
+  const size = 2 * length(centreAndHalf(whole).half);
+  const distance = Math.max(
+    size,
+    largest(shadow, (point) => length(subtract(point, centre))),
+  );
+  // From beneath there is no ground to be seen.
+  const isSeen = fitTo === 'all' || basis.back[1] > 0;
+  const corners = isSeen ? ground.map((point) => subtract(point, centre)) : [];
+  const reach = FIT_TO[fitTo].front(corners, basis);
+  return reach > distance ? reach + size : distance;
+}
+
 /** A shadow stays this far inside the frame, as a part of its half: the outline of a round model misses it by 3 % of its radius. */
 const SHADOW_PART = 0.96;
 
@@ -144,11 +164,12 @@ const SHADOW_PART = 0.96;
  * @param {{azimuth: number, elevation: number, projection: 'perspective' | 'orthographic', fovY?: number, fit: number, fitTo: string}} view
  *   degrees; fit above 0, more than 1 cuts the model; fitTo: one of FITS
  * @param {number} aspect width / height
- * @param {{shadow?: Vec3[], whole?: Bounds}} [scene] shadow: points that stay in the frame too, unless `fit` is above 1; whole: the
- *   model's box where `bounds` are a part of it
+ * @param {{shadow?: Vec3[], ground?: Vec3[], whole?: Bounds}} [scene] shadow: points that stay in the frame too, unless `fit` is above 1;
+ *   ground: its corners, which stand before the camera where there is no perspective; whole: the model's box where `bounds` are a part of it
  * @returns {{position: Vec3, target: Vec3, up: Vec3, height?: number, near: number, far: number}}
  */
-export function frameBounds(bounds, { azimuth, elevation, projection, fovY, fit, fitTo }, aspect, { shadow = [], whole = bounds } = {}) {
+export function frameBounds(bounds, view, aspect, { shadow = [], ground = [], whole = bounds } = {}) {
+  const { azimuth, elevation, projection, fovY, fit, fitTo } = view;
   const basis = viewBasis(azimuth, elevation);
   const { centre, half } = centreAndHalf(bounds);
   const { see, front } = FIT_TO[fitTo];
@@ -164,21 +185,12 @@ export function frameBounds(bounds, { azimuth, elevation, projection, fovY, fit,
   const diagonal = 2 * length(half);
   const camera =
     projection === 'perspective'
-      ? framePerspective(seen, tanDegrees(fovY / 2), aspect, front(half, basis) + CLEARANCE * diagonal)
-      : // Without perspective any distance will do at which all of it stands before the camera.
-        frameOrthographic(
-          seen,
-          aspect,
-          diagonal,
-          Math.max(
-            2 * length(centreAndHalf(whole).half),
-            largest(shadow, (point) => length(subtract(point, centre))),
-          ),
-        );
+      ? framePerspective(seen, tanDegrees(fovY / 2), aspect, front(cornersOf(half), basis) + CLEARANCE * diagonal)
+      : frameOrthographic(seen, aspect, diagonal, parallelDistance({ whole, shadow, ground, centre }, view, basis));
   const target = scaleAdd(scaleAdd(centre, camera.x, basis.right), camera.y, basis.up);
   const position = plain(scaleAdd(target, camera.distance, basis.back));
   // Depth goes by the box, which holds every vertex.
-  const nearest = FIT_TO.view.front(half, basis);
+  const nearest = FIT_TO.view.front(cornersOf(half), basis);
   return {
     position,
     target: plain(target),

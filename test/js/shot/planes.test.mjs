@@ -71,3 +71,35 @@ test('nor has a lamp a hair outside a map that ends in nothing', () => {
     assert.ok(Math.abs(near / far - 1e-4) < 1e-9, `${light.type}: ${near} of ${far}`);
   }
 });
+
+const behind = [cast('directional', 0, 0.2, -1)];
+const parallel = (camera, ground = {}) => resolveShot({ camera: { projection: 'orthographic', ...camera }, ground, lights: behind }, shirt);
+
+test('a view without perspective stands before all of a ground that it sees from above', () => {
+  for (const camera of [
+    { azimuth: 0, elevation: 5, fit: 0.5 },
+    { azimuth: 30, elevation: 40 },
+    { azimuth: 0, elevation: 5, frame: 'model' },
+  ]) {
+    const { camera: placed, ground } = parallel(camera);
+    const [[x, y, z], [width, depth]] = [ground.position, ground.size];
+    const reached = distances(placed, { min: [x - width / 2, y, z - depth / 2], max: [x + width / 2, y, z + depth / 2] });
+    assert.ok(Math.min(...reached) > placed.near && Math.max(...reached) < placed.far, `${placed.near} to ${placed.far}: ${reached}`);
+    const { camera: alone } = parallel(camera, 'none');
+    if (camera.frame === 'model') assert.deepEqual([placed.target, placed.height], [alone.target, alone.height], 'straight back');
+  }
+  // The same camera for all views of a turntable.
+  const away = [0, 45, 90, 200].map((azimuth) => parallel({ azimuth, elevation: 5, fitTo: 'turntable', frame: 'model' }).camera);
+  for (const { position } of away) assert.ok(Math.abs(position[1] - away[0].position[1]) < 1e-9);
+});
+
+test('it stays where it was where the ground does not reach behind it, or is not seen', () => {
+  for (const [camera, ground] of [
+    [{ view: 'three-quarter' }, { size: [1, 1], position: [0, 0, 0] }],
+    [{ azimuth: 20, elevation: -30 }, { size: [90, 90] }],
+    [{ view: 'front' }, { size: [90, 90] }],
+  ]) {
+    const [placed, alone] = [ground, 'none'].map((one) => parallel({ ...camera, frame: 'model' }, one).camera.position);
+    assert.deepEqual(placed, alone);
+  }
+});
