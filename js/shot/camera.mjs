@@ -16,8 +16,8 @@ const NOTHING = Object.freeze({ corners: [], shadow: [] });
  * @param {object} camera as the schema parsed it: a view, an explicit camera or {gltf}
  * @param {number} aspect width / height
  * @param {ReturnType<import('./facts.mjs').readFacts>} facts
- * @param {{corners: import('./frame.mjs').Vec3[], shadow: import('./frame.mjs').Vec3[]}} [ground] its corners, which must lie
- *   between near and far, and those of the shadow on it, which must be in the frame
+ * @param {{corners: import('./frame.mjs').Vec3[], shadow: import('./frame.mjs').Vec3[], trueHeight?: number}} [ground] its corners, which
+ *   must lie between near and far, and those of the shadow on it, which must be in the frame, as far as one of `trueHeight` metres holds it
  * @returns {object} explicit camera: {projection, position, target, up, fovY | height, near, far}
  */
 export function resolveCamera(camera, aspect, facts, ground = NOTHING) {
@@ -41,7 +41,8 @@ function frameView(camera, aspect, facts, ground) {
   const angles = azimuth === undefined && elevation === undefined ? VIEWS[view ?? 'front'] : { azimuth: azimuth ?? 0, elevation: elevation ?? 0 };
   const whole = needBounds(facts, 'camera');
   const seen = isPart(frame) ? boundsOfPart(frame, facts) : whole;
-  const place = (shadow) => frameBounds(seen, { ...angles, projection, fovY, fit, fitTo }, aspect, { shadow, ground: ground.corners, whole });
+  const place = (shadow) =>
+    frameBounds(seen, { ...angles, projection, fovY, fit, fitTo }, aspect, { shadow, ground: ground.corners, whole, trueHeight: ground.trueHeight });
   const alone = place([]);
   const placed = frame === 'scene' && seesGround(alone, ground, { ...angles, projection, fitTo }) ? place(ground.shadow) : alone;
   const planes = ground.corners.length > 0 ? depthRangeOf(widened(whole, ground.corners), { ...placed, projection }, [whole, seen]) : {};

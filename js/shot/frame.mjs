@@ -164,12 +164,15 @@ const SHADOW_PART = 0.96;
  * @param {{azimuth: number, elevation: number, projection: 'perspective' | 'orthographic', fovY?: number, fit: number, fitTo: string}} view
  *   degrees; fit above 0, more than 1 cuts the model; fitTo: one of FITS
  * @param {number} aspect width / height
- * @param {{shadow?: Vec3[], ground?: Vec3[], whole?: Bounds}} [scene] shadow: points that stay in the frame too, unless `fit` is above 1;
- *   ground: its corners, which stand before the camera where there is no perspective; whole: the model's box where `bounds` are a part of it
+ * @param {{shadow?: Vec3[], ground?: Vec3[], whole?: Bounds, trueHeight?: number}} [scene] shadow: points that stay in the frame too, unless `fit` is above 1;
+ *   ground: its corners, which stand before the camera where there is no perspective; whole: the model's box where `bounds` are a part of it;
+ *   trueHeight: metres that an orthographic frame will have, whatever `fit` asks for
  * @returns {{position: Vec3, target: Vec3, up: Vec3, height?: number, near: number, far: number}}
  */
-export function frameBounds(bounds, view, aspect, { shadow = [], ground = [], whole = bounds } = {}) {
-  const { azimuth, elevation, projection, fovY, fit, fitTo } = view;
+export function frameBounds(bounds, view, aspect, { shadow = [], ground = [], whole = bounds, trueHeight = Infinity } = {}) {
+  const { azimuth, elevation, projection, fovY, fitTo } = view;
+  // A given height cuts what it cuts.
+  const fit = trueHeight < Infinity ? Math.min(view.fit, 1) : view.fit;
   const basis = viewBasis(azimuth, elevation);
   const { centre, half } = centreAndHalf(bounds);
   const { see, front } = FIT_TO[fitTo];
@@ -186,7 +189,7 @@ export function frameBounds(bounds, view, aspect, { shadow = [], ground = [], wh
   const camera =
     projection === 'perspective'
       ? framePerspective(seen, tanDegrees(fovY / 2), aspect, front(cornersOf(half), basis) + CLEARANCE * diagonal)
-      : frameOrthographic(seen, aspect, diagonal, parallelDistance({ whole, shadow, ground, centre }, view, basis));
+      : frameOrthographic(seen, aspect, { diagonal, distance: parallelDistance({ whole, shadow, ground, centre }, view, basis), trueHeight });
   const target = scaleAdd(scaleAdd(centre, camera.x, basis.right), camera.y, basis.up);
   const position = plain(scaleAdd(target, camera.distance, basis.back));
   // Depth goes by the box, which holds every vertex.
@@ -233,12 +236,22 @@ function framePerspective(seen, slopeY, aspect, leastDistance) {
   return { distance, x, y };
 }
 
-function frameOrthographic(seen, aspect, diagonal, distance) {
+/** Whether all of it lies in the frame with its middle there; roomOf: half of the frame, or a part of that. */
+const holds = (seen, axis, middle, roomOf) =>
+  seen.every((one) => Math.max(one.high(axis, 0) - middle, one.low(axis, 0) + middle) <= roomOf(Math.max(one.part, SHADOW_PART) + 1e-9));
+
+function frameOrthographic(seen, aspect, { diagonal, distance, trueHeight }) {
   const halfOf = (a, b) => Math.max(a.high(1, 0) + b.low(1, 0), (a.high(0, 0) + b.low(0, 0)) / aspect) / (a.part + b.part);
   const height = 2 * largestOfPairs(seen, halfOf);
   const isFlat = !(height * seen[0].part > 1e-9 * diagonal);
   const framed = isFlat ? diagonal / seen[0].part : height;
-  const [x, y] = [aspect, 1].map((side, axis) => shiftFor(seen, axis, distance, ({ part }) => ({ slope: 0, room: (part * framed * side) / 2 })));
+  const shown = Math.min(framed, trueHeight);
+  const [x, y] = [aspect, 1].map((side, axis) => {
+    const roomOf = (part) => (part * shown * side) / 2;
+    const shift = shiftFor(seen, axis, distance, ({ part }) => ({ slope: 0, room: roomOf(part) }));
+    // A frame in true scale may be too small for model and shadow: it shows the model then.
+    return shown === framed || holds(seen, axis, shift, roomOf) ? shift : seen[0].middle(axis, distance, 0);
+  });
   return { distance, x, y, height: framed };
 }
 
